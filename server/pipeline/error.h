@@ -1,0 +1,16 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace grove {
+
+/// The environment failed us: what failed, where, and how to mend it. Programming mistakes assert instead, and an
+/// expected failure is a return value.
+class EnvironmentError : public std::runtime_error {
+ public:
+  EnvironmentError(const std::string& what, const std::string& where, const std::string& mend)
+      : std::runtime_error(where + ": " + what + (mend.empty() ? "" : " (" + mend + ")")) {}
+};
+
+}  // namespace grove

@@ -1,0 +1,132 @@
+#pragma once
+
+#include <cassert>
+#include <cstddef>
+#include <deque>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace grove::pipeline {
+
+/// What a full queue does with one more value.
+enum class Overflow {
+  kReject,      ///< the new value is refused; the producer decides
+  kDropOldest,  ///< newest wins: the oldest value goes
+};
+
+enum class PushResult { kAccepted, kDroppedOldest, kRejected, kClosed };
+
+/// Bounded first-in-first-out list between threads, the arrow of Figure 4.2. Nothing in it blocks: a producer that must
+/// not lose values reserves room first, and is told when there is room again.
+template <class T>
+class Queue {
+ public:
+  Queue(std::size_t capacity, Overflow overflow) : capacity_(capacity), overflow_(overflow) { assert(capacity > 0); }
+
+  /// Adds a value that was not reserved for, by the overflow policy.
+  PushResult push(T value) {
+    const std::lock_guard lock(mutex_);
+    if (closed_) return PushResult::kClosed;
+    if (values_.size() + reserved_ < capacity_) {
+      values_.push_back(std::move(value));
+      return PushResult::kAccepted;
+    }
+    if (overflow_ == Overflow::kReject || values_.empty()) return PushResult::kRejected;
+    values_.pop_front();
+    values_.push_back(std::move(value));
+    return PushResult::kDroppedOldest;
+  }
+
+  /// Takes one place. If there is none, `onRoom` (may be empty) is called once, from the thread that makes room. A
+  /// closed queue grants every reservation, and drops what is pushed, so that producers can finish.
+  bool tryReserve(std::function<void()> onRoom) {
+    const std::lock_guard lock(mutex_);
+    if (!closed_ && overflow_ == Overflow::kReject && values_.size() + reserved_ >= capacity_) {
+      if (onRoom) waiting_.push_back(std::move(onRoom));
+      return false;
+    }
+    if (!closed_ && overflow_ == Overflow::kReject) ++reserved_;
+    return true;
+  }
+
+  /// Gives a reserved place back unused.
+  void cancelReservation() { notify(releaseOne()); }
+
+  /// Adds a value to a place that tryReserve() granted.
+  PushResult pushReserved(T value) {
+    {
+      const std::lock_guard lock(mutex_);
+      if (closed_) return PushResult::kClosed;
+      if (overflow_ == Overflow::kReject) {
+        assert(reserved_ > 0);
+        --reserved_;
+        values_.push_back(std::move(value));
+        return PushResult::kAccepted;
+      }
+    }
+    return push(std::move(value));
+  }
+
+  std::optional<T> pop() {
+    std::optional<T> value;
+    std::vector<std::function<void()>> wake;
+    {
+      const std::lock_guard lock(mutex_);
+      if (values_.empty()) return std::nullopt;
+      value.emplace(std::move(values_.front()));
+      values_.pop_front();
+      wake.swap(waiting_);
+    }
+    notify(wake);
+    return value;
+  }
+
+  /// Refuses all further values and drops those inside.
+  void close() {
+    std::deque<T> dropped;
+    std::vector<std::function<void()>> wake;
+    {
+      const std::lock_guard lock(mutex_);
+      closed_ = true;
+      reserved_ = 0;
+      dropped.swap(values_);
+      wake.swap(waiting_);
+    }
+    notify(wake);
+  }
+
+  [[nodiscard]] std::size_t size() const {
+    const std::lock_guard lock(mutex_);
+    return values_.size();
+  }
+  [[nodiscard]] bool closed() const {
+    const std::lock_guard lock(mutex_);
+    return closed_;
+  }
+  [[nodiscard]] std::size_t capacity() const noexcept { return capacity_; }
+
+ private:
+  std::vector<std::function<void()>> releaseOne() {
+    const std::lock_guard lock(mutex_);
+    if (reserved_ == 0) return {};
+    --reserved_;
+    return std::exchange(waiting_, {});
+  }
+
+  static void notify(const std::vector<std::function<void()>>& wake) {
+    for (const auto& call : wake) call();
+  }
+
+  const std::size_t capacity_;
+  const Overflow overflow_;
+  mutable std::mutex mutex_;
+  std::deque<T> values_;
+  std::size_t reserved_ = 0;
+  bool closed_ = false;
+  std::vector<std::function<void()>> waiting_;
+};
+
+}  // namespace grove::pipeline

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <mutex>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace grove::pipeline {
+
+/// Who a piece of work is for: the paper's c_i, c_b and c_f (section 3.1).
+enum class Work : std::uint8_t { kAcrossUser, kPerUserBackend, kPerUserFrontend };
+
+[[nodiscard]] std::string_view toString(Work work) noexcept;
+
+/// Which frame of which session an item belongs to; zeros where it belongs to none.
+struct TraceTag {
+  std::uint32_t session = 0;
+  std::uint32_t frame = 0;
+};
+
+/// One run of one stage.
+struct TimelineEvent {
+  const char* stage = "";  ///< a string literal
+  Work work = Work::kAcrossUser;
+  TraceTag tag;
+  std::uint32_t thread = 0;           ///< small number, stable for a thread
+  std::int64_t beginNanoseconds = 0;  ///< monotonic clock
+  std::int64_t wallNanoseconds = 0;
+  std::int64_t cpuNanoseconds = 0;  ///< of the thread that ran the stage
+};
+
+/// Sums over all runs of a stage since the start.
+struct StageTotal {
+  Work work = Work::kAcrossUser;
+  std::uint64_t runs = 0;
+  std::uint64_t failures = 0;
+  std::int64_t wallNanoseconds = 0;
+  std::int64_t cpuNanoseconds = 0;
+};
+
+/// Where every stage run is recorded, by the stage runner and by simulation clocks. Keeps the newest `capacity` events
+/// and totals of all. Any thread.
+class Timeline {
+ public:
+  explicit Timeline(std::size_t capacity = 1 << 16);
+
+  void record(const TimelineEvent& event);
+  void recordFailure(const char* stage, Work work);
+
+  /// The kept events, oldest first.
+  [[nodiscard]] std::vector<TimelineEvent> events() const;
+  [[nodiscard]] std::map<std::string, StageTotal> totals() const;
+
+ private:
+  const std::size_t capacity_;
+  mutable std::mutex mutex_;
+  std::vector<TimelineEvent> ring_;
+  std::size_t next_ = 0;
+  std::map<std::string_view, StageTotal> totals_;
+};
+
+/// Measures from construction to destruction and records it.
+class TimedRun {
+ public:
+  TimedRun(Timeline& timeline, const char* stage, Work work, TraceTag tag) noexcept;
+  ~TimedRun();
+  TimedRun(const TimedRun&) = delete;
+  TimedRun& operator=(const TimedRun&) = delete;
+
+ private:
+  Timeline& timeline_;
+  TimelineEvent event_;
+  std::int64_t cpuBegin_;
+};
+
+}  // namespace grove::pipeline

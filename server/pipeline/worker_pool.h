@@ -1,0 +1,42 @@
+#pragma once
+
+#include <condition_variable>
+#include <deque>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "pipeline/executor.h"
+
+namespace grove::pipeline {
+
+/// A fixed number of threads and one first-in-first-out list of tasks, so the oldest frame goes first.
+///
+/// Work-stealing pools (oneTBB) favour the newest task of the thread that made it, which is right for throughput of one
+/// job and wrong for the latency of many; they are also opaque to the thread sanitizer.
+class WorkerPool final : public Executor {
+ public:
+  /// Starts `threads` (at least one) threads named `name` in debuggers and `top -H`.
+  explicit WorkerPool(int threads, const std::string& name = "grove-worker");
+
+  /// Runs what is queued, then joins.
+  ~WorkerPool() override;
+
+  WorkerPool(const WorkerPool&) = delete;
+  WorkerPool& operator=(const WorkerPool&) = delete;
+
+  void post(std::function<void()> task) override;
+  [[nodiscard]] int width() const noexcept override { return static_cast<int>(threads_.size()); }
+
+ private:
+  void run();
+
+  std::mutex mutex_;
+  std::condition_variable wake_;
+  std::deque<std::function<void()>> tasks_;
+  bool stopping_ = false;
+  std::vector<std::thread> threads_;
+};
+
+}  // namespace grove::pipeline

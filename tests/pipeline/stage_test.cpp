@@ -1,0 +1,233 @@
+#include "pipeline/stage.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <latch>
+#include <set>
+#include <thread>
+
+#include "pipeline/outlet.h"
+#include "pipeline/worker_pool.h"
+
+namespace grove::pipeline {
+namespace {
+
+using namespace std::chrono_literals;
+using testing::ElementsAre;
+
+/// Adds one to what it gets; -1 makes it throw.
+class AddOne final : public Stage<int> {
+ public:
+  using Stage::Stage;
+  Outlet<int> out;
+  void connect(std::shared_ptr<Inlet<int>> to) {
+    out.connect(std::move(to));
+    addOutlet(out);
+  }
+
+ protected:
+  void process(std::span<int> items, Run& run) override {
+    for (const int item : items) {
+      if (item == -1) throw std::runtime_error("minus one");
+      out.send(run, item + 1);
+    }
+  }
+  void recover(int& item, const std::string&, Run& run) override { out.send(run, item - 1000); }
+};
+
+/// Keeps what it gets, slowly if told so.
+class Collect final : public Stage<int> {
+ public:
+  using Stage::Stage;
+  std::vector<int> values() {
+    const std::lock_guard lock(mutex_);
+    return values_;
+  }
+  std::atomic<int> delayMilliseconds{0};
+  std::atomic<std::size_t> mostQueued{0};
+  std::atomic<std::size_t> largestBatch{0};
+
+ protected:
+  void process(std::span<int> items, Run&) override {
+    if (queued() > mostQueued) mostQueued = queued();
+    if (items.size() > largestBatch) largestBatch = items.size();
+    if (delayMilliseconds > 0) std::this_thread::sleep_for(delayMilliseconds.load() * 1ms);
+    const std::lock_guard lock(mutex_);
+    values_.insert(values_.end(), items.begin(), items.end());
+  }
+
+ private:
+  std::mutex mutex_;
+  std::vector<int> values_;
+};
+
+/// Two runs wait for each other.
+class Meet final : public Stage<int> {
+ public:
+  using Stage::Stage;
+  std::latch both{2};
+  std::atomic<int> met{0};
+
+ protected:
+  void process(std::span<int>, Run&) override {
+    both.arrive_and_wait();
+    ++met;
+  }
+};
+
+template <class Condition>
+bool eventually(Condition condition) {
+  for (int i = 0; i < 5000; ++i) {
+    if (condition()) return true;
+    std::this_thread::sleep_for(1ms);
+  }
+  return false;
+}
+
+StageOptions named(const char* name, std::size_t capacity) {
+  StageOptions options;
+  options.name = name;
+  options.capacity = capacity;
+  return options;
+}
+
+TEST(Stage, SerialStagesKeepTheOrder) {
+  Timeline timeline;
+  WorkerPool pool(4);
+  const auto add = std::make_shared<AddOne>(named("add", 200), pool, timeline);
+  const auto collect = std::make_shared<Collect>(named("collect", 200), pool, timeline);
+  add->connect(collect);
+  std::vector<int> expected;
+  for (int i = 0; i < 200; ++i) {
+    ASSERT_EQ(add->push(i), PushResult::kAccepted);
+    expected.push_back(i + 1);
+  }
+  ASSERT_TRUE(eventually([&] { return collect->values().size() == 200; }));
+  EXPECT_EQ(collect->values(), expected);
+}
+
+TEST(Stage, AFullSuccessorHoldsBackItsPredecessors) {
+  Timeline timeline;
+  WorkerPool pool(3);
+  const auto add = std::make_shared<AddOne>(named("add", 4), pool, timeline);
+  const auto collect = std::make_shared<Collect>(named("collect", 2), pool, timeline);
+  collect->delayMilliseconds = 1;
+  add->connect(collect);
+  for (int i = 0; i < 100;) {
+    if (add->push(i) == PushResult::kAccepted) {
+      ++i;
+    } else {
+      std::this_thread::sleep_for(200us);
+    }
+    EXPECT_LE(collect->queued(), 2u);
+  }
+  ASSERT_TRUE(eventually([&] { return collect->values().size() == 100; })) << "nothing may be lost by back-pressure";
+  EXPECT_LE(collect->mostQueued, 2u);
+}
+
+TEST(Stage, AnExceptionEndsItsRunOnly) {
+  Timeline timeline;
+  WorkerPool pool(2);
+  const auto add = std::make_shared<AddOne>(named("add", 8), pool, timeline);
+  const auto collect = std::make_shared<Collect>(named("collect", 8), pool, timeline);
+  add->connect(collect);
+  add->push(1);
+  add->push(-1);
+  add->push(5);
+  ASSERT_TRUE(eventually([&] { return collect->values().size() == 3; }));
+  EXPECT_THAT(collect->values(), ElementsAre(2, -1001, 6));
+  EXPECT_EQ(timeline.totals().at("add").failures, 1u);
+}
+
+TEST(Stage, AConcurrentStageRunsInParallel) {
+  Timeline timeline;
+  WorkerPool pool(2);
+  StageOptions options = named("meet", 4);
+  options.concurrency = 2;
+  const auto meet = std::make_shared<Meet>(options, pool, timeline);
+  meet->push(1);
+  meet->push(2);
+  EXPECT_TRUE(eventually([&] { return meet->met == 2; }));
+}
+
+TEST(Stage, BatchesWhatHasQueuedUp) {
+  Timeline timeline;
+  WorkerPool pool(1);
+  StageOptions options = named("collect", 16);
+  options.maxBatch = 8;
+  const auto collect = std::make_shared<Collect>(options, pool, timeline);
+  collect->delayMilliseconds = 20;
+  for (int i = 0; i < 12; ++i) collect->push(i);
+  ASSERT_TRUE(eventually([&] { return collect->values().size() == 12; }));
+  EXPECT_GT(collect->largestBatch, 1u);
+  EXPECT_LE(collect->largestBatch, 8u);
+}
+
+TEST(Stage, ABatchNeverOutgrowsItsOutlet) {
+  Timeline timeline;
+  WorkerPool pool(2);
+  StageOptions options = named("add", 16);
+  options.maxBatch = 8;
+  const auto add = std::make_shared<AddOne>(options, pool, timeline);
+  const auto collect = std::make_shared<Collect>(named("collect", 3), pool, timeline);
+  collect->delayMilliseconds = 1;
+  add->connect(collect);
+  for (int i = 0; i < 16; ++i) add->push(i);
+  ASSERT_TRUE(eventually([&] { return collect->values().size() == 16; }));
+  EXPECT_LE(collect->mostQueued, 3u);
+}
+
+TEST(Stage, CloseDropsWhatIsQueuedAndEndsCleanly) {
+  Timeline timeline;
+  {
+    WorkerPool pool(2);
+    const auto add = std::make_shared<AddOne>(named("add", 64), pool, timeline);
+    const auto collect = std::make_shared<Collect>(named("collect", 1), pool, timeline);
+    collect->delayMilliseconds = 2;
+    add->connect(collect);
+    for (int i = 0; i < 64; ++i) add->push(i);
+    add->close();
+    collect->close();
+    EXPECT_EQ(add->push(1), PushResult::kClosed);
+  }
+  SUCCEED() << "the pool joined with runs in progress";
+}
+
+TEST(Stage, EveryRunLeavesATaggedEvent) {
+  Timeline timeline;
+  {
+    WorkerPool pool(1);
+    StageOptions options = named("collect", 4);
+    options.work = Work::kPerUserFrontend;
+    const auto collect = std::make_shared<Collect>(options, pool, timeline);
+    collect->delayMilliseconds = 5;
+    collect->push(1);
+  }
+  const auto events = timeline.events();
+  ASSERT_EQ(events.size(), 1u);
+  EXPECT_STREQ(events[0].stage, "collect");
+  EXPECT_EQ(events[0].work, Work::kPerUserFrontend);
+  EXPECT_GE(events[0].wallNanoseconds, 5'000'000);
+  EXPECT_LT(events[0].cpuNanoseconds, events[0].wallNanoseconds) << "sleeping is not CPU time";
+}
+
+TEST(WorkerPool, ThreadsDoNotGrowWithTasks) {
+  std::mutex mutex;
+  std::set<std::thread::id> seen;
+  {
+    WorkerPool pool(3);
+    for (int i = 0; i < 500; ++i) {
+      pool.post([&] {
+        const std::lock_guard lock(mutex);
+        seen.insert(std::this_thread::get_id());
+      });
+    }
+  }
+  EXPECT_LE(seen.size(), 3u);
+}
+
+}  // namespace
+}  // namespace grove::pipeline
