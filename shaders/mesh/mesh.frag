@@ -1,0 +1,3 @@
+#version 450 core
+#define FINE
+#include "mesh/shading.glsl"
