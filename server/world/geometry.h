@@ -1,0 +1,50 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+#include <limits>
+#include <vector>
+
+namespace grove::world {
+
+/// Metres, right-handed, Y up.
+using Vec2 = glm::vec2;
+using Vec3 = glm::vec3;
+using Vec4 = glm::vec4;
+using Mat4 = glm::mat4;
+
+/// Axis-aligned box in metres; empty until something is added.
+struct Bounds {
+  Vec3 low{std::numeric_limits<float>::infinity()};
+  Vec3 high{-std::numeric_limits<float>::infinity()};
+
+  [[nodiscard]] bool empty() const noexcept { return low.x > high.x; }
+  [[nodiscard]] Vec3 centre() const noexcept { return (low + high) * 0.5F; }
+  [[nodiscard]] Vec3 size() const noexcept { return high - low; }
+  [[nodiscard]] std::array<Vec3, 8> corners() const noexcept;
+  void add(Vec3 point) noexcept;
+  void add(const Bounds& other) noexcept;
+};
+
+/// Where an object stands: turned about Y, scaled evenly.
+struct Transform {
+  Vec3 position{0.0F};
+  float yaw = 0.0F;  ///< radians, counter-clockwise seen from above
+  float scale = 1.0F;
+
+  [[nodiscard]] Mat4 matrix() const;
+  [[nodiscard]] Bounds apply(const Bounds& bounds) const;
+};
+
+/// Indexed triangles in metres. Closed surfaces where they are to be voxelised.
+struct Triangles {
+  std::vector<Vec3> positions;
+  std::vector<std::array<std::uint32_t, 3>> indices;
+
+  void append(const Triangles& other, const Mat4& matrix);
+  [[nodiscard]] Bounds bounds() const;
+};
+
+}  // namespace grove::world

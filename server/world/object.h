@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "world/geometry.h"
+
+namespace grove::world {
+
+/// What one object is made of, in its own coordinates: read from the scene file by its type, then immutable and shared.
+/// A type derives from this whatever it needs.
+class Model {
+ public:
+  virtual ~Model() = default;
+
+  /// Everything the object can ever show.
+  [[nodiscard]] virtual Bounds bounds() const = 0;
+
+  /// Closed surface that stops light and smoke; null if there is none. Lives as long as the model.
+  [[nodiscard]] virtual const Triangles* solid() const { return nullptr; }
+
+  /// Radius in metres of the upright cylinder that visitors walk around; none if they walk through.
+  [[nodiscard]] virtual std::optional<float> obstacleRadius() const { return std::nullopt; }
+};
+
+using ObjectId = std::uint32_t;
+using TypeIndex = std::uint32_t;  ///< place of an object type in the registry
+
+/// Ids from here on are visitors: kFirstPlayerObject + their PlayerId.
+inline constexpr ObjectId kFirstPlayerObject = 0x40000000;
+
+/// A thing in the world.
+struct Object {
+  ObjectId id = 0;
+  TypeIndex type = 0;
+  std::string name;
+  Transform transform;
+  Bounds bounds;  ///< in the world
+  std::shared_ptr<const Model> model;
+};
+
+}  // namespace grove::world

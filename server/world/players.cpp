@@ -1,0 +1,116 @@
+#include "world/players.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace grove::world {
+namespace {
+
+constexpr float kPlayerRadius = 0.35F;
+constexpr float kStepSeconds = 1.0F / 60.0F;
+constexpr double kMostSecondsAtOnce = 1.0;
+constexpr float kAcceleration = 12.0F;  // per second, of the difference to the wanted velocity
+
+// Warm and cold lantern colours that stay apart from each other and from the grass; 0x00BBGGRR.
+constexpr std::array<std::uint32_t, 8> kColours = {0x4FB4FF, 0xFFC46A, 0x7CE38B, 0xC98BFF,
+                                                   0x6D6BFF, 0xF2F06B, 0xB0FFE2, 0xE8A0F5};
+
+}  // namespace
+
+Players::Players(Vec3 spawn, float spawnYaw, float radius, std::vector<Obstacle> obstacles)
+    : spawn_(spawn), spawnYaw_(spawnYaw), radius_(radius), obstacles_(std::move(obstacles)) {}
+
+PlayerId Players::join(const std::string& name, double now) {
+  const std::lock_guard lock(mutex_);
+  const PlayerId id = nextId_++;
+  Entry entry;
+  entry.time = now;
+  Player& player = entry.player;
+  player.id = id;
+  player.name = name;
+  player.colour = kColours[(id - 1) % kColours.size()];
+  // Side by side, alternately left and right of the first, so that nobody arrives inside another.
+  const auto place = static_cast<float>((id - 1) % 8);
+  const float side = (std::fmod(place, 2.0F) == 0.0F ? 1.0F : -1.0F) * std::ceil(place / 2.0F) * 1.1F;
+  player.pose.yaw = spawnYaw_;
+  player.pose.position = spawn_ + Vec3(0, kEyeHeight, 0) + player.pose.right() * side;
+  entries_.emplace(id, entry);
+  return id;
+}
+
+void Players::leave(PlayerId id) {
+  const std::lock_guard lock(mutex_);
+  entries_.erase(id);
+}
+
+bool Players::apply(PlayerId id, const Input& input, double now) {
+  if (!std::isfinite(input.yaw) || !std::isfinite(input.pitch)) return false;
+  const std::lock_guard lock(mutex_);
+  const auto it = entries_.find(id);
+  if (it == entries_.end()) return false;
+  Player& player = it->second.player;
+  if (input.number <= player.lastInput) return true;
+  advance(it->second, now);
+  player.lastInput = input.number;
+  player.keys = input.keys;
+  player.pose.yaw = std::remainder(input.yaw, 6.2831853F);
+  player.pose.pitch = std::clamp(input.pitch, -kMaxPitch, kMaxPitch);
+  return true;
+}
+
+std::optional<Player> Players::find(PlayerId id, double now) {
+  const std::lock_guard lock(mutex_);
+  const auto it = entries_.find(id);
+  if (it == entries_.end()) return std::nullopt;
+  advance(it->second, now);
+  return it->second.player;
+}
+
+std::vector<Player> Players::all(double now) {
+  const std::lock_guard lock(mutex_);
+  std::vector<Player> result;
+  result.reserve(entries_.size());
+  for (auto& [id, entry] : entries_) {
+    advance(entry, now);
+    result.push_back(entry.player);
+  }
+  return result;
+}
+
+std::size_t Players::count() const {
+  const std::lock_guard lock(mutex_);
+  return entries_.size();
+}
+
+void Players::advance(Entry& entry, double now) const {
+  entry.time = std::max(entry.time, now - kMostSecondsAtOnce);
+  while (entry.time < now) {
+    const float seconds = std::min(kStepSeconds, static_cast<float>(now - entry.time));
+    step(entry.player, seconds);
+    entry.time = now - entry.time <= kStepSeconds ? now : entry.time + seconds;
+  }
+}
+
+void Players::step(Player& player, float seconds) const {
+  const auto held = [&](Key key) { return (player.keys & key) != 0 ? 1.0F : 0.0F; };
+  const Vec3 ahead(-std::sin(player.pose.yaw), 0, -std::cos(player.pose.yaw));
+  Vec3 wanted = ahead * (held(kForward) - held(kBack)) + player.pose.right() * (held(kRight) - held(kLeft));
+  if (glm::dot(wanted, wanted) > 0.0F) wanted = glm::normalize(wanted) * (held(kRun) > 0 ? kRunSpeed : kWalkSpeed);
+  player.velocity += (wanted - player.velocity) * (1.0F - std::exp(-kAcceleration * seconds));
+  if (glm::dot(player.velocity, player.velocity) < 1e-5F) player.velocity = Vec3(0.0F);
+
+  const Vec3 before = player.pose.position;
+  Vec2 place(before.x + player.velocity.x * seconds, before.z + player.velocity.z * seconds);
+  for (const Obstacle& obstacle : obstacles_) {
+    const Vec2 away = place - obstacle.centre;
+    const float distance = glm::length(away);
+    const float least = obstacle.radius + kPlayerRadius;
+    if (distance < least) place = obstacle.centre + (distance > 1e-4F ? away / distance : Vec2(1, 0)) * least;
+  }
+  if (glm::length(place) > radius_) place = glm::normalize(place) * radius_;
+  player.pose.position.x = place.x;
+  player.pose.position.z = place.y;
+  player.stride += glm::length(player.pose.position - before);
+}
+
+}  // namespace grove::world

@@ -1,0 +1,93 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "world/camera.h"
+#include "world/geometry.h"
+
+namespace grove::world {
+
+using PlayerId = std::uint32_t;
+
+/// Keys that a visitor holds, bits of Input::keys.
+enum Key : std::uint8_t {
+  kForward = 1,
+  kBack = 2,
+  kLeft = 4,
+  kRight = 8,
+  kRun = 16,
+  kBlow = 32,
+};
+
+/// The newest state of a visitor's controls; absolute, so a lost one does no harm.
+struct Input {
+  std::uint32_t number = 0;  ///< counts up; a frame tells the last one it shows
+  std::uint8_t keys = 0;     ///< bits of Key
+  float yaw = 0.0F;          ///< radians
+  float pitch = 0.0F;        ///< radians
+};
+
+/// A visitor as all others see it.
+struct Player {
+  PlayerId id = 0;
+  std::string name;
+  std::uint32_t colour = 0;  ///< 0x00BBGGRR
+  Pose pose;                 ///< of the eye
+  Vec3 velocity{0.0F};       ///< metres a second
+  float stride = 0.0F;       ///< metres walked, for the gait
+  std::uint32_t lastInput = 0;
+  std::uint8_t keys = 0;
+};
+
+/// An upright cylinder that nobody walks through.
+struct Obstacle {
+  Vec2 centre{0.0F};  ///< x and z
+  float radius = 0.0F;
+};
+
+/// Everybody in the world. Positions advance lazily and exactly: whoever looks, at whatever time, sees every player
+/// where the held keys have brought it by then, so there is no tick to wait for. Any thread.
+class Players {
+ public:
+  /// Visitors arrive around `spawn` and stay within `radius` metres of the origin.
+  Players(Vec3 spawn, float spawnYaw, float radius, std::vector<Obstacle> obstacles);
+
+  /// `now` is in seconds of the monotonic clock, everywhere in this class.
+  PlayerId join(const std::string& name, double now);
+  void leave(PlayerId id);
+
+  /// Takes over the controls. NaN or infinite angles are refused (false), older numbers are ignored.
+  bool apply(PlayerId id, const Input& input, double now);
+
+  [[nodiscard]] std::optional<Player> find(PlayerId id, double now);
+  [[nodiscard]] std::vector<Player> all(double now);
+  [[nodiscard]] std::size_t count() const;
+
+ private:
+  struct Entry {
+    Player player;
+    double time = 0.0;
+  };
+  void advance(Entry& entry, double now) const;
+  void step(Player& player, float seconds) const;
+
+  const Vec3 spawn_;
+  const float spawnYaw_;
+  const float radius_;
+  const std::vector<Obstacle> obstacles_;
+  mutable std::mutex mutex_;
+  std::map<PlayerId, Entry> entries_;
+  PlayerId nextId_ = 1;
+};
+
+inline constexpr float kEyeHeight = 1.7F;
+inline constexpr float kWalkSpeed = 2.2F;
+inline constexpr float kRunSpeed = 5.0F;
+
+}  // namespace grove::world

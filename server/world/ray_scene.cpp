@@ -1,0 +1,86 @@
+#include "world/ray_scene.h"
+
+#include <embree3/rtcore.h>
+
+#include <cstring>
+
+#include "pipeline/error.h"
+
+namespace grove::world {
+
+struct RayScene::Handles {
+  RTCDevice device = nullptr;
+  RTCScene scene = nullptr;
+
+  Handles() = default;
+  Handles(const Handles&) = delete;
+  Handles& operator=(const Handles&) = delete;
+  ~Handles() {
+    if (scene != nullptr) rtcReleaseScene(scene);
+    if (device != nullptr) rtcReleaseDevice(device);
+  }
+};
+
+RayScene::RayScene(const Triangles& triangles) : handles_(std::make_unique<Handles>()) {
+  handles_->device = rtcNewDevice("threads=1");
+  if (handles_->device == nullptr) throw EnvironmentError("no ray-tracing device", "Embree", "check the CPU's SSE2");
+  handles_->scene = rtcNewScene(handles_->device);
+  rtcSetSceneFlags(handles_->scene, RTC_SCENE_FLAG_ROBUST);
+  if (!triangles.indices.empty()) {
+    RTCGeometry geometry = rtcNewGeometry(handles_->device, RTC_GEOMETRY_TYPE_TRIANGLE);
+    void* positions = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(Vec3),
+                                              triangles.positions.size());
+    std::memcpy(positions, triangles.positions.data(), triangles.positions.size() * sizeof(Vec3));
+    void* indices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                            sizeof(triangles.indices[0]), triangles.indices.size());
+    std::memcpy(indices, triangles.indices.data(), triangles.indices.size() * sizeof(triangles.indices[0]));
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometry(handles_->scene, geometry);
+    rtcReleaseGeometry(geometry);
+  }
+  rtcCommitScene(handles_->scene);
+}
+
+RayScene::~RayScene() = default;
+RayScene::RayScene(RayScene&&) noexcept = default;
+RayScene& RayScene::operator=(RayScene&&) noexcept = default;
+
+namespace {
+
+RTCRay makeRay(Vec3 origin, Vec3 direction, float near, float far) {
+  RTCRay ray{};
+  ray.org_x = origin.x;
+  ray.org_y = origin.y;
+  ray.org_z = origin.z;
+  ray.dir_x = direction.x;
+  ray.dir_y = direction.y;
+  ray.dir_z = direction.z;
+  ray.tnear = near;
+  ray.tfar = far;
+  ray.mask = 0xFFFFFFFFU;
+  return ray;
+}
+
+}  // namespace
+
+std::optional<RayScene::Hit> RayScene::intersect(Vec3 origin, Vec3 direction, float near, float far) const {
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  RTCRayHit query{};
+  query.ray = makeRay(origin, direction, near, far);
+  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  rtcIntersect1(handles_->scene, &context, &query);
+  if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
+  return Hit{query.ray.tfar, query.hit.primID, query.hit.u, query.hit.v,
+             glm::normalize(Vec3(query.hit.Ng_x, query.hit.Ng_y, query.hit.Ng_z))};
+}
+
+bool RayScene::occluded(Vec3 origin, Vec3 direction, float near, float far) const {
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  RTCRay ray = makeRay(origin, direction, near, far);
+  rtcOccluded1(handles_->scene, &context, &ray);
+  return ray.tfar < 0.0F;
+}
+
+}  // namespace grove::world

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "world/geometry.h"
+
+namespace grove::world {
+
+/// Triangles that rays can be shot at (Embree). Immutable after construction; any number of threads may trace.
+class RayScene {
+ public:
+  explicit RayScene(const Triangles& triangles);
+  ~RayScene();
+  RayScene(RayScene&&) noexcept;
+  RayScene& operator=(RayScene&&) noexcept;
+
+  struct Hit {
+    float distance = 0.0F;  ///< in lengths of the direction
+    std::uint32_t triangle = 0;
+    float u = 0.0F;  ///< barycentric: point = (1-u-v)*a + u*b + v*c
+    float v = 0.0F;
+    Vec3 normal{0.0F};  ///< geometric, unit
+  };
+
+  [[nodiscard]] std::optional<Hit> intersect(Vec3 origin, Vec3 direction, float near = 0.0F, float far = 1.0e30F) const;
+  [[nodiscard]] bool occluded(Vec3 origin, Vec3 direction, float near = 0.0F, float far = 1.0e30F) const;
+
+ private:
+  struct Handles;
+  std::unique_ptr<Handles> handles_;
+};
+
+}  // namespace grove::world

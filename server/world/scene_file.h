@@ -1,0 +1,76 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "world/geometry.h"
+
+namespace grove::world {
+
+/// A scene file that cannot be used; what() reads `FILE:LINE: reason`.
+class SceneError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// The settings of one object that only its type understands. Each getter marks its key as known; finish() then refuses
+/// the rest, so a misspelt key is an error with a line and not a silent default.
+class Parameters {
+ public:
+  class Table;  ///< hides the parser
+  explicit Parameters(std::shared_ptr<const Table> table);
+
+  [[nodiscard]] double number(std::string_view key, double fallback, double low, double high) const;
+  [[nodiscard]] int integer(std::string_view key, int fallback, int low, int high) const;
+  [[nodiscard]] std::string text(std::string_view key, std::string_view fallback) const;
+  /// The text must be one of the choices; the first is the default.
+  [[nodiscard]] std::string choice(std::string_view key, const std::vector<std::string>& choices) const;
+  [[nodiscard]] Vec3 vector(std::string_view key, Vec3 fallback) const;
+
+  /// Throws SceneError if a key was given that no getter asked for.
+  void finish() const;
+
+  /// Throws SceneError at the key's line, or at the object's if it was not given.
+  [[noreturn]] void fail(std::string_view key, const std::string& reason) const;
+
+ private:
+  std::shared_ptr<const Table> table_;
+};
+
+/// One `[[object]]` of a scene file.
+struct ObjectDescription {
+  std::string type;
+  std::string name;
+  Transform transform;
+  Parameters parameters;
+};
+
+/// A point light of the scene, `[[light]]`.
+struct LightDescription {
+  Vec3 position{0.0F};
+  Vec3 colour{1.0F};
+  float flicker = 0.0F;  ///< 0 steady to 1 wild, as a fire
+};
+
+struct Scene {
+  std::string name;
+  Vec3 spawn{0.0F, 0.0F, 10.0F};  ///< where visitors arrive, on the ground
+  float spawnYaw = 0.0F;          ///< radians
+  float radius = 30.0F;           ///< metres from the origin that visitors can walk
+  std::vector<ObjectDescription> objects;
+  std::optional<ObjectDescription> visitor;  ///< `[visitor]`: how visitors look to each other
+  std::vector<LightDescription> lights;
+};
+
+/// Reads a scene. Throws SceneError (bad file) or EnvironmentError (no such file).
+[[nodiscard]] Scene loadScene(const std::filesystem::path& file);
+
+/// The same from text; `fileName` is for messages.
+[[nodiscard]] Scene parseScene(std::string_view text, const std::string& fileName);
+
+}  // namespace grove::world

@@ -1,0 +1,79 @@
+#include "world/players.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace grove::world {
+namespace {
+
+Players inTheOpen() { return {Vec3(0, 0, 0), 0.0F, 30.0F, {}}; }
+
+TEST(Players, WalkWhereTheyLook) {
+  Players players = inTheOpen();
+  const PlayerId id = players.join("a", 100.0);
+  ASSERT_TRUE(players.apply(id, {1, kForward, glm::half_pi<float>(), 0.0F}, 100.0));
+  const Player later = *players.find(id, 100.9);
+  EXPECT_NEAR(later.pose.position.x, -kWalkSpeed * 0.9F, 0.3F);
+  EXPECT_NEAR(later.pose.position.z, 0.0F, 1e-3F);
+  EXPECT_GT(later.stride, 1.0F);
+}
+
+TEST(Players, ResultDoesNotDependOnWhoLooksWhen) {
+  Players often = inTheOpen();
+  Players seldom = inTheOpen();
+  const PlayerId a = often.join("a", 0.0);
+  const PlayerId b = seldom.join("a", 0.0);
+  ASSERT_TRUE(often.apply(a, {1, kForward | kRun, 0.4F, 0.0F}, 0.0));
+  ASSERT_TRUE(seldom.apply(b, {1, kForward | kRun, 0.4F, 0.0F}, 0.0));
+  for (int i = 1; i < 600; ++i) (void)often.all(i * 0.0015);
+  const Vec3 p = often.find(a, 0.9)->pose.position;
+  const Vec3 q = seldom.find(b, 0.9)->pose.position;
+  EXPECT_NEAR(glm::distance(p, q), 0.0F, 0.05F);
+}
+
+TEST(Players, StayOutOfStonesAndInsideTheWorld) {
+  Players players(Vec3(0, 0, 0), 0.0F, 12.0F, {{{0.1F, -5.0F}, 1.0F}});
+  const PlayerId id = players.join("a", 0.0);
+  ASSERT_TRUE(players.apply(id, {1, kForward | kRun, 0.0F, 0.0F}, 0.0));
+  for (int i = 1; i <= 200; ++i) {
+    const Vec3 p = players.find(id, i * 0.05)->pose.position;
+    EXPECT_GE(std::hypot(p.x - 0.1F, p.z + 5.0F), 1.3F);
+    EXPECT_LE(std::hypot(p.x, p.z), 12.001F);
+  }
+}
+
+TEST(Players, RefusesWhatIsNoDirection) {
+  Players players = inTheOpen();
+  const PlayerId id = players.join("a", 0.0);
+  EXPECT_FALSE(players.apply(id, {1, 0, std::numeric_limits<float>::quiet_NaN(), 0.0F}, 0.0));
+  EXPECT_FALSE(players.apply(id, {1, 0, 0.0F, std::numeric_limits<float>::infinity()}, 0.0));
+  EXPECT_EQ(players.find(id, 0.0)->lastInput, 0u);
+}
+
+TEST(Players, OldInputsAreIgnoredAndPitchIsBounded) {
+  Players players = inTheOpen();
+  const PlayerId id = players.join("a", 0.0);
+  ASSERT_TRUE(players.apply(id, {5, 0, 1.0F, 40.0F}, 0.0));
+  ASSERT_TRUE(players.apply(id, {4, kForward, 2.0F, 0.0F}, 0.0));
+  const Player player = *players.find(id, 0.5);
+  EXPECT_EQ(player.lastInput, 5u);
+  EXPECT_FLOAT_EQ(player.pose.yaw, 1.0F);
+  EXPECT_FLOAT_EQ(player.pose.pitch, kMaxPitch);
+  EXPECT_NEAR(glm::length(player.velocity), 0.0F, 1e-6F);
+}
+
+TEST(Players, ArriveApartAndLeave) {
+  Players players = inTheOpen();
+  const PlayerId a = players.join("a", 0.0);
+  const PlayerId b = players.join("b", 0.0);
+  EXPECT_GT(glm::distance(players.find(a, 0)->pose.position, players.find(b, 0)->pose.position), 0.7F);
+  EXPECT_NE(players.find(a, 0)->colour, players.find(b, 0)->colour);
+  players.leave(a);
+  EXPECT_EQ(players.count(), 1u);
+  EXPECT_FALSE(players.find(a, 0).has_value());
+}
+
+}  // namespace
+}  // namespace grove::world

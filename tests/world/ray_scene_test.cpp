@@ -1,0 +1,37 @@
+#include "world/ray_scene.h"
+
+#include <gtest/gtest.h>
+
+namespace grove::world {
+namespace {
+
+Triangles floorSquare() {
+  Triangles t;
+  t.positions = {{-1, 0, -1}, {1, 0, -1}, {1, 0, 1}, {-1, 0, 1}};
+  t.indices = {{0, 2, 1}, {0, 3, 2}};
+  return t;
+}
+
+TEST(RayScene, HitsTheNearestSurface) {
+  const RayScene scene(floorSquare());
+  const auto hit = scene.intersect({0.2F, 3, 0.1F}, {0, -1, 0});
+  ASSERT_TRUE(hit.has_value());
+  EXPECT_NEAR(hit->distance, 3.0F, 1e-5F);
+  EXPECT_NEAR(std::abs(hit->normal.y), 1.0F, 1e-5F);
+  EXPECT_FALSE(scene.intersect({2, 3, 0}, {0, -1, 0}).has_value());
+}
+
+TEST(RayScene, OcclusionObeysTheInterval) {
+  const RayScene scene(floorSquare());
+  EXPECT_TRUE(scene.occluded({0, 3, 0}, {0, -1, 0}));
+  EXPECT_FALSE(scene.occluded({0, 3, 0}, {0, -1, 0}, 0.0F, 2.0F));
+  EXPECT_FALSE(scene.occluded({0, 3, 0}, {0, -1, 0}, 3.5F));
+}
+
+TEST(RayScene, NothingIsAValidScene) {
+  const RayScene scene(Triangles{});
+  EXPECT_FALSE(scene.occluded({0, 0, 0}, {0, 1, 0}));
+}
+
+}  // namespace
+}  // namespace grove::world
