@@ -1,0 +1,38 @@
+#include "node/backend/backend_node.h"
+
+#include "node/backend/renderer.h"
+#include "node/backend/simulator.h"
+
+namespace grove::node {
+namespace {
+
+std::shared_ptr<Answerer> makeAnswerer(BackendHalf& half, pipeline::Timeline& timeline) {
+  if (half.kind() == NodeKind::kSimulation) return std::make_shared<Simulator>(half, timeline);
+  return std::make_shared<Renderer>(half, timeline);
+}
+
+}  // namespace
+
+BackendNode::BackendNode(const ObjectType& type, world::TypeIndex index, const BackendServices& services,
+                         Transport& transport)
+    : half_(type.makeBackend(services, index)),
+      receiver_(std::make_shared<RequestReceiver>(services.workers, services.timeline)),
+      answerer_(makeAnswerer(*half_, services.timeline)),
+      compressor_(std::make_shared<Compressor>(transport, services.workers, services.timeline)),
+      sender_(std::make_shared<ResultSender>(transport, services.workers, services.timeline)) {
+  receiver_->connect(answerer_);
+  answerer_->connect(compressor_);
+  compressor_->connect(sender_);
+  transport.connectBackend(index, receiver_);
+}
+
+BackendNode::~BackendNode() = default;
+
+void BackendNode::close() {
+  receiver_->close();
+  answerer_->close();
+  compressor_->close();
+  sender_->close();
+}
+
+}  // namespace grove::node

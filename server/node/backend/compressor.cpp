@@ -1,0 +1,29 @@
+#include "node/backend/compressor.h"
+
+#include <utility>
+
+#include "node/limits.h"
+
+namespace grove::node {
+
+Compressor::Compressor(const Transport& transport, pipeline::Executor& executor, pipeline::Timeline& timeline)
+    : Stage({.name = "Compressor",
+             .work = pipeline::Work::kPerUserBackend,
+             .capacity = kBackendQueue,
+             .maxBatch = kBackendBatch},
+            executor, timeline),
+      transport_(transport) {}
+
+void Compressor::connect(std::shared_ptr<pipeline::Inlet<Result>> next) {
+  next_.connect(std::move(next));
+  addOutlet(next_);
+}
+
+void Compressor::process(std::span<Result> results, pipeline::Run& run) {
+  for (Result& result : results) {
+    result.payload = transport_.compress(std::move(result.payload));
+    next_.send(run, std::move(result));
+  }
+}
+
+}  // namespace grove::node

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "node/backend/answerer.h"
+
+namespace grove::node {
+
+/// Renders images of an object from the request's camera (section 4.2, step 4).
+class Renderer final : public Answerer {
+ public:
+  Renderer(BackendHalf& half, pipeline::Timeline& timeline) : Answerer("Renderer", half, timeline) {}
+};
+
+}  // namespace grove::node

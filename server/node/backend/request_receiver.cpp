@@ -1,0 +1,25 @@
+#include "node/backend/request_receiver.h"
+
+#include <utility>
+
+#include "node/limits.h"
+
+namespace grove::node {
+
+RequestReceiver::RequestReceiver(pipeline::Executor& executor, pipeline::Timeline& timeline)
+    : Stage({.name = "Request Receiver",
+             .work = pipeline::Work::kPerUserBackend,
+             .capacity = kBackendQueue,
+             .maxBatch = kBackendBatch},
+            executor, timeline) {}
+
+void RequestReceiver::connect(std::shared_ptr<pipeline::Inlet<Request>> answerer) {
+  answerer_.connect(std::move(answerer));
+  addOutlet(answerer_);
+}
+
+void RequestReceiver::process(std::span<Request> requests, pipeline::Run& run) {
+  for (Request& request : requests) answerer_.send(run, std::move(request));
+}
+
+}  // namespace grove::node

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "node/messages.h"
+#include "pipeline/outlet.h"
+
+namespace grove::node {
+
+/// Takes requests off the transport and hands them to the Renderer or the Simulator (section 4.2, step 3). Requests of
+/// a frame that the frontend cannot show any more are still answered: only the frontend knows its table.
+class RequestReceiver final : public pipeline::Stage<Request> {
+ public:
+  RequestReceiver(pipeline::Executor& executor, pipeline::Timeline& timeline);
+  void connect(std::shared_ptr<pipeline::Inlet<Request>> answerer);
+
+ protected:
+  void process(std::span<Request> requests, pipeline::Run& run) override;
+
+ private:
+  pipeline::Outlet<Request> answerer_;
+};
+
+}  // namespace grove::node

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "node/backend/answerer.h"
+
+namespace grove::node {
+
+/// Answers with the simulation's newest data (section 4.2, step 5). The simulation itself ticks on its own clock,
+/// independent of requests.
+class Simulator final : public Answerer {
+ public:
+  Simulator(BackendHalf& half, pipeline::Timeline& timeline) : Answerer("Simulator", half, timeline) {}
+};
+
+}  // namespace grove::node

@@ -1,0 +1,72 @@
+#include "node/frontend/compositor.h"
+
+#include <utility>
+
+#include "node/frontend/composite.h"
+#include "node/limits.h"
+
+namespace grove::node {
+
+Compositor::Compositor(const Registry& registry, ImagePool& images, int framesInFlight, std::function<void()> frameDone,
+                       pipeline::Executor& executor, pipeline::Timeline& timeline)
+    : Stage({.name = "Compositor",
+             .work = pipeline::Work::kPerUserFrontend,
+             .capacity = static_cast<std::size_t>(framesInFlight) * (kMostObjectsPerFrame + 1)},
+            executor, timeline),
+      registry_(registry),
+      images_(images),
+      frameDone_(std::move(frameDone)),
+      table_(static_cast<std::size_t>(framesInFlight)) {}
+
+void Compositor::connect(std::shared_ptr<pipeline::Inlet<FinishedFrame>> next) {
+  next_.connect(std::move(next));
+  addOutlet(next_);
+}
+
+void Compositor::process(std::span<CompositorInput> inputs, pipeline::Run& run) {
+  for (CompositorInput& input : inputs) {
+    FrameNumber number = 0;
+    if (const auto* list = std::get_if<std::shared_ptr<const FrameList>>(&input)) {
+      number = (*list)->view->frame;
+      table_.open(*list);
+    } else {
+      Result& result = std::get<Result>(input);
+      number = result.frame;
+      table_.put(std::move(result));
+    }
+    const auto complete = table_.take(number);
+    if (!complete) continue;
+    struct Done {
+      const std::function<void()>& call;
+      ~Done() { call(); }
+    };
+    const Done done{frameDone_};
+    if (number <= newestShown_) continue;
+    newestShown_ = number;
+    next_.send(run, FinishedFrame{complete->list->view, composite(*complete)});
+  }
+}
+
+std::shared_ptr<const Image> Compositor::composite(const CompleteFrame& frame) {
+  const View& view = *frame.list->view;
+  const auto image = images_.acquire({0, 0, view.camera.width, view.camera.height});
+  clear(*image);
+  const auto& objects = frame.list->objects;
+  for (const Payload& payload : frame.payloads) {
+    const auto* layer = std::get_if<std::shared_ptr<const Image>>(&payload);
+    if (layer != nullptr && *layer) compositeByDepth(**layer, *image);
+  }
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    if (std::holds_alternative<Failure>(frame.payloads[i])) continue;
+    if (FrontendHalf* half = halfOf(objects[i].object.type)) half->draw(objects[i], frame.payloads[i], view, *image);
+  }
+  return image;
+}
+
+FrontendHalf* Compositor::halfOf(world::TypeIndex type) {
+  const auto it = halves_.find(type);
+  if (it != halves_.end()) return it->second.get();
+  return halves_.emplace(type, registry_.type(type).makeFrontend()).first->second.get();
+}
+
+}  // namespace grove::node

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <variant>
+
+#include "node/frontend/result_table.h"
+#include "node/messages.h"
+#include "node/object_type.h"
+#include "node/registry.h"
+#include "pipeline/outlet.h"
+
+namespace grove::node {
+
+/// The Scene Analyzer's list announces a frame; results fill it.
+using CompositorInput = std::variant<std::shared_ptr<const FrameList>, Result>;
+
+inline pipeline::TraceTag traceTag(const CompositorInput& input) {
+  return std::visit([](const auto& held) { return traceTag(held); }, input);
+}
+
+/// Last box of Figure 4.2: when all requests of a frame are fulfilled, composites their images by depth, then lets each
+/// object type's frontend half draw its data, back to front (section 4.2, step 10). A frame that is complete only after
+/// a newer one was shown is dropped.
+class Compositor final : public pipeline::Stage<CompositorInput> {
+ public:
+  /// `frameDone` is called once for every announced frame, shown or not.
+  Compositor(const Registry& registry, ImagePool& images, int framesInFlight, std::function<void()> frameDone,
+             pipeline::Executor& executor, pipeline::Timeline& timeline);
+  void connect(std::shared_ptr<pipeline::Inlet<FinishedFrame>> next);
+
+ protected:
+  void process(std::span<CompositorInput> inputs, pipeline::Run& run) override;
+
+ private:
+  [[nodiscard]] std::shared_ptr<const Image> composite(const CompleteFrame& frame);
+  FrontendHalf* halfOf(world::TypeIndex type);
+
+  const Registry& registry_;
+  ImagePool& images_;
+  const std::function<void()> frameDone_;
+  ResultTable table_;
+  FrameNumber newestShown_ = 0;
+  std::map<world::TypeIndex, std::unique_ptr<FrontendHalf>> halves_;
+  pipeline::Outlet<FinishedFrame> next_;
+};
+
+}  // namespace grove::node

@@ -1,0 +1,33 @@
+#include "node/frontend/decompressor.h"
+
+#include <utility>
+
+#include "node/limits.h"
+
+namespace grove::node {
+
+Decompressor::Decompressor(const Transport& transport, pipeline::Executor& executor, pipeline::Timeline& timeline)
+    : Stage({.name = "Decompressor",
+             .work = pipeline::Work::kPerUserFrontend,
+             .capacity = kBackendBatch,
+             .maxBatch = kBackendBatch},
+            executor, timeline),
+      transport_(transport) {}
+
+void Decompressor::connect(std::shared_ptr<pipeline::Inlet<CompositorInput>> compositor) {
+  compositor_.connect(std::move(compositor));
+  addOutlet(compositor_);
+}
+
+void Decompressor::process(std::span<Result> results, pipeline::Run& run) {
+  for (Result& result : results) {
+    result.payload = transport_.decompress(std::move(result.payload));
+    compositor_.send(run, std::move(result));
+  }
+}
+
+void Decompressor::recover(Result& result, const std::string& reason, pipeline::Run& run) {
+  compositor_.send(run, Result{result.session, result.frame, result.slot, Failure{reason}});
+}
+
+}  // namespace grove::node

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <memory>
+
+#include "node/frontend/compositor.h"
+#include "node/frontend/decompressor.h"
+#include "node/frontend/request_sender.h"
+#include "node/frontend/result_receiver.h"
+#include "node/frontend/scene_analyzer.h"
+#include "node/transport/transport.h"
+#include "world/world.h"
+
+namespace grove::node {
+
+/// What all frontend nodes of a process share. All of it outlives them.
+struct FrontendServices {
+  const world::World& world;
+  const Registry& registry;
+  Transport& transport;
+  pipeline::Executor& workers;
+  pipeline::Timeline& timeline;
+  ImagePool& images;
+};
+
+/// The left half of Figure 4.2: one visitor's pipeline from the camera to the composited frame. Any thread.
+class FrontendNode {
+ public:
+  /// `look` reads the camera, on a worker thread, when a frame's turn has come. Finished frames go to `next`.
+  FrontendNode(SessionId session, int framesInFlight, SceneAnalyzer::Look look,
+               std::shared_ptr<pipeline::Inlet<FinishedFrame>> next, const FrontendServices& services);
+  ~FrontendNode();
+  FrontendNode(const FrontendNode&) = delete;
+  FrontendNode& operator=(const FrontendNode&) = delete;
+
+  /// Starts a frame, unless `framesInFlight` are being made already.
+  bool requestFrame();
+
+  /// Takes no more frames; runs in progress finish and their results are dropped.
+  void close();
+
+ private:
+  const SessionId session_;
+  const int framesInFlight_;
+  Transport& transport_;
+  const std::shared_ptr<std::atomic<int>> inFlight_;
+  std::atomic<FrameNumber> nextFrame_{1};
+  std::shared_ptr<SceneAnalyzer> analyzer_;
+  std::shared_ptr<RequestSender> requestSender_;
+  std::shared_ptr<ResultReceiver> resultReceiver_;
+  std::shared_ptr<Decompressor> decompressor_;
+  std::shared_ptr<Compositor> compositor_;
+};
+
+}  // namespace grove::node

@@ -1,0 +1,62 @@
+#include "node/frontend/scene_analyzer.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "node/limits.h"
+
+namespace grove::node {
+
+std::vector<VisibleObject> visibleObjects(const world::World& world, const View& view) {
+  std::vector<VisibleObject> visible;
+  const auto consider = [&](const world::Object& object) {
+    if (!view.camera.sees(object.bounds)) return;
+    const world::Rect rect = view.camera.screenRect(object.bounds);
+    if (rect.empty()) return;
+    visible.push_back({object, rect, glm::distance(object.bounds.centre(), view.camera.pose.position)});
+  };
+  for (const world::Object& object : world.objects()) consider(object);
+  for (const world::Player& player : view.players) {
+    if (player.id == view.viewer) continue;
+    if (const auto object = world.objectOf(player)) consider(*object);
+  }
+  // Ids decide between equal distances, so that the order does not depend on the order of the list.
+  std::ranges::sort(visible, [](const VisibleObject& a, const VisibleObject& b) {
+    return std::pair(-a.distance, a.object.id) < std::pair(-b.distance, b.object.id);
+  });
+  if (visible.size() > kMostObjectsPerFrame) {
+    visible.erase(visible.begin(), visible.end() - static_cast<std::ptrdiff_t>(kMostObjectsPerFrame));
+  }
+  return visible;
+}
+
+SceneAnalyzer::SceneAnalyzer(const world::World& world, Look look, std::function<void()> frameFailed,
+                             pipeline::Executor& executor, pipeline::Timeline& timeline)
+    : Stage({.name = "Scene Analyzer", .work = pipeline::Work::kPerUserFrontend, .capacity = kMostFramesInFlight},
+            executor, timeline),
+      world_(world),
+      look_(std::move(look)),
+      frameFailed_(std::move(frameFailed)) {}
+
+void SceneAnalyzer::connect(std::shared_ptr<pipeline::Inlet<CompositorInput>> compositor,
+                            std::shared_ptr<pipeline::Inlet<std::shared_ptr<const FrameList>>> requestSender) {
+  compositor_.connect(std::move(compositor));
+  requestSender_.connect(std::move(requestSender));
+  addOutlet(compositor_);
+  addOutlet(requestSender_);
+}
+
+void SceneAnalyzer::process(std::span<FrameTicket> tickets, pipeline::Run& run) {
+  for (const FrameTicket& ticket : tickets) {
+    auto list = std::make_shared<FrameList>();
+    list->view = std::make_shared<const View>(look_(ticket.frame));
+    list->objects = visibleObjects(world_, *list->view);
+    // The Compositor must know the frame before the first result can come back.
+    compositor_.send(run, std::shared_ptr<const FrameList>(list));
+    requestSender_.send(run, std::move(list));
+  }
+}
+
+void SceneAnalyzer::recover(FrameTicket&, const std::string&, pipeline::Run&) { frameFailed_(); }
+
+}  // namespace grove::node

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "node/frontend/compositor.h"
+#include "node/messages.h"
+#include "pipeline/outlet.h"
+#include "world/world.h"
+
+namespace grove::node {
+
+/// The call for one more frame.
+struct FrameTicket {
+  SessionId session = 0;
+  FrameNumber frame = 0;
+};
+
+inline pipeline::TraceTag traceTag(const FrameTicket& ticket) { return {ticket.session, ticket.frame}; }
+
+/// The objects of the world whose bounds the camera sees, back to front by the distance of their middles, the nearest
+/// kMostObjectsPerFrame of them. The viewer's own figure is left out.
+[[nodiscard]] std::vector<VisibleObject> visibleObjects(const world::World& world, const View& view);
+
+/// First box of Figure 4.2: reads the camera, as late as possible, finds what it sees, and sends the sorted list to
+/// both the Compositor and the Request Sender (section 4.2, step 1).
+class SceneAnalyzer final : public pipeline::Stage<FrameTicket> {
+ public:
+  using Look = std::function<View(FrameNumber)>;
+  /// `frameFailed` is called for a ticket that came to nothing.
+  SceneAnalyzer(const world::World& world, Look look, std::function<void()> frameFailed, pipeline::Executor& executor,
+                pipeline::Timeline& timeline);
+  void connect(std::shared_ptr<pipeline::Inlet<CompositorInput>> compositor,
+               std::shared_ptr<pipeline::Inlet<std::shared_ptr<const FrameList>>> requestSender);
+
+ protected:
+  void process(std::span<FrameTicket> tickets, pipeline::Run& run) override;
+  void recover(FrameTicket& ticket, const std::string& reason, pipeline::Run& run) override;
+
+ private:
+  const world::World& world_;
+  const Look look_;
+  const std::function<void()> frameFailed_;
+  pipeline::Outlet<CompositorInput> compositor_;
+  pipeline::Outlet<std::shared_ptr<const FrameList>> requestSender_;
+};
+
+}  // namespace grove::node

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <span>
+#include <vector>
+
+#include "world/camera.h"
+
+namespace grove::node {
+
+/// Colour and depth of a rectangle of a frame, rows from the top, in memory.
+///
+/// Colour is RGBA8 (bytes R, G, B, A), display-encoded and premultiplied by A = coverage. Depth is view depth in
+/// metres, kInfiniteDepth where there is nothing.
+struct Image {
+  world::Rect rect;
+  std::span<std::uint32_t> colour;
+  std::span<float> depth;
+
+  [[nodiscard]] int width() const noexcept { return rect.width(); }
+  [[nodiscard]] int height() const noexcept { return rect.height(); }
+  [[nodiscard]] std::uint32_t* colourRow(int row) const noexcept {
+    return colour.data() + std::ptrdiff_t{row} * width();
+  }
+  [[nodiscard]] float* depthRow(int row) const noexcept { return depth.data() + std::ptrdiff_t{row} * width(); }
+};
+
+/// Hands out images and takes their memory back when the last reference goes, so that no frame allocates or clears.
+/// Keeps at most `mostBytes` of unused memory. Any thread; images may outlive the pool.
+class ImagePool {
+ public:
+  explicit ImagePool(std::size_t mostBytes = std::size_t{256} << 20U);
+
+  /// The contents are whatever was there before.
+  [[nodiscard]] std::shared_ptr<Image> acquire(const world::Rect& rect);
+
+  [[nodiscard]] std::size_t unusedBytes() const;
+
+ private:
+  struct Store;
+  std::shared_ptr<Store> store_;
+};
+
+}  // namespace grove::node

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <cstddef>
+
+/// The bounds of the queues of Figure 4.2.
+namespace grove::node {
+
+/// The nearest so many objects are drawn.
+inline constexpr std::size_t kMostObjectsPerFrame = 1024;
+
+/// Requests and results that wait at one stage of a backend node, of all sessions together.
+inline constexpr std::size_t kBackendQueue = 4096;
+
+/// Requests that one run of a backend stage answers.
+inline constexpr std::size_t kBackendBatch = 64;
+
+inline constexpr int kMostFramesInFlight = 8;
+
+}  // namespace grove::node

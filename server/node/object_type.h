@@ -1,0 +1,83 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "node/image.h"
+#include "node/messages.h"
+#include "pipeline/executor.h"
+#include "pipeline/timeline.h"
+#include "world/object.h"
+#include "world/scene_file.h"
+#include "world/world.h"
+
+namespace grove::gl {
+class Workers;
+}
+
+/// The plug-in interface of object types. A type lives in one folder of objects/ and is known elsewhere only by its
+/// name in the registry: to add one, implement ObjectType and add a line to objects/builtin.cpp.
+namespace grove::node {
+
+/// What a backend half may use. All of it outlives the half.
+struct BackendServices {
+  world::World& world;
+  pipeline::Executor& workers;
+  gl::Workers& gl;
+  pipeline::Timeline& timeline;
+  ImagePool& images;
+  /// Reports slow preparation: a label and a share of 0..1.
+  std::function<void(std::string_view, float)> progress;
+};
+
+/// A rendering node answers with images, a simulation node with data (section 4.1).
+enum class NodeKind { kRendering, kSimulation };
+
+/// Owns all objects of one type and answers requests for them. The constructor may take its time (loading, baking); a
+/// simulation starts its own clock there and stops it in the destructor.
+class BackendHalf {
+ public:
+  virtual ~BackendHalf() = default;
+
+  [[nodiscard]] virtual NodeKind kind() const = 0;
+
+  /// Where answer() runs, and how many of it at once.
+  [[nodiscard]] virtual pipeline::Executor& executor() = 0;
+  [[nodiscard]] virtual int concurrency() const { return 1; }
+
+  /// Fills one payload per request. The requests are a batch of what is waiting and may be of many frames and sessions.
+  /// An exception turns the whole batch into failures.
+  virtual void answer(std::span<const Request> requests, std::span<Payload> payloads) = 0;
+};
+
+/// One visitor's half: what the Compositor calls when all images of the frame are in place, back to front, to draw what
+/// images cannot carry. One per session, used by one thread at a time.
+class FrontendHalf {
+ public:
+  virtual ~FrontendHalf() = default;
+
+  /// `frame` is the whole frame: colour may be blended into, depth is read only.
+  virtual void draw(const VisibleObject& object, const Payload& payload, const View& view, Image& frame) = 0;
+};
+
+class ObjectType {
+ public:
+  virtual ~ObjectType() = default;
+
+  /// As in a scene file's `type = "..."`.
+  [[nodiscard]] virtual std::string_view name() const = 0;
+
+  /// Reads one object's own settings. Throws world::SceneError.
+  [[nodiscard]] virtual std::shared_ptr<const world::Model> model(const world::Parameters& parameters) const = 0;
+
+  [[nodiscard]] virtual std::unique_ptr<BackendHalf> makeBackend(const BackendServices& services,
+                                                                 world::TypeIndex self) const = 0;
+
+  /// Null if compositing the images is all there is to do.
+  [[nodiscard]] virtual std::unique_ptr<FrontendHalf> makeFrontend() const { return nullptr; }
+};
+
+}  // namespace grove::node

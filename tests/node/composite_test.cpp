@@ -1,0 +1,73 @@
+#include "node/frontend/composite.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace grove::node {
+namespace {
+
+class Composite : public ::testing::Test {
+ protected:
+  Composite() : frame(pool.acquire({0, 0, 64, 32})) { clear(*frame); }
+
+  void lay(const world::Rect& rect, std::uint32_t colour, float depth) {
+    const auto layer = pool.acquire(rect);
+    std::ranges::fill(layer->colour, colour);
+    std::ranges::fill(layer->depth, depth);
+    compositeByDepth(*layer, *frame);
+  }
+  [[nodiscard]] std::uint32_t at(int x, int y) const { return frame->colourRow(y)[x]; }
+
+  ImagePool pool;
+  std::shared_ptr<Image> frame;
+};
+
+TEST_F(Composite, NearerWinsInAnyOrder) {
+  lay({0, 0, 40, 32}, 0xFF0000FFU, 5.0F);
+  lay({20, 0, 64, 32}, 0xFF00FF00U, 9.0F);
+  EXPECT_EQ(at(30, 10), 0xFF0000FFU);
+  EXPECT_EQ(at(50, 10), 0xFF00FF00U);
+  lay({25, 5, 35, 15}, 0xFFFF0000U, 2.0F);
+  EXPECT_EQ(at(30, 10), 0xFFFF0000U);
+  EXPECT_EQ(at(30, 20), 0xFF0000FFU);
+  EXPECT_FLOAT_EQ(frame->depthRow(10)[30], 2.0F);
+}
+
+TEST_F(Composite, StaysInsideItsRectangle) {
+  lay({10, 8, 20, 16}, 0xFFFFFFFFU, 1.0F);
+  EXPECT_EQ(at(9, 8), 0xFF000000U);
+  EXPECT_EQ(at(10, 7), 0xFF000000U);
+  EXPECT_EQ(at(10, 8), 0xFFFFFFFFU);
+  EXPECT_EQ(at(19, 15), 0xFFFFFFFFU);
+  EXPECT_EQ(at(20, 15), 0xFF000000U);
+  EXPECT_EQ(at(19, 16), 0xFF000000U);
+}
+
+TEST_F(Composite, CoverageBlendsExactly) {
+  lay({0, 0, 64, 32}, 0xFF6432C8U, 9.0F);
+  lay({0, 0, 64, 32}, 0x80402010U, 3.0F);  // premultiplied, half covered
+  const double rest = (255.0 - 0x80) / 255.0;
+  const auto expected = [&](int over, int under) { return over + under * rest; };
+  const std::uint32_t c = at(3, 3);
+  EXPECT_NEAR(c & 0xFFU, expected(0x10, 0xC8), 0.51);
+  EXPECT_NEAR(c >> 8U & 0xFFU, expected(0x20, 0x32), 0.51);
+  EXPECT_NEAR(c >> 16U & 0xFFU, expected(0x40, 0x64), 0.51);
+  EXPECT_EQ(c >> 24U, 255u);
+  EXPECT_FLOAT_EQ(frame->depthRow(3)[3], 3.0F);
+}
+
+TEST_F(Composite, WhatIsNotCoveredChangesNothing) {
+  lay({0, 0, 64, 32}, 0xFF123456U, 9.0F);
+  lay({0, 0, 64, 32}, 0U, 1.0F);
+  EXPECT_EQ(at(5, 5), 0xFF123456U);
+  EXPECT_FLOAT_EQ(frame->depthRow(5)[5], 9.0F);
+}
+
+TEST_F(Composite, SkyFillsWhereNothingIs) {
+  lay({0, 0, 64, 32}, 0xFFAABBCCU, world::kInfiniteDepth);
+  EXPECT_EQ(at(0, 0), 0xFFAABBCCU);
+}
+
+}  // namespace
+}  // namespace grove::node

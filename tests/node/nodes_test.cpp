@@ -1,0 +1,194 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+
+#include "gl/workers.h"
+#include "node/backend/backend_node.h"
+#include "node/boxes.h"
+#include "node/frontend/frontend_node.h"
+#include "node/limits.h"
+#include "node/transport/in_process.h"
+#include "pipeline/worker_pool.h"
+
+namespace grove::node {
+namespace {
+
+using namespace std::chrono_literals;
+
+/// The end of a visitor's pipeline: keeps the finished frames.
+class Screen final : public pipeline::Stage<FinishedFrame> {
+ public:
+  Screen(pipeline::Executor& executor, pipeline::Timeline& timeline)
+      : Stage({.name = "Screen", .work = pipeline::Work::kPerUserFrontend, .capacity = 4}, executor, timeline) {}
+
+  std::shared_ptr<const Image> waitFor(FrameNumber frame) {
+    std::unique_lock lock(mutex_);
+    arrived_.wait_for(lock, 10s, [&] { return newest_.view && newest_.view->frame >= frame; });
+    return newest_.view && newest_.view->frame >= frame ? newest_.image : nullptr;
+  }
+  std::vector<FrameNumber> order() {
+    const std::lock_guard lock(mutex_);
+    return order_;
+  }
+
+ protected:
+  void process(std::span<FinishedFrame> frames, pipeline::Run&) override {
+    const std::lock_guard lock(mutex_);
+    for (FinishedFrame& frame : frames) {
+      order_.push_back(frame.view->frame);
+      newest_ = std::move(frame);
+    }
+    arrived_.notify_all();
+  }
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable arrived_;
+  FinishedFrame newest_;
+  std::vector<FrameNumber> order_;
+};
+
+/// Both halves of Figure 4.2 around the in-process transport.
+class Nodes : public ::testing::Test {
+ protected:
+  Nodes() : world(makeWorld()) {
+    backend = std::make_unique<BackendNode>(
+        registry.type(0), 0, BackendServices{world, workers, gl, timeline, images, [](std::string_view, float) {}},
+        transport);
+  }
+  ~Nodes() override {
+    backend->close();
+    pipeline::drain(workers);
+  }
+
+  world::World makeWorld() {
+    registry.add(std::make_unique<testing::BoxType>(controls));
+    return world::World(makeLayout(world::parseScene(R"(
+[[object]]
+type = "box"
+red = 200
+position = [0, 1.7, -10]
+[[object]]
+type = "box"
+red = 90
+size = 0.2
+position = [0, 1.7, -4]
+)",
+                                                     "test"),
+                                   registry));
+  }
+
+  std::unique_ptr<FrontendNode> frontend(SessionId session, float yaw, const std::shared_ptr<Screen>& screen,
+                                         int framesInFlight = 2) {
+    return std::make_unique<FrontendNode>(
+        session, framesInFlight,
+        [session, yaw](FrameNumber frame) {
+          View view;
+          view.session = session;
+          view.frame = frame;
+          view.camera.width = 320;
+          view.camera.height = 180;
+          view.camera.pose = {{0, 1.7F, 0}, yaw, 0};
+          return view;
+        },
+        screen, FrontendServices{world, registry, transport, workers, timeline, images});
+  }
+
+  std::shared_ptr<testing::BoxControls> controls = std::make_shared<testing::BoxControls>();
+  Registry registry;
+  pipeline::Timeline timeline;
+  ImagePool images;
+  gl::ShaderLibrary shaders;
+  gl::Workers gl{gl::ContextKind::kAuto, shaders, 1};
+  world::World world;
+  InProcessTransport transport;
+  pipeline::WorkerPool workers{3};
+  std::unique_ptr<BackendNode> backend;
+};
+
+TEST_F(Nodes, AFrameGoesAllTheWay) {
+  const auto screen = std::make_shared<Screen>(workers, timeline);
+  const auto node = frontend(1, 0.0F, screen);
+  ASSERT_TRUE(node->requestFrame());
+  const auto image = screen->waitFor(1);
+  ASSERT_TRUE(image);
+  EXPECT_EQ(image->colourRow(90)[160] & 0xFFU, 90u) << "the near box hides the far one";
+  EXPECT_EQ(image->colourRow(90)[154] & 0xFFU, 200u) << "which shows beside it";
+  EXPECT_EQ(image->colourRow(5)[5], 0xFF000000U);
+  const auto totals = timeline.totals();
+  for (const char* box : {"Scene Analyzer", "Request Sender", "Request Receiver", "Renderer", "Compressor",
+                          "Result Sender", "Result Receiver", "Decompressor", "Compositor"}) {
+    EXPECT_TRUE(totals.contains(box)) << box;
+  }
+}
+
+TEST_F(Nodes, ManyFramesInFlightComeOutInOrderAndNeverOld) {
+  const auto screen = std::make_shared<Screen>(workers, timeline);
+  const auto node = frontend(1, 0.0F, screen, 4);
+  FrameNumber asked = 0;
+  while (asked < 200) {
+    if (node->requestFrame()) ++asked;
+  }
+  ASSERT_TRUE(screen->waitFor(200));
+  const auto order = screen->order();
+  EXPECT_TRUE(std::ranges::is_sorted(order));
+  EXPECT_GT(order.size(), 20u);
+}
+
+TEST_F(Nodes, NeverMoreFramesThanMayBeInFlight) {
+  const auto screen = std::make_shared<Screen>(workers, timeline);
+  controls->fail = true;
+  const auto node = frontend(1, 0.0F, screen, 1);
+  int started = 0;
+  for (int i = 0; i < 50; ++i) started += node->requestFrame() ? 1 : 0;
+  EXPECT_LT(started, 50);
+  EXPECT_GE(started, 1);
+}
+
+TEST_F(Nodes, AFailingBackendCostsItsObjectsNotTheFrame) {
+  const auto screen = std::make_shared<Screen>(workers, timeline);
+  const auto node = frontend(1, 0.0F, screen);
+  controls->fail = true;
+  ASSERT_TRUE(node->requestFrame());
+  const auto without = screen->waitFor(1);
+  ASSERT_TRUE(without);
+  EXPECT_EQ(without->colourRow(90)[160], 0xFF000000U);
+  controls->fail = false;
+  while (!node->requestFrame()) std::this_thread::sleep_for(1ms);
+  const auto with = screen->waitFor(2);
+  ASSERT_TRUE(with);
+  EXPECT_EQ(with->colourRow(90)[160] & 0xFFU, 90u);
+}
+
+TEST_F(Nodes, SessionsShareTheBackendAndSeeTheirOwnView) {
+  const auto screenA = std::make_shared<Screen>(workers, timeline);
+  const auto screenB = std::make_shared<Screen>(workers, timeline);
+  const auto a = frontend(1, 0.0F, screenA);
+  const auto b = frontend(2, 3.1F, screenB);
+  ASSERT_TRUE(a->requestFrame());
+  ASSERT_TRUE(b->requestFrame());
+  const auto seenByA = screenA->waitFor(1);
+  const auto seenByB = screenB->waitFor(1);
+  ASSERT_TRUE(seenByA && seenByB);
+  EXPECT_EQ(seenByA->colourRow(90)[160] & 0xFFU, 90u);
+  EXPECT_EQ(seenByB->colourRow(90)[160], 0xFF000000U) << "looks the other way";
+}
+
+TEST_F(Nodes, ClosingWithFramesInFlightIsClean) {
+  for (int i = 0; i < 20; ++i) {
+    const auto screen = std::make_shared<Screen>(workers, timeline);
+    const auto node = frontend(static_cast<SessionId>(10 + i), 0.0F, screen, 4);
+    for (int k = 0; k < 4; ++k) node->requestFrame();
+  }
+  const auto screen = std::make_shared<Screen>(workers, timeline);
+  const auto node = frontend(99, 0.0F, screen);
+  ASSERT_TRUE(node->requestFrame());
+  EXPECT_TRUE(screen->waitFor(1)) << "the backend still serves others";
+}
+
+}  // namespace
+}  // namespace grove::node

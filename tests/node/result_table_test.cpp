@@ -1,0 +1,68 @@
+#include "node/frontend/result_table.h"
+
+#include <gtest/gtest.h>
+
+namespace grove::node {
+namespace {
+
+std::shared_ptr<const FrameList> frameOf(FrameNumber number, std::size_t requests) {
+  auto view = std::make_shared<View>();
+  view->frame = number;
+  auto list = std::make_shared<FrameList>();
+  list->view = view;
+  list->objects.resize(requests);
+  return list;
+}
+
+Result failure(FrameNumber frame, std::uint32_t slot, const std::string& reason) {
+  return {1, frame, slot, Failure{reason}};
+}
+
+TEST(ResultTable, AssemblesResultsThatComeInAnyOrderOfAnyFrame) {
+  ResultTable table(2);
+  ASSERT_TRUE(table.open(frameOf(1, 3)));
+  ASSERT_TRUE(table.open(frameOf(2, 2)));
+  EXPECT_TRUE(table.put(failure(2, 1, "2b")));
+  EXPECT_TRUE(table.put(failure(1, 2, "1c")));
+  EXPECT_TRUE(table.put(failure(2, 0, "2a")));
+  EXPECT_FALSE(table.take(1).has_value());
+  const auto second = table.take(2);
+  ASSERT_TRUE(second.has_value()) << "the later frame is complete first";
+  EXPECT_EQ(std::get<Failure>(second->payloads[0]).reason, "2a");
+  EXPECT_EQ(std::get<Failure>(second->payloads[1]).reason, "2b");
+  EXPECT_TRUE(table.put(failure(1, 0, "1a")));
+  EXPECT_TRUE(table.put(failure(1, 1, "1b")));
+  const auto first = table.take(1);
+  ASSERT_TRUE(first.has_value());
+  EXPECT_EQ(std::get<Failure>(first->payloads[2]).reason, "1c");
+  EXPECT_EQ(table.frames(), 0u);
+}
+
+TEST(ResultTable, HoldsNoMoreFramesThanAreInFlight) {
+  ResultTable table(2);
+  EXPECT_TRUE(table.open(frameOf(1, 1)));
+  EXPECT_TRUE(table.open(frameOf(2, 1)));
+  EXPECT_FALSE(table.open(frameOf(3, 1)));
+  EXPECT_FALSE(table.open(frameOf(2, 1)));
+  EXPECT_EQ(table.frames(), 2u);
+}
+
+TEST(ResultTable, RefusesWhatItDidNotAskFor) {
+  ResultTable table(2);
+  ASSERT_TRUE(table.open(frameOf(7, 2)));
+  EXPECT_FALSE(table.put(failure(8, 0, "unknown frame")));
+  EXPECT_FALSE(table.put(failure(7, 2, "unknown slot")));
+  EXPECT_TRUE(table.put(failure(7, 0, "first")));
+  EXPECT_FALSE(table.put(failure(7, 0, "second answer")));
+  EXPECT_TRUE(table.put(failure(7, 1, "")));
+  EXPECT_EQ(std::get<Failure>(table.take(7)->payloads[0]).reason, "first");
+}
+
+TEST(ResultTable, AFrameWithoutRequestsIsCompleteAtOnce) {
+  ResultTable table(1);
+  ASSERT_TRUE(table.open(frameOf(1, 0)));
+  EXPECT_TRUE(table.take(1).has_value());
+}
+
+}  // namespace
+}  // namespace grove::node

@@ -1,0 +1,102 @@
+#include "node/frontend/scene_analyzer.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "node/boxes.h"
+#include "node/limits.h"
+
+namespace grove::node {
+namespace {
+
+using ::testing::ElementsAre;
+
+world::World worldOf(const std::string& scene) {
+  Registry registry;
+  registry.add(std::make_unique<testing::BoxType>(std::make_shared<testing::BoxControls>()));
+  return world::World(makeLayout(world::parseScene(scene, "test"), registry));
+}
+
+View lookingAlong(float yaw) {
+  View view;
+  view.camera.pose = {{0, 1.7F, 0}, yaw, 0};
+  return view;
+}
+
+std::vector<std::string> names(const std::vector<VisibleObject>& visible) {
+  std::vector<std::string> result;
+  for (const VisibleObject& v : visible) result.push_back(v.object.name);
+  return result;
+}
+
+const std::string kFourBoxes = R"(
+[[object]]
+type = "box"
+name = "near"
+position = [0, 1, -5]
+[[object]]
+type = "box"
+name = "far"
+position = [1, 1, -50]
+[[object]]
+type = "box"
+name = "behind"
+position = [0, 1, 5]
+[[object]]
+type = "box"
+name = "middle"
+position = [-1, 1, -20]
+)";
+
+TEST(SceneAnalyzer, SendsWhatTheCameraSeesBackToFront) {
+  const world::World world = worldOf(kFourBoxes);
+  EXPECT_THAT(names(visibleObjects(world, lookingAlong(0.0F))), ElementsAre("far", "middle", "near"));
+  EXPECT_THAT(names(visibleObjects(world, lookingAlong(3.14159F))), ElementsAre("behind"));
+}
+
+TEST(SceneAnalyzer, OrderFollowsTheViewerAcrossTheScene) {
+  const world::World world = worldOf(kFourBoxes);
+  View view = lookingAlong(3.14159F);
+  view.camera.pose.position.z = -60.0F;
+  EXPECT_THAT(names(visibleObjects(world, view)), ElementsAre("behind", "near", "middle", "far"));
+}
+
+TEST(SceneAnalyzer, EqualDistancesHaveOneOrder) {
+  const world::World world = worldOf(R"(
+[[object]]
+type = "box"
+name = "left"
+position = [-2, 1.7, -10]
+[[object]]
+type = "box"
+name = "right"
+position = [2, 1.7, -10]
+)");
+  EXPECT_THAT(names(visibleObjects(world, lookingAlong(0.0F))), ElementsAre("left", "right"));
+}
+
+TEST(SceneAnalyzer, ShowsOtherVisitorsButNotTheViewer) {
+  world::World world = worldOf("spawn=[0,0,-8]\n[visitor]\ntype='box'");
+  const auto me = world.players().join("me", 0.0);
+  world.players().join("you", 0.0);
+  View view = lookingAlong(0.0F);
+  view.viewer = me;
+  view.players = world.players().all(0.0);
+  const auto visible = visibleObjects(world, view);
+  EXPECT_THAT(names(visible), ElementsAre("you"));
+  EXPECT_GE(visible[0].object.id, world::kFirstPlayerObject);
+}
+
+TEST(SceneAnalyzer, KeepsTheNearestOfTooMany) {
+  std::string scene;
+  for (int i = 0; i < static_cast<int>(kMostObjectsPerFrame) + 50; ++i) {
+    scene += "[[object]]\ntype='box'\nname='" + std::to_string(i) + "'\nposition=[0,1.7,-" +
+             std::to_string(2 + i * 0.5) + "]\n";
+  }
+  const auto visible = visibleObjects(worldOf(scene), lookingAlong(0.0F));
+  ASSERT_EQ(visible.size(), kMostObjectsPerFrame);
+  EXPECT_EQ(visible.back().object.name, "0");
+}
+
+}  // namespace
+}  // namespace grove::node
