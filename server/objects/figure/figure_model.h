@@ -1,0 +1,17 @@
+#pragma once
+
+#include "world/object.h"
+#include "world/scene_file.h"
+
+namespace grove::objects::figure {
+
+/// How visitors look to each other; `[visitor] type = "figure"` has no settings of its own.
+class FigureModel final : public world::Model {
+ public:
+  /// Room for every step of the walk.
+  [[nodiscard]] world::Bounds bounds() const override {
+    return {world::Vec3(-0.5F, 0, -0.6F), world::Vec3(0.5F, 1.85F, 0.6F)};
+  }
+};
+
+}  // namespace grove::objects::figure

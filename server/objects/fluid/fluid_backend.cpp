@@ -1,0 +1,108 @@
+#include "objects/fluid/fluid_backend.h"
+
+#include <cassert>
+#include <exception>
+#include <mutex>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "objects/fluid/fluid_clock.h"
+#include "objects/fluid/fluid_simulation.h"
+#include "objects/fluid/fluid_type.h"
+#include "pipeline/log.h"
+#include "world/world.h"
+
+namespace grove::objects::fluid {
+
+namespace {
+
+constexpr const char* kStage = "Simulation Tick";
+constexpr float kGrowSeconds = 3.0F;  // simulated before the first visitor
+
+FluidSettings settingsOf(const world::Object& object) {
+  const auto* model = dynamic_cast<const FluidModel*>(object.model.get());
+  assert(model != nullptr && "an object of this type has this type's model");
+  FluidSettings settings = model->settings();
+  settings.size *= object.transform.scale;
+  settings.radius *= object.transform.scale;
+  return settings;
+}
+
+}  // namespace
+
+/// One simulation, its clock and the newest snapshot.
+class FluidBackend::Fire {
+ public:
+  Fire(const node::BackendServices& services, const world::Object& object)
+      : world_(services.world),
+        timeline_(services.timeline),
+        name_(object.name),
+        simulation_(settingsOf(object), object.transform.position, services.world.rays()) {
+    // Seen from here on: gusts from before the fire existed do not count.
+    static_cast<void>(world_.edits().after(cursor_));
+    const int ticks = static_cast<int>(kGrowSeconds / FluidSimulation::kTick);
+    for (int i = 0; i < ticks; ++i) {
+      simulation_.step(FluidSimulation::kTick, {}, {});
+      if (services.progress && i % 10 == 0) {
+        services.progress("fluid " + name_, static_cast<float>(i) / static_cast<float>(ticks));
+      }
+    }
+    newest_ = simulation_.snapshot(world::World::now());
+    clock_ = std::make_unique<FluidClock>(1.0 / static_cast<double>(FluidSimulation::kTick), [this] { tick(); });
+  }
+
+  /// Any thread.
+  [[nodiscard]] std::shared_ptr<const FluidSnapshot> newest() const {
+    const std::lock_guard lock(mutex_);
+    return newest_;
+  }
+
+ private:
+  void tick() noexcept {
+    try {
+      const pipeline::TimedRun timed(timeline_, kStage, pipeline::Work::kAcrossUser, {});
+      const double now = world::World::now();
+      const std::vector<world::Gust> gusts = world_.edits().after(cursor_);
+      const std::vector<world::Player> visitors = world_.players().all(now);
+      simulation_.step(FluidSimulation::kTick, gusts, visitors);
+      std::shared_ptr<const FluidSnapshot> next = simulation_.snapshot(now);
+      const std::lock_guard lock(mutex_);
+      newest_.swap(next);
+    } catch (const std::exception& e) {
+      timeline_.recordFailure(kStage, pipeline::Work::kAcrossUser);
+      log::error(std::string(kStage) + " of " + name_ + ": " + e.what());
+    }
+  }
+
+  world::World& world_;
+  pipeline::Timeline& timeline_;
+  const std::string name_;
+  FluidSimulation simulation_;
+  world::Edits::Cursor cursor_ = 0;
+  mutable std::mutex mutex_;
+  std::shared_ptr<const FluidSnapshot> newest_;
+  std::unique_ptr<FluidClock> clock_;  ///< last, so that it stops before what it uses goes
+};
+
+FluidBackend::FluidBackend(const node::BackendServices& services, world::TypeIndex self) : services_(services) {
+  for (const world::Object& object : services_.world.objects()) {
+    if (object.type == self) fires_.emplace(object.id, std::make_unique<Fire>(services_, object));
+  }
+}
+
+FluidBackend::~FluidBackend() = default;
+
+void FluidBackend::answer(std::span<const node::Request> requests, std::span<node::Payload> payloads) {
+  assert(requests.size() == payloads.size());
+  for (std::size_t i = 0; i < requests.size(); ++i) {
+    const auto fire = fires_.find(requests[i].visible().object.id);
+    if (fire == fires_.end()) {
+      payloads[i] = node::Failure{"no such fluid"};
+    } else {
+      payloads[i] = std::shared_ptr<const node::SimulationData>(fire->second->newest());
+    }
+  }
+}
+
+}  // namespace grove::objects::fluid

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <span>
+
+#include "node/object_type.h"
+
+namespace grove::objects::fluid {
+
+/// The simulation node of all fires in the world: each ticks on its own clock and publishes an immutable snapshot, and
+/// an answer is no more than the newest one (section 4.1). Construction simulates the first seconds, so that the first
+/// visitor meets a grown plume.
+class FluidBackend final : public node::BackendHalf {
+ public:
+  FluidBackend(const node::BackendServices& services, world::TypeIndex self);
+  ~FluidBackend() override;
+
+  [[nodiscard]] node::NodeKind kind() const override { return node::NodeKind::kSimulation; }
+  [[nodiscard]] pipeline::Executor& executor() override { return services_.workers; }
+  void answer(std::span<const node::Request> requests, std::span<node::Payload> payloads) override;
+
+ private:
+  class Fire;
+
+  const node::BackendServices services_;
+  std::map<world::ObjectId, std::unique_ptr<Fire>> fires_;
+};
+
+}  // namespace grove::objects::fluid

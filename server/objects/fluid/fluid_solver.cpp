@@ -1,0 +1,53 @@
+#include "objects/fluid/fluid_solver.h"
+
+#include <utility>
+
+namespace grove::objects::fluid {
+
+FluidSolver::FluidSolver(const Settings& settings)
+    : settings_(settings),
+      layout_(settings.cells),
+      solids_(layout_, settings.sides),
+      velocity_(layout_),
+      nextVelocity_(layout_),
+      temperature_(layout_.size()),
+      nextTemperature_(layout_.size()),
+      advection_(layout_),
+      confinement_(layout_),
+      pressure_(layout_) {
+  assert(settings.cells >= 16 && settings.cells <= 128 && settings.cells % 8 == 0 && settings.size > 0.0F);
+}
+
+void FluidSolver::advect(float seconds) {
+  fillCentreGhosts(layout_, settings_.sides, temperature_);
+  for (int a = 0; a < 3; ++a) {
+    advection_.advect(static_cast<Place>(a), velocity_.axis(a), velocity_, seconds, cellSize(), settings_.order,
+                      nextVelocity_.axis(a));
+  }
+  advection_.advect(Place::kCentre, temperature_, velocity_, seconds, cellSize(), settings_.order, nextTemperature_);
+  std::swap(velocity_, nextVelocity_);
+  std::swap(temperature_, nextTemperature_);
+}
+
+void FluidSolver::force(float seconds, const HeatSource* source, std::span<const world::Gust> gusts, double time) {
+  cool(layout_, seconds, temperature_);
+  if (source != nullptr) heat(layout_, *source, time, seconds, cellSize(), temperature_);
+  fillCentreGhosts(layout_, settings_.sides, temperature_);
+  applyForces(layout_, settings_.air, temperature_, time, seconds, cellSize(), velocity_);
+  for (const world::Gust& gust : gusts) applyGust(layout_, gust, cellSize(), velocity_);
+}
+
+void FluidSolver::confine(float seconds) {
+  if (settings_.confinement <= 0.0F) return;
+  fillVelocityGhosts(layout_, settings_.sides, velocity_);
+  confinement_.apply(settings_.confinement, seconds, cellSize(), velocity_);
+}
+
+PressureSolver::Outcome FluidSolver::project() {
+  solids_.enforce(velocity_);
+  const PressureSolver::Outcome outcome = pressure_.project(solids_, velocity_, settings_.pressure);
+  fillVelocityGhosts(layout_, settings_.sides, velocity_);
+  return outcome;
+}
+
+}  // namespace grove::objects::fluid

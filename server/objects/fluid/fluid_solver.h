@@ -1,0 +1,63 @@
+#pragma once
+
+#include <span>
+
+#include "objects/fluid/advection.h"
+#include "objects/fluid/forces.h"
+#include "objects/fluid/grid.h"
+#include "objects/fluid/pressure_solver.h"
+#include "objects/fluid/solid_grid.h"
+#include "objects/fluid/vorticity_confinement.h"
+
+namespace grove::objects::fluid {
+
+/// Stable fluids (Stam 1999) on a staggered grid: the air's velocity and temperature in a cube, around solids. Knows no
+/// particles and no world. One thread.
+class FluidSolver {
+ public:
+  struct Settings {
+    int cells = 64;     ///< per edge; a multiple of 8 from 16 to 128
+    float size = 8.0F;  ///< edge in metres
+    Sides sides;
+    Air air;
+    float confinement = 0.12F;  ///< strength of vorticity confinement
+    AdvectionOrder order = AdvectionOrder::kMacCormack;
+    PressureSolver::Options pressure;
+  };
+
+  explicit FluidSolver(const Settings& settings);
+
+  // A tick is the following, in this order.
+
+  /// Carries velocity and temperature along.
+  void advect(float seconds);
+  /// Buoyancy, wind, cooling, the heat source and gusts (in the fluid's own coordinates).
+  void force(float seconds, const HeatSource* source, std::span<const world::Gust> gusts, double time);
+  void confine(float seconds);
+  /// Takes the solids into account and removes divergence.
+  PressureSolver::Outcome project();
+
+  [[nodiscard]] const Settings& settings() const noexcept { return settings_; }
+  [[nodiscard]] const Layout& layout() const noexcept { return layout_; }
+  [[nodiscard]] float cellSize() const noexcept { return settings_.size / static_cast<float>(settings_.cells); }
+  [[nodiscard]] Velocity& velocity() noexcept { return velocity_; }
+  [[nodiscard]] const Velocity& velocity() const noexcept { return velocity_; }
+  [[nodiscard]] Field& temperature() noexcept { return temperature_; }
+  [[nodiscard]] SolidGrid& solids() noexcept { return solids_; }
+  [[nodiscard]] const SolidGrid& solids() const noexcept { return solids_; }
+  [[nodiscard]] const PressureSolver& pressure() const noexcept { return pressure_; }
+
+ private:
+  const Settings settings_;
+  const Layout layout_;
+  SolidGrid solids_;
+  Velocity velocity_;
+  Velocity nextVelocity_;
+  Field temperature_;
+  Field nextTemperature_;
+  Advection advection_;
+  VorticityConfinement confinement_;
+  PressureSolver pressure_;
+};
+
+}  // namespace grove::objects::fluid

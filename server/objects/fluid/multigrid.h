@@ -1,0 +1,54 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "objects/fluid/grid.h"
+#include "objects/fluid/solid_grid.h"
+
+namespace grove::objects::fluid {
+
+/// One symmetric V-cycle as a preconditioner for the pressure equation (after McAdams, Sifakis and Teran 2010, "A
+/// parallel multigrid Poisson solver for fluids simulation on large grids"), with three differences:
+///
+/// - Coarse faces carry the open share of their fine faces instead of a whole-cell type, so walls of one cell stay
+/// walls.
+/// - Interpolation is linear along each axis, weighted with that share, hence never reaches through a closed face and
+///   meets an open side's pressure exactly; restriction is its transpose.
+/// - Smoothing, residual, restriction and operator run as waves over z-planes: each level is read once on the way down
+///   and once on the way up.
+///
+/// The equation in a cell is sum over open faces of (p - p of the neighbour) = right-hand side. One thread.
+class Multigrid {
+ public:
+  /// `cells` must be even; it is halved for as long as it stays whole.
+  explicit Multigrid(const Layout& layout);
+  ~Multigrid();
+  Multigrid(const Multigrid&) = delete;
+  Multigrid& operator=(const Multigrid&) = delete;
+
+  /// Takes over the solids within the box of changed cells.
+  void rebuild(const SolidGrid& solids, const CellBox& changed);
+
+  struct Products {
+    double residualDotResult = 0.0;
+    double resultDotOperator = 0.0;
+  };
+
+  /// result = M residual; operatorResult = A result. Ghosts and solids of `residual` must be zero, and stay so.
+  Products apply(const Field& residual, Field& result, Field& operatorResult);
+
+  /// Number of open faces of every air cell, 0 in solids: the diagonal of A.
+  [[nodiscard]] const Array<std::uint8_t>& diagonal() const noexcept { return diagonal_; }
+
+ private:
+  struct Level;
+  void solveBelow(std::size_t level);
+
+  const Layout layout_;
+  Array<std::uint8_t> diagonal_;
+  std::vector<std::unique_ptr<Level>> levels_;  ///< coarser and coarser; the finest is not among them
+  Field ring_;                                  ///< planes of the finest level's residual
+};
+
+}  // namespace grove::objects::fluid

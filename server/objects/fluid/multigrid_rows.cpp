@@ -1,0 +1,43 @@
+#include "objects/fluid/multigrid_rows.h"
+
+namespace grove::objects::fluid::rows {
+
+void restrictRow(const Around& fine, const CoarseOperator::Row& weights, float* out, int coarseCells) {
+  // Sums over the four fine rows of the coarse row, and what crosses its four sides, still at fine resolution in x.
+  constexpr int kLead = 16;
+  alignas(64) float all[Checkerboard::kLongest + 2 * kLead];
+  alignas(64) float lowY[Checkerboard::kLongest];
+  alignas(64) float highY[Checkerboard::kLongest];
+  alignas(64) float lowZ[Checkerboard::kLongest];
+  alignas(64) float highZ[Checkerboard::kLongest];
+  const int n = 2 * coarseCells;
+  const auto& r = fine.row;
+  float* sum = all + kLead;
+  for (int i = 0; i < n; ++i) {
+    const float a = r[1][1][i];
+    const float b = r[1][2][i];
+    const float c = r[2][1][i];
+    const float d = r[2][2][i];
+    sum[i] = (a + b) + (c + d);
+    lowY[i] = (r[1][0][i] + r[2][0][i]) - (a + c);
+    highY[i] = (r[1][3][i] + r[2][3][i]) - (b + d);
+    lowZ[i] = (r[0][1][i] + r[0][2][i]) - (a + b);
+    highZ[i] = (r[3][1][i] + r[3][2][i]) - (c + d);
+  }
+  sum[-1] = 0.0F;
+  sum[n] = 0.0F;
+  const float* wx = weights.wx;
+  const float* wy = weights.wy;
+  const float* wz = weights.wz;
+  const std::ptrdiff_t s = weights.s;
+  const std::ptrdiff_t p = weights.p;
+  for (int i = 0; i < coarseCells; ++i) {
+    const float own = sum[2 * i] + sum[2 * i + 1];
+    const float x = wx[i] * (sum[2 * i - 1] - sum[2 * i]) + wx[i + 1] * (sum[2 * i + 2] - sum[2 * i + 1]);
+    const float y = wy[i] * (lowY[2 * i] + lowY[2 * i + 1]) + wy[i + s] * (highY[2 * i] + highY[2 * i + 1]);
+    const float z = wz[i] * (lowZ[2 * i] + lowZ[2 * i + 1]) + wz[i + p] * (highZ[2 * i] + highZ[2 * i + 1]);
+    out[i] = 0.5F * (own + 0.25F * (x + y + z));
+  }
+}
+
+}  // namespace grove::objects::fluid::rows

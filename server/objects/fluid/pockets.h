@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "objects/fluid/grid.h"
+#include "objects/fluid/solid_grid.h"
+
+namespace grove::objects::fluid {
+
+/// The connected parts of the air that touch no open side. In each of them the pressure is known but for a constant:
+/// the null space of the pressure equation, which has to be projected out of its right-hand side. One thread.
+class Pockets {
+ public:
+  /// Finds them anew (union-find over runs of air along x).
+  void find(const SolidGrid& solids);
+
+  /// Takes each pocket's mean away from it.
+  void removeMeans(Field& values) const;
+
+  [[nodiscard]] std::size_t count() const noexcept { return pockets_.size(); }
+
+ private:
+  struct Run {
+    std::ptrdiff_t begin = 0;
+    int length = 0;
+  };
+  std::vector<std::vector<Run>> pockets_;
+};
+
+}  // namespace grove::objects::fluid

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "objects/fluid/grid.h"
+#include "objects/fluid/multigrid.h"
+#include "objects/fluid/pockets.h"
+#include "objects/fluid/solid_grid.h"
+
+namespace grove::objects::fluid {
+
+/// Makes a velocity free of divergence: solves the pressure equation by conjugate gradients (Chronopoulos and Gear's
+/// form, one reduction an iteration) preconditioned with a multigrid V-cycle, from the last step's pressure. One
+/// thread.
+class PressureSolver {
+ public:
+  struct Options {
+    float tolerance = 1.0e-4F;  ///< relative L2 residual
+    int mostIterations = 60;
+  };
+  struct Outcome {
+    int iterations = 0;
+    float residual = 0.0F;  ///< relative L2, by the solver's own recurrence
+  };
+
+  explicit PressureSolver(const Layout& layout);
+
+  /// The projection of Stam 1999: afterwards the net flow out of every air cell is zero to the tolerance. The
+  /// velocity's faces at solids must hold the solids' velocity (SolidGrid::enforce()), and do so afterwards.
+  Outcome project(SolidGrid& solids, Velocity& velocity, const Options& options);
+
+  /// Solves for a right-hand side of one's own: sum over open faces of (p - p of the neighbour) = b. `b` is changed
+  /// where it cannot be met: zero in solids, each pocket's mean taken away.
+  Outcome solve(SolidGrid& solids, Field& b, const Options& options);
+
+  /// Metres a second: pressure * time step / (density * cell size). Zero in solids.
+  [[nodiscard]] const Field& pressure() const noexcept { return x_; }
+  /// The right-hand side of the last solve.
+  [[nodiscard]] const Field& rightHandSide() const noexcept { return b_; }
+  /// Forgets the last step's pressure.
+  void forget() noexcept { x_.clear(); }
+
+ private:
+  void refresh(SolidGrid& solids);
+  Outcome iterate(Field& b, const Options& options);
+
+  const Layout layout_;
+  Multigrid multigrid_;
+  Pockets pockets_;
+  Field b_, x_, r_, z_, az_, p_, ap_;
+};
+
+}  // namespace grove::objects::fluid

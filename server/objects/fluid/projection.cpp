@@ -1,0 +1,111 @@
+#include "objects/fluid/projection.h"
+
+#include "objects/fluid/multigrid_rows.h"
+
+namespace grove::objects::fluid {
+
+namespace {
+
+template <class Body>
+void forEachRow(const Layout& layout, const Body& body) {
+  for (int z = 0; z < layout.cells; ++z) {
+    for (int y = 0; y < layout.cells; ++y) body(layout.index(0, y, z));
+  }
+}
+
+}  // namespace
+
+void negativeDivergence(const Layout& layout, const Velocity& velocity, const Array<std::uint8_t>& diagonal,
+                        Field& out) {
+  const int n = layout.cells;
+  const std::ptrdiff_t s = layout.step(1);
+  const std::ptrdiff_t p = layout.step(2);
+  forEachRow(layout, [&](std::ptrdiff_t at) {
+    const float* u = velocity.x.data() + at;
+    const float* v = velocity.y.data() + at;
+    const float* w = velocity.z.data() + at;
+    const std::uint8_t* d = diagonal.data() + at;
+    float* __restrict b = out.data() + at;
+    for (int i = 0; i < n; ++i) {
+      const float flow = (u[i] - u[i + 1]) + (v[i] - v[i + s]) + (w[i] - w[i + p]);
+      b[i] = d[i] != 0 ? flow : 0.0F;
+    }
+  });
+}
+
+void subtractGradient(const Layout& layout, const Field& pressure, Velocity& velocity) {
+  const int n = layout.cells;
+  const std::ptrdiff_t s = layout.step(1);
+  const std::ptrdiff_t p = layout.step(2);
+  const auto row = [&](std::ptrdiff_t at, int length, float* faces, std::ptrdiff_t step) {
+    const float* x = pressure.data() + at;
+    float* __restrict out = faces + at;
+    for (int i = 0; i < length; ++i) out[i] -= x[i] - x[i - step];
+  };
+  for (int z = 0; z <= n; ++z) {
+    for (int y = 0; y <= n; ++y) {
+      const std::ptrdiff_t at = layout.index(0, y, z);
+      if (y < n && z < n) row(at, n + 1, velocity.x.data(), 1);
+      if (z < n) row(at, n, velocity.y.data(), s);
+      if (y < n) row(at, n, velocity.z.data(), p);
+    }
+  }
+}
+
+void maskSolids(const Layout& layout, const Array<std::uint8_t>& diagonal, Field& values) {
+  forEachRow(layout, [&](std::ptrdiff_t at) {
+    const std::uint8_t* d = diagonal.data() + at;
+    float* __restrict v = values.data() + at;
+    for (int i = 0; i < layout.cells; ++i) v[i] = d[i] != 0 ? v[i] : 0.0F;
+  });
+}
+
+double initialResidual(const Layout& layout, const Array<std::uint8_t>& diagonal, const Field& b, Field& x, Field& r,
+                       double& squaredResidual) {
+  maskSolids(layout, diagonal, x);
+  const rows::FineOperator a{diagonal.data(), layout.step(1), layout.step(2)};
+  double squaredB = 0.0;
+  squaredResidual = 0.0;
+  forEachRow(layout, [&](std::ptrdiff_t at) {
+    const float* in = b.data() + at;
+    float* out = r.data() + at;
+    rows::residual(a.row(at), in, x.data() + at, out, layout.cells);
+    float bb = 0.0F;
+    float rr = 0.0F;
+    for (int i = 0; i < layout.cells; ++i) {
+      bb += in[i] * in[i];
+      rr += out[i] * out[i];
+    }
+    squaredB += static_cast<double>(bb);
+    squaredResidual += static_cast<double>(rr);
+  });
+  return squaredB;
+}
+
+double advance(const Layout& layout, float alpha, float beta, const Field& z, const Field& az, Field& p, Field& ap,
+               Field& x, Field& r) {
+  double squared = 0.0;
+  forEachRow(layout, [&](std::ptrdiff_t at) {
+    const float* zr = z.data() + at;
+    const float* azr = az.data() + at;
+    float* __restrict pr = p.data() + at;
+    float* __restrict apr = ap.data() + at;
+    float* __restrict xr = x.data() + at;
+    float* __restrict rr = r.data() + at;
+    float sum = 0.0F;
+    for (int i = 0; i < layout.cells; ++i) {
+      const float direction = zr[i] + beta * pr[i];
+      const float image = azr[i] + beta * apr[i];
+      const float residual = rr[i] - alpha * image;
+      pr[i] = direction;
+      apr[i] = image;
+      xr[i] += alpha * direction;
+      rr[i] = residual;
+      sum += residual * residual;
+    }
+    squared += static_cast<double>(sum);
+  });
+  return squared;
+}
+
+}  // namespace grove::objects::fluid

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstdint>
+
+#include "objects/fluid/grid.h"
+
+/// The vector passes around the pressure solve. Ghosts of all fields but the velocity's are zero and stay so.
+namespace grove::objects::fluid {
+
+/// out = minus the sum of the flow out of each air cell, in metres a second; zero in solids.
+void negativeDivergence(const Layout& layout, const Velocity& velocity, const Array<std::uint8_t>& diagonal,
+                        Field& out);
+
+/// velocity -= gradient of the pressure, at every face.
+void subtractGradient(const Layout& layout, const Field& pressure, Velocity& velocity);
+
+/// values = 0 where the diagonal is 0.
+void maskSolids(const Layout& layout, const Array<std::uint8_t>& diagonal, Field& values);
+
+/// Clears x in solids; r = b - A x. Returns b.b and sets r.r.
+double initialResidual(const Layout& layout, const Array<std::uint8_t>& diagonal, const Field& b, Field& x, Field& r,
+                       double& squaredResidual);
+
+/// One step of conjugate gradients: p = z + beta p, ap = az + beta ap, x += alpha p, r -= alpha ap. Returns r.r.
+double advance(const Layout& layout, float alpha, float beta, const Field& z, const Field& az, Field& p, Field& ap,
+               Field& x, Field& r);
+
+}  // namespace grove::objects::fluid

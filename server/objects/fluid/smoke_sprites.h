@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "objects/fluid/snapshot.h"
+#include "world/camera.h"
+
+namespace grove::objects::fluid {
+
+/// Particles as one viewer sees them: gaussian sprites that are stretched along their velocity on the screen (section
+/// 5.2). One entry per particle in every array. Buffers only grow. Frontend, one thread at a time.
+///
+/// Made in the order project(), shape(), chooseDetail(), SmokeShading::shade().
+struct SmokeSprites {
+  std::vector<float> x, y;          ///< middle, in pixels of the frame
+  std::vector<float> depth;         ///< view depth in metres
+  std::vector<float> radius;        ///< of the support, metres
+  std::vector<float> heat;          ///< 0 = smoke .. 1 = flame
+  std::vector<float> life;          ///< 0 = born .. 1 = gone
+  std::vector<float> fade;          ///< 0..1: towards the near plane and beyond the ends of a life
+  std::vector<float> axisX, axisY;  ///< how far it moves on the screen within the stretch time; in metres, y down
+
+  /// The weight of a pixel at (dx, dy) from the middle is (1 - q)^2, q = xx dx^2 + 2 xy dx dy + yy dy^2, 0 if q > 1.
+  std::vector<float> xx, xy, yy;
+  std::vector<float> halfWidth, halfHeight;  ///< of the box around it, pixels
+  std::vector<float> shrink;                 ///< weight lost to the smallest size that the target can show
+
+  std::vector<float> red, green, blue;  ///< display-encoded, times coverage
+  std::vector<float> opacity;           ///< 0..1 at the middle
+  std::vector<float> softness;          ///< metres over which it fades in front of a surface
+
+  /// Random numbers 0..1 that stay with a particle.
+  std::vector<float> rank, chanceA, chanceB, chanceC;
+
+  std::size_t count = 0;
+
+  void resize(std::size_t particles);
+};
+
+/// Sprites of less opacity are not worth a look.
+inline constexpr float kLeastOpacity = 1.0F / 512.0F;
+
+/// Places the particles, moved on by `lead` seconds, on the camera's screen.
+void project(const FluidSnapshot& snapshot, const world::Camera& camera, float lead, SmokeSprites& sprites);
+
+/// Gives the sprites their ellipses, none thinner than a pixel of a target that is `scale` times coarser than the
+/// frame.
+void shape(const world::Camera& camera, int scale, SmokeSprites& sprites);
+
+}  // namespace grove::objects::fluid

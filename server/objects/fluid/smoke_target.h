@@ -1,0 +1,74 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "node/image.h"
+#include "objects/fluid/smoke_sprites.h"
+#include "world/camera.h"
+
+namespace grove::objects::fluid {
+
+/// Sixteen neighbours in a row of the target: one vector register a channel, and next to each other in memory.
+struct alignas(64) SmokeBlock {
+  static constexpr int kWidth = 16;
+  float red[kWidth];
+  float green[kWidth];
+  float blue[kWidth];
+  float clear[kWidth];  ///< share of the background that shows through
+  float depth[kWidth];  ///< of the scene, metres
+};
+
+/// What smoke is drawn into: a part of the frame at half or quarter resolution, premultiplied, with the scene's depth.
+/// Memory only grows. One thread at a time.
+class SmokeTarget {
+ public:
+  /// Makes an empty target for the pixels `box` of the frame. Depths are cut off at `farthest` metres, behind all
+  /// smoke. A pixel takes the nearest and its neighbours the farthest depth of the frame's pixels under it, as on a
+  /// chequerboard, so that both sides of every silhouette are known.
+  void begin(const node::Image& frame, const world::Rect& box, int scale, float farthest);
+
+  /// Draws sprites in the given order, each over those before.
+  void draw(const SmokeSprites& sprites, std::span<const std::uint32_t> order);
+
+  /// Blends the smoke into the frame. Where the scene's depth jumps, a pixel takes its smoke from those neighbours
+  /// that are as far away as itself (joint bilateral upsampling, Kopf et al. 2007). Nothing changes where the frame is
+  /// nearer than `nearest` metres.
+  void blendInto(node::Image& frame, float nearest);
+
+ private:
+  /// Rows of a column of blocks that were drawn into; empty if end <= begin.
+  struct Span {
+    int begin = 0;
+    int end = 0;
+  };
+
+  /// Blocks lie column by column, because sprites are drawn down the columns.
+  [[nodiscard]] SmokeBlock* column(int b) noexcept { return blocks_.data() + std::ptrdiff_t{b} * rect_.height(); }
+  [[nodiscard]] const SmokeBlock& block(int b, int y) const noexcept {
+    return blocks_[static_cast<std::size_t>(b) * static_cast<std::size_t>(rect_.height()) +
+                   static_cast<std::size_t>(y)];
+  }
+  void drawOne(const SmokeSprites& sprites, std::uint32_t sprite);
+
+  /// Pixels first..last of the target's row `y`, which one pass over `Scale` rows of the frame covers.
+  template <int Scale>
+  void blendRow(node::Image& frame, int y, int first, int last, float nearest);
+  /// The target's pixels first..last of a row around which depth jumps, into jumps_.
+  void findJumps(int y, int first, int last);
+
+  world::Rect rect_;  ///< in pixels of the target, which counts from the frame's corner
+  int scale_ = 2;
+  float farthest_ = 0.0F;
+  int blocksPerRow_ = 0;
+  std::vector<SmokeBlock> blocks_;
+  std::vector<Span> spans_;
+  std::vector<float> low_, high_;  ///< nearest and farthest depth, one row
+  std::vector<int> jumps_;
+  std::vector<float> mixed_;  ///< one row between two rows of the target: red, green, blue, clear
+  std::vector<float> wide_;   ///< one row of the frame: red, green, blue, clear
+};
+
+}  // namespace grove::objects::fluid

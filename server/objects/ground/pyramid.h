@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace grove::objects::ground {
+
+/// A square picture of four 8-bit channels with all its halved copies (a mip map). Sizes are powers of two.
+class Pyramid {
+ public:
+  static constexpr int kMostLevels = 16;
+
+  /// Averages `finest` (size x size texels) down to a single texel.
+  Pyramid(int size, std::vector<std::uint32_t> finest);
+
+  [[nodiscard]] int size() const noexcept { return size_; }
+  [[nodiscard]] int levels() const noexcept { return static_cast<int>(levels_.size()); }
+  /// Level 0 is the finest; level i has size() >> i texels a side, rows without gaps. All levels lie in one array, each
+  /// after the finer one.
+  [[nodiscard]] const std::uint32_t* level(int index) const noexcept;
+
+ private:
+  const int size_;
+  std::vector<std::uint32_t> texels_;
+  std::vector<std::size_t> levels_;  // where each begins
+};
+
+/// Four channels of 0..1, rounded, in one texel: bytes r, g, b, a in memory.
+[[nodiscard]] std::uint32_t packTexel(float r, float g, float b, float a) noexcept;
+
+}  // namespace grove::objects::ground

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "node/image.h"
+#include "objects/mesh/surface.h"
+#include "world/camera.h"
+#include "world/light.h"
+
+namespace grove::objects::mesh {
+
+inline constexpr std::size_t kMostBones = 4;
+inline constexpr std::size_t kMostLamps = 8;
+
+/// A surface with the light that reaches each vertex: across-user, made once.
+struct LitSurface {
+  Surface surface;
+  /// Per vertex: x the share of the sun it sees, yzw the indirect light that a white surface would reflect there
+  /// (`baked`), or the share of world::ambient() that it sees (not `baked`, for what moves).
+  std::vector<world::Vec4> light;
+  bool baked = true;
+};
+
+/// The point lights that matter most to an object.
+struct Lamps {
+  int count = 0;
+  std::array<world::Vec3, kMostLamps> position{};
+  std::array<world::Vec3, kMostLamps> colour{};
+};
+
+[[nodiscard]] Lamps chooseLamps(std::span<const world::PointLight> lights, const world::Bounds& bounds);
+
+/// One object in one frame, for a MeshRenderer.
+struct Drawing {
+  const LitSurface* object = nullptr;  ///< must outlive the renderer, which keeps what it derives from it
+  const world::Camera* camera = nullptr;
+  world::Rect rect;                             ///< pixels of the camera's image that are wanted
+  float distance = 0.0F;                        ///< from the eye in the object's own metres, for the level of detail
+  float reach = 0.0F;                           ///< from the object's middle to its farthest point, in the same metres
+  std::array<world::Mat4, kMostBones> bones{};  ///< object to world, rigid but for an even scale
+  world::Vec3 tint{1.0F};
+  float sunShare = 1.0F;  ///< scales the share of the sun of all vertices
+  Lamps lamps;
+};
+
+/// Draws triangles to colour and depth. The implementations give the same picture.
+class MeshRenderer {
+ public:
+  virtual ~MeshRenderer() = default;
+
+  /// Fills one image per drawing, of its rectangle; null where the rectangle is empty. The drawings may be of many
+  /// frames and sessions.
+  virtual void render(std::span<const Drawing> drawings, std::span<std::shared_ptr<const node::Image>> images) = 0;
+};
+
+}  // namespace grove::objects::mesh

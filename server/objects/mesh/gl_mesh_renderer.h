@@ -1,0 +1,29 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "gl/workers.h"
+#include "objects/mesh/drawing.h"
+
+namespace grove::objects::mesh {
+
+/// Rasterises with GL. A batch is drawn as tiles of one atlas, whoever they are for, and then read back.
+class GlMeshRenderer final : public MeshRenderer {
+ public:
+  /// Both outlive the renderer.
+  GlMeshRenderer(gl::Workers& workers, node::ImagePool& images);
+  /// Not on a worker: waits for each to drop its buffers.
+  ~GlMeshRenderer() override;
+
+  /// On a worker. What a worker needs is made at its first call; throws EnvironmentError if that fails.
+  void render(std::span<const Drawing> drawings, std::span<std::shared_ptr<const node::Image>> images) override;
+
+ private:
+  class Bench;
+  gl::Workers& workers_;
+  node::ImagePool& images_;
+  std::vector<std::unique_ptr<Bench>> benches_;  // by worker, each used by its thread alone
+};
+
+}  // namespace grove::objects::mesh

@@ -1,0 +1,98 @@
+#include "objects/mesh/light_bake.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "world/light.h"
+
+namespace grove::objects::mesh {
+namespace {
+
+using world::Vec3;
+using world::Vec4;
+
+constexpr std::uint32_t kSunRays = 8;
+constexpr std::uint32_t kSkyRays = 64;
+constexpr float kSunRadius = 0.035F;  // of its direction: wider than the real sun, as haze makes it
+constexpr float kAway = 0.015F;       // metres off the surface, against hitting it
+constexpr float kReach = 15.0F;       // metres beyond which nothing darkens the sky
+constexpr float kContact = 0.6F;      // metres below which the ground is in the object's own shade
+const Vec3 kRockBounce{0.075F, 0.062F, 0.048F};
+
+/// Orthonormal basis around a unit vector (Duff et al. 2017, "Building an Orthonormal Basis, Revisited").
+glm::mat3 basisAround(Vec3 n) {
+  const float sign = std::copysign(1.0F, n.z);
+  const float a = -1.0F / (sign + n.z);
+  const float b = n.x * n.y * a;
+  return {Vec3(1.0F + sign * n.x * n.x * a, sign * b, -sign * n.x), Vec3(b, sign + n.y * n.y * a, -n.y), n};
+}
+
+/// Second coordinate of the Hammersley points.
+float radicalInverse(std::uint32_t bits) {
+  bits = (bits << 16U) | (bits >> 16U);
+  bits = ((bits & 0x55555555U) << 1U) | ((bits & 0xAAAAAAAAU) >> 1U);
+  bits = ((bits & 0x33333333U) << 2U) | ((bits & 0xCCCCCCCCU) >> 2U);
+  bits = ((bits & 0x0F0F0F0FU) << 4U) | ((bits & 0xF0F0F0F0U) >> 4U);
+  bits = ((bits & 0x00FF00FFU) << 8U) | ((bits & 0xFF00FF00U) >> 8U);
+  return static_cast<float>(bits) * 2.3283064e-10F;
+}
+
+/// Indirect light, with the sky weakened by what covers it and its colour taken from the open side.
+Vec3 indirectAt(Vec3 origin, Vec3 normal, const world::RayScene& solids) {
+  const glm::mat3 basis = basisAround(normal);
+  float open = 0.0F;
+  Vec3 openSide(0.0F);
+  for (std::uint32_t i = 0; i < kSkyRays; ++i) {
+    const float u = (static_cast<float>(i) + 0.5F) / static_cast<float>(kSkyRays);
+    const float around = 6.2831853F * radicalInverse(i);
+    const float radius = std::sqrt(u);
+    const Vec3 direction =
+        basis * Vec3(radius * std::cos(around), radius * std::sin(around), std::sqrt(std::max(0.0F, 1.0F - u)));
+    float reach = kReach;
+    float share = 1.0F;
+    if (direction.y < 0.0F) {
+      const float toGround = origin.y / -direction.y;
+      reach = std::min(reach, toGround);
+      share = 0.35F + 0.65F * std::min(1.0F, toGround / kContact);
+    }
+    if (solids.occluded(origin, direction, 0.0F, reach)) continue;
+    open += share;
+    openSide += direction * share;
+  }
+  open /= static_cast<float>(kSkyRays);
+  const float length = glm::length(openSide);
+  const Vec3 towards = length > 0.0F ? openSide / length : normal;
+  return world::ambient(towards) * open + kRockBounce * (1.0F - open);
+}
+
+}  // namespace
+
+float sunAt(Vec3 point, const world::RayScene& solids) {
+  const Vec3 sun = world::sunDirection();
+  const glm::mat3 basis = basisAround(sun);
+  std::uint32_t seen = 0;
+  for (std::uint32_t i = 0; i < kSunRays; ++i) {
+    const float radius = kSunRadius * std::sqrt((static_cast<float>(i) + 0.5F) / static_cast<float>(kSunRays));
+    const float around = 2.3999632F * static_cast<float>(i);
+    const Vec3 direction = basis * Vec3(radius * std::cos(around), radius * std::sin(around), 1.0F);
+    if (!solids.occluded(point, direction)) ++seen;
+  }
+  return static_cast<float>(seen) / static_cast<float>(kSunRays);
+}
+
+std::vector<Vec4> bakeLight(const Surface& surface, const world::Mat4& toWorld, const world::RayScene& solids) {
+  const glm::mat3 turn(toWorld);
+  std::vector<Vec4> light;
+  light.reserve(surface.vertices.size());
+  for (const Vertex& vertex : surface.vertices) {
+    const Vec3 normal = glm::normalize(turn * vertex.normal);
+    Vec3 origin = Vec3(toWorld * Vec4(vertex.position, 1.0F)) + normal * kAway;
+    // A vertex below the ground lends its light to the triangles that come out of it.
+    origin.y = std::max(origin.y, 2.0F * kAway);
+    const float sun = glm::dot(normal, world::sunDirection()) > -0.2F ? sunAt(origin, solids) : 0.0F;
+    light.emplace_back(sun, indirectAt(origin, normal, solids));
+  }
+  return light;
+}
+
+}  // namespace grove::objects::mesh

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <map>
+#include <memory>
+
+#include "node/object_type.h"
+#include "objects/mesh/drawing.h"
+#include "objects/mesh/mesh_model.h"
+#include "objects/mesh/screen_box.h"
+
+namespace grove::objects::mesh {
+
+/// The rendering node of all meshes: bakes their light once for everybody, then draws views of them.
+class MeshBackend final : public node::BackendHalf {
+ public:
+  /// Bakes on the services' workers and waits for them, so not on one of those.
+  MeshBackend(const node::BackendServices& services, world::TypeIndex self);
+  ~MeshBackend() override;
+
+  [[nodiscard]] node::NodeKind kind() const override { return node::NodeKind::kRendering; }
+  /// The GL workers if any object is drawn by GL.
+  [[nodiscard]] pipeline::Executor& executor() override { return executor_; }
+  [[nodiscard]] int concurrency() const override { return executor_.width(); }
+  void answer(std::span<const node::Request> requests, std::span<node::Payload> payloads) override;
+
+ private:
+  struct Entry {
+    explicit Entry(const world::Object& object);
+    LitSurface lit;
+    PointCloud points;
+    float reach;
+    world::Mat4 toWorld;
+    RendererKind renderer;
+  };
+  void answerWith(RendererKind kind, std::span<const node::Request> requests, std::span<node::Payload> payloads);
+
+  std::map<world::ObjectId, Entry> entries_;
+  std::map<RendererKind, std::unique_ptr<MeshRenderer>> renderers_;
+  pipeline::Executor& executor_;
+};
+
+}  // namespace grove::objects::mesh

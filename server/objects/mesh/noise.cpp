@@ -1,0 +1,70 @@
+#include "objects/mesh/noise.h"
+
+#include <array>
+
+namespace grove::objects::mesh {
+namespace {
+
+using world::Vec3;
+
+constexpr std::array<std::uint32_t, 3> kPrimes = {0x9E3779B1U, 0x85EBCA77U, 0xC2B2AE3DU};
+
+float hashed(std::uint32_t h) noexcept {
+  h ^= h >> 15U;
+  h *= 0x2C1B3C6DU;
+  return static_cast<float>(h >> 8U) * (1.0F / 16777216.0F);
+}
+
+std::uint32_t scaled(float cell, std::uint32_t prime) noexcept {
+  return static_cast<std::uint32_t>(static_cast<std::int32_t>(cell)) * prime;
+}
+
+}  // namespace
+
+NoiseSample valueNoise(Vec3 p) noexcept {
+  const Vec3 cell = glm::floor(p);
+  const Vec3 f = p - cell;
+  const Vec3 u = f * f * (3.0F - 2.0F * f);
+  const Vec3 du = 6.0F * f * (1.0F - f);
+  const std::array<std::uint32_t, 3> low = {scaled(cell.x, kPrimes[0]), scaled(cell.y, kPrimes[1]),
+                                            scaled(cell.z, kPrimes[2])};
+  // Differences along an axis first, so that value and gradient share them.
+  std::array<float, 4> plane{};
+  std::array<float, 4> alongZ{};
+  for (std::uint32_t i = 0; i < 4; ++i) {
+    const std::uint32_t column = (low[0] + (i & 1U) * kPrimes[0]) ^ (low[1] + (i >> 1U) * kPrimes[1]);
+    const float front = hashed(column ^ low[2]);
+    alongZ[i] = hashed(column ^ (low[2] + kPrimes[2])) - front;
+    plane[i] = front + alongZ[i] * u.z;
+  }
+  const float alongY0 = plane[2] - plane[0];
+  const float alongY1 = plane[3] - plane[1];
+  const float line0 = plane[0] + alongY0 * u.y;
+  const float line1 = plane[1] + alongY1 * u.y;
+  const float slopeZ0 = alongZ[0] + (alongZ[2] - alongZ[0]) * u.y;
+  const float slopeZ1 = alongZ[1] + (alongZ[3] - alongZ[1]) * u.y;
+  const float alongX = line1 - line0;
+  return {line0 + alongX * u.x,
+          Vec3(alongX, alongY0 + (alongY1 - alongY0) * u.x, slopeZ0 + (slopeZ1 - slopeZ0) * u.x) * du};
+}
+
+float fractalNoise(Vec3 p, int octaves) noexcept {
+  float sum = 0.0F;
+  float strength = 1.0F;
+  for (int i = 0; i < octaves; ++i) {
+    sum += (valueNoise(p).value - 0.5F) * strength;
+    strength *= 0.5F;
+    // Turned a little, so that the octaves' lattices do not line up.
+    p = Vec3(0.8F * p.x - 0.6F * p.z, p.y, 0.6F * p.x + 0.8F * p.z) * 2.03F + Vec3(17.1F, 3.7F, 29.3F);
+  }
+  return sum;
+}
+
+float random01(std::uint32_t seed, std::uint32_t index) noexcept {
+  std::uint32_t h = seed * kPrimes[0] + index * kPrimes[1] + 0x68E31DA4U;
+  h ^= h >> 16U;
+  h *= 0x7FEB352DU;
+  return hashed(h ^ (h >> 13U));
+}
+
+}  // namespace grove::objects::mesh

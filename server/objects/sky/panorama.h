@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "world/geometry.h"
+
+namespace grove::objects::sky {
+
+/// Texels of a panorama: all around, and from slightly below the horizon to the zenith.
+struct PanoramaSize {
+  int width = 4096;
+  int height = 768;
+};
+
+/// The whole sky as a picture, display-encoded. Columns are headings, clockwise from -Z. Rows are spread by the tangent
+/// t of the elevation as (t + kBelow) / (t + kBelow + kSpread), which is finest at the horizon, where the landscape is,
+/// and needs no inverse trigonometry to look up. A last column repeats the first, so that neighbours are adjacent.
+class Panorama {
+ public:
+  static constexpr float kBelow = 0.06F;  ///< tangent of the angle below the horizon at which the map begins
+  static constexpr float kSpread = 0.8F;
+
+  explicit Panorama(PanoramaSize size);
+
+  [[nodiscard]] int width() const noexcept { return size_.width; }
+  [[nodiscard]] int height() const noexcept { return size_.height; }
+  /// Texels from a row to the next.
+  [[nodiscard]] int stride() const noexcept { return size_.width + 1; }
+  [[nodiscard]] const std::uint32_t* texels() const noexcept { return texels_.data(); }
+  [[nodiscard]] std::uint32_t texel(int column, int row) const noexcept;
+
+  /// Sets a texel; column 0 is also set at the seam.
+  void set(int column, int row, std::uint32_t rgba) noexcept;
+
+  /// Heading in radians of a column's texels, and tangent of elevation of a row's.
+  [[nodiscard]] float heading(int column) const noexcept;
+  [[nodiscard]] float tangent(int row) const noexcept;
+
+  /// Unit vector at a heading and a tangent of elevation.
+  [[nodiscard]] static world::Vec3 direction(float heading, float tangent) noexcept;
+
+  /// Bilinear, 0..255 a channel; exact, one direction at a time. The reference for sampleRow().
+  [[nodiscard]] world::Vec3 sample(world::Vec3 direction) const noexcept;
+
+ private:
+  const PanoramaSize size_;
+  std::vector<std::uint32_t> texels_;
+};
+
+}  // namespace grove::objects::sky

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstdint>
+
+#include "objects/sky/panorama.h"
+
+namespace grove::objects::sky {
+
+/// The directions of one row of pixels of a camera without roll: all rise by the same `up`, and in the plane they are
+/// `ahead` forwards and `firstSide + i * sideStep` to the right.
+struct RowOfRays {
+  float yaw = 0.0F;  ///< of the camera, radians
+  float ahead = 1.0F;
+  float up = 0.0F;
+  float firstSide = 0.0F;
+  float sideStep = 0.0F;
+};
+
+/// Fills `count` pixels by bilinear look-up. A vectorised loop.
+void sampleRow(const Panorama& panorama, const RowOfRays& rays, int count, std::uint32_t* colour);
+
+/// Widens a row of samples, taken at every second pixel of two rows, to all `count` pixels of the row between them (of
+/// either row, if both are the same). A vectorised loop over `above` and `below`, which hold count / 2 + 2 samples.
+void widenRow(const std::uint32_t* above, const std::uint32_t* below, int count, std::uint32_t* colour);
+
+}  // namespace grove::objects::sky

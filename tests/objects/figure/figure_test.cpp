@@ -1,0 +1,182 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <future>
+
+#include "gl/workers.h"
+#include "objects/figure/figure_backend.h"
+#include "objects/figure/figure_frontend.h"
+#include "objects/figure/figure_model.h"
+#include "objects/figure/gait.h"
+#include "objects/figure/utf8.h"
+#include "pipeline/worker_pool.h"
+
+namespace grove::objects::figure {
+namespace {
+
+using world::Vec3;
+
+world::Object visitor(world::PlayerId id, Vec3 position) {
+  world::Object object;
+  object.id = world::kFirstPlayerObject + id;
+  object.name = "Åsa";
+  object.model = std::make_shared<FigureModel>();
+  object.transform.position = position;
+  object.bounds = object.transform.apply(object.model->bounds());
+  return object;
+}
+
+std::shared_ptr<node::FrameList> look(const std::vector<world::Object>& visitors, std::vector<world::Player> players) {
+  auto view = std::make_shared<node::View>();
+  view->camera.width = 320;
+  view->camera.height = 180;
+  view->players = std::move(players);
+  auto list = std::make_shared<node::FrameList>();
+  list->view = view;
+  for (const world::Object& object : visitors) {
+    list->objects.push_back({object, view->camera.screenRect(object.bounds),
+                             glm::distance(object.bounds.centre(), view->camera.pose.position)});
+  }
+  return list;
+}
+
+class FigureTest : public testing::Test {
+ protected:
+  std::vector<node::Payload> ask(const std::shared_ptr<node::FrameList>& list) {
+    FigureBackend half({world_, workers_, gl_, timeline_, images_, {}});
+    std::vector<node::Request> requests;
+    for (std::uint32_t i = 0; i < list->objects.size(); ++i) requests.push_back({list, i});
+    std::vector<node::Payload> payloads(requests.size());
+    std::promise<void> done;
+    half.executor().post([&] {
+      half.answer(requests, payloads);
+      done.set_value();
+    });
+    done.get_future().get();
+    return payloads;
+  }
+
+  world::World world_{world::World::Layout()};
+  gl::ShaderLibrary shaders_;
+  gl::Workers gl_{gl::ContextKind::kAuto, shaders_, 1};
+  pipeline::WorkerPool workers_{1};
+  pipeline::Timeline timeline_;
+  node::ImagePool images_;
+};
+
+/// Sums of red and of blue over an image.
+std::pair<double, double> redAndBlue(const node::Image& image) {
+  std::pair<double, double> sums;
+  for (const std::uint32_t colour : image.colour) {
+    sums.first += colour & 0xFFU;
+    sums.second += (colour >> 16U) & 0xFFU;
+  }
+  return sums;
+}
+
+TEST_F(FigureTest, ShowsItsVisitorsColour) {
+  world::Player red;
+  red.id = 4;
+  red.colour = 0x002020FF;
+  world::Player blue;
+  blue.id = 9;
+  blue.colour = 0x00FF2020;
+  const auto list = look({visitor(9, {-1, 0, -4}), visitor(4, {1, 0, -4})}, {red, blue});
+  const auto payloads = ask(list);
+  const auto [blueRed, blueBlue] = redAndBlue(*std::get<std::shared_ptr<const node::Image>>(payloads[0]));
+  const auto [redRed, redBlue] = redAndBlue(*std::get<std::shared_ptr<const node::Image>>(payloads[1]));
+  EXPECT_GT(blueBlue, 1.5 * blueRed);
+  EXPECT_GT(redRed, 1.5 * redBlue);
+}
+
+TEST_F(FigureTest, StandsWhereItIs) {
+  world::Player player;
+  player.id = 1;
+  const auto payloads = ask(look({visitor(1, {0, 0, -4})}, {player}));
+  const auto& image = *std::get<std::shared_ptr<const node::Image>>(payloads[0]);
+  const float nearest = *std::ranges::min_element(image.depth);
+  EXPECT_GT(nearest, 3.4F);
+  EXPECT_LT(nearest, 4.0F);
+}
+
+TEST_F(FigureTest, WhoHasLeftIsNotShown) {
+  const auto payloads = ask(look({visitor(1, {0, 0, -4})}, {}));
+  EXPECT_EQ(std::get<std::shared_ptr<const node::Image>>(payloads[0]), nullptr);
+}
+
+TEST(Gait, LegsSwingAgainstEachOtherAndRestWhenStanding) {
+  world::Player player;
+  player.stride = 0.375F;
+  const auto foot = [&](Bone leg) {
+    return Vec3(bonesOf(player, {})[leg] * world::Vec4(0.0F, 0.0F, 0.0F, 1.0F)) -
+           Vec3(bonesOf(player, {})[kBody] * world::Vec4(0.0F, 0.0F, 0.0F, 1.0F));
+  };
+  EXPECT_NEAR(foot(kLeftLeg).z, 0.0F, 1.0e-4F);
+  player.velocity = {0, 0, -world::kWalkSpeed};
+  EXPECT_GT(std::abs(foot(kLeftLeg).z), 0.15F);
+  EXPECT_LT(foot(kLeftLeg).z * foot(kRightLeg).z, 0.0F);
+}
+
+/// A frame of one grey, at one depth.
+class LabelTest : public testing::Test {
+ protected:
+  static constexpr std::uint32_t kGrey = 0xFF808080;
+
+  std::size_t touched(const world::Object& object, float depth) {
+    const auto list = look({object}, {});
+    colour_.assign(320 * 180, kGrey);
+    depth_.assign(320 * 180, depth);
+    // The left half is open sky.
+    for (std::size_t y = 0; y < 180; ++y)
+      std::fill_n(depth_.begin() + static_cast<std::ptrdiff_t>(y * 320), 160, 1.0e30F);
+    node::Image frame{{0, 0, 320, 180}, colour_, depth_};
+    frontend_.draw(list->objects[0], {}, *list->view, frame);
+    return static_cast<std::size_t>(std::ranges::count_if(colour_, [](std::uint32_t c) { return c != kGrey; }));
+  }
+
+  FigureFrontend frontend_;
+  std::vector<std::uint32_t> colour_;
+  std::vector<float> depth_;
+};
+
+TEST_F(LabelTest, IsDrawnOnlyWhereNothingStandsBeforeIt) {
+  const std::size_t all = touched(visitor(1, {0, 0, -6}), 20.0F);
+  EXPECT_GT(all, 200U);
+  const std::size_t half = touched(visitor(1, {0, 0, -6}), 3.0F);
+  EXPECT_GT(half, all / 4);
+  EXPECT_LT(half, all * 3 / 4);
+  for (std::size_t y = 0; y < 180; ++y) {
+    for (std::size_t x = 160; x < 320; ++x) ASSERT_EQ(colour_[y * 320 + x], kGrey);
+  }
+}
+
+TEST_F(LabelTest, FadesWithDistance) {
+  const auto brightest = [&] {
+    return *std::ranges::max_element(colour_, {}, [](std::uint32_t c) { return c & 0xFFU; }) & 0xFFU;
+  };
+  (void)touched(visitor(1, {0, 0, -8}), 1.0e30F);
+  const std::uint32_t near = brightest();
+  (void)touched(visitor(1, {0, 0, -20}), 1.0e30F);
+  EXPECT_LT(brightest(), near);
+  EXPECT_EQ(touched(visitor(1, {0, 0, -26}), 1.0e30F), 0U);
+  EXPECT_EQ(touched(visitor(1, {0, 0, 5}), 1.0e30F), 0U);
+}
+
+TEST(LabelFont, DrawsAnyBytes) {
+  const LabelFont font;
+  EXPECT_GT(font.draw("wide name", 18).width, font.draw("i", 18).width);
+  const LabelMask broken = font.draw("\xFF\xC3", 18);
+  EXPECT_TRUE(std::ranges::any_of(broken.coverage, [](std::uint8_t c) { return c > 0; }));
+  EXPECT_LT(font.draw(std::string(10'000, 'W'), 18).width, 1000);
+}
+
+TEST(Utf8, DecodesAndReplaces) {
+  using Points = std::vector<std::uint32_t>;
+  EXPECT_EQ(decodeUtf8("aø€😀"), (Points{0x61, 0xF8, 0x20AC, 0x1F600}));
+  EXPECT_EQ(decodeUtf8("\xC3"), (Points{0xFFFD}));
+  EXPECT_EQ(decodeUtf8("\xC0\x80x"), (Points{0xFFFD, 0xFFFD, 0x78}));
+  EXPECT_EQ(decodeUtf8("\xED\xA0\x80"), (Points{0xFFFD, 0xFFFD, 0xFFFD}));
+}
+
+}  // namespace
+}  // namespace grove::objects::figure

@@ -1,0 +1,68 @@
+#include "objects/mesh/bench.h"
+
+#include <gtest/gtest.h>
+
+#include <future>
+#include <utility>
+
+namespace grove::objects::mesh {
+
+Surface makeBox(world::Vec3 size, world::Vec3 albedo) {
+  return makeDeformedBox({4, 4, 4}, 0, [&](world::Vec3 cube) {
+    Vertex vertex;
+    vertex.position = (cube * 0.5F + world::Vec3(0.0F, 0.5F, 0.0F)) * size;
+    vertex.albedo = albedo;
+    return vertex;
+  });
+}
+
+world::Object makeObject(world::ObjectId id, Surface surface, RendererKind renderer, world::Vec3 position) {
+  world::Object object;
+  object.id = id;
+  object.name = "object " + std::to_string(id);
+  object.transform.position = position;
+  object.model = std::make_shared<MeshModel>(std::move(surface), renderer);
+  object.bounds = object.transform.apply(object.model->bounds());
+  return object;
+}
+
+world::World::Layout layoutOf(std::vector<world::Object> objects) {
+  world::World::Layout layout;
+  layout.objects = std::move(objects);
+  return layout;
+}
+
+std::shared_ptr<node::FrameList> look(const world::Camera& camera, const std::vector<world::Object>& objects) {
+  auto view = std::make_shared<node::View>();
+  view->camera = camera;
+  auto list = std::make_shared<node::FrameList>();
+  list->view = view;
+  for (const world::Object& object : objects) {
+    list->objects.push_back(
+        {object, camera.screenRect(object.bounds), glm::distance(object.bounds.centre(), camera.pose.position)});
+  }
+  return list;
+}
+
+std::vector<node::Payload> ask(node::BackendHalf& half, const std::vector<node::Request>& requests) {
+  std::vector<node::Payload> payloads(requests.size());
+  std::promise<void> done;
+  half.executor().post([&] {
+    try {
+      half.answer(requests, payloads);
+      done.set_value();
+    } catch (...) {
+      done.set_exception(std::current_exception());
+    }
+  });
+  done.get_future().get();
+  return payloads;
+}
+
+std::shared_ptr<const node::Image> imageOf(const node::Payload& payload) {
+  const auto* image = std::get_if<std::shared_ptr<const node::Image>>(&payload);
+  EXPECT_NE(image, nullptr);
+  return image == nullptr ? nullptr : *image;
+}
+
+}  // namespace grove::objects::mesh

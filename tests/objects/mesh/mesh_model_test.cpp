@@ -1,0 +1,97 @@
+#include "objects/mesh/mesh_model.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <map>
+#include <utility>
+
+#include "objects/mesh/mesh_type.h"
+
+namespace grove::objects::mesh {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+std::shared_ptr<const MeshModel> model(const std::string& settings) {
+  const world::Scene scene = world::parseScene("[[object]]\ntype = \"mesh\"\nname = \"it\"\n" + settings, "test.toml");
+  return std::static_pointer_cast<const MeshModel>(MeshType().model(scene.objects.at(0).parameters));
+}
+
+std::string errorOf(const std::string& settings) {
+  try {
+    (void)model(settings);
+  } catch (const world::SceneError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+/// Each edge belongs to one triangle in each direction.
+bool isClosed(const world::Triangles& triangles) {
+  std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
+  for (const auto& [a, b, c] : triangles.indices) {
+    ++edges[{a, b}];
+    ++edges[{b, c}];
+    ++edges[{c, a}];
+  }
+  return std::ranges::all_of(edges, [&](const auto& edge) {
+    const auto back = edges.find({edge.first.second, edge.first.first});
+    return edge.second == 1 && back != edges.end() && back->second == 1;
+  });
+}
+
+double volume(const world::Triangles& triangles) {
+  double sum = 0.0;
+  for (const auto& [a, b, c] : triangles.indices) {
+    sum += static_cast<double>(
+        glm::dot(triangles.positions[a], glm::cross(triangles.positions[b], triangles.positions[c])));
+  }
+  return sum / 6.0;
+}
+
+TEST(MeshModel, EveryShapeIsClosedAndFacesOutwards) {
+  for (const char* shape : {"stone", "lintel", "rocks", "logs"}) {
+    const auto made = model(std::string("shape = \"") + shape + "\"\nseed = 5\n");
+    ASSERT_NE(made->solid(), nullptr);
+    EXPECT_TRUE(isClosed(*made->solid())) << shape;
+    EXPECT_GT(volume(*made->solid()), 0.0) << shape;
+    EXPECT_GE(made->solid()->indices.size(), 2000U) << shape;
+    EXPECT_LE(made->solid()->indices.size(), 7000U) << shape;
+    for (const Level& level : made->surface().levels) EXPECT_FALSE(level.triangles.empty()) << shape;
+  }
+}
+
+TEST(MeshModel, AStoneHasAboutItsSize) {
+  const auto made = model("shape = \"stone\"\nheight = 3.4\nwidth = 1.5\ndepth = 0.7\nseed = 8\n");
+  const world::Bounds bounds = made->bounds();
+  EXPECT_NEAR(bounds.high.y, 3.4F, 0.6F);
+  EXPECT_LT(bounds.low.y, 0.0F);
+  EXPECT_GT(bounds.low.y, -0.5F);
+  EXPECT_NEAR(bounds.size().x, 1.5F, 0.6F);
+  EXPECT_NEAR(bounds.size().z, 0.7F, 0.5F);
+  ASSERT_TRUE(made->obstacleRadius().has_value());
+  EXPECT_NEAR(*made->obstacleRadius(), 0.55F, 0.01F);
+}
+
+TEST(MeshModel, SeedsAreRepeatableAndDiffer) {
+  const auto first = model("seed = 3\n");
+  EXPECT_EQ(first->solid()->positions, model("seed = 3\n")->solid()->positions);
+  EXPECT_NE(first->solid()->positions, model("seed = 4\n")->solid()->positions);
+}
+
+TEST(MeshModel, RendererIsChosenInTheSceneFile) {
+  EXPECT_EQ(model("")->renderer(), RendererKind::kGl);
+  EXPECT_EQ(model("renderer = \"embree\"\n")->renderer(), RendererKind::kEmbree);
+}
+
+TEST(MeshModel, BadSettingsNameTheKey) {
+  EXPECT_THAT(errorOf("shape = \"teapot\"\n"), AllOf(HasSubstr("test.toml:4"), HasSubstr("shape")));
+  EXPECT_THAT(errorOf("renderer = \"vulkan\"\n"), AllOf(HasSubstr("test.toml:4"), HasSubstr("renderer")));
+  EXPECT_THAT(errorOf("height = 900.0\n"), AllOf(HasSubstr("test.toml:4"), HasSubstr("height")));
+  EXPECT_THAT(errorOf("width = -1.0\n"), HasSubstr("width"));
+}
+
+}  // namespace
+}  // namespace grove::objects::mesh

@@ -1,0 +1,94 @@
+#include "objects/sky/panorama.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "objects/sky/panorama_bake.h"
+#include "objects/sky/sample_rows.h"
+#include "world/camera.h"
+#include "world/light.h"
+
+namespace grove::objects::sky {
+namespace {
+
+/// Red tells the heading (up and down once around), green the row.
+Panorama ramps() {
+  Panorama panorama({256, 128});
+  for (int row = 0; row < 128; ++row) {
+    for (int column = 0; column < 256; ++column) {
+      const auto red = static_cast<std::uint32_t>(column < 128 ? column * 2 : (255 - column) * 2);
+      panorama.set(column, row, red | static_cast<std::uint32_t>(row * 2) << 8U | 0xFF000000U);
+    }
+  }
+  return panorama;
+}
+
+TEST(Panorama, ATexelIsFoundInItsOwnDirection) {
+  const Panorama panorama = ramps();
+  for (const int column : {0, 1, 63, 64, 127, 200, 255}) {
+    for (const int row : {0, 5, 40, 100, 120}) {
+      const auto direction = Panorama::direction(panorama.heading(column), panorama.tangent(row));
+      const auto found = panorama.sample(direction);
+      const auto texel = panorama.texel(column, row);
+      EXPECT_NEAR(found.r, static_cast<float>(texel & 0xFFU), 0.1F) << column << ", " << row;
+      EXPECT_NEAR(found.g, static_cast<float>((texel >> 8U) & 0xFFU), 0.1F) << column << ", " << row;
+    }
+  }
+}
+
+TEST(Panorama, HeadingsTurnClockwiseFromMinusZ) {
+  const auto east = Panorama::direction(std::numbers::pi_v<float> / 2.0F, 0.0F);
+  EXPECT_NEAR(east.x, 1.0F, 1e-5F);
+  EXPECT_NEAR(east.z, 0.0F, 1e-5F);
+}
+
+TEST(Panorama, VectorisedRowsAgreeWithTheReferenceInAllDirections) {
+  const Panorama panorama = ramps();
+  for (const float yaw : {0.0F, 0.7F, 1.6F, 3.1F, -2.9F, -0.01F}) {
+    for (const float pitch : {-0.3F, 0.0F, 0.5F, 1.2F, 1.5F}) {
+      const world::Camera camera{.pose = {.yaw = yaw, .pitch = pitch}, .width = 160, .height = 90};
+      for (const int row : {0, 30, 44}) {
+        const float v = (1.0F - 2.0F * (static_cast<float>(row) + 0.5F) / 90.0F) * camera.tanHalfY();
+        const float step = 2.0F * camera.tanHalfX() / 160.0F;
+        std::vector<std::uint32_t> colour(160);
+        sampleRow(panorama,
+                  {yaw, std::cos(pitch) - v * std::sin(pitch), std::sin(pitch) + v * std::cos(pitch),
+                   0.5F * step - camera.tanHalfX(), step},
+                  160, colour.data());
+        for (int x = 0; x < 160; ++x) {
+          const auto expected =
+              panorama.sample(glm::normalize(camera.ray(static_cast<float>(x) + 0.5F, static_cast<float>(row) + 0.5F)));
+          const std::uint32_t got = colour[static_cast<std::size_t>(x)];
+          ASSERT_NEAR(static_cast<float>(got & 0xFFU), expected.r, 3.0F)
+              << yaw << ' ' << pitch << ' ' << row << ' ' << x;
+          ASSERT_NEAR(static_cast<float>((got >> 8U) & 0xFFU), expected.g, 3.0F) << yaw << ' ' << pitch << ' ' << row;
+          ASSERT_EQ(got >> 24U, 0xFFU);
+        }
+      }
+    }
+  }
+}
+
+TEST(PanoramaBake, HasNoSeamAndIsBrightestAtTheSun) {
+  float told = 0.0F;
+  const Panorama panorama = bakePanorama({512, 128}, 7, [&](float share) {
+    EXPECT_GE(share, told);
+    told = share;
+  });
+  EXPECT_FLOAT_EQ(told, 1.0F);
+  // From the last column to the first is no bigger a step than between any two.
+  for (int row = 40; row < 128; ++row) {
+    const auto green = [&](int column) { return static_cast<int>((panorama.texel(column, row) >> 8U) & 0xFFU); };
+    EXPECT_LE(std::abs(green(511) - green(0)), 24) << row;
+  }
+  const auto sun = panorama.sample(world::sunDirection());
+  const auto opposite = panorama.sample(world::sunDirection() * world::Vec3(-1, 1, -1));
+  EXPECT_GT(sun.r, 245.0F);
+  EXPECT_GT(sun.r, opposite.r + 20.0F);
+}
+
+}  // namespace
+}  // namespace grove::objects::sky
