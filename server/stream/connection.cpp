@@ -1,0 +1,107 @@
+#include "stream/connection.h"
+
+#include <utility>
+
+#include "pipeline/log.h"
+#include "stream/printable.h"
+
+namespace grove::stream {
+namespace {
+
+constexpr double kHelloSeconds = 10.0;
+constexpr double kAcknowledgementSeconds = 30.0;
+constexpr int kMostPiecesPerSecond = 500;
+
+Refusal protocolError(std::string reason) { return {CloseCode::kProtocolError, std::move(reason)}; }
+
+}  // namespace
+
+Connection::Connection(Host& host, std::string peer, double now, std::function<void()> wake)
+    : host_(host),
+      peer_(std::move(peer)),
+      opened_(now),
+      outbox_(std::make_shared<Outbox>(std::move(wake))),
+      secondBegan_(now) {
+  message_.reserve(kLargestClientMessage);
+}
+
+Connection::~Connection() { leave("the connection was dropped"); }
+
+std::optional<Refusal> Connection::receive(const MessagePiece& piece, double now) {
+  if (ended_) return std::nullopt;
+  if (auto why = takePiece(piece, now)) return refuse(std::move(*why));
+  if (!piece.last) return std::nullopt;
+  const ClientMessage message = parseClientMessage(message_);
+  message_.clear();
+  if (auto why = act(message)) return refuse(std::move(*why));
+  return std::nullopt;
+}
+
+std::optional<Refusal> Connection::overdue(double now) {
+  if (ended_) return std::nullopt;
+  if (!session_) {
+    if (now - opened_ < kHelloSeconds) return std::nullopt;
+    return refuse({CloseCode::kNoHello, "no Hello within 10 seconds"});
+  }
+  if (session_->secondsSinceAcknowledgement(now) < kAcknowledgementSeconds) return std::nullopt;
+  return refuse({CloseCode::kNoAcknowledgement, "no frame acknowledged for 30 seconds"});
+}
+
+void Connection::end(const Refusal& why) { leave(std::to_string(static_cast<int>(why.code)) + " " + why.reason); }
+
+void Connection::leave(const std::string& why) {
+  if (std::exchange(ended_, true)) return;
+  if (const auto session = std::exchange(session_, nullptr)) session->close();
+  welcome_.clear();
+  log::info(peer_ + " left: " + why);
+}
+
+std::optional<Refusal> Connection::refuse(Refusal why) {
+  end(why);
+  return why;
+}
+
+std::optional<Refusal> Connection::takePiece(const MessagePiece& piece, double now) {
+  if (isFlood(now)) return Refusal{CloseCode::kFlood, "more than 500 messages in a second"};
+  if (!piece.binary) return protocolError("a text message");
+  if (piece.first) message_.clear();
+  if (message_.size() + piece.bytes.size() > kLargestClientMessage) {
+    return protocolError("a message of more than 256 bytes");
+  }
+  message_.insert(message_.end(), piece.bytes.begin(), piece.bytes.end());
+  return std::nullopt;
+}
+
+std::optional<Refusal> Connection::act(const ClientMessage& message) {
+  if (const auto* refusal = std::get_if<Refusal>(&message)) return *refusal;
+  if (const auto* hello = std::get_if<Hello>(&message)) return greet(*hello);
+  if (!session_) return protocolError("the first message is not Hello");
+  if (const auto* input = std::get_if<world::Input>(&message)) return session_->input(*input);
+  if (const auto* resize = std::get_if<Resize>(&message)) return session_->resize(*resize);
+  session_->acknowledge(std::get<Ack>(message));
+  return std::nullopt;
+}
+
+std::optional<Refusal> Connection::greet(const Hello& hello) {
+  if (session_) return protocolError("a second Hello");
+  // The sink may outlive this connection in a run that is in progress; it must not keep the frame then.
+  auto opened = host_.open(hello, [outbox = std::weak_ptr(outbox_)](std::shared_ptr<const EncodedFrame> frame) {
+    if (const auto to = outbox.lock()) to->put(std::move(frame));
+  });
+  if (auto* refusal = std::get_if<Refusal>(&opened)) return std::move(*refusal);
+  session_ = std::get<std::shared_ptr<Session>>(std::move(opened));
+  const Welcome welcome = session_->welcome();
+  welcome_ = encode(welcome);
+  log::info(peer_ + " is visitor " + std::to_string(welcome.visitor) + (hello.name.empty() ? "" : ", " + hello.name));
+  return std::nullopt;
+}
+
+bool Connection::isFlood(double now) {
+  if (now - secondBegan_ >= 1.0) {
+    secondBegan_ = now;
+    piecesThisSecond_ = 0;
+  }
+  return ++piecesThisSecond_ > kMostPiecesPerSecond;
+}
+
+}  // namespace grove::stream

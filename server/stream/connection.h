@@ -1,0 +1,74 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "stream/host.h"
+#include "stream/outbox.h"
+#include "stream/protocol.h"
+#include "stream/session.h"
+
+namespace grove::stream {
+
+/// A piece of a websocket message, as the network cut it.
+struct MessagePiece {
+  std::span<const std::uint8_t> bytes;
+  bool first = true;
+  bool last = true;
+  bool binary = true;
+};
+
+/// One browser's way through the protocol: greeting, limits, end. Knows the host and no sockets; the websocket server
+/// calls it, on its one thread. Times are seconds of world::World::now().
+class Connection {
+ public:
+  /// `peer` names the other end in the log. `wake` is called from worker threads when there is something to send.
+  Connection(Host& host, std::string peer, double now, std::function<void()> wake);
+  ~Connection();
+  Connection(const Connection&) = delete;
+  Connection& operator=(const Connection&) = delete;
+
+  /// Acts on a message when its last piece is here. A refusal has been logged, the visitor has left the world, and the
+  /// caller closes the socket.
+  [[nodiscard]] std::optional<Refusal> receive(const MessagePiece& piece, double now);
+
+  /// Whether the other end has been silent for too long; a refusal as of receive().
+  [[nodiscard]] std::optional<Refusal> overdue(double now);
+
+  /// The server ends this connection.
+  void end(const Refusal& why);
+
+  /// The socket is gone: the visitor leaves the world, unless that has happened already.
+  void leave(const std::string& why);
+
+  [[nodiscard]] bool hasSomethingToSend() const { return !welcome_.empty() || !outbox_->empty(); }
+  /// The greeting, once it is due; it goes before any frame. Empty if there is none.
+  [[nodiscard]] std::vector<std::uint8_t> takeWelcome() { return std::exchange(welcome_, {}); }
+  [[nodiscard]] std::shared_ptr<const EncodedFrame> takeFrame() { return outbox_->take(); }
+
+ private:
+  [[nodiscard]] std::optional<Refusal> refuse(Refusal why);
+  [[nodiscard]] std::optional<Refusal> takePiece(const MessagePiece& piece, double now);
+  [[nodiscard]] std::optional<Refusal> act(const ClientMessage& message);
+  [[nodiscard]] std::optional<Refusal> greet(const Hello& hello);
+  [[nodiscard]] bool isFlood(double now);
+
+  Host& host_;
+  const std::string peer_;
+  const double opened_;
+  const std::shared_ptr<Outbox> outbox_;
+  std::shared_ptr<Session> session_;
+  bool ended_ = false;
+  std::vector<std::uint8_t> welcome_;
+  std::vector<std::uint8_t> message_;
+  double secondBegan_;
+  int piecesThisSecond_ = 0;
+};
+
+}  // namespace grove::stream

@@ -1,0 +1,279 @@
+#include "stream/load_client.h"
+
+#include <libwebsockets.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include "pipeline/error.h"
+#include "pipeline/log.h"
+#include "stream/load_visitor.h"
+#include "stream/printable.h"
+#include "world/world.h"
+
+namespace grove::stream {
+namespace {
+
+constexpr double kConnectSeconds = 10.0;
+constexpr double kCloseSeconds = 1.0;
+constexpr lws_usec_t kInputMicroseconds = 16'000;
+constexpr lws_usec_t kWatchMicroseconds = 20'000;
+constexpr std::size_t kReceiveBytes = 256 * 1024;
+constexpr std::size_t kMostMessageBytes = std::size_t{16} << 20U;
+
+void logLibraryLine(int /*level*/, const char* line) { log::error(printable(line, 300)); }
+
+/// All clients of a load test and the library's context that they share.
+class LoadClients {
+ public:
+  LoadClients(const LoadTarget& target, int sessions, int width, int height);
+  ~LoadClients() { context_.reset(); }
+  LoadClients(const LoadClients&) = delete;
+  LoadClients& operator=(const LoadClients&) = delete;
+
+  LoadReport run(double seconds);
+
+ private:
+  struct ContextDeleter {
+    void operator()(lws_context* context) const noexcept { lws_context_destroy(context); }
+  };
+  struct Client;
+  /// Standard layout, so that the library's timer leads back to its client (none: the watch of the whole).
+  struct Timer {
+    lws_sorted_usec_list_t entry{};
+    LoadClients* clients = nullptr;
+    Client* client = nullptr;
+  };
+  struct Client {
+    Client(int index, int width, int height, JpegDecoder& decoder) : visitor(index, width, height, decoder) {}
+    LoadVisitor visitor;
+    lws* socket = nullptr;
+    bool ended = false;
+    bool closing = false;
+    std::vector<std::uint8_t> message;
+    Timer timer;
+  };
+
+  static int callback(lws* wsi, lws_callback_reasons reason, void* user, void* in, std::size_t length) noexcept;
+  static void onTimer(lws_sorted_usec_list_t* entry) noexcept;
+  int handle(Client& client, lws* wsi, lws_callback_reasons reason, std::span<const std::uint8_t> bytes);
+  void connect(Client& client, const LoadTarget& target);
+  void receive(Client& client, lws* wsi, std::span<const std::uint8_t> piece);
+  int write(Client& client, lws* wsi);
+  void end(Client& client, const std::string& reason);
+
+  template <class Condition>
+  void serveUntil(double deadline, Condition done);
+
+  JpegDecoder decoder_;
+  std::vector<std::unique_ptr<Client>> clients_;
+  Timer watch_;
+  std::unique_ptr<lws_context, ContextDeleter> context_;
+};
+
+LoadClients::LoadClients(const LoadTarget& target, int sessions, int width, int height) {
+  static constexpr std::array<lws_protocols, 2> kProtocols = {
+      lws_protocols{"grove.v1", &LoadClients::callback, 0, kReceiveBytes, 0, nullptr, 0}, lws_protocols{}};
+  lws_set_log_level(LLL_ERR, &logLibraryLine);
+  lws_context_creation_info info{};
+  info.port = CONTEXT_PORT_NO_LISTEN;
+  info.protocols = kProtocols.data();
+  info.user = this;
+  info.pt_serv_buf_size = kReceiveBytes;
+  info.fd_limit_per_thread = static_cast<unsigned>(sessions) + 16;
+  context_.reset(lws_create_context(&info));
+  if (!context_) throw EnvironmentError("cannot start websocket clients", "grove load", "");
+  watch_.clients = this;
+  for (int i = 0; i < sessions; ++i) {
+    Client& client = *clients_.emplace_back(std::make_unique<Client>(i, width, height, decoder_));
+    client.timer.clients = this;
+    client.timer.client = &client;
+    connect(client, target);
+    lws_sul_schedule(context_.get(), 0, &client.timer.entry, &LoadClients::onTimer,
+                     kInputMicroseconds * (i + 1) / sessions);
+  }
+  // Without it the library sleeps past the end of the test when no message comes.
+  lws_sul_schedule(context_.get(), 0, &watch_.entry, &LoadClients::onTimer, kWatchMicroseconds);
+}
+
+void LoadClients::connect(Client& client, const LoadTarget& target) {
+  const std::string host = target.host + ":" + std::to_string(target.port);
+  lws_client_connect_info info{};
+  info.context = context_.get();
+  info.address = target.host.c_str();
+  info.port = target.port;
+  info.path = "/";
+  info.host = host.c_str();
+  info.protocol = "grove.v1";
+  info.ietf_version_or_minus_one = -1;
+  info.opaque_user_data = &client;
+  info.pwsi = &client.socket;
+  // A failure here has told its reason through the callback already, if it has one.
+  if (lws_client_connect_via_info(&info) == nullptr) end(client, "cannot connect");
+}
+
+LoadReport LoadClients::run(double seconds) {
+  const auto allLetIn = [&] {
+    return std::ranges::all_of(clients_, [](const auto& client) { return client->ended || client->visitor.isLetIn(); });
+  };
+  serveUntil(world::World::now() + kConnectSeconds, allLetIn);
+  for (const auto& client : clients_) {
+    if (client->visitor.isLetIn()) {
+      client->visitor.beginCounting();
+    } else {
+      end(*client, "no Welcome within 10 seconds");
+    }
+  }
+  const auto nobodyLeft = [&] {
+    return std::ranges::all_of(clients_, [](const auto& client) { return client->ended; });
+  };
+  const double begin = world::World::now();
+  serveUntil(begin + seconds, nobodyLeft);
+  const double counted = std::max(world::World::now() - begin, 1e-3);
+
+  std::vector<VisitorStatistics> letIn;
+  std::vector<std::string> errors;
+  for (const auto& client : clients_) {
+    const VisitorStatistics& statistics = client->visitor.statistics();
+    if (client->visitor.isLetIn()) {
+      letIn.push_back(statistics);
+    } else {
+      errors.insert(errors.end(), statistics.errors.begin(), statistics.errors.end());
+    }
+    client->closing = true;
+    if (!client->ended && client->socket != nullptr) lws_callback_on_writable(client->socket);
+  }
+  LoadReport report = summarise(letIn, counted, std::move(errors));
+  serveUntil(world::World::now() + kCloseSeconds, nobodyLeft);
+  return report;
+}
+
+template <class Condition>
+void LoadClients::serveUntil(double deadline, Condition done) {
+  while (!done() && world::World::now() < deadline) {
+    if (lws_service(context_.get(), 0) < 0) return;
+  }
+}
+
+int LoadClients::callback(lws* wsi, lws_callback_reasons reason, void* /*user*/, void* in,
+                          std::size_t length) noexcept {
+  auto* self = static_cast<LoadClients*>(lws_context_user(lws_get_context(wsi)));
+  auto* client = static_cast<Client*>(lws_get_opaque_user_data(wsi));
+  if (self == nullptr || client == nullptr) return 0;
+  try {
+    return self->handle(*client, wsi, reason, {static_cast<const std::uint8_t*>(in), in == nullptr ? 0 : length});
+  } catch (const std::exception& e) {
+    log::error(std::string("websocket client: ") + e.what());
+    return -1;
+  }
+}
+
+void LoadClients::onTimer(lws_sorted_usec_list_t* entry) noexcept {
+  Timer* timer = reinterpret_cast<Timer*>(entry);
+  Client* client = timer->client;
+  if (client != nullptr && client->visitor.isLetIn() && !client->ended) {
+    client->visitor.inputDue();
+    lws_callback_on_writable(client->socket);
+  }
+  const lws_usec_t period = client != nullptr ? kInputMicroseconds : kWatchMicroseconds;
+  lws_sul_schedule(timer->clients->context_.get(), 0, entry, &LoadClients::onTimer, period);
+}
+
+int LoadClients::handle(Client& client, lws* wsi, lws_callback_reasons reason, std::span<const std::uint8_t> bytes) {
+  const auto text = [&](std::size_t skip) {
+    const auto rest = bytes.subspan(std::min(skip, bytes.size()));
+    return printable({reinterpret_cast<const char*>(rest.data()), rest.size()}, 100);
+  };
+  switch (reason) {
+    case LWS_CALLBACK_CLIENT_ESTABLISHED:
+      client.socket = wsi;
+      lws_callback_on_writable(wsi);
+      return 0;
+    case LWS_CALLBACK_CLIENT_RECEIVE:
+      receive(client, wsi, bytes);
+      return 0;
+    case LWS_CALLBACK_CLIENT_WRITEABLE:
+      return write(client, wsi);
+    case LWS_CALLBACK_CLIENT_CONNECTION_ERROR:
+      end(client, bytes.empty() ? "cannot connect" : text(0));
+      return 0;
+    case LWS_CALLBACK_WS_PEER_INITIATED_CLOSE: {
+      const int code = bytes.size() < 2 ? 1005 : (bytes[0] << 8) + bytes[1];
+      end(client, "closed by the server: " + std::to_string(code) + " " + text(2));
+      return 0;
+    }
+    case LWS_CALLBACK_CLIENT_CLOSED:
+      end(client, "the connection broke");
+      return 0;
+    default:
+      return 0;
+  }
+}
+
+void LoadClients::receive(Client& client, lws* wsi, std::span<const std::uint8_t> piece) {
+  if (lws_is_first_fragment(wsi) != 0) client.message.clear();
+  if (client.message.size() + piece.size() > kMostMessageBytes) {
+    throw EnvironmentError("a message of more than 16 MiB", "server", "is this a Grove server?");
+  }
+  client.message.insert(client.message.end(), piece.begin(), piece.end());
+  if (lws_is_final_fragment(wsi) == 0) return;
+  client.visitor.receive(client.message, world::World::now());
+  if (client.visitor.hasMessage()) lws_callback_on_writable(wsi);
+}
+
+int LoadClients::write(Client& client, lws* wsi) {
+  if (client.closing) {
+    client.ended = true;
+    lws_close_reason(wsi, LWS_CLOSE_STATUS_NORMAL, nullptr, 0);
+    return -1;
+  }
+  std::vector<std::uint8_t> message = client.visitor.nextMessage(world::World::now());
+  if (message.empty()) return 0;
+  message.insert(message.begin(), LWS_PRE, 0);
+  if (lws_write(wsi, message.data() + LWS_PRE, message.size() - LWS_PRE, LWS_WRITE_BINARY) < 0) return -1;
+  if (client.visitor.hasMessage()) lws_callback_on_writable(wsi);
+  return 0;
+}
+
+void LoadClients::end(Client& client, const std::string& reason) {
+  if (client.ended || client.closing) {
+    client.ended = true;
+    return;
+  }
+  client.ended = true;
+  client.visitor.fail(reason);
+}
+
+}  // namespace
+
+std::optional<LoadTarget> parseLoadUrl(const std::string& url) {
+  constexpr std::string_view kScheme = "ws://";
+  std::string_view rest = url;
+  if (!rest.starts_with(kScheme)) return std::nullopt;
+  rest.remove_prefix(kScheme.size());
+  if (rest.ends_with('/')) rest.remove_suffix(1);
+  if (rest.find('/') != std::string_view::npos) return std::nullopt;
+  LoadTarget target;
+  const std::size_t bracket = rest.rfind(']');
+  const std::size_t colon = rest.rfind(':');
+  if (colon != std::string_view::npos && (bracket == std::string_view::npos || colon > bracket)) {
+    const std::string_view port = rest.substr(colon + 1);
+    const auto [end, error] = std::from_chars(port.data(), port.data() + port.size(), target.port);
+    if (error != std::errc{} || end != port.data() + port.size()) return std::nullopt;
+    rest = rest.substr(0, colon);
+  }
+  if (rest.starts_with('[') && rest.ends_with(']')) rest = rest.substr(1, rest.size() - 2);
+  if (rest.empty() || target.port < 1 || target.port > 65535) return std::nullopt;
+  target.host = rest;
+  return target;
+}
+
+LoadReport runLoadClients(const LoadTarget& target, int sessions, double seconds, int width, int height) {
+  return LoadClients(target, sessions, width, height).run(seconds);
+}
+
+}  // namespace grove::stream

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "stream/load_report.h"
+
+namespace grove::stream {
+
+/// Where a load test goes.
+struct LoadTarget {
+  std::string host;
+  int port = 80;
+};
+
+/// Reads `ws://HOST[:PORT][/]`; nothing if it is something else.
+[[nodiscard]] std::optional<LoadTarget> parseLoadUrl(const std::string& url);
+
+/// Runs `sessions` real websocket clients on the calling thread until all that are let in have been counted for
+/// `seconds`. Those that are not let in or are thrown out are errors in the report.
+[[nodiscard]] LoadReport runLoadClients(const LoadTarget& target, int sessions, double seconds, int width, int height);
+
+}  // namespace grove::stream

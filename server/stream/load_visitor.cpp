@@ -1,0 +1,93 @@
+#include "stream/load_visitor.h"
+
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace grove::stream {
+namespace {
+
+constexpr std::uint64_t kFramesPerDecodedOne = 30;
+constexpr double kSecondsPerStep = 1.5;
+constexpr std::array<std::uint8_t, 6> kSteps = {
+    world::kForward, world::kForward | world::kLeft, 0, world::kBack, world::kForward | world::kRight | world::kRun,
+    world::kRight,
+};
+
+}  // namespace
+
+LoadVisitor::LoadVisitor(int index, int width, int height, JpegDecoder& decoder)
+    : index_(index), width_(width), height_(height), decoder_(decoder) {}
+
+std::vector<std::uint8_t> LoadVisitor::nextMessage(double now) {
+  if (!std::exchange(helloSent_, true)) {
+    return encode(Hello{"Load " + std::to_string(index_ + 1), static_cast<std::uint32_t>(width_),
+                        static_cast<std::uint32_t>(height_)});
+  }
+  if (const auto ack = std::exchange(acknowledge_, std::nullopt)) return encode(*ack);
+  if (!inputDue_ || !isLetIn()) return {};
+  inputDue_ = false;
+  return encode(steer(now));
+}
+
+void LoadVisitor::receive(std::span<const std::uint8_t> message, double now) {
+  const ServerMessage parsed = parseServerMessage(message);
+  if (const auto* refusal = std::get_if<Refusal>(&parsed)) {
+    fail("a message of the server is wrong: " + refusal->reason);
+  } else if (const auto* welcome = std::get_if<Welcome>(&parsed)) {
+    welcome_ = *welcome;
+  } else {
+    receiveFrame(std::get<FrameMessage>(parsed), message.size(), now);
+  }
+}
+
+void LoadVisitor::beginCounting() {
+  std::vector<std::string> errors = std::move(statistics_.errors);
+  statistics_ = {};
+  statistics_.errors = std::move(errors);
+}
+
+world::Input LoadVisitor::steer(double now) {
+  const double phase = now + 0.7 * index_;
+  world::Input input;
+  input.number = ++lastInput_;
+  input.keys = kSteps[static_cast<std::size_t>(phase / kSecondsPerStep) % kSteps.size()];
+  input.yaw = welcome_->yaw + static_cast<float>(0.8 * std::sin(0.5 * phase));
+  input.pitch = static_cast<float>(0.15 * std::sin(0.9 * phase));
+  unseenInputs_.push_back({input.number, now});
+  return input;
+}
+
+void LoadVisitor::receiveFrame(const FrameMessage& frame, std::size_t bytes, double now) {
+  const FrameHeader& header = frame.header;
+  if (header.frame <= lastFrame_) fail("frame " + std::to_string(header.frame) + " came late or twice");
+  if (header.lastInput < lastInputShown_ || header.lastInput > lastInput_) {
+    fail("a frame shows input " + std::to_string(header.lastInput) + " out of order");
+  }
+  if (lastFrame_ > 0 && header.frame > lastFrame_) statistics_.dropped += header.frame - lastFrame_ - 1;
+  lastFrame_ = header.frame;
+  lastInputShown_ = header.lastInput;
+  acknowledge_ = Ack{header.frame};
+  while (!unseenInputs_.empty() && unseenInputs_.front().number <= header.lastInput) {
+    statistics_.latencyMilliseconds.push_back(static_cast<float>((now - unseenInputs_.front().time) * 1e3));
+    unseenInputs_.pop_front();
+  }
+  ++statistics_.frames;
+  statistics_.bytes += bytes;
+  checkPicture(frame);
+}
+
+void LoadVisitor::checkPicture(const FrameMessage& frame) {
+  const auto expected = std::pair<int, int>(frame.header.width, frame.header.height);
+  if (decoder_.size(frame.picture) != expected) {
+    fail("the picture of frame " + std::to_string(frame.header.frame) + " is not of the size that it should have");
+    return;
+  }
+  // Not all visitors in the same frame: to decode takes as long as to encode.
+  const bool decodeThis = (framesReceived_++ + 7 * static_cast<std::uint64_t>(index_)) % kFramesPerDecodedOne == 0;
+  if (decodeThis && decoder_.decode(frame.picture) == nullptr) {
+    fail("the picture of frame " + std::to_string(frame.header.frame) + " is damaged");
+  }
+}
+
+}  // namespace grove::stream

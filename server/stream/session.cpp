@@ -1,0 +1,178 @@
+#include "stream/session.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "node/frontend/frontend_node.h"
+#include "stream/encode_stage.h"
+#include "stream/host.h"
+#include "stream/jpeg_encoder.h"
+
+namespace grove::stream {
+namespace {
+
+constexpr std::size_t kMostUnacknowledged = 2;
+constexpr double kLeastWidth = 160;
+constexpr double kLeastHeight = 90;
+constexpr double kMostWidth = 1920;
+constexpr double kMostHeight = 1080;
+
+}  // namespace
+
+std::pair<int, int> fitSize(std::uint32_t width, std::uint32_t height) {
+  const double w = std::max(1.0, static_cast<double>(width));
+  const double h = std::max(1.0, static_cast<double>(height));
+  const double grow = std::max({1.0, kLeastWidth / w, kLeastHeight / h});
+  const double scale = std::min({grow, kMostWidth / w, kMostHeight / h});
+  const auto even = [&](double size, double least) {
+    return 2 * static_cast<int>(std::max(least, std::round(size * scale)) / 2.0);
+  };
+  return {even(w, kLeastWidth), even(h, kLeastHeight)};
+}
+
+Session::Session(Host& host, node::SessionId id, world::PlayerId player, int width, int height, FrameSink sink)
+    : host_(host),
+      id_(id),
+      player_(player),
+      sink_(std::move(sink)),
+      width_(width),
+      height_(height),
+      lastAcknowledged_(world::World::now()) {}
+
+Session::~Session() { close(); }
+
+void Session::begin() {
+  const std::weak_ptr<Session> weak = weak_from_this();
+  encoder_ = std::make_shared<EncodeStage>(
+      std::make_unique<JpegEncoder>(host_.options().jpegQuality),
+      [weak](const std::shared_ptr<const EncodedFrame>& frame) {
+        if (const auto self = weak.lock()) self->deliver(frame);
+      },
+      host_.workers(), host_.timeline());
+  node_ = std::make_unique<node::FrontendNode>(
+      id_, host_.options().framesInFlight,
+      [weak](node::FrameNumber frame) {
+        const auto self = weak.lock();
+        if (self) return self->look(frame);
+        node::View nothing;
+        nothing.frame = frame;
+        return nothing;
+      },
+      encoder_, host_.frontendServices());
+}
+
+Welcome Session::welcome() const {
+  Welcome welcome;
+  welcome.framesPerSecond = static_cast<std::uint16_t>(host_.options().framesPerSecond);
+  welcome.visitor = player_;
+  welcome.world = host_.world().name();
+  if (const auto player = host_.world().players().find(player_, world::World::now())) {
+    welcome.colour = player->colour;
+    welcome.yaw = player->pose.yaw;
+    welcome.pitch = player->pose.pitch;
+  }
+  return welcome;
+}
+
+std::optional<Refusal> Session::input(const world::Input& input) {
+  const double now = world::World::now();
+  world::Players& players = host_.world().players();
+  const auto before = players.find(player_, now);
+  if (!players.apply(player_, input, now)) {
+    return Refusal{CloseCode::kProtocolError, "the direction of an input is not a number"};
+  }
+  // A click shorter than a frame must blow, too.
+  if (before && (input.keys & ~before->keys & world::kBlow) != 0 && input.number > before->lastInput) {
+    if (const auto after = players.find(player_, now)) blow(after->pose);
+  }
+  return std::nullopt;
+}
+
+std::optional<Refusal> Session::resize(const Resize& resize) {
+  const auto [width, height] = fitSize(resize.width, resize.height);
+  const std::lock_guard lock(mutex_);
+  width_ = width;
+  height_ = height;
+  return std::nullopt;
+}
+
+void Session::acknowledge(const Ack& ack) {
+  const double now = world::World::now();
+  {
+    const std::lock_guard lock(mutex_);
+    unacknowledged_.erase(unacknowledged_.begin(), unacknowledged_.upper_bound(ack.frame));
+    lastAcknowledged_ = now;
+  }
+  startIfDue(now);
+}
+
+void Session::close() {
+  {
+    const std::lock_guard lock(mutex_);
+    if (closed_) return;
+    closed_ = true;
+  }
+  if (node_) node_->close();
+  if (encoder_) encoder_->close();
+  host_.world().players().leave(player_);
+  host_.remove(id_);
+}
+
+double Session::tick(double now) { return startIfDue(now); }
+
+double Session::secondsSinceAcknowledgement(double now) const {
+  const std::lock_guard lock(mutex_);
+  return now - lastAcknowledged_;
+}
+
+double Session::startIfDue(double now) {
+  const double period = 1.0 / host_.options().framesPerSecond;
+  const std::lock_guard lock(mutex_);
+  if (closed_) return now + 1.0;
+  if (now < nextDue_) return nextDue_;
+  // A frame that cannot start stays due: the acknowledgement or one of the next looks starts it.
+  const bool started = unacknowledged_.size() < kMostUnacknowledged && node_->requestFrame();
+  if (!started) return now + period / 8;
+  nextDue_ = std::max(nextDue_ + period, now + period / 2);
+  return nextDue_;
+}
+
+node::View Session::look(node::FrameNumber frame) {
+  world::World& world = host_.world();
+  const double now = world::World::now();
+  node::View view;
+  view.session = id_;
+  view.frame = frame;
+  view.viewer = player_;
+  view.time = now;
+  view.players = world.players().all(now);
+  view.lights = world.lights(now, view.players);
+  const auto self = std::ranges::find(view.players, player_, &world::Player::id);
+  if (self != view.players.end()) {
+    view.camera.pose = self->pose;
+    view.lastInput = self->lastInput;
+    if ((self->keys & world::kBlow) != 0) blow(self->pose);
+  }
+  const std::lock_guard lock(mutex_);
+  view.camera.width = width_;
+  view.camera.height = height_;
+  return view;
+}
+
+void Session::blow(const world::Pose& pose) {
+  world::Gust gust;
+  gust.origin = pose.position;
+  gust.direction = pose.forward();
+  host_.world().edits().add(gust);
+}
+
+void Session::deliver(const std::shared_ptr<const EncodedFrame>& frame) {
+  {
+    const std::lock_guard lock(mutex_);
+    if (closed_) return;
+    unacknowledged_.insert(frame->header.frame);
+  }
+  sink_(frame);
+}
+
+}  // namespace grove::stream

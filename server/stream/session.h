@@ -1,0 +1,83 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "node/messages.h"
+#include "stream/encoder.h"
+#include "stream/protocol.h"
+#include "world/players.h"
+
+namespace grove::node {
+class FrontendNode;
+}
+
+namespace grove::stream {
+
+class Host;
+class EncodeStage;
+
+/// Receives each new frame, on a worker thread; must not block. A newer frame replaces one that was not sent yet.
+using FrameSink = std::function<void(std::shared_ptr<const EncodedFrame>)>;
+
+/// One visitor: a camera in the world, a frontend node that draws what it sees, and an encoder. Knows no sockets, so a
+/// websocket connection and a headless test use it alike. Any thread.
+class Session : public std::enable_shared_from_this<Session> {
+ public:
+  /// Use Host::open().
+  Session(Host& host, node::SessionId id, world::PlayerId player, int width, int height, FrameSink sink);
+  ~Session();
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
+
+  [[nodiscard]] Welcome welcome() const;
+
+  /// Takes over the newest controls; a refusal closes the connection.
+  [[nodiscard]] std::optional<Refusal> input(const world::Input& input);
+  [[nodiscard]] std::optional<Refusal> resize(const Resize& resize);
+  /// A frame was presented; starts the next one at once if it is due.
+  void acknowledge(const Ack& ack);
+
+  /// Leaves the world; no frame reaches the sink after close() returned and the runs in progress ended.
+  void close();
+
+  /// Starts a frame if one is due, fewer than `framesInFlight` are being made and at most one is unacknowledged.
+  /// Returns when to ask again. Called by the host's frame clock.
+  double tick(double now);
+
+  /// Seconds since the last acknowledged frame (or since the start).
+  [[nodiscard]] double secondsSinceAcknowledgement(double now) const;
+
+ private:
+  friend class Host;
+  void begin();
+  [[nodiscard]] node::View look(node::FrameNumber frame);
+  double startIfDue(double now);
+  void deliver(const std::shared_ptr<const EncodedFrame>& frame);
+  void blow(const world::Pose& pose);
+
+  Host& host_;
+  const node::SessionId id_;
+  const world::PlayerId player_;
+  const FrameSink sink_;
+  std::unique_ptr<node::FrontendNode> node_;
+  std::shared_ptr<EncodeStage> encoder_;
+
+  mutable std::mutex mutex_;
+  bool closed_ = false;
+  int width_;
+  int height_;
+  double nextDue_ = 0.0;
+  double lastAcknowledged_ = 0.0;
+  std::set<node::FrameNumber> unacknowledged_;
+};
+
+/// The size that is streamed for a wanted one: within 160 x 90 to 1920 x 1080, even, of the same shape where possible.
+[[nodiscard]] std::pair<int, int> fitSize(std::uint32_t width, std::uint32_t height);
+
+}  // namespace grove::stream

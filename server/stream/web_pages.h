@@ -1,0 +1,39 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "pipeline/embedded.h"
+
+namespace grove::stream {
+
+/// What to answer an http request with.
+struct PageReply {
+  int status = 200;
+  std::string_view type = "text/plain; charset=utf-8";
+  std::string_view etag;  ///< empty: none
+  std::string_view body;  ///< its length is told even if it is not sent
+  bool sendBody = true;
+};
+
+/// The page's files, which lie in the program: only their exact names exist, so no path leads elsewhere.
+class WebPages {
+ public:
+  explicit WebPages(std::span<const embedded::File> files);
+
+  /// `method` is "GET", "HEAD" or anything else; `path` is without query; `ifNoneMatch` is the header or empty.
+  [[nodiscard]] PageReply answer(std::string_view method, std::string_view path, std::string_view ifNoneMatch) const;
+
+ private:
+  struct Page {
+    std::string_view type;
+    std::string etag;
+    std::string_view body;
+  };
+  std::map<std::string, Page, std::less<>> pages_;
+};
+
+}  // namespace grove::stream

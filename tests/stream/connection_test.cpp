@@ -1,0 +1,76 @@
+#include "stream/connection.h"
+
+#include <chrono>
+#include <thread>
+
+#include "stream/served_world.h"
+#include "world/world.h"
+
+namespace grove::stream {
+namespace {
+
+/// The protocol's clocks, without waiting for them.
+class ConnectionTest : public ServedWorld {
+ protected:
+  static MessagePiece whole(const std::vector<std::uint8_t>& bytes) { return {bytes, true, true, true}; }
+
+  const double now_ = world::World::now();
+  Connection connection_{host_, "a test", now_, [] {}};
+};
+
+TEST_F(ConnectionTest, EndsWithoutHello) {
+  EXPECT_FALSE(connection_.overdue(now_ + 9.9));
+  const auto refusal = connection_.overdue(now_ + 10.0);
+  ASSERT_TRUE(refusal);
+  EXPECT_EQ(refusal->code, CloseCode::kNoHello);
+  EXPECT_FALSE(connection_.overdue(now_ + 20.0)) << "only once";
+}
+
+TEST_F(ConnectionTest, EndsWithoutAcknowledgements) {
+  ASSERT_FALSE(connection_.receive(whole(encode(Hello{"Ada", 320, 180})), now_));
+  EXPECT_EQ(host_.visitors(), 1U);
+  EXPECT_FALSE(connection_.overdue(now_ + 29.0));
+  const auto refusal = connection_.overdue(world::World::now() + 30.0);
+  ASSERT_TRUE(refusal);
+  EXPECT_EQ(refusal->code, CloseCode::kNoAcknowledgement);
+  EXPECT_EQ(host_.visitors(), 0U);
+}
+
+TEST_F(ConnectionTest, CountsMessagesBySecond) {
+  ASSERT_FALSE(connection_.receive(whole(encode(Hello{"Ada", 320, 180})), now_));
+  const auto ack = encode(Ack{1});
+  for (int second = 0; second < 3; ++second) {
+    for (int i = 0; i < 499; ++i) ASSERT_FALSE(connection_.receive(whole(ack), now_ + second));
+  }
+  std::optional<Refusal> refusal;
+  for (int i = 0; i < 3 && !refusal; ++i) refusal = connection_.receive(whole(ack), now_ + 2.5);
+  ASSERT_TRUE(refusal);
+  EXPECT_EQ(refusal->code, CloseCode::kFlood);
+}
+
+TEST_F(ConnectionTest, FramesAfterTheEndAreHarmless) {
+  auto connection = std::make_unique<Connection>(host_, "a test", now_, [] {});
+  ASSERT_FALSE(connection->receive(whole(encode(Hello{"Ada", 320, 180})), now_));
+  EXPECT_FALSE(connection->takeWelcome().empty());
+  while (!connection->hasSomethingToSend()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  EXPECT_NE(connection->takeFrame(), nullptr);
+  connection.reset();
+  EXPECT_TRUE(becomesEmpty());
+}
+
+TEST(Outbox, KeepsTheNewestFrameOnly) {
+  int woken = 0;
+  Outbox outbox([&] { ++woken; });
+  EXPECT_TRUE(outbox.empty());
+  const auto old = std::make_shared<const EncodedFrame>();
+  const auto newest = std::make_shared<const EncodedFrame>();
+  outbox.put(old);
+  outbox.put(newest);
+  EXPECT_EQ(old.use_count(), 1);
+  EXPECT_EQ(outbox.take(), newest);
+  EXPECT_EQ(outbox.take(), nullptr);
+  EXPECT_EQ(woken, 2);
+}
+
+}  // namespace
+}  // namespace grove::stream

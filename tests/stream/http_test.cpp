@@ -1,0 +1,101 @@
+#include "pipeline/embedded.h"
+#include "stream/origin.h"
+#include "stream/served_world.h"
+
+namespace grove::stream {
+namespace {
+
+using Http = ServedWorld;
+
+bool contains(const std::string& text, std::string_view part) { return text.find(part) != std::string::npos; }
+
+TEST_F(Http, ServesThePage) {
+  const HttpAnswer page = request(port(), "GET", "/");
+  EXPECT_EQ(page.status, 200);
+  EXPECT_TRUE(contains(page.head, "content-type: text/html"));
+  EXPECT_TRUE(contains(page.head, "content-security-policy: default-src 'self'; connect-src 'self' ws: wss:;"));
+  EXPECT_TRUE(contains(page.head, "x-content-type-options: nosniff"));
+  EXPECT_TRUE(contains(page.head, "referrer-policy: no-referrer"));
+  EXPECT_TRUE(contains(page.head, "cache-control: no-cache"));
+  EXPECT_TRUE(contains(page.body, "</html>"));
+  EXPECT_EQ(request(port(), "GET", "/?name=Ada").body, page.body);
+}
+
+TEST_F(Http, ServesEveryFileWholeAndWithItsType) {
+  for (const embedded::File& file : embedded::web()) {
+    const std::string path = std::string("/") + file.path;
+    const HttpAnswer answer = request(port(), "GET", path);
+    EXPECT_EQ(answer.status, 200) << path;
+    EXPECT_EQ(answer.body, file.text()) << path;
+    EXPECT_FALSE(contains(answer.head, "application/octet-stream")) << path;
+  }
+  EXPECT_TRUE(contains(request(port(), "GET", "/main.js").head, "content-type: text/javascript"));
+  EXPECT_TRUE(contains(request(port(), "GET", "/style.css").head, "content-type: text/css"));
+}
+
+TEST_F(Http, AnswersHeadWithoutBody) {
+  const HttpAnswer page = request(port(), "GET", "/");
+  const HttpAnswer head = request(port(), "HEAD", "/");
+  EXPECT_EQ(head.status, 200);
+  EXPECT_TRUE(head.body.empty());
+  EXPECT_TRUE(contains(head.head, "content-length: " + std::to_string(page.body.size())));
+}
+
+TEST_F(Http, SaysWhenNothingHasChanged) {
+  const HttpAnswer page = request(port(), "GET", "/main.js");
+  const std::size_t at = page.head.find("etag: ");
+  ASSERT_NE(at, std::string::npos);
+  const std::string tag = page.head.substr(at + 6, page.head.find("\r\n", at) - at - 6);
+  EXPECT_EQ(request(port(), "GET", "/main.js", "If-None-Match: " + tag + "\r\n").status, 304);
+  EXPECT_EQ(request(port(), "GET", "/main.js", "If-None-Match: \"other\"\r\n").status, 200);
+}
+
+TEST_F(Http, TellsThatItIsWell) {
+  const HttpAnswer answer = request(port(), "GET", "/healthz");
+  EXPECT_EQ(answer.status, 200);
+  EXPECT_EQ(answer.body, "ok");
+}
+
+TEST_F(Http, KnowsNoOtherFiles) {
+  for (const char* path : {"/nothing", "/../CMakeLists.txt", "/%2e%2e/%2e%2e/etc/passwd", "/input/../../etc/passwd",
+                           "/input/..%2f..%2fetc/passwd", "//etc/passwd", "/main.js%00.html"}) {
+    const int status = request(port(), "GET", path).status;
+    EXPECT_TRUE(status == 404 || status == 403 || status == 0) << path << " " << status;
+  }
+  EXPECT_EQ(request(port(), "GET", "/nothing").status, 404);
+  EXPECT_EQ(request(port(), "GET", "/..").body, request(port(), "GET", "/").body);
+  EXPECT_EQ(request(port(), "GET", "/healthz").status, 200);
+}
+
+TEST_F(Http, RefusesOtherMethods) {
+  EXPECT_EQ(request(port(), "POST", "/", "Content-Length: 3\r\n").status, 405);
+  EXPECT_EQ(request(port(), "DELETE", "/main.js").status, 405);
+  EXPECT_EQ(request(port(), "GET", "/healthz").status, 200);
+}
+
+TEST_F(Http, AnswersSeveralRequestsOfOneConnection) {
+  RawSocket socket(port());
+  const std::string text = "GET /healthz HTTP/1.1\r\nHost: localhost\r\n\r\n";
+  for (int i = 0; i < 3; ++i) {
+    socket.send(text);
+    std::string answer;
+    while (!answer.ends_with("\r\n\r\nok")) {
+      const std::string more = socket.receive();
+      ASSERT_FALSE(more.empty());
+      answer += more;
+    }
+  }
+}
+
+TEST(Origin, IsTheSameOnlyWithHostAndPort) {
+  EXPECT_TRUE(isSameOrigin("http://grove.example:8080", "Grove.example:8080"));
+  EXPECT_TRUE(isSameOrigin("https://grove.example", "grove.example"));
+  EXPECT_FALSE(isSameOrigin("http://grove.example", "grove.example:8080"));
+  EXPECT_FALSE(isSameOrigin("http://grove.example.evil", "grove.example"));
+  EXPECT_FALSE(isSameOrigin("null", "null"));
+  EXPECT_FALSE(isSameOrigin("http://", ""));
+  EXPECT_FALSE(isSameOrigin("file:///x", "x"));
+}
+
+}  // namespace
+}  // namespace grove::stream

@@ -1,0 +1,87 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "stream/jpeg_decoder.h"
+#include "stream/jpeg_encoder.h"
+
+namespace grove::stream {
+namespace {
+
+/// A smooth picture with its memory.
+struct Picture {
+  Picture(int width, int height) : pixels(static_cast<std::size_t>(width * height)) {
+    image.rect = {0, 0, width, height};
+    image.colour = pixels;
+    for (int y = 0; y < height; ++y) {
+      for (int x = 0; x < width; ++x) {
+        const auto red = static_cast<std::uint32_t>(x * 255 / width);
+        const auto green = static_cast<std::uint32_t>(y * 255 / height);
+        image.colourRow(y)[x] = red | (green << 8U) | ((255 - red) << 16U) | 0xFF000000U;
+      }
+    }
+  }
+  std::vector<std::uint32_t> pixels;
+  node::Image image;
+};
+
+double psnr(const std::vector<std::uint32_t>& a, const std::vector<std::uint32_t>& b) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    for (const unsigned shift : {0U, 8U, 16U}) {
+      const double difference =
+          static_cast<double>((a[i] >> shift) & 0xFFU) - static_cast<double>((b[i] >> shift) & 0xFFU);
+      sum += difference * difference;
+    }
+  }
+  return 10.0 * std::log10(255.0 * 255.0 * 3.0 * static_cast<double>(a.size()) / std::max(sum, 1e-9));
+}
+
+TEST(JpegEncoder, KeepsThePictureAtAnySize) {
+  JpegEncoder encoder(80);
+  JpegDecoder decoder;
+  for (const auto& [width, height] :
+       {std::pair(1280, 720), std::pair(161, 91), std::pair(333, 17), std::pair(16, 16)}) {
+    const Picture picture(width, height);
+    std::vector<std::uint8_t> jpeg;
+    encoder.encode(picture.image, jpeg);
+    EXPECT_EQ(decoder.size(jpeg), std::pair(width, height));
+    const DecodedPicture* decoded = decoder.decode(jpeg);
+    ASSERT_NE(decoded, nullptr) << width << " x " << height;
+    EXPECT_GT(psnr(picture.pixels, decoded->colour), 30.0) << width << " x " << height;
+  }
+}
+
+TEST(JpegEncoder, AppendsAndLeavesWhatWasThere) {
+  JpegEncoder encoder(80);
+  const Picture picture(64, 48);
+  std::vector<std::uint8_t> bytes = {1, 2, 3};
+  encoder.encode(picture.image, bytes);
+  EXPECT_EQ(bytes[2], 3);
+  JpegDecoder decoder;
+  EXPECT_NE(decoder.decode(std::span(bytes).subspan(3)), nullptr);
+}
+
+TEST(JpegEncoder, SpendsBytesOnQuality) {
+  const Picture picture(640, 360);
+  std::vector<std::uint8_t> low;
+  std::vector<std::uint8_t> high;
+  JpegEncoder(30).encode(picture.image, low);
+  JpegEncoder(95).encode(picture.image, high);
+  EXPECT_LT(low.size(), high.size());
+}
+
+TEST(JpegDecoder, TellsDamagedPictures) {
+  JpegDecoder decoder;
+  std::vector<std::uint8_t> jpeg;
+  JpegEncoder(80).encode(Picture(320, 200).image, jpeg);
+  EXPECT_EQ(decoder.decode(std::span(jpeg).first(jpeg.size() / 2)), nullptr);
+  for (std::size_t length = 0; length < jpeg.size(); length = length * 5 / 4 + 1) {
+    EXPECT_EQ(decoder.decode(std::span(jpeg).first(length)), nullptr) << length;
+    EXPECT_NE(decoder.decode(jpeg), nullptr) << "after " << length;
+  }
+  EXPECT_FALSE(decoder.size(std::vector<std::uint8_t>(100, 7)));
+}
+
+}  // namespace
+}  // namespace grove::stream

@@ -1,0 +1,154 @@
+#include "stream/raw_websocket.h"
+
+#include <arpa/inet.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+#include <sys/time.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <stdexcept>
+
+namespace grove::stream {
+
+RawSocket::RawSocket(int port, int receiveBufferBytes) : fd_(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
+  const timeval patience{5, 0};
+  setsockopt(fd_, SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof patience);
+  setsockopt(fd_, SOL_SOCKET, SO_SNDTIMEO, &patience, sizeof patience);
+  if (receiveBufferBytes > 0) {
+    setsockopt(fd_, SOL_SOCKET, SO_RCVBUF, &receiveBufferBytes, sizeof receiveBufferBytes);
+  }
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  address.sin_port = htons(static_cast<std::uint16_t>(port));
+  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  if (::connect(fd_, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0) {
+    ::close(fd_);
+    throw std::runtime_error("cannot connect to port " + std::to_string(port));
+  }
+}
+
+RawSocket::~RawSocket() {
+  if (fd_ >= 0) ::close(fd_);
+}
+
+bool RawSocket::send(std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t sent = ::send(fd_, bytes.data(), bytes.size(), MSG_NOSIGNAL);
+    if (sent <= 0) return false;
+    bytes.remove_prefix(static_cast<std::size_t>(sent));
+  }
+  return true;
+}
+
+std::string RawSocket::receive() {
+  std::string bytes(65536, '\0');
+  const ssize_t received = ::recv(fd_, bytes.data(), bytes.size(), 0);
+  bytes.resize(static_cast<std::size_t>(std::max<ssize_t>(0, received)));
+  return bytes;
+}
+
+std::string RawSocket::receiveAll() {
+  std::string all;
+  for (std::string bytes = receive(); !bytes.empty(); bytes = receive()) all += bytes;
+  return all;
+}
+
+void RawSocket::reset() {
+  const linger now{1, 0};
+  setsockopt(fd_, SOL_SOCKET, SO_LINGER, &now, sizeof now);
+  ::close(fd_);
+  fd_ = -1;
+}
+
+HttpAnswer request(int port, const std::string& method, const std::string& path, const std::string& headers) {
+  RawSocket socket(port);
+  std::string text = method;
+  text.append(" ").append(path).append(" HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n").append(headers);
+  socket.send(text.append("\r\n"));
+  const std::string answer = socket.receiveAll();
+  HttpAnswer result;
+  const std::size_t end = std::min(answer.find("\r\n\r\n"), answer.size());
+  result.head = answer.substr(0, end);
+  std::ranges::transform(result.head, result.head.begin(), [](unsigned char c) { return std::tolower(c); });
+  if (end < answer.size()) result.body = answer.substr(end + 4);
+  if (answer.size() > 12) result.status = std::stoi(answer.substr(9, 3));
+  return result;
+}
+
+RawWebsocket::RawWebsocket(int port, const std::string& headers, int receiveBufferBytes)
+    : socket_(port, receiveBufferBytes) {
+  std::string hello = "GET / HTTP/1.1\r\nHost: 127.0.0.1:";
+  hello.append(std::to_string(port)).append("\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n");
+  hello.append("Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\nSec-WebSocket-Version: 13\r\n");
+  hello.append("Sec-WebSocket-Protocol: grove.v1\r\n").append(headers).append("\r\n");
+  socket_.send(hello);
+  std::size_t end = std::string::npos;
+  while (end == std::string::npos) {
+    const std::string bytes = socket_.receive();
+    if (bytes.empty()) break;
+    received_ += bytes;
+    end = received_.find("\r\n\r\n");
+  }
+  if (received_.size() > 12) status_ = std::stoi(received_.substr(9, 3));
+  received_.erase(0, end == std::string::npos ? received_.size() : end + 4);
+}
+
+bool RawWebsocket::send(std::span<const std::uint8_t> bytes, Opcode opcode, bool final) {
+  std::string frame;
+  frame += static_cast<char>(opcode | (final ? 0x80 : 0));
+  if (bytes.size() < 126) {
+    frame += static_cast<char>(0x80 | bytes.size());
+  } else {
+    frame += static_cast<char>(0x80 | 126);
+    frame += static_cast<char>(bytes.size() >> 8U);
+    frame += static_cast<char>(bytes.size() & 0xFFU);
+  }
+  constexpr std::array<std::uint8_t, 4> kMask = {0x12, 0x34, 0x56, 0x78};
+  for (const std::uint8_t byte : kMask) frame += static_cast<char>(byte);
+  for (std::size_t i = 0; i < bytes.size(); ++i) frame += static_cast<char>(bytes[i] ^ kMask[i % 4]);
+  return socket_.send(frame);
+}
+
+bool RawWebsocket::fill(std::size_t bytes) {
+  while (received_.size() < bytes) {
+    const std::string more = socket_.receive();
+    if (more.empty()) return false;
+    received_ += more;
+  }
+  return true;
+}
+
+std::optional<RawWebsocket::Message> RawWebsocket::receive() {
+  const auto at = [&](std::size_t i) { return std::size_t{static_cast<unsigned char>(received_[i])}; };
+  if (!fill(2)) return std::nullopt;
+  std::size_t length = at(1) & 0x7FU;
+  std::size_t head = 2;
+  if (length >= 126) {
+    const std::size_t digits = length == 126 ? 2 : 8;
+    if (!fill(head + digits)) return std::nullopt;
+    length = 0;
+    for (std::size_t i = 0; i < digits; ++i) length = (length << 8U) | at(head + i);
+    head += digits;
+  }
+  if (!fill(head + length)) return std::nullopt;
+  Message message{static_cast<std::uint8_t>(at(0) & 0x0FU), {}};
+  message.bytes.assign(received_.begin() + static_cast<std::ptrdiff_t>(head),
+                       received_.begin() + static_cast<std::ptrdiff_t>(head + length));
+  received_.erase(0, head + length);
+  return message;
+}
+
+std::optional<RawWebsocket::Close> RawWebsocket::receiveClose() {
+  while (const auto message = receive()) {
+    if (message->opcode != kClose) continue;
+    send(message->bytes, kClose);
+    if (message->bytes.size() < 2) return std::nullopt;
+    return Close{message->bytes[0] * 256 + message->bytes[1], {message->bytes.begin() + 2, message->bytes.end()}};
+  }
+  return std::nullopt;
+}
+
+}  // namespace grove::stream

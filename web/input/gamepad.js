@@ -1,0 +1,32 @@
+import { Key } from '../protocol.js';
+import { stickAxis, stickKeys } from './stick.js';
+
+/** Radians a second with the right stick at its full way. */
+const kTurnRate = 2.4;
+/** Of the standard layout: the lower face button and the right trigger. */
+const kBlowButtons = [0, 7];
+const kHolder = 'gamepad';
+
+/** Left stick walks, right stick looks, A or the right trigger blows. Read once a frame while one is plugged in. */
+export function listenToGamepads(window, controls) {
+  let polling = false;
+  const poll = () => {
+    const pad = window.navigator.getGamepads().find((candidate) => candidate?.mapping === 'standard');
+    if (!pad) {
+      polling = false;
+      controls.release(kHolder);
+      controls.turn(kHolder, 0, 0);
+      return;
+    }
+    const blows = kBlowButtons.some((button) => pad.buttons[button]?.pressed);
+    const [walkX, walkY, lookX, lookY] = pad.axes;
+    controls.hold(kHolder, stickKeys(walkX, walkY) | (blows ? Key.blow : 0));
+    controls.turn(kHolder, -kTurnRate * stickAxis(lookX), -kTurnRate * stickAxis(lookY));
+    window.requestAnimationFrame(poll);
+  };
+  window.addEventListener('gamepadconnected', () => {
+    if (polling) return;
+    polling = true;
+    poll();
+  });
+}

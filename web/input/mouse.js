@@ -1,0 +1,74 @@
+import { Key } from '../protocol.js';
+
+/** Radians a pixel of the mouse's way. */
+const kLookScale = 0.0023;
+/** A press that moved further than this (CSS pixels) was a drag and not a click. */
+const kClickSlack = 8;
+const kBlowHolder = 'mouse';
+
+/**
+ * Asks for the pointer without the system's acceleration where that is known, else as it is. Resolves to whether it
+ * was granted; older Safari returns nothing, and `pointerlockchange` tells.
+ */
+async function lockPointer(canvas) {
+  try {
+    await canvas.requestPointerLock({ unadjustedMovement: true });
+    return true;
+  } catch (error) {
+    if (error.name !== 'NotSupportedError') return false;
+  }
+  try {
+    await canvas.requestPointerLock();
+    return true;
+  } catch {
+    return false;
+  }
+}
+
+/**
+ * A click takes the pointer; the mouse then looks, and its held button blows. Dragging looks without the lock.
+ * `onLock(state)` hears `locked`, `free` or `refused`.
+ */
+export function listenToMouse(canvas, controls, onLock) {
+  const { ownerDocument: document } = canvas;
+  const isLocked = () => document.pointerLockElement === canvas;
+  let pressedBy = '';
+  let dragging = false;
+  let way = 0;
+
+  const follow = (event) => {
+    if (event.pointerType !== 'mouse') return;
+    // A second button reports no press of its own, only a change of `buttons`.
+    controls.hold(kBlowHolder, isLocked() && event.buttons & 1 ? Key.blow : 0);
+    if (event.type !== 'pointermove') return;
+    way += Math.hypot(event.movementX, event.movementY);
+    if (isLocked() || dragging) controls.look(-event.movementX * kLookScale, -event.movementY * kLookScale);
+  };
+
+  canvas.addEventListener('pointerdown', (event) => {
+    pressedBy = event.pointerType;
+    way = 0;
+    if (pressedBy === 'mouse' && event.button === 0 && !isLocked()) {
+      dragging = true;
+      canvas.setPointerCapture(event.pointerId);
+    }
+    follow(event);
+  });
+  canvas.addEventListener('pointermove', follow);
+  for (const end of ['pointerup', 'pointercancel']) {
+    document.addEventListener(end, (event) => {
+      dragging = false;
+      follow(event);
+    });
+  }
+  canvas.addEventListener('click', async () => {
+    if (isLocked() || pressedBy !== 'mouse' || way > kClickSlack) return;
+    if (!(await lockPointer(canvas))) onLock('refused');
+  });
+  canvas.addEventListener('contextmenu', (event) => event.preventDefault());
+  document.addEventListener('pointerlockchange', () => {
+    dragging = false;
+    controls.release(kBlowHolder);
+    onLock(isLocked() ? 'locked' : 'free');
+  });
+}

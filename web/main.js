@@ -1,0 +1,146 @@
+import { Backoff } from './backoff.js';
+import { Connection } from './connection.js';
+import { Decoder, decodeJpeg } from './decoder.js';
+import { Display, canvasPainter, paintScheduler } from './display.js';
+import { Fullscreen } from './fullscreen.js';
+import { Hint } from './hint.js';
+import { listenToBlowButton } from './input/blow_button.js';
+import { Controls } from './input/controls.js';
+import { listenToGamepads } from './input/gamepad.js';
+import { listenToKeyboard } from './input/keyboard.js';
+import { listenToMouse } from './input/mouse.js';
+import { InputSender } from './input/sender.js';
+import { listenToTouch } from './input/touch.js';
+import { Turner } from './input/turner.js';
+import { Notice } from './notice.js';
+import { Overlay } from './overlay.js';
+import { kSubProtocol } from './protocol.js';
+import { ReloadOnce } from './reload_once.js';
+import { Telemetry } from './telemetry.js';
+import { Viewport } from './viewport.js';
+
+const element = (id) => document.getElementById(id);
+const root = document.documentElement;
+const canvas = element('world');
+const clock = {
+  now: () => performance.now(),
+  setTimeout: (callback, delay) => window.setTimeout(callback, delay),
+  clearTimeout: (timer) => window.clearTimeout(timer),
+};
+
+const telemetry = new Telemetry();
+const controls = new Controls();
+const viewport = new Viewport(window, (size) => connection.sendResize(size));
+const reloadOnce = new ReloadOnce(window);
+const hint = new Hint(element('hint'), controls);
+const notice = new Notice(element('notice'), () => {
+  if (connection.state === 'outdated') window.location.reload();
+  else connection.retry();
+});
+
+const connection = new Connection({
+  openSocket: () => new WebSocket(window.location.origin.replace(/^http/, 'ws') + '/', kSubProtocol),
+  hello: () => ({ name: new URLSearchParams(window.location.search).get('name') ?? '', ...viewport.size }),
+  on: { state: enter, welcome, frame: receive },
+  backoff: new Backoff(),
+  mayRetry: () => !document.hidden,
+  timers: clock,
+});
+
+const sender = new InputSender({
+  controls,
+  clock,
+  send: (input, now) => {
+    connection.sendInput(input);
+    telemetry.inputSent(input.number, now);
+  },
+});
+
+const display = new Display({
+  paint: canvasPainter(canvas),
+  schedule: paintScheduler(document),
+  onPresented: presented,
+});
+
+const decoder = new Decoder({
+  decode: decodeJpeg,
+  onPicture: (bitmap, frame) => display.show(bitmap, frame),
+  onBroken: (frame) => connection.acknowledge(frame.frame),
+});
+
+function enter(state, reason) {
+  root.dataset.connection = state;
+  if (state === 'open') {
+    sender.start();
+    connection.sendResize(viewport.size);
+    reloadOnce.settled();
+  } else {
+    sender.stop();
+    notice.show(state, reason);
+    if (state !== 'lost' && document.pointerLockElement) document.exitPointerLock();
+    if (state === 'outdated') reloadOnce.attempt();
+  }
+}
+
+function welcome({ red, green, blue, yaw, pitch, world }) {
+  decoder.reset();
+  display.reset();
+  telemetry.reset();
+  controls.face(yaw, pitch);
+  root.style.setProperty('--lantern', `rgb(${red} ${green} ${blue})`);
+  element('title').textContent = world || 'Grove';
+  document.title = world && world !== 'Grove' ? `${world} \u00b7 Grove` : 'Grove';
+}
+
+function receive(frame) {
+  telemetry.frameReceived(frame, clock.now());
+  decoder.push(frame);
+}
+
+function presented(frame) {
+  connection.acknowledge(frame.frame);
+  const now = clock.now();
+  telemetry.framePresented(frame, now);
+  if (connection.state === 'open') notice.hide();
+  if (root.dataset.picture === 'none') {
+    root.dataset.picture = 'shown';
+    hint.show();
+  }
+  publish(telemetry.read(now));
+}
+
+/** What the page is doing, for whoever looks at it from outside. */
+function publish({ frames, latencyMs, width, height, visitors }) {
+  root.dataset.frames = frames;
+  root.dataset.streamSize = `${width}x${height}`;
+  root.dataset.visitors = visitors;
+  root.dataset.yaw = controls.yaw.toFixed(4);
+  root.dataset.pitch = controls.pitch.toFixed(4);
+  if (latencyMs !== null) root.dataset.latencyMs = latencyMs.toFixed(1);
+}
+
+function pointer(state) {
+  const was = root.dataset.pointer;
+  root.dataset.pointer = state;
+  if (state !== 'locked' && was !== state) hint.show();
+}
+
+const overlay = new Overlay(element('overlay'), element('figures'), () => telemetry.read(clock.now()));
+const fullscreen = new Fullscreen(document, element('fullscreen'));
+new Turner(controls, (callback) => window.requestAnimationFrame(callback));
+listenToKeyboard(window, controls, {
+  o: () => overlay.toggle(),
+  f3: () => overlay.toggle(),
+  f: () => fullscreen.toggle(),
+});
+listenToMouse(canvas, controls, pointer);
+listenToTouch(canvas, controls, element('stick'));
+listenToBlowButton(element('blow'), controls);
+listenToGamepads(window, controls);
+
+for (const [target, event] of [[window, 'online'], [document, 'visibilitychange']]) {
+  target.addEventListener(event, () => {
+    if (['lost', 'full'].includes(connection.state) && !document.hidden) connection.retry();
+  });
+}
+connection.start();

@@ -1,0 +1,47 @@
+/** Readable numbers change a few times a second, not with every frame. Milliseconds. */
+const kInterval = 250;
+const kUnknown = '\u2013';
+
+/** What each line says about a reading of Telemetry; `null` where it is not known yet. */
+const kLines = {
+  fps: (reading) => String(reading.framesPerSecond),
+  latency: (reading) => reading.latencyMs !== null && `${reading.latencyMs.toFixed(0)} ms`,
+  rate: (reading) => `${reading.megabitsPerSecond.toFixed(1)} Mbit/s`,
+  codec: (reading) => reading.codec,
+  size: (reading) => reading.width !== null && `${reading.width} \u00d7 ${reading.height}`,
+  visitors: (reading) => reading.visitors !== null && String(reading.visitors),
+  server: (reading) => reading.serverMs !== null && `${reading.serverMs.toFixed(1)} ms`,
+};
+
+/** The small panel of figures; hidden until it is asked for. */
+export class Overlay {
+  #panel;
+  #button;
+  #read;
+  #timer;
+
+  /** `panel` has an element with `data-figure` for each line; `read()` gives a reading of Telemetry. */
+  constructor(panel, button, read) {
+    this.#panel = panel;
+    this.#button = button;
+    this.#read = read;
+    button.addEventListener('click', () => this.toggle());
+  }
+
+  toggle() {
+    const shown = this.#panel.hidden;
+    this.#panel.hidden = !shown;
+    this.#button.setAttribute('aria-pressed', String(shown));
+    clearInterval(this.#timer);
+    if (!shown) return;
+    this.#write();
+    this.#timer = setInterval(() => this.#write(), kInterval);
+  }
+
+  #write() {
+    const reading = this.#read();
+    for (const figure of this.#panel.querySelectorAll('[data-figure]')) {
+      figure.textContent = kLines[figure.dataset.figure](reading) || kUnknown;
+    }
+  }
+}

@@ -1,0 +1,48 @@
+const kMostWidth = 1920;
+const kMostHeight = 1080;
+/** The protocol refuses a side below this. */
+const kLeastSide = 16;
+/** A drag of the window's edge asks for one new size, not for fifty. */
+const kSettleTime = 200;
+
+/** The frame to ask for, in pixels, for a window of CSS pixels: bounded, with the window's shape. */
+export function fitStream(width, height, pixelRatio) {
+  const scale = Math.min(pixelRatio, kMostWidth / Math.max(width, 1), kMostHeight / Math.max(height, 1));
+  const side = (length) => Math.max(kLeastSide, Math.round(length * scale));
+  return { width: side(width), height: side(height) };
+}
+
+/** Watches the window's size and pixel ratio; `onSize` hears of each new wanted size once it has settled. */
+export class Viewport {
+  #window;
+  #onSize;
+  #timer;
+
+  constructor(window, onSize) {
+    this.#window = window;
+    this.#onSize = onSize;
+    window.addEventListener('resize', () => this.#settle());
+    this.#watchPixelRatio();
+  }
+
+  /** The wanted size now. */
+  get size() {
+    const { innerWidth, innerHeight, devicePixelRatio } = this.#window;
+    return fitStream(innerWidth, innerHeight, devicePixelRatio);
+  }
+
+  /** A move to another screen changes the pixel ratio without a resize; a query matches one ratio only. */
+  #watchPixelRatio() {
+    const query = this.#window.matchMedia(`(resolution: ${this.#window.devicePixelRatio}dppx)`);
+    const changed = () => {
+      this.#settle();
+      this.#watchPixelRatio();
+    };
+    query.addEventListener('change', changed, { once: true });
+  }
+
+  #settle() {
+    this.#window.clearTimeout(this.#timer);
+    this.#timer = this.#window.setTimeout(() => this.#onSize(this.size), kSettleTime);
+  }
+}
