@@ -1,0 +1,17 @@
+#pragma once
+
+namespace grove::cli {
+
+/// `grove bench fluid`.
+struct BenchFluidOptions {
+  int grid = 64;    ///< cells per edge; a multiple of 8 from 16 to 128
+  int steps = 100;  ///< measured, after a warm-up
+  int threads = 1;  ///< the simulation is written for one; other values are refused
+  bool json = false;
+};
+
+/// Simulates a fire amid standing stones, a ball and a walking visitor, and prints what a step takes and how exact it
+/// is. Returns the process's exit code: 0, or 2 with a line on stderr if an option is out of range.
+int runBenchFluid(const BenchFluidOptions& options);
+
+}  // namespace grove::cli

@@ -1,0 +1,26 @@
+#include "cli/host_port.h"
+
+#include <charconv>
+
+namespace grove::cli {
+
+std::optional<HostPort> parseHostPort(const std::string& text) {
+  const std::size_t colon = text.rfind(':');
+  if (colon == std::string::npos || colon == 0) return std::nullopt;
+  HostPort result;
+  result.host = text.substr(0, colon);
+  if (result.host.front() == '[' && result.host.back() == ']') {
+    result.host = result.host.substr(1, result.host.size() - 2);
+  } else if (result.host.find(':') != std::string::npos) {
+    return std::nullopt;
+  }
+  const char* const begin = text.data() + colon + 1;
+  const char* const end = text.data() + text.size();
+  const auto [last, error] = std::from_chars(begin, end, result.port);
+  if (begin == end || last != end || error != std::errc() || result.port < 0 || result.port > 65535) {
+    return std::nullopt;
+  }
+  return result.host.empty() ? std::nullopt : std::optional(result);
+}
+
+}  // namespace grove::cli

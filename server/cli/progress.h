@@ -1,0 +1,23 @@
+#pragma once
+
+#include <mutex>
+#include <string>
+#include <string_view>
+
+namespace grove::cli {
+
+/// Shows slow preparation on stderr: a bar that moves on a terminal, one line per label elsewhere. Any thread.
+class Progress {
+ public:
+  Progress();
+  void show(std::string_view label, float share);
+  void finish();
+
+ private:
+  const bool terminal_;
+  std::mutex mutex_;
+  std::string label_;
+  int percent_ = -1;
+};
+
+}  // namespace grove::cli

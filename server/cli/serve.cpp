@@ -1,0 +1,77 @@
+#include "cli/serve.h"
+
+#include <csignal>
+#include <cstdio>
+#include <utility>
+
+#include "cli/host_port.h"
+#include "cli/progress.h"
+#include "gl/shader_library.h"
+#include "gl/workers.h"
+#include "node/registry.h"
+#include "objects/builtin.h"
+#include "pipeline/embedded.h"
+#include "pipeline/log.h"
+#include "stream/websocket_server.h"
+#include "world/scene_file.h"
+
+namespace grove::cli {
+namespace {
+
+world::Scene sceneOf(const ServeOptions& options) {
+  if (options.scene) return world::loadScene(*options.scene);
+  const embedded::File& clearing = embedded::scenes().front();
+  return world::parseScene(clearing.text(), clearing.path);
+}
+
+/// SIGINT and SIGTERM for a thread that waits for them; made before all other threads, which inherit the mask.
+class StopSignals {
+ public:
+  StopSignals() {
+    sigemptyset(&signals_);
+    sigaddset(&signals_, SIGINT);
+    sigaddset(&signals_, SIGTERM);
+    pthread_sigmask(SIG_BLOCK, &signals_, nullptr);
+  }
+  void wait() const {
+    int signal = 0;
+    sigwait(&signals_, &signal);
+  }
+
+ private:
+  sigset_t signals_{};
+};
+
+}  // namespace
+
+int runServe(const ServeOptions& options) {
+  const auto address = parseHostPort(options.listen);
+  if (!address) {
+    std::fprintf(stderr, "grove: --listen wants HOST:PORT, not '%s'\n", options.listen.c_str());
+    return 2;
+  }
+  const StopSignals stop;
+  node::Registry registry;
+  objects::registerBuiltinTypes(registry);
+  const gl::ShaderLibrary shaders(options.shaderDirectory);
+  world::World::Layout layout = node::makeLayout(sceneOf(options), registry);
+
+  gl::Workers gl(options.gl, shaders);
+  log::info("GL: " + gl.description() + ", " + std::to_string(gl.width()) + " workers");
+  log::info("world: " + layout.name + ", " + std::to_string(layout.objects.size()) + " objects");
+  Progress progress;
+  stream::Host host(std::move(layout), registry, gl, options.host,
+                    [&](std::string_view label, float share) { progress.show(label, share); });
+  progress.finish();
+
+  stream::WebsocketServer server(host, address->host, address->port);
+  server.start();
+  std::printf("listening on http://%s:%d\n", address->host.c_str(), server.port());
+  std::fflush(stdout);
+  stop.wait();
+  log::info("stopping");
+  server.stop();
+  return 0;
+}
+
+}  // namespace grove::cli

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "gl/context.h"
+#include "stream/host.h"
+
+namespace grove::cli {
+
+/// Options of `grove serve`.
+struct ServeOptions {
+  std::optional<std::string> scene;
+  std::string listen = "127.0.0.1:8080";
+  gl::ContextKind gl = gl::ContextKind::kAuto;
+  std::optional<std::string> shaderDirectory;
+  stream::HostOptions host;
+};
+
+/// Serves until SIGINT or SIGTERM. Prints `listening on http://HOST:PORT` on stdout when ready. Returns 0, or 2 for a
+/// bad
+/// --listen; throws EnvironmentError or world::SceneError.
+int runServe(const ServeOptions& options);
+
+}  // namespace grove::cli

@@ -1,0 +1,170 @@
+import assert from 'node:assert/strict';
+import { spawn } from 'node:child_process';
+import { createServer } from 'node:net';
+import { fileURLToPath } from 'node:url';
+
+import { chromium } from 'playwright-core';
+
+const kRoot = fileURLToPath(new URL('../..', import.meta.url));
+const kBinary = process.env.GROVE_BINARY ?? `${kRoot}/build/release/grove`;
+const kBrowser = process.env.CHROMIUM ?? '/usr/bin/chromium';
+/** For a loaded machine; no test measures time. Milliseconds. */
+export const kPatience = 60_000;
+
+/** A port that was free a moment ago. */
+export async function freePort() {
+  const probe = createServer();
+  await new Promise((resolve) => probe.listen(0, '127.0.0.1', resolve));
+  const { port } = probe.address();
+  await new Promise((resolve) => probe.close(resolve));
+  return port;
+}
+
+/** A running `grove serve`. */
+export class Server {
+  #process;
+
+  constructor(process, url) {
+    this.#process = process;
+    this.url = url;
+  }
+
+  /** Starts the server and waits until it says that it listens. */
+  static async start({ port, options = [] } = {}) {
+    const address = `127.0.0.1:${port ?? (await freePort())}`;
+    const process = spawn(kBinary, ['serve', '--listen', address, ...options], { cwd: kRoot });
+    let output = '';
+    let log = '';
+    process.stderr.on('data', (chunk) => (log += chunk));
+    await new Promise((resolve, reject) => {
+      const timer = setTimeout(() => reject(new Error(`the server did not start in time:\n${log}`)), kPatience);
+      process.on('error', reject);
+      process.on('exit', (code) => reject(new Error(`the server ended with ${code}:\n${log}`)));
+      process.stdout.on('data', (chunk) => {
+        output += chunk;
+        if (!output.includes(`listening on http://${address}`)) return;
+        clearTimeout(timer);
+        resolve();
+      });
+    });
+    return new Server(process, `http://${address}/`);
+  }
+
+  /** Ends it with this signal; resolves when it is gone. */
+  async end(signal = 'SIGTERM') {
+    if (this.#process.exitCode !== null || this.#process.signalCode !== null) return;
+    const gone = new Promise((resolve) => this.#process.once('exit', resolve));
+    this.#process.kill(signal);
+    const timer = setTimeout(() => this.#process.kill('SIGKILL'), kPatience);
+    await gone;
+    clearTimeout(timer);
+  }
+}
+
+/** A headless Chromium with an empty profile of its own. */
+export function launchBrowser() {
+  return chromium.launch({
+    executablePath: kBrowser,
+    args: [
+      '--no-sandbox',
+      '--disable-gpu',
+      '--disable-quic',
+      '--no-first-run',
+      '--disable-background-networking',
+      '--disable-component-update',
+      '--disable-sync',
+    ],
+  });
+}
+
+/** One visitor: a page in a context of its own, with everything its console complained about. */
+export class Visitor {
+  complaints = [];
+
+  static async arrive(browser, url, options = {}) {
+    const visitor = new Visitor();
+    visitor.context = await browser.newContext({ viewport: { width: 640, height: 360 }, ...options });
+    visitor.page = await visitor.context.newPage();
+    visitor.page.setDefaultTimeout(kPatience);
+    visitor.page.on('pageerror', (error) => visitor.complaints.push(String(error)));
+    visitor.page.on('console', (message) => {
+      if (['error', 'warning'].includes(message.type())) visitor.complaints.push(message.text());
+    });
+    await visitor.page.goto(url);
+    return visitor;
+  }
+
+  /** The page's data-* state. */
+  state() {
+    return this.page.evaluate(() => ({ ...document.documentElement.dataset }));
+  }
+
+  /** Waits until the state's `name` is `value`. */
+  async until(name, value) {
+    await this.page.waitForFunction(([n, v]) => document.documentElement.dataset[n] === v, [name, value]);
+  }
+
+  /** Waits for this many more presented frames. */
+  async frames(count = 1) {
+    const { frames } = await this.state();
+    const goal = Number(frames) + count;
+    await this.page.waitForFunction((most) => Number(document.documentElement.dataset.frames) >= most, goal);
+  }
+
+  /** The stream's picture in small: RGBA, row by row. */
+  async picture(width = 160, height = 90) {
+    return this.page.evaluate(
+      ([w, h]) => {
+        const scratch = new OffscreenCanvas(w, h).getContext('2d', { willReadFrequently: true });
+        scratch.imageSmoothingQuality = 'high';
+        scratch.drawImage(document.querySelector('canvas'), 0, 0, w, h);
+        return Array.from(scratch.getImageData(0, 0, w, h).data);
+      },
+      [width, height],
+    );
+  }
+
+  /** The mean of several pictures, each of another frame. */
+  async meanPicture(count, framesBetween = 2) {
+    const sum = [];
+    for (let i = 0; i < count; i += 1) {
+      await this.frames(framesBetween);
+      (await this.picture()).forEach((value, index) => (sum[index] = (sum[index] ?? 0) + value / count));
+    }
+    return sum;
+  }
+
+  /** Leaves; the page must not have complained, except about what the test expects. */
+  async leave(expected = null) {
+    await this.context.close();
+    assert.deepEqual(this.complaints.filter((text) => !expected?.test(text)), []);
+  }
+}
+
+/** Mean and standard deviation of the colour channels, 0 to 255. */
+export function statistics(pixels) {
+  const values = pixels.filter((_, index) => index % 4 !== 3);
+  const mean = values.reduce((sum, value) => sum + value, 0) / values.length;
+  const variance = values.reduce((sum, value) => sum + (value - mean) ** 2, 0) / values.length;
+  return { mean, deviation: Math.sqrt(variance) };
+}
+
+/** Root of the mean squared difference of two pictures, 0 to 255. */
+export function difference(a, b) {
+  assert.equal(a.length, b.length);
+  return Math.sqrt(a.reduce((sum, value, index) => sum + (value - b[index]) ** 2, 0) / (a.length * 0.75));
+}
+
+/** How much pictures of one idle visitor differ by themselves: the largest difference to the first. */
+export async function idleDifference(visitor, pictures = 5, framesBetween = 4) {
+  const first = await visitor.picture();
+  let largest = 0;
+  for (let i = 0; i < pictures; i += 1) {
+    await visitor.frames(framesBetween);
+    largest = Math.max(largest, difference(first, await visitor.picture()));
+  }
+  return largest;
+}
+
+/** Waits; only for things that are allowed to take any time. */
+export const pause = (milliseconds) => new Promise((resolve) => setTimeout(resolve, milliseconds));

@@ -1,0 +1,125 @@
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+
+import { Server, Visitor, freePort, launchBrowser } from './helpers.mjs';
+
+let browser;
+let server;
+
+before(async () => {
+  browser = await launchBrowser();
+  server = await Server.start();
+});
+
+after(async () => {
+  await browser?.close();
+  await server?.end();
+});
+
+async function arrive(options) {
+  const visitor = await Visitor.arrive(browser, server.url, options);
+  await visitor.until('connection', 'open');
+  await visitor.frames(2);
+  return visitor;
+}
+
+test('the stream follows the size of the window', async () => {
+  const ada = await arrive();
+  await ada.until('streamSize', '640x360');
+  await ada.page.setViewportSize({ width: 800, height: 400 });
+  await ada.until('streamSize', '800x400');
+  const shown = await ada.page.evaluate(() => {
+    const { width, height, clientWidth, clientHeight } = document.querySelector('canvas');
+    return { width, height, clientWidth, clientHeight };
+  });
+  assert.deepEqual(shown, { width: 800, height: 400, clientWidth: 800, clientHeight: 400 });
+  await ada.leave();
+});
+
+test('a dense screen gets more pixels, up to a bound', async () => {
+  const dense = await arrive({ viewport: { width: 400, height: 300 }, deviceScaleFactor: 2 });
+  await dense.until('streamSize', '800x600');
+  await dense.page.setViewportSize({ width: 1280, height: 720 });
+  await dense.until('streamSize', '1920x1080');
+  await dense.leave();
+});
+
+test('the overlay tells finite figures, by key and by button', async () => {
+  const ada = await arrive();
+  const overlay = ada.page.locator('#overlay');
+  assert.ok(await overlay.isHidden());
+  for (const toggle of [
+    () => ada.page.keyboard.press('o'),
+    () => ada.page.keyboard.press('F3'),
+    () => ada.page.getByRole('button', { name: 'Figures' }).click(),
+  ]) {
+    await toggle();
+    await overlay.waitFor({ state: 'visible' });
+    await ada.page.waitForFunction(() =>
+      [...document.querySelectorAll('#overlay dd')].every((figure) => /^[0-9]|^JPEG$/.test(figure.textContent)),
+    );
+    const figures = await ada.page.$$eval('#overlay dd', (all) => all.map((figure) => figure.textContent));
+    assert.equal(figures.length, 7);
+    for (const figure of figures) assert.doesNotMatch(figure, /NaN|Infinity|undefined|null/);
+    assert.ok(parseFloat(figures[1]) >= 0 && parseFloat(figures[2]) > 0, figures.join(', '));
+    await toggle();
+    await overlay.waitFor({ state: 'hidden' });
+  }
+  assert.ok(Number.isFinite(Number((await ada.state()).latencyMs)));
+  await ada.leave();
+});
+
+test('every button has a name, and the keyboard reaches it', async () => {
+  const ada = await arrive();
+  const names = [];
+  for (let i = 0; i < 4; i += 1) {
+    await ada.page.keyboard.press('Tab');
+    names.push(await ada.page.evaluate(() => document.activeElement.getAttribute('aria-label')));
+  }
+  assert.ok(names.includes('Figures') && names.includes('Full screen'), names.join(', '));
+  await ada.leave();
+});
+
+test('a server that dies and returns is found again', async () => {
+  const port = await freePort();
+  let mortal = await Server.start({ port });
+  const ada = await Visitor.arrive(browser, mortal.url);
+  try {
+    await ada.until('connection', 'open');
+    await ada.frames(3);
+    await mortal.end('SIGKILL');
+    await ada.until('connection', 'lost');
+    await ada.page.getByText('The world is out of reach').waitFor();
+    assert.match(await ada.page.getByRole('status').textContent(), /out of reach.*Trying again/s);
+
+    mortal = await Server.start({ port });
+    await ada.until('connection', 'open');
+    await ada.frames(5);
+    await ada.page.getByText('The world is out of reach').waitFor({ state: 'hidden' });
+  } finally {
+    await mortal.end();
+  }
+  // The browser itself reports each refused connection.
+  await ada.leave(/WebSocket connection to .* failed/);
+});
+
+test('a full server says so', async () => {
+  const small = await Server.start({ options: ['--max-visitors', '1'] });
+  try {
+    const ada = await Visitor.arrive(browser, small.url);
+    await ada.until('connection', 'open');
+    await ada.frames(2);
+    const bob = await Visitor.arrive(browser, small.url);
+    await bob.until('connection', 'full');
+    await bob.page.getByText('The world is full').waitFor();
+    await ada.frames(5);
+    await ada.leave();
+
+    await bob.page.getByRole('button', { name: 'Try again now' }).click();
+    await bob.until('connection', 'open');
+    await bob.frames(2);
+    await bob.leave();
+  } finally {
+    await small.end();
+  }
+});

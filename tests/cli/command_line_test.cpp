@@ -1,0 +1,106 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+namespace grove::cli {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+struct Outcome {
+  int exit = -1;
+  std::string output;  ///< stdout, or stderr where asked for
+};
+
+/// Runs the real program.
+Outcome grove(const std::string& arguments, bool wantErrors = true) {
+  const std::string command =
+      "timeout 60 " GROVE_BINARY " " + arguments + (wantErrors ? " 2>&1 >/dev/null" : " 2>/dev/null");
+  std::FILE* pipe = popen(command.c_str(), "r");
+  Outcome outcome;
+  std::array<char, 4096> buffer{};
+  while (const std::size_t n = std::fread(buffer.data(), 1, buffer.size(), pipe))
+    outcome.output.append(buffer.data(), n);
+  outcome.exit = WEXITSTATUS(pclose(pipe));
+  return outcome;
+}
+
+std::ptrdiff_t lines(const std::string& text) { return std::ranges::count(text, '\n'); }
+
+TEST(CommandLine, HelpEverywhere) {
+  for (const char* command : {"--help", "serve --help", "load --help", "bench --help", "bench fluid --help"}) {
+    const Outcome outcome = grove(command, false);
+    EXPECT_EQ(outcome.exit, 0) << command;
+    EXPECT_THAT(outcome.output, HasSubstr("--help")) << command;
+  }
+}
+
+TEST(CommandLine, BadOptionsExitTwoWithOneLine) {
+  for (const char* command :
+       {"", "fly", "serve --fly", "serve --frames-in-flight 0", "serve --gl vulkan", "serve --listen nowhere", "load",
+        "load ftp://x/ --sessions 1", "load ws://127.0.0.1:1/ --sessions 0", "bench fluid --grid 63",
+        "bench fluid --grid 1000000", "bench fluid --steps 0", "bench fluid --threads 0", "bench fluid --steps many"}) {
+    const Outcome outcome = grove(command);
+    EXPECT_EQ(outcome.exit, 2) << command;
+    EXPECT_EQ(lines(outcome.output), 1) << command << ": " << outcome.output;
+  }
+}
+
+TEST(CommandLine, FailuresExitOneWithOneLine) {
+  const Outcome scene = grove("serve --scene no/such/file.toml --listen 127.0.0.1:0");
+  EXPECT_EQ(scene.exit, 1);
+  EXPECT_THAT(scene.output, HasSubstr("no/such/file.toml"));
+  EXPECT_EQ(lines(scene.output), 1) << scene.output;
+
+  const Outcome shaders = grove("serve --shader-dir no/such/dir --listen 127.0.0.1:0");
+  EXPECT_EQ(shaders.exit, 1);
+  EXPECT_THAT(shaders.output, HasSubstr("no/such/dir"));
+  EXPECT_EQ(lines(shaders.output), 1) << shaders.output;
+
+  const Outcome nobody = grove("load ws://127.0.0.1:1/ --sessions 1 --seconds 1");
+  EXPECT_EQ(nobody.exit, 1);
+  EXPECT_EQ(lines(nobody.output), 1) << nobody.output;
+}
+
+TEST(CommandLine, AMalformedSceneNamesItsLine) {
+  const auto file = std::filesystem::temp_directory_path() / "grove_malformed_scene.toml";
+  std::ofstream(file) << "name = 'x'\n[[object]]\ntype = 'mesh'\nshape = 'stone'\nheigth = 3\n";
+  const Outcome outcome = grove("serve --scene " + file.string() + " --listen 127.0.0.1:0");
+  std::filesystem::remove(file);
+  EXPECT_EQ(outcome.exit, 1);
+  EXPECT_THAT(outcome.output, AllOf(HasSubstr(":5: "), HasSubstr("heigth")));
+  EXPECT_EQ(lines(outcome.output), 1) << outcome.output;
+}
+
+TEST(CommandLine, WithoutGlTheReasonAndTheRemedyAreNamed) {
+  const std::string nowhere = "__EGL_VENDOR_LIBRARY_DIRS=/nonexistent ";
+  const std::string command =
+      nowhere + "timeout 60 " GROVE_BINARY " serve --gl egl --listen 127.0.0.1:0 2>&1 >/dev/null";
+  std::FILE* pipe = popen(command.c_str(), "r");
+  std::array<char, 4096> buffer{};
+  std::string output;
+  while (const std::size_t n = std::fread(buffer.data(), 1, buffer.size(), pipe)) output.append(buffer.data(), n);
+  EXPECT_EQ(WEXITSTATUS(pclose(pipe)), 1) << output;
+  EXPECT_THAT(output, HasSubstr("libegl-mesa0"));
+}
+
+TEST(CommandLine, BenchFluidPrintsOneDocumentOfTheContract) {
+  const Outcome outcome = grove("bench fluid --grid 16 --steps 3 --threads 1 --json", false);
+  EXPECT_EQ(outcome.exit, 0);
+  EXPECT_THAT(outcome.output, StartsWith("{"));
+  for (const char* key : {"\"grid\"", "\"threads\"", "\"steps\"", "\"obstacle_cells\"", "\"cpu_ms_per_step\"",
+                          "\"wall_ms_per_step\"", "\"residual\"", "\"max_divergence\"", "\"phases\""}) {
+    EXPECT_THAT(outcome.output, HasSubstr(key));
+  }
+}
+
+}  // namespace
+}  // namespace grove::cli

@@ -1,0 +1,194 @@
+#include "stream/headless_session.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <thread>
+
+#include "integration/served_scene.h"
+#include "stream/jpeg_decoder.h"
+
+namespace grove::integration {
+namespace {
+
+using namespace std::chrono_literals;
+using stream::HeadlessSession;
+
+constexpr auto kPatience = 20s;
+
+/// Stones around a fire before a black sky: nothing but the simulation and the visitors moves.
+const std::string kScene = R"(
+name = "test clearing"
+spawn = [0, 0, 9]
+[visitor]
+type = "figure"
+[[object]]
+type = "mesh"
+shape = "stone"
+position = [-3, 0, 0]
+[[object]]
+type = "fluid"
+grid = 32
+size = 8
+wind = [0, 0, 0]
+)";
+
+struct Picture {
+  int width = 0;
+  int height = 0;
+  std::vector<std::uint32_t> colour;
+
+  [[nodiscard]] double light(int x, int y) const {
+    const std::uint32_t c = colour[static_cast<std::size_t>(y * width + x)];
+    return (c & 0xFFU) + (c >> 8U & 0xFFU) + (c >> 16U & 0xFFU);
+  }
+  [[nodiscard]] double mean() const {
+    double sum = 0;
+    for (int y = 0; y < height; ++y) {
+      for (int x = 0; x < width; ++x) sum += light(x, y);
+    }
+    return sum / width / height;
+  }
+  /// Middle of the light in columns [from, to), as a share of the width.
+  [[nodiscard]] double middle(double from, double to) const {
+    double sum = 0;
+    double moment = 0;
+    for (int y = 0; y < height; ++y) {
+      for (int x = static_cast<int>(from * width); x < static_cast<int>(to * width); ++x) {
+        sum += light(x, y);
+        moment += light(x, y) * x;
+      }
+    }
+    return moment / sum / width;
+  }
+};
+
+Picture decode(const std::shared_ptr<const stream::EncodedFrame>& frame) {
+  stream::JpegDecoder decoder;
+  const auto* picture = decoder.decode(frame->message().subspan(stream::kFrameHeaderBytes));
+  EXPECT_NE(picture, nullptr);
+  return picture == nullptr ? Picture{} : Picture{picture->width, picture->height, picture->colour};
+}
+
+double difference(const Picture& a, const Picture& b) {
+  double sum = 0;
+  for (int y = 0; y < a.height; ++y) {
+    for (int x = 0; x < a.width; ++x) sum += std::abs(a.light(x, y) - b.light(x, y));
+  }
+  return sum / a.width / a.height;
+}
+
+/// Sets the controls and returns a frame that shows them.
+Picture pictureAfter(HeadlessSession& visitor, std::uint8_t keys, float yaw, float pitch = 0.0F) {
+  const auto frame = visitor.frameShowing(visitor.control(keys, yaw, pitch), kPatience);
+  if (frame == nullptr) throw std::runtime_error("no frame showed the input");
+  return decode(frame);
+}
+
+class HeadlessSessions : public ::testing::Test {
+ protected:
+  ServedScene served{kScene};
+};
+
+TEST_F(HeadlessSessions, TwoCamerasSeeOneWorldFromDifferentPlaces) {
+  HeadlessSession a(served.host, "a", 320, 180);
+  HeadlessSession b(served.host, "b", 320, 180);
+  const Picture ahead = pictureAfter(a, 0, 0.0F);
+  const Picture beside = pictureAfter(b, 0, 0.0F);
+  const Picture away = pictureAfter(b, 0, 3.14F);
+  EXPECT_GT(ahead.mean(), 3.0) << "the fire and the stone are there";
+  EXPECT_GT(beside.mean(), 3.0);
+  EXPECT_LT(away.mean(), 0.3 * beside.mean()) << "nothing is there";
+  EXPECT_GT(difference(ahead, beside), 1.0);
+}
+
+TEST_F(HeadlessSessions, FramesComeInTheAskedSizeAndFollowResizes) {
+  HeadlessSession a(served.host, "a", 320, 180);
+  EXPECT_EQ(pictureAfter(a, 0, 0.0F).width, 320);
+  ASSERT_FALSE(a.session().resize({640, 360}).has_value());
+  std::shared_ptr<const stream::EncodedFrame> frame;
+  for (int i = 0; i < 100 && (!frame || frame->header.width != 640); ++i) {
+    frame = a.frameAfter(frame ? frame->header.frame : 0, kPatience);
+    ASSERT_TRUE(frame);
+  }
+  EXPECT_EQ(frame->header.width, 640);
+  EXPECT_EQ(decode(frame).height, 360);
+}
+
+TEST_F(HeadlessSessions, WalkingChangesTheView) {
+  HeadlessSession a(served.host, "a", 320, 180);
+  const auto before = served.host.world().players().all(world::World::now())[0].pose.position;
+  (void)pictureAfter(a, world::kForward | world::kRun, 0.0F);
+  std::this_thread::sleep_for(600ms);
+  (void)pictureAfter(a, 0, 0.0F);
+  const auto after = served.host.world().players().all(world::World::now())[0].pose.position;
+  EXPECT_LT(after.z, before.z - 1.0F);
+}
+
+TEST_F(HeadlessSessions, AGustByOneIsSeenByTheOther) {
+  HeadlessSession blower(served.host, "blower", 160, 90);
+  HeadlessSession witness(served.host, "witness", 320, 180);
+  // The blower walks to the east of the fire and blows westwards, to the left of who looks north.
+  (void)pictureAfter(blower, world::kRight | world::kRun, 0.0F);
+  std::this_thread::sleep_for(900ms);
+  (void)pictureAfter(blower, world::kForward | world::kRun, 0.0F);
+  std::this_thread::sleep_for(1500ms);
+  (void)pictureAfter(blower, 0, 0.0F);
+  std::this_thread::sleep_for(300ms);
+  const auto at = served.host.world().players().all(world::World::now())[0].pose.position;
+  const float towardsFire = std::atan2(at.x, at.z);
+  const double before = pictureAfter(witness, 0, 0.0F).middle(0.4, 0.62);
+  (void)pictureAfter(blower, world::kBlow, towardsFire, 0.0F);
+  std::this_thread::sleep_for(1200ms);
+  const double after = pictureAfter(witness, 0, 0.0F).middle(0.4, 0.62);
+  EXPECT_LT(after, before - 0.01);
+}
+
+TEST_F(HeadlessSessions, VisitorsSeeEachOther) {
+  HeadlessSession a(served.host, "a", 320, 180);
+  const float towardsNeighbour = -1.5708F;  // arrivals stand side by side, the second to the left of the first
+  Picture alone = pictureAfter(a, 0, -towardsNeighbour);
+  HeadlessSession b(served.host, "b", 320, 180);
+  (void)pictureAfter(b, 0, 0.0F);
+  const Picture together = pictureAfter(a, 0, -towardsNeighbour);
+  EXPECT_GT(difference(alone, together), 5.0);
+}
+
+TEST_F(HeadlessSessions, AVisitorWhoNeverAcknowledgesGetsTwoFrames) {
+  std::atomic<int> frames = 0;
+  auto opened =
+      served.host.open({"silent", 160, 90}, [&](const std::shared_ptr<const stream::EncodedFrame>&) { ++frames; });
+  auto silent = std::get<std::shared_ptr<stream::Session>>(opened);
+  HeadlessSession lively(served.host, "lively", 160, 90);
+  const auto first = lively.frameAfter(0, kPatience);
+  ASSERT_TRUE(first);
+  ASSERT_TRUE(lively.frameAfter(first->header.frame + 20, kPatience)) << "the other visitor is not held up";
+  EXPECT_GE(frames, 1);
+  // Frames that were in the making when the second was delivered may still come.
+  EXPECT_LE(frames, 2 + served.host.options().framesInFlight);
+  silent->close();
+}
+
+TEST_F(HeadlessSessions, WhoLeavesFreesItsPlace) {
+  for (int i = 0; i < 40; ++i) {
+    const HeadlessSession visitor(served.host, "", 160, 90);
+    EXPECT_EQ(served.host.visitors(), 1u);
+  }
+  EXPECT_EQ(served.host.visitors(), 0u);
+  EXPECT_EQ(served.host.world().players().count(), 0u);
+}
+
+TEST(FitSize, KeepsTheShapeWithinBounds) {
+  using stream::fitSize;
+  EXPECT_EQ(fitSize(1280, 720), (std::pair{1280, 720}));
+  EXPECT_EQ(fitSize(3840, 2160), (std::pair{1920, 1080}));
+  EXPECT_EQ(fitSize(2000, 2000), (std::pair{1080, 1080}));
+  EXPECT_EQ(fitSize(16, 16), (std::pair{160, 160}));
+  EXPECT_EQ(fitSize(1001, 701), (std::pair{1000, 700}));
+  const auto strip = fitSize(16384, 16);
+  EXPECT_LE(strip.first, 1920);
+  EXPECT_GE(strip.second, 90);
+}
+
+}  // namespace
+}  // namespace grove::integration

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "gl/shader_library.h"
+#include "gl/workers.h"
+#include "node/registry.h"
+#include "objects/builtin.h"
+#include "stream/host.h"
+#include "world/scene_file.h"
+
+namespace grove::integration {
+
+/// A whole server without its sockets: a scene with the built-in object types and a host for visitors.
+struct ServedScene {
+  explicit ServedScene(const std::string& scene, const stream::HostOptions& options = {})
+      : host(node::makeLayout(world::parseScene(scene, "test.toml"), registered()), registry, gl, options,
+             [](std::string_view, float) {}) {}
+
+  const node::Registry& registered() {
+    objects::registerBuiltinTypes(registry);
+    return registry;
+  }
+
+  node::Registry registry;
+  gl::ShaderLibrary shaders;
+  gl::Workers gl{gl::ContextKind::kAuto, shaders};
+  stream::Host host;
+};
+
+}  // namespace grove::integration

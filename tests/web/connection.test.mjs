@@ -1,0 +1,207 @@
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { test } from 'node:test';
+
+import { Backoff } from '../../web/backoff.js';
+import { Connection } from '../../web/connection.js';
+import { FakeClock } from './fake_clock.mjs';
+
+const golden = JSON.parse(readFileSync(new URL('../stream/golden_messages.json', import.meta.url), 'utf8'));
+const bytesOf = (name) => Uint8Array.from(Buffer.from(golden.find((entry) => entry.name === name).hex, 'hex')).buffer;
+const hexOf = (buffer) => Buffer.from(buffer).toString('hex');
+
+/** The network's end of a connection: records what the page does to a socket. */
+class Wire {
+  readyState = 0;
+  sent = [];
+  closedWith = null;
+
+  send(bytes) {
+    this.sent.push(hexOf(bytes));
+  }
+
+  close(code) {
+    this.closedWith = code;
+  }
+
+  open() {
+    this.readyState = 1;
+    this.onopen();
+  }
+
+  receive(data) {
+    this.onmessage({ data });
+  }
+
+  end(code, reason = '') {
+    this.readyState = 3;
+    this.onclose({ code, reason });
+  }
+}
+
+function setUp({ mayRetry = () => true } = {}) {
+  const clock = new FakeClock();
+  const sockets = [];
+  const states = [];
+  const frames = [];
+  const connection = new Connection({
+    openSocket: () => {
+      sockets.push(new Wire());
+      return sockets.at(-1);
+    },
+    hello: () => ({ name: 'Ada', width: 1280, height: 720 }),
+    on: {
+      state: (state, reason) => states.push(reason ? `${state}: ${reason}` : state),
+      welcome: () => {},
+      frame: (frame) => frames.push(frame.frame),
+    },
+    backoff: new Backoff(() => 0.5),
+    mayRetry,
+    timers: clock,
+  });
+  connection.start();
+  const letIn = () => {
+    sockets.at(-1).open();
+    sockets.at(-1).receive(bytesOf('welcome'));
+  };
+  return { clock, sockets, states, frames, connection, letIn };
+}
+
+test('says hello first and nothing else before the welcome', () => {
+  const { sockets, connection } = setUp();
+  connection.sendResize({ width: 100, height: 100 });
+  sockets[0].open();
+  connection.sendInput({ number: 1, keys: 0, yaw: 0, pitch: 0 });
+  connection.acknowledge(3);
+  assert.deepEqual(sockets[0].sent, [golden.find((entry) => entry.name === 'hello').hex]);
+});
+
+test('hands on frames and acknowledges each once, in order', () => {
+  const { sockets, states, frames, connection, letIn } = setUp();
+  letIn();
+  sockets[0].receive(bytesOf('frame'));
+  assert.deepEqual(frames, [66051]);
+  connection.acknowledge(5);
+  connection.acknowledge(4);
+  connection.acknowledge(5);
+  connection.acknowledge(6);
+  assert.deepEqual(sockets[0].sent.slice(1), ['0300000005000000', '0300000006000000']);
+  assert.deepEqual(states, ['connecting', 'open']);
+});
+
+test('asks for a size once', () => {
+  const { sockets, connection, letIn } = setUp();
+  letIn();
+  connection.sendResize({ width: 1280, height: 720 });
+  connection.sendResize({ width: 1920, height: 1080 });
+  connection.sendResize({ width: 1920, height: 1080 });
+  assert.deepEqual(sockets[0].sent.slice(1), ['040000008007000038040000']);
+});
+
+test('comes back with growing delays, and begins anew after a frame', () => {
+  const { clock, sockets, states, letIn } = setUp();
+  letIn();
+  sockets[0].end(1006);
+  for (const delay of [500, 1000, 2000, 4000, 5000, 5000]) {
+    const before = sockets.length;
+    clock.advance(delay - 1);
+    assert.equal(sockets.length, before, `too soon after ${delay}`);
+    clock.advance(1);
+    assert.equal(sockets.length, before + 1, `too late after ${delay}`);
+    sockets.at(-1).end(1006);
+  }
+  clock.advance(5000);
+  letIn();
+  sockets.at(-1).receive(bytesOf('frame'));
+  sockets.at(-1).end(1001);
+  const before = sockets.length;
+  clock.advance(500);
+  assert.equal(sockets.length, before + 1);
+  assert.deepEqual(states, ['connecting', 'open', 'lost', 'open', 'lost']);
+});
+
+test('acknowledgements of a former connection do not reach the next', () => {
+  const { clock, sockets, connection, letIn } = setUp();
+  letIn();
+  connection.acknowledge(900);
+  sockets[0].end(1006);
+  clock.advance(500);
+  connection.acknowledge(901);
+  letIn();
+  connection.acknowledge(1);
+  assert.deepEqual(sockets[1].sent.slice(1), ['0300000001000000']);
+});
+
+test('a full server is tried again later', () => {
+  const { clock, sockets, states, connection } = setUp();
+  sockets[0].open();
+  sockets[0].end(4002, 'full');
+  clock.advance(14_999);
+  assert.equal(sockets.length, 1);
+  clock.advance(1);
+  assert.equal(sockets.length, 2);
+  sockets[1].end(4002);
+  clock.advance(14_000);
+  connection.retry();
+  assert.equal(sockets.length, 3);
+  connection.retry();
+  assert.equal(sockets.length, 3, 'one attempt at a time');
+  clock.advance(2_000);
+  assert.equal(sockets.length, 3, 'a retry by hand takes the place of the planned one');
+  assert.deepEqual(states, ['connecting', 'full']);
+});
+
+for (const [code, state] of [[4000, 'refused: too odd'], [4004, 'refused: too odd'], [4001, 'outdated: too odd']]) {
+  test(`close code ${code} is told and not tried again`, () => {
+    const { clock, sockets, states } = setUp();
+    sockets[0].open();
+    sockets[0].end(code, 'too odd');
+    clock.advance(60_000);
+    assert.equal(sockets.length, 1);
+    assert.deepEqual(states, ['connecting', state]);
+  });
+}
+
+test('bad bytes from the server end the connection with the reason', () => {
+  const { sockets, states, letIn } = setUp();
+  letIn();
+  sockets[0].receive(new Uint8Array([0x55]).buffer);
+  assert.equal(sockets[0].closedWith, 4000);
+  assert.deepEqual(states, ['connecting', 'open', 'refused: the message type 85 is unknown']);
+});
+
+test('a server that falls silent counts as lost', () => {
+  const { clock, sockets, states, letIn } = setUp();
+  letIn();
+  clock.advance(9_000);
+  sockets[0].receive(bytesOf('frame'));
+  clock.advance(9_999);
+  assert.deepEqual(states, ['connecting', 'open']);
+  clock.advance(1);
+  assert.deepEqual(states, ['connecting', 'open', 'lost']);
+  assert.equal(sockets[0].closedWith, 1000);
+});
+
+test('a hidden page waits to be looked at before it returns', () => {
+  let visible = false;
+  const { clock, sockets, connection, letIn } = setUp({ mayRetry: () => visible });
+  letIn();
+  clock.advance(60_000);
+  assert.equal(connection.state, 'open', 'silence means nothing while hidden');
+  sockets[0].end(4005);
+  clock.advance(60_000);
+  assert.equal(sockets.length, 1);
+  visible = true;
+  connection.retry();
+  assert.equal(sockets.length, 2);
+});
+
+test('delays are spread, but never beyond five seconds', () => {
+  const early = new Backoff(() => 0);
+  const late = new Backoff(() => 1);
+  assert.equal(early.next(), 450);
+  assert.equal(late.next(), 550);
+  for (let i = 0; i < 10; i += 1) assert.ok(late.next() <= 5000);
+  late.reset();
+  assert.equal(late.next(), 550);
+});

@@ -1,0 +1,174 @@
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+
+import { Controls, kMostPitch } from '../../web/input/controls.js';
+import { listenToKeyboard } from '../../web/input/keyboard.js';
+import { InputSender } from '../../web/input/sender.js';
+import { stickAxis, stickKeys } from '../../web/input/stick.js';
+import { Turner } from '../../web/input/turner.js';
+import { Key } from '../../web/protocol.js';
+import { FakeClock } from './fake_clock.mjs';
+
+function keyboard(shortcuts = {}) {
+  const window = new EventTarget();
+  window.document = new EventTarget();
+  const controls = new Controls();
+  listenToKeyboard(window, controls, shortcuts);
+  const fire = (type, code, fields = {}) => {
+    const event = Object.assign(new Event(type, { cancelable: true }), { code, key: code, ...fields });
+    window.dispatchEvent(event);
+    return event;
+  };
+  return { window, controls, press: fire.bind(null, 'keydown'), lift: fire.bind(null, 'keyup') };
+}
+
+test('keys combine and let go one by one', () => {
+  const { controls, press, lift } = keyboard();
+  press('KeyW');
+  press('KeyA');
+  press('ShiftLeft');
+  assert.equal(controls.keys, Key.forward | Key.left | Key.run);
+  lift('KeyA');
+  assert.equal(controls.keys, Key.forward | Key.run);
+  press('Space');
+  assert.equal(controls.keys, Key.forward | Key.run | Key.blow);
+});
+
+test('two keys of one meaning do not end each other', () => {
+  const { controls, press, lift } = keyboard();
+  press('KeyW');
+  press('ArrowUp');
+  lift('KeyW');
+  assert.equal(controls.keys, Key.forward);
+  lift('ArrowUp');
+  assert.equal(controls.keys, 0);
+});
+
+test('blur lets go of everything', () => {
+  const { window, controls, press } = keyboard();
+  press('KeyD');
+  press('KeyQ');
+  controls.hold('mouse', Key.blow);
+  window.dispatchEvent(new Event('blur'));
+  assert.equal(controls.keys, 0);
+  assert.equal(controls.turning, null);
+});
+
+test('a page that goes into hiding lets go of everything', () => {
+  const { window, controls, press } = keyboard();
+  press('KeyS');
+  window.document.hidden = true;
+  window.document.dispatchEvent(new Event('visibilitychange'));
+  assert.equal(controls.keys, 0);
+});
+
+test("the browser's own shortcuts stay the browser's", () => {
+  const { controls, press } = keyboard();
+  assert.equal(press('KeyW', { ctrlKey: true }).defaultPrevented, false);
+  assert.equal(press('KeyD', { metaKey: true }).defaultPrevented, false);
+  assert.equal(controls.keys, 0);
+  assert.equal(press('ArrowUp').defaultPrevented, true);
+  assert.equal(press('Tab').defaultPrevented, false);
+});
+
+test('shortcuts go by their letter and run once a press', () => {
+  let toggled = 0;
+  const { press } = keyboard({ o: () => (toggled += 1) });
+  press('KeyR', { key: 'O' });
+  press('KeyR', { key: 'o', repeat: true });
+  assert.equal(toggled, 1);
+});
+
+test('pitch is clamped and yaw stays within half a turn', () => {
+  const controls = new Controls();
+  controls.look(0, 7);
+  assert.equal(controls.pitch, kMostPitch);
+  controls.look(0, -0.5);
+  assert.equal(controls.pitch, kMostPitch - 0.5);
+  controls.look(0, -100);
+  assert.equal(controls.pitch, -1.5);
+  controls.look(3 * Math.PI, 0);
+  assert.ok(Math.abs(Math.abs(controls.yaw) - Math.PI) < 1e-9);
+  controls.face(0.25, 0);
+  assert.equal(controls.yaw, 0.25);
+  controls.look(NaN, 0);
+  controls.look(0, Infinity);
+  assert.deepEqual([controls.yaw, controls.pitch], [0.25, 0]);
+});
+
+function sending() {
+  const clock = new FakeClock();
+  const controls = new Controls();
+  const sent = [];
+  const sender = new InputSender({ controls, clock, send: (input, now) => sent.push({ ...input, now }) });
+  return { clock, controls, sender, sent };
+}
+
+test('inputs tell the whole state, count up from 1 and come at least once a second', () => {
+  const { clock, controls, sender, sent } = sending();
+  controls.face(0.5, -0.25);
+  assert.equal(sent.length, 0, 'nothing is sent before the start');
+  sender.start();
+  clock.advance(3000);
+  assert.deepEqual(sent.map((input) => [input.number, input.now]), [[1, 0], [2, 1000], [3, 2000], [4, 3000]]);
+  controls.hold('key', Key.forward);
+  clock.advance(8);
+  assert.deepEqual(sent.at(-1), { number: 5, keys: 1, yaw: 0.5, pitch: -0.25, now: 3008 });
+});
+
+test('many changes are sent as one, at most every 8 ms, the last one always', () => {
+  const { clock, controls, sender, sent } = sending();
+  sender.start();
+  for (let i = 0; i < 100; i += 1) {
+    controls.look(0.01, 0);
+    clock.advance(1);
+  }
+  clock.advance(8);
+  assert.ok(sent.length <= 1 + 108 / 8, `${sent.length} inputs`);
+  assert.ok(sent.length >= 12, `${sent.length} inputs`);
+  assert.ok(Math.abs(sent.at(-1).yaw - 1) < 1e-9);
+  for (let i = 1; i < sent.length; i += 1) assert.ok(sent[i].now - sent[i - 1].now >= 8);
+});
+
+test('a stopped sender is silent, and begins at 1 when started again', () => {
+  const { clock, controls, sender, sent } = sending();
+  sender.start();
+  controls.look(1, 0);
+  sender.stop();
+  clock.advance(5000);
+  controls.look(1, 0);
+  assert.equal(sent.length, 1);
+  sender.start();
+  assert.deepEqual([sent.at(-1).number, sent.at(-1).yaw], [1, 2]);
+  clock.advance(1000);
+  assert.equal(sent.at(-1).number, 2);
+});
+
+test('a stick walks in eight directions, rests in the middle and runs at its edge', () => {
+  assert.equal(stickKeys(0.1, -0.1), 0);
+  assert.equal(stickKeys(0, -0.6), Key.forward);
+  assert.equal(stickKeys(0.5, 0.5), Key.right | Key.back);
+  assert.equal(stickKeys(-1, 0), Key.left | Key.run);
+  assert.equal(stickKeys(0.6, -0.1), Key.right);
+  assert.equal(stickAxis(0.2), 0);
+  assert.equal(stickAxis(-1), -1);
+});
+
+test('turning follows time, not the number of frames', () => {
+  const controls = new Controls();
+  const frames = [];
+  new Turner(controls, (callback) => frames.push(callback));
+  const frame = (time) => frames.shift()?.(time);
+  controls.turn('key', 2, 0);
+  controls.turn('pad', 0, 1);
+  for (const time of [1000, 1050, 1060, 1100]) frame(time);
+  assert.ok(Math.abs(controls.yaw - 0.2) < 1e-9);
+  assert.ok(Math.abs(controls.pitch - 0.1) < 1e-9);
+  frame(9000);
+  assert.ok(Math.abs(controls.yaw - 0.4) < 1e-9, 'a long pause counts as a tenth of a second');
+  controls.turn('key', 0, 0);
+  controls.turn('pad', 0, 0);
+  frame(9016);
+  assert.equal(frames.length, 0);
+  assert.ok(Math.abs(controls.yaw - 0.4) < 1e-9);
+});

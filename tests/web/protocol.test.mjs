@@ -1,0 +1,77 @@
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { test } from 'node:test';
+
+import {
+  ProtocolError,
+  decodeServerMessage,
+  encodeAck,
+  encodeHello,
+  encodeInput,
+  encodeResize,
+} from '../../web/protocol.js';
+
+const golden = JSON.parse(readFileSync(new URL('../stream/golden_messages.json', import.meta.url), 'utf8'));
+const bytesOf = (hex) => Uint8Array.from(Buffer.from(hex, 'hex')).buffer;
+const hexOf = (buffer) => Buffer.from(buffer).toString('hex');
+const find = (message) => golden.find((entry) => entry.fields.message === message);
+const encoders = { Hello: encodeHello, Input: encodeInput, Ack: encodeAck, Resize: encodeResize };
+
+test('every message type has golden bytes', () => {
+  const types = new Set(golden.map((entry) => entry.fields.message));
+  assert.deepEqual([...types].sort(), ['Ack', 'Frame', 'Hello', 'Input', 'Resize', 'Welcome']);
+});
+
+for (const { name, fields, hex } of golden) {
+  const encode = encoders[fields.message];
+  if (encode) {
+    test(`writes golden ${name}`, () => assert.equal(hexOf(encode(fields)), hex));
+  } else {
+    test(`reads golden ${name}`, () => {
+      const message = decodeServerMessage(bytesOf(hex));
+      if (message.picture) message.picture = hexOf(message.picture);
+      assert.deepEqual(message, fields);
+    });
+  }
+}
+
+test('a name that is too long is cut between characters', () => {
+  const bytes = new Uint8Array(encodeHello({ name: '\u{1F525}'.repeat(20), width: 640, height: 360 }));
+  assert.equal(bytes.length, 12 + 64);
+  const cut = new Uint8Array(encodeHello({ name: 'x' + '\u{1F525}'.repeat(20), width: 640, height: 360 }));
+  assert.equal(cut.length, 12 + 61);
+  assert.equal(cut[2], 61);
+});
+
+test('no cut of a server message is taken for a whole one', () => {
+  const { hex } = find('Welcome');
+  for (let length = 0; length < hex.length; length += 2) {
+    assert.throws(() => decodeServerMessage(bytesOf(hex.slice(0, length))), ProtocolError, `welcome of ${length / 2}`);
+  }
+  for (let length = 0; length <= 40; length += 2) {
+    const cut = bytesOf(find('Frame').hex.slice(0, length));
+    assert.throws(() => decodeServerMessage(cut), ProtocolError, `frame of ${length / 2}`);
+  }
+});
+
+function spoilt(message, spoil) {
+  const buffer = bytesOf(find(message).hex);
+  spoil(new DataView(buffer));
+  return buffer;
+}
+
+for (const [what, data] of [
+  ['text', 'hello'],
+  ['an unknown type', bytesOf('77000000')],
+  ["a client's message", bytesOf(find('Ack').hex)],
+  ['another version', spoilt('Welcome', (view) => view.setUint8(1, 2))],
+  ['a longer welcome', bytesOf(find('Welcome').hex + '00')],
+  ['a direction that is not a number', spoilt('Welcome', (view) => view.setFloat32(12, NaN, true))],
+  ['an infinite direction', spoilt('Welcome', (view) => view.setFloat32(16, Infinity, true))],
+  ['a name that is not UTF-8', spoilt('Welcome', (view) => view.setUint8(20, 0xff))],
+  ['an unknown codec', spoilt('Frame', (view) => view.setUint8(1, 9))],
+  ['a frame without width', spoilt('Frame', (view) => view.setUint16(2, 0, true))],
+  ['a frame without height', spoilt('Frame', (view) => view.setUint16(4, 0, true))],
+]) {
+  test(`refuses ${what}`, () => assert.throws(() => decodeServerMessage(data), ProtocolError));
+}

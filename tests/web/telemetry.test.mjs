@@ -1,0 +1,90 @@
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+
+import { LatencyMeter, SlidingWindow, median } from '../../web/meters.js';
+import { Telemetry } from '../../web/telemetry.js';
+
+test('the median is the middle, or between the two in the middle', () => {
+  assert.equal(median([]), null);
+  assert.equal(median([9, 1, 5]), 5);
+  assert.equal(median([1, 2, 10, 4]), 3);
+});
+
+test('a window forgets what is older than its span', () => {
+  const window = new SlidingWindow(100);
+  window.add(0, 'a');
+  window.add(60, 'b');
+  assert.deepEqual(window.values(99), ['a', 'b']);
+  assert.deepEqual(window.values(100), ['b']);
+  assert.deepEqual(window.values(500), []);
+});
+
+test('latency ends with the first frame that shows the input or a later one', () => {
+  const meter = new LatencyMeter();
+  assert.equal(meter.read(0), null);
+  meter.sent(1, 100);
+  meter.sent(2, 110);
+  meter.presented(0, 120);
+  assert.equal(meter.read(120), null);
+  meter.presented(2, 150);
+  assert.equal(meter.read(150), 45);
+  meter.presented(2, 190);
+  assert.equal(meter.read(190), 45, 'an input counts once');
+});
+
+test('latency is the median of the last second, or the last measurement', () => {
+  const meter = new LatencyMeter();
+  for (const [number, sent, shown] of [[1, 0, 500], [2, 1000, 1020], [3, 1100, 1130], [4, 1200, 1240]]) {
+    meter.sent(number, sent);
+    meter.presented(number, shown);
+  }
+  assert.equal(meter.read(1400), 35);
+  assert.equal(meter.read(1600), 30);
+  assert.equal(meter.read(9000), 40);
+  meter.reset();
+  assert.equal(meter.read(9000), null);
+});
+
+test('a stalled server does not make the meter grow', () => {
+  const meter = new LatencyMeter();
+  for (let number = 1; number <= 2000; number += 1) meter.sent(number, number);
+  meter.presented(2000, 2000);
+  assert.ok(meter.read(2000) <= 512);
+});
+
+test('a reading tells the last second', () => {
+  const telemetry = new Telemetry();
+  assert.deepEqual(telemetry.read(0), {
+    frames: 0,
+    framesPerSecond: 0,
+    latencyMs: null,
+    megabitsPerSecond: 0,
+    serverMs: null,
+    codec: null,
+    width: null,
+    height: null,
+    visitors: null,
+  });
+  telemetry.inputSent(1, 0);
+  for (let i = 0; i < 60; i += 1) {
+    const frame = {
+      frame: i + 1,
+      codec: 1,
+      width: 1280,
+      height: 720,
+      visitors: 3,
+      lastInput: 1,
+      serverMicroseconds: 8000 + i,
+      picture: new Uint8Array(12_500),
+    };
+    telemetry.framePresented(frame, 20 + i * 50);
+    telemetry.frameReceived(frame, 20 + i * 50);
+  }
+  const reading = telemetry.read(20 + 59 * 50);
+  assert.equal(reading.frames, 60);
+  assert.equal(reading.framesPerSecond, 20);
+  assert.equal(reading.latencyMs, 20);
+  assert.ok(Math.abs(reading.megabitsPerSecond - 2) < 1e-9);
+  assert.ok(Math.abs(reading.serverMs - 8.0495) < 1e-9);
+  assert.deepEqual([reading.codec, reading.width, reading.visitors], ['JPEG', 1280, 3]);
+});

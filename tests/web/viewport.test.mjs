@@ -1,0 +1,20 @@
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+
+import { fitStream } from '../../web/viewport.js';
+
+for (const [window, ratio, wanted] of [
+  [[1280, 720], 1, [1280, 720]],
+  [[800, 500], 2, [1600, 1000]],
+  [[1280, 720], 2, [1920, 1080]],
+  [[2560, 1440], 1, [1920, 1080]],
+  [[390, 844], 3, [499, 1080]],
+  [[3440, 1440], 1, [1920, 804]],
+  [[1000, 600], 1.25, [1250, 750]],
+  [[4000, 20], 1, [1920, 16]],
+  [[0, 0], 1, [16, 16]],
+]) {
+  test(`${window.join(' x ')} at ${ratio} asks for ${wanted.join(' x ')}`, () => {
+    assert.deepEqual(fitStream(...window, ratio), { width: wanted[0], height: wanted[1] });
+  });
+}
