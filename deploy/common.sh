@@ -1,0 +1,35 @@
+# Shared by run and test: installs what is missing and builds. Sourced, with the repository's root as the directory.
+
+say() { printf '\033[1m== %s\033[0m\n' "$*" >&2; }
+
+# need_packages FILE...: installs the Debian packages listed in the files that are not there yet.
+need_packages() {
+  local missing=() package
+  for package in $(sed 's/#.*//' "$@"); do
+    [ "$(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null)" = installed ] || missing+=("$package")
+  done
+  install_packages "${missing[@]}"
+}
+
+install_packages() {
+  [ $# -gt 0 ] || return 0
+  say "installing: $*"
+  local as_root=()
+  [ "$(id -u)" = 0 ] || as_root=(sudo)
+  "${as_root[@]}" apt-get update -qq
+  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends "$@" >&2
+}
+
+# need_node: Node.js 18 or newer with npm, from wherever it came.
+need_node() {
+  if ! command -v node >/dev/null || ! command -v npm >/dev/null; then install_packages nodejs npm; fi
+}
+
+# build PRESET [CMAKE-OPTION...]
+build() {
+  local preset=$1
+  shift
+  say "building ($preset)"
+  cmake --preset "$preset" "$@" >&2
+  cmake --build --preset "$preset" >&2
+}
