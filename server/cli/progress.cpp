@@ -16,11 +16,10 @@ void Progress::show(std::string_view label, float share) {
   const int percent = static_cast<int>(std::clamp(share, 0.0F, 1.0F) * 100.0F);
   const std::lock_guard lock(mutex_);
   if (label == label_ && percent == percent_) return;
-  const bool next = label != label_;
   label_ = label;
   percent_ = percent;
   if (!terminal_) {
-    if (next) log::info("preparing: " + label_);
+    if (announced_.insert(label_).second) log::info("preparing: " + label_);
     return;
   }
   const std::string done(static_cast<std::size_t>(percent * kBarWidth / 100), '#');

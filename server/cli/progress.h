@@ -1,6 +1,7 @@
 #pragma once
 
 #include <mutex>
+#include <set>
 #include <string>
 #include <string_view>
 
@@ -18,6 +19,7 @@ class Progress {
   std::mutex mutex_;
   std::string label_;
   int percent_ = -1;
+  std::set<std::string> announced_;
 };
 
 }  // namespace grove::cli

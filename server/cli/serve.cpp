@@ -12,6 +12,7 @@
 #include "objects/builtin.h"
 #include "pipeline/embedded.h"
 #include "pipeline/log.h"
+#include "stream/listen_address.h"
 #include "stream/websocket_server.h"
 #include "world/scene_file.h"
 
@@ -50,6 +51,8 @@ int runServe(const ServeOptions& options) {
     std::fprintf(stderr, "grove: --listen wants HOST:PORT, not '%s'\n", options.listen.c_str());
     return 2;
   }
+  // Known before the world is prepared, which takes seconds.
+  (void)stream::findListenAddress(address->host, address->port);
   const StopSignals stop;
   node::Registry registry;
   objects::registerBuiltinTypes(registry);

@@ -19,6 +19,7 @@ struct Image {
   world::Rect rect;
   std::span<std::uint32_t> colour;
   std::span<float> depth;
+  bool opaque = false;  ///< promises that every pixel's A is 255, which makes compositing cheaper
 
   [[nodiscard]] int width() const noexcept { return rect.width(); }
   [[nodiscard]] int height() const noexcept { return rect.height(); }

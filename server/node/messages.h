@@ -35,7 +35,7 @@ struct View {
 struct VisibleObject {
   world::Object object;
   world::Rect rect;       ///< screen box
-  float distance = 0.0F;  ///< metres from the eye to the middle of its bounds, the key of the order
+  float distance = 0.0F;  ///< metres from the eye to the farthest corner of its bounds, the key of the order
 };
 
 /// The Scene Analyzer's list, back to front; a request's slot is its index.

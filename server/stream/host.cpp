@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <future>
 #include <set>
 #include <utility>
 
@@ -22,9 +23,14 @@ Host::Host(world::World::Layout layout, const node::Registry& registry, gl::Work
   std::set<world::TypeIndex> types;
   for (const world::Object& object : world_.objects()) types.insert(object.type);
   if (world_.visitor()) types.insert(world_.visitor()->type);
+  std::vector<std::future<std::unique_ptr<node::BackendNode>>> prepared;
+  prepared.reserve(types.size());
   for (const world::TypeIndex type : types) {
-    backends_.push_back(std::make_unique<node::BackendNode>(registry_.type(type), type, services, *transport_));
+    prepared.push_back(std::async(std::launch::async, [this, type, services] {
+      return std::make_unique<node::BackendNode>(registry_.type(type), type, services, *transport_);
+    }));
   }
+  for (auto& backend : prepared) backends_.push_back(backend.get());
   clock_ = std::thread([this] { runClock(); });
 }
 

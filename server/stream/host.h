@@ -31,7 +31,8 @@ struct HostOptions {
 /// sessions. Knows no sockets.
 class Host {
  public:
-  /// Prepares the backends, which may take seconds; throws what they throw.
+  /// Prepares the backends, all at once, which may take seconds; throws what they throw. `progress` is called from any
+  /// thread.
   Host(world::World::Layout layout, const node::Registry& registry, gl::Workers& gl, const HostOptions& options,
        const std::function<void(std::string_view, float)>& progress);
   ~Host();

@@ -1,6 +1,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <array>
 #include <cstdio>
@@ -68,6 +71,23 @@ TEST(CommandLine, FailuresExitOneWithOneLine) {
   const Outcome nobody = grove("load ws://127.0.0.1:1/ --sessions 1 --seconds 1");
   EXPECT_EQ(nobody.exit, 1);
   EXPECT_EQ(lines(nobody.output), 1) << nobody.output;
+}
+
+TEST(CommandLine, APortInUseIsToldBeforeTheWorldIsPrepared) {
+  const int taken = socket(AF_INET, SOCK_STREAM, 0);
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  ASSERT_EQ(bind(taken, reinterpret_cast<sockaddr*>(&address), sizeof address), 0);
+  ASSERT_EQ(listen(taken, 1), 0);
+  socklen_t size = sizeof address;
+  getsockname(taken, reinterpret_cast<sockaddr*>(&address), &size);
+  const std::string port = std::to_string(ntohs(address.sin_port));
+  const Outcome outcome = grove("serve --listen 127.0.0.1:" + port);
+  close(taken);
+  EXPECT_EQ(outcome.exit, 1);
+  EXPECT_THAT(outcome.output, HasSubstr(port));
+  EXPECT_EQ(lines(outcome.output), 1) << outcome.output;
 }
 
 TEST(CommandLine, AMalformedSceneNamesItsLine) {

@@ -9,18 +9,23 @@ namespace {
 
 class Composite : public ::testing::Test {
  protected:
-  Composite() : frame(pool.acquire({0, 0, 64, 32})) { clear(*frame); }
+  Composite() : frame(pool.acquire({0, 0, 64, 32})), builder(*frame) {
+    std::ranges::fill(frame->colour, 0x12345678U);
+    std::ranges::fill(frame->depth, 0.25F);
+  }
 
-  void lay(const world::Rect& rect, std::uint32_t colour, float depth) {
+  void lay(const world::Rect& rect, std::uint32_t colour, float depth, bool opaque = false) {
     const auto layer = pool.acquire(rect);
     std::ranges::fill(layer->colour, colour);
     std::ranges::fill(layer->depth, depth);
-    compositeByDepth(*layer, *frame);
+    layer->opaque = opaque;
+    builder.lay(*layer);
   }
   [[nodiscard]] std::uint32_t at(int x, int y) const { return frame->colourRow(y)[x]; }
 
   ImagePool pool;
   std::shared_ptr<Image> frame;
+  FrameBuilder builder;
 };
 
 TEST_F(Composite, NearerWinsInAnyOrder) {
@@ -36,6 +41,7 @@ TEST_F(Composite, NearerWinsInAnyOrder) {
 
 TEST_F(Composite, StaysInsideItsRectangle) {
   lay({10, 8, 20, 16}, 0xFFFFFFFFU, 1.0F);
+  builder.finish();
   EXPECT_EQ(at(9, 8), 0xFF000000U);
   EXPECT_EQ(at(10, 7), 0xFF000000U);
   EXPECT_EQ(at(10, 8), 0xFFFFFFFFU);
@@ -62,6 +68,24 @@ TEST_F(Composite, WhatIsNotCoveredChangesNothing) {
   lay({0, 0, 64, 32}, 0U, 1.0F);
   EXPECT_EQ(at(5, 5), 0xFF123456U);
   EXPECT_FLOAT_EQ(frame->depthRow(5)[5], 9.0F);
+}
+
+TEST_F(Composite, AnOpaqueLayerIsLaidAsAnyOther) {
+  lay({0, 0, 64, 20}, 0xFF445566U, world::kInfiniteDepth, true);
+  lay({0, 10, 64, 32}, 0xFF778899U, 7.0F, true);
+  builder.finish();
+  EXPECT_EQ(at(5, 5), 0xFF445566U);
+  EXPECT_EQ(at(5, 15), 0xFF778899U);
+  EXPECT_EQ(at(5, 30), 0xFF778899U);
+  EXPECT_FLOAT_EQ(frame->depthRow(30)[5], 7.0F);
+  lay({0, 25, 64, 32}, 0xFFFFFFFFU, 9.0F, true);
+  EXPECT_EQ(at(5, 30), 0xFF778899U) << "farther than what is there";
+}
+
+TEST_F(Composite, FormerContentsNeverShow) {
+  builder.finish();
+  EXPECT_TRUE(std::ranges::all_of(frame->colour, [](std::uint32_t c) { return c == 0xFF000000U; }));
+  EXPECT_TRUE(std::ranges::all_of(frame->depth, [](float d) { return d == world::kInfiniteDepth; }));
 }
 
 TEST_F(Composite, SkyFillsWhereNothingIs) {

@@ -61,6 +61,11 @@ TEST(SceneAnalyzer, OrderFollowsTheViewerAcrossTheScene) {
   EXPECT_THAT(names(visibleObjects(world, view)), ElementsAre("behind", "near", "middle", "far"));
 }
 
+TEST(SceneAnalyzer, WhatEnclosesOthersComesBeforeThem) {
+  const world::World world = worldOf(kFourBoxes + "[[object]]\ntype='box'\nname='sky'\nsize=100\nscale=3\n");
+  EXPECT_THAT(names(visibleObjects(world, lookingAlong(0.0F))), ElementsAre("sky", "far", "middle", "near"));
+}
+
 TEST(SceneAnalyzer, EqualDistancesHaveOneOrder) {
   const world::World world = worldOf(R"(
 [[object]]

@@ -27,20 +27,40 @@ void compositeRow(const std::uint32_t* __restrict layerColour, const float* __re
   }
 }
 
-}  // namespace
-
-void clear(Image& frame) {
-  std::ranges::fill(frame.colour, kOpaqueBlack);
-  std::ranges::fill(frame.depth, world::kInfiniteDepth);
+void clearRow(Image& frame, int row) {
+  std::fill_n(frame.colourRow(row), frame.width(), kOpaqueBlack);
+  std::fill_n(frame.depthRow(row), frame.width(), world::kInfiniteDepth);
 }
 
-void compositeByDepth(const Image& layer, Image& frame) {
-  const world::Rect& rect = layer.rect;
+}  // namespace
+
+FrameBuilder::FrameBuilder(Image& frame) : frame_(frame), touched_(static_cast<std::size_t>(frame.height()), false) {
   assert(frame.rect.left == 0 && frame.rect.top == 0);
-  assert(rect.left >= 0 && rect.top >= 0 && rect.right <= frame.rect.right && rect.bottom <= frame.rect.bottom);
+}
+
+void FrameBuilder::lay(const Image& layer) {
+  const world::Rect& rect = layer.rect;
+  assert(rect.left >= 0 && rect.top >= 0 && rect.right <= frame_.rect.right && rect.bottom <= frame_.rect.bottom);
+  const bool covers = layer.opaque && layer.width() == frame_.width();
   for (int row = 0; row < layer.height(); ++row) {
-    compositeRow(layer.colourRow(row), layer.depthRow(row), frame.colourRow(rect.top + row) + rect.left,
-                 frame.depthRow(rect.top + row) + rect.left, layer.width());
+    const int y = rect.top + row;
+    const auto touched = touched_[static_cast<std::size_t>(y)];
+    if (!touched && covers) {
+      std::copy_n(layer.colourRow(row), layer.width(), frame_.colourRow(y));
+      std::copy_n(layer.depthRow(row), layer.width(), frame_.depthRow(y));
+    } else {
+      if (!touched) clearRow(frame_, y);
+      compositeRow(layer.colourRow(row), layer.depthRow(row), frame_.colourRow(y) + rect.left,
+                   frame_.depthRow(y) + rect.left, layer.width());
+    }
+    touched_[static_cast<std::size_t>(y)] = true;
+  }
+}
+
+void FrameBuilder::finish() {
+  for (int row = 0; row < frame_.height(); ++row) {
+    if (!touched_[static_cast<std::size_t>(row)]) clearRow(frame_, row);
+    touched_[static_cast<std::size_t>(row)] = true;
   }
 }
 

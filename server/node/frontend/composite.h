@@ -1,14 +1,28 @@
 #pragma once
 
+#include <vector>
+
 #include "node/image.h"
 
 namespace grove::node {
 
-/// Makes every pixel black, opaque and infinitely far.
-void clear(Image& frame);
+/// Puts a frame together from layers. The frame's former contents do not matter: a row is cleared (black, opaque,
+/// infinitely far) when the first layer touches it, unless that layer covers it.
+class FrameBuilder {
+ public:
+  /// `frame` starts at (0, 0) and outlives the builder.
+  explicit FrameBuilder(Image& frame);
 
-/// Lays a layer over the whole frame wherever it is not farther than what is there, blended by its coverage. Pixels
-/// that are covered for more than half take over the layer's depth. The layer's rectangle must lie within the frame.
-void compositeByDepth(const Image& layer, Image& frame);
+  /// Lays a layer over the frame wherever it is not farther than what is there, blended by its coverage. Pixels that
+  /// are covered for more than half take over the layer's depth. The layer's rectangle must lie within the frame.
+  void lay(const Image& layer);
+
+  /// Clears the rows that no layer touched.
+  void finish();
+
+ private:
+  Image& frame_;
+  std::vector<bool> touched_;  // by row
+};
 
 }  // namespace grove::node

@@ -50,12 +50,13 @@ void Compositor::process(std::span<CompositorInput> inputs, pipeline::Run& run) 
 std::shared_ptr<const Image> Compositor::composite(const CompleteFrame& frame) {
   const View& view = *frame.list->view;
   const auto image = images_.acquire({0, 0, view.camera.width, view.camera.height});
-  clear(*image);
+  FrameBuilder builder(*image);
   const auto& objects = frame.list->objects;
   for (const Payload& payload : frame.payloads) {
     const auto* layer = std::get_if<std::shared_ptr<const Image>>(&payload);
-    if (layer != nullptr && *layer) compositeByDepth(**layer, *image);
+    if (layer != nullptr && *layer) builder.lay(**layer);
   }
+  builder.finish();
   for (std::size_t i = 0; i < objects.size(); ++i) {
     if (std::holds_alternative<Failure>(frame.payloads[i])) continue;
     if (FrontendHalf* half = halfOf(objects[i].object.type)) half->draw(objects[i], frame.payloads[i], view, *image);

@@ -7,13 +7,21 @@
 
 namespace grove::node {
 
+namespace {
+
+float farthest(const world::Bounds& bounds, world::Vec3 from) {
+  return glm::length(glm::max(glm::abs(bounds.low - from), glm::abs(bounds.high - from)));
+}
+
+}  // namespace
+
 std::vector<VisibleObject> visibleObjects(const world::World& world, const View& view) {
   std::vector<VisibleObject> visible;
   const auto consider = [&](const world::Object& object) {
     if (!view.camera.sees(object.bounds)) return;
     const world::Rect rect = view.camera.screenRect(object.bounds);
     if (rect.empty()) return;
-    visible.push_back({object, rect, glm::distance(object.bounds.centre(), view.camera.pose.position)});
+    visible.push_back({object, rect, farthest(object.bounds, view.camera.pose.position)});
   };
   for (const world::Object& object : world.objects()) consider(object);
   for (const world::Player& player : view.players) {

@@ -19,8 +19,9 @@ struct FrameTicket {
 
 inline pipeline::TraceTag traceTag(const FrameTicket& ticket) { return {ticket.session, ticket.frame}; }
 
-/// The objects of the world whose bounds the camera sees, back to front by the distance of their middles, the nearest
-/// kMostObjectsPerFrame of them. The viewer's own figure is left out.
+/// The objects of the world whose bounds the camera sees, back to front by the distance of their farthest corners, so
+/// that what encloses others (the sky, the ground) comes before them; the nearest kMostObjectsPerFrame of them. The
+/// viewer's own figure is left out.
 [[nodiscard]] std::vector<VisibleObject> visibleObjects(const world::World& world, const View& view);
 
 /// First box of Figure 4.2: reads the camera, as late as possible, finds what it sees, and sends the sorted list to
