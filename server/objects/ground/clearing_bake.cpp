@@ -20,10 +20,11 @@ constexpr int kSkyRays = 32;             // a cell near solids
 constexpr float kOcclusionReach = 3.0F;  // metres around solids within which they darken the sky
 constexpr float kStart = 0.03F;          // metres above the ground
 // What lies under a stone is never seen, but lends its values to the grass at the stone's foot: no deep darkness, and
-// the light of the side that it is nearest to.
+// sunlight only close to the side that the sun shines on, or a bright seam would part the stone from its shadow.
 constexpr float kLeastSky = 0.45F;
-constexpr float kStoneMargin = 0.35F;  // metres
-constexpr int kCell = 4;               // texels between probes of sun and sky
+constexpr float kStoneMargin = 0.13F;   // metres
+constexpr float kTallestSolid = 12.0F;  // metres
+constexpr int kCell = 4;                // texels between probes of sun and sky
 
 /// Ray directions to the sun's disc, spread by the golden angle.
 Vec3 towardsSun(int ray) {
@@ -137,14 +138,15 @@ class Baker {
 
   [[nodiscard]] float openness(Vec3 point) const {
     int free = 0;
-    for (int ray = 0; ray < kSkyRays; ++ray) free += rays_.occluded(point, towardsSky(ray), 0.0F, 12.0F) ? 0 : 1;
+    for (int ray = 0; ray < kSkyRays; ++ray)
+      free += rays_.occluded(point, towardsSky(ray), 0.0F, kTallestSolid) ? 0 : 1;
     return static_cast<float>(free) / kSkyRays;
   }
 
   [[nodiscard]] float sunlight(Vec3 point, float cellX, float cellY) const {
     const auto x = static_cast<int>(cellX);
     const auto y = static_cast<int>(cellY);
-    if (sky_.at(x, y) == 0.0F) {
+    if (near_.at(x, y) == 0.0F && rays_.occluded(point, Vec3(0, 1, 0), 0.0F, kTallestSolid)) {
       const Vec3 sunward = glm::normalize(world::sunDirection() * Vec3(1, 0, 1));
       return rays_.occluded(point + sunward * kStoneMargin, world::sunDirection()) ? 0.0F : 1.0F;
     }

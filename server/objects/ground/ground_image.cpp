@@ -2,64 +2,26 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
+
+#include "objects/ground/grass_rows.h"
+#include "objects/ground/shade_rows.h"
 
 namespace grove::objects::ground {
 namespace {
 
-constexpr float kFarthest = 140.0F;  // metres; there the forest of the sky's panorama begins
 constexpr std::size_t kMostLights = 8;
-
-Frame frameOf(const world::Camera& camera) {
-  const float sine = std::sin(camera.pose.pitch);
-  const float cosine = std::cos(camera.pose.pitch);
-  const float vStep = -2.0F * camera.tanHalfY() / static_cast<float>(camera.height);
-  const float v0 = camera.tanHalfY() + 0.5F * vStep;
-  const float yaw = camera.pose.yaw;
-  Frame frame;
-  frame.eyeX = camera.pose.position.x;
-  frame.eyeY = camera.pose.position.y;
-  frame.eyeZ = camera.pose.position.z;
-  frame.forwardX = -std::sin(yaw);
-  frame.forwardZ = -std::cos(yaw);
-  frame.sideX = std::cos(yaw);
-  frame.sideZ = -std::sin(yaw);
-  frame.sideStep = 2.0F * camera.tanHalfX() / static_cast<float>(camera.width);
-  frame.firstSide = 0.5F * frame.sideStep - camera.tanHalfX();
-  frame.firstInverse = -(sine + v0 * cosine) / frame.eyeY;
-  frame.inverseStep = -vStep * cosine / frame.eyeY;
-  frame.firstAhead = cosine - v0 * sine;
-  frame.aheadStep = -vStep * sine;
-  frame.focal = camera.focal();
-  return frame;
-}
-
-/// How far apart neighbouring pixels of a row are on the ground, in metres.
-struct Footprint {
-  float across = 0.0F;
-  float along = 0.0F;
-};
-
-Footprint footprintOf(const Frame& frame, const Row& row) {
-  const float flat = std::max(0.05F, std::fabs(row.ahead));
-  return {row.depth * frame.sideStep, row.depth * row.depth * frame.inverseStep * flat};
-}
+constexpr int kMostRowStep = 4;  // rows between samples of light and soil
 
 int levelFor(float texels, const Pyramid& pyramid) {
   return std::clamp(static_cast<int>(std::floor(std::log2(std::max(texels, 1.0F)) + 0.5F)), 0, pyramid.levels() - 2);
 }
 
-/// More taps where the ground is seen at a flatter angle; then the level that leaves neither holes nor mush.
-MeadowSampling samplingFor(const Footprint& footprint, const Meadow& meadow) {
-  const float texel = meadow.metres / static_cast<float>(meadow.pyramid.size());
-  MeadowSampling sampling;
-  sampling.taps = footprint.along < 2.0F * texel ? 1 : footprint.along < 8.0F * footprint.across ? 2 : 4;
-  const float even = std::sqrt(footprint.across * footprint.along);
-  const float size = std::max(footprint.across, std::min(even, footprint.along / static_cast<float>(sampling.taps)));
-  const float lod = std::clamp(std::log2(size / texel), 0.0F, static_cast<float>(meadow.pyramid.levels() - 2));
-  sampling.level = static_cast<int>(lod);
-  sampling.coarser = lod - std::floor(lod);
-  return sampling;
+/// Rows from this one to the next that light and soil are sampled at: fewer where the ground is seen at a flat angle.
+int rowStep(const Frame& frame, int row) {
+  const float along = rowAt(frame, row & ~(kMostRowStep - 1)).along;
+  return along < 0.10F ? kMostRowStep : along < 0.6F ? 2 : 1;
 }
 
 /// Rows nearer to the eye whose grass can reach up to this row.
@@ -83,45 +45,93 @@ std::vector<world::PointLight> nearestLights(std::span<const world::PointLight> 
   return nearest;
 }
 
+/// What the tiles of a row have in common.
+struct RowPlan {
+  Row row;
+  int reach = 0;  // rows nearer to the eye whose grass can be seen in this one
+  MeadowSampling sampling;
+};
+
 /// Works on one tile from its nearest row up, because a row looks for its grass in the rows below.
 class TilePainter {
  public:
   TilePainter(const GroundMaps& maps, const Frame& frame, std::span<const world::PointLight> lights, node::Image& image)
-      : maps_(maps), frame_(frame), lights_(lights), image_(image) {}
+      : maps_(maps), frame_(frame), lights_(lights), image_(image) {
+    const int lowest = image.rect.bottom - 1 + reachOf(frame, image.rect.bottom - 1);
+    for (int y = lowest; y >= image.rect.top; --y) {
+      const Row row = rowAt(frame, y);
+      plans_.push_back({row, reachOf(frame, y), samplingFor(row, maps.meadow)});
+    }
+  }
 
   void paint(int firstColumn) {
-    const world::Rect rect = image_.rect;
-    const int lowest = rect.bottom - 1 + reachOf(frame_, rect.bottom - 1);
-    const int left = std::max(firstColumn, rect.left);
-    const int right = std::min(firstColumn + kTile, rect.right);
-    for (int y = lowest; y >= rect.top; --y) {
-      const Row row = rowAt(frame_, y);
-      const Footprint footprint = footprintOf(frame_, row);
-      const float texel = maps_.clearing.metres / static_cast<float>(maps_.clearing.pyramid.size());
-      const float even = std::sqrt(footprint.across * kCoarse * footprint.along);
-      sampleClearing(frame_, row, firstColumn, maps_.clearing, levelFor(even / texel, maps_.clearing.pyramid),
-                     maps_.daylight, lights_, coarse_);
-      refine(coarse_, fine_);
-      const MeadowSampling sampling = samplingFor(footprint, maps_.meadow);
-      growGrass(frame_, row, firstColumn, maps_.meadow, sampling, fine_, grass_);
-      if (y >= rect.bottom) continue;
-      findRoots(y, reachOf(frame_, y), grass_);
-      shadeRow(frame_, row, firstColumn, maps_.meadow, sampling, fine_, grass_, maps_.tone, colour_.data(),
-               depth_.data());
-      std::copy(colour_.begin() + (left - firstColumn), colour_.begin() + (right - firstColumn),
-                image_.colourRow(y - rect.top) + (left - rect.left));
-      std::copy(depth_.begin() + (left - firstColumn), depth_.begin() + (right - firstColumn),
-                image_.depthRow(y - rect.top) + (left - rect.left));
+    firstColumn_ = firstColumn;
+    near_.row = far_.row = kNoRow;
+    for (const RowPlan& plan : plans_) {
+      const FineSoil& soil = soilAt(plan.row.row);
+      growGrass(frame_, plan.row, firstColumn, maps_.meadow, plan.sampling, soil, grass_);
+      if (plan.row.row >= image_.rect.bottom) continue;
+      findRoots(plan.row.row, plan.reach, grass_);
+      shade(plan.row, soil);
     }
   }
 
  private:
+  static constexpr int kNoRow = -1;
+  struct SampledRow {
+    int row = kNoRow;
+    SampledSoil soil;
+  };
+
+  void sample(int row, SampledRow& out) const {
+    const Row at = rowAt(frame_, row);
+    const float texel = maps_.clearing.metres / static_cast<float>(maps_.clearing.pyramid.size());
+    const float area = at.across * kCoarse * at.along * static_cast<float>(rowStep(frame_, row));
+    sampleSoil(frame_, at, firstColumn_, maps_.clearing, levelFor(std::sqrt(area) / texel, maps_.clearing.pyramid),
+               maps_.daylight, maps_.tone, lights_, out.soil);
+    out.row = row;
+  }
+
+  /// Between the two sampled rows around `row`.
+  const FineSoil& soilAt(int row) {
+    const int step = rowStep(frame_, row);
+    const int top = row & ~(step - 1);
+    if (far_.row != top) {
+      if (far_.row == top + step) {
+        std::swap(near_, far_);
+      } else if (row != top) {
+        sample(top + step, near_);
+      }
+      sample(top, far_);
+    }
+    const float share = static_cast<float>(row - top) / static_cast<float>(step);
+    mixSoil(far_.soil, row == top ? far_.soil : near_.soil, share, soil_);
+    return soil_;
+  }
+
+  /// Straight into the image, or by way of a buffer where the image holds only a part of the tile.
+  void shade(const Row& row, const FineSoil& soil) {
+    const world::Rect rect = image_.rect;
+    const int y = row.row - rect.top;
+    const int left = std::max(firstColumn_, rect.left);
+    const int right = std::min(firstColumn_ + kTile, rect.right);
+    std::uint32_t* colour = image_.colourRow(y) + (left - rect.left);
+    float* depth = image_.depthRow(y) + (left - rect.left);
+    if (right - left == kTile) return shadeRow(frame_, row, soil, grass_, colour, depth);
+    shadeRow(frame_, row, soil, grass_, colour_.data(), depth_.data());
+    std::copy(colour_.begin() + (left - firstColumn_), colour_.begin() + (right - firstColumn_), colour);
+    std::copy(depth_.begin() + (left - firstColumn_), depth_.begin() + (right - firstColumn_), depth);
+  }
+
   const GroundMaps& maps_;
   const Frame& frame_;
   std::span<const world::PointLight> lights_;
   node::Image& image_;
-  CoarseRow coarse_;
-  FineRow fine_;
+  std::vector<RowPlan> plans_;  // from the nearest up
+  int firstColumn_ = 0;
+  SampledRow near_;
+  SampledRow far_;
+  FineSoil soil_;
   GrassRows grass_;
   alignas(64) std::array<std::uint32_t, kTile> colour_;
   alignas(64) std::array<float, kTile> depth_;
@@ -138,6 +148,7 @@ std::shared_ptr<const node::Image> groundImage(const GroundMaps& maps, const wor
   if (rect.empty()) return nullptr;
 
   const auto image = images.acquire(rect);
+  image->opaque = true;
   const std::vector<world::PointLight> nearest = nearestLights(lights, camera.pose.position);
   TilePainter painter(maps, frame, nearest, *image);
   for (int column = rect.left / kTile * kTile; column < rect.right; column += kTile) painter.paint(column);

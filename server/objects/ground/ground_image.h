@@ -5,7 +5,7 @@
 
 #include "node/image.h"
 #include "objects/ground/clearing_bake.h"
-#include "objects/ground/ground_rows.h"
+#include "objects/ground/daylight.h"
 #include "objects/ground/meadow_bake.h"
 #include "world/camera.h"
 

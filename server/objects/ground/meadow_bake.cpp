@@ -30,7 +30,8 @@ class Patch {
     auto& texel =
         texels_[static_cast<std::size_t>(row) * static_cast<std::size_t>(size_) + static_cast<std::size_t>(column)];
     if (height >= static_cast<float>(texel >> 24U) / 255.0F) {
-      texel = packTexel(colour.r * 0.5F, colour.g * 0.5F, colour.b * 0.5F, height);
+      const Vec3 root = glm::sqrt(colour) * (1.0F / (kMeadowStep * 255.0F));
+      texel = packTexel(root.r, root.g, root.b, height);
     }
   }
 
@@ -75,28 +76,32 @@ class Gardener {
     for (float y = 0.5F; y < size_; ++y) {
       for (float x = 0.5F; x < size_; ++x) {
         const float n = unit();
-        patch_.plot(x, y, Vec3(0.50F, 0.42F, 0.34F) * (0.5F + 0.6F * n), 0.03F * n);
+        patch_.plot(x, y, Vec3(0.44F, 0.42F, 0.33F) * (0.5F + 0.6F * n), 0.03F * n);
       }
     }
   }
 
+  /// How well grass grows, 0 to 1.
+  float tuftAt(Vec2 at) const {
+    return glm::smoothstep(0.25F, 0.75F, 0.6F * clumps(at, 9.0F, 3.0F) + 0.4F * clumps(at, 27.0F, 8.0F));
+  }
+
   void blade() {
     const Vec2 root = place();
-    const float tuft =
-        glm::smoothstep(0.25F, 0.75F, 0.6F * clumps(root, 9.0F, 3.0F) + 0.4F * clumps(root, 27.0F, 8.0F));
+    const float tuft = tuftAt(root);
     const float tall = (0.22F + 0.62F * tuft) * (0.55F + 0.45F * unit());
     const float angle = 2.0F * std::numbers::pi_v<float> * unit();
     const float lean = texels(kTallest * tall * (0.15F + 0.65F * unit()));
     const Vec2 way(std::cos(angle), std::sin(angle));
-    Vec3 colour = glm::mix(Vec3(0.70F, 0.86F, 0.62F), Vec3(1.22F, 1.12F, 0.95F), unit());
-    if (unit() < 0.10F) colour = Vec3(1.75F, 1.35F, 1.10F);  // dry straw
+    Vec3 colour = glm::mix(Vec3(0.70F, 0.86F, 0.62F), Vec3(1.12F, 1.14F, 0.92F), unit());
+    if (unit() < 0.07F) colour = Vec3(1.75F, 1.35F, 1.10F);  // dry straw
     colour *= 0.72F + 0.45F * tuft;
     const float steps = std::max(1.0F, std::ceil(lean * 1.4F));
     for (float step = 0.0F; step <= steps; ++step) {
       const float share = step / steps;
       const Vec2 at = root + way * (lean * share * share);
       // Tips are thin and catch the light.
-      patch_.plot(at.x, at.y, colour * (0.80F + 0.35F * share), tall * (0.55F + 0.45F * share));
+      patch_.plot(at.x, at.y, colour * (0.62F + 0.58F * share), tall * (0.55F + 0.45F * share));
     }
   }
 
@@ -115,7 +120,8 @@ class Gardener {
     const Vec3 colour = kind < 0.45F  ? Vec3(1.99F, 1.9F, 1.99F)
                         : kind < 0.8F ? Vec3(1.99F, 1.6F, 0.35F)
                                       : Vec3(1.5F, 0.9F, 1.99F);
-    disc(middle, texels(0.004F + 0.003F * unit()), colour, 0.42F + 0.30F * unit());
+    // No higher than the grass around it: what stands out is drawn in its colour down to the ground.
+    disc(middle, texels(0.004F + 0.004F * unit()), colour, 0.24F + 0.56F * tuftAt(middle));
   }
 
   void disc(Vec2 middle, float radius, Vec3 colour, float height) {
@@ -135,7 +141,7 @@ class Gardener {
 }  // namespace
 
 Meadow bakeMeadow(int size, float metres, int seed) {
-  return {Pyramid(size, Gardener(size, metres, seed).work()), metres};
+  return {Pyramid(size, Gardener(size, metres, seed).work()).inBlocks(), metres};
 }
 
 }  // namespace grove::objects::ground

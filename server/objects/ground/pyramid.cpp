@@ -47,6 +47,24 @@ const std::uint32_t* Pyramid::level(int index) const noexcept {
   return texels_.data() + levels_[static_cast<std::size_t>(index)];
 }
 
+Pyramid Pyramid::inBlocks() const {
+  constexpr std::size_t kSide = kBlock;
+  Pyramid blocks = *this;
+  for (std::size_t i = 0; i < levels_.size(); ++i) {
+    const std::size_t size = static_cast<std::size_t>(size_) >> i;
+    if (size < kSide) break;
+    const std::uint32_t* from = texels_.data() + levels_[i];
+    std::uint32_t* to = blocks.texels_.data() + levels_[i];
+    for (std::size_t y = 0; y < size; ++y) {
+      for (std::size_t x = 0; x < size; ++x) {
+        const std::size_t block = y / kSide * kSide * size + x / kSide * kSide * kSide;
+        to[block + y % kSide * kSide + x % kSide] = from[y * size + x];
+      }
+    }
+  }
+  return blocks;
+}
+
 std::uint32_t packTexel(float r, float g, float b, float a) noexcept {
   const auto byte = [](float value) {
     return static_cast<std::uint32_t>(std::clamp(value, 0.0F, 1.0F) * 255.0F + 0.5F);

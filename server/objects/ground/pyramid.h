@@ -10,6 +10,7 @@ namespace grove::objects::ground {
 class Pyramid {
  public:
   static constexpr int kMostLevels = 16;
+  static constexpr int kBlock = 4;  ///< texels a side of what inBlocks() keeps together
 
   /// Averages `finest` (size x size texels) down to a single texel.
   Pyramid(int size, std::vector<std::uint32_t> finest);
@@ -19,6 +20,10 @@ class Pyramid {
   /// Level 0 is the finest; level i has size() >> i texels a side, rows without gaps. All levels lie in one array, each
   /// after the finer one.
   [[nodiscard]] const std::uint32_t* level(int index) const noexcept;
+
+  /// The same with the texels of each level that is large enough in blocks of kBlock x kBlock, row by row within a
+  /// block and block by block along a row of blocks: a line in any direction meets few cache lines and pages.
+  [[nodiscard]] Pyramid inBlocks() const;
 
  private:
   const int size_;

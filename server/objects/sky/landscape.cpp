@@ -32,6 +32,11 @@ const std::array<Ridge, kRidges> kRidge = {{
     {0.003F, 0.008F, 9.0F, 0.050F, 640, 85.0F, {0.055F, 0.075F, 0.032F}},
 }};
 
+/// Tangents of elevation between which the meadow's mist thins out.
+constexpr float kMistFloor = -0.012F;
+constexpr float kMistTop = 0.022F;
+constexpr float kMist = 0.72F;
+
 /// Noise around the circle without a seam.
 float around(float heading, float features, float seed) {
   const float radius = features * 0.5F * std::numbers::inv_pi_v<float> * 2.0F;
@@ -100,8 +105,10 @@ Vec3 landscapeOver(Vec3 behind, const Skyline& skyline, Vec3 direction, float he
         Vec3(std::cos(heading) * grain * 2.0F, std::sin(heading) * grain * 2.0F, tangent * grain * 2.2F + seed), 3);
     const Vec3 light = world::ambient(Vec3(0.0F, 0.35F, 0.0F)) + world::sunColour() * (0.85F * facing * facing);
     const Vec3 surface = ridge.albedo * light * (0.35F + 1.3F * leaves);
-    // Mist gathers in the hollows.
-    const float mist = 0.12F * std::exp(-std::max(0.0F, tangent) / (0.004F + 0.22F * std::max(0.0F, skyline.tops[i])));
+    // Mist gathers in the hollows, and lies on the meadow's far end, which the ground's renderer hides in it too.
+    const float hollow =
+        0.12F * std::exp(-std::max(0.0F, tangent) / (0.004F + 0.22F * std::max(0.0F, skyline.tops[i])));
+    const float mist = std::max(hollow, kMist * glm::smoothstep(kMistTop, kMistFloor, tangent));
     const float air = 1.0F - (1.0F - world::hazeAmount(ridge.distance)) * (1.0F - mist);
     colour = glm::mix(colour, glm::mix(surface, haze, air), cover);
   }

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "world/camera.h"
+
 namespace grove::objects::sky {
 namespace {
 
@@ -61,15 +63,33 @@ void sampleRow(const Panorama& panorama, const RowOfRays& rays, int count, std::
   }
 }
 
-void widenRow(const std::uint32_t* __restrict above, const std::uint32_t* __restrict below, int count,
-              std::uint32_t* __restrict colour) {
-  for (int i = 0; i < count / 2; ++i) {
+namespace {
+
+template <unsigned kStep>
+void widen(const std::uint32_t* __restrict above, const std::uint32_t* __restrict below, int count,
+           std::uint32_t* __restrict colour) {
+  const int steps = (count + static_cast<int>(kStep) - 1) / static_cast<int>(kStep);
+  for (int i = 0; i < steps; ++i) {
     const std::uint32_t left = mixTexels(above[i], below[i], 128U);
     const std::uint32_t right = mixTexels(above[i + 1], below[i + 1], 128U);
-    colour[2 * i] = left;
-    colour[2 * i + 1] = mixTexels(left, right, 128U);
+    std::uint32_t* __restrict out = colour + i * static_cast<int>(kStep);
+    out[0] = left;
+    for (unsigned j = 1; j < kStep; ++j) out[j] = mixTexels(left, right, 256U / kStep * j);
   }
-  if (count % 2 == 1) colour[count - 1] = mixTexels(above[count / 2], below[count / 2], 128U);
+}
+
+}  // namespace
+
+void widenRow(const std::uint32_t* above, const std::uint32_t* below, int step, int count, std::uint32_t* colour) {
+  if (step == 2) {
+    widen<2>(above, below, count, colour);
+  } else {
+    widen<4>(above, below, count, colour);
+  }
+}
+
+void fillDepth(int count, float* depth) {
+  for (int i = 0; i < count; ++i) depth[i] = world::kInfiniteDepth;
 }
 
 }  // namespace grove::objects::sky

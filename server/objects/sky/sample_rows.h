@@ -19,8 +19,12 @@ struct RowOfRays {
 /// Fills `count` pixels by bilinear look-up. A vectorised loop.
 void sampleRow(const Panorama& panorama, const RowOfRays& rays, int count, std::uint32_t* colour);
 
-/// Widens a row of samples, taken at every second pixel of two rows, to all `count` pixels of the row between them (of
-/// either row, if both are the same). A vectorised loop over `above` and `below`, which hold count / 2 + 2 samples.
-void widenRow(const std::uint32_t* above, const std::uint32_t* below, int count, std::uint32_t* colour);
+/// Widens a row of samples, taken at every `step`-th pixel (2 or 4) of two rows, to all `count` pixels of the row
+/// between them (of either row, if both are the same). A vectorised loop over `above` and `below`, which hold
+/// count / step + 2 samples; `colour` has room for a whole last step.
+void widenRow(const std::uint32_t* above, const std::uint32_t* below, int step, int count, std::uint32_t* colour);
+
+/// Sets `count` depths to that of the sky. A vectorised loop.
+void fillDepth(int count, float* depth);
 
 }  // namespace grove::objects::sky

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "objects/sky/sample_rows.h"
+#include "world/light.h"
 
 namespace grove::objects::sky {
 namespace {
@@ -12,8 +13,12 @@ namespace {
 /// Rows that sink by more than this per metre of depth are covered by the ground, which hides its own far end in haze.
 constexpr float kLowestRise = -0.02F;
 
-/// Above this tangent of elevation there is only soft sky, for which every second pixel is enough.
-constexpr float kSoftTangent = 0.15F;
+/// Above this tangent of elevation there is only soft sky, for which every fourth pixel of every second row is enough:
+/// clouds are drawn out along the horizon. Near the sun it takes every second pixel.
+constexpr float kSoftTangent = 0.105F;
+constexpr int kSoftStep = 4;
+constexpr int kSunStep = 2;
+constexpr float kSunReach = 0.035F;  // radians from the sun's middle
 
 /// Samples rows of one camera.
 class SkyRows {
@@ -23,12 +28,23 @@ class SkyRows {
         camera_(camera),
         cosine_(std::cos(camera.pose.pitch)),
         sine_(std::sin(camera.pose.pitch)),
-        sideStep_(2.0F * camera.tanHalfX() / static_cast<float>(camera.width)) {}
+        tanHalfX_(camera.tanHalfX()),
+        tanHalfY_(camera.tanHalfY()),
+        sideStep_(2.0F * tanHalfX_ / static_cast<float>(camera.width)) {}
 
   /// Whether all of a row is above the landscape.
   [[nodiscard]] bool soft(int row) const {
     const RowOfRays rays = at(row, 0, 1);
-    return rays.up > kSoftTangent * std::hypot(rays.ahead, camera_.tanHalfX());
+    return rays.up > kSoftTangent * std::hypot(rays.ahead, tanHalfX_);
+  }
+
+  /// Whether the sun's disc may be in a row.
+  [[nodiscard]] bool sunny(int row) const {
+    // A row is a plane through the eye, and the sun is as far from it as their angle.
+    const float v = slope(row);
+    const world::Vec3 sun = world::sunDirection();
+    const float off = glm::dot(sun, camera_.pose.up()) - v * glm::dot(sun, camera_.pose.forward());
+    return std::fabs(off) < kSunReach * std::hypot(1.0F, v);
   }
 
   /// `count` pixels of a row, `step` apart.
@@ -37,10 +53,15 @@ class SkyRows {
   }
 
  private:
-  [[nodiscard]] RowOfRays at(int row, int first, int step) const {
+  /// Upwards for one metre of view depth.
+  [[nodiscard]] float slope(int row) const {
     const float y = (static_cast<float>(row) + 0.5F) / static_cast<float>(camera_.height);
-    const float v = (1.0F - 2.0F * y) * camera_.tanHalfY();
-    const float firstSide = (static_cast<float>(first) + 0.5F) * sideStep_ - camera_.tanHalfX();
+    return (1.0F - 2.0F * y) * tanHalfY_;
+  }
+
+  [[nodiscard]] RowOfRays at(int row, int first, int step) const {
+    const float v = slope(row);
+    const float firstSide = (static_cast<float>(first) + 0.5F) * sideStep_ - tanHalfX_;
     return {camera_.pose.yaw, cosine_ - v * sine_, sine_ + v * cosine_, firstSide,
             sideStep_ * static_cast<float>(step)};
   }
@@ -49,26 +70,34 @@ class SkyRows {
   const world::Camera& camera_;
   const float cosine_;
   const float sine_;
+  const float tanHalfX_;
+  const float tanHalfY_;
   const float sideStep_;
 };
 
-/// Samples of every second pixel of every second row of the frame, whatever part of it is asked for.
+/// Samples of every `step`-th pixel of every second row of the frame, whatever part of it is asked for.
 class SoftRows {
  public:
-  SoftRows(const SkyRows& rows, world::Rect rect)
-      : rows_(rows), first_(rect.left & ~1), skip_(rect.left & 1), count_(rect.width()) {
-    const auto samples = static_cast<std::size_t>((count_ + skip_) / 2 + 2);
+  SoftRows(const SkyRows& rows, world::Rect rect, int step)
+      : rows_(rows), step_(step), first_(rect.left / step * step), skip_(rect.left - first_), count_(rect.width()) {
+    const auto samples = static_cast<std::size_t>((count_ + skip_) / step + 2);
     even_.resize(samples);
     next_.resize(samples);
-    wide_.resize(static_cast<std::size_t>(count_ + skip_));
+    wide_.resize(static_cast<std::size_t>(count_ + skip_ + step));
   }
 
   void fill(int row, std::uint32_t* colour) {
+    const bool even = row % 2 == 0;
     load(row & ~1);
-    if (row % 2 == 1) sampleInto(next_, row + 1);
-    widenRow(even_.data(), row % 2 == 1 ? next_.data() : even_.data(), count_ + skip_, wide_.data());
-    std::copy(wide_.begin() + skip_, wide_.end(), colour);
-    if (row % 2 == 1) {
+    if (!even) sampleInto(next_, row + 1);
+    const auto& below = even ? even_ : next_;
+    if (skip_ == 0 && count_ % step_ == 0) {
+      widenRow(even_.data(), below.data(), step_, count_, colour);
+    } else {
+      widenRow(even_.data(), below.data(), step_, count_ + skip_, wide_.data());
+      std::copy_n(wide_.begin() + skip_, count_, colour);
+    }
+    if (!even) {
       even_.swap(next_);
       loaded_ = row + 1;
     }
@@ -80,10 +109,11 @@ class SoftRows {
     loaded_ = row;
   }
   void sampleInto(std::vector<std::uint32_t>& samples, int row) const {
-    rows_.sample(row, first_, 2, static_cast<int>(samples.size()), samples.data());
+    rows_.sample(row, first_, step_, static_cast<int>(samples.size()), samples.data());
   }
 
   const SkyRows& rows_;
+  const int step_;
   const int first_;
   const int skip_;
   const int count_;
@@ -102,17 +132,19 @@ std::shared_ptr<const node::Image> skyImage(const Panorama& panorama, const worl
   if (rect.empty()) return nullptr;
 
   const auto image = images.acquire(rect);
+  image->opaque = true;
   const SkyRows rows(panorama, camera);
-  SoftRows softRows(rows, rect);
+  SoftRows softRows(rows, rect, kSoftStep);
+  SoftRows sunnyRows(rows, rect, kSunStep);
   for (int row = rect.top; row < rect.bottom; ++row) {
     std::uint32_t* colour = image->colourRow(row - rect.top);
     if (rows.soft(row)) {
-      softRows.fill(row, colour);
+      (rows.sunny(row) ? sunnyRows : softRows).fill(row, colour);
     } else {
       rows.sample(row, rect.left, 1, rect.width(), colour);
     }
+    fillDepth(rect.width(), image->depthRow(row - rect.top));
   }
-  std::ranges::fill(image->depth, world::kInfiniteDepth);
   return image;
 }
 

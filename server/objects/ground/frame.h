@@ -1,0 +1,43 @@
+#pragma once
+
+#include "world/camera.h"
+
+namespace grove::objects::ground {
+
+inline constexpr int kTile = 320;  ///< columns that are worked on together
+inline constexpr int kLanes = 16;  ///< floats in a vector: the hot loops work on so many columns at once
+
+/// How far the meadow reaches, in metres; there the forest of the sky's panorama begins.
+inline constexpr float kFarthest = 140.0F;
+
+/// What the rows of a frame have in common. A camera never rolls, so all pixels of a row meet the plane at one depth,
+/// and their points lie on a line. A pixel's ray is `ahead * forwards + side * sidewards` in the plane and `rise`
+/// upwards, for one metre of view depth.
+struct Frame {
+  float eyeX = 0.0F, eyeY = 0.0F, eyeZ = 0.0F;
+  float forwardX = 0.0F, forwardZ = 0.0F;         ///< unit, horizontal
+  float sideX = 0.0F, sideZ = 0.0F;               ///< unit, horizontal
+  float firstSide = 0.0F, sideStep = 0.0F;        ///< of the frame's columns
+  float firstInverse = 0.0F, inverseStep = 0.0F;  ///< 1/depth of the frame's rows
+  float firstAhead = 0.0F, aheadStep = 0.0F;      ///< of the frame's rows
+  float focal = 0.0F;                             ///< pixels
+};
+
+/// `camera`'s eye must be above the ground.
+[[nodiscard]] Frame frameOf(const world::Camera& camera);
+
+/// One row of pixels' centres on the plane.
+struct Row {
+  int row = 0;
+  float depth = 0.0F;
+  float ahead = 0.0F;
+  float rise = 0.0F;
+  float pixelsPerMetre = 0.0F;  ///< of something that stands on this row's ground
+  float across = 0.0F;          ///< metres between neighbouring pixels
+  float along = 0.0F;           ///< metres between this row and the next
+};
+
+/// Rows above the meadow's far edge are taken to lie slightly beyond it.
+[[nodiscard]] Row rowAt(const Frame& frame, int row) noexcept;
+
+}  // namespace grove::objects::ground
