@@ -1,6 +1,8 @@
 #pragma once
 
-#include <vector>
+#include <array>
+#include <cstddef>
+#include <span>
 
 #include "objects/fluid/grid.h"
 
@@ -21,19 +23,23 @@ class Advection {
  public:
   explicit Advection(const Layout& layout);
 
-  /// `seconds` over `cellSize` metres. Ghosts of `from` and `velocity` must be filled; those of `to` are left alone.
-  void advect(Place place, const Field& from, const Velocity& velocity, float seconds, float cellSize,
-              AdvectionOrder order, Field& to);
+  /// A field to carry, and where its new values go.
+  struct Job {
+    Place place;
+    const Field* from;
+    Field* to;
+  };
+
+  /// `seconds` over `cellSize` metres. At most kMostJobs, done plane by plane side by side, since what they share, the
+  /// velocity, is then read once. Ghosts of `from` and `velocity` must be filled; those of `to` are left alone.
+  void advect(std::span<const Job> jobs, const Velocity& velocity, float seconds, float cellSize, AdvectionOrder order);
+  static constexpr std::size_t kMostJobs = 4;
 
  private:
+  class Wave;
+
   const Layout layout_;
-  Field scratch_;  ///< planes of the first pass
+  std::array<Field, kMostJobs> scratch_;  ///< planes between the passes
 };
-
-/// Fills the ghosts: what lies outside of a cell or face at the border equals it; a velocity across a closed side is 0.
-void fillVelocityGhosts(const Layout& layout, const Sides& sides, Velocity& velocity);
-
-/// Ghosts of a field of cell centres: outside of open sides there is fresh air (0), at walls the nearest value.
-void fillCentreGhosts(const Layout& layout, const Sides& sides, Field& field);
 
 }  // namespace grove::objects::fluid

@@ -17,6 +17,8 @@ constexpr float kBodyRadius = 0.3F;
 constexpr float kBodyHeight = 1.8F;
 /// Pull of the soot that the fire sends up in a second, metres per second squared when it is in one cubic metre.
 constexpr float kSootWeight = 0.1F;
+/// Metres per second squared at the temperature of flames, which are about three times as hot as the air around them.
+constexpr float kBuoyancy = 16.0F;
 
 bool finite(world::Vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
@@ -39,6 +41,7 @@ FluidSolver::Settings solverOf(const FluidSettings& settings) {
   result.air.wind = settings.wind;
   result.air.response = 0.35F;
   result.air.turbulence = settings.turbulence;
+  result.air.buoyancy = kBuoyancy;
   return result;
 }
 
@@ -48,6 +51,8 @@ Particles::Source particlesOf(const FluidSettings& settings) {
   result.centre = source.centre;
   result.radius = settings.radius;
   result.rate = settings.rate;
+  result.leastLifetime = 3.2F;
+  result.mostLifetime = 6.0F;
   return result;
 }
 

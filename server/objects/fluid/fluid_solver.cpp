@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "objects/fluid/ghosts.h"
+
 namespace grove::objects::fluid {
 
 FluidSolver::FluidSolver(const Settings& settings)
@@ -20,11 +22,11 @@ FluidSolver::FluidSolver(const Settings& settings)
 
 void FluidSolver::advect(float seconds) {
   fillCentreGhosts(layout_, settings_.sides, temperature_);
-  for (int a = 0; a < 3; ++a) {
-    advection_.advect(static_cast<Place>(a), velocity_.axis(a), velocity_, seconds, cellSize(), settings_.order,
-                      nextVelocity_.axis(a));
-  }
-  advection_.advect(Place::kCentre, temperature_, velocity_, seconds, cellSize(), settings_.order, nextTemperature_);
+  const Advection::Job jobs[] = {{Place::kFaceX, &velocity_.x, &nextVelocity_.x},
+                                 {Place::kFaceY, &velocity_.y, &nextVelocity_.y},
+                                 {Place::kFaceZ, &velocity_.z, &nextVelocity_.z},
+                                 {Place::kCentre, &temperature_, &nextTemperature_}};
+  advection_.advect(jobs, velocity_, seconds, cellSize(), settings_.order);
   std::swap(velocity_, nextVelocity_);
   std::swap(temperature_, nextTemperature_);
 }

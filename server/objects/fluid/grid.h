@@ -1,8 +1,11 @@
 #pragma once
 
+#include <sys/mman.h>
+
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <cstring>
 #include <memory>
 #include <new>
@@ -37,29 +40,53 @@ struct Layout {
 template <class T>
 class Array {
  public:
-  explicit Array(std::size_t size) : size_(size), data_(static_cast<T*>(::operator new(size * sizeof(T), kAlignment))) {
-    std::memset(data_.get(), 0, size * sizeof(T));
-  }
+  explicit Array(std::size_t size) : size_(size), block_(allocate(bytes())), data_(place(block_.get(), bytes())) {}
 
-  [[nodiscard]] T* data() noexcept { return data_.get(); }
-  [[nodiscard]] const T* data() const noexcept { return data_.get(); }
+  [[nodiscard]] T* data() noexcept { return data_; }
+  [[nodiscard]] const T* data() const noexcept { return data_; }
   [[nodiscard]] std::size_t size() const noexcept { return size_; }
-  [[nodiscard]] T& operator[](std::ptrdiff_t i) noexcept { return data_.get()[i]; }
-  [[nodiscard]] T operator[](std::ptrdiff_t i) const noexcept { return data_.get()[i]; }
+  [[nodiscard]] T& operator[](std::ptrdiff_t i) noexcept { return data_[i]; }
+  [[nodiscard]] T operator[](std::ptrdiff_t i) const noexcept { return data_[i]; }
 
   void copyFrom(const Array& other) noexcept {
     assert(size_ == other.size_);
-    std::memcpy(data_.get(), other.data_.get(), size_ * sizeof(T));
+    std::memcpy(data_, other.data_, size_ * sizeof(T));
   }
-  void clear() noexcept { std::memset(data_.get(), 0, size_ * sizeof(T)); }
+  void clear() noexcept { std::memset(data_, 0, size_ * sizeof(T)); }
 
  private:
-  static constexpr std::align_val_t kAlignment{64};
+  static constexpr std::size_t kHugePage = std::size_t{2} << 20;
+  static constexpr std::size_t kSmallPage = 4096;
+  static constexpr std::size_t kVector = 64;
   struct Free {
-    void operator()(T* p) const noexcept { ::operator delete(p, kAlignment); }
+    void operator()(void* p) const noexcept { std::free(p); }
   };
+
+  [[nodiscard]] std::size_t bytes() const noexcept { return size_ * sizeof(T); }
+  [[nodiscard]] static bool isLarge(std::size_t bytes) noexcept { return bytes >= kHugePage / 2; }
+
+  static void* allocate(std::size_t bytes) {
+    // A stencil touches a dozen pages at a time; in huge ones, their addresses are found without a walk.
+    const std::size_t alignment = isLarge(bytes) ? kHugePage : kVector;
+    const std::size_t whole = (bytes + kSmallPage + alignment - 1) / alignment * alignment;
+    void* memory = std::aligned_alloc(alignment, whole);
+    if (memory == nullptr) throw std::bad_alloc();
+    // Only advice: without huge pages it is a little slower.
+    if (isLarge(bytes)) static_cast<void>(::madvise(memory, whole, MADV_HUGEPAGE));
+    std::memset(memory, 0, whole);
+    return memory;
+  }
+
+  /// Equal places of different arrays must differ in their low address bits: else loads wait for unrelated stores.
+  static T* place(void* block, std::size_t bytes) noexcept {
+    const std::size_t number = reinterpret_cast<std::uintptr_t>(block) / kHugePage;
+    const std::size_t lines = isLarge(bytes) ? number * 11 % (kSmallPage / kVector) : 0;
+    return reinterpret_cast<T*>(static_cast<std::byte*>(block) + lines * kVector);
+  }
+
   std::size_t size_;
-  std::unique_ptr<T, Free> data_;
+  std::unique_ptr<void, Free> block_;
+  T* data_;
 };
 
 using Field = Array<float>;

@@ -1,6 +1,7 @@
 #include "objects/fluid/multigrid.h"
 
 #include <algorithm>
+#include <array>
 
 #include "objects/fluid/multigrid_rows.h"
 
@@ -8,102 +9,135 @@ namespace grove::objects::fluid {
 
 namespace {
 
-constexpr int kRingPlanes = 4;
+constexpr int kStages = 4;  // of the smoother; even, so that the last one writes where the first one read
 constexpr int kCoarsestSweeps = 6;
 
-/// Planes of residual between smoothing and restriction; those outside of the cube are zero.
+/// Chebyshev polynomial over the part of the spectrum of Jacobi that the coarser level cannot see. For the same work it
+/// took a quarter fewer iterations than red-black sweeps; and it is symmetric whatever the order of the cells.
+constexpr std::array<rows::ChebyshevStage, kStages> chebyshevStages() {
+  constexpr float kLow = 0.2F;
+  constexpr float kHigh = 2.0F;  // no eigenvalue is larger, as the operator is diagonally dominant
+  constexpr float kCentre = 0.5F * (kHigh + kLow);
+  constexpr float kRadius = 0.5F * (kHigh - kLow);
+  std::array<rows::ChebyshevStage, kStages> stages{};
+  stages[0] = {1.0F - 1.0F / kCentre, 0.0F, 1.0F / kCentre};
+  float rho = kRadius / kCentre;
+  for (std::size_t i = 1; i < kStages; ++i) {
+    const float next = 1.0F / (2.0F * kCentre / kRadius - rho);
+    const float momentum = next * rho;
+    const float step = 2.0F * next / kRadius;
+    stages[i] = {1.0F + momentum - step, -momentum, step};
+    rho = next;
+  }
+  return stages;
+}
+constexpr std::array<rows::ChebyshevStage, kStages> kChebyshev = chebyshevStages();
+
+/// The planes around the wave of something that is not kept; those outside of the cube are zero.
 class Ring {
  public:
   Ring(const Layout& layout, float* memory) : layout_(layout), memory_(memory) {}
 
   [[nodiscard]] float* row(int y, int z) const noexcept {
-    const int slot = z < 0 || z >= layout_.cells ? kRingPlanes : z % kRingPlanes;
+    const int slot = z < 0 || z >= layout_.cells ? kPlanes : z % kPlanes;
     return memory_ + Layout::kLead + std::ptrdiff_t{layout_.plane} * slot + std::ptrdiff_t{layout_.stride} * (y + 1);
   }
+  [[nodiscard]] rows::Around3 around(int y, int z) const noexcept { return {row(y, z - 1), row(y, z), row(y, z + 1)}; }
   static std::size_t size(const Layout& layout) {
-    return static_cast<std::size_t>(2 * Layout::kLead + layout.plane * (kRingPlanes + 1));
+    return static_cast<std::size_t>(2 * Layout::kLead + layout.plane * (kPlanes + 1));
   }
 
  private:
+  static constexpr int kPlanes = 8;
+  static_assert(kPlanes > kStages + 1);
   const Layout& layout_;
   float* memory_;
 };
 
-/// Down one level: smooth z from zero, and hand the residual to the coarser level.
+rows::Around3 around(const float* z, std::ptrdiff_t p) { return {z - p, z, z + p}; }
+
+/// What all passes over a level share.
 template <class Operator>
-void descend(const Layout& layout, const Operator& a, const float* b, float* z, float* ringMemory,
-             const Layout& coarseLayout, const rows::CoarseOperator& coarse, float* coarseB) {
+struct Pass {
+  const Layout& layout;
+  const Operator& a;
+  const float* b;
+  float* z;
+  Ring odd;       ///< iterates of the smoother's first and third stage; the others are in z
+  Ring residual;  ///< between smoothing and restriction
+
+  /// Stage `k` (from 0) of the smoother on a plane.
+  void smooth(int k, int plane, bool fromZero) const {
+    const rows::ChebyshevStage& stage = kChebyshev[static_cast<std::size_t>(k)];
+    for (int y = 0; y < layout.cells; ++y) {
+      const std::ptrdiff_t at = layout.index(0, y, plane);
+      const bool toOdd = k % 2 == 0;
+      float* const out = toOdd ? odd.row(y, plane) : z + at;
+      const rows::Around3 in = toOdd ? around(z + at, layout.plane) : odd.around(y, plane);
+      if (k == 0 && fromZero) {
+        rows::smoothFromZero(a.row(at), stage, b + at, out, layout.cells);
+      } else if (k == 0 || (k == 1 && fromZero)) {
+        rows::smoothFirst(a.row(at), stage, b + at, in, out, layout.cells);
+      } else {
+        rows::smooth(a.row(at), stage, b + at, in, out, layout.cells);
+      }
+    }
+  }
+};
+
+/// Down one level: smooth z from zero, and hand the residual to the coarser level. Each stage follows one plane behind
+/// the one before, so that its planes are still in the cache.
+template <class Operator>
+void descend(const Pass<Operator>& pass, const Layout& coarseLayout, const rows::CoarseOperator& coarse,
+             float* coarseB) {
+  const Layout& layout = pass.layout;
   const int n = layout.cells;
-  const Ring ring(layout, ringMemory);
   const auto restrictPlane = [&](int coarseZ) {
     for (int y = 0; y < coarseLayout.cells; ++y) {
       rows::Around around{};
       for (int dz = 0; dz < 4; ++dz) {
-        for (int dy = 0; dy < 4; ++dy) around.row[dz][dy] = ring.row(2 * y - 1 + dy, 2 * coarseZ - 1 + dz);
+        for (int dy = 0; dy < 4; ++dy) around.row[dz][dy] = pass.residual.row(2 * y - 1 + dy, 2 * coarseZ - 1 + dz);
       }
       const std::ptrdiff_t at = coarseLayout.index(0, y, coarseZ);
       rows::restrictRow(around, coarse.row(at), coarseB + at, coarseLayout.cells);
     }
   };
-  for (int wave = 0; wave < n + 3; ++wave) {
-    if (wave < n) {
-      for (int y = 0; y < n; ++y) {
-        const std::ptrdiff_t at = layout.index(0, y, wave);
-        rows::smoothFromZero(a.row(at), b + at, z + at, rows::kCheckerboard.colour(0, y, wave), n);
-      }
+  for (int wave = 0; wave < n + kStages + 1; ++wave) {
+    for (int k = 0; k < kStages; ++k) {
+      if (const int plane = wave - k; plane >= 0 && plane < n) pass.smooth(k, plane, true);
     }
-    if (const int plane = wave - 1; plane >= 0 && plane < n) {
-      for (int y = 0; y < n; ++y) {
-        const std::ptrdiff_t at = layout.index(0, y, plane);
-        rows::smooth(a.row(at), b + at, z + at, rows::kCheckerboard.colour(1, y, plane), n);
-      }
-    }
-    const int plane = wave - 2;
+    const int plane = wave - kStages;
     if (plane < 0) continue;
     if (plane < n) {
       for (int y = 0; y < n; ++y) {
         const std::ptrdiff_t at = layout.index(0, y, plane);
-        rows::residual(a.row(at), b + at, z + at, ring.row(y, plane), n);
+        rows::residual(pass.a.row(at), pass.b + at, around(pass.z + at, layout.plane), pass.residual.row(y, plane), n);
       }
     }
     if (plane >= 2 && plane % 2 == 0) restrictPlane(plane / 2 - 1);
   }
 }
 
-/// Up one level: add the coarse correction and smooth in the opposite order. `finish` is called for each plane when it
-/// and its neighbours are done.
+/// Up one level: add the coarse correction and smooth. `finish` is called for each plane when it and its neighbours are
+/// done.
 template <class Operator, class Finish>
-void ascend(const Layout& layout, const Operator& a, const float* b, float* z, const Layout& coarseLayout,
-            const rows::CoarseOperator& coarse, const float* coarseZ, const Finish& finish) {
+void ascend(const Pass<Operator>& pass, const Layout& coarseLayout, const rows::CoarseOperator& coarse,
+            const float* coarseZ, const Finish& finish) {
+  const Layout& layout = pass.layout;
   const int n = layout.cells;
-  for (int wave = 0; wave < n + 3; ++wave) {
+  for (int wave = 0; wave < n + kStages + 1; ++wave) {
     if (wave < n) {
       for (int y = 0; y < n; ++y) {
         const std::ptrdiff_t at = layout.index(0, y, wave);
         const std::ptrdiff_t from = coarseLayout.index(0, y / 2, wave / 2);
-        rows::interpolate(coarseZ + from, coarse.row(from), y % 2 != 0, wave % 2 != 0, a.row(at), z + at,
+        rows::interpolate(coarseZ + from, coarse.row(from), y % 2 != 0, wave % 2 != 0, pass.a.row(at), pass.z + at,
                           coarseLayout.cells);
       }
     }
-    for (const int colour : {1, 0}) {
-      const int plane = wave - 2 + colour;
-      if (plane < 0 || plane >= n) continue;
-      for (int y = 0; y < n; ++y) {
-        const std::ptrdiff_t at = layout.index(0, y, plane);
-        rows::smooth(a.row(at), b + at, z + at, rows::kCheckerboard.colour(colour, y, plane), n);
-      }
+    for (int k = 0; k < kStages; ++k) {
+      if (const int plane = wave - 1 - k; plane >= 0 && plane < n) pass.smooth(k, plane, false);
     }
-    if (wave >= 3) finish(wave - 3);
-  }
-}
-
-template <class Operator>
-void sweep(const Layout& layout, const Operator& a, const float* b, float* z, int colour) {
-  for (int plane = 0; plane < layout.cells; ++plane) {
-    for (int y = 0; y < layout.cells; ++y) {
-      const std::ptrdiff_t at = layout.index(0, y, plane);
-      rows::smooth(a.row(at), b + at, z + at, rows::kCheckerboard.colour(colour, y, plane), layout.cells);
-    }
+    if (const int plane = wave - kStages - 1; plane >= 0) finish(plane);
   }
 }
 
@@ -118,7 +152,8 @@ struct Multigrid::Level {
         inverse(layout.size()),
         b(layout.size()),
         z(layout.size()),
-        ring(Ring::size(layout)) {}
+        odd(Ring::size(layout)),
+        residual(Ring::size(layout)) {}
 
   [[nodiscard]] rows::CoarseOperator coefficients() const noexcept {
     return {weights[0].data(), weights[1].data(), weights[2].data(), diagonal.data(),
@@ -132,11 +167,17 @@ struct Multigrid::Level {
   Field inverse;
   Field b;
   Field z;
-  Field ring;
+  Field odd;
+  Field residual;
 };
 
-Multigrid::Multigrid(const Layout& layout) : layout_(layout), diagonal_(layout.size()), ring_(Ring::size(layout)) {
-  assert(layout.cells % 2 == 0 && layout.cells <= rows::Checkerboard::kLongest);
+Multigrid::Multigrid(const Layout& layout)
+    : layout_(layout),
+      diagonal_(layout.size()),
+      sixtieths_(layout.size()),
+      odd_(Ring::size(layout)),
+      residual_(Ring::size(layout)) {
+  assert(layout.cells % 2 == 0 && layout.cells <= rows::kLongestRow);
   int depth = 1;
   for (int cells = layout.cells; cells % 2 == 0 && cells > 4; ++depth) {
     cells /= 2;
@@ -156,7 +197,9 @@ void Multigrid::rebuild(const SolidGrid& solids, const CellBox& changed) {
         const std::ptrdiff_t i = layout_.index(x, y, z);
         int faces = 0;
         for (int a = 0; a < 3; ++a) faces += air[i - layout_.step(a)] + air[i + layout_.step(a)];
-        diagonal_[i] = static_cast<std::uint8_t>(air[i] != 0 ? faces : 0);
+        if (air[i] == 0) faces = 0;
+        diagonal_[i] = static_cast<std::uint8_t>(faces);
+        sixtieths_[i] = static_cast<std::uint8_t>(faces > 0 ? rows::FineOperator::kSixty / faces : 0);
       }
     }
   }
@@ -210,34 +253,43 @@ void Multigrid::rebuild(const SolidGrid& solids, const CellBox& changed) {
 void Multigrid::solveBelow(std::size_t index) {
   Level& level = *levels_[index];
   const rows::CoarseOperator a = level.coefficients();
+  const Pass<rows::CoarseOperator> pass{level.layout,
+                                        a,
+                                        level.b.data(),
+                                        level.z.data(),
+                                        {level.layout, level.odd.data()},
+                                        {level.layout, level.residual.data()}};
   if (index + 1 == levels_.size()) {
-    level.z.clear();
-    for (int i = 0; i < 2 * kCoarsestSweeps; ++i) sweep(level.layout, a, level.b.data(), level.z.data(), i % 2);
-    for (int i = 2 * kCoarsestSweeps; i-- > 0;) sweep(level.layout, a, level.b.data(), level.z.data(), i % 2);
+    // So few cells that the same smoother, repeated, solves them.
+    for (int i = 0; i < kCoarsestSweeps; ++i) {
+      for (int k = 0; k < kStages; ++k) {
+        for (int plane = 0; plane < level.layout.cells; ++plane) pass.smooth(k, plane, i == 0);
+      }
+    }
     return;
   }
   Level& below = *levels_[index + 1];
-  descend(level.layout, a, level.b.data(), level.z.data(), level.ring.data(), below.layout, below.coefficients(),
-          below.b.data());
+  descend(pass, below.layout, below.coefficients(), below.b.data());
   solveBelow(index + 1);
-  ascend(level.layout, a, level.b.data(), level.z.data(), below.layout, below.coefficients(), below.z.data(),
-         [](int) {});
+  ascend(pass, below.layout, below.coefficients(), below.z.data(), [](int) {});
 }
 
 Multigrid::Products Multigrid::apply(const Field& residual, Field& result, Field& operatorResult) {
-  const rows::FineOperator a{diagonal_.data(), layout_.step(1), layout_.step(2)};
+  const rows::FineOperator a = finest();
   Level& below = *levels_.front();
   const float* b = residual.data();
   float* z = result.data();
-  descend(layout_, a, b, z, ring_.data(), below.layout, below.coefficients(), below.b.data());
+  const Pass<rows::FineOperator> pass{layout_, a, b, z, {layout_, odd_.data()}, {layout_, residual_.data()}};
+  descend(pass, below.layout, below.coefficients(), below.b.data());
   solveBelow(0);
   Products products;
-  ascend(layout_, a, b, z, below.layout, below.coefficients(), below.z.data(), [&](int plane) {
+  ascend(pass, below.layout, below.coefficients(), below.z.data(), [&](int plane) {
     float rz = 0.0F;
     float zaz = 0.0F;
     for (int y = 0; y < layout_.cells; ++y) {
       const std::ptrdiff_t at = layout_.index(0, y, plane);
-      rows::applyOperator(a.row(at), b + at, z + at, operatorResult.data() + at, layout_.cells, rz, zaz);
+      rows::applyOperator(a.row(at), b + at, around(z + at, layout_.plane), operatorResult.data() + at, layout_.cells,
+                          rz, zaz);
     }
     products.residualDotResult += static_cast<double>(rz);
     products.resultDotOperator += static_cast<double>(zaz);

@@ -4,17 +4,19 @@
 #include <vector>
 
 #include "objects/fluid/grid.h"
+#include "objects/fluid/multigrid_rows.h"
 #include "objects/fluid/solid_grid.h"
 
 namespace grove::objects::fluid {
 
 /// One symmetric V-cycle as a preconditioner for the pressure equation (after McAdams, Sifakis and Teran 2010, "A
-/// parallel multigrid Poisson solver for fluids simulation on large grids"), with three differences:
+/// parallel multigrid Poisson solver for fluids simulation on large grids"), with four differences:
 ///
 /// - Coarse faces carry the open share of their fine faces instead of a whole-cell type, so walls of one cell stay
 /// walls.
 /// - Interpolation is linear along each axis, weighted with that share, hence never reaches through a closed face and
 ///   meets an open side's pressure exactly; restriction is its transpose.
+/// - The smoother is a Chebyshev polynomial of Jacobi (Adams et al. 2003), which needs no colours and no order.
 /// - Smoothing, residual, restriction and operator run as waves over z-planes: each level is read once on the way down
 ///   and once on the way up.
 ///
@@ -38,6 +40,9 @@ class Multigrid {
   /// result = M residual; operatorResult = A result. Ghosts and solids of `residual` must be zero, and stay so.
   Products apply(const Field& residual, Field& result, Field& operatorResult);
 
+  [[nodiscard]] rows::FineOperator finest() const noexcept {
+    return {diagonal_.data(), sixtieths_.data(), layout_.step(1)};
+  }
   /// Number of open faces of every air cell, 0 in solids: the diagonal of A.
   [[nodiscard]] const Array<std::uint8_t>& diagonal() const noexcept { return diagonal_; }
 
@@ -47,8 +52,10 @@ class Multigrid {
 
   const Layout layout_;
   Array<std::uint8_t> diagonal_;
+  Array<std::uint8_t> sixtieths_;               ///< 60 over the diagonal
   std::vector<std::unique_ptr<Level>> levels_;  ///< coarser and coarser; the finest is not among them
-  Field ring_;                                  ///< planes of the finest level's residual
+  Field odd_;                                   ///< planes of the finest level's smoother
+  Field residual_;                              ///< planes of the finest level's residual
 };
 
 }  // namespace grove::objects::fluid

@@ -9,37 +9,42 @@
 /// the distances to the next row and plane.
 namespace grove::objects::fluid::rows {
 
-/// 1, 0, 1, 0, ... : picks the cells of one colour out of a row.
-struct Checkerboard {
-  static constexpr int kLongest = 128;
-  float values[kLongest + 16];
-  constexpr Checkerboard() : values() {
-    for (int i = 0; i < kLongest + 16; ++i) values[i] = i % 2 == 0 ? 1.0F : 0.0F;
-  }
-  /// Colour 0 is the cells with even x + y + z.
-  [[nodiscard]] const float* colour(int c, int y, int z) const noexcept { return values + ((c + y + z) & 1); }
+/// Cells of the longest row.
+inline constexpr int kLongestRow = 128;
+
+/// Rows are worked on in whole vectors: behind a row lie ghosts, whose diagonal, inverse and values are zero.
+[[nodiscard]] constexpr int wholeVectors(int n) noexcept { return (n + 15) & ~15; }
+
+/// A row of the unknown, and the same row of the planes below and above.
+struct Around3 {
+  const float* below;
+  const float* here;
+  const float* above;
 };
-inline constexpr Checkerboard kCheckerboard;
 
 /// The finest level: all open faces weigh 1. Because the unknown is zero in solids and behind walls, neighbours need no
 /// mask: the diagonal alone tells how many of them count.
 struct FineOperator {
   const std::uint8_t* diagonal;
-  std::ptrdiff_t s, p;
+  const std::uint8_t* sixtieths;
+  std::ptrdiff_t s;
+
+  /// 60 over the diagonal is whole for all of 1 to 6, so that the inverse fits a byte too.
+  static constexpr int kSixty = 60;
 
   struct Row {
     const std::uint8_t* diagonal;
-    std::ptrdiff_t s, p;
-    [[nodiscard]] float neighbours(const float* z, int i) const noexcept {
-      return ((z[i - 1] + z[i + 1]) + (z[i - s] + z[i + s])) + (z[i - p] + z[i + p]);
+    const std::uint8_t* sixtieths;
+    std::ptrdiff_t s;
+    [[nodiscard]] float neighbours(const Around3& z, int i) const noexcept {
+      return ((z.here[i - 1] + z.here[i + 1]) + (z.here[i - s] + z.here[i + s])) + (z.below[i] + z.above[i]);
     }
     [[nodiscard]] float weight(int i) const noexcept { return static_cast<float>(diagonal[i]); }
     [[nodiscard]] float inverse(int i) const noexcept {
-      const float d = static_cast<float>(diagonal[i]);
-      return d > 0.0F ? 1.0F / d : 0.0F;
+      return static_cast<float>(sixtieths[i]) * (1.0F / static_cast<float>(kSixty));
     }
   };
-  [[nodiscard]] Row row(std::ptrdiff_t at) const noexcept { return {diagonal + at, s, p}; }
+  [[nodiscard]] Row row(std::ptrdiff_t at) const noexcept { return {diagonal + at, sixtieths + at, s}; }
 };
 
 /// A coarse level: every face has a weight.
@@ -58,9 +63,10 @@ struct CoarseOperator {
     const float* diagonal;
     const float* inverseDiagonal;
     std::ptrdiff_t s, p;
-    [[nodiscard]] float neighbours(const float* z, int i) const noexcept {
-      return ((wx[i] * z[i - 1] + wx[i + 1] * z[i + 1]) + (wy[i] * z[i - s] + wy[i + s] * z[i + s])) +
-             (wz[i] * z[i - p] + wz[i + p] * z[i + p]);
+    [[nodiscard]] float neighbours(const Around3& z, int i) const noexcept {
+      return ((wx[i] * z.here[i - 1] + wx[i + 1] * z.here[i + 1]) +
+              (wy[i] * z.here[i - s] + wy[i + s] * z.here[i + s])) +
+             (wz[i] * z.below[i] + wz[i + p] * z.above[i]);
     }
     [[nodiscard]] float weight(int i) const noexcept { return diagonal[i]; }
     [[nodiscard]] float inverse(int i) const noexcept { return inverseDiagonal[i]; }
@@ -70,45 +76,64 @@ struct CoarseOperator {
   }
 };
 
-/// First half-sweep from a zero guess: one colour of z = b / diagonal, the other zero.
+/// Weights of one stage of the Chebyshev iteration on Jacobi (Saad 2003, algorithm 12.1), its update written out.
+struct ChebyshevStage {
+  float own;       ///< weight of the current iterate
+  float previous;  ///< weight of the one before
+  float jacobi;    ///< weight of (b + neighbours) / diagonal
+};
+
+/// First stage from a zero guess.
 template <class Row>
-void smoothFromZero(const Row& row, const float* __restrict b, float* __restrict z, const float* colour, int n) {
-  for (int i = 0; i < n; ++i) z[i] = colour[i] * b[i] * row.inverse(i);
+void smoothFromZero(const Row& row, const ChebyshevStage& stage, const float* b, float* __restrict out, int n) {
+  const int end = wholeVectors(n);
+  for (int i = 0; i < end; ++i) out[i] = stage.jacobi * b[i] * row.inverse(i);
 }
 
-/// Gauss-Seidel half-sweep of one colour. The row is staged, since loads that overlap the last store by a part of a
-/// vector would stall; cells of the other colour keep their value, so their order does not matter.
+/// A stage whose previous iterate does not count.
 template <class Row>
-void smooth(const Row& row, const float* b, float* z, const float* colour, int n) {
-  alignas(64) float staged[Checkerboard::kLongest];
-  for (int i = 0; i < n; ++i) {
-    const float better = (b[i] + row.neighbours(z, i)) * row.inverse(i);
-    staged[i] = z[i] + colour[i] * (better - z[i]);
+void smoothFirst(const Row& row, const ChebyshevStage& stage, const float* b, const Around3& z, float* __restrict out,
+                 int n) {
+  const int end = wholeVectors(n);
+  for (int i = 0; i < end; ++i) {
+    out[i] = stage.own * z.here[i] + stage.jacobi * row.inverse(i) * (b[i] + row.neighbours(z, i));
   }
-  for (int i = 0; i < n; ++i) z[i] = staged[i];
+}
+
+/// A stage that replaces the previous iterate in `out` by the next.
+template <class Row>
+void smooth(const Row& row, const ChebyshevStage& stage, const float* b, const Around3& z, float* __restrict out,
+            int n) {
+  const int end = wholeVectors(n);
+  for (int i = 0; i < end; ++i) {
+    out[i] =
+        stage.own * z.here[i] + stage.previous * out[i] + stage.jacobi * row.inverse(i) * (b[i] + row.neighbours(z, i));
+  }
 }
 
 template <class Row>
-void residual(const Row& row, const float* b, const float* z, float* __restrict out, int n) {
-  for (int i = 0; i < n; ++i) {
+void residual(const Row& row, const float* b, const Around3& z, float* __restrict out, int n) {
+  const int end = wholeVectors(n);
+  for (int i = 0; i < end; ++i) {
     const float d = row.weight(i);
-    const float r = b[i] + row.neighbours(z, i) - d * z[i];
+    const float r = b[i] + row.neighbours(z, i) - d * z.here[i];
     out[i] = d > 0.0F ? r : 0.0F;
   }
 }
 
 /// out = A z, and adds up r.z and z.Az.
 template <class Row>
-void applyOperator(const Row& row, const float* r, const float* z, float* __restrict out, int n, float& rz,
+void applyOperator(const Row& row, const float* r, const Around3& z, float* __restrict out, int n, float& rz,
                    float& zaz) {
+  const int end = wholeVectors(n);
   float sumRz = 0.0F;
   float sumZaz = 0.0F;
-  for (int i = 0; i < n; ++i) {
+  for (int i = 0; i < end; ++i) {
     const float d = row.weight(i);
-    const float a = d > 0.0F ? d * z[i] - row.neighbours(z, i) : 0.0F;
+    const float a = d > 0.0F ? d * z.here[i] - row.neighbours(z, i) : 0.0F;
     out[i] = a;
-    sumRz += r[i] * z[i];
-    sumZaz += a * z[i];
+    sumRz += r[i] * z.here[i];
+    sumZaz += a * z.here[i];
   }
   rz += sumRz;
   zaz += sumZaz;
@@ -131,7 +156,7 @@ void interpolate(const float* coarse, const CoarseOperator::Row& weights, bool h
   const float* wy = weights.wy + (highY ? weights.s : 0);
   const float* wz = weights.wz + (highZ ? weights.p : 0);
   const float* wx = weights.wx;
-  alignas(64) float correction[Checkerboard::kLongest];
+  alignas(64) float correction[kLongestRow];
   for (int i = 0; i < coarseCells; ++i) {
     const float c = coarse[i];
     const float base = c + 0.25F * (wy[i] * (coarse[i + toY] - c) + wz[i] * (coarse[i + toZ] - c));

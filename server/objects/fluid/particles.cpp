@@ -37,6 +37,27 @@ bool inAir(const SolidGrid& solids, world::Vec3 at) {
          0;
 }
 
+/// Like a sine of period 1, and a tenth of its price.
+float swing(float t) {
+  const float f = t - std::floor(t + 0.5F);
+  return 16.0F * f * (0.5F - std::fabs(f));
+}
+
+/// Whirls too small for the grid: two octaves of Arnold-Beltrami-Childress flow, each component about -1 to 1. They
+/// ride with the smoke: `puff`, where a place along the column's axis would stand, tells when a particle was born.
+world::Vec3 eddies(float x, float puff, float z) {
+  constexpr float kWide = 1.25F;  // periods a metre
+  constexpr float kFine = 3.25F;
+  constexpr float kFineShare = 0.45F;
+  const auto octave = [&](float k) {
+    const float a = k * x;
+    const float b = k * puff;
+    const float c = k * z;
+    return world::Vec3(swing(c) + swing(b + 0.25F), swing(a) + swing(c + 0.25F), swing(b) + swing(a + 0.25F));
+  };
+  return 0.5F * ((1.0F - kFineShare) * octave(kWide) + kFineShare * octave(kFine));
+}
+
 /// The nearest place in a cell of air at most two cells away.
 bool pushOut(const SolidGrid& solids, world::Vec3& at) {
   constexpr int kReach = 2;
@@ -122,7 +143,7 @@ void Particles::inject(const SolidGrid& solids, float seconds, float cellSize) {
     const float born = uniform(0.0F, seconds);
     const float life = uniform(source_.leastLifetime, source_.mostLifetime);
     // The rim burns out first, which makes the flames pointed.
-    const float rate = uniform(1.2F, 1.9F) + 1.5F * distance * distance;
+    const float rate = uniform(1.3F, 1.8F) + 1.1F * distance * distance;
     if (!inside(solids.layout(), place / cellSize) || !inAir(solids, place / cellSize)) continue;
     x.push_back(place.x);
     y.push_back(place.y);
@@ -142,6 +163,14 @@ void Particles::advance(const SolidGrid& solids, const Velocity& velocity, float
   const Layout& layout = solids.layout();
   const float perCell = 1.0F / cellSize;
   const float edge = static_cast<float>(layout.cells) - 1.0e-3F;
+  // Share of the air's speed that the eddies have, once the smoke has left the fire.
+  constexpr float kTurbulence = 0.3F;
+  constexpr float kFastestEddy = 0.7F;   // metres a second
+  constexpr float kGrow = 1.2F;          // seconds until they are fully there
+  constexpr double kPace = 0.9;          // metres of the column a second
+  constexpr double kRepeatAfter = 64.0;  // metres: whole periods of all octaves
+  elapsed_ += static_cast<double>(seconds);
+  const float newest = static_cast<float>(std::fmod(elapsed_ * kPace, kRepeatAfter));
   dead_.assign(count(), 0);
   for (std::size_t i = 0; i < count(); ++i) {
     age[i] += seconds;
@@ -153,7 +182,10 @@ void Particles::advance(const SolidGrid& solids, const Velocity& velocity, float
     }
     const world::Vec3 first = sample(layout, velocity, from) * perCell;
     const world::Vec3 middle = glm::clamp(from + 0.5F * seconds * first, world::Vec3(0.0F), world::Vec3(edge));
-    const world::Vec3 speed = sample(layout, velocity, middle);
+    const world::Vec3 air = sample(layout, velocity, middle);
+    const float strongest = std::min(kTurbulence * std::sqrt(glm::dot(air, air)), kFastestEddy);
+    const float whirl = strongest * std::min(age[i] / kGrow, 1.0F);
+    const world::Vec3 speed = air + whirl * eddies(x[i], newest - static_cast<float>(kPace) * age[i], z[i]);
     const world::Vec3 to = travel(solids, from, seconds * perCell * speed);
     if (!inside(layout, to)) {
       dead_[i] = 1;

@@ -30,8 +30,8 @@ class Particles {
   /// New ones at the source; never more than kMost in all, never inside of solids.
   void inject(const SolidGrid& solids, float seconds, float cellSize);
 
-  /// Moves all by the midpoint method, keeps them out of solids, and removes those that are old or have left the cube.
-  /// The velocity's ghosts must be filled.
+  /// Moves all by the midpoint method, with whirls smaller than the grid's cells on top of the velocity, keeps them out
+  /// of solids, and removes those that are old or have left the cube. The velocity's ghosts must be filled.
   void advance(const SolidGrid& solids, const Velocity& velocity, float seconds, float cellSize);
 
   /// Soot is heavier than the air that it heats: each particle pulls its face down by `speedPerSecond` * seconds.
@@ -55,7 +55,8 @@ class Particles {
 
   const Source source_;
   std::minstd_rand random_;
-  float due_ = 0.0F;  ///< part of the next particle
+  double elapsed_ = 0.0;  ///< seconds
+  float due_ = 0.0F;      ///< part of the next particle
   std::uint64_t injected_ = 0;
   std::vector<std::uint8_t> dead_;
 };

@@ -22,6 +22,7 @@ void PressureSolver::refresh(SolidGrid& solids) {
   if (changed.empty()) return;
   multigrid_.rebuild(solids, changed);
   pockets_.find(solids);
+  maskSolids(layout_, multigrid_.diagonal(), x_);
 }
 
 PressureSolver::Outcome PressureSolver::project(SolidGrid& solids, Velocity& velocity, const Options& options) {
@@ -45,7 +46,7 @@ PressureSolver::Outcome PressureSolver::solve(SolidGrid& solids, Field& b, const
 PressureSolver::Outcome PressureSolver::iterate(Field& b, const Options& options) {
   pockets_.removeMeans(b);
   double squared = 0.0;
-  const double squaredB = initialResidual(layout_, multigrid_.diagonal(), b, x_, r_, squared);
+  const double squaredB = initialResidual(layout_, multigrid_.finest(), b, x_, r_, squared);
   Outcome outcome;
   if (!(squaredB > 1.0e-30)) {
     x_.clear();
@@ -55,7 +56,7 @@ PressureSolver::Outcome PressureSolver::iterate(Field& b, const Options& options
   if (squared > squaredB) {
     // The last pressure is worse than none, as after a jump of the scene.
     x_.clear();
-    squared = initialResidual(layout_, multigrid_.diagonal(), b, x_, r_, squared);
+    squared = initialResidual(layout_, multigrid_.finest(), b, x_, r_, squared);
   }
   double gamma = 0.0;
   double alpha = 0.0;

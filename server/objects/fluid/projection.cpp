@@ -60,16 +60,16 @@ void maskSolids(const Layout& layout, const Array<std::uint8_t>& diagonal, Field
   });
 }
 
-double initialResidual(const Layout& layout, const Array<std::uint8_t>& diagonal, const Field& b, Field& x, Field& r,
+double initialResidual(const Layout& layout, const rows::FineOperator& a, const Field& b, const Field& x, Field& r,
                        double& squaredResidual) {
-  maskSolids(layout, diagonal, x);
-  const rows::FineOperator a{diagonal.data(), layout.step(1), layout.step(2)};
+  const std::ptrdiff_t p = layout.step(2);
   double squaredB = 0.0;
   squaredResidual = 0.0;
   forEachRow(layout, [&](std::ptrdiff_t at) {
     const float* in = b.data() + at;
     float* out = r.data() + at;
-    rows::residual(a.row(at), in, x.data() + at, out, layout.cells);
+    const float* unknown = x.data() + at;
+    rows::residual(a.row(at), in, {unknown - p, unknown, unknown + p}, out, layout.cells);
     float bb = 0.0F;
     float rr = 0.0F;
     for (int i = 0; i < layout.cells; ++i) {

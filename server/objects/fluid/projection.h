@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "objects/fluid/grid.h"
+#include "objects/fluid/multigrid_rows.h"
 
 /// The vector passes around the pressure solve. Ghosts of all fields but the velocity's are zero and stay so.
 namespace grove::objects::fluid {
@@ -17,8 +18,8 @@ void subtractGradient(const Layout& layout, const Field& pressure, Velocity& vel
 /// values = 0 where the diagonal is 0.
 void maskSolids(const Layout& layout, const Array<std::uint8_t>& diagonal, Field& values);
 
-/// Clears x in solids; r = b - A x. Returns b.b and sets r.r.
-double initialResidual(const Layout& layout, const Array<std::uint8_t>& diagonal, const Field& b, Field& x, Field& r,
+/// r = b - A x. Returns b.b and sets r.r.
+double initialResidual(const Layout& layout, const rows::FineOperator& a, const Field& b, const Field& x, Field& r,
                        double& squaredResidual);
 
 /// One step of conjugate gradients: p = z + beta p, ap = az + beta ap, x += alpha p, r -= alpha ap. Returns r.r.

@@ -6,6 +6,7 @@
 
 #include "objects/fluid/diagnostics.h"
 #include "objects/fluid/fluid_solver.h"
+#include "objects/fluid/ghosts.h"
 
 namespace grove::objects::fluid {
 namespace {
@@ -81,7 +82,8 @@ double centreAfterSteps(float cellsPerStep, int steps, float& lowest, float& hig
   }
   for (int i = 0; i < steps; ++i) {
     fillCentreGhosts(layout, Sides::outdoors(), from);
-    advection.advect(Place::kCentre, from, wind, 1.0F, 1.0F, AdvectionOrder::kMacCormack, to);
+    const Advection::Job job{Place::kCentre, &from, &to};
+    advection.advect({&job, 1}, wind, 1.0F, 1.0F, AdvectionOrder::kMacCormack);
     std::swap(from, to);
   }
   double sum = 0.0;
