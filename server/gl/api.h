@@ -45,6 +45,7 @@ namespace grove::gl {
   X(PFNGLGETSTRINGPROC, GetString)                             \
   X(PFNGLGETUNIFORMLOCATIONPROC, GetUniformLocation)           \
   X(PFNGLLINKPROGRAMPROC, LinkProgram)                         \
+  X(PFNGLNAMEDBUFFERDATAPROC, NamedBufferData)                 \
   X(PFNGLNAMEDBUFFERSTORAGEPROC, NamedBufferStorage)           \
   X(PFNGLNAMEDFRAMEBUFFERTEXTUREPROC, NamedFramebufferTexture) \
   X(PFNGLPIXELSTOREIPROC, PixelStorei)                         \
@@ -52,10 +53,6 @@ namespace grove::gl {
   X(PFNGLSCISSORPROC, Scissor)                                 \
   X(PFNGLSHADERSOURCEPROC, ShaderSource)                       \
   X(PFNGLTEXTURESTORAGE2DPROC, TextureStorage2D)               \
-  X(PFNGLUNIFORM1FPROC, Uniform1f)                             \
-  X(PFNGLUNIFORM1IPROC, Uniform1i)                             \
-  X(PFNGLUNIFORM3FVPROC, Uniform3fv)                           \
-  X(PFNGLUNIFORM4FVPROC, Uniform4fv)                           \
   X(PFNGLUNIFORMMATRIX4FVPROC, UniformMatrix4fv)               \
   X(PFNGLUSEPROGRAMPROC, UseProgram)                           \
   X(PFNGLVERTEXARRAYATTRIBBINDINGPROC, VertexArrayAttribBinding) \

@@ -22,7 +22,7 @@ class ShaderLibrary {
   /// Throws EnvironmentError if there is no such directory.
   explicit ShaderLibrary(std::optional<std::filesystem::path> directory = std::nullopt);
 
-  /// `path` as in "mesh/mesh.vert". Each `#include "common/light.glsl"` is replaced by that file, once per shader.
+  /// `path` as in "mesh/mesh.vert". Each `#include "mesh/some.glsl"` is replaced by that file, once per shader.
   /// Throws EnvironmentError for a missing file.
   [[nodiscard]] ShaderSource load(const std::string& path) const;
 

@@ -24,7 +24,7 @@ struct HostOptions {
   int framesInFlight = 2;
   int framesPerSecond = 30;
   int mostVisitors = 16;
-  int jpegQuality = 80;
+  int jpegQuality = 75;
 };
 
 /// One living world and everybody in it: owns the world, the backend nodes, the workers, the frame clock and the

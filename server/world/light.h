@@ -7,7 +7,8 @@
 /// The one light of the world, shared by all renderers: a low sun in a soft evening sky, the fire, and haze. Radiance
 /// is linear and relative (a white surface in full sun is about 1.8); toDisplay() makes the bytes that are streamed.
 ///
-/// hazeColour(), hazeAmount() and toDisplay() are mirrored in shaders/common/light.glsl: change both or neither.
+/// ambient(), hazeColour(), hazeAmount() and toDisplay() are restated in vectorised form in
+/// objects/mesh/vertex_light.cpp; its test holds them together.
 namespace grove::world {
 
 /// Unit vector towards the sun.

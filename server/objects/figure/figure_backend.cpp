@@ -41,7 +41,6 @@ void FigureBackend::answer(std::span<const node::Request> requests, std::span<no
     drawing.camera = &view.camera;
     drawing.rect = visible.rect;
     drawing.distance = visible.distance / transform.scale;
-    drawing.reach = 0.6F * kFigureHeight;
     drawing.bones = bonesOf(*player, transform);
     drawing.tint = linear(player->colour);
     drawing.sunShare = mesh::sunAt(transform.position + world::Vec3(0.0F, kChestHeight, 0.0F), world_.rays());

@@ -39,7 +39,6 @@ struct Drawing {
   const world::Camera* camera = nullptr;
   world::Rect rect;                             ///< pixels of the camera's image that are wanted
   float distance = 0.0F;                        ///< from the eye in the object's own metres, for the level of detail
-  float reach = 0.0F;                           ///< from the object's middle to its farthest point, in the same metres
   std::array<world::Mat4, kMostBones> bones{};  ///< object to world, rigid but for an even scale
   world::Vec3 tint{1.0F};
   float sunShare = 1.0F;  ///< scales the share of the sun of all vertices

@@ -1,12 +1,38 @@
 #include "objects/mesh/embree_mesh_renderer.h"
 
+#include <cmath>
 #include <optional>
 
-#include "objects/mesh/shading.h"
+#include "objects/mesh/detail.h"
+#include "objects/mesh/vertex_light.h"
 
 namespace grove::objects::mesh {
 
 using world::Vec3;
+
+namespace {
+
+/// What the rasteriser interpolates and shaders/mesh/mesh.frag packs.
+struct Corner {
+  world::Vec4 light;
+  float lichen;
+};
+
+Corner cornerOf(std::uint32_t light, float lichen) {
+  const auto byte = [&](unsigned shift) { return static_cast<float>((light >> shift) & 0xFFU); };
+  return {{byte(0), byte(8), byte(16), byte(24)}, lichen};
+}
+
+std::uint32_t packed(const Corner& a, const Corner& b, const Corner& c, float u, float v) {
+  const float w = 1.0F - u - v;
+  const world::Vec4 light = a.light * w + b.light * u + c.light * v;
+  const float lichen = a.lichen * w + b.lichen * u + c.lichen * v;
+  const auto rounded = [](float value) { return static_cast<std::uint32_t>(std::lround(value)); };
+  return rounded(light.r) | rounded(light.g) << 8U | rounded(light.b) << 16U | rounded(lichen * 15.0F) << 24U |
+         rounded(light.a * (15.0F / 255.0F)) << 28U;
+}
+
+}  // namespace
 
 void EmbreeMeshRenderer::render(std::span<const Drawing> drawings,
                                 std::span<std::shared_ptr<const node::Image>> images) {
@@ -28,29 +54,31 @@ const world::RayScene& EmbreeMeshRenderer::raysOf(const Surface& surface, const 
 std::shared_ptr<const node::Image> EmbreeMeshRenderer::renderOne(const Drawing& drawing) {
   const world::Camera& camera = *drawing.camera;
   const Surface& surface = drawing.object->surface;
-  const float focal = camera.focal();
-  const Level& level = surface.levelFor(drawing.distance, focal);
+  const Level& level = surface.levelFor(drawing.distance, camera.focal());
   const world::RayScene& rays = raysOf(surface, level);
-  const std::vector<Varyings> corners = shadeVertices(drawing);
+  std::vector<std::uint32_t> light(level.vertexCount);
+  lightVertices(VertexArrays(*drawing.object), drawing, light);
   // Rays keep their parameter in the object's coordinates, so it stays the view depth.
   const world::Mat4 toObject = glm::inverse(drawing.bones[0]);
   const Vec3 origin(toObject * world::Vec4(camera.pose.position, 1.0F));
   const std::shared_ptr<node::Image> image = images_.acquire(drawing.rect);
-  for (int row = 0; row < image->height(); ++row) {
-    for (int column = 0; column < image->width(); ++column) {
-      const Vec3 ray = camera.ray(static_cast<float>(drawing.rect.left + column) + 0.5F,
-                                  static_cast<float>(drawing.rect.top + row) + 0.5F);
+  std::vector<std::uint32_t> found(image->colour.size());
+  std::vector<float> depth(image->depth.size());
+  std::size_t at = 0;
+  for (int y = drawing.rect.top; y < drawing.rect.bottom; ++y) {
+    for (int x = drawing.rect.left; x < drawing.rect.right; ++x, ++at) {
+      const Vec3 ray = camera.ray(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F);
       const auto hit = rays.intersect(origin, glm::mat3(toObject) * ray, camera.nearDepth);
-      float& depth = image->depthRow(row)[column];
-      std::uint32_t& colour = image->colourRow(row)[column];
-      depth = hit ? hit->distance : world::kInfiniteDepth;
-      colour = 0;
       if (!hit) continue;
-      const auto& [a, b, c] = level.triangles[hit->triangle];
-      const Varyings at = interpolate(corners[a], corners[b], corners[c], hit->u, hit->v);
-      colour = world::toDisplayRgba(shadePixel(at, focal / depth));
+      const auto corner = [&](std::size_t which) {
+        const std::uint32_t vertex = level.triangles[hit->triangle][which];
+        return cornerOf(light[vertex], surface.vertices[vertex].lichen);
+      };
+      found[at] = packed(corner(0), corner(1), corner(2), hit->u, hit->v);
+      depth[at] = camera.nearDepth / hit->distance;
     }
   }
+  finish({found.data(), depth.data(), image->width()}, drawing, texture_, *image);
   return image;
 }
 

@@ -4,6 +4,7 @@
 #include <memory>
 #include <mutex>
 
+#include "objects/mesh/detail_texture.h"
 #include "objects/mesh/drawing.h"
 #include "world/ray_scene.h"
 
@@ -22,6 +23,7 @@ class EmbreeMeshRenderer final : public MeshRenderer {
   [[nodiscard]] const world::RayScene& raysOf(const Surface& surface, const Level& level);
   [[nodiscard]] std::shared_ptr<const node::Image> renderOne(const Drawing& drawing);
 
+  const DetailTexture texture_;
   node::ImagePool& images_;
   std::mutex mutex_;
   std::map<const Level*, world::RayScene> rays_;

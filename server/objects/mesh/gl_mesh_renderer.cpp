@@ -7,10 +7,10 @@
 
 #include "gl/framebuffer.h"
 #include "gl/program.h"
+#include "objects/mesh/detail.h"
 #include "objects/mesh/gl_surface.h"
-#include "objects/mesh/shading.h"
 #include "objects/mesh/tile_packer.h"
-#include "objects/mesh/view_depth.h"
+#include "objects/mesh/vertex_light.h"
 
 namespace grove::objects::mesh {
 namespace {
@@ -18,10 +18,10 @@ namespace {
 // Small enough for the cache that software GL draws in; larger ones are for larger tiles only.
 constexpr int kAtlasWidth = 1024;
 constexpr int kAtlasHeight = 384;
-constexpr std::size_t kMostAtlases = 6;
-constexpr float kLeastCosine = 0.6F;
+constexpr int kAtlasStep = 64;  // pixels: no more is cleared than is needed
+constexpr std::size_t kMostAtlases = 16;
 
-int roundedUp(int pixels) { return (pixels + 255) / 256 * 256; }
+int roundedUp(int pixels, int step) { return (pixels + step - 1) / step * step; }
 
 /// World to clip space of a tile. Window y grows downwards, so that rows are read back from the top, and depth is
 /// near / view depth: reversed, without a far end, and evenly precise in floats (Reed 2015, "Depth Precision
@@ -41,53 +41,26 @@ world::Mat4 clipMatrix(const world::Camera& camera, const world::Rect& rect) {
   return glm::transpose(rows);
 }
 
-struct Pass {
-  Pass(const gl::Workers::Local& local, const char* fragment)
-      : program(local.api, local.shaders.load("mesh/mesh.vert"), local.shaders.load(fragment)),
-        clip(program.uniform("clip")),
-        bones(program.uniform("bones")),
-        eye(program.uniform("eye")),
-        tint(program.uniform("tint")),
-        sunShare(program.uniform("sunShare")),
-        baked(program.uniform("baked")),
-        lampCount(program.uniform("lampCount")),
-        lampPosition(program.uniform("lampPosition")),
-        lampColour(program.uniform("lampColour")),
-        pixelsPerMetre(program.uniform("pixelsPerMetre")) {}
-  gl::Program program;
-  GLint clip;
-  GLint bones;
-  GLint eye;
-  GLint tint;
-  GLint sunShare;
-  GLint baked;
-  GLint lampCount;
-  GLint lampPosition;
-  GLint lampColour;
-  GLint pixelsPerMetre;
-};
-
-/// False if even the nearest point is too far for it. Towards the frame's corners depth is less than distance.
-bool showsFineDetail(const Drawing& drawing) {
-  return drawing.camera->focal() > 3.0F * kFineDetail * kLeastCosine * (drawing.distance - drawing.reach);
-}
-
 }  // namespace
 
 /// One worker's program, buffers and atlases.
 class GlMeshRenderer::Bench {
  public:
   explicit Bench(const gl::Workers::Local& local)
-      : api_(local.api), near_(local, "mesh/mesh.frag"), far_(local, "mesh/mesh_far.frag") {}
+      : api_(local.api),
+        program_(local.api, local.shaders.load("mesh/mesh.vert"), local.shaders.load("mesh/mesh.frag")),
+        toClip_(program_.uniform("toClip")),
+        lightBuffer_(local.api) {}
 
   /// Draws from `order[first]` on as many as one atlas holds; returns the next that is left.
   std::size_t renderSome(std::span<const Drawing> drawings, std::span<const std::size_t> order, std::size_t first,
-                         node::ImagePool& pool, std::span<std::shared_ptr<const node::Image>> images) {
+                         const DetailTexture& texture, node::ImagePool& pool,
+                         std::span<std::shared_ptr<const node::Image>> images) {
     const Drawing& tallest = drawings[order[first]];
     int widest = 0;
     for (const std::size_t i : order.subspan(first)) widest = std::max(widest, drawings[i].rect.width());
-    const int width = std::max(kAtlasWidth, roundedUp(widest));
-    const int height = std::max(kAtlasHeight, roundedUp(tallest.rect.height()));
+    const int width = std::max(kAtlasWidth, roundedUp(widest, 256));
+    const int height = std::max(kAtlasHeight, roundedUp(tallest.rect.height(), kAtlasStep));
     TilePacker packer(width, height);
     std::vector<world::Rect> tiles;
     for (std::size_t i = first; i < order.size(); ++i) {
@@ -96,11 +69,15 @@ class GlMeshRenderer::Bench {
       if (!tile) break;
       tiles.push_back(*tile);
     }
-    prepare(atlasFor(width, height));
-    for (std::size_t i = 0; i < tiles.size(); ++i) draw(drawings[order[first + i]], tiles[i]);
+    const std::span<const std::size_t> batch = order.subspan(first, tiles.size());
+    const std::vector<std::size_t> lights = light(drawings, batch);
+    prepare(atlasFor(width, std::min(height, roundedUp(packer.bottom(), kAtlasStep))));
+    for (std::size_t i = 0; i < tiles.size(); ++i) draw(drawings[batch[i]], tiles[i], lights[i]);
     for (std::size_t i = 0; i < tiles.size(); ++i) {
-      const std::size_t which = order[first + i];
-      images[which] = readBack(drawings[which], tiles[i], pool);
+      const Drawing& drawing = drawings[batch[i]];
+      const std::shared_ptr<node::Image> image = pool.acquire(drawing.rect);
+      finish(readBack(tiles[i]), drawing, texture, *image);
+      images[batch[i]] = image;
     }
     return first + tiles.size();
   }
@@ -114,11 +91,11 @@ class GlMeshRenderer::Bench {
   }
 
   void prepare(const gl::Framebuffer& atlas) {
-    constexpr std::array<float, 4> kNothing = {0.0F, 0.0F, 0.0F, 0.0F};
+    constexpr float kFarthest = 0.0F;
     atlas.bind();
     api_.Disable(GL_SCISSOR_TEST);
-    api_.ClearNamedFramebufferfv(atlas.name(), GL_COLOR, 0, kNothing.data());
-    api_.ClearNamedFramebufferfv(atlas.name(), GL_DEPTH, 0, kNothing.data());
+    // Depth alone tells where something is, so the colour keeps what earlier batches drew.
+    api_.ClearNamedFramebufferfv(atlas.name(), GL_DEPTH, 0, &kFarthest);
     api_.Enable(GL_SCISSOR_TEST);
     api_.ClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
     api_.Enable(GL_DEPTH_TEST);
@@ -126,49 +103,67 @@ class GlMeshRenderer::Bench {
     api_.Enable(GL_CULL_FACE);
     api_.CullFace(GL_BACK);
     api_.FrontFace(GL_CW);  // the picture is upside down to GL
+    program_.use();
   }
 
-  void draw(const Drawing& drawing, const world::Rect& tile) {
-    const world::Camera& camera = *drawing.camera;
-    const LitSurface& object = *drawing.object;
+  [[nodiscard]] const GlSurface& surfaceOf(const LitSurface& object) {
+    const auto it = surfaces_.find(&object);
+    return it != surfaces_.end() ? it->second : surfaces_.try_emplace(&object, api_, object).first->second;
+  }
+
+  static const Level& levelOf(const Drawing& drawing) {
+    return drawing.object->surface.levelFor(drawing.distance, drawing.camera->focal());
+  }
+
+  /// Lights the vertices of all drawings at once: an upload each would be dear. Returns where each begins, in bytes.
+  [[nodiscard]] std::vector<std::size_t> light(std::span<const Drawing> drawings, std::span<const std::size_t> batch) {
+    std::vector<std::size_t> starts;
+    std::size_t total = 0;
+    for (const std::size_t i : batch) {
+      starts.push_back(total * sizeof(std::uint32_t));
+      total += levelOf(drawings[i]).vertexCount;
+    }
+    light_.resize(total);
+    std::span<std::uint32_t> rest = light_;
+    for (const std::size_t i : batch) {
+      const std::size_t count = levelOf(drawings[i]).vertexCount;
+      lightVertices(surfaceOf(*drawings[i].object).arrays(), drawings[i], rest.first(count));
+      rest = rest.subspan(count);
+    }
+    api_.NamedBufferData(lightBuffer_.name(), static_cast<GLsizeiptr>(total * sizeof(std::uint32_t)), light_.data(),
+                         GL_STREAM_DRAW);
+    return starts;
+  }
+
+  void draw(const Drawing& drawing, const world::Rect& tile, std::size_t firstLight) {
     api_.Viewport(tile.left, tile.top, tile.width(), tile.height());
     api_.Scissor(tile.left, tile.top, tile.width(), tile.height());
-    const world::Mat4 clip = clipMatrix(camera, drawing.rect);
-    const float focal = camera.focal();
-    const Pass& pass = showsFineDetail(drawing) ? near_ : far_;
-    pass.program.use();
-    api_.UniformMatrix4fv(pass.clip, 1, GL_FALSE, &clip[0][0]);
-    api_.UniformMatrix4fv(pass.bones, static_cast<GLsizei>(kMostBones), GL_FALSE, &drawing.bones[0][0][0]);
-    api_.Uniform3fv(pass.eye, 1, &camera.pose.position.x);
-    api_.Uniform3fv(pass.tint, 1, &drawing.tint.x);
-    api_.Uniform1f(pass.sunShare, drawing.sunShare);
-    api_.Uniform1f(pass.baked, object.baked ? 1.0F : 0.0F);
-    api_.Uniform1f(pass.pixelsPerMetre, focal);
-    api_.Uniform1i(pass.lampCount, drawing.lamps.count);
-    if (drawing.lamps.count > 0) {
-      api_.Uniform3fv(pass.lampPosition, drawing.lamps.count, &drawing.lamps.position[0].x);
-      api_.Uniform3fv(pass.lampColour, drawing.lamps.count, &drawing.lamps.colour[0].x);
-    }
-    auto it = surfaces_.find(&object);
-    if (it == surfaces_.end()) it = surfaces_.try_emplace(&object, api_, object).first;
-    it->second.draw(object.surface.levelFor(drawing.distance, focal));
+    const world::Mat4 clip = clipMatrix(*drawing.camera, drawing.rect);
+    std::array<world::Mat4, kMostBones> toClip;
+    std::ranges::transform(drawing.bones, toClip.begin(), [&](const world::Mat4& bone) { return clip * bone; });
+    api_.UniformMatrix4fv(toClip_, static_cast<GLsizei>(kMostBones), GL_FALSE, &toClip[0][0][0]);
+    surfaceOf(*drawing.object).draw(levelOf(drawing), lightBuffer_, firstLight);
   }
 
-  /// Each tile straight into its image: software GL copies no byte twice that way.
-  [[nodiscard]] std::shared_ptr<const node::Image> readBack(const Drawing& drawing, const world::Rect& tile,
-                                                            node::ImagePool& pool) const {
-    const std::shared_ptr<node::Image> image = pool.acquire(drawing.rect);
+  /// Valid until the next.
+  [[nodiscard]] Fragments readBack(const world::Rect& tile) {
     const int width = tile.width();
     const int height = tile.height();
-    api_.ReadPixels(tile.left, tile.top, width, height, GL_RGBA, GL_UNSIGNED_BYTE, image->colour.data());
-    api_.ReadPixels(tile.left, tile.top, width, height, GL_DEPTH_COMPONENT, GL_FLOAT, image->depth.data());
-    toViewDepth(image->depth, drawing.camera->nearDepth);
-    return image;
+    const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+    surface_.resize(std::max(surface_.size(), pixels));
+    depth_.resize(std::max(depth_.size(), pixels));
+    api_.ReadPixels(tile.left, tile.top, width, height, GL_RGBA, GL_UNSIGNED_BYTE, surface_.data());
+    api_.ReadPixels(tile.left, tile.top, width, height, GL_DEPTH_COMPONENT, GL_FLOAT, depth_.data());
+    return {surface_.data(), depth_.data(), width};
   }
 
   const gl::Api& api_;
-  Pass near_;
-  Pass far_;
+  gl::Program program_;
+  GLint toClip_;
+  gl::Buffer lightBuffer_;
+  std::vector<std::uint32_t> light_;
+  std::vector<std::uint32_t> surface_;
+  std::vector<float> depth_;
   std::map<std::pair<int, int>, gl::Framebuffer> atlases_;
   std::map<const LitSurface*, GlSurface> surfaces_;
 };
@@ -190,7 +185,8 @@ void GlMeshRenderer::render(std::span<const Drawing> drawings, std::span<std::sh
   }
   std::ranges::sort(
       order, [&](std::size_t a, std::size_t b) { return drawings[a].rect.height() > drawings[b].rect.height(); });
-  for (std::size_t next = 0; next < order.size();) next = bench->renderSome(drawings, order, next, images_, images);
+  for (std::size_t next = 0; next < order.size();)
+    next = bench->renderSome(drawings, order, next, texture_, images_, images);
 }
 
 }  // namespace grove::objects::mesh

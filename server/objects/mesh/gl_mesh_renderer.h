@@ -4,11 +4,13 @@
 #include <vector>
 
 #include "gl/workers.h"
+#include "objects/mesh/detail_texture.h"
 #include "objects/mesh/drawing.h"
 
 namespace grove::objects::mesh {
 
-/// Rasterises with GL. A batch is drawn as tiles of one atlas, whoever they are for, and then read back.
+/// Rasterises with GL. A batch is drawn as tiles of one atlas, whoever they are for, then read back and finished:
+/// GL interpolates light and depth over triangles, and what needs many operations a pixel is left to wider loops.
 class GlMeshRenderer final : public MeshRenderer {
  public:
   /// Both outlive the renderer.
@@ -21,6 +23,7 @@ class GlMeshRenderer final : public MeshRenderer {
 
  private:
   class Bench;
+  const DetailTexture texture_;
   gl::Workers& workers_;
   node::ImagePool& images_;
   std::vector<std::unique_ptr<Bench>> benches_;  // by worker, each used by its thread alone

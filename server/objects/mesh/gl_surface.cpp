@@ -8,12 +8,16 @@ namespace {
 
 constexpr GLuint kVertexBinding = 0;
 constexpr GLuint kLightBinding = 1;
-constexpr GLuint kLightAttribute = 4;
+constexpr GLuint kPositionAttribute = 0;
+constexpr GLuint kLightAttribute = 1;
+constexpr GLuint kLichenAttribute = 2;
 
-void attribute(const gl::VertexArray& array, GLuint index, GLint floats, std::size_t offset, GLuint binding) {
+void attribute(const gl::VertexArray& array, GLuint index, GLint count, GLenum type, std::size_t offset,
+               GLuint binding) {
   const gl::Api& api = array.api();
   api.EnableVertexArrayAttrib(array.name(), index);
-  api.VertexArrayAttribFormat(array.name(), index, floats, GL_FLOAT, GL_FALSE, static_cast<GLuint>(offset));
+  api.VertexArrayAttribFormat(array.name(), index, count, type, type == GL_UNSIGNED_BYTE ? GL_TRUE : GL_FALSE,
+                              static_cast<GLuint>(offset));
   api.VertexArrayAttribBinding(array.name(), index, binding);
 }
 
@@ -25,10 +29,9 @@ void fill(const gl::Buffer& buffer, const std::vector<T>& values) {
 }  // namespace
 
 GlSurface::GlSurface(const gl::Api& api, const LitSurface& object)
-    : vertices_(api), light_(api), indices_(api), array_(api) {
+    : arrays_(object), vertices_(api), indices_(api), array_(api) {
   const Surface& surface = object.surface;
   fill(vertices_, surface.vertices);
-  fill(light_, object.light);
   std::vector<Triangle> all;
   for (const Level& level : surface.levels) {
     ranges_.push_back({&level, static_cast<GLsizei>(level.triangles.size() * 3), all.size() * sizeof(Triangle)});
@@ -37,20 +40,19 @@ GlSurface::GlSurface(const gl::Api& api, const LitSurface& object)
   fill(indices_, all);
 
   api.VertexArrayVertexBuffer(array_.name(), kVertexBinding, vertices_.name(), 0, sizeof(Vertex));
-  api.VertexArrayVertexBuffer(array_.name(), kLightBinding, light_.name(), 0, sizeof(world::Vec4));
   api.VertexArrayElementBuffer(array_.name(), indices_.name());
   static_assert(offsetof(Vertex, bone) == sizeof(world::Vec3), "the shader reads position and bone as one");
-  attribute(array_, 0, 4, offsetof(Vertex, position), kVertexBinding);
-  attribute(array_, 1, 3, offsetof(Vertex, normal), kVertexBinding);
-  attribute(array_, 2, 3, offsetof(Vertex, albedo), kVertexBinding);
-  attribute(array_, 3, 4, offsetof(Vertex, grain), kVertexBinding);
-  attribute(array_, kLightAttribute, 4, 0, kLightBinding);
+  attribute(array_, kPositionAttribute, 4, GL_FLOAT, offsetof(Vertex, position), kVertexBinding);
+  attribute(array_, kLightAttribute, 4, GL_UNSIGNED_BYTE, 0, kLightBinding);
+  attribute(array_, kLichenAttribute, 1, GL_FLOAT, offsetof(Vertex, lichen), kVertexBinding);
 }
 
-void GlSurface::draw(const Level& level) const {
+void GlSurface::draw(const Level& level, const gl::Buffer& light, std::size_t firstByte) const {
   const auto range = std::ranges::find(ranges_, &level, &Range::level);
   assert(range != ranges_.end());
   const gl::Api& api = array_.api();
+  api.VertexArrayVertexBuffer(array_.name(), kLightBinding, light.name(), static_cast<GLintptr>(firstByte),
+                              sizeof(std::uint32_t));
   api.BindVertexArray(array_.name());
   // GL takes the offset into the bound buffer as a pointer.
   api.DrawElements(GL_TRIANGLES, range->count, GL_UNSIGNED_INT, reinterpret_cast<const void*>(range->byteOffset));

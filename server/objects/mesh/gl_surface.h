@@ -4,6 +4,7 @@
 
 #include "gl/handles.h"
 #include "objects/mesh/drawing.h"
+#include "objects/mesh/vertex_arrays.h"
 
 namespace grove::objects::mesh {
 
@@ -12,8 +13,11 @@ class GlSurface {
  public:
   GlSurface(const gl::Api& api, const LitSurface& object);
 
-  /// Draws one of the surface's levels with the program in use.
-  void draw(const Level& level) const;
+  /// Draws one of the surface's levels with the program in use. `light` holds from `firstByte` on what lightVertices()
+  /// gave for the level's vertices.
+  void draw(const Level& level, const gl::Buffer& light, std::size_t firstByte) const;
+
+  [[nodiscard]] const VertexArrays& arrays() const noexcept { return arrays_; }
 
  private:
   struct Range {
@@ -22,8 +26,8 @@ class GlSurface {
     std::size_t byteOffset;
   };
 
+  VertexArrays arrays_;
   gl::Buffer vertices_;
-  gl::Buffer light_;
   gl::Buffer indices_;
   gl::VertexArray array_;
   std::vector<Range> ranges_;

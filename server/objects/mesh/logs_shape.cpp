@@ -34,7 +34,6 @@ Surface makeLog(float length, float radius, std::uint32_t seed) {
       vertex.albedo = glm::mix(vertex.albedo, Vec3(1.0F, 0.26F, 0.04F), ember);
       vertex.emission = 1.6F * ember;
     }
-    vertex.grain = 0.4F * (1.0F - ember);
     return vertex;
   });
 }

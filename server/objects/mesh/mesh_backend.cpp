@@ -24,7 +24,6 @@ bool anyDrawnByGl(const world::World& world, world::TypeIndex self) {
 MeshBackend::Entry::Entry(const world::Object& object)
     : lit{modelOf(object).surface(), {}, true},
       points(lit.surface),
-      reach(0.5F * glm::length(lit.surface.bounds().size())),
       toWorld(object.transform.matrix()),
       renderer(modelOf(object).renderer()) {}
 
@@ -76,7 +75,6 @@ void MeshBackend::answerWith(RendererKind kind, std::span<const node::Request> r
     drawing.camera = &requests[i].view().camera;
     drawing.rect = screenBox(entry.points, entry.toWorld, *drawing.camera, visible.rect);
     drawing.distance = visible.distance / visible.object.transform.scale;
-    drawing.reach = entry.reach;
     drawing.bones[0] = entry.toWorld;
     drawing.lamps = chooseLamps(requests[i].view().lights, visible.object.bounds);
     slots.push_back(i);

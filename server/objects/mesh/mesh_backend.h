@@ -28,7 +28,6 @@ class MeshBackend final : public node::BackendHalf {
     explicit Entry(const world::Object& object);
     LitSurface lit;
     PointCloud points;
-    float reach;
     world::Mat4 toWorld;
     RendererKind renderer;
   };

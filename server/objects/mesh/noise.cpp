@@ -21,38 +21,25 @@ std::uint32_t scaled(float cell, std::uint32_t prime) noexcept {
 
 }  // namespace
 
-NoiseSample valueNoise(Vec3 p) noexcept {
+float valueNoise(Vec3 p) noexcept {
   const Vec3 cell = glm::floor(p);
   const Vec3 f = p - cell;
   const Vec3 u = f * f * (3.0F - 2.0F * f);
-  const Vec3 du = 6.0F * f * (1.0F - f);
   const std::array<std::uint32_t, 3> low = {scaled(cell.x, kPrimes[0]), scaled(cell.y, kPrimes[1]),
                                             scaled(cell.z, kPrimes[2])};
-  // Differences along an axis first, so that value and gradient share them.
   std::array<float, 4> plane{};
-  std::array<float, 4> alongZ{};
   for (std::uint32_t i = 0; i < 4; ++i) {
     const std::uint32_t column = (low[0] + (i & 1U) * kPrimes[0]) ^ (low[1] + (i >> 1U) * kPrimes[1]);
-    const float front = hashed(column ^ low[2]);
-    alongZ[i] = hashed(column ^ (low[2] + kPrimes[2])) - front;
-    plane[i] = front + alongZ[i] * u.z;
+    plane[i] = glm::mix(hashed(column ^ low[2]), hashed(column ^ (low[2] + kPrimes[2])), u.z);
   }
-  const float alongY0 = plane[2] - plane[0];
-  const float alongY1 = plane[3] - plane[1];
-  const float line0 = plane[0] + alongY0 * u.y;
-  const float line1 = plane[1] + alongY1 * u.y;
-  const float slopeZ0 = alongZ[0] + (alongZ[2] - alongZ[0]) * u.y;
-  const float slopeZ1 = alongZ[1] + (alongZ[3] - alongZ[1]) * u.y;
-  const float alongX = line1 - line0;
-  return {line0 + alongX * u.x,
-          Vec3(alongX, alongY0 + (alongY1 - alongY0) * u.x, slopeZ0 + (slopeZ1 - slopeZ0) * u.x) * du};
+  return glm::mix(glm::mix(plane[0], plane[1], u.x), glm::mix(plane[2], plane[3], u.x), u.y);
 }
 
 float fractalNoise(Vec3 p, int octaves) noexcept {
   float sum = 0.0F;
   float strength = 1.0F;
   for (int i = 0; i < octaves; ++i) {
-    sum += (valueNoise(p).value - 0.5F) * strength;
+    sum += (valueNoise(p) - 0.5F) * strength;
     strength *= 0.5F;
     // Turned a little, so that the octaves' lattices do not line up.
     p = Vec3(0.8F * p.x - 0.6F * p.z, p.y, 0.6F * p.x + 0.8F * p.z) * 2.03F + Vec3(17.1F, 3.7F, 29.3F);

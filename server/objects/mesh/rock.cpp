@@ -90,7 +90,6 @@ class Rock {
     vertex.albedo = glm::mix(vertex.albedo, Vec3(0.15F, 0.17F, 0.07F), 0.75F * moss);
     const float soil = std::clamp(1.0F - height / 0.14F, 0.0F, 1.0F);
     vertex.albedo = glm::mix(vertex.albedo, Vec3(0.13F, 0.105F, 0.07F), 0.7F * soil);
-    vertex.grain = 1.0F;
     vertex.lichen = std::clamp(0.30F + 1.1F * fractalNoise(q * 1.1F + 150.0F, 2), 0.0F, 0.6F) * (1.0F - moss);
     return vertex;
   }
@@ -107,8 +106,10 @@ class Rock {
 Surface makeRock(const RockForm& form, float cell, int halvings) {
   const auto count = [&](float half) { return std::clamp(static_cast<int>(std::lround(2.0F * half / cell)), 1, 12); };
   const Rock rock(form);
-  return makeDeformedBox({count(form.half.x), count(form.half.y), count(form.half.z)}, halvings,
-                         [&](Vec3 cube) { return rock.at(cube); });
+  Surface surface = makeDeformedBox({count(form.half.x), count(form.half.y), count(form.half.z)}, halvings,
+                                    [&](Vec3 cube) { return rock.at(cube); });
+  surface.weathered = true;
+  return surface;
 }
 
 }  // namespace grove::objects::mesh

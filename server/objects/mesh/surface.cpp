@@ -11,7 +11,7 @@ namespace {
 
 using world::Vec3;
 
-constexpr float kEdgePixels = 26.0F;
+constexpr float kEdgePixels = 16.0F;
 
 /// The triangulated surface of a cube, before it is deformed. Halving keeps the vertices and adds to their end.
 struct Lattice {
@@ -80,6 +80,12 @@ struct Lattice {
   }
 };
 
+std::size_t verticesUsed(const std::vector<Triangle>& triangles) {
+  std::uint32_t last = 0;
+  for (const auto& [a, b, c] : triangles) last = std::max({last, a, b, c});
+  return last + std::size_t{1};
+}
+
 float meanEdge(const std::vector<Vertex>& vertices, const std::vector<Triangle>& triangles) {
   float sum = 0.0F;
   for (const auto& [a, b, c] : triangles) sum += glm::distance(vertices[a].position, vertices[b].position);
@@ -90,6 +96,7 @@ float meanEdge(const std::vector<Vertex>& vertices, const std::vector<Triangle>&
 
 void Surface::append(const Surface& other, const world::Mat4& matrix) {
   if (levels.empty()) levels.resize(other.levels.size());
+  weathered = weathered || other.weathered;
   assert(levels.size() == other.levels.size());
   const auto first = static_cast<std::uint32_t>(vertices.size());
   for (Vertex vertex : other.vertices) {
@@ -101,6 +108,7 @@ void Surface::append(const Surface& other, const world::Mat4& matrix) {
     for (const auto& [a, b, c] : other.levels[i].triangles)
       levels[i].triangles.push_back({a + first, b + first, c + first});
     levels[i].edge = meanEdge(vertices, levels[i].triangles);
+    levels[i].vertexCount = verticesUsed(levels[i].triangles);
   }
 }
 
@@ -140,7 +148,7 @@ Surface makeDeformedBox(std::array<int, 3> cells, int halvings, const Deform& de
   Lattice lattice(cells);
   Surface surface;
   for (int i = 0;; ++i) {
-    surface.levels.push_back({lattice.triangles, 0.0F});
+    surface.levels.push_back({lattice.triangles, 0.0F, lattice.points.size()});
     if (i == halvings) break;
     lattice.halve();
   }

@@ -9,13 +9,12 @@
 
 namespace grove::objects::mesh {
 
-/// A corner of a triangle as the shaders read it (shaders/mesh/mesh.vert).
+/// A corner of a triangle.
 struct Vertex {
   world::Vec3 position{0.0F};  ///< metres, of the object
   float bone = 0.0F;           ///< which of the drawing's matrices moves it
   world::Vec3 normal{0.0F};    ///< unit
   world::Vec3 albedo{0.5F};    ///< linear
-  float grain = 0.0F;          ///< strength of the procedural detail, 0..1
   float lichen = 0.0F;         ///< how much of it is overgrown, 0..1
   float emission = 0.0F;       ///< radiance that it gives off, times albedo
   float tint = 0.0F;           ///< share of the drawing's tint
@@ -26,7 +25,8 @@ using Triangle = std::array<std::uint32_t, 3>;
 /// One level of detail: triangles between some of the surface's vertices.
 struct Level {
   std::vector<Triangle> triangles;
-  float edge = 0.0F;  ///< metres, a typical edge
+  float edge = 0.0F;            ///< metres, a typical edge
+  std::size_t vertexCount = 0;  ///< none of its corners has this index or a higher one
 };
 
 /// A closed, coloured surface. All levels share the vertices of the finest, with the finest's normals, so that light
@@ -34,6 +34,7 @@ struct Level {
 struct Surface {
   std::vector<Vertex> vertices;
   std::vector<Level> levels;  ///< coarse to fine, at least one
+  bool weathered = false;     ///< shows the procedural detail of rock
 
   /// Adds a copy of `other`, moved. Both have the same number of levels, or one of them is empty.
   void append(const Surface& other, const world::Mat4& matrix);

@@ -14,6 +14,9 @@ class TilePacker {
   /// None if it does not fit any more.
   [[nodiscard]] std::optional<world::Rect> place(int width, int height);
 
+  /// Where the lowest of them ends.
+  [[nodiscard]] int bottom() const noexcept { return rowTop_ + rowHeight_; }
+
  private:
   int width_;
   int height_;

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace grove::objects::mesh {
+
+/// The weathered face of rock as heights in a cube that repeats: layers, grains and pits of eight texels down to two.
+/// Baked once, for a lookup costs less than evaluating the noise anew at every pixel.
+class DetailTexture {
+ public:
+  static constexpr std::uint32_t kBits = 6;
+  static constexpr std::uint32_t kSize = 1U << kBits;  ///< texels along an edge
+
+  DetailTexture();
+
+  /// At ((z * kSize) + y) * kSize + x: the heights (0..255) of the texel, of those next along x, along y, and along
+  /// both, from the lowest byte up. The slice after the last is the first again, so z + 1 needs no wrapping.
+  [[nodiscard]] const std::uint32_t* squares() const noexcept { return squares_.data(); }
+
+ private:
+  std::vector<std::uint32_t> squares_;
+};
+
+}  // namespace grove::objects::mesh

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "objects/mesh/drawing.h"
+
+namespace grove::objects::mesh {
+
+/// The vertices of a lit surface in the layout that vectorised loops want: an array for each member.
+struct VertexArrays {
+  /// Neighbours in the arrays that follow the same bone.
+  struct Run {
+    std::size_t begin;
+    std::size_t end;
+    std::size_t bone;
+  };
+
+  explicit VertexArrays(const LitSurface& object);
+
+  std::vector<Run> runs;
+  std::vector<float> positionX, positionY, positionZ;
+  std::vector<float> normalX, normalY, normalZ;
+  std::vector<float> albedoR, albedoG, albedoB;
+  std::vector<float> emission;
+  std::vector<float> tint;
+  std::vector<float> sun;                              // LitSurface::light.x
+  std::vector<float> indirectR, indirectG, indirectB;  // and yzw
+};
+
+}  // namespace grove::objects::mesh

@@ -1,2 +1,0 @@
-#version 450 core
-#include "mesh/shading.glsl"

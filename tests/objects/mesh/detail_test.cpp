@@ -1,0 +1,128 @@
+#include "objects/mesh/detail.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "objects/mesh/bench.h"
+
+namespace grove::objects::mesh {
+namespace {
+
+using world::Vec3;
+
+constexpr int kWidth = 100;
+constexpr int kHeight = 40;
+constexpr std::size_t kPixels = kWidth * kHeight;
+constexpr std::uint32_t kGrey = 0x00606060;
+
+/// A wall that faces the camera at a distance, of one grey, with a hole in its left fifth.
+class DetailTest : public testing::Test {
+ protected:
+  DetailTest() {
+    object_.surface = makeBox({1, 1, 1}, Vec3(0.5F));
+    object_.surface.weathered = true;
+    camera_.width = kWidth;
+    camera_.height = kHeight;
+    drawing_.object = &object_;
+    drawing_.camera = &camera_;
+    drawing_.rect = {0, 0, kWidth, kHeight};
+    drawing_.bones.fill(world::Mat4(1.0F));
+  }
+
+  std::shared_ptr<const node::Image> wallAt(float metres, std::uint32_t material = 0) {
+    drawing_.distance = metres;
+    std::vector<std::uint32_t> surface(kPixels, kGrey | material << 24U);
+    std::vector<float> depth(kPixels, camera_.nearDepth / metres);
+    for (std::size_t i = 0; i < kPixels; ++i) {
+      if (i % kWidth < kWidth / 5) depth[i] = 0.0F;
+    }
+    auto image = images_.acquire(drawing_.rect);
+    finish({surface.data(), depth.data(), kWidth}, drawing_, texture_, *image);
+    return image;
+  }
+
+  /// Standard deviation of green over the wall.
+  static double contrast(const node::Image& image) {
+    double sum = 0.0;
+    double squares = 0.0;
+    double count = 0.0;
+    for (const std::uint32_t colour : image.colour) {
+      if (colour == 0U) continue;
+      const double green = colour >> 8U & 0xFFU;
+      sum += green;
+      squares += green * green;
+      count += 1.0;
+    }
+    return std::sqrt(std::max(0.0, squares / count - sum * sum / (count * count)));
+  }
+
+  LitSurface object_;
+  world::Camera camera_;
+  Drawing drawing_;
+  node::ImagePool images_;
+  const DetailTexture texture_;
+};
+
+TEST_F(DetailTest, DepthIsInMetresAndHolesStayOpen) {
+  for (const bool weathered : {true, false}) {
+    object_.surface.weathered = weathered;
+    const auto image = wallAt(4.0F);
+    for (std::size_t i = 0; i < kPixels; ++i) {
+      const bool hole = i % kWidth < kWidth / 5;
+      ASSERT_EQ(image->colour[i] >> 24U, hole ? 0U : 255U);
+      if (hole) {
+        ASSERT_EQ(image->colour[i], 0U);
+        ASSERT_EQ(image->depth[i], world::kInfiniteDepth);
+      } else {
+        ASSERT_NEAR(image->depth[i], 4.0F, 1.0e-4F);
+      }
+    }
+  }
+}
+
+TEST_F(DetailTest, OnlyRockIsWeathered) {
+  EXPECT_GT(contrast(*wallAt(0.5F)), 2.0);
+  object_.surface.weathered = false;
+  const auto image = wallAt(0.5F);
+  EXPECT_EQ(contrast(*image), 0.0);
+  EXPECT_EQ(image->colour.back(), 0xFF606060U);
+}
+
+TEST_F(DetailTest, FadesBeforeItIsTooFineForThePixels) { EXPECT_LT(contrast(*wallAt(60.0F)), 0.5); }
+
+TEST_F(DetailTest, TheSunBringsOutRelief) {
+  constexpr std::uint32_t kRelief = 0xF0;
+  EXPECT_GT(contrast(*wallAt(0.5F, kRelief)), 1.5 * contrast(*wallAt(0.5F)));
+}
+
+TEST_F(DetailTest, StaysOnTheObjectWhenTheObjectMoves) {
+  const auto here = wallAt(0.5F);
+  const Vec3 moved(3.0F, -1.0F, 7.0F);
+  drawing_.bones[0] = world::Transform{moved, 0.0F, 1.0F}.matrix();
+  camera_.pose.position += moved;
+  const auto there = wallAt(0.5F);
+  std::size_t apart = 0;
+  for (std::size_t i = 0; i < kPixels; ++i) {
+    const int a = static_cast<int>(here->colour[i] >> 8U & 0xFFU);
+    const int b = static_cast<int>(there->colour[i] >> 8U & 0xFFU);
+    if (std::abs(a - b) > 2) ++apart;
+  }
+  EXPECT_LT(apart, kPixels / 100);
+}
+
+TEST(DetailTexture, RepeatsWithoutASeam) {
+  const DetailTexture texture;
+  constexpr std::uint32_t kLast = DetailTexture::kSize - 1;
+  const auto square = [&](std::uint32_t x, std::uint32_t y, std::uint32_t z) {
+    return texture.squares()[(z * DetailTexture::kSize + y) * DetailTexture::kSize + x];
+  };
+  for (std::uint32_t i = 0; i < DetailTexture::kSize; ++i) {
+    EXPECT_EQ(square(kLast, i, 5) >> 8U & 0xFFU, square(0, i, 5) & 0xFFU);
+    EXPECT_EQ(square(i, kLast, 5) >> 16U & 0xFFU, square(i, 0, 5) & 0xFFU);
+    EXPECT_EQ(square(i, 9, kLast + 1), square(i, 9, 0));
+  }
+}
+
+}  // namespace
+}  // namespace grove::objects::mesh
