@@ -14,7 +14,8 @@ namespace {
 using namespace std::chrono_literals;
 using stream::HeadlessSession;
 
-constexpr auto kPatience = 20s;
+constexpr auto kPatience = 60s;
+constexpr double kPushed = 0.012;  // share of the picture's width
 
 /// Stones around a fire before a black sky: nothing but the simulation and the visitors moves.
 const std::string kScene = R"(
@@ -137,11 +138,14 @@ TEST_F(HeadlessSessions, AGustByOneIsSeenByTheOther) {
   std::this_thread::sleep_for(300ms);
   const auto at = served.host.world().players().all(world::World::now())[0].pose.position;
   const float towardsFire = std::atan2(at.x, at.z);
-  const double before = pictureAfter(witness, 0, 0.0F).middle(0.4, 0.62);
+  // The plume wanders by itself, so the gust has to push it farther than it ever went.
+  const auto plume = [&] { return pictureAfter(witness, 0, 0.0F).middle(0.3, 0.7); };
+  double farthest = 1.0;
+  for (int i = 0; i < 30; ++i) farthest = std::min(farthest, plume());
   (void)pictureAfter(blower, world::kBlow, towardsFire, 0.0F);
-  std::this_thread::sleep_for(1200ms);
-  const double after = pictureAfter(witness, 0, 0.0F).middle(0.4, 0.62);
-  EXPECT_LT(after, before - 0.01);
+  double pushed = 1.0;
+  for (int i = 0; i < 150 && pushed > farthest - kPushed; ++i) pushed = std::min(pushed, plume());
+  EXPECT_LT(pushed, farthest - kPushed);
 }
 
 TEST_F(HeadlessSessions, VisitorsSeeEachOther) {
