@@ -22,8 +22,11 @@ world::Vec3 linear(std::uint32_t colour) {
 
 }  // namespace
 
-FigureBackend::FigureBackend(const node::BackendServices& services)
-    : world_(services.world), workers_(services.gl), figure_(makeFigure()), renderer_(services.gl, services.images) {}
+FigureBackend::FigureBackend(const node::BackendServices& services, mesh::RendererKind kind)
+    : world_(services.world),
+      executor_(mesh::executorFor(mesh::resolved(kind, services.gl), services)),
+      figure_(makeFigure()),
+      renderer_(mesh::makeRenderer(mesh::resolved(kind, services.gl), services)) {}
 
 void FigureBackend::answer(std::span<const node::Request> requests, std::span<node::Payload> payloads) {
   std::vector<mesh::Drawing> drawings;
@@ -48,7 +51,7 @@ void FigureBackend::answer(std::span<const node::Request> requests, std::span<no
     slots.push_back(i);
   }
   std::vector<std::shared_ptr<const node::Image>> images(drawings.size());
-  renderer_.render(drawings, images);
+  renderer_->render(drawings, images);
   for (std::size_t i = 0; i < slots.size(); ++i) payloads[slots[i]] = std::move(images[i]);
 }
 

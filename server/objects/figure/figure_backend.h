@@ -2,26 +2,27 @@
 
 #include "node/object_type.h"
 #include "objects/figure/figure_shape.h"
-#include "objects/mesh/gl_mesh_renderer.h"
+#include "objects/mesh/renderer_choice.h"
 
 namespace grove::objects::figure {
 
 /// The rendering node of all visitors. The geometry is across-user, every picture per-user.
 class FigureBackend final : public node::BackendHalf {
  public:
-  explicit FigureBackend(const node::BackendServices& services);
+  explicit FigureBackend(const node::BackendServices& services, mesh::RendererKind kind = mesh::RendererKind::kAuto);
 
   [[nodiscard]] node::NodeKind kind() const override { return node::NodeKind::kRendering; }
-  [[nodiscard]] pipeline::Executor& executor() override { return workers_; }
-  [[nodiscard]] int concurrency() const override { return workers_.width(); }
-  /// A visitor who has left meanwhile gives a null image.
+  [[nodiscard]] pipeline::Executor& executor() override { return executor_; }
+  [[nodiscard]] int concurrency() const override { return executor_.width(); }
+  /// On the executor; safe to call from several of its threads at once. A visitor who has left meanwhile gives a null
+  /// image.
   void answer(std::span<const node::Request> requests, std::span<node::Payload> payloads) override;
 
  private:
   const world::World& world_;
-  gl::Workers& workers_;
+  pipeline::Executor& executor_;
   const mesh::LitSurface figure_;
-  mesh::GlMeshRenderer renderer_;
+  const std::unique_ptr<mesh::MeshRenderer> renderer_;
 };
 
 }  // namespace grove::objects::figure

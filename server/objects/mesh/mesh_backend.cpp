@@ -4,8 +4,6 @@
 #include <latch>
 #include <utility>
 
-#include "objects/mesh/embree_mesh_renderer.h"
-#include "objects/mesh/gl_mesh_renderer.h"
 #include "objects/mesh/light_bake.h"
 
 namespace grove::objects::mesh {
@@ -13,37 +11,46 @@ namespace {
 
 const MeshModel& modelOf(const world::Object& object) { return static_cast<const MeshModel&>(*object.model); }
 
-bool anyDrawnByGl(const world::World& world, world::TypeIndex self) {
-  return std::ranges::any_of(world.objects(), [&](const world::Object& object) {
-    return object.type == self && modelOf(object).renderer() == RendererKind::kGl;
+/// One executor serves all of the type's objects, and GL is bound to threads of its own.
+pipeline::Executor& executorOf(const node::BackendServices& services, world::TypeIndex self) {
+  const bool anyByGl = std::ranges::any_of(services.world.objects(), [&](const world::Object& object) {
+    return object.type == self && resolved(modelOf(object).renderer(), services.gl) == RendererKind::kGl;
   });
+  return executorFor(anyByGl ? RendererKind::kGl : RendererKind::kSimd, services);
+}
+
+/// As bakeLight(); an object that is not among the world's solids still shades itself.
+std::vector<world::Vec4> bakeLightOf(const world::Object& object, const world::World& world) {
+  const MeshModel& model = modelOf(object);
+  const world::Mat4 toWorld = object.transform.matrix();
+  if (model.solid() != nullptr) return bakeLight(model.surface(), toWorld, world.rays());
+  world::Triangles obstacles = world.solids();
+  obstacles.append(model.surface().triangles(), toWorld);
+  return bakeLight(model.surface(), toWorld, world::RayScene(obstacles));
 }
 
 }  // namespace
 
-MeshBackend::Entry::Entry(const world::Object& object)
+MeshBackend::Entry::Entry(const world::Object& object, RendererKind kind)
     : lit{modelOf(object).surface(), {}, true},
       points(lit.surface),
       toWorld(object.transform.matrix()),
-      renderer(modelOf(object).renderer()) {}
+      renderer(kind) {}
 
 MeshBackend::MeshBackend(const node::BackendServices& services, world::TypeIndex self)
-    : executor_(anyDrawnByGl(services.world, self) ? static_cast<pipeline::Executor&>(services.gl) : services.workers) {
+    : executor_(executorOf(services, self)) {
   for (const world::Object& object : services.world.objects()) {
     if (object.type != self) continue;
-    const Entry& entry = entries_.try_emplace(object.id, object).first->second;
-    std::unique_ptr<MeshRenderer>& renderer = renderers_[entry.renderer];
-    if (renderer) continue;
-    if (entry.renderer == RendererKind::kGl) {
-      renderer = std::make_unique<GlMeshRenderer>(services.gl, services.images);
-    } else {
-      renderer = std::make_unique<EmbreeMeshRenderer>(services.images);
-    }
+    const RendererKind kind = resolved(modelOf(object).renderer(), services.gl);
+    entries_.try_emplace(object.id, object, kind);
+    std::unique_ptr<MeshRenderer>& renderer = renderers_[kind];
+    if (!renderer) renderer = makeRenderer(kind, services);
   }
   std::latch left(static_cast<std::ptrdiff_t>(entries_.size()));
-  for (auto& [id, entry] : entries_) {
-    services.workers.post([&rays = services.world.rays(), &left, &lit = entry.lit, &toWorld = entry.toWorld] {
-      lit.light = bakeLight(lit.surface, toWorld, rays);
+  for (const world::Object& object : services.world.objects()) {
+    if (object.type != self) continue;
+    services.workers.post([&world = services.world, &left, &object, &light = entries_.at(object.id).lit.light] {
+      light = bakeLightOf(object, world);
       left.count_down();
     });
   }

@@ -18,14 +18,15 @@ class MeshBackend final : public node::BackendHalf {
   ~MeshBackend() override;
 
   [[nodiscard]] node::NodeKind kind() const override { return node::NodeKind::kRendering; }
-  /// The GL workers if any object is drawn by GL.
+  /// The GL workers if any object is drawn by GL, else the workers of everything.
   [[nodiscard]] pipeline::Executor& executor() override { return executor_; }
   [[nodiscard]] int concurrency() const override { return executor_.width(); }
+  /// On the executor; safe to call from several of its threads at once.
   void answer(std::span<const node::Request> requests, std::span<node::Payload> payloads) override;
 
  private:
   struct Entry {
-    explicit Entry(const world::Object& object);
+    Entry(const world::Object& object, RendererKind kind);
     LitSurface lit;
     PointCloud points;
     world::Mat4 toWorld;

@@ -30,6 +30,13 @@ std::optional<float> obstacleOf(const std::string& shape, const Size& size) {
   return 0.25F * (size.width + size.depth);
 }
 
+RendererKind rendererNamed(const std::string& name) {
+  if (name == "gl") return RendererKind::kGl;
+  if (name == "simd") return RendererKind::kSimd;
+  if (name == "embree") return RendererKind::kEmbree;
+  return RendererKind::kAuto;
+}
+
 }  // namespace
 
 MeshModel::MeshModel(const world::Parameters& parameters) {
@@ -42,9 +49,9 @@ MeshModel::MeshModel(const world::Parameters& parameters) {
   size.height = metres("height", size.height);
   size.width = metres("width", size.width);
   size.depth = metres("depth", size.depth);
-  renderer_ = parameters.choice("renderer", {"gl", "embree"}) == "gl" ? RendererKind::kGl : RendererKind::kEmbree;
+  renderer_ = rendererNamed(parameters.choice("renderer", {"auto", "gl", "simd", "embree"}));
   surface_ = makeShape(shape, size, seed);
-  solid_ = surface_.triangles();
+  if (shape != "logs") solid_ = surface_.triangles();
   bounds_ = surface_.bounds();
   obstacleRadius_ = obstacleOf(shape, size);
 }

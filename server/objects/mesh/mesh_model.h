@@ -2,14 +2,12 @@
 
 #include <optional>
 
+#include "objects/mesh/renderer_choice.h"
 #include "objects/mesh/surface.h"
 #include "world/object.h"
 #include "world/scene_file.h"
 
 namespace grove::objects::mesh {
-
-/// What draws an object: `renderer = "gl" | "embree"`.
-enum class RendererKind { kGl, kEmbree };
 
 /// One mesh of the scene file.
 ///
@@ -23,16 +21,17 @@ class MeshModel final : public world::Model {
   MeshModel(Surface surface, RendererKind renderer);
 
   [[nodiscard]] world::Bounds bounds() const override { return bounds_; }
-  [[nodiscard]] const world::Triangles* solid() const override { return &solid_; }
+  /// Null for a camp fire: its smoke must rise through the logs, which are too small for the fluid's grid.
+  [[nodiscard]] const world::Triangles* solid() const override { return solid_ ? &*solid_ : nullptr; }
   [[nodiscard]] std::optional<float> obstacleRadius() const override { return obstacleRadius_; }
 
   [[nodiscard]] const Surface& surface() const noexcept { return surface_; }
   [[nodiscard]] RendererKind renderer() const noexcept { return renderer_; }
 
  private:
-  RendererKind renderer_ = RendererKind::kGl;
+  RendererKind renderer_ = RendererKind::kAuto;
   Surface surface_;
-  world::Triangles solid_;
+  std::optional<world::Triangles> solid_;
   world::Bounds bounds_;
   std::optional<float> obstacleRadius_;
 };

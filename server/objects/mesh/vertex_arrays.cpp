@@ -24,6 +24,7 @@ VertexArrays::VertexArrays(const LitSurface& object) {
     albedoB.push_back(vertex.albedo.b);
     emission.push_back(vertex.emission);
     tint.push_back(vertex.tint);
+    lichen.push_back(vertex.lichen);
     sun.push_back(light.x);
     indirectR.push_back(light.y);
     indirectG.push_back(light.z);

@@ -24,6 +24,7 @@ struct VertexArrays {
   std::vector<float> albedoR, albedoG, albedoB;
   std::vector<float> emission;
   std::vector<float> tint;
+  std::vector<float> lichen;
   std::vector<float> sun;                              // LitSurface::light.x
   std::vector<float> indirectR, indirectG, indirectB;  // and yzw
 };

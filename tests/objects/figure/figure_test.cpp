@@ -42,8 +42,9 @@ std::shared_ptr<node::FrameList> look(const std::vector<world::Object>& visitors
 
 class FigureTest : public testing::Test {
  protected:
-  std::vector<node::Payload> ask(const std::shared_ptr<node::FrameList>& list) {
-    FigureBackend half({world_, workers_, gl_, timeline_, images_, {}});
+  std::vector<node::Payload> ask(const std::shared_ptr<node::FrameList>& list,
+                                 mesh::RendererKind kind = mesh::RendererKind::kAuto) {
+    FigureBackend half({world_, workers_, gl_, timeline_, images_, {}}, kind);
     std::vector<node::Request> requests;
     for (std::uint32_t i = 0; i < list->objects.size(); ++i) requests.push_back({list, i});
     std::vector<node::Payload> payloads(requests.size());
@@ -97,6 +98,29 @@ TEST_F(FigureTest, StandsWhereItIs) {
   const float nearest = *std::ranges::min_element(image.depth);
   EXPECT_GT(nearest, 3.4F);
   EXPECT_LT(nearest, 4.0F);
+}
+
+TEST_F(FigureTest, LooksTheSameByEitherRenderer) {
+  world::Player player;
+  player.id = 1;
+  player.stride = 0.375F;
+  player.velocity = {0, 0, -world::kWalkSpeed};
+  const auto list = look({visitor(1, {0.3F, 0, -3})}, {player});
+  const auto byGl = ask(list, mesh::RendererKind::kGl);
+  const auto bySimd = ask(list, mesh::RendererKind::kSimd);
+  const auto& gl = *std::get<std::shared_ptr<const node::Image>>(byGl[0]);
+  const auto& simd = *std::get<std::shared_ptr<const node::Image>>(bySimd[0]);
+  ASSERT_EQ(gl.rect, simd.rect);
+  std::size_t covered = 0;
+  std::size_t apart = 0;
+  for (std::size_t i = 0; i < gl.depth.size(); ++i) {
+    if (gl.depth[i] < world::kInfiniteDepth) ++covered;
+    const bool sameDepth = gl.depth[i] == simd.depth[i] || std::abs(gl.depth[i] - simd.depth[i]) < 0.005F;
+    const auto red = [](std::uint32_t colour) { return static_cast<int>(colour & 0xFFU); };
+    if (!sameDepth || std::abs(red(gl.colour[i]) - red(simd.colour[i])) > 4) ++apart;
+  }
+  EXPECT_GT(covered, 1000U);
+  EXPECT_LT(apart, covered / 50);
 }
 
 TEST_F(FigureTest, WhoHasLeftIsNotShown) {

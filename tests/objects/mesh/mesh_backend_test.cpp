@@ -2,7 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <future>
+#include <map>
+#include <utility>
 
 #include "objects/mesh/bench.h"
 #include "objects/mesh/shapes.h"
@@ -13,6 +18,8 @@ namespace {
 using world::Vec3;
 
 const Vec3 kWhite{0.8F};
+constexpr std::array kAll = {RendererKind::kGl, RendererKind::kSimd, RendererKind::kEmbree};
+constexpr std::array kFast = {RendererKind::kGl, RendererKind::kSimd};
 
 world::Camera smallCamera() {
   world::Camera camera;
@@ -46,8 +53,17 @@ class MeshBackendTest : public testing::Test {
   Bench bench_;
 };
 
+/// What holds for each renderer that is fast enough to draw frames.
+class FastRenderers : public testing::TestWithParam<RendererKind> {
+ protected:
+  Bench bench_;
+};
+
+INSTANTIATE_TEST_SUITE_P(Mesh, FastRenderers, testing::ValuesIn(kFast),
+                         [](const auto& kind) { return kind.param == RendererKind::kGl ? "Gl" : "Simd"; });
+
 TEST_F(MeshBackendTest, DepthOfABoxIsExact) {
-  for (const RendererKind kind : {RendererKind::kGl, RendererKind::kEmbree}) {
+  for (const RendererKind kind : kAll) {
     world::World world(layoutOf({makeObject(1, makeBox({2, 3, 1}, kWhite), kind, {0, 0, -7.5F})}));
     MeshBackend half(bench_.services(world), 0);
     const auto image = imageOf(ask(half, {{look(smallCamera(), world.objects()), 0}})[0]);
@@ -61,8 +77,8 @@ TEST_F(MeshBackendTest, DepthOfABoxIsExact) {
   }
 }
 
-TEST_F(MeshBackendTest, NothingWhereNothingIs) {
-  world::World world(layoutOf({makeObject(1, makeStandingStone({3, 1.2F, 0.7F}, 4), RendererKind::kGl, {0, 0, -6})}));
+TEST_P(FastRenderers, NothingWhereNothingIs) {
+  world::World world(layoutOf({makeObject(1, makeStandingStone({3, 1.2F, 0.7F}, 4), GetParam(), {0, 0, -6})}));
   MeshBackend half(bench_.services(world), 0);
   const auto image = imageOf(ask(half, {{look(smallCamera(), world.objects()), 0}})[0]);
   ASSERT_NE(image, nullptr);
@@ -81,47 +97,123 @@ TEST_F(MeshBackendTest, NothingWhereNothingIs) {
   EXPECT_LT(covered, image->colour.size());
 }
 
-TEST_F(MeshBackendTest, BothRenderersGiveTheSamePicture) {
+/// One kind's pictures of a standing stone and a camp fire by the light of two lamps.
+std::vector<std::shared_ptr<const node::Image>> twoObjects(Bench& bench, RendererKind kind,
+                                                           const world::Camera& camera) {
+  world::World world(layoutOf({makeObject(1, makeStandingStone({3, 1.4F, 0.8F}, 9), kind, {0.4F, 0, -3.5F}),
+                               makeObject(2, makeLogs({0.32F, 0.75F, 0.75F}, 2), kind, {-1.2F, 0, -2.5F})}));
+  MeshBackend half(bench.services(world), 0);
+  const auto list = look(camera, world.objects());
+  auto lit = std::make_shared<node::View>(*list->view);
+  lit->lights = {{Vec3(-1.2F, 0.7F, -2.5F), Vec3(2.0F, 0.9F, 0.3F)}, {Vec3(1.5F, 1.0F, -1.5F), Vec3(0.1F, 0.3F, 0.8F)}};
+  list->view = lit;
   std::vector<std::shared_ptr<const node::Image>> images;
-  for (const RendererKind kind : {RendererKind::kGl, RendererKind::kEmbree}) {
-    world::World world(layoutOf({makeObject(1, makeStandingStone({3, 1.4F, 0.8F}, 9), kind, {0.4F, 0, -3.5F}),
-                                 makeObject(2, makeLogs({0.32F, 0.75F, 0.75F}, 2), kind, {-1.2F, 0, -2.5F})}));
-    MeshBackend half(bench_.services(world), 0);
-    world::Camera camera = smallCamera();
-    camera.pose.pitch = -0.25F;
-    const auto list = look(camera, world.objects());
-    auto lit = std::make_shared<node::View>(*list->view);
-    lit->lights = {{Vec3(-1.2F, 0.7F, -2.5F), Vec3(2.0F, 0.9F, 0.3F)},
-                   {Vec3(1.5F, 1.0F, -1.5F), Vec3(0.1F, 0.3F, 0.8F)}};
-    list->view = lit;
-    for (const node::Payload& payload : ask(half, {{list, 0}, {list, 1}})) images.push_back(imageOf(payload));
+  for (const node::Payload& payload : ask(half, {{list, 0}, {list, 1}})) images.push_back(imageOf(payload));
+  return images;
+}
+
+void expectSamePicture(const node::Image& a, const node::Image& b) {
+  ASSERT_EQ(a.rect, b.rect);
+  std::size_t both = 0;
+  std::size_t oneOnly = 0;
+  double sum = 0.0;
+  std::size_t depthsApart = 0;
+  for (std::size_t i = 0; i < a.colour.size(); ++i) {
+    const bool inA = a.depth[i] < world::kInfiniteDepth;
+    const bool inB = b.depth[i] < world::kInfiniteDepth;
+    if (inA != inB) ++oneOnly;
+    if (!inA || !inB) continue;
+    ++both;
+    sum += difference(a.colour[i], b.colour[i]);
+    if (std::abs(a.depth[i] - b.depth[i]) > 0.005F) ++depthsApart;
   }
-  for (std::size_t object = 0; object < 2; ++object) {
-    const node::Image& gl = *images[object];
-    const node::Image& embree = *images[object + 2];
-    ASSERT_EQ(gl.rect, embree.rect);
-    std::size_t both = 0;
-    std::size_t oneOnly = 0;
-    double sum = 0.0;
-    std::size_t depthsApart = 0;
-    for (std::size_t i = 0; i < gl.colour.size(); ++i) {
-      const bool inGl = gl.depth[i] < world::kInfiniteDepth;
-      const bool inEmbree = embree.depth[i] < world::kInfiniteDepth;
-      if (inGl != inEmbree) ++oneOnly;
-      if (!inGl || !inEmbree) continue;
-      ++both;
-      sum += difference(gl.colour[i], embree.colour[i]);
-      if (std::abs(gl.depth[i] - embree.depth[i]) > 0.005F) ++depthsApart;
+  ASSERT_GT(both, 500U);
+  EXPECT_LT(sum / static_cast<double>(both), 1.0);
+  EXPECT_LT(oneOnly, both / 50);
+  EXPECT_LT(depthsApart, both / 50);
+}
+
+TEST_F(MeshBackendTest, AllRenderersGiveTheSamePicture) {
+  world::Camera camera = smallCamera();
+  camera.pose.pitch = -0.25F;
+  std::map<RendererKind, std::vector<std::shared_ptr<const node::Image>>> images;
+  for (const RendererKind kind : kAll) images[kind] = twoObjects(bench_, kind, camera);
+  for (const auto& [a, b] :
+       {std::pair(RendererKind::kGl, RendererKind::kEmbree), std::pair(RendererKind::kSimd, RendererKind::kEmbree),
+        std::pair(RendererKind::kSimd, RendererKind::kGl)}) {
+    for (std::size_t object = 0; object < 2; ++object) {
+      SCOPED_TRACE("object " + std::to_string(object) + " by " + std::to_string(static_cast<int>(a)));
+      expectSamePicture(*images[a][object], *images[b][object]);
     }
-    ASSERT_GT(both, 500U);
-    EXPECT_LT(sum / static_cast<double>(both), 1.0) << "object " << object;
-    EXPECT_LT(oneOnly, both / 50) << "object " << object;
-    EXPECT_LT(depthsApart, both / 50) << "object " << object;
   }
 }
 
-TEST_F(MeshBackendTest, ACropIsThatPartOfTheWhole) {
-  world::World world(layoutOf({makeObject(1, makeStandingStone({3, 1.2F, 0.7F}, 4), RendererKind::kGl, {0, 0, -4})}));
+TEST_F(MeshBackendTest, TrianglesAcrossTheNearDepthAreClippedAlike) {
+  const world::Bounds box =
+      makeObject(1, makeStandingStone({3, 1.4F, 0.8F}, 9), RendererKind::kSimd, {0.4F, 0, -3.5F}).bounds;
+  const Vec3 before(box.centre().x, 1.2F, box.high.z + 0.3F);
+  const Vec3 within = box.high - 0.04F * box.size();
+  for (const Vec3 eye : {before, within}) {
+    const Vec3 towards = glm::normalize(Vec3(box.centre().x, 1.2F, box.centre().z) - eye);
+    world::Camera camera = smallCamera();
+    camera.pose.position = eye;
+    camera.pose.yaw = std::atan2(-towards.x, -towards.z);
+    camera.pose.pitch = std::asin(towards.y);
+    const auto simd = twoObjects(bench_, RendererKind::kSimd, camera);
+    const auto embree = twoObjects(bench_, RendererKind::kEmbree, camera);
+    SCOPED_TRACE("eye at " + std::to_string(eye.y));
+    expectSamePicture(*simd[0], *embree[0]);
+  }
+}
+
+TEST_F(MeshBackendTest, AnswersAtTheSameTimeAreThoseOneByOne) {
+  world::World world(layoutOf({makeObject(1, makeStandingStone({3, 1.2F, 0.7F}, 4), RendererKind::kSimd, {-1, 0, -5}),
+                               makeObject(2, makeRocks({0.5F, 2.4F, 2.0F}, 4), RendererKind::kSimd, {1, 0, -4})}));
+  MeshBackend half(bench_.services(world), 0);
+  EXPECT_EQ(&half.executor(), &bench_.workers);
+  EXPECT_EQ(half.concurrency(), bench_.workers.width());
+  const auto list = look(smallCamera(), world.objects());
+  const std::vector<node::Request> requests = {{list, 0}, {list, 1}};
+  const auto serial = ask(half, requests);
+  constexpr int kRounds = 20;
+  const auto repeated = [&] {
+    std::vector<std::vector<node::Payload>> rounds;
+    for (int i = 0; i < kRounds; ++i) half.answer(requests, rounds.emplace_back(requests.size()));
+    return rounds;
+  };
+  auto first = std::async(std::launch::async, repeated);
+  auto second = std::async(std::launch::async, repeated);
+  for (auto* rounds : {&first, &second}) {
+    for (const auto& payloads : rounds->get()) {
+      for (std::size_t i = 0; i < requests.size(); ++i) {
+        const auto one = imageOf(payloads[i]);
+        const auto alone = imageOf(serial[i]);
+        ASSERT_TRUE(std::ranges::equal(one->colour, alone->colour));
+        ASSERT_TRUE(std::ranges::equal(one->depth, alone->depth));
+      }
+    }
+  }
+}
+
+TEST_F(MeshBackendTest, OneObjectDrawnByGlTakesAllToItsExecutor) {
+  world::World world(layoutOf({makeObject(1, makeBox({1, 1, 1}, kWhite), RendererKind::kSimd, {-1, 0, -5}),
+                               makeObject(2, makeBox({1, 1, 1}, kWhite), RendererKind::kGl, {1, 0, -5})}));
+  MeshBackend half(bench_.services(world), 0);
+  EXPECT_EQ(&half.executor(), &bench_.gl);
+  const auto list = look(smallCamera(), world.objects());
+  const auto payloads = ask(half, {{list, 0}, {list, 1}});
+  for (const node::Payload& payload : payloads) EXPECT_NE(imageOf(payload), nullptr);
+}
+
+TEST_F(MeshBackendTest, TheMachineChoosesTheRenderer) {
+  const bool software = bench_.gl.softwareRendered();
+  EXPECT_EQ(resolved(RendererKind::kAuto, bench_.gl), software ? RendererKind::kSimd : RendererKind::kGl);
+  EXPECT_EQ(resolved(RendererKind::kGl, bench_.gl), RendererKind::kGl);
+  EXPECT_EQ(resolved(RendererKind::kEmbree, bench_.gl), RendererKind::kEmbree);
+}
+
+TEST_P(FastRenderers, ACropIsThatPartOfTheWhole) {
+  world::World world(layoutOf({makeObject(1, makeStandingStone({3, 1.2F, 0.7F}, 4), GetParam(), {0, 0, -4})}));
   MeshBackend half(bench_.services(world), 0);
   const auto whole = look(smallCamera(), world.objects());
   const auto part = look(smallCamera(), world.objects());
@@ -144,10 +236,9 @@ TEST_F(MeshBackendTest, ACropIsThatPartOfTheWhole) {
   EXPECT_LT(apart, small->colour.size() / 100);
 }
 
-TEST_F(MeshBackendTest, RequestsOfOneBatchDoNotMix) {
-  world::World world(
-      layoutOf({makeObject(1, makeBox({1, 2, 1}, {0.8F, 0.02F, 0.02F}), RendererKind::kGl, {-1, 0, -5}),
-                makeObject(2, makeBox({1, 2, 1}, {0.02F, 0.02F, 0.8F}), RendererKind::kGl, {1, 0, -5})}));
+TEST_P(FastRenderers, RequestsOfOneBatchDoNotMix) {
+  world::World world(layoutOf({makeObject(1, makeBox({1, 2, 1}, {0.8F, 0.02F, 0.02F}), GetParam(), {-1, 0, -5}),
+                               makeObject(2, makeBox({1, 2, 1}, {0.02F, 0.02F, 0.8F}), GetParam(), {1, 0, -5})}));
   MeshBackend half(bench_.services(world), 0);
   world::Camera aside = smallCamera();
   aside.pose.position = {2, 1.7F, 3};
@@ -173,8 +264,8 @@ TEST_F(MeshBackendTest, RequestsOfOneBatchDoNotMix) {
   }
 }
 
-TEST_F(MeshBackendTest, AnEyeWithinReachOfAnObjectStillSeesIt) {
-  world::World world(layoutOf({makeObject(1, makeBox({1, 1, 12}, kWhite), RendererKind::kGl, {0, 0, -2})}));
+TEST_P(FastRenderers, AnEyeWithinReachOfAnObjectStillSeesIt) {
+  world::World world(layoutOf({makeObject(1, makeBox({1, 1, 12}, kWhite), GetParam(), {0, 0, -2})}));
   MeshBackend half(bench_.services(world), 0);
   const auto list = look(smallCamera(), world.objects());
   ASSERT_EQ(list->objects[0].rect, (world::Rect{0, 0, 320, 180}));

@@ -54,13 +54,20 @@ double volume(const world::Triangles& triangles) {
 TEST(MeshModel, EveryShapeIsClosedAndFacesOutwards) {
   for (const char* shape : {"stone", "lintel", "rocks", "logs"}) {
     const auto made = model(std::string("shape = \"") + shape + "\"\nseed = 5\n");
-    ASSERT_NE(made->solid(), nullptr);
-    EXPECT_TRUE(isClosed(*made->solid())) << shape;
-    EXPECT_GT(volume(*made->solid()), 0.0) << shape;
-    EXPECT_GE(made->solid()->indices.size(), 2000U) << shape;
-    EXPECT_LE(made->solid()->indices.size(), 7000U) << shape;
+    const world::Triangles triangles = made->surface().triangles();
+    EXPECT_TRUE(isClosed(triangles)) << shape;
+    EXPECT_GT(volume(triangles), 0.0) << shape;
+    EXPECT_GE(triangles.indices.size(), 2000U) << shape;
+    EXPECT_LE(triangles.indices.size(), 7000U) << shape;
     for (const Level& level : made->surface().levels) EXPECT_FALSE(level.triangles.empty()) << shape;
   }
+}
+
+TEST(MeshModel, OnlySmokePassesThroughLogs) {
+  EXPECT_NE(model("shape = \"rocks\"\n")->solid(), nullptr);
+  const auto logs = model("shape = \"logs\"\n");
+  EXPECT_EQ(logs->solid(), nullptr);
+  EXPECT_TRUE(logs->obstacleRadius().has_value());
 }
 
 TEST(MeshModel, AStoneHasAboutItsSize) {
@@ -82,13 +89,17 @@ TEST(MeshModel, SeedsAreRepeatableAndDiffer) {
 }
 
 TEST(MeshModel, RendererIsChosenInTheSceneFile) {
-  EXPECT_EQ(model("")->renderer(), RendererKind::kGl);
+  EXPECT_EQ(model("")->renderer(), RendererKind::kAuto);
+  EXPECT_EQ(model("renderer = \"gl\"\n")->renderer(), RendererKind::kGl);
+  EXPECT_EQ(model("renderer = \"simd\"\n")->renderer(), RendererKind::kSimd);
   EXPECT_EQ(model("renderer = \"embree\"\n")->renderer(), RendererKind::kEmbree);
 }
 
 TEST(MeshModel, BadSettingsNameTheKey) {
   EXPECT_THAT(errorOf("shape = \"teapot\"\n"), AllOf(HasSubstr("test.toml:4"), HasSubstr("shape")));
-  EXPECT_THAT(errorOf("renderer = \"vulkan\"\n"), AllOf(HasSubstr("test.toml:4"), HasSubstr("renderer")));
+  EXPECT_THAT(errorOf("renderer = \"vulkan\"\n"),
+              AllOf(HasSubstr("test.toml:4"), HasSubstr("renderer"), HasSubstr("auto"), HasSubstr("gl"),
+                    HasSubstr("simd"), HasSubstr("embree")));
   EXPECT_THAT(errorOf("height = 900.0\n"), AllOf(HasSubstr("test.toml:4"), HasSubstr("height")));
   EXPECT_THAT(errorOf("width = -1.0\n"), HasSubstr("width"));
 }

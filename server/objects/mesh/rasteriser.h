@@ -1,0 +1,63 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "objects/mesh/vertex_arrays.h"
+#include "world/camera.h"
+
+namespace grove::objects::mesh {
+
+/// A vertex before the division by its view depth: pixels times depth, and what is interpolated, all linear in space.
+struct ClipVertex {
+  float u;
+  float v;
+  float depth;
+  std::array<float, 5> shade;  ///< red, green, blue (0..255), relief, lichen (0..15)
+};
+
+/// A vertex on the screen.
+struct Corner {
+  float x;  ///< pixels of the frame, in steps of kSubPixel
+  float y;
+  /// Near depth / view depth, and the shade times that: all of them linear on the screen.
+  std::array<float, 6> planes;
+};
+
+/// Vertices are put on this grid, so that differences of coordinates are exact.
+inline constexpr float kSubPixel = 1.0F / 256.0F;
+
+/// The vertices of one drawing. Reused from drawing to drawing, so that none allocates.
+struct ScreenVertices {
+  std::vector<float> u, v, depth;
+  std::vector<std::uint32_t> light;  ///< as of lightVertices()
+  std::vector<Corner> corners;       ///< only those beyond the near depth mean anything
+  float nearest = 0.0F;              ///< least depth of all
+
+  [[nodiscard]] ClipVertex clipVertex(std::size_t index, float lichen) const noexcept;
+};
+
+/// What triangles are drawn to: fragments as detail.h finishes them, in rows with room beyond their end.
+struct Canvas {
+  world::Rect rect;
+  std::ptrdiff_t stride = 0;  ///< pixels
+  std::vector<std::uint32_t> surface;
+  std::vector<float> depth;  ///< near depth / view depth, 0 where nothing is
+
+  /// Empties it for another rectangle.
+  void begin(const world::Rect& to);
+};
+
+/// Fills `vertices` with the first `light.size()` of the drawing, which vertices.light must hold the light of.
+void project(const VertexArrays& arrays, const Drawing& drawing, ScreenVertices& vertices);
+
+/// A clipped vertex, whose depth is at least the near depth.
+[[nodiscard]] Corner projected(const ClipVertex& vertex, float nearDepth) noexcept;
+
+/// Draws the triangle where it is nearer than what is there, if its front shows. Shades are interpolated in space, not
+/// on the screen. Vectorised over the pixels of a row.
+void drawTriangle(const Corner& a, const Corner& b, const Corner& c, Canvas& canvas) noexcept;
+
+}  // namespace grove::objects::mesh

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <span>
+
+#include "world/camera.h"
+
+namespace grove::objects::mesh {
+
+/// The columns from `begin` to before `end` of one row; none if `end` is not larger.
+struct Span {
+  int begin;
+  int end;
+};
+
+struct ScreenPoint {
+  float x;  ///< pixels
+  float y;
+};
+
+/// Which pixels a triangle covers: those whose centre is inside, or on its left or upper edge. An edge is cut with a
+/// row the same way for both of its triangles, so that they leave no gap. Not compiled with fast arithmetic, which
+/// might round the two differently.
+class ScanConverter {
+ public:
+  /// The triangle's part within `limits`.
+  ScanConverter(ScreenPoint a, ScreenPoint b, ScreenPoint c, const world::Rect& limits) noexcept;
+
+  [[nodiscard]] int top() const noexcept { return top_; }
+  [[nodiscard]] int bottom() const noexcept { return bottom_; }
+
+  /// Spans of the rows from `firstRow` on, within top() and bottom().
+  void convert(int firstRow, std::span<Span> rows) const noexcept;
+
+ private:
+  struct Edge {
+    Edge(ScreenPoint from, ScreenPoint to) noexcept;
+    [[nodiscard]] float at(float y) const noexcept { return x + (y - top) * slope; }
+    float x;
+    float top;
+    float slope;
+  };
+
+  Edge long_;
+  Edge upper_;
+  Edge lower_;
+  bool longIsLeft_;
+  int top_;
+  int middle_;  // first row of the lower edge
+  int bottom_;
+  world::Rect limits_;
+};
+
+}  // namespace grove::objects::mesh

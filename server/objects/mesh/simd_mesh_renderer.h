@@ -1,0 +1,38 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include "objects/mesh/detail_texture.h"
+#include "objects/mesh/drawing.h"
+#include "objects/mesh/vertex_arrays.h"
+
+namespace grove::objects::mesh {
+
+/// Rasterises with the CPU's vectors: several times cheaper than software GL, whose way through shaders, tiles and
+/// read-back is made for more than small untextured triangles. Any thread, any number of them at once.
+class SimdMeshRenderer final : public MeshRenderer {
+ public:
+  /// `images` outlives the renderer.
+  explicit SimdMeshRenderer(node::ImagePool& images);
+  ~SimdMeshRenderer() override;
+
+  void render(std::span<const Drawing> drawings, std::span<std::shared_ptr<const node::Image>> images) override;
+
+ private:
+  struct Bench;
+  [[nodiscard]] const VertexArrays& arraysOf(const LitSurface& object);
+  [[nodiscard]] std::unique_ptr<Bench> takeBench();
+  void giveBack(std::unique_ptr<Bench> bench);
+  [[nodiscard]] std::shared_ptr<const node::Image> renderOne(const Drawing& drawing, Bench& bench);
+
+  const DetailTexture texture_;
+  node::ImagePool& images_;
+  std::mutex mutex_;
+  std::map<const LitSurface*, VertexArrays> arrays_;
+  std::vector<std::unique_ptr<Bench>> benches_;  // that nobody uses
+};
+
+}  // namespace grove::objects::mesh
