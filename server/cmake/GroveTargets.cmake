@@ -14,6 +14,8 @@ if(GROVE_ARCH)
   target_compile_options(grove_options INTERFACE -march=${GROVE_ARCH})
 endif()
 if(GROVE_SANITIZE)
+  # GCC's own manual: sanitizers make -Wmaybe-uninitialized see what is not there.
+  target_compile_options(grove_options INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
   target_compile_options(grove_options INTERFACE -fsanitize=${GROVE_SANITIZE} -fno-omit-frame-pointer -g)
   target_link_options(grove_options INTERFACE -fsanitize=${GROVE_SANITIZE})
 endif()

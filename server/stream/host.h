@@ -21,7 +21,9 @@
 namespace grove::stream {
 
 struct HostOptions {
-  int framesInFlight = 2;
+  /// One keeps the latency of a busy machine lowest: with K, up to K - 1 frames wait for a core, and as many frames a
+  /// second come out as long as making one takes less than a period.
+  int framesInFlight = 1;
   int framesPerSecond = 30;
   int mostVisitors = 16;
   int jpegQuality = 75;
