@@ -53,10 +53,11 @@ void appendStone(world::Triangles& out, Vec3 foot, float yaw, Vec3 size) {
 }
 
 void appendBall(world::Triangles& out, Vec3 centre, float radius) {
-  constexpr int kParts = 24;
+  constexpr int kHalf = 12;
+  constexpr int kParts = 2 * kHalf;
   std::vector<std::vector<Vec3>> rings;
-  for (int r = 0; r <= kParts / 2; ++r) {
-    const float polar = 3.14159265F * static_cast<float>(r) / static_cast<float>(kParts / 2);
+  for (int r = 0; r <= kHalf; ++r) {
+    const float polar = 3.14159265F * static_cast<float>(r) / static_cast<float>(kHalf);
     std::vector<Vec3> ring;
     for (int i = 0; i < kParts; ++i) {
       const float angle = 6.2831853F * static_cast<float>(i) / static_cast<float>(kParts);

@@ -63,10 +63,10 @@ struct CoarseOperator {
     const float* diagonal;
     const float* inverseDiagonal;
     std::ptrdiff_t s, p;
-    [[nodiscard]] float neighbours(const Around3& z, int i) const noexcept {
-      return ((wx[i] * z.here[i - 1] + wx[i + 1] * z.here[i + 1]) +
-              (wy[i] * z.here[i - s] + wy[i + s] * z.here[i + s])) +
-             (wz[i] * z.below[i] + wz[i + p] * z.above[i]);
+    [[nodiscard]] float neighbours(const Around3& v, int i) const noexcept {
+      return ((wx[i] * v.here[i - 1] + wx[i + 1] * v.here[i + 1]) +
+              (wy[i] * v.here[i - s] + wy[i + s] * v.here[i + s])) +
+             (wz[i] * v.below[i] + wz[i + p] * v.above[i]);
     }
     [[nodiscard]] float weight(int i) const noexcept { return diagonal[i]; }
     [[nodiscard]] float inverse(int i) const noexcept { return inverseDiagonal[i]; }
