@@ -156,7 +156,8 @@ TEST(NearClip, KeepsWhatIsBeyond) {
   EXPECT_EQ(NearClip({vertex(-1), vertex(2), vertex(3)}, 0.5F).polygon().size(), 4U);
   EXPECT_EQ(NearClip({vertex(-1), vertex(-2), vertex(3)}, 0.5F).polygon().size(), 3U);
   EXPECT_TRUE(NearClip({vertex(-1), vertex(-2), vertex(0.4F)}, 0.5F).polygon().empty());
-  for (const ClipVertex& corner : NearClip({vertex(-1), vertex(2), vertex(3)}, 0.5F).polygon()) {
+  const NearClip clipped({vertex(-1), vertex(2), vertex(3)}, 0.5F);
+  for (const ClipVertex& corner : clipped.polygon()) {
     EXPECT_GE(corner.depth, 0.5F);
     EXPECT_NEAR(corner.shade[0], corner.depth, 1.0e-5F);
   }
