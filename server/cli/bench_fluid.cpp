@@ -116,7 +116,7 @@ int runBenchFluid(const BenchFluidOptions& options) {
   const world::RayScene surfaces(obstacles());
   objects::fluid::FluidSettings settings;
   settings.grid = options.grid;
-  FluidSimulation simulation(settings, Vec3(0.0F), surfaces);
+  FluidSimulation simulation(settings, Vec3(0.0F), surfaces, surfaces);
 
   std::vector<double> cpu;
   std::vector<double> wall;

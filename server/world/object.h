@@ -18,8 +18,11 @@ class Model {
   /// Everything the object can ever show.
   [[nodiscard]] virtual Bounds bounds() const = 0;
 
-  /// Closed surface that stops light and smoke; null if there is none. Lives as long as the model.
+  /// Closed surface that stops smoke; null if there is none. Lives as long as the model.
   [[nodiscard]] virtual const Triangles* solid() const { return nullptr; }
+
+  /// What stops light; closed or not. Lives as long as the model.
+  [[nodiscard]] virtual const Triangles* shade() const { return solid(); }
 
   /// Radius in metres of the upright cylinder that visitors walk around; none if they walk through.
   [[nodiscard]] virtual std::optional<float> obstacleRadius() const { return std::nullopt; }

@@ -10,10 +10,10 @@ namespace {
 
 constexpr float kLanternRadiance = 0.45F;
 
-Triangles gatherSolids(const std::vector<Object>& objects) {
+Triangles gather(const std::vector<Object>& objects, const Triangles* (Model::*part)() const) {
   Triangles all;
   for (const Object& object : objects) {
-    if (const Triangles* solid = object.model->solid()) all.append(*solid, object.transform.matrix());
+    if (const Triangles* triangles = (*object.model.*part)()) all.append(*triangles, object.transform.matrix());
   }
   return all;
 }
@@ -33,8 +33,9 @@ std::vector<Obstacle> gatherObstacles(const std::vector<Object>& objects) {
 
 World::World(Layout layout)
     : layout_(std::move(layout)),
-      solids_(gatherSolids(layout_.objects)),
-      rays_(solids_),
+      solids_(gather(layout_.objects, &Model::solid)),
+      shades_(gather(layout_.objects, &Model::shade)),
+      rays_(shades_),
       players_(layout_.spawn, layout_.spawnYaw, layout_.radius, gatherObstacles(layout_.objects)) {}
 
 std::optional<Object> World::objectOf(const Player& player) const {

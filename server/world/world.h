@@ -38,8 +38,11 @@ class World {
   [[nodiscard]] const std::optional<Object>& visitor() const noexcept { return layout_.visitor; }
   [[nodiscard]] float radius() const noexcept { return layout_.radius; }
 
-  /// Solid surfaces of all objects in world coordinates.
-  [[nodiscard]] const Triangles& solids() const noexcept { return solids_; }
+  /// What stops smoke, of all objects, in world coordinates.
+  [[nodiscard]] const RayScene& solids() const noexcept { return solids_; }
+
+  /// What stops light, of all objects, in world coordinates.
+  [[nodiscard]] const Triangles& shades() const noexcept { return shades_; }
   [[nodiscard]] const RayScene& rays() const noexcept { return rays_; }
 
   [[nodiscard]] Players& players() noexcept { return players_; }
@@ -56,7 +59,8 @@ class World {
 
  private:
   const Layout layout_;
-  const Triangles solids_;
+  const RayScene solids_;
+  const Triangles shades_;
   const RayScene rays_;
   Players players_;
   Edits edits_;

@@ -38,7 +38,8 @@ class FluidBackend::Fire {
       : world_(services.world),
         timeline_(services.timeline),
         name_(object.name),
-        simulation_(settingsOf(object), object.transform.position, services.world.rays()) {
+        simulation_(settingsOf(object), object.transform.position, services.world.solids(),
+                    services.world.rays()) {
     // Seen from here on: gusts from before the fire existed do not count.
     static_cast<void>(world_.edits().after(cursor_));
     const int ticks = static_cast<int>(kGrowSeconds / FluidSimulation::kTick);

@@ -63,14 +63,15 @@ std::vector<float> visibilityIn(const Cube& cube, const world::RayScene& surface
 
 }  // namespace
 
-FluidSimulation::FluidSimulation(const FluidSettings& settings, world::Vec3 position, const world::RayScene& surfaces)
+FluidSimulation::FluidSimulation(const FluidSettings& settings, world::Vec3 position, const world::RayScene& solids,
+                                 const world::RayScene& shades)
     : settings_(settings),
       cube_(cubeAt(settings, position)),
       source_(sourceOf(settings)),
       solver_(solverOf(settings)),
       particles_(particlesOf(settings), settings.seed),
-      shading_(settings.grid, settings.size, world::sunDirection(), visibilityIn(cube_, surfaces)) {
-  solver_.solids().setStatic(voxelize(surfaces, cube_));
+      shading_(settings.grid, settings.size, world::sunDirection(), visibilityIn(cube_, shades)) {
+  solver_.solids().setStatic(voxelize(solids, cube_));
 }
 
 void FluidSimulation::step(float seconds, std::span<const world::Gust> gusts, std::span<const world::Player> visitors) {

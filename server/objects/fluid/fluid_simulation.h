@@ -38,8 +38,9 @@ class FluidSimulation {
   static constexpr float kTick = 1.0F / 30.0F;
   static constexpr float kLongestStep = 0.1F;
 
-  /// `surfaces`: what the smoke flows around and what hides the sun. Only read here.
-  FluidSimulation(const FluidSettings& settings, world::Vec3 position, const world::RayScene& surfaces);
+  /// `solids`: what the smoke flows around; `shades`: what hides the sun. Only read here.
+  FluidSimulation(const FluidSettings& settings, world::Vec3 position, const world::RayScene& solids,
+                  const world::RayScene& shades);
 
   /// Parts of a step, for phaseNanoseconds().
   static constexpr std::array<std::string_view, 6> kPhases{"solids",  "advect",  "force",

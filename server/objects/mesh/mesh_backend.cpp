@@ -19,12 +19,12 @@ pipeline::Executor& executorOf(const node::BackendServices& services, world::Typ
   return executorFor(anyByGl ? RendererKind::kGl : RendererKind::kSimd, services);
 }
 
-/// As bakeLight(); an object that is not among the world's solids still shades itself.
+/// As bakeLight(); an object that is not among what shades the world still shades itself.
 std::vector<world::Vec4> bakeLightOf(const world::Object& object, const world::World& world) {
   const MeshModel& model = modelOf(object);
   const world::Mat4 toWorld = object.transform.matrix();
-  if (model.solid() != nullptr) return bakeLight(model.surface(), toWorld, world.rays());
-  world::Triangles obstacles = world.solids();
+  if (model.shade() != nullptr) return bakeLight(model.surface(), toWorld, world.rays());
+  world::Triangles obstacles = world.shades();
   obstacles.append(model.surface().triangles(), toWorld);
   return bakeLight(model.surface(), toWorld, world::RayScene(obstacles));
 }

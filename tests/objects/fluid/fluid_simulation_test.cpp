@@ -44,7 +44,7 @@ class FluidSimulationTest : public testing::Test {
 
 TEST_F(FluidSimulationTest, SmokeRisesFromTheFireInWorldCoordinates) {
   const world::Vec3 position(10.0F, 2.0F, -5.0F);
-  FluidSimulation simulation(settings(), position, nothing_);
+  FluidSimulation simulation(settings(), position, nothing_, nothing_);
   run(simulation, 90);
   const auto snapshot = simulation.snapshot(12.5);
   EXPECT_EQ(snapshot->time, 12.5);
@@ -67,8 +67,8 @@ TEST_F(FluidSimulationTest, SmokeRisesFromTheFireInWorldCoordinates) {
 }
 
 TEST_F(FluidSimulationTest, EqualRunsAreEqual) {
-  FluidSimulation a(settings(), {}, nothing_);
-  FluidSimulation b(settings(), {}, nothing_);
+  FluidSimulation a(settings(), {}, nothing_, nothing_);
+  FluidSimulation b(settings(), {}, nothing_, nothing_);
   run(a, 40);
   run(b, 40);
   EXPECT_EQ(a.snapshot(0.0)->x, b.snapshot(0.0)->x);
@@ -77,8 +77,8 @@ TEST_F(FluidSimulationTest, EqualRunsAreEqual) {
 
 TEST_F(FluidSimulationTest, AGustMovesTheSmokeItsWay) {
   for (const world::Vec3 direction : {world::Vec3(1.0F, 0.0F, 0.0F), world::Vec3(0.0F, 0.0F, -1.0F)}) {
-    FluidSimulation calm(settings(), {}, nothing_);
-    FluidSimulation blown(settings(), {}, nothing_);
+    FluidSimulation calm(settings(), {}, nothing_, nothing_);
+    FluidSimulation blown(settings(), {}, nothing_, nothing_);
     run(calm, 60);
     run(blown, 60);
     const world::Gust gust{world::Vec3(0.0F, 0.6F, 0.0F) - 2.5F * direction, direction, 6.0F, 9.0F};
@@ -96,7 +96,7 @@ TEST_F(FluidSimulationTest, AVisitorWhoWalksPushesTheAirAndNoSmokeIsInside) {
   FluidSettings still = settings();
   still.wind = world::Vec3(0.0F);
   still.turbulence = 0.0F;
-  FluidSimulation simulation(still, {}, nothing_);
+  FluidSimulation simulation(still, {}, nothing_, nothing_);
   run(simulation, 60);
   world::Player player;
   player.velocity = {2.0F, 0.0F, 0.0F};
@@ -122,7 +122,7 @@ TEST_F(FluidSimulationTest, AVisitorWhoWalksPushesTheAirAndNoSmokeIsInside) {
 }
 
 TEST_F(FluidSimulationTest, BadInputIsRefusedOrClamped) {
-  FluidSimulation simulation(settings(), {}, nothing_);
+  FluidSimulation simulation(settings(), {}, nothing_, nothing_);
   run(simulation, 20);
   for (const float seconds : {kNan, -1.0F, 0.0F, std::numeric_limits<float>::infinity()}) {
     simulation.step(seconds, {}, {});
