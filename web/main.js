@@ -18,6 +18,7 @@ import { kSubProtocol } from './protocol.js';
 import { ReloadOnce } from './reload_once.js';
 import { Telemetry } from './telemetry.js';
 import { Viewport } from './viewport.js';
+import { WorldStatistics } from './world_statistics.js';
 
 const element = (id) => document.getElementById(id);
 const root = document.documentElement;
@@ -125,7 +126,13 @@ function pointer(state) {
   if (state !== 'locked' && was !== state) hint.show();
 }
 
-const overlay = new Overlay(element('overlay'), element('figures'), () => telemetry.read(clock.now()));
+const statistics = new WorldStatistics(() => fetch('/statistics.json').then((answer) => answer.json()), clock);
+const overlay = new Overlay(
+  element('overlay'),
+  element('figures'),
+  () => ({ ...telemetry.read(clock.now()), ...statistics.read() }),
+  (shown) => statistics.watch(shown),
+);
 const fullscreen = new Fullscreen(document, element('fullscreen'));
 new Turner(controls, (callback) => window.requestAnimationFrame(callback));
 listenToKeyboard(window, controls, {

@@ -2,7 +2,7 @@
 const kInterval = 250;
 const kUnknown = '\u2013';
 
-/** What each line says about a reading of Telemetry; `null` where it is not known yet. */
+/** What each line says about a reading; `null` where it is not known yet. */
 const kLines = {
   fps: (reading) => String(reading.framesPerSecond),
   latency: (reading) => reading.latencyMs !== null && `${reading.latencyMs.toFixed(0)} ms`,
@@ -10,6 +10,7 @@ const kLines = {
   codec: (reading) => reading.codec,
   size: (reading) => reading.width !== null && `${reading.width} \u00d7 ${reading.height}`,
   visitors: (reading) => reading.visitors !== null && String(reading.visitors),
+  shared: (reading) => reading.sharedViews !== null && `${Math.round(reading.sharedViews * 100)} %`,
   server: (reading) => reading.serverMs !== null && `${reading.serverMs.toFixed(1)} ms`,
 };
 
@@ -18,13 +19,18 @@ export class Overlay {
   #panel;
   #button;
   #read;
+  #watch;
   #timer;
 
-  /** `panel` has an element with `data-figure` for each line; `read()` gives a reading of Telemetry. */
-  constructor(panel, button, read) {
+  /**
+   * `panel` has an element with `data-figure` for each line; `read()` gives a reading of Telemetry and WorldStatistics;
+   * `watch(shown)` is told when the panel appears and goes.
+   */
+  constructor(panel, button, read, watch) {
     this.#panel = panel;
     this.#button = button;
     this.#read = read;
+    this.#watch = watch;
     button.addEventListener('click', () => this.toggle());
   }
 
@@ -33,6 +39,7 @@ export class Overlay {
     this.#panel.hidden = !shown;
     this.#button.setAttribute('aria-pressed', String(shown));
     clearInterval(this.#timer);
+    this.#watch(shown);
     if (!shown) return;
     this.#write();
     this.#timer = setInterval(() => this.#write(), kInterval);

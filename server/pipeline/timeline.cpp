@@ -55,6 +55,11 @@ void Timeline::recordFailure(const char* stage, Work work) {
   ++total.failures;
 }
 
+void Timeline::count(const char* counter, std::int64_t amount) {
+  const std::lock_guard lock(mutex_);
+  counters_[counter] += amount;
+}
+
 std::vector<TimelineEvent> Timeline::events() const {
   const std::lock_guard lock(mutex_);
   if (ring_.size() < capacity_) return ring_;
@@ -67,6 +72,11 @@ std::vector<TimelineEvent> Timeline::events() const {
 std::map<std::string, StageTotal> Timeline::totals() const {
   const std::lock_guard lock(mutex_);
   return {totals_.begin(), totals_.end()};
+}
+
+std::map<std::string, std::int64_t> Timeline::counters() const {
+  const std::lock_guard lock(mutex_);
+  return {counters_.begin(), counters_.end()};
 }
 
 TimedRun::TimedRun(Timeline& timeline, const char* stage, Work work, TraceTag tag) noexcept

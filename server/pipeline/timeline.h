@@ -49,9 +49,13 @@ class Timeline {
   void record(const TimelineEvent& event);
   void recordFailure(const char* stage, Work work);
 
+  /// Adds to a named counter, for what is worth knowing and is no time: how often a cache had what was asked for.
+  void count(const char* counter, std::int64_t amount = 1);
+
   /// The kept events, oldest first.
   [[nodiscard]] std::vector<TimelineEvent> events() const;
   [[nodiscard]] std::map<std::string, StageTotal> totals() const;
+  [[nodiscard]] std::map<std::string, std::int64_t> counters() const;
 
  private:
   const std::size_t capacity_;
@@ -59,6 +63,7 @@ class Timeline {
   std::vector<TimelineEvent> ring_;
   std::size_t next_ = 0;
   std::map<std::string_view, StageTotal> totals_;
+  std::map<std::string_view, std::int64_t> counters_;
 };
 
 /// Measures from construction to destruction and records it.

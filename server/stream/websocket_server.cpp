@@ -24,6 +24,7 @@
 #include "stream/listen_address.h"
 #include "stream/origin.h"
 #include "stream/printable.h"
+#include "stream/statistics_report.h"
 #include "stream/web_pages.h"
 #include "world/world.h"
 
@@ -143,7 +144,12 @@ class WebsocketServer::Service {
   const ListenAddress address_;
   std::set<lws*> accepted_;
   std::map<lws*, Socket> sockets_;
-  std::map<lws*, std::string_view> downloads_;  // what is left of the answer
+  /// What is left of an answer, and who owns it if it was made for this request.
+  struct Download {
+    std::string_view rest;
+    std::shared_ptr<const std::string> owner;
+  };
+  std::map<lws*, Download> downloads_;
   std::unique_ptr<lws_context, ContextDeleter> context_;
   std::shared_ptr<Waker> waker_;
   int port_ = 0;
@@ -301,8 +307,13 @@ int WebsocketServer::Service::answerHttp(lws* wsi) {
   const std::string getPath = header(wsi, WSI_TOKEN_GET_URI);
   const std::string headPath = header(wsi, WSI_TOKEN_HEAD_URI);
   const std::string_view method = !getPath.empty() ? "GET" : !headPath.empty() ? "HEAD" : "another";
-  const PageReply reply =
-      pages_.answer(method, getPath.empty() ? headPath : getPath, header(wsi, WSI_TOKEN_HTTP_IF_NONE_MATCH));
+  const std::string& path = getPath.empty() ? headPath : getPath;
+  PageReply reply = pages_.answer(method, path, header(wsi, WSI_TOKEN_HTTP_IF_NONE_MATCH));
+  std::shared_ptr<const std::string> statistics;
+  if (path == "/statistics.json" && method != "another") {
+    statistics = std::make_shared<const std::string>(statisticsJson(host_.timeline(), host_.visitors()));
+    reply = {200, "application/json", "", *statistics, method == "GET"};
+  }
 
   std::array<unsigned char, LWS_PRE + 2048> buffer{};
   unsigned char* const begin = buffer.data() + LWS_PRE;
@@ -320,7 +331,7 @@ int WebsocketServer::Service::answerHttp(lws* wsi) {
   // Without reading the body of a request one cannot find the next one.
   if (!good || method == "another") return -1;
   if (!reply.sendBody || reply.body.empty()) return finishHttp(wsi);
-  downloads_[wsi] = reply.body;
+  downloads_[wsi] = {reply.body, std::move(statistics)};
   lws_callback_on_writable(wsi);
   return 0;
 }
@@ -328,7 +339,7 @@ int WebsocketServer::Service::answerHttp(lws* wsi) {
 int WebsocketServer::Service::continueHttp(lws* wsi) {
   const auto found = downloads_.find(wsi);
   if (found == downloads_.end()) return 0;
-  std::string_view& rest = found->second;
+  std::string_view& rest = found->second.rest;
   const std::string_view chunk = rest.substr(0, kHttpChunk);
   rest.remove_prefix(chunk.size());
   std::array<unsigned char, LWS_PRE + kHttpChunk> buffer;

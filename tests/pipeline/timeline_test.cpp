@@ -22,6 +22,14 @@ TEST(Timeline, KeepsTheNewestEventsAndAllTotals) {
   EXPECT_EQ(timeline.totals().at("stage").cpuNanoseconds, 50);
 }
 
+TEST(Timeline, CountsWhatIsNoTime) {
+  Timeline timeline;
+  timeline.count("hits");
+  timeline.count("hits", 4);
+  timeline.count("misses");
+  EXPECT_EQ(timeline.counters(), (std::map<std::string, std::int64_t>{{"hits", 5}, {"misses", 1}}));
+}
+
 TEST(Timeline, NamesOfWorkAreThePapersTerms) {
   EXPECT_EQ(toString(Work::kAcrossUser), "across-user");
   EXPECT_EQ(toString(Work::kPerUserBackend), "per-user-backend");

@@ -1,3 +1,5 @@
+#include <nlohmann/json.hpp>
+
 #include "pipeline/embedded.h"
 #include "stream/origin.h"
 #include "stream/served_world.h"
@@ -54,6 +56,19 @@ TEST_F(Http, TellsThatItIsWell) {
   const HttpAnswer answer = request(port(), "GET", "/healthz");
   EXPECT_EQ(answer.status, 200);
   EXPECT_EQ(answer.body, "ok");
+}
+
+TEST_F(Http, TellsItsStatistics) {
+  const HttpAnswer answer = request(port(), "GET", "/statistics.json");
+  EXPECT_EQ(answer.status, 200);
+  EXPECT_TRUE(contains(answer.head, "content-type: application/json"));
+  const auto statistics = nlohmann::json::parse(answer.body);
+  EXPECT_EQ(statistics.at("visitors"), 0);
+  EXPECT_TRUE(statistics.at("stages").is_object());
+  EXPECT_TRUE(statistics.at("counters").is_object());
+  const HttpAnswer head = request(port(), "HEAD", "/statistics.json");
+  EXPECT_EQ(head.status, 200);
+  EXPECT_TRUE(head.body.empty());
 }
 
 TEST_F(Http, KnowsNoOtherFiles) {

@@ -1,0 +1,42 @@
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+
+import { WorldStatistics, sharedViews } from '../../web/world_statistics.js';
+import { FakeClock } from './fake_clock.mjs';
+
+const counted = (hits, misses, near) => ({
+  counters: { 'view cache hits': hits, 'view cache misses': misses, 'views too near to share': near },
+});
+
+test('the share is of what was asked for since the last answer', () => {
+  assert.equal(sharedViews(null, counted(3, 1, 0)), 0.75);
+  assert.equal(sharedViews(counted(3, 1, 0), counted(4, 1, 1)), 0.5);
+});
+
+test('nothing asked for is not known, and neither is a server without light fields', () => {
+  assert.equal(sharedViews(counted(3, 1, 0), counted(3, 1, 0)), null);
+  assert.equal(sharedViews(null, { counters: {} }), null);
+});
+
+test('asks once a second while it is watched, and forgets what a lost server said', async () => {
+  const clock = new FakeClock();
+  let asked = 0;
+  let alive = true;
+  const statistics = new WorldStatistics(async () => {
+    asked += 1;
+    if (!alive) throw new Error('gone');
+    return counted(asked * 9, asked, 0);
+  }, clock);
+  statistics.watch(true);
+  await Promise.resolve();
+  assert.equal(asked, 1);
+  assert.equal(statistics.read().sharedViews, 0.9);
+  alive = false;
+  clock.advance(1000);
+  await new Promise((done) => setImmediate(done));
+  assert.equal(asked, 2);
+  assert.equal(statistics.read().sharedViews, null);
+  statistics.watch(false);
+  clock.advance(5000);
+  assert.equal(asked, 2);
+});

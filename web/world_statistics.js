@@ -1,0 +1,49 @@
+const kInterval = 1000;
+
+/** Share of the light fields' pictures that one visitor's view had made for another: 0..1, `null` before the first. */
+export function sharedViews(before, now) {
+  const grown = (name) => (now.counters[name] ?? 0) - (before?.counters[name] ?? 0);
+  const hits = grown('view cache hits');
+  const all = hits + grown('view cache misses') + grown('views too near to share');
+  return all > 0 ? hits / all : null;
+}
+
+/** What the server tells of itself in `/statistics.json`, asked for once a second while somebody looks. */
+export class WorldStatistics {
+  #fetch;
+  #timers;
+  #timer = null;
+  #last = null;
+  #shared = null;
+
+  /** `fetch()` promises the statistics. `timers` is as `window`. */
+  constructor(fetch, timers) {
+    this.#fetch = fetch;
+    this.#timers = timers;
+  }
+
+  watch(on) {
+    this.#timers.clearTimeout(this.#timer);
+    this.#timer = null;
+    if (on) this.#ask();
+  }
+
+  read() {
+    return { sharedViews: this.#shared };
+  }
+
+  #ask() {
+    const timer = this.#timers.setTimeout(() => this.#ask(), kInterval);
+    this.#timer = timer;
+    this.#fetch().then(
+      (statistics) => {
+        this.#shared = sharedViews(this.#last, statistics);
+        this.#last = statistics;
+      },
+      () => {
+        this.#shared = null; // the server is away: the page says so elsewhere
+        this.#last = null;
+      },
+    );
+  }
+}
