@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "node/image.h"
+#include "node/limits.h"
 #include "node/messages.h"
 #include "pipeline/executor.h"
 #include "pipeline/timeline.h"
@@ -48,19 +49,29 @@ class BackendHalf {
   [[nodiscard]] virtual pipeline::Executor& executor() = 0;
   [[nodiscard]] virtual int concurrency() const { return 1; }
 
+  /// How many requests one call of answer() gets: few where each takes long, so that all threads have work.
+  [[nodiscard]] virtual std::size_t mostAtOnce() const { return kBackendBatch; }
+
   /// Fills one payload per request. The requests are a batch of what is waiting and may be of many frames and sessions.
   /// An exception turns the whole batch into failures.
   virtual void answer(std::span<const Request> requests, std::span<Payload> payloads) = 0;
 };
 
-/// One visitor's half: what the Compositor calls when all images of the frame are in place, back to front, to draw what
-/// images cannot carry. One per session, used by one thread at a time.
+/// One visitor's half: what the Compositor calls to turn a payload into what is seen. One per session, used by one
+/// thread at a time. Both calls get an object, what its backend answered, and the frame's view.
 class FrontendHalf {
  public:
   virtual ~FrontendHalf() = default;
 
-  /// `frame` is the whole frame: colour may be blended into, depth is read only.
-  virtual void draw(const VisibleObject& object, const Payload& payload, const View& view, Image& frame) = 0;
+  /// An image made from data, composited by depth with those that backends sent; null if there is none.
+  [[nodiscard]] virtual std::shared_ptr<const Image> image(const VisibleObject&, const Payload&, const View&,
+                                                           ImagePool&) {
+    return nullptr;
+  }
+
+  /// Called when all images are in place, back to front, to draw what images cannot carry. `frame` is the whole frame:
+  /// colour may be blended into, depth is read only.
+  virtual void draw(const VisibleObject&, const Payload&, const View&, Image& /*frame*/) {}
 };
 
 class ObjectType {

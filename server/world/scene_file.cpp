@@ -30,6 +30,8 @@ class Parameters::Table {
     throw SceneError(fileName_ + ":" + std::to_string(line) + ": " + owner_ + reason);
   }
 
+  [[nodiscard]] std::filesystem::path folder() const { return std::filesystem::path(fileName_).parent_path(); }
+
   /// A table inside this one.
   [[nodiscard]] std::shared_ptr<const Table> inner(const toml::table& table, const std::string& owner) const {
     return std::make_shared<Table>(std::shared_ptr<const toml::table>(values_, &table), fileName_, owner);
@@ -110,6 +112,11 @@ Vec3 Parameters::vector(std::string_view key, Vec3 fallback) const {
     result[i] = static_cast<float>(*value);
   }
   return result;
+}
+
+std::filesystem::path Parameters::path(std::string_view key) const {
+  const std::string given = text(key, "");
+  return given.empty() ? std::filesystem::path() : table_->folder() / given;
 }
 
 void Parameters::finish() const { table_->refuseUnknown(); }

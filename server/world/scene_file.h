@@ -31,6 +31,8 @@ class Parameters {
   /// The text must be one of the choices; the first is the default.
   [[nodiscard]] std::string choice(std::string_view key, const std::vector<std::string>& choices) const;
   [[nodiscard]] Vec3 vector(std::string_view key, Vec3 fallback) const;
+  /// A file, relative to the scene file's folder; empty if the key was not given.
+  [[nodiscard]] std::filesystem::path path(std::string_view key) const;
 
   /// Throws SceneError if a key was given that no getter asked for.
   void finish() const;

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <thread>
 
+#include "integration/picture.h"
 #include "integration/served_scene.h"
-#include "stream/jpeg_decoder.h"
 
 namespace grove::integration {
 namespace {
@@ -14,7 +14,6 @@ namespace {
 using namespace std::chrono_literals;
 using stream::HeadlessSession;
 
-constexpr auto kPatience = 60s;
 constexpr double kPushed = 0.012;  // share of the picture's width
 
 /// Stones around a fire before a black sky: nothing but the simulation and the visitors moves.
@@ -33,58 +32,6 @@ grid = 32
 size = 8
 wind = [0, 0, 0]
 )";
-
-struct Picture {
-  int width = 0;
-  int height = 0;
-  std::vector<std::uint32_t> colour;
-
-  [[nodiscard]] double light(int x, int y) const {
-    const std::uint32_t c = colour[static_cast<std::size_t>(y * width + x)];
-    return (c & 0xFFU) + (c >> 8U & 0xFFU) + (c >> 16U & 0xFFU);
-  }
-  [[nodiscard]] double mean() const {
-    double sum = 0;
-    for (int y = 0; y < height; ++y) {
-      for (int x = 0; x < width; ++x) sum += light(x, y);
-    }
-    return sum / width / height;
-  }
-  /// Middle of the light in columns [from, to), as a share of the width.
-  [[nodiscard]] double middle(double from, double to) const {
-    double sum = 0;
-    double moment = 0;
-    for (int y = 0; y < height; ++y) {
-      for (int x = static_cast<int>(from * width); x < static_cast<int>(to * width); ++x) {
-        sum += light(x, y);
-        moment += light(x, y) * x;
-      }
-    }
-    return moment / sum / width;
-  }
-};
-
-Picture decode(const std::shared_ptr<const stream::EncodedFrame>& frame) {
-  stream::JpegDecoder decoder;
-  const auto* picture = decoder.decode(frame->message().subspan(stream::kFrameHeaderBytes));
-  EXPECT_NE(picture, nullptr);
-  return picture == nullptr ? Picture{} : Picture{picture->width, picture->height, picture->colour};
-}
-
-double difference(const Picture& a, const Picture& b) {
-  double sum = 0;
-  for (int y = 0; y < a.height; ++y) {
-    for (int x = 0; x < a.width; ++x) sum += std::abs(a.light(x, y) - b.light(x, y));
-  }
-  return sum / a.width / a.height;
-}
-
-/// Sets the controls and returns a frame that shows them.
-Picture pictureAfter(HeadlessSession& visitor, std::uint8_t keys, float yaw, float pitch = 0.0F) {
-  const auto frame = visitor.frameShowing(visitor.control(keys, yaw, pitch), kPatience);
-  if (frame == nullptr) throw std::runtime_error("no frame showed the input");
-  return decode(frame);
-}
 
 class HeadlessSessions : public ::testing::Test {
  protected:

@@ -19,7 +19,7 @@ Answerer::Answerer(const char* name, BackendHalf& half, pipeline::Timeline& time
              .work = pipeline::Work::kPerUserBackend,
              .capacity = kBackendQueue,
              .concurrency = half.concurrency(),
-             .maxBatch = kBackendBatch},
+             .maxBatch = half.mostAtOnce()},
             half.executor(), timeline),
       half_(half) {}
 

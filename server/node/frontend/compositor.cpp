@@ -52,9 +52,8 @@ std::shared_ptr<const Image> Compositor::composite(const CompleteFrame& frame) {
   const auto image = images_.acquire({0, 0, view.camera.width, view.camera.height});
   FrameBuilder builder(*image);
   const auto& objects = frame.list->objects;
-  for (const Payload& payload : frame.payloads) {
-    const auto* layer = std::get_if<std::shared_ptr<const Image>>(&payload);
-    if (layer != nullptr && *layer) builder.lay(**layer);
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    if (const std::shared_ptr<const Image> layer = layerOf(objects[i], frame.payloads[i], view)) builder.lay(*layer);
   }
   builder.finish();
   for (std::size_t i = 0; i < objects.size(); ++i) {
@@ -62,6 +61,14 @@ std::shared_ptr<const Image> Compositor::composite(const CompleteFrame& frame) {
     if (FrontendHalf* half = halfOf(objects[i].object.type)) half->draw(objects[i], frame.payloads[i], view, *image);
   }
   return image;
+}
+
+std::shared_ptr<const Image> Compositor::layerOf(const VisibleObject& object, const Payload& payload,
+                                                 const View& view) {
+  if (const auto* layer = std::get_if<std::shared_ptr<const Image>>(&payload)) return *layer;
+  if (std::holds_alternative<Failure>(payload)) return nullptr;
+  FrontendHalf* half = halfOf(object.object.type);
+  return half != nullptr ? half->image(object, payload, view, images_) : nullptr;
 }
 
 FrontendHalf* Compositor::halfOf(world::TypeIndex type) {

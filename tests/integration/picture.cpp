@@ -1,0 +1,56 @@
+#include "integration/picture.h"
+
+#include <cmath>
+#include <stdexcept>
+
+#include "stream/jpeg_decoder.h"
+
+namespace grove::integration {
+
+double Picture::light(int x, int y) const {
+  const std::uint32_t c = colour[static_cast<std::size_t>(y * width + x)];
+  return (c & 0xFFU) + (c >> 8U & 0xFFU) + (c >> 16U & 0xFFU);
+}
+
+double Picture::mean() const {
+  double sum = 0;
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) sum += light(x, y);
+  }
+  return sum / width / height;
+}
+
+double Picture::middle(double from, double to) const {
+  double sum = 0;
+  double moment = 0;
+  for (int y = 0; y < height; ++y) {
+    for (int x = static_cast<int>(from * width); x < static_cast<int>(to * width); ++x) {
+      sum += light(x, y);
+      moment += light(x, y) * x;
+    }
+  }
+  return moment / sum / width;
+}
+
+Picture decode(const std::shared_ptr<const stream::EncodedFrame>& frame) {
+  stream::JpegDecoder decoder;
+  const auto* picture = decoder.decode(frame->message().subspan(stream::kFrameHeaderBytes));
+  if (picture == nullptr) throw std::runtime_error("a frame is no picture");
+  return {picture->width, picture->height, picture->colour};
+}
+
+double difference(const Picture& a, const Picture& b) {
+  double sum = 0;
+  for (int y = 0; y < a.height; ++y) {
+    for (int x = 0; x < a.width; ++x) sum += std::abs(a.light(x, y) - b.light(x, y));
+  }
+  return sum / a.width / a.height;
+}
+
+Picture pictureAfter(stream::HeadlessSession& visitor, std::uint8_t keys, float yaw, float pitch) {
+  const auto frame = visitor.frameShowing(visitor.control(keys, yaw, pitch), kPatience);
+  if (frame == nullptr) throw std::runtime_error("no frame showed the input");
+  return decode(frame);
+}
+
+}  // namespace grove::integration
