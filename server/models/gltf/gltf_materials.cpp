@@ -1,0 +1,122 @@
+#include "models/gltf/gltf_materials.h"
+
+#include <stb/stb_image.h>
+
+#include <algorithm>
+#include <cstring>
+#include <limits>
+#include <map>
+#include <memory>
+#include <span>
+
+#include "models/gltf/gltf_accessor.h"
+#include "models/gltf/gltf_import.h"
+#include "pipeline/log.h"
+
+namespace grove::models {
+namespace {
+
+using world::Vec3;
+
+constexpr float kThroughLeaf = 0.35F;  // share of a leaf's light that comes through, where a file only says "leaf"
+
+Texture decode(const GltfFile& file, std::span<const unsigned char> bytes, const std::string& name) {
+  if (bytes.size() > static_cast<std::size_t>(std::numeric_limits<int>::max())) file.fail(name + " is too large");
+  const auto size = static_cast<int>(bytes.size());
+  int width = 0;
+  int height = 0;
+  int channels = 0;
+  if (stbi_info_from_memory(bytes.data(), size, &width, &height, &channels) == 0) {
+    file.fail(name + " is no image that can be read (PNG and JPEG can)");
+  }
+  if (width > kMostTexels || height > kMostTexels) {
+    file.fail(name + " has " + std::to_string(width) + " x " + std::to_string(height) + " texels; " +
+              std::to_string(kMostTexels) + " a side are the most");
+  }
+  const std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> texels(
+      stbi_load_from_memory(bytes.data(), size, &width, &height, &channels, 4), stbi_image_free);
+  if (!texels) file.fail(name + " is broken: " + stbi_failure_reason());
+  Texture texture{width, height, {}};
+  texture.texels.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  std::memcpy(texture.texels.data(), texels.get(), texture.texels.size() * sizeof(std::uint32_t));
+  return texture;
+}
+
+/// Decodes each image when it is first asked for.
+class TextureShelf {
+ public:
+  TextureShelf(const GltfFile& file, std::vector<Texture>& textures) : file_(file), textures_(textures) {}
+
+  /// Index into the textures, or -1 where there is none or its file is absent.
+  int indexOf(int texture) {
+    if (texture < 0) return -1;
+    const int source = file_.at(file_.document.textures, texture, "texture").source;
+    if (source < 0) return -1;
+    const tinygltf::Image& image = file_.at(file_.document.images, source, "image");
+    const auto known = decoded_.find(source);
+    if (known != decoded_.end()) return known->second;
+    const std::string name = "image " + std::to_string(source) + (image.uri.empty() ? "" : " (" + image.uri + ")");
+    int index = -1;
+    if (image.bufferView < 0 && image.image.empty()) {
+      log::warning(file_.path.string() + ": " + name + " is absent; the base colour is used without it");
+    } else {
+      textures_.push_back(
+          decode(file_, image.bufferView < 0 ? std::span(image.image) : viewBytes(file_, image.bufferView), name));
+      index = static_cast<int>(textures_.size()) - 1;
+    }
+    decoded_.emplace(source, index);
+    return index;
+  }
+
+ private:
+  const GltfFile& file_;
+  std::vector<Texture>& textures_;
+  std::map<int, int> decoded_;
+};
+
+/// A number of a material's extension, 0 where it is not there.
+float extensionNumber(const tinygltf::Material& material, const char* extension, const char* key) {
+  const auto found = material.extensions.find(extension);
+  if (found == material.extensions.end() || !found->second.IsObject() || !found->second.Has(key)) return 0.0F;
+  const tinygltf::Value& value = found->second.Get(key);
+  return value.IsNumber() ? std::clamp(static_cast<float>(value.GetNumberAsDouble()), 0.0F, 1.0F) : 0.0F;
+}
+
+Material materialOf(const GltfFile& file, const tinygltf::Material& given, TextureShelf& shelf) {
+  const auto& factor = given.pbrMetallicRoughness.baseColorFactor;
+  if (factor.size() != 4) file.fail("material '" + given.name + "' has a base colour without four numbers");
+  const auto channel = [&](std::size_t i) { return std::clamp(static_cast<float>(factor[i]), 0.0F, 1.0F); };
+  const Vec3 colour(channel(0), channel(1), channel(2));
+  const bool holes = given.alphaMode == "MASK" || given.alphaMode == "BLEND";
+  Material material;
+  material.name = given.name;
+  material.twoSided = given.doubleSided;
+  material.texture = shelf.indexOf(given.pbrMetallicRoughness.baseColorTexture.index);
+  float through = std::max(extensionNumber(given, "KHR_materials_transmission", "transmissionFactor"),
+                           extensionNumber(given, "KHR_materials_diffuse_transmission", "diffuseTransmissionFactor"));
+  if (holes && material.texture >= 0) {
+    // The texture's alpha times the factor's is what the cut-off is for.
+    const float cutoff = given.alphaMode == "MASK" ? static_cast<float>(given.alphaCutoff) : 0.5F;
+    material.alphaCutoff = std::clamp(cutoff / std::max(channel(3), 1.0e-3F), 0.0F, 1.0F);
+    if (given.doubleSided) through = std::max(through, kThroughLeaf);
+  } else if (given.alphaMode == "BLEND") {
+    through = std::max(through, 1.0F - channel(3));  // tinted glass
+  }
+  material.albedo = colour * (1.0F - through);
+  material.transmittance = colour * through;
+  material.solid = through == 0.0F;
+  return material;
+}
+
+}  // namespace
+
+std::vector<Material> readMaterials(const GltfFile& file, std::vector<Texture>& textures) {
+  TextureShelf shelf(file, textures);
+  std::vector<Material> materials;
+  for (const tinygltf::Material& given : file.document.materials) materials.push_back(materialOf(file, given, shelf));
+  materials.push_back({.name = "plain", .albedo = Vec3(1.0F), .twoSided = false, .solid = true});
+  if (materials.size() > std::numeric_limits<std::uint16_t>::max()) file.fail("has more than 65535 materials");
+  return materials;
+}
+
+}  // namespace grove::models

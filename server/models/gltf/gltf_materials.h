@@ -1,0 +1,14 @@
+#pragma once
+
+#include <vector>
+
+#include "models/gltf/gltf_file.h"
+#include "models/model.h"
+
+namespace grove::models {
+
+/// The file's materials in their order, and last the one for surfaces without. Textures that a material uses are
+/// decoded into `textures`, each once. Throws ImportError for images that are broken or too large.
+[[nodiscard]] std::vector<Material> readMaterials(const GltfFile& file, std::vector<Texture>& textures);
+
+}  // namespace grove::models

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "world/geometry.h"
+
+namespace grove::models {
+
+/// RGBA8 (bytes R, G, B, A), rows from the top, not premultiplied; sRGB-encoded colour.
+struct Texture {
+  int width = 0;
+  int height = 0;
+  std::vector<std::uint32_t> texels;
+};
+
+/// How a surface answers light: diffuse on the side that is lit, and through a leaf to the other side.
+struct Material {
+  std::string name;
+  /// Share of light that comes back from the lit side and, of light from behind, that comes through: diffuse, linear.
+  /// Vertex colour and texture multiply both alike.
+  world::Vec3 albedo{0.5F};
+  world::Vec3 transmittance{0.0F};
+  bool twoSided = true;
+  bool solid = false;        ///< keeps smoke out (wood, stone); else leaves
+  int texture = -1;          ///< index into Model::textures, -1: none
+  float alphaCutoff = 0.0F;  ///< texels with less alpha are holes; 0: no holes
+};
+
+/// What is baked: triangles in metres, Y up, standing on y = 0 around the origin.
+struct Model {
+  std::string name;
+  world::Triangles triangles;
+  std::vector<world::Vec3> normals;       ///< unit, per vertex
+  std::vector<world::Vec3> colours;       ///< linear, per vertex; empty: white
+  std::vector<world::Vec2> uvs;           ///< per vertex; empty: no textures
+  std::vector<std::uint16_t> materialOf;  ///< per triangle
+  std::vector<Material> materials;
+  std::vector<Texture> textures;
+};
+
+}  // namespace grove::models

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+#include "models/model.h"
+#include "models/plants/plants.h"
+#include "world/scene_file.h"
+
+namespace grove::models {
+
+/// What an object of a scene file is made of.
+///
+/// Keys: plant and seed (a plant of ours), or model (a glTF file, relative to the scene's).
+struct ModelSource {
+  std::string plant;
+  std::uint32_t seed = 1;
+  std::filesystem::path file;
+
+  [[nodiscard]] bool empty() const { return plant.empty() && file.empty(); }
+};
+
+/// Throws world::SceneError; what it reads may be empty.
+[[nodiscard]] ModelSource readModelSource(const world::Parameters& parameters);
+
+/// Throws ImportError.
+[[nodiscard]] Model loadModel(const ModelSource& source, Detail detail);
+
+/// A name for a file made from it, that changes when it does. Throws EnvironmentError if a model cannot be read.
+[[nodiscard]] std::string fileNameOf(const ModelSource& source);
+
+}  // namespace grove::models

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "models/model.h"
+
+namespace grove::models {
+
+/// Adds smooth surfaces to a model, one after another.
+class MeshWriter {
+ public:
+  explicit MeshWriter(Model& model) : model_(model) {}
+
+  std::uint16_t addMaterial(Material material);
+
+  std::uint32_t vertex(world::Vec3 position, world::Vec3 colour);
+  void triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint16_t material);
+
+  /// Gives all vertices since the last surface the mean normal of their triangles.
+  void finishSurface();
+
+  /// Where the model ends now; finished surfaces after a mark can be taken back.
+  struct Mark {
+    std::size_t vertices = 0;
+    std::size_t triangles = 0;
+  };
+  [[nodiscard]] Mark mark() const;
+  void takeBack(Mark mark);
+
+  /// Repeats all since the mark, turned about the Y axis by radians counter-clockwise seen from above.
+  void repeatTurned(Mark from, Mark to, float radians);
+
+  [[nodiscard]] const Model& model() const noexcept { return model_; }
+
+ private:
+  Model& model_;
+};
+
+/// Unit vector along v, or `otherwise` where v is too short to have a direction.
+[[nodiscard]] world::Vec3 unitOr(world::Vec3 v, world::Vec3 otherwise) noexcept;
+
+/// A unit vector at right angles to a unit vector.
+[[nodiscard]] world::Vec3 anyNormalTo(world::Vec3 direction) noexcept;
+
+/// v turned about a unit axis.
+[[nodiscard]] world::Vec3 turned(world::Vec3 v, world::Vec3 axis, float radians) noexcept;
+
+}  // namespace grove::models

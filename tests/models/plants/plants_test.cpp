@@ -1,0 +1,145 @@
+#include "models/plants/plants.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <string>
+
+#include "models/plants/random.h"
+
+namespace grove::models {
+namespace {
+
+using world::Bounds;
+using world::Vec3;
+
+template <class T>
+bool sameBytes(const std::vector<T>& a, const std::vector<T>& b) {
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0;
+}
+
+bool sameBytes(const Model& a, const Model& b) {
+  return sameBytes(a.triangles.positions, b.triangles.positions) &&
+         sameBytes(a.triangles.indices, b.triangles.indices) && sameBytes(a.normals, b.normals) &&
+         sameBytes(a.colours, b.colours) && sameBytes(a.materialOf, b.materialOf);
+}
+
+/// What every model must be, whatever grows.
+void expectSound(const Model& model) {
+  const std::size_t vertices = model.triangles.positions.size();
+  ASSERT_EQ(model.normals.size(), vertices);
+  ASSERT_EQ(model.colours.size(), vertices);
+  ASSERT_EQ(model.materialOf.size(), model.triangles.indices.size());
+  float worstNormal = 0.0F;
+  Bounds colours;
+  bool finite = true;
+  for (std::size_t i = 0; i < vertices; ++i) {
+    const Vec3 sum = model.triangles.positions[i] + model.normals[i] + model.colours[i];
+    finite = finite && std::isfinite(sum.x + sum.y + sum.z);
+    worstNormal = std::max(worstNormal, std::abs(glm::length(model.normals[i]) - 1.0F));
+    colours.add(model.colours[i]);
+  }
+  EXPECT_TRUE(finite);
+  EXPECT_LT(worstNormal, 1.0e-4F);
+  EXPECT_GE(std::min({colours.low.x, colours.low.y, colours.low.z}), 0.0F);
+  EXPECT_LE(std::max({colours.high.x, colours.high.y, colours.high.z}), 4.0F);
+  std::uint32_t highest = 0;
+  for (const auto& triangle : model.triangles.indices) highest = std::max(highest, *std::ranges::max_element(triangle));
+  EXPECT_LT(highest, vertices);
+  EXPECT_LT(*std::ranges::max_element(model.materialOf), model.materials.size());
+}
+
+class Plants : public testing::TestWithParam<std::string> {};
+
+TEST_P(Plants, AreSoundAndSmallEnoughForSmallLightFields) {
+  const Model model = makePlant(GetParam(), 7, Detail::kSmall);
+  expectSound(model);
+  EXPECT_GE(model.triangles.indices.size(), 150'000U);
+  EXPECT_LE(model.triangles.indices.size(), 500'000U);
+}
+
+TEST_P(Plants, AreTheSameBytesForTheSameSeedAndOthersForAnother) {
+  const Model model = makePlant(GetParam(), 7, Detail::kSmall);
+  EXPECT_TRUE(sameBytes(model, makePlant(GetParam(), 7, Detail::kSmall)));
+  EXPECT_FALSE(sameBytes(model, makePlant(GetParam(), 8, Detail::kSmall)));
+}
+
+TEST_P(Plants, HaveSeveralMillionTrianglesInTheSameSpaceInFull) {
+  const Model model = makePlant(GetParam(), 7, Detail::kFull);
+  expectSound(model);
+  EXPECT_GE(model.triangles.indices.size(), 2'000'000U);
+  EXPECT_LE(model.triangles.indices.size(), 5'000'000U);
+  const Bounds full = model.triangles.bounds();
+  const Bounds small = makePlant(GetParam(), 7, Detail::kSmall).triangles.bounds();
+  EXPECT_LT(glm::distance(small.low, full.low), 0.12F);
+  EXPECT_LT(glm::distance(small.high, full.high), 0.12F);
+}
+
+TEST_P(Plants, StandOnTheGroundInTheMiddle) {
+  const Bounds bounds = makePlant(GetParam(), 7, Detail::kSmall).triangles.bounds();
+  EXPECT_LE(bounds.low.y, 0.0F);
+  EXPECT_GE(bounds.low.y, -0.25F);
+  EXPECT_LT(glm::length(bounds.centre() * Vec3(1, 0, 1)), isTile(GetParam()) ? 0.1F : 0.6F);
+  if (isTile(GetParam())) {
+    EXPECT_LT(bounds.high.y, 0.6F);
+    EXPECT_NEAR(bounds.size().x, 2.0F * kTileRadius, 0.6F);
+  } else {
+    EXPECT_GE(bounds.high.y, 6.0F);
+    EXPECT_LE(bounds.high.y, 9.3F);
+    const bool broad = std::max(bounds.size().x, bounds.size().z) > bounds.size().y;
+    EXPECT_EQ(broad, GetParam() == "oak");
+  }
+}
+
+TEST_P(Plants, HaveLeavesThatLetLightThroughAndTreesSolidWood) {
+  const Model model = makePlant(GetParam(), 7, Detail::kSmall);
+  std::vector<std::size_t> uses(model.materials.size(), 0);
+  for (const auto material : model.materialOf) ++uses[material];
+  std::size_t leafy = 0;
+  std::size_t solid = 0;
+  for (std::size_t i = 0; i < uses.size(); ++i) {
+    const Material& material = model.materials[i];
+    const Vec3 total = material.albedo + material.transmittance;
+    EXPECT_LT(std::max({total.r, total.g, total.b}), 1.0F) << material.name;
+    EXPECT_GT(std::min({material.albedo.r, material.albedo.g, material.albedo.b}), 0.0F) << material.name;
+    EXPECT_FALSE(material.solid && material.transmittance != Vec3(0.0F)) << material.name;
+    if (material.transmittance.g > 0.0F) {
+      EXPECT_TRUE(material.twoSided) << material.name;
+      leafy += uses[i];
+    }
+    if (material.solid) solid += uses[i];
+  }
+  EXPECT_GT(leafy, model.materialOf.size() / 2);
+  if (!isTile(GetParam())) {
+    EXPECT_GT(solid, 10'000U);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Plants,
+                         testing::ValuesIn(std::vector<std::string>(plantNames().begin(), plantNames().end())),
+                         [](const auto& given) { return given.param; });
+
+TEST(PlantNames, AreThreeTreesAndThreeTiles) {
+  EXPECT_THAT(plantNames(), testing::ElementsAre("oak", "birch", "spruce", "meadow", "flowers", "fern"));
+  EXPECT_EQ(std::ranges::count_if(plantNames(), isTile), 3);
+}
+
+TEST(Random, IsEvenAndItsForksDiffer) {
+  Random random(1);
+  float sum = 0.0F;
+  for (int i = 0; i < 10'000; ++i) {
+    const float value = random.unit();
+    ASSERT_GE(value, 0.0F);
+    ASSERT_LT(value, 1.0F);
+    sum += value;
+  }
+  EXPECT_NEAR(sum / 10'000.0F, 0.5F, 0.015F);
+  Random a = random.fork();
+  Random b = random.fork();
+  EXPECT_NE(a.unit(), b.unit());
+}
+
+}  // namespace
+}  // namespace grove::models
