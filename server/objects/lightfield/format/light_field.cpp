@@ -1,0 +1,19 @@
+#include "objects/lightfield/format/light_field.h"
+
+#include <cmath>
+#include <glm/gtc/constants.hpp>
+
+#include "world/light.h"
+
+namespace grove::objects::lightfield {
+
+int LightField::lightingFor(float yaw) const noexcept {
+  const world::Vec3 sun = world::sunDirection();
+  // Turning an object by yaw turns the sun by -yaw for it.
+  const float azimuth = std::atan2(sun.x, sun.z) - yaw - sunAzimuth;
+  const float steps = azimuth / glm::two_pi<float>() * static_cast<float>(lightings());
+  const int nearest = static_cast<int>(std::lround(steps)) % lightings();
+  return nearest < 0 ? nearest + lightings() : nearest;
+}
+
+}  // namespace grove::objects::lightfield

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "objects/lightfield/format/view_camera.h"
+#include "objects/lightfield/format/view_sphere.h"
+#include "world/geometry.h"
+
+namespace grove::objects::lightfield {
+
+/// Texels are kept in square blocks, and only covered blocks are kept. A block has one more row and column than it
+/// answers for, a copy of its neighbours' first ones, so that the four texels of a bilinear look-up are in one block.
+inline constexpr int kBlock = 16;
+inline constexpr int kBlockStride = kBlock + 1;
+inline constexpr int kBlockTexels = kBlockStride * kBlockStride;
+inline constexpr std::uint32_t kNoBlock = 0xFFFFFFFFU;
+/// Depth of a texel that shows nothing; its colour is 0.
+inline constexpr std::uint16_t kNoDepth = 0xFFFFU;
+
+inline constexpr int kLeastSize = 32;
+inline constexpr int kMostSize = 1024;
+inline constexpr int kMostLightings = 16;
+
+/// What the object keeps from the fluid (kWood) and what casts shade (both).
+enum class Voxel : std::uint8_t { kEmpty = 0, kWood = 1, kLeaves = 2 };
+
+struct VoxelGrid {
+  int width = 0;   ///< cells along x
+  int height = 0;  ///< along y
+  int depth = 0;   ///< along z
+  float cell = 0.0F;
+  world::Vec3 low{0.0F};
+  std::span<const std::uint8_t> cells;  ///< Voxel, x fastest, then y, then z
+};
+
+/// A picture that is not among the views, to measure quality against.
+struct HeldOutView {
+  ObjectCamera camera;
+  int size = 0;                           ///< pixels an edge
+  std::span<const std::uint32_t> colour;  ///< as the views'; lighting 0
+  std::span<const float> depth;           ///< view depth in object metres; world::kInfiniteDepth where nothing is
+};
+
+/// Pictures of one object from all around, with depth: the data of sections 5.1.1 and 5.1.3. Read-only and shared by
+/// all visitors; the spans point into a mapped file or into memory that `storage` owns. FORMAT.md tells the layout.
+///
+/// Colour is as in node::Image: RGBA8, display-encoded, premultiplied by coverage. It was lit by a sun of the world's
+/// height that stands at azimuth `sunAzimuth + k * 2 pi / lightings` for lighting k, so that an object that is turned
+/// in the world can be shown in the world's light.
+///
+/// Depth is linear between the view camera's nearDepth (0) and farDepth (65534); kNoDepth is nothing. A texel that is
+/// covered in part has the depth of what covers it.
+///
+/// Level l of the mip pyramid has views of (size >> l) squared texels.
+struct LightField {
+  ViewSphere sphere{1};
+  ViewGeometry geometry;
+  world::Bounds bounds;  ///< of what shows, object coordinates
+  int size = 0;          ///< texels an edge of a view, a power of two, kLeastSize to kMostSize
+  int levels = 1;
+  float sunAzimuth = 0.0F;                             ///< radians, atan2(x, z) of the direction towards the sun
+  std::vector<std::span<const std::uint32_t>> blocks;  ///< by level: [view][block row][block column], kNoBlock if empty
+  std::span<const std::uint16_t> depth;                ///< [block][kBlockStride][kBlockStride]
+  std::vector<std::span<const std::uint32_t>> colour;  ///< by lighting: [block][kBlockStride][kBlockStride]
+  VoxelGrid voxels;
+  std::vector<HeldOutView> heldOut;
+  std::string source;     ///< what it was made from, for people
+  std::size_t bytes = 0;  ///< of all of the above
+  std::shared_ptr<const void> storage;
+
+  [[nodiscard]] int lightings() const noexcept { return static_cast<int>(colour.size()); }
+  /// Blocks along an edge of a view.
+  [[nodiscard]] int blocksAcross(int level) const noexcept { return (size >> level) / kBlock; }
+  /// The lighting whose sun stands nearest to where the world's sun stands for an object that is turned by `yaw`.
+  [[nodiscard]] int lightingFor(float yaw) const noexcept;
+};
+
+}  // namespace grove::objects::lightfield
