@@ -10,7 +10,9 @@ namespace grove::gl {
 /// Every GL function that Grove calls: its type in glcorearb.h and its name without `gl`.
 #define GROVE_GL_FUNCTIONS(X)                                  \
   X(PFNGLATTACHSHADERPROC, AttachShader)                       \
+  X(PFNGLBINDBUFFERBASEPROC, BindBufferBase)                   \
   X(PFNGLBINDFRAMEBUFFERPROC, BindFramebuffer)                 \
+  X(PFNGLBINDTEXTUREUNITPROC, BindTextureUnit)                 \
   X(PFNGLBINDVERTEXARRAYPROC, BindVertexArray)                 \
   X(PFNGLCHECKNAMEDFRAMEBUFFERSTATUSPROC, CheckNamedFramebufferStatus) \
   X(PFNGLCLEARNAMEDFRAMEBUFFERFVPROC, ClearNamedFramebufferfv) \
@@ -52,7 +54,10 @@ namespace grove::gl {
   X(PFNGLREADPIXELSPROC, ReadPixels)                           \
   X(PFNGLSCISSORPROC, Scissor)                                 \
   X(PFNGLSHADERSOURCEPROC, ShaderSource)                       \
+  X(PFNGLTEXTUREPARAMETERIPROC, TextureParameteri)             \
   X(PFNGLTEXTURESTORAGE2DPROC, TextureStorage2D)               \
+  X(PFNGLTEXTURESTORAGE3DPROC, TextureStorage3D)               \
+  X(PFNGLTEXTURESUBIMAGE3DPROC, TextureSubImage3D)             \
   X(PFNGLUNIFORMMATRIX4FVPROC, UniformMatrix4fv)               \
   X(PFNGLUSEPROGRAMPROC, UseProgram)                           \
   X(PFNGLVERTEXARRAYATTRIBBINDINGPROC, VertexArrayAttribBinding) \

@@ -49,6 +49,15 @@ struct Texture2dTraits {
   static void destroy(const Api& api, GLuint name) { api.DeleteTextures(1, &name); }
 };
 
+struct Texture2dArrayTraits {
+  static GLuint create(const Api& api) {
+    GLuint name = 0;
+    api.CreateTextures(GL_TEXTURE_2D_ARRAY, 1, &name);
+    return name;
+  }
+  static void destroy(const Api& api, GLuint name) { api.DeleteTextures(1, &name); }
+};
+
 struct FramebufferTraits {
   static GLuint create(const Api& api) {
     GLuint name = 0;
@@ -74,6 +83,7 @@ struct ProgramTraits {
 
 using Buffer = Handle<BufferTraits>;
 using Texture = Handle<Texture2dTraits>;
+using TextureArray = Handle<Texture2dArrayTraits>;
 using VertexArray = Handle<VertexArrayTraits>;
 
 }  // namespace grove::gl

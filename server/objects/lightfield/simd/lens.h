@@ -1,0 +1,37 @@
+#pragma once
+
+#include "objects/lightfield/format/light_field.h"
+
+namespace grove::objects::lightfield::simd {
+
+/// A view's camera at one level, as the loops want it: for p = point - eye, z = dot(forward, p) is its view depth and
+/// dot(column, p) / z + middle its column of texels, texel centres being whole numbers.
+struct Lens {
+  int view = -1;
+  world::Vec3 eye{0.0F};
+  world::Vec3 column{0.0F};
+  world::Vec3 row{0.0F};
+  world::Vec3 forward{0.0F};
+  float middle = 0.0F;
+  float nearDepth = 0.0F;       ///< metres, of stored depth 0
+  float depthStep = 0.0F;       ///< metres of one step of stored depth
+  float metresPerTexel = 0.0F;  ///< at one metre
+};
+
+inline Lens makeLens(const LightField& field, int level, int view) {
+  const ViewCamera camera = viewCamera(field.geometry, field.sphere.direction(view));
+  const float size = static_cast<float>(field.size >> level);
+  Lens lens;
+  lens.view = view;
+  lens.eye = camera.eye;
+  lens.column = camera.right * (camera.focal * size);
+  lens.row = camera.down * (camera.focal * size);
+  lens.forward = camera.forward;
+  lens.middle = 0.5F * size - 0.5F;
+  lens.nearDepth = camera.nearDepth;
+  lens.depthStep = (camera.farDepth - camera.nearDepth) / 65534.0F;
+  lens.metresPerTexel = 1.0F / (camera.focal * size);
+  return lens;
+}
+
+}  // namespace grove::objects::lightfield::simd
