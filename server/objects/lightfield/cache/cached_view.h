@@ -1,0 +1,77 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "node/image.h"
+#include "node/messages.h"
+#include "objects/lightfield/format/view_camera.h"
+
+namespace grove::objects::lightfield {
+
+/// A picture of an object that many eyes near its own share, without haze: the covered part of an image, made ready for
+/// reproject(). Immutable, any thread; travels as a payload.
+class CachedView final : public node::SimulationData {
+ public:
+  /// Copies what shows of `image`, whose rectangle is in pixels of `camera`.
+  CachedView(const node::Image& image, const ObjectCamera& camera);
+
+  [[nodiscard]] const ObjectCamera& camera() const noexcept { return camera_; }
+  [[nodiscard]] bool empty() const noexcept { return width_ == 0; }
+  /// Memory that this takes.
+  [[nodiscard]] std::size_t bytes() const noexcept;
+
+  /// All texels: those of the picture and kBorder more on each side that show nothing. Texel (0, 0) is the camera's
+  /// pixel (left(), top()).
+  static constexpr int kBorder = 2;
+  [[nodiscard]] int left() const noexcept { return left_; }
+  [[nodiscard]] int top() const noexcept { return top_; }
+  [[nodiscard]] int width() const noexcept { return width_; }
+  [[nodiscard]] int height() const noexcept { return height_; }
+
+  /// As node::Image's.
+  [[nodiscard]] const std::uint32_t* colour() const noexcept { return colour_.get(); }
+  /// Nearness of every texel: 1 / depth if it is covered by half; that less softness() if it is covered by less, or is
+  /// empty beside a covered one, whose depth it then has; and -softness() where there is nothing. So the nearest of
+  /// several texels is the largest, but all that hide what is behind come before those that do not.
+  [[nodiscard]] const float* nearness() const noexcept { return nearness_.get(); }
+  [[nodiscard]] float softness() const noexcept { return softness_; }
+
+  /// The least and the greatest 1 / depth in squares of kSquare x kSquare texels; greatest is 0 if all are empty.
+  struct Range {
+    float least = 0.0F;
+    float greatest = 0.0F;
+  };
+  static constexpr int kSquare = 8;
+  [[nodiscard]] int squaresAcross() const noexcept { return (width_ + kSquare - 1) / kSquare; }
+  [[nodiscard]] int squaresDown() const noexcept { return (height_ + kSquare - 1) / kSquare; }
+  [[nodiscard]] const Range& range(int column, int row) const noexcept {
+    return ranges_[static_cast<std::size_t>(row) * static_cast<std::size_t>(squaresAcross()) +
+                   static_cast<std::size_t>(column)];
+  }
+  /// Of the whole view.
+  [[nodiscard]] const Range& range() const noexcept { return whole_; }
+
+ private:
+  [[nodiscard]] std::size_t texels() const noexcept {
+    return static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
+  }
+  void copy(const node::Image& image);
+  void spread();
+  void measure();
+
+  ObjectCamera camera_;
+  int left_ = 0;
+  int top_ = 0;
+  int width_ = 0;
+  int height_ = 0;
+  float softness_ = 1.0F;
+  std::unique_ptr<std::uint32_t[]> colour_;
+  std::unique_ptr<float[]> nearness_;
+  Range whole_;
+  std::vector<Range> ranges_;
+};
+
+}  // namespace grove::objects::lightfield

@@ -1,0 +1,214 @@
+#include "objects/lightfield/cache/reprojection_tile.h"
+
+#include <cmath>
+
+namespace grove::objects::lightfield {
+namespace {
+
+/// A tile's rays are looked at in steps of a texel (finer ones gain nothing); no cell of a sensible error needs more.
+constexpr float kMostSteps = 64.0F;
+/// How many texels beside a ray's texel its point may lie, beyond half a step.
+constexpr float kSlack = 0.4F;
+constexpr float kNothing = -1.0e30F;
+/// Steps to a share of 256.
+constexpr float kShares = 256.0F;
+constexpr float kRounding = 0.5F;
+constexpr std::uint32_t kEven = 0x00FF00FFU;
+constexpr std::uint32_t kHalves = 0x00800080U;
+
+/// A view's texels as the loops need them.
+struct Texels {
+  int stride;
+  float softness;
+  float limitX;
+  float limitY;
+  world::Vec3 m;
+
+  Texels(const CachedView& view, const ViewWarp& warp)
+      : stride(view.width()),
+        softness(view.softness()),
+        // The last column and row are for bilinear look-ups only.
+        limitX(static_cast<float>(view.width()) - 1.001F),
+        limitY(static_cast<float>(view.height()) - 1.001F),
+        m(warp.m) {}
+};
+
+void beginRow(world::Vec3 k, world::Vec3 step, float* __restrict a0, float* __restrict a1,
+              float* __restrict perForward) {
+  for (int i = 0; i < kTileWidth; ++i) {
+    const auto x = static_cast<float>(i);
+    const float scale = 1.0F / std::max(k.z + x * step.z, kLeastForward);
+    a0[i] = (k.x + x * step.x) * scale;
+    a1[i] = (k.y + x * step.y) * scale;
+    perForward[i] = scale;
+  }
+}
+
+}  // namespace
+
+ViewWarp::ViewWarp(const CachedView& view, const ObjectCamera& camera) {
+  const ObjectCamera& own = view.camera();
+  const world::Vec3 corner =
+      own.corner + static_cast<float>(view.left()) * own.perColumn + static_cast<float>(view.top()) * own.perRow;
+  const glm::dmat3 inverse = glm::inverse(glm::dmat3(own.perColumn, own.perRow, corner));
+  k = inverse * glm::dvec3(camera.corner);
+  kPerColumn = inverse * glm::dvec3(camera.perColumn);
+  kPerRow = inverse * glm::dvec3(camera.perRow);
+  m = inverse * (glm::dvec3(camera.eye) - glm::dvec3(own.eye));
+}
+
+void beginTile(const ViewWarp& warp, int left, int top, WarpTile& tile) {
+  for (int row = 0; row < kTileHeight; ++row) {
+    const world::Vec3 k = warp.k + (static_cast<float>(left) + 0.5F) * warp.kPerColumn +
+                          (static_cast<float>(top + row) + 0.5F) * warp.kPerRow;
+    const int at = row * kTileWidth;
+    beginRow(k, warp.kPerColumn, tile.a0 + at, tile.a1 + at, tile.perForward + at);
+  }
+}
+
+namespace {
+
+/// What each ray has met so far, texels as CachedView::nearness().
+struct Met {
+  alignas(64) float best[kTilePixels];       ///< the best texel that lies on it, or kNothing
+  alignas(64) float bestPlace[kTilePixels];  ///< the w where that was
+  alignas(64) float far[kTilePixels];        ///< 1 / depth of the farthest texel passed
+  alignas(64) float farPlace[kTilePixels];
+};
+
+/// Looks at the texel of each ray at nearness `w`.
+void look(const Texels& view, const float* __restrict nearness, float w, float permitted, const float* __restrict a0,
+          const float* __restrict a1, float* __restrict best, float* __restrict bestPlace, float* __restrict far,
+          float* __restrict farPlace) {
+  const int stride = view.stride;
+  const float softness = view.softness;
+  const float limitX = view.limitX;
+  const float limitY = view.limitY;
+  const float scale = 1.0F - view.m.z * w;
+  const float offsetX = view.m.x * w;
+  const float offsetY = view.m.y * w;
+  for (int i = 0; i < kTilePixels; ++i) {
+    const float x = std::min(std::max(a0[i] * scale + offsetX, 0.0F), limitX);
+    const float y = std::min(std::max(a1[i] * scale + offsetY, 0.0F), limitY);
+    const float ranked = nearness[static_cast<int>(y) * stride + static_cast<int>(x)];
+    const float near = ranked < 0.0F ? ranked + softness : ranked;
+    const float lying = std::fabs(near - w) <= permitted ? ranked : kNothing;
+    bestPlace[i] = lying > best[i] ? w : bestPlace[i];
+    best[i] = std::max(best[i], lying);
+    farPlace[i] = near < far[i] ? w : farPlace[i];
+    far[i] = std::min(far[i], near);
+  }
+}
+
+/// Decides what each ray shows. The best texel lies on the ray to half a step; the one at the place that belongs to its
+/// depth is better if it is of the same surface. If that is farther away, the surface ends between both, and the colour
+/// there is that of its edge. If it is nearer, it hides what the ray meets, of which the texel found is all that is
+/// known.
+void settle(const Texels& view, const float* __restrict nearness, float permitted, const float* __restrict a0,
+            const float* __restrict a1, const float* __restrict best, const float* __restrict bestPlace,
+            const float* __restrict far, const float* __restrict farPlace, float* __restrict place,
+            float* __restrict shown) {
+  const int stride = view.stride;
+  const float softness = view.softness;
+  const float limitX = view.limitX;
+  const float limitY = view.limitY;
+  const world::Vec3 m = view.m;
+  for (int i = 0; i < kTilePixels; ++i) {
+    const bool lies = best[i] > 0.5F * kNothing;
+    const float found = best[i] < 0.0F ? best[i] + softness : best[i];
+    const float w = lies ? found : farPlace[i];
+    const float scale = 1.0F - m.z * w;
+    const float x = std::min(std::max(a0[i] * scale + m.x * w, 0.0F), limitX);
+    const float y = std::min(std::max(a1[i] * scale + m.y * w, 0.0F), limitY);
+    const float ranked = nearness[static_cast<int>(y) * stride + static_cast<int>(x)];
+    const float near = ranked < 0.0F ? ranked + softness : ranked;
+    const bool same = std::fabs(near - w) <= permitted;
+    const bool hidden = near > w + permitted;
+    const float exact = same ? near : (hidden ? bestPlace[i] : w);
+    place[i] = lies ? exact : farPlace[i];
+    shown[i] = lies ? (same ? near : found) : far[i];
+  }
+}
+
+inline std::uint32_t share(float part) {
+  return static_cast<std::uint32_t>(static_cast<int>(part * kShares + kRounding));
+}
+
+/// Bilinear colour through the haze, and depth.
+void shadePixels(const Texels& view, const Haze& haze, const std::uint32_t* __restrict texels,
+                 const float* __restrict a0, const float* __restrict a1, const float* __restrict perForward,
+                 const float* __restrict place, const float* __restrict nearness, std::uint32_t* __restrict colour,
+                 float* __restrict depth) {
+  const int stride = view.stride;
+  const float limitX = view.limitX;
+  const float limitY = view.limitY;
+  const world::Vec3 m = view.m;
+  const std::uint32_t air = share(std::clamp(haze.amount, 0.0F, 1.0F));
+  const auto hazy = [&](std::size_t channel) {
+    return share(std::clamp(haze.amount, 0.0F, 1.0F) * std::clamp(haze.colour[channel], 0.0F, 1.0F));
+  };
+  const std::uint32_t hazeEven = hazy(2) << 16U | hazy(0);
+  const std::uint32_t hazeOdd = air << 16U | hazy(1);
+  const std::uint32_t clear = 256U - air;
+  for (int i = 0; i < kTilePixels; ++i) {
+    const float w = place[i];
+    const float scale = 1.0F - m.z * w;
+    const float x = std::min(std::max(a0[i] * scale + m.x * w - 0.5F, 0.0F), limitX);
+    const float y = std::min(std::max(a1[i] * scale + m.y * w - 0.5F, 0.0F), limitY);
+    const int column = static_cast<int>(x);
+    const int row = static_cast<int>(y);
+    // Weights of the four texels that add up to 256, so that two 8-bit channels fit into 16-bit lanes.
+    const std::uint32_t right = share(x - static_cast<float>(column));
+    const std::uint32_t down = share(y - static_cast<float>(row));
+    const std::uint32_t both = (right * down + 128U) >> 8U;
+    const std::uint32_t w10 = right - both;
+    const std::uint32_t w01 = down - both;
+    const std::uint32_t w00 = 256U - right - w01;
+    const int at = row * stride + column;
+    const std::uint32_t t00 = texels[at];
+    const std::uint32_t t10 = texels[at + 1];
+    const std::uint32_t t01 = texels[at + stride];
+    const std::uint32_t t11 = texels[at + stride + 1];
+    std::uint32_t even = (t00 & kEven) * w00 + (t10 & kEven) * w10 + (t01 & kEven) * w01 + (t11 & kEven) * both;
+    std::uint32_t odd = ((t00 >> 8U) & kEven) * w00 + ((t10 >> 8U) & kEven) * w10 + ((t01 >> 8U) & kEven) * w01 +
+                        ((t11 >> 8U) & kEven) * both;
+    even = ((even + kHalves) >> 8U) & kEven;
+    odd = ((odd + kHalves) >> 8U) & kEven;
+    const std::uint32_t cover = odd >> 16U;
+    even = ((even * clear + cover * hazeEven + kHalves) >> 8U) & kEven;
+    odd = ((odd * clear + cover * hazeOdd + kHalves) >> 8U) & kEven;
+    const float near = nearness[i];
+    const bool there = (near > 0.0F) & (cover != 0U);
+    const float away = (1.0F / std::max(near, 1.0e-20F) - m.z) * perForward[i];
+    colour[i] = there ? (odd << 8U | even) : 0U;
+    depth[i] = there ? away : world::kInfiniteDepth;
+  }
+}
+
+}  // namespace
+
+void searchTile(const CachedView& view, const ViewWarp& warp, const CachedView::Range& reach, float texelsPerNearness,
+                WarpTile& tile) {
+  const Texels texels(view, warp);
+  Met met;
+  std::fill_n(met.best, kTilePixels, kNothing);
+  std::fill_n(met.far, kTilePixels, -kNothing);
+  const float range = reach.greatest - reach.least;
+  const float way = range * texelsPerNearness;
+  const int steps = static_cast<int>(std::clamp(std::ceil(way), 1.0F, kMostSteps));
+  const float step = range / static_cast<float>(steps);
+  const float permitted = 0.5F * step + kSlack / texelsPerNearness;
+  for (int j = 0; j < steps; ++j) {
+    const float w = reach.greatest - (static_cast<float>(j) + 0.5F) * step;
+    look(texels, view.nearness(), w, permitted, tile.a0, tile.a1, met.best, met.bestPlace, met.far, met.farPlace);
+  }
+  settle(texels, view.nearness(), permitted, tile.a0, tile.a1, met.best, met.bestPlace, met.far, met.farPlace,
+         tile.place, tile.near);
+}
+
+void shadeTile(const CachedView& view, const ViewWarp& warp, const Haze& haze, WarpTile& tile) {
+  shadePixels(Texels(view, warp), haze, view.colour(), tile.a0, tile.a1, tile.perForward, tile.place, tile.near,
+              tile.colour, tile.depth);
+}
+
+}  // namespace grove::objects::lightfield
