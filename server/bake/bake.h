@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <stop_token>
+#include <string_view>
+
+#include "models/model.h"
+
+namespace grove::bake {
+
+struct BakeOptions {
+  int subdivision = 16;  ///< of the sphere of views, 1 to ViewSphere::kMostSubdivision
+  int size = 256;        ///< texels an edge of a view, a power of two, kLeastSize to kMostSize
+  int lightings = 6;     ///< 1 to kMostLightings
+  int samples = 2;       ///< per edge of a pixel, 1 to 16
+  int threads = 0;       ///< 0: one per core
+  bool tile = false;     ///< the model stands amid copies of itself, see models::isTile()
+};
+
+struct BakeProgress {
+  std::string_view step;
+  float share = 0.0F;        ///< of the step
+  double secondsLeft = 0.0;  ///< of the step; 0 if it is not known yet
+};
+
+struct BakeReport {
+  int views = 0;
+  int viewsTakenUp = 0;  ///< of these, from an interrupted bake
+  std::size_t triangles = 0;
+  std::size_t lightPoints = 0;
+  std::uint64_t bytes = 0;  ///< of the file
+  double lightSeconds = 0.0;
+  double viewSeconds = 0.0;
+  double seconds = 0.0;  ///< in all
+};
+
+/// Makes the light field of a model (section 5.1.1): its light, its views with colour and depth, voxels, and held-out
+/// views. Blocks; uses `threads` threads. `progress` is called from any of them, one at a time.
+///
+/// Finished views wait in the folder FILE.partial, and memory does not grow with their number. A bake that was stopped
+/// (then nothing is returned), killed or out of disk goes on from there when it is repeated with the same model and
+/// options; the file that comes out is the same, byte for byte. The file appears whole or not at all.
+///
+/// Throws EnvironmentError: no such folder, no permission, too little room on the disk (looked at before views are
+/// made), another process bakes the same file, or the model has no triangles.
+[[nodiscard]] std::optional<BakeReport> bakeLightField(const models::Model& model, const BakeOptions& options,
+                                                       const std::filesystem::path& file,
+                                                       const std::function<void(const BakeProgress&)>& progress,
+                                                       const std::stop_token& stop);
+
+}  // namespace grove::bake

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "bake/texture_sampler.h"
+#include "models/model.h"
+
+namespace grove::bake {
+
+/// A place where light is computed for the patch of surface around it.
+struct LightPoint {
+  world::Vec3 position{0.0F};
+  world::Vec3 normal{0.0F, 1.0F, 0.0F};
+  world::Vec3 albedo{0.0F};         ///< mean of the patch, linear
+  world::Vec3 transmittance{0.0F};  ///< likewise
+  bool bothSides = false;           ///< else the back is lit as the front, for nobody but grazing rays sees it
+};
+
+struct LightPoints {
+  std::vector<LightPoint> points;       ///< neighbours in space are near each other in the list
+  std::vector<std::uint32_t> ofVertex;  ///< index into points
+};
+
+/// Chooses the light points of a model: vertices of one connected piece that are within `cell` metres of each other and
+/// face alike share one, so that a leaf that is smaller than a texel has one point.
+[[nodiscard]] LightPoints chooseLightPoints(const models::Model& model, const std::vector<TextureSampler>& textures,
+                                            float cell);
+
+}  // namespace grove::bake
