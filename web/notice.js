@@ -1,6 +1,6 @@
 /** What a visitor reads in each state of the connection; `open` needs no words. */
 const kTexts = {
-  connecting: { title: 'Grove', text: 'Entering the clearing\u2026' },
+  connecting: { title: 'Grove', text: 'Entering the grove\u2026' },
   lost: { title: 'The world is out of reach', text: 'Trying again\u2026' },
   full: {
     title: 'The world is full',

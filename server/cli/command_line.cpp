@@ -5,9 +5,12 @@
 #include <map>
 #include <string>
 
+#include "cli/bake.h"
 #include "cli/bench_fluid.h"
+#include "cli/bench_lightfield.h"
 #include "cli/load.h"
 #include "cli/serve.h"
+#include "objects/lightfield/format/light_field.h"
 #include "pipeline/log.h"
 
 namespace grove::cli {
@@ -15,7 +18,7 @@ namespace {
 
 void addServe(CLI::App& app, ServeOptions& options) {
   CLI::App* serve = app.add_subcommand("serve", "Serve a world to browsers");
-  serve->add_option("--scene", options.scene, "Scene file (default: the clearing, built in)");
+  serve->add_option("--scene", options.scene, "Scene file (default: the grove, built in)");
   serve->add_option("--listen", options.listen, "Address and port; port 0 is any free one")->capture_default_str();
   const std::map<std::string, gl::ContextKind> kinds{
       {"auto", gl::ContextKind::kAuto}, {"egl", gl::ContextKind::kEgl}, {"osmesa", gl::ContextKind::kOsmesa}};
@@ -34,17 +37,72 @@ void addServe(CLI::App& app, ServeOptions& options) {
   serve->add_option("--jpeg-quality", options.host.jpegQuality, "1 to 100")
       ->check(CLI::Range(1, 100))
       ->capture_default_str();
+  serve
+      ->add_option("--view-cache", options.viewCacheMegabytes,
+                   "MB of light-field pictures that visitors share; 0: none")
+      ->check(CLI::Range(0, 1 << 20))
+      ->capture_default_str();
+  serve->add_option("--view-error", options.viewError, "Pixels of parallax that a shared picture may have to mend")
+      ->check(CLI::Range(0.25, 64.0))
+      ->capture_default_str();
   serve->add_option("--shader-dir", options.shaderDirectory, "Read shaders from here instead of the built-in ones");
 }
 
-void addBench(CLI::App& app, BenchFluidOptions& options) {
-  CLI::App* bench = app.add_subcommand("bench", "Measure a part of Grove");
-  bench->require_subcommand(1);
+void addBake(CLI::App& app, BakeCommand& command) {
+  using objects::lightfield::kLeastSize;
+  using objects::lightfield::kMostLightings;
+  using objects::lightfield::kMostSize;
+  using objects::lightfield::ViewSphere;
+  CLI::App* bake = app.add_subcommand("bake", "Make a light field of a model or of a plant");
+  bake->add_option("model", command.model, "glTF file, .glb or .gltf");
+  bake->add_option("--plant", command.plant, "Name of a plant to grow instead");
+  bake->add_option("--seed", command.seed, "The plant's; another seed is another plant")->capture_default_str();
+  const std::map<std::string, bool> details{{"small", false}, {"full", true}};
+  bake->add_option("--detail", command.full, "The plant's: small, or full for several million triangles")
+      ->transform(CLI::Transformer(details))
+      ->type_name("DETAIL");
+  bake->add_option("--subdivision", command.options.subdivision, "Parts per edge of the octahedron of views")
+      ->check(CLI::Range(1, ViewSphere::kMostSubdivision))
+      ->capture_default_str();
+  const auto powerOfTwo = [](const std::string& text) -> std::string {
+    for (int size = kLeastSize; size <= kMostSize; size *= 2) {
+      if (text == std::to_string(size)) return {};
+    }
+    return "must be a power of two from " + std::to_string(kLeastSize) + " to " + std::to_string(kMostSize);
+  };
+  bake->add_option("--size", command.options.size, "Texels per edge of a view")
+      ->check(powerOfTwo, "POWER OF TWO")
+      ->capture_default_str();
+  bake->add_option("--lightings", command.options.lightings, "Suns around the object, for objects that are turned")
+      ->check(CLI::Range(1, kMostLightings))
+      ->capture_default_str();
+  bake->add_option("--samples", command.options.samples, "Samples per edge of a texel")
+      ->check(CLI::Range(1, 16))
+      ->capture_default_str();
+  bake->add_option("--threads", command.options.threads, "Threads (default: one per core)")->check(CLI::Range(1, 1024));
+  bake->add_option("-o,--output", command.output, "Light-field file to write")->required();
+  bake->add_flag("--json", command.json, "One JSON document on stdout");
+}
+
+void addBenchFluid(CLI::App* bench, BenchFluidOptions& options) {
   CLI::App* fluid = bench->add_subcommand("fluid", "Time and accuracy of a step of the fluid simulation");
   fluid->add_option("--grid", options.grid, "Cells per edge")->capture_default_str();
   fluid->add_option("--steps", options.steps, "Steps to measure")->capture_default_str();
   fluid->add_option("--threads", options.threads, "Threads per step")->capture_default_str();
   fluid->add_flag("--json", options.json, "One JSON document on stdout");
+}
+
+void addBenchLightfield(CLI::App* bench, BenchLightfieldOptions& options) {
+  CLI::App* field = bench->add_subcommand("lightfield", "Speed and quality of pictures made of a light field");
+  field->add_option("--size", options.size, "Pixels per edge of a picture")
+      ->check(CLI::Range(16, 4096))
+      ->capture_default_str();
+  field->add_option("--requests", options.requests, "Pictures to make in each of three repeats")
+      ->check(CLI::Range(1, 100'000))
+      ->capture_default_str();
+  field->add_option("--file", options.file, "Light field (default: a small oak, baked first)");
+  field->add_option("--threads", options.threads, "Threads (default: one per core)")->check(CLI::Range(1, 1024));
+  field->add_flag("--json", options.json, "One JSON document on stdout");
 }
 
 void addLoad(CLI::App& app, LoadOptions& options) {
@@ -63,12 +121,18 @@ void addLoad(CLI::App& app, LoadOptions& options) {
 
 int run(int argc, char** argv) {
   ServeOptions serve;
+  BakeCommand bake;
   BenchFluidOptions benchFluid;
+  BenchLightfieldOptions benchLightfield;
   LoadOptions load;
   CLI::App app("Grove: one living world, a camera for every browser", "grove");
   app.require_subcommand(1);
   addServe(app, serve);
-  addBench(app, benchFluid);
+  addBake(app, bake);
+  CLI::App* bench = app.add_subcommand("bench", "Measure a part of Grove");
+  bench->require_subcommand(1);
+  addBenchFluid(bench, benchFluid);
+  addBenchLightfield(bench, benchLightfield);
   addLoad(app, load);
   try {
     app.parse(argc, argv);
@@ -80,7 +144,9 @@ int run(int argc, char** argv) {
   }
   try {
     if (app.got_subcommand("serve")) return runServe(serve);
+    if (app.got_subcommand("bake")) return runBake(bake);
     if (app.got_subcommand("load")) return runLoad(load);
+    if (bench->got_subcommand("lightfield")) return runBenchLightfield(benchLightfield);
     return runBenchFluid(benchFluid);
   } catch (const std::exception& e) {
     log::error(e.what());

@@ -11,7 +11,7 @@ namespace grove::cli {
 
 Progress::Progress() : terminal_(isatty(STDERR_FILENO) == 1) {}
 
-void Progress::show(std::string_view label, float share) {
+void Progress::show(std::string_view label, float share, std::string_view note) {
   constexpr int kBarWidth = 30;
   const int percent = static_cast<int>(std::clamp(share, 0.0F, 1.0F) * 100.0F);
   const std::lock_guard lock(mutex_);
@@ -23,7 +23,8 @@ void Progress::show(std::string_view label, float share) {
     return;
   }
   const std::string done(static_cast<std::size_t>(percent * kBarWidth / 100), '#');
-  std::fprintf(stderr, "\r\033[K[%-*s] %3d %% %s", kBarWidth, done.c_str(), percent, label_.c_str());
+  std::fprintf(stderr, "\r\033[K[%-*s] %3d %% %s%s%.*s", kBarWidth, done.c_str(), percent, label_.c_str(),
+               note.empty() ? "" : ", ", static_cast<int>(note.size()), note.data());
   std::fflush(stderr);
 }
 

@@ -11,7 +11,8 @@ namespace grove::cli {
 class Progress {
  public:
   Progress();
-  void show(std::string_view label, float share);
+  /// The note stands behind the bar, on a terminal only.
+  void show(std::string_view label, float share, std::string_view note = {});
   void finish();
 
  private:

@@ -1,11 +1,12 @@
 #include "cli/serve.h"
 
-#include <csignal>
 #include <cstdio>
 #include <utility>
 
 #include "cli/host_port.h"
+#include "cli/prepare_world.h"
 #include "cli/progress.h"
+#include "cli/stop_on_signal.h"
 #include "gl/shader_library.h"
 #include "gl/workers.h"
 #include "node/registry.h"
@@ -21,27 +22,9 @@ namespace {
 
 world::Scene sceneOf(const ServeOptions& options) {
   if (options.scene) return world::loadScene(*options.scene);
-  const embedded::File& clearing = embedded::scenes().front();
-  return world::parseScene(clearing.text(), clearing.path);
+  const embedded::File& grove = embedded::scenes().front();
+  return world::parseScene(grove.text(), grove.path);
 }
-
-/// SIGINT and SIGTERM for a thread that waits for them; made before all other threads, which inherit the mask.
-class StopSignals {
- public:
-  StopSignals() {
-    sigemptyset(&signals_);
-    sigaddset(&signals_, SIGINT);
-    sigaddset(&signals_, SIGTERM);
-    pthread_sigmask(SIG_BLOCK, &signals_, nullptr);
-  }
-  void wait() const {
-    int signal = 0;
-    sigwait(&signals_, &signal);
-  }
-
- private:
-  sigset_t signals_{};
-};
 
 }  // namespace
 
@@ -53,16 +36,23 @@ int runServe(const ServeOptions& options) {
   }
   // Known before the world is prepared, which takes seconds.
   (void)stream::findListenAddress(address->host, address->port);
-  const StopSignals stop;
+  const StopOnSignal stop;
+  const world::Scene scene = sceneOf(options);
+  Progress progress;
+  if (!prepareWorld(scene, progress, stop.token())) {
+    log::info("stopped; the next start goes on from here");
+    return 0;
+  }
   node::Registry registry;
-  objects::registerBuiltinTypes(registry);
+  objects::BuiltinOptions builtin;
+  builtin.viewCache = {static_cast<std::size_t>(options.viewCacheMegabytes) << 20U, options.viewError};
+  objects::registerBuiltinTypes(registry, builtin);
   const gl::ShaderLibrary shaders(options.shaderDirectory);
-  world::World::Layout layout = node::makeLayout(sceneOf(options), registry);
+  world::World::Layout layout = node::makeLayout(scene, registry);
 
   gl::Workers gl(options.gl, shaders);
   log::info("GL: " + gl.description() + ", " + std::to_string(gl.width()) + " workers");
   log::info("world: " + layout.name + ", " + std::to_string(layout.objects.size()) + " objects");
-  Progress progress;
   stream::Host host(std::move(layout), registry, gl, options.host,
                     [&](std::string_view label, float share) { progress.show(label, share); });
   progress.finish();

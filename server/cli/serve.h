@@ -15,11 +15,13 @@ struct ServeOptions {
   gl::ContextKind gl = gl::ContextKind::kAuto;
   std::optional<std::string> shaderDirectory;
   stream::HostOptions host;
+  int viewCacheMegabytes = 256;
+  float viewError = 16.0F;
 };
 
 /// Serves until SIGINT or SIGTERM. Prints `listening on http://HOST:PORT` on stdout when ready. Returns 0, or 2 for a
-/// bad
-/// --listen; throws EnvironmentError or world::SceneError.
+/// bad --listen;
+/// throws EnvironmentError or world::SceneError.
 int runServe(const ServeOptions& options);
 
 }  // namespace grove::cli

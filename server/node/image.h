@@ -11,6 +11,12 @@
 
 namespace grove::node {
 
+/// Columns of one row of an image, from `begin` to before `end`.
+struct Span {
+  int begin = 0;
+  int end = 0;
+};
+
 /// Colour and depth of a rectangle of a frame, rows from the top, in memory.
 ///
 /// Colour is RGBA8 (bytes R, G, B, A), display-encoded and premultiplied by A = coverage. Depth is view depth in
@@ -20,9 +26,14 @@ struct Image {
   std::span<std::uint32_t> colour;
   std::span<float> depth;
   bool opaque = false;  ///< promises that every pixel's A is 255, which makes compositing cheaper
+  /// By row, what may show anything; pixels outside of it are never read. Empty: all of every row.
+  std::vector<Span> spans;
 
   [[nodiscard]] int width() const noexcept { return rect.width(); }
   [[nodiscard]] int height() const noexcept { return rect.height(); }
+  [[nodiscard]] Span span(int row) const noexcept {
+    return spans.empty() ? Span{0, width()} : spans[static_cast<std::size_t>(row)];
+  }
   [[nodiscard]] std::uint32_t* colourRow(int row) const noexcept {
     return colour.data() + std::ptrdiff_t{row} * width();
   }

@@ -5,15 +5,17 @@
 #include "objects/figure/figure_type.h"
 #include "objects/fluid/fluid_type.h"
 #include "objects/ground/ground_type.h"
+#include "objects/lightfield/light_field_type.h"
 #include "objects/mesh/mesh_type.h"
 #include "objects/sky/sky_type.h"
 
 namespace grove::objects {
 
-void registerBuiltinTypes(node::Registry& registry) {
+void registerBuiltinTypes(node::Registry& registry, const BuiltinOptions& options) {
   registry.add(std::make_unique<figure::FigureType>());
   registry.add(std::make_unique<fluid::FluidType>());
   registry.add(std::make_unique<ground::GroundType>());
+  registry.add(std::make_unique<lightfield::LightFieldType>(options.viewCache));
   registry.add(std::make_unique<mesh::MeshType>());
   registry.add(std::make_unique<sky::SkyType>());
 }

@@ -1,10 +1,16 @@
 #pragma once
 
 #include "node/registry.h"
+#include "objects/lightfield/view_cache_options.h"
 
 namespace grove::objects {
 
+/// What the server may choose of the object types.
+struct BuiltinOptions {
+  lightfield::ViewCacheOptions viewCache;
+};
+
 /// Makes the object types of this folder known. The one place where they are all named.
-void registerBuiltinTypes(node::Registry& registry);
+void registerBuiltinTypes(node::Registry& registry, const BuiltinOptions& options = {});
 
 }  // namespace grove::objects

@@ -11,6 +11,9 @@ const kBrowser = process.env.CHROMIUM ?? '/usr/bin/chromium';
 /** For a loaded machine; no test measures time. Milliseconds. */
 export const kPatience = 60_000;
 
+/** The first server on a machine bakes the light fields of its world. Milliseconds. */
+const kPreparation = 600_000;
+
 /** A port that was free a moment ago. */
 export async function freePort() {
   const probe = createServer();
@@ -37,7 +40,7 @@ export class Server {
     let log = '';
     process.stderr.on('data', (chunk) => (log += chunk));
     await new Promise((resolve, reject) => {
-      const timer = setTimeout(() => reject(new Error(`the server did not start in time:\n${log}`)), kPatience);
+      const timer = setTimeout(() => reject(new Error(`the server did not start in time:\n${log}`)), kPreparation);
       process.on('error', reject);
       process.on('exit', (code) => reject(new Error(`the server ended with ${code}:\n${log}`)));
       process.stdout.on('data', (chunk) => {

@@ -18,25 +18,49 @@ async function hold(visitor, code, milliseconds) {
   await visitor.page.keyboard.up(code);
 }
 
+/** Four visitors' views side by side, as the paper's Figure 5.3. */
+async function takeTogether(browser, visitors, name) {
+  const views = [];
+  for (const visitor of visitors) {
+    await visitor.frames(5);
+    views.push((await visitor.page.locator('canvas').screenshot({ type: 'png' })).toString('base64'));
+  }
+  const page = await browser.newPage(kSize);
+  const images = views.map((view) => `<img src="data:image/png;base64,${view}">`).join('');
+  await page.setContent(
+    `<style>body{margin:0;display:grid;grid-template-columns:1fr 1fr;gap:4px;background:#111}img{width:100%}</style>${images}`,
+  );
+  await page.screenshot({ path: `${kFolder}${name}.jpg`, type: 'jpeg', quality: 88 });
+  await page.close();
+}
+
 await mkdir(kFolder, { recursive: true });
 const server = await Server.start();
 const browser = await launchBrowser();
 try {
   const ada = await Visitor.arrive(browser, `${server.url}?name=Ada`, kSize);
   await ada.page.waitForTimeout(12_000); // the hint has gone
-  await take(ada, 'clearing');
+  await take(ada, 'grove');
 
-  // Ben walks ahead into Ada's view, Cleo stays beside her, and turns to the two.
-  const ben = await Visitor.arrive(browser, `${server.url}?name=Ben`, { viewport: { width: 320, height: 180 } });
+  // Ben and Cleo walk ahead into Ada's view, Dan to the west glade; each turns to something else.
+  const small = { viewport: { width: 638, height: 358 } };
+  const ben = await Visitor.arrive(browser, `${server.url}?name=Ben`, small);
   await hold(ben, 'KeyW', 1700);
   await hold(ben, 'KeyE', 500);
   await hold(ben, 'KeyW', 600);
   await hold(ben, 'KeyQ', 1500);
-  const cleo = await Visitor.arrive(browser, `${server.url}?name=Cleo`, { viewport: { width: 320, height: 180 } });
+  const cleo = await Visitor.arrive(browser, `${server.url}?name=Cleo`, small);
   await hold(cleo, 'KeyW', 900);
+  const dan = await Visitor.arrive(browser, `${server.url}?name=Dan`, small);
+  await hold(dan, 'KeyQ', 500);
+  await hold(dan, 'KeyW', 4200);
+  await hold(dan, 'KeyE', 1800);
   await ada.page.keyboard.press('o');
-  await ada.page.waitForTimeout(1500);
+  await ada.page.waitForTimeout(2500);
   await take(ada, 'visitors');
+  await ada.page.keyboard.press('o');
+  await ada.page.waitForTimeout(500);
+  await takeTogether(browser, [ada, ben, cleo, dan], 'players');
 } finally {
   await browser.close();
   await server.end();

@@ -14,12 +14,13 @@ namespace grove::integration {
 
 /// A whole server without its sockets: a scene with the built-in object types and a host for visitors.
 struct ServedScene {
-  explicit ServedScene(const std::string& scene, const stream::HostOptions& options = {})
-      : host(node::makeLayout(world::parseScene(scene, "test.toml"), registered()), registry, gl, options,
+  explicit ServedScene(const std::string& scene, const stream::HostOptions& options = {},
+                       const objects::BuiltinOptions& builtin = {})
+      : host(node::makeLayout(world::parseScene(scene, "test.toml"), registered(builtin)), registry, gl, options,
              [](std::string_view, float) {}) {}
 
-  const node::Registry& registered() {
-    objects::registerBuiltinTypes(registry);
+  const node::Registry& registered(const objects::BuiltinOptions& builtin) {
+    objects::registerBuiltinTypes(registry, builtin);
     return registry;
   }
 

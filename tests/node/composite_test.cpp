@@ -28,6 +28,21 @@ class Composite : public ::testing::Test {
   FrameBuilder builder;
 };
 
+TEST_F(Composite, OutsideOfItsSpansALayerIsNotRead) {
+  lay({0, 0, 64, 32}, 0xFF0000FFU, 5.0F);
+  const auto layer = pool.acquire({10, 4, 30, 8});
+  std::ranges::fill(layer->colour, 0xFF00FF00U);
+  std::ranges::fill(layer->depth, 2.0F);
+  layer->spans = {{0, 20}, {5, 8}, {0, 0}, {0, 0}};
+  builder.lay(*layer);
+  EXPECT_EQ(at(10, 4), 0xFF00FF00U);
+  EXPECT_EQ(at(14, 5), 0xFF0000FFU);
+  EXPECT_EQ(at(15, 5), 0xFF00FF00U);
+  EXPECT_EQ(at(17, 5), 0xFF00FF00U);
+  EXPECT_EQ(at(18, 5), 0xFF0000FFU);
+  EXPECT_EQ(at(15, 6), 0xFF0000FFU);
+}
+
 TEST_F(Composite, NearerWinsInAnyOrder) {
   lay({0, 0, 40, 32}, 0xFF0000FFU, 5.0F);
   lay({20, 0, 64, 32}, 0xFF00FF00U, 9.0F);

@@ -49,9 +49,12 @@ void FrameBuilder::lay(const Image& layer) {
       std::copy_n(layer.colourRow(row), layer.width(), frame_.colourRow(y));
       std::copy_n(layer.depthRow(row), layer.width(), frame_.depthRow(y));
     } else {
+      const Span span = layer.span(row);
+      if (span.begin >= span.end) continue;
       if (!touched) clearRow(frame_, y);
-      compositeRow(layer.colourRow(row), layer.depthRow(row), frame_.colourRow(y) + rect.left,
-                   frame_.depthRow(y) + rect.left, layer.width());
+      compositeRow(layer.colourRow(row) + span.begin, layer.depthRow(row) + span.begin,
+                   frame_.colourRow(y) + rect.left + span.begin, frame_.depthRow(y) + rect.left + span.begin,
+                   span.end - span.begin);
     }
     touched_[static_cast<std::size_t>(y)] = true;
   }

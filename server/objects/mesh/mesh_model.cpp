@@ -1,9 +1,14 @@
 #include "objects/mesh/mesh_model.h"
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 
+#include "models/model_source.h"
+#include "objects/mesh/model_surface.h"
 #include "objects/mesh/shapes.h"
+#include "pipeline/error.h"
 
 namespace grove::objects::mesh {
 namespace {
@@ -16,7 +21,7 @@ Size usualSize(const std::string& shape) {
   return {};
 }
 
-Surface makeShape(const std::string& shape, const Size& size, std::uint32_t seed) {
+Surface surfaceOfShape(const std::string& shape, const Size& size, std::uint32_t seed) {
   if (shape == "lintel") return makeLintel(size, seed);
   if (shape == "rocks") return makeRocks(size, seed);
   if (shape == "logs") return makeLogs(size, seed);
@@ -30,6 +35,26 @@ std::optional<float> obstacleOf(const std::string& shape, const Size& size) {
   return 0.25F * (size.width + size.depth);
 }
 
+/// Of the upright cylinder that holds what a visitor's chest would touch; none if nothing is that high.
+std::optional<float> trunkRadius(const world::Triangles& solid) {
+  std::optional<float> radius;
+  for (const auto& triangle : solid.indices) {
+    for (const std::uint32_t corner : triangle) {
+      const world::Vec3 at = solid.positions[corner];
+      if (at.y > 0.7F && at.y < 1.3F) radius = std::max(radius.value_or(0.0F), std::hypot(at.x, at.z));
+    }
+  }
+  return radius;
+}
+
+models::Model modelOf(const models::ModelSource& source, const world::Parameters& parameters) {
+  try {
+    return models::loadModel(source, models::Detail::kSmall);
+  } catch (const EnvironmentError& e) {
+    parameters.fail("model", e.what());
+  }
+}
+
 RendererKind rendererNamed(const std::string& name) {
   if (name == "gl") return RendererKind::kGl;
   if (name == "simd") return RendererKind::kSimd;
@@ -39,7 +64,20 @@ RendererKind rendererNamed(const std::string& name) {
 
 }  // namespace
 
-MeshModel::MeshModel(const world::Parameters& parameters) {
+MeshModel::MeshModel(const world::Parameters& parameters)
+    : renderer_(rendererNamed(parameters.choice("renderer", {"auto", "gl", "simd", "embree"}))) {
+  const models::ModelSource source = models::readModelSource(parameters);
+  if (source.plant.empty() && source.file.empty()) {
+    makeShape(parameters);
+  } else {
+    // What a light field would want to know besides.
+    for (const char* key : {"subdivision", "size", "lightings"}) (void)parameters.integer(key, 1, 1, 1024);
+    makeModel(modelOf(source, parameters));
+  }
+  bounds_ = surface_.bounds();
+}
+
+void MeshModel::makeShape(const world::Parameters& parameters) {
   const std::string shape = parameters.choice("shape", {"stone", "lintel", "rocks", "logs"});
   const auto seed = static_cast<std::uint32_t>(parameters.integer("seed", 1, 0, 1'000'000));
   Size size = usualSize(shape);
@@ -49,11 +87,18 @@ MeshModel::MeshModel(const world::Parameters& parameters) {
   size.height = metres("height", size.height);
   size.width = metres("width", size.width);
   size.depth = metres("depth", size.depth);
-  renderer_ = rendererNamed(parameters.choice("renderer", {"auto", "gl", "simd", "embree"}));
-  surface_ = makeShape(shape, size, seed);
+  surface_ = surfaceOfShape(shape, size, seed);
   if (shape != "logs") solid_ = surface_.triangles();
-  bounds_ = surface_.bounds();
   obstacleRadius_ = obstacleOf(shape, size);
+}
+
+void MeshModel::makeModel(const models::Model& model) {
+  surface_ = surfaceOf(model);
+  shade_ = model.triangles;
+  world::Triangles solid = solidOf(model);
+  if (solid.indices.empty()) return;
+  obstacleRadius_ = trunkRadius(solid);
+  solid_ = std::move(solid);
 }
 
 MeshModel::MeshModel(Surface surface, RendererKind renderer)

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "models/model.h"
 #include "objects/mesh/renderer_choice.h"
 #include "objects/mesh/surface.h"
 #include "world/object.h"
@@ -11,7 +12,9 @@ namespace grove::objects::mesh {
 
 /// One mesh of the scene file.
 ///
-/// Keys: shape (stone, lintel, rocks, logs), seed, height, width, depth (metres), renderer.
+/// Keys: shape (stone, lintel, rocks, logs), seed, height, width, depth (metres), renderer; or, as for a light field,
+/// plant and seed, or model (a glTF file). The light field's own keys are accepted and mean nothing here, so that
+/// changing an object's type is changing one word.
 class MeshModel final : public world::Model {
  public:
   /// Throws world::SceneError.
@@ -23,15 +26,20 @@ class MeshModel final : public world::Model {
   [[nodiscard]] world::Bounds bounds() const override { return bounds_; }
   /// Null for a camp fire: its smoke must rise through the logs, which are too small for the fluid's grid.
   [[nodiscard]] const world::Triangles* solid() const override { return solid_ ? &*solid_ : nullptr; }
+  [[nodiscard]] const world::Triangles* shade() const override { return shade_ ? &*shade_ : solid(); }
   [[nodiscard]] std::optional<float> obstacleRadius() const override { return obstacleRadius_; }
 
   [[nodiscard]] const Surface& surface() const noexcept { return surface_; }
   [[nodiscard]] RendererKind renderer() const noexcept { return renderer_; }
 
  private:
+  void makeShape(const world::Parameters& parameters);
+  void makeModel(const models::Model& model);
+
   RendererKind renderer_ = RendererKind::kAuto;
   Surface surface_;
   std::optional<world::Triangles> solid_;
+  std::optional<world::Triangles> shade_;  ///< if more than the solid
   world::Bounds bounds_;
   std::optional<float> obstacleRadius_;
 };

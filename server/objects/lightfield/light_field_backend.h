@@ -1,0 +1,58 @@
+#pragma once
+
+#include <map>
+#include <memory>
+
+#include "node/object_type.h"
+#include "objects/lightfield/cache/late_views.h"
+#include "objects/lightfield/cache/view_cache.h"
+#include "objects/lightfield/light_field_model.h"
+#include "objects/lightfield/sampler.h"
+#include "objects/lightfield/sun_grid.h"
+#include "objects/lightfield/view_cache_options.h"
+
+namespace grove::objects::lightfield {
+
+/// The rendering node of all light fields. What is far enough is answered with a picture from the shared view cache,
+/// which the frontend reprojects; what is near, with a picture of its own.
+class LightFieldBackend final : public node::BackendHalf {
+ public:
+  /// Finds the shadows on its objects on the services' workers and waits for them, so not on one of those.
+  LightFieldBackend(const node::BackendServices& services, world::TypeIndex self, const ViewCacheOptions& cache);
+  ~LightFieldBackend() override;
+
+  [[nodiscard]] node::NodeKind kind() const override { return node::NodeKind::kRendering; }
+  /// The GL workers if any object is sampled by GL, else the workers of everything.
+  [[nodiscard]] pipeline::Executor& executor() override { return executor_; }
+  [[nodiscard]] int concurrency() const override { return executor_.width(); }
+  [[nodiscard]] std::size_t mostAtOnce() const override;
+  /// On the executor; safe to call from several of its threads at once.
+  void answer(std::span<const node::Request> requests, std::span<node::Payload> payloads) override;
+
+ private:
+  /// One object of the world, as it stands there.
+  struct Entry {
+    const LightField* field = nullptr;
+    Sampler* sampler = nullptr;
+    int lighting = 0;
+    world::Mat4 toObject{1.0F};
+    SunGrid sun;
+  };
+  [[nodiscard]] node::Payload answerOne(const node::Request& request);
+  [[nodiscard]] std::shared_ptr<const CachedView> sharedView(const node::Request& request, const Entry& entry,
+                                                             const ViewCell& cell, world::Vec3 eye);
+  [[nodiscard]] std::shared_ptr<const CachedView> pictureOf(const Entry& entry, const ViewCell& cell);
+  [[nodiscard]] std::shared_ptr<node::Image> sample(const Entry& entry, const ObjectCamera& camera, const Haze& haze,
+                                                    const world::Rect& rect);
+
+  pipeline::Timeline& timeline_;
+  node::ImagePool& images_;
+  pipeline::Executor& executor_;
+  const float mostError_;
+  ViewCache cache_;
+  LateViews late_;
+  std::map<SamplerKind, std::unique_ptr<Sampler>> samplers_;
+  std::map<world::ObjectId, Entry> entries_;
+};
+
+}  // namespace grove::objects::lightfield

@@ -1,0 +1,45 @@
+#include "objects/lightfield/light_field_source.h"
+
+#include <bit>
+#include <cstdlib>
+#include <string>
+
+#include "objects/lightfield/format/light_field.h"
+
+namespace grove::objects::lightfield {
+namespace {
+
+std::string environment(const char* name) {
+  const char* value = std::getenv(name);
+  return value != nullptr ? value : "";
+}
+
+}  // namespace
+
+std::filesystem::path cacheFolder() {
+  if (const std::string chosen = environment("GROVE_CACHE"); !chosen.empty()) return chosen;
+  if (const std::string xdg = environment("XDG_CACHE_HOME"); !xdg.empty()) return std::filesystem::path(xdg) / "grove";
+  return std::filesystem::path(environment("HOME")) / ".cache" / "grove";
+}
+
+LightFieldSource readSource(const world::Parameters& parameters) {
+  LightFieldSource source;
+  source.file = parameters.path("file");
+  source.model = models::readModelSource(parameters);
+  if (source.model.empty() == source.file.empty()) {
+    parameters.fail("file", "a light field wants one of 'file', 'plant' and 'model'");
+  }
+  if (source.model.empty()) return source;
+  source.subdivision = parameters.integer("subdivision", source.subdivision, 1, ViewSphere::kMostSubdivision);
+  source.size = parameters.integer("size", source.size, kLeastSize, kMostSize);
+  if (!std::has_single_bit(static_cast<unsigned>(source.size))) {
+    parameters.fail("size", "'size' must be a power of two");
+  }
+  source.lightings = parameters.integer("lightings", source.lightings, 1, kMostLightings);
+  source.file = cacheFolder() / "light-fields" /
+                (models::fileNameOf(source.model) + "-n" + std::to_string(source.subdivision) + "-s" +
+                 std::to_string(source.size) + "-k" + std::to_string(source.lightings) + ".glf");
+  return source;
+}
+
+}  // namespace grove::objects::lightfield

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <filesystem>
+
+#include "models/model_source.h"
+#include "world/scene_file.h"
+
+namespace grove::objects::lightfield {
+
+/// Which light field an object of a scene file shows.
+///
+/// Keys: file (one that `grove bake` made); or those of models::ModelSource and subdivision, size and lightings (one
+/// that is baked when it is first needed, and kept in the cache folder).
+struct LightFieldSource {
+  std::filesystem::path file;
+  models::ModelSource model;  ///< empty if the scene names the file
+  int subdivision = 8;
+  int size = 256;
+  int lightings = 6;
+};
+
+/// Throws world::SceneError, or EnvironmentError if a model cannot be read.
+[[nodiscard]] LightFieldSource readSource(const world::Parameters& parameters);
+
+/// Where what can be made again is kept: $GROVE_CACHE, else $XDG_CACHE_HOME/grove, else ~/.cache/grove.
+[[nodiscard]] std::filesystem::path cacheFolder();
+
+}  // namespace grove::objects::lightfield

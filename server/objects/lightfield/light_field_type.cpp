@@ -1,0 +1,53 @@
+#include "objects/lightfield/light_field_type.h"
+
+#include <filesystem>
+
+#include "objects/lightfield/format/light_field_file.h"
+#include "objects/lightfield/light_field_backend.h"
+#include "objects/lightfield/light_field_frontend.h"
+#include "objects/lightfield/light_field_source.h"
+#include "pipeline/error.h"
+
+namespace grove::objects::lightfield {
+namespace {
+
+SamplerKind samplerNamed(const std::string& name) {
+  if (name == "gl") return SamplerKind::kGl;
+  if (name == "simd") return SamplerKind::kSimd;
+  return SamplerKind::kAuto;
+}
+
+/// The key of the scene file that says which light field it is.
+const char* keyOf(const LightFieldSource& source) {
+  return !source.model.plant.empty() ? "plant" : !source.model.file.empty() ? "model" : "file";
+}
+
+}  // namespace
+
+std::shared_ptr<const world::Model> LightFieldType::model(const world::Parameters& parameters) const {
+  const LightFieldSource source = readSource(parameters);
+  const SamplerKind sampler = samplerNamed(parameters.choice("renderer", {"auto", "gl", "simd"}));
+  const std::lock_guard lock(mutex_);
+  std::weak_ptr<const LightFieldModel>& known = models_[{source.file.lexically_normal().string(), sampler}];
+  if (auto model = known.lock()) return model;
+  try {
+    auto model = std::make_shared<const LightFieldModel>(openLightField(source.file), sampler);
+    known = model;
+    return model;
+  } catch (const LightFieldError& e) {
+    parameters.fail(keyOf(source), e.what());
+  } catch (const EnvironmentError& e) {
+    parameters.fail(keyOf(source), e.what());
+  }
+}
+
+std::unique_ptr<node::BackendHalf> LightFieldType::makeBackend(const node::BackendServices& services,
+                                                               world::TypeIndex self) const {
+  return std::make_unique<LightFieldBackend>(services, self, cache_);
+}
+
+std::unique_ptr<node::FrontendHalf> LightFieldType::makeFrontend() const {
+  return std::make_unique<LightFieldFrontend>();
+}
+
+}  // namespace grove::objects::lightfield

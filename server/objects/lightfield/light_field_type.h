@@ -1,0 +1,34 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <utility>
+
+#include "node/object_type.h"
+#include "objects/lightfield/light_field_model.h"
+#include "objects/lightfield/view_cache_options.h"
+
+namespace grove::objects::lightfield {
+
+/// `type = "lightfield"`: pictures of an object from all around, made by `grove bake` (section 5.1). Keys as in
+/// LightFieldSource and SamplerKind.
+class LightFieldType final : public node::ObjectType {
+ public:
+  explicit LightFieldType(const ViewCacheOptions& cache) : cache_(cache) {}
+
+  [[nodiscard]] std::string_view name() const override { return "lightfield"; }
+  [[nodiscard]] std::shared_ptr<const world::Model> model(const world::Parameters& parameters) const override;
+  [[nodiscard]] std::unique_ptr<node::BackendHalf> makeBackend(const node::BackendServices& services,
+                                                               world::TypeIndex self) const override;
+  [[nodiscard]] std::unique_ptr<node::FrontendHalf> makeFrontend() const override;
+
+ private:
+  const ViewCacheOptions cache_;
+  mutable std::mutex mutex_;
+  /// So that a forest of one tree is one copy in memory.
+  mutable std::map<std::pair<std::string, SamplerKind>, std::weak_ptr<const LightFieldModel>> models_;
+};
+
+}  // namespace grove::objects::lightfield

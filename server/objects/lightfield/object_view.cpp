@@ -1,0 +1,70 @@
+#include "objects/lightfield/object_view.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "world/light.h"
+
+namespace grove::objects::lightfield {
+
+using world::Vec3;
+
+namespace {
+
+/// The object's metres across a pixel at a distance in the object's metres.
+float pixelAt(const ObjectCamera& camera, float distance) {
+  const Vec3 axis = glm::normalize(glm::cross(camera.perColumn, camera.perRow));
+  return distance * glm::length(camera.perRow) / std::abs(glm::dot(camera.corner, axis));
+}
+
+/// The object's metres across a texel in the middle of a typical view.
+float texelOf(const LightField& field) {
+  const ViewCamera view = viewCamera(field.geometry, {0.0F, 1.0F, 0.0F});
+  return glm::distance(view.eye, field.geometry.target) / (view.focal * static_cast<float>(field.size));
+}
+
+}  // namespace
+
+ObjectCamera objectCamera(const world::Camera& camera, const world::Transform& transform) {
+  const world::Mat4 toObject = glm::inverse(transform.matrix());
+  const glm::mat3 turn(toObject);
+  ObjectCamera result;
+  result.eye = Vec3(toObject * world::Vec4(camera.pose.position, 1.0F));
+  const Vec3 corner = camera.ray(0.0F, 0.0F);
+  result.corner = turn * corner;
+  // Over the whole image, because the difference of two pixels' rays has few digits.
+  const auto width = static_cast<float>(camera.width);
+  const auto height = static_cast<float>(camera.height);
+  result.perColumn = turn * ((camera.ray(width, 0.0F) - corner) / width);
+  result.perRow = turn * ((camera.ray(0.0F, height) - corner) / height);
+  return result;
+}
+
+Haze hazeBefore(const node::VisibleObject& object, const world::Camera& camera) {
+  const Vec3 towards = object.object.bounds.centre() - camera.pose.position;
+  const float distance = std::max(glm::length(towards), 1.0e-3F);
+  const Vec3 colour = world::hazeColour(towards / distance);
+  return {{world::toDisplay(colour.r), world::toDisplay(colour.g), world::toDisplay(colour.b)},
+          world::hazeAmount(distance)};
+}
+
+ObjectCamera coarser(const ObjectCamera& camera, float times) {
+  ObjectCamera result = camera;
+  result.perColumn *= times;
+  result.perRow *= times;
+  return result;
+}
+
+int levelFor(const LightField& field, const ObjectCamera& camera) {
+  const float distance = std::max(glm::distance(camera.eye, field.geometry.target), 0.25F * field.geometry.extent);
+  const float texels = pixelAt(camera, distance) / texelOf(field);
+  const float level = std::floor(std::log2(std::max(texels, 1.0e-3F)) + 0.35F);
+  return std::clamp(static_cast<int>(level), 0, field.levels - 1);
+}
+
+float magnification(const LightField& field, const ObjectCamera& camera) {
+  const float farSide = glm::distance(camera.eye, field.geometry.target) + field.geometry.extent;
+  return std::max(1.0F, texelOf(field) / pixelAt(camera, farSide));
+}
+
+}  // namespace grove::objects::lightfield

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "node/messages.h"
+#include "objects/lightfield/format/light_field.h"
+#include "objects/lightfield/format/view_camera.h"
+#include "objects/lightfield/sampler.h"
+
+/// From a frame's view of the world to a light field's own coordinates.
+namespace grove::objects::lightfield {
+
+[[nodiscard]] ObjectCamera objectCamera(const world::Camera& camera, const world::Transform& transform);
+
+/// The air between the eye and the middle of an object.
+[[nodiscard]] Haze hazeBefore(const node::VisibleObject& object, const world::Camera& camera);
+
+/// The level of the mip pyramid whose texels are about as large as the frame's pixels at the object.
+[[nodiscard]] int levelFor(const LightField& field, const ObjectCamera& camera);
+
+/// The same camera with pixels `times` as wide and high.
+[[nodiscard]] ObjectCamera coarser(const ObjectCamera& camera, float times);
+
+/// How many pixels wide the finest texels are even at the object's far side: no picture of it needs more samples than
+/// that. At least 1.
+[[nodiscard]] float magnification(const LightField& field, const ObjectCamera& camera);
+
+}  // namespace grove::objects::lightfield

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "node/image.h"
+#include "objects/lightfield/format/view_camera.h"
+#include "objects/lightfield/sun_grid.h"
+#include "world/light.h"
+
+namespace grove::objects::lightfield {
+
+inline constexpr std::size_t kMostLamps = 4;
+
+/// The point lights that matter most to an object, in its own coordinates and metres.
+[[nodiscard]] std::vector<world::PointLight> chooseLamps(std::span<const world::PointLight> lights,
+                                                         const world::Bounds& worldBounds, const world::Mat4& toObject);
+
+/// Gives a picture what its light field cannot know: the shadows that others cast on this object. It has the picture's
+/// colours alone, not the surface behind them, so it scales what is there. Vectorised; any thread. `camera` is the one
+/// that the image was made with.
+void castShadows(const SunGrid& sun, const ObjectCamera& camera, node::Image& image);
+
+/// The same with the light of fires and lanterns.
+void addLamps(std::span<const world::PointLight> lamps, const ObjectCamera& camera, node::Image& image);
+
+}  // namespace grove::objects::lightfield

@@ -1,0 +1,128 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <thread>
+
+#include "integration/picture.h"
+#include "integration/served_scene.h"
+#include "objects/lightfield/format/light_field_file.h"
+#include "objects/lightfield/format/small_field.h"
+#include "objects/lightfield/simd/thicket.h"
+#include "stream/headless_session.h"
+
+namespace grove::integration {
+namespace {
+
+using namespace std::chrono_literals;
+using stream::HeadlessSession;
+
+/// A world of one thicket, five times as large as it was baked: ten metres wide before a black sky.
+class LightFields : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    folder_ = new objects::lightfield::TemporaryFolder;
+    objects::lightfield::writeLightField(objects::lightfield::Thicket().bake(8, 128, 3), *folder_ / "thicket.glf");
+  }
+  static void TearDownTestSuite() { delete folder_; }
+
+  static std::string scene(const std::string& more, double distance) {
+    return "name = 'a thicket'\nspawn = [0, 0, " + std::to_string(distance) +
+           "]\n[[object]]\ntype = 'lightfield'\nscale = 5\nfile = '" + (*folder_ / "thicket.glf").string() + "'\n" +
+           more;
+  }
+  static objects::BuiltinOptions withCache(std::size_t megabytes) {
+    objects::BuiltinOptions options;
+    options.viewCache.mostBytes = megabytes << 20U;
+    return options;
+  }
+
+  static objects::lightfield::TemporaryFolder* folder_;
+};
+
+objects::lightfield::TemporaryFolder* LightFields::folder_ = nullptr;
+
+std::int64_t counted(ServedScene& served, const char* counter) {
+  const auto counters = served.host.timeline().counters();
+  const auto found = counters.find(counter);
+  return found == counters.end() ? 0 : found->second;
+}
+
+TEST_F(LightFields, AreSeenWhereTheyStand) {
+  ServedScene served(scene("", 25.0));
+  HeadlessSession visitor(served.host, "Ada", 320, 180);
+  const Picture ahead = pictureAfter(visitor, 0, 0.0F);
+  EXPECT_GT(ahead.mean(), 5.0);
+  EXPECT_NEAR(ahead.middle(0.0, 1.0), 0.5, 0.05);
+  const Picture aside = pictureAfter(visitor, 0, 0.2F);
+  EXPECT_GT(aside.middle(0.0, 1.0), 0.55) << "who turns left sees it on the right";
+  EXPECT_LT(pictureAfter(visitor, 0, 3.0F).mean(), 1.0);
+}
+
+TEST_F(LightFields, BothRenderersGiveTheSamePicture) {
+  ServedScene simd(scene("renderer = 'simd'\n", 25.0), {}, withCache(0));
+  ServedScene gl(scene("renderer = 'gl'\n", 25.0), {}, withCache(0));
+  HeadlessSession a(simd.host, "Ada", 320, 180);
+  HeadlessSession b(gl.host, "Bob", 320, 180);
+  const Picture bySimd = pictureAfter(a, 0, 0.05F);
+  const Picture byGl = pictureAfter(b, 0, 0.05F);
+  EXPECT_GT(bySimd.mean(), 5.0);
+  EXPECT_LT(difference(bySimd, byGl), 0.05 * bySimd.mean());
+}
+
+TEST_F(LightFields, VisitorsSharePicturesOfWhatIsFar) {
+  ServedScene served(scene("", 60.0));
+  HeadlessSession ada(served.host, "Ada", 320, 180);
+  (void)pictureAfter(ada, 0, 0.0F);
+  const std::int64_t made = counted(served, "view cache misses");
+  EXPECT_GT(made, 0);
+  HeadlessSession bob(served.host, "Bob", 320, 180);
+  const Picture first = pictureAfter(bob, 0, 0.02F);
+  EXPECT_GT(first.mean(), 0.5);
+  for (int i = 0; i < 10; ++i) (void)pictureAfter(bob, 0, 0.02F * static_cast<float>(i));
+  EXPECT_LE(counted(served, "view cache misses"), made + 1) << "Bob stands beside Ada, in her cell or the next";
+  EXPECT_GT(counted(served, "view cache hits"), 5);
+}
+
+TEST_F(LightFields, SharedPicturesLookLikeOnesOwn) {
+  ServedScene shared(scene("", 40.0), {}, withCache(64));
+  ServedScene own(scene("", 40.0), {}, withCache(0));
+  HeadlessSession a(shared.host, "Ada", 640, 360);
+  HeadlessSession b(own.host, "Ada", 640, 360);
+  for (const float yaw : {0.0F, 0.3F}) {
+    const Picture bySharing = pictureAfter(a, 0, yaw);
+    const Picture alone = pictureAfter(b, 0, yaw);
+    EXPECT_GT(alone.mean(), 2.0);
+    EXPECT_LT(difference(bySharing, alone), 0.12 * alone.mean());
+  }
+  EXPECT_EQ(counted(own, "view cache misses"), 0);
+}
+
+TEST_F(LightFields, SmokeIsHiddenBehindAndHidesWhatIsBehindIt) {
+  // The same smoke, before and behind the thicket, in a wind that blows nowhere.
+  const auto withSmoke = [&](double z) {
+    return scene("[[object]]\ntype = 'fluid'\ngrid = 32\nsize = 8\nwind = [0, 0, 0]\nposition = [0, 0, " +
+                     std::to_string(z) + "]\n",
+                 25.0);
+  };
+  const auto centre = [](const Picture& picture) {
+    double sum = 0;
+    for (int y = 60; y < 90; ++y) {
+      for (int x = 145; x < 175; ++x) sum += picture.light(x, y);
+    }
+    return sum / 900;
+  };
+  ServedScene bare(scene("", 25.0));
+  ServedScene before(withSmoke(8.0));
+  ServedScene behind(withSmoke(-10.0));
+  HeadlessSession a(bare.host, "Ada", 320, 180);
+  HeadlessSession b(before.host, "Ada", 320, 180);
+  HeadlessSession c(behind.host, "Ada", 320, 180);
+  const double alone = centre(pictureAfter(a, 0, 0.0F, 0.05F));
+  const double covered = centre(pictureAfter(b, 0, 0.0F, 0.05F));
+  const double covering = centre(pictureAfter(c, 0, 0.0F, 0.05F));
+  EXPECT_GT(std::abs(covered - alone), 3.0 * std::abs(covering - alone))
+      << "alone " << alone << ", smoke before " << covered << ", smoke behind " << covering;
+}
+
+}  // namespace
+}  // namespace grove::integration

@@ -1,0 +1,75 @@
+#include "objects/lightfield/object_view.h"
+
+#include <gtest/gtest.h>
+
+#include "world/light.h"
+
+namespace grove::objects::lightfield {
+namespace {
+
+using world::Vec3;
+
+LightField fieldOf(int size) {
+  LightField field;
+  field.sphere = ViewSphere(4);
+  field.geometry = {{0, 0, 0}, 8.0F, {0, 2, 0}, 3.0F};
+  field.size = size;
+  field.levels = 4;
+  return field;
+}
+
+world::Camera cameraAt(Vec3 position) {
+  world::Camera camera;
+  camera.pose.position = position;
+  camera.pose.yaw = 0.3F;
+  camera.pose.pitch = -0.1F;
+  return camera;
+}
+
+TEST(ObjectView, APixelsPointIsTheSameInBothCoordinates) {
+  const world::Transform transform{{3, 0.5F, -2}, 1.1F, 1.7F};
+  const world::Camera camera = cameraAt({1, 1.7F, 9});
+  const ObjectCamera object = objectCamera(camera, transform);
+  for (const auto& [x, y, depth] : {std::array{0.5F, 0.5F, 3.0F}, {640.5F, 300.5F, 11.0F}, {1279.5F, 719.5F, 25.0F}}) {
+    const Vec3 inWorld = camera.pose.position + depth * camera.ray(x, y);
+    const Vec3 inObject = object.eye + depth * object.ray(x, y);
+    const Vec3 moved(transform.matrix() * world::Vec4(inObject, 1.0F));
+    EXPECT_NEAR(glm::distance(moved, inWorld), 0.0F, 1e-4F);
+  }
+}
+
+TEST(ObjectView, TwiceAsFarIsOneLevelCoarser) {
+  const LightField field = fieldOf(512);
+  const auto level = [&](float metres, float scale) {
+    const world::Transform transform{{0, 0, 0}, 0.0F, scale};
+    return levelFor(field, objectCamera(cameraAt({0, 2.0F * scale, metres}), transform));
+  };
+  EXPECT_EQ(level(4.0F, 1.0F), 0);
+  EXPECT_EQ(level(64.0F, 1.0F), level(32.0F, 1.0F) + 1);
+  EXPECT_EQ(level(5000.0F, 1.0F), field.levels - 1);
+  EXPECT_EQ(level(64.0F, 2.0F), level(32.0F, 1.0F));
+}
+
+TEST(ObjectView, ATexelOfTheChosenLevelIsAboutAPixel) {
+  const LightField field = fieldOf(512);
+  for (float metres = 20.0F; metres < 60.0F; metres += 3.0F) {
+    const world::Camera camera = cameraAt({0, 2, metres});
+    const int level = levelFor(field, objectCamera(camera, {}));
+    const float texelMetres = 2.0F * field.geometry.extent / static_cast<float>(field.size >> level);
+    const float pixelMetres = metres / camera.focal();
+    EXPECT_LT(texelMetres, 1.45F * pixelMetres) << metres;
+    EXPECT_GT(texelMetres, 0.55F * pixelMetres) << metres;
+  }
+}
+
+TEST(ObjectView, HazeIsTheWorlds) {
+  node::VisibleObject visible;
+  visible.object.bounds = {{-1, 0, -101}, {1, 2, -99}};
+  const world::Camera camera = cameraAt({0, 1, 0});
+  const Haze haze = hazeBefore(visible, camera);
+  EXPECT_NEAR(haze.amount, world::hazeAmount(100.0F), 1e-4F);
+  EXPECT_NEAR(haze.colour[0], world::toDisplay(world::hazeColour({0, 0, -1}).r), 1e-4F);
+}
+
+}  // namespace
+}  // namespace grove::objects::lightfield
