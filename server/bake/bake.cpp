@@ -34,6 +34,7 @@ namespace grove::bake {
 using objects::lightfield::Checksum;
 using objects::lightfield::DenseView;
 using objects::lightfield::kLeastSize;
+using objects::lightfield::HeldOutView;
 using objects::lightfield::kNoDepth;
 using objects::lightfield::LightField;
 using objects::lightfield::ObjectCamera;
@@ -174,10 +175,11 @@ class Job {
 
  private:
   [[nodiscard]] std::vector<Picture> renderHeldOut(const ViewRenderer& renderer,
-                                                   const std::vector<ObjectCamera>& cameras) const;
+                                                   const std::vector<ObjectCamera>& cameras,
+                                                   ModelRays::Among among) const;
   void checkRoom(const std::vector<Picture>& samples) const;
   void renderViews(const ViewRenderer& renderer, const Step& step);
-  void writeFile(const std::vector<ObjectCamera>& cameras, const std::vector<Picture>& pictures);
+  void writeFile(std::vector<HeldOutView> heldOut);
 
   const BakeOptions options_;
   const int threads_;
@@ -196,10 +198,11 @@ class Job {
   PartialBake partial_;
 };
 
-std::vector<Picture> Job::renderHeldOut(const ViewRenderer& renderer, const std::vector<ObjectCamera>& cameras) const {
+std::vector<Picture> Job::renderHeldOut(const ViewRenderer& renderer, const std::vector<ObjectCamera>& cameras,
+                                        ModelRays::Among among) const {
   std::vector<Picture> pictures(cameras.size());
   parallelFor(threads_, cameras.size(),
-              [&](std::size_t i) { pictures[i] = renderer.render(cameras[i], options_.size); });
+              [&](std::size_t i) { pictures[i] = renderer.render(cameras[i], options_.size, among); });
   return pictures;
 }
 
@@ -256,7 +259,7 @@ void Job::renderViews(const ViewRenderer& renderer, const Step& step) {
   });
 }
 
-void Job::writeFile(const std::vector<ObjectCamera>& cameras, const std::vector<Picture>& pictures) {
+void Job::writeFile(std::vector<HeldOutView> heldOut) {
   LightField field;
   field.sphere = sphere_;
   field.geometry = geometry_;
@@ -268,9 +271,7 @@ void Job::writeFile(const std::vector<ObjectCamera>& cameras, const std::vector<
   const Voxels voxels = voxelize(original_, kVoxelsAlongEdge);
   field.voxels = voxels.grid;
   field.voxels.cells = voxels.cells;
-  for (std::size_t i = 0; i < cameras.size(); ++i) {
-    field.heldOut.push_back({cameras[i], options_.size, pictures[i].colour.front(), pictures[i].depth});
-  }
+  field.heldOut = std::move(heldOut);
   partial_.fill(field);
   writeLightField(field, file_);
 }
@@ -294,14 +295,24 @@ std::optional<BakeReport> Job::run() {
   const Step views("views", progress_);
   const ViewRenderer renderer(model_, textures_, rays_, points, light, options_.samples);
   const std::vector<ObjectCamera> cameras = planHeldOut(geometry_, options_.subdivision, options_.size);
-  const std::vector<Picture> heldOut = renderHeldOut(renderer, cameras);
+  const std::vector<Picture> heldOut = renderHeldOut(renderer, cameras, ModelRays::Among::kModel);
+  const std::vector<ObjectCamera> seamCameras =
+      options_.tile ? planSeams(geometry_, options_.size) : std::vector<ObjectCamera>();
+  const std::vector<Picture> seams = renderHeldOut(renderer, seamCameras, ModelRays::Among::kSurroundings);
   checkRoom(heldOut);
   renderViews(renderer, views);
   report.viewSeconds = views.seconds();
   if (stop_.stop_requested()) return std::nullopt;
 
   const Step writing("file", progress_);
-  writeFile(cameras, heldOut);
+  std::vector<HeldOutView> kept;
+  for (std::size_t i = 0; i < cameras.size(); ++i) {
+    kept.push_back({cameras[i], options_.size, heldOut[i].colour.front(), heldOut[i].depth, false});
+  }
+  for (std::size_t i = 0; i < seamCameras.size(); ++i) {
+    kept.push_back({seamCameras[i], options_.size, seams[i].colour.front(), seams[i].depth, true});
+  }
+  writeFile(std::move(kept));
   partial_.remove();
   report.bytes = std::filesystem::file_size(file_);
   report.seconds = all.seconds();

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "bake/directions.h"
+#include "models/plants/plants.h"
 
 namespace grove::bake {
 
@@ -105,6 +106,24 @@ std::vector<ObjectCamera> planHeldOut(const ViewGeometry& geometry, int subdivis
     ViewGeometry moved = geometry;
     moved.radius *= 0.8F + 0.8F * static_cast<float>((i * 3) % kOffSphere) / static_cast<float>(kOffSphere - 1);
     cameras.push_back(objectCamera(viewCamera(moved, others[static_cast<std::size_t>(i)]), size));
+  }
+  return cameras;
+}
+
+std::vector<ObjectCamera> planSeams(const ViewGeometry& geometry, int size) {
+  constexpr int kEdges = 6;
+  constexpr float kTurn = 1.0471976F;
+  std::vector<ObjectCamera> cameras;
+  for (int edge = 0; edge < kEdges; ++edge) {
+    const float outwards = (static_cast<float>(edge) + 0.5F) * kTurn;
+    ViewGeometry aimed = geometry;
+    aimed.target = 0.8660254F * models::kTileRadius * Vec3(std::cos(outwards), 0.0F, std::sin(outwards));
+    aimed.centre = aimed.target;
+    // From along the edge to across it, and from steep to flat.
+    const float around = outwards + 0.7F * static_cast<float>(edge);
+    const float up = 0.25F + 0.15F * static_cast<float>(edge);
+    const Vec3 direction(std::cos(up) * std::cos(around), std::sin(up), std::cos(up) * std::sin(around));
+    cameras.push_back(objectCamera(viewCamera(aimed, direction), size));
   }
   return cameras;
 }

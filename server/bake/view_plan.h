@@ -16,4 +16,9 @@ namespace grove::bake {
 [[nodiscard]] std::vector<objects::lightfield::ObjectCamera> planHeldOut(
     const objects::lightfield::ViewGeometry& geometry, int subdivision, int size);
 
+/// Cameras for a tile amid copies of itself, to measure the seams with: each looks at the middle of an edge, from where
+/// visitors see it.
+[[nodiscard]] std::vector<objects::lightfield::ObjectCamera> planSeams(
+    const objects::lightfield::ViewGeometry& geometry, int size);
+
 }  // namespace grove::bake

@@ -145,7 +145,8 @@ void ViewRenderer::shade(const RTCRayHit16& rays, std::size_t lane, float footpr
   }
 }
 
-void ViewRenderer::gather(const ObjectCamera& camera, int left, int top, Gathered& block) const {
+void ViewRenderer::gather(const ObjectCamera& camera, int left, int top, ModelRays::Among among,
+                          Gathered& block) const {
   const float perPixel = glm::length(camera.perColumn);
   const auto samples = static_cast<std::size_t>(samples_) * static_cast<std::size_t>(samples_);
   const float part = 1.0F / static_cast<float>(samples_);
@@ -183,7 +184,7 @@ void ViewRenderer::gather(const ObjectCamera& camera, int left, int top, Gathere
       rays.hit.geomID[lane] = RTC_INVALID_GEOMETRY_ID;
       rays.hit.instID[0][lane] = RTC_INVALID_GEOMETRY_ID;
     }
-    rays_.intersect(mask, rays, ModelRays::Among::kModel);
+    rays_.intersect(mask, rays, among);
     for (std::size_t lane = 0; lane < kPacket; ++lane) {
       if (rays.hit.geomID[lane] == RTC_INVALID_GEOMETRY_ID) continue;
       // A ray advances one metre of view depth per unit, so its parameter is the view depth.
@@ -195,7 +196,7 @@ void ViewRenderer::gather(const ObjectCamera& camera, int left, int top, Gathere
   }
 }
 
-Picture ViewRenderer::render(const ObjectCamera& camera, int size) const {
+Picture ViewRenderer::render(const ObjectCamera& camera, int size, ModelRays::Among among) const {
   assert(size % kBlockEdge == 0);
   const std::size_t pixels = static_cast<std::size_t>(size) * static_cast<std::size_t>(size);
   const std::size_t lightings = light_.stride() / 3;
@@ -207,7 +208,7 @@ Picture ViewRenderer::render(const ObjectCamera& camera, int size) const {
   Gathered block(samples);
   for (int top = 0; top < size; top += kBlockEdge) {
     for (int left = 0; left < size; left += kBlockEdge) {
-      gather(camera, left, top, block);
+      gather(camera, left, top, among, block);
       for (std::size_t pixel = 0; pixel < kPacket; ++pixel) {
         const std::size_t covered = block.covered[pixel];
         if (covered == 0) continue;

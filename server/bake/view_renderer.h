@@ -29,12 +29,14 @@ class ViewRenderer {
   ViewRenderer(const models::Model& model, const std::vector<TextureSampler>& textures, const ModelRays& rays,
                const LightPoints& points, const SurfaceLight& light, int samples);
 
-  [[nodiscard]] Picture render(const objects::lightfield::ObjectCamera& camera, int size) const;
+  [[nodiscard]] Picture render(const objects::lightfield::ObjectCamera& camera, int size,
+                               ModelRays::Among among = ModelRays::Among::kModel) const;
 
  private:
   struct Gathered;
 
-  void gather(const objects::lightfield::ObjectCamera& camera, int left, int top, Gathered& block) const;
+  void gather(const objects::lightfield::ObjectCamera& camera, int left, int top, ModelRays::Among among,
+              Gathered& block) const;
   void shade(const RTCRayHit16& rays, std::size_t lane, float footprint, float* colour) const;
 
   const models::Model& model_;

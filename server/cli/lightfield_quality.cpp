@@ -6,6 +6,7 @@
 
 #include "measure/picture_quality.h"
 #include "models/plants/plants.h"
+#include "node/frontend/composite.h"
 #include "objects/lightfield/simd/simd_sampler.h"
 #include "world/camera.h"
 #include "world/light.h"
@@ -57,14 +58,44 @@ float toBorder(Vec3 point) {
   return apothem - std::max(z, 0.8660254F * x + 0.5F * z);
 }
 
-/// The pixels of `mask` whose points lie near the border.
-Mask seam(const HeldOutView& view, const Mask& mask) {
-  Mask result(mask.size(), 0);
-  for (std::size_t i = 0; i < mask.size(); ++i) {
-    if (mask[i] == 0 || view.depth[i] >= world::kInfiniteDepth) continue;
+/// A picture of a tile amid its six neighbours, composited by depth as a frame is.
+Pixels renderAmid(const LightField& field, const HeldOutView& view) {
+  const float step = std::sqrt(3.0F) * models::kTileRadius;
+  std::vector<Vec3> places{Vec3(0.0F)};
+  for (int edge = 0; edge < 6; ++edge) {
+    const float outwards = (static_cast<float>(edge) + 0.5F) * 1.0471976F;
+    places.push_back(step * Vec3(std::cos(outwards), 0.0F, std::sin(outwards)));
+  }
+  const auto distance = [&](Vec3 place) { return glm::distance(place, view.camera.eye); };
+  std::ranges::sort(places, std::ranges::greater(), distance);
+  node::ImagePool pool;
+  const world::Rect rect{0, 0, view.size, view.size};
+  const auto frame = pool.acquire(rect);
+  node::FrameBuilder builder(*frame);
+  for (const Vec3 place : places) {
+    objects::lightfield::SampleRequest request;
+    request.field = &field;
+    request.camera = view.camera;
+    request.camera.eye -= place;
+    const auto layer = pool.acquire(rect);
+    node::Image* const target = layer.get();
+    objects::lightfield::SimdSampler().render({&request, 1}, {&target, 1});
+    builder.lay(*layer);
+  }
+  builder.finish();
+  return {frame->colour.begin(), frame->colour.end()};
+}
+
+/// The pixels of a picture amid neighbours whose points lie at most so far from the tile's border, on either side, or
+/// so far within.
+Mask nearBorder(const HeldOutView& view, float nearest, float farthest) {
+  Mask result(view.colour.size(), 0);
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    if (view.depth[i] >= world::kInfiniteDepth) continue;
     const auto column = static_cast<float>(i % static_cast<std::size_t>(view.size)) + 0.5F;
     const auto row = static_cast<float>(i / static_cast<std::size_t>(view.size)) + 0.5F;
-    result[i] = toBorder(view.camera.eye + view.depth[i] * view.camera.ray(column, row)) < kSeam;
+    const float border = toBorder(view.camera.eye + view.depth[i] * view.camera.ray(column, row));
+    result[i] = border >= nearest && border < farthest;
   }
   return result;
 }
@@ -92,22 +123,28 @@ LightfieldQuality measureQuality(const LightField& field, DepthCorrection correc
   Pool seams;
   Pool inside;
   LightfieldQuality quality;
+  std::size_t alone = 0;
   for (const HeldOutView& view : field.heldOut) {
+    if (view.amid) {
+      const Pixels colour = renderAmid(field, view);
+      const measure::Picture made{colour, view.size};
+      const measure::Picture truth{view.colour, view.size};
+      seams.add(made, truth, nearBorder(view, -kSeam, kSeam));
+      inside.add(made, truth, nearBorder(view, 3.0F * kSeam, models::kTileRadius));
+      continue;
+    }
+    ++alone;
     const Pixels colour = render(field, view, correction);
     const measure::Picture made{colour, view.size};
     const measure::Picture truth{view.colour, view.size};
     const Mask mask = measure::covered(truth);
     whole.add(made, truth, mask);
-    quality.ssim += measure::structuralSimilarity(made, truth, mask) / static_cast<double>(field.heldOut.size());
+    quality.ssim += measure::structuralSimilarity(made, truth, mask);
     const Pixels madeOverSky = overSky(colour);
     const Pixels truthOverSky = overSky(view.colour);
     sky.add({madeOverSky, view.size}, {truthOverSky, view.size}, mask);
-    const Mask border = seam(view, mask);
-    Mask rest = mask;
-    for (std::size_t i = 0; i < rest.size(); ++i) rest[i] = mask[i] != 0 && border[i] == 0;
-    seams.add(made, truth, border);
-    inside.add(made, truth, rest);
   }
+  quality.ssim /= static_cast<double>(std::max<std::size_t>(alone, 1));
   quality.psnr = whole.decibels();
   quality.psnrOverSky = sky.decibels();
   quality.seamPsnr = seams.decibels();

@@ -11,7 +11,7 @@ struct LightfieldQuality {
   double ssim = 0.0;  ///< mean of the views'
   /// dB, laid over a bright sky: coverage counts in full, which the premultiplied colours of dark leaves hardly show.
   double psnrOverSky = 0.0;
-  /// Of tiles, dB: within a hand's breadth of the border to a neighbour, and elsewhere.
+  /// Of tiles amid their neighbours, dB: within a hand's breadth of the border between two, and inside.
   double seamPsnr = 0.0;
   double insidePsnr = 0.0;
 };

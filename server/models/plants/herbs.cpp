@@ -47,7 +47,7 @@ void Herbs::grass(Vec3 root, float thriving, Random random) {
   blade.along = glm::normalize(Vec3(0, 1, 0) + out * random.range(0.05F, 0.45F));
   blade.face = Vec3(0, 1, 0) - out;  // bends away from it: outwards and down
   blade.length = glm::mix(0.13F, 0.34F, thriving) * random.range(0.6F, 1.15F);
-  blade.width = random.range(0.0050F, 0.0090F);
+  blade.width = random.range(0.0080F, 0.0130F);
   blade.bend = random.range(0.25F, 1.5F);
   blade.fold = random.range(0.2F, 0.7F);
   Vec3 colour = glm::mix(Vec3(1.25F, 1.08F, 0.85F), Vec3(0.72F, 0.90F, 0.80F), thriving) * random.range(0.78F, 1.22F);

@@ -14,7 +14,7 @@ namespace {
 using world::Vec2;
 using world::Vec3;
 
-constexpr float kTuftsPerSquareMetre = 640.0F;
+constexpr float kTuftsPerSquareMetre = 560.0F;
 constexpr float kSine60 = 0.5F * std::numbers::sqrt3_v<float>;
 constexpr float kArea = 3.0F * kSine60 * kTileRadius * kTileRadius;
 
@@ -77,7 +77,7 @@ class Gardener {
   void tuft(Vec2 place, Random& random) {
     const float thriving = std::clamp(soil_.thriving(place) + 0.15F * random.around(), 0.0F, 1.0F);
     const float size = random.range(0.015F, 0.05F);
-    for (int i = 0; i < 14; ++i) {
+    for (int i = 0; i < 11; ++i) {
       const float turn = random.angle();
       const Vec2 at = place + Vec2(std::cos(turn), std::sin(turn)) * (size * std::sqrt(random.unit()));
       if (insideTile(at) > 0.0F) herbs_.grass(onSoil(at), thriving, random.fork());

@@ -55,7 +55,7 @@ struct HeldOutHeader {
   float perColumn[3]{};
   float perRow[3]{};
   std::uint32_t size = 0;
-  std::uint32_t zero = 0;
+  std::uint32_t amid = 0;  ///< 1: the object is shown amid copies of itself
 };
 static_assert(sizeof(HeldOutHeader) == 56, "no padding");
 

@@ -44,6 +44,7 @@ struct HeldOutView {
   int size = 0;                           ///< pixels an edge
   std::span<const std::uint32_t> colour;  ///< as the views'; lighting 0
   std::span<const float> depth;           ///< view depth in object metres; world::kInfiniteDepth where nothing is
+  bool amid = false;                      ///< a tile amid copies of itself, to measure the seams between them
 };
 
 /// Pictures of one object from all around, with depth: the data of sections 5.1.1 and 5.1.3. Read-only and shared by

@@ -82,6 +82,7 @@ void addHeldOut(const HeldOutView& view, SectionWriter& writer) {
   put(view.camera.perColumn, header.perColumn);
   put(view.camera.perRow, header.perRow);
   header.size = static_cast<std::uint32_t>(view.size);
+  header.amid = view.amid ? 1 : 0;
   writer.add(std::span<const HeldOutHeader>(&header, 1));
   writer.add(view.colour);
   writer.add(view.depth);

@@ -188,7 +188,7 @@ class Reader {
       require(rest.size() >= sizeof header, "has held-out views of the wrong length");
       std::memcpy(&header, rest.data(), sizeof header);
       rest = rest.subspan(sizeof header);
-      require(header.size >= 1 && header.size <= kMostSize && header.zero == 0,
+      require(header.size >= 1 && header.size <= kMostSize && header.amid <= 1,
               "has a held-out view of a size out of range");
       const world::Vec3 camera[] = {vector(header.eye), vector(header.corner), vector(header.perColumn),
                                     vector(header.perRow)};
@@ -203,7 +203,7 @@ class Reader {
       require(std::ranges::all_of(depth, [](float d) { return d >= 0.0F && d <= world::kInfiniteDepth; }),
               "has a held-out view with depths that are none");
       field.heldOut.push_back(
-          {{camera[0], camera[1], camera[2], camera[3]}, static_cast<int>(header.size), colour, depth});
+          {{camera[0], camera[1], camera[2], camera[3]}, static_cast<int>(header.size), colour, depth, header.amid == 1});
       field.bytes += colour.size_bytes() + depth.size_bytes();
     }
     require(rest.empty(), "has held-out views of the wrong length");

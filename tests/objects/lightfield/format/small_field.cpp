@@ -31,7 +31,7 @@ LightField makeSmallField() {
   for (const int size : {1, 3}) {
     const auto pixels = static_cast<std::size_t>(size * size);
     const ObjectCamera camera{{0, 1, 3}, {-0.5F, 0.5F, -1}, {0.25F, 0, 0}, {0, -0.25F, 0}};
-    shape.heldOut.push_back({camera, size, std::span(colours).first(pixels), std::span(depths).first(pixels)});
+    shape.heldOut.push_back({camera, size, std::span(colours).first(pixels), std::span(depths).first(pixels), false});
   }
   LightFieldBuilder builder(shape, 2);
   for (int view = 0; view < shape.sphere.views(); ++view) {
