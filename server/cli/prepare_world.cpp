@@ -1,9 +1,17 @@
 #include "cli/prepare_world.h"
 
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <chrono>
+#include <cstring>
 #include <filesystem>
 #include <map>
 #include <string>
 #include <system_error>
+#include <thread>
 
 #include "bake/bake.h"
 #include "models/model_source.h"
@@ -28,6 +36,34 @@ void makeFolder(const std::filesystem::path& folder) {
   }
 }
 
+/// Held while light fields are made, so that of several servers that start at once one makes them and the others wait.
+class PreparationLock {
+ public:
+  explicit PreparationLock(const std::filesystem::path& folder)
+      : file_(open((folder / "lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644)) {
+    if (file_ < 0) {
+      throw EnvironmentError(std::string("cannot write: ") + std::strerror(errno), folder.string(),
+                             "set GROVE_CACHE to a folder that can be written");
+    }
+  }
+  ~PreparationLock() { close(file_); }
+  PreparationLock(const PreparationLock&) = delete;
+  PreparationLock& operator=(const PreparationLock&) = delete;
+
+  /// False if it was stopped while it waited.
+  [[nodiscard]] bool wait(Progress& progress, const std::stop_token& stop) const {
+    while (flock(file_, LOCK_EX | LOCK_NB) != 0) {
+      if (stop.stop_requested()) return false;
+      progress.show("waiting for another server that prepares light fields", 0.0F);
+      std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    }
+    return true;
+  }
+
+ private:
+  int file_;
+};
+
 }  // namespace
 
 bool prepareWorld(const world::Scene& scene, Progress& progress, const std::stop_token& stop) {
@@ -37,11 +73,17 @@ bool prepareWorld(const world::Scene& scene, Progress& progress, const std::stop
     LightFieldSource source = objects::lightfield::readSource(object.parameters);
     if (!source.model.empty() && !std::filesystem::exists(source.file)) missing.emplace(source.file, std::move(source));
   }
+  if (missing.empty()) return true;
+  const std::filesystem::path folder = objects::lightfield::cacheFolder() / "light-fields";
+  makeFolder(folder);
+  const PreparationLock lock(folder);
+  if (!lock.wait(progress, stop)) return false;
   std::size_t done = 0;
   for (const auto& [file, source] : missing) {
+    ++done;
+    if (std::filesystem::exists(file)) continue;
     const std::string label =
-        "light field " + std::to_string(++done) + " of " + std::to_string(missing.size()) + ", " + nameOf(source.model);
-    makeFolder(file.parent_path());
+        "light field " + std::to_string(done) + " of " + std::to_string(missing.size()) + ", " + nameOf(source.model);
     progress.show(label, 0.0F);
     const models::Model model = models::loadModel(source.model, models::Detail::kSmall);
     bake::BakeOptions options;

@@ -66,6 +66,36 @@ test('two visitors see the same world from two places, and it lives', async () =
   await bob.frames(20);
 });
 
+/** Means of red, green and blue in a part of a 160 x 90 picture, and how much neighbouring pixels differ. */
+function look(picture, { left, top, right, bottom }) {
+  const sum = [0, 0, 0];
+  let rough = 0;
+  for (let y = top; y < bottom; y += 1) {
+    for (let x = left; x < right; x += 1) {
+      for (let channel = 0; channel < 3; channel += 1) sum[channel] += picture[(y * 160 + x) * 4 + channel];
+      rough += Math.abs(picture[(y * 160 + x) * 4 + 1] - picture[(y * 160 + x + 1) * 4 + 1]);
+    }
+  }
+  const count = (right - left) * (bottom - top);
+  return { red: sum[0] / count, green: sum[1] / count, blue: sum[2] / count, rough: rough / count };
+}
+
+test('a grove of light fields stands around the clearing', async () => {
+  const ada = await arrive('Ada');
+  await ada.page.waitForTimeout(500);
+  const picture = await ada.picture();
+  const oak = look(picture, { left: 10, top: 14, right: 42, bottom: 34 });
+  const sky = look(picture, { left: 58, top: 2, right: 74, bottom: 14 });
+  assert.ok(oak.green > oak.blue + 8, `leaves are green: ${JSON.stringify(oak)}`);
+  assert.ok(oak.green < 0.75 * sky.green, `and darker than the sky behind them: ${JSON.stringify(sky)}`);
+  assert.ok(oak.rough > 2 * sky.rough, 'and not smooth');
+
+  // Every light field has come: the backend made pictures, and none failed.
+  const { counters, stages } = await (await fetch(`${server.url}statistics.json`)).json();
+  assert.ok(counters['view cache misses'] > 5, JSON.stringify(counters));
+  assert.equal(stages.Renderer.failures, 0);
+});
+
 test('walking changes what one sees, by letters and by arrows', async () => {
   const ada = await arrive('Ada');
   const idle = await idleDifference(ada);

@@ -1,7 +1,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+
+#include "cli/prepare_world.h"
 #include "integration/served_scene.h"
+#include "objects/lightfield/format/small_field.h"
+#include "objects/lightfield/light_field_model.h"
 #include "pipeline/embedded.h"
 
 namespace grove::integration {
@@ -21,17 +28,62 @@ std::string complaintAbout(const std::string& text) {
   return "";
 }
 
-TEST(BuiltInScene, IsValidAndHasWhatTheReadmePromises) {
-  const embedded::File& file = embedded::scenes().front();
+/// The built-in scene with light fields of a few small views, which are baked in seconds.
+std::string coarseBuiltInScene() {
+  std::string text(embedded::scenes().front().text());
+  std::string coarse;
+  for (std::size_t from = 0;;) {
+    const std::size_t plant = text.find("plant = ", from);
+    coarse += text.substr(from, plant - from);
+    if (plant == std::string::npos) return coarse;
+    coarse += "subdivision = 2\nsize = 32\n";
+    coarse += text.substr(plant, 1);
+    from = plant + 1;
+  }
+}
+
+TEST(BuiltInScene, PreparesItselfAndHasWhatTheReadmePromises) {
+  const objects::lightfield::TemporaryFolder folder;
+  ASSERT_EQ(setenv("GROVE_CACHE", folder.path().c_str(), 1), 0);
+  const world::Scene scene = world::parseScene(coarseBuiltInScene(), "grove.toml");
+  cli::Progress progress;
+  ASSERT_TRUE(cli::prepareWorld(scene, progress, {}));
   node::Registry registry;
   objects::registerBuiltinTypes(registry);
-  const auto layout = node::makeLayout(world::parseScene(file.text(), file.path), registry);
+  const auto layout = node::makeLayout(scene, registry);
   EXPECT_TRUE(layout.visitor.has_value());
   EXPECT_EQ(layout.lights.size(), 1u);
-  for (const char* type : {"sky", "ground", "mesh", "fluid"}) {
+  EXPECT_GE(layout.objects.size(), 40u);
+  for (const char* type : {"sky", "ground", "mesh", "fluid", "lightfield"}) {
     const auto index = registry.find(type);
     ASSERT_TRUE(index.has_value());
     EXPECT_TRUE(std::ranges::any_of(layout.objects, [&](const world::Object& o) { return o.type == *index; })) << type;
+  }
+  // One sun: every light field stands under one of the suns that it was baked with.
+  const auto lightfield = registry.find("lightfield");
+  for (const world::Object& object : layout.objects) {
+    if (object.type != *lightfield) continue;
+    const auto& field = static_cast<const objects::lightfield::LightFieldModel&>(*object.model).field();
+    const double step = 360.0 / field.lightings();
+    const double degrees = glm::degrees(static_cast<double>(object.transform.yaw));
+    EXPECT_NEAR(std::remainder(degrees, step), 0.0, 1e-3) << object.name;
+  }
+  // What is prepared once is not prepared again.
+  const auto file = std::filesystem::directory_iterator(folder.path() / "light-fields")->path();
+  const auto time = std::filesystem::last_write_time(file);
+  ASSERT_TRUE(cli::prepareWorld(scene, progress, {}));
+  EXPECT_EQ(std::filesystem::last_write_time(file), time);
+}
+
+TEST(BuiltInScene, AStoppedPreparationLeavesNothingHalfDone) {
+  const objects::lightfield::TemporaryFolder folder;
+  ASSERT_EQ(setenv("GROVE_CACHE", folder.path().c_str(), 1), 0);
+  std::stop_source stop;
+  stop.request_stop();
+  cli::Progress progress;
+  EXPECT_FALSE(cli::prepareWorld(world::parseScene(coarseBuiltInScene(), "grove.toml"), progress, stop.get_token()));
+  for (const auto& entry : std::filesystem::directory_iterator(folder.path() / "light-fields")) {
+    EXPECT_NE(entry.path().extension(), ".glf") << entry.path();
   }
 }
 
@@ -41,6 +93,18 @@ TEST(Scene, MistakesInATypesOwnSettingsNameLineAndReason) {
   EXPECT_THAT(complaintAbout("[[object]]\ntype = 'mesh'\nrenderer = 'vulkan'\n"), HasSubstr("scene.toml:3"));
   EXPECT_THAT(complaintAbout("[[object]]\ntype = 'fluid'\ngrid = 63\n"), HasSubstr("scene.toml:3"));
   EXPECT_THAT(complaintAbout("[[object]]\ntype = 'fluid'\ngrid = 4096\n"), HasSubstr("between 16 and 128"));
+  EXPECT_THAT(complaintAbout("[[object]]\ntype = 'lightfield'\n"), HasSubstr("scene.toml:1"));
+  EXPECT_THAT(complaintAbout("[[object]]\ntype = 'lightfield'\nplant = 'cactus'\n"),
+              AllOf(HasSubstr("scene.toml:3"), HasSubstr("oak")));
+  EXPECT_THAT(complaintAbout("[[object]]\ntype = 'lightfield'\nplant = 'oak'\nsubdivision = 129\n"),
+              HasSubstr("scene.toml:4"));
+  EXPECT_THAT(complaintAbout("[[object]]\ntype = 'lightfield'\nplant = 'oak'\nsize = 100\n"),
+              HasSubstr("power of two"));
+  EXPECT_THAT(complaintAbout("[[object]]\ntype = 'lightfield'\nfile = '/nowhere.glf'\n"),
+              AllOf(HasSubstr("scene.toml:3"), HasSubstr("/nowhere.glf")));
+  EXPECT_THAT(complaintAbout("[[object]]\ntype = 'lightfield'\nfile = 'CMakeLists.txt'\nplant = 'oak'\n"),
+              HasSubstr("one of"));
+  EXPECT_THAT(complaintAbout("[[object]]\ntype = 'mesh'\nmodel = '/nowhere.glb'\n"), HasSubstr("scene.toml:3"));
   EXPECT_THAT(complaintAbout("[[object]]\ntype = 'teapot'\n"), AllOf(HasSubstr("scene.toml:2"), HasSubstr("teapot")));
 }
 

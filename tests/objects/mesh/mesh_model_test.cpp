@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "objects/mesh/mesh_type.h"
+#include "objects/mesh/model_surface.h"
 
 namespace grove::objects::mesh {
 namespace {
@@ -102,6 +103,40 @@ TEST(MeshModel, BadSettingsNameTheKey) {
                     HasSubstr("simd"), HasSubstr("embree")));
   EXPECT_THAT(errorOf("height = 900.0\n"), AllOf(HasSubstr("test.toml:4"), HasSubstr("height")));
   EXPECT_THAT(errorOf("width = -1.0\n"), HasSubstr("width"));
+}
+
+TEST(MeshModel, APlantIsAMeshWithTheKeysOfItsLightField) {
+  const auto oak = model("plant = \"oak\"\nseed = 2\nsubdivision = 8\nsize = 256\nlightings = 3\n");
+  EXPECT_GT(oak->surface().levels.at(0).triangles.size(), 100'000U);
+  EXPECT_GT(oak->bounds().high.y, 5.0F);
+  ASSERT_NE(oak->solid(), nullptr);
+  ASSERT_NE(oak->shade(), nullptr);
+  EXPECT_LT(oak->solid()->indices.size(), oak->shade()->indices.size()) << "leaves shade but let smoke through";
+  ASSERT_TRUE(oak->obstacleRadius().has_value());
+  EXPECT_GT(*oak->obstacleRadius(), 0.1F);
+  EXPECT_LT(*oak->obstacleRadius(), 0.8F) << "one walks under the crown";
+}
+
+TEST(MeshModel, LeavesHaveTwoSides) {
+  models::Model leaf;
+  leaf.triangles.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  leaf.triangles.indices = {{0, 1, 2}};
+  leaf.normals = {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}};
+  leaf.materialOf = {0};
+  leaf.materials.push_back({.name = "leaf", .albedo = {0.2F, 0.4F, 0.1F}, .transmittance = {0.2F, 0.2F, 0.0F}});
+  const Surface surface = surfaceOf(leaf);
+  ASSERT_EQ(surface.levels.at(0).triangles.size(), 2U);
+  ASSERT_EQ(surface.vertices.size(), 6U);
+  EXPECT_EQ(surface.vertices[0].normal, -surface.vertices[5].normal);
+  EXPECT_EQ(surface.vertices[0].albedo, world::Vec3(0.3F, 0.5F, 0.1F));
+  EXPECT_TRUE(solidOf(leaf).indices.empty());
+}
+
+TEST(MeshModel, AGltfFileIsAMesh) {
+  const auto tree = model("model = \"" GROVE_TESTS "/models/gltf/lantern_tree.gltf\"\n");
+  EXPECT_GT(tree->surface().levels.at(0).triangles.size(), 100U);
+  EXPECT_THAT(errorOf("model = \"/nowhere.glb\"\n"), AllOf(HasSubstr("test.toml:4"), HasSubstr("/nowhere.glb")));
+  EXPECT_THAT(errorOf("model = \"a.glb\"\nplant = \"oak\"\n"), HasSubstr("either"));
 }
 
 }  // namespace
