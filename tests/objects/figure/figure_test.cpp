@@ -153,7 +153,7 @@ class LabelTest : public testing::Test {
     // The left half is open sky.
     for (std::size_t y = 0; y < 180; ++y)
       std::fill_n(depth_.begin() + static_cast<std::ptrdiff_t>(y * 320), 160, 1.0e30F);
-    node::Image frame{{0, 0, 320, 180}, colour_, depth_};
+    node::Image frame{{0, 0, 320, 180}, colour_, depth_, false, {}};
     frontend_.draw(list->objects[0], {}, *list->view, frame);
     return static_cast<std::size_t>(std::ranges::count_if(colour_, [](std::uint32_t c) { return c != kGrey; }));
   }

@@ -18,7 +18,7 @@ struct Frame {
   Frame(int width, int height, std::uint32_t colour, float depth)
       : colours(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), colour),
         depths(colours.size(), depth),
-        image{{0, 0, width, height}, colours, depths} {}
+        image{{0, 0, width, height}, colours, depths, false, {}} {}
   Frame(const Frame&) = delete;
   Frame& operator=(const Frame&) = delete;
 

@@ -7,6 +7,8 @@ namespace {
 
 /// A tile's rays are looked at in steps of a texel (finer ones gain nothing); no cell of a sensible error needs more.
 constexpr float kMostSteps = 64.0F;
+/// Rays that move by less, in texels, do not leave theirs.
+constexpr float kStill = 0.5F;
 /// How many texels beside a ray's texel its point may lie, beyond half a step.
 constexpr float kSlack = 0.4F;
 constexpr float kNothing = -1.0e30F;
@@ -100,6 +102,33 @@ void look(const Texels& view, const float* __restrict nearness, float w, float p
   }
 }
 
+/// Whether every ray has met a texel that hides what is behind it.
+bool allHidden(const float* __restrict best) {
+  float least = 0.0F;
+  for (int i = 0; i < kTilePixels; ++i) least = std::min(least, best[i]);
+  return least >= 0.0F;
+}
+
+/// What rays that stay in their texels show.
+void glance(const Texels& view, const float* __restrict nearness, float w, const float* __restrict a0,
+            const float* __restrict a1, float* __restrict place, float* __restrict shown) {
+  const int stride = view.stride;
+  const float softness = view.softness;
+  const float limitX = view.limitX;
+  const float limitY = view.limitY;
+  const float scale = 1.0F - view.m.z * w;
+  const float offsetX = view.m.x * w;
+  const float offsetY = view.m.y * w;
+  for (int i = 0; i < kTilePixels; ++i) {
+    const float x = std::min(std::max(a0[i] * scale + offsetX, 0.0F), limitX);
+    const float y = std::min(std::max(a1[i] * scale + offsetY, 0.0F), limitY);
+    const float ranked = nearness[static_cast<int>(y) * stride + static_cast<int>(x)];
+    const float near = ranked < 0.0F ? ranked + softness : ranked;
+    place[i] = near > 0.0F ? near : w;
+    shown[i] = near;
+  }
+}
+
 /// Decides what each ray shows. The best texel lies on the ray to half a step; the one at the place that belongs to its
 /// depth is better if it is of the same surface. If that is farther away, the surface ends between both, and the colour
 /// there is that of its edge. If it is nearer, it hides what the ray meets, of which the texel found is all that is
@@ -190,17 +219,22 @@ void shadePixels(const Texels& view, const Haze& haze, const std::uint32_t* __re
 void searchTile(const CachedView& view, const ViewWarp& warp, const CachedView::Range& reach, float texelsPerNearness,
                 WarpTile& tile) {
   const Texels texels(view, warp);
+  const float range = reach.greatest - reach.least;
+  const float way = range * texelsPerNearness;
+  if (way < kStill) {
+    glance(texels, view.nearness(), reach.least + 0.5F * range, tile.a0, tile.a1, tile.place, tile.near);
+    return;
+  }
   Met met;
   std::fill_n(met.best, kTilePixels, kNothing);
   std::fill_n(met.far, kTilePixels, -kNothing);
-  const float range = reach.greatest - reach.least;
-  const float way = range * texelsPerNearness;
   const int steps = static_cast<int>(std::clamp(std::ceil(way), 1.0F, kMostSteps));
   const float step = range / static_cast<float>(steps);
   const float permitted = 0.5F * step + kSlack / texelsPerNearness;
   for (int j = 0; j < steps; ++j) {
     const float w = reach.greatest - (static_cast<float>(j) + 0.5F) * step;
     look(texels, view.nearness(), w, permitted, tile.a0, tile.a1, met.best, met.bestPlace, met.far, met.farPlace);
+    if (allHidden(met.best)) break;
   }
   settle(texels, view.nearness(), permitted, tile.a0, tile.a1, met.best, met.bestPlace, met.far, met.farPlace,
          tile.place, tile.near);

@@ -39,7 +39,7 @@ struct ViewWarp {
   [[nodiscard]] world::Vec2 way(world::Vec2 a) const { return world::Vec2(m) - a * m.z; }
 };
 
-inline constexpr int kTileWidth = 32;
+inline constexpr int kTileWidth = 16;
 inline constexpr int kTileHeight = 8;
 inline constexpr int kTilePixels = kTileWidth * kTileHeight;
 

@@ -1,7 +1,9 @@
 #include "objects/lightfield/simd/simd_sampler.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
+#include <cstring>
 
 #include "objects/lightfield/simd/blend.h"
 #include "objects/lightfield/simd/surface_search.h"
@@ -64,8 +66,9 @@ class Picture {
     Ints anyMeets{};
     for (int g = 0; g < kGroups; ++g) {
       const auto at = static_cast<std::size_t>(g);
-      const Floats column = lanesUpwards() + static_cast<float>(g * kLanes % kTileWidth);
-      const auto row = static_cast<float>(g * kLanes / kTileWidth);
+      const Ints lane = truncated(lanesUpwards());
+      const Floats column = toFloats(lane % kGroupWidth + groupColumn(g));
+      const Floats row = toFloats(lane / kGroupWidth + groupRow(g));
       const Floats x = corner.x + row * down.x + column * right.x;
       const Floats y = corner.y + row * down.y + column * right.y;
       const Floats z = corner.z + row * down.z + column * right.z;
@@ -74,8 +77,7 @@ class Picture {
       cut(x, low.x, high.x, from, to);
       cut(y, low.y, high.y, from, to);
       cut(z, low.z, high.z, from, to);
-      const Ints inside =
-          (column < static_cast<float>(columns)) & (row < static_cast<float>(rows) ? Ints{} - 1 : Ints{});
+      const Ints inside = (column < static_cast<float>(columns)) & (row < static_cast<float>(rows));
       to = inside ? to : all(0.0F);
       tile_.rayX[at] = x;
       tile_.rayY[at] = y;
@@ -125,10 +127,10 @@ class Picture {
     const auto veil = [&](std::size_t channel) { return request_.haze.colour[channel] * request_.haze.amount; };
     for (int g = 0; g < kGroups; ++g) {
       const auto at = static_cast<std::size_t>(g);
-      const int first = g * kLanes % kTileWidth;
-      const int row = g * kLanes / kTileWidth;
-      const int count = std::min(kLanes, columns - first);
-      if (row >= rows || count <= 0) continue;
+      const int first = groupColumn(g);
+      const int count = std::min(kGroupWidth, columns - first);
+      const int lines = std::min(kGroupHeight, rows - groupRow(g));
+      if (lines <= 0 || count <= 0) continue;
       const Floats scale = 1.0F / most(blended.weight[at], all(1.0e-6F));
       const Floats coverage = blended.coverage[at] * scale;
       const auto byte = [&](Floats sum, float veiled) {
@@ -140,8 +142,15 @@ class Picture {
       const Ints shown = tile_.found[at] & (alpha > 0);
       const Ints shownColour = shown ? colour : Ints{};
       const Floats shownDepth = shown ? tile_.depth[at] : all(world::kInfiniteDepth);
-      std::memcpy(image_.colourRow(top + row) + left + first, &shownColour, static_cast<std::size_t>(count) * 4);
-      std::memcpy(image_.depthRow(top + row) + left + first, &shownDepth, static_cast<std::size_t>(count) * 4);
+      std::array<std::uint32_t, kLanes> colours;
+      std::array<float, kLanes> depths;
+      std::memcpy(colours.data(), &shownColour, sizeof(shownColour));
+      std::memcpy(depths.data(), &shownDepth, sizeof(shownDepth));
+      for (int line = 0; line < lines; ++line) {
+        const int row = top + groupRow(g) + line;
+        std::copy_n(colours.data() + line * kGroupWidth, count, image_.colourRow(row) + left + first);
+        std::copy_n(depths.data() + line * kGroupWidth, count, image_.depthRow(row) + left + first);
+      }
     }
   }
 

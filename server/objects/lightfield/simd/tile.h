@@ -11,8 +11,15 @@ namespace grove::objects::lightfield::simd {
 inline constexpr int kTileWidth = 16;
 inline constexpr int kTileHeight = 16;
 inline constexpr int kGroups = kTileWidth * kTileHeight / kLanes;
+/// A vector's pixels are a block and not a row: the closer they are, the more alike are their walks.
+inline constexpr int kGroupWidth = 4;
+inline constexpr int kGroupHeight = kLanes / kGroupWidth;
 
-/// One value for each pixel of a tile, row by row.
+/// Where a group's first pixel is in its tile.
+inline int groupColumn(int group) { return group % (kTileWidth / kGroupWidth) * kGroupWidth; }
+inline int groupRow(int group) { return group / (kTileWidth / kGroupWidth) * kGroupHeight; }
+
+/// One value for each pixel of a tile, group by group; a group's lanes are its pixels row by row.
 template <typename Lanes>
 using Plane = std::array<Lanes, kGroups>;
 

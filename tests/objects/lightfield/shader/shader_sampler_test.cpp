@@ -38,7 +38,7 @@ struct Shot {
         colour(static_cast<std::size_t>(rect.width() * rect.height()), kUntouched),
         depth(colour.size(), -1.0F) {}
 
-  [[nodiscard]] node::Image image() { return {rect, colour, depth, false}; }
+  [[nodiscard]] node::Image image() { return {rect, colour, depth, false, {}}; }
   [[nodiscard]] measure::Picture picture() const { return {colour, rect.width()}; }
   [[nodiscard]] int alpha(std::size_t i) const { return static_cast<int>(colour[i] >> 24U); }
 
