@@ -33,8 +33,8 @@ namespace grove::bake {
 
 using objects::lightfield::Checksum;
 using objects::lightfield::DenseView;
-using objects::lightfield::kLeastSize;
 using objects::lightfield::HeldOutView;
+using objects::lightfield::kLeastSize;
 using objects::lightfield::kNoDepth;
 using objects::lightfield::LightField;
 using objects::lightfield::ObjectCamera;
@@ -85,9 +85,9 @@ void addTo(Checksum& checksum, const std::vector<T>& values) {
 
 std::uint64_t keyOf(const models::Model& model, const BakeOptions& options) {
   Checksum checksum;
-  const std::vector<std::uint64_t> numbers{kBakeVersion, static_cast<std::uint64_t>(options.samples),
-                                           static_cast<std::uint64_t>(options.subdivision),
-                                           static_cast<std::uint64_t>(options.tile)};
+  const std::vector<std::uint64_t> numbers{
+      kBakeVersion, static_cast<std::uint64_t>(options.samples), static_cast<std::uint64_t>(options.truthSamples),
+      static_cast<std::uint64_t>(options.subdivision), static_cast<std::uint64_t>(options.tile)};
   addTo(checksum, numbers);
   addTo(checksum, model.triangles.positions);
   addTo(checksum, model.triangles.indices);
@@ -295,10 +295,11 @@ std::optional<BakeReport> Job::run() {
   const Step views("views", progress_);
   const ViewRenderer renderer(model_, textures_, rays_, points, light, options_.samples);
   const std::vector<ObjectCamera> cameras = planHeldOut(geometry_, options_.subdivision, options_.size);
-  const std::vector<Picture> heldOut = renderHeldOut(renderer, cameras, ModelRays::Among::kModel);
+  const ViewRenderer truth(model_, textures_, rays_, points, light, options_.truthSamples);
+  const std::vector<Picture> heldOut = renderHeldOut(truth, cameras, ModelRays::Among::kModel);
   const std::vector<ObjectCamera> seamCameras =
       options_.tile ? planSeams(geometry_, options_.size) : std::vector<ObjectCamera>();
-  const std::vector<Picture> seams = renderHeldOut(renderer, seamCameras, ModelRays::Among::kSurroundings);
+  const std::vector<Picture> seams = renderHeldOut(truth, seamCameras, ModelRays::Among::kSurroundings);
   checkRoom(heldOut);
   renderViews(renderer, views);
   report.viewSeconds = views.seconds();

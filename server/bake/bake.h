@@ -16,8 +16,11 @@ struct BakeOptions {
   int size = 256;        ///< texels an edge of a view, a power of two, kLeastSize to kMostSize
   int lightings = 6;     ///< 1 to kMostLightings
   int samples = 2;       ///< per edge of a pixel, 1 to 16
-  int threads = 0;       ///< 0: one per core
-  bool tile = false;     ///< the model stands amid copies of itself, see models::isTile()
+  /// Of the held-out views, which are what the others are measured against: with few samples, their own noise would
+  /// count as error of the light field. 1 to 16.
+  int truthSamples = 6;
+  int threads = 0;    ///< 0: one per core
+  bool tile = false;  ///< the model stands amid copies of itself, see models::isTile()
 };
 
 struct BakeProgress {

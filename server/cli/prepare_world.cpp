@@ -90,6 +90,7 @@ bool prepareWorld(const world::Scene& scene, Progress& progress, const std::stop
     options.subdivision = source.subdivision;
     options.size = source.size;
     options.lightings = source.lightings;
+    options.truthSamples = options.samples;  // nobody measures these
     options.tile = models::isTile(source.model.plant);
     const auto report = bake::bakeLightField(
         model, options, file, [&](const bake::BakeProgress& now) { progress.show(label, now.share, now.step); }, stop);
