@@ -34,10 +34,13 @@ int runServe(const ServeOptions& options) {
     std::fprintf(stderr, "grove: --listen wants HOST:PORT, not '%s'\n", options.listen.c_str());
     return 2;
   }
-  // Known before the world is prepared, which takes seconds.
+  // All that can be wrong is known before the world is prepared, which may take minutes.
   (void)stream::findListenAddress(address->host, address->port);
   const StopOnSignal stop;
   const world::Scene scene = sceneOf(options);
+  const gl::ShaderLibrary shaders(options.shaderDirectory);
+  gl::Workers gl(options.gl, shaders);
+  log::info("GL: " + gl.description() + ", " + std::to_string(gl.width()) + " workers");
   Progress progress;
   if (!prepareWorld(scene, progress, stop.token())) {
     log::info("stopped; the next start goes on from here");
@@ -47,11 +50,8 @@ int runServe(const ServeOptions& options) {
   objects::BuiltinOptions builtin;
   builtin.viewCache = {static_cast<std::size_t>(options.viewCacheMegabytes) << 20U, options.viewError};
   objects::registerBuiltinTypes(registry, builtin);
-  const gl::ShaderLibrary shaders(options.shaderDirectory);
   world::World::Layout layout = node::makeLayout(scene, registry);
 
-  gl::Workers gl(options.gl, shaders);
-  log::info("GL: " + gl.description() + ", " + std::to_string(gl.width()) + " workers");
   log::info("world: " + layout.name + ", " + std::to_string(layout.objects.size()) + " objects");
   stream::Host host(std::move(layout), registry, gl, options.host,
                     [&](std::string_view label, float share) { progress.show(label, share); });
