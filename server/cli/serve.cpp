@@ -40,7 +40,6 @@ int runServe(const ServeOptions& options) {
   const world::Scene scene = sceneOf(options);
   const gl::ShaderLibrary shaders(options.shaderDirectory);
   gl::Workers gl(options.gl, shaders);
-  log::info("GL: " + gl.description() + ", " + std::to_string(gl.width()) + " workers");
   Progress progress;
   if (!prepareWorld(scene, progress, stop.token())) {
     log::info("stopped; the next start goes on from here");
@@ -52,6 +51,7 @@ int runServe(const ServeOptions& options) {
   objects::registerBuiltinTypes(registry, builtin);
   world::World::Layout layout = node::makeLayout(scene, registry);
 
+  log::info("GL: " + gl.description() + ", " + std::to_string(gl.width()) + " workers");
   log::info("world: " + layout.name + ", " + std::to_string(layout.objects.size()) + " objects");
   stream::Host host(std::move(layout), registry, gl, options.host,
                     [&](std::string_view label, float share) { progress.show(label, share); });
