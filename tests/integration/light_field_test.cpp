@@ -21,7 +21,15 @@ class LightFields : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
     folder_ = new objects::lightfield::TemporaryFolder;
-    objects::lightfield::writeLightField(objects::lightfield::Thicket().bake(8, 128, 3), *folder_ / "thicket.glf");
+    objects::lightfield::LightField field = objects::lightfield::Thicket().bake(8, 128, 3);
+    // A trunk of wood of 0.2 m up to 1.2 m, and leaves above it.
+    std::vector<std::uint8_t> cells(std::size_t{3} * 20 * 3, 0);
+    for (std::size_t y = 0; y < 20; ++y) {
+      const auto kind = y < 12 ? objects::lightfield::Voxel::kWood : objects::lightfield::Voxel::kLeaves;
+      cells[(1 * 20 + y) * 3 + 1] = static_cast<std::uint8_t>(kind);
+    }
+    field.voxels = {3, 20, 3, 0.1F, {-0.15F, 0.0F, -0.15F}, cells};
+    objects::lightfield::writeLightField(field, *folder_ / "thicket.glf");
   }
   static void TearDownTestSuite() { delete folder_; }
 
@@ -56,6 +64,26 @@ TEST_F(LightFields, AreSeenWhereTheyStand) {
   const Picture aside = pictureAfter(visitor, 0, 0.2F);
   EXPECT_GT(aside.middle(0.0, 1.0), 0.55) << "who turns left sees it on the right";
   EXPECT_LT(pictureAfter(visitor, 0, 3.0F).mean(), 1.0);
+}
+
+TEST_F(LightFields, WoodStopsSmokeAndLeavesOnlyLight) {
+  ServedScene served(scene("", 25.0));
+  const world::World& world = served.host.world();
+  // Five times as large: wood up to 6 m, leaves up to 10 m.
+  const auto stops = [&](const world::RayScene& rays, float height) {
+    return rays.occluded({-10.0F, height, 0.0F}, {1.0F, 0.0F, 0.0F});
+  };
+  EXPECT_TRUE(stops(world.solids(), 3.25F));
+  EXPECT_TRUE(stops(world.rays(), 3.25F));
+  int leaves = 0;
+  for (float height = 6.1F; height < 10.0F; height += 0.1F) {
+    EXPECT_FALSE(stops(world.solids(), height)) << height;
+    leaves += stops(world.rays(), height) ? 1 : 0;
+  }
+  EXPECT_GT(leaves, 5);
+  const auto radius = world.objects().front().model->obstacleRadius();
+  ASSERT_TRUE(radius.has_value());
+  EXPECT_NEAR(*radius, 0.056F, 0.01F) << "visitors walk around the trunk";
 }
 
 TEST_F(LightFields, BothRenderersGiveTheSamePicture) {
