@@ -39,7 +39,7 @@ const server = await Server.start();
 const browser = await launchBrowser();
 try {
   const ada = await Visitor.arrive(browser, `${server.url}?name=Ada`, kSize);
-  await ada.page.waitForTimeout(12_000); // the hint has gone
+  await ada.page.waitForTimeout(18_000); // the hint has gone
   await take(ada, 'grove');
 
   // Ben and Cleo walk ahead into Ada's view, Dan to the west glade; each turns to something else.
