@@ -8,6 +8,7 @@
 #include <mutex>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -66,7 +67,8 @@ class Run {
 
 /// How a stage runs.
 struct StageOptions {
-  const char* name = "";  ///< a string literal; the paper's name of the box
+  const char* name = "";          ///< a string literal; the paper's name of the box
+  std::string_view subject = {};  ///< the type of object it works for, for the timeline; empty: of any
   Work work = Work::kAcrossUser;
   std::size_t capacity = 1;               ///< of its queue
   Overflow overflow = Overflow::kReject;  ///< of its queue
@@ -172,7 +174,7 @@ class Stage : public Inlet<In>, public std::enable_shared_from_this<Stage<In>> {
   void runOnce(std::vector<In>& items, Run& run) {
     std::string reason;
     {
-      const TimedRun timed(timeline_, options_.name, options_.work, traceTag(items.front()));
+      const TimedRun timed(timeline_, options_.name, options_.work, traceTag(items.front()), options_.subject);
       try {
         process(items, run);
         return;

@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <cassert>
+#include <utility>
 
 #include "pipeline/clocks.h"
 
@@ -12,6 +13,20 @@ std::uint32_t threadNumber() noexcept {
   static std::atomic<std::uint32_t> next{1};
   thread_local const std::uint32_t mine = next.fetch_add(1);
   return mine;
+}
+
+/// The run that a new one on this thread is a part of.
+TimedRun*& innermostRun() noexcept {
+  thread_local TimedRun* innermost = nullptr;
+  return innermost;
+}
+
+void add(StageTotal& total, const StageTotal& more) {
+  total.work = more.work;
+  total.runs += more.runs;
+  total.failures += more.failures;
+  total.wallNanoseconds += more.wallNanoseconds;
+  total.cpuNanoseconds += more.cpuNanoseconds;
 }
 
 }  // namespace
@@ -41,18 +56,16 @@ void Timeline::record(const TimelineEvent& event) {
     ring_[next_] = event;
   }
   next_ = (next_ + 1) % capacity_;
-  StageTotal& total = totals_[event.stage];
-  total.work = event.work;
-  ++total.runs;
-  total.wallNanoseconds += event.wallNanoseconds;
-  total.cpuNanoseconds += event.cpuNanoseconds;
+  StageTotal& total = totals_[{event.stage, event.subject}];
+  add(total, {.work = event.work,
+              .runs = event.part ? 0U : 1U,
+              .wallNanoseconds = event.part ? 0 : event.wallNanoseconds,
+              .cpuNanoseconds = event.cpuNanoseconds});
 }
 
 void Timeline::recordFailure(const char* stage, Work work) {
   const std::lock_guard lock(mutex_);
-  StageTotal& total = totals_[stage];
-  total.work = work;
-  ++total.failures;
+  add(totals_[{stage, {}}], {.work = work, .failures = 1});
 }
 
 void Timeline::count(const char* counter, std::int64_t amount) {
@@ -70,8 +83,17 @@ std::vector<TimelineEvent> Timeline::events() const {
 }
 
 std::map<std::string, StageTotal> Timeline::totals() const {
+  std::map<std::string, StageTotal> stages;
+  for (const auto& [key, total] : costs()) add(stages[key.stage], total);
+  return stages;
+}
+
+std::map<CostKey, StageTotal> Timeline::costs() const {
   const std::lock_guard lock(mutex_);
-  return {totals_.begin(), totals_.end()};
+  std::map<CostKey, StageTotal> costs;
+  for (const auto& [key, total] : totals_)
+    costs.emplace(CostKey{std::string(key.first), std::string(key.second)}, total);
+  return costs;
 }
 
 std::map<std::string, std::int64_t> Timeline::counters() const {
@@ -79,14 +101,24 @@ std::map<std::string, std::int64_t> Timeline::counters() const {
   return {counters_.begin(), counters_.end()};
 }
 
-TimedRun::TimedRun(Timeline& timeline, const char* stage, Work work, TraceTag tag) noexcept
+TimedRun::TimedRun(Timeline& timeline, const char* stage, Work work, TraceTag tag, std::string_view subject) noexcept
     : timeline_(timeline),
-      event_{stage, work, tag, threadNumber(), wallNanoseconds(), 0, 0},
+      outer_(std::exchange(innermostRun(), this)),
+      event_{.stage = stage,
+             .subject = subject,
+             .work = work,
+             .tag = tag,
+             .thread = threadNumber(),
+             .part = outer_ != nullptr && std::string_view(outer_->event_.stage) == stage,
+             .beginNanoseconds = wallNanoseconds()},
       cpuBegin_(threadCpuNanoseconds()) {}
 
 TimedRun::~TimedRun() {
-  event_.cpuNanoseconds = threadCpuNanoseconds() - cpuBegin_;
+  const std::int64_t cpu = threadCpuNanoseconds() - cpuBegin_;
+  event_.cpuNanoseconds = cpu - cpuWithin_;
   event_.wallNanoseconds = wallNanoseconds() - event_.beginNanoseconds;
+  innermostRun() = outer_;
+  if (outer_ != nullptr) outer_->cpuWithin_ += cpu;
   timeline_.record(event_);
 }
 

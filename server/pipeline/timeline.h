@@ -1,10 +1,12 @@
 #pragma once
 
+#include <compare>
 #include <cstdint>
 #include <map>
 #include <mutex>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace grove::pipeline {
@@ -20,24 +22,34 @@ struct TraceTag {
   std::uint32_t frame = 0;
 };
 
-/// One run of one stage.
+/// One run of one stage, or a part of it that is told apart: by the type of object it serves, or because it is work of
+/// another kind.
 struct TimelineEvent {
-  const char* stage = "";  ///< a string literal
+  const char* stage = "";         ///< a string literal
+  std::string_view subject = {};  ///< the type of object it was done for; empty: of none. Outlives the timeline
   Work work = Work::kAcrossUser;
   TraceTag tag;
   std::uint32_t thread = 0;           ///< small number, stable for a thread
+  bool part = false;                  ///< within a run of the same stage
   std::int64_t beginNanoseconds = 0;  ///< monotonic clock
   std::int64_t wallNanoseconds = 0;
-  std::int64_t cpuNanoseconds = 0;  ///< of the thread that ran the stage
+  std::int64_t cpuNanoseconds = 0;  ///< of the thread that ran it, less what the runs within it have used
 };
 
-/// Sums over all runs of a stage since the start.
+/// Sums since the start.
 struct StageTotal {
   Work work = Work::kAcrossUser;
-  std::uint64_t runs = 0;
+  std::uint64_t runs = 0;  ///< parts of runs are not counted
   std::uint64_t failures = 0;
   std::int64_t wallNanoseconds = 0;
   std::int64_t cpuNanoseconds = 0;
+};
+
+/// What a total is of.
+struct CostKey {
+  std::string stage;
+  std::string subject;
+  friend auto operator<=>(const CostKey&, const CostKey&) = default;
 };
 
 /// Where every stage run is recorded, by the stage runner and by simulation clocks. Keeps the newest `capacity` events
@@ -54,7 +66,10 @@ class Timeline {
 
   /// The kept events, oldest first.
   [[nodiscard]] std::vector<TimelineEvent> events() const;
+  /// By stage, whatever it was done for.
   [[nodiscard]] std::map<std::string, StageTotal> totals() const;
+  /// By stage and subject. Every nanosecond of CPU is in one of them only.
+  [[nodiscard]] std::map<CostKey, StageTotal> costs() const;
   [[nodiscard]] std::map<std::string, std::int64_t> counters() const;
 
  private:
@@ -62,22 +77,25 @@ class Timeline {
   mutable std::mutex mutex_;
   std::vector<TimelineEvent> ring_;
   std::size_t next_ = 0;
-  std::map<std::string_view, StageTotal> totals_;
+  std::map<std::pair<std::string_view, std::string_view>, StageTotal> totals_;
   std::map<std::string_view, std::int64_t> counters_;
 };
 
-/// Measures from construction to destruction and records it.
+/// Measures from construction to destruction and records it. One that is made while another is alive on the same thread
+/// is a part of that one, which then does not count its CPU.
 class TimedRun {
  public:
-  TimedRun(Timeline& timeline, const char* stage, Work work, TraceTag tag) noexcept;
+  TimedRun(Timeline& timeline, const char* stage, Work work, TraceTag tag, std::string_view subject = {}) noexcept;
   ~TimedRun();
   TimedRun(const TimedRun&) = delete;
   TimedRun& operator=(const TimedRun&) = delete;
 
  private:
   Timeline& timeline_;
+  TimedRun* const outer_;
   TimelineEvent event_;
   std::int64_t cpuBegin_;
+  std::int64_t cpuWithin_ = 0;
 };
 
 }  // namespace grove::pipeline

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "pipeline/clocks.h"
+
 namespace grove::pipeline {
 namespace {
 
@@ -20,6 +22,52 @@ TEST(Timeline, KeepsTheNewestEventsAndAllTotals) {
   EXPECT_EQ(events.back().beginNanoseconds, 5);
   EXPECT_EQ(timeline.totals().at("stage").runs, 5u);
   EXPECT_EQ(timeline.totals().at("stage").cpuNanoseconds, 50);
+}
+
+void useCpu(std::int64_t nanoseconds) {
+  const std::int64_t begin = threadCpuNanoseconds();
+  while (threadCpuNanoseconds() - begin < nanoseconds) {
+  }
+}
+
+TEST(Timeline, CountsEveryNanosecondOfNestedRunsOnce) {
+  constexpr std::int64_t kPiece = 2'000'000;
+  Timeline timeline;
+  const std::int64_t begin = threadCpuNanoseconds();
+  {
+    const TimedRun outer(timeline, "Compositor", Work::kPerUserFrontend, {});
+    useCpu(kPiece);
+    {
+      const TimedRun part(timeline, "Compositor", Work::kPerUserFrontend, {}, "fluid");
+      useCpu(2 * kPiece);
+      const TimedRun other(timeline, "Shared View", Work::kAcrossUser, {}, "lightfield");
+      useCpu(4 * kPiece);
+    }
+  }
+  const std::int64_t all = threadCpuNanoseconds() - begin;
+  const auto costs = timeline.costs();
+  const std::int64_t outer = costs.at({"Compositor", ""}).cpuNanoseconds;
+  const std::int64_t part = costs.at({"Compositor", "fluid"}).cpuNanoseconds;
+  const std::int64_t other = costs.at({"Shared View", "lightfield"}).cpuNanoseconds;
+  EXPECT_GE(outer, kPiece);
+  EXPECT_GE(part, 2 * kPiece);
+  EXPECT_GE(other, 4 * kPiece);
+  EXPECT_LE(outer + part + other, all);
+  EXPECT_EQ(timeline.totals().at("Compositor").runs, 1u) << "a part of a run is no run";
+  EXPECT_EQ(timeline.totals().at("Compositor").cpuNanoseconds, outer + part);
+  EXPECT_EQ(costs.at({"Shared View", "lightfield"}).runs, 1u);
+  EXPECT_EQ(costs.at({"Shared View", "lightfield"}).work, Work::kAcrossUser);
+}
+
+TEST(Timeline, KeepsNestedRunsOfOtherTimelinesApart) {
+  Timeline one;
+  Timeline two;
+  {
+    const TimedRun outer(one, "outer", Work::kAcrossUser, {});
+    const TimedRun inner(two, "inner", Work::kAcrossUser, {});
+  }
+  EXPECT_EQ(one.totals().size(), 1u);
+  EXPECT_EQ(two.totals().size(), 1u);
 }
 
 TEST(Timeline, CountsWhatIsNoTime) {

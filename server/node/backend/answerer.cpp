@@ -14,8 +14,9 @@ Result makeResult(const Request& request, Payload payload) {
 
 }  // namespace
 
-Answerer::Answerer(const char* name, BackendHalf& half, pipeline::Timeline& timeline)
+Answerer::Answerer(const char* name, std::string_view subject, BackendHalf& half, pipeline::Timeline& timeline)
     : Stage({.name = name,
+             .subject = subject,
              .work = pipeline::Work::kPerUserBackend,
              .capacity = kBackendQueue,
              .concurrency = half.concurrency(),

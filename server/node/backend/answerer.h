@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string_view>
+
 #include "node/messages.h"
 #include "node/object_type.h"
 #include "pipeline/outlet.h"
@@ -13,7 +15,8 @@ class Answerer : public pipeline::Stage<Request> {
   void connect(std::shared_ptr<pipeline::Inlet<Result>> compressor);
 
  protected:
-  Answerer(const char* name, BackendHalf& half, pipeline::Timeline& timeline);
+  /// `subject`: the type of object, for the timeline.
+  Answerer(const char* name, std::string_view subject, BackendHalf& half, pipeline::Timeline& timeline);
   void process(std::span<Request> requests, pipeline::Run& run) final;
   void recover(Request& request, const std::string& reason, pipeline::Run& run) final;
 

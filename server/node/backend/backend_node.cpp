@@ -6,9 +6,9 @@
 namespace grove::node {
 namespace {
 
-std::shared_ptr<Answerer> makeAnswerer(BackendHalf& half, pipeline::Timeline& timeline) {
-  if (half.kind() == NodeKind::kSimulation) return std::make_shared<Simulator>(half, timeline);
-  return std::make_shared<Renderer>(half, timeline);
+std::shared_ptr<Answerer> makeAnswerer(std::string_view type, BackendHalf& half, pipeline::Timeline& timeline) {
+  if (half.kind() == NodeKind::kSimulation) return std::make_shared<Simulator>(type, half, timeline);
+  return std::make_shared<Renderer>(type, half, timeline);
 }
 
 }  // namespace
@@ -17,8 +17,8 @@ BackendNode::BackendNode(const ObjectType& type, world::TypeIndex index, const B
                          Transport& transport)
     : half_(type.makeBackend(services, index)),
       receiver_(std::make_shared<RequestReceiver>(services.workers, services.timeline)),
-      answerer_(makeAnswerer(*half_, services.timeline)),
-      compressor_(std::make_shared<Compressor>(transport, services.workers, services.timeline)),
+      answerer_(makeAnswerer(type.name(), *half_, services.timeline)),
+      compressor_(std::make_shared<Compressor>(transport, type.name(), services.workers, services.timeline)),
       sender_(std::make_shared<ResultSender>(transport, services.workers, services.timeline)) {
   receiver_->connect(answerer_);
   answerer_->connect(compressor_);

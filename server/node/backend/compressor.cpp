@@ -6,8 +6,10 @@
 
 namespace grove::node {
 
-Compressor::Compressor(const Transport& transport, pipeline::Executor& executor, pipeline::Timeline& timeline)
+Compressor::Compressor(const Transport& transport, std::string_view subject, pipeline::Executor& executor,
+                       pipeline::Timeline& timeline)
     : Stage({.name = "Compressor",
+             .subject = subject,
              .work = pipeline::Work::kPerUserBackend,
              .capacity = kBackendQueue,
              .maxBatch = kBackendBatch},

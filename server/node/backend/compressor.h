@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string_view>
+
 #include "node/transport/transport.h"
 #include "pipeline/outlet.h"
 
@@ -8,7 +10,8 @@ namespace grove::node {
 /// Makes results small for the wire, as the transport wants it (section 4.2, step 6).
 class Compressor final : public pipeline::Stage<Result> {
  public:
-  Compressor(const Transport& transport, pipeline::Executor& executor, pipeline::Timeline& timeline);
+  Compressor(const Transport& transport, std::string_view subject, pipeline::Executor& executor,
+             pipeline::Timeline& timeline);
   void connect(std::shared_ptr<pipeline::Inlet<Result>> next);
 
  protected:

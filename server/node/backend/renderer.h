@@ -7,7 +7,8 @@ namespace grove::node {
 /// Renders images of an object from the request's camera (section 4.2, step 4).
 class Renderer final : public Answerer {
  public:
-  Renderer(BackendHalf& half, pipeline::Timeline& timeline) : Answerer("Renderer", half, timeline) {}
+  Renderer(std::string_view subject, BackendHalf& half, pipeline::Timeline& timeline)
+      : Answerer("Renderer", subject, half, timeline) {}
 };
 
 }  // namespace grove::node

@@ -8,7 +8,8 @@ namespace grove::node {
 /// independent of requests.
 class Simulator final : public Answerer {
  public:
-  Simulator(BackendHalf& half, pipeline::Timeline& timeline) : Answerer("Simulator", half, timeline) {}
+  Simulator(std::string_view subject, BackendHalf& half, pipeline::Timeline& timeline)
+      : Answerer("Simulator", subject, half, timeline) {}
 };
 
 }  // namespace grove::node

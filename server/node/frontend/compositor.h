@@ -40,6 +40,7 @@ class Compositor final : public pipeline::Stage<CompositorInput> {
   FrontendHalf* halfOf(world::TypeIndex type);
 
   const Registry& registry_;
+  pipeline::Timeline& timeline_;
   ImagePool& images_;
   const std::function<void()> frameDone_;
   ResultTable table_;
