@@ -10,6 +10,7 @@
 #include "node/limits.h"
 #include "node/messages.h"
 #include "pipeline/executor.h"
+#include "pipeline/memory_ledger.h"
 #include "pipeline/timeline.h"
 #include "world/object.h"
 #include "world/scene_file.h"
@@ -29,6 +30,7 @@ struct BackendServices {
   pipeline::Executor& workers;
   gl::Workers& gl;
   pipeline::Timeline& timeline;
+  pipeline::MemoryLedger& memory;
   ImagePool& images;
   /// Reports slow preparation: a label and a share of 0..1.
   std::function<void(std::string_view, float)> progress;

@@ -19,7 +19,7 @@ Host::Host(world::World::Layout layout, const node::Registry& registry, gl::Work
       world_(std::move(layout)),
       transport_(std::make_unique<node::InProcessTransport>()),
       workers_(static_cast<int>(std::max(1U, std::thread::hardware_concurrency()))) {
-  const node::BackendServices services{world_, workers_, gl_, timeline_, images_, progress};
+  const node::BackendServices services{world_, workers_, gl_, timeline_, memory_, images_, progress};
   std::set<world::TypeIndex> types;
   for (const world::Object& object : world_.objects()) types.insert(object.type);
   if (world_.visitor()) types.insert(world_.visitor()->type);
@@ -84,7 +84,7 @@ std::size_t Host::visitors() const {
 }
 
 node::FrontendServices Host::frontendServices() {
-  return {world_, registry_, *transport_, workers_, timeline_, images_};
+  return {world_, registry_, *transport_, workers_, timeline_, memory_, images_};
 }
 
 void Host::remove(node::SessionId id) {

@@ -27,6 +27,11 @@ struct HostOptions {
   int framesPerSecond = 30;
   int mostVisitors = 16;
   int jpegQuality = 75;
+  /// The control experiment, one console per player: every visitor gets copies of his own of all that backend nodes
+  /// hold, simulations with clocks of their own, views that nobody shares.
+  bool privateWorlds = false;
+  /// Makes the wire between frontend and backend nodes; empty: they share a process.
+  std::function<std::unique_ptr<node::Transport>()> makeTransport;
 };
 
 /// One living world and everybody in it: owns the world, the backend nodes, the workers, the frame clock and the
@@ -47,6 +52,7 @@ class Host {
   [[nodiscard]] std::size_t visitors() const;
   [[nodiscard]] world::World& world() noexcept { return world_; }
   [[nodiscard]] pipeline::Timeline& timeline() noexcept { return timeline_; }
+  [[nodiscard]] const pipeline::MemoryLedger& memory() const noexcept { return memory_; }
   [[nodiscard]] pipeline::Executor& workers() noexcept { return workers_; }
   [[nodiscard]] const HostOptions& options() const noexcept { return options_; }
 
@@ -60,6 +66,7 @@ class Host {
   gl::Workers& gl_;
   const HostOptions options_;
   pipeline::Timeline timeline_;
+  pipeline::MemoryLedger memory_;
   node::ImagePool images_;
   world::World world_;
   std::unique_ptr<node::Transport> transport_;

@@ -57,8 +57,8 @@ class Nodes : public ::testing::Test {
  protected:
   Nodes() : world(makeWorld()) {
     backend = std::make_unique<BackendNode>(
-        registry.type(0), 0, BackendServices{world, workers, gl, timeline, images, [](std::string_view, float) {}},
-        transport);
+        registry.type(0), 0,
+        BackendServices{world, workers, gl, timeline, memory, images, [](std::string_view, float) {}}, transport);
   }
   ~Nodes() override {
     backend->close();
@@ -95,12 +95,13 @@ position = [0, 1.7, -4]
           view.camera.pose = {{0, 1.7F, 0}, yaw, 0};
           return view;
         },
-        screen, FrontendServices{world, registry, transport, workers, timeline, images});
+        screen, FrontendServices{world, registry, transport, workers, timeline, memory, images});
   }
 
   std::shared_ptr<testing::BoxControls> controls = std::make_shared<testing::BoxControls>();
   Registry registry;
   pipeline::Timeline timeline;
+  pipeline::MemoryLedger memory;
   ImagePool images;
   gl::ShaderLibrary shaders;
   gl::Workers gl{gl::ContextKind::kAuto, shaders, 1};

@@ -21,6 +21,7 @@ struct FrontendServices {
   Transport& transport;
   pipeline::Executor& workers;
   pipeline::Timeline& timeline;
+  pipeline::MemoryLedger& memory;
   ImagePool& images;
 };
 

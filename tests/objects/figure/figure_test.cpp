@@ -44,7 +44,7 @@ class FigureTest : public testing::Test {
  protected:
   std::vector<node::Payload> ask(const std::shared_ptr<node::FrameList>& list,
                                  mesh::RendererKind kind = mesh::RendererKind::kAuto) {
-    FigureBackend half({world_, workers_, gl_, timeline_, images_, {}}, kind);
+    FigureBackend half({world_, workers_, gl_, timeline_, memory_, images_, {}}, kind);
     std::vector<node::Request> requests;
     for (std::uint32_t i = 0; i < list->objects.size(); ++i) requests.push_back({list, i});
     std::vector<node::Payload> payloads(requests.size());
@@ -62,6 +62,7 @@ class FigureTest : public testing::Test {
   gl::Workers gl_{gl::ContextKind::kAuto, shaders_, 1};
   pipeline::WorkerPool workers_{1};
   pipeline::Timeline timeline_;
+  pipeline::MemoryLedger memory_;
   node::ImagePool images_;
 };
 

@@ -18,10 +18,11 @@ struct Bench {
   gl::Workers gl{gl::ContextKind::kAuto, shaders, 1};
   pipeline::WorkerPool workers{2};
   pipeline::Timeline timeline;
+  pipeline::MemoryLedger memory;
   node::ImagePool images;
 
   [[nodiscard]] node::BackendServices services(world::World& world) {
-    return {world, workers, gl, timeline, images, {}};
+    return {world, workers, gl, timeline, memory, images, {}};
   }
 };
 
