@@ -28,6 +28,8 @@ void addServe(CLI::App& app, ServeOptions& options) {
   serve->add_option("--frames-in-flight", options.host.framesInFlight, "Frames of a visitor that are made at once")
       ->check(CLI::Range(1, 8))
       ->capture_default_str();
+  serve->add_flag("--private", options.host.privateWorlds,
+                  "Each visitor gets copies of his own of everything: what serving costs without sharing");
   serve->add_option("--fps", options.host.framesPerSecond, "Frames a second for each visitor")
       ->check(CLI::Range(1, 120))
       ->capture_default_str();

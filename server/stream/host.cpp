@@ -1,36 +1,31 @@
 #include "stream/host.h"
 
 #include <algorithm>
+#include <cassert>
 #include <chrono>
-#include <future>
-#include <set>
+#include <exception>
+#include <string>
 #include <utility>
 
 #include "gl/workers.h"
 #include "node/transport/in_process.h"
+#include "pipeline/log.h"
 
 namespace grove::stream {
 
 Host::Host(world::World::Layout layout, const node::Registry& registry, gl::Workers& gl, const HostOptions& options,
            const std::function<void(std::string_view, float)>& progress)
-    : registry_(registry),
+    : layout_(std::move(layout)),
+      players_(world::World::makePlayers(layout_)),
+      registry_(registry),
       gl_(gl),
       options_(options),
-      world_(std::move(layout)),
-      transport_(std::make_unique<node::InProcessTransport>()),
       workers_(static_cast<int>(std::max(1U, std::thread::hardware_concurrency()))) {
-  const node::BackendServices services{world_, workers_, gl_, timeline_, memory_, images_, progress};
-  std::set<world::TypeIndex> types;
-  for (const world::Object& object : world_.objects()) types.insert(object.type);
-  if (world_.visitor()) types.insert(world_.visitor()->type);
-  std::vector<std::future<std::unique_ptr<node::BackendNode>>> prepared;
-  prepared.reserve(types.size());
-  for (const world::TypeIndex type : types) {
-    prepared.push_back(std::async(std::launch::async, [this, type, services] {
-      return std::make_unique<node::BackendNode>(registry_.type(type), type, services, *transport_);
-    }));
+  if (options_.privateWorlds) {
+    preparer_ = std::make_unique<pipeline::WorkerPool>(1, "grove-prepare");
+  } else {
+    shared_ = makeCopy(progress);
   }
-  for (auto& backend : prepared) backends_.push_back(backend.get());
   clock_ = std::thread([this] { runClock(); });
 }
 
@@ -46,11 +41,22 @@ Host::~Host() {
   clockWake_.notify_all();
   clock_.join();
   for (const auto& session : open) session->close();
-  for (const auto& backend : backends_) backend->close();
-  // Runs in progress use the backends; with every queue closed, none can start after these.
+  open.clear();
   pipeline::drain(workers_);
-  pipeline::drain(gl_);
-  pipeline::drain(workers_);
+  preparer_.reset();
+  shared_.reset();
+}
+
+std::unique_ptr<WorldCopy> Host::makeCopy(const std::function<void(std::string_view, float)>& progress) {
+  auto transport = options_.makeTransport ? options_.makeTransport() : std::make_unique<node::InProcessTransport>();
+  return std::make_unique<WorldCopy>(
+      WorldGround{layout_, players_, registry_, workers_, gl_, timeline_, memory_, images_}, std::move(transport),
+      progress);
+}
+
+world::World& Host::world() noexcept {
+  assert(shared_ && "in private mode there is no world of all");
+  return shared_->world();
 }
 
 std::variant<std::shared_ptr<Session>, Refusal> Host::open(const Hello& hello, FrameSink sink) {
@@ -66,25 +72,49 @@ std::variant<std::shared_ptr<Session>, Refusal> Host::open(const Hello& hello, F
     sessions_[id] = {};  // keeps the place
   }
   const std::string name = hello.name.empty() ? "Visitor " + std::to_string(id) : hello.name;
-  const world::PlayerId player = world_.players().join(name, world::World::now());
+  const world::PlayerId player = players_->join(name, world::World::now());
   const auto session = std::make_shared<Session>(*this, id, player, width, height, std::move(sink));
-  session->begin();
   {
     const std::lock_guard lock(mutex_);
     sessions_[id] = session;
+  }
+  if (options_.privateWorlds) {
+    preparePrivately(session);
+  } else {
+    begin(session, shared_);
+  }
+  return session;
+}
+
+void Host::begin(const std::shared_ptr<Session>& session, std::shared_ptr<WorldCopy> copy) {
+  session->begin(std::move(copy));
+  {
+    const std::lock_guard lock(mutex_);
     sessionsChanged_ = true;
   }
   clockWake_.notify_all();
-  return session;
+}
+
+void Host::preparePrivately(const std::shared_ptr<Session>& session) {
+  // Not by the member: the pool still runs what is queued while the member goes.
+  pipeline::WorkerPool* const preparer = preparer_.get();
+  preparer->post([this, preparer, weak = std::weak_ptr(session)] {
+    if (weak.expired()) return;
+    try {
+      // The last reference may go on any thread, a worker's too, and there one must not wait for the workers.
+      const std::shared_ptr<WorldCopy> copy(makeCopy([](std::string_view, float) {}).release(),
+                                            [preparer](WorldCopy* made) { preparer->post([made] { delete made; }); });
+      if (const auto waiting = weak.lock()) begin(waiting, copy);
+    } catch (const std::exception& e) {
+      log::error(std::string("cannot make a world for a visitor: ") + e.what());
+      if (const auto waiting = weak.lock()) waiting->close();
+    }
+  });
 }
 
 std::size_t Host::visitors() const {
   const std::lock_guard lock(mutex_);
   return sessions_.size();
-}
-
-node::FrontendServices Host::frontendServices() {
-  return {world_, registry_, *transport_, workers_, timeline_, memory_, images_};
 }
 
 void Host::remove(node::SessionId id) {

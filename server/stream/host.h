@@ -8,14 +8,14 @@
 #include <thread>
 #include <variant>
 
-#include "node/backend/backend_node.h"
-#include "node/frontend/frontend_node.h"
 #include "node/image.h"
 #include "node/registry.h"
 #include "node/transport/transport.h"
+#include "pipeline/memory_ledger.h"
 #include "pipeline/timeline.h"
 #include "pipeline/worker_pool.h"
 #include "stream/session.h"
+#include "stream/world_copy.h"
 #include "world/world.h"
 
 namespace grove::stream {
@@ -34,23 +34,25 @@ struct HostOptions {
   std::function<std::unique_ptr<node::Transport>()> makeTransport;
 };
 
-/// One living world and everybody in it: owns the world, the backend nodes, the workers, the frame clock and the
-/// sessions. Knows no sockets.
+/// One living world and everybody in it: owns the world with its backend nodes (in private mode: every visitor's), the
+/// workers, the frame clock and the sessions. Knows no sockets.
 class Host {
  public:
-  /// Prepares the backends, all at once, which may take seconds; throws what they throw. `progress` is called from any
-  /// thread.
+  /// Prepares the world, which may take seconds; throws what backends throw. `progress` is called from any thread.
   Host(world::World::Layout layout, const node::Registry& registry, gl::Workers& gl, const HostOptions& options,
        const std::function<void(std::string_view, float)>& progress);
   ~Host();
   Host(const Host&) = delete;
   Host& operator=(const Host&) = delete;
 
-  /// Lets a visitor in, or says why not.
+  /// Lets a visitor in, or says why not. In private mode the first frame comes when his world is ready.
   [[nodiscard]] std::variant<std::shared_ptr<Session>, Refusal> open(const Hello& hello, FrameSink sink);
 
   [[nodiscard]] std::size_t visitors() const;
-  [[nodiscard]] world::World& world() noexcept { return world_; }
+  [[nodiscard]] const world::World::Layout& layout() const noexcept { return layout_; }
+  [[nodiscard]] world::Players& players() noexcept { return *players_; }
+  /// The world that everybody is in; not in private mode.
+  [[nodiscard]] world::World& world() noexcept;
   [[nodiscard]] pipeline::Timeline& timeline() noexcept { return timeline_; }
   [[nodiscard]] const pipeline::MemoryLedger& memory() const noexcept { return memory_; }
   [[nodiscard]] pipeline::Executor& workers() noexcept { return workers_; }
@@ -59,17 +61,19 @@ class Host {
  private:
   friend class Session;
   void remove(node::SessionId id);
-  [[nodiscard]] node::FrontendServices frontendServices();
+  void begin(const std::shared_ptr<Session>& session, std::shared_ptr<WorldCopy> copy);
+  void preparePrivately(const std::shared_ptr<Session>& session);
+  [[nodiscard]] std::unique_ptr<WorldCopy> makeCopy(const std::function<void(std::string_view, float)>& progress);
   void runClock();
 
+  const world::World::Layout layout_;
+  const std::shared_ptr<world::Players> players_;
   const node::Registry& registry_;
   gl::Workers& gl_;
   const HostOptions options_;
   pipeline::Timeline timeline_;
   pipeline::MemoryLedger memory_;
   node::ImagePool images_;
-  world::World world_;
-  std::unique_ptr<node::Transport> transport_;
 
   mutable std::mutex mutex_;
   std::condition_variable clockWake_;
@@ -79,7 +83,9 @@ class Host {
   node::SessionId nextSession_ = 1;
 
   pipeline::WorkerPool workers_;
-  std::vector<std::unique_ptr<node::BackendNode>> backends_;
+  std::shared_ptr<WorldCopy> shared_;  ///< null in private mode
+  /// Private mode: where worlds are made and taken apart, one at a time.
+  std::unique_ptr<pipeline::WorkerPool> preparer_;
   std::thread clock_;
 };
 

@@ -7,6 +7,7 @@
 #include "stream/encode_stage.h"
 #include "stream/host.h"
 #include "stream/jpeg_encoder.h"
+#include "stream/world_copy.h"
 
 namespace grove::stream {
 namespace {
@@ -41,15 +42,15 @@ Session::Session(Host& host, node::SessionId id, world::PlayerId player, int wid
 
 Session::~Session() { close(); }
 
-void Session::begin() {
+void Session::begin(std::shared_ptr<WorldCopy> copy) {
   const std::weak_ptr<Session> weak = weak_from_this();
-  encoder_ = std::make_shared<EncodeStage>(
+  auto encoder = std::make_shared<EncodeStage>(
       std::make_unique<JpegEncoder>(host_.options().jpegQuality),
       [weak](const std::shared_ptr<const EncodedFrame>& frame) {
         if (const auto self = weak.lock()) self->deliver(frame);
       },
       host_.workers(), host_.timeline());
-  node_ = std::make_unique<node::FrontendNode>(
+  auto node = std::make_unique<node::FrontendNode>(
       id_, host_.options().framesInFlight,
       [weak](node::FrameNumber frame) {
         const auto self = weak.lock();
@@ -58,15 +59,20 @@ void Session::begin() {
         nothing.frame = frame;
         return nothing;
       },
-      encoder_, host_.frontendServices());
+      encoder, copy->frontendServices());
+  const std::lock_guard lock(mutex_);
+  if (closed_) return;
+  copy_ = std::move(copy);
+  encoder_ = std::move(encoder);
+  node_ = std::move(node);
 }
 
 Welcome Session::welcome() const {
   Welcome welcome;
   welcome.framesPerSecond = static_cast<std::uint16_t>(host_.options().framesPerSecond);
   welcome.visitor = player_;
-  welcome.world = host_.world().name();
-  if (const auto player = host_.world().players().find(player_, world::World::now())) {
+  welcome.world = host_.layout().name;
+  if (const auto player = host_.players().find(player_, world::World::now())) {
     welcome.colour = player->colour;
     welcome.yaw = player->pose.yaw;
     welcome.pitch = player->pose.pitch;
@@ -76,7 +82,7 @@ Welcome Session::welcome() const {
 
 std::optional<Refusal> Session::input(const world::Input& input) {
   const double now = world::World::now();
-  world::Players& players = host_.world().players();
+  world::Players& players = host_.players();
   const auto before = players.find(player_, now);
   if (!players.apply(player_, input, now)) {
     return Refusal{CloseCode::kProtocolError, "the direction of an input is not a number"};
@@ -107,14 +113,20 @@ void Session::acknowledge(const Ack& ack) {
 }
 
 void Session::close() {
+  std::shared_ptr<WorldCopy> copy;  // goes last: what the others do in their last runs is done to it
+  std::shared_ptr<EncodeStage> encoder;
+  std::unique_ptr<node::FrontendNode> node;
   {
     const std::lock_guard lock(mutex_);
     if (closed_) return;
     closed_ = true;
+    copy = std::move(copy_);
+    encoder = std::move(encoder_);
+    node = std::move(node_);
   }
-  if (node_) node_->close();
-  if (encoder_) encoder_->close();
-  host_.world().players().leave(player_);
+  if (node) node->close();
+  if (encoder) encoder->close();
+  host_.players().leave(player_);
   host_.remove(id_);
 }
 
@@ -128,7 +140,7 @@ double Session::secondsSinceAcknowledgement(double now) const {
 double Session::startIfDue(double now) {
   const double period = 1.0 / host_.options().framesPerSecond;
   const std::lock_guard lock(mutex_);
-  if (closed_) return now + 1.0;
+  if (closed_ || !node_) return now + 1.0;
   if (now < nextDue_) return nextDue_;
   // A frame that cannot start stays due: the acknowledgement or one of the next looks starts it.
   const bool started = unacknowledged_.size() < kMostUnacknowledged && node_->requestFrame();
@@ -138,11 +150,13 @@ double Session::startIfDue(double now) {
 }
 
 node::View Session::look(node::FrameNumber frame) {
-  world::World& world = host_.world();
   const double now = world::World::now();
   node::View view;
   view.session = id_;
   view.frame = frame;
+  const std::shared_ptr<WorldCopy> copy = currentCopy();
+  if (!copy) return view;
+  world::World& world = copy->world();
   view.viewer = player_;
   view.time = now;
   view.players = world.players().all(now);
@@ -163,7 +177,12 @@ void Session::blow(const world::Pose& pose) {
   world::Gust gust;
   gust.origin = pose.position;
   gust.direction = pose.forward();
-  host_.world().edits().add(gust);
+  if (const auto copy = currentCopy()) copy->world().edits().add(gust);
+}
+
+std::shared_ptr<WorldCopy> Session::currentCopy() const {
+  const std::lock_guard lock(mutex_);
+  return copy_;
 }
 
 void Session::deliver(const std::shared_ptr<const EncodedFrame>& frame) {

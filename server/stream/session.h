@@ -21,6 +21,7 @@ namespace grove::stream {
 
 class Host;
 class EncodeStage;
+class WorldCopy;
 
 /// Receives each new frame, on a worker thread; must not block. A newer frame replaces one that was not sent yet.
 using FrameSink = std::function<void(std::shared_ptr<const EncodedFrame>)>;
@@ -55,21 +56,24 @@ class Session : public std::enable_shared_from_this<Session> {
 
  private:
   friend class Host;
-  void begin();
+  /// Starts to deliver frames of this world.
+  void begin(std::shared_ptr<WorldCopy> copy);
   [[nodiscard]] node::View look(node::FrameNumber frame);
   double startIfDue(double now);
   void deliver(const std::shared_ptr<const EncodedFrame>& frame);
   void blow(const world::Pose& pose);
+  [[nodiscard]] std::shared_ptr<WorldCopy> currentCopy() const;
 
   Host& host_;
   const node::SessionId id_;
   const world::PlayerId player_;
   const FrameSink sink_;
-  std::unique_ptr<node::FrontendNode> node_;
-  std::shared_ptr<EncodeStage> encoder_;
 
   mutable std::mutex mutex_;
   bool closed_ = false;
+  std::shared_ptr<WorldCopy> copy_;  ///< null until it is ready, and once closed
+  std::shared_ptr<EncodeStage> encoder_;
+  std::unique_ptr<node::FrontendNode> node_;
   int width_;
   int height_;
   double nextDue_ = 0.0;

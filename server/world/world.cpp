@@ -31,12 +31,16 @@ std::vector<Obstacle> gatherObstacles(const std::vector<Object>& objects) {
 
 }  // namespace
 
-World::World(Layout layout)
+World::World(Layout layout, std::shared_ptr<Players> players)
     : layout_(std::move(layout)),
       solids_(gather(layout_.objects, &Model::solid)),
       shades_(gather(layout_.objects, &Model::shade)),
       rays_(shades_),
-      players_(layout_.spawn, layout_.spawnYaw, layout_.radius, gatherObstacles(layout_.objects)) {}
+      players_(players ? std::move(players) : makePlayers(layout_)) {}
+
+std::shared_ptr<Players> World::makePlayers(const Layout& layout) {
+  return std::make_shared<Players>(layout.spawn, layout.spawnYaw, layout.radius, gatherObstacles(layout.objects));
+}
 
 std::optional<Object> World::objectOf(const Player& player) const {
   if (!layout_.visitor) return std::nullopt;

@@ -31,7 +31,11 @@ class World {
     float spawnYaw = 0.0F;
     float radius = 30.0F;
   };
-  explicit World(Layout layout);
+  /// `players`: the roster, where several copies of a world share it; null: one of its own.
+  explicit World(Layout layout, std::shared_ptr<Players> players = nullptr);
+
+  /// An empty roster for worlds of this layout.
+  [[nodiscard]] static std::shared_ptr<Players> makePlayers(const Layout& layout);
 
   [[nodiscard]] const std::string& name() const noexcept { return layout_.name; }
   [[nodiscard]] const std::vector<Object>& objects() const noexcept { return layout_.objects; }
@@ -45,7 +49,7 @@ class World {
   [[nodiscard]] const Triangles& shades() const noexcept { return shades_; }
   [[nodiscard]] const RayScene& rays() const noexcept { return rays_; }
 
-  [[nodiscard]] Players& players() noexcept { return players_; }
+  [[nodiscard]] Players& players() noexcept { return *players_; }
   [[nodiscard]] Edits& edits() noexcept { return edits_; }
 
   /// The object that shows a visitor to the others.
@@ -62,7 +66,7 @@ class World {
   const RayScene solids_;
   const Triangles shades_;
   const RayScene rays_;
-  Players players_;
+  const std::shared_ptr<Players> players_;
   Edits edits_;
 };
 

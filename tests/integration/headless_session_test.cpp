@@ -65,11 +65,11 @@ TEST_F(HeadlessSessions, FramesComeInTheAskedSizeAndFollowResizes) {
 
 TEST_F(HeadlessSessions, WalkingChangesTheView) {
   HeadlessSession a(served.host, "a", 320, 180);
-  const auto before = served.host.world().players().all(world::World::now())[0].pose.position;
+  const auto before = served.host.players().all(world::World::now())[0].pose.position;
   (void)pictureAfter(a, world::kForward | world::kRun, 0.0F);
   std::this_thread::sleep_for(600ms);
   (void)pictureAfter(a, 0, 0.0F);
-  const auto after = served.host.world().players().all(world::World::now())[0].pose.position;
+  const auto after = served.host.players().all(world::World::now())[0].pose.position;
   EXPECT_LT(after.z, before.z - 1.0F);
 }
 
@@ -83,7 +83,7 @@ TEST_F(HeadlessSessions, AGustByOneIsSeenByTheOther) {
   std::this_thread::sleep_for(1500ms);
   (void)pictureAfter(blower, 0, 0.0F);
   std::this_thread::sleep_for(300ms);
-  const auto at = served.host.world().players().all(world::World::now())[0].pose.position;
+  const auto at = served.host.players().all(world::World::now())[0].pose.position;
   const float towardsFire = std::atan2(at.x, at.z);
   // The plume wanders by itself, so the gust has to push it farther than it ever went.
   const auto plume = [&] { return pictureAfter(witness, 0, 0.0F).middle(0.3, 0.7); };
@@ -126,7 +126,7 @@ TEST_F(HeadlessSessions, WhoLeavesFreesItsPlace) {
     EXPECT_EQ(served.host.visitors(), 1u);
   }
   EXPECT_EQ(served.host.visitors(), 0u);
-  EXPECT_EQ(served.host.world().players().count(), 0u);
+  EXPECT_EQ(served.host.players().count(), 0u);
 }
 
 TEST(FitSize, KeepsTheShapeWithinBounds) {

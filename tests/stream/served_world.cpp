@@ -42,7 +42,7 @@ ServedWorld::ServedWorld()
 
 bool ServedWorld::becomesEmpty() {
   for (int i = 0; i < 500; ++i) {
-    if (host_.visitors() == 0 && host_.world().players().count() == 0) return true;
+    if (host_.visitors() == 0 && host_.players().count() == 0) return true;
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }
   return false;

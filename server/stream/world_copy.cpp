@@ -1,0 +1,41 @@
+#include "stream/world_copy.h"
+
+#include <future>
+#include <set>
+#include <utility>
+
+#include "gl/workers.h"
+
+namespace grove::stream {
+
+WorldCopy::WorldCopy(const WorldGround& ground, std::unique_ptr<node::Transport> transport,
+                     const std::function<void(std::string_view, float)>& progress)
+    : ground_(ground), world_(ground.layout, ground.players), transport_(std::move(transport)) {
+  const node::BackendServices services{world_,        ground.workers, ground.gl, ground.timeline,
+                                       ground.memory, ground.images,  progress};
+  std::set<world::TypeIndex> types;
+  for (const world::Object& object : world_.objects()) types.insert(object.type);
+  if (world_.visitor()) types.insert(world_.visitor()->type);
+  std::vector<std::future<std::unique_ptr<node::BackendNode>>> prepared;
+  prepared.reserve(types.size());
+  for (const world::TypeIndex type : types) {
+    prepared.push_back(std::async(std::launch::async, [this, type, services] {
+      return std::make_unique<node::BackendNode>(ground_.registry.type(type), type, services, *transport_);
+    }));
+  }
+  for (auto& backend : prepared) backends_.push_back(backend.get());
+}
+
+WorldCopy::~WorldCopy() {
+  for (const auto& backend : backends_) backend->close();
+  // Runs in progress use the backends; with every queue closed, none can start after these.
+  pipeline::drain(ground_.workers);
+  pipeline::drain(ground_.gl);
+  pipeline::drain(ground_.workers);
+}
+
+node::FrontendServices WorldCopy::frontendServices() {
+  return {world_, ground_.registry, *transport_, ground_.workers, ground_.timeline, ground_.memory, ground_.images};
+}
+
+}  // namespace grove::stream

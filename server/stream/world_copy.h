@@ -1,0 +1,55 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include "node/backend/backend_node.h"
+#include "node/frontend/frontend_node.h"
+#include "node/image.h"
+#include "node/registry.h"
+#include "node/transport/transport.h"
+#include "pipeline/memory_ledger.h"
+#include "pipeline/timeline.h"
+#include "world/world.h"
+
+namespace grove::stream {
+
+/// What all copies of a world stand on: the machine, and the roster of who is here. All of it outlives them.
+struct WorldGround {
+  const world::World::Layout& layout;
+  std::shared_ptr<world::Players> players;
+  const node::Registry& registry;
+  pipeline::Executor& workers;
+  gl::Workers& gl;
+  pipeline::Timeline& timeline;
+  pipeline::MemoryLedger& memory;
+  node::ImagePool& images;
+};
+
+/// A world with the backend nodes that own its objects: all across-user state. There is one for everybody, or, in
+/// private mode, one for each visitor.
+class WorldCopy {
+ public:
+  /// Prepares the backends, all at once, which may take seconds; throws what they throw. Not on one of the executors'
+  /// threads. `progress` is called from any thread.
+  WorldCopy(const WorldGround& ground, std::unique_ptr<node::Transport> transport,
+            const std::function<void(std::string_view, float)>& progress);
+
+  /// Waits for the runs in progress, so not on one of the executors' threads.
+  ~WorldCopy();
+  WorldCopy(const WorldCopy&) = delete;
+  WorldCopy& operator=(const WorldCopy&) = delete;
+
+  [[nodiscard]] world::World& world() noexcept { return world_; }
+  [[nodiscard]] node::FrontendServices frontendServices();
+
+ private:
+  const WorldGround ground_;
+  world::World world_;
+  const std::unique_ptr<node::Transport> transport_;
+  std::vector<std::unique_ptr<node::BackendNode>> backends_;
+};
+
+}  // namespace grove::stream

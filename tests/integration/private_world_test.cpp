@@ -1,0 +1,162 @@
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <thread>
+
+#include "integration/picture.h"
+#include "integration/served_scene.h"
+#include "node/transport/in_process.h"
+#include "objects/fluid/snapshot.h"
+#include "stream/headless_session.h"
+
+namespace grove::integration {
+namespace {
+
+using objects::fluid::FluidSnapshot;
+using Snapshot = std::shared_ptr<const FluidSnapshot>;
+
+const std::string kFire = R"(
+name = "fire"
+spawn = [0, 0, 6]
+[visitor]
+type = "figure"
+[[object]]
+type = "fluid"
+grid = 32
+size = 8
+wind = [0, 0, 0]
+)";
+
+/// What simulations answered last, by session.
+class Answers {
+ public:
+  void put(node::SessionId session, Snapshot snapshot) {
+    const std::lock_guard lock(mutex_);
+    newest_[session] = std::move(snapshot);
+  }
+  [[nodiscard]] Snapshot of(node::SessionId session) const {
+    const std::lock_guard lock(mutex_);
+    const auto found = newest_.find(session);
+    return found == newest_.end() ? nullptr : found->second;
+  }
+
+ private:
+  mutable std::mutex mutex_;
+  std::map<node::SessionId, Snapshot> newest_;
+};
+
+/// The wire of one process, with somebody listening in.
+class TappedTransport final : public node::Transport {
+ public:
+  explicit TappedTransport(std::shared_ptr<Answers> answers) : answers_(std::move(answers)) {}
+  void connectBackend(world::TypeIndex type, std::shared_ptr<pipeline::Inlet<node::Request>> receiver) override {
+    wire_.connectBackend(type, std::move(receiver));
+  }
+  void connectFrontend(node::SessionId session, std::weak_ptr<pipeline::Inlet<node::Result>> receiver) override {
+    wire_.connectFrontend(session, std::move(receiver));
+  }
+  void disconnectFrontend(node::SessionId session) override { wire_.disconnectFrontend(session); }
+  pipeline::PushResult send(node::Request request) override { return wire_.send(std::move(request)); }
+  void send(node::Result result) override {
+    if (const auto* data = std::get_if<std::shared_ptr<const node::SimulationData>>(&result.payload)) {
+      if (auto snapshot = std::dynamic_pointer_cast<const FluidSnapshot>(*data)) {
+        answers_->put(result.session, std::move(snapshot));
+      }
+    }
+    wire_.send(std::move(result));
+  }
+  [[nodiscard]] node::Payload compress(node::Payload payload) const override { return payload; }
+  [[nodiscard]] node::Payload decompress(node::Payload payload) const override { return payload; }
+
+ private:
+  const std::shared_ptr<Answers> answers_;
+  node::InProcessTransport wire_;
+};
+
+stream::HostOptions tapped(bool privateWorlds, const std::shared_ptr<Answers>& answers) {
+  stream::HostOptions options;
+  options.privateWorlds = privateWorlds;
+  options.makeTransport = [answers] { return std::make_unique<TappedTransport>(answers); };
+  return options;
+}
+
+/// Mean speed of the particles to one side; a gust makes it large.
+double meanSpeedAlong(const FluidSnapshot& snapshot) {
+  double sum = 0.0;
+  for (const float speed : snapshot.velocityZ) sum += std::abs(static_cast<double>(speed));
+  return sum / static_cast<double>(std::max<std::size_t>(1, snapshot.count()));
+}
+
+/// Two visitors, of whom the first blows at the fire for a while; what each has seen of it last.
+struct Seen {
+  Snapshot blower;
+  Snapshot other;
+};
+Seen afterOneBlew(bool privateWorlds) {
+  const auto answers = std::make_shared<Answers>();
+  ServedScene served(kFire, tapped(privateWorlds, answers));
+  stream::HeadlessSession a(served.host, "a", 160, 90);
+  stream::HeadlessSession b(served.host, "b", 160, 90);
+  EXPECT_TRUE(a.frameAfter(0, kPatience));
+  EXPECT_TRUE(b.frameAfter(0, kPatience));
+  a.control(world::kBlow, 0.0F, 0.0F);
+  b.control(0, 0.0F, 0.0F);
+  for (int i = 0; i < 60; ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  return {answers->of(1), answers->of(2)};
+}
+
+TEST(PrivateWorlds, EachVisitorHasASimulationOfHisOwn) {
+  const auto [blower, other] = afterOneBlew(true);
+  ASSERT_TRUE(blower);
+  ASSERT_TRUE(other);
+  EXPECT_NE(blower, other);
+  EXPECT_GT(meanSpeedAlong(*blower), 2.0 * meanSpeedAlong(*other)) << "one's breath does not reach the other's fire";
+}
+
+TEST(PrivateWorlds, SharedOnesAreOne) {
+  const auto [blower, other] = afterOneBlew(false);
+  ASSERT_TRUE(blower);
+  ASSERT_TRUE(other);
+  EXPECT_LT(meanSpeedAlong(*blower), 2.0 * meanSpeedAlong(*other)) << "both see what one did";
+}
+
+TEST(PrivateWorlds, TickEachOnAClockOfItsOwn) {
+  const auto answers = std::make_shared<Answers>();
+  ServedScene served(kFire, tapped(true, answers));
+  EXPECT_EQ(served.host.timeline().totals().count("Simulation Tick"), 0u) << "nobody is here, nothing ticks";
+  auto a = std::make_unique<stream::HeadlessSession>(served.host, "a", 160, 90);
+  stream::HeadlessSession b(served.host, "b", 160, 90);
+  ASSERT_TRUE(a->frameAfter(0, kPatience));
+  ASSERT_TRUE(b.frameAfter(0, kPatience));
+  a.reset();  // takes his world along, and only his
+  const Snapshot before = answers->of(2);
+  for (int i = 0; i < 100 && answers->of(2)->tick < before->tick + 5; ++i) {
+    ASSERT_TRUE(b.frameAfter(0, kPatience));
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  EXPECT_GE(answers->of(2)->tick, before->tick + 5);
+}
+
+TEST(PrivateWorlds, VisitorsStillMeet) {
+  ServedScene served(kFire, tapped(true, std::make_shared<Answers>()));
+  stream::HeadlessSession a(served.host, "a", 160, 90);
+  stream::HeadlessSession b(served.host, "b", 160, 90);
+  const auto frame = a.frameAfter(0, kPatience);
+  ASSERT_TRUE(frame);
+  EXPECT_EQ(frame->header.visitors, 2);
+}
+
+TEST(PrivateWorlds, LetAVisitorGoWhoseWorldIsNotReady) {
+  ServedScene served(kFire, tapped(true, std::make_shared<Answers>()));
+  for (int i = 0; i < 3; ++i) const stream::HeadlessSession gone(served.host, "gone", 160, 90);
+  EXPECT_EQ(served.host.visitors(), 0u);
+}
+
+}  // namespace
+}  // namespace grove::integration
