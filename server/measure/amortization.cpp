@@ -22,6 +22,7 @@ double milliseconds(std::int64_t nanoseconds) { return static_cast<double>(nanos
 
 FrameCost& FrameCost::operator+=(const FrameCost& more) noexcept {
   acrossUser += more.acrossUser;
+  onDemand += more.onDemand;
   backend += more.backend;
   compressor += more.compressor;
   frontend += more.frontend;
@@ -59,7 +60,7 @@ Reading Reading::of(const pipeline::Timeline& timeline) {
 
 std::map<std::string, FrameCost> frameCosts(const Reading& before, const Reading& after, const Served& served) {
   const double frames = std::max(1.0, served.frames);
-  const double framesOfOne = frames / std::max(1, served.visitors);
+  const double framesOfOne = frames / std::max(1.0, served.visitors);
   const double copies = std::max(1, served.copies);
   std::map<std::string, FrameCost> costs;
   for (const auto& [key, total] : after.costs) {
@@ -74,6 +75,7 @@ std::map<std::string, FrameCost> frameCosts(const Reading& before, const Reading
           cost.acrossUser += runs > 0.0 ? cpu / runs * kTicksPerSecond / served.framesPerSecond : 0.0;
         } else {
           cost.acrossUser += cpu / framesOfOne / copies;
+          cost.onDemand += cpu / framesOfOne / copies;
         }
         break;
       case pipeline::Work::kPerUserBackend:

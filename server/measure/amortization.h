@@ -12,6 +12,7 @@ namespace grove::measure {
 /// CPU milliseconds that one frame of one visitor needs.
 struct FrameCost {
   double acrossUser = 0.0;  ///< c_i: in one frame's time, however many visitors share it
+  double onDemand = 0.0;    ///< the part of c_i that is done because somebody looks, not by a clock
   double backend = 0.0;     ///< c_b0: on backend nodes, for this visitor, without compression
   double compressor = 0.0;  ///< what compression adds to c_b0
   double frontend = 0.0;    ///< c_f
@@ -43,7 +44,7 @@ struct Reading {
 
 /// Who was served between two readings.
 struct Served {
-  int visitors = 0;
+  double visitors = 0.0;          ///< mean
   double frames = 0.0;            ///< of all visitors together
   int copies = 1;                 ///< of the across-user state: one if it is shared
   double framesPerSecond = 30.0;  ///< that each visitor is meant to get

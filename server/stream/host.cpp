@@ -12,6 +12,11 @@
 #include "pipeline/log.h"
 
 namespace grove::stream {
+namespace {
+
+constexpr double kSampleSeconds = 1.0;
+
+}  // namespace
 
 Host::Host(world::World::Layout layout, const node::Registry& registry, gl::Workers& gl, const HostOptions& options,
            const std::function<void(std::string_view, float)>& progress)
@@ -20,6 +25,7 @@ Host::Host(world::World::Layout layout, const node::Registry& registry, gl::Work
       registry_(registry),
       gl_(gl),
       options_(options),
+      meter_(timeline_, memory_, options_.framesPerSecond, options_.privateWorlds),
       workers_(static_cast<int>(std::max(1U, std::thread::hardware_concurrency()))) {
   if (options_.privateWorlds) {
     preparer_ = std::make_unique<pipeline::WorkerPool>(1, "grove-prepare");
@@ -123,6 +129,7 @@ void Host::remove(node::SessionId id) {
 }
 
 void Host::runClock() {
+  double nextSample = world::World::now();
   std::unique_lock lock(mutex_);
   while (!stopping_) {
     std::vector<std::shared_ptr<Session>> open;
@@ -131,7 +138,11 @@ void Host::runClock() {
     }
     lock.unlock();
     const double now = world::World::now();
-    double next = now + 1.0;
+    if (now >= nextSample) {
+      meter_.sample(static_cast<int>(open.size()));
+      nextSample = now + kSampleSeconds;
+    }
+    double next = nextSample;
     for (const auto& session : open) next = std::min(next, session->tick(now));
     open.clear();
     lock.lock();

@@ -8,6 +8,7 @@
 #include <thread>
 #include <variant>
 
+#include "measure/amortization_meter.h"
 #include "node/image.h"
 #include "node/registry.h"
 #include "node/transport/transport.h"
@@ -53,7 +54,9 @@ class Host {
   [[nodiscard]] world::Players& players() noexcept { return *players_; }
   /// The world that everybody is in; not in private mode.
   [[nodiscard]] world::World& world() noexcept;
-  [[nodiscard]] pipeline::Timeline& timeline() noexcept { return timeline_; }
+  [[nodiscard]] const pipeline::Timeline& timeline() const noexcept { return timeline_; }
+  /// Told anew about once a second.
+  [[nodiscard]] const measure::AmortizationMeter& meter() const noexcept { return meter_; }
   [[nodiscard]] const pipeline::MemoryLedger& memory() const noexcept { return memory_; }
   [[nodiscard]] pipeline::Executor& workers() noexcept { return workers_; }
   [[nodiscard]] const HostOptions& options() const noexcept { return options_; }
@@ -73,6 +76,7 @@ class Host {
   const HostOptions options_;
   pipeline::Timeline timeline_;
   pipeline::MemoryLedger memory_;
+  measure::AmortizationMeter meter_;
   node::ImagePool images_;
 
   mutable std::mutex mutex_;

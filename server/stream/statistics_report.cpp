@@ -1,16 +1,21 @@
 #include "stream/statistics_report.h"
 
 #include <nlohmann/json.hpp>
+#include <thread>
+
+#include "measure/process_memory.h"
 
 namespace grove::stream {
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 double milliseconds(std::int64_t nanoseconds) { return static_cast<double>(nanoseconds) * 1e-6; }
 
-}  // namespace
+double megabytes(double bytes) { return bytes / 1.0e6; }
 
-std::string statisticsJson(const pipeline::Timeline& timeline, std::size_t visitors) {
-  nlohmann::ordered_json stages = nlohmann::ordered_json::object();
+Json stages(const pipeline::Timeline& timeline) {
+  Json stages = Json::object();
   for (const auto& [name, total] : timeline.totals()) {
     stages[name] = {{"work", pipeline::toString(total.work)},
                     {"runs", total.runs},
@@ -18,9 +23,71 @@ std::string statisticsJson(const pipeline::Timeline& timeline, std::size_t visit
                     {"cpu_ms", milliseconds(total.cpuNanoseconds)},
                     {"wall_ms", milliseconds(total.wallNanoseconds)}};
   }
-  nlohmann::ordered_json counters = nlohmann::ordered_json::object();
-  for (const auto& [name, value] : timeline.counters()) counters[name] = value;
-  return nlohmann::ordered_json{{"visitors", visitors}, {"stages", stages}, {"counters", counters}}.dump() + "\n";
+  return stages;
+}
+
+Json memory(const pipeline::MemoryLedger& ledger) {
+  Json holders = Json::array();
+  double told = 0.0;
+  for (const auto& [key, total] : ledger.totals()) {
+    told += static_cast<double>(total.bytes);
+    holders.push_back({{"holder", key.holder},
+                       {"type", key.subject},
+                       {"work", pipeline::toString(total.work)},
+                       {"mb", megabytes(static_cast<double>(total.bytes))}});
+  }
+  const auto resident = static_cast<double>(measure::residentBytes());
+  return {{"resident_mb", megabytes(resident)}, {"told_mb", megabytes(told)}, {"holders", holders}};
+}
+
+Json costs(const measure::FrameCost& cost, const measure::MemoryShare& share) {
+  return {{"c_i_ms", cost.acrossUser},
+          {"c_b_ms", cost.backendCompressed()},
+          {"c_f_ms", cost.frontend},
+          {"alpha", measure::alpha1(cost)},
+          {"beta", share.beta()},
+          {"across_user_mb", megabytes(share.acrossUser)},
+          {"per_visitor_mb", megabytes(share.perUserBackend + share.perUserFrontend)}};
+}
+
+Json amortization(const measure::AmortizationMeter& meter) {
+  const auto measured = meter.newest();
+  if (!measured) return nullptr;
+  const auto cores = static_cast<double>(std::max(1U, std::thread::hardware_concurrency()));
+  const measure::Capacity capacity = measure::capacityOf(*measured, meter.nominalFramesPerSecond());
+  Json report = {{"mode", meter.privateWorlds() ? "private" : "shared"},
+                 {"seconds", measured->seconds},
+                 {"visitors", measured->visitors},
+                 {"frames_per_second", measured->framesPerSecond}};
+  report.update(costs(measure::sum(measured->costs), measure::sum(measured->memory)));
+  report.update(
+      Json{{"cpu_cores", measured->cpuCores},
+           {"cores", cores},
+           {"visitor_cores", meter.privateWorlds() ? capacity.privateVisitor : capacity.visitor},
+           {"visitors_fit", meter.privateWorlds() ? capacity.privateVisitorsFit(cores) : capacity.visitorsFit(cores)},
+           {"private_cores", capacity.privateVisitor * measured->visitors},
+           {"private_visitors_fit", capacity.privateVisitorsFit(cores)}});
+  Json types = Json::object();
+  for (const auto& [type, cost] : measured->costs) {
+    const auto share = measured->memory.find(type);
+    types[type] = costs(cost, share == measured->memory.end() ? measure::MemoryShare{} : share->second);
+  }
+  report["types"] = std::move(types);
+  return report;
+}
+
+}  // namespace
+
+std::string statisticsJson(const StatisticsSources& sources) {
+  Json counters = Json::object();
+  for (const auto& [name, value] : sources.timeline.counters()) counters[name] = value;
+  return Json{{"visitors", sources.visitors},
+              {"stages", stages(sources.timeline)},
+              {"counters", counters},
+              {"memory", memory(sources.memory)},
+              {"amortization", amortization(sources.meter)}}
+             .dump() +
+         "\n";
 }
 
 }  // namespace grove::stream

@@ -2,12 +2,23 @@
 
 #include <string>
 
+#include "measure/amortization_meter.h"
+#include "pipeline/memory_ledger.h"
 #include "pipeline/timeline.h"
 
 namespace grove::stream {
 
-/// What `/statistics.json` answers: since the start, for each stage its work (across-user, per-user-backend or
-/// per-user-frontend), runs, failures and milliseconds of CPU and wall time, and the named counters.
-[[nodiscard]] std::string statisticsJson(const pipeline::Timeline& timeline, std::size_t visitors);
+/// What `/statistics.json` tells of.
+struct StatisticsSources {
+  const pipeline::Timeline& timeline;
+  const pipeline::MemoryLedger& memory;
+  const measure::AmortizationMeter& meter;
+  std::size_t visitors = 0;
+};
+
+/// What `/statistics.json` answers. Since the start: for each stage its work (across-user, per-user-backend or
+/// per-user-frontend), runs, failures and milliseconds of CPU and wall time, and the named counters. Of now: the bytes
+/// that are held and by what. Of the last seconds: `amortization`, what sharing saves (null if nobody was served).
+[[nodiscard]] std::string statisticsJson(const StatisticsSources& sources);
 
 }  // namespace grove::stream

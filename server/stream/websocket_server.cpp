@@ -22,9 +22,9 @@
 #include "pipeline/log.h"
 #include "stream/connection.h"
 #include "stream/listen_address.h"
+#include "stream/live_reports.h"
 #include "stream/origin.h"
 #include "stream/printable.h"
-#include "stream/statistics_report.h"
 #include "stream/web_pages.h"
 #include "world/world.h"
 
@@ -309,10 +309,12 @@ int WebsocketServer::Service::answerHttp(lws* wsi) {
   const std::string_view method = !getPath.empty() ? "GET" : !headPath.empty() ? "HEAD" : "another";
   const std::string& path = getPath.empty() ? headPath : getPath;
   PageReply reply = pages_.answer(method, path, header(wsi, WSI_TOKEN_HTTP_IF_NONE_MATCH));
-  std::shared_ptr<const std::string> statistics;
-  if (path == "/statistics.json" && method != "another") {
-    statistics = std::make_shared<const std::string>(statisticsJson(host_.timeline(), host_.visitors()));
-    reply = {200, "application/json", "", *statistics, method == "GET"};
+  std::shared_ptr<const std::string> live;
+  if (method != "another") {
+    if (auto report = liveReport(host_, path)) {
+      live = std::make_shared<const std::string>(std::move(*report));
+      reply = {200, "application/json", "", *live, method == "GET"};
+    }
   }
 
   std::array<unsigned char, LWS_PRE + 2048> buffer{};
@@ -331,7 +333,7 @@ int WebsocketServer::Service::answerHttp(lws* wsi) {
   // Without reading the body of a request one cannot find the next one.
   if (!good || method == "another") return -1;
   if (!reply.sendBody || reply.body.empty()) return finishHttp(wsi);
-  downloads_[wsi] = {reply.body, std::move(statistics)};
+  downloads_[wsi] = {reply.body, std::move(live)};
   lws_callback_on_writable(wsi);
   return 0;
 }

@@ -22,7 +22,7 @@ constexpr std::array<Column, 4> kFigure56 = {{
 
 TEST(Amortization, GivesThePapersFigure56) {
   for (const Column& column : kFigure56) {
-    const FrameCost cost{column.ci, column.cb0, column.cb1 - column.cb0, column.cf};
+    const FrameCost cost{column.ci, 0.0, column.cb0, column.cb1 - column.cb0, column.cf};
     EXPECT_NEAR(cost.backendCompressed(), column.cb1, 1e-12);
     EXPECT_NEAR(alpha0(cost), column.alpha0, 0.005);
     EXPECT_NEAR(alpha1(cost), column.alpha1, 0.005);

@@ -66,6 +66,9 @@ TEST_F(Http, TellsItsStatistics) {
   EXPECT_EQ(statistics.at("visitors"), 0);
   EXPECT_TRUE(statistics.at("stages").is_object());
   EXPECT_TRUE(statistics.at("counters").is_object());
+  EXPECT_TRUE(statistics.at("amortization").is_null()) << "nobody is served";
+  EXPECT_GT(statistics.at("memory").at("resident_mb"), 1.0);
+  EXPECT_TRUE(statistics.at("memory").at("holders").is_array());
   const HttpAnswer head = request(port(), "HEAD", "/statistics.json");
   EXPECT_EQ(head.status, 200);
   EXPECT_TRUE(head.body.empty());

@@ -1,0 +1,75 @@
+#include "measure/amortization_meter.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace grove::measure {
+namespace {
+
+/// Samples that a measurement spans: long enough to be steady, short enough to be live.
+constexpr std::size_t kSpan = 6;
+
+std::uint64_t framesOf(const Reading& reading) {
+  const auto found = reading.costs.find({"Encoder", ""});
+  return found == reading.costs.end() ? 0 : found->second.runs;
+}
+
+int fit(double cores, double base, double visitor) {
+  if (visitor <= 0.0) return 0;
+  return static_cast<int>(std::max(0.0, std::floor((cores - base) / visitor)));
+}
+
+}  // namespace
+
+int Capacity::visitorsFit(double cores) const noexcept { return fit(cores, base, visitor); }
+int Capacity::privateVisitorsFit(double cores) const noexcept { return fit(cores, 0.0, privateVisitor); }
+
+Capacity capacityOf(const Amortization& measured, double nominalFramesPerSecond) {
+  const FrameCost cost = sum(measured.costs);
+  const double coresPerMillisecond = nominalFramesPerSecond / 1000.0;
+  const double frames = measured.visitors * measured.framesPerSecond;
+  const double told = (cost.acrossUser * measured.framesPerSecond + cost.perUser() * frames) / 1000.0;
+  const double untold = frames > 0.0 ? std::max(0.0, measured.cpuCores - told) / frames * nominalFramesPerSecond : 0.0;
+  Capacity capacity;
+  capacity.base = cost.acrossUser * coresPerMillisecond;
+  capacity.visitor = cost.perUser() * coresPerMillisecond + untold;
+  // Alone, a visitor has all the clocked work, and of the work on demand at least his share.
+  const double own = cost.acrossUser - cost.onDemand + cost.onDemand / std::max(1.0, measured.visitors);
+  capacity.privateVisitor = own * coresPerMillisecond + capacity.visitor;
+  return capacity;
+}
+
+AmortizationMeter::AmortizationMeter(const pipeline::Timeline& timeline, const pipeline::MemoryLedger& memory,
+                                     double nominalFramesPerSecond, bool privateWorlds)
+    : timeline_(timeline), memory_(memory), nominal_(nominalFramesPerSecond), privateWorlds_(privateWorlds) {}
+
+void AmortizationMeter::sample(int visitors) {
+  Sample sample{Reading::of(timeline_), 0, visitors};
+  sample.frames = framesOf(sample.reading);
+  const std::lock_guard lock(mutex_);
+  samples_.push_back(std::move(sample));
+  if (samples_.size() > kSpan) samples_.pop_front();
+}
+
+std::optional<Amortization> AmortizationMeter::newest() const {
+  const std::lock_guard lock(mutex_);
+  if (samples_.size() < 2) return std::nullopt;
+  const Sample& first = samples_.front();
+  const Sample& last = samples_.back();
+  const auto frames = static_cast<double>(last.frames - first.frames);
+  Amortization measured;
+  measured.seconds = last.reading.seconds - first.reading.seconds;
+  for (std::size_t i = 1; i < samples_.size(); ++i) measured.visitors += samples_[i].visitors;
+  measured.visitors /= static_cast<double>(samples_.size() - 1);
+  if (frames <= 0.0 || measured.visitors <= 0.0 || measured.seconds <= 0.0) return std::nullopt;
+  measured.framesPerSecond = frames / measured.visitors / measured.seconds;
+  measured.cpuCores = (last.reading.processSeconds - first.reading.processSeconds) / measured.seconds;
+  const int copies = privateWorlds_ ? std::max(1, last.visitors) : 1;
+  measured.costs =
+      frameCosts(first.reading, last.reading,
+                 {.visitors = measured.visitors, .frames = frames, .copies = copies, .framesPerSecond = nominal_});
+  measured.memory = memoryShares(memory_, std::max(1, last.visitors), copies);
+  return measured;
+}
+
+}  // namespace grove::measure

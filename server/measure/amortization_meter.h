@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <string>
+
+#include "measure/amortization.h"
+
+namespace grove::measure {
+
+/// What sharing saved in the last seconds.
+struct Amortization {
+  double seconds = 0.0;          ///< the while that this is about
+  double visitors = 0.0;         ///< mean
+  double framesPerSecond = 0.0;  ///< of one visitor
+  double cpuCores = 0.0;         ///< of the whole process
+  std::map<std::string, FrameCost> costs;
+  std::map<std::string, MemoryShare> memory;
+};
+
+/// What serving costs and whom the machine can serve, told from measured costs, in cores at the nominal frame rate.
+struct Capacity {
+  double base = 0.0;            ///< a: across-user work
+  double visitor = 0.0;         ///< b: of one more visitor
+  double privateVisitor = 0.0;  ///< of one visitor in private mode: at least so much
+  [[nodiscard]] int visitorsFit(double cores) const noexcept;
+  [[nodiscard]] int privateVisitorsFit(double cores) const noexcept;
+};
+/// CPU that no stage accounts for (sockets, clocks, drivers) is shared out to the visitors.
+[[nodiscard]] Capacity capacityOf(const Amortization& measured, double nominalFramesPerSecond);
+
+/// Keeps an eye on a timeline and a ledger, which outlive it. Any thread.
+class AmortizationMeter {
+ public:
+  /// In private mode every visitor has a copy of what is across-user.
+  AmortizationMeter(const pipeline::Timeline& timeline, const pipeline::MemoryLedger& memory,
+                    double nominalFramesPerSecond, bool privateWorlds);
+
+  /// To be called about once a second.
+  void sample(int visitors);
+
+  /// Of the last seconds; nothing if nobody got a frame in them.
+  [[nodiscard]] std::optional<Amortization> newest() const;
+
+  [[nodiscard]] double nominalFramesPerSecond() const noexcept { return nominal_; }
+  [[nodiscard]] bool privateWorlds() const noexcept { return privateWorlds_; }
+
+ private:
+  struct Sample {
+    Reading reading;
+    std::uint64_t frames = 0;  ///< of all visitors since the start
+    int visitors = 0;
+  };
+
+  const pipeline::Timeline& timeline_;
+  const pipeline::MemoryLedger& memory_;
+  const double nominal_;
+  const bool privateWorlds_;
+  mutable std::mutex mutex_;
+  std::deque<Sample> samples_;
+};
+
+}  // namespace grove::measure

@@ -1,0 +1,77 @@
+#include "measure/amortization_meter.h"
+
+#include <gtest/gtest.h>
+
+#include "measure/process_memory.h"
+
+namespace grove::measure {
+namespace {
+
+using pipeline::Work;
+
+void record(pipeline::Timeline& timeline, const char* stage, Work work, int runs, double milliseconds) {
+  for (int i = 0; i < runs; ++i) {
+    pipeline::TimelineEvent event;
+    event.stage = stage;
+    event.work = work;
+    event.cpuNanoseconds = static_cast<std::int64_t>(milliseconds * 1.0e6);
+    timeline.record(event);
+  }
+}
+
+TEST(AmortizationMeter, TellsNothingWhileNobodyIsServed) {
+  const pipeline::Timeline timeline;
+  const pipeline::MemoryLedger memory;
+  AmortizationMeter meter(timeline, memory, 30.0, false);
+  EXPECT_FALSE(meter.newest());
+  meter.sample(0);
+  meter.sample(0);
+  EXPECT_FALSE(meter.newest());
+}
+
+TEST(AmortizationMeter, TellsOfTheLastSamplesOnly) {
+  pipeline::Timeline timeline;
+  const pipeline::MemoryLedger memory;
+  AmortizationMeter meter(timeline, memory, 30.0, false);
+  meter.sample(1);
+  record(timeline, "Encoder", Work::kPerUserFrontend, 100, 50.0);  // long ago
+  for (int i = 0; i < 6; ++i) {
+    meter.sample(2);
+    record(timeline, "Encoder", Work::kPerUserFrontend, 60, 3.0);
+    record(timeline, "Simulation Tick", Work::kAcrossUser, 30, 6.0);
+  }
+  meter.sample(2);
+  const auto measured = meter.newest();
+  ASSERT_TRUE(measured);
+  EXPECT_DOUBLE_EQ(measured->visitors, 2.0);
+  EXPECT_NEAR(sum(measured->costs).frontend, 3.0, 1e-9);
+  EXPECT_NEAR(sum(measured->costs).acrossUser, 6.0, 1e-9);
+}
+
+TEST(AmortizationMeter, TellsWhomAMachineCanServe) {
+  Amortization measured;
+  measured.visitors = 4.0;
+  measured.framesPerSecond = 30.0;
+  measured.costs["fluid"] = {.acrossUser = 10.0};
+  measured.costs["lightfield"] = {.acrossUser = 8.0, .onDemand = 8.0, .backend = 1.0};
+  measured.costs[""] = {.frontend = 4.0};
+  measured.cpuCores = 30.0 * (18.0 + 4 * 5.0) / 1000.0 + 0.12;  // a tenth of a core that no stage knows
+  const Capacity capacity = capacityOf(measured, 30.0);
+  EXPECT_NEAR(capacity.base, 0.54, 1e-9);
+  EXPECT_NEAR(capacity.visitor, 0.15 + 0.03, 1e-9);
+  EXPECT_NEAR(capacity.privateVisitor, 0.03 * (10.0 + 2.0) + 0.18, 1e-9)
+      << "his tick, and a quarter of the pictures that four had made";
+  EXPECT_EQ(capacity.visitorsFit(2.0), 8);
+  EXPECT_EQ(capacity.privateVisitorsFit(2.0), 3);
+  EXPECT_EQ(capacity.visitorsFit(0.1), 0);
+}
+
+TEST(ProcessMemory, GrowsWithWhatIsTouched) {
+  const std::size_t before = residentBytes();
+  ASSERT_GT(before, 0u);
+  const std::vector<char> touched(64U << 20U, 1);
+  EXPECT_GT(residentBytes(), before + (48U << 20U)) << touched.size();
+}
+
+}  // namespace
+}  // namespace grove::measure
