@@ -30,6 +30,8 @@ void addServe(CLI::App& app, ServeOptions& options) {
       ->capture_default_str();
   serve->add_flag("--private", options.host.privateWorlds,
                   "Each visitor gets copies of his own of everything: what serving costs without sharing");
+  serve->add_flag("--raise-quality", options.host.raiseQuality,
+                  "Let shared work (grid of the fluid, light fields) get finer while enough visitors share its cost");
   serve->add_option("--fps", options.host.framesPerSecond, "Frames a second for each visitor")
       ->check(CLI::Range(1, 120))
       ->capture_default_str();

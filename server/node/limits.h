@@ -16,4 +16,7 @@ inline constexpr std::size_t kBackendBatch = 64;
 
 inline constexpr int kMostFramesInFlight = 8;
 
+/// The finest step of across-user quality.
+inline constexpr int kMostQuality = 2;
+
 }  // namespace grove::node

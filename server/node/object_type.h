@@ -54,6 +54,11 @@ class BackendHalf {
   /// How many requests one call of answer() gets: few where each takes long, so that all threads have work.
   [[nodiscard]] virtual std::size_t mostAtOnce() const { return kBackendBatch; }
 
+  /// How good its across-user work is to be: 0 as the scene says, each step above finer and dearer, at most
+  /// kMostQuality. Any thread, returns at once; the change may take its time. Types that know only one quality ignore
+  /// it.
+  virtual void setQuality(int /*step*/) {}
+
   /// Fills one payload per request. The requests are a batch of what is waiting and may be of many frames and sessions.
   /// An exception turns the whole batch into failures.
   virtual void answer(std::span<const Request> requests, std::span<Payload> payloads) = 0;

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "gl/workers.h"
+#include "node/limits.h"
 #include "node/transport/in_process.h"
 #include "pipeline/log.h"
 
@@ -15,6 +16,7 @@ namespace grove::stream {
 namespace {
 
 constexpr double kSampleSeconds = 1.0;
+static_assert(node::kMostQuality == measure::kQualitySteps - 1);
 
 }  // namespace
 
@@ -128,6 +130,23 @@ void Host::remove(node::SessionId id) {
   sessions_.erase(id);
 }
 
+void Host::takeStock(int visitors) {
+  meter_.sample(visitors);
+  if (!options_.raiseQuality || !shared_) return;
+  measure::QualityLoad load{.cores = static_cast<double>(workers_.width())};
+  if (const auto measured = meter_.newest()) {
+    const measure::FrameCost cost = measure::sum(measured->costs);
+    load.visitors = measured->visitors;
+    load.busyCores = measured->cpuCores;
+    load.acrossUserCores = (cost.acrossUser - cost.onDemand) * options_.framesPerSecond / 1000.0;
+    load.frameShare = measured->framesPerSecond / options_.framesPerSecond;
+  }
+  const int step = policy_.update(world::World::now(), load);
+  if (step == quality_.exchange(step)) return;
+  log::info("quality of shared work: step " + std::to_string(step) + " of " + std::to_string(node::kMostQuality));
+  shared_->setQuality(step);
+}
+
 void Host::runClock() {
   double nextSample = world::World::now();
   std::unique_lock lock(mutex_);
@@ -139,7 +158,7 @@ void Host::runClock() {
     lock.unlock();
     const double now = world::World::now();
     if (now >= nextSample) {
-      meter_.sample(static_cast<int>(open.size()));
+      takeStock(static_cast<int>(open.size()));
       nextSample = now + kSampleSeconds;
     }
     double next = nextSample;

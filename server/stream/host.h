@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <condition_variable>
 #include <functional>
 #include <map>
@@ -9,6 +10,7 @@
 #include <variant>
 
 #include "measure/amortization_meter.h"
+#include "measure/quality_policy.h"
 #include "node/image.h"
 #include "node/registry.h"
 #include "node/transport/transport.h"
@@ -31,6 +33,8 @@ struct HostOptions {
   /// The control experiment, one console per player: every visitor gets copies of his own of all that backend nodes
   /// hold, simulations with clocks of their own, views that nobody shares.
   bool privateWorlds = false;
+  /// Lets the quality of across-user work rise while visitors share its bill; not in private mode, where none do.
+  bool raiseQuality = false;
   /// Makes the wire between frontend and backend nodes; empty: they share a process.
   std::function<std::unique_ptr<node::Transport>()> makeTransport;
 };
@@ -55,6 +59,8 @@ class Host {
   /// The world that everybody is in; not in private mode.
   [[nodiscard]] world::World& world() noexcept;
   [[nodiscard]] const pipeline::Timeline& timeline() const noexcept { return timeline_; }
+  /// The step that across-user work is at, 0 to node::kMostQuality.
+  [[nodiscard]] int quality() const noexcept { return quality_; }
   /// Told anew about once a second.
   [[nodiscard]] const measure::AmortizationMeter& meter() const noexcept { return meter_; }
   [[nodiscard]] const pipeline::MemoryLedger& memory() const noexcept { return memory_; }
@@ -67,6 +73,7 @@ class Host {
   void begin(const std::shared_ptr<Session>& session, std::shared_ptr<WorldCopy> copy);
   void preparePrivately(const std::shared_ptr<Session>& session);
   [[nodiscard]] std::unique_ptr<WorldCopy> makeCopy(const std::function<void(std::string_view, float)>& progress);
+  void takeStock(int visitors);
   void runClock();
 
   const world::World::Layout layout_;
@@ -77,6 +84,8 @@ class Host {
   pipeline::Timeline timeline_;
   pipeline::MemoryLedger memory_;
   measure::AmortizationMeter meter_;
+  measure::QualityPolicy policy_;  ///< the clock's
+  std::atomic<int> quality_{0};
   node::ImagePool images_;
 
   mutable std::mutex mutex_;

@@ -4,6 +4,7 @@
 #include <thread>
 
 #include "measure/process_memory.h"
+#include "measure/quality_policy.h"
 
 namespace grove::stream {
 namespace {
@@ -84,6 +85,8 @@ std::string statisticsJson(const StatisticsSources& sources) {
   return Json{{"visitors", sources.visitors},
               {"stages", stages(sources.timeline)},
               {"counters", counters},
+              {"quality",
+               {{"step", sources.quality}, {"steps", measure::kQualitySteps}, {"automatic", sources.raisesQuality}}},
               {"memory", memory(sources.memory)},
               {"amortization", amortization(sources.meter)}}
              .dump() +

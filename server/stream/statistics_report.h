@@ -14,6 +14,8 @@ struct StatisticsSources {
   const pipeline::MemoryLedger& memory;
   const measure::AmortizationMeter& meter;
   std::size_t visitors = 0;
+  int quality = 0;  ///< see Host::quality()
+  bool raisesQuality = false;
 };
 
 /// What `/statistics.json` answers. Since the start: for each stage its work (across-user, per-user-backend or

@@ -34,6 +34,10 @@ WorldCopy::~WorldCopy() {
   pipeline::drain(ground_.workers);
 }
 
+void WorldCopy::setQuality(int step) {
+  for (const auto& backend : backends_) backend->setQuality(step);
+}
+
 node::FrontendServices WorldCopy::frontendServices() {
   return {world_, ground_.registry, *transport_, ground_.workers, ground_.timeline, ground_.memory, ground_.images};
 }

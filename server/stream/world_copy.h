@@ -44,6 +44,8 @@ class WorldCopy {
 
   [[nodiscard]] world::World& world() noexcept { return world_; }
   [[nodiscard]] node::FrontendServices frontendServices();
+  /// Of all across-user work, see node::BackendHalf.
+  void setQuality(int step);
 
  private:
   const WorldGround ground_;

@@ -20,6 +20,9 @@ class BackendNode {
   BackendNode(const BackendNode&) = delete;
   BackendNode& operator=(const BackendNode&) = delete;
 
+  /// See BackendHalf::setQuality().
+  void setQuality(int step) { half_->setQuality(step); }
+
   /// Takes no more requests; runs in progress finish. The executors must be joined before the node is destroyed.
   void close();
 
