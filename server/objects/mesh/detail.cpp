@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 
 #include "objects/mesh/vertex_light.h"
 
@@ -11,7 +12,6 @@ namespace {
 using world::Vec3;
 
 constexpr std::size_t kLanes = 16;
-constexpr std::size_t kBlock = 64;
 constexpr std::size_t kScales = 3;
 /// Metres of a texel, coarse to fine.
 constexpr std::array<float, kScales> kTexel = {0.034F, 0.0071F, 0.0016F};
@@ -54,50 +54,17 @@ struct Scale {
   float pixels;  ///< that the smallest features have at one metre
 };
 
-/// A run of pixels, from and to.
-struct Pixels {
-  const std::uint32_t* surface;
-  const float* nearOverDepth;
-  std::uint32_t* colour;
-  float* depth;
-  std::size_t count;
-};
+/// How much the sun brings out slopes.
+inline float reliefOf(std::uint32_t packed) {
+  return static_cast<float>(static_cast<std::int32_t>(packed >> 28U)) * (kMostRelief / 15.0F);
+}
 
-/// Rounds the end of a row up to whole vectors: pixels one by one cost as much as vectors do, and most tiles are
-/// narrow.
-class Tail {
- public:
-  [[nodiscard]] Pixels take(const Pixels& pixels) {
-    std::copy_n(pixels.surface, pixels.count, surface_.data());
-    std::copy_n(pixels.nearOverDepth, pixels.count, nearOverDepth_.data());
-    const std::size_t rounded = (pixels.count + kLanes - 1) / kLanes * kLanes;
-    std::fill(nearOverDepth_.data() + pixels.count, nearOverDepth_.data() + rounded, 0.0F);
-    return {surface_.data(), nearOverDepth_.data(), colour_.data(), depth_.data(), rounded};
-  }
-
-  void give(std::uint32_t* colour, float* depth, std::size_t count) const {
-    std::copy_n(colour_.data(), count, colour);
-    std::copy_n(depth_.data(), count, depth);
-  }
-
- private:
-  std::array<std::uint32_t, kBlock> surface_{};
-  std::array<float, kBlock> nearOverDepth_{};
-  std::array<std::uint32_t, kBlock> colour_{};
-  std::array<float, kBlock> depth_{};
-};
-
-/// Of a run: where its points are in the object's coordinates, and what the scales add up to.
-struct Block {
-  std::array<float, kBlock> x;
-  std::array<float, kBlock> y;
-  std::array<float, kBlock> z;
-  std::array<float, kBlock> nearness;  ///< 1 / view depth
-  std::array<float, kBlock> weight;    ///< of the scale at hand, for bytes
-  std::array<float, kBlock> stain;
-  std::array<float, kBlock> sun;  ///< slope away from the sun
-  std::array<float, kBlock> up;
-};
+/// Brightens a display-encoded channel by a factor exp(change) of its light: the display curve is steepest in its
+/// middle.
+inline std::uint32_t graded(float channel, float change) {
+  const float value = channel + channel * (285.0F - channel) * (0.55F / 285.0F) * change;
+  return static_cast<std::uint32_t>(static_cast<std::int32_t>(std::min(std::max(value, 0.0F), 255.0F) + 0.5F));
+}
 
 /// A row of pixels in the object's coordinates: the point is origin + depth * (ray + x * step).
 struct Line {
@@ -106,56 +73,106 @@ struct Line {
   Vec3 step;
 };
 
-void locate(const Pixels& pixels, const Line& line, std::size_t first, float nearDepth, Block& block) {
-  const float* __restrict nearOverDepth = pixels.nearOverDepth;
-  const std::size_t count = pixels.count;
-  const Vec3 origin = line.origin;
-  const Vec3 ray = line.ray;
-  const Vec3 step = line.step;
-  const float perNear = 1.0F / nearDepth;
-  for (std::size_t i = 0; i < count; ++i) {
-    // Empty pixels are taken for near ones, lest they be looked up beyond all numbers.
-    const float reversed = nearOverDepth[i];
-    const float metres = nearDepth / (reversed > 0.0F ? reversed : 1.0F);
-    const auto column = static_cast<float>(first + i);
-    block.x[i] = origin.x + metres * (ray.x + column * step.x);
-    block.y[i] = origin.y + metres * (ray.y + column * step.y);
-    block.z[i] = origin.z + metres * (ray.z + column * step.z);
-    block.nearness[i] = reversed * perNear;
-    block.stain[i] = 0.0F;
-    block.sun[i] = 0.0F;
-    block.up[i] = 0.0F;
-  }
-}
+/// Weathers the pixels of many rows together, for what is before the camera is narrow and vectors are wide.
+class Weathering {
+ public:
+  Weathering(const DetailTexture& texture, const std::array<Scale, kScales>& scales, float nearDepth,
+             node::Image& image)
+      : texture_(texture), scales_(scales), nearDepth_(nearDepth), image_(image) {}
 
-/// True if any pixel shows the scale. Apart from its use, for where no pixel does it need not be looked up.
-bool weigh(const Scale& scale, std::size_t count, Block& block) {
-  const float pixels = scale.pixels;
-  float most = 0.0F;
-  for (std::size_t i = 0; i < count; ++i) {
-    const float seen = std::min(std::max(pixels * block.nearness[i] - kLeastPixels, 0.0F), 1.0F);
-    block.weight[i] = seen * (1.0F / 255.0F);
-    most = std::max(most, seen);
+  /// `surface` and `reversed` begin at the row's first column.
+  void addRow(int row, node::Span span, const std::uint32_t* surface, const float* reversed, const Line& line) {
+    while (span.begin < span.end) {
+      if (count_ == kBlock || pieces_ == kPieces) flush();
+      const auto count = std::min(static_cast<std::size_t>(span.end - span.begin), kBlock - count_);
+      take(surface + span.begin, reversed + span.begin, count, line, span.begin);
+      piece_[pieces_++] = {row, span.begin, count};
+      count_ += count;
+      span.begin += static_cast<int>(count);
+    }
   }
-  return most > 0.0F;
+
+  /// Writes what has been added since the last.
+  void flush();
+
+ private:
+  /// Pixels of one row that lie side by side in the block.
+  struct Piece {
+    int row;
+    int column;
+    std::size_t count;
+  };
+  static constexpr std::size_t kBlock = 256;
+  static constexpr std::size_t kPieces = 32;
+  static constexpr std::size_t kRoom = kBlock + kLanes;  // whole vectors are written wherever they begin
+
+  static std::size_t roundedUp(std::size_t count) { return (count + kLanes - 1) / kLanes * kLanes; }
+  void take(const std::uint32_t* surface, const float* reversed, std::size_t count, const Line& line, int column);
+  void addScale(const Scale& scale, std::size_t count);
+  void weather(std::size_t count);
+
+  const DetailTexture& texture_;
+  const std::array<Scale, kScales>& scales_;
+  const float nearDepth_;
+  node::Image& image_;
+  std::array<Piece, kPieces> piece_;
+  std::size_t pieces_ = 0;
+  std::size_t count_ = 0;
+  alignas(64) std::array<std::uint32_t, kRoom> surface_{};
+  alignas(64) std::array<float, kRoom> reversed_{};
+  // In the object's coordinates.
+  alignas(64) std::array<float, kRoom> x_{};
+  alignas(64) std::array<float, kRoom> y_{};
+  alignas(64) std::array<float, kRoom> z_{};
+  // What the scales add up to: the height, and how much the slope brightens.
+  alignas(64) std::array<float, kRoom> stain_{};
+  alignas(64) std::array<float, kRoom> slope_{};
+  alignas(64) std::array<float, kRoom> depth_{};
+};
+
+/// Adds pixels to the block, in whole vectors: what is too much is overwritten by the next.
+void Weathering::take(const std::uint32_t* __restrict surface, const float* __restrict reversed, std::size_t count,
+                      const Line& line, int column) {
+  std::uint32_t* __restrict surfaceTo = surface_.data() + count_;
+  float* __restrict reversedTo = reversed_.data() + count_;
+  float* __restrict x = x_.data() + count_;
+  float* __restrict y = y_.data() + count_;
+  float* __restrict z = z_.data() + count_;
+  const Vec3 origin = line.origin;
+  const Vec3 step = line.step;
+  const Vec3 ray = line.ray + step * static_cast<float>(column);
+  const float nearDepth = nearDepth_;
+  const std::size_t rounded = roundedUp(count);
+  for (std::size_t i = 0; i < rounded; ++i) {
+    surfaceTo[i] = surface[i];
+    reversedTo[i] = reversed[i];
+    // Empty pixels are taken for near ones, lest they be looked up beyond all numbers.
+    const float metres = nearDepth / (reversed[i] > 0.0F ? reversed[i] : 1.0F);
+    const auto along = static_cast<float>(static_cast<std::int32_t>(i));
+    x[i] = origin.x + metres * (ray.x + along * step.x);
+    y[i] = origin.y + metres * (ray.y + along * step.y);
+    z[i] = origin.z + metres * (ray.z + along * step.z);
+  }
 }
 
 /// Adds one scale: trilinear lookups, with the gradient.
-void addScale(const std::uint32_t* __restrict texture, const Scale& scale, std::size_t count, Block& block) {
+void Weathering::addScale(const Scale& scale, std::size_t count) {
   constexpr std::int32_t kWrap = DetailTexture::kSize - 1;
   constexpr std::int32_t kSlice = DetailTexture::kSize * DetailTexture::kSize;
   // Far from zero, so that cutting off the fraction rounds down.
   constexpr float kFar = 8192.0F;
+  const std::uint32_t* __restrict texture = texture_.squares();
   const Vec3 row0 = scale.row0;
   const Vec3 row1 = scale.row1;
   const Vec3 row2 = scale.row2;
   const Vec3 sun = scale.sun;
   const Vec3 up = scale.up;
   const float stain = scale.stain;
+  const float pixels = scale.pixels / nearDepth_;
   for (std::size_t i = 0; i < count; ++i) {
-    const float x = block.x[i];
-    const float y = block.y[i];
-    const float z = block.z[i];
+    const float x = x_[i];
+    const float y = y_[i];
+    const float z = z_[i];
     const float u = row0.x * x + row0.y * y + row0.z * z + kFar;
     const float v = row1.x * x + row1.y * y + row1.z * z + kFar;
     const float w = row2.x * x + row2.y * y + row2.z * z + kFar;
@@ -185,64 +202,65 @@ void addScale(const std::uint32_t* __restrict texture, const Scale& scale, std::
     const float slopeV = h01 + fu * u1 - low;
     const float lowW = w00 + fu * (w10 - w00);
     const float slopeW = lowW + fv * (w01 + fu * (w11 - w01) - lowW);
-    const float weight = block.weight[i];
-    block.stain[i] += (low + fv * slopeV - 127.5F) * (stain * weight);
-    block.sun[i] -= (slopeU * sun.x + slopeV * sun.y + slopeW * sun.z) * weight;
-    block.up[i] -= (slopeU * up.x + slopeV * up.y + slopeW * up.z) * weight;
+    const float weight = std::min(std::max(pixels * reversed_[i] - kLeastPixels, 0.0F), 1.0F) * (1.0F / 255.0F);
+    const float relief = reliefOf(surface_[i]);
+    stain_[i] += (low + fv * slopeV - 127.5F) * (stain * weight);
+    slope_[i] -=
+        (slopeU * (relief * sun.x + up.x) + slopeV * (relief * sun.y + up.y) + slopeW * (relief * sun.z + up.z)) *
+        weight;
   }
 }
 
-/// Brightens a display-encoded channel by a factor exp(change) of its light: the display curve is steepest in its
-/// middle.
-inline std::uint32_t graded(float channel, float change) {
-  const float value = channel + channel * (285.0F - channel) * (0.55F / 285.0F) * change;
-  return static_cast<std::uint32_t>(static_cast<std::int32_t>(std::min(std::max(value, 0.0F), 255.0F) + 0.5F));
-}
-
-void weather(const Pixels& pixels, float nearDepth, const Block& block) {
-  const std::uint32_t* __restrict surface = pixels.surface;
-  const float* __restrict nearOverDepth = pixels.nearOverDepth;
-  std::uint32_t* __restrict colour = pixels.colour;
-  float* __restrict depth = pixels.depth;
-  const std::size_t count = pixels.count;
+/// Turns surface into colour and fills in the depth.
+void Weathering::weather(std::size_t count) {
+  const float nearDepth = nearDepth_;
   for (std::size_t i = 0; i < count; ++i) {
-    const std::uint32_t packed = surface[i];
-    const float relief = static_cast<float>(static_cast<std::int32_t>(packed >> 28U)) * (kMostRelief / 15.0F);
+    const std::uint32_t packed = surface_[i];
     const float lichen = static_cast<float>(static_cast<std::int32_t>((packed >> 24U) & 0xFU)) * (1.0F / 15.0F);
-    const float stain = block.stain[i];
-    const float change = std::min(std::max(stain + relief * block.sun[i] + block.up[i], -0.9F), 0.8F);
+    const float stain = stain_[i];
+    const float change = std::min(std::max(stain + slope_[i], -0.9F), 0.8F);
     const float overgrown = std::min(std::max((lichen + 1.1F * stain - 0.42F) * 6.0F, 0.0F), 1.0F);
     const float warm = 0.22F * stain;
     const std::uint32_t red = graded(byteOf(packed, 0), change + overgrown * 0.26F + warm);
     const std::uint32_t green = graded(byteOf(packed, 8), change + overgrown * 0.34F);
     const std::uint32_t blue = graded(byteOf(packed, 16), change + overgrown * 0.06F - warm);
-    const float reversed = nearOverDepth[i];
+    const float reversed = reversed_[i];
     const bool covered = reversed > 0.0F;
-    colour[i] = covered ? red | green << 8U | blue << 16U | 0xFF000000U : 0U;
-    depth[i] = covered ? nearDepth / reversed : world::kInfiniteDepth;
+    surface_[i] = covered ? red | green << 8U | blue << 16U | 0xFF000000U : 0U;
+    depth_[i] = covered ? nearDepth / reversed : world::kInfiniteDepth;
   }
 }
 
-/// Where there is nothing to add.
-void pass(const Pixels& pixels, float nearDepth) {
-  const std::uint32_t* __restrict surface = pixels.surface;
-  const float* __restrict nearOverDepth = pixels.nearOverDepth;
-  std::uint32_t* __restrict colour = pixels.colour;
-  float* __restrict depth = pixels.depth;
-  const std::size_t count = pixels.count;
+void Weathering::flush() {
+  const std::size_t count = roundedUp(count_);
+  float nearest = 0.0F;
   for (std::size_t i = 0; i < count; ++i) {
-    const float reversed = nearOverDepth[i];
-    const bool covered = reversed > 0.0F;
-    colour[i] = covered ? surface[i] | 0xFF000000U : 0U;
-    depth[i] = covered ? nearDepth / reversed : world::kInfiniteDepth;
+    nearest = std::max(nearest, reversed_[i]);
+    stain_[i] = 0.0F;
+    slope_[i] = 0.0F;
   }
+  for (const Scale& scale : scales_) {
+    if (scale.pixels * nearest > kLeastPixels * nearDepth_) addScale(scale, count);
+  }
+  weather(count);
+  std::size_t at = 0;
+  for (const Piece& piece : std::span(piece_).first(pieces_)) {
+    std::copy_n(surface_.data() + at, piece.count, image_.colourRow(piece.row) + piece.column);
+    std::copy_n(depth_.data() + at, piece.count, image_.depthRow(piece.row) + piece.column);
+    at += piece.count;
+  }
+  count_ = 0;
+  pieces_ = 0;
 }
 
-bool anyCovered(const Pixels& pixels) {
-  const float* nearOverDepth = pixels.nearOverDepth;
-  float most = 0.0F;
-  for (std::size_t i = 0; i < pixels.count; ++i) most = std::max(most, nearOverDepth[i]);
-  return most > 0.0F;
+/// A row with nothing to add.
+void pass(const std::uint32_t* __restrict surface, const float* __restrict reversed, float nearDepth,
+          std::uint32_t* __restrict colour, float* __restrict depth, int count) {
+  for (int i = 0; i < count; ++i) {
+    const bool covered = reversed[i] > 0.0F;
+    colour[i] = covered ? surface[i] | 0xFF000000U : 0U;
+    depth[i] = covered ? nearDepth / reversed[i] : world::kInfiniteDepth;
+  }
 }
 
 }  // namespace
@@ -266,30 +284,20 @@ void finish(const Fragments& fragments, const Drawing& drawing, const DetailText
   const Vec3 corner = rayAt(0, 0);
   const Vec3 alongRow = rayAt(1, 0) - corner;
   const Vec3 downwards = rayAt(0, 1) - corner;
-  const auto width = static_cast<std::size_t>(image.width());
-  Block block;
-  Tail tail;
+  image.spans.assign(fragments.spans.begin(), fragments.spans.end());
+  Weathering weathering(texture, scales, camera.nearDepth, image);
   for (int row = 0; row < image.height(); ++row) {
-    const Line line{origin, corner + downwards * static_cast<float>(row), alongRow};
-    for (std::size_t first = 0; first < width; first += kBlock) {
-      const std::size_t count = std::min(kBlock, width - first);
-      const std::ptrdiff_t at = row * fragments.stride + static_cast<std::ptrdiff_t>(first);
-      Pixels pixels{fragments.surface + at, fragments.depth + at, image.colourRow(row) + first,
-                    image.depthRow(row) + first, count};
-      const bool whole = count % kLanes == 0;
-      if (!whole) pixels = tail.take(pixels);
-      if (weathered && anyCovered(pixels)) {
-        locate(pixels, line, first, camera.nearDepth, block);
-        for (const Scale& scale : scales) {
-          if (weigh(scale, pixels.count, block)) addScale(texture.squares(), scale, pixels.count, block);
-        }
-        weather(pixels, camera.nearDepth, block);
-      } else {
-        pass(pixels, camera.nearDepth);
-      }
-      if (!whole) tail.give(image.colourRow(row) + first, image.depthRow(row) + first, count);
+    const node::Span span = image.span(row);
+    const std::uint32_t* surface = fragments.surface + row * fragments.stride;
+    const float* reversed = fragments.depth + row * fragments.stride;
+    if (weathered) {
+      weathering.addRow(row, span, surface, reversed, {origin, corner + downwards * static_cast<float>(row), alongRow});
+    } else {
+      pass(surface + span.begin, reversed + span.begin, camera.nearDepth, image.colourRow(row) + span.begin,
+           image.depthRow(row) + span.begin, span.end - span.begin);
     }
   }
+  weathering.flush();
 }
 
 }  // namespace grove::objects::mesh

@@ -62,8 +62,8 @@ std::shared_ptr<const node::Image> EmbreeMeshRenderer::renderOne(const Drawing& 
   const world::Mat4 toObject = glm::inverse(drawing.bones[0]);
   const Vec3 origin(toObject * world::Vec4(camera.pose.position, 1.0F));
   const std::shared_ptr<node::Image> image = images_.acquire(drawing.rect);
-  std::vector<std::uint32_t> found(image->colour.size());
-  std::vector<float> depth(image->depth.size());
+  std::vector<std::uint32_t> found(image->colour.size() + kFragmentRoom);
+  std::vector<float> depth(image->depth.size() + kFragmentRoom);
   std::size_t at = 0;
   for (int y = drawing.rect.top; y < drawing.rect.bottom; ++y) {
     for (int x = drawing.rect.left; x < drawing.rect.right; ++x, ++at) {
@@ -78,7 +78,7 @@ std::shared_ptr<const node::Image> EmbreeMeshRenderer::renderOne(const Drawing& 
       depth[at] = camera.nearDepth / hit->distance;
     }
   }
-  finish({found.data(), depth.data(), image->width()}, drawing, texture_, *image);
+  finish({found.data(), depth.data(), image->width(), {}}, drawing, texture_, *image);
   return image;
 }
 

@@ -149,12 +149,12 @@ class GlMeshRenderer::Bench {
   [[nodiscard]] Fragments readBack(const world::Rect& tile) {
     const int width = tile.width();
     const int height = tile.height();
-    const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+    const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height) + kFragmentRoom;
     surface_.resize(std::max(surface_.size(), pixels));
     depth_.resize(std::max(depth_.size(), pixels));
     api_.ReadPixels(tile.left, tile.top, width, height, GL_RGBA, GL_UNSIGNED_BYTE, surface_.data());
     api_.ReadPixels(tile.left, tile.top, width, height, GL_DEPTH_COMPONENT, GL_FLOAT, depth_.data());
-    return {surface_.data(), depth_.data(), width};
+    return {surface_.data(), depth_.data(), width, {}};
   }
 
   const gl::Api& api_;

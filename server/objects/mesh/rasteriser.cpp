@@ -81,12 +81,19 @@ ClipVertex ScreenVertices::clipVertex(std::size_t index, float lichen) const noe
 }
 
 void Canvas::begin(const world::Rect& to) {
+  for (std::size_t row = 0; row < spans.size(); ++row) {
+    const node::Span span = spans[row];
+    if (span.begin < span.end) {
+      std::fill_n(depth.data() + static_cast<std::ptrdiff_t>(row) * stride + span.begin, span.end - span.begin, 0.0F);
+    }
+  }
   rect = to;
   stride = (to.width() + 2 * kLanes - 2) / kLanes * kLanes;
   const std::size_t pixels = static_cast<std::size_t>(stride) * static_cast<std::size_t>(to.height());
   // Where the depth says that nothing is, the surface is whatever was there before.
   if (surface.size() < pixels) surface.resize(pixels);
-  depth.assign(pixels, 0.0F);
+  if (depth.size() < pixels) depth.resize(pixels);
+  spans.assign(static_cast<std::size_t>(to.height()), {to.width(), 0});
 }
 
 void project(const VertexArrays& arrays, const Drawing& drawing, ScreenVertices& vertices) {
@@ -147,12 +154,16 @@ void drawTriangle(const Corner& a, const Corner& b, const Corner& c, Canvas& can
   }
   const float least = std::min({a.planes[0], b.planes[0], c.planes[0]});
   const float most = std::max({a.planes[0], b.planes[0], c.planes[0]});
-  std::array<Span, kRowsAtOnce> spans;
+  std::array<node::Span, kRowsAtOnce> spans;
   for (int first = scan.top(); first < scan.bottom(); first += kRowsAtOnce) {
     const int rows = std::min(kRowsAtOnce, scan.bottom() - first);
     scan.convert(first, std::span(spans).first(static_cast<std::size_t>(rows)));
     for (int i = 0; i < rows; ++i) {
-      const Span span = spans[static_cast<std::size_t>(i)];
+      const node::Span span = spans[static_cast<std::size_t>(i)];
+      if (span.begin >= span.end) continue;
+      node::Span& drawn = canvas.spans[static_cast<std::size_t>(first + i - canvas.rect.top)];
+      drawn.begin = std::min(drawn.begin, span.begin - canvas.rect.left);
+      drawn.end = std::max(drawn.end, span.end - canvas.rect.left);
       const float down = static_cast<float>(first + i) + 0.5F - a.y;
       const std::ptrdiff_t start = (first + i - canvas.rect.top) * canvas.stride - canvas.rect.left;
       for (int x = span.begin; x < span.end; x += kLanes) {

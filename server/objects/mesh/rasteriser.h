@@ -44,9 +44,10 @@ struct Canvas {
   world::Rect rect;
   std::ptrdiff_t stride = 0;  ///< pixels
   std::vector<std::uint32_t> surface;
-  std::vector<float> depth;  ///< near depth / view depth, 0 where nothing is
+  std::vector<float> depth;       ///< near depth / view depth, 0 where nothing is
+  std::vector<node::Span> spans;  ///< by row, the columns from the left that have been drawn to
 
-  /// Empties it for another rectangle.
+  /// Empties it for another rectangle; only what was drawn to costs anything.
   void begin(const world::Rect& to);
 };
 

@@ -36,13 +36,13 @@ ScanConverter::ScanConverter(ScreenPoint a, ScreenPoint b, ScreenPoint c, const 
   bottom_ = firstFrom(third.y, limits.top, limits.bottom);
 }
 
-void ScanConverter::convert(int firstRow, std::span<Span> rows) const noexcept {
+void ScanConverter::convert(int firstRow, std::span<node::Span> rows) const noexcept {
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const int row = firstRow + static_cast<int>(i);
     const float middle = static_cast<float>(row) + 0.5F;
     const int along = firstFrom(long_.at(middle), limits_.left, limits_.right);
     const int across = firstFrom((row < middle_ ? upper_ : lower_).at(middle), limits_.left, limits_.right);
-    rows[i] = longIsLeft_ ? Span{along, across} : Span{across, along};
+    rows[i] = longIsLeft_ ? node::Span{along, across} : node::Span{across, along};
   }
 }
 

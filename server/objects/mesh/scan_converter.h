@@ -2,15 +2,9 @@
 
 #include <span>
 
-#include "world/camera.h"
+#include "node/image.h"
 
 namespace grove::objects::mesh {
-
-/// The columns from `begin` to before `end` of one row; none if `end` is not larger.
-struct Span {
-  int begin;
-  int end;
-};
 
 struct ScreenPoint {
   float x;  ///< pixels
@@ -28,8 +22,8 @@ class ScanConverter {
   [[nodiscard]] int top() const noexcept { return top_; }
   [[nodiscard]] int bottom() const noexcept { return bottom_; }
 
-  /// Spans of the rows from `firstRow` on, within top() and bottom().
-  void convert(int firstRow, std::span<Span> rows) const noexcept;
+  /// Spans of the rows (none if the end is not larger) from `firstRow` on, within top() and bottom().
+  void convert(int firstRow, std::span<node::Span> rows) const noexcept;
 
  private:
   struct Edge {

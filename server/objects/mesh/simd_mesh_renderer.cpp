@@ -82,7 +82,7 @@ std::shared_ptr<const node::Image> SimdMeshRenderer::renderOne(const Drawing& dr
     }
   }
   const std::shared_ptr<node::Image> image = images_.acquire(drawing.rect);
-  finish({canvas.surface.data(), canvas.depth.data(), canvas.stride}, drawing, texture_, *image);
+  finish({canvas.surface.data(), canvas.depth.data(), canvas.stride, canvas.spans}, drawing, texture_, *image);
   return image;
 }
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <future>
 #include <utility>
 
@@ -62,7 +63,24 @@ std::vector<node::Payload> ask(node::BackendHalf& half, const std::vector<node::
 std::shared_ptr<const node::Image> imageOf(const node::Payload& payload) {
   const auto* image = std::get_if<std::shared_ptr<const node::Image>>(&payload);
   EXPECT_NE(image, nullptr);
-  return image == nullptr ? nullptr : *image;
+  return image == nullptr || *image == nullptr ? nullptr : withoutSpans(**image);
+}
+
+std::shared_ptr<const node::Image> withoutSpans(const node::Image& image) {
+  node::ImagePool pool;
+  const std::shared_ptr<node::Image> whole = pool.acquire(image.rect);
+  std::ranges::fill(whole->colour, 0U);
+  std::ranges::fill(whole->depth, world::kInfiniteDepth);
+  for (int row = 0; row < image.height(); ++row) {
+    const node::Span span = image.span(row);
+    EXPECT_GE(span.begin, 0);
+    EXPECT_LE(span.end, image.width());
+    for (int x = span.begin; x < span.end; ++x) {
+      whole->colourRow(row)[x] = image.colourRow(row)[x];
+      whole->depthRow(row)[x] = image.depthRow(row)[x];
+    }
+  }
+  return whole;
 }
 
 }  // namespace grove::objects::mesh

@@ -41,6 +41,10 @@ struct Bench {
 /// Asks the half on its own executor, one batch for all requests.
 [[nodiscard]] std::vector<node::Payload> ask(node::BackendHalf& half, const std::vector<node::Request>& requests);
 
+/// A copy that has what the spans leave out, as nothing.
+[[nodiscard]] std::shared_ptr<const node::Image> withoutSpans(const node::Image& image);
+
+/// The same of an answer.
 [[nodiscard]] std::shared_ptr<const node::Image> imageOf(const node::Payload& payload);
 
 }  // namespace grove::objects::mesh

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "objects/mesh/bench.h"
@@ -32,13 +33,13 @@ class DetailTest : public testing::Test {
 
   std::shared_ptr<const node::Image> wallAt(float metres, std::uint32_t material = 0) {
     drawing_.distance = metres;
-    std::vector<std::uint32_t> surface(kPixels, kGrey | material << 24U);
-    std::vector<float> depth(kPixels, camera_.nearDepth / metres);
+    std::vector<std::uint32_t> surface(kPixels + kFragmentRoom, kGrey | material << 24U);
+    std::vector<float> depth(kPixels + kFragmentRoom, camera_.nearDepth / metres);
     for (std::size_t i = 0; i < kPixels; ++i) {
       if (i % kWidth < kWidth / 5) depth[i] = 0.0F;
     }
     auto image = images_.acquire(drawing_.rect);
-    finish({surface.data(), depth.data(), kWidth}, drawing_, texture_, *image);
+    finish({surface.data(), depth.data(), kWidth, spans_}, drawing_, texture_, *image);
     return image;
   }
 
@@ -60,6 +61,7 @@ class DetailTest : public testing::Test {
   LitSurface object_;
   world::Camera camera_;
   Drawing drawing_;
+  std::vector<node::Span> spans_;
   node::ImagePool images_;
   const DetailTexture texture_;
 };
@@ -109,6 +111,25 @@ TEST_F(DetailTest, StaysOnTheObjectWhenTheObjectMoves) {
     if (std::abs(a - b) > 2) ++apart;
   }
   EXPECT_LT(apart, kPixels / 100);
+}
+
+TEST_F(DetailTest, SpansLeaveOutPixelsAndChangeNone) {
+  const auto whole = wallAt(1.0F, 0x84);
+  for (int row = 0; row < kHeight; ++row) {
+    const int begin = (row * 37) % kWidth;
+    spans_.push_back({begin, row % 7 == 0 ? 0 : std::min(kWidth, begin + 1 + row)});
+  }
+  const auto part = wallAt(1.0F, 0x84);
+  ASSERT_EQ(part->spans.size(), static_cast<std::size_t>(kHeight));
+  for (int row = 0; row < kHeight; ++row) {
+    const node::Span span = part->span(row);
+    ASSERT_EQ(span.begin, spans_[static_cast<std::size_t>(row)].begin);
+    ASSERT_EQ(span.end, spans_[static_cast<std::size_t>(row)].end);
+    for (int x = span.begin; x < span.end; ++x) {
+      ASSERT_EQ(part->colourRow(row)[x], whole->colourRow(row)[x]) << x << ", " << row;
+      ASSERT_EQ(part->depthRow(row)[x], whole->depthRow(row)[x]) << x << ", " << row;
+    }
+  }
 }
 
 TEST(DetailTexture, RepeatsWithoutASeam) {

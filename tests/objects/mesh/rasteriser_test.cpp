@@ -28,7 +28,7 @@ class Hits {
  public:
   void add(const std::array<ScreenPoint, 3>& corners) {
     const ScanConverter scan(corners[0], corners[1], corners[2], kAll);
-    std::vector<Span> spans(static_cast<std::size_t>(std::max(0, scan.bottom() - scan.top())));
+    std::vector<node::Span> spans(static_cast<std::size_t>(std::max(0, scan.bottom() - scan.top())));
     scan.convert(scan.top(), spans);
     for (std::size_t i = 0; i < spans.size(); ++i) {
       for (int x = spans[i].begin; x < spans[i].end; ++x) ++count_[at(x, scan.top() + static_cast<int>(i))];
@@ -136,6 +136,27 @@ TEST(Rasteriser, OnlyFrontsShowAndTheNearerWins) {
   drawTriangle(far(10, 10), far(10, 190), far(190, 10), canvas);
   EXPECT_EQ(canvas.depth[static_cast<std::size_t>(20 * canvas.stride + 20)], 0.5F);
   EXPECT_EQ(canvas.depth[static_cast<std::size_t>(20 * canvas.stride + 150)], 0.25F);
+}
+
+TEST(Rasteriser, SpansHoldWhatIsDrawnAndACanvasIsEmptyAgain) {
+  Canvas canvas;
+  canvas.begin(kAll);
+  drawTriangle(cornerAt(30, 10), cornerAt(30, 90), cornerAt(110, 10), canvas);
+  drawTriangle(cornerAt(150, 50), cornerAt(150, 60), cornerAt(160, 50), canvas);
+  for (int y = 0; y < kSize; ++y) {
+    int first = kSize;
+    int end = 0;
+    for (int x = 0; x < canvas.stride; ++x) {
+      if (canvas.depth[static_cast<std::size_t>(y * canvas.stride + x)] == 0.0F) continue;
+      first = std::min(first, x);
+      end = x + 1;
+    }
+    ASSERT_EQ(canvas.spans[static_cast<std::size_t>(y)].begin, first) << y;
+    ASSERT_EQ(canvas.spans[static_cast<std::size_t>(y)].end, end) << y;
+  }
+  canvas.begin({40, 20, 97, 160});
+  EXPECT_EQ(canvas.spans.size(), 140U);
+  EXPECT_EQ(covered(canvas), 0U);
 }
 
 TEST(Rasteriser, ShadesAreInterpolatedInSpace) {
