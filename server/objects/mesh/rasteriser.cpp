@@ -1,6 +1,7 @@
 #include "objects/mesh/rasteriser.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "objects/mesh/scan_converter.h"
@@ -11,12 +12,11 @@ namespace {
 using world::Vec3;
 using world::Vec4;
 
-constexpr int kLanes = 16;
 constexpr std::size_t kPlanes = 6;
-constexpr int kRowsAtOnce = 32;
 constexpr float kSixteenths = 15.0F / 255.0F;
 
-using Planes = std::array<float, kPlanes>;
+/// As in a Corner: x, y, then what is linear on the screen.
+using Planes [[gnu::vector_size(sizeof(Corner))]] = float;
 
 inline float onGrid(float pixels) { return std::floor(pixels * (1.0F / kSubPixel) + 0.5F) * kSubPixel; }
 
@@ -50,24 +50,23 @@ void transformRun(const VertexArrays& arrays, std::size_t first, std::size_t end
   vertices.nearest = nearest;
 }
 
-/// One vector of pixels: what is nearer than the depth there replaces it. `row` are the planes at the first pixel.
-inline void fill(const Planes& row, const Planes& step, float least, float most, int count,
-                 std::uint32_t* __restrict surface, float* __restrict depth) {
-  for (int i = 0; i < kLanes; ++i) {
-    const auto lane = static_cast<float>(i);
-    // A sliver's planes are too steep for floats, so what they give is held within the triangle's range.
-    const float reversed = std::min(std::max(row[0] + lane * step[0], least), most);
-    const float scale = 1.0F / reversed;
-    const auto shade = [&](std::size_t plane, float top) {
-      const float value = std::min(std::max((row[plane] + lane * step[plane]) * scale, 0.0F), top);
-      return static_cast<std::uint32_t>(static_cast<std::int32_t>(value + 0.5F));
-    };
-    const std::uint32_t packed = shade(1, 255.0F) | shade(2, 255.0F) << 8U | shade(3, 255.0F) << 16U |
-                                 shade(5, 15.0F) << 24U | shade(4, 15.0F) << 28U;
-    const bool shown = (i < count) & (reversed > depth[i]);
-    surface[i] = shown ? packed : surface[i];
-    depth[i] = shown ? reversed : depth[i];
-  }
+/// Some planes at kLanes columns.
+using Row = std::array<Floats, kPlanes>;
+
+/// One vector of pixels: what is nearer than the depth there replaces it, from the lane `begin` to before `end`.
+inline void fill(const Row& row, Floats least, Floats most, int begin, int end, std::uint32_t* surface, float* depth) {
+  // A sliver's planes are too steep for floats, so what they give is held within the triangle's range.
+  const Floats reversed = clamped(row[0], least, most);
+  const Floats scale = 1.0F / reversed;
+  const auto shade = [&](std::size_t plane, float top) {
+    return truncated(clamped(row[plane] * scale + 0.5F, 0.0F, top + 0.5F));
+  };
+  const Ints packed =
+      shade(1, 255.0F) | shade(2, 255.0F) << 8 | shade(3, 255.0F) << 16 | shade(5, 15.0F) << 24 | shade(4, 15.0F) << 28;
+  const auto before = load<Floats>(depth);
+  const Ints shown = (kUpwards >= begin) & (kUpwards < end) & (reversed > before);
+  store(shown ? packed : load<Ints>(surface), surface);
+  store(shown ? reversed : before, depth);
 }
 
 }  // namespace
@@ -94,6 +93,18 @@ void Canvas::begin(const world::Rect& to) {
   if (surface.size() < pixels) surface.resize(pixels);
   if (depth.size() < pixels) depth.resize(pixels);
   spans.assign(static_cast<std::size_t>(to.height()), {to.width(), 0});
+}
+
+int Canvas::widen(int top, int rows, const SpanRows& drawn) noexcept {
+  int right = rect.left;
+  for (int i = 0; i < rows; ++i) {
+    if (drawn.begin[i] >= drawn.end[i]) continue;
+    node::Span& span = spans[static_cast<std::size_t>(top + i - rect.top)];
+    span.begin = std::min(span.begin, drawn.begin[i] - rect.left);
+    span.end = std::max(span.end, drawn.end[i] - rect.left);
+    right = std::max(right, drawn.end[i]);
+  }
+  return right;
 }
 
 void project(const VertexArrays& arrays, const Drawing& drawing, ScreenVertices& vertices) {
@@ -144,34 +155,34 @@ void drawTriangle(const Corner& a, const Corner& b, const Corner& c, Canvas& can
   const ScanConverter scan({a.x, a.y}, {b.x, b.y}, {c.x, c.y}, canvas.rect);
   if (scan.top() >= scan.bottom()) return;
   const float perArea = 1.0F / twiceArea;
-  Planes alongX;
-  Planes alongY;
-  for (std::size_t k = 0; k < kPlanes; ++k) {
-    const float ab = b.planes[k] - a.planes[k];
-    const float ac = c.planes[k] - a.planes[k];
-    alongX[k] = (ab * acy - ac * aby) * perArea;
-    alongY[k] = (ac * abx - ab * acx) * perArea;
-  }
-  const float least = std::min({a.planes[0], b.planes[0], c.planes[0]});
-  const float most = std::max({a.planes[0], b.planes[0], c.planes[0]});
-  std::array<node::Span, kRowsAtOnce> spans;
-  for (int first = scan.top(); first < scan.bottom(); first += kRowsAtOnce) {
-    const int rows = std::min(kRowsAtOnce, scan.bottom() - first);
-    scan.convert(first, std::span(spans).first(static_cast<std::size_t>(rows)));
-    for (int i = 0; i < rows; ++i) {
-      const node::Span span = spans[static_cast<std::size_t>(i)];
-      if (span.begin >= span.end) continue;
-      node::Span& drawn = canvas.spans[static_cast<std::size_t>(first + i - canvas.rect.top)];
-      drawn.begin = std::min(drawn.begin, span.begin - canvas.rect.left);
-      drawn.end = std::max(drawn.end, span.end - canvas.rect.left);
-      const float down = static_cast<float>(first + i) + 0.5F - a.y;
-      const std::ptrdiff_t start = (first + i - canvas.rect.top) * canvas.stride - canvas.rect.left;
-      for (int x = span.begin; x < span.end; x += kLanes) {
-        const float across = static_cast<float>(x) + 0.5F - a.x;
-        Planes row;
-        for (std::size_t k = 0; k < kPlanes; ++k) row[k] = a.planes[k] + alongX[k] * across + alongY[k] * down;
-        fill(row, alongX, least, most, span.end - x, canvas.surface.data() + start + x,
-             canvas.depth.data() + start + x);
+  const auto atA = std::bit_cast<Planes>(a);
+  const Planes ab = std::bit_cast<Planes>(b) - atA;
+  const Planes ac = std::bit_cast<Planes>(c) - atA;
+  const Planes alongX = (ab * acy - ac * aby) * perArea;
+  const Planes alongY = (ac * abx - ab * acx) * perArea;
+  const Floats least = std::min({a.planes[0], b.planes[0], c.planes[0]}) - Floats{};
+  const Floats most = std::max({a.planes[0], b.planes[0], c.planes[0]}) - Floats{};
+  const int left = std::max(canvas.rect.left, static_cast<int>(std::min({a.x, b.x, c.x})));
+  SpanRows spans;
+  for (int top = scan.top(); top < scan.bottom(); top += kLanes) {
+    const int rows = std::min(kLanes, scan.bottom() - top);
+    scan.convert(top, spans);
+    const int right = canvas.widen(top, rows, spans);
+    // Most triangles fit into one square of lanes.
+    for (int x = left; x < right; x += kLanes) {
+      const Planes corner =
+          atA + alongX * (static_cast<float>(x) + 0.5F - a.x) + alongY * (static_cast<float>(top) + 0.5F - a.y);
+      Row first;
+      for (std::size_t k = 0; k < kPlanes; ++k) first[k] = corner[k + 2] + alongX[k + 2] * toFloats(kUpwards);
+      const std::ptrdiff_t start = (top - canvas.rect.top) * canvas.stride + x - canvas.rect.left;
+      for (int i = 0; i < rows; ++i) {
+        const int begin = spans.begin[i] - x;
+        const int end = spans.end[i] - x;
+        if (begin >= std::min(end, kLanes) || end <= 0) continue;
+        Row row;
+        for (std::size_t k = 0; k < kPlanes; ++k) row[k] = first[k] + alongY[k + 2] * static_cast<float>(i);
+        fill(row, least, most, begin, end, canvas.surface.data() + start + i * canvas.stride,
+             canvas.depth.data() + start + i * canvas.stride);
       }
     }
   }

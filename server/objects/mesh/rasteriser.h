@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "objects/mesh/scan_converter.h"
 #include "objects/mesh/vertex_arrays.h"
 #include "world/camera.h"
 
@@ -49,6 +50,9 @@ struct Canvas {
 
   /// Empties it for another rectangle; only what was drawn to costs anything.
   void begin(const world::Rect& to);
+
+  /// Takes note of rows of a triangle from `top` on; returns where the longest ends, in pixels of the frame.
+  int widen(int top, int rows, const SpanRows& drawn) noexcept;
 };
 
 /// Fills `vertices` with the first `light.size()` of the drawing, which vertices.light must hold the light of.

@@ -36,14 +36,20 @@ ScanConverter::ScanConverter(ScreenPoint a, ScreenPoint b, ScreenPoint c, const 
   bottom_ = firstFrom(third.y, limits.top, limits.bottom);
 }
 
-void ScanConverter::convert(int firstRow, std::span<node::Span> rows) const noexcept {
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const int row = firstRow + static_cast<int>(i);
-    const float middle = static_cast<float>(row) + 0.5F;
-    const int along = firstFrom(long_.at(middle), limits_.left, limits_.right);
-    const int across = firstFrom((row < middle_ ? upper_ : lower_).at(middle), limits_.left, limits_.right);
-    rows[i] = longIsLeft_ ? node::Span{along, across} : node::Span{across, along};
-  }
+void ScanConverter::convert(int firstRow, SpanRows& rows) const noexcept {
+  const Floats y = toFloats(kUpwards + firstRow) + 0.5F;
+  const Floats low = static_cast<float>(limits_.left) - Floats{};
+  const Floats high = static_cast<float>(limits_.right) - Floats{};
+  // The first column whose middle is not before where an edge crosses the middle of a row.
+  const auto columns = [&](const Edge& edge) {
+    const Floats column = clamped(edge.x + (y - edge.top) * edge.slope - 0.5F, low, high);
+    const Ints cut = truncated(column);
+    return cut - (toFloats(cut) < column);
+  };
+  const Ints straight = columns(long_);
+  const Ints bent = kUpwards + firstRow < middle_ ? columns(upper_) : columns(lower_);
+  rows.begin = longIsLeft_ ? straight : bent;
+  rows.end = longIsLeft_ ? bent : straight;
 }
 
 }  // namespace grove::objects::mesh

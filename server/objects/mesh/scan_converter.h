@@ -1,10 +1,15 @@
 #pragma once
 
-#include <span>
-
-#include "node/image.h"
+#include "objects/mesh/lanes.h"
+#include "world/camera.h"
 
 namespace grove::objects::mesh {
+
+/// Of kLanes rows, the columns from `begin` to before `end`; none if `end` is not larger.
+struct SpanRows {
+  Ints begin;
+  Ints end;
+};
 
 struct ScreenPoint {
   float x;  ///< pixels
@@ -22,13 +27,12 @@ class ScanConverter {
   [[nodiscard]] int top() const noexcept { return top_; }
   [[nodiscard]] int bottom() const noexcept { return bottom_; }
 
-  /// Spans of the rows (none if the end is not larger) from `firstRow` on, within top() and bottom().
-  void convert(int firstRow, std::span<node::Span> rows) const noexcept;
+  /// The rows from `firstRow` on; only those within top() and bottom() mean anything.
+  void convert(int firstRow, SpanRows& rows) const noexcept;
 
  private:
   struct Edge {
     Edge(ScreenPoint from, ScreenPoint to) noexcept;
-    [[nodiscard]] float at(float y) const noexcept { return x + (y - top) * slope; }
     float x;
     float top;
     float slope;

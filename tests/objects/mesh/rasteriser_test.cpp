@@ -28,10 +28,14 @@ class Hits {
  public:
   void add(const std::array<ScreenPoint, 3>& corners) {
     const ScanConverter scan(corners[0], corners[1], corners[2], kAll);
-    std::vector<node::Span> spans(static_cast<std::size_t>(std::max(0, scan.bottom() - scan.top())));
-    scan.convert(scan.top(), spans);
-    for (std::size_t i = 0; i < spans.size(); ++i) {
-      for (int x = spans[i].begin; x < spans[i].end; ++x) ++count_[at(x, scan.top() + static_cast<int>(i))];
+    SpanRows spans;
+    for (int first = scan.top(); first < scan.bottom(); first += kLanes) {
+      scan.convert(first, spans);
+      for (int i = 0; i < kLanes; ++i) {
+        const int y = first + i;
+        if (y == scan.bottom()) break;
+        for (int x = spans.begin[i]; x < spans.end[i]; ++x) ++count_[at(x, y)];
+      }
     }
   }
 
