@@ -4,6 +4,7 @@
 #include <array>
 #include <span>
 
+#include "objects/mesh/lanes.h"
 #include "objects/mesh/vertex_light.h"
 
 namespace grove::objects::mesh {
@@ -11,7 +12,7 @@ namespace {
 
 using world::Vec3;
 
-constexpr std::size_t kLanes = 16;
+static_assert(kFragmentRoom == kLanes);
 constexpr std::size_t kScales = 3;
 /// Metres of a texel, coarse to fine.
 constexpr std::array<float, kScales> kTexel = {0.034F, 0.0071F, 0.0016F};
@@ -40,8 +41,8 @@ struct Scale {
     row0 = Vec3(turn[0].x, turn[1].x, turn[2].x);
     row1 = Vec3(turn[0].y, turn[1].y, turn[2].y);
     row2 = Vec3(turn[0].z, turn[1].z, turn[2].z);
-    sun = glm::mat3(turn) * sunDirection * (kTexel[index] * kSlope[index]);
-    up = glm::mat3(turn) * upDirection * (kTexel[index] * kSlope[index] * kSkyRelief);
+    sun = glm::mat3(turn) * sunDirection * (kTexel[index] * kSlope[index] / 255.0F);
+    up = glm::mat3(turn) * upDirection * (kTexel[index] * kSlope[index] * kSkyRelief / 255.0F);
     stain = kStain[index];
     pixels = 1.8F * kTexel[index] * focal;
   }
@@ -53,11 +54,6 @@ struct Scale {
   float stain;
   float pixels;  ///< that the smallest features have at one metre
 };
-
-/// How much the sun brings out slopes.
-inline float reliefOf(std::uint32_t packed) {
-  return static_cast<float>(static_cast<std::int32_t>(packed >> 28U)) * (kMostRelief / 15.0F);
-}
 
 /// Brightens a display-encoded channel by a factor exp(change) of its light: the display curve is steepest in its
 /// middle.
@@ -104,9 +100,11 @@ class Weathering {
   };
   static constexpr std::size_t kBlock = 256;
   static constexpr std::size_t kPieces = 32;
-  static constexpr std::size_t kRoom = kBlock + kLanes;  // whole vectors are written wherever they begin
+  static constexpr std::size_t kRoom = kBlock + kFragmentRoom;  // whole vectors are written wherever they begin
 
-  static std::size_t roundedUp(std::size_t count) { return (count + kLanes - 1) / kLanes * kLanes; }
+  static std::size_t roundedUp(std::size_t count) {
+    return (count + kFragmentRoom - 1) / kFragmentRoom * kFragmentRoom;
+  }
   void take(const std::uint32_t* surface, const float* reversed, std::size_t count, const Line& line, int column);
   void addScale(const Scale& scale, std::size_t count);
   void weather(std::size_t count);
@@ -125,6 +123,7 @@ class Weathering {
   alignas(64) std::array<float, kRoom> y_{};
   alignas(64) std::array<float, kRoom> z_{};
   // What the scales add up to: the height, and how much the slope brightens.
+  alignas(64) std::array<float, kRoom> relief_{};  // how much the sun brings out slopes
   alignas(64) std::array<float, kRoom> stain_{};
   alignas(64) std::array<float, kRoom> slope_{};
   alignas(64) std::array<float, kRoom> depth_{};
@@ -158,56 +157,55 @@ void Weathering::take(const std::uint32_t* __restrict surface, const float* __re
 /// Adds one scale: trilinear lookups, with the gradient.
 void Weathering::addScale(const Scale& scale, std::size_t count) {
   constexpr std::int32_t kWrap = DetailTexture::kSize - 1;
-  constexpr std::int32_t kSlice = DetailTexture::kSize * DetailTexture::kSize;
   // Far from zero, so that cutting off the fraction rounds down.
   constexpr float kFar = 8192.0F;
-  const std::uint32_t* __restrict texture = texture_.squares();
+  const std::uint32_t* texture = texture_.squares();
   const Vec3 row0 = scale.row0;
   const Vec3 row1 = scale.row1;
   const Vec3 row2 = scale.row2;
   const Vec3 sun = scale.sun;
   const Vec3 up = scale.up;
-  const float stain = scale.stain;
+  const float stain = scale.stain / 255.0F;
   const float pixels = scale.pixels / nearDepth_;
-  for (std::size_t i = 0; i < count; ++i) {
-    const float x = x_[i];
-    const float y = y_[i];
-    const float z = z_[i];
-    const float u = row0.x * x + row0.y * y + row0.z * z + kFar;
-    const float v = row1.x * x + row1.y * y + row1.z * z + kFar;
-    const float w = row2.x * x + row2.y * y + row2.z * z + kFar;
-    const auto iu = static_cast<std::int32_t>(u);
-    const auto iv = static_cast<std::int32_t>(v);
-    const auto iw = static_cast<std::int32_t>(w);
-    const float fu = u - static_cast<float>(iu);
-    const float fv = v - static_cast<float>(iv);
-    const float fw = w - static_cast<float>(iw);
-    const std::int32_t at = (iw & kWrap) * kSlice + (iv & kWrap) * (kWrap + 1) + (iu & kWrap);
-    const std::uint32_t front = texture[at];
-    const std::uint32_t back = texture[at + kSlice];
-    const float c00 = byteOf(front, 0);
-    const float c10 = byteOf(front, 8);
-    const float c01 = byteOf(front, 16);
-    const float c11 = byteOf(front, 24);
-    const float w00 = byteOf(back, 0) - c00;
-    const float w10 = byteOf(back, 8) - c10;
-    const float w01 = byteOf(back, 16) - c01;
-    const float w11 = byteOf(back, 24) - c11;
-    const float h00 = c00 + fw * w00;
-    const float h01 = c01 + fw * w01;
-    const float u0 = c10 + fw * w10 - h00;
-    const float u1 = c11 + fw * w11 - h01;
-    const float low = h00 + fu * u0;
-    const float slopeU = u0 + fv * (u1 - u0);
-    const float slopeV = h01 + fu * u1 - low;
-    const float lowW = w00 + fu * (w10 - w00);
-    const float slopeW = lowW + fv * (w01 + fu * (w11 - w01) - lowW);
-    const float weight = std::min(std::max(pixels * reversed_[i] - kLeastPixels, 0.0F), 1.0F) * (1.0F / 255.0F);
-    const float relief = reliefOf(surface_[i]);
-    stain_[i] += (low + fv * slopeV - 127.5F) * (stain * weight);
-    slope_[i] -=
-        (slopeU * (relief * sun.x + up.x) + slopeV * (relief * sun.y + up.y) + slopeW * (relief * sun.z + up.z)) *
-        weight;
+  for (std::size_t i = 0; i < count; i += kLanes) {
+    const auto x = load<Floats>(&x_[i]);
+    const auto y = load<Floats>(&y_[i]);
+    const auto z = load<Floats>(&z_[i]);
+    const Floats u = row0.x * x + row0.y * y + row0.z * z + kFar;
+    const Floats v = row1.x * x + row1.y * y + row1.z * z + kFar;
+    const Floats w = row2.x * x + row2.y * y + row2.z * z + kFar;
+    const Ints iu = truncated(u);
+    const Ints iv = truncated(v);
+    const Ints iw = truncated(w);
+    const Floats fu = u - toFloats(iu);
+    const Floats fv = v - toFloats(iv);
+    const Floats fw = w - toFloats(iw);
+    constexpr auto kLine = static_cast<std::int32_t>(DetailTexture::kLine);
+    const Ints line = (iv & kWrap) * static_cast<std::int32_t>(DetailTexture::kSize) + (iu & kWrap);
+    const auto [front, back] = lookUpPair(texture, line * kLine + (iw & kWrap));
+    const Floats c00 = toFloats(front & 0xFF);
+    const Floats c10 = toFloats(front >> 8 & 0xFF);
+    const Floats c01 = toFloats(front >> 16 & 0xFF);
+    const Floats c11 = toFloats(front >> 24 & 0xFF);
+    const Floats w00 = toFloats(back & 0xFF) - c00;
+    const Floats w10 = toFloats(back >> 8 & 0xFF) - c10;
+    const Floats w01 = toFloats(back >> 16 & 0xFF) - c01;
+    const Floats w11 = toFloats(back >> 24 & 0xFF) - c11;
+    const Floats h00 = c00 + fw * w00;
+    const Floats h01 = c01 + fw * w01;
+    const Floats u0 = c10 + fw * w10 - h00;
+    const Floats u1 = c11 + fw * w11 - h01;
+    const Floats low = h00 + fu * u0;
+    const Floats slopeU = u0 + fv * (u1 - u0);
+    const Floats slopeV = h01 + fu * u1 - low;
+    const Floats lowW = w00 + fu * (w10 - w00);
+    const Floats slopeW = lowW + fv * (w01 + fu * (w11 - w01) - lowW);
+    const Floats weight = clamped(pixels * load<Floats>(&reversed_[i]) - kLeastPixels, 0.0F, 1.0F);
+    const auto relief = load<Floats>(&relief_[i]);
+    const Floats slope =
+        slopeU * (relief * sun.x + up.x) + slopeV * (relief * sun.y + up.y) + slopeW * (relief * sun.z + up.z);
+    store(load<Floats>(&stain_[i]) + (low + fv * slopeV - 127.5F) * (stain * weight), &stain_[i]);
+    store(load<Floats>(&slope_[i]) - slope * weight, &slope_[i]);
   }
 }
 
@@ -236,6 +234,7 @@ void Weathering::flush() {
   float nearest = 0.0F;
   for (std::size_t i = 0; i < count; ++i) {
     nearest = std::max(nearest, reversed_[i]);
+    relief_[i] = static_cast<float>(static_cast<std::int32_t>(surface_[i] >> 28U)) * (kMostRelief / 15.0F);
     stain_[i] = 0.0F;
     slope_[i] = 0.0F;
   }

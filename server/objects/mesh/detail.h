@@ -9,8 +9,8 @@
 
 namespace grove::objects::mesh {
 
-/// Pixels of a vector.
-inline constexpr std::ptrdiff_t kFragmentRoom = 16;
+/// Pixels that are looked at together.
+inline constexpr std::size_t kFragmentRoom = 16;
 
 /// What a renderer finds of one drawing: rows of its rectangle from the top. Both arrays can be read for
 /// kFragmentRoom pixels beyond the last, whatever is there.

@@ -69,14 +69,14 @@ DetailTexture::DetailTexture() {
       }
     }
   }
-  squares_.resize(heights.size() + std::size_t{kSize} * kSize);
-  for (std::uint32_t z = 0; z <= kSize; ++z) {
-    for (std::uint32_t y = 0; y < kSize; ++y) {
-      for (std::uint32_t x = 0; x < kSize; ++x) {
+  squares_.resize(std::size_t{kSize} * kSize * kLine);
+  for (std::uint32_t y = 0; y < kSize; ++y) {
+    for (std::uint32_t x = 0; x < kSize; ++x) {
+      for (std::uint32_t z = 0; z <= kSize; ++z) {
         const auto at = [&](std::uint32_t dx, std::uint32_t dy) -> std::uint32_t {
           return heights[indexOf((x + dx) & kWrap, (y + dy) & kWrap, z & kWrap)];
         };
-        squares_[indexOf(x, y, z)] = at(0, 0) | at(1, 0) << 8U | at(0, 1) << 16U | at(1, 1) << 24U;
+        squares_[(y * kSize + x) * kLine + z] = at(0, 0) | at(1, 0) << 8U | at(0, 1) << 16U | at(1, 1) << 24U;
       }
     }
   }

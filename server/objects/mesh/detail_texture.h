@@ -14,8 +14,11 @@ class DetailTexture {
 
   DetailTexture();
 
-  /// At ((z * kSize) + y) * kSize + x: the heights (0..255) of the texel, of those next along x, along y, and along
-  /// both, from the lowest byte up. The slice after the last is the first again, so z + 1 needs no wrapping.
+  static constexpr std::uint32_t kLine = kSize + 1;
+
+  /// At ((y * kSize) + x) * kLine + z: the heights (0..255) of the texel, of those next along x, along y, and along
+  /// both, from the lowest byte up. The end of a line is its beginning again, so z + 1 needs no wrapping and both lie
+  /// side by side.
   [[nodiscard]] const std::uint32_t* squares() const noexcept { return squares_.data(); }
 
  private:

@@ -136,7 +136,7 @@ TEST(DetailTexture, RepeatsWithoutASeam) {
   const DetailTexture texture;
   constexpr std::uint32_t kLast = DetailTexture::kSize - 1;
   const auto square = [&](std::uint32_t x, std::uint32_t y, std::uint32_t z) {
-    return texture.squares()[(z * DetailTexture::kSize + y) * DetailTexture::kSize + x];
+    return texture.squares()[(y * DetailTexture::kSize + x) * DetailTexture::kLine + z];
   };
   for (std::uint32_t i = 0; i < DetailTexture::kSize; ++i) {
     EXPECT_EQ(square(kLast, i, 5) >> 8U & 0xFFU, square(0, i, 5) & 0xFFU);
