@@ -172,15 +172,20 @@ void drawTriangle(const Corner& a, const Corner& b, const Corner& c, Canvas& can
     for (int x = left; x < right; x += kLanes) {
       const Planes corner =
           atA + alongX * (static_cast<float>(x) + 0.5F - a.x) + alongY * (static_cast<float>(top) + 0.5F - a.y);
-      Row first;
-      for (std::size_t k = 0; k < kPlanes; ++k) first[k] = corner[k + 2] + alongX[k + 2] * toFloats(kUpwards);
+      Row row;
+      Row down;
+      for (std::size_t k = 0; k < kPlanes; ++k) {
+        row[k] = corner[k + 2] + alongX[k + 2] * toFloats(kUpwards);
+        down[k] = alongY[k + 2] - Floats{};
+      }
+      const auto goDown = [&] {
+        for (std::size_t k = 0; k < kPlanes; ++k) row[k] += down[k];
+      };
       const std::ptrdiff_t start = (top - canvas.rect.top) * canvas.stride + x - canvas.rect.left;
-      for (int i = 0; i < rows; ++i) {
+      for (int i = 0; i < rows; ++i, goDown()) {
         const int begin = spans.begin[i] - x;
         const int end = spans.end[i] - x;
         if (begin >= std::min(end, kLanes) || end <= 0) continue;
-        Row row;
-        for (std::size_t k = 0; k < kPlanes; ++k) row[k] = first[k] + alongY[k + 2] * static_cast<float>(i);
         fill(row, least, most, begin, end, canvas.surface.data() + start + i * canvas.stride,
              canvas.depth.data() + start + i * canvas.stride);
       }
