@@ -42,10 +42,23 @@ class Panorama {
 
   /// Bilinear, 0..255 a channel; exact, one direction at a time. The reference for sampleRow().
   [[nodiscard]] world::Vec3 sample(world::Vec3 direction) const noexcept;
+  /// The same at a place in texels, whose middles are at whole numbers. Columns go around, rows end.
+  [[nodiscard]] world::Vec3 at(float x, float y) const noexcept;
 
  private:
   const PanoramaSize size_;
   std::vector<std::uint32_t> texels_;
 };
+
+/// A panorama, and a small copy of it that stays in a core's cache.
+struct SkyMaps {
+  explicit SkyMaps(Panorama map);
+
+  Panorama sharp;
+  Panorama soft;  ///< each texel the mean of kSoftColumns x kSoftRows, for what has no detail and is sampled sparsely
+};
+
+inline constexpr int kSoftColumns = 4;
+inline constexpr int kSoftRows = 2;
 
 }  // namespace grove::objects::sky

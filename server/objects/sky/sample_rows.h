@@ -16,8 +16,9 @@ struct RowOfRays {
   float sideStep = 0.0F;
 };
 
-/// Fills `count` pixels by bilinear look-up. A vectorised loop.
-void sampleRow(const Panorama& panorama, const RowOfRays& rays, int count, std::uint32_t* colour);
+/// Fills `count` pixels from the row's `first` on by bilinear look-up. Which pixels are asked for together makes no
+/// difference to any of them. A vectorised loop.
+void sampleRow(const Panorama& panorama, const RowOfRays& rays, int first, int count, std::uint32_t* colour);
 
 /// Widens a row of samples, taken at every `step`-th pixel (2 or 4) of two rows, to all `count` pixels of the row
 /// between them (of either row, if both are the same). A vectorised loop over `above` and `below`, which hold

@@ -23,9 +23,8 @@ constexpr float kSunReach = 0.035F;  // radians from the sun's middle
 /// Samples rows of one camera.
 class SkyRows {
  public:
-  SkyRows(const Panorama& panorama, const world::Camera& camera)
-      : panorama_(panorama),
-        camera_(camera),
+  explicit SkyRows(const world::Camera& camera)
+      : camera_(camera),
         cosine_(std::cos(camera.pose.pitch)),
         sine_(std::sin(camera.pose.pitch)),
         tanHalfX_(camera.tanHalfX()),
@@ -34,7 +33,7 @@ class SkyRows {
 
   /// Whether all of a row is above the landscape.
   [[nodiscard]] bool soft(int row) const {
-    const RowOfRays rays = at(row, 0, 1);
+    const RowOfRays rays = at(row, 1);
     return rays.up > kSoftTangent * std::hypot(rays.ahead, tanHalfX_);
   }
 
@@ -47,9 +46,9 @@ class SkyRows {
     return std::fabs(off) < kSunReach * std::hypot(1.0F, v);
   }
 
-  /// `count` pixels of a row, `step` apart.
-  void sample(int row, int first, int step, int count, std::uint32_t* colour) const {
-    sampleRow(panorama_, at(row, first, step), count, colour);
+  /// `count` pixels of a row, `step` apart, from the `first` of these on.
+  void sample(const Panorama& panorama, int row, int step, int first, int count, std::uint32_t* colour) const {
+    sampleRow(panorama, at(row, step), first, count, colour);
   }
 
  private:
@@ -59,14 +58,12 @@ class SkyRows {
     return (1.0F - 2.0F * y) * tanHalfY_;
   }
 
-  [[nodiscard]] RowOfRays at(int row, int first, int step) const {
+  [[nodiscard]] RowOfRays at(int row, int step) const {
     const float v = slope(row);
-    const float firstSide = (static_cast<float>(first) + 0.5F) * sideStep_ - tanHalfX_;
-    return {camera_.pose.yaw, cosine_ - v * sine_, sine_ + v * cosine_, firstSide,
+    return {camera_.pose.yaw, cosine_ - v * sine_, sine_ + v * cosine_, 0.5F * sideStep_ - tanHalfX_,
             sideStep_ * static_cast<float>(step)};
   }
 
-  const Panorama& panorama_;
   const world::Camera& camera_;
   const float cosine_;
   const float sine_;
@@ -78,8 +75,13 @@ class SkyRows {
 /// Samples of every `step`-th pixel of every second row of the frame, whatever part of it is asked for.
 class SoftRows {
  public:
-  SoftRows(const SkyRows& rows, world::Rect rect, int step)
-      : rows_(rows), step_(step), first_(rect.left / step * step), skip_(rect.left - first_), count_(rect.width()) {
+  SoftRows(const SkyRows& rows, const Panorama& panorama, world::Rect rect, int step)
+      : rows_(rows),
+        panorama_(panorama),
+        step_(step),
+        first_(rect.left / step),
+        skip_(rect.left % step),
+        count_(rect.width()) {
     const auto samples = static_cast<std::size_t>((count_ + skip_) / step + 2);
     even_.resize(samples);
     next_.resize(samples);
@@ -109,10 +111,11 @@ class SoftRows {
     loaded_ = row;
   }
   void sampleInto(std::vector<std::uint32_t>& samples, int row) const {
-    rows_.sample(row, first_, step_, static_cast<int>(samples.size()), samples.data());
+    rows_.sample(panorama_, row, step_, first_, static_cast<int>(samples.size()), samples.data());
   }
 
   const SkyRows& rows_;
+  const Panorama& panorama_;
   const int step_;
   const int first_;
   const int skip_;
@@ -125,7 +128,7 @@ class SoftRows {
 
 }  // namespace
 
-std::shared_ptr<const node::Image> skyImage(const Panorama& panorama, const world::Camera& camera, world::Rect rect,
+std::shared_ptr<const node::Image> skyImage(const SkyMaps& maps, const world::Camera& camera, world::Rect rect,
                                             node::ImagePool& images) {
   const auto rise = [&](int row) { return camera.ray(0.0F, static_cast<float>(row) + 0.5F).y; };
   while (!rect.empty() && rise(rect.bottom - 1) < kLowestRise) --rect.bottom;
@@ -133,15 +136,15 @@ std::shared_ptr<const node::Image> skyImage(const Panorama& panorama, const worl
 
   const auto image = images.acquire(rect);
   image->opaque = true;
-  const SkyRows rows(panorama, camera);
-  SoftRows softRows(rows, rect, kSoftStep);
-  SoftRows sunnyRows(rows, rect, kSunStep);
+  const SkyRows rows(camera);
+  SoftRows softRows(rows, maps.soft, rect, kSoftStep);
+  SoftRows sunnyRows(rows, maps.sharp, rect, kSunStep);
   for (int row = rect.top; row < rect.bottom; ++row) {
     std::uint32_t* colour = image->colourRow(row - rect.top);
     if (rows.soft(row)) {
       (rows.sunny(row) ? sunnyRows : softRows).fill(row, colour);
     } else {
-      rows.sample(row, rect.left, 1, rect.width(), colour);
+      rows.sample(maps.sharp, row, 1, rect.left, rect.width(), colour);
     }
     fillDepth(rect.width(), image->depthRow(row - rect.top));
   }

@@ -27,9 +27,8 @@ class SkyBackend final : public node::BackendHalf {
     for (const world::Object& object : services.world.objects()) {
       if (object.type != self) continue;
       const int seed = static_cast<const SkyModel&>(*object.model).seed();
-      if (panoramas_.contains(seed)) continue;
-      panoramas_.emplace(seed,
-                         bakePanorama(size, seed, [&](float share) { services.progress("painting the sky", share); }));
+      if (maps_.contains(seed)) continue;
+      maps_.emplace(seed, bakePanorama(size, seed, [&](float share) { services.progress("painting the sky", share); }));
     }
   }
 
@@ -40,14 +39,14 @@ class SkyBackend final : public node::BackendHalf {
   void answer(std::span<const node::Request> requests, std::span<node::Payload> payloads) override {
     for (std::size_t i = 0; i < requests.size(); ++i) {
       const node::VisibleObject& visible = requests[i].visible();
-      const Panorama& panorama = panoramas_.at(static_cast<const SkyModel&>(*visible.object.model).seed());
-      payloads[i] = skyImage(panorama, requests[i].view().camera, visible.rect, services_.images);
+      const SkyMaps& maps = maps_.at(static_cast<const SkyModel&>(*visible.object.model).seed());
+      payloads[i] = skyImage(maps, requests[i].view().camera, visible.rect, services_.images);
     }
   }
 
  private:
   const node::BackendServices services_;
-  std::map<int, Panorama> panoramas_;
+  std::map<int, SkyMaps> maps_;
 };
 
 }  // namespace

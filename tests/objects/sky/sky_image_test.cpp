@@ -20,10 +20,10 @@ world::Rect whole(const world::Camera& camera) { return {0, 0, camera.width, cam
 class SkyImage : public testing::Test {
  protected:
   static void SetUpTestSuite() {
-    baked = std::make_unique<Panorama>(bakePanorama({1024, 256}, 7, [](float) {}));
+    baked = std::make_unique<SkyMaps>(bakePanorama({1024, 256}, 7, [](float) {}));
   }
   static void TearDownTestSuite() { baked.reset(); }
-  static inline std::unique_ptr<Panorama> baked;
+  static inline std::unique_ptr<SkyMaps> baked;
   node::ImagePool images;
 };
 
