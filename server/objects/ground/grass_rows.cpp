@@ -4,6 +4,8 @@
 #include <bit>
 #include <cmath>
 
+#include "objects/ground/halves.h"
+
 namespace grove::objects::ground {
 namespace {
 
@@ -84,6 +86,14 @@ void sampleLine(const TiledLevels& levels, TexelLine line, std::uint32_t* __rest
   }
 }
 
+/// Of one of the samples along a pixel's ray; the first is the farthest.
+double depthOfTap(const Frame& frame, const Row& row, const MeadowSampling& sampling, int tap) {
+  const float share = (static_cast<float>(tap) + 0.5F) / static_cast<float>(sampling.taps) - 0.5F;
+  return static_cast<double>(row.depth) - static_cast<double>(share * row.depth * row.depth * frame.inverseStep);
+}
+
+int turnOf(const Row& row, int tap) { return row.row * 5 + tap * 9; }
+
 /// Means of the colours; heights stay those of `into`, or tufts would shrink where they are far.
 void average(std::uint32_t* __restrict into, const std::uint32_t* __restrict other) {
   constexpr std::uint32_t kHeight = 0xFF000000U;
@@ -91,6 +101,12 @@ void average(std::uint32_t* __restrict into, const std::uint32_t* __restrict oth
     const std::uint32_t mean = (into[i] & other[i]) + (((into[i] ^ other[i]) >> 1U) & 0x7F7F7F7FU);
     into[i] = (mean & ~kHeight) | (into[i] & kHeight);
   }
+}
+
+/// Of a vector of columns.
+Halves grassAt(const SoilBetween& soil, int first) {
+  return load<Halves>(soil.first.grass.data() + first) +
+         load<Halves>(soil.step.grass.data() + first) * static_cast<std::int16_t>(soil.steps);
 }
 
 }  // namespace
@@ -110,14 +126,12 @@ MeadowSampling samplingFor(const Row& row, const Meadow& meadow) {
 }
 
 void growGrass(const Frame& frame, const Row& row, int firstColumn, const Meadow& meadow,
-               const MeadowSampling& sampling, const FineSoil& soil, GrassRows& grass) {
+               const MeadowSampling& sampling, const SoilBetween& soil, GrassRows& grass) {
   const auto slot = static_cast<std::size_t>(row.row & (kRootRows - 1));
   std::uint32_t* __restrict texels = grass.texels.data() + slot * kTile;
   const auto tap = [&](int index, std::uint32_t* out) {
-    const float shift = ((static_cast<float>(index) + 0.5F) / static_cast<float>(sampling.taps) - 0.5F) * row.depth *
-                        row.depth * frame.inverseStep;
-    sampleLine(TiledLevels(meadow.pyramid, sampling, row.row * 5 + index * 9),
-               TexelLine(frame, row.depth - shift, row.ahead, firstColumn, meadow.metres), out);
+    sampleLine(TiledLevels(meadow.pyramid, sampling, turnOf(row, index)),
+               TexelLine(frame, depthOfTap(frame, row, sampling, index), row.ahead, firstColumn, meadow.metres), out);
   };
   tap(0, texels);
   if (sampling.taps > 1) {
@@ -133,29 +147,79 @@ void growGrass(const Frame& frame, const Row& row, int firstColumn, const Meadow
     }
   }
 
-  const float tallest = row.pixelsPerMetre * kTallest * (1.0F / 255.0F);
-  const float base = static_cast<float>(row.row) + 0.5F;
-  alignas(64) std::array<int, kTile> levels;
-  for (int first = 0; first < kTile; first += kLanes) {
-    for (int lane = 0; lane < kLanes; ++lane) {
-      const float top = base - static_cast<float>(static_cast<int>(texels[first + lane] >> 24U)) *
-                                   soil.grass.at(first / kCoarse, lane) * tallest;
-      levels[static_cast<std::size_t>(first + lane)] = static_cast<int>(top);
-    }
-  }
+  // Pixels that the tallest grass rises above its root, in steps of 1/256; higher ones would not be searched anyway.
+  const auto tallest =
+      static_cast<std::uint16_t>(std::min(row.pixelsPerMetre * kTallest, 254.0F) * (65536.0F / 255.0F));
   std::int16_t* __restrict tops = grass.tops.data() + slot * kTile;
-  auto highest = static_cast<std::int16_t>(row.row);
-  for (std::size_t i = 0; i < kTile; ++i) {
-    tops[i] = static_cast<std::int16_t>(levels[i]);
-    highest = std::min(highest, tops[i]);
+  alignas(64) std::array<std::uint16_t, kTile> blades;
+  for (std::size_t i = 0; i < kTile; ++i) blades[i] = static_cast<std::uint16_t>((texels[i] >> 24U) << 8U);
+  const auto base = static_cast<std::int16_t>(row.row);
+  Halves highest = Halves{} + base;
+  for (int i = 0; i < kTile; i += kHalves) {
+    const auto height = reinterpret_cast<UnsignedHalves>(grassAt(soil, i));
+    const UnsignedHalves tall = upper(height, UnsignedHalves{} + tallest);
+    const UnsignedHalves rise = (upper(load<UnsignedHalves>(blades.data() + i), tall) + 64) >> 7;
+    const Halves top = base - reinterpret_cast<Halves>(rise);
+    store(top, tops + i);
+    highest = least(highest, top);
   }
-  grass.highest[slot] = highest;
+  std::int16_t least = base;
+  for (int i = 0; i < kHalves; ++i) least = std::min<std::int16_t>(least, highest[i]);
+  grass.highest[slot] = least;
 }
 
-void findRoots(int row, int reach, GrassRows& grass) {
-  std::int16_t* __restrict roots = grass.roots.data();
+namespace {
+
+/// How much of the root of albedo shows of blades that stand this many rows nearer than where they are seen.
+struct Shares {
+  alignas(64) std::array<Root, kRootRows> roots;
+  float first = 0.0F;  ///< of what stands in the row itself
+  float tops = 0.0F;   ///< where blades are shorter than a pixel only their tops are seen
+
+  Shares(const Row& row, int reach) {
+    tops = std::clamp(1.5F - 0.5F * row.pixelsPerMetre * (0.35F * kTallest), 0.0F, 1.0F);
+    const float heightStep = 1.0F / (std::max(1e-3F, row.pixelsPerMetre) * (0.62F * kTallest));
+    const auto reliefAt = [&](int above) {
+      // Deep in the grass it is dark; the curve is the root of 0.30 + 1.05 * stalk.
+      const float stalk = std::sqrt(std::min(1.0F, (static_cast<float>(above) + 0.5F) * heightStep));
+      return 0.548F + stalk * (0.86F - 0.25F * stalk);
+    };
+    first = reliefAt(0);
+    const float shown = tops;
+    alignas(64) std::array<int, kRootRows> packed;
+    const int count = std::min(kRootRows, (reach + kLanes) / kLanes * kLanes);
+    for (int above = 0; above < count; ++above) {
+      const float relief = reliefAt(above);
+      const int share = static_cast<int>((relief + (1.0F - relief) * shown) * (kShareSteps / kRootRows) + 0.5F);
+      packed[static_cast<std::size_t>(above)] = share * kRootRows + above;
+    }
+    for (int above = 0; above < count; ++above) {
+      const auto at = static_cast<std::size_t>(above);
+      roots[at] = static_cast<Root>(packed[at]);
+    }
+  }
+};
+
+/// What shows where no blade stands before it: the bare earth is not darkened.
+void startRoots(const Shares& shares, const SoilBetween& soil, GrassRows& grass) {
+  const Halves tops = Halves{} + static_cast<std::int16_t>(shares.tops * 32767.0F);
+  const Halves rest = Halves{} + static_cast<std::int16_t>((1.0F - shares.first) * kShareSteps);
+  const auto first = static_cast<std::int16_t>(shares.first * (0.5F * kShareSteps) + 0.25F * kRootRows);
+  for (int i = 0; i < kTile; i += kHalves) {
+    const Halves cover = least(grassAt(soil, i), Halves{} + std::int16_t{8191}) * 4;
+    const Halves share = first + upper(most(32767 - cover, tops), rest);
+    store(reinterpret_cast<UnsignedHalves>(share * 2) & static_cast<Root>(~kRootMask), grass.roots.data() + i);
+  }
+}
+
+}  // namespace
+
+void findRoots(const Row& at, int reach, const SoilBetween& soil, GrassRows& grass) {
+  const Shares shares(at, reach);
+  startRoots(shares, soil, grass);
+  Root* __restrict roots = grass.roots.data();
+  const int row = at.row;
   const auto wanted = static_cast<std::int16_t>(row);
-  std::fill_n(roots, kTile, wanted);
   // Four rows at once, so that the roots stay in registers; a row that does not reach changes nothing.
   std::array<int, 4> rows{};
   std::size_t found = 0;
@@ -165,15 +229,15 @@ void findRoots(int row, int reach, GrassRows& grass) {
     const std::int16_t* __restrict b = tops(1);
     const std::int16_t* __restrict c = tops(2);
     const std::int16_t* __restrict d = tops(3);
-    const auto rowA = static_cast<std::int16_t>(rows[0]);
-    const auto rowB = static_cast<std::int16_t>(rows[1]);
-    const auto rowC = static_cast<std::int16_t>(rows[2]);
-    const auto rowD = static_cast<std::int16_t>(rows[3]);
+    const Root rootA = shares.roots[static_cast<std::size_t>(rows[0] - row)];
+    const Root rootB = shares.roots[static_cast<std::size_t>(rows[1] - row)];
+    const Root rootC = shares.roots[static_cast<std::size_t>(rows[2] - row)];
+    const Root rootD = shares.roots[static_cast<std::size_t>(rows[3] - row)];
     for (int i = 0; i < kTile; ++i) {
-      std::int16_t root = a[i] <= wanted ? rowA : roots[i];
-      root = b[i] <= wanted ? rowB : root;
-      root = c[i] <= wanted ? rowC : root;
-      roots[i] = d[i] <= wanted ? rowD : root;
+      Root root = a[i] <= wanted ? rootA : roots[i];
+      root = b[i] <= wanted ? rootB : root;
+      root = c[i] <= wanted ? rootC : root;
+      roots[i] = d[i] <= wanted ? rootD : root;
     }
   };
   for (int nearer = row + 1; nearer <= row + reach; ++nearer) {

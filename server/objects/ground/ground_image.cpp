@@ -24,14 +24,14 @@ int rowStep(const Frame& frame, int row) {
   return along < 0.10F ? kMostRowStep : along < 0.6F ? 2 : 1;
 }
 
-/// Rows nearer to the eye whose grass can reach up to this row.
-int reachOf(const Frame& frame, int row) {
-  int reach = 0;
-  while (reach + 1 < kRootRows - 1) {
-    const Row nearer = rowAt(frame, row + reach + 1);
-    if (nearer.pixelsPerMetre * kTallest + 0.5F < static_cast<float>(reach + 1)) break;
-    ++reach;
-  }
+/// Rows nearer to the eye whose grass can reach up to this row, which are about as many as of its neighbour.
+int reachOf(const Frame& frame, int row, int ofNeighbour) {
+  const auto reaches = [&](int rows) {
+    return rowAt(frame, row + rows).pixelsPerMetre * kTallest + 0.5F >= static_cast<float>(rows);
+  };
+  int reach = ofNeighbour;
+  while (reach > 0 && !reaches(reach)) --reach;
+  while (reach + 1 < kRootRows - 1 && reaches(reach + 1)) ++reach;
   return reach;
 }
 
@@ -57,60 +57,63 @@ class TilePainter {
  public:
   TilePainter(const GroundMaps& maps, const Frame& frame, std::span<const world::PointLight> lights, node::Image& image)
       : maps_(maps), frame_(frame), lights_(lights), image_(image) {
-    const int lowest = image.rect.bottom - 1 + reachOf(frame, image.rect.bottom - 1);
+    int reach = reachOf(frame, image.rect.bottom - 1, 0);
+    const int lowest = image.rect.bottom - 1 + reach;
+    plans_.reserve(static_cast<std::size_t>(lowest + 1 - image.rect.top));
     for (int y = lowest; y >= image.rect.top; --y) {
       const Row row = rowAt(frame, y);
-      plans_.push_back({row, reachOf(frame, y), samplingFor(row, maps.meadow)});
+      reach = reachOf(frame, y, reach);
+      plans_.push_back({row, reach, samplingFor(row, maps.meadow)});
     }
   }
 
   void paint(int firstColumn) {
     firstColumn_ = firstColumn;
-    near_.row = far_.row = kNoRow;
+    near_->row = far_->row = kNoRow;
     for (const RowPlan& plan : plans_) {
-      const FineSoil& soil = soilAt(plan.row.row);
+      const SoilBetween soil = soilAt(plan.row.row);
       growGrass(frame_, plan.row, firstColumn, maps_.meadow, plan.sampling, soil, grass_);
       if (plan.row.row >= image_.rect.bottom) continue;
-      findRoots(plan.row.row, plan.reach, grass_);
+      findRoots(plan.row, plan.reach, soil, grass_);
       shade(plan.row, soil);
     }
   }
 
  private:
   static constexpr int kNoRow = -1;
-  struct SampledRow {
+  struct SoilRow {
     int row = kNoRow;
-    SampledSoil soil;
+    FineSoil soil;
   };
 
-  void sample(int row, SampledRow& out) const {
+  void sample(int row, SoilRow& out) {
     const Row at = rowAt(frame_, row);
     const float texel = maps_.clearing.metres / static_cast<float>(maps_.clearing.pyramid.size());
     const float area = at.across * kCoarse * at.along * static_cast<float>(rowStep(frame_, row));
     sampleSoil(frame_, at, firstColumn_, maps_.clearing, levelFor(std::sqrt(area) / texel, maps_.clearing.pyramid),
-               maps_.daylight, maps_.tone, lights_, out.soil);
+               maps_.daylight, maps_.tone, lights_, samples_);
+    spreadSoil(samples_, out.soil);
     out.row = row;
   }
 
   /// Between the two sampled rows around `row`.
-  const FineSoil& soilAt(int row) {
+  SoilBetween soilAt(int row) {
     const int step = rowStep(frame_, row);
     const int top = row & ~(step - 1);
-    if (far_.row != top) {
-      if (far_.row == top + step) {
+    if (far_->row != top) {
+      if (far_->row == top + step) {
         std::swap(near_, far_);
       } else if (row != top) {
-        sample(top + step, near_);
+        sample(top + step, *near_);
       }
-      sample(top, far_);
+      sample(top, *far_);
+      if (row != top) stepSoil(far_->soil, near_->soil, step, step_);
     }
-    const float share = static_cast<float>(row - top) / static_cast<float>(step);
-    mixSoil(far_.soil, row == top ? far_.soil : near_.soil, share, soil_);
-    return soil_;
+    return {far_->soil, step_, row - top};
   }
 
   /// Straight into the image, or by way of a buffer where the image holds only a part of the tile.
-  void shade(const Row& row, const FineSoil& soil) {
+  void shade(const Row& row, const SoilBetween& soil) {
     const world::Rect rect = image_.rect;
     const int y = row.row - rect.top;
     const int left = std::max(firstColumn_, rect.left);
@@ -129,9 +132,11 @@ class TilePainter {
   node::Image& image_;
   std::vector<RowPlan> plans_;  // from the nearest up
   int firstColumn_ = 0;
-  SampledRow near_;
-  SampledRow far_;
-  FineSoil soil_;
+  std::array<SoilRow, 2> sampled_;
+  SoilRow* near_ = &sampled_[0];
+  SoilRow* far_ = &sampled_[1];
+  SampledSoil samples_;
+  FineSoil step_{};  // from the farther to the nearer row
   GrassRows grass_;
   alignas(64) std::array<std::uint32_t, kTile> colour_;
   alignas(64) std::array<float, kTile> depth_;

@@ -2,59 +2,67 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+
+#include "objects/ground/halves.h"
 
 namespace grove::objects::ground {
 namespace {
 
-inline float channel(std::uint32_t texel, unsigned shift) {
-  return static_cast<float>(static_cast<int>((texel >> shift) & 0xFFU));
+struct Curve {
+  const FineSoil::Channels& first;
+  const FineSoil::Channels& step;
+
+  /// 0..255.
+  [[nodiscard]] UnsignedHalves shown(int i, std::int16_t steps, UnsignedHalves root) const {
+    const auto at = [&](FineSoil::Line FineSoil::Channels::*line) {
+      return load<Halves>((first.*line).data() + i) + load<Halves>((step.*line).data() + i) * steps;
+    };
+    const auto q = reinterpret_cast<Halves>(root);
+    const Halves slope = at(&FineSoil::Channels::slope) + part(q, at(&FineSoil::Channels::square));
+    const Halves level = at(&FineSoil::Channels::base) + upper(q, slope);
+    constexpr auto kMost = static_cast<std::int16_t>(256.0F * kSoilSteps - 1.0F);
+    static_assert(kSoilSteps == 16.0F);
+    return reinterpret_cast<UnsignedHalves>(least(most(level, Halves{}), Halves{} + kMost)) >> 4;
+  }
+};
+
+/// What grows at the roots, its share that shows, and its depth.
+void pull(const Frame& frame, const Row& row, const GrassRows& grass, std::uint32_t* __restrict grown,
+          std::uint32_t* __restrict shares, float* __restrict depth) {
+  // 16-bit values stay out of the loop that gathers, or the compiler would gather by 64-bit indices.
+  alignas(64) std::array<int, kTile> roots;
+  for (std::size_t i = 0; i < kTile; ++i) roots[i] = grass.roots[i];
+  const std::uint32_t* __restrict texels = grass.texels.data();
+  const float inverseStep = frame.inverseStep;
+  const float inverse = frame.firstInverse + static_cast<float>(row.row) * inverseStep;
+  const int thisRow = row.row;
+  for (int i = 0; i < kTile; ++i) {
+    const int root = roots[static_cast<std::size_t>(i)];
+    const int above = root & static_cast<int>(kRootMask);
+    const int share = root - above;
+    grown[i] = texels[((thisRow + above) & (kRootRows - 1)) * kTile + i];
+    shares[i] = static_cast<std::uint32_t>(share | share << 16);
+    depth[i] = 1.0F / (inverse + static_cast<float>(above) * inverseStep);
+  }
 }
 
 }  // namespace
 
-void shadeRow(const Frame& frame, const Row& row, const FineSoil& soil, const GrassRows& grass,
+void shadeRow(const Frame& frame, const Row& row, const SoilBetween& soil, const GrassRows& grass,
               std::uint32_t* __restrict colour, float* __restrict depth) {
-  // 16-bit values stay out of the loop that gathers, or the compiler would gather by 64-bit indices.
-  alignas(64) std::array<int, kTile> rootRows;
-  for (std::size_t i = 0; i < kTile; ++i) rootRows[i] = grass.roots[i];
-  const int* __restrict roots = rootRows.data();
-  const std::uint32_t* __restrict texels = grass.texels.data();
-  const float inverseStep = frame.inverseStep;
-  const float firstInverse = frame.firstInverse;
-  const int thisRow = row.row;
-  // Where blades are shorter than a pixel only their tops are seen.
-  const float streak = row.pixelsPerMetre * (0.35F * kTallest);
-  const float tops = std::clamp(1.5F - 0.5F * streak, 0.0F, 1.0F);
-  const float heightStep = 1.0F / (std::max(1e-3F, row.pixelsPerMetre) * (0.62F * kTallest));
+  alignas(64) std::array<std::uint32_t, kTile> grown;
+  alignas(64) std::array<std::uint32_t, kTile> shares;
+  pull(frame, row, grass, grown.data(), shares.data(), depth);
 
-  for (int first = 0; first < kTile; first += kLanes) {
-    const int sample = first / kCoarse;
-    for (int lane = 0; lane < kLanes; ++lane) {
-      const int i = first + lane;
-      const int root = roots[i];
-      const std::uint32_t texel = texels[(root & (kRootRows - 1)) * kTile + i];
-      const float above = static_cast<float>(root - thisRow) + 0.5F;
-      const float stalk = std::sqrt(std::min(1.0F, above * heightStep));
-      // Deep in the grass it is dark; the curve is the root of 0.30 + 1.05 * stalk.
-      const float relief = 0.548F + stalk * (0.86F - 0.25F * stalk);
-      const float stood = std::min(1.0F, 4.0F * soil.grass.at(sample, lane) + (root > thisRow ? 1.0F : 0.0F));
-      const float factor = (relief + (1.0F - relief) * std::max(tops, 1.0F - stood)) * kMeadowStep;
-      const float r = channel(texel, 0) * factor;
-      const float g = channel(texel, 8) * factor;
-      const float b = channel(texel, 16) * factor;
-      const float shownR = soil.channels[0].base.at(sample, lane) +
-                           r * (soil.channels[0].slope.at(sample, lane) + r * soil.channels[0].square.at(sample, lane));
-      const float shownG = soil.channels[1].base.at(sample, lane) +
-                           g * (soil.channels[1].slope.at(sample, lane) + g * soil.channels[1].square.at(sample, lane));
-      const float shownB = soil.channels[2].base.at(sample, lane) +
-                           b * (soil.channels[2].slope.at(sample, lane) + b * soil.channels[2].square.at(sample, lane));
-      const int byteR = static_cast<int>(std::clamp(shownR, 0.0F, 255.0F));
-      const int byteG = static_cast<int>(std::clamp(shownG, 0.0F, 255.0F));
-      const int byteB = static_cast<int>(std::clamp(shownB, 0.0F, 255.0F));
-      colour[i] = static_cast<std::uint32_t>(byteR | byteG << 8 | byteB << 16) | 0xFF000000U;
-      depth[i] = 1.0F / (firstInverse + static_cast<float>(root) * inverseStep);
-    }
+  const Curve low{soil.first.low, soil.step.low};
+  const Curve high{soil.first.high, soil.step.high};
+  const auto steps = static_cast<std::int16_t>(soil.steps);
+  for (int i = 0; i < kTile; i += kHalves / 2) {
+    const auto texel = load<UnsignedHalves>(grown.data() + i);
+    const auto share = load<UnsignedHalves>(shares.data() + i);
+    const UnsignedHalves lowRoot = upper((texel & 0xFF) << 7, share);
+    const UnsignedHalves highRoot = upper((texel >> 8) << 7, share);
+    store(low.shown(2 * i, steps, lowRoot) | high.shown(2 * i, steps, highRoot) << 8, colour + i);
   }
 }
 

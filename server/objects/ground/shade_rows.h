@@ -8,7 +8,7 @@ namespace grove::objects::ground {
 
 /// Colours and depths of a row of the tile, whose roots are found: what grows in the light that the soil gets, darker
 /// between the stalks than at the tips. A vectorised loop.
-void shadeRow(const Frame& frame, const Row& row, const FineSoil& soil, const GrassRows& grass, std::uint32_t* colour,
-              float* depth);
+void shadeRow(const Frame& frame, const Row& row, const SoilBetween& soil, const GrassRows& grass,
+              std::uint32_t* colour, float* depth);
 
 }  // namespace grove::objects::ground

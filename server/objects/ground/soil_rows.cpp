@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "objects/ground/halves.h"
+
 namespace grove::objects::ground {
 namespace {
 
@@ -174,26 +176,98 @@ void sampleSoil(const Frame& frame, const Row& row, int firstColumn, const Clear
 
 namespace {
 
-void mixSamples(const SoilSamples& a, const SoilSamples& b, float share, SoilLine& out) {
-  float* __restrict from = out.from.data();
-  float* __restrict step = out.step.data();
-  for (std::size_t i = 0; i < kCoarsePadded; ++i) {
-    const float here = a[i] + (b[i] - a[i]) * share;
-    const float next = a[i + 1] + (b[i + 1] - a[i + 1]) * share;
-    from[i] = here;
-    step[i] = (next - here) * (1.0F / kCoarse);
+struct Scale {
+  float factor;
+  float least, most;  // so that no sum of products leaves 16 bits
+};
+constexpr Scale kBase{kSoilSteps, -12000.0F, 12000.0F};
+constexpr Scale kSlope{1.0F / kSlopeStep, -8000.0F, 24000.0F};
+constexpr Scale kSquare{1.0F / kSquareStep, -16000.0F, 8000.0F};
+constexpr Scale kGrass{kMostGrass, 0.0F, kMostGrass};
+
+inline int scaled(float value, Scale scale) {
+  return static_cast<int>(std::clamp(value * scale.factor, scale.least, scale.most) + 32768.5F) - 32768;
+}
+
+/// Samples as pairs of 16-bit numbers.
+using Pairs = std::array<std::uint32_t, kCoarsePadded + kLanes>;
+
+void pack(const SoilSamples& low, const SoilSamples& high, Scale scale, Pairs& out) {
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    out[i] = (static_cast<std::uint32_t>(scaled(low[i], scale)) & 0xFFFFU) |
+             static_cast<std::uint32_t>(scaled(high[i], scale)) << 16U;
   }
+}
+
+constexpr int kColumns = kHalves / 2;
+using Columns [[gnu::vector_size(kColumns * 4)]] = std::uint32_t;
+
+/// Columns from `first` on, each straight between two of its tile's samples.
+Halves between(const Pairs& pairs, int first) {
+  constexpr std::uint32_t kEighth = 0x10001000U;
+  static_assert(kCoarse == 8);
+  Columns sample{};
+  Columns column{};
+  for (int lane = 0; lane < kColumns; ++lane) {
+    sample[lane] = static_cast<std::uint32_t>(lane / kCoarse);
+    column[lane] = static_cast<std::uint32_t>((first + lane) % kCoarse) * kEighth;
+  }
+  const auto samples = load<Columns>(pairs.data() + first / kCoarse);
+  const auto left = reinterpret_cast<Halves>(__builtin_shuffle(samples, sample));
+  const auto right = reinterpret_cast<Halves>(__builtin_shuffle(samples, sample + 1U));
+  return left + part(right - left, reinterpret_cast<Halves>(column));
+}
+
+void spread(const SoilSamples& low, const SoilSamples& high, Scale scale, FineSoil::Line& out) {
+  alignas(64) Pairs pairs;
+  pack(low, high, scale, pairs);
+  for (int first = 0; first < kTile; first += kColumns) store(between(pairs, first), out.data() + 2 * first);
+}
+
+template <std::size_t kCount>
+void stepBetween(const std::array<std::int16_t, kCount>& first, const std::array<std::int16_t, kCount>& last, int rows,
+                 std::array<std::int16_t, kCount>& out) {
+  static_assert(kCount % kHalves == 0);
+  const auto shift = static_cast<std::int16_t>(rows / 2);
+  for (std::size_t i = 0; i < kCount; i += kHalves) {
+    const Halves way = load<Halves>(last.data() + i) - load<Halves>(first.data() + i);
+    store((way + shift) >> shift, out.data() + i);
+  }
+}
+
+void stepChannels(const FineSoil::Channels& first, const FineSoil::Channels& last, int rows, FineSoil::Channels& out) {
+  stepBetween(first.base, last.base, rows, out.base);
+  stepBetween(first.slope, last.slope, rows, out.slope);
+  stepBetween(first.square, last.square, rows, out.square);
+}
+
+constexpr SoilSamples filledWith(float value) {
+  SoilSamples samples{};
+  samples.fill(value);
+  return samples;
 }
 
 }  // namespace
 
-void mixSoil(const SampledSoil& a, const SampledSoil& b, float share, FineSoil& out) {
-  for (std::size_t i = 0; i < 3; ++i) {
-    mixSamples(a.channels[i].base, b.channels[i].base, share, out.channels[i].base);
-    mixSamples(a.channels[i].slope, b.channels[i].slope, share, out.channels[i].slope);
-    mixSamples(a.channels[i].square, b.channels[i].square, share, out.channels[i].square);
-  }
-  mixSamples(a.grass, b.grass, share, out.grass);
+void spreadSoil(const SampledSoil& samples, FineSoil& out) {
+  static constexpr SoilSamples kOpaque = filledWith(255.9F);
+  static constexpr SoilSamples kNone = filledWith(0.0F);
+  const auto& [red, green, blue] = samples.channels;
+  spread(red.base, blue.base, kBase, out.low.base);
+  spread(red.slope, blue.slope, kSlope, out.low.slope);
+  spread(red.square, blue.square, kSquare, out.low.square);
+  spread(green.base, kOpaque, kBase, out.high.base);
+  spread(green.slope, kNone, kSlope, out.high.slope);
+  spread(green.square, kNone, kSquare, out.high.square);
+  FineSoil::Line twice;
+  spread(samples.grass, samples.grass, kGrass, twice);
+  for (std::size_t i = 0; i < kTile; ++i) out.grass[i] = twice[2 * i];
+}
+
+void stepSoil(const FineSoil& first, const FineSoil& last, int rows, FineSoil& out) {
+  stepChannels(first.low, last.low, rows, out.low);
+  stepChannels(first.high, last.high, rows, out.high);
+  stepBetween(first.grass, last.grass, rows, out.grass);
 }
 
 }  // namespace grove::objects::ground
