@@ -25,9 +25,9 @@ int rowStep(const Frame& frame, int row) {
 }
 
 /// Rows nearer to the eye whose grass can reach up to this row, which are about as many as of its neighbour.
-int reachOf(const Frame& frame, int row, int ofNeighbour) {
+int reachOf(const Frame& frame, float tallest, int row, int ofNeighbour) {
   const auto reaches = [&](int rows) {
-    return rowAt(frame, row + rows).pixelsPerMetre * kTallest + 0.5F >= static_cast<float>(rows);
+    return rowAt(frame, row + rows).pixelsPerMetre * tallest + 0.5F >= static_cast<float>(rows);
   };
   int reach = ofNeighbour;
   while (reach > 0 && !reaches(reach)) --reach;
@@ -57,12 +57,12 @@ class TilePainter {
  public:
   TilePainter(const GroundMaps& maps, const Frame& frame, std::span<const world::PointLight> lights, node::Image& image)
       : maps_(maps), frame_(frame), lights_(lights), image_(image) {
-    int reach = reachOf(frame, image.rect.bottom - 1, 0);
+    int reach = reachOf(frame, maps.meadow.tallest, image.rect.bottom - 1, 0);
     const int lowest = image.rect.bottom - 1 + reach;
     plans_.reserve(static_cast<std::size_t>(lowest + 1 - image.rect.top));
     for (int y = lowest; y >= image.rect.top; --y) {
       const Row row = rowAt(frame, y);
-      reach = reachOf(frame, y, reach);
+      reach = reachOf(frame, maps.meadow.tallest, y, reach);
       plans_.push_back({row, reach, samplingFor(row, maps.meadow)});
     }
   }

@@ -1,5 +1,6 @@
 #include "objects/ground/meadow_bake.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -141,7 +142,9 @@ class Gardener {
 }  // namespace
 
 Meadow bakeMeadow(int size, float metres, int seed) {
-  return {Pyramid(size, Gardener(size, metres, seed).work()).inBlocks(), metres};
+  std::vector<std::uint32_t> texels = Gardener(size, metres, seed).work();
+  const std::uint32_t highest = std::ranges::max(texels) >> 24U;
+  return {Pyramid(size, std::move(texels)).inBlocks(), metres, kTallest * static_cast<float>(highest) / 255.0F};
 }
 
 }  // namespace grove::objects::ground

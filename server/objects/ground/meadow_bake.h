@@ -11,11 +11,12 @@ namespace grove::objects::ground {
 struct Meadow {
   Pyramid pyramid;  ///< in blocks
   float metres;     ///< side of the tile
+  float tallest;    ///< metres, of what grows there
 };
 
 inline constexpr float kMeadowStep = 1.41421356F / 255.0F;
 
-/// Height of the tallest grass in metres.
+/// Height that no grass exceeds, in metres.
 inline constexpr float kTallest = 0.24F;
 
 /// Grows `size` x `size` texels, at least 16 x 16, of blades, clover and a few flowers on `metres` x `metres`.
