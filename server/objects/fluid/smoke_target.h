@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -53,9 +54,27 @@ class SmokeTarget {
   }
   void drawOne(const SmokeSprites& sprites, std::uint32_t sprite);
 
+  /// A weighted sum of the target's pixels.
+  struct Sample {
+    float weight = 0.0F;
+    float red = 0.0F;
+    float green = 0.0F;
+    float blue = 0.0F;
+    float clear = 0.0F;
+  };
+  /// Adds the target's pixel at (x, y), the less the farther its depth is from `depth`.
+  void addSample(int x, int y, float weight, float depth, Sample& sum) const;
+
   /// Pixels first..last of the target's row `y`, which one pass over `Scale` rows of the frame covers.
   template <int Scale>
   void blendRow(node::Image& frame, int y, int first, int last, float nearest);
+  /// The target's row `y` at the frame's width: red, green, blue (0..255), clear (0..1), wideStride() floats each.
+  /// Valid until two other rows have been asked for.
+  template <int Scale>
+  const float* widened(int y);
+  [[nodiscard]] std::size_t wideStride() const noexcept {
+    return static_cast<std::size_t>(blocksPerRow_) * SmokeBlock::kWidth * static_cast<std::size_t>(scale_);
+  }
   /// The target's pixels first..last of a row around which depth jumps, into jumps_.
   void findJumps(int y, int first, int last);
 
@@ -65,10 +84,13 @@ class SmokeTarget {
   int blocksPerRow_ = 0;
   std::vector<SmokeBlock> blocks_;
   std::vector<Span> spans_;
-  std::vector<float> low_, high_;  ///< nearest and farthest depth, one row
+  std::vector<float> low_, high_;       ///< nearest and farthest depth, one row
+  std::vector<std::uint32_t> jumping_;  ///< which pixels of one row are in jumps_
   std::vector<int> jumps_;
-  std::vector<float> mixed_;  ///< one row between two rows of the target: red, green, blue, clear
-  std::vector<float> wide_;   ///< one row of the frame: red, green, blue, clear
+  std::vector<std::uint32_t> kept_;  ///< the frame's pixels at jumps_, one row
+  std::vector<float> line_;          ///< one channel of a row of the target
+  std::vector<float> wide_;          ///< the newest widened rows
+  std::array<int, 3> wideRows_{};    ///< which
 };
 
 }  // namespace grove::objects::fluid
