@@ -2,6 +2,7 @@
 
 #include <cassert>
 #include <exception>
+#include <limits>
 #include <mutex>
 #include <string>
 #include <utility>
@@ -19,6 +20,10 @@ namespace {
 
 constexpr const char* kStage = "Simulation Tick";
 constexpr float kGrowSeconds = 3.0F;  // simulated before the first visitor
+constexpr int kIdleTicks = 60;        // two seconds without visitors, before it rests
+
+/// Of a snapshot that nobody moves on: the world's clock goes on while the simulation rests.
+constexpr double kStandsStill = std::numeric_limits<double>::infinity();
 
 FluidSettings settingsOf(const world::Object& object) {
   const auto* model = dynamic_cast<const FluidModel*>(object.model.get());
@@ -38,8 +43,7 @@ class FluidBackend::Fire {
       : world_(services.world),
         timeline_(services.timeline),
         name_(object.name),
-        simulation_(settingsOf(object), object.transform.position, services.world.solids(),
-                    services.world.rays()) {
+        simulation_(settingsOf(object), object.transform.position, services.world.solids(), services.world.rays()) {
     // Seen from here on: gusts from before the fire existed do not count.
     static_cast<void>(world_.edits().after(cursor_));
     const int ticks = static_cast<int>(kGrowSeconds / FluidSimulation::kTick);
@@ -50,29 +54,34 @@ class FluidBackend::Fire {
       }
     }
     newest_ = simulation_.snapshot(world::World::now());
-    clock_ = std::make_unique<FluidClock>(1.0 / static_cast<double>(FluidSimulation::kTick), [this] { tick(); });
+    clock_ = std::make_unique<FluidClock>(1.0 / static_cast<double>(FluidSimulation::kTick), [this] { return tick(); });
   }
 
-  /// Any thread.
-  [[nodiscard]] std::shared_ptr<const FluidSnapshot> newest() const {
+  /// For somebody who looks, so the simulation goes on if it rests. Any thread.
+  [[nodiscard]] std::shared_ptr<const FluidSnapshot> newest() {
+    clock_->wake();
     const std::lock_guard lock(mutex_);
     return newest_;
   }
 
  private:
-  void tick() noexcept {
+  FluidClock::Next tick() noexcept {
     try {
       const pipeline::TimedRun timed(timeline_, kStage, pipeline::Work::kAcrossUser, {});
       const double now = world::World::now();
       const std::vector<world::Gust> gusts = world_.edits().after(cursor_);
       const std::vector<world::Player> visitors = world_.players().all(now);
+      idleTicks_ = visitors.empty() ? idleTicks_ + 1 : 0;
+      const bool rest = idleTicks_ >= kIdleTicks;
       simulation_.step(FluidSimulation::kTick, gusts, visitors);
-      std::shared_ptr<const FluidSnapshot> next = simulation_.snapshot(now);
+      std::shared_ptr<const FluidSnapshot> next = simulation_.snapshot(rest ? kStandsStill : now);
       const std::lock_guard lock(mutex_);
       newest_.swap(next);
+      return rest ? FluidClock::Next::kSleep : FluidClock::Next::kTick;
     } catch (const std::exception& e) {
       timeline_.recordFailure(kStage, pipeline::Work::kAcrossUser);
       log::error(std::string(kStage) + " of " + name_ + ": " + e.what());
+      return FluidClock::Next::kTick;
     }
   }
 
@@ -81,7 +90,8 @@ class FluidBackend::Fire {
   const std::string name_;
   FluidSimulation simulation_;
   world::Edits::Cursor cursor_ = 0;
-  mutable std::mutex mutex_;
+  int idleTicks_ = 0;  ///< without visitors
+  std::mutex mutex_;
   std::shared_ptr<const FluidSnapshot> newest_;
   std::unique_ptr<FluidClock> clock_;  ///< last, so that it stops before what it uses goes
 };

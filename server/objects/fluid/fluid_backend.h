@@ -10,7 +10,8 @@ namespace grove::objects::fluid {
 
 /// The simulation node of all fires in the world: each ticks on its own clock and publishes an immutable snapshot, and
 /// an answer is no more than the newest one (section 4.1). Construction simulates the first seconds, so that the first
-/// visitor meets a grown plume.
+/// visitor meets a grown plume. A world that was empty for two seconds costs nothing: the simulations rest until the
+/// next request, and go on where they were.
 class FluidBackend final : public node::BackendHalf {
  public:
   FluidBackend(const node::BackendServices& services, world::TypeIndex self);

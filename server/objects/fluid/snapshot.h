@@ -10,15 +10,17 @@ namespace grove::objects::fluid {
 /// What the fluid publishes once per tick for all visitors (section 5.2.1). World coordinates, metres. One entry per
 /// particle in every array; the order is the same from tick to tick for as long as a particle lives.
 struct FluidSnapshot final : node::SimulationData {
-  double time = 0.0;  ///< seconds of the world's clock when the tick was computed
+  /// Seconds of the world's clock when the tick was computed; infinite while the simulation rests, when nobody moves
+  /// the particles on.
+  double time = 0.0;
   std::uint64_t tick = 0;
   std::vector<float> x, y, z;
   std::vector<float> velocityX, velocityY, velocityZ;  ///< metres a second
-  std::vector<float> age;          ///< seconds since injection
-  std::vector<float> lifetime;     ///< seconds; gone at age == lifetime
-  std::vector<float> temperature;  ///< 1 at the source, 0 = air; above about 0.5 it glows as flame
-  std::vector<float> skyLight;     ///< 0..1, what the particles above leave of the sky's light
-  std::vector<float> sunLight;     ///< 0..1, what the particles and stones towards the sun leave of its light
+  std::vector<float> age;                              ///< seconds since injection
+  std::vector<float> lifetime;                         ///< seconds; gone at age == lifetime
+  std::vector<float> temperature;                      ///< 1 at the source, 0 = air; above about 0.5 it glows as flame
+  std::vector<float> skyLight;                         ///< 0..1, what the particles above leave of the sky's light
+  std::vector<float> sunLight;  ///< 0..1, what the particles and stones towards the sun leave of its light
 
   [[nodiscard]] std::size_t count() const noexcept { return x.size(); }
 };

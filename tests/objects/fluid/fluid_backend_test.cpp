@@ -1,0 +1,80 @@
+#include "objects/fluid/fluid_backend.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cmath>
+#include <thread>
+
+#include "gl/workers.h"
+#include "node/registry.h"
+#include "objects/fluid/fluid_type.h"
+#include "objects/fluid/snapshot.h"
+#include "pipeline/worker_pool.h"
+
+namespace grove::objects::fluid {
+namespace {
+
+using namespace std::chrono_literals;
+
+/// A world that is nothing but a small fire.
+class FluidBackendTest : public ::testing::Test {
+ protected:
+  world::World makeWorld() {
+    registry_.add(std::make_unique<FluidType>());
+    return world::World(makeLayout(world::parseScene(R"(
+[[object]]
+type = "fluid"
+grid = 16
+size = 4
+rate = 200
+)",
+                                                     "test"),
+                                   registry_));
+  }
+
+  /// What a visitor's request is answered with.
+  std::shared_ptr<const FluidSnapshot> ask() {
+    auto list = std::make_shared<node::FrameList>();
+    list->view = std::make_shared<const node::View>();
+    list->objects.push_back({world_.objects().front(), {}, 0.0F});
+    const node::Request request{list, 0};
+    node::Payload payload;
+    backend_.answer({&request, 1}, {&payload, 1});
+    return std::dynamic_pointer_cast<const FluidSnapshot>(
+        std::get<std::shared_ptr<const node::SimulationData>>(payload));
+  }
+  std::uint64_t ticks() { return timeline_.totals()["Simulation Tick"].runs; }
+
+  node::Registry registry_;
+  world::World world_ = makeWorld();
+  pipeline::Timeline timeline_;
+  node::ImagePool images_;
+  gl::ShaderLibrary shaders_;
+  gl::Workers gl_{gl::ContextKind::kAuto, shaders_, 1};
+  pipeline::WorkerPool workers_{1};
+  FluidBackend backend_{{world_, workers_, gl_, timeline_, images_, {}}, 0};
+};
+
+TEST_F(FluidBackendTest, RestsWithoutVisitorsAndGoesOnWhereItWas) {
+  while (ticks() < 60) std::this_thread::sleep_for(10ms);
+  std::this_thread::sleep_for(300ms);
+  EXPECT_EQ(ticks(), 60U) << "two seconds";
+
+  world_.players().join("first", world::World::now());
+  const auto first = ask();
+  ASSERT_TRUE(first);
+  EXPECT_GT(first->count(), 100U) << "the first visitor meets a grown plume";
+  EXPECT_TRUE(std::isinf(first->time)) << "that nobody moves on: it stands since long ago";
+  const std::uint64_t before = first->tick;
+  auto next = first;
+  while (next->tick == before) next = ask();
+  EXPECT_EQ(next->tick, before + 1) << "simulated time goes on where it was";
+  EXPECT_TRUE(std::isfinite(next->time));
+
+  // As long as somebody is here, wherever they look.
+  while (ticks() < 60 + 65) std::this_thread::sleep_for(10ms);
+}
+
+}  // namespace
+}  // namespace grove::objects::fluid
