@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "node/image.h"
+#include "node/simulation_data.h"
 #include "pipeline/timeline.h"
 #include "world/camera.h"
 #include "world/light.h"
@@ -51,12 +52,6 @@ struct Request {
 
   [[nodiscard]] const View& view() const { return *frame->view; }
   [[nodiscard]] const VisibleObject& visible() const { return frame->objects[slot]; }
-};
-
-/// A simulation node's answer: immutable, shared by all visitors. A type derives its snapshot from this.
-class SimulationData {
- public:
-  virtual ~SimulationData() = default;
 };
 
 /// A request that could not be answered; the frame is shown without the object.

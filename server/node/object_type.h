@@ -1,8 +1,10 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <memory>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -96,6 +98,11 @@ class ObjectType {
 
   /// Null if compositing the images is all there is to do.
   [[nodiscard]] virtual std::unique_ptr<FrontendHalf> makeFrontend() const { return nullptr; }
+
+  /// What this type's simulation data was before it was packed, see SimulationData. Throws PackingError. Any thread.
+  [[nodiscard]] virtual std::shared_ptr<const SimulationData> unpack(std::span<const std::byte> /*bytes*/) const {
+    throw PackingError(std::string(name()) + " has no packed data");
+  }
 };
 
 }  // namespace grove::node
