@@ -4,6 +4,7 @@
 
 #include "objects/fluid/fluid_backend.h"
 #include "objects/fluid/smoke_renderer.h"
+#include "objects/fluid/snapshot_packing.h"
 
 namespace grove::objects::fluid {
 
@@ -39,5 +40,9 @@ std::unique_ptr<node::BackendHalf> FluidType::makeBackend(const node::BackendSer
 }
 
 std::unique_ptr<node::FrontendHalf> FluidType::makeFrontend() const { return makeSmokeRenderer(); }
+
+std::shared_ptr<const node::SimulationData> FluidType::unpack(std::span<const std::byte> bytes) const {
+  return unpackSnapshot(bytes);
+}
 
 }  // namespace grove::objects::fluid

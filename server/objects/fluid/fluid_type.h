@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <memory>
+#include <span>
 #include <string_view>
 
 #include "node/object_type.h"
@@ -29,6 +31,7 @@ class FluidType final : public node::ObjectType {
   [[nodiscard]] std::unique_ptr<node::BackendHalf> makeBackend(const node::BackendServices& services,
                                                                world::TypeIndex self) const override;
   [[nodiscard]] std::unique_ptr<node::FrontendHalf> makeFrontend() const override;
+  [[nodiscard]] std::shared_ptr<const node::SimulationData> unpack(std::span<const std::byte> bytes) const override;
 };
 
 }  // namespace grove::objects::fluid

@@ -1,7 +1,6 @@
 #include "objects/fluid/smoke_sprites.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstdint>
 
@@ -37,7 +36,8 @@ void drawLots(const FluidSnapshot& snapshot, SmokeSprites& sprites) {
   const std::size_t count = sprites.count;
 #pragma GCC ivdep
   for (std::size_t i = 0; i < count; ++i) {
-    const std::uint32_t first = hash(std::bit_cast<std::uint32_t>(lifetime[i]));
+    const float steps = lifetime[i] * FluidSnapshot::kLifetimeSteps + 0.5F;
+    const std::uint32_t first = hash(static_cast<std::uint32_t>(static_cast<std::int32_t>(steps)));
     const std::uint32_t second = hash(first ^ 0x9e3779b9U);
     rank[i] = share(first);
     chanceA[i] = share(first >> 16U);

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <string_view>
 #include <vector>
 
-#include "node/messages.h"
+#include "node/simulation_data.h"
 
 namespace grove::objects::fluid {
 
@@ -22,7 +24,21 @@ struct FluidSnapshot final : node::SimulationData {
   std::vector<float> skyLight;                         ///< 0..1, what the particles above leave of the sky's light
   std::vector<float> sunLight;  ///< 0..1, what the particles and stones towards the sun leave of its light
 
+  /// A lifetime is known in so many parts of a second, on either side of a wire: what a particle's look has by chance
+  /// is drawn from it.
+  static constexpr float kLifetimeSteps = 4096.0F;
+
   [[nodiscard]] std::size_t count() const noexcept { return x.size(); }
+  void resize(std::size_t particles) {
+    for (std::vector<float>* array :
+         {&x, &y, &z, &velocityX, &velocityY, &velocityZ, &age, &lifetime, &temperature, &skyLight, &sunLight}) {
+      array->resize(particles);
+    }
+  }
+
+ private:
+  [[nodiscard]] std::string_view packedType() const override { return "fluid"; }
+  [[nodiscard]] std::vector<std::byte> pack() const override;
 };
 
 }  // namespace grove::objects::fluid
