@@ -38,10 +38,15 @@ Blocks estimate(const world::Camera& camera, const SmokeSprites& sprites, float 
     const float rows = std::min(y[i] + halfHeight[i], height) - std::max(y[i] - halfHeight[i], 0.0F);
     const bool seen = columns > 0.0F && rows > 0.0F && fade[i] > 0.0F;
     const float blocks = seen ? (rows / scale) * (0.7F * columns / (16.0F * scale) + 0.8F) : 0.0F;
-    left = std::min(left, seen ? x[i] - halfWidth[i] : width);
-    top = std::min(top, seen ? y[i] - halfHeight[i] : height);
-    right = std::max(right, seen ? x[i] + halfWidth[i] : 0.0F);
-    bottom = std::max(bottom, seen ? y[i] + halfHeight[i] : 0.0F);
+    // Not std::min, whose references GCC does not vectorise as a reduction.
+    const float thisLeft = seen ? x[i] - halfWidth[i] : width;
+    const float thisTop = seen ? y[i] - halfHeight[i] : height;
+    const float thisRight = seen ? x[i] + halfWidth[i] : 0.0F;
+    const float thisBottom = seen ? y[i] + halfHeight[i] : 0.0F;
+    left = thisLeft < left ? thisLeft : left;
+    top = thisTop < top ? thisTop : top;
+    right = thisRight > right ? thisRight : right;
+    bottom = thisBottom > bottom ? thisBottom : bottom;
     flame += heat[i] * blocks;
     smoke += (1.0F - heat[i]) * blocks;
   }

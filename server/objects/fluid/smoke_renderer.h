@@ -32,9 +32,6 @@ class SmokeRenderer final : public node::FrontendHalf {
   [[nodiscard]] const SmokeDetail& detail() const noexcept { return detail_; }
 
  private:
-  /// The sprites that show anything, into order_, and the pixels of the frame that they cover.
-  [[nodiscard]] world::Rect collectVisible(const world::Camera& camera);
-
   const float budget_;
   SmokeDetail detail_;
   SmokeSprites sprites_;

@@ -63,6 +63,7 @@ void SmokeSprites::resize(std::size_t particles) {
                                     &green, &blue, &opacity, &softness, &rank,      &chanceA,    &chanceB, &chanceC}) {
     array->resize(particles);
   }
+  seen.resize(particles);
 }
 
 void project(const FluidSnapshot& snapshot, const world::Camera& camera, float lead, SmokeSprites& sprites) {
@@ -171,6 +172,54 @@ void shape(const world::Camera& camera, int scale, SmokeSprites& sprites) {
     halfWidth[i] = std::sqrt(c * c * major * major + s * s * minor * minor);
     halfHeight[i] = std::sqrt(s * s * major * major + c * c * minor * minor);
   }
+}
+
+world::Rect collectVisible(const world::Camera& camera, SmokeSprites& sprites, std::vector<std::uint32_t>& order) {
+  const auto width = static_cast<float>(camera.width);
+  const auto height = static_cast<float>(camera.height);
+  const float nearDepth = camera.nearDepth;
+  const float farDepth = camera.farDepth;
+  const float* const x = sprites.x.data();
+  const float* const y = sprites.y.data();
+  const float* const depth = sprites.depth.data();
+  const float* const opacity = sprites.opacity.data();
+  const float* const halfWidth = sprites.halfWidth.data();
+  const float* const halfHeight = sprites.halfHeight.data();
+  std::uint32_t* const seen = sprites.seen.data();
+  float left = width;
+  float top = height;
+  float right = 0.0F;
+  float bottom = 0.0F;
+  const std::size_t count = sprites.count;
+#pragma GCC ivdep
+  for (std::size_t i = 0; i < count; ++i) {
+    const float thisLeft = x[i] - halfWidth[i];
+    const float thisTop = y[i] - halfHeight[i];
+    const float thisRight = x[i] + halfWidth[i];
+    const float thisBottom = y[i] + halfHeight[i];
+    const bool shows = (depth[i] >= nearDepth) & (depth[i] <= farDepth) & (opacity[i] >= kLeastOpacity) &
+                       (thisRight > 0.0F) & (thisBottom > 0.0F) & (thisLeft < width) & (thisTop < height);
+    // See estimate() in smoke_detail.cpp for why this is no std::min.
+    const float leftHere = shows ? thisLeft : width;
+    const float topHere = shows ? thisTop : height;
+    const float rightHere = shows ? thisRight : 0.0F;
+    const float bottomHere = shows ? thisBottom : 0.0F;
+    left = leftHere < left ? leftHere : left;
+    top = topHere < top ? topHere : top;
+    right = rightHere > right ? rightHere : right;
+    bottom = bottomHere > bottom ? bottomHere : bottom;
+    seen[i] = shows ? 1U : 0U;
+  }
+  order.resize(count);
+  std::size_t found = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    order[found] = static_cast<std::uint32_t>(i);
+    found += seen[i];
+  }
+  order.resize(found);
+  if (order.empty()) return {};
+  return {static_cast<int>(std::max(left, 0.0F)), static_cast<int>(std::max(top, 0.0F)),
+          static_cast<int>(std::ceil(std::min(right, width))), static_cast<int>(std::ceil(std::min(bottom, height)))};
 }
 
 }  // namespace grove::objects::fluid

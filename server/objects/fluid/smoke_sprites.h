@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "objects/fluid/snapshot.h"
@@ -11,7 +12,7 @@ namespace grove::objects::fluid {
 /// Particles as one viewer sees them: gaussian sprites that are stretched along their velocity on the screen (section
 /// 5.2). One entry per particle in every array. Buffers only grow. Frontend, one thread at a time.
 ///
-/// Made in the order project(), shape(), chooseDetail(), SmokeShading::shade().
+/// Made in the order project(), shape(), chooseDetail(), SmokeShading::shade(), collectVisible().
 struct SmokeSprites {
   std::vector<float> x, y;          ///< middle, in pixels of the frame
   std::vector<float> depth;         ///< view depth in metres
@@ -33,6 +34,8 @@ struct SmokeSprites {
   /// Random numbers 0..1 that stay with a particle.
   std::vector<float> rank, chanceA, chanceB, chanceC;
 
+  std::vector<std::uint32_t> seen;  ///< 1 if it shows anything, else 0
+
   std::size_t count = 0;
 
   void resize(std::size_t particles);
@@ -47,5 +50,9 @@ void project(const FluidSnapshot& snapshot, const world::Camera& camera, float l
 /// Gives the sprites their ellipses, none thinner than a pixel of a target that is `scale` times coarser than the
 /// frame.
 void shape(const world::Camera& camera, int scale, SmokeSprites& sprites);
+
+/// The sprites that show anything, into `order`, and the pixels of the frame that they cover.
+[[nodiscard]] world::Rect collectVisible(const world::Camera& camera, SmokeSprites& sprites,
+                                         std::vector<std::uint32_t>& order);
 
 }  // namespace grove::objects::fluid
