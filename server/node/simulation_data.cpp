@@ -6,7 +6,7 @@ std::shared_ptr<const PackedData> SimulationData::packed(pipeline::Timeline& tim
   const std::string_view type = packedType();
   if (type.empty()) return nullptr;
   std::call_once(once_, [&] {
-    const pipeline::TimedRun timed(timeline, "Snapshot Packing", pipeline::Work::kAcrossUser, {});
+    const pipeline::TimedRun timed(timeline, "Snapshot Packing", pipeline::Work::kAcrossUser, {}, type);
     packed_ = std::make_shared<const PackedData>(PackedData{type, pack()});
   });
   return packed_;

@@ -56,7 +56,8 @@ Host::~Host() {
 }
 
 std::unique_ptr<WorldCopy> Host::makeCopy(const std::function<void(std::string_view, float)>& progress) {
-  auto transport = options_.makeTransport ? options_.makeTransport() : std::make_unique<node::InProcessTransport>();
+  auto transport = options_.makeTransport ? options_.makeTransport(registry_, timeline_)
+                                          : std::make_unique<node::InProcessTransport>();
   return std::make_unique<WorldCopy>(
       WorldGround{layout_, players_, registry_, workers_, gl_, timeline_, memory_, images_}, std::move(transport),
       progress);

@@ -36,7 +36,7 @@ struct HostOptions {
   /// Lets the quality of across-user work rise while visitors share its bill; not in private mode, where none do.
   bool raiseQuality = false;
   /// Makes the wire between frontend and backend nodes; empty: they share a process.
-  std::function<std::unique_ptr<node::Transport>()> makeTransport;
+  std::function<std::unique_ptr<node::Transport>(const node::Registry&, pipeline::Timeline&)> makeTransport;
 };
 
 /// One living world and everybody in it: owns the world with its backend nodes (in private mode: every visitor's), the

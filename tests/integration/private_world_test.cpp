@@ -80,7 +80,9 @@ class TappedTransport final : public node::Transport {
 stream::HostOptions tapped(bool privateWorlds, const std::shared_ptr<Answers>& answers) {
   stream::HostOptions options;
   options.privateWorlds = privateWorlds;
-  options.makeTransport = [answers] { return std::make_unique<TappedTransport>(answers); };
+  options.makeTransport = [answers](const node::Registry&, pipeline::Timeline&) {
+    return std::make_unique<TappedTransport>(answers);
+  };
   return options;
 }
 

@@ -49,11 +49,12 @@ rate = 200
   node::Registry registry_;
   world::World world_ = makeWorld();
   pipeline::Timeline timeline_;
+  pipeline::MemoryLedger memory_;
   node::ImagePool images_;
   gl::ShaderLibrary shaders_;
   gl::Workers gl_{gl::ContextKind::kAuto, shaders_, 1};
   pipeline::WorkerPool workers_{1};
-  FluidBackend backend_{{world_, workers_, gl_, timeline_, images_, {}}, 0};
+  FluidBackend backend_{{world_, workers_, gl_, timeline_, memory_, images_, {}}, 0};
 };
 
 TEST_F(FluidBackendTest, RestsWithoutVisitorsAndGoesOnWhereItWas) {
