@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "node/frontend/composite.h"
 #include "node/image.h"
 #include "node/limits.h"
 #include "node/messages.h"
@@ -72,11 +73,8 @@ class FrontendHalf {
  public:
   virtual ~FrontendHalf() = default;
 
-  /// An image made from data, composited by depth with those that backends sent; null if there is none.
-  [[nodiscard]] virtual std::shared_ptr<const Image> image(const VisibleObject&, const Payload&, const View&,
-                                                           ImagePool&) {
-    return nullptr;
-  }
+  /// Called back to front, in turn with the images that backends sent, to lay over the frame what data shows.
+  virtual void lay(const VisibleObject&, const Payload&, const View&, FrameBuilder& /*frame*/) {}
 
   /// Called when all images are in place, back to front, to draw what images cannot carry. `frame` is the whole frame:
   /// colour may be blended into, depth is read only.

@@ -43,6 +43,28 @@ TEST_F(Composite, OutsideOfItsSpansALayerIsNotRead) {
   EXPECT_EQ(at(15, 6), 0xFF0000FFU);
 }
 
+TEST_F(Composite, APartOfALayerIsLaidAsTheWhole) {
+  lay({0, 0, 64, 32}, 0xFF6432C8U, 5.0F);
+  const auto layer = pool.acquire({10, 4, 30, 12});
+  for (std::size_t i = 0; i < layer->colour.size(); ++i) {
+    layer->colour[i] = static_cast<std::uint32_t>(i % 256) * 0x01010101U;
+    layer->depth[i] = i % 3 == 0 ? 2.0F : 7.0F;
+  }
+  const auto other = pool.acquire(frame->rect);
+  FrameBuilder whole(*other);
+  const auto under = pool.acquire(frame->rect);
+  std::ranges::copy(frame->colour, under->colour.begin());
+  std::ranges::copy(frame->depth, under->depth.begin());
+  whole.lay(*under);
+  whole.lay(*layer);
+  for (const world::Rect& part : {world::Rect{10, 4, 26, 12}, {26, 4, 30, 7}, {26, 7, 30, 12}}) {
+    const std::ptrdiff_t at = std::ptrdiff_t{part.top - 4} * layer->width() + part.left - 10;
+    builder.lay(part, layer->colour.data() + at, layer->depth.data() + at, layer->width());
+  }
+  EXPECT_TRUE(std::ranges::equal(frame->colour, other->colour));
+  EXPECT_TRUE(std::ranges::equal(frame->depth, other->depth));
+}
+
 TEST_F(Composite, NearerWinsInAnyOrder) {
   lay({0, 0, 40, 32}, 0xFF0000FFU, 5.0F);
   lay({20, 0, 64, 32}, 0xFF00FF00U, 9.0F);

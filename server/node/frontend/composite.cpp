@@ -7,10 +7,11 @@ namespace grove::node {
 namespace {
 
 constexpr std::uint32_t kOpaqueBlack = 0xFF000000U;
+constexpr int kPartWidth = 16;
 
 /// One row; a plain loop without branches that vectorises.
-void compositeRow(const std::uint32_t* __restrict layerColour, const float* __restrict layerDepth,
-                  std::uint32_t* __restrict colour, float* __restrict depth, int width) {
+inline void compositeRow(const std::uint32_t* __restrict layerColour, const float* __restrict layerDepth,
+                         std::uint32_t* __restrict colour, float* __restrict depth, int width) {
   for (int x = 0; x < width; ++x) {
     const std::uint32_t over = layerColour[x];
     const std::uint32_t under = colour[x];
@@ -40,23 +41,39 @@ FrameBuilder::FrameBuilder(Image& frame) : frame_(frame), touched_(static_cast<s
 
 void FrameBuilder::lay(const Image& layer) {
   const world::Rect& rect = layer.rect;
-  assert(rect.left >= 0 && rect.top >= 0 && rect.right <= frame_.rect.right && rect.bottom <= frame_.rect.bottom);
   const bool covers = layer.opaque && layer.width() == frame_.width();
   for (int row = 0; row < layer.height(); ++row) {
     const int y = rect.top + row;
-    const auto touched = touched_[static_cast<std::size_t>(y)];
-    if (!touched && covers) {
-      std::copy_n(layer.colourRow(row), layer.width(), frame_.colourRow(y));
-      std::copy_n(layer.depthRow(row), layer.width(), frame_.depthRow(y));
-    } else {
+    if (touched_[static_cast<std::size_t>(y)] || !covers) {
       const Span span = layer.span(row);
       if (span.begin >= span.end) continue;
-      if (!touched) clearRow(frame_, y);
-      compositeRow(layer.colourRow(row) + span.begin, layer.depthRow(row) + span.begin,
-                   frame_.colourRow(y) + rect.left + span.begin, frame_.depthRow(y) + rect.left + span.begin,
-                   span.end - span.begin);
+      lay({rect.left + span.begin, y, rect.left + span.end, y + 1}, layer.colourRow(row) + span.begin,
+          layer.depthRow(row) + span.begin, layer.width());
+    } else {
+      std::copy_n(layer.colourRow(row), layer.width(), frame_.colourRow(y));
+      std::copy_n(layer.depthRow(row), layer.width(), frame_.depthRow(y));
+      touched_[static_cast<std::size_t>(y)] = true;
     }
+  }
+}
+
+void FrameBuilder::lay(const world::Rect& rect, const std::uint32_t* colour, const float* depth,
+                       std::ptrdiff_t stride) {
+  assert(rect.left >= 0 && rect.top >= 0 && rect.right <= frame_.rect.right && rect.bottom <= frame_.rect.bottom);
+  for (int row = 0; row < rect.height(); ++row) {
+    const int y = rect.top + row;
+    if (!touched_[static_cast<std::size_t>(y)]) clearRow(frame_, y);
     touched_[static_cast<std::size_t>(y)] = true;
+    const std::uint32_t* fromColour = colour + row * stride;
+    const float* fromDepth = depth + row * stride;
+    std::uint32_t* toColour = frame_.colourRow(y) + rect.left;
+    float* toDepth = frame_.depthRow(y) + rect.left;
+    // The width of most parts, where it helps that the compiler knows it.
+    if (rect.width() == kPartWidth) {
+      compositeRow(fromColour, fromDepth, toColour, toDepth, kPartWidth);
+    } else {
+      compositeRow(fromColour, fromDepth, toColour, toDepth, rect.width());
+    }
   }
 }
 

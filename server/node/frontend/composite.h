@@ -17,6 +17,9 @@ class FrameBuilder {
   /// are covered for more than half take over the layer's depth. The layer's rectangle must lie within the frame.
   void lay(const Image& layer);
 
+  /// The same for a part of a layer that need not be an image: its rows are `stride` pixels apart.
+  void lay(const world::Rect& rect, const std::uint32_t* colour, const float* depth, std::ptrdiff_t stride);
+
   /// Clears the rows that no layer touched.
   void finish();
 

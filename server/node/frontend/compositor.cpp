@@ -84,7 +84,7 @@ std::shared_ptr<const Image> Compositor::composite(const CompleteFrame& frame) {
   TypeClock clock(registry_, timeline_, traceTag(frame.list));
   for (std::size_t i = 0; i < objects.size(); ++i) {
     clock.turnTo(objects[i].object.type);
-    if (const std::shared_ptr<const Image> layer = layerOf(objects[i], frame.payloads[i], view)) builder.lay(*layer);
+    lay(objects[i], frame.payloads[i], view, builder);
   }
   builder.finish();
   for (std::size_t i = 0; i < objects.size(); ++i) {
@@ -95,12 +95,13 @@ std::shared_ptr<const Image> Compositor::composite(const CompleteFrame& frame) {
   return image;
 }
 
-std::shared_ptr<const Image> Compositor::layerOf(const VisibleObject& object, const Payload& payload,
-                                                 const View& view) {
-  if (const auto* layer = std::get_if<std::shared_ptr<const Image>>(&payload)) return *layer;
-  if (std::holds_alternative<Failure>(payload)) return nullptr;
-  FrontendHalf* half = halfOf(object.object.type);
-  return half != nullptr ? half->image(object, payload, view, images_) : nullptr;
+void Compositor::lay(const VisibleObject& object, const Payload& payload, const View& view, FrameBuilder& frame) {
+  if (std::holds_alternative<Failure>(payload)) return;
+  if (const auto* layer = std::get_if<std::shared_ptr<const Image>>(&payload)) {
+    if (*layer) frame.lay(**layer);
+  } else if (FrontendHalf* half = halfOf(object.object.type)) {
+    half->lay(object, payload, view, frame);
+  }
 }
 
 FrontendHalf* Compositor::halfOf(world::TypeIndex type) {

@@ -35,8 +35,7 @@ class Compositor final : public pipeline::Stage<CompositorInput> {
 
  private:
   [[nodiscard]] std::shared_ptr<const Image> composite(const CompleteFrame& frame);
-  [[nodiscard]] std::shared_ptr<const Image> layerOf(const VisibleObject& object, const Payload& payload,
-                                                     const View& view);
+  void lay(const VisibleObject& object, const Payload& payload, const View& view, FrameBuilder& frame);
   FrontendHalf* halfOf(world::TypeIndex type);
 
   const Registry& registry_;

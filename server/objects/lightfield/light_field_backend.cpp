@@ -115,7 +115,7 @@ node::Payload LightFieldBackend::answerOne(const node::Request& request) {
     return std::make_shared<const SharedView>(std::move(parts));
   }
   std::shared_ptr<node::Image> image = sample(entry, parts.camera, parts.haze, visible.rect);
-  addLamps(parts.lamps, parts.camera, *image);
+  LampLight(parts.lamps, parts.camera).addTo(*image);
   return image;
 }
 

@@ -6,17 +6,16 @@
 
 namespace grove::objects::lightfield {
 
-std::shared_ptr<const node::Image> LightFieldFrontend::image(const node::VisibleObject& object,
-                                                             const node::Payload& payload, const node::View&,
-                                                             node::ImagePool& images) {
+void LightFieldFrontend::lay(const node::VisibleObject& object, const node::Payload& payload, const node::View&,
+                             node::FrameBuilder& frame) {
   const auto* data = std::get_if<std::shared_ptr<const node::SimulationData>>(&payload);
-  if (data == nullptr) return nullptr;
+  if (data == nullptr) return;
   const auto& [picture, camera, haze, lamps] = static_cast<const SharedView&>(**data).parts();
-  if (picture->empty()) return nullptr;
-  std::shared_ptr<node::Image> image = images.acquire(object.rect);
-  reproject(*picture, camera, haze, *image);
-  addLamps(lamps, camera, *image);
-  return image;
+  const LampLight light(lamps, camera);
+  reproject(*picture, camera, haze, object.rect, [&](const world::Rect& part, WarpTile& tile) {
+    light.addTo(part, tile.colour, tile.depth, kTileWidth);
+    frame.lay(part, tile.colour, tile.depth, kTileWidth);
+  });
 }
 
 }  // namespace grove::objects::lightfield

@@ -7,9 +7,8 @@ namespace grove::objects::lightfield {
 /// Turns shared pictures into one visitor's view: moves them by their depth to where this eye sees them.
 class LightFieldFrontend final : public node::FrontendHalf {
  public:
-  [[nodiscard]] std::shared_ptr<const node::Image> image(const node::VisibleObject& object,
-                                                         const node::Payload& payload, const node::View& view,
-                                                         node::ImagePool& images) override;
+  void lay(const node::VisibleObject& object, const node::Payload& payload, const node::View& view,
+           node::FrameBuilder& frame) override;
 };
 
 }  // namespace grove::objects::lightfield

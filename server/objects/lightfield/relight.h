@@ -1,5 +1,8 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -21,7 +24,21 @@ inline constexpr std::size_t kMostLamps = 4;
 /// that the image was made with.
 void castShadows(const SunGrid& sun, const ObjectCamera& camera, node::Image& image);
 
-/// The same with the light of fires and lanterns.
-void addLamps(std::span<const world::PointLight> lamps, const ObjectCamera& camera, node::Image& image);
+/// Adds the light of fires and lanterns in the same way. Keeps `camera`, not the lamps.
+class LampLight {
+ public:
+  LampLight(std::span<const world::PointLight> lamps, const ObjectCamera& camera);
+
+  /// To a part of the picture whose rows are `stride` pixels apart. The smaller the part, the fewer lamps reach it.
+  void addTo(const world::Rect& part, std::uint32_t* colour, const float* depth, std::ptrdiff_t stride) const;
+
+  /// To all of it.
+  void addTo(node::Image& image) const;
+
+ private:
+  const ObjectCamera& camera_;
+  std::array<world::PointLight, kMostLamps> lamps_;
+  std::size_t count_;
+};
 
 }  // namespace grove::objects::lightfield

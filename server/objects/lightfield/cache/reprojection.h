@@ -1,17 +1,24 @@
 #pragma once
 
-#include "node/image.h"
+#include <functional>
+
 #include "objects/lightfield/cache/cached_view.h"
+#include "objects/lightfield/cache/reprojection_tile.h"
 #include "objects/lightfield/sampler.h"
+#include "world/camera.h"
 
 namespace grove::objects::lightfield {
 
-/// Draws a cached view for an eye of its cell, through the haze: what every visitor pays in every frame. Fills the
-/// image's spans (kInfiniteDepth where there is nothing within them); its rectangle is in pixels of `camera`.
+/// Takes the pixels of a part of the frame: colour and depth of the tile's first rows and columns, which it may change.
+using LayTile = std::function<void(const world::Rect& part, WarpTile& tile)>;
+
+/// Draws a cached view for an eye of its cell, through the haze: what every visitor pays in every frame. Goes over
+/// `rect`, in pixels of `camera`, and hands on what shows anything, while it is in the processor's nearest cache.
 ///
 /// Each pixel's ray is followed through the picture, along which it moves by a few texels at most, and meets the
 /// nearest texel that lies on it. Where it passes behind an edge and meets none, it shows the farthest texel that it
 /// passed: what lies behind the edge goes on. Vectorised. Any thread.
-void reproject(const CachedView& view, const ObjectCamera& camera, const Haze& haze, node::Image& image);
+void reproject(const CachedView& view, const ObjectCamera& camera, const Haze& haze, const world::Rect& rect,
+               const LayTile& lay);
 
 }  // namespace grove::objects::lightfield

@@ -1,9 +1,17 @@
 #include "objects/lightfield/cache/reprojection_tile.h"
 
+#include <algorithm>
 #include <cmath>
+
+#include "objects/lightfield/simd/lanes.h"
 
 namespace grove::objects::lightfield {
 namespace {
+
+using simd::Floats;
+using simd::Ints;
+using simd::load;
+using simd::store;
 
 /// A tile's rays are looked at in steps of a texel (finer ones gain nothing); no cell of a sensible error needs more.
 constexpr float kMostSteps = 64.0F;
@@ -15,8 +23,9 @@ constexpr float kNothing = -1.0e30F;
 /// Steps to a share of 256.
 constexpr float kShares = 256.0F;
 constexpr float kRounding = 0.5F;
-constexpr std::uint32_t kEven = 0x00FF00FFU;
-constexpr std::uint32_t kHalves = 0x00800080U;
+constexpr std::uint16_t kHalf = 128;
+/// Of four channels the first and the third.
+constexpr std::int32_t kEven = 0x00FF00FF;
 
 /// A view's texels as the loops need them.
 struct Texels {
@@ -159,59 +168,66 @@ void settle(const Texels& view, const float* __restrict nearness, float permitte
   }
 }
 
-inline std::uint32_t share(float part) {
-  return static_cast<std::uint32_t>(static_cast<int>(part * kShares + kRounding));
-}
+/// Two channels of 8 bits, each in 16.
+using Channels [[gnu::vector_size(simd::kLanes * 4)]] = std::uint16_t;
 
-/// Bilinear colour through the haze, and depth.
-void shadePixels(const Texels& view, const Haze& haze, const std::uint32_t* __restrict texels,
-                 const float* __restrict a0, const float* __restrict a1, const float* __restrict perForward,
-                 const float* __restrict place, const float* __restrict nearness, std::uint32_t* __restrict colour,
-                 float* __restrict depth) {
-  const int stride = view.stride;
-  const float limitX = view.limitX;
-  const float limitY = view.limitY;
-  const world::Vec3 m = view.m;
-  const std::uint32_t air = share(std::clamp(haze.amount, 0.0F, 1.0F));
-  const auto hazy = [&](std::size_t channel) {
-    return share(std::clamp(haze.amount, 0.0F, 1.0F) * std::clamp(haze.colour[channel], 0.0F, 1.0F));
-  };
-  const std::uint32_t hazeEven = hazy(2) << 16U | hazy(0);
-  const std::uint32_t hazeOdd = air << 16U | hazy(1);
-  const std::uint32_t clear = 256U - air;
-  for (int i = 0; i < kTilePixels; ++i) {
-    const float w = place[i];
-    const float scale = 1.0F - m.z * w;
-    const float x = std::min(std::max(a0[i] * scale + m.x * w - 0.5F, 0.0F), limitX);
-    const float y = std::min(std::max(a1[i] * scale + m.y * w - 0.5F, 0.0F), limitY);
-    const int column = static_cast<int>(x);
-    const int row = static_cast<int>(y);
-    // Weights of the four texels that add up to 256, so that two 8-bit channels fit into 16-bit lanes.
-    const std::uint32_t right = share(x - static_cast<float>(column));
-    const std::uint32_t down = share(y - static_cast<float>(row));
-    const std::uint32_t both = (right * down + 128U) >> 8U;
-    const std::uint32_t w10 = right - both;
-    const std::uint32_t w01 = down - both;
-    const std::uint32_t w00 = 256U - right - w01;
-    const int at = row * stride + column;
-    const std::uint32_t t00 = texels[at];
-    const std::uint32_t t10 = texels[at + 1];
-    const std::uint32_t t01 = texels[at + stride];
-    const std::uint32_t t11 = texels[at + stride + 1];
-    std::uint32_t even = (t00 & kEven) * w00 + (t10 & kEven) * w10 + (t01 & kEven) * w01 + (t11 & kEven) * both;
-    std::uint32_t odd = ((t00 >> 8U) & kEven) * w00 + ((t10 >> 8U) & kEven) * w10 + ((t01 >> 8U) & kEven) * w01 +
-                        ((t11 >> 8U) & kEven) * both;
-    even = ((even + kHalves) >> 8U) & kEven;
-    odd = ((odd + kHalves) >> 8U) & kEven;
-    const std::uint32_t cover = odd >> 16U;
-    even = ((even * clear + cover * hazeEven + kHalves) >> 8U) & kEven;
-    odd = ((odd * clear + cover * hazeOdd + kHalves) >> 8U) & kEven;
-    const float near = nearness[i];
-    const bool there = (near > 0.0F) & (cover != 0U);
-    const float away = (1.0F / std::max(near, 1.0e-20F) - m.z) * perForward[i];
-    colour[i] = there ? (odd << 8U | even) : 0U;
-    depth[i] = there ? away : world::kInfiniteDepth;
+inline Channels channels(Ints value) { return reinterpret_cast<Channels>(value); }
+inline Ints share(Floats part) { return simd::truncated(part * kShares + kRounding); }
+inline Channels twice(Ints value) { return channels(value | value << 16); }
+inline Channels eachOf(std::uint32_t value) { return channels(static_cast<std::int32_t>(value) - Ints{}); }
+
+/// The air as shadePixels() mixes it in.
+struct Air {
+  Channels clear;
+  Channels even;
+  Channels odd;
+
+  explicit Air(const Haze& haze) {
+    const float amount = std::clamp(haze.amount, 0.0F, 1.0F);
+    const auto part = [](float value) { return static_cast<std::uint32_t>(value * kShares + kRounding); };
+    const auto hazy = [&](std::size_t channel) { return part(amount * std::clamp(haze.colour[channel], 0.0F, 1.0F)); };
+    clear = eachOf((256U - part(amount)) * 0x00010001U);
+    even = eachOf(hazy(2) << 16U | hazy(0));
+    odd = eachOf(part(amount) << 16U | hazy(1));
   }
+};
+
+/// As many neighbouring pixels as there are lanes; -1 where one shows anything.
+inline Ints shadePixels(const Texels& view, const Air& air, const std::uint32_t* texels, WarpTile& tile, int first) {
+  const Floats w = load(tile.place + first);
+  const Floats scale = 1.0F - view.m.z * w;
+  const Floats none{};
+  const Floats x = simd::clamped(load(tile.a0 + first) * scale + view.m.x * w - 0.5F, none, simd::all(view.limitX));
+  const Floats y = simd::clamped(load(tile.a1 + first) * scale + view.m.y * w - 0.5F, none, simd::all(view.limitY));
+  const Ints column = simd::truncated(x);
+  const Ints row = simd::truncated(y);
+  // Weights of the four texels that add up to 256, so that a channel's sum fits into 16 bits.
+  const Ints right = share(x - simd::toFloats(column));
+  const Ints down = share(y - simd::toFloats(row));
+  const Ints both = (right * down + 128) >> 8;
+  const Channels w11 = twice(both);
+  const Channels w10 = twice(right - both);
+  const Channels w01 = twice(down - both);
+  const Channels w00 = twice(256 - right - down + both);
+  const Ints at = row * view.stride + column;
+  const simd::Pair above = simd::lookUpPair(texels, at);
+  const simd::Pair below = simd::lookUpPair(texels, at + view.stride);
+  const auto mixed = [&](int shift) {
+    const auto of = [&](Ints texel) { return channels(texel >> shift & kEven); };
+    return of(above.first) * w00 + of(above.second) * w10 + of(below.first) * w01 + of(below.second) * w11;
+  };
+  Channels even = (mixed(0) + kHalf) >> 8;
+  Channels odd = (mixed(8) + kHalf) >> 8;
+  const Ints cover = reinterpret_cast<Ints>(odd) >> 16;
+  const Channels hazed = twice(cover);
+  even = (even * air.clear + hazed * air.even + kHalf) >> 8;
+  odd = (odd * air.clear + hazed * air.odd + kHalf) >> 8;
+  const Floats near = load(tile.near + first);
+  const Ints there = (near > 0.0F) & (cover != 0);
+  const Floats away = (1.0F / simd::most(near, simd::all(1.0e-20F)) - view.m.z) * load(tile.perForward + first);
+  store(there & (reinterpret_cast<Ints>(odd) << 8 | reinterpret_cast<Ints>(even)), tile.colour + first);
+  store(there ? away : simd::all(world::kInfiniteDepth), tile.depth + first);
+  return there;
 }
 
 }  // namespace
@@ -240,9 +256,12 @@ void searchTile(const CachedView& view, const ViewWarp& warp, const CachedView::
          tile.place, tile.near);
 }
 
-void shadeTile(const CachedView& view, const ViewWarp& warp, const Haze& haze, WarpTile& tile) {
-  shadePixels(Texels(view, warp), haze, view.colour(), tile.a0, tile.a1, tile.perForward, tile.place, tile.near,
-              tile.colour, tile.depth);
+bool shadeTile(const CachedView& view, const ViewWarp& warp, const Haze& haze, WarpTile& tile) {
+  const Texels texels(view, warp);
+  const Air air(haze);
+  Ints shows{};
+  for (int i = 0; i < kTilePixels; i += simd::kLanes) shows |= shadePixels(texels, air, view.colour(), tile, i);
+  return simd::any(shows);
 }
 
 }  // namespace grove::objects::lightfield

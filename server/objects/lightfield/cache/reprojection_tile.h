@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 
 #include "objects/lightfield/cache/cached_view.h"
@@ -25,17 +24,7 @@ struct ViewWarp {
 
   ViewWarp(const CachedView& view, const ObjectCamera& camera);
 
-  /// k2 of a ray.
-  [[nodiscard]] float forward(int x, int y) const {
-    return k.z + static_cast<float>(x) * kPerColumn.z + static_cast<float>(y) * kPerRow.z;
-  }
-  /// Its a.
-  [[nodiscard]] world::Vec2 place(int x, int y) const {
-    return (world::Vec2(k) + static_cast<float>(x) * world::Vec2(kPerColumn) +
-            static_cast<float>(y) * world::Vec2(kPerRow)) /
-           std::max(forward(x, y), kLeastForward);
-  }
-  /// Its b.
+  /// The b of an a.
   [[nodiscard]] world::Vec2 way(world::Vec2 a) const { return world::Vec2(m) - a * m.z; }
 };
 
@@ -62,7 +51,7 @@ void beginTile(const ViewWarp& warp, int left, int top, WarpTile& tile);
 void searchTile(const CachedView& view, const ViewWarp& warp, const CachedView::Range& reach, float texelsPerNearness,
                 WarpTile& tile);
 
-/// Bilinear colour through the haze, and depth.
-void shadeTile(const CachedView& view, const ViewWarp& warp, const Haze& haze, WarpTile& tile);
+/// Bilinear colour through the haze, and depth. False if nothing shows.
+bool shadeTile(const CachedView& view, const ViewWarp& warp, const Haze& haze, WarpTile& tile);
 
 }  // namespace grove::objects::lightfield

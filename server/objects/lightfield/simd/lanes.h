@@ -30,6 +30,19 @@ inline Floats most(Floats a, Floats b) { return a > b ? a : b; }
 inline Floats clamped(Floats value, Floats low, Floats high) { return least(most(value, low), high); }
 inline Floats absolute(Floats value) { return most(value, -value); }
 
+inline Floats load(const float* from) {
+  Floats value;
+  std::memcpy(&value, from, sizeof value);
+  return value;
+}
+inline Ints load(const std::uint32_t* from) {
+  Ints value;
+  std::memcpy(&value, from, sizeof value);
+  return value;
+}
+inline void store(Floats value, float* to) { std::memcpy(to, &value, sizeof value); }
+inline void store(Ints value, std::uint32_t* to) { std::memcpy(to, &value, sizeof value); }
+
 inline Floats lanesUpwards() {
   Floats lanes{};
   for (int i = 0; i < kLanes; ++i) lanes[i] = static_cast<float>(i);

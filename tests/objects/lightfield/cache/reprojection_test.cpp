@@ -22,18 +22,15 @@ constexpr float kError = 4.0F;
 std::shared_ptr<node::Image> reprojected(const CachedView& view, const ObjectCamera& camera, const world::Rect& rect,
                                          const Haze& haze = {}) {
   auto image = node::ImagePool().acquire(rect);
-  std::fill(image->colour.begin(), image->colour.end(), 0x12345678U);
-  std::fill(image->depth.begin(), image->depth.end(), -1.0F);
-  reproject(view, camera, haze, *image);
-  // What lies outside of the spans is as if it were empty.
-  for (int row = 0; row < image->height(); ++row) {
-    const node::Span span = image->span(row);
-    for (int x = 0; x < image->width(); ++x) {
-      if (x >= span.begin && x < span.end) continue;
-      image->colourRow(row)[x] = 0;
-      image->depthRow(row)[x] = world::kInfiniteDepth;
+  std::ranges::fill(image->colour, 0U);
+  std::ranges::fill(image->depth, world::kInfiniteDepth);
+  reproject(view, camera, haze, rect, [&](const world::Rect& part, const WarpTile& tile) {
+    for (int row = 0; row < part.height(); ++row) {
+      const int to = (part.top - rect.top + row) * rect.width() + part.left - rect.left;
+      std::copy_n(tile.colour + row * kTileWidth, part.width(), image->colour.begin() + to);
+      std::copy_n(tile.depth + row * kTileWidth, part.width(), image->depth.begin() + to);
     }
-  }
+  });
   return image;
 }
 
