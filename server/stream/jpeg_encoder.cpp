@@ -24,9 +24,9 @@ void JpegEncoder::encode(const node::Image& image, std::vector<std::uint8_t>& ou
   unsigned char* bytes = scratch_.get();
   unsigned long size = scratchBytes_;
   const int pitch = image.width() * static_cast<int>(sizeof(std::uint32_t));
-  const int failed =
-      tjCompress2(handle_.get(), reinterpret_cast<const unsigned char*>(image.colour.data()), image.width(), pitch,
-                  image.height(), TJPF_RGBX, &bytes, &size, TJSAMP_420, quality_, TJFLAG_NOREALLOC | TJFLAG_FASTDCT);
+  const int failed = tjCompress2(handle_.get(), reinterpret_cast<const unsigned char*>(image.colour.data()),
+                                 image.width(), pitch, image.height(), TJPF_RGBX, &bytes, &size, TJSAMP_420, quality_,
+                                 TJFLAG_NOREALLOC | TJFLAG_ACCURATEDCT);
   if (failed != 0) throw EnvironmentError(tjGetErrorStr2(handle_.get()), "JPEG encoder", "");
   out.insert(out.end(), bytes, bytes + size);
 }
