@@ -64,6 +64,18 @@ struct Pair {
 
 #if defined(__AVX512F__)
 
+/// One bit a lane, as the machine compares and selects: for loops that would lose time with masks of whole lanes.
+using Mask = __mmask16;
+inline Mask maskOf(Ints mask) {
+  return _mm512_test_epi32_mask(reinterpret_cast<__m512i>(mask), reinterpret_cast<__m512i>(mask));
+}
+inline Ints lanesOf(Mask mask) { return reinterpret_cast<Ints>(_mm512_maskz_set1_epi32(mask, -1)); }
+inline bool any(Mask mask) { return mask != 0; }
+inline Mask isBelow(Floats a, Floats b) { return _mm512_cmp_ps_mask(a, b, _CMP_LT_OQ); }
+inline Mask isAtMost(Floats a, Floats b) { return _mm512_cmp_ps_mask(a, b, _CMP_LE_OQ); }
+inline Floats select(Mask mask, Floats a, Floats b) { return _mm512_mask_mov_ps(b, mask, a); }
+inline Floats onlyWhere(Mask mask, Floats value) { return _mm512_maskz_mov_ps(mask, value); }
+
 inline bool any(Ints mask) {
   return _mm512_test_epi32_mask(reinterpret_cast<__m512i>(mask), reinterpret_cast<__m512i>(mask)) != 0;
 }
@@ -92,6 +104,14 @@ inline Floats lookUp(const float* base, Ints at) {
 }
 
 #else
+
+using Mask = Ints;
+inline Mask maskOf(Ints mask) { return mask; }
+inline Ints lanesOf(Mask mask) { return mask; }
+inline Mask isBelow(Floats a, Floats b) { return a < b; }
+inline Mask isAtMost(Floats a, Floats b) { return a <= b; }
+inline Floats select(Mask mask, Floats a, Floats b) { return mask ? a : b; }
+inline Floats onlyWhere(Mask mask, Floats value) { return mask ? value : Floats{}; }
 
 inline Floats lookUp(const float* base, Ints at) {
   Floats result{};

@@ -109,9 +109,9 @@ struct Outcome {
 };
 
 /// Walks from texel to texel along the axis that the way mostly follows; looks at the two beside the way at each.
-Outcome walkAlong(const Way& way, const NearnessWindow& window, const TexelBox& box, Ints walking) {
+Outcome walkAlong(const Way& way, const NearnessWindow& window, const TexelBox& box, Ints rays) {
   const float* texels = window.nearness() - window.origin();
-  const int stride = window.stride();
+  const auto stride = static_cast<float>(window.stride());
   const Floats left = all(static_cast<float>(box.left));
   const Floats right = all(static_cast<float>(box.right));
   const Floats top = all(static_cast<float>(box.top));
@@ -121,8 +121,9 @@ Outcome walkAlong(const Way& way, const NearnessWindow& window, const TexelBox& 
   const Floats mostAlong = level ? right : bottom;
   const Floats leastAcross = level ? top : left;
   const Floats mostAcross = (level ? bottom : right) - 1.0F;
-  const Ints alongStride = level ? Ints{} + 1 : Ints{} + stride;
-  const Ints acrossStride = level ? Ints{} + stride : Ints{} + 1;
+  const Floats alongStride = level ? all(1.0F) : all(stride);
+  const Floats acrossStride = level ? all(stride) : all(1.0F);
+  const Ints acrossStep = truncated(acrossStride);
   const Floats along0 = level ? way.x : way.y;
   const Floats alongBy = level ? way.byX : way.byY;
   const Floats across0 = level ? way.y : way.x;
@@ -138,50 +139,64 @@ Outcome walkAlong(const Way& way, const NearnessWindow& window, const TexelBox& 
   Outcome outcome;
   outcome.texel = absolute(placePerTexel);
   const Floats slack = kSlack * outcome.texel + way.thickness;
+  const Floats reach = 0.5F + slack;
+  // Places times what was met there; divided by what was met when the walk is over.
+  Floats foundPlaces{};
+  Floats foundMet = all(1.0F);
+  Floats grazedPlaces{};
+  Floats hiddenSteps{};
   // A surface is met partly at one step and partly at the next one.
   Floats metBefore{};
-  Floats placeBefore{};
-  const float mostSteps = mostOf(walking ? steps : all(0.0F));
+  Floats placesBefore{};
+  Mask walking = maskOf(rays);
+  Mask found{};
+  const float mostSteps = mostOf(rays ? steps : all(0.0F));
   for (float k = 0.0F; k < mostSteps && any(walking); k += 1.0F) {
     const Floats along = clamped(first + sign * k, leastAlong, mostAlong);
     const Floats here = clamped((along - along0) * placePerTexel, all(0.0F), all(1.0F));
     const Floats across = clamped(across0 + here * acrossBy, leastAcross, mostAcross);
-    const Ints line = truncated(across);
-    const Floats beside = across - toFloats(line);
-    const Ints at = truncated(along) * alongStride + line * acrossStride;
-    const Floats nearness[2] = {lookUp(texels, at), lookUp(texels, at + acrossStride)};
+    const Floats line = toFloats(truncated(across));
+    const Floats beside = across - line;
+    const Ints at = truncated(along * alongStride + line * acrossStride);
+    const Floats nearness[2] = {lookUp(texels, at), lookUp(texels, at + acrossStep)};
     const Floats weight[2] = {1.0F - beside, beside};
+    const Floats hiding = here - slack;
     Floats met{};
-    Floats metPlace{};
+    Floats places{};
     Floats behind{};
     for (std::size_t i = 0; i < 2; ++i) {
       // Where the ray is at this texel's depth, and how much of the texel it meets there.
       const Floats place = nearness[i] * way.perPlace + placeOfZero;
       const Floats awayAlong = absolute(along0 + place * alongBy - along);
-      const Floats awayAcross = absolute(across0 + place * acrossBy - toFloats(line) - static_cast<float>(i));
-      const Ints within = (nearness[i] > 0.0F) & (place >= -slack) & (place <= 1.0F + slack);
-      const Floats share = within ? most(1.0F - awayAlong, all(0.0F)) * most(1.0F - awayAcross, all(0.0F)) : all(0.0F);
-      met += share;
-      metPlace += share * place;
-      behind += place < here - slack ? weight[i] : all(0.0F);
+      const Floats awayAcross = absolute(across0 + place * acrossBy - line - static_cast<float>(i));
+      const Floats share = most(1.0F - awayAlong, all(0.0F)) * most(1.0F - awayAcross, all(0.0F));
+      const Floats counted = onlyWhere(isAtMost(absolute(place - 0.5F), reach), share);
+      met += counted;
+      places += counted * place;
+      behind += onlyWhere(isBelow(place, hiding), weight[i]);
     }
     const Floats total = met + metBefore;
-    const Floats metAt = (metPlace + placeBefore) / most(total, all(1.0e-6F));
+    const Floats totalPlaces = places + placesBefore;
     metBefore = met;
-    placeBefore = metPlace;
-    const Ints ends = walking & (total > kEnough);
-    outcome.foundAt = ends ? metAt : outcome.foundAt;
-    outcome.found |= ends;
-    walking &= ~ends;
-    const Ints hides = walking & (behind > 0.5F);
-    outcome.hiddenAt = hides & (outcome.hidden == 0.0F) ? here : outcome.hiddenAt;
-    outcome.hiddenTo = hides ? here : outcome.hiddenTo;
-    outcome.hidden += hides ? 1.0F / steps : all(0.0F);
-    const Ints grazes = walking & (total > outcome.grazed);
-    outcome.grazedAt = grazes ? metAt : outcome.grazedAt;
-    outcome.grazed = grazes ? total : outcome.grazed;
-    walking &= k + 1.0F < steps;
+    placesBefore = places;
+    const Mask ends = walking & isBelow(all(kEnough), total);
+    foundPlaces = select(ends, totalPlaces, foundPlaces);
+    foundMet = select(ends, total, foundMet);
+    found = found | ends;
+    walking = walking & ~ends;
+    const Mask hides = walking & isBelow(all(0.5F), behind);
+    outcome.hiddenAt = select(hides & isBelow(hiddenSteps, all(0.5F)), here, outcome.hiddenAt);
+    outcome.hiddenTo = select(hides, here, outcome.hiddenTo);
+    hiddenSteps += onlyWhere(hides, all(1.0F));
+    const Mask grazes = walking & isBelow(outcome.grazed, total);
+    grazedPlaces = select(grazes, totalPlaces, grazedPlaces);
+    outcome.grazed = select(grazes, total, outcome.grazed);
+    walking = walking & isBelow(all(k + 1.0F), steps);
   }
+  outcome.found = lanesOf(found);
+  outcome.foundAt = foundPlaces / foundMet;
+  outcome.grazedAt = grazedPlaces / most(outcome.grazed, all(1.0e-6F));
+  outcome.hidden = hiddenSteps / steps;
   return outcome;
 }
 

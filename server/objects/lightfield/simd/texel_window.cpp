@@ -74,7 +74,7 @@ bool NearnessWindow::load(const LightField& field, int level, const Lens& lens, 
   low.fill(world::kInfiniteDepth);
   forEachBlock(field, level, lens.view, box, layout_, [&](std::size_t from, std::ptrdiff_t to, int rows) {
     float* __restrict out = nearness_.data() + to;
-    if (from == kNoTexel) return fillBlock(0.0F, out, layout_.stride, rows);
+    if (from == kNoTexel) return fillBlock(kNowhere, out, layout_.stride, rows);
     const std::uint16_t* __restrict in = field.depth.data() + from;
     std::array<float, kBlock> blockHigh = high;
     std::array<float, kBlock> blockLow = low;
@@ -82,7 +82,7 @@ bool NearnessWindow::load(const LightField& field, int level, const Lens& lens, 
       for (std::size_t i = 0; i < kBlock; ++i) {
         const bool covered = in[i] != kNoDepth;
         const float nearness = 1.0F / (lens.nearDepth + static_cast<float>(in[i]) * lens.depthStep);
-        out[i] = covered ? nearness : 0.0F;
+        out[i] = covered ? nearness : kNowhere;
         blockHigh[i] = std::max(blockHigh[i], covered ? nearness : 0.0F);
         blockLow[i] = std::min(blockLow[i], covered ? nearness : world::kInfiniteDepth);
       }

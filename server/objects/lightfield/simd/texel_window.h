@@ -45,7 +45,10 @@ class TexelWindow {
   std::vector<std::uint32_t> colour_;
 };
 
-/// What a tile of pixels can meet in a view, as 1 / view depth (per metre), 0 where nothing is.
+/// Nearness of a texel that shows nothing: no place on any ray.
+inline constexpr float kNowhere = -1.0e6F;
+
+/// What a tile of pixels can meet in a view, as 1 / view depth (per metre), kNowhere where nothing is.
 class NearnessWindow {
  public:
   /// False if nothing in the box is covered.
