@@ -140,7 +140,8 @@ std::shared_ptr<const CachedView> LightFieldBackend::sharedView(const node::Requ
 std::shared_ptr<const CachedView> LightFieldBackend::pictureOf(const Entry& entry, const ViewCell& cell) {
   const float times = magnification(*entry.field, cell.camera);
   const ObjectCamera camera = coarser(cell.camera, times);
-  const auto image = sample(entry, camera, {}, coarser({0, 0, cell.size, cell.size}, times));
+  const world::Rect whole = coarser({0, 0, cell.size, cell.size}, times);
+  const auto image = sample(entry, camera, {}, boxOf(entry.field->bounds, camera, whole));
   return std::make_shared<const CachedView>(*image, camera);
 }
 

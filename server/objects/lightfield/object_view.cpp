@@ -11,6 +11,9 @@ using world::Vec3;
 
 namespace {
 
+/// Metres of view depth; what is nearer may be anywhere in the picture.
+constexpr float kLeastAhead = 0.05F;
+
 /// The object's metres across a pixel at a distance in the object's metres.
 float pixelAt(const ObjectCamera& camera, float distance) {
   const Vec3 axis = glm::normalize(glm::cross(camera.perColumn, camera.perRow));
@@ -60,6 +63,25 @@ int levelFor(const LightField& field, const ObjectCamera& camera) {
   const float texels = pixelAt(camera, distance) / texelOf(field);
   const float level = std::floor(std::log2(std::max(texels, 1.0e-3F)) + 0.35F);
   return std::clamp(static_cast<int>(level), 0, field.levels - 1);
+}
+
+world::Rect boxOf(const world::Bounds& bounds, const ObjectCamera& camera, const world::Rect& whole) {
+  const glm::mat3 toPixels = glm::inverse(glm::mat3(camera.perColumn, camera.perRow, camera.corner));
+  glm::vec2 low(1.0e6F);
+  glm::vec2 high(-1.0e6F);
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vec3 point((corner & 1) != 0 ? bounds.high.x : bounds.low.x, (corner & 2) != 0 ? bounds.high.y : bounds.low.y,
+                     (corner & 4) != 0 ? bounds.high.z : bounds.low.z);
+    const Vec3 at = toPixels * (point - camera.eye);
+    if (at.z < kLeastAhead) return whole;
+    low = glm::min(low, glm::vec2(at) / at.z);
+    high = glm::max(high, glm::vec2(at) / at.z);
+  }
+  const glm::vec2 first(whole.left, whole.top);
+  const glm::vec2 end(whole.right, whole.bottom);
+  low = glm::clamp(glm::floor(low), first, end);
+  high = glm::clamp(glm::ceil(high), first, end);
+  return {static_cast<int>(low.x), static_cast<int>(low.y), static_cast<int>(high.x), static_cast<int>(high.y)};
 }
 
 float magnification(const LightField& field, const ObjectCamera& camera) {

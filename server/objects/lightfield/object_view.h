@@ -19,6 +19,9 @@ namespace grove::objects::lightfield {
 /// The same camera with pixels `times` as wide and high.
 [[nodiscard]] ObjectCamera coarser(const ObjectCamera& camera, float times);
 
+/// The part of `whole` that may show a box: all of it if some of the box is beside or behind the eye.
+[[nodiscard]] world::Rect boxOf(const world::Bounds& bounds, const ObjectCamera& camera, const world::Rect& whole);
+
 /// How many pixels wide the finest texels are even at the object's far side: no picture of it needs more samples than
 /// that. At least 1.
 [[nodiscard]] float magnification(const LightField& field, const ObjectCamera& camera);

@@ -62,6 +62,25 @@ TEST(ObjectView, ATexelOfTheChosenLevelIsAboutAPixel) {
   }
 }
 
+TEST(ObjectView, ABoxIsWithinItsPixels) {
+  const ViewCamera view = viewCamera(fieldOf(512).geometry, glm::normalize(Vec3(1, 0.5F, 2)));
+  const ObjectCamera camera = objectCamera(view, 400);
+  const world::Rect whole{0, 0, 400, 400};
+  const world::Bounds flat{{-2, 0, -2}, {2, 0.5F, 2}};
+  const world::Rect rect = boxOf(flat, camera, whole);
+  EXPECT_LT(rect.width() * rect.height(), 400 * 400 / 3);
+  for (int y = 0; y < 400; ++y) {
+    for (int x = 0; x < 400; ++x) {
+      const Vec3 ray = camera.ray(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F);
+      const float depth = (0.25F - camera.eye.y) / ray.y;
+      const Vec3 point = camera.eye + depth * ray;
+      if (depth < 0.0F || std::max(std::abs(point.x), std::abs(point.z)) > 2.0F) continue;
+      EXPECT_TRUE(x >= rect.left && x < rect.right && y >= rect.top && y < rect.bottom) << x << ' ' << y;
+    }
+  }
+  EXPECT_EQ(boxOf({{-20, -20, -20}, {20, 20, 20}}, camera, whole), whole);
+}
+
 TEST(ObjectView, HazeIsTheWorlds) {
   node::VisibleObject visible;
   visible.object.bounds = {{-1, 0, -101}, {1, 2, -99}};
