@@ -23,10 +23,26 @@ constexpr std::size_t kMostAtOnce = 4;
 /// From here on it is cheaper to sample one pixel a texel, and to let the frontend enlarge the picture.
 constexpr float kLeastMagnification = 1.3F;
 
+/// Metres a second.
+constexpr float kStanding = 0.05F;
+
 /// What covers the rectangle in pixels that are `times` as large.
 world::Rect coarser(const world::Rect& rect, float times) {
   const auto down = [&](int at) { return static_cast<int>(std::floor(static_cast<float>(at) / times)); };
   return {down(rect.left) - 1, down(rect.top) - 1, down(rect.right) + 2, down(rect.bottom) + 2};
+}
+
+/// Where a picture for a visitor who walks is made from, in reaches of his own cell; the first that serves him is
+/// taken.
+constexpr std::array<float, 3> kStepsAhead{1.8F, 1.2F, 0.6F};
+
+/// Which way the viewer goes, in an object's coordinates; zero if he stands.
+world::Vec3 headingOf(const node::View& view, const world::Mat4& toObject) {
+  const auto self = std::ranges::find(view.players, view.viewer, &world::Player::id);
+  if (self == view.players.end()) return world::Vec3(0.0F);
+  const world::Vec3 velocity = glm::mat3(toObject) * self->velocity;
+  const float speed = glm::length(velocity);
+  return speed > kStanding ? velocity / speed : world::Vec3(0.0F);
 }
 
 const LightFieldModel& modelOf(const world::Object& object) {
@@ -121,20 +137,33 @@ node::Payload LightFieldBackend::answerOne(const node::Request& request) {
 
 std::shared_ptr<const CachedView> LightFieldBackend::sharedView(const node::Request& request, const Entry& entry,
                                                                 const ViewCell& cell, world::Vec3 eye) {
+  const node::View& view = request.view();
   const world::ObjectId object = request.visible().object.id;
-  const ViewKey key{object, cell.id};
-  std::shared_ptr<const CachedView> picture = cache_.find(key);
-  if (picture) {
-    timeline_.count("view cache hits");
-  } else if ((picture = late_.lateView(request.view(), object, cell, eye))) {
-    timeline_.count("views shown late");
+  const float focal = view.camera.focal();
+  const ViewGeometry& geometry = entry.field->geometry;
+  const auto show = [&](const char* counter, const CellId& shown, std::shared_ptr<const CachedView> picture) {
+    timeline_.count(counter);
+    late_.shown(view, object, shown);
     return picture;
-  } else {
-    timeline_.count("view cache misses");
-    picture = cache_.keep(key, pictureOf(entry, cell));
+  };
+  // Going on with the last picture as long as it serves takes fewer of them than changing it at the border of its cell.
+  const std::optional<CellId> lastCell = late_.last(view, object);
+  const auto last = lastCell && lastCell->focal == cell.id.focal ? cache_.find({object, *lastCell}) : nullptr;
+  const auto lastServes = [&](float times) {
+    return last && serves(geometry, last->camera().eye, eye, focal, times * mostError_);
+  };
+  if (lastServes(1.0F)) return show("view cache hits", *lastCell, last);
+  const world::Vec3 step = cell.reach * headingOf(view, entry.toObject);
+  ViewCell best = cell;
+  for (const float steps : kStepsAhead) {
+    const auto ahead = viewCell(geometry, eye + steps * step, focal, mostError_);
+    if (!ahead || !serves(geometry, ahead->camera.eye, eye, focal, mostError_)) continue;
+    if (auto picture = cache_.find({object, ahead->id})) return show("view cache hits", ahead->id, picture);
+    if (best.id == cell.id) best = *ahead;
   }
-  late_.shown(request.view(), object, picture);
-  return picture;
+  if (auto picture = cache_.find({object, cell.id})) return show("view cache hits", cell.id, picture);
+  if (!late_.mayMake(view) && lastServes(LateViews::kLateness)) return show("views shown late", *lastCell, last);
+  return show("view cache misses", best.id, cache_.keep({object, best.id}, pictureOf(entry, best)));
 }
 
 std::shared_ptr<const CachedView> LightFieldBackend::pictureOf(const Entry& entry, const ViewCell& cell) {

@@ -12,6 +12,8 @@ namespace {
 constexpr float kFocalsPerOctave = 4.0F;
 // A picture is sharper than the farthest eye of its shell needs by at most this step.
 constexpr float kShellsPerOctave = 8.0F;
+// Steps by which an eye may be farther than the eye of a picture: the pixels that are left out then begin to flicker.
+constexpr float kFarther = 2.0F;
 // Of the error, for eyes that are too near or too far. Going to and fro costs little, so the rest is left for going
 // around, which makes the cell about as long as it is wide.
 constexpr float kRadialShare = 0.25F;
@@ -31,7 +33,7 @@ constexpr float kWidest = 0.25F;
 /// where x0 and x1 are the ends of the chord. x0 x1 is the power of F, |F|^2 - R^2, and |F| >= |e| - h. Since
 /// L <= 2R and L sin a <= R^2 / D (largest at D sin a = R / sqrt 2), and sin a <= R / D wherever there is a chord,
 ///     angle <= (2 R side + radial R^2 / D) / ((|e| - side - radial R / D)^2 - R^2).
-/// This is the error over the focal length; the function solves for `side`.
+/// This is the error over the focal length, as serves() has it; the function solves for `side`.
 float permittedSide(float ball, float nearest, float axis, float radial, float angle) {
   const float clear = nearest - radial * ball / axis;
   const float c = clear * clear - ball * ball - radial * ball * ball / (axis * angle);
@@ -40,6 +42,22 @@ float permittedSide(float ball, float nearest, float axis, float radial, float a
 }
 
 }  // namespace
+
+bool serves(const ViewGeometry& geometry, world::Vec3 own, world::Vec3 eye, float focal, float errorPixels) {
+  const float ball = geometry.extent;
+  const world::Vec3 from = own - geometry.target;
+  const float axis = glm::length(from);
+  const float distance = glm::distance(eye, geometry.target);
+  const float nearer = std::log2(axis / distance) * kShellsPerOctave;
+  if (!(nearer <= 1.0F && nearer >= -kFarther)) return false;
+  const float along = glm::dot(eye - own, from) / axis;
+  const float side = glm::length(eye - own - along * from / axis);
+  const float radial = std::abs(along);
+  const float clear = distance - side - radial * ball / axis;
+  if (!(clear > ball && side <= kWidest * axis)) return false;
+  const float angle = (2.0F * ball * side + radial * ball * ball / axis) / (clear * clear - ball * ball);
+  return angle * focal <= errorPixels;
+}
 
 std::optional<ViewCell> viewCell(const ViewGeometry& geometry, world::Vec3 eye, float focal, float errorPixels) {
   assert(geometry.extent > 0.0F && focal > 0.0F && errorPixels > 0.0F);

@@ -38,6 +38,12 @@ struct ViewCell {
 [[nodiscard]] std::optional<ViewCell> viewCell(const ViewGeometry& geometry, world::Vec3 eye, float focal,
                                                float errorPixels);
 
+/// Whether a picture that was made from `own` serves `eye` (object coordinates), with an error of at most `errorPixels`
+/// in a frame of this focal length, also if the eye is in no cell of that picture. It may then be up to an eighth of an
+/// octave nearer than `own`, and the picture so much less sharp.
+[[nodiscard]] bool serves(const ViewGeometry& geometry, world::Vec3 own, world::Vec3 eye, float focal,
+                          float errorPixels);
+
 inline constexpr float kLeastReach = 0.04F;
 inline constexpr int kMostCellSize = 2048;
 

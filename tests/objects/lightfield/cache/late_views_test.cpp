@@ -5,18 +5,6 @@
 namespace grove::objects::lightfield {
 namespace {
 
-using world::Vec3;
-
-std::shared_ptr<const CachedView> pictureFrom(Vec3 eye) {
-  static node::ImagePool pool;
-  const auto image = pool.acquire({0, 0, 4, 4});
-  std::ranges::fill(image->colour, 0xFFFFFFFFU);
-  std::ranges::fill(image->depth, 2.0F);
-  ObjectCamera camera;
-  camera.eye = eye;
-  return std::make_shared<const CachedView>(*image, camera);
-}
-
 node::View viewOf(node::SessionId session, node::FrameNumber frame) {
   node::View view;
   view.session = session;
@@ -24,68 +12,50 @@ node::View viewOf(node::SessionId session, node::FrameNumber frame) {
   return view;
 }
 
-class LateViewsTest : public testing::Test {
- protected:
-  LateViewsTest() {
-    cell_.reach = 0.5F;
-    for (world::ObjectId object = 1; object <= 10; ++object) late_.shown(viewOf(1, 1), object, picture_);
-  }
+CellId cellOf(std::int32_t column) {
+  CellId cell;
+  cell.column = column;
+  return cell;
+}
 
-  std::shared_ptr<const CachedView> picture_ = pictureFrom({0, 0, 10});
-  ViewCell cell_;
-  LateViews late_;
-};
-
-TEST_F(LateViewsTest, OnlySomePicturesOfAFrameAreNew) {
+TEST(LateViews, OnlySomePicturesOfAFrameAreNew) {
+  LateViews late;
   for (node::FrameNumber frame = 2; frame < 5; ++frame) {
     int made = 0;
-    for (world::ObjectId object = 1; object <= 10; ++object) {
-      made += late_.lateView(viewOf(1, frame), object, cell_, {0.6F, 0, 10}) ? 0 : 1;
-    }
+    for (int object = 1; object <= 10; ++object) made += late.mayMake(viewOf(1, frame)) ? 1 : 0;
     EXPECT_EQ(made, LateViews::kMostNewPictures);
   }
 }
 
-TEST_F(LateViewsTest, ALatePictureIsTheOneThatWasShown) {
-  for (world::ObjectId object = 1; object <= 3; ++object) {
-    EXPECT_FALSE(late_.lateView(viewOf(1, 2), object, cell_, {0.6F, 0, 10}));
+TEST(LateViews, VisitorsHaveTheirOwnBudgets) {
+  LateViews late;
+  for (int i = 0; i < LateViews::kMostNewPictures; ++i) {
+    EXPECT_TRUE(late.mayMake(viewOf(1, 2)));
+    EXPECT_TRUE(late.mayMake(viewOf(2, 2)));
   }
-  EXPECT_EQ(late_.lateView(viewOf(1, 2), 4, cell_, {0.6F, 0, 10}), picture_);
+  EXPECT_FALSE(late.mayMake(viewOf(1, 2)));
 }
 
-TEST_F(LateViewsTest, WhatIsTooFarOffOrUnknownIsMadeAnew) {
-  for (world::ObjectId object = 1; object <= 3; ++object) {
-    EXPECT_FALSE(late_.lateView(viewOf(1, 2), object, cell_, {0.6F, 0, 10}));
-  }
-  EXPECT_FALSE(late_.lateView(viewOf(1, 2), 4, cell_, {1.6F, 0, 10}));
-  EXPECT_FALSE(late_.lateView(viewOf(1, 2), 11, cell_, {0.6F, 0, 10}));
+TEST(LateViews, RemembersWhatEachVisitorWasShownLast) {
+  LateViews late;
+  EXPECT_FALSE(late.last(viewOf(1, 1), 5));
+  late.shown(viewOf(1, 1), 5, cellOf(7));
+  late.shown(viewOf(1, 1), 6, cellOf(8));
+  late.shown(viewOf(2, 1), 5, cellOf(9));
+  EXPECT_EQ(late.last(viewOf(1, 2), 5), cellOf(7));
+  late.shown(viewOf(1, 2), 5, cellOf(10));
+  EXPECT_EQ(late.last(viewOf(1, 3), 5), cellOf(10));
+  EXPECT_EQ(late.last(viewOf(1, 3), 6), cellOf(8));
+  EXPECT_EQ(late.last(viewOf(2, 2), 5), cellOf(9));
 }
 
-TEST_F(LateViewsTest, VisitorsHaveTheirOwnBudgets) {
-  for (world::ObjectId object = 1; object <= 10; ++object) late_.shown(viewOf(2, 1), object, picture_);
-  for (world::ObjectId object = 1; object <= 3; ++object) {
-    EXPECT_FALSE(late_.lateView(viewOf(1, 2), object, cell_, {0.6F, 0, 10}));
-    EXPECT_FALSE(late_.lateView(viewOf(2, 2), object, cell_, {0.6F, 0, 10}));
-  }
-}
-
-TEST_F(LateViewsTest, PicturesAreNotKeptAlive) {
-  for (world::ObjectId object = 1; object <= 3; ++object) {
-    EXPECT_FALSE(late_.lateView(viewOf(1, 2), object, cell_, {0.6F, 0, 10}));
-  }
-  const std::weak_ptr<const CachedView> watched = picture_;
-  picture_.reset();
-  EXPECT_TRUE(watched.expired());
-  EXPECT_FALSE(late_.lateView(viewOf(1, 2), 4, cell_, {0.6F, 0, 10}));
-}
-
-TEST_F(LateViewsTest, MemoryIsBoundedWhoeverComes) {
+TEST(LateViews, MemoryIsBoundedWhoeverComes) {
+  LateViews late;
   for (node::SessionId session = 1; session < 3000; ++session) {
-    for (world::ObjectId object = 1; object <= 10; ++object) late_.shown(viewOf(session, 1), object, picture_);
+    for (world::ObjectId object = 1; object <= 10; ++object) late.shown(viewOf(session, 1), object, cellOf(1));
   }
-  for (world::ObjectId object = 1; object <= 4; ++object) {
-    EXPECT_FALSE(late_.lateView(viewOf(1, 9), object, cell_, {0.6F, 0, 10})) << "the first visitors are forgotten";
-  }
+  EXPECT_FALSE(late.last(viewOf(1, 9), 1)) << "the first visitors are forgotten";
+  EXPECT_TRUE(late.last(viewOf(2999, 9), 10));
 }
 
 }  // namespace

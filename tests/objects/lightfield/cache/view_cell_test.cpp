@@ -92,6 +92,59 @@ TEST(ViewCell, HoldsItsErrorForEveryEyeAndEveryPairOfPoints) {
   EXPECT_GT(worst, 0.6) << "cells are smaller than they need be";
 }
 
+TEST(ViewCell, ServesNoEyeWithMoreThanTheError) {
+  Dice dice;
+  int served = 0;
+  double worst = 0.0;
+  for (int i = 0; i < 20000; ++i) {
+    const ViewGeometry geometry = ballOf(dice.in(0.4F, 6.0F));
+    const float error = std::exp2(dice.in(-1.0F, 6.0F));
+    const float focal = dice.in(200.0F, 1500.0F);
+    const Vec3 own = geometry.target + dice.direction() * geometry.extent * std::exp2(dice.in(0.05F, 4.0F));
+    const float distance = glm::length(own - geometry.target);
+    const Vec3 eye = own + dice.direction() * distance * std::exp2(dice.in(-8.0F, -1.0F));
+    if (!serves(geometry, own, eye, focal, error)) continue;
+    ++served;
+    EXPECT_GT(glm::distance(eye, geometry.target), 0.9F * distance) << "a picture from afar is not sharp";
+    for (int j = 0; j < 8; ++j) {
+      const Exact from = own;
+      const Exact target = geometry.target;
+      const double radius = geometry.extent;
+      const Exact through = target + Exact(dice.direction()) * radius * std::sqrt(double{dice.in(0.0F, 1.0F)});
+      const Exact ray = glm::normalize(through - from);
+      const double middle = glm::dot(target - from, ray);
+      const Exact foot = from + middle * ray;
+      const double half = std::sqrt(std::max(0.0, radius * radius - glm::dot(foot - target, foot - target)));
+      const double apart =
+          focal * angleBetween(from + (middle - half) * ray - Exact(eye), from + (middle + half) * ray - Exact(eye));
+      EXPECT_LE(apart, error * 1.0001);
+      worst = std::max(worst, apart / error);
+    }
+  }
+  EXPECT_GT(served, 3000);
+  EXPECT_GT(worst, 0.6) << "serves fewer eyes than it could";
+}
+
+TEST(ViewCell, ServesAllOfACellAndMore) {
+  Dice dice;
+  int cells = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const ViewGeometry geometry = ballOf(dice.in(0.4F, 6.0F));
+    const float focal = dice.in(200.0F, 1200.0F);
+    const Vec3 eye = geometry.target + dice.direction() * geometry.extent * std::exp2(dice.in(0.3F, 3.5F));
+    const auto cell = viewCell(geometry, eye, focal, 8.0F);
+    if (!cell) continue;
+    ++cells;
+    for (int j = 0; j < 4; ++j) {
+      EXPECT_TRUE(serves(geometry, cell->camera.eye, eyeIn(*cell, geometry, focal, 8.0F, dice), focal, 8.0F));
+    }
+    const Vec3 from = cell->camera.eye - geometry.target;
+    const Vec3 aside = glm::normalize(Vec3(from.z, 0.0F, -from.x)) * 1.1F * cell->reach;
+    EXPECT_TRUE(serves(geometry, cell->camera.eye, cell->camera.eye + aside, focal, 8.0F));
+  }
+  EXPECT_GT(cells, 300);
+}
+
 TEST(ViewCell, PictureEnclosesTheBallAndIsSharpEnough) {
   Dice dice;
   int cells = 0;
