@@ -23,6 +23,13 @@ constexpr std::size_t kMostAtOnce = 4;
 /// From here on it is cheaper to sample one pixel a texel, and to let the frontend enlarge the picture.
 constexpr float kLeastMagnification = 1.3F;
 
+/// Of the permitted error: what a near picture may be wrong by on average, where that of a far one is the largest.
+constexpr float kNearShare = 0.5F;
+
+/// Pixels beyond the frame that a near picture has, for a head that turns.
+constexpr int kMarginAcross = 64;
+constexpr int kMarginDown = 32;
+
 /// Metres a second.
 constexpr float kStanding = 0.05F;
 
@@ -125,9 +132,7 @@ node::Payload LightFieldBackend::answerOne(const node::Request& request) {
     timeline_.count("views too near to share");
   }
   if (const float times = magnification(*entry.field, parts.camera); times > kLeastMagnification) {
-    const ObjectCamera coarse = coarser(parts.camera, times);
-    const auto image = sample(entry, coarse, {}, coarser(visible.rect, times));
-    parts.picture = std::make_shared<const CachedView>(*image, coarse);
+    parts.picture = nearView(request, entry, parts.camera, times);
     return std::make_shared<const SharedView>(std::move(parts));
   }
   std::shared_ptr<node::Image> image = sample(entry, parts.camera, parts.haze, visible.rect);
@@ -164,6 +169,31 @@ std::shared_ptr<const CachedView> LightFieldBackend::sharedView(const node::Requ
   if (auto picture = cache_.find({object, cell.id})) return show("view cache hits", cell.id, picture);
   if (!late_.mayMake(view) && lastServes(LateViews::kLateness)) return show("views shown late", *lastCell, last);
   return show("view cache misses", best.id, cache_.keep({object, best.id}, pictureOf(entry, best)));
+}
+
+std::shared_ptr<const CachedView> LightFieldBackend::nearView(const node::Request& request, const Entry& entry,
+                                                              const ObjectCamera& camera, float times) {
+  const node::View& view = request.view();
+  const world::ObjectId object = request.visible().object.id;
+  const world::Rect& rect = request.visible().rect;
+  if (cache_.mostBytes() > 0) {
+    const NearView last = near_.last(view.session, object);
+    const auto lastServes = [&](float factor) {
+      return last.picture && serves(last, camera, rect, factor * kNearShare * mostError_);
+    };
+    if (lastServes(1.0F) || (!late_.mayMake(view) && lastServes(LateViews::kLateness))) {
+      timeline_.count("near views shown again");
+      return last.picture;
+    }
+  }
+  const ObjectCamera coarse = coarser(camera, times);
+  const world::Rect around{rect.left - kMarginAcross, rect.top - kMarginDown, rect.right + kMarginAcross,
+                           rect.bottom + kMarginDown};
+  const world::Rect sampled = coarser(around, times);
+  const auto image = sample(entry, coarse, {}, sampled);
+  auto picture = std::make_shared<const CachedView>(*image, coarse);
+  if (cache_.mostBytes() > 0) near_.shown(view.session, object, {picture, sampled, roughness(*picture)});
+  return picture;
 }
 
 std::shared_ptr<const CachedView> LightFieldBackend::pictureOf(const Entry& entry, const ViewCell& cell) {

@@ -5,6 +5,7 @@
 
 #include "node/object_type.h"
 #include "objects/lightfield/cache/late_views.h"
+#include "objects/lightfield/cache/near_views.h"
 #include "objects/lightfield/cache/view_cache.h"
 #include "objects/lightfield/light_field_model.h"
 #include "objects/lightfield/sampler.h"
@@ -14,7 +15,8 @@
 namespace grove::objects::lightfield {
 
 /// The rendering node of all light fields. What is far enough is answered with a picture from the shared view cache,
-/// which the frontend reprojects; what is near, with a picture of its own.
+/// which the frontend reprojects; what is near, with a picture of this visitor's own, and with that again as long as it
+/// serves.
 class LightFieldBackend final : public node::BackendHalf {
  public:
   /// Finds the shadows on its objects on the services' workers and waits for them, so not on one of those.
@@ -41,6 +43,8 @@ class LightFieldBackend final : public node::BackendHalf {
   [[nodiscard]] node::Payload answerOne(const node::Request& request);
   [[nodiscard]] std::shared_ptr<const CachedView> sharedView(const node::Request& request, const Entry& entry,
                                                              const ViewCell& cell, world::Vec3 eye);
+  [[nodiscard]] std::shared_ptr<const CachedView> nearView(const node::Request& request, const Entry& entry,
+                                                           const ObjectCamera& camera, float times);
   [[nodiscard]] std::shared_ptr<const CachedView> pictureOf(const Entry& entry, const ViewCell& cell);
   [[nodiscard]] std::shared_ptr<node::Image> sample(const Entry& entry, const ObjectCamera& camera, const Haze& haze,
                                                     const world::Rect& rect);
@@ -51,6 +55,7 @@ class LightFieldBackend final : public node::BackendHalf {
   const float mostError_;
   ViewCache cache_;
   LateViews late_;
+  NearViews near_;
   std::map<SamplerKind, std::unique_ptr<Sampler>> samplers_;
   std::map<world::ObjectId, Entry> entries_;
 };

@@ -1,0 +1,66 @@
+#include "objects/lightfield/cache/near_views.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace grove::objects::lightfield {
+
+float roughness(const CachedView& picture) {
+  double sum = 0.0;
+  int squares = 0;
+  for (int row = 0; row < picture.squaresDown(); ++row) {
+    for (int column = 0; column < picture.squaresAcross(); ++column) {
+      const CachedView::Range& range = picture.range(column, row);
+      if (range.greatest <= 0.0F) continue;
+      const double apart = range.greatest - range.least;
+      sum += apart * apart;
+      ++squares;
+    }
+  }
+  return squares > 0 ? static_cast<float>(std::sqrt(sum / squares)) : 0.0F;
+}
+
+bool serves(const NearView& view, const ObjectCamera& camera, const world::Rect& rect, float errorPixels) {
+  const ObjectCamera& own = view.picture->camera();
+  const world::Vec3 moved = camera.eye - own.eye;
+  if (!(glm::length(moved) * view.roughness <= errorPixels * glm::length(camera.perColumn))) return false;
+  const glm::mat3 toPixels = glm::inverse(glm::mat3(own.perColumn, own.perRow, own.corner));
+  const float nearest = view.picture->empty() ? 0.0F : view.picture->range().greatest;
+  for (const int x : {rect.left, rect.right}) {
+    for (const int y : {rect.top, rect.bottom}) {
+      for (const float nearness : {0.0F, nearest}) {
+        const world::Vec3 at = toPixels * (camera.ray(static_cast<float>(x), static_cast<float>(y)) + nearness * moved);
+        if (!(at.z > 0.0F)) return false;
+        const bool within = at.x >= static_cast<float>(view.sampled.left) * at.z &&
+                            at.x <= static_cast<float>(view.sampled.right) * at.z &&
+                            at.y >= static_cast<float>(view.sampled.top) * at.z &&
+                            at.y <= static_cast<float>(view.sampled.bottom) * at.z;
+        if (!within) return false;
+      }
+    }
+  }
+  return true;
+}
+
+std::list<NearViews::Entry>::iterator NearViews::find(node::SessionId session, world::ObjectId object) {
+  return std::ranges::find_if(entries_,
+                              [&](const Entry& entry) { return entry.session == session && entry.object == object; });
+}
+
+NearView NearViews::last(node::SessionId session, world::ObjectId object) {
+  const std::lock_guard lock(mutex_);
+  const auto entry = find(session, object);
+  if (entry == entries_.end()) return {};
+  entries_.splice(entries_.begin(), entries_, entry);
+  return entry->view;
+}
+
+void NearViews::shown(node::SessionId session, world::ObjectId object, const NearView& view) {
+  std::list<Entry> given;  // up: their memory is freed after the lock
+  const std::lock_guard lock(mutex_);
+  if (const auto entry = find(session, object); entry != entries_.end()) given.splice(given.end(), entries_, entry);
+  entries_.push_front({session, object, view});
+  if (entries_.size() > kMost) given.splice(given.end(), entries_, std::prev(entries_.end()));
+}
+
+}  // namespace grove::objects::lightfield

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstddef>
+#include <list>
+#include <memory>
+#include <mutex>
+
+#include "node/messages.h"
+#include "objects/lightfield/cache/cached_view.h"
+#include "world/object.h"
+
+namespace grove::objects::lightfield {
+
+/// A visitor's own picture of an object that is too near to share, made for one frame and good for some more.
+struct NearView {
+  std::shared_ptr<const CachedView> picture;
+  world::Rect sampled;     ///< pixels of the picture's camera; beyond, nothing is known
+  float roughness = 0.0F;  ///< of the picture
+};
+
+/// How much neighbouring texels differ in 1 / depth, per metre: the root of the mean square over the picture. An eye
+/// that goes d metres aside, or pixels of one metre's distance, uncovers strips beside edges that are about
+/// d * roughness wide.
+[[nodiscard]] float roughness(const CachedView& picture);
+
+/// Whether the picture shows all that a frame needs of the object, which are the pixels `rect` of its camera, with
+/// strips of at most `errorPixels` of them. A head that only turns uncovers nothing.
+[[nodiscard]] bool serves(const NearView& view, const ObjectCamera& camera, const world::Rect& rect, float errorPixels);
+
+/// The visitors' last pictures of what is near to them. Keeps the kMost used last. Any thread.
+class NearViews {
+ public:
+  static constexpr std::size_t kMost = 64;
+
+  /// Without a picture if there is none.
+  [[nodiscard]] NearView last(node::SessionId session, world::ObjectId object);
+  void shown(node::SessionId session, world::ObjectId object, const NearView& view);
+
+ private:
+  struct Entry {
+    node::SessionId session = 0;
+    world::ObjectId object = 0;
+    NearView view;
+  };
+  [[nodiscard]] std::list<Entry>::iterator find(node::SessionId session, world::ObjectId object);
+
+  std::mutex mutex_;
+  std::list<Entry> entries_;  // the last used first
+};
+
+}  // namespace grove::objects::lightfield
