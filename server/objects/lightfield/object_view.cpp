@@ -85,8 +85,8 @@ world::Rect boxOf(const world::Bounds& bounds, const ObjectCamera& camera, const
 }
 
 float magnification(const LightField& field, const ObjectCamera& camera) {
-  const float farSide = glm::distance(camera.eye, field.geometry.target) + field.geometry.extent;
-  return std::max(1.0F, texelOf(field) / pixelAt(camera, farSide));
+  const float behind = glm::distance(camera.eye, field.geometry.target) + 0.5F * field.geometry.extent;
+  return std::max(1.0F, texelOf(field) / pixelAt(camera, behind));
 }
 
 }  // namespace grove::objects::lightfield

@@ -22,8 +22,8 @@ namespace grove::objects::lightfield {
 /// The part of `whole` that may show a box: all of it if some of the box is beside or behind the eye.
 [[nodiscard]] world::Rect boxOf(const world::Bounds& bounds, const ObjectCamera& camera, const world::Rect& whole);
 
-/// How many pixels wide the finest texels are even at the object's far side: no picture of it needs more samples than
-/// that. At least 1.
+/// How many pixels wide the finest texels are in the middle of the object's far half, at least 1: a picture of it with
+/// one sample for so many pixels shows all but a little of what the texels have. What is farther is mostly hidden.
 [[nodiscard]] float magnification(const LightField& field, const ObjectCamera& camera);
 
 }  // namespace grove::objects::lightfield
