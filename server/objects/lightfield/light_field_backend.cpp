@@ -39,6 +39,10 @@ world::Rect coarser(const world::Rect& rect, float times) {
   return {down(rect.left) - 1, down(rect.top) - 1, down(rect.right) + 2, down(rect.bottom) + 2};
 }
 
+/// Metres. Hardly two visitors are in one cell that is smaller, and one who walks leaves it after two frames; what he
+/// sees of the object with a picture of his own is less than all of it.
+constexpr float kLeastSharedReach = 0.13F;
+
 /// Where a picture for a visitor who walks is made from, in reaches of his own cell; the first that serves him is
 /// taken.
 constexpr std::array<float, 3> kStepsAhead{1.8F, 1.2F, 0.6F};
@@ -125,7 +129,8 @@ node::Payload LightFieldBackend::answerOne(const node::Request& request) {
   SharedView::Parts parts{nullptr, objectCamera(camera, visible.object.transform), hazeBefore(visible, camera),
                           chooseLamps(request.view().lights, visible.object.bounds, entry.toObject)};
   if (cache_.mostBytes() > 0) {
-    if (const auto cell = viewCell(entry.field->geometry, parts.camera.eye, camera.focal(), mostError_)) {
+    const auto cell = viewCell(entry.field->geometry, parts.camera.eye, camera.focal(), mostError_);
+    if (cell && cell->reach >= kLeastSharedReach) {
       parts.picture = sharedView(request, entry, *cell, parts.camera.eye);
       return std::make_shared<const SharedView>(std::move(parts));
     }

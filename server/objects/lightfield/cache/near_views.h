@@ -30,7 +30,7 @@ struct NearView {
 /// The visitors' last pictures of what is near to them. Keeps the kMost used last. Any thread.
 class NearViews {
  public:
-  static constexpr std::size_t kMost = 64;
+  static constexpr std::size_t kMost = 128;
 
   /// Without a picture if there is none.
   [[nodiscard]] NearView last(node::SessionId session, world::ObjectId object);
