@@ -27,6 +27,7 @@ Host::Host(world::World::Layout layout, const node::Registry& registry, gl::Work
       registry_(registry),
       gl_(gl),
       options_(options),
+      timeline_(options.timelineEvents),
       meter_(timeline_, memory_, options_.framesPerSecond, options_.privateWorlds),
       workers_(static_cast<int>(std::max(1U, std::thread::hardware_concurrency()))) {
   if (options_.privateWorlds) {

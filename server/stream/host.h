@@ -35,6 +35,7 @@ struct HostOptions {
   bool privateWorlds = false;
   /// Lets the quality of across-user work rise while visitors share its bill; not in private mode, where none do.
   bool raiseQuality = false;
+  std::size_t timelineEvents = std::size_t{1} << 16U;  ///< the newest so many stage runs are kept
   /// Makes the wire between frontend and backend nodes; empty: they share a process.
   std::function<std::unique_ptr<node::Transport>(const node::Registry&, pipeline::Timeline&)> makeTransport;
 };
