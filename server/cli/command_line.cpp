@@ -8,8 +8,10 @@
 #include "cli/bake.h"
 #include "cli/bench_fluid.h"
 #include "cli/bench_lightfield.h"
+#include "cli/bench_pipeline.h"
 #include "cli/load.h"
 #include "cli/serve.h"
+#include "node/limits.h"
 #include "objects/lightfield/format/light_field.h"
 #include "pipeline/log.h"
 
@@ -109,6 +111,22 @@ void addBenchLightfield(CLI::App* bench, BenchLightfieldOptions& options) {
   field->add_flag("--json", options.json, "One JSON document on stdout");
 }
 
+void addBenchPipeline(CLI::App* bench, BenchPipelineOptions& options) {
+  CLI::App* pipeline = bench->add_subcommand("pipeline", "Frame rate and use of the stages by frames in flight");
+  pipeline->add_option("--frames-in-flight", options.framesInFlight, "Numbers to compare, like 1,4")
+      ->delimiter(',')
+      ->check(CLI::Range(1, node::kMostFramesInFlight))
+      ->capture_default_str();
+  pipeline->add_option("--users", options.users, "Visitors")->check(CLI::Range(1, 1024))->capture_default_str();
+  pipeline->add_option("--seconds", options.seconds, "How long, for each number of frames in flight")
+      ->check(CLI::Range(0.1, 60.0))
+      ->capture_default_str();
+  pipeline->add_option("--scene", options.scene, "Scene file (default: the grove, built in)");
+  pipeline->add_option("--size", options.size, "Pixels of a picture")->type_name("WxH")->capture_default_str();
+  pipeline->add_flag("--json", options.json, "One JSON document on stdout");
+  pipeline->add_option("--trace", options.trace, "File to write for ui.perfetto.dev or chrome://tracing");
+}
+
 void addLoad(CLI::App& app, LoadOptions& options) {
   CLI::App* load = app.add_subcommand("load", "Visit a running server with many websocket clients and measure");
   load->add_option("url", options.url, "ws://HOST:PORT/")->required();
@@ -128,6 +146,7 @@ int run(int argc, char** argv) {
   BakeCommand bake;
   BenchFluidOptions benchFluid;
   BenchLightfieldOptions benchLightfield;
+  BenchPipelineOptions benchPipeline;
   LoadOptions load;
   CLI::App app("Grove: one living world, a camera for every browser", "grove");
   app.require_subcommand(1);
@@ -137,6 +156,7 @@ int run(int argc, char** argv) {
   bench->require_subcommand(1);
   addBenchFluid(bench, benchFluid);
   addBenchLightfield(bench, benchLightfield);
+  addBenchPipeline(bench, benchPipeline);
   addLoad(app, load);
   try {
     app.parse(argc, argv);
@@ -151,6 +171,7 @@ int run(int argc, char** argv) {
     if (app.got_subcommand("bake")) return runBake(bake);
     if (app.got_subcommand("load")) return runLoad(load);
     if (bench->got_subcommand("lightfield")) return runBenchLightfield(benchLightfield);
+    if (bench->got_subcommand("pipeline")) return runBenchPipeline(benchPipeline);
     return runBenchFluid(benchFluid);
   } catch (const std::exception& e) {
     log::error(e.what());

@@ -9,7 +9,10 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <string>
+
+#include "measure/trace_faults.h"
 
 namespace grove::cli {
 namespace {
@@ -39,7 +42,8 @@ Outcome grove(const std::string& arguments, bool wantErrors = true) {
 std::ptrdiff_t lines(const std::string& text) { return std::ranges::count(text, '\n'); }
 
 TEST(CommandLine, HelpEverywhere) {
-  for (const char* command : {"--help", "serve --help", "load --help", "bench --help", "bench fluid --help"}) {
+  for (const char* command :
+       {"--help", "serve --help", "load --help", "bench --help", "bench fluid --help", "bench pipeline --help"}) {
     const Outcome outcome = grove(command, false);
     EXPECT_EQ(outcome.exit, 0) << command;
     EXPECT_THAT(outcome.output, HasSubstr("--help")) << command;
@@ -47,10 +51,32 @@ TEST(CommandLine, HelpEverywhere) {
 }
 
 TEST(CommandLine, BadOptionsExitTwoWithOneLine) {
-  for (const char* command :
-       {"", "fly", "serve --fly", "serve --frames-in-flight 0", "serve --gl vulkan", "serve --listen nowhere", "load",
-        "load ftp://x/ --sessions 1", "load ws://127.0.0.1:1/ --sessions 0", "bench fluid --grid 63",
-        "bench fluid --grid 1000000", "bench fluid --steps 0", "bench fluid --threads 0", "bench fluid --steps many"}) {
+  for (const char* command : {"",
+                              "fly",
+                              "serve --fly",
+                              "serve --frames-in-flight 0",
+                              "serve --gl vulkan",
+                              "serve --listen nowhere",
+                              "load",
+                              "load ftp://x/ --sessions 1",
+                              "load ws://127.0.0.1:1/ --sessions 0",
+                              "bench fluid --grid 63",
+                              "bench fluid --grid 1000000",
+                              "bench fluid --steps 0",
+                              "bench fluid --threads 0",
+                              "bench fluid --steps many",
+                              "bench pipeline --frames-in-flight 0",
+                              "bench pipeline --frames-in-flight 9",
+                              "bench pipeline --frames-in-flight 1,4,1",
+                              "bench pipeline --frames-in-flight 1,x",
+                              "bench pipeline --frames-in-flight 1.5",
+                              "bench pipeline --users 0",
+                              "bench pipeline --seconds 0",
+                              "bench pipeline --seconds soon",
+                              "bench pipeline --size 1280",
+                              "bench pipeline --size 1280x720x3",
+                              "bench pipeline --size 16x9",
+                              "bench pipeline --size 1281x721"}) {
     const Outcome outcome = grove(command);
     EXPECT_EQ(outcome.exit, 2) << command;
     EXPECT_EQ(lines(outcome.output), 1) << command << ": " << outcome.output;
@@ -67,6 +93,12 @@ TEST(CommandLine, FailuresExitOneWithOneLine) {
   EXPECT_EQ(shaders.exit, 1);
   EXPECT_THAT(shaders.output, HasSubstr("no/such/dir"));
   EXPECT_EQ(lines(shaders.output), 1) << shaders.output;
+
+  // Told before anything else is done.
+  const Outcome trace = grove("bench pipeline --trace no/such/dir/trace.json --scene no/such/file.toml");
+  EXPECT_EQ(trace.exit, 1);
+  EXPECT_THAT(trace.output, HasSubstr("no/such/dir/trace.json"));
+  EXPECT_EQ(lines(trace.output), 1) << trace.output;
 
   const Outcome nobody = grove("load ws://127.0.0.1:1/ --sessions 1 --seconds 1");
   EXPECT_EQ(nobody.exit, 1);
@@ -120,6 +152,84 @@ TEST(CommandLine, BenchFluidPrintsOneDocumentOfTheContract) {
                           "\"wall_ms_per_step\"", "\"residual\"", "\"max_divergence\"", "\"phases\""}) {
     EXPECT_THAT(outcome.output, HasSubstr(key));
   }
+}
+
+/// A scene that is soon prepared, in a file that goes when this goes.
+class SmallScene {
+ public:
+  SmallScene() {
+    std::ofstream(path_) << "name = 'stones'\nspawn = [0, 0, 9]\n"
+                            "[[object]]\ntype = 'mesh'\nshape = 'stone'\nposition = [-3, 0, 0]\n"
+                            "[[object]]\ntype = 'fluid'\ngrid = 16\nsize = 8\n";
+  }
+  ~SmallScene() { std::filesystem::remove(path_); }
+  SmallScene(const SmallScene&) = delete;
+  SmallScene& operator=(const SmallScene&) = delete;
+
+  [[nodiscard]] std::string path() const { return path_.string(); }
+
+ private:
+  const std::filesystem::path path_ =
+      std::filesystem::temp_directory_path() / ("grove_small_scene_" + std::to_string(getpid()) + ".toml");
+};
+
+TEST(CommandLine, BenchPipelinePrintsARowForEachNumberOfFramesInFlight) {
+  const SmallScene scene;
+  const auto traceFile = std::filesystem::temp_directory_path() / ("grove_trace_" + std::to_string(getpid()) + ".json");
+  const Outcome outcome =
+      grove("bench pipeline --frames-in-flight 3,1 --users 2 --seconds 0.5 --size 320x180 --scene " + scene.path() +
+                " --json --trace " + traceFile.string(),
+            false);
+  ASSERT_EQ(outcome.exit, 0);
+  const auto report = nlohmann::json::parse(outcome.output);
+  EXPECT_EQ(report.at("scene"), "stones");
+  EXPECT_EQ(report.at("users"), 2);
+  EXPECT_EQ(report.at("size"), "320x180");
+  EXPECT_GE(report.at("cores"), 1);
+  EXPECT_GE(report.at("frames_per_second_limit"), 120);
+  EXPECT_EQ(report.at("interrupted"), false);
+  ASSERT_EQ(report.at("rows").size(), 2u);
+  EXPECT_EQ(report.at("rows").at(0).at("frames_in_flight"), 3);
+  EXPECT_EQ(report.at("rows").at(1).at("frames_in_flight"), 1);
+  for (const auto& row : report.at("rows")) {
+    EXPECT_GE(row.at("seconds"), 0.5);
+    EXPECT_GT(row.at("frames"), 0);
+    EXPECT_GT(row.at("frames_per_second"), 0.0);
+    EXPECT_GT(row.at("overlap"), 0.0);
+    EXPECT_GT(row.at("latency_ms").at("p50"), 0.0);
+    EXPECT_GE(row.at("latency_ms").at("p99"), row.at("latency_ms").at("p50"));
+    const auto& stages = row.at("stages");
+    EXPECT_TRUE(stages.contains(row.at("bottleneck").get<std::string>()));
+    for (const char* stage : {"Scene Analyzer", "Request Sender", "Request Receiver", "Renderer", "Compressor",
+                              "Result Sender", "Result Receiver", "Decompressor", "Compositor", "Encoder"}) {
+      ASSERT_TRUE(stages.contains(stage)) << stage;
+      for (const char* key : {"runs", "wall_ms_per_run", "cpu_ms_per_run", "utilisation"}) {
+        EXPECT_TRUE(stages.at(stage).contains(key)) << stage << " " << key;
+      }
+      EXPECT_LE(stages.at(stage).at("utilisation"), 1.0);
+    }
+    EXPECT_TRUE(stages.at("Compositor").at("types").contains("fluid"));
+  }
+  std::ifstream file(traceFile);
+  const auto trace = nlohmann::json::parse(file);
+  std::filesystem::remove(traceFile);
+  EXPECT_EQ(measure::traceFault(trace), "");
+  EXPECT_EQ(trace.at("traceEvents").at(0).at("args").at("name"), "3 frames in flight");
+}
+
+TEST(CommandLine, AnInterruptedBenchPrintsWhatItHas) {
+  const SmallScene scene;
+  const std::string command = "timeout --preserve-status -s INT 5 " GROVE_BINARY
+                              " bench pipeline --seconds 60 --size 160x90 --json --scene " +
+                              scene.path() + " 2>/dev/null";
+  std::FILE* pipe = popen(command.c_str(), "r");
+  std::array<char, 4096> buffer{};
+  std::string output;
+  while (const std::size_t n = std::fread(buffer.data(), 1, buffer.size(), pipe)) output.append(buffer.data(), n);
+  EXPECT_EQ(WEXITSTATUS(pclose(pipe)), 0);
+  const auto report = nlohmann::json::parse(output);
+  EXPECT_EQ(report.at("interrupted"), true);
+  EXPECT_LE(report.at("rows").size(), 1u);
 }
 
 }  // namespace

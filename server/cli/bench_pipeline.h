@@ -1,0 +1,26 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace grove::cli {
+
+/// `grove bench pipeline`.
+struct BenchPipelineOptions {
+  std::vector<int> framesInFlight = {1, 4};  ///< each 1 to node::kMostFramesInFlight, each once
+  int users = 1;
+  double seconds = 5.0;              ///< measured for each number, after a warm-up
+  std::optional<std::string> scene;  ///< file; default: the grove
+  std::string size = "1280x720";
+  bool json = false;
+  std::optional<std::string> trace;  ///< file to write the measured runs to
+};
+
+/// Serves visitors who walk in circles, without sockets and as fast as the machine can, and prints how many frames each
+/// gets and how busy every stage is, for each number of frames in flight: Figures 4.3 and 4.4 of the paper. A signal
+/// ends it early; what was measured by then is printed. Returns the process's exit code: 0, or 2 with a line on stderr
+/// if an option is out of range. Throws world::SceneError and EnvironmentError.
+int runBenchPipeline(const BenchPipelineOptions& options);
+
+}  // namespace grove::cli
