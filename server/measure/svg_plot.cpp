@@ -1,0 +1,295 @@
+#include "measure/svg_plot.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <string_view>
+
+namespace grove::measure {
+namespace {
+
+// Pixels.
+constexpr double kWidth = 500.0;
+constexpr double kHeight = 380.0;
+constexpr double kLeft = 66.0;
+constexpr double kRight = 20.0;
+constexpr double kTop = 48.0;
+constexpr double kBottom = 52.0;
+constexpr double kLegendRow = 18.0;
+constexpr double kLetter = 6.6;  ///< mean width, generously
+constexpr double kMargin = 12.0;
+
+/// Okabe and Ito's colours, which most colour-blind people can tell apart.
+constexpr std::array<std::string_view, 8> kColours = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
+                                                      "#8a6d00", "#56b4e9", "#e69f00", "#404040"};
+
+std::string text(double value, std::chars_format format, int precision) {
+  std::array<char, 64> buffer{};
+  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, format, precision).ptr;
+  return {buffer.data(), end};
+}
+
+/// A coordinate.
+std::string at(double value) { return text(value, std::chars_format::fixed, 1); }
+
+std::string escaped(std::string_view raw) {
+  std::string out;
+  for (const char c : raw) {
+    switch (c) {
+      case '&':
+        out += "&amp;";
+        break;
+      case '<':
+        out += "&lt;";
+        break;
+      case '>':
+        out += "&gt;";
+        break;
+      case '"':
+        out += "&quot;";
+        break;
+      default:  // XML 1.0 has no control characters
+        out += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+    }
+  }
+  return out;
+}
+
+std::string label(double x, double y, std::string_view attributes, std::string_view words) {
+  return "<text x=\"" + at(x) + "\" y=\"" + at(y) + "\" " + std::string(attributes) + ">" + escaped(words) +
+         "</text>\n";
+}
+
+std::string stroke(double x1, double y1, double x2, double y2, std::string_view attributes) {
+  return "<line x1=\"" + at(x1) + "\" y1=\"" + at(y1) + "\" x2=\"" + at(x2) + "\" y2=\"" + at(y2) + "\" " +
+         std::string(attributes) + "/>\n";
+}
+
+/// From values to pixels, and the values that are worth a line.
+class Axis {
+ public:
+  Axis(double low, double high, bool logarithmic, double from, double to)
+      : logarithmic_(logarithmic), from_(from), to_(to) {
+    if (logarithmic) {
+      tickByDecades(low, high);
+    } else {
+      tickEvenly(low, high);
+    }
+  }
+
+  [[nodiscard]] double pixel(double value) const {
+    return from_ + (scaled(value) - scaled(low_)) / (scaled(high_) - scaled(low_)) * (to_ - from_);
+  }
+  [[nodiscard]] const std::vector<double>& ticks() const { return ticks_; }
+
+ private:
+  [[nodiscard]] double scaled(double value) const { return logarithmic_ ? std::log10(value) : value; }
+
+  /// At 1, 2 or 5 times a power of ten, about five of them, from zero where that wastes little.
+  void tickEvenly(double low, double high) {
+    if (low >= 0.0 && low <= 0.6 * high) low = 0.0;
+    if (high <= low) {
+      const double room = low != 0.0 ? 0.1 * std::abs(low) : 1.0;
+      low -= room;
+      high += room;
+    }
+    const double rough = (high - low) / 5.0;
+    const double power = std::pow(10.0, std::floor(std::log10(rough)));
+    double step = 10.0 * power;
+    for (const double multiple : {5.0, 2.0, 1.0}) {
+      if (multiple * power >= rough) step = multiple * power;
+    }
+    const double first = std::floor(low / step + 1e-9);
+    const double last = std::ceil(high / step - 1e-9);
+    low_ = first * step;
+    high_ = last * step;
+    for (double i = first; i <= last; ++i) ticks_.push_back(i * step);
+  }
+
+  /// At powers of ten; at 2 and 5 times them, too, where those are few, and at every few of them where they are many.
+  void tickByDecades(double low, double high) {
+    const double decades = std::log10(high / low);
+    const double every = std::max(1.0, std::ceil(decades / 6.0));
+    const std::vector<double> multiples = decades < 3.0 ? std::vector{1.0, 2.0, 5.0} : std::vector{1.0};
+    std::vector<double> all;
+    for (double power = std::floor(std::log10(low)); power <= std::ceil(std::log10(high)) + every; power += every) {
+      for (const double multiple : multiples) all.push_back(multiple * std::pow(10.0, power));
+    }
+    const double slack = 1e-9;
+    const auto first = std::ranges::upper_bound(all, low * (1.0 + slack)) - 1;
+    auto last = std::ranges::lower_bound(all, high * (1.0 - slack));
+    if (last <= first) last = first + 1;
+    ticks_.assign(first, last + 1);
+    low_ = ticks_.front();
+    high_ = ticks_.back();
+  }
+
+  bool logarithmic_;
+  double from_, to_;
+  double low_ = 0.0, high_ = 1.0;
+  std::vector<double> ticks_;
+};
+
+struct Extent {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -std::numeric_limits<double>::infinity();
+
+  void add(double value) {
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+};
+
+std::string mark(double x, double y, std::size_t shape, std::string_view colour) {
+  const std::string fill = "\" fill=\"" + std::string(colour) + "\" stroke=\"#fdfdfb\" stroke-width=\"0.8\"/>\n";
+  const auto polygon = [&](std::initializer_list<std::pair<double, double>> corners) {
+    std::string points;
+    for (const auto& [dx, dy] : corners) points += at(x + dx) + "," + at(y + dy) + " ";
+    points.pop_back();
+    return "<polygon points=\"" + points + fill;
+  };
+  switch (shape % 4) {
+    case 0:
+      return "<circle cx=\"" + at(x) + "\" cy=\"" + at(y) + "\" r=\"4" + fill;
+    case 1:
+      return polygon({{-3.6, -3.6}, {3.6, -3.6}, {3.6, 3.6}, {-3.6, 3.6}});
+    case 2:
+      return polygon({{0.0, -4.8}, {4.4, 3.4}, {-4.4, 3.4}});
+    default:
+      return polygon({{0.0, -5.0}, {5.0, 0.0}, {0.0, 5.0}, {-5.0, 0.0}});
+  }
+}
+
+/// A series with the points that can be drawn, and how.
+struct Drawn {
+  const Series& series;
+  std::vector<std::pair<double, double>> points;
+  std::size_t style;
+  bool fit;
+
+  [[nodiscard]] std::string_view colour() const { return kColours[style % kColours.size()]; }
+  [[nodiscard]] std::string lineStyle() const {
+    return "fill=\"none\" stroke=\"" + std::string(colour()) + "\" stroke-width=\"1.8\" stroke-linejoin=\"round\"" +
+           (fit ? " stroke-dasharray=\"6 4\"" : "");
+  }
+};
+
+std::vector<Drawn> drawable(const Panel& panel) {
+  std::vector<Drawn> drawn;
+  std::size_t style = 0;
+  const Series* before = nullptr;
+  for (const Series& series : panel.series) {
+    const bool fit = before != nullptr && series.line && !series.marks && before->marks && !before->line;
+    if (before != nullptr && !fit) ++style;
+    before = &series;
+    Drawn one{series, {}, style, fit};
+    std::ranges::copy_if(series.points, std::back_inserter(one.points), [&](const auto& point) {
+      return std::isfinite(point.first) && std::isfinite(point.second) && (!panel.logX || point.first > 0.0) &&
+             (!panel.logY || point.second > 0.0);
+    });
+    drawn.push_back(std::move(one));
+  }
+  return drawn;
+}
+
+/// Writes the legend's entries in rows from `y` on; returns how many rows there are.
+int legend(std::string& out, const std::vector<Drawn>& series, double y) {
+  constexpr double kSample = 24.0;
+  double x = kLeft;
+  int rows = 1;
+  for (const Drawn& one : series) {
+    const double width = kSample + 8.0 + kLetter * static_cast<double>(one.series.name.size()) + 12.0;
+    if (x > kLeft && x + width > kWidth - kRight) {
+      x = kLeft;
+      y += kLegendRow;
+      ++rows;
+    }
+    if (one.series.line) out += stroke(x, y, x + kSample, y, one.lineStyle());
+    if (one.series.marks) out += mark(x + 0.5 * kSample, y, one.style, one.colour());
+    out += label(x + kSample + 6.0, y + 4.0, "font-size=\"12\" fill=\"#333\"", one.series.name);
+    x += width;
+  }
+  return rows;
+}
+
+void grid(std::string& out, const Axis& x, const Axis& y, double top) {
+  const double bottom = kHeight - kBottom;
+  const double right = kWidth - kRight;
+  const auto number = [](double value) { return text(value, std::chars_format::general, 6); };
+  constexpr std::string_view kThin = "stroke=\"#e2e2dc\" stroke-width=\"1\"";
+  for (const double tick : x.ticks()) {
+    out += stroke(x.pixel(tick), top, x.pixel(tick), bottom, kThin);
+    out += label(x.pixel(tick), bottom + 17.0, "font-size=\"11.5\" fill=\"#444\" text-anchor=\"middle\"", number(tick));
+  }
+  for (const double tick : y.ticks()) {
+    out += stroke(kLeft, y.pixel(tick), right, y.pixel(tick), kThin);
+    out +=
+        label(kLeft - 7.0, y.pixel(tick) + 4.0, "font-size=\"11.5\" fill=\"#444\" text-anchor=\"end\"", number(tick));
+  }
+  out += stroke(kLeft, bottom, right, bottom, "stroke=\"#777\" stroke-width=\"1\"");
+  out += stroke(kLeft, top, kLeft, bottom, "stroke=\"#777\" stroke-width=\"1\"");
+}
+
+std::string draw(const Panel& panel) {
+  const std::vector<Drawn> series = drawable(panel);
+  std::string out = label(kLeft, 26.0, "font-size=\"15\" font-weight=\"600\" fill=\"#1c1c1c\"", panel.title);
+  const double top = kTop + kLegendRow * legend(out, series, kTop);
+  const double middle = 0.5 * (top + kHeight - kBottom);
+  Extent xs;
+  Extent ys;
+  for (const Drawn& one : series) {
+    for (const auto& [x, y] : one.points) {
+      xs.add(x);
+      ys.add(y);
+    }
+  }
+  out += label(0.5 * (kLeft + kWidth - kRight), kHeight - 14.0,
+               "font-size=\"12.5\" fill=\"#333\" text-anchor=\"middle\"", panel.xLabel);
+  out +=
+      label(18.0, middle,
+            "font-size=\"12.5\" fill=\"#333\" text-anchor=\"middle\" transform=\"rotate(-90 18 " + at(middle) + ")\"",
+            panel.yLabel);
+  if (xs.low > xs.high) {
+    return out + label(0.5 * kWidth, middle, "font-size=\"13\" fill=\"#777\" text-anchor=\"middle\"", "no points");
+  }
+  const Axis x(xs.low, xs.high, panel.logX, kLeft, kWidth - kRight);
+  const Axis y(ys.low, ys.high, panel.logY, kHeight - kBottom, top);
+  grid(out, x, y, top);
+  for (const Drawn& one : series) {
+    if (!one.series.line || one.points.size() < 2) continue;
+    std::string path;
+    for (const auto& [px, py] : one.points) path += at(x.pixel(px)) + "," + at(y.pixel(py)) + " ";
+    path.pop_back();
+    out += "<polyline points=\"" + path + "\" " + one.lineStyle() + "/>\n";
+  }
+  for (const Drawn& one : series) {
+    if (!one.series.marks) continue;
+    for (const auto& [px, py] : one.points) out += mark(x.pixel(px), y.pixel(py), one.style, one.colour());
+  }
+  return out;
+}
+
+}  // namespace
+
+std::string svgPlot(std::span<const Panel> panels, int columns) {
+  const auto across = std::clamp<std::size_t>(panels.size(), 1, static_cast<std::size_t>(std::max(1, columns)));
+  const std::size_t down = std::max<std::size_t>(1, (panels.size() + across - 1) / across);
+  const std::string width = at(static_cast<double>(across) * kWidth + 2.0 * kMargin);
+  const std::string height = at(static_cast<double>(down) * kHeight + 2.0 * kMargin);
+  std::string out = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" +
+                    width + "\" height=\"" + height + "\" viewBox=\"0 0 " + width + " " + height +
+                    "\" font-family=\"system-ui, 'DejaVu Sans', Helvetica, Arial, sans-serif\">\n" +
+                    "<rect x=\"0.5\" y=\"0.5\" width=\"" +
+                    at(static_cast<double>(across) * kWidth + 2.0 * kMargin - 1.0) + "\" height=\"" +
+                    at(static_cast<double>(down) * kHeight + 2.0 * kMargin - 1.0) +
+                    "\" rx=\"10\" fill=\"#fdfdfb\" stroke=\"#d4d4cc\"/>\n";
+  for (std::size_t i = 0; i < panels.size(); ++i) {
+    out += "<g transform=\"translate(" + at(kMargin + static_cast<double>(i % across) * kWidth) + " " +
+           at(kMargin + static_cast<double>(i / across) * kHeight) + ")\">\n" + draw(panels[i]) + "</g>\n";
+  }
+  return out + "</svg>\n";
+}
+
+}  // namespace grove::measure
