@@ -13,7 +13,7 @@ namespace {
 // Pixels.
 constexpr double kWidth = 500.0;
 constexpr double kHeight = 380.0;
-constexpr double kLeft = 66.0;
+constexpr double kLeft = 74.0;
 constexpr double kRight = 20.0;
 constexpr double kTop = 48.0;
 constexpr double kBottom = 52.0;
@@ -248,8 +248,8 @@ std::string draw(const Panel& panel) {
   out += label(0.5 * (kLeft + kWidth - kRight), kHeight - 14.0,
                "font-size=\"12.5\" fill=\"#333\" text-anchor=\"middle\"", panel.xLabel);
   out +=
-      label(18.0, middle,
-            "font-size=\"12.5\" fill=\"#333\" text-anchor=\"middle\" transform=\"rotate(-90 18 " + at(middle) + ")\"",
+      label(16.0, middle,
+            "font-size=\"12.5\" fill=\"#333\" text-anchor=\"middle\" transform=\"rotate(-90 16 " + at(middle) + ")\"",
             panel.yLabel);
   if (xs.low > xs.high) {
     return out + label(0.5 * kWidth, middle, "font-size=\"13\" fill=\"#777\" text-anchor=\"middle\"", "no points");
