@@ -1,0 +1,35 @@
+#include "measure/memory_use.h"
+
+#include <malloc.h>
+
+#include <fstream>
+#include <limits>
+#include <string>
+
+#include "pipeline/error.h"
+
+namespace grove::measure {
+namespace {
+
+/// The bytes behind a name such as `Rss:`, in a file of lines `NAME VALUE kB`.
+std::int64_t bytesOf(const char* file, const std::string& name) {
+  std::ifstream lines(file);
+  for (std::string word; lines >> word;) {
+    std::int64_t kilobytes = 0;
+    if (word == name && lines >> kilobytes) return 1024 * kilobytes;
+    lines.ignore(std::numeric_limits<std::streamsize>::max(), '\n');
+  }
+  throw EnvironmentError("does not tell " + name, file, "a Linux kernel of 4.14 or newer is needed");
+}
+
+constexpr const char* kMaps = "/proc/self/smaps_rollup";
+
+}  // namespace
+
+MemoryUse MemoryUse::read() { return {bytesOf(kMaps, "Rss:"), bytesOf(kMaps, "Pss:")}; }
+
+std::int64_t availableMemory() { return bytesOf("/proc/meminfo", "MemAvailable:"); }
+
+void returnFreedMemory() { malloc_trim(0); }
+
+}  // namespace grove::measure

@@ -1,0 +1,25 @@
+#include "measure/memory_use.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace grove::measure {
+namespace {
+
+TEST(MemoryUse, GrowsByWhatIsTouchedAndShrinksByWhatIsFreed) {
+  constexpr std::int64_t kBytes = 64 << 20;
+  const MemoryUse before = MemoryUse::read();
+  {
+    const std::vector<char> touched(kBytes, 1);
+    const MemoryUse within = MemoryUse::read();
+    EXPECT_NEAR(static_cast<double>(within.resident - before.resident), kBytes, 0.2 * kBytes);
+    EXPECT_NEAR(static_cast<double>(within.proportional - before.proportional), kBytes, 0.2 * kBytes);
+  }
+  returnFreedMemory();
+  EXPECT_LT(MemoryUse::read().resident, before.resident + kBytes / 4);
+  EXPECT_GT(availableMemory(), 0);
+}
+
+}  // namespace
+}  // namespace grove::measure
