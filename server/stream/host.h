@@ -37,7 +37,7 @@ struct HostOptions {
   bool raiseQuality = false;
   std::size_t timelineEvents = std::size_t{1} << 16U;  ///< the newest so many stage runs are kept
   /// Makes the wire between frontend and backend nodes; empty: they share a process.
-  std::function<std::unique_ptr<node::Transport>(const node::Registry&, pipeline::Timeline&)> makeTransport;
+  std::function<std::unique_ptr<node::Transport>(const node::Registry&, pipeline::Timeline&)> makeTransport = {};
 };
 
 /// One living world and everybody in it: owns the world with its backend nodes (in private mode: every visitor's), the
