@@ -67,7 +67,7 @@ class FluidBackend::Fire {
  private:
   FluidClock::Next tick() noexcept {
     try {
-      const pipeline::TimedRun timed(timeline_, kStage, pipeline::Work::kAcrossUser, {});
+      const pipeline::TimedRun timed(timeline_, kStage, pipeline::Work::kAcrossUser, {}, "fluid");
       const double now = world::World::now();
       const std::vector<world::Gust> gusts = world_.edits().after(cursor_);
       const std::vector<world::Player> visitors = world_.players().all(now);
