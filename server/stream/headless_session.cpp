@@ -6,10 +6,11 @@
 
 namespace grove::stream {
 
-HeadlessSession::HeadlessSession(Host& host, const std::string& name, int width, int height)
+HeadlessSession::HeadlessSession(Host& host, const std::string& name, int width, int height, Watch watch)
     : inbox_(std::make_shared<Inbox>()) {
   const Hello hello{name, static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height)};
-  auto opened = host.open(hello, [inbox = inbox_](std::shared_ptr<const EncodedFrame> frame) {
+  auto opened = host.open(hello, [inbox = inbox_, watch = std::move(watch)](std::shared_ptr<const EncodedFrame> frame) {
+    if (watch) watch(frame->header);
     const Ack ack{frame->header.frame};
     std::shared_ptr<Session> session;
     {

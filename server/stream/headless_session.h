@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <condition_variable>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -15,8 +16,11 @@ namespace grove::stream {
 /// acknowledges each frame as it comes. Any thread.
 class HeadlessSession {
  public:
+  /// Sees each frame as it comes, on a worker thread; may still be called while the session is being destroyed.
+  using Watch = std::function<void(const FrameHeader&)>;
+
   /// Throws EnvironmentError if the host refuses.
-  HeadlessSession(Host& host, const std::string& name, int width, int height);
+  HeadlessSession(Host& host, const std::string& name, int width, int height, Watch watch = {});
   ~HeadlessSession();
   HeadlessSession(const HeadlessSession&) = delete;
   HeadlessSession& operator=(const HeadlessSession&) = delete;

@@ -1,18 +1,11 @@
 #include "stream/load_visitor.h"
 
-#include <array>
-#include <cmath>
 #include <utility>
 
 namespace grove::stream {
 namespace {
 
 constexpr std::uint64_t kFramesPerDecodedOne = 30;
-constexpr double kSecondsPerStep = 1.5;
-constexpr std::array<std::uint8_t, 6> kSteps = {
-    world::kForward, world::kForward | world::kLeft, 0, world::kBack, world::kForward | world::kRight | world::kRun,
-    world::kRight,
-};
 
 }  // namespace
 
@@ -48,13 +41,9 @@ void LoadVisitor::beginCounting() {
 }
 
 world::Input LoadVisitor::steer(double now) {
-  const double phase = now + 0.7 * index_;
-  world::Input input;
+  world::Input input = stroll(index_, welcome_->yaw, now);
   input.number = ++lastInput_;
-  input.keys = kSteps[static_cast<std::size_t>(phase / kSecondsPerStep) % kSteps.size()];
-  input.yaw = welcome_->yaw + static_cast<float>(0.8 * std::sin(0.5 * phase));
-  input.pitch = static_cast<float>(0.15 * std::sin(0.9 * phase));
-  unseenInputs_.push_back({input.number, now});
+  latency_.sent(input.number, now);
   return input;
 }
 
@@ -68,10 +57,7 @@ void LoadVisitor::receiveFrame(const FrameMessage& frame, std::size_t bytes, dou
   lastFrame_ = header.frame;
   lastInputShown_ = header.lastInput;
   acknowledge_ = Ack{header.frame};
-  while (!unseenInputs_.empty() && unseenInputs_.front().number <= header.lastInput) {
-    statistics_.latencyMilliseconds.push_back(static_cast<float>((now - unseenInputs_.front().time) * 1e3));
-    unseenInputs_.pop_front();
-  }
+  latency_.shown(header.lastInput, now, statistics_.latencyMilliseconds);
   ++statistics_.frames;
   statistics_.bytes += bytes;
   checkPicture(frame);

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <deque>
 #include <optional>
 #include <span>
 #include <string>
@@ -10,6 +9,7 @@
 #include "stream/jpeg_decoder.h"
 #include "stream/load_report.h"
 #include "stream/protocol.h"
+#include "stream/stroll.h"
 
 namespace grove::stream {
 
@@ -39,10 +39,6 @@ class LoadVisitor {
   [[nodiscard]] const VisitorStatistics& statistics() const noexcept { return statistics_; }
 
  private:
-  struct SentInput {
-    std::uint32_t number;
-    double time;
-  };
   [[nodiscard]] world::Input steer(double now);
   void receiveFrame(const FrameMessage& frame, std::size_t bytes, double now);
   void checkPicture(const FrameMessage& frame);
@@ -56,7 +52,7 @@ class LoadVisitor {
   bool inputDue_ = false;
   std::optional<Ack> acknowledge_;
   std::uint32_t lastInput_ = 0;
-  std::deque<SentInput> unseenInputs_;
+  InputLatency latency_;
   std::uint32_t lastFrame_ = 0;
   std::uint32_t lastInputShown_ = 0;
   std::uint64_t framesReceived_ = 0;
