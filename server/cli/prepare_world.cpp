@@ -16,6 +16,7 @@
 #include "bake/bake.h"
 #include "models/model_source.h"
 #include "objects/lightfield/light_field_source.h"
+#include "pipeline/embedded.h"
 #include "pipeline/error.h"
 
 namespace grove::cli {
@@ -65,6 +66,12 @@ class PreparationLock {
 };
 
 }  // namespace
+
+world::Scene openScene(const std::optional<std::string>& file) {
+  if (file) return world::loadScene(*file);
+  const embedded::File& grove = embedded::scenes().front();
+  return world::parseScene(grove.text(), grove.path);
+}
 
 bool prepareWorld(const world::Scene& scene, Progress& progress, const std::stop_token& stop) {
   std::map<std::filesystem::path, LightFieldSource> missing;

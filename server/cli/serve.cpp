@@ -11,23 +11,11 @@
 #include "gl/workers.h"
 #include "node/registry.h"
 #include "objects/builtin.h"
-#include "pipeline/embedded.h"
 #include "pipeline/log.h"
 #include "stream/listen_address.h"
 #include "stream/websocket_server.h"
-#include "world/scene_file.h"
 
 namespace grove::cli {
-namespace {
-
-world::Scene sceneOf(const ServeOptions& options) {
-  if (options.scene) return world::loadScene(*options.scene);
-  const embedded::File& grove = embedded::scenes().front();
-  return world::parseScene(grove.text(), grove.path);
-}
-
-}  // namespace
-
 int runServe(const ServeOptions& options) {
   const auto address = parseHostPort(options.listen);
   if (!address) {
@@ -37,7 +25,7 @@ int runServe(const ServeOptions& options) {
   // All that can be wrong is known before the world is prepared, which may take minutes.
   (void)stream::findListenAddress(address->host, address->port);
   const StopOnSignal stop;
-  const world::Scene scene = sceneOf(options);
+  const world::Scene scene = openScene(options.scene);
   const gl::ShaderLibrary shaders(options.shaderDirectory);
   gl::Workers gl(options.gl, shaders);
   Progress progress;
