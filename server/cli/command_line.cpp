@@ -6,6 +6,7 @@
 #include <string>
 
 #include "cli/bake.h"
+#include "cli/bench_amortize.h"
 #include "cli/bench_fluid.h"
 #include "cli/bench_lightfield.h"
 #include "cli/bench_pipeline.h"
@@ -90,6 +91,26 @@ void addBake(CLI::App& app, BakeCommand& command) {
   bake->add_flag("--json", command.json, "One JSON document on stdout");
 }
 
+void addBenchAmortize(CLI::App* bench, BenchAmortizeOptions& options) {
+  CLI::App* amortize = bench->add_subcommand(
+      "amortize", "What visitors save who share a world, against visitors with a world each (alpha, beta, cores)");
+  amortize
+      ->add_option("--users", options.users, "Numbers of visitors, as in 1,2,4,8 (without it: those, and --figure-5.6)")
+      ->delimiter(',')
+      ->check(CLI::Range(1, kMostAmortizeUsers));
+  CLI::Option* seconds = amortize->add_option("--seconds", options.seconds, "How long to measure each, after a warm-up")
+                             ->check(CLI::Range(0.1, 3600.0))
+                             ->capture_default_str();
+  amortize->add_option("--frames", options.frames, "Frames of each visitor to measure instead")
+      ->check(CLI::Range(1, 1'000'000))
+      ->excludes(seconds);
+  amortize->add_flag("--figure-5.6", options.figure, "The paper's Figure 5.6, too: the fluid alone");
+  amortize->add_option("--scene", options.scene, "Scene file (default: the grove, built in)");
+  amortize->add_option("--size", options.size, "Pixels of each visitor's picture, WIDTHxHEIGHT")->capture_default_str();
+  amortize->add_flag("--json", options.json, "One JSON document on stdout");
+  amortize->add_option("--plot", options.plot, "SVG file to draw the curves into");
+}
+
 void addBenchFluid(CLI::App* bench, BenchFluidOptions& options) {
   CLI::App* fluid = bench->add_subcommand("fluid", "Time and accuracy of a step of the fluid simulation");
   fluid->add_option("--grid", options.grid, "Cells per edge")->capture_default_str();
@@ -144,6 +165,7 @@ void addLoad(CLI::App& app, LoadOptions& options) {
 int run(int argc, char** argv) {
   ServeOptions serve;
   BakeCommand bake;
+  BenchAmortizeOptions benchAmortize;
   BenchFluidOptions benchFluid;
   BenchLightfieldOptions benchLightfield;
   BenchPipelineOptions benchPipeline;
@@ -154,6 +176,7 @@ int run(int argc, char** argv) {
   addBake(app, bake);
   CLI::App* bench = app.add_subcommand("bench", "Measure a part of Grove");
   bench->require_subcommand(1);
+  addBenchAmortize(bench, benchAmortize);
   addBenchFluid(bench, benchFluid);
   addBenchLightfield(bench, benchLightfield);
   addBenchPipeline(bench, benchPipeline);
@@ -170,6 +193,7 @@ int run(int argc, char** argv) {
     if (app.got_subcommand("serve")) return runServe(serve);
     if (app.got_subcommand("bake")) return runBake(bake);
     if (app.got_subcommand("load")) return runLoad(load);
+    if (bench->got_subcommand("amortize")) return runBenchAmortize(benchAmortize);
     if (bench->got_subcommand("lightfield")) return runBenchLightfield(benchLightfield);
     if (bench->got_subcommand("pipeline")) return runBenchPipeline(benchPipeline);
     return runBenchFluid(benchFluid);

@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "cli/program.h"
 #include "measure/trace_faults.h"
 
 namespace grove::cli {
@@ -21,29 +22,12 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-struct Outcome {
-  int exit = -1;
-  std::string output;  ///< stdout, or stderr where asked for
-};
-
-/// Runs the real program.
-Outcome grove(const std::string& arguments, bool wantErrors = true) {
-  const std::string command =
-      "timeout 60 " GROVE_BINARY " " + arguments + (wantErrors ? " 2>&1 >/dev/null" : " 2>/dev/null");
-  std::FILE* pipe = popen(command.c_str(), "r");
-  Outcome outcome;
-  std::array<char, 4096> buffer{};
-  while (const std::size_t n = std::fread(buffer.data(), 1, buffer.size(), pipe))
-    outcome.output.append(buffer.data(), n);
-  outcome.exit = WEXITSTATUS(pclose(pipe));
-  return outcome;
-}
-
 std::ptrdiff_t lines(const std::string& text) { return std::ranges::count(text, '\n'); }
 
 TEST(CommandLine, HelpEverywhere) {
   for (const char* command :
-       {"--help", "serve --help", "load --help", "bench --help", "bench fluid --help", "bench pipeline --help"}) {
+       {"--help", "serve --help", "load --help", "bench --help", "bench fluid --help", "bench amortize --help",
+        "bench pipeline --help"}) {
     const Outcome outcome = grove(command, false);
     EXPECT_EQ(outcome.exit, 0) << command;
     EXPECT_THAT(outcome.output, HasSubstr("--help")) << command;

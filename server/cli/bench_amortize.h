@@ -1,0 +1,29 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace grove::cli {
+
+/// `grove bench amortize`.
+struct BenchAmortizeOptions {
+  std::vector<int> users;  ///< numbers of visitors; empty: 1, 2, 4 and 8, and the paper's figure
+  double seconds = 5.0;    ///< to measure each
+  int frames = 0;          ///< of each visitor to measure instead, unless 0
+  bool figure = false;     ///< the paper's Figure 5.6
+  std::optional<std::string> scene;
+  std::string size = "1280x720";  ///< pixels of each visitor's picture
+  bool json = false;
+  std::optional<std::string> plot;  ///< SVG file to write
+};
+
+/// Most visitors that can be asked for.
+inline constexpr int kMostAmortizeUsers = 1024;
+
+/// Serves visitors that share a world and visitors who have one each, and prints what sharing saves. Returns the
+/// process's exit code: 0, also if a signal ended it early, or 2 with a line on stderr for bad options or if so many
+/// visitors do not fit into memory. Throws EnvironmentError or world::SceneError.
+int runBenchAmortize(const BenchAmortizeOptions& options);
+
+}  // namespace grove::cli

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+
+namespace grove::cli {
+
+struct Outcome {
+  int exit = -1;
+  std::string output;  ///< stdout, or stderr where asked for
+};
+
+/// Runs the real program.
+Outcome grove(const std::string& arguments, bool wantErrors = true);
+
+/// Runs it and interrupts it (SIGINT) after so many seconds; its stdout.
+Outcome groveStoppedAfter(double seconds, const std::string& arguments);
+
+}  // namespace grove::cli
