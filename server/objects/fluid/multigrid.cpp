@@ -1,7 +1,6 @@
 #include "objects/fluid/multigrid.h"
 
 #include <algorithm>
-#include <array>
 
 #include "objects/fluid/multigrid_rows.h"
 
@@ -12,26 +11,7 @@ namespace {
 constexpr int kStages = 4;  // of the smoother; even, so that the last one writes where the first one read
 constexpr int kCoarsestSweeps = 6;
 
-/// Chebyshev polynomial over the part of the spectrum of Jacobi that the coarser level cannot see. For the same work it
-/// took a quarter fewer iterations than red-black sweeps; and it is symmetric whatever the order of the cells.
-constexpr std::array<rows::ChebyshevStage, kStages> chebyshevStages() {
-  constexpr float kLow = 0.2F;
-  constexpr float kHigh = 2.0F;  // no eigenvalue is larger, as the operator is diagonally dominant
-  constexpr float kCentre = 0.5F * (kHigh + kLow);
-  constexpr float kRadius = 0.5F * (kHigh - kLow);
-  std::array<rows::ChebyshevStage, kStages> stages{};
-  stages[0] = {1.0F - 1.0F / kCentre, 0.0F, 1.0F / kCentre};
-  float rho = kRadius / kCentre;
-  for (std::size_t i = 1; i < kStages; ++i) {
-    const float next = 1.0F / (2.0F * kCentre / kRadius - rho);
-    const float momentum = next * rho;
-    const float step = 2.0F * next / kRadius;
-    stages[i] = {1.0F + momentum - step, -momentum, step};
-    rho = next;
-  }
-  return stages;
-}
-constexpr std::array<rows::ChebyshevStage, kStages> kChebyshev = chebyshevStages();
+constexpr auto kChebyshev = rows::chebyshevStages<kStages>(0.2F);
 
 /// The planes around the wave of something that is not kept; those outside of the cube are zero.
 class Ring {
@@ -175,6 +155,7 @@ Multigrid::Multigrid(const Layout& layout)
     : layout_(layout),
       diagonal_(layout.size()),
       sixtieths_(layout.size()),
+      fine_(layout),
       odd_(Ring::size(layout)),
       residual_(Ring::size(layout)) {
   assert(layout.cells % 2 == 0 && layout.cells <= rows::kLongestRow);
@@ -203,6 +184,7 @@ void Multigrid::rebuild(const SolidGrid& solids, const CellBox& changed) {
       }
     }
   }
+  fine_.takeDiagonal(diagonal_, near);
 
   CellBox box = near;
   for (std::size_t l = 0; l < levels_.size(); ++l) {
@@ -272,6 +254,13 @@ void Multigrid::solveBelow(std::size_t index) {
   descend(pass, below.layout, below.coefficients(), below.b.data());
   solveBelow(index + 1);
   ascend(pass, below.layout, below.coefficients(), below.z.data(), [](int) {});
+}
+
+FineWave::Norms Multigrid::cycle(const Field& b, const Field& x, Field& next, double size, bool first) {
+  Level& below = *levels_.front();
+  if (!first) solveBelow(0);
+  const float* correction = first ? nullptr : below.z.data();
+  return fine_.run(finest(), b, x, next, {below.layout, below.coefficients(), correction, below.b.data()}, size);
 }
 
 Multigrid::Products Multigrid::apply(const Field& residual, Field& result, Field& operatorResult) {

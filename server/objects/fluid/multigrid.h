@@ -3,6 +3,7 @@
 #include <memory>
 #include <vector>
 
+#include "objects/fluid/fine_wave.h"
 #include "objects/fluid/grid.h"
 #include "objects/fluid/multigrid_rows.h"
 #include "objects/fluid/solid_grid.h"
@@ -40,6 +41,10 @@ class Multigrid {
   /// result = M residual; operatorResult = A result. Ghosts and solids of `residual` must be zero, and stay so.
   Products apply(const Field& residual, Field& result, Field& operatorResult);
 
+  /// One step of multigrid by itself: next = x, corrected. The first one of a solve has nothing to correct with yet: it
+  /// smooths, and finds what the next ones need. `size` as for FineWave::run().
+  FineWave::Norms cycle(const Field& b, const Field& x, Field& next, double size, bool first);
+
   [[nodiscard]] rows::FineOperator finest() const noexcept {
     return {diagonal_.data(), sixtieths_.data(), layout_.step(1)};
   }
@@ -54,8 +59,9 @@ class Multigrid {
   Array<std::uint8_t> diagonal_;
   Array<std::uint8_t> sixtieths_;               ///< 60 over the diagonal
   std::vector<std::unique_ptr<Level>> levels_;  ///< coarser and coarser; the finest is not among them
-  Field odd_;                                   ///< planes of the finest level's smoother
-  Field residual_;                              ///< planes of the finest level's residual
+  FineWave fine_;
+  Field odd_;       ///< planes of the finest level's smoother
+  Field residual_;  ///< planes of the finest level's residual
 };
 
 }  // namespace grove::objects::fluid

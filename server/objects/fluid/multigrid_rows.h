@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 
@@ -82,6 +83,26 @@ struct ChebyshevStage {
   float previous;  ///< weight of the one before
   float jacobi;    ///< weight of (b + neighbours) / diagonal
 };
+
+/// Polynomial over the part of the spectrum of Jacobi, from `low` to 2 (no eigenvalue is larger, as the operator is
+/// diagonally dominant), that the coarser level cannot see. For the same work it took a quarter fewer iterations than
+/// red-black sweeps; and it is symmetric whatever the order of the cells.
+template <std::size_t kStages>
+constexpr std::array<ChebyshevStage, kStages> chebyshevStages(float low) {
+  const float centre = 0.5F * (2.0F + low);
+  const float radius = 0.5F * (2.0F - low);
+  std::array<ChebyshevStage, kStages> stages{};
+  stages[0] = {1.0F - 1.0F / centre, 0.0F, 1.0F / centre};
+  float rho = radius / centre;
+  for (std::size_t i = 1; i < kStages; ++i) {
+    const float next = 1.0F / (2.0F * centre / radius - rho);
+    const float momentum = next * rho;
+    const float step = 2.0F * next / radius;
+    stages[i] = {1.0F + momentum - step, -momentum, step};
+    rho = next;
+  }
+  return stages;
+}
 
 /// First stage from a zero guess.
 template <class Row>

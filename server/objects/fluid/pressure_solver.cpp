@@ -1,6 +1,7 @@
 #include "objects/fluid/pressure_solver.h"
 
 #include <cmath>
+#include <utility>
 
 #include "objects/fluid/projection.h"
 
@@ -11,6 +12,7 @@ PressureSolver::PressureSolver(const Layout& layout)
       multigrid_(layout),
       b_(layout.size()),
       x_(layout.size()),
+      next_(layout.size()),
       r_(layout.size()),
       z_(layout.size()),
       az_(layout.size()),
@@ -27,8 +29,8 @@ void PressureSolver::refresh(SolidGrid& solids) {
 
 PressureSolver::Outcome PressureSolver::project(SolidGrid& solids, Velocity& velocity, const Options& options) {
   refresh(solids);
-  negativeDivergence(layout_, velocity, multigrid_.diagonal(), b_);
-  const Outcome outcome = iterate(b_, options);
+  const double squaredB = negativeDivergence(layout_, velocity, multigrid_.diagonal(), b_);
+  const Outcome outcome = iterate(squaredB, options);
   subtractGradient(layout_, x_, velocity);
   solids.enforce(velocity);
   return outcome;
@@ -38,34 +40,69 @@ PressureSolver::Outcome PressureSolver::solve(SolidGrid& solids, Field& b, const
   refresh(solids);
   maskSolids(layout_, multigrid_.diagonal(), b);
   b_.copyFrom(b);
-  const Outcome outcome = iterate(b_, options);
+  double squaredB = 0.0;
+  for (std::size_t i = 0; i < b.size(); ++i) {
+    const double value = static_cast<double>(b[static_cast<std::ptrdiff_t>(i)]);
+    squaredB += value * value;
+  }
+  const Outcome outcome = iterate(squaredB, options);
   b.copyFrom(b_);
   return outcome;
 }
 
-PressureSolver::Outcome PressureSolver::iterate(Field& b, const Options& options) {
-  pockets_.removeMeans(b);
-  double squared = 0.0;
-  const double squaredB = initialResidual(layout_, multigrid_.finest(), b, x_, r_, squared);
+FineWave::Norms PressureSolver::cycle(double squaredResidual, bool first) {
+  const double cells = static_cast<double>(layout_.cells) * layout_.cells * layout_.cells;
+  const FineWave::Norms norms = multigrid_.cycle(b_, x_, next_, std::sqrt(squaredResidual / cells), first);
+  std::swap(x_, next_);
+  return norms;
+}
+
+PressureSolver::Outcome PressureSolver::iterate(double squaredB, const Options& options) {
+  constexpr double kNothing = 1.0e-30;
+  constexpr double kCertainly = 0.9;  // the cycle knows the residual that it leaves to a few hundredths only
+  constexpr double kSlow = 0.04;      // of the squared residual is more than a cycle leaves in common scenes
   Outcome outcome;
-  if (!(squaredB > 1.0e-30)) {
+  if (!(squaredB > kNothing)) {
     x_.clear();
     return outcome;
   }
-  const double enough = squaredB * static_cast<double>(options.tolerance) * static_cast<double>(options.tolerance);
-  if (squared > squaredB) {
+  pockets_.removeMeans(b_);
+  FineWave::Norms norms = cycle(squaredB, true);
+  if (norms.before > norms.b) {
     // The last pressure is worse than none, as after a jump of the scene.
     x_.clear();
-    squared = initialResidual(layout_, multigrid_.finest(), b, x_, r_, squared);
+    norms = cycle(squaredB, true);
   }
+  if (!(norms.b > kNothing)) {
+    x_.clear();
+    return outcome;
+  }
+  const double enough = norms.b * static_cast<double>(options.tolerance) * static_cast<double>(options.tolerance);
+  double squared = norms.after;
+  while (squared > kCertainly * enough && outcome.iterations < options.mostIterations) {
+    norms = cycle(squared, false);
+    ++outcome.iterations;
+    const bool slow = norms.after > kSlow * squared;
+    squared = norms.after;
+    if (slow && squared > kCertainly * enough) {
+      squared = conjugateGradients(enough, options.mostIterations, outcome.iterations);
+      break;
+    }
+  }
+  outcome.residual = static_cast<float>(std::sqrt(squared / norms.b));
+  return outcome;
+}
+
+double PressureSolver::conjugateGradients(double enough, int mostIterations, int& iterations) {
+  double squared = initialResidual(layout_, multigrid_.finest(), b_, x_, r_);
   double gamma = 0.0;
   double alpha = 0.0;
-  while (squared > enough && outcome.iterations < options.mostIterations) {
+  for (bool first = true; squared > enough && iterations < mostIterations; first = false) {
     pockets_.removeMeans(r_);
     const Multigrid::Products products = multigrid_.apply(r_, z_, az_);
     double beta = 0.0;
     double curvature = products.resultDotOperator;
-    if (outcome.iterations > 0) {
+    if (!first) {
       beta = products.residualDotResult / gamma;
       curvature -= beta * products.residualDotResult / alpha;
     }
@@ -73,10 +110,9 @@ PressureSolver::Outcome PressureSolver::iterate(Field& b, const Options& options
     if (!(curvature > 0.0) || !(gamma > 0.0)) break;
     alpha = gamma / curvature;
     squared = advance(layout_, static_cast<float>(alpha), static_cast<float>(beta), z_, az_, p_, ap_, x_, r_);
-    ++outcome.iterations;
+    ++iterations;
   }
-  outcome.residual = static_cast<float>(std::sqrt(squared / squaredB));
-  return outcome;
+  return squared;
 }
 
 }  // namespace grove::objects::fluid

@@ -15,8 +15,9 @@ void forEachRow(const Layout& layout, const Body& body) {
 
 }  // namespace
 
-void negativeDivergence(const Layout& layout, const Velocity& velocity, const Array<std::uint8_t>& diagonal,
-                        Field& out) {
+double negativeDivergence(const Layout& layout, const Velocity& velocity, const Array<std::uint8_t>& diagonal,
+                          Field& out) {
+  double squared = 0.0;
   const int n = layout.cells;
   const std::ptrdiff_t s = layout.step(1);
   const std::ptrdiff_t p = layout.step(2);
@@ -26,11 +27,15 @@ void negativeDivergence(const Layout& layout, const Velocity& velocity, const Ar
     const float* w = velocity.z.data() + at;
     const std::uint8_t* d = diagonal.data() + at;
     float* __restrict b = out.data() + at;
+    float sum = 0.0F;
     for (int i = 0; i < n; ++i) {
       const float flow = (u[i] - u[i + 1]) + (v[i] - v[i + s]) + (w[i] - w[i + p]);
       b[i] = d[i] != 0 ? flow : 0.0F;
+      sum += b[i] * b[i];
     }
+    squared += static_cast<double>(sum);
   });
+  return squared;
 }
 
 void subtractGradient(const Layout& layout, const Field& pressure, Velocity& velocity) {
@@ -60,26 +65,18 @@ void maskSolids(const Layout& layout, const Array<std::uint8_t>& diagonal, Field
   });
 }
 
-double initialResidual(const Layout& layout, const rows::FineOperator& a, const Field& b, const Field& x, Field& r,
-                       double& squaredResidual) {
+double initialResidual(const Layout& layout, const rows::FineOperator& a, const Field& b, const Field& x, Field& r) {
   const std::ptrdiff_t p = layout.step(2);
-  double squaredB = 0.0;
-  squaredResidual = 0.0;
+  double squared = 0.0;
   forEachRow(layout, [&](std::ptrdiff_t at) {
-    const float* in = b.data() + at;
     float* out = r.data() + at;
     const float* unknown = x.data() + at;
-    rows::residual(a.row(at), in, {unknown - p, unknown, unknown + p}, out, layout.cells);
-    float bb = 0.0F;
-    float rr = 0.0F;
-    for (int i = 0; i < layout.cells; ++i) {
-      bb += in[i] * in[i];
-      rr += out[i] * out[i];
-    }
-    squaredB += static_cast<double>(bb);
-    squaredResidual += static_cast<double>(rr);
+    rows::residual(a.row(at), b.data() + at, {unknown - p, unknown, unknown + p}, out, layout.cells);
+    float sum = 0.0F;
+    for (int i = 0; i < layout.cells; ++i) sum += out[i] * out[i];
+    squared += static_cast<double>(sum);
   });
-  return squaredB;
+  return squared;
 }
 
 double advance(const Layout& layout, float alpha, float beta, const Field& z, const Field& az, Field& p, Field& ap,

@@ -8,9 +8,9 @@
 /// The vector passes around the pressure solve. Ghosts of all fields but the velocity's are zero and stay so.
 namespace grove::objects::fluid {
 
-/// out = minus the sum of the flow out of each air cell, in metres a second; zero in solids.
-void negativeDivergence(const Layout& layout, const Velocity& velocity, const Array<std::uint8_t>& diagonal,
-                        Field& out);
+/// out = minus the sum of the flow out of each air cell, in metres a second; zero in solids. Returns out.out.
+double negativeDivergence(const Layout& layout, const Velocity& velocity, const Array<std::uint8_t>& diagonal,
+                          Field& out);
 
 /// velocity -= gradient of the pressure, at every face.
 void subtractGradient(const Layout& layout, const Field& pressure, Velocity& velocity);
@@ -18,9 +18,8 @@ void subtractGradient(const Layout& layout, const Field& pressure, Velocity& vel
 /// values = 0 where the diagonal is 0.
 void maskSolids(const Layout& layout, const Array<std::uint8_t>& diagonal, Field& values);
 
-/// r = b - A x. Returns b.b and sets r.r.
-double initialResidual(const Layout& layout, const rows::FineOperator& a, const Field& b, const Field& x, Field& r,
-                       double& squaredResidual);
+/// r = b - A x. Returns r.r.
+double initialResidual(const Layout& layout, const rows::FineOperator& a, const Field& b, const Field& x, Field& r);
 
 /// One step of conjugate gradients: p = z + beta p, ap = az + beta ap, x += alpha p, r -= alpha ap. Returns r.r.
 double advance(const Layout& layout, float alpha, float beta, const Field& z, const Field& az, Field& p, Field& ap,

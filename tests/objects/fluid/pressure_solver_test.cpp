@@ -60,7 +60,9 @@ TEST_P(Projection, LeavesNoDivergenceAndNoFlowThroughSolids) {
   const PressureSolver::Outcome outcome = solver.project(solids, velocity, {1.0e-4F, 60});
 
   EXPECT_LE(outcome.residual, 1.0e-4F);
-  EXPECT_LE(relativeResidual(solids, solver.pressure(), solver.rightHandSide()), 1.2e-4);
+  const double residual = relativeResidual(solids, solver.pressure(), solver.rightHandSide());
+  EXPECT_LE(residual, 1.05e-4);
+  EXPECT_NEAR(static_cast<double>(outcome.residual), residual, 0.1 * residual);
   EXPECT_GT(before, 1.0);
   EXPECT_LT(largestNetFlow(solids, velocity), 2.0e-3 * before);
   for (int a = 0; a < 3; ++a) {
@@ -159,6 +161,20 @@ TEST(PressureSolver, ConvergesQuicklyAndMonotonically) {
   EXPECT_LT(last, 1.0e-4F);
 }
 
+TEST(PressureSolver, CyclesReachFarBelowWhatHalvesHold) {
+  // The smoother computes in 11 bits; the residual that it works on must not.
+  const Layout layout(64);
+  SolidGrid solids(layout, Sides::outdoors());
+  solids.setStatic(cellsWhere(64, [](int x, int y, int z) { return y < 20 && (x / 8 + z / 8) % 3 == 0; }));
+  Velocity velocity(layout);
+  fillWithNoise(layout, velocity);
+  solids.enforce(velocity);
+  PressureSolver solver(layout);
+  const PressureSolver::Outcome outcome = solver.project(solids, velocity, {3.0e-6F, 60});
+  EXPECT_LE(relativeResidual(solids, solver.pressure(), solver.rightHandSide()), 4.0e-6);
+  EXPECT_LE(outcome.iterations, 5);
+}
+
 TEST(PressureSolver, StartsFromTheLastPressure) {
   const Layout layout(32);
   SolidGrid solids(layout, Sides::outdoors());
@@ -169,7 +185,7 @@ TEST(PressureSolver, StartsFromTheLastPressure) {
   const int first = solver.project(solids, velocity, {1.0e-4F, 60}).iterations;
   fillWithNoise(layout, velocity);
   solids.enforce(velocity);
-  EXPECT_GT(first, 2);
+  EXPECT_GT(first, 1);
   EXPECT_LE(solver.project(solids, velocity, {1.0e-4F, 60}).iterations, 1);
 }
 

@@ -1,0 +1,82 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "objects/fluid/grid.h"
+#include "objects/fluid/half.h"
+#include "objects/fluid/multigrid_rows.h"
+
+namespace grove::objects::fluid {
+
+/// The finest level's part of a multigrid cycle, as one wave over z-planes: add the coarse correction, take the
+/// residual, smooth it away, and hand what is left to the coarser level. The residual is taken in full precision; what
+/// the smoother adds to the solution is small and local, so that it is computed in halves (iterative refinement). Each
+/// stage of the smoother follows one plane behind the one before, its planes still in the cache. One thread.
+class FineWave {
+ public:
+  explicit FineWave(const Layout& layout);
+
+  /// Stages of the smoother: a Chebyshev polynomial of Jacobi.
+  static constexpr int kStages = 10;
+
+  /// Takes the inverse diagonal over within a box of cells.
+  void takeDiagonal(const Array<std::uint8_t>& diagonal, const CellBox& box);
+
+  struct Coarse {
+    const Layout& layout;
+    rows::CoarseOperator a;
+    const float* correction;  ///< null for none
+    float* b;                 ///< out: the restricted residual
+  };
+  struct Norms {
+    double before = 0.0;  ///< squared residual ahead of smoothing
+    double after = 0.0;   ///< and behind it, to about a hundredth
+    double b = 0.0;       ///< squared right-hand side
+  };
+
+  /// next = x + correction, smoothed. `size` is about the root mean square of the residual, which halves need to know.
+  Norms run(const rows::FineOperator& a, const Field& b, const Field& x, Field& next, const Coarse& coarse,
+            double size);
+
+ private:
+  /// Planes of halves lie densely, one ghost between rows, so that a stage is one long loop over a plane.
+  struct Packed {
+    explicit Packed(int cells)
+        : step(cells + 2),
+          lead(2 * kHalfLanes - step % kHalfLanes),
+          plane(wholeHalfVectors(lead + step * step) + 3 * kHalfLanes) {}
+    [[nodiscard]] std::ptrdiff_t row(int y) const noexcept { return lead + std::ptrdiff_t{step} * (y + 1); }
+
+    int step;   ///< between rows
+    int lead;   ///< ahead of a plane's first ghost row; row 0 begins a vector
+    int plane;  ///< between planes
+  };
+
+  /// The planes around the wave of something that is not kept; those outside of the cube are zero.
+  static constexpr int kPlanes = kStages + 3;
+  [[nodiscard]] std::ptrdiff_t slot(int z) const noexcept {
+    return z < 0 || z >= layout_.cells ? kPlanes : z % kPlanes;
+  }
+  [[nodiscard]] Half* row(HalfField& ring, int y, int z) const noexcept {
+    return ring.data() + packed_.plane * slot(z) + packed_.row(y);
+  }
+  [[nodiscard]] float* left(int y, int z) noexcept {
+    return left_.data() + layout_.plane * slot(z) + layout_.index(0, y, -1);
+  }
+  [[nodiscard]] Half* inverse(int y, int z) noexcept {
+    return inverse_.data() + std::ptrdiff_t{packed_.plane} * z + packed_.row(y);
+  }
+  void smooth(int stage, int plane);
+
+  const Layout layout_;
+  const Packed packed_;
+  HalfField inverse_;               ///< of the diagonal; 0 in solids and ghosts
+  HalfField source_;                ///< residual that is smoothed away
+  std::array<HalfField, 2> error_;  ///< iterates of even and of odd stages
+  HalfField scaled_;                ///< a plane of residual behind the smoother, over the diagonal
+  Field left_;                      ///< that residual
+};
+
+}  // namespace grove::objects::fluid
