@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "objects/fluid/advection_rows.h"
@@ -10,149 +11,260 @@ namespace grove::objects::fluid {
 
 namespace {
 
-constexpr int kScratchPlanes = 13;
-
-std::size_t scratchSize(const Layout& layout) {
-  return static_cast<std::size_t>(kScratchPlanes * layout.plane + 2 * Layout::kLead);
-}
+constexpr int kPackedPlanes = 4;
+constexpr int kScratchPlanes = 14;
+constexpr int kGhosts = 4;  // of a packed row: one below, and above the two of a row of cells, which faces have as well
 
 }  // namespace
+
+/// The planes around the wave of a field, in halves.
+class Advection::Packed {
+ public:
+  Packed(const Layout& layout, const PackedPlane& plane, const Field& from, float scale, bool sparse, HalfField& ring)
+      : layout_(layout), plane_(plane), from_(from.data()), scale_(scale), sparse_(sparse), ring_(ring.data()) {
+    for (int z = -1; z <= 0; ++z) take(z);
+  }
+
+  /// Planes must come in order.
+  void take(int z) {
+    std::pair<int, int>& filled = filled_[slot(z)];
+    filled = {layout_.cells + 2, -1};
+    for (int y = -1; y <= layout_.cells + 1; ++y) {
+      const float* in = from_ + layout_.index(-1, y, z);
+      toHalf(in, scale_, row(y, z) - 1, layout_.cells + 3);
+      if (!sparse_) continue;
+      float most = 0.0F;
+      for (int i = 0; i < layout_.cells + 3; ++i) most = std::max(most, std::fabs(in[i]));
+      if (most > 0.0F) filled = {std::min(filled.first, y), y + 1};
+    }
+  }
+  [[nodiscard]] Half* row(int y, int z) const noexcept {
+    return ring_ + std::ptrdiff_t{plane_.size} * static_cast<std::ptrdiff_t>(slot(z)) + plane_.row(y);
+  }
+  /// Of sparse ones: first row that is not all zero, and the one behind the last.
+  [[nodiscard]] std::pair<int, int> filled(int z) const noexcept { return filled_[slot(z)]; }
+  [[nodiscard]] float scale() const noexcept { return scale_; }
+
+ private:
+  [[nodiscard]] static std::size_t slot(int z) noexcept { return static_cast<std::size_t>(z + 4) % kPackedPlanes; }
+
+  const Layout& layout_;
+  const PackedPlane& plane_;
+  const float* from_;
+  const float scale_;
+  const bool sparse_;  ///< whether rows that are all zero are worth finding
+  Half* ring_;
+  std::array<std::pair<int, int>, kPackedPlanes> filled_{};
+};
 
 /// Both passes over one field, a plane at a time.
 class Advection::Wave {
  public:
-  Wave(const Layout& layout, const Job& job, const Velocity& velocity, float scale, Field& scratch)
+  Wave(const Layout& layout, const PackedPlane& plane, const Job& job, const Packed& from,
+       std::span<const Packed> velocity, HalfField& scratch)
       : layout_(layout),
+        plane_(plane),
         place_(job.place),
-        from_(job.from->data()),
+        in_(job.from->data()),
         to_(job.to->data()),
+        from_(from),
         velocity_(velocity),
-        scale_(scale),
-        scratch_(scratch.data() + Layout::kLead),
+        scratch_(scratch.data()),
         counts_{layout.cells + (place_ == Place::kFaceX ? 1 : 0), layout.cells + (place_ == Place::kFaceY ? 1 : 0),
-                layout.cells + (place_ == Place::kFaceZ ? 1 : 0)} {
-    for (int z = -1; z <= 0; ++z) noteEmptyRows(z);
-  }
+                layout.cells + (place_ == Place::kFaceZ ? 1 : 0)} {}
 
   [[nodiscard]] int planes() const noexcept { return counts_[2]; }
 
   /// Semi-Lagrangian values of a plane; planes must come in order.
   void forward(int z) {
-    noteEmptyRows(z + 1);
-    for (int y = 0; y < counts_[1]; ++y) {
-      const std::ptrdiff_t row = rowOf(y);
-      const std::ptrdiff_t at = layout_.index(0, y, z);
-      const rows::Moves rowMoves = moves(z, row);
-      const rows::Samples samples{firstPass(z) + row, low(z) + row, high(z) + row};
-      const float largest = rows::movesOfRow(place_, layout_, velocity_, at, scale_, counts_[0], rowMoves);
-      const float* here = from_ + at;
-      const bool near = largest <= 1.0F;
-      const bool still = near && emptyAround(y, z);
-      zero_[slot(z)][static_cast<std::size_t>(y)] = still;
-      if (still) {
-        std::fill_n(samples.value, counts_[0], 0.0F);
-      } else if (near) {
-        rows::sampleNear<true>({here - layout_.plane, here, here + layout_.plane}, layout_.stride, rowMoves, 1.0F,
-                               counts_[0], samples);
-      } else {
-        rows::sampleFar(layout_, from_, y, z, rowMoves, counts_, samples);
-      }
-      samples.value[-1] = samples.value[0];
-      samples.value[counts_[0]] = samples.value[counts_[0] - 1];
+    const rows::Moves moved = takeMoves(z);
+    Range& range = range_[static_cast<std::size_t>(z % 2)];
+    range = filledAround(z);
+    if (range.first < range.end) {
+      const std::ptrdiff_t at = std::ptrdiff_t{plane_.step} * range.first;
+      const rows::Planes planes{from_.row(0, z - 1) + at, from_.row(0, z) + at, from_.row(0, z + 1) + at};
+      rows::sampleForth(planes, plane_.step, {moved.x + at, moved.y + at, moved.z + at}, lengthOf(range),
+                        {forth(z) + at, low(z) + at, high(z) + at});
     }
-    float* first = firstPass(z);
-    std::copy_n(first + rowOf(0) - 1, counts_[0] + 2, first + rowOf(-1) - 1);
-    std::copy_n(first + rowOf(counts_[1] - 1) - 1, counts_[0] + 2, first + rowOf(counts_[1]) - 1);
+    for (Half* values : {forth(z), low(z), high(z)}) {
+      std::fill(values, values + plane_.step * range.first, Half{0});
+      std::fill(values + plane_.step * range.end, values + plane_.step * counts_[1], Half{0});
+    }
+    if (rows::anyFar(moved, plane_.step * counts_[1])) sampleFarRows(z, moved, range);
+    fillGhosts(forth(z));
   }
 
   /// MacCormack's correction of a plane whose neighbours went forward.
   void correct(int z) {
-    alignas(64) float back[rows::kLongestAdvected];
-    for (int y = 0; y < counts_[1]; ++y) {
-      const std::ptrdiff_t row = rowOf(y);
-      const std::ptrdiff_t at = layout_.index(0, y, z);
-      float* __restrict out = to_ + at;
-      if (zero_[slot(z)][static_cast<std::size_t>(y)]) {
-        std::fill_n(out, counts_[0], 0.0F);
-        continue;
-      }
-      const float* first = firstPass(z) + row;
-      const rows::Planes planes{firstPass(z - 1) + row, first, firstPass(z + 1) + row};
-      rows::sampleNear<false>(planes, layout_.stride, moves(z, row), -1.0F, counts_[0], {back, back, back});
-      const float* lowest = low(z) + row;
-      const float* highest = high(z) + row;
-      const float* in = from_ + at;
-      for (int i = 0; i < counts_[0]; ++i) {
-        const float better = first[i] + 0.5F * (in[i] - back[i]);
-        out[i] = std::min(std::max(better, lowest[i]), highest[i]);
-      }
+    const Range range = range_[static_cast<std::size_t>(z % 2)];
+    Half* const result = plane(kScratchPlanes - 1);
+    if (range.first < range.end) {
+      const std::ptrdiff_t at = std::ptrdiff_t{plane_.step} * range.first;
+      const rows::Planes planes{forth(z - 1) + at, forth(z) + at, forth(z + 1) + at};
+      const rows::Moves all = moves(z);
+      const rows::Moves moved{all.x + at, all.y + at, all.z + at};
+      const auto apply = changes() ? rows::correct<true> : rows::correct<false>;
+      apply(planes, plane_.step, moved, from_.row(0, z) + at, low(z) + at, high(z) + at, lengthOf(range), result + at);
     }
+    store(z, range, result);
   }
 
   /// Takes a plane as it went forward.
   void keep(int z) {
-    for (int y = 0; y < counts_[1]; ++y) {
-      std::copy_n(firstPass(z) + rowOf(y), counts_[0], to_ + layout_.index(0, y, z));
-    }
+    Half* const result = plane(kScratchPlanes - 1);
+    const Half* before = from_.row(0, z);
+    const Half* after = forth(z);
+    for (int i = 0; i < plane_.step * counts_[1]; ++i) result[i] = changes() ? after[i] - before[i] : after[i];
+    store(z, {0, counts_[1]}, result);
   }
 
  private:
-  // Three planes of first-pass values, two of everything else, as only the planes around the wave are needed.
-  [[nodiscard]] float* plane(int number) const noexcept { return scratch_ + std::ptrdiff_t{layout_.plane} * number; }
-  [[nodiscard]] float* firstPass(int z) const noexcept { return plane(std::clamp(z, 0, counts_[2] - 1) % 3); }
-  [[nodiscard]] float* low(int z) const noexcept { return plane(3 + z % 2); }
-  [[nodiscard]] float* high(int z) const noexcept { return plane(5 + z % 2); }
-  [[nodiscard]] rows::Moves moves(int z, std::ptrdiff_t row) const noexcept {
-    return {plane(7 + z % 2) + row, plane(9 + z % 2) + row, plane(11 + z % 2) + row};
-  }
-  [[nodiscard]] std::ptrdiff_t rowOf(int y) const noexcept { return std::ptrdiff_t{layout_.stride} * (y + 1); }
-  [[nodiscard]] static std::size_t slot(int z) noexcept { return static_cast<std::size_t>(z + 3) % 3; }
+  /// Rows from `first` to ahead of `end`.
+  struct Range {
+    int first = 0;
+    int end = 0;
+  };
 
-  /// Most rows of a temperature are all zero, and so is what comes out of them; air is never still.
-  void noteEmptyRows(int z) {
-    if (place_ != Place::kCentre) return;
-    for (int y = -1; y <= counts_[1]; ++y) {
-      const float* row = from_ + layout_.index(0, y, z);
-      float most = 0.0F;
-      for (int i = -1; i <= counts_[0]; ++i) most = std::max(most, std::fabs(row[i]));
-      empty_[slot(z)][static_cast<std::size_t>(y + 1)] = most == 0.0F;
-    }
+  // Three planes of first-pass values, two of everything else, as only the planes around the wave are needed.
+  [[nodiscard]] Half* plane(int number) const noexcept {
+    return scratch_ + std::ptrdiff_t{plane_.size} * number + plane_.row(0);
   }
-  [[nodiscard]] bool emptyAround(int y, int z) const noexcept {
-    for (int dz = -1; dz <= 1; ++dz) {
-      for (int dy = 0; dy < 3; ++dy) {
-        if (!empty_[slot(z + dz)][static_cast<std::size_t>(y + dy)]) return false;
+  [[nodiscard]] Half* forth(int z) const noexcept { return plane(std::clamp(z, 0, counts_[2] - 1) % 3); }
+  [[nodiscard]] Half* low(int z) const noexcept { return plane(3 + z % 2); }
+  [[nodiscard]] Half* high(int z) const noexcept { return plane(5 + z % 2); }
+  [[nodiscard]] int lengthOf(const Range& range) const noexcept {
+    return wholeHalfVectors(plane_.step * (range.end - range.first));
+  }
+  /// Where the component along the place's own axis is known, it is read where it lies.
+  [[nodiscard]] Half* move(int axis, int z) const noexcept {
+    if (place_ == static_cast<Place>(axis)) return velocity_[static_cast<std::size_t>(axis)].row(0, z);
+    return plane(7 + 2 * axis + z % 2);
+  }
+  [[nodiscard]] rows::Moves moves(int z) const noexcept { return {move(0, z), move(1, z), move(2, z)}; }
+
+  /// Velocities are carried as changes, to be added in full precision: forces change them by less than halves resolve.
+  [[nodiscard]] bool changes() const noexcept { return place_ != Place::kCentre; }
+
+  rows::Moves takeMoves(int z) {
+    const int length = wholeHalfVectors(plane_.step * counts_[1]);
+    const int own = static_cast<int>(place_);
+    for (int axis = 0; axis < 3; ++axis) {
+      if (axis == own) continue;
+      /// The component's row 0 where it lies `up` faces further along its axis and `back` along the place's own.
+      const auto component = [&](int up, int back) -> const Half* {
+        int shift[3] = {0, 0, 0};
+        shift[axis] += up;
+        if (changes()) shift[own] -= back;
+        return velocity_[static_cast<std::size_t>(axis)].row(shift[1], z + shift[2]) + shift[0];
+      };
+      if (changes()) {
+        rows::meanOfFour(component(0, 0), component(1, 0), component(0, 1), component(1, 1), length, move(axis, z));
+      } else {
+        rows::meanOfTwo(component(0, 0), component(1, 0), length, move(axis, z));
       }
     }
-    return true;
+    return moves(z);
+  }
+
+  /// Most rows of a temperature are all zero, and so is what comes out of them; air is never still.
+  [[nodiscard]] Range filledAround(int z) const noexcept {
+    Range range{counts_[1], 0};
+    if (changes()) return {0, counts_[1]};
+    for (int dz = -1; dz <= 1; ++dz) {
+      const auto [first, end] = from_.filled(z + dz);
+      if (first >= end) continue;
+      range = {std::min(range.first, std::max(first - 1, 0)), std::max(range.end, std::min(end + 1, counts_[1]))};
+    }
+    return range.first < range.end ? range : Range{};
+  }
+
+  void sampleFarRows(int z, const rows::Moves& moved, Range& range) {
+    alignas(64) float values[rows::kLongestAdvected];
+    for (int y = 0; y < counts_[1]; ++y) {
+      const std::ptrdiff_t at = std::ptrdiff_t{plane_.step} * y;
+      const rows::Moves ofRow{moved.x + at, moved.y + at, moved.z + at};
+      if (!rows::anyFar(ofRow, counts_[0])) continue;
+      rows::sampleFar(layout_, in_, y, z, ofRow, counts_, values);
+      for (Half* to : {forth(z), low(z), high(z)}) toHalf(values, from_.scale(), to + at, counts_[0]);
+      range = range.first < range.end ? Range{std::min(range.first, y), std::max(range.end, y + 1)} : Range{y, y + 1};
+    }
+  }
+
+  void fillGhosts(Half* values) const {
+    for (int y = 0; y < counts_[1]; ++y) {
+      Half* row = values + std::ptrdiff_t{plane_.step} * y;
+      row[-1] = row[0];
+      row[counts_[0]] = row[counts_[0] - 1];
+    }
+    const int last = plane_.step * (counts_[1] - 1);
+    std::copy_n(values - 1, counts_[0] + 2, values - plane_.step - 1);
+    std::copy_n(values + last - 1, counts_[0] + 2, values + last + plane_.step - 1);
+  }
+
+  void store(int z, const Range& range, const Half* result) const {
+    for (int y = 0; y < counts_[1]; ++y) {
+      const std::ptrdiff_t at = layout_.index(0, y, z);
+      float* out = to_ + at;
+      if (y < range.first || y >= range.end) {
+        std::fill_n(out, counts_[0], 0.0F);
+        continue;
+      }
+      const Half* row = result + std::ptrdiff_t{plane_.step} * y;
+      const float back = 1.0F / from_.scale();
+      if (changes()) {
+        addHalf(in_ + at, row, back, out, counts_[0]);
+      } else {
+        toFloat(row, back, out, counts_[0]);
+      }
+    }
   }
 
   const Layout& layout_;
+  const PackedPlane& plane_;
   const Place place_;
-  const float* from_;
+  const float* in_;
   float* to_;
-  const Velocity& velocity_;
-  const float scale_;
-  float* scratch_;
+  const Packed& from_;
+  std::span<const Packed> velocity_;
+  Half* scratch_;
   const int counts_[3];
-  std::array<std::array<bool, rows::kLongestAdvected>, 3> empty_{};
-  std::array<std::array<bool, rows::kLongestAdvected>, 3> zero_{};
+  std::array<Range, 2> range_{};  ///< of rows that may not be all zero
 };
 
 Advection::Advection(const Layout& layout)
     : layout_(layout),
-      scratch_{Field(scratchSize(layout)), Field(scratchSize(layout)), Field(scratchSize(layout)),
-               Field(scratchSize(layout))} {}
+      plane_(layout.cells, kGhosts),
+      packed_{ringOf(kPackedPlanes), ringOf(kPackedPlanes), ringOf(kPackedPlanes), ringOf(kPackedPlanes)},
+      scratch_{ringOf(kScratchPlanes), ringOf(kScratchPlanes), ringOf(kScratchPlanes), ringOf(kScratchPlanes)} {}
+
+HalfField Advection::ringOf(int planes) const {
+  return HalfField(static_cast<std::size_t>(plane_.size) * static_cast<std::size_t>(planes));
+}
 
 void Advection::advect(std::span<const Job> jobs, const Velocity& velocity, float seconds, float cellSize,
                        AdvectionOrder order) {
   assert(jobs.size() <= kMostJobs);
+  std::vector<Packed> packed;
+  packed.reserve(kMostJobs);
+  for (int a = 0; a < 3; ++a) {
+    packed.emplace_back(layout_, plane_, velocity.axis(a), seconds / cellSize, false,
+                        packed_[static_cast<std::size_t>(a)]);
+  }
   std::vector<Wave> waves;
   waves.reserve(jobs.size());
   for (std::size_t i = 0; i < jobs.size(); ++i) {
-    waves.emplace_back(layout_, jobs[i], velocity, seconds / cellSize, scratch_[i]);
+    std::size_t from = 0;
+    while (from < 3 && jobs[i].from != &velocity.axis(static_cast<int>(from))) ++from;
+    if (from == 3) {
+      assert(packed.size() == 3 && jobs[i].place == Place::kCentre);
+      packed.emplace_back(layout_, plane_, *jobs[i].from, 1.0F, true, packed_[3]);
+    }
+    waves.emplace_back(layout_, plane_, jobs[i], packed[from], std::span(packed).first(3), scratch_[i]);
   }
   for (int z = 0; z <= layout_.cells + 1; ++z) {
+    if (z <= layout_.cells) {
+      for (Packed& field : packed) field.take(z + 1);
+    }
     for (Wave& wave : waves) {
       if (z < wave.planes()) wave.forward(z);
       if (order == AdvectionOrder::kMacCormack) {

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "objects/fluid/grid.h"
+#include "objects/fluid/half.h"
 
 namespace grove::objects::fluid {
 
@@ -16,9 +17,10 @@ enum class AdvectionOrder {
 /// Where a field's values lie: on the faces of an axis, or in the middle of the cells.
 enum class Place { kFaceX = 0, kFaceY = 1, kFaceZ = 2, kCentre = 3 };
 
-/// Carries fields along a velocity. Unconditionally stable: no value leaves the range of its neighbours. Rows in which
-/// all move by less than a cell, almost all of them, need no gathers: their samples lie among known neighbours. Rows
-/// with larger moves are sampled wherever they end, without MacCormack's correction. One thread; keeps scratch memory.
+/// Carries fields along a velocity. Unconditionally stable: no value leaves the range of its neighbours (but for the
+/// rounding of Half). Rows in which all move by less than a cell, almost all of them, need no gathers: their samples
+/// lie among known neighbours, and are computed in halves. Rows with larger moves are sampled wherever they end,
+/// without MacCormack's correction. One thread; keeps scratch memory.
 class Advection {
  public:
   explicit Advection(const Layout& layout);
@@ -30,16 +32,21 @@ class Advection {
     Field* to;
   };
 
-  /// `seconds` over `cellSize` metres. At most kMostJobs, done plane by plane side by side, since what they share, the
-  /// velocity, is then read once. Ghosts of `from` and `velocity` must be filled; those of `to` are left alone.
+  /// `seconds` over `cellSize` metres. At most kMostJobs, of which at most one carries something else than a component
+  /// of the velocity itself; done plane by plane side by side, since what they share is then read once. Ghosts of
+  /// `from` and `velocity` must be filled; those of `to` are left alone.
   void advect(std::span<const Job> jobs, const Velocity& velocity, float seconds, float cellSize, AdvectionOrder order);
   static constexpr std::size_t kMostJobs = 4;
 
  private:
+  class Packed;
   class Wave;
+  [[nodiscard]] HalfField ringOf(int planes) const;
 
   const Layout layout_;
-  std::array<Field, kMostJobs> scratch_;  ///< planes between the passes
+  const PackedPlane plane_;
+  std::array<HalfField, kMostJobs> packed_;   ///< planes of the velocity and one other field, around the wave
+  std::array<HalfField, kMostJobs> scratch_;  ///< planes between the passes
 };
 
 }  // namespace grove::objects::fluid

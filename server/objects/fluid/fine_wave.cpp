@@ -60,11 +60,11 @@ float squaredSum(const float* values, int n) {
 
 FineWave::FineWave(const Layout& layout)
     : layout_(layout),
-      packed_(layout.cells),
-      inverse_(static_cast<std::size_t>(packed_.plane) * static_cast<std::size_t>(layout.cells)),
-      source_(static_cast<std::size_t>(packed_.plane) * (kPlanes + 1)),
+      packed_(layout.cells, 2),
+      inverse_(static_cast<std::size_t>(packed_.size) * static_cast<std::size_t>(layout.cells)),
+      source_(static_cast<std::size_t>(packed_.size) * (kPlanes + 1)),
       error_{HalfField(source_.size()), HalfField(source_.size())},
-      scaled_(static_cast<std::size_t>(packed_.plane)),
+      scaled_(static_cast<std::size_t>(packed_.size)),
       left_(static_cast<std::size_t>(layout.plane) * (kPlanes + 1) + 2 * Layout::kLead) {}
 
 void FineWave::takeDiagonal(const Array<std::uint8_t>& diagonal, const CellBox& box) {
@@ -131,9 +131,8 @@ FineWave::Norms FineWave::run(const rows::FineOperator& a, const Field& b, const
   };
   const auto addError = [&](int z) {
     for (int y = 0; y < n; ++y) {
-      toFloat(row(error_[(kStages - 1) % 2], y, z), back, buffer, n);
       float* out = next.data() + layout_.index(0, y, z);
-      for (int i = 0; i < n; ++i) out[i] += buffer[i];
+      addHalf(out, row(error_[(kStages - 1) % 2], y, z), back, out, n);
     }
   };
   const auto keepResidual = [&](int z) {

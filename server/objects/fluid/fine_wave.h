@@ -41,37 +41,24 @@ class FineWave {
             double size);
 
  private:
-  /// Planes of halves lie densely, one ghost between rows, so that a stage is one long loop over a plane.
-  struct Packed {
-    explicit Packed(int cells)
-        : step(cells + 2),
-          lead(2 * kHalfLanes - step % kHalfLanes),
-          plane(wholeHalfVectors(lead + step * step) + 3 * kHalfLanes) {}
-    [[nodiscard]] std::ptrdiff_t row(int y) const noexcept { return lead + std::ptrdiff_t{step} * (y + 1); }
-
-    int step;   ///< between rows
-    int lead;   ///< ahead of a plane's first ghost row; row 0 begins a vector
-    int plane;  ///< between planes
-  };
-
   /// The planes around the wave of something that is not kept; those outside of the cube are zero.
   static constexpr int kPlanes = kStages + 3;
   [[nodiscard]] std::ptrdiff_t slot(int z) const noexcept {
     return z < 0 || z >= layout_.cells ? kPlanes : z % kPlanes;
   }
   [[nodiscard]] Half* row(HalfField& ring, int y, int z) const noexcept {
-    return ring.data() + packed_.plane * slot(z) + packed_.row(y);
+    return ring.data() + packed_.size * slot(z) + packed_.row(y);
   }
   [[nodiscard]] float* left(int y, int z) noexcept {
     return left_.data() + layout_.plane * slot(z) + layout_.index(0, y, -1);
   }
   [[nodiscard]] Half* inverse(int y, int z) noexcept {
-    return inverse_.data() + std::ptrdiff_t{packed_.plane} * z + packed_.row(y);
+    return inverse_.data() + std::ptrdiff_t{packed_.size} * z + packed_.row(y);
   }
   void smooth(int stage, int plane);
 
   const Layout layout_;
-  const Packed packed_;
+  const PackedPlane packed_;
   HalfField inverse_;               ///< of the diagonal; 0 in solids and ghosts
   HalfField source_;                ///< residual that is smoothed away
   std::array<HalfField, 2> error_;  ///< iterates of even and of odd stages

@@ -115,6 +115,28 @@ TEST(Advection, CarriesBothByLessAndByMoreThanACell) {
   EXPECT_LE(highest, 1.0F);
 }
 
+TEST(Advection, ASteadyWindIsNotRounded) {
+  // Samples have 11 bits; were the result rounded to them, forces that change the wind by less would do nothing.
+  const Layout layout(32);
+  Advection advection(layout);
+  Velocity wind(layout);
+  Velocity next(layout);
+  constexpr float kSpeeds[] = {1.00037F, -0.30011F, 0.70003F};
+  for (int a = 0; a < 3; ++a) {
+    for (std::size_t i = 0; i < layout.size(); ++i) wind.axis(a)[static_cast<std::ptrdiff_t>(i)] = kSpeeds[a];
+  }
+  const Advection::Job jobs[] = {
+      {Place::kFaceX, &wind.x, &next.x}, {Place::kFaceY, &wind.y, &next.y}, {Place::kFaceZ, &wind.z, &next.z}};
+  for (const AdvectionOrder order : {AdvectionOrder::kSemiLagrangian, AdvectionOrder::kMacCormack}) {
+    advection.advect(jobs, wind, 0.5F, 1.0F, order);
+    for (int a = 0; a < 3; ++a) {
+      for (int y = 0; y < 32; ++y) {
+        for (int x = 0; x < 32; ++x) ASSERT_EQ(next.axis(a)[layout.index(x, y, 9)], kSpeeds[a]) << a << ' ' << x;
+      }
+    }
+  }
+}
+
 TEST(Advection, StaysFiniteAtAbsurdSpeeds) {
   FluidSolver solver(closedBox(16, AdvectionOrder::kMacCormack));
   const Layout& layout = solver.layout();
