@@ -8,6 +8,7 @@
 #include "cli/bake.h"
 #include "cli/bench_amortize.h"
 #include "cli/bench_fluid.h"
+#include "cli/bench_fluid_solvers.h"
 #include "cli/bench_lightfield.h"
 #include "cli/bench_pipeline.h"
 #include "cli/load.h"
@@ -111,12 +112,28 @@ void addBenchAmortize(CLI::App* bench, BenchAmortizeOptions& options) {
   amortize->add_option("--plot", options.plot, "SVG file to draw the curves into");
 }
 
-void addBenchFluid(CLI::App* bench, BenchFluidOptions& options) {
+/// Without --solvers, whole steps are measured.
+struct BenchFluidCommand {
+  BenchFluidOptions options;
+  bool solvers = false;
+  std::string plot;
+};
+
+int run(const BenchFluidCommand& command) {
+  if (!command.solvers) return runBenchFluid(command.options);
+  return runBenchFluidSolvers({command.options.grid, command.options.json, command.plot});
+}
+
+void addBenchFluid(CLI::App* bench, BenchFluidCommand& command) {
+  BenchFluidOptions& options = command.options;
   CLI::App* fluid = bench->add_subcommand("fluid", "Time and accuracy of a step of the fluid simulation");
   fluid->add_option("--grid", options.grid, "Cells per edge")->capture_default_str();
   fluid->add_option("--steps", options.steps, "Steps to measure")->capture_default_str();
   fluid->add_option("--threads", options.threads, "Threads per step")->capture_default_str();
   fluid->add_flag("--json", options.json, "One JSON document on stdout");
+  CLI::Option* solvers =
+      fluid->add_flag("--solvers", command.solvers, "Compare pressure solvers instead: residual against CPU time");
+  fluid->add_option("--plot", command.plot, "With --solvers: SVG file to draw the comparison to")->needs(solvers);
 }
 
 void addBenchLightfield(CLI::App* bench, BenchLightfieldOptions& options) {
@@ -166,7 +183,7 @@ int run(int argc, char** argv) {
   ServeOptions serve;
   BakeCommand bake;
   BenchAmortizeOptions benchAmortize;
-  BenchFluidOptions benchFluid;
+  BenchFluidCommand benchFluid;
   BenchLightfieldOptions benchLightfield;
   BenchPipelineOptions benchPipeline;
   LoadOptions load;
@@ -196,7 +213,7 @@ int run(int argc, char** argv) {
     if (bench->got_subcommand("amortize")) return runBenchAmortize(benchAmortize);
     if (bench->got_subcommand("lightfield")) return runBenchLightfield(benchLightfield);
     if (bench->got_subcommand("pipeline")) return runBenchPipeline(benchPipeline);
-    return runBenchFluid(benchFluid);
+    return run(benchFluid);
   } catch (const std::exception& e) {
     log::error(e.what());
     return 1;

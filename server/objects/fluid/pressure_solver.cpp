@@ -10,14 +10,10 @@ namespace grove::objects::fluid {
 PressureSolver::PressureSolver(const Layout& layout)
     : layout_(layout),
       multigrid_(layout),
+      gradients_(layout),
       b_(layout.size()),
       x_(layout.size()),
-      next_(layout.size()),
-      r_(layout.size()),
-      z_(layout.size()),
-      az_(layout.size()),
-      p_(layout.size()),
-      ap_(layout.size()) {}
+      next_(layout.size()) {}
 
 void PressureSolver::refresh(SolidGrid& solids) {
   const CellBox changed = solids.takeChanges();
@@ -85,34 +81,14 @@ PressureSolver::Outcome PressureSolver::iterate(double squaredB, const Options& 
     const bool slow = norms.after > kSlow * squared;
     squared = norms.after;
     if (slow && squared > kCertainly * enough) {
-      squared = conjugateGradients(enough, options.mostIterations, outcome.iterations);
+      const auto precondition = [this](const Field& r, Field& z, Field& az) { return multigrid_.apply(r, z, az); };
+      squared = gradients_.solve(multigrid_.finest(), pockets_, precondition, b_, x_, enough, options.mostIterations,
+                                 outcome.iterations);
       break;
     }
   }
   outcome.residual = static_cast<float>(std::sqrt(squared / norms.b));
   return outcome;
-}
-
-double PressureSolver::conjugateGradients(double enough, int mostIterations, int& iterations) {
-  double squared = initialResidual(layout_, multigrid_.finest(), b_, x_, r_);
-  double gamma = 0.0;
-  double alpha = 0.0;
-  for (bool first = true; squared > enough && iterations < mostIterations; first = false) {
-    pockets_.removeMeans(r_);
-    const Multigrid::Products products = multigrid_.apply(r_, z_, az_);
-    double beta = 0.0;
-    double curvature = products.resultDotOperator;
-    if (!first) {
-      beta = products.residualDotResult / gamma;
-      curvature -= beta * products.residualDotResult / alpha;
-    }
-    gamma = products.residualDotResult;
-    if (!(curvature > 0.0) || !(gamma > 0.0)) break;
-    alpha = gamma / curvature;
-    squared = advance(layout_, static_cast<float>(alpha), static_cast<float>(beta), z_, az_, p_, ap_, x_, r_);
-    ++iterations;
-  }
-  return squared;
 }
 
 }  // namespace grove::objects::fluid

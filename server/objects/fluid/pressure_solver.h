@@ -1,5 +1,6 @@
 #pragma once
 
+#include "objects/fluid/conjugate_gradients.h"
 #include "objects/fluid/grid.h"
 #include "objects/fluid/multigrid.h"
 #include "objects/fluid/pockets.h"
@@ -8,8 +9,8 @@
 namespace grove::objects::fluid {
 
 /// Makes a velocity free of divergence: solves the pressure equation by multigrid, from the last step's pressure. Where
-/// plain cycles converge slowly, as amid rubble finer than the coarse cells, conjugate gradients (Chronopoulos and
-/// Gear's form, one reduction an iteration) preconditioned with a V-cycle go on. One thread.
+/// plain cycles converge slowly, as amid rubble finer than the coarse cells, conjugate gradients
+/// preconditioned with a V-cycle go on. One thread.
 class PressureSolver {
  public:
   struct Options {
@@ -42,12 +43,12 @@ class PressureSolver {
   void refresh(SolidGrid& solids);
   Outcome iterate(double squaredB, const Options& options);
   FineWave::Norms cycle(double squaredResidual, bool first);
-  double conjugateGradients(double enough, int mostIterations, int& iterations);
 
   const Layout layout_;
   Multigrid multigrid_;
   Pockets pockets_;
-  Field b_, x_, next_, r_, z_, az_, p_, ap_;
+  ConjugateGradients gradients_;
+  Field b_, x_, next_;
 };
 
 }  // namespace grove::objects::fluid

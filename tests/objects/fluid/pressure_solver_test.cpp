@@ -7,7 +7,9 @@
 #include <random>
 #include <vector>
 
+#include "objects/fluid/conjugate_gradients.h"
 #include "objects/fluid/diagnostics.h"
+#include "objects/fluid/red_black.h"
 
 namespace grove::objects::fluid {
 namespace {
@@ -187,6 +189,54 @@ TEST(PressureSolver, StartsFromTheLastPressure) {
   solids.enforce(velocity);
   EXPECT_GT(first, 1);
   EXPECT_LE(solver.project(solids, velocity, {1.0e-4F, 60}).iterations, 1);
+}
+
+TEST(OtherSolvers, FindThePressureThatCyclesFind) {
+  constexpr int kCells = 32;
+  const Layout layout(kCells);
+  SolidGrid solids(layout, Sides::outdoors());
+  solids.setStatic(cellsWhere(kCells, oneCellWall));
+  Field b(layout.size());
+  for (int z = 0; z < kCells; ++z) {
+    for (int y = 0; y < kCells; ++y) {
+      for (int x = 0; x < kCells; ++x) {
+        b[layout.index(x, y, z)] = std::sin(0.3F * static_cast<float>(x + 2 * y)) + (x == 9 && z == 12 ? 1.0F : 0.0F);
+      }
+    }
+  }
+  PressureSolver ours(layout);
+  ours.solve(solids, b, {1.0e-5F, 60});
+  Multigrid multigrid(layout);
+  multigrid.rebuild(solids, CellBox::whole(kCells));
+  const rows::FineOperator a = multigrid.finest();
+  const auto worst = [&](const Field& x) {
+    double largest = 0.0;
+    double difference = 0.0;
+    for (std::size_t i = 0; i < layout.size(); ++i) {
+      const auto at = static_cast<std::ptrdiff_t>(i);
+      largest = std::max(largest, static_cast<double>(std::fabs(x[at])));
+      difference = std::max(difference, static_cast<double>(std::fabs(x[at] - ours.pressure()[at])));
+    }
+    return difference / largest;
+  };
+
+  Field x(layout.size());
+  ConjugateGradients gradients(layout);
+  int iterations = 0;
+  const auto diagonal = [&](const Field& r, Field& z, Field& az) { return applyDiagonal(layout, a, r, z, az); };
+  gradients.solve(a, Pockets(), diagonal, b, x, 0.0, 200, iterations);
+  EXPECT_LE(relativeResidual(solids, x, b), 2.0e-5);
+  EXPECT_LT(worst(x), 1.0e-3);
+
+  x.clear();
+  double last = 1.0;
+  for (int i = 0; i < 10; ++i) {
+    for (int sweep = 0; sweep < 20; ++sweep) sweepRedBlack(layout, a, b, x);
+    const double residual = relativeResidual(solids, x, b);
+    EXPECT_LT(residual, std::max(0.7 * last, 1.0e-5)) << i;
+    last = residual;
+  }
+  EXPECT_LT(worst(x), 1.0e-3);
 }
 
 TEST(PressureSolver, FollowsMovingSolids) {
