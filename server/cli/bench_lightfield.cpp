@@ -1,14 +1,11 @@
 #include "cli/bench_lightfield.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <atomic>
 #include <bit>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <latch>
 #include <nlohmann/json.hpp>
 #include <random>
@@ -19,6 +16,7 @@
 #include "bake/bake.h"
 #include "cli/lightfield_quality.h"
 #include "cli/progress.h"
+#include "measure/memory_use.h"
 #include "models/plants/plants.h"
 #include "objects/lightfield/format/light_field_file.h"
 #include "objects/lightfield/simd/simd_sampler.h"
@@ -139,15 +137,6 @@ Speed measure(const LightField& field, const std::vector<lightfield::ObjectCamer
   return {median(wall), median(cpu)};
 }
 
-/// Of this process, the mapped file included.
-std::size_t residentBytes() {
-  std::ifstream statm("/proc/self/statm");
-  std::size_t total = 0;
-  std::size_t resident = 0;
-  statm >> total >> resident;
-  return resident * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
-}
-
 }  // namespace
 
 int runBenchLightfield(const BenchLightfieldOptions& options) {
@@ -161,7 +150,7 @@ int runBenchLightfield(const BenchLightfieldOptions& options) {
   const auto cameras = randomCameras(field, options.requests, options.size);
   pipeline::WorkerPool pool(threads);
   const Speed speed = measure(field, cameras, options.size, DepthCorrection::kOn, pool);
-  const std::size_t resident = residentBytes();
+  const std::size_t resident = grove::measure::residentBytes();
   const Speed plain = measure(field, cameras, options.size, DepthCorrection::kOff, pool);
   const auto perSecond = [&](const Speed& of) { return static_cast<double>(options.requests) / of.wallSeconds; };
   const LightfieldQuality quality = measureQuality(field, DepthCorrection::kOn);

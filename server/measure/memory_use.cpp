@@ -1,6 +1,7 @@
 #include "measure/memory_use.h"
 
 #include <malloc.h>
+#include <unistd.h>
 
 #include <fstream>
 #include <limits>
@@ -31,5 +32,13 @@ MemoryUse MemoryUse::read() { return {bytesOf(kMaps, "Rss:"), bytesOf(kMaps, "Ps
 std::int64_t availableMemory() { return bytesOf("/proc/meminfo", "MemAvailable:"); }
 
 void returnFreedMemory() { malloc_trim(0); }
+
+std::size_t residentBytes() {
+  std::ifstream statm("/proc/self/statm");
+  std::size_t allPages = 0;
+  std::size_t residentPages = 0;
+  if (!(statm >> allPages >> residentPages)) return 0;
+  return residentPages * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+}
 
 }  // namespace grove::measure

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 namespace grove::measure {
@@ -12,6 +13,10 @@ struct MemoryUse {
   /// Throws EnvironmentError if the system does not tell.
   [[nodiscard]] static MemoryUse read();
 };
+
+/// MemoryUse::resident alone, which takes microseconds where the rest takes milliseconds. 0 if the system does not
+/// tell.
+[[nodiscard]] std::size_t residentBytes();
 
 /// Bytes that programs may still take without swapping. Throws EnvironmentError if the system does not tell.
 [[nodiscard]] std::int64_t availableMemory();

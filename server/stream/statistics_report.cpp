@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "measure/process_memory.h"
+#include "measure/memory_use.h"
 #include "measure/quality_policy.h"
 
 namespace grove::stream {

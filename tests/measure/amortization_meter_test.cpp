@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "measure/process_memory.h"
-
 namespace grove::measure {
 namespace {
 
@@ -64,13 +62,6 @@ TEST(AmortizationMeter, TellsWhomAMachineCanServe) {
   EXPECT_EQ(capacity.visitorsFit(2.0), 8);
   EXPECT_EQ(capacity.privateVisitorsFit(2.0), 3);
   EXPECT_EQ(capacity.visitorsFit(0.1), 0);
-}
-
-TEST(ProcessMemory, GrowsWithWhatIsTouched) {
-  const std::size_t before = residentBytes();
-  ASSERT_GT(before, 0u);
-  const std::vector<char> touched(64U << 20U, 1);
-  EXPECT_GT(residentBytes(), before + (48U << 20U)) << touched.size();
 }
 
 }  // namespace

@@ -21,5 +21,12 @@ TEST(MemoryUse, GrowsByWhatIsTouchedAndShrinksByWhatIsFreed) {
   EXPECT_GT(availableMemory(), 0);
 }
 
+TEST(MemoryUse, ResidentBytesGrowWithWhatIsTouched) {
+  const std::size_t before = residentBytes();
+  ASSERT_GT(before, 0u);
+  const std::vector<char> touched(64U << 20U, 1);
+  EXPECT_GT(residentBytes(), before + (48U << 20U)) << touched.size();
+}
+
 }  // namespace
 }  // namespace grove::measure

@@ -173,6 +173,8 @@ std::shared_ptr<const CachedView> LightFieldBackend::sharedView(const node::Requ
   }
   if (auto picture = cache_.find({object, cell.id})) return show("view cache hits", cell.id, picture);
   if (!late_.mayMake(view) && lastServes(LateViews::kLateness)) return show("views shown late", *lastCell, last);
+  const pipeline::TimedRun timed(timeline_, "Shared View", pipeline::Work::kAcrossUser, {view.session, view.frame},
+                                 "lightfield");
   return show("view cache misses", best.id, cache_.keep({object, best.id}, pictureOf(entry, best)));
 }
 
