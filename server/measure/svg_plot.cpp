@@ -194,13 +194,18 @@ std::vector<Drawn> drawable(const Panel& panel) {
   return drawn;
 }
 
+/// Of UTF-8: bytes that go on with a letter do not count.
+double letters(std::string_view words) {
+  return static_cast<double>(std::ranges::count_if(words, [](char c) { return (c & 0xC0) != 0x80; }));
+}
+
 /// Writes the legend's entries in rows from `y` on; returns how many rows there are.
 int legend(std::string& out, const std::vector<Drawn>& series, double y) {
   constexpr double kSample = 24.0;
   double x = kLeft;
   int rows = 1;
   for (const Drawn& one : series) {
-    const double width = kSample + 8.0 + kLetter * static_cast<double>(one.series.name.size()) + 12.0;
+    const double width = kSample + 8.0 + kLetter * letters(one.series.name) + 12.0;
     if (x > kLeft && x + width > kWidth - kRight) {
       x = kLeft;
       y += kLegendRow;
