@@ -64,9 +64,13 @@ Json rowJson(const AmortizeRow& row) {
 Json fitJson(const ModeFit& fit) {
   if (!fit.line) return {{"a", nullptr}, {"b", nullptr}};
   const auto interval = [](const measure::Estimate& of) { return Json::array({number(of.low), number(of.high)}); };
-  return {{"a", number(fit.line->a.value)},          {"b", number(fit.line->b.value)},
-          {"a_95", interval(fit.line->a)},           {"b_95", interval(fit.line->b)},
-          {"r_squared", number(fit.line->rSquared)}, {"residual", number(fit.line->residual)}};
+  return {{"a", number(fit.line->a.value)},
+          {"b", number(fit.line->b.value)},
+          {"a_95", interval(fit.line->a)},
+          {"b_95", interval(fit.line->b)},
+          {"r_squared", number(fit.line->rSquared)},
+          {"residual", number(fit.line->residual)},
+          {"over_users", fit.over}};
 }
 
 Json capacityJson(const Capacity& capacity) {

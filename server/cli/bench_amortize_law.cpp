@@ -7,15 +7,20 @@ namespace grove::cli {
 namespace {
 
 ModeFit fitOf(const std::vector<AmortizeRow>& rows, bool privateWorlds, int cores) {
+  const auto ofMode = [&](const AmortizeRow& row) { return row.privateWorlds == privateWorlds; };
+  const bool enoughServed =
+      std::ranges::count_if(rows, [&](const AmortizeRow& row) { return ofMode(row) && !row.saturated(); }) >= 3;
   ModeFit fit;
   std::vector<std::pair<double, double>> points;
   for (const AmortizeRow& row : rows) {
-    if (row.privateWorlds != privateWorlds) continue;
-    points.emplace_back(row.users, row.coresNeeded());
+    if (!ofMode(row)) continue;
     if (!row.saturated()) fit.capacity.served = std::max(fit.capacity.served, row.users);
+    if (enoughServed && row.saturated()) continue;
+    points.emplace_back(row.users, row.coresNeeded());
+    fit.over.push_back(row.users);
   }
   for (const AmortizeRow& row : rows) {
-    if (row.privateWorlds != privateWorlds || row.users <= fit.capacity.served) continue;
+    if (!ofMode(row) || row.users <= fit.capacity.served) continue;
     fit.capacity.unserved = std::min(fit.capacity.unserved.value_or(row.users), row.users);
   }
   fit.line = measure::linearFit(points);

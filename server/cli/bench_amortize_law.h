@@ -15,9 +15,12 @@ struct Capacity {
   std::optional<double> fitted;  ///< where the fitted line reaches the machine's cores; none without a rising line
 };
 
-/// Cores over visitors of one mode: CPU(N) = a + b N, of what serving at the nominal rate needs.
+/// Cores over visitors of one mode: CPU(N) = a + b N, of what serving at the nominal rate needs. Over the counts that
+/// the machine could serve if those are three or more, over all of them otherwise: where frames are few, more changes
+/// from one to the next, and each costs more than it would at the nominal rate.
 struct ModeFit {
   std::optional<measure::LinearFit> line;
+  std::vector<int> over;  ///< numbers of visitors
   Capacity capacity;
 };
 

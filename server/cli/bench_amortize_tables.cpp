@@ -29,7 +29,8 @@ std::string shown(const std::optional<double>& value) {
 void printRows(std::string& out, const std::vector<AmortizeRow>& rows) {
   print(out,
         "Milliseconds of CPU in a frame; cores of the process, its drivers' threads and the rest no stage tells;\n");
-  print(out, "cores that 30 frames a second for all need (* the machine gives fewer frames).\n\n");
+  print(out,
+        "cores that 30 frames a second for all need (* the machine gives fewer, and each of them costs more).\n\n");
   print(out,
         "visitors mode       c_i   c_b0   c_b1    c_f alpha0 alpha1  beta |    fps  p99 ms |   CPU driver  rest "
         "needed\n");
@@ -72,8 +73,11 @@ void printFit(std::string& out, const char* mode, const ModeFit& fit) {
   const Capacity& capacity = fit.capacity;
   print(out, "%-8s", mode);
   if (fit.line) {
-    print(out, " CPU(N) = %.3f [%.3f, %.3f] + %.3f [%.3f, %.3f] N, r^2 %.4f;", fit.line->a.value, fit.line->a.low,
+    print(out, " CPU(N) = %.3f [%.3f, %.3f] + %.3f [%.3f, %.3f] N, r^2 %.4f", fit.line->a.value, fit.line->a.low,
           fit.line->a.high, fit.line->b.value, fit.line->b.low, fit.line->b.high, fit.line->rSquared);
+    out += ", over";
+    for (const int users : fit.over) print(out, " %d", users);
+    out += ";";
   } else {
     print(out, " one number of visitors gives no line;");
   }

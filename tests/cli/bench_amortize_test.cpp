@@ -94,7 +94,7 @@ TEST(BenchAmortize, PrintsTheDocumentOfTheContractAndDraws) {
     EXPECT_EQ(row["types"]["fluid"]["c_i_ms"], row["c_i_ms"]) << "nothing else is across users";
   }
   for (const char* mode : {"shared", "private"}) {
-    expectKeys(document["fit"][mode], {"a", "b", "a_95", "b_95", "r_squared", "residual"});
+    expectKeys(document["fit"][mode], {"a", "b", "a_95", "b_95", "r_squared", "residual", "over_users"});
     EXPECT_TRUE(document["fit"][mode]["b_95"][0].is_null()) << "two counts say nothing of the error";
     expectKeys(document["law"]["capacity"][mode], {"served", "unserved", "fitted"});
   }
@@ -146,6 +146,16 @@ TEST(AmortizeLaw, HoldsForCostsThatObeyIt) {
   EXPECT_EQ(law.unshared.capacity.unserved, 4);
   EXPECT_NEAR(*law.lawStages, *law.unshared.capacity.fitted, 1e-9) << "M = N (1 - alpha) + alpha";
   EXPECT_NEAR(*law.gain, (1.4 / 0.15) / (2.0 / 0.75), 1e-9);
+}
+
+TEST(AmortizeLaw, FitsWhatTheMachineCouldServeIfThatIsEnough) {
+  std::vector<AmortizeRow> rows = {row(1, false, 30.0), row(2, false, 30.0), row(4, false, 30.0), row(8, false, 9.0)};
+  rows.back().costs["lightfield"].backend = 10.0;  // more to do anew, as frames are far apart
+  EXPECT_NEAR(amortizeLaw(rows, 2).shared.line->b.value, 0.15, 1e-9);
+  EXPECT_EQ(amortizeLaw(rows, 2).shared.over, (std::vector{1, 2, 4}));
+  rows.erase(rows.begin());
+  EXPECT_GT(amortizeLaw(rows, 2).shared.line->b.value, 0.3) << "two served counts are not enough";
+  EXPECT_EQ(amortizeLaw(rows, 2).shared.over, (std::vector{2, 4, 8}));
 }
 
 TEST(AmortizeLaw, CountsWhatNoStageTells) {
