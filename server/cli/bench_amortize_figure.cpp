@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -34,32 +35,59 @@ grid = )" + std::to_string(grid) +
   return world::parseScene(text, "fluid alone");
 }
 
-/// A tick's time grows with the number of cells.
-int gridForPapersTick(double tickOfDefault) {
-  const double edge = kDefaultGrid * std::cbrt(kPapersTick / std::max(0.1, tickOfDefault));
-  return std::clamp(kGridStep * static_cast<int>(std::lround(edge / kGridStep)), kGridStep * 2, kLargestGrid);
+/// c_i with one visitor; nothing if it was stopped.
+std::optional<double> tickOf(int grid, const gl::ShaderLibrary& shaders, const std::stop_token& stop) {
+  const auto row = runAmortize(fluidAlone(grid), shaders, {.frames = 30, .width = 160, .height = 90}, stop);
+  return row ? std::optional(row->cost().acrossUser) : std::nullopt;
+}
+
+/// The grid whose tick takes as long as the paper's, found step by step as a tick's time grows about with the number of
+/// cells, but faster where caches overflow; nothing if it was stopped.
+std::optional<int> gridForPapersTick(double tickOfDefault, const gl::ShaderLibrary& shaders,
+                                     const std::stop_token& stop) {
+  constexpr int kSteps = 3;
+  int grid = kDefaultGrid;
+  double tick = tickOfDefault;
+  for (int i = 0; i < kSteps; ++i) {
+    const double edge = grid * std::cbrt(kPapersTick / std::max(0.1, tick));
+    const int next =
+        std::clamp(kGridStep * static_cast<int>(std::lround(edge / kGridStep)), 2 * kGridStep, kLargestGrid);
+    if (next == grid) return grid;
+    grid = next;
+    log::info("Figure 5.6: trying grid " + std::to_string(grid));
+    const auto measured = tickOf(grid, shaders, stop);
+    if (!measured) return std::nullopt;
+    tick = *measured;
+  }
+  return grid;
+}
+
+/// The four columns with a grid; false if it was stopped before the last.
+bool measureColumns(std::vector<FigureColumn>& figure, int grid, AmortizeRun run, const gl::ShaderLibrary& shaders,
+                    const std::stop_token& stop) {
+  constexpr std::array<std::pair<int, int>, 4> kColumns = {{{1, 100}, {4, 100}, {1, 500}, {4, 500}}};
+  const world::Scene scene = fluidAlone(grid);
+  for (const auto& [frontends, frames] : kColumns) {
+    log::info("Figure 5.6: grid " + std::to_string(grid) + ", " + std::to_string(frames) + " frames");
+    run.users = frontends;
+    run.frames = frames;
+    const auto row = runAmortize(scene, shaders, run, stop);
+    if (!row) return false;
+    const auto cost = row->costs.find("fluid");
+    figure.push_back({grid, frontends, frames, cost != row->costs.end() ? cost->second : measure::FrameCost()});
+  }
+  return true;
 }
 
 }  // namespace
 
 std::vector<FigureColumn> runFigure(const gl::ShaderLibrary& shaders, int width, int height,
                                     const std::stop_token& stop) {
-  constexpr std::array<std::pair<int, int>, 4> kColumns = {{{1, 100}, {4, 100}, {1, 500}, {4, 500}}};
   std::vector<FigureColumn> figure;
-  int grid = kDefaultGrid;
-  for (int half = 0; half < 2; ++half) {
-    const world::Scene scene = fluidAlone(grid);
-    for (const auto& [frontends, frames] : kColumns) {
-      log::info("Figure 5.6: grid " + std::to_string(grid) + ", " + std::to_string(frames) + " frames");
-      const AmortizeRun run{.users = frontends, .frames = frames, .width = width, .height = height};
-      const auto row = runAmortize(scene, shaders, run, stop);
-      if (!row) return figure;
-      const auto cost = row->costs.find("fluid");
-      figure.push_back({grid, frontends, frames, cost != row->costs.end() ? cost->second : measure::FrameCost()});
-    }
-    grid = gridForPapersTick(figure.front().cost.acrossUser);
-    if (grid == kDefaultGrid) break;
-  }
+  const AmortizeRun run{.width = width, .height = height};
+  if (!measureColumns(figure, kDefaultGrid, run, shaders, stop)) return figure;
+  const auto grid = gridForPapersTick(figure.front().cost.acrossUser, shaders, stop);
+  if (grid && *grid != kDefaultGrid) measureColumns(figure, *grid, run, shaders, stop);
   return figure;
 }
 
