@@ -46,20 +46,23 @@ std::optional<double> tickOf(int grid, const gl::ShaderLibrary& shaders, const s
 std::optional<int> gridForPapersTick(double tickOfDefault, const gl::ShaderLibrary& shaders,
                                      const std::stop_token& stop) {
   constexpr int kSteps = 3;
+  const auto error = [](double milliseconds) { return std::abs(std::log(milliseconds / kPapersTick)); };
   int grid = kDefaultGrid;
-  double tick = tickOfDefault;
+  double tick = std::max(0.1, tickOfDefault);
+  std::pair nearest(error(tick), grid);
   for (int i = 0; i < kSteps; ++i) {
-    const double edge = grid * std::cbrt(kPapersTick / std::max(0.1, tick));
+    const double edge = grid * std::cbrt(kPapersTick / tick);
     const int next =
         std::clamp(kGridStep * static_cast<int>(std::lround(edge / kGridStep)), 2 * kGridStep, kLargestGrid);
-    if (next == grid) return grid;
+    if (next == grid) break;
     grid = next;
     log::info("Figure 5.6: trying grid " + std::to_string(grid));
     const auto measured = tickOf(grid, shaders, stop);
     if (!measured) return std::nullopt;
-    tick = *measured;
+    tick = std::max(0.1, *measured);
+    nearest = std::min(nearest, {error(tick), grid});
   }
-  return grid;
+  return nearest.second;
 }
 
 /// The four columns with a grid; false if it was stopped before the last.
