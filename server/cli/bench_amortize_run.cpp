@@ -9,6 +9,7 @@
 #include "gl/workers.h"
 #include "measure/thread_times.h"
 #include "node/registry.h"
+#include "node/transport/packed_loopback.h"
 #include "objects/builtin.h"
 #include "pipeline/error.h"
 #include "pipeline/log.h"
@@ -37,6 +38,11 @@ stream::HostOptions hostOptions(const AmortizeRun& run) {
   options.framesPerSecond = static_cast<int>(kNominalFps);
   options.mostVisitors = run.users;
   options.privateWorlds = run.privateWorlds;
+  if (run.packed) {
+    options.makeTransport = [](const node::Registry& registry, pipeline::Timeline& timeline) {
+      return std::make_unique<node::PackedLoopback>(registry, timeline);
+    };
+  }
   return options;
 }
 
