@@ -1,6 +1,8 @@
+import { perUser } from './amortization.js';
+import { kUnknown, known, milliseconds, percent, plain, visitors, whole } from './figures.js';
+
 /** Readable numbers change a few times a second, not with every frame. Milliseconds. */
 const kInterval = 250;
-const kUnknown = '\u2013';
 
 /** What each line says about a reading; `null` where it is not known yet. */
 const kLines = {
@@ -14,6 +16,22 @@ const kLines = {
   server: (reading) => reading.serverMs !== null && `${reading.serverMs.toFixed(1)} ms`,
 };
 
+const told = (value, tell) => known(value) !== null && tell(value);
+
+/** What each line says about what sharing saves; a line that is not told of is not there. */
+const kSavings = {
+  alpha: ({ alpha }) => told(alpha, percent),
+  beta: ({ beta }) => told(beta, percent),
+  everybody: ({ acrossUser }) => told(acrossUser, milliseconds),
+  visitor: (amortization) => told(perUser(amortization), milliseconds),
+  cost: ({ visitorCores }) => told(visitorCores, (cores) => `${plain(cores)} cores`),
+  fit: ({ visitorsFit }) => told(visitorsFit, visitors),
+  private: ({ isPrivate, privateVisitorsFit }) => !isPrivate && told(privateVisitorsFit, atMost),
+  mode: ({ isPrivate }) => isPrivate && 'off',
+};
+
+const atMost = (count) => (count === 0 ? 'none' : `at most ${whole(count)}`);
+
 /** The small panel of figures; hidden until it is asked for. */
 export class Overlay {
   #panel;
@@ -23,8 +41,8 @@ export class Overlay {
   #timer;
 
   /**
-   * `panel` has an element with `data-figure` for each line; `read()` gives a reading of Telemetry and WorldStatistics;
-   * `watch(shown)` is told when the panel appears and goes.
+   * `panel` has an element with `data-figure` or `data-saving` for each line; `read()` gives a reading of Telemetry and
+   * WorldStatistics; `watch(shown)` is told when the panel appears and goes.
    */
   constructor(panel, button, read, watch) {
     this.#panel = panel;
@@ -49,6 +67,14 @@ export class Overlay {
     const reading = this.#read();
     for (const figure of this.#panel.querySelectorAll('[data-figure]')) {
       figure.textContent = kLines[figure.dataset.figure](reading) || kUnknown;
+    }
+    const { amortization } = reading;
+    this.#panel.querySelector('[data-savings]').hidden = amortization === null;
+    if (amortization === null) return;
+    for (const figure of this.#panel.querySelectorAll('[data-saving]')) {
+      const text = kSavings[figure.dataset.saving](amortization) || '';
+      figure.textContent = text;
+      figure.parentElement.hidden = text === '';
     }
   }
 }

@@ -1,8 +1,10 @@
+import { amortizationOf } from './amortization.js';
+
 const kInterval = 1000;
 
 /** Share of the light fields' pictures that one visitor's view had made for another: 0..1, `null` before the first. */
 export function sharedViews(before, now) {
-  const grown = (name) => (now.counters[name] ?? 0) - (before?.counters[name] ?? 0);
+  const grown = (name) => (now.counters?.[name] ?? 0) - (before?.counters?.[name] ?? 0);
   const hits = grown('view cache hits');
   const all = hits + grown('view cache misses') + grown('views too near to share');
   return all > 0 ? hits / all : null;
@@ -15,6 +17,7 @@ export class WorldStatistics {
   #timer = null;
   #last = null;
   #shared = null;
+  #amortization = null;
 
   /** `fetch()` promises the statistics. `timers` is as `window`. */
   constructor(fetch, timers) {
@@ -29,7 +32,7 @@ export class WorldStatistics {
   }
 
   read() {
-    return { sharedViews: this.#shared };
+    return { sharedViews: this.#shared, amortization: this.#amortization };
   }
 
   #ask() {
@@ -38,10 +41,12 @@ export class WorldStatistics {
     this.#fetch().then(
       (statistics) => {
         this.#shared = sharedViews(this.#last, statistics);
+        this.#amortization = amortizationOf(statistics);
         this.#last = statistics;
       },
       () => {
         this.#shared = null; // the server is away: the page says so elsewhere
+        this.#amortization = null;
         this.#last = null;
       },
     );

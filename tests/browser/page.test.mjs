@@ -56,9 +56,9 @@ test('the overlay tells finite figures, by key and by button', async () => {
     await toggle();
     await overlay.waitFor({ state: 'visible' });
     await ada.page.waitForFunction(() =>
-      [...document.querySelectorAll('#overlay dd')].every((figure) => /^[0-9]|^JPEG$/.test(figure.textContent)),
+      [...document.querySelectorAll('[data-figure]')].every((figure) => /^[0-9]|^JPEG$/.test(figure.textContent)),
     );
-    const figures = await ada.page.$$eval('#overlay dd', (all) => all.map((figure) => figure.textContent));
+    const figures = await ada.page.$$eval('[data-figure]', (all) => all.map((figure) => figure.textContent));
     assert.equal(figures.length, 8);
     for (const figure of figures) assert.doesNotMatch(figure, /NaN|Infinity|undefined|null/);
     assert.ok(parseFloat(figures[1]) >= 0 && parseFloat(figures[2]) > 0, figures.join(', '));
@@ -66,6 +66,22 @@ test('the overlay tells finite figures, by key and by button', async () => {
     await overlay.waitFor({ state: 'hidden' });
   }
   assert.ok(Number.isFinite(Number((await ada.state()).latencyMs)));
+  await ada.leave();
+});
+
+test('the overlay tells what sharing saves, with explanations', async () => {
+  const ada = await arrive();
+  await ada.page.keyboard.press('o');
+  await ada.page.locator('[data-savings]').waitFor({ state: 'visible' });
+  const lines = await ada.page.$$eval('[data-savings] > div:not([hidden])', (all) =>
+    all.map((line) => ({ text: [...line.children].map((part) => part.textContent).join(' '), title: line.title })),
+  );
+  const whole = lines.map(({ text }) => text).join(', ');
+  assert.match(whole, /shared work \u03b1 (< |> )?\d+ %, shared memory \u03b2 (< |> )?\d+ %/);
+  assert.match(whole, /for everybody [\d,.]+ ms, for you [\d,.]+ ms, one more visitor [\d,.]+ cores/);
+  assert.match(whole, /room for \d+ visitors?, without sharing (none|at most \d+)/);
+  assert.doesNotMatch(whole, /NaN|Infinity|undefined|null|sharing off/);
+  for (const { text, title } of lines) assert.ok(title.length > 20, `${text} is explained`);
   await ada.leave();
 });
 

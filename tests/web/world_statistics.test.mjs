@@ -3,6 +3,7 @@ import { test } from 'node:test';
 
 import { WorldStatistics, sharedViews } from '../../web/world_statistics.js';
 import { FakeClock } from './fake_clock.mjs';
+import { sample } from './statistics_sample.mjs';
 
 const counted = (hits, misses, near) => ({
   counters: { 'view cache hits': hits, 'view cache misses': misses, 'views too near to share': near },
@@ -16,6 +17,7 @@ test('the share is of what was asked for since the last answer', () => {
 test('nothing asked for is not known, and neither is a server without light fields', () => {
   assert.equal(sharedViews(counted(3, 1, 0), counted(3, 1, 0)), null);
   assert.equal(sharedViews(null, { counters: {} }), null);
+  assert.equal(sharedViews({}, {}), null);
 });
 
 test('asks once a second while it is watched, and forgets what a lost server said', async () => {
@@ -25,17 +27,18 @@ test('asks once a second while it is watched, and forgets what a lost server sai
   const statistics = new WorldStatistics(async () => {
     asked += 1;
     if (!alive) throw new Error('gone');
-    return counted(asked * 9, asked, 0);
+    return { ...sample(), ...counted(asked * 9, asked, 0) };
   }, clock);
   statistics.watch(true);
   await Promise.resolve();
   assert.equal(asked, 1);
   assert.equal(statistics.read().sharedViews, 0.9);
+  assert.equal(statistics.read().amortization.visitorsFit, 5);
   alive = false;
   clock.advance(1000);
   await new Promise((done) => setImmediate(done));
   assert.equal(asked, 2);
-  assert.equal(statistics.read().sharedViews, null);
+  assert.deepEqual(statistics.read(), { sharedViews: null, amortization: null });
   statistics.watch(false);
   clock.advance(5000);
   assert.equal(asked, 2);

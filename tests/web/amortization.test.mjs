@@ -1,0 +1,37 @@
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+
+import { amortizationOf, perUser } from '../../web/amortization.js';
+import { sample } from './statistics_sample.mjs';
+
+test('reads what the server tells', () => {
+  const told = amortizationOf(sample());
+  assert.equal(told.isPrivate, false);
+  assert.deepEqual([told.visitors, told.acrossUser, told.cpuCores, told.cores], [3, 14.5, 1.31, 2]);
+  assert.deepEqual([told.visitorsFit, told.privateVisitorsFit], [5, 2]);
+  assert.equal(perUser(told), 8.5);
+  assert.deepEqual(told.types.map(({ name }) => name), ['', 'fluid', 'lightfield']);
+  assert.equal(told.types[1].acrossUserMb, 40.2);
+});
+
+test('a server that tells nothing, or is older, or is none', () => {
+  for (const odd of [{ amortization: null }, {}, null, undefined, { amortization: 7 }, { amortization: [] }, 'no']) {
+    assert.equal(amortizationOf(odd), null);
+  }
+});
+
+test('what cannot be is not known, the rest is', () => {
+  const odd = sample();
+  Object.assign(odd.amortization, { alpha: -0.2, beta: 1.5, c_b_ms: 'much', visitors_fit: null });
+  odd.amortization.types = { fluid: null, mesh: {} };
+  delete odd.amortization.cpu_cores;
+  const told = amortizationOf(odd);
+  for (const name of ['alpha', 'beta', 'backend', 'visitorsFit', 'cpuCores']) assert.equal(told[name], null, name);
+  assert.equal(perUser(told), null);
+  assert.equal(told.acrossUser, 14.5);
+  assert.deepEqual(told.types.map(({ name, alpha }) => [name, alpha]), [['mesh', null]]);
+});
+
+test('private mode is told as such', () => {
+  assert.equal(amortizationOf({ amortization: { ...sample().amortization, mode: 'private' } }).isPrivate, true);
+});

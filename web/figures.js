@@ -1,0 +1,55 @@
+/** What stands where a figure is not known. */
+export const kUnknown = '\u2013';
+
+/** A count, a time or a size as a server tells it; `null` for anything that cannot be one. */
+export function known(value) {
+  return typeof value === 'number' && Number.isFinite(value) && value >= 0 ? value : null;
+}
+
+/** As many digits as somebody reads at a glance: 1,234, 48.2, 1.31, 0.02. */
+export function plain(value) {
+  if (known(value) === null) return kUnknown;
+  if (value >= 99.95) return Math.round(value).toLocaleString('en');
+  return fixed(value, value >= 9.995 ? 1 : 2);
+}
+
+/** With so many decimals, for columns; what would round to nothing says so. */
+export function fixed(value, decimals) {
+  if (known(value) === null) return kUnknown;
+  if (value === 0) return '0';
+  const least = 10 ** -decimals;
+  if (value < least / 2) return `< ${least.toFixed(decimals)}`;
+  return value.toLocaleString('en', { minimumFractionDigits: decimals, maximumFractionDigits: decimals });
+}
+
+export function whole(value) {
+  return known(value) === null ? kUnknown : Math.round(value).toLocaleString('en');
+}
+
+/** Share of one, as alpha and beta are told: 0.78. Not all and not nothing never look as if they were. */
+export function share(value) {
+  if (known(value) === null) return kUnknown;
+  if (value > 0.99 && value < 1) return '> 0.99';
+  return value > 0 && value < 0.005 ? '< 0.01' : value.toFixed(2);
+}
+
+export function percent(value) {
+  if (known(value) === null) return kUnknown;
+  if (value > 0.99 && value < 1) return '> 99 %';
+  return value > 0 && value < 0.005 ? '< 1 %' : `${Math.round(value * 100)} %`;
+}
+
+export function milliseconds(value) {
+  return known(value) === null ? kUnknown : `${plain(value)} ms`;
+}
+
+/** Of decimal megabytes: 752 MB, 1.44 GB. */
+export function megabytes(value) {
+  if (known(value) === null) return kUnknown;
+  return value >= 999.5 ? `${plain(value / 1000)} GB` : `${plain(value)} MB`;
+}
+
+/** `1 visitor`, `8 visitors`. */
+export function visitors(count) {
+  return `${whole(count)} ${count === 1 ? 'visitor' : 'visitors'}`;
+}
