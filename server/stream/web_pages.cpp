@@ -8,13 +8,26 @@
 namespace grove::stream {
 namespace {
 
-using Type = std::pair<std::string_view, std::string_view>;
+using Pair = std::pair<std::string_view, std::string_view>;
 constexpr std::array kTypes = {
-    Type{".html", "text/html; charset=utf-8"},
-    Type{".css", "text/css; charset=utf-8"},
-    Type{".js", "text/javascript; charset=utf-8"},
-    Type{".svg", "image/svg+xml"},
+    Pair{".html", "text/html; charset=utf-8"},
+    Pair{".css", "text/css; charset=utf-8"},
+    Pair{".js", "text/javascript; charset=utf-8"},
+    Pair{".svg", "image/svg+xml"},
 };
+
+/// Pages that have a name of their own.
+constexpr std::array kNames = {
+    Pair{"/", "/index.html"},
+    Pair{"/operator", "/operator.html"},
+};
+
+std::string_view fileOf(std::string_view path) {
+  for (const auto& [name, file] : kNames) {
+    if (path == name) return file;
+  }
+  return path;
+}
 
 std::string_view typeOf(std::string_view path) {
   for (const auto& [suffix, type] : kTypes) {
@@ -53,7 +66,7 @@ PageReply WebPages::answer(std::string_view method, std::string_view path, std::
     reply.body = "ok";
     return reply;
   }
-  const auto found = pages_.find(path == "/" ? "/index.html" : path);
+  const auto found = pages_.find(fileOf(path));
   if (found == pages_.end()) {
     reply.status = 404;
     reply.body = "there is no such page\n";

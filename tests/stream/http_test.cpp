@@ -23,6 +23,16 @@ TEST_F(Http, ServesThePage) {
   EXPECT_EQ(request(port(), "GET", "/?name=Ada").body, page.body);
 }
 
+TEST_F(Http, ServesTheOperatorsPage) {
+  const HttpAnswer page = request(port(), "GET", "/operator");
+  EXPECT_EQ(page.status, 200);
+  EXPECT_TRUE(contains(page.head, "content-type: text/html"));
+  EXPECT_TRUE(contains(page.head, "content-security-policy: default-src 'self';"));
+  EXPECT_TRUE(contains(page.body, "operator.js"));
+  EXPECT_EQ(request(port(), "GET", "/operator.html").body, page.body);
+  EXPECT_EQ(request(port(), "GET", "/operator/").status, 404) << "its files would be looked for in another folder";
+}
+
 TEST_F(Http, ServesEveryFileWholeAndWithItsType) {
   for (const embedded::File& file : embedded::web()) {
     const std::string path = std::string("/") + file.path;

@@ -1,0 +1,128 @@
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+
+import { amortizationOf } from '../../web/amortization.js';
+import { frameCost, total } from '../../web/operator/frame_cost.js';
+import { memoryOf } from '../../web/operator/memory.js';
+import { Readings } from '../../web/operator/readings.js';
+import { sample } from './statistics_sample.mjs';
+
+function later(statistics, runs, cpu) {
+  const next = structuredClone(statistics);
+  for (const stage of Object.values(next.stages)) {
+    stage.runs += runs;
+    stage.cpu_ms += cpu;
+  }
+  return next;
+}
+
+const stage = (readings, name) => readings.stages().find((entry) => entry.name === name);
+
+test('one reading tells no rates, two do', () => {
+  const readings = new Readings();
+  assert.deepEqual(readings.stages(), []);
+  assert.equal(readings.newest, null);
+  readings.add(0, sample());
+  assert.deepEqual(
+    { ...stage(readings, 'Encoder') },
+    { name: 'Encoder', work: 'per-user-frontend', runsPerSecond: null, cpuPerRun: null, share: null, failures: 0 },
+  );
+  assert.equal(readings.cacheHits(), null);
+  readings.add(2000, later(sample(), 60, 150));
+  const { runsPerSecond, cpuPerRun, share } = stage(readings, 'Encoder');
+  assert.deepEqual([runsPerSecond, cpuPerRun, share], [30, 2.5, 0.25]);
+});
+
+test('rates are of the last five seconds', () => {
+  const readings = new Readings();
+  let statistics = sample();
+  for (let second = 0; second <= 20; second += 1) {
+    readings.add(second * 1000, statistics);
+    statistics = later(statistics, second < 10 ? 30 : 10, 20);
+  }
+  assert.equal(stage(readings, 'Renderer').runsPerSecond, 10);
+});
+
+test('a stage that did not run has no cost of a run, and a new one counts from nothing', () => {
+  const readings = new Readings();
+  const { Encoder: encoder, ...others } = sample().stages;
+  readings.add(0, { ...sample(), stages: others });
+  readings.add(1000, sample());
+  assert.equal(stage(readings, 'Renderer').cpuPerRun, null);
+  assert.equal(stage(readings, 'Renderer').runsPerSecond, 0);
+  assert.equal(stage(readings, 'Encoder').runsPerSecond, encoder.runs);
+});
+
+test('a server that started anew is not compared with what was before', () => {
+  for (const forget of [(s) => (s.stages.Encoder.runs = 4), (s) => delete s.stages.Encoder, (s) => (s.counters = {})]) {
+    const readings = new Readings();
+    readings.add(0, sample());
+    const fresh = sample();
+    forget(fresh);
+    readings.add(1000, fresh);
+    assert.equal(stage(readings, 'Renderer').runsPerSecond, null);
+    assert.equal(readings.newest, fresh);
+  }
+});
+
+test('stages for everybody come first, and what cannot be one is left out', () => {
+  const readings = new Readings();
+  const strange = { runs: 2, work: 'night work', cpu_ms: 'much' };
+  const odd = { Broken: null, Empty: {}, Negative: { runs: -3 }, Strange: strange };
+  readings.add(0, { stages: { ...odd, ...sample().stages } });
+  readings.add(1000, { stages: { ...odd, ...sample().stages } });
+  const names = readings.stages().map(({ name }) => name);
+  assert.deepEqual(names, ['Simulation Tick', 'Renderer', 'Compositor', 'Encoder', 'Strange']);
+  readings.add(2000, {});
+  assert.deepEqual(readings.stages(), []);
+});
+
+test('hits of the cache are those between the readings', () => {
+  const readings = new Readings();
+  readings.add(0, sample());
+  const next = sample();
+  next.counters['view cache hits'] += 90;
+  next.counters['view cache misses'] += 10;
+  readings.add(1000, next);
+  assert.equal(readings.cacheHits(), 0.9);
+});
+
+test('a frame costs a share of the work for everybody, and its own', () => {
+  const cost = frameCost(amortizationOf(sample()));
+  assert.equal(cost.now.shared, 14.5 / 3);
+  assert.ok(Math.abs(total(cost.now) - (1.31 * 1000) / (3 * 29.9)) < 1e-9, 'the parts are all that the process used');
+  const own = cost.now.backend + cost.now.frontend + cost.now.other;
+  assert.ok(Math.abs(total(cost.alone) - own * (2.2 / 3 / 0.29)) < 1e-9, 'as the server predicts');
+  assert.equal(cost.alone.frontend, 5.5);
+});
+
+test('in private mode a visitor has all of the work, and nothing to compare it with', () => {
+  const { amortization } = sample();
+  const cost = frameCost(amortizationOf({ amortization: { ...amortization, mode: 'private' } }));
+  assert.equal(cost.now.shared, 14.5);
+  assert.equal(cost.alone, null);
+});
+
+test('what a frame costs is not known without its parts', () => {
+  for (const odd of [{ c_b_ms: null }, { c_i_ms: -1 }, { visitors: 0 }, { frames_per_second: NaN }]) {
+    assert.equal(frameCost(amortizationOf({ amortization: { ...sample().amortization, ...odd } })), null);
+  }
+  const little = { ...sample().amortization, cpu_cores: null, visitor_cores: 0 };
+  const less = frameCost(amortizationOf({ amortization: little }));
+  assert.deepEqual([less.now.other, less.alone], [0, null]);
+});
+
+test('memory is told by holders, the largest first, with what has no name', () => {
+  const { resident, holders, told, rest } = memoryOf(sample());
+  assert.deepEqual(holders.map(({ name }) => name), ['light fields', 'view cache', 'targets']);
+  assert.equal(holders[0].share, 752.1 / resident);
+  assert.ok(Math.abs(told + rest - resident) < 1e-9);
+});
+
+test('holders may tell of more than lies in memory; odd ones are left out; an older server tells nothing', () => {
+  const memory = { resident_mb: 100, holders: [{ holder: 'files', mb: 130 }, { holder: 'odd', mb: -4 }, null] };
+  const { holders, rest } = memoryOf({ memory });
+  assert.deepEqual([holders.length, rest], [1, null]);
+  assert.equal(memoryOf({ memory: { resident_mb: 100 } }).rest, 100);
+  for (const odd of [{}, null, { memory: null }, { memory: { resident_mb: -1 } }]) assert.equal(memoryOf(odd), null);
+});

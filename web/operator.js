@@ -1,0 +1,94 @@
+import { amortizationOf } from './amortization.js';
+import { known } from './figures.js';
+import { makeCharts } from './operator/charts.js';
+import { CostBars } from './operator/cost_bars.js';
+import { memoryWords, writeFigures } from './operator/figures_panel.js';
+import { frameCost } from './operator/frame_cost.js';
+import { History } from './operator/history.js';
+import { write } from './operator/live_table.js';
+import { memoryOf } from './operator/memory.js';
+import { Poll } from './operator/poll.js';
+import { Readings } from './operator/readings.js';
+import { situation } from './operator/situation.js';
+import { makeTables } from './operator/tables.js';
+
+const kStates = { asking: 'asking', live: 'live', paused: 'paused', lost: 'out of reach' };
+
+const element = (id) => document.getElementById(id);
+const readings = new Readings();
+const history = new History();
+const tables = makeTables(document);
+const bars = new CostBars(element('frame'));
+const drawCharts = makeCharts(element('charts').querySelector('div'), element('chart'));
+let heard = null;
+
+const poll = new Poll({
+  ask: () => fetch('/statistics.json', { cache: 'no-store' }).then(read),
+  on: { answer, lost: () => leaveLive('lost') },
+  timers: {
+    setTimeout: (callback, delay) => window.setTimeout(callback, delay),
+    clearTimeout: (timer) => window.clearTimeout(timer),
+  },
+});
+
+async function read(reply) {
+  const statistics = reply.ok ? await reply.json() : null;
+  if (typeof statistics !== 'object' || statistics === null) throw new Error('these are no statistics');
+  return statistics;
+}
+
+function answer(statistics) {
+  const now = performance.now();
+  const amortization = amortizationOf(statistics);
+  heard = new Date().toLocaleTimeString();
+  readings.add(now, statistics);
+  history.add(now, {
+    visitors: known(statistics.visitors),
+    cores: amortization?.cpuCores,
+    alpha: amortization?.alpha,
+    fps: amortization?.framesPerSecond,
+  });
+  show(statistics, amortization, now);
+  enter('live', statistics);
+}
+
+/** What is shown stays, as what it is: the past. */
+function leaveLive(state) {
+  readings.clear();
+  enter(state);
+}
+
+function enter(state, statistics = null) {
+  document.documentElement.dataset.state = state;
+  write(element('state'), kStates[state]);
+  const words = situation(state, statistics, heard);
+  element('notice').classList.toggle('quiet', words === null);
+  write(element('notice').querySelector('strong'), words?.title ?? '');
+  write(element('notice').querySelector('span'), words?.text ?? '');
+}
+
+function show(statistics, amortization, now) {
+  const memory = memoryOf(statistics);
+  writeFigures(document, { statistics, amortization, cacheHits: readings.cacheHits() });
+  bars.show(amortization && frameCost(amortization), amortization?.isPrivate ?? false);
+  drawCharts(history, now, amortization?.cores);
+  tables.types(amortization);
+  tables.stages(readings.stages());
+  tables.memory(memory);
+  write(element('resident'), memoryWords(memory));
+  element('types').hidden = amortization === null;
+}
+
+function watch() {
+  if (document.hidden) {
+    poll.stop();
+    leaveLive('paused');
+  } else {
+    enter('asking');
+    poll.start();
+  }
+}
+
+document.addEventListener('visibilitychange', watch);
+window.addEventListener('online', watch);
+watch();

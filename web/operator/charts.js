@@ -1,0 +1,24 @@
+import { plain, share, whole } from '../figures.js';
+import { Chart } from './chart.js';
+
+const kCharts = [
+  { name: 'visitors', title: 'visitors', least: 4, tell: whole },
+  { name: 'cores', title: 'CPU cores busy', least: 1, tell: plain },
+  { name: 'alpha', title: 'shared work \u03b1', least: 1, tell: share },
+  { name: 'fps', title: 'frames a second', least: 30, tell: plain },
+];
+
+/** Fills `place` with the charts; gives a function that draws them, of a History up to `end`. */
+export function makeCharts(place, template) {
+  const charts = kCharts.map(({ name, title, least, tell }) => {
+    const figure = template.content.cloneNode(true).firstElementChild;
+    figure.querySelector('figcaption span').textContent = title;
+    place.append(figure);
+    return { name, chart: new Chart(figure, { least, tell }) };
+  });
+  return (history, end, machineCores) => {
+    for (const { name, chart } of charts) {
+      chart.draw(history.of(name), end, name === 'cores' && machineCores ? machineCores : undefined);
+    }
+  };
+}

@@ -1,0 +1,74 @@
+import { known } from '../figures.js';
+import { sharedViews } from '../world_statistics.js';
+
+/** What rates are told over: long enough to be steady, short enough to be live. Milliseconds. */
+const kSpan = 5000;
+
+const stagesOf = ({ stages }) => Object.entries(stages ?? {}).filter(([, stage]) => known(stage?.runs) !== null);
+
+/** Whether sums since the start have become smaller: then it was another start. */
+function startedAnew(before, now) {
+  const shrank = ([name, stage]) => (now.stages?.[name]?.runs ?? 0) < stage.runs;
+  const less = ([name, count]) => (now.counters?.[name] ?? 0) < count;
+  return stagesOf(before).some(shrank) || Object.entries(before.counters ?? {}).some(less);
+}
+
+/** The newest answers of the server, and what has happened between them. Times in milliseconds. */
+export class Readings {
+  #entries = [];
+
+  add(time, statistics) {
+    if (this.#entries.length > 0 && startedAnew(this.newest, statistics)) this.clear();
+    this.#entries.push({ time, statistics });
+    while (this.#entries.length > 2 && this.#entries[1].time <= time - kSpan) this.#entries.shift();
+  }
+
+  /** To be called when it was not asked for a while. */
+  clear() {
+    this.#entries = [];
+  }
+
+  get newest() {
+    return this.#entries.at(-1)?.statistics ?? null;
+  }
+
+  /**
+   * Stages, those for everybody first. Rates are `null` before the second reading, and what needs a run is `null`
+   * where there was none; `share` is of the CPU of all stages; `failures` are since the start.
+   */
+  stages() {
+    const first = this.#entries[0];
+    const last = this.#entries.at(-1);
+    if (!last) return [];
+    const seconds = (last.time - first.time) / 1000;
+    const grown = stagesOf(last.statistics).map(([name, stage]) => {
+      const past = first.statistics.stages?.[name];
+      return {
+        name,
+        work: String(stage.work),
+        runs: known(stage.runs - (known(past?.runs) ?? 0)) ?? 0,
+        cpu: known(stage.cpu_ms - (known(past?.cpu_ms) ?? 0)) ?? 0,
+        failures: known(stage.failures),
+      };
+    });
+    const all = grown.reduce((sum, stage) => sum + stage.cpu, 0);
+    return grown
+      .map(({ name, work, runs, cpu, failures }) => ({
+        name,
+        work,
+        runsPerSecond: seconds > 0 ? runs / seconds : null,
+        cpuPerRun: seconds > 0 && runs > 0 ? cpu / runs : null,
+        share: seconds > 0 && all > 0 ? cpu / all : null,
+        failures,
+      }))
+      .sort((a, b) => order(a.work) - order(b.work) || a.name.localeCompare(b.name));
+  }
+
+  /** Share of the light fields' pictures that had been made for another view; `null` if none was asked for. */
+  cacheHits() {
+    return this.#entries.length < 2 ? null : sharedViews(this.#entries[0].statistics, this.newest);
+  }
+}
+
+const kOrder = ['across-user', 'per-user-backend', 'per-user-frontend'];
+const order = (work) => (kOrder.includes(work) ? kOrder.indexOf(work) : kOrder.length);

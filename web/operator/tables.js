@@ -1,0 +1,66 @@
+import { fixed, percent, share, whole } from '../figures.js';
+import { LiveTable, bar, text, work } from './live_table.js';
+
+const kAll = 'all together';
+const kNoType = 'no single type';
+
+function typesTable(body) {
+  const table = new LiveTable(body, [
+    (cell, { name }) => {
+      text(() => name || kNoType)(cell);
+      if (!name) cell.title = 'Camera, encoder, transport: what serves no single type';
+    },
+    text(({ acrossUser }) => fixed(acrossUser, 2)),
+    text(({ backend }) => fixed(backend, 2)),
+    text(({ frontend }) => fixed(frontend, 2)),
+    text(({ alpha }) => share(alpha)),
+    text(({ beta }) => share(beta)),
+    text(({ acrossUserMb }) => fixed(acrossUserMb, 1)),
+    text(({ perVisitorMb }) => fixed(perVisitorMb, 1)),
+  ]);
+  return (amortization) => {
+    const types = [...(amortization?.types ?? [])].sort((a, b) => (a.name || '~').localeCompare(b.name || '~'));
+    const all = amortization ? [{ ...amortization, key: kAll, name: kAll }] : [];
+    table.show([...types.map((type) => ({ key: `type ${type.name}`, ...type })), ...all]);
+  };
+}
+
+function stagesTable(body) {
+  const table = new LiveTable(body, [
+    text(({ name }) => name),
+    work,
+    text(({ runsPerSecond }) => fixed(runsPerSecond, 1)),
+    text(({ cpuPerRun }) => fixed(cpuPerRun, 2)),
+    bar(({ share }) => share, ({ share }) => percent(share)),
+    (cell, { failures }) => {
+      text(() => whole(failures))(cell);
+      cell.classList.toggle('bad', failures > 0);
+    },
+  ]);
+  return (stages) => table.show(stages.map((stage) => ({ key: stage.name, ...stage })));
+}
+
+function memoryTable(body) {
+  const table = new LiveTable(body, [
+    text(({ name }) => name),
+    text(({ type }) => type),
+    (cell, entry) => (entry.work ? work(cell, entry) : text(() => '')(cell)),
+    text(({ mb }) => fixed(mb, 1)),
+    bar(({ share }) => Math.min(1, share), ({ share }) => percent(share)),
+  ]);
+  return (memory) => {
+    const holders = memory?.holders ?? [];
+    const rows = holders.map((entry) => ({ key: `${entry.name} ${entry.type} ${entry.work}`, ...entry }));
+    if (typeof memory?.rest === 'number') {
+      const name = holders.length > 0 ? 'everything else' : 'without a name';
+      rows.push({ key: 'rest', name, type: '', mb: memory.rest, share: memory.rest / memory.resident });
+    }
+    table.show(rows);
+  };
+}
+
+/** The page's tables, each a function that shows what it is given. */
+export function makeTables(root) {
+  const body = (id) => root.querySelector(`#${id} tbody`);
+  return { types: typesTable(body('types')), stages: stagesTable(body('stages')), memory: memoryTable(body('memory')) };
+}
