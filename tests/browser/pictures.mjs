@@ -34,6 +34,15 @@ async function takeTogether(browser, visitors, name) {
   await page.close();
 }
 
+/** The operator's page, once its charts have something to show. */
+async function takeOperator(browser) {
+  const page = await browser.newPage({ viewport: { width: 1400, height: 900 }, colorScheme: 'dark' });
+  await page.goto(`${server.url}operator`);
+  await page.waitForTimeout(90_000);
+  await page.screenshot({ path: `${kFolder}operator.jpg`, type: 'jpeg', quality: 88, fullPage: true });
+  await page.close();
+}
+
 await mkdir(kFolder, { recursive: true });
 const server = await Server.start();
 const browser = await launchBrowser();
@@ -61,6 +70,7 @@ try {
   await ada.page.keyboard.press('o');
   await ada.page.waitForTimeout(500);
   await takeTogether(browser, [ada, ben, cleo, dan], 'players');
+  await takeOperator(browser);
 } finally {
   await browser.close();
   await server.end();

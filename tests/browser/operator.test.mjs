@@ -1,0 +1,133 @@
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+
+import { Server, Visitor, freePort, launchBrowser } from './helpers.mjs';
+
+let browser;
+let server;
+
+before(async () => {
+  browser = await launchBrowser();
+  server = await Server.start();
+});
+
+after(async () => {
+  await browser?.close();
+  await server?.end();
+});
+
+const open = (url, options) => Visitor.arrive(browser, `${url}operator`, options);
+
+/** The text of each big figure. */
+const figures = (operator) =>
+  operator.page.$$eval('#figures [data-figure]', (all) =>
+    Object.fromEntries(all.map((figure) => [figure.dataset.figure, figure.textContent])),
+  );
+
+const overflow = (operator) =>
+  operator.page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
+
+test('while nobody is here it says so, and tells what is known', async () => {
+  const operator = await open(server.url);
+  await operator.until('state', 'live');
+  await operator.page.getByText('Nobody is here').waitFor();
+  assert.deepEqual(await figures(operator), { visitors: '0', fps: '–', alpha: '–', beta: '–', cores: '–', fit: '–' });
+  assert.match(await operator.page.locator('#resident').textContent(), /holds [\d.,]+ [MG]B/);
+  await operator.page.getByRole('row', { name: /^Simulation Tick/ }).waitFor();
+  await operator.leave();
+});
+
+test('figures appear once a visitor is there, finite and with units', async () => {
+  const operator = await open(server.url, { viewport: { width: 1400, height: 900 } });
+  await operator.until('state', 'live');
+  const ada = await Visitor.arrive(browser, server.url);
+  await ada.until('connection', 'open');
+  await ada.frames(2);
+  await operator.page.waitForFunction(() =>
+    [...document.querySelectorAll('#figures [data-figure]')].every((figure) => /\d/.test(figure.textContent)),
+  );
+  const { visitors, alpha, cores } = await figures(operator);
+  assert.equal(visitors, '1');
+  assert.match(alpha, /^(> |< )?[01]\.\d\d$/);
+  assert.ok(parseFloat(cores) > 0, cores);
+  await operator.page.getByText('in private mode, at least').waitFor();
+  for (const name of [/^lightfield/, /^all together/, /^Encoder/]) {
+    await operator.page.getByRole('row', { name }).first().waitFor();
+  }
+  await operator.page.waitForFunction(() => document.querySelector('#charts [data-chart=line]').getAttribute('d'));
+  await operator.page.waitForFunction(() => !document.querySelector('#notice').textContent.trim());
+  assert.doesNotMatch(await operator.page.locator('body').innerText(), /NaN|Infinity|undefined|null|\[object/);
+  assert.ok(!(await operator.page.content()).includes('NaN'), 'no path or width of a picture either');
+  await ada.leave();
+  await operator.leave();
+});
+
+test('fits every width, in the dark and in the light', async () => {
+  for (const colorScheme of ['dark', 'light']) {
+    const operator = await open(server.url, { viewport: { width: 360, height: 640 }, colorScheme });
+    await operator.until('state', 'live');
+    for (const width of [360, 800, 1400]) {
+      await operator.page.setViewportSize({ width, height: 640 });
+      assert.equal(await overflow(operator), 0, `${width}`);
+    }
+    const [ground, ink] = await operator.page.evaluate(() => {
+      const style = getComputedStyle(document.body);
+      return [style.backgroundColor, style.color].map((colour) => Number(colour.match(/\d+/)[0]));
+    });
+    assert.ok(colorScheme === 'dark' ? ground < 60 && ink > 190 : ground > 190 && ink < 60, `${ground}, ${ink}`);
+    await operator.leave();
+  }
+});
+
+test('headings, tables and regions have names', async () => {
+  const operator = await open(server.url);
+  await operator.until('state', 'live');
+  const { page } = operator;
+  for (const name of ['One frame of one visitor', 'The last two minutes', 'Stages', 'Memory']) {
+    await page.getByRole('heading', { name }).waitFor();
+  }
+  await page.getByRole('region', { name: 'Stages' }).first().waitFor();
+  await page.getByRole('columnheader', { name: 'failures' }).waitFor();
+  await page.getByRole('rowheader', { name: 'Simulation Tick' }).waitFor();
+  assert.equal(await page.getByRole('link', { name: /trace for Perfetto/ }).getAttribute('href'), '/trace.json');
+  await operator.leave();
+});
+
+test('a server that dies leaves its last words in grey, and is found again', async () => {
+  const port = await freePort();
+  let mortal = await Server.start({ port });
+  const operator = await open(mortal.url);
+  try {
+    await operator.until('state', 'live');
+    await mortal.end('SIGKILL');
+    await operator.until('state', 'lost');
+    assert.match(await operator.page.getByRole('status').textContent(), /out of reach.*said last, at .*Trying again/s);
+    assert.equal((await figures(operator)).visitors, '0', 'its last words');
+    assert.ok(Number(await operator.page.$eval('main', (main) => getComputedStyle(main).opacity)) < 0.7, 'are grey');
+
+    mortal = await Server.start({ port });
+    await operator.until('state', 'live');
+    await operator.page.getByText('out of reach').first().waitFor({ state: 'hidden' });
+  } finally {
+    await mortal.end();
+  }
+  // The browser itself reports each refused connection.
+  await operator.leave(/Failed to load resource/);
+});
+
+test('private mode is told as such', async () => {
+  const alone = await Server.start({ options: ['--private', '--scene', 'tests/browser/clearing.toml'] });
+  try {
+    const ada = await Visitor.arrive(browser, alone.url);
+    await ada.until('connection', 'open');
+    await ada.frames(2);
+    const operator = await open(alone.url);
+    await operator.page.getByRole('status').getByText('Private mode').waitFor();
+    await operator.page.getByText('now, in private mode').waitFor();
+    assert.ok(await operator.page.locator('[data-cost=alone]').isHidden());
+    await operator.leave();
+    await ada.leave();
+  } finally {
+    await alone.end();
+  }
+});
