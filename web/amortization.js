@@ -2,21 +2,22 @@ import { known } from './figures.js';
 
 const isObject = (value) => typeof value === 'object' && value !== null && !Array.isArray(value);
 
-/** A share of one, else `null`. */
-function part(value) {
+/** A share of one, else `null`; there is no share of `wholes` that are all nothing. */
+function part(value, wholes) {
   const number = known(value);
-  return number !== null && number <= 1 ? number : null;
+  return number !== null && number <= 1 && wholes.some((whole) => whole !== 0) ? number : null;
 }
 
 function costs(told) {
+  const { c_i_ms: i, c_b_ms: b, c_f_ms: f, across_user_mb: across, per_visitor_mb: each } = told;
   return {
-    acrossUser: known(told.c_i_ms),
-    backend: known(told.c_b_ms),
-    frontend: known(told.c_f_ms),
-    alpha: part(told.alpha),
-    beta: part(told.beta),
-    acrossUserMb: known(told.across_user_mb),
-    perVisitorMb: known(told.per_visitor_mb),
+    acrossUser: known(i),
+    backend: known(b),
+    frontend: known(f),
+    alpha: part(told.alpha, [i, b, f]),
+    beta: part(told.beta, [across, each]),
+    acrossUserMb: known(across),
+    perVisitorMb: known(each),
   };
 }
 

@@ -44,7 +44,9 @@ test('figures appear once a visitor is there, finite and with units', async () =
   await ada.until('connection', 'open');
   await ada.frames(2);
   await operator.page.waitForFunction(() =>
-    [...document.querySelectorAll('#figures [data-figure]')].every((figure) => /\d/.test(figure.textContent)),
+    ['visitors', 'fps', 'alpha', 'cores', 'fit'].every((name) =>
+      /\d/.test(document.querySelector(`[data-figure=${name}]`).textContent),
+    ),
   );
   const { visitors, alpha, cores } = await figures(operator);
   assert.equal(visitors, '1');

@@ -32,6 +32,12 @@ test('what cannot be is not known, the rest is', () => {
   assert.deepEqual(told.types.map(({ name, alpha }) => [name, alpha]), [['mesh', null]]);
 });
 
+test('there is no share of nothing', () => {
+  const none = { ...sample().amortization, across_user_mb: 0, per_visitor_mb: 0, beta: 0, alpha: 0 };
+  const told = amortizationOf({ amortization: none });
+  assert.deepEqual([told.alpha, told.beta], [0, null], 'where no memory is told of, nothing is known of sharing it');
+});
+
 test('private mode is told as such', () => {
   assert.equal(amortizationOf({ amortization: { ...sample().amortization, mode: 'private' } }).isPrivate, true);
 });
