@@ -28,13 +28,15 @@ Capacity capacityOf(const Amortization& measured, double nominalFramesPerSecond)
   const FrameCost cost = sum(measured.costs);
   const double coresPerMillisecond = nominalFramesPerSecond / 1000.0;
   const double frames = measured.visitors * measured.framesPerSecond;
-  const double told = (cost.acrossUser * measured.framesPerSecond + cost.perUser() * frames) / 1000.0;
+  const double clocked = cost.acrossUser - cost.onDemand;
+  const double told =
+      (clocked * nominalFramesPerSecond + cost.onDemand * measured.framesPerSecond + cost.perUser() * frames) / 1000.0;
   const double untold = frames > 0.0 ? std::max(0.0, measured.cpuCores - told) / frames * nominalFramesPerSecond : 0.0;
   Capacity capacity;
   capacity.base = cost.acrossUser * coresPerMillisecond;
   capacity.visitor = cost.perUser() * coresPerMillisecond + untold;
   // Alone, a visitor has all the clocked work, and of the work on demand at least his share.
-  const double own = cost.acrossUser - cost.onDemand + cost.onDemand / std::max(1.0, measured.visitors);
+  const double own = clocked + cost.onDemand / std::max(1.0, measured.visitors);
   capacity.privateVisitor = own * coresPerMillisecond + capacity.visitor;
   return capacity;
 }

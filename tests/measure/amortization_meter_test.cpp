@@ -46,6 +46,15 @@ TEST(AmortizationMeter, TellsOfTheLastSamplesOnly) {
   EXPECT_NEAR(sum(measured->costs).acrossUser, 6.0, 1e-9);
 }
 
+TEST(AmortizationMeter, KnowsThatClocksDoNotWaitForSlowFrames) {
+  Amortization measured;
+  measured.visitors = 2.0;
+  measured.framesPerSecond = 3.0;
+  measured.costs["fluid"] = {.acrossUser = 10.0, .frontend = 5.0};
+  measured.cpuCores = (30.0 * 10.0 + 2 * 3.0 * 5.0) / 1000.0;
+  EXPECT_NEAR(capacityOf(measured, 30.0).visitor, 0.15, 1e-9) << "all of its CPU is accounted for";
+}
+
 TEST(AmortizationMeter, TellsWhomAMachineCanServe) {
   Amortization measured;
   measured.visitors = 4.0;
