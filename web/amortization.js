@@ -35,6 +35,8 @@ export function amortizationOf(statistics) {
     visitors: known(told.visitors),
     framesPerSecond: known(told.frames_per_second),
     ...costs(told),
+    other: known(told.other_ms),
+    privateFrame: known(told.private_frame_ms),
     cpuCores: known(told.cpu_cores),
     cores: known(told.cores),
     visitorCores: known(told.visitor_cores),

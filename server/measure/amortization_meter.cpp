@@ -31,10 +31,10 @@ Capacity capacityOf(const Amortization& measured, double nominalFramesPerSecond)
   const double clocked = cost.acrossUser - cost.onDemand;
   const double told =
       (clocked * nominalFramesPerSecond + cost.onDemand * measured.framesPerSecond + cost.perUser() * frames) / 1000.0;
-  const double untold = frames > 0.0 ? std::max(0.0, measured.cpuCores - told) / frames * nominalFramesPerSecond : 0.0;
   Capacity capacity;
+  capacity.untold = frames > 0.0 ? std::max(0.0, measured.cpuCores - told) / frames * nominalFramesPerSecond : 0.0;
   capacity.base = cost.acrossUser * coresPerMillisecond;
-  capacity.visitor = cost.perUser() * coresPerMillisecond + untold;
+  capacity.visitor = cost.perUser() * coresPerMillisecond + capacity.untold;
   // Alone, a visitor has all the clocked work, and of the work on demand at least his share.
   const double own = clocked + cost.onDemand / std::max(1.0, measured.visitors);
   capacity.privateVisitor = own * coresPerMillisecond + capacity.visitor;

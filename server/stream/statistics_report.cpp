@@ -64,6 +64,8 @@ Json amortization(const measure::AmortizationMeter& meter) {
   report.update(
       Json{{"cpu_cores", measured->cpuCores},
            {"cores", cores},
+           {"other_ms", capacity.untold * 1000.0 / meter.nominalFramesPerSecond()},
+           {"private_frame_ms", capacity.privateVisitor * 1000.0 / meter.nominalFramesPerSecond()},
            {"visitor_cores", meter.privateWorlds() ? capacity.privateVisitor : capacity.visitor},
            {"visitors_fit", meter.privateWorlds() ? capacity.privateVisitorsFit(cores) : capacity.visitorsFit(cores)},
            {"private_cores", capacity.privateVisitor * measured->visitors},

@@ -35,6 +35,8 @@ export function sample() {
       visitors: 3,
       frames_per_second: 29.9,
       ...type(14.5, 3, 5.5, 962.4, 16.7),
+      other_ms: 0.7,
+      private_frame_ms: 24.4,
       cpu_cores: 1.31,
       cores: 2,
       visitor_cores: 0.29,
