@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+
 #include "gl/handles.h"
 
 namespace grove::gl {
@@ -15,6 +17,10 @@ class Framebuffer {
   [[nodiscard]] GLuint name() const noexcept { return framebuffer_.name(); }
   [[nodiscard]] int width() const noexcept { return width_; }
   [[nodiscard]] int height() const noexcept { return height_; }
+  /// Memory that it takes.
+  [[nodiscard]] std::size_t bytes() const noexcept {
+    return static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_) * 8;
+  }
 
  private:
   Handle<FramebufferTraits> framebuffer_;

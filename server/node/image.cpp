@@ -7,7 +7,12 @@
 namespace grove::node {
 namespace {
 
-using Memory = std::unique_ptr<std::uint32_t[]>;  // colour, then depth
+constexpr std::size_t kPixelBytes = sizeof(std::uint32_t) + sizeof(float);
+
+struct Memory {
+  std::unique_ptr<std::uint32_t[]> words;  // colour, then depth
+  std::size_t touched = 0;                 // pixels of the largest image so far: beyond, the process holds nothing
+};
 
 // Sizes are rounded up so that a moving object's slightly different rectangles share memory.
 std::size_t roundedPixels(std::size_t pixels) {
@@ -23,27 +28,69 @@ struct ImagePool::Store {
   const std::size_t mostBytes;
   std::mutex mutex;
   std::multimap<std::size_t, Memory> unused;  // by pixels
-  std::size_t bytes = 0;
+  std::size_t unusedBytes = 0;
+  std::size_t allBytes = 0;                    // touched, in use or not
+  std::unique_ptr<pipeline::HeldMemory> held;  // while there is a ledger
 
-  Memory take(std::size_t pixels) {
+  /// Room for `pixels`, of which `used` are wanted.
+  Memory take(std::size_t pixels, std::size_t used) {
+    Memory memory = takeUnused(pixels);
+    if (!memory.words) memory.words.reset(new std::uint32_t[pixels * 2]);
+    if (used > memory.touched) {
+      const std::lock_guard lock(mutex);
+      allBytes += (used - memory.touched) * kPixelBytes;
+      memory.touched = used;
+      tell();
+    }
+    return memory;
+  }
+
+  Memory takeUnused(std::size_t pixels) {
     const std::lock_guard lock(mutex);
     const auto it = unused.find(pixels);
-    if (it == unused.end()) return nullptr;
+    if (it == unused.end()) return {};
     Memory memory = std::move(it->second);
     unused.erase(it);
-    bytes -= pixels * 8;
+    unusedBytes -= pixels * kPixelBytes;
     return memory;
   }
 
   void give(std::size_t pixels, Memory memory) {
     const std::lock_guard lock(mutex);
-    if (bytes + pixels * 8 > mostBytes) return;
+    if (unusedBytes + pixels * kPixelBytes > mostBytes) {
+      allBytes -= memory.touched * kPixelBytes;
+      tell();
+      return;
+    }
     unused.emplace(pixels, std::move(memory));
-    bytes += pixels * 8;
+    unusedBytes += pixels * kPixelBytes;
+  }
+
+  void freeUnused() {
+    std::multimap<std::size_t, Memory> freed;  // after the lock
+    const std::lock_guard lock(mutex);
+    freed.swap(unused);
+    unusedBytes = 0;
+    for (const auto& [pixels, memory] : freed) allBytes -= memory.touched * kPixelBytes;
+    tell();
+  }
+
+  /// Only what is allocated and freed, so a frame that reuses memory tells nothing.
+  void tell() {
+    if (held) held->set(allBytes);
   }
 };
 
 ImagePool::ImagePool(std::size_t mostBytes) : store_(std::make_shared<Store>(mostBytes)) {}
+
+ImagePool::ImagePool(pipeline::MemoryLedger& memory, std::size_t mostBytes) : ImagePool(mostBytes) {
+  store_->held = std::make_unique<pipeline::HeldMemory>(memory, "images", "", pipeline::Work::kPerUserFrontend);
+}
+
+ImagePool::~ImagePool() {
+  const std::lock_guard lock(store_->mutex);
+  store_->held.reset();
+}
 
 std::shared_ptr<Image> ImagePool::acquire(const world::Rect& rect) {
   struct Owned {
@@ -63,17 +110,18 @@ std::shared_ptr<Image> ImagePool::acquire(const world::Rect& rect) {
   const auto owned = std::make_shared<Owned>();
   owned->pixels = pixels;
   owned->store = store_;
-  owned->memory = store_->take(pixels);
-  if (!owned->memory) owned->memory = Memory(new std::uint32_t[pixels * 2]);
+  owned->memory = store_->take(pixels, used);
   owned->image.rect = rect;
-  owned->image.colour = {owned->memory.get(), used};
-  owned->image.depth = {reinterpret_cast<float*>(owned->memory.get() + pixels), used};
+  owned->image.colour = {owned->memory.words.get(), used};
+  owned->image.depth = {reinterpret_cast<float*>(owned->memory.words.get() + pixels), used};
   return {owned, &owned->image};
 }
 
+void ImagePool::freeUnused() { store_->freeUnused(); }
+
 std::size_t ImagePool::unusedBytes() const {
   const std::lock_guard lock(store_->mutex);
-  return store_->bytes;
+  return store_->unusedBytes;
 }
 
 }  // namespace grove::node

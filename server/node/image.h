@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "pipeline/memory_ledger.h"
 #include "world/camera.h"
 
 namespace grove::node {
@@ -41,13 +42,23 @@ struct Image {
 };
 
 /// Hands out images and takes their memory back when the last reference goes, so that no frame allocates or clears.
-/// Keeps at most `mostBytes` of unused memory. Any thread; images may outlive the pool.
+/// Keeps at most `mostBytes` of unused memory. Any thread; images may outlive the pool, and then the ledger.
 class ImagePool {
  public:
-  explicit ImagePool(std::size_t mostBytes = std::size_t{256} << 20U);
+  static constexpr std::size_t kUsualBytes = std::size_t{256} << 20U;
+
+  explicit ImagePool(std::size_t mostBytes = kUsualBytes);
+  /// Tells all memory of its images, in use or not, as per-user.
+  explicit ImagePool(pipeline::MemoryLedger& memory, std::size_t mostBytes = kUsualBytes);
+  ~ImagePool();
+  ImagePool(const ImagePool&) = delete;
+  ImagePool& operator=(const ImagePool&) = delete;
 
   /// The contents are whatever was there before.
   [[nodiscard]] std::shared_ptr<Image> acquire(const world::Rect& rect);
+
+  /// For when fewer will be wanted from now on.
+  void freeUnused();
 
   [[nodiscard]] std::size_t unusedBytes() const;
 

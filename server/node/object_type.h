@@ -62,6 +62,9 @@ class BackendHalf {
   /// it.
   virtual void setQuality(int /*step*/) {}
 
+  /// A visitor has left: what was kept for him alone may go. Any thread; runs for him may still be in progress.
+  virtual void forget(SessionId /*session*/) {}
+
   /// Fills one payload per request. The requests are a batch of what is waiting and may be of many frames and sessions.
   /// An exception turns the whole batch into failures.
   virtual void answer(std::span<const Request> requests, std::span<Payload> payloads) = 0;
@@ -79,6 +82,9 @@ class FrontendHalf {
   /// Called when all images are in place, back to front, to draw what images cannot carry. `frame` is the whole frame:
   /// colour may be blended into, depth is read only.
   virtual void draw(const VisibleObject&, const Payload&, const View&, Image& /*frame*/) {}
+
+  /// Memory that it keeps from frame to frame.
+  [[nodiscard]] virtual std::size_t bytes() const { return 0; }
 };
 
 class ObjectType {

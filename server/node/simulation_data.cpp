@@ -8,6 +8,7 @@ std::shared_ptr<const PackedData> SimulationData::packed(pipeline::Timeline& tim
   std::call_once(once_, [&] {
     const pipeline::TimedRun timed(timeline, "Snapshot Packing", pipeline::Work::kAcrossUser, {}, type);
     packed_ = std::make_shared<const PackedData>(PackedData{type, pack()});
+    packedBytes_.store(packed_->bytes.capacity(), std::memory_order_relaxed);
   });
   return packed_;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <memory>
 #include <mutex>
@@ -35,12 +36,16 @@ class SimulationData {
   /// goes into the caller's timeline as a run of its own. Null if this data travels by reference only. Any thread.
   [[nodiscard]] std::shared_ptr<const PackedData> packed(pipeline::Timeline& timeline) const;
 
+  /// Memory of the packed form; 0 until somebody asked for it. Any thread.
+  [[nodiscard]] std::size_t packedBytes() const noexcept { return packedBytes_.load(std::memory_order_relaxed); }
+
  private:
   /// Name of the object type whose unpack() takes pack()'s bytes; empty if there is no such form.
   [[nodiscard]] virtual std::string_view packedType() const { return {}; }
   [[nodiscard]] virtual std::vector<std::byte> pack() const { return {}; }
 
   mutable std::once_flag once_;
+  mutable std::atomic<std::size_t> packedBytes_{0};
   mutable std::shared_ptr<const PackedData> packed_;
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <compare>
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <mutex>
@@ -71,6 +72,8 @@ class Timeline {
   /// By stage and subject. Every nanosecond of CPU is in one of them only.
   [[nodiscard]] std::map<CostKey, StageTotal> costs() const;
   [[nodiscard]] std::map<std::string, std::int64_t> counters() const;
+  /// Memory that the events take once there are as many as are kept.
+  [[nodiscard]] std::size_t bytes() const noexcept { return capacity_ * sizeof(TimelineEvent); }
 
  private:
   const std::size_t capacity_;

@@ -27,15 +27,16 @@ FrameHeader describe(const node::FinishedFrame& frame, std::uint8_t codec) {
 
 }  // namespace
 
-EncodeStage::EncodeStage(std::unique_ptr<Encoder> encoder, Deliver deliver, pipeline::Executor& executor,
-                         pipeline::Timeline& timeline)
+EncodeStage::EncodeStage(std::unique_ptr<Encoder> encoder, Deliver deliver, pipeline::MemoryLedger& memory,
+                         pipeline::Executor& executor, pipeline::Timeline& timeline)
     : Stage({.name = "Encoder",
              .work = pipeline::Work::kPerUserFrontend,
              .capacity = 1,
              .overflow = pipeline::Overflow::kDropOldest},
             executor, timeline),
       encoder_(std::move(encoder)),
-      deliver_(std::move(deliver)) {}
+      deliver_(std::move(deliver)),
+      held_(memory, "encoders", "", pipeline::Work::kPerUserFrontend) {}
 
 void EncodeStage::process(std::span<node::FinishedFrame> items, pipeline::Run& /*run*/) {
   for (const node::FinishedFrame& item : items) {
@@ -47,6 +48,7 @@ void EncodeStage::process(std::span<node::FinishedFrame> items, pipeline::Run& /
     lastBytes_ = frame->bytes.size();
     frame->header = describe(item, encoder_->codec());
     encode(frame->header, std::span(frame->bytes).subspan<EncodedFrame::kHeadroom, kFrameHeaderBytes>());
+    held_.set(encoder_->bytes() + frame->bytes.capacity());
     deliver_(frame);
   }
 }

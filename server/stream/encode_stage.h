@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "node/messages.h"
+#include "pipeline/memory_ledger.h"
 #include "pipeline/stage.h"
 #include "stream/encoder.h"
 
@@ -15,9 +16,10 @@ class EncodeStage final : public pipeline::Stage<node::FinishedFrame> {
  public:
   using Deliver = std::function<void(std::shared_ptr<const EncodedFrame>)>;
 
-  /// `deliver` is called on the executor's threads and must not block.
-  EncodeStage(std::unique_ptr<Encoder> encoder, Deliver deliver, pipeline::Executor& executor,
-              pipeline::Timeline& timeline);
+  /// `deliver` is called on the executor's threads and must not block. Tells `memory` of the encoder and of the newest
+  /// frame, which waits to be sent.
+  EncodeStage(std::unique_ptr<Encoder> encoder, Deliver deliver, pipeline::MemoryLedger& memory,
+              pipeline::Executor& executor, pipeline::Timeline& timeline);
 
  protected:
   void process(std::span<node::FinishedFrame> items, pipeline::Run& run) override;
@@ -26,6 +28,7 @@ class EncodeStage final : public pipeline::Stage<node::FinishedFrame> {
   const std::unique_ptr<Encoder> encoder_;
   const Deliver deliver_;
   std::size_t lastBytes_ = 0;
+  pipeline::HeldMemory held_;
 };
 
 }  // namespace grove::stream

@@ -25,6 +25,8 @@ class Encoder {
   [[nodiscard]] virtual std::uint8_t codec() const noexcept = 0;
   /// Appends the encoded picture to `out`. Throws EnvironmentError if the library refuses.
   virtual void encode(const node::Image& image, std::vector<std::uint8_t>& out) = 0;
+  /// Memory that it keeps from picture to picture.
+  [[nodiscard]] virtual std::size_t bytes() const noexcept { return 0; }
 };
 
 }  // namespace grove::stream

@@ -28,7 +28,9 @@ Host::Host(world::World::Layout layout, const node::Registry& registry, gl::Work
       gl_(gl),
       options_(options),
       timeline_(options.timelineEvents),
+      timelineMemory_(memory_, "timeline", "", pipeline::Work::kAcrossUser, timeline_.bytes()),
       meter_(timeline_, memory_, options_.framesPerSecond, options_.privateWorlds),
+      images_(memory_),
       workers_(static_cast<int>(std::max(1U, std::thread::hardware_concurrency()))) {
   if (options_.privateWorlds) {
     preparer_ = std::make_unique<pipeline::WorkerPool>(1, "grove-prepare");
@@ -129,10 +131,21 @@ std::size_t Host::visitors() const {
 
 void Host::remove(node::SessionId id) {
   const std::lock_guard lock(mutex_);
-  sessions_.erase(id);
+  if (sessions_.erase(id) > 0) left_.push_back(id);
+}
+
+void Host::forgetWhoLeft() {
+  // By now the runs in progress when they left have ended, and give nothing back any more.
+  if (shared_) {
+    for (const node::SessionId id : gone_) shared_->forget(id);
+  }
+  if (!gone_.empty()) images_.freeUnused();
+  const std::lock_guard lock(mutex_);
+  gone_ = std::exchange(left_, {});
 }
 
 void Host::takeStock(int visitors) {
+  forgetWhoLeft();
   meter_.sample(visitors);
   if (!options_.raiseQuality || !shared_) return;
   measure::QualityLoad load{.cores = static_cast<double>(workers_.width())};

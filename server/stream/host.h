@@ -8,6 +8,7 @@
 #include <mutex>
 #include <thread>
 #include <variant>
+#include <vector>
 
 #include "measure/amortization_meter.h"
 #include "measure/quality_policy.h"
@@ -75,6 +76,7 @@ class Host {
   void preparePrivately(const std::shared_ptr<Session>& session);
   [[nodiscard]] std::unique_ptr<WorldCopy> makeCopy(const std::function<void(std::string_view, float)>& progress);
   void takeStock(int visitors);
+  void forgetWhoLeft();
   void runClock();
 
   const world::World::Layout layout_;
@@ -84,16 +86,19 @@ class Host {
   const HostOptions options_;
   pipeline::Timeline timeline_;
   pipeline::MemoryLedger memory_;
+  const pipeline::HeldMemory timelineMemory_;
   measure::AmortizationMeter meter_;
   measure::QualityPolicy policy_;  ///< the clock's
   std::atomic<int> quality_{0};
   node::ImagePool images_;
+  std::vector<node::SessionId> gone_;  ///< the clock's: left before it took stock last
 
   mutable std::mutex mutex_;
   std::condition_variable clockWake_;
   bool stopping_ = false;
   bool sessionsChanged_ = false;
   std::map<node::SessionId, std::weak_ptr<Session>> sessions_;
+  std::vector<node::SessionId> left_;  ///< since the clock took stock
   node::SessionId nextSession_ = 1;
 
   pipeline::WorkerPool workers_;

@@ -2,6 +2,7 @@
 
 #include <turbojpeg.h>
 
+#include <algorithm>
 #include <cassert>
 
 #include "pipeline/error.h"
@@ -20,6 +21,7 @@ void JpegEncoder::encode(const node::Image& image, std::vector<std::uint8_t>& ou
   if (most > scratchBytes_) {
     scratch_ = std::make_unique_for_overwrite<unsigned char[]>(most);
     scratchBytes_ = most;
+    touchedBytes_ = 0;
   }
   unsigned char* bytes = scratch_.get();
   unsigned long size = scratchBytes_;
@@ -28,6 +30,7 @@ void JpegEncoder::encode(const node::Image& image, std::vector<std::uint8_t>& ou
                                  image.width(), pitch, image.height(), TJPF_RGBX, &bytes, &size, TJSAMP_420, quality_,
                                  TJFLAG_NOREALLOC | TJFLAG_ACCURATEDCT);
   if (failed != 0) throw EnvironmentError(tjGetErrorStr2(handle_.get()), "JPEG encoder", "");
+  touchedBytes_ = std::max(touchedBytes_, size);
   out.insert(out.end(), bytes, bytes + size);
 }
 

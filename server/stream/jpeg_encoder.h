@@ -21,12 +21,15 @@ class JpegEncoder final : public Encoder {
 
   [[nodiscard]] std::uint8_t codec() const noexcept override { return kCodecJpeg; }
   void encode(const node::Image& image, std::vector<std::uint8_t>& out) override;
+  /// What the largest picture so far took of the scratch memory: the rest was never touched.
+  [[nodiscard]] std::size_t bytes() const noexcept override { return touchedBytes_; }
 
  private:
   const int quality_;
   TurboJpegHandle handle_;
   std::unique_ptr<unsigned char[]> scratch_;
   unsigned long scratchBytes_ = 0;
+  unsigned long touchedBytes_ = 0;
 };
 
 }  // namespace grove::stream

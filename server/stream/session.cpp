@@ -49,7 +49,7 @@ void Session::begin(std::shared_ptr<WorldCopy> copy) {
       [weak](const std::shared_ptr<const EncodedFrame>& frame) {
         if (const auto self = weak.lock()) self->deliver(frame);
       },
-      host_.workers(), host_.timeline_);
+      host_.memory_, host_.workers(), host_.timeline_);
   auto node = std::make_unique<node::FrontendNode>(
       id_, host_.options().framesInFlight,
       [weak](node::FrameNumber frame) {

@@ -10,7 +10,11 @@ namespace grove::stream {
 
 WorldCopy::WorldCopy(const WorldGround& ground, std::unique_ptr<node::Transport> transport,
                      const std::function<void(std::string_view, float)>& progress)
-    : ground_(ground), world_(ground.layout, ground.players), transport_(std::move(transport)) {
+    : ground_(ground),
+      world_(ground.layout, ground.players),
+      geometry_(ground.memory, "obstacles", "", pipeline::Work::kAcrossUser, world_.bytes()),
+      transport_(std::move(transport)) {
+  tellModels();
   const node::BackendServices services{world_,        ground.workers, ground.gl, ground.timeline,
                                        ground.memory, ground.images,  progress};
   std::set<world::TypeIndex> types;
@@ -34,8 +38,23 @@ WorldCopy::~WorldCopy() {
   pipeline::drain(ground_.workers);
 }
 
+void WorldCopy::tellModels() {
+  std::map<world::TypeIndex, std::set<const world::Model*>> models;
+  for (const world::Object& object : world_.objects()) models[object.type].insert(object.model.get());
+  for (const auto& [type, distinct] : models) {
+    std::size_t bytes = 0;
+    for (const world::Model* model : distinct) bytes += model->bytes();
+    models_.try_emplace(type, ground_.memory, "models", ground_.registry.type(type).name(), pipeline::Work::kAcrossUser,
+                        bytes);
+  }
+}
+
 void WorldCopy::setQuality(int step) {
   for (const auto& backend : backends_) backend->setQuality(step);
+}
+
+void WorldCopy::forget(node::SessionId session) {
+  for (const auto& backend : backends_) backend->forget(session);
 }
 
 node::FrontendServices WorldCopy::frontendServices() {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <string_view>
 #include <vector>
@@ -46,10 +47,16 @@ class WorldCopy {
   [[nodiscard]] node::FrontendServices frontendServices();
   /// Of all across-user work, see node::BackendHalf.
   void setQuality(int step);
+  /// A visitor has left.
+  void forget(node::SessionId session);
 
  private:
+  void tellModels();
+
   const WorldGround ground_;
   world::World world_;
+  const pipeline::HeldMemory geometry_;
+  std::map<world::TypeIndex, pipeline::HeldMemory> models_;
   const std::unique_ptr<node::Transport> transport_;
   std::vector<std::unique_ptr<node::BackendNode>> backends_;
 };

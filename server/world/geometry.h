@@ -1,11 +1,14 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <limits>
 #include <vector>
+
+#include "pipeline/vector_bytes.h"
 
 namespace grove::world {
 
@@ -45,6 +48,8 @@ struct Triangles {
 
   void append(const Triangles& other, const Mat4& matrix);
   [[nodiscard]] Bounds bounds() const;
+  /// Memory that they take.
+  [[nodiscard]] std::size_t bytes() const noexcept { return pipeline::vectorBytes(positions, indices); }
 };
 
 }  // namespace grove::world

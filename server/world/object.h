@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -26,6 +27,9 @@ class Model {
 
   /// Radius in metres of the upright cylinder that visitors walk around; none if they walk through.
   [[nodiscard]] virtual std::optional<float> obstacleRadius() const { return std::nullopt; }
+
+  /// Memory that it takes, mapped files included.
+  [[nodiscard]] virtual std::size_t bytes() const { return 0; }
 };
 
 using ObjectId = std::uint32_t;

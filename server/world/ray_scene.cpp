@@ -2,6 +2,9 @@
 
 #include <embree3/rtcore.h>
 
+#include <algorithm>
+#include <atomic>
+#include <cstdint>
 #include <cstring>
 
 #include "pipeline/error.h"
@@ -11,6 +14,7 @@ namespace grove::world {
 struct RayScene::Handles {
   RTCDevice device = nullptr;
   RTCScene scene = nullptr;
+  std::atomic<std::int64_t> bytes{0};
 
   Handles() = default;
   Handles(const Handles&) = delete;
@@ -21,9 +25,20 @@ struct RayScene::Handles {
   }
 };
 
+namespace {
+
+/// Embree's memory monitor: `bytes` are less than zero where it frees.
+bool addBytes(void* sum, ssize_t bytes, bool /*post*/) {
+  static_cast<std::atomic<std::int64_t>*>(sum)->fetch_add(bytes, std::memory_order_relaxed);
+  return true;
+}
+
+}  // namespace
+
 RayScene::RayScene(const Triangles& triangles) : handles_(std::make_unique<Handles>()) {
   handles_->device = rtcNewDevice("threads=1");
   if (handles_->device == nullptr) throw EnvironmentError("no ray-tracing device", "Embree", "check the CPU's SSE2");
+  rtcSetDeviceMemoryMonitorFunction(handles_->device, addBytes, &handles_->bytes);
   handles_->scene = rtcNewScene(handles_->device);
   rtcSetSceneFlags(handles_->scene, RTC_SCENE_FLAG_ROBUST);
   if (!triangles.indices.empty()) {
@@ -44,6 +59,10 @@ RayScene::RayScene(const Triangles& triangles) : handles_(std::make_unique<Handl
 RayScene::~RayScene() = default;
 RayScene::RayScene(RayScene&&) noexcept = default;
 RayScene& RayScene::operator=(RayScene&&) noexcept = default;
+
+std::size_t RayScene::bytes() const noexcept {
+  return static_cast<std::size_t>(std::max<std::int64_t>(0, handles_->bytes.load(std::memory_order_relaxed)));
+}
 
 namespace {
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <optional>
 
@@ -24,6 +25,9 @@ class RayScene {
   };
 
   [[nodiscard]] std::optional<Hit> intersect(Vec3 origin, Vec3 direction, float near = 0.0F, float far = 1.0e30F) const;
+  /// Memory that Embree holds for it.
+  [[nodiscard]] std::size_t bytes() const noexcept;
+
   [[nodiscard]] bool occluded(Vec3 origin, Vec3 direction, float near = 0.0F, float far = 1.0e30F) const;
 
  private:

@@ -49,6 +49,9 @@ class World {
   [[nodiscard]] const Triangles& shades() const noexcept { return shades_; }
   [[nodiscard]] const RayScene& rays() const noexcept { return rays_; }
 
+  /// Memory that what stops smoke and light takes.
+  [[nodiscard]] std::size_t bytes() const noexcept { return solids_.bytes() + shades_.bytes() + rays_.bytes(); }
+
   [[nodiscard]] Players& players() noexcept { return *players_; }
   [[nodiscard]] Edits& edits() noexcept { return edits_; }
 

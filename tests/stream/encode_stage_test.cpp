@@ -25,15 +25,18 @@ TEST(EncodeStage, MakesAFrameMessageOfAFrame) {
   view.players.resize(2);
 
   pipeline::Timeline timeline;
+  pipeline::MemoryLedger memory;
   std::promise<std::shared_ptr<const EncodedFrame>> promise;
   auto future = promise.get_future();
   pipeline::WorkerPool workers(1);
   const auto stage = std::make_shared<EncodeStage>(
       std::make_unique<JpegEncoder>(80),
-      [&](std::shared_ptr<const EncodedFrame> frame) { promise.set_value(std::move(frame)); }, workers, timeline);
+      [&](std::shared_ptr<const EncodedFrame> frame) { promise.set_value(std::move(frame)); }, memory, workers,
+      timeline);
   stage->push({std::make_shared<const node::View>(view), std::make_shared<const node::Image>(image)});
 
   const auto frame = future.get();
+  EXPECT_GE(memory.totals().at({"encoders", ""}).bytes, static_cast<std::int64_t>(frame->bytes.size()));
   const ServerMessage message = parseServerMessage(frame->message());
   const auto* read = std::get_if<FrameMessage>(&message);
   ASSERT_NE(read, nullptr);

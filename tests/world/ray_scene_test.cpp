@@ -28,6 +28,16 @@ TEST(RayScene, OcclusionObeysTheInterval) {
   EXPECT_FALSE(scene.occluded({0, 3, 0}, {0, -1, 0}, 3.5F));
 }
 
+TEST(RayScene, TellsItsMemory) {
+  Triangles many;
+  for (int i = 0; i < 1000; ++i) many.append(floorSquare(), glm::translate(Mat4(1.0F), Vec3(i, 0, 0)));
+  const std::size_t few = RayScene(floorSquare()).bytes();
+  const std::size_t all = RayScene(many).bytes();
+  EXPECT_GT(all, few);
+  EXPECT_GT(all, many.bytes() / 2) << "it has a copy of them";
+  EXPECT_LT(all, 20 * many.bytes());
+}
+
 TEST(RayScene, NothingIsAValidScene) {
   const RayScene scene(Triangles{});
   EXPECT_FALSE(scene.occluded({0, 0, 0}, {0, 1, 0}));

@@ -23,6 +23,9 @@ class BackendNode {
   /// See BackendHalf::setQuality().
   void setQuality(int step) { half_->setQuality(step); }
 
+  /// See BackendHalf::forget().
+  void forget(SessionId session) { half_->forget(session); }
+
   /// Takes no more requests; runs in progress finish. The executors must be joined before the node is destroyed.
   void close();
 

@@ -35,8 +35,8 @@ class TypeClock {
 
 }  // namespace
 
-Compositor::Compositor(const Registry& registry, ImagePool& images, int framesInFlight, std::function<void()> frameDone,
-                       pipeline::Executor& executor, pipeline::Timeline& timeline)
+Compositor::Compositor(const Registry& registry, ImagePool& images, pipeline::MemoryLedger& memory, int framesInFlight,
+                       std::function<void()> frameDone, pipeline::Executor& executor, pipeline::Timeline& timeline)
     : Stage({.name = kStage,
              .work = pipeline::Work::kPerUserFrontend,
              .capacity = static_cast<std::size_t>(framesInFlight) * (kMostObjectsPerFrame + 1)},
@@ -44,6 +44,7 @@ Compositor::Compositor(const Registry& registry, ImagePool& images, int framesIn
       registry_(registry),
       timeline_(timeline),
       images_(images),
+      memory_(memory),
       frameDone_(std::move(frameDone)),
       table_(static_cast<std::size_t>(framesInFlight)) {}
 
@@ -92,6 +93,7 @@ std::shared_ptr<const Image> Compositor::composite(const CompleteFrame& frame) {
     clock.turnTo(objects[i].object.type);
     if (FrontendHalf* half = halfOf(objects[i].object.type)) half->draw(objects[i], frame.payloads[i], view, *image);
   }
+  tellMemory();
   return image;
 }
 
@@ -106,8 +108,14 @@ void Compositor::lay(const VisibleObject& object, const Payload& payload, const 
 
 FrontendHalf* Compositor::halfOf(world::TypeIndex type) {
   const auto it = halves_.find(type);
-  if (it != halves_.end()) return it->second.get();
-  return halves_.emplace(type, registry_.type(type).makeFrontend()).first->second.get();
+  if (it != halves_.end()) return it->second.half.get();
+  return halves_.try_emplace(type, registry_.type(type), memory_).first->second.half.get();
+}
+
+void Compositor::tellMemory() {
+  for (auto& [type, half] : halves_) {
+    if (half.half) half.held.set(half.half->bytes());
+  }
 }
 
 }  // namespace grove::node

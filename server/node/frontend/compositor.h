@@ -9,6 +9,7 @@
 #include "node/messages.h"
 #include "node/object_type.h"
 #include "node/registry.h"
+#include "pipeline/memory_ledger.h"
 #include "pipeline/outlet.h"
 
 namespace grove::node {
@@ -26,8 +27,8 @@ inline pipeline::TraceTag traceTag(const CompositorInput& input) {
 class Compositor final : public pipeline::Stage<CompositorInput> {
  public:
   /// `frameDone` is called once for every announced frame, shown or not.
-  Compositor(const Registry& registry, ImagePool& images, int framesInFlight, std::function<void()> frameDone,
-             pipeline::Executor& executor, pipeline::Timeline& timeline);
+  Compositor(const Registry& registry, ImagePool& images, pipeline::MemoryLedger& memory, int framesInFlight,
+             std::function<void()> frameDone, pipeline::Executor& executor, pipeline::Timeline& timeline);
   void connect(std::shared_ptr<pipeline::Inlet<FinishedFrame>> next);
 
  protected:
@@ -36,15 +37,23 @@ class Compositor final : public pipeline::Stage<CompositorInput> {
  private:
   [[nodiscard]] std::shared_ptr<const Image> composite(const CompleteFrame& frame);
   void lay(const VisibleObject& object, const Payload& payload, const View& view, FrameBuilder& frame);
+  void tellMemory();
   FrontendHalf* halfOf(world::TypeIndex type);
 
   const Registry& registry_;
   pipeline::Timeline& timeline_;
   ImagePool& images_;
+  pipeline::MemoryLedger& memory_;
   const std::function<void()> frameDone_;
   ResultTable table_;
   FrameNumber newestShown_ = 0;
-  std::map<world::TypeIndex, std::unique_ptr<FrontendHalf>> halves_;
+  struct TypeHalf {
+    TypeHalf(const ObjectType& type, pipeline::MemoryLedger& memory)
+        : half(type.makeFrontend()), held(memory, "frontends", type.name(), pipeline::Work::kPerUserFrontend) {}
+    std::unique_ptr<FrontendHalf> half;  ///< null if images are all of it
+    pipeline::HeldMemory held;
+  };
+  std::map<world::TypeIndex, TypeHalf> halves_;
   pipeline::Outlet<FinishedFrame> next_;
 };
 

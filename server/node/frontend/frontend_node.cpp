@@ -24,8 +24,8 @@ FrontendNode::FrontendNode(SessionId session, int framesInFlight, SceneAnalyzer:
   resultReceiver_ = std::make_shared<ResultReceiver>(static_cast<std::size_t>(framesInFlight) * kMostObjectsPerFrame,
                                                      workers, timeline);
   decompressor_ = std::make_shared<Decompressor>(transport_, workers, timeline);
-  compositor_ =
-      std::make_shared<Compositor>(services.registry, services.images, framesInFlight, frameEnded, workers, timeline);
+  compositor_ = std::make_shared<Compositor>(services.registry, services.images, services.memory, framesInFlight,
+                                             frameEnded, workers, timeline);
 
   analyzer_->connect(compositor_, requestSender_);
   transport_.connectFrontend(session_, resultReceiver_);

@@ -26,7 +26,8 @@ FigureBackend::FigureBackend(const node::BackendServices& services, mesh::Render
     : world_(services.world),
       executor_(mesh::executorFor(mesh::resolved(kind, services.gl), services)),
       figure_(makeFigure()),
-      renderer_(mesh::makeRenderer(mesh::resolved(kind, services.gl), services)) {}
+      renderer_(mesh::makeRenderer(mesh::resolved(kind, services.gl), services, "figure")),
+      held_(services.memory, "surfaces", "figure", pipeline::Work::kAcrossUser, figure_.bytes()) {}
 
 void FigureBackend::answer(std::span<const node::Request> requests, std::span<node::Payload> payloads) {
   std::vector<mesh::Drawing> drawings;

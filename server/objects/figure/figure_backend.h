@@ -23,6 +23,7 @@ class FigureBackend final : public node::BackendHalf {
   pipeline::Executor& executor_;
   const mesh::LitSurface figure_;
   const std::unique_ptr<mesh::MeshRenderer> renderer_;
+  const pipeline::HeldMemory held_;
 };
 
 }  // namespace grove::objects::figure

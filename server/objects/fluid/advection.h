@@ -37,6 +37,12 @@ class Advection {
   /// `from` and `velocity` must be filled; those of `to` are left alone.
   void advect(std::span<const Job> jobs, const Velocity& velocity, float seconds, float cellSize, AdvectionOrder order);
   static constexpr std::size_t kMostJobs = 4;
+  /// Memory that it takes.
+  [[nodiscard]] std::size_t bytes() const noexcept {
+    std::size_t sum = 0;
+    for (std::size_t job = 0; job < kMostJobs; ++job) sum += heldBytes(packed_[job], scratch_[job]);
+    return sum;
+  }
 
  private:
   class Packed;

@@ -23,6 +23,9 @@ class ConjugateGradients {
   double solve(const rows::FineOperator& a, const Pockets& pockets, const Preconditioner& preconditioner,
                const Field& b, Field& x, double enough, int mostIterations, int& iterations);
 
+  /// Memory that it takes.
+  [[nodiscard]] std::size_t bytes() const noexcept { return heldBytes(r_, z_, az_, p_, ap_); }
+
  private:
   const Layout layout_;
   Field r_, z_, az_, p_, ap_;

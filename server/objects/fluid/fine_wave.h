@@ -40,6 +40,11 @@ class FineWave {
   Norms run(const rows::FineOperator& a, const Field& b, const Field& x, Field& next, const Coarse& coarse,
             double size);
 
+  /// Memory that it takes.
+  [[nodiscard]] std::size_t bytes() const noexcept {
+    return heldBytes(inverse_, source_, error_[0], error_[1], scaled_, left_);
+  }
+
  private:
   /// The planes around the wave of something that is not kept; those outside of the cube are zero.
   static constexpr int kPlanes = kStages + 3;

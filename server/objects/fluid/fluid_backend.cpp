@@ -43,7 +43,8 @@ class FluidBackend::Fire {
       : world_(services.world),
         timeline_(services.timeline),
         name_(object.name),
-        simulation_(settingsOf(object), object.transform.position, services.world.solids(), services.world.rays()) {
+        simulation_(settingsOf(object), object.transform.position, services.world.solids(), services.world.rays()),
+        held_(services.memory, "simulations", "fluid", pipeline::Work::kAcrossUser) {
     // Seen from here on: gusts from before the fire existed do not count.
     static_cast<void>(world_.edits().after(cursor_));
     const int ticks = static_cast<int>(kGrowSeconds / FluidSimulation::kTick);
@@ -54,6 +55,7 @@ class FluidBackend::Fire {
       }
     }
     newest_ = simulation_.snapshot(world::World::now());
+    held_.set(simulation_.bytes() + newest_->bytes());
     clock_ = std::make_unique<FluidClock>(1.0 / static_cast<double>(FluidSimulation::kTick), [this] { return tick(); });
   }
 
@@ -77,6 +79,8 @@ class FluidBackend::Fire {
       std::shared_ptr<const FluidSnapshot> next = simulation_.snapshot(rest ? kStandsStill : now);
       const std::lock_guard lock(mutex_);
       newest_.swap(next);
+      // What packing the last one took, the new one will take.
+      held_.set(simulation_.bytes() + newest_->bytes() + next->packedBytes());
       return rest ? FluidClock::Next::kSleep : FluidClock::Next::kTick;
     } catch (const std::exception& e) {
       timeline_.recordFailure(kStage, pipeline::Work::kAcrossUser);
@@ -89,6 +93,7 @@ class FluidBackend::Fire {
   pipeline::Timeline& timeline_;
   const std::string name_;
   FluidSimulation simulation_;
+  pipeline::HeldMemory held_;
   world::Edits::Cursor cursor_ = 0;
   int idleTicks_ = 0;  ///< without visitors
   std::mutex mutex_;

@@ -60,6 +60,9 @@ class FluidSimulation {
   /// CPU time that the last step's parts took.
   [[nodiscard]] const std::array<std::int64_t, kPhases.size()>& phaseNanoseconds() const noexcept { return phases_; }
 
+  /// Memory that it takes.
+  [[nodiscard]] std::size_t bytes() const noexcept { return solver_.bytes() + particles_.bytes() + shading_.bytes(); }
+
  private:
   [[nodiscard]] std::vector<world::Gust> localGusts(std::span<const world::Gust> gusts) const;
   [[nodiscard]] std::vector<Capsule> localCapsules(std::span<const world::Player> visitors) const;

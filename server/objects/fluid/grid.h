@@ -52,6 +52,8 @@ class Array {
     assert(size_ == other.size_);
     std::memcpy(data_, other.data_, size_ * sizeof(T));
   }
+  /// Memory that it takes.
+  [[nodiscard]] std::size_t heldBytes() const noexcept { return wholeBytes(bytes()); }
   void clear() noexcept { std::memset(data_, 0, size_ * sizeof(T)); }
 
  private:
@@ -65,11 +67,19 @@ class Array {
   [[nodiscard]] std::size_t bytes() const noexcept { return size_ * sizeof(T); }
   [[nodiscard]] static bool isLarge(std::size_t bytes) noexcept { return bytes >= kHugePage / 2; }
 
+  /// A stencil touches a dozen pages at a time; in huge ones, their addresses are found without a walk.
+  [[nodiscard]] static std::size_t alignmentOf(std::size_t bytes) noexcept {
+    return isLarge(bytes) ? kHugePage : kVector;
+  }
+  /// With room for place().
+  [[nodiscard]] static std::size_t wholeBytes(std::size_t bytes) noexcept {
+    const std::size_t alignment = alignmentOf(bytes);
+    return (bytes + kSmallPage + alignment - 1) / alignment * alignment;
+  }
+
   static void* allocate(std::size_t bytes) {
-    // A stencil touches a dozen pages at a time; in huge ones, their addresses are found without a walk.
-    const std::size_t alignment = isLarge(bytes) ? kHugePage : kVector;
-    const std::size_t whole = (bytes + kSmallPage + alignment - 1) / alignment * alignment;
-    void* memory = std::aligned_alloc(alignment, whole);
+    const std::size_t whole = wholeBytes(bytes);
+    void* memory = std::aligned_alloc(alignmentOf(bytes), whole);
     if (memory == nullptr) throw std::bad_alloc();
     // Only advice: without huge pages it is a little slower.
     if (isLarge(bytes)) static_cast<void>(::madvise(memory, whole, MADV_HUGEPAGE));
@@ -91,6 +101,11 @@ class Array {
 
 using Field = Array<float>;
 
+template <class... T>
+[[nodiscard]] std::size_t heldBytes(const Array<T>&... arrays) noexcept {
+  return (std::size_t{0} + ... + arrays.heldBytes());
+}
+
 /// Staggered velocity in metres a second (marker-and-cell, Harlow and Welch 1965): component a at the low face of axis
 /// a.
 struct Velocity {
@@ -98,6 +113,8 @@ struct Velocity {
 
   [[nodiscard]] Field& axis(int a) noexcept { return a == 0 ? x : a == 1 ? y : z; }
   [[nodiscard]] const Field& axis(int a) const noexcept { return a == 0 ? x : a == 1 ? y : z; }
+
+  [[nodiscard]] std::size_t bytes() const noexcept { return heldBytes(x, y, z); }
 
   Field x, y, z;
 };

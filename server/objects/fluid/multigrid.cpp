@@ -135,6 +135,10 @@ struct Multigrid::Level {
         odd(Ring::size(layout)),
         residual(Ring::size(layout)) {}
 
+  [[nodiscard]] std::size_t bytes() const noexcept {
+    return heldBytes(weights[0], weights[1], weights[2], diagonal, inverse, b, z, odd, residual);
+  }
+
   [[nodiscard]] rows::CoarseOperator coefficients() const noexcept {
     return {weights[0].data(), weights[1].data(), weights[2].data(), diagonal.data(),
             inverse.data(),    layout.step(1),    layout.step(2)};
@@ -167,6 +171,12 @@ Multigrid::Multigrid(const Layout& layout)
 }
 
 Multigrid::~Multigrid() = default;
+
+std::size_t Multigrid::bytes() const noexcept {
+  std::size_t sum = heldBytes(diagonal_, sixtieths_, odd_, residual_) + fine_.bytes();
+  for (const auto& level : levels_) sum += level->bytes();
+  return sum;
+}
 
 void Multigrid::rebuild(const SolidGrid& solids, const CellBox& changed) {
   if (changed.empty()) return;

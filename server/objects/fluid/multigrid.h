@@ -51,6 +51,9 @@ class Multigrid {
   /// Number of open faces of every air cell, 0 in solids: the diagonal of A.
   [[nodiscard]] const Array<std::uint8_t>& diagonal() const noexcept { return diagonal_; }
 
+  /// Memory that it takes.
+  [[nodiscard]] std::size_t bytes() const noexcept;
+
  private:
   struct Level;
   void solveBelow(std::size_t level);

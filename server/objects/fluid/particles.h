@@ -6,6 +6,7 @@
 
 #include "objects/fluid/grid.h"
 #include "objects/fluid/solid_grid.h"
+#include "pipeline/vector_bytes.h"
 #include "world/geometry.h"
 
 namespace grove::objects::fluid {
@@ -40,6 +41,10 @@ class Particles {
   [[nodiscard]] std::size_t count() const noexcept { return x.size(); }
   /// All that were ever injected.
   [[nodiscard]] std::uint64_t injected() const noexcept { return injected_; }
+  /// Memory that they take.
+  [[nodiscard]] std::size_t bytes() const noexcept {
+    return pipeline::vectorBytes(x, y, z, velocityX, velocityY, velocityZ, age, lifetime, temperature, cooling, dead_);
+  }
 
   std::vector<float> x, y, z;
   std::vector<float> velocityX, velocityY, velocityZ;  ///< metres a second

@@ -5,6 +5,7 @@
 
 #include "objects/fluid/grid.h"
 #include "objects/fluid/solid_grid.h"
+#include "pipeline/vector_bytes.h"
 
 namespace grove::objects::fluid {
 
@@ -19,6 +20,13 @@ class Pockets {
   void removeMeans(Field& values) const;
 
   [[nodiscard]] std::size_t count() const noexcept { return pockets_.size(); }
+
+  /// Memory that they take.
+  [[nodiscard]] std::size_t bytes() const noexcept {
+    std::size_t sum = 0;
+    for (const auto& runs : pockets_) sum += pipeline::vectorBytes(runs);
+    return sum;
+  }
 
  private:
   struct Run {

@@ -39,6 +39,11 @@ class PressureSolver {
   /// Forgets the last step's pressure.
   void forget() noexcept { x_.clear(); }
 
+  /// Memory that it takes.
+  [[nodiscard]] std::size_t bytes() const noexcept {
+    return multigrid_.bytes() + pockets_.bytes() + gradients_.bytes() + heldBytes(b_, x_, next_);
+  }
+
  private:
   void refresh(SolidGrid& solids);
   Outcome iterate(double squaredB, const Options& options);

@@ -6,6 +6,7 @@
 
 #include "objects/fluid/particles.h"
 #include "objects/fluid/solid_grid.h"
+#include "pipeline/vector_bytes.h"
 #include "world/geometry.h"
 
 namespace grove::objects::fluid {
@@ -24,6 +25,9 @@ class Shading {
   /// Light at each particle, 0..1. `solids` adds the shadows of whatever moves.
   void shade(const Particles& particles, const SolidGrid& solids, std::vector<float>& skyLight,
              std::vector<float>& sunLight);
+
+  /// Memory that it takes.
+  [[nodiscard]] std::size_t bytes() const noexcept { return pipeline::vectorBytes(sunVisible_, depth_, sky_, sun_); }
 
  private:
   void deposit(const Particles& particles);

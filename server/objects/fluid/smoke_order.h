@@ -4,6 +4,8 @@
 #include <span>
 #include <vector>
 
+#include "pipeline/vector_bytes.h"
+
 namespace grove::objects::fluid {
 
 /// Sorts sprites for one viewer: farthest first, a radix sort on view depth quantised to 16 bits between the nearest
@@ -12,6 +14,9 @@ class SmokeOrder {
  public:
   /// Sorts `sprites`, indices into `depth` (metres), in place.
   void sortBackToFront(std::span<const float> depth, std::vector<std::uint32_t>& sprites);
+
+  /// Memory that it takes.
+  [[nodiscard]] std::size_t bytes() const noexcept { return pipeline::vectorBytes(entries_, scratch_); }
 
  private:
   struct Entry {

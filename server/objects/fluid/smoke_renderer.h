@@ -28,6 +28,10 @@ class SmokeRenderer final : public node::FrontendHalf {
   void draw(const node::VisibleObject& object, const node::Payload& payload, const node::View& view,
             node::Image& frame) override;
 
+  [[nodiscard]] std::size_t bytes() const override {
+    return sizeof(*this) + sprites_.bytes() + sorter_.bytes() + target_.bytes() + pipeline::vectorBytes(order_);
+  }
+
   /// Of the last frame that was drawn.
   [[nodiscard]] const SmokeDetail& detail() const noexcept { return detail_; }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "objects/fluid/snapshot.h"
+#include "pipeline/vector_bytes.h"
 #include "world/camera.h"
 
 namespace grove::objects::fluid {
@@ -39,6 +40,12 @@ struct SmokeSprites {
   std::size_t count = 0;
 
   void resize(std::size_t particles);
+
+  /// Memory that they take.
+  [[nodiscard]] std::size_t bytes() const noexcept {
+    return pipeline::vectorBytes(x, y, depth, radius, heat, life, fade, axisX, axisY, xx, xy, yy, halfWidth, halfHeight,
+                                 shrink, red, green, blue, opacity, softness, rank, chanceA, chanceB, chanceC, seen);
+  }
 };
 
 /// Sprites of less opacity are not worth a look.

@@ -8,6 +8,7 @@
 
 #include "node/image.h"
 #include "objects/fluid/smoke_sprites.h"
+#include "pipeline/vector_bytes.h"
 #include "world/camera.h"
 
 namespace grove::objects::fluid {
@@ -38,6 +39,11 @@ class SmokeTarget {
   /// that are as far away as itself (joint bilateral upsampling, Kopf et al. 2007). Nothing changes where the frame is
   /// nearer than `nearest` metres.
   void blendInto(node::Image& frame, float nearest);
+
+  /// Memory that it takes.
+  [[nodiscard]] std::size_t bytes() const noexcept {
+    return pipeline::vectorBytes(blocks_, spans_, low_, high_, jumping_, jumps_, kept_, line_, wide_);
+  }
 
  private:
   /// Rows of a column of blocks that were drawn into; empty if end <= begin.

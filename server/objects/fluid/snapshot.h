@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "node/simulation_data.h"
+#include "pipeline/vector_bytes.h"
 
 namespace grove::objects::fluid {
 
@@ -29,6 +30,11 @@ struct FluidSnapshot final : node::SimulationData {
   static constexpr float kLifetimeSteps = 4096.0F;
 
   [[nodiscard]] std::size_t count() const noexcept { return x.size(); }
+  /// Memory that it takes, packed and not.
+  [[nodiscard]] std::size_t bytes() const noexcept {
+    return packedBytes() + pipeline::vectorBytes(x, y, z, velocityX, velocityY, velocityZ, age, lifetime, temperature,
+                                                 skyLight, sunLight);
+  }
   void resize(std::size_t particles) {
     for (std::vector<float>* array :
          {&x, &y, &z, &velocityX, &velocityY, &velocityZ, &age, &lifetime, &temperature, &skyLight, &sunLight}) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "objects/fluid/grid.h"
+#include "pipeline/vector_bytes.h"
 #include "world/geometry.h"
 
 namespace grove::objects::fluid {
@@ -40,6 +41,11 @@ class SolidGrid {
 
   /// Cells that became solid or air since the last call; empty if none.
   [[nodiscard]] CellBox takeChanges() noexcept;
+
+  /// Memory that it takes.
+  [[nodiscard]] std::size_t bytes() const noexcept {
+    return heldBytes(staticAir_, air_) + pipeline::vectorBytes(wallFaces_[0], wallFaces_[1], wallFaces_[2], moving_);
+  }
 
  private:
   struct MovingCell {

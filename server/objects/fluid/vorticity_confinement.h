@@ -13,6 +13,9 @@ class VorticityConfinement {
   /// Adds the force times `seconds` to the faces between cells. The velocity's ghosts must be filled.
   void apply(float strength, float seconds, float cellSize, Velocity& velocity);
 
+  /// Memory that it takes.
+  [[nodiscard]] std::size_t bytes() const noexcept { return scratch_.heldBytes(); }
+
  private:
   const Layout layout_;
   Field scratch_;  ///< planes of centre velocities, vorticity and force around the wave

@@ -31,11 +31,17 @@ GroundMaps bake(const node::BackendServices& services, const GroundModel& model,
 
 class GroundBackend final : public node::BackendHalf {
  public:
-  GroundBackend(const node::BackendServices& services, world::TypeIndex self, MapSizes sizes) : services_(services) {
+  GroundBackend(const node::BackendServices& services, world::TypeIndex self, MapSizes sizes)
+      : services_(services), held_(services.memory, "maps", "ground", pipeline::Work::kAcrossUser) {
+    std::size_t bytes = 0;
     for (const world::Object& object : services.world.objects()) {
       if (object.type != self) continue;
-      maps_.emplace(object.id, bake(services, static_cast<const GroundModel&>(*object.model), sizes));
+      const auto placed =
+          maps_.emplace(object.id, bake(services, static_cast<const GroundModel&>(*object.model), sizes));
+      const GroundMaps& maps = placed.first->second;
+      bytes += sizeof maps + maps.clearing.pyramid.bytes() + maps.meadow.pyramid.bytes();
     }
+    held_.set(bytes);
   }
 
   [[nodiscard]] node::NodeKind kind() const override { return node::NodeKind::kRendering; }
@@ -53,6 +59,7 @@ class GroundBackend final : public node::BackendHalf {
  private:
   const node::BackendServices services_;
   std::map<world::ObjectId, GroundMaps> maps_;
+  pipeline::HeldMemory held_;
 };
 
 }  // namespace

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "pipeline/vector_bytes.h"
+
 namespace grove::objects::ground {
 
 /// A square picture of four 8-bit channels with all its halved copies (a mip map). Sizes are powers of two.
@@ -24,6 +26,9 @@ class Pyramid {
   /// The same with the texels of each level that is large enough in blocks of kBlock x kBlock, row by row within a
   /// block and block by block along a row of blocks: a line in any direction meets few cache lines and pages.
   [[nodiscard]] Pyramid inBlocks() const;
+
+  /// Memory that it takes.
+  [[nodiscard]] std::size_t bytes() const noexcept { return pipeline::vectorBytes(texels_, levels_); }
 
  private:
   const int size_;

@@ -65,8 +65,8 @@ SamplerKind resolved(SamplerKind kind, const gl::Workers& gl) {
   return gl.softwareRendered() ? SamplerKind::kSimd : SamplerKind::kGl;
 }
 
-std::unique_ptr<Sampler> makeSampler(SamplerKind kind, gl::Workers& gl) {
-  if (kind == SamplerKind::kGl) return std::make_unique<ShaderSampler>(gl);
+std::unique_ptr<Sampler> makeSampler(SamplerKind kind, const node::BackendServices& services) {
+  if (kind == SamplerKind::kGl) return std::make_unique<ShaderSampler>(services.gl, services.memory);
   return std::make_unique<SimdSampler>();
 }
 
@@ -87,13 +87,15 @@ LightFieldBackend::LightFieldBackend(const node::BackendServices& services, worl
       images_(services.images),
       executor_(executorOf(services, self)),
       mostError_(cache.mostError),
-      cache_(cache.mostBytes) {
+      cache_(cache.mostBytes, services.memory),
+      near_(services.memory),
+      sunGrids_(services.memory, "sun grids", "lightfield", pipeline::Work::kAcrossUser) {
   for (const world::Object& object : services.world.objects()) {
     if (object.type != self) continue;
     const LightFieldModel& model = modelOf(object);
     const SamplerKind kind = resolved(model.sampler(), services.gl);
     std::unique_ptr<Sampler>& sampler = samplers_[kind];
-    if (!sampler) sampler = makeSampler(kind, services.gl);
+    if (!sampler) sampler = makeSampler(kind, services);
     entries_.emplace(object.id, Entry{&model.field(),
                                       sampler.get(),
                                       model.field().lightingFor(object.transform.yaw),
@@ -109,6 +111,9 @@ LightFieldBackend::LightFieldBackend(const node::BackendServices& services, worl
     });
   }
   left.wait();
+  std::size_t sunBytes = 0;
+  for (const auto& [id, entry] : entries_) sunBytes += pipeline::vectorBytes(entry.sun.sun);
+  sunGrids_.set(sunBytes);
   if (services.progress) services.progress("shadows on the light fields", 1.0F);
 }
 

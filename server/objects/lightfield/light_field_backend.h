@@ -28,6 +28,7 @@ class LightFieldBackend final : public node::BackendHalf {
   [[nodiscard]] pipeline::Executor& executor() override { return executor_; }
   [[nodiscard]] int concurrency() const override { return executor_.width(); }
   [[nodiscard]] std::size_t mostAtOnce() const override;
+  void forget(node::SessionId session) override { near_.forget(session); }
   /// On the executor; safe to call from several of its threads at once.
   void answer(std::span<const node::Request> requests, std::span<node::Payload> payloads) override;
 
@@ -58,6 +59,7 @@ class LightFieldBackend final : public node::BackendHalf {
   NearViews near_;
   std::map<SamplerKind, std::unique_ptr<Sampler>> samplers_;
   std::map<world::ObjectId, Entry> entries_;
+  pipeline::HeldMemory sunGrids_;
 };
 
 }  // namespace grove::objects::lightfield

@@ -24,6 +24,7 @@ class LightFieldModel final : public world::Model {
   [[nodiscard]] const world::Triangles* solid() const override;
   [[nodiscard]] const world::Triangles* shade() const override;
   [[nodiscard]] std::optional<float> obstacleRadius() const override { return trunkRadius_; }
+  [[nodiscard]] std::size_t bytes() const override { return field_.bytes + solid_.bytes() + shade_.bytes(); }
 
   [[nodiscard]] const LightField& field() const noexcept { return field_; }
   [[nodiscard]] SamplerKind sampler() const noexcept { return sampler_; }

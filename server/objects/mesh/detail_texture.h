@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "pipeline/vector_bytes.h"
+
 namespace grove::objects::mesh {
 
 /// The weathered face of rock as heights in a cube that repeats: layers, grains and pits of eight texels down to two.
@@ -20,6 +22,9 @@ class DetailTexture {
   /// both, from the lowest byte up. The end of a line is its beginning again, so z + 1 needs no wrapping and both lie
   /// side by side.
   [[nodiscard]] const std::uint32_t* squares() const noexcept { return squares_.data(); }
+
+  /// Memory that it takes.
+  [[nodiscard]] std::size_t bytes() const noexcept { return pipeline::vectorBytes(squares_); }
 
  private:
   std::vector<std::uint32_t> squares_;

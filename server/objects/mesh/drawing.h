@@ -3,10 +3,13 @@
 #include <array>
 #include <memory>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "node/image.h"
 #include "objects/mesh/surface.h"
+#include "pipeline/memory_ledger.h"
+#include "pipeline/vector_bytes.h"
 #include "world/camera.h"
 #include "world/light.h"
 
@@ -22,6 +25,9 @@ struct LitSurface {
   /// (`baked`), or the share of world::ambient() that it sees (not `baked`, for what moves).
   std::vector<world::Vec4> light;
   bool baked = true;
+
+  /// Memory that it takes.
+  [[nodiscard]] std::size_t bytes() const noexcept { return surface.bytes() + pipeline::vectorBytes(light); }
 };
 
 /// The point lights that matter most to an object.
@@ -43,6 +49,16 @@ struct Drawing {
   world::Vec3 tint{1.0F};
   float sunShare = 1.0F;  ///< scales the share of the sun of all vertices
   Lamps lamps;
+};
+
+/// Whom a renderer tells what it keeps, and for which type of object.
+struct MeshMemory {
+  pipeline::MemoryLedger& ledger;  ///< outlives the renderer
+  std::string_view type;           ///< outlives the ledger
+
+  [[nodiscard]] pipeline::HeldMemory held(const char* holder) const {
+    return {ledger, holder, type, pipeline::Work::kAcrossUser};
+  }
 };
 
 /// Draws triangles to colour and depth. The implementations give the same picture.

@@ -46,11 +46,12 @@ world::Mat4 clipMatrix(const world::Camera& camera, const world::Rect& rect) {
 /// One worker's program, buffers and atlases.
 class GlMeshRenderer::Bench {
  public:
-  explicit Bench(const gl::Workers::Local& local)
+  Bench(const gl::Workers::Local& local, const MeshMemory& memory)
       : api_(local.api),
         program_(local.api, local.shaders.load("mesh/mesh.vert"), local.shaders.load("mesh/mesh.frag")),
         toClip_(program_.uniform("toClip")),
-        lightBuffer_(local.api) {}
+        lightBuffer_(local.api),
+        held_(memory.held("buffers")) {}
 
   /// Draws from `order[first]` on as many as one atlas holds; returns the next that is left.
   std::size_t renderSome(std::span<const Drawing> drawings, std::span<const std::size_t> order, std::size_t first,
@@ -79,10 +80,18 @@ class GlMeshRenderer::Bench {
       finish(readBack(tiles[i]), drawing, texture, *image);
       images[batch[i]] = image;
     }
+    held_.set(bytes());
     return first + tiles.size();
   }
 
  private:
+  [[nodiscard]] std::size_t bytes() const {
+    std::size_t sum = 2 * pipeline::vectorBytes(light_) + pipeline::vectorBytes(surface_, depth_);
+    for (const auto& [size, atlas] : atlases_) sum += atlas.bytes();
+    for (const auto& [object, surface] : surfaces_) sum += surface.bytes();
+    return sum;
+  }
+
   gl::Framebuffer& atlasFor(int width, int height) {
     const auto it = atlases_.find({width, height});
     if (it != atlases_.end()) return it->second;
@@ -166,10 +175,11 @@ class GlMeshRenderer::Bench {
   std::vector<float> depth_;
   std::map<std::pair<int, int>, gl::Framebuffer> atlases_;
   std::map<const LitSurface*, GlSurface> surfaces_;
+  pipeline::HeldMemory held_;
 };
 
-GlMeshRenderer::GlMeshRenderer(gl::Workers& workers, node::ImagePool& images)
-    : workers_(workers), images_(images), benches_(static_cast<std::size_t>(workers.width())) {}
+GlMeshRenderer::GlMeshRenderer(gl::Workers& workers, node::ImagePool& images, const MeshMemory& memory)
+    : workers_(workers), images_(images), memory_(memory), benches_(static_cast<std::size_t>(workers.width())) {}
 
 GlMeshRenderer::~GlMeshRenderer() {
   workers_.runOnEach([this](gl::Workers::Local& local) { benches_[static_cast<std::size_t>(local.index)].reset(); });
@@ -178,7 +188,7 @@ GlMeshRenderer::~GlMeshRenderer() {
 void GlMeshRenderer::render(std::span<const Drawing> drawings, std::span<std::shared_ptr<const node::Image>> images) {
   const gl::Workers::Local& local = gl::Workers::local();
   std::unique_ptr<Bench>& bench = benches_[static_cast<std::size_t>(local.index)];
-  if (!bench) bench = std::make_unique<Bench>(local);
+  if (!bench) bench = std::make_unique<Bench>(local, memory_);
   std::vector<std::size_t> order;
   for (std::size_t i = 0; i < drawings.size(); ++i) {
     if (!drawings[i].rect.empty()) order.push_back(i);

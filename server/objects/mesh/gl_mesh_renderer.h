@@ -13,8 +13,8 @@ namespace grove::objects::mesh {
 /// GL interpolates light and depth over triangles, and what needs many operations a pixel is left to wider loops.
 class GlMeshRenderer final : public MeshRenderer {
  public:
-  /// Both outlive the renderer.
-  GlMeshRenderer(gl::Workers& workers, node::ImagePool& images);
+  /// All outlive the renderer.
+  GlMeshRenderer(gl::Workers& workers, node::ImagePool& images, const MeshMemory& memory);
   /// Not on a worker: waits for each to drop its buffers.
   ~GlMeshRenderer() override;
 
@@ -26,6 +26,7 @@ class GlMeshRenderer final : public MeshRenderer {
   const DetailTexture texture_;
   gl::Workers& workers_;
   node::ImagePool& images_;
+  const MeshMemory memory_;
   std::vector<std::unique_ptr<Bench>> benches_;  // by worker, each used by its thread alone
 };
 

@@ -38,6 +38,7 @@ GlSurface::GlSurface(const gl::Api& api, const LitSurface& object)
     all.insert(all.end(), level.triangles.begin(), level.triangles.end());
   }
   fill(indices_, all);
+  bufferBytes_ = surface.vertices.size() * sizeof(Vertex) + all.size() * sizeof(Triangle);
 
   api.VertexArrayVertexBuffer(array_.name(), kVertexBinding, vertices_.name(), 0, sizeof(Vertex));
   api.VertexArrayElementBuffer(array_.name(), indices_.name());

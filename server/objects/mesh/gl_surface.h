@@ -18,6 +18,8 @@ class GlSurface {
   void draw(const Level& level, const gl::Buffer& light, std::size_t firstByte) const;
 
   [[nodiscard]] const VertexArrays& arrays() const noexcept { return arrays_; }
+  /// Memory that it takes, the buffers' included.
+  [[nodiscard]] std::size_t bytes() const noexcept { return arrays_.bytes() + bufferBytes_; }
 
  private:
   struct Range {
@@ -31,6 +33,7 @@ class GlSurface {
   gl::Buffer indices_;
   gl::VertexArray array_;
   std::vector<Range> ranges_;
+  std::size_t bufferBytes_;
 };
 
 }  // namespace grove::objects::mesh

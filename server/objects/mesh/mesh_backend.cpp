@@ -38,13 +38,13 @@ MeshBackend::Entry::Entry(const world::Object& object, RendererKind kind)
       renderer(kind) {}
 
 MeshBackend::MeshBackend(const node::BackendServices& services, world::TypeIndex self)
-    : executor_(executorOf(services, self)) {
+    : executor_(executorOf(services, self)), held_(services.memory, "surfaces", "mesh", pipeline::Work::kAcrossUser) {
   for (const world::Object& object : services.world.objects()) {
     if (object.type != self) continue;
     const RendererKind kind = resolved(modelOf(object).renderer(), services.gl);
     entries_.try_emplace(object.id, object, kind);
     std::unique_ptr<MeshRenderer>& renderer = renderers_[kind];
-    if (!renderer) renderer = makeRenderer(kind, services);
+    if (!renderer) renderer = makeRenderer(kind, services, "mesh");
   }
   std::latch left(static_cast<std::ptrdiff_t>(entries_.size()));
   for (const world::Object& object : services.world.objects()) {
@@ -55,6 +55,9 @@ MeshBackend::MeshBackend(const node::BackendServices& services, world::TypeIndex
     });
   }
   left.wait();
+  std::size_t bytes = 0;
+  for (const auto& [id, entry] : entries_) bytes += entry.lit.bytes() + entry.points.bytes();
+  held_.set(bytes);
   if (services.progress) services.progress("light of the meshes", 1.0F);
 }
 

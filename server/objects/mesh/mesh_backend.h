@@ -37,6 +37,7 @@ class MeshBackend final : public node::BackendHalf {
   std::map<world::ObjectId, Entry> entries_;
   std::map<RendererKind, std::unique_ptr<MeshRenderer>> renderers_;
   pipeline::Executor& executor_;
+  pipeline::HeldMemory held_;
 };
 
 }  // namespace grove::objects::mesh

@@ -28,6 +28,9 @@ class MeshModel final : public world::Model {
   [[nodiscard]] const world::Triangles* solid() const override { return solid_ ? &*solid_ : nullptr; }
   [[nodiscard]] const world::Triangles* shade() const override { return shade_ ? &*shade_ : solid(); }
   [[nodiscard]] std::optional<float> obstacleRadius() const override { return obstacleRadius_; }
+  [[nodiscard]] std::size_t bytes() const override {
+    return surface_.bytes() + (solid_ ? solid_->bytes() : 0) + (shade_ ? shade_->bytes() : 0);
+  }
 
   [[nodiscard]] const Surface& surface() const noexcept { return surface_; }
   [[nodiscard]] RendererKind renderer() const noexcept { return renderer_; }

@@ -37,6 +37,9 @@ struct ScreenVertices {
   std::vector<Corner> corners;       ///< only those beyond the near depth mean anything
   float nearest = 0.0F;              ///< least depth of all
 
+  /// Memory that they take.
+  [[nodiscard]] std::size_t bytes() const noexcept { return pipeline::vectorBytes(u, v, depth, light, corners); }
+
   [[nodiscard]] ClipVertex clipVertex(std::size_t index, float lichen) const noexcept;
 };
 
@@ -47,6 +50,9 @@ struct Canvas {
   std::vector<std::uint32_t> surface;
   std::vector<float> depth;       ///< near depth / view depth, 0 where nothing is
   std::vector<node::Span> spans;  ///< by row, the columns from the left that have been drawn to
+
+  /// Memory that it takes.
+  [[nodiscard]] std::size_t bytes() const noexcept { return pipeline::vectorBytes(surface, depth, spans); }
 
   /// Empties it for another rectangle; only what was drawn to costs anything.
   void begin(const world::Rect& to);

@@ -14,10 +14,12 @@ RendererKind resolved(RendererKind kind, const gl::Workers& gl) noexcept {
   return gl.softwareRendered() ? RendererKind::kSimd : RendererKind::kGl;
 }
 
-std::unique_ptr<MeshRenderer> makeRenderer(RendererKind kind, const node::BackendServices& services) {
+std::unique_ptr<MeshRenderer> makeRenderer(RendererKind kind, const node::BackendServices& services,
+                                           std::string_view type) {
+  const MeshMemory memory{services.memory, type};
   assert(kind != RendererKind::kAuto);
-  if (kind == RendererKind::kGl) return std::make_unique<GlMeshRenderer>(services.gl, services.images);
-  if (kind == RendererKind::kSimd) return std::make_unique<SimdMeshRenderer>(services.images);
+  if (kind == RendererKind::kGl) return std::make_unique<GlMeshRenderer>(services.gl, services.images, memory);
+  if (kind == RendererKind::kSimd) return std::make_unique<SimdMeshRenderer>(services.images, memory);
   return std::make_unique<EmbreeMeshRenderer>(services.images);
 }
 

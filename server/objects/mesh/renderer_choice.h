@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <string_view>
 
 #include "node/object_type.h"
 #include "objects/mesh/drawing.h"
@@ -19,7 +20,8 @@ enum class RendererKind {
 [[nodiscard]] RendererKind resolved(RendererKind kind, const gl::Workers& gl) noexcept;
 
 /// `kind` is a resolved one. What it needs of the services outlives the renderer.
-[[nodiscard]] std::unique_ptr<MeshRenderer> makeRenderer(RendererKind kind, const node::BackendServices& services);
+[[nodiscard]] std::unique_ptr<MeshRenderer> makeRenderer(RendererKind kind, const node::BackendServices& services,
+                                                         std::string_view type);
 
 /// Where a renderer of a resolved kind runs.
 [[nodiscard]] pipeline::Executor& executorFor(RendererKind kind, const node::BackendServices& services) noexcept;

@@ -14,6 +14,9 @@ struct PointCloud {
   std::vector<float> z;
 
   explicit PointCloud(const Surface& surface);
+
+  /// Memory that it takes.
+  [[nodiscard]] std::size_t bytes() const noexcept { return pipeline::vectorBytes(x, y, z); }
 };
 
 /// Smallest rectangle of pixels that holds the points, within `most`, which is returned if one of them is not before

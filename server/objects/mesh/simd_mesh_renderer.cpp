@@ -32,7 +32,8 @@ struct SimdMeshRenderer::Bench {
   Canvas canvas;
 };
 
-SimdMeshRenderer::SimdMeshRenderer(node::ImagePool& images) : images_(images) {}
+SimdMeshRenderer::SimdMeshRenderer(node::ImagePool& images, const MeshMemory& memory)
+    : images_(images), held_(memory.held("buffers")) {}
 
 SimdMeshRenderer::~SimdMeshRenderer() = default;
 
@@ -46,7 +47,9 @@ void SimdMeshRenderer::render(std::span<const Drawing> drawings, std::span<std::
 
 const VertexArrays& SimdMeshRenderer::arraysOf(const LitSurface& object) {
   const std::lock_guard lock(mutex_);
-  return arrays_.try_emplace(&object, object).first->second;
+  const auto [it, isNew] = arrays_.try_emplace(&object, object);
+  if (isNew) arrayBytes_ += it->second.bytes();
+  return it->second;
 }
 
 std::unique_ptr<SimdMeshRenderer::Bench> SimdMeshRenderer::takeBench() {
@@ -60,6 +63,9 @@ std::unique_ptr<SimdMeshRenderer::Bench> SimdMeshRenderer::takeBench() {
 void SimdMeshRenderer::giveBack(std::unique_ptr<Bench> bench) {
   const std::lock_guard lock(mutex_);
   benches_.push_back(std::move(bench));
+  std::size_t sum = texture_.bytes() + arrayBytes_;
+  for (const auto& unused : benches_) sum += unused->vertices.bytes() + unused->canvas.bytes();
+  held_.set(sum);
 }
 
 std::shared_ptr<const node::Image> SimdMeshRenderer::renderOne(const Drawing& drawing, Bench& bench) {

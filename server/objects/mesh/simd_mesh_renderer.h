@@ -16,7 +16,7 @@ namespace grove::objects::mesh {
 class SimdMeshRenderer final : public MeshRenderer {
  public:
   /// `images` outlives the renderer.
-  explicit SimdMeshRenderer(node::ImagePool& images);
+  SimdMeshRenderer(node::ImagePool& images, const MeshMemory& memory);
   ~SimdMeshRenderer() override;
 
   void render(std::span<const Drawing> drawings, std::span<std::shared_ptr<const node::Image>> images) override;
@@ -33,6 +33,8 @@ class SimdMeshRenderer final : public MeshRenderer {
   std::mutex mutex_;
   std::map<const LitSurface*, VertexArrays> arrays_;
   std::vector<std::unique_ptr<Bench>> benches_;  // that nobody uses
+  std::size_t arrayBytes_ = 0;
+  pipeline::HeldMemory held_;
 };
 
 }  // namespace grove::objects::mesh

@@ -131,6 +131,12 @@ world::Bounds Surface::bounds() const {
   return all;
 }
 
+std::size_t Surface::bytes() const noexcept {
+  std::size_t sum = pipeline::vectorBytes(vertices);
+  for (const Level& level : levels) sum += pipeline::vectorBytes(level.triangles);
+  return sum;
+}
+
 world::Triangles Surface::triangles() const {
   world::Triangles all;
   for (const Vertex& vertex : vertices) all.positions.push_back(vertex.position);

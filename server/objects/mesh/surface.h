@@ -44,6 +44,9 @@ struct Surface {
 
   [[nodiscard]] world::Bounds bounds() const;
 
+  /// Memory that it takes.
+  [[nodiscard]] std::size_t bytes() const noexcept;
+
   /// The finest level alone.
   [[nodiscard]] world::Triangles triangles() const;
 

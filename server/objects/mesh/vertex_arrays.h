@@ -18,6 +18,12 @@ struct VertexArrays {
 
   explicit VertexArrays(const LitSurface& object);
 
+  /// Memory that they take.
+  [[nodiscard]] std::size_t bytes() const noexcept {
+    return pipeline::vectorBytes(runs, positionX, positionY, positionZ, normalX, normalY, normalZ, albedoR, albedoG,
+                                 albedoB, emission, tint, lichen, sun, indirectR, indirectG, indirectB);
+  }
+
   std::vector<Run> runs;
   std::vector<float> positionX, positionY, positionZ;
   std::vector<float> normalX, normalY, normalZ;

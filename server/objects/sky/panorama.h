@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "pipeline/vector_bytes.h"
 #include "world/geometry.h"
 
 namespace grove::objects::sky {
@@ -44,6 +45,9 @@ class Panorama {
   [[nodiscard]] world::Vec3 sample(world::Vec3 direction) const noexcept;
   /// The same at a place in texels, whose middles are at whole numbers. Columns go around, rows end.
   [[nodiscard]] world::Vec3 at(float x, float y) const noexcept;
+
+  /// Memory that it takes.
+  [[nodiscard]] std::size_t bytes() const noexcept { return pipeline::vectorBytes(texels_); }
 
  private:
   const PanoramaSize size_;

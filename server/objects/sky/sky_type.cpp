@@ -23,13 +23,18 @@ class SkyModel final : public world::Model {
 
 class SkyBackend final : public node::BackendHalf {
  public:
-  SkyBackend(const node::BackendServices& services, world::TypeIndex self, PanoramaSize size) : services_(services) {
+  SkyBackend(const node::BackendServices& services, world::TypeIndex self, PanoramaSize size)
+      : services_(services), held_(services.memory, "maps", "sky", pipeline::Work::kAcrossUser) {
+    std::size_t bytes = 0;
     for (const world::Object& object : services.world.objects()) {
       if (object.type != self) continue;
       const int seed = static_cast<const SkyModel&>(*object.model).seed();
       if (maps_.contains(seed)) continue;
-      maps_.emplace(seed, bakePanorama(size, seed, [&](float share) { services.progress("painting the sky", share); }));
+      const auto progress = [&](float share) { services.progress("painting the sky", share); };
+      const SkyMaps& maps = maps_.emplace(seed, bakePanorama(size, seed, progress)).first->second;
+      bytes += maps.sharp.bytes() + maps.soft.bytes();
     }
+    held_.set(bytes);
   }
 
   [[nodiscard]] node::NodeKind kind() const override { return node::NodeKind::kRendering; }
@@ -47,6 +52,7 @@ class SkyBackend final : public node::BackendHalf {
  private:
   const node::BackendServices services_;
   std::map<int, SkyMaps> maps_;
+  pipeline::HeldMemory held_;
 };
 
 }  // namespace

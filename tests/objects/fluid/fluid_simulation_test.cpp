@@ -147,5 +147,19 @@ TEST_F(FluidSimulationTest, BadInputIsRefusedOrClamped) {
   EXPECT_LE(simulation.outcome().residual, 1.0e-4F);
 }
 
+TEST_F(FluidSimulationTest, TellsItsMemory) {
+  const world::RayScene nothing(world::Triangles{});
+  FluidSettings coarse = settings();
+  FluidSettings fine = settings();
+  coarse.grid = 16;
+  fine.grid = 64;
+  const FluidSimulation small(coarse, world::Vec3(0.0F), nothing, nothing);
+  const FluidSimulation large(fine, world::Vec3(0.0F), nothing, nothing);
+  // Velocity and temperature, now and next, and what the pressure needs are more than a dozen fields.
+  EXPECT_GT(large.bytes(), 12 * sizeof(float) * 64 * 64 * 64);
+  EXPECT_LT(large.bytes(), 80 * sizeof(float) * 64 * 64 * 64);
+  EXPECT_GT(large.bytes(), 8 * small.bytes());
+}
+
 }  // namespace
 }  // namespace grove::objects::fluid

@@ -61,6 +61,23 @@ void NearViews::shown(node::SessionId session, world::ObjectId object, const Nea
   if (const auto entry = find(session, object); entry != entries_.end()) given.splice(given.end(), entries_, entry);
   entries_.push_front({session, object, view});
   if (entries_.size() > kMost) given.splice(given.end(), entries_, std::prev(entries_.end()));
+  tell(view.picture->bytes(), given);
+}
+
+void NearViews::forget(node::SessionId session) {
+  std::list<Entry> given;
+  const std::lock_guard lock(mutex_);
+  for (auto next = entries_.begin(); next != entries_.end();) {
+    const auto entry = next++;
+    if (entry->session == session) given.splice(given.end(), entries_, entry);
+  }
+  tell(0, given);
+}
+
+void NearViews::tell(std::size_t more, const std::list<Entry>& given) {
+  bytes_ += more;
+  for (const Entry& entry : given) bytes_ -= entry.view.picture->bytes();
+  held_.set(bytes_);
 }
 
 }  // namespace grove::objects::lightfield

@@ -7,6 +7,7 @@
 
 #include "node/messages.h"
 #include "objects/lightfield/cache/cached_view.h"
+#include "pipeline/memory_ledger.h"
 #include "world/object.h"
 
 namespace grove::objects::lightfield {
@@ -32,9 +33,15 @@ class NearViews {
  public:
   static constexpr std::size_t kMost = 128;
 
+  /// `memory` is told what is kept.
+  explicit NearViews(pipeline::MemoryLedger& memory)
+      : held_(memory, "near views", "lightfield", pipeline::Work::kPerUserBackend) {}
+
   /// Without a picture if there is none.
   [[nodiscard]] NearView last(node::SessionId session, world::ObjectId object);
   void shown(node::SessionId session, world::ObjectId object, const NearView& view);
+  /// All pictures of a visitor.
+  void forget(node::SessionId session);
 
  private:
   struct Entry {
@@ -44,8 +51,13 @@ class NearViews {
   };
   [[nodiscard]] std::list<Entry>::iterator find(node::SessionId session, world::ObjectId object);
 
+  /// Of what is kept now.
+  void tell(std::size_t more, const std::list<Entry>& given);
+
   std::mutex mutex_;
   std::list<Entry> entries_;  // the last used first
+  std::size_t bytes_ = 0;
+  pipeline::HeldMemory held_;
 };
 
 }  // namespace grove::objects::lightfield

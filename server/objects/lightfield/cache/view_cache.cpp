@@ -14,7 +14,8 @@ std::size_t ViewCache::Hash::operator()(const ViewKey& key) const noexcept {
   return mixed;
 }
 
-ViewCache::ViewCache(std::size_t mostBytes) : mostBytes_(mostBytes) {}
+ViewCache::ViewCache(std::size_t mostBytes, pipeline::MemoryLedger& memory)
+    : mostBytes_(mostBytes), held_(memory, "shared views", "lightfield", pipeline::Work::kAcrossUser) {}
 
 std::shared_ptr<const CachedView> ViewCache::find(const ViewKey& key) {
   const std::lock_guard lock(mutex_);
@@ -47,6 +48,7 @@ std::shared_ptr<const CachedView> ViewCache::keep(const ViewKey& key, std::share
   entries_.push_front({key, view});
   places_.emplace(key, entries_.begin());
   bytes_ += bytes;
+  held_.set(bytes_);
   return view;
 }
 

@@ -9,6 +9,7 @@
 
 #include "objects/lightfield/cache/cached_view.h"
 #include "objects/lightfield/cache/view_cell.h"
+#include "pipeline/memory_ledger.h"
 #include "world/object.h"
 
 namespace grove::objects::lightfield {
@@ -26,8 +27,8 @@ struct ViewKey {
 /// somebody draws it.
 class ViewCache {
  public:
-  /// 0 keeps nothing.
-  explicit ViewCache(std::size_t mostBytes);
+  /// 0 keeps nothing. `memory` is told what is kept.
+  ViewCache(std::size_t mostBytes, pipeline::MemoryLedger& memory);
 
   /// Null if it is not there. Counts a hit or a miss.
   [[nodiscard]] std::shared_ptr<const CachedView> find(const ViewKey& key);
@@ -60,6 +61,7 @@ class ViewCache {
   std::uint64_t hits_ = 0;
   std::uint64_t misses_ = 0;
   std::size_t bytes_ = 0;
+  pipeline::HeldMemory held_;
 };
 
 }  // namespace grove::objects::lightfield

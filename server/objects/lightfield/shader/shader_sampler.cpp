@@ -71,13 +71,16 @@ int roundedUp(int pixels) { return (pixels + kStep - 1) / kStep * kStep; }
 /// One worker's program, target and textures.
 class ShaderSampler::Bench {
  public:
-  Bench(const gl::Workers::Local& local, DepthCorrection correction, std::size_t mostBytes)
+  Bench(const gl::Workers::Local& local, DepthCorrection correction, std::size_t mostBytes,
+        pipeline::MemoryLedger* memory)
       : api_(local.api),
         correction_(correction),
         program_(local.api, local.shaders.load("lightfield/sample.vert"), local.shaders.load("lightfield/sample.frag")),
         noVertices_(local.api),
         request_(local.api),
-        fields_(local.api, mostBytes) {}
+        fields_(local.api, mostBytes) {
+    if (memory != nullptr) held_.emplace(*memory, "textures", "lightfield", pipeline::Work::kAcrossUser);
+  }
 
   /// Makes pictures until the target is full; returns how many.
   std::size_t renderSome(std::span<const SampleRequest> requests, std::span<node::Image* const> images) {
@@ -93,6 +96,7 @@ class ShaderSampler::Bench {
     prepare(width, height);
     for (std::size_t i = 0; i < count; ++i) draw(requests[i], images[i]->rect, tops[i]);
     for (std::size_t i = 0; i < count; ++i) readBack(*images[i], tops[i]);
+    if (held_) held_->set(fields_.bytes() + target_->bytes());
     return count;
   }
 
@@ -137,6 +141,7 @@ class ShaderSampler::Bench {
   gl::Buffer request_;
   GlFieldCache fields_;
   std::optional<gl::Framebuffer> target_;
+  std::optional<pipeline::HeldMemory> held_;
 };
 
 ShaderSampler::ShaderSampler(gl::Workers& workers, DepthCorrection correction, std::size_t mostBytes)
@@ -144,6 +149,10 @@ ShaderSampler::ShaderSampler(gl::Workers& workers, DepthCorrection correction, s
       correction_(correction),
       mostBytes_(mostBytes),
       benches_(static_cast<std::size_t>(workers.width())) {}
+
+ShaderSampler::ShaderSampler(gl::Workers& workers, pipeline::MemoryLedger& memory) : ShaderSampler(workers) {
+  memory_ = &memory;
+}
 
 ShaderSampler::~ShaderSampler() {
   workers_.runOnEach([this](gl::Workers::Local& local) { benches_[static_cast<std::size_t>(local.index)].reset(); });
@@ -153,7 +162,7 @@ void ShaderSampler::render(std::span<const SampleRequest> requests, std::span<no
   assert(requests.size() == images.size());
   const gl::Workers::Local& local = gl::Workers::local();
   std::unique_ptr<Bench>& bench = benches_[static_cast<std::size_t>(local.index)];
-  if (!bench) bench = std::make_unique<Bench>(local, correction_, mostBytes_);
+  if (!bench) bench = std::make_unique<Bench>(local, correction_, mostBytes_, memory_);
   while (!requests.empty()) {
     const std::size_t done = bench->renderSome(requests, images);
     requests = requests.subspan(done);

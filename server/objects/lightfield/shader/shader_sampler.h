@@ -6,6 +6,7 @@
 
 #include "gl/workers.h"
 #include "objects/lightfield/sampler.h"
+#include "pipeline/memory_ledger.h"
 
 namespace grove::objects::lightfield {
 
@@ -21,6 +22,8 @@ class ShaderSampler final : public Sampler {
   /// The workers outlive the sampler.
   explicit ShaderSampler(gl::Workers& workers, DepthCorrection correction = DepthCorrection::kOn,
                          std::size_t mostBytes = kDefaultBytes);
+  /// Tells `memory`, which outlives the sampler, of the textures and targets.
+  ShaderSampler(gl::Workers& workers, pipeline::MemoryLedger& memory);
   /// Not on a worker: waits for each to drop its textures.
   ~ShaderSampler() override;
 
@@ -32,6 +35,7 @@ class ShaderSampler final : public Sampler {
   gl::Workers& workers_;
   const DepthCorrection correction_;
   const std::size_t mostBytes_;
+  pipeline::MemoryLedger* memory_ = nullptr;     ///< null: nobody wants to know
   std::vector<std::unique_ptr<Bench>> benches_;  // by worker, each used by its thread alone
 };
 

@@ -78,7 +78,8 @@ TEST(NearViews, DoesNotServeWhatANearEyeWouldSeeBeyondTheEdge) {
 }
 
 TEST(NearViews, KeepsTheLastOfEachVisitorAndObject) {
-  NearViews views;
+  pipeline::MemoryLedger memory;
+  NearViews views(memory);
   EXPECT_FALSE(views.last(1, 1).picture);
   const NearView one = viewOf(gratingOf(2.0F, 4.0F));
   const NearView other = viewOf(gratingOf(1.0F, 4.0F));
@@ -91,7 +92,8 @@ TEST(NearViews, KeepsTheLastOfEachVisitorAndObject) {
 }
 
 TEST(NearViews, MemoryIsBoundedWhoeverComes) {
-  NearViews views;
+  pipeline::MemoryLedger memory;
+  NearViews views(memory);
   const NearView view = viewOf(gratingOf(2.0F, 4.0F));
   for (node::SessionId session = 1; session <= 1000; ++session) {
     views.shown(session, 1, view);
@@ -101,6 +103,24 @@ TEST(NearViews, MemoryIsBoundedWhoeverComes) {
   EXPECT_FALSE(views.last(2, 1).picture);
   EXPECT_TRUE(views.last(1000, 1).picture);
   EXPECT_LE(view.picture.use_count(), static_cast<long>(NearViews::kMost) + 1);
+}
+
+TEST(NearViews, TellWhatTheyHoldUntilTheVisitorLeaves) {
+  pipeline::MemoryLedger memory;
+  NearViews views(memory);
+  const auto told = [&] { return memory.totals().at({"near views", "lightfield"}).bytes; };
+  const NearView view = viewOf(gratingOf(2.0F, 4.0F));
+  const auto each = static_cast<std::int64_t>(view.picture->bytes());
+  views.shown(1, 1, view);
+  views.shown(1, 2, view);
+  views.shown(2, 1, view);
+  EXPECT_EQ(told(), 3 * each);
+  views.shown(1, 1, view);
+  EXPECT_EQ(told(), 3 * each) << "in place of the last one";
+  views.forget(1);
+  EXPECT_EQ(told(), each);
+  EXPECT_EQ(views.last(1, 2).picture, nullptr);
+  EXPECT_NE(views.last(2, 1).picture, nullptr);
 }
 
 }  // namespace

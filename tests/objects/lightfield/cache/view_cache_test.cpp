@@ -28,7 +28,8 @@ ViewKey key(int column) {
 }
 
 TEST(ViewCache, FindsWhatItKeeps) {
-  ViewCache cache(1U << 20U);
+  pipeline::MemoryLedger memory;
+  ViewCache cache(1U << 20U, memory);
   EXPECT_EQ(cache.find(key(1)), nullptr);
   const auto view = square(16);
   EXPECT_EQ(cache.keep(key(1), view), view);
@@ -43,7 +44,8 @@ TEST(ViewCache, FindsWhatItKeeps) {
 }
 
 TEST(ViewCache, EveryPartOfAKeyCounts) {
-  ViewCache cache(1U << 20U);
+  pipeline::MemoryLedger memory;
+  ViewCache cache(1U << 20U, memory);
   std::vector<ViewKey> keys(7);
   keys[1].object = 1;
   keys[2].cell.focal = 1;
@@ -60,19 +62,22 @@ TEST(ViewCache, EveryPartOfAKeyCounts) {
 
 TEST(ViewCache, GivesUpTheLeastRecentlyUsed) {
   const std::size_t each = square(16)->bytes();
-  ViewCache cache(3 * each + each / 2);
+  pipeline::MemoryLedger memory;
+  ViewCache cache(3 * each + each / 2, memory);
   for (const int i : {1, 2, 3}) EXPECT_NE(cache.keep(key(i), square(16)), nullptr);
   EXPECT_NE(cache.find(key(1)), nullptr);
   EXPECT_NE(cache.keep(key(4), square(16)), nullptr);
   EXPECT_EQ(cache.find(key(2)), nullptr);
   for (const int i : {1, 3, 4}) EXPECT_NE(cache.find(key(i)), nullptr) << i;
   EXPECT_EQ(cache.statistics().bytes, 3 * each);
+  EXPECT_EQ(memory.totals().at({"shared views", "lightfield"}).bytes, static_cast<std::int64_t>(3 * each));
 }
 
 TEST(ViewCache, MakesRoomForALargeOne) {
   const std::size_t small = square(16)->bytes();
   const auto large = square(32);
-  ViewCache cache(large->bytes() + small);
+  pipeline::MemoryLedger memory;
+  ViewCache cache(large->bytes() + small, memory);
   for (int i = 0; i < 4; ++i) EXPECT_NE(cache.keep(key(i), square(16)), nullptr);
   EXPECT_EQ(cache.keep(key(9), large), large);
   EXPECT_EQ(cache.find(key(9)), large);
@@ -82,7 +87,8 @@ TEST(ViewCache, MakesRoomForALargeOne) {
 
 TEST(ViewCache, WhatWasGivenUpLivesOnWithWhoUsesIt) {
   const auto first = square(16);
-  ViewCache cache(first->bytes());
+  pipeline::MemoryLedger memory;
+  ViewCache cache(first->bytes(), memory);
   EXPECT_EQ(cache.keep(key(1), first), first);
   EXPECT_NE(cache.keep(key(2), square(16)), nullptr);
   EXPECT_EQ(cache.find(key(1)), nullptr);
@@ -91,7 +97,8 @@ TEST(ViewCache, WhatWasGivenUpLivesOnWithWhoUsesIt) {
 }
 
 TEST(ViewCache, TheQuickerOfTwoVisitorsIsKept) {
-  ViewCache cache(1U << 20U);
+  pipeline::MemoryLedger memory;
+  ViewCache cache(1U << 20U, memory);
   const auto first = square(16);
   const auto second = square(16);
   EXPECT_EQ(cache.keep(key(1), first), first);
@@ -100,7 +107,8 @@ TEST(ViewCache, TheQuickerOfTwoVisitorsIsKept) {
 }
 
 TEST(ViewCache, OfNoBytesKeepsNothing) {
-  ViewCache cache(0);
+  pipeline::MemoryLedger memory;
+  ViewCache cache(0, memory);
   const auto view = square(4);
   EXPECT_EQ(cache.keep(key(1), view), view);
   EXPECT_EQ(cache.find(key(1)), nullptr);
@@ -110,7 +118,8 @@ TEST(ViewCache, OfNoBytesKeepsNothing) {
 
 TEST(ViewCache, DoesNotGiveUpAnythingForWhatIsTooLarge) {
   const auto small = square(8);
-  ViewCache cache(2 * small->bytes());
+  pipeline::MemoryLedger memory;
+  ViewCache cache(2 * small->bytes(), memory);
   EXPECT_EQ(cache.keep(key(1), small), small);
   const auto large = square(64);
   EXPECT_EQ(cache.keep(key(2), large), large);
@@ -122,7 +131,8 @@ TEST(ViewCache, NeverExceedsItsBytes) {
   constexpr int kThreads = 8;
   constexpr int kRounds = 2000;
   const std::size_t most = 10 * square(24)->bytes();
-  ViewCache cache(most);
+  pipeline::MemoryLedger memory;
+  ViewCache cache(most, memory);
   std::atomic<int> running = kThreads;
   std::vector<std::thread> threads;
   std::vector<std::size_t> sums(kThreads, 0);

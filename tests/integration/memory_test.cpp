@@ -1,0 +1,148 @@
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <set>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "integration/picture.h"
+#include "integration/served_scene.h"
+#include "measure/memory_use.h"
+#include "objects/lightfield/format/light_field_file.h"
+#include "objects/lightfield/format/small_field.h"
+#include "objects/lightfield/simd/thicket.h"
+#include "stream/headless_session.h"
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define GROVE_SANITIZED 1
+#else
+#define GROVE_SANITIZED 0
+#endif
+
+namespace grove::integration {
+namespace {
+
+using pipeline::Work;
+using stream::HeadlessSession;
+using Visitors = std::vector<std::unique_ptr<HeadlessSession>>;
+
+/// What is held for `work`; of shared work only what visitors do not fill by and by: no caches, nothing made on demand.
+double told(const stream::Host& host, Work work) {
+  static const std::set<std::string> onDemand{"shared views", "buffers"};
+  double sum = 0.0;
+  for (const auto& [key, total] : host.memory().totals()) {
+    if (total.work != work || (work == Work::kAcrossUser && onDemand.contains(key.holder))) continue;
+    sum += static_cast<double>(total.bytes);
+  }
+  return sum;
+}
+
+double toldInAll(const stream::Host& host) {
+  double sum = 0.0;
+  for (const auto& [key, total] : host.memory().totals()) sum += static_cast<double>(total.bytes);
+  return sum;
+}
+
+void waitFor(const std::function<bool()>& condition) {
+  const auto end = std::chrono::steady_clock::now() + kPatience;
+  while (!condition() && std::chrono::steady_clock::now() < end)
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+}
+
+void enter(ServedScene& served, Visitors& visitors) {
+  visitors.push_back(std::make_unique<HeadlessSession>(served.host, "visitor", 1280, 720));
+  for (int i = 0; i < 4; ++i) {
+    (void)pictureAfter(*visitors.back(), world::kForward, 0.3F * static_cast<float>(i));
+  }
+}
+
+/// A fire, stones, the ground, the sky, and a light field.
+class Memory : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    folder_ = new objects::lightfield::TemporaryFolder;
+    objects::lightfield::writeLightField(objects::lightfield::Thicket().bake(8, 128, 3), *folder_ / "thicket.glf");
+  }
+  static void TearDownTestSuite() { delete folder_; }
+
+  static std::string scene() {
+    const std::string field = "[[object]]\ntype = 'lightfield'\nscale = 5\nfile = '" +
+                              (*folder_ / "thicket.glf").string() + "'\nposition = [";
+    return "name = 'a grove'\nspawn = [0, 0, 15]\n[visitor]\ntype = 'figure'\n"
+           "[[object]]\ntype = 'fluid'\ngrid = 64\n"
+           "[[object]]\ntype = 'sky'\n"
+           "[[object]]\ntype = 'mesh'\nposition = [3, 0, 3]\n"
+           "[[object]]\ntype = 'mesh'\nshape = 'rocks'\nposition = [-3, 0, 3]\n" +
+           field + "8, 0, -8]\n" + field + "-9, 0, -20]\n";
+  }
+
+  static objects::lightfield::TemporaryFolder* folder_;
+};
+
+objects::lightfield::TemporaryFolder* Memory::folder_ = nullptr;
+
+TEST_F(Memory, WhatIsToldIsWhatTheProcessHolds) {
+  if (GROVE_SANITIZED) GTEST_SKIP() << "sanitizers keep memory of their own";
+  {
+    // Libraries and threads take theirs once.
+    ServedScene served("name = 'nothing'\n");
+    Visitors visitors;
+    enter(served, visitors);
+  }
+  measure::returnFreedMemory();
+  const auto before = static_cast<double>(measure::MemoryUse::read().resident);
+  stream::HostOptions options;
+  options.timelineEvents = 1024;  // what is kept for events is told whole, though they come by and by
+  ServedScene served(scene(), options);
+  Visitors visitors;
+  for (int i = 0; i < 3; ++i) enter(served, visitors);
+  measure::returnFreedMemory();
+  const double grown = static_cast<double>(measure::MemoryUse::read().resident) - before;
+  EXPECT_GT(toldInAll(served.host), 0.85 * grown);
+  EXPECT_LT(toldInAll(served.host), 1.05 * grown) << grown;
+}
+
+TEST_F(Memory, OnlyWhatIsPerUserGrowsWithVisitorsAndGoesWithThem) {
+  ServedScene served(scene());
+  const stream::Host& host = served.host;
+  const auto perUser = [&] { return told(host, Work::kPerUserFrontend) + told(host, Work::kPerUserBackend); };
+  EXPECT_EQ(perUser(), 0.0);
+  Visitors visitors;
+  enter(served, visitors);
+  const double one = perUser();
+  const double shared = told(host, Work::kAcrossUser);
+  EXPECT_GT(one, 1280.0 * 720.0 * 8.0) << "a frame at least";
+  for (int i = 0; i < 2; ++i) enter(served, visitors);
+  EXPECT_GT(perUser(), 1.5 * one);
+  EXPECT_NEAR(told(host, Work::kAcrossUser), shared, 0.02 * shared);
+  visitors.clear();
+  waitFor([&] { return perUser() == 0.0; });
+  EXPECT_EQ(perUser(), 0.0);
+  EXPECT_NEAR(told(host, Work::kAcrossUser), shared, 0.02 * shared);
+}
+
+TEST_F(Memory, PrivateWorldsHoldACopyForEachVisitor) {
+  stream::HostOptions options;
+  options.privateWorlds = true;
+  ServedScene served(scene(), options);
+  const auto of = [&](const char* holder, const char* type) {
+    return static_cast<double>(served.host.memory().totals().at({holder, type}).bytes);
+  };
+  Visitors visitors;
+  enter(served, visitors);
+  const double one = of("simulations", "fluid");
+  const double field = of("models", "lightfield");
+  EXPECT_GT(one, 0.0);
+  enter(served, visitors);
+  EXPECT_NEAR(of("simulations", "fluid"), 2.0 * one, 0.05 * one);
+  EXPECT_EQ(of("models", "lightfield"), 2.0 * field);
+  visitors.pop_back();
+  waitFor([&] { return of("simulations", "fluid") < 1.5 * one; });
+  EXPECT_NEAR(of("simulations", "fluid"), one, 0.05 * one);
+}
+
+}  // namespace
+}  // namespace grove::integration
