@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <latch>
 #include <string>
@@ -25,6 +26,9 @@ constexpr float kLeastMagnification = 1.3F;
 
 /// Of the permitted error: what a near picture may be wrong by on average, where that of a far one is the largest.
 constexpr float kNearShare = 0.5F;
+
+/// Of the scene's permitted error, by quality.
+constexpr std::array<float, node::kMostQuality + 1> kErrorShares{1.0F, 0.75F, 0.5F};
 
 /// Pixels beyond the frame that a near picture has, for a head that turns.
 constexpr int kMarginAcross = 64;
@@ -86,6 +90,7 @@ LightFieldBackend::LightFieldBackend(const node::BackendServices& services, worl
     : timeline_(services.timeline),
       images_(services.images),
       executor_(executorOf(services, self)),
+      sceneError_(cache.mostError),
       mostError_(cache.mostError),
       cache_(cache.mostBytes, services.memory),
       near_(services.memory),
@@ -119,6 +124,11 @@ LightFieldBackend::LightFieldBackend(const node::BackendServices& services, worl
 
 LightFieldBackend::~LightFieldBackend() = default;
 
+void LightFieldBackend::setQuality(int step) {
+  assert(step >= 0 && step <= node::kMostQuality);
+  mostError_ = kErrorShares[static_cast<std::size_t>(step)] * sceneError_;
+}
+
 std::size_t LightFieldBackend::mostAtOnce() const { return kMostAtOnce; }
 
 void LightFieldBackend::answer(std::span<const node::Request> requests, std::span<node::Payload> payloads) {
@@ -133,16 +143,17 @@ node::Payload LightFieldBackend::answerOne(const node::Request& request) {
   const world::Camera& camera = request.view().camera;
   SharedView::Parts parts{nullptr, objectCamera(camera, visible.object.transform), hazeBefore(visible, camera),
                           chooseLamps(request.view().lights, visible.object.bounds, entry.toObject)};
+  const float mostError = mostError_;
   if (cache_.mostBytes() > 0) {
-    const auto cell = viewCell(entry.field->geometry, parts.camera.eye, camera.focal(), mostError_);
+    const auto cell = viewCell(entry.field->geometry, parts.camera.eye, camera.focal(), mostError);
     if (cell && cell->reach >= kLeastSharedReach) {
-      parts.picture = sharedView(request, entry, *cell, parts.camera.eye);
+      parts.picture = sharedView(request, entry, *cell, parts.camera.eye, mostError);
       return std::make_shared<const SharedView>(std::move(parts));
     }
     timeline_.count("views too near to share");
   }
   if (const float times = magnification(*entry.field, parts.camera); times > kLeastMagnification) {
-    parts.picture = nearView(request, entry, parts.camera, times);
+    parts.picture = nearView(request, entry, parts.camera, times, mostError);
     return std::make_shared<const SharedView>(std::move(parts));
   }
   std::shared_ptr<node::Image> image = sample(entry, parts.camera, parts.haze, visible.rect);
@@ -151,7 +162,8 @@ node::Payload LightFieldBackend::answerOne(const node::Request& request) {
 }
 
 std::shared_ptr<const CachedView> LightFieldBackend::sharedView(const node::Request& request, const Entry& entry,
-                                                                const ViewCell& cell, world::Vec3 eye) {
+                                                                const ViewCell& cell, world::Vec3 eye,
+                                                                float mostError) {
   const node::View& view = request.view();
   const world::ObjectId object = request.visible().object.id;
   const float focal = view.camera.focal();
@@ -165,14 +177,14 @@ std::shared_ptr<const CachedView> LightFieldBackend::sharedView(const node::Requ
   const std::optional<CellId> lastCell = late_.last(view, object);
   const auto last = lastCell && lastCell->focal == cell.id.focal ? cache_.find({object, *lastCell}) : nullptr;
   const auto lastServes = [&](float times) {
-    return last && serves(geometry, last->camera().eye, eye, focal, times * mostError_);
+    return last && serves(geometry, last->camera().eye, eye, focal, times * mostError);
   };
   if (lastServes(1.0F)) return show("view cache hits", *lastCell, last);
   const world::Vec3 step = cell.reach * headingOf(view, entry.toObject);
   ViewCell best = cell;
   for (const float steps : kStepsAhead) {
-    const auto ahead = viewCell(geometry, eye + steps * step, focal, mostError_);
-    if (!ahead || !serves(geometry, ahead->camera.eye, eye, focal, mostError_)) continue;
+    const auto ahead = viewCell(geometry, eye + steps * step, focal, mostError);
+    if (!ahead || !serves(geometry, ahead->camera.eye, eye, focal, mostError)) continue;
     if (auto picture = cache_.find({object, ahead->id})) return show("view cache hits", ahead->id, picture);
     if (best.id == cell.id) best = *ahead;
   }
@@ -184,14 +196,15 @@ std::shared_ptr<const CachedView> LightFieldBackend::sharedView(const node::Requ
 }
 
 std::shared_ptr<const CachedView> LightFieldBackend::nearView(const node::Request& request, const Entry& entry,
-                                                              const ObjectCamera& camera, float times) {
+                                                              const ObjectCamera& camera, float times,
+                                                              float mostError) {
   const node::View& view = request.view();
   const world::ObjectId object = request.visible().object.id;
   const world::Rect& rect = request.visible().rect;
   if (cache_.mostBytes() > 0) {
     const NearView last = near_.last(view.session, object);
     const auto lastServes = [&](float factor) {
-      return last.picture && serves(last, camera, rect, factor * kNearShare * mostError_);
+      return last.picture && serves(last, camera, rect, factor * kNearShare * mostError);
     };
     if (lastServes(1.0F) || (!late_.mayMake(view) && lastServes(LateViews::kLateness))) {
       timeline_.count("near views shown again");

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <map>
 #include <memory>
 
@@ -29,6 +30,8 @@ class LightFieldBackend final : public node::BackendHalf {
   [[nodiscard]] int concurrency() const override { return executor_.width(); }
   [[nodiscard]] std::size_t mostAtOnce() const override;
   void forget(node::SessionId session) override { near_.forget(session); }
+  /// Each step permits pictures less error. Those of other steps are shown on as long as they serve.
+  void setQuality(int step) override;
   /// On the executor; safe to call from several of its threads at once.
   void answer(std::span<const node::Request> requests, std::span<node::Payload> payloads) override;
 
@@ -43,9 +46,9 @@ class LightFieldBackend final : public node::BackendHalf {
   };
   [[nodiscard]] node::Payload answerOne(const node::Request& request);
   [[nodiscard]] std::shared_ptr<const CachedView> sharedView(const node::Request& request, const Entry& entry,
-                                                             const ViewCell& cell, world::Vec3 eye);
+                                                             const ViewCell& cell, world::Vec3 eye, float mostError);
   [[nodiscard]] std::shared_ptr<const CachedView> nearView(const node::Request& request, const Entry& entry,
-                                                           const ObjectCamera& camera, float times);
+                                                           const ObjectCamera& camera, float times, float mostError);
   [[nodiscard]] std::shared_ptr<const CachedView> pictureOf(const Entry& entry, const ViewCell& cell);
   [[nodiscard]] std::shared_ptr<node::Image> sample(const Entry& entry, const ObjectCamera& camera, const Haze& haze,
                                                     const world::Rect& rect);
@@ -53,7 +56,8 @@ class LightFieldBackend final : public node::BackendHalf {
   pipeline::Timeline& timeline_;
   node::ImagePool& images_;
   pipeline::Executor& executor_;
-  const float mostError_;
+  const float sceneError_;  ///< pixels, at quality 0
+  std::atomic<float> mostError_;
   ViewCache cache_;
   LateViews late_;
   NearViews near_;

@@ -67,6 +67,7 @@ std::optional<ViewCell> viewCell(const ViewGeometry& geometry, world::Vec3 eye, 
   if (!(distance > ball * 1.05F)) return std::nullopt;
 
   ViewCell cell;
+  cell.id.error = static_cast<std::int32_t>(std::lround(errorPixels * 64.0F));
   cell.id.focal = static_cast<std::int32_t>(std::ceil(std::log2(focal) * kFocalsPerOctave - 1.0e-3F));
   const float sharp = std::max(focal, std::exp2(static_cast<float>(cell.id.focal) / kFocalsPerOctave));
   const float angle = errorPixels / sharp;

@@ -7,13 +7,14 @@
 
 namespace grove::objects::lightfield {
 
-/// Names one cell of eyes around an object; means something only among cells of one object and one permitted error.
+/// Names one cell of eyes around an object; means something only among cells of one object.
 struct CellId {
   std::int32_t focal = 0;  ///< step of the focal length
   std::int32_t shell = 0;  ///< step of the distance
   std::int32_t layer = 0;  ///< part of the shell
   std::int32_t band = 0;   ///< of elevations, from straight below
   std::int32_t column = 0;
+  std::int32_t error = 0;  ///< permitted, in 1 / 64 of a pixel
   friend bool operator==(const CellId&, const CellId&) = default;
 };
 

@@ -230,6 +230,20 @@ TEST(ViewCell, IsSharedByFramesOfAboutTheSameSize) {
   EXPECT_NE(one->id, finer->id);
 }
 
+TEST(ViewCell, IsNeverTheSameForAnotherError) {
+  const ViewGeometry geometry = ballOf(4.0F);
+  const Vec3 eye = geometry.target + Vec3(30.0F, 0.0F, 0.0F);
+  const auto coarse = viewCell(geometry, eye, kFocal, 16.0F);
+  auto fine = viewCell(geometry, eye, kFocal, 12.0F);
+  ASSERT_TRUE(coarse && fine);
+  EXPECT_NE(coarse->id, fine->id);
+  fine->id.shell = coarse->id.shell;
+  fine->id.layer = coarse->id.layer;
+  fine->id.band = coarse->id.band;
+  fine->id.column = coarse->id.column;
+  EXPECT_NE(coarse->id, fine->id);
+}
+
 TEST(ViewCell, IsNoneWhereAPictureWouldNotServeAgain) {
   const ViewGeometry geometry = ballOf(4.0F);
   const auto at = [&](float distance, float focal, float error) {
