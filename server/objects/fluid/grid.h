@@ -61,41 +61,61 @@ class Array {
   static constexpr std::size_t kSmallPage = 4096;
   static constexpr std::size_t kVector = 64;
   struct Free {
-    void operator()(void* p) const noexcept { std::free(p); }
+    std::size_t mapped = 0;  ///< 0: of the heap
+    void operator()(void* p) const noexcept {
+      if (mapped > 0) {
+        static_cast<void>(::munmap(p, mapped));
+      } else {
+        std::free(p);
+      }
+    }
   };
+  using Block = std::unique_ptr<void, Free>;
 
   [[nodiscard]] std::size_t bytes() const noexcept { return size_ * sizeof(T); }
   [[nodiscard]] static bool isLarge(std::size_t bytes) noexcept { return bytes >= kHugePage / 2; }
-
-  /// A stencil touches a dozen pages at a time; in huge ones, their addresses are found without a walk.
-  [[nodiscard]] static std::size_t alignmentOf(std::size_t bytes) noexcept {
-    return isLarge(bytes) ? kHugePage : kVector;
+  [[nodiscard]] static std::uintptr_t roundUp(std::uintptr_t value, std::size_t to) noexcept {
+    return (value + to - 1) / to * to;
   }
-  /// With room for place().
+
+  /// That are touched, which is less than what is mapped.
   [[nodiscard]] static std::size_t wholeBytes(std::size_t bytes) noexcept {
-    const std::size_t alignment = alignmentOf(bytes);
-    return (bytes + kSmallPage + alignment - 1) / alignment * alignment;
+    return isLarge(bytes) ? roundUp(bytes + kSmallPage, kHugePage) : roundUp(bytes, kVector);
   }
 
-  static void* allocate(std::size_t bytes) {
+  static Block allocate(std::size_t bytes) {
+    if (isLarge(bytes)) return map(bytes);
     const std::size_t whole = wholeBytes(bytes);
-    void* memory = std::aligned_alloc(alignmentOf(bytes), whole);
-    if (memory == nullptr) throw std::bad_alloc();
+    Block block(std::aligned_alloc(kVector, whole), Free{});
+    if (!block) throw std::bad_alloc();
+    std::memset(block.get(), 0, whole);
+    return block;
+  }
+
+  /// From the system, not from the heap, which would keep what is given back. A stencil touches a dozen pages at a
+  /// time; in huge ones, their addresses are found without a walk.
+  static Block map(std::size_t bytes) {
+    const std::size_t whole = wholeBytes(bytes) + kHugePage;
+    void* const memory = ::mmap(nullptr, whole, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    if (memory == MAP_FAILED) throw std::bad_alloc();
+    Block block(memory, Free{whole});
     // Only advice: without huge pages it is a little slower.
-    if (isLarge(bytes)) static_cast<void>(::madvise(memory, whole, MADV_HUGEPAGE));
-    std::memset(memory, 0, whole);
-    return memory;
+    static_cast<void>(::madvise(memory, whole, MADV_HUGEPAGE));
+    std::memset(place(memory, bytes), 0, bytes);
+    return block;
   }
 
   /// Equal places of different arrays must differ in their low address bits: else loads wait for unrelated stores.
   static T* place(void* block, std::size_t bytes) noexcept {
-    const std::size_t number = reinterpret_cast<std::uintptr_t>(block) / kHugePage;
-    const std::size_t lines = isLarge(bytes) ? number * 11 % (kSmallPage / kVector) : 0;
-    return reinterpret_cast<T*>(static_cast<std::byte*>(block) + lines * kVector);
+    const auto address = reinterpret_cast<std::uintptr_t>(block);
+    if (!isLarge(bytes)) return static_cast<T*>(block);
+    const std::uintptr_t aligned = roundUp(address, kHugePage);
+    const std::size_t lines = aligned / kHugePage * 11 % (kSmallPage / kVector);
+    return reinterpret_cast<T*>(static_cast<std::byte*>(block) + (aligned - address) + lines * kVector);
   }
 
   std::size_t size_;
-  std::unique_ptr<void, Free> block_;
+  Block block_;
   T* data_;
 };
 
