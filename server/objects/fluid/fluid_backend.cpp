@@ -1,6 +1,9 @@
 #include "objects/fluid/fluid_backend.h"
 
+#include <algorithm>
+#include <atomic>
 #include <cassert>
+#include <cstdint>
 #include <exception>
 #include <limits>
 #include <mutex>
@@ -9,8 +12,10 @@
 #include <vector>
 
 #include "objects/fluid/fluid_clock.h"
-#include "objects/fluid/fluid_simulation.h"
 #include "objects/fluid/fluid_type.h"
+#include "objects/fluid/pace.h"
+#include "objects/fluid/scalable_simulation.h"
+#include "pipeline/clocks.h"
 #include "pipeline/log.h"
 #include "world/world.h"
 
@@ -43,19 +48,22 @@ class FluidBackend::Fire {
       : world_(services.world),
         timeline_(services.timeline),
         name_(object.name),
-        simulation_(settingsOf(object), object.transform.position, services.world.solids(), services.world.rays()),
+        settings_(settingsOf(object)),
+        simulation_([this, place = object.transform.position](int cells) { return make(place, cells); },
+                    settings_.grid),
         held_(services.memory, "simulations", "fluid", pipeline::Work::kAcrossUser) {
     // Seen from here on: gusts from before the fire existed do not count.
     static_cast<void>(world_.edits().after(cursor_));
     const int ticks = static_cast<int>(kGrowSeconds / FluidSimulation::kTick);
+    FluidSimulation& simulation = simulation_.current();
     for (int i = 0; i < ticks; ++i) {
-      simulation_.step(FluidSimulation::kTick, {}, {});
+      simulation.step(FluidSimulation::kTick, {}, {});
       if (services.progress && i % 10 == 0) {
         services.progress("fluid " + name_, static_cast<float>(i) / static_cast<float>(ticks));
       }
     }
-    newest_ = simulation_.snapshot(world::World::now());
-    held_.set(simulation_.bytes() + newest_->bytes());
+    newest_ = simulation.snapshot(world::World::now());
+    held_.set(simulation.bytes() + newest_->bytes());
     clock_ = std::make_unique<FluidClock>(1.0 / static_cast<double>(FluidSimulation::kTick), [this] { return tick(); });
   }
 
@@ -66,21 +74,52 @@ class FluidBackend::Fire {
     return newest_;
   }
 
+  /// Any thread.
+  void setQuality(int step) noexcept {
+    quality_ = step;
+    simulation_.setCells(cells());
+  }
+
  private:
+  [[nodiscard]] std::unique_ptr<FluidSimulation> make(world::Vec3 place, int cells) const {
+    return std::make_unique<FluidSimulation>(settings_, place, world_.solids(), world_.rays(), cells);
+  }
+
+  [[nodiscard]] int cells() const noexcept { return cellsAt(settings_.grid, std::min<int>(quality_, mostQuality_)); }
+
+  /// Smoke in slow motion is worse than smoke on the scene's grid: a step is given up for good if its ticks need more
+  /// than a core has time for. Waiting does not count, which another load brings and takes away.
+  void keepPace(std::int64_t cpuNanoseconds) {
+    if (!pace_.tooSlow(static_cast<double>(cpuNanoseconds) * 1.0e-9)) return;
+    const int now = simulation_.current().solver().layout().cells;
+    if (now == settings_.grid) return;
+    int step = mostQuality_;
+    while (step > 0 && cellsAt(settings_.grid, step) >= now) --step;
+    mostQuality_ = step;
+    simulation_.setCells(cells());
+    log::info(name_ + ": " + std::to_string(now) + " cells to an edge are too many for this machine");
+  }
+
   FluidClock::Next tick() noexcept {
     try {
       const pipeline::TimedRun timed(timeline_, kStage, pipeline::Work::kAcrossUser, {}, "fluid");
+      if (simulation_.update()) pace_.restart();
+      const std::int64_t begin = pipeline::threadCpuNanoseconds();
       const double now = world::World::now();
       const std::vector<world::Gust> gusts = world_.edits().after(cursor_);
       const std::vector<world::Player> visitors = world_.players().all(now);
       idleTicks_ = visitors.empty() ? idleTicks_ + 1 : 0;
       const bool rest = idleTicks_ >= kIdleTicks;
-      simulation_.step(FluidSimulation::kTick, gusts, visitors);
-      std::shared_ptr<const FluidSnapshot> next = simulation_.snapshot(rest ? kStandsStill : now);
-      const std::lock_guard lock(mutex_);
-      newest_.swap(next);
-      // What packing the last one took, the new one will take.
-      held_.set(simulation_.bytes() + newest_->bytes() + next->packedBytes());
+      FluidSimulation& simulation = simulation_.current();
+      simulation.step(FluidSimulation::kTick, gusts, visitors);
+      std::shared_ptr<const FluidSnapshot> next = simulation.snapshot(rest ? kStandsStill : now);
+      {
+        const std::lock_guard lock(mutex_);
+        newest_.swap(next);
+        // What packing the last one took, the new one will take.
+        held_.set(simulation.bytes() + newest_->bytes() + next->packedBytes());
+      }
+      keepPace(pipeline::threadCpuNanoseconds() - begin);
       return rest ? FluidClock::Next::kSleep : FluidClock::Next::kTick;
     } catch (const std::exception& e) {
       timeline_.recordFailure(kStage, pipeline::Work::kAcrossUser);
@@ -92,8 +131,12 @@ class FluidBackend::Fire {
   world::World& world_;
   pipeline::Timeline& timeline_;
   const std::string name_;
-  FluidSimulation simulation_;
+  const FluidSettings settings_;
+  ScalableSimulation simulation_;
   pipeline::HeldMemory held_;
+  std::atomic<int> quality_ = 0;                       ///< as wished
+  std::atomic<int> mostQuality_ = node::kMostQuality;  ///< that is done in time
+  Pace pace_{static_cast<double>(FluidSimulation::kTick)};
   world::Edits::Cursor cursor_ = 0;
   int idleTicks_ = 0;  ///< without visitors
   std::mutex mutex_;
@@ -108,6 +151,10 @@ FluidBackend::FluidBackend(const node::BackendServices& services, world::TypeInd
 }
 
 FluidBackend::~FluidBackend() = default;
+
+void FluidBackend::setQuality(int step) {
+  for (const auto& [id, fire] : fires_) fire->setQuality(step);
+}
 
 void FluidBackend::answer(std::span<const node::Request> requests, std::span<node::Payload> payloads) {
   assert(requests.size() == payloads.size());

@@ -19,6 +19,8 @@ class FluidBackend final : public node::BackendHalf {
 
   [[nodiscard]] node::NodeKind kind() const override { return node::NodeKind::kSimulation; }
   [[nodiscard]] pipeline::Executor& executor() override { return services_.workers; }
+  /// Each step has finer cells, see cellsAt(). The air, the smoke and their time go on.
+  void setQuality(int step) override;
   void answer(std::span<const node::Request> requests, std::span<node::Payload> payloads) override;
 
  private:

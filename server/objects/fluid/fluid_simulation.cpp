@@ -1,7 +1,9 @@
 #include "objects/fluid/fluid_simulation.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
+#include <utility>
 
 #include "pipeline/clocks.h"
 #include "world/light.h"
@@ -22,9 +24,9 @@ constexpr float kBuoyancy = 16.0F;
 
 bool finite(world::Vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
-Cube cubeAt(const FluidSettings& settings, world::Vec3 position) {
+Cube cubeAt(const FluidSettings& settings, world::Vec3 position, int cells) {
   const float half = 0.5F * settings.size;
-  return {position - world::Vec3(half, 0.0F, half), settings.size, settings.grid};
+  return {position - world::Vec3(half, 0.0F, half), settings.size, cells};
 }
 
 /// On the ground in the middle.
@@ -34,9 +36,9 @@ HeatSource sourceOf(const FluidSettings& settings) {
   return {{half, std::max(0.3F * settings.radius, cell), half}, settings.radius, settings.flicker};
 }
 
-FluidSolver::Settings solverOf(const FluidSettings& settings) {
+FluidSolver::Settings solverOf(const FluidSettings& settings, int cells) {
   FluidSolver::Settings result;
-  result.cells = settings.grid;
+  result.cells = cells;
   result.size = settings.size;
   result.air.wind = settings.wind;
   result.air.response = 0.35F;
@@ -57,21 +59,29 @@ Particles::Source particlesOf(const FluidSettings& settings) {
 }
 
 /// Seen from the coarse cells that light is computed in.
-std::vector<float> visibilityIn(const Cube& cube, const world::RayScene& surfaces) {
-  return sunVisibility(surfaces, {cube.low, cube.size, Shading::coarseCells(cube.cells)}, world::sunDirection());
+std::vector<float> visibilityIn(const Cube& cube, int cells, const world::RayScene& surfaces) {
+  return sunVisibility(surfaces, {cube.low, cube.size, Shading::coarseCells(cells)}, world::sunDirection());
 }
 
 }  // namespace
 
 FluidSimulation::FluidSimulation(const FluidSettings& settings, world::Vec3 position, const world::RayScene& solids,
-                                 const world::RayScene& shades)
+                                 const world::RayScene& shades, std::optional<int> cells)
     : settings_(settings),
-      cube_(cubeAt(settings, position)),
+      cube_(cubeAt(settings, position, cells.value_or(settings.grid))),
       source_(sourceOf(settings)),
-      solver_(solverOf(settings)),
+      solver_(solverOf(settings, cube_.cells)),
       particles_(particlesOf(settings), settings.seed),
-      shading_(settings.grid, settings.size, world::sunDirection(), visibilityIn(cube_, shades)) {
-  solver_.solids().setStatic(voxelize(solids, cube_));
+      shading_(settings.grid, settings.size, world::sunDirection(), visibilityIn(cube_, settings.grid, shades)) {
+  solver_.setStatic(voxelize(solids, cube_));
+}
+
+void FluidSimulation::takeOver(FluidSimulation& other) {
+  assert(cube_.low == other.cube_.low);
+  solver_.takeOver(other.solver_);
+  particles_.takeOver(std::move(other.particles_));
+  time_ = other.time_;
+  tick_ = other.tick_;
 }
 
 void FluidSimulation::step(float seconds, std::span<const world::Gust> gusts, std::span<const world::Player> visitors) {

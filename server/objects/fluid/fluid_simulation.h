@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -38,9 +39,14 @@ class FluidSimulation {
   static constexpr float kTick = 1.0F / 30.0F;
   static constexpr float kLongestStep = 0.1F;
 
-  /// `solids`: what the smoke flows around; `shades`: what hides the sun. Only read here.
+  /// `solids`: what the smoke flows around; `shades`: what hides the sun. Only read here. `cells`: per edge of the
+  /// air's grid, if other than the settings'. Light and particles stay as these say: they go with each other.
   FluidSimulation(const FluidSettings& settings, world::Vec3 position, const world::RayScene& solids,
-                  const world::RayScene& shades);
+                  const world::RayScene& shades, std::optional<int> cells = {});
+
+  /// Goes on where another one of the same fire is, whatever its cells: with its air, its particles in their order, and
+  /// its time. The other one is of no use afterwards.
+  void takeOver(FluidSimulation& other);
 
   /// Parts of a step, for phaseNanoseconds().
   static constexpr std::array<std::string_view, 6> kPhases{"solids",  "advect",  "force",

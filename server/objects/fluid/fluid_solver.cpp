@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "objects/fluid/ghosts.h"
+#include "objects/fluid/resampling.h"
 
 namespace grove::objects::fluid {
 
@@ -18,6 +19,20 @@ FluidSolver::FluidSolver(const Settings& settings)
       confinement_(layout_),
       pressure_(layout_) {
   assert(settings.cells >= 16 && settings.cells <= 128 && settings.cells % 8 == 0 && settings.size > 0.0F);
+}
+
+void FluidSolver::setStatic(std::span<const std::uint8_t> solid) {
+  solids_.setStatic(solid);
+  pressure_.prepare(solids_);
+}
+
+void FluidSolver::takeOver(const FluidSolver& other) {
+  assert(settings_.size == other.settings_.size);
+  resample(other.layout_, other.velocity_.x, Place::kFaceX, layout_, velocity_.x);
+  resample(other.layout_, other.velocity_.y, Place::kFaceY, layout_, velocity_.y);
+  resample(other.layout_, other.velocity_.z, Place::kFaceZ, layout_, velocity_.z);
+  resample(other.layout_, other.temperature_, Place::kCentre, layout_, temperature_);
+  fillVelocityGhosts(layout_, settings_.sides, velocity_);
 }
 
 void FluidSolver::advect(float seconds) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
 
 #include "objects/fluid/advection.h"
@@ -27,6 +28,13 @@ class FluidSolver {
 
   explicit FluidSolver(const Settings& settings);
 
+  /// Sets the solids that stand still, as SolidGrid::setStatic(), and prepares for them.
+  void setStatic(std::span<const std::uint8_t> solid);
+
+  /// Takes over velocity and temperature of a solver of the same cube, whatever its cells, as they are after a tick.
+  /// The next project() removes what divergence this brings.
+  void takeOver(const FluidSolver& other);
+
   // A tick is the following, in this order.
 
   /// Carries velocity and temperature along.
@@ -43,6 +51,7 @@ class FluidSolver {
   [[nodiscard]] Velocity& velocity() noexcept { return velocity_; }
   [[nodiscard]] const Velocity& velocity() const noexcept { return velocity_; }
   [[nodiscard]] Field& temperature() noexcept { return temperature_; }
+  [[nodiscard]] const Field& temperature() const noexcept { return temperature_; }
   [[nodiscard]] SolidGrid& solids() noexcept { return solids_; }
   [[nodiscard]] const SolidGrid& solids() const noexcept { return solids_; }
   [[nodiscard]] const PressureSolver& pressure() const noexcept { return pressure_; }

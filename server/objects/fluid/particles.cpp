@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace grove::objects::fluid {
 
@@ -120,6 +121,23 @@ void Particles::forEachArray(const Visit& visit) {
        {&x, &y, &z, &velocityX, &velocityY, &velocityZ, &age, &lifetime, &temperature, &cooling}) {
     visit(*values);
   }
+}
+
+void Particles::takeOver(Particles&& other) {
+  x = std::move(other.x);
+  y = std::move(other.y);
+  z = std::move(other.z);
+  velocityX = std::move(other.velocityX);
+  velocityY = std::move(other.velocityY);
+  velocityZ = std::move(other.velocityZ);
+  age = std::move(other.age);
+  lifetime = std::move(other.lifetime);
+  temperature = std::move(other.temperature);
+  cooling = std::move(other.cooling);
+  random_ = other.random_;
+  elapsed_ = other.elapsed_;
+  due_ = other.due_;
+  injected_ = other.injected_;
 }
 
 float Particles::uniform(float low, float high) {

@@ -28,6 +28,9 @@ class Particles {
   /// The seed makes runs repeatable.
   Particles(const Source& source, std::uint32_t seed);
 
+  /// Goes on with the particles of another one, as they are.
+  void takeOver(Particles&& other);
+
   /// New ones at the source; never more than kMost in all, never inside of solids.
   void inject(const SolidGrid& solids, float seconds, float cellSize);
 

@@ -15,7 +15,7 @@ PressureSolver::PressureSolver(const Layout& layout)
       x_(layout.size()),
       next_(layout.size()) {}
 
-void PressureSolver::refresh(SolidGrid& solids) {
+void PressureSolver::prepare(SolidGrid& solids) {
   const CellBox changed = solids.takeChanges();
   if (changed.empty()) return;
   multigrid_.rebuild(solids, changed);
@@ -24,7 +24,7 @@ void PressureSolver::refresh(SolidGrid& solids) {
 }
 
 PressureSolver::Outcome PressureSolver::project(SolidGrid& solids, Velocity& velocity, const Options& options) {
-  refresh(solids);
+  prepare(solids);
   const double squaredB = negativeDivergence(layout_, velocity, multigrid_.diagonal(), b_);
   const Outcome outcome = iterate(squaredB, options);
   subtractGradient(layout_, x_, velocity);
@@ -33,7 +33,7 @@ PressureSolver::Outcome PressureSolver::project(SolidGrid& solids, Velocity& vel
 }
 
 PressureSolver::Outcome PressureSolver::solve(SolidGrid& solids, Field& b, const Options& options) {
-  refresh(solids);
+  prepare(solids);
   maskSolids(layout_, multigrid_.diagonal(), b);
   b_.copyFrom(b);
   double squaredB = 0.0;

@@ -24,6 +24,9 @@ class PressureSolver {
 
   explicit PressureSolver(const Layout& layout);
 
+  /// Takes note of what changed in the solids, as project() does first: takes long where all is new.
+  void prepare(SolidGrid& solids);
+
   /// The projection of Stam 1999: afterwards the net flow out of every air cell is zero to the tolerance. The
   /// velocity's faces at solids must hold the solids' velocity (SolidGrid::enforce()), and do so afterwards.
   Outcome project(SolidGrid& solids, Velocity& velocity, const Options& options);
@@ -45,7 +48,6 @@ class PressureSolver {
   }
 
  private:
-  void refresh(SolidGrid& solids);
   Outcome iterate(double squaredB, const Options& options);
   FineWave::Norms cycle(double squaredResidual, bool first);
 

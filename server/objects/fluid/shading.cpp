@@ -83,6 +83,16 @@ void Shading::sweepSky() {
   for (float& light : sky_) light = std::exp(-0.6F * light);
 }
 
+std::vector<Shading::Inside> Shading::insides(int fluidCells) const {
+  std::vector<Inside> result;
+  const float times = static_cast<float>(fluidCells) / static_cast<float>(cells_);
+  for (int i = 0; i < cells_; ++i) {
+    const auto cell = [&](float share) { return static_cast<int>((static_cast<float>(i) + share) * times); };
+    result.push_back({cell(0.25F), cell(0.75F)});
+  }
+  return result;
+}
+
 void Shading::sweepSun(const SolidGrid& solids) {
   const world::Vec3 size = glm::abs(towardsSun_);
   const int a = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
@@ -94,6 +104,7 @@ void Shading::sweepSun(const SolidGrid& solids) {
   const float path = 1.0F / size[a];  // through a plane of cells, in cells
   const std::size_t steps[3] = {1, at(0, 1, 0), at(0, 0, 1)};
   const Layout& fine = solids.layout();
+  const std::vector<Inside> cells = insides(fine.cells);
   const int last = cells_ - 1;
   for (int k = 0; k < cells_; ++k) {
     const int plane = up ? last - k : k;
@@ -123,11 +134,14 @@ void Shading::sweepSun(const SolidGrid& solids) {
                   ft * ((1.0F - fs) * behind(s0, t1) + fs * behind(s1, t1));
         }
         int c[3];
-        c[a] = 2 * plane;
-        c[s] = 2 * i;
-        c[t] = 2 * j;
-        const std::ptrdiff_t cell = fine.index(c[0], c[1], c[2]);
-        const bool solid = solids.air()[cell] == 0 && solids.air()[cell + fine.stride + fine.plane + 1] == 0;
+        c[a] = plane;
+        c[s] = i;
+        c[t] = j;
+        const Inside x = cells[static_cast<std::size_t>(c[0])];
+        const Inside y = cells[static_cast<std::size_t>(c[1])];
+        const Inside z = cells[static_cast<std::size_t>(c[2])];
+        const bool solid =
+            solids.air()[fine.index(x.low, y.low, z.low)] == 0 && solids.air()[fine.index(x.high, y.high, z.high)] == 0;
         sun_[here] = solid ? 0.0F : light;
       }
     }

@@ -16,7 +16,8 @@ namespace grove::objects::fluid {
 /// downwards for the sky, and sheared along the sun's direction for the sun. One thread.
 class Shading {
  public:
-  /// `sunVisible`: what the world's solids leave of the sun at the coarse cells' centres (x fastest), empty = all.
+  /// `cells`: of the fluid's grid that the light goes with; what solids it meets may be on a finer one. `sunVisible`:
+  /// what the world's solids leave of the sun at the coarse cells' centres (x fastest), empty = all.
   Shading(int cells, float size, world::Vec3 towardsSun, std::vector<float> sunVisible);
 
   /// Cells along the edge of a grid of `cells` that light is computed in.
@@ -38,6 +39,13 @@ class Shading {
                static_cast<std::size_t>(cells_) +
            static_cast<std::size_t>(x);
   }
+
+  /// Cells of a fluid's grid, along any axis, whose being solid tells for a cell of light.
+  struct Inside {
+    int low = 0;
+    int high = 0;
+  };
+  [[nodiscard]] std::vector<Inside> insides(int fluidCells) const;
 
   const int cells_;
   const float cellSize_;

@@ -73,6 +73,20 @@ TEST_F(FluidBackendTest, RestsWithoutVisitorsAndGoesOnWhereItWas) {
   EXPECT_EQ(next->tick, before + 1) << "simulated time goes on where it was";
   EXPECT_TRUE(std::isfinite(next->time));
 
+  // The grid changes while it ticks and while visitors ask: time and smoke go on.
+  auto last = ask();
+  for (int i = 0; i < 12; ++i) {
+    const std::uint64_t until = last->tick + 4;
+    backend_.setQuality(i % (node::kMostQuality + 1));
+    while (last->tick < until) {
+      const auto now = ask();
+      ASSERT_GE(now->tick, last->tick) << "time never starts anew";
+      ASSERT_GT(now->count(), 100U);
+      last = now;
+    }
+  }
+  EXPECT_EQ(timeline_.totals()["Simulation Tick"].failures, 0U);
+
   // As long as somebody is here, wherever they look.
   while (ticks() < 60 + 65) std::this_thread::sleep_for(10ms);
 }
