@@ -108,7 +108,8 @@ Field rightHandSide(const SolidGrid& solids) {
     air[at] = solids.air()[at];
   }
   Field b(layout.size());
-  static_cast<void>(fluid::negativeDivergence(layout, velocity, air, b));
+  fluid::Team alone(1);
+  static_cast<void>(fluid::negativeDivergence(layout, velocity, air, b, alone));
   return b;
 }
 

@@ -20,12 +20,13 @@ constexpr int kGhosts = 4;  // of a packed row: one below, and above the two of 
 /// The planes around the wave of a field, in halves.
 class Advection::Packed {
  public:
-  Packed(const Layout& layout, const PackedPlane& plane, const Field& from, float scale, bool sparse, HalfField& ring)
+  Packed(const Layout& layout, const PackedPlane& plane, const Field& from, float scale, bool sparse, HalfField& ring,
+         int first)
       : layout_(layout), plane_(plane), from_(from.data()), scale_(scale), sparse_(sparse), ring_(ring.data()) {
-    for (int z = -1; z <= 0; ++z) take(z);
+    for (int z = first - 1; z <= first; ++z) take(z);
   }
 
-  /// Planes must come in order.
+  /// Planes must come in order; the two from `first` - 1 on are there.
   void take(int z) {
     std::pair<int, int>& filled = filled_[slot(z)];
     filled = {layout_.cells + 2, -1};
@@ -231,11 +232,15 @@ class Advection::Wave {
   std::array<Range, 2> range_{};  ///< of rows that may not be all zero
 };
 
-Advection::Advection(const Layout& layout)
-    : layout_(layout),
-      plane_(layout.cells, kGhosts),
-      packed_{ringOf(kPackedPlanes), ringOf(kPackedPlanes), ringOf(kPackedPlanes), ringOf(kPackedPlanes)},
-      scratch_{ringOf(kScratchPlanes), ringOf(kScratchPlanes), ringOf(kScratchPlanes), ringOf(kScratchPlanes)} {}
+Advection::Advection(const Layout& layout, std::shared_ptr<Team> team)
+    : layout_(layout), plane_(layout.cells, kGhosts), team_(std::move(team)) {
+  const auto rings = [this](int planes) {
+    return std::array<HalfField, kMostJobs>{ringOf(planes), ringOf(planes), ringOf(planes), ringOf(planes)};
+  };
+  for (int part = 0; part < team_->width(); ++part) {
+    scratch_.push_back({rings(kPackedPlanes), rings(kScratchPlanes)});
+  }
+}
 
 HalfField Advection::ringOf(int planes) const {
   return HalfField(static_cast<std::size_t>(plane_.size) * static_cast<std::size_t>(planes));
@@ -244,11 +249,21 @@ HalfField Advection::ringOf(int planes) const {
 void Advection::advect(std::span<const Job> jobs, const Velocity& velocity, float seconds, float cellSize,
                        AdvectionOrder order) {
   assert(jobs.size() <= kMostJobs);
+  team_->run([&](int part) {
+    advect(Slab::of(part, team_->width(), layout_.cells), scratch_[static_cast<std::size_t>(part)], jobs, velocity,
+           seconds, cellSize, order);
+  });
+}
+
+void Advection::advect(const Slab& slab, Scratch& scratch, std::span<const Job> jobs, const Velocity& velocity,
+                       float seconds, float cellSize, AdvectionOrder order) const {
+  const int n = layout_.cells;
+  const int begin = std::max(slab.first - 1, 0);  // corrections look one plane aside
   std::vector<Packed> packed;
   packed.reserve(kMostJobs);
   for (int a = 0; a < 3; ++a) {
     packed.emplace_back(layout_, plane_, velocity.axis(a), seconds / cellSize, false,
-                        packed_[static_cast<std::size_t>(a)]);
+                        scratch.packed[static_cast<std::size_t>(a)], begin);
   }
   std::vector<Wave> waves;
   waves.reserve(jobs.size());
@@ -257,19 +272,22 @@ void Advection::advect(std::span<const Job> jobs, const Velocity& velocity, floa
     while (from < 3 && jobs[i].from != &velocity.axis(static_cast<int>(from))) ++from;
     if (from == 3) {
       assert(packed.size() == 3 && jobs[i].place == Place::kCentre);
-      packed.emplace_back(layout_, plane_, *jobs[i].from, 1.0F, true, packed_[3]);
+      packed.emplace_back(layout_, plane_, *jobs[i].from, 1.0F, true, scratch.packed[3], begin);
     }
-    waves.emplace_back(layout_, plane_, jobs[i], packed[from], std::span(packed).first(3), scratch_[i]);
+    waves.emplace_back(layout_, plane_, jobs[i], packed[from], std::span(packed).first(3), scratch.passes[i]);
   }
-  for (int z = 0; z <= layout_.cells + 1; ++z) {
-    if (z <= layout_.cells) {
+  // The faces above the last cell are the last slab's.
+  const int end = slab.end < n ? slab.end : n + 1;
+  for (int z = begin; z <= end; ++z) {
+    if (z <= n) {
       for (Packed& field : packed) field.take(z + 1);
     }
     for (Wave& wave : waves) {
+      const auto isOwn = [&](int plane) { return plane >= slab.first && plane < std::min(end, wave.planes()); };
       if (z < wave.planes()) wave.forward(z);
       if (order == AdvectionOrder::kMacCormack) {
-        if (z >= 1 && z <= wave.planes()) wave.correct(z - 1);
-      } else if (z < wave.planes()) {
+        if (isOwn(z - 1)) wave.correct(z - 1);
+      } else if (isOwn(z)) {
         wave.keep(z);
       }
     }

@@ -2,10 +2,13 @@
 
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <span>
+#include <vector>
 
 #include "objects/fluid/grid.h"
 #include "objects/fluid/half.h"
+#include "objects/fluid/team.h"
 
 namespace grove::objects::fluid {
 
@@ -20,10 +23,10 @@ enum class Place { kFaceX = 0, kFaceY = 1, kFaceZ = 2, kCentre = 3 };
 /// Carries fields along a velocity. Unconditionally stable: no value leaves the range of its neighbours (but for the
 /// rounding of Half). Rows in which all move by less than a cell, almost all of them, need no gathers: their samples
 /// lie among known neighbours, and are computed in halves. Rows with larger moves are sampled wherever they end,
-/// without MacCormack's correction. One thread; keeps scratch memory.
+/// without MacCormack's correction. A team carries one slab each. Used by one thread; keeps scratch memory.
 class Advection {
  public:
-  explicit Advection(const Layout& layout);
+  explicit Advection(const Layout& layout, std::shared_ptr<Team> team = std::make_shared<Team>(1));
 
   /// A field to carry, and where its new values go.
   struct Job {
@@ -50,9 +53,17 @@ class Advection {
   [[nodiscard]] HalfField ringOf(int planes) const;
 
   const Layout layout_;
+  /// What goes through one slab.
+  struct Scratch {
+    std::array<HalfField, kMostJobs> packed;  ///< planes of the velocity and one other field, around the wave
+    std::array<HalfField, kMostJobs> passes;  ///< planes between the passes
+  };
+  void advect(const Slab& slab, Scratch& scratch, std::span<const Job> jobs, const Velocity& velocity, float seconds,
+              float cellSize, AdvectionOrder order) const;
+
   const PackedPlane plane_;
-  std::array<HalfField, kMostJobs> packed_;   ///< planes of the velocity and one other field, around the wave
-  std::array<HalfField, kMostJobs> scratch_;  ///< planes between the passes
+  std::shared_ptr<Team> team_;
+  std::vector<Scratch> scratch_;  ///< one for each of the team
 };
 
 }  // namespace grove::objects::fluid

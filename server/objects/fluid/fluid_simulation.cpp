@@ -40,6 +40,7 @@ FluidSolver::Settings solverOf(const FluidSettings& settings, int cells) {
   FluidSolver::Settings result;
   result.cells = cells;
   result.size = settings.size;
+  result.threads = settings.threads;
   result.air.wind = settings.wind;
   result.air.response = 0.35F;
   result.air.turbulence = settings.turbulence;

@@ -29,6 +29,7 @@ struct FluidSettings {
   float turbulence = 0.8F;               ///< metres a second, of the wind's whirls
   float flicker = 0.5F;                  ///< of the fire, 0..1
   std::uint32_t seed = 1;
+  int threads = 1;  ///< that share a step; they do not change what comes out
 };
 
 /// One fire: its air, its smoke and its light, in a cube that stands on `position`. Two simulations that are given the

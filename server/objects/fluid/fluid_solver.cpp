@@ -1,11 +1,18 @@
 #include "objects/fluid/fluid_solver.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "objects/fluid/ghosts.h"
 #include "objects/fluid/resampling.h"
 
 namespace grove::objects::fluid {
+
+namespace {
+
+constexpr int kLeastPlanes = 8;  // for a thread: it computes some of its neighbours' as well
+
+}  // namespace
 
 FluidSolver::FluidSolver(const Settings& settings)
     : settings_(settings),
@@ -15,9 +22,10 @@ FluidSolver::FluidSolver(const Settings& settings)
       nextVelocity_(layout_),
       temperature_(layout_.size()),
       nextTemperature_(layout_.size()),
-      advection_(layout_),
-      confinement_(layout_),
-      pressure_(layout_) {
+      team_(std::make_shared<Team>(std::clamp(settings.threads, 1, settings.cells / kLeastPlanes))),
+      advection_(layout_, team_),
+      confinement_(layout_, team_),
+      pressure_(layout_, team_) {
   assert(settings.cells >= 16 && settings.cells <= 128 && settings.cells % 8 == 0 && settings.size > 0.0F);
 }
 

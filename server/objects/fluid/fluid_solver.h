@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 
 #include "objects/fluid/advection.h"
@@ -8,12 +9,13 @@
 #include "objects/fluid/grid.h"
 #include "objects/fluid/pressure_solver.h"
 #include "objects/fluid/solid_grid.h"
+#include "objects/fluid/team.h"
 #include "objects/fluid/vorticity_confinement.h"
 
 namespace grove::objects::fluid {
 
 /// Stable fluids (Stam 1999) on a staggered grid: the air's velocity and temperature in a cube, around solids. Knows no
-/// particles and no world. One thread.
+/// particles and no world. Used by one thread.
 class FluidSolver {
  public:
   struct Settings {
@@ -24,6 +26,7 @@ class FluidSolver {
     float confinement = 0.12F;  ///< strength of vorticity confinement
     AdvectionOrder order = AdvectionOrder::kMacCormack;
     PressureSolver::Options pressure;
+    int threads = 1;  ///< that share the work; the results do not depend on them
   };
 
   explicit FluidSolver(const Settings& settings);
@@ -70,6 +73,7 @@ class FluidSolver {
   Velocity nextVelocity_;
   Field temperature_;
   Field nextTemperature_;
+  const std::shared_ptr<Team> team_;
   Advection advection_;
   VorticityConfinement confinement_;
   PressureSolver pressure_;

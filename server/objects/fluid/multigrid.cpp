@@ -1,6 +1,7 @@
 #include "objects/fluid/multigrid.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "objects/fluid/multigrid_rows.h"
 
@@ -155,11 +156,11 @@ struct Multigrid::Level {
   Field residual;
 };
 
-Multigrid::Multigrid(const Layout& layout)
+Multigrid::Multigrid(const Layout& layout, std::shared_ptr<Team> team)
     : layout_(layout),
       diagonal_(layout.size()),
       sixtieths_(layout.size()),
-      fine_(layout),
+      fine_(layout, std::move(team)),
       odd_(Ring::size(layout)),
       residual_(Ring::size(layout)) {
   assert(layout.cells % 2 == 0 && layout.cells <= rows::kLongestRow);

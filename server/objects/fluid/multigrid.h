@@ -21,11 +21,12 @@ namespace grove::objects::fluid {
 /// - Smoothing, residual, restriction and operator run as waves over z-planes: each level is read once on the way down
 ///   and once on the way up.
 ///
-/// The equation in a cell is sum over open faces of (p - p of the neighbour) = right-hand side. One thread.
+/// The equation in a cell is sum over open faces of (p - p of the neighbour) = right-hand side. Used by one thread;
+/// cycle() by its team.
 class Multigrid {
  public:
   /// `cells` must be even; it is halved for as long as it stays whole.
-  explicit Multigrid(const Layout& layout);
+  explicit Multigrid(const Layout& layout, std::shared_ptr<Team> team = std::make_shared<Team>(1));
   ~Multigrid();
   Multigrid(const Multigrid&) = delete;
   Multigrid& operator=(const Multigrid&) = delete;

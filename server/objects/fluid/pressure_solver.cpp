@@ -7,9 +7,10 @@
 
 namespace grove::objects::fluid {
 
-PressureSolver::PressureSolver(const Layout& layout)
+PressureSolver::PressureSolver(const Layout& layout, std::shared_ptr<Team> team)
     : layout_(layout),
-      multigrid_(layout),
+      team_(std::move(team)),
+      multigrid_(layout, team_),
       gradients_(layout),
       b_(layout.size()),
       x_(layout.size()),
@@ -25,9 +26,9 @@ void PressureSolver::prepare(SolidGrid& solids) {
 
 PressureSolver::Outcome PressureSolver::project(SolidGrid& solids, Velocity& velocity, const Options& options) {
   prepare(solids);
-  const double squaredB = negativeDivergence(layout_, velocity, multigrid_.diagonal(), b_);
+  const double squaredB = negativeDivergence(layout_, velocity, multigrid_.diagonal(), b_, *team_);
   const Outcome outcome = iterate(squaredB, options);
-  subtractGradient(layout_, x_, velocity);
+  subtractGradient(layout_, x_, velocity, *team_);
   solids.enforce(velocity);
   return outcome;
 }

@@ -1,16 +1,19 @@
 #pragma once
 
+#include <memory>
+
 #include "objects/fluid/conjugate_gradients.h"
 #include "objects/fluid/grid.h"
 #include "objects/fluid/multigrid.h"
 #include "objects/fluid/pockets.h"
 #include "objects/fluid/solid_grid.h"
+#include "objects/fluid/team.h"
 
 namespace grove::objects::fluid {
 
 /// Makes a velocity free of divergence: solves the pressure equation by multigrid, from the last step's pressure. Where
 /// plain cycles converge slowly, as amid rubble finer than the coarse cells, conjugate gradients
-/// preconditioned with a V-cycle go on. One thread.
+/// preconditioned with a V-cycle go on. Used by one thread.
 class PressureSolver {
  public:
   struct Options {
@@ -22,7 +25,7 @@ class PressureSolver {
     float residual = 0.0F;  ///< relative L2, to a few hundredths
   };
 
-  explicit PressureSolver(const Layout& layout);
+  explicit PressureSolver(const Layout& layout, std::shared_ptr<Team> team = std::make_shared<Team>(1));
 
   /// Takes note of what changed in the solids, as project() does first: takes long where all is new.
   void prepare(SolidGrid& solids);
@@ -52,6 +55,7 @@ class PressureSolver {
   FineWave::Norms cycle(double squaredResidual, bool first);
 
   const Layout layout_;
+  const std::shared_ptr<Team> team_;
   Multigrid multigrid_;
   Pockets pockets_;
   ConjugateGradients gradients_;

@@ -1,5 +1,8 @@
 #include "objects/fluid/projection.h"
 
+#include <numeric>
+#include <vector>
+
 #include "objects/fluid/multigrid_rows.h"
 
 namespace grove::objects::fluid {
@@ -16,12 +19,12 @@ void forEachRow(const Layout& layout, const Body& body) {
 }  // namespace
 
 double negativeDivergence(const Layout& layout, const Velocity& velocity, const Array<std::uint8_t>& diagonal,
-                          Field& out) {
-  double squared = 0.0;
+                          Field& out, Team& team) {
   const int n = layout.cells;
   const std::ptrdiff_t s = layout.step(1);
   const std::ptrdiff_t p = layout.step(2);
-  forEachRow(layout, [&](std::ptrdiff_t at) {
+  std::vector<double> squared(static_cast<std::size_t>(n));  // of each plane, so that the order of their sum is fixed
+  const auto row = [&](std::ptrdiff_t at) {
     const float* u = velocity.x.data() + at;
     const float* v = velocity.y.data() + at;
     const float* w = velocity.z.data() + at;
@@ -33,12 +36,18 @@ double negativeDivergence(const Layout& layout, const Velocity& velocity, const 
       b[i] = d[i] != 0 ? flow : 0.0F;
       sum += b[i] * b[i];
     }
-    squared += static_cast<double>(sum);
+    return static_cast<double>(sum);
+  };
+  team.run([&](int part) {
+    const Slab slab = Slab::of(part, team.width(), n);
+    for (int z = slab.first; z < slab.end; ++z) {
+      for (int y = 0; y < n; ++y) squared[static_cast<std::size_t>(z)] += row(layout.index(0, y, z));
+    }
   });
-  return squared;
+  return std::accumulate(squared.begin(), squared.end(), 0.0);
 }
 
-void subtractGradient(const Layout& layout, const Field& pressure, Velocity& velocity) {
+void subtractGradient(const Layout& layout, const Field& pressure, Velocity& velocity, Team& team) {
   const int n = layout.cells;
   const std::ptrdiff_t s = layout.step(1);
   const std::ptrdiff_t p = layout.step(2);
@@ -47,14 +56,17 @@ void subtractGradient(const Layout& layout, const Field& pressure, Velocity& vel
     float* __restrict out = faces + at;
     for (int i = 0; i < length; ++i) out[i] -= x[i] - x[i - step];
   };
-  for (int z = 0; z <= n; ++z) {
-    for (int y = 0; y <= n; ++y) {
-      const std::ptrdiff_t at = layout.index(0, y, z);
-      if (y < n && z < n) row(at, n + 1, velocity.x.data(), 1);
-      if (z < n) row(at, n, velocity.y.data(), s);
-      if (y < n) row(at, n, velocity.z.data(), p);
+  team.run([&](int part) {
+    const Slab slab = Slab::of(part, team.width(), n);
+    for (int z = slab.first; z < slab.end + (slab.end == n ? 1 : 0); ++z) {
+      for (int y = 0; y <= n; ++y) {
+        const std::ptrdiff_t at = layout.index(0, y, z);
+        if (y < n && z < n) row(at, n + 1, velocity.x.data(), 1);
+        if (z < n) row(at, n, velocity.y.data(), s);
+        if (y < n) row(at, n, velocity.z.data(), p);
+      }
     }
-  }
+  });
 }
 
 void maskSolids(const Layout& layout, const Array<std::uint8_t>& diagonal, Field& values) {

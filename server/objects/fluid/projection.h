@@ -4,16 +4,17 @@
 
 #include "objects/fluid/grid.h"
 #include "objects/fluid/multigrid_rows.h"
+#include "objects/fluid/team.h"
 
 /// The vector passes around the pressure solve. Ghosts of all fields but the velocity's are zero and stay so.
 namespace grove::objects::fluid {
 
 /// out = minus the sum of the flow out of each air cell, in metres a second; zero in solids. Returns out.out.
 double negativeDivergence(const Layout& layout, const Velocity& velocity, const Array<std::uint8_t>& diagonal,
-                          Field& out);
+                          Field& out, Team& team);
 
 /// velocity -= gradient of the pressure, at every face.
-void subtractGradient(const Layout& layout, const Field& pressure, Velocity& velocity);
+void subtractGradient(const Layout& layout, const Field& pressure, Velocity& velocity, Team& team);
 
 /// values = 0 where the diagonal is 0.
 void maskSolids(const Layout& layout, const Array<std::uint8_t>& diagonal, Field& values);

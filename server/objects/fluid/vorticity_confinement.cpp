@@ -1,6 +1,8 @@
 #include "objects/fluid/vorticity_confinement.h"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace grove::objects::fluid {
 
@@ -9,19 +11,69 @@ namespace {
 constexpr int kCentrePlanes = 3;
 constexpr int kVorticityPlanes = 3;
 constexpr int kForcePlanes = 2;
+/// Planes of centres that a slab's wave needs while the neighbours' waves change what they are made of: those around
+/// it, and its own last one, whose upper faces are a neighbour's.
+constexpr int kBelow = 3;
+constexpr int kAbove = 3;
+constexpr int kReach = 2;
 /// Three components each, and the vorticity's length.
-constexpr int kPlanes = 3 * kCentrePlanes + 4 * kVorticityPlanes + 3 * kForcePlanes;
+constexpr int kPlanes = 3 * kCentrePlanes + 4 * kVorticityPlanes + 3 * kForcePlanes + 3 * (kBelow + kAbove);
 
 }  // namespace
 
-VorticityConfinement::VorticityConfinement(const Layout& layout)
-    : layout_(layout), scratch_(static_cast<std::size_t>(kPlanes * layout.plane + 2 * Layout::kLead)) {}
+VorticityConfinement::VorticityConfinement(const Layout& layout, std::shared_ptr<Team> team)
+    : layout_(layout), team_(std::move(team)) {
+  for (int part = 0; part < team_->width(); ++part) {
+    scratch_.emplace_back(static_cast<std::size_t>(kPlanes * layout.plane + 2 * Layout::kLead));
+  }
+}
 
 void VorticityConfinement::apply(float strength, float seconds, float cellSize, Velocity& velocity) {
+  const auto slab = [&](int part) { return Slab::of(part, team_->width(), layout_.cells); };
+  const auto scratch = [&](int part) -> Field& { return scratch_[static_cast<std::size_t>(part)]; };
+  if (team_->width() > 1) team_->run([&](int part) { keepBeside(slab(part), scratch(part), velocity); });
+  team_->run([&](int part) { apply(slab(part), scratch(part), strength, seconds, cellSize, velocity); });
+}
+
+/// Rows of a plane of centres, from a component's faces.
+void VorticityConfinement::average(int axis, int z, const Velocity& velocity, float* centres) const {
+  const int n = layout_.cells;
+  const std::ptrdiff_t step = layout_.step(axis);
+  for (int y = -1; y <= n; ++y) {
+    const float* in = velocity.axis(axis).data() + layout_.index(0, y, z);
+    float* __restrict out = centres + std::ptrdiff_t{layout_.stride} * (y + 1);
+    for (int i = -1; i <= n; ++i) out[i] = 0.5F * (in[i] + in[i + step]);
+  }
+}
+
+float* VorticityConfinement::beside(Field& scratch, const Slab& slab, int axis, int z) const {
+  const int number = z < slab.first ? z - slab.first + kBelow : z - (slab.end - 1) + kBelow;
+  const int first = kPlanes - 3 * (kBelow + kAbove);
+  return scratch.data() + Layout::kLead + std::ptrdiff_t{layout_.plane} * (first + (kBelow + kAbove) * axis + number);
+}
+
+void VorticityConfinement::keepBeside(const Slab& slab, Field& scratch, const Velocity& velocity) const {
+  for (int a = 0; a < 3; ++a) {
+    for (int z = std::max(slab.first - kBelow, -1); z < slab.first && slab.first > 0; ++z) {
+      average(a, z, velocity, beside(scratch, slab, a, z));
+    }
+    for (int z = slab.end - 1; z < slab.end - 1 + kAbove && slab.end < layout_.cells; ++z) {
+      average(a, z, velocity, beside(scratch, slab, a, z));
+    }
+  }
+}
+
+void VorticityConfinement::apply(const Slab& slab, Field& scratch, float strength, float seconds, float cellSize,
+                                 Velocity& velocity) const {
   const int n = layout_.cells;
   const std::ptrdiff_t s = layout_.stride;
-  const auto plane = [&](int slot) { return scratch_.data() + Layout::kLead + std::ptrdiff_t{layout_.plane} * slot; };
-  const auto centre = [&](int a, int z) { return plane(kCentrePlanes * a + (z + 3) % kCentrePlanes); };
+  const auto plane = [&](int slot) { return scratch.data() + Layout::kLead + std::ptrdiff_t{layout_.plane} * slot; };
+  const auto isBeside = [&](int z) {
+    return (z < slab.first && slab.first > 0) || (z >= slab.end - 1 && slab.end < n);
+  };
+  const auto centre = [&](int a, int z) {
+    return isBeside(z) ? beside(scratch, slab, a, z) : plane(kCentrePlanes * a + (z + 3) % kCentrePlanes);
+  };
   const auto vorticity = [&](int a, int z) {
     return plane(3 * kCentrePlanes + kVorticityPlanes * a + (z + 3) % kVorticityPlanes);
   };
@@ -31,14 +83,7 @@ void VorticityConfinement::apply(float strength, float seconds, float cellSize, 
 
   // The planes lie apart, which is too much to test at run time: hence the ivdep below.
   const auto averageToCentres = [&](int z) {
-    for (int a = 0; a < 3; ++a) {
-      const std::ptrdiff_t step = layout_.step(a);
-      for (int y = -1; y <= n; ++y) {
-        const float* in = velocity.axis(a).data() + layout_.index(0, y, z);
-        float* __restrict out = centre(a, z) + s * (y + 1);
-        for (int i = -1; i <= n; ++i) out[i] = 0.5F * (in[i] + in[i + step]);
-      }
-    }
+    for (int a = 0; a < 3; ++a) average(a, z, velocity, centre(a, z));
   };
   const auto curl = [&](int z) {
     for (int y = 0; y < n; ++y) {
@@ -124,11 +169,14 @@ void VorticityConfinement::apply(float strength, float seconds, float cellSize, 
   };
 
   // A plane of faces changes only after the last plane of centres that reads it.
-  for (int z = -1; z <= n + 2; ++z) {
-    if (z <= n) averageToCentres(z);
-    if (z >= 1 && z <= n) curl(z - 1);
-    if (z >= 2 && z - 2 < n) confine(z - 2);
-    if (z >= 2 && z - 2 < n) addToFaces(z - 2);
+  const auto within = [&](int z, int below, int above) {
+    return z >= std::max(slab.first - below, 0) && z < std::min(slab.end + above, n);
+  };
+  for (int z = std::max(slab.first - kBelow, -1); z < slab.end + kReach; ++z) {
+    if (z <= n && !isBeside(z)) averageToCentres(z);
+    if (within(z - 1, 2, 1)) curl(z - 1);
+    if (within(z - 2, 1, 0)) confine(z - 2);
+    if (within(z - 2, 0, 0)) addToFaces(z - 2);
   }
 }
 

@@ -1,14 +1,19 @@
 #pragma once
 
+#include <memory>
+#include <vector>
+
 #include "objects/fluid/grid.h"
+#include "objects/fluid/team.h"
 
 namespace grove::objects::fluid {
 
 /// Gives back the small whirls that the grid wears down (Fedkiw, Stam and Jensen 2001): a force `strength` * cell size
-/// * (N x vorticity), N pointing to where there is more of it. One thread; keeps scratch memory.
+/// * (N x vorticity), N pointing to where there is more of it. A team does one slab each. Used by one thread; keeps
+/// scratch memory.
 class VorticityConfinement {
  public:
-  explicit VorticityConfinement(const Layout& layout);
+  explicit VorticityConfinement(const Layout& layout, std::shared_ptr<Team> team);
 
   /// Adds the force times `seconds` to the faces between cells. The velocity's ghosts must be filled.
   void apply(float strength, float seconds, float cellSize, Velocity& velocity);
@@ -17,8 +22,14 @@ class VorticityConfinement {
   [[nodiscard]] std::size_t bytes() const noexcept { return scratch_.heldBytes(); }
 
  private:
+  void average(int axis, int z, const Velocity& velocity, float* centres) const;
+  [[nodiscard]] float* beside(Field& scratch, const Slab& slab, int axis, int z) const;
+  void keepBeside(const Slab& slab, Field& scratch, const Velocity& velocity) const;
+  void apply(const Slab& slab, Field& scratch, float strength, float seconds, float cellSize, Velocity& velocity) const;
+
   const Layout layout_;
-  Field scratch_;  ///< planes of centre velocities, vorticity and force around the wave
+  const std::shared_ptr<Team> team_;
+  std::vector<Field> scratch_;  ///< planes around the wave, one for each of the team
 };
 
 }  // namespace grove::objects::fluid

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <barrier>
+#include <functional>
+#include <thread>
+#include <vector>
+
+namespace grove::objects::fluid {
+
+/// Threads that share the work on one grid: each takes a slab of z-planes. What they compute does not depend on how
+/// many they are. Waiting, they sleep. Used by one thread, which does a part itself; a team of one has no threads.
+class Team {
+ public:
+  explicit Team(int width);
+  ~Team();
+  Team(const Team&) = delete;
+  Team& operator=(const Team&) = delete;
+
+  [[nodiscard]] int width() const noexcept { return width_; }
+
+  /// Calls work(0) to work(width - 1) side by side and waits for all. They must not throw.
+  void run(const std::function<void(int)>& work);
+
+ private:
+  void serve(int part);
+
+  const int width_;
+  const std::function<void(int)>* work_ = nullptr;  ///< null: stop
+  std::barrier<> begin_;
+  std::barrier<> end_;
+  std::vector<std::thread> threads_;
+};
+
+/// Planes from `first` to ahead of `end`, both even.
+struct Slab {
+  int first = 0;
+  int end = 0;
+
+  /// One of `parts` about equal ones.
+  [[nodiscard]] static Slab of(int part, int parts, int cells) noexcept {
+    const int pairs = cells / 2;
+    return {2 * (pairs * part / parts), 2 * (pairs * (part + 1) / parts)};
+  }
+};
+
+}  // namespace grove::objects::fluid
