@@ -7,6 +7,7 @@
 #include "node/object_type.h"
 #include "objects/lightfield/cache/late_views.h"
 #include "objects/lightfield/cache/near_views.h"
+#include "objects/lightfield/cache/picture_budget.h"
 #include "objects/lightfield/cache/view_cache.h"
 #include "objects/lightfield/light_field_model.h"
 #include "objects/lightfield/sampler.h"
@@ -17,7 +18,8 @@ namespace grove::objects::lightfield {
 
 /// The rendering node of all light fields. What is far enough is answered with a picture from the shared view cache,
 /// which the frontend reprojects; what is near, with a picture of this visitor's own, and with that again as long as it
-/// serves.
+/// serves. While there is no time for new pictures the last one is shown however wrong it is, or if there is none, one
+/// with a sixteenth of the texels.
 class LightFieldBackend final : public node::BackendHalf {
  public:
   /// Finds the shadows on its objects on the services' workers and waits for them, so not on one of those.
@@ -36,6 +38,13 @@ class LightFieldBackend final : public node::BackendHalf {
   void answer(std::span<const node::Request> requests, std::span<node::Payload> payloads) override;
 
  private:
+  /// A picture to make.
+  struct Shot {
+    ObjectCamera camera;
+    world::Rect rect;
+    [[nodiscard]] std::int64_t texels() const { return std::int64_t{rect.width()} * rect.height(); }
+    [[nodiscard]] Shot coarse() const;
+  };
   /// One object of the world, as it stands there.
   struct Entry {
     const LightField* field = nullptr;
@@ -49,7 +58,8 @@ class LightFieldBackend final : public node::BackendHalf {
                                                              const ViewCell& cell, world::Vec3 eye, float mostError);
   [[nodiscard]] std::shared_ptr<const CachedView> nearView(const node::Request& request, const Entry& entry,
                                                            const ObjectCamera& camera, float times, float mostError);
-  [[nodiscard]] std::shared_ptr<const CachedView> pictureOf(const Entry& entry, const ViewCell& cell);
+  [[nodiscard]] static Shot shotOf(const Entry& entry, const ViewCell& cell);
+  [[nodiscard]] std::shared_ptr<const CachedView> pictureOf(const Entry& entry, const Shot& shot);
   [[nodiscard]] std::shared_ptr<node::Image> sample(const Entry& entry, const ObjectCamera& camera, const Haze& haze,
                                                     const world::Rect& rect);
 
@@ -61,6 +71,7 @@ class LightFieldBackend final : public node::BackendHalf {
   ViewCache cache_;
   LateViews late_;
   NearViews near_;
+  PictureBudget budget_;
   std::map<SamplerKind, std::unique_ptr<Sampler>> samplers_;
   std::map<world::ObjectId, Entry> entries_;
   pipeline::HeldMemory sunGrids_;

@@ -9,15 +9,6 @@ std::optional<CellId> LateViews::last(const node::View& view, world::ObjectId ob
   return place->second->cell;
 }
 
-bool LateViews::mayMake(const node::View& view) {
-  const std::lock_guard lock(mutex_);
-  // A session's number is never used again; this keeps those that went from staying for ever.
-  if (budgets_.size() > kMostEntries) budgets_.clear();
-  Budget& budget = budgets_[view.session];
-  if (budget.frame != view.frame) budget = {view.frame, 0};
-  return ++budget.made <= kMostNewPictures;
-}
-
 void LateViews::shown(const node::View& view, world::ObjectId object, const CellId& cell) {
   const Key key{view.session, object};
   const std::lock_guard lock(mutex_);

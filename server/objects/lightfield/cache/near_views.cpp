@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace grove::objects::lightfield {
 
@@ -20,26 +21,26 @@ float roughness(const CachedView& picture) {
   return squares > 0 ? static_cast<float>(std::sqrt(sum / squares)) : 0.0F;
 }
 
-bool serves(const NearView& view, const ObjectCamera& camera, const world::Rect& rect, float errorPixels) {
+float wrongness(const NearView& view, const ObjectCamera& camera, const world::Rect& rect, float errorPixels) {
   const ObjectCamera& own = view.picture->camera();
   const world::Vec3 moved = camera.eye - own.eye;
-  if (!(glm::length(moved) * view.roughness <= errorPixels * glm::length(camera.perColumn))) return false;
+  constexpr float kNever = std::numeric_limits<float>::infinity();
   const glm::mat3 toPixels = glm::inverse(glm::mat3(own.perColumn, own.perRow, own.corner));
   const float nearest = view.picture->empty() ? 0.0F : view.picture->range().greatest;
   for (const int x : {rect.left, rect.right}) {
     for (const int y : {rect.top, rect.bottom}) {
       for (const float nearness : {0.0F, nearest}) {
         const world::Vec3 at = toPixels * (camera.ray(static_cast<float>(x), static_cast<float>(y)) + nearness * moved);
-        if (!(at.z > 0.0F)) return false;
+        if (!(at.z > 0.0F)) return kNever;
         const bool within = at.x >= static_cast<float>(view.sampled.left) * at.z &&
                             at.x <= static_cast<float>(view.sampled.right) * at.z &&
                             at.y >= static_cast<float>(view.sampled.top) * at.z &&
                             at.y <= static_cast<float>(view.sampled.bottom) * at.z;
-        if (!within) return false;
+        if (!within) return kNever;
       }
     }
   }
-  return true;
+  return glm::length(moved) * view.roughness / (errorPixels * glm::length(camera.perColumn));
 }
 
 std::list<NearViews::Entry>::iterator NearViews::find(node::SessionId session, world::ObjectId object) {

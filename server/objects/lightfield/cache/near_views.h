@@ -17,6 +17,7 @@ struct NearView {
   std::shared_ptr<const CachedView> picture;
   world::Rect sampled;     ///< pixels of the picture's camera; beyond, nothing is known
   float roughness = 0.0F;  ///< of the picture
+  bool coarse = false;     ///< of few texels, for want of time
 };
 
 /// How much neighbouring texels differ in 1 / depth, per metre: the root of the mean square over the picture. An eye
@@ -24,9 +25,11 @@ struct NearView {
 /// d * roughness wide.
 [[nodiscard]] float roughness(const CachedView& picture);
 
-/// Whether the picture shows all that a frame needs of the object, which are the pixels `rect` of its camera, with
-/// strips of at most `errorPixels` of them. A head that only turns uncovers nothing.
-[[nodiscard]] bool serves(const NearView& view, const ObjectCamera& camera, const world::Rect& rect, float errorPixels);
+/// How wide the strips are, in times of `errorPixels` pixels of the frame's camera, at which the picture shows the
+/// object. Infinite if it does not show all that the frame needs, which are the pixels `rect` of that camera. A head
+/// that only turns uncovers nothing.
+[[nodiscard]] float wrongness(const NearView& view, const ObjectCamera& camera, const world::Rect& rect,
+                              float errorPixels);
 
 /// The visitors' last pictures of what is near to them. Keeps the kMost used last. Any thread.
 class NearViews {

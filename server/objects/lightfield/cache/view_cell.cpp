@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace grove::objects::lightfield {
@@ -21,6 +22,12 @@ constexpr float kRadialShare = 0.25F;
 constexpr float kAspect = 2.0F;
 // Chord of the widest cell, in distances: what is far away changes its light with the direction, too.
 constexpr float kWidest = 0.25F;
+// Eyes that are so near to the ball, in radii, have no cell.
+constexpr float kOutside = 1.05F;
+// How far an eye may at most be from that of a picture it is shown for want of time: much of what shows is then
+// missing.
+constexpr float kLeastCosine = 0.5F;
+constexpr float kMostOctaves = 1.0F;
 
 /// How far eyes between two distances may be from the axis of their cell.
 ///
@@ -33,7 +40,7 @@ constexpr float kWidest = 0.25F;
 /// where x0 and x1 are the ends of the chord. x0 x1 is the power of F, |F|^2 - R^2, and |F| >= |e| - h. Since
 /// L <= 2R and L sin a <= R^2 / D (largest at D sin a = R / sqrt 2), and sin a <= R / D wherever there is a chord,
 ///     angle <= (2 R side + radial R^2 / D) / ((|e| - side - radial R / D)^2 - R^2).
-/// This is the error over the focal length, as serves() has it; the function solves for `side`.
+/// This is the error over the focal length, as wrongness() has it; the function solves for `side`.
 float permittedSide(float ball, float nearest, float axis, float radial, float angle) {
   const float clear = nearest - radial * ball / axis;
   const float c = clear * clear - ball * ball - radial * ball * ball / (axis * angle);
@@ -43,20 +50,23 @@ float permittedSide(float ball, float nearest, float axis, float radial, float a
 
 }  // namespace
 
-bool serves(const ViewGeometry& geometry, world::Vec3 own, world::Vec3 eye, float focal, float errorPixels) {
+float wrongness(const ViewGeometry& geometry, world::Vec3 own, world::Vec3 eye, float focal, float errorPixels) {
+  constexpr float kNever = std::numeric_limits<float>::infinity();
   const float ball = geometry.extent;
   const world::Vec3 from = own - geometry.target;
+  const world::Vec3 to = eye - geometry.target;
   const float axis = glm::length(from);
-  const float distance = glm::distance(eye, geometry.target);
+  const float distance = glm::length(to);
   const float nearer = std::log2(axis / distance) * kShellsPerOctave;
-  if (!(nearer <= 1.0F && nearer >= -kFarther)) return false;
+  if (!(distance > kOutside * ball && std::abs(nearer) <= kMostOctaves * kShellsPerOctave)) return kNever;
+  if (!(glm::dot(from, to) >= kLeastCosine * axis * distance)) return kNever;
   const float along = glm::dot(eye - own, from) / axis;
   const float side = glm::length(eye - own - along * from / axis);
   const float radial = std::abs(along);
-  const float clear = distance - side - radial * ball / axis;
-  if (!(clear > ball && side <= kWidest * axis)) return false;
+  // So far aside that the proof says nothing any more, the angle is large all the same.
+  const float clear = std::max(distance - side - radial * ball / axis, kOutside * ball);
   const float angle = (2.0F * ball * side + radial * ball * ball / axis) / (clear * clear - ball * ball);
-  return angle * focal <= errorPixels;
+  return std::max({angle * focal / errorPixels, nearer, -nearer / kFarther, side / (kWidest * axis)});
 }
 
 std::optional<ViewCell> viewCell(const ViewGeometry& geometry, world::Vec3 eye, float focal, float errorPixels) {
@@ -64,7 +74,7 @@ std::optional<ViewCell> viewCell(const ViewGeometry& geometry, world::Vec3 eye, 
   const float ball = geometry.extent;
   const world::Vec3 from = eye - geometry.target;
   const float distance = glm::length(from);
-  if (!(distance > ball * 1.05F)) return std::nullopt;
+  if (!(distance > kOutside * ball)) return std::nullopt;
 
   ViewCell cell;
   cell.id.error = static_cast<std::int32_t>(std::lround(errorPixels * 64.0F));

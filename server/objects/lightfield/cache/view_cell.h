@@ -15,6 +15,7 @@ struct CellId {
   std::int32_t band = 0;   ///< of elevations, from straight below
   std::int32_t column = 0;
   std::int32_t error = 0;  ///< permitted, in 1 / 64 of a pixel
+  bool coarse = false;  ///< a picture of few texels, for want of time
   friend bool operator==(const CellId&, const CellId&) = default;
 };
 
@@ -39,11 +40,12 @@ struct ViewCell {
 [[nodiscard]] std::optional<ViewCell> viewCell(const ViewGeometry& geometry, world::Vec3 eye, float focal,
                                                float errorPixels);
 
-/// Whether a picture that was made from `own` serves `eye` (object coordinates), with an error of at most `errorPixels`
-/// in a frame of this focal length, also if the eye is in no cell of that picture. It may then be up to an eighth of an
-/// octave nearer than `own`, and the picture so much less sharp.
-[[nodiscard]] bool serves(const ViewGeometry& geometry, world::Vec3 own, world::Vec3 eye, float focal,
-                          float errorPixels);
+/// How wrong a picture that was made from `own` is for `eye` (object coordinates), which need be in no cell of it, in a
+/// frame of this focal length: in times of what is permitted, which is an error of `errorPixels`, and to be an eighth
+/// of an octave nearer than `own` (the picture is then so much less sharp) or two farther. Beyond 1 it is an estimate,
+/// and infinite where too little of the object is in the picture.
+[[nodiscard]] float wrongness(const ViewGeometry& geometry, world::Vec3 own, world::Vec3 eye, float focal,
+                              float errorPixels);
 
 inline constexpr float kLeastReach = 0.04F;
 inline constexpr int kMostCellSize = 2048;

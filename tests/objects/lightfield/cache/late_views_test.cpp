@@ -18,24 +18,6 @@ CellId cellOf(std::int32_t column) {
   return cell;
 }
 
-TEST(LateViews, OnlySomePicturesOfAFrameAreNew) {
-  LateViews late;
-  for (node::FrameNumber frame = 2; frame < 5; ++frame) {
-    int made = 0;
-    for (int object = 1; object <= 10; ++object) made += late.mayMake(viewOf(1, frame)) ? 1 : 0;
-    EXPECT_EQ(made, LateViews::kMostNewPictures);
-  }
-}
-
-TEST(LateViews, VisitorsHaveTheirOwnBudgets) {
-  LateViews late;
-  for (int i = 0; i < LateViews::kMostNewPictures; ++i) {
-    EXPECT_TRUE(late.mayMake(viewOf(1, 2)));
-    EXPECT_TRUE(late.mayMake(viewOf(2, 2)));
-  }
-  EXPECT_FALSE(late.mayMake(viewOf(1, 2)));
-}
-
 TEST(LateViews, RemembersWhatEachVisitorWasShownLast) {
   LateViews late;
   EXPECT_FALSE(late.last(viewOf(1, 1), 5));

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <mutex>
+
+#include "node/messages.h"
+
+namespace grove::objects::lightfield {
+
+/// Keeps visitors from asking for more new pictures than the machine has time for. Pictures age with the metres that a
+/// visitor walks, so a machine that is late, and shows him farther on in every frame, would have more of them to make
+/// for each, and be later still. So all visitors together have so many texels a second of the world's clock, and make
+/// do with the pictures they have when those are spent.
+///
+/// A bucket of tokens for each visitor, which all fill alike, and a pot for what overflows them, which is anybody's. A
+/// picture is made if the bucket has any or the pot has enough; what it takes may leave the bucket in debt. So in t
+/// seconds all take at most t + 2 kBurst seconds' worth, a picture each, and what they must owe. Any thread.
+class PictureBudget {
+ public:
+  static constexpr double kBurst = 0.25;      ///< seconds' worth that fit in a bucket: a frame of a late machine
+  static constexpr int kMostNewPictures = 2;  ///< in one frame, but for those that are too wrong by kLateness
+  static constexpr float kLateness = 3.0F;
+  static constexpr float kCoarse = 4.0F;           ///< times the width of the pixels of a picture for want of time
+  static constexpr float kCoarseWrongness = 4.0F;  ///< it counts as at least so wrong
+
+  explicit PictureBudget(double texelsPerSecond) : texelsPerSecond_(texelsPerSecond) {}
+
+  /// Whether to make a picture of so many texels in this frame; takes them. What is there instead is wrong by `wrong`
+  /// times the permitted error; infinite if there is nothing. The wronger it is, the emptier the bucket may be.
+  [[nodiscard]] bool take(const node::View& view, std::int64_t texels, float wrong);
+
+  /// Takes them though there may be none left: of a picture that must be made.
+  void owe(const node::View& view, std::int64_t texels);
+
+ private:
+  struct Bucket {
+    double tokens = 0.0;
+    double time = 0.0;  ///< of the world's clock, up to which it was filled
+    node::FrameNumber frame = 0;
+    int made = 0;  ///< in that frame
+  };
+  [[nodiscard]] double share(const node::View& view) const;
+  [[nodiscard]] Bucket& filled(const node::View& view);
+  void spend(Bucket& bucket, std::int64_t texels);
+
+  const double texelsPerSecond_;
+  std::mutex mutex_;
+  std::map<node::SessionId, Bucket> buckets_;
+  double pot_ = 0.0;
+};
+
+}  // namespace grove::objects::lightfield
