@@ -104,7 +104,7 @@ LightFieldBackend::LightFieldBackend(const node::BackendServices& services, worl
       mostError_(cache.mostError),
       cache_(cache.mostBytes, services.memory),
       near_(services.memory),
-      budget_(kShareOfCores * kTexelsPerCoreSecond * executor_.width()),
+      budget_(texelsPerSecond(executor_.width())),
       sunGrids_(services.memory, "sun grids", "lightfield", pipeline::Work::kAcrossUser) {
   for (const world::Object& object : services.world.objects()) {
     if (object.type != self) continue;
@@ -139,6 +139,8 @@ void LightFieldBackend::setQuality(int step) {
   assert(step >= 0 && step <= node::kMostQuality);
   mostError_ = kErrorShares[static_cast<std::size_t>(step)] * sceneError_;
 }
+
+double LightFieldBackend::texelsPerSecond(int cores) noexcept { return kShareOfCores * kTexelsPerCoreSecond * cores; }
 
 std::size_t LightFieldBackend::mostAtOnce() const { return kMostAtOnce; }
 

@@ -37,6 +37,9 @@ class LightFieldBackend final : public node::BackendHalf {
   /// On the executor; safe to call from several of its threads at once.
   void answer(std::span<const node::Request> requests, std::span<node::Payload> payloads) override;
 
+  /// What the new pictures of all visitors together may have where so many cores make them.
+  [[nodiscard]] static double texelsPerSecond(int cores) noexcept;
+
  private:
   /// A picture to make.
   struct Shot {
