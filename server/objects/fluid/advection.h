@@ -43,7 +43,9 @@ class Advection {
   /// Memory that it takes.
   [[nodiscard]] std::size_t bytes() const noexcept {
     std::size_t sum = 0;
-    for (std::size_t job = 0; job < kMostJobs; ++job) sum += heldBytes(packed_[job], scratch_[job]);
+    for (const Scratch& slab : scratch_) {
+      for (std::size_t job = 0; job < kMostJobs; ++job) sum += heldBytes(slab.packed[job], slab.passes[job]);
+    }
     return sum;
   }
 

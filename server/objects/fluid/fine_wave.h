@@ -46,7 +46,9 @@ class FineWave {
 
   /// Memory that it takes.
   [[nodiscard]] std::size_t bytes() const noexcept {
-    return heldBytes(inverse_, source_, error_[0], error_[1], scaled_, left_);
+    std::size_t sum = heldBytes(inverse_);
+    for (const Wave& w : waves_) sum += heldBytes(w.source, w.error[0], w.error[1], w.scaled, w.left, w.beside);
+    return sum;
   }
 
  private:

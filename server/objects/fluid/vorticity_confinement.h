@@ -19,7 +19,11 @@ class VorticityConfinement {
   void apply(float strength, float seconds, float cellSize, Velocity& velocity);
 
   /// Memory that it takes.
-  [[nodiscard]] std::size_t bytes() const noexcept { return scratch_.heldBytes(); }
+  [[nodiscard]] std::size_t bytes() const noexcept {
+    std::size_t sum = 0;
+    for (const Field& slab : scratch_) sum += slab.heldBytes();
+    return sum;
+  }
 
  private:
   void average(int axis, int z, const Velocity& velocity, float* centres) const;
