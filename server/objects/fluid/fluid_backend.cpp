@@ -69,9 +69,13 @@ class FluidBackend::Fire {
 
   /// For somebody who looks, so the simulation goes on if it rests. Any thread.
   [[nodiscard]] std::shared_ptr<const FluidSnapshot> newest() {
+    std::shared_ptr<const FluidSnapshot> newest;
+    {
+      const std::lock_guard lock(mutex_);
+      newest = newest_;
+    }
     clock_->wake();
-    const std::lock_guard lock(mutex_);
-    return newest_;
+    return newest;
   }
 
   /// Any thread.
