@@ -32,8 +32,11 @@ Panel coresPanel(const AmortizeResult& result) {
         over(name, result.rows, privateWorlds, [](const AmortizeRow& row) { return row.coresNeeded(); }));
     points.line = false;
     if (!fit.line) return;
+    // Nobody needs fewer than no cores.
+    const double from =
+        fit.line->at(0.0) < 0.0 && fit.line->b.value > 0.0 ? -fit.line->a.value / fit.line->b.value : 0.0;
     panel.series.push_back(
-        {.name = fitName, .points = {{0.0, fit.line->at(0.0)}, {most, fit.line->at(most)}}, .marks = false});
+        {.name = fitName, .points = {{from, fit.line->at(from)}, {most, fit.line->at(most)}}, .marks = false});
   };
   add("shared", "fit", false, law.shared);
   add("private", "fit", true, law.unshared);
