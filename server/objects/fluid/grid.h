@@ -101,7 +101,9 @@ class Array {
     Block block(memory, Free{whole});
     // Only advice: without huge pages it is a little slower.
     static_cast<void>(::madvise(memory, whole, MADV_HUGEPAGE));
-    std::memset(place(memory, bytes), 0, bytes);
+    // All of the pages: what is held is then the same whether the system has huge ones to give or not.
+    std::memset(reinterpret_cast<void*>(roundUp(reinterpret_cast<std::uintptr_t>(memory), kHugePage)), 0,
+                wholeBytes(bytes));
     return block;
   }
 
