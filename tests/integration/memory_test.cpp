@@ -16,13 +16,8 @@
 #include "objects/lightfield/format/light_field_file.h"
 #include "objects/lightfield/format/small_field.h"
 #include "objects/lightfield/simd/thicket.h"
+#include "sanitized.h"
 #include "stream/headless_session.h"
-
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define GROVE_SANITIZED 1
-#else
-#define GROVE_SANITIZED 0
-#endif
 
 namespace grove::integration {
 namespace {
@@ -108,7 +103,7 @@ double toldShare(const std::string& scene) {
 }
 
 TEST_F(Memory, WhatIsToldIsWhatTheProcessHolds) {
-  if (GROVE_SANITIZED) GTEST_SKIP() << "sanitizers keep memory of their own";
+  if (kSanitized) GTEST_SKIP() << "sanitizers keep memory of their own";
   GTEST_FLAG_SET(death_test_style, "threadsafe");
   const auto check = [] {
     const double share = toldShare(scene());
