@@ -33,3 +33,12 @@ build() {
   cmake --preset "$preset" "$@" >&2
   cmake --build --preset "$preset" >&2
 }
+
+# changed_sources COUNT: the sources that changed last, newest first: those not committed yet, then by the history. For a
+# header, the source of its name. Asks for no base, so it works in any clone.
+changed_sources() {
+  local files=('server/*.cpp' 'server/*.h' 'tests/*.cpp' 'tests/*.h') file
+  { git diff --name-only HEAD -- "${files[@]}"; git log --format= --name-only -- "${files[@]}"; } |
+    sed 's/\.h$/.cpp/' | awk '!seen[$0]++' |
+    while read -r file; do if [ -f "$file" ]; then echo "$file"; fi; done | sed "$1q"
+}

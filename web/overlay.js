@@ -14,6 +14,7 @@ const kLines = {
   visitors: (reading) => reading.visitors !== null && String(reading.visitors),
   shared: (reading) => reading.sharedViews !== null && `${Math.round(reading.sharedViews * 100)} %`,
   server: (reading) => reading.serverMs !== null && `${reading.serverMs.toFixed(1)} ms`,
+  version: (reading) => reading.version,
 };
 
 const told = (value, tell) => known(value) !== null && tell(value);

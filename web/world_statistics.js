@@ -10,12 +10,18 @@ export function sharedViews(before, now) {
   return all > 0 ? hits / all : null;
 }
 
+/** The server's version, as in 0.2.0; `null` from a server that does not tell. */
+export function versionOf(statistics) {
+  return typeof statistics?.version === 'string' ? statistics.version : null;
+}
+
 /** What the server tells of itself in `/statistics.json`, asked for once a second while somebody looks. */
 export class WorldStatistics {
   #fetch;
   #timers;
   #timer = null;
   #last = null;
+  #version = null;
   #shared = null;
   #amortization = null;
 
@@ -32,7 +38,7 @@ export class WorldStatistics {
   }
 
   read() {
-    return { sharedViews: this.#shared, amortization: this.#amortization };
+    return { version: this.#version, sharedViews: this.#shared, amortization: this.#amortization };
   }
 
   #ask() {
@@ -40,12 +46,14 @@ export class WorldStatistics {
     this.#timer = timer;
     this.#fetch().then(
       (statistics) => {
+        this.#version = versionOf(statistics);
         this.#shared = sharedViews(this.#last, statistics);
         this.#amortization = amortizationOf(statistics);
         this.#last = statistics;
       },
       () => {
-        this.#shared = null; // the server is away: the page says so elsewhere
+        this.#version = null; // the server is away: the page says so elsewhere
+        this.#shared = null;
         this.#amortization = null;
         this.#last = null;
       },

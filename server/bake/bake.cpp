@@ -26,7 +26,7 @@
 #include "objects/lightfield/format/light_field_file.h"
 #include "objects/lightfield/format/view_packer.h"
 #include "pipeline/clocks.h"
-#include "pipeline/error.h"
+#include "base/error.h"
 #include "world/camera.h"
 
 namespace grove::bake {

@@ -15,7 +15,7 @@
 
 #include "objects/lightfield/format/checksum.h"
 #include "objects/lightfield/format/mapped_file.h"
-#include "pipeline/error.h"
+#include "base/error.h"
 
 namespace grove::bake {
 

@@ -7,7 +7,7 @@
 #include "cli/stop_on_signal.h"
 #include "models/gltf/gltf_import.h"
 #include "models/plants/plants.h"
-#include "pipeline/log.h"
+#include "base/log.h"
 
 namespace grove::cli {
 namespace {

@@ -13,7 +13,7 @@
 #include "cli/prepare_world.h"
 #include "cli/progress.h"
 #include "cli/stop_on_signal.h"
-#include "pipeline/error.h"
+#include "base/error.h"
 #include "stream/session.h"
 
 namespace grove::cli {

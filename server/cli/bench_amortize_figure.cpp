@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include "pipeline/log.h"
+#include "base/log.h"
 
 namespace grove::cli {
 namespace {

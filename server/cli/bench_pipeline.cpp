@@ -23,7 +23,7 @@
 #include "objects/builtin.h"
 #include "pipeline/clocks.h"
 #include "pipeline/embedded.h"
-#include "pipeline/error.h"
+#include "base/error.h"
 #include "stream/headless_session.h"
 #include "stream/host.h"
 #include "world/scene_file.h"

@@ -1,10 +1,15 @@
 #include "cli/command_line.h"
 
 #include <CLI/CLI.hpp>
+#include <cstdio>
 #include <exception>
 #include <map>
+#include <ranges>
 #include <string>
 
+#include "base/log.h"
+#include "base/simd/target.h"
+#include "base/version.h"
 #include "cli/bake.h"
 #include "cli/bench_amortize.h"
 #include "cli/bench_fluid.h"
@@ -13,12 +18,26 @@
 #include "cli/bench_pipeline.h"
 #include "cli/load.h"
 #include "cli/serve.h"
+#include "cli/version_report.h"
+#include "models/plants/plants.h"
 #include "node/limits.h"
 #include "objects/lightfield/format/light_field.h"
-#include "pipeline/log.h"
 
 namespace grove::cli {
 namespace {
+
+/// As help shows what may stand behind an option, and as shells complete it: "{auto,egl,osmesa}".
+template <class Names>
+std::string oneOf(const Names& names) {
+  std::string text;
+  for (const auto& name : names) text.append(text.empty() ? "{" : ",").append(name);
+  return text + "}";
+}
+
+template <class Value>
+CLI::Option* choose(CLI::Option* option, const std::map<std::string, Value>& values) {
+  return option->transform(CLI::Transformer(values).description(""))->type_name(oneOf(std::views::keys(values)));
+}
 
 void addServe(CLI::App& app, ServeOptions& options) {
   CLI::App* serve = app.add_subcommand("serve", "Serve a world to browsers");
@@ -26,9 +45,7 @@ void addServe(CLI::App& app, ServeOptions& options) {
   serve->add_option("--listen", options.listen, "Address and port; port 0 is any free one")->capture_default_str();
   const std::map<std::string, gl::ContextKind> kinds{
       {"auto", gl::ContextKind::kAuto}, {"egl", gl::ContextKind::kEgl}, {"osmesa", gl::ContextKind::kOsmesa}};
-  serve->add_option("--gl", options.gl, "Where triangles are drawn: auto, egl or osmesa")
-      ->transform(CLI::Transformer(kinds))
-      ->type_name("KIND");
+  choose(serve->add_option("--gl", options.gl, "Where triangles are drawn"), kinds);
   serve->add_option("--frames-in-flight", options.host.framesInFlight, "Frames of a visitor that are made at once")
       ->check(CLI::Range(1, 8))
       ->capture_default_str();
@@ -63,12 +80,10 @@ void addBake(CLI::App& app, BakeCommand& command) {
   using objects::lightfield::ViewSphere;
   CLI::App* bake = app.add_subcommand("bake", "Make a light field of a model or of a plant");
   bake->add_option("model", command.model, "glTF file, .glb or .gltf");
-  bake->add_option("--plant", command.plant, "Name of a plant to grow instead");
+  bake->add_option("--plant", command.plant, "A plant to grow instead")->type_name(oneOf(models::plantNames()));
   bake->add_option("--seed", command.seed, "The plant's; another seed is another plant")->capture_default_str();
   const std::map<std::string, bool> details{{"small", false}, {"full", true}};
-  bake->add_option("--detail", command.full, "The plant's: small, or full for several million triangles")
-      ->transform(CLI::Transformer(details))
-      ->type_name("DETAIL");
+  choose(bake->add_option("--detail", command.full, "The plant's; full is several million triangles"), details);
   bake->add_option("--subdivision", command.options.subdivision, "Parts per edge of the octahedron of views")
       ->check(CLI::Range(1, ViewSphere::kMostSubdivision))
       ->capture_default_str();
@@ -189,6 +204,7 @@ int run(int argc, char** argv) {
   LoadOptions load;
   CLI::App app("Grove: one living world, a camera for every browser", "grove");
   app.require_subcommand(1);
+  app.set_version_flag("--version", std::string(version()), "Print version, SIMD target, GL and codecs, and exit");
   addServe(app, serve);
   addBake(app, bake);
   CLI::App* bench = app.add_subcommand("bench", "Measure a part of Grove");
@@ -198,8 +214,11 @@ int run(int argc, char** argv) {
   addBenchLightfield(bench, benchLightfield);
   addBenchPipeline(bench, benchPipeline);
   addLoad(app, load);
+  bool versionAsked = false;
   try {
     app.parse(argc, argv);
+  } catch (const CLI::CallForVersion&) {
+    versionAsked = true;
   } catch (const CLI::Success& e) {  // --help
     return app.exit(e);
   } catch (const CLI::ParseError& e) {
@@ -207,6 +226,11 @@ int run(int argc, char** argv) {
     return 2;
   }
   try {
+    simd::chooseTarget();
+    if (versionAsked) {
+      std::fputs(versionReport().c_str(), stdout);
+      return 0;
+    }
     if (app.got_subcommand("serve")) return runServe(serve);
     if (app.got_subcommand("bake")) return runBake(bake);
     if (app.got_subcommand("load")) return runLoad(load);

@@ -5,7 +5,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "pipeline/log.h"
+#include "base/log.h"
 #include "stream/load_client.h"
 
 namespace grove::cli {

@@ -17,7 +17,7 @@
 #include "models/model_source.h"
 #include "objects/lightfield/light_field_source.h"
 #include "pipeline/embedded.h"
-#include "pipeline/error.h"
+#include "base/error.h"
 
 namespace grove::cli {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "pipeline/log.h"
+#include "base/log.h"
 
 namespace grove::cli {
 

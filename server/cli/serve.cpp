@@ -11,7 +11,7 @@
 #include "gl/workers.h"
 #include "node/registry.h"
 #include "objects/builtin.h"
-#include "pipeline/log.h"
+#include "base/log.h"
 #include "stream/listen_address.h"
 #include "stream/websocket_server.h"
 

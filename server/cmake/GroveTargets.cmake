@@ -5,41 +5,68 @@ find_package(Threads REQUIRED)
 
 add_library(grove_options INTERFACE)
 target_compile_options(grove_options INTERFACE -Wall -Wextra -Wshadow -Wnon-virtual-dtor -Wold-style-cast)
-# GCC 12 sees overlaps in std::string's operator+ that are not there (GCC bug 105651).
-target_compile_options(grove_options INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)
+# GCC 12 sees overlaps and overflows in std::string's operator+ that are not there (GCC bug 105651).
+target_compile_options(grove_options INTERFACE "$<$<CXX_COMPILER_ID:GNU>:-Wno-restrict;-Wno-stringop-overflow>")
 if(GROVE_WERROR)
   target_compile_options(grove_options INTERFACE -Werror)
 endif()
-if(GROVE_ARCH)
-  target_compile_options(grove_options INTERFACE -march=${GROVE_ARCH})
+# The least processor that Grove runs on. What needs more is a kernel, chosen at run time (base/simd/target.h).
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+  target_compile_options(grove_options INTERFACE -march=x86-64-v2)
+  # A lesser processor is told so by the loader, instead of stopping at some instruction.
+  target_link_options(grove_options INTERFACE LINKER:-z,x86-64-v2)
+elseif(CMAKE_SYSTEM_PROCESSOR MATCHES "aarch64|arm64")
+  target_compile_options(grove_options INTERFACE -march=armv8-a)
 endif()
+# What is no kernel computes the same on every processor: ARM, too, has fused arithmetic that compilers take by themselves.
+target_compile_options(grove_options INTERFACE -ffp-contract=off)
 if(GROVE_SANITIZE)
-  # GCC's own manual: sanitizers make -Wmaybe-uninitialized see what is not there.
-  target_compile_options(grove_options INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
-  target_compile_options(grove_options INTERFACE -fsanitize=${GROVE_SANITIZE} -fno-omit-frame-pointer -g)
+  # GCC's own manual: sanitizers make some warnings see what is not there.
+  target_compile_options(grove_options INTERFACE
+    "$<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized;-Wno-array-bounds>")
+  target_compile_options(grove_options INTERFACE -fsanitize=${GROVE_SANITIZE} -fno-omit-frame-pointer)
   target_link_options(grove_options INTERFACE -fsanitize=${GROVE_SANITIZE})
 endif()
 
-# Plain loops over floats that the compiler may vectorise: no errno, no traps, reassociation allowed.
-add_library(grove_simd INTERFACE)
-target_compile_options(grove_simd INTERFACE -O3 -ffast-math)
+# Kernels are fast arithmetic: no errno, no traps, reassociation allowed; on AVX-512 the compiler, too, uses all of it.
+# A sanitizer's checks keep loops from being vectorised, so there -O3 would only cost time.
+add_library(grove_kernels INTERFACE)
+target_compile_options(grove_kernels INTERFACE -ffast-math -ffp-contract=fast)
+if(NOT GROVE_SANITIZE)
+  target_compile_options(grove_kernels INTERFACE -O3)
+endif()
 check_cxx_compiler_flag(-mprefer-vector-width=512 GROVE_HAS_PREFER_512)
 if(GROVE_HAS_PREFER_512)
-  target_compile_options(grove_simd INTERFACE -mprefer-vector-width=512)
+  target_compile_options(grove_kernels INTERFACE -mprefer-vector-width=512)
 endif()
 
-# grove_library(NAME SOURCES ... HEADERS ... [SIMD ...] DEPS ...)
-# The floor NAME of server/. SIMD names the sources that are compiled as vectorised loops.
+# Exact kernels compute what is written, the same on every target: nothing is rearranged, and products and sums are
+# fused only where a kernel says so.
+add_library(grove_exact_kernels INTERFACE)
+target_compile_options(grove_exact_kernels INTERFACE -O3)
+
+# grove_library(NAME SOURCES ... HEADERS ... [KERNELS ...] [EXACT_KERNELS ...] DEPS ...)
+# The floor NAME of server/. KERNELS and EXACT_KERNELS name the sources that hold kernels.
 # Every header must stand alone: `all_verify_interface_header_sets` compiles each by itself.
+# precompiled.h belongs to `base`, and every floor uses it; kernels, with their own options, cannot.
 function(grove_library name)
-  cmake_parse_arguments(arg "" "" "SOURCES;HEADERS;SIMD;DEPS" ${ARGN})
-  add_library(${name} STATIC ${arg_SOURCES} ${arg_SIMD})
+  cmake_parse_arguments(arg "" "" "SOURCES;HEADERS;KERNELS;EXACT_KERNELS;DEPS" ${ARGN})
+  add_library(${name} STATIC ${arg_SOURCES} ${arg_KERNELS} ${arg_EXACT_KERNELS})
   target_sources(${name} PUBLIC FILE_SET HEADERS BASE_DIRS "${PROJECT_SOURCE_DIR}/server" FILES ${arg_HEADERS})
   set_target_properties(${name} PROPERTIES VERIFY_INTERFACE_HEADER_SETS ON)
   target_link_libraries(${name} PUBLIC grove_options Threads::Threads ${arg_DEPS})
-  if(arg_SIMD)
-    set_source_files_properties(${arg_SIMD} PROPERTIES
-      COMPILE_OPTIONS "$<TARGET_PROPERTY:grove_simd,INTERFACE_COMPILE_OPTIONS>")
+  if(name STREQUAL base)
+    target_precompile_headers(base PRIVATE "${PROJECT_SOURCE_DIR}/server/cmake/precompiled.h")
+  else()
+    target_precompile_headers(${name} REUSE_FROM base)
+  endif()
+  if(arg_KERNELS)
+    set_source_files_properties(${arg_KERNELS} PROPERTIES SKIP_PRECOMPILE_HEADERS ON
+      COMPILE_OPTIONS "$<TARGET_PROPERTY:grove_kernels,INTERFACE_COMPILE_OPTIONS>")
+  endif()
+  if(arg_EXACT_KERNELS)
+    set_source_files_properties(${arg_EXACT_KERNELS} PROPERTIES SKIP_PRECOMPILE_HEADERS ON
+      COMPILE_OPTIONS "$<TARGET_PROPERTY:grove_exact_kernels,INTERFACE_COMPILE_OPTIONS>")
   endif()
 endfunction()
 
@@ -54,16 +81,27 @@ function(grove_embed target symbol base)
   target_sources(${target} PRIVATE "${out}")
 endfunction()
 
-# grove_test(NAME SOURCES ... DEPS ...): one GoogleTest program, linked with the floors it tests only.
+# grove_test(NAME [CONCURRENT] SOURCES ... DEPS ...): one GoogleTest program, linked with the floors it tests only.
+# CONCURRENT: its threads meet, so it is built and run under the thread sanitizer, too. Those with a source named
+# *_kernels_test.cpp are what `kernel_tests` builds, and kernel_tests.txt in the build folder names them.
 function(grove_test name)
-  cmake_parse_arguments(arg "" "TIMEOUT" "SOURCES;DEPS" ${ARGN})
+  cmake_parse_arguments(arg "CONCURRENT" "TIMEOUT" "SOURCES;DEPS" ${ARGN})
   if(NOT arg_TIMEOUT)
     set(arg_TIMEOUT 120)
   endif()
   add_executable(${name} ${arg_SOURCES})
   target_include_directories(${name} PRIVATE "${PROJECT_SOURCE_DIR}/tests")
-  target_link_libraries(${name} PRIVATE ${arg_DEPS} GTest::gmock GTest::gtest_main)
+  target_link_libraries(${name} PRIVATE ${arg_DEPS} grove_test_main)
+  target_precompile_headers(${name} REUSE_FROM grove_test_main)
+  if(arg_SOURCES MATCHES "_kernels_test\\.cpp")
+    set_property(GLOBAL APPEND PROPERTY GROVE_KERNEL_TESTS ${name})
+  endif()
   add_test(NAME ${name} COMMAND ${name})
+  # What is freed is given back soon, for there are tests of memory; undefined behaviour fails the test that shows it.
   set_tests_properties(${name} PROPERTIES TIMEOUT ${arg_TIMEOUT}
-    ENVIRONMENT "GROVE_CACHE=${CMAKE_BINARY_DIR}/cache;TSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/tests/tsan.supp;LSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/tests/lsan.supp")
+    ENVIRONMENT "GROVE_CACHE=${CMAKE_BINARY_DIR}/cache;ASAN_OPTIONS=quarantine_size_mb=16;UBSAN_OPTIONS=halt_on_error=1:print_stacktrace=1;TSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/tests/tsan.supp;LSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/tests/lsan.supp")
+  if(arg_CONCURRENT)
+    set_tests_properties(${name} PROPERTIES LABELS concurrent)
+    add_dependencies(concurrent_tests ${name})
+  endif()
 endfunction()

@@ -1,6 +1,6 @@
 #include "gl/api.h"
 
-#include "pipeline/error.h"
+#include "base/error.h"
 
 namespace grove::gl {
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <string_view>
 
-#include "pipeline/error.h"
+#include "base/error.h"
 
 namespace grove::gl {
 namespace {
@@ -39,6 +39,8 @@ Context::Context(ContextKind kind, int ordinal) {
 Context::~Context() {
   if (native_) native_->release();
 }
+
+std::string Context::driver() const { return text(*api_, GL_VENDOR) + ", " + text(*api_, GL_VERSION); }
 
 bool Context::adopt(std::unique_ptr<NativeContext> native) {
   if (!native) return false;

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "gl/native_context.h"
-#include "pipeline/error.h"
+#include "base/error.h"
 
 namespace grove::gl {
 namespace {

@@ -3,7 +3,7 @@
 #include <array>
 
 #include "gl/native_context.h"
-#include "pipeline/error.h"
+#include "base/error.h"
 
 namespace grove::gl {
 namespace {

@@ -3,7 +3,7 @@
 #include <regex>
 #include <string>
 
-#include "pipeline/error.h"
+#include "base/error.h"
 
 namespace grove::gl {
 namespace {

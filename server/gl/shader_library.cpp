@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "pipeline/embedded.h"
-#include "pipeline/error.h"
+#include "base/error.h"
 
 namespace grove::gl {
 namespace {

@@ -7,7 +7,7 @@
 #include <limits>
 #include <string>
 
-#include "pipeline/error.h"
+#include "base/error.h"
 
 namespace grove::measure {
 namespace {

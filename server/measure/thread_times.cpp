@@ -4,7 +4,7 @@
 #include <fstream>
 #include <system_error>
 
-#include "pipeline/error.h"
+#include "base/error.h"
 
 namespace grove::measure {
 

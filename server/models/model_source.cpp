@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "models/gltf/gltf_import.h"
-#include "pipeline/error.h"
+#include "base/error.h"
 
 namespace grove::models {
 namespace {

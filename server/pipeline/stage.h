@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "pipeline/executor.h"
-#include "pipeline/log.h"
+#include "base/log.h"
 #include "pipeline/queue.h"
 #include "pipeline/timeline.h"
 

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "pipeline/log.h"
+#include "base/log.h"
 #include "stream/printable.h"
 
 namespace grove::stream {
@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kHelloSeconds = 10.0;
 constexpr double kAcknowledgementSeconds = 30.0;
-constexpr int kMostPiecesPerSecond = 500;
+constexpr int kMaxPiecesPerSecond = 500;
 
 Refusal protocolError(std::string reason) { return {CloseCode::kProtocolError, std::move(reason)}; }
 
@@ -101,7 +101,7 @@ bool Connection::isFlood(double now) {
     secondBegan_ = now;
     piecesThisSecond_ = 0;
   }
-  return ++piecesThisSecond_ > kMostPiecesPerSecond;
+  return ++piecesThisSecond_ > kMaxPiecesPerSecond;
 }
 
 }  // namespace grove::stream

@@ -10,7 +10,7 @@
 #include "gl/workers.h"
 #include "node/limits.h"
 #include "node/transport/in_process.h"
-#include "pipeline/log.h"
+#include "base/log.h"
 
 namespace grove::stream {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <turbojpeg.h>
 
-#include "pipeline/error.h"
+#include "base/error.h"
 
 namespace grove::stream {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cassert>
 
-#include "pipeline/error.h"
+#include "base/error.h"
 
 namespace grove::stream {
 

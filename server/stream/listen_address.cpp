@@ -9,7 +9,7 @@
 #include <memory>
 #include <system_error>
 
-#include "pipeline/error.h"
+#include "base/error.h"
 
 namespace grove::stream {
 namespace {

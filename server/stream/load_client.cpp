@@ -9,8 +9,8 @@
 #include <string_view>
 #include <vector>
 
-#include "pipeline/error.h"
-#include "pipeline/log.h"
+#include "base/error.h"
+#include "base/log.h"
 #include "stream/load_visitor.h"
 #include "stream/printable.h"
 #include "world/world.h"

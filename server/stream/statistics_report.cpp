@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "base/version.h"
 #include "measure/memory_use.h"
 #include "measure/quality_policy.h"
 
@@ -84,7 +85,8 @@ Json amortization(const measure::AmortizationMeter& meter) {
 std::string statisticsJson(const StatisticsSources& sources) {
   Json counters = Json::object();
   for (const auto& [name, value] : sources.timeline.counters()) counters[name] = value;
-  return Json{{"visitors", sources.visitors},
+  return Json{{"version", version()},
+              {"visitors", sources.visitors},
               {"stages", stages(sources.timeline)},
               {"counters", counters},
               {"quality",

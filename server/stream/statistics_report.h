@@ -18,9 +18,10 @@ struct StatisticsSources {
   bool raisesQuality = false;
 };
 
-/// What `/statistics.json` answers. Since the start: for each stage its work (across-user, per-user-backend or
-/// per-user-frontend), runs, failures and milliseconds of CPU and wall time, and the named counters. Of now: the bytes
-/// that are held and by what. Of the last seconds: `amortization`, what sharing saves (null if nobody was served).
+/// What `/statistics.json` answers. The server's version. Since the start: for each stage its work (across-user,
+/// per-user-backend or per-user-frontend), runs, failures and milliseconds of CPU and wall time, and the named
+/// counters. Of now: the bytes that are held and by what. Of the last seconds: `amortization`, what sharing saves (null
+/// if nobody was served).
 [[nodiscard]] std::string statisticsJson(const StatisticsSources& sources);
 
 }  // namespace grove::stream

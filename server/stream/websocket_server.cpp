@@ -18,8 +18,8 @@
 #include <vector>
 
 #include "pipeline/embedded.h"
-#include "pipeline/error.h"
-#include "pipeline/log.h"
+#include "base/error.h"
+#include "base/log.h"
 #include "stream/connection.h"
 #include "stream/listen_address.h"
 #include "stream/live_reports.h"

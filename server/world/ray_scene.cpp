@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <cstring>
 
-#include "pipeline/error.h"
+#include "base/error.h"
 
 namespace grove::world {
 

@@ -9,7 +9,7 @@
 #include <sstream>
 #include <utility>
 
-#include "pipeline/error.h"
+#include "base/error.h"
 
 namespace grove::world {
 
@@ -55,7 +55,7 @@ namespace {
 constexpr std::size_t kMostObjects = 4096;
 constexpr double kMostMetres = 1000.0;
 
-std::string inQuotes(std::string_view text) { return "'" + std::string(text) + "'"; }
+std::string inQuotes(std::string_view text) { return std::string("'").append(text).append("'"); }
 
 }  // namespace
 

@@ -12,7 +12,7 @@
 #include "bake/partial_bake.h"
 #include "bake/voxelize.h"
 #include "objects/lightfield/format/light_field_file.h"
-#include "pipeline/error.h"
+#include "base/error.h"
 
 namespace grove::bake {
 namespace {

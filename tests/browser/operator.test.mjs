@@ -34,6 +34,7 @@ test('while nobody is here it says so, and tells what is known', async () => {
   assert.deepEqual(await figures(operator), { visitors: '0', fps: '–', alpha: '–', beta: '–', cores: '–', fit: '–' });
   assert.match(await operator.page.locator('#resident').textContent(), /holds [\d.,]+ [MG]B/);
   await operator.page.getByRole('row', { name: /^Simulation Tick/ }).waitFor();
+  assert.match(await operator.page.getByRole('heading', { level: 1 }).textContent(), /^Grove \d+\.\d+\.\d+$/);
   await operator.leave();
 });
 

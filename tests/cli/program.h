@@ -12,6 +12,9 @@ struct Outcome {
 /// Runs the real program.
 Outcome grove(const std::string& arguments, bool wantErrors = true);
 
+/// Runs a command of bash; its stdout.
+Outcome shell(const std::string& script);
+
 /// Runs it and interrupts it (SIGINT) after so many seconds; its stdout.
 Outcome groveStoppedAfter(double seconds, const std::string& arguments);
 

@@ -7,7 +7,7 @@
 #include "gl/context.h"
 #include "gl/program.h"
 #include "gl/shader_library.h"
-#include "pipeline/error.h"
+#include "base/error.h"
 
 namespace grove::gl {
 namespace {

@@ -8,6 +8,7 @@
 #include "objects/lightfield/format/light_field_file.h"
 #include "objects/lightfield/format/small_field.h"
 #include "objects/lightfield/simd/thicket.h"
+#include "sanitized.h"
 #include "stream/headless_session.h"
 
 namespace grove::integration {
@@ -21,7 +22,7 @@ class LightFields : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
     folder_ = new objects::lightfield::TemporaryFolder;
-    objects::lightfield::LightField field = objects::lightfield::Thicket().bake(8, 128, 3);
+    objects::lightfield::LightField field = objects::lightfield::Thicket().bake(8, kSanitized ? 64 : 128, 3);
     // A trunk of wood of 0.2 m up to 1.2 m, and leaves above it.
     std::vector<std::uint8_t> cells(std::size_t{3} * 20 * 3, 0);
     for (std::size_t y = 0; y < 20; ++y) {

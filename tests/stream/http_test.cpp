@@ -1,5 +1,6 @@
 #include <nlohmann/json.hpp>
 
+#include "base/version.h"
 #include "pipeline/embedded.h"
 #include "stream/origin.h"
 #include "stream/served_world.h"
@@ -73,6 +74,7 @@ TEST_F(Http, TellsItsStatistics) {
   EXPECT_EQ(answer.status, 200);
   EXPECT_TRUE(contains(answer.head, "content-type: application/json"));
   const auto statistics = nlohmann::json::parse(answer.body);
+  EXPECT_EQ(statistics.at("version"), version());
   EXPECT_EQ(statistics.at("visitors"), 0);
   EXPECT_TRUE(statistics.at("stages").is_object());
   EXPECT_TRUE(statistics.at("counters").is_object());

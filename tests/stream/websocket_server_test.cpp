@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "pipeline/error.h"
+#include "base/error.h"
 #include "stream/served_world.h"
 
 namespace grove::stream {

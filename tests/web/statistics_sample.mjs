@@ -11,6 +11,7 @@ export function sample() {
   });
   const stage = (work, runs, cpu) => ({ work, runs, failures: 0, cpu_ms: cpu, wall_ms: 2 * cpu });
   return {
+    version: '1.2.3',
     visitors: 3,
     stages: {
       Compositor: stage('per-user-frontend', 9000, 8100),

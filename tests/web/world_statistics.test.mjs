@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
-import { WorldStatistics, sharedViews } from '../../web/world_statistics.js';
+import { WorldStatistics, sharedViews, versionOf } from '../../web/world_statistics.js';
 import { FakeClock } from './fake_clock.mjs';
 import { sample } from './statistics_sample.mjs';
 
@@ -20,6 +20,12 @@ test('nothing asked for is not known, and neither is a server without light fiel
   assert.equal(sharedViews({}, {}), null);
 });
 
+test('an older server does not tell its version', () => {
+  assert.equal(versionOf(sample()), '1.2.3');
+  assert.equal(versionOf({ visitors: 0 }), null);
+  assert.equal(versionOf({ version: 2 }), null);
+});
+
 test('asks once a second while it is watched, and forgets what a lost server said', async () => {
   const clock = new FakeClock();
   let asked = 0;
@@ -34,11 +40,12 @@ test('asks once a second while it is watched, and forgets what a lost server sai
   assert.equal(asked, 1);
   assert.equal(statistics.read().sharedViews, 0.9);
   assert.equal(statistics.read().amortization.visitorsFit, 5);
+  assert.equal(statistics.read().version, '1.2.3');
   alive = false;
   clock.advance(1000);
   await new Promise((done) => setImmediate(done));
   assert.equal(asked, 2);
-  assert.deepEqual(statistics.read(), { sharedViews: null, amortization: null });
+  assert.deepEqual(statistics.read(), { version: null, sharedViews: null, amortization: null });
   statistics.watch(false);
   clock.advance(5000);
   assert.equal(asked, 2);

@@ -1,4 +1,5 @@
 import { megabytes, milliseconds, percent, plain, share, whole } from '../figures.js';
+import { versionOf } from '../world_statistics.js';
 import { write } from './live_table.js';
 
 /** The figure and the words under it, of `{ statistics, amortization }`; `amortization` may be `null`. */
@@ -43,6 +44,7 @@ export function writeFigures(root, now) {
     write(root.querySelector(`[data-figure=${name}]`), figure);
     write(root.querySelector(`[data-note=${name}]`), note);
   }
+  write(root.querySelector('[data-figure=version]'), versionOf(now.statistics) ?? '');
   write(root.querySelector('[data-figure=hits]'), percent(now.cacheHits));
   write(root.querySelector('[data-figure=quality]'), kQuality(now.statistics));
 }

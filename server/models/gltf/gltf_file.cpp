@@ -7,7 +7,7 @@
 #include <system_error>
 
 #include "models/gltf/gltf_import.h"
-#include "pipeline/log.h"
+#include "base/log.h"
 
 namespace grove::models {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "models/model.h"
-#include "pipeline/error.h"
+#include "base/error.h"
 
 namespace grove::models {
 

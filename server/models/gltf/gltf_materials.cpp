@@ -11,7 +11,7 @@
 
 #include "models/gltf/gltf_accessor.h"
 #include "models/gltf/gltf_import.h"
-#include "pipeline/log.h"
+#include "base/log.h"
 
 namespace grove::models {
 namespace {

@@ -3,30 +3,12 @@
 #include <algorithm>
 #include <cassert>
 
+#include "node/frontend/composite_kernels.h"
+
 namespace grove::node {
 namespace {
 
 constexpr std::uint32_t kOpaqueBlack = 0xFF000000U;
-constexpr int kPartWidth = 16;
-
-/// One row; a plain loop without branches that vectorises.
-inline void compositeRow(const std::uint32_t* __restrict layerColour, const float* __restrict layerDepth,
-                         std::uint32_t* __restrict colour, float* __restrict depth, int width) {
-  for (int x = 0; x < width; ++x) {
-    const std::uint32_t over = layerColour[x];
-    const std::uint32_t under = colour[x];
-    const std::uint32_t rest = 255U - (over >> 24U);
-    // Two channels at a time; (v + 128 + ((v + 128) >> 8)) >> 8 is v / 255 rounded.
-    std::uint32_t even = (under & 0x00FF00FFU) * rest + 0x00800080U;
-    std::uint32_t odd = ((under >> 8U) & 0x00FF00FFU) * rest + 0x00800080U;
-    even = ((even + ((even >> 8U) & 0x00FF00FFU)) >> 8U) & 0x00FF00FFU;
-    odd = (odd + ((odd >> 8U) & 0x00FF00FFU)) & 0xFF00FF00U;
-    const std::uint32_t blended = over + (even | odd);
-    const bool nearer = layerDepth[x] <= depth[x];
-    colour[x] = nearer ? blended : under;
-    depth[x] = nearer && rest < 128U ? layerDepth[x] : depth[x];
-  }
-}
 
 void clearRow(Image& frame, int row) {
   std::fill_n(frame.colourRow(row), frame.width(), kOpaqueBlack);
@@ -60,21 +42,14 @@ void FrameBuilder::lay(const Image& layer) {
 void FrameBuilder::lay(const world::Rect& rect, const std::uint32_t* colour, const float* depth,
                        std::ptrdiff_t stride) {
   assert(rect.left >= 0 && rect.top >= 0 && rect.right <= frame_.rect.right && rect.bottom <= frame_.rect.bottom);
-  for (int row = 0; row < rect.height(); ++row) {
-    const int y = rect.top + row;
+  for (int y = rect.top; y < rect.bottom; ++y) {
     if (!touched_[static_cast<std::size_t>(y)]) clearRow(frame_, y);
     touched_[static_cast<std::size_t>(y)] = true;
-    const std::uint32_t* fromColour = colour + row * stride;
-    const float* fromDepth = depth + row * stride;
-    std::uint32_t* toColour = frame_.colourRow(y) + rect.left;
-    float* toDepth = frame_.depthRow(y) + rect.left;
-    // The width of most parts, where it helps that the compiler knows it.
-    if (rect.width() == kPartWidth) {
-      compositeRow(fromColour, fromDepth, toColour, toDepth, kPartWidth);
-    } else {
-      compositeRow(fromColour, fromDepth, toColour, toDepth, rect.width());
-    }
   }
+  if (rect.empty()) return;
+  const FramePixels frame{frame_.colourRow(rect.top) + rect.left, frame_.depthRow(rect.top) + rect.left,
+                          frame_.width()};
+  composite({colour, depth, stride}, frame, rect.width(), rect.height());
 }
 
 void FrameBuilder::finish() {

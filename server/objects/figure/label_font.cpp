@@ -6,7 +6,7 @@
 
 #include "objects/figure/utf8.h"
 #include "pipeline/embedded.h"
-#include "pipeline/error.h"
+#include "base/error.h"
 
 #define STBTT_STATIC
 #define STB_TRUETYPE_IMPLEMENTATION

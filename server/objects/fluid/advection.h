@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "objects/fluid/grid.h"
-#include "objects/fluid/half.h"
 #include "objects/fluid/team.h"
 
 namespace grove::objects::fluid {
@@ -20,10 +19,10 @@ enum class AdvectionOrder {
 /// Where a field's values lie: on the faces of an axis, or in the middle of the cells.
 enum class Place { kFaceX = 0, kFaceY = 1, kFaceZ = 2, kCentre = 3 };
 
-/// Carries fields along a velocity. Unconditionally stable: no value leaves the range of its neighbours (but for the
-/// rounding of Half). Rows in which all move by less than a cell, almost all of them, need no gathers: their samples
-/// lie among known neighbours, and are computed in halves. Rows with larger moves are sampled wherever they end,
-/// without MacCormack's correction. A team carries one slab each. Used by one thread; keeps scratch memory.
+/// Carries fields along a velocity. Unconditionally stable: no value leaves the range of its neighbours. Values that
+/// move by less than a cell, almost all of them, need no gathers: their samples lie among known neighbours. What moves
+/// farther is sampled wherever it ends, without MacCormack's correction. A team carries one slab each. Used by one
+/// thread; keeps scratch memory.
 class Advection {
  public:
   explicit Advection(const Layout& layout, std::shared_ptr<Team> team = std::make_shared<Team>(1));
@@ -35,35 +34,27 @@ class Advection {
     Field* to;
   };
 
-  /// `seconds` over `cellSize` metres. At most kMostJobs, of which at most one carries something else than a component
-  /// of the velocity itself; done plane by plane side by side, since what they share is then read once. Ghosts of
-  /// `from` and `velocity` must be filled; those of `to` are left alone.
+  /// `seconds` over `cellSize` metres. At most kMaxJobs, done plane by plane side by side, since what they share is
+  /// then read once. Ghosts of `from` and `velocity` must be filled; those of `to` are left alone.
   void advect(std::span<const Job> jobs, const Velocity& velocity, float seconds, float cellSize, AdvectionOrder order);
-  static constexpr std::size_t kMostJobs = 4;
+  static constexpr std::size_t kMaxJobs = 4;
   /// Memory that it takes.
   [[nodiscard]] std::size_t bytes() const noexcept {
     std::size_t sum = 0;
     for (const Scratch& slab : scratch_) {
-      for (std::size_t job = 0; job < kMostJobs; ++job) sum += heldBytes(slab.packed[job], slab.passes[job]);
+      for (const Field& job : slab) sum += job.heldBytes();
     }
     return sum;
   }
 
  private:
-  class Packed;
   class Wave;
-  [[nodiscard]] HalfField ringOf(int planes) const;
+  /// Planes between the passes of what goes through one slab.
+  using Scratch = std::array<Field, kMaxJobs>;
+  void advect(const Slab& slab, Scratch& scratch, std::span<const Job> jobs, const Velocity& velocity, float scale,
+              AdvectionOrder order) const;
 
   const Layout layout_;
-  /// What goes through one slab.
-  struct Scratch {
-    std::array<HalfField, kMostJobs> packed;  ///< planes of the velocity and one other field, around the wave
-    std::array<HalfField, kMostJobs> passes;  ///< planes between the passes
-  };
-  void advect(const Slab& slab, Scratch& scratch, std::span<const Job> jobs, const Velocity& velocity, float seconds,
-              float cellSize, AdvectionOrder order) const;
-
-  const PackedPlane plane_;
   std::shared_ptr<Team> team_;
   std::vector<Scratch> scratch_;  ///< one for each of the team
 };

@@ -1,6 +1,7 @@
 #include "objects/fluid/conjugate_gradients.h"
 
 #include "objects/fluid/projection.h"
+#include "objects/fluid/projection_kernels.h"
 
 namespace grove::objects::fluid {
 
@@ -38,30 +39,15 @@ double ConjugateGradients::solve(const rows::FineOperator& a, const Pockets& poc
 
 Multigrid::Products applyDiagonal(const Layout& layout, const rows::FineOperator& a, const Field& residual,
                                   Field& result, Field& operatorResult) {
-  const std::ptrdiff_t p = layout.step(2);
-  const auto scale = [&](int z) {
-    for (int y = 0; y < layout.cells; ++y) {
-      const std::ptrdiff_t at = layout.index(0, y, z);
-      const rows::FineOperator::Row row = a.row(at);
-      const float* in = residual.data() + at;
-      float* __restrict out = result.data() + at;
-      for (int i = 0; i < layout.cells; ++i) out[i] = row.inverse(i) * in[i];
-    }
-  };
+  const auto scale = [&](int z) { divideByDiagonalPlane(layout, z, a, residual.data(), result.data()); };
   Multigrid::Products products;
   scale(0);
   for (int z = 0; z < layout.cells; ++z) {
     if (z + 1 < layout.cells) scale(z + 1);
-    float rz = 0.0F;
-    float zaz = 0.0F;
-    for (int y = 0; y < layout.cells; ++y) {
-      const std::ptrdiff_t at = layout.index(0, y, z);
-      const float* here = result.data() + at;
-      rows::applyOperator(a.row(at), residual.data() + at, {here - p, here, here + p}, operatorResult.data() + at,
-                          layout.cells, rz, zaz);
-    }
-    products.residualDotResult += static_cast<double>(rz);
-    products.resultDotOperator += static_cast<double>(zaz);
+    const Multigrid::Products plane =
+        applyOperatorPlane(layout, z, a, residual.data(), result.data(), operatorResult.data());
+    products.residualDotResult += plane.residualDotResult;
+    products.resultDotOperator += plane.resultDotOperator;
   }
   return products;
 }

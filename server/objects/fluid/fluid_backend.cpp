@@ -16,7 +16,7 @@
 #include "objects/fluid/pace.h"
 #include "objects/fluid/scalable_simulation.h"
 #include "pipeline/clocks.h"
-#include "pipeline/log.h"
+#include "base/log.h"
 #include "world/world.h"
 
 namespace grove::objects::fluid {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "objects/fluid/forces_kernels.h"
+
 namespace grove::objects::fluid {
 
 namespace {
@@ -46,89 +48,33 @@ void applyForces(const Layout& layout, const Air& air, const Field& temperature,
   const int n = layout.cells;
   const float follow = std::min(air.response * seconds, 1.0F);
   const std::array<Wave, 3> waves = whirls(n, cellSize, air.turbulence * follow, time);
-  const float keep = 1.0F - follow;
-  const float lift = 0.5F * air.buoyancy * seconds;
-  const float* sinX = waves[0].sine.data();
-  const float* cosX = waves[0].cosine.data();
-  const std::ptrdiff_t s = layout.stride;
-  for (int z = 0; z <= n; ++z) {
-    const float sinZ = waves[2].sine[static_cast<std::size_t>(z)];
-    const float cosZ = waves[2].cosine[static_cast<std::size_t>(z)];
-    for (int y = 0; y <= n; ++y) {
-      const float sinY = waves[1].sine[static_cast<std::size_t>(y)];
-      const float cosY = waves[1].cosine[static_cast<std::size_t>(y)];
-      const std::ptrdiff_t at = layout.index(0, y, z);
-      float* __restrict u = velocity.x.data() + at;
-      float* __restrict v = velocity.y.data() + at;
-      float* __restrict w = velocity.z.data() + at;
-      const float* t = temperature.data() + at;
-      if (y < n && z < n) {
-        const float push = follow * air.wind.x + sinZ + cosY;
-        for (int i = 0; i <= n; ++i) u[i] = keep * u[i] + push;
-      }
-      if (z < n) {
-        const float push = follow * air.wind.y + cosZ;
-        for (int i = 0; i < n; ++i) v[i] = keep * v[i] + push + sinX[i] + lift * (t[i] + t[i - s]);
-      }
-      if (y < n) {
-        const float push = follow * air.wind.z + sinY;
-        for (int i = 0; i < n; ++i) w[i] = keep * w[i] + push + cosX[i];
-      }
-    }
+  WindPush push;
+  push.keep = 1.0F - follow;
+  push.lift = 0.5F * air.buoyancy * seconds;
+  for (int a = 0; a < 3; ++a) {
+    push.steady[a] = follow * air.wind[a];
+    push.sine[a] = waves[static_cast<std::size_t>(a)].sine.data();
+    push.cosine[a] = waves[static_cast<std::size_t>(a)].cosine.data();
   }
+  const VelocityPointers faces{velocity.x.data(), velocity.y.data(), velocity.z.data()};
+  for (int z = 0; z <= n; ++z) pushPlane(layout, z, push, temperature.data(), faces);
 }
 
 void applyGust(const Layout& layout, const world::Gust& gust, float cellSize, Velocity& velocity) {
-  constexpr float kMouth = 0.25F;   // radius at the origin, metres
-  constexpr float kSpread = 0.22F;  // growth of the radius per metre
-  constexpr float kGain = 0.4F;     // share of the difference that one tick makes up
-  const int n = layout.cells;
-  const float directionX = gust.direction.x;
-  const float perReach = 1.0F / gust.reach;
+  GustCone cone;
   for (int a = 0; a < 3; ++a) {
-    const world::Vec3 offset(a == 0 ? 0.0F : 0.5F, a == 1 ? 0.0F : 0.5F, a == 2 ? 0.0F : 0.5F);
-    const float fullTarget = gust.direction[a] * gust.speed;
-    const float firstX = offset.x * cellSize - gust.origin.x;
-    for (int z = 0; z < n; ++z) {
-      for (int y = 0; y < n; ++y) {
-        float* __restrict faces = velocity.axis(a).data() + layout.index(0, y, z);
-        const float py = (static_cast<float>(y) + offset.y) * cellSize - gust.origin.y;
-        const float pz = (static_cast<float>(z) + offset.z) * cellSize - gust.origin.z;
-        const float alongYz = py * gust.direction.y + pz * gust.direction.z;
-        const float squaredYz = py * py + pz * pz;
-        for (int x = 0; x < n; ++x) {
-          const float px = static_cast<float>(x) * cellSize + firstX;
-          const float along = px * directionX + alongYz;
-          const float aside = px * px + squaredYz - along * along;
-          const float ahead = along > 0.0F ? along : 0.0F;
-          const float radius = kMouth + kSpread * ahead;
-          const float across = std::max(2.0F - 2.0F * aside / (radius * radius), 0.0F);
-          const float fading = std::max(1.0F - ahead * perReach, 0.0F);
-          const float strength = along > 0.0F ? kGain * std::min(across, 1.0F) : 0.0F;
-          const float target = fullTarget * fading;
-          const float lacking = target - faces[x];
-          // Never slows down what already moves faster that way.
-          faces[x] += lacking * target > 0.0F ? strength * lacking : 0.0F;
-        }
-      }
-    }
+    cone.origin[a] = gust.origin[a];
+    cone.direction[a] = gust.direction[a];
+  }
+  cone.speed = gust.speed;
+  cone.reach = gust.reach;
+  for (int a = 0; a < 3; ++a) {
+    for (int z = 0; z < layout.cells; ++z) blowPlane(layout, z, a, cone, cellSize, velocity.axis(a).data());
   }
 }
 
 void cool(const Layout& layout, float seconds, Field& temperature) {
-  constexpr float kRadiation = 1.6F;   // per second at temperature 1, falls with its cube
-  constexpr float kMixing = 0.28F;     // per second
-  constexpr float kNothing = 1.0e-6F;  // less would fade into denormal numbers, which halve the speed of a step
-  for (int z = 0; z < layout.cells; ++z) {
-    for (int y = 0; y < layout.cells; ++y) {
-      float* __restrict t = temperature.data() + layout.index(0, y, z);
-      for (int i = 0; i < layout.cells; ++i) {
-        const float loss = seconds * (kMixing + kRadiation * t[i] * t[i] * t[i]);
-        const float cooled = t[i] / (1.0F + loss);
-        t[i] = cooled > kNothing ? cooled : 0.0F;
-      }
-    }
-  }
+  for (int z = 0; z < layout.cells; ++z) coolPlane(layout, z, seconds, temperature.data());
 }
 
 void heat(const Layout& layout, const HeatSource& source, double time, float seconds, float cellSize,

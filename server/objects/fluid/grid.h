@@ -102,8 +102,8 @@ class Array {
     // Only advice: without huge pages it is a little slower.
     static_cast<void>(::madvise(memory, whole, MADV_HUGEPAGE));
     // All of the pages: what is held is then the same whether the system has huge ones to give or not.
-    std::memset(reinterpret_cast<void*>(roundUp(reinterpret_cast<std::uintptr_t>(memory), kHugePage)), 0,
-                wholeBytes(bytes));
+    const auto address = reinterpret_cast<std::uintptr_t>(memory);
+    std::memset(static_cast<char*>(memory) + (roundUp(address, kHugePage) - address), 0, wholeBytes(bytes));
     return block;
   }
 

@@ -3,126 +3,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "objects/fluid/multigrid_rows.h"
+#include "objects/fluid/multigrid_kernels.h"
 
 namespace grove::objects::fluid {
-
-namespace {
-
-constexpr int kStages = 4;  // of the smoother; even, so that the last one writes where the first one read
-constexpr int kCoarsestSweeps = 6;
-
-constexpr auto kChebyshev = rows::chebyshevStages<kStages>(0.2F);
-
-/// The planes around the wave of something that is not kept; those outside of the cube are zero.
-class Ring {
- public:
-  Ring(const Layout& layout, float* memory) : layout_(layout), memory_(memory) {}
-
-  [[nodiscard]] float* row(int y, int z) const noexcept {
-    const int slot = z < 0 || z >= layout_.cells ? kPlanes : z % kPlanes;
-    return memory_ + Layout::kLead + std::ptrdiff_t{layout_.plane} * slot + std::ptrdiff_t{layout_.stride} * (y + 1);
-  }
-  [[nodiscard]] rows::Around3 around(int y, int z) const noexcept { return {row(y, z - 1), row(y, z), row(y, z + 1)}; }
-  static std::size_t size(const Layout& layout) {
-    return static_cast<std::size_t>(2 * Layout::kLead + layout.plane * (kPlanes + 1));
-  }
-
- private:
-  static constexpr int kPlanes = 8;
-  static_assert(kPlanes > kStages + 1);
-  const Layout& layout_;
-  float* memory_;
-};
-
-rows::Around3 around(const float* z, std::ptrdiff_t p) { return {z - p, z, z + p}; }
-
-/// What all passes over a level share.
-template <class Operator>
-struct Pass {
-  const Layout& layout;
-  const Operator& a;
-  const float* b;
-  float* z;
-  Ring odd;       ///< iterates of the smoother's first and third stage; the others are in z
-  Ring residual;  ///< between smoothing and restriction
-
-  /// Stage `k` (from 0) of the smoother on a plane.
-  void smooth(int k, int plane, bool fromZero) const {
-    const rows::ChebyshevStage& stage = kChebyshev[static_cast<std::size_t>(k)];
-    for (int y = 0; y < layout.cells; ++y) {
-      const std::ptrdiff_t at = layout.index(0, y, plane);
-      const bool toOdd = k % 2 == 0;
-      float* const out = toOdd ? odd.row(y, plane) : z + at;
-      const rows::Around3 in = toOdd ? around(z + at, layout.plane) : odd.around(y, plane);
-      if (k == 0 && fromZero) {
-        rows::smoothFromZero(a.row(at), stage, b + at, out, layout.cells);
-      } else if (k == 0 || (k == 1 && fromZero)) {
-        rows::smoothFirst(a.row(at), stage, b + at, in, out, layout.cells);
-      } else {
-        rows::smooth(a.row(at), stage, b + at, in, out, layout.cells);
-      }
-    }
-  }
-};
-
-/// Down one level: smooth z from zero, and hand the residual to the coarser level. Each stage follows one plane behind
-/// the one before, so that its planes are still in the cache.
-template <class Operator>
-void descend(const Pass<Operator>& pass, const Layout& coarseLayout, const rows::CoarseOperator& coarse,
-             float* coarseB) {
-  const Layout& layout = pass.layout;
-  const int n = layout.cells;
-  const auto restrictPlane = [&](int coarseZ) {
-    for (int y = 0; y < coarseLayout.cells; ++y) {
-      rows::Around around{};
-      for (int dz = 0; dz < 4; ++dz) {
-        for (int dy = 0; dy < 4; ++dy) around.row[dz][dy] = pass.residual.row(2 * y - 1 + dy, 2 * coarseZ - 1 + dz);
-      }
-      const std::ptrdiff_t at = coarseLayout.index(0, y, coarseZ);
-      rows::restrictRow(around, coarse.row(at), coarseB + at, coarseLayout.cells);
-    }
-  };
-  for (int wave = 0; wave < n + kStages + 1; ++wave) {
-    for (int k = 0; k < kStages; ++k) {
-      if (const int plane = wave - k; plane >= 0 && plane < n) pass.smooth(k, plane, true);
-    }
-    const int plane = wave - kStages;
-    if (plane < 0) continue;
-    if (plane < n) {
-      for (int y = 0; y < n; ++y) {
-        const std::ptrdiff_t at = layout.index(0, y, plane);
-        rows::residual(pass.a.row(at), pass.b + at, around(pass.z + at, layout.plane), pass.residual.row(y, plane), n);
-      }
-    }
-    if (plane >= 2 && plane % 2 == 0) restrictPlane(plane / 2 - 1);
-  }
-}
-
-/// Up one level: add the coarse correction and smooth. `finish` is called for each plane when it and its neighbours are
-/// done.
-template <class Operator, class Finish>
-void ascend(const Pass<Operator>& pass, const Layout& coarseLayout, const rows::CoarseOperator& coarse,
-            const float* coarseZ, const Finish& finish) {
-  const Layout& layout = pass.layout;
-  const int n = layout.cells;
-  for (int wave = 0; wave < n + kStages + 1; ++wave) {
-    if (wave < n) {
-      for (int y = 0; y < n; ++y) {
-        const std::ptrdiff_t at = layout.index(0, y, wave);
-        const std::ptrdiff_t from = coarseLayout.index(0, y / 2, wave / 2);
-        rows::interpolate(coarseZ + from, coarse.row(from), y % 2 != 0, wave % 2 != 0, pass.a.row(at), pass.z + at,
-                          coarseLayout.cells);
-      }
-    }
-    for (int k = 0; k < kStages; ++k) {
-      if (const int plane = wave - 1 - k; plane >= 0 && plane < n) pass.smooth(k, plane, false);
-    }
-    if (const int plane = wave - kStages - 1; plane >= 0) finish(plane);
-  }
-}
-
-}  // namespace
 
 struct Multigrid::Level {
   Level(int cells, int depth)
@@ -133,13 +16,16 @@ struct Multigrid::Level {
         inverse(layout.size()),
         b(layout.size()),
         z(layout.size()),
-        odd(Ring::size(layout)),
-        residual(Ring::size(layout)) {}
+        odd(multigridRoom(layout)),
+        residual(multigridRoom(layout)) {}
 
   [[nodiscard]] std::size_t bytes() const noexcept {
     return heldBytes(weights[0], weights[1], weights[2], diagonal, inverse, b, z, odd, residual);
   }
 
+  [[nodiscard]] CoarseLevel planes() noexcept {
+    return {layout, coefficients(), b.data(), z.data(), odd.data(), residual.data()};
+  }
   [[nodiscard]] rows::CoarseOperator coefficients() const noexcept {
     return {weights[0].data(), weights[1].data(), weights[2].data(), diagonal.data(),
             inverse.data(),    layout.step(1),    layout.step(2)};
@@ -161,8 +47,8 @@ Multigrid::Multigrid(const Layout& layout, std::shared_ptr<Team> team)
       diagonal_(layout.size()),
       sixtieths_(layout.size()),
       fine_(layout, std::move(team)),
-      odd_(Ring::size(layout)),
-      residual_(Ring::size(layout)) {
+      odd_(multigridRoom(layout)),
+      residual_(multigridRoom(layout)) {
   assert(layout.cells % 2 == 0 && layout.cells <= rows::kLongestRow);
   int depth = 1;
   for (int cells = layout.cells; cells % 2 == 0 && cells > 4; ++depth) {
@@ -195,7 +81,6 @@ void Multigrid::rebuild(const SolidGrid& solids, const CellBox& changed) {
       }
     }
   }
-  fine_.takeDiagonal(diagonal_, near);
 
   CellBox box = near;
   for (std::size_t l = 0; l < levels_.size(); ++l) {
@@ -245,56 +130,26 @@ void Multigrid::rebuild(const SolidGrid& solids, const CellBox& changed) {
 
 void Multigrid::solveBelow(std::size_t index) {
   Level& level = *levels_[index];
-  const rows::CoarseOperator a = level.coefficients();
-  const Pass<rows::CoarseOperator> pass{level.layout,
-                                        a,
-                                        level.b.data(),
-                                        level.z.data(),
-                                        {level.layout, level.odd.data()},
-                                        {level.layout, level.residual.data()}};
-  if (index + 1 == levels_.size()) {
-    // So few cells that the same smoother, repeated, solves them.
-    for (int i = 0; i < kCoarsestSweeps; ++i) {
-      for (int k = 0; k < kStages; ++k) {
-        for (int plane = 0; plane < level.layout.cells; ++plane) pass.smooth(k, plane, i == 0);
-      }
-    }
-    return;
-  }
+  if (index + 1 == levels_.size()) return smoothCoarsest(level.planes());
   Level& below = *levels_[index + 1];
-  descend(pass, below.layout, below.coefficients(), below.b.data());
+  descendCoarse(level.planes(), below.layout, below.coefficients(), below.b.data());
   solveBelow(index + 1);
-  ascend(pass, below.layout, below.coefficients(), below.z.data(), [](int) {});
+  ascendCoarse(level.planes(), below.layout, below.coefficients(), below.z.data());
 }
 
-FineWave::Norms Multigrid::cycle(const Field& b, const Field& x, Field& next, double size, bool first) {
+FineWave::Norms Multigrid::cycle(const Field& b, const Field& x, Field& next, bool first) {
   Level& below = *levels_.front();
   if (!first) solveBelow(0);
   const float* correction = first ? nullptr : below.z.data();
-  return fine_.run(finest(), b, x, next, {below.layout, below.coefficients(), correction, below.b.data()}, size);
+  return fine_.run(finest(), b, x, next, {below.layout, below.coefficients(), correction, below.b.data()});
 }
 
 Multigrid::Products Multigrid::apply(const Field& residual, Field& result, Field& operatorResult) {
-  const rows::FineOperator a = finest();
   Level& below = *levels_.front();
-  const float* b = residual.data();
-  float* z = result.data();
-  const Pass<rows::FineOperator> pass{layout_, a, b, z, {layout_, odd_.data()}, {layout_, residual_.data()}};
-  descend(pass, below.layout, below.coefficients(), below.b.data());
+  const FineLevel level{layout_, finest(), residual.data(), result.data(), odd_.data(), residual_.data()};
+  descendFine(level, below.layout, below.coefficients(), below.b.data());
   solveBelow(0);
-  Products products;
-  ascend(pass, below.layout, below.coefficients(), below.z.data(), [&](int plane) {
-    float rz = 0.0F;
-    float zaz = 0.0F;
-    for (int y = 0; y < layout_.cells; ++y) {
-      const std::ptrdiff_t at = layout_.index(0, y, plane);
-      rows::applyOperator(a.row(at), b + at, around(z + at, layout_.plane), operatorResult.data() + at, layout_.cells,
-                          rz, zaz);
-    }
-    products.residualDotResult += static_cast<double>(rz);
-    products.resultDotOperator += static_cast<double>(zaz);
-  });
-  return products;
+  return ascendFine(level, below.layout, below.coefficients(), below.z.data(), operatorResult.data());
 }
 
 }  // namespace grove::objects::fluid

@@ -5,7 +5,8 @@
 
 #include "objects/fluid/fine_wave.h"
 #include "objects/fluid/grid.h"
-#include "objects/fluid/multigrid_rows.h"
+#include "objects/fluid/multigrid_kernels.h"
+#include "objects/fluid/pressure_operator.h"
 #include "objects/fluid/solid_grid.h"
 
 namespace grove::objects::fluid {
@@ -34,17 +35,14 @@ class Multigrid {
   /// Takes over the solids within the box of changed cells.
   void rebuild(const SolidGrid& solids, const CellBox& changed);
 
-  struct Products {
-    double residualDotResult = 0.0;
-    double resultDotOperator = 0.0;
-  };
+  using Products = MultigridProducts;
 
   /// result = M residual; operatorResult = A result. Ghosts and solids of `residual` must be zero, and stay so.
   Products apply(const Field& residual, Field& result, Field& operatorResult);
 
   /// One step of multigrid by itself: next = x, corrected. The first one of a solve has nothing to correct with yet: it
-  /// smooths, and finds what the next ones need. `size` as for FineWave::run().
-  FineWave::Norms cycle(const Field& b, const Field& x, Field& next, double size, bool first);
+  /// smooths, and finds what the next ones need.
+  FineWave::Norms cycle(const Field& b, const Field& x, Field& next, bool first);
 
   [[nodiscard]] rows::FineOperator finest() const noexcept {
     return {diagonal_.data(), sixtieths_.data(), layout_.step(1)};

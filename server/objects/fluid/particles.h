@@ -66,7 +66,7 @@ class Particles {
   double elapsed_ = 0.0;  ///< seconds
   float due_ = 0.0F;      ///< part of the next particle
   std::uint64_t injected_ = 0;
-  std::vector<std::uint8_t> dead_;
+  std::vector<std::uint32_t> dead_;  ///< of the last tick, in order
 };
 
 }  // namespace grove::objects::fluid

@@ -47,9 +47,8 @@ PressureSolver::Outcome PressureSolver::solve(SolidGrid& solids, Field& b, const
   return outcome;
 }
 
-FineWave::Norms PressureSolver::cycle(double squaredResidual, bool first) {
-  const double cells = static_cast<double>(layout_.cells) * layout_.cells * layout_.cells;
-  const FineWave::Norms norms = multigrid_.cycle(b_, x_, next_, std::sqrt(squaredResidual / cells), first);
+FineWave::Norms PressureSolver::cycle(bool first) {
+  const FineWave::Norms norms = multigrid_.cycle(b_, x_, next_, first);
   std::swap(x_, next_);
   return norms;
 }
@@ -64,11 +63,11 @@ PressureSolver::Outcome PressureSolver::iterate(double squaredB, const Options& 
     return outcome;
   }
   pockets_.removeMeans(b_);
-  FineWave::Norms norms = cycle(squaredB, true);
+  FineWave::Norms norms = cycle(true);
   if (norms.before > norms.b) {
     // The last pressure is worse than none, as after a jump of the scene.
     x_.clear();
-    norms = cycle(squaredB, true);
+    norms = cycle(true);
   }
   if (!(norms.b > kNothing)) {
     x_.clear();
@@ -77,7 +76,7 @@ PressureSolver::Outcome PressureSolver::iterate(double squaredB, const Options& 
   const double enough = norms.b * static_cast<double>(options.tolerance) * static_cast<double>(options.tolerance);
   double squared = norms.after;
   while (squared > kCertainly * enough && outcome.iterations < options.mostIterations) {
-    norms = cycle(squared, false);
+    norms = cycle(false);
     ++outcome.iterations;
     const bool slow = norms.after > kSlow * squared;
     squared = norms.after;

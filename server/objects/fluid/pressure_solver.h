@@ -52,7 +52,7 @@ class PressureSolver {
 
  private:
   Outcome iterate(double squaredB, const Options& options);
-  FineWave::Norms cycle(double squaredResidual, bool first);
+  FineWave::Norms cycle(bool first);
 
   const Layout layout_;
   const std::shared_ptr<Team> team_;

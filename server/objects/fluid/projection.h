@@ -3,7 +3,7 @@
 #include <cstdint>
 
 #include "objects/fluid/grid.h"
-#include "objects/fluid/multigrid_rows.h"
+#include "objects/fluid/pressure_operator.h"
 #include "objects/fluid/team.h"
 
 /// The vector passes around the pressure solve. Ghosts of all fields but the velocity's are zero and stay so.

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "objects/fluid/grid.h"
-#include "objects/fluid/multigrid_rows.h"
+#include "objects/fluid/pressure_operator.h"
 
 namespace grove::objects::fluid {
 

@@ -28,12 +28,15 @@ class Shading {
              std::vector<float>& sunLight);
 
   /// Memory that it takes.
-  [[nodiscard]] std::size_t bytes() const noexcept { return pipeline::vectorBytes(sunVisible_, depth_, sky_, sun_); }
+  [[nodiscard]] std::size_t bytes() const noexcept {
+    return pipeline::vectorBytes(sunVisible_, depth_, sky_, sun_, amounts_, room_);
+  }
 
  private:
   void deposit(const Particles& particles);
-  void sweepSky();
-  void sweepSun(const SolidGrid& solids);
+  /// Sets sun_ to 1 in cells of light that are open and to 0 in solid ones.
+  void openCells(const SolidGrid& solids);
+  void sweepSun();
   [[nodiscard]] std::size_t at(int x, int y, int z) const noexcept {
     return (static_cast<std::size_t>(z) * static_cast<std::size_t>(cells_) + static_cast<std::size_t>(y)) *
                static_cast<std::size_t>(cells_) +
@@ -54,6 +57,8 @@ class Shading {
   std::vector<float> depth_;  ///< optical depth of each cell
   std::vector<float> sky_;
   std::vector<float> sun_;
+  std::vector<float> amounts_;  ///< optical depth of each particle
+  std::vector<float> room_;
 };
 
 }  // namespace grove::objects::fluid

@@ -18,7 +18,7 @@ namespace grove::objects::fluid {
 /// Allocates nothing once its buffers have grown. One per session, used by one thread at a time.
 class SmokeRenderer final : public node::FrontendHalf {
  public:
-  /// Two to three milliseconds of one core that has AVX-512.
+  /// One to two milliseconds of a core that has AVX2, twice as long without.
   static constexpr float kUsualBudget = 125'000.0F;
 
   /// `budget` bounds the cost of a frame, see chooseDetail().

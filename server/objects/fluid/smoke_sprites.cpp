@@ -2,224 +2,57 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
+
+#include "objects/fluid/smoke_sprites_kernels.h"
 
 namespace grove::objects::fluid {
-namespace {
-
-using world::Vec3;
-
-constexpr float kStretchSeconds = 0.11F;
-
-/// Chris Wellons' low-bias integer hash ("lowbias32").
-inline std::uint32_t hash(std::uint32_t seed) {
-  seed ^= seed >> 16U;
-  seed *= 0x7feb352dU;
-  seed ^= seed >> 15U;
-  seed *= 0x846ca68bU;
-  seed ^= seed >> 16U;
-  return seed;
-}
-
-/// Up to 1, of the lowest 16 bits.
-inline float share(std::uint32_t bits) {
-  return static_cast<float>(static_cast<int>(bits & 0xFFFFU)) * (1.0F / 65536.0F);
-}
-
-/// A particle's place in the arrays changes when older ones die; its lifetime, drawn at random, never does.
-void drawLots(const FluidSnapshot& snapshot, SmokeSprites& sprites) {
-  const float* const lifetime = snapshot.lifetime.data();
-  float* const rank = sprites.rank.data();
-  float* const chanceA = sprites.chanceA.data();
-  float* const chanceB = sprites.chanceB.data();
-  float* const chanceC = sprites.chanceC.data();
-  const std::size_t count = sprites.count;
-#pragma GCC ivdep
-  for (std::size_t i = 0; i < count; ++i) {
-    const float steps = lifetime[i] * FluidSnapshot::kLifetimeSteps + 0.5F;
-    const std::uint32_t first = hash(static_cast<std::uint32_t>(static_cast<std::int32_t>(steps)));
-    const std::uint32_t second = hash(first ^ 0x9e3779b9U);
-    rank[i] = share(first);
-    chanceA[i] = share(first >> 16U);
-    chanceB[i] = share(second);
-    chanceC[i] = share(second >> 16U);
-  }
-}
-
-inline float saturate(float value) { return std::min(1.0F, std::max(0.0F, value)); }
-
-inline float smooth(float low, float high, float value) {
-  const float t = saturate((value - low) / (high - low));
-  return t * t * (3.0F - 2.0F * t);
-}
-
-}  // namespace
 
 void SmokeSprites::resize(std::size_t particles) {
   count = particles;
-  if (particles <= x.size()) return;
+  const std::size_t needed = (particles + kMaxLanes - 1) / kMaxLanes * kMaxLanes;
+  if (needed <= x.size()) return;
   for (std::vector<float>* array : {&x,     &y,    &depth,   &radius,   &heat,      &life,       &fade,    &axisX,
                                     &axisY, &xx,   &xy,      &yy,       &halfWidth, &halfHeight, &shrink,  &red,
                                     &green, &blue, &opacity, &softness, &rank,      &chanceA,    &chanceB, &chanceC}) {
-    array->resize(particles);
+    array->resize(needed);
   }
-  seen.resize(particles);
+  seen.resize(needed);
 }
+
+SmokeLens::SmokeLens(const world::Camera& camera)
+    : eye(camera.pose.position),
+      right(camera.pose.right()),
+      up(camera.pose.up()),
+      forward(camera.pose.forward()),
+      focal(camera.focal()),
+      middleX(0.5F * static_cast<float>(camera.width)),
+      middleY(0.5F * static_cast<float>(camera.height)),
+      nearDepth(camera.nearDepth) {}
 
 void project(const FluidSnapshot& snapshot, const world::Camera& camera, float lead, SmokeSprites& sprites) {
   sprites.resize(snapshot.count());
-  drawLots(snapshot, sprites);
-  const Vec3 eye = camera.pose.position;
-  const Vec3 right = camera.pose.right();
-  const Vec3 up = camera.pose.up();
-  const Vec3 forward = camera.pose.forward();
-  const float focal = camera.focal();
-  const float middleX = 0.5F * static_cast<float>(camera.width);
-  const float middleY = 0.5F * static_cast<float>(camera.height);
-  const float nearDepth = camera.nearDepth;
-
-  const float* const px = snapshot.x.data();
-  const float* const py = snapshot.y.data();
-  const float* const pz = snapshot.z.data();
-  const float* const vx = snapshot.velocityX.data();
-  const float* const vy = snapshot.velocityY.data();
-  const float* const vz = snapshot.velocityZ.data();
-  const float* const age = snapshot.age.data();
-  const float* const lifetime = snapshot.lifetime.data();
-  const float* const temperature = snapshot.temperature.data();
-  const float* const chanceA = sprites.chanceA.data();
-  const float* const chanceB = sprites.chanceB.data();
-  float* const x = sprites.x.data();
-  float* const y = sprites.y.data();
-  float* const depth = sprites.depth.data();
-  float* const radius = sprites.radius.data();
-  float* const heat = sprites.heat.data();
-  float* const life = sprites.life.data();
-  float* const fade = sprites.fade.data();
-  float* const axisX = sprites.axisX.data();
-  float* const axisY = sprites.axisY.data();
-
-  const std::size_t count = sprites.count;
-#pragma GCC ivdep
-  for (std::size_t i = 0; i < count; ++i) {
-    const float dx = px[i] + lead * vx[i] - eye.x;
-    const float dy = py[i] + lead * vy[i] - eye.y;
-    const float dz = pz[i] + lead * vz[i] - eye.z;
-    const float along = dx * forward.x + dy * forward.y + dz * forward.z;
-    const float inverse = 1.0F / std::max(along, nearDepth);
-    const float u = (dx * right.x + dy * right.y + dz * right.z) * inverse;
-    const float v = -(dx * up.x + dy * up.y + dz * up.z) * inverse;
-    x[i] = middleX + focal * u;
-    y[i] = middleY + focal * v;
-    depth[i] = along;
-
-    const float spent = (age[i] + lead) / std::max(lifetime[i], 1e-3F);
-    const float hot = smooth(0.28F, 0.58F, temperature[i]);
-    const float grown = std::sqrt(saturate(spent));
-    const float smoke = (0.07F + 0.30F * grown) * (0.6F + 0.8F * chanceA[i]);
-    const float flame = (0.055F + 0.085F * saturate(4.0F * spent)) * (0.6F + 0.8F * chanceA[i]);
-    const float size = smoke + (flame - smoke) * hot;
-    life[i] = saturate(spent);
-    heat[i] = hot;
-    radius[i] = size;
-    // Whoever stands in the smoke sees haze, not the huge discs right before the eye.
-    fade[i] = saturate((along - nearDepth - 0.1F) / (0.2F + 1.2F * size)) * (spent < 1.0F ? 1.0F : 0.0F);
-
-    // Perspective: what comes closer moves outwards on the screen too.
-    const float speedAlong = vx[i] * forward.x + vy[i] * forward.y + vz[i] * forward.z;
-    const float speedX = vx[i] * right.x + vy[i] * right.y + vz[i] * right.z - u * speedAlong;
-    const float speedY = -(vx[i] * up.x + vy[i] * up.y + vz[i] * up.z) - v * speedAlong;
-    const float wobble = 0.25F * size;
-    axisX[i] = kStretchSeconds * speedX + wobble * (chanceA[i] - 0.5F);
-    axisY[i] = kStretchSeconds * speedY + wobble * (chanceB[i] - 0.5F);
-  }
+  projectSprites(snapshot, SmokeLens(camera), lead, sprites);
 }
 
 void shape(const world::Camera& camera, int scale, SmokeSprites& sprites) {
-  const float focal = camera.focal();
-  const float nearDepth = camera.nearDepth;
-  const float least = 1.1F * static_cast<float>(scale);
-  const float* const depth = sprites.depth.data();
-  const float* const radius = sprites.radius.data();
-  const float* const heat = sprites.heat.data();
-  const float* const axisX = sprites.axisX.data();
-  const float* const axisY = sprites.axisY.data();
-  float* const xx = sprites.xx.data();
-  float* const xy = sprites.xy.data();
-  float* const yy = sprites.yy.data();
-  float* const halfWidth = sprites.halfWidth.data();
-  float* const halfHeight = sprites.halfHeight.data();
-  float* const shrink = sprites.shrink.data();
-
-  const std::size_t count = sprites.count;
-#pragma GCC ivdep
-  for (std::size_t i = 0; i < count; ++i) {
-    const float length = std::sqrt(axisX[i] * axisX[i] + axisY[i] * axisY[i]) + 1e-6F;
-    const float c = axisX[i] / length;
-    const float s = axisY[i] / length;
-    const float ratio = std::min(length / radius[i], 2.5F);
-    const float pixels = focal * radius[i] / std::max(depth[i], nearDepth);
-    const float trueMajor = pixels * (1.0F + (0.55F + 0.25F * heat[i]) * ratio);
-    const float trueMinor = pixels / (1.0F + 0.3F * ratio);
-    const float major = std::max(trueMajor, least);
-    const float minor = std::max(trueMinor, least);
-    shrink[i] = (trueMajor * trueMinor) / (major * minor);
-    const float a = 1.0F / (major * major);
-    const float b = 1.0F / (minor * minor);
-    xx[i] = c * c * a + s * s * b;
-    xy[i] = c * s * (a - b);
-    yy[i] = s * s * a + c * c * b;
-    halfWidth[i] = std::sqrt(c * c * major * major + s * s * minor * minor);
-    halfHeight[i] = std::sqrt(s * s * major * major + c * c * minor * minor);
-  }
+  shapeSprites(SmokeLens(camera), 1.1F * static_cast<float>(scale), sprites);
 }
 
 world::Rect collectVisible(const world::Camera& camera, SmokeSprites& sprites, std::vector<std::uint32_t>& order) {
   const auto width = static_cast<float>(camera.width);
   const auto height = static_cast<float>(camera.height);
-  const float nearDepth = camera.nearDepth;
-  const float farDepth = camera.farDepth;
-  const float* const x = sprites.x.data();
-  const float* const y = sprites.y.data();
-  const float* const depth = sprites.depth.data();
-  const float* const opacity = sprites.opacity.data();
-  const float* const halfWidth = sprites.halfWidth.data();
-  const float* const halfHeight = sprites.halfHeight.data();
-  std::uint32_t* const seen = sprites.seen.data();
-  float left = width;
-  float top = height;
-  float right = 0.0F;
-  float bottom = 0.0F;
-  const std::size_t count = sprites.count;
-#pragma GCC ivdep
-  for (std::size_t i = 0; i < count; ++i) {
-    const float thisLeft = x[i] - halfWidth[i];
-    const float thisTop = y[i] - halfHeight[i];
-    const float thisRight = x[i] + halfWidth[i];
-    const float thisBottom = y[i] + halfHeight[i];
-    const bool shows = (depth[i] >= nearDepth) & (depth[i] <= farDepth) & (opacity[i] >= kLeastOpacity) &
-                       (thisRight > 0.0F) & (thisBottom > 0.0F) & (thisLeft < width) & (thisTop < height);
-    // See estimate() in smoke_detail.cpp for why this is no std::min.
-    const float leftHere = shows ? thisLeft : width;
-    const float topHere = shows ? thisTop : height;
-    const float rightHere = shows ? thisRight : 0.0F;
-    const float bottomHere = shows ? thisBottom : 0.0F;
-    left = leftHere < left ? leftHere : left;
-    top = topHere < top ? topHere : top;
-    right = rightHere > right ? rightHere : right;
-    bottom = bottomHere > bottom ? bottomHere : bottom;
-    seen[i] = shows ? 1U : 0U;
-  }
-  order.resize(count);
+  const SpriteBounds box = markSeen(width, height, camera.nearDepth, camera.farDepth, sprites);
+  order.resize(sprites.count);
   std::size_t found = 0;
-  for (std::size_t i = 0; i < count; ++i) {
+  for (std::size_t i = 0; i < sprites.count; ++i) {
     order[found] = static_cast<std::uint32_t>(i);
-    found += seen[i];
+    found += sprites.seen[i];
   }
   order.resize(found);
   if (order.empty()) return {};
-  return {static_cast<int>(std::max(left, 0.0F)), static_cast<int>(std::max(top, 0.0F)),
-          static_cast<int>(std::ceil(std::min(right, width))), static_cast<int>(std::ceil(std::min(bottom, height)))};
+  return {static_cast<int>(std::max(box.left, 0.0F)), static_cast<int>(std::max(box.top, 0.0F)),
+          static_cast<int>(std::ceil(std::min(box.right, width))),
+          static_cast<int>(std::ceil(std::min(box.bottom, height)))};
 }
 
 }  // namespace grove::objects::fluid

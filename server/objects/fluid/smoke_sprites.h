@@ -11,7 +11,8 @@
 namespace grove::objects::fluid {
 
 /// Particles as one viewer sees them: gaussian sprites that are stretched along their velocity on the screen (section
-/// 5.2). One entry per particle in every array. Buffers only grow. Frontend, one thread at a time.
+/// 5.2). One entry per particle in every array, and up to a multiple of kMaxLanes entries that mean nothing. Buffers
+/// only grow. Frontend, one thread at a time.
 ///
 /// Made in the order project(), shape(), chooseDetail(), SmokeShading::shade(), collectVisible().
 struct SmokeSprites {
@@ -37,7 +38,10 @@ struct SmokeSprites {
 
   std::vector<std::uint32_t> seen;  ///< 1 if it shows anything, else 0
 
-  std::size_t count = 0;
+  std::size_t count = 0;  ///< of the particles
+
+  /// As many as any processor works on at once.
+  static constexpr std::size_t kMaxLanes = 16;
 
   void resize(std::size_t particles);
 
@@ -49,7 +53,7 @@ struct SmokeSprites {
 };
 
 /// Sprites of less opacity are not worth a look.
-inline constexpr float kLeastOpacity = 1.0F / 512.0F;
+inline constexpr float kMinOpacity = 1.0F / 512.0F;
 
 /// Places the particles, moved on by `lead` seconds, on the camera's screen.
 void project(const FluidSnapshot& snapshot, const world::Camera& camera, float lead, SmokeSprites& sprites);

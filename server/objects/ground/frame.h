@@ -5,7 +5,6 @@
 namespace grove::objects::ground {
 
 inline constexpr int kTile = 320;  ///< columns that are worked on together
-inline constexpr int kLanes = 16;  ///< floats in a vector: the hot loops work on so many columns at once
 
 /// How far the meadow reaches, in metres; there the forest of the sky's panorama begins.
 inline constexpr float kFarthest = 140.0F;

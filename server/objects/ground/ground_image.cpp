@@ -5,14 +5,15 @@
 #include <utility>
 #include <vector>
 
-#include "objects/ground/grass_rows.h"
-#include "objects/ground/shade_rows.h"
+#include "objects/ground/grow_kernels.h"
+#include "objects/ground/root_kernels.h"
+#include "objects/ground/shade_kernels.h"
 
 namespace grove::objects::ground {
 namespace {
 
-constexpr std::size_t kMostLights = 8;
-constexpr int kMostRowStep = 4;  // rows between samples of light and soil
+constexpr std::size_t kMaxLights = 8;
+constexpr int kMaxRowStep = 4;  // rows between samples of light and soil
 
 int levelFor(float texels, const Pyramid& pyramid) {
   return std::clamp(static_cast<int>(std::floor(std::log2(std::max(texels, 1.0F)) + 0.5F)), 0, pyramid.levels() - 2);
@@ -20,8 +21,8 @@ int levelFor(float texels, const Pyramid& pyramid) {
 
 /// Rows from this one to the next that light and soil are sampled at: fewer where the ground is seen at a flat angle.
 int rowStep(const Frame& frame, int row) {
-  const float along = rowAt(frame, row & ~(kMostRowStep - 1)).along;
-  return along < 0.10F ? kMostRowStep : along < 0.6F ? 2 : 1;
+  const float along = rowAt(frame, row & ~(kMaxRowStep - 1)).along;
+  return along < 0.10F ? kMaxRowStep : along < 0.6F ? 2 : 1;
 }
 
 /// Rows nearer to the eye whose grass can reach up to this row, which are about as many as of its neighbour.
@@ -38,9 +39,9 @@ int reachOf(const Frame& frame, float tallest, int row, int ofNeighbour) {
 std::vector<world::PointLight> nearestLights(std::span<const world::PointLight> lights, world::Vec3 eye) {
   std::vector<world::PointLight> nearest(lights.begin(), lights.end());
   const auto distance = [&](const world::PointLight& light) { return glm::distance(light.position, eye); };
-  if (nearest.size() > kMostLights) {
-    std::ranges::nth_element(nearest, nearest.begin() + kMostLights, {}, distance);
-    nearest.resize(kMostLights);
+  if (nearest.size() > kMaxLights) {
+    std::ranges::nth_element(nearest, nearest.begin() + kMaxLights, {}, distance);
+    nearest.resize(kMaxLights);
   }
   return nearest;
 }

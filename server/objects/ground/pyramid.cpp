@@ -30,7 +30,7 @@ void halve(const std::uint32_t* fine, std::size_t size, std::uint32_t* coarse) {
 }  // namespace
 
 Pyramid::Pyramid(int size, std::vector<std::uint32_t> finest) : size_(size), texels_(std::move(finest)) {
-  assert(std::has_single_bit(static_cast<unsigned>(size)) && size >= 2 && size < (1 << kMostLevels));
+  assert(std::has_single_bit(static_cast<unsigned>(size)) && size >= 2 && size < (1 << kMaxLevels));
   assert(texels_.size() == static_cast<std::size_t>(size) * static_cast<std::size_t>(size));
   std::size_t total = 0;
   for (auto at = static_cast<std::size_t>(size); at > 0; at /= 2) {

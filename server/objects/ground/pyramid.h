@@ -11,7 +11,7 @@ namespace grove::objects::ground {
 /// A square picture of four 8-bit channels with all its halved copies (a mip map). Sizes are powers of two.
 class Pyramid {
  public:
-  static constexpr int kMostLevels = 16;
+  static constexpr int kMaxLevels = 16;
   static constexpr int kBlock = 4;  ///< texels a side of what inBlocks() keeps together
 
   /// Averages `finest` (size x size texels) down to a single texel.

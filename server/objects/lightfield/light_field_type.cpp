@@ -6,7 +6,7 @@
 #include "objects/lightfield/light_field_backend.h"
 #include "objects/lightfield/light_field_frontend.h"
 #include "objects/lightfield/light_field_source.h"
-#include "pipeline/error.h"
+#include "base/error.h"
 
 namespace grove::objects::lightfield {
 namespace {

@@ -8,7 +8,7 @@
 #include "models/model_source.h"
 #include "objects/mesh/model_surface.h"
 #include "objects/mesh/shapes.h"
-#include "pipeline/error.h"
+#include "base/error.h"
 
 namespace grove::objects::mesh {
 namespace {

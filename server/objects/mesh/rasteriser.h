@@ -5,9 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "objects/mesh/scan_converter.h"
+#include "objects/mesh/detail.h"
 #include "objects/mesh/vertex_arrays.h"
-#include "world/camera.h"
 
 namespace grove::objects::mesh {
 
@@ -29,6 +28,9 @@ struct Corner {
 
 /// Vertices are put on this grid, so that differences of coordinates are exact.
 inline constexpr float kSubPixel = 1.0F / 256.0F;
+
+/// Relief (0..15) of a unit of lightVertices()'s A.
+inline constexpr float kReliefOfByte = 15.0F / 255.0F;
 
 /// The vertices of one drawing. Reused from drawing to drawing, so that none allocates.
 struct ScreenVertices {
@@ -56,9 +58,6 @@ struct Canvas {
 
   /// Empties it for another rectangle; only what was drawn to costs anything.
   void begin(const world::Rect& to);
-
-  /// Takes note of rows of a triangle from `top` on; returns where the longest ends, in pixels of the frame.
-  int widen(int top, int rows, const SpanRows& drawn) noexcept;
 };
 
 /// Fills `vertices` with the first `light.size()` of the drawing, which vertices.light must hold the light of.
@@ -66,9 +65,5 @@ void project(const VertexArrays& arrays, const Drawing& drawing, ScreenVertices&
 
 /// A clipped vertex, whose depth is at least the near depth.
 [[nodiscard]] Corner projected(const ClipVertex& vertex, float nearDepth) noexcept;
-
-/// Draws the triangle where it is nearer than what is there, if its front shows. Shades are interpolated in space, not
-/// on the screen. Vectorised over the pixels of a row.
-void drawTriangle(const Corner& a, const Corner& b, const Corner& c, Canvas& canvas) noexcept;
 
 }  // namespace grove::objects::mesh

@@ -2,11 +2,10 @@
 
 #include <algorithm>
 
+#include "objects/mesh/projection_kernels.h"
+
 namespace grove::objects::mesh {
 namespace {
-
-using world::Vec3;
-using world::Vec4;
 
 /// Pixels from a value that may lie far outside of the image.
 int clampedPixel(float value, int low, int high) {
@@ -25,32 +24,8 @@ PointCloud::PointCloud(const Surface& surface) {
 
 world::Rect screenBox(const PointCloud& points, const world::Mat4& toWorld, const world::Camera& camera,
                       const world::Rect& most) {
-  const Vec3 forward = camera.pose.forward();
-  const float focal = camera.focal();
-  const world::Mat4 toObject = glm::transpose(toWorld);
-  const auto plane = [&](Vec3 axis) { return toObject * Vec4(axis, -glm::dot(axis, camera.pose.position)); };
-  const Vec4 px = plane(camera.pose.right() * focal + forward * (0.5F * static_cast<float>(camera.width)));
-  const Vec4 py = plane(camera.pose.up() * -focal + forward * (0.5F * static_cast<float>(camera.height)));
-  const Vec4 pz = plane(forward);
-  float left = 1.0e9F;
-  float right = -1.0e9F;
-  float top = 1.0e9F;
-  float bottom = -1.0e9F;
-  float nearest = 1.0e9F;
-  const std::size_t count = points.x.size();
-  const float* x = points.x.data();
-  const float* y = points.y.data();
-  const float* z = points.z.data();
-  for (std::size_t i = 0; i < count; ++i) {
-    const float depth = pz.x * x[i] + pz.y * y[i] + pz.z * z[i] + pz.w;
-    const float u = (px.x * x[i] + px.y * y[i] + px.z * z[i] + px.w) / depth;
-    const float v = (py.x * x[i] + py.y * y[i] + py.z * z[i] + py.w) / depth;
-    nearest = std::min(nearest, depth);
-    left = std::min(left, u);
-    right = std::max(right, u);
-    top = std::min(top, v);
-    bottom = std::max(bottom, v);
-  }
+  const auto [left, right, top, bottom, nearest] =
+      extentOf({points.x.data(), points.y.data(), points.z.data(), points.x.size()}, Projection(camera, toWorld));
   if (nearest < camera.nearDepth) return most;
   // Approximate division may be off by a hair.
   constexpr float kSlack = 0.01F;

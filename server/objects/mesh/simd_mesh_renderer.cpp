@@ -4,23 +4,42 @@
 
 #include "objects/mesh/detail.h"
 #include "objects/mesh/near_clip.h"
-#include "objects/mesh/rasteriser.h"
+#include "objects/mesh/triangle_kernels.h"
 #include "objects/mesh/vertex_light.h"
 
 namespace grove::objects::mesh {
 namespace {
 
-/// A triangle that may reach before the near depth.
-void drawClipped(const Triangle& triangle, const ScreenVertices& vertices, const std::vector<float>& lichen,
-                 float nearDepth, Canvas& canvas) {
-  const auto vertex = [&](std::size_t corner) {
-    return vertices.clipVertex(triangle[corner], lichen[triangle[corner]]);
-  };
-  const NearClip clip({vertex(0), vertex(1), vertex(2)}, nearDepth);
-  const std::span<const ClipVertex> polygon = clip.polygon();
-  for (std::size_t i = 2; i < polygon.size(); ++i) {
-    drawTriangle(projected(polygon[0], nearDepth), projected(polygon[i - 1], nearDepth),
-                 projected(polygon[i], nearDepth), canvas);
+/// Triangles with corners of their own, each as three neighbours.
+struct CutTriangles {
+  std::vector<Corner> corners;
+  std::vector<Triangle> triangles;
+
+  void clear() {
+    corners.clear();
+    triangles.clear();
+  }
+  void add(const std::array<Corner, 3>& triangle) {
+    const auto first = static_cast<std::uint32_t>(corners.size());
+    corners.insert(corners.end(), triangle.begin(), triangle.end());
+    triangles.push_back({first, first + 1, first + 2});
+  }
+};
+
+/// Cuts off what lies before the near depth.
+void cut(std::span<const Triangle> triangles, const ScreenVertices& vertices, const std::vector<float>& lichen,
+         float nearDepth, CutTriangles& out) {
+  out.clear();
+  for (const Triangle& triangle : triangles) {
+    const auto vertex = [&](std::size_t corner) {
+      return vertices.clipVertex(triangle[corner], lichen[triangle[corner]]);
+    };
+    const NearClip clip({vertex(0), vertex(1), vertex(2)}, nearDepth);
+    const std::span<const ClipVertex> polygon = clip.polygon();
+    for (std::size_t i = 2; i < polygon.size(); ++i) {
+      out.add({projected(polygon[0], nearDepth), projected(polygon[i - 1], nearDepth),
+               projected(polygon[i], nearDepth)});
+    }
   }
 }
 
@@ -29,7 +48,12 @@ void drawClipped(const Triangle& triangle, const ScreenVertices& vertices, const
 /// The memory of one thread's drawing at hand.
 struct SimdMeshRenderer::Bench {
   ScreenVertices vertices;
+  CutTriangles cut;
   Canvas canvas;
+
+  [[nodiscard]] std::size_t bytes() const noexcept {
+    return vertices.bytes() + pipeline::vectorBytes(cut.corners, cut.triangles) + canvas.bytes();
+  }
 };
 
 SimdMeshRenderer::SimdMeshRenderer(node::ImagePool& images, const MeshMemory& memory)
@@ -64,7 +88,7 @@ void SimdMeshRenderer::giveBack(std::unique_ptr<Bench> bench) {
   const std::lock_guard lock(mutex_);
   benches_.push_back(std::move(bench));
   std::size_t sum = texture_.bytes() + arrayBytes_;
-  for (const auto& unused : benches_) sum += unused->vertices.bytes() + unused->canvas.bytes();
+  for (const auto& unused : benches_) sum += unused->bytes();
   held_.set(sum);
 }
 
@@ -78,14 +102,11 @@ std::shared_ptr<const node::Image> SimdMeshRenderer::renderOne(const Drawing& dr
   lightVertices(arrays, drawing, vertices.light);
   project(arrays, drawing, vertices);
   canvas.begin(drawing.rect);
-  const std::vector<Corner>& corners = vertices.corners;
-  const bool clipped = vertices.nearest < nearDepth;
-  for (const Triangle& triangle : level.triangles) {
-    if (clipped) {
-      drawClipped(triangle, vertices, arrays.lichen, nearDepth, canvas);
-    } else {
-      drawTriangle(corners[triangle[0]], corners[triangle[1]], corners[triangle[2]], canvas);
-    }
+  if (vertices.nearest < nearDepth) {
+    cut(level.triangles, vertices, arrays.lichen, nearDepth, bench.cut);
+    drawTriangles(bench.cut.triangles, bench.cut.corners, canvas);
+  } else {
+    drawTriangles(level.triangles, vertices.corners, canvas);
   }
   const std::shared_ptr<node::Image> image = images_.acquire(drawing.rect);
   finish({canvas.surface.data(), canvas.depth.data(), canvas.stride, canvas.spans}, drawing, texture_, *image);

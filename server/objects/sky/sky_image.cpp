@@ -4,7 +4,8 @@
 #include <cmath>
 #include <vector>
 
-#include "objects/sky/sample_rows.h"
+#include "objects/sky/sample_kernels.h"
+#include "world/camera.h"
 #include "world/light.h"
 
 namespace grove::objects::sky {
@@ -146,7 +147,7 @@ std::shared_ptr<const node::Image> skyImage(const SkyMaps& maps, const world::Ca
     } else {
       rows.sample(maps.sharp, row, 1, rect.left, rect.width(), colour);
     }
-    fillDepth(rect.width(), image->depthRow(row - rect.top));
+    std::fill_n(image->depthRow(row - rect.top), rect.width(), world::kInfiniteDepth);
   }
   return image;
 }

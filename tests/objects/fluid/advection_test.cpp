@@ -116,7 +116,7 @@ TEST(Advection, CarriesBothByLessAndByMoreThanACell) {
 }
 
 TEST(Advection, ASteadyWindIsNotRounded) {
-  // Samples have 11 bits; were the result rounded to them, forces that change the wind by less would do nothing.
+  // Were it rounded, forces that change the wind by less would do nothing.
   const Layout layout(32);
   Advection advection(layout);
   Velocity wind(layout);

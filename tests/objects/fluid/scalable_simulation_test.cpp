@@ -3,72 +3,19 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include <atomic>
 #include <cmath>
 #include <fstream>
 #include <stdexcept>
 #include <thread>
 #include <vector>
 
-#include "objects/fluid/diagnostics.h"
+#include "sanitized.h"
+#include "scalable_fire.h"
 
 namespace grove::objects::fluid {
 namespace {
 
-constexpr float kTick = FluidSimulation::kTick;
-constexpr int kGrid = 32;  // of the scene
-
-class ScalableSimulationTest : public testing::Test {
- protected:
-  [[nodiscard]] std::unique_ptr<FluidSimulation> make(int cells) const {
-    FluidSettings settings;
-    settings.grid = kGrid;
-    settings.size = 6.0F;
-    return std::make_unique<FluidSimulation>(settings, world::Vec3(1.0F, 0.0F, 2.0F), nothing_, nothing_, cells);
-  }
-  [[nodiscard]] ScalableSimulation scalable(int cells) const {
-    return ScalableSimulation([this](int wanted) { return make(wanted); }, cells);
-  }
-  static void goOver(ScalableSimulation& simulation, int cells) {
-    simulation.setCells(cells);
-    while (!simulation.update()) std::this_thread::yield();
-    ASSERT_EQ(simulation.current().solver().layout().cells, cells);
-  }
-  static void run(FluidSimulation& simulation, int ticks) {
-    for (int i = 0; i < ticks; ++i) simulation.step(kTick, {}, {});
-  }
-
-  /// Of the whole fire, in units that do not depend on the cells.
-  struct Sums {
-    double energy = 0.0;  ///< metres^5 a second^2
-    double heat = 0.0;    ///< metres^3
-    double height = 0.0;  ///< of the heat, metres
-    double smoke = 0.0;   ///< mean height of the particles, metres
-  };
-  static Sums sumsOf(const FluidSimulation& simulation) {
-    Sums sums;
-    const FluidSolver& solver = simulation.solver();
-    const Layout& layout = solver.layout();
-    const double cell = static_cast<double>(solver.cellSize());
-    const double volume = cell * cell * cell;
-    sums.energy = kineticEnergy(layout, solver.velocity()) * volume;
-    for (int z = 0; z < layout.cells; ++z) {
-      for (int y = 0; y < layout.cells; ++y) {
-        for (int x = 0; x < layout.cells; ++x) {
-          const double heat = static_cast<double>(solver.temperature()[layout.index(x, y, z)]) * volume;
-          sums.heat += heat;
-          sums.height += heat * (y + 0.5) * cell;
-        }
-      }
-    }
-    sums.height /= sums.heat;
-    for (const float y : simulation.particles().y) sums.smoke += static_cast<double>(y);
-    sums.smoke /= static_cast<double>(simulation.particles().count());
-    return sums;
-  }
-
-  const world::RayScene nothing_{world::Triangles{}};
-};
+using ScalableSimulationTest = ScalableFire;
 
 TEST(CellsAtTest, StepsAreOneAndAHalfAndTwoTimesAsFine) {
   EXPECT_EQ(cellsAt(64, 0), 64);
@@ -85,7 +32,9 @@ TEST_F(ScalableSimulationTest, StateIsTakenOver) {
     int to;
     double lost;  ///< of the energy, at most: the finer the grid, the smoother is what is on it
   };
-  for (const auto& [from, to, lost] : {Case{32, 48, 0.12}, {64, 96, 0.04}, {96, 64, 0.03}, {64, 32, 0.05}}) {
+  const auto cases = kSanitized ? std::vector<Case>{{32, 48, 0.12}, {64, 32, 0.05}}
+                                : std::vector<Case>{{32, 48, 0.12}, {64, 96, 0.04}, {96, 64, 0.03}, {64, 32, 0.05}};
+  for (const auto& [from, to, lost] : cases) {
     auto simulation = scalable(from);
     run(simulation.current(), 60);
     const Sums before = sumsOf(simulation.current());
@@ -158,49 +107,6 @@ TEST_F(ScalableSimulationTest, GustsBlowOnTheNewGrid) {
   };
   const double way = mean(blown.current().particles()) - mean(calm.current().particles());
   EXPECT_GT(way, 0.15);
-}
-
-TEST_F(ScalableSimulationTest, TheNewestWishWins) {
-  auto simulation = scalable(16);
-  run(simulation.current(), 5);
-  simulation.setCells(64);
-  EXPECT_FALSE(simulation.update());
-  simulation.setCells(24);
-  while (!simulation.update()) run(simulation.current(), 1);
-  EXPECT_EQ(simulation.current().solver().layout().cells, 24);
-
-  // Back to where it is: nothing changes.
-  simulation.setCells(64);
-  EXPECT_FALSE(simulation.update());
-  simulation.setCells(24);
-  for (int i = 0; i < 200; ++i) {
-    EXPECT_FALSE(simulation.update());
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  }
-  EXPECT_EQ(simulation.current().solver().layout().cells, 24);
-}
-
-TEST_F(ScalableSimulationTest, WishesFromManyThreadsWhileItTicks) {
-  auto simulation = scalable(16);
-  std::atomic<bool> done = false;
-  std::vector<std::thread> visitors;
-  for (int i = 0; i < 3; ++i) {
-    visitors.emplace_back([&, i] {
-      for (int k = i; !done; ++k) {
-        simulation.setCells(cellsAt(16, k % 3));
-        std::this_thread::sleep_for(std::chrono::milliseconds(1 + i));
-      }
-    });
-  }
-  int changes = 0;
-  for (int i = 0; i < 300 || changes < 5; ++i) {
-    changes += simulation.update() ? 1 : 0;
-    run(simulation.current(), 1);
-    ASSERT_EQ(simulation.current().tick(), static_cast<std::uint64_t>(i + 1));
-    ASSERT_LE(simulation.current().outcome().residual, 1.0e-4F);
-  }
-  done = true;
-  for (std::thread& each : visitors) each.join();
 }
 
 TEST_F(ScalableSimulationTest, GoingUpAndDownTenTimesLeaksNothing) {

@@ -7,6 +7,7 @@
 
 #include "objects/fluid/diagnostics.h"
 #include "objects/fluid/fluid_simulation.h"
+#include "sanitized.h"
 
 namespace grove::objects::fluid {
 namespace {
@@ -47,7 +48,7 @@ TEST_P(TeamOnAFire, DoesWhatOneThreadDoes) {
   wall.indices = {{0, 1, 2}, {0, 2, 3}};
   const world::RayScene solids(wall);
   FluidSettings settings;
-  settings.grid = 48;
+  settings.grid = kSanitized ? 32 : 48;
   settings.size = 6.0F;
   FluidSimulation alone(settings, {}, solids, solids);
   settings.threads = GetParam();

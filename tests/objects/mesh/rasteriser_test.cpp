@@ -6,8 +6,7 @@
 #include <cmath>
 
 #include "objects/mesh/near_clip.h"
-#include "objects/mesh/scan_converter.h"
-#include "objects/mesh/surface.h"
+#include "objects/mesh/triangle_kernels.h"
 
 namespace grove::objects::mesh {
 namespace {
@@ -23,64 +22,8 @@ std::size_t covered(const Canvas& canvas) {
   return static_cast<std::size_t>(std::ranges::count_if(canvas.depth, [](float depth) { return depth > 0.0F; }));
 }
 
-/// How often each pixel is hit by the triangles that face the eye, drawn by the scan converter alone.
-class Hits {
- public:
-  void add(const std::array<ScreenPoint, 3>& corners) {
-    const ScanConverter scan(corners[0], corners[1], corners[2], kAll);
-    SpanRows spans;
-    for (int first = scan.top(); first < scan.bottom(); first += kLanes) {
-      scan.convert(first, spans);
-      for (int i = 0; i < kLanes; ++i) {
-        const int y = first + i;
-        if (y == scan.bottom()) break;
-        for (int x = spans.begin[i]; x < spans.end[i]; ++x) ++count_[at(x, y)];
-      }
-    }
-  }
-
-  [[nodiscard]] int of(int x, int y) const { return count_[at(x, y)]; }
-
- private:
-  static std::size_t at(int x, int y) { return static_cast<std::size_t>(y * kSize + x); }
-  std::vector<int> count_ = std::vector<int>(std::size_t{kSize} * kSize);
-};
-
-TEST(ScanConverter, APixelBelongsToTheTriangleThatHoldsItsCentre) {
-  Hits hits;
-  hits.add({ScreenPoint{10, 10}, {20, 10}, {10, 20}});
-  int all = 0;
-  for (int y = 0; y < kSize; ++y) {
-    for (int x = 0; x < kSize; ++x) {
-      all += hits.of(x, y);
-      // The slanting edge is the right one, whose pixels are not the triangle's.
-      const bool inside = x >= 10 && y >= 10 && (x - 10) + (y - 10) + 1 < 10;
-      ASSERT_EQ(hits.of(x, y), inside ? 1 : 0) << x << ", " << y;
-    }
-  }
-  EXPECT_EQ(all, 45);
-}
-
-TEST(ScanConverter, AFanAroundAPointCoversEachPixelOnce) {
-  for (int turn = 0; turn < 40; ++turn) {
-    Hits hits;
-    const float phase = 0.157F * static_cast<float>(turn);
-    const ScreenPoint centre{100.0F + 0.25F * static_cast<float>(turn % 4), 100.5F};
-    const auto rim = [&](int i) {
-      const float angle = phase + 6.2831853F * static_cast<float>(i % 23) / 23.0F;
-      return ScreenPoint{centre.x + 70.0F * std::cos(angle), centre.y + 70.0F * std::sin(angle)};
-    };
-    for (int i = 0; i < 23; ++i) hits.add({centre, rim(i), rim(i + 1)});
-    for (int y = 0; y < kSize; ++y) {
-      for (int x = 0; x < kSize; ++x) {
-        const float out = std::hypot(static_cast<float>(x) + 0.5F - centre.x, static_cast<float>(y) + 0.5F - centre.y);
-        const int least = out < 68.0F ? 1 : 0;
-        const int most = out > 71.0F ? 0 : 1;
-        ASSERT_GE(hits.of(x, y), least) << x << ", " << y << " turn " << turn;
-        ASSERT_LE(hits.of(x, y), most) << x << ", " << y << " turn " << turn;
-      }
-    }
-  }
+void drawTriangle(const Corner& a, const Corner& b, const Corner& c, Canvas& canvas) {
+  drawTriangles(std::vector<Triangle>{{0, 1, 2}}, std::vector<Corner>{a, b, c}, canvas);
 }
 
 TEST(Rasteriser, AConvexBodyHasNoHolesFromAnySide) {
@@ -108,9 +51,7 @@ TEST(Rasteriser, AConvexBodyHasNoHolesFromAnySide) {
     project(arrays, drawing, vertices);
     Canvas canvas;
     canvas.begin(kAll);
-    for (const auto& [a, b, c] : ball.levels.back().triangles) {
-      drawTriangle(vertices.corners[a], vertices.corners[b], vertices.corners[c], canvas);
-    }
+    drawTriangles(ball.levels.back().triangles, vertices.corners, canvas);
     // The ball's outline is a circle; its triangles stay a little within.
     const float radius = camera.focal() / std::sqrt(8.0F);
     for (int y = 0; y < kSize; ++y) {

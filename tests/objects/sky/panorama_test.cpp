@@ -4,11 +4,8 @@
 
 #include <cmath>
 #include <numbers>
-#include <vector>
 
 #include "objects/sky/panorama_bake.h"
-#include "objects/sky/sample_rows.h"
-#include "world/camera.h"
 #include "world/light.h"
 
 namespace grove::objects::sky {
@@ -43,37 +40,6 @@ TEST(Panorama, HeadingsTurnClockwiseFromMinusZ) {
   const auto east = Panorama::direction(std::numbers::pi_v<float> / 2.0F, 0.0F);
   EXPECT_NEAR(east.x, 1.0F, 1e-5F);
   EXPECT_NEAR(east.z, 0.0F, 1e-5F);
-}
-
-TEST(Panorama, VectorisedRowsAgreeWithTheReferenceInAllDirections) {
-  const Panorama panorama = ramps();
-  // In fine rows most places are joined from knots, in coarse ones each is worked out.
-  for (const int width : {160, 1280}) {
-    for (const float yaw : {0.0F, 0.7F, 1.6F, 3.1F, -2.9F, -0.01F}) {
-      for (const float pitch : {-0.3F, 0.0F, 0.5F, 1.2F, 1.5F}) {
-        const int height = width * 9 / 16;
-        const world::Camera camera{.pose = {.yaw = yaw, .pitch = pitch}, .width = width, .height = height};
-        for (const int row : {0, height / 3, height / 2 - 1}) {
-          const float v =
-              (1.0F - 2.0F * (static_cast<float>(row) + 0.5F) / static_cast<float>(height)) * camera.tanHalfY();
-          const float step = 2.0F * camera.tanHalfX() / static_cast<float>(width);
-          const RowOfRays rays{yaw, std::cos(pitch) - v * std::sin(pitch), std::sin(pitch) + v * std::cos(pitch),
-                               0.5F * step - camera.tanHalfX(), step};
-          std::vector<std::uint32_t> colour(static_cast<std::size_t>(width));
-          sampleRow(panorama, rays, 0, width, colour.data());
-          for (int x = 0; x < width; ++x) {
-            const auto expected = panorama.sample(
-                glm::normalize(camera.ray(static_cast<float>(x) + 0.5F, static_cast<float>(row) + 0.5F)));
-            const std::uint32_t got = colour[static_cast<std::size_t>(x)];
-            ASSERT_NEAR(static_cast<float>(got & 0xFFU), expected.r, 3.0F)
-                << yaw << ' ' << pitch << ' ' << row << ' ' << x;
-            ASSERT_NEAR(static_cast<float>((got >> 8U) & 0xFFU), expected.g, 3.0F) << yaw << ' ' << pitch << ' ' << row;
-            ASSERT_EQ(got >> 24U, 0xFFU);
-          }
-        }
-      }
-    }
-  }
 }
 
 TEST(Panorama, SoftMapIsTheSamePictureInAllDirections) {

@@ -35,8 +35,10 @@ class CachedView final : public node::SimulationData {
   [[nodiscard]] const std::uint32_t* colour() const noexcept { return colour_.get(); }
   /// Nearness of every texel: 1 / depth if it is covered by half; that less softness() if it is covered by less, or is
   /// empty beside a covered one, whose depth it then has; and -softness() where there is nothing. So the nearest of
-  /// several texels is the largest, but all that hide what is behind come before those that do not.
+  /// several texels is the largest, but all that hide what is behind come before those that do not. As many
+  /// as padding() more may be read, so that vectors of texels can be read from wherever one lies.
   [[nodiscard]] const float* nearness() const noexcept { return nearness_.get(); }
+  [[nodiscard]] std::size_t padding() const noexcept { return static_cast<std::size_t>(width_) + 32; }
   [[nodiscard]] float softness() const noexcept { return softness_; }
 
   /// The least and the greatest 1 / depth in squares of kSquare x kSquare texels; greatest is 0 if all are empty.

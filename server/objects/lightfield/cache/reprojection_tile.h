@@ -3,9 +3,8 @@
 #include <cstdint>
 
 #include "objects/lightfield/cache/cached_view.h"
-#include "objects/lightfield/sampler.h"
 
-/// The vectorised loops of reproject().
+/// What the loops of reproject() work on.
 ///
 /// A texel of the picture at s (both coordinates) with nearness w = 1 / depth is the point c + (C s) / w of the
 /// picture's camera with eye c and matrix C of columns perColumn, perRow, corner; a visitor's ray is e + t r. With
@@ -15,7 +14,7 @@
 namespace grove::objects::lightfield {
 
 /// Rays that do not go where the picture's camera looks meet nothing.
-inline constexpr float kLeastForward = 1.0e-3F;
+inline constexpr float kMinForward = 1.0e-3F;
 
 /// From a visitor's pixels to texels of a view.
 struct ViewWarp {
@@ -42,16 +41,5 @@ struct alignas(64) WarpTile {
   std::uint32_t colour[kTilePixels];
   float depth[kTilePixels];
 };
-
-/// Starts the tile whose first pixel is (left, top).
-void beginTile(const ViewWarp& warp, int left, int top, WarpTile& tile);
-
-/// Finds what each ray meets at nearnesses of `reach`, over which it moves by at most so many texels for one of
-/// nearness.
-void searchTile(const CachedView& view, const ViewWarp& warp, const CachedView::Range& reach, float texelsPerNearness,
-                WarpTile& tile);
-
-/// Bilinear colour through the haze, and depth. False if nothing shows.
-bool shadeTile(const CachedView& view, const ViewWarp& warp, const Haze& haze, WarpTile& tile);
 
 }  // namespace grove::objects::lightfield

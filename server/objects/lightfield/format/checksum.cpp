@@ -1,10 +1,5 @@
 #include "objects/lightfield/format/checksum.h"
 
-#ifdef __GNUC__
-// GCC 12 takes its own AVX-512 intrinsics for uninitialised (GCC bug 105593).
-#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
-#pragma GCC diagnostic ignored "-Wuninitialized"
-#endif
 #define XXH_INLINE_ALL
 #include <xxhash.h>
 

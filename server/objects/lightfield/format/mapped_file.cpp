@@ -8,7 +8,7 @@
 #include <cerrno>
 #include <system_error>
 
-#include "pipeline/error.h"
+#include "base/error.h"
 
 namespace grove::objects::lightfield {
 namespace {

@@ -5,7 +5,7 @@
 #include <cassert>
 #include <string>
 
-#include "pipeline/error.h"
+#include "base/error.h"
 
 namespace grove::objects::lightfield {
 namespace {

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
+
 #include "objects/lightfield/format/light_field.h"
 
 namespace grove::objects::lightfield::simd {
@@ -33,5 +36,21 @@ inline Lens makeLens(const LightField& field, int level, int view) {
   lens.metresPerTexel = 1.0F / (camera.focal * size);
   return lens;
 }
+
+/// The lenses of a request, made when they are first needed. Not for use by several threads.
+class Lenses {
+ public:
+  Lenses(const LightField& field, int level) : field_(field), level_(level) {}
+  [[nodiscard]] const Lens& of(int view) {
+    Lens& lens = recent_[static_cast<std::size_t>(view) % recent_.size()];
+    if (lens.view != view) lens = makeLens(field_, level_, view);
+    return lens;
+  }
+
+ private:
+  const LightField& field_;
+  int level_;
+  std::array<Lens, 61> recent_;
+};
 
 }  // namespace grove::objects::lightfield::simd

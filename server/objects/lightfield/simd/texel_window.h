@@ -1,11 +1,10 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
 #include "objects/lightfield/format/light_field.h"
-#include "objects/lightfield/simd/lens.h"
-#include "world/camera.h"
 
 namespace grove::objects::lightfield::simd {
 
@@ -25,47 +24,30 @@ struct WindowLayout {
   std::size_t texels = 0;
 
   WindowLayout() = default;
-  explicit WindowLayout(const TexelBox& box);
+  explicit WindowLayout(const TexelBox& box)
+      : stride((box.right / kBlock - box.left / kBlock + 1) * kBlock),
+        origin(box.top * stride + box.left / kBlock * kBlock),
+        // One more, for they are read in pairs.
+        texels(static_cast<std::size_t>(stride * (box.bottom - box.top + 1) + 1)) {}
 };
 
 /// What a tile of pixels can see of a view's depth and colour. Reading it needs no look-up of blocks, and copying it
 /// together reads memory in the order that it lies there.
-class TexelWindow {
- public:
-  void load(const LightField& field, int level, int view, int lighting, const TexelBox& box);
-
-  [[nodiscard]] int stride() const noexcept { return layout_.stride; }
-  [[nodiscard]] int origin() const noexcept { return layout_.origin; }
-  [[nodiscard]] const std::uint16_t* depth() const noexcept { return depth_.data(); }
-  [[nodiscard]] const std::uint32_t* colour() const noexcept { return colour_.data(); }
-
- private:
-  WindowLayout layout_;
-  std::vector<std::uint16_t> depth_;
-  std::vector<std::uint32_t> colour_;
+struct TexelWindow {
+  WindowLayout layout;
+  std::vector<std::uint16_t> depth;
+  std::vector<std::uint32_t> colour;
 };
 
 /// Nearness of a texel that shows nothing: no place on any ray.
 inline constexpr float kNowhere = -1.0e6F;
 
 /// What a tile of pixels can meet in a view, as 1 / view depth (per metre), kNowhere where nothing is.
-class NearnessWindow {
- public:
-  /// False if nothing in the box is covered.
-  bool load(const LightField& field, int level, const Lens& lens, const TexelBox& box);
-
-  [[nodiscard]] int stride() const noexcept { return layout_.stride; }
-  [[nodiscard]] int origin() const noexcept { return layout_.origin; }
-  [[nodiscard]] const float* nearness() const noexcept { return nearness_.data(); }
-  /// View depths of what is covered, metres.
-  [[nodiscard]] float nearest() const noexcept { return nearest_; }
-  [[nodiscard]] float farthest() const noexcept { return farthest_; }
-
- private:
-  WindowLayout layout_;
-  float nearest_ = 0.0F;
-  float farthest_ = 0.0F;
-  std::vector<float> nearness_;
+struct NearnessWindow {
+  WindowLayout layout;
+  float nearest = 0.0F;   ///< view depths of what is covered, metres
+  float farthest = 0.0F;
+  std::vector<float> nearness;
 };
 
 }  // namespace grove::objects::lightfield::simd

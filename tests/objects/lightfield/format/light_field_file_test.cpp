@@ -13,7 +13,7 @@
 #include "objects/lightfield/format/layout.h"
 #include "objects/lightfield/format/light_field_reader.h"
 #include "objects/lightfield/format/small_field.h"
-#include "pipeline/error.h"
+#include "base/error.h"
 
 namespace grove::objects::lightfield {
 namespace {

@@ -10,7 +10,7 @@
 #include "objects/lightfield/shader/gl_field_cache.h"
 #include "objects/lightfield/simd/simd_sampler.h"
 #include "objects/lightfield/simd/thicket.h"
-#include "pipeline/error.h"
+#include "base/error.h"
 #include "world/camera.h"
 
 namespace grove::objects::lightfield {

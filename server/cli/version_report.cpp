@@ -1,0 +1,37 @@
+#include "cli/version_report.h"
+
+#include "base/error.h"
+#include "base/simd/target.h"
+#include "base/version.h"
+#include "gl/context.h"
+#include "stream/codecs.h"
+
+namespace grove::cli {
+namespace {
+
+std::string simdTargets() {
+  std::string others;
+  for (const simd::Target target : simd::availableTargets()) {
+    if (target != simd::currentTarget()) others += (others.empty() ? "" : ", ") + simd::nameOf(target);
+  }
+  const std::string used = simd::nameOf(simd::currentTarget());
+  return others.empty() ? used : used + " (this processor also has " + others + ")";
+}
+
+std::string graphics() {
+  try {
+    const gl::Context context(gl::ContextKind::kAuto);
+    return context.description() + ", by " + context.driver();
+  } catch (const EnvironmentError& error) {
+    return std::string("none: ") + error.what();
+  }
+}
+
+}  // namespace
+
+std::string versionReport() {
+  return "grove " + std::string(version()) + "\nSIMD: " + simdTargets() + "\nGL: " + graphics() +
+         "\ncodecs: " + stream::codecs() + "\n";
+}
+
+}  // namespace grove::cli

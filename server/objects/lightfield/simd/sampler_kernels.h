@@ -1,0 +1,10 @@
+#pragma once
+
+#include "objects/lightfield/sampler.h"
+
+namespace grove::objects::lightfield::simd {
+
+/// Makes one picture of a light field, as SimdSampler has it.
+void renderPicture(const SampleRequest& request, DepthCorrection correction, node::Image& image);
+
+}  // namespace grove::objects::lightfield::simd
