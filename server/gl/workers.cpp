@@ -49,7 +49,7 @@ void Workers::stop() noexcept {
   for (std::thread& thread : threads_) thread.join();
 }
 
-void Workers::post(std::function<void()> task) {
+void Workers::enqueue(std::function<void()> task) {
   {
     const std::lock_guard lock(mutex_);
     tasks_.push_back(std::move(task));

@@ -37,7 +37,6 @@ class Workers final : public pipeline::Executor {
   Workers(const Workers&) = delete;
   Workers& operator=(const Workers&) = delete;
 
-  void post(std::function<void()> task) override;
   [[nodiscard]] int width() const noexcept override { return static_cast<int>(threads_.size()); }
 
   /// Runs the task once on every worker and returns when all are done: to drop what they keep. Not from a worker.
@@ -51,6 +50,7 @@ class Workers final : public pipeline::Executor {
   [[nodiscard]] bool softwareRendered() const noexcept { return software_; }
 
  private:
+  void enqueue(std::function<void()> task) override;
   void run(ContextKind kind, const ShaderLibrary& shaders, std::size_t index, std::promise<void> started);
   void serve(std::deque<std::function<void()>>& own);
   void stop() noexcept;

@@ -1,17 +1,35 @@
 #include "pipeline/executor.h"
 
-#include <barrier>
-#include <memory>
+#include <utility>
 
 namespace grove::pipeline {
 
-void drain(Executor& executor) {
-  // Each thread takes one of these and waits for the others, so all earlier tasks have ended.
-  const auto barrier = std::make_shared<std::barrier<>>(executor.width() + 1);
-  for (int i = 0; i < executor.width(); ++i) {
-    executor.post([barrier] { barrier->arrive_and_wait(); });
+void Executor::post(std::function<void()> task) {
+  std::uint64_t ticket = 0;
+  {
+    const std::lock_guard lock(mutex_);
+    ticket = nextTicket_++;
+    unfinished_.insert(ticket);
   }
-  barrier->arrive_and_wait();
+  enqueue([this, ticket, task = std::move(task)]() mutable {
+    task();
+    task = nullptr;
+    finish(ticket);
+  });
+}
+
+void Executor::finish(std::uint64_t ticket) {
+  {
+    const std::lock_guard lock(mutex_);
+    unfinished_.erase(ticket);
+  }
+  finished_.notify_all();
+}
+
+void Executor::drain() {
+  std::unique_lock lock(mutex_);
+  const std::uint64_t end = nextTicket_;
+  finished_.wait(lock, [&] { return unfinished_.empty() || *unfinished_.begin() >= end; });
 }
 
 }  // namespace grove::pipeline

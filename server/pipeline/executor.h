@@ -1,22 +1,36 @@
 #pragma once
 
+#include <condition_variable>
+#include <cstdint>
 #include <functional>
+#include <mutex>
+#include <set>
 
 namespace grove::pipeline {
 
-/// Runs tasks on threads of its own. A task must not throw.
+/// Runs tasks on threads of its own, which end before the executor does. A task must not throw.
 class Executor {
  public:
   virtual ~Executor() = default;
 
   /// Queues a task; any thread may call. Never blocks.
-  virtual void post(std::function<void()> task) = 0;
+  void post(std::function<void()> task);
+
+  /// Waits until every task that was posted before has ended and what it held is destroyed. Holds up no other task, and
+  /// any number of threads may wait at once; not to be called from one of the executor's threads.
+  void drain();
 
   /// Number of threads, hence the most tasks that run at once.
   [[nodiscard]] virtual int width() const noexcept = 0;
-};
 
-/// Waits until every task that was posted before has ended. Not to be called from one of the executor's threads.
-void drain(Executor& executor);
+ private:
+  virtual void enqueue(std::function<void()> task) = 0;
+  void finish(std::uint64_t ticket);
+
+  std::mutex mutex_;
+  std::condition_variable finished_;
+  std::uint64_t nextTicket_ = 0;
+  std::set<std::uint64_t> unfinished_;  // tickets of tasks that are queued or run
+};
 
 }  // namespace grove::pipeline

@@ -26,10 +26,10 @@ class WorkerPool final : public Executor {
   WorkerPool(const WorkerPool&) = delete;
   WorkerPool& operator=(const WorkerPool&) = delete;
 
-  void post(std::function<void()> task) override;
   [[nodiscard]] int width() const noexcept override { return static_cast<int>(threads_.size()); }
 
  private:
+  void enqueue(std::function<void()> task) override;
   void run();
 
   std::mutex mutex_;

@@ -53,7 +53,7 @@ Host::~Host() {
   clock_.join();
   for (const auto& session : open) session->close();
   open.clear();
-  pipeline::drain(workers_);
+  workers_.drain();
   preparer_.reset();
   shared_.reset();
 }

@@ -33,9 +33,9 @@ WorldCopy::WorldCopy(const WorldGround& ground, std::unique_ptr<node::Transport>
 WorldCopy::~WorldCopy() {
   for (const auto& backend : backends_) backend->close();
   // Runs in progress use the backends; with every queue closed, none can start after these.
-  pipeline::drain(ground_.workers);
-  pipeline::drain(ground_.gl);
-  pipeline::drain(ground_.workers);
+  ground_.workers.drain();
+  ground_.gl.drain();
+  ground_.workers.drain();
 }
 
 void WorldCopy::tellModels() {

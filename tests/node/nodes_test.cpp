@@ -62,7 +62,7 @@ class Nodes : public ::testing::Test {
   }
   ~Nodes() override {
     backend->close();
-    pipeline::drain(workers);
+    workers.drain();
   }
 
   world::World makeWorld() {
