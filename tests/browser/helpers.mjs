@@ -115,26 +115,33 @@ export class Visitor {
   }
 
   /** The stream's picture in small: RGBA, row by row. */
-  async picture(width = 160, height = 90) {
-    return this.page.evaluate(
-      ([w, h]) => {
-        const scratch = new OffscreenCanvas(w, h).getContext('2d', { willReadFrequently: true });
-        scratch.imageSmoothingQuality = 'high';
-        scratch.drawImage(document.querySelector('canvas'), 0, 0, w, h);
-        return Array.from(scratch.getImageData(0, 0, w, h).data);
-      },
-      [width, height],
-    );
+  picture() {
+    return this.meanPicture(1, 0);
   }
 
-  /** The mean of several pictures, each of another frame. */
-  async meanPicture(count, framesBetween = 2) {
-    const sum = [];
-    for (let i = 0; i < count; i += 1) {
-      await this.frames(framesBetween);
-      (await this.picture()).forEach((value, index) => (sum[index] = (sum[index] ?? 0) + value / count));
-    }
-    return sum;
+  /** The mean of several pictures, each this many frames after the one before. */
+  meanPicture(count, framesBetween = 2) {
+    return this.page.evaluate(
+      async ([pictures, between, patience]) => {
+        const [width, height] = [160, 90];
+        const scratch = new OffscreenCanvas(width, height).getContext('2d', { willReadFrequently: true });
+        scratch.imageSmoothingQuality = 'high';
+        const presented = () => Number(document.documentElement.dataset.frames);
+        const sum = new Float64Array(width * height * 4);
+        for (let i = 0; i < pictures; i += 1) {
+          const goal = presented() + between;
+          const end = performance.now() + patience;
+          while (presented() < goal) {
+            if (performance.now() > end) throw new Error('no frames come');
+            await new Promise((resolve) => requestAnimationFrame(resolve));
+          }
+          scratch.drawImage(document.querySelector('canvas'), 0, 0, width, height);
+          scratch.getImageData(0, 0, width, height).data.forEach((value, index) => (sum[index] += value));
+        }
+        return Array.from(sum, (value) => value / pictures);
+      },
+      [count, framesBetween, kPatience],
+    );
   }
 
   /** Leaves; the page must not have complained, except about what the test expects. */
