@@ -1,15 +1,12 @@
 #include "stream/websocket_server.h"
 
 #include <libwebsockets.h>
-#include <netdb.h>
-#include <sys/socket.h>
 
 #include <algorithm>
 #include <array>
 #include <atomic>
 #include <cassert>
 #include <map>
-#include <mutex>
 #include <optional>
 #include <set>
 #include <span>
@@ -17,15 +14,17 @@
 #include <thread>
 #include <vector>
 
-#include "pipeline/embedded.h"
 #include "base/error.h"
 #include "base/log.h"
+#include "pipeline/embedded.h"
 #include "stream/connection.h"
 #include "stream/listen_address.h"
 #include "stream/live_reports.h"
 #include "stream/origin.h"
 #include "stream/printable.h"
+#include "stream/waker.h"
 #include "stream/web_pages.h"
+#include "stream/wsi.h"
 #include "world/world.h"
 
 namespace grove::stream {
@@ -50,47 +49,6 @@ constexpr lws_protocol_vhost_options kSecurityHeaders = {
     "content-security-policy:", "default-src 'self'; connect-src 'self' ws: wss:; img-src 'self' blob: data:"};
 
 void logLibraryLine(int /*level*/, const char* line) { log::error(printable(line, 300)); }
-
-std::string header(lws* wsi, lws_token_indexes token) {
-  std::string value(static_cast<std::size_t>(lws_hdr_total_length(wsi, token)) + 1, '\0');
-  const int length = lws_hdr_copy(wsi, value.data(), static_cast<int>(value.size()), token);
-  value.resize(static_cast<std::size_t>(std::max(0, length)));
-  return value;
-}
-
-std::string nameOfPeer(lws* wsi) {
-  sockaddr_storage address{};
-  socklen_t size = sizeof address;
-  auto* generic = reinterpret_cast<sockaddr*>(&address);
-  std::array<char, NI_MAXHOST> host{};
-  std::array<char, NI_MAXSERV> port{};
-  if (getpeername(lws_get_socket_fd(wsi), generic, &size) != 0) return "somebody";
-  getnameinfo(generic, size, host.data(), host.size(), port.data(), port.size(), NI_NUMERICHOST | NI_NUMERICSERV);
-  return std::string(host.data()) + ":" + port.data();
-}
-
-void giveCloseReason(lws* wsi, const Refusal& why) {
-  std::vector<unsigned char> reason(why.reason.begin(), why.reason.end());
-  lws_close_reason(wsi, static_cast<lws_close_status>(why.code), reason.data(), reason.size());
-}
-
-/// The one way into the service thread; it may be called when the server is gone.
-class Waker {
- public:
-  explicit Waker(lws_context* context) : context_(context) {}
-  void wake() {
-    const std::lock_guard lock(mutex_);
-    if (context_ != nullptr) lws_cancel_service(context_);
-  }
-  void retire() {
-    const std::lock_guard lock(mutex_);
-    context_ = nullptr;
-  }
-
- private:
-  std::mutex mutex_;
-  lws_context* context_;
-};
 
 }  // namespace
 

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <libwebsockets.h>
+
+#include <string>
+
+#include "stream/protocol.h"
+
+// What is asked of the library about one of its sockets; on its service thread only.
+namespace grove::stream {
+
+/// A header of the request; empty if there is none.
+[[nodiscard]] std::string header(lws* wsi, lws_token_indexes token);
+
+/// ADDRESS:PORT, for the log.
+[[nodiscard]] std::string nameOfPeer(lws* wsi);
+
+/// The code and the words with which the socket will be closed.
+void giveCloseReason(lws* wsi, const Refusal& why);
+
+}  // namespace grove::stream
