@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/figures.h"
 #include "objects/fluid/diagnostics.h"
 #include "objects/fluid/fluid_simulation.h"
 #include "pipeline/clocks.h"
@@ -88,11 +89,6 @@ world::Player walker(double time) {
   player.pose.position = {1.6F * std::cos(angle), world::kEyeHeight, 1.6F * std::sin(angle)};
   player.velocity = {-1.76F * std::sin(angle), 0.0F, 1.76F * std::cos(angle)};
   return player;
-}
-
-double median(std::vector<double> values) {
-  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
-  return values[values.size() / 2];
 }
 
 constexpr double kMs = 1.0e-6;  // per nanosecond

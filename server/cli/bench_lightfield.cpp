@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "bake/bake.h"
+#include "cli/figures.h"
 #include "cli/lightfield_quality.h"
 #include "cli/progress.h"
 #include "measure/memory_use.h"
@@ -115,12 +116,6 @@ Speed renderAll(const LightField& field, const std::vector<lightfield::ObjectCam
   speed.wallSeconds = static_cast<double>(pipeline::wallNanoseconds() - begin) * 1.0e-9;
   speed.cpuMsPerRequest = static_cast<double>(cpu) * 1.0e-6 / static_cast<double>(cameras.size());
   return speed;
-}
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 /// Medians over repeats, after a first one that brings the file into memory.

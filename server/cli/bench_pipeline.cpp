@@ -12,6 +12,8 @@
 #include <thread>
 #include <utility>
 
+#include "base/error.h"
+#include "cli/figures.h"
 #include "cli/prepare_world.h"
 #include "cli/progress.h"
 #include "cli/stop_on_signal.h"
@@ -23,7 +25,6 @@
 #include "objects/builtin.h"
 #include "pipeline/clocks.h"
 #include "pipeline/embedded.h"
-#include "base/error.h"
 #include "stream/headless_session.h"
 #include "stream/host.h"
 #include "world/scene_file.h"
@@ -127,13 +128,11 @@ std::optional<Row> measureRow(const BenchPipelineOptions& options, int framesInF
   return evaluate(framesInFlight, options.users, window, host.timeline().events());
 }
 
-double round(double value) { return std::round(value * 1000.0) / 1000.0; }
-
 ordered_json toJson(const measure::Use& use) {
   return {{"runs", use.runs},
-          {"wall_ms_per_run", round(use.wallMillisecondsPerRun)},
-          {"cpu_ms_per_run", round(use.cpuMillisecondsPerRun)},
-          {"utilisation", round(use.utilisation)}};
+          {"wall_ms_per_run", rounded(use.wallMillisecondsPerRun, 3)},
+          {"cpu_ms_per_run", rounded(use.cpuMillisecondsPerRun, 3)},
+          {"utilisation", rounded(use.utilisation, 3)}};
 }
 
 ordered_json toJson(const Row& row) {
@@ -143,11 +142,11 @@ ordered_json toJson(const Row& row) {
     for (const auto& [type, use] : stage.types) entry["types"][type] = toJson(use);
   }
   return {{"frames_in_flight", row.framesInFlight},
-          {"seconds", round(row.window.seconds())},
+          {"seconds", rounded(row.window.seconds(), 3)},
           {"frames", row.frames.size()},
-          {"frames_per_second", round(row.framesPerSecond)},
-          {"latency_ms", {{"p50", round(row.latency(0.5))}, {"p99", round(row.latency(0.99))}}},
-          {"overlap", round(row.overlap)},
+          {"frames_per_second", rounded(row.framesPerSecond, 3)},
+          {"latency_ms", {{"p50", rounded(row.latency(0.5), 3)}, {"p99", rounded(row.latency(0.99), 3)}}},
+          {"overlap", rounded(row.overlap, 3)},
           {"bottleneck", measure::bottleneck(row.stages)},
           {"stages", std::move(stages)}};
 }

@@ -6,22 +6,22 @@
 #include <nlohmann/json.hpp>
 
 #include "base/log.h"
+#include "cli/figures.h"
 #include "stream/load_client.h"
 
 namespace grove::cli {
 namespace {
 
-double round(double value, double digits = 100.0) { return std::round(value * digits) / digits; }
-
 void printJson(const stream::LoadReport& report) {
   const nlohmann::ordered_json document = {
       {"sessions", report.sessions},
-      {"fps", {{"min", round(report.fpsMin)}, {"p50", round(report.fpsP50)}}},
-      {"latency_ms", {{"p50", round(report.latencyP50Milliseconds)}, {"p99", round(report.latencyP99Milliseconds)}}},
-      {"mbit_per_s", round(report.mbitPerSecond)},
+      {"fps", {{"min", rounded(report.fpsMin, 2)}, {"p50", rounded(report.fpsP50, 2)}}},
+      {"latency_ms",
+       {{"p50", rounded(report.latencyP50Milliseconds, 2)}, {"p99", rounded(report.latencyP99Milliseconds, 2)}}},
+      {"mbit_per_s", rounded(report.mbitPerSecond, 2)},
       {"dropped", report.dropped},
       {"errors", report.errors.size()},
-      {"seconds", round(report.seconds)},
+      {"seconds", rounded(report.seconds, 2)},
       {"frames", report.frames},
   };
   std::printf("%s\n", document.dump().c_str());

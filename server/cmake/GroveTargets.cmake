@@ -98,7 +98,8 @@ function(grove_test name)
   endif()
   add_test(NAME ${name} COMMAND ${name})
   # What is freed is given back soon, for there are tests of memory; undefined behaviour fails the test that shows it.
-  set_tests_properties(${name} PROPERTIES TIMEOUT ${arg_TIMEOUT}
+  # What may take long starts first.
+  set_tests_properties(${name} PROPERTIES TIMEOUT ${arg_TIMEOUT} COST ${arg_TIMEOUT}
     ENVIRONMENT "GROVE_CACHE=${CMAKE_BINARY_DIR}/cache;ASAN_OPTIONS=quarantine_size_mb=16;UBSAN_OPTIONS=halt_on_error=1:print_stacktrace=1;TSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/tests/tsan.supp;LSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/tests/lsan.supp")
   if(arg_CONCURRENT)
     set_tests_properties(${name} PROPERTIES LABELS concurrent)

@@ -9,11 +9,6 @@ namespace {
 
 constexpr std::size_t kPixelBytes = sizeof(std::uint32_t) + sizeof(float);
 
-struct Memory {
-  std::unique_ptr<std::uint32_t[]> words;  // colour, then depth
-  std::size_t touched = 0;                 // pixels of the largest image so far: beyond, the process holds nothing
-};
-
 // Sizes are rounded up so that a moving object's slightly different rectangles share memory.
 std::size_t roundedPixels(std::size_t pixels) {
   const std::size_t granule = std::max<std::size_t>(1024, std::bit_ceil(pixels) / 8);
@@ -23,6 +18,11 @@ std::size_t roundedPixels(std::size_t pixels) {
 }  // namespace
 
 struct ImagePool::Store {
+  struct Memory {
+    std::unique_ptr<std::uint32_t[]> words;  // colour, then depth
+    std::size_t touched = 0;                 // pixels of the largest image so far: beyond, the process holds nothing
+  };
+
   explicit Store(std::size_t most) : mostBytes(most) {}
 
   const std::size_t mostBytes;
@@ -96,7 +96,7 @@ std::shared_ptr<Image> ImagePool::acquire(const world::Rect& rect) {
   struct Owned {
     Image image;
     std::size_t pixels = 0;
-    Memory memory;
+    Store::Memory memory;
     std::shared_ptr<Store> store;
 
     Owned() = default;

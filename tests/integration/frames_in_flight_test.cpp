@@ -18,7 +18,7 @@ namespace {
 
 using pipeline::TimelineEvent;
 
-const std::string kScene = R"(
+const std::string kSmallFire = R"(
 name = "test clearing"
 spawn = [0, 0, 9]
 [[object]]
@@ -66,14 +66,14 @@ int mostInFlight(const std::vector<TimelineEvent>& events) {
 }
 
 TEST(FramesInFlight, OneIsFinishedBeforeTheNextBegins) {
-  ServedScene served(kScene, inFlight(1));
+  ServedScene served(kSmallFire, inFlight(1));
   stream::HeadlessSession visitor(served.host, "a", 640, 360);
   ASSERT_TRUE(visitor.frameAfter(100, kPatience));
   EXPECT_EQ(mostInFlight(served.host.timeline().events()), 1);
 }
 
 TEST(FramesInFlight, FourOverlap) {
-  ServedScene served(kScene, inFlight(4));
+  ServedScene served(kSmallFire, inFlight(4));
   stream::HeadlessSession visitor(served.host, "a", 1920, 1080);
   int most = 0;
   for (node::FrameNumber seen = 0; most < 2;) {
@@ -87,7 +87,7 @@ TEST(FramesInFlight, FourOverlap) {
 }
 
 TEST(FramesInFlight, TheTraceOfARealServerIsSound) {
-  ServedScene served(kScene, inFlight(4));
+  ServedScene served(kSmallFire, inFlight(4));
   stream::HeadlessSession a(served.host, "a", 320, 180);
   stream::HeadlessSession b(served.host, "b", 320, 180);
   ASSERT_TRUE(a.frameAfter(50, kPatience));
@@ -105,7 +105,7 @@ TEST(FramesInFlight, TheTraceOfARealServerIsSound) {
 TEST(FramesInFlight, TheTimelineKeepsAsManyRunsAsAskedFor) {
   stream::HostOptions options = inFlight(1);
   options.timelineEvents = 64;
-  ServedScene served(kScene, options);
+  ServedScene served(kSmallFire, options);
   stream::HeadlessSession visitor(served.host, "a", 160, 90);
   ASSERT_TRUE(visitor.frameAfter(30, kPatience));
   EXPECT_EQ(served.host.timeline().events().size(), 64U);

@@ -15,8 +15,8 @@ using world::Vec2;
 using world::Vec3;
 
 constexpr float kTuftsPerSquareMetre = 560.0F;
-constexpr float kSine60 = 0.5F * std::numbers::sqrt3_v<float>;
-constexpr float kArea = 3.0F * kSine60 * kTileRadius * kTileRadius;
+constexpr float kApothem = 0.5F * std::numbers::sqrt3_v<float>;
+constexpr float kArea = 3.0F * kApothem * kTileRadius * kTileRadius;
 
 /// Sows one tile.
 class Gardener {
@@ -68,7 +68,7 @@ class Gardener {
 
   Vec2 anywhere() {
     for (;;) {
-      const Vec2 place(random_.range(-kTileRadius, kTileRadius), kSine60 * random_.range(-kTileRadius, kTileRadius));
+      const Vec2 place(random_.range(-kTileRadius, kTileRadius), kApothem * random_.range(-kTileRadius, kTileRadius));
       if (insideTile(place) > 0.0F) return place;
     }
   }
@@ -94,9 +94,9 @@ class Gardener {
       const float inside = common.range(0.0F, kCommonDepth);
       const float along = common.range(-0.5F, 0.5F) * kTileRadius;
       Random own = common.fork();
-      const float distance = kSine60 * kTileRadius - inside;  // from the centre, along the edge's normal
-      const Vec2 place(kSine60 * distance - 0.5F * along, 0.5F * distance + kSine60 * along);
-      const bool nearestEdge = std::abs(along) * 2.0F * kSine60 < distance;
+      const float distance = kApothem * kTileRadius - inside;  // from the centre, along the edge's normal
+      const Vec2 place(kApothem * distance - 0.5F * along, 0.5F * distance + kApothem * along);
+      const bool nearestEdge = std::abs(along) * 2.0F * kApothem < distance;
       if (!nearestEdge || own.unit() > commonShare(place)) continue;
       tuft(place, own);
       if (own.chance(0.012F)) herbs_.daisy(onSoil(place), own.fork());

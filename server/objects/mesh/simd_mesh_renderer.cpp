@@ -2,48 +2,12 @@
 
 #include <utility>
 
+#include "objects/mesh/cut_triangles.h"
 #include "objects/mesh/detail.h"
-#include "objects/mesh/near_clip.h"
 #include "objects/mesh/triangle_kernels.h"
 #include "objects/mesh/vertex_light.h"
 
 namespace grove::objects::mesh {
-namespace {
-
-/// Triangles with corners of their own, each as three neighbours.
-struct CutTriangles {
-  std::vector<Corner> corners;
-  std::vector<Triangle> triangles;
-
-  void clear() {
-    corners.clear();
-    triangles.clear();
-  }
-  void add(const std::array<Corner, 3>& triangle) {
-    const auto first = static_cast<std::uint32_t>(corners.size());
-    corners.insert(corners.end(), triangle.begin(), triangle.end());
-    triangles.push_back({first, first + 1, first + 2});
-  }
-};
-
-/// Cuts off what lies before the near depth.
-void cut(std::span<const Triangle> triangles, const ScreenVertices& vertices, const std::vector<float>& lichen,
-         float nearDepth, CutTriangles& out) {
-  out.clear();
-  for (const Triangle& triangle : triangles) {
-    const auto vertex = [&](std::size_t corner) {
-      return vertices.clipVertex(triangle[corner], lichen[triangle[corner]]);
-    };
-    const NearClip clip({vertex(0), vertex(1), vertex(2)}, nearDepth);
-    const std::span<const ClipVertex> polygon = clip.polygon();
-    for (std::size_t i = 2; i < polygon.size(); ++i) {
-      out.add({projected(polygon[0], nearDepth), projected(polygon[i - 1], nearDepth),
-               projected(polygon[i], nearDepth)});
-    }
-  }
-}
-
-}  // namespace
 
 /// The memory of one thread's drawing at hand.
 struct SimdMeshRenderer::Bench {

@@ -11,7 +11,7 @@
 namespace grove::objects::fluid {
 namespace {
 
-constexpr float kTolerance = 4.0e-6F;  // of values up to 1
+constexpr float kAdvectionTolerance = 4.0e-6F;  // of values up to 1
 
 /// The value at (i - move) among the 27 around i, and the extremes of the eight that it is made of.
 struct PlainSample {
@@ -90,7 +90,7 @@ TEST(AdvectionKernels, EveryTargetSamplesAsAPlainLoopDoes) {
             const std::ptrdiff_t at = s * y + x;
             const float move[3] = {0.99F * moves.x[at], 0.99F * moves.y[at], 0.99F * moves.z[at]};
             const PlainSample expected = sample(scene.planes(), s, at, move);
-            ASSERT_NEAR(value[here + at], expected.value, kTolerance) << cells << ' ' << x << ' ' << y;
+            ASSERT_NEAR(value[here + at], expected.value, kAdvectionTolerance) << cells << ' ' << x << ' ' << y;
             ASSERT_EQ(low[here + at], expected.low) << cells << ' ' << x << ' ' << y;
             ASSERT_EQ(high[here + at], expected.high) << cells << ' ' << x << ' ' << y;
           }
@@ -129,7 +129,7 @@ TEST(AdvectionKernels, EveryTargetCorrectsAsAPlainLoopDoes) {
                 static_cast<double>(scene.planes().here[at]) + 0.5 * (static_cast<double>(in[here + at]) - there);
             const double held =
                 std::clamp(better, static_cast<double>(low[here + at]), static_cast<double>(high[here + at]));
-            ASSERT_NEAR(out[here + at], held, kTolerance) << cells << ' ' << x << ' ' << y;
+            ASSERT_NEAR(out[here + at], held, kAdvectionTolerance) << cells << ' ' << x << ' ' << y;
           }
           EXPECT_EQ(out[here + s * y - 1], before[here + s * y - 1]);
           EXPECT_EQ(out[here + s * y + columns], before[here + s * y + columns]);
@@ -156,8 +156,8 @@ TEST(AdvectionKernels, EveryTargetFindsMeansAndExtentsAsPlainLoopsDo) {
       for (int y = 0; y < cells; ++y) {
         for (int x = 0; x < cells + 1; ++x) {
           const std::ptrdiff_t at = s * y + x;
-          ASSERT_NEAR(four[here + at], 0.25F * (m.x[at] + m.x[at + 1] + m.y[at] + m.z[at]), kTolerance);
-          ASSERT_NEAR(two[here + at], 0.5F * (m.x[at] + m.x[at + 1]), kTolerance);
+          ASSERT_NEAR(four[here + at], 0.25F * (m.x[at] + m.x[at + 1] + m.y[at] + m.z[at]), kAdvectionTolerance);
+          ASSERT_NEAR(two[here + at], 0.5F * (m.x[at] + m.x[at + 1]), kAdvectionTolerance);
           longest = std::max({longest, std::fabs(m.x[at]), std::fabs(m.y[at]), std::fabs(m.z[at])});
         }
       }

@@ -11,7 +11,6 @@ namespace grove::objects::fluid {
 namespace {
 
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
-constexpr float kTick = FluidSimulation::kTick;
 
 class FluidSimulationTest : public testing::Test {
  protected:
@@ -22,7 +21,7 @@ class FluidSimulationTest : public testing::Test {
     return result;
   }
   static void run(FluidSimulation& simulation, int ticks) {
-    for (int i = 0; i < ticks; ++i) simulation.step(kTick, {}, {});
+    for (int i = 0; i < ticks; ++i) simulation.step(FluidSimulation::kTick, {}, {});
   }
   static world::Vec3 meanPlace(const FluidSnapshot& snapshot) {
     glm::dvec3 sum(0.0);
@@ -83,8 +82,8 @@ TEST_F(FluidSimulationTest, AGustMovesTheSmokeItsWay) {
     run(blown, 60);
     const world::Gust gust{world::Vec3(0.0F, 0.6F, 0.0F) - 2.5F * direction, direction, 6.0F, 9.0F};
     for (int i = 0; i < 10; ++i) {
-      calm.step(kTick, {}, {});
-      blown.step(kTick, {&gust, 1}, {});
+      calm.step(FluidSimulation::kTick, {}, {});
+      blown.step(FluidSimulation::kTick, {&gust, 1}, {});
     }
     const world::Vec3 way = meanPlace(*blown.snapshot(0.0)) - meanPlace(*calm.snapshot(0.0));
     EXPECT_GT(glm::dot(way, direction), 0.15F);
@@ -101,8 +100,8 @@ TEST_F(FluidSimulationTest, AVisitorWhoWalksPushesTheAirAndNoSmokeIsInside) {
   world::Player player;
   player.velocity = {2.0F, 0.0F, 0.0F};
   for (int i = 0; i < 30; ++i) {
-    player.pose.position = {-1.0F + 2.0F * kTick * static_cast<float>(i), world::kEyeHeight, 0.0F};
-    simulation.step(kTick, {}, {&player, 1});
+    player.pose.position = {-1.0F + 2.0F * FluidSimulation::kTick * static_cast<float>(i), world::kEyeHeight, 0.0F};
+    simulation.step(FluidSimulation::kTick, {}, {&player, 1});
     const auto& solver = simulation.solver();
     ASSERT_LE(relativeResidual(solver.solids(), solver.pressure().pressure(), solver.pressure().rightHandSide()),
               1.2e-4);
@@ -143,7 +142,7 @@ TEST_F(FluidSimulationTest, BadInputIsRefusedOrClamped) {
   const auto& solver = simulation.solver();
   EXPECT_TRUE(std::isfinite(kineticEnergy(solver.layout(), solver.velocity())));
   EXPECT_TRUE(finite(*simulation.snapshot(0.0)));
-  simulation.step(kTick, {}, {});
+  simulation.step(FluidSimulation::kTick, {}, {});
   EXPECT_LE(simulation.outcome().residual, 1.0e-4F);
 }
 

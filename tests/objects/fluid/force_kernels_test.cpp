@@ -12,7 +12,7 @@
 namespace grove::objects::fluid {
 namespace {
 
-constexpr float kTolerance = 5.0e-6F;  // of values up to about 2
+constexpr float kForceTolerance = 5.0e-6F;  // of values up to about 2
 
 /// Fails if a target pushes a face with another cell's wind or warmth, or leaves out a row's end.
 TEST(ForcesKernels, EveryTargetPushesAsPlainLoopsDo) {
@@ -51,7 +51,7 @@ TEST(ForcesKernels, EveryTargetPushesAsPlainLoopsDo) {
                            push.cosine[cosineOf][at[cosineOf]];
                 if (a == 1) expected += 0.25F * (temperature[i] + temperature[i - layout.stride]);
               }
-              ASSERT_NEAR(faces[a][i], expected, kTolerance) << a << ' ' << x << ' ' << y << ' ' << z;
+              ASSERT_NEAR(faces[a][i], expected, kForceTolerance) << a << ' ' << x << ' ' << y << ' ' << z;
             }
           }
         }
@@ -111,7 +111,7 @@ TEST(ForcesKernels, EveryTargetBlowsAndCoolsAsPlainLoopsDo) {
       forEachCell(layout, [&](std::ptrdiff_t i) {
         const double before = static_cast<double>(warm[i]);
         const double cooled = before / (1.0 + 0.05 * (0.28 + 1.6 * before * before * before));
-        ASSERT_NEAR(t[i], cooled > 1.0e-6 ? cooled : 0.0, kTolerance);
+        ASSERT_NEAR(t[i], cooled > 1.0e-6 ? cooled : 0.0, kForceTolerance);
       });
     }
   });
@@ -139,7 +139,7 @@ TEST(ConfinementKernels, EveryTargetConfinesAsPlainLoopsDo) {
       for (int y = -1; y <= n; ++y) {
         for (int x = -1; x <= n; ++x) {
           const std::ptrdiff_t i = layout.index(x, y, kPlane);
-          ASSERT_NEAR(centres[i], 0.5F * (v[i] + v[i + s]), kTolerance) << x << ' ' << y;
+          ASSERT_NEAR(centres[i], 0.5F * (v[i] + v[i + s]), kForceTolerance) << x << ' ' << y;
         }
       }
 
@@ -156,10 +156,10 @@ TEST(ConfinementKernels, EveryTargetConfinesAsPlainLoopsDo) {
           const float ox = (w[i + s] - w[i - s]) - (v[i + p] - v[i - p]);
           const float oy = (u[i + p] - u[i - p]) - (w[i + 1] - w[i - 1]);
           const float oz = (v[i + 1] - v[i - 1]) - (u[i + s] - u[i - s]);
-          ASSERT_NEAR(curl[0][i], ox, kTolerance);
-          ASSERT_NEAR(curl[1][i], oy, kTolerance);
-          ASSERT_NEAR(curl[2][i], oz, kTolerance);
-          ASSERT_NEAR(curl[3][layout.index(x, y, kPlane)], std::sqrt(ox * ox + oy * oy + oz * oz), kTolerance);
+          ASSERT_NEAR(curl[0][i], ox, kForceTolerance);
+          ASSERT_NEAR(curl[1][i], oy, kForceTolerance);
+          ASSERT_NEAR(curl[2][i], oz, kForceTolerance);
+          ASSERT_NEAR(curl[3][layout.index(x, y, kPlane)], std::sqrt(ox * ox + oy * oy + oz * oz), kForceTolerance);
         }
       }
 
@@ -176,9 +176,9 @@ TEST(ConfinementKernels, EveryTargetConfinesAsPlainLoopsDo) {
           const float gy = length[i + s] - length[i - s];
           const float gz = length[i + p] - length[i - p];
           const float g = 0.3F / (std::sqrt(gx * gx + gy * gy + gz * gz) + 0.01F);
-          ASSERT_NEAR(force[0][i], g * (gy * w[i] - gz * v[i]), kTolerance);
-          ASSERT_NEAR(force[1][i], g * (gz * u[i] - gx * w[i]), kTolerance);
-          ASSERT_NEAR(force[2][i], g * (gx * v[i] - gy * u[i]), kTolerance);
+          ASSERT_NEAR(force[0][i], g * (gy * w[i] - gz * v[i]), kForceTolerance);
+          ASSERT_NEAR(force[1][i], g * (gz * u[i] - gx * w[i]), kForceTolerance);
+          ASSERT_NEAR(force[2][i], g * (gx * v[i] - gy * u[i]), kForceTolerance);
         }
       }
 
@@ -192,10 +192,12 @@ TEST(ConfinementKernels, EveryTargetConfinesAsPlainLoopsDo) {
           for (int x = -1; x <= n; ++x) {
             const std::ptrdiff_t i = layout.index(x, y, kPlane);
             const bool isCell = x >= 0 && x < n && y >= 0 && y < n;
-            ASSERT_NEAR(faces[0][i], before[0][i] + (isCell && x > 0 ? 0.5F * (u[i] + u[i - 1]) : 0.0F), kTolerance);
-            ASSERT_NEAR(faces[1][i], before[1][i] + (isCell && y > 0 ? 0.5F * (v[i] + v[i - s]) : 0.0F), kTolerance);
+            ASSERT_NEAR(faces[0][i], before[0][i] + (isCell && x > 0 ? 0.5F * (u[i] + u[i - 1]) : 0.0F),
+                        kForceTolerance);
+            ASSERT_NEAR(faces[1][i], before[1][i] + (isCell && y > 0 ? 0.5F * (v[i] + v[i - s]) : 0.0F),
+                        kForceTolerance);
             ASSERT_NEAR(faces[2][i], before[2][i] + (isCell && !isLowest ? 0.5F * (w[i] + w[i - p]) : 0.0F),
-                        kTolerance);
+                        kForceTolerance);
           }
         }
       }

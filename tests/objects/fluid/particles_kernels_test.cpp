@@ -14,9 +14,9 @@
 namespace grove::objects::fluid {
 namespace {
 
-constexpr int kCells = 24;
+constexpr int kCrowdCells = 24;
 constexpr float kCell = 0.25F;
-constexpr float kTick = 1.0F / 30.0F;
+constexpr float kCrowdStep = 1.0F / 30.0F;
 constexpr float kNewest = 5.5F;
 
 struct Crowd {
@@ -42,7 +42,7 @@ Crowd randomCrowd(int count, float margin) {
   Crowd crowd;
   for (int i = 0; i < count; ++i) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      crowd.values[axis].push_back(uniform(margin, kCells * kCell - margin));
+      crowd.values[axis].push_back(uniform(margin, kCrowdCells * kCell - margin));
       crowd.values[3 + axis].push_back(0.0F);
     }
     crowd.values[6].push_back(uniform(0.0F, 4.0F));
@@ -56,9 +56,9 @@ Crowd randomCrowd(int count, float margin) {
 /// A smooth draught, `fastest` metres a second along each axis.
 Velocity draught(const Layout& layout, float fastest) {
   Velocity velocity(layout);
-  for (int z = -1; z <= kCells + 1; ++z) {
-    for (int y = -1; y <= kCells + 1; ++y) {
-      for (int x = -1; x <= kCells + 1; ++x) {
+  for (int z = -1; z <= kCrowdCells + 1; ++z) {
+    for (int y = -1; y <= kCrowdCells + 1; ++y) {
+      for (int x = -1; x <= kCrowdCells + 1; ++x) {
         const std::ptrdiff_t i = layout.index(x, y, z);
         velocity.x[i] = fastest * std::sin(0.3F * static_cast<float>(y) + 0.2F * static_cast<float>(z));
         velocity.y[i] = fastest * std::cos(0.25F * static_cast<float>(x));
@@ -71,11 +71,11 @@ Velocity draught(const Layout& layout, float fastest) {
 
 /// A floor of stones with gaps, into which particles fall and out of which they are pushed.
 void placeStones(SolidGrid& solids) {
-  constexpr std::size_t kRow = kCells;
+  constexpr std::size_t kRow = kCrowdCells;
   std::vector<std::uint8_t> stones(kRow * kRow * kRow, 0);
-  for (int z = 0; z < kCells; ++z) {
-    for (int y = 0; y < kCells / 2; ++y) {
-      for (int x = 0; x < kCells; ++x) {
+  for (int z = 0; z < kCrowdCells; ++z) {
+    for (int y = 0; y < kCrowdCells / 2; ++y) {
+      for (int x = 0; x < kCrowdCells; ++x) {
         stones[(static_cast<std::size_t>(z) * kRow + static_cast<std::size_t>(y)) * kRow +
                static_cast<std::size_t>(x)] = x % 7 < 3 && z % 5 < 3 ? 1 : 0;
       }
@@ -125,25 +125,25 @@ world::Vec3 octave(world::Vec3 at, float perMetre) {
 /// What moveParticles() says, one by one.
 std::vector<std::uint32_t> movePlainly(Crowd& crowd, const Surroundings& around) {
   const Layout& layout = around.solids.layout();
-  const float edge = static_cast<float>(kCells) - 1.0e-3F;
+  const float edge = static_cast<float>(kCrowdCells) - 1.0e-3F;
   auto& v = crowd.values;
   std::vector<std::uint32_t> dead;
   for (std::size_t i = 0; i < crowd.count(); ++i) {
-    v[6][i] += kTick;
-    v[8][i] *= std::exp(-v[9][i] * kTick);
+    v[6][i] += kCrowdStep;
+    v[8][i] *= std::exp(-v[9][i] * kCrowdStep);
     const world::Vec3 metres(v[0][i], v[1][i], v[2][i]);
     world::Vec3 from = metres / kCell;
     if (v[6][i] >= v[7][i] || (!inAir(around.solids, from) && !pushOut(around.solids, from))) {
       dead.push_back(static_cast<std::uint32_t>(i));
       continue;
     }
-    const world::Vec3 halfway = from + 0.5F * kTick / kCell * sampleAir(layout, around.velocity, from);
+    const world::Vec3 halfway = from + 0.5F * kCrowdStep / kCell * sampleAir(layout, around.velocity, from);
     const world::Vec3 air =
         sampleAir(layout, around.velocity, glm::clamp(halfway, world::Vec3(0.0F), world::Vec3(edge)));
     const float whirl = std::min(0.3F * glm::length(air), 0.7F) * std::min(v[6][i] / 1.2F, 1.0F);
     const world::Vec3 place(metres.x, kNewest - kEddyPace * v[6][i], metres.z);
     const world::Vec3 speed = air + 0.5F * whirl * (0.55F * octave(place, 1.25F) + 0.45F * octave(place, 3.25F));
-    const world::Vec3 to = travel(around.solids, from, kTick / kCell * speed);
+    const world::Vec3 to = travel(around.solids, from, kCrowdStep / kCell * speed);
     if (!inside(layout, to)) dead.push_back(static_cast<std::uint32_t>(i));
     for (int axis = 0; axis < 3; ++axis) {
       v[static_cast<std::size_t>(axis)][i] = kCell * to[axis];
@@ -155,7 +155,7 @@ std::vector<std::uint32_t> movePlainly(Crowd& crowd, const Surroundings& around)
 
 std::vector<std::uint32_t> move(Crowd& crowd, const Surroundings& around) {
   std::vector<std::uint32_t> dead(crowd.count());
-  dead.resize(moveParticles(crowd.arrays(), crowd.count(), around, kTick, kNewest, dead.data()));
+  dead.resize(moveParticles(crowd.arrays(), crowd.count(), around, kCrowdStep, kNewest, dead.data()));
   return dead;
 }
 
@@ -173,7 +173,7 @@ void expectAlike(const Crowd& one, const Crowd& other, float most) {
 /// Fails if a target samples, whirls, stops at solids or ages otherwise, or forgets the last few particles. The fast
 /// draught moves particles by several cells and out of the cube.
 TEST(ParticlesKernels, EveryTargetMovesAsAPlainLoopDoes) {
-  const Layout layout(kCells);
+  const Layout layout(kCrowdCells);
   SolidGrid solids(layout, Sides::outdoors());
   placeStones(solids);
   for (const float fastest : {1.0F, 20.0F}) {
@@ -199,7 +199,7 @@ TEST(ParticlesKernels, EveryTargetMovesAsAPlainLoopDoes) {
 /// Replicas on different processors: after a second the same particles live, at the same places but for a tenth of a
 /// millimetre. (Not next to solids, where a particle that just touches a corner may pass it or not.)
 TEST(ParticlesKernels, TargetsAgreeAfterASecond) {
-  const Layout layout(kCells);
+  const Layout layout(kCrowdCells);
   const SolidGrid solids(layout, Sides::outdoors());
   const Velocity velocity = draught(layout, 1.0F);
   const Surroundings around{solids, velocity, kCell};

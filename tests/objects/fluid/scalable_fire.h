@@ -10,7 +10,6 @@
 
 namespace grove::objects::fluid {
 
-inline constexpr float kTick = FluidSimulation::kTick;
 inline constexpr int kGrid = 32;  // of the scene
 
 /// A fire whose grid is swapped while it burns.
@@ -31,7 +30,7 @@ class ScalableFire : public testing::Test {
     ASSERT_EQ(simulation.current().solver().layout().cells, cells);
   }
   static void run(FluidSimulation& simulation, int ticks) {
-    for (int i = 0; i < ticks; ++i) simulation.step(kTick, {}, {});
+    for (int i = 0; i < ticks; ++i) simulation.step(FluidSimulation::kTick, {}, {});
   }
 
   /// Of the whole fire, in units that do not depend on the cells.

@@ -27,13 +27,13 @@ TEST(CellsAtTest, StepsAreOneAndAHalfAndTwoTimesAsFine) {
 }
 
 TEST_F(ScalableSimulationTest, StateIsTakenOver) {
-  struct Case {
+  struct Change {
     int from;
     int to;
     double lost;  ///< of the energy, at most: the finer the grid, the smoother is what is on it
   };
-  const auto cases = kSanitized ? std::vector<Case>{{32, 48, 0.12}, {64, 32, 0.05}}
-                                : std::vector<Case>{{32, 48, 0.12}, {64, 96, 0.04}, {96, 64, 0.03}, {64, 32, 0.05}};
+  const auto cases = kSanitized ? std::vector<Change>{{32, 48, 0.12}, {64, 32, 0.05}}
+                                : std::vector<Change>{{32, 48, 0.12}, {64, 96, 0.04}, {96, 64, 0.03}, {64, 32, 0.05}};
   for (const auto& [from, to, lost] : cases) {
     auto simulation = scalable(from);
     run(simulation.current(), 60);
@@ -97,8 +97,8 @@ TEST_F(ScalableSimulationTest, GustsBlowOnTheNewGrid) {
   }
   const world::Gust gust{world::Vec3(-1.5F, 0.6F, 2.0F), world::Vec3(1.0F, 0.0F, 0.0F), 6.0F, 9.0F};
   for (int i = 0; i < 10; ++i) {
-    calm.current().step(kTick, {}, {});
-    blown.current().step(kTick, {&gust, 1}, {});
+    calm.current().step(FluidSimulation::kTick, {}, {});
+    blown.current().step(FluidSimulation::kTick, {&gust, 1}, {});
   }
   const auto mean = [](const Particles& particles) {
     double sum = 0.0;

@@ -13,7 +13,7 @@
 namespace grove::objects::fluid {
 namespace {
 
-constexpr float kTolerance = 1.0e-5F;  // of the largest value
+constexpr float kShadingTolerance = 1.0e-5F;  // of the largest value
 
 struct Places {
   std::array<std::vector<float>, 3> at;
@@ -52,7 +52,7 @@ void expectNear(const std::vector<float>& values, const std::vector<double>& exp
   const double most = *std::ranges::max_element(expected);
   ASSERT_GT(most, 0.0);
   for (std::size_t i = 0; i < values.size(); ++i) {
-    ASSERT_NEAR(static_cast<double>(values[i]), expected[i], static_cast<double>(kTolerance) * most) << i;
+    ASSERT_NEAR(static_cast<double>(values[i]), expected[i], static_cast<double>(kShadingTolerance) * most) << i;
   }
 }
 

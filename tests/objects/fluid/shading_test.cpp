@@ -9,13 +9,13 @@
 namespace grove::objects::fluid {
 namespace {
 
-constexpr int kCells = 32;
-constexpr float kSize = 4.0F;
+constexpr int kShadedCells = 32;
+constexpr float kShadedSize = 4.0F;
 
 /// A dense ball of smoke in the middle of the cube.
 Particles puff(const SolidGrid& solids) {
   Particles particles({{2.0F, 2.0F, 2.0F}, 0.8F, 100'000.0F, 4.0F, 7.0F}, 3);
-  particles.inject(solids, 0.1F, kSize / kCells);
+  particles.inject(solids, 0.1F, kShadedSize / kShadedCells);
   std::fill(particles.temperature.begin(), particles.temperature.end(), 0.0F);
   return particles;
 }
@@ -34,11 +34,11 @@ double mean(const Particles& particles, const std::vector<float>& light, world::
 }
 
 TEST(Shading, IsDarkerBelowAndAwayFromTheSun) {
-  const SolidGrid solids(Layout(kCells), Sides::outdoors());
+  const SolidGrid solids(Layout(kShadedCells), Sides::outdoors());
   const Particles particles = puff(solids);
   for (const world::Vec3 sun : {world::sunDirection(), glm::normalize(world::Vec3(-0.3F, 0.2F, -0.9F)),
                                 glm::normalize(world::Vec3(0.9F, 0.1F, -0.1F))}) {
-    Shading shading(kCells, kSize, sun, {});
+    Shading shading(kShadedCells, kShadedSize, sun, {});
     std::vector<float> sky;
     std::vector<float> light;
     shading.shade(particles, solids, sky, light);
@@ -49,11 +49,11 @@ TEST(Shading, IsDarkerBelowAndAwayFromTheSun) {
 }
 
 TEST(Shading, ALoneParticleIsInFullLight) {
-  const SolidGrid solids(Layout(kCells), Sides::outdoors());
+  const SolidGrid solids(Layout(kShadedCells), Sides::outdoors());
   Particles particles({{2.0F, 2.0F, 2.0F}, 0.1F, 10.0F, 4.0F, 7.0F}, 3);
-  particles.inject(solids, 0.1F, kSize / kCells);
+  particles.inject(solids, 0.1F, kShadedSize / kShadedCells);
   ASSERT_EQ(particles.count(), 1U);
-  Shading shading(kCells, kSize, world::sunDirection(), {});
+  Shading shading(kShadedCells, kShadedSize, world::sunDirection(), {});
   std::vector<float> sky;
   std::vector<float> light;
   shading.shade(particles, solids, sky, light);
@@ -62,26 +62,27 @@ TEST(Shading, ALoneParticleIsInFullLight) {
 }
 
 TEST(Shading, SolidsAndTheWorldHideTheSun) {
-  SolidGrid solids(Layout(kCells), Sides::outdoors());
+  SolidGrid solids(Layout(kShadedCells), Sides::outdoors());
   const Particles particles = puff(solids);
   std::vector<float> sky;
   std::vector<float> open;
   std::vector<float> hidden;
   const world::Vec3 sun(1.0F, 0.0F, 0.0F);
-  Shading(kCells, kSize, sun, {}).shade(particles, solids, sky, open);
-  std::vector<std::uint8_t> wall(kCells * kCells * kCells, 0);
-  for (int z = 0; z < kCells; ++z) {
-    for (int y = 0; y < kCells; ++y) {
-      for (int x = 26; x < 30; ++x) wall[static_cast<std::size_t>((z * kCells + y) * kCells + x)] = 1;
+  Shading(kShadedCells, kShadedSize, sun, {}).shade(particles, solids, sky, open);
+  std::vector<std::uint8_t> wall(kShadedCells * kShadedCells * kShadedCells, 0);
+  for (int z = 0; z < kShadedCells; ++z) {
+    for (int y = 0; y < kShadedCells; ++y) {
+      for (int x = 26; x < 30; ++x) wall[static_cast<std::size_t>((z * kShadedCells + y) * kShadedCells + x)] = 1;
     }
   }
   solids.setStatic(wall);
-  Shading(kCells, kSize, sun, {}).shade(particles, solids, sky, hidden);
+  Shading(kShadedCells, kShadedSize, sun, {}).shade(particles, solids, sky, hidden);
   EXPECT_GT(std::accumulate(open.begin(), open.end(), 0.0F), 100.0F);
   EXPECT_EQ(std::accumulate(hidden.begin(), hidden.end(), 0.0F), 0.0F);
 
-  const int coarse = Shading::coarseCells(kCells);
-  Shading shaded(kCells, kSize, sun, std::vector<float>(static_cast<std::size_t>(coarse * coarse * coarse), 0.0F));
+  const int coarse = Shading::coarseCells(kShadedCells);
+  Shading shaded(kShadedCells, kShadedSize, sun,
+                 std::vector<float>(static_cast<std::size_t>(coarse * coarse * coarse), 0.0F));
   shaded.shade(particles, solids, sky, hidden);
   EXPECT_EQ(std::accumulate(hidden.begin(), hidden.end(), 0.0F), 0.0F);
 }

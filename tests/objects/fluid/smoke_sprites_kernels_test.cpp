@@ -7,22 +7,10 @@
 #include <vector>
 
 #include "each_target.h"
-#include "objects/fluid/smoke_scene.h"
+#include "objects/fluid/sprites_by_hand.h"
 
 namespace grove::objects::fluid::testing {
 namespace {
-
-constexpr float kLead = 0.02F;
-constexpr int kScale = 2;
-
-float saturate(float value) { return std::clamp(value, 0.0F, 1.0F); }
-
-/// Off by no more than a hundred-thousandth of the value, or of one.
-void expectNear(float value, float expected, const char* what, std::size_t i) {
-  ASSERT_NEAR(value, expected, 2.0e-5F * std::max(1.0F, std::abs(expected))) << what << " of " << i;
-}
-
-world::Camera camera() { return lookAt({0.5F, 1.7F, 5.0F}, {0.0F, 2.5F, 0.0F}, 321, 181).camera; }
 
 std::uint32_t hash(std::uint32_t seed) {
   seed = (seed ^ seed >> 16U) * 0x7feb352dU;

@@ -12,31 +12,31 @@
 namespace grove::objects::fluid {
 namespace {
 
-constexpr int kCells = 24;  // not a multiple of the longest vectors
+constexpr int kOddCells = 24;  // not a multiple of the longest vectors
 constexpr int kSteps = 50;
-constexpr float kTick = 1.0F / 30.0F;
+constexpr float kOddStep = 1.0F / 30.0F;
 
 /// A fire under a bar, in a wind with whirls.
 std::unique_ptr<FluidSolver> burnt() {
   FluidSolver::Settings settings;
-  settings.cells = kCells;
+  settings.cells = kOddCells;
   settings.size = 3.0F;
   settings.air.wind = {0.4F, 0.0F, -0.2F};
   settings.air.response = 0.5F;
   settings.air.turbulence = 0.8F;
   auto solver = std::make_unique<FluidSolver>(settings);
   std::vector<std::uint8_t> solid;
-  for (int z = 0; z < kCells; ++z) {
-    for (int y = 0; y < kCells; ++y) {
-      for (int x = 0; x < kCells; ++x) solid.push_back(y > 10 && y < 14 && x > 8 && x < 15 ? 1 : 0);
+  for (int z = 0; z < kOddCells; ++z) {
+    for (int y = 0; y < kOddCells; ++y) {
+      for (int x = 0; x < kOddCells; ++x) solid.push_back(y > 10 && y < 14 && x > 8 && x < 15 ? 1 : 0);
     }
   }
   solver->setStatic(solid);
   const HeatSource source{{1.5F, 0.2F, 1.5F}, 0.4F, 0.5F};
   for (int i = 0; i < kSteps; ++i) {
-    solver->advect(kTick);
-    solver->force(kTick, &source, {}, static_cast<double>(i) * static_cast<double>(kTick));
-    solver->confine(kTick);
+    solver->advect(kOddStep);
+    solver->force(kOddStep, &source, {}, static_cast<double>(i) * static_cast<double>(kOddStep));
+    solver->confine(kOddStep);
     const PressureSolver::Outcome outcome = solver->project();
     EXPECT_LE(outcome.residual, 1.0e-4F) << i;
   }
@@ -45,9 +45,9 @@ std::unique_ptr<FluidSolver> burnt() {
 
 float largest(const Layout& layout, const Field& a, const Field* b = nullptr) {
   float most = 0.0F;
-  for (int z = 0; z < kCells; ++z) {
-    for (int y = 0; y < kCells; ++y) {
-      for (int x = 0; x < kCells; ++x) {
+  for (int z = 0; z < kOddCells; ++z) {
+    for (int y = 0; y < kOddCells; ++y) {
+      for (int x = 0; x < kOddCells; ++x) {
         const std::ptrdiff_t i = layout.index(x, y, z);
         most = std::max(most, std::fabs(a[i] - (b != nullptr ? (*b)[i] : 0.0F)));
       }
@@ -61,7 +61,7 @@ float largest(const Layout& layout, const Field& a, const Field* b = nullptr) {
 /// than another, and be better by as much as the solver's tolerance, 1e-4, which is what they are held to. Fails if
 /// some kernel computes something else for a target.
 TEST(TargetAgreementKernels, FiftyStepsGoTheSameWayOnEveryTarget) {
-  constexpr float kTolerance = 1.0e-4F;  // of the fastest, or of the hottest
+  constexpr float kAgreement = 1.0e-4F;  // of the fastest, or of the hottest
   std::unique_ptr<FluidSolver> first;
   tests::onEachTarget([&] {
     std::unique_ptr<FluidSolver> solver = burnt();
@@ -77,11 +77,11 @@ TEST(TargetAgreementKernels, FiftyStepsGoTheSameWayOnEveryTarget) {
                                     largest(layout, first->velocity().z)});
     EXPECT_GT(fastest, 0.8F);
     for (int a = 0; a < 3; ++a) {
-      EXPECT_LT(largest(layout, first->velocity().axis(a), &solver->velocity().axis(a)), kTolerance * fastest) << a;
+      EXPECT_LT(largest(layout, first->velocity().axis(a), &solver->velocity().axis(a)), kAgreement * fastest) << a;
     }
     const float hottest = largest(layout, first->temperature());
     EXPECT_GT(hottest, 0.3F);
-    EXPECT_LT(largest(layout, first->temperature(), &solver->temperature()), kTolerance * hottest);
+    EXPECT_LT(largest(layout, first->temperature(), &solver->temperature()), kAgreement * hottest);
   });
 }
 

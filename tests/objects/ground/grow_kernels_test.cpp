@@ -13,14 +13,14 @@
 namespace grove::objects::ground {
 namespace {
 
-constexpr int kSize = 64;
+constexpr int kGrassTexels = 64;
 constexpr float kMetres = 2.0F;
 
 Pyramid noise() {
   std::mt19937 random(4);
-  std::vector<std::uint32_t> texels(kSize * kSize);
+  std::vector<std::uint32_t> texels(kGrassTexels * kGrassTexels);
   std::ranges::generate(texels, random);
-  return {kSize, std::move(texels)};
+  return {kGrassTexels, std::move(texels)};
 }
 
 /// One sample of the ray through a column, row by row of the texture as it was before it was cut into blocks.
@@ -33,7 +33,7 @@ std::uint32_t sampleAt(const Pyramid& plain, const Frame& frame, const Row& row,
   const double z = frame.eyeZ + depth * (row.ahead * frame.forwardZ + side * frame.sideZ);
   const bool coarser = static_cast<float>((row.row * 5 + tap * 9 + column) * 7 % 16) + 0.5F < sampling.coarser * 16.0F;
   const int level = sampling.level + (coarser ? 1 : 0);
-  const int size = kSize >> level;
+  const int size = kGrassTexels >> level;
   const auto texel = [&](double metres) {
     const double turns = metres / static_cast<double>(kMetres);
     return static_cast<int>((turns - std::floor(turns)) * size) % size;

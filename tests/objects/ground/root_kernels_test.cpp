@@ -12,16 +12,16 @@
 namespace grove::objects::ground {
 namespace {
 
-constexpr int kRow = 300;
+constexpr int kRootRow = 300;
 
 /// Blades that mostly stay below the row, and in every fifth row all do.
 void grow(int reach, std::mt19937& random, GrassRows& grass) {
   for (int above = 1; above <= reach; ++above) {
-    const auto slot = static_cast<std::size_t>((kRow + above) % kRootRows);
-    std::int16_t highest = kRow + kRootRows;
+    const auto slot = static_cast<std::size_t>((kRootRow + above) % kRootRows);
+    std::int16_t highest = kRootRow + kRootRows;
     for (std::size_t column = 0; column < kTile; ++column) {
       const int under = above % 5 == 0 ? 1 : random() % 40 == 0 ? 0 : 1;
-      const auto top = static_cast<std::int16_t>(under > 0 ? kRow + 1 + static_cast<int>(random() % 3) : kRow);
+      const auto top = static_cast<std::int16_t>(under > 0 ? kRootRow + 1 + static_cast<int>(random() % 3) : kRootRow);
       grass.tops[slot * kTile + column] = top;
       highest = std::min(highest, top);
     }
@@ -31,7 +31,7 @@ void grow(int reach, std::mt19937& random, GrassRows& grass) {
 
 int rootAbove(const GrassRows& grass, int reach, std::size_t column) {
   for (int above = reach; above > 0; --above) {
-    if (grass.tops[static_cast<std::size_t>((kRow + above) % kRootRows) * kTile + column] <= kRow) return above;
+    if (grass.tops[static_cast<std::size_t>((kRootRow + above) % kRootRows) * kTile + column] <= kRootRow) return above;
   }
   return 0;
 }
@@ -56,7 +56,7 @@ TEST(RootKernels, TheNearestBladeThatReachesUpIsFoundAndItsShare) {
     for (const int reach : {0, 1, 3, 17, 126}) {
       for (const float pixelsPerMetre : {3.0F, 25.0F, 400.0F}) {
         Row row;
-        row.row = kRow;
+        row.row = kRootRow;
         row.pixelsPerMetre = pixelsPerMetre;
         grow(reach, random, *grass);
         findRoots(row, reach, {*soil, *step, 3}, *grass);

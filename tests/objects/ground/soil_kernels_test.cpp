@@ -12,19 +12,19 @@
 namespace grove::objects::ground {
 namespace {
 
-constexpr int kSize = 64;
+constexpr int kSoilTexels = 64;
 
 Clearing wavy() {
   std::vector<std::uint32_t> texels;
-  for (int y = 0; y < kSize; ++y) {
-    for (int x = 0; x < kSize; ++x) {
+  for (int y = 0; y < kSoilTexels; ++y) {
+    for (int x = 0; x < kSoilTexels; ++x) {
       const auto wave = [&](float along, float across) {
         return 0.5F + 0.5F * std::sin(along * static_cast<float>(x)) * std::cos(across * static_cast<float>(y));
       };
       texels.push_back(packTexel(wave(0.3F, 0.1F), wave(0.2F, 0.4F), wave(0.15F, 0.2F), 0.5F * wave(0.1F, 0.3F)));
     }
   }
-  return {Pyramid(kSize, std::move(texels)), 40.0F};
+  return {Pyramid(kSoilTexels, std::move(texels)), 40.0F};
 }
 
 /// Straight, so that an entry more or less makes little difference.
@@ -38,7 +38,7 @@ ToneTable linear() {
 
 /// Channels of a level at a place in metres, bilinear.
 std::array<float, 4> soilAt(const Clearing& clearing, int level, float metresX, float metresZ) {
-  const int size = kSize >> level;
+  const int size = kSoilTexels >> level;
   const auto place = [&](float metres) {
     const float texel = (metres / clearing.metres + 0.5F) * static_cast<float>(size) - 0.5F;
     return std::clamp(texel, 0.0F, static_cast<float>(size - 1) - 0.001F);

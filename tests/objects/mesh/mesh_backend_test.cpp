@@ -18,7 +18,7 @@ namespace {
 using world::Vec3;
 
 const Vec3 kWhite{0.8F};
-constexpr std::array kAll = {RendererKind::kGl, RendererKind::kSimd, RendererKind::kEmbree};
+constexpr std::array kRenderers = {RendererKind::kGl, RendererKind::kSimd, RendererKind::kEmbree};
 constexpr std::array kFast = {RendererKind::kGl, RendererKind::kSimd};
 
 world::Camera smallCamera() {
@@ -63,7 +63,7 @@ INSTANTIATE_TEST_SUITE_P(Mesh, FastRenderers, testing::ValuesIn(kFast),
                          [](const auto& kind) { return kind.param == RendererKind::kGl ? "Gl" : "Simd"; });
 
 TEST_F(MeshBackendTest, DepthOfABoxIsExact) {
-  for (const RendererKind kind : kAll) {
+  for (const RendererKind kind : kRenderers) {
     world::World world(layoutOf({makeObject(1, makeBox({2, 3, 1}, kWhite), kind, {0, 0, -7.5F})}));
     MeshBackend half(bench_.services(world), 0);
     const auto image = imageOf(ask(half, {{look(smallCamera(), world.objects()), 0}})[0]);
@@ -137,7 +137,7 @@ TEST_F(MeshBackendTest, AllRenderersGiveTheSamePicture) {
   world::Camera camera = smallCamera();
   camera.pose.pitch = -0.25F;
   std::map<RendererKind, std::vector<std::shared_ptr<const node::Image>>> images;
-  for (const RendererKind kind : kAll) images[kind] = twoObjects(bench_, kind, camera);
+  for (const RendererKind kind : kRenderers) images[kind] = twoObjects(bench_, kind, camera);
   for (const auto& [a, b] :
        {std::pair(RendererKind::kGl, RendererKind::kEmbree), std::pair(RendererKind::kSimd, RendererKind::kEmbree),
         std::pair(RendererKind::kSimd, RendererKind::kGl)}) {

@@ -11,8 +11,8 @@
 namespace grove::objects::mesh {
 namespace {
 
-constexpr int kSize = 200;
-constexpr world::Rect kAll{0, 0, kSize, kSize};
+constexpr int kTargetSize = 200;
+constexpr world::Rect kTarget{0, 0, kTargetSize, kTargetSize};
 
 Corner cornerAt(float x, float y) { return {x, y, {0.5F, 0, 0, 0, 0, 0}}; }
 
@@ -31,11 +31,11 @@ std::size_t indexOf(const Canvas& canvas, int x, int y) {
 /// How often each pixel is hit by triangles.
 class Hits {
  public:
-  Hits() { canvas_.rect = kAll; }
+  Hits() { canvas_.rect = kTarget; }
 
   void add(const std::array<Corner, 3>& corners) {
     drawAlone(corners, canvas_);
-    for (int y = 0; y < kSize; ++y) {
+    for (int y = 0; y < kTargetSize; ++y) {
       const node::Span span = canvas_.spans[static_cast<std::size_t>(y)];
       for (int x = span.begin; x < span.end; ++x) {
         if (canvas_.depth[indexOf(canvas_, x, y)] > 0.0F) ++count_[at(x, y)];
@@ -46,9 +46,9 @@ class Hits {
   [[nodiscard]] int of(int x, int y) const { return count_[at(x, y)]; }
 
  private:
-  static std::size_t at(int x, int y) { return static_cast<std::size_t>(y * kSize + x); }
+  static std::size_t at(int x, int y) { return static_cast<std::size_t>(y * kTargetSize + x); }
   Canvas canvas_;
-  std::vector<int> count_ = std::vector<int>(std::size_t{kSize} * kSize);
+  std::vector<int> count_ = std::vector<int>(std::size_t{kTargetSize} * kTargetSize);
 };
 
 /// Where an edge crosses the middle of a row, each step rounded to floats and no two together: the product of two
@@ -73,7 +73,9 @@ node::Span plainSpan(const std::array<Corner, 3>& corners, int row) {
     }
   }
   if (crossings.empty()) return {};
-  const auto column = [](float x) { return static_cast<int>(std::ceil(std::clamp(x - 0.5F, 0.0F, float{kSize}))); };
+  const auto column = [](float x) {
+    return static_cast<int>(std::ceil(std::clamp(x - 0.5F, 0.0F, float{kTargetSize})));
+  };
   return {column(std::ranges::min(crossings)), column(std::ranges::max(crossings))};
 }
 
@@ -84,8 +86,8 @@ TEST(TriangleKernels, APixelBelongsToTheTriangleThatHoldsItsCentre) {
     Hits hits;
     hits.add({cornerAt(10, 10), cornerAt(20, 10), cornerAt(10, 20)});
     int all = 0;
-    for (int y = 0; y < kSize; ++y) {
-      for (int x = 0; x < kSize; ++x) {
+    for (int y = 0; y < kTargetSize; ++y) {
+      for (int x = 0; x < kTargetSize; ++x) {
         all += hits.of(x, y);
         // The slanting edge is the right one, whose pixels are not the triangle's.
         const bool inside = x >= 10 && y >= 10 && (x - 10) + (y - 10) + 1 < 10;
@@ -101,11 +103,11 @@ TEST(TriangleKernels, APixelBelongsToTheTriangleThatHoldsItsCentre) {
 TEST(TriangleKernels, EveryTargetCutsEdgesExactlyAlike) {
   tests::onEachTarget([] {
     std::mt19937 random(3);
-    std::uniform_real_distribution<float> anywhere(-40.0F, kSize + 40.0F);
+    std::uniform_real_distribution<float> anywhere(-40.0F, kTargetSize + 40.0F);
     std::uniform_real_distribution<float> close(-9.0F, 9.0F);
     std::uniform_int_distribution<int> centre(-12, 12);
     Canvas canvas;
-    canvas.rect = kAll;
+    canvas.rect = kTarget;
     int pixels = 0;
     for (int i = 0; i < 3000; ++i) {
       std::array<Corner, 3> corners{};
@@ -120,7 +122,7 @@ TEST(TriangleKernels, EveryTargetCutsEdgesExactlyAlike) {
         }
       }
       drawAlone(corners, canvas);
-      for (int row = 0; row < kSize; ++row) {
+      for (int row = 0; row < kTargetSize; ++row) {
         const node::Span found = canvas.spans[static_cast<std::size_t>(row)];
         const node::Span expected = plainSpan(corners, row);
         if (expected.begin >= expected.end) {
@@ -152,8 +154,8 @@ TEST(TriangleKernels, AFanAroundAPointCoversEachPixelOnce) {
         return cornerAt(centre.x + 70.0F * std::cos(angle), centre.y + 70.0F * std::sin(angle));
       };
       for (int i = 0; i < 23; ++i) hits.add({centre, rim(i), rim(i + 1)});
-      for (int y = 0; y < kSize; ++y) {
-        for (int x = 0; x < kSize; ++x) {
+      for (int y = 0; y < kTargetSize; ++y) {
+        for (int x = 0; x < kTargetSize; ++x) {
           const float out =
               std::hypot(static_cast<float>(x) + 0.5F - centre.x, static_cast<float>(y) + 0.5F - centre.y);
           const int min = out < 68.0F ? 1 : 0;

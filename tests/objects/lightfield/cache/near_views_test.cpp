@@ -12,7 +12,7 @@ using world::Rect;
 using world::Vec3;
 
 constexpr int kSize = 96;
-constexpr float kFocal = 80.0F;
+constexpr float kNearFocal = 80.0F;
 
 /// Looks along -z, turned to the left by `yaw`; (0, 0) is the frame's first pixel.
 ObjectCamera cameraAt(Vec3 eye, float yaw = 0.0F) {
@@ -20,8 +20,8 @@ ObjectCamera cameraAt(Vec3 eye, float yaw = 0.0F) {
   const Vec3 ahead(-std::sin(yaw), 0.0F, -std::cos(yaw));
   ObjectCamera camera;
   camera.eye = eye;
-  camera.perColumn = right / kFocal;
-  camera.perRow = Vec3(0.0F, -1.0F, 0.0F) / kFocal;
+  camera.perColumn = right / kNearFocal;
+  camera.perRow = Vec3(0.0F, -1.0F, 0.0F) / kNearFocal;
   camera.corner = ahead - 0.5F * kSize * (camera.perColumn + camera.perRow);
   return camera;
 }

@@ -16,7 +16,7 @@ using world::Vec3;
 
 constexpr int kWidth = 640;
 constexpr int kHeight = 360;
-constexpr float kFocal = 310.0F;
+constexpr float kTestFocal = 310.0F;
 constexpr float kError = 4.0F;
 
 std::shared_ptr<node::Image> reprojected(const CachedView& view, const ObjectCamera& camera, const world::Rect& rect,
@@ -41,7 +41,7 @@ struct Cached {
   CachedView view;
 
   Cached(const TracedModel& model, Vec3 eye, float error, int samples = 3)
-      : cell(viewCell(model.geometry(), eye, kFocal, error).value()),
+      : cell(viewCell(model.geometry(), eye, kTestFocal, error).value()),
         picture(model.picture(cell.camera, {0, 0, cell.size, cell.size}, samples)),
         view(*picture, cell.camera) {}
 
@@ -51,7 +51,7 @@ struct Cached {
     float outside = 4.0F;
     for (int i = 0; i < 24; ++i) {
       const float middle = 0.5F * (inside + outside);
-      const auto other = viewCell(model.geometry(), cell.camera.eye + middle * way, kFocal, error);
+      const auto other = viewCell(model.geometry(), cell.camera.eye + middle * way, kTestFocal, error);
       (other && other->id == cell.id ? inside : outside) = middle;
     }
     return cell.camera.eye + 0.98F * inside * way;
@@ -77,7 +77,7 @@ TEST(Reprojection, TurningTheHeadCostsOnlyTheResampling) {
   const Cached cached(model, model.geometry().target + Vec3(6, 1.5F, 5), kError, 4);
   const Vec3 eye = cached.cell.camera.eye;
   for (const Vec3 aside : {Vec3(0.4F, 0.1F, 0.0F), Vec3(-1.5F, 0.7F, 1.0F)}) {
-    const ObjectCamera camera = frameCamera(eye, model.geometry().target + aside, kWidth, kHeight, kFocal);
+    const ObjectCamera camera = frameCamera(eye, model.geometry().target + aside, kWidth, kHeight, kTestFocal);
     const world::Rect rect = ballRect(model.geometry(), camera, kWidth, kHeight);
     const auto truth = model.picture(camera, rect, 4);
     EXPECT_GT(psnr(*reprojected(cached.view, camera, rect), *truth), 36.0);
@@ -148,7 +148,7 @@ TEST_P(Moved, LooksAsIfDrawnForTheEyeItself) {
   for (const Vec3 way : {Vec3(0.6F, 0, -0.7F), Vec3(-0.6F, 0, 0.7F), Vec3(0.7F, 0, 0.6F), Vec3(0.3F, 0.4F, -0.4F)}) {
     const Vec3 eye = cached.towards(model, way, kError);
     const ObjectCamera camera =
-        frameCamera(eye, model.geometry().target + Vec3(0.5F, -0.3F, 0.2F), kWidth, kHeight, kFocal);
+        frameCamera(eye, model.geometry().target + Vec3(0.5F, -0.3F, 0.2F), kWidth, kHeight, kTestFocal);
     const world::Rect rect = ballRect(model.geometry(), camera, kWidth, kHeight);
     const auto truth = model.picture(camera, rect, 3);
     const auto image = reprojected(cached.view, camera, rect);
@@ -179,7 +179,7 @@ TEST(Reprojection, ThinBladesDoNotBreak) {
   const TracedModel model = TracedModel::blades(60, 0.02F);
   const Cached cached(model, model.geometry().target + Vec3(5.0F, 1.0F, 5.0F), kError, 4);
   const Vec3 eye = cached.towards(model, {0.7F, 0.0F, -0.7F}, kError);
-  const ObjectCamera camera = frameCamera(eye, model.geometry().target, kWidth, kHeight, kFocal);
+  const ObjectCamera camera = frameCamera(eye, model.geometry().target, kWidth, kHeight, kTestFocal);
   const world::Rect rect = ballRect(model.geometry(), camera, kWidth, kHeight);
   const auto truth = model.picture(camera, rect, 4);
   const auto image = reprojected(cached.view, camera, rect);
@@ -235,7 +235,7 @@ TEST(Reprojection, NearSurfacesHideAndGapsShowWhatIsBehind) {
 TEST(Reprojection, DepthIsThatOfAScaledWorld) {
   const TracedModel model = TracedModel::stillLife();
   const Cached cached(model, model.geometry().target + Vec3(6, 2, 5), kError, 1);
-  ObjectCamera camera = frameCamera(cached.cell.camera.eye, model.geometry().target, kWidth, kHeight, kFocal);
+  ObjectCamera camera = frameCamera(cached.cell.camera.eye, model.geometry().target, kWidth, kHeight, kTestFocal);
   const world::Rect rect = ballRect(model.geometry(), camera, kWidth, kHeight);
   const auto plain = reprojected(cached.view, camera, rect);
   // An object twice as large: a metre of the world is half a metre of the object.
@@ -271,7 +271,7 @@ TEST(Reprojection, PartsOfAFrameAreThoseOfTheWhole) {
   const TracedModel model = TracedModel::crown(2.0F, 2000, 0.2F);
   const Cached cached(model, model.geometry().target + Vec3(7, 0, 5), kError, 1);
   const ObjectCamera camera =
-      frameCamera(cached.cell.camera.eye, model.geometry().target + Vec3(2, 1, 0), kWidth, kHeight, kFocal);
+      frameCamera(cached.cell.camera.eye, model.geometry().target + Vec3(2, 1, 0), kWidth, kHeight, kTestFocal);
   const auto whole = reprojected(cached.view, camera, {0, 0, kWidth, kHeight});
   for (const world::Rect& rect :
        {world::Rect{200, 90, 317, 201}, {0, 0, 1, 1}, {300, 0, 333, 360}, {639, 100, 640, 300}}) {
@@ -296,7 +296,7 @@ TEST(Reprojection, WhatTheCameraDoesNotSeeIsNotThere) {
   const Vec3 eye = cached.cell.camera.eye;
   for (const Vec3 away : {Vec3(6, 0, 5), Vec3(5, 0, -6), Vec3(-5, 0.1F, 6)}) {
     const auto image =
-        reprojected(cached.view, frameCamera(eye, eye + away, kWidth, kHeight, kFocal), {0, 0, kWidth, kHeight});
+        reprojected(cached.view, frameCamera(eye, eye + away, kWidth, kHeight, kTestFocal), {0, 0, kWidth, kHeight});
     EXPECT_EQ(std::ranges::count(image->colour, 0U), kWidth * kHeight);
     EXPECT_EQ(std::ranges::count(image->depth, world::kInfiniteDepth), kWidth * kHeight);
   }
