@@ -12,8 +12,8 @@
 #include <utility>
 #include <vector>
 
-#include "pipeline/executor.h"
 #include "base/log.h"
+#include "pipeline/executor.h"
 #include "pipeline/queue.h"
 #include "pipeline/timeline.h"
 
@@ -122,11 +122,15 @@ class Stage : public Inlet<In>, public std::enable_shared_from_this<Stage<In>> {
     return result;
   }
 
-  /// Posts a run unless enough are already posted or under way.
+  /// Posts a run, or, if enough are posted or under way, lets the first of them to end do so: it may have looked for
+  /// room before there was any.
   void schedule() {
     {
       const std::lock_guard lock(mutex_);
-      if (posted_ >= options_.concurrency) return;
+      if (posted_ >= options_.concurrency) {
+        again_ = true;
+        return;
+      }
       ++posted_;
     }
     executor_.post([self = this->shared_from_this()] { self->runPosted(); });
@@ -149,6 +153,7 @@ class Stage : public Inlet<In>, public std::enable_shared_from_this<Stage<In>> {
     {
       const std::lock_guard lock(mutex_);
       --posted_;
+      ready = std::exchange(again_, false) || ready;
     }
     // Without room, the callback left with the outlet schedules the next run.
     if (ready && queue_.size() > 0) schedule();
@@ -202,6 +207,7 @@ class Stage : public Inlet<In>, public std::enable_shared_from_this<Stage<In>> {
   std::vector<OutletBase*> outlets_;
   std::mutex mutex_;
   int posted_ = 0;
+  bool again_ = false;  // a run was wanted while enough were posted
 };
 
 }  // namespace grove::pipeline

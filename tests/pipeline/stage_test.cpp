@@ -64,6 +64,26 @@ class Collect final : public Stage<int> {
   std::vector<int> values_;
 };
 
+/// Has no room when first asked, and room as soon as it has said so, before who asked does anything else.
+class RoomAtOnce final : public Inlet<int> {
+ public:
+  PushResult push(int) override { return PushResult::kRejected; }
+  bool tryReserve(std::function<void()> onRoom) override {
+    if (asked_.exchange(true)) return true;
+    onRoom();
+    return false;
+  }
+  void cancelReservation() override {}
+  PushResult pushReserved(int value) override {
+    got = value;
+    return PushResult::kAccepted;
+  }
+  std::atomic<int> got{0};
+
+ private:
+  std::atomic<bool> asked_{false};
+};
+
 /// Two runs wait for each other.
 class Meet final : public Stage<int> {
  public:
@@ -126,6 +146,17 @@ TEST(Stage, AFullSuccessorHoldsBackItsPredecessors) {
   }
   ASSERT_TRUE(eventually([&] { return collect->values().size() == 100; })) << "nothing may be lost by back-pressure";
   EXPECT_LE(collect->mostQueued, 2u);
+}
+
+// The run that found no room is still under way when it is told of some.
+TEST(Stage, RoomThatComesWhileARunLooksForItIsNotForgotten) {
+  Timeline timeline;
+  WorkerPool pool(1);
+  const auto add = std::make_shared<AddOne>(named("add", 4), pool, timeline);
+  const auto next = std::make_shared<RoomAtOnce>();
+  add->connect(next);
+  add->push(1);
+  EXPECT_TRUE(eventually([&] { return next->got == 2; }));
 }
 
 TEST(Stage, AnExceptionEndsItsRunOnly) {
