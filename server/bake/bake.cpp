@@ -21,12 +21,12 @@
 #include "bake/view_plan.h"
 #include "bake/view_renderer.h"
 #include "bake/voxelize.h"
+#include "base/error.h"
 #include "models/plants/plants.h"
 #include "objects/lightfield/format/checksum.h"
 #include "objects/lightfield/format/light_field_file.h"
 #include "objects/lightfield/format/view_packer.h"
 #include "pipeline/clocks.h"
-#include "base/error.h"
 #include "world/camera.h"
 
 namespace grove::bake {

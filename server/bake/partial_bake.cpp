@@ -13,9 +13,9 @@
 #include <system_error>
 #include <utility>
 
+#include "base/error.h"
 #include "objects/lightfield/format/checksum.h"
 #include "objects/lightfield/format/mapped_file.h"
-#include "base/error.h"
 
 namespace grove::bake {
 

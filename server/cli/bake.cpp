@@ -3,11 +3,11 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "base/log.h"
 #include "cli/progress.h"
 #include "cli/stop_on_signal.h"
 #include "models/gltf/gltf_import.h"
 #include "models/plants/plants.h"
-#include "base/log.h"
 
 namespace grove::cli {
 namespace {

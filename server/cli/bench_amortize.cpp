@@ -9,11 +9,11 @@
 #include <tuple>
 #include <utility>
 
+#include "base/error.h"
 #include "cli/bench_amortize_report.h"
 #include "cli/prepare_world.h"
 #include "cli/progress.h"
 #include "cli/stop_on_signal.h"
-#include "base/error.h"
 #include "stream/session.h"
 
 namespace grove::cli {

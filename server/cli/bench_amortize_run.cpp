@@ -6,13 +6,13 @@
 #include <thread>
 #include <vector>
 
+#include "base/error.h"
+#include "base/log.h"
 #include "gl/workers.h"
 #include "measure/thread_times.h"
 #include "node/registry.h"
 #include "node/transport/packed_loopback.h"
 #include "objects/builtin.h"
-#include "base/error.h"
-#include "base/log.h"
 #include "stream/headless_session.h"
 #include "stream/load_report.h"
 #include "stream/stroll.h"

@@ -14,10 +14,10 @@
 #include <thread>
 
 #include "bake/bake.h"
+#include "base/error.h"
 #include "models/model_source.h"
 #include "objects/lightfield/light_field_source.h"
 #include "pipeline/embedded.h"
-#include "base/error.h"
 
 namespace grove::cli {
 namespace {

@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <utility>
 
+#include "base/log.h"
 #include "cli/host_port.h"
 #include "cli/prepare_world.h"
 #include "cli/progress.h"
@@ -11,7 +12,6 @@
 #include "gl/workers.h"
 #include "node/registry.h"
 #include "objects/builtin.h"
-#include "base/log.h"
 #include "stream/listen_address.h"
 #include "stream/websocket_server.h"
 

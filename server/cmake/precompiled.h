@@ -1,7 +1,7 @@
 #pragma once
 
-// What most files of the floors include, parsed once (see grove_library). Files still include what they use: the presets
-// dev and tidy build without this.
+// What most files of the floors include, parsed once (see grove_library). Files still include what they use: the
+// presets dev and tidy build without this.
 #include <algorithm>
 #include <array>
 #include <atomic>

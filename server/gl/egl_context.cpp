@@ -5,8 +5,8 @@
 #include <cstring>
 #include <vector>
 
-#include "gl/native_context.h"
 #include "base/error.h"
+#include "gl/native_context.h"
 
 namespace grove::gl {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <array>
 
-#include "gl/native_context.h"
 #include "base/error.h"
+#include "gl/native_context.h"
 
 namespace grove::gl {
 namespace {

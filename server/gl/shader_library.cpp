@@ -5,8 +5,8 @@
 #include <sstream>
 #include <utility>
 
-#include "pipeline/embedded.h"
 #include "base/error.h"
+#include "pipeline/embedded.h"
 
 namespace grove::gl {
 namespace {

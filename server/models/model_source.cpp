@@ -10,8 +10,8 @@
 #include <string_view>
 #include <vector>
 
-#include "models/gltf/gltf_import.h"
 #include "base/error.h"
+#include "models/gltf/gltf_import.h"
 
 namespace grove::models {
 namespace {

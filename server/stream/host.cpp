@@ -7,10 +7,10 @@
 #include <string>
 #include <utility>
 
+#include "base/log.h"
 #include "gl/workers.h"
 #include "node/limits.h"
 #include "node/transport/in_process.h"
-#include "base/log.h"
 
 namespace grove::stream {
 namespace {

@@ -11,8 +11,8 @@
 #include "bake/models.h"
 #include "bake/partial_bake.h"
 #include "bake/voxelize.h"
-#include "objects/lightfield/format/light_field_file.h"
 #include "base/error.h"
+#include "objects/lightfield/format/light_field_file.h"
 
 namespace grove::bake {
 namespace {

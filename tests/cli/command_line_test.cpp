@@ -25,9 +25,8 @@ using testing::StartsWith;
 std::ptrdiff_t lines(const std::string& text) { return std::ranges::count(text, '\n'); }
 
 TEST(CommandLine, HelpEverywhere) {
-  for (const char* command :
-       {"--help", "serve --help", "load --help", "bench --help", "bench fluid --help", "bench amortize --help",
-        "bench pipeline --help"}) {
+  for (const char* command : {"--help", "serve --help", "load --help", "bench --help", "bench fluid --help",
+                              "bench amortize --help", "bench pipeline --help"}) {
     const Outcome outcome = grove(command, false);
     EXPECT_EQ(outcome.exit, 0) << command;
     EXPECT_THAT(outcome.output, HasSubstr("--help")) << command;

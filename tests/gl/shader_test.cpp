@@ -4,10 +4,10 @@
 #include <filesystem>
 #include <fstream>
 
+#include "base/error.h"
 #include "gl/context.h"
 #include "gl/program.h"
 #include "gl/shader_library.h"
-#include "base/error.h"
 
 namespace grove::gl {
 namespace {

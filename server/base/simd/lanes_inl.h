@@ -26,16 +26,16 @@ struct Floats {
   hn::Vec<FloatTag> raw;
 
   Floats() : raw(hn::Zero(FloatTag())) {}
-  Floats(hn::Vec<FloatTag> value) : raw(value) {}                // NOLINT(google-explicit-constructor)
-  Floats(float value) : raw(hn::Set(FloatTag(), value)) {}       // NOLINT(google-explicit-constructor)
+  Floats(hn::Vec<FloatTag> value) : raw(value) {}           // NOLINT(google-explicit-constructor)
+  Floats(float value) : raw(hn::Set(FloatTag(), value)) {}  // NOLINT(google-explicit-constructor)
 };
 
 struct Ints {
   hn::Vec<IntTag> raw;
 
   Ints() : raw(hn::Zero(IntTag())) {}
-  Ints(hn::Vec<IntTag> value) : raw(value) {}                    // NOLINT(google-explicit-constructor)
-  Ints(std::int32_t value) : raw(hn::Set(IntTag(), value)) {}    // NOLINT(google-explicit-constructor)
+  Ints(hn::Vec<IntTag> value) : raw(value) {}                  // NOLINT(google-explicit-constructor)
+  Ints(std::int32_t value) : raw(hn::Set(IntTag(), value)) {}  // NOLINT(google-explicit-constructor)
 };
 
 /// True or false in each lane. One mask serves both kinds of lanes.
@@ -43,7 +43,7 @@ struct Mask {
   hn::Mask<FloatTag> raw;
 
   Mask() : raw(hn::MaskFromVec(hn::Zero(FloatTag()))) {}
-  Mask(hn::Mask<FloatTag> value) : raw(value) {}                 // NOLINT(google-explicit-constructor)
+  Mask(hn::Mask<FloatTag> value) : raw(value) {}  // NOLINT(google-explicit-constructor)
 };
 
 // Free functions, not friends: GCC 12 does not compile friends for the target.

@@ -1,6 +1,6 @@
 // Look-ups of memory by a vector of indices. For kernels: included once per target.
-// By plain loads, four lanes at a time: a gather instruction took as long as these, and takes longer on processors where
-// microcode guards it.
+// By plain loads, four lanes at a time: a gather instruction took as long as these, and takes longer on processors
+// where microcode guards it.
 
 #if defined(GROVE_BASE_SIMD_LOOK_UP_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef GROVE_BASE_SIMD_LOOK_UP_INL_H
@@ -86,8 +86,8 @@ HWY_INLINE Pair lookUpPair(const std::uint16_t* base, Ints at) {
   const Indices indices(at);
   const auto both = joinQuads<std::uint32_t>([&](int lane) {
     const auto value = [&](int i) { return hn::LoadU(pair, base + indices[lane + i]); };
-    return hn::BitCast(QuadTag<std::uint32_t>(), hn::Combine(four, hn::Combine(two, value(3), value(2)),
-                                                             hn::Combine(two, value(1), value(0))));
+    return hn::BitCast(QuadTag<std::uint32_t>(),
+                       hn::Combine(four, hn::Combine(two, value(3), value(2)), hn::Combine(two, value(1), value(0))));
   });
   const Ints pairs = hn::BitCast(IntTag(), both);
   return {pairs & 0xFFFF, shiftRight<16>(pairs)};
@@ -98,9 +98,7 @@ struct FloatPair {
   Floats second;
 };
 
-HWY_INLINE FloatPair lookUpPair(const float* base, Ints at) {
-  return {lookUp(base, at), lookUp(base + 1, at)};
-}
+HWY_INLINE FloatPair lookUpPair(const float* base, Ints at) { return {lookUp(base, at), lookUp(base + 1, at)}; }
 
 }  // namespace grove::simd::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

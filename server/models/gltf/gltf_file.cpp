@@ -6,8 +6,8 @@
 #include <string_view>
 #include <system_error>
 
-#include "models/gltf/gltf_import.h"
 #include "base/log.h"
+#include "models/gltf/gltf_import.h"
 
 namespace grove::models {
 namespace {

@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <string>
 
-#include "models/model.h"
 #include "base/error.h"
+#include "models/model.h"
 
 namespace grove::models {
 

@@ -9,9 +9,9 @@
 #include <memory>
 #include <span>
 
+#include "base/log.h"
 #include "models/gltf/gltf_accessor.h"
 #include "models/gltf/gltf_import.h"
-#include "base/log.h"
 
 namespace grove::models {
 namespace {

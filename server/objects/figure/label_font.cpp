@@ -4,9 +4,9 @@
 #include <cmath>
 #include <span>
 
+#include "base/error.h"
 #include "objects/figure/utf8.h"
 #include "pipeline/embedded.h"
-#include "base/error.h"
 
 #define STBTT_STATIC
 #define STB_TRUETYPE_IMPLEMENTATION

@@ -11,12 +11,12 @@
 #include <utility>
 #include <vector>
 
+#include "base/log.h"
 #include "objects/fluid/fluid_clock.h"
 #include "objects/fluid/fluid_type.h"
 #include "objects/fluid/pace.h"
 #include "objects/fluid/scalable_simulation.h"
 #include "pipeline/clocks.h"
-#include "base/log.h"
 #include "world/world.h"
 
 namespace grove::objects::fluid {

@@ -74,7 +74,7 @@ void addPointLight(const FluidSnapshot& snapshot, const world::PointLight& light
   }
 }
 
-/// Entries of the table for linear radiances. One by one: that is no slower than a gather, on AMD faster.
+/// Entries of the table for linear radiances, loaded one by one (base/simd/look_up_inl.h says why).
 HWY_INLINE Floats encode(const float* display, Floats linear) {
   const Floats root = sqrt(clamp(linear * Floats(1.0F / kBrightestSmoke), Floats(0.0F), Floats(1.0F)));
   alignas(64) std::int32_t at[kLanes];

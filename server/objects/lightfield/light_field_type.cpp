@@ -2,11 +2,11 @@
 
 #include <filesystem>
 
+#include "base/error.h"
 #include "objects/lightfield/format/light_field_file.h"
 #include "objects/lightfield/light_field_backend.h"
 #include "objects/lightfield/light_field_frontend.h"
 #include "objects/lightfield/light_field_source.h"
-#include "base/error.h"
 
 namespace grove::objects::lightfield {
 namespace {

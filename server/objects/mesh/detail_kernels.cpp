@@ -32,9 +32,7 @@ struct Place {
   Floats z;
 };
 
-HWY_INLINE Floats dot(Vec3 a, const Place& b) {
-  return mulAdd(a.x, b.x, mulAdd(a.y, b.y, Floats(a.z) * b.z));
-}
+HWY_INLINE Floats dot(Vec3 a, const Place& b) { return mulAdd(a.x, b.x, mulAdd(a.y, b.y, Floats(a.z) * b.z)); }
 
 HWY_INLINE Ints bitsOf(Floats value) { return Ints(hn::BitCast(IntTag(), value.raw)); }
 
@@ -189,9 +187,9 @@ class Weathering {
       const Floats slopeW = mulAdd(fv, mulAdd(fu, w11 - w01, w01) - lowW, lowW);
       const Floats weight = clamp(mulAdd(load(reversed_ + i), pixels, -kMinPixels), 0.0F, 1.0F);
       const Floats relief = reliefOf(load(surface_ + i));
-      const Floats slope = mulAdd(slopeU, mulAdd(relief, scale.sun.x, scale.up.x),
-                                  mulAdd(slopeV, mulAdd(relief, scale.sun.y, scale.up.y),
-                                         slopeW * mulAdd(relief, scale.sun.z, scale.up.z)));
+      const Floats slope = mulAdd(
+          slopeU, mulAdd(relief, scale.sun.x, scale.up.x),
+          mulAdd(slopeV, mulAdd(relief, scale.sun.y, scale.up.y), slopeW * mulAdd(relief, scale.sun.z, scale.up.z)));
       store(mulAdd(mulAdd(fv, slopeV, low) - 127.5F, weight * scale.stain, load(stain_ + i)), stain_ + i);
       store(load(slope_ + i) - slope * weight, slope_ + i);
     }

@@ -5,10 +5,10 @@
 #include <string>
 #include <utility>
 
+#include "base/error.h"
 #include "models/model_source.h"
 #include "objects/mesh/model_surface.h"
 #include "objects/mesh/shapes.h"
-#include "base/error.h"
 
 namespace grove::objects::mesh {
 namespace {

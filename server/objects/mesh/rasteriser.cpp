@@ -16,11 +16,11 @@ float byteOf(std::uint32_t packed, unsigned shift) { return static_cast<float>((
 
 ClipVertex ScreenVertices::clipVertex(std::size_t index, float lichen) const noexcept {
   const std::uint32_t packed = light[index];
-  return {u[index],
-          v[index],
-          depth[index],
-          {byteOf(packed, 0), byteOf(packed, 8), byteOf(packed, 16), byteOf(packed, 24) * kReliefOfByte,
-           lichen * 15.0F}};
+  return {
+      u[index],
+      v[index],
+      depth[index],
+      {byteOf(packed, 0), byteOf(packed, 8), byteOf(packed, 16), byteOf(packed, 24) * kReliefOfByte, lichen * 15.0F}};
 }
 
 void Canvas::begin(const world::Rect& to) {

@@ -90,7 +90,7 @@ void testMasks() {
   expectInts("!=", chosen(i != 7), [](std::size_t at) { return kI[at] != 7 ? 1 : 0; });
   expectInts("and", chosen((a < b) & (i > 3)), [](std::size_t at) { return kA[at] < kB[at] && kI[at] > 3 ? 1 : 0; });
   expectInts("or", chosen((a < b) | (i > 3)), [](std::size_t at) { return kA[at] < kB[at] || kI[at] > 3 ? 1 : 0; });
-  expectInts("without", chosen(without(a < b, i > 3)),
+  expectInts("without", chosen(without(a<b, i> 3)),
              [](std::size_t at) { return kA[at] < kB[at] && kI[at] <= 3 ? 1 : 0; });
   expectFloats("select", select(a < b, a, b), [](float x, float y) { return x < y ? x : y; });
   expectFloats("onlyWhere", onlyWhere(a < b, a), [](float x, float y) { return x < y ? x : 0.0F; });

@@ -57,8 +57,8 @@ void compare(const Picture& before, const Picture& after, const world::Rect& rec
         ASSERT_EQ(after.colour[at], before.colour[at]) << column << ", " << row;
         continue;
       }
-      const Vec3 ray = before.camera.ray(static_cast<float>(rect.left + column) + 0.5F,
-                                         static_cast<float>(rect.top + row) + 0.5F);
+      const Vec3 ray =
+          before.camera.ray(static_cast<float>(rect.left + column) + 0.5F, static_cast<float>(rect.top + row) + 0.5F);
       ASSERT_EQ(after.colour[at] >> 24U, before.colour[at] >> 24U);
       expect(before.colour[at], after.colour[at], before.camera.eye + before.depth[at] * ray);
     }
@@ -67,8 +67,8 @@ void compare(const Picture& before, const Picture& after, const world::Rect& rec
 
 float channel(std::uint32_t pixel, std::size_t i) { return static_cast<float>(pixel >> (8U * i) & 255U); }
 
-const std::array<world::Rect, 4> kRects{
-    world::Rect{5, 3, 6, 4}, world::Rect{0, 0, 16, 8}, world::Rect{7, 1, 24, 20}, world::Rect{2, 2, 69, 9}};
+const std::array<world::Rect, 4> kRects{world::Rect{5, 3, 6, 4}, world::Rect{0, 0, 16, 8}, world::Rect{7, 1, 24, 20},
+                                        world::Rect{2, 2, 69, 9}};
 
 /// Tolerance: half a step for the rounding and a little for where it falls.
 constexpr float kTolerance = 0.51F;

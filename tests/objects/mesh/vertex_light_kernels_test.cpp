@@ -67,8 +67,8 @@ glm::dvec4 plainLight(const Vertex& vertex, const world::Vec4& seen, const BoneL
   Vec3d lit(seen.y, seen.z, seen.w);
   if (!light.baked) {
     const double near = 0.5 + 0.5 * glm::dot(normal, Vec3d(light.towardsGlow));
-    lit *= Vec3d(light.ambient) + Vec3d(light.slope) * glm::dot(normal, Vec3d(light.up)) +
-           Vec3d(light.glow) * near * near;
+    lit *=
+        Vec3d(light.ambient) + Vec3d(light.slope) * glm::dot(normal, Vec3d(light.up)) + Vec3d(light.glow) * near * near;
   }
   for (std::size_t i = 0; i < static_cast<std::size_t>(light.lampCount); ++i) {
     const Vec3d way = Vec3d(light.lampPosition[i]) - position;
@@ -82,8 +82,8 @@ glm::dvec4 plainLight(const Vertex& vertex, const world::Vec4& seen, const BoneL
   const Vec3d way = position - Vec3d(light.eye);
   const double cleared = std::exp(static_cast<double>(light.clearing) * glm::length(way));
   const double sunwards = std::max(0.0, glm::dot(glm::normalize(way), Vec3d(light.sun)));
-  const Vec3d air = Vec3d(light.haze) + Vec3d(light.hazeGlow) *
-                                            (0.36 * std::pow(sunwards, 4.0) + 0.30 * std::pow(sunwards, 16.0));
+  const Vec3d air =
+      Vec3d(light.haze) + Vec3d(light.hazeGlow) * (0.36 * std::pow(sunwards, 4.0) + 0.30 * std::pow(sunwards, 16.0));
   const Vec3d shown(vertex.emission);
   const Vec3d paint = Vec3d(vertex.albedo) * (1.0 + Vec3d(light.tintChange) * static_cast<double>(vertex.tint));
   const Vec3d radiance = paint * (lit + shown) * cleared + air * (1.0 - cleared);
@@ -112,8 +112,8 @@ TEST(VertexLightKernels, EveryTargetLightsAsThePlainFormula) {
           }
           const glm::dvec4 expected = plainLight(object.surface.vertices[i], object.light[i], light);
           for (int channel = 0; channel < 4; ++channel) {
-            ASSERT_NEAR(out[i] >> (8 * channel) & 0xFFU, expected[channel], 1.1) << "vertex " << i << ", channel "
-                                                                                 << channel;
+            ASSERT_NEAR(out[i] >> (8 * channel) & 0xFFU, expected[channel], 1.1)
+                << "vertex " << i << ", channel " << channel;
           }
         }
       }

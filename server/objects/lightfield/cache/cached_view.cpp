@@ -90,7 +90,8 @@ void CachedView::spread() {
   for (int y = 0; y < height_; ++y) {
     if (y > 0 && y + 1 < height_) widen(y + 1);
     rankRow(wideRow(std::max(y - 1, 0)), wideRow(y), wideRow(std::min(y + 1, height_ - 1)),
-            colour_.get() + std::ptrdiff_t{y} * width_, width_, softness_, nearness_.get() + std::ptrdiff_t{y} * width_);
+            colour_.get() + std::ptrdiff_t{y} * width_, width_, softness_,
+            nearness_.get() + std::ptrdiff_t{y} * width_);
   }
 }
 

@@ -59,13 +59,13 @@ struct Rays {
   float cornerA1;  ///< of the one that is farther up
 
   HWY_INLINE Rays(const WarpTile& tile, int first)
-      : a0(load(tile.a0 + first)), a1(load(tile.a1 + first)), cornerA0(lower(tile.a0 + first)),
+      : a0(load(tile.a0 + first)),
+        a1(load(tile.a1 + first)),
+        cornerA0(lower(tile.a0 + first)),
         cornerA1(lower(tile.a1 + first)) {}
 
   /// CachedView::nearness() where the rays are at nearness `w`.
-  HWY_INLINE Floats ranked(const Texels& texels, float w) const {
-    return at(texels, w, cornerAt(texels, w));
-  }
+  HWY_INLINE Floats ranked(const Texels& texels, float w) const { return at(texels, w, cornerAt(texels, w)); }
   /// The same for a `w` of each ray, somewhere from `least` to `greatest`.
   HWY_INLINE Floats ranked(const Texels& texels, Floats w, float least, float greatest) const {
     const Corner a = cornerAt(texels, least);

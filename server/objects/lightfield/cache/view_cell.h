@@ -15,7 +15,7 @@ struct CellId {
   std::int32_t band = 0;   ///< of elevations, from straight below
   std::int32_t column = 0;
   std::int32_t error = 0;  ///< permitted, in 1 / 64 of a pixel
-  bool coarse = false;  ///< a picture of few texels, for want of time
+  bool coarse = false;     ///< a picture of few texels, for want of time
   friend bool operator==(const CellId&, const CellId&) = default;
 };
 

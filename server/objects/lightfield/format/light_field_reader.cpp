@@ -202,8 +202,11 @@ class Reader {
       rest = rest.subspan(depth.size_bytes());
       require(std::ranges::all_of(depth, [](float d) { return d >= 0.0F && d <= world::kInfiniteDepth; }),
               "has a held-out view with depths that are none");
-      field.heldOut.push_back(
-          {{camera[0], camera[1], camera[2], camera[3]}, static_cast<int>(header.size), colour, depth, header.amid == 1});
+      field.heldOut.push_back({{camera[0], camera[1], camera[2], camera[3]},
+                               static_cast<int>(header.size),
+                               colour,
+                               depth,
+                               header.amid == 1});
       field.bytes += colour.size_bytes() + depth.size_bytes();
     }
     require(rest.empty(), "has held-out views of the wrong length");

@@ -45,7 +45,7 @@ inline constexpr float kNowhere = -1.0e6F;
 /// What a tile of pixels can meet in a view, as 1 / view depth (per metre), kNowhere where nothing is.
 struct NearnessWindow {
   WindowLayout layout;
-  float nearest = 0.0F;   ///< view depths of what is covered, metres
+  float nearest = 0.0F;  ///< view depths of what is covered, metres
   float farthest = 0.0F;
   std::vector<float> nearness;
 };

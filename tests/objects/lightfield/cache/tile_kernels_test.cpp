@@ -60,8 +60,8 @@ class PlainWarp {
       : view_(view), warp_(warp), haze_(haze), reach_(reach) {}
 
   [[nodiscard]] Pixel pixel(int x, int y) const {
-    const Vec3 k = warp_.k + (static_cast<float>(x) + 0.5F) * warp_.kPerColumn +
-                   (static_cast<float>(y) + 0.5F) * warp_.kPerRow;
+    const Vec3 k =
+        warp_.k + (static_cast<float>(x) + 0.5F) * warp_.kPerColumn + (static_cast<float>(y) + 0.5F) * warp_.kPerRow;
     const float forward = std::max(k.z, kMinForward);
     const world::Vec2 a = world::Vec2(k) / forward;
     const auto [place, near] = search(a);

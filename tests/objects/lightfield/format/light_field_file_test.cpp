@@ -9,11 +9,11 @@
 #include <cstring>
 #include <fstream>
 
+#include "base/error.h"
 #include "objects/lightfield/format/checksum.h"
 #include "objects/lightfield/format/layout.h"
 #include "objects/lightfield/format/light_field_reader.h"
 #include "objects/lightfield/format/small_field.h"
-#include "base/error.h"
 
 namespace grove::objects::lightfield {
 namespace {

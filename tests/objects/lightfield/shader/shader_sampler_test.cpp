@@ -6,11 +6,11 @@
 #include <cmath>
 #include <future>
 
+#include "base/error.h"
 #include "measure/picture_quality.h"
 #include "objects/lightfield/shader/gl_field_cache.h"
 #include "objects/lightfield/simd/simd_sampler.h"
 #include "objects/lightfield/simd/thicket.h"
-#include "base/error.h"
 #include "world/camera.h"
 
 namespace grove::objects::lightfield {

@@ -59,18 +59,18 @@ struct Texel {
 
 Texel texelOf(int view, int column, int row) {
   const int across = field().blocksAcross(0);
-  const std::uint32_t block = field().blocks[0][static_cast<std::size_t>((view * across + row / kBlock) * across +
-                                                                         column / kBlock)];
+  const std::uint32_t block =
+      field().blocks[0][static_cast<std::size_t>((view * across + row / kBlock) * across + column / kBlock)];
   if (block == kNoBlock) return {};
-  const std::size_t at = std::size_t{block} * kBlockTexels +
-                         static_cast<std::size_t>(row % kBlock * kBlockStride + column % kBlock);
+  const std::size_t at =
+      std::size_t{block} * kBlockTexels + static_cast<std::size_t>(row % kBlock * kBlockStride + column % kBlock);
   return {field().colour[0][at], static_cast<float>(field().depth[at])};
 }
 
 using Bytes = std::array<float, 4>;
 
-/// The four nearest views' texels around the point at depth t of a ray, blended. Those that are nearer than the point by
-/// more than 7 texels' widths do not count, if `corrected`.
+/// The four nearest views' texels around the point at depth t of a ray, blended. Those that are nearer than the point
+/// by more than 7 texels' widths do not count, if `corrected`.
 Bytes blendPlainly(const SampleRequest& request, Vec3 ray, float t, bool corrected) {
   const ViewGeometry& geometry = field().geometry;
   const Vec3 eye = request.camera.eye;
@@ -115,8 +115,8 @@ Bytes blendPlainly(const SampleRequest& request, Vec3 ray, float t, bool correct
   }
   for (float& byte : sum) byte /= std::max(weights, 1.0e-6F);
   for (std::size_t c = 0; c < 3; ++c) {
-    sum[c] = std::min(sum[c] * (1.0F - request.haze.amount) + sum[3] * request.haze.colour[c] * request.haze.amount,
-                      255.0F);
+    sum[c] =
+        std::min(sum[c] * (1.0F - request.haze.amount) + sum[3] * request.haze.colour[c] * request.haze.amount, 255.0F);
   }
   return sum;
 }
