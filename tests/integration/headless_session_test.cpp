@@ -7,6 +7,7 @@
 
 #include "integration/picture.h"
 #include "integration/served_scene.h"
+#include "sanitized.h"
 
 namespace grove::integration {
 namespace {
@@ -17,7 +18,7 @@ using stream::HeadlessSession;
 constexpr double kPushed = 0.012;  // share of the picture's width
 
 /// Stones around a fire before a black sky: nothing but the simulation and the visitors moves.
-const std::string kScene = R"(
+const std::string kScene = std::string(R"(
 name = "test clearing"
 spawn = [0, 0, 9]
 [visitor]
@@ -28,10 +29,9 @@ shape = "stone"
 position = [-3, 0, 0]
 [[object]]
 type = "fluid"
-grid = 32
 size = 8
 wind = [0, 0, 0]
-)";
+)") + (kSanitized ? "grid = 16\n" : "grid = 32\n");
 
 class HeadlessSessions : public ::testing::Test {
  protected:

@@ -29,7 +29,7 @@ using Visitors = std::vector<std::unique_ptr<HeadlessSession>>;
 // Sanitizers make everything ten times slower, so they get a smaller world.
 constexpr int kWidth = kSanitized ? 640 : 1280;
 constexpr int kHeight = kSanitized ? 360 : 720;
-constexpr int kGrid = kSanitized ? 32 : 64;
+constexpr int kGrid = kSanitized ? 16 : 64;
 constexpr int kViews = kSanitized ? 4 : 8;
 
 /// What is held for `work`; of shared work only what visitors do not fill by and by: no caches, nothing made on demand.
