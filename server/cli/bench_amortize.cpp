@@ -76,7 +76,7 @@ void refuseWhatDoesNotFit(const AmortizeRow& first, int users) {
   const double needed = users * (share.acrossUser + share.perUserBackend + share.perUserFrontend);
   const auto free = static_cast<double>(measure::availableMemory());
   if (needed <= free) return;
-  const auto gigabytes = [](double bytes) { return std::to_string(static_cast<int>(bytes * 1e-9 + 0.5)) + " GB"; };
+  const auto gigabytes = [](double bytes) { return std::to_string(std::lround(bytes * 1e-9)) + " GB"; };
   throw Refused(std::to_string(users) + " worlds need about " + gigabytes(needed) + " of memory, " + gigabytes(free) +
                 " are free");
 }

@@ -14,7 +14,7 @@ namespace grove::pipeline {
 struct MemoryKey {
   std::string holder;
   std::string subject;
-  friend auto operator<=>(const MemoryKey&, const MemoryKey&) = default;
+  friend auto operator<=>(const MemoryKey&, const MemoryKey&) = default;  // NOLINT(modernize-use-nullptr): its own 0
 };
 
 struct MemoryTotal {

@@ -42,7 +42,7 @@ class Bake : public testing::Test {
     std::string name = (std::filesystem::temp_directory_path() / "grove_bake_XXXXXX").string();
     folder_ = mkdtemp(name.data());
   }
-  ~Bake() override { std::filesystem::remove_all(folder_); }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
 
   /// Bakes until this many more views are made, or a few more, since other threads finish theirs.
   [[nodiscard]] std::optional<BakeReport> bakeInPart(int views) const {
@@ -163,10 +163,10 @@ TEST(Voxelize, ABoxIsWoodAndASheetOfLeavesIsLeaves) {
   ASSERT_EQ(voxels.grid.width, 12);
   ASSERT_EQ(voxels.grid.height, 16);
   ASSERT_EQ(voxels.grid.depth, 8);
-  for (int z = 0; z < 8; ++z) {
-    for (int y = 0; y < 16; ++y) {
-      for (int x = 0; x < 12; ++x) {
-        const auto cell = static_cast<Voxel>(voxels.cells[static_cast<std::size_t>((z * 16 + y) * 12 + x)]);
+  for (std::size_t z = 0; z < 8; ++z) {
+    for (std::size_t y = 0; y < 16; ++y) {
+      for (std::size_t x = 0; x < 12; ++x) {
+        const auto cell = static_cast<Voxel>(voxels.cells[(z * 16 + y) * 12 + x]);
         if (x < 4) {
           EXPECT_EQ(cell, Voxel::kWood) << x << " " << y << " " << z;
         } else if (x < 8 || y < 7 || y > 8) {

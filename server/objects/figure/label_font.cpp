@@ -83,7 +83,8 @@ LabelMask LabelFont::draw(std::string_view text, int pixels) const {
         const int column = static_cast<int>(whole) + left + x;
         const int row = baseline + top + y;
         if (column < 0 || row < 0 || column >= mask.width || row >= mask.height) continue;
-        std::uint8_t& to = mask.coverage[static_cast<std::size_t>(row * mask.width + column)];
+        std::uint8_t& to = mask.coverage[static_cast<std::size_t>(row) * static_cast<std::size_t>(mask.width) +
+                                         static_cast<std::size_t>(column)];
         to = std::max(to, static_cast<std::uint8_t>(glyph.get()[y * width + x]));
       }
     }

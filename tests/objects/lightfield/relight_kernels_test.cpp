@@ -18,6 +18,10 @@ using world::Vec3;
 constexpr int kStride = 70;
 constexpr std::uint32_t kUntouched = 0x12345678U;
 
+std::size_t texelAt(int row, int column) {
+  return static_cast<std::size_t>(row) * static_cast<std::size_t>(kStride) + static_cast<std::size_t>(column);
+}
+
 /// A picture with holes; a part of it begins at its first pixel.
 struct Picture {
   std::vector<std::uint32_t> colour;
@@ -32,7 +36,7 @@ struct Picture {
     camera.perRow = {0.001F, -0.02F, 0.002F};
     for (int row = 0; row < rect.height(); ++row) {
       for (int column = 0; column < rect.width(); ++column) {
-        const auto at = static_cast<std::size_t>(row * kStride + column);
+        const auto at = texelAt(row, column);
         const bool hole = random() % 3 == 0;
         const std::uint32_t alpha = hole ? 0 : 1 + random() % 255;
         colour[at] = alpha << 24U;
@@ -51,7 +55,7 @@ template <typename Expect>
 void compare(const Picture& before, const Picture& after, const world::Rect& rect, const Expect& expect) {
   for (int row = 0; row < 20; ++row) {
     for (int column = 0; column < kStride; ++column) {
-      const auto at = static_cast<std::size_t>(row * kStride + column);
+      const auto at = texelAt(row, column);
       const bool within = row < rect.height() && column < rect.width();
       if (!within || before.colour[at] == 0) {
         ASSERT_EQ(after.colour[at], before.colour[at]) << column << ", " << row;
@@ -93,14 +97,14 @@ TEST(RelightKernels, EveryTargetShadesAsAPlainLoopDoes) {
     float share = 0.0F;
     for (int corner = 0; corner < 8; ++corner) {
       float weight = 1.0F;
-      int at[3];
+      std::size_t at[3];
       for (int axis = 0; axis < 3; ++axis) {
         const int next = corner >> axis & 1;
         const float beyond = place[axis] - static_cast<float>(cell[axis]);
-        at[axis] = cell[axis] + next;
+        at[axis] = static_cast<std::size_t>(cell[axis]) + static_cast<std::size_t>(next);
         weight *= next != 0 ? beyond : 1.0F - beyond;
       }
-      share += weight * sun.sun[static_cast<std::size_t>((at[2] * 4 + at[1]) * 5 + at[0])];
+      share += weight * sun.sun[(at[2] * 4 + at[1]) * 5 + at[0]];
     }
     return share;
   };
@@ -154,7 +158,7 @@ TEST(RelightKernels, EveryTargetFindsTheRangeOfDepths) {
       float nearest = kRelightFarthest;
       float farthest = 0.0F;
       for (int i = 0; i < rect.width() * rect.height(); ++i) {
-        const auto at = static_cast<std::size_t>(i / rect.width() * kStride + i % rect.width());
+        const auto at = texelAt(i / rect.width(), i % rect.width());
         if (picture.colour[at] == 0) continue;
         nearest = std::min(nearest, picture.depth[at]);
         farthest = std::max(farthest, picture.depth[at]);

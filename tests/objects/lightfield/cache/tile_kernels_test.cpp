@@ -20,7 +20,7 @@ constexpr int kEdge = 96;
 
 /// Cards of several depths and coverages, with gaps.
 std::shared_ptr<node::Image> cards() {
-  const auto image = node::ImagePool().acquire({0, 0, kEdge, kEdge});
+  std::shared_ptr<node::Image> image = node::ImagePool().acquire({0, 0, kEdge, kEdge});
   std::ranges::fill(image->colour, 0U);
   std::ranges::fill(image->depth, world::kInfiniteDepth);
   std::mt19937 random(6);
@@ -119,8 +119,8 @@ class PlainWarp {
     float bestPlace = 0.0F;
     float far = 1.0e30F;
     float farPlace = 0.0F;
-    for (float j = 0.5F; j < steps; j += 1.0F) {
-      const float w = reach_.range.greatest - j * step;
+    for (int j = 0; static_cast<float>(j) < steps; ++j) {
+      const float w = reach_.range.greatest - (static_cast<float>(j) + 0.5F) * step;
       const float rank = ranked(a, w);
       const float near = nearnessOf(rank);
       if (std::abs(near - w) <= permitted && (!lies || rank > best)) {

@@ -102,8 +102,10 @@ class ShaderSamplerTest : public testing::Test {
 
   static void render(ShaderSampler& sampler, std::span<const SampleRequest> requests, std::vector<Shot>& shots) {
     std::vector<node::Image> images;
+    images.reserve(shots.size());
     for (Shot& shot : shots) images.push_back(shot.image());
     std::vector<node::Image*> pointers;
+    pointers.reserve(images.size());
     for (node::Image& image : images) pointers.push_back(&image);
     onWorker([&] { sampler.render(requests, pointers); });
   }
@@ -200,6 +202,7 @@ TEST_F(ShaderSamplerTest, WorkersDoNotDisturbEachOther) {
   ShaderSampler sampler(*workers_);
   std::vector<Shot> shots(8, Shot(kWhole));
   std::vector<std::packaged_task<void()>> tasks;
+  tasks.reserve(shots.size());
   for (Shot& shot : shots) {
     tasks.emplace_back([&] {
       node::Image image = shot.image();

@@ -58,9 +58,9 @@ struct Texel {
 };
 
 Texel texelOf(int view, int column, int row) {
-  const int across = field().blocksAcross(0);
-  const std::uint32_t block =
-      field().blocks[0][static_cast<std::size_t>((view * across + row / kBlock) * across + column / kBlock)];
+  const auto across = static_cast<std::size_t>(field().blocksAcross(0));
+  const auto blockRow = static_cast<std::size_t>(view) * across + static_cast<std::size_t>(row / kBlock);
+  const std::uint32_t block = field().blocks[0][blockRow * across + static_cast<std::size_t>(column / kBlock)];
   if (block == kNoBlock) return {};
   const std::size_t at =
       std::size_t{block} * kBlockTexels + static_cast<std::size_t>(row % kBlock * kBlockStride + column % kBlock);
@@ -129,9 +129,9 @@ bool isNear(std::uint32_t colour, const Bytes& expected) {
 }
 
 Vec3 rayOf(const SampleRequest& request, const world::Rect& rect, std::size_t at) {
-  const int index = static_cast<int>(at);
-  return request.camera.ray(static_cast<float>(rect.left + index % rect.width()) + 0.5F,
-                            static_cast<float>(rect.top + index / rect.width()) + 0.5F);
+  const int column = rect.left + static_cast<int>(at) % rect.width();
+  const int row = rect.top + static_cast<int>(at) / rect.width();
+  return request.camera.ray(static_cast<float>(column) + 0.5F, static_cast<float>(row) + 0.5F);
 }
 
 constexpr std::array<world::Rect, 3> kRects{world::Rect{0, 0, kSize, kSize}, world::Rect{19, 20, 52, 37},
