@@ -4,8 +4,10 @@
 #include <cstdio>
 #include <exception>
 #include <map>
-#include <ranges>
+#include <span>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "base/log.h"
 #include "base/simd/target.h"
@@ -27,16 +29,17 @@ namespace grove::cli {
 namespace {
 
 /// As help shows what may stand behind an option, and as shells complete it: "{auto,egl,osmesa}".
-template <class Names>
-std::string oneOf(const Names& names) {
+std::string oneOf(std::span<const std::string_view> names) {
   std::string text;
-  for (const auto& name : names) text.append(text.empty() ? "{" : ",").append(name);
+  for (const std::string_view name : names) text.append(text.empty() ? "{" : ",").append(name);
   return text + "}";
 }
 
 template <class Value>
 CLI::Option* choose(CLI::Option* option, const std::map<std::string, Value>& values) {
-  return option->transform(CLI::Transformer(values).description(""))->type_name(oneOf(std::views::keys(values)));
+  std::vector<std::string_view> names;
+  for (const auto& [name, value] : values) names.push_back(name);
+  return option->transform(CLI::Transformer(values).description(""))->type_name(oneOf(names));
 }
 
 void addServe(CLI::App& app, ServeOptions& options) {
