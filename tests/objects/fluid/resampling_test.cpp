@@ -33,11 +33,17 @@ void forEach(Place place, int cells, bool ghosts, const Visit& visit) {
 }
 
 constexpr Place kPlaces[] = {Place::kFaceX, Place::kFaceY, Place::kFaceZ, Place::kCentre};
-constexpr int kGrids[][2] = {{64, 96}, {64, 128}, {96, 128}, {128, 96}, {96, 64}, {128, 64}, {16, 24}, {64, 64}};
+struct Grids {
+  int from = 0;
+  int to = 0;
+};
+constexpr Grids kGrids[] = {{64, 96}, {64, 128}, {96, 128}, {128, 96}, {96, 64}, {128, 64}, {16, 24}, {64, 64}};
 
 TEST(ResamplingTest, WhatIsLinearInSpaceComesOutExactly) {
   const auto linear = [](const Spot& s) { return static_cast<float>(1.5 + 2.0 * s.x - 3.0 * s.y + 0.7 * s.z); };
-  for (const auto& [from, to] : kGrids) {
+  for (const Grids& grids : kGrids) {
+    const int from = grids.from;
+    const int to = grids.to;
     for (const Place place : kPlaces) {
       const Layout a(from);
       const Layout b(to);
@@ -57,7 +63,9 @@ TEST(ResamplingTest, WhatIsLinearInSpaceComesOutExactly) {
 }
 
 TEST(ResamplingTest, AWaveOfEightCellsKeepsItsPlaceAndItsSize) {
-  for (const auto& [from, to] : kGrids) {
+  for (const Grids& grids : kGrids) {
+    const int from = grids.from;
+    const int to = grids.to;
     const double k = 2.0 * 3.141592653589793 * std::min(from, to) / 8.0;
     const auto wave = [&](const Spot& s) { return static_cast<float>(std::sin(k * s.x) * std::cos(k * s.z)); };
     for (const Place place : {Place::kFaceX, Place::kCentre}) {

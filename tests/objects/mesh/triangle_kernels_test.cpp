@@ -180,7 +180,9 @@ TEST(TriangleKernels, EveryTargetInterpolatesShadesInSpace) {
     Canvas canvas;
     canvas.rect = kRect;
     drawAlone(corners, canvas);
-    const auto& [a, b, c] = corners;
+    const Corner& a = corners[0];
+    const Corner& b = corners[1];
+    const Corner& c = corners[2];
     const double area = (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
     int covered = 0;
     for (int y = kRect.top; y < kRect.bottom; ++y) {
