@@ -33,6 +33,7 @@ void forEach(Place place, int cells, bool ghosts, const Visit& visit) {
 }
 
 constexpr Place kPlaces[] = {Place::kFaceX, Place::kFaceY, Place::kFaceZ, Place::kCentre};
+
 struct Grids {
   int from = 0;
   int to = 0;
