@@ -22,7 +22,7 @@ PictureBudget::Bucket& PictureBudget::filled(const node::View& view) {
   const auto found = buckets_.find(view.session);
   if (found == buckets_.end()) {
     std::erase_if(buckets_, [&](const auto& bucket) { return bucket.second.time + kForgotten < view.time; });
-    return buckets_.emplace(view.session, Bucket{most, view.time, view.frame, 0}).first->second;
+    return buckets_.emplace(view.session, Bucket{most, view.time}).first->second;
   }
   Bucket& bucket = found->second;
   // A frame may overtake another.
@@ -31,11 +31,13 @@ PictureBudget::Bucket& PictureBudget::filled(const node::View& view) {
   const double tokens = bucket.tokens + passed * share(view);
   bucket.tokens = std::min(most, tokens);
   pot_ = std::min(kBurst * texelsPerSecond_, pot_ + tokens - bucket.tokens);
-  if (bucket.frame != view.frame) {
-    bucket.frame = view.frame;
-    bucket.made = 0;
-  }
   return bucket;
+}
+
+int& PictureBudget::madeIn(Bucket& bucket, node::FrameNumber frame) {
+  Made& made = bucket.made[frame % bucket.made.size()];
+  if (made.frame != frame) made = {frame, 0};
+  return made.pictures;
 }
 
 void PictureBudget::spend(Bucket& bucket, std::int64_t texels) {
@@ -49,12 +51,13 @@ void PictureBudget::spend(Bucket& bucket, std::int64_t texels) {
 bool PictureBudget::take(const node::View& view, std::int64_t texels, float wrong) {
   const std::lock_guard lock(mutex_);
   Bucket& bucket = filled(view);
-  if (wrong <= kLateness && bucket.made >= kMostNewPictures) return false;
+  int& made = madeIn(bucket, view.frame);
+  if (wrong <= kLateness && made >= kMostNewPictures) return false;
   const double left = kReserve * kBurst / std::max(wrong, 1.0F);
   const bool potPays = pot_ > left * texelsPerSecond_ + static_cast<double>(texels);
   if (bucket.tokens <= left * share(view) && !potPays) return false;
   spend(bucket, texels);
-  ++bucket.made;
+  ++made;
   return true;
 }
 

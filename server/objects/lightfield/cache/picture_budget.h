@@ -1,9 +1,11 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <mutex>
 
+#include "node/limits.h"
 #include "node/messages.h"
 
 namespace grove::objects::lightfield {
@@ -34,14 +36,19 @@ class PictureBudget {
   void owe(const node::View& view, std::int64_t texels);
 
  private:
+  struct Made {
+    node::FrameNumber frame = 0;
+    int pictures = 0;
+  };
   struct Bucket {
     double tokens = 0.0;
     double time = 0.0;  ///< of the world's clock, up to which it was filled
-    node::FrameNumber frame = 0;
-    int made = 0;  ///< in that frame
+    std::array<Made, node::kMostFramesInFlight> made{};
   };
   [[nodiscard]] double share(const node::View& view) const;
   [[nodiscard]] Bucket& filled(const node::View& view);
+  /// Of frames in flight the requests come in turns.
+  [[nodiscard]] static int& madeIn(Bucket& bucket, node::FrameNumber frame);
   void spend(Bucket& bucket, std::int64_t texels);
 
   const double texelsPerSecond_;

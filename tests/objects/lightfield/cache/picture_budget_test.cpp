@@ -37,6 +37,15 @@ TEST(PictureBudget, AFrameMakesTwoOfWhatIsHardlyWrongAndAllOfWhatIsWrong) {
   }
 }
 
+TEST(PictureBudget, FramesInFlightThatTakeTurnsMakeTwoEach) {
+  PictureBudget budget(kRate);
+  int made = 0;
+  for (int turn = 0; turn < 4; ++turn) {
+    for (node::FrameNumber frame = 5; frame < 8; ++frame) made += budget.take(viewOf(1, frame, 5.0), 100, 1.5F) ? 1 : 0;
+  }
+  EXPECT_EQ(made, 3 * PictureBudget::kMostNewPictures);
+}
+
 TEST(PictureBudget, TheBucketHoldsAQuarterOfASecondAndFillsByTheWorldsClock) {
   PictureBudget budget(kRate);
   EXPECT_EQ(takes(budget, viewOf(1, 1, 10.0), kNothing), 25);
