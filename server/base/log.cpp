@@ -1,7 +1,9 @@
 #include "base/log.h"
 
+#include <chrono>
 #include <cstdio>
 #include <ctime>
+#include <utility>
 
 namespace grove::log {
 namespace {
@@ -20,5 +22,30 @@ void write(const char* level, std::string_view message) noexcept {
 void info(std::string_view message) noexcept { write("info", message); }
 void warning(std::string_view message) noexcept { write("warning", message); }
 void error(std::string_view message) noexcept { write("error", message); }
+
+void Limited::warning(std::string_view message) noexcept { write(&log::warning, message); }
+void Limited::error(std::string_view message) noexcept { write(&log::error, message); }
+
+void Limited::write(void (*line)(std::string_view) noexcept, std::string_view message) noexcept {
+  const auto sinceBoot = std::chrono::steady_clock::now().time_since_epoch();
+  const std::int64_t now = std::chrono::duration_cast<std::chrono::milliseconds>(sinceBoot).count();
+  std::uint64_t leftOut = 0;
+  {
+    const std::lock_guard lock(mutex_);
+    if (now < nextMilliseconds_) {
+      ++leftOut_;
+      return;
+    }
+    nextMilliseconds_ = now + 1000;
+    leftOut = std::exchange(leftOut_, 0);
+  }
+  if (leftOut > 0) {
+    char text[64];
+    const int length = std::snprintf(text, sizeof text, "(%llu lines like the next were left out)",
+                                     static_cast<unsigned long long>(leftOut));
+    line({text, static_cast<std::size_t>(length)});
+  }
+  line(message);
+}
 
 }  // namespace grove::log

@@ -66,7 +66,7 @@ class BackendHalf {
   virtual void forget(SessionId /*session*/) {}
 
   /// Fills one payload per request. The requests are a batch of what is waiting and may be of many frames and sessions.
-  /// An exception turns the whole batch into failures.
+  /// After an exception the batch is answered again, one request at a time, and those that throw again fail.
   virtual void answer(std::span<const Request> requests, std::span<Payload> payloads) = 0;
 };
 

@@ -114,6 +114,24 @@ class Stage : public Inlet<In>, public std::enable_shared_from_this<Stage<In>> {
   /// Called for each item of a run that threw, to send on a failure in place of the result.
   virtual void recover(In& /*item*/, const std::string& /*reason*/, Run& /*run*/) {}
 
+  /// Does one item's part of a run, so that its exception costs no other item: it is logged and counted, and `failed`
+  /// gets the reason.
+  template <class Part, class Failed>
+  void attempt(const Part& part, const Failed& failed) {
+    std::string reason;
+    try {
+      part();
+      return;
+    } catch (const std::exception& e) {
+      reason = e.what();
+    } catch (...) {
+      reason = "unknown exception";
+    }
+    timeline_.recordFailure(options_.name, options_.work);
+    failures_.error(std::string(options_.name) + ": " + reason);
+    failed(reason);
+  }
+
   void addOutlet(OutletBase& outlet) { outlets_.push_back(&outlet); }
 
  private:
@@ -177,32 +195,20 @@ class Stage : public Inlet<In>, public std::enable_shared_from_this<Stage<In>> {
   }
 
   void runOnce(std::vector<In>& items, Run& run) {
-    std::string reason;
-    {
-      const TimedRun timed(timeline_, options_.name, options_.work, traceTag(items.front()), options_.subject);
-      try {
-        process(items, run);
-        return;
-      } catch (const std::exception& e) {
-        reason = e.what();
-      } catch (...) {
-        reason = "unknown exception";
-      }
-    }
-    timeline_.recordFailure(options_.name, options_.work);
-    log::error(std::string(options_.name) + ": " + reason);
-    for (In& item : items) {
-      try {
-        recover(item, reason, run);
-      } catch (const std::exception& e) {
-        log::error(std::string(options_.name) + ": cannot recover: " + e.what());
-      }
-    }
+    attempt(
+        [&] {
+          const TimedRun timed(timeline_, options_.name, options_.work, traceTag(items.front()), options_.subject);
+          process(items, run);
+        },
+        [&](const std::string& reason) {
+          for (In& item : items) attempt([&] { recover(item, reason, run); }, [](const std::string&) {});
+        });
   }
 
   const StageOptions options_;
   Executor& executor_;
   Timeline& timeline_;
+  log::Limited failures_;
   Queue<In> queue_;
   std::vector<OutletBase*> outlets_;
   std::mutex mutex_;

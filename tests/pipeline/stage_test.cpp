@@ -9,6 +9,7 @@
 #include <set>
 #include <thread>
 
+#include "eventually.h"
 #include "pipeline/outlet.h"
 #include "pipeline/worker_pool.h"
 
@@ -16,6 +17,7 @@ namespace grove::pipeline {
 namespace {
 
 using namespace std::chrono_literals;
+using tests::eventually;
 using testing::ElementsAre;
 
 /// Adds one to what it gets; -1 makes it throw.
@@ -97,15 +99,6 @@ class Meet final : public Stage<int> {
     ++met;
   }
 };
-
-template <class Condition>
-bool eventually(Condition condition) {
-  for (int i = 0; i < 5000; ++i) {
-    if (condition()) return true;
-    std::this_thread::sleep_for(1ms);
-  }
-  return false;
-}
 
 StageOptions named(const char* name, std::size_t capacity) {
   StageOptions options;
@@ -213,18 +206,23 @@ TEST(Stage, ABatchNeverOutgrowsItsOutlet) {
 
 TEST(Stage, CloseDropsWhatIsQueuedAndEndsCleanly) {
   Timeline timeline;
+  std::weak_ptr<AddOne> wasAdd;
+  std::shared_ptr<Collect> collect;
   {
     WorkerPool pool(2);
     const auto add = std::make_shared<AddOne>(named("add", 64), pool, timeline);
-    const auto collect = std::make_shared<Collect>(named("collect", 1), pool, timeline);
+    wasAdd = add;
+    collect = std::make_shared<Collect>(named("collect", 1), pool, timeline);
     collect->delayMilliseconds = 2;
     add->connect(collect);
     for (int i = 0; i < 64; ++i) add->push(i);
     add->close();
     collect->close();
     EXPECT_EQ(add->push(1), PushResult::kClosed);
+    EXPECT_EQ(add->queued(), 0U);
   }
-  SUCCEED() << "the pool joined with runs in progress";
+  EXPECT_LT(collect->values().size(), 64U) << "what was queued is dropped";
+  EXPECT_TRUE(wasAdd.expired()) << "no task that is left holds the stage";
 }
 
 TEST(Stage, EveryRunLeavesATaggedEvent) {

@@ -31,14 +31,24 @@ void Answerer::connect(std::shared_ptr<pipeline::Inlet<Result>> compressor) {
 
 void Answerer::process(std::span<Request> requests, pipeline::Run& run) {
   std::vector<Payload> payloads(requests.size());
-  half_.answer(requests, payloads);
+  attempt([&] { half_.answer(requests, payloads); },
+          [&](const std::string& reason) { answerOneByOne(requests, payloads, reason); });
   for (std::size_t i = 0; i < requests.size(); ++i) {
     compressor_.send(run, makeResult(requests[i], std::move(payloads[i])));
   }
 }
 
-void Answerer::recover(Request& request, const std::string& reason, pipeline::Run& run) {
-  compressor_.send(run, makeResult(request, Failure{reason}));
+void Answerer::answerOneByOne(std::span<const Request> requests, std::span<Payload> payloads,
+                              const std::string& reason) {
+  if (requests.size() == 1) {
+    payloads[0] = Failure{reason};
+    return;
+  }
+  for (std::size_t i = 0; i < requests.size(); ++i) {
+    payloads[i] = {};
+    attempt([&] { half_.answer(requests.subspan(i, 1), payloads.subspan(i, 1)); },
+            [&](const std::string& own) { payloads[i] = Failure{own}; });
+  }
 }
 
 }  // namespace grove::node

@@ -9,7 +9,7 @@
 namespace grove::node {
 
 /// What Renderer and Simulator share: a batch of requests goes to the object type's backend half, and a result for each
-/// goes on, a Failure where the half threw.
+/// goes on, a Failure where the half threw. One request that throws costs the others of its batch nothing.
 class Answerer : public pipeline::Stage<Request> {
  public:
   void connect(std::shared_ptr<pipeline::Inlet<Result>> compressor);
@@ -18,9 +18,11 @@ class Answerer : public pipeline::Stage<Request> {
   /// `subject`: the type of object, for the timeline.
   Answerer(const char* name, std::string_view subject, BackendHalf& half, pipeline::Timeline& timeline);
   void process(std::span<Request> requests, pipeline::Run& run) final;
-  void recover(Request& request, const std::string& reason, pipeline::Run& run) final;
 
  private:
+  /// After the batch has thrown for `reason`: only those fail that throw alone, too.
+  void answerOneByOne(std::span<const Request> requests, std::span<Payload> payloads, const std::string& reason);
+
   BackendHalf& half_;
   pipeline::Outlet<Result> compressor_;
 };

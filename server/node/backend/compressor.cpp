@@ -23,7 +23,8 @@ void Compressor::connect(std::shared_ptr<pipeline::Inlet<Result>> next) {
 
 void Compressor::process(std::span<Result> results, pipeline::Run& run) {
   for (Result& result : results) {
-    result.payload = transport_.compress(std::move(result.payload));
+    attempt([&] { result.payload = transport_.compress(std::move(result.payload)); },
+            [&](const std::string& reason) { result.payload = Failure{reason}; });
     next_.send(run, std::move(result));
   }
 }

@@ -15,7 +15,14 @@ ResultSender::ResultSender(Transport& transport, pipeline::Executor& executor, p
       transport_(transport) {}
 
 void ResultSender::process(std::span<Result> results, pipeline::Run&) {
-  for (Result& result : results) transport_.send(std::move(result));
+  for (Result& result : results) {
+    Result instead{result.session, result.frame, result.slot, {}};
+    attempt([&] { transport_.send(std::move(result)); },
+            [&](const std::string& reason) {
+              instead.payload = Failure{reason};
+              transport_.send(std::move(instead));
+            });
+  }
 }
 
 }  // namespace grove::node

@@ -21,13 +21,10 @@ void Decompressor::connect(std::shared_ptr<pipeline::Inlet<CompositorInput>> com
 
 void Decompressor::process(std::span<Result> results, pipeline::Run& run) {
   for (Result& result : results) {
-    result.payload = transport_.decompress(std::move(result.payload));
+    attempt([&] { result.payload = transport_.decompress(std::move(result.payload)); },
+            [&](const std::string& reason) { result.payload = Failure{reason}; });
     compositor_.send(run, std::move(result));
   }
-}
-
-void Decompressor::recover(Result& result, const std::string& reason, pipeline::Run& run) {
-  compositor_.send(run, Result{result.session, result.frame, result.slot, Failure{reason}});
 }
 
 }  // namespace grove::node

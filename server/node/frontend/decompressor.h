@@ -14,7 +14,6 @@ class Decompressor final : public pipeline::Stage<Result> {
 
  protected:
   void process(std::span<Result> results, pipeline::Run& run) override;
-  void recover(Result& result, const std::string& reason, pipeline::Run& run) override;
 
  private:
   const Transport& transport_;

@@ -12,9 +12,16 @@ RequestSender::RequestSender(Transport& transport, pipeline::Executor& executor,
 void RequestSender::process(std::span<std::shared_ptr<const FrameList>> frames, pipeline::Run&) {
   for (const auto& frame : frames) {
     for (std::uint32_t slot = 0; slot < frame->objects.size(); ++slot) {
-      if (transport_.send(Request{frame, slot}) != pipeline::PushResult::kAccepted) {
-        transport_.send(Result{frame->view->session, frame->view->frame, slot, Failure{"the backend node is full"}});
-      }
+      const auto fail = [&](const std::string& reason) {
+        transport_.send(Result{frame->view->session, frame->view->frame, slot, Failure{reason}});
+      };
+      attempt(
+          [&] {
+            if (transport_.send(Request{frame, slot}) != pipeline::PushResult::kAccepted) {
+              fail("the backend node is full");
+            }
+          },
+          fail);
     }
   }
 }

@@ -1,0 +1,80 @@
+#include "node/backend/answerer.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <mutex>
+#include <semaphore>
+#include <stdexcept>
+#include <vector>
+
+#include "node/backend/renderer.h"
+#include "pipeline/worker_pool.h"
+
+namespace grove::node {
+namespace {
+
+using ::testing::ElementsAre;
+
+/// Throws at the requests of one visitor.
+class Fussy final : public BackendHalf {
+ public:
+  Fussy(pipeline::Executor& workers, SessionId refused) : workers_(workers), refused_(refused) {}
+  [[nodiscard]] NodeKind kind() const override { return NodeKind::kRendering; }
+  [[nodiscard]] pipeline::Executor& executor() override { return workers_; }
+  void answer(std::span<const Request> requests, std::span<Payload>) override {
+    batches.push_back(requests.size());
+    for (const Request& request : requests) {
+      if (request.view().session == refused_) throw std::runtime_error("not for him");
+    }
+  }
+
+  std::vector<std::size_t> batches;
+
+ private:
+  pipeline::Executor& workers_;
+  const SessionId refused_;
+};
+
+class Results final : public pipeline::Stage<Result> {
+ public:
+  Results(pipeline::Executor& executor, pipeline::Timeline& timeline)
+      : Stage({.name = "Results", .capacity = 16}, executor, timeline) {}
+  std::vector<std::pair<SessionId, bool>> failed;  ///< whether it did
+
+ protected:
+  void process(std::span<Result> results, pipeline::Run&) override {
+    for (const Result& result : results) {
+      failed.emplace_back(result.session, std::holds_alternative<Failure>(result.payload));
+    }
+  }
+};
+
+Request requestOf(SessionId session) {
+  auto view = std::make_shared<View>();
+  view->session = session;
+  auto list = std::make_shared<FrameList>();
+  list->view = std::move(view);
+  list->objects.resize(1);
+  return {std::move(list), 0};
+}
+
+TEST(Answerer, OneRequestThatThrowsCostsTheOthersOfItsBatchNothing) {
+  pipeline::Timeline timeline;
+  pipeline::WorkerPool workers(1);
+  Fussy half(workers, 2);
+  const auto renderer = std::make_shared<Renderer>("fussy", half, timeline);
+  const auto results = std::make_shared<Results>(workers, timeline);
+  renderer->connect(results);
+  std::binary_semaphore begin(0);
+  workers.post([&] { begin.acquire(); });
+  for (const SessionId session : {1U, 2U, 3U}) renderer->push(requestOf(session));
+  begin.release();
+  for (int stage = 0; stage < 6; ++stage) workers.drain();
+  EXPECT_THAT(half.batches, ElementsAre(3U, 1U, 1U, 1U));
+  EXPECT_THAT(results->failed, ElementsAre(std::pair(1U, false), std::pair(2U, true), std::pair(3U, false)));
+  EXPECT_EQ(timeline.totals().at("Renderer").failures, 2U) << "of the batch and of the one";
+}
+
+}  // namespace
+}  // namespace grove::node
