@@ -3,9 +3,11 @@
 #include <cstdint>
 #include <deque>
 #include <mutex>
+#include <span>
 #include <vector>
 
 #include "world/geometry.h"
+#include "world/players.h"
 
 namespace grove::world {
 
@@ -15,7 +17,15 @@ struct Gust {
   Vec3 direction{0.0F, 0.0F, -1.0F};  ///< unit
   float speed = 6.0F;                 ///< metres a second at the origin
   float reach = 9.0F;                 ///< metres
+  PlayerId visitor = 0;               ///< who blows
 };
+
+/// How a visitor blows.
+[[nodiscard]] Gust gustOf(const Player& visitor);
+
+/// What blows during one tick of a simulation: everybody who holds the key then, and the `clicks`, of Edits, of those
+/// who have let it go already. So a second of blowing is the same, however many frames of it the visitor sees.
+[[nodiscard]] std::vector<Gust> gustsDuring(std::vector<Gust> clicks, std::span<const Player> visitors);
 
 /// Changes that visitors make to the world, numbered. Every simulation reads all of them, each with its own cursor, at
 /// its next tick. Bounded: the oldest go first. Any thread.

@@ -35,5 +35,35 @@ TEST(Edits, KeepsTheNewestWhenNobodyReads) {
   EXPECT_EQ(gusts.front().speed, 744.0F);
 }
 
+Player holding(PlayerId id, std::uint8_t keys) {
+  Player player;
+  player.id = id;
+  player.keys = keys;
+  return player;
+}
+
+Gust clickOf(PlayerId id) {
+  Gust gust;
+  gust.visitor = id;
+  return gust;
+}
+
+TEST(Gusts, WhoHoldsTheKeyBlowsOnceATickHoweverManyClicksOfHisThereAre) {
+  const std::vector<Player> visitors{holding(1, kBlow | kForward), holding(2, kForward)};
+  const auto gusts = gustsDuring({clickOf(1), clickOf(2), clickOf(1)}, visitors);
+  ASSERT_EQ(gusts.size(), 2U);
+  EXPECT_EQ(gusts[0].visitor, 2U) << "his click was shorter than the tick";
+  EXPECT_EQ(gusts[1].visitor, 1U);
+  EXPECT_EQ(gustsDuring({}, visitors).size(), 1U) << "and goes on at the next tick";
+}
+
+TEST(Gusts, BlowFromTheEyeWhereItLooks) {
+  Player player = holding(7, kBlow);
+  player.pose = {{1.0F, 1.7F, 2.0F}, 0.5F, 0.1F};
+  const Gust gust = gustOf(player);
+  EXPECT_EQ(gust.origin, player.pose.position);
+  EXPECT_EQ(gust.direction, player.pose.forward());
+}
+
 }  // namespace
 }  // namespace grove::world

@@ -110,8 +110,8 @@ class FluidBackend::Fire {
       if (simulation_.update()) pace_.restart();
       const std::int64_t begin = pipeline::threadCpuNanoseconds();
       const double now = world::World::now();
-      const std::vector<world::Gust> gusts = world_.edits().after(cursor_);
       const std::vector<world::Player> visitors = world_.players().all(now);
+      const std::vector<world::Gust> gusts = world::gustsDuring(world_.edits().after(cursor_), visitors);
       idleTicks_ = visitors.empty() ? idleTicks_ + 1 : 0;
       const bool rest = idleTicks_ >= kIdleTicks;
       FluidSimulation& simulation = simulation_.current();

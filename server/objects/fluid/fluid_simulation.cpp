@@ -120,7 +120,7 @@ std::vector<world::Gust> FluidSimulation::localGusts(std::span<const world::Gust
     if (!finite(gust.origin) || !std::isfinite(length) || length < 1.0e-6F) continue;
     if (!std::isfinite(gust.speed) || !std::isfinite(gust.reach) || gust.speed <= 0.0F || gust.reach <= 0.0F) continue;
     local.push_back({gust.origin - cube_.low, gust.direction / length, std::min(gust.speed, kStrongestGust),
-                     std::min(gust.reach, kLongestReach)});
+                     std::min(gust.reach, kLongestReach), gust.visitor});
   }
   return local;
 }
