@@ -59,6 +59,13 @@ void addServe(CLI::App& app, ServeOptions& options) {
   serve->add_option("--fps", options.host.framesPerSecond, "Frames a second for each visitor")
       ->check(CLI::Range(1, 120))
       ->capture_default_str();
+  serve
+      ->add_option_function<int>(
+          "--frame-deadline", [&options](int milliseconds) { options.host.deadlineSeconds = milliseconds / 1000.0; },
+          "Milliseconds that a frame waits for its objects; those that are later show their last state")
+      ->type_name("INT")
+      ->check(CLI::Range(10, 60'000))
+      ->default_str("500");
   serve->add_option("--max-visitors", options.host.mostVisitors, "How many may be in the world at once")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();

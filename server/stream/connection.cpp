@@ -9,7 +9,7 @@ namespace grove::stream {
 namespace {
 
 constexpr double kHelloSeconds = 10.0;
-constexpr double kAcknowledgementSeconds = 30.0;
+constexpr double kAcknowledgementSeconds = 25.0;
 constexpr int kMaxPiecesPerSecond = 500;
 
 Refusal protocolError(std::string reason) { return {CloseCode::kProtocolError, std::move(reason)}; }
@@ -43,8 +43,8 @@ std::optional<Refusal> Connection::overdue(double now) {
     if (now - opened_ < kHelloSeconds) return std::nullopt;
     return refuse({CloseCode::kNoHello, "no Hello within 10 seconds"});
   }
-  if (session_->secondsSinceAcknowledgement(now) < kAcknowledgementSeconds) return std::nullopt;
-  return refuse({CloseCode::kNoAcknowledgement, "no frame acknowledged for 30 seconds"});
+  if (session_->secondsUnacknowledged(now) < kAcknowledgementSeconds) return std::nullopt;
+  return refuse({CloseCode::kNoAcknowledgement, "no frame acknowledged for 25 seconds"});
 }
 
 void Connection::end(const Refusal& why) { leave(std::to_string(static_cast<int>(why.code)) + " " + why.reason); }
@@ -78,8 +78,7 @@ std::optional<Refusal> Connection::act(const ClientMessage& message) {
   if (!session_) return protocolError("the first message is not Hello");
   if (const auto* input = std::get_if<world::Input>(&message)) return session_->input(*input);
   if (const auto* resize = std::get_if<Resize>(&message)) return session_->resize(*resize);
-  session_->acknowledge(std::get<Ack>(message));
-  return std::nullopt;
+  return session_->acknowledge(std::get<Ack>(message));
 }
 
 std::optional<Refusal> Connection::greet(const Hello& hello) {

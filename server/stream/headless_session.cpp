@@ -20,7 +20,7 @@ HeadlessSession::HeadlessSession(Host& host, const std::string& name, int width,
       session = inbox->session.lock();
     }
     inbox->arrived.notify_all();
-    if (session) session->acknowledge(ack);
+    if (session) static_cast<void>(session->acknowledge(ack));  // what was sent is not refused
   });
   if (const auto* refusal = std::get_if<Refusal>(&opened)) {
     throw EnvironmentError(refusal->reason, "headless session", "raise HostOptions::mostVisitors");
@@ -29,7 +29,7 @@ HeadlessSession::HeadlessSession(Host& host, const std::string& name, int width,
   const std::lock_guard lock(inbox_->mutex);
   inbox_->session = session_;
   // What came before the session was known to the inbox is acknowledged here.
-  if (inbox_->newest) session_->acknowledge(Ack{inbox_->newest->header.frame});
+  if (inbox_->newest) static_cast<void>(session_->acknowledge(Ack{inbox_->newest->header.frame}));
 }
 
 HeadlessSession::~HeadlessSession() { session_->close(); }

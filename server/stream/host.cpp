@@ -31,7 +31,8 @@ Host::Host(world::World::Layout layout, const node::Registry& registry, gl::Work
       timelineMemory_(memory_, "timeline", "", pipeline::Work::kAcrossUser, timeline_.bytes()),
       meter_(timeline_, memory_, options_.framesPerSecond, options_.privateWorlds),
       images_(memory_),
-      workers_(static_cast<int>(std::max(1U, std::thread::hardware_concurrency()))) {
+      workers_(static_cast<int>(std::max(1U, std::thread::hardware_concurrency()))),
+      gate_(std::make_shared<FrameGate>(std::max(workers_.width(), options_.framesInFlight))) {
   if (options_.privateWorlds) {
     preparer_ = std::make_unique<pipeline::WorkerPool>(1, "grove-prepare");
   } else {

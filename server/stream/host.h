@@ -18,6 +18,7 @@
 #include "pipeline/memory_ledger.h"
 #include "pipeline/timeline.h"
 #include "pipeline/worker_pool.h"
+#include "stream/frame_gate.h"
 #include "stream/session.h"
 #include "stream/world_copy.h"
 #include "world/world.h"
@@ -29,6 +30,8 @@ struct HostOptions {
   /// second come out as long as making one takes less than a period.
   int framesInFlight = 1;
   int framesPerSecond = 30;
+  /// A frame waits so long for what backend nodes answer; objects whose results come later show their last ones.
+  double deadlineSeconds = 0.5;
   int mostVisitors = 16;
   int jpegQuality = 75;
   /// The control experiment, one console per player: every visitor gets copies of his own of all that backend nodes
@@ -102,7 +105,8 @@ class Host {
   node::SessionId nextSession_ = 1;
 
   pipeline::WorkerPool workers_;
-  std::shared_ptr<WorldCopy> shared_;  ///< null in private mode
+  const std::shared_ptr<FrameGate> gate_;  ///< sessions that end may hold it last
+  std::shared_ptr<WorldCopy> shared_;      ///< null in private mode
   /// Private mode: where worlds are made and taken apart, one at a time.
   std::unique_ptr<pipeline::WorkerPool> preparer_;
   std::thread clock_;

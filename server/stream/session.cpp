@@ -13,6 +13,7 @@ namespace grove::stream {
 namespace {
 
 constexpr std::size_t kMostUnacknowledged = 2;
+constexpr double kDeadlineCheckSeconds = 0.1;
 constexpr double kLeastWidth = 160;
 constexpr double kLeastHeight = 90;
 constexpr double kMostWidth = 1920;
@@ -32,13 +33,7 @@ std::pair<int, int> fitSize(std::uint32_t width, std::uint32_t height) {
 }
 
 Session::Session(Host& host, node::SessionId id, world::PlayerId player, int width, int height, FrameSink sink)
-    : host_(host),
-      id_(id),
-      player_(player),
-      sink_(std::move(sink)),
-      width_(width),
-      height_(height),
-      lastAcknowledged_(world::World::now()) {}
+    : host_(host), id_(id), player_(player), sink_(std::move(sink)), width_(width), height_(height) {}
 
 Session::~Session() { close(); }
 
@@ -51,7 +46,7 @@ void Session::begin(std::shared_ptr<WorldCopy> copy) {
       },
       host_.memory_, host_.workers(), host_.timeline_);
   auto node = std::make_unique<node::FrontendNode>(
-      id_, host_.options().framesInFlight,
+      id_, node::FramePolicy{host_.options().framesInFlight, host_.options().deadlineSeconds},
       [weak](node::FrameNumber frame) {
         const auto self = weak.lock();
         if (self) return self->look(frame);
@@ -59,7 +54,7 @@ void Session::begin(std::shared_ptr<WorldCopy> copy) {
         nothing.frame = frame;
         return nothing;
       },
-      encoder, copy->frontendServices());
+      encoder, [gate = host_.gate_] { gate->leave(); }, copy->frontendServices());
   const std::lock_guard lock(mutex_);
   if (closed_) return;
   copy_ = std::move(copy);
@@ -87,9 +82,11 @@ std::optional<Refusal> Session::input(const world::Input& input) {
   if (!players.apply(player_, input, now)) {
     return Refusal{CloseCode::kProtocolError, "the direction of an input is not a number"};
   }
-  // A click shorter than a frame must blow, too.
+  // Who holds the key blows at every tick of a simulation; a click that is shorter must blow, too.
   if (before && (input.keys & ~before->keys & world::kBlow) != 0 && input.number > before->lastInput) {
-    if (const auto after = players.find(player_, now)) blow(after->pose);
+    const auto copy = currentCopy();
+    const auto after = players.find(player_, now);
+    if (copy && after) copy->world().edits().add(world::gustOf(*after));
   }
   return std::nullopt;
 }
@@ -102,14 +99,19 @@ std::optional<Refusal> Session::resize(const Resize& resize) {
   return std::nullopt;
 }
 
-void Session::acknowledge(const Ack& ack) {
+std::optional<Refusal> Session::acknowledge(const Ack& ack) {
   const double now = world::World::now();
   {
     const std::lock_guard lock(mutex_);
-    unacknowledged_.erase(unacknowledged_.begin(), unacknowledged_.upper_bound(ack.frame));
-    lastAcknowledged_ = now;
+    if (ack.frame > newestSent_) {
+      return Refusal{CloseCode::kProtocolError, "acknowledges a frame that was never sent"};
+    }
+    const auto newer = unacknowledged_.upper_bound(ack.frame);
+    if (newer != unacknowledged_.begin()) unacknowledgedSince_ = now;
+    unacknowledged_.erase(unacknowledged_.begin(), newer);
   }
   startIfDue(now);
+  return std::nullopt;
 }
 
 void Session::close() {
@@ -130,11 +132,20 @@ void Session::close() {
   host_.remove(id_);
 }
 
-double Session::tick(double now) { return startIfDue(now); }
+double Session::tick(double now) {
+  {
+    const std::lock_guard lock(mutex_);
+    if (node_ && now >= nextDeadlineCheck_) {
+      node_->checkDeadline();
+      nextDeadlineCheck_ = now + kDeadlineCheckSeconds;
+    }
+  }
+  return startIfDue(now);
+}
 
-double Session::secondsSinceAcknowledgement(double now) const {
+double Session::secondsUnacknowledged(double now) const {
   const std::lock_guard lock(mutex_);
-  return now - lastAcknowledged_;
+  return unacknowledged_.empty() ? 0.0 : now - unacknowledgedSince_;
 }
 
 double Session::startIfDue(double now) {
@@ -142,11 +153,38 @@ double Session::startIfDue(double now) {
   const std::lock_guard lock(mutex_);
   if (closed_ || !node_) return now + 1.0;
   if (now < nextDue_) return nextDue_;
+  if (waits_) return now + period;
   // A frame that cannot start stays due: the acknowledgement or one of the next looks starts it.
-  const bool started = unacknowledged_.size() < kMostUnacknowledged && node_->requestFrame();
-  if (!started) return now + period / 8;
+  if (unacknowledged_.size() >= kMostUnacknowledged || node_->full()) return now + period / 8;
+  const auto onTurn = [weak = weak_from_this(), gate = host_.gate_] {
+    if (const auto self = weak.lock()) {
+      self->takeTurn();
+    } else {
+      gate->leave();
+    }
+  };
+  waits_ = !host_.gate_->enter(onTurn);
+  if (waits_) return now + period;
+  if (startFrame(now)) return nextDue_;
+  host_.gate_->leave();
+  return now + period / 8;
+}
+
+bool Session::startFrame(double now) {
+  if (closed_ || !node_ || now < nextDue_ || unacknowledged_.size() >= kMostUnacknowledged) return false;
+  if (!node_->requestFrame()) return false;
+  const double period = 1.0 / host_.options().framesPerSecond;
   nextDue_ = std::max(nextDue_ + period, now + period / 2);
-  return nextDue_;
+  return true;
+}
+
+void Session::takeTurn() {
+  {
+    const std::lock_guard lock(mutex_);
+    waits_ = false;
+    if (startFrame(world::World::now())) return;
+  }
+  host_.gate_->leave();
 }
 
 node::View Session::look(node::FrameNumber frame) {
@@ -165,19 +203,11 @@ node::View Session::look(node::FrameNumber frame) {
   if (self != view.players.end()) {
     view.camera.pose = self->pose;
     view.lastInput = self->lastInput;
-    if ((self->keys & world::kBlow) != 0) blow(self->pose);
   }
   const std::lock_guard lock(mutex_);
   view.camera.width = width_;
   view.camera.height = height_;
   return view;
-}
-
-void Session::blow(const world::Pose& pose) {
-  world::Gust gust;
-  gust.origin = pose.position;
-  gust.direction = pose.forward();
-  if (const auto copy = currentCopy()) copy->world().edits().add(gust);
 }
 
 std::shared_ptr<WorldCopy> Session::currentCopy() const {
@@ -189,6 +219,8 @@ void Session::deliver(const std::shared_ptr<const EncodedFrame>& frame) {
   {
     const std::lock_guard lock(mutex_);
     if (closed_) return;
+    if (unacknowledged_.empty()) unacknowledgedSince_ = world::World::now();
+    newestSent_ = std::max(newestSent_, frame->header.frame);
     unacknowledged_.insert(frame->header.frame);
   }
   sink_(frame);

@@ -41,18 +41,19 @@ class Session : public std::enable_shared_from_this<Session> {
   /// Takes over the newest controls; a refusal closes the connection.
   [[nodiscard]] std::optional<Refusal> input(const world::Input& input);
   [[nodiscard]] std::optional<Refusal> resize(const Resize& resize);
-  /// A frame was presented; starts the next one at once if it is due.
-  void acknowledge(const Ack& ack);
+  /// A frame was presented; starts the next one at once if it is due. A frame that was never sent is refused.
+  [[nodiscard]] std::optional<Refusal> acknowledge(const Ack& ack);
 
   /// Leaves the world; no frame reaches the sink after close() returned and the runs in progress ended.
   void close();
 
-  /// Starts a frame if one is due, fewer than `framesInFlight` are being made and at most one is unacknowledged.
-  /// Returns when to ask again. Called by the host's frame clock.
+  /// Starts a frame if one is due, fewer than `framesInFlight` are being made and at most one is unacknowledged, or
+  /// waits for its turn to. Returns when to ask again. Called by the host's frame clock.
   double tick(double now);
 
-  /// Seconds since the last acknowledged frame (or since the start).
-  [[nodiscard]] double secondsSinceAcknowledgement(double now) const;
+  /// How long frames have been waiting to be acknowledged, seconds, since one was last; 0 if there is none. To
+  /// acknowledge one a second time does not count.
+  [[nodiscard]] double secondsUnacknowledged(double now) const;
 
  private:
   friend class Host;
@@ -60,8 +61,11 @@ class Session : public std::enable_shared_from_this<Session> {
   void begin(std::shared_ptr<WorldCopy> copy);
   [[nodiscard]] node::View look(node::FrameNumber frame);
   double startIfDue(double now);
+  /// The gate has a place for this session's next frame.
+  void takeTurn();
+  /// With mutex_ held and a place in the gate: begins a frame if one still is due.
+  [[nodiscard]] bool startFrame(double now);
   void deliver(const std::shared_ptr<const EncodedFrame>& frame);
-  void blow(const world::Pose& pose);
   [[nodiscard]] std::shared_ptr<WorldCopy> currentCopy() const;
 
   Host& host_;
@@ -77,7 +81,10 @@ class Session : public std::enable_shared_from_this<Session> {
   int width_;
   int height_;
   double nextDue_ = 0.0;
-  double lastAcknowledged_ = 0.0;
+  double nextDeadlineCheck_ = 0.0;
+  bool waits_ = false;                ///< for its turn
+  double unacknowledgedSince_ = 0.0;  ///< if there are any
+  node::FrameNumber newestSent_ = 0;
   std::set<node::FrameNumber> unacknowledged_;
 };
 

@@ -19,9 +19,9 @@ Result failure(FrameNumber frame, std::uint32_t slot, const std::string& reason)
 }
 
 TEST(ResultTable, AssemblesResultsThatComeInAnyOrderOfAnyFrame) {
-  ResultTable table(2);
-  ASSERT_TRUE(table.open(frameOf(1, 3)));
-  ASSERT_TRUE(table.open(frameOf(2, 2)));
+  ResultTable table(2, 0.5);
+  ASSERT_TRUE(table.open(frameOf(1, 3), 0.0));
+  ASSERT_TRUE(table.open(frameOf(2, 2), 0.0));
   EXPECT_TRUE(table.put(failure(2, 1, "2b")));
   EXPECT_TRUE(table.put(failure(1, 2, "1c")));
   EXPECT_TRUE(table.put(failure(2, 0, "2a")));
@@ -39,17 +39,17 @@ TEST(ResultTable, AssemblesResultsThatComeInAnyOrderOfAnyFrame) {
 }
 
 TEST(ResultTable, HoldsNoMoreFramesThanAreInFlight) {
-  ResultTable table(2);
-  EXPECT_TRUE(table.open(frameOf(1, 1)));
-  EXPECT_TRUE(table.open(frameOf(2, 1)));
-  EXPECT_FALSE(table.open(frameOf(3, 1)));
-  EXPECT_FALSE(table.open(frameOf(2, 1)));
+  ResultTable table(2, 0.5);
+  EXPECT_TRUE(table.open(frameOf(1, 1), 0.0));
+  EXPECT_TRUE(table.open(frameOf(2, 1), 0.0));
+  EXPECT_FALSE(table.open(frameOf(3, 1), 0.0));
+  EXPECT_FALSE(table.open(frameOf(2, 1), 0.0));
   EXPECT_EQ(table.frames(), 2u);
 }
 
 TEST(ResultTable, RefusesWhatItDidNotAskFor) {
-  ResultTable table(2);
-  ASSERT_TRUE(table.open(frameOf(7, 2)));
+  ResultTable table(2, 0.5);
+  ASSERT_TRUE(table.open(frameOf(7, 2), 0.0));
   EXPECT_FALSE(table.put(failure(8, 0, "unknown frame")));
   EXPECT_FALSE(table.put(failure(7, 2, "unknown slot")));
   EXPECT_TRUE(table.put(failure(7, 0, "first")));
@@ -59,9 +59,26 @@ TEST(ResultTable, RefusesWhatItDidNotAskFor) {
 }
 
 TEST(ResultTable, AFrameWithoutRequestsIsCompleteAtOnce) {
-  ResultTable table(1);
-  ASSERT_TRUE(table.open(frameOf(1, 0)));
+  ResultTable table(1, 0.5);
+  ASSERT_TRUE(table.open(frameOf(1, 0), 0.0));
   EXPECT_TRUE(table.take(1).has_value());
+}
+
+TEST(ResultTable, ALostResultDoesNotKeepItsRow) {
+  ResultTable table(2, 0.5);
+  ASSERT_TRUE(table.open(frameOf(3, 2), 10.0));
+  ASSERT_TRUE(table.open(frameOf(4, 1), 10.3));
+  ASSERT_TRUE(table.put(failure(3, 1, "came")));
+  EXPECT_FALSE(table.takeOverdue(10.49).has_value());
+  const auto overdue = table.takeOverdue(10.6);
+  ASSERT_TRUE(overdue.has_value());
+  EXPECT_EQ(overdue->list->view->frame, 3u);
+  EXPECT_EQ(overdue->fulfilled, (std::vector<bool>{false, true}));
+  EXPECT_EQ(std::get<Failure>(overdue->payloads[1]).reason, "came");
+  EXPECT_FALSE(table.put(failure(3, 0, "late"))) << "nobody waits for it";
+  EXPECT_EQ(table.frames(), 1u);
+  EXPECT_FALSE(table.takeOverdue(10.6).has_value()) << "the newer one has time";
+  EXPECT_TRUE(table.takeOverdue(10.8).has_value());
 }
 
 }  // namespace

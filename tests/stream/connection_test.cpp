@@ -14,6 +14,14 @@ class ConnectionTest : public ServedWorld {
  protected:
   static MessagePiece whole(const std::vector<std::uint8_t>& bytes) { return {bytes, true, true, true}; }
 
+  /// Says Hello and returns the first frame's number.
+  std::uint32_t enter() {
+    EXPECT_FALSE(connection_.receive(whole(encode(Hello{"Ada", 320, 180})), now_));
+    EXPECT_FALSE(connection_.takeWelcome().empty());
+    while (!connection_.hasSomethingToSend()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    return connection_.takeFrame()->header.frame;
+  }
+
   const double now_ = world::World::now();
   Connection connection_{host_, "a test", now_, [] {}};
 };
@@ -27,18 +35,36 @@ TEST_F(ConnectionTest, EndsWithoutHello) {
 }
 
 TEST_F(ConnectionTest, EndsWithoutAcknowledgements) {
-  ASSERT_FALSE(connection_.receive(whole(encode(Hello{"Ada", 320, 180})), now_));
+  enter();
   EXPECT_EQ(host_.visitors(), 1U);
-  EXPECT_FALSE(connection_.overdue(now_ + 29.0));
-  const auto refusal = connection_.overdue(world::World::now() + 30.0);
+  EXPECT_FALSE(connection_.overdue(now_ + 24.0));
+  const auto refusal = connection_.overdue(world::World::now() + 25.0);
   ASSERT_TRUE(refusal);
   EXPECT_EQ(refusal->code, CloseCode::kNoAcknowledgement);
   EXPECT_EQ(host_.visitors(), 0U);
 }
 
+TEST_F(ConnectionTest, ToAcknowledgeAFrameAgainKeepsNoPlace) {
+  const std::uint32_t frame = enter();
+  ASSERT_FALSE(connection_.receive(whole(encode(Ack{frame})), now_));
+  while (!connection_.hasSomethingToSend()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  const double next = world::World::now();
+  ASSERT_FALSE(connection_.receive(whole(encode(Ack{0})), now_ + 10.0));
+  ASSERT_FALSE(connection_.receive(whole(encode(Ack{frame})), now_ + 20.0));
+  EXPECT_TRUE(connection_.overdue(next + 25.0));
+}
+
+TEST_F(ConnectionTest, WhoAcknowledgesWhatWasNotSentIsRefused) {
+  enter();
+  const auto refusal = connection_.receive(whole(encode(Ack{0xFFFFFFFFU})), now_);
+  ASSERT_TRUE(refusal);
+  EXPECT_EQ(refusal->code, CloseCode::kProtocolError);
+  EXPECT_EQ(host_.visitors(), 0U);
+}
+
 TEST_F(ConnectionTest, CountsMessagesBySecond) {
   ASSERT_FALSE(connection_.receive(whole(encode(Hello{"Ada", 320, 180})), now_));
-  const auto ack = encode(Ack{1});
+  const auto ack = encode(Ack{0});
   for (int second = 0; second < 3; ++second) {
     for (int i = 0; i < 499; ++i) ASSERT_FALSE(connection_.receive(whole(ack), now_ + second));
   }

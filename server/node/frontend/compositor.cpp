@@ -1,10 +1,12 @@
 #include "node/frontend/compositor.h"
 
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "node/frontend/composite.h"
 #include "node/limits.h"
+#include "world/world.h"
 
 namespace grove::node {
 namespace {
@@ -35,18 +37,19 @@ class TypeClock {
 
 }  // namespace
 
-Compositor::Compositor(const Registry& registry, ImagePool& images, pipeline::MemoryLedger& memory, int framesInFlight,
-                       std::function<void()> frameDone, pipeline::Executor& executor, pipeline::Timeline& timeline)
+Compositor::Compositor(const Registry& registry, ImagePool& images, pipeline::MemoryLedger& memory,
+                       const FramePolicy& policy, std::function<void()> frameDone, pipeline::Executor& executor,
+                       pipeline::Timeline& timeline)
     : Stage({.name = kStage,
              .work = pipeline::Work::kPerUserFrontend,
-             .capacity = static_cast<std::size_t>(framesInFlight) * (kMostObjectsPerFrame + 1)},
+             .capacity = static_cast<std::size_t>(policy.framesInFlight) * (kMostObjectsPerFrame + 1) + 1},
             executor, timeline),
       registry_(registry),
       timeline_(timeline),
       images_(images),
       memory_(memory),
       frameDone_(std::move(frameDone)),
-      table_(static_cast<std::size_t>(framesInFlight)) {}
+      table_(static_cast<std::size_t>(policy.framesInFlight), policy.deadlineSeconds) {}
 
 void Compositor::connect(std::shared_ptr<pipeline::Inlet<FinishedFrame>> next) {
   next_.connect(std::move(next));
@@ -55,25 +58,41 @@ void Compositor::connect(std::shared_ptr<pipeline::Inlet<FinishedFrame>> next) {
 
 void Compositor::process(std::span<CompositorInput> inputs, pipeline::Run& run) {
   for (CompositorInput& input : inputs) {
-    FrameNumber number = 0;
+    std::optional<CompleteFrame> frame;
     if (const auto* list = std::get_if<std::shared_ptr<const FrameList>>(&input)) {
-      number = (*list)->view->frame;
-      table_.open(*list);
+      table_.open(*list, world::World::now());
+      frame = table_.take((*list)->view->frame);
+    } else if (Result* result = std::get_if<Result>(&input)) {
+      const FrameNumber number = result->frame;
+      if (!table_.put(std::move(*result))) timeline_.count("results that were not waited for");
+      frame = table_.take(number);
     } else {
-      Result& result = std::get<Result>(input);
-      number = result.frame;
-      table_.put(std::move(result));
+      frame = table_.takeOverdue(world::World::now());
+      if (frame) fillIn(*frame);
     }
-    const auto complete = table_.take(number);
-    if (!complete) continue;
-    struct Done {
-      const std::function<void()>& call;
-      ~Done() { call(); }
-    };
-    const Done done{frameDone_};
-    if (number <= newestShown_) continue;
-    newestShown_ = number;
-    next_.send(run, FinishedFrame{complete->list->view, composite(*complete)});
+    if (frame) show(std::move(*frame), run);
+  }
+}
+
+void Compositor::show(CompleteFrame frame, pipeline::Run& run) {
+  struct Done {
+    const std::function<void()>& call;
+    ~Done() { call(); }
+  };
+  const Done done{frameDone_};
+  const FrameNumber number = frame.list->view->frame;
+  if (number <= newestShown_) return;
+  newestShown_ = number;
+  next_.send(run, FinishedFrame{frame.list->view, composite(frame)});
+  lastResults_.keep(std::move(frame));
+}
+
+void Compositor::fillIn(CompleteFrame& frame) {
+  for (const std::size_t slot : lastResults_.fillIn(frame)) {
+    timeline_.recordFailure(kStage, pipeline::Work::kPerUserFrontend);
+    const world::Object& object = frame.list->objects[slot].object;
+    overdue_.warning(std::string(registry_.type(object.type).name()) + " " + object.name +
+                     ": no result within the deadline of a frame");
   }
 }
 

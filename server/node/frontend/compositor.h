@@ -5,6 +5,7 @@
 #include <memory>
 #include <variant>
 
+#include "node/frontend/last_results.h"
 #include "node/frontend/result_table.h"
 #include "node/messages.h"
 #include "node/object_type.h"
@@ -14,20 +15,31 @@
 
 namespace grove::node {
 
+/// A look for frames that have waited too long for their results.
+struct DeadlineCheck {};
+
+inline pipeline::TraceTag traceTag(const DeadlineCheck&) { return {}; }
+
 /// The Scene Analyzer's list announces a frame; results fill it.
-using CompositorInput = std::variant<std::shared_ptr<const FrameList>, Result>;
+using CompositorInput = std::variant<std::shared_ptr<const FrameList>, Result, DeadlineCheck>;
 
 inline pipeline::TraceTag traceTag(const CompositorInput& input) {
   return std::visit([](const auto& held) { return traceTag(held); }, input);
 }
 
+/// How many frames of a visitor are made at once, and how long one waits for its results.
+struct FramePolicy {
+  int framesInFlight = 1;        ///< 1 to kMostFramesInFlight
+  double deadlineSeconds = 0.5;  ///< then it is shown with the last results of the objects that did not answer
+};
+
 /// Last box of Figure 4.2: when all requests of a frame are fulfilled, composites their images by depth, then lets each
 /// object type's frontend half draw its data, back to front (section 4.2, step 10). A frame that is complete only after
-/// a newer one was shown is dropped.
+/// a newer one was shown is dropped; one that is not complete by the deadline is shown as it is.
 class Compositor final : public pipeline::Stage<CompositorInput> {
  public:
   /// `frameDone` is called once for every announced frame, shown or not.
-  Compositor(const Registry& registry, ImagePool& images, pipeline::MemoryLedger& memory, int framesInFlight,
+  Compositor(const Registry& registry, ImagePool& images, pipeline::MemoryLedger& memory, const FramePolicy& policy,
              std::function<void()> frameDone, pipeline::Executor& executor, pipeline::Timeline& timeline);
   void connect(std::shared_ptr<pipeline::Inlet<FinishedFrame>> next);
 
@@ -35,6 +47,8 @@ class Compositor final : public pipeline::Stage<CompositorInput> {
   void process(std::span<CompositorInput> inputs, pipeline::Run& run) override;
 
  private:
+  void show(CompleteFrame frame, pipeline::Run& run);
+  void fillIn(CompleteFrame& frame);
   [[nodiscard]] std::shared_ptr<const Image> composite(const CompleteFrame& frame);
   void lay(const VisibleObject& object, const Payload& payload, const View& view, FrameBuilder& frame);
   void tellMemory();
@@ -46,6 +60,8 @@ class Compositor final : public pipeline::Stage<CompositorInput> {
   pipeline::MemoryLedger& memory_;
   const std::function<void()> frameDone_;
   ResultTable table_;
+  LastResults lastResults_;
+  log::Limited overdue_;
   FrameNumber newestShown_ = 0;
   struct TypeHalf {
     TypeHalf(const ObjectType& type, pipeline::MemoryLedger& memory)

@@ -7,25 +7,25 @@
 
 namespace grove::node {
 
-FrontendNode::FrontendNode(SessionId session, int framesInFlight, SceneAnalyzer::Look look,
-                           std::shared_ptr<pipeline::Inlet<FinishedFrame>> next, const FrontendServices& services)
+FrontendNode::FrontendNode(SessionId session, const FramePolicy& policy, SceneAnalyzer::Look look,
+                           std::shared_ptr<pipeline::Inlet<FinishedFrame>> next, std::function<void()> frameEnded,
+                           const FrontendServices& services)
     : session_(session),
-      framesInFlight_(framesInFlight),
       transport_(services.transport),
-      inFlight_(std::make_shared<std::atomic<int>>(0)) {
-  assert(framesInFlight >= 1 && framesInFlight <= kMostFramesInFlight);
+      inFlight_(std::make_shared<FramesInFlight>(policy.framesInFlight, std::move(frameEnded))) {
+  assert(policy.framesInFlight >= 1 && policy.framesInFlight <= kMostFramesInFlight);
   pipeline::Executor& workers = services.workers;
   pipeline::Timeline& timeline = services.timeline;
 
-  const auto frameEnded = [count = inFlight_] { --*count; };
+  const auto endFrame = [frames = inFlight_] { frames->end(); };
 
-  analyzer_ = std::make_shared<SceneAnalyzer>(services.world, std::move(look), frameEnded, workers, timeline);
+  analyzer_ = std::make_shared<SceneAnalyzer>(services.world, std::move(look), endFrame, workers, timeline);
   requestSender_ = std::make_shared<RequestSender>(transport_, workers, timeline);
-  resultReceiver_ = std::make_shared<ResultReceiver>(static_cast<std::size_t>(framesInFlight) * kMostObjectsPerFrame,
-                                                     workers, timeline);
+  resultReceiver_ = std::make_shared<ResultReceiver>(
+      static_cast<std::size_t>(policy.framesInFlight) * kMostObjectsPerFrame, workers, timeline);
   decompressor_ = std::make_shared<Decompressor>(transport_, workers, timeline);
-  compositor_ = std::make_shared<Compositor>(services.registry, services.images, services.memory, framesInFlight,
-                                             frameEnded, workers, timeline);
+  compositor_ = std::make_shared<Compositor>(services.registry, services.images, services.memory, policy, endFrame,
+                                             workers, timeline);
 
   analyzer_->connect(compositor_, requestSender_);
   transport_.connectFrontend(session_, resultReceiver_);
@@ -37,13 +37,14 @@ FrontendNode::FrontendNode(SessionId session, int framesInFlight, SceneAnalyzer:
 FrontendNode::~FrontendNode() { close(); }
 
 bool FrontendNode::requestFrame() {
-  int count = inFlight_->load();
-  do {
-    if (count >= framesInFlight_) return false;
-  } while (!inFlight_->compare_exchange_weak(count, count + 1));
+  if (!inFlight_->begin()) return false;
   if (analyzer_->push({session_, nextFrame_++}) == pipeline::PushResult::kAccepted) return true;
-  --*inFlight_;
-  return false;
+  // One that close() has ended meanwhile was begun for the caller.
+  return !inFlight_->cancel();
+}
+
+void FrontendNode::checkDeadline() {
+  if (inFlight_->count() > 0) compositor_->push(DeadlineCheck{});
 }
 
 void FrontendNode::close() {
@@ -53,6 +54,7 @@ void FrontendNode::close() {
   resultReceiver_->close();
   decompressor_->close();
   compositor_->close();
+  inFlight_->close();
 }
 
 }  // namespace grove::node

@@ -6,6 +6,7 @@
 
 #include "node/frontend/compositor.h"
 #include "node/frontend/decompressor.h"
+#include "node/frontend/frames_in_flight.h"
 #include "node/frontend/request_sender.h"
 #include "node/frontend/result_receiver.h"
 #include "node/frontend/scene_analyzer.h"
@@ -29,23 +30,32 @@ struct FrontendServices {
 class FrontendNode {
  public:
   /// `look` reads the camera, on a worker thread, when a frame's turn has come. Finished frames go to `next`.
-  FrontendNode(SessionId session, int framesInFlight, SceneAnalyzer::Look look,
-               std::shared_ptr<pipeline::Inlet<FinishedFrame>> next, const FrontendServices& services);
+  /// `frameEnded` (may be empty) is called once for each frame that was requested: it is composited, or dropped. Any
+  /// thread; it may request frames, of other nodes too.
+  FrontendNode(SessionId session, const FramePolicy& policy, SceneAnalyzer::Look look,
+               std::shared_ptr<pipeline::Inlet<FinishedFrame>> next, std::function<void()> frameEnded,
+               const FrontendServices& services);
   ~FrontendNode();
   FrontendNode(const FrontendNode&) = delete;
   FrontendNode& operator=(const FrontendNode&) = delete;
 
-  /// Starts a frame, unless `framesInFlight` are being made already.
+  /// Starts a frame, unless `framesInFlight` are being made already: then false, and it does not end.
   bool requestFrame();
+
+  /// Whether `framesInFlight` are being made.
+  [[nodiscard]] bool full() const { return inFlight_->full(); }
+
+  /// To be called every now and then, so that a frame whose results do not come ends by its deadline, or as long after
+  /// it as lies between two calls. Returns at once.
+  void checkDeadline();
 
   /// Takes no more frames; runs in progress finish and their results are dropped.
   void close();
 
  private:
   const SessionId session_;
-  const int framesInFlight_;
   Transport& transport_;
-  const std::shared_ptr<std::atomic<int>> inFlight_;
+  const std::shared_ptr<FramesInFlight> inFlight_;
   std::atomic<FrameNumber> nextFrame_{1};
   std::shared_ptr<SceneAnalyzer> analyzer_;
   std::shared_ptr<RequestSender> requestSender_;

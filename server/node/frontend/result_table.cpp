@@ -4,11 +4,12 @@
 
 namespace grove::node {
 
-bool ResultTable::open(std::shared_ptr<const FrameList> list) {
+bool ResultTable::open(std::shared_ptr<const FrameList> list, double now) {
   const FrameNumber number = list->view->frame;
   if (rows_.size() >= mostFrames_ || rows_.contains(number)) return false;
   const std::size_t requests = list->objects.size();
-  rows_.emplace(number, Row{{std::move(list), std::vector<Payload>(requests)}, std::vector<bool>(requests), requests});
+  CompleteFrame frame{std::move(list), std::vector<Payload>(requests), std::vector<bool>(requests)};
+  rows_.emplace(number, Row{std::move(frame), requests, now});
   return true;
 }
 
@@ -16,8 +17,8 @@ bool ResultTable::put(Result result) {
   const auto it = rows_.find(result.frame);
   if (it == rows_.end()) return false;
   Row& row = it->second;
-  if (result.slot >= row.fulfilled.size() || row.fulfilled[result.slot]) return false;
-  row.fulfilled[result.slot] = true;
+  if (result.slot >= row.frame.fulfilled.size() || row.frame.fulfilled[result.slot]) return false;
+  row.frame.fulfilled[result.slot] = true;
   row.frame.payloads[result.slot] = std::move(result.payload);
   --row.missing;
   return true;
@@ -29,6 +30,14 @@ std::optional<CompleteFrame> ResultTable::take(FrameNumber frame) {
   CompleteFrame complete = std::move(it->second.frame);
   rows_.erase(it);
   return complete;
+}
+
+std::optional<CompleteFrame> ResultTable::takeOverdue(double now) {
+  const auto oldest = rows_.begin();
+  if (oldest == rows_.end() || now - oldest->second.opened < deadlineSeconds_) return std::nullopt;
+  CompleteFrame frame = std::move(oldest->second.frame);
+  rows_.erase(oldest);
+  return frame;
 }
 
 }  // namespace grove::node
