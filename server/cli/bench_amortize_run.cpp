@@ -35,6 +35,7 @@ std::string described(const AmortizeRun& run) {
 /// How worlds are served in a measurement.
 stream::HostOptions hostOptions(const AmortizeRun& run) {
   stream::HostOptions options;
+  options.deadlineSeconds = stream::HostOptions::kNoHurry;
   options.framesPerSecond = static_cast<int>(kNominalFps);
   options.mostVisitors = run.users;
   options.privateWorlds = run.privateWorlds;

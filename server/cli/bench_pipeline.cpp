@@ -255,6 +255,7 @@ int runBenchPipeline(const BenchPipelineOptions& options) {
   for (const int framesInFlight : options.framesInFlight) {
     if (!prepared || stop.token().stop_requested()) break;
     stream::HostOptions hosting;
+    hosting.deadlineSeconds = stream::HostOptions::kNoHurry;
     hosting.framesInFlight = framesInFlight;
     hosting.framesPerSecond = kFramesPerSecond;
     hosting.mostVisitors = options.users;

@@ -32,6 +32,8 @@ struct HostOptions {
   int framesPerSecond = 30;
   /// A frame waits so long for what backend nodes answer; objects whose results come later show their last ones.
   double deadlineSeconds = 0.5;
+  /// Deadline of those who measure or compare frames, and would rather wait than leave anything out.
+  static constexpr double kNoHurry = 60.0;
   int mostVisitors = 16;
   int jpegQuality = 75;
   /// The control experiment, one console per player: every visitor gets copies of his own of all that backend nodes

@@ -19,6 +19,16 @@ constexpr double kLeastHeight = 90;
 constexpr double kMostWidth = 1920;
 constexpr double kMostHeight = 1080;
 
+bool blows(const world::Player& player) { return (player.keys & world::kBlow) != 0; }
+
+void tellBreath(WorldCopy& copy, const world::Player& player) {
+  if (blows(player)) {
+    copy.world().edits().startBlowing(player);
+  } else {
+    copy.world().edits().stopBlowing(player.id);
+  }
+}
+
 }  // namespace
 
 std::pair<int, int> fitSize(std::uint32_t width, std::uint32_t height) {
@@ -55,6 +65,7 @@ void Session::begin(std::shared_ptr<WorldCopy> copy) {
         return nothing;
       },
       encoder, [gate = host_.gate_] { gate->leave(); }, copy->frontendServices());
+  if (const auto player = host_.players().find(player_, world::World::now())) tellBreath(*copy, *player);
   const std::lock_guard lock(mutex_);
   if (closed_) return;
   copy_ = std::move(copy);
@@ -82,11 +93,9 @@ std::optional<Refusal> Session::input(const world::Input& input) {
   if (!players.apply(player_, input, now)) {
     return Refusal{CloseCode::kProtocolError, "the direction of an input is not a number"};
   }
-  // Who holds the key blows at every tick of a simulation; a click that is shorter must blow, too.
-  if (before && (input.keys & ~before->keys & world::kBlow) != 0 && input.number > before->lastInput) {
-    const auto copy = currentCopy();
-    const auto after = players.find(player_, now);
-    if (copy && after) copy->world().edits().add(world::gustOf(*after));
+  const auto after = players.find(player_, now);
+  if (before && after && blows(*before) != blows(*after)) {
+    if (const auto copy = currentCopy()) tellBreath(*copy, *after);
   }
   return std::nullopt;
 }
@@ -128,6 +137,7 @@ void Session::close() {
   }
   if (node) node->close();
   if (encoder) encoder->close();
+  if (copy) copy->world().edits().stopBlowing(player_);
   host_.players().leave(player_);
   host_.remove(id_);
 }

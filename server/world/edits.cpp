@@ -1,7 +1,6 @@
 #include "world/edits.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace grove::world {
 
@@ -13,30 +12,31 @@ Gust gustOf(const Player& visitor) {
   return gust;
 }
 
-std::vector<Gust> gustsDuring(std::vector<Gust> clicks, std::span<const Player> visitors) {
-  std::vector<Gust> gusts = std::move(clicks);
-  for (const Player& visitor : visitors) {
-    if ((visitor.keys & kBlow) == 0) continue;
-    std::erase_if(gusts, [&](const Gust& gust) { return gust.visitor == visitor.id; });
-    gusts.push_back(gustOf(visitor));
-  }
-  return gusts;
-}
-
-void Edits::add(const Gust& gust) {
+void Edits::startBlowing(const Player& visitor) {
   const std::lock_guard lock(mutex_);
-  gusts_.push_back(gust);
-  if (gusts_.size() > kCapacity) {
-    gusts_.pop_front();
+  blowing_.insert(visitor.id);
+  breaths_.push_back(gustOf(visitor));
+  if (breaths_.size() > kCapacity) {
+    breaths_.pop_front();
     ++first_;
   }
 }
 
-std::vector<Gust> Edits::after(Cursor& cursor) const {
+void Edits::stopBlowing(PlayerId visitor) {
+  const std::lock_guard lock(mutex_);
+  blowing_.erase(visitor);
+}
+
+std::vector<Gust> Edits::during(Cursor& cursor, std::span<const Player> visitors) const {
   const std::lock_guard lock(mutex_);
   const Cursor from = std::max(cursor, first_);
-  cursor = first_ + gusts_.size();
-  return {gusts_.begin() + static_cast<std::ptrdiff_t>(from - first_), gusts_.end()};
+  cursor = first_ + breaths_.size();
+  std::vector<Gust> gusts(breaths_.begin() + static_cast<std::ptrdiff_t>(from - first_), breaths_.end());
+  std::erase_if(gusts, [this](const Gust& gust) { return blowing_.contains(gust.visitor); });
+  for (const Player& visitor : visitors) {
+    if (blowing_.contains(visitor.id)) gusts.push_back(gustOf(visitor));
+  }
+  return gusts;
 }
 
 }  // namespace grove::world

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <deque>
 #include <mutex>
+#include <set>
 #include <span>
 #include <vector>
 
@@ -23,26 +24,27 @@ struct Gust {
 /// How a visitor blows.
 [[nodiscard]] Gust gustOf(const Player& visitor);
 
-/// What blows during one tick of a simulation: everybody who holds the key then, and the `clicks`, of Edits, of those
-/// who have let it go already. So a second of blowing is the same, however many frames of it the visitor sees.
-[[nodiscard]] std::vector<Gust> gustsDuring(std::vector<Gust> clicks, std::span<const Player> visitors);
-
 /// Changes that visitors make to the world, numbered. Every simulation reads all of them, each with its own cursor, at
 /// its next tick. Bounded: the oldest go first. Any thread.
 class Edits {
  public:
   using Cursor = std::uint64_t;
 
-  void add(const Gust& gust);
+  /// From now on the visitor blows at every tick, and at one at least.
+  void startBlowing(const Player& visitor);
+  void stopBlowing(PlayerId visitor);
 
-  /// The gusts after `cursor`, which is moved past them.
-  [[nodiscard]] std::vector<Gust> after(Cursor& cursor) const;
+  /// What blows during a tick of a simulation: everybody of `visitors` who blows now, and the first breath of those who
+  /// began after `cursor`, which is moved past them, and have stopped. So a second of blowing is the same, however many
+  /// frames of it a visitor sees.
+  [[nodiscard]] std::vector<Gust> during(Cursor& cursor, std::span<const Player> visitors) const;
 
  private:
   static constexpr std::size_t kCapacity = 256;
   mutable std::mutex mutex_;
-  std::deque<Gust> gusts_;
+  std::deque<Gust> breaths_;  ///< first ones
   Cursor first_ = 0;
+  std::set<PlayerId> blowing_;
 };
 
 }  // namespace grove::world

@@ -53,7 +53,7 @@ class FluidBackend::Fire {
                     settings_.grid),
         held_(services.memory, "simulations", "fluid", pipeline::Work::kAcrossUser) {
     // Seen from here on: gusts from before the fire existed do not count.
-    static_cast<void>(world_.edits().after(cursor_));
+    static_cast<void>(world_.edits().during(cursor_, {}));
     const int ticks = static_cast<int>(kGrowSeconds / FluidSimulation::kTick);
     FluidSimulation& simulation = simulation_.current();
     for (int i = 0; i < ticks; ++i) {
@@ -111,7 +111,7 @@ class FluidBackend::Fire {
       const std::int64_t begin = pipeline::threadCpuNanoseconds();
       const double now = world::World::now();
       const std::vector<world::Player> visitors = world_.players().all(now);
-      const std::vector<world::Gust> gusts = world::gustsDuring(world_.edits().after(cursor_), visitors);
+      const std::vector<world::Gust> gusts = world_.edits().during(cursor_, visitors);
       idleTicks_ = visitors.empty() ? idleTicks_ + 1 : 0;
       const bool rest = idleTicks_ >= kIdleTicks;
       FluidSimulation& simulation = simulation_.current();
