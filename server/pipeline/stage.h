@@ -106,6 +106,11 @@ class Stage : public Inlet<In>, public std::enable_shared_from_this<Stage<In>> {
 
   [[nodiscard]] const char* name() const noexcept { return options_.name; }
   [[nodiscard]] std::size_t queued() const { return queue_.size(); }
+  /// Whether all that was pushed before has been worked off.
+  [[nodiscard]] bool idle() const {
+    const std::lock_guard lock(mutex_);
+    return posted_ == 0 && queue_.size() == 0;
+  }
 
  protected:
   /// The stage's work on up to maxBatch items. Runs on the executor. At most one value may go to each outlet per item.
@@ -211,7 +216,7 @@ class Stage : public Inlet<In>, public std::enable_shared_from_this<Stage<In>> {
   log::Limited failures_;
   Queue<In> queue_;
   std::vector<OutletBase*> outlets_;
-  std::mutex mutex_;
+  mutable std::mutex mutex_;
   int posted_ = 0;
   bool again_ = false;  // a run was wanted while enough were posted
 };

@@ -165,7 +165,7 @@ double Session::startIfDue(double now) {
   if (now < nextDue_) return nextDue_;
   if (waits_) return now + period;
   // A frame that cannot start stays due: the acknowledgement or one of the next looks starts it.
-  if (unacknowledged_.size() >= kMostUnacknowledged || node_->full()) return now + period / 8;
+  if (isBehind() || node_->full()) return now + period / 8;
   const auto onTurn = [weak = weak_from_this(), gate = host_.gate_] {
     if (const auto self = weak.lock()) {
       self->takeTurn();
@@ -180,8 +180,14 @@ double Session::startIfDue(double now) {
   return now + period / 8;
 }
 
+bool Session::isBehind() const {
+  const std::size_t unseen = unacknowledged_.size() + (encoder_->idle() ? 0 : 1);
+  return unacknowledged_.size() >= kMostUnacknowledged ||
+         unseen > static_cast<std::size_t>(host_.options().framesInFlight);
+}
+
 bool Session::startFrame(double now) {
-  if (closed_ || !node_ || now < nextDue_ || unacknowledged_.size() >= kMostUnacknowledged) return false;
+  if (closed_ || !node_ || now < nextDue_ || isBehind()) return false;
   if (!node_->requestFrame()) return false;
   const double period = 1.0 / host_.options().framesPerSecond;
   nextDue_ = std::max(nextDue_ + period, now + period / 2);

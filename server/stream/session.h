@@ -63,6 +63,8 @@ class Session : public std::enable_shared_from_this<Session> {
   double startIfDue(double now);
   /// The gate has a place for this session's next frame.
   void takeTurn();
+  /// With mutex_ held: whether one more frame would only wait for the visitor to acknowledge others.
+  [[nodiscard]] bool isBehind() const;
   /// With mutex_ held and a place in the gate: begins a frame if one still is due.
   [[nodiscard]] bool startFrame(double now);
   void deliver(const std::shared_ptr<const EncodedFrame>& frame);

@@ -225,6 +225,19 @@ TEST(Stage, CloseDropsWhatIsQueuedAndEndsCleanly) {
   EXPECT_TRUE(wasAdd.expired()) << "no task that is left holds the stage";
 }
 
+TEST(Stage, IsIdleOnceAllThatWasPushedIsDone) {
+  Timeline timeline;
+  WorkerPool pool(2);
+  const auto collect = std::make_shared<Collect>(named("collect", 4), pool, timeline);
+  EXPECT_TRUE(collect->idle());
+  collect->delayMilliseconds = 2;
+  for (std::size_t done = 1; done <= 20; ++done) {
+    collect->push(0);
+    while (!collect->idle()) std::this_thread::yield();
+    ASSERT_EQ(collect->values().size(), done) << "idle before its work was done";
+  }
+}
+
 TEST(Stage, EveryRunLeavesATaggedEvent) {
   Timeline timeline;
   {

@@ -109,9 +109,17 @@ TEST_F(BadInput, FloodOfInputs) {
   // What it sent after the end may reset the connection before it reads the reason.
   const auto close = bad.websocket().receiveClose();
   EXPECT_TRUE(!close || close->code == static_cast<int>(CloseCode::kFlood));
-  GoodClient slower(port());
-  for (std::uint32_t i = 1; i <= 510; ++i) slower.websocket().send(encode(world::Input{i, 0, 0, 0}));
-  expectRefused(slower.websocket().receiveClose(), CloseCode::kFlood, "500");
+  // With the Hello just as many as are too many, at once: nothing is left unread that would reset the connection. Where
+  // a new second begins amid them they are not too many, and are sent again.
+  std::string flood;
+  for (std::uint32_t i = 1; i <= 500; ++i) flood += RawWebsocket::frame(encode(world::Input{i, 0, 0, 0}));
+  std::optional<RawWebsocket::Close> told;
+  for (int tries = 0; tries < 5 && !told; ++tries) {
+    GoodClient slower(port());
+    slower.websocket().socket().send(flood);
+    told = slower.websocket().receiveClose();
+  }
+  expectRefused(told, CloseCode::kFlood, "500");
 }
 
 TEST_F(BadInput, OpensAndNeverReads) {

@@ -97,6 +97,10 @@ RawWebsocket::RawWebsocket(int port, const std::string& headers, int receiveBuff
 }
 
 bool RawWebsocket::send(std::span<const std::uint8_t> bytes, Opcode opcode, bool final) {
+  return socket_.send(frame(bytes, opcode, final));
+}
+
+std::string RawWebsocket::frame(std::span<const std::uint8_t> bytes, Opcode opcode, bool final) {
   std::string frame;
   frame += static_cast<char>(opcode | (final ? 0x80 : 0));
   if (bytes.size() < 126) {
@@ -109,7 +113,7 @@ bool RawWebsocket::send(std::span<const std::uint8_t> bytes, Opcode opcode, bool
   constexpr std::array<std::uint8_t, 4> kMask = {0x12, 0x34, 0x56, 0x78};
   for (const std::uint8_t byte : kMask) frame += static_cast<char>(byte);
   for (std::size_t i = 0; i < bytes.size(); ++i) frame += static_cast<char>(bytes[i] ^ kMask[i % 4]);
-  return socket_.send(frame);
+  return frame;
 }
 
 bool RawWebsocket::fill(std::size_t bytes) {

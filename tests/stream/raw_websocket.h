@@ -56,6 +56,8 @@ class RawWebsocket {
   [[nodiscard]] RawSocket& socket() noexcept { return socket_; }
 
   bool send(std::span<const std::uint8_t> bytes, Opcode opcode = kBinary, bool final = true);
+  /// What send() sends.
+  static std::string frame(std::span<const std::uint8_t> bytes, Opcode opcode = kBinary, bool final = true);
   /// The next message; nothing at the end of the connection.
   std::optional<Message> receive();
   /// Reads on until the server closes, and answers that; nothing if it ends without a code.
