@@ -5,10 +5,10 @@
 
 namespace grove::tests {
 
-/// Whether a condition that other threads bring about holds within ten seconds.
+/// Whether a condition that other threads bring about holds within half a minute.
 template <class Condition>
 bool eventually(const Condition& holds) {
-  const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(10);
+  const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(30);
   while (!holds()) {
     if (std::chrono::steady_clock::now() > deadline) return false;
     std::this_thread::sleep_for(std::chrono::milliseconds(1));

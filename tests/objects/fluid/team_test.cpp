@@ -55,13 +55,13 @@ TEST_P(TeamOnAFire, DoesWhatOneThreadDoes) {
   FluidSimulation together(settings, {}, solids, solids);
   world::Player player;
   player.velocity = {0.0F, 0.0F, 1.5F};
-  for (int i = 0; i < 40; ++i) {
+  for (int i = 0; i < (kSanitized ? 15 : 40); ++i) {
     player.pose.position = {0.7F, world::kEyeHeight, -1.5F + 0.05F * static_cast<float>(i)};
     const world::Gust gust{world::Vec3(-2.0F, 0.6F, 0.0F), world::Vec3(1.0F, 0.0F, 0.2F), i % 20 < 3 ? 12.0F : 0.0F,
                            9.0F};
     for (FluidSimulation* each : {&alone, &together}) each->step(FluidSimulation::kTick, {&gust, 1}, {&player, 1});
   }
-  ASSERT_GT(alone.particles().count(), 1000U);
+  ASSERT_GT(alone.particles().count(), 300U);
   EXPECT_EQ(alone.particles().x, together.particles().x);
   EXPECT_EQ(alone.particles().y, together.particles().y);
   EXPECT_EQ(alone.outcome().iterations, together.outcome().iterations);
