@@ -114,7 +114,11 @@ Seen afterOneBlew(bool privateWorlds) {
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
   EXPECT_GE(std::min(answers->of(1)->tick, answers->of(2)->tick), until);
-  return {answers->of(1), answers->of(2)};
+  Seen seen{answers->of(1), answers->of(2)};
+  while (!privateWorlds && seen.blower->tick != seen.other->tick && std::chrono::steady_clock::now() < end) {
+    seen = {answers->of(1), answers->of(2)};
+  }
+  return seen;
 }
 
 TEST(PrivateWorlds, EachVisitorHasASimulationOfHisOwn) {
@@ -131,7 +135,7 @@ TEST(PrivateWorlds, SharedOnesAreOne) {
   ASSERT_TRUE(blower);
   ASSERT_TRUE(other);
   EXPECT_GT(meanSpeedAlong(*blower), 2.0 * calm);
-  EXPECT_GT(meanSpeedAlong(*other), 2.0 * calm) << "both see what one did";
+  EXPECT_EQ(blower, other) << "both see the same smoke at the same tick";
 }
 
 TEST(PrivateWorlds, TickEachOnAClockOfItsOwn) {
