@@ -1,6 +1,7 @@
 #include "cli/bake.h"
 
 #include <cstdio>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "base/log.h"
@@ -31,6 +32,12 @@ std::string mistake(const BakeCommand& command) {
     std::string text = "no plant is called '" + *command.plant + "'; there are";
     for (const std::string_view name : names) text.append(" ").append(name);
     return text;
+  }
+  // A rename would put a file in its place.
+  std::error_code error;
+  const auto there = std::filesystem::symlink_status(command.output, error);
+  if (std::filesystem::exists(there) && !std::filesystem::is_regular_file(there)) {
+    return "-o " + command.output + " is there and is no file that could be replaced; choose another";
   }
   return {};
 }

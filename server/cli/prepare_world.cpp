@@ -15,7 +15,9 @@
 
 #include "bake/bake.h"
 #include "base/error.h"
+#include "base/log.h"
 #include "models/model_source.h"
+#include "objects/lightfield/format/light_field_file.h"
 #include "objects/lightfield/light_field_source.h"
 #include "pipeline/embedded.h"
 
@@ -34,6 +36,19 @@ void makeFolder(const std::filesystem::path& folder) {
   if (error) {
     throw EnvironmentError("cannot make the folder for light fields: " + error.message(), folder.string(),
                            "set GROVE_CACHE to a folder that can be written");
+  }
+}
+
+/// Whether the light field is in the cache, whole and in today's format. One that is not is made anew, and replaced
+/// then: other servers may still show it.
+bool isUsable(const std::filesystem::path& file) {
+  if (!std::filesystem::exists(file)) return false;
+  try {
+    static_cast<void>(objects::lightfield::openLightField(file));
+    return true;
+  } catch (const objects::lightfield::LightFieldError& e) {
+    log::warning(std::string(e.what()) + "; it is made anew");
+    return false;
   }
 }
 
@@ -78,7 +93,7 @@ bool prepareWorld(const world::Scene& scene, Progress& progress, const std::stop
   for (const world::ObjectDescription& object : scene.objects) {
     if (object.type != "lightfield") continue;
     LightFieldSource source = objects::lightfield::readSource(object.parameters);
-    if (!source.model.empty() && !std::filesystem::exists(source.file)) missing.emplace(source.file, std::move(source));
+    if (!source.model.empty() && !isUsable(source.file)) missing.emplace(source.file, std::move(source));
   }
   if (missing.empty()) return true;
   const std::filesystem::path folder = objects::lightfield::cacheFolder() / "light-fields";
@@ -88,7 +103,8 @@ bool prepareWorld(const world::Scene& scene, Progress& progress, const std::stop
   std::size_t done = 0;
   for (const auto& [file, source] : missing) {
     ++done;
-    if (std::filesystem::exists(file)) continue;
+    // Another server may have made it while this one waited.
+    if (isUsable(file)) continue;
     const std::string label =
         "light field " + std::to_string(done) + " of " + std::to_string(missing.size()) + ", " + nameOf(source.model);
     progress.show(label, 0.0F);

@@ -1,5 +1,6 @@
 #include "cli/serve.h"
 
+#include <chrono>
 #include <cstdio>
 #include <utility>
 
@@ -16,6 +17,17 @@
 #include "stream/websocket_server.h"
 
 namespace grove::cli {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr auto kStopWhilePreparing = 900ms;
+/// Long enough for everybody to be told, and for visitors' worlds to be taken apart, but not for one that is being
+/// made.
+constexpr auto kStopWhileServing = 4000ms;
+
+}  // namespace
+
 int runServe(const ServeOptions& options) {
   const auto address = parseHostPort(options.listen);
   if (!address) {
@@ -24,7 +36,8 @@ int runServe(const ServeOptions& options) {
   }
   // All that can be wrong is known before the world is prepared, which may take minutes.
   (void)stream::findListenAddress(address->host, address->port);
-  const StopOnSignal stop;
+  StopOnSignal stop;
+  stop.endWithin(kStopWhilePreparing);
   const world::Scene scene = openScene(options.scene);
   const gl::ShaderLibrary shaders(options.shaderDirectory);
   gl::Workers gl(options.gl, shaders);
@@ -47,6 +60,7 @@ int runServe(const ServeOptions& options) {
 
   stream::WebsocketServer server(host, address->host, address->port);
   server.start();
+  stop.endWithin(kStopWhileServing);
   std::printf("listening on http://%s:%d\n", address->host.c_str(), server.port());
   std::fflush(stdout);
   stop.wait();

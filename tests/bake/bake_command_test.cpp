@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -72,6 +73,22 @@ TEST_F(BakeCommand, BadOptionsExitTwoWithOneLine) {
     EXPECT_EQ(lines(outcome.output), 1) << options << ": " << outcome.output;
   }
   EXPECT_THAT(grove("bake --plant baobab" + out).output, testing::AllOf(HasSubstr("baobab"), HasSubstr("oak")));
+}
+
+TEST_F(BakeCommand, ReplacesNothingButFiles) {
+  std::filesystem::create_directory(folder_ / "folder");
+  std::ofstream(path("kept.glf")) << "kept";
+  std::filesystem::create_symlink(path("kept.glf"), path("link"));
+  ASSERT_EQ(mkfifo(path("fifo").c_str(), 0600), 0);
+  for (const std::string& output : {path("folder"), path("link"), path("fifo"), std::string("/dev/null")}) {
+    const Outcome outcome = grove("bake " + path("model.gltf") + " --subdivision 1 --size 32 -o " + output);
+    EXPECT_EQ(outcome.exit, 2) << output;
+    EXPECT_THAT(outcome.output, HasSubstr(output));
+    EXPECT_EQ(lines(outcome.output), 1) << outcome.output;
+  }
+  EXPECT_TRUE(std::filesystem::is_symlink(path("link")));
+  EXPECT_TRUE(std::filesystem::is_fifo(path("fifo")));
+  EXPECT_EQ(std::filesystem::file_size(path("kept.glf")), 4U);
 }
 
 TEST_F(BakeCommand, FailuresExitOneWithOneLine) {

@@ -1,0 +1,71 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include "cli/program.h"
+
+namespace grove::cli {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+std::filesystem::path temporaryFolder() {
+  std::string name = (std::filesystem::temp_directory_path() / "grove_serve_XXXXXX").string();
+  return mkdtemp(name.data());
+}
+
+/// Serves until it listens, then ends it; what it wrote, and its exit status.
+Outcome serveUntilItListens(const std::filesystem::path& folder) {
+  const std::string at = folder.string();
+  return shell("cd " + at + "; GROVE_CACHE=" + at +
+               "/cache " GROVE_BINARY
+               " serve --listen 127.0.0.1:0 --scene scene.toml >out 2>&1 & server=$!\n"
+               "until grep -q listening out; do sleep 0.1; kill -0 $server || break; done\n"
+               "kill -INT $server; wait $server; status=$?; cat " +
+               at + "/out; exit $status");
+}
+
+TEST(Serve, MakesACachedLightFieldAnewThatIsDamaged) {
+  const std::filesystem::path folder = temporaryFolder();
+  std::ofstream(folder / "scene.toml") << "name = 'a fern'\n[[object]]\ntype = 'lightfield'\nplant = 'fern'\n"
+                                          "subdivision = 2\nsize = 32\nlightings = 1\n";
+  ASSERT_EQ(serveUntilItListens(folder).exit, 0);
+  const std::filesystem::directory_iterator fields(folder / "cache" / "light-fields");
+  const auto field =
+      std::find_if(begin(fields), end(fields), [](const auto& f) { return f.path().extension() == ".glf"; });
+  ASSERT_NE(field, end(fields));
+  std::fstream file(field->path(), std::ios::in | std::ios::out | std::ios::binary);
+  const auto middle = static_cast<std::streamoff>(field->file_size() / 2);
+  const int byte = (file.seekg(middle), file.get());
+  file.seekp(middle).put(static_cast<char>(byte ^ 1));
+  file.close();
+  const Outcome again = serveUntilItListens(folder);
+  EXPECT_EQ(again.exit, 0);
+  EXPECT_THAT(again.output, HasSubstr("made anew"));
+  EXPECT_THAT(again.output, HasSubstr("listening"));
+  EXPECT_THAT(serveUntilItListens(folder).output, Not(HasSubstr("made anew")));
+  std::filesystem::remove_all(folder);
+}
+
+/// A fire on the finest grid takes many seconds to grow before anybody is let in.
+TEST(Serve, EndsSoonAfterASignalWhileItPrepares) {
+  const std::filesystem::path folder = temporaryFolder();
+  std::ofstream(folder / "slow.toml") << "name = 'slow'\n[[object]]\ntype = 'fluid'\ngrid = 128\n";
+  const auto begin = std::chrono::steady_clock::now();
+  const Outcome outcome =
+      groveStoppedAfter(1.0, "serve --listen 127.0.0.1:0 --scene " + (folder / "slow.toml").string());
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+  EXPECT_EQ(outcome.exit, 0);
+  EXPECT_THAT(outcome.output, Not(HasSubstr("listening"))) << "it was ready too soon to show anything";
+  EXPECT_LT(took.count(), 3.0);
+  std::filesystem::remove_all(folder);
+}
+
+}  // namespace
+}  // namespace grove::cli
