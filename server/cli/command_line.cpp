@@ -46,6 +46,10 @@ void addServe(CLI::App& app, ServeOptions& options) {
   CLI::App* serve = app.add_subcommand("serve", "Serve a world to browsers");
   serve->add_option("--scene", options.scene, "Scene file (default: the grove, built in)");
   serve->add_option("--listen", options.listen, "Address and port; port 0 is any free one")->capture_default_str();
+  serve->add_option("--name", options.names, "Host name that browsers know it by; may be given several times")
+      ->type_name("TEXT")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   const std::map<std::string, gl::ContextKind> kinds{
       {"auto", gl::ContextKind::kAuto}, {"egl", gl::ContextKind::kEgl}, {"osmesa", gl::ContextKind::kOsmesa}};
   choose(serve->add_option("--gl", options.gl, "Where triangles are drawn"), kinds);

@@ -58,7 +58,7 @@ int runServe(const ServeOptions& options) {
                     [&](std::string_view label, float share) { progress.show(label, share); });
   progress.finish();
 
-  stream::WebsocketServer server(host, address->host, address->port);
+  stream::WebsocketServer server(host, address->host, address->port, options.names);
   server.start();
   stop.endWithin(kStopWhileServing);
   std::printf("listening on http://%s:%d\n", address->host.c_str(), server.port());

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "gl/context.h"
 #include "stream/host.h"
@@ -12,6 +13,7 @@ namespace grove::cli {
 struct ServeOptions {
   std::optional<std::string> scene;
   std::string listen = "127.0.0.1:8080";
+  std::vector<std::string> names;  ///< that browsers may ask for it by, besides addresses
   gl::ContextKind gl = gl::ContextKind::kAuto;
   std::optional<std::string> shaderDirectory;
   stream::HostOptions host;

@@ -55,7 +55,7 @@ void logLibraryLine(int /*level*/, const char* line) { log::error(printable(line
 /// The library's context and its thread. All but start(), stop() and port() runs on that thread.
 class WebsocketServer::Service {
  public:
-  Service(Host& host, const std::string& address, int port);
+  Service(Host& host, const std::string& address, int port, std::vector<std::string> names);
   ~Service() { stop(); }
   Service(const Service&) = delete;
   Service& operator=(const Service&) = delete;
@@ -84,6 +84,7 @@ class WebsocketServer::Service {
   int handleHttp(lws* wsi, lws_callback_reasons reason, void* user, void* in, std::size_t length);
 
   int confirmUpgrade(lws* wsi, std::string_view protocol);
+  [[nodiscard]] bool isKnown(const std::string& host);
   int answerHttp(lws* wsi);
   int continueHttp(lws* wsi);
   static int finishHttp(lws* wsi) { return lws_http_transaction_completed(wsi) != 0 ? -1 : 0; }
@@ -99,6 +100,7 @@ class WebsocketServer::Service {
 
   Host& host_;
   const WebPages pages_;
+  std::vector<std::string> names_;  ///< that the server is known by
   const ListenAddress address_;
   std::set<lws*> accepted_;
   std::map<lws*, Socket> sockets_;
@@ -112,12 +114,14 @@ class WebsocketServer::Service {
   std::shared_ptr<Waker> waker_;
   int port_ = 0;
   Timer timer_;
+  log::Limited refusals_;
   std::atomic<bool> stopping_{false};
   std::thread thread_;
 };
 
-WebsocketServer::Service::Service(Host& host, const std::string& address, int port)
-    : host_(host), pages_(embedded::web()), address_(findListenAddress(address, port)) {
+WebsocketServer::Service::Service(Host& host, const std::string& address, int port, std::vector<std::string> names)
+    : host_(host), pages_(embedded::web()), names_(std::move(names)), address_(findListenAddress(address, port)) {
+  names_.push_back(address);
   static constexpr std::array<lws_protocols, 2> kProtocols = {
       lws_protocols{"grove.v1", &Service::callback, 0, 0, 0, nullptr, kMostBytesAtOnce}, lws_protocols{}};
   lws_set_log_level(LLL_ERR, &logLibraryLine);
@@ -203,7 +207,7 @@ int WebsocketServer::Service::handle(lws* wsi, lws_callback_reasons reason, void
   switch (reason) {
     case LWS_CALLBACK_FILTER_NETWORK_CONNECTION:
       if (accepted_.size() < kMostSockets) return 0;
-      log::warning("a connection was refused: there are 256 already");
+      refusals_.warning("a connection was refused: there are 256 already");
       return 1;
     case LWS_CALLBACK_SERVER_NEW_CLIENT_INSTANTIATED:
       accepted_.insert(wsi);
@@ -255,10 +259,18 @@ int WebsocketServer::Service::confirmUpgrade(lws* wsi, std::string_view protocol
   if (header(wsi, WSI_TOKEN_GET_URI) != "/") return refuse(HTTP_STATUS_NOT_FOUND);
   const std::string origin = header(wsi, WSI_TOKEN_ORIGIN);
   const std::string host = header(wsi, WSI_TOKEN_HOST);
+  if (!isKnown(host)) return refuse(HTTP_STATUS_FORBIDDEN);
   if (origin.empty() || isSameOrigin(origin, host)) return 0;
-  log::warning(nameOfPeer(wsi) + " was refused: a page of " + printable(origin, 100) + " asked for a socket of " +
-               printable(host, 100));
+  refusals_.warning(nameOfPeer(wsi) + " was refused: a page of " + printable(origin, 100) + " asked for a socket of " +
+                    printable(host, 100));
   return refuse(HTTP_STATUS_FORBIDDEN);
+}
+
+bool WebsocketServer::Service::isKnown(const std::string& host) {
+  if (isKnownHost(host, names_)) return true;
+  refusals_.warning("nobody was let in who asked for " + printable(host, 100) +
+                    "; if that is this server, start it with --name");
+  return false;
 }
 
 int WebsocketServer::Service::answerHttp(lws* wsi) {
@@ -268,7 +280,10 @@ int WebsocketServer::Service::answerHttp(lws* wsi) {
   const std::string& path = getPath.empty() ? headPath : getPath;
   PageReply reply = pages_.answer(method, path, header(wsi, WSI_TOKEN_HTTP_IF_NONE_MATCH));
   std::shared_ptr<const std::string> live;
-  if (method != "another") {
+  if (!isKnown(header(wsi, WSI_TOKEN_HOST))) {
+    reply = {HTTP_STATUS_FORBIDDEN, "text/plain; charset=utf-8", "", "this server is not known by that name\n",
+             method == "GET"};
+  } else if (method != "another") {
     if (auto report = liveReport(host_, path)) {
       live = std::make_shared<const std::string>(std::move(*report));
       reply = {200, "application/json", "", *live, method == "GET"};
@@ -389,8 +404,8 @@ void WebsocketServer::Service::sweep() {
   }
 }
 
-WebsocketServer::WebsocketServer(Host& host, const std::string& address, int port)
-    : service_(std::make_unique<Service>(host, address, port)) {}
+WebsocketServer::WebsocketServer(Host& host, const std::string& address, int port, std::vector<std::string> names)
+    : service_(std::make_unique<Service>(host, address, port, std::move(names))) {}
 
 WebsocketServer::~WebsocketServer() = default;
 

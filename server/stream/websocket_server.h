@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "stream/host.h"
 
@@ -12,8 +13,9 @@ namespace grove::stream {
 /// visitors. A visitor that misbehaves is closed with a code and a reason, and one log line.
 class WebsocketServer {
  public:
-  /// Takes the port; 0 is any free one. `host` outlives the server. Throws EnvironmentError if the port cannot be had.
-  WebsocketServer(Host& host, const std::string& address, int port);
+  /// Takes the port; 0 is any free one. `host` outlives the server. Who asks for it by another name than an address,
+  /// localhost, `address` or one of `names` is refused. Throws EnvironmentError if the port cannot be had.
+  WebsocketServer(Host& host, const std::string& address, int port, std::vector<std::string> names = {});
 
   /// As stop().
   ~WebsocketServer();

@@ -117,6 +117,35 @@ TEST_F(Http, AnswersSeveralRequestsOfOneConnection) {
   }
 }
 
+TEST_F(Http, IsNotKnownByNamesOfOtherSites) {
+  const auto ask = [&](const std::string& host, const std::string& more) {
+    RawSocket socket(port());
+    socket.send("GET / HTTP/1.1\r\nHost: " + host + "\r\n" + more + "\r\n");
+    return socket.receive().substr(0, 12);
+  };
+  const std::string close = "Connection: close\r\n";
+  for (const char* host : {"localhost:8080", "LOCALHOST", "127.0.0.1", "192.168.1.7:8080", "[::1]:8080"}) {
+    EXPECT_EQ(ask(host, close), "HTTP/1.1 200") << host;
+  }
+  for (const char* host :
+       {"rebound.example", "rebound.example:8080", "localhost.rebound.example", "1.2.3.4.example", "[rebound]", "["}) {
+    EXPECT_NE(ask(host, close), "HTTP/1.1 200") << host;
+  }
+  const std::string upgrade =
+      "Connection: Upgrade\r\nUpgrade: websocket\r\nSec-WebSocket-Version: 13\r\nSec-WebSocket-Protocol: grove.v1\r\n"
+      "Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\nOrigin: http://";
+  EXPECT_EQ(ask("localhost", upgrade + "localhost\r\n"), "HTTP/1.1 101");
+  EXPECT_NE(ask("rebound.example", upgrade + "rebound.example\r\n"), "HTTP/1.1 101");
+}
+
+TEST(KnownHost, IsAnAddressOrAName) {
+  const std::vector<std::string> names{"Grove.example"};
+  EXPECT_TRUE(isKnownHost("grove.example:443", names));
+  EXPECT_TRUE(isKnownHost("grove.EXAMPLE", names));
+  EXPECT_FALSE(isKnownHost("grove.example.evil", names));
+  EXPECT_FALSE(isKnownHost("example", names));
+}
+
 TEST(Origin, IsTheSameOnlyWithHostAndPort) {
   EXPECT_TRUE(isSameOrigin("http://grove.example:8080", "Grove.example:8080"));
   EXPECT_TRUE(isSameOrigin("https://grove.example", "grove.example"));
