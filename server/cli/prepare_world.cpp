@@ -9,6 +9,7 @@
 #include <cstring>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <system_error>
 #include <thread>
@@ -39,16 +40,15 @@ void makeFolder(const std::filesystem::path& folder) {
   }
 }
 
-/// Whether the light field is in the cache, whole and in today's format. One that is not is made anew, and replaced
-/// then: other servers may still show it.
-bool isUsable(const std::filesystem::path& file) {
-  if (!std::filesystem::exists(file)) return false;
+/// Why the light field cannot be taken from the cache: it is not there, or damaged, or of another version of the format.
+/// Nothing if it can.
+std::optional<std::string> flawOf(const std::filesystem::path& file) {
+  if (!std::filesystem::exists(file)) return "it is not there";
   try {
     static_cast<void>(objects::lightfield::openLightField(file));
-    return true;
+    return std::nullopt;
   } catch (const objects::lightfield::LightFieldError& e) {
-    log::warning(std::string(e.what()) + "; it is made anew");
-    return false;
+    return e.what();
   }
 }
 
@@ -93,8 +93,13 @@ bool prepareWorld(const world::Scene& scene, Progress& progress, const std::stop
   for (const world::ObjectDescription& object : scene.objects) {
     if (object.type != "lightfield") continue;
     LightFieldSource source = objects::lightfield::readSource(object.parameters);
-    if (!source.model.empty() && !isUsable(source.file)) missing.emplace(source.file, std::move(source));
+    if (!source.model.empty()) missing.emplace(source.file, std::move(source));
   }
+  std::erase_if(missing, [](const auto& entry) {
+    const auto flaw = flawOf(entry.first);
+    if (flaw && std::filesystem::exists(entry.first)) log::warning(*flaw + "; it is made anew");
+    return !flaw;
+  });
   if (missing.empty()) return true;
   const std::filesystem::path folder = objects::lightfield::cacheFolder() / "light-fields";
   makeFolder(folder);
@@ -104,7 +109,7 @@ bool prepareWorld(const world::Scene& scene, Progress& progress, const std::stop
   for (const auto& [file, source] : missing) {
     ++done;
     // Another server may have made it while this one waited.
-    if (isUsable(file)) continue;
+    if (!flawOf(file)) continue;
     const std::string label =
         "light field " + std::to_string(done) + " of " + std::to_string(missing.size()) + ", " + nameOf(source.model);
     progress.show(label, 0.0F);

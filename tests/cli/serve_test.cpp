@@ -23,10 +23,10 @@ std::filesystem::path temporaryFolder() {
 /// Serves until it listens, then ends it; what it wrote, and its exit status.
 Outcome serveUntilItListens(const std::filesystem::path& folder) {
   const std::string at = folder.string();
-  return shell("cd " + at + "; GROVE_CACHE=" + at +
+  return shell("cd " + at + "; rm -f out; GROVE_CACHE=" + at +
                "/cache " GROVE_BINARY
                " serve --listen 127.0.0.1:0 --scene scene.toml >out 2>&1 & server=$!\n"
-               "until grep -q listening out; do sleep 0.1; kill -0 $server || break; done\n"
+               "until grep -qs listening out; do sleep 0.1; kill -0 $server || break; done\n"
                "kill -INT $server; wait $server; status=$?; cat " +
                at + "/out; exit $status");
 }
