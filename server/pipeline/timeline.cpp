@@ -1,5 +1,6 @@
 #include "pipeline/timeline.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cassert>
 #include <utility>
@@ -8,6 +9,9 @@
 
 namespace grove::pipeline {
 namespace {
+
+/// Copied under one lock, which every stage run takes: some microseconds.
+constexpr std::size_t kEventsAtOnce = 256;
 
 std::uint32_t threadNumber() noexcept {
   static std::atomic<std::uint32_t> next{1};
@@ -53,9 +57,9 @@ void Timeline::record(const TimelineEvent& event) {
   if (ring_.size() < capacity_) {
     ring_.push_back(event);
   } else {
-    ring_[next_] = event;
+    ring_[recorded_ % capacity_] = event;
   }
-  next_ = (next_ + 1) % capacity_;
+  ++recorded_;
   StageTotal& total = totals_[{event.stage, event.subject}];
   add(total, {.work = event.work,
               .runs = event.part ? 0U : 1U,
@@ -73,13 +77,23 @@ void Timeline::count(const char* counter, std::int64_t amount) {
   counters_[counter] += amount;
 }
 
-std::vector<TimelineEvent> Timeline::events() const {
-  const std::lock_guard lock(mutex_);
-  if (ring_.size() < capacity_) return ring_;
-  std::vector<TimelineEvent> ordered;
-  ordered.reserve(capacity_);
-  for (std::size_t i = 0; i < capacity_; ++i) ordered.push_back(ring_[(next_ + i) % capacity_]);
-  return ordered;
+std::vector<TimelineEvent> Timeline::events(std::size_t max) const {
+  std::size_t at = 0;
+  std::size_t end = 0;
+  {
+    const std::lock_guard lock(mutex_);
+    end = recorded_;
+    at = end - std::min(max, ring_.size());
+  }
+  std::vector<TimelineEvent> copied;
+  copied.reserve(end - at);
+  while (at < end) {
+    const std::lock_guard lock(mutex_);
+    at = std::max(at, recorded_ - ring_.size());
+    const std::size_t pieceEnd = std::min(end, at + kEventsAtOnce);
+    for (; at < pieceEnd; ++at) copied.push_back(ring_[at % capacity_]);
+  }
+  return copied;
 }
 
 std::map<std::string, StageTotal> Timeline::totals() const {

@@ -3,6 +3,7 @@
 #include <compare>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <mutex>
 #include <string>
@@ -65,8 +66,9 @@ class Timeline {
   /// Adds to a named counter, for what is worth knowing and is no time: how often a cache had what was asked for.
   void count(const char* counter, std::int64_t amount = 1);
 
-  /// The kept events, oldest first.
-  [[nodiscard]] std::vector<TimelineEvent> events() const;
+  /// The newest events that are kept, at most `max`, oldest first. Stages go on meanwhile; what they overwrite before it
+  /// was copied is left out.
+  [[nodiscard]] std::vector<TimelineEvent> events(std::size_t max = std::numeric_limits<std::size_t>::max()) const;
   /// By stage, whatever it was done for.
   [[nodiscard]] std::map<std::string, StageTotal> totals() const;
   /// By stage and subject. Every nanosecond of CPU is in one of them only.
@@ -79,7 +81,7 @@ class Timeline {
   const std::size_t capacity_;
   mutable std::mutex mutex_;
   std::vector<TimelineEvent> ring_;
-  std::size_t next_ = 0;
+  std::size_t recorded_ = 0;  ///< since the start; the event n lies at n % capacity_
   std::map<std::pair<std::string_view, std::string_view>, StageTotal> totals_;
   std::map<std::string_view, std::int64_t> counters_;
 };

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <atomic>
+#include <thread>
+
 #include "pipeline/clocks.h"
 
 namespace grove::pipeline {
@@ -22,6 +26,33 @@ TEST(Timeline, KeepsTheNewestEventsAndAllTotals) {
   EXPECT_EQ(events.back().beginNanoseconds, 5);
   EXPECT_EQ(timeline.totals().at("stage").runs, 5u);
   EXPECT_EQ(timeline.totals().at("stage").cpuNanoseconds, 50);
+}
+
+TEST(Timeline, GivesTheNewestEventsInOrderWhileOthersRecord) {
+  Timeline timeline(1000);
+  std::atomic<bool> done = false;
+  std::thread recorder([&] {
+    for (std::int64_t i = 0; !done; ++i) {
+      TimelineEvent event;
+      event.stage = "stage";
+      event.beginNanoseconds = i;
+      timeline.record(event);
+    }
+  });
+  while (timeline.totals()["stage"].runs < 2000) std::this_thread::yield();
+  const auto isBefore = [](const TimelineEvent& a, const TimelineEvent& b) {
+    return a.beginNanoseconds < b.beginNanoseconds;
+  };
+  for (int i = 0; i < 200; ++i) {
+    const auto events = timeline.events(700);
+    EXPECT_LE(events.size(), 700U);
+    EXPECT_TRUE(std::ranges::is_sorted(events, isBefore));
+  }
+  done = true;
+  recorder.join();
+  const auto events = timeline.events(700);
+  ASSERT_EQ(events.size(), 700U);
+  EXPECT_EQ(events.back().beginNanoseconds - events.front().beginNanoseconds, 699);
 }
 
 void useCpu(std::int64_t nanoseconds) {
