@@ -51,7 +51,7 @@ struct StageTotal {
 struct CostKey {
   std::string stage;
   std::string subject;
-  friend auto operator<=>(const CostKey&, const CostKey&) = default;
+  friend auto operator<=>(const CostKey&, const CostKey&) = default;  // NOLINT(modernize-use-nullptr): sees 0 in <=>
 };
 
 /// Where every stage run is recorded, by the stage runner and by simulation clocks. Keeps the newest `capacity` events

@@ -42,6 +42,9 @@ std::ptrdiff_t lines(const std::string& text) { return std::ranges::count(text, 
 
 /// A folder with a glTF file of one triangle, whose buffer is in the file.
 class BakeCommand : public testing::Test {
+ public:
+  ~BakeCommand() override { std::filesystem::remove_all(folder_); }
+
  protected:
   BakeCommand() {
     std::string name = (std::filesystem::temp_directory_path() / "grove_command_XXXXXX").string();
@@ -54,7 +57,6 @@ class BakeCommand : public testing::Test {
         << R"("bufferViews":[{"buffer":0,"byteLength":36}],"buffers":[{"byteLength":36,)"
         << R"("uri":"data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}]})";
   }
-  ~BakeCommand() override { std::filesystem::remove_all(folder_); }
   [[nodiscard]] std::string path(const char* name) const { return (folder_ / name).string(); }
 
   std::filesystem::path folder_;
@@ -123,8 +125,8 @@ TEST_F(BakeCommand, AKilledBakeGoesOnWhereItStopped) {
   for (const int signal : {SIGKILL, SIGINT}) {
     const pid_t child = fork();
     if (child == 0) {
-      const std::string command =
-          "exec " GROVE_BINARY " bake " + path("model.gltf") + options + file + " >/dev/null 2>&1";
+      std::string command = "exec " GROVE_BINARY " bake ";
+      command.append(path("model.gltf")).append(options).append(file).append(" >/dev/null 2>&1");
       execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
       _exit(127);
     }

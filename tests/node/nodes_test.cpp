@@ -56,17 +56,18 @@ class Screen final : public pipeline::Stage<FinishedFrame> {
 
 /// Both halves of Figure 4.2 around the in-process transport.
 class Nodes : public ::testing::Test {
+ public:
+  ~Nodes() override {
+    backend->close();
+    workers.drain();
+  }
+
  protected:
   Nodes() : world(makeWorld()) {
     backend = std::make_unique<BackendNode>(
         registry.type(0), 0,
         BackendServices{world, workers, gl, timeline, memory, images, [](std::string_view, float) {}}, transport);
   }
-  ~Nodes() override {
-    backend->close();
-    workers.drain();
-  }
-
   world::World makeWorld() {
     registry.add(std::make_unique<testing::BoxType>(controls));
     return world::World(makeLayout(world::parseScene(R"(
