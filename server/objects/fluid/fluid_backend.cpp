@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cassert>
+#include <cmath>
 #include <cstdint>
 #include <exception>
 #include <limits>
@@ -92,16 +93,30 @@ class FluidBackend::Fire {
   [[nodiscard]] int cells() const noexcept { return cellsAt(settings_.grid, std::min<int>(quality_, mostQuality_)); }
 
   /// Smoke in slow motion is worse than smoke on the scene's grid: a step is given up for good if its ticks need more
-  /// than a core has time for. Waiting does not count, which another load brings and takes away.
+  /// than a core has time for. Waiting does not count, which another load brings and takes away. On the scene's own
+  /// grid it can only be reported.
   void keepPace(std::int64_t cpuNanoseconds) {
     if (!pace_.tooSlow(static_cast<double>(cpuNanoseconds) * 1.0e-9)) return;
     const int now = simulation_.current().solver().layout().cells;
-    if (now == settings_.grid) return;
+    if (now == settings_.grid) {
+      reportSlowMotion(cpuNanoseconds);
+      return;
+    }
     int step = mostQuality_;
     while (step > 0 && cellsAt(settings_.grid, step) >= now) --step;
     mostQuality_ = step;
     simulation_.setCells(cells());
     log::info(name_ + ": " + std::to_string(now) + " cells to an edge are too many for this machine");
+  }
+
+  void reportSlowMotion(std::int64_t cpuNanoseconds) {
+    timeline_.count("fluid ticks in slow motion", Pace::kTicks);
+    if (std::exchange(isSlow_, true)) return;
+    const auto milliseconds = [](double seconds) { return std::to_string(std::lround(1000.0 * seconds)) + " ms"; };
+    log::warning(name_ + ": its smoke moves in slow motion: a tick on " + std::to_string(settings_.grid) +
+                 " cells takes " + milliseconds(static_cast<double>(cpuNanoseconds) * 1.0e-9) +
+                 " of a core and should take " + milliseconds(static_cast<double>(FluidSimulation::kTick)) +
+                 "; give it a smaller grid, or more threads");
   }
 
   FluidClock::Next tick() noexcept {
@@ -142,7 +157,8 @@ class FluidBackend::Fire {
   std::atomic<int> mostQuality_ = node::kMostQuality;  ///< that is done in time
   Pace pace_{static_cast<double>(FluidSimulation::kTick)};
   world::Edits::Cursor cursor_ = 0;
-  int idleTicks_ = 0;  ///< without visitors
+  bool isSlow_ = false;  ///< and that was reported
+  int idleTicks_ = 0;    ///< without visitors
   std::mutex mutex_;
   std::shared_ptr<const FluidSnapshot> newest_;
   std::unique_ptr<FluidClock> clock_;  ///< last, so that it stops before what it uses goes

@@ -4,6 +4,8 @@
 
 #include <chrono>
 #include <cmath>
+#include <cstdint>
+#include <string>
 #include <thread>
 #include <utility>
 
@@ -21,20 +23,15 @@ namespace {
 using namespace std::chrono_literals;
 using tests::eventually;
 
-/// A world that is nothing but a small fire.
-class FluidBackendTest : public ::testing::Test {
+/// A world that is nothing but a fire.
+class Fire : public ::testing::Test {
  protected:
-  world::World makeWorld() {
+  explicit Fire(int grid) : world_(makeWorld(grid)) {}
+
+  world::World makeWorld(int grid) {
     registry_.add(std::make_unique<FluidType>());
-    return world::World(makeLayout(world::parseScene(R"(
-[[object]]
-type = "fluid"
-grid = 16
-size = 4
-rate = 200
-)",
-                                                     "test"),
-                                   registry_));
+    const std::string scene = "[[object]]\ntype = 'fluid'\ngrid = " + std::to_string(grid) + "\nsize = 4\nrate = 200\n";
+    return world::World(makeLayout(world::parseScene(scene, "test"), registry_));
   }
 
   /// What a visitor's request is answered with.
@@ -51,7 +48,7 @@ rate = 200
   std::uint64_t ticks() { return timeline_.totals()["Simulation Tick"].runs; }
 
   node::Registry registry_;
-  world::World world_ = makeWorld();
+  world::World world_;
   pipeline::Timeline timeline_;
   pipeline::MemoryLedger memory_;
   node::ImagePool images_;
@@ -60,6 +57,24 @@ rate = 200
   pipeline::WorkerPool workers_{1};
   FluidBackend backend_{{world_, workers_, gl_, timeline_, memory_, images_, {}}, 0};
 };
+
+class FluidBackendTest : public Fire {
+ protected:
+  FluidBackendTest() : Fire(16) {}
+};
+
+/// A tick on the finest grid takes about twice the time that it has.
+class FinestFluidBackendTest : public Fire {
+ protected:
+  FinestFluidBackendTest() : Fire(128) {}
+};
+
+TEST_F(FinestFluidBackendTest, ReportsSlowMotion) {
+  if (kSanitized) GTEST_SKIP() << "there, everything is in slow motion";
+  const auto slowTicks = [&] { return timeline_.counters()["fluid ticks in slow motion"]; };
+  EXPECT_TRUE(eventually([&] { return slowTicks() > 0; }));
+  EXPECT_LE(slowTicks(), static_cast<std::int64_t>(ticks()));
+}
 
 TEST_F(FluidBackendTest, RestsWithoutVisitorsAndGoesOnWhereItWas) {
   ASSERT_TRUE(eventually([&] { return ticks() >= 60; }));
