@@ -22,7 +22,7 @@ function costs(told) {
 }
 
 /**
- * What sharing saves, of an answer of `/statistics.json`; `null` if the server does not tell. Figures that it does not
+ * What sharing saves, of an answer of `/statistics.json` or `/sharing.json`; `null` if the server does not tell. Figures that it does not
  * tell, or that cannot be, are `null`. Times are milliseconds of CPU in one frame. `types` is a list with the costs of
  * each type of object; the one without a name serves no single type.
  */

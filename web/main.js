@@ -126,7 +126,7 @@ function pointer(state) {
   if (state !== 'locked' && was !== state) hint.show();
 }
 
-const statistics = new WorldStatistics(() => fetch('/statistics.json').then((answer) => answer.json()), clock);
+const statistics = new WorldStatistics(() => fetch('/sharing.json').then((answer) => answer.json()), clock);
 const overlay = new Overlay(
   element('overlay'),
   element('figures'),

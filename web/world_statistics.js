@@ -15,7 +15,7 @@ export function versionOf(statistics) {
   return typeof statistics?.version === 'string' ? statistics.version : null;
 }
 
-/** What the server tells of itself in `/statistics.json`, asked for once a second while somebody looks. */
+/** What the server reports of itself in `/sharing.json`, asked for once a second while somebody looks. */
 export class WorldStatistics {
   #fetch;
   #timers;

@@ -38,6 +38,7 @@ std::string oneOf(std::span<const std::string_view> names) {
 template <class Value>
 CLI::Option* choose(CLI::Option* option, const std::map<std::string, Value>& values) {
   std::vector<std::string_view> names;
+  names.reserve(values.size());
   for (const auto& [name, value] : values) names.push_back(name);
   return option->transform(CLI::Transformer(values).description(""))->type_name(oneOf(names));
 }
@@ -46,6 +47,8 @@ void addServe(CLI::App& app, ServeOptions& options) {
   CLI::App* serve = app.add_subcommand("serve", "Serve a world to browsers");
   serve->add_option("--scene", options.scene, "Scene file (default: the grove, built in)");
   serve->add_option("--listen", options.listen, "Address and port; port 0 is any free one")->capture_default_str();
+  serve->add_option("--operator", options.operators,
+                    "Address and port of the operator's page (default: 127.0.0.1, the next port)");
   serve->add_option("--name", options.names, "Host name that browsers know it by; may be given several times")
       ->type_name("TEXT")
       ->expected(1)
@@ -71,6 +74,9 @@ void addServe(CLI::App& app, ServeOptions& options) {
       ->check(CLI::Range(10, 60'000))
       ->default_str("500");
   serve->add_option("--max-visitors", options.host.mostVisitors, "How many may be in the world at once")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  serve->add_option("--visitors-per-address", options.visitorsPerAddress, "How many of them may have one address")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
   serve->add_option("--jpeg-quality", options.host.jpegQuality, "1 to 100")

@@ -4,10 +4,10 @@
 
 namespace grove::cli {
 
-std::optional<HostPort> parseHostPort(const std::string& text) {
+std::optional<stream::HostPort> parseHostPort(const std::string& text) {
   const std::size_t colon = text.rfind(':');
   if (colon == std::string::npos || colon == 0) return std::nullopt;
-  HostPort result;
+  stream::HostPort result;
   result.host = text.substr(0, colon);
   if (result.host.front() == '[' && result.host.back() == ']') {
     result.host = result.host.substr(1, result.host.size() - 2);

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <utility>
 
+#include "base/error.h"
 #include "base/log.h"
 #include "cli/host_port.h"
 #include "cli/prepare_world.h"
@@ -13,6 +14,7 @@
 #include "gl/workers.h"
 #include "node/registry.h"
 #include "objects/builtin.h"
+#include "stream/descriptor_limit.h"
 #include "stream/listen_address.h"
 #include "stream/websocket_server.h"
 
@@ -26,16 +28,38 @@ constexpr auto kStopWhilePreparing = 900ms;
 /// made.
 constexpr auto kStopWhileServing = 4000ms;
 
+std::string inUrl(const stream::HostPort& at) {
+  const bool isIpv6 = at.host.find(':') != std::string::npos;
+  return (isIpv6 ? "[" + at.host + "]" : at.host) + ":" + std::to_string(at.port);
+}
+
+/// The port next to the visitors' is easily remembered; if it is taken, any free one.
+stream::HostPort operatorsBeside(const stream::HostPort& visitors) {
+  const stream::HostPort next{"127.0.0.1", visitors.port + 1};
+  try {
+    if (visitors.port != 0) {
+      (void)stream::findListenAddress(next.host, next.port, "--operator");
+      return next;
+    }
+  } catch (const EnvironmentError&) {  // taken, or there is none
+  }
+  return {next.host, 0};
+}
+
 }  // namespace
 
 int runServe(const ServeOptions& options) {
-  const auto address = parseHostPort(options.listen);
-  if (!address) {
-    std::fprintf(stderr, "grove: --listen wants HOST:PORT, not '%s'\n", options.listen.c_str());
+  const auto visitors = parseHostPort(options.listen);
+  const auto operators = parseHostPort(options.operators.value_or(options.listen));
+  if (!visitors || !operators) {
+    std::fprintf(stderr, "grove: %s wants HOST:PORT, not '%s'\n", visitors ? "--operator" : "--listen",
+                 visitors ? options.operators->c_str() : options.listen.c_str());
     return 2;
   }
   // All that can be wrong is known before the world is prepared, which may take minutes.
-  (void)stream::findListenAddress(address->host, address->port);
+  (void)stream::findListenAddress(visitors->host, visitors->port, "--listen");
+  if (options.operators) (void)stream::findListenAddress(operators->host, operators->port, "--operator");
+  (void)stream::socketsThatFit();
   StopOnSignal stop;
   stop.endWithin(kStopWhilePreparing);
   const world::Scene scene = openScene(options.scene);
@@ -58,10 +82,15 @@ int runServe(const ServeOptions& options) {
                     [&](std::string_view label, float share) { progress.show(label, share); });
   progress.finish();
 
-  stream::WebsocketServer server(host, address->host, address->port, options.names);
+  const stream::HostPort desk = options.operators ? *operators : operatorsBeside(*visitors);
+  stream::WebsocketServer server(host, {.visitors = *visitors,
+                                        .operators = desk,
+                                        .names = options.names,
+                                        .allowance = {.visitors = options.visitorsPerAddress}});
   server.start();
   stop.endWithin(kStopWhileServing);
-  std::printf("listening on http://%s:%d\n", address->host.c_str(), server.port());
+  std::printf("operator's page at http://%s/operator\n", inUrl({desk.host, server.operatorPort()}).c_str());
+  std::printf("listening on http://%s\n", inUrl({visitors->host, server.port()}).c_str());
   std::fflush(stdout);
   stop.wait();
   log::info("stopping");

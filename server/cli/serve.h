@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "gl/context.h"
+#include "stream/address_limits.h"
 #include "stream/host.h"
 
 namespace grove::cli {
@@ -13,6 +14,8 @@ namespace grove::cli {
 struct ServeOptions {
   std::optional<std::string> scene;
   std::string listen = "127.0.0.1:8080";
+  std::optional<std::string> operators;  ///< where the operator's pages are; none: beside, for this machine only
+  int visitorsPerAddress = stream::AddressAllowance{}.visitors;
   std::vector<std::string> names;  ///< that browsers may ask for it by, besides addresses
   gl::ContextKind gl = gl::ContextKind::kAuto;
   std::optional<std::string> shaderDirectory;

@@ -16,11 +16,12 @@ Refusal protocolError(std::string reason) { return {CloseCode::kProtocolError, s
 
 }  // namespace
 
-Connection::Connection(Host& host, std::string peer, double now, std::function<void()> wake)
+Connection::Connection(Host& host, std::string peer, double now, std::function<void()> wake, TakePlace takePlace)
     : host_(host),
       peer_(std::move(peer)),
       opened_(now),
       outbox_(std::make_shared<Outbox>(std::move(wake))),
+      takePlace_(std::move(takePlace)),
       secondBegan_(now) {
   message_.reserve(kLargestClientMessage);
 }
@@ -53,6 +54,7 @@ void Connection::leave(const std::string& why) {
   if (std::exchange(ended_, true)) return;
   if (const auto session = std::exchange(session_, nullptr)) session->close();
   welcome_.clear();
+  place_.reset();
   log::info(peer_ + " left: " + why);
 }
 
@@ -83,6 +85,8 @@ std::optional<Refusal> Connection::act(const ClientMessage& message) {
 
 std::optional<Refusal> Connection::greet(const Hello& hello) {
   if (session_) return protocolError("a second Hello");
+  place_ = takePlace_();
+  if (!place_) return Refusal{CloseCode::kFull, "as many visitors as may come from one address are here"};
   // The sink may outlive this connection in a run that is in progress; it must not keep the frame then.
   auto opened = host_.open(hello, [outbox = std::weak_ptr(outbox_)](std::shared_ptr<const EncodedFrame> frame) {
     if (const auto to = outbox.lock()) to->put(std::move(frame));

@@ -28,8 +28,11 @@ struct MessagePiece {
 /// calls it, on its one thread. Times are seconds of world::World::now().
 class Connection {
  public:
+  /// What a visitor's address has of him as long as he is in the world; null if it may have no more.
+  using TakePlace = std::function<std::shared_ptr<void>()>;
+
   /// `peer` names the other end in the log. `wake` is called from worker threads when there is something to send.
-  Connection(Host& host, std::string peer, double now, std::function<void()> wake);
+  Connection(Host& host, std::string peer, double now, std::function<void()> wake, TakePlace takePlace);
   ~Connection();
   Connection(const Connection&) = delete;
   Connection& operator=(const Connection&) = delete;
@@ -63,6 +66,8 @@ class Connection {
   const std::string peer_;
   const double opened_;
   const std::shared_ptr<Outbox> outbox_;
+  const TakePlace takePlace_;
+  std::shared_ptr<void> place_;
   std::shared_ptr<Session> session_;
   bool ended_ = false;
   std::vector<std::uint8_t> welcome_;

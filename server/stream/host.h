@@ -61,6 +61,8 @@ class Host {
   [[nodiscard]] std::variant<std::shared_ptr<Session>, Refusal> open(const Hello& hello, FrameSink sink);
 
   [[nodiscard]] std::size_t visitors() const;
+  /// For the statistics.
+  void countRefusedConnection() { timeline_.count("refused connections"); }
   [[nodiscard]] const world::World::Layout& layout() const noexcept { return layout_; }
   [[nodiscard]] world::Players& players() noexcept { return *players_; }
   /// The world that everybody is in; not in private mode.

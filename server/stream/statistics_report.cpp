@@ -80,15 +80,27 @@ Json amortization(const measure::AmortizationMeter& meter) {
   return report;
 }
 
+Json counters(const pipeline::Timeline& timeline) {
+  Json counters = Json::object();
+  for (const auto& [name, value] : timeline.counters()) counters[name] = value;
+  return counters;
+}
+
 }  // namespace
 
+std::string sharingJson(const StatisticsSources& sources) {
+  return Json{{"version", version()},
+              {"counters", counters(sources.timeline)},
+              {"amortization", amortization(sources.meter)}}
+             .dump() +
+         "\n";
+}
+
 std::string statisticsJson(const StatisticsSources& sources) {
-  Json counters = Json::object();
-  for (const auto& [name, value] : sources.timeline.counters()) counters[name] = value;
   return Json{{"version", version()},
               {"visitors", sources.visitors},
               {"stages", stages(sources.timeline)},
-              {"counters", counters},
+              {"counters", counters(sources.timeline)},
               {"quality",
                {{"step", sources.quality}, {"steps", measure::kQualitySteps}, {"automatic", sources.raisesQuality}}},
               {"memory", memory(sources.memory)},

@@ -8,7 +8,7 @@
 
 namespace grove::stream {
 
-/// What `/statistics.json` tells of.
+/// What `/statistics.json` and `/sharing.json` tell of.
 struct StatisticsSources {
   const pipeline::Timeline& timeline;
   const pipeline::MemoryLedger& memory;
@@ -23,5 +23,8 @@ struct StatisticsSources {
 /// counters. Of now: the bytes that are held and by what. Of the last seconds: `amortization`, what sharing saves (null
 /// if nobody was served).
 [[nodiscard]] std::string statisticsJson(const StatisticsSources& sources);
+
+/// What `/sharing.json` answers: of that only what sharing saves, for the overlay of every visitor.
+[[nodiscard]] std::string sharingJson(const StatisticsSources& sources);
 
 }  // namespace grove::stream

@@ -16,16 +16,10 @@ constexpr std::array kTypes = {
     Pair{".svg", "image/svg+xml"},
 };
 
-/// Pages that have a name of their own.
-constexpr std::array kNames = {
-    Pair{"/", "/index.html"},
-    Pair{"/operator", "/operator.html"},
-};
-
-std::string_view fileOf(std::string_view path) {
-  for (const auto& [name, file] : kNames) {
-    if (path == name) return file;
-  }
+/// Some have a name of their own.
+std::string_view fileOf(std::string_view path, Audience audience) {
+  if (path == "/") return audience == Audience::kOperator ? "/operator.html" : "/index.html";
+  if (path == "/operator") return "/operator.html";
   return path;
 }
 
@@ -47,8 +41,9 @@ std::string tagOf(std::string_view body) {
 
 }  // namespace
 
-WebPages::WebPages(std::span<const embedded::File> files) {
+WebPages::WebPages(std::span<const embedded::File> files, Audience audience) : audience_(audience) {
   for (const embedded::File& file : files) {
+    if (audience == Audience::kVisitors && std::string_view(file.path).starts_with("operator")) continue;
     const std::string path = std::string("/") + file.path;
     pages_.emplace(path, Page{typeOf(path), tagOf(file.text()), file.text()});
   }
@@ -66,7 +61,7 @@ PageReply WebPages::answer(std::string_view method, std::string_view path, std::
     reply.body = "ok";
     return reply;
   }
-  const auto found = pages_.find(fileOf(path));
+  const auto found = pages_.find(fileOf(path, audience_));
   if (found == pages_.end()) {
     reply.status = 404;
     reply.body = "there is no such page\n";

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "pipeline/embedded.h"
+#include "stream/audience.h"
 
 namespace grove::stream {
 
@@ -19,10 +20,11 @@ struct PageReply {
   bool sendBody = true;
 };
 
-/// The page's files, which lie in the program: only their exact names exist, so no path leads elsewhere.
+/// The page's files, which lie in the program: only their exact names exist, so no path leads elsewhere. The operator's
+/// are for the operator only.
 class WebPages {
  public:
-  explicit WebPages(std::span<const embedded::File> files);
+  WebPages(std::span<const embedded::File> files, Audience audience);
 
   /// `method` is "GET", "HEAD" or anything else; `path` is without query; `ifNoneMatch` is the header or empty.
   [[nodiscard]] PageReply answer(std::string_view method, std::string_view path, std::string_view ifNoneMatch) const;
@@ -33,6 +35,7 @@ class WebPages {
     std::string etag;
     std::string_view body;
   };
+  const Audience audience_;
   std::map<std::string, Page, std::less<>> pages_;
 };
 

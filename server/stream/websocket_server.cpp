@@ -8,66 +8,60 @@
 #include <cassert>
 #include <map>
 #include <optional>
-#include <set>
 #include <span>
 #include <string_view>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "base/error.h"
 #include "base/log.h"
-#include "pipeline/embedded.h"
 #include "stream/connection.h"
-#include "stream/listen_address.h"
+#include "stream/descriptor_limit.h"
+#include "stream/http_service.h"
 #include "stream/live_reports.h"
 #include "stream/origin.h"
 #include "stream/printable.h"
+#include "stream/received_bytes.h"
+#include "stream/server_context.h"
 #include "stream/waker.h"
-#include "stream/web_pages.h"
 #include "stream/wsi.h"
 #include "world/world.h"
 
 namespace grove::stream {
 namespace {
 
-constexpr std::size_t kMostSockets = 256;
-constexpr std::size_t kSpareDescriptors = 16;  // the listening socket, the wake-up pipe and such
-constexpr int kHttpSeconds = 10;
-constexpr int kKeepAliveSeconds = 5;
+/// Kept free of visitors for the operator.
+constexpr std::size_t kOperatorSockets = 8;
 constexpr int kCloseSeconds = 2;
 constexpr double kStopSeconds = 1.0;
 constexpr lws_usec_t kSweepMicroseconds = 250'000;
-constexpr std::size_t kHttpChunk = 16 * 1024;
-// A frame goes to the kernel in one call; the library would cut it to 4 KiB and copy the rest.
-constexpr std::size_t kMostBytesAtOnce = std::size_t{16} << 20U;
-static_assert(EncodedFrame::kHeadroom >= LWS_PRE);
-
-constexpr lws_protocol_vhost_options kReferrer = {nullptr, nullptr, "referrer-policy:", "no-referrer"};
-constexpr lws_protocol_vhost_options kNoSniff = {&kReferrer, nullptr, "x-content-type-options:", "nosniff"};
-constexpr lws_protocol_vhost_options kSecurityHeaders = {
-    &kNoSniff, nullptr,
-    "content-security-policy:", "default-src 'self'; connect-src 'self' ws: wss:; img-src 'self' blob: data:"};
-
-void logLibraryLine(int /*level*/, const char* line) { log::error(printable(line, 300)); }
+/// Of one socket, pings and requests and all: twenty times what a visitor at 60 frames a second sends.
+constexpr double kMaxReceivedPerSecond = 65'536.0;
 
 }  // namespace
 
 /// The library's context and its thread. All but start(), stop() and port() runs on that thread.
 class WebsocketServer::Service {
  public:
-  Service(Host& host, const std::string& address, int port, std::vector<std::string> names);
+  Service(Host& host, const ServerOptions& options);
   ~Service() { stop(); }
   Service(const Service&) = delete;
   Service& operator=(const Service&) = delete;
 
   [[nodiscard]] int port() const noexcept { return port_; }
+  [[nodiscard]] int operatorPort() const noexcept { return operatorPort_; }
   void start();
   void stop();
 
  private:
-  struct ContextDeleter {
-    void operator()(lws_context* context) const noexcept { lws_context_destroy(context); }
+  /// Any socket that was let in.
+  struct Guest {
+    AddressLimits::Ticket ticket;
+    double since = 0.0;          ///< when it had received
+    std::uint64_t received = 0;  ///< so many bytes
   };
+  /// One that has become a websocket.
   struct Socket {
     std::unique_ptr<Connection> connection;
     std::optional<Refusal> closing;
@@ -83,11 +77,10 @@ class WebsocketServer::Service {
   int handle(lws* wsi, lws_callback_reasons reason, void* user, void* in, std::size_t length);
   int handleHttp(lws* wsi, lws_callback_reasons reason, void* user, void* in, std::size_t length);
 
+  [[nodiscard]] bool letIn(lws* listener, const lws_filter_network_conn_args* peer);
   int confirmUpgrade(lws* wsi, std::string_view protocol);
   [[nodiscard]] bool isKnown(const std::string& host);
-  int answerHttp(lws* wsi);
-  int continueHttp(lws* wsi);
-  static int finishHttp(lws* wsi) { return lws_http_transaction_completed(wsi) != 0 ? -1 : 0; }
+  [[nodiscard]] HttpService& http(lws* wsi) { return http_[static_cast<std::size_t>(context_.audienceOf(wsi))]; }
 
   void open(lws* wsi);
   int receive(lws* wsi, std::span<const std::uint8_t> bytes);
@@ -96,57 +89,41 @@ class WebsocketServer::Service {
   void closeLater(lws* wsi, Socket& socket, Refusal why);
   void wakeWriters();
   void sweep();
+  [[nodiscard]] static bool isFlood(lws* wsi, Guest& guest, double now);
   void run();
 
   Host& host_;
-  const WebPages pages_;
   std::vector<std::string> names_;  ///< that the server is known by
-  const ListenAddress address_;
-  std::set<lws*> accepted_;
+  const std::size_t maxSockets_;
+  AddressLimits limits_;
+  std::map<lws*, Guest> guests_;
   std::map<lws*, Socket> sockets_;
-  /// What is left of an answer, and who owns it if it was made for this request.
-  struct Download {
-    std::string_view rest;
-    std::shared_ptr<const std::string> owner;
-  };
-  std::map<lws*, Download> downloads_;
-  std::unique_ptr<lws_context, ContextDeleter> context_;
-  std::shared_ptr<Waker> waker_;
+  ServerContext context_;
+  const std::shared_ptr<Waker> waker_;
+  LiveReports reports_;
+  std::array<HttpService, 2> http_;  ///< by audience
   int port_ = 0;
+  int operatorPort_ = 0;
   Timer timer_;
   log::Limited refusals_;
   std::atomic<bool> stopping_{false};
   std::thread thread_;
 };
 
-WebsocketServer::Service::Service(Host& host, const std::string& address, int port, std::vector<std::string> names)
-    : host_(host), pages_(embedded::web()), names_(std::move(names)), address_(findListenAddress(address, port)) {
-  names_.push_back(address);
-  static constexpr std::array<lws_protocols, 2> kProtocols = {
-      lws_protocols{"grove.v1", &Service::callback, 0, 0, 0, nullptr, kMostBytesAtOnce}, lws_protocols{}};
-  lws_set_log_level(LLL_ERR, &logLibraryLine);
-  lws_context_creation_info info{};
-  info.options = LWS_SERVER_OPTION_EXPLICIT_VHOSTS | LWS_SERVER_OPTION_FAIL_UPON_UNABLE_TO_BIND |
-                 LWS_SERVER_OPTION_SKIP_SERVER_CANONICAL_NAME;
-  if (!address_.isIpv6) info.options |= LWS_SERVER_OPTION_DISABLE_IPV6;
-  info.user = this;
-  info.server_string = "grove";
-  info.fd_limit_per_thread = kMostSockets + kSpareDescriptors;
-  info.port = port;
-  info.iface = address_.numeric.c_str();
-  info.protocols = kProtocols.data();
-  info.headers = &kSecurityHeaders;
-  info.timeout_secs = kHttpSeconds;
-  info.timeout_secs_ah_idle = kHttpSeconds;
-  info.keepalive_timeout = kKeepAliveSeconds;
-  context_.reset(lws_create_context(&info));
-  lws_vhost* vhost = context_ ? lws_create_vhost(context_.get(), &info) : nullptr;
-  if (vhost == nullptr) {
-    throw EnvironmentError("cannot listen", address + ":" + std::to_string(port),
-                           "choose another address with --listen HOST:PORT");
-  }
-  port_ = lws_get_vhost_listen_port(vhost);
-  waker_ = std::make_shared<Waker>(context_.get());
+WebsocketServer::Service::Service(Host& host, const ServerOptions& options)
+    : host_(host),
+      names_(options.names),
+      maxSockets_(socketsThatFit()),
+      limits_(options.allowance),
+      context_(&Service::callback, this, maxSockets_),
+      waker_(std::make_shared<Waker>(context_.get())),
+      reports_(host, [waker = waker_] { waker->wake(); }),
+      http_{HttpService(Audience::kVisitors, reports_), HttpService(Audience::kOperator, reports_)} {
+  port_ = context_.listen(Audience::kVisitors, options.visitors.host, options.visitors.port, "--listen");
+  const HostPort desk = options.operators.value_or(HostPort{"127.0.0.1", 0});
+  operatorPort_ = context_.listen(Audience::kOperator, desk.host, desk.port, "--operator");
+  names_.push_back(options.visitors.host);
+  names_.push_back(desk.host);
   timer_.service = this;
 }
 
@@ -161,8 +138,9 @@ void WebsocketServer::Service::stop() {
   waker_->wake();
   if (thread_.joinable()) thread_.join();
   waker_->retire();
-  context_.reset();
+  context_.close();
   sockets_.clear();
+  guests_.clear();
 }
 
 void WebsocketServer::Service::run() {
@@ -206,15 +184,13 @@ void WebsocketServer::Service::onTimer(lws_sorted_usec_list_t* entry) noexcept {
 int WebsocketServer::Service::handle(lws* wsi, lws_callback_reasons reason, void* user, void* in, std::size_t length) {
   switch (reason) {
     case LWS_CALLBACK_FILTER_NETWORK_CONNECTION:
-      if (accepted_.size() < kMostSockets) return 0;
-      refusals_.warning("a connection was refused: there are 256 already");
-      return 1;
+      return letIn(wsi, static_cast<const lws_filter_network_conn_args*>(user)) ? 0 : 1;
     case LWS_CALLBACK_SERVER_NEW_CLIENT_INSTANTIATED:
-      accepted_.insert(wsi);
+      guests_[wsi] = {limits_.socket(addressOfPeer(wsi)), world::World::now(), 0};
       return 0;
     case LWS_CALLBACK_WSI_DESTROY:
-      accepted_.erase(wsi);
-      downloads_.erase(wsi);
+      guests_.erase(wsi);
+      for (HttpService& each : http_) each.forget(wsi);
       close(wsi);
       return 0;
     case LWS_CALLBACK_EVENT_WAIT_CANCELLED:
@@ -241,22 +217,37 @@ int WebsocketServer::Service::handleHttp(lws* wsi, lws_callback_reasons reason, 
     case LWS_CALLBACK_HTTP_CONFIRM_UPGRADE:
       return confirmUpgrade(wsi, static_cast<const char*>(in));
     case LWS_CALLBACK_HTTP:
-      return answerHttp(wsi);
+      return http(wsi).answer(wsi, isKnown(header(wsi, WSI_TOKEN_HOST)));
     case LWS_CALLBACK_HTTP_WRITEABLE:
-      return continueHttp(wsi);
+      return http(wsi).resume(wsi);
     case LWS_CALLBACK_CLOSED_HTTP:
-      downloads_.erase(wsi);
+      http(wsi).forget(wsi);
       return 0;
     default:
       return lws_callback_http_dummy(wsi, reason, user, in, length);
   }
 }
 
+bool WebsocketServer::Service::letIn(lws* listener, const lws_filter_network_conn_args* peer) {
+  const bool isOperators = context_.audienceOf(listener) == Audience::kOperator;
+  std::string why;
+  if (guests_.size() >= (isOperators ? maxSockets_ : maxSockets_ - kOperatorSockets)) {
+    why = "there are " + std::to_string(guests_.size()) + " already";
+  } else if (!isOperators && !limits_.welcomes(numericAddress(peer->cli_addr), world::World::now())) {
+    why = "its address has or opens too many";
+  }
+  if (why.empty()) return true;
+  host_.countRefusedConnection();
+  refusals_.warning("a connection of " + numericAddress(peer->cli_addr) + " was refused: " + why);
+  return false;
+}
+
 int WebsocketServer::Service::confirmUpgrade(lws* wsi, std::string_view protocol) {
   // Also refuses to turn into HTTP/2, where large writes make browsers hang up.
   if (protocol != "websocket") return -1;
   const auto refuse = [&](unsigned status) { return lws_return_http_status(wsi, status, nullptr) < 0 ? -1 : 1; };
-  if (header(wsi, WSI_TOKEN_GET_URI) != "/") return refuse(HTTP_STATUS_NOT_FOUND);
+  const bool isOperators = context_.audienceOf(wsi) == Audience::kOperator;
+  if (isOperators || header(wsi, WSI_TOKEN_GET_URI) != "/") return refuse(HTTP_STATUS_NOT_FOUND);
   const std::string origin = header(wsi, WSI_TOKEN_ORIGIN);
   const std::string host = header(wsi, WSI_TOKEN_HOST);
   if (!isKnown(host)) return refuse(HTTP_STATUS_FORBIDDEN);
@@ -273,66 +264,10 @@ bool WebsocketServer::Service::isKnown(const std::string& host) {
   return false;
 }
 
-int WebsocketServer::Service::answerHttp(lws* wsi) {
-  const std::string getPath = header(wsi, WSI_TOKEN_GET_URI);
-  const std::string headPath = header(wsi, WSI_TOKEN_HEAD_URI);
-  const std::string_view method = !getPath.empty() ? "GET" : !headPath.empty() ? "HEAD" : "another";
-  const std::string& path = getPath.empty() ? headPath : getPath;
-  PageReply reply = pages_.answer(method, path, header(wsi, WSI_TOKEN_HTTP_IF_NONE_MATCH));
-  std::shared_ptr<const std::string> live;
-  if (!isKnown(header(wsi, WSI_TOKEN_HOST))) {
-    reply = {HTTP_STATUS_FORBIDDEN, "text/plain; charset=utf-8", "", "this server is not known by that name\n",
-             method == "GET"};
-  } else if (method != "another") {
-    if (auto report = liveReport(host_, path)) {
-      live = std::make_shared<const std::string>(std::move(*report));
-      reply = {200, "application/json", "", *live, method == "GET"};
-    }
-  }
-
-  std::array<unsigned char, LWS_PRE + 2048> buffer{};
-  unsigned char* const begin = buffer.data() + LWS_PRE;
-  unsigned char* const end = buffer.data() + buffer.size();
-  unsigned char* at = begin;
-  const auto add = [&](lws_token_indexes token, std::string_view value) {
-    const auto* bytes = reinterpret_cast<const unsigned char*>(value.data());
-    return lws_add_http_header_by_token(wsi, token, bytes, static_cast<int>(value.size()), &at, end) == 0;
-  };
-  const bool good = lws_add_http_common_headers(wsi, static_cast<unsigned>(reply.status),
-                                                std::string(reply.type).c_str(), reply.body.size(), &at, end) == 0 &&
-                    (reply.etag.empty() || add(WSI_TOKEN_HTTP_ETAG, reply.etag)) &&
-                    add(WSI_TOKEN_HTTP_CACHE_CONTROL, "no-cache") &&
-                    lws_finalize_write_http_header(wsi, begin, &at, end) == 0;
-  // Without reading the body of a request one cannot find the next one.
-  if (!good || method == "another") return -1;
-  if (!reply.sendBody || reply.body.empty()) return finishHttp(wsi);
-  downloads_[wsi] = {reply.body, std::move(live)};
-  lws_callback_on_writable(wsi);
-  return 0;
-}
-
-int WebsocketServer::Service::continueHttp(lws* wsi) {
-  const auto found = downloads_.find(wsi);
-  if (found == downloads_.end()) return 0;
-  std::string_view& rest = found->second.rest;
-  const std::string_view chunk = rest.substr(0, kHttpChunk);
-  rest.remove_prefix(chunk.size());
-  std::array<unsigned char, LWS_PRE + kHttpChunk> buffer;
-  std::copy(chunk.begin(), chunk.end(), buffer.begin() + LWS_PRE);
-  const lws_write_protocol kind = rest.empty() ? LWS_WRITE_HTTP_FINAL : LWS_WRITE_HTTP;
-  if (lws_write(wsi, buffer.data() + LWS_PRE, chunk.size(), kind) < 0) return -1;
-  if (rest.empty()) {
-    downloads_.erase(found);
-    return finishHttp(wsi);
-  }
-  lws_set_timeout(wsi, PENDING_TIMEOUT_HTTP_CONTENT, kHttpSeconds);
-  lws_callback_on_writable(wsi);
-  return 0;
-}
-
 void WebsocketServer::Service::open(lws* wsi) {
   const auto wake = [waker = waker_] { waker->wake(); };
-  auto connection = std::make_unique<Connection>(host_, nameOfPeer(wsi), world::World::now(), wake);
+  const auto takePlace = [this, address = addressOfPeer(wsi)] { return limits_.visitor(address); };
+  auto connection = std::make_unique<Connection>(host_, nameOfPeer(wsi), world::World::now(), wake, takePlace);
   sockets_[wsi] = {std::move(connection), std::nullopt};
 }
 
@@ -395,21 +330,47 @@ void WebsocketServer::Service::wakeWriters() {
   for (const auto& [wsi, socket] : sockets_) {
     if (socket.connection->hasSomethingToSend()) lws_callback_on_writable(wsi);
   }
+  for (HttpService& each : http_) each.wakeWaiting();
 }
 
 void WebsocketServer::Service::sweep() {
   const double now = world::World::now();
+  std::vector<lws*> floods;
+  for (auto& [wsi, guest] : guests_) {
+    if (isFlood(wsi, guest, now)) floods.push_back(wsi);
+  }
+  for (lws* const wsi : floods) {
+    const auto socket = sockets_.find(wsi);
+    if (socket != sockets_.end()) {
+      closeLater(wsi, socket->second, {CloseCode::kFlood, "more than 64 KiB in a second"});
+    } else {
+      // At once: the next of its requests would put any timeout off.
+      lws_set_timeout(wsi, PENDING_TIMEOUT_CLOSE_SEND, LWS_TO_KILL_SYNC);
+    }
+  }
   for (auto& [wsi, socket] : sockets_) {
     if (auto why = socket.connection->overdue(now)) closeLater(wsi, socket, std::move(*why));
   }
+  limits_.sweep(now);
 }
 
-WebsocketServer::WebsocketServer(Host& host, const std::string& address, int port, std::vector<std::string> names)
-    : service_(std::make_unique<Service>(host, address, port, std::move(names))) {}
+bool WebsocketServer::Service::isFlood(lws* wsi, Guest& guest, double now) {
+  const double seconds = now - guest.since;
+  if (seconds < 1.0) return false;
+  const std::uint64_t received = receivedBytes(lws_get_socket_fd(wsi));
+  const std::uint64_t more = received - std::exchange(guest.received, received);
+  guest.since = now;
+  return static_cast<double>(more) > kMaxReceivedPerSecond * seconds;
+}
+
+WebsocketServer::WebsocketServer(Host& host, const ServerOptions& options)
+    : service_(std::make_unique<Service>(host, options)) {}
 
 WebsocketServer::~WebsocketServer() = default;
 
 int WebsocketServer::port() const noexcept { return service_->port(); }
+
+int WebsocketServer::operatorPort() const noexcept { return service_->operatorPort(); }
 
 void WebsocketServer::start() { service_->start(); }
 

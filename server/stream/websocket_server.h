@@ -1,21 +1,31 @@
 #pragma once
 
-#include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "stream/address_limits.h"
 #include "stream/host.h"
+#include "stream/listen_address.h"
 
 namespace grove::stream {
 
-/// Serves the page over http and the socket of PROTOCOL.md on one port, with one thread whatever the number of
-/// visitors. A visitor that misbehaves is closed with a code and a reason, and one log line.
+/// Where a server listens and whom it lets in.
+struct ServerOptions {
+  HostPort visitors;                  ///< port 0: any free one
+  std::optional<HostPort> operators;  ///< the operator's pages and reports; none: any free port of 127.0.0.1
+  /// Who asks for another name than an address, localhost, one of the hosts above or one of these is refused.
+  std::vector<std::string> names = {};
+  AddressAllowance allowance = {};
+};
+
+/// Serves the page over http and its websocket, one thread for all sockets, and the operator's pages on a port of their
+/// own. A visitor that misbehaves is closed with a code and a reason, and one log line.
 class WebsocketServer {
  public:
-  /// Takes the port; 0 is any free one. `host` outlives the server. Who asks for it by another name than an address,
-  /// localhost, `address` or one of `names` is refused. Throws EnvironmentError if the port cannot be had.
-  WebsocketServer(Host& host, const std::string& address, int port, std::vector<std::string> names = {});
+  /// Takes the ports. `host` outlives the server. Throws EnvironmentError if one cannot be had.
+  WebsocketServer(Host& host, const ServerOptions& options);
 
   /// As stop().
   ~WebsocketServer();
@@ -23,6 +33,7 @@ class WebsocketServer {
   WebsocketServer& operator=(const WebsocketServer&) = delete;
 
   [[nodiscard]] int port() const noexcept;
+  [[nodiscard]] int operatorPort() const noexcept;
 
   /// Starts to serve; once.
   void start();

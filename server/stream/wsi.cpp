@@ -1,13 +1,23 @@
 #include "stream/wsi.h"
 
 #include <netdb.h>
-#include <sys/socket.h>
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <vector>
 
 namespace grove::stream {
+namespace {
+
+std::optional<sockaddr_storage> peerOf(lws* wsi) {
+  sockaddr_storage address{};
+  socklen_t size = sizeof address;
+  if (getpeername(lws_get_socket_fd(wsi), reinterpret_cast<sockaddr*>(&address), &size) != 0) return std::nullopt;
+  return address;
+}
+
+}  // namespace
 
 std::string header(lws* wsi, lws_token_indexes token) {
   std::string value(static_cast<std::size_t>(lws_hdr_total_length(wsi, token)) + 1, '\0');
@@ -16,15 +26,25 @@ std::string header(lws* wsi, lws_token_indexes token) {
   return value;
 }
 
+std::string numericAddress(const sockaddr_storage& address) {
+  std::array<char, NI_MAXHOST> text{};
+  const auto* generic = reinterpret_cast<const sockaddr*>(&address);
+  getnameinfo(generic, sizeof address, text.data(), text.size(), nullptr, 0, NI_NUMERICHOST);
+  return text.data();
+}
+
+std::string addressOfPeer(lws* wsi) {
+  const auto address = peerOf(wsi);
+  return address ? numericAddress(*address) : std::string();
+}
+
 std::string nameOfPeer(lws* wsi) {
-  sockaddr_storage address{};
-  socklen_t size = sizeof address;
-  auto* generic = reinterpret_cast<sockaddr*>(&address);
-  std::array<char, NI_MAXHOST> host{};
+  const auto address = peerOf(wsi);
+  if (!address) return "somebody";
   std::array<char, NI_MAXSERV> port{};
-  if (getpeername(lws_get_socket_fd(wsi), generic, &size) != 0) return "somebody";
-  getnameinfo(generic, size, host.data(), host.size(), port.data(), port.size(), NI_NUMERICHOST | NI_NUMERICSERV);
-  return std::string(host.data()) + ":" + port.data();
+  const auto* generic = reinterpret_cast<const sockaddr*>(&*address);
+  getnameinfo(generic, sizeof *address, nullptr, 0, port.data(), port.size(), NI_NUMERICSERV);
+  return numericAddress(*address) + ":" + port.data();
 }
 
 void giveCloseReason(lws* wsi, const Refusal& why) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <libwebsockets.h>
+#include <sys/socket.h>
 
 #include <string>
 
@@ -11,6 +12,12 @@ namespace grove::stream {
 
 /// A header of the request; empty if there is none.
 [[nodiscard]] std::string header(lws* wsi, lws_token_indexes token);
+
+/// As numbers, without the port; empty if it is none.
+[[nodiscard]] std::string numericAddress(const sockaddr_storage& address);
+
+/// The same of the other end.
+[[nodiscard]] std::string addressOfPeer(lws* wsi);
 
 /// ADDRESS:PORT, for the log.
 [[nodiscard]] std::string nameOfPeer(lws* wsi);

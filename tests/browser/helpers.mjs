@@ -27,9 +27,10 @@ export async function freePort() {
 export class Server {
   #process;
 
-  constructor(process, url) {
+  constructor(process, url, operatorUrl) {
     this.#process = process;
     this.url = url;
+    this.operatorUrl = operatorUrl;
   }
 
   /** Starts the server and waits until it says that it listens. */
@@ -50,7 +51,8 @@ export class Server {
         resolve();
       });
     });
-    return new Server(process, `http://${address}/`);
+    const [, operatorUrl] = output.match(/operator's page at (http:.*\/)operator/);
+    return new Server(process, `http://${address}/`, operatorUrl);
   }
 
   /** Ends it with this signal; resolves when it is gone. */

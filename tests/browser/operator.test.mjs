@@ -28,7 +28,7 @@ const overflow = (operator) =>
   operator.page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
 
 test('while nobody is here it says so, and tells what is known', async () => {
-  const operator = await open(server.url);
+  const operator = await open(server.operatorUrl);
   await operator.until('state', 'live');
   await operator.page.getByText('Nobody is here').waitFor();
   assert.deepEqual(await figures(operator), { visitors: '0', fps: '–', alpha: '–', beta: '–', cores: '–', fit: '–' });
@@ -39,7 +39,7 @@ test('while nobody is here it says so, and tells what is known', async () => {
 });
 
 test('figures appear once a visitor is there, finite and with units', async () => {
-  const operator = await open(server.url, { viewport: { width: 1400, height: 900 } });
+  const operator = await open(server.operatorUrl, { viewport: { width: 1400, height: 900 } });
   await operator.until('state', 'live');
   const ada = await Visitor.arrive(browser, server.url);
   await ada.until('connection', 'open');
@@ -67,7 +67,7 @@ test('figures appear once a visitor is there, finite and with units', async () =
 
 test('fits every width, in the dark and in the light', async () => {
   for (const colorScheme of ['dark', 'light']) {
-    const operator = await open(server.url, { viewport: { width: 360, height: 640 }, colorScheme });
+    const operator = await open(server.operatorUrl, { viewport: { width: 360, height: 640 }, colorScheme });
     await operator.until('state', 'live');
     for (const width of [360, 800, 1400]) {
       await operator.page.setViewportSize({ width, height: 640 });
@@ -83,7 +83,7 @@ test('fits every width, in the dark and in the light', async () => {
 });
 
 test('headings, tables and regions have names', async () => {
-  const operator = await open(server.url);
+  const operator = await open(server.operatorUrl);
   await operator.until('state', 'live');
   const { page } = operator;
   for (const name of ['One frame of one visitor', 'The last two minutes', 'Stages', 'Memory']) {
@@ -97,9 +97,10 @@ test('headings, tables and regions have names', async () => {
 });
 
 test('a server that dies leaves its last words in grey, and is found again', async () => {
-  const port = await freePort();
-  let mortal = await Server.start({ port });
-  const operator = await open(mortal.url);
+  const [port, operatorPort] = [await freePort(), await freePort()];
+  const options = ['--operator', `127.0.0.1:${operatorPort}`];
+  let mortal = await Server.start({ port, options });
+  const operator = await open(mortal.operatorUrl);
   try {
     await operator.until('state', 'live');
     await mortal.end('SIGKILL');
@@ -108,7 +109,7 @@ test('a server that dies leaves its last words in grey, and is found again', asy
     assert.equal((await figures(operator)).visitors, '0', 'its last words');
     assert.ok(Number(await operator.page.$eval('main', (main) => getComputedStyle(main).opacity)) < 0.7, 'are grey');
 
-    mortal = await Server.start({ port });
+    mortal = await Server.start({ port, options });
     await operator.until('state', 'live');
     await operator.page.getByText('out of reach').first().waitFor({ state: 'hidden' });
   } finally {
@@ -124,7 +125,7 @@ test('private mode is told as such', async () => {
     const ada = await Visitor.arrive(browser, alone.url);
     await ada.until('connection', 'open');
     await ada.frames(2);
-    const operator = await open(alone.url);
+    const operator = await open(alone.operatorUrl);
     await operator.page.getByRole('status').getByText('Private mode').waitFor();
     await operator.page.getByText('now, in private mode').waitFor();
     assert.ok(await operator.page.locator('[data-cost=alone]').isHidden());

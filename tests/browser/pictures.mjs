@@ -37,7 +37,7 @@ async function takeTogether(browser, visitors, name) {
 /** The operator's page, once its charts have something to show. */
 async function takeOperator(browser) {
   const page = await browser.newPage({ viewport: { width: 1400, height: 900 }, colorScheme: 'dark' });
-  await page.goto(`${server.url}operator`);
+  await page.goto(`${server.operatorUrl}operator`);
   await page.waitForTimeout(90_000);
   await page.screenshot({ path: `${kFolder}operator.jpg`, type: 'jpeg', quality: 88, fullPage: true });
   await page.close();

@@ -56,7 +56,7 @@ test('a grove of light fields stands around the clearing', async () => {
   assert.ok(oak.rough > 2 * sky.rough, 'and not smooth');
 
   // Every light field has come: the backend made pictures, and none failed.
-  const { counters, stages } = await (await fetch(`${server.url}statistics.json`)).json();
+  const { counters, stages } = await (await fetch(`${server.operatorUrl}statistics.json`)).json();
   assert.ok(counters['view cache misses'] > 5, JSON.stringify(counters));
   assert.equal(stages.Renderer.failures, 0);
 });

@@ -105,6 +105,13 @@ TEST(CommandLine, APortInUseIsToldBeforeTheWorldIsPrepared) {
   EXPECT_EQ(lines(outcome.output), 1) << outcome.output;
 }
 
+TEST(CommandLine, ALowLimitOfOpenFilesIsToldInOneLine) {
+  const Outcome outcome = shell("ulimit -n 24; " GROVE_BINARY " serve --listen 127.0.0.1:0 2>&1");
+  EXPECT_EQ(outcome.exit, 1);
+  EXPECT_THAT(outcome.output, HasSubstr("24 open files"));
+  EXPECT_EQ(lines(outcome.output), 1) << outcome.output;
+}
+
 TEST(CommandLine, AMalformedSceneNamesItsLine) {
   const auto file = std::filesystem::temp_directory_path() / "grove_malformed_scene.toml";
   std::ofstream(file) << "name = 'x'\n[[object]]\ntype = 'mesh'\nshape = 'stone'\nheigth = 3\n";

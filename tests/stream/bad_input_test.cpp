@@ -1,6 +1,7 @@
 #include <limits>
 #include <memory>
 
+#include "eventually.h"
 #include "stream/served_world.h"
 
 namespace grove::stream {
@@ -122,6 +123,26 @@ TEST_F(BadInput, FloodOfInputs) {
   expectRefused(told, CloseCode::kFlood, "500");
 }
 
+TEST_F(BadInput, FloodOfPings) {
+  for (const bool greets : {false, true}) {
+    RawWebsocket bad(port());
+    if (greets) bad.send(encode(Hello{"bad", 320, 180}));
+    std::string pings;
+    for (int i = 0; i < 500; ++i) pings += RawWebsocket::frame({}, RawWebsocket::kPing);
+    // What is sent after the end may reset the connection before it reads the reason; that it ends is enough.
+    EXPECT_TRUE(tests::eventually([&] { return !bad.socket().send(pings); })) << greets;
+    EXPECT_TRUE(good_->receiveFrames(3));
+  }
+}
+
+TEST_F(BadInput, FloodOfRequests) {
+  RawSocket bad(port());
+  std::string requests;
+  for (int i = 0; i < 100; ++i) requests += "HEAD /healthz HTTP/1.1\r\nHost: localhost\r\n\r\n";
+  EXPECT_TRUE(tests::eventually([&] { return !bad.send(requests) || bad.receive().empty(); }));
+  EXPECT_TRUE(good_->receiveFrames(3));
+}
+
 TEST_F(BadInput, OpensAndNeverReads) {
   RawWebsocket deaf(port(), "", 4096);
   deaf.send(encode(Hello{"deaf", 1920, 1080}));
@@ -162,6 +183,7 @@ TEST_F(BadInput, PageOfAnotherSite) {
 
 TEST_F(BadInput, MoreConnectionsThanAllowed) {
   std::vector<std::unique_ptr<RawSocket>> sockets;
+  sockets.reserve(300);
   for (int i = 0; i < 300; ++i) sockets.push_back(std::make_unique<RawSocket>(port()));
   EXPECT_TRUE(good_->receiveFrames(10));
   sockets.clear();

@@ -23,7 +23,10 @@ class ConnectionTest : public ServedWorld {
   }
 
   const double now_ = world::World::now();
-  Connection connection_{host_, "a test", now_, [] {}};
+  static Connection::TakePlace always() {
+    return [] { return std::make_shared<int>(); };
+  }
+  Connection connection_{host_, "a test", now_, [] {}, always()};
 };
 
 TEST_F(ConnectionTest, EndsWithoutHello) {
@@ -75,7 +78,8 @@ TEST_F(ConnectionTest, CountsMessagesBySecond) {
 }
 
 TEST_F(ConnectionTest, FramesAfterTheEndAreHarmless) {
-  auto connection = std::make_unique<Connection>(host_, "a test", now_, [] {});
+  auto connection = std::make_unique<Connection>(
+      host_, "a test", now_, [] {}, always());
   ASSERT_FALSE(connection->receive(whole(encode(Hello{"Ada", 320, 180})), now_));
   EXPECT_FALSE(connection->takeWelcome().empty());
   while (!connection->hasSomethingToSend()) std::this_thread::sleep_for(std::chrono::milliseconds(1));

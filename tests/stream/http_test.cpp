@@ -1,4 +1,6 @@
+#include <chrono>
 #include <nlohmann/json.hpp>
+#include <thread>
 
 #include "base/version.h"
 #include "pipeline/embedded.h"
@@ -24,23 +26,42 @@ TEST_F(Http, ServesThePage) {
   EXPECT_EQ(request(port(), "GET", "/?name=Ada").body, page.body);
 }
 
-TEST_F(Http, ServesTheOperatorsPage) {
-  const HttpAnswer page = request(port(), "GET", "/operator");
+TEST_F(Http, ServesTheOperatorsPageToTheOperatorOnly) {
+  const HttpAnswer page = request(operatorPort(), "GET", "/operator");
   EXPECT_EQ(page.status, 200);
   EXPECT_TRUE(contains(page.head, "content-type: text/html"));
   EXPECT_TRUE(contains(page.head, "content-security-policy: default-src 'self';"));
   EXPECT_TRUE(contains(page.body, "operator.js"));
-  EXPECT_EQ(request(port(), "GET", "/operator.html").body, page.body);
-  EXPECT_EQ(request(port(), "GET", "/operator/").status, 404) << "its files would be looked for in another folder";
+  EXPECT_EQ(request(operatorPort(), "GET", "/operator.html").body, page.body);
+  EXPECT_EQ(request(operatorPort(), "GET", "/").body, page.body);
+  EXPECT_EQ(request(operatorPort(), "GET", "/operator/").status, 404)
+      << "its files would be looked for in another folder";
+  for (const char* path :
+       {"/operator", "/operator.html", "/operator.js", "/operator/poll.js", "/statistics.json", "/trace.json"}) {
+    EXPECT_EQ(request(port(), "GET", path).status, 404) << path;
+    EXPECT_EQ(request(operatorPort(), "GET", path).status, 200) << path;
+  }
+}
+
+TEST_F(Http, TheOperatorsListenerHasNoWorld) {
+  const std::string upgrade =
+      "Connection: Upgrade\r\nUpgrade: websocket\r\nSec-WebSocket-Version: 13\r\n"
+      "Sec-WebSocket-Protocol: grove.v1\r\nSec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n";
+  RawSocket socket(operatorPort());
+  socket.send("GET / HTTP/1.1\r\nHost: localhost\r\n" + upgrade + "\r\n");
+  EXPECT_EQ(socket.receive().substr(8, 4), " 404");
 }
 
 TEST_F(Http, ServesEveryFileWholeAndWithItsType) {
   for (const embedded::File& file : embedded::web()) {
     const std::string path = std::string("/") + file.path;
-    const HttpAnswer answer = request(port(), "GET", path);
+    const HttpAnswer answer = request(operatorPort(), "GET", path);
     EXPECT_EQ(answer.status, 200) << path;
     EXPECT_EQ(answer.body, file.text()) << path;
     EXPECT_FALSE(contains(answer.head, "application/octet-stream")) << path;
+    if (!path.starts_with("/operator")) {
+      EXPECT_EQ(request(port(), "GET", path).body, file.text()) << path;
+    }
   }
   EXPECT_TRUE(contains(request(port(), "GET", "/main.js").head, "content-type: text/javascript"));
   EXPECT_TRUE(contains(request(port(), "GET", "/style.css").head, "content-type: text/css"));
@@ -70,7 +91,7 @@ TEST_F(Http, TellsThatItIsWell) {
 }
 
 TEST_F(Http, TellsItsStatistics) {
-  const HttpAnswer answer = request(port(), "GET", "/statistics.json");
+  const HttpAnswer answer = request(operatorPort(), "GET", "/statistics.json");
   EXPECT_EQ(answer.status, 200);
   EXPECT_TRUE(contains(answer.head, "content-type: application/json"));
   const auto statistics = nlohmann::json::parse(answer.body);
@@ -81,9 +102,52 @@ TEST_F(Http, TellsItsStatistics) {
   EXPECT_TRUE(statistics.at("amortization").is_null()) << "nobody is served";
   EXPECT_GT(statistics.at("memory").at("resident_mb"), 1.0);
   EXPECT_TRUE(statistics.at("memory").at("holders").is_array());
-  const HttpAnswer head = request(port(), "HEAD", "/statistics.json");
+  const HttpAnswer head = request(operatorPort(), "HEAD", "/statistics.json");
   EXPECT_EQ(head.status, 200);
   EXPECT_TRUE(head.body.empty());
+}
+
+TEST_F(Http, TellsVisitorsWhatSharingSaves) {
+  for (const int at : {port(), operatorPort()}) {
+    const auto told = nlohmann::json::parse(request(at, "GET", "/sharing.json").body);
+    EXPECT_EQ(told.at("version"), version());
+    EXPECT_TRUE(told.at("counters").is_object());
+    EXPECT_TRUE(told.contains("amortization"));
+    EXPECT_FALSE(told.contains("memory")) << "that is the operator's";
+  }
+}
+
+TEST_F(Http, ReportsAreMadeOnceForAllWhoAskAtTheSameTime) {
+  GoodClient visitor(port());
+  ASSERT_TRUE(visitor.receiveFrames(5));
+  std::vector<RawSocket> readers;
+  for (int i = 0; i < 30; ++i) readers.emplace_back(operatorPort());
+  for (RawSocket& reader : readers) {
+    reader.send("GET /trace.json HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n\r\n");
+  }
+  const std::string first = readers.front().receiveAll();
+  EXPECT_TRUE(contains(first, "traceEvents"));
+  for (std::size_t i = 1; i < readers.size(); ++i) EXPECT_TRUE(readers[i].receiveAll() == first) << i;
+  std::this_thread::sleep_for(std::chrono::milliseconds(1100));
+  ASSERT_TRUE(visitor.receiveFrames(1));
+  EXPECT_NE(request(operatorPort(), "GET", "/trace.json").body, first.substr(first.find("\r\n\r\n") + 4))
+      << "made anew after a second";
+}
+
+TEST_F(Http, RequestsOfOneConnectionAreAnsweredInTheirOrder) {
+  RawSocket socket(operatorPort());
+  std::string requests;
+  for (const char* path : {"/statistics.json", "/healthz", "/sharing.json"}) {
+    requests.append("GET ").append(path).append(" HTTP/1.1\r\nHost: localhost\r\n\r\n");
+  }
+  socket.send(requests + "GET /healthz HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n\r\n");
+  const std::string all = socket.receiveAll();
+  const std::size_t statistics = all.find("\"stages\"");
+  const std::size_t well = all.find("\r\n\r\nok", statistics);
+  EXPECT_NE(statistics, std::string::npos);
+  EXPECT_NE(well, std::string::npos);
+  EXPECT_NE(all.find("\"version\"", well), std::string::npos);
+  EXPECT_TRUE(all.ends_with("ok"));
 }
 
 TEST_F(Http, KnowsNoOtherFiles) {

@@ -13,7 +13,8 @@
 
 namespace grove::stream {
 
-RawSocket::RawSocket(int port, int receiveBufferBytes) : fd_(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
+RawSocket::RawSocket(int port, int receiveBufferBytes, const char* source)
+    : fd_(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
   const timeval patience{5, 0};
   setsockopt(fd_, SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof patience);
   setsockopt(fd_, SOL_SOCKET, SO_SNDTIMEO, &patience, sizeof patience);
@@ -22,6 +23,8 @@ RawSocket::RawSocket(int port, int receiveBufferBytes) : fd_(::socket(AF_INET, S
   }
   sockaddr_in address{};
   address.sin_family = AF_INET;
+  inet_pton(AF_INET, source, &address.sin_addr);
+  ::bind(fd_, reinterpret_cast<const sockaddr*>(&address), sizeof address);
   address.sin_port = htons(static_cast<std::uint16_t>(port));
   address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
   if (::connect(fd_, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0) {
@@ -78,8 +81,8 @@ HttpAnswer request(int port, const std::string& method, const std::string& path,
   return result;
 }
 
-RawWebsocket::RawWebsocket(int port, const std::string& headers, int receiveBufferBytes)
-    : socket_(port, receiveBufferBytes) {
+RawWebsocket::RawWebsocket(int port, const std::string& headers, int receiveBufferBytes, const char* source)
+    : socket_(port, receiveBufferBytes, source) {
   std::string hello = "GET / HTTP/1.1\r\nHost: 127.0.0.1:";
   hello.append(std::to_string(port)).append("\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n");
   hello.append("Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\nSec-WebSocket-Version: 13\r\n");

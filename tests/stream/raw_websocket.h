@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace grove::stream {
@@ -12,10 +13,10 @@ namespace grove::stream {
 /// A TCP connection to a port of this machine that sends whatever it is told to. Reads give up after 5 seconds.
 class RawSocket {
  public:
-  explicit RawSocket(int port, int receiveBufferBytes = 0);
+  explicit RawSocket(int port, int receiveBufferBytes = 0, const char* source = "127.0.0.1");
   ~RawSocket();
-  RawSocket(const RawSocket&) = delete;
-  RawSocket& operator=(const RawSocket&) = delete;
+  RawSocket(RawSocket&& other) noexcept : fd_(std::exchange(other.fd_, -1)) {}
+  RawSocket& operator=(RawSocket&&) = delete;
 
   bool send(std::string_view bytes);
   /// At least one byte, or nothing at the end (or after a reset, or 5 seconds).
@@ -50,7 +51,8 @@ class RawWebsocket {
   };
 
   /// `headers` go into the handshake, each with its line end. status() tells how it went.
-  explicit RawWebsocket(int port, const std::string& headers = "", int receiveBufferBytes = 0);
+  explicit RawWebsocket(int port, const std::string& headers = "", int receiveBufferBytes = 0,
+                        const char* source = "127.0.0.1");
 
   [[nodiscard]] int status() const noexcept { return status_; }
   [[nodiscard]] RawSocket& socket() noexcept { return socket_; }

@@ -36,7 +36,7 @@ bool GoodClient::receiveFrames(int count) {
 ServedWorld::ServedWorld()
     : gl_(gl::ContextKind::kAuto, shaders_, 1),
       host_(emptyWorld(), registry_, gl_, {.mostVisitors = kMostVisitors}, [](std::string_view, float) {}),
-      server_(host_, "127.0.0.1", 0) {
+      server_(host_, {.visitors = {"127.0.0.1", 0}, .operators = {}}) {
   server_.start();
 }
 

@@ -33,6 +33,7 @@ class ServedWorld : public testing::Test {
   ServedWorld();
 
   [[nodiscard]] int port() const { return server_.port(); }
+  [[nodiscard]] int operatorPort() const { return server_.operatorPort(); }
   /// Whether everybody has left the world, within 5 seconds.
   [[nodiscard]] bool becomesEmpty();
 

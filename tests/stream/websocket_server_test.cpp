@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "base/error.h"
+#include "eventually.h"
 #include "stream/served_world.h"
 
 namespace grove::stream {
@@ -11,7 +12,12 @@ namespace {
 using testing::HasSubstr;
 using testing::ThrowsMessage;
 
-using WebsocketServerTest = ServedWorld;
+class WebsocketServerTest : public ServedWorld {
+ protected:
+  WebsocketServer serverAt(const std::string& address, int at) {
+    return {host_, {.visitors = {address, at}, .operators = {}}};
+  }
+};
 
 TEST_F(WebsocketServerTest, GreetsThenStreams) {
   RawWebsocket websocket(port());
@@ -75,24 +81,93 @@ TEST_F(WebsocketServerTest, SaysGoodbyeWhenItStops) {
 }
 
 TEST_F(WebsocketServerTest, NamesAPortThatIsTaken) {
-  EXPECT_THAT([&] { WebsocketServer(host_, "127.0.0.1", port()); },
-              ThrowsMessage<EnvironmentError>(HasSubstr("in use")));
+  EXPECT_THAT([&] { serverAt("127.0.0.1", port()); }, ThrowsMessage<EnvironmentError>(HasSubstr("in use")));
   GoodClient client(port());
   EXPECT_TRUE(client.receiveFrames(1));
 }
 
 TEST_F(WebsocketServerTest, NamesAnAddressThatIsNotHere) {
-  EXPECT_THROW(WebsocketServer(host_, "192.0.2.1", 0), EnvironmentError);
-  EXPECT_THROW(WebsocketServer(host_, "no-such-host.invalid", 0), EnvironmentError);
-  EXPECT_THROW(WebsocketServer(host_, "127.0.0.1", 70'000), EnvironmentError);
+  EXPECT_THROW(serverAt("192.0.2.1", 0), EnvironmentError);
+  EXPECT_THROW(serverAt("no-such-host.invalid", 0), EnvironmentError);
+  EXPECT_THROW(serverAt("127.0.0.1", 70'000), EnvironmentError);
 }
 
 TEST_F(WebsocketServerTest, ListensOnAllAddressesAndByName) {
   for (const char* address : {"0.0.0.0", "localhost"}) {
-    WebsocketServer other(host_, address, 0);
+    WebsocketServer other = serverAt(address, 0);
     other.start();
     EXPECT_EQ(request(other.port(), "GET", "/healthz").status, 200) << address;
   }
+}
+
+TEST_F(WebsocketServerTest, NamesAnOperatorsPortThatIsTaken) {
+  EXPECT_THAT(
+      [&] {
+        WebsocketServer(host_, {.visitors = {"127.0.0.1", 0}, .operators = HostPort{"127.0.0.1", port()}});
+      },
+      ThrowsMessage<EnvironmentError>(HasSubstr("--operator")));
+}
+
+/// Visitors of an address that is not the one of a proxy on this machine.
+class OneAddress : public ServedWorld {
+ protected:
+  static constexpr const char* kElsewhere = "127.0.0.2";
+  RawWebsocket visitor() {
+    RawWebsocket visitor(limited_.port(), "", 0, kElsewhere);
+    visitor.send(encode(Hello{"Ada", 320, 180}));
+    return visitor;
+  }
+  static bool isWelcomed(RawWebsocket& visitor) {
+    const auto first = visitor.receive();
+    return first && first->opcode == RawWebsocket::kBinary;
+  }
+  OneAddress() { limited_.start(); }
+
+  WebsocketServer limited_{host_,
+                           {.visitors = {"127.0.0.1", 0},
+                            .operators = {},
+                            .allowance = {.sockets = 6, .visitors = 2, .socketsPerSecond = 20, .burst = 30}}};
+};
+
+TEST_F(OneAddress, MayHaveSoManyVisitors) {
+  auto one = std::make_unique<RawWebsocket>(visitor());
+  RawWebsocket two = visitor();
+  ASSERT_TRUE(isWelcomed(*one));
+  ASSERT_TRUE(isWelcomed(two));
+  const auto close = visitor().receiveClose();
+  ASSERT_TRUE(close);
+  EXPECT_EQ(close->code, static_cast<int>(CloseCode::kFull));
+  EXPECT_THAT(close->reason, HasSubstr("one address"));
+  GoodClient other(limited_.port());
+  EXPECT_TRUE(other.receiveFrames(2)) << "another address is not concerned";
+  one.reset();
+  EXPECT_TRUE(tests::eventually([&] {
+    RawWebsocket next = visitor();
+    return isWelcomed(next);
+  })) << "who leaves makes room";
+}
+
+TEST_F(OneAddress, MayHaveSoManySockets) {
+  std::vector<RawSocket> idle;
+  for (int i = 0; i < 6; ++i) idle.emplace_back(limited_.port(), 0, kElsewhere);
+  for (RawSocket& each : idle) ASSERT_TRUE(each.send("GET"));
+  RawSocket more(limited_.port(), 0, kElsewhere);
+  EXPECT_TRUE(more.receive().empty()) << "closed at once";
+  EXPECT_EQ(request(limited_.port(), "GET", "/healthz").status, 200);
+  EXPECT_EQ(request(limited_.operatorPort(), "GET", "/healthz").status, 200);
+  EXPECT_EQ(host_.timeline().counters().at("refused connections"), 1);
+}
+
+TEST_F(OneAddress, MayNotComeAgainAndAgain) {
+  int answered = 0;
+  for (int i = 0; i < 100; ++i) {
+    RawSocket socket(limited_.port(), 0, kElsewhere);
+    socket.send("GET /healthz HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n\r\n");
+    answered += socket.receiveAll().ends_with("ok") ? 1 : 0;
+  }
+  EXPECT_GE(answered, 25) << "a page's files come at once";
+  EXPECT_LE(answered, 80);
+  EXPECT_EQ(request(limited_.port(), "GET", "/healthz").status, 200);
 }
 
 }  // namespace

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <libwebsockets.h>
+
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "stream/live_reports.h"
+#include "stream/web_pages.h"
+
+namespace grove::stream {
+
+/// Answers the http requests of one listener: pages, and reports once they are made. On the library's thread only; each
+/// call returns what its callback has to.
+class HttpService {
+ public:
+  /// `reports` outlives it.
+  HttpService(Audience audience, LiveReports& reports);
+
+  /// A request has come. `isKnown`: it asks for a name of this server.
+  int answer(lws* wsi, bool isKnown);
+  /// There is room for more of an answer.
+  int resume(lws* wsi);
+  /// A report is there: who waits for one is served.
+  void wakeWaiting();
+  /// The socket is gone.
+  void forget(lws* wsi) { answers_.erase(wsi); }
+
+ private:
+  struct Answer {
+    PageReply reply;
+    bool begun = false;
+    std::string waitsFor;        ///< path of a report; empty: for nothing
+    double asked = 0.0;          ///< when it was
+    LiveReports::Report report;  ///< owns the reply's body
+    std::string_view rest = {};  ///< of the body
+    bool isLast = false;         ///< of this socket
+  };
+  int begin(lws* wsi, Answer& answer);
+  int finish(lws* wsi);
+
+  const Audience audience_;
+  const WebPages pages_;
+  LiveReports& reports_;
+  std::map<lws*, Answer> answers_;
+};
+
+}  // namespace grove::stream
