@@ -35,7 +35,7 @@ std::string inUrl(const stream::HostPort& at) {
 
 /// The port next to the visitors' is easily remembered; if it is taken, any free one.
 stream::HostPort operatorsBeside(const stream::HostPort& visitors) {
-  const stream::HostPort next{"127.0.0.1", visitors.port + 1};
+  stream::HostPort next{"127.0.0.1", visitors.port + 1};
   try {
     if (visitors.port != 0) {
       (void)stream::findListenAddress(next.host, next.port, "--operator");
