@@ -9,7 +9,7 @@ const kName = 'rebound.example';
 const kReports = ['/statistics.json', '/sharing.json', '/trace.json'];
 const kPatience = 1;
 
-const statusOf = ({ text }) => (text.startsWith('HTTP/1.1 ') ? Number(text.slice(9, 12)) : 0);
+const statusOf = ({ text }) => Number(/^HTTP\/1\.[01] (\d{3})/.exec(text)?.[1] ?? 0);
 
 /** What the server says to one who asks for a socket and for reports by this name. */
 async function ask({ port, operatorPort }, name) {
@@ -37,7 +37,7 @@ export const rebinding = {
   bounds: (row) => [
     is('by its address: socket', row.did.byAddress.socket, 101),
     is('by its address: some report', row.did.byAddress.reports > 0),
-    is('by another name: no socket', row.did.rebound.socket !== 101),
+    is('by another name: socket', row.did.rebound.socket, 403),
     is('by another name: reports', row.did.rebound.reports, 0),
     neverStops(row),
   ],
