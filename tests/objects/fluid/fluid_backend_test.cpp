@@ -66,7 +66,7 @@ class FluidBackendTest : public Fire {
 /// A tick on the finest grid takes about twice the time that it has.
 class FinestFluidBackendTest : public Fire {
  protected:
-  FinestFluidBackendTest() : Fire(128) {}
+  FinestFluidBackendTest() : Fire(kSanitized ? 16 : 128) {}
 };
 
 TEST_F(FinestFluidBackendTest, ReportsSlowMotion) {
