@@ -121,6 +121,7 @@ TEST_F(Http, ReportsAreMadeOnceForAllWhoAskAtTheSameTime) {
   GoodClient visitor(port());
   ASSERT_TRUE(visitor.receiveFrames(5));
   std::vector<RawSocket> readers;
+  readers.reserve(30);
   for (int i = 0; i < 30; ++i) readers.emplace_back(operatorPort());
   for (RawSocket& reader : readers) {
     reader.send("GET /trace.json HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n\r\n");

@@ -24,7 +24,10 @@ RawSocket::RawSocket(int port, int receiveBufferBytes, const char* source)
   sockaddr_in address{};
   address.sin_family = AF_INET;
   inet_pton(AF_INET, source, &address.sin_addr);
-  ::bind(fd_, reinterpret_cast<const sockaddr*>(&address), sizeof address);
+  if (::bind(fd_, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0) {
+    ::close(fd_);
+    throw std::runtime_error(std::string("cannot come from ") + source);
+  }
   address.sin_port = htons(static_cast<std::uint16_t>(port));
   address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
   if (::connect(fd_, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0) {

@@ -149,6 +149,7 @@ TEST_F(OneAddress, MayHaveSoManyVisitors) {
 
 TEST_F(OneAddress, MayHaveSoManySockets) {
   std::vector<RawSocket> idle;
+  idle.reserve(6);
   for (int i = 0; i < 6; ++i) idle.emplace_back(limited_.port(), 0, kElsewhere);
   for (RawSocket& each : idle) ASSERT_TRUE(each.send("GET"));
   RawSocket more(limited_.port(), 0, kElsewhere);
