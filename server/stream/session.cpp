@@ -12,12 +12,12 @@
 namespace grove::stream {
 namespace {
 
-constexpr std::size_t kMostUnacknowledged = 2;
+constexpr std::size_t kMaxUnacknowledged = 2;
 constexpr double kDeadlineCheckSeconds = 0.1;
-constexpr double kLeastWidth = 160;
-constexpr double kLeastHeight = 90;
-constexpr double kMostWidth = 1920;
-constexpr double kMostHeight = 1080;
+constexpr double kMinWidth = 160;
+constexpr double kMinHeight = 90;
+constexpr double kMaxWidth = 1920;
+constexpr double kMaxHeight = 1080;
 
 bool blows(const world::Player& player) { return (player.keys & world::kBlow) != 0; }
 
@@ -34,12 +34,12 @@ void tellBreath(WorldCopy& copy, const world::Player& player) {
 std::pair<int, int> fitSize(std::uint32_t width, std::uint32_t height) {
   const double w = std::max(1.0, static_cast<double>(width));
   const double h = std::max(1.0, static_cast<double>(height));
-  const double grow = std::max({1.0, kLeastWidth / w, kLeastHeight / h});
-  const double scale = std::min({grow, kMostWidth / w, kMostHeight / h});
+  const double grow = std::max({1.0, kMinWidth / w, kMinHeight / h});
+  const double scale = std::min({grow, kMaxWidth / w, kMaxHeight / h});
   const auto even = [&](double size, double least) {
     return 2 * static_cast<int>(std::max(least, std::round(size * scale)) / 2.0);
   };
-  return {even(w, kLeastWidth), even(h, kLeastHeight)};
+  return {even(w, kMinWidth), even(h, kMinHeight)};
 }
 
 Session::Session(Host& host, node::SessionId id, world::PlayerId player, int width, int height, FrameSink sink)
@@ -182,7 +182,7 @@ double Session::startIfDue(double now) {
 
 bool Session::isBehind() const {
   const std::size_t unseen = unacknowledged_.size() + (encoder_->idle() ? 0 : 1);
-  return unacknowledged_.size() >= kMostUnacknowledged ||
+  return unacknowledged_.size() >= kMaxUnacknowledged ||
          unseen > static_cast<std::size_t>(host_.options().framesInFlight);
 }
 

@@ -8,7 +8,7 @@ import { pause } from '../time.mjs';
 
 const kSockets = 300;
 const kNewcomers = 10;
-const kMostLogLines = 30;
+const kMaxLogLines = 30;
 
 const idle = {
   name: '300 idle and half-open sockets of one address',
@@ -44,7 +44,7 @@ const idle = {
   bounds: (row) => [
     carriedOut('sockets', row.did.tried, kSockets),
     is(`newcomers of ${kNewcomers} that enter`, row.did.newcomers, kNewcomers),
-    atMost('log lines', row.logged.length, kMostLogLines),
+    atMost('log lines', row.logged.length, kMaxLogLines),
     keepsHisRate(row),
     neverStops(row),
   ],
