@@ -7,7 +7,6 @@
 #include "eventually.h"
 #include "integration/picture.h"
 #include "integration/served_scene.h"
-#include "sanitized.h"
 
 namespace grove::integration {
 namespace {
@@ -15,10 +14,10 @@ namespace {
 using stream::HeadlessSession;
 using tests::eventually;
 
-constexpr double kPushed = 0.012;  // share of the picture's width
+constexpr double kPushed = 0.02;  // share of the picture's width; the plume wanders by 0.01, a gust pushes it by 0.05
 
 /// Stones around a fire before a black sky: nothing but the simulation and the visitors moves.
-const std::string kScene = std::string(R"(
+const std::string kScene = R"(
 name = "test clearing"
 spawn = [0, 0, 9]
 [visitor]
@@ -29,9 +28,10 @@ shape = "stone"
 position = [-3, 0, 0]
 [[object]]
 type = "fluid"
-size = 8
+size = 4
+grid = 16
 wind = [0, 0, 0]
-)") + (kSanitized ? "grid = 16\n" : "grid = 32\n");
+)";
 
 class HeadlessSessions : public ::testing::Test {
  protected:
@@ -92,9 +92,7 @@ TEST_F(HeadlessSessions, AGustByOneIsSeenByTheOther) {
   double farthest = 1.0;
   for (int i = 0; i < 30; ++i) farthest = std::min(farthest, plume());
   (void)pictureAfter(blower, world::kBlow, towardsFire, 0.0F);
-  double pushed = 1.0;
-  for (int i = 0; i < 150 && pushed > farthest - kPushed; ++i) pushed = std::min(pushed, plume());
-  EXPECT_LT(pushed, farthest - kPushed);
+  EXPECT_TRUE(eventually([&] { return plume() < farthest - kPushed; }));
 }
 
 TEST_F(HeadlessSessions, VisitorsSeeEachOther) {
