@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
+#include <cstdint>
 #include <set>
 #include <sstream>
 #include <utility>
 
-#include "base/error.h"
+#include "base/plain_file.h"
 
 namespace grove::world {
 
@@ -53,6 +53,7 @@ class Parameters::Table {
 namespace {
 
 constexpr std::size_t kMostObjects = 4096;
+constexpr std::uint64_t kMostBytes = std::uint64_t{16} << 20U;
 constexpr double kMostMetres = 1000.0;
 
 std::string inQuotes(std::string_view text) { return std::string("'").append(text).append("'"); }
@@ -195,13 +196,7 @@ Scene parseScene(std::string_view text, const std::string& fileName) {
 }
 
 Scene loadScene(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream || std::filesystem::is_directory(file)) {
-    throw EnvironmentError("cannot read the scene file", file.string(), "check the path given to --scene");
-  }
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return parseScene(text.str(), file.string());
+  return parseScene(PlainFile(file, "check the path given to --scene", kMostBytes).readAll(), file.string());
 }
 
 }  // namespace grove::world

@@ -2,6 +2,10 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <filesystem>
 
 #include "base/error.h"
 
@@ -94,6 +98,21 @@ TEST(SceneFile, AMissingFileSaysHowToMend) {
   } catch (const EnvironmentError& e) {
     EXPECT_THAT(e.what(), AllOf(HasSubstr("no/such/scene.toml"), HasSubstr("--scene")));
   }
+}
+
+TEST(SceneFile, WhatIsNoPlainFileIsRefusedUnread) {
+  const std::filesystem::path fifo =
+      std::filesystem::path(testing::TempDir()) / ("grove_scene_fifo_" + std::to_string(getpid()));
+  ASSERT_EQ(mkfifo(fifo.c_str(), 0600), 0);
+  for (const std::filesystem::path& file : {std::filesystem::path("/dev/zero"), std::filesystem::path("/tmp"), fifo}) {
+    try {
+      (void)loadScene(file);
+      ADD_FAILURE() << file;
+    } catch (const EnvironmentError& e) {
+      EXPECT_THAT(e.what(), AllOf(StartsWith(file.string()), HasSubstr("is no plain file"), HasSubstr("--scene")));
+    }
+  }
+  std::filesystem::remove(fifo);
 }
 
 TEST(SceneFile, AnEmptyFileIsAnEmptyWorld) { EXPECT_TRUE(parseScene("", "test.toml").objects.empty()); }

@@ -63,7 +63,10 @@ void GltfFile::fail(const std::string& reason) const { throw ImportError(path, r
 
 GltfFile loadGltfFile(const std::filesystem::path& path) {
   GltfFile file{path, {}};
-  if (!fileExists(path.string(), nullptr)) file.fail("there is no such file");
+  std::error_code failed;
+  const auto status = std::filesystem::status(path, failed);
+  if (!std::filesystem::exists(status)) file.fail("there is no such file");
+  if (!std::filesystem::is_regular_file(status)) file.fail("is no plain file; name a .glb or .gltf file");
   Budget budget = kMostBytes - 1;
   std::vector<unsigned char> bytes;
   std::string error;

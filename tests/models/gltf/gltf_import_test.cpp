@@ -248,7 +248,8 @@ TEST_F(GltfImport, RefusesWhatIsNoGltf) {
     EXPECT_THAT(message, testing::Not(HasSubstr("\n")));
   }
   EXPECT_THAT(refusal(folder_ / "none.gltf"), HasSubstr("there is no such file"));
-  EXPECT_THAT(refusal(folder_), HasSubstr("there is no such file"));
+  EXPECT_THAT(refusal(folder_), HasSubstr("is no plain file"));
+  EXPECT_THAT(refusal("/dev/zero"), HasSubstr("is no plain file"));
 }
 
 TEST_F(GltfImport, RefusesABinaryFileCutAnywhere) {
