@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/plain_file.h"
+#include "world/toml_nesting.h"
 
 namespace grove::world {
 
@@ -53,6 +54,7 @@ class Parameters::Table {
 namespace {
 
 constexpr std::size_t kMostObjects = 4096;
+constexpr int kMostNested = 16;
 constexpr std::uint64_t kMostBytes = std::uint64_t{16} << 20U;
 constexpr double kMostMetres = 1000.0;
 
@@ -162,6 +164,10 @@ LightDescription readLight(const Parameters& parameters) {
 }
 
 std::shared_ptr<const toml::table> parseToml(std::string_view text, const std::string& fileName) {
+  if (const auto line = lineNestedDeeper(text, kMostNested)) {
+    throw SceneError(fileName + ":" + std::to_string(*line) + ": nested more than " + std::to_string(kMostNested) +
+                     " deep; a scene needs two");
+  }
   try {
     return std::make_shared<const toml::table>(toml::parse(text, fileName));
   } catch (const toml::parse_error& e) {

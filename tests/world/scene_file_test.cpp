@@ -100,6 +100,22 @@ TEST(SceneFile, AMissingFileSaysHowToMend) {
   }
 }
 
+std::string repeated(int count, const std::string& text) {
+  std::string all;
+  for (int i = 0; i < count; ++i) all += text;
+  return all;
+}
+
+TEST(SceneFile, WhatIsNestedSoDeepThatTheParserWouldOverflowTheStackIsRefused) {
+  constexpr int kDeep = 50'000;
+  const std::string name = "a" + repeated(kDeep, ".a");
+  for (const std::string& scene : {name + " = 1\n", "[" + name + "]\n", "[[" + name + "]]\n",
+                                   "x = " + repeated(kDeep, "[") + repeated(kDeep, "]") + "\n",
+                                   "x = " + repeated(kDeep, "{a = ") + "1" + repeated(kDeep, "}") + "\n"}) {
+    EXPECT_THAT(complaintAbout("name = 'deep'\n" + scene), AllOf(StartsWith("test.toml:2: "), HasSubstr("nested")));
+  }
+}
+
 TEST(SceneFile, WhatIsNoPlainFileIsRefusedUnread) {
   const std::filesystem::path fifo =
       std::filesystem::path(testing::TempDir()) / ("grove_scene_fifo_" + std::to_string(getpid()));
