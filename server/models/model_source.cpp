@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/error.h"
 #include "base/plain_file.h"
 #include "models/gltf/gltf_import.h"
 
@@ -31,6 +32,16 @@ std::string nameOfBytes(const std::filesystem::path& path) {
   return text.data();
 }
 
+/// What a function makes of the file that a scene names; what it throws is told with the scene's line and key.
+template <class Make>
+auto ofNamedFile(const world::Parameters& parameters, const Make& make) {
+  try {
+    return make();
+  } catch (const EnvironmentError& e) {
+    parameters.fail("model", std::string("'model': ") + e.what());
+  }
+}
+
 }  // namespace
 
 ModelSource readModelSource(const world::Parameters& parameters) {
@@ -49,13 +60,18 @@ ModelSource readModelSource(const world::Parameters& parameters) {
   return source;
 }
 
-Model loadModel(const ModelSource& source, Detail detail) {
-  return source.plant.empty() ? importGltf(source.file) : makePlant(source.plant, source.seed, detail);
+Model loadModel(const ModelSource& source, Detail detail, const world::Parameters& parameters) {
+  if (!source.plant.empty()) return makePlant(source.plant, source.seed, detail);
+  return ofNamedFile(parameters, [&] { return importGltf(source.file); });
 }
 
-std::string fileNameOf(const ModelSource& source) {
-  if (source.plant.empty()) return source.file.stem().string() + "-" + nameOfBytes(source.file);
-  return source.plant + "-" + std::to_string(source.seed) + "-v" + std::to_string(kPlantsVersion);
+std::string fileNameOf(const ModelSource& source, const world::Parameters& parameters) {
+  if (!source.plant.empty()) {
+    return source.plant + "-" + std::to_string(source.seed) + "-v" + std::to_string(kPlantsVersion);
+  }
+  return ofNamedFile(parameters, [&] {
+    return source.file.stem().string() + "-" + nameOfBytes(source.file);
+  });
 }
 
 }  // namespace grove::models

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <iomanip>
 #include <set>
 #include <sstream>
 #include <utility>
@@ -60,6 +61,14 @@ constexpr double kMostMetres = 1000.0;
 
 std::string inQuotes(std::string_view text) { return std::string("'").append(text).append("'"); }
 
+/// A whole number may be one that no double is equal to.
+std::optional<double> numberIn(const toml::node& node) {
+  if (const auto whole = node.is_integer() ? node.value<std::int64_t>() : std::nullopt) {
+    return static_cast<double>(*whole);
+  }
+  return node.is_number() ? node.value<double>() : std::nullopt;
+}
+
 }  // namespace
 
 Parameters::Parameters(std::shared_ptr<const Table> table) : table_(std::move(table)) {}
@@ -67,11 +76,11 @@ Parameters::Parameters(std::shared_ptr<const Table> table) : table_(std::move(ta
 double Parameters::number(std::string_view key, double fallback, double low, double high) const {
   const toml::node* node = table_->find(key);
   if (node == nullptr) return fallback;
-  const auto value = node->value<double>();
-  if (!value || !node->is_number()) table_->fail(node, inQuotes(key) + " must be a number");
+  const auto value = numberIn(*node);
+  if (!value) table_->fail(node, inQuotes(key) + " must be a number");
   if (!(*value >= low && *value <= high)) {
     std::ostringstream range;
-    range << " must lie between " << low << " and " << high;
+    range << std::setprecision(10) << " must lie between " << low << " and " << high;
     table_->fail(node, inQuotes(key) + range.str());
   }
   return *value;
@@ -108,7 +117,7 @@ Vec3 Parameters::vector(std::string_view key, Vec3 fallback) const {
   Vec3 result(0.0F);
   for (int i = 0; i < 3; ++i) {
     const toml::node& element = (*array)[static_cast<std::size_t>(i)];
-    const auto value = element.is_number() ? element.value<double>() : std::nullopt;
+    const auto value = numberIn(element);
     if (!value || !(std::abs(*value) <= kMostMetres)) {
       table_->fail(node, inQuotes(key) + " must be three numbers within +-1000");
     }

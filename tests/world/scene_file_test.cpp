@@ -23,6 +23,7 @@ std::string complaintAbout(const std::string& text) {
     for (const ObjectDescription& object : scene.objects) {
       (void)object.parameters.number("height", 1.0, 0.5, 9.0);
       (void)object.parameters.integer("seed", 1, 0, 100);
+      (void)object.parameters.integer("whole", 1, 0, 1'000'000);
       (void)object.parameters.choice("renderer", {"gl", "embree"});
       object.parameters.finish();
     }
@@ -86,6 +87,14 @@ TEST(SceneFile, ATypesOwnKeysAreCheckedToo) {
   EXPECT_THAT(complaintAbout("[[object]]\ntype = 'mesh'\nheight = 99\n"),
               AllOf(StartsWith("test.toml:3: "), HasSubstr("height")));
   EXPECT_THAT(complaintAbout("[[object]]\ntype = 'mesh'\nseed = 1.5\n"), HasSubstr("must be a whole number"));
+  EXPECT_THAT(complaintAbout("[[object]]\ntype = 'mesh'\nseed = 9223372036854775807\n"),
+              AllOf(StartsWith("test.toml:3: "), HasSubstr("'seed' must lie between 0 and 100")));
+  EXPECT_THAT(complaintAbout("[[object]]\ntype = 'mesh'\nheight = 9223372036854775807\n"),
+              AllOf(StartsWith("test.toml:3: "), HasSubstr("'height' must lie between 0.5 and 9")));
+  EXPECT_THAT(complaintAbout("[[object]]\ntype = 'mesh'\nposition = [0, -9223372036854775808, 0]\n"),
+              AllOf(StartsWith("test.toml:3: "), HasSubstr("within +-1000")));
+  EXPECT_THAT(complaintAbout("[[object]]\ntype = 'mesh'\nwhole = 1000001\n"), HasSubstr("between 0 and 1000000"))
+      << "every digit of a large bound";
   EXPECT_THAT(complaintAbout("[[object]]\ntype = 'mesh'\n\nrenderer = 'vulkan'\n"),
               AllOf(StartsWith("test.toml:4: "), HasSubstr("'gl', 'embree'")));
   EXPECT_THAT(complaintAbout("[[object]]\ntype = 'mesh'\nhieght = 2\n"), HasSubstr("unknown key 'hieght'"));
