@@ -386,8 +386,74 @@ TEST_F(GltfImport, RefusesReferencesToWhatIsNotThere) {
 
 TEST_F(GltfImport, RefusesUnknownExtensionsThatAreRequired) {
   writer.triangle();
-  writer.json["extensionsRequired"] = {"KHR_draco_mesh_compression"};
-  expectRefused("KHR_draco_mesh_compression");
+  writer.json["extensionsRequired"] = {"KHR_texture_basisu"};
+  expectRefused("needs the extension KHR_texture_basisu, which Grove does not know; export it without");
+}
+
+TEST_F(GltfImport, NamesTheCompressionThatItCannotRead) {
+  const std::string reason = ", which Grove cannot read; export it without compression";
+  writer.triangle();
+  for (const std::string name : {"KHR_draco_mesh_compression", "EXT_meshopt_compression"}) {
+    writer.json["extensionsUsed"] = {name};
+    writer.json["extensionsRequired"] = {name};
+    expectRefused("is compressed by " + name + reason);
+  }
+  // A meshopt file's fallback buffer, over which the parser stumbles; the file does not say that it needs the
+  // extension.
+  writer.json.erase("extensionsRequired");
+  const auto file = writer.write(folder_ / "model.gltf");
+  Json document = writer.json;
+  document["buffers"].push_back(
+      {{"byteLength", 100}, {"extensions", {{"EXT_meshopt_compression", {{"fallback", true}}}}}});
+  GltfWriter::save(file, document.dump());
+  EXPECT_THAT(refusal(file), HasSubstr("is compressed by EXT_meshopt_compression" + reason));
+}
+
+TEST_F(GltfImport, ReadsACompressedMeshByItsFallback) {
+  auto& primitive = writer.triangle();
+  primitive["extensions"]["KHR_draco_mesh_compression"] = {{"bufferView", 0}, {"attributes", {{"POSITION", 0}}}};
+  writer.json["extensionsUsed"] = {"KHR_draco_mesh_compression"};
+  EXPECT_EQ(import().triangles.indices.size(), 1U);
+  writer.json["accessors"][0].erase("bufferView");
+  expectRefused("is compressed by KHR_draco_mesh_compression");
+}
+
+TEST_F(GltfImport, NamesWhatItLeavesOutInOneLine) {
+  writer.triangle();
+  writer.json["extensionsUsed"] = {"KHR_materials_clearcoat", "KHR_materials_unlit", "KHR_materials_sheen"};
+  writer.json["skins"] = {{{"joints", {0}}}};
+  testing::internal::CaptureStderr();
+  (void)import();
+  const std::string told = testing::internal::GetCapturedStderr();
+  EXPECT_THAT(told, HasSubstr("is read without KHR_materials_clearcoat, KHR_materials_sheen, skins"));
+  EXPECT_EQ(std::ranges::count(told, '\n'), 1);
+}
+
+TEST_F(GltfImport, RefusesWhatIsNestedSoDeepThatTheParserWouldOverflowTheStack) {
+  writer.triangle();
+  constexpr std::size_t kDeep = 200'000;
+  const std::string deep = std::string(kDeep, '[') + std::string(kDeep, ']');
+  writer.json["nodes"][0]["extras"] = "DEEP";
+  for (const std::string name : {"model.gltf", "model.glb"}) {
+    const auto file = folder_ / name;
+    if (name == "model.gltf") {
+      writer.write(file);
+      std::string text = writer.json.dump();
+      GltfWriter::save(file, text.replace(text.find("\"DEEP\""), 6, deep));
+    } else {
+      std::string text = "{\"extras\":" + deep + ",\"asset\":{\"version\":\"2.0\"}}  ";
+      text.resize(text.size() / 4 * 4);
+      const auto number = [](std::size_t value) {
+        std::string four;
+        for (int i = 0; i < 4; ++i) four += static_cast<char>(value >> (8 * i) & 0xFFU);
+        return four;
+      };
+      GltfWriter::save(file, "glTF" + number(2) + number(20 + text.size()) + number(text.size()) + "JSON" + text);
+    }
+    EXPECT_THAT(refusal(file), HasSubstr("nested more than 64 deep")) << name;
+  }
+  writer.json["nodes"][0]["extras"] = "[[[[ \\\" " + std::string(100, '{');
+  EXPECT_EQ(import().triangles.indices.size(), 1U) << "brackets in a string";
 }
 
 }  // namespace
