@@ -70,7 +70,7 @@ std::string fileNameOf(const ModelSource& source, const world::Parameters& param
     return source.plant + "-" + std::to_string(source.seed) + "-v" + std::to_string(kPlantsVersion);
   }
   return ofNamedFile(parameters, [&] {
-    return source.file.stem().string() + "-" + nameOfBytes(source.file);
+    return source.file.stem().string() + "-" + nameOfBytes(source.file) + "-v" + std::to_string(kImportVersion);
   });
 }
 

@@ -82,9 +82,9 @@ void refuseCompression(const GltfFile& file, bool parsed) {
 }
 
 bool isKnown(std::string_view extension) {
-  constexpr std::array<std::string_view, 5> kKnown{"KHR_materials_transmission", "KHR_materials_diffuse_transmission",
+  constexpr std::array<std::string_view, 6> kKnown{"KHR_materials_transmission", "KHR_materials_diffuse_transmission",
                                                    "KHR_mesh_quantization",      "KHR_materials_unlit",
-                                                   "KHR_materials_specular"};
+                                                   "KHR_materials_specular",     "KHR_texture_transform"};
   return std::ranges::find(kKnown, extension) != kKnown.end();
 }
 

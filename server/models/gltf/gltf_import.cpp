@@ -12,6 +12,7 @@
 #include "models/gltf/gltf_file.h"
 #include "models/gltf/gltf_materials.h"
 #include "models/gltf/gltf_nodes.h"
+#include "models/gltf/gltf_texture_placement.h"
 
 namespace grove::models {
 namespace {
@@ -170,11 +171,15 @@ class Importer {
 
   /// Returns whether there are any.
   bool addUvs(const tinygltf::Primitive& primitive, std::size_t count) {
-    const int set = primitive.material < 0 ? 0
-                                           : file_.at(file_.document.materials, primitive.material, "material")
-                                                 .pbrMetallicRoughness.baseColorTexture.texCoord;
-    const auto uvs = attribute(primitive, "TEXCOORD_" + std::to_string(set), count, 2, 2);
-    for (std::size_t i = 0; i < count; ++i) model_.uvs.push_back(uvs ? Vec2(uvs->at(i)[0], uvs->at(i)[1]) : Vec2(0.0F));
+    const TexturePlacement placement =
+        primitive.material < 0 ? TexturePlacement()
+                               : placementOf(file_, file_.at(file_.document.materials, primitive.material, "material")
+                                                        .pbrMetallicRoughness.baseColorTexture);
+    const auto uvs = attribute(primitive, "TEXCOORD_" + std::to_string(placement.uvSet), count, 2, 2);
+    for (std::size_t i = 0; i < count; ++i) {
+      model_.uvs.push_back(uvs ? placement.apply({uvs->at(i)[0], uvs->at(i)[1]}) : Vec2(0.0F));
+      if (!std::isfinite(model_.uvs.back().x + model_.uvs.back().y)) file_.fail("has UVs that are not finite");
+    }
     return uvs.has_value();
   }
 
