@@ -97,7 +97,8 @@ std::uint64_t keyOf(const models::Model& model, const BakeOptions& options) {
   addTo(checksum, model.materialOf);
   for (const models::Material& m : model.materials) {
     addTo(checksum, std::vector<Vec3>{m.albedo, m.transmittance});
-    addTo(checksum, std::vector<float>{m.alphaCutoff, static_cast<float>(m.texture), m.solid ? 1.0F : 0.0F});
+    addTo(checksum, std::vector<float>{m.alphaCutoff, static_cast<float>(m.texture), m.solid ? 1.0F : 0.0F,
+                                       m.blended ? 1.0F : 0.0F, m.twoSided ? 1.0F : 0.0F});
   }
   for (const models::Texture& texture : model.textures) {
     addTo(checksum, std::vector<int>{texture.width, texture.height});

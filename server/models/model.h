@@ -22,10 +22,11 @@ struct Material {
   /// Vertex colour and texture multiply both alike.
   world::Vec3 albedo{0.5F};
   world::Vec3 transmittance{0.0F};
-  bool twoSided = true;
+  bool twoSided = true;      ///< else who looks at its back sees through it; it shades all the same
   bool solid = false;        ///< keeps smoke out (wood, stone); else leaves
   int texture = -1;          ///< index into Model::textures, -1: none
   float alphaCutoff = 0.0F;  ///< texels with less alpha are holes; 0: no holes
+  bool blended = false;      ///< each ray has a cut-off of its own by chance, 0 to alphaCutoff: part of them pass
 };
 
 /// What is baked: triangles in metres, Y up, standing on y = 0 around the origin.

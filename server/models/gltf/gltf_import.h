@@ -28,7 +28,8 @@ inline constexpr std::uint64_t kMostBytes = std::uint64_t{4} << 30U;  ///< with 
 /// Reads a glTF 2.0 model (.glb or .gltf): all triangles of its default scene, moved to stand on y = 0 around the
 /// origin.
 ///
-/// Kept: node transforms, vertex colours, base colours with their textures (KHR_texture_transform), holes (alpha MASK and BLEND),
+/// Kept: node transforms, vertex colours, base colours with their textures (KHR_texture_transform), holes (alpha MASK and
+/// BLEND), single sides,
 /// KHR_materials_transmission and KHR_materials_diffuse_transmission; a double-sided surface with holes is taken for
 /// leaves, that let light through. Normals that are missing are computed. Left out: skins and morphs (the model is
 /// baked as it stands), metal and gloss (light fields are diffuse). Names a texture file that is absent in the log and

@@ -500,5 +500,16 @@ TEST_F(GltfImport, RefusesATextureTransformWithoutSense) {
   expectRefused("UVs that are not finite");
 }
 
+TEST_F(GltfImport, WhatBlendsIsThereByChance) {
+  addTexturedTriangle();
+  useTexture({{"bufferView", writer.view(targa(1, 1, {1, 2, 3, 60}))}, {"mimeType", "image/x-tga"}});
+  writer.json["materials"][0]["alphaMode"] = "BLEND";
+  writer.json["materials"][0]["pbrMetallicRoughness"]["baseColorFactor"] = {1, 1, 1, 0.5};
+  const Model model = import();
+  const Material& glass = model.materials[model.materialOf[0]];
+  EXPECT_TRUE(glass.blended);
+  EXPECT_FLOAT_EQ(glass.alphaCutoff, 2.0F) << "half of the rays pass where the texture is opaque";
+}
+
 }  // namespace
 }  // namespace grove::models
