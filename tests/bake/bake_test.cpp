@@ -151,6 +151,17 @@ TEST_F(Bake, WithoutTrianglesThereIsNothingToBake) {
                EnvironmentError);
 }
 
+TEST_F(Bake, APlaneHasAThicknessByWhichRaysMeetIt) {
+  models::Model model;
+  addQuad(model, {-1, 0, 0}, {2, 0, 0}, {0, 1, 0}, addMaterial(model, whiteStone()));
+  ASSERT_TRUE(bakeLightField(model, kSmallBake, file_(), [](const BakeProgress&) {}, {}));
+  const world::Bounds bounds = openLightField(file_()).bounds;
+  EXPECT_GT(bounds.size().z, 0.02F);
+  EXPECT_LT(bounds.size().z, 0.3F);
+  EXPECT_FLOAT_EQ(bounds.centre().z, 0.0F);
+  EXPECT_EQ(bounds.size().x, 2.0F) << "what has a thickness keeps it";
+}
+
 TEST(Voxelize, ABoxIsWoodAndASheetOfLeavesIsLeaves) {
   models::Model model;
   const std::uint16_t wood = addMaterial(model, whiteStone());
