@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -206,6 +207,12 @@ class Importer {
     const float extent = std::max({size.x, size.y, size.z});
     if (!std::isfinite(extent)) file_.fail("is too large for floats");
     if (extent <= 0.0F) file_.fail("has no extent: all its points are in one place");
+    if (extent < kLeastMetres || extent > kMostMetres) {
+      std::ostringstream reason;
+      reason << "is " << extent << " m large, and " << kLeastMetres << " to " << kMostMetres
+             << " m can be shown; a glTF file's unit is the metre: scale it when it is exported";
+      file_.fail(reason.str());
+    }
     const Vec3 shift(bounds.centre().x, bounds.low.y, bounds.centre().z);
     for (Vec3& position : model_.triangles.positions) position -= shift;
   }

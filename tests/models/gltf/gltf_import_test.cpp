@@ -374,6 +374,18 @@ TEST_F(GltfImport, RefusesAModelWithoutExtent) {
   expectRefused("no extent");
 }
 
+TEST_F(GltfImport, RefusesWhatIsTooSmallOrTooLargeForALightField) {
+  writer.triangle();  // 2 m wide
+  for (const double scale : {0.00051, 49'000.0}) {
+    writer.json["nodes"][0]["scale"] = {scale, scale, scale};
+    EXPECT_EQ(import().triangles.indices.size(), 1U) << scale;
+  }
+  for (const double scale : {0.00049, 51'000.0}) {
+    writer.json["nodes"][0]["scale"] = {scale, scale, scale};
+    expectRefused("can be shown; a glTF file's unit is the metre");
+  }
+}
+
 TEST_F(GltfImport, RefusesReferencesToWhatIsNotThere) {
   writer.triangle()["material"] = 7;
   expectRefused("there is no material 7");
