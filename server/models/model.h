@@ -1,5 +1,8 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -13,6 +16,15 @@ struct Texture {
   int width = 0;
   int height = 0;
   std::vector<std::uint32_t> texels;
+
+  /// The nearest texel, repeated; for a texture that has any.
+  [[nodiscard]] std::uint32_t at(world::Vec2 uv) const {
+    const auto index = [](float along, int size) {
+      const float place = (along - std::floor(along)) * static_cast<float>(size);
+      return static_cast<std::size_t>(std::min(static_cast<int>(place), size - 1));
+    };
+    return texels[index(uv.y, height) * static_cast<std::size_t>(width) + index(uv.x, width)];
+  }
 };
 
 /// How a surface answers light: diffuse on the side that is lit, and through a leaf to the other side.

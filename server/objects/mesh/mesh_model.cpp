@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "models/model_source.h"
+#include "objects/mesh/holes.h"
 #include "objects/mesh/model_surface.h"
 #include "objects/mesh/shapes.h"
 
@@ -83,7 +84,8 @@ void MeshModel::makeShape(const world::Parameters& parameters) {
   obstacleRadius_ = obstacleOf(shape, size);
 }
 
-void MeshModel::makeModel(const models::Model& model) {
+void MeshModel::makeModel(models::Model given) {
+  const models::Model model = withHolesCut(std::move(given));
   surface_ = surfaceOf(model);
   shade_ = model.triangles;
   world::Triangles solid = solidOf(model);
