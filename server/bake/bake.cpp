@@ -54,6 +54,7 @@ constexpr int kVoxelsAlongEdge = 64;
 constexpr float kPatch = 2.0F;  // that share a light point
 constexpr LongestEdge kLongest{3.0F, 8.0F};
 constexpr float kAwayFromSurface = 0.15F;
+constexpr float kThinnest = 4.0F;
 
 using ProgressCall = std::function<void(const BakeProgress&)>;
 
@@ -97,7 +98,8 @@ std::uint64_t keyOf(const models::Model& model, const BakeOptions& options) {
   addTo(checksum, model.materialOf);
   for (const models::Material& m : model.materials) {
     addTo(checksum, std::vector<Vec3>{m.albedo, m.transmittance});
-    addTo(checksum, std::vector<float>{m.alphaCutoff, static_cast<float>(m.texture), m.solid ? 1.0F : 0.0F});
+    addTo(checksum, std::vector<float>{m.alphaCutoff, static_cast<float>(m.texture), m.solid ? 1.0F : 0.0F,
+                                       m.blended ? 1.0F : 0.0F, m.twoSided ? 1.0F : 0.0F});
   }
   for (const models::Texture& texture : model.textures) {
     addTo(checksum, std::vector<int>{texture.width, texture.height});
@@ -118,6 +120,15 @@ std::vector<Vec3> tilesAround() {
     }
   }
   return offsets;
+}
+
+/// The box by which rays are cut: a plane's has a thickness, too, or no ray would be within it anywhere.
+world::Bounds boundsOfView(const world::Triangles& triangles, float texel) {
+  world::Bounds bounds = triangles.bounds();
+  const Vec3 missing = glm::max(Vec3(kThinnest * texel) - bounds.size(), Vec3(0.0F));
+  bounds.low -= 0.5F * missing;
+  bounds.high += 0.5F * missing;
+  return bounds;
 }
 
 DenseView toDense(Picture picture, const ViewCamera& camera) {
@@ -263,7 +274,7 @@ void Job::writeFile(std::vector<HeldOutView> heldOut) {
   LightField field;
   field.sphere = sphere_;
   field.geometry = geometry_;
-  field.bounds = original_.triangles.bounds();
+  field.bounds = boundsOfView(original_.triangles, texel_);
   field.size = options_.size;
   field.levels = shape_.levels;
   field.sunAzimuth = Lightings::firstAzimuth();

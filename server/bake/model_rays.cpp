@@ -3,9 +3,11 @@
 #include <embree3/rtcore.h>
 
 #include <algorithm>
+#include <bit>
 #include <cstring>
 
 #include "base/error.h"
+#include "world/noise.h"
 
 namespace grove::bake {
 
@@ -13,14 +15,21 @@ using world::Vec2;
 using world::Vec3;
 
 struct ModelRays::Embree {
+  /// What filters know of the rays; Embree hands on a pointer to its first member.
+  struct Context {
+    RTCIntersectContext embree;
+    Backs backs;
+  };
+
   RTCDevice device = nullptr;
   RTCScene model = nullptr;
   RTCScene surroundings = nullptr;  ///< null: the model alone
 
   const models::Model* source = nullptr;
   const std::vector<TextureSampler>* textures = nullptr;
-  std::vector<std::uint32_t> solid;    ///< triangles without holes
-  std::vector<std::uint32_t> pierced;  ///< triangles with
+  std::vector<std::uint32_t> solid;     ///< triangles that every ray meets
+  std::vector<std::uint32_t> oneSided;  ///< that rays of eyes pass from behind
+  std::vector<std::uint32_t> pierced;   ///< with holes
 
   Embree() = default;
   Embree(const Embree&) = delete;
@@ -35,16 +44,45 @@ struct ModelRays::Embree {
     const auto [a, b, c] = source->triangles.indices[triangle];
     const models::Material& material = source->materials[source->materialOf[triangle]];
     const Vec2 uv = source->uvs[a] * (1.0F - u - v) + source->uvs[b] * u + source->uvs[c] * v;
-    return (*textures)[static_cast<std::size_t>(material.texture)].alpha(uv) < material.alphaCutoff;
+    const float share = material.blended ? chance(triangle, u, v) : 1.0F;
+    return (*textures)[static_cast<std::size_t>(material.texture)].alpha(uv) < material.alphaCutoff * share;
   }
 
-  static void filter(const RTCFilterFunctionNArguments* args) {
-    const Embree& self = *static_cast<const Embree*>(args->geometryUserPtr);
+  /// 0..1; the same for the same place, so that a bake can be repeated.
+  [[nodiscard]] static float chance(std::uint32_t triangle, float u, float v) {
+    const std::uint32_t place = world::hash(std::bit_cast<std::uint32_t>(u)) ^ std::bit_cast<std::uint32_t>(v);
+    return static_cast<float>(world::hash(world::hash(place) ^ triangle) >> 8U) * (1.0F / 16777216.0F);
+  }
+
+  /// Undoes hits of one geometry.
+  template <class Undone>
+  static void filter(const RTCFilterFunctionNArguments* args, const std::vector<std::uint32_t>& triangles,
+                     const Undone& undone) {
     for (unsigned i = 0; i < args->N; ++i) {
-      if (args->valid[i] == 0) continue;
-      const std::uint32_t triangle = self.pierced[RTCHitN_primID(args->hit, args->N, i)];
-      if (self.isHole(triangle, RTCHitN_u(args->hit, args->N, i), RTCHitN_v(args->hit, args->N, i))) args->valid[i] = 0;
+      if (args->valid[i] != 0 && undone(i, triangles[RTCHitN_primID(args->hit, args->N, i)])) args->valid[i] = 0;
     }
+  }
+
+  [[nodiscard]] static bool passesBack(const RTCFilterFunctionNArguments* args, unsigned i) {
+    if (reinterpret_cast<const Context*>(args->context)->backs == Backs::kMet) return false;
+    const float towards = RTCHitN_Ng_x(args->hit, args->N, i) * RTCRayN_dir_x(args->ray, args->N, i) +
+                          RTCHitN_Ng_y(args->hit, args->N, i) * RTCRayN_dir_y(args->ray, args->N, i) +
+                          RTCHitN_Ng_z(args->hit, args->N, i) * RTCRayN_dir_z(args->ray, args->N, i);
+    return towards > 0.0F;
+  }
+
+  static void filterPierced(const RTCFilterFunctionNArguments* args) {
+    const Embree& self = *static_cast<const Embree*>(args->geometryUserPtr);
+    filter(args, self.pierced, [&](unsigned i, std::uint32_t triangle) {
+      const bool twoSided = self.source->materials[self.source->materialOf[triangle]].twoSided;
+      return (!twoSided && passesBack(args, i)) ||
+             self.isHole(triangle, RTCHitN_u(args->hit, args->N, i), RTCHitN_v(args->hit, args->N, i));
+    });
+  }
+
+  static void filterOneSided(const RTCFilterFunctionNArguments* args) {
+    const Embree& self = *static_cast<const Embree*>(args->geometryUserPtr);
+    filter(args, self.oneSided, [&](unsigned i, std::uint32_t) { return passesBack(args, i); });
   }
 
   void attach(const std::vector<std::uint32_t>& triangles, unsigned id) {
@@ -57,10 +95,11 @@ struct ModelRays::Embree {
     auto* corners = static_cast<std::array<std::uint32_t, 3>*>(rtcSetNewGeometryBuffer(
         geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, sizeof(std::array<std::uint32_t, 3>), triangles.size()));
     for (const std::uint32_t triangle : triangles) *corners++ = source->triangles.indices[triangle];
+    rtcSetGeometryUserData(geometry, this);
+    if (id == kOneSided) rtcSetGeometryIntersectFilterFunction(geometry, filterOneSided);
     if (id == kPierced) {
-      rtcSetGeometryUserData(geometry, this);
-      rtcSetGeometryIntersectFilterFunction(geometry, filter);
-      rtcSetGeometryOccludedFilterFunction(geometry, filter);
+      rtcSetGeometryIntersectFilterFunction(geometry, filterPierced);
+      rtcSetGeometryOccludedFilterFunction(geometry, filterPierced);
     }
     rtcCommitGeometry(geometry);
     rtcAttachGeometryByID(model, geometry, id);
@@ -69,6 +108,11 @@ struct ModelRays::Embree {
 
   static constexpr unsigned kSolid = 0;
   static constexpr unsigned kPierced = 1;
+  static constexpr unsigned kOneSided = 2;
+
+  [[nodiscard]] const std::vector<std::uint32_t>& triangles(unsigned id) const {
+    return id == kPierced ? pierced : id == kOneSided ? oneSided : solid;
+  }
 
   [[nodiscard]] RTCScene scene(Among among) const {
     return among == Among::kSurroundings && surroundings != nullptr ? surroundings : model;
@@ -99,11 +143,12 @@ ModelRays::ModelRays(const models::Model& model, const std::vector<TextureSample
   for (std::uint32_t i = 0; i < model.triangles.indices.size(); ++i) {
     const models::Material& material = model.materials[model.materialOf[i]];
     const bool pierced = material.alphaCutoff > 0.0F && material.texture >= 0 && !model.uvs.empty();
-    (pierced ? embree_->pierced : embree_->solid).push_back(i);
+    (pierced ? embree_->pierced : material.twoSided ? embree_->solid : embree_->oneSided).push_back(i);
   }
   embree_->model = rtcNewScene(embree_->device);
   embree_->attach(embree_->solid, Embree::kSolid);
   embree_->attach(embree_->pierced, Embree::kPierced);
+  embree_->attach(embree_->oneSided, Embree::kOneSided);
   rtcCommitScene(embree_->model);
   if (rtcGetDeviceError(embree_->device) != RTC_ERROR_NONE) {
     throw EnvironmentError("the model does not fit in memory", model.name, "bake on a larger machine");
@@ -128,24 +173,23 @@ void ModelRays::surround(const std::vector<Vec3>& offsets) {
   rtcCommitScene(embree_->surroundings);
 }
 
-void ModelRays::intersect(const Mask& mask, RTCRayHit16& rays, Among among) const {
-  RTCIntersectContext context;
+void ModelRays::intersect(const Mask& mask, RTCRayHit16& rays, Among among, Backs backs) const {
+  Embree::Context context{{}, backs};
   // Its flags stay "incoherent": amid leaves that is faster by a third even for primary rays.
-  rtcInitIntersectContext(&context);
+  rtcInitIntersectContext(&context.embree);
   endOthers(mask, rays.ray);
-  rtcIntersect16(mask.lane, embree_->scene(among), &context, &rays);
+  rtcIntersect16(mask.lane, embree_->scene(among), &context.embree, &rays);
   for (std::size_t i = 0; i < kPacket; ++i) {
     if (mask.lane[i] == 0 || rays.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID) continue;
-    const auto& triangles = rays.hit.geomID[i] == Embree::kPierced ? embree_->pierced : embree_->solid;
-    rays.hit.primID[i] = triangles[rays.hit.primID[i]];
+    rays.hit.primID[i] = embree_->triangles(rays.hit.geomID[i])[rays.hit.primID[i]];
   }
 }
 
 void ModelRays::occluded(const Mask& mask, RTCRay16& rays, Among among) const {
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
+  Embree::Context context{{}, Backs::kMet};
+  rtcInitIntersectContext(&context.embree);
   endOthers(mask, rays);
-  rtcOccluded16(mask.lane, embree_->scene(among), &context, &rays);
+  rtcOccluded16(mask.lane, embree_->scene(among), &context.embree, &rays);
 }
 
 }  // namespace grove::bake

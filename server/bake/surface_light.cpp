@@ -206,7 +206,7 @@ void Computation::look(std::size_t first) {
       rays.hit.geomID[lane] = RTC_INVALID_GEOMETRY_ID;
       rays.hit.instID[0][lane] = RTC_INVALID_GEOMETRY_ID;
     }
-    rays_.intersect(mask, rays, among_);
+    rays_.intersect(mask, rays, among_, ModelRays::Backs::kMet);
     for (std::size_t lane = 0; lane < kPacket; ++lane) {
       if (mask.lane[lane] == 0) continue;
       Found& found = found_[(first + lane) * kDirections + d];

@@ -184,7 +184,7 @@ void ViewRenderer::gather(const ObjectCamera& camera, int left, int top, ModelRa
       rays.hit.geomID[lane] = RTC_INVALID_GEOMETRY_ID;
       rays.hit.instID[0][lane] = RTC_INVALID_GEOMETRY_ID;
     }
-    rays_.intersect(mask, rays, among);
+    rays_.intersect(mask, rays, among, ModelRays::Backs::kPassed);
     for (std::size_t lane = 0; lane < kPacket; ++lane) {
       if (rays.hit.geomID[lane] == RTC_INVALID_GEOMETRY_ID) continue;
       // A ray advances one metre of view depth per unit, so its parameter is the view depth.

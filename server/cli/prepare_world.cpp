@@ -27,6 +27,12 @@ namespace {
 
 using objects::lightfield::LightFieldSource;
 
+/// A light field that the scene wants and that is still to be made.
+struct Wanted {
+  LightFieldSource source;
+  const world::Parameters* parameters = nullptr;  ///< of the first object that wants it
+};
+
 std::string nameOf(const models::ModelSource& model) {
   return model.plant.empty() ? model.file.filename().string() : model.plant;
 }
@@ -40,8 +46,8 @@ void makeFolder(const std::filesystem::path& folder) {
   }
 }
 
-/// Why the light field cannot be taken from the cache: it is not there, or damaged, or of another version of the format.
-/// Nothing if it can.
+/// Why the light field cannot be taken from the cache: it is not there, or damaged, or of another version of the
+/// format. Nothing if it can.
 std::optional<std::string> flawOf(const std::filesystem::path& file) {
   if (!std::filesystem::exists(file)) return "it is not there";
   try {
@@ -89,11 +95,12 @@ world::Scene openScene(const std::optional<std::string>& file) {
 }
 
 bool prepareWorld(const world::Scene& scene, Progress& progress, const std::stop_token& stop) {
-  std::map<std::filesystem::path, LightFieldSource> missing;
+  std::map<std::filesystem::path, Wanted> missing;
   for (const world::ObjectDescription& object : scene.objects) {
     if (object.type != "lightfield") continue;
     LightFieldSource source = objects::lightfield::readSource(object.parameters);
-    if (!source.model.empty()) missing.emplace(source.file, std::move(source));
+    const std::filesystem::path file = source.file;
+    if (!source.model.empty()) missing.try_emplace(file, Wanted{std::move(source), &object.parameters});
   }
   std::erase_if(missing, [](const auto& entry) {
     const auto flaw = flawOf(entry.first);
@@ -106,14 +113,15 @@ bool prepareWorld(const world::Scene& scene, Progress& progress, const std::stop
   const PreparationLock lock(folder);
   if (!lock.wait(progress, stop)) return false;
   std::size_t done = 0;
-  for (const auto& [file, source] : missing) {
+  for (const auto& [file, wanted] : missing) {
+    const LightFieldSource& source = wanted.source;
     ++done;
     // Another server may have made it while this one waited.
     if (!flawOf(file)) continue;
     const std::string label =
         "light field " + std::to_string(done) + " of " + std::to_string(missing.size()) + ", " + nameOf(source.model);
     progress.show(label, 0.0F);
-    const models::Model model = models::loadModel(source.model, models::Detail::kSmall);
+    const models::Model model = models::loadModel(source.model, models::Detail::kSmall, *wanted.parameters);
     bake::BakeOptions options;
     options.subdivision = source.subdivision;
     options.size = source.size;

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -13,6 +16,15 @@ struct Texture {
   int width = 0;
   int height = 0;
   std::vector<std::uint32_t> texels;
+
+  /// The nearest texel, repeated; for a texture that has any.
+  [[nodiscard]] std::uint32_t at(world::Vec2 uv) const {
+    const auto index = [](float along, int size) {
+      const float place = (along - std::floor(along)) * static_cast<float>(size);
+      return static_cast<std::size_t>(std::min(static_cast<int>(place), size - 1));
+    };
+    return texels[index(uv.y, height) * static_cast<std::size_t>(width) + index(uv.x, width)];
+  }
 };
 
 /// How a surface answers light: diffuse on the side that is lit, and through a leaf to the other side.
@@ -22,10 +34,11 @@ struct Material {
   /// Vertex colour and texture multiply both alike.
   world::Vec3 albedo{0.5F};
   world::Vec3 transmittance{0.0F};
-  bool twoSided = true;
+  bool twoSided = true;      ///< else who looks at its back sees through it; it shades all the same
   bool solid = false;        ///< keeps smoke out (wood, stone); else leaves
   int texture = -1;          ///< index into Model::textures, -1: none
   float alphaCutoff = 0.0F;  ///< texels with less alpha are holes; 0: no holes
+  bool blended = false;      ///< each ray has a cut-off of its own by chance, 0 to alphaCutoff: part of them pass
 };
 
 /// What is baked: triangles in metres, Y up, standing on y = 0 around the origin.

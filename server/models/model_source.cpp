@@ -4,29 +4,42 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <cstdint>
 #include <cstdio>
-#include <fstream>
-#include <iterator>
 #include <string_view>
 #include <vector>
 
 #include "base/error.h"
+#include "base/plain_file.h"
 #include "models/gltf/gltf_import.h"
 
 namespace grove::models {
 namespace {
 
 /// Size and check sum: a name for the bytes.
-std::string nameOfBytes(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream || std::filesystem::is_directory(file)) {
-    throw EnvironmentError("cannot read the model", file.string(), "check the path in the scene file");
+std::string nameOfBytes(const std::filesystem::path& path) {
+  PlainFile file(path, "name a glTF file", kMostBytes);
+  std::vector<char> piece(std::size_t{1} << 20U);
+  std::uint64_t bytes = 0;
+  unsigned long sum = 0;
+  while (const std::size_t count = file.read(piece)) {
+    sum = crc32_z(sum, reinterpret_cast<const unsigned char*>(piece.data()), count);
+    bytes += count;
   }
-  const std::vector<char> bytes((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
-  const auto sum = crc32_z(0, reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size());
   std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%zu-%08lx", bytes.size(), sum);
+  std::snprintf(text.data(), text.size(), "%zu-%08lx", static_cast<std::size_t>(bytes), sum);
   return text.data();
+}
+
+/// What a function makes of the file that a scene names; what it throws is told with the scene's line and key.
+template <class Make>
+auto ofNamedFile(const world::Parameters& parameters, const Make& make) {
+  try {
+    return make();
+  } catch (const EnvironmentError& e) {
+    parameters.fail("model", std::string("'model': ") + e.what());
+  }
 }
 
 }  // namespace
@@ -47,13 +60,18 @@ ModelSource readModelSource(const world::Parameters& parameters) {
   return source;
 }
 
-Model loadModel(const ModelSource& source, Detail detail) {
-  return source.plant.empty() ? importGltf(source.file) : makePlant(source.plant, source.seed, detail);
+Model loadModel(const ModelSource& source, Detail detail, const world::Parameters& parameters) {
+  if (!source.plant.empty()) return makePlant(source.plant, source.seed, detail);
+  return ofNamedFile(parameters, [&] { return importGltf(source.file); });
 }
 
-std::string fileNameOf(const ModelSource& source) {
-  if (source.plant.empty()) return source.file.stem().string() + "-" + nameOfBytes(source.file);
-  return source.plant + "-" + std::to_string(source.seed) + "-v" + std::to_string(kPlantsVersion);
+std::string fileNameOf(const ModelSource& source, const world::Parameters& parameters) {
+  if (!source.plant.empty()) {
+    return source.plant + "-" + std::to_string(source.seed) + "-v" + std::to_string(kPlantsVersion);
+  }
+  return ofNamedFile(parameters, [&] {
+    return source.file.stem().string() + "-" + nameOfBytes(source.file) + "-v" + std::to_string(kImportVersion);
+  });
 }
 
 }  // namespace grove::models

@@ -24,10 +24,10 @@ struct ModelSource {
 /// Throws world::SceneError; what it reads may be empty.
 [[nodiscard]] ModelSource readModelSource(const world::Parameters& parameters);
 
-/// Throws ImportError.
-[[nodiscard]] Model loadModel(const ModelSource& source, Detail detail);
+/// Throws world::SceneError if the file cannot be imported; `parameters` are those that it was read from.
+[[nodiscard]] Model loadModel(const ModelSource& source, Detail detail, const world::Parameters& parameters);
 
-/// A name for a file made from it, that changes when it does. Throws EnvironmentError if a model cannot be read.
-[[nodiscard]] std::string fileNameOf(const ModelSource& source);
+/// A name for a file made from it, that changes when it does. Throws world::SceneError if the model cannot be read.
+[[nodiscard]] std::string fileNameOf(const ModelSource& source, const world::Parameters& parameters);
 
 }  // namespace grove::models

@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
+#include <cstdint>
+#include <iomanip>
 #include <set>
 #include <sstream>
 #include <utility>
 
-#include "base/error.h"
+#include "base/plain_file.h"
+#include "world/toml_nesting.h"
 
 namespace grove::world {
 
@@ -53,9 +55,19 @@ class Parameters::Table {
 namespace {
 
 constexpr std::size_t kMostObjects = 4096;
+constexpr int kMostNested = 16;
+constexpr std::uint64_t kMostBytes = std::uint64_t{16} << 20U;
 constexpr double kMostMetres = 1000.0;
 
 std::string inQuotes(std::string_view text) { return std::string("'").append(text).append("'"); }
+
+/// A whole number may be one that no double is equal to.
+std::optional<double> numberIn(const toml::node& node) {
+  if (const auto whole = node.is_integer() ? node.value<std::int64_t>() : std::nullopt) {
+    return static_cast<double>(*whole);
+  }
+  return node.is_number() ? node.value<double>() : std::nullopt;
+}
 
 }  // namespace
 
@@ -64,11 +76,11 @@ Parameters::Parameters(std::shared_ptr<const Table> table) : table_(std::move(ta
 double Parameters::number(std::string_view key, double fallback, double low, double high) const {
   const toml::node* node = table_->find(key);
   if (node == nullptr) return fallback;
-  const auto value = node->value<double>();
-  if (!value || !node->is_number()) table_->fail(node, inQuotes(key) + " must be a number");
+  const auto value = numberIn(*node);
+  if (!value) table_->fail(node, inQuotes(key) + " must be a number");
   if (!(*value >= low && *value <= high)) {
     std::ostringstream range;
-    range << " must lie between " << low << " and " << high;
+    range << std::setprecision(10) << " must lie between " << low << " and " << high;
     table_->fail(node, inQuotes(key) + range.str());
   }
   return *value;
@@ -105,7 +117,7 @@ Vec3 Parameters::vector(std::string_view key, Vec3 fallback) const {
   Vec3 result(0.0F);
   for (int i = 0; i < 3; ++i) {
     const toml::node& element = (*array)[static_cast<std::size_t>(i)];
-    const auto value = element.is_number() ? element.value<double>() : std::nullopt;
+    const auto value = numberIn(element);
     if (!value || !(std::abs(*value) <= kMostMetres)) {
       table_->fail(node, inQuotes(key) + " must be three numbers within +-1000");
     }
@@ -161,6 +173,10 @@ LightDescription readLight(const Parameters& parameters) {
 }
 
 std::shared_ptr<const toml::table> parseToml(std::string_view text, const std::string& fileName) {
+  if (const auto line = lineNestedDeeper(text, kMostNested)) {
+    throw SceneError(fileName + ":" + std::to_string(*line) + ": nested more than " + std::to_string(kMostNested) +
+                     " deep; a scene needs two");
+  }
   try {
     return std::make_shared<const toml::table>(toml::parse(text, fileName));
   } catch (const toml::parse_error& e) {
@@ -195,13 +211,7 @@ Scene parseScene(std::string_view text, const std::string& fileName) {
 }
 
 Scene loadScene(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream || std::filesystem::is_directory(file)) {
-    throw EnvironmentError("cannot read the scene file", file.string(), "check the path given to --scene");
-  }
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return parseScene(text.str(), file.string());
+  return parseScene(PlainFile(file, "check the path given to --scene", kMostBytes).readAll(), file.string());
 }
 
 }  // namespace grove::world

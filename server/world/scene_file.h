@@ -69,7 +69,8 @@ struct Scene {
   std::vector<LightDescription> lights;
 };
 
-/// Reads a scene. Throws SceneError (bad file) or EnvironmentError (no such file).
+/// Reads a scene. Throws SceneError (bad file) or EnvironmentError (no such file, no plain
+/// one, or more than 16 MiB).
 [[nodiscard]] Scene loadScene(const std::filesystem::path& file);
 
 /// The same from text; `fileName` is for messages.

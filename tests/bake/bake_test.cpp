@@ -12,6 +12,7 @@
 #include "bake/partial_bake.h"
 #include "bake/voxelize.h"
 #include "base/error.h"
+#include "models/gltf/gltf_import.h"
 #include "objects/lightfield/format/light_field_file.h"
 
 namespace grove::bake {
@@ -149,6 +150,33 @@ TEST_F(Bake, AMissingFolderIsNamed) {
 TEST_F(Bake, WithoutTrianglesThereIsNothingToBake) {
   EXPECT_THROW((void)bakeLightField(models::Model{}, kSmallBake, file_(), [](const BakeProgress&) {}, {}),
                EnvironmentError);
+}
+
+/// The crooked tree, so many metres high.
+models::Model treeOf(float metres) {
+  models::Model model = crookedTree();
+  const float height = model.triangles.bounds().size().y;
+  for (Vec3& position : model.triangles.positions) position *= metres / height;
+  return model;
+}
+
+TEST_F(Bake, WhatCanBeImportedCanBeBakedAndOpened) {
+  for (const float metres : {models::kLeastMetres, 0.002F, models::kMostMetres}) {
+    const models::Model model = treeOf(metres);
+    ASSERT_TRUE(bakeLightField(model, kSmallBake, file_(), [](const BakeProgress&) {}, {})) << metres;
+    EXPECT_NO_THROW((void)openLightField(file_())) << metres;
+  }
+}
+
+TEST_F(Bake, APlaneHasAThicknessByWhichRaysMeetIt) {
+  models::Model model;
+  addQuad(model, {-1, 0, 0}, {2, 0, 0}, {0, 1, 0}, addMaterial(model, whiteStone()));
+  ASSERT_TRUE(bakeLightField(model, kSmallBake, file_(), [](const BakeProgress&) {}, {}));
+  const world::Bounds bounds = openLightField(file_()).bounds;
+  EXPECT_GT(bounds.size().z, 0.02F);
+  EXPECT_LT(bounds.size().z, 0.3F);
+  EXPECT_FLOAT_EQ(bounds.centre().z, 0.0F);
+  EXPECT_EQ(bounds.size().x, 2.0F) << "what has a thickness keeps it";
 }
 
 TEST(Voxelize, ABoxIsWoodAndASheetOfLeavesIsLeaves) {

@@ -73,6 +73,25 @@ TEST(ViewRenderer, TheBackIsSeenInTheLightOfTheBack) {
   EXPECT_NEAR(static_cast<int>(seen & 0xFFU), static_cast<int>(world::toDisplayRgba(Vec3(0.5F)) & 0xFFU), 1);
 }
 
+TEST(ViewRenderer, WhatHasOneSideIsNotSeenFromBehind) {
+  for (const bool pierced : {false, true}) {
+    models::Model model;
+    model.textures.push_back({1, 1, {0xFFFFFFFFU}});
+    models::Material material{.name = "plate", .albedo = Vec3(1.0F), .twoSided = false};
+    if (pierced) {
+      material.texture = 0;
+      material.alphaCutoff = 0.5F;
+    }
+    const std::uint16_t plate = addMaterial(model, material);
+    addQuad(model, {-9, -9, -3}, {0, 18, 0}, {9, 0, 0}, plate);  // on the left, its back to the camera
+    addQuad(model, {0, -9, -3}, {9, 0, 0}, {0, 18, 0}, plate);   // on the right, its front
+    const Picture picture = render(model, 0.5F, 0.5F, 1);
+    EXPECT_EQ(picture.colour[0][pixel(5, 5)], 0U) << pierced;
+    EXPECT_EQ(picture.depth[pixel(5, 5)], world::kInfiniteDepth) << pierced;
+    EXPECT_NE(picture.colour[0][pixel(25, 5)], 0U) << pierced;
+  }
+}
+
 TEST(ViewRenderer, CoverageIsTheShareOfSamplesAndColourIsPremultiplied) {
   models::Model model;
   // Its edge goes through the middle of column 16's pixels at one metre.

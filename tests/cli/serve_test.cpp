@@ -53,6 +53,23 @@ TEST(Serve, MakesACachedLightFieldAnewThatIsDamaged) {
   std::filesystem::remove_all(folder);
 }
 
+TEST(Serve, NamesTheLineOfAModelThatCannotBeImported) {
+  const std::filesystem::path folder = temporaryFolder();
+  std::ofstream(folder / "broken.glb") << "glTF and then nothing";
+  const std::string message = "scene.toml:4: object 'it': 'model': ";
+  for (const char* const type : {"lightfield", "mesh"}) {
+    for (const char* const model : {"broken.glb", "/dev/zero"}) {
+      std::ofstream(folder / "scene.toml")
+          << "name = 'a model'\n[[object]]\ntype = '" << type << "'\nmodel = '" << model << "'\nname = 'it'\n";
+      const Outcome outcome = serveUntilItListens(folder);
+      EXPECT_EQ(outcome.exit, 1) << type << " " << model;
+      EXPECT_THAT(outcome.output, testing::AllOf(HasSubstr(message), HasSubstr(model))) << type;
+      EXPECT_THAT(outcome.output, Not(HasSubstr("listening")));
+    }
+  }
+  std::filesystem::remove_all(folder);
+}
+
 /// A fire on the finest grid takes many seconds to grow before anybody is let in.
 TEST(Serve, EndsSoonAfterASignalWhileItPrepares) {
   const std::filesystem::path folder = temporaryFolder();

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <thread>
 
+#include "bake/bake.h"
+#include "bake/models.h"
 #include "integration/picture.h"
 #include "integration/served_scene.h"
 #include "objects/lightfield/format/light_field_file.h"
@@ -151,6 +153,24 @@ TEST_F(LightFields, SmokeIsHiddenBehindAndHidesWhatIsBehindIt) {
   const double covering = centre(pictureAfter(c, 0, 0.0F, 0.05F));
   EXPECT_GT(std::abs(covered - alone), 3.0 * std::abs(covering - alone))
       << "alone " << alone << ", smoke before " << covered << ", smoke behind " << covering;
+}
+
+TEST(FlatLightField, APlaneIsSeenLikeABody) {
+  models::Model model;
+  bake::addQuad(model, {-2, 0, 0}, {4, 0, 0}, {0, 4, 0}, bake::addMaterial(model, bake::whiteStone()));
+  const objects::lightfield::TemporaryFolder folder;
+  const std::string file = (folder / "plane.glf").string();
+  ASSERT_TRUE(bake::bakeLightField(model, {.subdivision = 4, .size = 64, .lightings = 1, .samples = 2}, file,
+                                   [](const bake::BakeProgress&) {}, {}));
+  for (const char* const renderer : {"simd", "gl"}) {
+    ServedScene served(
+        std::string("name = 'a plane'\nspawn = [0, 0, 8]\n[[object]]\ntype = 'lightfield'\nrenderer = '") + renderer +
+        "'\nfile = '" + file + "'\n");
+    HeadlessSession visitor(served.host, "Ada", 320, 180);
+    const Picture picture = pictureAfter(visitor, 0, 0.0F);
+    EXPECT_GT(picture.light(160, 80), 150.0) << renderer;
+    EXPECT_GT(picture.mean(), 30.0) << renderer;
+  }
 }
 
 }  // namespace

@@ -2,6 +2,10 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <filesystem>
 
 #include "base/error.h"
 
@@ -19,6 +23,7 @@ std::string complaintAbout(const std::string& text) {
     for (const ObjectDescription& object : scene.objects) {
       (void)object.parameters.number("height", 1.0, 0.5, 9.0);
       (void)object.parameters.integer("seed", 1, 0, 100);
+      (void)object.parameters.integer("whole", 1, 0, 1'000'000);
       (void)object.parameters.choice("renderer", {"gl", "embree"});
       object.parameters.finish();
     }
@@ -82,6 +87,14 @@ TEST(SceneFile, ATypesOwnKeysAreCheckedToo) {
   EXPECT_THAT(complaintAbout("[[object]]\ntype = 'mesh'\nheight = 99\n"),
               AllOf(StartsWith("test.toml:3: "), HasSubstr("height")));
   EXPECT_THAT(complaintAbout("[[object]]\ntype = 'mesh'\nseed = 1.5\n"), HasSubstr("must be a whole number"));
+  EXPECT_THAT(complaintAbout("[[object]]\ntype = 'mesh'\nseed = 9223372036854775807\n"),
+              AllOf(StartsWith("test.toml:3: "), HasSubstr("'seed' must lie between 0 and 100")));
+  EXPECT_THAT(complaintAbout("[[object]]\ntype = 'mesh'\nheight = 9223372036854775807\n"),
+              AllOf(StartsWith("test.toml:3: "), HasSubstr("'height' must lie between 0.5 and 9")));
+  EXPECT_THAT(complaintAbout("[[object]]\ntype = 'mesh'\nposition = [0, -9223372036854775808, 0]\n"),
+              AllOf(StartsWith("test.toml:3: "), HasSubstr("within +-1000")));
+  EXPECT_THAT(complaintAbout("[[object]]\ntype = 'mesh'\nwhole = 1000001\n"), HasSubstr("between 0 and 1000000"))
+      << "every digit of a large bound";
   EXPECT_THAT(complaintAbout("[[object]]\ntype = 'mesh'\n\nrenderer = 'vulkan'\n"),
               AllOf(StartsWith("test.toml:4: "), HasSubstr("'gl', 'embree'")));
   EXPECT_THAT(complaintAbout("[[object]]\ntype = 'mesh'\nhieght = 2\n"), HasSubstr("unknown key 'hieght'"));
@@ -94,6 +107,37 @@ TEST(SceneFile, AMissingFileSaysHowToMend) {
   } catch (const EnvironmentError& e) {
     EXPECT_THAT(e.what(), AllOf(HasSubstr("no/such/scene.toml"), HasSubstr("--scene")));
   }
+}
+
+std::string repeated(int count, const std::string& text) {
+  std::string all;
+  for (int i = 0; i < count; ++i) all += text;
+  return all;
+}
+
+TEST(SceneFile, WhatIsNestedSoDeepThatTheParserWouldOverflowTheStackIsRefused) {
+  constexpr int kDeep = 50'000;
+  const std::string name = "a" + repeated(kDeep, ".a");
+  for (const std::string& scene : {name + " = 1\n", "[" + name + "]\n", "[[" + name + "]]\n",
+                                   "x = " + repeated(kDeep, "[") + repeated(kDeep, "]") + "\n",
+                                   "x = " + repeated(kDeep, "{a = ") + "1" + repeated(kDeep, "}") + "\n"}) {
+    EXPECT_THAT(complaintAbout("name = 'deep'\n" + scene), AllOf(StartsWith("test.toml:2: "), HasSubstr("nested")));
+  }
+}
+
+TEST(SceneFile, WhatIsNoPlainFileIsRefusedUnread) {
+  const std::filesystem::path fifo =
+      std::filesystem::path(testing::TempDir()) / ("grove_scene_fifo_" + std::to_string(getpid()));
+  ASSERT_EQ(mkfifo(fifo.c_str(), 0600), 0);
+  for (const std::filesystem::path& file : {std::filesystem::path("/dev/zero"), std::filesystem::path("/tmp"), fifo}) {
+    try {
+      (void)loadScene(file);
+      ADD_FAILURE() << file;
+    } catch (const EnvironmentError& e) {
+      EXPECT_THAT(e.what(), AllOf(StartsWith(file.string()), HasSubstr("is no plain file"), HasSubstr("--scene")));
+    }
+  }
+  std::filesystem::remove(fifo);
 }
 
 TEST(SceneFile, AnEmptyFileIsAnEmptyWorld) { EXPECT_TRUE(parseScene("", "test.toml").objects.empty()); }

@@ -3,17 +3,24 @@
 #include <algorithm>
 #include <array>
 #include <fstream>
+#include <iterator>
+#include <span>
 #include <string_view>
 #include <system_error>
+#include <vector>
 
 #include "base/log.h"
+#include "base/name_list.h"
 #include "models/gltf/gltf_import.h"
+#include "models/gltf/json_nesting.h"
 
 namespace grove::models {
 namespace {
 
 /// How many bytes may still be read.
 using Budget = std::uint64_t;
+
+constexpr int kMostNested = 64;
 
 bool fileExists(const std::string& name, void*) {
   std::error_code failed;
@@ -46,15 +53,63 @@ bool keepEncoded(tinygltf::Image* image, int, std::string*, std::string*, int, i
 /// Only the first line: the rest repeats it.
 std::string firstLine(const std::string& text) { return text.substr(0, text.find('\n')); }
 
+bool has(const std::vector<std::string>& names, std::string_view name) {
+  return std::ranges::find(names, name) != names.end();
+}
+
+/// Whether the file cannot be read without an extension, whatever it says itself: a compressed mesh has no other
+/// positions.
+bool needs(const tinygltf::Model& document, const std::string& extension) {
+  if (has(document.extensionsRequired, extension)) return true;
+  for (const tinygltf::Mesh& mesh : document.meshes) {
+    for (const tinygltf::Primitive& primitive : mesh.primitives) {
+      const auto position = primitive.attributes.find("POSITION");
+      if (position == primitive.attributes.end() || !primitive.extensions.contains(extension)) continue;
+      const auto accessor = static_cast<std::size_t>(position->second);
+      if (accessor < document.accessors.size() && document.accessors[accessor].bufferView < 0) return true;
+    }
+  }
+  return false;
+}
+
+/// What these compress is not where the parser looks for it, so it stumbles, over something that it does not name.
+void refuseCompression(const GltfFile& file, bool parsed) {
+  for (const char* const name : {"KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_meshopt_compression"}) {
+    if (needs(file.document, name) || (!parsed && has(file.document.extensionsUsed, name))) {
+      file.fail(std::string("is compressed by ") + name + ", which Grove cannot read; export it without compression");
+    }
+  }
+}
+
+bool isKnown(std::string_view extension) {
+  constexpr std::array<std::string_view, 6> kKnown{"KHR_materials_transmission", "KHR_materials_diffuse_transmission",
+                                                   "KHR_mesh_quantization",      "KHR_materials_unlit",
+                                                   "KHR_materials_specular",     "KHR_texture_transform"};
+  return std::ranges::find(kKnown, extension) != kKnown.end();
+}
+
 /// Extensions without which the file says that it cannot be read.
 void checkExtensions(const GltfFile& file) {
-  constexpr std::array<std::string_view, 5> kKnown{"KHR_materials_transmission", "KHR_materials_diffuse_transmission",
-                                                   "KHR_mesh_quantization", "KHR_materials_unlit",
-                                                   "KHR_materials_specular"};
   for (const std::string& name : file.document.extensionsRequired) {
-    if (std::ranges::find(kKnown, name) == kKnown.end())
-      file.fail("needs the extension " + name + ", which is unknown");
+    if (!isKnown(name))
+      file.fail("needs the extension " + nameList({name}) + ", which Grove does not know; export it without");
   }
+}
+
+void nameWhatIsLeftOut(const GltfFile& file) {
+  std::vector<std::string> names;
+  std::ranges::copy_if(file.document.extensionsUsed, std::back_inserter(names),
+                       [](const std::string& name) { return !isKnown(name); });
+  if (!file.document.animations.empty()) names.emplace_back("animations");
+  if (!file.document.skins.empty()) names.emplace_back("skins");
+  if (!names.empty()) log::warning(file.path.string() + ": is read without " + nameList(names));
+}
+
+/// The JSON of a file; nothing in it has been checked.
+std::string_view jsonOf(std::span<const unsigned char> bytes) {
+  const std::string_view text(static_cast<const char*>(static_cast<const void*>(bytes.data())), bytes.size());
+  constexpr std::size_t kHeaders = 20;  // of a binary file and of its first chunk
+  return text.starts_with("glTF") ? text.substr(std::min(kHeaders, text.size())) : text;
 }
 
 }  // namespace
@@ -63,12 +118,18 @@ void GltfFile::fail(const std::string& reason) const { throw ImportError(path, r
 
 GltfFile loadGltfFile(const std::filesystem::path& path) {
   GltfFile file{path, {}};
-  if (!fileExists(path.string(), nullptr)) file.fail("there is no such file");
+  std::error_code failed;
+  const auto status = std::filesystem::status(path, failed);
+  if (!std::filesystem::exists(status)) file.fail("there is no such file");
+  if (!std::filesystem::is_regular_file(status)) file.fail("is no plain file; name a .glb or .gltf file");
   Budget budget = kMostBytes - 1;
   std::vector<unsigned char> bytes;
   std::string error;
   std::string warning;
   if (!readWhole(&bytes, &error, path.string(), &budget)) file.fail(error.empty() ? "cannot be read" : error);
+
+  if (nestsDeeper(jsonOf(bytes), kMostNested))
+    file.fail("is nested more than " + std::to_string(kMostNested) + " deep");
 
   tinygltf::TinyGLTF loader;
   loader.SetImageLoader(keepEncoded, nullptr);
@@ -84,9 +145,11 @@ GltfFile loadGltfFile(const std::filesystem::path& path) {
   } catch (const std::exception& e) {
     error = e.what();
   }
+  refuseCompression(file, loaded);
   if (!loaded) file.fail(error.empty() ? "is not glTF 2.0" : firstLine(error));
   if (!warning.empty()) log::warning(path.string() + ": " + firstLine(warning));
   checkExtensions(file);
+  nameWhatIsLeftOut(file);
   return file;
 }
 

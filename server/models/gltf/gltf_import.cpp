@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include "models/gltf/gltf_file.h"
 #include "models/gltf/gltf_materials.h"
 #include "models/gltf/gltf_nodes.h"
+#include "models/gltf/gltf_texture_placement.h"
 
 namespace grove::models {
 namespace {
@@ -170,11 +172,15 @@ class Importer {
 
   /// Returns whether there are any.
   bool addUvs(const tinygltf::Primitive& primitive, std::size_t count) {
-    const int set = primitive.material < 0 ? 0
-                                           : file_.at(file_.document.materials, primitive.material, "material")
-                                                 .pbrMetallicRoughness.baseColorTexture.texCoord;
-    const auto uvs = attribute(primitive, "TEXCOORD_" + std::to_string(set), count, 2, 2);
-    for (std::size_t i = 0; i < count; ++i) model_.uvs.push_back(uvs ? Vec2(uvs->at(i)[0], uvs->at(i)[1]) : Vec2(0.0F));
+    const TexturePlacement placement =
+        primitive.material < 0 ? TexturePlacement()
+                               : placementOf(file_, file_.at(file_.document.materials, primitive.material, "material")
+                                                        .pbrMetallicRoughness.baseColorTexture);
+    const auto uvs = attribute(primitive, "TEXCOORD_" + std::to_string(placement.uvSet), count, 2, 2);
+    for (std::size_t i = 0; i < count; ++i) {
+      model_.uvs.push_back(uvs ? placement.apply({uvs->at(i)[0], uvs->at(i)[1]}) : Vec2(0.0F));
+      if (!std::isfinite(model_.uvs.back().x + model_.uvs.back().y)) file_.fail("has UVs that are not finite");
+    }
     return uvs.has_value();
   }
 
@@ -201,6 +207,12 @@ class Importer {
     const float extent = std::max({size.x, size.y, size.z});
     if (!std::isfinite(extent)) file_.fail("is too large for floats");
     if (extent <= 0.0F) file_.fail("has no extent: all its points are in one place");
+    if (extent < kLeastMetres || extent > kMostMetres) {
+      std::ostringstream reason;
+      reason << "is " << extent << " m large, and " << kLeastMetres << " to " << kMostMetres
+             << " m can be shown; a glTF file's unit is the metre: scale it when it is exported";
+      file_.fail(reason.str());
+    }
     const Vec3 shift(bounds.centre().x, bounds.low.y, bounds.centre().z);
     for (Vec3& position : model_.triangles.positions) position -= shift;
   }

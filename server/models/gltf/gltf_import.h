@@ -17,19 +17,25 @@ class ImportError : public EnvironmentError {
       : EnvironmentError(reason, file.string(), "") {}
 };
 
+/// To be raised when the same file gives another model than before, so that cached light fields of it are baked anew.
+inline constexpr int kImportVersion = 2;
+
 /// What a model file may hold at most.
 inline constexpr std::size_t kMostTriangles = 50'000'000;
+inline constexpr float kLeastMetres = 0.001F;  ///< along its longest edge; a light-field file holds what lies between
+inline constexpr float kMostMetres = 100'000.0F;
 inline constexpr int kMostTexels = 16384;                             ///< a texture's width or height
 inline constexpr std::uint64_t kMostBytes = std::uint64_t{4} << 30U;  ///< with all files it names
 
 /// Reads a glTF 2.0 model (.glb or .gltf): all triangles of its default scene, moved to stand on y = 0 around the
 /// origin.
 ///
-/// Kept: node transforms, vertex colours, base colours with their textures, holes (alpha MASK and BLEND),
-/// KHR_materials_transmission and KHR_materials_diffuse_transmission; a double-sided surface with holes is taken for
-/// leaves, that let light through. Normals that are missing are computed. Left out: skins and morphs (the model is
-/// baked as it stands), metal and gloss (light fields are diffuse). Names a texture file that is absent in the log and
-/// goes on with the base colour. Throws ImportError. Any thread.
+/// Kept: node transforms, vertex colours, base colours with their textures (KHR_texture_transform), holes (alpha MASK
+/// and BLEND), single sides, KHR_materials_transmission and KHR_materials_diffuse_transmission; a double-sided surface
+/// with holes is taken for leaves, that let light through. Normals that are missing are computed. Left out: skins and
+/// morphs (the model is baked as it stands), metal and gloss (light fields are diffuse). Names in the log extensions
+/// that it leaves out, and a texture file that is absent: then it goes on with the base colour. Throws ImportError. Any
+/// thread.
 [[nodiscard]] Model importGltf(const std::filesystem::path& file);
 
 }  // namespace grove::models

@@ -96,8 +96,11 @@ Material materialOf(const GltfFile& file, const tinygltf::Material& given, Textu
                            extensionNumber(given, "KHR_materials_diffuse_transmission", "diffuseTransmissionFactor"));
   if (holes && material.texture >= 0) {
     // The texture's alpha times the factor's is what the cut-off is for.
-    const float cutoff = given.alphaMode == "MASK" ? static_cast<float>(given.alphaCutoff) : 0.5F;
-    material.alphaCutoff = std::clamp(cutoff / std::max(channel(3), 1.0e-3F), 0.0F, 1.0F);
+    const float factorAlpha = std::max(channel(3), 1.0e-3F);
+    material.blended = given.alphaMode == "BLEND";
+    material.alphaCutoff = material.blended
+                               ? 1.0F / factorAlpha
+                               : std::clamp(static_cast<float>(given.alphaCutoff) / factorAlpha, 0.0F, 1.0F);
     if (given.doubleSided) through = std::max(through, kThroughLeaf);
   } else if (given.alphaMode == "BLEND") {
     through = std::max(through, 1.0F - channel(3));  // tinted glass

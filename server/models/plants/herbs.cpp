@@ -18,7 +18,7 @@ Vec3 level(float turn) { return {std::cos(turn), 0.0F, std::sin(turn)}; }
 }  // namespace
 
 Herbs::Herbs(MeshWriter& mesh, Detail detail) : mesh_(mesh), detail_(detail) {
-  soil_ = mesh.addMaterial({.name = "soil", .albedo = Vec3(0.105F, 0.092F, 0.032F), .twoSided = false});
+  soil_ = mesh.addMaterial({.name = "soil", .albedo = Vec3(0.105F, 0.092F, 0.032F)});
   grass_ = mesh.addMaterial(
       {.name = "grass", .albedo = Vec3(0.215F, 0.226F, 0.042F), .transmittance = Vec3(0.245F, 0.222F, 0.026F)});
   leaf_ = mesh.addMaterial(
@@ -34,8 +34,8 @@ Herbs::Herbs(MeshWriter& mesh, Detail detail) : mesh_(mesh), detail_(detail) {
   blue_ = mesh.addMaterial(
       {.name = "cornflower petal", .albedo = Vec3(0.13F, 0.17F, 0.58F), .transmittance = Vec3(0.04F, 0.05F, 0.20F)});
   dark_ = mesh.addMaterial({.name = "poppy heart", .albedo = Vec3(0.020F, 0.018F, 0.020F)});
-  stone_ = mesh.addMaterial({.name = "stone", .albedo = Vec3(0.23F, 0.215F, 0.19F), .twoSided = false, .solid = true});
-  wood_ = mesh.addMaterial({.name = "twig", .albedo = Vec3(0.12F, 0.085F, 0.055F), .twoSided = false, .solid = true});
+  stone_ = mesh.addMaterial({.name = "stone", .albedo = Vec3(0.23F, 0.215F, 0.19F), .solid = true});
+  wood_ = mesh.addMaterial({.name = "twig", .albedo = Vec3(0.12F, 0.085F, 0.055F), .solid = true});
 }
 
 void Herbs::grass(Vec3 root, float thriving, Random random) {

@@ -22,14 +22,14 @@ std::shared_ptr<const world::Model> FluidType::model(const world::Parameters& pa
     value = static_cast<float>(parameters.number(key, static_cast<double>(value), low, high));
   };
   settings.grid = parameters.integer("grid", settings.grid, 16, 128);
-  if (settings.grid % 8 != 0) parameters.fail("grid", "must be a multiple of 8");
+  if (settings.grid % 8 != 0) parameters.fail("grid", "'grid' must be a multiple of 8");
   number("size", settings.size, 1.0, 64.0);
   number("radius", settings.radius, 0.05, 4.0);
   number("rate", settings.rate, 0.0, 20000.0);
   number("turbulence", settings.turbulence, 0.0, 20.0);
   number("flicker", settings.flicker, 0.0, 1.0);
   settings.wind = parameters.vector("wind", settings.wind);
-  if (!(glm::length(settings.wind) <= 20.0F)) parameters.fail("wind", "must be at most 20 metres a second");
+  if (!(glm::length(settings.wind) <= 20.0F)) parameters.fail("wind", "'wind' must be at most 20 metres a second");
   parameters.finish();
   return std::make_shared<FluidModel>(settings);
 }

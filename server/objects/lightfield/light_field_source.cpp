@@ -37,7 +37,7 @@ LightFieldSource readSource(const world::Parameters& parameters) {
   }
   source.lightings = parameters.integer("lightings", source.lightings, 1, kMostLightings);
   source.file = cacheFolder() / "light-fields" /
-                (models::fileNameOf(source.model) + "-n" + std::to_string(source.subdivision) + "-s" +
+                (models::fileNameOf(source.model, parameters) + "-n" + std::to_string(source.subdivision) + "-s" +
                  std::to_string(source.size) + "-k" + std::to_string(source.lightings) + ".glf");
   return source;
 }

@@ -19,7 +19,7 @@ struct LightFieldSource {
   int lightings = 6;
 };
 
-/// Throws world::SceneError, or EnvironmentError if a model cannot be read.
+/// Throws world::SceneError.
 [[nodiscard]] LightFieldSource readSource(const world::Parameters& parameters);
 
 /// Where what can be made again is kept: $GROVE_CACHE, else $XDG_CACHE_HOME/grove, else ~/.cache/grove.

@@ -1,6 +1,8 @@
 #include "objects/lightfield/light_field_type.h"
 
+#include <exception>
 #include <filesystem>
+#include <string>
 
 #include "base/error.h"
 #include "objects/lightfield/format/light_field_file.h"
@@ -22,6 +24,10 @@ const char* keyOf(const LightFieldSource& source) {
   return !source.model.plant.empty() ? "plant" : !source.model.file.empty() ? "model" : "file";
 }
 
+std::string complaint(const LightFieldSource& source, const std::exception& e) {
+  return std::string("'") + keyOf(source) + "': " + e.what();
+}
+
 }  // namespace
 
 std::shared_ptr<const world::Model> LightFieldType::model(const world::Parameters& parameters) const {
@@ -35,9 +41,9 @@ std::shared_ptr<const world::Model> LightFieldType::model(const world::Parameter
     known = model;
     return model;
   } catch (const LightFieldError& e) {
-    parameters.fail(keyOf(source), e.what());
+    parameters.fail(keyOf(source), complaint(source, e));
   } catch (const EnvironmentError& e) {
-    parameters.fail(keyOf(source), e.what());
+    parameters.fail(keyOf(source), complaint(source, e));
   }
 }
 

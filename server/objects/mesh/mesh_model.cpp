@@ -5,8 +5,8 @@
 #include <string>
 #include <utility>
 
-#include "base/error.h"
 #include "models/model_source.h"
+#include "objects/mesh/holes.h"
 #include "objects/mesh/model_surface.h"
 #include "objects/mesh/shapes.h"
 
@@ -47,14 +47,6 @@ std::optional<float> trunkRadius(const world::Triangles& solid) {
   return radius;
 }
 
-models::Model modelOf(const models::ModelSource& source, const world::Parameters& parameters) {
-  try {
-    return models::loadModel(source, models::Detail::kSmall);
-  } catch (const EnvironmentError& e) {
-    parameters.fail("model", e.what());
-  }
-}
-
 RendererKind rendererNamed(const std::string& name) {
   if (name == "gl") return RendererKind::kGl;
   if (name == "simd") return RendererKind::kSimd;
@@ -72,7 +64,7 @@ MeshModel::MeshModel(const world::Parameters& parameters)
   } else {
     // What a light field would want to know besides.
     for (const char* key : {"subdivision", "size", "lightings"}) (void)parameters.integer(key, 1, 1, 1024);
-    makeModel(modelOf(source, parameters));
+    makeModel(models::loadModel(source, models::Detail::kSmall, parameters));
   }
   bounds_ = surface_.bounds();
 }
@@ -92,7 +84,8 @@ void MeshModel::makeShape(const world::Parameters& parameters) {
   obstacleRadius_ = obstacleOf(shape, size);
 }
 
-void MeshModel::makeModel(const models::Model& model) {
+void MeshModel::makeModel(models::Model given) {
+  const models::Model model = withHolesCut(std::move(given));
   surface_ = surfaceOf(model);
   shade_ = model.triangles;
   world::Triangles solid = solidOf(model);

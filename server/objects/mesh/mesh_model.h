@@ -37,7 +37,7 @@ class MeshModel final : public world::Model {
 
  private:
   void makeShape(const world::Parameters& parameters);
-  void makeModel(const models::Model& model);
+  void makeModel(models::Model given);
 
   RendererKind renderer_ = RendererKind::kAuto;
   Surface surface_;

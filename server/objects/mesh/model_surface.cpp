@@ -12,14 +12,7 @@ using world::Vec3;
 
 float linear(std::uint32_t byte) { return std::pow(static_cast<float>(byte) / 255.0F, 2.2F); }
 
-Vec3 texelAt(const models::Texture& texture, world::Vec2 uv) {
-  const auto index = [](float at, int size) {
-    return std::min(static_cast<int>((at - std::floor(at)) * static_cast<float>(size)), size - 1);
-  };
-  const auto row = static_cast<std::size_t>(index(uv.y, texture.height));
-  const std::uint32_t texel =
-      texture
-          .texels[row * static_cast<std::size_t>(texture.width) + static_cast<std::size_t>(index(uv.x, texture.width))];
+Vec3 colourOf(std::uint32_t texel) {
   return {linear(texel & 0xFFU), linear(texel >> 8U & 0xFFU), linear(texel >> 16U & 0xFFU)};
 }
 
@@ -28,7 +21,7 @@ Vec3 albedoOf(const models::Model& model, const models::Material& material, std:
   Vec3 albedo = material.albedo + 0.5F * material.transmittance;
   if (!model.colours.empty()) albedo *= model.colours[vertex];
   if (material.texture >= 0 && !model.uvs.empty()) {
-    albedo *= texelAt(model.textures[static_cast<std::size_t>(material.texture)], model.uvs[vertex]);
+    albedo *= colourOf(model.textures[static_cast<std::size_t>(material.texture)].at(model.uvs[vertex]));
   }
   return albedo;
 }

@@ -6,7 +6,7 @@
 namespace grove::objects::mesh {
 
 /// A plant or an imported model as a surface of one level. What is seen from both sides gets two sides; textures colour
-/// its vertices; holes in leaves are not cut out.
+/// its vertices; holes have been cut out before (withHolesCut()).
 [[nodiscard]] Surface surfaceOf(const models::Model& model);
 
 /// The part that keeps smoke out; empty if it has none.

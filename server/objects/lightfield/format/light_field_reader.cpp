@@ -22,6 +22,7 @@ static_assert(std::endian::native == std::endian::little, "files are read in pla
 // Keeps products of lengths far from what a float cannot hold.
 constexpr float kLongest = 1.0e6F;
 constexpr float kShortest = 1.0e-4F;
+constexpr float kShortestVoxel = 1.0e-6F;
 
 class Reader {
  public:
@@ -172,7 +173,7 @@ class Reader {
     require(std::ranges::all_of(n, [](std::uint32_t cells) { return cells <= kMostCells; }),
             "has a number of voxels out of range");
     require(std::uint64_t{n[0]} * n[1] * n[2] == section.bytes, "has voxels of the wrong length");
-    require(section.bytes > 0 ? header_.voxelCell >= kShortest : n[0] == 0 && n[1] == 0 && n[2] == 0,
+    require(section.bytes > 0 ? header_.voxelCell >= kShortestVoxel : n[0] == 0 && n[1] == 0 && n[2] == 0,
             "has voxels without size");
     field.voxels = {static_cast<int>(n[0]), static_cast<int>(n[1]),   static_cast<int>(n[2]),
                     header_.voxelCell,      vector(header_.voxelLow), as<std::uint8_t>(bytesOf(section))};
