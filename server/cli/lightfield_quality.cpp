@@ -71,7 +71,8 @@ Pixels renderAmid(const LightField& field, const HeldOutView& view) {
   node::ImagePool pool;
   const world::Rect rect{0, 0, view.size, view.size};
   const auto frame = pool.acquire(rect);
-  node::FrameBuilder builder(*frame);
+  const auto edges = pool.acquire(rect);
+  node::FrameBuilder builder(*frame, *edges);
   for (const Vec3 place : places) {
     objects::lightfield::SampleRequest request;
     request.field = &field;

@@ -3,15 +3,18 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <vector>
 
 namespace grove::node {
 namespace {
 
 class Composite : public ::testing::Test {
  protected:
-  Composite() : frame(pool.acquire({0, 0, 64, 32})), builder(*frame) {
-    std::ranges::fill(frame->colour, 0x12345678U);
-    std::ranges::fill(frame->depth, 0.25F);
+  Composite() : frame(pool.acquire({0, 0, 64, 32})), edges(pool.acquire(frame->rect)), builder(*frame, *edges) {
+    for (const auto& image : {frame, edges}) {
+      std::ranges::fill(image->colour, 0x12345678U);
+      std::ranges::fill(image->depth, 0.25F);
+    }
   }
 
   void lay(const world::Rect& rect, std::uint32_t colour, float depth, bool opaque = false) {
@@ -21,10 +24,14 @@ class Composite : public ::testing::Test {
     layer->opaque = opaque;
     builder.lay(*layer);
   }
-  [[nodiscard]] std::uint32_t at(int x, int y) const { return frame->colourRow(y)[x]; }
+  std::uint32_t at(int x, int y) {
+    builder.finish();
+    return frame->colourRow(y)[x];
+  }
 
   ImagePool pool;
   std::shared_ptr<Image> frame;
+  std::shared_ptr<Image> edges;
   FrameBuilder builder;
 };
 
@@ -51,16 +58,19 @@ TEST_F(Composite, APartOfALayerIsLaidAsTheWhole) {
     layer->depth[i] = i % 3 == 0 ? 2.0F : 7.0F;
   }
   const auto other = pool.acquire(frame->rect);
-  FrameBuilder whole(*other);
+  const auto otherEdges = pool.acquire(frame->rect);
+  FrameBuilder whole(*other, *otherEdges);
   const auto under = pool.acquire(frame->rect);
   std::ranges::copy(frame->colour, under->colour.begin());
   std::ranges::copy(frame->depth, under->depth.begin());
   whole.lay(*under);
   whole.lay(*layer);
+  whole.finish();
   for (const world::Rect& part : {world::Rect{10, 4, 26, 12}, {26, 4, 30, 7}, {26, 7, 30, 12}}) {
     const std::ptrdiff_t at = std::ptrdiff_t{part.top - 4} * layer->width() + part.left - 10;
     builder.lay(part, layer->colour.data() + at, layer->depth.data() + at, layer->width());
   }
+  builder.finish();
   EXPECT_TRUE(std::ranges::equal(frame->colour, other->colour));
   EXPECT_TRUE(std::ranges::equal(frame->depth, other->depth));
 }
@@ -97,7 +107,53 @@ TEST_F(Composite, CoverageBlendsExactly) {
   EXPECT_NEAR(c >> 8U & 0xFFU, expected(0x20, 0x32), 0.51);
   EXPECT_NEAR(c >> 16U & 0xFFU, expected(0x40, 0x64), 0.51);
   EXPECT_EQ(c >> 24U, 255u);
+  builder.finish();
   EXPECT_FLOAT_EQ(frame->depthRow(3)[3], 3.0F);
+}
+
+/// Fails if an edge of little coverage is painted over by what lies behind it, or one of much coverage keeps out of it
+/// what should shine through.
+TEST_F(Composite, WhatLiesBehindAnEdgeIsSeenThroughItInAnyOrder) {
+  struct Layer {
+    std::uint32_t colour;
+    float depth;
+  };
+  for (const std::uint32_t edge : {0x20100804U, 0x80402010U, 0xD0604020U}) {
+    std::vector<Layer> layers{{0xFFC86432U, 9.0F}, {0xFF3264C8U, 6.0F}, {edge, 3.0F}};
+    std::ranges::sort(layers, {}, &Layer::depth);
+    do {
+      const auto canvas = pool.acquire(frame->rect);
+      FrameBuilder any(*canvas, *edges);
+      for (const Layer& l : layers) {
+        const auto layer = pool.acquire(frame->rect);
+        std::ranges::fill(layer->colour, l.colour);
+        std::ranges::fill(layer->depth, l.depth);
+        any.lay(*layer);
+      }
+      any.finish();
+      const double rest = (255.0 - (edge >> 24U)) / 255.0;
+      for (const std::uint32_t shift : {0U, 8U, 16U}) {
+        const double expected = (edge >> shift & 0xFFU) + (0xFF3264C8U >> shift & 0xFFU) * rest;
+        EXPECT_NEAR(canvas->colourRow(7)[40] >> shift & 0xFFU, expected, 1.01) << edge << ' ' << layers[0].depth;
+      }
+      EXPECT_FLOAT_EQ(canvas->depthRow(7)[40], edge >> 24U > 127 ? 3.0F : 6.0F);
+    } while (std::ranges::next_permutation(layers, {}, &Layer::depth).found);
+  }
+}
+
+TEST_F(Composite, TwoEdgesAreMixedInTheOrderOfTheirDepths) {
+  const auto mixed = [&](std::uint32_t over, std::uint32_t under) {
+    return (over & 0xFFU) + (under & 0xFFU) * (255.0 - (over >> 24U)) / 255.0;
+  };
+  lay({0, 0, 64, 16}, 0x60300000U + 0x40U, 3.0F);
+  lay({0, 0, 64, 32}, 0x40100000U + 0x20U, 5.0F);
+  lay({0, 16, 64, 32}, 0x60300000U + 0x40U, 3.0F);
+  lay({0, 0, 64, 32}, 0xFF0000C8U, 7.0F);
+  builder.finish();
+  const double expected = mixed(0x60000040U, static_cast<std::uint32_t>(mixed(0x40000020U, 0xFF0000C8U)));
+  EXPECT_NEAR(at(5, 5) & 0xFFU, expected, 2.0);
+  EXPECT_NEAR(at(5, 20) & 0xFFU, expected, 2.0);
+  EXPECT_FLOAT_EQ(frame->depthRow(5)[5], 3.0F) << "together they cover for half and more";
 }
 
 TEST_F(Composite, WhatIsNotCoveredChangesNothing) {

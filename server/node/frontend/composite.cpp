@@ -3,60 +3,81 @@
 #include <algorithm>
 #include <cassert>
 
-#include "node/frontend/composite_kernels.h"
-
 namespace grove::node {
 namespace {
 
 constexpr std::uint32_t kOpaqueBlack = 0xFF000000U;
 
-void clearRow(Image& frame, int row) {
-  std::fill_n(frame.colourRow(row), frame.width(), kOpaqueBlack);
-  std::fill_n(frame.depthRow(row), frame.width(), world::kInfiniteDepth);
-}
-
 }  // namespace
 
-FrameBuilder::FrameBuilder(Image& frame) : frame_(frame), touched_(static_cast<std::size_t>(frame.height()), false) {
-  assert(frame.rect.left == 0 && frame.rect.top == 0);
+FrameBuilder::FrameBuilder(Image& frame, Image& edges)
+    : frame_(frame), edges_(edges), rows_(static_cast<std::size_t>(frame.height())) {
+  assert(frame.rect.left == 0 && frame.rect.top == 0 && edges.rect == frame.rect);
 }
 
 void FrameBuilder::lay(const Image& layer) {
-  const world::Rect& rect = layer.rect;
-  const bool covers = layer.opaque && layer.width() == frame_.width();
   for (int row = 0; row < layer.height(); ++row) {
-    const int y = rect.top + row;
-    if (touched_[static_cast<std::size_t>(y)] || !covers) {
-      const Span span = layer.span(row);
-      if (span.begin >= span.end) continue;
-      lay({rect.left + span.begin, y, rect.left + span.end, y + 1}, layer.colourRow(row) + span.begin,
+    const Span span = layer.span(row);
+    const int y = layer.rect.top + row;
+    if (layer.opaque && !rows_[static_cast<std::size_t>(y)].edged) {
+      layOpaque(layer, row);
+    } else if (span.begin < span.end) {
+      lay({layer.rect.left + span.begin, y, layer.rect.left + span.end, y + 1}, layer.colourRow(row) + span.begin,
           layer.depthRow(row) + span.begin, layer.width());
-    } else {
-      std::copy_n(layer.colourRow(row), layer.width(), frame_.colourRow(y));
-      std::copy_n(layer.depthRow(row), layer.width(), frame_.depthRow(y));
-      touched_[static_cast<std::size_t>(y)] = true;
     }
+  }
+}
+
+void FrameBuilder::layOpaque(const Image& layer, int row) {
+  const int y = layer.rect.top + row;
+  const Span span = layer.span(row);
+  const int width = span.end - span.begin;
+  if (width <= 0) return;
+  const std::uint32_t* const colour = layer.colourRow(row) + span.begin;
+  const float* const depth = layer.depthRow(row) + span.begin;
+  if (!rows_[static_cast<std::size_t>(y)].touched && width == frame_.width()) {
+    std::copy_n(colour, width, frame_.colourRow(y));
+    std::copy_n(depth, width, frame_.depthRow(y));
+    rows_[static_cast<std::size_t>(y)].touched = true;
+  } else {
+    clear(y);
+    compositeOpaque({colour, depth, layer.width()}, pixels(layer.rect.left + span.begin, y), width, 1);
   }
 }
 
 void FrameBuilder::lay(const world::Rect& rect, const std::uint32_t* colour, const float* depth,
                        std::ptrdiff_t stride) {
   assert(rect.left >= 0 && rect.top >= 0 && rect.right <= frame_.rect.right && rect.bottom <= frame_.rect.bottom);
-  for (int y = rect.top; y < rect.bottom; ++y) {
-    if (!touched_[static_cast<std::size_t>(y)]) clearRow(frame_, y);
-    touched_[static_cast<std::size_t>(y)] = true;
-  }
   if (rect.empty()) return;
-  const FramePixels frame{frame_.colourRow(rect.top) + rect.left, frame_.depthRow(rect.top) + rect.left,
-                          frame_.width()};
-  composite({colour, depth, stride}, frame, rect.width(), rect.height());
+  for (int y = rect.top; y < rect.bottom; ++y) {
+    clear(y);
+    bool& edged = rows_[static_cast<std::size_t>(y)].edged;
+    if (!edged) std::fill_n(edges_.depthRow(y), edges_.width(), kNoEdge);
+    edged = true;
+  }
+  composite({colour, depth, stride}, pixels(rect.left, rect.top), rect.width(), rect.height());
 }
 
 void FrameBuilder::finish() {
-  for (int row = 0; row < frame_.height(); ++row) {
-    if (!touched_[static_cast<std::size_t>(row)]) clearRow(frame_, row);
-    touched_[static_cast<std::size_t>(row)] = true;
+  for (int y = 0; y < frame_.height(); ++y) {
+    clear(y);
+    bool& edged = rows_[static_cast<std::size_t>(y)].edged;
+    if (edged) layEdges(pixels(0, y), frame_.width());
+    edged = false;
   }
+}
+
+FramePixels FrameBuilder::pixels(int x, int y) const {
+  return {frame_.colourRow(y) + x, frame_.depthRow(y) + x, edges_.colourRow(y) + x, edges_.depthRow(y) + x,
+          frame_.width()};
+}
+
+void FrameBuilder::clear(int y) {
+  bool& touched = rows_[static_cast<std::size_t>(y)].touched;
+  if (touched) return;
+  std::fill_n(frame_.colourRow(y), frame_.width(), kOpaqueBlack);
+  std::fill_n(frame_.depthRow(y), frame_.width(), world::kInfiniteDepth);
+  touched = true;
 }
 
 }  // namespace grove::node

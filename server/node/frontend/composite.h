@@ -2,30 +2,41 @@
 
 #include <vector>
 
+#include "node/frontend/composite_kernels.h"
 #include "node/image.h"
 
 namespace grove::node {
 
-/// Puts a frame together from layers. The frame's former contents do not matter: a row is cleared (black, opaque,
-/// infinitely far) when the first layer touches it, unless that layer covers it.
+/// Puts a frame together from layers. The former contents of the frame and of the edges do not matter: a row is cleared
+/// (black, opaque, infinitely far) when the first layer touches it, unless that layer covers it.
 class FrameBuilder {
  public:
-  /// `frame` starts at (0, 0) and outlives the builder.
-  explicit FrameBuilder(Image& frame);
+  /// `frame` starts at (0, 0); `edges` is as large, and room to work in. Both outlive the builder.
+  FrameBuilder(Image& frame, Image& edges);
 
-  /// Lays a layer over the frame wherever it is not farther than what is there, blended by its coverage. Pixels that
-  /// are covered for more than half take over the layer's depth. The layer's rectangle must lie within the frame.
+  /// Lays a layer over the frame wherever it is not farther than what is there, blended by its coverage. What covers in
+  /// part does not hide what is laid later and lies behind it. The layer's rectangle must lie within the frame.
   void lay(const Image& layer);
 
   /// The same for a part of a layer that need not be an image: its rows are `stride` pixels apart.
   void lay(const world::Rect& rect, const std::uint32_t* colour, const float* depth, std::ptrdiff_t stride);
 
-  /// Clears the rows that no layer touched.
+  /// Ends what the layers have begun: the frame holds their picture only now. The depth of a pixel is that of what
+  /// covers it for half and more.
   void finish();
 
  private:
+  struct Row {
+    bool touched = false;
+    bool edged = false;
+  };
+  [[nodiscard]] FramePixels pixels(int x, int y) const;
+  void clear(int y);
+  void layOpaque(const Image& layer, int row);
+
   Image& frame_;
-  std::vector<bool> touched_;  // by row
+  Image& edges_;
+  std::vector<Row> rows_;
 };
 
 }  // namespace grove::node

@@ -12,15 +12,29 @@ struct LayerPixels {
   std::ptrdiff_t stride;
 };
 
-/// The same of a frame.
+inline constexpr float kNoEdge = 1.0e30F;
+
+/// A frame while it is put together: what lies behind, and before it an edge, which is all that covers in part, by
+/// itself, so that what is laid later still gets between the two. All rows lie `stride` pixels apart.
 struct FramePixels {
   std::uint32_t* colour;
   float* depth;
+  std::uint32_t* edge;  ///< colour; means nothing where there is none
+  float* edgeDepth;     ///< of the nearest that is part of it; kNoEdge where there is none
   std::ptrdiff_t stride;
 };
 
-/// Kernel: lays a rectangle of a layer over that of a frame wherever it is not farther, blended by its coverage. Pixels
-/// that it covers for more than half take over its depth. The two do not overlap.
+/// Kernel: lays a rectangle of a layer over that of a frame wherever it is not farther than what lies behind. What
+/// covers all becomes that, and if it is before the edge, there is none any more. What covers in part becomes a part of
+/// the edge, over or under it. The two rectangles do not overlap in memory.
 void composite(const LayerPixels& layer, const FramePixels& frame, int width, int height);
+
+/// Kernel: the same for a layer of pixels that cover all, where the frame has no edges; those are neither read nor
+/// written.
+void compositeOpaque(const LayerPixels& layer, const FramePixels& frame, int width, int height);
+
+/// Kernel: lays the edges of a row over what lies behind; where they cover for half and more, their depth becomes that
+/// of the frame.
+void layEdges(const FramePixels& frame, int width);
 
 }  // namespace grove::node

@@ -99,7 +99,8 @@ void Compositor::fillIn(CompleteFrame& frame) {
 std::shared_ptr<const Image> Compositor::composite(const CompleteFrame& frame) {
   const View& view = *frame.list->view;
   const auto image = images_.acquire({0, 0, view.camera.width, view.camera.height});
-  FrameBuilder builder(*image);
+  const auto edges = images_.acquire(image->rect);
+  FrameBuilder builder(*image, *edges);
   const auto& objects = frame.list->objects;
   TypeClock clock(registry_, timeline_, traceTag(frame.list));
   for (std::size_t i = 0; i < objects.size(); ++i) {
