@@ -127,13 +127,14 @@ class ShaderSamplerTest : public testing::Test {
     return shot;
   }
 
-  static void expectAgreement(const SampleRequest& request, const world::Rect& rect = kWhole,
+  /// `least` is a little below what has been measured: their steps differ, which shows at the outlines of leaves that
+  /// few views see.
+  static void expectAgreement(const Likeness& least, const SampleRequest& request, const world::Rect& rect = kWhole,
                               DepthCorrection correction = DepthCorrection::kOn) {
     const Shot shader = shoot(request, rect, correction);
     const Likeness likeness = compare(shader, shootSimd(request, rect, correction));
-    // Their steps differ, which shows at the outlines of leaves that few views see.
-    EXPECT_GT(likeness.psnr, 36.0);
-    EXPECT_GT(likeness.sameDepth, 0.75);
+    EXPECT_GT(likeness.psnr, least.psnr);
+    EXPECT_GT(likeness.sameDepth, least.sameDepth);
     EXPECT_GT(std::ranges::count_if(shader.colour, [](std::uint32_t c) { return c >> 24U == 255; }), 100);
   }
 
@@ -146,28 +147,29 @@ std::unique_ptr<gl::ShaderLibrary> ShaderSamplerTest::shaders_;
 std::unique_ptr<gl::Workers> ShaderSamplerTest::workers_;
 
 TEST_F(ShaderSamplerTest, AgreesWithSimdBetweenViews) {
-  for (const auto& [azimuth, elevation] : {std::pair{2.3F, 0.6F}, {4.0F, 1.1F}, {1.0F, 1.56F}})
-    expectAgreement(requestFor(between(azimuth, elevation)));
+  expectAgreement({46.5, 0.92}, requestFor(between(2.3F, 0.6F)));
+  expectAgreement({39.5, 0.95}, requestFor(between(4.0F, 1.1F)));
+  expectAgreement({36.0, 0.78}, requestFor(between(1.0F, 1.56F)));
 }
 
 TEST_F(ShaderSamplerTest, AgreesWithSimdAtTheRimAndBelow) {
-  expectAgreement(requestFor(between(0.7F, 0.0F)));
-  expectAgreement(requestFor(lookAt({3.0F, -0.3F, 1.0F}, {0.0F, 1.3F, 0.0F}, 0.8F, kSize)));
+  expectAgreement({40.5, 0.90}, requestFor(between(0.7F, 0.0F)));
+  expectAgreement({35.5, 0.92}, requestFor(lookAt({3.0F, -0.3F, 1.0F}, {0.0F, 1.3F, 0.0F}, 0.8F, kSize)));
 }
 
 TEST_F(ShaderSamplerTest, AgreesWithSimdWithinTheSphere) {
-  expectAgreement(requestFor(lookAt({1.6F, 0.9F, 1.3F}, {0.0F, 0.8F, 0.0F}, 1.0F, kSize)));
+  expectAgreement({40.5, 0.90}, requestFor(lookAt({1.6F, 0.9F, 1.3F}, {0.0F, 0.8F, 0.0F}, 1.0F, kSize)));
 }
 
 TEST_F(ShaderSamplerTest, AgreesWithSimdOnCoarserLevelsPartsAndHaze) {
   SampleRequest request = requestFor(between(2.0F, 0.5F));
   request.level = 1;
   request.haze = {{1.0F, 0.5F, 0.0F}, 0.25F};
-  expectAgreement(request, {33, 20, 90, 101});
+  expectAgreement({41.5, 0.88}, request, {33, 20, 90, 101});
 }
 
 TEST_F(ShaderSamplerTest, AgreesWithSimdWithoutDepthCorrection) {
-  expectAgreement(requestFor(between(2.3F, 0.6F)), kWhole, DepthCorrection::kOff);
+  expectAgreement({60.0, 0.999}, requestFor(between(2.3F, 0.6F)), kWhole, DepthCorrection::kOff);
 }
 
 TEST_F(ShaderSamplerTest, PicturesAreCloseToTheTruth) {
