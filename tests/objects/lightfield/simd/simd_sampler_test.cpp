@@ -142,7 +142,10 @@ TEST(SimdSampler, TheEyeMayBeBelowTheRim) {
     solid += truth.colour[i] >> 24U == 255;
     holes += truth.colour[i] >> 24U == 255 && shot.colour[i] >> 24U < 128;
   }
-  EXPECT_LT(holes, 0.15 * solid);
+  EXPECT_LT(holes, 0.02 * solid);
+  const double psnr = compare(shot, truth).psnr;
+  EXPECT_GT(psnr, 26.5);
+  EXPECT_GT(psnr, compare(shoot(camera, DepthCorrection::kOff), truth).psnr + 4.0);
 }
 
 TEST(SimdSampler, EveryPixelIsWritten) {
