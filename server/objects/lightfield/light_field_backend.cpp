@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "gl/workers.h"
+#include "objects/lightfield/format/mapped_file.h"
 #include "objects/lightfield/object_view.h"
 #include "objects/lightfield/relight.h"
 #include "objects/lightfield/shader/shader_sampler.h"
@@ -268,6 +269,7 @@ std::shared_ptr<node::Image> LightFieldBackend::sample(const Entry& entry, const
   const std::array<node::Image*, 1> images{image.get()};
   entry.sampler->render({&request, 1}, images);
   castShadows(entry.sun, camera, *image);
+  if (entry.field->mapped != nullptr) entry.field->mapped->tellIfCut();
   return image;
 }
 

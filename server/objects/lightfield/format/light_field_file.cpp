@@ -92,7 +92,9 @@ void addHeldOut(const HeldOutView& view, SectionWriter& writer) {
 
 LightField openLightField(const std::filesystem::path& file) {
   const auto mapped = std::make_shared<const MappedFile>(file);
-  return readLightField(mapped->bytes(), file.string(), mapped);
+  LightField field = readLightField(mapped->bytes(), file.string(), mapped);
+  field.mapped = mapped.get();
+  return field;
 }
 
 void writeLightField(const LightField& field, const std::filesystem::path& file) {
