@@ -92,7 +92,8 @@ TEST(MappedRangeGuard, EachRangeKnowsOfItselfOnly) {
 TEST(MappedRangeGuard, MoreRangesThanItHasRoomForAreNotGuardedAndDoNoHarm) {
   const Mapping mapping(1);
   std::vector<std::unique_ptr<MappedRangeGuard>> guards;
-  for (int i = 0; i < 1100; ++i) guards.push_back(std::make_unique<MappedRangeGuard>(mapping.bytes()));
+  guards.reserve(1100);
+  while (guards.size() < guards.capacity()) guards.push_back(std::make_unique<MappedRangeGuard>(mapping.bytes()));
   guards.clear();
   const MappedRangeGuard guard(mapping.bytes());
   mapping.shorten(0);

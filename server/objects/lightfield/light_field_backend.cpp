@@ -4,7 +4,6 @@
 #include <array>
 #include <cassert>
 #include <cmath>
-#include <latch>
 #include <limits>
 #include <string>
 #include <utility>
@@ -16,6 +15,7 @@
 #include "objects/lightfield/shader/shader_sampler.h"
 #include "objects/lightfield/shared_view.h"
 #include "objects/lightfield/simd/simd_sampler.h"
+#include "pipeline/run_all.h"
 
 namespace grove::objects::lightfield {
 namespace {
@@ -119,15 +119,10 @@ LightFieldBackend::LightFieldBackend(const node::BackendServices& services, worl
                                       glm::inverse(object.transform.matrix()),
                                       {}});
   }
-  std::latch left(static_cast<std::ptrdiff_t>(entries_.size()));
-  for (const world::Object& object : services.world.objects()) {
-    if (object.type != self) continue;
-    services.workers.post([&world = services.world, &left, &object, &entry = entries_.at(object.id)] {
-      entry.sun = makeSunGrid(object, world.rays());
-      left.count_down();
-    });
-  }
-  left.wait();
+  const std::vector<world::Object>& objects = services.world.objects();
+  pipeline::runAll(services.workers, objects.size(), [&](std::size_t i) {
+    if (objects[i].type == self) entries_.at(objects[i].id).sun = makeSunGrid(objects[i], services.world.rays());
+  });
   std::size_t sunBytes = 0;
   for (const auto& [id, entry] : entries_) sunBytes += pipeline::vectorBytes(entry.sun.sun);
   sunGrids_.set(sunBytes);

@@ -1,10 +1,10 @@
 #include "objects/mesh/mesh_backend.h"
 
 #include <algorithm>
-#include <latch>
 #include <utility>
 
 #include "objects/mesh/light_bake.h"
+#include "pipeline/run_all.h"
 
 namespace grove::objects::mesh {
 namespace {
@@ -46,15 +46,10 @@ MeshBackend::MeshBackend(const node::BackendServices& services, world::TypeIndex
     std::unique_ptr<MeshRenderer>& renderer = renderers_[kind];
     if (!renderer) renderer = makeRenderer(kind, services, "mesh");
   }
-  std::latch left(static_cast<std::ptrdiff_t>(entries_.size()));
-  for (const world::Object& object : services.world.objects()) {
-    if (object.type != self) continue;
-    services.workers.post([&world = services.world, &left, &object, &light = entries_.at(object.id).lit.light] {
-      light = bakeLightOf(object, world);
-      left.count_down();
-    });
-  }
-  left.wait();
+  const std::vector<world::Object>& objects = services.world.objects();
+  pipeline::runAll(services.workers, objects.size(), [&](std::size_t i) {
+    if (objects[i].type == self) entries_.at(objects[i].id).lit.light = bakeLightOf(objects[i], services.world);
+  });
   std::size_t bytes = 0;
   for (const auto& [id, entry] : entries_) bytes += entry.lit.bytes() + entry.points.bytes();
   held_.set(bytes);
