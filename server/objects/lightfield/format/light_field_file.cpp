@@ -4,8 +4,8 @@
 #include <cstring>
 #include <memory>
 
-#include "objects/lightfield/format/atomic_file.h"
-#include "objects/lightfield/format/checksum.h"
+#include "base/atomic_file.h"
+#include "base/checksum.h"
 #include "objects/lightfield/format/layout.h"
 #include "objects/lightfield/format/light_field_reader.h"
 #include "objects/lightfield/format/mapped_file.h"

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "objects/lightfield/format/checksum.h"
+#include "base/checksum.h"
 #include "objects/lightfield/format/layout.h"
 #include "objects/lightfield/format/light_field_file.h"
 #include "objects/lightfield/format/source_text.h"

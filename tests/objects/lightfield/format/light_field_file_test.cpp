@@ -9,8 +9,8 @@
 #include <cstring>
 #include <fstream>
 
+#include "base/checksum.h"
 #include "base/error.h"
-#include "objects/lightfield/format/checksum.h"
 #include "objects/lightfield/format/layout.h"
 #include "objects/lightfield/format/light_field_reader.h"
 #include "objects/lightfield/format/mapped_file.h"
