@@ -90,6 +90,7 @@ void writeKeptLight(const std::filesystem::path& file, std::uint64_t key, const 
     throw EnvironmentError("cannot make the folder: " + error.message(), file.parent_path().string(), kMend);
   }
   std::vector<std::uint64_t> counts;
+  counts.reserve(light.size());
   for (const auto& mesh : light) counts.push_back(mesh.size());
   AtomicFile target(file);
   Checksum checksum;

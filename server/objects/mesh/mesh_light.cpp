@@ -63,6 +63,7 @@ Light bake(const std::vector<PlacedMesh>& meshes, const node::BackendServices& s
     std::size_t end;
   };
   Light light;
+  light.reserve(meshes.size());
   std::vector<Task> tasks;
   for (std::size_t i = 0; i < meshes.size(); ++i) {
     const std::size_t vertices = meshes[i].surface->vertices.size();
