@@ -21,9 +21,9 @@
 #include "bake/view_plan.h"
 #include "bake/view_renderer.h"
 #include "bake/voxelize.h"
+#include "base/checksum.h"
 #include "base/error.h"
 #include "models/plants/plants.h"
-#include "objects/lightfield/format/checksum.h"
 #include "objects/lightfield/format/light_field_file.h"
 #include "objects/lightfield/format/view_packer.h"
 #include "pipeline/clocks.h"
@@ -31,7 +31,6 @@
 
 namespace grove::bake {
 
-using objects::lightfield::Checksum;
 using objects::lightfield::DenseView;
 using objects::lightfield::HeldOutView;
 using objects::lightfield::kLeastSize;

@@ -6,7 +6,7 @@
 #include <bit>
 #include <cstring>
 
-#include "base/error.h"
+#include "world/embree_device.h"
 #include "world/noise.h"
 
 namespace grove::bake {
@@ -89,11 +89,13 @@ struct ModelRays::Embree {
     if (triangles.empty()) return;
     const std::vector<Vec3>& positions = source->triangles.positions;
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    void* vertices =
-        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(Vec3), positions.size());
+    rtcAttachGeometryByID(model, geometry, id);
+    rtcReleaseGeometry(geometry);
+    void* vertices = world::requireBuffer(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0,
+                                                                  RTC_FORMAT_FLOAT3, sizeof(Vec3), positions.size()));
     std::memcpy(vertices, positions.data(), positions.size() * sizeof(Vec3));
-    auto* corners = static_cast<std::array<std::uint32_t, 3>*>(rtcSetNewGeometryBuffer(
-        geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, sizeof(std::array<std::uint32_t, 3>), triangles.size()));
+    auto* corners = static_cast<std::array<std::uint32_t, 3>*>(world::requireBuffer(rtcSetNewGeometryBuffer(
+        geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, sizeof(std::array<std::uint32_t, 3>), triangles.size())));
     for (const std::uint32_t triangle : triangles) *corners++ = source->triangles.indices[triangle];
     rtcSetGeometryUserData(geometry, this);
     if (id == kOneSided) rtcSetGeometryIntersectFilterFunction(geometry, filterOneSided);
@@ -102,8 +104,6 @@ struct ModelRays::Embree {
       rtcSetGeometryOccludedFilterFunction(geometry, filterPierced);
     }
     rtcCommitGeometry(geometry);
-    rtcAttachGeometryByID(model, geometry, id);
-    rtcReleaseGeometry(geometry);
   }
 
   static constexpr unsigned kSolid = 0;
@@ -135,9 +135,8 @@ void endOthers(const ModelRays::Mask& mask, RTCRay16& rays) {
 
 ModelRays::ModelRays(const models::Model& model, const std::vector<TextureSampler>& textures)
     : embree_(std::make_unique<Embree>()) {
-  // One thread builds, so that the same model always gives the same tree, and equally near hits the same winner.
-  embree_->device = rtcNewDevice("threads=1");
-  if (embree_->device == nullptr) throw EnvironmentError("no ray-tracing device", "Embree", "check the CPU's SSE2");
+  // The same tree always, so that equally near hits have the same winner.
+  embree_->device = world::newEmbreeDevice();
   embree_->source = &model;
   embree_->textures = &textures;
   for (std::uint32_t i = 0; i < model.triangles.indices.size(); ++i) {
@@ -150,9 +149,7 @@ ModelRays::ModelRays(const models::Model& model, const std::vector<TextureSample
   embree_->attach(embree_->pierced, Embree::kPierced);
   embree_->attach(embree_->oneSided, Embree::kOneSided);
   rtcCommitScene(embree_->model);
-  if (rtcGetDeviceError(embree_->device) != RTC_ERROR_NONE) {
-    throw EnvironmentError("the model does not fit in memory", model.name, "bake on a larger machine");
-  }
+  world::requireBuilt(embree_->device);
 }
 
 ModelRays::~ModelRays() = default;
@@ -171,6 +168,7 @@ void ModelRays::surround(const std::vector<Vec3>& offsets) {
   attach(Vec3(0.0F));
   for (const Vec3 offset : offsets) attach(offset);
   rtcCommitScene(embree_->surroundings);
+  world::requireBuilt(embree_->device);
 }
 
 void ModelRays::intersect(const Mask& mask, RTCRayHit16& rays, Among among, Backs backs) const {

@@ -13,13 +13,12 @@
 #include <system_error>
 #include <utility>
 
+#include "base/checksum.h"
 #include "base/error.h"
-#include "objects/lightfield/format/checksum.h"
 #include "objects/lightfield/format/mapped_file.h"
 
 namespace grove::bake {
 
-using objects::lightfield::Checksum;
 using objects::lightfield::kBlock;
 using objects::lightfield::kBlockTexels;
 using objects::lightfield::kNoBlock;
@@ -162,7 +161,7 @@ void PartialBake::takeUp() {
       RecordHead record;
       std::memcpy(&record, rest.data(), sizeof record);
       if (record.view != blockCounts_.size() ||
-          record.ownChecksum != objects::lightfield::checksumOf(rest.subspan(kChecked, recordBytes() - kChecked))) {
+          record.ownChecksum != checksumOf(rest.subspan(kChecked, recordBytes() - kChecked))) {
         break;
       }
       Checksum data;
@@ -211,7 +210,7 @@ void PartialBake::append(const PackedView& view) {
   }
   assert(record.size() == recordBytes());
   std::memcpy(record.data(), &head, sizeof head);
-  head.ownChecksum = objects::lightfield::checksumOf(std::span(record).subspan(kChecked));
+  head.ownChecksum = checksumOf(std::span(record).subspan(kChecked));
   std::memcpy(record.data(), &head, sizeof head);
   write(journal_, sizeof(JournalHead) + blockCounts_.size() * recordBytes(), record);
   blockCounts_.push_back(head.blocks);

@@ -4,11 +4,14 @@
 #include <cstdio>
 #include <exception>
 #include <map>
+#include <new>
 #include <span>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
+#include "base/address_space.h"
 #include "base/log.h"
 #include "base/simd/target.h"
 #include "base/version.h"
@@ -246,6 +249,7 @@ int run(int argc, char** argv) {
     return 2;
   }
   try {
+    spareAddressSpace();
     simd::chooseTarget();
     if (versionAsked) {
       std::fputs(versionReport().c_str(), stdout);
@@ -258,6 +262,13 @@ int run(int argc, char** argv) {
     if (bench->got_subcommand("lightfield")) return runBenchLightfield(benchLightfield);
     if (bench->got_subcommand("pipeline")) return runBenchPipeline(benchPipeline);
     return run(benchFluid);
+  } catch (const std::bad_alloc&) {
+    log::error(memoryShortage());
+    return 1;
+  } catch (const std::system_error& e) {
+    const bool ofThreads = e.code() == std::errc::resource_unavailable_try_again;
+    log::error(ofThreads ? memoryShortage() + ", or for another thread (ulimit -u)" : e.what());
+    return 1;
   } catch (const std::exception& e) {
     log::error(e.what());
     return 1;

@@ -15,6 +15,7 @@
 #include <thread>
 
 #include "bake/bake.h"
+#include "base/cache_folder.h"
 #include "base/error.h"
 #include "base/log.h"
 #include "models/model_source.h"
@@ -108,7 +109,7 @@ bool prepareWorld(const world::Scene& scene, Progress& progress, const std::stop
     return !flaw;
   });
   if (missing.empty()) return true;
-  const std::filesystem::path folder = objects::lightfield::cacheFolder() / "light-fields";
+  const std::filesystem::path folder = cacheFolder() / "light-fields";
   makeFolder(folder);
   const PreparationLock lock(folder);
   if (!lock.wait(progress, stop)) return false;

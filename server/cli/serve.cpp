@@ -1,9 +1,14 @@
 #include "cli/serve.h"
 
+#include <algorithm>
 #include <chrono>
+#include <cstddef>
 #include <cstdio>
+#include <optional>
+#include <thread>
 #include <utility>
 
+#include "base/address_space.h"
 #include "base/error.h"
 #include "base/log.h"
 #include "cli/host_port.h"
@@ -23,10 +28,24 @@ namespace {
 
 using namespace std::chrono_literals;
 
+/// Measured: with less than 90 MB, Mesa's drivers crash.
+constexpr std::size_t kForGl = std::size_t{192} << 20U;
+/// What serving takes besides threads and shared pictures: frames, sockets, reports.
+constexpr std::size_t kForServing = std::size_t{96} << 20U;
+/// Clocks, websocket, reports, and one for each type of object that is prepared.
+constexpr std::size_t kThreadsBesidesWorkers = 12;
+
 constexpr auto kStopWhilePreparing = 900ms;
 /// Long enough for everybody to be told, and for visitors' worlds to be taken apart, but not for one that is being
 /// made.
 constexpr auto kStopWhileServing = 4000ms;
+
+/// What is needed once the world is ready; a crash of what takes no failed allocation is worse than no start.
+std::size_t spaceForServing(const world::Scene& scene, const ServeOptions& options) {
+  const bool shared =
+      std::ranges::any_of(scene.objects, [](const auto& object) { return object.type == "lightfield"; });
+  return kForServing + (shared ? static_cast<std::size_t>(options.viewCacheMegabytes) << 20U : 0);
+}
 
 std::string inUrl(const stream::HostPort& at) {
   const bool isIpv6 = at.host.find(':') != std::string::npos;
@@ -63,6 +82,8 @@ int runServe(const ServeOptions& options) {
   StopOnSignal stop;
   stop.endWithin(kStopWhilePreparing);
   const world::Scene scene = openScene(options.scene);
+  std::optional<EndOnMemoryShortage> ending(std::in_place);
+  requireAddressSpace(kForGl);
   const gl::ShaderLibrary shaders(options.shaderDirectory);
   gl::Workers gl(options.gl, shaders);
   Progress progress;
@@ -78,6 +99,8 @@ int runServe(const ServeOptions& options) {
 
   log::info("GL: " + gl.description() + ", " + std::to_string(gl.width()) + " workers");
   log::info("world: " + layout.name + ", " + std::to_string(layout.objects.size()) + " objects");
+  const std::size_t threads = std::max(1U, std::thread::hardware_concurrency()) + kThreadsBesidesWorkers;
+  requireAddressSpace(spaceForServing(scene, options) + threads * stackBytes());
   stream::Host host(std::move(layout), registry, gl, options.host,
                     [&](std::string_view label, float share) { progress.show(label, share); });
   progress.finish();
@@ -88,6 +111,8 @@ int runServe(const ServeOptions& options) {
                                         .names = options.names,
                                         .allowance = {.visitors = options.visitorsPerAddress}});
   server.start();
+  requireAddressSpace(spaceForServing(scene, options));
+  ending.reset();
   stop.endWithin(kStopWhileServing);
   std::printf("operator's page at http://%s/operator\n", inUrl({desk.host, server.operatorPort()}).c_str());
   std::printf("listening on http://%s\n", inUrl({visitors->host, server.port()}).c_str());

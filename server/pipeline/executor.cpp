@@ -11,11 +11,16 @@ void Executor::post(std::function<void()> task) {
     ticket = nextTicket_++;
     unfinished_.insert(ticket);
   }
-  enqueue([this, ticket, task = std::move(task)]() mutable {
-    task();
-    task = nullptr;
+  try {
+    enqueue([this, ticket, task = std::move(task)]() mutable {
+      task();
+      task = nullptr;
+      finish(ticket);
+    });
+  } catch (...) {
     finish(ticket);
-  });
+    throw;
+  }
 }
 
 void Executor::finish(std::uint64_t ticket) {

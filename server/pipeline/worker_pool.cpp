@@ -10,13 +10,20 @@ namespace grove::pipeline {
 WorkerPool::WorkerPool(int threads, const std::string& name) {
   assert(threads > 0);
   threads_.reserve(static_cast<std::size_t>(threads));
-  for (int i = 0; i < threads; ++i) {
-    threads_.emplace_back([this] { run(); });
-    pthread_setname_np(threads_.back().native_handle(), name.substr(0, 15).c_str());
+  try {
+    for (int i = 0; i < threads; ++i) {
+      threads_.emplace_back([this] { run(); });
+      pthread_setname_np(threads_.back().native_handle(), name.substr(0, 15).c_str());
+    }
+  } catch (...) {
+    stop();
+    throw;
   }
 }
 
-WorkerPool::~WorkerPool() {
+WorkerPool::~WorkerPool() { stop(); }
+
+void WorkerPool::stop() noexcept {
   {
     const std::lock_guard lock(mutex_);
     stopping_ = true;

@@ -31,6 +31,7 @@ class WorkerPool final : public Executor {
  private:
   void enqueue(std::function<void()> task) override;
   void run();
+  void stop() noexcept;
 
   std::mutex mutex_;
   std::condition_variable wake_;

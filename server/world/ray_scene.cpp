@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <cstring>
 
-#include "base/error.h"
+#include "world/embree_device.h"
 
 namespace grove::world {
 
@@ -36,24 +36,24 @@ bool addBytes(void* sum, ssize_t bytes, bool /*post*/) {
 }  // namespace
 
 RayScene::RayScene(const Triangles& triangles) : handles_(std::make_unique<Handles>()) {
-  handles_->device = rtcNewDevice("threads=1");
-  if (handles_->device == nullptr) throw EnvironmentError("no ray-tracing device", "Embree", "check the CPU's SSE2");
+  handles_->device = newEmbreeDevice();
   rtcSetDeviceMemoryMonitorFunction(handles_->device, addBytes, &handles_->bytes);
   handles_->scene = rtcNewScene(handles_->device);
   rtcSetSceneFlags(handles_->scene, RTC_SCENE_FLAG_ROBUST);
   if (!triangles.indices.empty()) {
     RTCGeometry geometry = rtcNewGeometry(handles_->device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    void* positions = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(Vec3),
-                                              triangles.positions.size());
-    std::memcpy(positions, triangles.positions.data(), triangles.positions.size() * sizeof(Vec3));
-    void* indices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                                            sizeof(triangles.indices[0]), triangles.indices.size());
-    std::memcpy(indices, triangles.indices.data(), triangles.indices.size() * sizeof(triangles.indices[0]));
-    rtcCommitGeometry(geometry);
     rtcAttachGeometry(handles_->scene, geometry);
     rtcReleaseGeometry(geometry);
+    void* positions = requireBuffer(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                                            sizeof(Vec3), triangles.positions.size()));
+    std::memcpy(positions, triangles.positions.data(), triangles.positions.size() * sizeof(Vec3));
+    void* indices = requireBuffer(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                                          sizeof(triangles.indices[0]), triangles.indices.size()));
+    std::memcpy(indices, triangles.indices.data(), triangles.indices.size() * sizeof(triangles.indices[0]));
+    rtcCommitGeometry(geometry);
   }
   rtcCommitScene(handles_->scene);
+  requireBuilt(handles_->device);
 }
 
 RayScene::~RayScene() = default;

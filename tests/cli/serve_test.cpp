@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include "cli/program.h"
+#include "sanitized.h"
 
 namespace grove::cli {
 namespace {
@@ -21,9 +22,9 @@ std::filesystem::path temporaryFolder() {
 }
 
 /// Serves until it listens, then ends it; what it wrote, and its exit status.
-Outcome serveUntilItListens(const std::filesystem::path& folder) {
+Outcome serveUntilItListens(const std::filesystem::path& folder, const std::string& before = "") {
   const std::string at = folder.string();
-  return shell("cd " + at + "; rm -f out; GROVE_CACHE=" + at +
+  return shell(before + "cd " + at + "; rm -f out; GROVE_CACHE=" + at +
                "/cache " GROVE_BINARY
                " serve --listen 127.0.0.1:0 --scene scene.toml >out 2>&1 & server=$!\n"
                "until grep -qs listening out; do sleep 0.1; kill -0 $server || break; done\n"
@@ -67,6 +68,27 @@ TEST(Serve, NamesTheLineOfAModelThatCannotBeImported) {
       EXPECT_THAT(outcome.output, Not(HasSubstr("listening")));
     }
   }
+  std::filesystem::remove_all(folder);
+}
+
+/// From where nothing fits to where all does: a line that says what to do, or a server, but never a crash.
+TEST(Serve, SaysThatItsAddressSpaceIsTooSmall) {
+  if constexpr (kSanitized) GTEST_SKIP() << "a sanitizer's shadow alone is larger than any limit";
+  const std::filesystem::path folder = temporaryFolder();
+  std::ofstream(folder / "scene.toml") << "name = 'a fern, a stone, a fire'\n[[object]]\ntype = 'lightfield'\n"
+                                          "plant = 'fern'\nsubdivision = 2\nsize = 32\nlightings = 1\n"
+                                          "[[object]]\ntype = 'mesh'\nshape = 'logs'\n"
+                                          "[[object]]\ntype = 'fluid'\ngrid = 32\n";
+  ASSERT_EQ(serveUntilItListens(folder).exit, 0);
+  bool fit = false;
+  for (const char* const megabytes : {"400", "500", "600", "700", "800", "3000"}) {
+    const Outcome outcome = serveUntilItListens(folder, std::string("ulimit -v ") + megabytes + "000; ");
+    fit = outcome.output.find("listening") != std::string::npos;
+    EXPECT_EQ(outcome.exit, fit ? 0 : 1) << megabytes << " MB: " << outcome.output;
+    if (fit) continue;
+    EXPECT_THAT(outcome.output, testing::AllOf(HasSubstr("memory"), HasSubstr("ulimit -v"))) << megabytes;
+  }
+  EXPECT_TRUE(fit);
   std::filesystem::remove_all(folder);
 }
 

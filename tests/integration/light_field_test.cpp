@@ -128,6 +128,36 @@ TEST_F(LightFields, SharedPicturesLookLikeOnesOwn) {
   EXPECT_EQ(counted(own, "view cache misses"), 0);
 }
 
+TEST_F(LightFields, AFileThatBecomesShorterCostsItsObjectOnly) {
+  const std::filesystem::path file = *folder_ / "shortened.glf";
+  std::filesystem::copy_file(*folder_ / "thicket.glf", file);
+  ServedScene served(
+      "name = 'two thickets'\nspawn = [0, 0, 30]\n"
+      "[[object]]\ntype = 'lightfield'\nscale = 5\nposition = [-10, 0, 0]\nfile = '" +
+          file.string() + "'\n[[object]]\ntype = 'lightfield'\nscale = 5\nposition = [10, 0, 0]\nfile = '" +
+          (*folder_ / "thicket.glf").string() + "'\n",
+      {}, withCache(0));
+  HeadlessSession visitor(served.host, "Ada", 320, 180);
+  const Picture whole = pictureAfter(visitor, 0, 0.0F);
+  testing::internal::CaptureStderr();
+  std::filesystem::resize_file(file, 4096);
+  const Picture cut = pictureAfter(visitor, 0, 0.001F);
+  (void)pictureAfter(visitor, 0, 0.002F);
+  const std::string said = testing::internal::GetCapturedStderr();
+  const auto line = said.find("shortened.glf: became shorter");
+  ASSERT_NE(line, std::string::npos) << said;
+  EXPECT_EQ(said.find("became shorter", line + 20), std::string::npos) << "said twice";
+  const auto half = [](const Picture& picture, int from) {
+    double sum = 0.0;
+    for (int y = 0; y < 180; ++y) {
+      for (int x = from; x < from + 160; ++x) sum += picture.light(x, y);
+    }
+    return sum;
+  };
+  EXPECT_LT(half(cut, 0), 0.1 * half(whole, 0));
+  EXPECT_NEAR(half(cut, 160), half(whole, 160), 0.05 * half(whole, 160));
+}
+
 TEST_F(LightFields, SmokeIsHiddenBehindAndHidesWhatIsBehindIt) {
   // The same smoke, before and behind the thicket, in a wind that blows nowhere.
   const auto withSmoke = [&](double z) {

@@ -6,10 +6,20 @@ namespace grove::objects::fluid {
 
 Team::Team(int width) : width_(width), begin_(width), end_(width) {
   assert(width >= 1);
-  for (int part = 1; part < width; ++part) threads_.emplace_back([this, part] { serve(part); });
+  try {
+    for (int part = 1; part < width; ++part) threads_.emplace_back([this, part] { serve(part); });
+  } catch (...) {
+    for (auto missing = static_cast<std::size_t>(width - 1) - threads_.size(); missing > 0; --missing) {
+      begin_.arrive_and_drop();
+    }
+    stop();
+    throw;
+  }
 }
 
-Team::~Team() {
+Team::~Team() { stop(); }
+
+void Team::stop() noexcept {
   work_ = nullptr;
   if (threads_.empty()) return;
   begin_.arrive_and_wait();

@@ -23,6 +23,7 @@ class Team {
 
  private:
   void serve(int part);
+  void stop() noexcept;
 
   const int width_;
   const std::function<void(int)>* work_ = nullptr;  ///< null: stop

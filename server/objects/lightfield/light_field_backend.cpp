@@ -4,17 +4,18 @@
 #include <array>
 #include <cassert>
 #include <cmath>
-#include <latch>
 #include <limits>
 #include <string>
 #include <utility>
 
 #include "gl/workers.h"
+#include "objects/lightfield/format/mapped_file.h"
 #include "objects/lightfield/object_view.h"
 #include "objects/lightfield/relight.h"
 #include "objects/lightfield/shader/shader_sampler.h"
 #include "objects/lightfield/shared_view.h"
 #include "objects/lightfield/simd/simd_sampler.h"
+#include "pipeline/run_all.h"
 
 namespace grove::objects::lightfield {
 namespace {
@@ -118,15 +119,10 @@ LightFieldBackend::LightFieldBackend(const node::BackendServices& services, worl
                                       glm::inverse(object.transform.matrix()),
                                       {}});
   }
-  std::latch left(static_cast<std::ptrdiff_t>(entries_.size()));
-  for (const world::Object& object : services.world.objects()) {
-    if (object.type != self) continue;
-    services.workers.post([&world = services.world, &left, &object, &entry = entries_.at(object.id)] {
-      entry.sun = makeSunGrid(object, world.rays());
-      left.count_down();
-    });
-  }
-  left.wait();
+  const std::vector<world::Object>& objects = services.world.objects();
+  pipeline::runAll(services.workers, objects.size(), [&](std::size_t i) {
+    if (objects[i].type == self) entries_.at(objects[i].id).sun = makeSunGrid(objects[i], services.world.rays());
+  });
   std::size_t sunBytes = 0;
   for (const auto& [id, entry] : entries_) sunBytes += pipeline::vectorBytes(entry.sun.sun);
   sunGrids_.set(sunBytes);
@@ -268,6 +264,7 @@ std::shared_ptr<node::Image> LightFieldBackend::sample(const Entry& entry, const
   const std::array<node::Image*, 1> images{image.get()};
   entry.sampler->render({&request, 1}, images);
   castShadows(entry.sun, camera, *image);
+  if (entry.field->mapped != nullptr) entry.field->mapped->tellIfCut();
   return image;
 }
 

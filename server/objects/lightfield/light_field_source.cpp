@@ -1,27 +1,12 @@
 #include "objects/lightfield/light_field_source.h"
 
 #include <bit>
-#include <cstdlib>
 #include <string>
 
+#include "base/cache_folder.h"
 #include "objects/lightfield/format/light_field.h"
 
 namespace grove::objects::lightfield {
-namespace {
-
-std::string environment(const char* name) {
-  const char* value = std::getenv(name);
-  return value != nullptr ? value : "";
-}
-
-}  // namespace
-
-std::filesystem::path cacheFolder() {
-  if (const std::string chosen = environment("GROVE_CACHE"); !chosen.empty()) return chosen;
-  if (const std::string xdg = environment("XDG_CACHE_HOME"); !xdg.empty()) return std::filesystem::path(xdg) / "grove";
-  return std::filesystem::path(environment("HOME")) / ".cache" / "grove";
-}
-
 LightFieldSource readSource(const world::Parameters& parameters) {
   LightFieldSource source;
   source.file = parameters.path("file");

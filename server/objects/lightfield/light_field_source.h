@@ -22,7 +22,4 @@ struct LightFieldSource {
 /// Throws world::SceneError.
 [[nodiscard]] LightFieldSource readSource(const world::Parameters& parameters);
 
-/// Where what can be made again is kept: $GROVE_CACHE, else $XDG_CACHE_HOME/grove, else ~/.cache/grove.
-[[nodiscard]] std::filesystem::path cacheFolder();
-
 }  // namespace grove::objects::lightfield

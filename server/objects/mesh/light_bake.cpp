@@ -1,8 +1,11 @@
 #include "objects/mesh/light_bake.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 
+#include "world/camera.h"
 #include "world/light.h"
 
 namespace grove::objects::mesh {
@@ -37,17 +40,51 @@ float radicalInverse(std::uint32_t bits) {
   return static_cast<float>(bits) * 2.3283064e-10F;
 }
 
-/// Indirect light, with the sky weakened by what covers it and its colour taken from the open side.
-Vec3 indirectAt(Vec3 origin, Vec3 normal, const world::RayScene& solids) {
-  const glm::mat3 basis = basisAround(normal);
-  float open = 0.0F;
-  Vec3 openSide(0.0F);
+using SkyDirections = std::array<Vec3, kSkyRays>;
+using SunDirections = std::array<Vec3, kSunRays>;
+
+/// Around +z, denser by their cosine to it.
+SkyDirections skyDirections() {
+  SkyDirections sky;
   for (std::uint32_t i = 0; i < kSkyRays; ++i) {
     const float u = (static_cast<float>(i) + 0.5F) / static_cast<float>(kSkyRays);
     const float around = 6.2831853F * radicalInverse(i);
     const float radius = std::sqrt(u);
-    const Vec3 direction =
-        basis * Vec3(radius * std::cos(around), radius * std::sin(around), std::sqrt(std::max(0.0F, 1.0F - u)));
+    sky[i] = {radius * std::cos(around), radius * std::sin(around), std::sqrt(std::max(0.0F, 1.0F - u))};
+  }
+  return sky;
+}
+
+/// A spiral over the disc.
+SunDirections sunDirections() {
+  SunDirections sun;
+  const glm::mat3 basis = basisAround(world::sunDirection());
+  for (std::uint32_t i = 0; i < kSunRays; ++i) {
+    const float radius = kSunRadius * std::sqrt((static_cast<float>(i) + 0.5F) / static_cast<float>(kSunRays));
+    const float around = 2.3999632F * static_cast<float>(i);
+    sun[i] = basis * Vec3(radius * std::cos(around), radius * std::sin(around), 1.0F);
+  }
+  return sun;
+}
+
+bool occluded(const Obstacles& obstacles, Vec3 origin, Vec3 direction, float reach) {
+  return obstacles.world.occluded(origin, direction, 0.0F, reach) ||
+         (obstacles.own != nullptr && obstacles.own->occluded(origin, direction, 0.0F, reach));
+}
+
+float sunAt(Vec3 point, const Obstacles& obstacles, const SunDirections& directions) {
+  const auto seen = std::ranges::count_if(
+      directions, [&](Vec3 direction) { return !occluded(obstacles, point, direction, world::kInfiniteDepth); });
+  return static_cast<float>(seen) / static_cast<float>(kSunRays);
+}
+
+/// Indirect light, with the sky weakened by what covers it and its colour taken from the open side.
+Vec3 indirectAt(Vec3 origin, Vec3 normal, const Obstacles& obstacles, const SkyDirections& directions) {
+  const glm::mat3 basis = basisAround(normal);
+  float open = 0.0F;
+  Vec3 openSide(0.0F);
+  for (const Vec3 around : directions) {
+    const Vec3 direction = basis * around;
     float reach = kReach;
     float share = 1.0F;
     if (direction.y < 0.0F) {
@@ -55,7 +92,7 @@ Vec3 indirectAt(Vec3 origin, Vec3 normal, const world::RayScene& solids) {
       reach = std::min(reach, toGround);
       share = 0.35F + 0.65F * std::min(1.0F, toGround / kContact);
     }
-    if (solids.occluded(origin, direction, 0.0F, reach)) continue;
+    if (occluded(obstacles, origin, direction, reach)) continue;
     open += share;
     openSide += direction * share;
   }
@@ -67,32 +104,22 @@ Vec3 indirectAt(Vec3 origin, Vec3 normal, const world::RayScene& solids) {
 
 }  // namespace
 
-float sunAt(Vec3 point, const world::RayScene& solids) {
-  const Vec3 sun = world::sunDirection();
-  const glm::mat3 basis = basisAround(sun);
-  std::uint32_t seen = 0;
-  for (std::uint32_t i = 0; i < kSunRays; ++i) {
-    const float radius = kSunRadius * std::sqrt((static_cast<float>(i) + 0.5F) / static_cast<float>(kSunRays));
-    const float around = 2.3999632F * static_cast<float>(i);
-    const Vec3 direction = basis * Vec3(radius * std::cos(around), radius * std::sin(around), 1.0F);
-    if (!solids.occluded(point, direction)) ++seen;
-  }
-  return static_cast<float>(seen) / static_cast<float>(kSunRays);
-}
+float sunAt(Vec3 point, const world::RayScene& solids) { return sunAt(point, Obstacles{solids}, sunDirections()); }
 
-std::vector<Vec4> bakeLight(const Surface& surface, const world::Mat4& toWorld, const world::RayScene& solids) {
+void bakeLight(const Surface& surface, const world::Mat4& toWorld, const Obstacles& obstacles, std::size_t begin,
+               std::span<Vec4> light) {
+  const SkyDirections sky = skyDirections();
+  const SunDirections sun = sunDirections();
   const glm::mat3 turn(toWorld);
-  std::vector<Vec4> light;
-  light.reserve(surface.vertices.size());
-  for (const Vertex& vertex : surface.vertices) {
+  for (std::size_t i = 0; i < light.size(); ++i) {
+    const Vertex& vertex = surface.vertices[begin + i];
     const Vec3 normal = glm::normalize(turn * vertex.normal);
     Vec3 origin = Vec3(toWorld * Vec4(vertex.position, 1.0F)) + normal * kAway;
     // A vertex below the ground lends its light to the triangles that come out of it.
     origin.y = std::max(origin.y, 2.0F * kAway);
-    const float sun = glm::dot(normal, world::sunDirection()) > -0.2F ? sunAt(origin, solids) : 0.0F;
-    light.emplace_back(sun, indirectAt(origin, normal, solids));
+    const bool towardsSun = glm::dot(normal, world::sunDirection()) > -0.2F;
+    light[i] = Vec4(towardsSun ? sunAt(origin, obstacles, sun) : 0.0F, indirectAt(origin, normal, obstacles, sky));
   }
-  return light;
 }
 
 }  // namespace grove::objects::mesh

@@ -1,16 +1,23 @@
 #pragma once
 
-#include <vector>
+#include <cstddef>
+#include <span>
 
 #include "objects/mesh/surface.h"
 #include "world/ray_scene.h"
 
 namespace grove::objects::mesh {
 
-/// The light of sun, sky and ground at each vertex, behind everything solid in the world and above the ground y = 0;
-/// see LitSurface. About 70 rays a vertex.
-[[nodiscard]] std::vector<world::Vec4> bakeLight(const Surface& surface, const world::Mat4& toWorld,
-                                                 const world::RayScene& solids);
+/// What darkens a surface, in world coordinates.
+struct Obstacles {
+  const world::RayScene& world;
+  const world::RayScene* own = nullptr;  ///< the surface itself, if it is not among the world's; else null
+};
+
+/// The light of sun, sky and ground at the surface's vertices from `begin` on, as many as `light` has, behind all
+/// obstacles and above the ground y = 0; see LitSurface. About 70 rays a vertex.
+void bakeLight(const Surface& surface, const world::Mat4& toWorld, const Obstacles& obstacles, std::size_t begin,
+               std::span<world::Vec4> light);
 
 /// The share of the sun that reaches a point, 0..1.
 [[nodiscard]] float sunAt(world::Vec3 point, const world::RayScene& solids);

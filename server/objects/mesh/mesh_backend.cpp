@@ -1,10 +1,9 @@
 #include "objects/mesh/mesh_backend.h"
 
 #include <algorithm>
-#include <latch>
 #include <utility>
 
-#include "objects/mesh/light_bake.h"
+#include "objects/mesh/mesh_light.h"
 
 namespace grove::objects::mesh {
 namespace {
@@ -17,16 +16,6 @@ pipeline::Executor& executorOf(const node::BackendServices& services, world::Typ
     return object.type == self && resolved(modelOf(object).renderer(), services.gl) == RendererKind::kGl;
   });
   return executorFor(anyByGl ? RendererKind::kGl : RendererKind::kSimd, services);
-}
-
-/// As bakeLight(); an object that is not among what shades the world still shades itself.
-std::vector<world::Vec4> bakeLightOf(const world::Object& object, const world::World& world) {
-  const MeshModel& model = modelOf(object);
-  const world::Mat4 toWorld = object.transform.matrix();
-  if (model.shade() != nullptr) return bakeLight(model.surface(), toWorld, world.rays());
-  world::Triangles obstacles = world.shades();
-  obstacles.append(model.surface().triangles(), toWorld);
-  return bakeLight(model.surface(), toWorld, world::RayScene(obstacles));
 }
 
 }  // namespace
@@ -46,15 +35,16 @@ MeshBackend::MeshBackend(const node::BackendServices& services, world::TypeIndex
     std::unique_ptr<MeshRenderer>& renderer = renderers_[kind];
     if (!renderer) renderer = makeRenderer(kind, services, "mesh");
   }
-  std::latch left(static_cast<std::ptrdiff_t>(entries_.size()));
+  std::vector<PlacedMesh> meshes;
+  std::vector<std::vector<world::Vec4>*> lights;
   for (const world::Object& object : services.world.objects()) {
     if (object.type != self) continue;
-    services.workers.post([&world = services.world, &left, &object, &light = entries_.at(object.id).lit.light] {
-      light = bakeLightOf(object, world);
-      left.count_down();
-    });
+    Entry& entry = entries_.at(object.id);
+    meshes.push_back({&entry.lit.surface, entry.toWorld, modelOf(object).shade() != nullptr});
+    lights.push_back(&entry.lit.light);
   }
-  left.wait();
+  auto light = lightOf(meshes, services);
+  for (std::size_t i = 0; i < lights.size(); ++i) *lights[i] = std::move(light[i]);
   std::size_t bytes = 0;
   for (const auto& [id, entry] : entries_) bytes += entry.lit.bytes() + entry.points.bytes();
   held_.set(bytes);

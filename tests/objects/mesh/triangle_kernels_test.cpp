@@ -14,7 +14,7 @@ namespace {
 constexpr int kTargetSize = 200;
 constexpr world::Rect kTarget{0, 0, kTargetSize, kTargetSize};
 
-Corner cornerAt(float x, float y) { return {x, y, {0.5F, 0, 0, 0, 0, 0}}; }
+Corner halfDeepAt(float x, float y) { return {x, y, {0.5F, 0, 0, 0, 0, 0}}; }
 
 /// Draws the triangle's front, whichever way it turns, on an empty canvas.
 void drawAlone(const std::array<Corner, 3>& corners, Canvas& canvas) {
@@ -84,7 +84,7 @@ float onGrid(float pixels) { return std::floor(pixels / kSubPixel) * kSubPixel; 
 TEST(TriangleKernels, APixelBelongsToTheTriangleThatHoldsItsCentre) {
   tests::onEachTarget([] {
     Hits hits;
-    hits.add({cornerAt(10, 10), cornerAt(20, 10), cornerAt(10, 20)});
+    hits.add({halfDeepAt(10, 10), halfDeepAt(20, 10), halfDeepAt(10, 20)});
     int all = 0;
     for (int y = 0; y < kTargetSize; ++y) {
       for (int x = 0; x < kTargetSize; ++x) {
@@ -114,11 +114,11 @@ TEST(TriangleKernels, EveryTargetCutsEdgesExactlyAlike) {
       const float x = anywhere(random);
       const float y = anywhere(random);
       for (Corner& corner : corners) {
-        corner = i % 4 == 0 ? cornerAt(onGrid(anywhere(random)), onGrid(anywhere(random)))
-                            : cornerAt(onGrid(x + close(random)), onGrid(y + close(random)));
+        corner = i % 4 == 0 ? halfDeepAt(onGrid(anywhere(random)), onGrid(anywhere(random)))
+                            : halfDeepAt(onGrid(x + close(random)), onGrid(y + close(random)));
         // Edges from centre to centre pass through others', and near column 0 floats tell how the sum was rounded.
         if (i % 4 == 1) {
-          corner = cornerAt(0.5F + static_cast<float>(centre(random)), 12.5F + static_cast<float>(centre(random)));
+          corner = halfDeepAt(0.5F + static_cast<float>(centre(random)), 12.5F + static_cast<float>(centre(random)));
         }
       }
       drawAlone(corners, canvas);
@@ -148,10 +148,10 @@ TEST(TriangleKernels, AFanAroundAPointCoversEachPixelOnce) {
     for (int turn = 0; turn < 40; ++turn) {
       Hits hits;
       const float phase = 0.157F * static_cast<float>(turn);
-      const Corner centre = cornerAt(100.0F + 0.25F * static_cast<float>(turn % 4), 100.5F);
+      const Corner centre = halfDeepAt(100.0F + 0.25F * static_cast<float>(turn % 4), 100.5F);
       const auto rim = [&](int i) {
         const float angle = phase + 6.2831853F * static_cast<float>(i % 23) / 23.0F;
-        return cornerAt(centre.x + 70.0F * std::cos(angle), centre.y + 70.0F * std::sin(angle));
+        return halfDeepAt(centre.x + 70.0F * std::cos(angle), centre.y + 70.0F * std::sin(angle));
       };
       for (int i = 0; i < 23; ++i) hits.add({centre, rim(i), rim(i + 1)});
       for (int y = 0; y < kTargetSize; ++y) {

@@ -13,6 +13,8 @@
 
 namespace grove::objects::lightfield {
 
+class MappedFile;
+
 /// Texels are kept in square blocks, and only covered blocks are kept. A block has one more row and column than it
 /// answers for, a copy of its neighbours' first ones, so that the four texels of a bilinear look-up are in one block.
 inline constexpr int kBlock = 16;
@@ -73,6 +75,7 @@ struct LightField {
   std::string source;     ///< what it was made from, for people
   std::size_t bytes = 0;  ///< of all of the above
   std::shared_ptr<const void> storage;
+  const MappedFile* mapped = nullptr;  ///< what storage keeps, if depth and colour are those of a file
 
   [[nodiscard]] int lightings() const noexcept { return static_cast<int>(colour.size()); }
   /// Blocks along an edge of a view.

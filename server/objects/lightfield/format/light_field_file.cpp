@@ -4,8 +4,8 @@
 #include <cstring>
 #include <memory>
 
-#include "objects/lightfield/format/atomic_file.h"
-#include "objects/lightfield/format/checksum.h"
+#include "base/atomic_file.h"
+#include "base/checksum.h"
 #include "objects/lightfield/format/layout.h"
 #include "objects/lightfield/format/light_field_reader.h"
 #include "objects/lightfield/format/mapped_file.h"
@@ -92,7 +92,9 @@ void addHeldOut(const HeldOutView& view, SectionWriter& writer) {
 
 LightField openLightField(const std::filesystem::path& file) {
   const auto mapped = std::make_shared<const MappedFile>(file);
-  return readLightField(mapped->bytes(), file.string(), mapped);
+  LightField field = readLightField(mapped->bytes(), file.string(), mapped);
+  field.mapped = mapped.get();
+  return field;
 }
 
 void writeLightField(const LightField& field, const std::filesystem::path& file) {

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "objects/lightfield/format/checksum.h"
+#include "base/checksum.h"
 #include "objects/lightfield/format/layout.h"
 #include "objects/lightfield/format/light_field_file.h"
 #include "objects/lightfield/format/source_text.h"
@@ -43,11 +43,13 @@ class Reader {
     readBlocks(field);
     readVoxels(field);
     readHeldOut(field);
-    field.storage = std::move(storage);
+    field.storage = std::make_shared<const Storage>(std::move(storage), std::move(directory_));
     return field;
   }
 
  private:
+  using Storage = std::pair<std::shared_ptr<const void>, std::shared_ptr<const std::vector<std::uint32_t>>>;
+
   void require(bool good, const char* reason) const {
     if (!good) throw LightFieldError(name_ + ": " + reason);
   }
@@ -137,7 +139,7 @@ class Reader {
     return {reinterpret_cast<const T*>(bytes.data()), bytes.size() / sizeof(T)};
   }
 
-  void readBlocks(LightField& field) const {
+  void readBlocks(LightField& field) {
     const std::uint64_t texels = std::uint64_t{header_.blocks} * kBlockTexels;
     const Section& depth = header_.sections[kDepth];
     require(depth.bytes == texels * sizeof(std::uint16_t), "has depth of the wrong length");
@@ -150,7 +152,10 @@ class Reader {
       field.bytes += colour.bytes;
     }
 
-    const auto directory = as<std::uint32_t>(bytesOf(header_.sections[kDirectory]));
+    // A copy, for a reader finds its way by it: who writes into the mapped file must not lead it astray.
+    const auto mapped = as<std::uint32_t>(bytesOf(header_.sections[kDirectory]));
+    directory_ = std::make_shared<const std::vector<std::uint32_t>>(mapped.begin(), mapped.end());
+    const std::span<const std::uint32_t> directory(*directory_);
     std::size_t next = 0;
     for (int level = 0; level < field.levels; ++level) {
       const auto across = static_cast<std::size_t>(field.blocksAcross(level));
@@ -216,6 +221,7 @@ class Reader {
   std::span<const std::byte> bytes_;
   const std::string& name_;
   Header header_;
+  std::shared_ptr<const std::vector<std::uint32_t>> directory_;
 };
 
 }  // namespace

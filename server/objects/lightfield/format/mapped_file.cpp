@@ -8,11 +8,15 @@
 #include <system_error>
 
 #include "base/error.h"
+#include "base/log.h"
 #include "base/plain_file.h"
 
 namespace grove::objects::lightfield {
 
-MappedFile::MappedFile(const std::filesystem::path& file) {
+MappedFile::MappedFile(const std::filesystem::path& file)
+    : cutMessage_(file.string() +
+                  ": became shorter while it was served, or its disk fails: parts of it are missing until it is put "
+                  "back and the server started anew") {
   const PlainFile opened(file, "light fields are made by `grove bake`", std::numeric_limits<std::uint64_t>::max());
   const auto size = static_cast<std::size_t>(opened.bytes());
   if (size == 0) return;
@@ -22,11 +26,17 @@ MappedFile::MappedFile(const std::filesystem::path& file) {
                            "more address space may be needed (ulimit -v)");
   }
   bytes_ = {static_cast<const std::byte*>(address), size};
+  guard_.emplace(bytes_);
 }
 
 MappedFile::~MappedFile() {
+  guard_.reset();
   // munmap wants the pointer that mmap gave.
   if (!bytes_.empty()) munmap(const_cast<std::byte*>(bytes_.data()), bytes_.size());
+}
+
+void MappedFile::tellOnce() const noexcept {
+  if (!told_.exchange(true)) log::warning(cutMessage_);
 }
 
 }  // namespace grove::objects::lightfield

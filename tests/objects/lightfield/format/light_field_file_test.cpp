@@ -9,10 +9,11 @@
 #include <cstring>
 #include <fstream>
 
+#include "base/checksum.h"
 #include "base/error.h"
-#include "objects/lightfield/format/checksum.h"
 #include "objects/lightfield/format/layout.h"
 #include "objects/lightfield/format/light_field_reader.h"
+#include "objects/lightfield/format/mapped_file.h"
 #include "objects/lightfield/format/small_field.h"
 
 namespace grove::objects::lightfield {
@@ -106,6 +107,31 @@ TEST_F(LightFieldFile, KeepsItsMappingAfterTheFileIsReplaced) {
   writeLightField(other, file_);
   expectSame(field_, opened);
   EXPECT_EQ(openLightField(file_).source, "another");
+}
+
+/// As `cp` over it does: cut off, then written anew.
+TEST_F(LightFieldFile, WhoWritesIntoTheFileChangesWhatIsSeenAndNothingElse) {
+  const LightField opened = openLightField(file_);
+  const auto bytes = std::filesystem::file_size(file_);
+  std::filesystem::resize_file(file_, 0);
+  const std::string garbage(bytes, '\xA5');
+  std::ofstream(file_, std::ios::binary) << garbage;
+  for (std::size_t i = 0; i < field_.blocks.size(); ++i) expectSame(field_.blocks[i], opened.blocks[i]);
+  EXPECT_EQ(opened.depth.back(), 0xA5A5U);
+}
+
+TEST_F(LightFieldFile, SaysOnceThatItBecameShorter) {
+  const LightField opened = openLightField(file_);
+  const auto said = [&] {
+    testing::internal::CaptureStderr();
+    opened.mapped->tellIfCut();
+    return testing::internal::GetCapturedStderr();
+  };
+  std::filesystem::resize_file(file_, 4096);
+  EXPECT_EQ(said(), "");
+  EXPECT_EQ(opened.colour.back().back(), 0U);
+  EXPECT_THAT(said(), HasSubstr(file_.string() + ": became shorter while it was served"));
+  EXPECT_EQ(said(), "");
 }
 
 TEST_F(LightFieldFile, RoundTripsWithoutVoxelsAndHeldOutViews) {

@@ -7,7 +7,7 @@
 #include <set>
 #include <string>
 
-#include "objects/lightfield/format/checksum.h"
+#include "base/checksum.h"
 #include "objects/lightfield/format/layout.h"
 #include "objects/lightfield/format/light_field_file.h"
 #include "objects/lightfield/format/light_field_reader.h"

@@ -6,7 +6,7 @@
 #include <span>
 #include <string>
 
-namespace grove::objects::lightfield {
+namespace grove {
 
 /// A file that appears whole or not at all: written beside its place under another name, then renamed. One thread.
 class AtomicFile {
@@ -31,4 +31,4 @@ class AtomicFile {
   int descriptor_;
 };
 
-}  // namespace grove::objects::lightfield
+}  // namespace grove

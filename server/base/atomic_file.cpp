@@ -1,4 +1,4 @@
-#include "objects/lightfield/format/atomic_file.h"
+#include "base/atomic_file.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -11,7 +11,7 @@
 
 #include "base/error.h"
 
-namespace grove::objects::lightfield {
+namespace grove {
 
 AtomicFile::AtomicFile(std::filesystem::path file)
     : file_(std::move(file)),
@@ -54,4 +54,4 @@ void AtomicFile::fail(const std::string& what) const {
                          "the folder must exist, be writable and have room");
 }
 
-}  // namespace grove::objects::lightfield
+}  // namespace grove

@@ -5,7 +5,7 @@
 #include <memory>
 #include <span>
 
-namespace grove::objects::lightfield {
+namespace grove {
 
 /// XXH3, 64 bits, of bytes that come in pieces.
 class Checksum {
@@ -25,4 +25,4 @@ class Checksum {
 
 [[nodiscard]] std::uint64_t checksumOf(std::span<const std::byte> bytes);
 
-}  // namespace grove::objects::lightfield
+}  // namespace grove

@@ -1,9 +1,9 @@
-#include "objects/lightfield/format/checksum.h"
+#include "base/checksum.h"
 
 #define XXH_INLINE_ALL
 #include <xxhash.h>
 
-namespace grove::objects::lightfield {
+namespace grove {
 
 struct Checksum::State {
   XXH3_state_t xxh;
@@ -23,4 +23,4 @@ std::uint64_t Checksum::value() const { return XXH3_64bits_digest(&state_->xxh);
 
 std::uint64_t checksumOf(std::span<const std::byte> bytes) { return XXH3_64bits(bytes.data(), bytes.size()); }
 
-}  // namespace grove::objects::lightfield
+}  // namespace grove
