@@ -24,8 +24,8 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr auto kStopWhilePreparing = 900ms;
-/// Long enough for everybody to be told, and for visitors' worlds to be taken apart, but not for one that is being
-/// made.
+/// Long enough for everybody to be told, for visitors' worlds to be taken apart, and for one that is being made to be
+/// given up.
 constexpr auto kStopWhileServing = 4000ms;
 
 std::string inUrl(const stream::HostPort& at) {

@@ -4,12 +4,13 @@
 #include <array>
 #include <cassert>
 #include <cmath>
-#include <latch>
 #include <limits>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "gl/workers.h"
+#include "node/prepare_each.h"
 #include "objects/lightfield/object_view.h"
 #include "objects/lightfield/relight.h"
 #include "objects/lightfield/shader/shader_sampler.h"
@@ -118,19 +119,16 @@ LightFieldBackend::LightFieldBackend(const node::BackendServices& services, worl
                                       glm::inverse(object.transform.matrix()),
                                       {}});
   }
-  std::latch left(static_cast<std::ptrdiff_t>(entries_.size()));
+  std::vector<const world::Object*> shaded;
   for (const world::Object& object : services.world.objects()) {
-    if (object.type != self) continue;
-    services.workers.post([&world = services.world, &left, &object, &entry = entries_.at(object.id)] {
-      entry.sun = makeSunGrid(object, world.rays());
-      left.count_down();
-    });
+    if (object.type == self) shaded.push_back(&object);
   }
-  left.wait();
+  node::prepareEach(services, "shadows on the light fields", shaded.size(), [&](std::size_t i) {
+    entries_.at(shaded[i]->id).sun = makeSunGrid(*shaded[i], services.world.rays());
+  });
   std::size_t sunBytes = 0;
   for (const auto& [id, entry] : entries_) sunBytes += pipeline::vectorBytes(entry.sun.sun);
   sunGrids_.set(sunBytes);
-  if (services.progress) services.progress("shadows on the light fields", 1.0F);
 }
 
 LightFieldBackend::~LightFieldBackend() = default;

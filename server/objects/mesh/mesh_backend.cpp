@@ -1,9 +1,10 @@
 #include "objects/mesh/mesh_backend.h"
 
 #include <algorithm>
-#include <latch>
+#include <string>
 #include <utility>
 
+#include "node/prepare_each.h"
 #include "objects/mesh/light_bake.h"
 
 namespace grove::objects::mesh {
@@ -46,19 +47,18 @@ MeshBackend::MeshBackend(const node::BackendServices& services, world::TypeIndex
     std::unique_ptr<MeshRenderer>& renderer = renderers_[kind];
     if (!renderer) renderer = makeRenderer(kind, services, "mesh");
   }
-  std::latch left(static_cast<std::ptrdiff_t>(entries_.size()));
+  std::vector<const world::Object*> lit;
   for (const world::Object& object : services.world.objects()) {
-    if (object.type != self) continue;
-    services.workers.post([&world = services.world, &left, &object, &light = entries_.at(object.id).lit.light] {
-      light = bakeLightOf(object, world);
-      left.count_down();
-    });
+    if (object.type == self) lit.push_back(&object);
   }
-  left.wait();
+  node::prepareEach(services, "light of the meshes", lit.size(), [&](std::size_t i) {
+    const auto bytes = [](const std::vector<world::Vec4>& light) { return pipeline::vectorBytes(light); };
+    const auto bake = [&] { return bakeLightOf(*lit[i], services.world); };
+    entries_.at(lit[i]->id).lit.light = services.bakedOnce("mesh " + std::to_string(lit[i]->id), bytes, bake);
+  });
   std::size_t bytes = 0;
   for (const auto& [id, entry] : entries_) bytes += entry.lit.bytes() + entry.points.bytes();
   held_.set(bytes);
-  if (services.progress) services.progress("light of the meshes", 1.0F);
 }
 
 MeshBackend::~MeshBackend() = default;
