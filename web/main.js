@@ -14,7 +14,7 @@ import { listenToTouch } from './input/touch.js';
 import { Turner } from './input/turner.js';
 import { Notice } from './notice.js';
 import { Overlay } from './overlay.js';
-import { kSubProtocol } from './protocol.js';
+import { kSubProtocols } from './protocol.js';
 import { ReloadOnce } from './reload_once.js';
 import { Telemetry } from './telemetry.js';
 import { Viewport } from './viewport.js';
@@ -40,9 +40,9 @@ const notice = new Notice(element('notice'), () => {
 });
 
 const connection = new Connection({
-  openSocket: () => new WebSocket(window.location.origin.replace(/^http/, 'ws') + '/', kSubProtocol),
+  openSocket: () => new WebSocket(window.location.origin.replace(/^http/, 'ws') + '/', kSubProtocols),
   hello: () => ({ name: new URLSearchParams(window.location.search).get('name') ?? '', ...viewport.size }),
-  on: { state: enter, welcome, frame: receive },
+  on: { state: enter, welcome, waiting: (message) => notice.wait(message), frame: receive },
   backoff: new Backoff(),
   mayRetry: () => !document.hidden,
   timers: clock,

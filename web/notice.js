@@ -16,6 +16,7 @@ export class Notice {
   #element;
   #title;
   #text;
+  #progress;
   #button;
 
   /** `onAction()` runs when the visitor presses the notice's button. */
@@ -23,27 +24,53 @@ export class Notice {
     this.#element = element;
     this.#title = element.querySelector('[data-notice=title]');
     this.#text = element.querySelector('[data-notice=text]');
+    this.#progress = element.querySelector('progress');
     this.#button = element.querySelector('button');
     this.#button.addEventListener('click', onAction);
   }
 
   show(state, reason) {
     const { title, text, action } = kTexts[state];
-    this.#title.textContent = title;
-    this.#text.textContent = text ?? sentence(reason);
+    this.#say(title, text ?? sentence(reason));
+    this.#progress.hidden = true;
     this.#button.textContent = action ?? '';
     this.#button.hidden = !action;
+    this.#element.hidden = false;
+  }
+
+  /** How the wait for a world of one's own gets on, as in the message Waiting. */
+  wait({ place, percent, step }) {
+    if (place === 1) this.#say('Your world is being made', step ? `${capitalised(step)}\u2026` : 'A moment\u2026');
+    else this.#say(`Place ${place} in line`, `Everyone gets a world of their own here. ${before(place - 1)}`);
+    // Not among the words: a screen reader would say every percent of it.
+    this.#progress.hidden = place !== 1;
+    this.#progress.value = percent;
+    this.#button.hidden = true;
     this.#element.hidden = false;
   }
 
   hide() {
     this.#element.hidden = true;
   }
+
+  /** What stays the same is left alone, or it would be read out again. */
+  #say(title, text) {
+    if (this.#title.textContent !== title) this.#title.textContent = title;
+    if (this.#text.textContent !== text) this.#text.textContent = text;
+  }
+}
+
+function before(visitors) {
+  return visitors === 1 ? 'One visitor is before you.' : `${visitors} visitors are before you.`;
+}
+
+function capitalised(text) {
+  return text[0].toUpperCase() + text.slice(1);
 }
 
 /** A close reason as a sentence. */
 function sentence(reason) {
   if (!reason) return 'It gave no reason.';
-  const capital = reason[0].toUpperCase() + reason.slice(1);
+  const capital = capitalised(reason);
   return /[.!?]$/.test(capital) ? capital : `${capital}.`;
 }

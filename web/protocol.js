@@ -3,7 +3,8 @@
  * throughout. Reading never trusts the bytes: whatever breaks the protocol throws ProtocolError.
  */
 
-export const kSubProtocol = 'grove.v1';
+/** What to ask for, the newest first: the second lacks Waiting. */
+export const kSubProtocols = Object.freeze(['grove.v1.1', 'grove.v1']);
 const kVersion = 1;
 
 /** Bits of an input's `keys`. */
@@ -15,10 +16,19 @@ export const CloseCode = Object.freeze({ protocolError: 4000, wrongVersion: 4001
 /** Names of the picture codecs by their number. */
 export const kCodecNames = Object.freeze({ 1: 'JPEG' });
 
-const Type = Object.freeze({ hello: 0x01, input: 0x02, ack: 0x03, resize: 0x04, welcome: 0x81, frame: 0x82 });
+const Type = Object.freeze({
+  hello: 0x01,
+  input: 0x02,
+  ack: 0x03,
+  resize: 0x04,
+  welcome: 0x81,
+  frame: 0x82,
+  waiting: 0x83,
+});
 const kMostNameBytes = 64;
 const kWelcomeBytes = 20;
 const kFrameHeaderBytes = 20;
+const kWaitingBytes = 8;
 
 export class ProtocolError extends Error {
   name = 'ProtocolError';
@@ -66,19 +76,20 @@ export function encodeResize({ width, height }) {
   return view.buffer;
 }
 
+function decodeText(bytes, what) {
+  try {
+    return new TextDecoder('utf-8', { fatal: true, ignoreBOM: true }).decode(bytes);
+  } catch {
+    throw new ProtocolError(`${what} is not UTF-8`);
+  }
+}
+
 function decodeWelcome(view) {
   if (view.byteLength < kWelcomeBytes) throw new ProtocolError('the welcome is cut short');
   if (view.getUint8(1) !== kVersion) throw new ProtocolError(`the server speaks version ${view.getUint8(1)}`);
   if (view.byteLength !== kWelcomeBytes + view.getUint8(11)) throw new ProtocolError('the welcome has a wrong length');
   const [yaw, pitch] = [view.getFloat32(12, true), view.getFloat32(16, true)];
   if (!Number.isFinite(yaw) || !Number.isFinite(pitch)) throw new ProtocolError('the first direction is not a number');
-  let world;
-  try {
-    const decoder = new TextDecoder('utf-8', { fatal: true, ignoreBOM: true });
-    world = decoder.decode(new Uint8Array(view.buffer, kWelcomeBytes));
-  } catch {
-    throw new ProtocolError("the world's name is not UTF-8");
-  }
   return {
     message: 'Welcome',
     framesPerSecond: view.getUint16(2, true),
@@ -88,8 +99,24 @@ function decodeWelcome(view) {
     blue: view.getUint8(10),
     yaw,
     pitch,
-    world,
+    world: decodeText(new Uint8Array(view.buffer, kWelcomeBytes), "the world's name"),
   };
+}
+
+function decodeWaiting(view) {
+  if (view.byteLength < kWaitingBytes) throw new ProtocolError('the waiting is cut short');
+  if (view.byteLength !== kWaitingBytes + view.getUint32(4, true)) {
+    throw new ProtocolError('the waiting has a wrong length');
+  }
+  const waiting = {
+    message: 'Waiting',
+    percent: view.getUint8(1),
+    place: view.getUint16(2, true),
+    step: decodeText(new Uint8Array(view.buffer, kWaitingBytes), 'what is waited for'),
+  };
+  if (waiting.percent > 100) throw new ProtocolError('the waiting has more than 100 percent');
+  if (waiting.place === 0) throw new ProtocolError('the waiting has no place');
+  return waiting;
 }
 
 function decodeFrame(view) {
@@ -120,6 +147,8 @@ export function decodeServerMessage(data) {
       return decodeWelcome(view);
     case Type.frame:
       return decodeFrame(view);
+    case Type.waiting:
+      return decodeWaiting(view);
     default:
       throw new ProtocolError(`the message type ${view.getUint8(0)} is unknown`);
   }

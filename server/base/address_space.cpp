@@ -64,6 +64,8 @@ std::size_t stackBytes() noexcept {
   return known ? stack.rlim_cur : std::size_t{8} << 20U;
 }
 
+void returnFreedBlocks() noexcept { mallopt(M_MMAP_THRESHOLD, 1 << 20); }
+
 void spareAddressSpace() noexcept {
   if (limit()) mallopt(M_ARENA_MAX, 2);
 }

@@ -16,6 +16,11 @@ void requireAddressSpace(std::size_t bytes);
 /// What a thread's stack takes.
 [[nodiscard]] std::size_t stackBytes() noexcept;
 
+/// Lets freed blocks of a megabyte and more go back to the system at once. By default glibc soon keeps blocks of up to
+/// 32 MB, and a process where many come and go, as visitors with their pictures do, grows with every round of them. At
+/// the start.
+void returnFreedBlocks() noexcept;
+
 /// Where address space is limited, lets threads share their heaps, each of which would take 64 MB of it however little
 /// it holds. At the start, before there are threads.
 void spareAddressSpace() noexcept;

@@ -249,6 +249,7 @@ int run(int argc, char** argv) {
     return 2;
   }
   try {
+    returnFreedBlocks();
     spareAddressSpace();
     simd::chooseTarget();
     if (versionAsked) {

@@ -36,8 +36,8 @@ constexpr std::size_t kForServing = std::size_t{96} << 20U;
 constexpr std::size_t kThreadsBesidesWorkers = 12;
 
 constexpr auto kStopWhilePreparing = 900ms;
-/// Long enough for everybody to be told, and for visitors' worlds to be taken apart, but not for one that is being
-/// made.
+/// Long enough for everybody to be told, for visitors' worlds to be taken apart, and for one that is being made to be
+/// given up.
 constexpr auto kStopWhileServing = 4000ms;
 
 /// What is needed once the world is ready; a crash of what takes no failed allocation is worse than no start.

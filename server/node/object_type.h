@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "node/baked_store.h"
 #include "node/frontend/composite.h"
 #include "node/image.h"
 #include "node/limits.h"
@@ -35,8 +36,19 @@ struct BackendServices {
   pipeline::Timeline& timeline;
   pipeline::MemoryLedger& memory;
   ImagePool& images;
-  /// Reports slow preparation: a label and a share of 0..1.
+  /// Reports slow preparation: a label and a share of 0..1. It throws if the half is not wanted any more, so it is
+  /// called often.
   std::function<void(std::string_view, float)> progress;
+  /// Help to prepare, see prepareEach(); null if the constructing thread is to do all of it.
+  pipeline::Executor* helpers = nullptr;
+  /// Where to look first for what takes long to bake; null if there will be no second copy of this world.
+  BakedStore* baked = nullptr;
+
+  /// As BakedStore::copyOf(), wherever there is none. What is baked may depend on the world's layout and nothing else.
+  template <class Bytes, class Bake>
+  [[nodiscard]] auto bakedOnce(const std::string& key, const Bytes& bytes, const Bake& bake) const {
+    return baked == nullptr ? bake() : baked->copyOf<decltype(bake())>(key, bytes, bake);
+  }
 };
 
 /// A rendering node answers with images, a simulation node with data (section 4.1).

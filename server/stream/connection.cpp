@@ -16,12 +16,14 @@ Refusal protocolError(std::string reason) { return {CloseCode::kProtocolError, s
 
 }  // namespace
 
-Connection::Connection(Host& host, std::string peer, double now, std::function<void()> wake, TakePlace takePlace)
+Connection::Connection(Host& host, std::string peer, double now, std::function<void()> wake, TakePlace takePlace,
+                       std::string_view subProtocol)
     : host_(host),
       peer_(std::move(peer)),
       opened_(now),
       outbox_(std::make_shared<Outbox>(std::move(wake))),
       takePlace_(std::move(takePlace)),
+      knowsWaiting_(subProtocol == kSubProtocolWithWaiting),
       secondBegan_(now) {
   message_.reserve(kLargestClientMessage);
 }
@@ -46,6 +48,12 @@ std::optional<Refusal> Connection::overdue(double now) {
   }
   if (session_->secondsUnacknowledged(now) < kAcknowledgementSeconds) return std::nullopt;
   return refuse({CloseCode::kNoAcknowledgement, "no frame acknowledged for 25 seconds"});
+}
+
+std::vector<std::uint8_t> Connection::takeMessage() {
+  if (!welcome_.empty()) return std::exchange(welcome_, {});
+  const auto waiting = outbox_->takeWaiting();
+  return waiting ? encode(*waiting) : std::vector<std::uint8_t>{};
 }
 
 void Connection::end(const Refusal& why) { leave(std::to_string(static_cast<int>(why.code)) + " " + why.reason); }
@@ -88,9 +96,16 @@ std::optional<Refusal> Connection::greet(const Hello& hello) {
   place_ = takePlace_();
   if (!place_) return Refusal{CloseCode::kFull, "as many visitors as may come from one address are here"};
   // The sink may outlive this connection in a run that is in progress; it must not keep the frame then.
-  auto opened = host_.open(hello, [outbox = std::weak_ptr(outbox_)](std::shared_ptr<const EncodedFrame> frame) {
+  const auto send = [outbox = std::weak_ptr(outbox_)](std::shared_ptr<const EncodedFrame> frame) {
     if (const auto to = outbox.lock()) to->put(std::move(frame));
-  });
+  };
+  WaitingSink tell;
+  if (knowsWaiting_) {
+    tell = [outbox = std::weak_ptr(outbox_)](const Waiting& waiting) {
+      if (const auto to = outbox.lock()) to->put(waiting);
+    };
+  }
+  auto opened = host_.open(hello, send, std::move(tell));
   if (auto* refusal = std::get_if<Refusal>(&opened)) return std::move(*refusal);
   session_ = std::get<std::shared_ptr<Session>>(std::move(opened));
   const Welcome welcome = session_->welcome();

@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -31,8 +32,10 @@ class Connection {
   /// What a visitor's address has of him as long as he is in the world; null if it may have no more.
   using TakePlace = std::function<std::shared_ptr<void>()>;
 
-  /// `peer` names the other end in the log. `wake` is called from worker threads when there is something to send.
-  Connection(Host& host, std::string peer, double now, std::function<void()> wake, TakePlace takePlace);
+  /// `peer` names the other end in the log. `wake` is called from other threads when there is something to send.
+  /// `subProtocol` is the one of PROTOCOL.md's that was agreed on.
+  Connection(Host& host, std::string peer, double now, std::function<void()> wake, TakePlace takePlace,
+             std::string_view subProtocol);
   ~Connection();
   Connection(const Connection&) = delete;
   Connection& operator=(const Connection&) = delete;
@@ -51,8 +54,8 @@ class Connection {
   void leave(const std::string& why);
 
   [[nodiscard]] bool hasSomethingToSend() const { return !welcome_.empty() || !outbox_->empty(); }
-  /// The greeting, once it is due; it goes before any frame. Empty if there is none.
-  [[nodiscard]] std::vector<std::uint8_t> takeWelcome() { return std::exchange(welcome_, {}); }
+  /// The greeting, and then how the wait for the first frame gets on; they go before any frame. Empty if there is none.
+  [[nodiscard]] std::vector<std::uint8_t> takeMessage();
   [[nodiscard]] std::shared_ptr<const EncodedFrame> takeFrame() { return outbox_->take(); }
 
  private:
@@ -67,6 +70,7 @@ class Connection {
   const double opened_;
   const std::shared_ptr<Outbox> outbox_;
   const TakePlace takePlace_;
+  const bool knowsWaiting_;
   std::shared_ptr<void> place_;
   std::shared_ptr<Session> session_;
   bool ended_ = false;

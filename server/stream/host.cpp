@@ -31,12 +31,13 @@ Host::Host(world::World::Layout layout, const node::Registry& registry, gl::Work
       timelineMemory_(memory_, "timeline", "", pipeline::Work::kAcrossUser, timeline_.bytes()),
       meter_(timeline_, memory_, options_.framesPerSecond, options_.privateWorlds),
       images_(memory_),
+      baked_(memory_),
       workers_(static_cast<int>(std::max(1U, std::thread::hardware_concurrency()))),
       gate_(std::make_shared<FrameGate>(std::max(workers_.width(), options_.framesInFlight))) {
   if (options_.privateWorlds) {
-    preparer_ = std::make_unique<pipeline::WorkerPool>(1, "grove-prepare");
+    line_ = std::make_unique<PreparationLine>([this](Haste haste, const auto& tell) { return makeCopy(haste, tell); });
   } else {
-    shared_ = makeCopy(progress);
+    shared_ = makeCopy(Haste::kAllCores, progress);
   }
   clock_ = std::thread([this] { runClock(); });
 }
@@ -55,16 +56,16 @@ Host::~Host() {
   for (const auto& session : open) session->close();
   open.clear();
   workers_.drain();
-  preparer_.reset();
+  line_.reset();
   shared_.reset();
 }
 
-std::unique_ptr<WorldCopy> Host::makeCopy(const std::function<void(std::string_view, float)>& progress) {
+std::unique_ptr<WorldCopy> Host::makeCopy(Haste haste, const std::function<void(std::string_view, float)>& progress) {
   auto transport = options_.makeTransport ? options_.makeTransport(registry_, timeline_)
                                           : std::make_unique<node::InProcessTransport>();
-  return std::make_unique<WorldCopy>(
-      WorldGround{layout_, players_, registry_, workers_, gl_, timeline_, memory_, images_}, std::move(transport),
-      progress);
+  return std::make_unique<WorldCopy>(WorldGround{layout_, players_, registry_, workers_, gl_, timeline_, memory_,
+                                                 images_, options_.privateWorlds ? &baked_ : nullptr},
+                                     std::move(transport), haste, progress);
 }
 
 world::World& Host::world() noexcept {
@@ -72,7 +73,7 @@ world::World& Host::world() noexcept {
   return shared_->world();
 }
 
-std::variant<std::shared_ptr<Session>, Refusal> Host::open(const Hello& hello, FrameSink sink) {
+std::variant<std::shared_ptr<Session>, Refusal> Host::open(const Hello& hello, FrameSink sink, WaitingSink waiting) {
   const auto [width, height] = fitSize(hello.width, hello.height);
   node::SessionId id = 0;
   {
@@ -92,7 +93,7 @@ std::variant<std::shared_ptr<Session>, Refusal> Host::open(const Hello& hello, F
     sessions_[id] = session;
   }
   if (options_.privateWorlds) {
-    preparePrivately(session);
+    preparePrivately(session, std::move(waiting));
   } else {
     begin(session, shared_);
   }
@@ -108,21 +109,22 @@ void Host::begin(const std::shared_ptr<Session>& session, std::shared_ptr<WorldC
   clockWake_.notify_all();
 }
 
-void Host::preparePrivately(const std::shared_ptr<Session>& session) {
-  // Not by the member: the pool still runs what is queued while the member goes.
-  pipeline::WorkerPool* const preparer = preparer_.get();
-  preparer->post([this, preparer, weak = std::weak_ptr(session)] {
-    if (weak.expired()) return;
+void Host::preparePrivately(const std::shared_ptr<Session>& session, WaitingSink waiting) {
+  const auto enter = [this, weak = std::weak_ptr(session)](std::shared_ptr<WorldCopy> copy) {
+    const auto entering = weak.lock();
+    if (!entering) return;
     try {
-      // The last reference may go on any thread, a worker's too, and there one must not wait for the workers.
-      const std::shared_ptr<WorldCopy> copy(makeCopy([](std::string_view, float) {}).release(),
-                                            [preparer](WorldCopy* made) { preparer->post([made] { delete made; }); });
-      if (const auto waiting = weak.lock()) begin(waiting, copy);
+      if (copy) {
+        begin(entering, std::move(copy));
+      } else {
+        entering->close();
+      }
     } catch (const std::exception& e) {
-      log::error(std::string("cannot make a world for a visitor: ") + e.what());
-      if (const auto waiting = weak.lock()) waiting->close();
+      log::error(std::string("cannot let a visitor into his world: ") + e.what());
+      entering->close();
     }
-  });
+  };
+  line_->join({session->id_, std::move(waiting), enter});
 }
 
 std::size_t Host::visitors() const {
@@ -131,6 +133,7 @@ std::size_t Host::visitors() const {
 }
 
 void Host::remove(node::SessionId id) {
+  if (line_) line_->leave(id);
   const std::lock_guard lock(mutex_);
   if (sessions_.erase(id) > 0) left_.push_back(id);
 }
@@ -147,6 +150,7 @@ void Host::forgetWhoLeft() {
 
 void Host::takeStock(int visitors) {
   forgetWhoLeft();
+  if (line_) line_->tellAll();
   meter_.sample(visitors);
   if (!options_.raiseQuality || !shared_) return;
   measure::QualityLoad load{.cores = static_cast<double>(workers_.width())};

@@ -19,6 +19,7 @@
 #include "pipeline/timeline.h"
 #include "pipeline/worker_pool.h"
 #include "stream/frame_gate.h"
+#include "stream/preparation_line.h"
 #include "stream/session.h"
 #include "stream/world_copy.h"
 #include "world/world.h"
@@ -57,8 +58,10 @@ class Host {
   Host(const Host&) = delete;
   Host& operator=(const Host&) = delete;
 
-  /// Lets a visitor in, or says why not. In private mode the first frame comes when his world is ready.
-  [[nodiscard]] std::variant<std::shared_ptr<Session>, Refusal> open(const Hello& hello, FrameSink sink);
+  /// Lets a visitor in, or says why not. In private mode the first frame comes when his world is ready; until then
+  /// `waiting` is told his place in line at each change and once a second.
+  [[nodiscard]] std::variant<std::shared_ptr<Session>, Refusal> open(const Hello& hello, FrameSink sink,
+                                                                     WaitingSink waiting = {});
 
   [[nodiscard]] std::size_t visitors() const;
   /// For the statistics.
@@ -80,8 +83,9 @@ class Host {
   friend class Session;
   void remove(node::SessionId id);
   void begin(const std::shared_ptr<Session>& session, std::shared_ptr<WorldCopy> copy);
-  void preparePrivately(const std::shared_ptr<Session>& session);
-  [[nodiscard]] std::unique_ptr<WorldCopy> makeCopy(const std::function<void(std::string_view, float)>& progress);
+  void preparePrivately(const std::shared_ptr<Session>& session, WaitingSink waiting);
+  [[nodiscard]] std::unique_ptr<WorldCopy> makeCopy(Haste haste,
+                                                    const std::function<void(std::string_view, float)>& progress);
   void takeStock(int visitors);
   void forgetWhoLeft();
   void runClock();
@@ -98,6 +102,7 @@ class Host {
   measure::QualityPolicy policy_;  ///< the clock's
   std::atomic<int> quality_{0};
   node::ImagePool images_;
+  node::BakedStore baked_;             ///< used in private mode
   std::vector<node::SessionId> gone_;  ///< the clock's: left before it took stock last
 
   mutable std::mutex mutex_;
@@ -111,8 +116,7 @@ class Host {
   pipeline::WorkerPool workers_;
   const std::shared_ptr<FrameGate> gate_;  ///< sessions that end may hold it last
   std::shared_ptr<WorldCopy> shared_;      ///< null in private mode
-  /// Private mode: where worlds are made and taken apart, one at a time.
-  std::unique_ptr<pipeline::WorkerPool> preparer_;
+  std::unique_ptr<PreparationLine> line_;  ///< null but in private mode
   std::thread clock_;
 };
 

@@ -77,7 +77,7 @@ class LoadClients {
 
 LoadClients::LoadClients(const LoadTarget& target, int sessions, int width, int height) {
   static constexpr std::array<lws_protocols, 2> kProtocols = {
-      lws_protocols{"grove.v1", &LoadClients::callback, 0, kReceiveBytes, 0, nullptr, 0}, lws_protocols{}};
+      lws_protocols{kSubProtocol, &LoadClients::callback, 0, kReceiveBytes, 0, nullptr, 0}, lws_protocols{}};
   lws_set_log_level(LLL_ERR, &logLibraryLine);
   lws_context_creation_info info{};
   info.port = CONTEXT_PORT_NO_LISTEN;
@@ -108,7 +108,7 @@ void LoadClients::connect(Client& client, const LoadTarget& target) {
   info.port = target.port;
   info.path = "/";
   info.host = host.c_str();
-  info.protocol = "grove.v1";
+  info.protocol = kSubProtocol;
   info.ietf_version_or_minus_one = -1;
   info.opaque_user_data = &client;
   info.pwsi = &client.socket;

@@ -29,8 +29,8 @@ void LoadVisitor::receive(std::span<const std::uint8_t> message, double now) {
     fail("a message of the server is wrong: " + refusal->reason);
   } else if (const auto* welcome = std::get_if<Welcome>(&parsed)) {
     welcome_ = *welcome;
-  } else {
-    receiveFrame(std::get<FrameMessage>(parsed), message.size(), now);
+  } else if (const auto* frame = std::get_if<FrameMessage>(&parsed)) {
+    receiveFrame(*frame, message.size(), now);
   }
 }
 

@@ -19,10 +19,13 @@ enum class Type : std::uint8_t {
   kResize = 0x04,
   kWelcome = 0x81,
   kFrame = 0x82,
+  kWaiting = 0x83,
 };
 
 constexpr std::size_t kMostNameBytes = 64;
 constexpr std::size_t kMostWorldNameBytes = 255;
+constexpr std::size_t kMaxStepBytes = 64;
+constexpr std::uint8_t kAllPercent = 100;
 constexpr std::uint32_t kSmallestSide = 16;
 constexpr std::uint32_t kLargestSide = 16384;
 constexpr std::uint8_t kAllKeys =
@@ -119,6 +122,19 @@ ServerMessage parseWelcome(WireReader reader) {
   return welcome;
 }
 
+ServerMessage parseWaiting(WireReader reader) {
+  Waiting waiting;
+  waiting.percent = reader.take<std::uint8_t>();
+  waiting.place = reader.take<std::uint16_t>();
+  const auto stepBytes = reader.take<std::uint32_t>();
+  if (reader.exhausted() || reader.rest().size() != stepBytes) return wrongLength("Waiting");
+  if (waiting.percent > kAllPercent) return refuse("more than 100 percent");
+  if (waiting.place == 0) return refuse("a place before the first");
+  if (stepBytes > kMaxStepBytes) return refuse("the step is longer than 64 bytes");
+  waiting.step = printable(reader.restAsText(), kMaxStepBytes);
+  return waiting;
+}
+
 ServerMessage parseFrame(WireReader reader) {
   FrameMessage frame;
   frame.header.codec = reader.take<std::uint8_t>();
@@ -164,6 +180,8 @@ ServerMessage parseServerMessage(std::span<const std::uint8_t> bytes) {
       return parseWelcome(reader);
     case Type::kFrame:
       return parseFrame(reader);
+    case Type::kWaiting:
+      return parseWaiting(reader);
     default:
       return refuse("unknown message type " + std::to_string(type));
   }
@@ -175,6 +193,14 @@ std::vector<std::uint8_t> encode(const Welcome& welcome) {
   writer.put(toByte(Type::kWelcome)).put(kProtocolVersion).put(welcome.framesPerSecond).put(welcome.visitor);
   for (const std::uint32_t shift : {0U, 8U, 16U}) writer.put(static_cast<std::uint8_t>(welcome.colour >> shift));
   writer.put(static_cast<std::uint8_t>(world.size())).put(welcome.yaw).put(welcome.pitch).put(world);
+  return writer.take();
+}
+
+std::vector<std::uint8_t> encode(const Waiting& waiting) {
+  const std::string step = printable(waiting.step, kMaxStepBytes);
+  WireWriter writer;
+  writer.put(toByte(Type::kWaiting)).put(waiting.percent).put(waiting.place);
+  writer.put(static_cast<std::uint32_t>(step.size())).put(step);
   return writer.take();
 }
 

@@ -14,6 +14,11 @@ namespace grove::stream {
 inline constexpr std::uint8_t kProtocolVersion = 1;
 inline constexpr std::size_t kLargestClientMessage = 256;
 
+/// Sub-protocols of the websocket.
+inline constexpr const char* kSubProtocol = "grove.v1";
+/// The same, of pages that know Waiting.
+inline constexpr const char* kSubProtocolWithWaiting = "grove.v1.1";
+
 /// Close codes of PROTOCOL.md.
 enum class CloseCode : std::uint16_t {
   kGoingAway = 1001,
@@ -59,6 +64,13 @@ struct Welcome {
   std::string world;
 };
 
+/// One's world is not ready; only where every visitor has his own.
+struct Waiting {
+  std::uint16_t place = 1;   ///< in line; 1: it is being made
+  std::uint8_t percent = 0;  ///< of the step, 0 to 100
+  std::string step;          ///< what is being made; cut to 64 bytes, empty if nothing is yet
+};
+
 inline constexpr std::uint8_t kCodecJpeg = 1;
 inline constexpr std::size_t kFrameHeaderBytes = 20;
 
@@ -73,6 +85,7 @@ struct FrameHeader {
 };
 
 [[nodiscard]] std::vector<std::uint8_t> encode(const Welcome& welcome);
+[[nodiscard]] std::vector<std::uint8_t> encode(const Waiting& waiting);
 /// Writes the header of a Frame message; the picture follows it.
 void encode(const FrameHeader& header, std::span<std::uint8_t, kFrameHeaderBytes> out);
 
@@ -86,7 +99,7 @@ struct FrameMessage {
   FrameHeader header;
   std::span<const std::uint8_t> picture;
 };
-using ServerMessage = std::variant<Welcome, FrameMessage, Refusal>;
+using ServerMessage = std::variant<Welcome, Waiting, FrameMessage, Refusal>;
 [[nodiscard]] ServerMessage parseServerMessage(std::span<const std::uint8_t> bytes);
 
 }  // namespace grove::stream

@@ -5,6 +5,7 @@
 #include "stream/encoder.h"
 #include "stream/listen_address.h"
 #include "stream/printable.h"
+#include "stream/protocol.h"
 
 namespace grove::stream {
 namespace {
@@ -27,7 +28,9 @@ void logLibraryLine(int /*level*/, const char* line) { log::error(printable(line
 }  // namespace
 
 ServerContext::ServerContext(lws_callback_function* callback, void* user, std::size_t maxSockets)
-    : protocols_(new lws_protocols[2]{{"grove.v1", callback, 0, 0, 0, nullptr, kMaxBytesAtOnce}, {}}) {
+    : protocols_(new lws_protocols[3]{{kSubProtocol, callback, 0, 0, 0, nullptr, kMaxBytesAtOnce},
+                                      {kSubProtocolWithWaiting, callback, 0, 0, 0, nullptr, kMaxBytesAtOnce},
+                                      {}}) {
   lws_set_log_level(LLL_ERR, &logLibraryLine);
   info_.options = LWS_SERVER_OPTION_EXPLICIT_VHOSTS | LWS_SERVER_OPTION_FAIL_UPON_UNABLE_TO_BIND |
                   LWS_SERVER_OPTION_SKIP_SERVER_CANONICAL_NAME;

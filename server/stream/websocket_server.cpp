@@ -267,7 +267,8 @@ bool WebsocketServer::Service::isKnown(const std::string& host) {
 void WebsocketServer::Service::open(lws* wsi) {
   const auto wake = [waker = waker_] { waker->wake(); };
   const auto takePlace = [this, address = addressOfPeer(wsi)] { return limits_.visitor(address); };
-  auto connection = std::make_unique<Connection>(host_, nameOfPeer(wsi), world::World::now(), wake, takePlace);
+  auto connection =
+      std::make_unique<Connection>(host_, nameOfPeer(wsi), world::World::now(), wake, takePlace, subProtocolOf(wsi));
   sockets_[wsi] = {std::move(connection), std::nullopt};
 }
 
@@ -295,10 +296,10 @@ int WebsocketServer::Service::write(lws* wsi) {
     giveCloseReason(wsi, *closing);
     return -1;
   }
-  std::vector<std::uint8_t> welcome = connection->takeWelcome();
-  if (!welcome.empty()) {
-    welcome.insert(welcome.begin(), LWS_PRE, 0);
-    if (lws_write(wsi, welcome.data() + LWS_PRE, welcome.size() - LWS_PRE, LWS_WRITE_BINARY) < 0) return -1;
+  std::vector<std::uint8_t> words = connection->takeMessage();
+  if (!words.empty()) {
+    words.insert(words.begin(), LWS_PRE, 0);
+    if (lws_write(wsi, words.data() + LWS_PRE, words.size() - LWS_PRE, LWS_WRITE_BINARY) < 0) return -1;
     lws_callback_on_writable(wsi);
     return 0;
   }

@@ -8,22 +8,33 @@
 
 namespace grove::stream {
 
-WorldCopy::WorldCopy(const WorldGround& ground, std::unique_ptr<node::Transport> transport,
+WorldCopy::WorldCopy(const WorldGround& ground, std::unique_ptr<node::Transport> transport, Haste haste,
                      const std::function<void(std::string_view, float)>& progress)
     : ground_(ground),
-      world_(ground.layout, ground.players),
+      world_(ground.layout, ground.players,
+             [&progress](float share) {
+               if (progress) progress("laying out the world", share);
+             }),
       geometry_(ground.memory, "obstacles", "", pipeline::Work::kAcrossUser, world_.bytes()),
       transport_(std::move(transport)) {
   tellModels();
-  const node::BackendServices services{world_,        ground.workers, ground.gl, ground.timeline,
-                                       ground.memory, ground.images,  progress};
+  const node::BackendServices services{.world = world_,
+                                       .workers = ground.workers,
+                                       .gl = ground.gl,
+                                       .timeline = ground.timeline,
+                                       .memory = ground.memory,
+                                       .images = ground.images,
+                                       .progress = progress,
+                                       .helpers = haste == Haste::kAllCores ? &ground_.workers : nullptr,
+                                       .baked = ground.baked};
   std::set<world::TypeIndex> types;
   for (const world::Object& object : world_.objects()) types.insert(object.type);
   if (world_.visitor()) types.insert(world_.visitor()->type);
+  const auto policy = haste == Haste::kAllCores ? std::launch::async : std::launch::deferred;
   std::vector<std::future<std::unique_ptr<node::BackendNode>>> prepared;
   prepared.reserve(types.size());
   for (const world::TypeIndex type : types) {
-    prepared.push_back(std::async(std::launch::async, [this, type, services] {
+    prepared.push_back(std::async(policy, [this, type, services] {
       return std::make_unique<node::BackendNode>(ground_.registry.type(type), type, services, *transport_);
     }));
   }

@@ -27,15 +27,22 @@ struct WorldGround {
   pipeline::Timeline& timeline;
   pipeline::MemoryLedger& memory;
   node::ImagePool& images;
+  node::BakedStore* baked;  ///< null if there is one copy only
+};
+
+/// What a world may take of the machine while it is made.
+enum class Haste {
+  kAllCores,  ///< nobody is in another one yet
+  kNone,      ///< the calling thread alone makes it, one step after the other: the workers are theirs who are inside
 };
 
 /// A world with the backend nodes that own its objects: all across-user state. There is one for everybody, or, in
 /// private mode, one for each visitor.
 class WorldCopy {
  public:
-  /// Prepares the backends, all at once, which may take seconds; throws what they throw. Not on one of the executors'
-  /// threads. `progress` is called from any thread.
-  WorldCopy(const WorldGround& ground, std::unique_ptr<node::Transport> transport,
+  /// Prepares the backends, which may take seconds; throws what they throw. Not on one of the executors' threads.
+  /// `progress` is called from any thread, and may throw to end it.
+  WorldCopy(const WorldGround& ground, std::unique_ptr<node::Transport> transport, Haste haste,
             const std::function<void(std::string_view, float)>& progress);
 
   /// Waits for the runs in progress, so not on one of the executors' threads.

@@ -47,6 +47,8 @@ std::string nameOfPeer(lws* wsi) {
   return numericAddress(*address) + ":" + port.data();
 }
 
+std::string_view subProtocolOf(lws* wsi) { return lws_get_protocol(wsi)->name; }
+
 void giveCloseReason(lws* wsi, const Refusal& why) {
   std::vector<unsigned char> reason(why.reason.begin(), why.reason.end());
   lws_close_reason(wsi, static_cast<lws_close_status>(why.code), reason.data(), reason.size());

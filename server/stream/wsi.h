@@ -4,6 +4,7 @@
 #include <sys/socket.h>
 
 #include <string>
+#include <string_view>
 
 #include "stream/protocol.h"
 
@@ -21,6 +22,9 @@ namespace grove::stream {
 
 /// ADDRESS:PORT, for the log.
 [[nodiscard]] std::string nameOfPeer(lws* wsi);
+
+/// That was agreed on in the handshake.
+[[nodiscard]] std::string_view subProtocolOf(lws* wsi);
 
 /// The code and the words with which the socket will be closed.
 void giveCloseReason(lws* wsi, const Refusal& why);

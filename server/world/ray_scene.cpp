@@ -6,6 +6,8 @@
 #include <atomic>
 #include <cstdint>
 #include <cstring>
+#include <exception>
+#include <mutex>
 
 #include "world/embree_device.h"
 
@@ -35,7 +37,40 @@ bool addBytes(void* sum, ssize_t bytes, bool /*post*/) {
 
 }  // namespace
 
-RayScene::RayScene(const Triangles& triangles) : handles_(std::make_unique<Handles>()) {
+namespace {
+
+/// What Embree tells while it builds. Its callbacks know no exceptions, so what is thrown waits until it is back.
+class Build {
+ public:
+  explicit Build(const std::function<void(float)>& progress) : progress_(progress) {}
+
+  static bool tell(void* build, double share) { return static_cast<Build*>(build)->tell(static_cast<float>(share)); }
+  void rethrow() const {
+    if (thrown_) std::rethrow_exception(thrown_);
+  }
+
+ private:
+  bool tell(float share) noexcept {
+    const std::lock_guard lock(mutex_);
+    if (thrown_) return false;
+    try {
+      progress_(share);
+      return true;
+    } catch (...) {
+      thrown_ = std::current_exception();
+      return false;
+    }
+  }
+
+  const std::function<void(float)>& progress_;
+  std::mutex mutex_;
+  std::exception_ptr thrown_;
+};
+
+}  // namespace
+
+RayScene::RayScene(const Triangles& triangles, const std::function<void(float)>& progress)
+    : handles_(std::make_unique<Handles>()) {
   handles_->device = newEmbreeDevice();
   rtcSetDeviceMemoryMonitorFunction(handles_->device, addBytes, &handles_->bytes);
   handles_->scene = rtcNewScene(handles_->device);
@@ -52,7 +87,11 @@ RayScene::RayScene(const Triangles& triangles) : handles_(std::make_unique<Handl
     std::memcpy(indices, triangles.indices.data(), triangles.indices.size() * sizeof(triangles.indices[0]));
     rtcCommitGeometry(geometry);
   }
+  Build build(progress);
+  if (progress) rtcSetSceneProgressMonitorFunction(handles_->scene, &Build::tell, &build);
   rtcCommitScene(handles_->scene);
+  rtcSetSceneProgressMonitorFunction(handles_->scene, nullptr, nullptr);
+  build.rethrow();
   requireBuilt(handles_->device);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -11,7 +12,8 @@ namespace grove::world {
 /// Triangles that rays can be shot at (Embree). Immutable after construction; any number of threads may trace.
 class RayScene {
  public:
-  explicit RayScene(const Triangles& triangles);
+  /// `progress` is told shares of 0..1 while it is built, from any thread, one at a time; what it throws ends that.
+  explicit RayScene(const Triangles& triangles, const std::function<void(float)>& progress = {});
   ~RayScene();
   RayScene(RayScene&&) noexcept;
   RayScene& operator=(RayScene&&) noexcept;

@@ -31,11 +31,11 @@ std::vector<Obstacle> gatherObstacles(const std::vector<Object>& objects) {
 
 }  // namespace
 
-World::World(Layout layout, std::shared_ptr<Players> players)
+World::World(Layout layout, std::shared_ptr<Players> players, const std::function<void(float)>& progress)
     : layout_(std::move(layout)),
-      solids_(gather(layout_.objects, &Model::solid)),
+      solids_(gather(layout_.objects, &Model::solid), progress),
       shades_(gather(layout_.objects, &Model::shade)),
-      rays_(shades_),
+      rays_(shades_, progress),
       players_(players ? std::move(players) : makePlayers(layout_)) {}
 
 std::shared_ptr<Players> World::makePlayers(const Layout& layout) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -32,7 +33,9 @@ class World {
     float radius = 30.0F;
   };
   /// `players`: the roster, where several copies of a world share it; null: one of its own.
-  explicit World(Layout layout, std::shared_ptr<Players> players = nullptr);
+  /// `progress`: as RayScene's, once for each of the two.
+  explicit World(Layout layout, std::shared_ptr<Players> players = nullptr,
+                 const std::function<void(float)>& progress = {});
 
   /// An empty roster for worlds of this layout.
   [[nodiscard]] static std::shared_ptr<Players> makePlayers(const Layout& layout);

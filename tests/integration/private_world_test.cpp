@@ -1,12 +1,15 @@
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <chrono>
 #include <cmath>
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <mutex>
 #include <thread>
 
+#include "eventually.h"
 #include "integration/picture.h"
 #include "integration/served_scene.h"
 #include "node/transport/in_process.h"
@@ -162,6 +165,27 @@ TEST(PrivateWorlds, VisitorsStillMeet) {
   const auto frame = a.frameAfter(0, kPatience);
   ASSERT_TRUE(frame);
   EXPECT_EQ(frame->header.visitors, 2);
+}
+
+/// Of the process's threads, those that come after the calling one where time is short.
+int threadsOfLessPriority() {
+  int count = 0;
+  for (const auto& task : std::filesystem::directory_iterator("/proc/self/task")) {
+    const auto thread = static_cast<id_t>(std::stoul(task.path().filename()));
+    if (getpriority(PRIO_PROCESS, thread) > getpriority(PRIO_PROCESS, 0)) ++count;
+  }
+  return count;
+}
+
+TEST(PrivateWorlds, KeepNothingOfTheLowPriorityThatTheyWereMadeAt) {
+  ServedScene served(kFire, tapped(true, std::make_shared<Answers>()));
+  stream::HeadlessSession a(served.host, "a", 160, 90);
+  ASSERT_TRUE(a.frameAfter(0, kPatience));
+  const int before = threadsOfLessPriority();  // some of a driver's have less
+  stream::HeadlessSession b(served.host, "b", 160, 90);
+  ASSERT_TRUE(b.frameAfter(0, kPatience));
+  EXPECT_TRUE(tests::eventually([&] { return threadsOfLessPriority() == before; }))
+      << "his smoke would move in slow motion";
 }
 
 TEST(PrivateWorlds, LetAVisitorGoWhoseWorldIsNotReady) {

@@ -17,7 +17,7 @@ class ConnectionTest : public ServedWorld {
   /// Says Hello and returns the first frame's number.
   std::uint32_t enter() {
     EXPECT_FALSE(connection_.receive(whole(encode(Hello{"Ada", 320, 180})), now_));
-    EXPECT_FALSE(connection_.takeWelcome().empty());
+    EXPECT_FALSE(connection_.takeMessage().empty());
     while (!connection_.hasSomethingToSend()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
     return connection_.takeFrame()->header.frame;
   }
@@ -26,7 +26,7 @@ class ConnectionTest : public ServedWorld {
   static Connection::TakePlace always() {
     return [] { return std::make_shared<int>(); };
   }
-  Connection connection_{host_, "a test", now_, [] {}, always()};
+  Connection connection_{host_, "a test", now_, [] {}, always(), kSubProtocol};
 };
 
 TEST_F(ConnectionTest, EndsWithoutHello) {
@@ -79,9 +79,9 @@ TEST_F(ConnectionTest, CountsMessagesBySecond) {
 
 TEST_F(ConnectionTest, FramesAfterTheEndAreHarmless) {
   auto connection = std::make_unique<Connection>(
-      host_, "a test", now_, [] {}, always());
+      host_, "a test", now_, [] {}, always(), kSubProtocol);
   ASSERT_FALSE(connection->receive(whole(encode(Hello{"Ada", 320, 180})), now_));
-  EXPECT_FALSE(connection->takeWelcome().empty());
+  EXPECT_FALSE(connection->takeMessage().empty());
   while (!connection->hasSomethingToSend()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
   EXPECT_NE(connection->takeFrame(), nullptr);
   connection.reset();

@@ -48,6 +48,9 @@ Json fieldsOf(const Welcome& welcome) {
           {"pitch", welcome.pitch},
           {"world", welcome.world}};
 }
+Json fieldsOf(const Waiting& waiting) {
+  return {{"message", "Waiting"}, {"percent", waiting.percent}, {"place", waiting.place}, {"step", waiting.step}};
+}
 Json fieldsOf(const FrameMessage& frame) {
   std::string picture;
   for (const std::uint8_t byte : frame.picture) {
@@ -72,6 +75,7 @@ Bytes encodeAgain(const world::Input& input) { return encode(input); }
 Bytes encodeAgain(const Ack& ack) { return encode(ack); }
 Bytes encodeAgain(const Resize& resize) { return encode(resize); }
 Bytes encodeAgain(const Welcome& welcome) { return encode(welcome); }
+Bytes encodeAgain(const Waiting& waiting) { return encode(waiting); }
 Bytes encodeAgain(const Refusal&) { return {}; }
 Bytes encodeAgain(const FrameMessage& frame) {
   Bytes bytes(kFrameHeaderBytes);
@@ -80,7 +84,10 @@ Bytes encodeAgain(const FrameMessage& frame) {
   return bytes;
 }
 
-bool isFromServer(const Json& fields) { return fields["message"] == "Welcome" || fields["message"] == "Frame"; }
+bool isFromServer(const Json& fields) {
+  const Json& message = fields["message"];
+  return message == "Welcome" || message == "Waiting" || message == "Frame";
+}
 
 TEST(GoldenMessages, AreReadAsTheirFields) {
   for (const Json& entry : golden()) {
@@ -105,7 +112,7 @@ TEST(GoldenMessages, AreWrittenToTheByte) {
 TEST(GoldenMessages, CoverEveryMessage) {
   std::set<std::string> messages;
   for (const Json& entry : golden()) messages.insert(entry["fields"]["message"]);
-  EXPECT_EQ(messages, (std::set<std::string>{"Ack", "Frame", "Hello", "Input", "Resize", "Welcome"}));
+  EXPECT_EQ(messages, (std::set<std::string>{"Ack", "Frame", "Hello", "Input", "Resize", "Waiting", "Welcome"}));
 }
 
 }  // namespace

@@ -203,6 +203,24 @@ TEST_F(Http, IsNotKnownByNamesOfOtherSites) {
   EXPECT_NE(ask("rebound.example", upgrade + "rebound.example\r\n"), "HTTP/1.1 101");
 }
 
+TEST_F(Http, AgreesOnTheFirstSubProtocolThatItKnows) {
+  const auto agreed = [&](const std::string& offered) {
+    RawSocket socket(port());
+    socket.send(
+        "GET / HTTP/1.1\r\nHost: localhost\r\nConnection: Upgrade\r\nUpgrade: websocket\r\n"
+        "Sec-WebSocket-Version: 13\r\nSec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\nSec-WebSocket-Protocol: " +
+        offered + "\r\n\r\n");
+    const std::string answer = socket.receive();
+    const std::string name = "Sec-WebSocket-Protocol: ";
+    const std::size_t at = answer.find(name);
+    if (at == std::string::npos) return std::string("none");
+    return answer.substr(at + name.size(), answer.find('\r', at) - at - name.size());
+  };
+  EXPECT_EQ(agreed("grove.v1.1, grove.v1"), "grove.v1.1");
+  EXPECT_EQ(agreed("grove.v1"), "grove.v1") << "older pages";
+  EXPECT_EQ(agreed("grove.v9, grove.v1"), "grove.v1") << "newer pages";
+}
+
 TEST(KnownHost, IsAnAddressOrAName) {
   const std::vector<std::string> names{"Grove.example"};
   EXPECT_TRUE(isKnownHost("grove.example:443", names));

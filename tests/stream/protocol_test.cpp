@@ -89,8 +89,12 @@ TEST(Protocol, ReadsOrRefusesRandomBytes) {
   std::mt19937 random(4);
   std::uniform_int_distribution<int> byte(0, 255);
   std::uniform_int_distribution<std::size_t> length(0, kLargestClientMessage + 8);
-  const std::vector<Bytes> good = {encode(Hello{"Ada", 1280, 720}), encode(world::Input{1, 2, 0.5F, 0.25F}),
-                                   encode(Ack{3}), encode(Resize{640, 360}), encode(Welcome{})};
+  const std::vector<Bytes> good = {encode(Hello{"Ada", 1280, 720}),
+                                   encode(world::Input{1, 2, 0.5F, 0.25F}),
+                                   encode(Ack{3}),
+                                   encode(Resize{640, 360}),
+                                   encode(Welcome{}),
+                                   encode(Waiting{2, 40, "step"})};
   std::size_t accepted = 0;
   std::size_t refused = 0;
   for (std::size_t i = 0; i < 100'000; ++i) {
@@ -122,12 +126,28 @@ TEST(Protocol, ReadsOrRefusesRandomBytes) {
   EXPECT_GT(refused, 50'000U);
 }
 
+TEST(Protocol, RefusesAWaitThatCannotBe) {
+  EXPECT_TRUE(std::holds_alternative<Refusal>(parseServerMessage(encode(Waiting{0, 0, ""}))));
+  EXPECT_TRUE(std::holds_alternative<Refusal>(parseServerMessage(encode(Waiting{1, 101, ""}))));
+}
+
+TEST(Protocol, CutsTheNameOfAStep) {
+  const ServerMessage read = parseServerMessage(encode(Waiting{1, 0, std::string(100, 'a')}));
+  ASSERT_TRUE(std::holds_alternative<Waiting>(read));
+  EXPECT_EQ(std::get<Waiting>(read).step, std::string(64, 'a'));
+}
+
 TEST(Protocol, RefusesServerMessagesThatAreCutShort) {
   Welcome welcome;
   welcome.world = "The clearing";
   const Bytes bytes = encode(welcome);
   for (std::size_t length = 0; length < bytes.size(); ++length) {
     EXPECT_TRUE(std::holds_alternative<Refusal>(parseServerMessage(std::span(bytes).first(length))));
+  }
+  const Bytes waiting = encode(Waiting{2, 0, "a step"});
+  ASSERT_TRUE(std::holds_alternative<Waiting>(parseServerMessage(waiting)));
+  for (std::size_t length = 0; length < waiting.size(); ++length) {
+    EXPECT_TRUE(std::holds_alternative<Refusal>(parseServerMessage(std::span(waiting).first(length))));
   }
   std::array<std::uint8_t, kFrameHeaderBytes> frame{};
   encode(FrameHeader{}, frame);

@@ -44,6 +44,7 @@ function setUp({ mayRetry = () => true } = {}) {
   const sockets = [];
   const states = [];
   const frames = [];
+  const waits = [];
   const connection = new Connection({
     openSocket: () => {
       sockets.push(new Wire());
@@ -53,6 +54,7 @@ function setUp({ mayRetry = () => true } = {}) {
     on: {
       state: (state, reason) => states.push(reason ? `${state}: ${reason}` : state),
       welcome: () => {},
+      waiting: ({ place, percent, step }) => waits.push([place, percent, step]),
       frame: (frame) => frames.push(frame.frame),
     },
     backoff: new Backoff(() => 0.5),
@@ -64,7 +66,7 @@ function setUp({ mayRetry = () => true } = {}) {
     sockets.at(-1).open();
     sockets.at(-1).receive(bytesOf('welcome'));
   };
-  return { clock, sockets, states, frames, connection, letIn };
+  return { clock, sockets, states, frames, waits, connection, letIn };
 }
 
 test('says hello first and nothing else before the welcome', () => {
@@ -180,6 +182,20 @@ test('a server that falls silent counts as lost', () => {
   clock.advance(1);
   assert.deepEqual(states, ['connecting', 'open', 'lost']);
   assert.equal(sockets[0].closedWith, 1000);
+});
+
+test('who waits in line is not lost as long as he is told so', () => {
+  const { clock, sockets, states, frames, waits, letIn } = setUp();
+  letIn();
+  for (let i = 0; i < 5; i += 1) {
+    clock.advance(9_000);
+    sockets[0].receive(bytesOf(i < 3 ? 'waiting behind others' : 'waiting'));
+  }
+  assert.deepEqual(states, ['connecting', 'open']);
+  assert.deepEqual(waits, [...Array(3).fill([515, 0, '']), ...Array(2).fill([1, 40, 'painting the sky'])]);
+  assert.deepEqual(frames, [], 'nothing to show or to acknowledge');
+  clock.advance(10_000);
+  assert.deepEqual(states, ['connecting', 'open', 'lost'], 'the server fell silent');
 });
 
 test('a hidden page waits to be looked at before it returns', () => {

@@ -19,7 +19,7 @@ const encoders = { Hello: encodeHello, Input: encodeInput, Ack: encodeAck, Resiz
 
 test('every message type has golden bytes', () => {
   const types = new Set(golden.map((entry) => entry.fields.message));
-  assert.deepEqual([...types].sort(), ['Ack', 'Frame', 'Hello', 'Input', 'Resize', 'Welcome']);
+  assert.deepEqual([...types].sort(), ['Ack', 'Frame', 'Hello', 'Input', 'Resize', 'Waiting', 'Welcome']);
 });
 
 for (const { name, fields, hex } of golden) {
@@ -48,6 +48,11 @@ test('no cut of a server message is taken for a whole one', () => {
   for (let length = 0; length < hex.length; length += 2) {
     assert.throws(() => decodeServerMessage(bytesOf(hex.slice(0, length))), ProtocolError, `welcome of ${length / 2}`);
   }
+  const waiting = find('Waiting').hex;
+  for (let length = 0; length < waiting.length; length += 2) {
+    const cut = bytesOf(waiting.slice(0, length));
+    assert.throws(() => decodeServerMessage(cut), ProtocolError, `waiting of ${length / 2}`);
+  }
   for (let length = 0; length <= 40; length += 2) {
     const cut = bytesOf(find('Frame').hex.slice(0, length));
     assert.throws(() => decodeServerMessage(cut), ProtocolError, `frame of ${length / 2}`);
@@ -69,6 +74,10 @@ for (const [what, data] of [
   ['a direction that is not a number', spoilt('Welcome', (view) => view.setFloat32(12, NaN, true))],
   ['an infinite direction', spoilt('Welcome', (view) => view.setFloat32(16, Infinity, true))],
   ['a name that is not UTF-8', spoilt('Welcome', (view) => view.setUint8(20, 0xff))],
+  ['a longer waiting', bytesOf(find('Waiting').hex + '00')],
+  ['more than 100 percent', spoilt('Waiting', (view) => view.setUint8(1, 101))],
+  ['a place before the first', spoilt('Waiting', (view) => view.setUint16(2, 0, true))],
+  ['a step that is not UTF-8', spoilt('Waiting', (view) => view.setUint8(8, 0xff))],
   ['an unknown codec', spoilt('Frame', (view) => view.setUint8(1, 9))],
   ['a frame without width', spoilt('Frame', (view) => view.setUint16(2, 0, true))],
   ['a frame without height', spoilt('Frame', (view) => view.setUint16(4, 0, true))],

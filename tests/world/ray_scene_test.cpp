@@ -28,6 +28,27 @@ TEST(RayScene, OcclusionObeysTheInterval) {
   EXPECT_FALSE(scene.occluded({0, 3, 0}, {0, -1, 0}, 3.5F));
 }
 
+TEST(RayScene, IsNotBuiltToItsEndWhereProgressThrows) {
+  Triangles many;
+  for (int i = 0; i < 20'000; ++i) many.append(floorSquare(), glm::translate(Mat4(1.0F), Vec3(i, i % 7, i % 13)));
+  int told = 0;
+  const auto count = [&](float share) {
+    ++told;
+    EXPECT_GE(share, 0.0F);
+    EXPECT_LE(share, 1.0F);
+  };
+  const RayScene whole(many, count);
+  EXPECT_GT(told, 1);
+  EXPECT_TRUE(whole.occluded({0, 3, 0}, {0, -1, 0}));
+  int toldBefore = 0;
+  const auto stop = [&](float) {
+    ++toldBefore;
+    throw std::runtime_error("not wanted");
+  };
+  EXPECT_THROW(const RayScene half(many, stop), std::runtime_error);
+  EXPECT_EQ(toldBefore, 1) << "nothing is told after that";
+}
+
 TEST(RayScene, TellsItsMemory) {
   Triangles many;
   for (int i = 0; i < 1000; ++i) many.append(floorSquare(), glm::translate(Mat4(1.0F), Vec3(i, 0, 0)));

@@ -6,7 +6,9 @@
 #include <cmath>
 #include <cstdint>
 #include <exception>
+#include <future>
 #include <limits>
+#include <memory>
 #include <mutex>
 #include <string>
 #include <utility>
@@ -65,7 +67,7 @@ class FluidBackend::Fire {
     }
     newest_ = simulation.snapshot(world::World::now());
     held_.set(simulation.bytes() + newest_->bytes());
-    clock_ = std::make_unique<FluidClock>(1.0 / static_cast<double>(FluidSimulation::kTick), [this] { return tick(); });
+    startClock(services.workers);
   }
 
   /// For somebody who looks, so the simulation goes on if it rests. Any thread.
@@ -86,6 +88,16 @@ class FluidBackend::Fire {
   }
 
  private:
+  /// From a worker: a thread begins with the priority of the one that starts it, and a world may be made by one whose
+  /// priority is low.
+  void startClock(pipeline::Executor& workers) {
+    const auto start = std::make_shared<std::packaged_task<std::unique_ptr<FluidClock>()>>([this] {
+      return std::make_unique<FluidClock>(1.0 / static_cast<double>(FluidSimulation::kTick), [this] { return tick(); });
+    });
+    workers.post([start] { (*start)(); });
+    clock_ = start->get_future().get();
+  }
+
   [[nodiscard]] std::unique_ptr<FluidSimulation> make(world::Vec3 place, int cells) const {
     return std::make_unique<FluidSimulation>(settings_, place, world_.solids(), world_.rays(), cells);
   }

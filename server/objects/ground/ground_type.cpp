@@ -1,6 +1,7 @@
 #include "objects/ground/ground_type.h"
 
 #include <map>
+#include <string>
 
 #include "objects/ground/ground_image.h"
 
@@ -29,6 +30,10 @@ GroundMaps bake(const node::BackendServices& services, const GroundModel& model,
           bakeMeadow(sizes.meadow, kMeadowMetres, options.seed), ToneTable(), Daylight()};
 }
 
+std::size_t bytesOf(const GroundMaps& maps) {
+  return sizeof maps + maps.clearing.pyramid.bytes() + maps.meadow.pyramid.bytes();
+}
+
 class GroundBackend final : public node::BackendHalf {
  public:
   GroundBackend(const node::BackendServices& services, world::TypeIndex self, MapSizes sizes)
@@ -36,10 +41,10 @@ class GroundBackend final : public node::BackendHalf {
     std::size_t bytes = 0;
     for (const world::Object& object : services.world.objects()) {
       if (object.type != self) continue;
+      const auto make = [&] { return bake(services, static_cast<const GroundModel&>(*object.model), sizes); };
       const auto placed =
-          maps_.emplace(object.id, bake(services, static_cast<const GroundModel&>(*object.model), sizes));
-      const GroundMaps& maps = placed.first->second;
-      bytes += sizeof maps + maps.clearing.pyramid.bytes() + maps.meadow.pyramid.bytes();
+          maps_.emplace(object.id, services.bakedOnce("ground " + std::to_string(object.id), bytesOf, make));
+      bytes += bytesOf(placed.first->second);
     }
     held_.set(bytes);
   }

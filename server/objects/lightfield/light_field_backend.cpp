@@ -7,15 +7,16 @@
 #include <limits>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "gl/workers.h"
+#include "node/prepare_each.h"
 #include "objects/lightfield/format/mapped_file.h"
 #include "objects/lightfield/object_view.h"
 #include "objects/lightfield/relight.h"
 #include "objects/lightfield/shader/shader_sampler.h"
 #include "objects/lightfield/shared_view.h"
 #include "objects/lightfield/simd/simd_sampler.h"
-#include "pipeline/run_all.h"
 
 namespace grove::objects::lightfield {
 namespace {
@@ -119,14 +120,16 @@ LightFieldBackend::LightFieldBackend(const node::BackendServices& services, worl
                                       glm::inverse(object.transform.matrix()),
                                       {}});
   }
-  const std::vector<world::Object>& objects = services.world.objects();
-  pipeline::runAll(services.workers, objects.size(), [&](std::size_t i) {
-    if (objects[i].type == self) entries_.at(objects[i].id).sun = makeSunGrid(objects[i], services.world.rays());
+  std::vector<const world::Object*> shaded;
+  for (const world::Object& object : services.world.objects()) {
+    if (object.type == self) shaded.push_back(&object);
+  }
+  node::prepareEach(services, "shadows on the light fields", shaded.size(), [&](std::size_t i) {
+    entries_.at(shaded[i]->id).sun = makeSunGrid(*shaded[i], services.world.rays());
   });
   std::size_t sunBytes = 0;
   for (const auto& [id, entry] : entries_) sunBytes += pipeline::vectorBytes(entry.sun.sun);
   sunGrids_.set(sunBytes);
-  if (services.progress) services.progress("shadows on the light fields", 1.0F);
 }
 
 LightFieldBackend::~LightFieldBackend() = default;

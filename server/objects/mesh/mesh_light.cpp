@@ -1,7 +1,6 @@
 #include "objects/mesh/mesh_light.h"
 
 #include <algorithm>
-#include <atomic>
 #include <exception>
 #include <filesystem>
 #include <memory>
@@ -11,9 +10,9 @@
 
 #include "base/checksum.h"
 #include "base/log.h"
+#include "node/prepare_each.h"
 #include "objects/mesh/kept_light.h"
 #include "objects/mesh/light_bake.h"
-#include "pipeline/run_all.h"
 #include "world/light.h"
 
 namespace grove::objects::mesh {
@@ -73,19 +72,20 @@ Light bake(const std::vector<PlacedMesh>& meshes, const node::BackendServices& s
     }
   }
   std::vector<std::unique_ptr<const world::RayScene>> own(meshes.size());
-  pipeline::runAll(services.workers, meshes.size(), [&](std::size_t i) {
-    if (meshes[i].shades) return;
+  std::vector<std::size_t> alone;
+  for (std::size_t i = 0; i < meshes.size(); ++i) {
+    if (!meshes[i].shades) alone.push_back(i);
+  }
+  node::prepareEach(services, "shapes of the meshes", alone.size(), [&](std::size_t a) {
+    const PlacedMesh& mesh = meshes[alone[a]];
     world::Triangles placed;
-    placed.append(meshes[i].surface->triangles(), meshes[i].toWorld);
-    own[i] = std::make_unique<const world::RayScene>(placed);
+    placed.append(mesh.surface->triangles(), mesh.toWorld);
+    own[alone[a]] = std::make_unique<const world::RayScene>(placed);
   });
-  std::atomic<std::size_t> done{0};
-  pipeline::runAll(services.workers, tasks.size(), [&](std::size_t t) {
+  node::prepareEach(services, "light of the meshes", tasks.size(), [&](std::size_t t) {
     const auto& [i, begin, end] = tasks[t];
     const Obstacles obstacles{services.world.rays(), own[i].get()};
     bakeLight(*meshes[i].surface, meshes[i].toWorld, obstacles, begin, std::span(light[i]).subspan(begin, end - begin));
-    const auto share = static_cast<float>(++done) / static_cast<float>(tasks.size());
-    if (services.progress) services.progress("light of the meshes", share);
   });
   return light;
 }

@@ -1,6 +1,7 @@
 #include "objects/sky/sky_type.h"
 
 #include <map>
+#include <string>
 
 #include "objects/sky/panorama_bake.h"
 #include "objects/sky/sky_image.h"
@@ -21,6 +22,8 @@ class SkyModel final : public world::Model {
   const int seed_;
 };
 
+std::size_t bytesOf(const SkyMaps& maps) { return maps.sharp.bytes() + maps.soft.bytes(); }
+
 class SkyBackend final : public node::BackendHalf {
  public:
   SkyBackend(const node::BackendServices& services, world::TypeIndex self, PanoramaSize size)
@@ -31,8 +34,9 @@ class SkyBackend final : public node::BackendHalf {
       const int seed = static_cast<const SkyModel&>(*object.model).seed();
       if (maps_.contains(seed)) continue;
       const auto progress = [&](float share) { services.progress("painting the sky", share); };
-      const SkyMaps& maps = maps_.emplace(seed, bakePanorama(size, seed, progress)).first->second;
-      bytes += maps.sharp.bytes() + maps.soft.bytes();
+      const auto bake = [&] { return SkyMaps(bakePanorama(size, seed, progress)); };
+      const auto placed = maps_.emplace(seed, services.bakedOnce("sky " + std::to_string(seed), bytesOf, bake));
+      bytes += bytesOf(placed.first->second);
     }
     held_.set(bytes);
   }

@@ -1,0 +1,83 @@
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+
+import { Notice } from '../../web/notice.js';
+
+/** An element that counts how often its words were set: a live region reads them out each time. */
+class Part {
+  hidden = false;
+  value = 0;
+  spoken = 0;
+  #text = '';
+
+  get textContent() {
+    return this.#text;
+  }
+
+  set textContent(text) {
+    this.#text = text;
+    this.spoken += 1;
+  }
+
+  addEventListener() {}
+}
+
+function setUp() {
+  const parts = {
+    '[data-notice=title]': new Part(),
+    '[data-notice=text]': new Part(),
+    progress: new Part(),
+    button: new Part(),
+  };
+  const element = { hidden: false, querySelector: (selector) => parts[selector] };
+  return {
+    notice: new Notice(element, () => {}),
+    element,
+    title: parts['[data-notice=title]'],
+    text: parts['[data-notice=text]'],
+    progress: parts.progress,
+    button: parts.button,
+  };
+}
+
+test('says how many are before', () => {
+  const { notice, title, text, progress } = setUp();
+  notice.wait({ place: 3, percent: 0, step: '' });
+  assert.equal(title.textContent, 'Place 3 in line');
+  assert.match(text.textContent, /2 visitors are before you\.$/);
+  assert.equal(progress.hidden, true);
+  notice.wait({ place: 2, percent: 0, step: '' });
+  assert.equal(title.textContent, 'Place 2 in line');
+  assert.match(text.textContent, /One visitor is before you\.$/);
+});
+
+test('says what is being made, and shows how much of it', () => {
+  const { notice, element, title, text, progress } = setUp();
+  notice.hide();
+  notice.wait({ place: 1, percent: 40, step: 'painting the sky' });
+  assert.equal(element.hidden, false);
+  assert.equal(title.textContent, 'Your world is being made');
+  assert.equal(text.textContent, 'Painting the sky\u2026');
+  assert.equal(progress.hidden, false);
+  assert.equal(progress.value, 40);
+  notice.wait({ place: 1, percent: 0, step: '' });
+  assert.equal(text.textContent, 'A moment\u2026');
+});
+
+test('words that stay the same are not read out again', () => {
+  const { notice, title, text, progress } = setUp();
+  for (const percent of [10, 20, 30]) notice.wait({ place: 1, percent, step: 'painting the sky' });
+  assert.equal(progress.value, 30);
+  assert.equal(title.spoken, 1);
+  assert.equal(text.spoken, 1);
+});
+
+test('neither the button of another state nor its bar stays', () => {
+  const { notice, progress, button } = setUp();
+  notice.show('full', '');
+  assert.equal(button.hidden, false);
+  notice.wait({ place: 1, percent: 40, step: '' });
+  assert.equal(button.hidden, true);
+  notice.show('lost', '');
+  assert.equal(progress.hidden, true);
+});
