@@ -18,7 +18,7 @@ std::string lastError() { return std::generic_category().message(errno); }
 }  // namespace
 
 // Without O_NONBLOCK, opening a pipe would wait for somebody who writes to it.
-PlainFile::PlainFile(std::filesystem::path file, std::string mend, std::uint64_t mostBytes)
+PlainFile::PlainFile(std::filesystem::path file, std::string mend, std::uint64_t maxBytes)
     : file_(std::move(file)),
       mend_(std::move(mend)),
       descriptor_(open(file_.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY)) {
@@ -26,10 +26,10 @@ PlainFile::PlainFile(std::filesystem::path file, std::string mend, std::uint64_t
   struct stat status {};
   const bool plain = fstat(descriptor_, &status) == 0 && S_ISREG(status.st_mode);
   bytes_ = static_cast<std::uint64_t>(status.st_size);
-  if (plain && bytes_ <= mostBytes) return;
+  if (plain && bytes_ <= maxBytes) return;
   close(descriptor_);
   if (!plain) fail("is no plain file");
-  fail("has " + std::to_string(bytes_) + " bytes, and " + std::to_string(mostBytes) + " are the most that are read");
+  fail("has " + std::to_string(bytes_) + " bytes, and " + std::to_string(maxBytes) + " are the most that are read");
 }
 
 PlainFile::~PlainFile() { close(descriptor_); }

@@ -12,8 +12,8 @@ namespace grove {
 /// One thread.
 class PlainFile {
  public:
-  /// Throws EnvironmentError, as all of it does, that ends with `mend`; also for a file of more than `mostBytes`.
-  PlainFile(std::filesystem::path file, std::string mend, std::uint64_t mostBytes);
+  /// Throws EnvironmentError, as all of it does, that ends with `mend`; also for a file of more than `maxBytes`.
+  PlainFile(std::filesystem::path file, std::string mend, std::uint64_t maxBytes);
   ~PlainFile();
   PlainFile(const PlainFile&) = delete;
   PlainFile& operator=(const PlainFile&) = delete;

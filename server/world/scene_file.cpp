@@ -55,9 +55,9 @@ class Parameters::Table {
 namespace {
 
 constexpr std::size_t kMostObjects = 4096;
-constexpr int kMostNested = 16;
-constexpr std::uint64_t kMostBytes = std::uint64_t{16} << 20U;
-constexpr double kMostMetres = 1000.0;
+constexpr int kMaxNested = 16;
+constexpr std::uint64_t kMaxBytes = std::uint64_t{16} << 20U;
+constexpr double kMaxMetres = 1000.0;
 
 std::string inQuotes(std::string_view text) { return std::string("'").append(text).append("'"); }
 
@@ -118,7 +118,7 @@ Vec3 Parameters::vector(std::string_view key, Vec3 fallback) const {
   for (int i = 0; i < 3; ++i) {
     const toml::node& element = (*array)[static_cast<std::size_t>(i)];
     const auto value = numberIn(element);
-    if (!value || !(std::abs(*value) <= kMostMetres)) {
+    if (!value || !(std::abs(*value) <= kMaxMetres)) {
       table_->fail(node, inQuotes(key) + " must be three numbers within +-1000");
     }
     result[i] = static_cast<float>(*value);
@@ -173,8 +173,8 @@ LightDescription readLight(const Parameters& parameters) {
 }
 
 std::shared_ptr<const toml::table> parseToml(std::string_view text, const std::string& fileName) {
-  if (const auto line = lineNestedDeeper(text, kMostNested)) {
-    throw SceneError(fileName + ":" + std::to_string(*line) + ": nested more than " + std::to_string(kMostNested) +
+  if (const auto line = lineNestedDeeper(text, kMaxNested)) {
+    throw SceneError(fileName + ":" + std::to_string(*line) + ": nested more than " + std::to_string(kMaxNested) +
                      " deep; a scene needs two");
   }
   try {
@@ -211,7 +211,7 @@ Scene parseScene(std::string_view text, const std::string& fileName) {
 }
 
 Scene loadScene(const std::filesystem::path& file) {
-  return parseScene(PlainFile(file, "check the path given to --scene", kMostBytes).readAll(), file.string());
+  return parseScene(PlainFile(file, "check the path given to --scene", kMaxBytes).readAll(), file.string());
 }
 
 }  // namespace grove::world

@@ -161,7 +161,7 @@ models::Model treeOf(float metres) {
 }
 
 TEST_F(Bake, WhatCanBeImportedCanBeBakedAndOpened) {
-  for (const float metres : {models::kLeastMetres, 0.002F, models::kMostMetres}) {
+  for (const float metres : {models::kMinMetres, 0.002F, models::kMaxMetres}) {
     const models::Model model = treeOf(metres);
     ASSERT_TRUE(bakeLightField(model, kSmallBake, file_(), [](const BakeProgress&) {}, {})) << metres;
     EXPECT_NO_THROW((void)openLightField(file_())) << metres;

@@ -20,7 +20,7 @@ namespace {
 /// How many bytes may still be read.
 using Budget = std::uint64_t;
 
-constexpr int kMostNested = 64;
+constexpr int kMaxNested = 64;
 
 bool fileExists(const std::string& name, void*) {
   std::error_code failed;
@@ -128,8 +128,7 @@ GltfFile loadGltfFile(const std::filesystem::path& path) {
   std::string warning;
   if (!readWhole(&bytes, &error, path.string(), &budget)) file.fail(error.empty() ? "cannot be read" : error);
 
-  if (nestsDeeper(jsonOf(bytes), kMostNested))
-    file.fail("is nested more than " + std::to_string(kMostNested) + " deep");
+  if (nestsDeeper(jsonOf(bytes), kMaxNested)) file.fail("is nested more than " + std::to_string(kMaxNested) + " deep");
 
   tinygltf::TinyGLTF loader;
   loader.SetImageLoader(keepEncoded, nullptr);

@@ -207,9 +207,9 @@ class Importer {
     const float extent = std::max({size.x, size.y, size.z});
     if (!std::isfinite(extent)) file_.fail("is too large for floats");
     if (extent <= 0.0F) file_.fail("has no extent: all its points are in one place");
-    if (extent < kLeastMetres || extent > kMostMetres) {
+    if (extent < kMinMetres || extent > kMaxMetres) {
       std::ostringstream reason;
-      reason << "is " << extent << " m large, and " << kLeastMetres << " to " << kMostMetres
+      reason << "is " << extent << " m large, and " << kMinMetres << " to " << kMaxMetres
              << " m can be shown; a glTF file's unit is the metre: scale it when it is exported";
       file_.fail(reason.str());
     }

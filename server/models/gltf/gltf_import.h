@@ -22,8 +22,8 @@ inline constexpr int kImportVersion = 2;
 
 /// What a model file may hold at most.
 inline constexpr std::size_t kMostTriangles = 50'000'000;
-inline constexpr float kLeastMetres = 0.001F;  ///< along its longest edge; a light-field file holds what lies between
-inline constexpr float kMostMetres = 100'000.0F;
+inline constexpr float kMinMetres = 0.001F;  ///< along its longest edge; a light-field file holds what lies between
+inline constexpr float kMaxMetres = 100'000.0F;
 inline constexpr int kMostTexels = 16384;                             ///< a texture's width or height
 inline constexpr std::uint64_t kMostBytes = std::uint64_t{4} << 30U;  ///< with all files it names
 

@@ -22,8 +22,8 @@ using world::Vec2;
 using world::Vec3;
 
 constexpr float kTexelsAPiece = 2.0F;
-constexpr int kMostParts = 64;   // along a triangle's edge
-constexpr int kLeastParts = 4;   // with fewer, a leaf is cut to no shape
+constexpr int kMaxParts = 64;    // along a triangle's edge
+constexpr int kMinParts = 4;     // with fewer, a leaf is cut to no shape
 constexpr float kFaint = 0.1F;   // alpha of what blends from which there is something to see
 constexpr float kEnough = 0.5F;  // of a piece's samples
 
@@ -45,7 +45,7 @@ float wantedParts(const Model& model, std::size_t triangle) {
     return glm::length((model.uvs[to] - model.uvs[from]) * size);
   };
   const float parts = std::max({texels(a, b), texels(b, c), texels(c, a)}) / kTexelsAPiece;
-  return std::clamp(std::ceil(parts), static_cast<float>(kLeastParts), static_cast<float>(kMostParts));
+  return std::clamp(std::ceil(parts), static_cast<float>(kMinParts), static_cast<float>(kMaxParts));
 }
 
 /// Cuts one triangle after the other and puts the pieces into the model.
@@ -146,14 +146,14 @@ Model withHolesCut(Model model) {
     pieces += std::pow(static_cast<double>(wantedParts(model, i)), 2.0);
   }
   if (pierced.empty()) return model;
-  const bool cut = pierced.size() * kLeastParts * kLeastParts <= kMostPieces;
+  const bool cut = pierced.size() * kMinParts * kMinParts <= kMaxPieces;
   nameWhatIsLeftOut(model, cut);
   if (!cut) return model;
 
-  const float share = static_cast<float>(std::min(1.0, std::sqrt(static_cast<double>(kMostPieces) / pieces)));
+  const float share = static_cast<float>(std::min(1.0, std::sqrt(static_cast<double>(kMaxPieces) / pieces)));
   Cutter cutter(model);
   for (const std::size_t i : pierced) {
-    cutter.cut(i, std::max(kLeastParts, static_cast<int>(wantedParts(model, i) * share)));
+    cutter.cut(i, std::max(kMinParts, static_cast<int>(wantedParts(model, i) * share)));
   }
   std::size_t kept = 0;
   std::size_t next = 0;

@@ -5,7 +5,7 @@
 namespace grove::objects::mesh {
 
 /// Triangles that cutting may add to a model, or thereabouts: half of what an oak has.
-inline constexpr std::size_t kMostPieces = 60'000;
+inline constexpr std::size_t kMaxPieces = 60'000;
 
 /// The model without what its textures make transparent, as a light field shows it: a triangle with holes becomes
 /// pieces of a few texels, and those without enough to see are left out.

@@ -91,7 +91,7 @@ TEST(Holes, WhatBlendsIsSolidWhereThereIsAnythingToSeeAndIsNamed) {
 
 TEST(Holes, TooManyAreLeftAndNamed) {
   models::Model model = disc(0xFF00FF00U, 0x0000FF00U);
-  const std::size_t leaves = kMostPieces / 16;
+  const std::size_t leaves = kMaxPieces / 16;
   for (std::size_t i = 0; i < leaves; ++i) {
     model.triangles.indices.push_back({0, 1, 2});
     model.materialOf.push_back(1);
