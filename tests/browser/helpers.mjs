@@ -86,9 +86,11 @@ export function launchBrowser() {
 export class Visitor {
   complaints = [];
 
-  static async arrive(browser, url, options = {}) {
+  /** `script` runs in the page before its own. */
+  static async arrive(browser, url, options = {}, script = () => {}) {
     const visitor = new Visitor();
     visitor.context = await browser.newContext({ viewport: { width: 640, height: 360 }, ...options });
+    await visitor.context.addInitScript(script);
     visitor.page = await visitor.context.newPage();
     visitor.page.setDefaultTimeout(kPatience);
     visitor.page.on('pageerror', (error) => visitor.complaints.push(String(error)));

@@ -1,0 +1,60 @@
+import assert from 'node:assert/strict';
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { after, before, test } from 'node:test';
+import { fileURLToPath } from 'node:url';
+
+import { Server, Visitor, launchBrowser, statistics } from './helpers.mjs';
+
+const kClearing = fileURLToPath(new URL('clearing.toml', import.meta.url));
+
+let folder;
+let server;
+let browser;
+
+before(async () => {
+  folder = mkdtempSync(join(tmpdir(), 'grove-private-'));
+  const scene = join(folder, 'clearing.toml');
+  // A finer fire takes longer to make than the second page to open.
+  writeFileSync(scene, readFileSync(kClearing, 'utf8').replace('grid = 32', 'grid = 64'));
+  server = await Server.start({ options: ['--private', '--scene', scene] });
+  browser = await launchBrowser();
+});
+
+after(async () => {
+  await browser?.close();
+  await server?.end();
+  rmSync(folder, { recursive: true, force: true });
+});
+
+/** Keeps every title that the page's notice ever has, in `titles`. */
+function keepTitles() {
+  window.titles = [];
+  const keep = () => {
+    const title = document.querySelector('[data-notice="title"]')?.textContent;
+    if (title && title !== window.titles.at(-1)) window.titles.push(title);
+  };
+  new MutationObserver(keep).observe(document, { subtree: true, childList: true, characterData: true });
+}
+
+test('who waits for a world of his own is told his place, moves up and gets in', async () => {
+  const arrive = (name) => Visitor.arrive(browser, `${server.url}?name=${name}`, {}, keepTitles);
+  const both = await Promise.all(['Ada', 'Bob'].map(arrive));
+  const told = await Promise.all(
+    both.map(async (visitor) => {
+      await visitor.until('connection', 'open');
+      await visitor.frames(3);
+      return visitor.page.evaluate(() => window.titles);
+    }),
+  );
+  const [first, second] = told.sort((a, b) => a.length - b.length);
+  assert.deepEqual(first, ['Grove', 'Your world is being made']);
+  assert.deepEqual(second, ['Grove', 'Place 2 in line', 'Your world is being made']);
+  for (const visitor of both) {
+    const { deviation } = statistics(await visitor.picture());
+    assert.ok(deviation > 10, `the picture is uniform: deviation ${deviation}`);
+    assert.ok(await visitor.page.locator('#notice').isHidden(), 'the notice covers the world');
+    await visitor.leave();
+  }
+});
