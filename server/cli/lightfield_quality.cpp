@@ -93,9 +93,10 @@ Mask nearBorder(const HeldOutView& view, float nearest, float farthest) {
   Mask result(view.colour.size(), 0);
   for (std::size_t i = 0; i < result.size(); ++i) {
     if (view.depth[i] >= world::kInfiniteDepth) continue;
-    const auto column = static_cast<float>(i % static_cast<std::size_t>(view.size)) + 0.5F;
-    const auto row = static_cast<float>(i / static_cast<std::size_t>(view.size)) + 0.5F;
-    const float border = toBorder(view.camera.eye + view.depth[i] * view.camera.ray(column, row));
+    const std::size_t column = i % static_cast<std::size_t>(view.size);
+    const std::size_t row = i / static_cast<std::size_t>(view.size);
+    const Vec3 ray = view.camera.ray(static_cast<float>(column) + 0.5F, static_cast<float>(row) + 0.5F);
+    const float border = toBorder(view.camera.eye + view.depth[i] * ray);
     result[i] = border >= nearest && border < farthest;
   }
   return result;

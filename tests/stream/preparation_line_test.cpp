@@ -124,9 +124,10 @@ class Visitor {
 };
 
 class PreparationLineTest : public testing::Test {
- protected:
+ public:
   ~PreparationLineTest() override { preparations_.held = false; }
 
+ protected:
   world::World::Layout layout() {
     registry_.add(std::make_unique<HeldType>(preparations_));
     return node::makeLayout(world::parseScene("[[object]]\ntype = 'held'\n", "test"), registry_);

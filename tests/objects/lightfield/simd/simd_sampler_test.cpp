@@ -165,8 +165,8 @@ TEST(SimdSampler, ARectIsThatPartOfTheFrame) {
     int differ = 0;
     for (int row = rect.top; row < rect.bottom; ++row) {
       for (int column = rect.left; column < rect.right; ++column) {
-        const auto in = static_cast<std::size_t>((row - rect.top) * rect.width() + column - rect.left);
-        const auto at = static_cast<std::size_t>(row * kSize + column);
+        const int in = (row - rect.top) * rect.width() + column - rect.left;
+        const int at = row * kSize + column;
         const bool covered = part.colour[in] >> 24U > 128;
         differ += covered != (whole.colour[at] >> 24U > 128);
       }
@@ -271,6 +271,7 @@ TEST(SimdSampler, ThreadsDoNotDisturbEachOther) {
   std::array<Shot, 4> shots;
   {
     std::vector<std::jthread> threads;
+    threads.reserve(shots.size());
     for (Shot& shot : shots) threads.emplace_back([&shot] { shot = shoot(between(0.3F, 0.4F)); });
   }
   for (const Shot& shot : shots) EXPECT_EQ(shot.colour, alone.colour);
