@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <string>
 #include <variant>
@@ -27,7 +28,9 @@ struct View {
   world::PlayerId viewer = 0;
   std::uint32_t lastInput = 0;  ///< number of the last input that the camera obeys
   world::Camera camera;
-  double time = 0.0;                      ///< seconds of the world's clock
+  double time = 0.0;  ///< seconds of the world's clock
+  /// Of the same clock: until then the frame waits for its objects, and who gets a request later leaves it unanswered.
+  double deadline = std::numeric_limits<double>::infinity();
   std::vector<world::Player> players;     ///< all visitors, the viewer too
   std::vector<world::PointLight> lights;  ///< the fire and the lanterns
 };

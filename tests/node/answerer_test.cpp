@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <mutex>
 #include <semaphore>
 #include <stdexcept>
@@ -10,6 +11,7 @@
 
 #include "node/backend/renderer.h"
 #include "pipeline/worker_pool.h"
+#include "world/world.h"
 
 namespace grove::node {
 namespace {
@@ -50,9 +52,10 @@ class Results final : public pipeline::Stage<Result> {
   }
 };
 
-Request requestOf(SessionId session) {
+Request requestOf(SessionId session, double deadline = std::numeric_limits<double>::infinity()) {
   auto view = std::make_shared<View>();
   view->session = session;
+  view->deadline = deadline;
   auto list = std::make_shared<FrameList>();
   list->view = std::move(view);
   list->objects.resize(1);
@@ -74,6 +77,27 @@ TEST(Answerer, OneRequestThatThrowsCostsTheOthersOfItsBatchNothing) {
   EXPECT_THAT(half.batches, ElementsAre(3U, 1U, 1U, 1U));
   EXPECT_THAT(results->failed, ElementsAre(std::pair(1U, false), std::pair(2U, true), std::pair(3U, false)));
   EXPECT_EQ(timeline.totals().at("Renderer").failures, 2U) << "of the batch and of the one";
+}
+
+/// Or who is slower than the deadline would fall behind for ever.
+TEST(Answerer, LeavesRequestsOfFramesThatHaveEnded) {
+  pipeline::Timeline timeline;
+  pipeline::WorkerPool workers(1);
+  Fussy half(workers, 0);
+  const auto renderer = std::make_shared<Renderer>("fussy", half, timeline);
+  const auto results = std::make_shared<Results>(workers, timeline);
+  renderer->connect(results);
+  std::binary_semaphore begin(0);
+  workers.post([&] { begin.acquire(); });
+  const double now = world::World::now();
+  renderer->push(requestOf(1, now - 0.1));
+  renderer->push(requestOf(2, now + 3600.0));
+  renderer->push(requestOf(3, now - 0.1));
+  begin.release();
+  for (int stage = 0; stage < 6; ++stage) workers.drain();
+  EXPECT_THAT(half.batches, ElementsAre(1U));
+  EXPECT_THAT(results->failed, ElementsAre(std::pair(2U, false)));
+  EXPECT_EQ(timeline.counters()["requests of frames that had ended"], 2);
 }
 
 }  // namespace

@@ -28,6 +28,12 @@ class FaultyTransport final : public Transport {
     for (Result& result : kept) wire_.send(std::move(result));
   }
 
+  /// How many results wait.
+  [[nodiscard]] std::size_t kept() {
+    const std::lock_guard lock(mutex_);
+    return kept_.size();
+  }
+
   void connectBackend(world::TypeIndex type, std::shared_ptr<pipeline::Inlet<Request>> receiver) override {
     wire_.connectBackend(type, std::move(receiver));
   }

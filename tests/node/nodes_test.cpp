@@ -204,6 +204,26 @@ TEST_F(Nodes, WhatNeverAnsweredIsLeftOutAfterTheDeadline) {
   EXPECT_EQ(screen->waitFor(1)->colourRow(90)[160], 0xFF000000U);
 }
 
+TEST_F(Nodes, AnObjectThatIsAlwaysLateShowsWhatItAnsweredLast) {
+  deadlineSeconds = 0.05;
+  const auto screen = std::make_shared<Screen>(workers, timeline);
+  const auto node = frontend(1, 0.0F, screen, 1);
+  const auto showWithoutResults = [&](FrameNumber frame) {
+    transport.keepBack = true;
+    return eventually([&] { return node->requestFrame(); }) && eventually([&] {
+             node->checkDeadline();
+             return screen->waitFor(frame, 1ms) != nullptr;
+           });
+  };
+  ASSERT_TRUE(showWithoutResults(1));
+  ASSERT_TRUE(eventually([&] { return transport.kept() == 2; }));
+  transport.release();
+  ASSERT_TRUE(eventually([&] { return timeline.counters()["results that the next frame may show"] == 2; }));
+  ASSERT_TRUE(showWithoutResults(2));
+  EXPECT_EQ(screen->waitFor(2)->colourRow(90)[160] & 0xFFU, 90U) << "the near box came too late for frame 1";
+  EXPECT_EQ(screen->waitFor(2)->colourRow(90)[154] & 0xFFU, 200U);
+}
+
 TEST_F(Nodes, EveryFrameThatBeganEndsOnceWhenTheNodeClosesUnderIt) {
   for (int i = 0; i < 50; ++i) {
     ended = 0;

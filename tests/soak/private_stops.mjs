@@ -2,28 +2,33 @@ import { Server } from '../hostile/server.mjs';
 import { now, pause } from '../hostile/time.mjs';
 import { Visitor } from '../hostile/visitor.mjs';
 
-/** Servers of private worlds that are stopped at any moment: while worlds are made, waited for, walked in and left. */
+/** Servers of private worlds that are stopped at any moment: while worlds are waited for, made, walked in and left. */
 
 const kVisitors = 3;
-/** So long after the first visitor has come, at most. A world of the clearing is made in a tenth of a second. */
+/** A stop comes so long after the first visitor, at most. Seconds. */
 const kLongestVisit = 1.5;
+/** Visitors leave about when the stop comes: worlds that are taken apart by two threads are what hung. Seconds. */
+const kAbout = 0.03;
 const kPatience = 5;
 const kOptions = ['--private', '--scene', 'tests/browser/clearing.toml'];
 
-/** Comes, and may leave after a while; whatever happens to him is right. */
-async function visit(port, index) {
+/** Comes, and leaves at this time; whether he got in by then does not matter. */
+async function visit(port, index, leaveAt) {
   await pause(Math.random() * 0.3);
   const size = { width: 320, height: 180 };
   const visitor = await Visitor.enter({ port, name: `Visitor ${index}`, ...size }).catch(() => null);
-  await pause(Math.random() * kLongestVisit);
+  await pause(Math.max(0, leaveAt - now()));
   if (Math.random() < 0.5) visitor?.leave();
   else visitor?.drop();
 }
 
 async function stopOnce() {
   const server = await Server.listening({ options: kOptions });
-  const visits = Array.from({ length: kVisitors }, (_, index) => visit(server.port, index));
-  await pause(Math.random() * kLongestVisit);
+  const stopAt = now() + Math.random() * kLongestVisit;
+  const visits = Array.from({ length: kVisitors }, (_, index) =>
+    visit(server.port, index, stopAt + (Math.random() - 0.5) * kAbout),
+  );
+  await pause(stopAt - now());
   const seconds = await server.stop('SIGTERM', kPatience);
   await Promise.all(visits);
   return { seconds, end: server.end };
@@ -38,7 +43,9 @@ export async function privateStops({ stops }) {
     if (seconds === null) faults.push(`stop ${stop} of ${stops} took more than ${kPatience} s`);
     else if (end.code !== 0) faults.push(`stop ${stop} of ${stops} ended with ${end.code ?? end.signal}`);
     took.push(seconds ?? kPatience);
-    if (stop % 50 === 0) console.error(`${stop} of ${stops} stops, ${faults.length} faults, ${Math.round(now() - began)} s`);
+    if (stop % 50 === 0) {
+      console.error(`${stop} of ${stops} stops, ${faults.length} faults, ${Math.round(now() - began)} s`);
+    }
   }
   took.sort((a, b) => a - b);
   return { result: { stops, median: took[Math.floor(stops / 2)], longest: took.at(-1) }, faults };

@@ -1,9 +1,12 @@
 #include "node/backend/answerer.h"
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 #include <vector>
 
 #include "node/limits.h"
+#include "world/world.h"
 
 namespace grove::node {
 namespace {
@@ -22,6 +25,7 @@ Answerer::Answerer(const char* name, std::string_view subject, BackendHalf& half
              .concurrency = half.concurrency(),
              .maxBatch = half.mostAtOnce()},
             half.executor(), timeline),
+      timeline_(timeline),
       half_(half) {}
 
 void Answerer::connect(std::shared_ptr<pipeline::Inlet<Result>> compressor) {
@@ -29,7 +33,12 @@ void Answerer::connect(std::shared_ptr<pipeline::Inlet<Result>> compressor) {
   addOutlet(compressor_);
 }
 
-void Answerer::process(std::span<Request> requests, pipeline::Run& run) {
+void Answerer::process(std::span<Request> all, pipeline::Run& run) {
+  const double now = world::World::now();
+  const auto ended = std::ranges::stable_partition(all, [&](const Request& r) { return now < r.view().deadline; });
+  const std::span<Request> requests = all.first(all.size() - ended.size());
+  if (!ended.empty()) timeline_.count("requests of frames that had ended", std::ssize(ended));
+  if (requests.empty()) return;
   std::vector<Payload> payloads(requests.size());
   attempt([&] { half_.answer(requests, payloads); },
           [&](const std::string& reason) { answerOneByOne(requests, payloads, reason); });

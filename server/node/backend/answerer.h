@@ -9,7 +9,8 @@
 namespace grove::node {
 
 /// What Renderer and Simulator share: a batch of requests goes to the object type's backend half, and a result for each
-/// goes on, a Failure where the half threw. One request that throws costs the others of its batch nothing.
+/// goes on, a Failure where the half threw. One request that throws costs the others of its batch nothing. A request
+/// whose frame has ended meanwhile is left unanswered, so that what is slow has no backlog.
 class Answerer : public pipeline::Stage<Request> {
  public:
   void connect(std::shared_ptr<pipeline::Inlet<Result>> compressor);
@@ -17,12 +18,13 @@ class Answerer : public pipeline::Stage<Request> {
  protected:
   /// `subject`: the type of object, for the timeline.
   Answerer(const char* name, std::string_view subject, BackendHalf& half, pipeline::Timeline& timeline);
-  void process(std::span<Request> requests, pipeline::Run& run) final;
+  void process(std::span<Request> all, pipeline::Run& run) final;
 
  private:
   /// After the batch has thrown for `reason`: only those fail that throw alone, too.
   void answerOneByOne(std::span<const Request> requests, std::span<Payload> payloads, const std::string& reason);
 
+  pipeline::Timeline& timeline_;
   BackendHalf& half_;
   pipeline::Outlet<Result> compressor_;
 };

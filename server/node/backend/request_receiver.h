@@ -5,8 +5,7 @@
 
 namespace grove::node {
 
-/// Takes requests off the transport and hands them to the Renderer or the Simulator (section 4.2, step 3). Requests of
-/// a frame that the frontend cannot show any more are still answered: only the frontend knows its table.
+/// Takes requests off the transport and hands them to the Renderer or the Simulator (section 4.2, step 3).
 class RequestReceiver final : public pipeline::Stage<Request> {
  public:
   RequestReceiver(pipeline::Executor& executor, pipeline::Timeline& timeline);

@@ -49,7 +49,7 @@ Compositor::Compositor(const Registry& registry, ImagePool& images, pipeline::Me
       images_(images),
       memory_(memory),
       frameDone_(std::move(frameDone)),
-      table_(static_cast<std::size_t>(policy.framesInFlight), policy.deadlineSeconds) {}
+      table_(static_cast<std::size_t>(policy.framesInFlight)) {}
 
 void Compositor::connect(std::shared_ptr<pipeline::Inlet<FinishedFrame>> next) {
   next_.connect(std::move(next));
@@ -60,15 +60,14 @@ void Compositor::process(std::span<CompositorInput> inputs, pipeline::Run& run) 
   for (CompositorInput& input : inputs) {
     std::optional<CompleteFrame> frame;
     if (const auto* list = std::get_if<std::shared_ptr<const FrameList>>(&input)) {
-      table_.open(*list, world::World::now());
+      table_.open(*list);
       frame = table_.take((*list)->view->frame);
     } else if (Result* result = std::get_if<Result>(&input)) {
       const FrameNumber number = result->frame;
-      if (!table_.put(std::move(*result))) timeline_.count("results that were not waited for");
+      if (!table_.put(*result)) takeLate(std::move(*result));
       frame = table_.take(number);
     } else {
-      frame = table_.takeOverdue(world::World::now());
-      if (frame) fillIn(*frame);
+      frame = takeOverdue();
     }
     if (frame) show(std::move(*frame), run);
   }
@@ -85,6 +84,23 @@ void Compositor::show(CompleteFrame frame, pipeline::Run& run) {
   newestShown_ = number;
   next_.send(run, FinishedFrame{frame.list->view, composite(frame)});
   lastResults_.keep(std::move(frame));
+}
+
+void Compositor::takeLate(Result result) {
+  timeline_.count("results that were not waited for");
+  if (lastResults_.keepLate(std::move(result))) timeline_.count("results that the next frame may show");
+}
+
+std::optional<CompleteFrame> Compositor::takeOverdue() {
+  const double now = world::World::now();
+  std::optional<CompleteFrame> newest;
+  while (auto frame = table_.takeOverdue(now)) {
+    // Older ones would be followed by this one at once.
+    if (newest) frameDone_();
+    newest = std::move(frame);
+  }
+  if (newest) fillIn(*newest);
+  return newest;
 }
 
 void Compositor::fillIn(CompleteFrame& frame) {

@@ -3,6 +3,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <variant>
 
 #include "node/frontend/last_results.h"
@@ -35,7 +36,8 @@ struct FramePolicy {
 
 /// Last box of Figure 4.2: when all requests of a frame are fulfilled, composites their images by depth, then lets each
 /// object type's frontend half draw its data, back to front (section 4.2, step 10). A frame that is complete only after
-/// a newer one was shown is dropped; one that is not complete by the deadline is shown as it is.
+/// a newer one was shown is dropped; one that is not complete by its deadline is shown with the last results of what is
+/// missing. What comes later still is the last result then.
 class Compositor final : public pipeline::Stage<CompositorInput> {
  public:
   /// `frameDone` is called once for every announced frame, shown or not.
@@ -48,6 +50,10 @@ class Compositor final : public pipeline::Stage<CompositorInput> {
 
  private:
   void show(CompleteFrame frame, pipeline::Run& run);
+  /// Of a frame that has ended.
+  void takeLate(Result result);
+  /// The newest frame whose deadline has passed, filled in; ends those before it.
+  [[nodiscard]] std::optional<CompleteFrame> takeOverdue();
   void fillIn(CompleteFrame& frame);
   [[nodiscard]] std::shared_ptr<const Image> composite(const CompleteFrame& frame);
   void lay(const VisibleObject& object, const Payload& payload, const View& view, FrameBuilder& frame);

@@ -19,7 +19,8 @@ FrontendNode::FrontendNode(SessionId session, const FramePolicy& policy, SceneAn
 
   const auto endFrame = [frames = inFlight_] { frames->end(); };
 
-  analyzer_ = std::make_shared<SceneAnalyzer>(services.world, std::move(look), endFrame, workers, timeline);
+  analyzer_ = std::make_shared<SceneAnalyzer>(services.world, std::move(look), policy.deadlineSeconds, endFrame,
+                                              workers, timeline);
   requestSender_ = std::make_shared<RequestSender>(transport_, workers, timeline);
   resultReceiver_ = std::make_shared<ResultReceiver>(
       static_cast<std::size_t>(policy.framesInFlight) * kMostObjectsPerFrame, workers, timeline);

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstddef>
-#include <utility>
+#include <deque>
+#include <memory>
+#include <optional>
 #include <vector>
 
 #include "node/frontend/result_table.h"
@@ -12,16 +14,22 @@ namespace grove::node {
 /// time.
 class LastResults {
  public:
-  void keep(CompleteFrame frame) { newest_ = std::move(frame); }
+  void keep(CompleteFrame frame);
+
+  /// Of a frame that was shown without it. True if it is the last one of its object now.
+  bool keepLate(Result result);
 
   /// Gives each slot without a result the last one of its object, or a Failure if there is none that fits. Returns the
   /// slots that it looked after.
   std::vector<std::size_t> fillIn(CompleteFrame& frame) const;
 
  private:
-  [[nodiscard]] const Payload* of(const VisibleObject& object, const View& view) const;
+  /// Where the newest frame has this object, if it was of the same size.
+  [[nodiscard]] std::optional<std::size_t> slotOf(const VisibleObject& object, const View& view) const;
 
   CompleteFrame newest_;
+  /// Of frames that were shown without some of their results, oldest first.
+  std::deque<std::shared_ptr<const FrameList>> incomplete_;
 };
 
 }  // namespace grove::node

@@ -4,16 +4,16 @@
 
 namespace grove::node {
 
-bool ResultTable::open(std::shared_ptr<const FrameList> list, double now) {
+bool ResultTable::open(std::shared_ptr<const FrameList> list) {
   const FrameNumber number = list->view->frame;
-  if (rows_.size() >= mostFrames_ || rows_.contains(number)) return false;
+  if (rows_.size() >= maxFrames_ || rows_.contains(number)) return false;
   const std::size_t requests = list->objects.size();
   CompleteFrame frame{std::move(list), std::vector<Payload>(requests), std::vector<bool>(requests)};
-  rows_.emplace(number, Row{std::move(frame), requests, now});
+  rows_.emplace(number, Row{std::move(frame), requests});
   return true;
 }
 
-bool ResultTable::put(Result result) {
+bool ResultTable::put(Result& result) {
   const auto it = rows_.find(result.frame);
   if (it == rows_.end()) return false;
   Row& row = it->second;
@@ -34,7 +34,7 @@ std::optional<CompleteFrame> ResultTable::take(FrameNumber frame) {
 
 std::optional<CompleteFrame> ResultTable::takeOverdue(double now) {
   const auto oldest = rows_.begin();
-  if (oldest == rows_.end() || now - oldest->second.opened < deadlineSeconds_) return std::nullopt;
+  if (oldest == rows_.end() || now < oldest->second.frame.list->view->deadline) return std::nullopt;
   CompleteFrame frame = std::move(oldest->second.frame);
   rows_.erase(oldest);
   return frame;

@@ -18,25 +18,24 @@ struct CompleteFrame {
 };
 
 /// Requests x frames in flight (section 4.4): keeps results that come in any order until their frame is complete.
-/// Bounded by the frames it may hold, the requests of each and the time that a frame may take. Used by one thread at a
-/// time. Times are seconds of any steady clock.
+/// Bounded by the frames it may hold, the requests of each and the deadline of each. Used by one thread at a time.
 class ResultTable {
  public:
-  ResultTable(std::size_t mostFrames, double deadlineSeconds)
-      : mostFrames_(mostFrames), deadlineSeconds_(deadlineSeconds) {}
+  explicit ResultTable(std::size_t maxFrames) : maxFrames_(maxFrames) {}
 
   /// Makes a row for a frame; false if the table is full or has it already. A frame without requests is complete at
   /// once and may be taken.
-  bool open(std::shared_ptr<const FrameList> list, double now);
+  bool open(std::shared_ptr<const FrameList> list);
 
-  /// Marks a request as fulfilled. False, and nothing changes, for an unknown frame or slot or a second answer.
-  bool put(Result result);
+  /// Takes the payload and marks the request as fulfilled. False, and nothing changes, for an unknown frame or slot or
+  /// a second answer.
+  bool put(Result& result);
 
   /// The frame, if it is there and complete; its row is free again.
   [[nodiscard]] std::optional<CompleteFrame> take(FrameNumber frame);
 
-  /// The oldest frame, with what has come of it, if it has been waiting for longer than the deadline; its row is free
-  /// again, and further results for it are refused.
+  /// The oldest frame, with what has come of it, if its deadline has passed; its row is free again, and further results
+  /// for it are refused.
   [[nodiscard]] std::optional<CompleteFrame> takeOverdue(double now);
 
   [[nodiscard]] std::size_t frames() const noexcept { return rows_.size(); }
@@ -45,10 +44,8 @@ class ResultTable {
   struct Row {
     CompleteFrame frame;
     std::size_t missing = 0;
-    double opened = 0.0;
   };
-  const std::size_t mostFrames_;
-  const double deadlineSeconds_;
+  const std::size_t maxFrames_;
   std::map<FrameNumber, Row> rows_;
 };
 

@@ -38,12 +38,14 @@ std::vector<VisibleObject> visibleObjects(const world::World& world, const View&
   return visible;
 }
 
-SceneAnalyzer::SceneAnalyzer(const world::World& world, Look look, std::function<void()> frameFailed,
-                             pipeline::Executor& executor, pipeline::Timeline& timeline)
+SceneAnalyzer::SceneAnalyzer(const world::World& world, Look look, double deadlineSeconds,
+                             std::function<void()> frameFailed, pipeline::Executor& executor,
+                             pipeline::Timeline& timeline)
     : Stage({.name = "Scene Analyzer", .work = pipeline::Work::kPerUserFrontend, .capacity = kMostFramesInFlight},
             executor, timeline),
       world_(world),
       look_(std::move(look)),
+      deadlineSeconds_(deadlineSeconds),
       frameFailed_(std::move(frameFailed)) {}
 
 void SceneAnalyzer::connect(std::shared_ptr<pipeline::Inlet<CompositorInput>> compositor,
@@ -57,7 +59,9 @@ void SceneAnalyzer::connect(std::shared_ptr<pipeline::Inlet<CompositorInput>> co
 void SceneAnalyzer::process(std::span<FrameTicket> tickets, pipeline::Run& run) {
   for (const FrameTicket& ticket : tickets) {
     auto list = std::make_shared<FrameList>();
-    list->view = std::make_shared<const View>(look_(ticket.frame));
+    View view = look_(ticket.frame);
+    view.deadline = world::World::now() + deadlineSeconds_;
+    list->view = std::make_shared<const View>(std::move(view));
     list->objects = visibleObjects(world_, *list->view);
     // The Compositor must know the frame before the first result can come back.
     compositor_.send(run, std::shared_ptr<const FrameList>(list));

@@ -30,8 +30,8 @@ class SceneAnalyzer final : public pipeline::Stage<FrameTicket> {
  public:
   using Look = std::function<View(FrameNumber)>;
   /// `frameFailed` is called for a ticket that came to nothing.
-  SceneAnalyzer(const world::World& world, Look look, std::function<void()> frameFailed, pipeline::Executor& executor,
-                pipeline::Timeline& timeline);
+  SceneAnalyzer(const world::World& world, Look look, double deadlineSeconds, std::function<void()> frameFailed,
+                pipeline::Executor& executor, pipeline::Timeline& timeline);
   void connect(std::shared_ptr<pipeline::Inlet<CompositorInput>> compositor,
                std::shared_ptr<pipeline::Inlet<std::shared_ptr<const FrameList>>> requestSender);
 
@@ -42,6 +42,7 @@ class SceneAnalyzer final : public pipeline::Stage<FrameTicket> {
  private:
   const world::World& world_;
   const Look look_;
+  const double deadlineSeconds_;
   const std::function<void()> frameFailed_;
   pipeline::Outlet<CompositorInput> compositor_;
   pipeline::Outlet<std::shared_ptr<const FrameList>> requestSender_;
