@@ -31,8 +31,13 @@ std::vector<Gust> Edits::during(Cursor& cursor, std::span<const Player> visitors
   const std::lock_guard lock(mutex_);
   const Cursor from = std::max(cursor, first_);
   cursor = first_ + breaths_.size();
-  std::vector<Gust> gusts(breaths_.begin() + static_cast<std::ptrdiff_t>(from - first_), breaths_.end());
-  std::erase_if(gusts, [this](const Gust& gust) { return blowing_.contains(gust.visitor); });
+  std::vector<Gust> gusts;
+  std::set<PlayerId> known = blowing_;
+  for (auto breath = breaths_.rbegin(); breath != breaths_.rend() - static_cast<std::ptrdiff_t>(from - first_);
+       ++breath) {
+    if (known.insert(breath->visitor).second) gusts.push_back(*breath);
+  }
+  std::ranges::reverse(gusts);
   for (const Player& visitor : visitors) {
     if (blowing_.contains(visitor.id)) gusts.push_back(gustOf(visitor));
   }

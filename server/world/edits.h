@@ -34,9 +34,9 @@ class Edits {
   void startBlowing(const Player& visitor);
   void stopBlowing(PlayerId visitor);
 
-  /// What blows during a tick of a simulation: everybody of `visitors` who blows now, and the first breath of those who
-  /// began after `cursor`, which is moved past them, and have stopped. So a second of blowing is the same, however many
-  /// frames of it a visitor sees.
+  /// What blows during a tick of a simulation: everybody of `visitors` who blows now, and the newest breath of those who
+  /// began after `cursor`, which is moved past them, and have stopped. Nobody blows twice at a tick, so a second of
+  /// blowing is the same, however many frames of it a visitor sees and however often he presses the key.
   [[nodiscard]] std::vector<Gust> during(Cursor& cursor, std::span<const Player> visitors) const;
 
  private:

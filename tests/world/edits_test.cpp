@@ -42,6 +42,23 @@ TEST(Edits, AClickBetweenTwoTicksBlowsOnceForEachReader) {
   EXPECT_EQ(edits.during(b, visitors).size(), 1U);
 }
 
+TEST(Edits, WhoPressesManyTimesBetweenTwoTicksBlowsOnce) {
+  Edits edits;
+  Edits::Cursor cursor = 0;
+  std::vector<Player> visitors{visitor(1), visitor(2)};
+  for (int press = 0; press < 8; ++press) {
+    visitors[0].pose.position.x = static_cast<float>(press);
+    edits.startBlowing(visitors[0]);
+    edits.stopBlowing(1);
+  }
+  edits.startBlowing(visitors[1]);
+  edits.stopBlowing(2);
+  const auto gusts = edits.during(cursor, visitors);
+  ASSERT_EQ(gusts.size(), 2U);
+  EXPECT_EQ(gusts[0].origin.x, 7.0F) << "the newest of his breaths";
+  EXPECT_EQ(gusts[1].visitor, 2U);
+}
+
 TEST(Edits, WhoHasLeftBlowsNoMore) {
   Edits edits;
   Edits::Cursor cursor = 0;
