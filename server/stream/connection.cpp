@@ -16,13 +16,13 @@ Refusal protocolError(std::string reason) { return {CloseCode::kProtocolError, s
 
 }  // namespace
 
-Connection::Connection(Host& host, std::string peer, double now, std::function<void()> wake, TakePlace takePlace,
+Connection::Connection(Host& host, std::string peer, double now, std::function<void()> wake, Door door,
                        std::string_view subProtocol)
     : host_(host),
       peer_(std::move(peer)),
       opened_(now),
       outbox_(std::make_shared<Outbox>(std::move(wake))),
-      takePlace_(std::move(takePlace)),
+      door_(std::move(door)),
       knowsWaiting_(subProtocol == kSubProtocolWithWaiting),
       secondBegan_(now) {
   message_.reserve(kLargestClientMessage);
@@ -46,6 +46,7 @@ std::optional<Refusal> Connection::overdue(double now) {
     if (now - opened_ < kHelloSeconds) return std::nullopt;
     return refuse({CloseCode::kNoHello, "no Hello within 10 seconds"});
   }
+  if (auto why = session_->refusal()) return refuse(std::move(*why));
   if (session_->secondsUnacknowledged(now) < kAcknowledgementSeconds) return std::nullopt;
   return refuse({CloseCode::kNoAcknowledgement, "no frame acknowledged for 25 seconds"});
 }
@@ -60,10 +61,14 @@ void Connection::end(const Refusal& why) { leave(std::to_string(static_cast<int>
 
 void Connection::leave(const std::string& why) {
   if (std::exchange(ended_, true)) return;
-  if (const auto session = std::exchange(session_, nullptr)) session->close();
   welcome_.clear();
   place_.reset();
-  log::info(peer_ + " left: " + why);
+  if (const auto session = std::exchange(session_, nullptr)) {
+    session->close();
+    log::info(peer_ + " left: " + why);
+  } else {
+    door_.strangers.warning(peer_ + " went without being a visitor: " + why);
+  }
 }
 
 std::optional<Refusal> Connection::refuse(Refusal why) {
@@ -93,7 +98,7 @@ std::optional<Refusal> Connection::act(const ClientMessage& message) {
 
 std::optional<Refusal> Connection::greet(const Hello& hello) {
   if (session_) return protocolError("a second Hello");
-  place_ = takePlace_();
+  place_ = door_.takePlace();
   if (!place_) return Refusal{CloseCode::kFull, "as many visitors as may come from one address are here"};
   // The sink may outlive this connection in a run that is in progress; it must not keep the frame then.
   const auto send = [outbox = std::weak_ptr(outbox_)](std::shared_ptr<const EncodedFrame> frame) {

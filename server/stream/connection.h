@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/log.h"
 #include "stream/host.h"
 #include "stream/outbox.h"
 #include "stream/protocol.h"
@@ -32,9 +33,15 @@ class Connection {
   /// What a visitor's address has of him as long as he is in the world; null if it may have no more.
   using TakePlace = std::function<std::shared_ptr<void>()>;
 
+  /// What all connections of a server come through.
+  struct Door {
+    TakePlace takePlace;
+    log::Limited& strangers;  ///< tells of those who went, or were sent away, before they were visitors
+  };
+
   /// `peer` names the other end in the log. `wake` is called from other threads when there is something to send.
   /// `subProtocol` is the one of PROTOCOL.md's that was agreed on.
-  Connection(Host& host, std::string peer, double now, std::function<void()> wake, TakePlace takePlace,
+  Connection(Host& host, std::string peer, double now, std::function<void()> wake, Door door,
              std::string_view subProtocol);
   ~Connection();
   Connection(const Connection&) = delete;
@@ -44,7 +51,7 @@ class Connection {
   /// caller closes the socket.
   [[nodiscard]] std::optional<Refusal> receive(const MessagePiece& piece, double now);
 
-  /// Whether the other end has been silent for too long; a refusal as of receive().
+  /// Whether the other end has been silent for too long, or his world cannot be made; a refusal as of receive().
   [[nodiscard]] std::optional<Refusal> overdue(double now);
 
   /// The server ends this connection.
@@ -69,7 +76,7 @@ class Connection {
   const std::string peer_;
   const double opened_;
   const std::shared_ptr<Outbox> outbox_;
-  const TakePlace takePlace_;
+  const Door door_;
   const bool knowsWaiting_;
   std::shared_ptr<void> place_;
   std::shared_ptr<Session> session_;

@@ -110,18 +110,19 @@ void Host::begin(const std::shared_ptr<Session>& session, std::shared_ptr<WorldC
 }
 
 void Host::preparePrivately(const std::shared_ptr<Session>& session, WaitingSink waiting) {
-  const auto enter = [this, weak = std::weak_ptr(session)](std::shared_ptr<WorldCopy> copy) {
+  const Refusal noWorld{CloseCode::kFull, "a world of your own cannot be made at the moment"};
+  const auto enter = [this, noWorld, weak = std::weak_ptr(session)](std::shared_ptr<WorldCopy> copy) {
     const auto entering = weak.lock();
     if (!entering) return;
     try {
       if (copy) {
         begin(entering, std::move(copy));
       } else {
-        entering->close();
+        entering->refuse(noWorld);
       }
     } catch (const std::exception& e) {
       log::error(std::string("cannot let a visitor into his world: ") + e.what());
-      entering->close();
+      entering->refuse(noWorld);
     }
   };
   line_->join({session->id_, std::move(waiting), enter});

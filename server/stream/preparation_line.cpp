@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
 #include <exception>
 #include <limits>
@@ -94,7 +95,10 @@ void PreparationLine::makeBesideOthers(node::SessionId id) {
   try {
     // A thread of its own, for the priority is a thread's on Linux, and there is no way back.
     std::thread([this, id] {
-      static_cast<void>(nice(kNice));
+      errno = 0;
+      if (nice(kNice) == -1 && errno != 0) {
+        log::warning("a world is made at the priority of those who are inside: the system refuses a lower one");
+      }
       makeFor(id, Haste::kNone);
     }).join();
   } catch (const std::system_error& e) {

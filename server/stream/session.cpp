@@ -13,21 +13,15 @@ namespace grove::stream {
 namespace {
 
 constexpr std::size_t kMaxUnacknowledged = 2;
-constexpr double kDeadlineCheckSeconds = 0.1;
+/// How often frames are looked at for their deadline: so many times in it, or every so many seconds.
+constexpr double kChecksInADeadline = 4.0;
+constexpr double kMaxCheckSeconds = 0.1;
 constexpr double kMinWidth = 160;
 constexpr double kMinHeight = 90;
 constexpr double kMaxWidth = 1920;
 constexpr double kMaxHeight = 1080;
 
 bool blows(const world::Player& player) { return (player.keys & world::kBlow) != 0; }
-
-void tellBreath(WorldCopy& copy, const world::Player& player) {
-  if (blows(player)) {
-    copy.world().edits().startBlowing(player);
-  } else {
-    copy.world().edits().stopBlowing(player.id);
-  }
-}
 
 }  // namespace
 
@@ -65,12 +59,26 @@ void Session::begin(std::shared_ptr<WorldCopy> copy) {
         return nothing;
       },
       encoder, [gate = host_.gate_] { gate->leave(); }, copy->frontendServices());
-  if (const auto player = host_.players().find(player_, world::World::now())) tellBreath(*copy, *player);
+  {
+    const std::lock_guard lock(mutex_);
+    if (closed_) return;
+    copy_ = std::move(copy);
+    encoder_ = std::move(encoder);
+    node_ = std::move(node);
+  }
+  tellBreath();
+}
+
+void Session::tellBreath() {
+  // Under the lock, so that who tells last has also looked last.
   const std::lock_guard lock(mutex_);
-  if (closed_) return;
-  copy_ = std::move(copy);
-  encoder_ = std::move(encoder);
-  node_ = std::move(node);
+  const auto player = host_.players().find(player_, world::World::now());
+  if (!copy_ || !player) return;
+  if (blows(*player)) {
+    copy_->world().edits().startBlowing(*player);
+  } else {
+    copy_->world().edits().stopBlowing(player_);
+  }
 }
 
 Welcome Session::welcome() const {
@@ -91,12 +99,12 @@ std::optional<Refusal> Session::input(const world::Input& input) {
   world::Players& players = host_.players();
   const auto before = players.find(player_, now);
   if (!players.apply(player_, input, now)) {
+    // Or he has left already, for a reason that refusal() tells.
+    if (!players.find(player_, now)) return std::nullopt;
     return Refusal{CloseCode::kProtocolError, "the direction of an input is not a number"};
   }
   const auto after = players.find(player_, now);
-  if (before && after && blows(*before) != blows(*after)) {
-    if (const auto copy = currentCopy()) tellBreath(*copy, *after);
-  }
+  if (before && after && blows(*before) != blows(*after)) tellBreath();
   return std::nullopt;
 }
 
@@ -123,6 +131,19 @@ std::optional<Refusal> Session::acknowledge(const Ack& ack) {
   return std::nullopt;
 }
 
+void Session::refuse(Refusal why) {
+  {
+    const std::lock_guard lock(mutex_);
+    if (!closed_) refusal_ = std::move(why);
+  }
+  close();
+}
+
+std::optional<Refusal> Session::refusal() const {
+  const std::lock_guard lock(mutex_);
+  return refusal_;
+}
+
 void Session::close() {
   std::shared_ptr<WorldCopy> copy;  // goes last: what the others do in their last runs is done to it
   std::shared_ptr<EncodeStage> encoder;
@@ -147,7 +168,7 @@ double Session::tick(double now) {
     const std::lock_guard lock(mutex_);
     if (node_ && now >= nextDeadlineCheck_) {
       node_->checkDeadline();
-      nextDeadlineCheck_ = now + kDeadlineCheckSeconds;
+      nextDeadlineCheck_ = now + std::min(kMaxCheckSeconds, host_.options().deadlineSeconds / kChecksInADeadline);
     }
   }
   return startIfDue(now);
@@ -160,7 +181,7 @@ double Session::secondsUnacknowledged(double now) const {
 
 double Session::startIfDue(double now) {
   const double period = 1.0 / host_.options().framesPerSecond;
-  const std::lock_guard lock(mutex_);
+  std::unique_lock lock(mutex_);
   if (closed_ || !node_) return now + 1.0;
   if (now < nextDue_) return nextDue_;
   if (waits_) return now + period;
@@ -176,6 +197,8 @@ double Session::startIfDue(double now) {
   waits_ = !host_.gate_->enter(onTurn);
   if (waits_) return now + period;
   if (startFrame(now)) return nextDue_;
+  // Whose turn it is then begins a frame of his own at once.
+  lock.unlock();
   host_.gate_->leave();
   return now + period / 8;
 }

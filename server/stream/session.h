@@ -44,6 +44,11 @@ class Session : public std::enable_shared_from_this<Session> {
   /// A frame was presented; starts the next one at once if it is due. A frame that was never sent is refused.
   [[nodiscard]] std::optional<Refusal> acknowledge(const Ack& ack);
 
+  /// Leaves the world because of this, of which refusal() tells.
+  void refuse(Refusal why);
+  /// Why he had to leave; none while he is here.
+  [[nodiscard]] std::optional<Refusal> refusal() const;
+
   /// Leaves the world; no frame reaches the sink after close() returned and the runs in progress ended.
   void close();
 
@@ -68,6 +73,8 @@ class Session : public std::enable_shared_from_this<Session> {
   /// With mutex_ held and a place in the gate: begins a frame if one still is due.
   [[nodiscard]] bool startFrame(double now);
   void deliver(const std::shared_ptr<const EncodedFrame>& frame);
+  /// Tells the world, if there is one, whether he blows.
+  void tellBreath();
   [[nodiscard]] std::shared_ptr<WorldCopy> currentCopy() const;
 
   Host& host_;
@@ -77,6 +84,7 @@ class Session : public std::enable_shared_from_this<Session> {
 
   mutable std::mutex mutex_;
   bool closed_ = false;
+  std::optional<Refusal> refusal_;
   std::shared_ptr<WorldCopy> copy_;  ///< null until it is ready, and once closed
   std::shared_ptr<EncodeStage> encoder_;
   std::unique_ptr<node::FrontendNode> node_;

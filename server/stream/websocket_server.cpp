@@ -97,6 +97,7 @@ class WebsocketServer::Service {
   const std::size_t maxSockets_;
   AddressLimits limits_;
   std::map<lws*, Guest> guests_;
+  log::Limited strangers_;  ///< before the connections that use it
   std::map<lws*, Socket> sockets_;
   ServerContext context_;
   const std::shared_ptr<Waker> waker_;
@@ -119,9 +120,15 @@ WebsocketServer::Service::Service(Host& host, const ServerOptions& options)
       waker_(std::make_shared<Waker>(context_.get())),
       reports_(host, [waker = waker_] { waker->wake(); }),
       http_{HttpService(Audience::kVisitors, reports_), HttpService(Audience::kOperator, reports_)} {
-  port_ = context_.listen(Audience::kVisitors, options.visitors.host, options.visitors.port, "--listen");
   const HostPort desk = options.operators.value_or(HostPort{"127.0.0.1", 0});
-  operatorPort_ = context_.listen(Audience::kOperator, desk.host, desk.port, "--operator");
+  try {
+    port_ = context_.listen(Audience::kVisitors, options.visitors.host, options.visitors.port, "--listen");
+    operatorPort_ = context_.listen(Audience::kOperator, desk.host, desk.port, "--operator");
+  } catch (...) {
+    // What it calls back when it goes uses members that would go before it.
+    context_.close();
+    throw;
+  }
   names_.push_back(options.visitors.host);
   names_.push_back(desk.host);
   timer_.service = this;
@@ -233,7 +240,7 @@ bool WebsocketServer::Service::letIn(lws* listener, const lws_filter_network_con
   std::string why;
   if (guests_.size() >= (isOperators ? maxSockets_ : maxSockets_ - kOperatorSockets)) {
     why = "there are " + std::to_string(guests_.size()) + " already";
-  } else if (!isOperators && !limits_.welcomes(numericAddress(peer->cli_addr), world::World::now())) {
+  } else if (!limits_.welcomes(numericAddress(peer->cli_addr), world::World::now())) {
     why = "its address has or opens too many";
   }
   if (why.empty()) return true;
@@ -267,8 +274,8 @@ bool WebsocketServer::Service::isKnown(const std::string& host) {
 void WebsocketServer::Service::open(lws* wsi) {
   const auto wake = [waker = waker_] { waker->wake(); };
   const auto takePlace = [this, address = addressOfPeer(wsi)] { return limits_.visitor(address); };
-  auto connection =
-      std::make_unique<Connection>(host_, nameOfPeer(wsi), world::World::now(), wake, takePlace, subProtocolOf(wsi));
+  auto connection = std::make_unique<Connection>(host_, nameOfPeer(wsi), world::World::now(), wake,
+                                                 Connection::Door{takePlace, strangers_}, subProtocolOf(wsi));
   sockets_[wsi] = {std::move(connection), std::nullopt};
 }
 

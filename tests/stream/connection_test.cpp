@@ -23,10 +23,9 @@ class ConnectionTest : public ServedWorld {
   }
 
   const double now_ = world::World::now();
-  static Connection::TakePlace always() {
-    return [] { return std::make_shared<int>(); };
-  }
-  Connection connection_{host_, "a test", now_, [] {}, always(), kSubProtocol};
+  log::Limited strangers_;
+  const Connection::Door door_{[] { return std::make_shared<int>(); }, strangers_};
+  Connection connection_{host_, "a test", now_, [] {}, door_, kSubProtocol};
 };
 
 TEST_F(ConnectionTest, EndsWithoutHello) {
@@ -79,7 +78,7 @@ TEST_F(ConnectionTest, CountsMessagesBySecond) {
 
 TEST_F(ConnectionTest, FramesAfterTheEndAreHarmless) {
   auto connection = std::make_unique<Connection>(
-      host_, "a test", now_, [] {}, always(), kSubProtocol);
+      host_, "a test", now_, [] {}, door_, kSubProtocol);
   ASSERT_FALSE(connection->receive(whole(encode(Hello{"Ada", 320, 180})), now_));
   EXPECT_FALSE(connection->takeMessage().empty());
   while (!connection->hasSomethingToSend()) std::this_thread::sleep_for(std::chrono::milliseconds(1));

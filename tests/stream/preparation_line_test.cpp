@@ -24,6 +24,7 @@ using tests::eventually;
 /// What the test holds and sees of the preparation of worlds.
 struct Preparations {
   std::atomic<bool> held{true};
+  std::atomic<bool> fail{false};
   std::atomic<int> begun{0};
   std::atomic<int> abandoned{0};
   std::atomic<int> made{0};
@@ -52,6 +53,7 @@ class HeldBackend final : public node::BackendHalf {
       }
       std::this_thread::yield();
     }
+    if (preparations.fail) throw std::runtime_error("the disk is full");
     ++preparations.made;
   }
   [[nodiscard]] node::NodeKind kind() const override { return node::NodeKind::kRendering; }
@@ -134,6 +136,7 @@ class PreparationLineTest : public testing::Test {
   }
 
   Preparations preparations_;
+  log::Limited strangers_;
   node::Registry registry_;
   gl::ShaderLibrary shaders_;
   gl::Workers gl_{gl::ContextKind::kAuto, shaders_, 1};
@@ -221,11 +224,11 @@ TEST_F(PreparationLineTest, LeavesTheMachineToThoseWhoAreInside) {
 
 TEST_F(PreparationLineTest, PagesThatDoNotKnowOfWaitingHearNothingOfIt) {
   const double now = world::World::now();
-  const auto place = [] { return std::make_shared<int>(); };
+  const Connection::Door door{[] { return std::make_shared<int>(); }, strangers_};
   Connection newer(
-      *host_, "newer", now, [] {}, place, kSubProtocolWithWaiting);
+      *host_, "newer", now, [] {}, door, kSubProtocolWithWaiting);
   Connection older(
-      *host_, "older", now, [] {}, place, kSubProtocol);
+      *host_, "older", now, [] {}, door, kSubProtocol);
   const auto hello = encode(Hello{"", 160, 90});
   for (Connection* connection : {&newer, &older}) {
     ASSERT_FALSE(connection->receive({hello, true, true, true}, now));
@@ -238,6 +241,26 @@ TEST_F(PreparationLineTest, PagesThatDoNotKnowOfWaitingHearNothingOfIt) {
   EXPECT_EQ(std::get<Waiting>(told).place, 1);
   ASSERT_TRUE(eventually([&] { return newer.hasSomethingToSend(); })) << "all were told anew";
   EXPECT_FALSE(older.hasSomethingToSend());
+}
+
+TEST_F(PreparationLineTest, WhoseWorldCannotBeMadeIsToldSoAndGivesUpHisPlace) {
+  const double now = world::World::now();
+  const auto place = std::make_shared<int>();
+  Connection visitor(
+      *host_, "visitor", now, [] {}, {[place] { return place; }, strangers_}, kSubProtocol);
+  const auto hello = encode(Hello{"", 160, 90});
+  ASSERT_FALSE(visitor.receive({hello, true, true, true}, now));
+  EXPECT_FALSE(visitor.overdue(now)) << "his world is being made";
+  preparations_.fail = true;
+  preparations_.held = false;
+  ASSERT_TRUE(eventually([&] { return host_->visitors() == 0; }));
+  const auto input = encode(world::Input{1, 0, 0.0F, 0.0F});
+  EXPECT_FALSE(visitor.receive({input, true, true, true}, now)) << "there is nothing wrong with what he sends";
+  const auto why = visitor.overdue(now);
+  ASSERT_TRUE(why);
+  EXPECT_EQ(why->code, CloseCode::kFull) << "the page tries again later";
+  EXPECT_NE(why->reason.find("cannot be made"), std::string::npos);
+  EXPECT_EQ(place.use_count(), 2) << "the test's and that of the door";
 }
 
 TEST(SharedWorld, IsMadeWithAllWorkers) {
