@@ -148,7 +148,7 @@ export class Connection {
     this.#greeted = false;
     switch (code) {
       case CloseCode.full:
-        this.#enter('full');
+        this.#enter('full', reason);
         this.#retryAfter(kFullDelay);
         break;
       case CloseCode.wrongVersion:

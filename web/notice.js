@@ -2,11 +2,7 @@
 const kTexts = {
   connecting: { title: 'Grove', text: 'Entering the grove\u2026' },
   lost: { title: 'The world is out of reach', text: 'Trying again\u2026' },
-  full: {
-    title: 'The world is full',
-    text: 'Everyone it has room for is inside already. We knock again every fifteen seconds.',
-    action: 'Try again now',
-  },
+  full: { title: 'No place for you yet', next: 'We knock again every fifteen seconds.', action: 'Try again now' },
   outdated: { title: 'The world has moved on', text: 'Please reload the page to follow.', action: 'Reload' },
   refused: { title: 'The world let go', action: 'Try again' },
 };
@@ -30,8 +26,8 @@ export class Notice {
   }
 
   show(state, reason) {
-    const { title, text, action } = kTexts[state];
-    this.#say(title, text ?? sentence(reason));
+    const { title, text, next, action } = kTexts[state];
+    this.#say(title, [text ?? sentence(reason), next].filter(Boolean).join(' '));
     this.#progress.hidden = true;
     this.#button.textContent = action ?? '';
     this.#button.hidden = !action;

@@ -75,6 +75,11 @@ int runServe(const ServeOptions& options) {
                  visitors ? options.operators->c_str() : options.listen.c_str());
     return 2;
   }
+  // The library tells listeners apart by their ports.
+  if (options.operators && visitors->port != 0 && visitors->port == operators->port) {
+    std::fprintf(stderr, "grove: --listen and --operator want ports of their own, not both %d\n", visitors->port);
+    return 2;
+  }
   // All that can be wrong is known before the world is prepared, which may take minutes.
   (void)stream::findListenAddress(visitors->host, visitors->port, "--listen");
   if (options.operators) (void)stream::findListenAddress(operators->host, operators->port, "--operator");

@@ -25,8 +25,7 @@ struct ServeOptions {
 };
 
 /// Serves until SIGINT or SIGTERM. Prints `listening on http://HOST:PORT` on stdout when ready. Returns 0, or 2 for a
-/// bad --listen;
-/// throws EnvironmentError or world::SceneError.
+/// bad --listen or --operator; throws EnvironmentError or world::SceneError.
 int runServe(const ServeOptions& options);
 
 }  // namespace grove::cli

@@ -29,8 +29,9 @@ bool AddressLimits::welcomes(const std::string& address, double now) {
   const auto guest = this->guest(address);
   if (!guest) return true;
   refill(*guest, now);
+  const bool has = guest->burst >= 1.0;
   guest->burst = std::max(0.0, guest->burst - 1.0);
-  return guest->sockets < allowance_.sockets && guest->burst > 0.0;
+  return has && guest->sockets < allowance_.sockets;
 }
 
 AddressLimits::Ticket AddressLimits::socket(const std::string& address) {

@@ -16,8 +16,8 @@ struct AddressAllowance {
 };
 
 /// Keeps who has one address from taking what there is for all: counts sockets, new sockets a second, and visitors, by
-/// address. Of IPv6 addresses the first 64 bits count, for whoever has one has all others of these. Addresses of this
-/// machine are not limited: a proxy that all visitors come through has such a one. One thread.
+/// address. Of IPv6 addresses the first 64 bits count, for whoever has one has all others of these. 127.0.0.1 and
+/// ::1 are not limited: a proxy on this machine that all visitors come through has one of these. One thread.
 class AddressLimits {
  public:
   /// What somebody took; it is given back when the last copy goes.
@@ -35,8 +35,6 @@ class AddressLimits {
   /// Forgets addresses that have nothing and have been quiet.
   void sweep(double now);
 
-  [[nodiscard]] const AddressAllowance& allowance() const noexcept { return allowance_; }
-
  private:
   struct Guest {
     int sockets = 0;
@@ -51,7 +49,7 @@ class AddressLimits {
   std::map<std::string, std::shared_ptr<Guest>> guests_;
 };
 
-/// The part of a numeric address that stands for one guest: all of IPv4, 64 bits of IPv6; empty for this machine's own.
+/// The part of a numeric address that stands for one guest: all of IPv4, 64 bits of IPv6; empty for 127.0.0.1 and ::1.
 [[nodiscard]] std::string guestOf(const std::string& address);
 
 }  // namespace grove::stream

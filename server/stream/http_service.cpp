@@ -80,7 +80,7 @@ int HttpService::resume(lws* wsi) {
 
 int HttpService::begin(lws* wsi, Answer& answer) {
   answer.begun = true;
-  if (!writeHeaders(wsi, answer.reply) || answer.isLast) return -1;
+  if (!writeHeaders(wsi, answer.reply)) return -1;
   if (!answer.reply.sendBody || answer.reply.body.empty()) return finish(wsi);
   answer.rest = answer.reply.body;
   lws_callback_on_writable(wsi);
@@ -88,7 +88,9 @@ int HttpService::begin(lws* wsi, Answer& answer) {
 }
 
 int HttpService::finish(lws* wsi) {
+  const bool isLast = answers_.at(wsi).isLast;
   answers_.erase(wsi);
+  if (isLast) return -1;
   return lws_http_transaction_completed(wsi) != 0 ? -1 : 0;
 }
 

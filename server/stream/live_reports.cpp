@@ -34,11 +34,12 @@ struct Kind {
   std::string_view path;
   Audience audience;
   std::string (*make)(const Host&);
+  bool large = false;  ///< a second one while somebody reads the first is too much
 };
 
 constexpr std::array kKindsByPath = {
     Kind{"/statistics.json", Audience::kOperator, &statistics},
-    Kind{"/trace.json", Audience::kOperator, &trace},
+    Kind{"/trace.json", Audience::kOperator, &trace, true},
     Kind{"/sharing.json", Audience::kVisitors, &sharing},
 };
 
@@ -77,8 +78,8 @@ LiveReports::Report LiveReports::find(std::string_view path, double asked) {
   assert(kind != kKindsByPath.end());
   const std::lock_guard lock(mutex_);
   Slot& slot = slots_[static_cast<std::size_t>(kind - kKindsByPath.begin())];
-  const bool isRead = slot.report.use_count() > 1;
-  if (slot.report && (isRead || slot.begun > asked - kFreshSeconds)) return slot.report;
+  const bool isKept = kind->large && slot.report.use_count() > 1;
+  if (slot.report && (isKept || slot.begun > asked - kFreshSeconds)) return slot.report;
   slot.report.reset();
   slot.wanted = true;
   wake_.notify_one();

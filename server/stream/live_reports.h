@@ -17,8 +17,8 @@ namespace grove::stream {
 
 /// What the server reports of itself, as JSON: `/statistics.json` and `/trace.json`, the newest stage runs as a Chrome
 /// trace, to its operator, and `/sharing.json`, what sharing saves, to anybody. Made on a thread of its own, one at a
-/// time, each kind at most once a second however many ask. All who read one share it, and there is no second one of a
-/// kind: as long as somebody reads it, others get the same.
+/// time, each kind at most once a second however many ask. All who read one share it. Of the
+/// trace, which is large, there is no second one: as long as somebody reads it, others get the same.
 class LiveReports {
  public:
   using Report = std::shared_ptr<const std::string>;
@@ -32,7 +32,7 @@ class LiveReports {
   [[nodiscard]] static bool has(std::string_view path, Audience audience) noexcept;
 
   /// The report at a path that has() knows, if it was made less than a second before `asked` (of world::World::now())
-  /// or is being read; else none, and it is made. Any thread.
+  /// or is a trace that is being read; else none, and it is made. Any thread.
   [[nodiscard]] Report find(std::string_view path, double asked);
 
  private:

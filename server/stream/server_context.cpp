@@ -48,10 +48,12 @@ ServerContext::ServerContext(lws_callback_function* callback, void* user, std::s
 
 int ServerContext::listen(Audience audience, const std::string& address, int port, const std::string& option) {
   const ListenAddress found = findListenAddress(address, port, option);
+  std::string& kept = addresses_[static_cast<std::size_t>(audience)];
+  kept = found.numeric;
   lws_context_creation_info info = info_;
   if (!found.isIpv6) info.options |= LWS_SERVER_OPTION_DISABLE_IPV6;
   info.port = port;
-  info.iface = found.numeric.c_str();
+  info.iface = kept.c_str();
   info.vhost_name = audience == Audience::kOperator ? "operator" : "visitors";
   lws_vhost* vhost = lws_create_vhost(context_.get(), &info);
   if (vhost == nullptr) {

@@ -2,6 +2,7 @@
 
 #include <libwebsockets.h>
 
+#include <array>
 #include <cstddef>
 #include <memory>
 #include <string>
@@ -32,6 +33,7 @@ class ServerContext {
   };
   lws_context_creation_info info_{};
   std::unique_ptr<lws_protocols[]> protocols_;
+  std::array<std::string, 2> addresses_;  ///< by audience; the library keeps pointers to them
   std::unique_ptr<lws_context, Deleter> context_;
   lws_vhost* operator_ = nullptr;
 };

@@ -40,6 +40,7 @@ TEST(CommandLine, BadOptionsExitTwoWithOneLine) {
                               "serve --frames-in-flight 0",
                               "serve --gl vulkan",
                               "serve --listen nowhere",
+                              "serve --listen 127.0.0.1:9 --operator 127.0.0.2:9",
                               "load",
                               "load ftp://x/ --sessions 1",
                               "load ws://127.0.0.1:1/ --sessions 0",

@@ -26,8 +26,7 @@ TEST(AddressLimits, CountNewSocketsASecond) {
   AddressLimits limits(kAllowance);
   int welcome = 0;
   for (int i = 0; i < 1000; ++i) welcome += limits.welcomes("192.0.2.1", 100.0 + 0.001 * i) ? 1 : 0;
-  EXPECT_GE(welcome, 4);
-  EXPECT_LE(welcome, 5 + 2) << "the burst and a second's";
+  EXPECT_EQ(welcome, 5) << "the burst; who goes on trying gets no more";
   EXPECT_TRUE(limits.welcomes("192.0.2.1", 103.0)) << "who stops for a while is welcome again";
 }
 

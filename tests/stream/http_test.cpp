@@ -163,7 +163,9 @@ TEST_F(Http, KnowsNoOtherFiles) {
 }
 
 TEST_F(Http, RefusesOtherMethods) {
-  EXPECT_EQ(request(port(), "POST", "/", "Content-Length: 3\r\n").status, 405);
+  const auto refused = request(port(), "POST", "/", "Content-Length: 3\r\n");
+  EXPECT_EQ(refused.status, 405);
+  EXPECT_EQ(refused.body, "only GET and HEAD\n") << "whole, as long as it announces";
   EXPECT_EQ(request(port(), "DELETE", "/main.js").status, 405);
   EXPECT_EQ(request(port(), "GET", "/healthz").status, 200);
 }

@@ -137,7 +137,7 @@ test('acknowledgements of a former connection do not reach the next', () => {
 test('a full server is tried again later', () => {
   const { clock, sockets, states, connection } = setUp();
   sockets[0].open();
-  sockets[0].end(4002, 'full');
+  sockets[0].end(4002, 'there is no room');
   clock.advance(14_999);
   assert.equal(sockets.length, 1);
   clock.advance(1);
@@ -150,7 +150,7 @@ test('a full server is tried again later', () => {
   assert.equal(sockets.length, 3, 'one attempt at a time');
   clock.advance(2_000);
   assert.equal(sockets.length, 3, 'a retry by hand takes the place of the planned one');
-  assert.deepEqual(states, ['connecting', 'full']);
+  assert.deepEqual(states, ['connecting', 'full: there is no room']);
 });
 
 for (const [code, state] of [[4000, 'refused: too odd'], [4004, 'refused: too odd'], [4001, 'outdated: too odd']]) {

@@ -72,6 +72,12 @@ test('words that stay the same are not read out again', () => {
   assert.equal(text.spoken, 1);
 });
 
+test('says why there is no place, and that it tries again', () => {
+  const { notice, text } = setUp();
+  notice.show('full', 'as many visitors as may come from one address are here');
+  assert.match(text.textContent, /^As many visitors as may come from one address are here\. We knock again/);
+});
+
 test('neither the button of another state nor its bar stays', () => {
   const { notice, progress, button } = setUp();
   notice.show('full', '');
