@@ -1,7 +1,6 @@
 #include "node/backend/answerer.h"
 
 #include <algorithm>
-#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -35,9 +34,10 @@ void Answerer::connect(std::shared_ptr<pipeline::Inlet<Result>> compressor) {
 
 void Answerer::process(std::span<Request> all, pipeline::Run& run) {
   const double now = world::World::now();
-  const auto ended = std::ranges::stable_partition(all, [&](const Request& r) { return now < r.view().deadline; });
-  const std::span<Request> requests = all.first(all.size() - ended.size());
-  if (!ended.empty()) timeline_.count("requests of frames that had ended", std::ssize(ended));
+  const auto isWanted = [&](const Request& request) { return now < request.view().deadline; };
+  const auto ended = std::stable_partition(all.begin(), all.end(), isWanted);
+  const std::span<Request> requests(all.begin(), ended);
+  if (ended != all.end()) timeline_.count("requests of frames that had ended", all.end() - ended);
   if (requests.empty()) return;
   std::vector<Payload> payloads(requests.size());
   attempt([&] { half_.answer(requests, payloads); },
