@@ -15,7 +15,8 @@ struct LayerPixels {
 inline constexpr float kNoEdge = 1.0e30F;
 
 /// A frame while it is put together: what lies behind, and before it an edge, which is all that covers in part, by
-/// itself, so that what is laid later still gets between the two. All rows lie `stride` pixels apart.
+/// itself, so that what is laid later still gets between the two. An edge has one depth: what is laid between two parts
+/// of one, as a stone between a near and a far leaf, comes behind both. All rows lie `stride` pixels apart.
 struct FramePixels {
   std::uint32_t* colour;
   float* depth;
