@@ -178,8 +178,12 @@ class Importer {
                                                         .pbrMetallicRoughness.baseColorTexture);
     const auto uvs = attribute(primitive, "TEXCOORD_" + std::to_string(placement.uvSet), count, 2, 2);
     for (std::size_t i = 0; i < count; ++i) {
-      model_.uvs.push_back(uvs ? placement.apply({uvs->at(i)[0], uvs->at(i)[1]}) : Vec2(0.0F));
-      if (!std::isfinite(model_.uvs.back().x + model_.uvs.back().y)) file_.fail("has UVs that are not finite");
+      const Vec2 uv = uvs ? placement.apply({uvs->at(i)[0], uvs->at(i)[1]}) : Vec2(0.0F);
+      const float most = std::max(std::abs(uv.x), std::abs(uv.y));
+      if (!std::isfinite(uv.x + uv.y) || most > kMaxUv) {
+        file_.fail("has UVs beyond " + std::to_string(static_cast<int>(kMaxUv)));
+      }
+      model_.uvs.push_back(uv);
     }
     return uvs.has_value();
   }

@@ -25,6 +25,7 @@ inline constexpr std::size_t kMostTriangles = 50'000'000;
 inline constexpr float kMinMetres = 0.001F;  ///< along its longest edge; a light-field file holds what lies between
 inline constexpr float kMaxMetres = 100'000.0F;
 inline constexpr int kMostTexels = 16384;                             ///< a texture's width or height
+inline constexpr float kMaxUv = 1.0e6F;                               ///< beyond, a float holds no fraction to speak of
 inline constexpr std::uint64_t kMostBytes = std::uint64_t{4} << 30U;  ///< with all files it names
 
 /// Reads a glTF 2.0 model (.glb or .gltf): all triangles of its default scene, moved to stand on y = 0 around the

@@ -105,6 +105,21 @@ TEST_F(GltfImport, RefusesTransformsThatAreNotFinite) {
   expectRefused("not finite");
 }
 
+TEST_F(GltfImport, RefusesUvsOfWhichAFloatHoldsNoFraction) {
+  writer.triangle();
+  const int uvs = writer.accessor(std::vector<float>{3.4e38F, 0, 3.4e38F, 0, 3.4e38F, 1}, "VEC2", kFloat);
+  writer.json["meshes"][0]["primitives"][0]["attributes"]["TEXCOORD_0"] = uvs;
+  expectRefused("has UVs beyond 1000000");
+}
+
+TEST_F(GltfImport, RefusesTransformsToSuchUvs) {
+  addTexturedTriangle();
+  useTexture({{"bufferView", writer.view(targa(1, 1, {1, 2, 3, 255}))}, {"mimeType", "image/x-tga"}});
+  Json& texture = writer.json["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"];
+  texture["extensions"]["KHR_texture_transform"]["scale"] = {-2.0e6, 1.0};
+  expectRefused("has UVs beyond 1000000");
+}
+
 TEST_F(GltfImport, RefusesHugeModels) {
   writer.triangle();
   writer.json["accessors"][0]["count"] = 4'000'000'000U;
