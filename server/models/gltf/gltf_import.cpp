@@ -52,6 +52,10 @@ Vec3 unitOrUp(Vec3 v) {
   return length > 0.0F && std::isfinite(length) ? v / length : Vec3(0, 1, 0);
 }
 
+int modeOf(const tinygltf::Primitive& primitive) {
+  return primitive.mode < 0 ? TINYGLTF_MODE_TRIANGLES : primitive.mode;
+}
+
 class Importer {
  public:
   explicit Importer(const std::filesystem::path& path) : file_(loadGltfFile(path)) {
@@ -65,8 +69,7 @@ class Importer {
     checkSize(instances);
     for (const MeshInstance& instance : instances) {
       for (const tinygltf::Primitive& primitive : file_.at(file_.document.meshes, instance.mesh, "mesh").primitives) {
-        const int mode = primitive.mode < 0 ? TINYGLTF_MODE_TRIANGLES : primitive.mode;
-        if (mode >= TINYGLTF_MODE_TRIANGLES) add(primitive, mode, instance.matrix);
+        if (modeOf(primitive) >= TINYGLTF_MODE_TRIANGLES) add(primitive, instance.matrix);
       }
     }
     if (model_.triangles.indices.empty()) file_.fail("has no triangles");
@@ -75,24 +78,32 @@ class Importer {
   }
 
  private:
-  /// Refuses what is too large before memory is taken for it: a small file may put one mesh in many places.
+  /// Refuses what is too large before memory or time is taken for it: a small file may put one mesh in many places.
   void checkSize(const std::vector<MeshInstance>& instances) const {
+    std::size_t visits = 0;
     std::size_t corners = 0;
     for (const MeshInstance& instance : instances) {
-      for (const tinygltf::Primitive& primitive : file_.at(file_.document.meshes, instance.mesh, "mesh").primitives) {
-        const auto positions = primitive.attributes.find("POSITION");
-        if (positions == primitive.attributes.end()) continue;
-        const std::size_t vertices = file_.at(file_.document.accessors, positions->second, "accessor").count;
-        const std::size_t order =
-            primitive.indices < 0 ? 0 : file_.at(file_.document.accessors, primitive.indices, "accessor").count;
-        const bool list = primitive.mode < 0 || primitive.mode == TINYGLTF_MODE_TRIANGLES;
-        for (const std::size_t count : {vertices, order}) {
-          if (count > 3 * kMostTriangles) file_.fail("has an accessor of " + std::to_string(count) + " elements");
-        }
-        corners += std::max(vertices, list ? order : 3 * order);
+      const tinygltf::Mesh& mesh = file_.at(file_.document.meshes, instance.mesh, "mesh");
+      visits += mesh.primitives.size();
+      if (visits > kMaxPrimitives) file_.fail("has more than " + std::to_string(kMaxPrimitives) + " primitives");
+      for (const tinygltf::Primitive& primitive : mesh.primitives) {
+        if (modeOf(primitive) >= TINYGLTF_MODE_TRIANGLES) corners += cornersOf(primitive);
         if (corners > 3 * kMostTriangles) file_.fail("has more than " + std::to_string(kMostTriangles) + " triangles");
       }
     }
+  }
+
+  /// At most as many as the triangles or the vertices, whichever are more, take memory for.
+  [[nodiscard]] std::size_t cornersOf(const tinygltf::Primitive& primitive) const {
+    const auto positions = primitive.attributes.find("POSITION");
+    if (positions == primitive.attributes.end()) return 0;
+    const std::size_t vertices = file_.at(file_.document.accessors, positions->second, "accessor").count;
+    const std::size_t order =
+        primitive.indices < 0 ? vertices : file_.at(file_.document.accessors, primitive.indices, "accessor").count;
+    for (const std::size_t count : {vertices, order}) {
+      if (count > 3 * kMostTriangles) file_.fail("has an accessor of " + std::to_string(count) + " elements");
+    }
+    return std::max(vertices, modeOf(primitive) == TINYGLTF_MODE_TRIANGLES ? order : 3 * order);
   }
 
   /// An attribute with as many elements as there are positions, of one of the widths.
@@ -100,17 +111,20 @@ class Importer {
                                     std::size_t least, std::size_t most) const {
     const auto found = primitive.attributes.find(name);
     if (found == primitive.attributes.end()) return {};
+    // Before it is read: it may have millions of elements where there are three positions.
+    if (count > 0 && file_.at(file_.document.accessors, found->second, "accessor").count != count) {
+      file_.fail(name + " has not as many elements as POSITION");
+    }
     Elements elements = readElements(file_, found->second);
     if (elements.width < least || elements.width > most) file_.fail(name + " has vectors of the wrong length");
-    if (count > 0 && elements.size() != count) file_.fail(name + " has not as many elements as POSITION");
     return elements;
   }
 
-  void add(const tinygltf::Primitive& primitive, int mode, const Mat4& matrix) {
+  void add(const tinygltf::Primitive& primitive, const Mat4& matrix) {
     const auto positions = attribute(primitive, "POSITION", 0, 3, 3);
     if (!positions || positions->size() == 0) return;
     const std::size_t count = positions->size();
-    const std::vector<Triangle> triangles = trianglesOf(orderOf(primitive, count), mode);
+    const std::vector<Triangle> triangles = trianglesOf(orderOf(primitive, count), modeOf(primitive));
     if (triangles.empty()) return;
     std::vector<Vec3> placed(count);
     for (std::size_t i = 0; i < count; ++i) {

@@ -22,9 +22,11 @@ inline constexpr int kImportVersion = 2;
 
 /// What a model file may hold at most.
 inline constexpr std::size_t kMostTriangles = 50'000'000;
+inline constexpr std::size_t kMaxPrimitives = 5'000'000;  ///< each where a node puts it
 inline constexpr float kMinMetres = 0.001F;  ///< along its longest edge; a light-field file holds what lies between
 inline constexpr float kMaxMetres = 100'000.0F;
 inline constexpr int kMostTexels = 16384;                             ///< a texture's width or height
+inline constexpr std::uint64_t kMaxTexels = std::uint64_t{1} << 29U;  ///< of all textures: 2 GiB
 inline constexpr float kMaxUv = 1.0e6F;                               ///< beyond, a float holds no fraction to speak of
 inline constexpr std::uint64_t kMostBytes = std::uint64_t{4} << 30U;  ///< with all files it names
 

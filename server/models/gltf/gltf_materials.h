@@ -8,7 +8,7 @@
 namespace grove::models {
 
 /// The file's materials in their order, and last the one for surfaces without. Textures that a material uses are
-/// decoded into `textures`, each once. Throws ImportError for images that are broken or too large.
+/// decoded into `textures`, each once. Throws ImportError for images that are broken, or too large alone or together.
 [[nodiscard]] std::vector<Material> readMaterials(const GltfFile& file, std::vector<Texture>& textures);
 
 }  // namespace grove::models
