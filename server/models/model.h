@@ -38,7 +38,8 @@ struct Material {
   bool solid = false;        ///< keeps smoke out (wood, stone); else leaves
   int texture = -1;          ///< index into Model::textures, -1: none
   float alphaCutoff = 0.0F;  ///< texels with less alpha are holes; 0: no holes
-  bool blended = false;      ///< each ray has a cut-off of its own by chance, 0 to alphaCutoff: part of them pass
+  /// Each ray has a cut-off of its own by chance, 0 to alphaCutoff: part of them pass. Without a texture, alpha is 1.
+  bool blended = false;
 };
 
 /// What is baked: triangles in metres, Y up, standing on y = 0 around the origin.

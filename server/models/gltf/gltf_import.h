@@ -18,7 +18,7 @@ class ImportError : public EnvironmentError {
 };
 
 /// To be raised when the same file gives another model than before, so that cached light fields of it are baked anew.
-inline constexpr int kImportVersion = 2;
+inline constexpr int kImportVersion = 3;
 
 /// What a model file may hold at most.
 inline constexpr std::size_t kMostTriangles = 50'000'000;
@@ -36,9 +36,9 @@ inline constexpr std::uint64_t kMostBytes = std::uint64_t{4} << 30U;  ///< with 
 /// Kept: node transforms, vertex colours, base colours with their textures (KHR_texture_transform), holes (alpha MASK
 /// and BLEND), single sides, KHR_materials_transmission and KHR_materials_diffuse_transmission; a double-sided surface
 /// with holes is taken for leaves, that let light through. Normals that are missing are computed. Left out: skins and
-/// morphs (the model is baked as it stands), metal and gloss (light fields are diffuse). Names in the log extensions
-/// that it leaves out, and a texture file that is absent: then it goes on with the base colour. Throws ImportError. Any
-/// thread.
+/// morphs (the model is baked as it stands), metal and gloss (light fields are diffuse), the alpha of vertex colours,
+/// and surfaces whose alpha leaves nothing of them. Names in the log extensions that it leaves out, and such alphas and
+/// surfaces, and a texture file that is absent: then it goes on with the base colour. Throws ImportError. Any thread.
 [[nodiscard]] Model importGltf(const std::filesystem::path& file);
 
 }  // namespace grove::models

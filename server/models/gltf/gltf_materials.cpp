@@ -11,6 +11,7 @@
 #include <span>
 #include <string>
 #include <tuple>
+#include <utility>
 
 #include "base/log.h"
 #include "models/gltf/gltf_accessor.h"
@@ -116,33 +117,35 @@ float extensionNumber(const tinygltf::Material& material, const char* extension,
   return value.IsNumber() ? std::clamp(static_cast<float>(value.GetNumberAsDouble()), 0.0F, 1.0F) : 0.0F;
 }
 
+float alphaOf(const tinygltf::Material& given) {
+  return std::clamp(static_cast<float>(given.pbrMetallicRoughness.baseColorFactor[3]), 0.0F, 1.0F);
+}
+
 Material materialOf(const GltfFile& file, const tinygltf::Material& given, TextureShelf& shelf) {
   const auto& factor = given.pbrMetallicRoughness.baseColorFactor;
   if (factor.size() != 4) file.fail("material '" + given.name + "' has a base colour without four numbers");
   const auto channel = [&](std::size_t i) { return std::clamp(static_cast<float>(factor[i]), 0.0F, 1.0F); };
   const Vec3 colour(channel(0), channel(1), channel(2));
-  const bool holes = given.alphaMode == "MASK" || given.alphaMode == "BLEND";
   Material material;
   material.name = given.name;
   material.twoSided = given.doubleSided;
   material.texture = shelf.indexOf(given.pbrMetallicRoughness.baseColorTexture.index);
   float through = std::max(extensionNumber(given, "KHR_materials_transmission", "transmissionFactor"),
                            extensionNumber(given, "KHR_materials_diffuse_transmission", "diffuseTransmissionFactor"));
-  if (holes && material.texture >= 0) {
-    // The texture's alpha times the factor's is what the cut-off is for.
-    const float factorAlpha = std::max(channel(3), 1.0e-3F);
-    material.blended = given.alphaMode == "BLEND";
-    material.alphaCutoff = material.blended
-                               ? 1.0F / factorAlpha
-                               : std::clamp(static_cast<float>(given.alphaCutoff) / factorAlpha, 0.0F, 1.0F);
-    if (given.doubleSided) through = std::max(through, kThroughLeaf);
-  } else if (given.alphaMode == "BLEND") {
-    through = std::max(through, 1.0F - channel(3));  // tinted glass
+  // The texture's alpha times the factor's is what the cut-off is for.
+  const float alpha = std::max(alphaOf(given), 1.0e-3F);
+  if (given.alphaMode == "BLEND") {
+    material.blended = true;
+    material.alphaCutoff = 1.0F / alpha;
+  } else if (given.alphaMode == "MASK") {
+    material.alphaCutoff = std::clamp(static_cast<float>(given.alphaCutoff) / alpha, 0.0F, 1.0F);
   }
+  const bool leaf = given.doubleSided && material.texture >= 0 && (material.blended || given.alphaMode == "MASK");
+  if (leaf) through = std::max(through, kThroughLeaf);
   material.albedo = colour * (1.0F - through);
   material.transmittance = colour * through;
   material.solid = through == 0.0F;
-  return material;
+  return material.texture < 0 ? withoutTexture(std::move(material)) : material;
 }
 
 }  // namespace
@@ -155,6 +158,19 @@ std::vector<Material> readMaterials(const GltfFile& file, std::vector<Texture>& 
   materials.push_back({.name = "plain", .albedo = Vec3(1.0F), .twoSided = false, .solid = true});
   if (materials.size() > std::numeric_limits<std::uint16_t>::max()) file.fail("has more than 65535 materials");
   return materials;
+}
+
+bool isUnseen(const tinygltf::Material& material) {
+  if (material.alphaMode == "MASK") return alphaOf(material) < static_cast<float>(material.alphaCutoff);
+  return material.alphaMode == "BLEND" && alphaOf(material) == 0.0F;
+}
+
+Material withoutTexture(Material material) {
+  material.texture = -1;
+  material.blended = material.blended && material.alphaCutoff > 1.0F;
+  if (!material.blended) material.alphaCutoff = 0.0F;
+  material.solid = material.solid && !material.blended;  // as glass by KHR_materials_transmission
+  return material;
 }
 
 }  // namespace grove::models
