@@ -27,7 +27,8 @@ struct ModelSource {
 /// Throws world::SceneError if the file cannot be imported; `parameters` are those that it was read from.
 [[nodiscard]] Model loadModel(const ModelSource& source, Detail detail, const world::Parameters& parameters);
 
-/// A name for a file made from it, that changes when it does. Throws world::SceneError if the model cannot be read.
+/// A name for a file made from it, that changes when it, or a file that it names, does. Throws world::SceneError if the
+/// model cannot be read.
 [[nodiscard]] std::string fileNameOf(const ModelSource& source, const world::Parameters& parameters);
 
 }  // namespace grove::models
