@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "base/error.h"
@@ -82,12 +83,15 @@ Model loadModel(const ModelSource& source, Detail detail, const world::Parameter
   return ofNamedFile(parameters, [&] { return importGltf(source.file); });
 }
 
-std::string fileNameOf(const ModelSource& source, const world::Parameters& parameters) {
+std::string FileNames::of(const ModelSource& source, const world::Parameters& parameters) {
   if (!source.plant.empty()) {
     return source.plant + "-" + std::to_string(source.seed) + "-v" + std::to_string(kPlantsVersion);
   }
+  if (const auto known = known_.find(source.file); known != known_.end()) return known->second;
   return ofNamedFile(parameters, [&] {
-    return source.file.stem().string() + "-" + nameOfBytes(source.file) + "-v" + std::to_string(kImportVersion);
+    std::string name =
+        source.file.stem().string() + "-" + nameOfBytes(source.file) + "-v" + std::to_string(kImportVersion);
+    return known_.emplace(source.file, std::move(name)).first->second;
   });
 }
 

@@ -18,10 +18,14 @@ class ModelSourceName : public testing::Test {
 
   /// The name of a file made from one of the folder's.
   [[nodiscard]] std::string name(const std::string& file) const {
+    FileNames names;
+    return name(file, names);
+  }
+  [[nodiscard]] std::string name(const std::string& file, FileNames& names) const {
     const world::Scene scene = world::parseScene(
         "[[object]]\ntype = 'lightfield'\nname = 'it'\nmodel = '" + (folder_ / file).string() + "'\n", "test.toml");
     const world::Parameters& parameters = scene.objects.at(0).parameters;
-    return fileNameOf(readModelSource(parameters), parameters);
+    return names.of(readModelSource(parameters), parameters);
   }
   void save(const std::string& file, const std::string& content) const { GltfWriter::save(folder_ / file, content); }
 
@@ -71,13 +75,23 @@ TEST_F(ModelSourceName, StaysWhereAFileBesideIsNoneOfIts) {
   EXPECT_EQ(name("model.gltf"), before);
 }
 
+TEST_F(ModelSourceName, IsMadeOnceForAllObjects) {
+  FileNames names;
+  save("one.glb", "one");
+  save("two.glb", "two");
+  const std::string before = name("one.glb", names);
+  EXPECT_NE(name("two.glb", names), before);
+  std::filesystem::remove(folder_ / "one.glb");
+  EXPECT_EQ(name("one.glb", names), before) << "it is not read again";
+}
+
 TEST_F(ModelSourceName, IsGivenToWhatIsNoGltf) {
-  save("model.glb", std::string("glTF\2\0\0\0\xFF\xFF\xFF\xFF\xFF\xFF\xFF\xFFJSON{\"buffers\":", 32));
+  save("model.glb", std::string("glTF\2\0\0\0\xFF\xFF\xFF\xFF\xFF\xFF\xFF\xFFJSON{\"buffers\":", 31));
   save("model.gltf",
        R"({"buffers": {"uri": 5}, "images": [[], 3, {"uri": {}}, {"uri": "%"}, {"uri": "."}, {"uri": ""}]})");
   save("empty.gltf", "");
   save("deep.gltf", "{\"images\":" + std::string(1'000'000, '['));
-  EXPECT_TRUE(name("model.glb").starts_with("model-32-"));
+  EXPECT_TRUE(name("model.glb").starts_with("model-31-"));
   EXPECT_TRUE(name("model.gltf").starts_with("model-"));
   EXPECT_TRUE(name("empty.gltf").starts_with("empty-0-"));
   EXPECT_TRUE(name("deep.gltf").starts_with("deep-1000010-"));
