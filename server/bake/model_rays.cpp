@@ -43,9 +43,14 @@ struct ModelRays::Embree {
   [[nodiscard]] bool isHole(std::uint32_t triangle, float u, float v) const {
     const auto [a, b, c] = source->triangles.indices[triangle];
     const models::Material& material = source->materials[source->materialOf[triangle]];
+    const float cutoff = material.alphaCutoff * (material.blended ? chance(triangle, u, v) : 1.0F);
+    if (!readsTexture(*source, material)) return 1.0F < cutoff;
     const Vec2 uv = source->uvs[a] * (1.0F - u - v) + source->uvs[b] * u + source->uvs[c] * v;
-    const float share = material.blended ? chance(triangle, u, v) : 1.0F;
-    return (*textures)[static_cast<std::size_t>(material.texture)].alpha(uv) < material.alphaCutoff * share;
+    return (*textures)[static_cast<std::size_t>(material.texture)].alpha(uv) < cutoff;
+  }
+
+  [[nodiscard]] static bool readsTexture(const models::Model& model, const models::Material& material) {
+    return material.texture >= 0 && !model.uvs.empty();
   }
 
   /// 0..1; the same for the same place, so that a bake can be repeated.
@@ -141,7 +146,7 @@ ModelRays::ModelRays(const models::Model& model, const std::vector<TextureSample
   embree_->textures = &textures;
   for (std::uint32_t i = 0; i < model.triangles.indices.size(); ++i) {
     const models::Material& material = model.materials[model.materialOf[i]];
-    const bool pierced = material.alphaCutoff > 0.0F && material.texture >= 0 && !model.uvs.empty();
+    const bool pierced = material.alphaCutoff > 0.0F && (material.blended || Embree::readsTexture(model, material));
     (pierced ? embree_->pierced : material.twoSided ? embree_->solid : embree_->oneSided).push_back(i);
   }
   embree_->model = rtcNewScene(embree_->device);

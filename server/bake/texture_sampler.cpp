@@ -26,8 +26,9 @@ int wrapped(int at, int count) noexcept {
   return rest < 0 ? rest + count : rest;
 }
 
-/// Beyond this many repetitions a coordinate has no useful fraction left; it also keeps the conversion to int defined.
-float tamed(float uv) noexcept { return std::clamp(uv, -65536.0F, 65536.0F); }
+/// Beyond this many repetitions a coordinate has no useful fraction left; it also keeps the conversion to int defined,
+/// of what is no number, too (of which std::clamp() makes none).
+float tamed(float uv) noexcept { return std::min(65536.0F, std::max(-65536.0F, uv)); }
 
 }  // namespace
 
@@ -64,7 +65,8 @@ TextureSampler::TextureSampler(const models::Texture& texture) {
 }
 
 Vec3 TextureSampler::colour(Vec2 uv, float texels) const noexcept {
-  const int wanted = texels > 1.0F ? static_cast<int>(std::lround(std::log2(texels))) : 0;
+  constexpr float kMost = 65536.0F;  // no texture has more levels; what is infinite has no logarithm to be rounded
+  const int wanted = texels > 1.0F ? static_cast<int>(std::lround(std::log2(std::min(texels, kMost)))) : 0;
   const Level& level = levels_[static_cast<std::size_t>(std::min(wanted, static_cast<int>(levels_.size()) - 1))];
   const float x = tamed(uv.x) * static_cast<float>(level.width) - 0.5F;
   const float y = tamed(uv.y) * static_cast<float>(level.height) - 0.5F;

@@ -97,9 +97,10 @@ world::Scene openScene(const std::optional<std::string>& file) {
 
 bool prepareWorld(const world::Scene& scene, Progress& progress, const std::stop_token& stop) {
   std::map<std::filesystem::path, Wanted> missing;
+  models::FileNames names;
   for (const world::ObjectDescription& object : scene.objects) {
     if (object.type != "lightfield") continue;
-    LightFieldSource source = objects::lightfield::readSource(object.parameters);
+    LightFieldSource source = objects::lightfield::readSource(object.parameters, names);
     const std::filesystem::path file = source.file;
     if (!source.model.empty()) missing.try_emplace(file, Wanted{std::move(source), &object.parameters});
   }

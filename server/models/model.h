@@ -17,11 +17,11 @@ struct Texture {
   int height = 0;
   std::vector<std::uint32_t> texels;
 
-  /// The nearest texel, repeated; for a texture that has any.
+  /// The nearest texel, repeated; the first of a row or column for what is not finite. For a texture that has any.
   [[nodiscard]] std::uint32_t at(world::Vec2 uv) const {
     const auto index = [](float along, int size) {
       const float place = (along - std::floor(along)) * static_cast<float>(size);
-      return static_cast<std::size_t>(std::min(static_cast<int>(place), size - 1));
+      return place > 0.0F ? static_cast<std::size_t>(std::min(static_cast<int>(place), size - 1)) : 0;
     };
     return texels[index(uv.y, height) * static_cast<std::size_t>(width) + index(uv.x, width)];
   }
@@ -38,7 +38,8 @@ struct Material {
   bool solid = false;        ///< keeps smoke out (wood, stone); else leaves
   int texture = -1;          ///< index into Model::textures, -1: none
   float alphaCutoff = 0.0F;  ///< texels with less alpha are holes; 0: no holes
-  bool blended = false;      ///< each ray has a cut-off of its own by chance, 0 to alphaCutoff: part of them pass
+  /// Each ray has a cut-off of its own by chance, 0 to alphaCutoff: part of them pass. Without a texture, alpha is 1.
+  bool blended = false;
 };
 
 /// What is baked: triangles in metres, Y up, standing on y = 0 around the origin.

@@ -8,27 +8,45 @@
 #include <cstdint>
 #include <cstdio>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "base/error.h"
 #include "base/plain_file.h"
 #include "models/gltf/gltf_import.h"
+#include "models/gltf/gltf_names.h"
 
 namespace grove::models {
 namespace {
 
-/// Size and check sum: a name for the bytes.
-std::string nameOfBytes(const std::filesystem::path& path) {
-  PlainFile file(path, "name a glTF file", kMostBytes);
-  std::vector<char> piece(std::size_t{1} << 20U);
+/// Of the bytes of some files.
+struct Fingerprint {
   std::uint64_t bytes = 0;
   unsigned long sum = 0;
+};
+
+void add(const std::filesystem::path& path, Fingerprint& print) {
+  PlainFile file(path, "name a glTF file", kMostBytes - std::min(print.bytes, kMostBytes));
+  std::vector<char> piece(std::size_t{1} << 20U);
   while (const std::size_t count = file.read(piece)) {
-    sum = crc32_z(sum, reinterpret_cast<const unsigned char*>(piece.data()), count);
-    bytes += count;
+    print.sum = crc32_z(print.sum, reinterpret_cast<const unsigned char*>(piece.data()), count);
+    print.bytes += count;
+  }
+}
+
+/// Size and check sum of a glTF file and those that it names: a name for the bytes.
+std::string nameOfBytes(const std::filesystem::path& path) {
+  Fingerprint print;
+  add(path, print);
+  for (const std::filesystem::path& named : filesNamedBy(path)) {
+    try {
+      add(named, print);
+    } catch (const EnvironmentError&) {
+      continue;  // the import tells of it, or does without
+    }
   }
   std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%zu-%08lx", static_cast<std::size_t>(bytes), sum);
+  std::snprintf(text.data(), text.size(), "%zu-%08lx", static_cast<std::size_t>(print.bytes), print.sum);
   return text.data();
 }
 
@@ -65,12 +83,15 @@ Model loadModel(const ModelSource& source, Detail detail, const world::Parameter
   return ofNamedFile(parameters, [&] { return importGltf(source.file); });
 }
 
-std::string fileNameOf(const ModelSource& source, const world::Parameters& parameters) {
+std::string FileNames::of(const ModelSource& source, const world::Parameters& parameters) {
   if (!source.plant.empty()) {
     return source.plant + "-" + std::to_string(source.seed) + "-v" + std::to_string(kPlantsVersion);
   }
+  if (const auto known = known_.find(source.file); known != known_.end()) return known->second;
   return ofNamedFile(parameters, [&] {
-    return source.file.stem().string() + "-" + nameOfBytes(source.file) + "-v" + std::to_string(kImportVersion);
+    std::string name =
+        source.file.stem().string() + "-" + nameOfBytes(source.file) + "-v" + std::to_string(kImportVersion);
+    return known_.emplace(source.file, std::move(name)).first->second;
   });
 }
 

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <string>
 
 #include "models/model.h"
@@ -27,7 +28,15 @@ struct ModelSource {
 /// Throws world::SceneError if the file cannot be imported; `parameters` are those that it was read from.
 [[nodiscard]] Model loadModel(const ModelSource& source, Detail detail, const world::Parameters& parameters);
 
-/// A name for a file made from it, that changes when it does. Throws world::SceneError if the model cannot be read.
-[[nodiscard]] std::string fileNameOf(const ModelSource& source, const world::Parameters& parameters);
+/// Names for files made from models. A model is read once, however many objects of a scene are made of it. One thread.
+class FileNames {
+ public:
+  /// A name that changes when the model, or a file that it names, does; not while this lives. Throws world::SceneError
+  /// if the model cannot be read.
+  [[nodiscard]] std::string of(const ModelSource& source, const world::Parameters& parameters);
+
+ private:
+  std::map<std::filesystem::path, std::string> known_;
+};
 
 }  // namespace grove::models

@@ -63,11 +63,11 @@ TEST(ModelRays, EyesPassTheBackOfWhatHasOneSideAndLightDoesNot) {
   EXPECT_EQ(occluded(rays, 3), 0xFFFFU);
 }
 
-TEST(ModelRays, PartOfThemPassWhatBlends) {
+/// Of a plate of the material, part is met: three in ten.
+void expectThreeInTenMet(const models::Material& material) {
   models::Model model;
   model.textures.push_back({1, 1, {0x4DFFFFFFU}});  // alpha 0.3
-  addQuad(model, {-1, -1, -3}, {2, 0, 0}, {0, 2, 0},
-          addMaterial(model, {.name = "glass", .texture = 0, .alphaCutoff = 1.0F, .blended = true}));
+  addQuad(model, {-1, -1, -3}, {2, 0, 0}, {0, 2, 0}, addMaterial(model, material));
   const std::vector<TextureSampler> textures(model.textures.begin(), model.textures.end());
   const ModelRays rays(model, textures);
   std::size_t met = 0;
@@ -78,6 +78,14 @@ TEST(ModelRays, PartOfThemPassWhatBlends) {
     EXPECT_EQ(occluded(rays, index), hit) << "and for every kind of ray";
   }
   EXPECT_NEAR(static_cast<double>(met) / 256.0, 0.3, 0.1);
+}
+
+TEST(ModelRays, PartOfThemPassWhatBlends) {
+  expectThreeInTenMet({.name = "veil", .texture = 0, .alphaCutoff = 1.0F, .blended = true});
+}
+
+TEST(ModelRays, PartOfThemPassWhatBlendsWithoutATexture) {
+  expectThreeInTenMet({.name = "glass", .alphaCutoff = 1.0F / 0.3F, .blended = true});
 }
 
 }  // namespace

@@ -93,6 +93,7 @@ void replaceSparse(const GltfFile& file, const tinygltf::Accessor& accessor, Ele
     file.fail("a sparse accessor has a negative count or offset");
   }
   const auto count = static_cast<std::size_t>(sparse.count);
+  if (count > elements.size()) file.fail("a sparse accessor replaces more elements than it has");
   const std::size_t component = bytesOf(file, accessor.componentType);
   const Run where = runIn(file, sparse.indices.bufferView, static_cast<std::size_t>(sparse.indices.byteOffset), count,
                           bytesOf(file, sparse.indices.componentType));

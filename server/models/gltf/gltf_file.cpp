@@ -116,6 +116,10 @@ std::string_view jsonOf(std::span<const unsigned char> bytes) {
 
 void GltfFile::fail(const std::string& reason) const { throw ImportError(path, reason); }
 
+void GltfFile::failFor(const char* what, int index) const {
+  fail(std::string("there is no ") + what + " " + std::to_string(index));
+}
+
 GltfFile loadGltfFile(const std::filesystem::path& path) {
   GltfFile file{path, {}};
   std::error_code failed;

@@ -20,10 +20,13 @@ struct GltfFile {
   template <class T>
   [[nodiscard]] const T& at(const std::vector<T>& list, int index, const char* what) const {
     if (index < 0 || static_cast<std::size_t>(index) >= list.size()) {
-      fail(std::string("there is no ") + what + " " + std::to_string(index));
+      failFor(what, index);
     }
     return list[static_cast<std::size_t>(index)];
   }
+
+ private:
+  [[noreturn]] void failFor(const char* what, int index) const;
 };
 
 /// Reads the file and the files that it names. Throws ImportError.

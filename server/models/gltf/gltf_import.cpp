@@ -5,10 +5,13 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
 
+#include "base/log.h"
+#include "base/name_list.h"
 #include "models/gltf/gltf_accessor.h"
 #include "models/gltf/gltf_file.h"
 #include "models/gltf/gltf_materials.h"
@@ -52,6 +55,18 @@ Vec3 unitOrUp(Vec3 v) {
   return length > 0.0F && std::isfinite(length) ? v / length : Vec3(0, 1, 0);
 }
 
+int modeOf(const tinygltf::Primitive& primitive) {
+  return primitive.mode < 0 ? TINYGLTF_MODE_TRIANGLES : primitive.mode;
+}
+
+/// For a message about materials.
+std::string quoted(const std::set<std::string>& names) {
+  std::vector<std::string> list;
+  list.reserve(names.size());
+  for (const std::string& name : names) list.push_back("'" + name + "'");
+  return nameList(list);
+}
+
 class Importer {
  public:
   explicit Importer(const std::filesystem::path& path) : file_(loadGltfFile(path)) {
@@ -65,34 +80,42 @@ class Importer {
     checkSize(instances);
     for (const MeshInstance& instance : instances) {
       for (const tinygltf::Primitive& primitive : file_.at(file_.document.meshes, instance.mesh, "mesh").primitives) {
-        const int mode = primitive.mode < 0 ? TINYGLTF_MODE_TRIANGLES : primitive.mode;
-        if (mode >= TINYGLTF_MODE_TRIANGLES) add(primitive, mode, instance.matrix);
+        if (modeOf(primitive) >= TINYGLTF_MODE_TRIANGLES) add(primitive, instance.matrix);
       }
     }
+    nameWhatIsLeftOut();
     if (model_.triangles.indices.empty()) file_.fail("has no triangles");
     stand();
     return std::move(model_);
   }
 
  private:
-  /// Refuses what is too large before memory is taken for it: a small file may put one mesh in many places.
+  /// Refuses what is too large before memory or time is taken for it: a small file may put one mesh in many places.
   void checkSize(const std::vector<MeshInstance>& instances) const {
+    std::size_t visits = 0;
     std::size_t corners = 0;
     for (const MeshInstance& instance : instances) {
-      for (const tinygltf::Primitive& primitive : file_.at(file_.document.meshes, instance.mesh, "mesh").primitives) {
-        const auto positions = primitive.attributes.find("POSITION");
-        if (positions == primitive.attributes.end()) continue;
-        const std::size_t vertices = file_.at(file_.document.accessors, positions->second, "accessor").count;
-        const std::size_t order =
-            primitive.indices < 0 ? 0 : file_.at(file_.document.accessors, primitive.indices, "accessor").count;
-        const bool list = primitive.mode < 0 || primitive.mode == TINYGLTF_MODE_TRIANGLES;
-        for (const std::size_t count : {vertices, order}) {
-          if (count > 3 * kMostTriangles) file_.fail("has an accessor of " + std::to_string(count) + " elements");
-        }
-        corners += std::max(vertices, list ? order : 3 * order);
+      const tinygltf::Mesh& mesh = file_.at(file_.document.meshes, instance.mesh, "mesh");
+      visits += mesh.primitives.size();
+      if (visits > kMaxPrimitives) file_.fail("has more than " + std::to_string(kMaxPrimitives) + " primitives");
+      for (const tinygltf::Primitive& primitive : mesh.primitives) {
+        if (modeOf(primitive) >= TINYGLTF_MODE_TRIANGLES) corners += cornersOf(primitive);
         if (corners > 3 * kMostTriangles) file_.fail("has more than " + std::to_string(kMostTriangles) + " triangles");
       }
     }
+  }
+
+  /// At most as many as the triangles or the vertices, whichever are more, take memory for.
+  [[nodiscard]] std::size_t cornersOf(const tinygltf::Primitive& primitive) const {
+    const auto positions = primitive.attributes.find("POSITION");
+    if (positions == primitive.attributes.end()) return 0;
+    const std::size_t vertices = file_.at(file_.document.accessors, positions->second, "accessor").count;
+    const std::size_t order =
+        primitive.indices < 0 ? vertices : file_.at(file_.document.accessors, primitive.indices, "accessor").count;
+    for (const std::size_t count : {vertices, order}) {
+      if (count > 3 * kMostTriangles) file_.fail("has an accessor of " + std::to_string(count) + " elements");
+    }
+    return std::max(vertices, modeOf(primitive) == TINYGLTF_MODE_TRIANGLES ? order : 3 * order);
   }
 
   /// An attribute with as many elements as there are positions, of one of the widths.
@@ -100,17 +123,26 @@ class Importer {
                                     std::size_t least, std::size_t most) const {
     const auto found = primitive.attributes.find(name);
     if (found == primitive.attributes.end()) return {};
+    // Before it is read: it may have millions of elements where there are three positions.
+    if (count > 0 && file_.at(file_.document.accessors, found->second, "accessor").count != count) {
+      file_.fail(name + " has not as many elements as POSITION");
+    }
     Elements elements = readElements(file_, found->second);
     if (elements.width < least || elements.width > most) file_.fail(name + " has vectors of the wrong length");
-    if (count > 0 && elements.size() != count) file_.fail(name + " has not as many elements as POSITION");
     return elements;
   }
 
-  void add(const tinygltf::Primitive& primitive, int mode, const Mat4& matrix) {
+  void add(const tinygltf::Primitive& primitive, const Mat4& matrix) {
+    const tinygltf::Material* const given =
+        primitive.material < 0 ? nullptr : &file_.at(file_.document.materials, primitive.material, "material");
+    if (given != nullptr && isUnseen(*given)) {
+      unseen_.insert(given->name);
+      return;
+    }
     const auto positions = attribute(primitive, "POSITION", 0, 3, 3);
     if (!positions || positions->size() == 0) return;
     const std::size_t count = positions->size();
-    const std::vector<Triangle> triangles = trianglesOf(orderOf(primitive, count), mode);
+    const std::vector<Triangle> triangles = trianglesOf(orderOf(primitive, count), modeOf(primitive));
     if (triangles.empty()) return;
     std::vector<Vec3> placed(count);
     for (std::size_t i = 0; i < count; ++i) {
@@ -119,8 +151,8 @@ class Importer {
       if (!std::isfinite(placed[i].x + placed[i].y + placed[i].z)) file_.fail("has positions that are not finite");
     }
     addNormals(primitive, matrix, placed, triangles);
-    addColours(primitive, count);
-    const std::uint16_t material = materialFor(primitive, addUvs(primitive, count));
+    addColours(primitive, given, count);
+    const std::uint16_t material = materialFor(primitive, addUvs(primitive, given, count));
     const auto first = static_cast<std::uint32_t>(model_.triangles.positions.size());
     model_.triangles.positions.insert(model_.triangles.positions.end(), placed.begin(), placed.end());
     // A mirrored mesh turns its triangles' other side out.
@@ -162,24 +194,30 @@ class Importer {
     }
   }
 
-  void addColours(const tinygltf::Primitive& primitive, std::size_t count) {
+  void addColours(const tinygltf::Primitive& primitive, const tinygltf::Material* material, std::size_t count) {
     const auto colours = attribute(primitive, "COLOR_0", count, 3, 4);
+    const bool alphaCounts = colours && colours->width == 4 && material != nullptr && material->alphaMode != "OPAQUE";
+    bool losesAlpha = false;
     for (std::size_t i = 0; i < count; ++i) {
       const float* const c = colours ? colours->at(i) : nullptr;
+      losesAlpha = losesAlpha || (alphaCounts && c[3] < 1.0F);
       model_.colours.push_back(c == nullptr ? Vec3(1.0F) : glm::clamp(Vec3(c[0], c[1], c[2]), 0.0F, 1.0F));
     }
+    if (losesAlpha) withoutColourAlpha_.insert(material->name);
   }
 
   /// Returns whether there are any.
-  bool addUvs(const tinygltf::Primitive& primitive, std::size_t count) {
+  bool addUvs(const tinygltf::Primitive& primitive, const tinygltf::Material* material, std::size_t count) {
     const TexturePlacement placement =
-        primitive.material < 0 ? TexturePlacement()
-                               : placementOf(file_, file_.at(file_.document.materials, primitive.material, "material")
-                                                        .pbrMetallicRoughness.baseColorTexture);
+        material == nullptr ? TexturePlacement() : placementOf(file_, material->pbrMetallicRoughness.baseColorTexture);
     const auto uvs = attribute(primitive, "TEXCOORD_" + std::to_string(placement.uvSet), count, 2, 2);
     for (std::size_t i = 0; i < count; ++i) {
-      model_.uvs.push_back(uvs ? placement.apply({uvs->at(i)[0], uvs->at(i)[1]}) : Vec2(0.0F));
-      if (!std::isfinite(model_.uvs.back().x + model_.uvs.back().y)) file_.fail("has UVs that are not finite");
+      const Vec2 uv = uvs ? placement.apply({uvs->at(i)[0], uvs->at(i)[1]}) : Vec2(0.0F);
+      const float most = std::max(std::abs(uv.x), std::abs(uv.y));
+      if (!std::isfinite(uv.x + uv.y) || most > kMaxUv) {
+        file_.fail("has UVs beyond " + std::to_string(static_cast<int>(kMaxUv)));
+      }
+      model_.uvs.push_back(uv);
     }
     return uvs.has_value();
   }
@@ -190,14 +228,21 @@ class Importer {
         primitive.material < 0 ? untextured_.size() - 1 : static_cast<std::size_t>(primitive.material);
     if (hasUvs || model_.materials[given].texture < 0) return static_cast<std::uint16_t>(given);
     if (!untextured_[given]) {
-      Material material = model_.materials[given];
-      material.texture = -1;
-      material.alphaCutoff = 0.0F;
       if (model_.materials.size() > std::numeric_limits<std::uint16_t>::max()) file_.fail("has too many materials");
       untextured_[given] = static_cast<std::uint16_t>(model_.materials.size());
-      model_.materials.push_back(std::move(material));
+      model_.materials.push_back(withoutTexture(model_.materials[given]));
     }
     return *untextured_[given];
+  }
+
+  void nameWhatIsLeftOut() const {
+    const std::string file = file_.path.string() + ": ";
+    if (!unseen_.empty()) {
+      log::warning(file + quoted(unseen_) + " is left out: its alpha is zero or below its cut-off");
+    }
+    if (!withoutColourAlpha_.empty()) {
+      log::warning(file + "is read without the alpha of the vertex colours of " + quoted(withoutColourAlpha_));
+    }
   }
 
   /// Moves the model onto y = 0 around the origin.
@@ -220,6 +265,8 @@ class Importer {
   const GltfFile file_;
   Model model_;
   std::vector<std::optional<std::uint16_t>> untextured_;  ///< for each of the file's materials its copy, once needed
+  std::set<std::string> unseen_;                          ///< materials of which alpha leaves nothing
+  std::set<std::string> withoutColourAlpha_;
 };
 
 }  // namespace

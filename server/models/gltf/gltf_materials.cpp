@@ -3,11 +3,15 @@
 #include <stb/stb_image.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <cstring>
 #include <limits>
 #include <map>
 #include <memory>
 #include <span>
+#include <string>
+#include <tuple>
+#include <utility>
 
 #include "base/log.h"
 #include "models/gltf/gltf_accessor.h"
@@ -20,29 +24,43 @@ using world::Vec3;
 
 constexpr float kThroughLeaf = 0.35F;  // share of a leaf's light that comes through, where a file only says "leaf"
 
-Texture decode(const GltfFile& file, std::span<const unsigned char> bytes, const std::string& name) {
-  if (bytes.size() > static_cast<std::size_t>(std::numeric_limits<int>::max())) file.fail(name + " is too large");
-  const auto size = static_cast<int>(bytes.size());
-  int width = 0;
-  int height = 0;
+/// An image that has not been decoded.
+struct Encoded {
+  std::span<const unsigned char> bytes;
+  std::string name;  ///< for messages
+
+  [[nodiscard]] int size() const noexcept { return static_cast<int>(bytes.size()); }
+};
+
+/// A texture of the image's size, without texels.
+Texture measure(const GltfFile& file, const Encoded& image) {
+  if (image.bytes.size() > static_cast<std::size_t>(std::numeric_limits<int>::max())) {
+    file.fail(image.name + " is too large");
+  }
+  Texture texture;
   int channels = 0;
-  if (stbi_info_from_memory(bytes.data(), size, &width, &height, &channels) == 0) {
-    file.fail(name + " is no image that can be read (PNG and JPEG can)");
+  if (stbi_info_from_memory(image.bytes.data(), image.size(), &texture.width, &texture.height, &channels) == 0) {
+    file.fail(image.name + " is no image that can be read (PNG and JPEG can)");
   }
-  if (width > kMostTexels || height > kMostTexels) {
-    file.fail(name + " has " + std::to_string(width) + " x " + std::to_string(height) + " texels; " +
-              std::to_string(kMostTexels) + " a side are the most");
+  if (texture.width > kMostTexels || texture.height > kMostTexels) {
+    file.fail(image.name + " has " + std::to_string(texture.width) + " x " + std::to_string(texture.height) +
+              " texels; " + std::to_string(kMostTexels) + " a side are the most");
   }
-  const std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> texels(
-      stbi_load_from_memory(bytes.data(), size, &width, &height, &channels, 4), stbi_image_free);
-  if (!texels) file.fail(name + " is broken: " + stbi_failure_reason());
-  Texture texture{width, height, {}};
-  texture.texels.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-  std::memcpy(texture.texels.data(), texels.get(), texture.texels.size() * sizeof(std::uint32_t));
   return texture;
 }
 
-/// Decodes each image when it is first asked for.
+void decode(const GltfFile& file, const Encoded& image, Texture& texture) {
+  int channels = 0;
+  const std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> texels(
+      stbi_load_from_memory(image.bytes.data(), image.size(), &texture.width, &texture.height, &channels, 4),
+      stbi_image_free);
+  if (!texels) file.fail(image.name + " is broken: " + stbi_failure_reason());
+  texture.texels.resize(static_cast<std::size_t>(texture.width) * static_cast<std::size_t>(texture.height));
+  std::memcpy(texture.texels.data(), texels.get(), texture.texels.size() * sizeof(std::uint32_t));
+}
+
+/// Measures each image when it is first asked for, and decodes all once it is known that they are not too large
+/// together.
 class TextureShelf {
  public:
   TextureShelf(const GltfFile& file, std::vector<Texture>& textures) : file_(file), textures_(textures) {}
@@ -53,25 +71,42 @@ class TextureShelf {
     const int source = file_.at(file_.document.textures, texture, "texture").source;
     if (source < 0) return -1;
     const tinygltf::Image& image = file_.at(file_.document.images, source, "image");
-    const auto known = decoded_.find(source);
-    if (known != decoded_.end()) return known->second;
-    const std::string name = "image " + std::to_string(source) + (image.uri.empty() ? "" : " (" + image.uri + ")");
-    int index = -1;
-    if (image.bufferView < 0 && image.image.empty()) {
-      log::warning(file_.path.string() + ": " + name + " is absent; the base colour is used without it");
-    } else {
-      textures_.push_back(
-          decode(file_, image.bufferView < 0 ? std::span(image.image) : viewBytes(file_, image.bufferView), name));
-      index = static_cast<int>(textures_.size()) - 1;
-    }
-    decoded_.emplace(source, index);
-    return index;
+    const auto [known, isNew] = known_.try_emplace(Key{image.bufferView, image.uri, hasPlace(image) ? -1 : source}, -1);
+    if (isNew) known->second = add(image, source);
+    return known->second;
+  }
+
+  void decodeAll() {
+    for (std::size_t i = 0; i < encoded_.size(); ++i) decode(file_, encoded_[i], textures_[i]);
   }
 
  private:
+  /// Buffer view, file and, where it has none of these, the number of an image: several may share their bytes.
+  using Key = std::tuple<int, std::string, int>;
+
+  static bool hasPlace(const tinygltf::Image& image) { return image.bufferView >= 0 || !image.uri.empty(); }
+
+  int add(const tinygltf::Image& image, int source) {
+    const std::string name = "image " + std::to_string(source) + (image.uri.empty() ? "" : " (" + image.uri + ")");
+    if (image.bufferView < 0 && image.image.empty()) {
+      log::warning(file_.path.string() + ": " + name + " is absent; the base colour is used without it");
+      return -1;
+    }
+    const Encoded encoded{image.bufferView < 0 ? std::span(image.image) : viewBytes(file_, image.bufferView), name};
+    const Texture& texture = textures_.emplace_back(measure(file_, encoded));
+    texels_ += static_cast<std::uint64_t>(texture.width) * static_cast<std::uint64_t>(texture.height);
+    if (texels_ > kMaxTexels) {
+      file_.fail("has more than " + std::to_string(kMaxTexels) + " texels in its images together; make them smaller");
+    }
+    encoded_.push_back(encoded);
+    return static_cast<int>(encoded_.size()) - 1;
+  }
+
   const GltfFile& file_;
   std::vector<Texture>& textures_;
-  std::map<int, int> decoded_;
+  std::vector<Encoded> encoded_;  ///< for each texture
+  std::map<Key, int> known_;
+  std::uint64_t texels_ = 0;
 };
 
 /// A number of a material's extension, 0 where it is not there.
@@ -82,33 +117,35 @@ float extensionNumber(const tinygltf::Material& material, const char* extension,
   return value.IsNumber() ? std::clamp(static_cast<float>(value.GetNumberAsDouble()), 0.0F, 1.0F) : 0.0F;
 }
 
+float alphaOf(const tinygltf::Material& given) {
+  return std::clamp(static_cast<float>(given.pbrMetallicRoughness.baseColorFactor[3]), 0.0F, 1.0F);
+}
+
 Material materialOf(const GltfFile& file, const tinygltf::Material& given, TextureShelf& shelf) {
   const auto& factor = given.pbrMetallicRoughness.baseColorFactor;
   if (factor.size() != 4) file.fail("material '" + given.name + "' has a base colour without four numbers");
   const auto channel = [&](std::size_t i) { return std::clamp(static_cast<float>(factor[i]), 0.0F, 1.0F); };
   const Vec3 colour(channel(0), channel(1), channel(2));
-  const bool holes = given.alphaMode == "MASK" || given.alphaMode == "BLEND";
   Material material;
   material.name = given.name;
   material.twoSided = given.doubleSided;
   material.texture = shelf.indexOf(given.pbrMetallicRoughness.baseColorTexture.index);
   float through = std::max(extensionNumber(given, "KHR_materials_transmission", "transmissionFactor"),
                            extensionNumber(given, "KHR_materials_diffuse_transmission", "diffuseTransmissionFactor"));
-  if (holes && material.texture >= 0) {
-    // The texture's alpha times the factor's is what the cut-off is for.
-    const float factorAlpha = std::max(channel(3), 1.0e-3F);
-    material.blended = given.alphaMode == "BLEND";
-    material.alphaCutoff = material.blended
-                               ? 1.0F / factorAlpha
-                               : std::clamp(static_cast<float>(given.alphaCutoff) / factorAlpha, 0.0F, 1.0F);
-    if (given.doubleSided) through = std::max(through, kThroughLeaf);
-  } else if (given.alphaMode == "BLEND") {
-    through = std::max(through, 1.0F - channel(3));  // tinted glass
+  // The texture's alpha times the factor's is what the cut-off is for.
+  const float alpha = std::max(alphaOf(given), 1.0e-3F);
+  if (given.alphaMode == "BLEND") {
+    material.blended = true;
+    material.alphaCutoff = 1.0F / alpha;
+  } else if (given.alphaMode == "MASK") {
+    material.alphaCutoff = std::clamp(static_cast<float>(given.alphaCutoff) / alpha, 0.0F, 1.0F);
   }
+  const bool leaf = given.doubleSided && material.texture >= 0 && (material.blended || given.alphaMode == "MASK");
+  if (leaf) through = std::max(through, kThroughLeaf);
   material.albedo = colour * (1.0F - through);
   material.transmittance = colour * through;
   material.solid = through == 0.0F;
-  return material;
+  return material.texture < 0 ? withoutTexture(std::move(material)) : material;
 }
 
 }  // namespace
@@ -117,9 +154,23 @@ std::vector<Material> readMaterials(const GltfFile& file, std::vector<Texture>& 
   TextureShelf shelf(file, textures);
   std::vector<Material> materials;
   for (const tinygltf::Material& given : file.document.materials) materials.push_back(materialOf(file, given, shelf));
+  shelf.decodeAll();
   materials.push_back({.name = "plain", .albedo = Vec3(1.0F), .twoSided = false, .solid = true});
   if (materials.size() > std::numeric_limits<std::uint16_t>::max()) file.fail("has more than 65535 materials");
   return materials;
+}
+
+bool isUnseen(const tinygltf::Material& material) {
+  if (material.alphaMode == "MASK") return alphaOf(material) < static_cast<float>(material.alphaCutoff);
+  return material.alphaMode == "BLEND" && alphaOf(material) == 0.0F;
+}
+
+Material withoutTexture(Material material) {
+  material.texture = -1;
+  material.blended = material.blended && material.alphaCutoff > 1.0F;
+  if (!material.blended) material.alphaCutoff = 0.0F;
+  material.solid = material.solid && !material.blended;  // as glass by KHR_materials_transmission
+  return material;
 }
 
 }  // namespace grove::models

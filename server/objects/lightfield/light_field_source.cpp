@@ -7,7 +7,7 @@
 #include "objects/lightfield/format/light_field.h"
 
 namespace grove::objects::lightfield {
-LightFieldSource readSource(const world::Parameters& parameters) {
+LightFieldSource readSource(const world::Parameters& parameters, models::FileNames& names) {
   LightFieldSource source;
   source.file = parameters.path("file");
   source.model = models::readModelSource(parameters);
@@ -22,7 +22,7 @@ LightFieldSource readSource(const world::Parameters& parameters) {
   }
   source.lightings = parameters.integer("lightings", source.lightings, 1, kMostLightings);
   source.file = cacheFolder() / "light-fields" /
-                (models::fileNameOf(source.model, parameters) + "-n" + std::to_string(source.subdivision) + "-s" +
+                (names.of(source.model, parameters) + "-n" + std::to_string(source.subdivision) + "-s" +
                  std::to_string(source.size) + "-k" + std::to_string(source.lightings) + ".glf");
   return source;
 }

@@ -19,7 +19,7 @@ struct LightFieldSource {
   int lightings = 6;
 };
 
-/// Throws world::SceneError.
-[[nodiscard]] LightFieldSource readSource(const world::Parameters& parameters);
+/// Throws world::SceneError. `names` is shared by a scene's objects.
+[[nodiscard]] LightFieldSource readSource(const world::Parameters& parameters, models::FileNames& names);
 
 }  // namespace grove::objects::lightfield

@@ -31,9 +31,9 @@ std::string complaint(const LightFieldSource& source, const std::exception& e) {
 }  // namespace
 
 std::shared_ptr<const world::Model> LightFieldType::model(const world::Parameters& parameters) const {
-  const LightFieldSource source = readSource(parameters);
-  const SamplerKind sampler = samplerNamed(parameters.choice("renderer", {"auto", "gl", "simd"}));
   const std::lock_guard lock(mutex_);
+  const LightFieldSource source = readSource(parameters, names_);
+  const SamplerKind sampler = samplerNamed(parameters.choice("renderer", {"auto", "gl", "simd"}));
   std::weak_ptr<const LightFieldModel>& known = models_[{source.file.lexically_normal().string(), sampler}];
   if (auto model = known.lock()) return model;
   try {

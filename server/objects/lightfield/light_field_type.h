@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "models/model_source.h"
 #include "node/object_type.h"
 #include "objects/lightfield/light_field_model.h"
 #include "objects/lightfield/view_cache_options.h"
@@ -27,6 +28,7 @@ class LightFieldType final : public node::ObjectType {
  private:
   const ViewCacheOptions cache_;
   mutable std::mutex mutex_;
+  mutable models::FileNames names_;
   /// So that a forest of one tree is one copy in memory.
   mutable std::map<std::pair<std::string, SamplerKind>, std::weak_ptr<const LightFieldModel>> models_;
 };

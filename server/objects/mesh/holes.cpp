@@ -124,15 +124,20 @@ class Cutter {
 };
 
 void nameWhatIsLeftOut(const Model& model, bool cut) {
-  std::set<std::string> names;
+  std::set<std::string> blended;
+  std::set<std::string> uncut;
   for (const std::uint16_t used : std::set(model.materialOf.begin(), model.materialOf.end())) {
     const Material& material = model.materials[used];
-    if (material.alphaCutoff > 0.0F && (material.blended || !cut)) names.insert("'" + material.name + "'");
+    if (material.blended) blended.insert("'" + material.name + "'");
+    if (!cut && !material.blended && material.alphaCutoff > 0.0F) uncut.insert("'" + material.name + "'");
   }
-  if (names.empty()) return;
-  const char* const reason = cut ? " is solid where it blends" : " is drawn without its holes, for they are too many";
-  log::warning(model.name + ": as a mesh, " + nameList({names.begin(), names.end()}) + reason +
-               "; a light field shows it");
+  const auto name = [&](const std::set<std::string>& names, const char* reason) {
+    if (names.empty()) return;
+    log::warning(model.name + ": as a mesh, " + nameList({names.begin(), names.end()}) + reason +
+                 "; a light field shows it");
+  };
+  name(blended, " is solid where it blends");
+  name(uncut, " is drawn without its holes, for they are too many");
 }
 
 }  // namespace
@@ -145,10 +150,9 @@ Model withHolesCut(Model model) {
     pierced.push_back(i);
     pieces += std::pow(static_cast<double>(wantedParts(model, i)), 2.0);
   }
-  if (pierced.empty()) return model;
   const bool cut = pierced.size() * kMinParts * kMinParts <= kMaxPieces;
   nameWhatIsLeftOut(model, cut);
-  if (!cut) return model;
+  if (!cut || pierced.empty()) return model;
 
   const float share = static_cast<float>(std::min(1.0, std::sqrt(static_cast<double>(kMaxPieces) / pieces)));
   Cutter cutter(model);

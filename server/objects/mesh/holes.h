@@ -10,8 +10,8 @@ inline constexpr std::size_t kMaxPieces = 60'000;
 /// The model without what its textures make transparent, as a light field shows it: a triangle with holes becomes
 /// pieces of a few texels, and those without enough to see are left out.
 ///
-/// What cannot be shown is named in one line of the log: materials that blend (what is left of them is solid) and those
-/// with more triangles than can be cut.
+/// What cannot be shown is named in the log: materials that blend (what is left of them is solid) and those with more
+/// triangles than can be cut.
 [[nodiscard]] models::Model withHolesCut(models::Model model);
 
 }  // namespace grove::objects::mesh

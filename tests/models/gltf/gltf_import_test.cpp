@@ -134,6 +134,26 @@ TEST_F(GltfImport, ReadsTexturesFromFilesBeside) {
   EXPECT_EQ(import().textures.size(), 1U);
 }
 
+TEST_F(GltfImport, DecodesOnceWhatSeveralImagesName) {
+  addTexturedTriangle();
+  const auto image = targa(1, 1, {1, 2, 3, 255});
+  GltfWriter::save(folder_ / "skin.tga", std::string(image.begin(), image.end()));
+  const int view = writer.view(image);
+  useTexture({{"uri", "skin.tga"}});
+  writer.json["images"].push_back({{"uri", "skin.tga"}});
+  for (int i = 0; i < 2; ++i) writer.json["images"].push_back({{"bufferView", view}, {"mimeType", "image/x-tga"}});
+  for (int i = 1; i < 4; ++i) {
+    writer.json["textures"].push_back({{"source", i}});
+    Json material = writer.json["materials"][0];
+    material["pbrMetallicRoughness"]["baseColorTexture"]["index"] = i;
+    writer.json["materials"].push_back(material);
+  }
+  const Model model = import();
+  EXPECT_EQ(model.textures.size(), 2U);
+  EXPECT_EQ(model.materials[0].texture, model.materials[1].texture);
+  EXPECT_EQ(model.materials[2].texture, model.materials[3].texture);
+}
+
 TEST_F(GltfImport, GoesOnWithTheBaseColourWhereATextureFileIsAbsent) {
   addTexturedTriangle();
   useTexture({{"uri", "nowhere.png"}});

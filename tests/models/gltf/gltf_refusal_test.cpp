@@ -105,6 +105,21 @@ TEST_F(GltfImport, RefusesTransformsThatAreNotFinite) {
   expectRefused("not finite");
 }
 
+TEST_F(GltfImport, RefusesUvsOfWhichAFloatHoldsNoFraction) {
+  writer.triangle();
+  const int uvs = writer.accessor(std::vector<float>{3.4e38F, 0, 3.4e38F, 0, 3.4e38F, 1}, "VEC2", kFloat);
+  writer.json["meshes"][0]["primitives"][0]["attributes"]["TEXCOORD_0"] = uvs;
+  expectRefused("has UVs beyond 1000000");
+}
+
+TEST_F(GltfImport, RefusesTransformsToSuchUvs) {
+  addTexturedTriangle();
+  useTexture({{"bufferView", writer.view(targa(1, 1, {1, 2, 3, 255}))}, {"mimeType", "image/x-tga"}});
+  Json& texture = writer.json["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"];
+  texture["extensions"]["KHR_texture_transform"]["scale"] = {-2.0e6, 1.0};
+  expectRefused("has UVs beyond 1000000");
+}
+
 TEST_F(GltfImport, RefusesHugeModels) {
   writer.triangle();
   writer.json["accessors"][0]["count"] = 4'000'000'000U;
@@ -124,6 +139,62 @@ TEST_F(GltfImport, RefusesAModestMeshRepeatedTooOften) {
     writer.json["scenes"][0]["nodes"].push_back(i);
   }
   expectRefused("more than 50000000 triangles");
+}
+
+TEST_F(GltfImport, CountsTheTrianglesOfStripsAndFansWithoutIndices) {
+  for (const int mode : {5, 6}) {
+    writer.triangle()["mode"] = mode;
+    writer.json["accessors"].back()["count"] = 60'000'000;
+    expectRefused("more than 50000000 triangles");
+    writer.json["meshes"][0]["primitives"].clear();
+  }
+}
+
+TEST_F(GltfImport, RefusesPrimitivesInTooManyPlaces) {
+  // Without positions: they would only cost time.
+  for (int i = 0; i < 3000; ++i) {
+    writer.json["meshes"][0]["primitives"].push_back({{"attributes", Json::object()}});
+    writer.json["nodes"][static_cast<std::size_t>(i)] = {{"mesh", 0}};
+    writer.json["scenes"][0]["nodes"][static_cast<std::size_t>(i)] = i;
+  }
+  expectRefused("more than 5000000 primitives");
+}
+
+TEST_F(GltfImport, ComparesCountsBeforeItReads) {
+  const int positions = writer.triangle()["attributes"]["POSITION"];
+  Json huge = writer.json["accessors"][static_cast<std::size_t>(positions)];
+  huge["count"] = 100'000'000;
+  writer.json["accessors"].push_back(huge);
+  Json& attributes = writer.json["meshes"][0]["primitives"][0]["attributes"];
+  for (const char* const name : {"NORMAL", "COLOR_0", "TEXCOORD_0"}) {
+    attributes[name] = positions + 1;
+    expectRefused(std::string(name) + " has not as many elements as POSITION");
+    attributes.erase(name);
+  }
+}
+
+TEST_F(GltfImport, RefusesASparseAccessorThatReplacesMoreThanItHas) {
+  writer.triangle();
+  const int where = writer.view(std::vector<std::uint16_t>{2, 2, 2, 2});
+  const int values = writer.view(std::vector<float>(12, 1.0F));
+  writer.json["accessors"][0]["sparse"] = {{"count", 4},
+                                           {"indices", {{"bufferView", where}, {"componentType", kU16}}},
+                                           {"values", {{"bufferView", values}}}};
+  expectRefused("a sparse accessor replaces more elements than it has");
+}
+
+TEST_F(GltfImport, RefusesImagesThatAreTooLargeTogether) {
+  addTexturedTriangle();
+  useTexture({{"bufferView", writer.view(targa(kMostTexels, kMostTexels, {}))}, {"mimeType", "image/x-tga"}});
+  for (int i = 1; i < 3; ++i) {
+    writer.json["images"].push_back(
+        {{"bufferView", writer.view(targa(kMostTexels, kMostTexels, {}))}, {"mimeType", "image/x-tga"}});
+    writer.json["textures"].push_back({{"source", i}});
+    Json material = writer.json["materials"][0];
+    material["pbrMetallicRoughness"]["baseColorTexture"]["index"] = i;
+    writer.json["materials"].push_back(material);
+  }
+  expectRefused("more than 536870912 texels in its images together");
 }
 
 TEST_F(GltfImport, RefusesTexturesThatAreTooLarge) {

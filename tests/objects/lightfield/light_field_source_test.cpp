@@ -54,7 +54,8 @@ TEST(LightFieldSource, AModelThatChangesGetsAnotherFile) {
   const std::string model = (folder / "model.glb").string();
   const auto name = [&](const std::string& bytes) {
     std::ofstream(model, std::ios::binary) << bytes;
-    return readSource(sceneOf("model = '" + model + "'\n").objects.at(0).parameters).file.filename().string();
+    models::FileNames names;
+    return readSource(sceneOf("model = '" + model + "'\n").objects.at(0).parameters, names).file.filename().string();
   };
   const std::string large(3'000'000, 'x');
   EXPECT_THAT(name("one"), StartsWith("model-3-"));

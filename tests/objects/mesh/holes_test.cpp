@@ -89,6 +89,13 @@ TEST(Holes, WhatBlendsIsSolidWhereThereIsAnythingToSeeAndIsNamed) {
   EXPECT_EQ(std::ranges::count(told, '\n'), 1);
 }
 
+TEST(Holes, WhatBlendsWithoutATextureIsNamed) {
+  models::Model model = disc(0xFF00FF00U, 0x0000FF00U);
+  model.materials[1] = {.name = "glass", .alphaCutoff = 5.0F, .blended = true};
+  EXPECT_THAT(warningOf(model), HasSubstr("disc: as a mesh, 'glass' is solid where it blends; a light field shows it"));
+  EXPECT_EQ(withHolesCut(model).triangles.indices, model.triangles.indices);
+}
+
 TEST(Holes, TooManyAreLeftAndNamed) {
   models::Model model = disc(0xFF00FF00U, 0x0000FF00U);
   const std::size_t leaves = kMaxPieces / 16;
