@@ -7,6 +7,14 @@
 #include "objects/lightfield/format/light_field.h"
 
 namespace grove::objects::lightfield {
+namespace {
+
+/// Raised when another light field is baked of the same imported model, so that cached ones are made anew. What changes
+/// those of plants raises models::kPlantsVersion.
+constexpr int kImportedBakeVersion = 2;
+
+}  // namespace
+
 LightFieldSource readSource(const world::Parameters& parameters) {
   LightFieldSource source;
   source.file = parameters.path("file");
@@ -21,9 +29,10 @@ LightFieldSource readSource(const world::Parameters& parameters) {
     parameters.fail("size", "'size' must be a power of two");
   }
   source.lightings = parameters.integer("lightings", source.lightings, 1, kMostLightings);
+  const std::string baked = source.model.plant.empty() ? "-b" + std::to_string(kImportedBakeVersion) : "";
   source.file = cacheFolder() / "light-fields" /
-                (models::fileNameOf(source.model, parameters) + "-n" + std::to_string(source.subdivision) + "-s" +
-                 std::to_string(source.size) + "-k" + std::to_string(source.lightings) + ".glf");
+                (models::fileNameOf(source.model, parameters) + baked + "-n" + std::to_string(source.subdivision) +
+                 "-s" + std::to_string(source.size) + "-k" + std::to_string(source.lightings) + ".glf");
   return source;
 }
 
