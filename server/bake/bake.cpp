@@ -47,7 +47,7 @@ namespace {
 
 /// To be raised when the same model and options give other views than before, so that old partial bakes are not mixed
 /// with new ones.
-constexpr std::uint64_t kBakeVersion = 1;
+constexpr std::uint64_t kBakeVersion = 2;
 constexpr int kVoxelsAlongEdge = 64;
 // In texels of a view.
 constexpr float kPatch = 2.0F;  // that share a light point

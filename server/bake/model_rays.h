@@ -34,7 +34,7 @@ class ModelRays {
   enum class Backs { kMet, kPassed };
 
   /// Nearest hits; hit.geomID stays RTC_INVALID_GEOMETRY_ID where there is none, else hit.primID is the model's
-  /// triangle and hit.Ng points to the side that its normals point to.
+  /// triangle and hit.Ng points to the side that its corners wind counter-clockwise around.
   void intersect(const Mask& mask, RTCRayHit16& rays, Among among, Backs backs) const;
   /// tfar becomes negative where something is hit. Of rays that are not alive, tnear and tfar hold nothing afterwards.
   void occluded(const Mask& mask, RTCRay16& rays, Among among) const;

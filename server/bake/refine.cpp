@@ -78,9 +78,12 @@ class Refiner {
   std::unordered_map<std::uint64_t, std::uint32_t> middles_;
 };
 
+/// Those with two sides alone: where there is one, the winding says which, whatever the normals are made to shade like.
 void windAroundNormals(models::Model& model) {
   const std::vector<Vec3>& p = model.triangles.positions;
-  for (Triangle& triangle : model.triangles.indices) {
+  for (std::size_t i = 0; i < model.triangles.indices.size(); ++i) {
+    if (!model.materials[model.materialOf[i]].twoSided) continue;
+    Triangle& triangle = model.triangles.indices[i];
     const auto [a, b, c] = triangle;
     const Vec3 normal = model.normals[a] + model.normals[b] + model.normals[c];
     if (glm::dot(glm::cross(p[b] - p[a], p[c] - p[a]), normal) < 0.0F) std::swap(triangle[1], triangle[2]);

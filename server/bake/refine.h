@@ -11,7 +11,7 @@ struct LongestEdge {
 };
 
 /// The same surface as a model whose edges are no longer than wanted, so that light that is kept at vertices can follow
-/// shadows; triangles are ordered so that they wind counter-clockwise around their vertices' normals.
+/// shadows; triangles with two sides are ordered so that they wind counter-clockwise around their vertices' normals.
 [[nodiscard]] models::Model refined(models::Model model, const LongestEdge& longest);
 
 }  // namespace grove::bake

@@ -67,9 +67,20 @@ class Build {
   std::exception_ptr thrown_;
 };
 
+/// Undoes the hits of backs.
+void passBacks(const RTCFilterFunctionNArguments* args) {
+  for (unsigned i = 0; i < args->N; ++i) {
+    if (args->valid[i] == 0) continue;
+    const float towards = RTCHitN_Ng_x(args->hit, args->N, i) * RTCRayN_dir_x(args->ray, args->N, i) +
+                          RTCHitN_Ng_y(args->hit, args->N, i) * RTCRayN_dir_y(args->ray, args->N, i) +
+                          RTCHitN_Ng_z(args->hit, args->N, i) * RTCRayN_dir_z(args->ray, args->N, i);
+    if (towards >= 0.0F) args->valid[i] = 0;
+  }
+}
+
 }  // namespace
 
-RayScene::RayScene(const Triangles& triangles, const std::function<void(float)>& progress)
+RayScene::RayScene(const Triangles& triangles, const std::function<void(float)>& progress, Backs backs)
     : handles_(std::make_unique<Handles>()) {
   handles_->device = newEmbreeDevice();
   rtcSetDeviceMemoryMonitorFunction(handles_->device, addBytes, &handles_->bytes);
@@ -85,6 +96,7 @@ RayScene::RayScene(const Triangles& triangles, const std::function<void(float)>&
     void* indices = requireBuffer(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
                                                           sizeof(triangles.indices[0]), triangles.indices.size()));
     std::memcpy(indices, triangles.indices.data(), triangles.indices.size() * sizeof(triangles.indices[0]));
+    if (backs == Backs::kPassed) rtcSetGeometryIntersectFilterFunction(geometry, passBacks);
     rtcCommitGeometry(geometry);
   }
   Build build(progress);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -12,8 +13,12 @@ namespace grove::world {
 /// Triangles that rays can be shot at (Embree). Immutable after construction; any number of threads may trace.
 class RayScene {
  public:
+  /// Whether rays meet the backs of triangles, whose corners wind clockwise for who looks at them. Shadows do always.
+  enum class Backs : std::uint8_t { kMet, kPassed };
+
   /// `progress` is told shares of 0..1 while it is built, from any thread, one at a time; what it throws ends that.
-  explicit RayScene(const Triangles& triangles, const std::function<void(float)>& progress = {});
+  explicit RayScene(const Triangles& triangles, const std::function<void(float)>& progress = {},
+                    Backs backs = Backs::kMet);
   ~RayScene();
   RayScene(RayScene&&) noexcept;
   RayScene& operator=(RayScene&&) noexcept;

@@ -2,9 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <bitset>
+#include <utility>
 
 #include "bake/models.h"
+#include "bake/refine.h"
 
 namespace grove::bake {
 namespace {
@@ -61,6 +64,21 @@ TEST(ModelRays, EyesPassTheBackOfWhatHasOneSideAndLightDoesNot) {
   EXPECT_EQ(hits(rays, 3, ModelRays::Backs::kPassed), 0xFF00U);
   EXPECT_EQ(hits(rays, 3, ModelRays::Backs::kMet), 0xFFFFU);
   EXPECT_EQ(occluded(rays, 3), 0xFFFFU);
+}
+
+/// As foliage is made: one card for each side in the same place, and the normals of both point to the light.
+TEST(ModelRays, EyesSeeACardForEachSideWhateverItsNormals) {
+  const std::vector<TextureSampler> textures;
+  for (const Vec3 normal : {Vec3(0, 0.6F, 0.8F), Vec3(0, 0.6F, -0.8F)}) {
+    models::Model model;
+    const std::uint16_t card = addMaterial(model, {.name = "card", .twoSided = false});
+    addQuad(model, {-9, -9, -3}, {18, 0, 0}, {0, 18, 0}, card);
+    addQuad(model, {-9, -9, -3}, {0, 18, 0}, {18, 0, 0}, card);
+    std::ranges::fill(model.normals, normal);
+    model = refined(std::move(model), {4.0F, 4.0F});
+    const ModelRays rays(model, textures);
+    EXPECT_EQ(hits(rays, 3, ModelRays::Backs::kPassed), 0xFFFFU) << normal.z;
+  }
 }
 
 /// Of a plate of the material, part is met: three in ten.

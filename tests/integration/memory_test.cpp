@@ -91,7 +91,7 @@ objects::lightfield::TemporaryFolder* Memory::folder_ = nullptr;
 
 bool isHonest(double share) {
   // Sanitizers keep memory of their own, so there the process holds more than is told.
-  return (share > 0.85 || kSanitized) && share < 1.05;
+  return share > (kSanitized ? 0.0 : 0.85) && share < 1.05;
 }
 
 /// What is told over what the process has grown by. In a process that did nothing before: else some of the growth would

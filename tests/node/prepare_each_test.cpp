@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <chrono>
 #include <new>
 #include <set>
 #include <stdexcept>
@@ -76,12 +77,21 @@ TEST_F(PrepareEach, IsDoneWhenTheHelpersAre) {
 
 TEST_F(PrepareEach, RethrowsHereWhatAHelperThrows) {
   std::atomic<int> done = 0;
+  std::atomic<bool> throws = false;
   BackendServices helped = services({});
   helped.helpers = &workers_;
   const auto all = [&] {
     prepareEach(helped, "parts", 1000, [&](std::size_t i) {
       ++done;
-      if (i == 10) throw std::runtime_error("ten");
+      if (i == 10) {
+        throws = true;
+        throws.notify_all();
+        throw std::runtime_error("ten");
+      }
+      if (i < 10) return;
+      // Else the other helper may do all the rest before this one has thrown.
+      throws.wait(false);
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
     });
   };
   EXPECT_THROW(all(), std::runtime_error);

@@ -47,14 +47,15 @@ FluidSettings settingsOf(const world::Object& object) {
 /// One simulation, its clock and the newest snapshot.
 class FluidBackend::Fire {
  public:
-  Fire(const node::BackendServices& services, const world::Object& object)
+  Fire(const node::BackendServices& services, const world::Object& object, double tickSeconds)
       : world_(services.world),
         timeline_(services.timeline),
         name_(object.name),
         settings_(settingsOf(object)),
         simulation_([this, place = object.transform.position](int cells) { return make(place, cells); },
                     settings_.grid),
-        held_(services.memory, "simulations", "fluid", pipeline::Work::kAcrossUser) {
+        held_(services.memory, "simulations", "fluid", pipeline::Work::kAcrossUser),
+        pace_(tickSeconds) {
     // Seen from here on: gusts from before the fire existed do not count.
     static_cast<void>(world_.edits().during(cursor_, {}));
     const int ticks = static_cast<int>(kGrowSeconds / FluidSimulation::kTick);
@@ -167,7 +168,7 @@ class FluidBackend::Fire {
   pipeline::HeldMemory held_;
   std::atomic<int> quality_ = 0;                       ///< as wished
   std::atomic<int> mostQuality_ = node::kMostQuality;  ///< that is done in time
-  Pace pace_{static_cast<double>(FluidSimulation::kTick)};
+  Pace pace_;
   world::Edits::Cursor cursor_ = 0;
   bool isSlow_ = false;  ///< and that was reported
   int idleTicks_ = 0;    ///< without visitors
@@ -176,9 +177,10 @@ class FluidBackend::Fire {
   std::unique_ptr<FluidClock> clock_;  ///< last, so that it stops before what it uses goes
 };
 
-FluidBackend::FluidBackend(const node::BackendServices& services, world::TypeIndex self) : services_(services) {
+FluidBackend::FluidBackend(const node::BackendServices& services, world::TypeIndex self, double tickSeconds)
+    : services_(services) {
   for (const world::Object& object : services_.world.objects()) {
-    if (object.type == self) fires_.emplace(object.id, std::make_unique<Fire>(services_, object));
+    if (object.type == self) fires_.emplace(object.id, std::make_unique<Fire>(services_, object, tickSeconds));
   }
 }
 

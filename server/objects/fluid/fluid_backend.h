@@ -5,6 +5,7 @@
 #include <span>
 
 #include "node/object_type.h"
+#include "objects/fluid/fluid_simulation.h"
 
 namespace grove::objects::fluid {
 
@@ -14,7 +15,9 @@ namespace grove::objects::fluid {
 /// next request, and go on where they were.
 class FluidBackend final : public node::BackendHalf {
  public:
-  FluidBackend(const node::BackendServices& services, world::TypeIndex self);
+  /// `tickSeconds`: what a tick may take of a core.
+  FluidBackend(const node::BackendServices& services, world::TypeIndex self,
+               double tickSeconds = FluidSimulation::kTick);
   ~FluidBackend() override;
 
   [[nodiscard]] node::NodeKind kind() const override { return node::NodeKind::kSimulation; }

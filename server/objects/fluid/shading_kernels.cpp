@@ -13,6 +13,7 @@
 
 #include "base/simd/lanes_inl.h"
 #include "objects/fluid/exponential_inl.h"
+#include "objects/fluid/some_inl.h"
 #include "objects/fluid/trilinear_inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -21,14 +22,6 @@ namespace grove::objects::fluid::HWY_NAMESPACE {
 using namespace simd::HWY_NAMESPACE;
 
 constexpr auto kStep = static_cast<std::size_t>(kLanes);
-
-/// From the i-th value on, as many as there are, then zeros.
-HWY_INLINE Floats some(const float* values, std::size_t i, std::size_t count) {
-  if (i + kStep <= count) return load(values + i);
-  alignas(64) float room[kLanes] = {};
-  std::copy(values + i, values + count, room);
-  return load(room);
-}
 
 HWY_INLINE void storeSome(Floats value, float* values, std::size_t i, std::size_t count) {
   if (i + kStep <= count) return store(value, values + i);

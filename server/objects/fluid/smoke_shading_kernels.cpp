@@ -11,6 +11,7 @@
 #include <hwy/highway.h>
 
 #include "base/simd/lanes_inl.h"
+#include "objects/fluid/some_inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace grove::objects::fluid::HWY_NAMESPACE {
@@ -84,14 +85,6 @@ HWY_INLINE Floats encode(const float* display, Floats linear) {
   return load(found);
 }
 
-/// From the i-th value on, as many as there are, then zeros.
-HWY_INLINE Floats some(const std::vector<float>& values, std::size_t i) {
-  if (i + static_cast<std::size_t>(kLanes) <= values.size()) return load(values.data() + i);
-  alignas(64) float room[kLanes] = {};
-  std::copy(values.begin() + static_cast<std::ptrdiff_t>(i), values.end(), room);
-  return load(room);
-}
-
 HWY_INLINE Floats saturate(Floats value) { return clamp(value, Floats(0.0F), Floats(1.0F)); }
 
 /// Finishes kLanes sprites.
@@ -104,7 +97,7 @@ struct Finish {
   HWY_INLINE void operator()(SmokeSprites& sprites, std::size_t i) const {
     const auto at = [i](const std::vector<float>& values) { return load(values.data() + i); };
     const Floats one(1.0F);
-    const Floats temperature = some(snapshot.temperature, i);
+    const Floats temperature = some(snapshot.temperature.data(), i, snapshot.temperature.size());
     const Floats hot = at(sprites.heat);
     const Floats life = at(sprites.life);
     const Floats chanceB = at(sprites.chanceB);

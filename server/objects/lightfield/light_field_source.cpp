@@ -7,6 +7,7 @@
 #include "objects/lightfield/format/light_field.h"
 
 namespace grove::objects::lightfield {
+
 LightFieldSource readSource(const world::Parameters& parameters, models::FileNames& names) {
   LightFieldSource source;
   source.file = parameters.path("file");

@@ -68,6 +68,8 @@ class Weathering {
 
   /// Writes what has been added since the last.
   void flush() {
+    // The last vector may go beyond what was ever written.
+    store(Floats(0.0F), reversed_ + count_);
     Floats nearest;
     for (int i = 0; i < count_; i += kLanes) {
       nearest = max(nearest, load(reversed_ + i));

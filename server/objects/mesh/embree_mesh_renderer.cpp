@@ -48,7 +48,7 @@ const world::RayScene& EmbreeMeshRenderer::raysOf(const Surface& surface, const 
   world::Triangles triangles;
   for (const Vertex& vertex : surface.vertices) triangles.positions.push_back(vertex.position);
   triangles.indices = level.triangles;
-  return rays_.emplace(&level, world::RayScene(triangles)).first->second;
+  return rays_.emplace(&level, world::RayScene(triangles, {}, world::RayScene::Backs::kPassed)).first->second;
 }
 
 std::shared_ptr<const node::Image> EmbreeMeshRenderer::renderOne(const Drawing& drawing) {

@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
+#include <functional>
 #include <limits>
 #include <string>
 #include <system_error>
+#include <utility>
 
 #include "base/atomic_file.h"
 #include "base/cache_folder.h"
@@ -37,6 +40,30 @@ struct Header {
   std::uint64_t checksum = 0;  ///< of all that follows the header
 };
 static_assert(sizeof(Header) == 32);
+
+constexpr std::size_t kMostKept = 8;
+constexpr std::chrono::hours kOldest{1};  // of a file that is being written
+
+/// Light has a new name whenever an object moves, and a process that is ended while it writes leaves what it wrote.
+/// Keeps `newest` and those that were used last. What cannot be removed stays.
+void removeFormer(const std::filesystem::path& newest) {
+  using Time = std::filesystem::file_time_type;
+  const Time now = Time::clock::now();
+  std::vector<std::pair<Time, std::filesystem::path>> kept;
+  std::error_code error;
+  std::error_code ignored;
+  for (std::filesystem::directory_iterator at(newest.parent_path(), error), end; !error && at != end;
+       at.increment(error)) {
+    const std::filesystem::path& path = at->path();
+    const Time used = at->last_write_time(ignored);
+    if (ignored) continue;
+    if (path.extension() == ".gml" && path != newest) kept.emplace_back(used, path);
+    const bool partial = path.filename().string().find(".gml.partial-") != std::string::npos;
+    if (partial && now - used > kOldest) std::filesystem::remove(path, ignored);
+  }
+  std::ranges::sort(kept, std::greater());
+  for (std::size_t i = kMostKept - 1; i < kept.size(); ++i) std::filesystem::remove(kept[i].second, ignored);
+}
 
 }  // namespace
 
@@ -80,6 +107,9 @@ std::vector<std::vector<Vec4>> readKeptLight(const std::filesystem::path& file, 
   require(checksum.value() == header.checksum, "is damaged (its checksum is wrong)");
   const auto sane = [](const Vec4& v) { return std::isfinite(v.x + v.y + v.z + v.w); };
   for (const auto& mesh : light) require(std::ranges::all_of(mesh, sane), "has light that is no number");
+  // So that it is seen to be in use.
+  std::error_code ignored;
+  std::filesystem::last_write_time(file, std::filesystem::file_time_type::clock::now(), ignored);
   return light;
 }
 
@@ -106,6 +136,7 @@ void writeKeptLight(const std::filesystem::path& file, std::uint64_t key, const 
       {{.meshes = static_cast<std::uint32_t>(light.size()), .key = key, .checksum = checksum.value()}}};
   target.write(0, std::as_bytes(std::span(header)));
   target.commit();
+  removeFormer(file);
 }
 
 }  // namespace grove::objects::mesh

@@ -20,11 +20,12 @@ class KeptLightError : public std::runtime_error {
 [[nodiscard]] std::filesystem::path keptLightFile(std::uint64_t key);
 
 /// The light of each vertex of each mesh, as writeKeptLight() got it; the meshes have so many vertices. Trusts nothing.
-/// Throws KeptLightError, or EnvironmentError if there is no such file.
+/// Throws KeptLightError, or EnvironmentError if there is no such file. Who reads a file keeps it longer.
 [[nodiscard]] std::vector<std::vector<world::Vec4>> readKeptLight(const std::filesystem::path& file, std::uint64_t key,
                                                                   std::span<const std::size_t> vertices);
 
-/// In one piece, see AtomicFile; makes the folder. Throws EnvironmentError.
+/// In one piece, see AtomicFile; makes the folder, and leaves in it no more than the eight files that were used last
+/// and what somebody may still be writing. Throws EnvironmentError.
 void writeKeptLight(const std::filesystem::path& file, std::uint64_t key,
                     const std::vector<std::vector<world::Vec4>>& light);
 

@@ -1,7 +1,6 @@
 #include "objects/mesh/projection_kernels.h"
 
 #include <algorithm>
-#include <cmath>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "objects/mesh/projection_kernels.cpp"
@@ -55,12 +54,6 @@ float transform(const Points& points, const Projection& projection, float* __res
     nearest = std::min(nearest, depth[i]);
   }
   return nearest;
-}
-
-HWY_INLINE float onGrid(float pixels) { return std::floor(pixels * (1.0F / kSubPixel) + 0.5F) * kSubPixel; }
-
-HWY_INLINE float byteOf(std::uint32_t packed, unsigned shift) {
-  return static_cast<float>(static_cast<std::int32_t>((packed >> shift) & 0xFFU));
 }
 
 void makeCorners(const float* __restrict u, const float* __restrict v, const float* __restrict depth,

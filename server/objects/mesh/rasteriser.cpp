@@ -1,18 +1,10 @@
 #include "objects/mesh/rasteriser.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "objects/mesh/projection_kernels.h"
 
 namespace grove::objects::mesh {
-namespace {
-
-float onGrid(float pixels) { return std::floor(pixels * (1.0F / kSubPixel) + 0.5F) * kSubPixel; }
-
-float byteOf(std::uint32_t packed, unsigned shift) { return static_cast<float>((packed >> shift) & 0xFFU); }
-
-}  // namespace
 
 ClipVertex ScreenVertices::clipVertex(std::size_t index, float lichen) const noexcept {
   const std::uint32_t packed = light[index];

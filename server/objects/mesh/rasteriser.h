@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -31,6 +32,15 @@ inline constexpr float kSubPixel = 1.0F / 256.0F;
 
 /// Relief (0..15) of a unit of lightVertices()'s A.
 inline constexpr float kReliefOfByte = 15.0F / 255.0F;
+
+// Both the kernels and the clipping make corners, which must agree where they meet.
+
+inline float onGrid(float pixels) { return std::floor(pixels * (1.0F / kSubPixel) + 0.5F) * kSubPixel; }
+
+/// Through a signed number, which vectors convert at once.
+inline float byteOf(std::uint32_t packed, unsigned shift) {
+  return static_cast<float>(static_cast<std::int32_t>((packed >> shift) & 0xFFU));
+}
 
 /// The vertices of one drawing. Reused from drawing to drawing, so that none allocates.
 struct ScreenVertices {

@@ -1,5 +1,8 @@
 #include "objects/mesh/detail_kernels.h"
 
+#include <array>
+#include <limits>
+
 #include "each_target.h"
 #include "objects/mesh/vertex_light.h"
 #include "objects/mesh/wall.h"
@@ -98,7 +101,8 @@ TEST_F(DetailKernels, EveryTargetShowsThePlainFormula) {
         const float depth = camera_.nearDepth / wall.depth[i];
         ASSERT_NEAR(image->depth[i], depth, 1.0e-6F * depth);
         ASSERT_EQ(image->colour[i] >> 24U, 255U);
-        const Vec3 ray = camera_.ray(static_cast<float>(i % kWidth) + 0.5F, static_cast<float>(i / kWidth) + 0.5F);
+        const std::size_t row = i / kWidth;
+        const Vec3 ray = camera_.ray(static_cast<float>(i % kWidth) + 0.5F, static_cast<float>(row) + 0.5F);
         const Vec3 rock = plainRock(texture_, camera_.pose.position + depth * ray, depth, camera_.focal(),
                                     wall.colour(i), wall.relief(i), wall.lichen(i));
         for (int channel = 0; channel < 3; ++channel) {
@@ -140,6 +144,38 @@ TEST_F(DetailKernels, EveryTargetKeepsToItsSpans) {
       }
     }
   });
+}
+
+constexpr std::size_t kWidest = 16;  // lanes
+
+/// Leaves on the stack, where what is called next has its own, in one lane of each vector what is no number.
+[[gnu::noinline]] void spoilTheStack(std::size_t lane) {
+  alignas(64) std::array<float, 16384> room{};
+  for (std::size_t i = lane; i < room.size(); i += kWidest) room[i] = std::numeric_limits<float>::quiet_NaN();
+  asm volatile("" ::"r"(room.data()) : "memory");  // else they are left out
+}
+
+/// Fails if a target asks lanes that hold no pixel how near the nearest one is.
+TEST_F(DetailKernels, EveryTargetLooksAtPixelsAlone) {
+  for (std::size_t near = 0; near < kWidest; ++near) {
+    // Far from the camera but for one pixel, which alone shows the finest scales.
+    const std::vector<std::uint32_t> surface(kPixels + kFragmentRoom, kGrey | 0xF0000000U);
+    std::vector<float> depth(kPixels + kFragmentRoom, camera_.nearDepth / 900.0F);
+    depth[kWidth + near] = camera_.nearDepth / 0.4F;
+    tests::onEachTarget([&] {
+      spans_.clear();
+      const auto whole = shown(surface, depth);
+      // A pixel and then whole vectors, so that the last vector is all but empty.
+      spans_.assign(kHeight, {0, 0});
+      spans_[0] = {0, 1};
+      spans_[1] = {0, kWidest};
+      for (std::size_t lane = 0; lane < kWidest; ++lane) {
+        spoilTheStack(lane);
+        const auto part = shown(surface, depth);
+        ASSERT_EQ(part->colourRow(1)[near], whole->colourRow(1)[near]) << near << ", " << lane;
+      }
+    });
+  }
 }
 
 /// Fails if what has no detail is changed otherwise than by its depth's unit.

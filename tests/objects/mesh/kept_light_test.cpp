@@ -3,10 +3,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <limits>
 #include <string>
+#include <vector>
 
 #include "base/error.h"
 #include "objects/mesh/temporary_cache.h"
@@ -14,6 +17,7 @@
 namespace grove::objects::mesh {
 namespace {
 
+using namespace std::chrono_literals;
 using testing::HasSubstr;
 using Light = std::vector<std::vector<world::Vec4>>;
 
@@ -87,6 +91,49 @@ TEST_F(KeptLight, RefusesLightThatIsNoNumberThoughItsChecksumIsRight) {
   light[2][4].w = std::numeric_limits<float>::quiet_NaN();
   writeKeptLight(file_, kKey, light);
   EXPECT_THROW((void)readKeptLight(file_, kKey, std::vector<std::size_t>{3, 0, 5}), KeptLightError);
+}
+
+/// What each move of an object leaves behind, and each end while light is written.
+class FormerLight : public KeptLight {
+ protected:
+  std::filesystem::path make(const std::string& name, std::chrono::minutes age) {
+    std::filesystem::path file = file_.parent_path() / name;
+    std::filesystem::copy_file(file_, file);
+    std::filesystem::last_write_time(file, std::filesystem::file_time_type::clock::now() - age);
+    return file;
+  }
+};
+
+TEST_F(FormerLight, GoesButForWhatWasUsedLast) {
+  std::vector<std::filesystem::path> files;
+  for (int i = 1; i <= 9; ++i) files.push_back(make("former" + std::to_string(i) + ".gml", 5min * i));
+  const std::filesystem::path other = make("other", 1000h);
+  EXPECT_EQ(readKeptLight(files.back(), kKey, std::vector<std::size_t>{3, 0, 5}), light_) << "and is used by that";
+  writeKeptLight(keptLightFile(kKey + 1), kKey + 1, light_);
+  std::vector<bool> kept;
+  kept.reserve(files.size());
+  for (const auto& file : files) kept.push_back(std::filesystem::exists(file));
+  // With the one just written and the fixture's there are eight.
+  EXPECT_EQ(kept, (std::vector<bool>{true, true, true, true, true, false, false, false, true}));
+  EXPECT_TRUE(std::filesystem::exists(file_));
+  EXPECT_TRUE(std::filesystem::exists(keptLightFile(kKey + 1)));
+  EXPECT_TRUE(std::filesystem::exists(other));
+}
+
+TEST_F(FormerLight, GoesIfItWasNeverFinished) {
+  const std::filesystem::path old = make("0123.gml.partial-abc123", 61min);
+  const std::filesystem::path young = make("0123.gml.partial-def456", 50min);
+  writeKeptLight(file_, kKey, light_);
+  EXPECT_FALSE(std::filesystem::exists(old));
+  EXPECT_TRUE(std::filesystem::exists(young)) << "somebody may be writing it";
+}
+
+TEST_F(FormerLight, MayStayWhereItCannotGo) {
+  const std::filesystem::path folder = file_.parent_path() / "0123.gml.partial-folder";
+  std::filesystem::create_directories(folder / "within");
+  std::filesystem::last_write_time(folder, std::filesystem::file_time_type::clock::now() - 100h);
+  EXPECT_NO_THROW(writeKeptLight(file_, kKey, light_));
+  EXPECT_TRUE(std::filesystem::exists(folder / "within"));
 }
 
 }  // namespace

@@ -148,6 +148,61 @@ TEST_F(MeshBackendTest, AllRenderersGiveTheSamePicture) {
   }
 }
 
+constexpr Vec3 kRed{0.8F, 0.02F, 0.02F};
+constexpr Vec3 kBlue{0.02F, 0.02F, 0.8F};
+
+/// A square of 2 m whose front looks along the z axis.
+Surface makeSheet(bool hasBack) {
+  Surface sheet;
+  Level& level = sheet.levels.emplace_back();
+  for (const Vec3 normal : {Vec3(0, 0, 1), Vec3(0, 0, -1)}) {
+    for (const Vec3 corner : {Vec3(-1, 0, 0), Vec3(1, 0, 0), Vec3(1, 2, 0), Vec3(-1, 2, 0)}) {
+      sheet.vertices.push_back({.position = corner, .normal = normal, .albedo = normal.z > 0.0F ? kRed : kBlue});
+    }
+  }
+  level.triangles = {{0, 1, 2}, {0, 2, 3}};
+  if (hasBack) level.triangles.insert(level.triangles.end(), {{6, 5, 4}, {7, 6, 4}});
+  level.edge = 2.0F;
+  level.vertexCount = sheet.vertices.size();
+  return sheet;
+}
+
+struct Seen {
+  int pixels = 0;
+  int blue = 0;
+};
+
+Seen seen(const node::Image& image) {
+  Seen seen;
+  for (const std::uint32_t colour : image.colour) {
+    if (colour == 0U) continue;
+    ++seen.pixels;
+    if ((colour >> 16U & 0xFFU) > (colour & 0xFFU)) ++seen.blue;
+  }
+  return seen;
+}
+
+TEST_F(MeshBackendTest, AllRenderersShowFrontsAlone) {
+  for (const RendererKind kind : kRenderers) {
+    for (const bool hasBack : {false, true}) {
+      SCOPED_TRACE(std::to_string(static_cast<int>(kind)) + (hasBack ? ", both sides" : ", one side"));
+      world::World world(layoutOf({makeObject(1, makeSheet(hasBack), kind, {0, 0, -5})}));
+      MeshBackend half(bench_.services(world), 0);
+      world::Camera camera = smallCamera();
+      const auto front = imageOf(ask(half, {{look(camera, world.objects()), 0}})[0]);
+      ASSERT_NE(front, nullptr);
+      EXPECT_GT(seen(*front).pixels, 1000);
+      EXPECT_EQ(seen(*front).blue, 0);
+      camera.pose.position.z = -10.0F;
+      camera.pose.yaw = 3.1415927F;
+      const auto back = imageOf(ask(half, {{look(camera, world.objects()), 0}})[0]);
+      ASSERT_NE(back, nullptr);
+      EXPECT_EQ(seen(*back).pixels > 1000, hasBack);
+      EXPECT_EQ(seen(*back).blue, seen(*back).pixels);
+    }
+  }
+}
+
 TEST_F(MeshBackendTest, TrianglesAcrossTheNearDepthAreClippedAlike) {
   const world::Bounds box =
       makeObject(1, makeStandingStone({3, 1.4F, 0.8F}, 9), RendererKind::kSimd, {0.4F, 0, -3.5F}).bounds;

@@ -5,11 +5,10 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "objects/lightfield/cache/lower_upper_inl.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace grove::objects::lightfield::HWY_NAMESPACE {
-
-HWY_INLINE float lower(float a, float b) { return a < b ? a : b; }
-HWY_INLINE float upper(float a, float b) { return a > b ? a : b; }
 
 CoveredSpan coveredSpan(const std::uint32_t* __restrict colour, const float* __restrict depth, int width) {
   int first = width;

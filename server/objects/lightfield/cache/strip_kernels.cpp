@@ -5,12 +5,10 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "objects/lightfield/cache/lower_upper_inl.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace grove::objects::lightfield::HWY_NAMESPACE {
-
-// By value: of references the compiler makes pointers, which it then looks up one by one.
-HWY_INLINE float lower(float a, float b) { return a < b ? a : b; }
-HWY_INLINE float upper(float a, float b) { return a > b ? a : b; }
 
 void setCorners(const ViewWarp& warp, const CachedView::Range& range, int left, int line, CornerLine& corners) {
   const world::Vec3 k = warp.k + static_cast<float>(left) * warp.kPerColumn + static_cast<float>(line) * warp.kPerRow;
