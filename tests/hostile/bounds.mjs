@@ -19,8 +19,8 @@ export function is(what, measured, expected = true) {
 }
 
 /** The innocent visitor has nearly the frames that he had on the same server just before. */
-export function keepsHisRate({ visitor }) {
-  return atLeast('frames a second', visitor.framesPerSecond, kKeptShare * visitor.calmFramesPerSecond);
+export function keepsHisRate({ visitor }, share = kKeptShare) {
+  return atLeast('frames a second', visitor.framesPerSecond, share * visitor.calmFramesPerSecond);
 }
 
 /** He is not sent away, and never waits longer for a frame. */

@@ -1,6 +1,6 @@
 import { readFileSync, readdirSync } from 'node:fs';
 
-/** What Linux tells about a process. All of it is null once the process is gone. */
+/** What Linux tells about a process, null once the process is gone, and what a server tells about itself. */
 
 const kTicksPerSecond = 100;
 const kPageBytes = 4096;
@@ -26,6 +26,13 @@ export function residentMegabytes(pid) {
     const pages = Number(readFileSync(`/proc/${pid}/statm`, 'latin1').split(' ')[1]);
     return (pages * kPageBytes) / 2 ** 20;
   });
+}
+
+/** What a server holds of shared views: a cache that fills up to its own limit, `--view-cache`. */
+export async function cachedMegabytes(operatorPort) {
+  const { memory } = await (await fetch(`http://127.0.0.1:${operatorPort}/statistics.json`)).json();
+  const caches = memory.holders.filter(({ holder }) => holder === 'shared views');
+  return caches.reduce((sum, { mb }) => sum + (mb * 1e6) / 2 ** 20, 0);
 }
 
 export function descriptors(pid) {
