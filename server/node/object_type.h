@@ -88,7 +88,8 @@ class FrontendHalf {
  public:
   virtual ~FrontendHalf() = default;
 
-  /// Called back to front, in turn with the images that backends sent, to lay over the frame what data shows.
+  /// Called nearest first, in turn with the images that backends sent, to lay over the frame what data shows. What is
+  /// hidden already may be left out, see FrameBuilder::hides().
   virtual void lay(const VisibleObject&, const Payload&, const View&, FrameBuilder& /*frame*/) {}
 
   /// Called when all images are in place, back to front, to draw what images cannot carry. `frame` is the whole frame:

@@ -144,5 +144,23 @@ TEST(CompositeKernels, EveryTargetLaysEdgesAsAPlainLoopDoes) {
   });
 }
 
+/// Fails if a target leaves out a row or its end, or takes an equal depth for a nearer one.
+TEST(CompositeKernels, EveryTargetFindsTheOneDepthThatIsNotNearer) {
+  tests::onEachTarget([] {
+    constexpr std::ptrdiff_t kStride = 40;
+    for (const int width : {1, 7, 16, 33}) {
+      std::vector<float> depths(kHeight * kStride, 9.0F);
+      for (int row = 0; row < kHeight; ++row) std::fill_n(depths.begin() + row * kStride, width, 2.0F);
+      EXPECT_TRUE(allNearer(depths.data(), kStride, width, kHeight, 2.5F));
+      EXPECT_FALSE(allNearer(depths.data(), kStride, width, kHeight, 2.0F));
+      for (const std::ptrdiff_t place : {std::ptrdiff_t{0}, width - 1 + 2 * kStride}) {
+        std::vector<float> one = depths;
+        one.begin()[place] = 2.5F;
+        EXPECT_FALSE(allNearer(one.data(), kStride, width, kHeight, 2.5F)) << place;
+      }
+    }
+  });
+}
+
 }  // namespace
 }  // namespace grove::node

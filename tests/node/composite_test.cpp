@@ -141,6 +141,22 @@ TEST_F(Composite, WhatLiesBehindAnEdgeIsSeenThroughItInAnyOrder) {
   }
 }
 
+/// Fails if what shows through an edge or beside a layer would be left out, or what is hidden would not.
+TEST_F(Composite, OnlyWhatCoversAllHides) {
+  const world::Rect part{8, 4, 24, 12};
+  EXPECT_FALSE(builder.hides(part, 9.0F));
+  lay({0, 0, 64, 32}, 0xFF0000FFU, 50.0F);
+  EXPECT_FALSE(builder.hides(part, 9.0F));
+  EXPECT_TRUE(builder.hides(part, 51.0F));
+  lay({8, 4, 24, 12}, 0xD0600000U, 3.0F);
+  EXPECT_FALSE(builder.hides(part, 9.0F));
+  lay({8, 4, 24, 12}, 0xFF600000U, 4.0F);
+  EXPECT_TRUE(builder.hides(part, 9.0F));
+  EXPECT_FALSE(builder.hides(part, 3.5F));
+  EXPECT_FALSE(builder.hides({8, 4, 25, 12}, 9.0F));
+  EXPECT_FALSE(builder.hides({8, 4, 24, 13}, 9.0F));
+}
+
 TEST_F(Composite, TwoEdgesAreMixedInTheOrderOfTheirDepths) {
   const auto mixed = [&](std::uint32_t over, std::uint32_t under) {
     return (over & 0xFFU) + (under & 0xFFU) * (255.0 - (over >> 24U)) / 255.0;

@@ -58,6 +58,14 @@ void FrameBuilder::lay(const world::Rect& rect, const std::uint32_t* colour, con
   composite({colour, depth, stride}, pixels(rect.left, rect.top), rect.width(), rect.height());
 }
 
+bool FrameBuilder::hides(const world::Rect& rect, float depth) const {
+  if (rect.empty()) return true;
+  for (int y = rect.top; y < rect.bottom; ++y) {
+    if (!rows_[static_cast<std::size_t>(y)].touched) return false;
+  }
+  return allNearer(frame_.depthRow(rect.top) + rect.left, frame_.width(), rect.width(), rect.height(), depth);
+}
+
 void FrameBuilder::finish() {
   for (int y = 0; y < frame_.height(); ++y) {
     clear(y);

@@ -21,6 +21,9 @@ class FrameBuilder {
   /// The same for a part of a layer that need not be an image: its rows are `stride` pixels apart.
   void lay(const world::Rect& rect, const std::uint32_t* colour, const float* depth, std::ptrdiff_t stride);
 
+  /// Whether nothing of a layer that is nowhere nearer than `depth` would show in `rect`.
+  [[nodiscard]] bool hides(const world::Rect& rect, float depth) const;
+
   /// Ends what the layers have begun: the frame holds their picture only now. The depth of a pixel is that of what
   /// covers it for half and more.
   void finish();

@@ -125,6 +125,18 @@ void compositeOpaque(const LayerPixels& layer, const FramePixels& frame, int wid
   }
 }
 
+bool allNearer(const float* depths, std::ptrdiff_t stride, int width, int height, float depth) {
+  bool all = true;
+  for (int row = 0; all && row < height; ++row) {
+    alongRow<16>(0, width, [&](auto tag, std::ptrdiff_t x) {
+      const hn::Rebind<float, decltype(tag)> depthTag;
+      const auto here = hn::LoadU(depthTag, depths + row * stride + x);
+      all = all && hn::AllTrue(depthTag, hn::Lt(here, hn::Set(depthTag, depth)));
+    });
+  }
+  return all;
+}
+
 void layEdges(const FramePixels& frame, int width) {
   alongRow<16>(0, width, [&](auto tag, std::ptrdiff_t x) { layEdgePixels(tag, frame, x); });
 }
@@ -139,6 +151,7 @@ namespace grove::node {
 
 HWY_EXPORT(composite);
 HWY_EXPORT(compositeOpaque);
+HWY_EXPORT(allNearer);
 HWY_EXPORT(layEdges);
 
 void composite(const LayerPixels& layer, const FramePixels& frame, int width, int height) {
@@ -147,6 +160,10 @@ void composite(const LayerPixels& layer, const FramePixels& frame, int width, in
 
 void compositeOpaque(const LayerPixels& layer, const FramePixels& frame, int width, int height) {
   HWY_DYNAMIC_DISPATCH(compositeOpaque)(layer, frame, width, height);
+}
+
+bool allNearer(const float* depths, std::ptrdiff_t stride, int width, int height, float depth) {
+  return HWY_DYNAMIC_DISPATCH(allNearer)(depths, stride, width, height, depth);
 }
 
 void layEdges(const FramePixels& frame, int width) { HWY_DYNAMIC_DISPATCH(layEdges)(frame, width); }

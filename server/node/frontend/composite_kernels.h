@@ -34,6 +34,9 @@ void composite(const LayerPixels& layer, const FramePixels& frame, int width, in
 /// written.
 void compositeOpaque(const LayerPixels& layer, const FramePixels& frame, int width, int height);
 
+/// Kernel: whether all depths of a rectangle, whose rows lie `stride` apart, are less than `depth`.
+[[nodiscard]] bool allNearer(const float* depths, std::ptrdiff_t stride, int width, int height, float depth);
+
 /// Kernel: lays the edges of a row over what lies behind; where they cover for half and more, their depth becomes that
 /// of the frame.
 void layEdges(const FramePixels& frame, int width);

@@ -1,8 +1,11 @@
 #include "node/frontend/compositor.h"
 
+#include <algorithm>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "node/frontend/composite.h"
 #include "node/limits.h"
@@ -34,6 +37,20 @@ class TypeClock {
   std::optional<world::TypeIndex> type_;
   std::optional<pipeline::TimedRun> part_;
 };
+
+/// What covers all of its pixels comes first, which is cheapest where nothing lies yet; then the others, the nearest
+/// first, so that what they hide need not be laid. The payloads are those of a frame's list, back to front.
+std::vector<std::size_t> layingOrder(std::span<const Payload> payloads) {
+  std::vector<std::size_t> order(payloads.size());
+  std::iota(order.begin(), order.end(), 0);
+  const auto isOpaque = [&](std::size_t index) {
+    const auto* const layer = std::get_if<std::shared_ptr<const Image>>(&payloads[index]);
+    return layer != nullptr && *layer != nullptr && (*layer)->opaque;
+  };
+  const auto others = std::stable_partition(order.begin(), order.end(), isOpaque);
+  std::reverse(others, order.end());
+  return order;
+}
 
 }  // namespace
 
@@ -119,7 +136,7 @@ std::shared_ptr<const Image> Compositor::composite(const CompleteFrame& frame) {
   FrameBuilder builder(*image, *edges);
   const auto& objects = frame.list->objects;
   TypeClock clock(registry_, timeline_, traceTag(frame.list));
-  for (std::size_t i = 0; i < objects.size(); ++i) {
+  for (const std::size_t i : layingOrder(frame.payloads)) {
     clock.turnTo(objects[i].object.type);
     lay(objects[i], frame.payloads[i], view, builder);
   }

@@ -12,10 +12,12 @@ void LightFieldFrontend::lay(const node::VisibleObject& object, const node::Payl
   if (data == nullptr) return;
   const auto& [picture, camera, haze, lamps] = static_cast<const SharedView&>(**data).parts();
   const LampLight light(lamps, camera);
-  reproject(*picture, camera, haze, object.rect, [&](const world::Rect& part, WarpTile& tile) {
+  const auto lay = [&](const world::Rect& part, WarpTile& tile) {
     light.addTo(part, tile.colour, tile.depth, kTileWidth);
     frame.lay(part, tile.colour, tile.depth, kTileWidth);
-  });
+  };
+  const auto hides = [&](const world::Rect& part, float depth) { return frame.hides(part, depth); };
+  reproject(*picture, camera, haze, object.rect, lay, hides);
 }
 
 }  // namespace grove::objects::lightfield

@@ -55,6 +55,16 @@ CachedView::Range rangeOf(const CachedView& view, const Passed& passed, float mo
   return range;
 }
 
+/// No ray of this part of the frame meets what is nearer.
+float minDepth(const ViewWarp& warp, const Reach& reach, const world::Rect& part) {
+  const auto forward = [&](int x, int y) {
+    return warp.k.z + static_cast<float>(x) * warp.kPerColumn.z + static_cast<float>(y) * warp.kPerRow.z;
+  };
+  const float most = std::max({forward(part.left, part.top), forward(part.right, part.top),
+                               forward(part.left, part.bottom), forward(part.right, part.bottom)});
+  return (1.0F / reach.range.greatest - warp.m.z) / std::max(most, kMinForward);
+}
+
 /// The tiles between two lines of corners.
 class Strip {
  public:
@@ -116,7 +126,7 @@ class Strip {
 }  // namespace
 
 void reproject(const CachedView& view, const ObjectCamera& camera, const Haze& haze, const world::Rect& rect,
-               const LayTile& lay) {
+               const LayTile& lay, const HidesTile& hides) {
   if (rect.empty() || view.empty()) return;
   const ViewWarp warp(view, camera);
   WarpTile tile;
@@ -129,8 +139,10 @@ void reproject(const CachedView& view, const ObjectCamera& camera, const Haze& h
         const Reach reach = strip.reach(i);
         if (!reach.shows()) continue;
         const int left = stripLeft + i * kTileWidth;
-        if (!warpTile(view, warp, haze, reach, left, top, tile)) continue;
-        lay({left, top, std::min(left + kTileWidth, rect.right), std::min(top + kTileHeight, rect.bottom)}, tile);
+        const world::Rect part{left, top, std::min(left + kTileWidth, rect.right),
+                               std::min(top + kTileHeight, rect.bottom)};
+        if (hides(part, minDepth(warp, reach, part))) continue;
+        if (warpTile(view, warp, haze, reach, left, top, tile)) lay(part, tile);
       }
     }
   }

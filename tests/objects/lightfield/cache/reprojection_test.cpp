@@ -24,13 +24,14 @@ std::shared_ptr<node::Image> reprojected(const CachedView& view, const ObjectCam
   auto image = node::ImagePool().acquire(rect);
   std::ranges::fill(image->colour, 0U);
   std::ranges::fill(image->depth, world::kInfiniteDepth);
-  reproject(view, camera, haze, rect, [&](const world::Rect& part, const WarpTile& tile) {
+  const auto lay = [&](const world::Rect& part, const WarpTile& tile) {
     for (int row = 0; row < part.height(); ++row) {
       const int to = (part.top - rect.top + row) * rect.width() + part.left - rect.left;
       std::copy_n(tile.colour + row * kTileWidth, part.width(), image->colour.begin() + to);
       std::copy_n(tile.depth + row * kTileWidth, part.width(), image->depth.begin() + to);
     }
-  });
+  };
+  reproject(view, camera, haze, rect, lay, [](const world::Rect&, float) { return false; });
   return image;
 }
 
@@ -82,6 +83,40 @@ TEST(Reprojection, TurningTheHeadCostsOnlyTheResampling) {
     const auto truth = model.picture(camera, rect, 4);
     EXPECT_GT(psnr(*reprojected(cached.view, camera, rect), *truth), 36.0);
   }
+}
+
+/// Fails if a part of the frame would be left out though something nearer shows in it than what hides it, or if the
+/// depth that is asked for is so small that nothing is ever hidden.
+TEST(Reprojection, NoPixelIsNearerThanItsPartWasSaidToBe) {
+  const TracedModel model = TracedModel::crown(2.0F, 4000, 0.2F);
+  const Vec3 target = model.geometry().target;
+  const Cached cached(model, target + Vec3(7, 0, 5), kError, 2);
+  const ObjectCamera camera =
+      frameCamera(cached.cell.camera.eye + Vec3(0.05F, 0.02F, -0.04F), target, kWidth, kHeight, kTestFocal);
+  const world::Rect rect = ballRect(model.geometry(), camera, kWidth, kHeight);
+  float said = 0.0F;
+  int parts = 0;
+  int close = 0;
+  const auto lay = [&](const world::Rect& part, const WarpTile& tile) {
+    float nearest = world::kInfiniteDepth;
+    for (int row = 0; row < part.height(); ++row) {
+      const float* const depths = tile.depth + row * kTileWidth;
+      nearest = std::min(nearest, *std::min_element(depths, depths + part.width()));
+    }
+    EXPECT_GE(nearest, said * 0.9999F) << part.left << ' ' << part.top;
+    ++parts;
+    close += said > 0.9F * nearest;
+  };
+  const auto hides = [&](const world::Rect&, float depth) {
+    said = depth;
+    return false;
+  };
+  reproject(cached.view, camera, {}, rect, lay, hides);
+  EXPECT_GT(parts, 100);
+  EXPECT_GT(close, parts * 3 / 4);
+  reproject(
+      cached.view, camera, {}, rect, [](const auto&, const auto&) { ADD_FAILURE(); },
+      [](const world::Rect&, float) { return true; });
 }
 
 /// Whether a picture's pixel around (x, y) has this depth, but for what it changes along a slope.
