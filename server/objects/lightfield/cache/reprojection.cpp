@@ -112,14 +112,14 @@ class Strip {
   }
 
  private:
-  const CachedView& view_;
-  const ViewWarp& warp_;
-  const float maxSpeed_;
-  const int left_;
   CornerLine first_;
   CornerLine second_;
+  const CachedView& view_;
+  const ViewWarp& warp_;
   CornerLine* above_ = &first_;
   CornerLine* below_ = &second_;
+  const float maxSpeed_;
+  const int left_;
   StripTiles tiles_;
 };
 
