@@ -65,8 +65,8 @@ TextureSampler::TextureSampler(const models::Texture& texture) {
 }
 
 Vec3 TextureSampler::colour(Vec2 uv, float texels) const noexcept {
-  constexpr float kMost = 65536.0F;  // no texture has more levels; what is infinite has no logarithm to be rounded
-  const int wanted = texels > 1.0F ? static_cast<int>(std::lround(std::log2(std::min(texels, kMost)))) : 0;
+  constexpr float kMaxTexels = 65536.0F;  // no texture is larger, and infinity has no logarithm to be rounded
+  const int wanted = texels > 1.0F ? static_cast<int>(std::lround(std::log2(std::min(texels, kMaxTexels)))) : 0;
   const Level& level = levels_[static_cast<std::size_t>(std::min(wanted, static_cast<int>(levels_.size()) - 1))];
   const float x = tamed(uv.x) * static_cast<float>(level.width) - 0.5F;
   const float y = tamed(uv.y) * static_cast<float>(level.height) - 0.5F;

@@ -26,7 +26,7 @@ struct Fingerprint {
 };
 
 void add(const std::filesystem::path& path, Fingerprint& print) {
-  PlainFile file(path, "name a glTF file", kMostBytes - std::min(print.bytes, kMostBytes));
+  PlainFile file(path, "name a glTF file", kMaxBytes - std::min(print.bytes, kMaxBytes));
   std::vector<char> piece(std::size_t{1} << 20U);
   while (const std::size_t count = file.read(piece)) {
     print.sum = crc32_z(print.sum, reinterpret_cast<const unsigned char*>(piece.data()), count);

@@ -108,7 +108,13 @@ TEST(FramesInFlight, TheTimelineKeepsAsManyRunsAsAskedFor) {
   ServedScene served(kSmallFire, options);
   stream::HeadlessSession visitor(served.host, "a", 160, 90);
   ASSERT_TRUE(visitor.frameAfter(30, kPatience));
-  EXPECT_EQ(served.host.timeline().events().size(), 64U);
+  // The server goes on, and what it overwrites while it is read is left out.
+  std::size_t kept = 0;
+  for (int reading = 0; reading < 1000 && kept < 64; ++reading) {
+    kept = served.host.timeline().events().size();
+    ASSERT_LE(kept, 64U);
+  }
+  EXPECT_EQ(kept, 64U);
 }
 
 }  // namespace

@@ -62,18 +62,25 @@ Request requestOf(SessionId session, double deadline = std::numeric_limits<doubl
   return {std::move(list), 0};
 }
 
-TEST(Answerer, OneRequestThatThrowsCostsTheOthersOfItsBatchNothing) {
-  pipeline::Timeline timeline;
-  pipeline::WorkerPool workers(1);
-  Fussy half(workers, 2);
+/// What becomes of requests that wait together for the only worker.
+std::shared_ptr<Results> answerTogether(const std::vector<Request>& requests, Fussy& half,
+                                        pipeline::WorkerPool& workers, pipeline::Timeline& timeline) {
   const auto renderer = std::make_shared<Renderer>("fussy", half, timeline);
   const auto results = std::make_shared<Results>(workers, timeline);
   renderer->connect(results);
   std::binary_semaphore begin(0);
   workers.post([&] { begin.acquire(); });
-  for (const SessionId session : {1U, 2U, 3U}) renderer->push(requestOf(session));
+  for (const Request& request : requests) renderer->push(request);
   begin.release();
   for (int stage = 0; stage < 6; ++stage) workers.drain();
+  return results;
+}
+
+TEST(Answerer, OneRequestThatThrowsCostsTheOthersOfItsBatchNothing) {
+  pipeline::Timeline timeline;
+  pipeline::WorkerPool workers(1);
+  Fussy half(workers, 2);
+  const auto results = answerTogether({requestOf(1), requestOf(2), requestOf(3)}, half, workers, timeline);
   EXPECT_THAT(half.batches, ElementsAre(3U, 1U, 1U, 1U));
   EXPECT_THAT(results->failed, ElementsAre(std::pair(1U, false), std::pair(2U, true), std::pair(3U, false)));
   EXPECT_EQ(timeline.totals().at("Renderer").failures, 2U) << "of the batch and of the one";
@@ -84,17 +91,9 @@ TEST(Answerer, LeavesRequestsOfFramesThatHaveEnded) {
   pipeline::Timeline timeline;
   pipeline::WorkerPool workers(1);
   Fussy half(workers, 0);
-  const auto renderer = std::make_shared<Renderer>("fussy", half, timeline);
-  const auto results = std::make_shared<Results>(workers, timeline);
-  renderer->connect(results);
-  std::binary_semaphore begin(0);
-  workers.post([&] { begin.acquire(); });
   const double now = world::World::now();
-  renderer->push(requestOf(1, now - 0.1));
-  renderer->push(requestOf(2, now + 3600.0));
-  renderer->push(requestOf(3, now - 0.1));
-  begin.release();
-  for (int stage = 0; stage < 6; ++stage) workers.drain();
+  const auto results = answerTogether({requestOf(1, now - 0.1), requestOf(2, now + 3600.0), requestOf(3, now - 0.1)},
+                                      half, workers, timeline);
   EXPECT_THAT(half.batches, ElementsAre(1U));
   EXPECT_THAT(results->failed, ElementsAre(std::pair(2U, false)));
   EXPECT_EQ(timeline.counters()["requests of frames that had ended"], 2);

@@ -111,7 +111,7 @@ void replaceSparse(const GltfFile& file, const tinygltf::Accessor& accessor, Ele
 
 const tinygltf::Accessor& checked(const GltfFile& file, int index) {
   const tinygltf::Accessor& accessor = file.at(file.document.accessors, index, "accessor");
-  if (accessor.count > 3 * kMostTriangles) file.fail("accessor " + std::to_string(index) + " has too many elements");
+  if (accessor.count > 3 * kMaxTriangles) file.fail("accessor " + std::to_string(index) + " has too many elements");
   return accessor;
 }
 

@@ -100,7 +100,7 @@ class Importer {
       if (visits > kMaxPrimitives) file_.fail("has more than " + std::to_string(kMaxPrimitives) + " primitives");
       for (const tinygltf::Primitive& primitive : mesh.primitives) {
         if (modeOf(primitive) >= TINYGLTF_MODE_TRIANGLES) corners += cornersOf(primitive);
-        if (corners > 3 * kMostTriangles) file_.fail("has more than " + std::to_string(kMostTriangles) + " triangles");
+        if (corners > 3 * kMaxTriangles) file_.fail("has more than " + std::to_string(kMaxTriangles) + " triangles");
       }
     }
   }
@@ -113,7 +113,7 @@ class Importer {
     const std::size_t order =
         primitive.indices < 0 ? vertices : file_.at(file_.document.accessors, primitive.indices, "accessor").count;
     for (const std::size_t count : {vertices, order}) {
-      if (count > 3 * kMostTriangles) file_.fail("has an accessor of " + std::to_string(count) + " elements");
+      if (count > 3 * kMaxTriangles) file_.fail("has an accessor of " + std::to_string(count) + " elements");
     }
     return std::max(vertices, modeOf(primitive) == TINYGLTF_MODE_TRIANGLES ? order : 3 * order);
   }

@@ -21,14 +21,14 @@ class ImportError : public EnvironmentError {
 inline constexpr int kImportVersion = 3;
 
 /// What a model file may hold at most.
-inline constexpr std::size_t kMostTriangles = 50'000'000;
+inline constexpr std::size_t kMaxTriangles = 50'000'000;
 inline constexpr std::size_t kMaxPrimitives = 5'000'000;  ///< each where a node puts it
 inline constexpr float kMinMetres = 0.001F;  ///< along its longest edge; a light-field file holds what lies between
 inline constexpr float kMaxMetres = 100'000.0F;
-inline constexpr int kMostTexels = 16384;                             ///< a texture's width or height
+inline constexpr int kMaxTextureSide = 16384;                         ///< texels
 inline constexpr std::uint64_t kMaxTexels = std::uint64_t{1} << 29U;  ///< of all textures: 2 GiB
 inline constexpr float kMaxUv = 1.0e6F;                               ///< beyond, a float holds no fraction to speak of
-inline constexpr std::uint64_t kMostBytes = std::uint64_t{4} << 30U;  ///< with all files it names
+inline constexpr std::uint64_t kMaxBytes = std::uint64_t{4} << 30U;   ///< with all files it names
 
 /// Reads a glTF 2.0 model (.glb or .gltf): all triangles of its default scene, moved to stand on y = 0 around the
 /// origin.

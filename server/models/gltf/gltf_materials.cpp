@@ -42,9 +42,9 @@ Texture measure(const GltfFile& file, const Encoded& image) {
   if (stbi_info_from_memory(image.bytes.data(), image.size(), &texture.width, &texture.height, &channels) == 0) {
     file.fail(image.name + " is no image that can be read (PNG and JPEG can)");
   }
-  if (texture.width > kMostTexels || texture.height > kMostTexels) {
+  if (texture.width > kMaxTextureSide || texture.height > kMaxTextureSide) {
     file.fail(image.name + " has " + std::to_string(texture.width) + " x " + std::to_string(texture.height) +
-              " texels; " + std::to_string(kMostTexels) + " a side are the most");
+              " texels; " + std::to_string(kMaxTextureSide) + " a side are the most");
   }
   return texture;
 }

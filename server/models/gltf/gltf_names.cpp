@@ -23,7 +23,7 @@ using Json = nlohmann::json;
 
 /// A .gltf file is its JSON; a .glb file has it first, behind two headers that end with its length and type.
 std::string jsonOf(const std::filesystem::path& file) {
-  PlainFile plain(file, "name a glTF file", kMostBytes);
+  PlainFile plain(file, "name a glTF file", kMaxBytes);
   std::array<char, 20> start{};
   const std::string_view read(start.data(), plain.read(start));
   if (!read.starts_with("glTF")) return std::string(read) + plain.readAll();

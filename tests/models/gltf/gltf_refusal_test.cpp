@@ -185,10 +185,10 @@ TEST_F(GltfImport, RefusesASparseAccessorThatReplacesMoreThanItHas) {
 
 TEST_F(GltfImport, RefusesImagesThatAreTooLargeTogether) {
   addTexturedTriangle();
-  useTexture({{"bufferView", writer.view(targa(kMostTexels, kMostTexels, {}))}, {"mimeType", "image/x-tga"}});
+  useTexture({{"bufferView", writer.view(targa(kMaxTextureSide, kMaxTextureSide, {}))}, {"mimeType", "image/x-tga"}});
   for (int i = 1; i < 3; ++i) {
     writer.json["images"].push_back(
-        {{"bufferView", writer.view(targa(kMostTexels, kMostTexels, {}))}, {"mimeType", "image/x-tga"}});
+        {{"bufferView", writer.view(targa(kMaxTextureSide, kMaxTextureSide, {}))}, {"mimeType", "image/x-tga"}});
     writer.json["textures"].push_back({{"source", i}});
     Json material = writer.json["materials"][0];
     material["pbrMetallicRoughness"]["baseColorTexture"]["index"] = i;
@@ -199,7 +199,7 @@ TEST_F(GltfImport, RefusesImagesThatAreTooLargeTogether) {
 
 TEST_F(GltfImport, RefusesTexturesThatAreTooLarge) {
   addTexturedTriangle();
-  useTexture({{"bufferView", writer.view(targa(kMostTexels + 1, 1, {}))}, {"mimeType", "image/x-tga"}});
+  useTexture({{"bufferView", writer.view(targa(kMaxTextureSide + 1, 1, {}))}, {"mimeType", "image/x-tga"}});
   expectRefused("16385 x 1 texels");
 }
 
