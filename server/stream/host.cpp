@@ -31,6 +31,7 @@ Host::Host(world::World::Layout layout, const node::Registry& registry, gl::Work
       timelineMemory_(memory_, "timeline", "", pipeline::Work::kAcrossUser, timeline_.bytes()),
       meter_(timeline_, memory_, options_.framesPerSecond, options_.privateWorlds),
       images_(memory_),
+      geometryMemory_(memory_, "obstacles", "", pipeline::Work::kAcrossUser),
       baked_(memory_),
       workers_(static_cast<int>(std::max(1U, std::thread::hardware_concurrency()))),
       gate_(std::make_shared<FrameGate>(std::max(workers_.width(), options_.framesInFlight))) {
@@ -63,8 +64,14 @@ Host::~Host() {
 std::unique_ptr<WorldCopy> Host::makeCopy(Haste haste, const std::function<void(std::string_view, float)>& progress) {
   auto transport = options_.makeTransport ? options_.makeTransport(registry_, timeline_)
                                           : std::make_unique<node::InProcessTransport>();
-  return std::make_unique<WorldCopy>(WorldGround{layout_, players_, registry_, workers_, gl_, timeline_, memory_,
-                                                 images_, options_.privateWorlds ? &baked_ : nullptr},
+  if (!geometry_) {
+    geometry_ = std::make_shared<const world::WorldGeometry>(layout_.objects, [&progress](float share) {
+      if (progress) progress("laying out the world", share);
+    });
+    geometryMemory_.set(geometry_->bytes());
+  }
+  return std::make_unique<WorldCopy>(WorldGround{layout_, geometry_, players_, registry_, workers_, gl_, timeline_,
+                                                 memory_, images_, options_.privateWorlds ? &baked_ : nullptr},
                                      std::move(transport), haste, progress);
 }
 

@@ -102,6 +102,8 @@ class Host {
   measure::QualityPolicy policy_;  ///< the clock's
   std::atomic<int> quality_{0};
   node::ImagePool images_;
+  std::shared_ptr<const world::WorldGeometry> geometry_;  ///< of all copies; made with the first
+  pipeline::HeldMemory geometryMemory_;
   node::BakedStore baked_;             ///< used in private mode
   std::vector<node::SessionId> gone_;  ///< the clock's: left before it took stock last
 

@@ -11,11 +11,7 @@ namespace grove::stream {
 WorldCopy::WorldCopy(const WorldGround& ground, std::unique_ptr<node::Transport> transport, Haste haste,
                      const std::function<void(std::string_view, float)>& progress)
     : ground_(ground),
-      world_(ground.layout, ground.players,
-             [&progress](float share) {
-               if (progress) progress("laying out the world", share);
-             }),
-      geometry_(ground.memory, "obstacles", "", pipeline::Work::kAcrossUser, world_.bytes()),
+      world_(ground.layout, ground.geometry, ground.players),
       transport_(std::move(transport)) {
   tellModels();
   const node::BackendServices services{.world = world_,

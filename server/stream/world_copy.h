@@ -17,9 +17,11 @@
 
 namespace grove::stream {
 
-/// What all copies of a world stand on: the machine, and the roster of who is here. All of it outlives them.
+/// What all copies of a world stand on: its geometry, the machine, and the roster of who is here. All of it outlives
+/// them.
 struct WorldGround {
   const world::World::Layout& layout;
+  std::shared_ptr<const world::WorldGeometry> geometry;
   std::shared_ptr<world::Players> players;
   const node::Registry& registry;
   pipeline::Executor& workers;
@@ -62,7 +64,6 @@ class WorldCopy {
 
   const WorldGround ground_;
   world::World world_;
-  const pipeline::HeldMemory geometry_;
   std::map<world::TypeIndex, pipeline::HeldMemory> models_;
   const std::unique_ptr<node::Transport> transport_;
   std::vector<std::unique_ptr<node::BackendNode>> backends_;

@@ -10,14 +10,6 @@ namespace {
 
 constexpr float kLanternRadiance = 0.45F;
 
-Triangles gather(const std::vector<Object>& objects, const Triangles* (Model::*part)() const) {
-  Triangles all;
-  for (const Object& object : objects) {
-    if (const Triangles* triangles = (*object.model.*part)()) all.append(*triangles, object.transform.matrix());
-  }
-  return all;
-}
-
 std::vector<Obstacle> gatherObstacles(const std::vector<Object>& objects) {
   std::vector<Obstacle> all;
   for (const Object& object : objects) {
@@ -31,11 +23,9 @@ std::vector<Obstacle> gatherObstacles(const std::vector<Object>& objects) {
 
 }  // namespace
 
-World::World(Layout layout, std::shared_ptr<Players> players, const std::function<void(float)>& progress)
+World::World(Layout layout, std::shared_ptr<const WorldGeometry> geometry, std::shared_ptr<Players> players)
     : layout_(std::move(layout)),
-      solids_(gather(layout_.objects, &Model::solid), progress),
-      shades_(gather(layout_.objects, &Model::shade)),
-      rays_(shades_, progress),
+      geometry_(geometry ? std::move(geometry) : std::make_shared<const WorldGeometry>(layout_.objects)),
       players_(players ? std::move(players) : makePlayers(layout_)) {}
 
 std::shared_ptr<Players> World::makePlayers(const Layout& layout) {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -10,7 +9,7 @@
 #include "world/light.h"
 #include "world/object.h"
 #include "world/players.h"
-#include "world/ray_scene.h"
+#include "world/world_geometry.h"
 
 namespace grove::world {
 
@@ -32,10 +31,9 @@ class World {
     float spawnYaw = 0.0F;
     float radius = 30.0F;
   };
-  /// `players`: the roster, where several copies of a world share it; null: one of its own.
-  /// `progress`: as RayScene's, once for each of the two.
-  explicit World(Layout layout, std::shared_ptr<Players> players = nullptr,
-                 const std::function<void(float)>& progress = {});
+  /// Where several copies of a world share its geometry and the roster: those. Null: of its own.
+  explicit World(Layout layout, std::shared_ptr<const WorldGeometry> geometry = nullptr,
+                 std::shared_ptr<Players> players = nullptr);
 
   /// An empty roster for worlds of this layout.
   [[nodiscard]] static std::shared_ptr<Players> makePlayers(const Layout& layout);
@@ -45,15 +43,7 @@ class World {
   [[nodiscard]] const std::optional<Object>& visitor() const noexcept { return layout_.visitor; }
   [[nodiscard]] float radius() const noexcept { return layout_.radius; }
 
-  /// What stops smoke, of all objects, in world coordinates.
-  [[nodiscard]] const RayScene& solids() const noexcept { return solids_; }
-
-  /// What stops light, of all objects, in world coordinates.
-  [[nodiscard]] const Triangles& shades() const noexcept { return shades_; }
-  [[nodiscard]] const RayScene& rays() const noexcept { return rays_; }
-
-  /// Memory that what stops smoke and light takes.
-  [[nodiscard]] std::size_t bytes() const noexcept { return solids_.bytes() + shades_.bytes() + rays_.bytes(); }
+  [[nodiscard]] const WorldGeometry& geometry() const noexcept { return *geometry_; }
 
   [[nodiscard]] Players& players() noexcept { return *players_; }
   [[nodiscard]] Edits& edits() noexcept { return edits_; }
@@ -69,9 +59,7 @@ class World {
 
  private:
   const Layout layout_;
-  const RayScene solids_;
-  const Triangles shades_;
-  const RayScene rays_;
+  const std::shared_ptr<const WorldGeometry> geometry_;
   const std::shared_ptr<Players> players_;
   Edits edits_;
 };

@@ -76,12 +76,12 @@ TEST_F(LightFields, WoodStopsSmokeAndLeavesOnlyLight) {
   const auto stops = [&](const world::RayScene& rays, float height) {
     return rays.occluded({-10.0F, height, 0.0F}, {1.0F, 0.0F, 0.0F});
   };
-  EXPECT_TRUE(stops(world.solids(), 3.25F));
-  EXPECT_TRUE(stops(world.rays(), 3.25F));
+  EXPECT_TRUE(stops(world.geometry().solids(), 3.25F));
+  EXPECT_TRUE(stops(world.geometry().rays(), 3.25F));
   int leaves = 0;
   for (float height = 6.1F; height < 10.0F; height += 0.1F) {
-    EXPECT_FALSE(stops(world.solids(), height)) << height;
-    leaves += stops(world.rays(), height) ? 1 : 0;
+    EXPECT_FALSE(stops(world.geometry().solids(), height)) << height;
+    leaves += stops(world.geometry().rays(), height) ? 1 : 0;
   }
   EXPECT_GT(leaves, 5);
   const auto radius = world.objects().front().model->obstacleRadius();

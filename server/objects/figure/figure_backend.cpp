@@ -47,7 +47,7 @@ void FigureBackend::answer(std::span<const node::Request> requests, std::span<no
     drawing.distance = visible.distance / transform.scale;
     drawing.bones = bonesOf(*player, transform);
     drawing.tint = linear(player->colour);
-    drawing.sunShare = mesh::sunAt(transform.position + world::Vec3(0.0F, kChestHeight, 0.0F), world_.rays());
+    drawing.sunShare = mesh::sunAt(transform.position + world::Vec3(0.0F, kChestHeight, 0.0F), world_.geometry().rays());
     drawing.lamps = mesh::chooseLamps(view.lights, visible.object.bounds);
     slots.push_back(i);
   }

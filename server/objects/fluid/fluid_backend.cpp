@@ -58,14 +58,11 @@ class FluidBackend::Fire {
         pace_(tickSeconds) {
     // Seen from here on: gusts from before the fire existed do not count.
     static_cast<void>(world_.edits().during(cursor_, {}));
-    const int ticks = static_cast<int>(kGrowSeconds / FluidSimulation::kTick);
     FluidSimulation& simulation = simulation_.current();
-    for (int i = 0; i < ticks; ++i) {
-      simulation.step(FluidSimulation::kTick, {}, {});
-      if (services.progress && i % 10 == 0) {
-        services.progress("fluid " + name_, static_cast<float>(i) / static_cast<float>(ticks));
-      }
-    }
+    const auto grown = services.bakedOnce(
+        "fluid " + std::to_string(object.id), [](const auto& state) { return state->bytes(); },
+        [&] { return grow(simulation, services.progress); });
+    simulation.takeOver(*grown);
     newest_ = simulation.snapshot(world::World::now());
     held_.set(simulation.bytes() + newest_->bytes());
     startClock(services.workers);
@@ -99,8 +96,18 @@ class FluidBackend::Fire {
     clock_ = start->get_future().get();
   }
 
+  [[nodiscard]] std::shared_ptr<const FluidState> grow(FluidSimulation& simulation, const auto& progress) const {
+    const int ticks = static_cast<int>(kGrowSeconds / FluidSimulation::kTick);
+    for (int i = 0; i < ticks; ++i) {
+      simulation.step(FluidSimulation::kTick, {}, {});
+      if (progress && i % 10 == 0) progress("fluid " + name_, static_cast<float>(i) / static_cast<float>(ticks));
+    }
+    return std::make_shared<const FluidState>(simulation.state());
+  }
+
   [[nodiscard]] std::unique_ptr<FluidSimulation> make(world::Vec3 place, int cells) const {
-    return std::make_unique<FluidSimulation>(settings_, place, world_.solids(), world_.rays(), cells);
+    return std::make_unique<FluidSimulation>(settings_, place, world_.geometry().solids(), world_.geometry().rays(),
+                                             cells);
   }
 
   [[nodiscard]] int cells() const noexcept { return cellsAt(settings_.grid, std::min<int>(quality_, mostQuality_)); }

@@ -77,12 +77,19 @@ FluidSimulation::FluidSimulation(const FluidSettings& settings, world::Vec3 posi
   solver_.setStatic(voxelize(solids, cube_));
 }
 
-void FluidSimulation::takeOver(FluidSimulation& other) {
-  assert(cube_.low == other.cube_.low);
-  solver_.takeOver(other.solver_);
-  particles_.takeOver(std::move(other.particles_));
-  time_ = other.time_;
-  tick_ = other.tick_;
+FluidState FluidSimulation::state() const {
+  const Layout layout = solver_.layout();
+  FluidState state{layout, Velocity(layout), Field(layout.size()), particles_, time_, tick_};
+  for (int axis = 0; axis < 3; ++axis) state.velocity.axis(axis).copyFrom(solver_.velocity().axis(axis));
+  state.temperature.copyFrom(solver_.temperature());
+  return state;
+}
+
+void FluidSimulation::takeOver(const FluidState& state) {
+  solver_.takeOver(state.layout, state.velocity, state.temperature);
+  particles_ = state.particles;
+  time_ = state.time;
+  tick_ = state.tick;
 }
 
 void FluidSimulation::step(float seconds, std::span<const world::Gust> gusts, std::span<const world::Player> visitors) {

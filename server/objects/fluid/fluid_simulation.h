@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "objects/fluid/fluid_solver.h"
+#include "objects/fluid/fluid_state.h"
 #include "objects/fluid/particles.h"
 #include "objects/fluid/shading.h"
 #include "objects/fluid/snapshot.h"
@@ -45,9 +46,10 @@ class FluidSimulation {
   FluidSimulation(const FluidSettings& settings, world::Vec3 position, const world::RayScene& solids,
                   const world::RayScene& shades, std::optional<int> cells = {});
 
-  /// Goes on where another one of the same fire is, whatever its cells: with its air, its particles in their order, and
-  /// its time. The other one is of no use afterwards.
-  void takeOver(FluidSimulation& other);
+  /// A copy of its air, of its particles in their order, and of its time: megabytes.
+  [[nodiscard]] FluidState state() const;
+  /// Goes on from there. The state is one of the same fire.
+  void takeOver(const FluidState& state);
 
   /// Parts of a step, for phaseNanoseconds().
   static constexpr std::array<std::string_view, 6> kPhases{"solids",  "advect",  "force",

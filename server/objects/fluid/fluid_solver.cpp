@@ -34,12 +34,11 @@ void FluidSolver::setStatic(std::span<const std::uint8_t> solid) {
   pressure_.prepare(solids_);
 }
 
-void FluidSolver::takeOver(const FluidSolver& other) {
-  assert(settings_.size == other.settings_.size);
-  resample(other.layout_, other.velocity_.x, Place::kFaceX, layout_, velocity_.x);
-  resample(other.layout_, other.velocity_.y, Place::kFaceY, layout_, velocity_.y);
-  resample(other.layout_, other.velocity_.z, Place::kFaceZ, layout_, velocity_.z);
-  resample(other.layout_, other.temperature_, Place::kCentre, layout_, temperature_);
+void FluidSolver::takeOver(const Layout& layout, const Velocity& velocity, const Field& temperature) {
+  resample(layout, velocity.x, Place::kFaceX, layout_, velocity_.x);
+  resample(layout, velocity.y, Place::kFaceY, layout_, velocity_.y);
+  resample(layout, velocity.z, Place::kFaceZ, layout_, velocity_.z);
+  resample(layout, temperature, Place::kCentre, layout_, temperature_);
   fillVelocityGhosts(layout_, settings_.sides, velocity_);
 }
 

@@ -34,9 +34,9 @@ class FluidSolver {
   /// Sets the solids that stand still, as SolidGrid::setStatic(), and prepares for them.
   void setStatic(std::span<const std::uint8_t> solid);
 
-  /// Takes over velocity and temperature of a solver of the same cube, whatever its cells, as they are after a tick.
-  /// The next project() removes what divergence this brings.
-  void takeOver(const FluidSolver& other);
+  /// Goes on with velocity and temperature of the same cube, whatever its cells, as they are after a tick. The next
+  /// project() removes what divergence this brings.
+  void takeOver(const Layout& layout, const Velocity& velocity, const Field& temperature);
 
   // A tick is the following, in this order.
 

@@ -21,23 +21,6 @@ void Particles::forEachArray(const Visit& visit) {
   }
 }
 
-void Particles::takeOver(Particles&& other) {
-  x = std::move(other.x);
-  y = std::move(other.y);
-  z = std::move(other.z);
-  velocityX = std::move(other.velocityX);
-  velocityY = std::move(other.velocityY);
-  velocityZ = std::move(other.velocityZ);
-  age = std::move(other.age);
-  lifetime = std::move(other.lifetime);
-  temperature = std::move(other.temperature);
-  cooling = std::move(other.cooling);
-  random_ = other.random_;
-  elapsed_ = other.elapsed_;
-  due_ = other.due_;
-  injected_ = other.injected_;
-}
-
 float Particles::uniform(float low, float high) {
   const float share = static_cast<float>(random_() - std::minstd_rand::min()) /
                       static_cast<float>(std::minstd_rand::max() - std::minstd_rand::min());

@@ -28,9 +28,6 @@ class Particles {
   /// The seed makes runs repeatable.
   Particles(const Source& source, std::uint32_t seed);
 
-  /// Goes on with the particles of another one, as they are.
-  void takeOver(Particles&& other);
-
   /// New ones at the source; never more than kMost in all, never inside of solids.
   void inject(const SolidGrid& solids, float seconds, float cellSize);
 
@@ -61,7 +58,7 @@ class Particles {
   [[nodiscard]] float uniform(float low, float high);
   void removeDead();
 
-  const Source source_;
+  Source source_;
   std::minstd_rand random_;
   double elapsed_ = 0.0;  ///< seconds
   float due_ = 0.0F;      ///< part of the next particle

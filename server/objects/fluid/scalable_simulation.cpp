@@ -30,7 +30,7 @@ bool ScalableSimulation::update() {
     try {
       std::unique_ptr<FluidSimulation> next = prepared_.get();
       if (preparedCells_ == wanted) {
-        next->takeOver(*current_);
+        next->takeOver(current_->state());
         current_ = std::move(next);
         changed = true;
       }

@@ -26,7 +26,7 @@ GroundMaps bake(const node::BackendServices& services, const GroundModel& model,
   ClearingOptions options = model.options();
   options.size = sizes.clearing;
   const auto progress = [&](float share) { services.progress("lighting the ground", share); };
-  return {bakeClearing(options, services.world.shades(), services.world.rays(), progress),
+  return {bakeClearing(options, services.world.geometry().shades(), services.world.geometry().rays(), progress),
           bakeMeadow(sizes.meadow, kMeadowMetres, options.seed), ToneTable(), Daylight()};
 }
 

@@ -125,7 +125,7 @@ LightFieldBackend::LightFieldBackend(const node::BackendServices& services, worl
     if (object.type == self) shaded.push_back(&object);
   }
   node::prepareEach(services, "shadows on the light fields", shaded.size(), [&](std::size_t i) {
-    entries_.at(shaded[i]->id).sun = makeSunGrid(*shaded[i], services.world.rays());
+    entries_.at(shaded[i]->id).sun = makeSunGrid(*shaded[i], services.world.geometry().rays());
   });
   std::size_t sunBytes = 0;
   for (const auto& [id, entry] : entries_) sunBytes += pipeline::vectorBytes(entry.sun.sun);

@@ -45,8 +45,8 @@ std::uint64_t keyOf(const std::vector<PlacedMesh>& meshes, const world::World& w
     }
   }
   addTo(checksum, sky);
-  addTo(checksum, world.shades().positions);
-  addTo(checksum, world.shades().indices);
+  addTo(checksum, world.geometry().shades().positions);
+  addTo(checksum, world.geometry().shades().indices);
   for (const PlacedMesh& mesh : meshes) {
     addTo(checksum, mesh.surface->vertices);
     addTo(checksum, std::vector<world::Mat4>{mesh.toWorld});
@@ -84,7 +84,7 @@ Light bake(const std::vector<PlacedMesh>& meshes, const node::BackendServices& s
   });
   node::prepareEach(services, "light of the meshes", tasks.size(), [&](std::size_t t) {
     const auto& [i, begin, end] = tasks[t];
-    const Obstacles obstacles{services.world.rays(), own[i].get()};
+    const Obstacles obstacles{services.world.geometry().rays(), own[i].get()};
     bakeLight(*meshes[i].surface, meshes[i].toWorld, obstacles, begin, std::span(light[i]).subspan(begin, end - begin));
   });
   return light;

@@ -36,13 +36,14 @@ class Fire : public ::testing::Test {
   }
 
   /// What a visitor's request is answered with.
-  std::shared_ptr<const FluidSnapshot> ask() {
+  std::shared_ptr<const FluidSnapshot> ask() { return askFrom(backend_); }
+  std::shared_ptr<const FluidSnapshot> askFrom(FluidBackend& backend) {
     auto list = std::make_shared<node::FrameList>();
     list->view = std::make_shared<const node::View>();
     list->objects.push_back({world_.objects().front(), {}, 0.0F});
     const node::Request request{list, 0};
     node::Payload payload;
-    backend_.answer({&request, 1}, {&payload, 1});
+    backend.answer({&request, 1}, {&payload, 1});
     return std::dynamic_pointer_cast<const FluidSnapshot>(
         std::get<std::shared_ptr<const node::SimulationData>>(payload));
   }
@@ -63,6 +64,41 @@ class FluidBackendTest : public Fire {
  protected:
   FluidBackendTest() : Fire(16) {}
 };
+
+/// Where worlds of their own are made for several visitors.
+class FluidOfManyWorlds : public Fire {
+ protected:
+  FluidOfManyWorlds() : Fire(16) {}
+
+  std::shared_ptr<const FluidSnapshot> startOfAnother() {
+    steps_ = 0;
+    FluidBackend another({.world = world_,
+                          .workers = workers_,
+                          .gl = gl_,
+                          .timeline = timeline_,
+                          .memory = memory_,
+                          .images = images_,
+                          .progress = [this](std::string_view, float) { ++steps_; },
+                          .baked = &store_},
+                         0);
+    return askFrom(another);
+  }
+
+  node::BakedStore store_{memory_};
+  int steps_ = 0;
+};
+
+TEST_F(FluidOfManyWorlds, SmokeRisesOnceForAll) {
+  const auto first = startOfAnother();
+  EXPECT_GT(steps_, 0) << "before anybody enters";
+  const auto second = startOfAnother();
+  EXPECT_EQ(steps_, 0);
+  for (const auto& start : {first, second}) {
+    ASSERT_TRUE(start);
+    EXPECT_GE(start->tick, 90U) << "three seconds";
+    EXPECT_GT(start->x.size(), 100U);
+  }
+}
 
 /// On a machine that no tick is short enough for.
 class SlowFluidBackendTest : public Fire {

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+#include "world/object.h"
+#include "world/ray_scene.h"
+
+namespace grove::world {
+
+/// What stops smoke and light in a world, in its coordinates. Immutable after construction: all copies of a world share
+/// it, and any number of threads.
+class WorldGeometry {
+ public:
+  /// `progress`: as RayScene's, once for each of the two.
+  explicit WorldGeometry(const std::vector<Object>& objects, const std::function<void(float)>& progress = {});
+
+  /// What stops smoke.
+  [[nodiscard]] const RayScene& solids() const noexcept { return solids_; }
+
+  /// What stops light.
+  [[nodiscard]] const Triangles& shades() const noexcept { return shades_; }
+  [[nodiscard]] const RayScene& rays() const noexcept { return rays_; }
+
+  /// Memory that it takes.
+  [[nodiscard]] std::size_t bytes() const noexcept { return solids_.bytes() + shades_.bytes() + rays_.bytes(); }
+
+ private:
+  const RayScene solids_;
+  const Triangles shades_;
+  const RayScene rays_;
+};
+
+}  // namespace grove::world
