@@ -72,7 +72,8 @@ class Walker {
         yaw_(session_.welcome().yaw) {}
 
   void walk(double now) {
-    const world::Input input = stream::stroll(index_, yaw_, now);
+    if (!walksSince_) walksSince_ = now;
+    const world::Input input = stream::stroll(index_, yaw_, now - *walksSince_);
     const std::lock_guard lock(seen_->mutex);
     seen_->latency.sent(session_.control(input.keys, input.yaw, input.pitch), world::World::now());
   }
@@ -101,6 +102,7 @@ class Walker {
   const std::shared_ptr<Seen> seen_ = std::make_shared<Seen>();
   stream::HeadlessSession session_;
   const float yaw_;
+  std::optional<double> walksSince_;
   std::uint64_t framesBefore_ = 0;
 };
 

@@ -41,7 +41,8 @@ void LoadVisitor::beginCounting() {
 }
 
 world::Input LoadVisitor::steer(double now) {
-  world::Input input = stroll(index_, welcome_->yaw, now);
+  if (!walksSince_) walksSince_ = now;
+  world::Input input = stroll(index_, welcome_->yaw, now - *walksSince_);
   input.number = ++lastInput_;
   latency_.sent(input.number, now);
   return input;

@@ -51,6 +51,7 @@ class LoadVisitor {
   bool helloSent_ = false;
   bool inputDue_ = false;
   std::optional<Ack> acknowledge_;
+  std::optional<double> walksSince_;
   std::uint32_t lastInput_ = 0;
   InputLatency latency_;
   std::uint32_t lastFrame_ = 0;

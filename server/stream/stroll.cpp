@@ -15,8 +15,8 @@ constexpr std::array<std::uint8_t, 6> kSteps = {
 
 }  // namespace
 
-world::Input stroll(int index, float yaw, double now) {
-  const double phase = now + 0.7 * index;
+world::Input stroll(int index, float yaw, double seconds) {
+  const double phase = seconds + 0.7 * index;
   world::Input input;
   input.keys = kSteps[static_cast<std::size_t>(phase / kSecondsPerStep) % kSteps.size()];
   input.yaw = yaw + static_cast<float>(0.8 * std::sin(0.5 * phase));

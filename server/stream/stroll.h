@@ -8,10 +8,10 @@
 
 namespace grove::stream {
 
-/// The controls, at `now` (seconds), of a visitor who walks and looks about for a measurement: a few steps this way and
-/// that around the place where he arrived, looking along `yaw` (radians) on the mean. `index` makes visitors differ.
-/// The input has no number yet.
-[[nodiscard]] world::Input stroll(int index, float yaw, double now);
+/// The controls, so many seconds after he began, of a visitor who walks and looks about for a measurement: a few steps
+/// this way and that around the place where he arrived, looking along `yaw` (radians) on the mean. `index` makes
+/// visitors differ; two measurements get the same walks. The input has no number yet.
+[[nodiscard]] world::Input stroll(int index, float yaw, double seconds);
 
 /// How long it takes from sending an input to the first frame that shows it. One thread at a time.
 class InputLatency {

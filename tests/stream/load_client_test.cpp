@@ -110,6 +110,31 @@ TEST_F(LoadVisitorTest, MeasuresFromEachInputToTheFirstFrameThatShowsIt) {
   EXPECT_THAT(seen.errors, IsEmpty());
 }
 
+/// Or one measurement would walk among trees and the next one on the meadow.
+TEST_F(LoadVisitorTest, WalksTheSameWayWheneverItBegins) {
+  const auto steps = [&](double begin) {
+    LoadVisitor visitor(0, 64, 48, decoder_);
+    (void)visitor.nextMessage(begin);
+    visitor.receive(encode(Welcome{}), begin);
+    std::vector<world::Input> inputs;
+    for (int i = 0; i < 40; ++i) {
+      visitor.inputDue();
+      const auto message = parseClientMessage(visitor.nextMessage(begin + 0.5 * i));
+      inputs.push_back(std::get<world::Input>(message));
+    }
+    return inputs;
+  };
+  const auto first = steps(100.0);
+  const auto second = steps(7777.25);
+  bool walks = false;
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    EXPECT_EQ(first[i].keys, second[i].keys);
+    EXPECT_NEAR(first[i].yaw, second[i].yaw, 1e-5F);
+    walks = walks || first[i].keys != 0;
+  }
+  EXPECT_TRUE(walks);
+}
+
 TEST_F(LoadVisitorTest, AcknowledgesBeforeItSteers) {
   visitor_.receive(frame(3, 0), 1.0);
   visitor_.inputDue();
