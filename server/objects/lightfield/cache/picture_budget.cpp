@@ -22,7 +22,8 @@ PictureBudget::Bucket& PictureBudget::filled(const node::View& view) {
   const auto found = buckets_.find(view.session);
   if (found == buckets_.end()) {
     std::erase_if(buckets_, [&](const auto& bucket) { return bucket.second.time + kForgotten < view.time; });
-    return buckets_.emplace(view.session, Bucket{most, view.time}).first->second;
+    const double tokens = buckets_.empty() ? most : 0.0;
+    return buckets_.emplace(view.session, Bucket{tokens, view.time}).first->second;
   }
   Bucket& bucket = found->second;
   // A frame may overtake another.

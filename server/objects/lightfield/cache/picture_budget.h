@@ -15,7 +15,8 @@ namespace grove::objects::lightfield {
 /// for each, and be later still. So all visitors together have so many texels a second of the world's clock, and make
 /// do with the pictures they have when those are spent.
 ///
-/// A bucket of tokens for each visitor, which all fill alike, and a pot for what overflows them, which is anybody's. A
+/// A bucket of tokens for each visitor, which all fill alike, and a pot for what overflows them, which is anybody's.
+/// The bucket of one who comes while others are here is empty, so that his first frame does not hold up theirs. A
 /// picture is made if the bucket has any or the pot has enough; what it takes may leave the bucket in debt. So in t
 /// seconds all take at most t + 2 kBurst seconds' worth, a picture each, and what they must owe. Any thread.
 class PictureBudget {

@@ -67,16 +67,27 @@ TEST(PictureBudget, WhatIsWrongerMayEmptyItMore) {
 
 TEST(PictureBudget, AllVisitorsHaveEqualSharesAndWhatOthersLeave) {
   PictureBudget busy(kRate);
+  for (node::SessionId visitor = 1; visitor <= 5; ++visitor) (void)busy.take(viewOf(visitor, 1, 0.0, 5), 0, kNothing);
   for (node::SessionId visitor = 1; visitor <= 5; ++visitor) {
-    EXPECT_EQ(takes(busy, viewOf(visitor, 1, 0.0, 5), kNothing), 5);
+    EXPECT_EQ(takes(busy, viewOf(visitor, 2, 0.25, 5), kNothing), visitor == 1 ? 9 : 5)
+        << "the first came with a full one";
   }
-  EXPECT_EQ(takes(busy, viewOf(1, 2, 0.2, 5), kNothing), 4);
+  EXPECT_EQ(takes(busy, viewOf(1, 3, 0.45, 5), kNothing), 4);
   PictureBudget calm(kRate);
   for (node::SessionId visitor = 1; visitor <= 5; ++visitor) (void)calm.take(viewOf(visitor, 1, 0.0, 5), 0, kNothing);
   for (node::SessionId visitor = 2; visitor <= 5; ++visitor) {
-    (void)calm.take(viewOf(visitor, 2, 0.1, 5), 0, kNothing);
+    (void)calm.take(viewOf(visitor, 2, 0.25, 5), 0, kNothing);
+    (void)calm.take(viewOf(visitor, 3, 0.35, 5), 0, kNothing);
   }
-  EXPECT_NEAR(takes(calm, viewOf(1, 2, 0.1, 5), kNothing), 5 + 5 * 2, 1);
+  EXPECT_NEAR(takes(calm, viewOf(1, 2, 0.35, 5), kNothing), 5 + 2 + 4 * 2 + 5, 1);
+}
+
+/// Or eight who come at once wait for one another's pictures.
+TEST(PictureBudget, WhoComesWhileOthersAreHereBeginsWithNothing) {
+  PictureBudget budget(kRate);
+  EXPECT_EQ(takes(budget, viewOf(1, 1, 0.0), kNothing), 25) << "nobody is held up";
+  EXPECT_EQ(takes(budget, viewOf(2, 1, 0.0, 2), kNothing), 0);
+  EXPECT_EQ(takes(budget, viewOf(2, 2, 0.25, 2), kNothing), 13) << "the last one on credit";
 }
 
 TEST(PictureBudget, DebtsArePaidFirst) {
