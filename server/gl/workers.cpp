@@ -49,10 +49,10 @@ void Workers::stop() noexcept {
   for (std::thread& thread : threads_) thread.join();
 }
 
-void Workers::enqueue(std::function<void()> task) {
+void Workers::enqueue(std::function<void()> task, Place place) {
   {
     const std::lock_guard lock(mutex_);
-    tasks_.push_back(std::move(task));
+    tasks_.insert(place == Place::kFirst ? tasks_.begin() : tasks_.end(), std::move(task));
   }
   // A worker's own tasks wait on the same condition.
   wake_.notify_all();

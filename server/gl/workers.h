@@ -50,7 +50,7 @@ class Workers final : public pipeline::Executor {
   [[nodiscard]] bool softwareRendered() const noexcept { return software_; }
 
  private:
-  void enqueue(std::function<void()> task) override;
+  void enqueue(std::function<void()> task, Place place) override;
   void run(ContextKind kind, const ShaderLibrary& shaders, std::size_t index, std::promise<void> started);
   void serve(std::deque<std::function<void()>>& own);
   void stop() noexcept;

@@ -82,18 +82,19 @@ class BackendHalf {
   virtual void answer(std::span<const Request> requests, std::span<Payload> payloads) = 0;
 };
 
-/// One visitor's half: what the Compositor calls to turn a payload into what is seen. One per session, used by one
-/// thread at a time. Both calls get an object, what its backend answered, and the frame's view.
+/// One visitor's half: what the Compositor calls to turn a payload into what is seen. One per session, used for one
+/// frame at a time. Both calls get an object, what its backend answered, and the frame's view.
 class FrontendHalf {
  public:
   virtual ~FrontendHalf() = default;
 
-  /// Called nearest first, in turn with the images that backends sent, to lay over the frame what data shows. What is
-  /// hidden already may be left out, see FrameBuilder::hides().
-  virtual void lay(const VisibleObject&, const Payload&, const View&, FrameBuilder& /*frame*/) {}
+  /// Called nearest first, in turn with the images that backends sent, to lay over some rows of the frame what data
+  /// shows in them, see FrameBuilder::clip(). What is hidden already may be left out, see FrameBuilder::hides().
+  /// Several threads do so at once, each for other rows.
+  virtual void lay(const VisibleObject&, const Payload&, const View&, FrameBuilder& /*rows*/) {}
 
-  /// Called when all images are in place, back to front, to draw what images cannot carry. `frame` is the whole frame:
-  /// colour may be blended into, depth is read only.
+  /// Called by one thread when all images are in place, back to front, to draw what images cannot carry. `frame` is the
+  /// whole frame: colour may be blended into, depth is read only.
   virtual void draw(const VisibleObject&, const Payload&, const View&, Image& /*frame*/) {}
 
   /// Memory that it keeps from frame to frame.

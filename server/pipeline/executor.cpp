@@ -4,7 +4,11 @@
 
 namespace grove::pipeline {
 
-void Executor::post(std::function<void()> task) {
+void Executor::post(std::function<void()> task) { post(std::move(task), Place::kLast); }
+
+void Executor::postFirst(std::function<void()> task) { post(std::move(task), Place::kFirst); }
+
+void Executor::post(std::function<void()> task, Place place) {
   std::uint64_t ticket = 0;
   {
     const std::lock_guard lock(mutex_);
@@ -12,11 +16,13 @@ void Executor::post(std::function<void()> task) {
     unfinished_.insert(ticket);
   }
   try {
-    enqueue([this, ticket, task = std::move(task)]() mutable {
-      task();
-      task = nullptr;
-      finish(ticket);
-    });
+    enqueue(
+        [this, ticket, task = std::move(task)]() mutable {
+          task();
+          task = nullptr;
+          finish(ticket);
+        },
+        place);
   } catch (...) {
     finish(ticket);
     throw;

@@ -15,6 +15,8 @@ class Executor {
 
   /// Queues a task; any thread may call. Never blocks.
   void post(std::function<void()> task);
+  /// The same, ahead of all that are queued: for what somebody waits for who has begun already.
+  void postFirst(std::function<void()> task);
 
   /// Waits until every task that was posted before has ended and what it held is destroyed. Holds up no other task, and
   /// any number of threads may wait at once; not to be called from one of the executor's threads.
@@ -23,8 +25,12 @@ class Executor {
   /// Number of threads, hence the most tasks that run at once.
   [[nodiscard]] virtual int width() const noexcept = 0;
 
+ protected:
+  enum class Place : std::uint8_t { kFirst, kLast };
+  virtual void enqueue(std::function<void()> task, Place place) = 0;
+
  private:
-  virtual void enqueue(std::function<void()> task) = 0;
+  void post(std::function<void()> task, Place place);
   void finish(std::uint64_t ticket);
 
   std::mutex mutex_;

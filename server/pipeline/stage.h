@@ -74,6 +74,7 @@ struct StageOptions {
   Overflow overflow = Overflow::kReject;  ///< of its queue
   int concurrency = 1;                    ///< runs at the same time; 1 keeps the order of items
   std::size_t maxBatch = 1;               ///< items given to one run
+  bool finishes = false;                  ///< its runs go first: they finish what those of others only begin
 };
 
 /// Tag of an item for the timeline; overload it beside the item's type.
@@ -156,7 +157,12 @@ class Stage : public Inlet<In>, public std::enable_shared_from_this<Stage<In>> {
       }
       ++posted_;
     }
-    executor_.post([self = this->shared_from_this()] { self->runPosted(); });
+    auto run = [self = this->shared_from_this()] { self->runPosted(); };
+    if (options_.finishes) {
+      executor_.postFirst(std::move(run));
+    } else {
+      executor_.post(std::move(run));
+    }
   }
 
   void runPosted() {

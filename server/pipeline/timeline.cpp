@@ -136,4 +136,43 @@ TimedRun::~TimedRun() {
   timeline_.record(event_);
 }
 
+TimedParts::TimedParts(Timeline& timeline, const char* stage, Work work, TraceTag tag) noexcept
+    : timeline_(timeline),
+      common_{.stage = stage,
+              .work = work,
+              .tag = tag,
+              .thread = threadNumber(),
+              .part = true,
+              .beginNanoseconds = wallNanoseconds()} {}
+
+void TimedParts::turnTo(std::string_view subject) {
+  if (!parts_.empty() && parts_[current_].subject == subject) return;
+  endTurn();
+  const auto known = std::ranges::find(parts_, subject, &TimelineEvent::subject);
+  current_ = static_cast<std::size_t>(known - parts_.begin());
+  if (known == parts_.end()) parts_.emplace_back(common_).subject = subject;
+}
+
+void TimedParts::endTurn() {
+  const std::int64_t wall = wallNanoseconds();
+  const std::int64_t cpu = threadCpuNanoseconds();
+  if (!parts_.empty()) {
+    parts_[current_].wallNanoseconds += wall - wallBegin_;
+    parts_[current_].cpuNanoseconds += cpu - cpuBegin_;
+  }
+  wallBegin_ = wall;
+  cpuBegin_ = cpu;
+}
+
+TimedParts::~TimedParts() {
+  endTurn();
+  std::int64_t begin = common_.beginNanoseconds;
+  for (TimelineEvent& part : parts_) {
+    part.beginNanoseconds = begin;
+    begin += part.wallNanoseconds;
+    if (TimedRun* const run = innermostRun()) run->cpuWithin_ += part.cpuNanoseconds;
+    timeline_.record(part);
+  }
+}
+
 }  // namespace grove::pipeline

@@ -66,8 +66,8 @@ class Timeline {
   /// Adds to a named counter, for what is worth knowing and is no time: how often a cache had what was asked for.
   void count(const char* counter, std::int64_t amount = 1);
 
-  /// The newest events that are kept, at most `max`, oldest first. Stages go on meanwhile; what they overwrite before it
-  /// was copied is left out.
+  /// The newest events that are kept, at most `max`, oldest first. Stages go on meanwhile; what they overwrite before
+  /// it was copied is left out.
   [[nodiscard]] std::vector<TimelineEvent> events(std::size_t max = std::numeric_limits<std::size_t>::max()) const;
   /// By stage, whatever it was done for.
   [[nodiscard]] std::map<std::string, StageTotal> totals() const;
@@ -96,11 +96,37 @@ class TimedRun {
   TimedRun& operator=(const TimedRun&) = delete;
 
  private:
+  friend class TimedParts;
   Timeline& timeline_;
   TimedRun* const outer_;
   TimelineEvent event_;
   std::int64_t cpuBegin_;
   std::int64_t cpuWithin_ = 0;
+};
+
+/// Tells apart what parts of a stage's run are for that come in turns, on the thread of the run or on another one.
+/// Records one event for each subject at the end, as if its turns had followed one another. Reading the clock of a
+/// thread takes a good part of a microsecond, so turns of one subject that follow one another are one. Holds no other
+/// runs. One thread.
+class TimedParts {
+ public:
+  TimedParts(Timeline& timeline, const char* stage, Work work, TraceTag tag) noexcept;
+  ~TimedParts();
+  TimedParts(const TimedParts&) = delete;
+  TimedParts& operator=(const TimedParts&) = delete;
+
+  /// From here on it is for this subject, which outlives the timeline.
+  void turnTo(std::string_view subject);
+
+ private:
+  void endTurn();
+
+  Timeline& timeline_;
+  const TimelineEvent common_;
+  std::vector<TimelineEvent> parts_;  ///< by subject, in the order of their first turns
+  std::size_t current_ = 0;
+  std::int64_t wallBegin_ = 0;  ///< of the turn
+  std::int64_t cpuBegin_ = 0;
 };
 
 }  // namespace grove::pipeline

@@ -7,7 +7,8 @@
 
 namespace grove::pipeline {
 
-WorkerPool::WorkerPool(int threads, const std::string& name) {
+WorkerPool::WorkerPool(int threads, const std::string& name, IdleListener idleListener)
+    : idleListener_(std::move(idleListener)) {
   assert(threads > 0);
   threads_.reserve(static_cast<std::size_t>(threads));
   try {
@@ -32,26 +33,35 @@ void WorkerPool::stop() noexcept {
   for (std::thread& thread : threads_) thread.join();
 }
 
-void WorkerPool::enqueue(std::function<void()> task) {
+void WorkerPool::enqueue(std::function<void()> task, Place place) {
   {
     const std::lock_guard lock(mutex_);
-    tasks_.push_back(std::move(task));
+    (place == Place::kFirst ? first_ : tasks_).push_back(std::move(task));
   }
   wake_.notify_one();
 }
 
 void WorkerPool::run() {
-  for (;;) {
-    std::function<void()> task;
-    {
-      std::unique_lock lock(mutex_);
-      wake_.wait(lock, [this] { return stopping_ || !tasks_.empty(); });
-      if (tasks_.empty()) return;
-      task = std::move(tasks_.front());
-      tasks_.pop_front();
-    }
-    task();
+  while (const auto task = next()) task();
+}
+
+std::function<void()> WorkerPool::next() {
+  std::unique_lock lock(mutex_);
+  const bool sleeps = !hasTasks() && !stopping_ && idleListener_;
+  if (sleeps) {
+    lock.unlock();
+    idleListener_(true);
+    lock.lock();
   }
+  wake_.wait(lock, [this] { return stopping_ || hasTasks(); });
+  std::function<void()> task;
+  if (auto& tasks = first_.empty() ? tasks_ : first_; !tasks.empty()) {
+    task = std::move(tasks.front());
+    tasks.pop_front();
+  }
+  lock.unlock();
+  if (sleeps) idleListener_(false);
+  return task;
 }
 
 }  // namespace grove::pipeline

@@ -17,8 +17,12 @@ namespace grove::pipeline {
 /// job and wrong for the latency of many; they are also opaque to the thread sanitizer.
 class WorkerPool final : public Executor {
  public:
+  /// Told by a worker that it has nothing to do, before it sleeps, and that it has something again. Without a lock of
+  /// the pool; what it posts may be run by that worker at once.
+  using IdleListener = std::function<void(bool idle)>;
+
   /// Starts `threads` (at least one) threads named `name` in debuggers and `top -H`.
-  explicit WorkerPool(int threads, const std::string& name = "grove-worker");
+  explicit WorkerPool(int threads, const std::string& name = "grove-worker", IdleListener idleListener = {});
 
   /// Runs what is queued, then joins.
   ~WorkerPool() override;
@@ -29,12 +33,17 @@ class WorkerPool final : public Executor {
   [[nodiscard]] int width() const noexcept override { return static_cast<int>(threads_.size()); }
 
  private:
-  void enqueue(std::function<void()> task) override;
+  void enqueue(std::function<void()> task, Place place) override;
   void run();
+  /// Waits for a task, or for the end if there is none.
+  [[nodiscard]] std::function<void()> next();
+  [[nodiscard]] bool hasTasks() const { return !first_.empty() || !tasks_.empty(); }
   void stop() noexcept;
 
+  const IdleListener idleListener_;
   std::mutex mutex_;
   std::condition_variable wake_;
+  std::deque<std::function<void()>> first_;  ///< before tasks_
   std::deque<std::function<void()>> tasks_;
   bool stopping_ = false;
   std::vector<std::thread> threads_;

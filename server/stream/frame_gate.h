@@ -6,21 +6,28 @@
 
 namespace grove::stream {
 
-/// Lets so many frames of all visitors be made at once and the others wait for their turn, first come, first served.
-/// On a busy machine frames are then finished one after the other: were all begun at once, each would take as long as
-/// all of them, and show a camera that is as old. Any thread.
+/// Lets a frame begin when a worker has nothing to do, and the others wait for their turn, first come, first served. On
+/// a busy machine frames are then finished one after the other: were all begun at once, each would take as long as all
+/// of them, and show a camera that is as old. Any thread.
 class FrameGate {
  public:
+  /// `places`: frames that are made at once at most.
   explicit FrameGate(int places) : free_(places) {}
 
   /// True: the caller has a place. False: `onTurn` is called as soon as there is one, which it then has. It is called
-  /// by who leaves, without a lock of the gate; each place must be given back by leave().
+  /// by who leaves or has become idle, without a lock of the gate; each place must be given back by leave().
   [[nodiscard]] bool enter(std::function<void()> onTurn);
   void leave();
 
+  /// A worker has nothing to do, or something again.
+  void workerIs(bool idle);
+
  private:
+  void admitOne();
+
   std::mutex mutex_;
   int free_;
+  int idle_ = 0;  ///< workers
   std::deque<std::function<void()>> waiting_;
 };
 

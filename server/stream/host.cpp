@@ -16,6 +16,9 @@ namespace grove::stream {
 namespace {
 
 constexpr double kSampleSeconds = 1.0;
+
+int workerCount() { return static_cast<int>(std::max(1U, std::thread::hardware_concurrency())); }
+
 static_assert(node::kMostQuality == measure::kQualitySteps - 1);
 
 }  // namespace
@@ -33,8 +36,8 @@ Host::Host(world::World::Layout layout, const node::Registry& registry, gl::Work
       images_(memory_),
       geometryMemory_(memory_, "obstacles", "", pipeline::Work::kAcrossUser),
       baked_(memory_),
-      workers_(static_cast<int>(std::max(1U, std::thread::hardware_concurrency()))),
-      gate_(std::make_shared<FrameGate>(std::max(workers_.width(), options_.framesInFlight))) {
+      gate_(std::make_shared<FrameGate>(std::max(workerCount(), options_.framesInFlight))),
+      workers_(workerCount(), "grove-worker", [gate = gate_](bool idle) { gate->workerIs(idle); }) {
   if (options_.privateWorlds) {
     line_ = std::make_unique<PreparationLine>([this](Haste haste, const auto& tell) { return makeCopy(haste, tell); });
   } else {

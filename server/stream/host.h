@@ -115,8 +115,8 @@ class Host {
   std::vector<node::SessionId> left_;  ///< since the clock took stock
   node::SessionId nextSession_ = 1;
 
-  pipeline::WorkerPool workers_;
   const std::shared_ptr<FrameGate> gate_;  ///< sessions that end may hold it last
+  pipeline::WorkerPool workers_;
   std::shared_ptr<WorldCopy> shared_;      ///< null in private mode
   std::unique_ptr<PreparationLine> line_;  ///< null but in private mode
   std::thread clock_;

@@ -50,6 +50,33 @@ TEST_F(Composite, OutsideOfItsSpansALayerIsNotRead) {
   EXPECT_EQ(at(15, 6), 0xFF0000FFU);
 }
 
+/// Fails if rows are mixed up, laid twice or left out where bands meet.
+TEST_F(Composite, BandsOfRowsMakeTheSameFrameAsOneOfAll) {
+  std::vector<std::shared_ptr<Image>> layers;
+  for (const world::Rect& rect : {world::Rect{0, 0, 64, 32}, {10, 4, 30, 29}, {0, 8, 64, 16}, {3, 15, 60, 17}}) {
+    const auto layer = layers.emplace_back(pool.acquire(rect));
+    const bool opaque = layers.size() % 2 == 1;
+    for (std::size_t i = 0; i < layer->colour.size(); ++i) {
+      const auto value = static_cast<std::uint32_t>((7 * i + 50 * layers.size()) % 256);
+      layer->colour[i] = opaque ? 0xFF000000U | value * 0x010101U : value * 0x01010101U;
+      layer->depth[i] = static_cast<float>(3 + (5 * i + layers.size()) % 11);
+    }
+    layer->opaque = opaque;
+    builder.lay(*layer);
+  }
+  builder.finish();
+  const auto other = pool.acquire(frame->rect);
+  for (const int top : {16, 0, 24, 7}) {
+    const int bottom = top == 0 ? 7 : top == 7 ? 16 : top == 16 ? 24 : 32;
+    const auto bandEdges = pool.acquire({0, top, 64, bottom});
+    FrameBuilder band(*other, *bandEdges);
+    for (const auto& layer : layers) band.lay(*layer);
+    band.finish();
+  }
+  EXPECT_TRUE(std::ranges::equal(frame->colour, other->colour));
+  EXPECT_TRUE(std::ranges::equal(frame->depth, other->depth));
+}
+
 TEST_F(Composite, APartOfALayerIsLaidAsTheWhole) {
   lay({0, 0, 64, 32}, 0xFF6432C8U, 5.0F);
   const auto layer = pool.acquire({10, 4, 30, 12});

@@ -104,7 +104,7 @@ class Short final : public pipeline::Executor {
   [[nodiscard]] int width() const noexcept override { return 3; }
 
  private:
-  void enqueue(std::function<void()> task) override {
+  void enqueue(std::function<void()> task, Place /*place*/) override {
     if (std::exchange(taken_, true)) throw std::bad_alloc();
     pool_.post(std::move(task));
   }

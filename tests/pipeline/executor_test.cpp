@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <future>
@@ -60,6 +61,48 @@ TEST(Executor, DrainHoldsUpNoOtherTask) {
   }
   release.set_value();
   drained.get();
+}
+
+TEST(Executor, PostFirstGoesAheadOfWhatWaits) {
+  WorkerPool pool(1);
+  std::promise<void> release;
+  pool.post([released = release.get_future().share()] { released.wait(); });
+  std::vector<int> order;
+  pool.post([&] { order.push_back(3); });
+  pool.postFirst([&] { order.push_back(1); });
+  pool.postFirst([&] { order.push_back(2); });
+  release.set_value();
+  pool.drain();
+  EXPECT_EQ(order, (std::vector<int>{1, 2, 3}));
+}
+
+/// Fails if a frame that begins when a worker is idle would wait for ever.
+TEST(WorkerPool, TellsThatAWorkerIsIdleBeforeItSleepsAndRunsWhatIsPostedThen) {
+  WorkerPool* pool = nullptr;
+  std::latch made(1);
+  std::atomic<int> idle = 0;
+  std::atomic<int> most = 0;
+  std::atomic<int> rounds = 0;
+  std::promise<void> done;
+  const auto listen = [&](bool isIdle) {
+    made.wait();
+    idle += isIdle ? 1 : -1;
+    most = std::max(most.load(), idle.load());
+    if (isIdle && rounds < 1000) {
+      pool->post([&] {
+        EXPECT_LT(idle, 2) << "one of two is at work";
+        if (++rounds == 1000) done.set_value();
+      });
+    }
+  };
+  {
+    WorkerPool two(2, "two", listen);
+    pool = &two;
+    made.count_down();
+    EXPECT_EQ(done.get_future().wait_for(std::chrono::seconds(20)), std::future_status::ready);
+  }
+  EXPECT_EQ(idle, 0);
+  EXPECT_LE(most, 2);
 }
 
 }  // namespace

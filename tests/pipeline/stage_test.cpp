@@ -17,8 +17,8 @@ namespace grove::pipeline {
 namespace {
 
 using namespace std::chrono_literals;
-using tests::eventually;
 using testing::ElementsAre;
+using tests::eventually;
 
 /// Adds one to what it gets; -1 makes it throw.
 class AddOne final : public Stage<int> {
@@ -223,6 +223,26 @@ TEST(Stage, CloseDropsWhatIsQueuedAndEndsCleanly) {
   }
   EXPECT_LT(collect->values().size(), 64U) << "what was queued is dropped";
   EXPECT_TRUE(wasAdd.expired()) << "no task that is left holds the stage";
+}
+
+/// Or the frames that have begun wait behind those that have not.
+TEST(Stage, OneThatFinishesGoesFirst) {
+  Timeline timeline;
+  WorkerPool pool(1);
+  StageOptions last = named("last", 16);
+  last.finishes = true;
+  const auto begins = std::make_shared<Collect>(named("first", 16), pool, timeline);
+  const auto finishes = std::make_shared<Collect>(last, pool, timeline);
+  std::promise<void> release;
+  pool.post([released = release.get_future().share()] { released.wait(); });
+  begins->push(1);
+  finishes->push(2);
+  release.set_value();
+  pool.drain();
+  const auto events = timeline.events();
+  ASSERT_EQ(events.size(), 2U);
+  EXPECT_STREQ(events[0].stage, "last");
+  EXPECT_STREQ(events[1].stage, "first");
 }
 
 TEST(Stage, IsIdleOnceAllThatWasPushedIsDone) {

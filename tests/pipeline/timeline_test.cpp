@@ -90,6 +90,48 @@ TEST(Timeline, CountsEveryNanosecondOfNestedRunsOnce) {
   EXPECT_EQ(costs.at({"Shared View", "lightfield"}).work, Work::kAcrossUser);
 }
 
+TEST(Timeline, PartsThatComeInTurnsAreOneEventASubject) {
+  constexpr std::int64_t kPiece = 2'000'000;
+  Timeline timeline;
+  const std::int64_t begin = threadCpuNanoseconds();
+  std::int64_t helped = 0;
+  {
+    const TimedRun run(timeline, "Compositor", Work::kPerUserFrontend, {});
+    const auto parts = [&] {
+      TimedParts times(timeline, "Compositor", Work::kPerUserFrontend, {});
+      for (int turn = 0; turn < 3; ++turn) {
+        times.turnTo("sky");
+        useCpu(kPiece);
+        times.turnTo("fluid");
+        times.turnTo("fluid");
+        useCpu(2 * kPiece);
+      }
+    };
+    parts();
+    useCpu(kPiece);
+    std::thread([&] {
+      parts();
+      helped = threadCpuNanoseconds();
+    }).join();
+  }
+  const std::int64_t all = threadCpuNanoseconds() - begin + helped;
+  const auto costs = timeline.costs();
+  const std::int64_t rest = costs.at({"Compositor", ""}).cpuNanoseconds;
+  const std::int64_t sky = costs.at({"Compositor", "sky"}).cpuNanoseconds;
+  const std::int64_t fluid = costs.at({"Compositor", "fluid"}).cpuNanoseconds;
+  EXPECT_GE(sky, 6 * kPiece);
+  EXPECT_GE(fluid, 12 * kPiece);
+  EXPECT_GE(rest, kPiece);
+  EXPECT_LE(rest + sky + fluid, all) << "every nanosecond once";
+  EXPECT_EQ(timeline.totals().at("Compositor").runs, 1U);
+  const auto events = timeline.events();
+  ASSERT_EQ(events.size(), 5U) << "two of each thread, and the run";
+  EXPECT_EQ(events[0].subject, "sky");
+  EXPECT_EQ(events[1].subject, "fluid");
+  EXPECT_EQ(events[1].beginNanoseconds, events[0].beginNanoseconds + events[0].wallNanoseconds);
+  EXPECT_NE(events[2].thread, events[0].thread);
+}
+
 TEST(Timeline, KeepsNestedRunsOfOtherTimelinesApart) {
   Timeline one;
   Timeline two;

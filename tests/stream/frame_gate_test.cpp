@@ -12,14 +12,35 @@ namespace {
 
 using ::testing::ElementsAre;
 
-TEST(FrameGate, LetsInSoManyAndTheOthersInTheirOrder) {
+TEST(FrameGate, LetsInWhileAWorkerIsIdleAndTheOthersInTheirOrder) {
+  FrameGate gate(3);
+  std::vector<int> turns;
+  const auto wait = [&](int who) { return !gate.enter([&turns, who] { turns.push_back(who); }); };
+  EXPECT_TRUE(wait(0)) << "no worker is idle yet";
+  gate.workerIs(true);
+  EXPECT_THAT(turns, ElementsAre(0));
+  EXPECT_FALSE(wait(1)) << "it is idle still";
+  gate.workerIs(false);
+  EXPECT_TRUE(wait(2));
+  EXPECT_TRUE(wait(3));
+  gate.leave();
+  EXPECT_THAT(turns, ElementsAre(0)) << "a place alone is not enough";
+  gate.workerIs(true);
+  EXPECT_THAT(turns, ElementsAre(0, 2));
+  gate.workerIs(true);
+  EXPECT_THAT(turns, ElementsAre(0, 2, 3)) << "one for each that becomes idle";
+}
+
+TEST(FrameGate, LetsInSoManyAtMost) {
   FrameGate gate(2);
+  gate.workerIs(true);
   std::vector<int> turns;
   EXPECT_TRUE(gate.enter({}));
   EXPECT_TRUE(gate.enter({}));
   for (int i = 0; i < 3; ++i) {
     EXPECT_FALSE(gate.enter([&turns, i] { turns.push_back(i); }));
   }
+  gate.workerIs(true);
   EXPECT_TRUE(turns.empty());
   gate.leave();
   gate.leave();
@@ -37,6 +58,7 @@ TEST(FrameGate, NeitherLosesNorDoublesPlacesUnderManyThreads) {
   constexpr int kThreads = 8;
   constexpr int kTurns = 2000;
   FrameGate gate(kPlaces);
+  gate.workerIs(true);
   std::atomic<int> inside{0};
   std::atomic<int> most{0};
   std::atomic<int> done{0};
@@ -60,7 +82,17 @@ TEST(FrameGate, NeitherLosesNorDoublesPlacesUnderManyThreads) {
       }
     });
   }
+  std::atomic<bool> over{false};
+  std::jthread worker([&] {
+    while (!over) {
+      gate.workerIs(false);
+      std::this_thread::yield();
+      gate.workerIs(true);
+    }
+  });
   threads.clear();
+  over = true;
+  worker.join();
   EXPECT_EQ(done, kThreads * kTurns);
   EXPECT_LE(most, kPlaces);
   for (int i = 0; i < kPlaces; ++i) EXPECT_TRUE(gate.enter({}));

@@ -12,7 +12,8 @@ Compressor::Compressor(const Transport& transport, std::string_view subject, pip
              .subject = subject,
              .work = pipeline::Work::kPerUserBackend,
              .capacity = kBackendQueue,
-             .maxBatch = kBackendBatch},
+             .maxBatch = kBackendBatch,
+             .finishes = true},
             executor, timeline),
       transport_(transport) {}
 

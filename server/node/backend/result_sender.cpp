@@ -10,7 +10,8 @@ ResultSender::ResultSender(Transport& transport, pipeline::Executor& executor, p
     : Stage({.name = "Result Sender",
              .work = pipeline::Work::kPerUserBackend,
              .capacity = kBackendQueue,
-             .maxBatch = kBackendBatch},
+             .maxBatch = kBackendBatch,
+             .finishes = true},
             executor, timeline),
       transport_(transport) {}
 

@@ -9,6 +9,7 @@
 
 #include "node/frontend/composite.h"
 #include "node/limits.h"
+#include "pipeline/share_out.h"
 #include "world/world.h"
 
 namespace grove::node {
@@ -16,27 +17,8 @@ namespace {
 
 constexpr const char* kStage = "Compositor";
 
-/// Tells apart what the objects of each type cost. Objects of one type that follow one another share a measurement,
-/// because reading the clock of a thread takes a good part of a microsecond.
-class TypeClock {
- public:
-  TypeClock(const Registry& registry, pipeline::Timeline& timeline, pipeline::TraceTag tag)
-      : registry_(registry), timeline_(timeline), tag_(tag) {}
-
-  void turnTo(world::TypeIndex type) {
-    if (type_ == type) return;
-    part_.reset();
-    part_.emplace(timeline_, kStage, pipeline::Work::kPerUserFrontend, tag_, registry_.type(type).name());
-    type_ = type;
-  }
-
- private:
-  const Registry& registry_;
-  pipeline::Timeline& timeline_;
-  const pipeline::TraceTag tag_;
-  std::optional<world::TypeIndex> type_;
-  std::optional<pipeline::TimedRun> part_;
-};
+/// Rows that are put together at once: with their edges, about what fits into the cache of a core.
+constexpr int kBandHeight = 48;
 
 /// What covers all of its pixels comes first, which is cheapest where nothing lies yet; then the others, the nearest
 /// first, so that what they hide need not be laid. The payloads are those of a frame's list, back to front.
@@ -59,8 +41,10 @@ Compositor::Compositor(const Registry& registry, ImagePool& images, pipeline::Me
                        pipeline::Timeline& timeline)
     : Stage({.name = kStage,
              .work = pipeline::Work::kPerUserFrontend,
-             .capacity = static_cast<std::size_t>(policy.framesInFlight) * (kMostObjectsPerFrame + 1) + 1},
+             .capacity = static_cast<std::size_t>(policy.framesInFlight) * (kMostObjectsPerFrame + 1) + 1,
+             .finishes = true},
             executor, timeline),
+      executor_(executor),
       registry_(registry),
       timeline_(timeline),
       images_(images),
@@ -131,32 +115,53 @@ void Compositor::fillIn(CompleteFrame& frame) {
 
 std::shared_ptr<const Image> Compositor::composite(const CompleteFrame& frame) {
   const View& view = *frame.list->view;
-  const auto image = images_.acquire({0, 0, view.camera.width, view.camera.height});
-  const auto edges = images_.acquire(image->rect);
-  FrameBuilder builder(*image, *edges);
   const auto& objects = frame.list->objects;
-  TypeClock clock(registry_, timeline_, traceTag(frame.list));
+  const auto image = images_.acquire({0, 0, view.camera.width, view.camera.height});
+  std::vector<Layer> layers;
+  layers.reserve(objects.size());
   for (const std::size_t i : layingOrder(frame.payloads)) {
-    clock.turnTo(objects[i].object.type);
-    lay(objects[i], frame.payloads[i], view, builder);
+    if (std::holds_alternative<Failure>(frame.payloads[i])) continue;
+    layers.push_back({objects[i], frame.payloads[i], halfOf(objects[i].object.type)});
   }
-  builder.finish();
+  const int bands = (image->height() + kBandHeight - 1) / kBandHeight;
+  pipeline::shareOut(executor_, static_cast<std::size_t>(bands), [&](const pipeline::NextPart& next) {
+    pipeline::TimedParts times = timesOf(frame);
+    while (const auto band = next()) {
+      const int top = static_cast<int>(*band) * kBandHeight;
+      const int bottom = std::min(top + kBandHeight, image->height());
+      layBand({0, top, image->width(), bottom}, layers, view, times, *image);
+    }
+  });
+  pipeline::TimedParts times = timesOf(frame);
   for (std::size_t i = 0; i < objects.size(); ++i) {
     if (std::holds_alternative<Failure>(frame.payloads[i])) continue;
-    clock.turnTo(objects[i].object.type);
+    times.turnTo(registry_.type(objects[i].object.type).name());
     if (FrontendHalf* half = halfOf(objects[i].object.type)) half->draw(objects[i], frame.payloads[i], view, *image);
   }
   tellMemory();
   return image;
 }
 
-void Compositor::lay(const VisibleObject& object, const Payload& payload, const View& view, FrameBuilder& frame) {
-  if (std::holds_alternative<Failure>(payload)) return;
-  if (const auto* layer = std::get_if<std::shared_ptr<const Image>>(&payload)) {
-    if (*layer) frame.lay(**layer);
-  } else if (FrontendHalf* half = halfOf(object.object.type)) {
-    half->lay(object, payload, view, frame);
+pipeline::TimedParts Compositor::timesOf(const CompleteFrame& frame) {
+  return {timeline_, kStage, pipeline::Work::kPerUserFrontend, traceTag(frame.list)};
+}
+
+void Compositor::layBand(const world::Rect& band, std::span<const Layer> layers, const View& view,
+                         pipeline::TimedParts& times, Image& frame) {
+  const auto edges = images_.acquire(band);
+  FrameBuilder builder(frame, *edges);
+  for (const Layer& layer : layers) {
+    const auto* const image = std::get_if<std::shared_ptr<const Image>>(&layer.payload);
+    if (image != nullptr ? *image == nullptr : layer.half == nullptr) continue;
+    if (builder.clip(image != nullptr ? (*image)->rect : layer.object.rect).empty()) continue;
+    times.turnTo(registry_.type(layer.object.object.type).name());
+    if (image != nullptr) {
+      builder.lay(**image);
+    } else {
+      layer.half->lay(layer.object, layer.payload, view, builder);
+    }
   }
+  builder.finish();
 }
 
 FrontendHalf* Compositor::halfOf(world::TypeIndex type) {

@@ -56,10 +56,19 @@ class Compositor final : public pipeline::Stage<CompositorInput> {
   [[nodiscard]] std::optional<CompleteFrame> takeOverdue();
   void fillIn(CompleteFrame& frame);
   [[nodiscard]] std::shared_ptr<const Image> composite(const CompleteFrame& frame);
-  void lay(const VisibleObject& object, const Payload& payload, const View& view, FrameBuilder& frame);
+  /// Something to lay over a frame.
+  struct Layer {
+    const VisibleObject& object;
+    const Payload& payload;
+    FrontendHalf* half;  ///< null if images are all of it
+  };
+  [[nodiscard]] pipeline::TimedParts timesOf(const CompleteFrame& frame);
+  void layBand(const world::Rect& band, std::span<const Layer> layers, const View& view, pipeline::TimedParts& times,
+               Image& frame);
   void tellMemory();
   FrontendHalf* halfOf(world::TypeIndex type);
 
+  pipeline::Executor& executor_;
   const Registry& registry_;
   pipeline::Timeline& timeline_;
   ImagePool& images_;

@@ -10,7 +10,8 @@ Decompressor::Decompressor(const Transport& transport, pipeline::Executor& execu
     : Stage({.name = "Decompressor",
              .work = pipeline::Work::kPerUserFrontend,
              .capacity = kBackendBatch,
-             .maxBatch = kBackendBatch},
+             .maxBatch = kBackendBatch,
+             .finishes = true},
             executor, timeline),
       transport_(transport) {}
 

@@ -10,7 +10,8 @@ ResultReceiver::ResultReceiver(std::size_t capacity, pipeline::Executor& executo
     : Stage({.name = "Result Receiver",
              .work = pipeline::Work::kPerUserFrontend,
              .capacity = capacity,
-             .maxBatch = kBackendBatch},
+             .maxBatch = kBackendBatch,
+             .finishes = true},
             executor, timeline) {}
 
 void ResultReceiver::connect(std::shared_ptr<pipeline::Inlet<Result>> decompressor) {

@@ -17,7 +17,7 @@ void LightFieldFrontend::lay(const node::VisibleObject& object, const node::Payl
     frame.lay(part, tile.colour, tile.depth, kTileWidth);
   };
   const auto hides = [&](const world::Rect& part, float depth) { return frame.hides(part, depth); };
-  reproject(*picture, camera, haze, object.rect, lay, hides);
+  reproject(*picture, camera, haze, frame.clip(object.rect), lay, hides);
 }
 
 }  // namespace grove::objects::lightfield
