@@ -3,8 +3,8 @@
  * throughout. Reading never trusts the bytes: whatever breaks the protocol throws ProtocolError.
  */
 
-/** What to ask for, the newest first: the second lacks Waiting. */
-export const kSubProtocols = Object.freeze(['grove.v1.1', 'grove.v1']);
+/** What to ask for, the newest first: without 1.2 there is no choice of codec, without 1.1 no Waiting. */
+export const kSubProtocols = Object.freeze(['grove.v1.2', 'grove.v1.1', 'grove.v1']);
 const kVersion = 1;
 
 /** Bits of an input's `keys`. */
@@ -13,22 +13,38 @@ export const Key = Object.freeze({ forward: 1, back: 2, left: 4, right: 8, run: 
 /** Why the server closed a connection, as far as the page acts on it. */
 export const CloseCode = Object.freeze({ protocolError: 4000, wrongVersion: 4001, full: 4002, flood: 4004 });
 
-/** Names of the picture codecs by their number. */
-export const kCodecNames = Object.freeze({ 1: 'JPEG' });
+/** Numbers of the picture codecs, and their names. */
+export const Codec = Object.freeze({ jpeg: 1, h264: 2 });
+export const kCodecNames = Object.freeze({ [Codec.jpeg]: 'JPEG', [Codec.h264]: 'H.264' });
+
+/** What keeps the stream from being all that one could want. */
+export const LimitedBy = Object.freeze({ nothing: 0, line: 1, machine: 2, visitor: 3 });
 
 const Type = Object.freeze({
   hello: 0x01,
   input: 0x02,
   ack: 0x03,
   resize: 0x04,
+  offer: 0x05,
+  limits: 0x06,
+  broken: 0x07,
+  presented: 0x08,
   welcome: 0x81,
   frame: 0x82,
   waiting: 0x83,
+  picture: 0x84,
+  status: 0x85,
+  refining: 0x86,
 });
 const kMostNameBytes = 64;
 const kWelcomeBytes = 20;
 const kFrameHeaderBytes = 20;
+const kPictureHeaderBytes = 40;
 const kWaitingBytes = 8;
+const kStatusBytes = 20;
+const kRefiningBytes = 8;
+const kUnknownSeconds = 0xffff;
+const kLongestHold = 0xffff;
 
 export class ProtocolError extends Error {
   name = 'ProtocolError';
@@ -73,6 +89,37 @@ export function encodeResize({ width, height }) {
   const view = message(Type.resize, 12);
   view.setUint32(4, width, true);
   view.setUint32(8, height, true);
+  return view.buffer;
+}
+
+/** The codecs that this page can decode, the best first. */
+export function encodeOffer({ codecs }) {
+  return Uint8Array.of(Type.offer, codecs.length, ...codecs).buffer;
+}
+
+/** What the visitor wants at most; 0 is no limit. `hidden`: nobody looks; `border`: more than the window shows. */
+export function encodeLimits({ hidden, border, framesPerSecond, kilobitsPerSecond, lines }) {
+  const view = message(Type.limits, 12);
+  view.setUint8(1, (hidden ? 1 : 0) | (border ? 2 : 0));
+  view.setUint8(2, framesPerSecond);
+  view.setUint32(4, kilobitsPerSecond, true);
+  view.setUint16(8, lines, true);
+  return view.buffer;
+}
+
+/** The frame cannot be decoded, and none that depends on it. */
+export function encodeBroken({ frame }) {
+  const view = message(Type.broken, 8);
+  view.setUint32(4, frame, true);
+  return view.buffer;
+}
+
+/** `held`: milliseconds from arrival until now; `arrived`: microseconds of the page's clock, of which 32 bits count. */
+export function encodePresented({ frame, held, arrived }) {
+  const view = message(Type.presented, 12);
+  view.setUint16(2, Math.min(kLongestHold, Math.max(0, Math.round(held * 10))), true);
+  view.setUint32(4, frame, true);
+  view.setUint32(8, Math.floor(arrived) % 2 ** 32, true);
   return view.buffer;
 }
 
@@ -132,24 +179,88 @@ function decodeFrame(view) {
     serverMicroseconds: view.getUint32(16, true),
     picture: new Uint8Array(view.buffer, kFrameHeaderBytes),
   };
-  if (!(frame.codec in kCodecNames)) throw new ProtocolError(`the picture's codec ${frame.codec} is unknown`);
+  if (frame.codec !== Codec.jpeg) throw new ProtocolError(`the frame's codec ${frame.codec} is unknown`);
   if (frame.width === 0 || frame.height === 0) throw new ProtocolError('the frame has no size');
   return frame;
 }
+
+function decodePicture(view) {
+  if (view.byteLength <= kPictureHeaderBytes) throw new ProtocolError('the picture has no bytes');
+  const picture = {
+    message: 'Picture',
+    codec: view.getUint8(1),
+    independent: (view.getUint8(2) & 1) !== 0,
+    border: view.getUint8(3),
+    width: view.getUint16(4, true),
+    height: view.getUint16(6, true),
+    visitors: view.getUint16(8, true),
+    frame: view.getUint32(12, true),
+    lastInput: view.getUint32(16, true),
+    serverMicroseconds: view.getUint32(20, true),
+    yaw: view.getFloat32(24, true),
+    pitch: view.getFloat32(28, true),
+    tanHalfX: view.getFloat32(32, true),
+    tanHalfY: view.getFloat32(36, true),
+    picture: new Uint8Array(view.buffer, kPictureHeaderBytes),
+  };
+  if (!(picture.codec in kCodecNames)) throw new ProtocolError(`the picture's codec ${picture.codec} is unknown`);
+  if (picture.width === 0 || picture.height === 0) throw new ProtocolError('the picture has no size');
+  const { yaw, pitch, tanHalfX, tanHalfY } = picture;
+  if (![yaw, pitch, tanHalfX, tanHalfY].every(Number.isFinite) || tanHalfX <= 0 || tanHalfY <= 0) {
+    throw new ProtocolError("the picture's camera is none");
+  }
+  return picture;
+}
+
+function decodeStatus(view) {
+  if (view.byteLength !== kStatusBytes) throw new ProtocolError('the status has a wrong length');
+  const status = {
+    message: 'Status',
+    limitedBy: view.getUint8(1),
+    framesPerSecond: view.getUint8(2),
+    quality: view.getUint8(3),
+    width: view.getUint16(4, true),
+    height: view.getUint16(6, true),
+    roundTripMilliseconds: view.getUint16(8, true),
+    kilobitsPerSecond: view.getUint32(12, true),
+    lastInput: view.getUint32(16, true),
+  };
+  if (status.limitedBy > LimitedBy.visitor) throw new ProtocolError('the status is limited by nothing known');
+  if (status.quality > 100) throw new ProtocolError('the status has more than 100 percent');
+  return status;
+}
+
+function decodeRefining(view) {
+  if (view.byteLength < kRefiningBytes) throw new ProtocolError('the refining is cut short');
+  if (view.byteLength !== kRefiningBytes + view.getUint32(4, true)) {
+    throw new ProtocolError('the refining has a wrong length');
+  }
+  const seconds = view.getUint16(2, true);
+  const refining = {
+    message: 'Refining',
+    percent: view.getUint8(1),
+    secondsLeft: seconds === kUnknownSeconds ? null : seconds,
+    step: decodeText(new Uint8Array(view.buffer, kRefiningBytes), 'what is refined'),
+  };
+  if (refining.percent > 100) throw new ProtocolError('the refining has more than 100 percent');
+  return refining;
+}
+
+const kDecoders = Object.freeze({
+  [Type.welcome]: decodeWelcome,
+  [Type.frame]: decodeFrame,
+  [Type.waiting]: decodeWaiting,
+  [Type.picture]: decodePicture,
+  [Type.status]: decodeStatus,
+  [Type.refining]: decodeRefining,
+});
 
 /** Reads one message of the server from an ArrayBuffer; a frame's `picture` is a view into it, not a copy. */
 export function decodeServerMessage(data) {
   if (!(data instanceof ArrayBuffer)) throw new ProtocolError('the message is text');
   if (data.byteLength === 0) throw new ProtocolError('the message is empty');
   const view = new DataView(data);
-  switch (view.getUint8(0)) {
-    case Type.welcome:
-      return decodeWelcome(view);
-    case Type.frame:
-      return decodeFrame(view);
-    case Type.waiting:
-      return decodeWaiting(view);
-    default:
-      throw new ProtocolError(`the message type ${view.getUint8(0)} is unknown`);
-  }
+  const decode = kDecoders[view.getUint8(0)];
+  if (!decode) throw new ProtocolError(`the message type ${view.getUint8(0)} is unknown`);
+  return decode(view);
 }

@@ -93,7 +93,8 @@ std::optional<Refusal> Connection::act(const ClientMessage& message) {
   if (!session_) return protocolError("the first message is not Hello");
   if (const auto* input = std::get_if<world::Input>(&message)) return session_->input(*input);
   if (const auto* resize = std::get_if<Resize>(&message)) return session_->resize(*resize);
-  return session_->acknowledge(std::get<Ack>(message));
+  if (const auto* ack = std::get_if<Ack>(&message)) return session_->acknowledge(*ack);
+  return protocolError("a message of another sub-protocol");
 }
 
 std::optional<Refusal> Connection::greet(const Hello& hello) {

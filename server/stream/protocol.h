@@ -18,6 +18,8 @@ inline constexpr std::size_t kLargestClientMessage = 256;
 inline constexpr const char* kSubProtocol = "grove.v1";
 /// The same, of pages that know Waiting.
 inline constexpr const char* kSubProtocolWithWaiting = "grove.v1.1";
+/// The same, of pages that besides choose a codec, adapt to their line and know the messages below "since v1.2".
+inline constexpr const char* kSubProtocolWithVideo = "grove.v1.2";
 
 /// Close codes of PROTOCOL.md.
 enum class CloseCode : std::uint16_t {
@@ -51,7 +53,33 @@ struct Resize {
   std::uint32_t height = 0;
 };
 
-using ClientMessage = std::variant<Hello, world::Input, Ack, Resize, Refusal>;
+/// Since v1.2: the codecs that the page can decode, the best first. Before Hello, and again when that changes.
+struct Offer {
+  std::vector<std::uint8_t> codecs;  ///< 1 to kMaxCodecs
+};
+
+/// Since v1.2: what the visitor wants at most; 0 is no limit.
+struct Limits {
+  bool hidden = false;  ///< nobody looks: nothing is to be sent
+  bool border = false;  ///< pictures may be larger than the window, for late look
+  std::uint8_t framesPerSecond = 0;
+  std::uint32_t kilobitsPerSecond = 0;
+  std::uint16_t lines = 0;  ///< height of the picture, pixels
+};
+
+/// Since v1.2: this frame cannot be decoded, and none that depends on it.
+struct Broken {
+  std::uint32_t frame = 0;
+};
+
+/// Since v1.2: an Ack that tells when the frame arrived.
+struct Presented {
+  std::uint32_t frame = 0;
+  std::uint16_t heldTenthsOfMilliseconds = 0;  ///< from arrival to here; the largest: that or more
+  std::uint32_t arrivedMicroseconds = 0;       ///< by the page's clock, modulo 2^32
+};
+
+using ClientMessage = std::variant<Hello, world::Input, Ack, Resize, Offer, Limits, Broken, Presented, Refusal>;
 
 [[nodiscard]] ClientMessage parseClientMessage(std::span<const std::uint8_t> bytes);
 
@@ -72,7 +100,10 @@ struct Waiting {
 };
 
 inline constexpr std::uint8_t kCodecJpeg = 1;
+inline constexpr std::uint8_t kCodecH264 = 2;
+inline constexpr std::size_t kMaxCodecs = 8;
 inline constexpr std::size_t kFrameHeaderBytes = 20;
+inline constexpr std::size_t kPictureHeaderBytes = 40;
 
 struct FrameHeader {
   std::uint8_t codec = kCodecJpeg;
@@ -84,22 +115,67 @@ struct FrameHeader {
   std::uint32_t serverMicroseconds = 0;
 };
 
+/// Of a Picture, which is a Frame since v1.2.
+struct PictureHeader : FrameHeader {
+  bool independent = true;  ///< can be decoded without those before it
+  std::uint8_t border = 0;  ///< so many percent beyond the window on each side, of half its width and height
+  float yaw = 0.0F;         ///< radians; where the camera looked
+  float pitch = 0.0F;
+  float tanHalfX = 1.0F;  ///< of the whole picture, border included
+  float tanHalfY = 1.0F;
+};
+
+/// What keeps the stream from being all that the visitor could want.
+enum class LimitedBy : std::uint8_t { kNothing = 0, kLine = 1, kMachine = 2, kVisitor = 3 };
+
+/// Since v1.2: how the stream stands, at each change and twice a second when no picture is sent.
+struct Status {
+  LimitedBy limitedBy = LimitedBy::kNothing;
+  std::uint8_t framesPerSecond = 0;  ///< aimed at
+  std::uint8_t quality = 0;          ///< of the newest picture, percent of the best
+  std::uint16_t width = 0;           ///< of the pictures
+  std::uint16_t height = 0;
+  std::uint16_t roundTripMilliseconds = 0;  ///< of the idle line
+  std::uint32_t kilobitsPerSecond = 0;      ///< that the line is thought to carry; 0: not known yet
+  std::uint32_t lastInput = 0;              ///< the newest that would not change the picture on the screen
+};
+
+/// Since v1.2: the world is shown, and gets better meanwhile.
+struct Refining {
+  static constexpr std::uint16_t kUnknownSeconds = 0xFFFF;
+  std::uint8_t percent = 0;                     ///< 100: done
+  std::uint16_t secondsLeft = kUnknownSeconds;  ///< about
+  std::string step;                             ///< what is being made; cut to 64 bytes
+};
+
 [[nodiscard]] std::vector<std::uint8_t> encode(const Welcome& welcome);
 [[nodiscard]] std::vector<std::uint8_t> encode(const Waiting& waiting);
+[[nodiscard]] std::vector<std::uint8_t> encode(const Status& status);
+[[nodiscard]] std::vector<std::uint8_t> encode(const Refining& refining);
 /// Writes the header of a Frame message; the picture follows it.
 void encode(const FrameHeader& header, std::span<std::uint8_t, kFrameHeaderBytes> out);
+/// Writes the header of a Picture message; the picture follows it.
+void encode(const PictureHeader& header, std::span<std::uint8_t, kPictureHeaderBytes> out);
 
 /// The client's side, for `grove load` and tests.
 [[nodiscard]] std::vector<std::uint8_t> encode(const Hello& hello);
 [[nodiscard]] std::vector<std::uint8_t> encode(const world::Input& input);
 [[nodiscard]] std::vector<std::uint8_t> encode(const Ack& ack);
 [[nodiscard]] std::vector<std::uint8_t> encode(const Resize& resize);
+[[nodiscard]] std::vector<std::uint8_t> encode(const Offer& offer);
+[[nodiscard]] std::vector<std::uint8_t> encode(const Limits& limits);
+[[nodiscard]] std::vector<std::uint8_t> encode(const Broken& broken);
+[[nodiscard]] std::vector<std::uint8_t> encode(const Presented& presented);
 
 struct FrameMessage {
   FrameHeader header;
   std::span<const std::uint8_t> picture;
 };
-using ServerMessage = std::variant<Welcome, Waiting, FrameMessage, Refusal>;
+struct PictureMessage {
+  PictureHeader header;
+  std::span<const std::uint8_t> picture;
+};
+using ServerMessage = std::variant<Welcome, Waiting, FrameMessage, PictureMessage, Status, Refining, Refusal>;
 [[nodiscard]] ServerMessage parseServerMessage(std::span<const std::uint8_t> bytes);
 
 }  // namespace grove::stream

@@ -36,6 +36,22 @@ Json fieldsOf(const Ack& ack) { return {{"message", "Ack"}, {"frame", ack.frame}
 Json fieldsOf(const Resize& resize) {
   return {{"message", "Resize"}, {"width", resize.width}, {"height", resize.height}};
 }
+Json fieldsOf(const Offer& offer) { return {{"message", "Offer"}, {"codecs", offer.codecs}}; }
+Json fieldsOf(const Limits& limits) {
+  return {{"message", "Limits"},
+          {"hidden", limits.hidden},
+          {"border", limits.border},
+          {"framesPerSecond", limits.framesPerSecond},
+          {"kilobitsPerSecond", limits.kilobitsPerSecond},
+          {"lines", limits.lines}};
+}
+Json fieldsOf(const Broken& broken) { return {{"message", "Broken"}, {"frame", broken.frame}}; }
+Json fieldsOf(const Presented& presented) {
+  return {{"message", "Presented"},
+          {"frame", presented.frame},
+          {"held", presented.heldTenthsOfMilliseconds / 10.0},
+          {"arrived", presented.arrivedMicroseconds}};
+}
 Json fieldsOf(const Refusal& refusal) { return {{"message", "Refusal"}, {"reason", refusal.reason}}; }
 Json fieldsOf(const Welcome& welcome) {
   return {{"message", "Welcome"},
@@ -51,15 +67,37 @@ Json fieldsOf(const Welcome& welcome) {
 Json fieldsOf(const Waiting& waiting) {
   return {{"message", "Waiting"}, {"percent", waiting.percent}, {"place", waiting.place}, {"step", waiting.step}};
 }
-Json fieldsOf(const FrameMessage& frame) {
-  std::string picture;
-  for (const std::uint8_t byte : frame.picture) {
+Json fieldsOf(const Status& status) {
+  return {{"message", "Status"},
+          {"limitedBy", static_cast<int>(status.limitedBy)},
+          {"framesPerSecond", status.framesPerSecond},
+          {"quality", status.quality},
+          {"width", status.width},
+          {"height", status.height},
+          {"roundTripMilliseconds", status.roundTripMilliseconds},
+          {"kilobitsPerSecond", status.kilobitsPerSecond},
+          {"lastInput", status.lastInput}};
+}
+Json fieldsOf(const Refining& refining) {
+  const bool known = refining.secondsLeft != Refining::kUnknownSeconds;
+  return {{"message", "Refining"},
+          {"percent", refining.percent},
+          {"secondsLeft", known ? Json(refining.secondsLeft) : Json(nullptr)},
+          {"step", refining.step}};
+}
+
+std::string hex(std::span<const std::uint8_t> bytes) {
+  std::string text;
+  for (const std::uint8_t byte : bytes) {
     constexpr const char* kDigits = "0123456789abcdef";
-    picture += kDigits[byte >> 4U];
-    picture += kDigits[byte & 15U];
+    text += kDigits[byte >> 4U];
+    text += kDigits[byte & 15U];
   }
-  const FrameHeader& header = frame.header;
-  return {{"message", "Frame"},
+  return text;
+}
+
+Json fieldsOf(const FrameHeader& header, const char* message, std::span<const std::uint8_t> picture) {
+  return {{"message", message},
           {"codec", header.codec},
           {"width", header.width},
           {"height", header.height},
@@ -67,7 +105,19 @@ Json fieldsOf(const FrameMessage& frame) {
           {"frame", header.frame},
           {"lastInput", header.lastInput},
           {"serverMicroseconds", header.serverMicroseconds},
-          {"picture", picture}};
+          {"picture", hex(picture)}};
+}
+Json fieldsOf(const FrameMessage& frame) { return fieldsOf(frame.header, "Frame", frame.picture); }
+Json fieldsOf(const PictureMessage& picture) {
+  const PictureHeader& header = picture.header;
+  Json fields = fieldsOf(header, "Picture", picture.picture);
+  fields["independent"] = header.independent;
+  fields["border"] = header.border;
+  fields["yaw"] = header.yaw;
+  fields["pitch"] = header.pitch;
+  fields["tanHalfX"] = header.tanHalfX;
+  fields["tanHalfY"] = header.tanHalfY;
+  return fields;
 }
 
 Bytes encodeAgain(const Hello& hello) { return encode(hello); }
@@ -76,7 +126,19 @@ Bytes encodeAgain(const Ack& ack) { return encode(ack); }
 Bytes encodeAgain(const Resize& resize) { return encode(resize); }
 Bytes encodeAgain(const Welcome& welcome) { return encode(welcome); }
 Bytes encodeAgain(const Waiting& waiting) { return encode(waiting); }
+Bytes encodeAgain(const Offer& offer) { return encode(offer); }
+Bytes encodeAgain(const Limits& limits) { return encode(limits); }
+Bytes encodeAgain(const Broken& broken) { return encode(broken); }
+Bytes encodeAgain(const Presented& presented) { return encode(presented); }
+Bytes encodeAgain(const Status& status) { return encode(status); }
+Bytes encodeAgain(const Refining& refining) { return encode(refining); }
 Bytes encodeAgain(const Refusal&) { return {}; }
+Bytes encodeAgain(const PictureMessage& picture) {
+  Bytes bytes(kPictureHeaderBytes);
+  encode(picture.header, std::span(bytes).first<kPictureHeaderBytes>());
+  bytes.insert(bytes.end(), picture.picture.begin(), picture.picture.end());
+  return bytes;
+}
 Bytes encodeAgain(const FrameMessage& frame) {
   Bytes bytes(kFrameHeaderBytes);
   encode(frame.header, std::span(bytes).first<kFrameHeaderBytes>());
@@ -85,8 +147,8 @@ Bytes encodeAgain(const FrameMessage& frame) {
 }
 
 bool isFromServer(const Json& fields) {
-  const Json& message = fields["message"];
-  return message == "Welcome" || message == "Waiting" || message == "Frame";
+  static const std::set<std::string> kMessages{"Welcome", "Waiting", "Frame", "Picture", "Status", "Refining"};
+  return kMessages.contains(fields["message"]);
 }
 
 TEST(GoldenMessages, AreReadAsTheirFields) {
@@ -112,7 +174,8 @@ TEST(GoldenMessages, AreWrittenToTheByte) {
 TEST(GoldenMessages, CoverEveryMessage) {
   std::set<std::string> messages;
   for (const Json& entry : golden()) messages.insert(entry["fields"]["message"]);
-  EXPECT_EQ(messages, (std::set<std::string>{"Ack", "Frame", "Hello", "Input", "Resize", "Waiting", "Welcome"}));
+  EXPECT_EQ(messages, (std::set<std::string>{"Ack", "Broken", "Frame", "Hello", "Input", "Limits", "Offer", "Picture",
+                                             "Presented", "Refining", "Resize", "Status", "Waiting", "Welcome"}));
 }
 
 }  // namespace

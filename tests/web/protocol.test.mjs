@@ -6,8 +6,12 @@ import {
   ProtocolError,
   decodeServerMessage,
   encodeAck,
+  encodeBroken,
   encodeHello,
   encodeInput,
+  encodeLimits,
+  encodeOffer,
+  encodePresented,
   encodeResize,
 } from '../../web/protocol.js';
 
@@ -15,11 +19,23 @@ const golden = JSON.parse(readFileSync(new URL('../stream/golden_messages.json',
 const bytesOf = (hex) => Uint8Array.from(Buffer.from(hex, 'hex')).buffer;
 const hexOf = (buffer) => Buffer.from(buffer).toString('hex');
 const find = (message) => golden.find((entry) => entry.fields.message === message);
-const encoders = { Hello: encodeHello, Input: encodeInput, Ack: encodeAck, Resize: encodeResize };
+const encoders = {
+  Hello: encodeHello,
+  Input: encodeInput,
+  Ack: encodeAck,
+  Resize: encodeResize,
+  Offer: encodeOffer,
+  Limits: encodeLimits,
+  Broken: encodeBroken,
+  Presented: encodePresented,
+};
 
 test('every message type has golden bytes', () => {
   const types = new Set(golden.map((entry) => entry.fields.message));
-  assert.deepEqual([...types].sort(), ['Ack', 'Frame', 'Hello', 'Input', 'Resize', 'Waiting', 'Welcome']);
+  assert.deepEqual([...types].sort(), [
+    'Ack', 'Broken', 'Frame', 'Hello', 'Input', 'Limits', 'Offer', 'Picture', 'Presented', 'Refining', 'Resize',
+    'Status', 'Waiting', 'Welcome',
+  ]);
 });
 
 for (const { name, fields, hex } of golden) {
@@ -48,14 +64,18 @@ test('no cut of a server message is taken for a whole one', () => {
   for (let length = 0; length < hex.length; length += 2) {
     assert.throws(() => decodeServerMessage(bytesOf(hex.slice(0, length))), ProtocolError, `welcome of ${length / 2}`);
   }
-  const waiting = find('Waiting').hex;
-  for (let length = 0; length < waiting.length; length += 2) {
-    const cut = bytesOf(waiting.slice(0, length));
-    assert.throws(() => decodeServerMessage(cut), ProtocolError, `waiting of ${length / 2}`);
+  for (const message of ['Waiting', 'Status', 'Refining']) {
+    const whole = find(message).hex;
+    for (let length = 0; length < whole.length; length += 2) {
+      const cut = bytesOf(whole.slice(0, length));
+      assert.throws(() => decodeServerMessage(cut), ProtocolError, `${message} of ${length / 2}`);
+    }
   }
-  for (let length = 0; length <= 40; length += 2) {
-    const cut = bytesOf(find('Frame').hex.slice(0, length));
-    assert.throws(() => decodeServerMessage(cut), ProtocolError, `frame of ${length / 2}`);
+  for (const [message, header] of [['Frame', 20], ['Picture', 40]]) {
+    for (let length = 0; length <= header; length += 1) {
+      const cut = bytesOf(find(message).hex.slice(0, 2 * length));
+      assert.throws(() => decodeServerMessage(cut), ProtocolError, `${message} of ${length}`);
+    }
   }
 });
 
@@ -79,6 +99,15 @@ for (const [what, data] of [
   ['a place before the first', spoilt('Waiting', (view) => view.setUint16(2, 0, true))],
   ['a step that is not UTF-8', spoilt('Waiting', (view) => view.setUint8(8, 0xff))],
   ['an unknown codec', spoilt('Frame', (view) => view.setUint8(1, 9))],
+  ['a codec of Picture in a Frame', spoilt('Frame', (view) => view.setUint8(1, 2))],
+  ['a picture of an unknown codec', spoilt('Picture', (view) => view.setUint8(1, 9))],
+  ['a picture without width', spoilt('Picture', (view) => view.setUint16(4, 0, true))],
+  ['a picture whose camera looks nowhere', spoilt('Picture', (view) => view.setFloat32(24, NaN, true))],
+  ['a picture without an angle', spoilt('Picture', (view) => view.setFloat32(36, 0, true))],
+  ['a longer status', bytesOf(find('Status').hex + '00')],
+  ['a status limited by nothing known', spoilt('Status', (view) => view.setUint8(1, 4))],
+  ['a quality of more than 100 percent', spoilt('Status', (view) => view.setUint8(3, 101))],
+  ['a longer refining', bytesOf(find('Refining').hex + '00')],
   ['a frame without width', spoilt('Frame', (view) => view.setUint16(2, 0, true))],
   ['a frame without height', spoilt('Frame', (view) => view.setUint16(4, 0, true))],
 ]) {
