@@ -33,6 +33,7 @@ export class KeyEditor {
   #say;
   #buttons = new Map();
   #waiting = null;
+  #taken = '';
 
   /**
    * @param {HTMLTableSectionElement} body takes the rows
@@ -70,8 +71,7 @@ export class KeyEditor {
       button.type = 'button';
       button.addEventListener('click', () => this.#await(button));
       button.addEventListener('keydown', (event) => this.#take(button, event));
-      // A key that was taken is not also a press of the button.
-      button.addEventListener('keyup', (event) => event.preventDefault());
+      button.addEventListener('keyup', (event) => this.#release(event));
       button.addEventListener('blur', () => this.#stop(button));
       this.#buttons.set(button, { action, slot });
       row.insertCell().append(button);
@@ -99,6 +99,7 @@ export class KeyEditor {
     event.preventDefault();
     event.stopPropagation();
     if (event.repeat) return;
+    this.#taken = event.code;
     this.#labels.learn(event);
     const { action, slot } = this.#buttons.get(button);
     if (event.code === 'Escape') {
@@ -110,6 +111,12 @@ export class KeyEditor {
       this.#bind(action, slot, event.code);
     }
     this.#stop(button);
+  }
+
+  /** The space bar that was taken is not also a press of the button. */
+  #release(event) {
+    if (event.code === this.#taken) event.preventDefault();
+    this.#taken = '';
   }
 
   #bind(action, slot, code) {

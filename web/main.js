@@ -52,7 +52,7 @@ const nameInAddress = new URLSearchParams(window.location.search).get('name');
 
 const connection = new Connection({
   openSocket: () => new WebSocket(window.location.origin.replace(/^http/, 'ws') + '/', kSubProtocols),
-  hello: () => ({ name: nameInAddress ?? settings.values.name, ...viewport.size }),
+  hello: () => ({ name: nameInAddress || settings.values.name, ...viewport.size }),
   on: { state: enter, welcome, waiting: (message) => notice.wait(message), frame: receive },
   backoff: new Backoff(),
   mayRetry: () => !document.hidden,
@@ -188,7 +188,7 @@ window.addEventListener('keydown', (event) => {
   if (labels.learn(event)) relabel();
 });
 window.addEventListener('storage', () => settings.reload());
-if (nameInAddress !== null) panel.disable('name', `The page's address names you ${nameInAddress}.`);
+if (nameInAddress) panel.disable('name', `The page's address names you ${nameInAddress}.`);
 h264Hindrance(window).then((reason) => {
   if (reason) panel.disable('codec', reason, 'h264');
 });
