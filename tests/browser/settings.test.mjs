@@ -290,11 +290,17 @@ test('what the browser cannot do is shown with the reason', async () => {
   await poor.leave();
 });
 
-test('a page whose modules do not run says so', async () => {
-  const context = await browser.newContext();
-  const page = await context.newPage();
-  await page.route('**/connection.js', (route) => route.fulfill({ contentType: 'text/javascript', body: 'not ( script' }));
-  await page.goto(server.url);
-  await page.getByRole('status').getByText('Grove cannot start here').waitFor();
-  await context.close();
+test('a page that cannot start says why', async () => {
+  const tell = async (prepare, words) => {
+    const context = await browser.newContext();
+    const page = await context.newPage();
+    await prepare(page);
+    await page.goto(server.url);
+    await page.getByRole('status').getByText('Grove cannot start here').waitFor();
+    await page.getByText(words).waitFor();
+    await context.close();
+  };
+  const broken = { contentType: 'text/javascript', body: 'not ( script' };
+  await tell((page) => page.route('**/connection.js', (route) => route.fulfill(broken)), 'too old for this page');
+  await tell((page) => page.addInitScript(() => delete window.WebSocket), 'opens no WebSocket');
 });
