@@ -128,7 +128,7 @@ class OneAddress : public ServedWorld {
   WebsocketServer limited_{host_,
                            {.visitors = {"127.0.0.1", 0},
                             .operators = {},
-                            .allowance = {.sockets = 6, .visitors = 2, .socketsPerSecond = 20, .burst = 30}}};
+                            .rules = {.allowance = {.sockets = 6, .visitors = 2, .socketsPerSecond = 20, .burst = 30}}}};
 };
 
 TEST_F(OneAddress, MayHaveSoManyVisitors) {
