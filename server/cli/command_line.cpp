@@ -61,7 +61,8 @@ void addInternet(CLI::App& serve, ServeOptions& options) {
   CLI::Option* certificate =
       serve.add_option("--tls-cert", options.tls.certificate, "Certificate and its issuers, PEM: https, wss")
           ->check(isNamed, "FILE");
-  CLI::Option* key = serve.add_option("--tls-key", options.tls.key, "The certificate's key, PEM")->check(isNamed, "FILE");
+  CLI::Option* key =
+      serve.add_option("--tls-key", options.tls.key, "The certificate's key, PEM")->check(isNamed, "FILE");
   certificate->needs(key);
   key->needs(certificate);
   serve.add_option("--hsts", options.hsts, "Seconds for which browsers shall come by https only")

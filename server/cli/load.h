@@ -9,8 +9,8 @@ struct LoadOptions {
   std::string url;  ///< ws://HOST:PORT/, or wss://
   int sessions = 1;
   double seconds = 10.0;
-  int width = 1280;  ///< pixels
-  int height = 720;  ///< pixels
+  int width = 1280;       ///< pixels
+  int height = 720;       ///< pixels
   bool insecure = false;  ///< take any certificate
   bool json = false;
 };

@@ -159,11 +159,8 @@ int runServe(const ServeOptions& options) {
   progress.finish();
 
   const stream::HostPort desk = options.operators ? *operators : operatorsBeside(*visitors);
-  stream::WebsocketServer server(host, {.visitors = *visitors,
-                                        .operators = desk,
-                                        .rules = *rules,
-                                        .tls = tls,
-                                        .hsts = options.hsts});
+  stream::WebsocketServer server(
+      host, {.visitors = *visitors, .operators = desk, .rules = *rules, .tls = tls, .hsts = options.hsts});
   server.start();
   requireAddressSpace(spaceForServing(scene, options));
   ending.reset();

@@ -6,8 +6,8 @@
 
 #include "stream/address_range.h"
 
-// What a proxy tells of a request that it passes on (X-Forwarded-For, -Host, -Proto). Anybody can write such headers, so
-// only what the nearest proxies have added is believed, and only of proxies that are known.
+// What a proxy tells of a request that it passes on (X-Forwarded-For, -Host, -Proto). Anybody can write such headers,
+// so only what the nearest proxies have added is believed, and only of proxies that are known.
 namespace grove::stream {
 
 /// Whether this numeric address is one of the proxies'.

@@ -25,8 +25,8 @@ constexpr lws_usec_t kWatchMicroseconds = 20'000;
 constexpr std::size_t kReceiveBytes = 256 * 1024;
 constexpr std::size_t kMostMessageBytes = std::size_t{16} << 20U;
 
-constexpr int kTakeAny = LCCSCF_ALLOW_SELFSIGNED | LCCSCF_ALLOW_EXPIRED | LCCSCF_ALLOW_INSECURE |
-                         LCCSCF_SKIP_SERVER_CERT_HOSTNAME_CHECK;
+constexpr int kTakeAny =
+    LCCSCF_ALLOW_SELFSIGNED | LCCSCF_ALLOW_EXPIRED | LCCSCF_ALLOW_INSECURE | LCCSCF_SKIP_SERVER_CERT_HOSTNAME_CHECK;
 
 void logLibraryLine(int /*level*/, const char* line) { log::error(printable(line, 300)); }
 

@@ -72,7 +72,8 @@ std::optional<std::string> parseOrigin(std::string_view text) {
 
 bool isHostName(std::string_view text) {
   const auto isAllowed = [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '.' || c == '_';
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '.' ||
+           c == '_';
   };
   return !text.empty() && std::ranges::all_of(text, isAllowed);
 }

@@ -40,8 +40,8 @@ class ServerContext {
   lws_context_creation_info info_{};
   std::unique_ptr<lws_protocols[]> protocols_;
   std::array<std::string, 2> addresses_;  ///< by audience; the library keeps pointers to them
-  std::array<bool, 2> secure_{};           ///< by audience
-  std::shared_ptr<const TlsStore> tls_;    ///< null: there is no TLS; before the context whose connections use it
+  std::array<bool, 2> secure_{};          ///< by audience
+  std::shared_ptr<const TlsStore> tls_;   ///< null: there is no TLS; before the context whose connections use it
   std::unique_ptr<lws_context, Deleter> context_;
   lws_vhost* operator_ = nullptr;
 };

@@ -101,7 +101,8 @@ void TlsCertificate::readCertificates(const std::string& file) {
   // Behind the last certificate there is none, which is how it ends well.
   const bool isWhole = ERR_GET_REASON(ERR_peek_last_error()) == PEM_R_NO_START_LINE;
   ERR_clear_error();
-  if (!isWhole) throw EnvironmentError("a certificate behind the first is damaged", where, std::string(kCertificateMend));
+  if (!isWhole)
+    throw EnvironmentError("a certificate behind the first is damaged", where, std::string(kCertificateMend));
 }
 
 void TlsCertificate::readKey(const std::string& file) {
@@ -136,8 +137,9 @@ void TlsCertificate::checkDates(const std::string& file, std::time_t now) {
 void TlsCertificate::checkPair(const TlsFiles& files) const {
   if (X509_check_private_key(certificate_.get(), key_.get()) != 1) {
     ERR_clear_error();
-    throw EnvironmentError("is not the key of the certificate in " + files.certificate, "--tls-key " + files.key,
-                           "give the two that were made together; the server's own certificate comes first in its file");
+    throw EnvironmentError(
+        "is not the key of the certificate in " + files.certificate, "--tls-key " + files.key,
+        "give the two that were made together; the server's own certificate comes first in its file");
   }
   // Strength is judged by a context, with the rules of this machine.
   const std::unique_ptr<SSL_CTX, FreeContext> context(SSL_CTX_new(TLS_server_method()));

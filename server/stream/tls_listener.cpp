@@ -18,8 +18,8 @@ int showCertificate(SSL* connection, void* store) noexcept {
 }  // namespace
 
 void prepareListener(SSL_CTX* context, const TlsStore& store) {
-  const bool done = SSL_CTX_set_min_proto_version(context, TLS1_2_VERSION) == 1 &&
-                    SSL_CTX_set_cipher_list(context, kCiphers) == 1;
+  const bool done =
+      SSL_CTX_set_min_proto_version(context, TLS1_2_VERSION) == 1 && SSL_CTX_set_cipher_list(context, kCiphers) == 1;
   if (!done) throw EnvironmentError("knows none of the ciphers that are wanted", "OpenSSL", "look at its openssl.cnf");
   // Sessions are kept by browsers, in tickets, and not in a store here.
   SSL_CTX_set_session_cache_mode(context, SSL_SESS_CACHE_OFF);

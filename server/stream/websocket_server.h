@@ -21,7 +21,8 @@ struct ServerOptions {
 };
 
 /// Serves the page over http and its websocket, one thread for all sockets, and the operator's pages on a port of their
-/// own; with a certificate both by TLS on the same ports, the operator's unless they are for this machine only. A visitor that misbehaves is closed with a code and a reason, and one log line.
+/// own; with a certificate both by TLS on the same ports, the operator's unless they are for this machine only. A
+/// visitor that misbehaves is closed with a code and a reason, and one log line.
 class WebsocketServer {
  public:
   /// Takes the ports. `host` outlives the server. Throws EnvironmentError if one cannot be had.

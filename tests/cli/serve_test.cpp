@@ -124,8 +124,9 @@ TEST(Serve, ReadsTheCertificateAnewOnASignalAndWhenItChanges) {
 
 TEST(Serve, GoesOnAfterAHangupWithoutACertificate) {
   const std::filesystem::path folder = temporaryFolder();
-  const Outcome outcome = shell(serveAStone(folder, "") + "kill -HUP $server; until_says SIGHUP\n"
-                                                          "kill -TERM $server; wait $server; echo ended with $?");
+  const Outcome outcome = shell(serveAStone(folder, "") +
+                                "kill -HUP $server; until_says SIGHUP\n"
+                                "kill -TERM $server; wait $server; echo ended with $?");
   EXPECT_EQ(outcome.output, "ended with 0\n");
   std::filesystem::remove_all(folder);
 }
@@ -133,12 +134,12 @@ TEST(Serve, GoesOnAfterAHangupWithoutACertificate) {
 /// `script` gives it one, and closes it.
 TEST(Serve, EndsWhenItsTerminalIsGone) {
   const std::filesystem::path folder = temporaryFolder();
-  const Outcome outcome = shell(
-      serveAStone(folder, "") +
-      "kill -INT $server; wait $server; rm out\n"
-      "mkfifo hold; script -qec 'GROVE_CACHE=$PWD/cache exec " GROVE_BINARY
-      " serve --scene scene.toml --listen 127.0.0.1:0 >out 2>&1' /dev/null <hold >/dev/null & terminal=$!\n"
-      "exec 9>hold; until_says listening; kill -KILL $terminal; until_says stopping; cat out");
+  const Outcome outcome =
+      shell(serveAStone(folder, "") +
+            "kill -INT $server; wait $server; rm out\n"
+            "mkfifo hold; script -qec 'GROVE_CACHE=$PWD/cache exec " GROVE_BINARY
+            " serve --scene scene.toml --listen 127.0.0.1:0 >out 2>&1' /dev/null <hold >/dev/null & terminal=$!\n"
+            "exec 9>hold; until_says listening; kill -KILL $terminal; until_says stopping; cat out");
   EXPECT_THAT(outcome.output, HasSubstr("stopping"));
   std::filesystem::remove_all(folder);
 }

@@ -24,9 +24,9 @@ class TestFolder {
 /// How a certificate that nobody else has signed is to be.
 struct CertificateWish {
   std::string name = "localhost";
-  long beginsIn = -3600;     ///< seconds from now
+  long beginsIn = -3600;         ///< seconds from now
   long expiresIn = 90 * 86'400;  ///< seconds from now
-  int rsaBits = 0;           ///< 0: an elliptic key
+  int rsaBits = 0;               ///< 0: an elliptic key
   std::string passphrase = {};
 };
 

@@ -58,7 +58,8 @@ TEST_F(BehindProxy, AnybodyElseIsNotBelieved) {
   ASSERT_EQ(enter(ada), 0);
   RawWebsocket again = come(from("203.0.113.8"), kAnybody);
   EXPECT_EQ(enter(again), static_cast<int>(CloseCode::kFull));
-  RawWebsocket renamed(RawSocket(proxied_.port(), 0, kAnybody), "rebound.example", "X-Forwarded-Host: grove.example\r\n");
+  RawWebsocket renamed(RawSocket(proxied_.port(), 0, kAnybody), "rebound.example",
+                       "X-Forwarded-Host: grove.example\r\n");
   EXPECT_EQ(renamed.status(), 403);
   EXPECT_EQ(come("Origin: https://evil.example\r\nX-Forwarded-Host: evil.example\r\n", kAnybody).status(), 403);
 }
@@ -103,7 +104,8 @@ TEST_F(BehindProxy, OneOfItsSocketsWorksForMany) {
     for (RawSocket& socket : kept) {
       socket.send("GET /healthz HTTP/1.1\r\nHost: grove.example\r\n" + from("203.0.113.7") + "\r\n");
       std::string answer;
-      for (std::string more = " "; !more.empty() && !answer.ends_with("\r\n\r\nok"); answer += more) more = socket.receive();
+      for (std::string more = " "; !more.empty() && !answer.ends_with("\r\n\r\nok"); answer += more)
+        more = socket.receive();
       ASSERT_TRUE(answer.starts_with("HTTP/1.1 200")) << round << ": what is answered holds no place";
     }
   }
@@ -117,7 +119,8 @@ TEST_F(BehindProxy, RequestsOfManyAreNoFlood) {
     socket.send("GET /healthz HTTP/1.1\r\nHost: grove.example\r\nCookie: " + padding + "\r\n" +
                 from("203.0.113." + std::to_string(i)) + "\r\n");
     std::string answer;
-    for (std::string more = " "; !more.empty() && !answer.ends_with("\r\n\r\nok"); answer += more) more = socket.receive();
+    for (std::string more = " "; !more.empty() && !answer.ends_with("\r\n\r\nok"); answer += more)
+      more = socket.receive();
     ASSERT_TRUE(answer.starts_with("HTTP/1.1 200")) << i;
   }
 }

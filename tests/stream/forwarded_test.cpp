@@ -80,7 +80,8 @@ TEST(Forwarded, MayBeAnything) {
   const auto proxies = ranges({"127.0.0.1", "10.0.0.0/8", "::/1"});
   std::mt19937 random(7);
   constexpr std::string_view kLetters = "0123456789abcf.:,[] %/x\t\xFF";
-  constexpr std::array<std::string_view, 7> kPieces = {"10.0.0.1", "203.0.113.7", ", ", ",", "::1", "[fe80::1%x]:9", "unknown"};
+  constexpr std::array<std::string_view, 7> kPieces = {"10.0.0.1", "203.0.113.7",   ", ",     ",",
+                                                       "::1",      "[fe80::1%x]:9", "unknown"};
   for (int i = 0; i < 20'000; ++i) {
     std::string list;
     const std::size_t pieces = random() % 12;

@@ -258,11 +258,26 @@ TEST(Origin, IsReadOrRefused) {
   EXPECT_EQ(parseOrigin("http://example.org:443"), "http://example.org:443");
   EXPECT_EQ(parseOrigin("http://[::1]:80"), "http://[::1]");
   EXPECT_EQ(parseOrigin("http://192.0.2.1:8080"), "http://192.0.2.1:8080");
-  for (const char* bad :
-       {"", "null", "*", "example.org", "ws://example.org", "https://", "https://:443", "https://example.org/",
-        "https://example.org/page", "https://example.org:", "https://example.org:0", "https://example.org:65536",
-        "https://example.org:8o", "https://ada@example.org", "https://*.example.org", "https://exa mple.org",
-        "https://[::1", "https://[xyz]", "https://::1", "https://a\r\nb"}) {
+  for (const char* bad : {"",
+                          "null",
+                          "*",
+                          "example.org",
+                          "ws://example.org",
+                          "https://",
+                          "https://:443",
+                          "https://example.org/",
+                          "https://example.org/page",
+                          "https://example.org:",
+                          "https://example.org:0",
+                          "https://example.org:65536",
+                          "https://example.org:8o",
+                          "https://ada@example.org",
+                          "https://*.example.org",
+                          "https://exa mple.org",
+                          "https://[::1",
+                          "https://[xyz]",
+                          "https://::1",
+                          "https://a\r\nb"}) {
     EXPECT_FALSE(parseOrigin(bad)) << bad;
   }
 }

@@ -84,8 +84,8 @@ TEST_F(TlsCertificateTest, TellsTheDateThatItIsNotValidAt) {
               AllOf(HasSubstr(other_.certificate), HasSubstr("expired on " + dateOf(now - 3600).substr(0, 10)),
                     HasSubstr("renew")));
   writePair(other_, {.beginsIn = 86'400, .expiresIn = 2 * 86'400});
-  EXPECT_THAT(complaint(other_), AllOf(HasSubstr("not valid before " + dateOf(now + 86'400).substr(0, 10)),
-                                       HasSubstr("clock")));
+  EXPECT_THAT(complaint(other_),
+              AllOf(HasSubstr("not valid before " + dateOf(now + 86'400).substr(0, 10)), HasSubstr("clock")));
 }
 
 TEST_F(TlsCertificateTest, NamesAKeyOfAnotherOne) {

@@ -153,9 +153,10 @@ TEST_F(Tls, HandshakesThatNeverEndConcernNobodyElse) {
 
 TEST_F(Tls, NonsenseEndsItsOwnConnectionOnly) {
   GoodClient visitor(websocket("https://" + host()));
-  for (const std::string_view nonsense : {std::string_view("\x16\x03\x01\x00\x05zzzzz", 10), std::string_view("\0\0\0\0\0\0\0\0\0\0\0", 11),
-                                          std::string_view("\x15\x03\x03\x00\x02\x02\x28", 7), std::string_view("\xFF\xFF\xFF\xFF\xFF\xFF", 6),
-                                          std::string_view("no request\r\n\r\n")}) {
+  for (const std::string_view nonsense :
+       {std::string_view("\x16\x03\x01\x00\x05zzzzz", 10), std::string_view("\0\0\0\0\0\0\0\0\0\0\0", 11),
+        std::string_view("\x15\x03\x03\x00\x02\x02\x28", 7), std::string_view("\xFF\xFF\xFF\xFF\xFF\xFF", 6),
+        std::string_view("no request\r\n\r\n")}) {
     RawSocket socket(secure_.port());
     socket.send(nonsense);
     (void)socket.receive();
