@@ -149,8 +149,6 @@ void TlsCertificate::checkPair(const TlsFiles& files) const {
 }
 
 bool TlsCertificate::show(SSL* connection) const {
-  // Of another kind of key, the one before would stay beside this one.
-  SSL_certs_clear(connection);
   return SSL_use_cert_and_key(connection, certificate_.get(), key_.get(), issuers_.get(), 1) == 1;
 }
 

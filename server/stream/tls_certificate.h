@@ -25,7 +25,8 @@ class TlsCertificate {
   TlsCertificate(const TlsCertificate&) = delete;
   TlsCertificate& operator=(const TlsCertificate&) = delete;
 
-  /// The connection will show this one; in its handshake, from OpenSSL's certificate callback.
+  /// The connection will show this one; in its handshake, from OpenSSL's certificate callback. Its context has none: of
+  /// another kind of key, that would stay beside this one.
   [[nodiscard]] bool show(SSL* connection) const;
 
   /// The last second at which it is valid.

@@ -2,7 +2,9 @@
 
 #include <gmock/gmock.h>
 
-#include "eventually.h"
+#include <chrono>
+#include <thread>
+
 #include "stream/served_world.h"
 
 namespace grove::stream {
@@ -15,6 +17,7 @@ using testing::Not;
 class BehindProxy : public ServedWorld {
  protected:
   static constexpr const char* kAnybody = "127.0.0.2";
+  static constexpr const char* kProxyElsewhere = "127.0.0.3";
   BehindProxy() { proxied_.start(); }
 
   [[nodiscard]] RawWebsocket come(const std::string& headers, const char* source = "127.0.0.1") const {
@@ -40,7 +43,7 @@ class BehindProxy : public ServedWorld {
        .operators = {},
        .rules = {.names = {"grove.example"},
                  .origins = {"https://arcade.example"},
-                 .proxies = {*AddressRange::parse("127.0.0.1")},
+                 .proxies = {*AddressRange::parse("127.0.0.1"), *AddressRange::parse(kProxyElsewhere)},
                  .allowance = {.sockets = 6, .visitors = 1, .socketsPerSecond = 0.01, .burst = 8}}}};
 };
 
@@ -84,7 +87,10 @@ TEST_F(BehindProxy, NewSocketsAreCountedByTheVisitorsAddress) {
   EXPECT_GE(upgraded, 6);
   EXPECT_LE(upgraded, 8) << "the burst";
   EXPECT_EQ(come(from("203.0.113.8")).status(), 101);
-  EXPECT_EQ(enter(*std::make_unique<RawWebsocket>(come(from("203.0.113.9")))), 0) << "the proxy itself has no limit";
+  for (int i = 10; i < 40; ++i) {
+    EXPECT_EQ(come(from("203.0.113." + std::to_string(i)), kProxyElsewhere).status(), 101)
+        << "the proxy itself has no limit: " << i;
+  }
 }
 
 TEST_F(BehindProxy, RequestsAreCountedByTheVisitorsAddress) {
@@ -115,7 +121,9 @@ TEST_F(BehindProxy, OneOfItsSocketsWorksForMany) {
 TEST_F(BehindProxy, RequestsOfManyAreNoFlood) {
   RawSocket socket(proxied_.port());
   const std::string padding(2000, 'x');
-  for (int i = 0; i < 60; ++i) {
+  for (int i = 0; i < 61; ++i) {
+    // Until it has been looked at, which is ten times a second.
+    if (i == 60) std::this_thread::sleep_for(std::chrono::milliseconds(500));
     socket.send("GET /healthz HTTP/1.1\r\nHost: grove.example\r\nCookie: " + padding + "\r\n" +
                 from("203.0.113." + std::to_string(i)) + "\r\n");
     std::string answer;
