@@ -46,6 +46,31 @@ CLI::Option* choose(CLI::Option* option, const std::map<std::string, Value>& val
   return option->transform(CLI::Transformer(values).description(""))->type_name(oneOf(names));
 }
 
+void addInternet(CLI::App& serve, ServeOptions& options) {
+  serve.add_option("--origin", options.origins, "Origin whose pages may open a socket; may be given several times")
+      ->type_name("URL")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  serve
+      .add_option("--proxy", options.proxies,
+                  "Address, or ADDRESS/BITS, whose X-Forwarded-* are believed; may be given several times")
+      ->type_name("ADDRESS")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  const auto isNamed = [](const std::string& file) { return std::string(file.empty() ? "must name a file" : ""); };
+  CLI::Option* certificate =
+      serve.add_option("--tls-cert", options.tls.certificate, "Certificate and its issuers, PEM: https, wss")
+          ->check(isNamed, "FILE");
+  CLI::Option* key =
+      serve.add_option("--tls-key", options.tls.key, "The certificate's key, PEM")->check(isNamed, "FILE");
+  certificate->needs(key);
+  key->needs(certificate);
+  serve.add_option("--hsts", options.hsts, "Seconds for which browsers shall come by https only")
+      ->type_name("SECONDS")
+      ->check(CLI::Range(0, 2 * 365 * 86'400))
+      ->needs(certificate);
+}
+
 void addServe(CLI::App& app, ServeOptions& options) {
   CLI::App* serve = app.add_subcommand("serve", "Serve a world to browsers");
   serve->add_option("--scene", options.scene, "Scene file (default: the grove, built in)");
@@ -56,6 +81,7 @@ void addServe(CLI::App& app, ServeOptions& options) {
       ->type_name("TEXT")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  addInternet(*serve, options);
   const std::map<std::string, gl::ContextKind> kinds{
       {"auto", gl::ContextKind::kAuto}, {"egl", gl::ContextKind::kEgl}, {"osmesa", gl::ContextKind::kOsmesa}};
   choose(serve->add_option("--gl", options.gl, "Where triangles are drawn"), kinds);
@@ -205,13 +231,14 @@ void addBenchPipeline(CLI::App* bench, BenchPipelineOptions& options) {
 
 void addLoad(CLI::App& app, LoadOptions& options) {
   CLI::App* load = app.add_subcommand("load", "Visit a running server with many websocket clients and measure");
-  load->add_option("url", options.url, "ws://HOST:PORT/")->required();
+  load->add_option("url", options.url, "ws://HOST:PORT/, or wss://")->required();
   load->add_option("--sessions", options.sessions, "Number of visitors")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
   load->add_option("--seconds", options.seconds, "How long")->check(CLI::Range(0.1, 86400.0))->capture_default_str();
   load->add_option("--width", options.width, "Pixels")->check(CLI::Range(16, 16384))->capture_default_str();
   load->add_option("--height", options.height, "Pixels")->check(CLI::Range(16, 16384))->capture_default_str();
+  load->add_flag("--insecure", options.insecure, "With wss://: take any certificate");
   load->add_flag("--json", options.json, "One JSON document on stdout");
 }
 

@@ -52,16 +52,19 @@ void logErrors(const stream::LoadReport& report) {
 }  // namespace
 
 int runLoad(const LoadOptions& options) {
-  const auto target = stream::parseLoadUrl(options.url);
+  auto target = stream::parseLoadUrl(options.url);
   if (!target) {
     std::fprintf(stderr, "grove load: %s is not an address like ws://127.0.0.1:8080/\n", options.url.c_str());
     return 2;
   }
+  target->takesAnyCertificate = options.insecure;
   const stream::LoadReport report =
       stream::runLoadClients(*target, options.sessions, options.seconds, options.width, options.height);
   if (report.sessions == 0) {
     const std::string reason = report.errors.empty() ? "no sessions were asked for" : report.errors.front();
-    std::fprintf(stderr, "grove load: nobody was let in at %s: %s\n", options.url.c_str(), reason.c_str());
+    const bool judged = target->isSecure && !options.insecure;
+    std::fprintf(stderr, "grove load: nobody was let in at %s: %s%s\n", options.url.c_str(), reason.c_str(),
+                 judged ? " (where its certificate is not one that this machine trusts: --insecure)" : "");
     return 1;
   }
   logErrors(report);

@@ -6,11 +6,12 @@ namespace grove::cli {
 
 /// Options of `grove load`.
 struct LoadOptions {
-  std::string url;  ///< ws://HOST:PORT/
+  std::string url;  ///< ws://HOST:PORT/, or wss://
   int sessions = 1;
   double seconds = 10.0;
-  int width = 1280;  ///< pixels
-  int height = 720;  ///< pixels
+  int width = 1280;       ///< pixels
+  int height = 720;       ///< pixels
+  bool insecure = false;  ///< take any certificate
   bool json = false;
 };
 

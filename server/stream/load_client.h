@@ -11,9 +11,11 @@ namespace grove::stream {
 struct LoadTarget {
   std::string host;
   int port = 80;
+  bool isSecure = false;             ///< by TLS; its certificate is checked
+  bool takesAnyCertificate = false;  ///< it is not
 };
 
-/// Reads `ws://HOST[:PORT][/]`; nothing if it is something else.
+/// Reads `ws[s]://HOST[:PORT][/]`; nothing if it is something else.
 [[nodiscard]] std::optional<LoadTarget> parseLoadUrl(const std::string& url);
 
 /// Runs `sessions` real websocket clients on the calling thread until all that are let in have been counted for

@@ -41,6 +41,19 @@ TEST(CommandLine, BadOptionsExitTwoWithOneLine) {
                               "serve --gl vulkan",
                               "serve --listen nowhere",
                               "serve --listen 127.0.0.1:9 --operator 127.0.0.2:9",
+                              "serve --name https://grove.example",
+                              "serve --name grove.example:443",
+                              "serve --name ''",
+                              "serve --origin example.org",
+                              "serve --origin https://example.org/page",
+                              "serve --origin '*'",
+                              "serve --proxy localhost",
+                              "serve --proxy 10.0.0.0/33",
+                              "serve --tls-cert cert.pem",
+                              "serve --tls-key key.pem",
+                              "serve --tls-cert '' --tls-key ''",
+                              "serve --hsts 60",
+                              "serve --tls-cert cert.pem --tls-key key.pem --hsts -1",
                               "load",
                               "load ftp://x/ --sessions 1",
                               "load ws://127.0.0.1:1/ --sessions 0",
@@ -72,6 +85,11 @@ TEST(CommandLine, FailuresExitOneWithOneLine) {
   EXPECT_EQ(scene.exit, 1);
   EXPECT_THAT(scene.output, HasSubstr("no/such/file.toml"));
   EXPECT_EQ(lines(scene.output), 1) << scene.output;
+
+  const Outcome certificate = grove("serve --tls-cert no/cert.pem --tls-key no/key.pem --listen 127.0.0.1:0");
+  EXPECT_EQ(certificate.exit, 1);
+  EXPECT_THAT(certificate.output, AllOf(HasSubstr("--tls-cert"), HasSubstr("no/cert.pem"), HasSubstr("No such file")));
+  EXPECT_EQ(lines(certificate.output), 1) << certificate.output << "told before the world is prepared";
 
   const Outcome shaders = grove("serve --shader-dir no/such/dir --listen 127.0.0.1:0");
   EXPECT_EQ(shaders.exit, 1);
