@@ -7,7 +7,7 @@
 
 #include "base/log.h"
 #include "cli/figures.h"
-#include "stream/load_client.h"
+#include "stream/load/load_client.h"
 
 namespace grove::cli {
 namespace {

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "stream/load_report.h"
+#include "stream/load/load_report.h"
 
 namespace grove::stream {
 

@@ -1,4 +1,4 @@
-#include "stream/load_visitor.h"
+#include "stream/load/load_visitor.h"
 
 #include <utility>
 

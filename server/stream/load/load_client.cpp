@@ -1,4 +1,4 @@
-#include "stream/load_client.h"
+#include "stream/load/load_client.h"
 
 #include <libwebsockets.h>
 
@@ -11,7 +11,7 @@
 
 #include "base/error.h"
 #include "base/log.h"
-#include "stream/load_visitor.h"
+#include "stream/load/load_visitor.h"
 #include "stream/printable.h"
 #include "world/world.h"
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "stream/jpeg_decoder.h"
-#include "stream/load_report.h"
+#include "stream/load/load_report.h"
 #include "stream/protocol.h"
 #include "stream/stroll.h"
 

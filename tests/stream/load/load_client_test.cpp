@@ -1,10 +1,10 @@
-#include "stream/load_client.h"
+#include "stream/load/load_client.h"
 
 #include <gmock/gmock.h>
 
 #include <tuple>
 
-#include "stream/load_visitor.h"
+#include "stream/load/load_visitor.h"
 #include "stream/served_world.h"
 
 namespace grove::stream {

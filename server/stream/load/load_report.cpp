@@ -1,4 +1,4 @@
-#include "stream/load_report.h"
+#include "stream/load/load_report.h"
 
 #include <algorithm>
 #include <cmath>
