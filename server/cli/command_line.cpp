@@ -23,6 +23,7 @@
 #include "cli/bench_pipeline.h"
 #include "cli/load.h"
 #include "cli/serve.h"
+#include "cli/shape.h"
 #include "cli/version_report.h"
 #include "models/plants/plants.h"
 #include "node/limits.h"
@@ -215,6 +216,14 @@ void addLoad(CLI::App& app, LoadOptions& options) {
   load->add_flag("--json", options.json, "One JSON document on stdout");
 }
 
+void addShape(CLI::App& app, ShapeOptions& options) {
+  CLI::App* shape = app.add_subcommand("shape", "Show a server over a bad line: a proxy for browsers");
+  shape->add_option("profile", options.profile, "RATE,RTT[,jitter=TIME][,stall=TIME/TIME][,up=RATE][,seed=N]")
+      ->required();
+  shape->add_option("--listen", options.listen, "Address and port; port 0 is any free one")->capture_default_str();
+  shape->add_option("--to", options.target, "Address and port of the server")->required();
+}
+
 }  // namespace
 
 int run(int argc, char** argv) {
@@ -225,6 +234,7 @@ int run(int argc, char** argv) {
   BenchLightfieldOptions benchLightfield;
   BenchPipelineOptions benchPipeline;
   LoadOptions load;
+  ShapeOptions shape;
   CLI::App app("Grove: one living world, a camera for every browser", "grove");
   app.require_subcommand(1);
   app.set_version_flag("--version", std::string(version()), "Print version, SIMD target, GL and codecs, and exit");
@@ -237,6 +247,7 @@ int run(int argc, char** argv) {
   addBenchLightfield(bench, benchLightfield);
   addBenchPipeline(bench, benchPipeline);
   addLoad(app, load);
+  addShape(app, shape);
   bool versionAsked = false;
   try {
     app.parse(argc, argv);
@@ -259,6 +270,7 @@ int run(int argc, char** argv) {
     if (app.got_subcommand("serve")) return runServe(serve);
     if (app.got_subcommand("bake")) return runBake(bake);
     if (app.got_subcommand("load")) return runLoad(load);
+    if (app.got_subcommand("shape")) return runShape(shape);
     if (bench->got_subcommand("amortize")) return runBenchAmortize(benchAmortize);
     if (bench->got_subcommand("lightfield")) return runBenchLightfield(benchLightfield);
     if (bench->got_subcommand("pipeline")) return runBenchPipeline(benchPipeline);
