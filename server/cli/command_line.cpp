@@ -204,6 +204,8 @@ void addBenchPipeline(CLI::App* bench, BenchPipelineOptions& options) {
   pipeline->add_option("--trace", options.trace, "File to write for ui.perfetto.dev or chrome://tracing");
 }
 
+constexpr const char* kShapeHelp = "RATE,RTT[,up=RATE][,jitter=TIME][,stall=TIME/TIME][,seed=N]";
+
 void addLoad(CLI::App& app, LoadOptions& options) {
   CLI::App* load = app.add_subcommand("load", "Visit a running server with many websocket clients and measure");
   load->add_option("url", options.url, "ws://HOST:PORT/")->required();
@@ -213,13 +215,23 @@ void addLoad(CLI::App& app, LoadOptions& options) {
   load->add_option("--seconds", options.seconds, "How long")->check(CLI::Range(0.1, 86400.0))->capture_default_str();
   load->add_option("--width", options.width, "Pixels")->check(CLI::Range(16, 16384))->capture_default_str();
   load->add_option("--height", options.height, "Pixels")->check(CLI::Range(16, 16384))->capture_default_str();
+  const std::map<std::string, std::string> codecs{{"h264", "h264"}, {"jpeg", "jpeg"}};
+  choose(load->add_option("--codec", options.codec, "The only one that is offered (default: h264, then jpeg)"), codecs);
+  CLI::Option* walk = load->add_option_function<std::string>(
+                              "--walk", [&options](const std::string& file) { options.walkFile = file; },
+                              "Walk about (the default), or along a walk of the built-in world, as in tests/walks")
+                          ->type_name("[FILE]")
+                          ->expected(0, 1);
+  CLI::Option* look = load->add_flag("--look", options.look, "Look about only")->excludes(walk);
+  load->add_flag("--stand", options.stand, "Stand still; inputs are sent all the same")->excludes(walk)->excludes(look);
+  load->add_option("--shape", options.shape, std::string("A line for each visitor: ") + kShapeHelp)
+      ->type_name("PROFILE");
   load->add_flag("--json", options.json, "One JSON document on stdout");
 }
 
 void addShape(CLI::App& app, ShapeOptions& options) {
   CLI::App* shape = app.add_subcommand("shape", "Show a server over a bad line: a proxy for browsers");
-  shape->add_option("profile", options.profile, "RATE,RTT[,jitter=TIME][,stall=TIME/TIME][,up=RATE][,seed=N]")
-      ->required();
+  shape->add_option("profile", options.profile, kShapeHelp)->required();
   shape->add_option("--listen", options.listen, "Address and port; port 0 is any free one")->capture_default_str();
   shape->add_option("--to", options.target, "Address and port of the server")->required();
 }

@@ -47,7 +47,7 @@ SocketAddress resolve(const HostPort& where, const std::string& option) {
   const int failed = getaddrinfo(where.host.c_str(), std::to_string(where.port).c_str(), &hints, &found);
   if (failed != 0) {
     throw EnvironmentError(gai_strerror(failed), where.host + ":" + std::to_string(where.port),
-                           "choose another address with " + option + " HOST:PORT");
+                           "choose another " + option);
   }
   const std::unique_ptr<addrinfo, decltype(&freeaddrinfo)> addresses(found, &freeaddrinfo);
   SocketAddress address;
