@@ -81,6 +81,7 @@ class LoadClients {
 };
 
 LoadClients::LoadClients(const LoadTarget& target, const LoadPlan& plan) : plan_(plan) {
+  // The library wants to know all that a server may choose.
   static constexpr std::array<lws_protocols, 4> kProtocols = {
       lws_protocols{kSubProtocolWithVideo, &LoadClients::callback, 0, kReceiveBytes, 0, nullptr, 0},
       lws_protocols{kSubProtocolWithWaiting, &LoadClients::callback, 0, kReceiveBytes, 0, nullptr, 0},
@@ -209,9 +210,12 @@ int LoadClients::handle(Client& client, lws* wsi, lws_callback_reasons reason, s
     return printable({reinterpret_cast<const char*>(rest.data()), rest.size()}, 100);
   };
   switch (reason) {
+    case LWS_CALLBACK_CLIENT_FILTER_PRE_ESTABLISH:
+      // lws_get_protocol() gives the first that was asked for, whatever the server chose (libwebsockets issue 2795).
+      client.visitor.agreedOn(header(wsi, WSI_TOKEN_PROTOCOL));
+      return 0;
     case LWS_CALLBACK_CLIENT_ESTABLISHED:
       client.socket = wsi;
-      client.visitor.agreedOn(subProtocolOf(wsi));
       lws_callback_on_writable(wsi);
       return 0;
     case LWS_CALLBACK_CLIENT_RECEIVE:
