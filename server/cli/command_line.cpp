@@ -1,6 +1,7 @@
 #include "cli/command_line.h"
 
 #include <CLI/CLI.hpp>
+#include <array>
 #include <cstdio>
 #include <exception>
 #include <map>
@@ -204,8 +205,6 @@ void addBenchPipeline(CLI::App* bench, BenchPipelineOptions& options) {
   pipeline->add_option("--trace", options.trace, "File to write for ui.perfetto.dev or chrome://tracing");
 }
 
-constexpr const char* kShapeHelp = "RATE,RTT[,up=RATE][,jitter=TIME][,stall=TIME/TIME][,seed=N]";
-
 void addLoad(CLI::App& app, LoadOptions& options) {
   CLI::App* load = app.add_subcommand("load", "Visit a running server with many websocket clients and measure");
   load->add_option("url", options.url, "ws://HOST:PORT/")->required();
@@ -215,8 +214,10 @@ void addLoad(CLI::App& app, LoadOptions& options) {
   load->add_option("--seconds", options.seconds, "How long")->check(CLI::Range(0.1, 86400.0))->capture_default_str();
   load->add_option("--width", options.width, "Pixels")->check(CLI::Range(16, 16384))->capture_default_str();
   load->add_option("--height", options.height, "Pixels")->check(CLI::Range(16, 16384))->capture_default_str();
-  const std::map<std::string, std::string> codecs{{"h264", "h264"}, {"jpeg", "jpeg"}};
-  choose(load->add_option("--codec", options.codec, "The only one that is offered (default: h264, then jpeg)"), codecs);
+  constexpr std::array<std::string_view, 2> kCodecs = {"h264", "jpeg"};
+  load->add_option("--codec", options.codec, "The only one that is offered (default: h264, then jpeg)")
+      ->check(CLI::IsMember(std::vector<std::string>(kCodecs.begin(), kCodecs.end())).description(""))
+      ->type_name(oneOf(kCodecs));
   CLI::Option* walk = load->add_option_function<std::string>(
                               "--walk", [&options](const std::string& file) { options.walkFile = file; },
                               "Walk about (the default), or along a walk of the built-in world, as in tests/walks")
@@ -224,14 +225,18 @@ void addLoad(CLI::App& app, LoadOptions& options) {
                           ->expected(0, 1);
   CLI::Option* look = load->add_flag("--look", options.look, "Look about only")->excludes(walk);
   load->add_flag("--stand", options.stand, "Stand still; inputs are sent all the same")->excludes(walk)->excludes(look);
-  load->add_option("--shape", options.shape, std::string("A line for each visitor: ") + kShapeHelp)
+  load->add_option("--shape", options.shape, "A line for each visitor, as in 5mbit,80ms; see grove shape --help")
       ->type_name("PROFILE");
   load->add_flag("--json", options.json, "One JSON document on stdout");
 }
 
 void addShape(CLI::App& app, ShapeOptions& options) {
   CLI::App* shape = app.add_subcommand("shape", "Show a server over a bad line: a proxy for browsers");
-  shape->add_option("profile", options.profile, kShapeHelp)->required();
+  shape
+      ->add_option("profile", options.profile,
+                   "RATE,RTT[,up=RATE][,jitter=TIME][,stall=TIME/TIME][,seed=N], as in 5mbit,80ms,jitter=10ms or "
+                   "5mbit@0s/500kbit@10s,80ms,stall=1s/10s")
+      ->required();
   shape->add_option("--listen", options.listen, "Address and port; port 0 is any free one")->capture_default_str();
   shape->add_option("--to", options.target, "Address and port of the server")->required();
 }
