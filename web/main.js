@@ -1,4 +1,5 @@
 import { Backoff } from './backoff.js';
+import { h264Hindrance, lateLookHindrance } from './browser_abilities.js';
 import { Connection } from './connection.js';
 import { Decoder, decodeJpeg } from './decoder.js';
 import { Display, canvasPainter, paintScheduler } from './display.js';
@@ -7,16 +8,23 @@ import { Hint } from './hint.js';
 import { listenToBlowButton } from './input/blow_button.js';
 import { Controls } from './input/controls.js';
 import { listenToGamepads } from './input/gamepad.js';
+import { KeyLabels } from './input/key_labels.js';
 import { listenToKeyboard } from './input/keyboard.js';
 import { listenToMouse } from './input/mouse.js';
 import { InputSender } from './input/sender.js';
 import { listenToTouch } from './input/touch.js';
 import { Turner } from './input/turner.js';
+import { KeyEditor } from './key_editor.js';
+import { writeKeyHints } from './key_hints.js';
 import { Notice } from './notice.js';
 import { Overlay } from './overlay.js';
 import { kSubProtocols } from './protocol.js';
 import { ReloadOnce } from './reload_once.js';
+import { Screenshot, saveFile, takePicture } from './screenshot.js';
+import { Settings, streamPreferences } from './settings.js';
+import { SettingsPanel } from './settings_panel.js';
 import { Telemetry } from './telemetry.js';
+import { Toast } from './toast.js';
 import { Viewport } from './viewport.js';
 import { WorldStatistics } from './world_statistics.js';
 
@@ -29,6 +37,7 @@ const clock = {
   clearTimeout: (timer) => window.clearTimeout(timer),
 };
 
+const settings = new Settings(() => window.localStorage);
 const telemetry = new Telemetry();
 const controls = new Controls();
 const viewport = new Viewport(window, (size) => connection.sendResize(size));
@@ -39,9 +48,11 @@ const notice = new Notice(element('notice'), () => {
   else connection.retry();
 });
 
+const nameInAddress = new URLSearchParams(window.location.search).get('name');
+
 const connection = new Connection({
   openSocket: () => new WebSocket(window.location.origin.replace(/^http/, 'ws') + '/', kSubProtocols),
-  hello: () => ({ name: new URLSearchParams(window.location.search).get('name') ?? '', ...viewport.size }),
+  hello: () => ({ name: nameInAddress || settings.values.name, ...viewport.size }),
   on: { state: enter, welcome, waiting: (message) => notice.wait(message), frame: receive },
   backoff: new Backoff(),
   mayRetry: () => !document.hidden,
@@ -135,11 +146,54 @@ const overlay = new Overlay(
 );
 const fullscreen = new Fullscreen(document, element('fullscreen'));
 new Turner(controls, (callback) => window.requestAnimationFrame(callback));
-listenToKeyboard(window, controls, {
-  o: () => overlay.toggle(),
-  f3: () => overlay.toggle(),
-  f: () => fullscreen.toggle(),
+const toast = new Toast(element('toast'), clock);
+const screenshot = new Screenshot({
+  take: () => takePicture(canvas),
+  save: (file) => saveFile(window, file),
+  say: (text) => toast.say(text),
 });
+element('screenshot').addEventListener('click', () => screenshot.shoot());
+
+const panel = new SettingsPanel({
+  dialog: element('settings'),
+  button: element('settings-button'),
+  settings,
+  read: () => telemetry.read(clock.now()),
+  narrow: window.matchMedia('(max-width: 48rem), (max-height: 28rem)'),
+});
+const labels = new KeyLabels();
+const keyEditor = new KeyEditor(document.querySelector('#settings tbody'), settings, labels, (text) => panel.say(text));
+listenToKeyboard(window, controls, () => settings.values.keys, {
+  figures: () => overlay.toggle(),
+  fullscreen: () => fullscreen.toggle(),
+  screenshot: () => screenshot.shoot(),
+  settings: () => panel.toggle(),
+});
+
+function apply(values) {
+  controls.setSteering(values);
+  connection.setPreferences?.(streamPreferences(values));
+  writeKeyHints(document, values.keys, labels);
+}
+
+function relabel() {
+  keyEditor.write();
+  writeKeyHints(document, settings.values.keys, labels);
+}
+
+settings.onChange(apply);
+apply(settings.values);
+labels.ask(window.navigator).then(relabel);
+window.addEventListener('keydown', (event) => {
+  if (labels.learn(event)) relabel();
+});
+window.addEventListener('storage', () => settings.reload());
+if (nameInAddress) panel.disable('name', `The page's address names you ${nameInAddress}.`);
+h264Hindrance(window).then((reason) => {
+  if (reason) panel.disable('codec', reason, 'h264');
+});
+const lateLook = lateLookHindrance(document);
+if (lateLook) panel.disable('lateLook', lateLook);
 listenToMouse(canvas, controls, pointer);
 listenToTouch(canvas, controls, element('stick'));
 listenToBlowButton(element('blow'), controls);

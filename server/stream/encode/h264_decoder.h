@@ -4,7 +4,7 @@
 #include <memory>
 #include <span>
 
-#include "stream/jpeg_decoder.h"
+#include "stream/encode/jpeg_decoder.h"
 
 class ISVCDecoder;
 

@@ -6,6 +6,7 @@
 #include <bit>
 
 #include "stream/encode/annex_b.h"
+#include "stream/encode/h264_encoder.h"
 #include "stream/encode/h264_stream.h"
 
 namespace grove::stream {
@@ -51,6 +52,20 @@ TEST(H264Decoder, GivesTheColoursOfItsStandard) {
   expectColour(decoder.decode(stream.next(41, 240, 110, 3, true)), {0, 0, 255});
   expectColour(decoder.decode(stream.next(16, 128, 128, 4, true)), {0, 0, 0});
   expectColour(decoder.decode(stream.next(205, 128, 128, 1, true)), {220, 220, 220});
+}
+
+TEST(H264Decoder, ReadsWhatTheServerWrites) {
+  const std::vector<std::uint32_t> pixels(std::size_t{kWidth} * kHeight, 0xFF2080E0U);  // 0xAABBGGRR
+  node::Image image;
+  image.rect = {0, 0, kWidth, kHeight};
+  image.colour = pixels;
+  H264Encoder encoder;
+  H264Decoder decoder;
+  for (int i = 0; i < 4; ++i) {
+    std::vector<std::uint8_t> bytes;
+    EXPECT_EQ(encoder.encode(image, {.independent = i == 2}, bytes), i == 0 || i == 2);
+    expectColour(decoder.decode(bytes), {0xE0, 0x80, 0x20});
+  }
 }
 
 TEST(H264Decoder, DecodesAChain) {

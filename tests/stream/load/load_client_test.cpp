@@ -37,6 +37,7 @@ TEST_F(LoadClientTest, MeasuresRealSessions) {
   EXPECT_GT(report.longestGapMilliseconds, 0.0);
   EXPECT_GE(report.linesP50, report.linesMin);
   EXPECT_GE(report.linesMin, 90);
+  EXPECT_EQ(report.codec, "h264") << "the best that is offered";
   EXPECT_TRUE(becomesEmpty());
 }
 
