@@ -55,7 +55,7 @@ TEST(H264Decoder, GivesTheColoursOfItsStandard) {
 }
 
 TEST(H264Decoder, ReadsWhatTheServerWrites) {
-  const std::vector<std::uint32_t> pixels(std::size_t{kWidth} * kHeight, 0xFF2080E0U);  // 0xAABBGGRR
+  std::vector<std::uint32_t> pixels(std::size_t{kWidth} * kHeight, 0xFF2080E0U);  // 0xAABBGGRR
   node::Image image;
   image.rect = {0, 0, kWidth, kHeight};
   image.colour = pixels;
