@@ -1,6 +1,7 @@
 #include "cli/command_line.h"
 
 #include <CLI/CLI.hpp>
+#include <array>
 #include <cstdio>
 #include <exception>
 #include <map>
@@ -23,6 +24,7 @@
 #include "cli/bench_pipeline.h"
 #include "cli/load.h"
 #include "cli/serve.h"
+#include "cli/shape.h"
 #include "cli/version_report.h"
 #include "models/plants/plants.h"
 #include "node/limits.h"
@@ -239,7 +241,31 @@ void addLoad(CLI::App& app, LoadOptions& options) {
   load->add_option("--width", options.width, "Pixels")->check(CLI::Range(16, 16384))->capture_default_str();
   load->add_option("--height", options.height, "Pixels")->check(CLI::Range(16, 16384))->capture_default_str();
   load->add_flag("--insecure", options.insecure, "With wss://: take any certificate");
+  constexpr std::array<std::string_view, 2> kCodecs = {"h264", "jpeg"};
+  load->add_option("--codec", options.codec, "The only one that is offered (default: h264, then jpeg)")
+      ->check(CLI::IsMember(std::vector<std::string>(kCodecs.begin(), kCodecs.end())).description(""))
+      ->type_name(oneOf(kCodecs));
+  CLI::Option* walk = load->add_option_function<std::string>(
+                              "--walk", [&options](const std::string& file) { options.walkFile = file; },
+                              "Walk about (the default), or along a walk of the built-in world, as in tests/walks")
+                          ->type_name("[FILE]")
+                          ->expected(0, 1);
+  CLI::Option* look = load->add_flag("--look", options.look, "Look about only")->excludes(walk);
+  load->add_flag("--stand", options.stand, "Stand still; inputs are sent all the same")->excludes(walk)->excludes(look);
+  load->add_option("--shape", options.shape, "A line for each visitor, as in 5mbit,80ms; see grove shape --help")
+      ->type_name("PROFILE");
   load->add_flag("--json", options.json, "One JSON document on stdout");
+}
+
+void addShape(CLI::App& app, ShapeOptions& options) {
+  CLI::App* shape = app.add_subcommand("shape", "Show a server over a bad line: a proxy for browsers");
+  shape
+      ->add_option("profile", options.profile,
+                   "RATE,RTT[,up=RATE][,jitter=TIME][,stall=TIME/TIME][,seed=N], as in 5mbit,80ms,jitter=10ms or "
+                   "5mbit@0s/500kbit@10s,80ms,stall=1s/10s")
+      ->required();
+  shape->add_option("--listen", options.listen, "Address and port; port 0 is any free one")->capture_default_str();
+  shape->add_option("--to", options.target, "Address and port of the server")->required();
 }
 
 }  // namespace
@@ -252,6 +278,7 @@ int run(int argc, char** argv) {
   BenchLightfieldOptions benchLightfield;
   BenchPipelineOptions benchPipeline;
   LoadOptions load;
+  ShapeOptions shape;
   CLI::App app("Grove: one living world, a camera for every browser", "grove");
   app.require_subcommand(1);
   app.set_version_flag("--version", std::string(version()), "Print version, SIMD target, GL and codecs, and exit");
@@ -264,6 +291,7 @@ int run(int argc, char** argv) {
   addBenchLightfield(bench, benchLightfield);
   addBenchPipeline(bench, benchPipeline);
   addLoad(app, load);
+  addShape(app, shape);
   bool versionAsked = false;
   try {
     app.parse(argc, argv);
@@ -286,6 +314,7 @@ int run(int argc, char** argv) {
     if (app.got_subcommand("serve")) return runServe(serve);
     if (app.got_subcommand("bake")) return runBake(bake);
     if (app.got_subcommand("load")) return runLoad(load);
+    if (app.got_subcommand("shape")) return runShape(shape);
     if (bench->got_subcommand("amortize")) return runBenchAmortize(benchAmortize);
     if (bench->got_subcommand("lightfield")) return runBenchLightfield(benchLightfield);
     if (bench->got_subcommand("pipeline")) return runBenchPipeline(benchPipeline);

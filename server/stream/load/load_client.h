@@ -3,7 +3,8 @@
 #include <optional>
 #include <string>
 
-#include "stream/load_report.h"
+#include "stream/load/load_plan.h"
+#include "stream/load/load_report.h"
 
 namespace grove::stream {
 
@@ -18,8 +19,8 @@ struct LoadTarget {
 /// Reads `ws[s]://HOST[:PORT][/]`; nothing if it is something else.
 [[nodiscard]] std::optional<LoadTarget> parseLoadUrl(const std::string& url);
 
-/// Runs `sessions` real websocket clients on the calling thread until all that are let in have been counted for
-/// `seconds`. Those that are not let in or are thrown out are errors in the report.
-[[nodiscard]] LoadReport runLoadClients(const LoadTarget& target, int sessions, double seconds, int width, int height);
+/// Runs the plan's sessions as real websocket clients on the calling thread until all that are let in have been counted
+/// for its seconds. Those that are not let in or are thrown out are errors in the report.
+[[nodiscard]] LoadReport runLoadClients(const LoadTarget& target, const LoadPlan& plan);
 
 }  // namespace grove::stream

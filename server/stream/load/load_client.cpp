@@ -1,4 +1,4 @@
-#include "stream/load_client.h"
+#include "stream/load/load_client.h"
 
 #include <libwebsockets.h>
 
@@ -11,14 +11,17 @@
 
 #include "base/error.h"
 #include "base/log.h"
-#include "stream/load_visitor.h"
+#include "stream/load/link_shaper.h"
+#include "stream/load/load_visitor.h"
 #include "stream/printable.h"
+#include "stream/wsi.h"
 #include "world/world.h"
 
 namespace grove::stream {
 namespace {
 
 constexpr double kConnectSeconds = 10.0;
+constexpr double kWalkToStartSeconds = 30.0;
 constexpr double kCloseSeconds = 1.0;
 constexpr lws_usec_t kInputMicroseconds = 16'000;
 constexpr lws_usec_t kWatchMicroseconds = 20'000;
@@ -33,12 +36,12 @@ void logLibraryLine(int /*level*/, const char* line) { log::error(printable(line
 /// All clients of a load test and the library's context that they share.
 class LoadClients {
  public:
-  LoadClients(const LoadTarget& target, int sessions, int width, int height);
+  LoadClients(const LoadTarget& target, const LoadPlan& plan);
   ~LoadClients() { context_.reset(); }
   LoadClients(const LoadClients&) = delete;
   LoadClients& operator=(const LoadClients&) = delete;
 
-  LoadReport run(double seconds);
+  LoadReport run();
 
  private:
   struct ContextDeleter {
@@ -52,7 +55,7 @@ class LoadClients {
     Client* client = nullptr;
   };
   struct Client {
-    Client(int index, int width, int height, JpegDecoder& decoder) : visitor(index, width, height, decoder) {}
+    Client(int index, const LoadPlan& plan, JpegDecoder& decoder) : visitor(index, plan, decoder) {}
     LoadVisitor visitor;
     lws* socket = nullptr;
     bool ended = false;
@@ -64,7 +67,7 @@ class LoadClients {
   static int callback(lws* wsi, lws_callback_reasons reason, void* user, void* in, std::size_t length) noexcept;
   static void onTimer(lws_sorted_usec_list_t* entry) noexcept;
   int handle(Client& client, lws* wsi, lws_callback_reasons reason, std::span<const std::uint8_t> bytes);
-  void connect(Client& client, const LoadTarget& target);
+  void connect(Client& client, const LoadTarget& asked, const LoadTarget& to);
   void receive(Client& client, lws* wsi, std::span<const std::uint8_t> piece);
   int write(Client& client, lws* wsi);
   void end(Client& client, const std::string& reason);
@@ -72,15 +75,28 @@ class LoadClients {
   template <class Condition>
   void serveUntil(double deadline, Condition done);
 
+  const LoadPlan& plan_;
+  std::optional<LinkShaper> shaper_;
   JpegDecoder decoder_;
   std::vector<std::unique_ptr<Client>> clients_;
   Timer watch_;
   std::unique_ptr<lws_context, ContextDeleter> context_;
 };
 
-LoadClients::LoadClients(const LoadTarget& target, int sessions, int width, int height) {
-  static constexpr std::array<lws_protocols, 2> kProtocols = {
+LoadClients::LoadClients(const LoadTarget& target, const LoadPlan& plan) : plan_(plan) {
+  // The library wants to know all that a server may choose.
+  static constexpr std::array<lws_protocols, 4> kProtocols = {
+      lws_protocols{kSubProtocolWithVideo, &LoadClients::callback, 0, kReceiveBytes, 0, nullptr, 0},
+      lws_protocols{kSubProtocolWithWaiting, &LoadClients::callback, 0, kReceiveBytes, 0, nullptr, 0},
       lws_protocols{kSubProtocol, &LoadClients::callback, 0, kReceiveBytes, 0, nullptr, 0}, lws_protocols{}};
+  LoadTarget to = target;
+  if (plan.shape) {
+    const HostPort here{"127.0.0.1", 0};
+    const HostPort there{to.host, to.port};
+    shaper_.emplace(LinkShaper::Place{here, "--shape"}, LinkShaper::Place{there, "URL"}, *plan.shape);
+    to = {"127.0.0.1", shaper_->port()};
+  }
+  const int sessions = plan.sessions;
   lws_set_log_level(LLL_ERR, &logLibraryLine);
   lws_context_creation_info info{};
   info.port = CONTEXT_PORT_NO_LISTEN;
@@ -93,10 +109,10 @@ LoadClients::LoadClients(const LoadTarget& target, int sessions, int width, int 
   if (!context_) throw EnvironmentError("cannot start websocket clients", "grove load", "");
   watch_.clients = this;
   for (int i = 0; i < sessions; ++i) {
-    Client& client = *clients_.emplace_back(std::make_unique<Client>(i, width, height, decoder_));
+    Client& client = *clients_.emplace_back(std::make_unique<Client>(i, plan, decoder_));
     client.timer.clients = this;
     client.timer.client = &client;
-    connect(client, target);
+    connect(client, target, to);
     lws_sul_schedule(context_.get(), 0, &client.timer.entry, &LoadClients::onTimer,
                      kInputMicroseconds * (i + 1) / sessions);
   }
@@ -104,16 +120,18 @@ LoadClients::LoadClients(const LoadTarget& target, int sessions, int width, int 
   lws_sul_schedule(context_.get(), 0, &watch_.entry, &LoadClients::onTimer, kWatchMicroseconds);
 }
 
-void LoadClients::connect(Client& client, const LoadTarget& target) {
-  const std::string host = target.host + ":" + std::to_string(target.port);
+/// `asked` is who is asked for, which the server looks at; `to` is where the connection goes.
+void LoadClients::connect(Client& client, const LoadTarget& asked, const LoadTarget& to) {
+  const std::string host = asked.host + ":" + std::to_string(asked.port);
+  const std::string protocols = std::string(kSubProtocolWithVideo) + "," + kSubProtocolWithWaiting + "," + kSubProtocol;
   lws_client_connect_info info{};
   info.context = context_.get();
-  info.address = target.host.c_str();
-  info.port = target.port;
+  info.address = to.host.c_str();
+  info.port = to.port;
   info.path = "/";
   info.host = host.c_str();
-  info.protocol = kSubProtocol;
-  if (target.isSecure) info.ssl_connection = LCCSCF_USE_SSL | (target.takesAnyCertificate ? kTakeAny : 0);
+  info.protocol = protocols.c_str();
+  if (asked.isSecure) info.ssl_connection = LCCSCF_USE_SSL | (asked.takesAnyCertificate ? kTakeAny : 0);
   info.alpn = "http/1.1";
   info.ietf_version_or_minus_one = -1;
   info.opaque_user_data = &client;
@@ -122,28 +140,31 @@ void LoadClients::connect(Client& client, const LoadTarget& target) {
   if (lws_client_connect_via_info(&info) == nullptr) end(client, "cannot connect");
 }
 
-LoadReport LoadClients::run(double seconds) {
-  const auto allLetIn = [&] {
-    return std::ranges::all_of(clients_, [](const auto& client) { return client->ended || client->visitor.isLetIn(); });
+LoadReport LoadClients::run() {
+  const auto all = [&](auto condition) {
+    return [this, condition] {
+      return std::ranges::all_of(clients_, [&](const auto& client) { return client->ended || condition(*client); });
+    };
   };
-  serveUntil(world::World::now() + kConnectSeconds, allLetIn);
+  serveUntil(world::World::now() + kConnectSeconds, all([](const Client& client) { return client.visitor.isLetIn(); }));
   for (const auto& client : clients_) {
-    if (client->visitor.isLetIn()) {
-      client->visitor.beginCounting();
-    } else {
-      end(*client, "no Welcome within 10 seconds");
-    }
+    if (!client->visitor.isLetIn()) end(*client, "no Welcome within 10 seconds");
   }
-  const auto nobodyLeft = [&] {
-    return std::ranges::all_of(clients_, [](const auto& client) { return client->ended; });
-  };
+  serveUntil(world::World::now() + kWalkToStartSeconds,
+             all([](const Client& client) { return client.visitor.isInPlace(); }));
   const double begin = world::World::now();
-  serveUntil(begin + seconds, nobodyLeft);
-  const double counted = std::max(world::World::now() - begin, 1e-3);
+  for (const auto& client : clients_) {
+    if (client->visitor.isLetIn()) client->visitor.beginCounting(begin);
+  }
+  const auto nobodyLeft = all([](const Client&) { return false; });
+  serveUntil(begin + plan_.seconds, nobodyLeft);
+  const double ended = world::World::now();
+  const double counted = std::max(ended - begin, 1e-3);
 
   std::vector<VisitorStatistics> letIn;
   std::vector<std::string> errors;
   for (const auto& client : clients_) {
+    if (client->visitor.isLetIn()) client->visitor.endCounting(ended);
     const VisitorStatistics& statistics = client->visitor.statistics();
     if (client->visitor.isLetIn()) {
       letIn.push_back(statistics);
@@ -195,6 +216,10 @@ int LoadClients::handle(Client& client, lws* wsi, lws_callback_reasons reason, s
     return printable({reinterpret_cast<const char*>(rest.data()), rest.size()}, 100);
   };
   switch (reason) {
+    case LWS_CALLBACK_CLIENT_FILTER_PRE_ESTABLISH:
+      // lws_get_protocol() gives the first that was asked for, whatever the server chose (libwebsockets issue 2795).
+      client.visitor.agreedOn(header(wsi, WSI_TOKEN_PROTOCOL));
+      return 0;
     case LWS_CALLBACK_CLIENT_ESTABLISHED:
       client.socket = wsi;
       lws_callback_on_writable(wsi);
@@ -281,8 +306,6 @@ std::optional<LoadTarget> parseLoadUrl(const std::string& url) {
   return target;
 }
 
-LoadReport runLoadClients(const LoadTarget& target, int sessions, double seconds, int width, int height) {
-  return LoadClients(target, sessions, width, height).run(seconds);
-}
+LoadReport runLoadClients(const LoadTarget& target, const LoadPlan& plan) { return LoadClients(target, plan).run(); }
 
 }  // namespace grove::stream
