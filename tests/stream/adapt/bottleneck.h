@@ -12,7 +12,8 @@
 
 namespace grove::stream {
 
-/// A line as a visitor may have it: one queue before one bottleneck, whose rate and further delay are functions of time.
+/// A line as a visitor may have it: one queue before one bottleneck, whose rate and further delay are functions of
+/// time.
 struct Bottleneck {
   std::function<double(double)> bitsPerSecond = [](double) { return 5e6; };
   double roundTrip = 0.020;  ///< seconds, of an empty line

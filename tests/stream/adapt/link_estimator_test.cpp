@@ -111,7 +111,8 @@ TEST(LinkEstimator, TakesAcknowledgementsTwiceAndNotAtAll) {
   }
 }
 
-// Fault: an acknowledgement of an older frame, after that of a newer one, that brings it back or counts its bytes again.
+// Fault: an acknowledgement of an older frame, after that of a newer one, that brings it back or counts its bytes
+// again.
 TEST(LinkEstimator, IgnoresAcknowledgementsOutOfOrder) {
   LinkEstimator link;
   for (const std::uint32_t frame : {1U, 2U, 3U}) link.sent(frame, 10'000, 0.01 * frame);
@@ -140,7 +141,7 @@ TEST(LinkEstimator, StopsWhenNothingIsAcknowledged) {
 // Faults: a jump of the page's clock that looks like a queue of that length for as long as the smallest transit is
 // kept; a clock of which nonsense comes that starves the stream, or lets it flood the line.
 TEST(LinkEstimator, CannotBeHarmedByAPagesClock) {
-  using Clock = void (*)(std::uint32_t frame, Arrival& arrival);
+  using Clock = void (*)(std::uint32_t frame, Arrival & arrival);
   const std::pair<const char*, Clock> clocks[] = {
       {"jumps on", [](std::uint32_t frame, Arrival& a) { *a.pageSeconds += frame > 250 ? 1.0 : 0.0; }},
       {"jumps far", [](std::uint32_t frame, Arrival& a) { *a.pageSeconds += frame > 250 ? 4000.0 : 0.0; }},

@@ -10,7 +10,7 @@
 namespace grove::stream {
 namespace {
 
-constexpr double kPixels = 1280.0 * 720.0;
+constexpr double kModelPixels = 1280.0 * 720.0;
 
 /// Pictures whose bytes follow their quantiser as an encoder's do: by halves every five to seven steps.
 class ModelEncoder {
@@ -19,7 +19,7 @@ class ModelEncoder {
 
   /// `complexity`: bits of a pixel at quantiser 30.
   [[nodiscard]] double bytes(double complexity, Quantiser quantiser) {
-    return complexity * spread_(random_) * kPixels / 8.0 * std::exp2((30.0 - quantiser) / stepsPerHalving_);
+    return complexity * spread_(random_) * kModelPixels / 8.0 * std::exp2((30.0 - quantiser) / stepsPerHalving_);
   }
 
  private:
@@ -35,12 +35,12 @@ struct Outcome {
   Quantiser quantiser = 0.0;  ///< the last one's
 };
 Outcome run(QuantiserControl& control, ModelEncoder& encoder, int begin, int end, double wanted,
-        const std::function<double(int)>& complexity) {
+            const std::function<double(int)>& complexity) {
   Outcome result;
   for (int i = begin; i < end; ++i) {
-    result.quantiser = std::ceil(std::clamp(control.choose(false, kPixels, wanted), 18.0, 45.0));
+    result.quantiser = std::ceil(std::clamp(control.choose(false, kModelPixels, wanted), 18.0, 45.0));
     const double bytes = encoder.bytes(complexity(i), result.quantiser);
-    control.encoded(false, kPixels, result.quantiser, bytes, wanted);
+    control.encoded(false, kModelPixels, result.quantiser, bytes, wanted);
     result.bytes += bytes;
     result.largest = std::max(result.largest, bytes);
   }
@@ -98,21 +98,21 @@ TEST(QuantiserControl, KeepsIndependentPicturesApart) {
   constexpr double kWanted = 12'000.0;
   const auto same = [](int) { return 0.1; };
   const Outcome before = run(control, encoder, 0, 60, kWanted, same);
-  const Quantiser independent = control.choose(true, kPixels, kWanted);
-  control.encoded(true, kPixels, independent, 6.0 * encoder.bytes(0.1, independent), kWanted);
+  const Quantiser independent = control.choose(true, kModelPixels, kWanted);
+  control.encoded(true, kModelPixels, independent, 6.0 * encoder.bytes(0.1, independent), kWanted);
   const Outcome after = run(control, encoder, 60, 120, kWanted, same);
   EXPECT_NEAR(before.bytes, after.bytes, 0.2 * before.bytes);
   // The next one is led by what the last took, to three times the share of others.
-  const Quantiser next = control.choose(true, kPixels, kWanted);
+  const Quantiser next = control.choose(true, kModelPixels, kWanted);
   EXPECT_NEAR(6.0 * encoder.bytes(0.1, next), 3.0 * kWanted, 0.3 * 3.0 * kWanted);
 }
 
 // Fault: pictures without a byte, or of none that are wanted, from which no number comes.
 TEST(QuantiserControl, StaysFiniteAtTheEdges) {
   QuantiserControl control;
-  for (int i = 0; i < 50; ++i) control.encoded(false, kPixels, 20.0, 0.0, 0.0);
-  EXPECT_TRUE(std::isfinite(control.choose(false, kPixels, 0.0)));
-  EXPECT_TRUE(std::isfinite(control.choose(true, kPixels, 1e12)));
+  for (int i = 0; i < 50; ++i) control.encoded(false, kModelPixels, 20.0, 0.0, 0.0);
+  EXPECT_TRUE(std::isfinite(control.choose(false, kModelPixels, 0.0)));
+  EXPECT_TRUE(std::isfinite(control.choose(true, kModelPixels, 1e12)));
   EXPECT_TRUE(std::isfinite(control.complexity()));
 }
 
