@@ -18,6 +18,7 @@
 #include "base/version.h"
 #include "cli/bake.h"
 #include "cli/bench_amortize.h"
+#include "cli/bench_encode.h"
 #include "cli/bench_fluid.h"
 #include "cli/bench_fluid_solvers.h"
 #include "cli/bench_lightfield.h"
@@ -178,6 +179,16 @@ void addBenchAmortize(CLI::App* bench, BenchAmortizeOptions& options) {
   amortize->add_option("--plot", options.plot, "SVG file to draw the curves into");
 }
 
+void addBenchEncode(CLI::App* bench, BenchEncodeOptions& options) {
+  CLI::App* encode = bench->add_subcommand("encode", "CPU, bits and quality of the codecs on a walk through the grove");
+  encode->add_option("--walk", options.walk, "File of the walk (default: around the fire)");
+  encode->add_option("--size", options.size, "Pixels of a picture")->type_name("WxH")->capture_default_str();
+  encode->add_option("--seconds", options.seconds, "How long the walk is, at 30 frames a second")
+      ->check(CLI::Range(0.1, 600.0))
+      ->capture_default_str();
+  encode->add_flag("--json", options.json, "One JSON document on stdout");
+}
+
 /// Without --solvers, whole steps are measured.
 struct BenchFluidCommand {
   BenchFluidOptions options;
@@ -274,6 +285,7 @@ int run(int argc, char** argv) {
   ServeOptions serve;
   BakeCommand bake;
   BenchAmortizeOptions benchAmortize;
+  BenchEncodeOptions benchEncode;
   BenchFluidCommand benchFluid;
   BenchLightfieldOptions benchLightfield;
   BenchPipelineOptions benchPipeline;
@@ -287,6 +299,7 @@ int run(int argc, char** argv) {
   CLI::App* bench = app.add_subcommand("bench", "Measure a part of Grove");
   bench->require_subcommand(1);
   addBenchAmortize(bench, benchAmortize);
+  addBenchEncode(bench, benchEncode);
   addBenchFluid(bench, benchFluid);
   addBenchLightfield(bench, benchLightfield);
   addBenchPipeline(bench, benchPipeline);
@@ -316,6 +329,7 @@ int run(int argc, char** argv) {
     if (app.got_subcommand("load")) return runLoad(load);
     if (app.got_subcommand("shape")) return runShape(shape);
     if (bench->got_subcommand("amortize")) return runBenchAmortize(benchAmortize);
+    if (bench->got_subcommand("encode")) return runBenchEncode(benchEncode);
     if (bench->got_subcommand("lightfield")) return runBenchLightfield(benchLightfield);
     if (bench->got_subcommand("pipeline")) return runBenchPipeline(benchPipeline);
     return run(benchFluid);

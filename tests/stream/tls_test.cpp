@@ -4,7 +4,7 @@
 
 #include "eventually.h"
 #include "stream/certificates.h"
-#include "stream/load_client.h"
+#include "stream/load/load_client.h"
 #include "stream/served_world.h"
 
 namespace grove::stream {
