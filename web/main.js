@@ -1,7 +1,9 @@
 import { Backoff } from './backoff.js';
+import { Codecs } from './codecs.js';
 import { Connection } from './connection.js';
-import { Decoder, decodeJpeg } from './decoder.js';
-import { Display, canvasPainter, paintScheduler } from './display.js';
+import { decoders } from './decoders.js';
+import { Decoding } from './decoding.js';
+import { Display, paintScheduler } from './display.js';
 import { Fullscreen } from './fullscreen.js';
 import { Hint } from './hint.js';
 import { listenToBlowButton } from './input/blow_button.js';
@@ -12,17 +14,23 @@ import { listenToMouse } from './input/mouse.js';
 import { InputSender } from './input/sender.js';
 import { listenToTouch } from './input/touch.js';
 import { Turner } from './input/turner.js';
+import { LatencyButton } from './latency_button.js';
+import { LineHint } from './line_hint.js';
 import { Notice } from './notice.js';
 import { Overlay } from './overlay.js';
-import { kSubProtocols } from './protocol.js';
+import { LimitedBy, kSubProtocols } from './protocol.js';
 import { ReloadOnce } from './reload_once.js';
+import { Screen } from './screen.js';
+import { Stream } from './stream.js';
 import { Telemetry } from './telemetry.js';
 import { Viewport } from './viewport.js';
 import { WorldStatistics } from './world_statistics.js';
 
+const kLimitNames = Object.fromEntries(Object.entries(LimitedBy).map(([name, number]) => [number, name]));
 const element = (id) => document.getElementById(id);
 const root = document.documentElement;
 const canvas = element('world');
+const query = new URLSearchParams(window.location.search);
 const clock = {
   now: () => performance.now(),
   setTimeout: (callback, delay) => window.setTimeout(callback, delay),
@@ -41,11 +49,12 @@ const notice = new Notice(element('notice'), () => {
 
 const connection = new Connection({
   openSocket: () => new WebSocket(window.location.origin.replace(/^http/, 'ws') + '/', kSubProtocols),
-  hello: () => ({ name: new URLSearchParams(window.location.search).get('name') ?? '', ...viewport.size }),
-  on: { state: enter, welcome, waiting: (message) => notice.wait(message), frame: receive },
+  offer: () => stream.offer,
+  hello: () => ({ name: query.get('name') ?? '', ...viewport.size }),
+  on: { state: enter, welcome, waiting: (message) => notice.wait(message), picture: receive, status: hear },
   backoff: new Backoff(),
   mayRetry: () => !document.hidden,
-  timers: clock,
+  clock,
 });
 
 const sender = new InputSender({
@@ -57,26 +66,35 @@ const sender = new InputSender({
   },
 });
 
-const display = new Display({
-  paint: canvasPainter(canvas),
-  schedule: paintScheduler(document),
-  onPresented: presented,
+const screen = new Screen({ canvas, look: () => controls, onChange: () => stream.tellLimits() });
+const display = new Display({ screen, schedule: paintScheduler(document), onPresented: presented });
+const codecs = new Codecs(window);
+const stream = new Stream({
+  connection,
+  codecs,
+  makeDecoding: (on) => new Decoding({ make: decoders(window, clock), clock, on }),
+  display,
+  screen,
+  report: (words) => console.warn(words),
 });
-
-const decoder = new Decoder({
-  decode: decodeJpeg,
-  onPicture: (bitmap, frame) => display.show(bitmap, frame),
-  onBroken: (frame) => connection.acknowledge(frame.frame),
-});
+const lineHint = new LineHint(element('line'), clock);
+const latency = new LatencyButton(element('latency'), { clock, sendInput: () => sender.repeat() });
+controls.onChange(() => display.turn());
 
 function enter(state, reason) {
+  const was = root.dataset.connection;
   root.dataset.connection = state;
-  if (state === 'open') {
+  if (state === 'silent') {
+    notice.show(state, reason);
+  } else if (state === 'open' && was === 'silent') {
+    notice.hide();
+  } else if (state === 'open') {
     sender.start();
     connection.sendResize(viewport.size);
     reloadOnce.settled();
   } else {
     sender.stop();
+    lineHint.reset();
     notice.show(state, reason);
     if (state !== 'lost' && document.pointerLockElement) document.exitPointerLock();
     if (state === 'outdated') reloadOnce.attempt();
@@ -84,7 +102,7 @@ function enter(state, reason) {
 }
 
 function welcome({ red, green, blue, yaw, pitch, world }) {
-  decoder.reset();
+  stream.begin();
   display.reset();
   telemetry.reset();
   controls.face(yaw, pitch);
@@ -93,27 +111,36 @@ function welcome({ red, green, blue, yaw, pitch, world }) {
   document.title = world && world !== 'Grove' ? `${world} \u00b7 Grove` : 'Grove';
 }
 
-function receive(frame) {
-  telemetry.frameReceived(frame, clock.now());
-  decoder.push(frame);
+function receive(picture) {
+  telemetry.frameReceived(picture, clock.now());
+  stream.receive(picture);
 }
 
-function presented(frame) {
-  connection.acknowledge(frame.frame);
+function hear(status) {
+  telemetry.statusReceived(status);
+  lineHint.update(status, telemetry.read(clock.now()).height ?? status.height);
+  root.dataset.limitedBy = kLimitNames[status.limitedBy];
+}
+
+function presented(picture) {
+  connection.acknowledge(picture);
   const now = clock.now();
-  telemetry.framePresented(frame, now);
+  latency.presented(telemetry.framePresented(picture, now), picture, now);
   if (connection.state === 'open') notice.hide();
   if (root.dataset.picture === 'none') {
     root.dataset.picture = 'shown';
     hint.show();
+    if (query.has('latency')) latency.start(Number(query.get('latency')) || undefined);
   }
   publish(telemetry.read(now));
 }
 
 /** What the page is doing, for whoever looks at it from outside. */
-function publish({ frames, latencyMs, width, height, visitors }) {
+function publish({ frames, latencyMs, width, height, visitors, codec }) {
   root.dataset.frames = frames;
   root.dataset.streamSize = `${width}x${height}`;
+  root.dataset.lines = height;
+  root.dataset.codec = codec;
   root.dataset.visitors = visitors;
   root.dataset.yaw = controls.yaw.toFixed(4);
   root.dataset.pitch = controls.pitch.toFixed(4);
@@ -130,7 +157,7 @@ const statistics = new WorldStatistics(() => fetch('/sharing.json').then((answer
 const overlay = new Overlay(
   element('overlay'),
   element('figures'),
-  () => ({ ...telemetry.read(clock.now()), ...statistics.read() }),
+  () => ({ ...telemetry.read(clock.now()), ...statistics.read(), lateLook: stream.lateLook }),
   (shown) => statistics.watch(shown),
 );
 const fullscreen = new Fullscreen(document, element('fullscreen'));
@@ -139,15 +166,26 @@ listenToKeyboard(window, controls, {
   o: () => overlay.toggle(),
   f3: () => overlay.toggle(),
   f: () => fullscreen.toggle(),
+  l: () => latency.start(),
 });
 listenToMouse(canvas, controls, pointer);
 listenToTouch(canvas, controls, element('stick'));
 listenToBlowButton(element('blow'), controls);
 listenToGamepads(window, controls);
 
-for (const [target, event] of [[window, 'online'], [document, 'visibilitychange']]) {
+for (const [target, event] of [
+  [window, 'online'],
+  [window, 'pageshow'],
+  [document, 'resume'],
+  [document, 'visibilitychange'],
+]) {
   target.addEventListener(event, () => {
-    if (['lost', 'full'].includes(connection.state) && !document.hidden) connection.retry();
+    stream.setHidden(document.hidden);
+    if (document.hidden) return;
+    connection.listen();
+    if (['lost', 'full'].includes(connection.state)) connection.retry();
   });
 }
+stream.setHidden(document.hidden);
+await codecs.ask();
 connection.start();

@@ -1,0 +1,110 @@
+import { namesOf } from './codecs.js';
+import { kCodecNames } from './protocol.js';
+
+/** What the visitor may choose; 0 is no limit. */
+export const kPreferences = Object.freeze({
+  codec: 'auto',
+  framesPerSecond: 0,
+  kilobitsPerSecond: 0,
+  lines: 0,
+  lateLook: true,
+});
+
+/**
+ * The video stream's side of the page: agrees with the server on codec and limits, decodes what comes, and tells what
+ * could not be decoded. All of it holds over reconnections.
+ */
+export class Stream {
+  #connection;
+  #codecs;
+  #decoding;
+  #screen;
+  #report;
+  #preferences = kPreferences;
+  #hidden = false;
+  #told = '';
+
+  /**
+   * @param {object} parts
+   * @param {import('./connection.js').Connection} parts.connection
+   * @param {import('./codecs.js').Codecs} parts.codecs
+   * @param {(on: object) => import('./decoding.js').Decoding} parts.makeDecoding made with whom it tells
+   * @param {import('./display.js').Display} parts.display
+   * @param {import('./screen.js').Screen} parts.screen
+   * @param {(words: string) => void} parts.report what went wrong, for whoever looks after the page
+   */
+  constructor({ connection, codecs, makeDecoding, display, screen, report }) {
+    this.#connection = connection;
+    this.#codecs = codecs;
+    this.#screen = screen;
+    this.#report = report;
+    this.#decoding = makeDecoding({
+      image: (image, picture) => display.show(image, picture),
+      skipped: (picture) => connection.acknowledge(picture),
+      broken: (picture) => connection.sendBroken(picture.frame),
+      useless: (codec, error) => this.#drop(codec, error),
+    });
+  }
+
+  /** The codecs to offer now, the best first. */
+  get offer() {
+    return this.#codecs.offer(this.#preferences.codec);
+  }
+
+  /** In a word: `on`, `off`, or why it cannot be on. */
+  get lateLook() {
+    if (!this.#screen.canTurn) return 'off: no WebGL';
+    return this.#preferences.lateLook ? 'on' : 'off';
+  }
+
+  /**
+   * Takes over what the visitor chose; what is left out stays as it is.
+   * @param {object} chosen
+   * @param {'auto' | 'h264' | 'jpeg'} [chosen.codec]
+   * @param {number} [chosen.framesPerSecond] at most; 0 is no limit, here and below
+   * @param {number} [chosen.kilobitsPerSecond]
+   * @param {number} [chosen.lines] height of the picture
+   * @param {boolean} [chosen.lateLook] turn pictures to the newest look
+   */
+  setPreferences(chosen) {
+    const before = this.#preferences;
+    this.#preferences = { ...before, ...chosen };
+    this.#screen.lateLook = this.#preferences.lateLook;
+    if (this.#preferences.codec !== before.codec) this.#connection.sendOffer(this.offer);
+    this.tellLimits();
+  }
+
+  /** Whether nobody looks: then the server sends nothing. */
+  setHidden(hidden) {
+    this.#hidden = hidden;
+    this.tellLimits();
+  }
+
+  /** A new connection has begun. */
+  begin() {
+    this.#decoding.reset();
+    this.#told = '';
+    this.tellLimits();
+  }
+
+  receive(picture) {
+    this.#decoding.push(picture);
+  }
+
+  /** Tells the server what it does not know yet; to be called when the screen's `canTurn` has changed. */
+  tellLimits() {
+    const { lateLook, framesPerSecond, kilobitsPerSecond, lines } = this.#preferences;
+    const border = lateLook && this.#screen.canTurn;
+    const limits = { hidden: this.#hidden, border, framesPerSecond, kilobitsPerSecond, lines };
+    const words = JSON.stringify(limits);
+    if (!this.#connection.adapts || words === this.#told) return;
+    this.#told = words;
+    this.#connection.sendLimits(limits);
+  }
+
+  #drop(codec, error) {
+    this.#codecs.drop(codec);
+    this.#connection.sendOffer(this.offer);
+    this.#report(`${kCodecNames[codec]} does not work here (${error.message}); offering ${namesOf(this.offer)}`);
+  }
+}
