@@ -54,11 +54,7 @@ export class Display {
     }
     const { image, picture } = this.#waiting;
     this.#waiting = null;
-    try {
-      this.#screen.paint(image, picture);
-    } finally {
-      image.close();
-    }
+    this.#screen.show(image, picture);
     this.#onPresented(picture);
   }
 }

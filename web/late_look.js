@@ -22,14 +22,7 @@ void main() {
   gl_FragColor = vec4(texture2D(picture, inside).rgb * exp(-5.0 * beyond), 1.0);
 }`;
 
-const kContext = Object.freeze({
-  alpha: false,
-  antialias: false,
-  depth: false,
-  stencil: false,
-  // Who saves a picture of the page, or looks at it in a test, finds one.
-  preserveDrawingBuffer: true,
-});
+const kContext = Object.freeze({ alpha: false, antialias: false, depth: false, stencil: false });
 
 function compile(gl, type, source) {
   const shader = gl.createShader(type);
@@ -47,32 +40,65 @@ function link(gl) {
 }
 
 /**
- * Paints the newest picture as seen in another direction: turned, not moved, which needs no depth. So a turn of the head
- * shows at the next frame of the screen instead of after a round trip.
+ * Turns a picture to another direction, on a canvas of its own: turned, not moved, which needs no depth. So a turn of the
+ * head shows at the next frame of the screen instead of after a round trip.
  */
-export class LateLookPainter {
-  #gl;
+export class LateLook {
   #canvas;
+  #gl;
+  #onChange;
   #look;
   #halfPixel;
+  #ready;
 
-  /** On a canvas without a context of another kind; `null` where WebGL is missing. */
-  static on(canvas) {
-    const gl = canvas.getContext('webgl', kContext);
-    if (!gl) return null;
-    const painter = new LateLookPainter(canvas, gl);
-    return painter.prepare() ? painter : null;
+  /** `canvas` is one that nobody sees; `onChange()`: `isReady` has changed, as a graphics card may lose what it held. */
+  constructor(canvas, onChange) {
+    this.#canvas = canvas;
+    this.#onChange = onChange;
+    this.#gl = canvas.getContext('webgl', kContext);
+    this.#ready = this.#prepare();
+    canvas.addEventListener('webglcontextlost', (event) => {
+      event.preventDefault(); // or it never comes back
+      this.#become(false);
+    });
+    canvas.addEventListener('webglcontextrestored', () => this.#become(this.#prepare()));
   }
 
-  constructor(canvas, gl) {
-    this.#canvas = canvas;
-    this.#gl = gl;
+  /** False where WebGL is missing or lost. */
+  get isReady() {
+    return this.#ready;
+  }
+
+  /** Takes a copy of the image (ImageBitmap or VideoFrame), and the size of its window. */
+  take(image, picture) {
+    const gl = this.#gl;
+    const { width, height } = windowOf(picture);
+    if (this.#canvas.width !== width || this.#canvas.height !== height) {
+      this.#canvas.width = width;
+      this.#canvas.height = height;
+      gl.viewport(0, 0, width, height);
+    }
+    gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA, gl.RGBA, gl.UNSIGNED_BYTE, image);
+    gl.uniform2f(this.#halfPixel, 0.5 / picture.width, 0.5 / picture.height);
+  }
+
+  /** What was taken, turned by these angles (radians): a canvas that holds it until the end of this task. */
+  turned(picture, turn) {
+    const gl = this.#gl;
+    gl.uniformMatrix3fv(this.#look, false, lookMatrix(picture, turn));
+    gl.drawArrays(gl.TRIANGLES, 0, 3);
+    return this.#canvas;
+  }
+
+  #become(ready) {
+    this.#ready = ready;
+    this.#onChange();
   }
 
   /** Makes what a new or a restored context lacks; whether that went well. */
-  prepare() {
+  #prepare() {
     const gl = this.#gl;
-    const program = link(gl);
+    const program = gl && link(gl);
     if (!program) return false;
     gl.useProgram(program);
     this.#look = gl.getUniformLocation(program, 'look');
@@ -88,26 +114,7 @@ export class LateLookPainter {
     gl.bindTexture(gl.TEXTURE_2D, gl.createTexture());
     for (const side of [gl.TEXTURE_WRAP_S, gl.TEXTURE_WRAP_T]) gl.texParameteri(gl.TEXTURE_2D, side, gl.CLAMP_TO_EDGE);
     for (const size of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(gl.TEXTURE_2D, size, gl.LINEAR);
+    gl.viewport(0, 0, this.#canvas.width, this.#canvas.height);
     return true;
-  }
-
-  /** Takes a copy of the image (ImageBitmap or VideoFrame), and its window's size for the canvas. */
-  take(image, picture) {
-    const gl = this.#gl;
-    const { width, height } = windowOf(picture);
-    if (this.#canvas.width !== width || this.#canvas.height !== height) {
-      this.#canvas.width = width;
-      this.#canvas.height = height;
-      gl.viewport(0, 0, width, height);
-    }
-    gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA, gl.RGBA, gl.UNSIGNED_BYTE, image);
-    gl.uniform2f(this.#halfPixel, 0.5 / picture.width, 0.5 / picture.height);
-  }
-
-  /** Paints what was taken, turned by these angles (radians). */
-  paint(picture, turn) {
-    const gl = this.#gl;
-    gl.uniformMatrix3fv(this.#look, false, lookMatrix(picture, turn));
-    gl.drawArrays(gl.TRIANGLES, 0, 3);
   }
 }

@@ -15,6 +15,7 @@ import { InputSender } from './input/sender.js';
 import { listenToTouch } from './input/touch.js';
 import { Turner } from './input/turner.js';
 import { LatencyButton } from './latency_button.js';
+import { LateLook } from './late_look.js';
 import { LineHint } from './line_hint.js';
 import { Notice } from './notice.js';
 import { Overlay } from './overlay.js';
@@ -66,7 +67,8 @@ const sender = new InputSender({
   },
 });
 
-const screen = new Screen({ canvas, look: () => controls, onChange: () => stream.tellLimits() });
+const lateLook = new LateLook(document.createElement('canvas'), () => stream.tellLimits());
+const screen = new Screen({ canvas, lateLook, look: () => (stream.turns ? controls : null) });
 const display = new Display({ screen, schedule: paintScheduler(document), onPresented: presented });
 const codecs = new Codecs(window);
 const stream = new Stream({
@@ -74,7 +76,7 @@ const stream = new Stream({
   codecs,
   makeDecoding: (on) => new Decoding({ make: decoders(window, clock), clock, on }),
   display,
-  screen,
+  lateLook,
   report: (words) => console.warn(words),
 });
 const lineHint = new LineHint(element('line'), clock);
@@ -157,7 +159,7 @@ const statistics = new WorldStatistics(() => fetch('/sharing.json').then((answer
 const overlay = new Overlay(
   element('overlay'),
   element('figures'),
-  () => ({ ...telemetry.read(clock.now()), ...statistics.read(), lateLook: stream.lateLook }),
+  () => ({ ...telemetry.read(clock.now()), ...statistics.read(), lateLook: stream.lateLookWord }),
   (shown) => statistics.watch(shown),
 );
 const fullscreen = new Fullscreen(document, element('fullscreen'));

@@ -18,7 +18,7 @@ export class Stream {
   #connection;
   #codecs;
   #decoding;
-  #screen;
+  #lateLook;
   #report;
   #preferences = kPreferences;
   #hidden = false;
@@ -30,13 +30,13 @@ export class Stream {
    * @param {import('./codecs.js').Codecs} parts.codecs
    * @param {(on: object) => import('./decoding.js').Decoding} parts.makeDecoding made with whom it tells
    * @param {import('./display.js').Display} parts.display
-   * @param {import('./screen.js').Screen} parts.screen
+   * @param {import('./late_look.js').LateLook} parts.lateLook
    * @param {(words: string) => void} parts.report what went wrong, for whoever looks after the page
    */
-  constructor({ connection, codecs, makeDecoding, display, screen, report }) {
+  constructor({ connection, codecs, makeDecoding, display, lateLook, report }) {
     this.#connection = connection;
     this.#codecs = codecs;
-    this.#screen = screen;
+    this.#lateLook = lateLook;
     this.#report = report;
     this.#decoding = makeDecoding({
       image: (image, picture) => display.show(image, picture),
@@ -51,10 +51,15 @@ export class Stream {
     return this.#codecs.offer(this.#preferences.codec);
   }
 
-  /** In a word: `on`, `off`, or why it cannot be on. */
-  get lateLook() {
-    if (!this.#screen.canTurn) return 'off: no WebGL';
-    return this.#preferences.lateLook ? 'on' : 'off';
+  /** Whether pictures are to be turned to the newest look. */
+  get turns() {
+    return this.#preferences.lateLook && this.#lateLook.isReady;
+  }
+
+  /** What becomes of late look, in a word. */
+  get lateLookWord() {
+    if (this.turns) return 'on';
+    return this.#preferences.lateLook ? 'off: no WebGL' : 'off';
   }
 
   /**
@@ -69,7 +74,6 @@ export class Stream {
   setPreferences(chosen) {
     const before = this.#preferences;
     this.#preferences = { ...before, ...chosen };
-    this.#screen.lateLook = this.#preferences.lateLook;
     if (this.#preferences.codec !== before.codec) this.#connection.sendOffer(this.offer);
     this.tellLimits();
   }
@@ -91,11 +95,10 @@ export class Stream {
     this.#decoding.push(picture);
   }
 
-  /** Tells the server what it does not know yet; to be called when the screen's `canTurn` has changed. */
+  /** Tells the server what it does not know yet; to be called when late look's `isReady` has changed. */
   tellLimits() {
-    const { lateLook, framesPerSecond, kilobitsPerSecond, lines } = this.#preferences;
-    const border = lateLook && this.#screen.canTurn;
-    const limits = { hidden: this.#hidden, border, framesPerSecond, kilobitsPerSecond, lines };
+    const { framesPerSecond, kilobitsPerSecond, lines } = this.#preferences;
+    const limits = { hidden: this.#hidden, border: this.turns, framesPerSecond, kilobitsPerSecond, lines };
     const words = JSON.stringify(limits);
     if (!this.#connection.adapts || words === this.#told) return;
     this.#told = words;

@@ -11,6 +11,9 @@ const kBrowser = process.env.CHROMIUM ?? '/usr/bin/chromium';
 /** For a loaded machine; no test measures time. Milliseconds. */
 export const kPatience = 60_000;
 
+/** Without a graphics card, Chromium remarks on how slow it is. */
+const kDriver = /GL Driver Message \(OpenGL, Performance/;
+
 /** The first server on a machine bakes the light fields of its world. Milliseconds. */
 const kPreparation = 600_000;
 
@@ -95,7 +98,8 @@ export class Visitor {
     visitor.page.setDefaultTimeout(kPatience);
     visitor.page.on('pageerror', (error) => visitor.complaints.push(String(error)));
     visitor.page.on('console', (message) => {
-      if (['error', 'warning'].includes(message.type())) visitor.complaints.push(message.text());
+      if (!['error', 'warning'].includes(message.type()) || kDriver.test(message.text())) return;
+      visitor.complaints.push(message.text());
     });
     await visitor.page.goto(url);
     return visitor;
