@@ -4,7 +4,8 @@
 #include "base/simd/target.h"
 #include "base/version.h"
 #include "gl/context.h"
-#include "stream/codecs.h"
+#include "stream/encode/encoder_registry.h"
+#include "stream/host.h"
 
 namespace grove::cli {
 namespace {
@@ -27,11 +28,20 @@ std::string graphics() {
   }
 }
 
+std::string codecs() {
+  std::string text;
+  const stream::EncoderRegistry encoders = stream::builtinEncoders(stream::HostOptions{}.jpegQuality);
+  for (const stream::EncoderKind& kind : encoders.kinds()) {
+    text.append(text.empty() ? "" : ", ").append(kind.name).append(" (").append(kind.library).append(")");
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string versionReport() {
   return "grove " + std::string(version()) + "\nSIMD: " + simdTargets() + "\nGL: " + graphics() +
-         "\ncodecs: " + stream::codecs() + "\n";
+         "\ncodecs: " + codecs() + "\n";
 }
 
 }  // namespace grove::cli

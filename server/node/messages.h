@@ -28,6 +28,7 @@ struct View {
   world::PlayerId viewer = 0;
   std::uint32_t lastInput = 0;  ///< number of the last input that the camera obeys
   world::Camera camera;
+  int borderPercent = 0;  ///< of half the window, that the camera sees beyond it on each side
   double time = 0.0;  ///< seconds of the world's clock
   /// Of the same clock: until then the frame waits for its objects, and who gets a request later leaves it unanswered.
   double deadline = std::numeric_limits<double>::infinity();

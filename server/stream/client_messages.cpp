@@ -188,8 +188,7 @@ std::vector<std::uint8_t> encode(const Offer& offer) {
 }
 
 std::vector<std::uint8_t> encode(const Limits& limits) {
-  const auto flags =
-      static_cast<std::uint8_t>((limits.hidden ? kHiddenFlag : 0) | (limits.border ? kBorderFlag : 0));
+  const auto flags = static_cast<std::uint8_t>((limits.hidden ? kHiddenFlag : 0) | (limits.border ? kBorderFlag : 0));
   WireWriter writer;
   writer.put(toByte(MessageType::kLimits)).put(flags).put(limits.framesPerSecond).put(std::uint8_t{0});
   writer.put(limits.kilobitsPerSecond).put(limits.lines).put(std::uint16_t{0});

@@ -23,7 +23,8 @@ Connection::Connection(Host& host, std::string peer, double now, std::function<v
       opened_(now),
       outbox_(std::make_shared<Outbox>(std::move(wake))),
       door_(std::move(door)),
-      knowsWaiting_(subProtocol == kSubProtocolWithWaiting),
+      knowsVideo_(subProtocol == kSubProtocolWithVideo),
+      knowsWaiting_(knowsVideo_ || subProtocol == kSubProtocolWithWaiting),
       secondBegan_(now) {
   message_.reserve(kLargestClientMessage);
 }
@@ -53,8 +54,9 @@ std::optional<Refusal> Connection::overdue(double now) {
 
 std::vector<std::uint8_t> Connection::takeMessage() {
   if (!welcome_.empty()) return std::exchange(welcome_, {});
-  const auto waiting = outbox_->takeWaiting();
-  return waiting ? encode(*waiting) : std::vector<std::uint8_t>{};
+  if (const auto waiting = outbox_->takeWaiting()) return encode(*waiting);
+  const auto status = outbox_->takeStatus();
+  return status ? encode(*status) : std::vector<std::uint8_t>{};
 }
 
 void Connection::end(const Refusal& why) { leave(std::to_string(static_cast<int>(why.code)) + " " + why.reason); }
@@ -90,11 +92,30 @@ std::optional<Refusal> Connection::takePiece(const MessagePiece& piece, double n
 std::optional<Refusal> Connection::act(const ClientMessage& message) {
   if (const auto* refusal = std::get_if<Refusal>(&message)) return *refusal;
   if (const auto* hello = std::get_if<Hello>(&message)) return greet(*hello);
+  if (knowsVideo_) {
+    if (const auto* offer = std::get_if<Offer>(&message); offer != nullptr && !session_) {
+      offer_ = *offer;
+      return std::nullopt;
+    }
+    if (const auto* limits = std::get_if<Limits>(&message); limits != nullptr && !session_) {
+      limits_ = *limits;
+      return std::nullopt;
+    }
+  }
   if (!session_) return protocolError("the first message is not Hello");
   if (const auto* input = std::get_if<world::Input>(&message)) return session_->input(*input);
   if (const auto* resize = std::get_if<Resize>(&message)) return session_->resize(*resize);
   if (const auto* ack = std::get_if<Ack>(&message)) return session_->acknowledge(*ack);
-  return protocolError("a message of another sub-protocol");
+  return actOnStream(message);
+}
+
+std::optional<Refusal> Connection::actOnStream(const ClientMessage& message) {
+  if (!knowsVideo_) return protocolError("a message of a newer sub-protocol");
+  if (const auto* presented = std::get_if<Presented>(&message)) return session_->acknowledge(*presented);
+  if (const auto* offer = std::get_if<Offer>(&message)) session_->offer(*offer);
+  if (const auto* limits = std::get_if<Limits>(&message)) session_->limit(*limits);
+  if (std::holds_alternative<Broken>(message)) session_->broken();
+  return std::nullopt;
 }
 
 std::optional<Refusal> Connection::greet(const Hello& hello) {
@@ -111,7 +132,13 @@ std::optional<Refusal> Connection::greet(const Hello& hello) {
       if (const auto to = outbox.lock()) to->put(waiting);
     };
   }
-  auto opened = host_.open(hello, send, std::move(tell));
+  StreamTerms terms{.status = {}, .offer = std::move(offer_), .limits = limits_};
+  if (knowsVideo_) {
+    terms.status = [outbox = std::weak_ptr(outbox_)](const Status& status) {
+      if (const auto to = outbox.lock()) to->put(status);
+    };
+  }
+  auto opened = host_.open(hello, send, std::move(tell), std::move(terms));
   if (auto* refusal = std::get_if<Refusal>(&opened)) return std::move(*refusal);
   session_ = std::get<std::shared_ptr<Session>>(std::move(opened));
   const Welcome welcome = session_->welcome();

@@ -69,6 +69,8 @@ class Connection {
   [[nodiscard]] std::optional<Refusal> refuse(Refusal why);
   [[nodiscard]] std::optional<Refusal> takePiece(const MessagePiece& piece, double now);
   [[nodiscard]] std::optional<Refusal> act(const ClientMessage& message);
+  /// Messages since v1.2.
+  [[nodiscard]] std::optional<Refusal> actOnStream(const ClientMessage& message);
   [[nodiscard]] std::optional<Refusal> greet(const Hello& hello);
   [[nodiscard]] bool isFlood(double now);
 
@@ -77,7 +79,10 @@ class Connection {
   const double opened_;
   const std::shared_ptr<Outbox> outbox_;
   const Door door_;
+  const bool knowsVideo_;
   const bool knowsWaiting_;
+  std::optional<Offer> offer_;    ///< before Hello
+  std::optional<Limits> limits_;  ///< the same
   std::shared_ptr<void> place_;
   std::shared_ptr<Session> session_;
   bool ended_ = false;

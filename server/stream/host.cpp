@@ -30,6 +30,7 @@ Host::Host(world::World::Layout layout, const node::Registry& registry, gl::Work
       registry_(registry),
       gl_(gl),
       options_(options),
+      encoders_(builtinEncoders(options.jpegQuality)),
       timeline_(options.timelineEvents),
       timelineMemory_(memory_, "timeline", "", pipeline::Work::kAcrossUser, timeline_.bytes()),
       meter_(timeline_, memory_, options_.framesPerSecond, options_.privateWorlds),
@@ -83,7 +84,8 @@ world::World& Host::world() noexcept {
   return shared_->world();
 }
 
-std::variant<std::shared_ptr<Session>, Refusal> Host::open(const Hello& hello, FrameSink sink, WaitingSink waiting) {
+std::variant<std::shared_ptr<Session>, Refusal> Host::open(const Hello& hello, FrameSink sink, WaitingSink waiting,
+                                                           StreamTerms terms) {
   const auto [width, height] = fitSize(hello.width, hello.height);
   node::SessionId id = 0;
   {
@@ -97,7 +99,7 @@ std::variant<std::shared_ptr<Session>, Refusal> Host::open(const Hello& hello, F
   }
   const std::string name = hello.name.empty() ? "Visitor " + std::to_string(id) : hello.name;
   const world::PlayerId player = players_->join(name, world::World::now());
-  const auto session = std::make_shared<Session>(*this, id, player, width, height, std::move(sink));
+  const auto session = std::make_shared<Session>(*this, id, player, width, height, std::move(sink), std::move(terms));
   {
     const std::lock_guard lock(mutex_);
     sessions_[id] = session;

@@ -18,6 +18,7 @@
 #include "pipeline/memory_ledger.h"
 #include "pipeline/timeline.h"
 #include "pipeline/worker_pool.h"
+#include "stream/encode/encoder_registry.h"
 #include "stream/frame_gate.h"
 #include "stream/preparation_line.h"
 #include "stream/session.h"
@@ -61,7 +62,7 @@ class Host {
   /// Lets a visitor in, or says why not. In private mode the first frame comes when his world is ready; until then
   /// `waiting` is told his place in line at each change and once a second.
   [[nodiscard]] std::variant<std::shared_ptr<Session>, Refusal> open(const Hello& hello, FrameSink sink,
-                                                                     WaitingSink waiting = {});
+                                                                     WaitingSink waiting = {}, StreamTerms terms = {});
 
   [[nodiscard]] std::size_t visitors() const;
   /// For the statistics.
@@ -78,6 +79,7 @@ class Host {
   [[nodiscard]] const pipeline::MemoryLedger& memory() const noexcept { return memory_; }
   [[nodiscard]] pipeline::Executor& workers() noexcept { return workers_; }
   [[nodiscard]] const HostOptions& options() const noexcept { return options_; }
+  [[nodiscard]] const EncoderRegistry& encoders() const noexcept { return encoders_; }
 
  private:
   friend class Session;
@@ -95,6 +97,7 @@ class Host {
   const node::Registry& registry_;
   gl::Workers& gl_;
   const HostOptions options_;
+  const EncoderRegistry encoders_;
   pipeline::Timeline timeline_;
   pipeline::MemoryLedger memory_;
   const pipeline::HeldMemory timelineMemory_;

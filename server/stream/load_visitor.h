@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "stream/jpeg_decoder.h"
+#include "stream/encode/jpeg_decoder.h"
 #include "stream/load_report.h"
 #include "stream/protocol.h"
 #include "stream/stroll.h"

@@ -2,7 +2,7 @@
 
 #include "base/error.h"
 #include "base/log.h"
-#include "stream/encoder.h"
+#include "stream/encoded_frame.h"
 #include "stream/listen_address.h"
 #include "stream/printable.h"
 #include "stream/protocol.h"
@@ -28,8 +28,9 @@ void logLibraryLine(int /*level*/, const char* line) { log::error(printable(line
 }  // namespace
 
 ServerContext::ServerContext(lws_callback_function* callback, void* user, std::size_t maxSockets)
-    : protocols_(new lws_protocols[3]{{kSubProtocol, callback, 0, 0, 0, nullptr, kMaxBytesAtOnce},
+    : protocols_(new lws_protocols[4]{{kSubProtocol, callback, 0, 0, 0, nullptr, kMaxBytesAtOnce},
                                       {kSubProtocolWithWaiting, callback, 0, 0, 0, nullptr, kMaxBytesAtOnce},
+                                      {kSubProtocolWithVideo, callback, 0, 0, 0, nullptr, kMaxBytesAtOnce},
                                       {}}) {
   lws_set_log_level(LLL_ERR, &logLibraryLine);
   info_.options = LWS_SERVER_OPTION_EXPLICIT_VHOSTS | LWS_SERVER_OPTION_FAIL_UPON_UNABLE_TO_BIND |

@@ -6,45 +6,38 @@
 #include "node/frontend/frontend_node.h"
 #include "stream/encode_stage.h"
 #include "stream/host.h"
-#include "stream/jpeg_encoder.h"
 #include "stream/world_copy.h"
 
 namespace grove::stream {
 namespace {
 
-constexpr std::size_t kMaxUnacknowledged = 2;
 /// How often frames are looked at for their deadline: so many times in it, or every so many seconds.
 constexpr double kChecksInADeadline = 4.0;
 constexpr double kMaxCheckSeconds = 0.1;
-constexpr double kMinWidth = 160;
-constexpr double kMinHeight = 90;
-constexpr double kMaxWidth = 1920;
-constexpr double kMaxHeight = 1080;
 
 bool blows(const world::Player& player) { return (player.keys & world::kBlow) != 0; }
 
 }  // namespace
 
-std::pair<int, int> fitSize(std::uint32_t width, std::uint32_t height) {
-  const double w = std::max(1.0, static_cast<double>(width));
-  const double h = std::max(1.0, static_cast<double>(height));
-  const double grow = std::max({1.0, kMinWidth / w, kMinHeight / h});
-  const double scale = std::min({grow, kMaxWidth / w, kMaxHeight / h});
-  const auto even = [&](double size, double least) {
-    return 2 * static_cast<int>(std::max(least, std::round(size * scale)) / 2.0);
-  };
-  return {even(w, kMinWidth), even(h, kMinHeight)};
+Session::Session(Host& host, node::SessionId id, world::PlayerId player, int width, int height, FrameSink sink,
+                 StreamTerms terms)
+    : host_(host),
+      id_(id),
+      player_(player),
+      sink_(std::move(sink)),
+      status_(std::move(terms.status)),
+      control_(std::make_shared<StreamControl>(host.encoders(), status_ != nullptr, host.options().framesPerSecond,
+                                               width, height)) {
+  if (terms.offer) control_->offer(terms.offer->codecs);
+  if (terms.limits) control_->limit(*terms.limits);
 }
-
-Session::Session(Host& host, node::SessionId id, world::PlayerId player, int width, int height, FrameSink sink)
-    : host_(host), id_(id), player_(player), sink_(std::move(sink)), width_(width), height_(height) {}
 
 Session::~Session() { close(); }
 
 void Session::begin(std::shared_ptr<WorldCopy> copy) {
   const std::weak_ptr<Session> weak = weak_from_this();
   auto encoder = std::make_shared<EncodeStage>(
-      std::make_unique<JpegEncoder>(host_.options().jpegQuality),
+      control_, status_ != nullptr,
       [weak](const std::shared_ptr<const EncodedFrame>& frame) {
         if (const auto self = weak.lock()) self->deliver(frame);
       },
@@ -110,24 +103,37 @@ std::optional<Refusal> Session::input(const world::Input& input) {
 
 std::optional<Refusal> Session::resize(const Resize& resize) {
   const auto [width, height] = fitSize(resize.width, resize.height);
-  const std::lock_guard lock(mutex_);
-  width_ = width;
-  height_ = height;
+  control_->resize(width, height);
   return std::nullopt;
 }
 
+void Session::offer(const Offer& offer) { control_->offer(offer.codecs); }
+
+void Session::limit(const Limits& limits) {
+  control_->limit(limits);
+  startIfDue(world::World::now());
+}
+
+void Session::broken() { control_->broken(); }
+
 std::optional<Refusal> Session::acknowledge(const Ack& ack) {
-  const double now = world::World::now();
+  return arrived(ack.frame, {.acknowledged = world::World::now()});
+}
+
+std::optional<Refusal> Session::acknowledge(const Presented& presented) {
+  Arrival arrival{.acknowledged = world::World::now(), .held = presented.heldTenthsOfMilliseconds * 1e-4};
   {
     const std::lock_guard lock(mutex_);
-    if (ack.frame > newestSent_) {
-      return Refusal{CloseCode::kProtocolError, "acknowledges a frame that was never sent"};
-    }
-    const auto newer = unacknowledged_.upper_bound(ack.frame);
-    if (newer != unacknowledged_.begin()) unacknowledgedSince_ = now;
-    unacknowledged_.erase(unacknowledged_.begin(), newer);
+    arrival.pageSeconds = pageClock_.seconds(presented.arrivedMicroseconds);
   }
-  startIfDue(now);
+  return arrived(presented.frame, arrival);
+}
+
+std::optional<Refusal> Session::arrived(std::uint32_t frame, const Arrival& arrival) {
+  if (!control_->acknowledged(frame, arrival)) {
+    return Refusal{CloseCode::kProtocolError, "acknowledges a frame that was never sent"};
+  }
+  startIfDue(arrival.acknowledged);
   return std::nullopt;
 }
 
@@ -171,22 +177,22 @@ double Session::tick(double now) {
       nextDeadlineCheck_ = now + std::min(kMaxCheckSeconds, host_.options().deadlineSeconds / kChecksInADeadline);
     }
   }
+  if (status_) {
+    if (const auto status = control_->takeStatus(now)) status_(*status);
+  }
   return startIfDue(now);
 }
 
-double Session::secondsUnacknowledged(double now) const {
-  const std::lock_guard lock(mutex_);
-  return unacknowledged_.empty() ? 0.0 : now - unacknowledgedSince_;
-}
+double Session::secondsUnacknowledged(double now) const { return control_->secondsUnacknowledged(now); }
 
 double Session::startIfDue(double now) {
-  const double period = 1.0 / host_.options().framesPerSecond;
+  const double period = 1.0 / control_->framesPerSecond();
   std::unique_lock lock(mutex_);
   if (closed_ || !node_) return now + 1.0;
   if (now < nextDue_) return nextDue_;
   if (waits_) return now + period;
   // A frame that cannot start stays due: the acknowledgement or one of the next looks starts it.
-  if (isBehind() || node_->full()) return now + period / 8;
+  if (isBehind(now) || node_->full()) return now + period / 8;
   const auto onTurn = [weak = weak_from_this(), gate = host_.gate_] {
     if (const auto self = weak.lock()) {
       self->takeTurn();
@@ -203,16 +209,12 @@ double Session::startIfDue(double now) {
   return now + period / 8;
 }
 
-bool Session::isBehind() const {
-  const std::size_t unseen = unacknowledged_.size() + (encoder_->idle() ? 0 : 1);
-  return unacknowledged_.size() >= kMaxUnacknowledged ||
-         unseen > static_cast<std::size_t>(host_.options().framesInFlight);
-}
+bool Session::isBehind(double now) const { return !control_->mayBegin(now, encoder_->idle() ? 0 : 1); }
 
 bool Session::startFrame(double now) {
-  if (closed_ || !node_ || now < nextDue_ || isBehind()) return false;
+  if (closed_ || !node_ || now < nextDue_ || isBehind(now)) return false;
   if (!node_->requestFrame()) return false;
-  const double period = 1.0 / host_.options().framesPerSecond;
+  const double period = 1.0 / control_->framesPerSecond();
   nextDue_ = std::max(nextDue_ + period, now + period / 2);
   return true;
 }
@@ -243,9 +245,7 @@ node::View Session::look(node::FrameNumber frame) {
     view.camera.pose = self->pose;
     view.lastInput = self->lastInput;
   }
-  const std::lock_guard lock(mutex_);
-  view.camera.width = width_;
-  view.camera.height = height_;
+  view.borderPercent = control_->aim(view.camera);
   return view;
 }
 
@@ -258,10 +258,8 @@ void Session::deliver(const std::shared_ptr<const EncodedFrame>& frame) {
   {
     const std::lock_guard lock(mutex_);
     if (closed_) return;
-    if (unacknowledged_.empty()) unacknowledgedSince_ = world::World::now();
-    newestSent_ = std::max(newestSent_, frame->header.frame);
-    unacknowledged_.insert(frame->header.frame);
   }
+  control_->sent(frame->header.frame, frame->header.lastInput, frame->message().size(), world::World::now());
   sink_(frame);
 }
 

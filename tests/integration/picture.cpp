@@ -3,7 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "stream/jpeg_decoder.h"
+#include "stream/encode/jpeg_decoder.h"
 
 namespace grove::integration {
 

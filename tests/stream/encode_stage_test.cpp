@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "pipeline/worker_pool.h"
-#include "stream/jpeg_decoder.h"
+#include "stream/encode/jpeg_decoder.h"
 #include "world/world.h"
 
 namespace grove::stream {
@@ -24,13 +24,14 @@ TEST(EncodeStage, MakesAFrameMessageOfAFrame) {
   view.time = world::World::now() - 0.25;
   view.players.resize(2);
 
+  const EncoderRegistry encoders = builtinEncoders(80);
   pipeline::Timeline timeline;
   pipeline::MemoryLedger memory;
   std::promise<std::shared_ptr<const EncodedFrame>> promise;
   auto future = promise.get_future();
   pipeline::WorkerPool workers(1);
   const auto stage = std::make_shared<EncodeStage>(
-      std::make_unique<JpegEncoder>(80),
+      std::make_shared<StreamControl>(encoders, false, 30.0, 200, 120), false,
       [&](std::shared_ptr<const EncodedFrame> frame) { promise.set_value(std::move(frame)); }, memory, workers,
       timeline);
   stage->push({std::make_shared<const node::View>(view), std::make_shared<const node::Image>(image)});

@@ -83,7 +83,7 @@ class LoadVisitorTest : public testing::Test {
     header.frame = number;
     header.lastInput = lastInput;
     encode(header, std::span(bytes).first<kFrameHeaderBytes>());
-    JpegEncoder(80).encode(image, bytes);
+    JpegEncoder(80).encode(image, {}, bytes);
     return bytes;
   }
   void sendInput(double now) {

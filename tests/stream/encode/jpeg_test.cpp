@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "stream/jpeg_decoder.h"
-#include "stream/jpeg_encoder.h"
+#include "stream/encode/jpeg_decoder.h"
+#include "stream/encode/jpeg_encoder.h"
 
 namespace grove::stream {
 namespace {
@@ -44,7 +44,7 @@ TEST(JpegEncoder, KeepsThePictureAtAnySize) {
        {std::pair(1280, 720), std::pair(161, 91), std::pair(333, 17), std::pair(16, 16)}) {
     const Picture picture(width, height);
     std::vector<std::uint8_t> jpeg;
-    encoder.encode(picture.image, jpeg);
+    encoder.encode(picture.image, {encoder.range().usual}, jpeg);
     EXPECT_EQ(decoder.size(jpeg), std::pair(width, height));
     const DecodedPicture* decoded = decoder.decode(jpeg);
     ASSERT_NE(decoded, nullptr) << width << " x " << height;
@@ -56,7 +56,7 @@ TEST(JpegEncoder, AppendsAndLeavesWhatWasThere) {
   JpegEncoder encoder(80);
   const Picture picture(64, 48);
   std::vector<std::uint8_t> bytes = {1, 2, 3};
-  encoder.encode(picture.image, bytes);
+  encoder.encode(picture.image, {encoder.range().usual}, bytes);
   EXPECT_EQ(bytes[2], 3);
   JpegDecoder decoder;
   EXPECT_NE(decoder.decode(std::span(bytes).subspan(3)), nullptr);
@@ -65,16 +65,20 @@ TEST(JpegEncoder, AppendsAndLeavesWhatWasThere) {
 TEST(JpegEncoder, SpendsBytesOnQuality) {
   const Picture picture(640, 360);
   std::vector<std::uint8_t> low;
+  std::vector<std::uint8_t> usual;
   std::vector<std::uint8_t> high;
-  JpegEncoder(30).encode(picture.image, low);
-  JpegEncoder(95).encode(picture.image, high);
-  EXPECT_LT(low.size(), high.size());
+  JpegEncoder encoder(75);
+  encoder.encode(picture.image, {encoder.range().coarsest}, low);
+  encoder.encode(picture.image, {encoder.range().usual}, usual);
+  encoder.encode(picture.image, {encoder.range().finest}, high);
+  EXPECT_LT(1.5 * low.size(), usual.size());
+  EXPECT_LT(1.5 * usual.size(), high.size());
 }
 
 TEST(JpegDecoder, TellsDamagedPictures) {
   JpegDecoder decoder;
   std::vector<std::uint8_t> jpeg;
-  JpegEncoder(80).encode(Picture(320, 200).image, jpeg);
+  JpegEncoder(80).encode(Picture(320, 200).image, {}, jpeg);
   EXPECT_EQ(decoder.decode(std::span(jpeg).first(jpeg.size() / 2)), nullptr);
   for (std::size_t length = 0; length < jpeg.size(); length = length * 5 / 4 + 1) {
     EXPECT_EQ(decoder.decode(std::span(jpeg).first(length)), nullptr) << length;

@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "stream/encoder.h"
+#include "stream/encode/encoder.h"
 
 namespace grove::stream {
 
@@ -16,11 +16,13 @@ using TurboJpegHandle = std::unique_ptr<void, TurboJpegDeleter>;
 /// 1280 x 720 pixels. Its scratch memory holds the worst case of the largest picture so far.
 class JpegEncoder final : public Encoder {
  public:
-  /// `quality` is 1 to 100. Throws EnvironmentError if the library cannot start.
+  /// `quality`, 1 to 100, is that of pictures that move; those that stand still get better. Throws EnvironmentError if
+  /// the library cannot start.
   explicit JpegEncoder(int quality);
 
-  [[nodiscard]] std::uint8_t codec() const noexcept override { return kCodecJpeg; }
-  void encode(const node::Image& image, std::vector<std::uint8_t>& out) override;
+  [[nodiscard]] std::uint8_t codec() const noexcept override;
+  [[nodiscard]] QuantiserRange range() const noexcept override;
+  bool encode(const node::Image& image, const EncodeOrder& order, std::vector<std::uint8_t>& out) override;
   /// What the largest picture so far took of the scratch memory: the rest was never touched.
   [[nodiscard]] std::size_t bytes() const noexcept override { return touchedBytes_; }
 

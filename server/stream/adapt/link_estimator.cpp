@@ -1,0 +1,121 @@
+#include "stream/adapt/link_estimator.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace grove::stream {
+namespace {
+
+constexpr double kBitsPerByte = 8.0;
+/// Queues, beside a frame's own passage, that let the rate grow, and that make it fall.
+constexpr double kShortQueue = 0.020;
+constexpr double kLongQueue = 0.045;
+/// So long after it should have come, a frame is overdue.
+constexpr double kOverdue = 0.080;
+constexpr int kMaxOverdueFalls = 2;
+constexpr double kDeliverySeconds = 0.4;
+constexpr double kMinSecondsBetweenFalls = 0.15;
+/// A fall goes to this much of what was delivered, but neither further nor less than this of what the rate was.
+constexpr double kOfDelivered = 0.85;
+constexpr double kDeepestFall = 0.4;
+constexpr double kSmallestFall = 0.95;
+/// Growth a second: before the line was ever full, below the rate at which it last was, and near that.
+constexpr double kFirstGrowth = 6.0;
+constexpr double kGrowth = 1.0;
+constexpr double kCarefulGrowth = 0.25;
+constexpr double kNear = 0.9;
+/// What has not been tried is not known: the rate stays within this of what is delivered.
+constexpr double kBeyondDelivered = 1.6;
+constexpr double kBeyondAtLeast = 400e3;
+constexpr std::size_t kMinWindow = 2;
+constexpr std::size_t kMaxWindow = 24;
+/// More than the idle line's flight may be under way by this; it covers jitter, not queues.
+constexpr double kSlackSeconds = 0.040;
+constexpr double kBytesSlackSeconds = 0.080;
+
+}  // namespace
+
+double LinkEstimator::passage(std::size_t bytes) const { return kBitsPerByte * static_cast<double>(bytes) / rate_; }
+
+void LinkEstimator::sent(std::uint32_t frame, std::size_t bytes, double now) {
+  underWay_.push_back({frame, bytes, now});
+  bytesUnderWay_ += bytes;
+}
+
+void LinkEstimator::arrived(std::uint32_t frame, const Arrival& arrival) {
+  const double now = arrival.acknowledged;
+  std::optional<Frame> newest;
+  while (!underWay_.empty() && underWay_.front().number <= frame) {
+    newest = underWay_.front();
+    underWay_.pop_front();
+    bytesUnderWay_ -= newest->bytes;
+    deliveries_.push_back({now, newest->bytes});
+  }
+  while (!deliveries_.empty() && deliveries_.front().time < now - kDeliverySeconds) deliveries_.pop_front();
+  if (!newest || newest->number != frame) return;
+  overdueFalls_ = 0;
+  const double flight = now - newest->sent;
+  const double held = std::clamp(arrival.held, 0.0, flight);
+  const double transit = arrival.pageSeconds ? *arrival.pageSeconds - newest->sent : flight - held;
+  flight_.add(now, flight);
+  roundTrip_.add(now, flight - held);
+  transit_.add(now, transit);
+  usualFlight_ += (flight - usualFlight_) / 8.0;
+  queueing_ = transit - *transit_.value();
+  const double own = passage(newest->bytes);
+  if (queueing_ > kLongQueue + own) {
+    fall(now);
+  } else if (queueing_ < kShortQueue + own) {
+    grow(now);
+  }
+}
+
+void LinkEstimator::look(double now) {
+  if (underWay_.empty() || !flight_.value()) return;
+  const Frame& oldest = underWay_.front();
+  const double due = *flight_.value() + kLongQueue + kOverdue + passage(bytesUnderWay_);
+  // Nothing more is sent by now; how far it has to fall is seen when something arrives.
+  if (now - oldest.sent > due && overdueFalls_ < kMaxOverdueFalls && fall(now)) ++overdueFalls_;
+}
+
+bool LinkEstimator::isFull(double now, double framesPerSecond, std::size_t more) const {
+  if (underWay_.size() + more < kMinWindow) return false;
+  const double idle = flight_.value().value_or(0.0);
+  const double flight = std::min(std::max(idle, usualFlight_), idle + kSlackSeconds);
+  const auto window = static_cast<std::size_t>(std::ceil(flight * framesPerSecond)) + 1;
+  if (underWay_.size() + more >= std::clamp(window, kMinWindow, kMaxWindow)) return true;
+  if (static_cast<double>(bytesUnderWay_) * kBitsPerByte > rate_ * (idle + kBytesSlackSeconds)) return true;
+  return !underWay_.empty() && now - underWay_.front().sent > idle + kLongQueue + kOverdue;
+}
+
+double LinkEstimator::delivered(double now) const {
+  double bytes = 0.0;
+  for (const Delivery& each : deliveries_) {
+    if (each.time > now - kDeliverySeconds) bytes += static_cast<double>(each.bytes);
+  }
+  return bytes * kBitsPerByte / kDeliverySeconds;
+}
+
+void LinkEstimator::grow(double now) {
+  const double seconds = std::min(0.1, now - std::exchange(lastGrowth_, now));
+  const double bound = kBeyondDelivered * delivered(now) + kBeyondAtLeast;
+  if (rate_ > bound) return;
+  const double perSecond = !lastFall_ ? kFirstGrowth : rate_ > kNear * rateBeforeFall_ ? kCarefulGrowth : kGrowth;
+  rate_ = std::min({rate_ * std::exp(perSecond * seconds), std::max(bound, rate_), kMaxBitsPerSecond});
+  // The line has become better than it was.
+  if (rate_ > 1.2 * rateBeforeFall_) rateBeforeFall_ = kMaxBitsPerSecond;
+}
+
+bool LinkEstimator::fall(double now) {
+  // What has been changed shows a round trip later.
+  const double pause = std::max(kMinSecondsBetweenFalls, std::min(roundTrip() + queueing_, 1.0));
+  if (lastFall_ && now - *lastFall_ < pause) return false;
+  lastFall_ = now;
+  rateBeforeFall_ = rate_;
+  const double wanted = std::clamp(kOfDelivered * delivered(now), kDeepestFall * rate_, kSmallestFall * rate_);
+  rate_ = std::max(kMinBitsPerSecond, wanted);
+  return true;
+}
+
+}  // namespace grove::stream

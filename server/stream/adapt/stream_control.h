@@ -1,0 +1,97 @@
+#pragma once
+
+#include <cstdint>
+#include <mutex>
+#include <optional>
+#include <vector>
+
+#include "stream/adapt/link_estimator.h"
+#include "stream/adapt/stream_policy.h"
+#include "stream/encode/encoder.h"
+#include "stream/encode/encoder_registry.h"
+#include "stream/encode/quantiser_control.h"
+#include "stream/protocol.h"
+#include "world/camera.h"
+
+namespace grove::stream {
+
+/// What leads one visitor's stream: codec, size, rate, quantiser, and how many frames are under way; from what he
+/// wants, what his line carries and what the pictures are like. Any thread; times are seconds of world::World::now().
+class StreamControl {
+ public:
+  /// `adapts`: pages since v1.2. To others, pictures of the wanted size go in JPEG of the usual quality; only how many
+  /// are under way follows the line. `encoders` outlives it.
+  StreamControl(const EncoderRegistry& encoders, bool adapts, double framesPerSecond, int width, int height);
+
+  // What the visitor says.
+  void resize(int width, int height);
+  void offer(std::vector<std::uint8_t> codecs);
+  void limit(const Limits& limits);
+  /// A frame cannot be decoded.
+  void broken();
+  /// False: it was never sent.
+  [[nodiscard]] bool acknowledged(std::uint32_t frame, const Arrival& arrival);
+  /// How long frames have been waiting to be acknowledged, seconds, since one was last; 0 if there is none.
+  [[nodiscard]] double secondsUnacknowledged(double now) const;
+
+  // What a frame is to be.
+  /// Whether one more frame may begin while `beingMade` are.
+  [[nodiscard]] bool mayBegin(double now, int beingMade);
+  [[nodiscard]] double framesPerSecond() const;
+  /// Gives the camera its size and angle; returns the border, percent.
+  int aim(world::Camera& camera) const;
+
+  // What becomes of its picture.
+  struct Choice {
+    const EncoderKind* kind;
+    EncodeOrder order;
+    double bytes;  ///< that it may take
+  };
+  /// Which encoder is to make it. One that failed is not chosen again.
+  [[nodiscard]] const EncoderKind& kind() const;
+  void failed(const EncoderKind& kind);
+  /// `still`: the camera stands where it stood in the picture before; `same`: no pixel is another.
+  [[nodiscard]] Choice choose(const EncoderKind& kind, const QuantiserRange& range, double pixels, bool still,
+                              bool same, double now);
+  void encoded(const Choice& choice, bool independent, double pixels, std::size_t bytes);
+  /// The page shows already what would be sent.
+  void unchanged(std::uint32_t lastInput);
+  void sent(std::uint32_t frame, std::uint32_t lastInput, std::size_t bytes, double now);
+
+  /// To be said now, if anything is.
+  [[nodiscard]] std::optional<Status> takeStatus(double now);
+  /// For reports: of all that it keeps.
+  [[nodiscard]] Status status() const;
+
+ private:
+  [[nodiscard]] StreamWish wish() const;
+  [[nodiscard]] double bitsPerSecond() const;
+  [[nodiscard]] Status statusNow() const;
+  void plan(double now);
+
+  const EncoderRegistry& encoders_;
+  const bool adapts_;
+  const double serverFramesPerSecond_;
+
+  mutable std::mutex mutex_;
+  int width_;
+  int height_;
+  std::vector<std::uint8_t> offer_{kCodecJpeg};
+  std::vector<std::uint8_t> failed_;
+  Limits limits_;
+  LinkEstimator link_;
+  StreamPolicy policy_;
+  QuantiserControl quantisers_;
+  QuantiserRange range_;
+  Quantiser newestQuantiser_ = 30.0;
+  bool wantsIndependent_ = true;
+  double independentMade_ = -1.0;  ///< when one was last asked for and made
+  std::uint32_t newestSent_ = 0;
+  double unacknowledgedSince_ = 0.0;  ///< if there are any
+  std::uint32_t lastInput_ = 0;       ///< that the page's picture obeys
+  std::uint32_t lastInputTold_ = 0;
+  double wordSince_ = 0.0;  ///< when anything was last sent
+  Status told_;
+};
+
+}  // namespace grove::stream

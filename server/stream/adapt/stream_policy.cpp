@@ -1,0 +1,111 @@
+#include "stream/adapt/stream_policy.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <tuple>
+
+namespace grove::stream {
+namespace {
+
+constexpr double kMinWidth = 160;
+constexpr double kMinHeight = 90;
+constexpr double kMaxWidth = 1920;
+constexpr double kMaxHeight = 1080;
+
+struct Rung {
+  double scale;  ///< of width and height
+  double rate;   ///< of the wanted frames a second
+};
+/// Every one takes a fifth to a third less than the one before. 1280 x 720 at 30 goes down to 480 lines before frames
+/// become fewer, and stays there down to 20.
+constexpr std::array<Rung, 11> kLadder = {{{1.0, 1.0},
+                                           {0.85, 1.0},
+                                           {0.75, 1.0},
+                                           {2.0 / 3.0, 1.0},
+                                           {2.0 / 3.0, 0.8},
+                                           {2.0 / 3.0, 2.0 / 3.0},
+                                           {0.5, 2.0 / 3.0},
+                                           {0.5, 0.5},
+                                           {1.0 / 3.0, 0.5},
+                                           {1.0 / 3.0, 1.0 / 3.0},
+                                           {0.25, 1.0 / 6.0}}};
+/// Of the way from the finest to the coarsest quantiser: beyond the first, something else gives way; below the second,
+/// there is room for the next better rung.
+constexpr double kTight = 0.72;
+constexpr double kRoomy = 0.60;
+constexpr double kTightSeconds = 0.15;
+constexpr double kRoomySeconds = 2.0;
+/// Far beyond, nothing is waited for.
+constexpr double kMuchTooTight = 4.0;
+/// Smaller pictures have finer detail in each pixel: bits go with this power of the pixels.
+constexpr double kDetail = 0.85;
+
+/// The quantiser that this rung would need.
+Quantiser needed(const Rung& rung, const StreamWish& wish, const StreamMeans& means) {
+  const double whole = static_cast<double>(wish.width) * wish.height;
+  const double pixels = whole * std::pow(rung.scale * rung.scale, kDetail);
+  const double bits = means.bitsPerSecond / (wish.framesPerSecond * rung.rate);
+  return 6.0 * std::log2(std::max(1e-9, means.bitsPerPixel * pixels / bits));
+}
+
+/// Times more than the machine can draw.
+double overload(const Rung& rung, const StreamWish& wish, const StreamMeans& means) {
+  const double pixels = static_cast<double>(wish.width) * wish.height * rung.scale * rung.scale;
+  return pixels * wish.framesPerSecond * rung.rate / means.pixelsPerSecond;
+}
+
+/// How far beyond what pleases a rung is, in steps of the quantiser; negative: within.
+double excess(const Rung& rung, const StreamWish& wish, const StreamMeans& means, double share) {
+  const double bound = means.finest + share * (means.coarsest - means.finest);
+  return std::max(needed(rung, wish, means) - bound, 6.0 * std::log2(std::max(1e-9, overload(rung, wish, means))));
+}
+
+}  // namespace
+
+std::pair<int, int> fitSize(std::uint32_t width, std::uint32_t height) {
+  const double w = std::max(1.0, static_cast<double>(width));
+  const double h = std::max(1.0, static_cast<double>(height));
+  const double grow = std::max({1.0, kMinWidth / w, kMinHeight / h});
+  const double scale = std::min({grow, kMaxWidth / w, kMaxHeight / h});
+  const auto even = [&](double size, double min) {
+    return 2 * static_cast<int>(std::max(min, std::round(size * scale)) / 2.0);
+  };
+  return {even(w, kMinWidth), even(h, kMinHeight)};
+}
+
+void StreamPolicy::step(double now, const StreamWish& wish, const StreamMeans& means) {
+  const double beyond = excess(kLadder[rung_], wish, means, kTight);
+  if (beyond > 0.0 && rung_ + 1 < kLadder.size()) {
+    roomySince_ = -1.0;
+    if (tightSince_ < 0.0) tightSince_ = now;
+    if (now - tightSince_ < kTightSeconds && beyond < kMuchTooTight) return;
+    limit_ = needed(kLadder[rung_], wish, means) > means.finest && overload(kLadder[rung_], wish, means) <= 1.0
+                 ? LimitedBy::kLine
+                 : LimitedBy::kMachine;
+    while (rung_ + 1 < kLadder.size() && excess(kLadder[rung_], wish, means, kTight) > 0.0) ++rung_;
+    tightSince_ = -1.0;
+    return;
+  }
+  tightSince_ = -1.0;
+  if (rung_ == 0 || excess(kLadder[rung_ - 1], wish, means, kRoomy) > 0.0) {
+    roomySince_ = -1.0;
+    return;
+  }
+  if (roomySince_ < 0.0) roomySince_ = now;
+  if (now - roomySince_ < kRoomySeconds) return;
+  --rung_;
+  roomySince_ = now;
+}
+
+const StreamPlan& StreamPolicy::update(double now, const StreamWish& wish, const StreamMeans& means) {
+  step(now, wish, means);
+  const Rung& rung = kLadder[rung_];
+  const auto scaled = [&](int side) { return static_cast<std::uint32_t>(std::lround(side * rung.scale)); };
+  std::tie(plan_.width, plan_.height) = fitSize(scaled(wish.width), scaled(wish.height));
+  plan_.framesPerSecond = std::max(1.0, wish.framesPerSecond * rung.rate);
+  plan_.limitedBy = rung_ == 0 ? LimitedBy::kNothing : limit_;
+  return plan_;
+}
+
+}  // namespace grove::stream

@@ -1,0 +1,17 @@
+#include "stream/encode/encoder_registry.h"
+#include "stream/encode/h264_encoder.h"
+#include "stream/encode/jpeg_encoder.h"
+#include "stream/protocol.h"
+
+namespace grove::stream {
+
+EncoderRegistry builtinEncoders(int jpegQuality) {
+  EncoderRegistry registry;
+  registry.add({kCodecJpeg, false, "jpeg", "libjpeg-turbo " GROVE_TURBOJPEG_VERSION,
+                [jpegQuality] { return std::make_unique<JpegEncoder>(jpegQuality); }});
+  registry.add(
+      {kCodecH264, true, "h264", "OpenH264 " + openH264Version(), [] { return std::make_unique<H264Encoder>(); }});
+  return registry;
+}
+
+}  // namespace grove::stream

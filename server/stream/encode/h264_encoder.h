@@ -1,0 +1,44 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "stream/encode/encoder.h"
+#include "stream/encode/i420.h"
+
+class ISVCEncoder;
+
+namespace grove::stream {
+
+/// H.264, Constrained Baseline, by OpenH264: each picture depends on the one before, none is held back or reordered,
+/// and independent ones come only when they are asked for. About 5 ms of CPU for 1280 x 720 pixels, on the calling
+/// thread.
+class H264Encoder final : public Encoder {
+ public:
+  /// Throws EnvironmentError if the library cannot start.
+  H264Encoder();
+  ~H264Encoder() override;
+
+  [[nodiscard]] std::uint8_t codec() const noexcept override;
+  [[nodiscard]] QuantiserRange range() const noexcept override;
+  bool encode(const node::Image& image, const EncodeOrder& order, std::vector<std::uint8_t>& out) override;
+  [[nodiscard]] std::size_t bytes() const noexcept override;
+
+ private:
+  struct Deleter {
+    void operator()(ISVCEncoder* encoder) const noexcept;
+  };
+  /// For pictures of this size, which begins with an independent one.
+  void start(int width, int height, int quantiser);
+  void setQuantiser(int quantiser);
+
+  std::unique_ptr<ISVCEncoder, Deleter> encoder_;
+  I420 picture_;
+  int quantiser_ = 0;
+  bool started_ = false;
+};
+
+/// Of the library that is linked, as in "2.3.1".
+[[nodiscard]] std::string openH264Version();
+
+}  // namespace grove::stream

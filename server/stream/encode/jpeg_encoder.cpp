@@ -1,0 +1,68 @@
+#include "stream/encode/jpeg_encoder.h"
+
+#include <turbojpeg.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "base/error.h"
+#include "stream/protocol.h"
+
+namespace grove::stream {
+namespace {
+
+/// JPEG's tables times one are what this quantiser is to H.264, about; the library calls that quality 50.
+constexpr Quantiser kTablesTimesOne = 30.0;
+constexpr int kFinestQuality = 92;
+constexpr int kCoarsestQuality = 20;
+
+/// The library's quality for a factor of the tables, and back.
+int qualityOf(Quantiser quantiser) {
+  const double factor = std::exp2((quantiser - kTablesTimesOne) / 6.0);
+  const double quality = factor <= 1.0 ? 100.0 - 50.0 * factor : 50.0 / factor;
+  return static_cast<int>(std::lround(std::clamp(quality, 1.0, 100.0)));
+}
+Quantiser quantiserOf(int quality) {
+  const double factor = quality >= 50 ? std::max(0.01, (100.0 - quality) / 50.0) : 50.0 / quality;
+  return std::max(0.0, kTablesTimesOne + 6.0 * std::log2(factor));
+}
+
+}  // namespace
+
+void TurboJpegDeleter::operator()(void* handle) const noexcept { tjDestroy(handle); }
+
+JpegEncoder::JpegEncoder(int quality) : quality_(quality), handle_(tjInitCompress()) {
+  assert(quality >= 1 && quality <= 100);
+  if (!handle_) throw EnvironmentError(tjGetErrorStr2(nullptr), "JPEG encoder", "");
+}
+
+std::uint8_t JpegEncoder::codec() const noexcept { return kCodecJpeg; }
+
+QuantiserRange JpegEncoder::range() const noexcept {
+  return {.finest = quantiserOf(std::max(quality_, kFinestQuality)),
+          .usual = quantiserOf(quality_),
+          .coarsest = quantiserOf(std::min(quality_, kCoarsestQuality))};
+}
+
+bool JpegEncoder::encode(const node::Image& image, const EncodeOrder& order, std::vector<std::uint8_t>& out) {
+  const unsigned long most = tjBufSize(image.width(), image.height(), TJSAMP_420);
+  if (most > scratchBytes_) {
+    scratch_ = std::make_unique_for_overwrite<unsigned char[]>(most);
+    scratchBytes_ = most;
+    touchedBytes_ = 0;
+  }
+  unsigned char* bytes = scratch_.get();
+  unsigned long size = scratchBytes_;
+  const int pitch = image.width() * static_cast<int>(sizeof(std::uint32_t));
+  const int quality = qualityOf(std::clamp(order.quantiser, range().finest, range().coarsest));
+  const int failed =
+      tjCompress2(handle_.get(), reinterpret_cast<const unsigned char*>(image.colour.data()), image.width(), pitch,
+                  image.height(), TJPF_RGBX, &bytes, &size, TJSAMP_420, quality, TJFLAG_NOREALLOC | TJFLAG_ACCURATEDCT);
+  if (failed != 0) throw EnvironmentError(tjGetErrorStr2(handle_.get()), "JPEG encoder", "");
+  touchedBytes_ = std::max(touchedBytes_, size);
+  out.insert(out.end(), bytes, bytes + size);
+  return true;
+}
+
+}  // namespace grove::stream

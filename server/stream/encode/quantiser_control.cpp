@@ -1,0 +1,45 @@
+#include "stream/encode/quantiser_control.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace grove::stream {
+namespace {
+
+constexpr double kStepsPerHalving = 6.0;
+constexpr double kBitsPerByte = 8.0;
+/// An independent picture may take what so many others do: it comes seldom.
+constexpr double kIndependentShare = 3.0;
+/// Of a debt, this much is saved on each picture, and no picture gets less than this of its share.
+constexpr double kRepayment = 0.2;
+constexpr double kMinShare = 0.4;
+/// Debts that the line has had time to work off are forgotten.
+constexpr double kDebtDecay = 0.9;
+constexpr double kCalming = 0.06;
+
+double bitsAtZero(double pixels, Quantiser quantiser, double bytes) {
+  return bytes * kBitsPerByte / pixels * std::exp2(quantiser / kStepsPerHalving);
+}
+
+}  // namespace
+
+Quantiser QuantiserControl::choose(bool independent, double pixels, double bytes) const {
+  const double share = independent ? kIndependentShare * bytes : bytes;
+  const double wanted = std::max(share * kMinShare, share - kRepayment * std::max(0.0, debt_));
+  const double needed = (independent ? independent_ : dependent_) * pixels / kBitsPerByte;
+  return kStepsPerHalving * std::log2(std::max(1e-9, needed / std::max(1.0, wanted)));
+}
+
+void QuantiserControl::encoded(bool independent, double pixels, Quantiser quantiser, double bytes, double wantedBytes) {
+  const double now = bitsAtZero(pixels, quantiser, bytes);
+  debt_ = std::max(0.0, kDebtDecay * debt_ + bytes - wantedBytes);
+  if (independent) {
+    independent_ = now;
+    return;
+  }
+  // Upwards at once, downwards in two or three pictures: one that was cheap by chance shall not make the next dear.
+  dependent_ = now > dependent_ ? now : 0.5 * (now + dependent_);
+  complexity_ = std::max(dependent_, complexity_ + kCalming * (dependent_ - complexity_));
+}
+
+}  // namespace grove::stream
