@@ -58,6 +58,10 @@ export class Server {
     return new Server(process, `http://${address}/`, operatorUrl);
   }
 
+  signal(name) {
+    this.#process.kill(name);
+  }
+
   /** Ends it with this signal; resolves when it is gone. */
   async end(signal = 'SIGTERM') {
     if (this.#process.exitCode !== null || this.#process.signalCode !== null) return;

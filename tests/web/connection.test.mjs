@@ -250,7 +250,7 @@ test('tells when a picture came and how long it took to the screen', () => {
   connection.acknowledge({ frame: 9, arrived: 991.5 });
   connection.acknowledge({ frame: 8, arrived: 991.5 });
   // 85 tenths of milliseconds; 991500 microseconds.
-  assert.deepEqual(sockets[0].sent.slice(2), ['0800550009000000' + 'fc200f00']);
+  assert.deepEqual(sockets[0].sent.slice(2), ['0800550009000000' + '0c210f00']);
 });
 
 test('a server that promised to speak and does not is told of, until it speaks again or is lost', () => {

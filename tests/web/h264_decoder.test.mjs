@@ -135,7 +135,7 @@ test('what piles up before a decoder is thrown away instead of shown late', () =
   assert.equal(log.at(-1), 'Error at 31: the decoder does not keep up');
 });
 
-test('a decoder that keeps pictures back is found out while pictures come, within a second and a half', () => {
+test('a decoder that keeps pictures back is found out while pictures come, within two seconds', () => {
   const { clock, log, browser, push } = setUp({ held: 1 });
   push(kIndependent);
   browser.work();
@@ -146,7 +146,7 @@ test('a decoder that keeps pictures back is found out while pictures come, withi
   }
   clock.advance(250);
   assert.match(log.at(-1), /^HoldsBack/);
-  assert.ok(clock.now() < 1500, `after ${clock.now()} ms`);
+  assert.ok(clock.now() < 2000, `after ${clock.now()} ms`);
 });
 
 test('and while none come: the server goes on, for it does not wait for what is inside', () => {

@@ -14,7 +14,7 @@ for (const [window, ratio, wanted, coarse = false] of [
   [[4000, 20], 1, [1920, 16]],
   [[0, 0], 1, [16, 16]],
   // Phones, upright and lying; a small one that has fewer pixels than its bound; tablets are as other screens.
-  [[390, 844], 3, [592, 1280], true],
+  [[390, 844], 3, [591, 1280], true],
   [[932, 430], 3, [1280, 591], true],
   [[500, 500], 2, [720, 720], true],
   [[640, 360], 1, [640, 360], true],
