@@ -61,7 +61,7 @@ export class Overlay {
   #timer;
 
   /**
-   * `panel` has an element with `data-figure`, `data-stream` or `data-saving` for each line; `read()` gives a reading
+   * `panel` has an element with `data-figure`, `data-status` or `data-saving` for each line; `read()` gives a reading
    * of Telemetry and WorldStatistics, and `lateLook`, what becomes of that; `watch(shown)` is told when the panel appears and goes.
    */
   constructor(panel, button, read, watch) {
@@ -91,8 +91,8 @@ export class Overlay {
     const { status, lateLook, amortization } = reading;
     const stream = this.#panel.querySelector('[data-line]');
     stream.hidden = status === null;
-    for (const figure of status === null ? [] : stream.querySelectorAll('[data-stream]')) {
-      const { stream: name } = figure.dataset;
+    for (const figure of status === null ? [] : stream.querySelectorAll('[data-status]')) {
+      const { status: name } = figure.dataset;
       figure.textContent = (name === 'lateLook' ? lateLook : kStatus[name](status)) || kUnknown;
     }
     this.#panel.querySelector('[data-savings]').hidden = amortization === null;
