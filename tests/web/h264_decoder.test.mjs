@@ -182,6 +182,9 @@ test('a decoder that is only slow stays', () => {
     }
   }
   assert.ok(testing > 0, 'it was tested');
+  browser.held = 0;
+  browser.work();
+  assert.equal(log.filter((line) => /^(key|delta)$/.test(line)).length, 403, 'what was kept from it came after all');
   assert.ok(!log.some((line) => /HoldsBack|Error/.test(line)), log.slice(-3).join());
 });
 
@@ -191,5 +194,18 @@ test('a decoder that takes its time before the first picture is given it', () =>
   clock.advance(2_900);
   browser.work();
   assert.equal(log.at(-1), 'image 1');
+  assert.ok(!log.some((line) => line.startsWith('HoldsBack')));
+});
+
+test('a rest now and then is forgiven', () => {
+  const { clock, log, browser, push } = setUp();
+  push(kIndependent);
+  browser.work();
+  for (let i = 0; i < 10; i += 1) {
+    push();
+    clock.advance(400);
+    browser.work();
+  }
+  assert.equal(log.filter((line) => line.startsWith('held')).length, 10);
   assert.ok(!log.some((line) => line.startsWith('HoldsBack')));
 });
