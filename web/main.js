@@ -1,4 +1,5 @@
 import { Backoff } from './backoff.js';
+import { h264Hindrance } from './browser_abilities.js';
 import { Codecs } from './codecs.js';
 import { Connection } from './connection.js';
 import { decoders } from './decoders.js';
@@ -9,24 +10,32 @@ import { Hint } from './hint.js';
 import { listenToBlowButton } from './input/blow_button.js';
 import { Controls } from './input/controls.js';
 import { listenToGamepads } from './input/gamepad.js';
+import { KeyLabels } from './input/key_labels.js';
 import { listenToKeyboard } from './input/keyboard.js';
 import { listenToMouse } from './input/mouse.js';
 import { InputSender } from './input/sender.js';
 import { listenToTouch } from './input/touch.js';
 import { Turner } from './input/turner.js';
+import { KeyEditor } from './key_editor.js';
+import { writeKeyHints } from './key_hints.js';
 import { LatencyButton } from './latency_button.js';
 import { LateLook } from './late_look.js';
 import { LineHint } from './line_hint.js';
 import { Notice } from './notice.js';
 import { Overlay } from './overlay.js';
-import { LimitedBy, kSubProtocols } from './protocol.js';
+import { Codec, LimitedBy, kSubProtocols } from './protocol.js';
 import { ReloadOnce } from './reload_once.js';
 import { Screen } from './screen.js';
+import { Screenshot, saveFile, takePicture } from './screenshot.js';
+import { Settings, streamPreferences } from './settings.js';
+import { SettingsPanel } from './settings_panel.js';
 import { Stream } from './stream.js';
 import { Telemetry } from './telemetry.js';
+import { Toast } from './toast.js';
 import { Viewport } from './viewport.js';
 import { WorldStatistics } from './world_statistics.js';
 
+const kFailed = 'it failed in this browser';
 const kLimitNames = Object.fromEntries(Object.entries(LimitedBy).map(([name, number]) => [number, name]));
 const element = (id) => document.getElementById(id);
 const root = document.documentElement;
@@ -38,6 +47,7 @@ const clock = {
   clearTimeout: (timer) => window.clearTimeout(timer),
 };
 
+const settings = new Settings(() => window.localStorage);
 const telemetry = new Telemetry();
 const controls = new Controls();
 const viewport = new Viewport(window, (size) => connection.sendResize(size));
@@ -48,10 +58,12 @@ const notice = new Notice(element('notice'), () => {
   else connection.retry();
 });
 
+const nameInAddress = query.get('name');
+
 const connection = new Connection({
   openSocket: () => new WebSocket(window.location.origin.replace(/^http/, 'ws') + '/', kSubProtocols),
   offer: () => stream.offer,
-  hello: () => ({ name: query.get('name') ?? '', ...viewport.size }),
+  hello: () => ({ name: nameInAddress || settings.values.name, ...viewport.size }),
   on: { state: enter, welcome, waiting: (message) => notice.wait(message), picture: receive, status: hear },
   backoff: new Backoff(),
   mayRetry: () => !document.hidden,
@@ -77,10 +89,17 @@ const stream = new Stream({
   makeDecoding: (on) => new Decoding({ make: decoders(window, clock), clock, on }),
   display,
   lateLook,
-  report: (words) => console.warn(words),
+  onCodecFailed: (words) => {
+    console.warn(words);
+    panel.disable('codec', kFailed, 'h264');
+  },
 });
 const lineHint = new LineHint(element('line'), clock);
-const latency = new LatencyButton(element('latency'), { clock, sendInput: () => sender.repeat() });
+const latency = new LatencyButton(element('latency'), {
+  clock,
+  sendInput: () => sender.repeat(),
+  save: (file) => saveFile(window, file),
+});
 controls.onChange(() => display.turn());
 
 function enter(state, reason) {
@@ -164,12 +183,51 @@ const overlay = new Overlay(
 );
 const fullscreen = new Fullscreen(document, element('fullscreen'));
 new Turner(controls, (callback) => window.requestAnimationFrame(callback));
-listenToKeyboard(window, controls, {
-  o: () => overlay.toggle(),
-  f3: () => overlay.toggle(),
-  f: () => fullscreen.toggle(),
-  l: () => latency.start(),
+const toast = new Toast(element('toast'), clock);
+const screenshot = new Screenshot({
+  take: () => takePicture(canvas),
+  save: (file) => saveFile(window, file),
+  say: (text) => toast.say(text),
 });
+element('screenshot').addEventListener('click', () => screenshot.shoot());
+
+const panel = new SettingsPanel({
+  dialog: element('settings'),
+  button: element('settings-button'),
+  settings,
+  read: () => telemetry.read(clock.now()),
+  narrow: window.matchMedia('(max-width: 48rem), (max-height: 28rem)'),
+});
+const labels = new KeyLabels();
+const keyEditor = new KeyEditor(document.querySelector('#settings tbody'), settings, labels, (text) => panel.say(text));
+listenToKeyboard(window, controls, () => settings.values.keys, {
+  figures: () => overlay.toggle(),
+  fullscreen: () => fullscreen.toggle(),
+  screenshot: () => screenshot.shoot(),
+  settings: () => panel.toggle(),
+  latency: () => latency.start(),
+});
+
+function apply(values) {
+  controls.setSteering(values);
+  stream.setPreferences(streamPreferences(values));
+  writeKeyHints(document, values.keys, labels);
+}
+
+function relabel() {
+  keyEditor.write();
+  writeKeyHints(document, settings.values.keys, labels);
+}
+
+settings.onChange(apply);
+apply(settings.values);
+labels.ask(window.navigator).then(relabel);
+window.addEventListener('keydown', (event) => {
+  if (labels.learn(event)) relabel();
+});
+window.addEventListener('storage', () => settings.reload());
+if (nameInAddress) panel.disable('name', `The page's address names you ${nameInAddress}.`);
+if (!lateLook.isReady) panel.disable('lateLook', 'Needs WebGL, which this browser does not give to the page.');
 listenToMouse(canvas, controls, pointer);
 listenToTouch(canvas, controls, element('stick'));
 listenToBlowButton(element('blow'), controls);
@@ -189,5 +247,10 @@ for (const [target, event] of [
   });
 }
 stream.setHidden(document.hidden);
+// Before the wait: it tells that the page has started.
+root.dataset.connection = connection.state;
 await codecs.ask();
 connection.start();
+if (!codecs.offer('h264').includes(Codec.h264)) {
+  panel.disable('codec', (await h264Hindrance(window)) || kFailed, 'h264');
+}

@@ -19,7 +19,7 @@ export class Stream {
   #codecs;
   #decoding;
   #lateLook;
-  #report;
+  #onCodecFailed;
   #preferences = kPreferences;
   #hidden = false;
   #told = '';
@@ -31,13 +31,13 @@ export class Stream {
    * @param {(on: object) => import('./decoding.js').Decoding} parts.makeDecoding made with whom it tells
    * @param {import('./display.js').Display} parts.display
    * @param {import('./late_look.js').LateLook} parts.lateLook
-   * @param {(words: string) => void} parts.report what went wrong, for whoever looks after the page
+   * @param {(words: string) => void} parts.onCodecFailed a codec is not offered any more, and why
    */
-  constructor({ connection, codecs, makeDecoding, display, lateLook, report }) {
+  constructor({ connection, codecs, makeDecoding, display, lateLook, onCodecFailed }) {
     this.#connection = connection;
     this.#codecs = codecs;
     this.#lateLook = lateLook;
-    this.#report = report;
+    this.#onCodecFailed = onCodecFailed;
     this.#decoding = makeDecoding({
       image: (image, picture) => display.show(image, picture),
       skipped: (picture) => connection.acknowledge(picture),
@@ -108,6 +108,6 @@ export class Stream {
   #drop(codec, error) {
     this.#codecs.drop(codec);
     this.#connection.sendOffer(this.offer);
-    this.#report(`${kCodecNames[codec]} does not work here (${error.message}); offering ${namesOf(this.offer)}`);
+    this.#onCodecFailed(`${kCodecNames[codec]} does not work here (${error.message}); offering ${namesOf(this.offer)}`);
   }
 }

@@ -188,7 +188,7 @@ double Session::secondsUnacknowledged(double now) const { return control_->secon
 double Session::startIfDue(double now) {
   const double period = 1.0 / control_->framesPerSecond();
   std::unique_lock lock(mutex_);
-  if (closed_ || !node_) return now + 1.0;
+  if (closed_ || !node_ || control_->isHidden()) return now + 1.0;
   if (now < nextDue_) return nextDue_;
   if (waits_) return now + period;
   // A frame that cannot start stays due: the acknowledgement or one of the next looks starts it.

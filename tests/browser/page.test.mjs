@@ -89,11 +89,11 @@ test('the overlay tells what sharing saves, with explanations', async () => {
 test('every button has a name, and the keyboard reaches it', async () => {
   const ada = await arrive();
   const names = [];
-  for (let i = 0; i < 4; i += 1) {
+  for (let i = 0; i < 6; i += 1) {
     await ada.page.keyboard.press('Tab');
     names.push(await ada.page.evaluate(() => document.activeElement.getAttribute('aria-label')));
   }
-  assert.ok(names.includes('Figures') && names.includes('Full screen'), names.join(', '));
+  assert.ok(['Figures', 'Screenshot', 'Settings', 'Full screen'].every((name) => names.includes(name)), names.join(', '));
   await ada.leave();
 });
 

@@ -89,7 +89,8 @@ RawWebsocket::RawWebsocket(int port, const std::string& headers, int receiveBuff
   std::string hello = "GET / HTTP/1.1\r\nHost: 127.0.0.1:";
   hello.append(std::to_string(port)).append("\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n");
   hello.append("Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\nSec-WebSocket-Version: 13\r\n");
-  hello.append("Sec-WebSocket-Protocol: grove.v1\r\n").append(headers).append("\r\n");
+  if (headers.find("Sec-WebSocket-Protocol") == std::string::npos) hello.append("Sec-WebSocket-Protocol: grove.v1\r\n");
+  hello.append(headers).append("\r\n");
   socket_.send(hello);
   std::size_t end = std::string::npos;
   while (end == std::string::npos) {

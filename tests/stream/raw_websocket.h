@@ -50,7 +50,8 @@ class RawWebsocket {
     std::string reason;
   };
 
-  /// `headers` go into the handshake, each with its line end. status() tells how it went.
+  /// `headers` go into the handshake, each with its line end; the sub-protocol is grove.v1 if they name none. status()
+  /// tells how it went.
   explicit RawWebsocket(int port, const std::string& headers = "", int receiveBufferBytes = 0,
                         const char* source = "127.0.0.1");
 

@@ -1,6 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
+import { kDefaultKeys } from '../../web/input/bindings.js';
 import { Controls, kMostPitch } from '../../web/input/controls.js';
 import { listenToKeyboard } from '../../web/input/keyboard.js';
 import { InputSender } from '../../web/input/sender.js';
@@ -9,11 +10,13 @@ import { Turner } from '../../web/input/turner.js';
 import { Key } from '../../web/protocol.js';
 import { FakeClock } from './fake_clock.mjs';
 
-function keyboard(shortcuts = {}) {
+/** `focus` is what closest() tells of the focused element: the selectors that match it or what is around it. */
+function keyboard({ shortcuts = {}, keys = kDefaultKeys, focus = [] } = {}) {
   const window = new EventTarget();
   window.document = new EventTarget();
+  window.closest = (selectors) => focus.some((one) => selectors.split(', ').includes(one)) || null;
   const controls = new Controls();
-  listenToKeyboard(window, controls, shortcuts);
+  listenToKeyboard(window, controls, () => keys, shortcuts);
   const fire = (type, code, fields = {}) => {
     const event = Object.assign(new Event(type, { cancelable: true }), { code, key: code, ...fields });
     window.dispatchEvent(event);
@@ -71,12 +74,55 @@ test("the browser's own shortcuts stay the browser's", () => {
   assert.equal(press('Tab').defaultPrevented, false);
 });
 
-test('shortcuts go by their letter and run once a press', () => {
+test('shortcuts run once a press, by each of their keys', () => {
   let toggled = 0;
-  const { press } = keyboard({ o: () => (toggled += 1) });
-  press('KeyR', { key: 'O' });
-  press('KeyR', { key: 'o', repeat: true });
-  assert.equal(toggled, 1);
+  const { press } = keyboard({ shortcuts: { figures: () => (toggled += 1) } });
+  press('KeyO');
+  press('KeyO', { repeat: true });
+  press('F3');
+  assert.equal(toggled, 2);
+});
+
+test('chosen keys walk and turn, and the former ones no more', () => {
+  const keys = { ...kDefaultKeys, forward: ['KeyZ', ''], turnLeft: ['KeyJ', ''] };
+  const { controls, press } = keyboard({ keys });
+  assert.equal(press('KeyW').defaultPrevented, false);
+  press('KeyQ');
+  assert.deepEqual([controls.keys, controls.turning], [0, null]);
+  press('KeyZ');
+  press('KeyJ');
+  assert.equal(controls.keys, Key.forward);
+  assert.ok(controls.turning.yaw > 0);
+});
+
+test('who types, presses a button or is in a panel walks nowhere', () => {
+  let opened = 0;
+  const within = (...focus) => keyboard({ focus, shortcuts: { settings: () => (opened += 1) } });
+  const typing = within('select', 'dialog');
+  for (const code of ['KeyW', 'KeyP', 'ArrowUp']) assert.equal(typing.press(code).defaultPrevented, false);
+  assert.deepEqual([typing.controls.keys, opened], [0, 0]);
+  const panel = within('dialog');
+  assert.equal(panel.press('ArrowUp').defaultPrevented, false, 'it scrolls');
+  assert.equal(panel.controls.keys, 0);
+  panel.press('KeyP');
+  assert.equal(opened, 1, 'the key that opened it closes it');
+  const button = within('button');
+  assert.equal(button.press('Space').defaultPrevented, false);
+  button.press('KeyW');
+  assert.equal(button.controls.keys, Key.forward);
+});
+
+test('sensitivity and inversion change what a hand does, and not what keys do', () => {
+  const controls = new Controls();
+  controls.setSteering({ sensitivity: 2, invertY: true });
+  controls.steer(0.1, 0.2);
+  assert.deepEqual([controls.yaw, controls.pitch], [0.2, -0.4]);
+  controls.look(0.1, 0.2);
+  assert.ok(Math.abs(controls.yaw - 0.3) < 1e-12 && Math.abs(controls.pitch + 0.2) < 1e-12);
+  controls.steerAt('stick', 1, 1);
+  assert.deepEqual(controls.turning, { yaw: 2, pitch: -2 });
+  controls.steerAt('stick', 0, 0);
+  assert.equal(controls.turning, null);
 });
 
 test('pitch is clamped and yaw stays within half a turn', () => {

@@ -29,7 +29,7 @@ function setUp({ adapts = true } = {}) {
     },
     display: { show: (image, { frame }) => log.push(`show ${frame}`) },
     lateLook,
-    report: (words) => reports.push(words),
+    onCodecFailed: (words) => reports.push(words),
   });
   return { log, reports, connection, lateLook, stream, decoding };
 }

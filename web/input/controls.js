@@ -10,6 +10,7 @@ export class Controls {
   #turns = new Map();
   #yaw = 0;
   #pitch = 0;
+  #steering = { sensitivity: 1, invertY: false };
   #listeners = [];
 
   /** `listener()` is called after every change. */
@@ -71,6 +72,21 @@ export class Controls {
     this.#changed();
   }
 
+  /** How a hand's movements turn the view: `sensitivity` times as far, and up for down if `invertY`. */
+  setSteering({ sensitivity, invertY }) {
+    this.#steering = { sensitivity, invertY };
+  }
+
+  /** Turns the view by the movement of a mouse or a finger that is worth these angles. */
+  steer(yaw, pitch) {
+    this.look(...this.#steered(yaw, pitch));
+  }
+
+  /** As turn(), for a stick that a hand pushes. */
+  steerAt(holder, yaw, pitch) {
+    this.turn(holder, ...this.#steered(yaw, pitch));
+  }
+
   /** Turns the view by these angles. */
   look(yaw, pitch) {
     this.face(this.#yaw + yaw, this.#pitch + pitch);
@@ -86,6 +102,11 @@ export class Controls {
     this.#yaw = wrapped;
     this.#pitch = clamped;
     this.#changed();
+  }
+
+  #steered(yaw, pitch) {
+    const { sensitivity, invertY } = this.#steering;
+    return [yaw * sensitivity, pitch * (invertY ? -sensitivity : sensitivity)];
   }
 
   #changed() {

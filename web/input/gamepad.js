@@ -21,7 +21,7 @@ export function listenToGamepads(window, controls) {
     const blows = kBlowButtons.some((button) => pad.buttons[button]?.pressed);
     const [walkX, walkY, lookX, lookY] = pad.axes;
     controls.hold(kHolder, stickKeys(walkX, walkY) | (blows ? Key.blow : 0));
-    controls.turn(kHolder, -kTurnRate * stickAxis(lookX), -kTurnRate * stickAxis(lookY));
+    controls.steerAt(kHolder, -kTurnRate * stickAxis(lookX), -kTurnRate * stickAxis(lookY));
     window.requestAnimationFrame(poll);
   };
   window.addEventListener('gamepadconnected', () => {

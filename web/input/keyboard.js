@@ -1,46 +1,44 @@
 import { Key } from '../protocol.js';
-
-/** By place on the keyboard, not by letter, so that the hand finds them on every layout. */
-const kHeldKeys = {
-  KeyW: Key.forward,
-  ArrowUp: Key.forward,
-  KeyS: Key.back,
-  ArrowDown: Key.back,
-  KeyA: Key.left,
-  ArrowLeft: Key.left,
-  KeyD: Key.right,
-  ArrowRight: Key.right,
-  ShiftLeft: Key.run,
-  ShiftRight: Key.run,
-  Space: Key.blow,
-};
+import { actionOf } from './bindings.js';
 
 /** Radians a second. */
 const kTurnRate = 1.6;
-const kTurnKeys = {
-  KeyQ: [kTurnRate, 0],
-  KeyE: [-kTurnRate, 0],
-  PageUp: [0, kTurnRate],
-  PageDown: [0, -kTurnRate],
+const kTurns = {
+  turnLeft: [kTurnRate, 0],
+  turnRight: [-kTurnRate, 0],
+  lookUp: [0, kTurnRate],
+  lookDown: [0, -kTurnRate],
 };
 
-/** A focused button keeps its own keys. */
-function belongsToButton(event) {
-  return event.code === 'Space' && Boolean(event.target.closest?.('button'));
+/** A focused button keeps the key that presses it, and a field that is typed into keeps all. */
+function belongsToPage({ code, target }) {
+  if (target.closest?.('select, input:not([type=checkbox], [type=range])')) return true;
+  return code === 'Space' && Boolean(target.closest?.('button, input'));
+}
+
+/** Keys scroll a panel and move its sliders: nobody walks from within one. */
+function isInPanel({ target }) {
+  return Boolean(target.closest?.('dialog'));
 }
 
 /**
- * Walks, turns and blows by keys, and runs `shortcuts`: functions by the key's lower-case name (`event.key`). All keys
- * are let go when the window loses the keyboard.
+ * Walks, turns and blows by keys, and runs `shortcuts`: functions by the action of bindings.js. `keys()` gives the
+ * bindings of now. All keys are let go when the window loses the keyboard.
  */
-export function listenToKeyboard(window, controls, shortcuts) {
+export function listenToKeyboard(window, controls, keys, shortcuts) {
   window.addEventListener('keydown', (event) => {
-    if (event.ctrlKey || event.altKey || event.metaKey || belongsToButton(event)) return;
-    const shortcut = shortcuts[event.key?.toLowerCase()];
-    if (event.code in kHeldKeys) controls.hold(event.code, kHeldKeys[event.code]);
-    else if (event.code in kTurnKeys) controls.turn(event.code, ...kTurnKeys[event.code]);
-    else if (!shortcut) return;
-    else if (!event.repeat) shortcut();
+    if (event.ctrlKey || event.altKey || event.metaKey || belongsToPage(event)) return;
+    const action = actionOf(keys(), event.code);
+    if (!action) return;
+    if (action in shortcuts) {
+      if (!event.repeat) shortcuts[action]();
+    } else if (isInPanel(event)) {
+      return;
+    } else if (action in kTurns) {
+      controls.turn(event.code, ...kTurns[action]);
+    } else {
+      controls.hold(event.code, Key[action]);
+    }
     event.preventDefault();
   });
   window.addEventListener('keyup', (event) => {

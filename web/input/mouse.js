@@ -42,7 +42,7 @@ export function listenToMouse(canvas, controls, onLock) {
     controls.hold(kBlowHolder, isLocked() && event.buttons & 1 ? Key.blow : 0);
     if (event.type !== 'pointermove') return;
     way += Math.hypot(event.movementX, event.movementY);
-    if (isLocked() || dragging) controls.look(-event.movementX * kLookScale, -event.movementY * kLookScale);
+    if (isLocked() || dragging) controls.steer(-event.movementX * kLookScale, -event.movementY * kLookScale);
   };
 
   canvas.addEventListener('pointerdown', (event) => {

@@ -65,7 +65,7 @@ class LookingFinger {
     this.#y = event.clientY;
     this.#way += Math.hypot(x, y);
     if (this.#way > kRestSlack) clearTimeout(this.#timer);
-    this.#controls.look(-x * kLookScale, -y * kLookScale);
+    this.#controls.steer(-x * kLookScale, -y * kLookScale);
   }
 
   end() {

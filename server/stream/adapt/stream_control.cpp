@@ -17,7 +17,12 @@ constexpr double kStillBitsPerSecond = 1.3e6;
 constexpr Quantiser kRefinement = 2.0;
 constexpr double kIndependentSeconds = 0.25;
 constexpr double kStatusSeconds = 0.5;
-constexpr double kMaxBorder = 12.0;
+/// Percent.
+constexpr int kBorderStep = 6;
+constexpr int kBorderSteps = 2;
+constexpr double kBorderHysteresis = 0.3;
+/// Coarser than usual by this, a picture does without its border.
+constexpr Quantiser kBorderQuantisers = 6.0;
 /// Of the idle line: below the first, late look has nothing to hide; from the second on it gets the whole border.
 constexpr double kShortRoundTrip = 0.030;
 constexpr double kLongRoundTrip = 0.100;
@@ -106,11 +111,30 @@ void StreamControl::plan(double now) {
   }
 }
 
+void StreamControl::planBorder() {
+  const bool hasRoom = policy_.plan().limitedBy == LimitedBy::kNothing &&
+                       newestQuantiser_ <= range_.usual + (borderSteps_ > 0 ? kBorderQuantisers : 0.0);
+  if (!adapts_ || !limits_.border || !hasRoom) {
+    borderSteps_ = 0;
+    return;
+  }
+  const double share = (link_.roundTrip() - kShortRoundTrip) / (kLongRoundTrip - kShortRoundTrip);
+  const double steps = kBorderSteps * std::clamp(share, 0.0, 1.0);
+  // Each change begins with an independent picture, so it is not made lightly.
+  if (steps >= borderSteps_ + 1 || steps < borderSteps_ - kBorderHysteresis) borderSteps_ = static_cast<int>(steps);
+}
+
+bool StreamControl::isHidden() const {
+  const std::lock_guard lock(mutex_);
+  return limits_.hidden;
+}
+
 bool StreamControl::mayBegin(double now, int beingMade) {
   const std::lock_guard lock(mutex_);
   if (limits_.hidden) return false;
   link_.look(now);
   plan(now);
+  planBorder();
   return !link_.isFull(now, policy_.plan().framesPerSecond, static_cast<std::size_t>(beingMade));
 }
 
@@ -124,10 +148,7 @@ int StreamControl::aim(world::Camera& camera) const {
   const StreamPlan& plan = policy_.plan();
   camera.width = plan.width;
   camera.height = plan.height;
-  if (!limits_.border || plan.limitedBy != LimitedBy::kNothing) return 0;
-  const double share = (link_.roundTrip() - kShortRoundTrip) / (kLongRoundTrip - kShortRoundTrip);
-  // In few steps: each change begins with an independent picture.
-  const int border = static_cast<int>(kMaxBorder / 2.0 * std::floor(2.0 * std::clamp(share, 0.0, 1.0)));
+  const int border = borderSteps_ * kBorderStep;
   if (border == 0) return 0;
   const double wider = 1.0 + border / 100.0;
   camera.verticalFov = static_cast<float>(2.0 * std::atan(wider * std::tan(0.5 * camera.verticalFov)));
@@ -198,8 +219,11 @@ void StreamControl::sent(std::uint32_t frame, std::uint32_t lastInput, std::size
 Status StreamControl::statusNow() const {
   const StreamPlan& plan = policy_.plan();
   const bool limits = limits_.lines > 0 || limits_.framesPerSecond > 0 || limits_.kilobitsPerSecond > 0;
+  const bool byHim = plan.limitedBy == LimitedBy::kNothing
+                         ? limits
+                         : plan.limitedBy == LimitedBy::kLine && bitsPerSecond() < kUsable * link_.bitsPerSecond();
   Status status;
-  status.limitedBy = plan.limitedBy == LimitedBy::kNothing && limits ? LimitedBy::kVisitor : plan.limitedBy;
+  status.limitedBy = byHim ? LimitedBy::kVisitor : plan.limitedBy;
   status.framesPerSecond = saturate<std::uint8_t>(std::lround(plan.framesPerSecond));
   const double share = (range_.coarsest - newestQuantiser_) / std::max(1.0, range_.coarsest - range_.finest);
   status.quality = saturate<std::uint8_t>(std::lround(100.0 * std::clamp(share, 0.0, 1.0)));

@@ -38,6 +38,8 @@ class StreamControl {
   /// Whether one more frame may begin while `beingMade` are.
   [[nodiscard]] bool mayBegin(double now, int beingMade);
   [[nodiscard]] double framesPerSecond() const;
+  /// Nobody looks: no frame begins until that ends.
+  [[nodiscard]] bool isHidden() const;
   /// Gives the camera its size and angle; returns the border, percent.
   int aim(world::Camera& camera) const;
 
@@ -68,6 +70,7 @@ class StreamControl {
   [[nodiscard]] double bitsPerSecond() const;
   [[nodiscard]] Status statusNow() const;
   void plan(double now);
+  void planBorder();
 
   const EncoderRegistry& encoders_;
   const bool adapts_;
@@ -81,6 +84,7 @@ class StreamControl {
   Limits limits_;
   LinkEstimator link_;
   StreamPolicy policy_;
+  int borderSteps_ = 0;
   QuantiserControl quantisers_;
   QuantiserRange range_;
   Quantiser newestQuantiser_ = 30.0;

@@ -32,7 +32,7 @@ TEST_F(ScalableSimulationTest, StateIsTakenOver) {
     int to;
     double lost;  ///< of the energy, at most: the finer the grid, the smoother is what is on it
   };
-  const auto cases = kSanitized ? std::vector<Change>{{32, 48, 0.12}, {64, 32, 0.05}}
+  const auto cases = kSanitized ? std::vector<Change>{{32, 48, 0.12}, {48, 32, 0.05}}
                                 : std::vector<Change>{{32, 48, 0.12}, {64, 96, 0.04}, {96, 64, 0.03}, {64, 32, 0.05}};
   for (const auto& [from, to, lost] : cases) {
     auto simulation = scalable(from);
@@ -60,7 +60,9 @@ TEST_F(ScalableSimulationTest, StateIsTakenOver) {
 }
 
 TEST_F(ScalableSimulationTest, ThePlumeGoesOnRisingAsItDid) {
-  for (const auto& [from, to] : {std::pair{32, 48}, {48, 32}, {32, 64}}) {
+  std::vector<std::pair<int, int>> cases{{32, 48}, {48, 32}};
+  if (!kSanitized) cases.emplace_back(32, 64);
+  for (const auto& [from, to] : cases) {
     auto simulation = scalable(from);
     run(simulation.current(), 90);
     auto same = make(from);

@@ -1,0 +1,64 @@
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+
+import { Screenshot, pictureName, saveFile, takePicture } from '../../web/screenshot.js';
+
+test('the file is called after the moment', () => {
+  assert.equal(pictureName(new Date(2026, 2, 1, 7, 4, 9)), 'grove-2026-03-01-070409.png');
+});
+
+test('a canvas that forgets its picture is drawn in the same task as it is read', async () => {
+  const order = [];
+  const canvas = {
+    toBlob: (give) => {
+      order.push('read');
+      give('png');
+    },
+  };
+  const picture = takePicture(canvas, () => order.push('draw'));
+  order.push('next');
+  assert.equal(await picture, 'png');
+  assert.deepEqual(order, ['draw', 'read', 'next']);
+  await assert.rejects(takePicture({ toBlob: (give) => give(null) }));
+});
+
+/** A window whose browser can do so much. */
+function browser({ downloads, shares }) {
+  const done = [];
+  const link = { click: () => done.push(link.download ? `download ${link.download}` : `open ${link.href}`) };
+  if (downloads) link.download = '';
+  return {
+    done,
+    document: { createElement: () => link },
+    navigator: shares ? { canShare: () => true, share: ({ files }) => done.push(`share ${files[0].name}`) } : {},
+    URL: { createObjectURL: () => 'blob:1', revokeObjectURL: () => done.push('revoked') },
+    setTimeout: () => {},
+  };
+}
+
+test('the file is downloaded, else shared, else opened', async () => {
+  const cases = [
+    [{ downloads: true, shares: true }, 'download a.png', /saved: a\.png/],
+    [{ downloads: false, shares: true }, 'share a.png', /shared/],
+    [{ downloads: false, shares: false }, 'open blob:1', /opened/],
+  ];
+  for (const [can, deed, words] of cases) {
+    const window = browser(can);
+    assert.match(await saveFile(window, { name: 'a.png' }), words);
+    assert.deepEqual(window.done, [deed]);
+  }
+});
+
+async function shoot(take, save) {
+  const said = [];
+  await new Screenshot({ take, save, say: (text) => said.push(text) }).shoot();
+  return said;
+}
+
+test('what became of the picture is said; who changed his mind knows it himself', async () => {
+  const take = async () => new Blob(['x']);
+  assert.deepEqual(await shoot(take, async ({ type }) => `as ${type}`), ['as image/png']);
+  assert.deepEqual(await shoot(() => Promise.reject(new Error('no picture')), null), ['The picture could not be saved.']);
+  const abort = Object.assign(new Error('no'), { name: 'AbortError' });
+  assert.deepEqual(await shoot(take, () => Promise.reject(abort)), []);
+});

@@ -1,0 +1,130 @@
+import { isBindable, kSlots, rebind } from './input/bindings.js';
+
+/** The actions in the order and the words of the panel. */
+export const kActionNames = Object.freeze({
+  forward: 'Walk forward',
+  back: 'Walk back',
+  left: 'Walk left',
+  right: 'Walk right',
+  run: 'Run',
+  blow: 'Blow',
+  turnLeft: 'Turn left',
+  turnRight: 'Turn right',
+  lookUp: 'Look up',
+  lookDown: 'Look down',
+  figures: 'Figures',
+  settings: 'Settings',
+  screenshot: 'Screenshot',
+  latency: 'Measure latency',
+  fullscreen: 'Full screen',
+});
+
+const kSlotNames = ['key', 'second key'];
+
+/** What has changed between two states of the keys besides `action` itself, in words. */
+export function consequence(before, after, action, labels) {
+  const other = Object.keys(after).find((name) => name !== action && after[name].join() !== before[name].join());
+  return other ? ` ${kActionNames[other]} now has ${labels.names(after[other])}.` : '';
+}
+
+/** The table of keys in the settings: a press on one of its buttons, then on a key, gives the action that key. */
+export class KeyEditor {
+  #settings;
+  #labels;
+  #say;
+  #buttons = new Map();
+  #waiting = null;
+  #taken = '';
+
+  /**
+   * @param {HTMLTableSectionElement} body takes the rows
+   * @param {import('./settings.js').Settings} settings
+   * @param {import('./input/key_labels.js').KeyLabels} labels
+   * @param {(text: string) => void} say for eyes and ears
+   */
+  constructor(body, settings, labels, say) {
+    this.#settings = settings;
+    this.#labels = labels;
+    this.#say = say;
+    for (const [action, name] of Object.entries(kActionNames)) this.#addRow(body, action, name);
+    settings.onChange(() => this.write());
+    this.write();
+  }
+
+  /** Shows the keys as they are now. */
+  write() {
+    for (const [button, { action, slot }] of this.#buttons) {
+      const code = this.#settings.values.keys[action][slot];
+      const name = code ? this.#labels.name(code) : 'none';
+      button.textContent = code ? this.#labels.label(code) : '\u2013';
+      button.setAttribute('aria-label', `${kActionNames[action]}, ${kSlotNames[slot]}: ${name}`);
+    }
+  }
+
+  #addRow(body, action, name) {
+    const row = body.insertRow();
+    const head = document.createElement('th');
+    head.scope = 'row';
+    head.textContent = name;
+    row.append(head);
+    for (let slot = 0; slot < kSlots; slot += 1) {
+      const button = document.createElement('button');
+      button.type = 'button';
+      button.addEventListener('click', () => this.#await(button));
+      button.addEventListener('keydown', (event) => this.#take(button, event));
+      button.addEventListener('keyup', (event) => this.#release(event));
+      button.addEventListener('blur', () => this.#stop(button));
+      this.#buttons.set(button, { action, slot });
+      row.insertCell().append(button);
+    }
+  }
+
+  #await(button) {
+    this.#waiting = button;
+    // Safari gives no focus to a button that is clicked.
+    button.focus();
+    button.classList.add('waiting');
+    button.textContent = 'press a key';
+    this.#say(`Press a key for ${kActionNames[this.#buttons.get(button).action]}. Escape keeps it as it is.`);
+  }
+
+  #stop(button) {
+    if (this.#waiting !== button) return;
+    this.#waiting = null;
+    button.classList.remove('waiting');
+    this.write();
+  }
+
+  #take(button, event) {
+    if (this.#waiting !== button) return;
+    event.preventDefault();
+    event.stopPropagation();
+    if (event.repeat) return;
+    this.#taken = event.code;
+    this.#labels.learn(event);
+    const { action, slot } = this.#buttons.get(button);
+    if (event.code === 'Escape') {
+      this.#say(`${kActionNames[action]} stays as it was.`);
+    } else if (!isBindable(event.code)) {
+      this.#say('The browser needs this key. Press another one.');
+      return;
+    } else {
+      this.#bind(action, slot, event.code);
+    }
+    this.#stop(button);
+  }
+
+  /** The space bar that was taken is not also a press of the button. */
+  #release(event) {
+    if (event.code === this.#taken) event.preventDefault();
+    this.#taken = '';
+  }
+
+  #bind(action, slot, code) {
+    const before = this.#settings.values.keys;
+    this.#settings.change({ keys: rebind(before, action, slot, code) });
+    const after = this.#settings.values.keys;
+    const rest = consequence(before, after, action, this.#labels);
+    this.#say(`${kActionNames[action]}: ${this.#labels.name(code)}.${rest}`);
+  }
+}

@@ -1,0 +1,137 @@
+import { kUnknown } from './figures.js';
+
+/** How often the words about the stream of now change. Milliseconds. */
+const kInterval = 500;
+
+/** The stream as it is now, from a reading of Telemetry. */
+export function streamInWords({ codec, width, height, framesPerSecond, megabitsPerSecond }) {
+  if (width === null) return kUnknown;
+  const parts = [codec, `${width} \u00d7 ${height}`, `${framesPerSecond} frames/s`];
+  return [...parts, `${megabitsPerSecond.toFixed(1)} Mbit/s`].join(', ');
+}
+
+/** The value of a control in the type that the setting has. */
+function valueOf(control, setting) {
+  if (control.type === 'checkbox') return control.checked;
+  return typeof setting === 'number' ? Number(control.value) : control.value;
+}
+
+/**
+ * The visitor's settings, as a panel beside the world or, where there is no room beside it, over it. Changes are in
+ * force at once.
+ */
+export class SettingsPanel {
+  #dialog;
+  #button;
+  #settings;
+  #read;
+  #narrow;
+  #timer;
+
+  /**
+   * @param {object} parts
+   * @param {HTMLDialogElement} parts.dialog has a control with `data-setting` for each setting but the keys
+   * @param {HTMLButtonElement} parts.button opens and closes it; stays away where the browser knows no dialogs
+   * @param {import('./settings.js').Settings} parts.settings
+   * @param {() => object} parts.read a reading of Telemetry
+   * @param {MediaQueryList} parts.narrow whether there is no room beside the world
+   */
+  constructor({ dialog, button, settings, read, narrow }) {
+    this.#dialog = dialog;
+    this.#button = button;
+    this.#settings = settings;
+    this.#read = read;
+    this.#narrow = narrow;
+    button.hidden = !dialog.show;
+    button.addEventListener('click', () => this.toggle());
+    dialog.querySelector('[data-close]').addEventListener('click', () => dialog.close());
+    dialog.querySelector('[data-reset]').addEventListener('click', () => this.#reset());
+    dialog.addEventListener('close', () => this.#closed());
+    dialog.addEventListener('input', ({ target }) => this.#take(target));
+    dialog.addEventListener('focusout', () => this.#write());
+    settings.onChange(() => this.#write());
+    this.#listen(dialog.ownerDocument);
+    this.#write();
+  }
+
+  toggle() {
+    if (this.#dialog.open) this.#dialog.close();
+    else if (this.#dialog.show) this.#open();
+  }
+
+  /** Words about what was done, for eyes and ears. */
+  say(text) {
+    this.#dialog.querySelector('[role=status]').textContent = text;
+  }
+
+  /** Shows a setting, or one `option` of it, as one that this browser cannot fulfil, and why. */
+  disable(setting, reason, option = null) {
+    const control = this.#control(setting);
+    if (option === null) {
+      control.disabled = true;
+      this.#dialog.querySelector(`#${control.getAttribute('aria-describedby')}`).textContent = reason;
+    } else {
+      const choice = control.querySelector(`option[value="${option}"]`);
+      choice.disabled = true;
+      choice.textContent = `${choice.textContent} \u2013 ${reason}`;
+    }
+  }
+
+  #control(setting) {
+    return this.#dialog.querySelector(`[data-setting=${setting}]`);
+  }
+
+  /** Only a modal dialog hears of Escape by itself; and who goes into the world has done with the panel. */
+  #listen(document) {
+    document.addEventListener('keydown', (event) => {
+      if (event.code === 'Escape' && !event.defaultPrevented && this.#dialog.open) this.#dialog.close();
+    });
+    document.addEventListener('pointerlockchange', () => {
+      if (document.pointerLockElement && this.#dialog.open) this.#dialog.close();
+    });
+  }
+
+  #open() {
+    const { ownerDocument: document } = this.#dialog;
+    if (document.pointerLockElement) document.exitPointerLock();
+    if (this.#narrow.matches) this.#dialog.showModal();
+    else this.#dialog.show();
+    this.#button.setAttribute('aria-expanded', 'true');
+    this.#tell();
+    this.#timer = setInterval(() => this.#tell(), kInterval);
+  }
+
+  #closed() {
+    clearInterval(this.#timer);
+    this.say('');
+    this.#button.setAttribute('aria-expanded', 'false');
+  }
+
+  #take(control) {
+    const { setting } = control.dataset;
+    this.#settings.change({ [setting]: valueOf(control, this.#settings.values[setting]) });
+    this.say(this.#settings.isKept ? '' : 'This browser keeps nothing for this page: settings last until you leave it.');
+  }
+
+  #reset() {
+    this.#settings.reset();
+    this.say('All settings are as they were at first.');
+  }
+
+  #write() {
+    const { values } = this.#settings;
+    for (const control of this.#dialog.querySelectorAll('[data-setting]')) {
+      const value = values[control.dataset.setting];
+      if (control.type === 'checkbox') control.checked = value;
+      // What is being typed is put right once it is finished.
+      else if (control.type !== 'text' || control !== control.ownerDocument.activeElement) control.value = value;
+    }
+    const times = values.sensitivity.toFixed(1);
+    this.#dialog.querySelector('output').textContent = `\u00d7 ${times}`;
+    this.#control('sensitivity').setAttribute('aria-valuetext', `${times} times`);
+  }
+
+  #tell() {
+    this.#dialog.querySelector('[data-stream]').textContent = streamInWords(this.#read());
+  }
+}
