@@ -114,7 +114,7 @@ export class KeyEditor {
     this.#stop(button);
   }
 
-  /** The space bar that was taken is not also a press of the button. */
+  /** A space bar that was taken would also press the button, in Firefox even though its keydown was prevented. */
   #release(event) {
     if (event.code === this.#taken) event.preventDefault();
     this.#taken = '';

@@ -84,7 +84,7 @@ export class SettingsPanel {
   /** Only a modal dialog hears of Escape by itself; and who goes into the world has done with the panel. */
   #listen(document) {
     document.addEventListener('keydown', (event) => {
-      if (event.code === 'Escape' && !event.defaultPrevented && this.#dialog.open) this.#dialog.close();
+      if (event.code === 'Escape' && this.#dialog.open) this.#dialog.close();
     });
     document.addEventListener('pointerlockchange', () => {
       if (document.pointerLockElement && this.#dialog.open) this.#dialog.close();
@@ -110,7 +110,8 @@ export class SettingsPanel {
   #take(control) {
     const { setting } = control.dataset;
     this.#settings.change({ [setting]: valueOf(control, this.#settings.values[setting]) });
-    this.say(this.#settings.isKept ? '' : 'This browser keeps nothing for this page: settings last until you leave it.');
+    const { isKept } = this.#settings;
+    this.say(isKept ? '' : 'This browser keeps nothing for this page: settings last until you leave it.');
   }
 
   #reset() {

@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { after, afterEach, before, test } from 'node:test';
 
-import { Server, Visitor, difference, launchBrowser, pause } from './helpers.mjs';
+import { Server, Visitor, difference, launchBrowser, pause, statistics } from './helpers.mjs';
 
 let server;
 let browser;
@@ -90,6 +90,25 @@ function withholdingDecoder() {
   };
 }
 
+/** Turns by a drag of so many pixels to the right, and waits until that can be seen. */
+async function drag({ page }, way) {
+  await page.mouse.move(320, 100);
+  await page.mouse.down();
+  await page.mouse.move(320 + way, 100, { steps: Math.min(4, Math.abs(way)) });
+  await page.mouse.up();
+  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+}
+
+/** Keeps what WebGL gave, for the test to take away. */
+function keepWebGl() {
+  const { getContext } = HTMLCanvasElement.prototype;
+  HTMLCanvasElement.prototype.getContext = function keep(kind, ...rest) {
+    const context = getContext.call(this, kind, ...rest);
+    if (kind === 'webgl') window.webGl ??= context.getExtension('WEBGL_lose_context');
+    return context;
+  };
+}
+
 const kNoH264 = /^H\.264 does not work here/;
 
 test('on localhost the stream is H.264', async () => {
@@ -167,19 +186,41 @@ test('the newest picture turns with the look before the next one comes', async (
     await ada.until('connection', 'silent');
     const before = await ada.state();
     const still = await ada.picture();
-    await ada.page.mouse.move(320, 100);
-    await ada.page.mouse.down();
-    await ada.page.mouse.move(240, 100, { steps: 4 });
-    await ada.page.mouse.up();
-    await ada.page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+    await drag(ada, -80);
     const turned = await ada.picture();
     assert.equal((await ada.state()).frames, before.frames, 'no picture came');
     const change = difference(still, turned);
     assert.ok(change > 4, `the picture moves: ${change}`);
+
+    await drag(ada, 80);
+    assert.equal(difference(still, await ada.picture()), 0, 'and back');
+    // A pixel's turn goes the way of all turned pictures: the colours are the same.
+    await drag(ada, 1);
+    const nudged = await ada.picture();
+    assert.notDeepEqual(nudged, still);
+    assert.ok(Math.abs(statistics(nudged).mean - statistics(still).mean) < 0.5);
   } finally {
     server.signal('SIGCONT');
   }
   await ada.until('connection', 'open');
+});
+
+test('a graphics card that loses what it held takes nothing from the screen', async () => {
+  const ada = await arrive({ script: keepWebGl });
+  await ada.page.keyboard.press('o');
+  const lateLook = (word) =>
+    ada.page.waitForFunction((text) => document.querySelector('[data-status=lateLook]').textContent === text, word);
+  await lateLook('on');
+  await ada.page.evaluate(() => window.webGl.loseContext());
+  await lateLook('off: no WebGL');
+  await drag(ada, -80);
+  await ada.frames(3);
+  assert.ok(statistics(await ada.picture()).deviation > 10);
+  await ada.page.evaluate(() => window.webGl.restoreContext());
+  await lateLook('on');
+  await drag(ada, 80);
+  await ada.frames(3);
+  assert.ok(statistics(await ada.picture()).deviation > 10);
 });
 
 test('a server that says nothing is told of within three seconds, and no more once it speaks', async () => {

@@ -58,7 +58,8 @@ async function shoot(take, save) {
 test('what became of the picture is said; who changed his mind knows it himself', async () => {
   const take = async () => new Blob(['x']);
   assert.deepEqual(await shoot(take, async ({ type }) => `as ${type}`), ['as image/png']);
-  assert.deepEqual(await shoot(() => Promise.reject(new Error('no picture')), null), ['The picture could not be saved.']);
+  const fail = () => Promise.reject(new Error('no picture'));
+  assert.deepEqual(await shoot(fail, null), ['The picture could not be saved.']);
   const abort = Object.assign(new Error('no'), { name: 'AbortError' });
   assert.deepEqual(await shoot(take, () => Promise.reject(abort)), []);
 });

@@ -32,8 +32,8 @@ test('what was chosen is there the next time, and nothing else is kept', () => {
 });
 
 test('a value that cannot be costs its own setting only', () => {
-  const values = left({ codec: 'mpeg2', lines: 720, framesPerSecond: '30', lateLook: 1, invertY: true, keys: 7, old: 3 });
-  assert.deepEqual(values, { ...kDefaults, lines: 720, invertY: true });
+  const bad = { codec: 'mpeg2', framesPerSecond: '30', lateLook: 1, keys: 7, old: 3 };
+  assert.deepEqual(left({ ...bad, lines: 720, invertY: true }), { ...kDefaults, lines: 720, invertY: true });
 });
 
 test('what was left is no settings at all', () => {
@@ -92,8 +92,10 @@ test('a change on another page of the browser is taken over', () => {
 });
 
 test('values cannot be changed behind the back', () => {
-  const { values } = new Settings(() => storage('{"lines": 720}'));
-  assert.throws(() => (values.lines = 1), TypeError);
+  const settings = new Settings(() => storage('{"lines": 720}'));
+  assert.throws(() => (settings.values.lines = 1), TypeError);
+  settings.change({ lines: 480 });
+  assert.throws(() => (settings.values.lines = 1), TypeError);
 });
 
 test('the server hears of the stream and of nothing else', () => {

@@ -23,7 +23,8 @@ export const kDefaultKeys = Object.freeze({
 export const kSlots = 2;
 
 /** The browser's and the system's own, those that move about the page, and those that never tell when they are let go. */
-const kReserved = /^(Escape|Tab|Enter|NumpadEnter|(Control|Alt|Meta|OS)(Left|Right)|ContextMenu|CapsLock|F5|F11|F12)$/;
+const kReserved =
+  /^(Escape|Tab|Enter|NumpadEnter|(Control|Alt|Meta|OS)(Left|Right)|ContextMenu|CapsLock|F5|F11|F12)$/;
 const kCode = /^[A-Z][A-Za-z0-9]{1,30}$/;
 
 export function isBindable(code) {
@@ -38,9 +39,8 @@ export function actionOf(keys, code) {
 /** `code` now does `action`, in this of its slots. What `code` did before gets the slot's former key for it. */
 export function rebind(keys, action, slot, code) {
   const former = keys[action][slot];
-  const swap = { [code]: former, ...(former && { [former]: code }) };
   const next = Object.fromEntries(
-    Object.entries(keys).map(([name, codes]) => [name, codes.map((each) => swap[each] ?? each)]),
+    Object.entries(keys).map(([name, codes]) => [name, codes.map((each) => (each === code ? former : each))]),
   );
   next[action][slot] = code;
   return next;
