@@ -3,6 +3,8 @@ import { kCodecNames } from './protocol.js';
 
 /** While it is measured, the controls' state is sent at least so often (ms), moved or not: more to measure. */
 const kInterval = 50;
+/** Longer than this (s), the table would only fill the memory. */
+const kLongestTest = 600;
 const kColumns = 'number,sent_ms,presented_ms,latency_ms,frame,width,height,codec';
 
 /** Records the way of every input to the screen for some seconds, for a table of its own. */
@@ -34,7 +36,7 @@ export class LatencyTest {
     if (this.isRunning) return;
     this.#rows = [];
     this.#begin = this.#clock.now();
-    this.#until = this.#begin + seconds * 1000;
+    this.#until = this.#begin + Math.min(seconds, kLongestTest) * 1000;
     this.#onChange();
     this.#ask();
   }

@@ -178,7 +178,12 @@ const statistics = new WorldStatistics(() => fetch('/sharing.json').then((answer
 const overlay = new Overlay(
   element('overlay'),
   element('figures'),
-  () => ({ ...telemetry.read(clock.now()), ...statistics.read(), lateLook: stream.lateLookWord }),
+  () => ({
+    ...telemetry.read(clock.now()),
+    ...statistics.read(),
+    latencyPercentiles: telemetry.latencyPercentiles(clock.now()),
+    lateLook: stream.lateLookWord,
+  }),
   (shown) => statistics.watch(shown),
 );
 const fullscreen = new Fullscreen(document, element('fullscreen'));

@@ -36,9 +36,12 @@ export function median(values) {
 
 /** The value that this share (0..1) of all stays at or below, as nearest rank; `null` of none. */
 export function quantile(values, share) {
-  if (values.length === 0) return null;
+  return quantiles(values, [share])[0];
+}
+
+function quantiles(values, shares) {
   const sorted = [...values].sort((a, b) => a - b);
-  return sorted[Math.max(0, Math.ceil(share * sorted.length) - 1)];
+  return shares.map((share) => sorted[Math.max(0, Math.ceil(share * sorted.length) - 1)] ?? null);
 }
 
 /** Percentiles need more values than a second has. Milliseconds. */
@@ -90,8 +93,8 @@ export class LatencyMeter {
 
   /** Of the last ten seconds; `null` each if nothing was measured in them. */
   percentiles(now) {
-    const values = this.#longSamples.values(now);
-    return { p50: quantile(values, 0.5), p95: quantile(values, 0.95), p99: quantile(values, 0.99) };
+    const [p50, p95, p99] = quantiles(this.#longSamples.values(now), [0.5, 0.95, 0.99]);
+    return { p50, p95, p99 };
   }
 
   reset() {

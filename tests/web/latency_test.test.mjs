@@ -26,6 +26,15 @@ test('sends inputs for as long as it runs, moved or not', () => {
   assert.deepEqual(log, ['begun', 1000, 1050, 1100, 1150, 'ended']);
 });
 
+test('ends, whatever the address asks for', () => {
+  const { clock, log, latency } = setUp();
+  latency.start(1e9);
+  clock.advance(600_000);
+  assert.equal(log.at(-1), 'ended');
+  latency.start(-3);
+  assert.deepEqual(log.slice(-2), ['ended', 'ended']);
+});
+
 test('has a row for each input, with times since its begin', () => {
   const { clock, latency } = setUp();
   assert.equal(latency.words, null);

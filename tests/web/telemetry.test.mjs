@@ -58,7 +58,6 @@ test('a reading tells the last second', () => {
     frames: 0,
     framesPerSecond: 0,
     latencyMs: null,
-    latencyPercentiles: { p50: null, p95: null, p99: null },
     megabitsPerSecond: 0,
     serverMs: null,
     codec: null,
