@@ -9,17 +9,27 @@ void main() {
   gl_Position = vec4(place, 0.0, 1.0);
 }`;
 
-// Beyond the picture its edge goes on, ever darker: what is not known yet is not shown as if it were.
+// Beyond the picture its edge goes on, ever darker and, along the edge, ever more blurred: what is not known yet is not
+// shown as if it were.
 const kFragmentShader = `
 precision highp float;
 uniform sampler2D picture;
 uniform vec2 halfPixel;
 varying highp vec3 point;
+vec3 colourAt(vec2 place) {
+  return texture2D(picture, clamp(place, halfPixel, 1.0 - halfPixel)).rgb;
+}
 void main() {
   vec2 place = point.xy / point.z;
-  vec2 inside = clamp(place, halfPixel, 1.0 - halfPixel);
-  float beyond = distance(place, clamp(place, 0.0, 1.0));
-  gl_FragColor = vec4(texture2D(picture, inside).rgb * exp(-5.0 * beyond), 1.0);
+  vec2 outwards = place - clamp(place, 0.0, 1.0);
+  vec3 colour = vec3(0.0);
+  if (outwards == vec2(0.0)) {
+    colour = colourAt(place);
+  } else {
+    for (int i = -6; i <= 6; i += 1) colour += colourAt(place + 0.12 * float(i) * outwards.yx);
+    colour *= exp(-2.5 * length(outwards)) / 13.0;
+  }
+  gl_FragColor = vec4(colour, 1.0);
 }`;
 
 const kContext = Object.freeze({ alpha: false, antialias: false, depth: false, stencil: false });

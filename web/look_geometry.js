@@ -3,12 +3,15 @@ const kSameAngle = 1e-5;
 /** Of half a picture's angle: turned further, there would be more invented than seen in the window. */
 const kFurthestTurn = 0.8;
 
+/** For what a division leaves of a whole number. */
+const kRounding = 1e-6;
+
 /**
  * The pixels of a picture that the window shows: its middle, without the border. What is cut off is even, so that the
- * pixels of the window fall on pixels of the picture.
+ * pixels of the window fall on pixels of the picture, and rounded down, as the server rounds down the whole picture.
  */
 export function windowOf({ width, height, border = 0 }) {
-  const inner = (side) => side - 2 * Math.round((side - side / (1 + border / 100)) / 2);
+  const inner = (side) => side - 2 * Math.floor((side - side / (1 + border / 100)) / 2 + kRounding);
   return { width: inner(width), height: inner(height) };
 }
 
