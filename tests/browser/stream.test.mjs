@@ -238,11 +238,11 @@ test('a server that says nothing is told of within three seconds, and no more on
 });
 
 test('a phone asks for no more than it can show', async () => {
-  const phone = { viewport: { width: 390, height: 844 }, deviceScaleFactor: 3, isMobile: true, hasTouch: true };
+  const phone = { viewport: { width: 844, height: 390 }, deviceScaleFactor: 3, isMobile: true, hasTouch: true };
   const ada = await arrive({ options: phone });
   const [width, height] = (await ada.state()).streamSize.split('x').map(Number);
-  assert.ok(height <= 1280 && width <= 720, `${width} x ${height}`);
-  assert.ok(Math.abs(width / height - 390 / 844) < 0.01, `${width} x ${height}`);
+  assert.ok(width <= 1280 && height <= 720, `${width} x ${height}`);
+  assert.ok(Math.abs(height / width - 390 / 844) < 0.01, `${width} x ${height}`);
 });
 
 test('latency is measured and handed out as a table', async () => {
