@@ -12,10 +12,3 @@ export async function h264Hindrance({ isSecureContext, VideoDecoder }) {
     return 'this browser does not decode it';
   }
 }
-
-/** Why this browser cannot turn pictures after they arrived, or ''. */
-export function lateLookHindrance(document) {
-  const context = document.createElement('canvas').getContext('webgl');
-  context?.getExtension('WEBGL_lose_context')?.loseContext();
-  return context ? '' : 'Needs WebGL, which this browser does not give to the page.';
-}

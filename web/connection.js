@@ -1,30 +1,58 @@
-import { CloseCode, decodeServerMessage, encodeAck, encodeHello, encodeInput, encodeResize } from './protocol.js';
+import {
+  CloseCode,
+  decodeServerMessage,
+  encodeAck,
+  encodeBroken,
+  encodeHello,
+  encodeInput,
+  encodeLimits,
+  encodeOffer,
+  encodePresented,
+  encodeResize,
+  kAdaptiveProtocol,
+} from './protocol.js';
 
 /** After this long without a word from the server (ms), the connection counts as lost. */
 const kLongestSilence = 10_000;
+/** A server that adapts its stream says something twice a second; after this long (ms), the visitor is told. */
+const kShortSilence = 1500;
+/** A page that was itself held up for longer than this (ms) has words of the server before it, unread. */
+const kHeldUp = 250;
 /** When the server is full, the page knocks again after this long (ms). */
 const kFullDelay = 15_000;
 
 const kOpenReadyState = 1;
 
+/** Who hears of which message. */
+const kListeners = Object.freeze({
+  Waiting: 'waiting',
+  Frame: 'picture',
+  Picture: 'picture',
+  Status: 'status',
+  Refining: 'refining',
+});
+
 /**
  * The page's one link to the server. Reaches it again by itself after a loss.
  *
- * States: `connecting` (the first time), `open` (welcomed), `lost` (out of reach, trying again), `full` (trying again
- * more slowly), `outdated` (the page speaks another version) and `refused` (the server said why). The last two stay
- * until retry().
+ * States: `connecting` (the first time), `open` (welcomed), `silent` (still open, but the server says nothing), `lost`
+ * (out of reach, trying again), `full` (trying again more slowly), `outdated` (the page speaks another version) and
+ * `refused` (the server said why). The last two stay until retry().
  */
 export class Connection {
   #openSocket;
+  #offer;
   #hello;
   #on;
   #backoff;
-  #timers;
+  #clock;
   #mayRetry;
 
   #state = 'connecting';
   #socket = null;
   #greeted = false;
+  #adapts = false;
+  #patience = kLongestSilence;
   #lastAcknowledged = 0;
   #size = null;
   #retryTimer;
@@ -33,25 +61,38 @@ export class Connection {
   /**
    * @param {object} parts
    * @param {() => WebSocket} parts.openSocket starts a new socket
+   * @param {() => number[]} parts.offer the codecs to offer before the hello, the best first
    * @param {() => {name: string, width: number, height: number}} parts.hello what to say first, asked for each time
-   * @param {{state: Function, welcome: Function, waiting: Function, frame: Function}} parts.on `state(state, reason)` on
-   *     every change, `welcome(message)` when let in, `waiting(message)` as the wait for the first frame gets on,
-   *     `frame(message)` for each frame
+   * @param {object} parts.on
+   * @param {(state: string, reason: string) => void} parts.on.state on every change
+   * @param {(message: object) => void} parts.on.welcome when let in
+   * @param {(message: object) => void} parts.on.waiting as the wait for the first picture gets on
+   * @param {(message: object) => void} parts.on.picture for each Frame or Picture, with the time of its arrival (ms) as
+   *     `arrived`
+   * @param {(message: object) => void} [parts.on.status]
+   * @param {(message: object) => void} [parts.on.refining]
    * @param {import('./backoff.js').Backoff} parts.backoff
-   * @param {() => boolean} parts.mayRetry whether trying again is worth it now; if not, retry() will be called
-   * @param {{setTimeout: Function, clearTimeout: Function}} parts.timers
+   * @param {() => boolean} parts.mayRetry whether anybody looks, so that silence means something and trying again is
+   *     worth it; once it turns true again, retry() and listen() will be called
+   * @param {{now: Function, setTimeout: Function, clearTimeout: Function}} parts.clock milliseconds
    */
-  constructor({ openSocket, hello, on, backoff, mayRetry, timers }) {
+  constructor({ openSocket, offer, hello, on, backoff, mayRetry, clock }) {
     this.#openSocket = openSocket;
+    this.#offer = offer;
     this.#hello = hello;
     this.#on = on;
     this.#backoff = backoff;
     this.#mayRetry = mayRetry;
-    this.#timers = timers;
+    this.#clock = clock;
   }
 
   get state() {
     return this.#state;
+  }
+
+  /** Whether the server takes offers, limits and the like: it speaks 1.2. */
+  get adapts() {
+    return this.#greeted && this.#adapts;
   }
 
   start() {
@@ -62,8 +103,13 @@ export class Connection {
   /** Tries again at once, unless a connection stands or is being made. */
   retry() {
     if (this.#socket) return;
-    this.#timers.clearTimeout(this.#retryTimer);
+    this.#clock.clearTimeout(this.#retryTimer);
     this.#connect();
+  }
+
+  /** Begins to count the server's silence anew: while nobody looked, it had no reason to speak. */
+  listen() {
+    if (this.#socket) this.#expectWord();
   }
 
   sendInput(input) {
@@ -77,11 +123,24 @@ export class Connection {
     this.#send(encodeResize({ width, height }));
   }
 
-  /** Tells that the frame was presented or will never be; earlier frames are acknowledged with it. */
-  acknowledge(frame) {
+  /** Tells that the picture was presented or will never be; earlier ones are acknowledged with it. */
+  acknowledge({ frame, arrived }) {
     if (!this.#greeted || frame <= this.#lastAcknowledged) return;
     this.#lastAcknowledged = frame;
-    this.#send(encodeAck({ frame }));
+    if (this.#adapts) this.#send(encodePresented({ frame, held: this.#clock.now() - arrived, arrived: arrived * 1000 }));
+    else this.#send(encodeAck({ frame }));
+  }
+
+  sendOffer(codecs) {
+    if (this.adapts) this.#send(encodeOffer({ codecs }));
+  }
+
+  sendLimits(limits) {
+    if (this.adapts) this.#send(encodeLimits(limits));
+  }
+
+  sendBroken(frame) {
+    if (this.adapts) this.#send(encodeBroken({ frame }));
   }
 
   #send(bytes) {
@@ -93,9 +152,12 @@ export class Connection {
     socket.binaryType = 'arraybuffer';
     this.#socket = socket;
     this.#greeted = false;
+    this.#patience = kLongestSilence;
     this.#lastAcknowledged = 0;
     this.#expectWord();
     socket.onopen = () => {
+      this.#adapts = socket.protocol === kAdaptiveProtocol;
+      if (this.#adapts) socket.send(encodeOffer({ codecs: this.#offer() }));
       const hello = this.#hello();
       this.#size = hello;
       socket.send(encodeHello(hello));
@@ -105,19 +167,21 @@ export class Connection {
   }
 
   #receive(data) {
-    this.#expectWord();
+    const arrived = this.#clock.now();
+    if (this.#state === 'silent') this.#enter('open');
     try {
       const message = decodeServerMessage(data);
       if (message.message === 'Welcome') {
         this.#greeted = true;
         this.#on.welcome(message);
         this.#enter('open');
-      } else if (this.#greeted && message.message === 'Waiting') {
-        this.#on.waiting(message);
       } else if (this.#greeted) {
-        this.#backoff.reset();
-        this.#on.frame(message);
+        if (message.message !== 'Waiting') this.#backoff.reset();
+        // From now on the server keeps speaking; while a world is made for a newcomer it may take its time.
+        if (this.#adapts && ['Picture', 'Status'].includes(message.message)) this.#patience = kShortSilence;
+        this.#on[kListeners[message.message]]?.({ ...message, arrived });
       }
+      if (this.#socket) this.#expectWord();
     } catch (error) {
       if (error.name !== 'ProtocolError') throw error;
       this.#abandon(CloseCode.protocolError, error.message);
@@ -125,13 +189,20 @@ export class Connection {
   }
 
   /** (Re)starts the watch for a server that vanished without closing, which TCP alone notices only after minutes. */
-  #expectWord() {
-    this.#timers.clearTimeout(this.#silenceTimer);
-    this.#silenceTimer = this.#timers.setTimeout(() => {
-      // A hidden page presents, and so receives, next to nothing.
-      if (this.#mayRetry()) this.#abandon(1000, '');
-      else this.#expectWord();
-    }, kLongestSilence);
+  #expectWord(heard = this.#clock.now(), patience = this.#patience) {
+    this.#clock.clearTimeout(this.#silenceTimer);
+    const due = heard + patience;
+    this.#silenceTimer = this.#clock.setTimeout(() => {
+      if (!this.#mayRetry()) this.#expectWord();
+      else if (this.#clock.now() > due + kHeldUp) this.#expectWord(this.#clock.now() - patience + kHeldUp, patience);
+      else if (patience < kLongestSilence) this.#fallSilent(heard);
+      else this.#abandon(1000, '');
+    }, due - this.#clock.now());
+  }
+
+  #fallSilent(heard) {
+    this.#enter('silent');
+    this.#expectWord(heard, kLongestSilence);
   }
 
   /** Lets go of the socket without waiting for its closing handshake. */
@@ -143,7 +214,7 @@ export class Connection {
   }
 
   #end(code, reason) {
-    this.#timers.clearTimeout(this.#silenceTimer);
+    this.#clock.clearTimeout(this.#silenceTimer);
     this.#socket = null;
     this.#greeted = false;
     switch (code) {
@@ -165,7 +236,7 @@ export class Connection {
   }
 
   #retryAfter(delay) {
-    this.#retryTimer = this.#timers.setTimeout(() => {
+    this.#retryTimer = this.#clock.setTimeout(() => {
       if (this.#mayRetry()) this.retry();
     }, delay);
   }

@@ -15,6 +15,7 @@ export const kActionNames = Object.freeze({
   figures: 'Figures',
   settings: 'Settings',
   screenshot: 'Screenshot',
+  latency: 'Measure latency',
   fullscreen: 'Full screen',
 });
 

@@ -1,8 +1,10 @@
 import { Backoff } from './backoff.js';
-import { h264Hindrance, lateLookHindrance } from './browser_abilities.js';
+import { h264Hindrance } from './browser_abilities.js';
+import { Codecs } from './codecs.js';
 import { Connection } from './connection.js';
-import { Decoder, decodeJpeg } from './decoder.js';
-import { Display, canvasPainter, paintScheduler } from './display.js';
+import { decoders } from './decoders.js';
+import { Decoding } from './decoding.js';
+import { Display, paintScheduler } from './display.js';
 import { Fullscreen } from './fullscreen.js';
 import { Hint } from './hint.js';
 import { listenToBlowButton } from './input/blow_button.js';
@@ -16,21 +18,29 @@ import { listenToTouch } from './input/touch.js';
 import { Turner } from './input/turner.js';
 import { KeyEditor } from './key_editor.js';
 import { writeKeyHints } from './key_hints.js';
+import { LatencyButton } from './latency_button.js';
+import { LateLook } from './late_look.js';
+import { LineHint } from './line_hint.js';
 import { Notice } from './notice.js';
 import { Overlay } from './overlay.js';
-import { kSubProtocols } from './protocol.js';
+import { Codec, LimitedBy, kSubProtocols } from './protocol.js';
 import { ReloadOnce } from './reload_once.js';
+import { Screen } from './screen.js';
 import { Screenshot, saveFile, takePicture } from './screenshot.js';
 import { Settings, streamPreferences } from './settings.js';
 import { SettingsPanel } from './settings_panel.js';
+import { Stream } from './stream.js';
 import { Telemetry } from './telemetry.js';
 import { Toast } from './toast.js';
 import { Viewport } from './viewport.js';
 import { WorldStatistics } from './world_statistics.js';
 
+const kFailed = 'it failed in this browser';
+const kLimitNames = Object.fromEntries(Object.entries(LimitedBy).map(([name, number]) => [number, name]));
 const element = (id) => document.getElementById(id);
 const root = document.documentElement;
 const canvas = element('world');
+const query = new URLSearchParams(window.location.search);
 const clock = {
   now: () => performance.now(),
   setTimeout: (callback, delay) => window.setTimeout(callback, delay),
@@ -48,15 +58,16 @@ const notice = new Notice(element('notice'), () => {
   else connection.retry();
 });
 
-const nameInAddress = new URLSearchParams(window.location.search).get('name');
+const nameInAddress = query.get('name');
 
 const connection = new Connection({
   openSocket: () => new WebSocket(window.location.origin.replace(/^http/, 'ws') + '/', kSubProtocols),
+  offer: () => stream.offer,
   hello: () => ({ name: nameInAddress || settings.values.name, ...viewport.size }),
-  on: { state: enter, welcome, waiting: (message) => notice.wait(message), frame: receive },
+  on: { state: enter, welcome, waiting: (message) => notice.wait(message), picture: receive, status: hear },
   backoff: new Backoff(),
   mayRetry: () => !document.hidden,
-  timers: clock,
+  clock,
 });
 
 const sender = new InputSender({
@@ -68,26 +79,43 @@ const sender = new InputSender({
   },
 });
 
-const display = new Display({
-  paint: canvasPainter(canvas),
-  schedule: paintScheduler(document),
-  onPresented: presented,
+const lateLook = new LateLook(document.createElement('canvas'), () => stream.tellLimits());
+const screen = new Screen({ canvas, lateLook, look: () => (stream.turns ? controls : null) });
+const display = new Display({ screen, schedule: paintScheduler(document), onPresented: presented });
+const codecs = new Codecs(window);
+const stream = new Stream({
+  connection,
+  codecs,
+  makeDecoding: (on) => new Decoding({ make: decoders(window, clock), clock, on }),
+  display,
+  lateLook,
+  onCodecFailed: (words) => {
+    console.warn(words);
+    panel.disable('codec', kFailed, 'h264');
+  },
 });
-
-const decoder = new Decoder({
-  decode: decodeJpeg,
-  onPicture: (bitmap, frame) => display.show(bitmap, frame),
-  onBroken: (frame) => connection.acknowledge(frame.frame),
+const lineHint = new LineHint(element('line'), clock);
+const latency = new LatencyButton(element('latency'), {
+  clock,
+  sendInput: () => sender.repeat(),
+  save: (file) => saveFile(window, file),
 });
+controls.onChange(() => display.turn());
 
 function enter(state, reason) {
+  const was = root.dataset.connection;
   root.dataset.connection = state;
-  if (state === 'open') {
+  if (state === 'silent') {
+    notice.show(state, reason);
+  } else if (state === 'open' && was === 'silent') {
+    notice.hide();
+  } else if (state === 'open') {
     sender.start();
     connection.sendResize(viewport.size);
     reloadOnce.settled();
   } else {
     sender.stop();
+    lineHint.reset();
     notice.show(state, reason);
     if (state !== 'lost' && document.pointerLockElement) document.exitPointerLock();
     if (state === 'outdated') reloadOnce.attempt();
@@ -95,7 +123,7 @@ function enter(state, reason) {
 }
 
 function welcome({ red, green, blue, yaw, pitch, world }) {
-  decoder.reset();
+  stream.begin();
   display.reset();
   telemetry.reset();
   controls.face(yaw, pitch);
@@ -104,27 +132,36 @@ function welcome({ red, green, blue, yaw, pitch, world }) {
   document.title = world && world !== 'Grove' ? `${world} \u00b7 Grove` : 'Grove';
 }
 
-function receive(frame) {
-  telemetry.frameReceived(frame, clock.now());
-  decoder.push(frame);
+function receive(picture) {
+  telemetry.frameReceived(picture, clock.now());
+  stream.receive(picture);
 }
 
-function presented(frame) {
-  connection.acknowledge(frame.frame);
+function hear(status) {
+  telemetry.statusReceived(status);
+  lineHint.update(status, telemetry.read(clock.now()).height ?? status.height);
+  root.dataset.limitedBy = kLimitNames[status.limitedBy];
+}
+
+function presented(picture) {
+  connection.acknowledge(picture);
   const now = clock.now();
-  telemetry.framePresented(frame, now);
+  latency.presented(telemetry.framePresented(picture, now), picture, now);
   if (connection.state === 'open') notice.hide();
   if (root.dataset.picture === 'none') {
     root.dataset.picture = 'shown';
     hint.show();
+    if (query.has('latency')) latency.start(Number(query.get('latency')) || undefined);
   }
   publish(telemetry.read(now));
 }
 
 /** What the page is doing, for whoever looks at it from outside. */
-function publish({ frames, latencyMs, width, height, visitors }) {
+function publish({ frames, latencyMs, width, height, visitors, codec }) {
   root.dataset.frames = frames;
   root.dataset.streamSize = `${width}x${height}`;
+  root.dataset.lines = height;
+  root.dataset.codec = codec;
   root.dataset.visitors = visitors;
   root.dataset.yaw = controls.yaw.toFixed(4);
   root.dataset.pitch = controls.pitch.toFixed(4);
@@ -141,7 +178,12 @@ const statistics = new WorldStatistics(() => fetch('/sharing.json').then((answer
 const overlay = new Overlay(
   element('overlay'),
   element('figures'),
-  () => ({ ...telemetry.read(clock.now()), ...statistics.read() }),
+  () => ({
+    ...telemetry.read(clock.now()),
+    ...statistics.read(),
+    latencyPercentiles: telemetry.latencyPercentiles(clock.now()),
+    lateLook: stream.lateLookWord,
+  }),
   (shown) => statistics.watch(shown),
 );
 const fullscreen = new Fullscreen(document, element('fullscreen'));
@@ -168,11 +210,12 @@ listenToKeyboard(window, controls, () => settings.values.keys, {
   fullscreen: () => fullscreen.toggle(),
   screenshot: () => screenshot.shoot(),
   settings: () => panel.toggle(),
+  latency: () => latency.start(),
 });
 
 function apply(values) {
   controls.setSteering(values);
-  connection.setPreferences?.(streamPreferences(values));
+  stream.setPreferences(streamPreferences(values));
   writeKeyHints(document, values.keys, labels);
 }
 
@@ -189,19 +232,30 @@ window.addEventListener('keydown', (event) => {
 });
 window.addEventListener('storage', () => settings.reload());
 if (nameInAddress) panel.disable('name', `The page's address names you ${nameInAddress}.`);
-h264Hindrance(window).then((reason) => {
-  if (reason) panel.disable('codec', reason, 'h264');
-});
-const lateLook = lateLookHindrance(document);
-if (lateLook) panel.disable('lateLook', lateLook);
+if (!lateLook.isReady) panel.disable('lateLook', 'Needs WebGL, which this browser does not give to the page.');
 listenToMouse(canvas, controls, pointer);
 listenToTouch(canvas, controls, element('stick'));
 listenToBlowButton(element('blow'), controls);
 listenToGamepads(window, controls);
 
-for (const [target, event] of [[window, 'online'], [document, 'visibilitychange']]) {
+for (const [target, event] of [
+  [window, 'online'],
+  [window, 'pageshow'],
+  [document, 'resume'],
+  [document, 'visibilitychange'],
+]) {
   target.addEventListener(event, () => {
-    if (['lost', 'full'].includes(connection.state) && !document.hidden) connection.retry();
+    stream.setHidden(document.hidden);
+    if (document.hidden) return;
+    connection.listen();
+    if (['lost', 'full'].includes(connection.state)) connection.retry();
   });
 }
+stream.setHidden(document.hidden);
+// Before the wait: it tells that the page has started.
+root.dataset.connection = connection.state;
+await codecs.ask();
 connection.start();
+if (!codecs.offer('h264').includes(Codec.h264)) {
+  panel.disable('codec', (await h264Hindrance(window)) || kFailed, 'h264');
+}

@@ -34,13 +34,28 @@ export function median(values) {
   return sorted.length % 2 ? sorted[middle] : (sorted[middle - 1] + sorted[middle]) / 2;
 }
 
+/** The value that this share (0..1) of all stays at or below, as nearest rank; `null` of none. */
+export function quantile(values, share) {
+  return quantiles(values, [share])[0];
+}
+
+function quantiles(values, shares) {
+  const sorted = [...values].sort((a, b) => a - b);
+  return shares.map((share) => sorted[Math.max(0, Math.ceil(share * sorted.length) - 1)] ?? null);
+}
+
+/** Percentiles need more values than a second has. Milliseconds. */
+const kLongSpan = 10_000;
+
 /** Inputs that may wait for their frame; the server shows them in order, so the oldest go first when it stalls. */
 const kMostWaiting = 512;
 
 /** Time from sending an input to presenting the first frame that shows it, in milliseconds. */
 export class LatencyMeter {
   #waiting = [];
+  #received = 0;
   #samples = new SlidingWindow();
+  #longSamples = new SlidingWindow(kLongSpan);
   #last = null;
 
   sent(number, now) {
@@ -48,11 +63,27 @@ export class LatencyMeter {
     if (this.#waiting.length > kMostWaiting) this.#waiting.shift();
   }
 
+  /** A frame that shows all inputs up to this one is on its way to the screen. */
+  received(lastInput) {
+    this.#received = lastInput;
+  }
+
+  /** Returns the inputs that this frame is the first to show, as `{ number, time, latency }`. */
   presented(lastInput, now) {
+    const shown = [];
     while (this.#waiting.length > 0 && this.#waiting[0].number <= lastInput) {
-      this.#last = now - this.#waiting.shift().time;
+      const { number, time } = this.#waiting.shift();
+      this.#last = now - time;
       this.#samples.add(now, this.#last);
+      this.#longSamples.add(now, this.#last);
+      shown.push({ number, time, latency: this.#last });
     }
+    return shown;
+  }
+
+  /** The server obeyed all inputs up to this one; those that no frame came for changed nothing and measure nothing. */
+  obeyed(lastInput) {
+    this.#waiting = this.#waiting.filter(({ number }) => number <= this.#received || number > lastInput);
   }
 
   /** Median of the last second; if nothing was measured in it, the last measurement, and `null` before the first. */
@@ -60,9 +91,17 @@ export class LatencyMeter {
     return median(this.#samples.values(now)) ?? this.#last;
   }
 
+  /** Of the last ten seconds; `null` each if nothing was measured in them. */
+  percentiles(now) {
+    const [p50, p95, p99] = quantiles(this.#longSamples.values(now), [0.5, 0.95, 0.99]);
+    return { p50, p95, p99 };
+  }
+
   reset() {
     this.#waiting = [];
+    this.#received = 0;
     this.#samples.clear();
+    this.#longSamples.clear();
     this.#last = null;
   }
 }

@@ -1,6 +1,7 @@
 /** What a visitor reads in each state of the connection; `open` needs no words. */
 const kTexts = {
   connecting: { title: 'Grove', text: 'Entering the grove\u2026' },
+  silent: { title: 'The world does not answer\u2026', text: 'What you see may be out of date.' },
   lost: { title: 'The world is out of reach', text: 'Trying again\u2026' },
   full: { title: 'No place for you yet', next: 'We knock again every fifteen seconds.', action: 'Try again now' },
   outdated: { title: 'The world has moved on', text: 'Please reload the page to follow.', action: 'Reload' },

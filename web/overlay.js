@@ -1,5 +1,6 @@
 import { perUser } from './amortization.js';
 import { kUnknown, known, milliseconds, percent, plain, visitors, whole } from './figures.js';
+import { LimitedBy } from './protocol.js';
 
 /** Readable numbers change a few times a second, not with every frame. Milliseconds. */
 const kInterval = 250;
@@ -8,6 +9,8 @@ const kInterval = 250;
 const kLines = {
   fps: (reading) => String(reading.framesPerSecond),
   latency: (reading) => reading.latencyMs !== null && `${reading.latencyMs.toFixed(0)} ms`,
+  percentiles: ({ latencyPercentiles: { p50, p95, p99 } }) =>
+    p50 !== null && `${[p50, p95, p99].map((value) => value.toFixed(0)).join(' / ')} ms`,
   rate: (reading) => `${reading.megabitsPerSecond.toFixed(1)} Mbit/s`,
   codec: (reading) => reading.codec,
   size: (reading) => reading.width !== null && `${reading.width} \u00d7 ${reading.height}`,
@@ -15,6 +18,22 @@ const kLines = {
   shared: (reading) => reading.sharedViews !== null && `${Math.round(reading.sharedViews * 100)} %`,
   server: (reading) => reading.serverMs !== null && `${reading.serverMs.toFixed(1)} ms`,
   version: (reading) => reading.version,
+};
+
+const kLimits = {
+  [LimitedBy.nothing]: 'nothing',
+  [LimitedBy.line]: 'your line',
+  [LimitedBy.machine]: 'the server',
+  [LimitedBy.visitor]: 'your settings',
+};
+
+/** What each line says of how the stream fits the line, as the server tells it. */
+const kStatus = {
+  limit: ({ limitedBy }) => kLimits[limitedBy],
+  goal: ({ framesPerSecond }) => `${framesPerSecond} frames/s`,
+  quality: ({ quality }) => `${quality} %`,
+  carries: ({ kilobitsPerSecond }) => kilobitsPerSecond > 0 && `${plain(kilobitsPerSecond / 1000)} Mbit/s`,
+  roundTrip: ({ roundTripMilliseconds }) => `${roundTripMilliseconds} ms`,
 };
 
 const told = (value, tell) => known(value) !== null && tell(value);
@@ -42,8 +61,8 @@ export class Overlay {
   #timer;
 
   /**
-   * `panel` has an element with `data-figure` or `data-saving` for each line; `read()` gives a reading of Telemetry and
-   * WorldStatistics; `watch(shown)` is told when the panel appears and goes.
+   * `panel` has an element with `data-figure`, `data-status` or `data-saving` for each line; `read()` gives a reading
+   * of Telemetry and WorldStatistics, and `lateLook`, what becomes of that; `watch(shown)` is told when the panel appears and goes.
    */
   constructor(panel, button, read, watch) {
     this.#panel = panel;
@@ -69,7 +88,13 @@ export class Overlay {
     for (const figure of this.#panel.querySelectorAll('[data-figure]')) {
       figure.textContent = kLines[figure.dataset.figure](reading) || kUnknown;
     }
-    const { amortization } = reading;
+    const { status, lateLook, amortization } = reading;
+    const stream = this.#panel.querySelector('[data-line]');
+    stream.hidden = status === null;
+    for (const figure of status === null ? [] : stream.querySelectorAll('[data-status]')) {
+      const { status: name } = figure.dataset;
+      figure.textContent = (name === 'lateLook' ? lateLook : kStatus[name](status)) || kUnknown;
+    }
     this.#panel.querySelector('[data-savings]').hidden = amortization === null;
     if (amortization === null) return;
     for (const figure of this.#panel.querySelectorAll('[data-saving]')) {

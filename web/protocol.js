@@ -4,7 +4,8 @@
  */
 
 /** What to ask for, the newest first: without 1.2 there is no choice of codec, without 1.1 no Waiting. */
-export const kSubProtocols = Object.freeze(['grove.v1.2', 'grove.v1.1', 'grove.v1']);
+export const kAdaptiveProtocol = 'grove.v1.2';
+export const kSubProtocols = Object.freeze([kAdaptiveProtocol, 'grove.v1.1', 'grove.v1']);
 const kVersion = 1;
 
 /** Bits of an input's `keys`. */

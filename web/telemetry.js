@@ -1,3 +1,4 @@
+import { windowOf } from './look_geometry.js';
 import { LatencyMeter, SlidingWindow, median } from './meters.js';
 import { kCodecNames } from './protocol.js';
 
@@ -9,6 +10,7 @@ export class Telemetry {
   #latency = new LatencyMeter();
   #frames = 0;
   #last = null;
+  #status = null;
 
   inputSent(number, now) {
     this.#latency.sent(number, now);
@@ -16,23 +18,32 @@ export class Telemetry {
 
   frameReceived(frame, now) {
     this.#received.add(now, frame.picture.byteLength);
+    this.#latency.received(frame.lastInput);
   }
 
+  statusReceived(status) {
+    this.#status = status;
+    this.#latency.obeyed(status.lastInput);
+  }
+
+  /** Returns the inputs that the frame is the first to show, as `{ number, time, latency }`. */
   framePresented(frame, now) {
     this.#frames += 1;
     this.#last = frame;
     this.#presented.add(now, 1);
     this.#server.add(now, frame.serverMicroseconds / 1000);
-    this.#latency.presented(frame.lastInput, now);
+    return this.#latency.presented(frame.lastInput, now);
   }
 
-  /** Another connection counts its inputs anew. */
+  /** Another connection counts its inputs anew, and knows nothing of its line yet. */
   reset() {
     this.#latency.reset();
+    this.#status = null;
   }
 
   /** Figures that are not known yet are `null`. */
   read(now) {
+    const size = this.#last && windowOf(this.#last);
     return {
       frames: this.#frames,
       framesPerSecond: this.#presented.values(now).length,
@@ -40,9 +51,15 @@ export class Telemetry {
       megabitsPerSecond: (this.#received.values(now).reduce((sum, bytes) => sum + bytes, 0) * 8) / 1e6,
       serverMs: median(this.#server.values(now)),
       codec: this.#last && kCodecNames[this.#last.codec],
-      width: this.#last && this.#last.width,
-      height: this.#last && this.#last.height,
+      width: size && size.width,
+      height: size && size.height,
       visitors: this.#last && this.#last.visitors,
+      status: this.#status,
     };
+  }
+
+  /** Of the last ten seconds; apart from the reading, for it sorts them all. */
+  latencyPercentiles(now) {
+    return this.#latency.percentiles(now);
   }
 }

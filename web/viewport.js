@@ -1,13 +1,27 @@
-const kMostWidth = 1920;
-const kMostHeight = 1080;
+const kMaxWidth = 1920;
+const kMaxHeight = 1080;
+/** In the hand, a screen is so small and so dense that more pixels are seen by nobody, but paid for by all. */
+const kMaxLongSideInHand = 1280;
+const kMaxShortSideInHand = 720;
+/** CSS pixels: the short side of the largest phones is under 500, that of the smallest tablets over 700. */
+const kLargestPhone = 600;
 /** The protocol refuses a side below this. */
 const kLeastSide = 16;
 /** A drag of the window's edge asks for one new size, not for fifty. */
 const kSettleTime = 200;
 
-/** The frame to ask for, in pixels, for a window of CSS pixels: bounded, with the window's shape. */
-export function fitStream(width, height, pixelRatio) {
-  const scale = Math.min(pixelRatio, kMostWidth / Math.max(width, 1), kMostHeight / Math.max(height, 1));
+/**
+ * The frame to ask for, in pixels, for a window of CSS pixels: bounded, with the window's shape. `coarse`: it is pointed
+ * at with fingers.
+ */
+export function fitStream(width, height, pixelRatio, coarse) {
+  const [long, short] = [Math.max(width, height, 1), Math.max(Math.min(width, height), 1)];
+  const inHand = coarse && short < kLargestPhone;
+  const scale = Math.min(
+    pixelRatio,
+    inHand ? kMaxLongSideInHand / long : kMaxWidth / Math.max(width, 1),
+    inHand ? kMaxShortSideInHand / short : kMaxHeight / Math.max(height, 1),
+  );
   const side = (length) => Math.max(kLeastSide, Math.round(length * scale));
   return { width: side(width), height: side(height) };
 }
@@ -28,7 +42,8 @@ export class Viewport {
   /** The wanted size now. */
   get size() {
     const { innerWidth, innerHeight, devicePixelRatio } = this.#window;
-    return fitStream(innerWidth, innerHeight, devicePixelRatio);
+    const coarse = this.#window.matchMedia('(pointer: coarse)').matches;
+    return fitStream(innerWidth, innerHeight, devicePixelRatio, coarse);
   }
 
   /** A move to another screen changes the pixel ratio without a resize; a query matches one ratio only. */

@@ -56,13 +56,13 @@ test('the overlay tells finite figures, by key and by button', async () => {
     await toggle();
     await overlay.waitFor({ state: 'visible' });
     await ada.page.waitForFunction(() =>
-      [...document.querySelectorAll('[data-figure]')].every((figure) => /^[0-9]|^JPEG$/.test(figure.textContent)),
+      [...document.querySelectorAll('[data-figure]')].every((figure) => /^[0-9]|^H\.264$/.test(figure.textContent)),
     );
     const figures = await ada.page.$$eval('[data-figure]', (all) => all.map((figure) => figure.textContent));
-    assert.equal(figures.length, 9);
-    assert.match(figures[8], /^\d+\.\d+\.\d+$/, 'the version');
+    assert.equal(figures.length, 10);
+    assert.match(figures[9], /^\d+\.\d+\.\d+$/, 'the version');
     for (const figure of figures) assert.doesNotMatch(figure, /NaN|Infinity|undefined|null/);
-    assert.ok(parseFloat(figures[1]) >= 0 && parseFloat(figures[2]) > 0, figures.join(', '));
+    assert.ok(parseFloat(figures[1]) >= 0 && parseFloat(figures[3]) > 0, figures.join(', '));
     await toggle();
     await overlay.waitFor({ state: 'hidden' });
   }

@@ -12,6 +12,7 @@ const hexOf = (buffer) => Buffer.from(buffer).toString('hex');
 
 /** The network's end of a connection: records what the page does to a socket. */
 class Wire {
+  protocol = 'grove.v1.1';
   readyState = 0;
   sent = [];
   closedWith = null;
@@ -39,7 +40,7 @@ class Wire {
   }
 }
 
-function setUp({ mayRetry = () => true } = {}) {
+function setUp({ mayRetry = () => true, protocol = 'grove.v1.1' } = {}) {
   const clock = new FakeClock();
   const sockets = [];
   const states = [];
@@ -48,18 +49,21 @@ function setUp({ mayRetry = () => true } = {}) {
   const connection = new Connection({
     openSocket: () => {
       sockets.push(new Wire());
+      sockets.at(-1).protocol = protocol;
       return sockets.at(-1);
     },
+    offer: () => [2, 1],
     hello: () => ({ name: 'Ada', width: 1280, height: 720 }),
     on: {
       state: (state, reason) => states.push(reason ? `${state}: ${reason}` : state),
       welcome: () => {},
       waiting: ({ place, percent, step }) => waits.push([place, percent, step]),
-      frame: (frame) => frames.push(frame.frame),
+      picture: (picture) => frames.push(picture.frame),
+      status: ({ limitedBy }) => frames.push(`limited by ${limitedBy}`),
     },
     backoff: new Backoff(() => 0.5),
     mayRetry,
-    timers: clock,
+    clock,
   });
   connection.start();
   const letIn = () => {
@@ -74,7 +78,7 @@ test('says hello first and nothing else before the welcome', () => {
   connection.sendResize({ width: 100, height: 100 });
   sockets[0].open();
   connection.sendInput({ number: 1, keys: 0, yaw: 0, pitch: 0 });
-  connection.acknowledge(3);
+  connection.acknowledge({ frame: 3, arrived: 0 });
   assert.deepEqual(sockets[0].sent, [golden.find((entry) => entry.name === 'hello').hex]);
 });
 
@@ -83,10 +87,10 @@ test('hands on frames and acknowledges each once, in order', () => {
   letIn();
   sockets[0].receive(bytesOf('frame'));
   assert.deepEqual(frames, [66051]);
-  connection.acknowledge(5);
-  connection.acknowledge(4);
-  connection.acknowledge(5);
-  connection.acknowledge(6);
+  connection.acknowledge({ frame: 5, arrived: 0 });
+  connection.acknowledge({ frame: 4, arrived: 0 });
+  connection.acknowledge({ frame: 5, arrived: 0 });
+  connection.acknowledge({ frame: 6, arrived: 0 });
   assert.deepEqual(sockets[0].sent.slice(1), ['0300000005000000', '0300000006000000']);
   assert.deepEqual(states, ['connecting', 'open']);
 });
@@ -125,12 +129,12 @@ test('comes back with growing delays, and begins anew after a frame', () => {
 test('acknowledgements of a former connection do not reach the next', () => {
   const { clock, sockets, connection, letIn } = setUp();
   letIn();
-  connection.acknowledge(900);
+  connection.acknowledge({ frame: 900, arrived: 0 });
   sockets[0].end(1006);
   clock.advance(500);
-  connection.acknowledge(901);
+  connection.acknowledge({ frame: 901, arrived: 0 });
   letIn();
-  connection.acknowledge(1);
+  connection.acknowledge({ frame: 1, arrived: 0 });
   assert.deepEqual(sockets[1].sent.slice(1), ['0300000001000000']);
 });
 
@@ -220,4 +224,86 @@ test('delays are spread, but never beyond five seconds', () => {
   for (let i = 0; i < 10; i += 1) assert.ok(late.next() <= 5000);
   late.reset();
   assert.equal(late.next(), 550);
+});
+
+test('offers codecs before the hello, to a server that has a choice', () => {
+  const { sockets } = setUp({ protocol: 'grove.v1.2' });
+  sockets[0].open();
+  assert.deepEqual(sockets[0].sent, ['05020201', golden.find((entry) => entry.name === 'hello').hex]);
+});
+
+test('an older server hears nothing of offers, limits and the like', () => {
+  const { sockets, connection, letIn } = setUp();
+  letIn();
+  const limits = { hidden: true, border: false, framesPerSecond: 0, kilobitsPerSecond: 0, lines: 0 };
+  connection.sendOffer([1]);
+  connection.sendLimits(limits);
+  connection.sendBroken(7);
+  assert.equal(sockets[0].sent.length, 1);
+});
+
+test('tells when a picture came and how long it took to the screen', () => {
+  const { clock, sockets, connection, letIn } = setUp({ protocol: 'grove.v1.2' });
+  letIn();
+  clock.advance(1000);
+  connection.acknowledge({ frame: 9, arrived: 991.5 });
+  connection.acknowledge({ frame: 9, arrived: 991.5 });
+  connection.acknowledge({ frame: 8, arrived: 991.5 });
+  // 85 tenths of milliseconds; 991500 microseconds.
+  assert.deepEqual(sockets[0].sent.slice(2), ['0800550009000000' + '0c210f00']);
+});
+
+test('a server that promised to speak and does not is told of, until it speaks again or is lost', () => {
+  const { clock, sockets, states, letIn } = setUp({ protocol: 'grove.v1.2' });
+  letIn();
+  clock.advance(9_000);
+  sockets[0].receive(bytesOf('picture'));
+  clock.advance(1_499);
+  sockets[0].receive(bytesOf('status'));
+  clock.advance(1_499);
+  assert.deepEqual(states, ['connecting', 'open'], 'before the first picture it may take its time');
+  clock.advance(1);
+  assert.deepEqual(states.slice(2), ['silent']);
+  sockets[0].receive(bytesOf('status'));
+  assert.deepEqual(states.slice(3), ['open']);
+  clock.advance(9_999);
+  assert.deepEqual(states.slice(4), ['silent']);
+  clock.advance(1);
+  assert.deepEqual(states.slice(5), ['lost']);
+});
+
+test('an older server may be silent for longer', () => {
+  const { clock, sockets, states, letIn } = setUp();
+  letIn();
+  sockets[0].receive(bytesOf('frame'));
+  clock.advance(9_999);
+  assert.deepEqual(states, ['connecting', 'open']);
+});
+
+test('silence means nothing while nobody looks, nor just after', () => {
+  let visible = true;
+  const { clock, sockets, states, connection, letIn } = setUp({ protocol: 'grove.v1.2', mayRetry: () => visible });
+  letIn();
+  sockets[0].receive(bytesOf('picture'));
+  visible = false;
+  clock.advance(7_400);
+  visible = true;
+  connection.listen();
+  clock.advance(1_499);
+  assert.deepEqual(states, ['connecting', 'open']);
+  clock.advance(1);
+  assert.deepEqual(states.slice(2), ['silent']);
+});
+
+test('a page that was itself held up reads what came before it judges', () => {
+  const { clock, sockets, states, letIn } = setUp({ protocol: 'grove.v1.2' });
+  letIn();
+  sockets[0].receive(bytesOf('picture'));
+  clock.stall(5_000);
+  assert.deepEqual(states, ['connecting', 'open']);
+  sockets[0].receive(bytesOf('status'));
+  clock.advance(1_000);
+  assert.deepEqual(states, ['connecting', 'open']);
+  clock.advance(500);
+  assert.deepEqual(states.slice(2), ['silent']);
 });

@@ -1,37 +1,53 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
-import { Decoder } from '../../web/decoder.js';
+import { Decoding } from '../../web/decoding.js';
 import { Display } from '../../web/display.js';
+import { JpegDecoder } from '../../web/jpeg_decoder.js';
 
-/** The page's way from frame to screen, with decoding and painting at the test's command. */
+/** The page's way from picture to screen, with decoding and painting at the test's command. */
 function setUp() {
-  const decoding = new Map();
+  const decodes = new Map();
   const open = new Set();
   const log = [];
   let paint = null;
+  const screen = {
+    isBehind: false,
+    show: (image) => {
+      log.push(`paint ${image.name}`);
+      image.close();
+    },
+    turn: () => log.push('turn'),
+    freeze: () => {},
+  };
   const display = new Display({
-    paint: (bitmap) => log.push(`paint ${bitmap.name}`),
+    screen,
     schedule: (callback) => {
       assert.equal(paint, null, 'one paint at a time is planned');
       paint = callback;
     },
-    onPresented: (frame) => log.push(`presented ${frame.frame}`),
+    onPresented: (picture) => log.push(`presented ${picture.frame}`),
   });
-  const decoder = new Decoder({
-    decode: (name) => new Promise((resolve, reject) => decoding.set(name, { resolve, reject })),
-    onPicture: (bitmap, frame) => display.show(bitmap, frame),
-    onBroken: (frame) => log.push(`broken ${frame.frame}`),
+  const decode = (name) => new Promise((resolve, reject) => decodes.set(name, { resolve, reject }));
+  const decoding = new Decoding({
+    make: { 1: (parts) => new JpegDecoder({ ...parts, decode }) },
+    clock: { now: () => 0 },
+    on: {
+      image: (image, picture) => display.show(image, picture),
+      skipped: (picture) => log.push(`skipped ${picture.frame}`),
+      broken: (picture) => log.push(`broken ${picture.frame}`),
+      useless: () => assert.fail('JPEG is never given up'),
+    },
   });
-  const push = (frame, name = `p${frame}`) => decoder.push({ frame, picture: name });
+  const push = (frame, name = `p${frame}`) => decoding.push({ codec: 1, frame, picture: name });
   const finish = async (name) => {
     const bitmap = { name, close: () => assert.ok(open.delete(bitmap), `${name} closed once`) };
     open.add(bitmap);
-    decoding.get(name).resolve(bitmap);
+    decodes.get(name).resolve(bitmap);
     await new Promise(setImmediate);
   };
   const fail = async (name) => {
-    decoding.get(name).reject(new Error('not a JPEG'));
+    decodes.get(name).reject(new Error('not a JPEG'));
     await new Promise(setImmediate);
   };
   const vsync = () => {
@@ -39,10 +55,10 @@ function setUp() {
     paint = null;
     callback?.();
   };
-  return { log, open, display, decoder, push, finish, fail, vsync };
+  return { log, open, screen, display, decoding, push, finish, fail, vsync };
 }
 
-test('paints frames in their order', async () => {
+test('paints pictures in their order', async () => {
   const { log, open, push, finish, vsync } = setUp();
   push(1);
   await finish('p1');
@@ -80,43 +96,54 @@ test('the newest wins between two paints', async () => {
 test('a broken picture is told and the next one shows', async () => {
   const { log, push, finish, fail, vsync } = setUp();
   push(1);
-  push(2);
   await fail('p1');
+  push(2);
   await finish('p2');
   vsync();
-  assert.deepEqual(log, ['broken 1', 'paint p2', 'presented 2']);
+  assert.deepEqual(log, ['broken 1', 'skipped 1', 'paint p2', 'presented 2']);
+});
+
+test('JPEG is kept however often it fails', async () => {
+  const { log, push, fail } = setUp();
+  for (let frame = 1; frame <= 20; frame += 1) {
+    push(frame);
+    await fail(`p${frame}`);
+  }
+  assert.equal(log.at(-1), 'skipped 20');
 });
 
 test('a new connection starts its count anew, and the former one shows nothing more', async () => {
-  const { log, open, display, decoder, push, finish, fail, vsync } = setUp();
+  const { log, open, display, decoding, push, finish, fail, vsync } = setUp();
   push(70);
   await finish('p70');
   push(71);
   push(72);
-  decoder.reset();
+  decoding.reset();
   display.reset();
   push(1, 'new 1');
   await finish('p71');
   await fail('p72');
   vsync();
-  assert.deepEqual(log, []);
+  assert.deepEqual(log, ['turn']);
   await finish('new 1');
   vsync();
-  assert.deepEqual(log, ['paint new 1', 'presented 1']);
+  assert.deepEqual(log, ['turn', 'paint new 1', 'presented 1']);
   assert.equal(open.size, 0);
 });
 
-test('a bitmap is closed even if painting fails', () => {
-  let closed = false;
-  let run;
-  const display = new Display({
-    paint: () => {
-      throw new Error('context lost');
-    },
-    schedule: (callback) => (run = callback),
-    onPresented: () => assert.fail('nothing was presented'),
-  });
-  display.show({ close: () => (closed = true) }, { frame: 1 });
-  assert.throws(() => run(), /context lost/);
-  assert.ok(closed);
+test('between pictures, one paint turns the picture to the newest look, and only if it looks elsewhere', async () => {
+  const { log, screen, display, push, finish, vsync } = setUp();
+  display.turn();
+  vsync();
+  assert.deepEqual(log, []);
+  screen.isBehind = true;
+  display.turn();
+  display.turn();
+  vsync();
+  assert.deepEqual(log, ['turn']);
+  display.turn();
+  push(1);
+  await finish('p1');
+  vsync();
+  assert.deepEqual(log, ['turn', 'paint p1', 'presented 1'], 'a new picture is painted turned at once');
 });

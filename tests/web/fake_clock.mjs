@@ -27,4 +27,12 @@ export class FakeClock {
     }
     this.#time = end;
   }
+
+  /** Time passes while nothing can run; what fell due meanwhile then runs late. */
+  stall(time) {
+    this.#time += time;
+    for (const [id, { callback, due }] of [...this.#timers]) {
+      if (due <= this.#time && this.#timers.delete(id)) callback();
+    }
+  }
 }

@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
-import { LatencyMeter, SlidingWindow, median } from '../../web/meters.js';
+import { LatencyMeter, SlidingWindow, median, quantile } from '../../web/meters.js';
 import { Telemetry } from '../../web/telemetry.js';
 
 test('the median is the middle, or between the two in the middle', () => {
@@ -64,6 +64,7 @@ test('a reading tells the last second', () => {
     width: null,
     height: null,
     visitors: null,
+    status: null,
   });
   telemetry.inputSent(1, 0);
   for (let i = 0; i < 60; i += 1) {
@@ -87,4 +88,37 @@ test('a reading tells the last second', () => {
   assert.ok(Math.abs(reading.megabitsPerSecond - 2) < 1e-9);
   assert.ok(Math.abs(reading.serverMs - 8.0495) < 1e-9);
   assert.deepEqual([reading.codec, reading.width, reading.visitors], ['JPEG', 1280, 3]);
+});
+
+test('percentiles are those of the last ten seconds, as nearest rank', () => {
+  assert.equal(quantile([], 0.5), null);
+  assert.equal(quantile([3], 0.99), 3);
+  const meter = new LatencyMeter();
+  for (let i = 1; i <= 100; i += 1) {
+    meter.sent(i, i * 10 - i);
+    meter.presented(i, i * 10);
+  }
+  assert.deepEqual(meter.percentiles(1000), { p50: 50, p95: 95, p99: 99 });
+  assert.deepEqual(meter.percentiles(10_005), { p50: 50, p95: 95, p99: 99 });
+  assert.deepEqual(meter.percentiles(10_995), { p50: 100, p95: 100, p99: 100 });
+  assert.deepEqual(meter.percentiles(99_000), { p50: null, p95: null, p99: null });
+});
+
+test('an input that changed nothing one could see measures nothing', () => {
+  const meter = new LatencyMeter();
+  meter.sent(1, 100);
+  meter.sent(2, 110);
+  meter.sent(3, 120);
+  meter.received(1); // its picture waits for the screen
+  meter.obeyed(2);
+  assert.deepEqual(meter.presented(1, 140), [{ number: 1, time: 100, latency: 40 }]);
+  assert.deepEqual(meter.presented(3, 900), [{ number: 3, time: 120, latency: 780 }]);
+});
+
+test('a reading tells the size of the window, not of the border around it', () => {
+  const telemetry = new Telemetry();
+  const picture = { codec: 2, width: 704, height: 396, border: 10, lastInput: 0, serverMicroseconds: 0, visitors: 1 };
+  telemetry.framePresented(picture, 0);
+  const { width, height, codec } = telemetry.read(0);
+  assert.deepEqual([width, height, codec], [640, 360, 'H.264']);
 });

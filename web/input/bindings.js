@@ -16,6 +16,7 @@ export const kDefaultKeys = Object.freeze({
   figures: ['KeyO', 'F3'],
   settings: ['KeyP', ''],
   screenshot: ['KeyC', ''],
+  latency: ['KeyL', ''],
   fullscreen: ['KeyF', ''],
 });
 

@@ -39,6 +39,11 @@ export class InputSender {
     this.#due = Infinity;
   }
 
+  /** Sends the present state once more, though nothing changed. */
+  repeat() {
+    if (this.#running) this.#now();
+  }
+
   #changed() {
     if (!this.#running) return;
     const due = this.#lastSent + kShortestInterval;

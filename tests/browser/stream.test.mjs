@@ -1,0 +1,258 @@
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { after, afterEach, before, test } from 'node:test';
+
+import { Server, Visitor, difference, launchBrowser, pause, statistics } from './helpers.mjs';
+
+let server;
+let browser;
+let guests = [];
+
+before(async () => {
+  server = await Server.start({ options: ['--scene', 'tests/browser/clearing.toml'] });
+  browser = await launchBrowser();
+});
+
+afterEach(async () => {
+  const leaving = guests;
+  guests = [];
+  for (const { visitor, expected } of leaving) await visitor.leave(expected);
+});
+
+after(async () => {
+  await browser?.close();
+  await server?.end();
+});
+
+/** `expected`: what the page may complain about. */
+async function arrive({ script, options, query = '', expected = null } = {}) {
+  const visitor = await Visitor.arrive(browser, `${server.url}${query}`, options, script);
+  guests.push({ visitor, expected });
+  await visitor.until('connection', 'open');
+  await visitor.frames(3);
+  return visitor;
+}
+
+/** Lets a test make the page's decoder fail, and count the decoders. */
+function breakableDecoder() {
+  window.decoders = [];
+  window.VideoDecoder = class extends window.VideoDecoder {
+    #tell;
+
+    constructor(init) {
+      super(init);
+      this.#tell = init.error;
+      window.decoders.push(this);
+    }
+
+    break() {
+      this.close();
+      this.#tell(new DOMException('bad bits', 'EncodingError'));
+    }
+  };
+}
+
+/** A browser that promises every codec and keeps no promise. */
+function lyingDecoder() {
+  window.VideoDecoder = class {
+    static isConfigSupported = async (config) => ({ supported: true, config });
+    state = 'unconfigured';
+    decodeQueueSize = 0;
+    #error;
+
+    constructor({ error }) {
+      this.#error = error;
+    }
+
+    configure() {
+      this.state = 'closed';
+      queueMicrotask(() => this.#error(new DOMException('Unsupported configuration', 'NotSupportedError')));
+    }
+
+    decode() {}
+    close() {}
+  };
+}
+
+/** A decoder that hands out a picture only when another comes, as some graphics cards do. */
+function withholdingDecoder() {
+  window.VideoDecoder = class extends window.VideoDecoder {
+    constructor({ output, error }) {
+      let held = null;
+      super({
+        output: (frame) => {
+          if (held) output(held);
+          held = frame;
+        },
+        error,
+      });
+    }
+  };
+}
+
+/** Turns by a drag of so many pixels to the right, and waits until that can be seen. */
+async function drag({ page }, way) {
+  await page.mouse.move(320, 100);
+  await page.mouse.down();
+  await page.mouse.move(320 + way, 100, { steps: Math.min(4, Math.abs(way)) });
+  await page.mouse.up();
+  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+}
+
+/** Keeps what WebGL gave, for the test to take away. */
+function keepWebGl() {
+  const { getContext } = HTMLCanvasElement.prototype;
+  HTMLCanvasElement.prototype.getContext = function keep(kind, ...rest) {
+    const context = getContext.call(this, kind, ...rest);
+    if (kind === 'webgl') window.webGl ??= context.getExtension('WEBGL_lose_context');
+    return context;
+  };
+}
+
+const kNoH264 = /^H\.264 does not work here/;
+
+test('on localhost the stream is H.264', async () => {
+  const ada = await arrive();
+  assert.equal((await ada.state()).codec, 'H.264');
+  await ada.frames(20);
+  assert.equal((await ada.state()).codec, 'H.264');
+});
+
+test('without a decoder, as on plain http, it is JPEG', async () => {
+  const ada = await arrive({ script: () => delete window.VideoDecoder });
+  assert.equal((await ada.state()).codec, 'JPEG');
+});
+
+test('a browser that claims a codec which it has not gets JPEG, and is not asked again', async () => {
+  const ada = await arrive({ script: lyingDecoder, expected: kNoH264 });
+  assert.equal((await ada.state()).codec, 'JPEG');
+  assert.equal(ada.complaints.length, 1);
+  await ada.page.reload();
+  await ada.until('codec', 'JPEG');
+  assert.equal(ada.complaints.length, 1);
+});
+
+test('a decoder that keeps pictures back is given up', async () => {
+  const ada = await arrive({ script: withholdingDecoder, expected: kNoH264 });
+  await ada.until('codec', 'JPEG');
+  await ada.frames(3);
+});
+
+test('a decoder that fails in the midst is replaced, one that fails for good is given up', async () => {
+  const ada = await arrive({ script: breakableDecoder, expected: kNoH264 });
+  await ada.page.evaluate(() => window.decoders.at(-1).break());
+  await ada.frames(5);
+  assert.equal((await ada.state()).codec, 'H.264');
+  assert.deepEqual(await ada.page.evaluate(() => window.decoders.map(({ state }) => state)), ['closed', 'configured']);
+  for (let i = 2; i < 4; i += 1) {
+    await ada.page.waitForFunction((count) => window.decoders.length === count, i);
+    await ada.page.evaluate(() => window.decoders.at(-1).break());
+    await ada.frames(5);
+  }
+  await ada.until('codec', 'JPEG');
+  assert.match(ada.complaints[0], /^H\.264 does not work here \(bad bits\); offering JPEG$/);
+});
+
+test('a page that nobody looks at gets nothing, and a picture as soon as somebody does', async () => {
+  let received = 0;
+  const ada = new Visitor();
+  ada.context = await browser.newContext({ viewport: { width: 640, height: 360 } });
+  ada.page = await ada.context.newPage();
+  ada.page.on('websocket', (socket) => socket.on('framereceived', () => (received += 1)));
+  await ada.page.goto(server.url);
+  guests.push({ visitor: ada });
+  await ada.until('connection', 'open');
+  await ada.frames(5);
+  const look = (hidden) =>
+    ada.page.evaluate((value) => {
+      Object.defineProperty(document, 'hidden', { configurable: true, get: () => value });
+      document.dispatchEvent(new Event('visibilitychange'));
+    }, hidden);
+  await look(true);
+  await pause(1000); // what was on its way
+  received = 0;
+  await pause(2500);
+  assert.equal(received, 0);
+  assert.equal((await ada.state()).connection, 'open', 'silence was agreed on');
+  await look(false);
+  await ada.frames(3);
+});
+
+test('the newest picture turns with the look before the next one comes', async () => {
+  const ada = await arrive();
+  server.signal('SIGSTOP');
+  try {
+    // What is still on its way comes first.
+    await ada.until('connection', 'silent');
+    const before = await ada.state();
+    const still = await ada.picture();
+    await drag(ada, -80);
+    const turned = await ada.picture();
+    assert.equal((await ada.state()).frames, before.frames, 'no picture came');
+    const change = difference(still, turned);
+    assert.ok(change > 4, `the picture moves: ${change}`);
+
+    await drag(ada, 80);
+    assert.equal(difference(still, await ada.picture()), 0, 'and back');
+    // A pixel's turn goes the way of all turned pictures: the colours are the same.
+    await drag(ada, 1);
+    const nudged = await ada.picture();
+    assert.notDeepEqual(nudged, still);
+    assert.ok(Math.abs(statistics(nudged).mean - statistics(still).mean) < 0.5);
+  } finally {
+    server.signal('SIGCONT');
+  }
+  await ada.until('connection', 'open');
+});
+
+test('a graphics card that loses what it held takes nothing from the screen', async () => {
+  const ada = await arrive({ script: keepWebGl });
+  await ada.page.keyboard.press('o');
+  const lateLook = (word) =>
+    ada.page.waitForFunction((text) => document.querySelector('[data-status=lateLook]').textContent === text, word);
+  await lateLook('on');
+  await ada.page.evaluate(() => window.webGl.loseContext());
+  await lateLook('off: no WebGL');
+  await drag(ada, -80);
+  await ada.frames(3);
+  assert.ok(statistics(await ada.picture()).deviation > 10);
+  await ada.page.evaluate(() => window.webGl.restoreContext());
+  await lateLook('on');
+  await drag(ada, 80);
+  await ada.frames(3);
+  assert.ok(statistics(await ada.picture()).deviation > 10);
+});
+
+test('a server that says nothing is told of within three seconds, and no more once it speaks', async () => {
+  const ada = await arrive();
+  const notice = ada.page.getByRole('heading', { name: 'The world does not answer' });
+  server.signal('SIGSTOP');
+  try {
+    await notice.waitFor({ timeout: 3000 });
+  } finally {
+    server.signal('SIGCONT');
+  }
+  await notice.waitFor({ state: 'hidden' });
+  await ada.frames(3);
+  assert.equal((await ada.state()).connection, 'open');
+});
+
+test('a phone asks for no more than it can show', async () => {
+  const phone = { viewport: { width: 844, height: 390 }, deviceScaleFactor: 3, isMobile: true, hasTouch: true };
+  const ada = await arrive({ options: phone });
+  const [width, height] = (await ada.state()).streamSize.split('x').map(Number);
+  assert.ok(width <= 1280 && height <= 720, `${width} x ${height}`);
+  assert.ok(Math.abs(height / width - 390 / 844) < 0.01, `${width} x ${height}`);
+});
+
+test('latency is measured and handed out as a table', async () => {
+  const ada = await arrive({ query: '?latency=1' });
+  await ada.page.keyboard.press('o');
+  const save = ada.page.getByRole('button', { name: 'Save as CSV' });
+  const [download] = await Promise.all([ada.page.waitForEvent('download'), save.click()]);
+  const [header, ...rows] = readFileSync(await download.path(), 'utf8').trim().split('\n');
+  assert.equal(header, 'number,sent_ms,presented_ms,latency_ms,frame,width,height,codec');
+  assert.ok(rows.length > 0);
+  for (const row of rows) assert.match(row, /^\d+,[\d.]+,[\d.]+,[\d.]+,\d+,640,360,H\.264$/);
+  assert.match(await ada.page.locator('[data-latency=words]').textContent(), /^p50 \d+, p95 \d+, p99 \d+ ms of \d+ inputs$/);
+});

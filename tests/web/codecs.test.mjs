@@ -1,0 +1,70 @@
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+
+import { Codecs } from '../../web/codecs.js';
+import { Codec } from '../../web/protocol.js';
+
+const { jpeg, h264 } = Codec;
+
+class Storage {
+  #items = new Map();
+  getItem = (key) => this.#items.get(key) ?? null;
+  setItem = (key, value) => this.#items.set(key, value);
+}
+
+function windowWith(isConfigSupported, sessionStorage = new Storage()) {
+  return {
+    VideoDecoder: isConfigSupported && { isConfigSupported },
+    sessionStorage,
+    setTimeout: (callback) => setTimeout(callback, 5),
+  };
+}
+
+async function offered(window, preference = 'auto') {
+  const codecs = new Codecs(window);
+  await codecs.ask();
+  return codecs.offer(preference);
+}
+
+test('offers what the browser decodes, the best first', async () => {
+  assert.deepEqual(await offered(windowWith(async () => ({ supported: true }))), [h264, jpeg]);
+});
+
+for (const [what, answer] of [
+  ['has no decoder, as on plain http', undefined],
+  ['decodes small pictures only', async ({ codec }) => ({ supported: codec !== 'avc1.42E028' })],
+  ['does not know the question', async () => Promise.reject(new TypeError('what?'))],
+  ['throws at once', () => { throw new TypeError('what?'); }],
+  ['never answers', () => new Promise(() => {})],
+]) {
+  test(`a browser that ${what} gets JPEG`, async () => {
+    assert.deepEqual(await offered(windowWith(answer)), [jpeg]);
+  });
+}
+
+test('a codec asked for by name goes first, and JPEG stays as the last resort', async () => {
+  const window = windowWith(async () => ({ supported: true }));
+  assert.deepEqual(await offered(window, 'h264'), [h264, jpeg]);
+  assert.deepEqual(await offered(window, 'jpeg'), [jpeg]);
+});
+
+test('a codec that failed is not offered again in this tab, reloaded or not', async () => {
+  const window = windowWith(async () => ({ supported: true }));
+  const codecs = new Codecs(window);
+  await codecs.ask();
+  codecs.drop(h264);
+  assert.deepEqual(codecs.offer('auto'), [jpeg]);
+  assert.deepEqual(codecs.offer('h264'), [jpeg]);
+  assert.deepEqual(await offered(window), [jpeg]);
+});
+
+test('without storage, or with nonsense in it, it goes on', async () => {
+  const supported = async () => ({ supported: true });
+  const none = windowWith(supported, undefined);
+  const codecs = new Codecs(none);
+  await codecs.ask();
+  codecs.drop(h264);
+  assert.deepEqual(codecs.offer('auto'), [jpeg]);
+  assert.deepEqual(await offered(windowWith(supported, { getItem: () => '{7' })), [h264, jpeg]);
+  assert.deepEqual(await offered(windowWith(supported, { getItem: () => '7' })), [h264, jpeg]);
+});

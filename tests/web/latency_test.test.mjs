@@ -1,0 +1,58 @@
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+
+import { LatencyTest } from '../../web/latency_test.js';
+import { FakeClock } from './fake_clock.mjs';
+
+function setUp() {
+  const clock = new FakeClock();
+  const log = [];
+  const latency = new LatencyTest({
+    clock,
+    sendInput: () => log.push(clock.now()),
+    onChange: () => log.push(latency.isRunning ? 'begun' : 'ended'),
+  });
+  return { clock, log, latency };
+}
+
+const kPicture = { frame: 7, width: 1280, height: 720, codec: 2 };
+
+test('sends inputs for as long as it runs, moved or not', () => {
+  const { clock, log, latency } = setUp();
+  clock.advance(1000);
+  latency.start(0.2);
+  latency.start(100);
+  clock.advance(60_000);
+  assert.deepEqual(log, ['begun', 1000, 1050, 1100, 1150, 'ended']);
+});
+
+test('ends, whatever the address asks for', () => {
+  const { clock, log, latency } = setUp();
+  latency.start(1e9);
+  clock.advance(600_000);
+  assert.equal(log.at(-1), 'ended');
+  latency.start(-3);
+  assert.deepEqual(log.slice(-2), ['ended', 'ended']);
+});
+
+test('has a row for each input, with times since its begin', () => {
+  const { clock, latency } = setUp();
+  assert.equal(latency.words, null);
+  clock.advance(1000);
+  latency.start(10);
+  clock.advance(100);
+  latency.presented([{ number: 3, time: 990, latency: 110 }], kPicture, 1100);
+  latency.presented([{ number: 4, time: 1050, latency: 50 }, { number: 5, time: 1060.5, latency: 39.5 }], kPicture, 1100);
+  assert.equal(
+    latency.csv,
+    'number,sent_ms,presented_ms,latency_ms,frame,width,height,codec\n' +
+      '4,50.00,100.00,50.00,7,1280,720,H.264\n5,60.50,100.00,39.50,7,1280,720,H.264\n',
+    'not those sent before it began',
+  );
+  assert.equal(latency.words, 'p50 45, p95 50, p99 50 ms of 2 inputs');
+  clock.advance(10_000);
+  latency.presented([{ number: 6, time: 1070, latency: 90 }], kPicture, 11_100);
+  assert.match(latency.words, /of 2 inputs$/);
+  latency.start(1);
+  assert.equal(latency.words, null, 'another test begins with nothing');
+});

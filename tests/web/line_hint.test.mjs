@@ -1,0 +1,56 @@
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+
+import { LineHint } from '../../web/line_hint.js';
+import { LimitedBy } from '../../web/protocol.js';
+import { FakeClock } from './fake_clock.mjs';
+
+function setUp() {
+  const clock = new FakeClock();
+  const element = { hidden: true, textContent: '' };
+  const hint = new LineHint(element, clock);
+  const limited = (limitedBy, framesPerSecond = 20, lines = 480) => hint.update({ limitedBy, framesPerSecond }, lines);
+  return { clock, element, hint, limited };
+}
+
+test('a line that stays slow is named, with what becomes of the stream', () => {
+  const { clock, element, limited } = setUp();
+  limited(LimitedBy.line);
+  clock.advance(1000);
+  limited(LimitedBy.line);
+  clock.advance(999);
+  assert.equal(element.hidden, true);
+  clock.advance(1);
+  assert.equal(element.hidden, false);
+  assert.equal(element.textContent, 'Slow line: 480 lines, 20 frames/s');
+  limited(LimitedBy.line, 15, 360);
+  assert.equal(element.textContent, 'Slow line: 360 lines, 15 frames/s');
+});
+
+test('neither a short lapse nor a short recovery is worth a word', () => {
+  const { clock, element, limited } = setUp();
+  limited(LimitedBy.line);
+  clock.advance(1500);
+  limited(LimitedBy.nothing);
+  clock.advance(10_000);
+  assert.equal(element.hidden, true);
+  limited(LimitedBy.line);
+  clock.advance(2000);
+  limited(LimitedBy.nothing);
+  clock.advance(2000);
+  limited(LimitedBy.line);
+  clock.advance(10_000);
+  assert.equal(element.hidden, false);
+  limited(LimitedBy.visitor);
+  clock.advance(3000);
+  assert.equal(element.hidden, true, 'a limit by choice is no slow line');
+});
+
+test('a lost connection takes the words with it', () => {
+  const { clock, element, hint, limited } = setUp();
+  limited(LimitedBy.line);
+  clock.advance(1000);
+  hint.reset();
+  clock.advance(10_000);
+  assert.equal(element.hidden, true);
+});

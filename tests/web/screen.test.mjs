@@ -1,0 +1,93 @@
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+
+import { Screen } from '../../web/screen.js';
+
+const kPicture = { width: 704, height: 396, border: 10, yaw: 1, pitch: 0, tanHalfX: 1.1, tanHalfY: 0.61875 };
+
+function setUp({ isReady = true } = {}) {
+  const log = [];
+  const open = new Set();
+  const state = { look: { yaw: 1, pitch: 0 } };
+  const canvas = {
+    width: 16,
+    height: 9,
+    getContext: () => ({ drawImage: (image, ...place) => log.push([image.name, ...place].join(' ')) }),
+  };
+  const lateLook = {
+    isReady,
+    take: (image) => log.push(`take ${image.name}`),
+    turned: (picture, turn) => ({ name: `turned ${turn.yaw.toFixed(2)}` }),
+  };
+  const screen = new Screen({ canvas, lateLook, look: () => state.look });
+  const image = (name) => {
+    const made = { name, close: () => assert.ok(open.delete(name), `${name} closed once`) };
+    open.add(name);
+    return made;
+  };
+  return { log, open, state, canvas, lateLook, screen, image };
+}
+
+test('who looks where the camera did sees the middle of the picture as it is', () => {
+  const { log, canvas, screen, image } = setUp();
+  screen.show(image('a'), kPicture);
+  assert.deepEqual(log, ['a 32 18 640 360 0 0 640 360']);
+  assert.deepEqual([canvas.width, canvas.height], [640, 360]);
+  assert.equal(screen.isBehind, false);
+  screen.turn();
+  assert.equal(log.length, 1, 'nothing is painted twice');
+});
+
+test('who looks elsewhere sees it turned, copied to the graphics card once', () => {
+  const { log, state, screen, image } = setUp();
+  screen.show(image('a'), kPicture);
+  state.look = { yaw: 1.2, pitch: 0 };
+  assert.equal(screen.isBehind, true);
+  screen.turn();
+  assert.equal(screen.isBehind, false);
+  state.look = { yaw: 1.3, pitch: 0 };
+  screen.turn();
+  assert.deepEqual(log.slice(1), ['take a', 'turned 0.20 0 0', 'turned 0.30 0 0']);
+  screen.show(image('b'), kPicture);
+  assert.deepEqual(log.slice(4), ['take b', 'turned 0.30 0 0'], 'the next one is turned from the start');
+  state.look = { yaw: 1, pitch: 0 };
+  screen.turn();
+  assert.equal(log.at(-1), 'b 32 18 640 360 0 0 640 360', 'and back');
+});
+
+test('one image at most stays open, and none after a freeze', () => {
+  const { open, state, screen, image } = setUp();
+  screen.show(image('a'), kPicture);
+  screen.show(image('b'), kPicture);
+  assert.deepEqual([...open], ['b']);
+  screen.freeze();
+  screen.freeze();
+  assert.equal(open.size, 0);
+  state.look = { yaw: 2, pitch: 0 };
+  assert.equal(screen.isBehind, false, 'what is frozen does not turn');
+});
+
+for (const [what, options, look, picture] of [
+  ['without WebGL', { isReady: false }, { yaw: 2, pitch: 0 }, kPicture],
+  ['switched off', {}, null, kPicture],
+  ['with an older server', {}, { yaw: 2, pitch: 0 }, { width: 704, height: 396 }],
+]) {
+  test(`${what}, pictures stay as they are`, () => {
+    const { log, state, screen, image } = setUp(options);
+    state.look = look;
+    screen.show(image('a'), picture);
+    assert.equal(log.length, 1);
+    assert.match(log[0], /^a /);
+    assert.equal(screen.isBehind, false);
+  });
+}
+
+test('a graphics card lost while a picture is turned leaves it as it is', () => {
+  const { log, state, lateLook, screen, image } = setUp();
+  state.look = { yaw: 1.2, pitch: 0 };
+  screen.show(image('a'), kPicture);
+  lateLook.isReady = false;
+  assert.equal(screen.isBehind, true);
+  screen.turn();
+  assert.equal(log.at(-1), 'a 32 18 640 360 0 0 640 360');
+});

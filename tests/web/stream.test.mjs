@@ -1,0 +1,99 @@
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+
+import { Stream } from '../../web/stream.js';
+
+function setUp({ adapts = true } = {}) {
+  const log = [];
+  const failed = new Set();
+  const connection = {
+    adapts,
+    acknowledge: ({ frame }) => log.push(`ack ${frame}`),
+    sendOffer: (codecs) => log.push(`offer ${codecs}`),
+    sendBroken: (frame) => log.push(`broken ${frame}`),
+    sendLimits: (limits) => log.push({ ...limits }),
+  };
+  const codecs = {
+    offer: (preference) => (preference === 'jpeg' || failed.has(2) ? [1] : [2, 1]),
+    drop: (codec) => failed.add(codec),
+  };
+  const lateLook = { isReady: true };
+  const reports = [];
+  let decoding;
+  const stream = new Stream({
+    connection,
+    codecs,
+    makeDecoding: (on) => {
+      decoding = { on, reset: () => log.push('reset'), push: ({ frame }) => log.push(`push ${frame}`) };
+      return decoding;
+    },
+    display: { show: (image, { frame }) => log.push(`show ${frame}`) },
+    lateLook,
+    onCodecFailed: (words) => reports.push(words),
+  });
+  return { log, reports, connection, lateLook, stream, decoding };
+}
+
+const kFree = { hidden: false, border: true, framesPerSecond: 0, kilobitsPerSecond: 0, lines: 0 };
+
+test('tells its limits when a connection begins, and then only what has changed', () => {
+  const { log, stream, lateLook } = setUp();
+  stream.begin();
+  stream.tellLimits();
+  stream.setHidden(false);
+  assert.deepEqual(log.splice(0), ['reset', kFree]);
+  stream.setHidden(true);
+  stream.setPreferences({ lines: 480, framesPerSecond: 20 });
+  stream.setHidden(false);
+  const chosen = { ...kFree, lines: 480, framesPerSecond: 20 };
+  assert.deepEqual(log.splice(0), [{ ...kFree, hidden: true }, { ...chosen, hidden: true }, chosen]);
+  lateLook.isReady = false;
+  stream.tellLimits();
+  assert.deepEqual(log.splice(0), [{ ...chosen, border: false }], 'a border is of use to late look only');
+  stream.begin();
+  assert.deepEqual(log.splice(0), ['reset', { ...chosen, border: false }], 'the next server knows nothing yet');
+});
+
+test('a hidden page tells so as soon as it is let in', () => {
+  const { log, connection, stream } = setUp({ adapts: false });
+  stream.setHidden(true);
+  assert.deepEqual(log, []);
+  connection.adapts = true;
+  stream.begin();
+  assert.deepEqual(log, ['reset', { ...kFree, hidden: true }]);
+});
+
+test('another codec is offered when it is chosen', () => {
+  const { log, stream } = setUp();
+  assert.deepEqual(stream.offer, [2, 1]);
+  stream.setPreferences({ codec: 'jpeg' });
+  stream.setPreferences({ codec: 'jpeg' });
+  assert.deepEqual(log, ['offer 1', kFree]);
+  assert.deepEqual(stream.offer, [1]);
+});
+
+test('a codec that does not work is left out of a new offer, and somebody is told', () => {
+  const { log, reports, decoding } = setUp();
+  decoding.on.useless(2, new Error('bad bits'));
+  assert.deepEqual(log, ['offer 1']);
+  assert.deepEqual(reports, ['H.264 does not work here (bad bits); offering JPEG']);
+});
+
+test('what breaks and what is skipped is told to the server', () => {
+  const { log, stream, decoding } = setUp();
+  stream.receive({ frame: 3 });
+  decoding.on.broken({ frame: 3 });
+  decoding.on.skipped({ frame: 3 });
+  assert.deepEqual(log, ['push 3', 'broken 3', 'ack 3']);
+});
+
+test('says what becomes of late look', () => {
+  const { stream, lateLook } = setUp();
+  assert.equal(stream.lateLookWord, 'on');
+  stream.setPreferences({ lateLook: false });
+  assert.equal(stream.lateLookWord, 'off');
+  stream.setPreferences({ lateLook: true });
+  lateLook.isReady = false;
+  assert.equal(stream.lateLookWord, 'off: no WebGL');
+  assert.equal(stream.turns, false);
+});

@@ -1,0 +1,22 @@
+import { H264Decoder } from './h264_decoder.js';
+import { JpegDecoder } from './jpeg_decoder.js';
+import { Codec } from './protocol.js';
+
+/**
+ * How to make a decoder for each codec. Every decoder has `push(picture)` and `close()`, after which it tells nothing
+ * more, and is made with what it calls:
+ *
+ * - `onImage(image, picture)` hands over an ImageBitmap or a VideoFrame, to be closed by who takes it.
+ * - `onFailure(error, picture)`: the picture, or the newest that was inside, cannot be decoded; make another decoder.
+ *   `picture` is `null` if there was none.
+ * - `onHeld(picture)`: all up to this one are inside for long; the server must not wait for their being shown.
+ *
+ * `software` asks for a decoder that does not use the graphics card. To add a codec, add it here, to protocol.js and to
+ * codecs.js.
+ */
+export function decoders(window, clock) {
+  return {
+    [Codec.jpeg]: (parts) => new JpegDecoder(parts),
+    [Codec.h264]: (parts) => new H264Decoder({ window, clock, ...parts }),
+  };
+}

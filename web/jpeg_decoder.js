@@ -1,0 +1,34 @@
+/** Decodes a JPEG away from the main thread. */
+function decodeJpeg(picture) {
+  return createImageBitmap(new Blob([picture], { type: 'image/jpeg' }));
+}
+
+/** Decodes JPEGs, each by itself: they may come out in another order than they went in. As in decoders.js. */
+export class JpegDecoder {
+  #decode;
+  #onImage;
+  #onFailure;
+  #closed = false;
+
+  constructor({ onImage, onFailure, decode = decodeJpeg }) {
+    this.#decode = decode;
+    this.#onImage = onImage;
+    this.#onFailure = onFailure;
+  }
+
+  async push(picture) {
+    let image;
+    try {
+      image = await this.#decode(picture.picture);
+    } catch (error) {
+      if (!this.#closed) this.#onFailure(error, picture);
+      return;
+    }
+    if (this.#closed) image.close();
+    else this.#onImage(image, picture);
+  }
+
+  close() {
+    this.#closed = true;
+  }
+}

@@ -1,0 +1,70 @@
+/** Nearer than this (radians), two directions are the same: the stream carries 32-bit floats. */
+const kSameAngle = 1e-5;
+/** Of half a picture's angle: turned further, there would be more invented than seen in the window. */
+const kFurthestTurn = 0.8;
+
+/** For what a division leaves of a whole number. */
+const kRounding = 1e-6;
+
+/**
+ * The pixels of a picture that the window shows: its middle, without the border. What is cut off is even, so that the
+ * pixels of the window fall on pixels of the picture, and rounded down, as the server rounds down the whole picture.
+ */
+export function windowOf({ width, height, border = 0 }) {
+  const inner = (side) => side - 2 * Math.floor((side - side / (1 + border / 100)) / 2 + kRounding);
+  return { width: inner(width), height: inner(height) };
+}
+
+/** As server/world/camera.h: yaw 0 looks along -Z and grows counter-clockwise seen from above, pitch grows upwards. */
+function axes({ yaw, pitch }) {
+  const [sinYaw, cosYaw, sinPitch, cosPitch] = [Math.sin(yaw), Math.cos(yaw), Math.sin(pitch), Math.cos(pitch)];
+  return {
+    right: [cosYaw, 0, -sinYaw],
+    up: [sinYaw * sinPitch, cosPitch, cosYaw * sinPitch],
+    forward: [-sinYaw * cosPitch, sinPitch, -cosYaw * cosPitch],
+  };
+}
+
+const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+const within = (value, limit) => Math.min(limit, Math.max(-limit, value));
+
+/** From the picture's direction to the look's, in radians, as far as the picture goes; zeros where they are the same. */
+export function turnOf(picture, look) {
+  const whole = 2 * Math.PI;
+  const yaw = look.yaw - picture.yaw;
+  const turn = {
+    yaw: within(yaw - whole * Math.round(yaw / whole), kFurthestTurn * Math.atan(picture.tanHalfX)),
+    pitch: within(look.pitch - picture.pitch, kFurthestTurn * Math.atan(picture.tanHalfY)),
+  };
+  if (Math.abs(turn.yaw) < kSameAngle) turn.yaw = 0;
+  if (Math.abs(turn.pitch) < kSameAngle) turn.pitch = 0;
+  return turn;
+}
+
+/**
+ * The homography from the window to the picture, for a camera that only turns: of a point (x, y) of the window, each -1
+ * to 1 and y upwards, `matrix * (x, y, 1)` is (s, t, q), and (s / q, t / q) the place in the picture: 0 to 1, t
+ * downwards. Nine numbers, column by column, as WebGL takes them.
+ *
+ * `picture` has width, height, border, yaw, pitch, tanHalfX and tanHalfY of the message Picture; without these, as in
+ * the message Frame, and for no turn, the window is the picture's middle.
+ */
+export function lookMatrix(picture, turn) {
+  const inner = windowOf(picture);
+  const [shareX, shareY] = [inner.width / picture.width, inner.height / picture.height];
+  if (turn.yaw === 0 && turn.pitch === 0) return [shareX / 2, 0, 0, 0, -shareY / 2, 0, 0.5, 0.5, 1];
+  const { tanHalfX, tanHalfY } = picture;
+  const from = axes(picture);
+  const to = axes({ yaw: picture.yaw + turn.yaw, pitch: picture.pitch + turn.pitch });
+  const column = (axis, scale) => {
+    const depth = dot(axis, from.forward);
+    const across = dot(axis, from.right) / tanHalfX;
+    const upwards = dot(axis, from.up) / tanHalfY;
+    return [(depth + across) / 2, (depth - upwards) / 2, depth].map((value) => value * scale);
+  };
+  return [
+    ...column(to.right, tanHalfX * shareX),
+    ...column(to.up, tanHalfY * shareY),
+    ...column(to.forward, 1),
+  ];
+}

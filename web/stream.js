@@ -1,0 +1,113 @@
+import { namesOf } from './codecs.js';
+import { kCodecNames } from './protocol.js';
+
+/** What the visitor may choose; 0 is no limit. */
+export const kPreferences = Object.freeze({
+  codec: 'auto',
+  framesPerSecond: 0,
+  kilobitsPerSecond: 0,
+  lines: 0,
+  lateLook: true,
+});
+
+/**
+ * The video stream's side of the page: agrees with the server on codec and limits, decodes what comes, and tells what
+ * could not be decoded. All of it holds over reconnections.
+ */
+export class Stream {
+  #connection;
+  #codecs;
+  #decoding;
+  #lateLook;
+  #onCodecFailed;
+  #preferences = kPreferences;
+  #hidden = false;
+  #told = '';
+
+  /**
+   * @param {object} parts
+   * @param {import('./connection.js').Connection} parts.connection
+   * @param {import('./codecs.js').Codecs} parts.codecs
+   * @param {(on: object) => import('./decoding.js').Decoding} parts.makeDecoding made with whom it tells
+   * @param {import('./display.js').Display} parts.display
+   * @param {import('./late_look.js').LateLook} parts.lateLook
+   * @param {(words: string) => void} parts.onCodecFailed a codec is not offered any more, and why
+   */
+  constructor({ connection, codecs, makeDecoding, display, lateLook, onCodecFailed }) {
+    this.#connection = connection;
+    this.#codecs = codecs;
+    this.#lateLook = lateLook;
+    this.#onCodecFailed = onCodecFailed;
+    this.#decoding = makeDecoding({
+      image: (image, picture) => display.show(image, picture),
+      skipped: (picture) => connection.acknowledge(picture),
+      broken: (picture) => connection.sendBroken(picture.frame),
+      useless: (codec, error) => this.#drop(codec, error),
+    });
+  }
+
+  /** The codecs to offer now, the best first. */
+  get offer() {
+    return this.#codecs.offer(this.#preferences.codec);
+  }
+
+  /** Whether pictures are to be turned to the newest look. */
+  get turns() {
+    return this.#preferences.lateLook && this.#lateLook.isReady;
+  }
+
+  /** What becomes of late look, in a word. */
+  get lateLookWord() {
+    if (this.turns) return 'on';
+    return this.#preferences.lateLook ? 'off: no WebGL' : 'off';
+  }
+
+  /**
+   * Takes over what the visitor chose; what is left out stays as it is.
+   * @param {object} chosen
+   * @param {'auto' | 'h264' | 'jpeg'} [chosen.codec]
+   * @param {number} [chosen.framesPerSecond] at most; 0 is no limit, here and below
+   * @param {number} [chosen.kilobitsPerSecond]
+   * @param {number} [chosen.lines] height of the picture
+   * @param {boolean} [chosen.lateLook] turn pictures to the newest look
+   */
+  setPreferences(chosen) {
+    const before = this.#preferences;
+    this.#preferences = { ...before, ...chosen };
+    if (this.#preferences.codec !== before.codec) this.#connection.sendOffer(this.offer);
+    this.tellLimits();
+  }
+
+  /** Whether nobody looks: then the server sends nothing. */
+  setHidden(hidden) {
+    this.#hidden = hidden;
+    this.tellLimits();
+  }
+
+  /** A new connection has begun. */
+  begin() {
+    this.#decoding.reset();
+    this.#told = '';
+    this.tellLimits();
+  }
+
+  receive(picture) {
+    this.#decoding.push(picture);
+  }
+
+  /** Tells the server what it does not know yet; to be called when late look's `isReady` has changed. */
+  tellLimits() {
+    const { framesPerSecond, kilobitsPerSecond, lines } = this.#preferences;
+    const limits = { hidden: this.#hidden, border: this.turns, framesPerSecond, kilobitsPerSecond, lines };
+    const words = JSON.stringify(limits);
+    if (!this.#connection.adapts || words === this.#told) return;
+    this.#told = words;
+    this.#connection.sendLimits(limits);
+  }
+
+  #drop(codec, error) {
+    this.#codecs.drop(codec);
+    this.#connection.sendOffer(this.offer);
+    this.#onCodecFailed(`${kCodecNames[codec]} does not work here (${error.message}); offering ${namesOf(this.offer)}`);
+  }
+}
