@@ -30,8 +30,7 @@ bool writeHeaders(lws* wsi, const PageReply& reply) {
 
 }  // namespace
 
-HttpService::HttpService(Audience audience, LiveReports& reports)
-    : audience_(audience), pages_(embedded::web(), audience), reports_(reports) {}
+HttpService::HttpService(Audience audience) : audience_(audience), pages_(embedded::web(), audience) {}
 
 int HttpService::answer(lws* wsi, bool isKnown) {
   const std::string getPath = header(wsi, WSI_TOKEN_GET_URI);
@@ -44,6 +43,9 @@ int HttpService::answer(lws* wsi, bool isKnown) {
   answer.isLast = method == "another";
   if (!isKnown) {
     answer.reply = {HTTP_STATUS_FORBIDDEN, "text/plain; charset=utf-8", "", "this server is not known by that name\n",
+                    method == "GET"};
+  } else if (!answer.isLast && LiveReports::has(path, audience_) && reports_ == nullptr) {
+    answer.reply = {HTTP_STATUS_SERVICE_UNAVAILABLE, "text/plain; charset=utf-8", "", "the world is being prepared\n",
                     method == "GET"};
   } else if (!answer.isLast && LiveReports::has(path, audience_)) {
     answer.reply = {HTTP_STATUS_OK, "application/json", "", "", method == "GET"};
@@ -59,7 +61,7 @@ int HttpService::resume(lws* wsi) {
   if (found == answers_.end()) return 0;
   Answer& answer = found->second;
   if (!answer.waitsFor.empty()) {
-    answer.report = reports_.find(answer.waitsFor, answer.asked);
+    answer.report = reports_->find(answer.waitsFor, answer.asked);
     lws_set_timeout(wsi, PENDING_TIMEOUT_HTTP_CONTENT, kHttpSeconds);
     if (!answer.report) return 0;
     answer.waitsFor.clear();

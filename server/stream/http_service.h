@@ -15,8 +15,10 @@ namespace grove::stream {
 /// call returns what its callback has to.
 class HttpService {
  public:
-  /// `reports` outlives it.
-  HttpService(Audience audience, LiveReports& reports);
+  explicit HttpService(Audience audience);
+
+  /// From now on there are reports; they outlive it.
+  void open(LiveReports& reports) noexcept { reports_ = &reports; }
 
   /// A request has come. `isKnown`: it asks for a name of this server.
   int answer(lws* wsi, bool isKnown);
@@ -42,7 +44,7 @@ class HttpService {
 
   const Audience audience_;
   const WebPages pages_;
-  LiveReports& reports_;
+  LiveReports* reports_ = nullptr;  ///< null until the world is ready
   std::map<lws*, Answer> answers_;
 };
 
