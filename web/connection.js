@@ -34,8 +34,9 @@ export class Connection {
    * @param {object} parts
    * @param {() => WebSocket} parts.openSocket starts a new socket
    * @param {() => {name: string, width: number, height: number}} parts.hello what to say first, asked for each time
-   * @param {{state: Function, welcome: Function, waiting: Function, frame: Function}} parts.on `state(state, reason)` on
-   *     every change, `welcome(message)` when let in, `waiting(message)` as the wait for the first frame gets on,
+   * @param {{state: Function, welcome: Function, waiting: Function, refining: Function, frame: Function}} parts.on
+   *     `state(state, reason)` on every change, `welcome(message)` when let in, `waiting(message, isIn)` as the wait for
+   *     the first frame gets on, before one is let in or after, `refining(message)` as the world gets finer,
    *     `frame(message)` for each frame
    * @param {import('./backoff.js').Backoff} parts.backoff
    * @param {() => boolean} parts.mayRetry whether trying again is worth it now; if not, retry() will be called
@@ -112,9 +113,11 @@ export class Connection {
         this.#greeted = true;
         this.#on.welcome(message);
         this.#enter('open');
-      } else if (this.#greeted && message.message === 'Waiting') {
-        this.#on.waiting(message);
-      } else if (this.#greeted) {
+      } else if (message.message === 'Waiting') {
+        this.#on.waiting(message, this.#greeted);
+      } else if (this.#greeted && message.message === 'Refining') {
+        this.#on.refining(message);
+      } else if (this.#greeted && message.picture) {
         this.#backoff.reset();
         this.#on.frame(message);
       }

@@ -19,6 +19,7 @@ import { writeKeyHints } from './key_hints.js';
 import { Notice } from './notice.js';
 import { Overlay } from './overlay.js';
 import { kSubProtocols } from './protocol.js';
+import { Refining } from './refining.js';
 import { ReloadOnce } from './reload_once.js';
 import { Screenshot, saveFile, takePicture } from './screenshot.js';
 import { Settings, streamPreferences } from './settings.js';
@@ -42,6 +43,7 @@ const telemetry = new Telemetry();
 const controls = new Controls();
 const viewport = new Viewport(window, (size) => connection.sendResize(size));
 const reloadOnce = new ReloadOnce(window);
+const refining = new Refining(element('refining'));
 const hint = new Hint(element('hint'), controls);
 const notice = new Notice(element('notice'), () => {
   if (connection.state === 'outdated') window.location.reload();
@@ -53,7 +55,8 @@ const nameInAddress = new URLSearchParams(window.location.search).get('name');
 const connection = new Connection({
   openSocket: () => new WebSocket(window.location.origin.replace(/^http/, 'ws') + '/', kSubProtocols),
   hello: () => ({ name: nameInAddress || settings.values.name, ...viewport.size }),
-  on: { state: enter, welcome, waiting: (message) => notice.wait(message), frame: receive },
+  on: { state: enter, welcome, waiting: (message, isIn) => notice.wait(message, isIn),
+    refining: (message) => refining.show(message), frame: receive },
   backoff: new Backoff(),
   mayRetry: () => !document.hidden,
   timers: clock,
@@ -98,6 +101,7 @@ function welcome({ red, green, blue, yaw, pitch, world }) {
   decoder.reset();
   display.reset();
   telemetry.reset();
+  refining.hide();
   controls.face(yaw, pitch);
   root.style.setProperty('--lantern', `rgb(${red} ${green} ${blue})`);
   element('title').textContent = world || 'Grove';
