@@ -33,22 +33,30 @@ export class Server {
     this.operatorUrl = operatorUrl;
   }
 
-  /** Starts the server and waits until it says that it listens. */
-  static async start({ port, options = [] } = {}) {
+  /** Starts the server and waits until it says that it listens, and, unless it may be `coarse`, that all is fine. */
+  static async start({ port, options = [], coarse = false } = {}) {
     const address = `127.0.0.1:${port ?? (await freePort())}`;
     const process = spawn(kBinary, ['serve', '--listen', address, ...options], { cwd: kRoot });
     let output = '';
     let log = '';
-    process.stderr.on('data', (chunk) => (log += chunk));
+    let look = () => {};
+    const isFine = () => coarse || !log.includes('coarse light fields') || log.includes('as fine as');
+    process.stderr.on('data', (chunk) => {
+      log += chunk;
+      look();
+    });
     await new Promise((resolve, reject) => {
       const timer = setTimeout(() => reject(new Error(`the server did not start in time:\n${log}`)), kPreparation);
       process.on('error', reject);
       process.on('exit', (code) => reject(new Error(`the server ended with ${code}:\n${log}`)));
-      process.stdout.on('data', (chunk) => {
-        output += chunk;
-        if (!output.includes(`listening on http://${address}`)) return;
+      look = () => {
+        if (!output.includes(`listening on http://${address}`) || !isFine()) return;
         clearTimeout(timer);
         resolve();
+      };
+      process.stdout.on('data', (chunk) => {
+        output += chunk;
+        look();
       });
     });
     const [, operatorUrl] = output.match(/operator's page at (http:.*\/)operator/);
