@@ -40,7 +40,7 @@ export class Server {
     let output = '';
     let log = '';
     let look = () => {};
-    const isFine = () => coarse || !log.includes('coarse light fields') || log.includes('as fine as');
+    const isFine = () => coarse || !log.includes('sketching the light fields') || log.includes('as fine as');
     process.stderr.on('data', (chunk) => {
       log += chunk;
       look();
