@@ -1,5 +1,6 @@
 #include "cli/shape.h"
 
+#include <chrono>
 #include <cstdio>
 
 #include "cli/host_port.h"
@@ -7,6 +8,8 @@
 #include "stream/load/link_shaper.h"
 
 namespace grove::cli {
+
+using std::chrono_literals::operator""h;
 
 int runShape(const ShapeOptions& options) {
   const auto listen = parseHostPort(options.listen);
@@ -21,12 +24,12 @@ int runShape(const ShapeOptions& options) {
     std::fprintf(stderr, "grove shape: %s\n", fault->c_str());
     return 2;
   }
-  const StopOnSignal signals;
+  StopOnSignal signals;
   const stream::LinkShaper shaper({*listen, "--listen"}, {*target, "--to"}, std::get<stream::LinkProfile>(profile));
   const bool isIpv6 = listen->host.find(':') != std::string::npos;
   std::printf(isIpv6 ? "listening on [%s]:%d\n" : "listening on %s:%d\n", listen->host.c_str(), shaper.port());
   std::fflush(stdout);
-  signals.wait();
+  while (signals.waitFor(1h) != StopOnSignal::Event::kStop) continue;
   return 0;
 }
 

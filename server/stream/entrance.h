@@ -2,6 +2,7 @@
 
 #include <libwebsockets.h>
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -10,7 +11,6 @@
 #include "base/log.h"
 #include "stream/address_limits.h"
 #include "stream/address_range.h"
-#include "stream/host.h"
 #include "stream/web_pages.h"
 
 namespace grove::stream {
@@ -38,7 +38,9 @@ struct RequestSource {
 /// Judges sockets and requests by the rules, and logs whom it refuses. On the library's thread only.
 class Entrance {
  public:
-  Entrance(Host& host, EntranceRules rules) : host_(host), rules_(std::move(rules)), limits_(rules_.allowance) {}
+  /// `count` is called for each connection that is refused.
+  Entrance(EntranceRules rules, std::function<void()> count)
+      : count_(std::move(count)), rules_(std::move(rules)), limits_(rules_.allowance) {}
 
   void addName(std::string name) { rules_.names.push_back(std::move(name)); }
 
@@ -63,7 +65,7 @@ class Entrance {
   [[nodiscard]] bool isWelcome(const RequestSource& source, double cost);
   void refuse(const std::string& who, const std::string& why);
 
-  Host& host_;
+  const std::function<void()> count_;
   EntranceRules rules_;
   AddressLimits limits_;
   log::Limited refusals_;
