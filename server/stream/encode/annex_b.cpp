@@ -15,13 +15,16 @@ constexpr std::uint8_t kTypeBits = 0x1F;
 
 std::optional<std::vector<UnitType>> unitTypes(std::span<const std::uint8_t> bytes) {
   std::vector<UnitType> types;
-  auto begin = std::ranges::search(bytes, kStartCode).begin();
+  const auto startCode = [&](auto from) {
+    return std::search(from, bytes.end(), kStartCode.begin(), kStartCode.end());
+  };
+  auto begin = startCode(bytes.begin());
   if (std::any_of(bytes.begin(), begin, [](std::uint8_t byte) { return byte != 0; })) return std::nullopt;
   while (begin != bytes.end()) {
     begin += kStartCode.size();
     if (begin == bytes.end() || (*begin & kForbidden) != 0) return std::nullopt;
     types.push_back(static_cast<UnitType>(*begin & kTypeBits));
-    begin = std::search(begin, bytes.end(), kStartCode.begin(), kStartCode.end());
+    begin = startCode(begin);
   }
   if (types.empty()) return std::nullopt;
   return types;

@@ -1,11 +1,11 @@
 #pragma once
 
-#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <vector>
 
 namespace grove::stream {
@@ -14,7 +14,10 @@ namespace grove::stream {
 struct ShownPicture {
   std::uint8_t codec = 0;
   int lines = 0;  ///< its height, pixels
-  friend auto operator<=>(const ShownPicture&, const ShownPicture&) = default;
+  friend bool operator==(const ShownPicture&, const ShownPicture&) = default;
+  friend bool operator<(const ShownPicture& a, const ShownPicture& b) {
+    return std::tie(a.codec, a.lines) < std::tie(b.codec, b.lines);
+  }
 };
 
 /// What one visitor of a load test saw.
