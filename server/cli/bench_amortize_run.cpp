@@ -14,7 +14,7 @@
 #include "node/transport/packed_loopback.h"
 #include "objects/builtin.h"
 #include "stream/headless_session.h"
-#include "stream/load_report.h"
+#include "stream/load/load_report.h"
 #include "stream/stroll.h"
 #include "world/world.h"
 

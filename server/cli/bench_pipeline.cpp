@@ -14,6 +14,7 @@
 
 #include "base/error.h"
 #include "cli/figures.h"
+#include "cli/picture_size.h"
 #include "cli/prepare_world.h"
 #include "cli/progress.h"
 #include "cli/stop_on_signal.h"
@@ -40,26 +41,10 @@ constexpr double kSecondsPerInput = 1.0 / 30.0;
 constexpr int kFramesPerSecond = 240;
 constexpr std::size_t kTimelineEvents = std::size_t{1} << 20U;
 
-struct Size {
-  int width = 0;
-  int height = 0;
-};
-
-/// Of a size that is streamed as it is.
-std::optional<Size> parseSize(const std::string& text) {
-  Size size;
-  int read = 0;
-  if (std::sscanf(text.c_str(), "%5dx%5d%n", &size.width, &size.height, &read) != 2) return std::nullopt;
-  if (static_cast<std::size_t>(read) != text.size() || size.width < 1 || size.height < 1) return std::nullopt;
-  const auto fit = stream::fitSize(static_cast<std::uint32_t>(size.width), static_cast<std::uint32_t>(size.height));
-  if (fit != std::pair(size.width, size.height)) return std::nullopt;
-  return size;
-}
-
 /// Those who look, each on a circle of his own.
 class Walkers {
  public:
-  Walkers(stream::Host& host, int count, const Size& size) {
+  Walkers(stream::Host& host, int count, const PictureSize& size) {
     for (int i = 0; i < count; ++i) {
       visitors_.push_back(
           std::make_unique<stream::HeadlessSession>(host, "Visitor " + std::to_string(i + 1), size.width, size.height));
@@ -117,7 +102,7 @@ Row evaluate(int framesInFlight, int users, const measure::Window& window,
 
 /// Nothing if it was stopped before anything was measured.
 std::optional<Row> measureRow(const BenchPipelineOptions& options, int framesInFlight, stream::Host& host,
-                              const Size& size, const std::stop_token& stop) {
+                              const PictureSize& size, const std::stop_token& stop) {
   Walkers walkers(host, options.users, size);
   walkers.walk(kWarmUpSeconds, stop);
   if (stop.stop_requested()) return std::nullopt;
@@ -232,7 +217,7 @@ int runBenchPipeline(const BenchPipelineOptions& options) {
     std::fputs("bench pipeline: --frames-in-flight has a number twice\n", stderr);
     return 2;
   }
-  const auto size = parseSize(options.size);
+  const auto size = parsePictureSize(options.size);
   if (!size) {
     std::fprintf(stderr, "bench pipeline: --size wants even numbers from 160x90 to 1920x1080, not '%s'\n",
                  options.size.c_str());

@@ -1,6 +1,7 @@
 #include "cli/command_line.h"
 
 #include <CLI/CLI.hpp>
+#include <array>
 #include <cstdio>
 #include <exception>
 #include <map>
@@ -17,12 +18,14 @@
 #include "base/version.h"
 #include "cli/bake.h"
 #include "cli/bench_amortize.h"
+#include "cli/bench_encode.h"
 #include "cli/bench_fluid.h"
 #include "cli/bench_fluid_solvers.h"
 #include "cli/bench_lightfield.h"
 #include "cli/bench_pipeline.h"
 #include "cli/load.h"
 #include "cli/serve.h"
+#include "cli/shape.h"
 #include "cli/version_report.h"
 #include "models/plants/plants.h"
 #include "node/limits.h"
@@ -46,6 +49,31 @@ CLI::Option* choose(CLI::Option* option, const std::map<std::string, Value>& val
   return option->transform(CLI::Transformer(values).description(""))->type_name(oneOf(names));
 }
 
+void addInternet(CLI::App& serve, ServeOptions& options) {
+  serve.add_option("--origin", options.origins, "Origin whose pages may open a socket; may be given several times")
+      ->type_name("URL")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  serve
+      .add_option("--proxy", options.proxies,
+                  "Address, or ADDRESS/BITS, whose X-Forwarded-* are believed; may be given several times")
+      ->type_name("ADDRESS")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  const auto isNamed = [](const std::string& file) { return std::string(file.empty() ? "must name a file" : ""); };
+  CLI::Option* certificate =
+      serve.add_option("--tls-cert", options.tls.certificate, "Certificate and its issuers, PEM: https, wss")
+          ->check(isNamed, "FILE");
+  CLI::Option* key =
+      serve.add_option("--tls-key", options.tls.key, "The certificate's key, PEM")->check(isNamed, "FILE");
+  certificate->needs(key);
+  key->needs(certificate);
+  serve.add_option("--hsts", options.hsts, "Seconds for which browsers shall come by https only")
+      ->type_name("SECONDS")
+      ->check(CLI::Range(0, 2 * 365 * 86'400))
+      ->needs(certificate);
+}
+
 void addServe(CLI::App& app, ServeOptions& options) {
   CLI::App* serve = app.add_subcommand("serve", "Serve a world to browsers");
   serve->add_option("--scene", options.scene, "Scene file (default: the grove, built in)");
@@ -56,6 +84,7 @@ void addServe(CLI::App& app, ServeOptions& options) {
       ->type_name("TEXT")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  addInternet(*serve, options);
   const std::map<std::string, gl::ContextKind> kinds{
       {"auto", gl::ContextKind::kAuto}, {"egl", gl::ContextKind::kEgl}, {"osmesa", gl::ContextKind::kOsmesa}};
   choose(serve->add_option("--gl", options.gl, "Where triangles are drawn"), kinds);
@@ -150,6 +179,16 @@ void addBenchAmortize(CLI::App* bench, BenchAmortizeOptions& options) {
   amortize->add_option("--plot", options.plot, "SVG file to draw the curves into");
 }
 
+void addBenchEncode(CLI::App* bench, BenchEncodeOptions& options) {
+  CLI::App* encode = bench->add_subcommand("encode", "CPU, bits and quality of the codecs on a walk through the grove");
+  encode->add_option("--walk", options.walk, "File of the walk (default: around the fire)");
+  encode->add_option("--size", options.size, "Pixels of a picture")->type_name("WxH")->capture_default_str();
+  encode->add_option("--seconds", options.seconds, "How long the walk is, at 30 frames a second")
+      ->check(CLI::Range(0.1, 600.0))
+      ->capture_default_str();
+  encode->add_flag("--json", options.json, "One JSON document on stdout");
+}
+
 /// Without --solvers, whole steps are measured.
 struct BenchFluidCommand {
   BenchFluidOptions options;
@@ -205,14 +244,39 @@ void addBenchPipeline(CLI::App* bench, BenchPipelineOptions& options) {
 
 void addLoad(CLI::App& app, LoadOptions& options) {
   CLI::App* load = app.add_subcommand("load", "Visit a running server with many websocket clients and measure");
-  load->add_option("url", options.url, "ws://HOST:PORT/")->required();
+  load->add_option("url", options.url, "ws://HOST:PORT/, or wss://")->required();
   load->add_option("--sessions", options.sessions, "Number of visitors")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
   load->add_option("--seconds", options.seconds, "How long")->check(CLI::Range(0.1, 86400.0))->capture_default_str();
   load->add_option("--width", options.width, "Pixels")->check(CLI::Range(16, 16384))->capture_default_str();
   load->add_option("--height", options.height, "Pixels")->check(CLI::Range(16, 16384))->capture_default_str();
+  load->add_flag("--insecure", options.insecure, "With wss://: take any certificate");
+  constexpr std::array<std::string_view, 2> kCodecs = {"h264", "jpeg"};
+  load->add_option("--codec", options.codec, "The only one that is offered (default: h264, then jpeg)")
+      ->check(CLI::IsMember(std::vector<std::string>(kCodecs.begin(), kCodecs.end())).description(""))
+      ->type_name(oneOf(kCodecs));
+  CLI::Option* walk = load->add_option_function<std::string>(
+                              "--walk", [&options](const std::string& file) { options.walkFile = file; },
+                              "Walk about (the default), or along a walk of the built-in world, as in tests/walks")
+                          ->type_name("[FILE]")
+                          ->expected(0, 1);
+  CLI::Option* look = load->add_flag("--look", options.look, "Look about only")->excludes(walk);
+  load->add_flag("--stand", options.stand, "Stand still; inputs are sent all the same")->excludes(walk)->excludes(look);
+  load->add_option("--shape", options.shape, "A line for each visitor, as in 5mbit,80ms; see grove shape --help")
+      ->type_name("PROFILE");
   load->add_flag("--json", options.json, "One JSON document on stdout");
+}
+
+void addShape(CLI::App& app, ShapeOptions& options) {
+  CLI::App* shape = app.add_subcommand("shape", "Show a server over a bad line: a proxy for browsers");
+  shape
+      ->add_option("profile", options.profile,
+                   "RATE,RTT[,up=RATE][,jitter=TIME][,stall=TIME/TIME][,seed=N], as in 5mbit,80ms,jitter=10ms or "
+                   "5mbit@0s/500kbit@10s,80ms,stall=1s/10s")
+      ->required();
+  shape->add_option("--listen", options.listen, "Address and port; port 0 is any free one")->capture_default_str();
+  shape->add_option("--to", options.target, "Address and port of the server")->required();
 }
 
 }  // namespace
@@ -221,10 +285,12 @@ int run(int argc, char** argv) {
   ServeOptions serve;
   BakeCommand bake;
   BenchAmortizeOptions benchAmortize;
+  BenchEncodeOptions benchEncode;
   BenchFluidCommand benchFluid;
   BenchLightfieldOptions benchLightfield;
   BenchPipelineOptions benchPipeline;
   LoadOptions load;
+  ShapeOptions shape;
   CLI::App app("Grove: one living world, a camera for every browser", "grove");
   app.require_subcommand(1);
   app.set_version_flag("--version", std::string(version()), "Print version, SIMD target, GL and codecs, and exit");
@@ -233,10 +299,12 @@ int run(int argc, char** argv) {
   CLI::App* bench = app.add_subcommand("bench", "Measure a part of Grove");
   bench->require_subcommand(1);
   addBenchAmortize(bench, benchAmortize);
+  addBenchEncode(bench, benchEncode);
   addBenchFluid(bench, benchFluid);
   addBenchLightfield(bench, benchLightfield);
   addBenchPipeline(bench, benchPipeline);
   addLoad(app, load);
+  addShape(app, shape);
   bool versionAsked = false;
   try {
     app.parse(argc, argv);
@@ -259,7 +327,9 @@ int run(int argc, char** argv) {
     if (app.got_subcommand("serve")) return runServe(serve);
     if (app.got_subcommand("bake")) return runBake(bake);
     if (app.got_subcommand("load")) return runLoad(load);
+    if (app.got_subcommand("shape")) return runShape(shape);
     if (bench->got_subcommand("amortize")) return runBenchAmortize(benchAmortize);
+    if (bench->got_subcommand("encode")) return runBenchEncode(benchEncode);
     if (bench->got_subcommand("lightfield")) return runBenchLightfield(benchLightfield);
     if (bench->got_subcommand("pipeline")) return runBenchPipeline(benchPipeline);
     return run(benchFluid);

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdio>
+#include <memory>
 #include <optional>
 #include <thread>
 #include <utility>
@@ -21,6 +22,8 @@
 #include "objects/builtin.h"
 #include "stream/descriptor_limit.h"
 #include "stream/listen_address.h"
+#include "stream/origin.h"
+#include "stream/tls_store.h"
 #include "stream/websocket_server.h"
 
 namespace grove::cli {
@@ -47,9 +50,9 @@ std::size_t spaceForServing(const world::Scene& scene, const ServeOptions& optio
   return kForServing + (shared ? static_cast<std::size_t>(options.viewCacheMegabytes) << 20U : 0);
 }
 
-std::string inUrl(const stream::HostPort& at) {
+std::string urlOf(const stream::HostPort& at, bool isSecure) {
   const bool isIpv6 = at.host.find(':') != std::string::npos;
-  return (isIpv6 ? "[" + at.host + "]" : at.host) + ":" + std::to_string(at.port);
+  return (isSecure ? "https://" : "http://") + (isIpv6 ? "[" + at.host + "]" : at.host) + ":" + std::to_string(at.port);
 }
 
 /// The port next to the visitors' is easily remembered; if it is taken, any free one.
@@ -63,6 +66,47 @@ stream::HostPort operatorsBeside(const stream::HostPort& visitors) {
   } catch (const EnvironmentError&) {  // taken, or there is none
   }
   return {next.host, 0};
+}
+
+/// Nothing, and a line on stderr, if an option is wrong.
+std::optional<stream::EntranceRules> entranceRules(const ServeOptions& options) {
+  const auto fail = [](const char* option, const char* wanted, const std::string& given) {
+    std::fprintf(stderr, "grove: %s wants %s, not '%s'\n", option, wanted, given.c_str());
+    return std::nullopt;
+  };
+  stream::EntranceRules rules;
+  rules.allowance.visitors = options.visitorsPerAddress;
+  for (const std::string& name : options.names) {
+    if (!stream::isHostName(name)) return fail("--name", "a host's name without port, like grove.example.org", name);
+    rules.names.push_back(name);
+  }
+  for (const std::string& text : options.origins) {
+    const auto origin = stream::parseOrigin(text);
+    if (!origin) return fail("--origin", "a page's origin, like https://example.org", text);
+    rules.origins.push_back(*origin);
+  }
+  for (const std::string& text : options.proxies) {
+    const auto range = stream::AddressRange::parse(text);
+    if (!range) return fail("--proxy", "an address, or ADDRESS/BITS", text);
+    rules.proxies.push_back(*range);
+  }
+  return rules;
+}
+
+void serveUntilStopped(StopOnSignal& stop, stream::TlsStore* tls) {
+  while (true) {
+    const StopOnSignal::Event event = stop.waitFor(1000ms);
+    if (event == StopOnSignal::Event::kStop) return;
+    if (event == StopOnSignal::Event::kHangup) {
+      if (tls != nullptr) {
+        tls->reload();
+      } else {
+        log::info("SIGHUP: there is no certificate to read anew");
+      }
+    } else if (tls != nullptr) {
+      tls->look();
+    }
+  }
 }
 
 }  // namespace
@@ -80,11 +124,15 @@ int runServe(const ServeOptions& options) {
     std::fprintf(stderr, "grove: --listen and --operator want ports of their own, not both %d\n", visitors->port);
     return 2;
   }
+  const auto rules = entranceRules(options);
+  if (!rules) return 2;
   // All that can be wrong is known before the world is prepared, which may take minutes.
   (void)stream::findListenAddress(visitors->host, visitors->port, "--listen");
   if (options.operators) (void)stream::findListenAddress(operators->host, operators->port, "--operator");
   (void)stream::socketsThatFit();
-  StopOnSignal stop;
+  const std::shared_ptr<stream::TlsStore> tls =
+      options.tls.certificate.empty() ? nullptr : std::make_shared<stream::TlsStore>(options.tls);
+  StopOnSignal stop(StopOnSignal::Hangup::kIsTold);
   stop.endWithin(kStopWhilePreparing);
   const world::Scene scene = openScene(options.scene);
   std::optional<EndOnMemoryShortage> ending(std::in_place);
@@ -111,18 +159,17 @@ int runServe(const ServeOptions& options) {
   progress.finish();
 
   const stream::HostPort desk = options.operators ? *operators : operatorsBeside(*visitors);
-  stream::WebsocketServer server(host, {.visitors = *visitors,
-                                        .operators = desk,
-                                        .names = options.names,
-                                        .allowance = {.visitors = options.visitorsPerAddress}});
+  stream::WebsocketServer server(
+      host, {.visitors = *visitors, .operators = desk, .rules = *rules, .tls = tls, .hsts = options.hsts});
   server.start();
   requireAddressSpace(spaceForServing(scene, options));
   ending.reset();
   stop.endWithin(kStopWhileServing);
-  std::printf("operator's page at http://%s/operator\n", inUrl({desk.host, server.operatorPort()}).c_str());
-  std::printf("listening on http://%s\n", inUrl({visitors->host, server.port()}).c_str());
+  const bool secureDesk = server.isSecure(stream::Audience::kOperator);
+  std::printf("operator's page at %s/operator\n", urlOf({desk.host, server.operatorPort()}, secureDesk).c_str());
+  std::printf("listening on %s\n", urlOf({visitors->host, server.port()}, tls != nullptr).c_str());
   std::fflush(stdout);
-  stop.wait();
+  serveUntilStopped(stop, tls.get());
   log::info("stopping");
   server.stop();
   return 0;

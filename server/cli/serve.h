@@ -7,6 +7,7 @@
 #include "gl/context.h"
 #include "stream/address_limits.h"
 #include "stream/host.h"
+#include "stream/tls_certificate.h"
 
 namespace grove::cli {
 
@@ -16,7 +17,11 @@ struct ServeOptions {
   std::string listen = "127.0.0.1:8080";
   std::optional<std::string> operators;  ///< where the operator's pages are; none: beside, for this machine only
   int visitorsPerAddress = stream::AddressAllowance{}.visitors;
-  std::vector<std::string> names;  ///< that browsers may ask for it by, besides addresses
+  std::vector<std::string> names;    ///< that browsers may ask for it by, besides addresses
+  std::vector<std::string> origins;  ///< whose pages may open a socket, besides its own
+  std::vector<std::string> proxies;  ///< addresses, or ranges of them, of whom X-Forwarded-* is believed
+  stream::TlsFiles tls;              ///< both empty: plain http
+  std::optional<int> hsts;           ///< seconds
   gl::ContextKind gl = gl::ContextKind::kAuto;
   std::optional<std::string> shaderDirectory;
   stream::HostOptions host;
@@ -24,8 +29,8 @@ struct ServeOptions {
   float viewError = 16.0F;
 };
 
-/// Serves until SIGINT or SIGTERM. Prints `listening on http://HOST:PORT` on stdout when ready. Returns 0, or 2 for a
-/// bad --listen or --operator; throws EnvironmentError or world::SceneError.
+/// Serves until SIGINT or SIGTERM. Prints `listening on http://HOST:PORT` on stdout when ready, or https. Returns 0, or
+/// 2 for a bad option; throws EnvironmentError or world::SceneError.
 int runServe(const ServeOptions& options);
 
 }  // namespace grove::cli

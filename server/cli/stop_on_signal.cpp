@@ -1,19 +1,32 @@
 #include "cli/stop_on_signal.h"
 
-#include <condition_variable>
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <cstdlib>
 #include <ctime>
-#include <mutex>
 #include <optional>
+#include <utility>
 
 #include "base/log.h"
 
 namespace grove::cli {
 
-StopOnSignal::StopOnSignal() {
+namespace {
+
+bool hasTerminal() {
+  const int terminal = open("/dev/tty", O_RDONLY | O_NOCTTY | O_CLOEXEC);
+  if (terminal >= 0) close(terminal);
+  return terminal >= 0;
+}
+
+}  // namespace
+
+StopOnSignal::StopOnSignal(Hangup hangup) : hadTerminal_(hasTerminal()) {
   sigemptyset(&signals_);
   sigaddset(&signals_, SIGINT);
   sigaddset(&signals_, SIGTERM);
+  if (hangup == Hangup::kIsTold) sigaddset(&signals_, SIGHUP);
   pthread_sigmask(SIG_BLOCK, &signals_, nullptr);
   watcher_ = std::jthread([this](const std::stop_token& ended) { watch(ended); });
 }
@@ -23,7 +36,10 @@ void StopOnSignal::watch(const std::stop_token& ended) {
   constexpr timespec kPeriod{0, 100'000'000};
   std::optional<Clock::time_point> asked;
   while (!ended.stop_requested()) {
-    if (sigtimedwait(&signals_, nullptr, &kPeriod) > 0) {
+    const int signal = sigtimedwait(&signals_, nullptr, &kPeriod);
+    if (signal == SIGHUP && !(hadTerminal_ && !hasTerminal())) {
+      tellHangup();
+    } else if (signal > 0) {
       stop_.request_stop();
       if (!asked) asked = Clock::now();
     }
@@ -35,11 +51,17 @@ void StopOnSignal::watch(const std::stop_token& ended) {
   }
 }
 
-void StopOnSignal::wait() const {
-  std::mutex mutex;
-  std::condition_variable_any stopped;
-  std::unique_lock lock(mutex);
-  stopped.wait(lock, token(), [] { return false; });
+void StopOnSignal::tellHangup() {
+  const std::lock_guard lock(mutex_);
+  hangup_ = true;
+  told_.notify_all();
+}
+
+StopOnSignal::Event StopOnSignal::waitFor(std::chrono::milliseconds patience) {
+  std::unique_lock lock(mutex_);
+  told_.wait_for(lock, token(), patience, [this] { return hangup_; });
+  if (stop_.stop_requested()) return Event::kStop;
+  return std::exchange(hangup_, false) ? Event::kHangup : Event::kNone;
 }
 
 }  // namespace grove::cli

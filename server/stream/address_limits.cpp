@@ -25,12 +25,12 @@ std::string guestOf(const std::string& address) {
   return text.data();
 }
 
-bool AddressLimits::welcomes(const std::string& address, double now) {
+bool AddressLimits::welcomes(const std::string& address, double now, double cost) {
   const auto guest = this->guest(address);
   if (!guest) return true;
   refill(*guest, now);
-  const bool has = guest->burst >= 1.0;
-  guest->burst = std::max(0.0, guest->burst - 1.0);
+  const bool has = guest->burst >= cost;
+  guest->burst = std::max(0.0, guest->burst - cost);
   return has && guest->sockets < allowance_.sockets;
 }
 

@@ -25,9 +25,12 @@ class AddressLimits {
 
   explicit AddressLimits(const AddressAllowance& allowance) : allowance_(allowance) {}
 
+  /// What a request costs that a proxy passes on, who opens sockets as he likes, of what a new socket does.
+  static constexpr double kRequest = 0.125;
+
   /// Whether one more socket of this numeric address is welcome. Counts it as tried, so that who goes on trying does
-  /// not get in sooner. `now` in seconds, which do not go back.
-  [[nodiscard]] bool welcomes(const std::string& address, double now);
+  /// not get in sooner. `now` in seconds, which do not go back; `cost` in new sockets.
+  [[nodiscard]] bool welcomes(const std::string& address, double now, double cost = 1.0);
   /// A socket that was welcome is there.
   [[nodiscard]] Ticket socket(const std::string& address);
   /// A visitor's place; null if this address has as many as it may.

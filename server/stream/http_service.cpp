@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "pipeline/embedded.h"
 #include "stream/wsi.h"
@@ -13,7 +14,9 @@ namespace {
 constexpr int kHttpSeconds = 10;
 constexpr std::size_t kChunk = 16 * 1024;
 
-bool writeHeaders(lws* wsi, const PageReply& reply) {
+}  // namespace
+
+bool HttpService::writeHeaders(lws* wsi, const PageReply& reply) const {
   std::array<unsigned char, LWS_PRE + 2048> buffer{};
   unsigned char* const begin = buffer.data() + LWS_PRE;
   unsigned char* const end = buffer.data() + buffer.size();
@@ -25,15 +28,19 @@ bool writeHeaders(lws* wsi, const PageReply& reply) {
   return lws_add_http_common_headers(wsi, static_cast<unsigned>(reply.status), std::string(reply.type).c_str(),
                                      reply.body.size(), &at, end) == 0 &&
          (reply.etag.empty() || add(WSI_TOKEN_HTTP_ETAG, reply.etag)) &&
+         (reply.location.empty() || add(WSI_TOKEN_HTTP_LOCATION, reply.location)) &&
+         // Not by plain http, where anybody could have written it (RFC 6797, 7.2).
+         (hsts_.empty() || !isSecure(wsi) || add(WSI_TOKEN_HTTP_STRICT_TRANSPORT_SECURITY, hsts_)) &&
          add(WSI_TOKEN_HTTP_CACHE_CONTROL, "no-cache") && lws_finalize_write_http_header(wsi, begin, &at, end) == 0;
 }
 
-}  // namespace
+HttpService::HttpService(Audience audience, LiveReports& reports, std::optional<int> hsts)
+    : audience_(audience),
+      pages_(embedded::web(), audience),
+      reports_(reports),
+      hsts_(hsts ? "max-age=" + std::to_string(*hsts) : "") {}
 
-HttpService::HttpService(Audience audience, LiveReports& reports)
-    : audience_(audience), pages_(embedded::web(), audience), reports_(reports) {}
-
-int HttpService::answer(lws* wsi, bool isKnown) {
+int HttpService::answer(lws* wsi, std::optional<PageReply> refusal) {
   const std::string getPath = header(wsi, WSI_TOKEN_GET_URI);
   const std::string headPath = header(wsi, WSI_TOKEN_HEAD_URI);
   const std::string_view method = !getPath.empty() ? "GET" : !headPath.empty() ? "HEAD" : "another";
@@ -42,9 +49,9 @@ int HttpService::answer(lws* wsi, bool isKnown) {
   answer.reply = pages_.answer(method, path, header(wsi, WSI_TOKEN_HTTP_IF_NONE_MATCH));
   // Without reading the body of a request one cannot find the next one.
   answer.isLast = method == "another";
-  if (!isKnown) {
-    answer.reply = {HTTP_STATUS_FORBIDDEN, "text/plain; charset=utf-8", "", "this server is not known by that name\n",
-                    method == "GET"};
+  if (refusal) {
+    answer.reply = std::move(*refusal);
+    answer.reply.sendBody = method == "GET";
   } else if (!answer.isLast && LiveReports::has(path, audience_)) {
     answer.reply = {HTTP_STATUS_OK, "application/json", "", "", method == "GET"};
     answer.waitsFor = path;

@@ -3,6 +3,7 @@
 #include <libwebsockets.h>
 
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -15,15 +16,17 @@ namespace grove::stream {
 /// call returns what its callback has to.
 class HttpService {
  public:
-  /// `reports` outlives it.
-  HttpService(Audience audience, LiveReports& reports);
+  /// `reports` outlives it. `hsts`: seconds for which browsers shall come by https only; none: they are not told.
+  HttpService(Audience audience, LiveReports& reports, std::optional<int> hsts);
 
-  /// A request has come. `isKnown`: it asks for a name of this server.
-  int answer(lws* wsi, bool isKnown);
+  /// A request has come. `refusal` is answered instead, if there is one.
+  int answer(lws* wsi, std::optional<PageReply> refusal);
   /// There is room for more of an answer.
   int resume(lws* wsi);
   /// A report is there: who waits for one is served.
   void wakeWaiting();
+  /// Whether an answer is on its way.
+  [[nodiscard]] bool isAnswering(lws* wsi) const { return answers_.contains(wsi); }
   /// The socket is gone.
   void forget(lws* wsi) { answers_.erase(wsi); }
 
@@ -37,12 +40,14 @@ class HttpService {
     std::string_view rest = {};  ///< of the body
     bool isLast = false;         ///< of this socket
   };
+  [[nodiscard]] bool writeHeaders(lws* wsi, const PageReply& reply) const;
   int begin(lws* wsi, Answer& answer);
   int finish(lws* wsi);
 
   const Audience audience_;
   const WebPages pages_;
   LiveReports& reports_;
+  const std::string hsts_;  ///< a header's value; empty: there is none
   std::map<lws*, Answer> answers_;
 };
 

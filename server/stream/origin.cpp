@@ -3,6 +3,8 @@
 #include <arpa/inet.h>
 
 #include <algorithm>
+#include <charconv>
+#include <utility>
 
 namespace grove::stream {
 namespace {
@@ -27,6 +29,12 @@ bool isAddress(const std::string& name) {
   return inet_pton(AF_INET, name.c_str(), &parsed) == 1;
 }
 
+bool isPort(std::string_view text) {
+  int port = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), port);
+  return error == std::errc{} && end == text.data() + text.size() && port > 0 && port <= 65535;
+}
+
 }  // namespace
 
 bool isKnownHost(std::string_view host, std::span<const std::string> names) {
@@ -35,13 +43,39 @@ bool isKnownHost(std::string_view host, std::span<const std::string> names) {
   return std::ranges::any_of(names, [&](const std::string& known) { return equalsIgnoringCase(name, known); });
 }
 
-bool isSameOrigin(std::string_view origin, std::string_view host) {
-  for (const std::string_view scheme : {"http://", "https://"}) {
-    if (equalsIgnoringCase(origin.substr(0, scheme.size()), scheme)) {
-      return !host.empty() && equalsIgnoringCase(origin.substr(scheme.size()), host);
-    }
+bool isSameOrigin(std::string_view origin, std::string_view host, std::optional<bool> isSecure) {
+  const auto page = parseOrigin(origin);
+  if (!page || host.empty()) return false;
+  return (isSecure != true && *page == parseOrigin("http://" + std::string(host))) ||
+         (isSecure != false && *page == parseOrigin("https://" + std::string(host)));
+}
+
+bool isOneOf(std::span<const std::string> origins, std::string_view origin) {
+  return std::ranges::find(origins, parseOrigin(origin).value_or("")) != origins.end();
+}
+
+std::optional<std::string> parseOrigin(std::string_view text) {
+  std::string origin(text);
+  std::ranges::transform(origin, origin.begin(), lower);
+  for (const auto& [scheme, defaultPort] : {std::pair("http://", ":80"), std::pair("https://", ":443")}) {
+    if (!origin.starts_with(scheme)) continue;
+    const std::string_view authority = std::string_view(origin).substr(std::string_view(scheme).size());
+    const std::string_view host = withoutPort(authority);
+    if (!isHostName(host) && !isAddress(std::string(host))) return std::nullopt;
+    const std::string_view port = authority.substr(host.size());
+    if (!port.empty() && !isPort(port.substr(1))) return std::nullopt;
+    if (port == defaultPort) origin.resize(origin.size() - port.size());
+    return origin;
   }
-  return false;
+  return std::nullopt;
+}
+
+bool isHostName(std::string_view text) {
+  const auto isAllowed = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '.' ||
+           c == '_';
+  };
+  return !text.empty() && std::ranges::all_of(text, isAllowed);
 }
 
 }  // namespace grove::stream

@@ -1,11 +1,15 @@
 #include "stream/server_context.h"
 
+#include <utility>
+
 #include "base/error.h"
 #include "base/log.h"
+#include "stream/address_range.h"
 #include "stream/encoded_frame.h"
 #include "stream/listen_address.h"
 #include "stream/printable.h"
 #include "stream/protocol.h"
+#include "stream/tls_listener.h"
 
 namespace grove::stream {
 namespace {
@@ -23,18 +27,29 @@ constexpr lws_protocol_vhost_options kSecurityHeaders = {
     &kNoSniff, nullptr,
     "content-security-policy:", "default-src 'self'; connect-src 'self' ws: wss:; img-src 'self' blob: data:"};
 
+bool isLoopback(const std::string& numeric) {
+  const auto ipv4 = AddressRange::parse("127.0.0.0/8");
+  const auto ipv6 = AddressRange::parse("::1");
+  return ipv4->contains(numeric) || ipv6->contains(numeric);
+}
+
 void logLibraryLine(int /*level*/, const char* line) { log::error(printable(line, 300)); }
 
 }  // namespace
 
-ServerContext::ServerContext(lws_callback_function* callback, void* user, std::size_t maxSockets)
+ServerContext::ServerContext(lws_callback_function* callback, void* user, std::size_t maxSockets,
+                             std::shared_ptr<const TlsStore> tls)
     : protocols_(new lws_protocols[4]{{kSubProtocol, callback, 0, 0, 0, nullptr, kMaxBytesAtOnce},
                                       {kSubProtocolWithWaiting, callback, 0, 0, 0, nullptr, kMaxBytesAtOnce},
                                       {kSubProtocolWithVideo, callback, 0, 0, 0, nullptr, kMaxBytesAtOnce},
-                                      {}}) {
+                                      {}}),
+      tls_(std::move(tls)) {
   lws_set_log_level(LLL_ERR, &logLibraryLine);
   info_.options = LWS_SERVER_OPTION_EXPLICIT_VHOSTS | LWS_SERVER_OPTION_FAIL_UPON_UNABLE_TO_BIND |
                   LWS_SERVER_OPTION_SKIP_SERVER_CANONICAL_NAME;
+  if (tls_) info_.options |= LWS_SERVER_OPTION_DO_SSL_GLOBAL_INIT;
+  // HTTP/2 would put the socket's frames into pieces of 16 KiB.
+  info_.alpn = "http/1.1";
   info_.user = user;
   info_.server_string = "grove";
   info_.fd_limit_per_thread = static_cast<unsigned>(maxSockets) + kSpareDescriptors;
@@ -53,6 +68,13 @@ int ServerContext::listen(Audience audience, const std::string& address, int por
   kept = found.numeric;
   lws_context_creation_info info = info_;
   if (!found.isIpv6) info.options |= LWS_SERVER_OPTION_DISABLE_IPV6;
+  bool& secure = secure_[static_cast<std::size_t>(audience)];
+  secure = tls_ && (audience == Audience::kVisitors || !isLoopback(kept));
+  if (secure) {
+    // The library lets plain http through, and its callback answers that with another address.
+    info.options |= LWS_SERVER_OPTION_CREATE_VHOST_SSL_CTX | LWS_SERVER_OPTION_ALLOW_NON_SSL_ON_SSL_PORT |
+                    LWS_SERVER_OPTION_ALLOW_HTTP_ON_HTTPS_LISTENER;
+  }
   info.port = port;
   info.iface = kept.c_str();
   info.vhost_name = audience == Audience::kOperator ? "operator" : "visitors";
@@ -68,5 +90,7 @@ int ServerContext::listen(Audience audience, const std::string& address, int por
 Audience ServerContext::audienceOf(lws* wsi) const {
   return operator_ != nullptr && lws_get_vhost(wsi) == operator_ ? Audience::kOperator : Audience::kVisitors;
 }
+
+void ServerContext::prepare(SSL_CTX* listener) const { prepareListener(listener, *tls_); }
 
 }  // namespace grove::stream

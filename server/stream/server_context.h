@@ -8,6 +8,7 @@
 #include <string>
 
 #include "stream/audience.h"
+#include "stream/tls_store.h"
 
 namespace grove::stream {
 
@@ -15,16 +16,21 @@ namespace grove::stream {
 class ServerContext {
  public:
   /// `callback` gets what happens on all sockets, `user` is the context's. At most `maxSockets` at once. Takes no
-  /// ports.
-  ServerContext(lws_callback_function* callback, void* user, std::size_t maxSockets);
+  /// ports. With `tls`, visitors come by TLS, and operators too, unless their listener is for this machine only.
+  ServerContext(lws_callback_function* callback, void* user, std::size_t maxSockets,
+                std::shared_ptr<const TlsStore> tls);
 
   /// Takes a port, 0 is any free one, and returns which. Throws EnvironmentError, which names `option`, if it cannot be
-  /// had.
+  /// had. Of a listener with TLS the callback is told LWS_CALLBACK_OPENSSL_LOAD_EXTRA_SERVER_VERIFY_CERTS.
   int listen(Audience audience, const std::string& address, int port, const std::string& option);
 
   [[nodiscard]] lws_context* get() const noexcept { return context_.get(); }
   /// Who the listener of this socket is for.
   [[nodiscard]] Audience audienceOf(lws* wsi) const;
+  /// Whether that listener takes TLS.
+  [[nodiscard]] bool isSecure(Audience audience) const { return secure_[static_cast<std::size_t>(audience)]; }
+  /// What the callback does with the OpenSSL context that it is told of.
+  void prepare(SSL_CTX* listener) const;
   void close() { context_.reset(); }
 
  private:
@@ -34,6 +40,8 @@ class ServerContext {
   lws_context_creation_info info_{};
   std::unique_ptr<lws_protocols[]> protocols_;
   std::array<std::string, 2> addresses_;  ///< by audience; the library keeps pointers to them
+  std::array<bool, 2> secure_{};          ///< by audience
+  std::shared_ptr<const TlsStore> tls_;   ///< null: there is no TLS; before the context whose connections use it
   std::unique_ptr<lws_context, Deleter> context_;
   lws_vhost* operator_ = nullptr;
 };

@@ -18,6 +18,7 @@ struct PageReply {
   std::string_view etag;  ///< empty: none
   std::string_view body;  ///< its length is told even if it is not sent
   bool sendBody = true;
+  std::string location = {};  ///< where to ask instead; empty: nowhere else
 };
 
 /// The page's files, which lie in the program: only their exact names exist, so no path leads elsewhere. The operator's

@@ -14,14 +14,11 @@
 #include <utility>
 #include <vector>
 
-#include "base/error.h"
 #include "base/log.h"
 #include "stream/connection.h"
 #include "stream/descriptor_limit.h"
 #include "stream/http_service.h"
 #include "stream/live_reports.h"
-#include "stream/origin.h"
-#include "stream/printable.h"
 #include "stream/received_bytes.h"
 #include "stream/server_context.h"
 #include "stream/waker.h"
@@ -52,13 +49,16 @@ class WebsocketServer::Service {
 
   [[nodiscard]] int port() const noexcept { return port_; }
   [[nodiscard]] int operatorPort() const noexcept { return operatorPort_; }
+  [[nodiscard]] bool isSecure(Audience audience) const { return context_.isSecure(audience); }
   void start();
   void stop();
 
  private:
   /// Any socket that was let in.
   struct Guest {
-    AddressLimits::Ticket ticket;
+    AddressLimits::Ticket ticket;  ///< of a proxy's: for whom it works at the moment
+    bool isProxy = false;
+    RequestSource source;        ///< of the request that became a websocket
     double since = 0.0;          ///< when it had received
     std::uint64_t received = 0;  ///< so many bytes
   };
@@ -79,8 +79,12 @@ class WebsocketServer::Service {
   int handleHttp(lws* wsi, lws_callback_reasons reason, void* user, void* in, std::size_t length);
 
   [[nodiscard]] bool letIn(lws* listener, const lws_filter_network_conn_args* peer);
+  void instantiate(lws* wsi);
+  int answer(lws* wsi);
+  int resume(lws* wsi);
+  /// A socket of a proxy works for nobody between two requests.
+  void giveBackAnswered(lws* wsi);
   int confirmUpgrade(lws* wsi, std::string_view protocol);
-  [[nodiscard]] bool isKnown(const std::string& host);
   [[nodiscard]] HttpService& http(lws* wsi) { return http_[static_cast<std::size_t>(context_.audienceOf(wsi))]; }
 
   void open(lws* wsi);
@@ -90,13 +94,12 @@ class WebsocketServer::Service {
   void closeLater(lws* wsi, Socket& socket, Refusal why);
   void wakeWriters();
   void sweep();
-  [[nodiscard]] static bool isFlood(lws* wsi, Guest& guest, double now);
+  [[nodiscard]] bool isFlood(lws* wsi, Guest& guest, double now) const;
   void run();
 
   Host& host_;
-  std::vector<std::string> names_;  ///< that the server is known by
+  Entrance entrance_;
   const std::size_t maxSockets_;
-  AddressLimits limits_;
   std::map<lws*, Guest> guests_;
   log::Limited strangers_;  ///< before the connections that use it
   std::map<lws*, Socket> sockets_;
@@ -107,20 +110,19 @@ class WebsocketServer::Service {
   int port_ = 0;
   int operatorPort_ = 0;
   Timer timer_;
-  log::Limited refusals_;
   std::atomic<bool> stopping_{false};
   std::thread thread_;
 };
 
 WebsocketServer::Service::Service(Host& host, const ServerOptions& options)
     : host_(host),
-      names_(options.names),
+      entrance_(host, options.rules),
       maxSockets_(socketsThatFit()),
-      limits_(options.allowance),
-      context_(&Service::callback, this, maxSockets_),
+      context_(&Service::callback, this, maxSockets_, options.tls),
       waker_(std::make_shared<Waker>(context_.get())),
       reports_(host, [waker = waker_] { waker->wake(); }),
-      http_{HttpService(Audience::kVisitors, reports_), HttpService(Audience::kOperator, reports_)} {
+      http_{HttpService(Audience::kVisitors, reports_, options.hsts),
+            HttpService(Audience::kOperator, reports_, std::nullopt)} {
   const HostPort desk = options.operators.value_or(HostPort{"127.0.0.1", 0});
   try {
     port_ = context_.listen(Audience::kVisitors, options.visitors.host, options.visitors.port, "--listen");
@@ -130,8 +132,8 @@ WebsocketServer::Service::Service(Host& host, const ServerOptions& options)
     context_.close();
     throw;
   }
-  names_.push_back(options.visitors.host);
-  names_.push_back(desk.host);
+  entrance_.addName(options.visitors.host);
+  entrance_.addName(desk.host);
   timer_.service = this;
 }
 
@@ -194,7 +196,10 @@ int WebsocketServer::Service::handle(lws* wsi, lws_callback_reasons reason, void
     case LWS_CALLBACK_FILTER_NETWORK_CONNECTION:
       return letIn(wsi, static_cast<const lws_filter_network_conn_args*>(user)) ? 0 : 1;
     case LWS_CALLBACK_SERVER_NEW_CLIENT_INSTANTIATED:
-      guests_[wsi] = {limits_.socket(addressOfPeer(wsi)), world::World::now(), 0};
+      instantiate(wsi);
+      return 0;
+    case LWS_CALLBACK_OPENSSL_LOAD_EXTRA_SERVER_VERIFY_CERTS:
+      context_.prepare(static_cast<SSL_CTX*>(user));
       return 0;
     case LWS_CALLBACK_WSI_DESTROY:
       guests_.erase(wsi);
@@ -225,9 +230,9 @@ int WebsocketServer::Service::handleHttp(lws* wsi, lws_callback_reasons reason, 
     case LWS_CALLBACK_HTTP_CONFIRM_UPGRADE:
       return confirmUpgrade(wsi, static_cast<const char*>(in));
     case LWS_CALLBACK_HTTP:
-      return http(wsi).answer(wsi, isKnown(header(wsi, WSI_TOKEN_HOST)));
+      return answer(wsi);
     case LWS_CALLBACK_HTTP_WRITEABLE:
-      return http(wsi).resume(wsi);
+      return resume(wsi);
     case LWS_CALLBACK_CLOSED_HTTP:
       http(wsi).forget(wsi);
       return 0;
@@ -238,44 +243,61 @@ int WebsocketServer::Service::handleHttp(lws* wsi, lws_callback_reasons reason, 
 
 bool WebsocketServer::Service::letIn(lws* listener, const lws_filter_network_conn_args* peer) {
   const bool isOperators = context_.audienceOf(listener) == Audience::kOperator;
-  std::string why;
-  if (guests_.size() >= (isOperators ? maxSockets_ : maxSockets_ - kOperatorSockets)) {
-    why = "there are " + std::to_string(guests_.size()) + " already";
-  } else if (!limits_.welcomes(numericAddress(peer->cli_addr), world::World::now())) {
-    why = "its address has or opens too many";
-  }
-  if (why.empty()) return true;
-  host_.countRefusedConnection();
-  refusals_.warning("a connection of " + numericAddress(peer->cli_addr) + " was refused: " + why);
-  return false;
+  return entrance_.letsIn(numericAddress(peer->cli_addr), guests_.size(),
+                          isOperators ? maxSockets_ : maxSockets_ - kOperatorSockets);
+}
+
+void WebsocketServer::Service::instantiate(lws* wsi) {
+  const std::string address = addressOfPeer(wsi);
+  Guest& guest = guests_[wsi];
+  guest.since = world::World::now();
+  guest.isProxy = entrance_.isProxy(address);
+  if (!guest.isProxy) guest.ticket = entrance_.socket(address);
+}
+
+int WebsocketServer::Service::answer(lws* wsi) {
+  const RequestSource source = entrance_.sourceOf(wsi);
+  Guest& guest = guests_[wsi];
+  if (source.isForwarded) guest.ticket.reset();
+  auto refusal = entrance_.refuseRequest(wsi, source, context_.isSecure(context_.audienceOf(wsi)));
+  if (source.isForwarded) guest.ticket = entrance_.socket(source.address);
+  const int result = http(wsi).answer(wsi, std::move(refusal));
+  giveBackAnswered(wsi);
+  return result;
+}
+
+int WebsocketServer::Service::resume(lws* wsi) {
+  const int result = http(wsi).resume(wsi);
+  giveBackAnswered(wsi);
+  return result;
+}
+
+void WebsocketServer::Service::giveBackAnswered(lws* wsi) {
+  Guest& guest = guests_[wsi];
+  if (guest.isProxy && !http(wsi).isAnswering(wsi)) guest.ticket.reset();
 }
 
 int WebsocketServer::Service::confirmUpgrade(lws* wsi, std::string_view protocol) {
   // Also refuses to turn into HTTP/2, where large writes make browsers hang up.
   if (protocol != "websocket") return -1;
   const auto refuse = [&](unsigned status) { return lws_return_http_status(wsi, status, nullptr) < 0 ? -1 : 1; };
-  const bool isOperators = context_.audienceOf(wsi) == Audience::kOperator;
-  if (isOperators || header(wsi, WSI_TOKEN_GET_URI) != "/") return refuse(HTTP_STATUS_NOT_FOUND);
-  const std::string origin = header(wsi, WSI_TOKEN_ORIGIN);
-  const std::string host = header(wsi, WSI_TOKEN_HOST);
-  if (!isKnown(host)) return refuse(HTTP_STATUS_FORBIDDEN);
-  if (origin.empty() || isSameOrigin(origin, host)) return 0;
-  refusals_.warning(nameOfPeer(wsi) + " was refused: a page of " + printable(origin, 100) + " asked for a socket of " +
-                    printable(host, 100));
-  return refuse(HTTP_STATUS_FORBIDDEN);
-}
-
-bool WebsocketServer::Service::isKnown(const std::string& host) {
-  if (isKnownHost(host, names_)) return true;
-  refusals_.warning("nobody was let in who asked for " + printable(host, 100) +
-                    "; if that is this server, start it with --name");
-  return false;
+  const Audience audience = context_.audienceOf(wsi);
+  if (audience == Audience::kOperator || header(wsi, WSI_TOKEN_GET_URI) != "/") return refuse(HTTP_STATUS_NOT_FOUND);
+  Guest& guest = guests_[wsi];
+  guest.source = entrance_.sourceOf(wsi);
+  if (guest.source.isForwarded) guest.ticket.reset();
+  if (const auto status = entrance_.refuseUpgrade(wsi, guest.source, context_.isSecure(audience))) {
+    return refuse(*status);
+  }
+  if (guest.source.isForwarded) guest.ticket = entrance_.socket(guest.source.address);
+  return 0;
 }
 
 void WebsocketServer::Service::open(lws* wsi) {
   const auto wake = [waker = waker_] { waker->wake(); };
-  const auto takePlace = [this, address = addressOfPeer(wsi)] { return limits_.visitor(address); };
-  auto connection = std::make_unique<Connection>(host_, nameOfPeer(wsi), world::World::now(), wake,
+  const RequestSource& source = guests_[wsi].source;
+  const auto takePlace = [this, address = source.address] { return entrance_.visitor(address); };
+  auto connection = std::make_unique<Connection>(host_, source.name, world::World::now(), wake,
                                                  Connection::Door{takePlace, strangers_}, subProtocolOf(wsi));
   sockets_[wsi] = {std::move(connection), std::nullopt};
 }
@@ -362,10 +384,12 @@ void WebsocketServer::Service::sweep() {
   for (auto& [wsi, socket] : sockets_) {
     if (auto why = socket.connection->overdue(now)) closeLater(wsi, socket, std::move(*why));
   }
-  limits_.sweep(now);
+  entrance_.sweep(now);
 }
 
-bool WebsocketServer::Service::isFlood(lws* wsi, Guest& guest, double now) {
+bool WebsocketServer::Service::isFlood(lws* wsi, Guest& guest, double now) const {
+  // Requests of many visitors come on one socket of a proxy, and are counted.
+  if (guest.isProxy && !sockets_.contains(wsi)) return false;
   const double seconds = now - guest.since;
   const std::uint64_t received = receivedBytes(lws_get_socket_fd(wsi));
   const auto more = static_cast<double>(received - guest.received);
@@ -384,6 +408,8 @@ WebsocketServer::~WebsocketServer() = default;
 int WebsocketServer::port() const noexcept { return service_->port(); }
 
 int WebsocketServer::operatorPort() const noexcept { return service_->operatorPort(); }
+
+bool WebsocketServer::isSecure(Audience audience) const { return service_->isSecure(audience); }
 
 void WebsocketServer::start() { service_->start(); }
 

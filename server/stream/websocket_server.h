@@ -2,12 +2,11 @@
 
 #include <memory>
 #include <optional>
-#include <string>
-#include <vector>
 
-#include "stream/address_limits.h"
+#include "stream/entrance.h"
 #include "stream/host.h"
 #include "stream/listen_address.h"
+#include "stream/tls_store.h"
 
 namespace grove::stream {
 
@@ -15,13 +14,15 @@ namespace grove::stream {
 struct ServerOptions {
   HostPort visitors;                  ///< port 0: any free one
   std::optional<HostPort> operators;  ///< the operator's pages and reports; none: any free port of 127.0.0.1
-  /// Who asks for another name than an address, localhost, one of the hosts above or one of these is refused.
-  std::vector<std::string> names = {};
-  AddressAllowance allowance = {};
+  EntranceRules rules = {};           ///< the hosts above are names of the server, too
+  std::shared_ptr<const TlsStore> tls = nullptr;  ///< null: plain http
+  /// With TLS: browsers are told to come by https only for so many seconds.
+  std::optional<int> hsts = std::nullopt;
 };
 
 /// Serves the page over http and its websocket, one thread for all sockets, and the operator's pages on a port of their
-/// own. A visitor that misbehaves is closed with a code and a reason, and one log line.
+/// own; with a certificate both by TLS on the same ports, the operator's unless they are for this machine only. A
+/// visitor that misbehaves is closed with a code and a reason, and one log line.
 class WebsocketServer {
  public:
   /// Takes the ports. `host` outlives the server. Throws EnvironmentError if one cannot be had.
@@ -34,6 +35,8 @@ class WebsocketServer {
 
   [[nodiscard]] int port() const noexcept;
   [[nodiscard]] int operatorPort() const noexcept;
+  /// Whether that listener takes TLS.
+  [[nodiscard]] bool isSecure(Audience audience) const;
 
   /// Starts to serve; once.
   void start();

@@ -14,6 +14,15 @@ namespace grove::stream {
 /// A header of the request; empty if there is none.
 [[nodiscard]] std::string header(lws* wsi, lws_token_indexes token);
 
+/// The same of one that the library has no token for: in lower case, with its colon.
+[[nodiscard]] std::string header(lws* wsi, std::string_view name);
+
+/// Whether the request has come by TLS, and not as plain http to the same port.
+[[nodiscard]] bool isSecure(lws* wsi);
+
+/// Path and query of the request, encoded anew: they can stand in a header.
+[[nodiscard]] std::string encodedTarget(lws* wsi);
+
 /// As numbers, without the port; empty if it is none.
 [[nodiscard]] std::string numericAddress(const sockaddr_storage& address);
 

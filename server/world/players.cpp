@@ -9,7 +9,6 @@ namespace {
 constexpr float kPlayerRadius = 0.35F;
 constexpr float kStepSeconds = 1.0F / 60.0F;
 constexpr double kMostSecondsAtOnce = 1.0;
-constexpr float kAcceleration = 12.0F;  // per second, of the difference to the wanted velocity
 
 // Warm and cold lantern colours that stay apart from each other and from the grass; 0x00BBGGRR.
 constexpr std::array<std::uint32_t, 8> kColours = {0x4FB4FF, 0xFFC46A, 0x7CE38B, 0xC98BFF,
@@ -29,11 +28,8 @@ PlayerId Players::join(const std::string& name, double now) {
   player.id = id;
   player.name = name;
   player.colour = kColours[(id - 1) % kColours.size()];
-  // Side by side, alternately left and right of the first, so that nobody arrives inside another.
-  const auto place = static_cast<float>((id - 1) % 8);
-  const float side = (std::fmod(place, 2.0F) == 0.0F ? 1.0F : -1.0F) * std::ceil(place / 2.0F) * 1.1F;
   player.pose.yaw = spawnYaw_;
-  player.pose.position = spawn_ + Vec3(0, kEyeHeight, 0) + player.pose.right() * side;
+  player.pose.position = placeOfArrival(id, spawn_, spawnYaw_);
   entries_.emplace(id, entry);
   return id;
 }
@@ -92,10 +88,7 @@ void Players::advance(Entry& entry, double now) const {
 }
 
 void Players::step(Player& player, float seconds) const {
-  const auto held = [&](Key key) { return (player.keys & key) != 0 ? 1.0F : 0.0F; };
-  const Vec3 ahead(-std::sin(player.pose.yaw), 0, -std::cos(player.pose.yaw));
-  Vec3 wanted = ahead * (held(kForward) - held(kBack)) + player.pose.right() * (held(kRight) - held(kLeft));
-  if (glm::dot(wanted, wanted) > 0.0F) wanted = glm::normalize(wanted) * (held(kRun) > 0 ? kRunSpeed : kWalkSpeed);
+  const Vec3 wanted = wantedVelocity(player.keys, player.pose.yaw);
   player.velocity += (wanted - player.velocity) * (1.0F - std::exp(-kAcceleration * seconds));
   if (glm::dot(player.velocity, player.velocity) < 1e-5F) player.velocity = Vec3(0.0F);
 
@@ -111,6 +104,25 @@ void Players::step(Player& player, float seconds) const {
   player.pose.position.x = place.x;
   player.pose.position.z = place.y;
   player.stride += glm::length(player.pose.position - before);
+}
+
+// Nobody arrives inside another.
+Vec3 placeOfArrival(PlayerId id, Vec3 spawn, float spawnYaw) {
+  const auto place = static_cast<float>((id - 1) % 8);
+  const float side = (std::fmod(place, 2.0F) == 0.0F ? 1.0F : -1.0F) * std::ceil(place / 2.0F) * 1.1F;
+  Pose pose;
+  pose.yaw = spawnYaw;
+  return spawn + Vec3(0, kEyeHeight, 0) + pose.right() * side;
+}
+
+Vec3 wantedVelocity(std::uint8_t keys, float yaw) {
+  const auto held = [&](Key key) { return (keys & key) != 0 ? 1.0F : 0.0F; };
+  Pose pose;
+  pose.yaw = yaw;
+  const Vec3 ahead(-std::sin(yaw), 0, -std::cos(yaw));
+  const Vec3 wanted = ahead * (held(kForward) - held(kBack)) + pose.right() * (held(kRight) - held(kLeft));
+  if (glm::dot(wanted, wanted) == 0.0F) return Vec3(0.0F);
+  return glm::normalize(wanted) * (held(kRun) > 0 ? kRunSpeed : kWalkSpeed);
 }
 
 }  // namespace grove::world

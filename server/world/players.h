@@ -89,5 +89,13 @@ class Players {
 inline constexpr float kEyeHeight = 1.7F;
 inline constexpr float kWalkSpeed = 2.2F;
 inline constexpr float kRunSpeed = 5.0F;
+/// Per second, of the difference to the wanted velocity.
+inline constexpr float kAcceleration = 12.0F;
+
+/// Where a visitor's eye is when he arrives: side by side with others, alternately left and right of the first.
+[[nodiscard]] Vec3 placeOfArrival(PlayerId id, Vec3 spawn, float spawnYaw);
+
+/// The velocity, metres a second, that these keys make for, looking there.
+[[nodiscard]] Vec3 wantedVelocity(std::uint8_t keys, float yaw);
 
 }  // namespace grove::world

@@ -32,33 +32,35 @@ export async function freePort() {
 /** A running `grove serve`. */
 export class Server {
   #process;
+  /** What it has said so far. */
+  log = '';
 
-  constructor(process, url, operatorUrl) {
+  constructor(process) {
     this.#process = process;
-    this.url = url;
-    this.operatorUrl = operatorUrl;
   }
 
   /** Starts the server and waits until it says that it listens. */
   static async start({ port, options = [] } = {}) {
     const address = `127.0.0.1:${port ?? (await freePort())}`;
     const process = spawn(kBinary, ['serve', '--listen', address, ...options], { cwd: kRoot });
+    const server = new Server(process);
     let output = '';
-    let log = '';
-    process.stderr.on('data', (chunk) => (log += chunk));
+    process.stderr.on('data', (chunk) => (server.log += chunk));
     await new Promise((resolve, reject) => {
-      const timer = setTimeout(() => reject(new Error(`the server did not start in time:\n${log}`)), kPreparation);
+      const timer = setTimeout(() => reject(new Error(`the server did not start in time:\n${server.log}`)), kPreparation);
       process.on('error', reject);
-      process.on('exit', (code) => reject(new Error(`the server ended with ${code}:\n${log}`)));
+      process.on('exit', (code) => reject(new Error(`the server ended with ${code}:\n${server.log}`)));
       process.stdout.on('data', (chunk) => {
         output += chunk;
-        if (!output.includes(`listening on http://${address}`)) return;
+        const listening = output.match(/listening on (https?:\/\/.*)\n/);
+        if (!listening) return;
+        server.url = `${listening[1]}/`;
         clearTimeout(timer);
         resolve();
       });
     });
-    const [, operatorUrl] = output.match(/operator's page at (http:.*\/)operator/);
-    return new Server(process, `http://${address}/`, operatorUrl);
+    [, server.operatorUrl] = output.match(/operator's page at (https?:.*\/)operator/);
+    return server;
   }
 
   signal(name) {

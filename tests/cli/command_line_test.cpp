@@ -26,7 +26,7 @@ std::ptrdiff_t lines(const std::string& text) { return std::ranges::count(text, 
 
 TEST(CommandLine, HelpEverywhere) {
   for (const char* command : {"--help", "serve --help", "load --help", "bench --help", "bench fluid --help",
-                              "bench amortize --help", "bench pipeline --help"}) {
+                              "bench amortize --help", "bench pipeline --help", "shape --help"}) {
     const Outcome outcome = grove(command, false);
     EXPECT_EQ(outcome.exit, 0) << command;
     EXPECT_THAT(outcome.output, HasSubstr("--help")) << command;
@@ -41,9 +41,40 @@ TEST(CommandLine, BadOptionsExitTwoWithOneLine) {
                               "serve --gl vulkan",
                               "serve --listen nowhere",
                               "serve --listen 127.0.0.1:9 --operator 127.0.0.2:9",
+                              "serve --name https://grove.example",
+                              "serve --name grove.example:443",
+                              "serve --name ''",
+                              "serve --origin example.org",
+                              "serve --origin https://example.org/page",
+                              "serve --origin '*'",
+                              "serve --proxy localhost",
+                              "serve --proxy 10.0.0.0/33",
+                              "serve --tls-cert cert.pem",
+                              "serve --tls-key key.pem",
+                              "serve --tls-cert '' --tls-key ''",
+                              "serve --hsts 60",
+                              "serve --tls-cert cert.pem --tls-key key.pem --hsts -1",
                               "load",
                               "load ftp://x/ --sessions 1",
                               "load ws://127.0.0.1:1/ --sessions 0",
+                              "load ws://127.0.0.1:1/ --codec vp9",
+                              "load ws://127.0.0.1:1/ --look --stand",
+                              "load ws://127.0.0.1:1/ --walk --look",
+                              "load ws://127.0.0.1:1/ --walk a.walk --stand",
+                              "load ws://127.0.0.1:1/ --shape",
+                              "load ws://127.0.0.1:1/ --shape 5mbit",
+                              "load ws://127.0.0.1:1/ --shape 0mbit,80ms",
+                              "load ws://127.0.0.1:1/ --shape 11gbit,80ms",
+                              "load ws://127.0.0.1:1/ --shape 5mbit,-80ms",
+                              "load ws://127.0.0.1:1/ --shape 5mbit,11s",
+                              "load ws://127.0.0.1:1/ --shape 5mbit,80ms,loss=1",
+                              "shape",
+                              "shape 5mbit,80ms",
+                              "shape --to 127.0.0.1:1",
+                              "shape fast --to 127.0.0.1:1",
+                              "shape 5mbit,80ms --to 127.0.0.1",
+                              "shape 5mbit,80ms --to 127.0.0.1:0",
+                              "shape 5mbit,80ms --to 127.0.0.1:1 --listen nowhere",
                               "bench fluid --grid 63",
                               "bench fluid --grid 1000000",
                               "bench fluid --steps 0",
@@ -73,6 +104,11 @@ TEST(CommandLine, FailuresExitOneWithOneLine) {
   EXPECT_THAT(scene.output, HasSubstr("no/such/file.toml"));
   EXPECT_EQ(lines(scene.output), 1) << scene.output;
 
+  const Outcome certificate = grove("serve --tls-cert no/cert.pem --tls-key no/key.pem --listen 127.0.0.1:0");
+  EXPECT_EQ(certificate.exit, 1);
+  EXPECT_THAT(certificate.output, AllOf(HasSubstr("--tls-cert"), HasSubstr("no/cert.pem"), HasSubstr("No such file")));
+  EXPECT_EQ(lines(certificate.output), 1) << certificate.output << "told before the world is prepared";
+
   const Outcome shaders = grove("serve --shader-dir no/such/dir --listen 127.0.0.1:0");
   EXPECT_EQ(shaders.exit, 1);
   EXPECT_THAT(shaders.output, HasSubstr("no/such/dir"));
@@ -87,6 +123,20 @@ TEST(CommandLine, FailuresExitOneWithOneLine) {
   const Outcome nobody = grove("load ws://127.0.0.1:1/ --sessions 1 --seconds 1");
   EXPECT_EQ(nobody.exit, 1);
   EXPECT_EQ(lines(nobody.output), 1) << nobody.output;
+
+  const Outcome walk = grove("load ws://127.0.0.1:1/ --walk no/such.walk");
+  EXPECT_EQ(walk.exit, 1);
+  EXPECT_THAT(walk.output, HasSubstr("no/such.walk"));
+  EXPECT_EQ(lines(walk.output), 1) << walk.output;
+
+  const Outcome shaped = grove("load ws://127.0.0.1:1/ --shape 5mbit,20ms --seconds 1");
+  EXPECT_EQ(shaped.exit, 1);
+  EXPECT_EQ(lines(shaped.output), 1) << shaped.output;
+
+  const Outcome unknown = grove("shape 5mbit,80ms --listen 127.0.0.1:0 --to no.such.host.invalid:80");
+  EXPECT_EQ(unknown.exit, 1);
+  EXPECT_THAT(unknown.output, HasSubstr("--to"));
+  EXPECT_EQ(lines(unknown.output), 1) << unknown.output;
 }
 
 TEST(CommandLine, APortInUseIsToldBeforeTheWorldIsPrepared) {
@@ -163,6 +213,61 @@ class SmallScene {
   const std::filesystem::path path_ =
       std::filesystem::temp_directory_path() / ("grove_small_scene_" + std::to_string(getpid()) + ".toml");
 };
+
+/// The output of a script that has a server of the small scene at $port.
+Outcome whileServed(const std::string& script) {
+  const SmallScene scene;
+  return shell("served=$(mktemp); " GROVE_BINARY " serve --listen 127.0.0.1:0 --scene " + scene.path() +
+               " >$served 2>/dev/null & server=$!\n"
+               "until grep -q listening $served; do sleep 0.1; kill -0 $server || break; done\n"
+               "port=$(sed -n 's/^listening.*://p' $served); rm $served\n" +
+               script + "\nstatus=$?; kill -INT $server; wait $server; exit $status");
+}
+
+TEST(CommandLine, LoadPrintsOneDocumentOfTheContract) {
+  const Outcome outcome = whileServed(GROVE_BINARY
+                                      " load ws://127.0.0.1:$port/ --sessions 2 --seconds 1 --width 320 --height 180"
+                                      " --codec jpeg --look --shape 20mbit,20ms,jitter=2ms --json 2>/dev/null");
+  ASSERT_EQ(outcome.exit, 0);
+  const auto report = nlohmann::json::parse(outcome.output);
+  EXPECT_EQ(report.at("sessions"), 2);
+  EXPECT_EQ(report.at("errors"), 0);
+  EXPECT_EQ(report.at("codec"), "jpeg");
+  EXPECT_EQ(report.at("shape"), "20mbit,20ms,jitter=2ms");
+  EXPECT_GT(report.at("latency_ms").at("p50"), 20.0);
+  EXPECT_GE(report.at("latency_ms").at("p95"), report.at("latency_ms").at("p50"));
+  EXPECT_GE(report.at("latency_ms").at("p99"), report.at("latency_ms").at("p95"));
+  EXPECT_GE(report.at("lines").at("min"), 90);
+  EXPECT_LE(report.at("lines").at("p50"), 180);
+  EXPECT_GT(report.at("longest_gap_ms"), 0.0);
+  for (const char* key : {"fps", "mbit_per_s", "dropped", "seconds", "frames"}) {
+    EXPECT_TRUE(report.contains(key)) << key;
+  }
+}
+
+TEST(CommandLine, LoadFollowsAWalkAndPrintsATable) {
+  const Outcome outcome =
+      whileServed(GROVE_BINARY " load ws://127.0.0.1:$port/ --seconds 1 --width 320 --height 180 --walk " GROVE_WALKS
+                               "/clearing.walk 2>&1");
+  EXPECT_EQ(outcome.exit, 0) << outcome.output;
+  for (const char* row : {"p95", "longest gap", "codec", "lines"}) EXPECT_THAT(outcome.output, HasSubstr(row));
+}
+
+TEST(CommandLine, ShapeSaysWhereItListensAndEndsAtASignal) {
+  for (const char* signal : {"INT", "TERM"}) {
+    const Outcome outcome =
+        whileServed("shaped=$(mktemp); " GROVE_BINARY
+                    " shape 20mbit,20ms --listen 127.0.0.1:0 --to 127.0.0.1:$port >$shaped & shaper=$!\n"
+                    "until grep -q listening $shaped; do sleep 0.1; kill -0 $shaper || break; done\n"
+                    "cat $shaped; at=$(sed -n 's/^listening on //p' $shaped); rm $shaped\n" GROVE_BINARY
+                    " load ws://$at/ --seconds 0.5 --width 320 --height 180 --json 2>/dev/null\n"
+                    "kill -" +
+                    std::string(signal) + " $shaper; wait $shaper");
+    EXPECT_EQ(outcome.exit, 0) << signal;
+    EXPECT_THAT(outcome.output, StartsWith("listening on 127.0.0.1:"));
+    EXPECT_THAT(outcome.output, HasSubstr("\"errors\":0"));
+  }
+}
 
 TEST(CommandLine, BenchPipelinePrintsARowForEachNumberOfFramesInFlight) {
   const SmallScene scene;

@@ -13,6 +13,7 @@
 namespace grove::cli {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -89,6 +90,58 @@ TEST(Serve, SaysThatItsAddressSpaceIsTooSmall) {
     EXPECT_THAT(outcome.output, testing::AllOf(HasSubstr("memory"), HasSubstr("ulimit -v"))) << megabytes;
   }
   EXPECT_TRUE(fit);
+  std::filesystem::remove_all(folder);
+}
+
+/// What the shells of these tests share: a server of a stone, with what `options` say, whose output is in `out`.
+std::string serveAStone(const std::filesystem::path& folder, const std::string& options) {
+  std::ofstream(folder / "scene.toml") << "name = 'a stone'\n[[object]]\ntype = 'mesh'\nshape = 'stone'\n";
+  return "cd " + folder.string() +
+         "\nfor name in first second; do openssl req -x509 -newkey ec -pkeyopt ec_paramgen_curve:prime256v1 -nodes "
+         "-subj /CN=$name -days 30 -keyout $name.key -out $name.pem 2>/dev/null; done; cp first.pem cert.pem; "
+         "cp first.key key.pem\n"
+         "until_says() { for try in {1..300}; do grep -qs -- \"$1\" out && return; sleep 0.1; done; echo never; }\n"
+         "GROVE_CACHE=$PWD/cache " GROVE_BINARY " serve --scene scene.toml --listen 127.0.0.1:0 " +
+         options +
+         " >out 2>&1 & server=$!; trap 'kill -KILL $server 2>/dev/null' EXIT; until_says listening\n"
+         "port=$(sed -n 's/^listening on .*:\\([0-9]*\\)$/\\1/p' out)\n";
+}
+
+TEST(Serve, ReadsTheCertificateAnewOnASignalAndWhenItChanges) {
+  const std::filesystem::path folder = temporaryFolder();
+  const Outcome outcome = shell(serveAStone(folder, "--tls-cert cert.pem --tls-key key.pem") +
+                                "shown() { openssl s_client -connect 127.0.0.1:$port </dev/null 2>/dev/null | sed -n "
+                                "'s/^subject=CN = //p'; }\n"
+                                "shown; kill -HUP $server; until_says 'new connections'; cp second.pem cert.pem\n"
+                                "kill -HUP $server; until_says 'not the key'; shown; cp second.key key.pem\n"
+                                "for try in {1..100}; do [ $(shown) = second ] && break; sleep 0.1; done; shown\n"
+                                "kill -INT $server; wait $server; status=$?; cat out; exit $status");
+  EXPECT_EQ(outcome.exit, 0);
+  EXPECT_THAT(outcome.output, testing::StartsWith("first\nfirst\nsecond\n")) << "a key of another is not taken";
+  EXPECT_THAT(outcome.output, HasSubstr("listening on https://127.0.0.1:"));
+  EXPECT_THAT(outcome.output, HasSubstr("page at http://127.0.0.1:"));
+  std::filesystem::remove_all(folder);
+}
+
+TEST(Serve, GoesOnAfterAHangupWithoutACertificate) {
+  const std::filesystem::path folder = temporaryFolder();
+  const Outcome outcome = shell(serveAStone(folder, "") +
+                                "kill -HUP $server; until_says SIGHUP\n"
+                                "kill -TERM $server; wait $server; echo ended with $?");
+  EXPECT_EQ(outcome.output, "ended with 0\n");
+  std::filesystem::remove_all(folder);
+}
+
+/// `script` gives it one, and closes it.
+TEST(Serve, EndsWhenItsTerminalIsGone) {
+  const std::filesystem::path folder = temporaryFolder();
+  const Outcome outcome =
+      shell(serveAStone(folder, "") +
+            "kill -INT $server; wait $server; rm out\n"
+            "mkfifo hold; script -qec 'GROVE_CACHE=$PWD/cache exec " GROVE_BINARY
+            " serve --scene scene.toml --listen 127.0.0.1:0 >out 2>&1' /dev/null <hold >/dev/null & terminal=$!\n"
+            "exec 9>hold; until_says listening; kill -KILL $terminal; until_says stopping; cat out");
+  EXPECT_THAT(outcome.output, AllOf(HasSubstr("stopping"), Not(HasSubstr("never"))));
   std::filesystem::remove_all(folder);
 }
 

@@ -40,7 +40,35 @@ RawSocket::~RawSocket() {
   if (fd_ >= 0) ::close(fd_);
 }
 
+bool RawSocket::startTls(std::string_view offer, int newestVersion) {
+  SSL_CTX* const context = SSL_CTX_new(TLS_client_method());
+  // Old versions have old signatures, which the machine's own rules might not let us offer.
+  SSL_CTX_set_security_level(context, 0);
+  SSL_CTX_set_min_proto_version(context, TLS1_VERSION);
+  SSL_CTX_set_max_proto_version(context, newestVersion);
+  tls_.reset(SSL_new(context));
+  SSL_CTX_free(context);
+  SSL_set_fd(tls_.get(), fd_);
+  if (!offer.empty()) {
+    SSL_set_alpn_protos(tls_.get(), reinterpret_cast<const unsigned char*>(offer.data()),
+                        static_cast<unsigned>(offer.size()));
+  }
+  return SSL_connect(tls_.get()) == 1;
+}
+
+std::string RawSocket::certificateName() const {
+  X509* const certificate = SSL_get0_peer_certificate(tls_.get());
+  std::array<char, 256> name{};
+  if (certificate != nullptr) {
+    X509_NAME_get_text_by_NID(X509_get_subject_name(certificate), NID_commonName, name.data(), name.size());
+  }
+  return name.data();
+}
+
 bool RawSocket::send(std::string_view bytes) {
+  if (tls_) {
+    return bytes.empty() || SSL_write(tls_.get(), bytes.data(), static_cast<int>(bytes.size())) > 0;
+  }
   while (!bytes.empty()) {
     const ssize_t sent = ::send(fd_, bytes.data(), bytes.size(), MSG_NOSIGNAL);
     if (sent <= 0) return false;
@@ -51,7 +79,8 @@ bool RawSocket::send(std::string_view bytes) {
 
 std::string RawSocket::receive() {
   std::string bytes(65536, '\0');
-  const ssize_t received = ::recv(fd_, bytes.data(), bytes.size(), 0);
+  const ssize_t received = tls_ ? SSL_read(tls_.get(), bytes.data(), static_cast<int>(bytes.size()))
+                                : ::recv(fd_, bytes.data(), bytes.size(), 0);
   bytes.resize(static_cast<std::size_t>(std::max<ssize_t>(0, received)));
   return bytes;
 }
@@ -71,8 +100,12 @@ void RawSocket::reset() {
 
 HttpAnswer request(int port, const std::string& method, const std::string& path, const std::string& headers) {
   RawSocket socket(port);
+  return request(socket, method, path, "Host: localhost\r\n" + headers);
+}
+
+HttpAnswer request(RawSocket& socket, const std::string& method, const std::string& path, const std::string& headers) {
   std::string text = method;
-  text.append(" ").append(path).append(" HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n").append(headers);
+  text.append(" ").append(path).append(" HTTP/1.1\r\nConnection: close\r\n").append(headers);
   socket.send(text.append("\r\n"));
   const std::string answer = socket.receiveAll();
   HttpAnswer result;
@@ -85,9 +118,12 @@ HttpAnswer request(int port, const std::string& method, const std::string& path,
 }
 
 RawWebsocket::RawWebsocket(int port, const std::string& headers, int receiveBufferBytes, const char* source)
-    : socket_(port, receiveBufferBytes, source) {
-  std::string hello = "GET / HTTP/1.1\r\nHost: 127.0.0.1:";
-  hello.append(std::to_string(port)).append("\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n");
+    : RawWebsocket(RawSocket(port, receiveBufferBytes, source), "127.0.0.1:" + std::to_string(port), headers) {}
+
+RawWebsocket::RawWebsocket(RawSocket socket, const std::string& host, const std::string& headers)
+    : socket_(std::move(socket)) {
+  std::string hello = "GET / HTTP/1.1\r\nHost: ";
+  hello.append(host).append("\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n");
   hello.append("Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\nSec-WebSocket-Version: 13\r\n");
   if (headers.find("Sec-WebSocket-Protocol") == std::string::npos) hello.append("Sec-WebSocket-Protocol: grove.v1\r\n");
   hello.append(headers).append("\r\n");

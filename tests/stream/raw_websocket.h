@@ -1,6 +1,9 @@
 #pragma once
 
+#include <openssl/ssl.h>
+
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -15,8 +18,15 @@ class RawSocket {
  public:
   explicit RawSocket(int port, int receiveBufferBytes = 0, const char* source = "127.0.0.1");
   ~RawSocket();
-  RawSocket(RawSocket&& other) noexcept : fd_(std::exchange(other.fd_, -1)) {}
+  RawSocket(RawSocket&& other) noexcept : fd_(std::exchange(other.fd_, -1)), tls_(std::move(other.tls_)) {}
   RawSocket& operator=(RawSocket&&) = delete;
+
+  /// Goes on by TLS, whatever the certificate; false if they do not agree. `offer`: protocols, as ALPN writes them.
+  bool startTls(std::string_view offer = "", int newestVersion = TLS1_3_VERSION);
+  /// What was agreed on; after startTls().
+  [[nodiscard]] SSL* tls() const { return tls_.get(); }
+  /// The common name of the certificate that the server showed.
+  [[nodiscard]] std::string certificateName() const;
 
   bool send(std::string_view bytes);
   /// At least one byte, or nothing at the end (or after a reset, or 5 seconds).
@@ -26,7 +36,11 @@ class RawSocket {
   void reset();
 
  private:
+  struct FreeTls {
+    void operator()(SSL* tls) const noexcept { SSL_free(tls); }
+  };
   int fd_;
+  std::unique_ptr<SSL, FreeTls> tls_;
 };
 
 /// The answer to an http request; `head` is in lower case.
@@ -36,6 +50,8 @@ struct HttpAnswer {
   std::string body;
 };
 HttpAnswer request(int port, const std::string& method, const std::string& path, const std::string& headers = "");
+/// The same on a connection that is there; `headers` have the Host.
+HttpAnswer request(RawSocket& socket, const std::string& method, const std::string& path, const std::string& headers);
 
 /// A websocket client that can break every rule.
 class RawWebsocket {
@@ -54,6 +70,9 @@ class RawWebsocket {
   /// tells how it went.
   explicit RawWebsocket(int port, const std::string& headers = "", int receiveBufferBytes = 0,
                         const char* source = "127.0.0.1");
+
+  /// The same on a connection that is there.
+  RawWebsocket(RawSocket socket, const std::string& host, const std::string& headers);
 
   [[nodiscard]] int status() const noexcept { return status_; }
   [[nodiscard]] RawSocket& socket() noexcept { return socket_; }

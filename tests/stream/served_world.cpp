@@ -14,7 +14,9 @@ world::World::Layout emptyWorld() {
 
 }  // namespace
 
-GoodClient::GoodClient(int port, int width, int height) : websocket_(port) {
+GoodClient::GoodClient(int port, int width, int height) : GoodClient(RawWebsocket(port), width, height) {}
+
+GoodClient::GoodClient(RawWebsocket websocket, int width, int height) : websocket_(std::move(websocket)) {
   websocket_.send(encode(Hello{"Ada", static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height)}));
 }
 

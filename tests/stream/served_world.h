@@ -15,6 +15,7 @@ namespace grove::stream {
 class GoodClient {
  public:
   explicit GoodClient(int port, int width = 320, int height = 180);
+  explicit GoodClient(RawWebsocket websocket, int width = 320, int height = 180);
 
   /// Receives and acknowledges frames; false if the connection ends before.
   bool receiveFrames(int count);

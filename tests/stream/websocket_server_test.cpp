@@ -125,10 +125,11 @@ class OneAddress : public ServedWorld {
   }
   OneAddress() { limited_.start(); }
 
-  WebsocketServer limited_{host_,
-                           {.visitors = {"127.0.0.1", 0},
-                            .operators = {},
-                            .allowance = {.sockets = 6, .visitors = 2, .socketsPerSecond = 20, .burst = 30}}};
+  WebsocketServer limited_{
+      host_,
+      {.visitors = {"127.0.0.1", 0},
+       .operators = {},
+       .rules = {.allowance = {.sockets = 6, .visitors = 2, .socketsPerSecond = 20, .burst = 30}}}};
 };
 
 TEST_F(OneAddress, MayHaveSoManyVisitors) {

@@ -62,7 +62,9 @@ void LinkEstimator::arrived(std::uint32_t frame, const Arrival& arrival) {
   roundTrip_.add(now, flight - held);
   transit_.add(now, transit);
   usualFlight_ += (flight - usualFlight_) / 8.0;
-  queueing_ = transit - *transit_.value();
+  // By the page's clock, so that the way back does not count; but that clock may jump, run fast or lie, and no frame has
+  // waited for longer than it took until its acknowledgement.
+  queueing_ = std::min(transit - *transit_.value(), flight - *flight_.value());
   const double own = passage(newest->bytes);
   if (queueing_ > kLongQueue + own) {
     fall(now);

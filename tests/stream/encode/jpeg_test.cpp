@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
-#include <cmath>
-
+#include "bit_stream.h"
 #include "stream/encode/jpeg_decoder.h"
 #include "stream/encode/jpeg_encoder.h"
 
@@ -24,18 +23,6 @@ struct Picture {
   std::vector<std::uint32_t> pixels;
   node::Image image;
 };
-
-double psnr(const std::vector<std::uint32_t>& a, const std::vector<std::uint32_t>& b) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    for (const unsigned shift : {0U, 8U, 16U}) {
-      const double difference =
-          static_cast<double>((a[i] >> shift) & 0xFFU) - static_cast<double>((b[i] >> shift) & 0xFFU);
-      sum += difference * difference;
-    }
-  }
-  return 10.0 * std::log10(255.0 * 255.0 * 3.0 * static_cast<double>(a.size()) / std::max(sum, 1e-9));
-}
 
 TEST(JpegEncoder, KeepsThePictureAtAnySize) {
   JpegEncoder encoder(80);

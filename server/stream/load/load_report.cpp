@@ -1,9 +1,44 @@
-#include "stream/load_report.h"
+#include "stream/load/load_report.h"
 
 #include <algorithm>
 #include <cmath>
 
+#include "stream/protocol.h"
+
 namespace grove::stream {
+namespace {
+
+/// The kinds of all pictures that were on the visitors' screens.
+std::map<ShownPicture, std::uint64_t> allShown(const std::vector<VisitorStatistics>& visitors) {
+  std::map<ShownPicture, std::uint64_t> all;
+  for (const VisitorStatistics& visitor : visitors) {
+    for (const auto& [kind, count] : visitor.shown) all[kind] += count;
+    if (visitor.shown.empty() && visitor.screenAtFirst) ++all[*visitor.screenAtFirst];
+  }
+  return all;
+}
+
+void summarisePictures(const std::vector<VisitorStatistics>& visitors, LoadReport& report) {
+  std::uint64_t all = 0;
+  std::uint64_t h264 = 0;
+  std::map<int, std::uint64_t> lines;
+  for (const auto& [kind, count] : allShown(visitors)) {
+    all += count;
+    if (kind.codec == kCodecH264) h264 += count;
+    lines[kind.lines] += count;
+  }
+  if (2 * h264 > all) report.codec = "h264";
+  if (lines.empty()) return;
+  report.linesMin = lines.begin()->first;
+  std::uint64_t below = 0;
+  for (const auto& [height, count] : lines) {
+    report.linesP50 = height;
+    below += count;
+    if (2 * below >= all) return;
+  }
+}
+
+}  // namespace
 
 double percentile(std::vector<float> values, double share) {
   if (values.empty()) return 0.0;
@@ -24,6 +59,7 @@ LoadReport summarise(const std::vector<VisitorStatistics>& letIn, double seconds
   for (const VisitorStatistics& visitor : letIn) {
     report.frames += visitor.frames;
     report.dropped += visitor.dropped;
+    report.longestGapMilliseconds = std::max(report.longestGapMilliseconds, visitor.longestGapSeconds * 1e3);
     bytes += visitor.bytes;
     fps.push_back(static_cast<float>(static_cast<double>(visitor.frames) / seconds));
     latency.insert(latency.end(), visitor.latencyMilliseconds.begin(), visitor.latencyMilliseconds.end());
@@ -32,7 +68,9 @@ LoadReport summarise(const std::vector<VisitorStatistics>& letIn, double seconds
   report.fpsMin = fps.empty() ? 0.0 : static_cast<double>(*std::ranges::min_element(fps));
   report.fpsP50 = percentile(fps, 0.5);
   report.latencyP50Milliseconds = percentile(latency, 0.5);
+  report.latencyP95Milliseconds = percentile(latency, 0.95);
   report.latencyP99Milliseconds = percentile(std::move(latency), 0.99);
+  summarisePictures(letIn, report);
   report.mbitPerSecond = static_cast<double>(bytes) * 8e-6 / seconds;
   return report;
 }

@@ -1,4 +1,4 @@
-#include "stream/load_client.h"
+#include "stream/load/load_client.h"
 
 #include <libwebsockets.h>
 
@@ -11,31 +11,37 @@
 
 #include "base/error.h"
 #include "base/log.h"
-#include "stream/load_visitor.h"
+#include "stream/load/link_shaper.h"
+#include "stream/load/load_visitor.h"
 #include "stream/printable.h"
+#include "stream/wsi.h"
 #include "world/world.h"
 
 namespace grove::stream {
 namespace {
 
 constexpr double kConnectSeconds = 10.0;
+constexpr double kWalkToStartSeconds = 30.0;
 constexpr double kCloseSeconds = 1.0;
 constexpr lws_usec_t kInputMicroseconds = 16'000;
 constexpr lws_usec_t kWatchMicroseconds = 20'000;
 constexpr std::size_t kReceiveBytes = 256 * 1024;
 constexpr std::size_t kMostMessageBytes = std::size_t{16} << 20U;
 
+constexpr int kTakeAny =
+    LCCSCF_ALLOW_SELFSIGNED | LCCSCF_ALLOW_EXPIRED | LCCSCF_ALLOW_INSECURE | LCCSCF_SKIP_SERVER_CERT_HOSTNAME_CHECK;
+
 void logLibraryLine(int /*level*/, const char* line) { log::error(printable(line, 300)); }
 
 /// All clients of a load test and the library's context that they share.
 class LoadClients {
  public:
-  LoadClients(const LoadTarget& target, int sessions, int width, int height);
+  LoadClients(const LoadTarget& target, const LoadPlan& plan);
   ~LoadClients() { context_.reset(); }
   LoadClients(const LoadClients&) = delete;
   LoadClients& operator=(const LoadClients&) = delete;
 
-  LoadReport run(double seconds);
+  LoadReport run();
 
  private:
   struct ContextDeleter {
@@ -49,7 +55,7 @@ class LoadClients {
     Client* client = nullptr;
   };
   struct Client {
-    Client(int index, int width, int height, JpegDecoder& decoder) : visitor(index, width, height, decoder) {}
+    Client(int index, const LoadPlan& plan, JpegDecoder& decoder) : visitor(index, plan, decoder) {}
     LoadVisitor visitor;
     lws* socket = nullptr;
     bool ended = false;
@@ -61,7 +67,7 @@ class LoadClients {
   static int callback(lws* wsi, lws_callback_reasons reason, void* user, void* in, std::size_t length) noexcept;
   static void onTimer(lws_sorted_usec_list_t* entry) noexcept;
   int handle(Client& client, lws* wsi, lws_callback_reasons reason, std::span<const std::uint8_t> bytes);
-  void connect(Client& client, const LoadTarget& target);
+  void connect(Client& client, const LoadTarget& asked, const LoadTarget& to);
   void receive(Client& client, lws* wsi, std::span<const std::uint8_t> piece);
   int write(Client& client, lws* wsi);
   void end(Client& client, const std::string& reason);
@@ -69,30 +75,44 @@ class LoadClients {
   template <class Condition>
   void serveUntil(double deadline, Condition done);
 
+  const LoadPlan& plan_;
+  std::optional<LinkShaper> shaper_;
   JpegDecoder decoder_;
   std::vector<std::unique_ptr<Client>> clients_;
   Timer watch_;
   std::unique_ptr<lws_context, ContextDeleter> context_;
 };
 
-LoadClients::LoadClients(const LoadTarget& target, int sessions, int width, int height) {
-  static constexpr std::array<lws_protocols, 2> kProtocols = {
+LoadClients::LoadClients(const LoadTarget& target, const LoadPlan& plan) : plan_(plan) {
+  // The library wants to know all that a server may choose.
+  static constexpr std::array<lws_protocols, 4> kProtocols = {
+      lws_protocols{kSubProtocolWithVideo, &LoadClients::callback, 0, kReceiveBytes, 0, nullptr, 0},
+      lws_protocols{kSubProtocolWithWaiting, &LoadClients::callback, 0, kReceiveBytes, 0, nullptr, 0},
       lws_protocols{kSubProtocol, &LoadClients::callback, 0, kReceiveBytes, 0, nullptr, 0}, lws_protocols{}};
+  LoadTarget to = target;
+  if (plan.shape) {
+    const HostPort here{"127.0.0.1", 0};
+    const HostPort there{to.host, to.port};
+    shaper_.emplace(LinkShaper::Place{here, "--shape"}, LinkShaper::Place{there, "URL"}, *plan.shape);
+    to = {"127.0.0.1", shaper_->port()};
+  }
+  const int sessions = plan.sessions;
   lws_set_log_level(LLL_ERR, &logLibraryLine);
   lws_context_creation_info info{};
   info.port = CONTEXT_PORT_NO_LISTEN;
   info.protocols = kProtocols.data();
   info.user = this;
+  if (target.isSecure) info.options |= LWS_SERVER_OPTION_DO_SSL_GLOBAL_INIT;
   info.pt_serv_buf_size = kReceiveBytes;
   info.fd_limit_per_thread = static_cast<unsigned>(sessions) + 16;
   context_.reset(lws_create_context(&info));
   if (!context_) throw EnvironmentError("cannot start websocket clients", "grove load", "");
   watch_.clients = this;
   for (int i = 0; i < sessions; ++i) {
-    Client& client = *clients_.emplace_back(std::make_unique<Client>(i, width, height, decoder_));
+    Client& client = *clients_.emplace_back(std::make_unique<Client>(i, plan, decoder_));
     client.timer.clients = this;
     client.timer.client = &client;
-    connect(client, target);
+    connect(client, target, to);
     lws_sul_schedule(context_.get(), 0, &client.timer.entry, &LoadClients::onTimer,
                      kInputMicroseconds * (i + 1) / sessions);
   }
@@ -100,15 +120,19 @@ LoadClients::LoadClients(const LoadTarget& target, int sessions, int width, int 
   lws_sul_schedule(context_.get(), 0, &watch_.entry, &LoadClients::onTimer, kWatchMicroseconds);
 }
 
-void LoadClients::connect(Client& client, const LoadTarget& target) {
-  const std::string host = target.host + ":" + std::to_string(target.port);
+/// `asked` is who is asked for, which the server looks at; `to` is where the connection goes.
+void LoadClients::connect(Client& client, const LoadTarget& asked, const LoadTarget& to) {
+  const std::string host = asked.host + ":" + std::to_string(asked.port);
+  const std::string protocols = std::string(kSubProtocolWithVideo) + "," + kSubProtocolWithWaiting + "," + kSubProtocol;
   lws_client_connect_info info{};
   info.context = context_.get();
-  info.address = target.host.c_str();
-  info.port = target.port;
+  info.address = to.host.c_str();
+  info.port = to.port;
   info.path = "/";
   info.host = host.c_str();
-  info.protocol = kSubProtocol;
+  info.protocol = protocols.c_str();
+  if (asked.isSecure) info.ssl_connection = LCCSCF_USE_SSL | (asked.takesAnyCertificate ? kTakeAny : 0);
+  info.alpn = "http/1.1";
   info.ietf_version_or_minus_one = -1;
   info.opaque_user_data = &client;
   info.pwsi = &client.socket;
@@ -116,28 +140,31 @@ void LoadClients::connect(Client& client, const LoadTarget& target) {
   if (lws_client_connect_via_info(&info) == nullptr) end(client, "cannot connect");
 }
 
-LoadReport LoadClients::run(double seconds) {
-  const auto allLetIn = [&] {
-    return std::ranges::all_of(clients_, [](const auto& client) { return client->ended || client->visitor.isLetIn(); });
+LoadReport LoadClients::run() {
+  const auto all = [&](auto condition) {
+    return [this, condition] {
+      return std::ranges::all_of(clients_, [&](const auto& client) { return client->ended || condition(*client); });
+    };
   };
-  serveUntil(world::World::now() + kConnectSeconds, allLetIn);
+  serveUntil(world::World::now() + kConnectSeconds, all([](const Client& client) { return client.visitor.isLetIn(); }));
   for (const auto& client : clients_) {
-    if (client->visitor.isLetIn()) {
-      client->visitor.beginCounting();
-    } else {
-      end(*client, "no Welcome within 10 seconds");
-    }
+    if (!client->visitor.isLetIn()) end(*client, "no Welcome within 10 seconds");
   }
-  const auto nobodyLeft = [&] {
-    return std::ranges::all_of(clients_, [](const auto& client) { return client->ended; });
-  };
+  serveUntil(world::World::now() + kWalkToStartSeconds,
+             all([](const Client& client) { return client.visitor.isInPlace(); }));
   const double begin = world::World::now();
-  serveUntil(begin + seconds, nobodyLeft);
-  const double counted = std::max(world::World::now() - begin, 1e-3);
+  for (const auto& client : clients_) {
+    if (client->visitor.isLetIn()) client->visitor.beginCounting(begin);
+  }
+  const auto nobodyLeft = all([](const Client&) { return false; });
+  serveUntil(begin + plan_.seconds, nobodyLeft);
+  const double ended = world::World::now();
+  const double counted = std::max(ended - begin, 1e-3);
 
   std::vector<VisitorStatistics> letIn;
   std::vector<std::string> errors;
   for (const auto& client : clients_) {
+    if (client->visitor.isLetIn()) client->visitor.endCounting(ended);
     const VisitorStatistics& statistics = client->visitor.statistics();
     if (client->visitor.isLetIn()) {
       letIn.push_back(statistics);
@@ -189,6 +216,10 @@ int LoadClients::handle(Client& client, lws* wsi, lws_callback_reasons reason, s
     return printable({reinterpret_cast<const char*>(rest.data()), rest.size()}, 100);
   };
   switch (reason) {
+    case LWS_CALLBACK_CLIENT_FILTER_PRE_ESTABLISH:
+      // lws_get_protocol() gives the first that was asked for, whatever the server chose (libwebsockets issue 2795).
+      client.visitor.agreedOn(header(wsi, WSI_TOKEN_PROTOCOL));
+      return 0;
     case LWS_CALLBACK_CLIENT_ESTABLISHED:
       client.socket = wsi;
       lws_callback_on_writable(wsi);
@@ -252,12 +283,15 @@ void LoadClients::end(Client& client, const std::string& reason) {
 
 std::optional<LoadTarget> parseLoadUrl(const std::string& url) {
   constexpr std::string_view kScheme = "ws://";
+  constexpr std::string_view kSecureScheme = "wss://";
+  LoadTarget target;
+  target.isSecure = url.starts_with(kSecureScheme);
+  if (target.isSecure) target.port = 443;
+  if (!target.isSecure && !url.starts_with(kScheme)) return std::nullopt;
   std::string_view rest = url;
-  if (!rest.starts_with(kScheme)) return std::nullopt;
-  rest.remove_prefix(kScheme.size());
+  rest.remove_prefix(target.isSecure ? kSecureScheme.size() : kScheme.size());
   if (rest.ends_with('/')) rest.remove_suffix(1);
   if (rest.find('/') != std::string_view::npos) return std::nullopt;
-  LoadTarget target;
   const std::size_t bracket = rest.rfind(']');
   const std::size_t colon = rest.rfind(':');
   if (colon != std::string_view::npos && (bracket == std::string_view::npos || colon > bracket)) {
@@ -272,8 +306,6 @@ std::optional<LoadTarget> parseLoadUrl(const std::string& url) {
   return target;
 }
 
-LoadReport runLoadClients(const LoadTarget& target, int sessions, double seconds, int width, int height) {
-  return LoadClients(target, sessions, width, height).run(seconds);
-}
+LoadReport runLoadClients(const LoadTarget& target, const LoadPlan& plan) { return LoadClients(target, plan).run(); }
 
 }  // namespace grove::stream

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <cstdio>
+#include <memory>
+#include <vector>
+
+#include "node/image.h"
+#include "world/camera.h"
+
+namespace grove::cli {
+
+/// The frames that one visitor saw, at 3.7 MB each of 1280 x 720 pixels in a file without a name, which goes with this.
+/// One thread at a time.
+class KeptFrames {
+ public:
+  /// Throws EnvironmentError if there is no room for a temporary file.
+  KeptFrames(int width, int height);
+
+  /// Throws EnvironmentError if the disk is full.
+  void add(const world::Pose& pose, const node::Image& image);
+
+  [[nodiscard]] std::size_t count() const noexcept { return poses_.size(); }
+  [[nodiscard]] int width() const noexcept { return image_.width(); }
+  [[nodiscard]] int height() const noexcept { return image_.height(); }
+  [[nodiscard]] const world::Pose& pose(std::size_t index) const { return poses_[index]; }
+  /// In memory, as if it had just been drawn; stands until the next call. Throws EnvironmentError if it cannot be read.
+  [[nodiscard]] const node::Image& read(std::size_t index);
+
+ private:
+  struct Closer {
+    void operator()(std::FILE* file) const noexcept { static_cast<void>(std::fclose(file)); }
+  };
+  std::unique_ptr<std::FILE, Closer> file_;
+  std::vector<world::Pose> poses_;
+  std::vector<std::uint32_t> pixels_;
+  node::Image image_;
+};
+
+}  // namespace grove::cli

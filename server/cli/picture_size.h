@@ -1,0 +1,16 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+namespace grove::cli {
+
+struct PictureSize {
+  int width = 0;
+  int height = 0;
+};
+
+/// Of "WIDTHxHEIGHT", a size that is streamed as it is: even numbers from 160x90 to 1920x1080. Nothing if it is none.
+[[nodiscard]] std::optional<PictureSize> parsePictureSize(const std::string& text);
+
+}  // namespace grove::cli

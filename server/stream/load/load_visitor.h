@@ -1,0 +1,81 @@
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "stream/load/load_report.h"
+#include "stream/load/picture_check.h"
+#include "stream/load/steering.h"
+#include "stream/protocol.h"
+#include "stream/stroll.h"
+
+namespace grove::stream {
+
+/// One visitor of a load test: walks, looks around, acknowledges each frame when it is there, and measures. Knows no
+/// sockets. One thread. Times are seconds of world::World::now().
+class LoadVisitor {
+ public:
+  /// `index` makes visitors differ; `plan` outlives this; `decoder` may be shared by all of a thread.
+  LoadVisitor(int index, const LoadPlan& plan, JpegDecoder& decoder);
+
+  /// What was agreed on, before anything else; grove.v1 if it is not told.
+  void agreedOn(std::string_view subProtocol) { video_ = subProtocol == kSubProtocolWithVideo; }
+
+  /// Time for the next input; the page sends one per displayed frame at most.
+  void inputDue() { inputDue_ = true; }
+
+  /// The next message to send, empty if there is none. An input counts as sent at `now`.
+  [[nodiscard]] std::vector<std::uint8_t> nextMessage(double now);
+  [[nodiscard]] bool hasMessage() const { return !helloSent_ || !replies_.empty() || (inputDue_ && isLetIn()); }
+
+  /// Takes a whole message of the server.
+  void receive(std::span<const std::uint8_t> message, double now);
+
+  void fail(std::string reason) { statistics_.errors.push_back(std::move(reason)); }
+
+  [[nodiscard]] bool isLetIn() const noexcept { return welcome_.has_value(); }
+  /// Let in, and where his walk begins.
+  [[nodiscard]] bool isInPlace() const { return steering_ && steering_->isInPlace(); }
+
+  /// What is counted begins here, errors excepted.
+  void beginCounting(double now);
+  void endCounting(double now);
+  [[nodiscard]] const VisitorStatistics& statistics() const noexcept { return statistics_; }
+
+ private:
+  [[nodiscard]] world::Input steer(double now);
+  void take(const Welcome& welcome);
+  void takePicture(const PictureHeader& header, std::span<const std::uint8_t> picture, std::size_t bytes, double now);
+  void takeStatus(const Status& status, double now);
+  void reply(const PictureHeader& header, double now);
+  /// The screen shows that the server knows this input.
+  void showsInput(std::uint32_t input, double now);
+  void lives(double now);
+
+  const int index_;
+  const LoadPlan& plan_;
+  PictureCheck check_;
+  bool video_ = false;
+  std::optional<Welcome> welcome_;
+  std::optional<Steering> steering_;
+  bool offerSent_ = false;
+  bool helloSent_ = false;
+  bool inputDue_ = false;
+  std::deque<std::vector<std::uint8_t>> replies_;  ///< to pictures; the server sends no more than it waits for
+  std::optional<double> walksSince_;
+  std::uint32_t lastInput_ = 0;
+  InputLatency latency_;
+  std::uint32_t lastFrame_ = 0;
+  std::uint32_t lastInputOfPicture_ = 0;
+  std::uint32_t lastInputShown_ = 0;
+  std::optional<ShownPicture> screen_;
+  double lived_ = 0.0;
+  VisitorStatistics statistics_;
+};
+
+}  // namespace grove::stream

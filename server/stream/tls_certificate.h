@@ -1,0 +1,55 @@
+#pragma once
+
+#include <openssl/ssl.h>
+
+#include <ctime>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace grove::stream {
+
+/// Where a server's certificate and key are, in PEM form.
+struct TlsFiles {
+  std::string certificate;  ///< the server's own first, then those of its issuers
+  std::string key;          ///< without a passphrase
+};
+
+/// A certificate with its key, checked: it can be shown to browsers. Immutable.
+class TlsCertificate {
+ public:
+  /// Reads both files. Throws EnvironmentError that names option and file if one cannot be read, holds something else,
+  /// is not valid at `now`, or does not belong to the other, and of what OpenSSL takes to be too weak.
+  TlsCertificate(const TlsFiles& files, std::time_t now);
+  ~TlsCertificate();
+  TlsCertificate(const TlsCertificate&) = delete;
+  TlsCertificate& operator=(const TlsCertificate&) = delete;
+
+  /// The connection will show this one; in its handshake, from OpenSSL's certificate callback. Its context has none: of
+  /// another kind of key, that would stay beside this one.
+  [[nodiscard]] bool show(SSL* connection) const;
+
+  /// The last second at which it is valid.
+  [[nodiscard]] std::time_t expires() const noexcept { return expires_; }
+
+ private:
+  struct Deleter {
+    void operator()(X509* certificate) const noexcept { X509_free(certificate); }
+    void operator()(EVP_PKEY* key) const noexcept { EVP_PKEY_free(key); }
+    void operator()(STACK_OF(X509) * issuers) const noexcept { sk_X509_pop_free(issuers, X509_free); }
+  };
+  void readCertificates(const std::string& file);
+  void readKey(const std::string& file);
+  void checkDates(const std::string& file, std::time_t now);
+  void checkPair(const TlsFiles& files) const;
+
+  std::unique_ptr<X509, Deleter> certificate_;
+  std::unique_ptr<STACK_OF(X509), Deleter> issuers_;
+  std::unique_ptr<EVP_PKEY, Deleter> key_;
+  std::time_t expires_ = 0;
+};
+
+/// "2027-01-31 12:00:00 UTC".
+[[nodiscard]] std::string dateOf(std::time_t time);
+
+}  // namespace grove::stream

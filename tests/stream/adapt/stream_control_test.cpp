@@ -1,0 +1,140 @@
+#include "stream/adapt/stream_control.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace grove::stream {
+namespace {
+
+constexpr double kWhole = 1280.0 * 720.0;
+constexpr QuantiserRange kRange{.finest = 20.0, .usual = 25.0, .coarsest = 40.0};
+
+/// A visitor whose page decodes all there is, on a line that is always good.
+class Led {
+ public:
+  Led() : encoders_(builtinEncoders(75)), control_(encoders_, true, 30.0, 1280, 720) {
+    control_.offer({kCodecH264, kCodecJpeg});
+  }
+
+  StreamControl& control() { return control_; }
+  const EncoderRegistry& encoders() { return encoders_; }
+
+  /// One frame of so many bytes; returns what was ordered.
+  StreamControl::Choice frame(std::size_t bytes, bool still = false, bool same = false) {
+    now_ += 1.0 / 30.0;
+    (void)control_.mayBegin(now_, 0);
+    const StreamControl::Choice choice = control_.choose(control_.kind(), kRange, kWhole, still, same, now_);
+    control_.encoded(choice, choice.order.independent, kWhole, bytes);
+    ++number_;
+    control_.sent(number_, number_, bytes, now_);
+    (void)control_.acknowledged(number_, {.acknowledged = now_ + 0.020, .pageSeconds = now_ + 0.010});
+    return choice;
+  }
+  [[nodiscard]] double now() const { return now_; }
+
+ private:
+  const EncoderRegistry encoders_;
+  StreamControl control_;
+  std::uint32_t number_ = 0;
+  double now_ = 100.0;
+};
+
+// Fault: somebody who says again and again that he cannot decode, and gets as many pictures of several times the size.
+TEST(StreamControl, MakesFewIndependentPicturesHoweverOftenTheyAreAskedFor) {
+  Led led;
+  (void)led.frame(10'000);
+  int independent = 0;
+  for (int i = 0; i < 30; ++i) {
+    for (int k = 0; k < 7; ++k) led.control().broken();
+    independent += led.frame(10'000).order.independent ? 1 : 0;
+  }
+  EXPECT_GE(independent, 2);
+  EXPECT_LE(independent, 5);
+  for (int i = 0; i < 15; ++i) independent += led.frame(10'000).order.independent ? 1 : 0;
+  EXPECT_LE(independent, 6) << "after the last request one is made and no more";
+}
+
+// Fault: the first picture of a stream, or of one that was hidden, that depends on others.
+TEST(StreamControl, BeginsWithAnIndependentPicture) {
+  Led led;
+  EXPECT_TRUE(led.frame(10'000).order.independent);
+  EXPECT_FALSE(led.frame(10'000).order.independent);
+  for (int i = 0; i < 15; ++i) (void)led.frame(10'000);
+  Limits hidden;
+  hidden.hidden = true;
+  led.control().limit(hidden);
+  EXPECT_FALSE(led.control().mayBegin(led.now(), 0));
+  led.control().limit({});
+  EXPECT_TRUE(led.frame(10'000).order.independent);
+}
+
+// Faults: an encoder that failed and is asked again, or no other one; an offer that is not obeyed.
+TEST(StreamControl, DoesWithoutWhatFailed) {
+  Led led;
+  EXPECT_EQ(led.control().kind().codec, kCodecH264);
+  led.control().failed(led.control().kind());
+  EXPECT_EQ(led.control().kind().codec, kCodecJpeg);
+  led.control().offer({kCodecH264});
+  EXPECT_EQ(led.control().kind().codec, kCodecJpeg);
+}
+
+// Faults: a picture that stands still and stays as coarse as one that moves; one that gets finest all at once.
+TEST(StreamControl, RefinesWhatStandsStill) {
+  Led led;
+  Quantiser quantiser = 0.0;
+  for (int i = 0; i < 60; ++i) quantiser = led.frame(12'000).order.quantiser;
+  EXPECT_GE(quantiser, kRange.usual);
+  for (int i = 0; i < 60; ++i) {
+    const Quantiser next = led.frame(300, true, true).order.quantiser;
+    EXPECT_LE(next, quantiser);
+    EXPECT_GE(next, quantiser - 3.0);
+    quantiser = next;
+  }
+  EXPECT_EQ(quantiser, kRange.finest);
+  EXPECT_GE(led.frame(12'000).order.quantiser, kRange.usual);
+}
+
+// Fault: what the page shows already is told neither by a picture nor by a status.
+TEST(StreamControl, TellsOfInputsThatChangeNothing) {
+  Led led;
+  (void)led.frame(10'000);
+  (void)led.control().takeStatus(led.now());
+  EXPECT_FALSE(led.control().takeStatus(led.now() + 0.01));
+  led.control().unchanged(77);
+  const auto status = led.control().takeStatus(led.now() + 0.02);
+  ASSERT_TRUE(status);
+  EXPECT_EQ(status->lastInput, 77U);
+  EXPECT_FALSE(led.control().takeStatus(led.now() + 0.03));
+}
+
+// Faults: a limit that is exceeded; one of nothing at all, that stops the stream.
+TEST(StreamControl, ObeysAVisitorsLimits) {
+  Led led;
+  Limits limits;
+  limits.kilobitsPerSecond = 1000;
+  led.control().limit(limits);
+  for (int i = 0; i < 90; ++i) {
+    const StreamControl::Choice choice = led.frame(4'000);
+    EXPECT_LE(choice.bytes * 8.0 * led.control().framesPerSecond(), 1e6);
+  }
+  limits.kilobitsPerSecond = 1;
+  limits.lines = 1;
+  limits.framesPerSecond = 1;
+  led.control().limit(limits);
+  for (int i = 0; i < 90; ++i) {
+    EXPECT_GT(led.frame(300).bytes, 100.0);
+    EXPECT_GE(led.control().framesPerSecond(), 1.0);
+  }
+}
+
+// Fault: a frame that was never sent, whose acknowledgement counts.
+TEST(StreamControl, RefusesAcknowledgementsOfWhatWasNeverSent) {
+  Led led;
+  (void)led.frame(10'000);
+  EXPECT_FALSE(led.control().acknowledged(2, {.acknowledged = led.now()}));
+  EXPECT_TRUE(led.control().acknowledged(1, {.acknowledged = led.now()}));
+}
+
+}  // namespace
+}  // namespace grove::stream

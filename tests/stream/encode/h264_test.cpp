@@ -1,0 +1,180 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "bit_stream.h"
+#include "stream/encode/encoder_registry.h"
+#include "stream/encode/h264_decoder.h"
+#include "stream/encode/h264_encoder.h"
+#include "stream/protocol.h"
+
+namespace grove::stream {
+namespace {
+
+using Bytes = std::vector<std::uint8_t>;
+
+/// Types of the units of an access unit.
+std::vector<int> units(std::span<const std::uint8_t> bytes) {
+  std::vector<int> types;
+  for (std::size_t i = 0; i + 3 < bytes.size(); ++i) {
+    if (bytes[i] == 0 && bytes[i + 1] == 0 && bytes[i + 2] == 1) types.push_back(bytes[i + 3] & 0x1F);
+  }
+  return types;
+}
+
+Bytes encodeOne(Encoder& encoder, const TestPicture& picture, const EncodeOrder& order, bool* independent = nullptr) {
+  Bytes bytes;
+  const bool is = encoder.encode(picture.image, order, bytes);
+  if (independent != nullptr) *independent = is;
+  return bytes;
+}
+
+// Faults: planes swapped or of the wrong size, the wrong matrix or range, rows that do not fit, in any kind of encoder;
+// a stream that only its own library can read.
+TEST(Encoders, MakeWhatOthersDecode) {
+  const EncoderRegistry encoders = builtinEncoders(80);
+  for (const EncoderKind& kind : encoders.kinds()) {
+    for (const auto& [width, height] : {std::pair(1280, 720), std::pair(160, 90), std::pair(1082, 606)}) {
+      const auto encoder = kind.make();
+      Bytes stream;
+      std::vector<std::uint32_t> drawn;
+      const int pictures = kind.chained ? 5 : 1;
+      for (int i = 0; i < pictures; ++i) {
+        const TestPicture picture(width, height, i);
+        drawn.insert(drawn.end(), picture.pixels.begin(), picture.pixels.end());
+        EXPECT_EQ(encoder->encode(picture.image, {encoder->range().usual, false}, stream), i == 0) << kind.name;
+      }
+      const StreamFile file(kind.chained ? "h264" : "jpg", stream);
+      EXPECT_GT(psnr(file.pixels(), drawn), 30.0) << kind.name << ", " << width << " x " << height;
+    }
+  }
+}
+
+// Fault: our own decoder, which measurements go by, that shows other colours than others do.
+TEST(H264Decoder, ShowsWhatWasDrawn) {
+  H264Encoder encoder;
+  H264Decoder decoder;
+  for (int i = 0; i < 5; ++i) {
+    const TestPicture picture(640, 360, i);
+    const DecodedPicture* decoded = decoder.decode(encodeOne(encoder, picture, {24.0, false}));
+    ASSERT_NE(decoded, nullptr) << i;
+    EXPECT_EQ(decoded->width, 640);
+    EXPECT_GT(psnr(decoded->colour, picture.pixels), 30.0) << i;
+  }
+}
+
+// Faults: a profile that not every page decodes; pictures that are held back or reordered; colours that a page has to
+// guess.
+TEST(H264Encoder, IsConstrainedBaselineWithoutDelay) {
+  H264Encoder encoder;
+  Bytes stream;
+  for (int i = 0; i < 3; ++i) (void)encoder.encode(TestPicture(1280, 720, i).image, {25.0, false}, stream);
+  const StreamFile file("h264", stream);
+  const std::vector<char> output = file.run("ffprobe -v error -show_streams @");
+  const std::string told(output.begin(), output.end());
+  for (const char* line :
+       {"profile=Constrained Baseline\n", "has_b_frames=0\n", "color_range=tv\n", "color_space=smpte170m\n",
+        "color_primaries=smpte170m\n", "width=1280\n", "height=720\n", "field_order=progressive\n", "refs=1\n"}) {
+    EXPECT_THAT(told, ::testing::HasSubstr(line));
+  }
+  const std::vector<char> headers =
+      file.run("ffmpeg -nostdin -v verbose -i @ -c copy -bsf:v trace_headers -f null - 2>&1");
+  const std::string traced(headers.begin(), headers.end());
+  EXPECT_THAT(traced, ::testing::ContainsRegex("max_num_reorder_frames[^\n]* = 0\n"));
+  EXPECT_THAT(traced, ::testing::ContainsRegex("max_dec_frame_buffering[^\n]* = 1\n"));
+}
+
+// Faults: an independent picture that a page cannot begin with, since it does not say its parameters; one that comes
+// although nobody asked; a dependent picture that repeats the parameters.
+TEST(H264Encoder, MakesIndependentPicturesWhenTheyAreAskedForOnly) {
+  H264Encoder encoder;
+  for (int i = 0; i < 40; ++i) {
+    bool independent = false;
+    // Even if nothing of the picture is as before.
+    const TestPicture picture(320, 180, i < 20 ? i : 1000 * i);
+    const Bytes bytes = encodeOne(encoder, picture, {25.0, i == 10}, &independent);
+    EXPECT_EQ(independent, i == 0 || i == 10) << i;
+    if (independent) {
+      EXPECT_EQ(units(bytes), (std::vector<int>{7, 8, 5})) << i;
+      H264Decoder fresh;
+      EXPECT_NE(fresh.decode(bytes), nullptr) << i;
+    } else {
+      EXPECT_EQ(units(bytes), std::vector<int>{1}) << i;
+    }
+  }
+}
+
+// Fault: a change of the quantiser that restarts the encoder.
+TEST(H264Encoder, ChangesItsQuantiserWithinTheChain) {
+  H264Encoder encoder;
+  H264Decoder decoder;
+  std::vector<std::size_t> sizes;
+  for (int i = 0; i < 30; ++i) {
+    const TestPicture picture(640, 360, i);
+    bool independent = false;
+    const Bytes bytes = encodeOne(encoder, picture, {i % 2 == 0 ? 22.0 : 36.0, false}, &independent);
+    EXPECT_EQ(independent, i == 0) << i;
+    ASSERT_NE(decoder.decode(bytes), nullptr) << i;
+    sizes.push_back(bytes.size());
+  }
+  EXPECT_GT(sizes[28], 2 * sizes[29]);
+}
+
+// Faults: pictures of a new size that depend on those of the old one; a decoder that has to be made anew.
+TEST(H264Encoder, ChangesItsSizeWithinTheStream) {
+  H264Encoder encoder;
+  H264Decoder decoder;
+  Bytes stream;
+  for (const auto& [width, height] :
+       {std::pair(1280, 720), std::pair(160, 90), std::pair(1920, 1080), std::pair(852, 480), std::pair(1280, 720)}) {
+    for (int i = 0; i < 3; ++i) {
+      const TestPicture picture(width, height, i);
+      bool independent = false;
+      const Bytes bytes = encodeOne(encoder, picture, {24.0, false}, &independent);
+      EXPECT_EQ(independent, i == 0) << width << " x " << height;
+      stream.insert(stream.end(), bytes.begin(), bytes.end());
+      const DecodedPicture* decoded = decoder.decode(bytes);
+      ASSERT_NE(decoded, nullptr) << width << " x " << height << ", " << i;
+      ASSERT_EQ(std::pair(decoded->width, decoded->height), std::pair(width, height));
+      EXPECT_GT(psnr(decoded->colour, picture.pixels), 28.0) << width << " x " << height << ", " << i;
+    }
+  }
+  const StreamFile file("h264", stream);
+  const std::vector<char> output = file.run("ffprobe -v error -show_entries frame=width,height -of csv=p=0 @");
+  const std::string told(output.begin(), output.end());
+  EXPECT_THAT(told, ::testing::StartsWith("1280,720\n1280,720\n1280,720\n160,90\n160,90\n160,90\n1920,1080\n"));
+  EXPECT_THAT(told, ::testing::EndsWith("852,480\n852,480\n852,480\n1280,720\n1280,720\n1280,720\n"));
+}
+
+// Fault: a decoder that shows nonsense, or what it guesses, when a picture of the chain is missing or damaged.
+TEST(H264Decoder, TellsWhatCannotBeDecoded) {
+  H264Encoder encoder;
+  const Bytes first = encodeOne(encoder, TestPicture(320, 180, 0), {24.0, false});
+  const Bytes second = encodeOne(encoder, TestPicture(320, 180, 1), {24.0, false});
+  H264Decoder decoder;
+  EXPECT_EQ(decoder.decode(second), nullptr);
+  EXPECT_NE(decoder.decode(first), nullptr);
+  EXPECT_NE(decoder.decode(second), nullptr);
+  EXPECT_EQ(H264Decoder().decode({}), nullptr);
+  EXPECT_EQ(H264Decoder().decode(Bytes(1000, 0x5A)), nullptr);
+  EXPECT_EQ(H264Decoder().decode(std::span(first).first(first.size() / 2)), nullptr);
+}
+
+// Fault: orders beyond the encoder's range that reach the library.
+TEST(Encoders, KeepOrdersWithinTheirRange) {
+  const EncoderRegistry encoders = builtinEncoders(80);
+  for (const EncoderKind& kind : encoders.kinds()) {
+    const QuantiserRange range = kind.make()->range();
+    EXPECT_LT(range.finest, range.coarsest) << kind.name;
+    const TestPicture picture(320, 180);
+    const auto bytes = [&](Quantiser quantiser) { return encodeOne(*kind.make(), picture, {quantiser, true}).size(); };
+    EXPECT_EQ(bytes(1000.0), bytes(range.coarsest)) << kind.name;
+    EXPECT_EQ(bytes(-1000.0), bytes(range.finest)) << kind.name;
+    EXPECT_GT(bytes(range.finest), 2 * bytes(range.coarsest)) << kind.name;
+  }
+}
+
+}  // namespace
+}  // namespace grove::stream

@@ -1,0 +1,111 @@
+#include "stream/load/load_client.h"
+
+#include <gmock/gmock.h>
+
+#include "stream/served_world.h"
+
+namespace grove::stream {
+namespace {
+
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+using LoadClientTest = ServedWorld;
+
+LoadPlan plan(int sessions, double seconds) {
+  LoadPlan plan;
+  plan.sessions = sessions;
+  plan.seconds = seconds;
+  plan.width = 320;
+  plan.height = 180;
+  return plan;
+}
+
+TEST_F(LoadClientTest, MeasuresRealSessions) {
+  const LoadReport report = runLoadClients({"127.0.0.1", port()}, plan(2, 1.0));
+  EXPECT_EQ(report.sessions, 2);
+  EXPECT_THAT(report.errors, IsEmpty());
+  EXPECT_GT(report.frames, 2U);
+  EXPECT_GT(report.fpsMin, 0.0);
+  EXPECT_GE(report.fpsP50, report.fpsMin);
+  EXPECT_GT(report.latencyP50Milliseconds, 0.0);
+  EXPECT_GE(report.latencyP99Milliseconds, report.latencyP50Milliseconds);
+  EXPECT_GE(report.latencyP95Milliseconds, report.latencyP50Milliseconds);
+  EXPECT_GT(report.mbitPerSecond, 0.0);
+  EXPECT_GT(report.longestGapMilliseconds, 0.0);
+  EXPECT_GE(report.linesP50, report.linesMin);
+  EXPECT_GE(report.linesMin, 90);
+  EXPECT_EQ(report.codec, "h264") << "the best that is offered";
+  EXPECT_TRUE(becomesEmpty());
+}
+
+TEST_F(LoadClientTest, TakesTheCodecThatWasAskedFor) {
+  LoadPlan asked = plan(1, 0.5);
+  asked.codecs = {kCodecJpeg};
+  const LoadReport report = runLoadClients({"127.0.0.1", port()}, asked);
+  EXPECT_THAT(report.errors, IsEmpty());
+  EXPECT_EQ(report.codec, "jpeg");
+}
+
+/// Who stands still gets pictures, or word that none are needed.
+TEST_F(LoadClientTest, MeasuresLatencyOfWhoStandsStill) {
+  LoadPlan still = plan(1, 1.5);
+  still.movement = Movement::kStand;
+  const LoadReport report = runLoadClients({"127.0.0.1", port()}, still);
+  EXPECT_THAT(report.errors, IsEmpty());
+  EXPECT_GT(report.latencyP50Milliseconds, 0.0);
+}
+
+TEST_F(LoadClientTest, MeasuresOverAShapedLine) {
+  LoadPlan shaped = plan(2, 1.0);
+  shaped.shape = std::get<LinkProfile>(parseLinkProfile("3mbit,150ms,jitter=10ms"));
+  const LoadReport report = runLoadClients({"127.0.0.1", port()}, shaped);
+  EXPECT_EQ(report.sessions, 2);
+  EXPECT_THAT(report.errors, IsEmpty());
+  EXPECT_GT(report.frames, 2U);
+  EXPECT_GE(report.latencyP50Milliseconds, 150.0) << "from an input to a picture is once there and back";
+  EXPECT_LE(report.mbitPerSecond, 2 * 3.0 * 1.3) << "a line each, and what was queued before counting";
+  EXPECT_TRUE(becomesEmpty());
+}
+
+TEST_F(LoadClientTest, WalksToWhereItsWalkBeginsBeforeItCounts) {
+  LoadPlan walking = plan(2, 0.5);
+  walking.follow.emplace(WalkToFollow{world::parseWalk("0 5 -5 0 0\n4 2 -5 1 0\n", "test"), {}, 0.0F});
+  const LoadReport report = runLoadClients({"127.0.0.1", port()}, walking);
+  EXPECT_EQ(report.sessions, 2);
+  EXPECT_THAT(report.errors, IsEmpty());
+  EXPECT_LT(report.seconds, 5.0);
+}
+
+TEST_F(LoadClientTest, CountsThoseThatFindNoPlace) {
+  const LoadReport report = runLoadClients({"127.0.0.1", port()}, plan(kMostVisitors + 2, 0.3));
+  EXPECT_EQ(report.sessions, kMostVisitors);
+  EXPECT_EQ(report.errors.size(), 2U);
+  EXPECT_THAT(report.errors, Contains(HasSubstr("4002")));
+}
+
+TEST_F(LoadClientTest, SaysWhyNobodyCouldConnect) {
+  server_.stop();
+  const LoadReport report = runLoadClients({"127.0.0.1", port()}, plan(2, 0.3));
+  EXPECT_EQ(report.sessions, 0);
+  ASSERT_EQ(report.errors.size(), 2U);
+  EXPECT_FALSE(report.errors.front().empty());
+}
+
+TEST(LoadUrl, IsReadOrRefused) {
+  const auto target = parseLoadUrl("ws://127.0.0.1:8099/");
+  ASSERT_TRUE(target);
+  EXPECT_EQ(target->host, "127.0.0.1");
+  EXPECT_EQ(target->port, 8099);
+  EXPECT_EQ(parseLoadUrl("ws://grove.example")->port, 80);
+  EXPECT_EQ(parseLoadUrl("ws://[::1]:9")->host, "::1");
+  for (const char* bad :
+       {"", "http://x/", "ws://", "ws://x:", "ws://x:0/", "ws://x:70000", "ws://x:1a", "ws://x/path"}) {
+    EXPECT_FALSE(parseLoadUrl(bad)) << bad;
+  }
+}
+
+}  // namespace
+}  // namespace grove::stream
