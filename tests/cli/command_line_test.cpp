@@ -26,7 +26,7 @@ std::ptrdiff_t lines(const std::string& text) { return std::ranges::count(text, 
 
 TEST(CommandLine, HelpEverywhere) {
   for (const char* command : {"--help", "serve --help", "load --help", "bench --help", "bench fluid --help",
-                              "bench amortize --help", "bench pipeline --help", "shape --help"}) {
+                              "bench amortize --help", "bench encode --help", "bench pipeline --help", "shape --help"}) {
     const Outcome outcome = grove(command, false);
     EXPECT_EQ(outcome.exit, 0) << command;
     EXPECT_THAT(outcome.output, HasSubstr("--help")) << command;
@@ -80,6 +80,11 @@ TEST(CommandLine, BadOptionsExitTwoWithOneLine) {
                               "bench fluid --steps 0",
                               "bench fluid --threads 0",
                               "bench fluid --steps many",
+                              "bench encode --size 1280",
+                              "bench encode --size 1281x721",
+                              "bench encode --seconds 0",
+                              "bench encode --seconds long",
+                              "bench encode round",
                               "bench pipeline --frames-in-flight 0",
                               "bench pipeline --frames-in-flight 9",
                               "bench pipeline --frames-in-flight 1,4,1",
