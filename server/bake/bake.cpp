@@ -54,6 +54,10 @@ constexpr float kPatch = 2.0F;  // that share a light point
 constexpr LongestEdge kLongest{3.0F, 8.0F};
 constexpr float kAwayFromSurface = 0.15F;
 constexpr float kThinnest = 4.0F;
+// Of the light of a rough bake.
+constexpr float kRoughPatch = 4.0F;
+constexpr int kRoughDirections = 16;
+constexpr int kRoughSunRays = 2;
 
 using ProgressCall = std::function<void(const BakeProgress&)>;
 
@@ -87,7 +91,8 @@ std::uint64_t keyOf(const models::Model& model, const BakeOptions& options) {
   Checksum checksum;
   const std::vector<std::uint64_t> numbers{
       kBakeVersion, static_cast<std::uint64_t>(options.samples), static_cast<std::uint64_t>(options.truthSamples),
-      static_cast<std::uint64_t>(options.subdivision), static_cast<std::uint64_t>(options.tile)};
+      static_cast<std::uint64_t>(options.subdivision), static_cast<std::uint64_t>(options.tile),
+      static_cast<std::uint64_t>(options.rough)};
   addTo(checksum, numbers);
   addTo(checksum, model.triangles.positions);
   addTo(checksum, model.triangles.indices);
@@ -212,7 +217,9 @@ std::vector<Picture> Job::renderHeldOut(const ViewRenderer& renderer, const std:
                                         ModelRays::Among among) const {
   std::vector<Picture> pictures(cameras.size());
   parallelFor(threads_, cameras.size(),
-              [&](std::size_t i) { pictures[i] = renderer.render(cameras[i], options_.size, among); });
+              [&](std::size_t i) {
+                if (!stop_.stop_requested()) pictures[i] = renderer.render(cameras[i], options_.size, among);
+              });
   return pictures;
 }
 
@@ -292,11 +299,17 @@ std::optional<BakeReport> Job::run() {
   report.triangles = original_.triangles.indices.size();
   report.views = shape_.views;
   report.viewsTakenUp = partial_.views();
-  const LightPoints points = chooseLightPoints(model_, textures_, kPatch * texel_);
+  const LightPoints points = options_.rough
+                                 ? chooseLightPoints(model_, textures_, kRoughPatch * texel_, PointsOf::kCell)
+                                 : chooseLightPoints(model_, textures_, kPatch * texel_, PointsOf::kPiece);
   report.lightPoints = points.points.size();
 
   const Step lighting("light", progress_);
-  const LightSettings settings{threads_, kAwayFromSurface * texel_, options_.tile};
+  LightSettings settings{.threads = threads_, .away = kAwayFromSurface * texel_, .tiled = options_.tile};
+  if (options_.rough) {
+    settings.directions = kRoughDirections;
+    settings.sunRays = kRoughSunRays;
+  }
   const SurfaceLight light = lightSurfaces(
       model_, points, rays_, lightings_, settings, [&](float share) { lighting.show(share); }, stop_);
   report.lightSeconds = lighting.seconds();
@@ -310,6 +323,7 @@ std::optional<BakeReport> Job::run() {
   const std::vector<ObjectCamera> seamCameras =
       options_.tile ? planSeams(geometry_, options_.size) : std::vector<ObjectCamera>();
   const std::vector<Picture> seams = renderHeldOut(truth, seamCameras, ModelRays::Among::kSurroundings);
+  if (stop_.stop_requested()) return std::nullopt;
   checkRoom(heldOut);
   renderViews(renderer, views);
   report.viewSeconds = views.seconds();

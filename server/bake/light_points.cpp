@@ -92,26 +92,46 @@ struct Key {
   }
 };
 
-std::vector<Key> makeKeys(const models::Model& model, float cell) {
-  const std::vector<Vec3>& positions = model.triangles.positions;
+/// By vertex: a number that those of one connected piece share.
+std::vector<std::uint32_t> piecesOf(const models::Model& model) {
   Pieces pieces(model.triangles);
+  std::vector<std::uint32_t> result(model.triangles.positions.size());
+  for (std::uint32_t v = 0; v < result.size(); ++v) result[v] = pieces.of(v);
+  return result;
+}
+
+/// By vertex: 1 for what is solid, 0 for leaves.
+std::vector<std::uint32_t> kindsOf(const models::Model& model) {
+  std::vector<std::uint32_t> result(model.triangles.positions.size(), 0);
+  for (std::size_t i = 0; i < model.triangles.indices.size(); ++i) {
+    if (!model.materials[model.materialOf[i]].solid) continue;
+    for (const std::uint32_t vertex : model.triangles.indices[i]) result[vertex] = 1;
+  }
+  return result;
+}
+
+std::vector<Key> makeKeys(const models::Model& model, float cell, PointsOf of) {
+  const std::vector<Vec3>& positions = model.triangles.positions;
+  const bool byPiece = of == PointsOf::kPiece;
+  const std::vector<std::uint32_t> pieces = byPiece ? piecesOf(model) : kindsOf(model);
   std::vector<Bounds> extents(positions.size());
   std::vector<Vec3> normals(positions.size(), Vec3(0.0F));
   Bounds all;
   for (std::uint32_t v = 0; v < positions.size(); ++v) {
-    extents[pieces.of(v)].add(positions[v]);
-    normals[pieces.of(v)] += model.normals[v];
+    extents[pieces[v]].add(positions[v]);
+    // Leaves of all pieces have no direction of their own.
+    if (byPiece) normals[pieces[v]] += model.normals[v];
     all.add(positions[v]);
   }
   const float scale = 1.0F / std::max({all.size().x, all.size().y, all.size().z, 1.0e-20F});
   std::vector<Key> keys(positions.size());
   for (std::uint32_t v = 0; v < positions.size(); ++v) {
-    const std::uint32_t piece = pieces.of(v);
+    const std::uint32_t piece = pieces[v];
     const Bounds& extent = extents[piece];
     Key& key = keys[v];
     key.piece = piece;
     key.vertex = v;
-    key.patch = facing(model.normals[v], normals[piece]);
+    key.patch = facing(model.normals[v], normals[piece]) >> (byPiece ? 0U : 2U);
     Vec3 middle(0.0F);
     for (int a = 0; a < 3; ++a) {
       // Whole cells of about the wanted size, so that a small piece is not cut by chance.
@@ -129,12 +149,13 @@ std::vector<Key> makeKeys(const models::Model& model, float cell) {
 
 }  // namespace
 
-LightPoints chooseLightPoints(const models::Model& model, const std::vector<TextureSampler>& textures, float cell) {
+LightPoints chooseLightPoints(const models::Model& model, const std::vector<TextureSampler>& textures, float cell,
+                              PointsOf of) {
   const std::vector<Vec3>& positions = model.triangles.positions;
   LightPoints result;
   result.ofVertex.resize(positions.size());
   std::vector<Vec3> means;
-  const std::vector<Key> keys = makeKeys(model, cell);
+  const std::vector<Key> keys = makeKeys(model, cell, of);
   for (std::size_t first = 0; first < keys.size();) {
     std::size_t end = first;
     Vec3 position(0.0F);

@@ -22,9 +22,15 @@ struct LightPoints {
   std::vector<std::uint32_t> ofVertex;  ///< index into points
 };
 
-/// Chooses the light points of a model: vertices of one connected piece that are within `cell` metres of each other and
-/// face alike share one, so that a leaf that is smaller than a texel has one point.
+/// Which vertices may share a point.
+enum class PointsOf {
+  kPiece,  ///< those of one connected piece: a leaf that is smaller than a texel has one point
+  kCell,   ///< those of all leaves, or of all that is solid, in a cell: far fewer points where leaves are many
+};
+
+/// Chooses the light points of a model: vertices that may, are within `cell` metres of each other and face alike share
+/// one.
 [[nodiscard]] LightPoints chooseLightPoints(const models::Model& model, const std::vector<TextureSampler>& textures,
-                                            float cell);
+                                            float cell, PointsOf of = PointsOf::kPiece);
 
 }  // namespace grove::bake

@@ -20,8 +20,6 @@ using world::Vec3;
 
 namespace {
 
-constexpr int kDirections = 64;  // over the whole sphere; about half are before a surface
-constexpr int kSunRays = 8;
 constexpr float kSunRadius = 0.035F;  // of its direction: wider than the real sun, as haze makes it
 constexpr int kBounces = 2;
 constexpr std::size_t kPacketsPerTask = 8;
@@ -72,10 +70,10 @@ class Computation {
         meadow_(points.points),
         modelPoints_(points.points.size()),
         points_(points.points),
-        directions_(evenDirections(kDirections)),
+        directions_(evenDirections(settings.directions)),
         open_(openRadiance(directions_, lightings)) {
     for (std::size_t i = 0; !settings.tiled && i < Meadow::size(); ++i) points_.push_back(meadow_.point(i));
-    found_.assign(points_.size() * kDirections, kNotSent);
+    found_.assign(points_.size() * directions_.size(), kNotSent);
   }
 
   [[nodiscard]] SurfaceLight run(const std::function<void(float)>& progress, const std::stop_token& stop);
@@ -145,8 +143,8 @@ void Computation::addSun(std::size_t first, SurfaceLight& light) const {
     std::array<int, kPacket> seen{};
     const auto trace = [&](int begin, const ModelRays::Mask& wanted) {
       // Every other ray of a spiral over the disc.
-      for (int i = begin; i < kSunRays; i += 2) {
-        const float radius = kSunRadius * std::sqrt((static_cast<float>(i) + 0.5F) / static_cast<float>(kSunRays));
+      for (int i = begin; i < settings_.sunRays; i += 2) {
+        const float radius = kSunRadius * std::sqrt((static_cast<float>(i) + 0.5F) / static_cast<float>(settings_.sunRays));
         const float around = 2.3999632F * static_cast<float>(i);
         const Vec3 direction = basis * Vec3(radius * std::cos(around), radius * std::sin(around), 1.0F);
         RTCRay16 rays;
@@ -164,7 +162,7 @@ void Computation::addSun(std::size_t first, SurfaceLight& light) const {
     trace(0, mask);
     // Half of the rays tell for most points that they are wholly in the sun or in shade.
     for (std::size_t lane = 0; lane < kPacket; ++lane) {
-      const bool partly = seen[lane] > 0 && seen[lane] < kSunRays / 2;
+      const bool partly = seen[lane] > 0 && seen[lane] < settings_.sunRays / 2;
       if (!partly) {
         mask.lane[lane] = 0;
         seen[lane] *= 2;
@@ -174,7 +172,7 @@ void Computation::addSun(std::size_t first, SurfaceLight& light) const {
     for (std::size_t lane = 0; lane < kPacket; ++lane) {
       if (seen[lane] == 0) continue;
       const float cosine = glm::dot(packet[lane]->normal, sun);
-      const float share = std::abs(cosine) * static_cast<float>(seen[lane]) / static_cast<float>(kSunRays);
+      const float share = std::abs(cosine) * static_cast<float>(seen[lane]) / static_cast<float>(settings_.sunRays);
       const std::size_t at = static_cast<std::size_t>(k) * 3 + (cosine < 0.0F ? light.stride() : 0);
       const std::span<float> to = light.at(first + lane);
       for (int c = 0; c < 3; ++c) to[at + static_cast<std::size_t>(c)] += world::sunColour()[c] * share;
@@ -209,7 +207,7 @@ void Computation::look(std::size_t first) {
     rays_.intersect(mask, rays, among_, ModelRays::Backs::kMet);
     for (std::size_t lane = 0; lane < kPacket; ++lane) {
       if (mask.lane[lane] == 0) continue;
-      Found& found = found_[(first + lane) * kDirections + d];
+      Found& found = found_[(first + lane) * directions_.size() + d];
       found = kOpen;
       if (rays.hit.geomID[lane] != RTC_INVALID_GEOMETRY_ID) {
         found = pointAt(rays, lane);
@@ -241,7 +239,7 @@ void Computation::addSky(std::size_t index, SurfaceLight& light) const {
   std::array<std::array<Vec3, kMostLightings>, 2> all{};
   std::array<std::array<Vec3, kMostLightings>, 2> seen{};
   forEachDirection(point, [&](std::size_t side, std::size_t d, float weight) {
-    const Found found = found_[index * kDirections + d];
+    const Found found = found_[index * directions_.size() + d];
     const bool open = found == kOpen || (found < kFirstOther && found / 2 >= modelPoints_);
     for (std::size_t k = 0; k < count; ++k) {
       const Vec3 radiance = open_[d * count + k] * weight;
@@ -263,7 +261,7 @@ void Computation::addBounces(std::size_t index, const SurfaceLight& sent, Surfac
   const std::span<float> to = light.at(index);
   const std::size_t stride = light.stride();
   forEachDirection(points_[index], [&](std::size_t side, std::size_t d, float weight) {
-    const Found found = found_[index * kDirections + d];
+    const Found found = found_[index * directions_.size() + d];
     if (found >= kFirstOther) return;
     const std::span<const float> from = sent.at(found / 2).subspan(found % 2 * stride, stride);
     for (std::size_t i = 0; i < stride; ++i) to[side * stride + i] += weight * from[i];

@@ -35,6 +35,8 @@ struct LightSettings {
   int threads = 1;
   float away = 0.01F;  ///< metres off the surface that rays start, against hitting it
   bool tiled = false;  ///< the rays' surroundings are ground enough; else a meadow lies at y = 0
+  int directions = 64;  ///< that each point looks into, over the whole sphere; about half are before a surface
+  int sunRays = 8;      ///< even; towards each lighting's sun
 };
 
 /// Light of the sun (a small disc) and of the sky through the model's gaps, from the meadow below, through leaves, and

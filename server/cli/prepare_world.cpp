@@ -1,91 +1,96 @@
 #include "cli/prepare_world.h"
 
-#include <fcntl.h>
-#include <sys/file.h>
-#include <unistd.h>
-
-#include <cerrno>
-#include <chrono>
-#include <cstring>
+#include <algorithm>
+#include <cstddef>
 #include <filesystem>
-#include <map>
-#include <optional>
+#include <mutex>
+#include <numeric>
 #include <string>
 #include <system_error>
 #include <thread>
+#include <utility>
 
-#include "bake/bake.h"
-#include "base/cache_folder.h"
+#include "bake/parallel.h"
 #include "base/error.h"
 #include "base/log.h"
-#include "models/model_source.h"
-#include "objects/lightfield/format/light_field_file.h"
-#include "objects/lightfield/light_field_source.h"
+#include "cli/temporary_folder.h"
 #include "pipeline/embedded.h"
 
 namespace grove::cli {
 namespace {
 
-using objects::lightfield::LightFieldSource;
+using objects::lightfield::KnownFields;
+using objects::lightfield::LightField;
+using Tell = std::function<void(std::string_view, float)>;
 
-/// A light field that the scene wants and that is still to be made.
-struct Wanted {
-  LightFieldSource source;
-  const world::Parameters* parameters = nullptr;  ///< of the first object that wants it
-};
+constexpr const char* kWaiting = "waiting for another server that prepares light fields";
 
-std::string nameOf(const models::ModelSource& model) {
-  return model.plant.empty() ? model.file.filename().string() : model.plant;
-}
+bool isThere(const WantedField& wanted) { return std::holds_alternative<LightField>(openField(wanted.source.file)); }
 
-void makeFolder(const std::filesystem::path& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) {
-    throw EnvironmentError("cannot make the folder for light fields: " + error.message(), folder.string(),
-                           "set GROVE_CACHE to a folder that can be written");
-  }
-}
+int cores() { return static_cast<int>(std::max(1U, std::thread::hardware_concurrency())); }
 
-/// Why the light field cannot be taken from the cache: it is not there, or damaged, or of another version of the
-/// format. Nothing if it can.
-std::optional<std::string> flawOf(const std::filesystem::path& file) {
-  if (!std::filesystem::exists(file)) return "it is not there";
-  try {
-    static_cast<void>(objects::lightfield::openLightField(file));
-    return std::nullopt;
-  } catch (const objects::lightfield::LightFieldError& e) {
-    return e.what();
-  }
-}
-
-/// Held while light fields are made, so that of several servers that start at once one makes them and the others wait.
-class PreparationLock {
+/// The mean of what several threads have done.
+class MeanShare {
  public:
-  explicit PreparationLock(const std::filesystem::path& folder)
-      : file_(open((folder / "lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644)) {
-    if (file_ < 0) {
-      throw EnvironmentError(std::string("cannot write: ") + std::strerror(errno), folder.string(),
-                             "set GROVE_CACHE to a folder that can be written");
-    }
-  }
-  ~PreparationLock() { close(file_); }
-  PreparationLock(const PreparationLock&) = delete;
-  PreparationLock& operator=(const PreparationLock&) = delete;
+  MeanShare(std::size_t count, const Tell& tell) : shares_(count, 0.0F), tell_(tell) {}
 
-  /// False if it was stopped while it waited.
-  [[nodiscard]] bool wait(Progress& progress, const std::stop_token& stop) const {
-    while (flock(file_, LOCK_EX | LOCK_NB) != 0) {
-      if (stop.stop_requested()) return false;
-      progress.show("waiting for another server that prepares light fields", 0.0F);
-      std::this_thread::sleep_for(std::chrono::milliseconds(200));
-    }
-    return true;
+  void set(std::size_t index, float share) {
+    const std::lock_guard lock(mutex_);
+    shares_[index] = share;
+    tell_("coarse light fields", std::accumulate(shares_.begin(), shares_.end(), 0.0F) /
+                                     static_cast<float>(shares_.size()));
   }
 
  private:
-  int file_;
+  std::mutex mutex_;
+  std::vector<float> shares_;
+  const Tell& tell_;
 };
+
+/// Several at a time, for much of a bake is one thread's work. False if it was stopped.
+bool makeRoughly(const std::vector<WantedField>& wanted, const std::filesystem::path& folder, KnownFields& fields,
+                 const Tell& tell, const std::stop_token& stop) {
+  const int together = std::min(cores(), static_cast<int>(wanted.size()));
+  MeanShare share(wanted.size(), tell);
+  std::mutex mutex;
+  bake::parallelFor(together, wanted.size(), [&](std::size_t i) {
+    const std::filesystem::path file = roughFile(wanted[i], folder);
+    auto field = openField(file);
+    if (std::holds_alternative<std::string>(field)) {
+      const auto progress = [&](const bake::BakeProgress& now) {
+        share.set(i, now.step == "light" ? 0.5F * now.share : now.step == "views" ? 0.5F + 0.5F * now.share : 0.0F);
+      };
+      if (stop.stop_requested() || !bakeRoughly(wanted[i], file, cores() / together, progress, stop)) return;
+      field = openField(file);
+    }
+    share.set(i, 1.0F);
+    const std::lock_guard lock(mutex);
+    // Should it not even open now, the type of object says so.
+    if (auto* made = std::get_if<LightField>(&field)) fields.emplace(wanted[i].source.file, std::move(*made));
+  });
+  return !stop.stop_requested();
+}
+
+/// In the cache folder.
+bool makeRoughlyToKeep(const std::vector<WantedField>& wanted, KnownFields& fields, const Tell& tell,
+                       const std::stop_token& stop) {
+  const std::filesystem::path folder = fieldFolder();
+  makeFieldFolder(folder);
+  const FieldLock lock(folder / "rough.lock");
+  if (!lock.wait([&] { tell(kWaiting, 0.0F); }, stop)) return false;
+  return makeRoughly(wanted, folder, fields, tell, stop);
+}
+
+/// How much of the view from where visitors arrive its objects take.
+float weightOf(const WantedField& wanted, const LightField& field) {
+  float sum = 0.0F;
+  for (const WantedField::Place& place : wanted.places) {
+    const float size = place.scale * field.geometry.extent;
+    const float across = size / std::max(place.distance, size);
+    sum += across * across;
+  }
+  return sum;
+}
 
 }  // namespace
 
@@ -96,45 +101,54 @@ world::Scene openScene(const std::optional<std::string>& file) {
 }
 
 bool prepareWorld(const world::Scene& scene, Progress& progress, const std::stop_token& stop) {
-  std::map<std::filesystem::path, Wanted> missing;
-  models::FileNames names;
-  for (const world::ObjectDescription& object : scene.objects) {
-    if (object.type != "lightfield") continue;
-    LightFieldSource source = objects::lightfield::readSource(object.parameters, names);
-    const std::filesystem::path file = source.file;
-    if (!source.model.empty()) missing.try_emplace(file, Wanted{std::move(source), &object.parameters});
-  }
-  std::erase_if(missing, [](const auto& entry) {
-    const auto flaw = flawOf(entry.first);
-    if (flaw && std::filesystem::exists(entry.first)) log::warning(*flaw + "; it is made anew");
-    return !flaw;
-  });
+  std::vector<WantedField> missing = wantedFields(scene);
+  std::erase_if(missing, isThere);
   if (missing.empty()) return true;
-  const std::filesystem::path folder = cacheFolder() / "light-fields";
-  makeFolder(folder);
-  const PreparationLock lock(folder);
-  if (!lock.wait(progress, stop)) return false;
+  const std::filesystem::path folder = fieldFolder();
+  makeFieldFolder(folder);
+  const FieldLock lock(folder / "lock");
+  if (!lock.wait([&] { progress.show(kWaiting, 0.0F); }, stop)) return false;
   std::size_t done = 0;
-  for (const auto& [file, wanted] : missing) {
-    const LightFieldSource& source = wanted.source;
+  for (const WantedField& wanted : missing) {
     ++done;
     // Another server may have made it while this one waited.
-    if (!flawOf(file)) continue;
+    if (isThere(wanted)) continue;
     const std::string label =
-        "light field " + std::to_string(done) + " of " + std::to_string(missing.size()) + ", " + nameOf(source.model);
+        "light field " + std::to_string(done) + " of " + std::to_string(missing.size()) + ", " + nameOf(wanted);
     progress.show(label, 0.0F);
-    const models::Model model = models::loadModel(source.model, models::Detail::kSmall, *wanted.parameters);
-    bake::BakeOptions options;
-    options.subdivision = source.subdivision;
-    options.size = source.size;
-    options.lightings = source.lightings;
-    options.truthSamples = options.samples;  // nobody measures these
-    options.tile = models::isTile(source.model.plant);
-    const auto report = bake::bakeLightField(
-        model, options, file, [&](const bake::BakeProgress& now) { progress.show(label, now.share, now.step); }, stop);
-    if (!report) return false;
+    const auto show = [&](const bake::BakeProgress& now) { progress.show(label, now.share, now.step); };
+    if (!bakeField(wanted, show, stop)) return false;
   }
   return true;
+}
+
+std::optional<FirstLook> prepareFirstLook(const world::Scene& scene, const Tell& tell, const std::stop_token& stop) {
+  FirstLook look;
+  const std::vector<WantedField> wanted = wantedFields(scene);
+  std::mutex mutex;
+  bake::parallelFor(std::min(cores(), static_cast<int>(wanted.size())), wanted.size(), [&](std::size_t i) {
+    auto field = openField(wanted[i].source.file);
+    const std::lock_guard lock(mutex);
+    if (auto* finest = std::get_if<LightField>(&field)) {
+      look.fields.emplace(wanted[i].source.file, std::move(*finest));
+    } else {
+      look.rough.push_back(wanted[i]);
+    }
+  });
+  if (look.rough.empty()) return look;
+  try {
+    if (!makeRoughlyToKeep(look.rough, look.fields, tell, stop)) return std::nullopt;
+  } catch (const EnvironmentError& e) {
+    log::warning(std::string(e.what()) + "; until then, light fields are coarse and made anew at every start");
+    const TemporaryFolder folder;
+    if (!makeRoughly(look.rough, folder.path(), look.fields, tell, stop)) return std::nullopt;
+    look.rough.clear();
+  }
+  std::ranges::sort(look.rough, std::ranges::greater{}, [&](const WantedField& each) {
+    const auto field = look.fields.find(each.source.file);
+    return field == look.fields.end() ? 0.0F : weightOf(each, field->second);
+  });
+  return look;
 }
 
 }  // namespace grove::cli

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <span>
@@ -116,6 +117,10 @@ class ObjectType {
 
   /// Null if compositing the images is all there is to do.
   [[nodiscard]] virtual std::unique_ptr<FrontendHalf> makeFrontend() const { return nullptr; }
+
+  /// A finer version of a file that models of this type show is there: they show it from now on, in worlds that live
+  /// too. May take its time; throws EnvironmentError. Any thread.
+  virtual void show(const std::filesystem::path& /*file*/) const {}
 
   /// What this type's simulation data was before it was packed, see SimulationData. Throws PackingError. Any thread.
   [[nodiscard]] virtual std::shared_ptr<const SimulationData> unpack(std::span<const std::byte> /*bytes*/) const {

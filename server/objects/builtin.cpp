@@ -15,7 +15,7 @@ void registerBuiltinTypes(node::Registry& registry, const BuiltinOptions& option
   registry.add(std::make_unique<figure::FigureType>());
   registry.add(std::make_unique<fluid::FluidType>());
   registry.add(std::make_unique<ground::GroundType>());
-  registry.add(std::make_unique<lightfield::LightFieldType>(options.viewCache));
+  registry.add(std::make_unique<lightfield::LightFieldType>(options.viewCache, options.lightFields));
   registry.add(std::make_unique<mesh::MeshType>());
   registry.add(std::make_unique<sky::SkyType>());
 }

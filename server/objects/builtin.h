@@ -1,13 +1,14 @@
 #pragma once
 
 #include "node/registry.h"
-#include "objects/lightfield/view_cache_options.h"
+#include "objects/lightfield/light_field_type.h"
 
 namespace grove::objects {
 
 /// What the server may choose of the object types.
 struct BuiltinOptions {
   lightfield::ViewCacheOptions viewCache;
+  lightfield::KnownFields lightFields;
 };
 
 /// Makes the object types of this folder known. The one place where they are all named.

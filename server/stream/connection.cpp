@@ -55,8 +55,12 @@ std::optional<Refusal> Connection::overdue(double now) {
 std::vector<std::uint8_t> Connection::takeMessage() {
   if (!welcome_.empty()) return std::exchange(welcome_, {});
   if (const auto waiting = outbox_->takeWaiting()) return encode(*waiting);
-  const auto status = outbox_->takeStatus();
-  return status ? encode(*status) : std::vector<std::uint8_t>{};
+  if (const auto status = outbox_->takeStatus()) return encode(*status);
+  if (!hasNewsOfRefining()) return {};
+  const auto [number, refining] = host_.refining();
+  const bool wasToldNothing = std::exchange(refiningTold_, number) == 0;
+  // Who comes when all is done has not seen anything else.
+  return wasToldNothing && refining.percent == 100 ? std::vector<std::uint8_t>{} : encode(refining);
 }
 
 void Connection::end(const Refusal& why) { leave(std::to_string(static_cast<int>(why.code)) + " " + why.reason); }

@@ -60,8 +60,11 @@ class Connection {
   /// The socket is gone: the visitor leaves the world, unless that has happened already.
   void leave(const std::string& why);
 
-  [[nodiscard]] bool hasSomethingToSend() const { return !welcome_.empty() || !outbox_->empty(); }
-  /// The greeting, and then how the wait for the first frame gets on; they go before any frame. Empty if there is none.
+  [[nodiscard]] bool hasSomethingToSend() const {
+    return !welcome_.empty() || !outbox_->empty() || hasNewsOfRefining();
+  }
+  /// The greeting, how the wait for the first frame gets on, and what gets finer; they go before any frame. Empty if
+  /// there is none.
   [[nodiscard]] std::vector<std::uint8_t> takeMessage();
   [[nodiscard]] std::shared_ptr<const EncodedFrame> takeFrame() { return outbox_->take(); }
 
@@ -73,6 +76,9 @@ class Connection {
   [[nodiscard]] std::optional<Refusal> actOnStream(const ClientMessage& message);
   [[nodiscard]] std::optional<Refusal> greet(const Hello& hello);
   [[nodiscard]] bool isFlood(double now);
+  [[nodiscard]] bool hasNewsOfRefining() const {
+    return knowsVideo_ && session_ && host_.knowsMoreThan(refiningTold_);
+  }
 
   Host& host_;
   const std::string peer_;
@@ -83,6 +89,7 @@ class Connection {
   const bool knowsWaiting_;
   std::optional<Offer> offer_;    ///< before Hello
   std::optional<Limits> limits_;  ///< the same
+  unsigned refiningTold_ = 0;  ///< the host's number of it
   std::shared_ptr<void> place_;
   std::shared_ptr<Session> session_;
   bool ended_ = false;

@@ -140,6 +140,17 @@ void Host::preparePrivately(const std::shared_ptr<Session>& session, WaitingSink
   line_->join({session->id_, std::move(waiting), enter});
 }
 
+void Host::tell(const Refining& refining) {
+  const std::lock_guard lock(mutex_);
+  refining_ = refining;
+  ++newsNumber_;
+}
+
+Host::RefiningNews Host::refining() const {
+  const std::lock_guard lock(mutex_);
+  return {newsNumber_, refining_};
+}
+
 std::size_t Host::visitors() const {
   const std::lock_guard lock(mutex_);
   return sessions_.size();

@@ -21,6 +21,7 @@
 #include "stream/encode/encoder_registry.h"
 #include "stream/frame_gate.h"
 #include "stream/preparation_line.h"
+#include "stream/protocol.h"
 #include "stream/session.h"
 #include "stream/world_copy.h"
 #include "world/world.h"
@@ -63,6 +64,16 @@ class Host {
   /// `waiting` is told his place in line at each change and once a second.
   [[nodiscard]] std::variant<std::shared_ptr<Session>, Refusal> open(const Hello& hello, FrameSink sink,
                                                                      WaitingSink waiting = {}, StreamTerms terms = {});
+
+  /// What gets finer while the world is shown, to tell those who are in it and those who come. Any thread.
+  void tell(const Refining& refining);
+  /// The newest of it.
+  struct RefiningNews {
+    unsigned number = 0;  ///< from 1; 0: there is none
+    Refining refining;
+  };
+  [[nodiscard]] RefiningNews refining() const;
+  [[nodiscard]] bool knowsMoreThan(unsigned refiningNumber) const noexcept { return newsNumber_ > refiningNumber; }
 
   [[nodiscard]] std::size_t visitors() const;
   /// For the statistics.
@@ -117,6 +128,8 @@ class Host {
   std::map<node::SessionId, std::weak_ptr<Session>> sessions_;
   std::vector<node::SessionId> left_;  ///< since the clock took stock
   node::SessionId nextSession_ = 1;
+  Refining refining_;
+  std::atomic<unsigned> newsNumber_{0};  ///< written with mutex_ held
 
   const std::shared_ptr<FrameGate> gate_;  ///< sessions that end may hold it last
   pipeline::WorkerPool workers_;

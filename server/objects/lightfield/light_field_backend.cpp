@@ -33,6 +33,12 @@ constexpr float kNearShare = 0.5F;
 /// Of the scene's permitted error, by quality.
 constexpr std::array<float, node::kMostQuality + 1> kErrorShares{1.0F, 0.75F, 0.5F};
 
+/// What a picture of a former light field counts as at least; so little that it is replaced when there is time.
+constexpr float kOutdatedWrongness = 1.5F;
+
+/// A picture of a former light field that is more wrong than this is no longer mixed into the one that replaces it.
+constexpr float kMaxFadingWrongness = 4.0F;
+
 /// Pixels beyond the frame that a near picture has, for a head that turns.
 constexpr int kMarginAcross = 64;
 constexpr int kMarginDown = 32;
@@ -114,11 +120,8 @@ LightFieldBackend::LightFieldBackend(const node::BackendServices& services, worl
     const SamplerKind kind = resolved(model.sampler(), services.gl);
     std::unique_ptr<Sampler>& sampler = samplers_[kind];
     if (!sampler) sampler = makeSampler(kind, services);
-    entries_.emplace(object.id, Entry{&model.field(),
-                                      sampler.get(),
-                                      model.field().lightingFor(object.transform.yaw),
-                                      glm::inverse(object.transform.matrix()),
-                                      {}});
+    entries_.emplace(
+        object.id, Entry{&model, sampler.get(), object.transform.yaw, glm::inverse(object.transform.matrix()), {}});
   }
   std::vector<const world::Object*> shaded;
   for (const world::Object& object : services.world.objects()) {
@@ -152,34 +155,47 @@ node::Payload LightFieldBackend::answerOne(const node::Request& request) {
   const auto found = entries_.find(visible.object.id);
   if (found == entries_.end()) return node::Failure{"no such light field: " + visible.object.name};
   const Entry& entry = found->second;
+  const std::shared_ptr<const FieldVersion> shown = entry.model->shown();
+  const Subject subject{entry, shown->field, shown->number};
   const world::Camera& camera = request.view().camera;
-  SharedView::Parts parts{nullptr, objectCamera(camera, visible.object.transform), hazeBefore(visible, camera),
+  SharedView::Parts parts{nullptr, {}, objectCamera(camera, visible.object.transform), hazeBefore(visible, camera),
                           chooseLamps(request.view().lights, visible.object.bounds, entry.toObject)};
   const float mostError = mostError_;
   if (cache_.mostBytes() > 0) {
-    const auto cell = viewCell(entry.field->geometry, parts.camera.eye, camera.focal(), mostError);
+    const auto cell = cellOf(subject, parts.camera.eye, camera.focal(), mostError);
     if (cell && cell->reach >= kLeastSharedReach) {
-      parts.picture = sharedView(request, entry, *cell, parts.camera.eye, mostError);
+      parts.picture = sharedView(request, subject, *cell, parts.camera.eye, mostError);
+      parts.fade = sharedFade(request, subject, parts.camera.eye, mostError);
       return std::make_shared<const SharedView>(std::move(parts));
     }
     timeline_.count("views too near to share");
   }
-  if (const float times = magnification(*entry.field, parts.camera); times > kLeastMagnification) {
-    parts.picture = nearView(request, entry, parts.camera, times, mostError);
+  const float times = magnification(subject.field, parts.camera);
+  if (times > kLeastMagnification || near_.isFading(request.view(), visible.object.id, subject.version)) {
+    const NearView near = nearView(request, subject, parts.camera, times, mostError);
+    parts.picture = near.picture;
+    if (near.from) parts.fade = {near.from, CrossFade::shareAfter(request.view().time - near.since)};
     return std::make_shared<const SharedView>(std::move(parts));
   }
-  std::shared_ptr<node::Image> image = sample(entry, parts.camera, parts.haze, visible.rect);
+  std::shared_ptr<node::Image> image = sample(subject, parts.camera, parts.haze, visible.rect);
   LampLight(parts.lamps, parts.camera).addTo(*image);
   return image;
 }
 
-std::shared_ptr<const CachedView> LightFieldBackend::sharedView(const node::Request& request, const Entry& entry,
+std::optional<ViewCell> LightFieldBackend::cellOf(const Subject& subject, world::Vec3 eye, float focal,
+                                                  float mostError) {
+  auto cell = viewCell(subject.field.geometry, eye, focal, mostError);
+  if (cell) cell->id.version = subject.version;
+  return cell;
+}
+
+std::shared_ptr<const CachedView> LightFieldBackend::sharedView(const node::Request& request, const Subject& subject,
                                                                 const ViewCell& cell, world::Vec3 eye,
                                                                 float mostError) {
   const node::View& view = request.view();
   const world::ObjectId object = request.visible().object.id;
   const float focal = view.camera.focal();
-  const ViewGeometry& geometry = entry.field->geometry;
+  const ViewGeometry& geometry = subject.field.geometry;
   const auto show = [&](const char* counter, const CellId& shown, std::shared_ptr<const CachedView> picture) {
     timeline_.count(counter);
     late_.shown(view, object, shown);
@@ -188,7 +204,7 @@ std::shared_ptr<const CachedView> LightFieldBackend::sharedView(const node::Requ
   const auto make = [&](const char* counter, const ViewCell& made, const Shot& shot) {
     const pipeline::TimedRun timed(timeline_, "Shared View", pipeline::Work::kAcrossUser, {view.session, view.frame},
                                    "lightfield");
-    return show(counter, made.id, cache_.keep({object, made.id}, pictureOf(entry, shot)));
+    return show(counter, made.id, cache_.keep({object, made.id}, pictureOf(subject, shot)));
   };
   const auto wrong = [&](world::Vec3 own) { return wrongness(geometry, own, eye, focal, mostError); };
   // Going on with the last picture as long as it serves takes fewer of them than changing it at the border of its cell.
@@ -196,17 +212,18 @@ std::shared_ptr<const CachedView> LightFieldBackend::sharedView(const node::Requ
   const auto last = lastCell && lastCell->focal == cell.id.focal ? cache_.find({object, *lastCell}) : nullptr;
   float lastWrong = last ? wrong(last->camera().eye) : kNever;
   if (last && lastCell->coarse) lastWrong = std::max(lastWrong, PictureBudget::kCoarseWrongness);
+  if (last && lastCell->version != subject.version) lastWrong = std::max(lastWrong, kOutdatedWrongness);
   if (lastWrong <= 1.0F) return show("view cache hits", *lastCell, last);
-  const world::Vec3 step = cell.reach * headingOf(view, entry.toObject);
+  const world::Vec3 step = cell.reach * headingOf(view, subject.entry.toObject);
   ViewCell best = cell;
   for (const float steps : kStepsAhead) {
-    const auto ahead = viewCell(geometry, eye + steps * step, focal, mostError);
+    const auto ahead = cellOf(subject, eye + steps * step, focal, mostError);
     if (!ahead || wrong(ahead->camera.eye) > 1.0F) continue;
     if (auto picture = cache_.find({object, ahead->id})) return show("view cache hits", ahead->id, picture);
     if (best.id == cell.id) best = *ahead;
   }
   if (auto picture = cache_.find({object, cell.id})) return show("view cache hits", cell.id, picture);
-  const Shot shot = shotOf(entry, best);
+  const Shot shot = shotOf(subject, best);
   if (budget_.take(view, shot.texels(), lastWrong)) return make("view cache misses", best, shot);
   if (lastWrong < kNever) return show("views shown late", *lastCell, last);
   best.id.coarse = true;
@@ -216,58 +233,80 @@ std::shared_ptr<const CachedView> LightFieldBackend::sharedView(const node::Requ
   return make("coarse views", best, rough);
 }
 
-std::shared_ptr<const CachedView> LightFieldBackend::nearView(const node::Request& request, const Entry& entry,
-                                                              const ObjectCamera& camera, float times,
-                                                              float mostError) {
+CrossFade LightFieldBackend::sharedFade(const node::Request& request, const Subject& subject, world::Vec3 eye,
+                                        float mostError) {
+  const node::View& view = request.view();
+  const world::ObjectId object = request.visible().object.id;
+  const auto fading = late_.fading(view, object);
+  if (!fading) return {};
+  auto from = cache_.find({object, fading->from});
+  if (!from) return {};
+  const float wrong = wrongness(subject.field.geometry, from->camera().eye, eye, view.camera.focal(), mostError);
+  if (wrong > kMaxFadingWrongness) return {};
+  return {std::move(from), fading->share};
+}
+
+NearView LightFieldBackend::nearView(const node::Request& request, const Subject& subject, const ObjectCamera& camera,
+                                     float times, float mostError) {
   const node::View& view = request.view();
   const world::ObjectId object = request.visible().object.id;
   const world::Rect& rect = request.visible().rect;
   const world::Rect around{rect.left - kMarginAcross, rect.top - kMarginDown, rect.right + kMarginAcross,
                            rect.bottom + kMarginDown};
   Shot shot{coarser(camera, times), coarser(around, times)};
-  if (cache_.mostBytes() == 0) return pictureOf(entry, shot);
+  if (cache_.mostBytes() == 0) return {.picture = pictureOf(subject, shot)};
   const NearView last = near_.last(view.session, object);
   float wrong = last.picture ? wrongness(last, camera, rect, kNearShare * mostError) : kNever;
   if (last.coarse) wrong = std::max(wrong, PictureBudget::kCoarseWrongness);
+  const bool isOutdated = last.picture && last.version != subject.version;
+  if (isOutdated) wrong = std::max(wrong, kOutdatedWrongness);
   const bool make = wrong > 1.0F && budget_.take(view, shot.texels(), wrong);
   if (!make && wrong < kNever) {
     timeline_.count(wrong > 1.0F ? "near views shown late" : "near views shown again");
-    return last.picture;
+    NearView again = unlessFaded(last, view.time);
+    if (again.from != last.from) near_.shown(view.session, object, again);
+    return again;
   }
   if (!make) {
     timeline_.count("coarse views");
     shot = shot.coarse();
     budget_.owe(view, shot.texels());
   }
-  auto picture = pictureOf(entry, shot);
-  near_.shown(view.session, object, {picture, shot.rect, roughness(*picture), !make});
-  return picture;
+  NearView next = isOutdated ? NearView{.from = last.picture, .since = view.time} : unlessFaded(last, view.time);
+  next.picture = pictureOf(subject, shot);
+  next.sampled = shot.rect;
+  next.roughness = roughness(*next.picture);
+  next.coarse = !make;
+  next.version = subject.version;
+  near_.shown(view.session, object, next);
+  return next;
 }
 
 LightFieldBackend::Shot LightFieldBackend::Shot::coarse() const {
   return {coarser(camera, PictureBudget::kCoarse), coarser(rect, PictureBudget::kCoarse)};
 }
 
-LightFieldBackend::Shot LightFieldBackend::shotOf(const Entry& entry, const ViewCell& cell) {
-  const float times = magnification(*entry.field, cell.camera);
+LightFieldBackend::Shot LightFieldBackend::shotOf(const Subject& subject, const ViewCell& cell) {
+  const float times = magnification(subject.field, cell.camera);
   const ObjectCamera camera = coarser(cell.camera, times);
   const world::Rect whole = coarser({0, 0, cell.size, cell.size}, times);
-  return {camera, boxOf(entry.field->bounds, camera, whole)};
+  return {camera, boxOf(subject.field.bounds, camera, whole)};
 }
 
-std::shared_ptr<const CachedView> LightFieldBackend::pictureOf(const Entry& entry, const Shot& shot) {
+std::shared_ptr<const CachedView> LightFieldBackend::pictureOf(const Subject& subject, const Shot& shot) {
   timeline_.count("texels of new views", shot.texels());
-  return std::make_shared<const CachedView>(*sample(entry, shot.camera, {}, shot.rect), shot.camera);
+  return std::make_shared<const CachedView>(*sample(subject, shot.camera, {}, shot.rect), shot.camera);
 }
 
-std::shared_ptr<node::Image> LightFieldBackend::sample(const Entry& entry, const ObjectCamera& camera, const Haze& haze,
-                                                       const world::Rect& rect) {
-  const SampleRequest request{entry.field, entry.lighting, levelFor(*entry.field, camera), camera, haze};
+std::shared_ptr<node::Image> LightFieldBackend::sample(const Subject& subject, const ObjectCamera& camera,
+                                                       const Haze& haze, const world::Rect& rect) {
+  const auto& [entry, field, version] = subject;
+  const SampleRequest request{&field, field.lightingFor(entry.yaw), levelFor(field, camera), camera, haze};
   std::shared_ptr<node::Image> image = images_.acquire(rect);
   const std::array<node::Image*, 1> images{image.get()};
   entry.sampler->render({&request, 1}, images);
   castShadows(entry.sun, camera, *image);
-  if (entry.field->mapped != nullptr) entry.field->mapped->tellIfCut();
+  if (field.mapped != nullptr) field.mapped->tellIfCut();
   return image;
 }
 

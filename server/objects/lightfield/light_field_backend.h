@@ -3,6 +3,7 @@
 #include <atomic>
 #include <map>
 #include <memory>
+#include <optional>
 
 #include "node/object_type.h"
 #include "objects/lightfield/cache/late_views.h"
@@ -50,21 +51,32 @@ class LightFieldBackend final : public node::BackendHalf {
   };
   /// One object of the world, as it stands there.
   struct Entry {
-    const LightField* field = nullptr;
+    const LightFieldModel* model = nullptr;
     Sampler* sampler = nullptr;
-    int lighting = 0;
+    float yaw = 0.0F;
     world::Mat4 toObject{1.0F};
     SunGrid sun;
   };
+  /// An object with the light field that it has for one request.
+  struct Subject {
+    const Entry& entry;
+    const LightField& field;
+    int version = 0;
+  };
   [[nodiscard]] node::Payload answerOne(const node::Request& request);
-  [[nodiscard]] std::shared_ptr<const CachedView> sharedView(const node::Request& request, const Entry& entry,
+  [[nodiscard]] static std::optional<ViewCell> cellOf(const Subject& subject, world::Vec3 eye, float focal,
+                                                      float mostError);
+  [[nodiscard]] std::shared_ptr<const CachedView> sharedView(const node::Request& request, const Subject& subject,
                                                              const ViewCell& cell, world::Vec3 eye, float mostError);
-  [[nodiscard]] std::shared_ptr<const CachedView> nearView(const node::Request& request, const Entry& entry,
-                                                           const ObjectCamera& camera, float times, float mostError);
-  [[nodiscard]] static Shot shotOf(const Entry& entry, const ViewCell& cell);
-  [[nodiscard]] std::shared_ptr<const CachedView> pictureOf(const Entry& entry, const Shot& shot);
-  [[nodiscard]] std::shared_ptr<node::Image> sample(const Entry& entry, const ObjectCamera& camera, const Haze& haze,
-                                                    const world::Rect& rect);
+  /// Beside the shared view of this frame.
+  [[nodiscard]] CrossFade sharedFade(const node::Request& request, const Subject& subject, world::Vec3 eye,
+                                     float mostError);
+  [[nodiscard]] NearView nearView(const node::Request& request, const Subject& subject, const ObjectCamera& camera,
+                                  float times, float mostError);
+  [[nodiscard]] static Shot shotOf(const Subject& subject, const ViewCell& cell);
+  [[nodiscard]] std::shared_ptr<const CachedView> pictureOf(const Subject& subject, const Shot& shot);
+  [[nodiscard]] std::shared_ptr<node::Image> sample(const Subject& subject, const ObjectCamera& camera,
+                                                    const Haze& haze, const world::Rect& rect);
 
   pipeline::Timeline& timeline_;
   node::ImagePool& images_;

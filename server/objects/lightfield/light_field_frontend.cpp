@@ -1,6 +1,7 @@
 #include "objects/lightfield/light_field_frontend.h"
 
 #include "objects/lightfield/cache/reprojection.h"
+#include "objects/lightfield/mixed_tiles.h"
 #include "objects/lightfield/relight.h"
 #include "objects/lightfield/shared_view.h"
 
@@ -10,14 +11,25 @@ void LightFieldFrontend::lay(const node::VisibleObject& object, const node::Payl
                              node::FrameBuilder& frame) {
   const auto* data = std::get_if<std::shared_ptr<const node::SimulationData>>(&payload);
   if (data == nullptr) return;
-  const auto& [picture, camera, haze, lamps] = static_cast<const SharedView&>(**data).parts();
+  const auto& [picture, fade, camera, haze, lamps] = static_cast<const SharedView&>(**data).parts();
   const LampLight light(lamps, camera);
-  const auto lay = [&](const world::Rect& part, WarpTile& tile) {
-    light.addTo(part, tile.colour, tile.depth, kTileWidth);
-    frame.lay(part, tile.colour, tile.depth, kTileWidth);
+  const world::Rect rect = frame.clip(object.rect);
+  const auto lay = [&](const world::Rect& part, std::uint32_t* colour, const float* depth) {
+    light.addTo(part, colour, depth, kTileWidth);
+    frame.lay(part, colour, depth, kTileWidth);
   };
   const auto hides = [&](const world::Rect& part, float depth) { return frame.hides(part, depth); };
-  reproject(*picture, camera, haze, frame.clip(object.rect), lay, hides);
+  if (!fade.from) {
+    const auto layTile = [&](const world::Rect& part, WarpTile& tile) { lay(part, tile.colour, tile.depth); };
+    reproject(*picture, camera, haze, rect, layTile, hides);
+    return;
+  }
+  MixedTiles tiles(fade.share);
+  const auto addLeaving = [&](const world::Rect& part, const WarpTile& tile) { tiles.addLeaving(part, tile); };
+  const auto addComing = [&](const world::Rect& part, const WarpTile& tile) { tiles.addComing(part, tile); };
+  reproject(*fade.from, camera, haze, rect, addLeaving, hides);
+  reproject(*picture, camera, haze, rect, addComing, hides);
+  tiles.forEach(lay);
 }
 
 }  // namespace grove::objects::lightfield

@@ -14,11 +14,26 @@ const world::Triangles* unlessEmpty(const world::Triangles& triangles) {
 }  // namespace
 
 LightFieldModel::LightFieldModel(LightField field, SamplerKind sampler)
-    : field_(std::move(field)),
+    : shown_(std::make_shared<const FieldVersion>(FieldVersion{std::move(field), 0})),
       sampler_(sampler),
-      solid_(woodSurface(field_.voxels)),
-      shade_(shadeSurface(field_.voxels)),
-      trunkRadius_(trunkRadius(field_.voxels)) {}
+      bounds_(shown_->field.bounds),
+      solid_(woodSurface(shown_->field.voxels)),
+      shade_(shadeSurface(shown_->field.voxels)),
+      trunkRadius_(trunkRadius(shown_->field.voxels)) {}
+
+std::shared_ptr<const FieldVersion> LightFieldModel::shown() const {
+  const std::lock_guard lock(mutex_);
+  return shown_;
+}
+
+void LightFieldModel::show(LightField finer) {
+  auto next = std::make_shared<FieldVersion>();
+  next->field = std::move(finer);
+  const std::shared_ptr<const FieldVersion> last = shown();  // goes without the lock
+  next->number = last->number + 1;
+  const std::lock_guard lock(mutex_);
+  shown_ = std::move(next);
+}
 
 const world::Triangles* LightFieldModel::solid() const { return unlessEmpty(solid_); }
 

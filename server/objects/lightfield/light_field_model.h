@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <memory>
+#include <mutex>
 #include <optional>
 
 #include "objects/lightfield/format/light_field.h"
@@ -15,23 +17,35 @@ enum class SamplerKind {
   kSimd,
 };
 
-/// A light field and what its voxels are to the world; one for all objects of the scene that show the same file.
+/// A light field that a model showed or shows; a later one is finer. Immutable.
+struct FieldVersion {
+  LightField field;
+  int number = 0;  ///< from 0
+};
+
+/// A light field and what its voxels are to the world; one for all objects of the scene that show the same file. The
+/// light field may give way to a finer one of the same thing while the world lives; the rest stays. Any thread.
 class LightFieldModel final : public world::Model {
  public:
   LightFieldModel(LightField field, SamplerKind sampler);
 
-  [[nodiscard]] world::Bounds bounds() const override { return field_.bounds; }
+  [[nodiscard]] world::Bounds bounds() const override { return bounds_; }
   [[nodiscard]] const world::Triangles* solid() const override;
   [[nodiscard]] const world::Triangles* shade() const override;
   [[nodiscard]] std::optional<float> obstacleRadius() const override { return trunkRadius_; }
-  [[nodiscard]] std::size_t bytes() const override { return field_.bytes + solid_.bytes() + shade_.bytes(); }
+  [[nodiscard]] std::size_t bytes() const override { return shown()->field.bytes + solid_.bytes() + shade_.bytes(); }
 
-  [[nodiscard]] const LightField& field() const noexcept { return field_; }
+  /// The newest one, for as long as it is held.
+  [[nodiscard]] std::shared_ptr<const FieldVersion> shown() const;
+  /// From now on this one, of the same model in the same place. Pictures that are being made of the last one still are.
+  void show(LightField finer);
   [[nodiscard]] SamplerKind sampler() const noexcept { return sampler_; }
 
  private:
-  const LightField field_;
+  mutable std::mutex mutex_;
+  std::shared_ptr<const FieldVersion> shown_;  ///< under mutex_
   const SamplerKind sampler_;
+  const world::Bounds bounds_;
   const world::Triangles solid_;
   const world::Triangles shade_;
   const std::optional<float> trunkRadius_;

@@ -34,16 +34,31 @@ std::shared_ptr<const world::Model> LightFieldType::model(const world::Parameter
   const std::lock_guard lock(mutex_);
   const LightFieldSource source = readSource(parameters, names_);
   const SamplerKind sampler = samplerNamed(parameters.choice("renderer", {"auto", "gl", "simd"}));
-  std::weak_ptr<const LightFieldModel>& known = models_[{source.file.lexically_normal().string(), sampler}];
+  std::weak_ptr<LightFieldModel>& known = models_[{source.file.lexically_normal().string(), sampler}];
   if (auto model = known.lock()) return model;
   try {
-    auto model = std::make_shared<const LightFieldModel>(openLightField(source.file), sampler);
+    auto model = std::make_shared<LightFieldModel>(open(source.file), sampler);
     known = model;
     return model;
   } catch (const LightFieldError& e) {
     parameters.fail(keyOf(source), complaint(source, e));
   } catch (const EnvironmentError& e) {
     parameters.fail(keyOf(source), complaint(source, e));
+  }
+}
+
+LightField LightFieldType::open(const std::filesystem::path& file) const {
+  const auto known = known_.find(file);
+  return known == known_.end() ? openLightField(file) : known->second;
+}
+
+void LightFieldType::show(const std::filesystem::path& file) const {
+  const LightField finer = openLightField(file);
+  const std::lock_guard lock(mutex_);
+  known_.insert_or_assign(file, finer);
+  for (const auto& [key, known] : models_) {
+    if (key.first != file.lexically_normal().string()) continue;
+    if (const auto model = known.lock()) model->show(finer);
   }
 }
 

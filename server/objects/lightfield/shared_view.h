@@ -5,6 +5,7 @@
 
 #include "node/messages.h"
 #include "objects/lightfield/cache/cached_view.h"
+#include "objects/lightfield/cache/cross_fade.h"
 #include "objects/lightfield/sampler.h"
 #include "world/light.h"
 
@@ -16,6 +17,7 @@ class SharedView final : public node::SimulationData {
  public:
   struct Parts {
     std::shared_ptr<const CachedView> picture;
+    CrossFade fade;
     ObjectCamera camera;
     Haze haze;
     std::vector<world::PointLight> lamps;  ///< in the object's coordinates

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "node/messages.h"
+#include "objects/lightfield/cache/cross_fade.h"
 #include "objects/lightfield/cache/view_cell.h"
 #include "world/object.h"
 
@@ -21,6 +22,13 @@ class LateViews {
   /// The cell whose picture this visitor was shown last.
   [[nodiscard]] std::optional<CellId> last(const node::View& view, world::ObjectId object);
 
+  /// What gave way to a picture of a finer light field less than CrossFade::kSeconds ago.
+  struct Fading {
+    CellId from;
+    float share = 0.0F;  ///< of the finer one
+  };
+  [[nodiscard]] std::optional<Fading> fading(const node::View& view, world::ObjectId object);
+
   /// What the visitor was shown.
   void shown(const node::View& view, world::ObjectId object, const CellId& cell);
 
@@ -30,6 +38,8 @@ class LateViews {
   struct Entry {
     Key key;
     CellId cell;
+    CellId from = {};    ///< of the former light field
+    double since = 0.0;  ///< when `cell` was first of another light field than `from`
   };
 
   std::mutex mutex_;

@@ -6,6 +6,12 @@
 
 namespace grove::objects::lightfield {
 
+namespace {
+
+std::size_t bytesOf(const NearView& view) { return view.picture->bytes() + (view.from ? view.from->bytes() : 0); }
+
+}  // namespace
+
 float roughness(const CachedView& picture) {
   double sum = 0.0;
   int squares = 0;
@@ -43,6 +49,11 @@ float wrongness(const NearView& view, const ObjectCamera& camera, const world::R
   return glm::length(moved) * view.roughness / (errorPixels * glm::length(camera.perColumn));
 }
 
+NearView unlessFaded(NearView view, double now) {
+  if (now - view.since >= CrossFade::kSeconds) view.from = nullptr;
+  return view;
+}
+
 std::list<NearViews::Entry>::iterator NearViews::find(node::SessionId session, world::ObjectId object) {
   return std::ranges::find_if(entries_,
                               [&](const Entry& entry) { return entry.session == session && entry.object == object; });
@@ -56,13 +67,18 @@ NearView NearViews::last(node::SessionId session, world::ObjectId object) {
   return entry->view;
 }
 
+bool NearViews::isFading(const node::View& view, world::ObjectId object, int version) {
+  const NearView last = this->last(view.session, object);
+  return last.picture && (last.version != version || unlessFaded(last, view.time).from);
+}
+
 void NearViews::shown(node::SessionId session, world::ObjectId object, const NearView& view) {
   std::list<Entry> given;  // up: their memory is freed after the lock
   const std::lock_guard lock(mutex_);
   if (const auto entry = find(session, object); entry != entries_.end()) given.splice(given.end(), entries_, entry);
   entries_.push_front({session, object, view});
   if (entries_.size() > kMost) given.splice(given.end(), entries_, std::prev(entries_.end()));
-  tell(view.picture->bytes(), given);
+  tell(bytesOf(view), given);
 }
 
 void NearViews::forget(node::SessionId session) {
@@ -77,7 +93,7 @@ void NearViews::forget(node::SessionId session) {
 
 void NearViews::tell(std::size_t more, const std::list<Entry>& given) {
   bytes_ += more;
-  for (const Entry& entry : given) bytes_ -= entry.view.picture->bytes();
+  for (const Entry& entry : given) bytes_ -= bytesOf(entry.view);
   held_.set(bytes_);
 }
 

@@ -6,7 +6,7 @@
 #include <mutex>
 
 #include "node/messages.h"
-#include "objects/lightfield/cache/cached_view.h"
+#include "objects/lightfield/cache/cross_fade.h"
 #include "pipeline/memory_ledger.h"
 #include "world/object.h"
 
@@ -18,6 +18,9 @@ struct NearView {
   world::Rect sampled;     ///< pixels of the picture's camera; beyond, nothing is known
   float roughness = 0.0F;  ///< of the picture
   bool coarse = false;     ///< of few texels, for want of time
+  int version = 0;         ///< of the light field that it shows
+  std::shared_ptr<const CachedView> from = nullptr;  ///< the last one of a former light field
+  double since = 0.0;                                ///< when the first of this light field was shown
 };
 
 /// How much neighbouring texels differ in 1 / depth, per metre: the root of the mean square over the picture. An eye
@@ -31,6 +34,9 @@ struct NearView {
 [[nodiscard]] float wrongness(const NearView& view, const ObjectCamera& camera, const world::Rect& rect,
                               float errorPixels);
 
+/// The picture without the one that it replaced, if that has faded away.
+[[nodiscard]] NearView unlessFaded(NearView view, double now);
+
 /// The visitors' last pictures of what is near to them. Keeps the kMost used last. Any thread.
 class NearViews {
  public:
@@ -42,6 +48,8 @@ class NearViews {
 
   /// Without a picture if there is none.
   [[nodiscard]] NearView last(node::SessionId session, world::ObjectId object);
+  /// Whether the last one shows another light field, or was the first of this one a moment ago.
+  [[nodiscard]] bool isFading(const node::View& view, world::ObjectId object, int version);
   void shown(node::SessionId session, world::ObjectId object, const NearView& view);
   /// All pictures of a visitor.
   void forget(node::SessionId session);
