@@ -89,10 +89,12 @@ void addTo(Checksum& checksum, const std::vector<T>& values) {
 
 std::uint64_t keyOf(const models::Model& model, const BakeOptions& options) {
   Checksum checksum;
-  const std::vector<std::uint64_t> numbers{
-      kBakeVersion, static_cast<std::uint64_t>(options.samples), static_cast<std::uint64_t>(options.truthSamples),
-      static_cast<std::uint64_t>(options.subdivision), static_cast<std::uint64_t>(options.tile),
-      static_cast<std::uint64_t>(options.rough)};
+  const std::vector<std::uint64_t> numbers{kBakeVersion,
+                                           static_cast<std::uint64_t>(options.samples),
+                                           static_cast<std::uint64_t>(options.truthSamples),
+                                           static_cast<std::uint64_t>(options.subdivision),
+                                           static_cast<std::uint64_t>(options.tile),
+                                           static_cast<std::uint64_t>(options.rough)};
   addTo(checksum, numbers);
   addTo(checksum, model.triangles.positions);
   addTo(checksum, model.triangles.indices);
@@ -216,10 +218,9 @@ class Job {
 std::vector<Picture> Job::renderHeldOut(const ViewRenderer& renderer, const std::vector<ObjectCamera>& cameras,
                                         ModelRays::Among among) const {
   std::vector<Picture> pictures(cameras.size());
-  parallelFor(threads_, cameras.size(),
-              [&](std::size_t i) {
-                if (!stop_.stop_requested()) pictures[i] = renderer.render(cameras[i], options_.size, among);
-              });
+  parallelFor(threads_, cameras.size(), [&](std::size_t i) {
+    if (!stop_.stop_requested()) pictures[i] = renderer.render(cameras[i], options_.size, among);
+  });
   return pictures;
 }
 

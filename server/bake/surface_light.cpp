@@ -144,7 +144,8 @@ void Computation::addSun(std::size_t first, SurfaceLight& light) const {
     const auto trace = [&](int begin, const ModelRays::Mask& wanted) {
       // Every other ray of a spiral over the disc.
       for (int i = begin; i < settings_.sunRays; i += 2) {
-        const float radius = kSunRadius * std::sqrt((static_cast<float>(i) + 0.5F) / static_cast<float>(settings_.sunRays));
+        const float radius =
+            kSunRadius * std::sqrt((static_cast<float>(i) + 0.5F) / static_cast<float>(settings_.sunRays));
         const float around = 2.3999632F * static_cast<float>(i);
         const Vec3 direction = basis * Vec3(radius * std::cos(around), radius * std::sin(around), 1.0F);
         RTCRay16 rays;

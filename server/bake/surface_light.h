@@ -33,8 +33,8 @@ class SurfaceLight {
 
 struct LightSettings {
   int threads = 1;
-  float away = 0.01F;  ///< metres off the surface that rays start, against hitting it
-  bool tiled = false;  ///< the rays' surroundings are ground enough; else a meadow lies at y = 0
+  float away = 0.01F;   ///< metres off the surface that rays start, against hitting it
+  bool tiled = false;   ///< the rays' surroundings are ground enough; else a meadow lies at y = 0
   int directions = 64;  ///< that each point looks into, over the whole sphere; about half are before a surface
   int sunRays = 8;      ///< even; towards each lighting's sun
 };

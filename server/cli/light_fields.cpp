@@ -70,8 +70,7 @@ std::vector<WantedField> wantedFields(const world::Scene& scene) {
       place->second.source = std::move(source);
       place->second.parameters = &object.parameters;
     }
-    place->second.places.push_back(
-        {object.transform.scale, glm::distance(object.transform.position, scene.spawn)});
+    place->second.places.push_back({object.transform.scale, glm::distance(object.transform.position, scene.spawn)});
   }
   std::vector<WantedField> result;
   for (auto& [file, each] : wanted) result.push_back(std::move(each));

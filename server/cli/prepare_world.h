@@ -28,9 +28,9 @@ struct FirstLook {
   std::vector<WantedField> rough;           ///< whose finest file is still to be made, in the order to make them in
 };
 
-/// For those who serve: opens what is in the cache folder, and makes something rough of the rest, in seconds. If nothing
-/// can be kept there, it is made for this once and stays as it is, of which the log tells. Nothing if it was stopped.
-/// Throws as prepareWorld().
+/// For those who serve: opens what is in the cache folder, and makes something rough of the rest, in seconds. If
+/// nothing can be kept there, it is made for this once and stays as it is, of which the log tells. Nothing if it was
+/// stopped. Throws as prepareWorld().
 [[nodiscard]] std::optional<FirstLook> prepareFirstLook(const world::Scene& scene,
                                                         const std::function<void(std::string_view, float)>& progress,
                                                         const std::stop_token& stop);

@@ -36,8 +36,7 @@ void runWhenIdle() {
 
 /// Measured: light is found for every sun apart, the rest of the work is once for all.
 float costOf(const WantedField& wanted) {
-  return static_cast<float>(wanted.source.lightings + 3) *
-         static_cast<float>(wanted.source.size * wanted.source.size);
+  return static_cast<float>(wanted.source.lightings + 3) * static_cast<float>(wanted.source.size * wanted.source.size);
 }
 
 float shareOf(const bake::BakeProgress& progress) {

@@ -4,8 +4,11 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <thread>
 #include <utility>
 
@@ -15,6 +18,7 @@
 #include "cli/host_port.h"
 #include "cli/prepare_world.h"
 #include "cli/progress.h"
+#include "cli/refiner.h"
 #include "cli/stop_on_signal.h"
 #include "gl/shader_library.h"
 #include "gl/workers.h"
@@ -126,9 +130,6 @@ int runServe(const ServeOptions& options) {
   }
   const auto rules = entranceRules(options);
   if (!rules) return 2;
-  // All that can be wrong is known before the world is prepared, which may take minutes.
-  (void)stream::findListenAddress(visitors->host, visitors->port, "--listen");
-  if (options.operators) (void)stream::findListenAddress(operators->host, operators->port, "--operator");
   (void)stream::socketsThatFit();
   const std::shared_ptr<stream::TlsStore> tls =
       options.tls.certificate.empty() ? nullptr : std::make_shared<stream::TlsStore>(options.tls);
@@ -139,38 +140,54 @@ int runServe(const ServeOptions& options) {
   requireAddressSpace(kForGl);
   const gl::ShaderLibrary shaders(options.shaderDirectory);
   gl::Workers gl(options.gl, shaders);
+  node::Registry registry;
+  // The server goes before the host and the refiner before both, however this ends.
+  std::optional<stream::Host> host;
+  const stream::HostPort desk = options.operators ? *operators : operatorsBeside(*visitors);
+  stream::WebsocketServer server(
+      {.visitors = *visitors, .operators = desk, .rules = *rules, .tls = tls, .hsts = options.hsts});
+  server.start();
+  const std::string address = urlOf({visitors->host, server.port()}, tls != nullptr);
+  log::info("the page is at " + address + "; visitors wait there while the world is prepared");
   Progress progress;
-  if (!prepareWorld(scene, progress, stop.token())) {
+  const auto tell = [&](std::string_view label, float share) {
+    progress.show(label, share);
+    server.tell(label, share);
+  };
+  std::optional<FirstLook> look = prepareFirstLook(scene, tell, stop.token());
+  if (!look) {
     log::info("stopped; the next start goes on from here");
     return 0;
   }
-  node::Registry registry;
-  objects::BuiltinOptions builtin;
-  builtin.viewCache = {static_cast<std::size_t>(options.viewCacheMegabytes) << 20U, options.viewError};
-  objects::registerBuiltinTypes(registry, builtin);
+  objects::registerBuiltinTypes(
+      registry, {.viewCache = {static_cast<std::size_t>(options.viewCacheMegabytes) << 20U, options.viewError},
+                 .lightFields = std::exchange(look->fields, {})});
   world::World::Layout layout = node::makeLayout(scene, registry);
 
   log::info("GL: " + gl.description() + ", " + std::to_string(gl.width()) + " workers");
   log::info("world: " + layout.name + ", " + std::to_string(layout.objects.size()) + " objects");
   const std::size_t threads = std::max(1U, std::thread::hardware_concurrency()) + kThreadsBesidesWorkers;
   requireAddressSpace(spaceForServing(scene, options) + threads * stackBytes());
-  stream::Host host(std::move(layout), registry, gl, options.host,
-                    [&](std::string_view label, float share) { progress.show(label, share); });
+  host.emplace(std::move(layout), registry, gl, options.host, tell);
   progress.finish();
-
-  const stream::HostPort desk = options.operators ? *operators : operatorsBeside(*visitors);
-  stream::WebsocketServer server(
-      host, {.visitors = *visitors, .operators = desk, .rules = *rules, .tls = tls, .hsts = options.hsts});
-  server.start();
   requireAddressSpace(spaceForServing(scene, options));
   ending.reset();
   stop.endWithin(kStopWhileServing);
+  server.open(*host);
+  std::optional<Refiner> refiner;
+  if (!look->rough.empty()) {
+    const node::ObjectType& lightField = registry.type(*registry.find("lightfield"));
+    refiner.emplace(
+        std::move(look->rough), [&](const std::filesystem::path& file) { lightField.show(file); },
+        [&](const stream::Refining& refining) { host->tell(refining); });
+  }
   const bool secureDesk = server.isSecure(stream::Audience::kOperator);
   std::printf("operator's page at %s/operator\n", urlOf({desk.host, server.operatorPort()}, secureDesk).c_str());
-  std::printf("listening on %s\n", urlOf({visitors->host, server.port()}, tls != nullptr).c_str());
+  std::printf("listening on %s\n", address.c_str());
   std::fflush(stdout);
   serveUntilStopped(stop, tls.get());
   log::info("stopping");
+  if (refiner) refiner->requestStop();
   server.stop();
   return 0;
 }

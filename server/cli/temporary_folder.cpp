@@ -15,8 +15,8 @@ TemporaryFolder::TemporaryFolder() {
   const std::filesystem::path parent = std::filesystem::temp_directory_path(error);
   std::string name = (parent / "grove-XXXXXX").string();
   if (error || mkdtemp(name.data()) == nullptr) {
-    throw EnvironmentError("cannot make a folder: " + (error ? error.message() : std::strerror(errno)),
-                           parent.string(), "set GROVE_CACHE or TMPDIR to a folder that can be written");
+    throw EnvironmentError("cannot make a folder: " + (error ? error.message() : std::strerror(errno)), parent.string(),
+                           "set GROVE_CACHE or TMPDIR to a folder that can be written");
   }
   path_ = name;
 }

@@ -38,7 +38,10 @@ struct RequestSource {
 /// Judges sockets and requests by the rules, and logs whom it refuses. On the library's thread only.
 class Entrance {
  public:
-  Entrance(Host& host, EntranceRules rules) : host_(host), rules_(std::move(rules)), limits_(rules_.allowance) {}
+  explicit Entrance(EntranceRules rules) : rules_(std::move(rules)), limits_(rules_.allowance) {}
+
+  /// From now on there is a world, whose statistics count whom it refuses; it outlives the entrance.
+  void open(Host& host) noexcept { host_ = &host; }
 
   void addName(std::string name) { rules_.names.push_back(std::move(name)); }
 
@@ -63,7 +66,7 @@ class Entrance {
   [[nodiscard]] bool isWelcome(const RequestSource& source, double cost);
   void refuse(const std::string& who, const std::string& why);
 
-  Host& host_;
+  Host* host_ = nullptr;  ///< null until the world is ready
   EntranceRules rules_;
   AddressLimits limits_;
   log::Limited refusals_;

@@ -141,6 +141,7 @@ void Host::preparePrivately(const std::shared_ptr<Session>& session, WaitingSink
 }
 
 void Host::tell(const Refining& refining) {
+  if (shared_) shared_->tellModels();
   const std::lock_guard lock(mutex_);
   refining_ = refining;
   ++newsNumber_;

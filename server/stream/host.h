@@ -65,7 +65,7 @@ class Host {
   [[nodiscard]] std::variant<std::shared_ptr<Session>, Refusal> open(const Hello& hello, FrameSink sink,
                                                                      WaitingSink waiting = {}, StreamTerms terms = {});
 
-  /// What gets finer while the world is shown, to tell those who are in it and those who come. Any thread.
+  /// What gets finer while the world is shown, to tell those who are in it and those who come. One thread at a time.
   void tell(const Refining& refining);
   /// The newest of it.
   struct RefiningNews {

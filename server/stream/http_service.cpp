@@ -34,10 +34,9 @@ bool HttpService::writeHeaders(lws* wsi, const PageReply& reply) const {
          add(WSI_TOKEN_HTTP_CACHE_CONTROL, "no-cache") && lws_finalize_write_http_header(wsi, begin, &at, end) == 0;
 }
 
-HttpService::HttpService(Audience audience, LiveReports& reports, std::optional<int> hsts)
+HttpService::HttpService(Audience audience, std::optional<int> hsts)
     : audience_(audience),
       pages_(embedded::web(), audience),
-      reports_(reports),
       hsts_(hsts ? "max-age=" + std::to_string(*hsts) : "") {}
 
 int HttpService::answer(lws* wsi, std::optional<PageReply> refusal) {
@@ -52,6 +51,9 @@ int HttpService::answer(lws* wsi, std::optional<PageReply> refusal) {
   if (refusal) {
     answer.reply = std::move(*refusal);
     answer.reply.sendBody = method == "GET";
+  } else if (!answer.isLast && LiveReports::has(path, audience_) && reports_ == nullptr) {
+    answer.reply = {HTTP_STATUS_SERVICE_UNAVAILABLE, "text/plain; charset=utf-8", "", "the world is being prepared\n",
+                    method == "GET"};
   } else if (!answer.isLast && LiveReports::has(path, audience_)) {
     answer.reply = {HTTP_STATUS_OK, "application/json", "", "", method == "GET"};
     answer.waitsFor = path;
@@ -66,7 +68,7 @@ int HttpService::resume(lws* wsi) {
   if (found == answers_.end()) return 0;
   Answer& answer = found->second;
   if (!answer.waitsFor.empty()) {
-    answer.report = reports_.find(answer.waitsFor, answer.asked);
+    answer.report = reports_->find(answer.waitsFor, answer.asked);
     lws_set_timeout(wsi, PENDING_TIMEOUT_HTTP_CONTENT, kHttpSeconds);
     if (!answer.report) return 0;
     answer.waitsFor.clear();

@@ -16,8 +16,11 @@ namespace grove::stream {
 /// call returns what its callback has to.
 class HttpService {
  public:
-  /// `reports` outlives it. `hsts`: seconds for which browsers shall come by https only; none: they are not told.
-  HttpService(Audience audience, LiveReports& reports, std::optional<int> hsts);
+  /// `hsts`: seconds for which browsers shall come by https only; none: they are not told.
+  HttpService(Audience audience, std::optional<int> hsts);
+
+  /// From now on there are reports; they outlive it.
+  void open(LiveReports& reports) noexcept { reports_ = &reports; }
 
   /// A request has come. `refusal` is answered instead, if there is one.
   int answer(lws* wsi, std::optional<PageReply> refusal);
@@ -46,8 +49,8 @@ class HttpService {
 
   const Audience audience_;
   const WebPages pages_;
-  LiveReports& reports_;
-  const std::string hsts_;  ///< a header's value; empty: there is none
+  LiveReports* reports_ = nullptr;  ///< null until the world is ready
+  const std::string hsts_;          ///< a header's value; empty: there is none
   std::map<lws*, Answer> answers_;
 };
 

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cmath>
 #include <exception>
 #include <limits>
 #include <system_error>
@@ -22,10 +21,6 @@ constexpr int kNice = 5;
 
 /// Between two messages that differ by the percentage alone.
 constexpr double kProgressSeconds = 0.25;
-
-/// Of several steps at once, one is told until it is done, or nothing was heard of it for so long.
-constexpr double kStepSeconds = 1.0;
-constexpr int kDone = 99;
 
 }  // namespace
 
@@ -140,11 +135,8 @@ void PreparationLine::progressed(node::SessionId id, std::string_view step, floa
   const std::lock_guard lock(mutex_);
   if (!isFirst(id)) throw Unwanted{};
   const double now = world::World::now();
-  const bool isNewStep = step != step_;
-  if (isNewStep && !step_.empty() && percent_ < kDone && now - heard_ < kStepSeconds) return;
-  heard_ = now;
-  step_ = step;
-  percent_ = static_cast<std::uint8_t>(std::lround(100.0F * std::clamp(share, 0.0F, 1.0F)));
+  const bool isNewStep = step != progress_.step();
+  if (!progress_.hear(step, share, now)) return;
   if (!isNewStep && now - told_ < kProgressSeconds) return;
   told_ = now;
   tell(0);
@@ -161,8 +153,7 @@ void PreparationLine::takeApart(std::unique_ptr<WorldCopy> copy) {
 
 void PreparationLine::erase(const std::deque<Waiter>::iterator& waiter) {
   if (waiter == waiters_.begin()) {
-    step_.clear();
-    percent_ = 0;
+    progress_.clear();
   }
   waiters_.erase(waiter);
   tellEach();
@@ -175,8 +166,8 @@ void PreparationLine::tell(std::size_t index) const {
   Waiting waiting;
   waiting.place = static_cast<std::uint16_t>(std::min(index + 1, kMaxPlace));
   if (index == 0) {
-    waiting.percent = percent_;
-    waiting.step = step_;
+    waiting.percent = progress_.percent();
+    waiting.step = progress_.step();
   }
   waiter.tell(waiting);
 }

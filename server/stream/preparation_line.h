@@ -1,18 +1,17 @@
 #pragma once
 
 #include <condition_variable>
-#include <cstdint>
 #include <deque>
 #include <functional>
 #include <memory>
 #include <mutex>
-#include <string>
 #include <string_view>
 #include <thread>
 #include <vector>
 
 #include "node/messages.h"
 #include "stream/protocol.h"
+#include "stream/step_progress.h"
 #include "stream/world_copy.h"
 
 namespace grove::stream {
@@ -73,11 +72,9 @@ class PreparationLine {
   std::condition_variable wake_;
   bool stopping_ = false;
   std::deque<Waiter> waiters_;
-  int inside_ = 0;    ///< worlds that somebody is in
-  std::string step_;  ///< of the first one's world
-  std::uint8_t percent_ = 0;
-  double heard_ = 0.0;  ///< of the step
-  double told_ = 0.0;   ///< how it gets on
+  int inside_ = 0;         ///< worlds that somebody is in
+  StepProgress progress_;  ///< of the first one's world
+  double told_ = 0.0;      ///< how it gets on
   std::vector<std::unique_ptr<WorldCopy>> unused_;
   std::thread thread_;  ///< last: uses the others
 };

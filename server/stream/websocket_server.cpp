@@ -7,6 +7,7 @@
 #include <atomic>
 #include <cassert>
 #include <map>
+#include <mutex>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -17,10 +18,12 @@
 #include "base/log.h"
 #include "stream/connection.h"
 #include "stream/descriptor_limit.h"
+#include "stream/early_visitor.h"
 #include "stream/http_service.h"
 #include "stream/live_reports.h"
 #include "stream/received_bytes.h"
 #include "stream/server_context.h"
+#include "stream/step_progress.h"
 #include "stream/waker.h"
 #include "stream/wsi.h"
 #include "world/world.h"
@@ -42,7 +45,7 @@ constexpr double kMaxReceivedPerSecond = 65'536.0;
 /// The library's context and its thread. All but start(), stop() and port() runs on that thread.
 class WebsocketServer::Service {
  public:
-  Service(Host& host, const ServerOptions& options);
+  explicit Service(const ServerOptions& options);
   ~Service() { stop(); }
   Service(const Service&) = delete;
   Service& operator=(const Service&) = delete;
@@ -52,6 +55,8 @@ class WebsocketServer::Service {
   [[nodiscard]] bool isSecure(Audience audience) const { return context_.isSecure(audience); }
   void start();
   void stop();
+  void tell(std::string_view step, float share);
+  void open(Host& host);
 
  private:
   /// Any socket that was let in.
@@ -64,7 +69,8 @@ class WebsocketServer::Service {
   };
   /// One that has become a websocket.
   struct Socket {
-    std::unique_ptr<Connection> connection;
+    std::unique_ptr<Connection> connection;  ///< null until the world is ready; then
+    std::optional<EarlyVisitor> early;       ///< this is nothing
     std::optional<Refusal> closing;
   };
   /// Standard layout, so that the library's timer leads back to the service.
@@ -88,6 +94,10 @@ class WebsocketServer::Service {
   [[nodiscard]] HttpService& http(lws* wsi) { return http_[static_cast<std::size_t>(context_.audienceOf(wsi))]; }
 
   void open(lws* wsi);
+  [[nodiscard]] std::unique_ptr<Connection> connect(lws* wsi);
+  /// Once the world is ready.
+  void admit();
+  [[nodiscard]] Waiting preparation() const;
   int receive(lws* wsi, std::span<const std::uint8_t> bytes);
   int write(lws* wsi);
   void close(lws* wsi);
@@ -97,7 +107,10 @@ class WebsocketServer::Service {
   [[nodiscard]] bool isFlood(lws* wsi, Guest& guest, double now) const;
   void run();
 
-  Host& host_;
+  std::atomic<Host*> ready_{nullptr};
+  Host* host_ = nullptr;  ///< null until who waits is let in
+  mutable std::mutex preparationMutex_;
+  StepProgress preparation_;  ///< of the world
   Entrance entrance_;
   const std::size_t maxSockets_;
   std::map<lws*, Guest> guests_;
@@ -105,8 +118,8 @@ class WebsocketServer::Service {
   std::map<lws*, Socket> sockets_;
   ServerContext context_;
   const std::shared_ptr<Waker> waker_;
-  LiveReports reports_;
-  std::array<HttpService, 2> http_;  ///< by audience
+  std::optional<LiveReports> reports_;  ///< once the world is ready
+  std::array<HttpService, 2> http_;     ///< by audience
   int port_ = 0;
   int operatorPort_ = 0;
   Timer timer_;
@@ -114,15 +127,12 @@ class WebsocketServer::Service {
   std::thread thread_;
 };
 
-WebsocketServer::Service::Service(Host& host, const ServerOptions& options)
-    : host_(host),
-      entrance_(host, options.rules),
+WebsocketServer::Service::Service(const ServerOptions& options)
+    : entrance_(options.rules),
       maxSockets_(socketsThatFit()),
       context_(&Service::callback, this, maxSockets_, options.tls),
       waker_(std::make_shared<Waker>(context_.get())),
-      reports_(host, [waker = waker_] { waker->wake(); }),
-      http_{HttpService(Audience::kVisitors, reports_, options.hsts),
-            HttpService(Audience::kOperator, reports_, std::nullopt)} {
+      http_{HttpService(Audience::kVisitors, options.hsts), HttpService(Audience::kOperator, std::nullopt)} {
   const HostPort desk = options.operators.value_or(HostPort{"127.0.0.1", 0});
   try {
     port_ = context_.listen(Audience::kVisitors, options.visitors.host, options.visitors.port, "--listen");
@@ -139,6 +149,7 @@ WebsocketServer::Service::Service(Host& host, const ServerOptions& options)
 
 void WebsocketServer::Service::start() {
   assert(!thread_.joinable());
+  if (ready_ != nullptr) admit();
   lws_sul_schedule(context_.get(), 0, &timer_.entry, &Service::onTimer, kSweepMicroseconds);
   thread_ = std::thread([this] { run(); });
 }
@@ -151,6 +162,37 @@ void WebsocketServer::Service::stop() {
   context_.close();
   sockets_.clear();
   guests_.clear();
+  reports_.reset();
+}
+
+void WebsocketServer::Service::tell(std::string_view step, float share) {
+  const std::lock_guard lock(preparationMutex_);
+  preparation_.hear(step, share, world::World::now());
+}
+
+Waiting WebsocketServer::Service::preparation() const {
+  const std::lock_guard lock(preparationMutex_);
+  return {.place = 1, .percent = preparation_.percent(), .step = preparation_.step()};
+}
+
+void WebsocketServer::Service::open(Host& host) {
+  ready_ = &host;
+  waker_->wake();
+}
+
+void WebsocketServer::Service::admit() {
+  host_ = ready_;
+  entrance_.open(*host_);
+  reports_.emplace(*host_, [waker = waker_] { waker->wake(); });
+  for (HttpService& each : http_) each.open(*reports_);
+  for (auto& [wsi, socket] : sockets_) {
+    if (socket.closing) continue;
+    socket.connection = connect(wsi);
+    if (auto why = socket.early->introduceTo(*socket.connection, world::World::now())) {
+      closeLater(wsi, socket, std::move(*why));
+    }
+    socket.early.reset();
+  }
 }
 
 void WebsocketServer::Service::run() {
@@ -294,45 +336,59 @@ int WebsocketServer::Service::confirmUpgrade(lws* wsi, std::string_view protocol
 }
 
 void WebsocketServer::Service::open(lws* wsi) {
+  Socket& socket = sockets_[wsi];
+  if (host_ != nullptr) {
+    socket.connection = connect(wsi);
+  } else {
+    socket.early.emplace(subProtocolOf(wsi));
+  }
+}
+
+std::unique_ptr<Connection> WebsocketServer::Service::connect(lws* wsi) {
   const auto wake = [waker = waker_] { waker->wake(); };
   const RequestSource& source = guests_[wsi].source;
   const auto takePlace = [this, address = source.address] { return entrance_.visitor(address); };
-  auto connection = std::make_unique<Connection>(host_, source.name, world::World::now(), wake,
-                                                 Connection::Door{takePlace, strangers_}, subProtocolOf(wsi));
-  sockets_[wsi] = {std::move(connection), std::nullopt};
+  return std::make_unique<Connection>(*host_, source.name, world::World::now(), wake,
+                                      Connection::Door{takePlace, strangers_}, subProtocolOf(wsi));
 }
 
 int WebsocketServer::Service::receive(lws* wsi, std::span<const std::uint8_t> bytes) {
   const auto found = sockets_.find(wsi);
   if (found == sockets_.end()) return -1;
-  auto& [connection, closing] = found->second;
+  auto& [connection, early, closing] = found->second;
   if (closing) return 0;
   const MessagePiece piece{bytes, lws_is_first_fragment(wsi) != 0, lws_is_final_fragment(wsi) != 0,
                            lws_frame_is_binary(wsi) != 0};
-  closing = connection->receive(piece, world::World::now());
+  closing = early ? early->receive(piece) : connection->receive(piece, world::World::now());
   if (closing) {
     giveCloseReason(wsi, *closing);
     return -1;
   }
-  if (connection->hasSomethingToSend()) lws_callback_on_writable(wsi);
+  if (connection && connection->hasSomethingToSend()) lws_callback_on_writable(wsi);
   return 0;
 }
 
 int WebsocketServer::Service::write(lws* wsi) {
   const auto found = sockets_.find(wsi);
   if (found == sockets_.end()) return -1;
-  auto& [connection, closing] = found->second;
+  auto& [connection, early, closing] = found->second;
   if (closing) {
     giveCloseReason(wsi, *closing);
     return -1;
   }
-  std::vector<std::uint8_t> words = connection->takeMessage();
+  std::vector<std::uint8_t> words;
+  if (connection) {
+    words = connection->takeMessage();
+  } else if (const Waiting waiting = preparation(); early->wants(waiting, world::World::now())) {
+    words = early->take(waiting, world::World::now());
+  }
   if (!words.empty()) {
     words.insert(words.begin(), LWS_PRE, 0);
     if (lws_write(wsi, words.data() + LWS_PRE, words.size() - LWS_PRE, LWS_WRITE_BINARY) < 0) return -1;
     lws_callback_on_writable(wsi);
     return 0;
   }
+  if (!connection) return 0;
   const std::shared_ptr<const EncodedFrame> frame = connection->takeFrame();
   if (!frame) return 0;
   const auto message = frame->message();
@@ -344,13 +400,13 @@ int WebsocketServer::Service::write(lws* wsi) {
 void WebsocketServer::Service::close(lws* wsi) {
   const auto found = sockets_.find(wsi);
   if (found == sockets_.end()) return;
-  found->second.connection->leave("the connection has ended");
+  if (found->second.connection) found->second.connection->leave("the connection has ended");
   sockets_.erase(found);
 }
 
 void WebsocketServer::Service::closeLater(lws* wsi, Socket& socket, Refusal why) {
   if (socket.closing) return;
-  socket.connection->end(why);
+  if (socket.connection) socket.connection->end(why);
   socket.closing = std::move(why);
   lws_callback_on_writable(wsi);
   // One who does not read never becomes writable.
@@ -358,8 +414,13 @@ void WebsocketServer::Service::closeLater(lws* wsi, Socket& socket, Refusal why)
 }
 
 void WebsocketServer::Service::wakeWriters() {
+  if (host_ == nullptr && ready_ != nullptr) admit();
+  const Waiting waiting = preparation();
+  const double now = world::World::now();
   for (const auto& [wsi, socket] : sockets_) {
-    if (socket.connection->hasSomethingToSend()) lws_callback_on_writable(wsi);
+    const bool wants =
+        socket.connection ? socket.connection->hasSomethingToSend() : socket.early && socket.early->wants(waiting, now);
+    if (wants) lws_callback_on_writable(wsi);
   }
   for (HttpService& each : http_) each.wakeWaiting();
 }
@@ -382,8 +443,11 @@ void WebsocketServer::Service::sweep() {
     }
   }
   for (auto& [wsi, socket] : sockets_) {
+    if (!socket.connection) continue;
     if (auto why = socket.connection->overdue(now)) closeLater(wsi, socket, std::move(*why));
   }
+  // What nobody wakes for: news of the world's preparation, and of what gets finer.
+  wakeWriters();
   entrance_.sweep(now);
 }
 
@@ -400,8 +464,7 @@ bool WebsocketServer::Service::isFlood(lws* wsi, Guest& guest, double now) const
   return more > kMaxReceivedPerSecond * std::max(1.0, seconds);
 }
 
-WebsocketServer::WebsocketServer(Host& host, const ServerOptions& options)
-    : service_(std::make_unique<Service>(host, options)) {}
+WebsocketServer::WebsocketServer(const ServerOptions& options) : service_(std::make_unique<Service>(options)) {}
 
 WebsocketServer::~WebsocketServer() = default;
 
@@ -414,5 +477,9 @@ bool WebsocketServer::isSecure(Audience audience) const { return service_->isSec
 void WebsocketServer::start() { service_->start(); }
 
 void WebsocketServer::stop() { service_->stop(); }
+
+void WebsocketServer::tell(std::string_view step, float share) { service_->tell(step, share); }
+
+void WebsocketServer::open(Host& host) { service_->open(host); }
 
 }  // namespace grove::stream

@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <optional>
+#include <string_view>
 
 #include "stream/entrance.h"
 #include "stream/host.h"
@@ -25,8 +26,10 @@ struct ServerOptions {
 /// visitor that misbehaves is closed with a code and a reason, and one log line.
 class WebsocketServer {
  public:
-  /// Takes the ports. `host` outlives the server. Throws EnvironmentError if one cannot be had.
-  WebsocketServer(Host& host, const ServerOptions& options);
+  /// Takes the ports. Throws EnvironmentError if one cannot be had.
+  explicit WebsocketServer(const ServerOptions& options);
+  /// The same for a world that is ready, see open().
+  WebsocketServer(Host& host, const ServerOptions& options) : WebsocketServer(options) { open(host); }
 
   /// As stop().
   ~WebsocketServer();
@@ -38,8 +41,14 @@ class WebsocketServer {
   /// Whether that listener takes TLS.
   [[nodiscard]] bool isSecure(Audience audience) const;
 
-  /// Starts to serve; once.
+  /// Starts to serve; once. Visitors who come before there is a world get the page, and wait.
   void start();
+
+  /// How the preparation of the world gets on, for those who wait for it. Any thread.
+  void tell(std::string_view step, float share);
+
+  /// The world is ready: lets them in. Once; `host` outlives the server, or at least its stop(). Any thread.
+  void open(Host& host);
 
   /// Closes every connection with 1001, waits about a second for them to go, and joins. Any thread but the server's.
   void stop();

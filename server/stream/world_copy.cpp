@@ -10,9 +10,7 @@ namespace grove::stream {
 
 WorldCopy::WorldCopy(const WorldGround& ground, std::unique_ptr<node::Transport> transport, Haste haste,
                      const std::function<void(std::string_view, float)>& progress)
-    : ground_(ground),
-      world_(ground.layout, ground.geometry, ground.players),
-      transport_(std::move(transport)) {
+    : ground_(ground), world_(ground.layout, ground.geometry, ground.players), transport_(std::move(transport)) {
   tellModels();
   const node::BackendServices services{.world = world_,
                                        .workers = ground.workers,
@@ -51,8 +49,8 @@ void WorldCopy::tellModels() {
   for (const auto& [type, distinct] : models) {
     std::size_t bytes = 0;
     for (const world::Model* model : distinct) bytes += model->bytes();
-    models_.try_emplace(type, ground_.memory, "models", ground_.registry.type(type).name(), pipeline::Work::kAcrossUser,
-                        bytes);
+    models_.try_emplace(type, ground_.memory, "models", ground_.registry.type(type).name(), pipeline::Work::kAcrossUser)
+        .first->second.set(bytes);
   }
 }
 

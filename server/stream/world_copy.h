@@ -58,10 +58,10 @@ class WorldCopy {
   void setQuality(int step);
   /// A visitor has left.
   void forget(node::SessionId session);
-
- private:
+  /// Of the memory that the models take, which changes when one shows something finer. One thread at a time.
   void tellModels();
 
+ private:
   const WorldGround ground_;
   world::World world_;
   std::map<world::TypeIndex, pipeline::HeldMemory> models_;

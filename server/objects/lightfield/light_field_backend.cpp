@@ -120,8 +120,8 @@ LightFieldBackend::LightFieldBackend(const node::BackendServices& services, worl
     const SamplerKind kind = resolved(model.sampler(), services.gl);
     std::unique_ptr<Sampler>& sampler = samplers_[kind];
     if (!sampler) sampler = makeSampler(kind, services);
-    entries_.emplace(
-        object.id, Entry{&model, sampler.get(), object.transform.yaw, glm::inverse(object.transform.matrix()), {}});
+    entries_.emplace(object.id,
+                     Entry{&model, sampler.get(), object.transform.yaw, glm::inverse(object.transform.matrix()), {}});
   }
   std::vector<const world::Object*> shaded;
   for (const world::Object& object : services.world.objects()) {
@@ -158,7 +158,10 @@ node::Payload LightFieldBackend::answerOne(const node::Request& request) {
   const std::shared_ptr<const FieldVersion> shown = entry.model->shown();
   const Subject subject{entry, shown->field, shown->number};
   const world::Camera& camera = request.view().camera;
-  SharedView::Parts parts{nullptr, {}, objectCamera(camera, visible.object.transform), hazeBefore(visible, camera),
+  SharedView::Parts parts{nullptr,
+                          {},
+                          objectCamera(camera, visible.object.transform),
+                          hazeBefore(visible, camera),
                           chooseLamps(request.view().lights, visible.object.bounds, entry.toObject)};
   const float mostError = mostError_;
   if (cache_.mostBytes() > 0) {

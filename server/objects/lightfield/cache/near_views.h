@@ -14,11 +14,11 @@ namespace grove::objects::lightfield {
 
 /// A visitor's own picture of an object that is too near to share, made for one frame and good for some more.
 struct NearView {
-  std::shared_ptr<const CachedView> picture;
-  world::Rect sampled;     ///< pixels of the picture's camera; beyond, nothing is known
-  float roughness = 0.0F;  ///< of the picture
-  bool coarse = false;     ///< of few texels, for want of time
-  int version = 0;         ///< of the light field that it shows
+  std::shared_ptr<const CachedView> picture = nullptr;
+  world::Rect sampled = {};                          ///< pixels of the picture's camera; beyond, nothing is known
+  float roughness = 0.0F;                            ///< of the picture
+  bool coarse = false;                               ///< of few texels, for want of time
+  int version = 0;                                   ///< of the light field that it shows
   std::shared_ptr<const CachedView> from = nullptr;  ///< the last one of a former light field
   double since = 0.0;                                ///< when the first of this light field was shown
 };

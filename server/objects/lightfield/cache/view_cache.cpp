@@ -8,7 +8,8 @@ namespace grove::objects::lightfield {
 std::size_t ViewCache::Hash::operator()(const ViewKey& key) const noexcept {
   std::uint64_t mixed = std::hash<world::ObjectId>()(key.object);
   const CellId& cell = key.cell;
-  for (const int part : {cell.focal, cell.shell, cell.layer, cell.band, cell.column, cell.error, cell.version, cell.coarse ? 1 : 0}) {
+  for (const int part :
+       {cell.focal, cell.shell, cell.layer, cell.band, cell.column, cell.error, cell.version, cell.coarse ? 1 : 0}) {
     mixed = (mixed ^ static_cast<std::uint32_t>(part)) * 0x9E3779B97F4A7C15U;
     mixed ^= mixed >> 29U;
   }

@@ -14,7 +14,7 @@ struct CellId {
   std::int32_t layer = 0;  ///< part of the shell
   std::int32_t band = 0;   ///< of elevations, from straight below
   std::int32_t column = 0;
-  std::int32_t error = 0;  ///< permitted, in 1 / 64 of a pixel
+  std::int32_t error = 0;    ///< permitted, in 1 / 64 of a pixel
   std::int32_t version = 0;  ///< of the light field that the picture is made of
   bool coarse = false;       ///< a picture of few texels, for want of time
   friend bool operator==(const CellId&, const CellId&) = default;
