@@ -24,6 +24,7 @@ import { LineHint } from './line_hint.js';
 import { Notice } from './notice.js';
 import { Overlay } from './overlay.js';
 import { Codec, LimitedBy, kSubProtocols } from './protocol.js';
+import { Refining } from './refining.js';
 import { ReloadOnce } from './reload_once.js';
 import { Screen } from './screen.js';
 import { Screenshot, saveFile, takePicture } from './screenshot.js';
@@ -52,6 +53,7 @@ const telemetry = new Telemetry();
 const controls = new Controls();
 const viewport = new Viewport(window, (size) => connection.sendResize(size));
 const reloadOnce = new ReloadOnce(window);
+const refining = new Refining(element('refining'));
 const hint = new Hint(element('hint'), controls);
 const notice = new Notice(element('notice'), () => {
   if (connection.state === 'outdated') window.location.reload();
@@ -64,7 +66,14 @@ const connection = new Connection({
   openSocket: () => new WebSocket(window.location.origin.replace(/^http/, 'ws') + '/', kSubProtocols),
   offer: () => stream.offer,
   hello: () => ({ name: nameInAddress || settings.values.name, ...viewport.size }),
-  on: { state: enter, welcome, waiting: (message) => notice.wait(message), picture: receive, status: hear },
+  on: {
+    state: enter,
+    welcome,
+    waiting: (message) => notice.wait(message),
+    picture: receive,
+    status: hear,
+    refining: (message) => refining.show(message),
+  },
   backoff: new Backoff(),
   mayRetry: () => !document.hidden,
   clock,
@@ -126,6 +135,7 @@ function welcome({ red, green, blue, yaw, pitch, world }) {
   stream.begin();
   display.reset();
   telemetry.reset();
+  refining.hide();
   controls.face(yaw, pitch);
   root.style.setProperty('--lantern', `rgb(${red} ${green} ${blue})`);
   element('title').textContent = world || 'Grove';

@@ -46,6 +46,7 @@ function setUp({ mayRetry = () => true, protocol = 'grove.v1.1' } = {}) {
   const states = [];
   const frames = [];
   const waits = [];
+  const refining = [];
   const connection = new Connection({
     openSocket: () => {
       sockets.push(new Wire());
@@ -57,7 +58,8 @@ function setUp({ mayRetry = () => true, protocol = 'grove.v1.1' } = {}) {
     on: {
       state: (state, reason) => states.push(reason ? `${state}: ${reason}` : state),
       welcome: () => {},
-      waiting: ({ place, percent, step }) => waits.push([place, percent, step]),
+      waiting: ({ place, percent, step, isIn }) => waits.push([place, percent, step, isIn]),
+      refining: ({ percent, secondsLeft }) => refining.push([percent, secondsLeft]),
       picture: (picture) => frames.push(picture.frame),
       status: ({ limitedBy }) => frames.push(`limited by ${limitedBy}`),
     },
@@ -70,7 +72,7 @@ function setUp({ mayRetry = () => true, protocol = 'grove.v1.1' } = {}) {
     sockets.at(-1).open();
     sockets.at(-1).receive(bytesOf('welcome'));
   };
-  return { clock, sockets, states, frames, waits, connection, letIn };
+  return { clock, sockets, states, frames, waits, refining, connection, letIn };
 }
 
 test('says hello first and nothing else before the welcome', () => {
@@ -196,10 +198,38 @@ test('who waits in line is not lost as long as he is told so', () => {
     sockets[0].receive(bytesOf(i < 3 ? 'waiting behind others' : 'waiting'));
   }
   assert.deepEqual(states, ['connecting', 'open']);
-  assert.deepEqual(waits, [...Array(3).fill([515, 0, '']), ...Array(2).fill([1, 40, 'painting the sky'])]);
+  assert.deepEqual(waits, [
+    ...Array(3).fill([515, 0, '', true]),
+    ...Array(2).fill([1, 40, 'painting the sky', true]),
+  ]);
   assert.deepEqual(frames, [], 'nothing to show or to acknowledge');
   clock.advance(10_000);
   assert.deepEqual(states, ['connecting', 'open', 'lost'], 'the server fell silent');
+});
+
+test('who comes before the world is ready is told how it gets on, and is let in without knocking again', () => {
+  const { clock, sockets, states, waits, letIn } = setUp();
+  sockets[0].open();
+  for (let i = 0; i < 3; i += 1) {
+    clock.advance(9_000);
+    sockets[0].receive(bytesOf('waiting'));
+  }
+  assert.deepEqual(waits, Array(3).fill([1, 40, 'painting the sky', false]));
+  assert.deepEqual(states, ['connecting']);
+  letIn();
+  assert.deepEqual(states, ['connecting', 'open']);
+  assert.equal(sockets.length, 1);
+});
+
+test('what gets finer is told apart from frames, and only to one who is in', () => {
+  const { sockets, frames, refining, letIn } = setUp();
+  sockets[0].open();
+  sockets[0].receive(bytesOf('refining'));
+  letIn();
+  sockets[0].receive(bytesOf('refining'));
+  sockets[0].receive(bytesOf('refining for an unknown time'));
+  assert.deepEqual(refining, [[37, 75], [0, null]]);
+  assert.deepEqual(frames, []);
 });
 
 test('a hidden page waits to be looked at before it returns', () => {

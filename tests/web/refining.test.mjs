@@ -1,0 +1,25 @@
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+
+import { Refining } from '../../web/refining.js';
+
+const said = (message) => {
+  const element = { hidden: true, textContent: '' };
+  new Refining(element).show(message);
+  return element.hidden ? null : element.textContent.replaceAll('\u00a0', ' ');
+};
+
+test('tells how far it is and about how long it takes', () => {
+  const told = (percent, secondsLeft) => said({ percent, secondsLeft, step: 'oak' });
+  assert.equal(told(37, 73), 'The world is getting finer: 37 %, about 75 s left');
+  assert.equal(told(98, 1), 'The world is getting finer: 98 %, about 5 s left');
+  assert.equal(told(5, 400), 'The world is getting finer: 5 %, about 7 minutes left');
+});
+
+test('guesses no time where none is known', () => {
+  assert.equal(said({ percent: 0, secondsLeft: null, step: '' }), 'The world is getting finer: 0 %');
+});
+
+test('goes when all is done', () => {
+  assert.equal(said({ percent: 100, secondsLeft: 0, step: '' }), null);
+});
