@@ -59,13 +59,13 @@ Refiner::Refiner(std::vector<WantedField> wanted, Show show, Tell tell)
       tell_(std::move(tell)),
       thread_([this](const std::stop_token& stop) { run(stop); }) {
   pthread_setname_np(thread_.native_handle(), "grove-refine");
+  log::info("finer light fields are made while the world is shown: " + std::to_string(wanted_.size()));
 }
 
 Refiner::~Refiner() = default;
 
 void Refiner::run(const std::stop_token& stop) {
   runWhenIdle();
-  log::info("finer light fields are made while the world is shown: " + std::to_string(wanted_.size()));
   try {
     const FieldLock lock(fieldFolder() / "lock");
     for (std::size_t i = 0; i < wanted_.size(); ++i) {

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -61,6 +63,30 @@ class Bake : public testing::Test {
 
   std::filesystem::path folder_;
 };
+
+/// Of all texels' colours.
+double meanOf(const LightField& field) {
+  double sum = 0.0;
+  for (const std::uint32_t texel : field.colour[0]) sum += static_cast<double>(texel >> 8U & 0xFFU);
+  return sum / static_cast<double>(field.colour[0].size());
+}
+
+/// What a rough one shows gives way to a fine one while somebody looks: it may be blurred, but not of another light,
+/// nor anywhere else.
+TEST_F(Bake, ARoughOneHasTheShapeAndNearlyTheLightOfAFineOne) {
+  BakeOptions rough = kSmallBake;
+  rough.rough = true;
+  const auto fineReport = bake(file_());
+  const auto roughReport = bake(folder_ / "rough.glf", rough);
+  ASSERT_TRUE(fineReport && roughReport);
+  EXPECT_LT(roughReport->lightPoints, fineReport->lightPoints);
+  const LightField fine = openLightField(file_());
+  const LightField field = openLightField(folder_ / "rough.glf");
+  EXPECT_TRUE(std::ranges::equal(field.depth, fine.depth));
+  EXPECT_TRUE(std::ranges::equal(field.voxels.cells, fine.voxels.cells));
+  EXPECT_EQ(field.geometry.radius, fine.geometry.radius);
+  EXPECT_NEAR(meanOf(field), meanOf(fine), 0.1 * meanOf(fine));
+}
 
 TEST_F(Bake, MakesALightFieldThatCanBeOpened) {
   const auto report = bake(file_());

@@ -179,6 +179,21 @@ TEST(LightPoints, ASmallLeafHasOne) {
   EXPECT_NE(points.ofVertex[0], points.ofVertex[4]);
 }
 
+TEST(LightPoints, LeavesOfACellShareOneButNotWithWood) {
+  models::Model model;
+  const std::uint16_t leaf = addMaterial(model, {.name = "leaf"});
+  const std::uint16_t wood = addMaterial(model, {.name = "wood", .solid = true});
+  addQuad(model, {0, 1, 0}, {0.02F, 0, 0}, {0, 0, 0.02F}, leaf);
+  addQuad(model, {0, 1.001F, 0}, {0.02F, 0, 0}, {0, 0, 0.02F}, leaf);
+  addQuad(model, {0, 1.002F, 0}, {0.02F, 0, 0}, {0, 0, 0.02F}, wood);
+  addQuad(model, {0.5F, 1, 0.5F}, {0.02F, 0, 0}, {0, 0, 0.02F}, leaf);
+  const LightPoints points = chooseLightPoints(model, {}, 0.1F, PointsOf::kCell);
+  ASSERT_EQ(points.points.size(), 3U);
+  EXPECT_EQ(points.ofVertex[0], points.ofVertex[4]) << "two leaves";
+  EXPECT_NE(points.ofVertex[0], points.ofVertex[8]) << "a leaf and wood";
+  EXPECT_NE(points.ofVertex[0], points.ofVertex[12]) << "leaves far apart";
+}
+
 TEST(Refine, KeepsTheSurfaceAndShortensEdges) {
   const models::Model model = refined(floorAt(0.0F, whiteStone()), {0.3F, 0.3F});
   float area = 0.0F;

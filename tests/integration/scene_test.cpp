@@ -65,7 +65,7 @@ TEST(BuiltInScene, PreparesItselfAndHasWhatTheReadmePromises) {
   const auto lightfield = registry.find("lightfield");
   for (const world::Object& object : layout.objects) {
     if (object.type != *lightfield) continue;
-    const auto& field = static_cast<const objects::lightfield::LightFieldModel&>(*object.model).field();
+    const auto& field = static_cast<const objects::lightfield::LightFieldModel&>(*object.model).shown()->field;
     const double step = 360.0 / field.lightings();
     const double degrees = glm::degrees(static_cast<double>(object.transform.yaw));
     EXPECT_NEAR(std::remainder(degrees, step), 0.0, 1e-3) << object.name;

@@ -1,7 +1,9 @@
 #include "stream/connection.h"
 
 #include <chrono>
+#include <memory>
 #include <thread>
+#include <vector>
 
 #include "stream/served_world.h"
 #include "world/world.h"
@@ -99,6 +101,42 @@ TEST(Outbox, KeepsTheNewestFrameOnly) {
   EXPECT_EQ(outbox.take(), newest);
   EXPECT_EQ(outbox.take(), nullptr);
   EXPECT_EQ(woken, 2);
+}
+
+/// All messages that wait to be sent and tell what gets finer.
+std::vector<int> percentsToldTo(Connection& connection) {
+  std::vector<int> percents;
+  for (auto bytes = connection.takeMessage(); !bytes.empty(); bytes = connection.takeMessage()) {
+    const ServerMessage parsed = parseServerMessage(bytes);
+    if (const auto* refining = std::get_if<Refining>(&parsed)) percents.push_back(refining->percent);
+  }
+  return percents;
+}
+
+TEST_F(ConnectionTest, TellsWhatGetsFinerToThoseWhoKnowItAndAreIn) {
+  const auto connect = [&](const char* subProtocol) {
+    return std::make_unique<Connection>(
+        host_, "a test", now_, [] {}, door_, subProtocol);
+  };
+  const auto hello = encode(Hello{"Ada", 320, 180});
+  const auto newest = connect(kSubProtocolWithVideo);
+  const auto older = connect(kSubProtocolWithWaiting);
+  host_.tell({.percent = 10, .secondsLeft = 90, .step = "oak"});
+  EXPECT_FALSE(newest->hasSomethingToSend()) << "he is not in";
+  ASSERT_FALSE(newest->receive(whole(hello), now_));
+  ASSERT_FALSE(older->receive(whole(hello), now_));
+  EXPECT_EQ(percentsToldTo(*newest), std::vector{10}) << "to who comes while it goes on";
+  EXPECT_TRUE(percentsToldTo(*newest).empty()) << "once";
+  host_.tell({.percent = 20, .secondsLeft = 80, .step = "oak"});
+  host_.tell({.percent = 30, .secondsLeft = 70, .step = "oak"});
+  EXPECT_TRUE(newest->hasSomethingToSend());
+  EXPECT_EQ(percentsToldTo(*newest), std::vector{30}) << "the newest alone";
+  host_.tell({.percent = 100, .secondsLeft = 0, .step = {}});
+  EXPECT_EQ(percentsToldTo(*newest), std::vector{100});
+  EXPECT_TRUE(percentsToldTo(*older).empty());
+  const auto late = connect(kSubProtocolWithVideo);
+  ASSERT_FALSE(late->receive(whole(hello), now_));
+  EXPECT_TRUE(percentsToldTo(*late).empty()) << "what was done before he came";
 }
 
 }  // namespace

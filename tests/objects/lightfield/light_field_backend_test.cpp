@@ -2,9 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <atomic>
+#include <chrono>
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "gl/shader_library.h"
@@ -56,6 +61,13 @@ class Wood {
     return payloads;
   }
 
+  /// The light field that all show gives way to a finer one.
+  void show(const LightField& finer) {
+    const std::string file = (folder_ / "thicket.glf").string();
+    writeLightField(finer, file);
+    registry_.type(*registry_.find("lightfield")).show(file);
+  }
+
   std::int64_t counted(const char* counter) {
     const auto counters = timeline_.counters();
     const auto found = counters.find(counter);
@@ -98,6 +110,26 @@ class LightFieldBackendTest : public ::testing::Test {
 
 LightField* LightFieldBackendTest::field_ = nullptr;
 
+struct Fades {
+  int going = 0;
+  float least = 1.0F;  ///< share of the finer ones
+  float most = 0.0F;
+};
+
+Fades fadesOf(const std::vector<node::Payload>& payloads) {
+  Fades fades;
+  for (const node::Payload& payload : payloads) {
+    const auto* shared = std::get_if<std::shared_ptr<const node::SimulationData>>(&payload);
+    if (shared == nullptr) continue;
+    const CrossFade& fade = static_cast<const SharedView&>(**shared).parts().fade;
+    if (!fade.from) continue;
+    ++fades.going;
+    fades.least = std::min(fades.least, fade.share);
+    fades.most = std::max(fades.most, fade.share);
+  }
+  return fades;
+}
+
 bool showsAll(const std::vector<node::Payload>& payloads) {
   for (const node::Payload& payload : payloads) {
     if (std::holds_alternative<node::Failure>(payload)) return false;
@@ -113,6 +145,59 @@ TEST_F(LightFieldBackendTest, ALoneVisitorIsNeverHeldBack) {
   EXPECT_EQ(wood.counted("coarse views"), 0);
   EXPECT_LE(wood.counted("views shown late"), wood.counted("view cache hits") / 10);
   EXPECT_GT(wood.counted("view cache misses"), 20);
+}
+
+TEST_F(LightFieldBackendTest, AFinerLightFieldComesWithoutAJump) {
+  Wood wood(*field_, 1);
+  node::FrameNumber frame = 1;
+  double now = 0.0;
+  const auto look = [&] { return wood.look(0, frame++, now += 1.0 / 30.0, false); };
+  while (frame < 90) (void)look();
+  EXPECT_EQ(fadesOf(look()).going, 0);
+  wood.show(Thicket().bake(4, 128, 2));
+  // Everything that shows goes over to it, as the budget has it, and begins with the picture that was there.
+  std::map<int, int> seen;
+  int objects = 0;
+  float last = 0.0F;
+  bool isFirst = true;
+  for (int i = 0; i < 120; ++i) {
+    const auto payloads = look();
+    ASSERT_TRUE(showsAll(payloads));
+    objects = static_cast<int>(payloads.size());
+    const Fades fades = fadesOf(payloads);
+    if (fades.going == 0) continue;
+    if (isFirst) EXPECT_LT(fades.least, 0.01F);
+    isFirst = false;
+    EXPECT_LT(fades.most - last, 0.1F) << "no more than a frame's share at once";
+    last = std::max(last, fades.most);
+    ++seen[fades.going];
+  }
+  ASSERT_GT(objects, 5);
+  EXPECT_FALSE(isFirst);
+  EXPECT_GT(last, 0.9F);
+  EXPECT_GT(seen.rbegin()->first, objects / 2) << "most objects faded";
+  EXPECT_EQ(fadesOf(look()).going, 0) << "and it comes to an end";
+}
+
+/// For the thread sanitizer, too: requests in progress hold on to what they began with.
+TEST_F(LightFieldBackendTest, LightFieldsChangeWhileFramesAreMade) {
+  Wood wood(*field_, 2);
+  const LightField finer = Thicket().bake(2, 64, 2);
+  std::atomic<bool> done{false};
+  std::jthread shower([&] {
+    for (int i = 0; i < 5; ++i) {
+      wood.show(i % 2 == 0 ? finer : *field_);
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+    done = true;
+  });
+  for (node::FrameNumber frame = 1; !done; ++frame) {
+    for (const std::size_t visitor : {0U, 1U}) {
+      const auto payloads = wood.look(visitor, frame, frame / 30.0);
+      ASSERT_TRUE(showsAll(payloads));
+      ASSERT_FALSE(payloads.empty());
+    }
+  }
 }
 
 TEST_F(LightFieldBackendTest, ACrowdOnALateMachineSeesEverythingWithinTheBudget) {

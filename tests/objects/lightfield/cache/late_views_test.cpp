@@ -31,6 +31,37 @@ TEST(LateViews, RemembersWhatEachVisitorWasShownLast) {
   EXPECT_EQ(late.last(viewOf(2, 2), 5), cellOf(9));
 }
 
+TEST(LateViews, WhatShowedAFormerLightFieldFadesAway) {
+  LateViews late;
+  const auto at = [](double time) {
+    node::View view = viewOf(1, 1);
+    view.time = time;
+    return view;
+  };
+  CellId finer = cellOf(7);
+  finer.version = 1;
+  late.shown(at(1.0), 5, cellOf(7));
+  EXPECT_FALSE(late.fading(at(1.1), 5)) << "there was nothing before";
+  late.shown(at(2.0), 5, finer);
+  const auto begun = late.fading(at(2.0), 5);
+  ASSERT_TRUE(begun);
+  EXPECT_EQ(begun->from, cellOf(7));
+  EXPECT_EQ(begun->share, 0.0F) << "nothing jumps";
+  // One who walks is shown other cells of the finer light field meanwhile.
+  finer.column = 9;
+  late.shown(at(2.4), 5, finer);
+  float last = 0.0F;
+  for (const double time : {2.25, 2.5, 2.75, 2.99}) {
+    const auto fading = late.fading(at(time), 5);
+    ASSERT_TRUE(fading) << time;
+    EXPECT_EQ(fading->from, cellOf(7));
+    EXPECT_GT(fading->share, last);
+    last = fading->share;
+  }
+  EXPECT_GT(last, 0.99F);
+  EXPECT_FALSE(late.fading(at(3.0), 5));
+}
+
 TEST(LateViews, MemoryIsBoundedWhoeverComes) {
   LateViews late;
   for (node::SessionId session = 1; session < 3000; ++session) {

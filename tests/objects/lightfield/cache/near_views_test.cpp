@@ -127,5 +127,34 @@ TEST(NearViews, TellWhatTheyHoldUntilTheVisitorLeaves) {
   EXPECT_NE(views.last(2, 1).picture, nullptr);
 }
 
+TEST(NearViews, WhatShowedAFormerLightFieldIsKeptWhileItFades) {
+  pipeline::MemoryLedger memory;
+  NearViews views(memory);
+  const auto bytes = [&] {
+    std::int64_t sum = 0;
+    for (const auto& [key, total] : memory.totals()) sum += total.bytes;
+    return sum;
+  };
+  node::View view;
+  view.session = 1;
+  view.time = 10.0;
+  NearView coarse = viewOf(gratingOf(2.0F, 4.0F));
+  views.shown(1, 5, coarse);
+  const std::int64_t alone = bytes();
+  EXPECT_FALSE(views.isFading(view, 5, 0));
+  EXPECT_TRUE(views.isFading(view, 5, 1)) << "there is a finer light field";
+  NearView finer = viewOf(gratingOf(2.0F, 4.0F));
+  finer.version = 1;
+  finer.from = coarse.picture;
+  finer.since = view.time;
+  views.shown(1, 5, finer);
+  EXPECT_EQ(bytes(), 2 * alone);
+  EXPECT_TRUE(views.isFading(view, 5, 1));
+  view.time += CrossFade::kSeconds;
+  EXPECT_FALSE(views.isFading(view, 5, 1));
+  views.shown(1, 5, unlessFaded(views.last(1, 5), view.time));
+  EXPECT_EQ(bytes(), alone);
+}
+
 }  // namespace
 }  // namespace grove::objects::lightfield
