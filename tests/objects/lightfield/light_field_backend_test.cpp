@@ -10,6 +10,7 @@
 #include <map>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "gl/shader_library.h"
@@ -166,8 +167,9 @@ TEST_F(LightFieldBackendTest, AFinerLightFieldComesWithoutAJump) {
     objects = static_cast<int>(payloads.size());
     const Fades fades = fadesOf(payloads);
     if (fades.going == 0) continue;
-    if (isFirst) EXPECT_LT(fades.least, 0.01F);
-    isFirst = false;
+    if (std::exchange(isFirst, false)) {
+      EXPECT_LT(fades.least, 0.01F);
+    }
     EXPECT_LT(fades.most - last, 0.1F) << "no more than a frame's share at once";
     last = std::max(last, fades.most);
     ++seen[fades.going];
