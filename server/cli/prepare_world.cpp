@@ -37,7 +37,7 @@ class MeanShare {
   void set(std::size_t index, float share) {
     const std::lock_guard lock(mutex_);
     shares_[index] = share;
-    tell_("coarse light fields",
+    tell_("sketching the light fields",
           std::accumulate(shares_.begin(), shares_.end(), 0.0F) / static_cast<float>(shares_.size()));
   }
 

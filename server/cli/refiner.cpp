@@ -6,11 +6,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <condition_variable>
 #include <cstdio>
 #include <exception>
+#include <mutex>
+#include <system_error>
 #include <utility>
 
+#include "base/error.h"
 #include "base/log.h"
+#include "objects/lightfield/format/light_field_file.h"
 
 namespace grove::cli {
 namespace {
@@ -19,6 +24,8 @@ using stream::Refining;
 using namespace std::chrono_literals;
 
 constexpr auto kBetweenNews = 1s;
+/// Between two looks for what other servers have made.
+constexpr auto kPoll = 1s;
 /// Before that a guess of the time that is left would be wild.
 constexpr float kMinShare = 0.02F;
 
@@ -39,6 +46,23 @@ float costOf(const WantedField& wanted) {
   return static_cast<float>(wanted.source.lightings + 3) * static_cast<float>(wanted.source.size * wanted.source.size);
 }
 
+float costOf(const std::vector<WantedField>& wanted) {
+  float sum = 0.0F;
+  for (const WantedField& each : wanted) sum += costOf(each);
+  return sum;
+}
+
+bool canOpen(const std::filesystem::path& file) {
+  std::error_code ignored;
+  if (!std::filesystem::exists(file, ignored)) return false;
+  try {
+    static_cast<void>(objects::lightfield::openLightField(file));
+    return true;
+  } catch (const objects::lightfield::LightFieldError&) {
+    return false;
+  }
+}
+
 float shareOf(const bake::BakeProgress& progress) {
   if (progress.step == "light") return kLightShare * progress.share;
   if (progress.step == "views") return kLightShare + kViewsShare * progress.share;
@@ -54,12 +78,10 @@ std::string inSeconds(double seconds) {
 }  // namespace
 
 Refiner::Refiner(std::vector<WantedField> wanted, Show show, Tell tell)
-    : wanted_(std::move(wanted)),
-      show_(std::move(show)),
-      tell_(std::move(tell)),
-      thread_([this](const std::stop_token& stop) { run(stop); }) {
+    : left_(std::move(wanted)), costAll_(costOf(left_)), show_(std::move(show)), tell_(std::move(tell)) {
+  log::info("finer light fields are made while the world is shown: " + std::to_string(left_.size()));
+  thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
   pthread_setname_np(thread_.native_handle(), "grove-refine");
-  log::info("finer light fields are made while the world is shown: " + std::to_string(wanted_.size()));
 }
 
 Refiner::~Refiner() = default;
@@ -68,8 +90,20 @@ void Refiner::run(const std::stop_token& stop) {
   runWhenIdle();
   try {
     const FieldLock lock(fieldFolder() / "lock");
-    for (std::size_t i = 0; i < wanted_.size(); ++i) {
-      if (!refine(i, lock, stop)) return;
+    while (!left_.empty()) {
+      showWhatIsThere();
+      if (left_.empty()) break;
+      if (stop.stop_requested()) return;
+      progressed(0.0F);
+      if (!lock.take()) {
+        // Another server makes one.
+        wait(stop);
+        continue;
+      }
+      // It may have made the next one just before it gave the lock.
+      const bool isMade = canOpen(left_.front().source.file) || makeNext(stop);
+      lock.give();
+      if (!isMade) return;
     }
     log::info("all light fields are as fine as the scene wants them: " + inSeconds(seconds()) + " in all");
   } catch (const std::exception& e) {
@@ -78,65 +112,56 @@ void Refiner::run(const std::stop_token& stop) {
   tell_({.percent = 100, .secondsLeft = 0, .step = {}});
 }
 
-bool Refiner::refine(std::size_t index, const FieldLock& lock, const std::stop_token& stop) {
-  const WantedField& wanted = wanted_[index];
-  const std::filesystem::path& file = wanted.source.file;
-  const auto isThere = [&] {
-    std::error_code ignored;
-    return std::filesystem::exists(file, ignored) && openField(file).index() == 0;
-  };
-  const Clock::time_point begin = Clock::now();
-  progressed(index, 0.0F, nameOf(wanted));
-  bool madeHere = false;
-  while (!isThere()) {
-    if (!lock.take()) {
-      // Another server makes it, or one that comes before it.
-      std::this_thread::sleep_for(200ms);
-      if (stop.stop_requested()) return false;
+void Refiner::showWhatIsThere() {
+  for (auto next = left_.begin(); next != left_.end();) {
+    if (!canOpen(next->source.file)) {
+      ++next;
       continue;
     }
-    const auto tell = [&](const bake::BakeProgress& now) { progressed(index, shareOf(now), nameOf(wanted)); };
-    madeHere = !isThere();
-    const bool made = !madeHere || bakeField(wanted, tell, stop);
-    lock.give();
-    if (!made) return false;
-    if (madeHere) break;
+    show_(next->source.file);
+    ++shown_;
+    costDone_ += costOf(*next);
+    const auto seconds = secondsLeft(shareDone(0.0F));
+    log::info("finer light field " + std::to_string(shown_) + " of " + std::to_string(shown_ - 1 + left_.size()) +
+              ", " + nameOf(*next) + (seconds && left_.size() > 1 ? "; about " + inSeconds(*seconds) + " left" : ""));
+    next = left_.erase(next);
   }
-  if (stop.stop_requested()) return false;
-  show_(file);
-  const auto left = secondsLeft(shareDone(index, 1.0F));
-  log::info("finer light field " + std::to_string(index + 1) + " of " + std::to_string(wanted_.size()) + ", " +
-            nameOf(wanted) + ": " + inSeconds(std::chrono::duration<double>(Clock::now() - begin).count()) +
-            (madeHere ? "" : ", by another server") +
-            (left && index + 1 < wanted_.size() ? "; about " + inSeconds(*left) + " left" : ""));
-  return true;
 }
 
-void Refiner::progressed(std::size_t index, float share, const std::string& step) {
+bool Refiner::makeNext(const std::stop_token& stop) {
+  const WantedField& next = left_.front();
+  if (!bakeField(
+          next, [this](const bake::BakeProgress& now) { progressed(shareOf(now)); }, stop))
+    return false;
+  if (canOpen(next.source.file)) return true;
+  throw EnvironmentError("the light field cannot be read again", next.source.file.string(), "look at the disk");
+}
+
+void Refiner::wait(const std::stop_token& stop) {
+  std::mutex mutex;
+  std::unique_lock lock(mutex);
+  std::condition_variable_any().wait_for(lock, stop, kPoll, [] { return false; });
+}
+
+void Refiner::progressed(float share) {
   const Clock::time_point now = Clock::now();
   if (told_ && now - *told_ < kBetweenNews) return;
   told_ = now;
-  const float done = shareDone(index, share);
+  const float done = shareDone(share);
   Refining news;
   news.percent = static_cast<std::uint8_t>(std::clamp(std::floor(100.0F * done), 0.0F, 99.0F));
   if (const auto left = secondsLeft(done)) {
     news.secondsLeft = static_cast<std::uint16_t>(std::min(*left, Refining::kUnknownSeconds - 1.0));
   }
-  news.step = step;
+  news.step = nameOf(left_.front());
   tell_(news);
 }
 
 double Refiner::seconds() const { return std::chrono::duration<double>(Clock::now() - begin_).count(); }
 
-float Refiner::shareDone(std::size_t index, float share) const {
-  float all = 0.0F;
-  float done = 0.0F;
-  for (std::size_t i = 0; i < wanted_.size(); ++i) {
-    const float cost = costOf(wanted_[i]);
-    all += cost;
-    if (i <= index) done += i < index ? cost : share * cost;
-  }
-  return done / all;
+float Refiner::shareDone(float shareOfNext) const {
+  const float ofNext = left_.empty() ? 0.0F : shareOfNext * costOf(left_.front());
+  return (costDone_ + ofNext) / costAll_;
 }
 
 std::optional<double> Refiner::secondsLeft(float shareDone) const {

@@ -6,7 +6,6 @@
 #include <functional>
 #include <optional>
 #include <stop_token>
-#include <string>
 #include <thread>
 #include <vector>
 
@@ -41,15 +40,21 @@ class Refiner {
   using Clock = std::chrono::steady_clock;
 
   void run(const std::stop_token& stop);
+  void showWhatIsThere();
   /// False if it was stopped.
-  [[nodiscard]] bool refine(std::size_t index, const FieldLock& lock, const std::stop_token& stop);
-  void progressed(std::size_t index, float share, const std::string& step);
+  [[nodiscard]] bool makeNext(const std::stop_token& stop);
+  static void wait(const std::stop_token& stop);
+  /// The share of the next one.
+  void progressed(float share);
   [[nodiscard]] double seconds() const;
-  /// Of all that is to do.
-  [[nodiscard]] float shareDone(std::size_t index, float share) const;
+  /// Of all that was to do.
+  [[nodiscard]] float shareDone(float shareOfNext) const;
   [[nodiscard]] std::optional<double> secondsLeft(float shareDone) const;
 
-  const std::vector<WantedField> wanted_;
+  std::vector<WantedField> left_;  ///< the next first
+  std::size_t shown_ = 0;
+  const float costAll_;
+  float costDone_ = 0.0F;
   const Show show_;
   const Tell tell_;
   const Clock::time_point begin_ = Clock::now();

@@ -46,7 +46,8 @@ export class Server {
     const server = new Server(process);
     let output = '';
     let look = () => {};
-    const isFine = () => coarse || !server.log.includes('coarse light fields') || server.log.includes('as fine as');
+    const isFine = () =>
+      coarse || !server.log.includes('sketching the light fields') || server.log.includes('as fine as');
     process.stderr.on('data', (chunk) => {
       server.log += chunk;
       look();

@@ -71,7 +71,7 @@ TEST_F(RefinerTest, ServesSomethingCoarseFirstAndMakesItFine) {
   EXPECT_LT(second, outcome.output.find(kAllFine)) << outcome.output;
   EXPECT_EQ(countFine(), 2);
   const Outcome again = serve("listening");
-  EXPECT_THAT(again.output, AllOf(HasSubstr("listening"), Not(HasSubstr("coarse")), Not(HasSubstr("finer"))));
+  EXPECT_THAT(again.output, AllOf(HasSubstr("listening"), Not(HasSubstr("sketching")), Not(HasSubstr("finer"))));
 }
 
 TEST_F(RefinerTest, ASignalEndsItAndTheNextStartGoesOn) {

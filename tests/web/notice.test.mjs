@@ -90,8 +90,8 @@ test('neither the button of another state nor its bar stays', () => {
 
 test('the world that is still being made for everybody is nobody\'s own', () => {
   const { notice, title, text, progress } = setUp();
-  notice.wait({ place: 1, percent: 12, step: 'coarse light fields', isIn: false });
+  notice.wait({ place: 1, percent: 12, step: 'sketching the light fields', isIn: false });
   assert.equal(title.textContent, 'The world is being made');
-  assert.equal(text.textContent, 'Coarse light fields\u2026');
+  assert.equal(text.textContent, 'Sketching the light fields\u2026');
   assert.deepEqual([progress.hidden, progress.value], [false, 12]);
 });
