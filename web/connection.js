@@ -66,8 +66,8 @@ export class Connection {
    * @param {object} parts.on
    * @param {(state: string, reason: string) => void} parts.on.state on every change
    * @param {(message: object) => void} parts.on.welcome when let in
-   * @param {(message: object, isIn: boolean) => void} parts.on.waiting as the wait for the first picture gets on, before
-   *     one is let in or after
+   * @param {(message: object) => void} parts.on.waiting as the wait for the first picture gets on; `isIn`:
+   *     after the welcome
    * @param {(message: object) => void} parts.on.picture for each Frame or Picture, with the time of its arrival (ms) as
    *     `arrived`
    * @param {(message: object) => void} [parts.on.status]
@@ -176,13 +176,11 @@ export class Connection {
         this.#greeted = true;
         this.#on.welcome(message);
         this.#enter('open');
-      } else if (message.message === 'Waiting') {
-        this.#on.waiting(message, this.#greeted);
-      } else if (this.#greeted) {
-        this.#backoff.reset();
+      } else if (this.#greeted || message.message === 'Waiting') {
+        if (message.message !== 'Waiting') this.#backoff.reset();
         // From now on the server keeps speaking; while a world is made for a newcomer it may take its time.
         if (this.#adapts && ['Picture', 'Status'].includes(message.message)) this.#patience = kShortSilence;
-        this.#on[kListeners[message.message]]?.({ ...message, arrived });
+        this.#on[kListeners[message.message]]?.({ ...message, arrived, isIn: this.#greeted });
       }
       if (this.#socket) this.#expectWord();
     } catch (error) {

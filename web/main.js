@@ -69,10 +69,10 @@ const connection = new Connection({
   on: {
     state: enter,
     welcome,
-    waiting: (message, isIn) => notice.wait(message, isIn),
-    refining: (message) => refining.show(message),
+    waiting: (message) => notice.wait(message),
     picture: receive,
     status: hear,
+    refining: (message) => refining.show(message),
   },
   backoff: new Backoff(),
   mayRetry: () => !document.hidden,

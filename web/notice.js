@@ -35,9 +35,9 @@ export class Notice {
     this.#element.hidden = false;
   }
 
-  /** How the wait for the world gets on, or for one of one's own, as in the message Waiting. */
-  wait({ place, percent, step }, isOwn) {
-    const title = isOwn ? 'Your world is being made' : 'The world is being made';
+  /** How the wait for the world gets on, or, once one is in, for one of one's own; as in the message Waiting. */
+  wait({ place, percent, step, isIn }) {
+    const title = isIn ? 'Your world is being made' : 'The world is being made';
     if (place === 1) this.#say(title, step ? `${capitalised(step)}\u2026` : 'A moment\u2026');
     else this.#say(`Place ${place} in line`, `Everyone gets a world of their own here. ${before(place - 1)}`);
     // Not among the words: a screen reader would say every percent of it.

@@ -85,7 +85,7 @@ bool Entrance::isWelcome(const RequestSource& source, double cost) {
 }
 
 void Entrance::refuse(const std::string& who, const std::string& why) {
-  count_();
+  if (host_ != nullptr) host_->countRefusedConnection();
   refusals_.warning("a connection of " + who + " was refused: " + why);
 }
 

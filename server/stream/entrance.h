@@ -2,7 +2,6 @@
 
 #include <libwebsockets.h>
 
-#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -11,6 +10,7 @@
 #include "base/log.h"
 #include "stream/address_limits.h"
 #include "stream/address_range.h"
+#include "stream/host.h"
 #include "stream/web_pages.h"
 
 namespace grove::stream {
@@ -38,9 +38,10 @@ struct RequestSource {
 /// Judges sockets and requests by the rules, and logs whom it refuses. On the library's thread only.
 class Entrance {
  public:
-  /// `count` is called for each connection that is refused.
-  Entrance(EntranceRules rules, std::function<void()> count)
-      : count_(std::move(count)), rules_(std::move(rules)), limits_(rules_.allowance) {}
+  explicit Entrance(EntranceRules rules) : rules_(std::move(rules)), limits_(rules_.allowance) {}
+
+  /// From now on there is a world, whose statistics count whom it refuses; it outlives the entrance.
+  void open(Host& host) noexcept { host_ = &host; }
 
   void addName(std::string name) { rules_.names.push_back(std::move(name)); }
 
@@ -65,7 +66,7 @@ class Entrance {
   [[nodiscard]] bool isWelcome(const RequestSource& source, double cost);
   void refuse(const std::string& who, const std::string& why);
 
-  const std::function<void()> count_;
+  Host* host_ = nullptr;  ///< null until the world is ready
   EntranceRules rules_;
   AddressLimits limits_;
   log::Limited refusals_;

@@ -49,8 +49,8 @@ class HttpService {
 
   const Audience audience_;
   const WebPages pages_;
-  const std::string hsts_;          ///< a header's value; empty: there is none
   LiveReports* reports_ = nullptr;  ///< null until the world is ready
+  const std::string hsts_;          ///< a header's value; empty: there is none
   std::map<lws*, Answer> answers_;
 };
 

@@ -128,9 +128,7 @@ class WebsocketServer::Service {
 };
 
 WebsocketServer::Service::Service(const ServerOptions& options)
-    : entrance_(options.rules, [this] {
-        if (host_ != nullptr) host_->countRefusedConnection();
-      }),
+    : entrance_(options.rules),
       maxSockets_(socketsThatFit()),
       context_(&Service::callback, this, maxSockets_, options.tls),
       waker_(std::make_shared<Waker>(context_.get())),
@@ -184,6 +182,7 @@ void WebsocketServer::Service::open(Host& host) {
 
 void WebsocketServer::Service::admit() {
   host_ = ready_;
+  entrance_.open(*host_);
   reports_.emplace(*host_, [waker = waker_] { waker->wake(); });
   for (HttpService& each : http_) each.open(*reports_);
   for (auto& [wsi, socket] : sockets_) {

@@ -25,8 +25,9 @@ using testing::StartsWith;
 std::ptrdiff_t lines(const std::string& text) { return std::ranges::count(text, '\n'); }
 
 TEST(CommandLine, HelpEverywhere) {
-  for (const char* command : {"--help", "serve --help", "load --help", "bench --help", "bench fluid --help",
-                              "bench amortize --help", "bench encode --help", "bench pipeline --help", "shape --help"}) {
+  for (const char* command :
+       {"--help", "serve --help", "load --help", "bench --help", "bench fluid --help", "bench amortize --help",
+        "bench encode --help", "bench pipeline --help", "shape --help"}) {
     const Outcome outcome = grove(command, false);
     EXPECT_EQ(outcome.exit, 0) << command;
     EXPECT_THAT(outcome.output, HasSubstr("--help")) << command;

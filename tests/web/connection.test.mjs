@@ -58,7 +58,7 @@ function setUp({ mayRetry = () => true, protocol = 'grove.v1.1' } = {}) {
     on: {
       state: (state, reason) => states.push(reason ? `${state}: ${reason}` : state),
       welcome: () => {},
-      waiting: ({ place, percent, step }, isIn) => waits.push([place, percent, step, isIn]),
+      waiting: ({ place, percent, step, isIn }) => waits.push([place, percent, step, isIn]),
       refining: ({ percent, secondsLeft }) => refining.push([percent, secondsLeft]),
       picture: (picture) => frames.push(picture.frame),
       status: ({ limitedBy }) => frames.push(`limited by ${limitedBy}`),

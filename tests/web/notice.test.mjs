@@ -42,11 +42,11 @@ function setUp() {
 
 test('says how many are before', () => {
   const { notice, title, text, progress } = setUp();
-  notice.wait({ place: 3, percent: 0, step: '' }, true);
+  notice.wait({ place: 3, percent: 0, step: '', isIn: true });
   assert.equal(title.textContent, 'Place 3 in line');
   assert.match(text.textContent, /2 visitors are before you\.$/);
   assert.equal(progress.hidden, true);
-  notice.wait({ place: 2, percent: 0, step: '' }, true);
+  notice.wait({ place: 2, percent: 0, step: '', isIn: true });
   assert.equal(title.textContent, 'Place 2 in line');
   assert.match(text.textContent, /One visitor is before you\.$/);
 });
@@ -54,19 +54,19 @@ test('says how many are before', () => {
 test('says what is being made, and shows how much of it', () => {
   const { notice, element, title, text, progress } = setUp();
   notice.hide();
-  notice.wait({ place: 1, percent: 40, step: 'painting the sky' }, true);
+  notice.wait({ place: 1, percent: 40, step: 'painting the sky', isIn: true });
   assert.equal(element.hidden, false);
   assert.equal(title.textContent, 'Your world is being made');
   assert.equal(text.textContent, 'Painting the sky\u2026');
   assert.equal(progress.hidden, false);
   assert.equal(progress.value, 40);
-  notice.wait({ place: 1, percent: 0, step: '' }, true);
+  notice.wait({ place: 1, percent: 0, step: '', isIn: true });
   assert.equal(text.textContent, 'A moment\u2026');
 });
 
 test('words that stay the same are not read out again', () => {
   const { notice, title, text, progress } = setUp();
-  for (const percent of [10, 20, 30]) notice.wait({ place: 1, percent, step: 'painting the sky' }, true);
+  for (const percent of [10, 20, 30]) notice.wait({ place: 1, percent, step: 'painting the sky', isIn: true });
   assert.equal(progress.value, 30);
   assert.equal(title.spoken, 1);
   assert.equal(text.spoken, 1);
@@ -82,7 +82,7 @@ test('neither the button of another state nor its bar stays', () => {
   const { notice, progress, button } = setUp();
   notice.show('full', '');
   assert.equal(button.hidden, false);
-  notice.wait({ place: 1, percent: 40, step: '' }, true);
+  notice.wait({ place: 1, percent: 40, step: '', isIn: true });
   assert.equal(button.hidden, true);
   notice.show('lost', '');
   assert.equal(progress.hidden, true);
@@ -90,7 +90,7 @@ test('neither the button of another state nor its bar stays', () => {
 
 test('the world that is still being made for everybody is nobody\'s own', () => {
   const { notice, title, text, progress } = setUp();
-  notice.wait({ place: 1, percent: 12, step: 'sketching the light fields' }, false);
+  notice.wait({ place: 1, percent: 12, step: 'sketching the light fields', isIn: false });
   assert.equal(title.textContent, 'The world is being made');
   assert.equal(text.textContent, 'Sketching the light fields\u2026');
   assert.deepEqual([progress.hidden, progress.value], [false, 12]);

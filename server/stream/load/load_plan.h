@@ -33,8 +33,8 @@ struct LoadPlan {
   int height = 720;                                             ///< pixels, wanted
   std::vector<std::uint8_t> codecs = {kCodecH264, kCodecJpeg};  ///< that are offered, the best first
   Movement movement = Movement::kStroll;
-  std::optional<WalkToFollow> follow;  ///< instead
-  std::optional<LinkProfile> shape;    ///< of the line that each visitor has for himself
+  std::optional<WalkToFollow> follow = {};  ///< instead
+  std::optional<LinkProfile> shape = {};    ///< of the line that each visitor has for himself
 };
 
 }  // namespace grove::stream
