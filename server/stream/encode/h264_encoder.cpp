@@ -35,7 +35,7 @@ void describe(SEncParamExt& parameters, int width, int height, int quantiser) {
   parameters.iMultipleThreadIdc = 1;
   parameters.bEnableDenoise = false;
   parameters.bEnableSceneChangeDetect = false;
-  parameters.bEnableBackgroundDetection = true;
+  parameters.bEnableBackgroundDetection = false;
   parameters.bEnableAdaptiveQuant = false;
   parameters.iEntropyCodingModeFlag = 0;
   SSpatialLayerConfig& layer = parameters.sSpatialLayers[0];
