@@ -58,6 +58,7 @@ constexpr float kThinnest = 4.0F;
 constexpr float kRoughPatch = 4.0F;
 constexpr int kRoughDirections = 16;
 constexpr int kRoughSunRays = 2;
+constexpr std::size_t kRoughHeldOut = 2;
 
 using ProgressCall = std::function<void(const BakeProgress&)>;
 
@@ -318,11 +319,13 @@ std::optional<BakeReport> Job::run() {
 
   const Step views("views", progress_);
   const ViewRenderer renderer(model_, textures_, rays_, points, light, options_.samples);
-  const std::vector<ObjectCamera> cameras = planHeldOut(geometry_, options_.subdivision, options_.size);
+  std::vector<ObjectCamera> cameras = planHeldOut(geometry_, options_.subdivision, options_.size);
+  // They tell how much room the others take; nobody measures a rough one by them.
+  if (options_.rough) cameras.resize(kRoughHeldOut);
   const ViewRenderer truth(model_, textures_, rays_, points, light, options_.truthSamples);
   const std::vector<Picture> heldOut = renderHeldOut(truth, cameras, ModelRays::Among::kModel);
   const std::vector<ObjectCamera> seamCameras =
-      options_.tile ? planSeams(geometry_, options_.size) : std::vector<ObjectCamera>();
+      options_.tile && !options_.rough ? planSeams(geometry_, options_.size) : std::vector<ObjectCamera>();
   const std::vector<Picture> seams = renderHeldOut(truth, seamCameras, ModelRays::Among::kSurroundings);
   if (stop_.stop_requested()) return std::nullopt;
   checkRoom(heldOut);

@@ -21,7 +21,8 @@ struct BakeOptions {
   int truthSamples = 6;
   int threads = 0;    ///< 0: one per core
   bool tile = false;  ///< the model stands amid copies of itself, see models::isTile()
-  /// Of a tenth of the rays: light that neighbouring leaves share. For what is shown until something better is made.
+  /// Light of a quarter of the rays that neighbouring leaves share, and two held-out views. For what is shown until
+  /// something better is made.
   bool rough = false;
 };
 

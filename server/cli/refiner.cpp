@@ -25,7 +25,7 @@ using namespace std::chrono_literals;
 
 constexpr auto kBetweenNews = 1s;
 /// Between two looks for what other servers have made.
-constexpr auto kOthersPoll = 1s;
+constexpr auto kBetweenLooks = 1s;
 /// Before that a guess of the time that is left would be wild.
 constexpr float kMinShare = 0.02F;
 
@@ -140,7 +140,7 @@ bool Refiner::makeNext(const std::stop_token& stop) {
 void Refiner::wait(const std::stop_token& stop) {
   std::mutex mutex;
   std::unique_lock lock(mutex);
-  std::condition_variable_any().wait_for(lock, stop, kOthersPoll, [] { return false; });
+  std::condition_variable_any().wait_for(lock, stop, kBetweenLooks, [] { return false; });
 }
 
 void Refiner::progressed(float share) {

@@ -97,6 +97,13 @@ std::optional<stream::EntranceRules> entranceRules(const ServeOptions& options) 
   return rules;
 }
 
+/// Throws what is wrong with the scene's objects, before anybody is told that it will be served.
+void checkObjects(const world::Scene& scene) {
+  node::Registry registry;
+  objects::registerBuiltinTypes(registry);
+  (void)node::makeLayout(scene, registry);
+}
+
 void serveUntilStopped(StopOnSignal& stop, stream::TlsStore* tls) {
   while (true) {
     const StopOnSignal::Event event = stop.waitFor(1000ms);
@@ -136,6 +143,7 @@ int runServe(const ServeOptions& options) {
   StopOnSignal stop(StopOnSignal::Hangup::kIsTold);
   stop.endWithin(kStopWhilePreparing);
   const world::Scene scene = openScene(options.scene);
+  checkObjects(scene);
   std::optional<EndOnMemoryShortage> ending(std::in_place);
   requireAddressSpace(kForGl);
   const gl::ShaderLibrary shaders(options.shaderDirectory);
