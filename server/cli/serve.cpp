@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -97,13 +98,6 @@ std::optional<stream::EntranceRules> entranceRules(const ServeOptions& options) 
   return rules;
 }
 
-/// Throws what is wrong with the scene's objects, before anybody is told that it will be served.
-void checkObjects(const world::Scene& scene) {
-  node::Registry registry;
-  objects::registerBuiltinTypes(registry);
-  (void)node::makeLayout(scene, registry);
-}
-
 void serveUntilStopped(StopOnSignal& stop, stream::TlsStore* tls) {
   while (true) {
     const StopOnSignal::Event event = stop.waitFor(1000ms);
@@ -143,7 +137,6 @@ int runServe(const ServeOptions& options) {
   StopOnSignal stop(StopOnSignal::Hangup::kIsTold);
   stop.endWithin(kStopWhilePreparing);
   const world::Scene scene = openScene(options.scene);
-  checkObjects(scene);
   std::optional<EndOnMemoryShortage> ending(std::in_place);
   requireAddressSpace(kForGl);
   const gl::ShaderLibrary shaders(options.shaderDirectory);
@@ -156,9 +149,13 @@ int runServe(const ServeOptions& options) {
       {.visitors = *visitors, .operators = desk, .rules = *rules, .tls = tls, .hsts = options.hsts});
   server.start();
   const std::string address = urlOf({visitors->host, server.port()}, tls != nullptr);
-  log::info("the page is at " + address + "; visitors wait there while the world is prepared");
   Progress progress;
+  std::once_flag announced;
+  // Of what cannot be served, nothing is announced.
   const auto tell = [&](std::string_view label, float share) {
+    std::call_once(announced, [&] {
+      log::info("the page is at " + address + "; visitors wait there while the world is prepared");
+    });
     progress.show(label, share);
     server.tell(label, share);
   };
