@@ -9,8 +9,10 @@ namespace {
 
 constexpr double kBitsPerByte = 8.0;
 /// Queues, beside a frame's own passage, that let the rate grow, and that make it fall.
-constexpr double kShortQueue = 0.020;
-constexpr double kLongQueue = 0.045;
+constexpr double kShortQueue = 0.012;
+constexpr double kLongQueue = 0.035;
+/// A queue lasts; one that is gone with the next frame was somebody's scheduler. Not so one as long as this.
+constexpr double kCertainQueue = 0.080;
 /// So long after it should have come, a frame is overdue.
 constexpr double kOverdue = 0.080;
 constexpr int kMaxOverdueFalls = 2;
@@ -20,11 +22,13 @@ constexpr double kMinSecondsBetweenFalls = 0.15;
 constexpr double kOfDelivered = 0.85;
 constexpr double kDeepestFall = 0.4;
 constexpr double kSmallestFall = 0.95;
-/// Growth a second: before the line was ever full, below the rate at which it last was, and near that.
+/// Growth a second before the line was ever full, and at most after that.
 constexpr double kFirstGrowth = 6.0;
-constexpr double kGrowth = 1.0;
-constexpr double kCarefulGrowth = 0.25;
-constexpr double kNear = 0.9;
+constexpr double kMaxGrowth = 1.6;
+/// After a fall the rate goes back up to about what the line carried, stays near that, and tries ever more then: as
+/// CUBIC's window does (RFC 9438), of which this is the slope.
+constexpr double kBackSeconds = 1.2;
+constexpr double kCurvature = 0.35;
 /// What has not been tried is not known: the rate stays within this of what is delivered.
 constexpr double kBeyondDelivered = 1.6;
 constexpr double kBeyondAtLeast = 400e3;
@@ -62,15 +66,14 @@ void LinkEstimator::arrived(std::uint32_t frame, const Arrival& arrival) {
   roundTrip_.add(now, flight - held);
   transit_.add(now, transit);
   usualFlight_ += (flight - usualFlight_) / 8.0;
-  // By the page's clock, so that the way back does not count; but that clock may jump, run fast or lie, and no frame has
-  // waited for longer than it took until its acknowledgement.
+  // By the page's clock, so that the way back does not count; but that clock may jump, run fast or lie, and no frame
+  // has waited for longer than it took until its acknowledgement.
   queueing_ = std::min(transit - *transit_.value(), flight - *flight_.value());
   const double own = passage(newest->bytes);
-  if (queueing_ > kLongQueue + own) {
-    fall(now);
-  } else if (queueing_ < kShortQueue + own) {
-    grow(now);
-  }
+  const bool isLong = queueing_ > kLongQueue + own;
+  if (isLong && (std::exchange(wasLong_, true) || queueing_ > kCertainQueue + own)) fall(now);
+  wasLong_ = isLong;
+  if (queueing_ < kShortQueue + own) grow(now);
 }
 
 void LinkEstimator::look(double now) {
@@ -103,10 +106,9 @@ void LinkEstimator::grow(double now) {
   const double seconds = std::min(0.1, now - std::exchange(lastGrowth_, now));
   const double bound = kBeyondDelivered * delivered(now) + kBeyondAtLeast;
   if (rate_ > bound) return;
-  const double perSecond = !lastFall_ ? kFirstGrowth : rate_ > kNear * rateBeforeFall_ ? kCarefulGrowth : kGrowth;
+  const double perSecond =
+      lastFall_ ? std::min(kMaxGrowth, kCurvature * std::pow(now - *lastFall_ - kBackSeconds, 2.0)) : kFirstGrowth;
   rate_ = std::min({rate_ * std::exp(perSecond * seconds), std::max(bound, rate_), kMaxBitsPerSecond});
-  // The line has become better than it was.
-  if (rate_ > 1.2 * rateBeforeFall_) rateBeforeFall_ = kMaxBitsPerSecond;
 }
 
 bool LinkEstimator::fall(double now) {
@@ -114,7 +116,6 @@ bool LinkEstimator::fall(double now) {
   const double pause = std::max(kMinSecondsBetweenFalls, std::min(roundTrip() + queueing_, 1.0));
   if (lastFall_ && now - *lastFall_ < pause) return false;
   lastFall_ = now;
-  rateBeforeFall_ = rate_;
   const double wanted = std::clamp(kOfDelivered * delivered(now), kDeepestFall * rate_, kSmallestFall * rate_);
   rate_ = std::max(kMinBitsPerSecond, wanted);
   return true;

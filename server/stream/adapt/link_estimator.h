@@ -79,7 +79,7 @@ class LinkEstimator {
   double rate_ = 3e6;
   double lastGrowth_ = 0.0;
   std::optional<double> lastFall_;
-  double rateBeforeFall_ = kMaxBitsPerSecond;
+  bool wasLong_ = false;  ///< the queue, with the newest frame
   int overdueFalls_ = 0;  ///< since a frame arrived
 };
 
