@@ -151,6 +151,7 @@ function hear(status) {
   telemetry.statusReceived(status);
   lineHint.update(status, telemetry.read(clock.now()).height ?? status.height);
   root.dataset.limitedBy = kLimitNames[status.limitedBy];
+  root.dataset.visitors = status.visitors;
 }
 
 function presented(picture) {

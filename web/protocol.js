@@ -223,6 +223,7 @@ function decodeStatus(view) {
     width: view.getUint16(4, true),
     height: view.getUint16(6, true),
     roundTripMilliseconds: view.getUint16(8, true),
+    visitors: view.getUint16(10, true),
     kilobitsPerSecond: view.getUint32(12, true),
     lastInput: view.getUint32(16, true),
   };

@@ -23,6 +23,7 @@ export class Telemetry {
 
   statusReceived(status) {
     this.#status = status;
+    if (this.#last) this.#last = { ...this.#last, visitors: status.visitors };
     this.#latency.obeyed(status.lastInput);
   }
 

@@ -136,6 +136,7 @@ struct Status {
   std::uint16_t width = 0;           ///< of the pictures
   std::uint16_t height = 0;
   std::uint16_t roundTripMilliseconds = 0;  ///< of the idle line
+  std::uint16_t visitors = 0;               ///< in the world
   std::uint32_t kilobitsPerSecond = 0;      ///< that the line is thought to carry; 0: not known yet
   std::uint32_t lastInput = 0;              ///< the newest that would not change the picture on the screen
 };

@@ -106,11 +106,10 @@ ServerMessage parseStatus(WireReader reader) {
   status.width = reader.take<std::uint16_t>();
   status.height = reader.take<std::uint16_t>();
   status.roundTripMilliseconds = reader.take<std::uint16_t>();
-  const bool zero = reader.take<std::uint16_t>() == 0;
+  status.visitors = reader.take<std::uint16_t>();
   status.kilobitsPerSecond = reader.take<std::uint32_t>();
   status.lastInput = reader.take<std::uint32_t>();
   if (reader.exhausted() || !reader.rest().empty()) return wrongLength("Status");
-  if (!zero) return reservedBytes("Status");
   if (limitedBy > static_cast<std::uint8_t>(LimitedBy::kVisitor)) return refuseMessage("limited by nothing known");
   if (status.quality > kAllPercent) return refuseMessage("more than 100 percent");
   status.limitedBy = static_cast<LimitedBy>(limitedBy);
@@ -191,7 +190,7 @@ std::vector<std::uint8_t> encode(const Status& status) {
   WireWriter writer;
   writer.put(toByte(MessageType::kStatus)).put(static_cast<std::uint8_t>(status.limitedBy));
   writer.put(status.framesPerSecond).put(status.quality).put(status.width).put(status.height);
-  writer.put(status.roundTripMilliseconds).put(std::uint16_t{0}).put(status.kilobitsPerSecond).put(status.lastInput);
+  writer.put(status.roundTripMilliseconds).put(status.visitors).put(status.kilobitsPerSecond).put(status.lastInput);
   return writer.take();
 }
 

@@ -178,7 +178,7 @@ double Session::tick(double now) {
     }
   }
   if (status_) {
-    if (const auto status = control_->takeStatus(now)) status_(*status);
+    if (const auto status = control_->takeStatus(now, host_.players().count())) status_(*status);
   }
   return startIfDue(now);
 }

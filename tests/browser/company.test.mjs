@@ -97,8 +97,6 @@ test("one sees the other's figure, until they leave", async () => {
   }
   guests = [ada];
   await bob.leave();
-  // Towards the fire, which always moves: of a still view there is nothing to send.
-  await turnTo(ada, first);
   await ada.until('visitors', '1');
   const changes = [];
   for (const view of views) {

@@ -157,11 +157,13 @@ export class Visitor {
         scratch.imageSmoothingQuality = 'high';
         const presented = () => Number(document.documentElement.dataset.frames);
         const sum = new Float64Array(width * height * 4);
+        let isStill = false;
         for (let i = 0; i < pictures; i += 1) {
           const goal = presented() + between;
           const end = performance.now() + stillness;
-          while (presented() < goal && performance.now() < end) {
+          while (!isStill && presented() < goal) {
             await new Promise((resolve) => requestAnimationFrame(resolve));
+            isStill = performance.now() >= end;
           }
           scratch.drawImage(document.querySelector('canvas'), 0, 0, width, height);
           scratch.getImageData(0, 0, width, height).data.forEach((value, index) => (sum[index] += value));

@@ -75,6 +75,7 @@ Json fieldsOf(const Status& status) {
           {"width", status.width},
           {"height", status.height},
           {"roundTripMilliseconds", status.roundTripMilliseconds},
+          {"visitors", status.visitors},
           {"kilobitsPerSecond", status.kilobitsPerSecond},
           {"lastInput", status.lastInput}};
 }

@@ -122,3 +122,11 @@ test('a reading tells the size of the window, not of the border around it', () =
   const { width, height, codec } = telemetry.read(0);
   assert.deepEqual([width, height, codec], [640, 360, 'H.264']);
 });
+
+test('who comes while nothing moves is counted', () => {
+  const telemetry = new Telemetry();
+  const picture = { codec: 2, width: 704, height: 396, border: 0, lastInput: 0, serverMicroseconds: 0, visitors: 1 };
+  telemetry.framePresented(picture, 0);
+  telemetry.statusReceived({ lastInput: 0, visitors: 3 });
+  assert.equal(telemetry.read(0).visitors, 3);
+});

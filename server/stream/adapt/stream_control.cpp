@@ -240,12 +240,13 @@ Status StreamControl::status() const {
   return statusNow();
 }
 
-std::optional<Status> StreamControl::takeStatus(double now) {
+std::optional<Status> StreamControl::takeStatus(double now, std::size_t visitors) {
   const std::lock_guard lock(mutex_);
   if (!adapts_ || limits_.hidden) return std::nullopt;
-  const Status status = statusNow();
+  Status status = statusNow();
+  status.visitors = saturate<std::uint16_t>(static_cast<double>(visitors));
   const bool news = status.limitedBy != told_.limitedBy || status.framesPerSecond != told_.framesPerSecond ||
-                    status.height != told_.height || lastInput_ != lastInputTold_;
+                    status.height != told_.height || status.visitors != told_.visitors || lastInput_ != lastInputTold_;
   if (!news && now - wordSince_ < kStatusSeconds) return std::nullopt;
   told_ = status;
   lastInputTold_ = lastInput_;

@@ -60,8 +60,8 @@ class StreamControl {
   void unchanged(std::uint32_t lastInput);
   void sent(std::uint32_t frame, std::uint32_t lastInput, std::size_t bytes, double now);
 
-  /// To be said now, if anything is.
-  [[nodiscard]] std::optional<Status> takeStatus(double now);
+  /// To be said now, if anything is; `visitors` are in the world.
+  [[nodiscard]] std::optional<Status> takeStatus(double now, std::size_t visitors);
   /// For reports: of all that it keeps.
   [[nodiscard]] Status status() const;
 

@@ -99,13 +99,24 @@ TEST(StreamControl, RefinesWhatStandsStill) {
 TEST(StreamControl, TellsOfInputsThatChangeNothing) {
   Led led;
   (void)led.frame(10'000);
-  (void)led.control().takeStatus(led.now());
-  EXPECT_FALSE(led.control().takeStatus(led.now() + 0.01));
+  (void)led.control().takeStatus(led.now(), 1);
+  EXPECT_FALSE(led.control().takeStatus(led.now() + 0.01, 1));
   led.control().unchanged(77);
-  const auto status = led.control().takeStatus(led.now() + 0.02);
+  const auto status = led.control().takeStatus(led.now() + 0.02, 1);
   ASSERT_TRUE(status);
   EXPECT_EQ(status->lastInput, 77U);
-  EXPECT_FALSE(led.control().takeStatus(led.now() + 0.03));
+  EXPECT_FALSE(led.control().takeStatus(led.now() + 0.03, 1));
+}
+
+// Fault: who looks at a still view is not told that others have come or gone.
+TEST(StreamControl, TellsWhenSomebodyComesOrGoes) {
+  Led led;
+  (void)led.frame(10'000);
+  (void)led.control().takeStatus(led.now(), 1);
+  const auto status = led.control().takeStatus(led.now() + 0.01, 2);
+  ASSERT_TRUE(status);
+  EXPECT_EQ(status->visitors, 2);
+  EXPECT_FALSE(led.control().takeStatus(led.now() + 0.02, 2));
 }
 
 // Faults: a limit that is exceeded; one of nothing at all, that stops the stream.
