@@ -204,6 +204,7 @@ void StreamControl::encoded(const Choice& choice, bool independent, double pixel
 
 void StreamControl::unchanged(std::uint32_t lastInput) {
   const std::lock_guard lock(mutex_);
+  quantisers_.rested();
   lastInput_ = std::max(lastInput_, lastInput);
 }
 

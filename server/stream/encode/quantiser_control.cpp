@@ -42,4 +42,10 @@ void QuantiserControl::encoded(bool independent, double pixels, Quantiser quanti
   complexity_ = std::max(dependent_, complexity_ + kCalming * (dependent_ - complexity_));
 }
 
+void QuantiserControl::rested() {
+  debt_ *= kDebtDecay;
+  dependent_ *= 0.5;
+  complexity_ += kCalming * (dependent_ - complexity_);
+}
+
 }  // namespace grove::stream

@@ -16,6 +16,10 @@ class QuantiserControl {
   /// What came of it.
   void encoded(bool independent, double pixels, Quantiser quantiser, double bytes, double wantedBytes);
 
+  /// No picture was made, since it would be the last one again: what is owed is worked off, and what is left to refine
+  /// costs less than a picture that moves.
+  void rested();
+
   /// Bits that a pixel of an ordinary picture would take at quantiser 0: of the last second; what moves counts at once,
   /// stillness slowly.
   [[nodiscard]] double complexity() const noexcept { return complexity_; }
