@@ -37,7 +37,7 @@ bake::BakeOptions optionsOf(const WantedField& wanted) {
   options.size = wanted.source.size;
   options.lightings = wanted.source.lightings;
   options.truthSamples = options.samples;  // nobody measures these
-  options.tile = models::isTile(wanted.source.model.plant);
+  options.tile = !wanted.source.model.plant.empty() && models::isTile(wanted.source.model.plant);
   return options;
 }
 

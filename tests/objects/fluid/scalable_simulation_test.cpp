@@ -32,7 +32,7 @@ TEST_F(ScalableSimulationTest, StateIsTakenOver) {
     int to;
     double lost;  ///< of the energy, at most: the finer the grid, the smoother is what is on it
   };
-  const auto cases = kSanitized ? std::vector<Change>{{32, 48, 0.12}, {48, 32, 0.05}}
+  const auto cases = kSanitized ? std::vector<Change>{{32, 48, 0.12}}
                                 : std::vector<Change>{{32, 48, 0.12}, {64, 96, 0.04}, {96, 64, 0.03}, {64, 32, 0.05}};
   for (const auto& [from, to, lost] : cases) {
     auto simulation = scalable(from);
