@@ -1,6 +1,7 @@
 #include "stream/load/load_client.h"
 
 #include <libwebsockets.h>
+#include <openssl/ssl.h>
 
 #include <algorithm>
 #include <array>
@@ -30,6 +31,20 @@ constexpr std::size_t kMostMessageBytes = std::size_t{16} << 20U;
 
 constexpr int kTakeAny =
     LCCSCF_ALLOW_SELFSIGNED | LCCSCF_ALLOW_EXPIRED | LCCSCF_ALLOW_INSECURE | LCCSCF_SKIP_SERVER_CERT_HOSTNAME_CHECK;
+
+struct FreeTlsContext {
+  void operator()(SSL_CTX* context) const noexcept { SSL_CTX_free(context); }
+};
+using TlsContext = std::unique_ptr<SSL_CTX, FreeTlsContext>;
+
+/// Trusts what this machine does. The library's own is never freed (libwebsockets 4.1.6).
+TlsContext makeTlsContext() {
+  TlsContext context(SSL_CTX_new(TLS_client_method()));
+  if (!context || SSL_CTX_set_default_verify_paths(context.get()) != 1) {
+    throw EnvironmentError("OpenSSL cannot start", "grove load", "");
+  }
+  return context;
+}
 
 void logLibraryLine(int /*level*/, const char* line) { log::error(printable(line, 300)); }
 
@@ -80,6 +95,7 @@ class LoadClients {
   JpegDecoder decoder_;
   std::vector<std::unique_ptr<Client>> clients_;
   Timer watch_;
+  TlsContext tls_;  ///< null if it is not wanted
   std::unique_ptr<lws_context, ContextDeleter> context_;
 };
 
@@ -102,7 +118,11 @@ LoadClients::LoadClients(const LoadTarget& target, const LoadPlan& plan) : plan_
   info.port = CONTEXT_PORT_NO_LISTEN;
   info.protocols = kProtocols.data();
   info.user = this;
-  if (target.isSecure) info.options |= LWS_SERVER_OPTION_DO_SSL_GLOBAL_INIT;
+  if (target.isSecure) {
+    info.options |= LWS_SERVER_OPTION_DO_SSL_GLOBAL_INIT;
+    tls_ = makeTlsContext();
+    info.provided_client_ssl_ctx = tls_.get();
+  }
   info.pt_serv_buf_size = kReceiveBytes;
   info.fd_limit_per_thread = static_cast<unsigned>(sessions) + 16;
   context_.reset(lws_create_context(&info));
