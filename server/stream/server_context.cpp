@@ -9,7 +9,6 @@
 #include "stream/listen_address.h"
 #include "stream/printable.h"
 #include "stream/protocol.h"
-#include "stream/tls_listener.h"
 
 namespace grove::stream {
 namespace {
@@ -47,7 +46,11 @@ ServerContext::ServerContext(lws_callback_function* callback, void* user, std::s
   lws_set_log_level(LLL_ERR, &logLibraryLine);
   info_.options = LWS_SERVER_OPTION_EXPLICIT_VHOSTS | LWS_SERVER_OPTION_FAIL_UPON_UNABLE_TO_BIND |
                   LWS_SERVER_OPTION_SKIP_SERVER_CANONICAL_NAME;
-  if (tls_) info_.options |= LWS_SERVER_OPTION_DO_SSL_GLOBAL_INIT;
+  if (tls_) {
+    info_.options |= LWS_SERVER_OPTION_DO_SSL_GLOBAL_INIT;
+    client_ = makeClientTlsContext();
+    info_.provided_client_ssl_ctx = client_.get();
+  }
   // HTTP/2 would put the socket's frames into pieces of 16 KiB.
   info_.alpn = "http/1.1";
   info_.user = user;

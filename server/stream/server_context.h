@@ -8,6 +8,7 @@
 #include <string>
 
 #include "stream/audience.h"
+#include "stream/tls_listener.h"
 #include "stream/tls_store.h"
 
 namespace grove::stream {
@@ -41,6 +42,7 @@ class ServerContext {
   std::unique_ptr<lws_protocols[]> protocols_;
   std::array<std::string, 2> addresses_;  ///< by audience; the library keeps pointers to them
   std::array<bool, 2> secure_{};          ///< by audience
+  TlsContext client_;                     ///< unused; null: there is no TLS
   std::shared_ptr<const TlsStore> tls_;   ///< null: there is no TLS; before the context whose connections use it
   std::unique_ptr<lws_context, Deleter> context_;
   lws_vhost* operator_ = nullptr;

@@ -17,6 +17,12 @@ int showCertificate(SSL* connection, void* store) noexcept {
 
 }  // namespace
 
+TlsContext makeClientTlsContext() {
+  TlsContext context(SSL_CTX_new(TLS_client_method()));
+  if (!context) throw EnvironmentError("cannot start", "OpenSSL", "");
+  return context;
+}
+
 void prepareListener(SSL_CTX* context, const TlsStore& store) {
   const bool done =
       SSL_CTX_set_min_proto_version(context, TLS1_2_VERSION) == 1 && SSL_CTX_set_cipher_list(context, kCiphers) == 1;

@@ -1,7 +1,6 @@
 #include "stream/load/load_client.h"
 
 #include <libwebsockets.h>
-#include <openssl/ssl.h>
 
 #include <algorithm>
 #include <array>
@@ -15,6 +14,7 @@
 #include "stream/load/link_shaper.h"
 #include "stream/load/load_visitor.h"
 #include "stream/printable.h"
+#include "stream/tls_listener.h"
 #include "stream/wsi.h"
 #include "world/world.h"
 
@@ -32,16 +32,11 @@ constexpr std::size_t kMostMessageBytes = std::size_t{16} << 20U;
 constexpr int kTakeAny =
     LCCSCF_ALLOW_SELFSIGNED | LCCSCF_ALLOW_EXPIRED | LCCSCF_ALLOW_INSECURE | LCCSCF_SKIP_SERVER_CERT_HOSTNAME_CHECK;
 
-struct FreeTlsContext {
-  void operator()(SSL_CTX* context) const noexcept { SSL_CTX_free(context); }
-};
-using TlsContext = std::unique_ptr<SSL_CTX, FreeTlsContext>;
-
-/// Trusts what this machine does. The library's own is never freed (libwebsockets 4.1.6).
+/// Trusts what this machine does.
 TlsContext makeTlsContext() {
-  TlsContext context(SSL_CTX_new(TLS_client_method()));
-  if (!context || SSL_CTX_set_default_verify_paths(context.get()) != 1) {
-    throw EnvironmentError("OpenSSL cannot start", "grove load", "");
+  TlsContext context = makeClientTlsContext();
+  if (SSL_CTX_set_default_verify_paths(context.get()) != 1) {
+    throw EnvironmentError("cannot read whom this machine trusts", "OpenSSL", "install ca-certificates");
   }
   return context;
 }
