@@ -73,6 +73,7 @@ std::vector<WantedField> wantedFields(const world::Scene& scene) {
     place->second.places.push_back({object.transform.scale, glm::distance(object.transform.position, scene.spawn)});
   }
   std::vector<WantedField> result;
+  result.reserve(wanted.size());
   for (auto& [file, each] : wanted) result.push_back(std::move(each));
   return result;
 }

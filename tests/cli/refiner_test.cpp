@@ -18,6 +18,9 @@ using testing::Not;
 
 /// The real program with a cache folder of its own and a scene that gets finer within seconds.
 class RefinerTest : public testing::Test {
+ public:
+  ~RefinerTest() override { std::filesystem::remove_all(folder_); }
+
  protected:
   RefinerTest() {
     std::string name = (std::filesystem::temp_directory_path() / "grove_refiner_XXXXXX").string();
@@ -32,7 +35,6 @@ class RefinerTest : public testing::Test {
            "subdivision = 1\nsize = 64\nlightings = 1\n"
            "[[object]]\ntype = 'lightfield'\nmodel = 'near.gltf'\nsubdivision = 2\nsize = 64\nlightings = 1\n";
   }
-  ~RefinerTest() override { std::filesystem::remove_all(folder_); }
 
   /// Serves until a line that has `until` in it is there, does `then`, and interrupts it; all that it wrote.
   Outcome serve(const std::string& until, const std::string& then = "true", const std::string& before = "") {
