@@ -10,7 +10,7 @@ namespace grove::stream {
 namespace {
 
 /// Of what the line carries; the rest is for what the estimate is wrong by.
-constexpr double kUsable = 0.75;
+constexpr double kUsable = 0.8;
 /// While the camera stands, the picture is refined within this, and smoke goes on in it.
 constexpr double kStillBitsPerSecond = 1.3e6;
 /// A picture gets finer step by step, so that no single one takes long.
@@ -105,7 +105,8 @@ void StreamControl::plan(double now) {
                    {.bitsPerSecond = bitsPerSecond(),
                     .bitsPerPixel = quantisers_.complexity(),
                     .finest = range_.finest,
-                    .coarsest = range_.coarsest});
+                    .coarsest = range_.coarsest,
+                    .isTried = link_.isMeasured()});
   } else {
     policy_.update(now, wish(), {.bitsPerSecond = std::numeric_limits<double>::infinity()});
   }

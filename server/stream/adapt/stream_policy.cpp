@@ -32,10 +32,12 @@ constexpr std::array<Rung, 11> kLadder = {{{1.0, 1.0},
                                            {0.25, 1.0 / 6.0}}};
 /// Of the way from the finest to the coarsest quantiser: beyond the first, something else gives way; below the second,
 /// there is room for the next better rung.
-constexpr double kTight = 0.72;
-constexpr double kRoomy = 0.60;
+constexpr double kTight = 0.80;
+constexpr double kRoomy = 0.66;
 constexpr double kTightSeconds = 0.15;
 constexpr double kRoomySeconds = 2.0;
+/// At the beginning, what seemed to be needed was a guess.
+constexpr double kFirstRoomySeconds = 0.3;
 /// Far beyond, nothing is waited for.
 constexpr double kMuchTooTight = 4.0;
 /// Smaller pictures have finer detail in each pixel: bits go with this power of the pixels.
@@ -93,7 +95,7 @@ void StreamPolicy::step(double now, const StreamWish& wish, const StreamMeans& m
     return;
   }
   if (roomySince_ < 0.0) roomySince_ = now;
-  if (now - roomySince_ < kRoomySeconds) return;
+  if (now - roomySince_ < (means.isTried ? kRoomySeconds : kFirstRoomySeconds)) return;
   --rung_;
   roomySince_ = now;
 }

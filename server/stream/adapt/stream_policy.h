@@ -25,6 +25,7 @@ struct StreamMeans {
   double bitsPerPixel = 4.0;
   Quantiser finest = 18.0;  ///< of the encoder
   Quantiser coarsest = 40.0;
+  bool isTried = true;  ///< the line has been full before; else it is not known yet what it carries
 };
 
 /// What it is.
