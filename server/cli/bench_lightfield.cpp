@@ -95,9 +95,9 @@ Speed renderAll(const LightField& field, const std::vector<lightfield::ObjectCam
   const std::int64_t begin = pipeline::wallNanoseconds();
   for (int thread = 0; thread < pool.width(); ++thread) {
     pool.post([&] {
-      node::ImagePool images;
+      raster::ImagePool images;
       const auto image = images.acquire({0, 0, size, size});
-      node::Image* const target = image.get();
+      raster::Image* const target = image.get();
       lightfield::SimdSampler sampler(correction);
       const std::int64_t cpuBegin = pipeline::threadCpuNanoseconds();
       for (std::size_t i = next++; i < cameras.size(); i = next++) {

@@ -35,7 +35,7 @@ class Screen {
     if (shown_ == nullptr) throw EnvironmentError("makes pictures that cannot be decoded", "encoder", "");
   }
 
-  [[nodiscard]] double likeness(const node::Image& frame) const {
+  [[nodiscard]] double likeness(const raster::Image& frame) const {
     const measure::Mask all(frame.colour.size(), 1);
     return measure::structuralSimilarity({frame.colour, frame.width()}, {shown_->colour, shown_->width}, all);
   }
@@ -62,7 +62,7 @@ class Visitor {
   }
 
   /// The bytes to send, for a page that shows the frames before; none if nothing is.
-  [[nodiscard]] std::span<const std::uint8_t> send(const world::Pose& pose, const node::Image& frame) {
+  [[nodiscard]] std::span<const std::uint8_t> send(const world::Pose& pose, const raster::Image& frame) {
     const double now = ++frames_ / kRecordedFramesPerSecond;
     const double pixels = static_cast<double>(frame.width()) * frame.height();
     const bool still =
@@ -121,7 +121,7 @@ EncodeTrial tryEncoder(const stream::EncoderRegistry& encoders, const stream::En
   Screen screen(kind.codec);
   std::size_t compared = 0;
   for (std::size_t i = 0; i < frames.count() && (i == 0 || !stop.stop_requested()); ++i) {
-    const node::Image& frame = frames.read(i);
+    const raster::Image& frame = frames.read(i);
     if (const auto picture = visitor.send(frames.pose(i), frame); !picture.empty()) screen.show(picture);
     if (i % kFramesPerComparison != 0) continue;
     const double ssim = screen.likeness(frame);
@@ -138,7 +138,7 @@ double conversionMilliseconds(KeptFrames& frames) {
   stream::I420 picture;
   std::vector<double> times;
   for (std::size_t i = 0; i < frames.count(); ++i) {
-    const node::Image& frame = frames.read(i);
+    const raster::Image& frame = frames.read(i);
     const std::int64_t begin = pipeline::threadCpuNanoseconds();
     picture.assign(frame);
     times.push_back(milliseconds(pipeline::threadCpuNanoseconds() - begin));

@@ -45,7 +45,7 @@ KeptFrames::KeptFrames(int width, int height)
   if (!file_) fail("cannot make a file for frames");
 }
 
-void KeptFrames::add(const world::Pose& pose, const node::Image& image) {
+void KeptFrames::add(const world::Pose& pose, const raster::Image& image) {
   assert(image.width() == width() && image.height() == height());
   const auto bytes = std::as_bytes(image.colour);
   if (!transferAll(::pwrite, ::fileno(file_.get()), bytes.data(), bytes.size(), count() * bytes.size())) {
@@ -54,7 +54,7 @@ void KeptFrames::add(const world::Pose& pose, const node::Image& image) {
   poses_.push_back(pose);
 }
 
-const node::Image& KeptFrames::read(std::size_t index) {
+const raster::Image& KeptFrames::read(std::size_t index) {
   const auto bytes = std::as_writable_bytes(std::span(pixels_));
   if (!transferAll(::pread, ::fileno(file_.get()), bytes.data(), bytes.size(), index * bytes.size())) {
     fail("cannot read a frame");

@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "node/image.h"
+#include "raster/image.h"
 #include "world/camera.h"
 
 namespace grove::cli {
@@ -18,14 +18,14 @@ class KeptFrames {
   KeptFrames(int width, int height);
 
   /// Throws EnvironmentError if the disk is full.
-  void add(const world::Pose& pose, const node::Image& image);
+  void add(const world::Pose& pose, const raster::Image& image);
 
   [[nodiscard]] std::size_t count() const noexcept { return poses_.size(); }
   [[nodiscard]] int width() const noexcept { return image_.width(); }
   [[nodiscard]] int height() const noexcept { return image_.height(); }
   [[nodiscard]] const world::Pose& pose(std::size_t index) const { return poses_[index]; }
   /// In memory, as if it had just been drawn; stands until the next call. Throws EnvironmentError if it cannot be read.
-  [[nodiscard]] const node::Image& read(std::size_t index);
+  [[nodiscard]] const raster::Image& read(std::size_t index);
 
  private:
   struct Closer {
@@ -34,7 +34,7 @@ class KeptFrames {
   std::unique_ptr<std::FILE, Closer> file_;
   std::vector<world::Pose> poses_;
   std::vector<std::uint32_t> pixels_;
-  node::Image image_;
+  raster::Image image_;
 };
 
 }  // namespace grove::cli

@@ -26,8 +26,8 @@ constexpr float kSeam = 0.1F;  // metres
 Pixels render(const LightField& field, const HeldOutView& view, DepthCorrection correction) {
   Pixels colour(view.colour.size());
   std::vector<float> depth(view.colour.size());
-  node::Image image{{0, 0, view.size, view.size}, colour, depth, false, {}};
-  node::Image* const target = &image;
+  raster::Image image{{0, 0, view.size, view.size}, colour, depth, false, {}};
+  raster::Image* const target = &image;
   objects::lightfield::SampleRequest request;
   request.field = &field;
   request.camera = view.camera;
@@ -68,7 +68,7 @@ Pixels renderAmid(const LightField& field, const HeldOutView& view) {
   }
   const auto distance = [&](Vec3 place) { return glm::distance(place, view.camera.eye); };
   std::ranges::sort(places, std::ranges::greater(), distance);
-  node::ImagePool pool;
+  raster::ImagePool pool;
   const world::Rect rect{0, 0, view.size, view.size};
   const auto frame = pool.acquire(rect);
   const auto edges = pool.acquire(rect);
@@ -79,7 +79,7 @@ Pixels renderAmid(const LightField& field, const HeldOutView& view) {
     request.camera = view.camera;
     request.camera.eye -= place;
     const auto layer = pool.acquire(rect);
-    node::Image* const target = layer.get();
+    raster::Image* const target = layer.get();
     objects::lightfield::SimdSampler().render({&request, 1}, {&target, 1});
     builder.lay(*layer);
   }

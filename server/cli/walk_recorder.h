@@ -7,11 +7,11 @@
 
 #include "cli/kept_frames.h"
 #include "gl/workers.h"
-#include "node/image.h"
 #include "node/registry.h"
 #include "pipeline/memory_ledger.h"
 #include "pipeline/timeline.h"
 #include "pipeline/worker_pool.h"
+#include "raster/image.h"
 #include "stream/world_copy.h"
 #include "world/walk.h"
 #include "world/world.h"
@@ -39,7 +39,7 @@ class WalkRecorder {
   const std::shared_ptr<world::Players> players_;
   pipeline::Timeline timeline_;
   pipeline::MemoryLedger memory_;
-  node::ImagePool images_;
+  raster::ImagePool images_;
   pipeline::WorkerPool workers_;
   stream::WorldCopy copy_;
   bool warm_ = false;

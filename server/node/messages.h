@@ -7,9 +7,9 @@
 #include <variant>
 #include <vector>
 
-#include "node/image.h"
 #include "node/simulation_data.h"
 #include "pipeline/timeline.h"
+#include "raster/image.h"
 #include "world/camera.h"
 #include "world/light.h"
 #include "world/object.h"
@@ -29,7 +29,7 @@ struct View {
   std::uint32_t lastInput = 0;  ///< number of the last input that the camera obeys
   world::Camera camera;
   int borderPercent = 0;  ///< of half the window, that the camera sees beyond it on each side
-  double time = 0.0;  ///< seconds of the world's clock
+  double time = 0.0;      ///< seconds of the world's clock
   /// Of the same clock: until then the frame waits for its objects, and who gets a request later leaves it unanswered.
   double deadline = std::numeric_limits<double>::infinity();
   std::vector<world::Player> players;     ///< all visitors, the viewer too
@@ -65,7 +65,7 @@ struct Failure {
 
 /// Images of a rendering node, data of a simulation node, or a failure. An image may be smaller than the screen box, or
 /// null if nothing of the object shows.
-using Payload = std::variant<std::shared_ptr<const Image>, std::shared_ptr<const SimulationData>, Failure>;
+using Payload = std::variant<std::shared_ptr<const raster::Image>, std::shared_ptr<const SimulationData>, Failure>;
 
 /// What a backend answers. Travels by reference inside one process.
 struct Result {
@@ -78,7 +78,7 @@ struct Result {
 /// A composited frame, the pipeline's product.
 struct FinishedFrame {
   std::shared_ptr<const View> view;
-  std::shared_ptr<const Image> image;  ///< whole frame, A = 255 everywhere
+  std::shared_ptr<const raster::Image> image;  ///< whole frame, A = 255 everywhere
 };
 
 inline pipeline::TraceTag traceTag(const Request& request) { return {request.view().session, request.view().frame}; }

@@ -11,12 +11,12 @@
 
 #include "node/baked_store.h"
 #include "node/frontend/composite.h"
-#include "node/image.h"
 #include "node/limits.h"
 #include "node/messages.h"
 #include "pipeline/executor.h"
 #include "pipeline/memory_ledger.h"
 #include "pipeline/timeline.h"
+#include "raster/image.h"
 #include "world/object.h"
 #include "world/scene_file.h"
 #include "world/world.h"
@@ -36,7 +36,7 @@ struct BackendServices {
   gl::Workers& gl;
   pipeline::Timeline& timeline;
   pipeline::MemoryLedger& memory;
-  ImagePool& images;
+  raster::ImagePool& images;
   /// Reports slow preparation: a label and a share of 0..1. It throws if the half is not wanted any more, so it is
   /// called often.
   std::function<void(std::string_view, float)> progress;
@@ -96,7 +96,7 @@ class FrontendHalf {
 
   /// Called by one thread when all images are in place, back to front, to draw what images cannot carry. `frame` is the
   /// whole frame: colour may be blended into, depth is read only.
-  virtual void draw(const VisibleObject&, const Payload&, const View&, Image& /*frame*/) {}
+  virtual void draw(const VisibleObject&, const Payload&, const View&, raster::Image& /*frame*/) {}
 
   /// Memory that it keeps from frame to frame.
   [[nodiscard]] virtual std::size_t bytes() const { return 0; }

@@ -12,12 +12,12 @@
 
 #include "measure/amortization_meter.h"
 #include "measure/quality_policy.h"
-#include "node/image.h"
 #include "node/registry.h"
 #include "node/transport/transport.h"
 #include "pipeline/memory_ledger.h"
 #include "pipeline/timeline.h"
 #include "pipeline/worker_pool.h"
+#include "raster/image.h"
 #include "stream/encode/encoder_registry.h"
 #include "stream/frame_gate.h"
 #include "stream/preparation_line.h"
@@ -115,7 +115,7 @@ class Host {
   measure::AmortizationMeter meter_;
   measure::QualityPolicy policy_;  ///< the clock's
   std::atomic<int> quality_{0};
-  node::ImagePool images_;
+  raster::ImagePool images_;
   std::shared_ptr<const world::WorldGeometry> geometry_;  ///< of all copies; made with the first
   pipeline::HeldMemory geometryMemory_;
   node::BakedStore baked_;             ///< used in private mode

@@ -8,11 +8,11 @@
 
 #include "node/backend/backend_node.h"
 #include "node/frontend/frontend_node.h"
-#include "node/image.h"
 #include "node/registry.h"
 #include "node/transport/transport.h"
 #include "pipeline/memory_ledger.h"
 #include "pipeline/timeline.h"
+#include "raster/image.h"
 #include "world/world.h"
 
 namespace grove::stream {
@@ -28,7 +28,7 @@ struct WorldGround {
   gl::Workers& gl;
   pipeline::Timeline& timeline;
   pipeline::MemoryLedger& memory;
-  node::ImagePool& images;
+  raster::ImagePool& images;
   node::BakedStore* baked;  ///< null if there is one copy only
 };
 

@@ -8,7 +8,7 @@
 /// is linear and relative (a white surface in full sun is about 1.8); toDisplay() makes the bytes that are streamed.
 ///
 /// ambient(), hazeColour(), hazeAmount() and toDisplay() are restated in vectorised form in
-/// objects/mesh/vertex_light_kernels.cpp; its test holds them together.
+/// raster/shading/vertex_light_kernels.cpp; its test holds them together.
 namespace grove::world {
 
 /// Unit vector towards the sun.

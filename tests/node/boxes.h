@@ -45,7 +45,7 @@ class BoxBackend final : public BackendHalf {
       std::fill(image->colour.begin(), image->colour.end(), model.colour());
       std::fill(image->depth.begin(), image->depth.end(),
                 requests[i].view().camera.project(visible.object.bounds.centre()).z);
-      payloads[i] = std::shared_ptr<const Image>(image);
+      payloads[i] = std::shared_ptr<const raster::Image>(image);
       ++controls_->answered;
     }
   }

@@ -29,9 +29,9 @@ class Composite : public ::testing::Test {
     return frame->colourRow(y)[x];
   }
 
-  ImagePool pool;
-  std::shared_ptr<Image> frame;
-  std::shared_ptr<Image> edges;
+  raster::ImagePool pool;
+  std::shared_ptr<raster::Image> frame;
+  std::shared_ptr<raster::Image> edges;
   FrameBuilder builder;
 };
 
@@ -52,7 +52,7 @@ TEST_F(Composite, OutsideOfItsSpansALayerIsNotRead) {
 
 /// Fails if rows are mixed up, laid twice or left out where bands meet.
 TEST_F(Composite, BandsOfRowsMakeTheSameFrameAsOneOfAll) {
-  std::vector<std::shared_ptr<Image>> layers;
+  std::vector<std::shared_ptr<raster::Image>> layers;
   for (const world::Rect& rect : {world::Rect{0, 0, 64, 32}, {10, 4, 30, 29}, {0, 8, 64, 16}, {3, 15, 60, 17}}) {
     const auto layer = layers.emplace_back(pool.acquire(rect));
     const bool opaque = layers.size() % 2 == 1;

@@ -27,7 +27,7 @@ class Screen final : public pipeline::Stage<FinishedFrame> {
   Screen(pipeline::Executor& executor, pipeline::Timeline& timeline)
       : Stage({.name = "Screen", .work = pipeline::Work::kPerUserFrontend, .capacity = 4}, executor, timeline) {}
 
-  std::shared_ptr<const Image> waitFor(FrameNumber frame, std::chrono::milliseconds most = 10s) {
+  std::shared_ptr<const raster::Image> waitFor(FrameNumber frame, std::chrono::milliseconds most = 10s) {
     std::unique_lock lock(mutex_);
     arrived_.wait_for(lock, most, [&] { return newest_.view && newest_.view->frame >= frame; });
     return newest_.view && newest_.view->frame >= frame ? newest_.image : nullptr;
@@ -107,7 +107,7 @@ position = [0, 1.7, -4]
   Registry registry;
   pipeline::Timeline timeline;
   pipeline::MemoryLedger memory;
-  ImagePool images;
+  raster::ImagePool images;
   gl::ShaderLibrary shaders;
   gl::Workers gl{gl::ContextKind::kAuto, shaders, 1};
   world::World world;

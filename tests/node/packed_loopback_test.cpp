@@ -140,8 +140,8 @@ TEST_F(PackedLoopbackTest, WhatHasNoPackedFormTravelsByReference) {
   const std::shared_ptr<const SimulationData> data = std::make_shared<Unpackable>();
   EXPECT_EQ(std::get<std::shared_ptr<const SimulationData>>(travel(1, data)), data);
   EXPECT_EQ(std::get<Failure>(transport.decompress(transport.compress(Failure{"why"}))).reason, "why");
-  const std::shared_ptr<const Image> image = std::make_shared<Image>();
-  EXPECT_EQ(std::get<std::shared_ptr<const Image>>(transport.decompress(transport.compress(image))), image);
+  const std::shared_ptr<const raster::Image> image = std::make_shared<raster::Image>();
+  EXPECT_EQ(std::get<std::shared_ptr<const raster::Image>>(transport.decompress(transport.compress(image))), image);
   EXPECT_FALSE(timeline.totals().contains("Snapshot Packing"));
 }
 

@@ -32,7 +32,7 @@ class PrepareEach : public ::testing::Test {
   gl::Workers gl_{gl::ContextKind::kAuto, shaders_, 1};
   pipeline::Timeline timeline_;
   pipeline::MemoryLedger memory_;
-  ImagePool images_;
+  raster::ImagePool images_;
 };
 
 TEST_F(PrepareEach, StaysOnItsThreadWithoutHelpers) {

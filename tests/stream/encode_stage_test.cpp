@@ -19,7 +19,7 @@ namespace {
 
 TEST(EncodeStage, MakesAFrameMessageOfAFrame) {
   std::vector<std::uint32_t> pixels(200 * 120, 0xFF4080C0U);
-  node::Image image;
+  raster::Image image;
   image.rect = {0, 0, 200, 120};
   image.colour = pixels;
   node::View view;
@@ -39,7 +39,7 @@ TEST(EncodeStage, MakesAFrameMessageOfAFrame) {
       std::make_shared<StreamControl>(encoders, false, 30.0, 200, 120), false,
       [&](std::shared_ptr<const EncodedFrame> frame) { promise.set_value(std::move(frame)); }, memory, workers,
       timeline);
-  stage->push({std::make_shared<const node::View>(view), std::make_shared<const node::Image>(image)});
+  stage->push({std::make_shared<const node::View>(view), std::make_shared<const raster::Image>(image)});
 
   const auto frame = future.get();
   EXPECT_GE(memory.totals().at({"encoders", ""}).bytes, static_cast<std::int64_t>(frame->bytes.size()));
@@ -67,7 +67,7 @@ class FailingEncoder final : public Encoder {
   }
   [[nodiscard]] std::uint8_t codec() const noexcept override { return kCodecH264; }
   [[nodiscard]] QuantiserRange range() const noexcept override { return {}; }
-  bool encode(const node::Image& /*image*/, const EncodeOrder& /*order*/, std::vector<std::uint8_t>& out) override {
+  bool encode(const raster::Image& /*image*/, const EncodeOrder& /*order*/, std::vector<std::uint8_t>& out) override {
     out.push_back(1);
     if (++made_ == at_) throw EnvironmentError("cannot encode", "test encoder", "");
     return made_ == 1;
@@ -116,7 +116,7 @@ class Stream {
  private:
   node::FinishedFrame frame(const std::vector<std::uint32_t>& pixels, float yaw) {
     const auto own = std::make_shared<std::vector<std::uint32_t>>(pixels);
-    const std::shared_ptr<node::Image> image(new node::Image, [own](const node::Image* each) { delete each; });
+    const std::shared_ptr<raster::Image> image(new raster::Image, [own](const raster::Image* each) { delete each; });
     image->rect = {0, 0, 320, 180};
     image->colour = *own;
     node::View view;

@@ -59,7 +59,7 @@ class HeldBackend final : public node::BackendHalf {
   [[nodiscard]] node::NodeKind kind() const override { return node::NodeKind::kRendering; }
   [[nodiscard]] pipeline::Executor& executor() override { return services_.workers; }
   void answer(std::span<const node::Request> requests, std::span<node::Payload> payloads) override {
-    for (std::size_t i = 0; i < requests.size(); ++i) payloads[i] = std::shared_ptr<const node::Image>();
+    for (std::size_t i = 0; i < requests.size(); ++i) payloads[i] = std::shared_ptr<const raster::Image>();
   }
 
  private:

@@ -10,7 +10,7 @@ constexpr std::uint32_t kOpaqueBlack = 0xFF000000U;
 
 }  // namespace
 
-FrameBuilder::FrameBuilder(Image& frame, Image& edges)
+FrameBuilder::FrameBuilder(raster::Image& frame, raster::Image& edges)
     : frame_(frame), edges_(edges), rows_(static_cast<std::size_t>(edges.height())) {
   assert(frame.rect.left == 0 && frame.rect.top == 0 && edges.rect.left == 0 && edges.width() == frame.width());
   assert(edges.rect.top >= 0 && edges.rect.bottom <= frame.height());
@@ -20,11 +20,11 @@ world::Rect FrameBuilder::clip(const world::Rect& rect) const noexcept {
   return {rect.left, std::max(rect.top, edges_.rect.top), rect.right, std::min(rect.bottom, edges_.rect.bottom)};
 }
 
-void FrameBuilder::lay(const Image& layer) {
+void FrameBuilder::lay(const raster::Image& layer) {
   const world::Rect part = clip(layer.rect);
   for (int y = part.top; y < part.bottom; ++y) {
     const int line = y - layer.rect.top;
-    const Span span = layer.span(line);
+    const raster::Span span = layer.span(line);
     if (layer.opaque && !row(y).edged) {
       layOpaque(layer, line);
     } else if (span.begin < span.end) {
@@ -34,9 +34,9 @@ void FrameBuilder::lay(const Image& layer) {
   }
 }
 
-void FrameBuilder::layOpaque(const Image& layer, int line) {
+void FrameBuilder::layOpaque(const raster::Image& layer, int line) {
   const int y = layer.rect.top + line;
-  const Span span = layer.span(line);
+  const raster::Span span = layer.span(line);
   const int width = span.end - span.begin;
   if (width <= 0) return;
   const std::uint32_t* const colour = layer.colourRow(line) + span.begin;

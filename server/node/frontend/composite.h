@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "node/frontend/composite_kernels.h"
-#include "node/image.h"
+#include "raster/image.h"
 
 namespace grove::node {
 
@@ -14,14 +14,14 @@ class FrameBuilder {
  public:
   /// `frame` starts at (0, 0); `edges` is as wide, spans the rows that are put together, and is room to work in. Both
   /// outlive the builder.
-  FrameBuilder(Image& frame, Image& edges);
+  FrameBuilder(raster::Image& frame, raster::Image& edges);
 
   /// The part of a rectangle that lies in the rows that are put together.
   [[nodiscard]] world::Rect clip(const world::Rect& rect) const noexcept;
 
   /// Lays a layer over these rows wherever it is not farther than what is there, blended by its coverage. What covers
   /// in part does not hide what is laid later and lies behind it. The layer's rectangle must lie within the frame.
-  void lay(const Image& layer);
+  void lay(const raster::Image& layer);
 
   /// The same for a part of a layer that need not be an image: its rows are `stride` pixels apart. `rect` must lie
   /// within the rows that are put together.
@@ -43,10 +43,10 @@ class FrameBuilder {
   [[nodiscard]] const Row& row(int y) const { return rows_[static_cast<std::size_t>(y - edges_.rect.top)]; }
   [[nodiscard]] FramePixels pixels(int x, int y) const;
   void clear(int y);
-  void layOpaque(const Image& layer, int line);
+  void layOpaque(const raster::Image& layer, int line);
 
-  Image& frame_;
-  Image& edges_;
+  raster::Image& frame_;
+  raster::Image& edges_;
   std::vector<Row> rows_;
 };
 

@@ -26,7 +26,7 @@ std::vector<std::size_t> layingOrder(std::span<const Payload> payloads) {
   std::vector<std::size_t> order(payloads.size());
   std::iota(order.begin(), order.end(), 0);
   const auto isOpaque = [&](std::size_t index) {
-    const auto* const layer = std::get_if<std::shared_ptr<const Image>>(&payloads[index]);
+    const auto* const layer = std::get_if<std::shared_ptr<const raster::Image>>(&payloads[index]);
     return layer != nullptr && *layer != nullptr && (*layer)->opaque;
   };
   const auto others = std::stable_partition(order.begin(), order.end(), isOpaque);
@@ -36,7 +36,7 @@ std::vector<std::size_t> layingOrder(std::span<const Payload> payloads) {
 
 }  // namespace
 
-Compositor::Compositor(const Registry& registry, ImagePool& images, pipeline::MemoryLedger& memory,
+Compositor::Compositor(const Registry& registry, raster::ImagePool& images, pipeline::MemoryLedger& memory,
                        const FramePolicy& policy, std::function<void()> frameDone, pipeline::Executor& executor,
                        pipeline::Timeline& timeline)
     : Stage({.name = kStage,
@@ -113,7 +113,7 @@ void Compositor::fillIn(CompleteFrame& frame) {
   }
 }
 
-std::shared_ptr<const Image> Compositor::composite(const CompleteFrame& frame) {
+std::shared_ptr<const raster::Image> Compositor::composite(const CompleteFrame& frame) {
   const View& view = *frame.list->view;
   const auto& objects = frame.list->objects;
   const auto image = images_.acquire({0, 0, view.camera.width, view.camera.height});
@@ -147,11 +147,11 @@ pipeline::TimedParts Compositor::timesOf(const CompleteFrame& frame) {
 }
 
 void Compositor::layBand(const world::Rect& band, std::span<const Layer> layers, const View& view,
-                         pipeline::TimedParts& times, Image& frame) {
+                         pipeline::TimedParts& times, raster::Image& frame) {
   const auto edges = images_.acquire(band);
   FrameBuilder builder(frame, *edges);
   for (const Layer& layer : layers) {
-    const auto* const image = std::get_if<std::shared_ptr<const Image>>(&layer.payload);
+    const auto* const image = std::get_if<std::shared_ptr<const raster::Image>>(&layer.payload);
     if (image != nullptr ? *image == nullptr : layer.half == nullptr) continue;
     if (builder.clip(image != nullptr ? (*image)->rect : layer.object.rect).empty()) continue;
     times.turnTo(registry_.type(layer.object.object.type).name());

@@ -41,8 +41,9 @@ struct FramePolicy {
 class Compositor final : public pipeline::Stage<CompositorInput> {
  public:
   /// `frameDone` is called once for every announced frame, shown or not.
-  Compositor(const Registry& registry, ImagePool& images, pipeline::MemoryLedger& memory, const FramePolicy& policy,
-             std::function<void()> frameDone, pipeline::Executor& executor, pipeline::Timeline& timeline);
+  Compositor(const Registry& registry, raster::ImagePool& images, pipeline::MemoryLedger& memory,
+             const FramePolicy& policy, std::function<void()> frameDone, pipeline::Executor& executor,
+             pipeline::Timeline& timeline);
   void connect(std::shared_ptr<pipeline::Inlet<FinishedFrame>> next);
 
  protected:
@@ -55,7 +56,7 @@ class Compositor final : public pipeline::Stage<CompositorInput> {
   /// The newest frame whose deadline has passed, filled in; ends those before it.
   [[nodiscard]] std::optional<CompleteFrame> takeOverdue();
   void fillIn(CompleteFrame& frame);
-  [[nodiscard]] std::shared_ptr<const Image> composite(const CompleteFrame& frame);
+  [[nodiscard]] std::shared_ptr<const raster::Image> composite(const CompleteFrame& frame);
   /// Something to lay over a frame.
   struct Layer {
     const VisibleObject& object;
@@ -64,14 +65,14 @@ class Compositor final : public pipeline::Stage<CompositorInput> {
   };
   [[nodiscard]] pipeline::TimedParts timesOf(const CompleteFrame& frame);
   void layBand(const world::Rect& band, std::span<const Layer> layers, const View& view, pipeline::TimedParts& times,
-               Image& frame);
+               raster::Image& frame);
   void tellMemory();
   FrontendHalf* halfOf(world::TypeIndex type);
 
   pipeline::Executor& executor_;
   const Registry& registry_;
   pipeline::Timeline& timeline_;
-  ImagePool& images_;
+  raster::ImagePool& images_;
   pipeline::MemoryLedger& memory_;
   const std::function<void()> frameDone_;
   ResultTable table_;

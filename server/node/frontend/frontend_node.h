@@ -23,7 +23,7 @@ struct FrontendServices {
   pipeline::Executor& workers;
   pipeline::Timeline& timeline;
   pipeline::MemoryLedger& memory;
-  ImagePool& images;
+  raster::ImagePool& images;
 };
 
 /// The left half of Figure 4.2: one visitor's pipeline from the camera to the composited frame. Any thread.

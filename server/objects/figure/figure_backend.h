@@ -2,14 +2,15 @@
 
 #include "node/object_type.h"
 #include "objects/figure/figure_shape.h"
-#include "objects/mesh/renderer_choice.h"
+#include "raster/renderer_choice.h"
 
 namespace grove::objects::figure {
 
 /// The rendering node of all visitors. The geometry is across-user, every picture per-user.
 class FigureBackend final : public node::BackendHalf {
  public:
-  explicit FigureBackend(const node::BackendServices& services, mesh::RendererKind kind = mesh::RendererKind::kAuto);
+  explicit FigureBackend(const node::BackendServices& services,
+                         raster::RendererKind kind = raster::RendererKind::kAuto);
 
   [[nodiscard]] node::NodeKind kind() const override { return node::NodeKind::kRendering; }
   [[nodiscard]] pipeline::Executor& executor() override { return executor_; }
@@ -21,8 +22,8 @@ class FigureBackend final : public node::BackendHalf {
  private:
   const world::World& world_;
   pipeline::Executor& executor_;
-  const mesh::LitSurface figure_;
-  const std::unique_ptr<mesh::MeshRenderer> renderer_;
+  const raster::LitSurface figure_;
+  const std::unique_ptr<raster::MeshRenderer> renderer_;
   const pipeline::HeldMemory held_;
 };
 

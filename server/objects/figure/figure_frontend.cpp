@@ -35,7 +35,7 @@ const LabelMask& FigureFrontend::maskOf(const std::string& name, int pixels) {
 }
 
 void FigureFrontend::draw(const node::VisibleObject& object, const node::Payload& /*payload*/, const node::View& view,
-                          node::Image& frame) {
+                          raster::Image& frame) {
   const world::Transform& transform = object.object.transform;
   const world::Vec3 head = transform.position + world::Vec3(0.0F, (kFigureHeight + kAboveHead) * transform.scale, 0.0F);
   const world::Vec3 at = view.camera.project(head);

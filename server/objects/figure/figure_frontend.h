@@ -13,7 +13,7 @@ namespace grove::objects::figure {
 class FigureFrontend final : public node::FrontendHalf {
  public:
   void draw(const node::VisibleObject& object, const node::Payload& payload, const node::View& view,
-            node::Image& frame) override;
+            raster::Image& frame) override;
 
  private:
   [[nodiscard]] const LabelMask& maskOf(const std::string& name, int pixels);

@@ -6,8 +6,8 @@
 namespace grove::objects::figure {
 namespace {
 
-using mesh::Surface;
-using mesh::Vertex;
+using raster::Surface;
+using raster::Vertex;
 using world::Vec3;
 
 const Vec3 kCloth{0.30F, 0.28F, 0.27F};
@@ -24,7 +24,7 @@ struct Ring {
 /// front. There are 8 `around` corners around it.
 template <class RingAt, class Paint>
 Surface makeTube(int around, int segments, const RingAt& ring, const Paint& paint) {
-  return mesh::makeDeformedBox({around, segments, around}, 1, [&](Vec3 cube) {
+  return raster::makeDeformedBox({around, segments, around}, 1, [&](Vec3 cube) {
     const float along = 0.5F * (cube.y + 1.0F);
     const float square = std::max(std::abs(cube.x), std::abs(cube.z));
     const float circle = std::hypot(cube.x, cube.z);
@@ -119,8 +119,8 @@ void add(Surface& to, Surface part, Bone bone) {
 
 }  // namespace
 
-mesh::LitSurface makeFigure() {
-  mesh::LitSurface figure;
+raster::LitSurface makeFigure() {
+  raster::LitSurface figure;
   figure.baked = false;
   add(figure.surface, makeCloak(), kBody);
   add(figure.surface, makeHood(), kBody);
@@ -129,7 +129,7 @@ mesh::LitSurface makeFigure() {
   add(figure.surface, makeSleeve(), kArm);
   add(figure.surface, makeLantern(), kArm);
   // Limbs and lantern are thin and show their corners sooner than the typical edge tells.
-  for (mesh::Level& level : figure.surface.levels) level.edge *= 2.0F;
+  for (raster::Level& level : figure.surface.levels) level.edge *= 2.0F;
   for (const Vertex& vertex : figure.surface.vertices) {
     // The cloak shades the legs, and the ground the lower half a little.
     const bool leg = vertex.bone == static_cast<float>(kLeftLeg) || vertex.bone == static_cast<float>(kRightLeg);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "objects/mesh/drawing.h"
+#include "raster/drawing.h"
 
 namespace grove::objects::figure {
 
@@ -12,6 +12,6 @@ inline constexpr float kHipHeight = 0.8F;      ///< metres, where the legs turn
 inline constexpr float kShoulderHeight = 1.28F;
 
 /// A hooded visitor with a lantern, feet at the origin, looking along -Z. Cloak and lantern take the drawing's tint.
-[[nodiscard]] mesh::LitSurface makeFigure();
+[[nodiscard]] raster::LitSurface makeFigure();
 
 }  // namespace grove::objects::figure

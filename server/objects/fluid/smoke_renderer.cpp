@@ -19,7 +19,7 @@ const FluidSnapshot* snapshotOf(const node::Payload& payload) {
 }  // namespace
 
 void SmokeRenderer::draw(const node::VisibleObject& /*object*/, const node::Payload& payload, const node::View& view,
-                         node::Image& frame) {
+                         raster::Image& frame) {
   const FluidSnapshot* snapshot = snapshotOf(payload);
   if (snapshot == nullptr || snapshot->count() == 0 || frame.rect.empty()) return;
   const world::Camera& camera = view.camera;

@@ -26,7 +26,7 @@ class SmokeRenderer final : public node::FrontendHalf {
 
   /// A payload that is no FluidSnapshot (a failure, say) draws nothing.
   void draw(const node::VisibleObject& object, const node::Payload& payload, const node::View& view,
-            node::Image& frame) override;
+            raster::Image& frame) override;
 
   [[nodiscard]] std::size_t bytes() const override {
     return sizeof(*this) + sprites_.bytes() + sorter_.bytes() + target_.bytes() + pipeline::vectorBytes(order_);

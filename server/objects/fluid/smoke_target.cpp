@@ -4,7 +4,7 @@
 
 namespace grove::objects::fluid {
 
-void SmokeTarget::begin(const node::Image& frame, const world::Rect& box, int scale, float farthest) {
+void SmokeTarget::begin(const raster::Image& frame, const world::Rect& box, int scale, float farthest) {
   farthest_ = farthest;
   // One empty pixel around, so that the smoke ends softly; at the frame's edge it is cut.
   world::Rect rect;
@@ -29,7 +29,7 @@ void SmokeTarget::draw(const SmokeSprites& sprites, std::span<const std::uint32_
   drawSprites(sprites, order, pixels_);
 }
 
-void SmokeTarget::blendInto(node::Image& frame, float nearest) {
+void SmokeTarget::blendInto(raster::Image& frame, float nearest) {
   const auto columns = static_cast<std::size_t>(pixels_.blocksPerRow);
   const auto scale = static_cast<std::size_t>(pixels_.scale);
   const std::size_t width = columns * SmokeBlock::kWidth;

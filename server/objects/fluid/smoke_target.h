@@ -5,10 +5,10 @@
 #include <span>
 #include <vector>
 
-#include "node/image.h"
 #include "objects/fluid/smoke_sprites.h"
 #include "objects/fluid/smoke_upsample_kernels.h"
 #include "pipeline/vector_bytes.h"
+#include "raster/image.h"
 #include "world/camera.h"
 
 namespace grove::objects::fluid {
@@ -20,7 +20,7 @@ class SmokeTarget {
   /// Makes an empty target for the pixels `box` of the frame. Depths are cut off at `farthest` metres, behind all
   /// smoke. A pixel takes the nearest and its neighbours the farthest depth of the frame's pixels under it, as on a
   /// chequerboard, so that both sides of every silhouette are known.
-  void begin(const node::Image& frame, const world::Rect& box, int scale, float farthest);
+  void begin(const raster::Image& frame, const world::Rect& box, int scale, float farthest);
 
   /// Draws sprites in the given order, each over those before.
   void draw(const SmokeSprites& sprites, std::span<const std::uint32_t> order);
@@ -28,7 +28,7 @@ class SmokeTarget {
   /// Blends the smoke into the frame. Where the scene's depth jumps, a pixel takes its smoke from those neighbours
   /// that are as far away as itself (joint bilateral upsampling, Kopf et al. 2007). Nothing changes where the frame is
   /// nearer than `nearest` metres.
-  void blendInto(node::Image& frame, float nearest);
+  void blendInto(raster::Image& frame, float nearest);
 
   /// Memory that it takes.
   [[nodiscard]] std::size_t bytes() const noexcept {

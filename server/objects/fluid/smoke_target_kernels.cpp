@@ -69,7 +69,7 @@ HWY_INLINE void reduceColumns(const float* low, const float* high, int y, const 
   }
 }
 
-void clearPixels(const node::Image& frame, float farthest, float* low, float* high, const SmokePixels& pixels) {
+void clearPixels(const raster::Image& frame, float farthest, float* low, float* high, const SmokePixels& pixels) {
   const world::Rect& rect = pixels.rect;
   const int scale = pixels.scale;
   const int left = rect.left * scale;
@@ -193,7 +193,7 @@ namespace grove::objects::fluid {
 HWY_EXPORT(clearPixels);
 HWY_EXPORT(drawSprites);
 
-void clearPixels(const node::Image& frame, float farthest, float* low, float* high, const SmokePixels& pixels) {
+void clearPixels(const raster::Image& frame, float farthest, float* low, float* high, const SmokePixels& pixels) {
   HWY_DYNAMIC_DISPATCH(clearPixels)(frame, farthest, low, high, pixels);
 }
 

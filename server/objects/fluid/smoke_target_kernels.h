@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <span>
 
-#include "node/image.h"
 #include "objects/fluid/smoke_sprites.h"
+#include "raster/image.h"
 #include "world/camera.h"
 
 /// The loops of SmokeTarget over pixels.
@@ -41,7 +41,7 @@ struct SmokePixels {
 
 /// Empties the pixels and gives them the depth of the frame, see SmokeTarget::begin(). `low` and `high` are room for a
 /// row of the target's blocks at the frame's width.
-void clearPixels(const node::Image& frame, float farthest, float* low, float* high, const SmokePixels& pixels);
+void clearPixels(const raster::Image& frame, float farthest, float* low, float* high, const SmokePixels& pixels);
 
 /// Draws sprites in the given order, each over those before; widens the columns' spans.
 void drawSprites(const SmokeSprites& sprites, std::span<const std::uint32_t> order, const SmokePixels& pixels);

@@ -83,7 +83,7 @@ class Upsampling {
   }
 
   /// Pixels first..last of the target's row `y`, over Scale rows of the frame.
-  void blendRow(int y, int first, int last, node::Image& frame) {
+  void blendRow(int y, int first, int last, raster::Image& frame) {
     const int jumps = findJumps(y, first, last);
     const int left = (pixels_.rect.left + first) * Scale;
     const int width = std::min((last - first) * Scale, frame.width() - left);
@@ -224,7 +224,7 @@ class Upsampling {
 
 template <int Scale>
 HWY_INLINE void blendScaled(const SmokePixels& pixels, const UpsampleRoom& room, float nearest, float farthest,
-                            node::Image& frame) {
+                            raster::Image& frame) {
   Upsampling<Scale> upsampling(pixels, room, nearest, farthest);
   for (int y = 0; y < pixels.rect.height(); ++y) {
     int begin = pixels.blocksPerRow;
@@ -243,7 +243,7 @@ HWY_INLINE void blendScaled(const SmokePixels& pixels, const UpsampleRoom& room,
 }
 
 void blendPixels(const SmokePixels& pixels, const UpsampleRoom& room, float nearest, float farthest,
-                 node::Image& frame) {
+                 raster::Image& frame) {
   if (pixels.scale == 2) return blendScaled<2>(pixels, room, nearest, farthest, frame);
   blendScaled<4>(pixels, room, nearest, farthest, frame);
 }
@@ -258,7 +258,7 @@ namespace grove::objects::fluid {
 HWY_EXPORT(blendPixels);
 
 void blendPixels(const SmokePixels& pixels, const UpsampleRoom& room, float nearest, float farthest,
-                 node::Image& frame) {
+                 raster::Image& frame) {
   HWY_DYNAMIC_DISPATCH(blendPixels)(pixels, room, nearest, farthest, frame);
 }
 

@@ -22,6 +22,6 @@ struct UpsampleRoom {
 
 /// See SmokeTarget::blendInto(); `farthest` as in SmokeTarget::begin().
 void blendPixels(const SmokePixels& pixels, const UpsampleRoom& room, float nearest, float farthest,
-                 node::Image& frame);
+                 raster::Image& frame);
 
 }  // namespace grove::objects::fluid

@@ -56,7 +56,8 @@ struct RowPlan {
 /// Works on one tile from its nearest row up, because a row looks for its grass in the rows below.
 class TilePainter {
  public:
-  TilePainter(const GroundMaps& maps, const Frame& frame, std::span<const world::PointLight> lights, node::Image& image)
+  TilePainter(const GroundMaps& maps, const Frame& frame, std::span<const world::PointLight> lights,
+              raster::Image& image)
       : maps_(maps), frame_(frame), lights_(lights), image_(image) {
     int reach = reachOf(frame, maps.meadow.tallest, image.rect.bottom - 1, 0);
     const int lowest = image.rect.bottom - 1 + reach;
@@ -130,7 +131,7 @@ class TilePainter {
   const GroundMaps& maps_;
   const Frame& frame_;
   std::span<const world::PointLight> lights_;
-  node::Image& image_;
+  raster::Image& image_;
   std::vector<RowPlan> plans_;  // from the nearest up
   int firstColumn_ = 0;
   std::array<SoilRow, 2> sampled_;
@@ -145,8 +146,8 @@ class TilePainter {
 
 }  // namespace
 
-std::shared_ptr<const node::Image> groundImage(const GroundMaps& maps, const world::Camera& camera, world::Rect rect,
-                                               std::span<const world::PointLight> lights, node::ImagePool& images) {
+std::shared_ptr<const raster::Image> groundImage(const GroundMaps& maps, const world::Camera& camera, world::Rect rect,
+                                                 std::span<const world::PointLight> lights, raster::ImagePool& images) {
   if (camera.pose.position.y <= 0.0F) return nullptr;
   const Frame frame = frameOf(camera);
   const auto inverse = [&](int row) { return frame.firstInverse + static_cast<float>(row) * frame.inverseStep; };

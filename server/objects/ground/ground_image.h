@@ -3,10 +3,10 @@
 #include <memory>
 #include <span>
 
-#include "node/image.h"
 #include "objects/ground/clearing_bake.h"
 #include "objects/ground/daylight.h"
 #include "objects/ground/meadow_bake.h"
+#include "raster/image.h"
 #include "world/camera.h"
 
 namespace grove::objects::ground {
@@ -22,9 +22,9 @@ struct GroundMaps {
 /// What a camera sees of the ground within `rect`, cropped to the rows below the horizon; null if there are none or the
 /// eye is not above the ground. Depth is that of the plane, or nearer where a blade of grass stands before it. Of the
 /// lights the nearest eight count. Any thread.
-[[nodiscard]] std::shared_ptr<const node::Image> groundImage(const GroundMaps& maps, const world::Camera& camera,
-                                                             world::Rect rect,
-                                                             std::span<const world::PointLight> lights,
-                                                             node::ImagePool& images);
+[[nodiscard]] std::shared_ptr<const raster::Image> groundImage(const GroundMaps& maps, const world::Camera& camera,
+                                                               world::Rect rect,
+                                                               std::span<const world::PointLight> lights,
+                                                               raster::ImagePool& images);
 
 }  // namespace grove::objects::ground

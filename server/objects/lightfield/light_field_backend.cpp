@@ -180,7 +180,7 @@ node::Payload LightFieldBackend::answerOne(const node::Request& request) {
     if (near.from) parts.fade = {near.from, CrossFade::shareAfter(request.view().time - near.since)};
     return std::make_shared<const SharedView>(std::move(parts));
   }
-  std::shared_ptr<node::Image> image = sample(subject, parts.camera, parts.haze, visible.rect);
+  std::shared_ptr<raster::Image> image = sample(subject, parts.camera, parts.haze, visible.rect);
   LampLight(parts.lamps, parts.camera).addTo(*image);
   return image;
 }
@@ -301,12 +301,12 @@ std::shared_ptr<const CachedView> LightFieldBackend::pictureOf(const Subject& su
   return std::make_shared<const CachedView>(*sample(subject, shot.camera, {}, shot.rect), shot.camera);
 }
 
-std::shared_ptr<node::Image> LightFieldBackend::sample(const Subject& subject, const ObjectCamera& camera,
-                                                       const Haze& haze, const world::Rect& rect) {
+std::shared_ptr<raster::Image> LightFieldBackend::sample(const Subject& subject, const ObjectCamera& camera,
+                                                         const Haze& haze, const world::Rect& rect) {
   const auto& [entry, field, version] = subject;
   const SampleRequest request{&field, field.lightingFor(entry.yaw), levelFor(field, camera), camera, haze};
-  std::shared_ptr<node::Image> image = images_.acquire(rect);
-  const std::array<node::Image*, 1> images{image.get()};
+  std::shared_ptr<raster::Image> image = images_.acquire(rect);
+  const std::array<raster::Image*, 1> images{image.get()};
   entry.sampler->render({&request, 1}, images);
   castShadows(entry.sun, camera, *image);
   if (field.mapped != nullptr) field.mapped->tellIfCut();

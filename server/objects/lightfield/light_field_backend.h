@@ -75,11 +75,11 @@ class LightFieldBackend final : public node::BackendHalf {
                                   float times, float mostError);
   [[nodiscard]] static Shot shotOf(const Subject& subject, const ViewCell& cell);
   [[nodiscard]] std::shared_ptr<const CachedView> pictureOf(const Subject& subject, const Shot& shot);
-  [[nodiscard]] std::shared_ptr<node::Image> sample(const Subject& subject, const ObjectCamera& camera,
-                                                    const Haze& haze, const world::Rect& rect);
+  [[nodiscard]] std::shared_ptr<raster::Image> sample(const Subject& subject, const ObjectCamera& camera,
+                                                      const Haze& haze, const world::Rect& rect);
 
   pipeline::Timeline& timeline_;
-  node::ImagePool& images_;
+  raster::ImagePool& images_;
   pipeline::Executor& executor_;
   const float sceneError_;  ///< pixels, at quality 0
   std::atomic<float> mostError_;

@@ -50,7 +50,7 @@ std::vector<world::PointLight> chooseLamps(std::span<const world::PointLight> li
   return near;
 }
 
-void castShadows(const SunGrid& sun, const ObjectCamera& camera, node::Image& image) {
+void castShadows(const SunGrid& sun, const ObjectCamera& camera, raster::Image& image) {
   if (sun.whole) return;
   shadePart(sun, camera, {image.colour.data(), image.depth.data(), image.width(), image.rect});
 }
@@ -75,7 +75,7 @@ void LampLight::addTo(const world::Rect& part, std::uint32_t* colour, const floa
   lightPart(std::span(reaching).first(count), camera_, pixels);
 }
 
-void LampLight::addTo(node::Image& image) const {
+void LampLight::addTo(raster::Image& image) const {
   const world::Rect& rect = image.rect;
   for (int y = rect.top; y < rect.bottom; y += kPartHeight) {
     for (int x = rect.left; x < rect.right; x += kPartWidth) {

@@ -6,9 +6,9 @@
 #include <span>
 #include <vector>
 
-#include "node/image.h"
 #include "objects/lightfield/format/view_camera.h"
 #include "objects/lightfield/sun_grid.h"
+#include "raster/image.h"
 #include "world/light.h"
 
 namespace grove::objects::lightfield {
@@ -22,7 +22,7 @@ inline constexpr std::size_t kMostLamps = 4;
 /// Gives a picture what its light field cannot know: the shadows that others cast on this object. It has the picture's
 /// colours alone, not the surface behind them, so it scales what is there. Vectorised; any thread. `camera` is the one
 /// that the image was made with.
-void castShadows(const SunGrid& sun, const ObjectCamera& camera, node::Image& image);
+void castShadows(const SunGrid& sun, const ObjectCamera& camera, raster::Image& image);
 
 /// Adds the light of fires and lanterns in the same way. Keeps `camera`, not the lamps.
 class LampLight {
@@ -33,7 +33,7 @@ class LampLight {
   void addTo(const world::Rect& part, std::uint32_t* colour, const float* depth, std::ptrdiff_t stride) const;
 
   /// To all of it.
-  void addTo(node::Image& image) const;
+  void addTo(raster::Image& image) const;
 
  private:
   const ObjectCamera& camera_;

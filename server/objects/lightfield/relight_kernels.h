@@ -16,7 +16,7 @@ inline constexpr float kLampReach = 7.0F;
 /// Metres: for pixels that show nothing.
 inline constexpr float kRelightFarthest = 1.0e4F;
 
-/// A part of a picture as a node::Image has it, rows `stride` pixels apart; `rect` is in pixels of `camera`.
+/// A part of a picture as a raster::Image has it, rows `stride` pixels apart; `rect` is in pixels of `camera`.
 struct PicturePart {
   std::uint32_t* colour = nullptr;
   const float* depth = nullptr;

@@ -3,8 +3,8 @@
 #include <array>
 #include <span>
 
-#include "node/image.h"
 #include "objects/lightfield/format/light_field.h"
+#include "raster/image.h"
 
 namespace grove::objects::lightfield {
 
@@ -31,7 +31,7 @@ struct SampleRequest {
 class Sampler {
  public:
   virtual ~Sampler() = default;
-  virtual void render(std::span<const SampleRequest> requests, std::span<node::Image* const> images) = 0;
+  virtual void render(std::span<const SampleRequest> requests, std::span<raster::Image* const> images) = 0;
 };
 
 /// The uncorrected blend of the paper's Figure 5.4, left: as render(), but without using depth; it is there to measure

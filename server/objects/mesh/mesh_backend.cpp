@@ -13,14 +13,16 @@ const MeshModel& modelOf(const world::Object& object) { return static_cast<const
 /// One executor serves all of the type's objects, and GL is bound to threads of its own.
 pipeline::Executor& executorOf(const node::BackendServices& services, world::TypeIndex self) {
   const bool anyByGl = std::ranges::any_of(services.world.objects(), [&](const world::Object& object) {
-    return object.type == self && resolved(modelOf(object).renderer(), services.gl) == RendererKind::kGl;
+    return object.type == self &&
+           raster::resolved(modelOf(object).renderer(), services.gl) == raster::RendererKind::kGl;
   });
-  return executorFor(anyByGl ? RendererKind::kGl : RendererKind::kSimd, services);
+  return raster::executorFor(anyByGl ? raster::RendererKind::kGl : raster::RendererKind::kSimd, services.gl,
+                             services.workers);
 }
 
 }  // namespace
 
-MeshBackend::Entry::Entry(const world::Object& object, RendererKind kind)
+MeshBackend::Entry::Entry(const world::Object& object, raster::RendererKind kind)
     : lit{modelOf(object).surface(), {}, true},
       points(lit.surface),
       toWorld(object.transform.matrix()),
@@ -30,10 +32,10 @@ MeshBackend::MeshBackend(const node::BackendServices& services, world::TypeIndex
     : executor_(executorOf(services, self)), held_(services.memory, "surfaces", "mesh", pipeline::Work::kAcrossUser) {
   for (const world::Object& object : services.world.objects()) {
     if (object.type != self) continue;
-    const RendererKind kind = resolved(modelOf(object).renderer(), services.gl);
+    const raster::RendererKind kind = raster::resolved(modelOf(object).renderer(), services.gl);
     entries_.try_emplace(object.id, object, kind);
-    std::unique_ptr<MeshRenderer>& renderer = renderers_[kind];
-    if (!renderer) renderer = makeRenderer(kind, services, "mesh");
+    std::unique_ptr<raster::MeshRenderer>& renderer = renderers_[kind];
+    if (!renderer) renderer = raster::makeRenderer(kind, services.gl, services.images, {services.memory, "mesh"});
   }
   std::vector<PlacedMesh> meshes;
   std::vector<std::vector<world::Vec4>*> lights;
@@ -61,9 +63,9 @@ void MeshBackend::answer(std::span<const node::Request> requests, std::span<node
   for (const auto& [kind, renderer] : renderers_) answerWith(kind, requests, payloads);
 }
 
-void MeshBackend::answerWith(RendererKind kind, std::span<const node::Request> requests,
+void MeshBackend::answerWith(raster::RendererKind kind, std::span<const node::Request> requests,
                              std::span<node::Payload> payloads) {
-  std::vector<Drawing> drawings;
+  std::vector<raster::Drawing> drawings;
   std::vector<std::size_t> slots;
   for (std::size_t i = 0; i < requests.size(); ++i) {
     const node::VisibleObject& visible = requests[i].visible();
@@ -74,16 +76,16 @@ void MeshBackend::answerWith(RendererKind kind, std::span<const node::Request> r
     }
     const Entry& entry = it->second;
     if (entry.renderer != kind) continue;
-    Drawing& drawing = drawings.emplace_back();
+    raster::Drawing& drawing = drawings.emplace_back();
     drawing.object = &entry.lit;
     drawing.camera = &requests[i].view().camera;
-    drawing.rect = screenBox(entry.points, entry.toWorld, *drawing.camera, visible.rect);
+    drawing.rect = raster::screenBox(entry.points, entry.toWorld, *drawing.camera, visible.rect);
     drawing.distance = visible.distance / visible.object.transform.scale;
     drawing.bones[0] = entry.toWorld;
-    drawing.lamps = chooseLamps(requests[i].view().lights, visible.object.bounds);
+    drawing.lamps = raster::chooseLamps(requests[i].view().lights, visible.object.bounds);
     slots.push_back(i);
   }
-  std::vector<std::shared_ptr<const node::Image>> images(drawings.size());
+  std::vector<std::shared_ptr<const raster::Image>> images(drawings.size());
   renderers_.at(kind)->render(drawings, images);
   for (std::size_t i = 0; i < slots.size(); ++i) payloads[slots[i]] = std::move(images[i]);
 }

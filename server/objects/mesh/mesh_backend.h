@@ -4,9 +4,9 @@
 #include <memory>
 
 #include "node/object_type.h"
-#include "objects/mesh/drawing.h"
 #include "objects/mesh/mesh_model.h"
-#include "objects/mesh/screen_box.h"
+#include "raster/drawing.h"
+#include "raster/simd/screen_box.h"
 
 namespace grove::objects::mesh {
 
@@ -26,16 +26,17 @@ class MeshBackend final : public node::BackendHalf {
 
  private:
   struct Entry {
-    Entry(const world::Object& object, RendererKind kind);
-    LitSurface lit;
-    PointCloud points;
+    Entry(const world::Object& object, raster::RendererKind kind);
+    raster::LitSurface lit;
+    raster::PointCloud points;
     world::Mat4 toWorld;
-    RendererKind renderer;
+    raster::RendererKind renderer;
   };
-  void answerWith(RendererKind kind, std::span<const node::Request> requests, std::span<node::Payload> payloads);
+  void answerWith(raster::RendererKind kind, std::span<const node::Request> requests,
+                  std::span<node::Payload> payloads);
 
   std::map<world::ObjectId, Entry> entries_;
-  std::map<RendererKind, std::unique_ptr<MeshRenderer>> renderers_;
+  std::map<raster::RendererKind, std::unique_ptr<raster::MeshRenderer>> renderers_;
   pipeline::Executor& executor_;
   pipeline::HeldMemory held_;
 };

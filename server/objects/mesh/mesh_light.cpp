@@ -12,7 +12,7 @@
 #include "base/log.h"
 #include "node/prepare_each.h"
 #include "objects/mesh/kept_light.h"
-#include "objects/mesh/light_bake.h"
+#include "raster/shading/light_bake.h"
 #include "world/light.h"
 
 namespace grove::objects::mesh {
@@ -20,7 +20,7 @@ namespace {
 
 using Light = std::vector<std::vector<world::Vec4>>;
 
-/// Raised by who changes what bakeLight() makes of the same world.
+/// Raised by who changes what raster::bakeLight() makes of the same world.
 constexpr std::uint64_t kBakeVersion = 1;
 /// Milliseconds of work, so that all workers have some until the end, and progress is seen.
 constexpr std::size_t kVerticesPerTask = 1024;
@@ -50,7 +50,7 @@ std::uint64_t keyOf(const std::vector<PlacedMesh>& meshes, const world::World& w
   for (const PlacedMesh& mesh : meshes) {
     addTo(checksum, mesh.surface->vertices);
     addTo(checksum, std::vector<world::Mat4>{mesh.toWorld});
-    addTo(checksum, mesh.shades ? std::vector<Triangle>{} : mesh.surface->levels.back().triangles);
+    addTo(checksum, mesh.shades ? std::vector<raster::Triangle>{} : mesh.surface->levels.back().triangles);
   }
   return checksum.value();
 }
@@ -84,8 +84,9 @@ Light bake(const std::vector<PlacedMesh>& meshes, const node::BackendServices& s
   });
   node::prepareEach(services, "light of the meshes", tasks.size(), [&](std::size_t t) {
     const auto& [i, begin, end] = tasks[t];
-    const Obstacles obstacles{services.world.geometry().rays(), own[i].get()};
-    bakeLight(*meshes[i].surface, meshes[i].toWorld, obstacles, begin, std::span(light[i]).subspan(begin, end - begin));
+    const raster::Obstacles obstacles{services.world.geometry().rays(), own[i].get()};
+    raster::bakeLight(*meshes[i].surface, meshes[i].toWorld, obstacles, begin,
+                      std::span(light[i]).subspan(begin, end - begin));
   });
   return light;
 }

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "node/object_type.h"
-#include "objects/mesh/surface.h"
+#include "raster/surface.h"
 
 namespace grove::objects::mesh {
 
@@ -12,13 +12,13 @@ inline constexpr std::size_t kMinKeptVertices = 50'000;
 
 /// A mesh where it stands.
 struct PlacedMesh {
-  const Surface* surface = nullptr;
+  const raster::Surface* surface = nullptr;
   world::Mat4 toWorld{1.0F};
   bool shades = true;  ///< the world; one that is not among what does still shades itself
 };
 
-/// The light at each vertex of each mesh, see bakeLight(): as it was kept when the same meshes stood in the same world,
-/// or baked on the services' workers, so not to be called on one of those.
+/// The light at each vertex of each mesh, see raster::bakeLight(): as it was kept when the same meshes stood in the
+/// same world, or baked on the services' workers, so not to be called on one of those.
 [[nodiscard]] std::vector<std::vector<world::Vec4>> lightOf(const std::vector<PlacedMesh>& meshes,
                                                             const node::BackendServices& services);
 

@@ -21,7 +21,7 @@ Size usualSize(const std::string& shape) {
   return {};
 }
 
-Surface surfaceOfShape(const std::string& shape, const Size& size, std::uint32_t seed) {
+raster::Surface surfaceOfShape(const std::string& shape, const Size& size, std::uint32_t seed) {
   if (shape == "lintel") return makeLintel(size, seed);
   if (shape == "rocks") return makeRocks(size, seed);
   if (shape == "logs") return makeLogs(size, seed);
@@ -47,11 +47,11 @@ std::optional<float> trunkRadius(const world::Triangles& solid) {
   return radius;
 }
 
-RendererKind rendererNamed(const std::string& name) {
-  if (name == "gl") return RendererKind::kGl;
-  if (name == "simd") return RendererKind::kSimd;
-  if (name == "embree") return RendererKind::kEmbree;
-  return RendererKind::kAuto;
+raster::RendererKind rendererNamed(const std::string& name) {
+  if (name == "gl") return raster::RendererKind::kGl;
+  if (name == "simd") return raster::RendererKind::kSimd;
+  if (name == "embree") return raster::RendererKind::kEmbree;
+  return raster::RendererKind::kAuto;
 }
 
 }  // namespace
@@ -94,7 +94,7 @@ void MeshModel::makeModel(models::Model given) {
   solid_ = std::move(solid);
 }
 
-MeshModel::MeshModel(Surface surface, RendererKind renderer)
+MeshModel::MeshModel(raster::Surface surface, raster::RendererKind renderer)
     : renderer_(renderer), surface_(std::move(surface)), solid_(surface_.triangles()), bounds_(surface_.bounds()) {}
 
 }  // namespace grove::objects::mesh

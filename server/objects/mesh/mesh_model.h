@@ -3,8 +3,8 @@
 #include <optional>
 
 #include "models/model.h"
-#include "objects/mesh/renderer_choice.h"
-#include "objects/mesh/surface.h"
+#include "raster/renderer_choice.h"
+#include "raster/surface.h"
 #include "world/object.h"
 #include "world/scene_file.h"
 
@@ -21,7 +21,7 @@ class MeshModel final : public world::Model {
   explicit MeshModel(const world::Parameters& parameters);
 
   /// A closed surface of one's own; nobody is kept from walking through it.
-  MeshModel(Surface surface, RendererKind renderer);
+  MeshModel(raster::Surface surface, raster::RendererKind renderer);
 
   [[nodiscard]] world::Bounds bounds() const override { return bounds_; }
   /// Null for a camp fire: its smoke must rise through the logs, which are too small for the fluid's grid.
@@ -32,15 +32,15 @@ class MeshModel final : public world::Model {
     return surface_.bytes() + (solid_ ? solid_->bytes() : 0) + (shade_ ? shade_->bytes() : 0);
   }
 
-  [[nodiscard]] const Surface& surface() const noexcept { return surface_; }
-  [[nodiscard]] RendererKind renderer() const noexcept { return renderer_; }
+  [[nodiscard]] const raster::Surface& surface() const noexcept { return surface_; }
+  [[nodiscard]] raster::RendererKind renderer() const noexcept { return renderer_; }
 
  private:
   void makeShape(const world::Parameters& parameters);
   void makeModel(models::Model given);
 
-  RendererKind renderer_ = RendererKind::kAuto;
-  Surface surface_;
+  raster::RendererKind renderer_ = raster::RendererKind::kAuto;
+  raster::Surface surface_;
   std::optional<world::Triangles> solid_;
   std::optional<world::Triangles> shade_;  ///< if more than the solid
   world::Bounds bounds_;

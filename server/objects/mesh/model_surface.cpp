@@ -28,15 +28,15 @@ Vec3 albedoOf(const models::Model& model, const models::Material& material, std:
 
 }  // namespace
 
-Surface surfaceOf(const models::Model& model) {
-  Surface surface;
-  Level& level = surface.levels.emplace_back();
+raster::Surface surfaceOf(const models::Model& model) {
+  raster::Surface surface;
+  raster::Level& level = surface.levels.emplace_back();
   std::map<std::tuple<std::uint32_t, std::uint16_t, bool>, std::uint32_t> known;
   const auto corner = [&](std::uint32_t vertex, std::uint16_t material, bool back) {
     const auto [it, isNew] =
         known.try_emplace({vertex, material, back}, static_cast<std::uint32_t>(surface.vertices.size()));
     if (isNew) {
-      Vertex& made = surface.vertices.emplace_back();
+      raster::Vertex& made = surface.vertices.emplace_back();
       made.position = model.triangles.positions[vertex];
       made.normal = back ? -model.normals[vertex] : model.normals[vertex];
       made.albedo = albedoOf(model, model.materials[material], vertex);

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "objects/mesh/noise.h"
+#include "raster/shading/noise.h"
 
 namespace grove::objects::mesh {
 namespace {
@@ -17,7 +17,7 @@ constexpr std::size_t kPlanes = 9;
 class Rock {
  public:
   explicit Rock(const RockForm& form) : form_(form) {
-    const auto random = [&](std::uint32_t i) { return random01(form.seed, i); };
+    const auto random = [&](std::uint32_t i) { return raster::random01(form.seed, i); };
     offset_ = Vec3(random(1), random(2), random(3)) * 200.0F;
     for (std::uint32_t i = 0; i < kPlanes; ++i) {
       const float around = (static_cast<float>(i) + 0.7F * random(10 + i)) * 6.2832F / static_cast<float>(kPlanes);
@@ -36,7 +36,7 @@ class Rock {
     darkness_ = 0.85F + 0.3F * random(71);
   }
 
-  [[nodiscard]] Vertex at(Vec3 cube) const {
+  [[nodiscard]] raster::Vertex at(Vec3 cube) const {
     const Vec3 power = glm::pow(glm::abs(cube), Vec3(form_.roundness));
     const float norm = std::pow(power.x + power.y + power.z, 1.0F / form_.roundness);
     const Vec3 unit = cube / norm;
@@ -66,20 +66,20 @@ class Rock {
   /// Metres outwards: bulges, ridges of broken layers, pits, and furrows that the rain washed.
   [[nodiscard]] float weathering(Vec3 q) const {
     const float thin = std::min({form_.half.x, form_.half.y, form_.half.z});
-    const float bulge = fractalNoise(q * (0.55F / thin), 3) * 0.34F * thin;
-    const float ridge = 1.0F - 2.0F * std::abs(fractalNoise(q * Vec3(2.1F, 3.4F, 2.1F) + 7.0F, 3));
-    const float pits = std::max(0.0F, fractalNoise(q * 5.5F + 31.0F, 2) - 0.14F);
-    const float furrow = fractalNoise(q * Vec3(4.2F, 0.5F, 4.2F) + 59.0F, 2);
+    const float bulge = raster::fractalNoise(q * (0.55F / thin), 3) * 0.34F * thin;
+    const float ridge = 1.0F - 2.0F * std::abs(raster::fractalNoise(q * Vec3(2.1F, 3.4F, 2.1F) + 7.0F, 3));
+    const float pits = std::max(0.0F, raster::fractalNoise(q * 5.5F + 31.0F, 2) - 0.14F);
+    const float furrow = raster::fractalNoise(q * Vec3(4.2F, 0.5F, 4.2F) + 59.0F, 2);
     const float small = std::min(1.0F, thin / 0.3F);
     return form_.roughness * (bulge + small * (0.045F * (ridge - 0.6F) - 0.14F * pits + 0.035F * furrow +
-                                               0.016F * fractalNoise(q * 13.0F, 2)));
+                                               0.016F * raster::fractalNoise(q * 13.0F, 2)));
   }
 
-  [[nodiscard]] Vertex painted(Vec3 p, Vec3 q, Vec3 outward, float relief) const {
-    Vertex vertex;
+  [[nodiscard]] raster::Vertex painted(Vec3 p, Vec3 q, Vec3 outward, float relief) const {
+    raster::Vertex vertex;
     vertex.position = p;
-    const float blotch = fractalNoise(q * 1.6F + 90.0F, 3);
-    const float streak = fractalNoise(q * Vec3(5.0F, 0.45F, 5.0F) + 120.0F, 2);
+    const float blotch = raster::fractalNoise(q * 1.6F + 90.0F, 3);
+    const float streak = raster::fractalNoise(q * Vec3(5.0F, 0.45F, 5.0F) + 120.0F, 2);
     const Vec3 grey =
         glm::mix(Vec3(0.26F, 0.26F, 0.265F), Vec3(0.33F, 0.285F, 0.23F), warmth_ * 0.6F + 0.5F * blotch + 0.2F);
     const float height = p.y + form_.half.y - form_.buried;
@@ -90,7 +90,7 @@ class Rock {
     vertex.albedo = glm::mix(vertex.albedo, Vec3(0.15F, 0.17F, 0.07F), 0.75F * moss);
     const float soil = std::clamp(1.0F - height / 0.14F, 0.0F, 1.0F);
     vertex.albedo = glm::mix(vertex.albedo, Vec3(0.13F, 0.105F, 0.07F), 0.7F * soil);
-    vertex.lichen = std::clamp(0.30F + 1.1F * fractalNoise(q * 1.1F + 150.0F, 2), 0.0F, 0.6F) * (1.0F - moss);
+    vertex.lichen = std::clamp(0.30F + 1.1F * raster::fractalNoise(q * 1.1F + 150.0F, 2), 0.0F, 0.6F) * (1.0F - moss);
     return vertex;
   }
 
@@ -103,11 +103,11 @@ class Rock {
 
 }  // namespace
 
-Surface makeRock(const RockForm& form, float cell, int halvings) {
+raster::Surface makeRock(const RockForm& form, float cell, int halvings) {
   const auto count = [&](float half) { return std::clamp(static_cast<int>(std::lround(2.0F * half / cell)), 1, 12); };
   const Rock rock(form);
-  Surface surface = makeDeformedBox({count(form.half.x), count(form.half.y), count(form.half.z)}, halvings,
-                                    [&](Vec3 cube) { return rock.at(cube); });
+  raster::Surface surface = raster::makeDeformedBox({count(form.half.x), count(form.half.y), count(form.half.z)},
+                                                    halvings, [&](Vec3 cube) { return rock.at(cube); });
   surface.weathered = true;
   return surface;
 }

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "objects/mesh/surface.h"
+#include "raster/surface.h"
 
 namespace grove::objects::mesh {
 
@@ -20,6 +20,6 @@ struct RockForm {
 };
 
 /// A rock around the origin; triangles of about `cell` / 2^halvings metres.
-[[nodiscard]] Surface makeRock(const RockForm& form, float cell, int halvings);
+[[nodiscard]] raster::Surface makeRock(const RockForm& form, float cell, int halvings);
 
 }  // namespace grove::objects::mesh

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "objects/mesh/surface.h"
+#include "raster/surface.h"
 
 /// The generated shapes. Deterministic: a seed gives the same triangles on every machine.
 namespace grove::objects::mesh {
@@ -16,15 +16,15 @@ struct Size {
 
 /// A weathered megalith: a tapered, leaning slab with broken edges, stained and overgrown. Stands on y = 0 and reaches
 /// a little below it.
-[[nodiscard]] Surface makeStandingStone(const Size& size, std::uint32_t seed);
+[[nodiscard]] raster::Surface makeStandingStone(const Size& size, std::uint32_t seed);
 
 /// The same rock lying flat, as across two standing stones: `width` is its length. Its lower side is y = 0.
-[[nodiscard]] Surface makeLintel(const Size& size, std::uint32_t seed);
+[[nodiscard]] raster::Surface makeLintel(const Size& size, std::uint32_t seed);
 
 /// Boulders strewn over `width` x `depth`, the largest `height` high.
-[[nodiscard]] Surface makeRocks(const Size& size, std::uint32_t seed);
+[[nodiscard]] raster::Surface makeRocks(const Size& size, std::uint32_t seed);
 
 /// A camp fire's crossed charred logs in a ring of stones, `width` across; `height` is that of the logs' tips.
-[[nodiscard]] Surface makeLogs(const Size& size, std::uint32_t seed);
+[[nodiscard]] raster::Surface makeLogs(const Size& size, std::uint32_t seed);
 
 }  // namespace grove::objects::mesh

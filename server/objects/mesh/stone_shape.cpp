@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "objects/mesh/noise.h"
 #include "objects/mesh/rock.h"
 #include "objects/mesh/shapes.h"
+#include "raster/shading/noise.h"
 
 namespace grove::objects::mesh {
 namespace {
@@ -18,8 +18,8 @@ float cellFor(const Size& s) {
 
 }  // namespace
 
-Surface makeStandingStone(const Size& size, std::uint32_t seed) {
-  const auto random = [&](std::uint32_t i) { return random01(seed, 100 + i); };
+raster::Surface makeStandingStone(const Size& size, std::uint32_t seed) {
+  const auto random = [&](std::uint32_t i) { return raster::random01(seed, 100 + i); };
   RockForm form;
   form.buried = std::min(0.25F, 0.12F * size.height);
   form.half = world::Vec3(size.width, size.height + form.buried, size.depth) * 0.5F;
@@ -29,13 +29,13 @@ Surface makeStandingStone(const Size& size, std::uint32_t seed) {
   form.shoulder = size.width * 0.42F * (random(3) - 0.5F);
   form.breaks = 0.7F + 0.6F * random(4);
   form.seed = seed;
-  Surface stone;
+  raster::Surface stone;
   stone.append(makeRock(form, cellFor(size), kHalvings),
                glm::translate(world::Mat4(1.0F), world::Vec3(0.0F, form.half.y - form.buried, 0.0F)));
   return stone;
 }
 
-Surface makeLintel(const Size& size, std::uint32_t seed) {
+raster::Surface makeLintel(const Size& size, std::uint32_t seed) {
   RockForm form;
   form.half = world::Vec3(size.width, size.height, size.depth) * 0.5F;
   form.roundness = 6.0F;
@@ -44,17 +44,17 @@ Surface makeLintel(const Size& size, std::uint32_t seed) {
   // Nothing of it touches the soil.
   form.buried = -2.0F;
   form.seed = seed;
-  Surface lintel;
+  raster::Surface lintel;
   lintel.append(makeRock(form, cellFor(size), kHalvings),
                 glm::translate(world::Mat4(1.0F), world::Vec3(0.0F, form.half.y, 0.0F)));
   return lintel;
 }
 
-Surface makeRocks(const Size& size, std::uint32_t seed) {
+raster::Surface makeRocks(const Size& size, std::uint32_t seed) {
   constexpr std::uint32_t kCount = 6;
-  Surface rocks;
+  raster::Surface rocks;
   for (std::uint32_t i = 0; i < kCount; ++i) {
-    const auto random = [&](std::uint32_t k) { return random01(seed, 200 + 16 * i + k); };
+    const auto random = [&](std::uint32_t k) { return raster::random01(seed, 200 + 16 * i + k); };
     const float share = i == 0 ? 1.0F : 0.25F + 0.45F * random(0);
     RockForm form;
     form.half = world::Vec3(0.75F + 0.4F * random(1), 0.55F, 0.6F + 0.3F * random(2)) * (size.height * share);

@@ -129,8 +129,8 @@ class SoftRows {
 
 }  // namespace
 
-std::shared_ptr<const node::Image> skyImage(const SkyMaps& maps, const world::Camera& camera, world::Rect rect,
-                                            node::ImagePool& images) {
+std::shared_ptr<const raster::Image> skyImage(const SkyMaps& maps, const world::Camera& camera, world::Rect rect,
+                                              raster::ImagePool& images) {
   const auto rise = [&](int row) { return camera.ray(0.0F, static_cast<float>(row) + 0.5F).y; };
   while (!rect.empty() && rise(rect.bottom - 1) < kLowestRise) --rect.bottom;
   if (rect.empty()) return nullptr;

@@ -106,7 +106,7 @@ void H264Encoder::setQuantiser(int quantiser) {
   quantiser_ = quantiser;
 }
 
-bool H264Encoder::encode(const node::Image& image, const EncodeOrder& order, std::vector<std::uint8_t>& out) {
+bool H264Encoder::encode(const raster::Image& image, const EncodeOrder& order, std::vector<std::uint8_t>& out) {
   const int quantiser = static_cast<int>(std::lround(std::clamp(order.quantiser, kRange.finest, kRange.coarsest)));
   const bool resized = !started_ || picture_.width != image.width() || picture_.height != image.height();
   picture_.assign(image);

@@ -21,7 +21,7 @@ class H264Encoder final : public Encoder {
 
   [[nodiscard]] std::uint8_t codec() const noexcept override;
   [[nodiscard]] QuantiserRange range() const noexcept override;
-  bool encode(const node::Image& image, const EncodeOrder& order, std::vector<std::uint8_t>& out) override;
+  bool encode(const raster::Image& image, const EncodeOrder& order, std::vector<std::uint8_t>& out) override;
   [[nodiscard]] std::size_t bytes() const noexcept override;
 
  private:

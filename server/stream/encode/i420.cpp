@@ -6,7 +6,7 @@
 
 namespace grove::stream {
 
-void I420::assign(const node::Image& image) {
+void I420::assign(const raster::Image& image) {
   width = image.width();
   height = image.height();
   assert(width % 2 == 0 && height % 2 == 0);

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "node/image.h"
+#include "raster/image.h"
 
 namespace grove::stream {
 
@@ -20,7 +20,7 @@ struct I420 {
   [[nodiscard]] std::uint8_t* v() noexcept { return u() + lumaBytes() / 4; }
 
   /// Becomes this image, whose alpha is not looked at; keeps its memory where that is enough.
-  void assign(const node::Image& image);
+  void assign(const raster::Image& image);
 
  private:
   [[nodiscard]] std::size_t lumaBytes() const noexcept {

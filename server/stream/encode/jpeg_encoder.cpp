@@ -45,7 +45,7 @@ QuantiserRange JpegEncoder::range() const noexcept {
           .coarsest = quantiserOf(std::min(quality_, kCoarsestQuality))};
 }
 
-bool JpegEncoder::encode(const node::Image& image, const EncodeOrder& order, std::vector<std::uint8_t>& out) {
+bool JpegEncoder::encode(const raster::Image& image, const EncodeOrder& order, std::vector<std::uint8_t>& out) {
   const unsigned long most = tjBufSize(image.width(), image.height(), TJSAMP_420);
   if (most > scratchBytes_) {
     scratch_ = std::make_unique_for_overwrite<unsigned char[]>(most);

@@ -43,7 +43,7 @@ std::shared_ptr<node::FrameList> look(const std::vector<world::Object>& visitors
 class FigureTest : public testing::Test {
  protected:
   std::vector<node::Payload> ask(const std::shared_ptr<node::FrameList>& list,
-                                 mesh::RendererKind kind = mesh::RendererKind::kAuto) {
+                                 raster::RendererKind kind = raster::RendererKind::kAuto) {
     FigureBackend half({world_, workers_, gl_, timeline_, memory_, images_, {}}, kind);
     std::vector<node::Request> requests;
     for (std::uint32_t i = 0; i < list->objects.size(); ++i) requests.push_back({list, i});
@@ -63,18 +63,18 @@ class FigureTest : public testing::Test {
   pipeline::WorkerPool workers_{1};
   pipeline::Timeline timeline_;
   pipeline::MemoryLedger memory_;
-  node::ImagePool images_;
+  raster::ImagePool images_;
 };
 
 /// An answer's picture, where its spans leave nothing out.
 struct Picture {
   explicit Picture(const node::Payload& payload) {
-    const auto& image = *std::get<std::shared_ptr<const node::Image>>(payload);
+    const auto& image = *std::get<std::shared_ptr<const raster::Image>>(payload);
     rect = image.rect;
     colour.resize(image.colour.size());
     depth.resize(image.depth.size(), world::kInfiniteDepth);
     for (int row = 0; row < image.height(); ++row) {
-      const node::Span span = image.span(row);
+      const raster::Span span = image.span(row);
       for (int x = span.begin; x < span.end; ++x) {
         const auto at = static_cast<std::size_t>(row * image.width() + x);
         colour[at] = image.colour[at];
@@ -129,8 +129,8 @@ TEST_F(FigureTest, LooksTheSameByEitherRenderer) {
   player.stride = 0.375F;
   player.velocity = {0, 0, -world::kWalkSpeed};
   const auto list = look({visitor(1, {0.3F, 0, -3})}, {player});
-  const auto byGl = ask(list, mesh::RendererKind::kGl);
-  const auto bySimd = ask(list, mesh::RendererKind::kSimd);
+  const auto byGl = ask(list, raster::RendererKind::kGl);
+  const auto bySimd = ask(list, raster::RendererKind::kSimd);
   const Picture gl(byGl[0]);
   const Picture simd(bySimd[0]);
   ASSERT_EQ(gl.rect, simd.rect);
@@ -148,7 +148,7 @@ TEST_F(FigureTest, LooksTheSameByEitherRenderer) {
 
 TEST_F(FigureTest, WhoHasLeftIsNotShown) {
   const auto payloads = ask(look({visitor(1, {0, 0, -4})}, {}));
-  EXPECT_EQ(std::get<std::shared_ptr<const node::Image>>(payloads[0]), nullptr);
+  EXPECT_EQ(std::get<std::shared_ptr<const raster::Image>>(payloads[0]), nullptr);
 }
 
 TEST(Gait, LegsSwingAgainstEachOtherAndRestWhenStanding) {
@@ -176,7 +176,7 @@ class LabelTest : public testing::Test {
     // The left half is open sky.
     for (std::size_t y = 0; y < 180; ++y)
       std::fill_n(depth_.begin() + static_cast<std::ptrdiff_t>(y * 320), 160, 1.0e30F);
-    node::Image frame{{0, 0, 320, 180}, colour_, depth_, false, {}};
+    raster::Image frame{{0, 0, 320, 180}, colour_, depth_, false, {}};
     frontend_.draw(list->objects[0], {}, *list->view, frame);
     return static_cast<std::size_t>(std::ranges::count_if(colour_, [](std::uint32_t c) { return c != kGrey; }));
   }

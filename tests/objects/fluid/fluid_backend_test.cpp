@@ -53,7 +53,7 @@ class Fire : public ::testing::Test {
   world::World world_;
   pipeline::Timeline timeline_;
   pipeline::MemoryLedger memory_;
-  node::ImagePool images_;
+  raster::ImagePool images_;
   gl::ShaderLibrary shaders_;
   gl::Workers gl_{gl::ContextKind::kAuto, shaders_, 1};
   pipeline::WorkerPool workers_{1};

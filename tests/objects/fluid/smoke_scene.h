@@ -28,7 +28,7 @@ struct Frame {
 
   std::vector<std::uint32_t> colours;
   std::vector<float> depths;
-  node::Image image;
+  raster::Image image;
 };
 
 struct Particle {

@@ -23,7 +23,7 @@ class GroundImage : public testing::Test {
  protected:
   const GroundMaps bare = mapsWith(0.0F);
   const GroundMaps grown = mapsWith(0.9F);
-  node::ImagePool images;
+  raster::ImagePool images;
 };
 
 TEST_F(GroundImage, DepthOfBareEarthIsThatOfThePlane) {
@@ -104,7 +104,7 @@ TEST_F(GroundImage, ALampBrightensTheGroundBelowItMost) {
   const auto dark = groundImage(bare, camera, whole(camera), {}, images);
   const auto lit = groundImage(bare, camera, whole(camera), lamp, images);
   const auto gain = [&](int x, int y) {
-    const auto red = [&](const node::Image& image) {
+    const auto red = [&](const raster::Image& image) {
       return static_cast<int>(image.colourRow(y - image.rect.top)[x] & 0xFFU);
     };
     return red(*lit) - red(*dark);

@@ -97,7 +97,7 @@ class Wood {
   pipeline::WorkerPool workers_{1};
   pipeline::Timeline timeline_;
   pipeline::MemoryLedger ledger_;
-  node::ImagePool images_;
+  raster::ImagePool images_;
   LightFieldBackend backend_{
       {world_, workers_, gl_, timeline_, ledger_, images_, {}}, *registry_.find("lightfield"), {}};
 };

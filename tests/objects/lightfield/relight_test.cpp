@@ -41,8 +41,8 @@ class Relight : public testing::Test {
   static int red(std::uint32_t pixel) { return static_cast<int>(pixel & 0xFFU); }
   static int blue(std::uint32_t pixel) { return static_cast<int>(pixel >> 16U & 0xFFU); }
 
-  node::ImagePool pool_;
-  std::shared_ptr<node::Image> image_ = pool_.acquire({0, 0, 33, 32});
+  raster::ImagePool pool_;
+  std::shared_ptr<raster::Image> image_ = pool_.acquire({0, 0, 33, 32});
   ObjectCamera camera_;
   SunGrid whole_;
 };

@@ -8,16 +8,8 @@
 
 namespace grove::objects::mesh {
 
-Surface makeBox(world::Vec3 size, world::Vec3 albedo) {
-  return makeDeformedBox({4, 4, 4}, 0, [&](world::Vec3 cube) {
-    Vertex vertex;
-    vertex.position = (cube * 0.5F + world::Vec3(0.0F, 0.5F, 0.0F)) * size;
-    vertex.albedo = albedo;
-    return vertex;
-  });
-}
-
-world::Object makeObject(world::ObjectId id, Surface surface, RendererKind renderer, world::Vec3 position) {
+world::Object makeObject(world::ObjectId id, raster::Surface surface, raster::RendererKind renderer,
+                         world::Vec3 position) {
   world::Object object;
   object.id = id;
   object.name = "object " + std::to_string(id);
@@ -60,19 +52,19 @@ std::vector<node::Payload> ask(node::BackendHalf& half, const std::vector<node::
   return payloads;
 }
 
-std::shared_ptr<const node::Image> imageOf(const node::Payload& payload) {
-  const auto* image = std::get_if<std::shared_ptr<const node::Image>>(&payload);
+std::shared_ptr<const raster::Image> imageOf(const node::Payload& payload) {
+  const auto* image = std::get_if<std::shared_ptr<const raster::Image>>(&payload);
   EXPECT_NE(image, nullptr);
   return image == nullptr || *image == nullptr ? nullptr : withoutSpans(**image);
 }
 
-std::shared_ptr<const node::Image> withoutSpans(const node::Image& image) {
-  node::ImagePool pool;
-  const std::shared_ptr<node::Image> whole = pool.acquire(image.rect);
+std::shared_ptr<const raster::Image> withoutSpans(const raster::Image& image) {
+  raster::ImagePool pool;
+  const std::shared_ptr<raster::Image> whole = pool.acquire(image.rect);
   std::ranges::fill(whole->colour, 0U);
   std::ranges::fill(whole->depth, world::kInfiniteDepth);
   for (int row = 0; row < image.height(); ++row) {
-    const node::Span span = image.span(row);
+    const raster::Span span = image.span(row);
     EXPECT_GE(span.begin, 0);
     EXPECT_LE(span.end, image.width());
     for (int x = span.begin; x < span.end; ++x) {

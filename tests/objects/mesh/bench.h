@@ -19,17 +19,14 @@ struct Bench {
   pipeline::WorkerPool workers{2};
   pipeline::Timeline timeline;
   pipeline::MemoryLedger memory;
-  node::ImagePool images;
+  raster::ImagePool images;
 
   [[nodiscard]] node::BackendServices services(world::World& world) {
     return {world, workers, gl, timeline, memory, images, {}};
   }
 };
 
-/// A box with flat sides of a colour, standing on y = 0.
-[[nodiscard]] Surface makeBox(world::Vec3 size, world::Vec3 albedo);
-
-[[nodiscard]] world::Object makeObject(world::ObjectId id, Surface surface, RendererKind renderer,
+[[nodiscard]] world::Object makeObject(world::ObjectId id, raster::Surface surface, raster::RendererKind renderer,
                                        world::Vec3 position);
 
 /// A world of these objects alone.
@@ -42,9 +39,9 @@ struct Bench {
 [[nodiscard]] std::vector<node::Payload> ask(node::BackendHalf& half, const std::vector<node::Request>& requests);
 
 /// A copy that has what the spans leave out, as nothing.
-[[nodiscard]] std::shared_ptr<const node::Image> withoutSpans(const node::Image& image);
+[[nodiscard]] std::shared_ptr<const raster::Image> withoutSpans(const raster::Image& image);
 
 /// The same of an answer.
-[[nodiscard]] std::shared_ptr<const node::Image> imageOf(const node::Payload& payload);
+[[nodiscard]] std::shared_ptr<const raster::Image> imageOf(const node::Payload& payload);
 
 }  // namespace grove::objects::mesh

@@ -11,6 +11,7 @@
 
 #include "objects/mesh/bench.h"
 #include "objects/mesh/shapes.h"
+#include "raster/box.h"
 
 namespace grove::objects::mesh {
 namespace {
@@ -18,8 +19,9 @@ namespace {
 using world::Vec3;
 
 const Vec3 kWhite{0.8F};
-constexpr std::array kRenderers = {RendererKind::kGl, RendererKind::kSimd, RendererKind::kEmbree};
-constexpr std::array kFast = {RendererKind::kGl, RendererKind::kSimd};
+constexpr std::array kRenderers = {raster::RendererKind::kGl, raster::RendererKind::kSimd,
+                                   raster::RendererKind::kEmbree};
+constexpr std::array kFast = {raster::RendererKind::kGl, raster::RendererKind::kSimd};
 
 world::Camera smallCamera() {
   world::Camera camera;
@@ -34,7 +36,7 @@ struct Pixel {
 };
 
 /// A pixel of the frame; nothing outside of the image's rectangle.
-Pixel at(const node::Image& image, int x, int y) {
+Pixel at(const raster::Image& image, int x, int y) {
   const world::Rect& rect = image.rect;
   if (x < rect.left || y < rect.top || x >= rect.right || y >= rect.bottom) return {};
   return {image.colourRow(y - rect.top)[x - rect.left], image.depthRow(y - rect.top)[x - rect.left]};
@@ -54,17 +56,17 @@ class MeshBackendTest : public testing::Test {
 };
 
 /// What holds for each renderer that is fast enough to draw frames.
-class FastRenderers : public testing::TestWithParam<RendererKind> {
+class FastRenderers : public testing::TestWithParam<raster::RendererKind> {
  protected:
   Bench bench_;
 };
 
 INSTANTIATE_TEST_SUITE_P(Mesh, FastRenderers, testing::ValuesIn(kFast),
-                         [](const auto& kind) { return kind.param == RendererKind::kGl ? "Gl" : "Simd"; });
+                         [](const auto& kind) { return kind.param == raster::RendererKind::kGl ? "Gl" : "Simd"; });
 
 TEST_F(MeshBackendTest, DepthOfABoxIsExact) {
-  for (const RendererKind kind : kRenderers) {
-    world::World world(layoutOf({makeObject(1, makeBox({2, 3, 1}, kWhite), kind, {0, 0, -7.5F})}));
+  for (const raster::RendererKind kind : kRenderers) {
+    world::World world(layoutOf({makeObject(1, raster::makeBox({2, 3, 1}, kWhite), kind, {0, 0, -7.5F})}));
     MeshBackend half(bench_.services(world), 0);
     const auto image = imageOf(ask(half, {{look(smallCamera(), world.objects()), 0}})[0]);
     ASSERT_NE(image, nullptr);
@@ -98,8 +100,8 @@ TEST_P(FastRenderers, NothingWhereNothingIs) {
 }
 
 /// One kind's pictures of a standing stone and a camp fire by the light of two lamps.
-std::vector<std::shared_ptr<const node::Image>> twoObjects(Bench& bench, RendererKind kind,
-                                                           const world::Camera& camera) {
+std::vector<std::shared_ptr<const raster::Image>> twoObjects(Bench& bench, raster::RendererKind kind,
+                                                             const world::Camera& camera) {
   world::World world(layoutOf({makeObject(1, makeStandingStone({3, 1.4F, 0.8F}, 9), kind, {0.4F, 0, -3.5F}),
                                makeObject(2, makeLogs({0.32F, 0.75F, 0.75F}, 2), kind, {-1.2F, 0, -2.5F})}));
   MeshBackend half(bench.services(world), 0);
@@ -107,12 +109,12 @@ std::vector<std::shared_ptr<const node::Image>> twoObjects(Bench& bench, Rendere
   auto lit = std::make_shared<node::View>(*list->view);
   lit->lights = {{Vec3(-1.2F, 0.7F, -2.5F), Vec3(2.0F, 0.9F, 0.3F)}, {Vec3(1.5F, 1.0F, -1.5F), Vec3(0.1F, 0.3F, 0.8F)}};
   list->view = lit;
-  std::vector<std::shared_ptr<const node::Image>> images;
+  std::vector<std::shared_ptr<const raster::Image>> images;
   for (const node::Payload& payload : ask(half, {{list, 0}, {list, 1}})) images.push_back(imageOf(payload));
   return images;
 }
 
-void expectSamePicture(const node::Image& a, const node::Image& b) {
+void expectSamePicture(const raster::Image& a, const raster::Image& b) {
   ASSERT_EQ(a.rect, b.rect);
   std::size_t both = 0;
   std::size_t oneOnly = 0;
@@ -136,11 +138,11 @@ void expectSamePicture(const node::Image& a, const node::Image& b) {
 TEST_F(MeshBackendTest, AllRenderersGiveTheSamePicture) {
   world::Camera camera = smallCamera();
   camera.pose.pitch = -0.25F;
-  std::map<RendererKind, std::vector<std::shared_ptr<const node::Image>>> images;
-  for (const RendererKind kind : kRenderers) images[kind] = twoObjects(bench_, kind, camera);
-  for (const auto& [a, b] :
-       {std::pair(RendererKind::kGl, RendererKind::kEmbree), std::pair(RendererKind::kSimd, RendererKind::kEmbree),
-        std::pair(RendererKind::kSimd, RendererKind::kGl)}) {
+  std::map<raster::RendererKind, std::vector<std::shared_ptr<const raster::Image>>> images;
+  for (const raster::RendererKind kind : kRenderers) images[kind] = twoObjects(bench_, kind, camera);
+  for (const auto& [a, b] : {std::pair(raster::RendererKind::kGl, raster::RendererKind::kEmbree),
+                             std::pair(raster::RendererKind::kSimd, raster::RendererKind::kEmbree),
+                             std::pair(raster::RendererKind::kSimd, raster::RendererKind::kGl)}) {
     for (std::size_t object = 0; object < 2; ++object) {
       SCOPED_TRACE("object " + std::to_string(object) + " by " + std::to_string(static_cast<int>(a)));
       expectSamePicture(*images[a][object], *images[b][object]);
@@ -152,9 +154,9 @@ constexpr Vec3 kRed{0.8F, 0.02F, 0.02F};
 constexpr Vec3 kBlue{0.02F, 0.02F, 0.8F};
 
 /// A square of 2 m whose front looks along the z axis.
-Surface makeSheet(bool hasBack) {
-  Surface sheet;
-  Level& level = sheet.levels.emplace_back();
+raster::Surface makeSheet(bool hasBack) {
+  raster::Surface sheet;
+  raster::Level& level = sheet.levels.emplace_back();
   for (const Vec3 normal : {Vec3(0, 0, 1), Vec3(0, 0, -1)}) {
     for (const Vec3 corner : {Vec3(-1, 0, 0), Vec3(1, 0, 0), Vec3(1, 2, 0), Vec3(-1, 2, 0)}) {
       sheet.vertices.push_back({.position = corner, .normal = normal, .albedo = normal.z > 0.0F ? kRed : kBlue});
@@ -172,7 +174,7 @@ struct Seen {
   int blue = 0;
 };
 
-Seen seen(const node::Image& image) {
+Seen seen(const raster::Image& image) {
   Seen seen;
   for (const std::uint32_t colour : image.colour) {
     if (colour == 0U) continue;
@@ -183,7 +185,7 @@ Seen seen(const node::Image& image) {
 }
 
 TEST_F(MeshBackendTest, AllRenderersShowFrontsAlone) {
-  for (const RendererKind kind : kRenderers) {
+  for (const raster::RendererKind kind : kRenderers) {
     for (const bool hasBack : {false, true}) {
       SCOPED_TRACE(std::to_string(static_cast<int>(kind)) + (hasBack ? ", both sides" : ", one side"));
       world::World world(layoutOf({makeObject(1, makeSheet(hasBack), kind, {0, 0, -5})}));
@@ -205,7 +207,7 @@ TEST_F(MeshBackendTest, AllRenderersShowFrontsAlone) {
 
 TEST_F(MeshBackendTest, TrianglesAcrossTheNearDepthAreClippedAlike) {
   const world::Bounds box =
-      makeObject(1, makeStandingStone({3, 1.4F, 0.8F}, 9), RendererKind::kSimd, {0.4F, 0, -3.5F}).bounds;
+      makeObject(1, makeStandingStone({3, 1.4F, 0.8F}, 9), raster::RendererKind::kSimd, {0.4F, 0, -3.5F}).bounds;
   const Vec3 before(box.centre().x, 1.2F, box.high.z + 0.3F);
   const Vec3 within = box.high - 0.04F * box.size();
   for (const Vec3 eye : {before, within}) {
@@ -214,16 +216,17 @@ TEST_F(MeshBackendTest, TrianglesAcrossTheNearDepthAreClippedAlike) {
     camera.pose.position = eye;
     camera.pose.yaw = std::atan2(-towards.x, -towards.z);
     camera.pose.pitch = std::asin(towards.y);
-    const auto simd = twoObjects(bench_, RendererKind::kSimd, camera);
-    const auto embree = twoObjects(bench_, RendererKind::kEmbree, camera);
+    const auto simd = twoObjects(bench_, raster::RendererKind::kSimd, camera);
+    const auto embree = twoObjects(bench_, raster::RendererKind::kEmbree, camera);
     SCOPED_TRACE("eye at " + std::to_string(eye.y));
     expectSamePicture(*simd[0], *embree[0]);
   }
 }
 
 TEST_F(MeshBackendTest, AnswersAtTheSameTimeAreThoseOneByOne) {
-  world::World world(layoutOf({makeObject(1, makeStandingStone({3, 1.2F, 0.7F}, 4), RendererKind::kSimd, {-1, 0, -5}),
-                               makeObject(2, makeRocks({0.5F, 2.4F, 2.0F}, 4), RendererKind::kSimd, {1, 0, -4})}));
+  world::World world(
+      layoutOf({makeObject(1, makeStandingStone({3, 1.2F, 0.7F}, 4), raster::RendererKind::kSimd, {-1, 0, -5}),
+                makeObject(2, makeRocks({0.5F, 2.4F, 2.0F}, 4), raster::RendererKind::kSimd, {1, 0, -4})}));
   MeshBackend half(bench_.services(world), 0);
   EXPECT_EQ(&half.executor(), &bench_.workers);
   EXPECT_EQ(half.concurrency(), bench_.workers.width());
@@ -251,8 +254,9 @@ TEST_F(MeshBackendTest, AnswersAtTheSameTimeAreThoseOneByOne) {
 }
 
 TEST_F(MeshBackendTest, OneObjectDrawnByGlTakesAllToItsExecutor) {
-  world::World world(layoutOf({makeObject(1, makeBox({1, 1, 1}, kWhite), RendererKind::kSimd, {-1, 0, -5}),
-                               makeObject(2, makeBox({1, 1, 1}, kWhite), RendererKind::kGl, {1, 0, -5})}));
+  world::World world(
+      layoutOf({makeObject(1, raster::makeBox({1, 1, 1}, kWhite), raster::RendererKind::kSimd, {-1, 0, -5}),
+                makeObject(2, raster::makeBox({1, 1, 1}, kWhite), raster::RendererKind::kGl, {1, 0, -5})}));
   MeshBackend half(bench_.services(world), 0);
   EXPECT_EQ(&half.executor(), &bench_.gl);
   const auto list = look(smallCamera(), world.objects());
@@ -262,9 +266,10 @@ TEST_F(MeshBackendTest, OneObjectDrawnByGlTakesAllToItsExecutor) {
 
 TEST_F(MeshBackendTest, TheMachineChoosesTheRenderer) {
   const bool software = bench_.gl.softwareRendered();
-  EXPECT_EQ(resolved(RendererKind::kAuto, bench_.gl), software ? RendererKind::kSimd : RendererKind::kGl);
-  EXPECT_EQ(resolved(RendererKind::kGl, bench_.gl), RendererKind::kGl);
-  EXPECT_EQ(resolved(RendererKind::kEmbree, bench_.gl), RendererKind::kEmbree);
+  EXPECT_EQ(raster::resolved(raster::RendererKind::kAuto, bench_.gl),
+            software ? raster::RendererKind::kSimd : raster::RendererKind::kGl);
+  EXPECT_EQ(raster::resolved(raster::RendererKind::kGl, bench_.gl), raster::RendererKind::kGl);
+  EXPECT_EQ(raster::resolved(raster::RendererKind::kEmbree, bench_.gl), raster::RendererKind::kEmbree);
 }
 
 TEST_P(FastRenderers, ACropIsThatPartOfTheWhole) {
@@ -292,8 +297,9 @@ TEST_P(FastRenderers, ACropIsThatPartOfTheWhole) {
 }
 
 TEST_P(FastRenderers, RequestsOfOneBatchDoNotMix) {
-  world::World world(layoutOf({makeObject(1, makeBox({1, 2, 1}, {0.8F, 0.02F, 0.02F}), GetParam(), {-1, 0, -5}),
-                               makeObject(2, makeBox({1, 2, 1}, {0.02F, 0.02F, 0.8F}), GetParam(), {1, 0, -5})}));
+  world::World world(
+      layoutOf({makeObject(1, raster::makeBox({1, 2, 1}, {0.8F, 0.02F, 0.02F}), GetParam(), {-1, 0, -5}),
+                makeObject(2, raster::makeBox({1, 2, 1}, {0.02F, 0.02F, 0.8F}), GetParam(), {1, 0, -5})}));
   MeshBackend half(bench_.services(world), 0);
   world::Camera aside = smallCamera();
   aside.pose.position = {2, 1.7F, 3};
@@ -320,7 +326,7 @@ TEST_P(FastRenderers, RequestsOfOneBatchDoNotMix) {
 }
 
 TEST_P(FastRenderers, AnEyeWithinReachOfAnObjectStillSeesIt) {
-  world::World world(layoutOf({makeObject(1, makeBox({1, 1, 12}, kWhite), GetParam(), {0, 0, -2})}));
+  world::World world(layoutOf({makeObject(1, raster::makeBox({1, 1, 12}, kWhite), GetParam(), {0, 0, -2})}));
   MeshBackend half(bench_.services(world), 0);
   const auto list = look(smallCamera(), world.objects());
   ASSERT_EQ(list->objects[0].rect, (world::Rect{0, 0, 320, 180}));
@@ -332,11 +338,13 @@ TEST_P(FastRenderers, AnEyeWithinReachOfAnObjectStillSeesIt) {
 }
 
 TEST_F(MeshBackendTest, ASunlitSideIsBrighterThanAShadedOne) {
-  world::World open(layoutOf({makeObject(1, makeBox({1, 2, 1}, kWhite), RendererKind::kGl, {0, 0, -5})}));
+  world::World open(
+      layoutOf({makeObject(1, raster::makeBox({1, 2, 1}, kWhite), raster::RendererKind::kGl, {0, 0, -5})}));
   const Vec3 towardsSun = world::sunDirection();
-  world::World shaded(layoutOf({makeObject(1, makeBox({1, 2, 1}, kWhite), RendererKind::kGl, {0, 0, -5}),
-                                makeObject(2, makeBox({8, 12, 8}, kWhite), RendererKind::kGl,
-                                           Vec3(0, 0, -5) + 9.0F * Vec3(towardsSun.x, 0, towardsSun.z))}));
+  world::World shaded(
+      layoutOf({makeObject(1, raster::makeBox({1, 2, 1}, kWhite), raster::RendererKind::kGl, {0, 0, -5}),
+                makeObject(2, raster::makeBox({8, 12, 8}, kWhite), raster::RendererKind::kGl,
+                           Vec3(0, 0, -5) + 9.0F * Vec3(towardsSun.x, 0, towardsSun.z))}));
   world::Camera camera = smallCamera();
   camera.pose.position = Vec3(-3, 1.7F, -9);
   camera.pose.yaw = -2.5F;
@@ -358,9 +366,11 @@ TEST_F(MeshBackendTest, ASunlitSideIsBrighterThanAShadedOne) {
 }
 
 TEST_F(MeshBackendTest, AnUnknownObjectIsAFailure) {
-  world::World world(layoutOf({makeObject(1, makeBox({1, 1, 1}, kWhite), RendererKind::kGl, {0, 0, -5})}));
+  world::World world(
+      layoutOf({makeObject(1, raster::makeBox({1, 1, 1}, kWhite), raster::RendererKind::kGl, {0, 0, -5})}));
   MeshBackend half(bench_.services(world), 0);
-  const auto list = look(smallCamera(), {makeObject(77, makeBox({1, 1, 1}, kWhite), RendererKind::kGl, {0, 0, -5})});
+  const auto list =
+      look(smallCamera(), {makeObject(77, raster::makeBox({1, 1, 1}, kWhite), raster::RendererKind::kGl, {0, 0, -5})});
   EXPECT_TRUE(std::holds_alternative<node::Failure>(ask(half, {{list, 0}})[0]));
 }
 

@@ -17,9 +17,9 @@ namespace {
 using Light = std::vector<std::vector<world::Vec4>>;
 
 /// A bumpy ball that stands on the ground, of 6 `cells`^2 + 2 vertices.
-Surface ball(int cells) {
-  return makeDeformedBox({cells, cells, cells}, 0, [](world::Vec3 cube) {
-    Vertex vertex;
+raster::Surface ball(int cells) {
+  return raster::makeDeformedBox({cells, cells, cells}, 0, [](world::Vec3 cube) {
+    raster::Vertex vertex;
     const world::Vec3 out = glm::normalize(cube);
     vertex.position = out * (1.0F + 0.2F * std::sin(5.0F * out.x) * std::sin(6.0F * out.y)) + world::Vec3(0, 1.1F, 0);
     return vertex;
@@ -27,17 +27,17 @@ Surface ball(int cells) {
 }
 
 /// Enough vertices to be kept.
-const Surface& largeBall() {
-  static const Surface made = ball(92);
+const raster::Surface& largeBall() {
+  static const raster::Surface made = ball(92);
   return made;
 }
 
 class MeshLight : public testing::Test {
  protected:
-  [[nodiscard]] static world::World worldOf(const Surface& surface, float x = 0.0F) {
-    return world::World(layoutOf({makeObject(1, surface, RendererKind::kSimd, {x, 0, -5})}));
+  [[nodiscard]] static world::World worldOf(const raster::Surface& surface, float x = 0.0F) {
+    return world::World(layoutOf({makeObject(1, surface, raster::RendererKind::kSimd, {x, 0, -5})}));
   }
-  [[nodiscard]] Light light(const Surface& surface, world::World& world) {
+  [[nodiscard]] Light light(const raster::Surface& surface, world::World& world) {
     node::BackendServices services = bench_.services(world);
     services.progress = [this](std::string_view label, float share) {
       EXPECT_EQ(label, "light of the meshes");
@@ -77,7 +77,7 @@ TEST_F(MeshLight, OfMuchIsKeptAndTakenAgain) {
 }
 
 TEST_F(MeshLight, OfLittleIsNotKept) {
-  const Surface small = ball(20);
+  const raster::Surface small = ball(20);
   world::World world = worldOf(small);
   EXPECT_EQ(light(small, world).front().size(), small.vertices.size());
   EXPECT_TRUE(keptFiles().empty());
@@ -90,7 +90,7 @@ TEST_F(MeshLight, IsMadeAnewWhereTheWorldOrTheMeshDiffers) {
   (void)light(largeBall(), moved);
   EXPECT_GT(told_, 0);
   EXPECT_EQ(keptFiles().size(), 2U);
-  Surface painted = largeBall();
+  raster::Surface painted = largeBall();
   painted.vertices.front().albedo = world::Vec3(0.9F);
   (void)light(painted, world);
   EXPECT_GT(told_, 0);
@@ -125,7 +125,7 @@ TEST_F(MeshLight, ThatCannotBeKeptIsToldAndServed) {
 
 /// What is no obstacle of the world shades itself as if it were one.
 TEST_F(MeshLight, AMeshThatShadesNobodyShadesItself) {
-  const Surface surface = ball(20);
+  const raster::Surface surface = ball(20);
   world::World with = worldOf(surface);
   world::World without{world::World::Layout{}};
   const world::Mat4 toWorld = with.objects().front().transform.matrix();

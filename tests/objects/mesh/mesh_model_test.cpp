@@ -60,7 +60,7 @@ TEST(MeshModel, EveryShapeIsClosedAndFacesOutwards) {
     EXPECT_GT(volume(triangles), 0.0) << shape;
     EXPECT_GE(triangles.indices.size(), 2000U) << shape;
     EXPECT_LE(triangles.indices.size(), 7000U) << shape;
-    for (const Level& level : made->surface().levels) EXPECT_FALSE(level.triangles.empty()) << shape;
+    for (const raster::Level& level : made->surface().levels) EXPECT_FALSE(level.triangles.empty()) << shape;
   }
 }
 
@@ -90,10 +90,10 @@ TEST(MeshModel, SeedsAreRepeatableAndDiffer) {
 }
 
 TEST(MeshModel, RendererIsChosenInTheSceneFile) {
-  EXPECT_EQ(model("")->renderer(), RendererKind::kAuto);
-  EXPECT_EQ(model("renderer = \"gl\"\n")->renderer(), RendererKind::kGl);
-  EXPECT_EQ(model("renderer = \"simd\"\n")->renderer(), RendererKind::kSimd);
-  EXPECT_EQ(model("renderer = \"embree\"\n")->renderer(), RendererKind::kEmbree);
+  EXPECT_EQ(model("")->renderer(), raster::RendererKind::kAuto);
+  EXPECT_EQ(model("renderer = \"gl\"\n")->renderer(), raster::RendererKind::kGl);
+  EXPECT_EQ(model("renderer = \"simd\"\n")->renderer(), raster::RendererKind::kSimd);
+  EXPECT_EQ(model("renderer = \"embree\"\n")->renderer(), raster::RendererKind::kEmbree);
 }
 
 TEST(MeshModel, BadSettingsNameTheKey) {
@@ -124,7 +124,7 @@ TEST(MeshModel, LeavesHaveTwoSides) {
   leaf.normals = {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}};
   leaf.materialOf = {0};
   leaf.materials.push_back({.name = "leaf", .albedo = {0.2F, 0.4F, 0.1F}, .transmittance = {0.2F, 0.2F, 0.0F}});
-  const Surface surface = surfaceOf(leaf);
+  const raster::Surface surface = surfaceOf(leaf);
   ASSERT_EQ(surface.levels.at(0).triangles.size(), 2U);
   ASSERT_EQ(surface.vertices.size(), 6U);
   EXPECT_EQ(surface.vertices[0].normal, -surface.vertices[5].normal);

@@ -24,7 +24,7 @@ class SkyImage : public testing::Test {
   }
   static void TearDownTestSuite() { baked.reset(); }
   static inline std::unique_ptr<SkyMaps> baked;
-  node::ImagePool images;
+  raster::ImagePool images;
 };
 
 TEST_F(SkyImage, TheSunShowsWhereItsDirectionProjects) {

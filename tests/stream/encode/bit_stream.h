@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "node/image.h"
+#include "raster/image.h"
 
 namespace grove::stream {
 
@@ -38,7 +38,7 @@ struct TestPicture {
     }
   }
   std::vector<std::uint32_t> pixels;
-  node::Image image;
+  raster::Image image;
 };
 
 /// Decibels of red, green and blue.

@@ -56,7 +56,7 @@ TEST(H264Decoder, GivesTheColoursOfItsStandard) {
 
 TEST(H264Decoder, ReadsWhatTheServerWrites) {
   std::vector<std::uint32_t> pixels(std::size_t{kWidth} * kHeight, 0xFF2080E0U);  // 0xAABBGGRR
-  node::Image image;
+  raster::Image image;
   image.rect = {0, 0, kWidth, kHeight};
   image.colour = pixels;
   H264Encoder encoder;

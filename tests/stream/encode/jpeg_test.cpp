@@ -21,7 +21,7 @@ struct Picture {
     }
   }
   std::vector<std::uint32_t> pixels;
-  node::Image image;
+  raster::Image image;
 };
 
 TEST(JpegEncoder, KeepsThePictureAtAnySize) {

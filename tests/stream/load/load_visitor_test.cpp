@@ -28,7 +28,7 @@ class LoadVisitorTest : public testing::Test {
   }
   static std::vector<std::uint8_t> frame(std::uint32_t number, std::uint32_t lastInput) {
     std::vector<std::uint32_t> pixels(std::size_t{64} * 48, 0xFF808080U);
-    node::Image image;
+    raster::Image image;
     image.rect = {0, 0, 64, 48};
     image.colour = pixels;
     std::vector<std::uint8_t> bytes(kFrameHeaderBytes);

@@ -16,7 +16,7 @@ struct Covered {
   float nearest = world::kInfiniteDepth;
 };
 
-Covered coveredPart(const node::Image& image) {
+Covered coveredPart(const raster::Image& image) {
   Covered covered{{image.width(), image.height(), 0, 0}};
   world::Rect& part = covered.part;
   for (int y = 0; y < image.height(); ++y) {
@@ -33,7 +33,7 @@ Covered coveredPart(const node::Image& image) {
 
 }  // namespace
 
-CachedView::CachedView(const node::Image& image, const ObjectCamera& camera) : camera_(camera) {
+CachedView::CachedView(const raster::Image& image, const ObjectCamera& camera) : camera_(camera) {
   const auto [part, nearest] = coveredPart(image);
   if (part.empty()) return;
   left_ = image.rect.left + part.left - kBorder;
@@ -56,7 +56,7 @@ std::size_t CachedView::bytes() const noexcept {
 }
 
 /// Colour and 1 / depth, 0 where there is nothing. Not a kernel, for 1 / depth is to be exact.
-void CachedView::copy(const node::Image& image) {
+void CachedView::copy(const raster::Image& image) {
   for (int y = 0; y < height_; ++y) {
     std::uint32_t* const colour = colour_.get() + std::ptrdiff_t{y} * width_;
     float* const nearness = nearness_.get() + std::ptrdiff_t{y} * width_;

@@ -5,9 +5,9 @@
 #include <memory>
 #include <vector>
 
-#include "node/image.h"
 #include "node/messages.h"
 #include "objects/lightfield/format/view_camera.h"
+#include "raster/image.h"
 
 namespace grove::objects::lightfield {
 
@@ -16,7 +16,7 @@ namespace grove::objects::lightfield {
 class CachedView final : public node::SimulationData {
  public:
   /// Copies what shows of `image`, whose rectangle is in pixels of `camera`.
-  CachedView(const node::Image& image, const ObjectCamera& camera);
+  CachedView(const raster::Image& image, const ObjectCamera& camera);
 
   [[nodiscard]] const ObjectCamera& camera() const noexcept { return camera_; }
   [[nodiscard]] bool empty() const noexcept { return width_ == 0; }
@@ -31,7 +31,7 @@ class CachedView final : public node::SimulationData {
   [[nodiscard]] int width() const noexcept { return width_; }
   [[nodiscard]] int height() const noexcept { return height_; }
 
-  /// As node::Image's.
+  /// As raster::Image's.
   [[nodiscard]] const std::uint32_t* colour() const noexcept { return colour_.get(); }
   /// Nearness of every texel: 1 / depth if it is covered by half; that less softness() if it is covered by less, or is
   /// empty beside a covered one, whose depth it then has; and -softness() where there is nothing. So the nearest of
@@ -60,7 +60,7 @@ class CachedView final : public node::SimulationData {
   [[nodiscard]] std::size_t texels() const noexcept {
     return static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
   }
-  void copy(const node::Image& image);
+  void copy(const raster::Image& image);
   void spread();
   void measure();
 

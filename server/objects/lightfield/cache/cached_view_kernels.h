@@ -6,7 +6,7 @@
 
 namespace grove::objects::lightfield {
 
-/// Whether a node::Image's pixel shows anything; its "nothing" is kInfiniteDepth.
+/// Whether a raster::Image's pixel shows anything; its "nothing" is kInfiniteDepth.
 [[nodiscard]] constexpr bool showsAnything(std::uint32_t colour, float depth) noexcept {
   return (depth < 0.5F * world::kInfiniteDepth) & (colour >> 24U != 0);
 }
@@ -18,7 +18,7 @@ struct CoveredSpan {
   float nearest = world::kInfiniteDepth;  ///< depth
 };
 
-/// Of a row of a node::Image.
+/// Of a row of a raster::Image.
 [[nodiscard]] CoveredSpan coveredSpan(const std::uint32_t* colour, const float* depth, int width);
 
 /// The largest of each value and its two neighbours, but for those at the ends.

@@ -83,7 +83,7 @@ class ShaderSampler::Bench {
   }
 
   /// Makes pictures until the target is full; returns how many.
-  std::size_t renderSome(std::span<const SampleRequest> requests, std::span<node::Image* const> images) {
+  std::size_t renderSome(std::span<const SampleRequest> requests, std::span<raster::Image* const> images) {
     std::size_t count = 0;
     int width = 1;
     int height = 0;
@@ -127,7 +127,7 @@ class ShaderSampler::Bench {
     api_.DrawArrays(GL_TRIANGLES, 0, 3);
   }
 
-  void readBack(const node::Image& image, int top) const {
+  void readBack(const raster::Image& image, int top) const {
     if (image.rect.empty()) return;
     api_.ReadPixels(0, top, image.width(), image.height(), GL_RGBA, GL_UNSIGNED_BYTE, image.colour.data());
     api_.ReadPixels(0, top, image.width(), image.height(), GL_DEPTH_COMPONENT, GL_FLOAT, image.depth.data());
@@ -158,7 +158,7 @@ ShaderSampler::~ShaderSampler() {
   workers_.runOnEach([this](gl::Workers::Local& local) { benches_[static_cast<std::size_t>(local.index)].reset(); });
 }
 
-void ShaderSampler::render(std::span<const SampleRequest> requests, std::span<node::Image* const> images) {
+void ShaderSampler::render(std::span<const SampleRequest> requests, std::span<raster::Image* const> images) {
   assert(requests.size() == images.size());
   const gl::Workers::Local& local = gl::Workers::local();
   std::unique_ptr<Bench>& bench = benches_[static_cast<std::size_t>(local.index)];

@@ -28,7 +28,7 @@ class ShaderSampler final : public Sampler {
   ~ShaderSampler() override;
 
   /// On a worker. Throws EnvironmentError if a light field is too big for the driver or for `mostBytes`.
-  void render(std::span<const SampleRequest> requests, std::span<node::Image* const> images) override;
+  void render(std::span<const SampleRequest> requests, std::span<raster::Image* const> images) override;
 
  private:
   class Bench;

@@ -1,10 +1,10 @@
 // Interpolates the views. For kernels: included once per target.
 
-#if defined(GROVE_LIGHTFIELD_BLEND_INL_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef GROVE_LIGHTFIELD_BLEND_INL_H
-#undef GROVE_LIGHTFIELD_BLEND_INL_H
+#if defined(GROVE_OBJECTS_LIGHTFIELD_SIMD_BLEND_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef GROVE_OBJECTS_LIGHTFIELD_SIMD_BLEND_INL_H
+#undef GROVE_OBJECTS_LIGHTFIELD_SIMD_BLEND_INL_H
 #else
-#define GROVE_LIGHTFIELD_BLEND_INL_H
+#define GROVE_OBJECTS_LIGHTFIELD_SIMD_BLEND_INL_H
 #endif
 
 #include <hwy/highway.h>

@@ -21,7 +21,7 @@ constexpr float kNear = 0.02F;
 /// Makes the tiles of one picture.
 class Picture {
  public:
-  Picture(const SampleRequest& request, DepthCorrection correction, node::Image& image)
+  Picture(const SampleRequest& request, DepthCorrection correction, raster::Image& image)
       : request_(request),
         field_(*request.field),
         image_(image),
@@ -163,7 +163,7 @@ class Picture {
 
   const SampleRequest& request_;
   const LightField& field_;
-  node::Image& image_;
+  raster::Image& image_;
   const bool corrected_;
   Lenses lenses_;
   SurfaceSearch search_;
@@ -171,7 +171,7 @@ class Picture {
   Tile tile_;
 };
 
-void renderPicture(const SampleRequest& request, DepthCorrection correction, node::Image& image) {
+void renderPicture(const SampleRequest& request, DepthCorrection correction, raster::Image& image) {
   Picture(request, correction, image).render();
 }
 
@@ -184,7 +184,7 @@ namespace grove::objects::lightfield::simd {
 
 HWY_EXPORT(renderPicture);
 
-void renderPicture(const SampleRequest& request, DepthCorrection correction, node::Image& image) {
+void renderPicture(const SampleRequest& request, DepthCorrection correction, raster::Image& image) {
   HWY_DYNAMIC_DISPATCH(renderPicture)(request, correction, image);
 }
 

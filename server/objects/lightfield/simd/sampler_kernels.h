@@ -5,6 +5,6 @@
 namespace grove::objects::lightfield::simd {
 
 /// Makes one picture of a light field, as SimdSampler has it.
-void renderPicture(const SampleRequest& request, DepthCorrection correction, node::Image& image);
+void renderPicture(const SampleRequest& request, DepthCorrection correction, raster::Image& image);
 
 }  // namespace grove::objects::lightfield::simd

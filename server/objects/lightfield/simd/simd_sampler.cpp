@@ -6,7 +6,7 @@
 
 namespace grove::objects::lightfield {
 
-void SimdSampler::render(std::span<const SampleRequest> requests, std::span<node::Image* const> images) {
+void SimdSampler::render(std::span<const SampleRequest> requests, std::span<raster::Image* const> images) {
   assert(requests.size() == images.size());
   for (std::size_t i = 0; i < requests.size(); ++i) simd::renderPicture(requests[i], correction_, *images[i]);
 }

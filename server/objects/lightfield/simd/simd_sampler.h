@@ -29,7 +29,7 @@ class SimdSampler final : public Sampler {
  public:
   explicit SimdSampler(DepthCorrection correction = DepthCorrection::kOn) noexcept : correction_(correction) {}
 
-  void render(std::span<const SampleRequest> requests, std::span<node::Image* const> images) override;
+  void render(std::span<const SampleRequest> requests, std::span<raster::Image* const> images) override;
 
  private:
   DepthCorrection correction_;

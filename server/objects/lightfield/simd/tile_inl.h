@@ -1,10 +1,10 @@
 // The pixels that are worked on together. For kernels: included once per target.
 
-#if defined(GROVE_LIGHTFIELD_TILE_INL_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef GROVE_LIGHTFIELD_TILE_INL_H
-#undef GROVE_LIGHTFIELD_TILE_INL_H
+#if defined(GROVE_OBJECTS_LIGHTFIELD_SIMD_TILE_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef GROVE_OBJECTS_LIGHTFIELD_SIMD_TILE_INL_H
+#undef GROVE_OBJECTS_LIGHTFIELD_SIMD_TILE_INL_H
 #else
-#define GROVE_LIGHTFIELD_TILE_INL_H
+#define GROVE_OBJECTS_LIGHTFIELD_SIMD_TILE_INL_H
 #endif
 
 #include <hwy/highway.h>

@@ -1,10 +1,10 @@
 // Walks along rays as a view sees them. For kernels: included once per target.
 
-#if defined(GROVE_LIGHTFIELD_WALK_INL_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef GROVE_LIGHTFIELD_WALK_INL_H
-#undef GROVE_LIGHTFIELD_WALK_INL_H
+#if defined(GROVE_OBJECTS_LIGHTFIELD_SIMD_WALK_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef GROVE_OBJECTS_LIGHTFIELD_SIMD_WALK_INL_H
+#undef GROVE_OBJECTS_LIGHTFIELD_SIMD_WALK_INL_H
 #else
-#define GROVE_LIGHTFIELD_WALK_INL_H
+#define GROVE_OBJECTS_LIGHTFIELD_SIMD_WALK_INL_H
 #endif
 
 #include <hwy/highway.h>

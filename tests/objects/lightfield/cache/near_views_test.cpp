@@ -28,7 +28,7 @@ ObjectCamera cameraAt(Vec3 eye, float yaw = 0.0F) {
 
 /// A wall at `far` metres behind a grating of bars at `near` metres.
 std::shared_ptr<const CachedView> gratingOf(float near, float far) {
-  static node::ImagePool pool;
+  static raster::ImagePool pool;
   const auto image = pool.acquire({0, 0, kSize, kSize});
   std::ranges::fill(image->colour, 0xFFFFFFFFU);
   for (int y = 0; y < kSize; ++y) {

@@ -19,9 +19,9 @@ constexpr int kHeight = 360;
 constexpr float kTestFocal = 310.0F;
 constexpr float kError = 4.0F;
 
-std::shared_ptr<node::Image> reprojected(const CachedView& view, const ObjectCamera& camera, const world::Rect& rect,
-                                         const Haze& haze = {}) {
-  auto image = node::ImagePool().acquire(rect);
+std::shared_ptr<raster::Image> reprojected(const CachedView& view, const ObjectCamera& camera, const world::Rect& rect,
+                                           const Haze& haze = {}) {
+  auto image = raster::ImagePool().acquire(rect);
   std::ranges::fill(image->colour, 0U);
   std::ranges::fill(image->depth, world::kInfiniteDepth);
   const auto lay = [&](const world::Rect& part, const WarpTile& tile) {
@@ -38,7 +38,7 @@ std::shared_ptr<node::Image> reprojected(const CachedView& view, const ObjectCam
 /// A cell of a model and what it caches.
 struct Cached {
   ViewCell cell;
-  std::shared_ptr<node::Image> picture;
+  std::shared_ptr<raster::Image> picture;
   CachedView view;
 
   Cached(const TracedModel& model, Vec3 eye, float error, int samples = 3)
@@ -120,7 +120,7 @@ TEST(Reprojection, NoPixelIsNearerThanItsPartWasSaidToBe) {
 }
 
 /// Whether a picture's pixel around (x, y) has this depth, but for what it changes along a slope.
-bool hasDepth(const node::Image& image, float x, float y, int reach, float depth) {
+bool hasDepth(const raster::Image& image, float x, float y, int reach, float depth) {
   const int column = static_cast<int>(std::floor(x)) - image.rect.left;
   const int row = static_cast<int>(std::floor(y)) - image.rect.top;
   for (int v = std::max(row - reach, 0); v <= std::min(row + reach, image.height() - 1); ++v) {
@@ -139,7 +139,7 @@ struct Placement {
   int astray = 0;  ///< show a point that is not where the cell's eye sees it to a texel
 };
 
-Placement placementOf(const node::Image& image, const node::Image& truth, const ObjectCamera& camera,
+Placement placementOf(const raster::Image& image, const raster::Image& truth, const ObjectCamera& camera,
                       const Cached& cached) {
   Placement placement;
   for (int row = 0; row < image.height(); ++row) {
@@ -231,7 +231,7 @@ TEST(Reprojection, ThinBladesDoNotBreak) {
 /// a gap between both when it goes the other.
 TEST(Reprojection, NearSurfacesHideAndGapsShowWhatIsBehind) {
   constexpr int kEdge = 64;
-  const auto image = node::ImagePool().acquire({0, 0, kEdge, kEdge});
+  const auto image = raster::ImagePool().acquire({0, 0, kEdge, kEdge});
   ObjectCamera camera;
   camera.corner = {-0.32F, -0.32F, 1.0F};
   camera.perColumn = {0.01F, 0.0F, 0.0F};
@@ -338,7 +338,7 @@ TEST(Reprojection, WhatTheCameraDoesNotSeeIsNotThere) {
 }
 
 TEST(Reprojection, AnEmptyViewIsEmptyAndAnEmptyRectangleIsNothing) {
-  const auto nothing = node::ImagePool().acquire({10, 20, 60, 50});
+  const auto nothing = raster::ImagePool().acquire({10, 20, 60, 50});
   std::fill(nothing->colour.begin(), nothing->colour.end(), 0U);
   std::fill(nothing->depth.begin(), nothing->depth.end(), world::kInfiniteDepth);
   const ObjectCamera camera = frameCamera({0, 0, 5}, {0, 0, 0}, 80, 80, 80.0F);
@@ -351,7 +351,7 @@ TEST(Reprojection, AnEmptyViewIsEmptyAndAnEmptyRectangleIsNothing) {
 }
 
 TEST(CachedView, KeepsTheCoveredPartOnly) {
-  const auto image = node::ImagePool().acquire({100, 200, 160, 260});
+  const auto image = raster::ImagePool().acquire({100, 200, 160, 260});
   std::fill(image->colour.begin(), image->colour.end(), 0U);
   std::fill(image->depth.begin(), image->depth.end(), world::kInfiniteDepth);
   image->colourRow(20)[30] = 0xFF102030U;

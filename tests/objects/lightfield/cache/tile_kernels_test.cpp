@@ -19,8 +19,8 @@ using world::Vec3;
 constexpr int kEdge = 96;
 
 /// Cards of several depths and coverages, with gaps.
-std::shared_ptr<node::Image> cards() {
-  std::shared_ptr<node::Image> image = node::ImagePool().acquire({0, 0, kEdge, kEdge});
+std::shared_ptr<raster::Image> cards() {
+  std::shared_ptr<raster::Image> image = raster::ImagePool().acquire({0, 0, kEdge, kEdge});
   std::ranges::fill(image->colour, 0U);
   std::ranges::fill(image->depth, world::kInfiniteDepth);
   std::mt19937 random(6);

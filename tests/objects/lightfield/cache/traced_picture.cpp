@@ -113,9 +113,9 @@ float TracedModel::depth(Vec3 eye, Vec3 ray) const {
   return hit ? hit->distance : world::kInfiniteDepth;
 }
 
-std::shared_ptr<node::Image> TracedModel::picture(const ObjectCamera& camera, const world::Rect& rect,
-                                                  int samples) const {
-  auto image = node::ImagePool().acquire(rect);
+std::shared_ptr<raster::Image> TracedModel::picture(const ObjectCamera& camera, const world::Rect& rect,
+                                                    int samples) const {
+  auto image = raster::ImagePool().acquire(rect);
   const float share = 1.0F / static_cast<float>(samples);
   for (int y = 0; y < image->height(); ++y) {
     for (int x = 0; x < image->width(); ++x) {
@@ -167,7 +167,7 @@ world::Rect ballRect(const ViewGeometry& geometry, const ObjectCamera& camera, i
           std::min(height, static_cast<int>(middle.y + reach) + 1)};
 }
 
-double psnr(const node::Image& a, const node::Image& b) {
+double psnr(const raster::Image& a, const raster::Image& b) {
   double sum = 0.0;
   double count = 0.0;
   for (std::size_t i = 0; i < a.colour.size(); ++i) {

@@ -2,8 +2,8 @@
 
 #include <memory>
 
-#include "node/image.h"
 #include "objects/lightfield/format/view_camera.h"
+#include "raster/image.h"
 #include "world/ray_scene.h"
 
 namespace grove::objects::lightfield {
@@ -25,8 +25,8 @@ class TracedModel {
   /// Distance in lengths of the ray; kInfiniteDepth if it meets nothing.
   [[nodiscard]] float depth(world::Vec3 eye, world::Vec3 ray) const;
   /// The pixels `rect`, each of `samples` x `samples` rays.
-  [[nodiscard]] std::shared_ptr<node::Image> picture(const ObjectCamera& camera, const world::Rect& rect,
-                                                     int samples) const;
+  [[nodiscard]] std::shared_ptr<raster::Image> picture(const ObjectCamera& camera, const world::Rect& rect,
+                                                       int samples) const;
 
  private:
   world::RayScene scene_;
@@ -43,6 +43,6 @@ class TracedModel {
 [[nodiscard]] world::Rect ballRect(const ViewGeometry& geometry, const ObjectCamera& camera, int width, int height);
 
 /// Over grey, in the pixels that at least one of both shows; decibels of 255.
-[[nodiscard]] double psnr(const node::Image& a, const node::Image& b);
+[[nodiscard]] double psnr(const raster::Image& a, const raster::Image& b);
 
 }  // namespace grove::objects::lightfield

@@ -11,7 +11,7 @@ namespace grove::objects::lightfield {
 namespace {
 
 std::shared_ptr<const CachedView> square(int edge) {
-  const auto image = node::ImagePool().acquire({0, 0, edge, edge});
+  const auto image = raster::ImagePool().acquire({0, 0, edge, edge});
   std::fill(image->colour.begin(), image->colour.end(), 0xFF204060U);
   std::fill(image->depth.begin(), image->depth.end(), 5.0F);
   ObjectCamera camera;

@@ -38,7 +38,7 @@ struct Shot {
         colour(static_cast<std::size_t>(rect.width() * rect.height()), kUntouched),
         depth(colour.size(), -1.0F) {}
 
-  [[nodiscard]] node::Image image() { return {rect, colour, depth, false, {}}; }
+  [[nodiscard]] raster::Image image() { return {rect, colour, depth, false, {}}; }
   [[nodiscard]] measure::Picture picture() const { return {colour, rect.width()}; }
   [[nodiscard]] int alpha(std::size_t i) const { return static_cast<int>(colour[i] >> 24U); }
 
@@ -101,12 +101,12 @@ class ShaderSamplerTest : public testing::Test {
   }
 
   static void render(ShaderSampler& sampler, std::span<const SampleRequest> requests, std::vector<Shot>& shots) {
-    std::vector<node::Image> images;
+    std::vector<raster::Image> images;
     images.reserve(shots.size());
     for (Shot& shot : shots) images.push_back(shot.image());
-    std::vector<node::Image*> pointers;
+    std::vector<raster::Image*> pointers;
     pointers.reserve(images.size());
-    for (node::Image& image : images) pointers.push_back(&image);
+    for (raster::Image& image : images) pointers.push_back(&image);
     onWorker([&] { sampler.render(requests, pointers); });
   }
 
@@ -121,8 +121,8 @@ class ShaderSamplerTest : public testing::Test {
   static Shot shootSimd(const SampleRequest& request, const world::Rect& rect = kWhole,
                         DepthCorrection correction = DepthCorrection::kOn) {
     Shot shot(rect);
-    node::Image image = shot.image();
-    node::Image* const images[] = {&image};
+    raster::Image image = shot.image();
+    raster::Image* const images[] = {&image};
     SimdSampler(correction).render({&request, 1}, images);
     return shot;
   }
@@ -207,8 +207,8 @@ TEST_F(ShaderSamplerTest, WorkersDoNotDisturbEachOther) {
   tasks.reserve(shots.size());
   for (Shot& shot : shots) {
     tasks.emplace_back([&] {
-      node::Image image = shot.image();
-      node::Image* const images[] = {&image};
+      raster::Image image = shot.image();
+      raster::Image* const images[] = {&image};
       sampler.render({&request, 1}, images);
     });
   }

@@ -39,7 +39,7 @@ Shot shoot(const SampleRequest& request, const world::Rect& rect, DepthCorrectio
   Shot shot{rect, {}, {}};
   shot.colour.assign(static_cast<std::size_t>(rect.width()) * static_cast<std::size_t>(rect.height()), 1U);
   shot.depth.assign(shot.colour.size(), -1.0F);
-  node::Image image{rect, shot.colour, shot.depth, false, {}};
+  raster::Image image{rect, shot.colour, shot.depth, false, {}};
   renderPicture(request, correction, image);
   return shot;
 }

@@ -43,8 +43,8 @@ Shot shoot(SampleRequest request, const world::Rect& rect, DepthCorrection corre
   const auto pixels = static_cast<std::size_t>(rect.width()) * static_cast<std::size_t>(rect.height());
   shot.colour.assign(pixels, kUntouched);
   shot.depth.assign(pixels, -1.0F);
-  node::Image image{rect, shot.colour, shot.depth, false, {}};
-  node::Image* const images[] = {&image};
+  raster::Image image{rect, shot.colour, shot.depth, false, {}};
+  raster::Image* const images[] = {&image};
   SimdSampler(correction).render({&request, 1}, images);
   return shot;
 }

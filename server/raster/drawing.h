@@ -1,0 +1,74 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "pipeline/memory_ledger.h"
+#include "pipeline/vector_bytes.h"
+#include "raster/image.h"
+#include "raster/surface.h"
+#include "world/camera.h"
+#include "world/light.h"
+
+namespace grove::raster {
+
+inline constexpr std::size_t kMostBones = 4;
+inline constexpr std::size_t kMostLamps = 8;
+
+/// A surface with the light that reaches each vertex: across-user, made once.
+struct LitSurface {
+  Surface surface;
+  /// Per vertex: x the share of the sun it sees, yzw the indirect light that a white surface would reflect there
+  /// (`baked`), or the share of world::ambient() that it sees (not `baked`, for what moves).
+  std::vector<world::Vec4> light;
+  bool baked = true;
+
+  /// Memory that it takes.
+  [[nodiscard]] std::size_t bytes() const noexcept { return surface.bytes() + pipeline::vectorBytes(light); }
+};
+
+/// The point lights that matter most to an object.
+struct Lamps {
+  int count = 0;
+  std::array<world::Vec3, kMostLamps> position{};
+  std::array<world::Vec3, kMostLamps> colour{};
+};
+
+[[nodiscard]] Lamps chooseLamps(std::span<const world::PointLight> lights, const world::Bounds& bounds);
+
+/// One object in one frame, for a MeshRenderer.
+struct Drawing {
+  const LitSurface* object = nullptr;  ///< must outlive the renderer, which keeps what it derives from it
+  const world::Camera* camera = nullptr;
+  world::Rect rect;                             ///< pixels of the camera's image that are wanted
+  float distance = 0.0F;                        ///< from the eye in the object's own metres, for the level of detail
+  std::array<world::Mat4, kMostBones> bones{};  ///< object to world, rigid but for an even scale
+  world::Vec3 tint{1.0F};
+  float sunShare = 1.0F;  ///< scales the share of the sun of all vertices
+  Lamps lamps;
+};
+
+/// Whom a renderer tells what it keeps, and for which type of object.
+struct MeshMemory {
+  pipeline::MemoryLedger& ledger;  ///< outlives the renderer
+  std::string_view type;           ///< outlives the ledger
+
+  [[nodiscard]] pipeline::HeldMemory held(const char* holder) const {
+    return {ledger, holder, type, pipeline::Work::kAcrossUser};
+  }
+};
+
+/// Draws triangles to colour and depth. The implementations give the same picture.
+class MeshRenderer {
+ public:
+  virtual ~MeshRenderer() = default;
+
+  /// Fills one image per drawing, of its rectangle; null where the rectangle is empty. The drawings may be of many
+  /// frames and sessions.
+  virtual void render(std::span<const Drawing> drawings, std::span<std::shared_ptr<const Image>> images) = 0;
+};
+
+}  // namespace grove::raster

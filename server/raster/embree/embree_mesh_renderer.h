@@ -1,0 +1,32 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <mutex>
+
+#include "raster/drawing.h"
+#include "raster/shading/detail_texture.h"
+#include "world/ray_scene.h"
+
+namespace grove::raster {
+
+/// Casts one ray a pixel at the same triangles. Slow and exact: the reference for faster renderers. Any thread. Draws
+/// rigid surfaces only: all vertices follow the first bone.
+class EmbreeMeshRenderer final : public MeshRenderer {
+ public:
+  /// `images` outlives the renderer.
+  explicit EmbreeMeshRenderer(ImagePool& images) : images_(images) {}
+
+  void render(std::span<const Drawing> drawings, std::span<std::shared_ptr<const Image>> images) override;
+
+ private:
+  [[nodiscard]] const world::RayScene& raysOf(const Surface& surface, const Level& level);
+  [[nodiscard]] std::shared_ptr<const Image> renderOne(const Drawing& drawing);
+
+  const DetailTexture texture_;
+  ImagePool& images_;
+  std::mutex mutex_;
+  std::map<const Level*, world::RayScene> rays_;
+};
+
+}  // namespace grove::raster

@@ -1,0 +1,127 @@
+#include "raster/image.h"
+
+#include <bit>
+#include <map>
+#include <utility>
+
+namespace grove::raster {
+namespace {
+
+constexpr std::size_t kPixelBytes = sizeof(std::uint32_t) + sizeof(float);
+
+// Sizes are rounded up so that a moving object's slightly different rectangles share memory.
+std::size_t roundedPixels(std::size_t pixels) {
+  const std::size_t granule = std::max<std::size_t>(1024, std::bit_ceil(pixels) / 8);
+  return (pixels + granule - 1) / granule * granule;
+}
+
+}  // namespace
+
+struct ImagePool::Store {
+  struct Memory {
+    std::unique_ptr<std::uint32_t[]> words;  // colour, then depth
+    std::size_t touched = 0;                 // pixels of the largest image so far: beyond, the process holds nothing
+  };
+
+  explicit Store(std::size_t most) : mostBytes(most) {}
+
+  const std::size_t mostBytes;
+  std::mutex mutex;
+  std::multimap<std::size_t, Memory> unused;  // by pixels
+  std::size_t unusedBytes = 0;
+  std::size_t allBytes = 0;                    // touched, in use or not
+  std::unique_ptr<pipeline::HeldMemory> held;  // while there is a ledger
+
+  /// Room for `pixels`, of which `used` are wanted.
+  Memory take(std::size_t pixels, std::size_t used) {
+    Memory memory = takeUnused(pixels);
+    if (!memory.words) memory.words.reset(new std::uint32_t[pixels * 2]);
+    if (used > memory.touched) {
+      const std::lock_guard lock(mutex);
+      allBytes += (used - memory.touched) * kPixelBytes;
+      memory.touched = used;
+      tell();
+    }
+    return memory;
+  }
+
+  Memory takeUnused(std::size_t pixels) {
+    const std::lock_guard lock(mutex);
+    const auto it = unused.find(pixels);
+    if (it == unused.end()) return {};
+    Memory memory = std::move(it->second);
+    unused.erase(it);
+    unusedBytes -= pixels * kPixelBytes;
+    return memory;
+  }
+
+  void give(std::size_t pixels, Memory memory) {
+    const std::lock_guard lock(mutex);
+    if (unusedBytes + pixels * kPixelBytes > mostBytes) {
+      allBytes -= memory.touched * kPixelBytes;
+      tell();
+      return;
+    }
+    unused.emplace(pixels, std::move(memory));
+    unusedBytes += pixels * kPixelBytes;
+  }
+
+  void freeUnused() {
+    std::multimap<std::size_t, Memory> freed;  // after the lock
+    const std::lock_guard lock(mutex);
+    freed.swap(unused);
+    unusedBytes = 0;
+    for (const auto& [pixels, memory] : freed) allBytes -= memory.touched * kPixelBytes;
+    tell();
+  }
+
+  /// Only what is allocated and freed, so a frame that reuses memory tells nothing.
+  void tell() {
+    if (held) held->set(allBytes);
+  }
+};
+
+ImagePool::ImagePool(std::size_t mostBytes) : store_(std::make_shared<Store>(mostBytes)) {}
+
+ImagePool::ImagePool(pipeline::MemoryLedger& memory, std::size_t mostBytes) : ImagePool(mostBytes) {
+  store_->held = std::make_unique<pipeline::HeldMemory>(memory, "images", "", pipeline::Work::kPerUserFrontend);
+}
+
+ImagePool::~ImagePool() {
+  const std::lock_guard lock(store_->mutex);
+  store_->held.reset();
+}
+
+std::shared_ptr<Image> ImagePool::acquire(const world::Rect& rect) {
+  struct Owned {
+    Image image;
+    std::size_t pixels = 0;
+    Store::Memory memory;
+    std::shared_ptr<Store> store;
+
+    Owned() = default;
+    Owned(const Owned&) = delete;
+    Owned& operator=(const Owned&) = delete;
+    ~Owned() { store->give(pixels, std::move(memory)); }
+  };
+  const std::size_t used =
+      rect.empty() ? 0 : static_cast<std::size_t>(rect.width()) * static_cast<std::size_t>(rect.height());
+  const std::size_t pixels = roundedPixels(used);
+  const auto owned = std::make_shared<Owned>();
+  owned->pixels = pixels;
+  owned->store = store_;
+  owned->memory = store_->take(pixels, used);
+  owned->image.rect = rect;
+  owned->image.colour = {owned->memory.words.get(), used};
+  owned->image.depth = {reinterpret_cast<float*>(owned->memory.words.get() + pixels), used};
+  return {owned, &owned->image};
+}
+
+void ImagePool::freeUnused() { store_->freeUnused(); }
+
+std::size_t ImagePool::unusedBytes() const {
+  const std::lock_guard lock(store_->mutex);
+  return store_->unusedBytes;
+}
+
+}  // namespace grove::raster

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <memory>
+
+#include "pipeline/executor.h"
+#include "raster/drawing.h"
+
+namespace grove::gl {
+class Workers;
+}
+
+namespace grove::raster {
+
+/// What draws an object: `renderer = "auto" | "gl" | "simd" | "embree"`.
+enum class RendererKind {
+  kAuto,  ///< GL on a GPU, SIMD where GL is software
+  kGl,
+  kSimd,
+  kEmbree,
+};
+
+/// What kAuto means on this machine; every other kind is itself.
+[[nodiscard]] RendererKind resolved(RendererKind kind, const gl::Workers& gl) noexcept;
+
+/// `kind` is a resolved one. `gl` and `images` outlive the renderer.
+[[nodiscard]] std::unique_ptr<MeshRenderer> makeRenderer(RendererKind kind, gl::Workers& gl, ImagePool& images,
+                                                         const MeshMemory& memory);
+
+/// Where a renderer of a resolved kind runs.
+[[nodiscard]] pipeline::Executor& executorFor(RendererKind kind, gl::Workers& gl, pipeline::Executor& workers) noexcept;
+
+}  // namespace grove::raster

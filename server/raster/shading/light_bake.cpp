@@ -1,0 +1,125 @@
+#include "raster/shading/light_bake.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+#include "world/camera.h"
+#include "world/light.h"
+
+namespace grove::raster {
+namespace {
+
+using world::Vec3;
+using world::Vec4;
+
+constexpr std::uint32_t kSunRays = 8;
+constexpr std::uint32_t kSkyRays = 64;
+constexpr float kSunRadius = 0.035F;  // of its direction: wider than the real sun, as haze makes it
+constexpr float kAway = 0.015F;       // metres off the surface, against hitting it
+constexpr float kReach = 15.0F;       // metres beyond which nothing darkens the sky
+constexpr float kContact = 0.6F;      // metres below which the ground is in the object's own shade
+const Vec3 kRockBounce{0.075F, 0.062F, 0.048F};
+
+/// Orthonormal basis around a unit vector (Duff et al. 2017, "Building an Orthonormal Basis, Revisited").
+glm::mat3 basisAround(Vec3 n) {
+  const float sign = std::copysign(1.0F, n.z);
+  const float a = -1.0F / (sign + n.z);
+  const float b = n.x * n.y * a;
+  return {Vec3(1.0F + sign * n.x * n.x * a, sign * b, -sign * n.x), Vec3(b, sign + n.y * n.y * a, -n.y), n};
+}
+
+/// Second coordinate of the Hammersley points.
+float radicalInverse(std::uint32_t bits) {
+  bits = (bits << 16U) | (bits >> 16U);
+  bits = ((bits & 0x55555555U) << 1U) | ((bits & 0xAAAAAAAAU) >> 1U);
+  bits = ((bits & 0x33333333U) << 2U) | ((bits & 0xCCCCCCCCU) >> 2U);
+  bits = ((bits & 0x0F0F0F0FU) << 4U) | ((bits & 0xF0F0F0F0U) >> 4U);
+  bits = ((bits & 0x00FF00FFU) << 8U) | ((bits & 0xFF00FF00U) >> 8U);
+  return static_cast<float>(bits) * 2.3283064e-10F;
+}
+
+using SkyDirections = std::array<Vec3, kSkyRays>;
+using SunDirections = std::array<Vec3, kSunRays>;
+
+/// Around +z, denser by their cosine to it.
+SkyDirections skyDirections() {
+  SkyDirections sky;
+  for (std::uint32_t i = 0; i < kSkyRays; ++i) {
+    const float u = (static_cast<float>(i) + 0.5F) / static_cast<float>(kSkyRays);
+    const float around = 6.2831853F * radicalInverse(i);
+    const float radius = std::sqrt(u);
+    sky[i] = {radius * std::cos(around), radius * std::sin(around), std::sqrt(std::max(0.0F, 1.0F - u))};
+  }
+  return sky;
+}
+
+/// A spiral over the disc.
+SunDirections sunDirections() {
+  SunDirections sun;
+  const glm::mat3 basis = basisAround(world::sunDirection());
+  for (std::uint32_t i = 0; i < kSunRays; ++i) {
+    const float radius = kSunRadius * std::sqrt((static_cast<float>(i) + 0.5F) / static_cast<float>(kSunRays));
+    const float around = 2.3999632F * static_cast<float>(i);
+    sun[i] = basis * Vec3(radius * std::cos(around), radius * std::sin(around), 1.0F);
+  }
+  return sun;
+}
+
+bool occluded(const Obstacles& obstacles, Vec3 origin, Vec3 direction, float reach) {
+  return obstacles.world.occluded(origin, direction, 0.0F, reach) ||
+         (obstacles.own != nullptr && obstacles.own->occluded(origin, direction, 0.0F, reach));
+}
+
+float sunAt(Vec3 point, const Obstacles& obstacles, const SunDirections& directions) {
+  const auto seen = std::ranges::count_if(
+      directions, [&](Vec3 direction) { return !occluded(obstacles, point, direction, world::kInfiniteDepth); });
+  return static_cast<float>(seen) / static_cast<float>(kSunRays);
+}
+
+/// Indirect light, with the sky weakened by what covers it and its colour taken from the open side.
+Vec3 indirectAt(Vec3 origin, Vec3 normal, const Obstacles& obstacles, const SkyDirections& directions) {
+  const glm::mat3 basis = basisAround(normal);
+  float open = 0.0F;
+  Vec3 openSide(0.0F);
+  for (const Vec3 around : directions) {
+    const Vec3 direction = basis * around;
+    float reach = kReach;
+    float share = 1.0F;
+    if (direction.y < 0.0F) {
+      const float toGround = origin.y / -direction.y;
+      reach = std::min(reach, toGround);
+      share = 0.35F + 0.65F * std::min(1.0F, toGround / kContact);
+    }
+    if (occluded(obstacles, origin, direction, reach)) continue;
+    open += share;
+    openSide += direction * share;
+  }
+  open /= static_cast<float>(kSkyRays);
+  const float length = glm::length(openSide);
+  const Vec3 towards = length > 0.0F ? openSide / length : normal;
+  return world::ambient(towards) * open + kRockBounce * (1.0F - open);
+}
+
+}  // namespace
+
+float sunAt(Vec3 point, const world::RayScene& solids) { return sunAt(point, Obstacles{solids}, sunDirections()); }
+
+void bakeLight(const Surface& surface, const world::Mat4& toWorld, const Obstacles& obstacles, std::size_t begin,
+               std::span<Vec4> light) {
+  const SkyDirections sky = skyDirections();
+  const SunDirections sun = sunDirections();
+  const glm::mat3 turn(toWorld);
+  for (std::size_t i = 0; i < light.size(); ++i) {
+    const Vertex& vertex = surface.vertices[begin + i];
+    const Vec3 normal = glm::normalize(turn * vertex.normal);
+    Vec3 origin = Vec3(toWorld * Vec4(vertex.position, 1.0F)) + normal * kAway;
+    // A vertex below the ground lends its light to the triangles that come out of it.
+    origin.y = std::max(origin.y, 2.0F * kAway);
+    const bool towardsSun = glm::dot(normal, world::sunDirection()) > -0.2F;
+    light[i] = Vec4(towardsSun ? sunAt(origin, obstacles, sun) : 0.0F, indirectAt(origin, normal, obstacles, sky));
+  }
+}
+
+}  // namespace grove::raster

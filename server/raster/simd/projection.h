@@ -1,0 +1,17 @@
+#pragma once
+
+#include "world/camera.h"
+
+namespace grove::raster {
+
+/// What turns a point (x, y, z, 1) of an object into its place on the screen, by scalar products.
+struct Projection {
+  /// `toWorld` moves the object's points.
+  Projection(const world::Camera& camera, const world::Mat4& toWorld);
+
+  world::Vec4 u;      ///< pixels from the left, times depth
+  world::Vec4 v;      ///< pixels from the top, times depth
+  world::Vec4 depth;  ///< view depth, metres
+};
+
+}  // namespace grove::raster

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include "raster/drawing.h"
+#include "raster/shading/detail_texture.h"
+#include "raster/vertex_arrays.h"
+
+namespace grove::raster {
+
+/// Rasterises with the CPU's vectors: several times cheaper than software GL, whose way through shaders, tiles and
+/// read-back is made for more than small untextured triangles. Any thread, any number of them at once.
+class SimdMeshRenderer final : public MeshRenderer {
+ public:
+  /// `images` outlives the renderer.
+  SimdMeshRenderer(ImagePool& images, const MeshMemory& memory);
+  ~SimdMeshRenderer() override;
+
+  void render(std::span<const Drawing> drawings, std::span<std::shared_ptr<const Image>> images) override;
+
+ private:
+  struct Bench;
+  [[nodiscard]] const VertexArrays& arraysOf(const LitSurface& object);
+  [[nodiscard]] std::unique_ptr<Bench> takeBench();
+  void giveBack(std::unique_ptr<Bench> bench);
+  [[nodiscard]] std::shared_ptr<const Image> renderOne(const Drawing& drawing, Bench& bench);
+
+  const DetailTexture texture_;
+  ImagePool& images_;
+  std::mutex mutex_;
+  std::map<const LitSurface*, VertexArrays> arrays_;
+  std::vector<std::unique_ptr<Bench>> benches_;  // that nobody uses
+  std::size_t arrayBytes_ = 0;
+  pipeline::HeldMemory held_;
+};
+
+}  // namespace grove::raster

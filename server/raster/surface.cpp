@@ -1,0 +1,167 @@
+#include "raster/surface.h"
+
+#include <algorithm>
+#include <cassert>
+#include <map>
+#include <tuple>
+#include <utility>
+
+namespace grove::raster {
+namespace {
+
+using world::Vec3;
+
+constexpr float kEdgePixels = 16.0F;
+
+/// The triangulated surface of a cube, before it is deformed. Halving keeps the vertices and adds to their end.
+struct Lattice {
+  std::vector<Vec3> points;
+  std::vector<Triangle> triangles;
+
+  explicit Lattice(std::array<int, 3> cells) {
+    std::map<std::tuple<int, int, int>, std::uint32_t> known;
+    const auto corner = [&](std::array<int, 3> at) {
+      const auto [it, isNew] = known.try_emplace({at[0], at[1], at[2]}, static_cast<std::uint32_t>(points.size()));
+      if (isNew) {
+        Vec3 p;
+        for (int a = 0; a < 3; ++a) {
+          const auto axis = static_cast<std::size_t>(a);
+          p[a] = 2.0F * static_cast<float>(at[axis]) / static_cast<float>(cells[axis]) - 1.0F;
+        }
+        points.push_back(p);
+      }
+      return it->second;
+    };
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const std::size_t u = (axis + 1) % 3;
+      const std::size_t v = (axis + 2) % 3;
+      for (const bool high : {false, true}) {
+        for (int i = 0; i < cells[u]; ++i) {
+          for (int j = 0; j < cells[v]; ++j) {
+            const auto at = [&](int di, int dj) {
+              std::array<int, 3> c{};
+              c[axis] = high ? cells[axis] : 0;
+              c[u] = i + di;
+              c[v] = j + dj;
+              return corner(c);
+            };
+            std::array<std::uint32_t, 4> q = {at(0, 0), at(1, 0), at(1, 1), at(0, 1)};
+            if (!high) std::swap(q[1], q[3]);
+            // Alternating diagonals show less.
+            if ((i + j) % 2 == 0) {
+              triangles.push_back({q[0], q[1], q[2]});
+              triangles.push_back({q[0], q[2], q[3]});
+            } else {
+              triangles.push_back({q[0], q[1], q[3]});
+              triangles.push_back({q[1], q[2], q[3]});
+            }
+          }
+        }
+      }
+    }
+  }
+
+  void halve() {
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;
+    const auto middle = [&](std::uint32_t a, std::uint32_t b) {
+      const auto [it, isNew] = middles.try_emplace(std::minmax(a, b), static_cast<std::uint32_t>(points.size()));
+      if (isNew) points.push_back((points[a] + points[b]) * 0.5F);
+      return it->second;
+    };
+    std::vector<Triangle> finer;
+    finer.reserve(triangles.size() * 4);
+    for (const auto& [a, b, c] : triangles) {
+      const std::uint32_t ab = middle(a, b);
+      const std::uint32_t bc = middle(b, c);
+      const std::uint32_t ca = middle(c, a);
+      finer.insert(finer.end(), {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}});
+    }
+    triangles = std::move(finer);
+  }
+};
+
+std::size_t verticesUsed(const std::vector<Triangle>& triangles) {
+  std::uint32_t last = 0;
+  for (const auto& [a, b, c] : triangles) last = std::max({last, a, b, c});
+  return last + std::size_t{1};
+}
+
+float meanEdge(const std::vector<Vertex>& vertices, const std::vector<Triangle>& triangles) {
+  float sum = 0.0F;
+  for (const auto& [a, b, c] : triangles) sum += glm::distance(vertices[a].position, vertices[b].position);
+  return sum / static_cast<float>(triangles.size());
+}
+
+}  // namespace
+
+void Surface::append(const Surface& other, const world::Mat4& matrix) {
+  if (levels.empty()) levels.resize(other.levels.size());
+  weathered = weathered || other.weathered;
+  assert(levels.size() == other.levels.size());
+  const auto first = static_cast<std::uint32_t>(vertices.size());
+  for (Vertex vertex : other.vertices) {
+    vertex.position = Vec3(matrix * world::Vec4(vertex.position, 1.0F));
+    vertex.normal = glm::normalize(glm::mat3(matrix) * vertex.normal);
+    vertices.push_back(vertex);
+  }
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    for (const auto& [a, b, c] : other.levels[i].triangles)
+      levels[i].triangles.push_back({a + first, b + first, c + first});
+    levels[i].edge = meanEdge(vertices, levels[i].triangles);
+    levels[i].vertexCount = verticesUsed(levels[i].triangles);
+  }
+}
+
+void Surface::computeNormals() {
+  for (Vertex& vertex : vertices) vertex.normal = Vec3(0.0F);
+  for (const auto& [a, b, c] : levels.back().triangles) {
+    const Vec3 p = vertices[a].position;
+    const Vec3 normal = glm::cross(vertices[b].position - p, vertices[c].position - p);
+    for (const std::uint32_t i : {a, b, c}) vertices[i].normal += normal;
+  }
+  for (Vertex& vertex : vertices) {
+    const float length = glm::length(vertex.normal);
+    vertex.normal = length > 0.0F ? vertex.normal / length : Vec3(0.0F, 1.0F, 0.0F);
+  }
+}
+
+world::Bounds Surface::bounds() const {
+  world::Bounds all;
+  for (const Vertex& vertex : vertices) all.add(vertex.position);
+  return all;
+}
+
+std::size_t Surface::bytes() const noexcept {
+  std::size_t sum = pipeline::vectorBytes(vertices);
+  for (const Level& level : levels) sum += pipeline::vectorBytes(level.triangles);
+  return sum;
+}
+
+world::Triangles Surface::triangles() const {
+  world::Triangles all;
+  for (const Vertex& vertex : vertices) all.positions.push_back(vertex.position);
+  all.indices = levels.back().triangles;
+  return all;
+}
+
+const Level& Surface::levelFor(float distance, float focalPixels) const noexcept {
+  const float longest = kEdgePixels * distance / focalPixels;
+  const auto it = std::ranges::find_if(levels, [&](const Level& level) { return level.edge <= longest; });
+  return it == levels.end() ? levels.back() : *it;
+}
+
+Surface makeDeformedBox(std::array<int, 3> cells, int halvings, const Deform& deform) {
+  Lattice lattice(cells);
+  Surface surface;
+  for (int i = 0;; ++i) {
+    surface.levels.push_back({lattice.triangles, 0.0F, lattice.points.size()});
+    if (i == halvings) break;
+    lattice.halve();
+  }
+  for (const Vec3 point : lattice.points) surface.vertices.push_back(deform(point));
+  surface.computeNormals();
+  for (Level& level : surface.levels) level.edge = meanEdge(surface.vertices, level.triangles);
+  return surface;
+}
+
+}  // namespace grove::raster

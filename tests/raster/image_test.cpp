@@ -1,0 +1,71 @@
+#include "raster/image.h"
+
+#include <gtest/gtest.h>
+
+namespace grove::raster {
+namespace {
+
+TEST(ImagePool, GivesRowsOfTheAskedSize) {
+  ImagePool pool;
+  const auto image = pool.acquire({10, 20, 110, 70});
+  EXPECT_EQ(image->width(), 100);
+  EXPECT_EQ(image->height(), 50);
+  EXPECT_EQ(image->colour.size(), 5000u);
+  image->depthRow(49)[99] = 1.0F;
+  EXPECT_EQ(image->depth.back(), 1.0F);
+}
+
+TEST(ImagePool, ReusesMemory) {
+  ImagePool pool;
+  const std::uint32_t* before = pool.acquire({0, 0, 640, 360})->colour.data();
+  EXPECT_GT(pool.unusedBytes(), 0u);
+  EXPECT_EQ(pool.acquire({5, 5, 645, 365})->colour.data(), before);
+}
+
+TEST(ImagePool, KeepsNoMoreThanItsBound) {
+  ImagePool pool(1 << 20);
+  { const auto a = pool.acquire({0, 0, 1280, 720}); }
+  EXPECT_EQ(pool.unusedBytes(), 0u);
+}
+
+TEST(ImagePool, ImagesMayOutliveIt) {
+  std::shared_ptr<Image> image;
+  {
+    ImagePool pool;
+    image = pool.acquire({0, 0, 8, 8});
+  }
+  image->colour[63] = 7;
+  EXPECT_EQ(image->colour[63], 7u);
+}
+
+TEST(ImagePool, TellsWhatItHoldsUsedOrNot) {
+  pipeline::MemoryLedger memory;
+  const auto told = [&] { return memory.totals().at({"images", ""}).bytes; };
+  std::shared_ptr<Image> outlives;
+  {
+    ImagePool pool(memory);
+    auto image = pool.acquire({0, 0, 640, 360});
+    const std::int64_t one = told();
+    EXPECT_EQ(one, 640 * 360 * 8) << "what it may have touched";
+    image.reset();
+    EXPECT_EQ(told(), one) << "it is kept";
+    image = pool.acquire({0, 0, 640, 360});
+    outlives = pool.acquire({0, 0, 640, 360});
+    EXPECT_EQ(told(), 2 * one);
+    image.reset();
+    pool.freeUnused();
+    EXPECT_EQ(told(), one);
+    EXPECT_EQ(pool.unusedBytes(), 0u);
+  }
+  EXPECT_EQ(told(), 0);
+  outlives.reset();
+  EXPECT_EQ(told(), 0);
+}
+
+TEST(ImagePool, AnEmptyRectangleIsNoError) {
+  ImagePool pool;
+  EXPECT_TRUE(pool.acquire({5, 5, 5, 9})->colour.empty());
+}
+
+}  // namespace
+}  // namespace grove::raster
