@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "bake/bake.h"
+#include "objects/lightfield/bake/bake.h"
 
 namespace grove::cli {
 

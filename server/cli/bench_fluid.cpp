@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "cli/figures.h"
-#include "objects/fluid/diagnostics.h"
-#include "objects/fluid/fluid_simulation.h"
+#include "objects/fluid/backend/simulation/fluid_simulation.h"
+#include "objects/fluid/backend/solver/diagnostics.h"
 #include "pipeline/clocks.h"
 #include "world/geometry.h"
 #include "world/ray_scene.h"

@@ -13,14 +13,14 @@
 #include <thread>
 #include <vector>
 
-#include "bake/bake.h"
 #include "cli/figures.h"
 #include "cli/lightfield_quality.h"
 #include "cli/progress.h"
 #include "measure/memory_use.h"
 #include "models/plants/plants.h"
-#include "objects/lightfield/format/light_field_file.h"
-#include "objects/lightfield/simd/simd_sampler.h"
+#include "objects/lightfield/backend/simd/simd_sampler.h"
+#include "objects/lightfield/bake/bake.h"
+#include "objects/lightfield/file/light_field_file.h"
 #include "pipeline/clocks.h"
 #include "pipeline/worker_pool.h"
 

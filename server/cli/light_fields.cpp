@@ -17,7 +17,7 @@
 #include "base/error.h"
 #include "base/log.h"
 #include "models/model_source.h"
-#include "objects/lightfield/format/light_field_file.h"
+#include "objects/lightfield/file/light_field_file.h"
 
 namespace grove::cli {
 namespace {

@@ -9,9 +9,9 @@
 #include <variant>
 #include <vector>
 
-#include "bake/bake.h"
+#include "objects/lightfield/backend/light_field_source.h"
+#include "objects/lightfield/bake/bake.h"
 #include "objects/lightfield/format/light_field.h"
-#include "objects/lightfield/light_field_source.h"
 #include "world/scene_file.h"
 
 /// The light fields of a scene that are made when they are first needed, and the cache folder where they are kept.

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "objects/lightfield/sampler.h"
+#include "objects/lightfield/backend/sampler.h"
 
 namespace grove::cli {
 

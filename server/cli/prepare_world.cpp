@@ -10,10 +10,10 @@
 #include <thread>
 #include <utility>
 
-#include "bake/parallel.h"
 #include "base/error.h"
 #include "base/log.h"
 #include "cli/temporary_folder.h"
+#include "objects/lightfield/bake/parallel.h"
 #include "pipeline/embedded.h"
 
 namespace grove::cli {

@@ -9,7 +9,7 @@
 
 #include "cli/light_fields.h"
 #include "cli/progress.h"
-#include "objects/lightfield/light_field_type.h"
+#include "objects/lightfield/backend/light_field_type.h"
 #include "world/scene_file.h"
 
 namespace grove::cli {

@@ -15,7 +15,7 @@
 
 #include "base/error.h"
 #include "base/log.h"
-#include "objects/lightfield/format/light_field_file.h"
+#include "objects/lightfield/file/light_field_file.h"
 
 namespace grove::cli {
 namespace {

@@ -2,12 +2,12 @@
 
 #include <memory>
 
-#include "objects/figure/figure_type.h"
-#include "objects/fluid/fluid_type.h"
-#include "objects/ground/ground_type.h"
-#include "objects/lightfield/light_field_type.h"
-#include "objects/mesh/mesh_type.h"
-#include "objects/sky/sky_type.h"
+#include "objects/figure/backend/figure_type.h"
+#include "objects/fluid/backend/fluid_type.h"
+#include "objects/ground/backend/ground_type.h"
+#include "objects/lightfield/backend/light_field_type.h"
+#include "objects/mesh/backend/mesh_type.h"
+#include "objects/sky/backend/sky_type.h"
 
 namespace grove::objects {
 

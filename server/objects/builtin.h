@@ -1,7 +1,7 @@
 #pragma once
 
 #include "node/registry.h"
-#include "objects/lightfield/light_field_type.h"
+#include "objects/lightfield/backend/light_field_type.h"
 
 namespace grove::objects {
 

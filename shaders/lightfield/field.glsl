@@ -1,4 +1,4 @@
-// A light field in textures, as server/objects/lightfield/shader/gl_light_field.h puts it there.
+// A light field in textures, as server/objects/lightfield/backend/shader/gl_light_field.h puts it there.
 
 const int kBlock = 16;          // format/light_field.h
 const int kBlockStride = 17;

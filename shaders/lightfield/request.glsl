@@ -1,4 +1,4 @@
-// One picture to make: Request in server/objects/lightfield/shader/shader_sampler.cpp.
+// One picture to make: Request in server/objects/lightfield/backend/shader/shader_sampler.cpp.
 
 layout(std140, binding = 0) uniform Request {
   vec4 eye;

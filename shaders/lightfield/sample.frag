@@ -1,6 +1,6 @@
 #version 450 core
 // One pixel of a light field (the paper's section 5.1): the same steps as
-// server/objects/lightfield/simd/simd_sampler.h, and the tests hold the two together.
+// server/objects/lightfield/backend/simd/simd_sampler.h, and the tests hold the two together.
 
 #include "lightfield/request.glsl"
 #include "lightfield/nearest_views.glsl"

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "cli/program.h"
-#include "objects/lightfield/format/light_field_file.h"
+#include "objects/lightfield/file/light_field_file.h"
 
 namespace grove::cli {
 namespace {

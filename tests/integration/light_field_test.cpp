@@ -3,13 +3,13 @@
 #include <cmath>
 #include <thread>
 
-#include "bake/bake.h"
-#include "bake/models.h"
 #include "integration/picture.h"
 #include "integration/served_scene.h"
-#include "objects/lightfield/format/light_field_file.h"
-#include "objects/lightfield/format/small_field.h"
-#include "objects/lightfield/simd/thicket.h"
+#include "objects/lightfield/backend/simd/thicket.h"
+#include "objects/lightfield/bake/bake.h"
+#include "objects/lightfield/bake/models.h"
+#include "objects/lightfield/file/light_field_file.h"
+#include "objects/lightfield/file/small_field.h"
 #include "sanitized.h"
 #include "stream/headless_session.h"
 

@@ -13,9 +13,9 @@
 #include "integration/picture.h"
 #include "integration/served_scene.h"
 #include "measure/memory_use.h"
-#include "objects/lightfield/format/light_field_file.h"
-#include "objects/lightfield/format/small_field.h"
-#include "objects/lightfield/simd/thicket.h"
+#include "objects/lightfield/backend/simd/thicket.h"
+#include "objects/lightfield/file/light_field_file.h"
+#include "objects/lightfield/file/small_field.h"
 #include "sanitized.h"
 #include "stream/headless_session.h"
 

@@ -13,7 +13,7 @@
 #include "integration/picture.h"
 #include "integration/served_scene.h"
 #include "node/transport/in_process.h"
-#include "objects/fluid/snapshot.h"
+#include "objects/fluid/common/snapshot.h"
 #include "sanitized.h"
 #include "stream/headless_session.h"
 

@@ -7,8 +7,8 @@
 
 #include "cli/prepare_world.h"
 #include "integration/served_scene.h"
-#include "objects/lightfield/format/small_field.h"
-#include "objects/lightfield/light_field_model.h"
+#include "objects/lightfield/backend/light_field_model.h"
+#include "objects/lightfield/file/small_field.h"
 #include "pipeline/embedded.h"
 #include "sanitized.h"
 

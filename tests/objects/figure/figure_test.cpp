@@ -4,11 +4,11 @@
 #include <future>
 
 #include "gl/workers.h"
-#include "objects/figure/figure_backend.h"
-#include "objects/figure/figure_frontend.h"
-#include "objects/figure/figure_model.h"
-#include "objects/figure/gait.h"
-#include "objects/figure/utf8.h"
+#include "objects/figure/backend/figure_backend.h"
+#include "objects/figure/backend/figure_model.h"
+#include "objects/figure/backend/gait.h"
+#include "objects/figure/frontend/figure_frontend.h"
+#include "objects/figure/frontend/utf8.h"
 #include "pipeline/worker_pool.h"
 
 namespace grove::objects::figure {

@@ -1,0 +1,61 @@
+#include "objects/figure/backend/figure_backend.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "objects/figure/backend/gait.h"
+#include "raster/shading/light_bake.h"
+
+namespace grove::objects::figure {
+namespace {
+
+constexpr float kChestHeight = 1.2F;
+
+/// A display colour 0x00BBGGRR as linear light.
+world::Vec3 linear(std::uint32_t colour) {
+  const auto channel = [&](unsigned shift) {
+    return std::pow(static_cast<float>((colour >> shift) & 0xFFU) / 255.0F, 2.2F);
+  };
+  return {channel(0), channel(8), channel(16)};
+}
+
+}  // namespace
+
+FigureBackend::FigureBackend(const node::BackendServices& services, raster::RendererKind kind)
+    : world_(services.world),
+      executor_(raster::executorFor(raster::resolved(kind, services.gl), services.gl, services.workers)),
+      figure_(makeFigure()),
+      renderer_(raster::makeRenderer(raster::resolved(kind, services.gl), services.gl, services.images,
+                                     {services.memory, "figure"})),
+      held_(services.memory, "surfaces", "figure", pipeline::Work::kAcrossUser, figure_.bytes()) {}
+
+void FigureBackend::answer(std::span<const node::Request> requests, std::span<node::Payload> payloads) {
+  std::vector<raster::Drawing> drawings;
+  std::vector<std::size_t> slots;
+  for (std::size_t i = 0; i < requests.size(); ++i) {
+    const node::VisibleObject& visible = requests[i].visible();
+    const node::View& view = requests[i].view();
+    const world::Transform& transform = visible.object.transform;
+    payloads[i] = std::shared_ptr<const raster::Image>();
+    const auto player =
+        std::ranges::find(view.players, visible.object.id - world::kFirstPlayerObject, &world::Player::id);
+    if (player == view.players.end()) continue;
+    raster::Drawing& drawing = drawings.emplace_back();
+    drawing.object = &figure_;
+    drawing.camera = &view.camera;
+    drawing.rect = visible.rect;
+    drawing.distance = visible.distance / transform.scale;
+    drawing.bones = bonesOf(*player, transform);
+    drawing.tint = linear(player->colour);
+    drawing.sunShare =
+        raster::sunAt(transform.position + world::Vec3(0.0F, kChestHeight, 0.0F), world_.geometry().rays());
+    drawing.lamps = raster::chooseLamps(view.lights, visible.object.bounds);
+    slots.push_back(i);
+  }
+  std::vector<std::shared_ptr<const raster::Image>> images(drawings.size());
+  renderer_->render(drawings, images);
+  for (std::size_t i = 0; i < slots.size(); ++i) payloads[slots[i]] = std::move(images[i]);
+}
+
+}  // namespace grove::objects::figure

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "node/object_type.h"
+#include "objects/figure/backend/figure_shape.h"
+#include "raster/renderer_choice.h"
+
+namespace grove::objects::figure {
+
+/// The rendering node of all visitors. The geometry is across-user, every picture per-user.
+class FigureBackend final : public node::BackendHalf {
+ public:
+  explicit FigureBackend(const node::BackendServices& services,
+                         raster::RendererKind kind = raster::RendererKind::kAuto);
+
+  [[nodiscard]] node::NodeKind kind() const override { return node::NodeKind::kRendering; }
+  [[nodiscard]] pipeline::Executor& executor() override { return executor_; }
+  [[nodiscard]] int concurrency() const override { return executor_.width(); }
+  /// On the executor; safe to call from several of its threads at once. A visitor who has left meanwhile gives a null
+  /// image.
+  void answer(std::span<const node::Request> requests, std::span<node::Payload> payloads) override;
+
+ private:
+  const world::World& world_;
+  pipeline::Executor& executor_;
+  const raster::LitSurface figure_;
+  const std::unique_ptr<raster::MeshRenderer> renderer_;
+  const pipeline::HeldMemory held_;
+};
+
+}  // namespace grove::objects::figure

@@ -1,0 +1,38 @@
+#include "objects/figure/backend/gait.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "objects/figure/backend/figure_shape.h"
+
+namespace grove::objects::figure {
+namespace {
+
+using world::Mat4;
+using world::Vec3;
+
+constexpr float kStrideMetres = 1.5F;  // two steps
+constexpr float kSwing = 0.34F;        // radians of a leg at full speed
+
+/// Turns about a sideways axis at a height.
+Mat4 swung(const Mat4& body, float height, float angle) {
+  const Vec3 pivot(0.0F, height, 0.0F);
+  return glm::translate(glm::rotate(glm::translate(body, pivot), angle, Vec3(1, 0, 0)), -pivot);
+}
+
+}  // namespace
+
+std::array<Mat4, raster::kMostBones> bonesOf(const world::Player& player, const world::Transform& transform) {
+  const float phase = player.stride * 6.2831853F / kStrideMetres;
+  const float pace = std::min(1.0F, std::hypot(player.velocity.x, player.velocity.z) / world::kWalkSpeed);
+  const float swing = kSwing * pace * std::sin(phase);
+  Mat4 body = transform.matrix();
+  body = glm::translate(body, Vec3(0.0F, 0.025F * pace * std::abs(std::cos(phase)), 0.0F));
+  // Sways from foot to foot and leans into the walk.
+  body = glm::rotate(body, 0.035F * pace * std::sin(phase), Vec3(0, 0, 1));
+  body = glm::rotate(body, -0.06F * pace, Vec3(1, 0, 0));
+  return {body, swung(body, kHipHeight, swing), swung(body, kHipHeight, -swing),
+          swung(body, kShoulderHeight, 0.25F * swing)};
+}
+
+}  // namespace grove::objects::figure

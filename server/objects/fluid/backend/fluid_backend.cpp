@@ -1,0 +1,212 @@
+#include "objects/fluid/backend/fluid_backend.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cassert>
+#include <cmath>
+#include <cstdint>
+#include <exception>
+#include <future>
+#include <limits>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/log.h"
+#include "objects/fluid/backend/fluid_clock.h"
+#include "objects/fluid/backend/fluid_type.h"
+#include "objects/fluid/backend/pace.h"
+#include "objects/fluid/backend/scalable_simulation.h"
+#include "pipeline/clocks.h"
+#include "world/world.h"
+
+namespace grove::objects::fluid {
+
+namespace {
+
+constexpr const char* kStage = "Simulation Tick";
+constexpr float kGrowSeconds = 3.0F;  // simulated before the first visitor
+constexpr int kIdleTicks = 60;        // two seconds without visitors, before it rests
+
+/// Of a snapshot that nobody moves on: the world's clock goes on while the simulation rests.
+constexpr double kStandsStill = std::numeric_limits<double>::infinity();
+
+FluidSettings settingsOf(const world::Object& object) {
+  const auto* model = dynamic_cast<const FluidModel*>(object.model.get());
+  assert(model != nullptr && "an object of this type has this type's model");
+  FluidSettings settings = model->settings();
+  settings.size *= object.transform.scale;
+  settings.radius *= object.transform.scale;
+  return settings;
+}
+
+}  // namespace
+
+/// One simulation, its clock and the newest snapshot.
+class FluidBackend::Fire {
+ public:
+  Fire(const node::BackendServices& services, const world::Object& object, double tickSeconds)
+      : world_(services.world),
+        timeline_(services.timeline),
+        name_(object.name),
+        settings_(settingsOf(object)),
+        simulation_([this, place = object.transform.position](int cells) { return make(place, cells); },
+                    settings_.grid),
+        held_(services.memory, "simulations", "fluid", pipeline::Work::kAcrossUser),
+        pace_(tickSeconds) {
+    // Seen from here on: gusts from before the fire existed do not count.
+    static_cast<void>(world_.edits().during(cursor_, {}));
+    FluidSimulation& simulation = simulation_.current();
+    const auto grown = services.bakedOnce(
+        "fluid " + std::to_string(object.id), [](const auto& state) { return state->bytes(); },
+        [&] { return grow(simulation, services.progress); });
+    simulation.takeOver(*grown);
+    newest_ = simulation.snapshot(world::World::now());
+    held_.set(simulation.bytes() + newest_->bytes());
+    startClock(services.workers);
+  }
+
+  /// For somebody who looks, so the simulation goes on if it rests. Any thread.
+  [[nodiscard]] std::shared_ptr<const FluidSnapshot> newest() {
+    std::shared_ptr<const FluidSnapshot> newest;
+    {
+      const std::lock_guard lock(mutex_);
+      newest = newest_;
+    }
+    clock_->wake();
+    return newest;
+  }
+
+  /// Any thread.
+  void setQuality(int step) noexcept {
+    quality_ = step;
+    simulation_.setCells(cells());
+  }
+
+ private:
+  /// From a worker: a thread begins with the priority of the one that starts it, and a world may be made by one whose
+  /// priority is low.
+  void startClock(pipeline::Executor& workers) {
+    const auto start = std::make_shared<std::packaged_task<std::unique_ptr<FluidClock>()>>([this] {
+      return std::make_unique<FluidClock>(1.0 / static_cast<double>(FluidSimulation::kTick), [this] { return tick(); });
+    });
+    workers.post([start] { (*start)(); });
+    clock_ = start->get_future().get();
+  }
+
+  [[nodiscard]] std::shared_ptr<const FluidState> grow(FluidSimulation& simulation, const auto& progress) const {
+    const int ticks = static_cast<int>(kGrowSeconds / FluidSimulation::kTick);
+    for (int i = 0; i < ticks; ++i) {
+      simulation.step(FluidSimulation::kTick, {}, {});
+      if (progress && i % 10 == 0) progress("fluid " + name_, static_cast<float>(i) / static_cast<float>(ticks));
+    }
+    return std::make_shared<const FluidState>(simulation.state());
+  }
+
+  [[nodiscard]] std::unique_ptr<FluidSimulation> make(world::Vec3 place, int cells) const {
+    return std::make_unique<FluidSimulation>(settings_, place, world_.geometry().solids(), world_.geometry().rays(),
+                                             cells);
+  }
+
+  [[nodiscard]] int cells() const noexcept { return cellsAt(settings_.grid, std::min<int>(quality_, mostQuality_)); }
+
+  /// Smoke in slow motion is worse than smoke on the scene's grid: a step is given up for good if its ticks need more
+  /// than a core has time for. Waiting does not count, which another load brings and takes away. On the scene's own
+  /// grid it can only be reported.
+  void keepPace(std::int64_t cpuNanoseconds) {
+    if (!pace_.tooSlow(static_cast<double>(cpuNanoseconds) * 1.0e-9)) return;
+    const int now = simulation_.current().solver().layout().cells;
+    if (now == settings_.grid) {
+      reportSlowMotion(cpuNanoseconds);
+      return;
+    }
+    int step = mostQuality_;
+    while (step > 0 && cellsAt(settings_.grid, step) >= now) --step;
+    mostQuality_ = step;
+    simulation_.setCells(cells());
+    log::info(name_ + ": " + std::to_string(now) + " cells to an edge are too many for this machine");
+  }
+
+  void reportSlowMotion(std::int64_t cpuNanoseconds) {
+    timeline_.count("fluid ticks in slow motion", Pace::kTicks);
+    if (std::exchange(isSlow_, true)) return;
+    const auto milliseconds = [](double seconds) { return std::to_string(std::lround(1000.0 * seconds)) + " ms"; };
+    log::warning(name_ + ": its smoke moves in slow motion: a tick on " + std::to_string(settings_.grid) +
+                 " cells takes " + milliseconds(static_cast<double>(cpuNanoseconds) * 1.0e-9) +
+                 " of a core and should take " + milliseconds(static_cast<double>(FluidSimulation::kTick)) +
+                 "; give it a smaller grid, or more threads");
+  }
+
+  FluidClock::Next tick() noexcept {
+    try {
+      const pipeline::TimedRun timed(timeline_, kStage, pipeline::Work::kAcrossUser, {}, "fluid");
+      if (simulation_.update()) pace_.restart();
+      const std::int64_t begin = pipeline::threadCpuNanoseconds();
+      const double now = world::World::now();
+      const std::vector<world::Player> visitors = world_.players().all(now);
+      const std::vector<world::Gust> gusts = world_.edits().during(cursor_, visitors);
+      idleTicks_ = visitors.empty() ? idleTicks_ + 1 : 0;
+      const bool rest = idleTicks_ >= kIdleTicks;
+      FluidSimulation& simulation = simulation_.current();
+      simulation.step(FluidSimulation::kTick, gusts, visitors);
+      std::shared_ptr<const FluidSnapshot> next = simulation.snapshot(rest ? kStandsStill : now);
+      {
+        const std::lock_guard lock(mutex_);
+        newest_.swap(next);
+        // What packing the last one took, the new one will take.
+        held_.set(simulation.bytes() + newest_->bytes() + next->packedBytes());
+      }
+      keepPace(pipeline::threadCpuNanoseconds() - begin);
+      return rest ? FluidClock::Next::kSleep : FluidClock::Next::kTick;
+    } catch (const std::exception& e) {
+      timeline_.recordFailure(kStage, pipeline::Work::kAcrossUser);
+      log::error(std::string(kStage) + " of " + name_ + ": " + e.what());
+      return FluidClock::Next::kTick;
+    }
+  }
+
+  world::World& world_;
+  pipeline::Timeline& timeline_;
+  const std::string name_;
+  const FluidSettings settings_;
+  ScalableSimulation simulation_;
+  pipeline::HeldMemory held_;
+  std::atomic<int> quality_ = 0;                       ///< as wished
+  std::atomic<int> mostQuality_ = node::kMostQuality;  ///< that is done in time
+  Pace pace_;
+  world::Edits::Cursor cursor_ = 0;
+  bool isSlow_ = false;  ///< and that was reported
+  int idleTicks_ = 0;    ///< without visitors
+  std::mutex mutex_;
+  std::shared_ptr<const FluidSnapshot> newest_;
+  std::unique_ptr<FluidClock> clock_;  ///< last, so that it stops before what it uses goes
+};
+
+FluidBackend::FluidBackend(const node::BackendServices& services, world::TypeIndex self, double tickSeconds)
+    : services_(services) {
+  for (const world::Object& object : services_.world.objects()) {
+    if (object.type == self) fires_.emplace(object.id, std::make_unique<Fire>(services_, object, tickSeconds));
+  }
+}
+
+FluidBackend::~FluidBackend() = default;
+
+void FluidBackend::setQuality(int step) {
+  for (const auto& [id, fire] : fires_) fire->setQuality(step);
+}
+
+void FluidBackend::answer(std::span<const node::Request> requests, std::span<node::Payload> payloads) {
+  assert(requests.size() == payloads.size());
+  for (std::size_t i = 0; i < requests.size(); ++i) {
+    const auto fire = fires_.find(requests[i].visible().object.id);
+    if (fire == fires_.end()) {
+      payloads[i] = node::Failure{"no such fluid"};
+    } else {
+      payloads[i] = std::shared_ptr<const node::SimulationData>(fire->second->newest());
+    }
+  }
+}
+
+}  // namespace grove::objects::fluid

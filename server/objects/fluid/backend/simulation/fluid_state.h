@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "objects/fluid/backend/simulation/particles.h"
+#include "objects/fluid/backend/solver/grid.h"
+
+namespace grove::objects::fluid {
+
+/// How far a fire has come: what another simulation of it goes on from, whatever its cells.
+struct FluidState {
+  Layout layout;
+  Velocity velocity;  ///< with its ghosts
+  Field temperature;  ///< with its ghosts
+  Particles particles;
+  double time = 0.0;  ///< simulated seconds
+  std::uint64_t tick = 0;
+
+  /// Memory that it takes.
+  [[nodiscard]] std::size_t bytes() const noexcept {
+    return velocity.bytes() + temperature.heldBytes() + particles.bytes();
+  }
+};
+
+}  // namespace grove::objects::fluid

@@ -1,0 +1,122 @@
+#include "objects/fluid/backend/solver/forces/vorticity_confinement.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "objects/fluid/backend/solver/forces/confinement_kernels.h"
+
+namespace grove::objects::fluid {
+
+namespace {
+
+constexpr int kCentrePlanes = 3;
+constexpr int kVorticityPlanes = 3;
+constexpr int kForcePlanes = 2;
+/// Planes of centres that a slab's wave needs while the neighbours' waves change what they are made of: those around
+/// it, and its own last one, whose upper faces are a neighbour's.
+constexpr int kBelow = 3;
+constexpr int kAbove = 3;
+constexpr int kReach = 2;
+/// Three components each, and the vorticity's length.
+constexpr int kScratchPlanes = 3 * kCentrePlanes + 4 * kVorticityPlanes + 3 * kForcePlanes + 3 * (kBelow + kAbove);
+
+}  // namespace
+
+VorticityConfinement::VorticityConfinement(const Layout& layout, std::shared_ptr<Team> team)
+    : layout_(layout), team_(std::move(team)) {
+  for (int part = 0; part < team_->width(); ++part) {
+    scratch_.emplace_back(static_cast<std::size_t>(kScratchPlanes * layout.plane + 2 * Layout::kLead));
+  }
+}
+
+void VorticityConfinement::apply(float strength, float seconds, float cellSize, Velocity& velocity) {
+  const auto slab = [&](int part) { return Slab::of(part, team_->width(), layout_.cells); };
+  const auto scratch = [&](int part) -> Field& { return scratch_[static_cast<std::size_t>(part)]; };
+  if (team_->width() > 1) team_->run([&](int part) { keepBeside(slab(part), scratch(part), velocity); });
+  team_->run([&](int part) { apply(slab(part), scratch(part), strength, seconds, cellSize, velocity); });
+}
+
+/// A plane of centres, from a component's faces.
+void VorticityConfinement::average(int axis, int z, const Velocity& velocity, float* centres) const {
+  averageToCentres({layout_.cells, layout_.stride}, velocity.axis(axis).data() + layout_.index(0, 0, z),
+                   layout_.step(axis), centres + layout_.stride);
+}
+
+float* VorticityConfinement::beside(Field& scratch, const Slab& slab, int axis, int z) const {
+  const int number = z < slab.first ? z - slab.first + kBelow : z - (slab.end - 1) + kBelow;
+  const int first = kScratchPlanes - 3 * (kBelow + kAbove);
+  return scratch.data() + Layout::kLead + std::ptrdiff_t{layout_.plane} * (first + (kBelow + kAbove) * axis + number);
+}
+
+void VorticityConfinement::keepBeside(const Slab& slab, Field& scratch, const Velocity& velocity) const {
+  for (int a = 0; a < 3; ++a) {
+    for (int z = std::max(slab.first - kBelow, -1); z < slab.first && slab.first > 0; ++z) {
+      average(a, z, velocity, beside(scratch, slab, a, z));
+    }
+    for (int z = slab.end - 1; z < slab.end - 1 + kAbove && slab.end < layout_.cells; ++z) {
+      average(a, z, velocity, beside(scratch, slab, a, z));
+    }
+  }
+}
+
+void VorticityConfinement::apply(const Slab& slab, Field& scratch, float strength, float seconds, float cellSize,
+                                 Velocity& velocity) const {
+  const int n = layout_.cells;
+  const std::ptrdiff_t s = layout_.stride;
+  const auto plane = [&](int slot) { return scratch.data() + Layout::kLead + std::ptrdiff_t{layout_.plane} * slot; };
+  const auto isBeside = [&](int z) {
+    return (z < slab.first && slab.first > 0) || (z >= slab.end - 1 && slab.end < n);
+  };
+  const auto centre = [&](int a, int z) {
+    return isBeside(z) ? beside(scratch, slab, a, z) : plane(kCentrePlanes * a + (z + 3) % kCentrePlanes);
+  };
+  const auto vorticity = [&](int a, int z) {
+    return plane(3 * kCentrePlanes + kVorticityPlanes * a + (z + 3) % kVorticityPlanes);
+  };
+  const auto force = [&](int a, int z) {
+    return plane(3 * kCentrePlanes + 4 * kVorticityPlanes + kForcePlanes * a + z % kForcePlanes);
+  };
+
+  // Planes begin with a row of ghosts.
+  const auto cells = [s](float* values) { return values + s; };
+  const ConfinementPlane extent{n, s};
+  const auto takeCentres = [&](int z) {
+    for (int a = 0; a < 3; ++a) average(a, z, velocity, centre(a, z));
+  };
+  const auto curl = [&](int z) {
+    takeCurl(extent,
+             {cells(centre(0, z)), cells(centre(1, z)), cells(centre(2, z)), cells(centre(0, z - 1)),
+              cells(centre(1, z - 1)), cells(centre(0, z + 1)), cells(centre(1, z + 1))},
+             {cells(vorticity(0, z)), cells(vorticity(1, z)), cells(vorticity(2, z)), cells(vorticity(3, z))});
+  };
+  // The vorticity above is 2 * cellSize times the true one; strength * cellSize * seconds * true vorticity remains.
+  const float gain = 0.5F * strength * seconds;
+  const float tiny = 1.0e-4F * cellSize;
+  const auto confine = [&](int z) {
+    const int below = z > 0 ? z - 1 : z;
+    const int above = z < n - 1 ? z + 1 : z;
+    takeConfinement(extent,
+                    {cells(vorticity(0, z)), cells(vorticity(1, z)), cells(vorticity(2, z)), cells(vorticity(3, z)),
+                     cells(vorticity(3, below)), cells(vorticity(3, above))},
+                    gain, tiny, {cells(force(0, z)), cells(force(1, z)), cells(force(2, z))});
+  };
+  const auto add = [&](int z) {
+    const std::ptrdiff_t at = layout_.index(0, 0, z);
+    addToFaces(extent,
+               {cells(force(0, z)), cells(force(1, z)), cells(force(2, z)), z > 0 ? cells(force(2, z - 1)) : nullptr},
+               velocity.x.data() + at, velocity.y.data() + at, velocity.z.data() + at);
+  };
+
+  // A plane of faces changes only after the last plane of centres that reads it.
+  const auto within = [&](int z, int below, int above) {
+    return z >= std::max(slab.first - below, 0) && z < std::min(slab.end + above, n);
+  };
+  for (int z = std::max(slab.first - kBelow, -1); z < slab.end + kReach; ++z) {
+    if (z <= n && !isBeside(z)) takeCentres(z);
+    if (within(z - 1, 2, 1)) curl(z - 1);
+    if (within(z - 2, 1, 0)) confine(z - 2);
+    if (within(z - 2, 0, 0)) add(z - 2);
+  }
+}
+
+}  // namespace grove::objects::fluid

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstddef>
+
+#include "objects/fluid/backend/solver/grid.h"
+#include "objects/fluid/backend/solver/pressure/pressure_operator.h"
+
+/// The passes of a V-cycle (Multigrid) over one level, each a wave over z-planes.
+namespace grove::objects::fluid {
+
+/// A level, with A of its own kind. Ghosts and solids of `b` and `z` are zero and stay so.
+template <class Operator>
+struct MultigridLevel {
+  const Layout& layout;
+  Operator a;
+  const float* b;
+  float* z;
+  float* odd;       ///< room for planes of the smoother's first and third iterate, the others being in z
+  float* residual;  ///< room for planes between smoothing and restriction
+};
+using FineLevel = MultigridLevel<rows::FineOperator>;
+using CoarseLevel = MultigridLevel<rows::CoarseOperator>;
+
+/// Values that `odd` and `residual` take each, zero at first.
+[[nodiscard]] std::size_t multigridRoom(const Layout& layout) noexcept;
+
+/// Down one level: smooths z from zero, and hands the residual to the coarser level's right-hand side `coarseB`.
+void descendFine(const FineLevel& level, const Layout& coarseLayout, const rows::CoarseOperator& coarse,
+                 float* coarseB);
+void descendCoarse(const CoarseLevel& level, const Layout& coarseLayout, const rows::CoarseOperator& coarse,
+                   float* coarseB);
+
+/// z.Az and b.z.
+struct MultigridProducts {
+  double residualDotResult = 0.0;
+  double resultDotOperator = 0.0;
+};
+/// Up one level: adds the coarse correction to z and smooths. The finest level's also takes A z.
+MultigridProducts ascendFine(const FineLevel& level, const Layout& coarseLayout, const rows::CoarseOperator& coarse,
+                             const float* coarseZ, float* az);
+void ascendCoarse(const CoarseLevel& level, const Layout& coarseLayout, const rows::CoarseOperator& coarse,
+                  const float* coarseZ);
+
+/// The coarsest level: so few cells that the same smoother, repeated, solves them.
+void smoothCoarsest(const CoarseLevel& level);
+
+}  // namespace grove::objects::fluid

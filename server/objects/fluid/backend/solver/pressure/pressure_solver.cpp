@@ -1,0 +1,94 @@
+#include "objects/fluid/backend/solver/pressure/pressure_solver.h"
+
+#include <cmath>
+#include <utility>
+
+#include "objects/fluid/backend/solver/pressure/projection.h"
+
+namespace grove::objects::fluid {
+
+PressureSolver::PressureSolver(const Layout& layout, std::shared_ptr<Team> team)
+    : layout_(layout),
+      team_(std::move(team)),
+      multigrid_(layout, team_),
+      gradients_(layout),
+      b_(layout.size()),
+      x_(layout.size()),
+      next_(layout.size()) {}
+
+void PressureSolver::prepare(SolidGrid& solids) {
+  const CellBox changed = solids.takeChanges();
+  if (changed.empty()) return;
+  multigrid_.rebuild(solids, changed);
+  pockets_.find(solids);
+  maskSolids(layout_, multigrid_.diagonal(), x_);
+}
+
+PressureSolver::Outcome PressureSolver::project(SolidGrid& solids, Velocity& velocity, const Options& options) {
+  prepare(solids);
+  const double squaredB = negativeDivergence(layout_, velocity, multigrid_.diagonal(), b_, *team_);
+  const Outcome outcome = iterate(squaredB, options);
+  subtractGradient(layout_, x_, velocity, *team_);
+  solids.enforce(velocity);
+  return outcome;
+}
+
+PressureSolver::Outcome PressureSolver::solve(SolidGrid& solids, Field& b, const Options& options) {
+  prepare(solids);
+  maskSolids(layout_, multigrid_.diagonal(), b);
+  b_.copyFrom(b);
+  double squaredB = 0.0;
+  for (std::size_t i = 0; i < b.size(); ++i) {
+    const double value = static_cast<double>(b[static_cast<std::ptrdiff_t>(i)]);
+    squaredB += value * value;
+  }
+  const Outcome outcome = iterate(squaredB, options);
+  b.copyFrom(b_);
+  return outcome;
+}
+
+FineWave::Norms PressureSolver::cycle(bool first) {
+  const FineWave::Norms norms = multigrid_.cycle(b_, x_, next_, first);
+  std::swap(x_, next_);
+  return norms;
+}
+
+PressureSolver::Outcome PressureSolver::iterate(double squaredB, const Options& options) {
+  constexpr double kNothing = 1.0e-30;
+  constexpr double kCertainly = 0.9;  // the cycle knows the residual that it leaves to a few hundredths only
+  constexpr double kSlow = 0.04;      // of the squared residual is more than a cycle leaves in common scenes
+  Outcome outcome;
+  if (!(squaredB > kNothing)) {
+    x_.clear();
+    return outcome;
+  }
+  pockets_.removeMeans(b_);
+  FineWave::Norms norms = cycle(true);
+  if (norms.before > norms.b) {
+    // The last pressure is worse than none, as after a jump of the scene.
+    x_.clear();
+    norms = cycle(true);
+  }
+  if (!(norms.b > kNothing)) {
+    x_.clear();
+    return outcome;
+  }
+  const double enough = norms.b * static_cast<double>(options.tolerance) * static_cast<double>(options.tolerance);
+  double squared = norms.after;
+  while (squared > kCertainly * enough && outcome.iterations < options.mostIterations) {
+    norms = cycle(false);
+    ++outcome.iterations;
+    const bool slow = norms.after > kSlow * squared;
+    squared = norms.after;
+    if (slow && squared > kCertainly * enough) {
+      const auto precondition = [this](const Field& r, Field& z, Field& az) { return multigrid_.apply(r, z, az); };
+      squared = gradients_.solve(multigrid_.finest(), pockets_, precondition, b_, x_, enough, options.mostIterations,
+                                 outcome.iterations);
+      break;
+    }
+  }
+  outcome.residual = static_cast<float>(std::sqrt(squared / norms.b));
+  return outcome;
+}
+
+}  // namespace grove::objects::fluid

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <memory>
+
+#include "objects/fluid/backend/solver/grid.h"
+#include "objects/fluid/backend/solver/pressure/conjugate_gradients.h"
+#include "objects/fluid/backend/solver/pressure/multigrid.h"
+#include "objects/fluid/backend/solver/pressure/pockets.h"
+#include "objects/fluid/backend/solver/solid_grid.h"
+#include "objects/fluid/backend/solver/team.h"
+
+namespace grove::objects::fluid {
+
+/// Makes a velocity free of divergence: solves the pressure equation by multigrid, from the last step's pressure. Where
+/// plain cycles converge slowly, as amid rubble finer than the coarse cells, conjugate gradients
+/// preconditioned with a V-cycle go on. Used by one thread.
+class PressureSolver {
+ public:
+  struct Options {
+    float tolerance = 1.0e-4F;  ///< relative L2 residual
+    int mostIterations = 60;
+  };
+  struct Outcome {
+    int iterations = 0;
+    float residual = 0.0F;  ///< relative L2, to a few hundredths
+  };
+
+  explicit PressureSolver(const Layout& layout, std::shared_ptr<Team> team = std::make_shared<Team>(1));
+
+  /// Takes note of what changed in the solids, as project() does first: takes long where all is new.
+  void prepare(SolidGrid& solids);
+
+  /// The projection of Stam 1999: afterwards the net flow out of every air cell is zero to the tolerance. The
+  /// velocity's faces at solids must hold the solids' velocity (SolidGrid::enforce()), and do so afterwards.
+  Outcome project(SolidGrid& solids, Velocity& velocity, const Options& options);
+
+  /// Solves for a right-hand side of one's own: sum over open faces of (p - p of the neighbour) = b. `b` is changed
+  /// where it cannot be met: zero in solids, each pocket's mean taken away.
+  Outcome solve(SolidGrid& solids, Field& b, const Options& options);
+
+  /// Metres a second: pressure * time step / (density * cell size). Zero in solids.
+  [[nodiscard]] const Field& pressure() const noexcept { return x_; }
+  /// The right-hand side of the last solve.
+  [[nodiscard]] const Field& rightHandSide() const noexcept { return b_; }
+  /// Forgets the last step's pressure.
+  void forget() noexcept { x_.clear(); }
+
+  /// Memory that it takes.
+  [[nodiscard]] std::size_t bytes() const noexcept {
+    return multigrid_.bytes() + pockets_.bytes() + gradients_.bytes() + heldBytes(b_, x_, next_);
+  }
+
+ private:
+  Outcome iterate(double squaredB, const Options& options);
+  FineWave::Norms cycle(bool first);
+
+  const Layout layout_;
+  const std::shared_ptr<Team> team_;
+  Multigrid multigrid_;
+  Pockets pockets_;
+  ConjugateGradients gradients_;
+  Field b_, x_, next_;
+};
+
+}  // namespace grove::objects::fluid

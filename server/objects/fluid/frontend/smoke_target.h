@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "objects/fluid/frontend/smoke_sprites.h"
+#include "objects/fluid/frontend/smoke_upsample_kernels.h"
+#include "pipeline/vector_bytes.h"
+#include "raster/image.h"
+#include "world/camera.h"
+
+namespace grove::objects::fluid {
+
+/// What smoke is drawn into: a part of the frame at half or quarter resolution, premultiplied, with the scene's depth.
+/// Memory only grows. One thread at a time.
+class SmokeTarget {
+ public:
+  /// Makes an empty target for the pixels `box` of the frame. Depths are cut off at `farthest` metres, behind all
+  /// smoke. A pixel takes the nearest and its neighbours the farthest depth of the frame's pixels under it, as on a
+  /// chequerboard, so that both sides of every silhouette are known.
+  void begin(const raster::Image& frame, const world::Rect& box, int scale, float farthest);
+
+  /// Draws sprites in the given order, each over those before.
+  void draw(const SmokeSprites& sprites, std::span<const std::uint32_t> order);
+
+  /// Blends the smoke into the frame. Where the scene's depth jumps, a pixel takes its smoke from those neighbours
+  /// that are as far away as itself (joint bilateral upsampling, Kopf et al. 2007). Nothing changes where the frame is
+  /// nearer than `nearest` metres.
+  void blendInto(raster::Image& frame, float nearest);
+
+  /// Memory that it takes.
+  [[nodiscard]] std::size_t bytes() const noexcept {
+    return pipeline::vectorBytes(blocks_, spans_, low_, high_, jumps_, kept_, line_, wide_);
+  }
+
+ private:
+  SmokePixels pixels_;
+  float farthest_ = 0.0F;
+  std::vector<SmokeBlock> blocks_;
+  std::vector<SmokeSpan> spans_;
+  // See UpsampleRoom.
+  std::vector<float> low_, high_, line_, wide_;
+  std::vector<std::int32_t> jumps_;
+  std::vector<std::uint32_t> kept_;
+};
+
+}  // namespace grove::objects::fluid

@@ -1,0 +1,210 @@
+#include "objects/ground/backend/clearing_bake.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "world/light.h"
+#include "world/noise.h"
+
+namespace grove::objects::ground {
+namespace {
+
+using world::Vec2;
+using world::Vec3;
+
+constexpr float kSunRadius = 0.013F;     // radians; softer than the real one, as through haze
+constexpr int kSunRays = 24;             // a texel in penumbra
+constexpr int kSkyRays = 32;             // a cell near solids
+constexpr float kOcclusionReach = 3.0F;  // metres around solids within which they darken the sky
+constexpr float kStart = 0.03F;          // metres above the ground
+// What lies under a stone is never seen, but lends its values to the grass at the stone's foot: no deep darkness, and
+// sunlight only close to the side that the sun shines on, or a bright seam would part the stone from its shadow.
+constexpr float kLeastSky = 0.45F;
+constexpr float kStoneMargin = 0.13F;   // metres
+constexpr float kTallestSolid = 12.0F;  // metres
+constexpr int kCell = 4;                // texels between probes of sun and sky
+
+/// Ray directions to the sun's disc, spread by the golden angle.
+Vec3 towardsSun(int ray) {
+  const Vec3 sun = world::sunDirection();
+  const Vec3 side = glm::normalize(glm::cross(sun, Vec3(0, 1, 0)));
+  const Vec3 up = glm::cross(side, sun);
+  const float radius = kSunRadius * std::sqrt((static_cast<float>(ray) + 0.5F) / kSunRays);
+  const float angle = 2.399963F * static_cast<float>(ray);
+  return sun + side * (radius * std::cos(angle)) + up * (radius * std::sin(angle));
+}
+
+/// Directions over the sky with a density of the cosine to the zenith.
+Vec3 towardsSky(int ray) {
+  const float square = (static_cast<float>(ray) + 0.5F) / kSkyRays;
+  const float angle = 2.399963F * static_cast<float>(ray);
+  const float radius = std::sqrt(square);
+  return {radius * std::cos(angle), std::sqrt(1.0F - square), radius * std::sin(angle)};
+}
+
+/// A coarse grid of 0..1 over the square.
+class Grid {
+ public:
+  explicit Grid(int size)
+      : size_(size), values_(static_cast<std::size_t>(size) * static_cast<std::size_t>(size), 1.0F) {}
+
+  [[nodiscard]] int size() const noexcept { return size_; }
+  [[nodiscard]] float at(int x, int y) const {
+    return values_[index(std::clamp(x, 0, size_ - 1), std::clamp(y, 0, size_ - 1))];
+  }
+  void set(int x, int y, float value) { values_[index(x, y)] = value; }
+
+  /// At a position in cells, whose centres are at +0.5.
+  [[nodiscard]] float smooth(float x, float y) const {
+    const float left = std::floor(x - 0.5F);
+    const float top = std::floor(y - 0.5F);
+    const auto i = static_cast<int>(left);
+    const auto j = static_cast<int>(top);
+    const float fx = x - 0.5F - left;
+    return glm::mix(glm::mix(at(i, j), at(i + 1, j), fx), glm::mix(at(i, j + 1), at(i + 1, j + 1), fx), y - 0.5F - top);
+  }
+
+  /// Whether all values from (x-1, y-1) to (x+1, y+1) are the same.
+  [[nodiscard]] bool even(int x, int y) const {
+    for (int j = y - 1; j <= y + 1; ++j) {
+      for (int i = x - 1; i <= x + 1; ++i) {
+        if (at(i, j) != at(x, y)) return false;
+      }
+    }
+    return true;
+  }
+
+ private:
+  [[nodiscard]] std::size_t index(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(size_) + static_cast<std::size_t>(x);
+  }
+  const int size_;
+  std::vector<float> values_;
+};
+
+class Baker {
+ public:
+  Baker(const ClearingOptions& options, const world::Triangles& solids, const world::RayScene& rays)
+      : options_(options),
+        rays_(rays),
+        cells_(std::max(1, options.size / kCell)),
+        sun_(cells_),
+        sky_(cells_),
+        near_(cells_) {
+    markNearSolids(solids);
+  }
+
+  void probe(int row) {
+    for (int x = 0; x < cells_; ++x) {
+      const Vec3 point = place(static_cast<float>(x) + 0.5F, static_cast<float>(row) + 0.5F, cells_);
+      sun_.set(x, row, rays_.occluded(point, world::sunDirection()) ? 0.0F : 1.0F);
+      if (near_.at(x, row) == 0.0F) sky_.set(x, row, openness(point));
+    }
+  }
+
+  [[nodiscard]] std::uint32_t texel(int x, int y) const {
+    const float scale = static_cast<float>(cells_) / static_cast<float>(options_.size);
+    const float cellX = (static_cast<float>(x) + 0.5F) * scale;
+    const float cellY = (static_cast<float>(y) + 0.5F) * scale;
+    const Vec3 point = place(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F, options_.size);
+    return ground(point, sunlight(point, cellX, cellY), std::max(kLeastSky, sky_.smooth(cellX, cellY)));
+  }
+
+  [[nodiscard]] int cells() const noexcept { return cells_; }
+
+ private:
+  [[nodiscard]] Vec3 place(float x, float y, int size) const {
+    const float step = options_.metres / static_cast<float>(size);
+    return {x * step - 0.5F * options_.metres, kStart, y * step - 0.5F * options_.metres};
+  }
+
+  void markNearSolids(const world::Triangles& solids) {
+    const float perMetre = static_cast<float>(cells_) / options_.metres;
+    const auto cell = [&](float metres) {
+      return static_cast<int>(std::floor((metres + 0.5F * options_.metres) * perMetre));
+    };
+    for (const auto& [a, b, c] : solids.indices) {
+      world::Bounds box;
+      for (const std::uint32_t corner : {a, b, c}) box.add(solids.positions[corner]);
+      const int right = std::min(cells_ - 1, cell(box.high.x + kOcclusionReach));
+      const int bottom = std::min(cells_ - 1, cell(box.high.z + kOcclusionReach));
+      for (int y = std::max(0, cell(box.low.z - kOcclusionReach)); y <= bottom; ++y) {
+        for (int x = std::max(0, cell(box.low.x - kOcclusionReach)); x <= right; ++x) near_.set(x, y, 0.0F);
+      }
+    }
+  }
+
+  [[nodiscard]] float openness(Vec3 point) const {
+    int free = 0;
+    for (int ray = 0; ray < kSkyRays; ++ray)
+      free += rays_.occluded(point, towardsSky(ray), 0.0F, kTallestSolid) ? 0 : 1;
+    return static_cast<float>(free) / kSkyRays;
+  }
+
+  [[nodiscard]] float sunlight(Vec3 point, float cellX, float cellY) const {
+    const auto x = static_cast<int>(cellX);
+    const auto y = static_cast<int>(cellY);
+    if (near_.at(x, y) == 0.0F && rays_.occluded(point, Vec3(0, 1, 0), 0.0F, kTallestSolid)) {
+      const Vec3 sunward = glm::normalize(world::sunDirection() * Vec3(1, 0, 1));
+      return rays_.occluded(point + sunward * kStoneMargin, world::sunDirection()) ? 0.0F : 1.0F;
+    }
+    if (sun_.even(x, y)) return sun_.at(x, y);
+    int free = 0;
+    for (int ray = 0; ray < kSunRays; ++ray) free += rays_.occluded(point, towardsSun(ray)) ? 0 : 1;
+    return static_cast<float>(free) / kSunRays;
+  }
+
+  /// Distance in metres from the worn path, which winds a little and fades out at the clearing's edge.
+  [[nodiscard]] float fromPath(Vec2 at) const {
+    const Vec2 way = glm::normalize(Vec2(options_.pathTo.x, options_.pathTo.z) + Vec2(0.0F, 1e-4F));
+    const float along = glm::dot(at, way);
+    if (along < 0.0F) return glm::length(at);
+    const float winding = 0.9F * std::sin(along * 0.23F) * glm::smoothstep(2.0F, 14.0F, along);
+    return std::fabs(glm::dot(at, Vec2(-way.y, way.x)) - winding) + 0.02F * std::max(0.0F, along - 12.0F);
+  }
+
+  [[nodiscard]] std::uint32_t ground(Vec3 point, float sun, float sky) const {
+    const Vec2 at(point.x, point.z);
+    const float salt = static_cast<float>(options_.seed % 1000) * 2.3F;
+    const float broad = world::fractalNoise(at * 0.09F + salt, 4);
+    const float fine = world::fractalNoise(at * 0.9F + salt, 3);
+    const float dry = glm::smoothstep(0.28F, 0.72F, 0.65F * broad + 0.35F * fine);
+    const float ragged = (fine - 0.5F) * 1.5F;
+    const float hearth = glm::smoothstep(options_.hearth * 0.62F, options_.hearth * 1.35F, glm::length(at) + ragged);
+    const float path = glm::smoothstep(0.25F, 0.85F, fromPath(at) + 0.75F * ragged);
+    const float trodden = std::min(hearth, 0.25F + 0.75F * path);
+    // Nobody mows or treads close to the stones.
+    const float sheltered = 1.0F + 0.9F * (1.0F - sky);
+    const float height = (0.42F + 0.50F * glm::smoothstep(0.3F, 0.7F, broad * 0.5F + fine * 0.5F)) * sheltered;
+    return packTexel(sun, sky, dry, std::min(1.0F, height) * glm::smoothstep(0.18F, 0.9F, trodden));
+  }
+
+  const ClearingOptions options_;
+  const world::RayScene& rays_;
+  const int cells_;
+  Grid sun_;
+  Grid sky_;
+  Grid near_;  // 0 near solids
+};
+
+}  // namespace
+
+Clearing bakeClearing(const ClearingOptions& options, const world::Triangles& solids, const world::RayScene& rays,
+                      const std::function<void(float)>& progress) {
+  Baker baker(options, solids, rays);
+  for (int row = 0; row < baker.cells(); ++row) {
+    baker.probe(row);
+    progress(0.4F * static_cast<float>(row + 1) / static_cast<float>(baker.cells()));
+  }
+  std::vector<std::uint32_t> texels;
+  texels.reserve(static_cast<std::size_t>(options.size) * static_cast<std::size_t>(options.size));
+  for (int y = 0; y < options.size; ++y) {
+    for (int x = 0; x < options.size; ++x) texels.push_back(baker.texel(x, y));
+    progress(0.4F + 0.6F * static_cast<float>(y + 1) / static_cast<float>(options.size));
+  }
+  return {Pyramid(options.size, std::move(texels)), options.metres};
+}
+
+}  // namespace grove::objects::ground

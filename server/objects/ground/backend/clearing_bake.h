@@ -1,0 +1,24 @@
+#pragma once
+
+#include <functional>
+
+#include "objects/ground/common/clearing.h"
+#include "world/geometry.h"
+#include "world/ray_scene.h"
+
+namespace grove::objects::ground {
+
+struct ClearingOptions {
+  int size = 2048;                        ///< texels a side, a power of two
+  float metres = 160.0F;                  ///< side of the square
+  float hearth = 2.6F;                    ///< metres of trodden earth around the fire at the origin
+  world::Vec3 pathTo{0.0F, 0.0F, 10.0F};  ///< a worn path leads from the fire through here
+  int seed = 1;
+};
+
+/// Bakes the light that `solids` leave: soft shadows of a sun disc, and occlusion of the sky near their feet.
+/// `progress` is told shares of 0..1.
+[[nodiscard]] Clearing bakeClearing(const ClearingOptions& options, const world::Triangles& solids,
+                                    const world::RayScene& rays, const std::function<void(float)>& progress);
+
+}  // namespace grove::objects::ground

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "objects/ground/common/clearing.h"
+#include "objects/ground/common/daylight.h"
+#include "objects/ground/common/meadow.h"
+
+namespace grove::objects::ground {
+
+/// What is baked once and shared by all visitors.
+struct GroundMaps {
+  Clearing clearing;
+  Meadow meadow;
+  ToneTable tone;
+  Daylight daylight;
+};
+
+}  // namespace grove::objects::ground

@@ -1,0 +1,203 @@
+#include "objects/ground/frontend/grow_kernels.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "objects/ground/frontend/grow_kernels.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "base/simd/lanes_inl.h"
+#include "objects/ground/frontend/halves_inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace grove::objects::ground::HWY_NAMESPACE {
+namespace {
+
+namespace lanes = grove::simd::HWY_NAMESPACE;
+using lanes::Ints;
+using lanes::kLanes;
+using lanes::Mask;
+
+/// The meadow lies turned against the axes, so that its tiles do not line up with the path.
+constexpr double kTurnCosine = 0.81915;
+constexpr double kTurnSine = 0.57358;
+
+/// Pixels after which the pattern of the two levels repeats.
+constexpr int kPattern = 16;
+
+/// Two neighbouring levels of a pyramid that repeats. Pixels alternate between the two in a fixed pattern, the more of
+/// them coarser the larger the sampling's share is, so that no line shows where the level changes. Coordinates are
+/// fractions of the tile of 2^-32, which wrap around by themselves.
+struct TiledLevels {
+  int bits;                                               // the finer level has 2^bits texels a side
+  alignas(64) std::array<std::int32_t, kPattern> coarse;  // 1 where the coarser one is sampled
+  alignas(64) std::array<std::int32_t, kPattern> begins;  // where each pixel's level begins
+
+  /// `turn` is any number that differs between neighbouring rows and taps.
+  HWY_INLINE TiledLevels(const Pyramid& pyramid, const MeadowSampling& sampling, int turn)
+      : bits(std::countr_zero(static_cast<unsigned>(pyramid.size())) - sampling.level) {
+    const auto next = static_cast<std::int32_t>(pyramid.level(sampling.level + 1) - pyramid.level(sampling.level));
+    for (int i = 0; i < kPattern; i += kLanes) {
+      const Ints order = ((lanes::upwards() + Ints(i + turn)) * Ints(7)) & Ints(kPattern - 1);
+      const Mask coarser = lanes::toFloats(order) + 0.5F < lanes::Floats(sampling.coarser * kPattern);
+      lanes::store(lanes::onlyWhere(coarser, Ints(1)), coarse.data() + i);
+      lanes::store(lanes::onlyWhere(coarser, Ints(next)), begins.data() + i);
+    }
+  }
+
+  /// Of pixels from the `i`th of the pattern on. See Pyramid::inBlocks().
+  HWY_INLINE Ints index(Ints x, Ints y, int i) const {
+    static_assert(Pyramid::kBlock == 4);
+    const Mask coarser = lanes::load(coarse.data() + i) > Ints(0);
+    const auto atLevel = [&](Ints fine) { return lanes::select(coarser, lanes::shiftRight<1>(fine), fine); };
+    const hn::RebindToUnsigned<lanes::IntTag> bitsTag;
+    const auto texelsOf = [&](Ints turns) -> Ints {
+      return hn::BitCast(lanes::IntTag(), hn::ShiftRightSame(hn::BitCast(bitsTag, turns.raw), 32 - bits));
+    };
+    const Ints column = atLevel(texelsOf(x));
+    const Ints line = atLevel(texelsOf(y));
+    const Ints blockLine = atLevel(Ints(hn::ShiftLeftSame((line & Ints(~3)).raw, bits)));
+    const Ints inBlock = lanes::shiftLeft<2>((column & Ints(~3)) + (line & Ints(3))) + (column & Ints(3));
+    return lanes::load(begins.data() + i) + blockLine + inBlock;
+  }
+};
+
+/// Where a row's pixels lie in the meadow: at the tile's first column, and per column.
+struct TexelLine {
+  std::uint32_t x, y, stepX, stepY;
+
+  HWY_INLINE TexelLine(const Frame& frame, double depth, double ahead, int firstColumn, double metres) {
+    const double side = static_cast<double>(frame.firstSide) + firstColumn * static_cast<double>(frame.sideStep);
+    const double worldX = frame.eyeX + depth * (ahead * frame.forwardX + side * frame.sideX);
+    const double worldZ = frame.eyeZ + depth * (ahead * frame.forwardZ + side * frame.sideZ);
+    const double worldStepX = depth * frame.sideStep * frame.sideX;
+    const double worldStepZ = depth * frame.sideStep * frame.sideZ;
+    const auto wrapped = [&](double distance) {
+      return static_cast<std::uint32_t>(static_cast<std::int64_t>(distance / metres * 4294967296.0));
+    };
+    x = wrapped(worldX * kTurnCosine - worldZ * kTurnSine);
+    y = wrapped(worldX * kTurnSine + worldZ * kTurnCosine);
+    stepX = wrapped(worldStepX * kTurnCosine - worldStepZ * kTurnSine);
+    stepY = wrapped(worldStepX * kTurnSine + worldStepZ * kTurnCosine);
+  }
+};
+
+HWY_INLINE Ints wrapping(std::uint32_t turns) { return static_cast<std::int32_t>(turns); }
+
+/// Where each pixel's texel lies.
+HWY_INLINE void placeLine(const TiledLevels& levels, const TexelLine& line, std::int32_t* HWY_RESTRICT at) {
+  Ints x = wrapping(line.x) + lanes::upwards() * wrapping(line.stepX);
+  Ints y = wrapping(line.y) + lanes::upwards() * wrapping(line.stepY);
+  const Ints stepX = wrapping(kLanes * line.stepX);
+  const Ints stepY = wrapping(kLanes * line.stepY);
+  for (int first = 0; first < kTile; first += kPattern) {
+    for (int i = 0; i < kPattern; i += kLanes) {
+      lanes::store(levels.index(x, y, i), at + first + i);
+      x = x + stepX;
+      y = y + stepY;
+    }
+  }
+}
+
+using TexelRow = std::array<std::uint32_t, kTile>;
+
+/// Samples of a row, one set after the other.
+struct Taps {
+  const Frame& frame;
+  const Row& row;
+  int firstColumn;
+  const Meadow& meadow;
+  const MeadowSampling& sampling;
+
+  HWY_INLINE void sample(int tap, std::uint32_t* HWY_RESTRICT out) const {
+    // Along a pixel's ray; the first is the farthest.
+    const float share = (static_cast<float>(tap) + 0.5F) / static_cast<float>(sampling.taps) - 0.5F;
+    const double depth =
+        static_cast<double>(row.depth) - static_cast<double>(share * row.depth * row.depth * frame.inverseStep);
+    alignas(64) std::array<std::int32_t, kTile> at;
+    placeLine(TiledLevels(meadow.pyramid, sampling, row.row * 5 + tap * 9),
+              TexelLine(frame, depth, row.ahead, firstColumn, meadow.metres), at.data());
+    lookUp<kTile>(meadow.pyramid.level(sampling.level), at.data(), out);
+  }
+};
+
+/// Means of the colours; heights stay those of `into`, or tufts would shrink where they are far.
+HWY_INLINE void average(std::uint32_t* HWY_RESTRICT into, const std::uint32_t* HWY_RESTRICT other) {
+  const PixelTag tag;
+  const Pixels height = hn::Set(tag, 0xFF000000U);
+  const Pixels low = hn::Set(tag, 0x7F7F7F7FU);
+  for (std::size_t i = 0; i < kTile; i += kPixels) {
+    const Pixels a = hn::Load(tag, into + i);
+    const Pixels b = hn::Load(tag, other + i);
+    const Pixels mean = hn::Add(hn::And(a, b), hn::And(hn::ShiftRight<1>(hn::Xor(a, b)), low));
+    hn::Store(hn::Or(hn::AndNot(height, mean), hn::And(height, a)), tag, into + i);
+  }
+}
+
+void sampleMeadow(const Taps& taps, std::uint32_t* HWY_RESTRICT texels) {
+  taps.sample(0, texels);
+  if (taps.sampling.taps == 1) return;
+  alignas(64) TexelRow second;
+  taps.sample(1, second.data());
+  average(texels, second.data());
+  if (taps.sampling.taps == 2) return;
+  alignas(64) TexelRow third;
+  taps.sample(2, second.data());
+  taps.sample(3, third.data());
+  average(second.data(), third.data());
+  average(texels, second.data());
+}
+
+/// The screen row that each pixel's grass reaches; returns the highest.
+std::int16_t reachUp(const Row& row, const SoilBetween& soil, const std::uint32_t* HWY_RESTRICT texels,
+                     std::int16_t* HWY_RESTRICT tops) {
+  const HalfTag tag;
+  const UnsignedHalfTag unsignedTag;
+  const PixelTag pixelTag;
+  // Pixels that the tallest grass rises above its root, in steps of 1/256; higher ones would not be searched anyway.
+  const UnsignedHalves tallest =
+      unsignedHalves(static_cast<int>(std::min(row.pixelsPerMetre * kTallest, 254.0F) * (65536.0F / 255.0F)));
+  const Halves base = halves(row.row);
+  Halves highest = base;
+  for (std::size_t i = 0; i < kTile; i += kHalves) {
+    const UnsignedHalves left = hn::BitCast(unsignedTag, hn::Load(pixelTag, texels + i));
+    const UnsignedHalves right = hn::BitCast(unsignedTag, hn::Load(pixelTag, texels + i + kPixels));
+    const UnsignedHalves blade = hn::And(hn::ConcatOdd(unsignedTag, right, left), unsignedHalves(0xFF00));
+    const UnsignedHalves tall = hn::MulHigh(hn::BitCast(unsignedTag, grassAt(soil, i)), tallest);
+    const UnsignedHalves rise = hn::ShiftRight<7>(hn::Add(hn::MulHigh(blade, tall), unsignedHalves(64)));
+    const Halves top = hn::Sub(base, hn::BitCast(tag, rise));
+    hn::Store(top, tag, tops + i);
+    highest = hn::Min(highest, top);
+  }
+  return hn::GetLane(hn::MinOfLanes(tag, highest));
+}
+
+void growGrass(const Frame& frame, const Row& row, int firstColumn, const Meadow& meadow,
+               const MeadowSampling& sampling, const SoilBetween& soil, GrassRows& grass) {
+  const auto slot = static_cast<std::size_t>(row.row & (kRootRows - 1));
+  std::uint32_t* const texels = grass.texels.data() + slot * kTile;
+  sampleMeadow({frame, row, firstColumn, meadow, sampling}, texels);
+  grass.highest[slot] = reachUp(row, soil, texels, grass.tops.data() + slot * kTile);
+}
+
+}  // namespace
+}  // namespace grove::objects::ground::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+
+namespace grove::objects::ground {
+
+HWY_EXPORT(growGrass);
+
+void growGrass(const Frame& frame, const Row& row, int firstColumn, const Meadow& meadow,
+               const MeadowSampling& sampling, const SoilBetween& soil, GrassRows& grass) {
+  HWY_DYNAMIC_DISPATCH(growGrass)(frame, row, firstColumn, meadow, sampling, soil, grass);
+}
+
+}  // namespace grove::objects::ground
+
+#endif  // HWY_ONCE

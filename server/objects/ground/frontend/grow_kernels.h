@@ -1,0 +1,12 @@
+#pragma once
+
+#include "objects/ground/frontend/grass_rows.h"
+#include "objects/ground/frontend/meadow_sampling.h"
+
+namespace grove::objects::ground {
+
+/// Kernel: stores what grows in this row, and what it reaches up to.
+void growGrass(const Frame& frame, const Row& row, int firstColumn, const Meadow& meadow,
+               const MeadowSampling& sampling, const SoilBetween& soil, GrassRows& grass);
+
+}  // namespace grove::objects::ground

@@ -1,0 +1,104 @@
+#include "objects/ground/frontend/shade_kernels.h"
+
+#include <array>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "objects/ground/frontend/shade_kernels.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "objects/ground/frontend/halves_inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace grove::objects::ground::HWY_NAMESPACE {
+namespace {
+
+struct Curve {
+  const FineSoil::Channels& first;
+  const FineSoil::Channels& step;
+
+  /// 0..255 of numbers from the `i`th on, where the roots of albedo are `root`.
+  HWY_INLINE UnsignedHalves shown(std::size_t i, Halves steps, UnsignedHalves root) const {
+    const HalfTag tag;
+    const auto at = [&](const FineSoil::Line& from, const FineSoil::Line& by) {
+      return hn::Add(hn::Load(tag, from.data() + i), hn::Mul(hn::Load(tag, by.data() + i), steps));
+    };
+    const Halves q = hn::BitCast(tag, root);
+    const Halves slope = hn::Add(at(first.slope, step.slope), hn::MulFixedPoint15(q, at(first.square, step.square)));
+    const Halves level = hn::Add(at(first.base, step.base), hn::MulHigh(q, slope));
+    static_assert(kSoilSteps == 16.0F);
+    const Halves limited = hn::Min(hn::Max(level, halves(0)), halves(256 * 16 - 1));
+    return hn::ShiftRight<4>(hn::BitCast(UnsignedHalfTag(), limited));
+  }
+};
+
+/// Where each pixel's texel lies among those of the rows; and its depth.
+HWY_INLINE void place(const Frame& frame, const Row& row, const GrassRows& grass, std::int32_t* HWY_RESTRICT at,
+                      float* HWY_RESTRICT depth) {
+  const hn::Repartition<std::int32_t, HalfTag> indexTag;
+  const hn::Repartition<float, HalfTag> depthTag;
+  const hn::Rebind<Root, PixelTag> rootTag;
+  const auto firstInverse = hn::Set(depthTag, frame.firstInverse + static_cast<float>(row.row) * frame.inverseStep);
+  const auto inverseStep = hn::Set(depthTag, frame.inverseStep);
+  const auto thisRow = hn::Set(indexTag, row.row);
+  const auto rowMask = hn::Set(indexTag, kRootRows - 1);
+  const auto one = hn::Set(depthTag, 1.0F);
+  for (std::size_t i = 0; i < kTile; i += kPixels) {
+    const auto root = hn::PromoteTo(indexTag, hn::Load(rootTag, grass.roots.data() + i));
+    const auto above = hn::And(root, rowMask);
+    const auto slot = hn::And(hn::Add(above, thisRow), rowMask);
+    const auto column = hn::Iota(indexTag, static_cast<std::int32_t>(i));
+    static_assert(kTile == (1 << 8) + (1 << 6));
+    const auto line = hn::Add(hn::ShiftLeft<8>(slot), hn::ShiftLeft<6>(slot));
+    hn::Store(hn::Add(line, column), indexTag, at + i);
+    const auto inverse = hn::MulAdd(hn::ConvertTo(depthTag, above), inverseStep, firstInverse);
+    hn::StoreU(hn::Div(one, inverse), depthTag, depth + i);
+  }
+}
+
+void shadeRow(const Frame& frame, const Row& row, const SoilBetween& soil, const GrassRows& grass,
+              std::uint32_t* HWY_RESTRICT colour, float* HWY_RESTRICT depth) {
+  alignas(64) std::array<std::int32_t, kTile> at;
+  alignas(64) std::array<std::uint32_t, kTile> grown;
+  place(frame, row, grass, at.data(), depth);
+  lookUp<kTile>(grass.texels.data(), at.data(), grown.data());
+
+  const Curve low{soil.first.low, soil.step.low};
+  const Curve high{soil.first.high, soil.step.high};
+  const Halves steps = halves(soil.steps);
+  const UnsignedHalfTag tag;
+  const PixelTag pixelTag;
+  const hn::Rebind<Root, PixelTag> rootTag;
+  const UnsignedHalves lowByte = unsignedHalves(0xFF);
+  for (std::size_t i = 0; i < kTile; i += kPixels) {
+    const UnsignedHalves texel = hn::BitCast(tag, hn::Load(pixelTag, grown.data() + i));
+    const Pixels root = hn::PromoteTo(pixelTag, hn::Load(rootTag, grass.roots.data() + i));
+    // Of both halves, how much shows.
+    const Pixels whole = hn::AndNot(hn::Set(pixelTag, kRootMask), root);
+    const UnsignedHalves share = hn::BitCast(tag, hn::Or(whole, hn::ShiftLeft<16>(whole)));
+    const UnsignedHalves lowRoot = hn::MulHigh(hn::ShiftLeft<7>(hn::And(texel, lowByte)), share);
+    const UnsignedHalves highRoot = hn::MulHigh(hn::ShiftLeft<7>(hn::ShiftRight<8>(texel)), share);
+    const UnsignedHalves lower = low.shown(2 * i, steps, lowRoot);
+    const UnsignedHalves upper = hn::ShiftLeft<8>(high.shown(2 * i, steps, highRoot));
+    hn::StoreU(hn::BitCast(pixelTag, hn::Or(lower, upper)), pixelTag, colour + i);
+  }
+}
+
+}  // namespace
+}  // namespace grove::objects::ground::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+
+namespace grove::objects::ground {
+
+HWY_EXPORT(shadeRow);
+
+void shadeRow(const Frame& frame, const Row& row, const SoilBetween& soil, const GrassRows& grass,
+              std::uint32_t* colour, float* depth) {
+  HWY_DYNAMIC_DISPATCH(shadeRow)(frame, row, soil, grass, colour, depth);
+}
+
+}  // namespace grove::objects::ground
+
+#endif  // HWY_ONCE

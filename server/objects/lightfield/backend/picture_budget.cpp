@@ -1,0 +1,70 @@
+#include "objects/lightfield/backend/picture_budget.h"
+
+#include <algorithm>
+
+namespace grove::objects::lightfield {
+namespace {
+
+/// Of a full bucket or pot, what stays for pictures that are more than hardly wrong.
+constexpr double kReserve = 0.5;
+
+/// Seconds after which a bucket is taken for one that nobody uses.
+constexpr double kForgotten = 60.0;
+
+}  // namespace
+
+double PictureBudget::share(const node::View& view) const {
+  return texelsPerSecond_ / static_cast<double>(std::max<std::size_t>(view.players.size(), 1));
+}
+
+PictureBudget::Bucket& PictureBudget::filled(const node::View& view) {
+  const double most = kBurst * share(view);
+  const auto found = buckets_.find(view.session);
+  if (found == buckets_.end()) {
+    std::erase_if(buckets_, [&](const auto& bucket) { return bucket.second.time + kForgotten < view.time; });
+    const double tokens = buckets_.empty() ? most : 0.0;
+    return buckets_.emplace(view.session, Bucket{tokens, view.time}).first->second;
+  }
+  Bucket& bucket = found->second;
+  // A frame may overtake another.
+  const double passed = std::max(view.time - bucket.time, 0.0);
+  bucket.time += passed;
+  const double tokens = bucket.tokens + passed * share(view);
+  bucket.tokens = std::min(most, tokens);
+  pot_ = std::min(kBurst * texelsPerSecond_, pot_ + tokens - bucket.tokens);
+  return bucket;
+}
+
+int& PictureBudget::madeIn(Bucket& bucket, node::FrameNumber frame) {
+  Made& made = bucket.made[frame % bucket.made.size()];
+  if (made.frame != frame) made = {frame, 0};
+  return made.pictures;
+}
+
+void PictureBudget::spend(Bucket& bucket, std::int64_t texels) {
+  const auto all = static_cast<double>(texels);
+  const double own = std::clamp(bucket.tokens, 0.0, all);
+  const double common = std::min(pot_, all - own);
+  pot_ -= common;
+  bucket.tokens -= all - common;
+}
+
+bool PictureBudget::take(const node::View& view, std::int64_t texels, float wrong) {
+  const std::lock_guard lock(mutex_);
+  Bucket& bucket = filled(view);
+  int& made = madeIn(bucket, view.frame);
+  if (wrong <= kLateness && made >= kMostNewPictures) return false;
+  const double left = kReserve * kBurst / std::max(wrong, 1.0F);
+  const bool potPays = pot_ > left * texelsPerSecond_ + static_cast<double>(texels);
+  if (bucket.tokens <= left * share(view) && !potPays) return false;
+  spend(bucket, texels);
+  ++made;
+  return true;
+}
+
+void PictureBudget::owe(const node::View& view, std::int64_t texels) {
+  const std::lock_guard lock(mutex_);
+  spend(filled(view), texels);
+}
+
+}  // namespace grove::objects::lightfield

@@ -1,0 +1,12 @@
+#include "objects/lightfield/backend/shadows.h"
+
+#include "objects/lightfield/backend/shadow_kernels.h"
+
+namespace grove::objects::lightfield {
+
+void castShadows(const SunGrid& sun, const ObjectCamera& camera, raster::Image& image) {
+  if (sun.whole) return;
+  shadePart(sun, camera, {image.colour.data(), image.depth.data(), image.width(), image.rect});
+}
+
+}  // namespace grove::objects::lightfield

@@ -1,0 +1,157 @@
+// Walks along rays as a view sees them. For kernels: included once per target.
+
+#if defined(GROVE_OBJECTS_LIGHTFIELD_BACKEND_SIMD_WALK_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef GROVE_OBJECTS_LIGHTFIELD_BACKEND_SIMD_WALK_INL_H
+#undef GROVE_OBJECTS_LIGHTFIELD_BACKEND_SIMD_WALK_INL_H
+#else
+#define GROVE_OBJECTS_LIGHTFIELD_BACKEND_SIMD_WALK_INL_H
+#endif
+
+#include <hwy/highway.h>
+
+#include "base/simd/look_up_inl.h"
+#include "objects/lightfield/backend/simd/texel_window.h"
+#include "objects/lightfield/backend/simd/tile_inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace grove::objects::lightfield::simd::HWY_NAMESPACE {
+
+/// How far from a texel's depth a ray may pass and still meet it, in texels' widths there, and in steps of the walk.
+constexpr float kThickness = 0.75F;
+constexpr float kSlack = 1.25F;
+/// A surface is met where it has this share of the bilinear footprint, its outline thus being a smooth one.
+constexpr float kEnough = 0.35F;
+
+/// The part of a ray that is walked, as a view sees it: a line of texels, from place 0 to place 1. A point on it is at
+/// the place (1 / its view depth - inverseFrom) * perPlace.
+struct Way {
+  Floats x, y;         ///< texels at place 0
+  Floats byX, byY;     ///< from there to place 1
+  Floats inverseFrom;  ///< 1 / view depth at place 0
+  Floats inverseBy;    ///< from there to place 1
+  Floats perPlace;     ///< 1 / inverseBy
+  Floats thickness;    ///< kThickness in places
+
+  Way(const Sight& sight, const Lens& lens, Floats zFrom, Floats zTo, Floats from, Floats to) {
+    inverseFrom = 1.0F / zFrom;
+    const Floats inverseTo = 1.0F / zTo;
+    x = (sight.x0 + from * sight.x1) * inverseFrom + lens.middle;
+    y = (sight.y0 + from * sight.y1) * inverseFrom + lens.middle;
+    byX = (sight.x0 + to * sight.x1) * inverseTo + lens.middle - x;
+    byY = (sight.y0 + to * sight.y1) * inverseTo + lens.middle - y;
+    inverseBy = min(inverseTo - inverseFrom, -1.0e-9F);
+    perPlace = 1.0F / inverseBy;
+    thickness = -kThickness * lens.metresPerTexel * inverseFrom * perPlace;
+  }
+
+  /// View depth, metres.
+  [[nodiscard]] Floats depthAt(Floats place) const {
+    return 1.0F / (inverseFrom + clamp(place, 0.0F, 1.0F) * inverseBy);
+  }
+};
+
+/// What comes of a walk; where, as places of the way.
+struct Outcome {
+  Mask found;
+  Floats foundAt;
+  Floats hidden;  ///< share of the way that lies behind something
+  Floats hiddenAt;
+  Floats hiddenTo;
+  Floats grazed;  ///< the largest share of a surface that was not enough
+  Floats grazedAt;
+  Floats texel;  ///< length in places
+};
+
+inline Outcome walkAlong(const Way& way, const NearnessWindow& window, const TexelBox& box, Mask rays) {
+  const float* const texels = window.nearness.data() - window.layout.origin;
+  const auto stride = static_cast<float>(window.layout.stride);
+  const Floats left = static_cast<float>(box.left);
+  const Floats right = static_cast<float>(box.right);
+  const Floats top = static_cast<float>(box.top);
+  const Floats bottom = static_cast<float>(box.bottom);
+  const Mask level = abs(way.byX) >= abs(way.byY);
+  const Floats minAlong = select(level, left, top);
+  const Floats maxAlong = select(level, right, bottom);
+  const Floats minAcross = select(level, top, left);
+  const Floats maxAcross = select(level, bottom, right) - 1.0F;
+  const Floats alongStride = select(level, Floats(1.0F), Floats(stride));
+  const Floats acrossStride = select(level, Floats(stride), Floats(1.0F));
+  const Ints acrossStep = truncate(acrossStride);
+  const Floats along0 = select(level, way.x, way.y);
+  const Floats alongBy = select(level, way.byX, way.byY);
+  const Floats across0 = select(level, way.y, way.x);
+  const Floats acrossBy = select(level, way.byY, way.byX);
+  const Floats sign = select(alongBy < 0.0F, Floats(-1.0F), Floats(1.0F));
+  const auto reached = [&](Floats along) { return clamp(sign * floor(sign * along), minAlong, maxAlong); };
+  const Floats first = reached(along0);
+  const Floats steps = abs(reached(along0 + alongBy) - first) + 2.0F;
+  const Floats placePerTexel = 1.0F / (sign * max(abs(alongBy), 0.5F));
+  const Floats placeOfZero = -way.inverseFrom * way.perPlace;
+  Outcome outcome;
+  outcome.texel = abs(placePerTexel);
+  const Floats slack = kSlack * outcome.texel + way.thickness;
+  const Floats reach = 0.5F + slack;
+  // Places times what was met there; divided by what was met when the walk is over.
+  Floats foundPlaces;
+  Floats foundMet = 1.0F;
+  Floats grazedPlaces;
+  Floats hiddenSteps;
+  // A surface is met partly at one step and partly at the next one.
+  Floats metBefore;
+  Floats placesBefore;
+  Mask walking = rays;
+  Mask found;
+  const float maxSteps = maxOf(onlyWhere(rays, steps));
+  for (float k = 0.0F; k < maxSteps && any(walking); k += 1.0F) {
+    const Floats along = clamp(first + sign * k, minAlong, maxAlong);
+    const Floats here = clamp((along - along0) * placePerTexel, 0.0F, 1.0F);
+    const Floats across = clamp(across0 + here * acrossBy, minAcross, maxAcross);
+    const Floats line = toFloats(truncate(across));
+    const Floats beside = across - line;
+    const Ints at = truncate(along * alongStride + line * acrossStride);
+    const Floats nearness[2] = {lookUp(texels, at), lookUp(texels, at + acrossStep)};
+    const Floats weight[2] = {1.0F - beside, beside};
+    const Floats hiding = here - slack;
+    Floats met;
+    Floats places;
+    Floats behind;
+    for (std::size_t i = 0; i < 2; ++i) {
+      // Where the ray is at this texel's depth, and how much of the texel it meets there.
+      const Floats place = mulAdd(nearness[i], way.perPlace, placeOfZero);
+      const Floats awayAlong = abs(mulAdd(place, alongBy, along0 - along));
+      const Floats awayAcross = abs(mulAdd(place, acrossBy, across0 - line - static_cast<float>(i)));
+      const Floats share = max(1.0F - awayAlong, 0.0F) * max(1.0F - awayAcross, 0.0F);
+      const Floats counted = onlyWhere(abs(place - 0.5F) <= reach, share);
+      met += counted;
+      places = mulAdd(counted, place, places);
+      behind += onlyWhere(place < hiding, weight[i]);
+    }
+    const Floats total = met + metBefore;
+    const Floats totalPlaces = places + placesBefore;
+    metBefore = met;
+    placesBefore = places;
+    const Mask ends = walking & (total > kEnough);
+    foundPlaces = select(ends, totalPlaces, foundPlaces);
+    foundMet = select(ends, total, foundMet);
+    found |= ends;
+    walking = without(walking, ends);
+    const Mask hides = walking & (behind > 0.5F);
+    outcome.hiddenAt = select(hides & (hiddenSteps < 0.5F), here, outcome.hiddenAt);
+    outcome.hiddenTo = select(hides, here, outcome.hiddenTo);
+    hiddenSteps += onlyWhere(hides, Floats(1.0F));
+    const Mask grazes = walking & (total > outcome.grazed);
+    grazedPlaces = select(grazes, totalPlaces, grazedPlaces);
+    outcome.grazed = select(grazes, total, outcome.grazed);
+    walking &= steps > k + 1.0F;
+  }
+  outcome.found = found;
+  outcome.foundAt = foundPlaces / foundMet;
+  outcome.grazedAt = grazedPlaces / max(outcome.grazed, 1.0e-6F);
+  outcome.hidden = hiddenSteps / steps;
+  return outcome;
+}
+
+}  // namespace grove::objects::lightfield::simd::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // once per target

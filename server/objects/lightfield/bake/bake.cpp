@@ -1,0 +1,360 @@
+#include "objects/lightfield/bake/bake.h"
+
+#include <algorithm>
+#include <bit>
+#include <cassert>
+#include <cmath>
+#include <condition_variable>
+#include <mutex>
+#include <string>
+#include <system_error>
+#include <thread>
+#include <vector>
+
+#include "base/checksum.h"
+#include "base/error.h"
+#include "models/plants/plants.h"
+#include "objects/lightfield/bake/light/light_points.h"
+#include "objects/lightfield/bake/light/lightings.h"
+#include "objects/lightfield/bake/light/surface_light.h"
+#include "objects/lightfield/bake/model_rays.h"
+#include "objects/lightfield/bake/parallel.h"
+#include "objects/lightfield/bake/partial_bake.h"
+#include "objects/lightfield/bake/refine.h"
+#include "objects/lightfield/bake/view_plan.h"
+#include "objects/lightfield/bake/view_renderer.h"
+#include "objects/lightfield/bake/voxelize.h"
+#include "objects/lightfield/file/light_field_file.h"
+#include "objects/lightfield/file/view_packer.h"
+#include "pipeline/clocks.h"
+#include "world/camera.h"
+
+namespace grove::bake {
+
+using objects::lightfield::DenseView;
+using objects::lightfield::HeldOutView;
+using objects::lightfield::kLeastSize;
+using objects::lightfield::kNoDepth;
+using objects::lightfield::LightField;
+using objects::lightfield::ObjectCamera;
+using objects::lightfield::PackedView;
+using objects::lightfield::ViewCamera;
+using objects::lightfield::ViewGeometry;
+using objects::lightfield::ViewSphere;
+using world::Vec3;
+
+namespace {
+
+/// To be raised when the same model and options give other views than before, so that old partial bakes are not mixed
+/// with new ones.
+constexpr std::uint64_t kBakeVersion = 2;
+constexpr int kVoxelsAlongEdge = 64;
+// In texels of a view.
+constexpr float kPatch = 2.0F;  // that share a light point
+constexpr LongestEdge kLongest{3.0F, 8.0F};
+constexpr float kAwayFromSurface = 0.15F;
+constexpr float kThinnest = 4.0F;
+// Of the light of a rough bake.
+constexpr float kRoughPatch = 4.0F;
+constexpr int kRoughDirections = 16;
+constexpr int kRoughSunRays = 2;
+constexpr std::size_t kRoughHeldOut = 2;
+
+using ProgressCall = std::function<void(const BakeProgress&)>;
+
+/// Tells the progress of one step with the time that is left, guessed from the time so far.
+class Step {
+ public:
+  Step(std::string_view name, const ProgressCall& progress)
+      : name_(name), progress_(progress), begin_(pipeline::wallNanoseconds()) {
+    progress_({name_, 0.0F, 0.0});
+  }
+  [[nodiscard]] double seconds() const { return static_cast<double>(pipeline::wallNanoseconds() - begin_) * 1.0e-9; }
+  void show(float share) const {
+    progress_({name_, share,
+               share > 0.0F ? seconds() / static_cast<double>(share) * (1.0 - static_cast<double>(share)) : 0.0});
+  }
+
+ private:
+  std::string_view name_;
+  const ProgressCall& progress_;
+  std::int64_t begin_;
+};
+
+template <class T>
+void addTo(Checksum& checksum, const std::vector<T>& values) {
+  const std::uint64_t count = values.size();
+  checksum.add(std::as_bytes(std::span(&count, 1)));
+  checksum.add(std::as_bytes(std::span(values)));
+}
+
+std::uint64_t keyOf(const models::Model& model, const BakeOptions& options) {
+  Checksum checksum;
+  const std::vector<std::uint64_t> numbers{kBakeVersion,
+                                           static_cast<std::uint64_t>(options.samples),
+                                           static_cast<std::uint64_t>(options.truthSamples),
+                                           static_cast<std::uint64_t>(options.subdivision),
+                                           static_cast<std::uint64_t>(options.tile),
+                                           static_cast<std::uint64_t>(options.rough)};
+  addTo(checksum, numbers);
+  addTo(checksum, model.triangles.positions);
+  addTo(checksum, model.triangles.indices);
+  addTo(checksum, model.normals);
+  addTo(checksum, model.colours);
+  addTo(checksum, model.uvs);
+  addTo(checksum, model.materialOf);
+  for (const models::Material& m : model.materials) {
+    addTo(checksum, std::vector<Vec3>{m.albedo, m.transmittance});
+    addTo(checksum, std::vector<float>{m.alphaCutoff, static_cast<float>(m.texture), m.solid ? 1.0F : 0.0F,
+                                       m.blended ? 1.0F : 0.0F, m.twoSided ? 1.0F : 0.0F});
+  }
+  for (const models::Texture& texture : model.textures) {
+    addTo(checksum, std::vector<int>{texture.width, texture.height});
+    addTo(checksum, texture.texels);
+  }
+  return checksum.value();
+}
+
+/// Two rings of a tile's neighbours.
+std::vector<Vec3> tilesAround() {
+  const Vec3 along(1.5F * models::kTileRadius, 0.0F, 0.5F * std::sqrt(3.0F) * models::kTileRadius);
+  const Vec3 across(0.0F, 0.0F, std::sqrt(3.0F) * models::kTileRadius);
+  std::vector<Vec3> offsets;
+  for (int i = -2; i <= 2; ++i) {
+    for (int j = -2; j <= 2; ++j) {
+      if (std::abs(i + j) > 2 || (i == 0 && j == 0)) continue;
+      offsets.push_back(static_cast<float>(i) * along + static_cast<float>(j) * across);
+    }
+  }
+  return offsets;
+}
+
+/// The box by which rays are cut: a plane's has a thickness, too, or no ray would be within it anywhere.
+world::Bounds boundsOfView(const world::Triangles& triangles, float texel) {
+  world::Bounds bounds = triangles.bounds();
+  const Vec3 missing = glm::max(Vec3(kThinnest * texel) - bounds.size(), Vec3(0.0F));
+  bounds.low -= 0.5F * missing;
+  bounds.high += 0.5F * missing;
+  return bounds;
+}
+
+DenseView toDense(Picture picture, const ViewCamera& camera) {
+  DenseView view;
+  view.size = picture.size;
+  view.colour = std::move(picture.colour);
+  view.depth.reserve(picture.depth.size());
+  const float scale = static_cast<float>(kNoDepth - 1) / (camera.farDepth - camera.nearDepth);
+  for (const float depth : picture.depth) {
+    const float step = std::clamp((depth - camera.nearDepth) * scale, 0.0F, static_cast<float>(kNoDepth - 1));
+    view.depth.push_back(depth >= world::kInfiniteDepth ? kNoDepth : static_cast<std::uint16_t>(std::lround(step)));
+  }
+  return view;
+}
+
+int levelsOf(int size) { return std::bit_width(static_cast<unsigned>(size / kLeastSize)); }
+
+/// Deletes what a process that was killed while it wrote the finished file has left: up to the whole file's bytes.
+void removeLeftovers(const std::filesystem::path& file) {
+  const std::string prefix = file.filename().string() + ".partial-";
+  const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
+  std::error_code ignored;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
+    if (entry.path().filename().string().starts_with(prefix)) std::filesystem::remove(entry.path(), ignored);
+  }
+}
+
+/// One run of bakeLightField(): the model as it is lit and seen, and what comes of it.
+class Job {
+ public:
+  Job(const models::Model& model, const BakeOptions& options, std::filesystem::path file, const ProgressCall& progress,
+      const std::stop_token& stop)
+      : options_(options),
+        threads_(options.threads > 0 ? options.threads
+                                     : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()))),
+        file_(std::move(file)),
+        progress_(progress),
+        stop_(stop),
+        sphere_(options.subdivision),
+        geometry_(planViews(model.triangles)),
+        texel_(2.0F * geometry_.extent / static_cast<float>(options.size)),
+        original_(model),
+        model_(refined(model, {kLongest.solid * texel_, kLongest.leaves * texel_})),
+        textures_(model.textures.begin(), model.textures.end()),
+        rays_(model_, textures_),
+        lightings_(options.lightings),
+        shape_{sphere_.views(), options.size, levelsOf(options.size), options.lightings, keyOf(model, options)},
+        partial_(file_.string() + ".partial", shape_) {
+    // Nobody else writes this file now: the partial bake is locked.
+    removeLeftovers(file_);
+    if (options.tile) rays_.surround(tilesAround());
+  }
+
+  [[nodiscard]] std::optional<BakeReport> run();
+
+ private:
+  [[nodiscard]] std::vector<Picture> renderHeldOut(const ViewRenderer& renderer,
+                                                   const std::vector<ObjectCamera>& cameras,
+                                                   ModelRays::Among among) const;
+  void checkRoom(const std::vector<Picture>& samples) const;
+  void renderViews(const ViewRenderer& renderer, const Step& step);
+  void writeFile(std::vector<HeldOutView> heldOut);
+
+  const BakeOptions options_;
+  const int threads_;
+  const std::filesystem::path file_;
+  const ProgressCall& progress_;
+  const std::stop_token stop_;
+  const ViewSphere sphere_;
+  const ViewGeometry geometry_;
+  const float texel_;  ///< metres an edge, in the middle of a view
+  const models::Model& original_;
+  const models::Model model_;
+  const std::vector<TextureSampler> textures_;
+  ModelRays rays_;
+  const Lightings lightings_;
+  const PartialBake::Shape shape_;
+  PartialBake partial_;
+};
+
+std::vector<Picture> Job::renderHeldOut(const ViewRenderer& renderer, const std::vector<ObjectCamera>& cameras,
+                                        ModelRays::Among among) const {
+  std::vector<Picture> pictures(cameras.size());
+  parallelFor(threads_, cameras.size(), [&](std::size_t i) {
+    if (!stop_.stop_requested()) pictures[i] = renderer.render(cameras[i], options_.size, among);
+  });
+  return pictures;
+}
+
+/// The held-out views tell about how much the others will take.
+void Job::checkRoom(const std::vector<Picture>& samples) const {
+  std::uint64_t blocks = 0;
+  for (const Picture& picture : samples) {
+    DenseView view;
+    view.size = picture.size;
+    for (const float depth : picture.depth) view.depth.push_back(depth >= world::kInfiniteDepth ? kNoDepth : 0);
+    blocks += packView(view, shape_.levels).blockCount();
+  }
+  const auto views = static_cast<std::uint64_t>(shape_.views);
+  const std::uint64_t all = views * PartialBake::bytesOfView(shape_, blocks / samples.size());
+  // Views wait in the partial bake until all of them are copied into the file.
+  const std::uint64_t needed = 2 * all - std::min(all, partial_.bytes());
+  std::error_code error;
+  const std::filesystem::space_info space = std::filesystem::space(file_.string() + ".partial", error);
+  if (!error && space.available < needed) {
+    throw EnvironmentError("the disk is too full: about " + std::to_string(needed) + " bytes are needed and " +
+                               std::to_string(space.available) + " are free",
+                           file_.string(), "make room or choose a smaller size or subdivision");
+  }
+}
+
+void Job::renderViews(const ViewRenderer& renderer, const Step& step) {
+  const int takenUp = partial_.views();
+  std::mutex mutex;
+  std::condition_variable_any appended;
+  bool broken = false;
+  const auto make = [&](int index) {
+    const ViewCamera camera = viewCamera(geometry_, sphere_.direction(index));
+    const PackedView view =
+        packView(toDense(renderer.render(objectCamera(camera, options_.size), options_.size), camera), shape_.levels);
+    // Views are appended in order, so that the file is the same for any number of threads.
+    std::unique_lock lock(mutex);
+    appended.wait(lock, stop_, [&] { return broken || partial_.views() == index; });
+    if (broken || partial_.views() != index) return;
+    partial_.append(view);
+    step.show(static_cast<float>(partial_.views() - takenUp) / static_cast<float>(shape_.views - takenUp));
+    appended.notify_all();
+  };
+  parallelFor(threads_, static_cast<std::size_t>(shape_.views - takenUp), [&](std::size_t i) {
+    if (stop_.stop_requested()) return;
+    try {
+      make(takenUp + static_cast<int>(i));
+    } catch (...) {
+      // Nobody must wait for a view that does not come.
+      const std::lock_guard lock(mutex);
+      broken = true;
+      appended.notify_all();
+      throw;
+    }
+  });
+}
+
+void Job::writeFile(std::vector<HeldOutView> heldOut) {
+  LightField field;
+  field.sphere = sphere_;
+  field.geometry = geometry_;
+  field.bounds = boundsOfView(original_.triangles, texel_);
+  field.size = options_.size;
+  field.levels = shape_.levels;
+  field.sunAzimuth = Lightings::firstAzimuth();
+  field.source = original_.name;
+  const Voxels voxels = voxelize(original_, kVoxelsAlongEdge);
+  field.voxels = voxels.grid;
+  field.voxels.cells = voxels.cells;
+  field.heldOut = std::move(heldOut);
+  partial_.fill(field);
+  writeLightField(field, file_);
+}
+
+std::optional<BakeReport> Job::run() {
+  const Step all("preparing", progress_);
+  BakeReport report;
+  report.triangles = original_.triangles.indices.size();
+  report.views = shape_.views;
+  report.viewsTakenUp = partial_.views();
+  const LightPoints points = options_.rough
+                                 ? chooseLightPoints(model_, textures_, kRoughPatch * texel_, PointsOf::kCell)
+                                 : chooseLightPoints(model_, textures_, kPatch * texel_, PointsOf::kPiece);
+  report.lightPoints = points.points.size();
+
+  const Step lighting("light", progress_);
+  LightSettings settings{.threads = threads_, .away = kAwayFromSurface * texel_, .tiled = options_.tile};
+  if (options_.rough) {
+    settings.directions = kRoughDirections;
+    settings.sunRays = kRoughSunRays;
+  }
+  const SurfaceLight light = lightSurfaces(
+      model_, points, rays_, lightings_, settings, [&](float share) { lighting.show(share); }, stop_);
+  report.lightSeconds = lighting.seconds();
+  if (stop_.stop_requested()) return std::nullopt;
+
+  const Step views("views", progress_);
+  const ViewRenderer renderer(model_, textures_, rays_, points, light, options_.samples);
+  std::vector<ObjectCamera> cameras = planHeldOut(geometry_, options_.subdivision, options_.size);
+  // They tell how much room the others take; nobody measures a rough one by them.
+  if (options_.rough) cameras.resize(kRoughHeldOut);
+  const ViewRenderer truth(model_, textures_, rays_, points, light, options_.truthSamples);
+  const std::vector<Picture> heldOut = renderHeldOut(truth, cameras, ModelRays::Among::kModel);
+  const std::vector<ObjectCamera> seamCameras =
+      options_.tile && !options_.rough ? planSeams(geometry_, options_.size) : std::vector<ObjectCamera>();
+  const std::vector<Picture> seams = renderHeldOut(truth, seamCameras, ModelRays::Among::kSurroundings);
+  if (stop_.stop_requested()) return std::nullopt;
+  checkRoom(heldOut);
+  renderViews(renderer, views);
+  report.viewSeconds = views.seconds();
+  if (stop_.stop_requested()) return std::nullopt;
+
+  const Step writing("file", progress_);
+  std::vector<HeldOutView> kept;
+  for (std::size_t i = 0; i < cameras.size(); ++i) {
+    kept.push_back({cameras[i], options_.size, heldOut[i].colour.front(), heldOut[i].depth, false});
+  }
+  for (std::size_t i = 0; i < seamCameras.size(); ++i) {
+    kept.push_back({seamCameras[i], options_.size, seams[i].colour.front(), seams[i].depth, true});
+  }
+  writeFile(std::move(kept));
+  partial_.remove();
+  report.bytes = std::filesystem::file_size(file_);
+  report.seconds = all.seconds();
+  return report;
+}
+
+}  // namespace
+
+std::optional<BakeReport> bakeLightField(const models::Model& model, const BakeOptions& options,
+                                         const std::filesystem::path& file, const ProgressCall& progress,
+                                         const std::stop_token& stop) {
+  if (model.triangles.indices.empty()) throw EnvironmentError("has no triangles", model.name, "bake another model");
+  return Job(model, options, file, progress, stop).run();
+}
+
+}  // namespace grove::bake

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "objects/lightfield/bake/light/light_points.h"
+#include "objects/lightfield/bake/light/surface_light.h"
+#include "objects/lightfield/bake/model_rays.h"
+#include "objects/lightfield/format/view_camera.h"
+
+namespace grove::bake {
+
+/// A picture as it was rendered, rows from the top.
+struct Picture {
+  int size = 0;
+  std::vector<std::vector<std::uint32_t>> colour;  ///< by lighting; as in LightField
+  std::vector<float> depth;                        ///< view depth, world::kInfiniteDepth where nothing is
+};
+
+/// Takes pictures of a lit model with samples x samples primary rays a pixel. Immutable; any number of threads.
+///
+/// A pixel's colour is the mean of its samples *as displayed*, weighted by coverage: light-field samplers and mips
+/// interpolate displayed colours, so what they make of a pixel's neighbours in place, angle and size tends to the same
+/// mean. Its depth is that of the surface that most of the covered samples hit (the nearest, if several have as many):
+/// never a mix of two surfaces, which would be a place where nothing is.
+class ViewRenderer {
+ public:
+  /// Keeps references to all of them.
+  ViewRenderer(const models::Model& model, const std::vector<TextureSampler>& textures, const ModelRays& rays,
+               const LightPoints& points, const SurfaceLight& light, int samples);
+
+  [[nodiscard]] Picture render(const objects::lightfield::ObjectCamera& camera, int size,
+                               ModelRays::Among among = ModelRays::Among::kModel) const;
+
+ private:
+  struct Gathered;
+
+  void gather(const objects::lightfield::ObjectCamera& camera, int left, int top, ModelRays::Among among,
+              Gathered& block) const;
+  void shade(const RTCRayHit16& rays, std::size_t lane, float footprint, float* colour) const;
+
+  const models::Model& model_;
+  const std::vector<TextureSampler>& textures_;
+  const ModelRays& rays_;
+  const LightPoints& points_;
+  const SurfaceLight& light_;
+  const int samples_;
+  std::vector<float> display_;         ///< world::toDisplay() * 255 by the leading bits of a float
+  std::vector<float> texelsPerMetre_;  ///< of a triangle's texture; empty if there are no textures
+};
+
+}  // namespace grove::bake

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "world/light.h"
+
+namespace grove::objects::lightfield {
+
+inline constexpr std::size_t kMostLamps = 4;
+
+/// Metres at which a lamp is no longer seen.
+inline constexpr float kLampReach = 7.0F;
+
+/// The point lights that matter most to an object, in its own coordinates and metres.
+[[nodiscard]] std::vector<world::PointLight> chooseLamps(std::span<const world::PointLight> lights,
+                                                         const world::Bounds& worldBounds, const world::Mat4& toObject);
+
+}  // namespace grove::objects::lightfield

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "world/camera.h"
+
+namespace grove::objects::lightfield {
+
+/// Metres: for pixels that show nothing.
+inline constexpr float kRelightFarthest = 1.0e4F;
+
+/// A part of a picture as a raster::Image has it, rows `stride` pixels apart; `rect` is in pixels of `camera`.
+struct PicturePart {
+  std::uint32_t* colour = nullptr;
+  const float* depth = nullptr;
+  std::ptrdiff_t stride = 0;
+  world::Rect rect;
+};
+
+}  // namespace grove::objects::lightfield

@@ -1,0 +1,137 @@
+#include "objects/lightfield/common/view_cell.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace grove::objects::lightfield {
+namespace {
+
+// Focal lengths are rounded up, so that visitors with windows of almost the same size share.
+constexpr float kFocalsPerOctave = 4.0F;
+// A picture is sharper than the farthest eye of its shell needs by at most this step.
+constexpr float kShellsPerOctave = 8.0F;
+// Steps by which an eye may be farther than the eye of a picture: the pixels that are left out then begin to flicker.
+constexpr float kFarther = 2.0F;
+// Of the error, for eyes that are too near or too far. Going to and fro costs little, so the rest is left for going
+// around, which makes the cell about as long as it is wide.
+constexpr float kRadialShare = 0.25F;
+// Eyes of people go around an object more than above it.
+constexpr float kAspect = 2.0F;
+// Chord of the widest cell, in distances: what is far away changes its light with the direction, too.
+constexpr float kWidest = 0.25F;
+// Eyes that are so near to the ball, in radii, have no cell.
+constexpr float kOutside = 1.05F;
+// How far an eye may at most be from that of a picture it is shown for want of time: much of what shows is then
+// missing.
+constexpr float kLeastCosine = 0.5F;
+constexpr float kMostOctaves = 1.0F;
+
+/// How far eyes between two distances may be from the axis of their cell.
+///
+/// Let the ball have radius R around the origin, c be the cell's eye at distance D, and e = c + d another eye, whose
+/// offset d has the length `radial` along the axis through c and `side` across it. Points p and q on one ray from c
+/// that leaves the axis by the angle a lie on its chord through the ball, of length L = 2 sqrt(R^2 - (D sin a)^2). The
+/// distance of e from that ray is h <= side + radial sin a. With x the place along the ray, counted from the foot F of
+/// e on it, p and q are seen from e under the angle
+///     integral of h / (h^2 + x^2) dx from p to q  <=  h (1/x0 - 1/x1)  =  h L / (x0 x1)
+/// where x0 and x1 are the ends of the chord. x0 x1 is the power of F, |F|^2 - R^2, and |F| >= |e| - h. Since
+/// L <= 2R and L sin a <= R^2 / D (largest at D sin a = R / sqrt 2), and sin a <= R / D wherever there is a chord,
+///     angle <= (2 R side + radial R^2 / D) / ((|e| - side - radial R / D)^2 - R^2).
+/// This is the error over the focal length, as wrongness() has it; the function solves for `side`.
+float permittedSide(float ball, float nearest, float axis, float radial, float angle) {
+  const float clear = nearest - radial * ball / axis;
+  const float c = clear * clear - ball * ball - radial * ball * ball / (axis * angle);
+  const float b = clear + ball / angle;
+  return c > 0.0F && clear > 0.0F ? c / (b + std::sqrt(b * b - c)) : 0.0F;
+}
+
+}  // namespace
+
+float wrongness(const ViewGeometry& geometry, world::Vec3 own, world::Vec3 eye, float focal, float errorPixels) {
+  constexpr float kNever = std::numeric_limits<float>::infinity();
+  const float ball = geometry.extent;
+  const world::Vec3 from = own - geometry.target;
+  const world::Vec3 to = eye - geometry.target;
+  const float axis = glm::length(from);
+  const float distance = glm::length(to);
+  const float nearer = std::log2(axis / distance) * kShellsPerOctave;
+  if (!(distance > kOutside * ball && std::abs(nearer) <= kMostOctaves * kShellsPerOctave)) return kNever;
+  if (!(glm::dot(from, to) >= kLeastCosine * axis * distance)) return kNever;
+  const float along = glm::dot(eye - own, from) / axis;
+  const float side = glm::length(eye - own - along * from / axis);
+  const float radial = std::abs(along);
+  // So far aside that the proof says nothing any more, the angle is large all the same.
+  const float clear = std::max(distance - side - radial * ball / axis, kOutside * ball);
+  const float angle = (2.0F * ball * side + radial * ball * ball / axis) / (clear * clear - ball * ball);
+  return std::max({angle * focal / errorPixels, nearer, -nearer / kFarther, side / (kWidest * axis)});
+}
+
+std::optional<ViewCell> viewCell(const ViewGeometry& geometry, world::Vec3 eye, float focal, float errorPixels) {
+  assert(geometry.extent > 0.0F && focal > 0.0F && errorPixels > 0.0F);
+  const float ball = geometry.extent;
+  const world::Vec3 from = eye - geometry.target;
+  const float distance = glm::length(from);
+  if (!(distance > kOutside * ball)) return std::nullopt;
+
+  ViewCell cell;
+  cell.id.error = static_cast<std::int32_t>(std::lround(errorPixels * 64.0F));
+  cell.id.focal = static_cast<std::int32_t>(std::ceil(std::log2(focal) * kFocalsPerOctave - 1.0e-3F));
+  const float sharp = std::max(focal, std::exp2(static_cast<float>(cell.id.focal) / kFocalsPerOctave));
+  const float angle = errorPixels / sharp;
+
+  cell.id.shell = static_cast<std::int32_t>(std::floor(std::log2(distance / ball) * kShellsPerOctave));
+  const float low = ball * std::exp2(static_cast<float>(cell.id.shell) / kShellsPerOctave);
+  const float thickness = low * (std::exp2(1.0F / kShellsPerOctave) - 1.0F);
+  const float power = std::max(low * low - ball * ball, 1.0e-6F * ball * ball);
+  const float layers = std::ceil(0.5F * thickness * ball * ball / (low * power * kRadialShare * angle));
+  if (!(layers < 1.0e6F)) return std::nullopt;
+  const float layer = std::clamp(std::floor((distance - low) / thickness * layers), 0.0F, layers - 1.0F);
+  cell.id.layer = static_cast<std::int32_t>(layer);
+  const float nearest = std::min(distance, low + thickness * layer / layers);
+  const float farthest = std::max(distance, low + thickness * (layer + 1.0F) / layers);
+  const float axis = 0.5F * (nearest + farthest);
+
+  // Eyes off the axis are nearer along it by side^2 / 2 nearest.
+  const float half = farthest - axis;
+  const float guess = std::min(permittedSide(ball, nearest, axis, half, angle), kWidest * farthest);
+  const float radial = half + guess * guess / (2.0F * nearest);
+  const float side = std::min(permittedSide(ball, nearest, axis, radial, angle), guess);
+
+  // A chord across the cell's middle is at most the root of the sum of the squares of its two half sides (haversine
+  // formula), and no eye is farther from the axis than the farthest distance times that chord.
+  const float chord = side / farthest;
+  const float halfBand = chord / std::sqrt(1.0F + kAspect * kAspect);
+  cell.reach = halfBand * nearest * kAspect;
+  if (!(cell.reach >= kLeastReach)) return std::nullopt;
+  constexpr float kPi = std::numbers::pi_v<float>;
+  const float bands = std::ceil(0.5F * kPi / halfBand);
+  const float elevation = std::asin(std::clamp(from.y / distance, -1.0F, 1.0F));
+  const float band = std::clamp(std::floor((elevation / kPi + 0.5F) * bands), 0.0F, bands - 1.0F);
+  const float lowest = (band / bands - 0.5F) * kPi;
+  const float highest = ((band + 1.0F) / bands - 0.5F) * kPi;
+  const float widest = lowest < 0.0F && highest > 0.0F ? 1.0F : std::max(std::cos(lowest), std::cos(highest));
+  const float columns = std::max(1.0F, std::ceil(kPi * widest / (kAspect * halfBand)));
+  const float azimuth = std::atan2(from.x, from.z) / (2.0F * kPi) + 0.5F;
+  const float column = std::clamp(std::floor(azimuth * columns), 0.0F, columns - 1.0F);
+  cell.id.band = static_cast<std::int32_t>(band);
+  cell.id.column = static_cast<std::int32_t>(column);
+
+  const float up = 0.5F * (lowest + highest);
+  const float around = ((column + 0.5F) / columns - 0.5F) * 2.0F * kPi;
+  const world::Vec3 direction(std::cos(up) * std::sin(around), std::sin(up), std::cos(up) * std::cos(around));
+  ViewGeometry aimed = geometry;
+  aimed.centre = geometry.target;
+  aimed.radius = axis;
+  const ViewCamera camera = viewCamera(aimed, direction);
+  // A point of the ball is farther from the cell's eye than from another one by at most what lies between the eyes.
+  const float size = std::ceil(sharp / camera.focal * (1.0F + (side + radial) / (nearest - ball)));
+  if (!(size <= static_cast<float>(kMostCellSize))) return std::nullopt;
+  cell.size = static_cast<int>(size);
+  cell.camera = objectCamera(camera, cell.size);
+  return cell;
+}
+
+}  // namespace grove::objects::lightfield

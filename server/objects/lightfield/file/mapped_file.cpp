@@ -1,0 +1,42 @@
+#include "objects/lightfield/file/mapped_file.h"
+
+#include <sys/mman.h>
+
+#include <cerrno>
+#include <cstdint>
+#include <limits>
+#include <system_error>
+
+#include "base/error.h"
+#include "base/log.h"
+#include "base/plain_file.h"
+
+namespace grove::objects::lightfield {
+
+MappedFile::MappedFile(const std::filesystem::path& file)
+    : cutMessage_(file.string() +
+                  ": became shorter while it was served, or its disk fails: parts of it are missing until it is put "
+                  "back and the server started anew") {
+  const PlainFile opened(file, "light fields are made by `grove bake`", std::numeric_limits<std::uint64_t>::max());
+  const auto size = static_cast<std::size_t>(opened.bytes());
+  if (size == 0) return;
+  void* const address = mmap(nullptr, size, PROT_READ, MAP_SHARED, opened.descriptor(), 0);
+  if (address == MAP_FAILED) {
+    throw EnvironmentError("cannot map it: " + std::generic_category().message(errno), file.string(),
+                           "more address space may be needed (ulimit -v)");
+  }
+  bytes_ = {static_cast<const std::byte*>(address), size};
+  guard_.emplace(bytes_);
+}
+
+MappedFile::~MappedFile() {
+  guard_.reset();
+  // munmap wants the pointer that mmap gave.
+  if (!bytes_.empty()) munmap(const_cast<std::byte*>(bytes_.data()), bytes_.size());
+}
+
+void MappedFile::tellOnce() const noexcept {
+  if (!told_.exchange(true)) log::warning(cutMessage_);
+}
+
+}  // namespace grove::objects::lightfield

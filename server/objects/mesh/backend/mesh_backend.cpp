@@ -1,0 +1,93 @@
+#include "objects/mesh/backend/mesh_backend.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "objects/mesh/backend/lighting/mesh_light.h"
+
+namespace grove::objects::mesh {
+namespace {
+
+const MeshModel& modelOf(const world::Object& object) { return static_cast<const MeshModel&>(*object.model); }
+
+/// One executor serves all of the type's objects, and GL is bound to threads of its own.
+pipeline::Executor& executorOf(const node::BackendServices& services, world::TypeIndex self) {
+  const bool anyByGl = std::ranges::any_of(services.world.objects(), [&](const world::Object& object) {
+    return object.type == self &&
+           raster::resolved(modelOf(object).renderer(), services.gl) == raster::RendererKind::kGl;
+  });
+  return raster::executorFor(anyByGl ? raster::RendererKind::kGl : raster::RendererKind::kSimd, services.gl,
+                             services.workers);
+}
+
+}  // namespace
+
+MeshBackend::Entry::Entry(const world::Object& object, raster::RendererKind kind)
+    : lit{modelOf(object).surface(), {}, true},
+      points(lit.surface),
+      toWorld(object.transform.matrix()),
+      renderer(kind) {}
+
+MeshBackend::MeshBackend(const node::BackendServices& services, world::TypeIndex self)
+    : executor_(executorOf(services, self)), held_(services.memory, "surfaces", "mesh", pipeline::Work::kAcrossUser) {
+  for (const world::Object& object : services.world.objects()) {
+    if (object.type != self) continue;
+    const raster::RendererKind kind = raster::resolved(modelOf(object).renderer(), services.gl);
+    entries_.try_emplace(object.id, object, kind);
+    std::unique_ptr<raster::MeshRenderer>& renderer = renderers_[kind];
+    if (!renderer) renderer = raster::makeRenderer(kind, services.gl, services.images, {services.memory, "mesh"});
+  }
+  std::vector<PlacedMesh> meshes;
+  std::vector<std::vector<world::Vec4>*> lights;
+  for (const world::Object& object : services.world.objects()) {
+    if (object.type != self) continue;
+    Entry& entry = entries_.at(object.id);
+    meshes.push_back({&entry.lit.surface, entry.toWorld, modelOf(object).shade() != nullptr});
+    lights.push_back(&entry.lit.light);
+  }
+  const auto bytesOf = [](const std::vector<std::vector<world::Vec4>>& all) {
+    std::size_t sum = 0;
+    for (const auto& light : all) sum += pipeline::vectorBytes(light);
+    return sum;
+  };
+  auto light = services.bakedOnce("light of the meshes", bytesOf, [&] { return lightOf(meshes, services); });
+  for (std::size_t i = 0; i < lights.size(); ++i) *lights[i] = std::move(light[i]);
+  std::size_t bytes = 0;
+  for (const auto& [id, entry] : entries_) bytes += entry.lit.bytes() + entry.points.bytes();
+  held_.set(bytes);
+}
+
+MeshBackend::~MeshBackend() = default;
+
+void MeshBackend::answer(std::span<const node::Request> requests, std::span<node::Payload> payloads) {
+  for (const auto& [kind, renderer] : renderers_) answerWith(kind, requests, payloads);
+}
+
+void MeshBackend::answerWith(raster::RendererKind kind, std::span<const node::Request> requests,
+                             std::span<node::Payload> payloads) {
+  std::vector<raster::Drawing> drawings;
+  std::vector<std::size_t> slots;
+  for (std::size_t i = 0; i < requests.size(); ++i) {
+    const node::VisibleObject& visible = requests[i].visible();
+    const auto it = entries_.find(visible.object.id);
+    if (it == entries_.end()) {
+      payloads[i] = node::Failure{"no such mesh: " + visible.object.name};
+      continue;
+    }
+    const Entry& entry = it->second;
+    if (entry.renderer != kind) continue;
+    raster::Drawing& drawing = drawings.emplace_back();
+    drawing.object = &entry.lit;
+    drawing.camera = &requests[i].view().camera;
+    drawing.rect = raster::screenBox(entry.points, entry.toWorld, *drawing.camera, visible.rect);
+    drawing.distance = visible.distance / visible.object.transform.scale;
+    drawing.bones[0] = entry.toWorld;
+    drawing.lamps = raster::chooseLamps(requests[i].view().lights, visible.object.bounds);
+    slots.push_back(i);
+  }
+  std::vector<std::shared_ptr<const raster::Image>> images(drawings.size());
+  renderers_.at(kind)->render(drawings, images);
+  for (std::size_t i = 0; i < slots.size(); ++i) payloads[slots[i]] = std::move(images[i]);
+}
+
+}  // namespace grove::objects::mesh

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <map>
+#include <memory>
+
+#include "node/object_type.h"
+#include "objects/mesh/backend/mesh_model.h"
+#include "raster/drawing.h"
+#include "raster/simd/screen_box.h"
+
+namespace grove::objects::mesh {
+
+/// The rendering node of all meshes: bakes their light once for everybody, then draws views of them.
+class MeshBackend final : public node::BackendHalf {
+ public:
+  /// Bakes on the services' workers and waits for them, so not on one of those.
+  MeshBackend(const node::BackendServices& services, world::TypeIndex self);
+  ~MeshBackend() override;
+
+  [[nodiscard]] node::NodeKind kind() const override { return node::NodeKind::kRendering; }
+  /// The GL workers if any object is drawn by GL, else the workers of everything.
+  [[nodiscard]] pipeline::Executor& executor() override { return executor_; }
+  [[nodiscard]] int concurrency() const override { return executor_.width(); }
+  /// On the executor; safe to call from several of its threads at once.
+  void answer(std::span<const node::Request> requests, std::span<node::Payload> payloads) override;
+
+ private:
+  struct Entry {
+    Entry(const world::Object& object, raster::RendererKind kind);
+    raster::LitSurface lit;
+    raster::PointCloud points;
+    world::Mat4 toWorld;
+    raster::RendererKind renderer;
+  };
+  void answerWith(raster::RendererKind kind, std::span<const node::Request> requests,
+                  std::span<node::Payload> payloads);
+
+  std::map<world::ObjectId, Entry> entries_;
+  std::map<raster::RendererKind, std::unique_ptr<raster::MeshRenderer>> renderers_;
+  pipeline::Executor& executor_;
+  pipeline::HeldMemory held_;
+};
+
+}  // namespace grove::objects::mesh

@@ -1,0 +1,193 @@
+#include "objects/fluid/frontend/smoke_renderer.h"
+
+#include <gtest/gtest.h>
+
+#include "objects/fluid/frontend/smoke_scene.h"
+
+namespace grove::objects::fluid::testing {
+namespace {
+
+constexpr float kNoBudget = 1e9F;
+
+/// Thick lit smoke between dark smoke, so close that they overlap on the screen.
+std::shared_ptr<FluidSnapshot> lightBeforeDark() {
+  auto snapshot = std::make_shared<FluidSnapshot>();
+  for (int i = 0; i < 40; ++i) {
+    add(*snapshot, {.at = {0.0F, 1.7F, 1.0F}, .light = 1.0F});
+    add(*snapshot, {.at = {0.0F, 1.7F, -1.0F}, .light = 0.0F});
+  }
+  return snapshot;
+}
+
+TEST(SmokeRenderer, NearerSmokeHidesFartherSmokeFromEverySide) {
+  const auto snapshot = lightBeforeDark();
+  const auto brightness = [&](world::Vec3 from) {
+    SmokeRenderer renderer(kNoBudget);
+    Frame frame(161, 91, kGrey, world::kInfiniteDepth);
+    draw(renderer, snapshot, lookAt(from, {0.0F, 1.7F, 0.0F}, 161, 91), frame);
+    return frame.channel(80, 45, 8);
+  };
+  const int litInFront = brightness({0.0F, 1.7F, 6.0F});
+  const int darkInFront = brightness({0.0F, 1.7F, -6.0F});
+  EXPECT_GT(litInFront, darkInFront + 40);
+}
+
+TEST(SmokeRenderer, TurningNeverJumps) {
+  const auto snapshot = makePlume(3000);
+  SmokeRenderer renderer;
+  Frame before(160, 90, kGrey, world::kInfiniteDepth);
+  double most = 0.0;
+  double sum = 0.0;
+  for (int i = 0; i <= 720; ++i) {
+    const float angle = glm::radians(0.5F * static_cast<float>(i));
+    const world::Vec3 from{7.0F * std::sin(angle), 1.7F, 7.0F * std::cos(angle)};
+    Frame frame(160, 90, kGrey, world::kInfiniteDepth);
+    draw(renderer, snapshot, lookAt(from, {0.0F, 2.5F, 0.0F}, 160, 90), frame);
+    if (i > 0) {
+      const double step = meanDifference(before, frame);
+      most = std::max(most, step);
+      sum += step;
+    }
+    before.colours = frame.colours;
+    before.image.colour = before.colours;
+  }
+  EXPECT_GT(sum, 0.0);
+  EXPECT_LT(most, 3.0 * sum / 720.0) << "a step differs by " << most << ", the mean one by " << sum / 720.0;
+}
+
+TEST(SmokeRenderer, HiddenBehindASurfaceAndSeenBeforeIt) {
+  const auto snapshot = makePlume(500);
+  const node::View view = lookAt({0.0F, 1.7F, 8.0F}, {0.0F, 2.0F, 0.0F}, 320, 180);
+  for (const float budget : {kNoBudget, 1000.0F}) {
+    SmokeRenderer renderer(budget);
+    Frame behind(320, 180, kGrey, 4.0F);
+    draw(renderer, snapshot, view, behind);
+    EXPECT_EQ(std::ranges::count(behind.colours, kGrey), 320 * 180);
+    Frame before(320, 180, kGrey, 20.0F);
+    draw(renderer, snapshot, view, before);
+    EXPECT_LT(std::ranges::count(before.colours, kGrey), 320 * 180 - 1000);
+  }
+}
+
+TEST(SmokeRenderer, SilhouettesStayCrisp) {
+  const auto snapshot = makePlume(1500);
+  const node::View view = lookAt({0.0F, 1.7F, 8.0F}, {0.0F, 2.0F, 0.0F}, 320, 180);
+  constexpr int kEdge = 159;
+  for (const float budget : {kNoBudget, 1.0F}) {
+    SmokeRenderer renderer(budget);
+    Frame whole(320, 180, kGrey, 100.0F);
+    draw(renderer, snapshot, view, whole);
+    Frame frame(320, 180, kGrey, 100.0F);
+    for (int y = 0; y < 180; ++y) std::fill_n(frame.image.depthRow(y), kEdge, 3.0F);
+    draw(renderer, snapshot, view, frame);
+    for (int y = 0; y < 180; ++y) {
+      ASSERT_EQ(frame.channel(kEdge - 1, y, 0), 0x60) << "smoke leaks onto the stone at row " << y;
+      ASSERT_LT(std::abs(frame.channel(kEdge, y, 0) - whole.channel(kEdge, y, 0)), 24) << "a halo at row " << y;
+    }
+  }
+}
+
+TEST(SmokeRenderer, StretchedAlongTheVelocity) {
+  const auto moments = [](world::Vec3 velocity) {
+    auto snapshot = std::make_shared<FluidSnapshot>();
+    for (int i = 0; i < 10; ++i) add(*snapshot, {.at = {0.0F, 1.7F, 0.0F}, .velocity = velocity});
+    SmokeRenderer renderer(kNoBudget);
+    Frame frame(320, 180, kGrey, world::kInfiniteDepth);
+    draw(renderer, snapshot, lookAt({0.0F, 1.7F, 3.0F}, {0.0F, 1.7F, 0.0F}, 320, 180), frame);
+    double xx = 0.0;
+    double yy = 0.0;
+    double xy = 0.0;
+    for (int y = 0; y < 180; ++y) {
+      for (int x = 0; x < 320; ++x) {
+        const double weight = std::abs(frame.channel(x, y, 8) - 0x60);
+        xx += weight * (x - 159.5) * (x - 159.5);
+        yy += weight * (y - 89.5) * (y - 89.5);
+        xy += weight * (x - 159.5) * (y - 89.5);
+      }
+    }
+    return world::Vec3(xx, yy, xy);
+  };
+  const world::Vec3 sideways = moments({3.0F, 0.0F, 0.0F});
+  EXPECT_GT(sideways.x, 2.0F * sideways.y);
+  const world::Vec3 upwards = moments({0.0F, 3.0F, 0.0F});
+  EXPECT_GT(upwards.y, 2.0F * upwards.x);
+  const world::Vec3 risingRight = moments({2.0F, 2.0F, 0.0F});
+  EXPECT_LT(risingRight.z, -0.3F * risingRight.x) << "rows count downwards";
+}
+
+TEST(SmokeRenderer, NothingToDraw) {
+  SmokeRenderer renderer;
+  const node::View view = lookAt({0.0F, 1.7F, 8.0F}, {0.0F, 2.0F, 0.0F}, 64, 36);
+  Frame frame(64, 36, kGrey, world::kInfiniteDepth);
+  draw(renderer, std::make_shared<FluidSnapshot>(), view, frame);
+  renderer.draw({}, node::Failure{"no fluid"}, view, frame.image);
+  renderer.draw({}, std::shared_ptr<const node::SimulationData>(), view, frame.image);
+  renderer.draw({}, std::shared_ptr<const raster::Image>(), view, frame.image);
+  draw(renderer, makePlume(200), lookAt({0.0F, 1.7F, 20.0F}, {0.0F, 1.7F, 40.0F}, 64, 36), frame);
+  EXPECT_EQ(std::ranges::count(frame.colours, kGrey), 64 * 36) << "smoke behind the camera shows";
+}
+
+TEST(SmokeRenderer, AnyFrameSizeFromInsideOfThePlume) {
+  const auto snapshot = makePlume(4000);
+  for (const auto& [width, height] : {std::pair{161, 91}, {16, 16}, {1, 1}, {3, 200}, {17, 5}, {641, 361}}) {
+    for (const float budget : {kNoBudget, 1.0F, SmokeRenderer::kUsualBudget}) {
+      SmokeRenderer renderer(budget);
+      for (const float pitchTo : {0.0F, 2.0F, 4.0F}) {
+        Frame frame(width, height, kGrey, world::kInfiniteDepth);
+        draw(renderer, snapshot, lookAt({0.05F, 2.0F, 0.1F}, {0.3F, pitchTo, -1.0F}, width, height), frame);
+        for (const std::uint32_t pixel : frame.colours) ASSERT_EQ(pixel >> 24U, 255U);
+        EXPECT_LT(std::ranges::count(frame.colours, 0xFF000000U), 1) << "not a number becomes black";
+      }
+    }
+  }
+}
+
+TEST(SmokeRenderer, CoarserDetailGivesNearlyTheSamePicture) {
+  const auto snapshot = makePlume(8000);
+  const node::View view = lookAt({0.0F, 1.7F, 8.0F}, {0.0F, 2.5F, 0.0F}, 1280, 720);
+  const auto picture = [&](float budget, Frame& frame) {
+    SmokeRenderer renderer(budget);
+    draw(renderer, snapshot, view, frame);
+    return renderer.detail();
+  };
+  Frame clean(1280, 720, kGrey, world::kInfiniteDepth);
+  Frame finest(1280, 720, kGrey, world::kInfiniteDepth);
+  EXPECT_EQ(picture(kNoBudget, finest).scale, 2);
+  Frame usual(1280, 720, kGrey, world::kInfiniteDepth);
+  picture(SmokeRenderer::kUsualBudget, usual);
+  Frame coarse(1280, 720, kGrey, world::kInfiniteDepth);
+  EXPECT_EQ(picture(60'000.0F, coarse).scale, 4);
+  const double smoke = meanDifference(clean, finest);
+  EXPECT_GT(smoke, 2.0);
+  EXPECT_LT(meanDifference(finest, usual), 0.15 * smoke);
+  EXPECT_LT(meanDifference(finest, coarse), 0.15 * smoke);
+}
+
+TEST(SmokeRenderer, MovesOnBetweenTicks) {
+  auto snapshot = std::make_shared<FluidSnapshot>();
+  add(*snapshot, {.at = {0.0F, 1.7F, 0.0F}, .velocity = {2.0F, 0.0F, 0.0F}});
+  snapshot->time = 10.0;
+  const auto middle = [&](double time) {
+    SmokeRenderer renderer(kNoBudget);
+    node::View view = lookAt({0.0F, 1.7F, 4.0F}, {0.0F, 1.7F, 0.0F}, 320, 180);
+    view.time = time;
+    Frame frame(320, 180, 0xFF000000U, world::kInfiniteDepth);
+    draw(renderer, snapshot, view, frame);
+    double sum = 0.0;
+    double weight = 0.0;
+    for (int y = 0; y < 180; ++y) {
+      for (int x = 0; x < 320; ++x) {
+        sum += x * frame.channel(x, y, 8);
+        weight += frame.channel(x, y, 8);
+      }
+    }
+    return sum / weight;
+  };
+  const double pixelsPerMetre = lookAt({}, {0.0F, 0.0F, -1.0F}, 320, 180).camera.focal() / 4.0;
+  EXPECT_NEAR(middle(10.05) - middle(10.0), 0.1 * pixelsPerMetre, 1.0);
+  EXPECT_NEAR(middle(50.0) - middle(10.0), 0.2 * pixelsPerMetre, 1.5) << "a late tick stands still";
+  EXPECT_NEAR(middle(9.0), middle(10.0), 0.01) << "never back in time";
+}
+
+}  // namespace
+}  // namespace grove::objects::fluid::testing

@@ -1,0 +1,75 @@
+#include "objects/ground/backend/clearing_bake.h"
+
+#include <gtest/gtest.h>
+
+#include "world/light.h"
+
+namespace grove::objects::ground {
+namespace {
+
+/// An upright box of 1.2 m by 3 m around a point.
+world::Triangles pillar(world::Vec3 at) {
+  world::Triangles box;
+  for (const world::Vec3 corner :
+       world::Bounds{at + world::Vec3(-0.6F, 0, -0.6F), at + world::Vec3(0.6F, 3, 0.6F)}.corners()) {
+    box.positions.push_back(corner);
+  }
+  box.indices = {{0, 1, 3}, {0, 3, 2}, {4, 6, 7}, {4, 7, 5}, {0, 4, 5}, {0, 5, 1},
+                 {2, 3, 7}, {2, 7, 6}, {0, 2, 6}, {0, 6, 4}, {1, 5, 7}, {1, 7, 3}};
+  return box;
+}
+
+struct Soil {
+  float sun, sky, dry, grass;
+};
+
+Soil soilAt(const Clearing& clearing, world::Vec3 point) {
+  const auto size = static_cast<float>(clearing.pyramid.size());
+  const auto index = [&](float metres) { return static_cast<int>((metres / clearing.metres + 0.5F) * size); };
+  const std::uint32_t texel = clearing.pyramid.level(0)[index(point.z) * clearing.pyramid.size() + index(point.x)];
+  const auto channel = [&](unsigned shift) { return static_cast<float>((texel >> shift) & 0xFFU) / 255.0F; };
+  return {channel(0), channel(8), channel(16), channel(24)};
+}
+
+class ClearingBake : public testing::Test {
+ protected:
+  const world::Vec3 stone{6.0F, 0.0F, 2.0F};
+  const world::Triangles solids = pillar(stone);
+  const world::RayScene rays{solids};
+  const ClearingOptions options{.size = 256, .metres = 40.0F};
+  const Clearing clearing = bakeClearing(options, solids, rays, [](float) {});
+  const world::Vec3 sunward = glm::normalize(world::sunDirection() * world::Vec3(1, 0, 1));
+};
+
+TEST_F(ClearingBake, TheShadowFallsAwayFromTheSun) {
+  for (const float metres : {2.0F, 4.0F, 6.0F}) {
+    EXPECT_LT(soilAt(clearing, stone - sunward * metres).sun, 0.1F) << metres;
+    EXPECT_GT(soilAt(clearing, stone + sunward * metres).sun, 0.9F) << metres;
+  }
+  // Longer than the stone's height over the sun's tangent there is none.
+  EXPECT_GT(soilAt(clearing, {-18.0F, 0.0F, 15.0F}).sun, 0.9F);
+}
+
+TEST_F(ClearingBake, TheShadowsEdgeIsSoft) {
+  const world::Vec3 aside(-sunward.z, 0.0F, sunward.x);
+  int between = 0;
+  for (float offset = -3.0F; offset <= 3.0F; offset += 0.05F) {
+    const float sun = soilAt(clearing, stone - sunward * 9.0F + aside * offset).sun;
+    if (sun > 0.1F && sun < 0.9F) ++between;
+  }
+  EXPECT_GT(between, 2);
+}
+
+TEST_F(ClearingBake, StonesDarkenTheSkyAtTheirFeet) {
+  const world::Vec3 aside(-sunward.z, 0.0F, sunward.x);
+  EXPECT_LT(soilAt(clearing, stone + aside * 1.2F).sky, 0.85F);
+  EXPECT_GT(soilAt(clearing, {-10.0F, 0.0F, -10.0F}).sky, 0.99F);
+}
+
+TEST_F(ClearingBake, NoGrassGrowsAtTheFire) {
+  EXPECT_LT(soilAt(clearing, {0.3F, 0.0F, -0.2F}).grass, 0.02F);
+  EXPECT_GT(soilAt(clearing, {-10.0F, 0.0F, -10.0F}).grass, 0.3F);
+}
+
+}  // namespace
+}  // namespace grove::objects::ground

@@ -1,0 +1,132 @@
+#include "objects/lightfield/backend/picture_budget.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <random>
+
+namespace grove::objects::lightfield {
+namespace {
+
+constexpr double kRate = 1.0e6;  // texels a second
+constexpr std::int64_t kPicture = 10000;
+constexpr float kNothing = std::numeric_limits<float>::infinity();
+
+node::View viewOf(node::SessionId session, node::FrameNumber frame, double time, std::size_t visitors = 1) {
+  node::View view;
+  view.session = session;
+  view.frame = frame;
+  view.time = time;
+  view.players.resize(visitors);
+  return view;
+}
+
+/// How many pictures the frame may make.
+int takes(PictureBudget& budget, const node::View& view, float wrong) {
+  int made = 0;
+  while (made < 10000 && budget.take(view, kPicture, wrong)) ++made;
+  return made;
+}
+
+TEST(PictureBudget, AFrameMakesTwoOfWhatIsHardlyWrongAndAllOfWhatIsWrong) {
+  PictureBudget budget(kRate);
+  for (node::FrameNumber frame = 1; frame < 5; ++frame) {
+    const node::View view = viewOf(1, frame, frame);
+    EXPECT_EQ(takes(budget, view, 1.5F), PictureBudget::kMostNewPictures);
+    EXPECT_TRUE(budget.take(view, kPicture, 1.01F * PictureBudget::kLateness));
+  }
+}
+
+TEST(PictureBudget, FramesInFlightThatTakeTurnsMakeTwoEach) {
+  PictureBudget budget(kRate);
+  int made = 0;
+  for (int turn = 0; turn < 4; ++turn) {
+    for (node::FrameNumber frame = 5; frame < 8; ++frame) made += budget.take(viewOf(1, frame, 5.0), 100, 1.5F) ? 1 : 0;
+  }
+  EXPECT_EQ(made, 3 * PictureBudget::kMostNewPictures);
+}
+
+TEST(PictureBudget, TheBucketHoldsAQuarterOfASecondAndFillsByTheWorldsClock) {
+  PictureBudget budget(kRate);
+  EXPECT_EQ(takes(budget, viewOf(1, 1, 10.0), kNothing), 25);
+  EXPECT_EQ(takes(budget, viewOf(1, 2, 10.0), kNothing), 0) << "another frame alone gives nothing";
+  EXPECT_EQ(takes(budget, viewOf(1, 3, 10.125), kNothing), 13) << "the last one on credit";
+  EXPECT_EQ(takes(budget, viewOf(1, 4, 10.0625), kNothing), 0) << "a frame that was overtaken gives nothing twice";
+  EXPECT_EQ(takes(budget, viewOf(1, 5, 100.0), kNothing), 49) << "the bucket and the pot, however long it took";
+}
+
+TEST(PictureBudget, WhatIsWrongerMayEmptyItMore) {
+  const auto taken = [](float wrong) {
+    PictureBudget budget(kRate);
+    return takes(budget, viewOf(1, 1, 0.0), wrong);
+  };
+  EXPECT_NEAR(taken(4.0F), 25 * (1.0 - 0.5 / 4.0), 1.0);
+  EXPECT_NEAR(taken(10.0F), 25 * (1.0 - 0.5 / 10.0), 1.0);
+  EXPECT_EQ(taken(kNothing), 25);
+}
+
+TEST(PictureBudget, AllVisitorsHaveEqualSharesAndWhatOthersLeave) {
+  PictureBudget busy(kRate);
+  for (node::SessionId visitor = 1; visitor <= 5; ++visitor) (void)busy.take(viewOf(visitor, 1, 0.0, 5), 0, kNothing);
+  for (node::SessionId visitor = 1; visitor <= 5; ++visitor) {
+    EXPECT_EQ(takes(busy, viewOf(visitor, 2, 0.25, 5), kNothing), visitor == 1 ? 9 : 5)
+        << "the first came with a full one";
+  }
+  EXPECT_EQ(takes(busy, viewOf(1, 3, 0.45, 5), kNothing), 4);
+  PictureBudget calm(kRate);
+  for (node::SessionId visitor = 1; visitor <= 5; ++visitor) (void)calm.take(viewOf(visitor, 1, 0.0, 5), 0, kNothing);
+  for (node::SessionId visitor = 2; visitor <= 5; ++visitor) {
+    (void)calm.take(viewOf(visitor, 2, 0.25, 5), 0, kNothing);
+    (void)calm.take(viewOf(visitor, 3, 0.35, 5), 0, kNothing);
+  }
+  EXPECT_NEAR(takes(calm, viewOf(1, 2, 0.35, 5), kNothing), 5 + 2 + 4 * 2 + 5, 1);
+}
+
+/// Or eight who come at once wait for one another's pictures.
+TEST(PictureBudget, WhoComesWhileOthersAreHereBeginsWithNothing) {
+  PictureBudget budget(kRate);
+  EXPECT_EQ(takes(budget, viewOf(1, 1, 0.0), kNothing), 25) << "nobody is held up";
+  EXPECT_EQ(takes(budget, viewOf(2, 1, 0.0, 2), kNothing), 0);
+  EXPECT_EQ(takes(budget, viewOf(2, 2, 0.25, 2), kNothing), 13) << "the last one on credit";
+}
+
+TEST(PictureBudget, DebtsArePaidFirst) {
+  PictureBudget budget(kRate);
+  EXPECT_EQ(takes(budget, viewOf(1, 1, 0.0), kNothing), 25);
+  for (int i = 0; i < 10; ++i) budget.owe(viewOf(1, 1, 0.0), kPicture);
+  EXPECT_FALSE(budget.take(viewOf(1, 2, 0.0625), kPicture, kNothing));
+  EXPECT_TRUE(budget.take(viewOf(1, 3, 0.125), kPicture, kNothing));
+}
+
+TEST(PictureBudget, AMinuteOfEightVisitorsAtFourFramesASecondTakesNoMore) {
+  PictureBudget budget(kRate);
+  std::mt19937 dice(7);
+  std::uniform_real_distribution<float> wrongs(0.5F, 12.0F);
+  std::uniform_int_distribution<std::int64_t> sizes(1000, 120000);
+  constexpr std::size_t kVisitors = 8;
+  constexpr double kSeconds = 60.0;
+  std::int64_t taken = 0;
+  for (node::FrameNumber frame = 0; frame < 4 * kSeconds; ++frame) {
+    for (node::SessionId visitor = 1; visitor <= kVisitors; ++visitor) {
+      // The first does not walk.
+      if (visitor == 1 && frame % 8 != 0) continue;
+      const node::View view = viewOf(visitor, frame, 0.25 * frame, kVisitors);
+      for (int object = 0; object < 12; ++object) {
+        const float wrong = object == 0 ? kNothing : wrongs(dice);
+        const std::int64_t texels = sizes(dice);
+        if (budget.take(view, texels, wrong)) {
+          taken += texels;
+        } else if (object == 0) {
+          budget.owe(view, texels / 16);
+          taken += texels / 16;
+        }
+      }
+    }
+  }
+  const double most = kRate * (kSeconds + 2.0 * PictureBudget::kBurst) + kVisitors * 120000.0;
+  EXPECT_LE(static_cast<double>(taken), most);
+  EXPECT_GT(static_cast<double>(taken), 0.8 * kRate * kSeconds) << "what there is, is used";
+}
+
+}  // namespace
+}  // namespace grove::objects::lightfield

@@ -1,0 +1,83 @@
+#include "objects/lightfield/backend/sun_grid.h"
+
+#include <gtest/gtest.h>
+
+#include "world/light.h"
+
+namespace grove::objects::lightfield {
+namespace {
+
+using world::Vec3;
+
+class Block final : public world::Model {
+ public:
+  explicit Block(Vec3 size) : size_(size) {}
+  [[nodiscard]] world::Bounds bounds() const override { return {{-size_.x, 0.0F, -size_.z}, size_}; }
+
+ private:
+  Vec3 size_;
+};
+
+world::Object objectOf(Vec3 size, const world::Transform& transform) {
+  world::Object object;
+  object.transform = transform;
+  object.model = std::make_shared<Block>(size);
+  object.bounds = transform.apply(object.model->bounds());
+  return object;
+}
+
+/// A wall across the sun's way, `metres` from the origin, high enough to hide the sun from y < `height` there.
+world::Triangles wall(float metres, float height, float halfWidth = 50.0F) {
+  const Vec3 sun = world::sunDirection();
+  const Vec3 flat = glm::normalize(Vec3(sun.x, 0.0F, sun.z));
+  const Vec3 across(-flat.z, 0.0F, flat.x);
+  const float top = height + metres * sun.y / glm::length(Vec3(sun.x, 0.0F, sun.z));
+  const Vec3 middle = flat * metres;
+  world::Triangles triangles;
+  triangles.positions = {middle - across * halfWidth, middle + across * halfWidth,
+                         middle + across * halfWidth + Vec3(0, top, 0), middle - across * halfWidth + Vec3(0, top, 0)};
+  triangles.indices = {{0, 1, 2}, {0, 2, 3}};
+  return triangles;
+}
+
+TEST(SunGrid, TheOpenIsAllSun) {
+  const SunGrid grid = makeSunGrid(objectOf({2, 1, 2}, {}), world::RayScene({}));
+  EXPECT_TRUE(grid.whole);
+  EXPECT_EQ(grid.sun.size(), static_cast<std::size_t>(grid.cells[0] * grid.cells[1] * grid.cells[2]));
+}
+
+TEST(SunGrid, AWallHidesWhatIsLowAndNotWhatIsHigh) {
+  const SunGrid grid = makeSunGrid(objectOf({1, 4, 1}, {}), world::RayScene(wall(6.0F, 1.5F)));
+  EXPECT_FALSE(grid.whole);
+  const auto at = [&](int y) {
+    const int x = grid.cells[0] / 2;
+    const int z = grid.cells[2] / 2;
+    return grid.sun[static_cast<std::size_t>((z * grid.cells[1] + y) * grid.cells[0] + x)];
+  };
+  EXPECT_EQ(at(0), 0.0F);
+  EXPECT_EQ(at(grid.cells[1] - 1), 1.0F);
+}
+
+TEST(SunGrid, TheObjectsOwnBodyIsLeftOut) {
+  EXPECT_TRUE(makeSunGrid(objectOf({3, 4, 3}, {}), world::RayScene(wall(1.0F, 2.0F, 1.0F))).whole);
+}
+
+TEST(SunGrid, ATurnedAndScaledObjectIsMeasuredWhereItStands) {
+  // The wall's shadow ends at a height of 1.5 m in the world; this object's own metres are two of the world's.
+  const world::Object object = objectOf({1, 4, 1}, {{0, 0, 0}, 2.0F, 2.0F});
+  const SunGrid grid = makeSunGrid(object, world::RayScene(wall(9.0F, 1.5F)));
+  const int x = grid.cells[0] / 2;
+  const int z = grid.cells[2] / 2;
+  for (int y = 0; y < grid.cells[1]; ++y) {
+    const float height = 2.0F * (static_cast<float>(y) / grid.perMetre.y);
+    const float sun = grid.sun[static_cast<std::size_t>((z * grid.cells[1] + y) * grid.cells[0] + x)];
+    if (height < 0.8F) {
+      EXPECT_EQ(sun, 0.0F) << height;
+    } else if (height > 2.2F) {
+      EXPECT_EQ(sun, 1.0F) << height;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace grove::objects::lightfield

@@ -1,0 +1,78 @@
+#include "objects/mesh/backend/bench.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <future>
+#include <utility>
+
+namespace grove::objects::mesh {
+
+world::Object makeObject(world::ObjectId id, raster::Surface surface, raster::RendererKind renderer,
+                         world::Vec3 position) {
+  world::Object object;
+  object.id = id;
+  object.name = "object " + std::to_string(id);
+  object.transform.position = position;
+  object.model = std::make_shared<MeshModel>(std::move(surface), renderer);
+  object.bounds = object.transform.apply(object.model->bounds());
+  return object;
+}
+
+world::World::Layout layoutOf(std::vector<world::Object> objects) {
+  world::World::Layout layout;
+  layout.objects = std::move(objects);
+  return layout;
+}
+
+std::shared_ptr<node::FrameList> look(const world::Camera& camera, const std::vector<world::Object>& objects) {
+  auto view = std::make_shared<node::View>();
+  view->camera = camera;
+  auto list = std::make_shared<node::FrameList>();
+  list->view = view;
+  for (const world::Object& object : objects) {
+    list->objects.push_back(
+        {object, camera.screenRect(object.bounds), glm::distance(object.bounds.centre(), camera.pose.position)});
+  }
+  return list;
+}
+
+std::vector<node::Payload> ask(node::BackendHalf& half, const std::vector<node::Request>& requests) {
+  std::vector<node::Payload> payloads(requests.size());
+  std::promise<void> done;
+  half.executor().post([&] {
+    try {
+      half.answer(requests, payloads);
+      done.set_value();
+    } catch (...) {
+      done.set_exception(std::current_exception());
+    }
+  });
+  done.get_future().get();
+  return payloads;
+}
+
+std::shared_ptr<const raster::Image> imageOf(const node::Payload& payload) {
+  const auto* image = std::get_if<std::shared_ptr<const raster::Image>>(&payload);
+  EXPECT_NE(image, nullptr);
+  return image == nullptr || *image == nullptr ? nullptr : withoutSpans(**image);
+}
+
+std::shared_ptr<const raster::Image> withoutSpans(const raster::Image& image) {
+  raster::ImagePool pool;
+  const std::shared_ptr<raster::Image> whole = pool.acquire(image.rect);
+  std::ranges::fill(whole->colour, 0U);
+  std::ranges::fill(whole->depth, world::kInfiniteDepth);
+  for (int row = 0; row < image.height(); ++row) {
+    const raster::Span span = image.span(row);
+    EXPECT_GE(span.begin, 0);
+    EXPECT_LE(span.end, image.width());
+    for (int x = span.begin; x < span.end; ++x) {
+      whole->colourRow(row)[x] = image.colourRow(row)[x];
+      whole->depthRow(row)[x] = image.depthRow(row)[x];
+    }
+  }
+  return whole;
+}
+
+}  // namespace grove::objects::mesh

@@ -1,0 +1,378 @@
+#include "objects/mesh/backend/mesh_backend.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <future>
+#include <map>
+#include <utility>
+
+#include "objects/mesh/backend/bench.h"
+#include "objects/mesh/backend/shapes/shapes.h"
+#include "raster/box.h"
+
+namespace grove::objects::mesh {
+namespace {
+
+using world::Vec3;
+
+const Vec3 kWhite{0.8F};
+constexpr std::array kRenderers = {raster::RendererKind::kGl, raster::RendererKind::kSimd,
+                                   raster::RendererKind::kEmbree};
+constexpr std::array kFast = {raster::RendererKind::kGl, raster::RendererKind::kSimd};
+
+world::Camera smallCamera() {
+  world::Camera camera;
+  camera.width = 320;
+  camera.height = 180;
+  return camera;
+}
+
+struct Pixel {
+  std::uint32_t colour = 0;
+  float depth = world::kInfiniteDepth;
+};
+
+/// A pixel of the frame; nothing outside of the image's rectangle.
+Pixel at(const raster::Image& image, int x, int y) {
+  const world::Rect& rect = image.rect;
+  if (x < rect.left || y < rect.top || x >= rect.right || y >= rect.bottom) return {};
+  return {image.colourRow(y - rect.top)[x - rect.left], image.depthRow(y - rect.top)[x - rect.left]};
+}
+
+int difference(std::uint32_t a, std::uint32_t b) {
+  int most = 0;
+  for (const unsigned shift : {0U, 8U, 16U, 24U}) {
+    most = std::max(most, std::abs(static_cast<int>((a >> shift) & 0xFFU) - static_cast<int>((b >> shift) & 0xFFU)));
+  }
+  return most;
+}
+
+class MeshBackendTest : public testing::Test {
+ protected:
+  Bench bench_;
+};
+
+/// What holds for each renderer that is fast enough to draw frames.
+class FastRenderers : public testing::TestWithParam<raster::RendererKind> {
+ protected:
+  Bench bench_;
+};
+
+INSTANTIATE_TEST_SUITE_P(Mesh, FastRenderers, testing::ValuesIn(kFast),
+                         [](const auto& kind) { return kind.param == raster::RendererKind::kGl ? "Gl" : "Simd"; });
+
+TEST_F(MeshBackendTest, DepthOfABoxIsExact) {
+  for (const raster::RendererKind kind : kRenderers) {
+    world::World world(layoutOf({makeObject(1, raster::makeBox({2, 3, 1}, kWhite), kind, {0, 0, -7.5F})}));
+    MeshBackend half(bench_.services(world), 0);
+    const auto image = imageOf(ask(half, {{look(smallCamera(), world.objects()), 0}})[0]);
+    ASSERT_NE(image, nullptr);
+    // The eye is at z = 0 and the near side at z = -7.
+    const Pixel middle = at(*image, 160, 90);
+    EXPECT_NEAR(middle.depth, 7.0F, 0.001F);
+    EXPECT_EQ(middle.colour >> 24U, 255U);
+    const Pixel corner = at(*image, image->rect.left + 25, image->rect.top + 25);
+    EXPECT_NEAR(corner.depth, 7.0F, 0.001F);
+  }
+}
+
+TEST_P(FastRenderers, NothingWhereNothingIs) {
+  world::World world(layoutOf({makeObject(1, makeStandingStone({3, 1.2F, 0.7F}, 4), GetParam(), {0, 0, -6})}));
+  MeshBackend half(bench_.services(world), 0);
+  const auto image = imageOf(ask(half, {{look(smallCamera(), world.objects()), 0}})[0]);
+  ASSERT_NE(image, nullptr);
+  std::size_t covered = 0;
+  for (std::size_t i = 0; i < image->colour.size(); ++i) {
+    const bool surface = image->depth[i] < world::kInfiniteDepth;
+    EXPECT_EQ(image->colour[i] >> 24U, surface ? 255U : 0U);
+    if (surface) {
+      ++covered;
+    } else {
+      EXPECT_EQ(image->colour[i], 0U);
+      EXPECT_EQ(image->depth[i], world::kInfiniteDepth);
+    }
+  }
+  EXPECT_GT(covered, 500U);
+  EXPECT_LT(covered, image->colour.size());
+}
+
+/// One kind's pictures of a standing stone and a camp fire by the light of two lamps.
+std::vector<std::shared_ptr<const raster::Image>> twoObjects(Bench& bench, raster::RendererKind kind,
+                                                             const world::Camera& camera) {
+  world::World world(layoutOf({makeObject(1, makeStandingStone({3, 1.4F, 0.8F}, 9), kind, {0.4F, 0, -3.5F}),
+                               makeObject(2, makeLogs({0.32F, 0.75F, 0.75F}, 2), kind, {-1.2F, 0, -2.5F})}));
+  MeshBackend half(bench.services(world), 0);
+  const auto list = look(camera, world.objects());
+  auto lit = std::make_shared<node::View>(*list->view);
+  lit->lights = {{Vec3(-1.2F, 0.7F, -2.5F), Vec3(2.0F, 0.9F, 0.3F)}, {Vec3(1.5F, 1.0F, -1.5F), Vec3(0.1F, 0.3F, 0.8F)}};
+  list->view = lit;
+  std::vector<std::shared_ptr<const raster::Image>> images;
+  for (const node::Payload& payload : ask(half, {{list, 0}, {list, 1}})) images.push_back(imageOf(payload));
+  return images;
+}
+
+void expectSamePicture(const raster::Image& a, const raster::Image& b) {
+  ASSERT_EQ(a.rect, b.rect);
+  std::size_t both = 0;
+  std::size_t oneOnly = 0;
+  double sum = 0.0;
+  std::size_t depthsApart = 0;
+  for (std::size_t i = 0; i < a.colour.size(); ++i) {
+    const bool inA = a.depth[i] < world::kInfiniteDepth;
+    const bool inB = b.depth[i] < world::kInfiniteDepth;
+    if (inA != inB) ++oneOnly;
+    if (!inA || !inB) continue;
+    ++both;
+    sum += difference(a.colour[i], b.colour[i]);
+    if (std::abs(a.depth[i] - b.depth[i]) > 0.005F) ++depthsApart;
+  }
+  ASSERT_GT(both, 500U);
+  EXPECT_LT(sum / static_cast<double>(both), 1.0);
+  EXPECT_LT(oneOnly, both / 50);
+  EXPECT_LT(depthsApart, both / 50);
+}
+
+TEST_F(MeshBackendTest, AllRenderersGiveTheSamePicture) {
+  world::Camera camera = smallCamera();
+  camera.pose.pitch = -0.25F;
+  std::map<raster::RendererKind, std::vector<std::shared_ptr<const raster::Image>>> images;
+  for (const raster::RendererKind kind : kRenderers) images[kind] = twoObjects(bench_, kind, camera);
+  for (const auto& [a, b] : {std::pair(raster::RendererKind::kGl, raster::RendererKind::kEmbree),
+                             std::pair(raster::RendererKind::kSimd, raster::RendererKind::kEmbree),
+                             std::pair(raster::RendererKind::kSimd, raster::RendererKind::kGl)}) {
+    for (std::size_t object = 0; object < 2; ++object) {
+      SCOPED_TRACE("object " + std::to_string(object) + " by " + std::to_string(static_cast<int>(a)));
+      expectSamePicture(*images[a][object], *images[b][object]);
+    }
+  }
+}
+
+constexpr Vec3 kRed{0.8F, 0.02F, 0.02F};
+constexpr Vec3 kBlue{0.02F, 0.02F, 0.8F};
+
+/// A square of 2 m whose front looks along the z axis.
+raster::Surface makeSheet(bool hasBack) {
+  raster::Surface sheet;
+  raster::Level& level = sheet.levels.emplace_back();
+  for (const Vec3 normal : {Vec3(0, 0, 1), Vec3(0, 0, -1)}) {
+    for (const Vec3 corner : {Vec3(-1, 0, 0), Vec3(1, 0, 0), Vec3(1, 2, 0), Vec3(-1, 2, 0)}) {
+      sheet.vertices.push_back({.position = corner, .normal = normal, .albedo = normal.z > 0.0F ? kRed : kBlue});
+    }
+  }
+  level.triangles = {{0, 1, 2}, {0, 2, 3}};
+  if (hasBack) level.triangles.insert(level.triangles.end(), {{6, 5, 4}, {7, 6, 4}});
+  level.edge = 2.0F;
+  level.vertexCount = sheet.vertices.size();
+  return sheet;
+}
+
+struct Seen {
+  int pixels = 0;
+  int blue = 0;
+};
+
+Seen seen(const raster::Image& image) {
+  Seen seen;
+  for (const std::uint32_t colour : image.colour) {
+    if (colour == 0U) continue;
+    ++seen.pixels;
+    if ((colour >> 16U & 0xFFU) > (colour & 0xFFU)) ++seen.blue;
+  }
+  return seen;
+}
+
+TEST_F(MeshBackendTest, AllRenderersShowFrontsAlone) {
+  for (const raster::RendererKind kind : kRenderers) {
+    for (const bool hasBack : {false, true}) {
+      SCOPED_TRACE(std::to_string(static_cast<int>(kind)) + (hasBack ? ", both sides" : ", one side"));
+      world::World world(layoutOf({makeObject(1, makeSheet(hasBack), kind, {0, 0, -5})}));
+      MeshBackend half(bench_.services(world), 0);
+      world::Camera camera = smallCamera();
+      const auto front = imageOf(ask(half, {{look(camera, world.objects()), 0}})[0]);
+      ASSERT_NE(front, nullptr);
+      EXPECT_GT(seen(*front).pixels, 1000);
+      EXPECT_EQ(seen(*front).blue, 0);
+      camera.pose.position.z = -10.0F;
+      camera.pose.yaw = 3.1415927F;
+      const auto back = imageOf(ask(half, {{look(camera, world.objects()), 0}})[0]);
+      ASSERT_NE(back, nullptr);
+      EXPECT_EQ(seen(*back).pixels > 1000, hasBack);
+      EXPECT_EQ(seen(*back).blue, seen(*back).pixels);
+    }
+  }
+}
+
+TEST_F(MeshBackendTest, TrianglesAcrossTheNearDepthAreClippedAlike) {
+  const world::Bounds box =
+      makeObject(1, makeStandingStone({3, 1.4F, 0.8F}, 9), raster::RendererKind::kSimd, {0.4F, 0, -3.5F}).bounds;
+  const Vec3 before(box.centre().x, 1.2F, box.high.z + 0.3F);
+  const Vec3 within = box.high - 0.04F * box.size();
+  for (const Vec3 eye : {before, within}) {
+    const Vec3 towards = glm::normalize(Vec3(box.centre().x, 1.2F, box.centre().z) - eye);
+    world::Camera camera = smallCamera();
+    camera.pose.position = eye;
+    camera.pose.yaw = std::atan2(-towards.x, -towards.z);
+    camera.pose.pitch = std::asin(towards.y);
+    const auto simd = twoObjects(bench_, raster::RendererKind::kSimd, camera);
+    const auto embree = twoObjects(bench_, raster::RendererKind::kEmbree, camera);
+    SCOPED_TRACE("eye at " + std::to_string(eye.y));
+    expectSamePicture(*simd[0], *embree[0]);
+  }
+}
+
+TEST_F(MeshBackendTest, AnswersAtTheSameTimeAreThoseOneByOne) {
+  world::World world(
+      layoutOf({makeObject(1, makeStandingStone({3, 1.2F, 0.7F}, 4), raster::RendererKind::kSimd, {-1, 0, -5}),
+                makeObject(2, makeRocks({0.5F, 2.4F, 2.0F}, 4), raster::RendererKind::kSimd, {1, 0, -4})}));
+  MeshBackend half(bench_.services(world), 0);
+  EXPECT_EQ(&half.executor(), &bench_.workers);
+  EXPECT_EQ(half.concurrency(), bench_.workers.width());
+  const auto list = look(smallCamera(), world.objects());
+  const std::vector<node::Request> requests = {{list, 0}, {list, 1}};
+  const auto serial = ask(half, requests);
+  constexpr int kRounds = 20;
+  const auto repeated = [&] {
+    std::vector<std::vector<node::Payload>> rounds;
+    for (int i = 0; i < kRounds; ++i) half.answer(requests, rounds.emplace_back(requests.size()));
+    return rounds;
+  };
+  auto first = std::async(std::launch::async, repeated);
+  auto second = std::async(std::launch::async, repeated);
+  for (auto* rounds : {&first, &second}) {
+    for (const auto& payloads : rounds->get()) {
+      for (std::size_t i = 0; i < requests.size(); ++i) {
+        const auto one = imageOf(payloads[i]);
+        const auto alone = imageOf(serial[i]);
+        ASSERT_TRUE(std::ranges::equal(one->colour, alone->colour));
+        ASSERT_TRUE(std::ranges::equal(one->depth, alone->depth));
+      }
+    }
+  }
+}
+
+TEST_F(MeshBackendTest, OneObjectDrawnByGlTakesAllToItsExecutor) {
+  world::World world(
+      layoutOf({makeObject(1, raster::makeBox({1, 1, 1}, kWhite), raster::RendererKind::kSimd, {-1, 0, -5}),
+                makeObject(2, raster::makeBox({1, 1, 1}, kWhite), raster::RendererKind::kGl, {1, 0, -5})}));
+  MeshBackend half(bench_.services(world), 0);
+  EXPECT_EQ(&half.executor(), &bench_.gl);
+  const auto list = look(smallCamera(), world.objects());
+  const auto payloads = ask(half, {{list, 0}, {list, 1}});
+  for (const node::Payload& payload : payloads) EXPECT_NE(imageOf(payload), nullptr);
+}
+
+TEST_F(MeshBackendTest, TheMachineChoosesTheRenderer) {
+  const bool software = bench_.gl.softwareRendered();
+  EXPECT_EQ(raster::resolved(raster::RendererKind::kAuto, bench_.gl),
+            software ? raster::RendererKind::kSimd : raster::RendererKind::kGl);
+  EXPECT_EQ(raster::resolved(raster::RendererKind::kGl, bench_.gl), raster::RendererKind::kGl);
+  EXPECT_EQ(raster::resolved(raster::RendererKind::kEmbree, bench_.gl), raster::RendererKind::kEmbree);
+}
+
+TEST_P(FastRenderers, ACropIsThatPartOfTheWhole) {
+  world::World world(layoutOf({makeObject(1, makeStandingStone({3, 1.2F, 0.7F}, 4), GetParam(), {0, 0, -4})}));
+  MeshBackend half(bench_.services(world), 0);
+  const auto whole = look(smallCamera(), world.objects());
+  const auto part = look(smallCamera(), world.objects());
+  const world::Rect all = whole->objects[0].rect;
+  part->objects[0].rect = {all.left + all.width() / 3, all.top + all.height() / 4, all.right - 12, all.bottom - 30};
+  const auto payloads = ask(half, {{whole, 0}, {part, 0}});
+  const auto large = imageOf(payloads[0]);
+  const auto small = imageOf(payloads[1]);
+  ASSERT_LT(small->rect.width(), large->rect.width());
+  std::size_t apart = 0;
+  for (int y = small->rect.top; y < small->rect.bottom; ++y) {
+    for (int x = small->rect.left; x < small->rect.right; ++x) {
+      const Pixel a = at(*small, x, y);
+      const Pixel b = at(*large, x, y);
+      const bool sameDepth = a.depth == b.depth || std::abs(a.depth - b.depth) < 0.002F;
+      if (difference(a.colour, b.colour) > 2 || !sameDepth) ++apart;
+    }
+  }
+  // Rounding may move an edge across the middle of a pixel.
+  EXPECT_LT(apart, small->colour.size() / 100);
+}
+
+TEST_P(FastRenderers, RequestsOfOneBatchDoNotMix) {
+  world::World world(
+      layoutOf({makeObject(1, raster::makeBox({1, 2, 1}, {0.8F, 0.02F, 0.02F}), GetParam(), {-1, 0, -5}),
+                makeObject(2, raster::makeBox({1, 2, 1}, {0.02F, 0.02F, 0.8F}), GetParam(), {1, 0, -5})}));
+  MeshBackend half(bench_.services(world), 0);
+  world::Camera aside = smallCamera();
+  aside.pose.position = {2, 1.7F, 3};
+  aside.pose.yaw = 0.3F;
+  aside.width = 640;
+  aside.height = 480;
+  const auto first = look(smallCamera(), world.objects());
+  const auto second = look(aside, world.objects());
+  const std::vector<node::Request> requests = {{first, 0}, {second, 1}, {first, 1}, {second, 0}};
+  const auto together = ask(half, requests);
+  for (std::size_t i = 0; i < requests.size(); ++i) {
+    const auto one = imageOf(together[i]);
+    const auto alone = imageOf(ask(half, {requests[i]})[0]);
+    ASSERT_EQ(one->rect, alone->rect);
+    for (std::size_t p = 0; p < one->colour.size(); ++p) {
+      // Where a tile lies in the atlas moves roundings only.
+      ASSERT_LE(difference(one->colour[p], alone->colour[p]), 1) << "request " << i << " pixel " << p;
+      ASSERT_NEAR(one->depth[p], alone->depth[p], 1.0e-4F * one->depth[p]) << "request " << i << " pixel " << p;
+      if (one->colour[p] == 0U) continue;
+      const bool red = (one->colour[p] & 0xFFU) > (one->colour[p] >> 16U & 0xFFU);
+      ASSERT_EQ(red, requests[i].slot == 0) << "request " << i << " pixel " << p;
+    }
+  }
+}
+
+TEST_P(FastRenderers, AnEyeWithinReachOfAnObjectStillSeesIt) {
+  world::World world(layoutOf({makeObject(1, raster::makeBox({1, 1, 12}, kWhite), GetParam(), {0, 0, -2})}));
+  MeshBackend half(bench_.services(world), 0);
+  const auto list = look(smallCamera(), world.objects());
+  ASSERT_EQ(list->objects[0].rect, (world::Rect{0, 0, 320, 180}));
+  const auto image = imageOf(ask(half, {{list, 0}})[0]);
+  EXPECT_EQ(image->rect, (world::Rect{0, 0, 320, 180}));
+  // The box's upper side, 0.7 m below the eye.
+  const float down = -smallCamera().ray(160.5F, 150.5F).y;
+  EXPECT_NEAR(at(*image, 160, 150).depth, 0.7F / down, 0.002F);
+}
+
+TEST_F(MeshBackendTest, ASunlitSideIsBrighterThanAShadedOne) {
+  world::World open(
+      layoutOf({makeObject(1, raster::makeBox({1, 2, 1}, kWhite), raster::RendererKind::kGl, {0, 0, -5})}));
+  const Vec3 towardsSun = world::sunDirection();
+  world::World shaded(
+      layoutOf({makeObject(1, raster::makeBox({1, 2, 1}, kWhite), raster::RendererKind::kGl, {0, 0, -5}),
+                makeObject(2, raster::makeBox({8, 12, 8}, kWhite), raster::RendererKind::kGl,
+                           Vec3(0, 0, -5) + 9.0F * Vec3(towardsSun.x, 0, towardsSun.z))}));
+  world::Camera camera = smallCamera();
+  camera.pose.position = Vec3(-3, 1.7F, -9);
+  camera.pose.yaw = -2.5F;
+  std::vector<double> brightness;
+  for (world::World* world : {&open, &shaded}) {
+    MeshBackend half(bench_.services(*world), 0);
+    const auto image = imageOf(ask(half, {{look(camera, world->objects()), 0}})[0]);
+    double sum = 0.0;
+    double count = 0.0;
+    for (const std::uint32_t colour : image->colour) {
+      if (colour == 0U) continue;
+      sum += colour & 0xFFU;
+      count += 1.0;
+    }
+    ASSERT_GT(count, 100.0);
+    brightness.push_back(sum / count);
+  }
+  EXPECT_GT(brightness[0], brightness[1] * 1.3);
+}
+
+TEST_F(MeshBackendTest, AnUnknownObjectIsAFailure) {
+  world::World world(
+      layoutOf({makeObject(1, raster::makeBox({1, 1, 1}, kWhite), raster::RendererKind::kGl, {0, 0, -5})}));
+  MeshBackend half(bench_.services(world), 0);
+  const auto list =
+      look(smallCamera(), {makeObject(77, raster::makeBox({1, 1, 1}, kWhite), raster::RendererKind::kGl, {0, 0, -5})});
+  EXPECT_TRUE(std::holds_alternative<node::Failure>(ask(half, {{list, 0}})[0]));
+}
+
+}  // namespace
+}  // namespace grove::objects::mesh
