@@ -1,5 +1,5 @@
 /**
- * The messages of server/stream/PROTOCOL.md, version 1: what the page writes and what it reads. Little-endian
+ * The messages of server/stream/protocol/PROTOCOL.md, version 1: what the page writes and what it reads. Little-endian
  * throughout. Reading never trusts the bytes: whatever breaks the protocol throws ProtocolError.
  */
 

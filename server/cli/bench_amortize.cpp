@@ -14,7 +14,7 @@
 #include "cli/prepare_world.h"
 #include "cli/progress.h"
 #include "cli/stop_on_signal.h"
-#include "stream/session.h"
+#include "stream/session/session.h"
 
 namespace grove::cli {
 namespace {

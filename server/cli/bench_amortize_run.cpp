@@ -13,9 +13,9 @@
 #include "node/registry.h"
 #include "node/transport/packed_loopback.h"
 #include "objects/builtin.h"
-#include "stream/headless_session.h"
 #include "stream/load/load_report.h"
-#include "stream/stroll.h"
+#include "stream/session/headless_session.h"
+#include "stream/session/stroll.h"
 #include "world/world.h"
 
 namespace grove::cli {

@@ -17,8 +17,8 @@
 #include "cli/walk_recorder.h"
 #include "gl/shader_library.h"
 #include "objects/builtin.h"
-#include "stream/host.h"
-#include "stream/protocol.h"
+#include "stream/protocol/protocol.h"
+#include "stream/session/host.h"
 #include "world/players.h"
 #include "world/scene_file.h"
 #include "world/walk.h"
@@ -181,7 +181,8 @@ int runBenchEncode(const BenchEncodeOptions& options) {
     recorder.emplace(layout, registry, gl, [&](std::string_view label, float share) { progress.show(label, share); });
     progress.show("drawing a walk", 0.0F);
     KeptFrames moving = recorder->record(*walk, options.seconds, size->width, size->height, stop.token());
-    KeptFrames still = recorder->record(standingWalk(layout), kStandingSeconds, size->width, size->height, stop.token());
+    KeptFrames still =
+        recorder->record(standingWalk(layout), kStandingSeconds, size->width, size->height, stop.token());
     recorder.reset();
     progress.finish();
     const auto measure = [&](const stream::EncoderKind& kind, const EncodeSetting& setting, const std::string& name,

@@ -26,8 +26,8 @@
 #include "objects/builtin.h"
 #include "pipeline/clocks.h"
 #include "pipeline/embedded.h"
-#include "stream/headless_session.h"
-#include "stream/host.h"
+#include "stream/session/headless_session.h"
+#include "stream/session/host.h"
 #include "world/scene_file.h"
 
 namespace grove::cli {

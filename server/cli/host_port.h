@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "stream/listen_address.h"
+#include "stream/web_server/listen_address.h"
 
 namespace grove::cli {
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "cli/light_fields.h"
-#include "stream/protocol.h"
+#include "stream/protocol/protocol.h"
 
 namespace grove::cli {
 

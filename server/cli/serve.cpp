@@ -25,11 +25,11 @@
 #include "gl/workers.h"
 #include "node/registry.h"
 #include "objects/builtin.h"
-#include "stream/descriptor_limit.h"
-#include "stream/listen_address.h"
-#include "stream/origin.h"
-#include "stream/tls_store.h"
-#include "stream/websocket_server.h"
+#include "stream/web_server/access/origin.h"
+#include "stream/web_server/descriptor_limit.h"
+#include "stream/web_server/listen_address.h"
+#include "stream/web_server/tls/tls_store.h"
+#include "stream/web_server/websocket_server.h"
 
 namespace grove::cli {
 namespace {

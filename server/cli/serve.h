@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "gl/context.h"
-#include "stream/address_limits.h"
-#include "stream/host.h"
-#include "stream/tls_certificate.h"
+#include "stream/session/host.h"
+#include "stream/web_server/access/address_limits.h"
+#include "stream/web_server/tls/tls_certificate.h"
 
 namespace grove::cli {
 

@@ -5,7 +5,7 @@
 
 #include "cli/host_port.h"
 #include "cli/stop_on_signal.h"
-#include "stream/load/link_shaper.h"
+#include "stream/load/link/link_shaper.h"
 
 namespace grove::cli {
 

@@ -5,7 +5,7 @@
 #include "base/version.h"
 #include "gl/context.h"
 #include "stream/encode/encoder_registry.h"
-#include "stream/host.h"
+#include "stream/session/host.h"
 
 namespace grove::cli {
 namespace {

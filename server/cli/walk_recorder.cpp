@@ -11,7 +11,7 @@
 #include "base/error.h"
 #include "node/transport/in_process.h"
 #include "pipeline/stage.h"
-#include "stream/host.h"
+#include "stream/session/host.h"
 
 namespace grove::cli {
 namespace {

@@ -12,7 +12,7 @@
 #include "pipeline/timeline.h"
 #include "pipeline/worker_pool.h"
 #include "raster/image.h"
-#include "stream/world_copy.h"
+#include "stream/session/world_copy.h"
 #include "world/walk.h"
 #include "world/world.h"
 

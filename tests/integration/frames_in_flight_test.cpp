@@ -11,7 +11,7 @@
 #include "integration/served_scene.h"
 #include "measure/chrome_trace.h"
 #include "measure/trace_faults.h"
-#include "stream/headless_session.h"
+#include "stream/session/headless_session.h"
 
 namespace grove::integration {
 namespace {

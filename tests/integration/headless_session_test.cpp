@@ -1,4 +1,4 @@
-#include "stream/headless_session.h"
+#include "stream/session/headless_session.h"
 
 #include <gtest/gtest.h>
 

@@ -17,7 +17,7 @@
 #include "objects/lightfield/file/light_field_file.h"
 #include "objects/lightfield/file/small_field.h"
 #include "sanitized.h"
-#include "stream/headless_session.h"
+#include "stream/session/headless_session.h"
 
 namespace grove::integration {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "stream/headless_session.h"
+#include "stream/session/headless_session.h"
 
 namespace grove::integration {
 

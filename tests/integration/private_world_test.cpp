@@ -15,7 +15,7 @@
 #include "node/transport/in_process.h"
 #include "objects/fluid/common/snapshot.h"
 #include "sanitized.h"
-#include "stream/headless_session.h"
+#include "stream/session/headless_session.h"
 
 namespace grove::integration {
 namespace {

@@ -7,7 +7,7 @@
 #include "gl/workers.h"
 #include "node/registry.h"
 #include "objects/builtin.h"
-#include "stream/host.h"
+#include "stream/session/host.h"
 #include "world/scene_file.h"
 
 namespace grove::integration {

@@ -6,7 +6,7 @@ import { Backoff } from '../../web/backoff.js';
 import { Connection } from '../../web/connection.js';
 import { FakeClock } from './fake_clock.mjs';
 
-const golden = JSON.parse(readFileSync(new URL('../stream/golden_messages.json', import.meta.url), 'utf8'));
+const golden = JSON.parse(readFileSync(new URL('../stream/protocol/golden_messages.json', import.meta.url), 'utf8'));
 const bytesOf = (name) => Uint8Array.from(Buffer.from(golden.find((entry) => entry.name === name).hex, 'hex')).buffer;
 const hexOf = (buffer) => Buffer.from(buffer).toString('hex');
 

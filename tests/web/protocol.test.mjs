@@ -15,7 +15,7 @@ import {
   encodeResize,
 } from '../../web/protocol.js';
 
-const golden = JSON.parse(readFileSync(new URL('../stream/golden_messages.json', import.meta.url), 'utf8'));
+const golden = JSON.parse(readFileSync(new URL('../stream/protocol/golden_messages.json', import.meta.url), 'utf8'));
 const bytesOf = (hex) => Uint8Array.from(Buffer.from(hex, 'hex')).buffer;
 const hexOf = (buffer) => Buffer.from(buffer).toString('hex');
 const find = (message) => golden.find((entry) => entry.fields.message === message);

@@ -6,6 +6,8 @@
 #include <tuple>
 #include <utility>
 
+#include "stream/protocol/saturate.h"
+
 namespace grove::stream {
 namespace {
 
@@ -29,11 +31,6 @@ constexpr double kLongRoundTrip = 0.100;
 /// Nobody expects less of a limit than this.
 constexpr double kMinKilobits = 200.0;
 constexpr int kMinLines = 90;
-
-template <class Number>
-Number saturate(double value) {
-  return static_cast<Number>(std::clamp(value, 0.0, static_cast<double>(std::numeric_limits<Number>::max())));
-}
 
 }  // namespace
 

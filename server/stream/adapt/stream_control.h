@@ -10,7 +10,7 @@
 #include "stream/encode/encoder.h"
 #include "stream/encode/encoder_registry.h"
 #include "stream/encode/quantiser_control.h"
-#include "stream/protocol.h"
+#include "stream/protocol/protocol.h"
 #include "world/camera.h"
 
 namespace grove::stream {

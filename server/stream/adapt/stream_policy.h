@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "stream/encode/encoder.h"
-#include "stream/protocol.h"
+#include "stream/protocol/protocol.h"
 
 namespace grove::stream {
 

@@ -1,7 +1,7 @@
 #include "stream/encode/encoder_registry.h"
 #include "stream/encode/h264_encoder.h"
 #include "stream/encode/jpeg_encoder.h"
-#include "stream/protocol.h"
+#include "stream/protocol/protocol.h"
 
 namespace grove::stream {
 

@@ -4,7 +4,7 @@
 #include <cassert>
 #include <utility>
 
-#include "stream/protocol.h"
+#include "stream/protocol/protocol.h"
 
 namespace grove::stream {
 

@@ -8,7 +8,7 @@
 #include <cstring>
 
 #include "base/error.h"
-#include "stream/protocol.h"
+#include "stream/protocol/protocol.h"
 
 namespace grove::stream {
 namespace {

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "base/error.h"
-#include "stream/protocol.h"
+#include "stream/protocol/protocol.h"
 
 namespace grove::stream {
 namespace {

@@ -11,11 +11,11 @@
 
 #include "base/error.h"
 #include "base/log.h"
-#include "stream/load/link_shaper.h"
+#include "stream/load/link/link_shaper.h"
 #include "stream/load/load_visitor.h"
-#include "stream/printable.h"
-#include "stream/tls_listener.h"
-#include "stream/wsi.h"
+#include "stream/protocol/printable.h"
+#include "stream/web_server/tls/tls_listener.h"
+#include "stream/web_server/wsi.h"
 #include "world/world.h"
 
 namespace grove::stream {

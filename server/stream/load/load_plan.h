@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "stream/load/link_profile.h"
-#include "stream/protocol.h"
+#include "stream/load/link/link_profile.h"
+#include "stream/protocol/protocol.h"
 #include "world/walk.h"
 
 namespace grove::stream {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "stream/protocol.h"
+#include "stream/protocol/protocol.h"
 
 namespace grove::stream {
 namespace {

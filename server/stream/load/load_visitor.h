@@ -11,8 +11,8 @@
 #include "stream/load/load_report.h"
 #include "stream/load/picture_check.h"
 #include "stream/load/steering.h"
-#include "stream/protocol.h"
-#include "stream/stroll.h"
+#include "stream/protocol/protocol.h"
+#include "stream/session/stroll.h"
 
 namespace grove::stream {
 

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "stream/encode/h264_decoder.h"
-#include "stream/protocol.h"
+#include "stream/protocol/protocol.h"
 
 namespace grove::stream {
 

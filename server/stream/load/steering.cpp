@@ -1,6 +1,6 @@
 #include "stream/load/steering.h"
 
-#include "stream/stroll.h"
+#include "stream/session/stroll.h"
 
 namespace grove::stream {
 namespace {

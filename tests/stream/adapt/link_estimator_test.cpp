@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "bottleneck.h"
+#include "stream/adapt/bottleneck.h"
 
 namespace grove::stream {
 namespace {

@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "bit_stream.h"
+#include "stream/encode/bit_stream.h"
 #include "stream/encode/encoder_registry.h"
 #include "stream/encode/h264_decoder.h"
 #include "stream/encode/h264_encoder.h"
-#include "stream/protocol.h"
+#include "stream/protocol/protocol.h"
 
 namespace grove::stream {
 namespace {

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "bit_stream.h"
+#include "stream/encode/bit_stream.h"
 #include "stream/encode/jpeg_decoder.h"
 #include "stream/encode/jpeg_encoder.h"
 

@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "stream/served_world.h"
+#include "stream/web_server/served_world.h"
 
 namespace grove::stream {
 namespace {

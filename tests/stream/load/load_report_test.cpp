@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "stream/protocol.h"
+#include "stream/protocol/protocol.h"
 
 namespace grove::stream {
 namespace {

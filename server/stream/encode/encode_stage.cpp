@@ -1,0 +1,134 @@
+#include "stream/encode/encode_stage.h"
+
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "base/checksum.h"
+#include "base/error.h"
+#include "base/log.h"
+#include "stream/protocol/saturate.h"
+#include "world/world.h"
+
+namespace grove::stream {
+namespace {
+
+PictureHeader describe(const node::FinishedFrame& frame) {
+  const node::View& view = *frame.view;
+  PictureHeader header;
+  header.width = saturate<std::uint16_t>(frame.image->width());
+  header.height = saturate<std::uint16_t>(frame.image->height());
+  header.visitors = saturate<std::uint16_t>(static_cast<double>(view.players.size()));
+  header.frame = view.frame;
+  header.lastInput = view.lastInput;
+  header.serverMicroseconds = saturate<std::uint32_t>((world::World::now() - view.time) * 1e6);
+  header.border = static_cast<std::uint8_t>(view.borderPercent);
+  header.yaw = view.camera.pose.yaw;
+  header.pitch = view.camera.pose.pitch;
+  header.tanHalfX = view.camera.tanHalfX();
+  header.tanHalfY = view.camera.tanHalfY();
+  return header;
+}
+
+std::size_t headerBytes(bool asPictures) { return asPictures ? kPictureHeaderBytes : kFrameHeaderBytes; }
+
+bool isSameView(const world::Camera& a, const world::Camera& b) {
+  return a.pose.position == b.pose.position && a.pose.yaw == b.pose.yaw && a.pose.pitch == b.pose.pitch &&
+         a.width == b.width && a.height == b.height && a.verticalFov == b.verticalFov;
+}
+
+}  // namespace
+
+EncodeStage::EncodeStage(std::shared_ptr<StreamControl> control, bool asPictures, Deliver deliver,
+                         pipeline::MemoryLedger& memory, pipeline::Executor& executor, pipeline::Timeline& timeline)
+    : Stage({.name = "Encoder",
+             .work = pipeline::Work::kPerUserFrontend,
+             .capacity = 1,
+             .overflow = pipeline::Overflow::kDropOldest,
+             .finishes = true},
+            executor, timeline),
+      control_(std::move(control)),
+      asPictures_(asPictures),
+      deliver_(std::move(deliver)),
+      held_(memory, "encoders", "", pipeline::Work::kPerUserFrontend) {}
+
+void EncodeStage::process(std::span<node::FinishedFrame> items, pipeline::Run& /*run*/) {
+  for (const node::FinishedFrame& item : items) encodeNext(item);
+}
+
+void EncodeStage::encodeNext(const node::FinishedFrame& frame) {
+  const EncoderKind& kind = control_->kind();
+  Encoder* encoder = encoderOf(kind);
+  if (encoder == nullptr) return;
+  const world::Camera& camera = frame.view->camera;
+  const bool still = lastCamera_ && isSameView(camera, *lastCamera_);
+  const bool same = asPictures_ && isSame(frame, still);
+  lastCamera_ = camera;
+  const double pixels = static_cast<double>(frame.image->width()) * frame.image->height();
+  const StreamControl::Choice choice =
+      control_->choose(kind, encoder->range(), pixels, still, same, world::World::now());
+  if (same && !choice.order.independent && choice.order.quantiser >= lastQuantiser_) {
+    control_->unchanged(frame.view->lastInput);
+    return;
+  }
+  const std::shared_ptr<EncodedFrame> made = makeRoom();
+  const std::size_t before = made->bytes.size();
+  bool independent = true;
+  try {
+    independent = encoder->encode(*frame.image, choice.order, made->bytes);
+  } catch (const EnvironmentError& e) {
+    // What it made of the pictures so far is not known; a new one begins anew, of another codec if there is one.
+    log::error(e.what());
+    encoder_.reset();
+    control_->failed(kind);
+    return;
+  }
+  lastQuantiser_ = choice.order.quantiser;
+  control_->encoded(choice, independent, pixels, made->bytes.size() - before);
+  lastBytes_ = made->bytes.size();
+  made->header = describe(frame);
+  made->header.codec = encoder->codec();
+  made->header.independent = independent;
+  const std::span room = std::span(made->bytes).subspan<EncodedFrame::kHeadroom>();
+  if (asPictures_) {
+    encode(made->header, room.first<kPictureHeaderBytes>());
+  } else {
+    encode(static_cast<const FrameHeader&>(made->header), room.first<kFrameHeaderBytes>());
+  }
+  held_.set(encoder->bytes() + made->bytes.capacity());
+  deliver_(made);
+}
+
+Encoder* EncodeStage::encoderOf(const EncoderKind& kind) {
+  if (encoder_ && kind_ == kind.name) return encoder_.get();
+  try {
+    encoder_ = kind.make();
+    kind_ = kind.name;
+    lastCamera_.reset();
+  } catch (const EnvironmentError& e) {
+    log::error(e.what());
+    encoder_.reset();
+    control_->failed(kind);
+  }
+  return encoder_.get();
+}
+
+bool EncodeStage::isSame(const node::FinishedFrame& frame, bool still) {
+  if (!still) {
+    lastHash_ = 0;
+    return false;
+  }
+  const std::uint64_t hash = checksumOf(std::as_bytes(frame.image->colour));
+  return std::exchange(lastHash_, hash) == hash;
+}
+
+std::shared_ptr<EncodedFrame> EncodeStage::makeRoom() const {
+  auto frame = std::make_shared<EncodedFrame>();
+  const std::size_t header = EncodedFrame::kHeadroom + headerBytes(asPictures_);
+  // Neighbouring frames are of like size: room for a little more than the last one saves growing.
+  frame->bytes.reserve(header + lastBytes_ + lastBytes_ / 8);
+  frame->bytes.resize(header);
+  return frame;
+}
+
+}  // namespace grove::stream

@@ -1,0 +1,222 @@
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "stream/protocol/message_type.h"
+#include "stream/protocol/printable.h"
+#include "stream/protocol/protocol.h"
+#include "stream/protocol/wire.h"
+
+// What the server says.
+namespace grove::stream {
+namespace {
+
+constexpr std::size_t kMostWorldNameBytes = 255;
+constexpr std::size_t kMaxStepBytes = 64;
+constexpr std::uint8_t kAllPercent = 100;
+constexpr std::uint8_t kIndependentFlag = 1;
+
+bool areFinite(std::initializer_list<float> values) {
+  return std::ranges::all_of(values, [](float value) { return std::isfinite(value); });
+}
+
+ServerMessage parseWelcome(WireReader reader) {
+  const auto version = reader.take<std::uint8_t>();
+  if (reader.exhausted()) return wrongLength("Welcome");
+  if (version != kProtocolVersion) return wrongVersion(version);
+  Welcome welcome;
+  welcome.framesPerSecond = reader.take<std::uint16_t>();
+  welcome.visitor = reader.take<std::uint32_t>();
+  const std::uint32_t red = reader.take<std::uint8_t>();
+  const std::uint32_t green = reader.take<std::uint8_t>();
+  const std::uint32_t blue = reader.take<std::uint8_t>();
+  welcome.colour = red | (green << 8U) | (blue << 16U);
+  const auto worldBytes = reader.take<std::uint8_t>();
+  welcome.yaw = reader.take<float>();
+  welcome.pitch = reader.take<float>();
+  if (reader.exhausted() || reader.rest().size() != worldBytes) return wrongLength("Welcome");
+  if (!areFinite({welcome.yaw, welcome.pitch})) return refuseMessage("the camera's angles are not numbers");
+  welcome.world = printable(reader.restAsText(), kMostWorldNameBytes);
+  return welcome;
+}
+
+ServerMessage parseWaiting(WireReader reader) {
+  Waiting waiting;
+  waiting.percent = reader.take<std::uint8_t>();
+  waiting.place = reader.take<std::uint16_t>();
+  const auto stepBytes = reader.take<std::uint32_t>();
+  if (reader.exhausted() || reader.rest().size() != stepBytes) return wrongLength("Waiting");
+  if (waiting.percent > kAllPercent) return refuseMessage("more than 100 percent");
+  if (waiting.place == 0) return refuseMessage("a place before the first");
+  if (stepBytes > kMaxStepBytes) return refuseMessage("the step is longer than 64 bytes");
+  waiting.step = printable(reader.restAsText(), kMaxStepBytes);
+  return waiting;
+}
+
+ServerMessage parseFrame(WireReader reader) {
+  FrameMessage frame;
+  frame.header.codec = reader.take<std::uint8_t>();
+  frame.header.width = reader.take<std::uint16_t>();
+  frame.header.height = reader.take<std::uint16_t>();
+  frame.header.visitors = reader.take<std::uint16_t>();
+  frame.header.frame = reader.take<std::uint32_t>();
+  frame.header.lastInput = reader.take<std::uint32_t>();
+  frame.header.serverMicroseconds = reader.take<std::uint32_t>();
+  if (reader.exhausted()) return wrongLength("Frame");
+  if (frame.header.codec != kCodecJpeg) return refuseMessage("unknown codec " + std::to_string(frame.header.codec));
+  frame.picture = reader.rest();
+  return frame;
+}
+
+ServerMessage parsePicture(WireReader reader) {
+  PictureMessage picture;
+  PictureHeader& header = picture.header;
+  header.codec = reader.take<std::uint8_t>();
+  const auto flags = reader.take<std::uint8_t>();
+  header.border = reader.take<std::uint8_t>();
+  header.width = reader.take<std::uint16_t>();
+  header.height = reader.take<std::uint16_t>();
+  header.visitors = reader.take<std::uint16_t>();
+  const bool zero = reader.take<std::uint16_t>() == 0 && (flags & ~kIndependentFlag) == 0;
+  header.frame = reader.take<std::uint32_t>();
+  header.lastInput = reader.take<std::uint32_t>();
+  header.serverMicroseconds = reader.take<std::uint32_t>();
+  header.yaw = reader.take<float>();
+  header.pitch = reader.take<float>();
+  header.tanHalfX = reader.take<float>();
+  header.tanHalfY = reader.take<float>();
+  if (reader.exhausted()) return wrongLength("Picture");
+  if (header.codec != kCodecJpeg && header.codec != kCodecH264) {
+    return refuseMessage("unknown codec " + std::to_string(header.codec));
+  }
+  if (!zero) return reservedBytes("Picture");
+  const bool isCamera = areFinite({header.yaw, header.pitch, header.tanHalfX, header.tanHalfY}) &&
+                        header.tanHalfX > 0.0F && header.tanHalfY > 0.0F;
+  if (!isCamera) return refuseMessage("the camera of a picture is none");
+  header.independent = (flags & kIndependentFlag) != 0;
+  picture.picture = reader.rest();
+  return picture;
+}
+
+ServerMessage parseStatus(WireReader reader) {
+  Status status;
+  const auto limitedBy = reader.take<std::uint8_t>();
+  status.framesPerSecond = reader.take<std::uint8_t>();
+  status.quality = reader.take<std::uint8_t>();
+  status.width = reader.take<std::uint16_t>();
+  status.height = reader.take<std::uint16_t>();
+  status.roundTripMilliseconds = reader.take<std::uint16_t>();
+  status.visitors = reader.take<std::uint16_t>();
+  status.kilobitsPerSecond = reader.take<std::uint32_t>();
+  status.lastInput = reader.take<std::uint32_t>();
+  if (reader.exhausted() || !reader.rest().empty()) return wrongLength("Status");
+  if (limitedBy > static_cast<std::uint8_t>(LimitedBy::kVisitor)) return refuseMessage("limited by nothing known");
+  if (status.quality > kAllPercent) return refuseMessage("more than 100 percent");
+  status.limitedBy = static_cast<LimitedBy>(limitedBy);
+  return status;
+}
+
+ServerMessage parseRefining(WireReader reader) {
+  Refining refining;
+  refining.percent = reader.take<std::uint8_t>();
+  refining.secondsLeft = reader.take<std::uint16_t>();
+  const auto stepBytes = reader.take<std::uint32_t>();
+  if (reader.exhausted() || reader.rest().size() != stepBytes) return wrongLength("Refining");
+  if (refining.percent > kAllPercent) return refuseMessage("more than 100 percent");
+  if (stepBytes > kMaxStepBytes) return refuseMessage("the step is longer than 64 bytes");
+  refining.step = printable(reader.restAsText(), kMaxStepBytes);
+  return refining;
+}
+
+/// Writes one number after the other into room that is there.
+class HeaderWriter {
+ public:
+  explicit HeaderWriter(std::span<std::uint8_t> out) : out_(out) {}
+  template <WireNumber T>
+  HeaderWriter& put(T value) {
+    const auto bytes = toWire(value);
+    std::ranges::copy(bytes, out_.begin());
+    out_ = out_.subspan(bytes.size());
+    return *this;
+  }
+  [[nodiscard]] bool full() const noexcept { return out_.empty(); }
+
+ private:
+  std::span<std::uint8_t> out_;
+};
+
+}  // namespace
+
+ServerMessage parseServerMessage(std::span<const std::uint8_t> bytes) {
+  if (bytes.empty()) return refuseMessage("an empty message");
+  WireReader reader(bytes);
+  const auto type = reader.take<std::uint8_t>();
+  switch (static_cast<MessageType>(type)) {
+    case MessageType::kWelcome:
+      return parseWelcome(reader);
+    case MessageType::kFrame:
+      return parseFrame(reader);
+    case MessageType::kWaiting:
+      return parseWaiting(reader);
+    case MessageType::kPicture:
+      return parsePicture(reader);
+    case MessageType::kStatus:
+      return parseStatus(reader);
+    case MessageType::kRefining:
+      return parseRefining(reader);
+    default:
+      return refuseMessage("unknown message type " + std::to_string(type));
+  }
+}
+
+std::vector<std::uint8_t> encode(const Welcome& welcome) {
+  const std::string world = printable(welcome.world, kMostWorldNameBytes);
+  WireWriter writer;
+  writer.put(toByte(MessageType::kWelcome)).put(kProtocolVersion).put(welcome.framesPerSecond).put(welcome.visitor);
+  for (const std::uint32_t shift : {0U, 8U, 16U}) writer.put(static_cast<std::uint8_t>(welcome.colour >> shift));
+  writer.put(static_cast<std::uint8_t>(world.size())).put(welcome.yaw).put(welcome.pitch).put(world);
+  return writer.take();
+}
+
+std::vector<std::uint8_t> encode(const Waiting& waiting) {
+  const std::string step = printable(waiting.step, kMaxStepBytes);
+  WireWriter writer;
+  writer.put(toByte(MessageType::kWaiting)).put(waiting.percent).put(waiting.place);
+  writer.put(static_cast<std::uint32_t>(step.size())).put(step);
+  return writer.take();
+}
+
+std::vector<std::uint8_t> encode(const Status& status) {
+  WireWriter writer;
+  writer.put(toByte(MessageType::kStatus)).put(static_cast<std::uint8_t>(status.limitedBy));
+  writer.put(status.framesPerSecond).put(status.quality).put(status.width).put(status.height);
+  writer.put(status.roundTripMilliseconds).put(status.visitors).put(status.kilobitsPerSecond).put(status.lastInput);
+  return writer.take();
+}
+
+std::vector<std::uint8_t> encode(const Refining& refining) {
+  const std::string step = printable(refining.step, kMaxStepBytes);
+  WireWriter writer;
+  writer.put(toByte(MessageType::kRefining)).put(refining.percent).put(refining.secondsLeft);
+  writer.put(static_cast<std::uint32_t>(step.size())).put(step);
+  return writer.take();
+}
+
+void encode(const FrameHeader& header, std::span<std::uint8_t, kFrameHeaderBytes> out) {
+  HeaderWriter writer(out);
+  writer.put(toByte(MessageType::kFrame)).put(header.codec).put(header.width).put(header.height);
+  writer.put(header.visitors).put(header.frame).put(header.lastInput).put(header.serverMicroseconds);
+  assert(writer.full());
+}
+
+void encode(const PictureHeader& header, std::span<std::uint8_t, kPictureHeaderBytes> out) {
+  HeaderWriter writer(out);
+  writer.put(toByte(MessageType::kPicture)).put(header.codec);
+  writer.put(header.independent ? kIndependentFlag : std::uint8_t{0}).put(header.border);
+  writer.put(header.width).put(header.height).put(header.visitors).put(std::uint16_t{0});
+  writer.put(header.frame).put(header.lastInput).put(header.serverMicroseconds);
+  writer.put(header.yaw).put(header.pitch).put(header.tanHalfX).put(header.tanHalfY);
+  assert(writer.full());
+}
+
+}  // namespace grove::stream

@@ -1,0 +1,220 @@
+#include "stream/session/host.h"
+
+#include <algorithm>
+#include <cassert>
+#include <chrono>
+#include <exception>
+#include <string>
+#include <utility>
+
+#include "base/log.h"
+#include "gl/workers.h"
+#include "node/limits.h"
+#include "node/transport/in_process.h"
+
+namespace grove::stream {
+namespace {
+
+constexpr double kSampleSeconds = 1.0;
+
+int workerCount() { return static_cast<int>(std::max(1U, std::thread::hardware_concurrency())); }
+
+static_assert(node::kMostQuality == measure::kQualitySteps - 1);
+
+}  // namespace
+
+Host::Host(world::World::Layout layout, const node::Registry& registry, gl::Workers& gl, const HostOptions& options,
+           const std::function<void(std::string_view, float)>& progress)
+    : layout_(std::move(layout)),
+      players_(world::World::makePlayers(layout_)),
+      registry_(registry),
+      gl_(gl),
+      options_(options),
+      encoders_(builtinEncoders(options.jpegQuality)),
+      timeline_(options.timelineEvents),
+      timelineMemory_(memory_, "timeline", "", pipeline::Work::kAcrossUser, timeline_.bytes()),
+      meter_(timeline_, memory_, options_.framesPerSecond, options_.privateWorlds),
+      images_(memory_),
+      geometryMemory_(memory_, "obstacles", "", pipeline::Work::kAcrossUser),
+      baked_(memory_),
+      gate_(std::make_shared<FrameGate>(std::max(workerCount(), options_.framesInFlight))),
+      workers_(workerCount(), "grove-worker", [gate = gate_](bool idle) { gate->workerIs(idle); }) {
+  if (options_.privateWorlds) {
+    line_ = std::make_unique<PreparationLine>([this](Haste haste, const auto& tell) { return makeCopy(haste, tell); });
+  } else {
+    shared_ = makeCopy(Haste::kAllCores, progress);
+  }
+  clock_ = std::thread([this] { runClock(); });
+}
+
+Host::~Host() {
+  std::vector<std::shared_ptr<Session>> open;
+  {
+    const std::lock_guard lock(mutex_);
+    stopping_ = true;
+    for (const auto& [id, weak] : sessions_) {
+      if (auto session = weak.lock()) open.push_back(std::move(session));
+    }
+  }
+  clockWake_.notify_all();
+  clock_.join();
+  for (const auto& session : open) session->close();
+  open.clear();
+  workers_.drain();
+  line_.reset();
+  shared_.reset();
+}
+
+std::unique_ptr<WorldCopy> Host::makeCopy(Haste haste, const std::function<void(std::string_view, float)>& progress) {
+  auto transport = options_.makeTransport ? options_.makeTransport(registry_, timeline_)
+                                          : std::make_unique<node::InProcessTransport>();
+  if (!geometry_) {
+    geometry_ = std::make_shared<const world::WorldGeometry>(layout_.objects, [&progress](float share) {
+      if (progress) progress("laying out the world", share);
+    });
+    geometryMemory_.set(geometry_->bytes());
+  }
+  return std::make_unique<WorldCopy>(WorldGround{layout_, geometry_, players_, registry_, workers_, gl_, timeline_,
+                                                 memory_, images_, options_.privateWorlds ? &baked_ : nullptr},
+                                     std::move(transport), haste, progress);
+}
+
+world::World& Host::world() noexcept {
+  assert(shared_ && "in private mode there is no world of all");
+  return shared_->world();
+}
+
+std::variant<std::shared_ptr<Session>, Refusal> Host::open(const Hello& hello, FrameSink sink, WaitingSink waiting,
+                                                           StreamTerms terms) {
+  const auto [width, height] = fitSize(hello.width, hello.height);
+  node::SessionId id = 0;
+  {
+    const std::lock_guard lock(mutex_);
+    if (stopping_) return Refusal{CloseCode::kGoingAway, "the server stops"};
+    if (sessions_.size() >= static_cast<std::size_t>(options_.mostVisitors)) {
+      return Refusal{CloseCode::kFull, "the world is full (" + std::to_string(options_.mostVisitors) + " visitors)"};
+    }
+    id = nextSession_++;
+    sessions_[id] = {};  // keeps the place
+  }
+  const std::string name = hello.name.empty() ? "Visitor " + std::to_string(id) : hello.name;
+  const world::PlayerId player = players_->join(name, world::World::now());
+  const auto session = std::make_shared<Session>(*this, id, player, width, height, std::move(sink), std::move(terms));
+  {
+    const std::lock_guard lock(mutex_);
+    sessions_[id] = session;
+  }
+  if (options_.privateWorlds) {
+    preparePrivately(session, std::move(waiting));
+  } else {
+    begin(session, shared_);
+  }
+  return session;
+}
+
+void Host::begin(const std::shared_ptr<Session>& session, std::shared_ptr<WorldCopy> copy) {
+  session->begin(std::move(copy));
+  {
+    const std::lock_guard lock(mutex_);
+    sessionsChanged_ = true;
+  }
+  clockWake_.notify_all();
+}
+
+void Host::preparePrivately(const std::shared_ptr<Session>& session, WaitingSink waiting) {
+  const Refusal noWorld{CloseCode::kFull, "a world of your own cannot be made at the moment"};
+  const auto enter = [this, noWorld, weak = std::weak_ptr(session)](std::shared_ptr<WorldCopy> copy) {
+    const auto entering = weak.lock();
+    if (!entering) return;
+    try {
+      if (copy) {
+        begin(entering, std::move(copy));
+      } else {
+        entering->refuse(noWorld);
+      }
+    } catch (const std::exception& e) {
+      log::error(std::string("cannot let a visitor into his world: ") + e.what());
+      entering->refuse(noWorld);
+    }
+  };
+  line_->join({session->id_, std::move(waiting), enter});
+}
+
+void Host::tell(const Refining& refining) {
+  if (shared_) shared_->tellModels();
+  const std::lock_guard lock(mutex_);
+  refining_ = refining;
+  ++newsNumber_;
+}
+
+Host::RefiningNews Host::refining() const {
+  const std::lock_guard lock(mutex_);
+  return {newsNumber_, refining_};
+}
+
+std::size_t Host::visitors() const {
+  const std::lock_guard lock(mutex_);
+  return sessions_.size();
+}
+
+void Host::remove(node::SessionId id) {
+  if (line_) line_->leave(id);
+  const std::lock_guard lock(mutex_);
+  if (sessions_.erase(id) > 0) left_.push_back(id);
+}
+
+void Host::forgetWhoLeft() {
+  // By now the runs in progress when they left have ended, and give nothing back any more.
+  if (shared_) {
+    for (const node::SessionId id : gone_) shared_->forget(id);
+  }
+  if (!gone_.empty()) images_.freeUnused();
+  const std::lock_guard lock(mutex_);
+  gone_ = std::exchange(left_, {});
+}
+
+void Host::takeStock(int visitors) {
+  forgetWhoLeft();
+  if (line_) line_->tellAll();
+  meter_.sample(visitors);
+  if (!options_.raiseQuality || !shared_) return;
+  measure::QualityLoad load{.cores = static_cast<double>(workers_.width())};
+  if (const auto measured = meter_.newest()) {
+    const measure::FrameCost cost = measure::sum(measured->costs);
+    load.visitors = measured->visitors;
+    load.busyCores = measured->cpuCores;
+    load.acrossUserCores = (cost.acrossUser - cost.onDemand) * options_.framesPerSecond / 1000.0;
+    load.frameShare = measured->framesPerSecond / options_.framesPerSecond;
+  }
+  const int step = policy_.update(world::World::now(), load);
+  if (step == quality_.exchange(step)) return;
+  log::info("quality of shared work: step " + std::to_string(step) + " of " + std::to_string(node::kMostQuality));
+  shared_->setQuality(step);
+}
+
+void Host::runClock() {
+  double nextSample = world::World::now();
+  std::unique_lock lock(mutex_);
+  while (!stopping_) {
+    std::vector<std::shared_ptr<Session>> open;
+    for (const auto& [id, weak] : sessions_) {
+      if (auto session = weak.lock()) open.push_back(std::move(session));
+    }
+    lock.unlock();
+    const double now = world::World::now();
+    if (now >= nextSample) {
+      takeStock(static_cast<int>(open.size()));
+      nextSample = now + kSampleSeconds;
+    }
+    double next = nextSample;
+    for (const auto& session : open) next = std::min(next, session->tick(now));
+    open.clear();
+    lock.lock();
+    if (stopping_) return;
+    clockWake_.wait_for(lock, std::chrono::duration<double>(std::max(0.0, next - world::World::now())),
+                        [this] { return stopping_ || sessionsChanged_; });
+    sessionsChanged_ = false;
+  }
+}
+
+}  // namespace grove::stream

@@ -1,0 +1,141 @@
+#pragma once
+
+#include <atomic>
+#include <condition_variable>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <thread>
+#include <variant>
+#include <vector>
+
+#include "measure/amortization_meter.h"
+#include "measure/quality_policy.h"
+#include "node/registry.h"
+#include "node/transport/transport.h"
+#include "pipeline/memory_ledger.h"
+#include "pipeline/timeline.h"
+#include "pipeline/worker_pool.h"
+#include "raster/image.h"
+#include "stream/encode/encoder_registry.h"
+#include "stream/protocol/protocol.h"
+#include "stream/session/frame_gate.h"
+#include "stream/session/preparation_line.h"
+#include "stream/session/session.h"
+#include "stream/session/world_copy.h"
+#include "world/world.h"
+
+namespace grove::stream {
+
+struct HostOptions {
+  /// One keeps the latency of a busy machine lowest: with K, up to K - 1 frames wait for a core, and as many frames a
+  /// second come out as long as making one takes less than a period.
+  int framesInFlight = 1;
+  int framesPerSecond = 30;
+  /// A frame waits so long for what backend nodes answer; objects whose results come later show their last ones.
+  double deadlineSeconds = 0.5;
+  /// Deadline of those who measure or compare frames, and would rather wait than leave anything out.
+  static constexpr double kNoHurry = 60.0;
+  int mostVisitors = 16;
+  int jpegQuality = 75;
+  /// The control experiment, one console per player: every visitor gets copies of his own of all that backend nodes
+  /// hold, simulations with clocks of their own, views that nobody shares.
+  bool privateWorlds = false;
+  /// Lets the quality of across-user work rise while visitors share its bill; not in private mode, where none do.
+  bool raiseQuality = false;
+  std::size_t timelineEvents = std::size_t{1} << 16U;  ///< the newest so many stage runs are kept
+  /// Makes the wire between frontend and backend nodes; empty: they share a process.
+  std::function<std::unique_ptr<node::Transport>(const node::Registry&, pipeline::Timeline&)> makeTransport = {};
+};
+
+/// One living world and everybody in it: owns the world with its backend nodes (in private mode: every visitor's), the
+/// workers, the frame clock and the sessions. Knows no sockets.
+class Host {
+ public:
+  /// Prepares the world, which may take seconds; throws what backends throw. `progress` is called from any thread.
+  Host(world::World::Layout layout, const node::Registry& registry, gl::Workers& gl, const HostOptions& options,
+       const std::function<void(std::string_view, float)>& progress);
+  ~Host();
+  Host(const Host&) = delete;
+  Host& operator=(const Host&) = delete;
+
+  /// Lets a visitor in, or says why not. In private mode the first frame comes when his world is ready; until then
+  /// `waiting` is told his place in line at each change and once a second.
+  [[nodiscard]] std::variant<std::shared_ptr<Session>, Refusal> open(const Hello& hello, FrameSink sink,
+                                                                     WaitingSink waiting = {}, StreamTerms terms = {});
+
+  /// What gets finer while the world is shown, to tell those who are in it and those who come. One thread at a time.
+  void tell(const Refining& refining);
+  /// The newest of it.
+  struct RefiningNews {
+    unsigned number = 0;  ///< from 1; 0: there is none
+    Refining refining;
+  };
+  [[nodiscard]] RefiningNews refining() const;
+  [[nodiscard]] bool knowsMoreThan(unsigned refiningNumber) const noexcept { return newsNumber_ > refiningNumber; }
+
+  [[nodiscard]] std::size_t visitors() const;
+  /// For the statistics.
+  void countRefusedConnection() { timeline_.count("refused connections"); }
+  [[nodiscard]] const world::World::Layout& layout() const noexcept { return layout_; }
+  [[nodiscard]] world::Players& players() noexcept { return *players_; }
+  /// The world that everybody is in; not in private mode.
+  [[nodiscard]] world::World& world() noexcept;
+  [[nodiscard]] const pipeline::Timeline& timeline() const noexcept { return timeline_; }
+  /// The step that across-user work is at, 0 to node::kMostQuality.
+  [[nodiscard]] int quality() const noexcept { return quality_; }
+  /// Told anew about once a second.
+  [[nodiscard]] const measure::AmortizationMeter& meter() const noexcept { return meter_; }
+  [[nodiscard]] const pipeline::MemoryLedger& memory() const noexcept { return memory_; }
+  [[nodiscard]] pipeline::Executor& workers() noexcept { return workers_; }
+  [[nodiscard]] const HostOptions& options() const noexcept { return options_; }
+  [[nodiscard]] const EncoderRegistry& encoders() const noexcept { return encoders_; }
+
+ private:
+  friend class Session;
+  void remove(node::SessionId id);
+  void begin(const std::shared_ptr<Session>& session, std::shared_ptr<WorldCopy> copy);
+  void preparePrivately(const std::shared_ptr<Session>& session, WaitingSink waiting);
+  [[nodiscard]] std::unique_ptr<WorldCopy> makeCopy(Haste haste,
+                                                    const std::function<void(std::string_view, float)>& progress);
+  void takeStock(int visitors);
+  void forgetWhoLeft();
+  void runClock();
+
+  const world::World::Layout layout_;
+  const std::shared_ptr<world::Players> players_;
+  const node::Registry& registry_;
+  gl::Workers& gl_;
+  const HostOptions options_;
+  const EncoderRegistry encoders_;
+  pipeline::Timeline timeline_;
+  pipeline::MemoryLedger memory_;
+  const pipeline::HeldMemory timelineMemory_;
+  measure::AmortizationMeter meter_;
+  measure::QualityPolicy policy_;  ///< the clock's
+  std::atomic<int> quality_{0};
+  raster::ImagePool images_;
+  std::shared_ptr<const world::WorldGeometry> geometry_;  ///< of all copies; made with the first
+  pipeline::HeldMemory geometryMemory_;
+  node::BakedStore baked_;             ///< used in private mode
+  std::vector<node::SessionId> gone_;  ///< the clock's: left before it took stock last
+
+  mutable std::mutex mutex_;
+  std::condition_variable clockWake_;
+  bool stopping_ = false;
+  bool sessionsChanged_ = false;
+  std::map<node::SessionId, std::weak_ptr<Session>> sessions_;
+  std::vector<node::SessionId> left_;  ///< since the clock took stock
+  node::SessionId nextSession_ = 1;
+  Refining refining_;
+  std::atomic<unsigned> newsNumber_{0};  ///< written with mutex_ held
+
+  const std::shared_ptr<FrameGate> gate_;  ///< sessions that end may hold it last
+  pipeline::WorkerPool workers_;
+  std::shared_ptr<WorldCopy> shared_;      ///< null in private mode
+  std::unique_ptr<PreparationLine> line_;  ///< null but in private mode
+  std::thread clock_;
+};
+
+}  // namespace grove::stream

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <deque>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <utility>
+
+#include "stream/encode/encoded_frame.h"
+#include "stream/protocol/protocol.h"
+
+namespace grove::stream {
+
+/// What waits to be sent to one visitor: the newest frame that depends on no other, with those after it that do, and
+/// before the first one how long it takes; of words about the stream the newest. No more frames wait than may be under
+/// way at once, so a slow visitor holds little memory and never sees old frames. Any thread.
+class Outbox {
+ public:
+  /// `wake` is called, on the thread that puts, when there is something to send; it must not block.
+  explicit Outbox(std::function<void()> wake) : wake_(std::move(wake)) {}
+
+  void put(std::shared_ptr<const EncodedFrame> frame) {
+    std::deque<std::shared_ptr<const EncodedFrame>> outdated;
+    {
+      const std::lock_guard lock(mutex_);
+      if (frame->header.independent) frames_.swap(outdated);
+      frames_.push_back(std::move(frame));
+    }
+    wake_();
+  }
+
+  void put(const Waiting& waiting) { replace(waiting_, waiting); }
+  void put(const Status& status) { replace(status_, status); }
+
+  /// To send before any frame.
+  [[nodiscard]] std::optional<Waiting> takeWaiting() {
+    const std::lock_guard lock(mutex_);
+    return std::exchange(waiting_, std::nullopt);
+  }
+
+  [[nodiscard]] std::optional<Status> takeStatus() {
+    const std::lock_guard lock(mutex_);
+    return std::exchange(status_, std::nullopt);
+  }
+
+  /// The frame to send next, or null.
+  [[nodiscard]] std::shared_ptr<const EncodedFrame> take() {
+    const std::lock_guard lock(mutex_);
+    if (frames_.empty()) return nullptr;
+    auto next = std::move(frames_.front());
+    frames_.pop_front();
+    return next;
+  }
+
+  [[nodiscard]] bool empty() const {
+    const std::lock_guard lock(mutex_);
+    return frames_.empty() && !waiting_ && !status_;
+  }
+
+ private:
+  template <class Message>
+  void replace(std::optional<Message>& slot, const Message& message) {
+    {
+      const std::lock_guard lock(mutex_);
+      slot = message;
+    }
+    wake_();
+  }
+
+  const std::function<void()> wake_;
+  mutable std::mutex mutex_;
+  std::deque<std::shared_ptr<const EncodedFrame>> frames_;
+  std::optional<Waiting> waiting_;
+  std::optional<Status> status_;
+};
+
+}  // namespace grove::stream

@@ -1,0 +1,179 @@
+#include "stream/session/preparation_line.h"
+
+#include <pthread.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <exception>
+#include <limits>
+#include <system_error>
+#include <utility>
+
+#include "base/log.h"
+#include "world/world.h"
+
+namespace grove::stream {
+namespace {
+
+/// A third of the weight that those have who make frames: they go first, and still everybody gets in.
+constexpr int kNice = 5;
+
+/// Between two messages that differ by the percentage alone.
+constexpr double kProgressSeconds = 0.25;
+
+}  // namespace
+
+PreparationLine::PreparationLine(Make make) : make_(std::move(make)), thread_([this] { run(); }) {
+  pthread_setname_np(thread_.native_handle(), "grove-prepare");
+}
+
+PreparationLine::~PreparationLine() {
+  {
+    const std::lock_guard lock(mutex_);
+    stopping_ = true;
+    waiters_.clear();
+  }
+  wake_.notify_all();
+  thread_.join();
+}
+
+void PreparationLine::join(Waiter waiter) {
+  {
+    const std::lock_guard lock(mutex_);
+    waiters_.push_back(std::move(waiter));
+    tell(waiters_.size() - 1);
+  }
+  wake_.notify_all();
+}
+
+void PreparationLine::leave(node::SessionId id) {
+  Waiter gone;  // goes without the lock
+  const std::lock_guard lock(mutex_);
+  const auto place = std::ranges::find(waiters_, id, &Waiter::id);
+  if (place == waiters_.end()) return;
+  gone = std::move(*place);
+  erase(place);
+}
+
+void PreparationLine::tellAll() {
+  const std::lock_guard lock(mutex_);
+  tellEach();
+}
+
+void PreparationLine::run() {
+  std::unique_lock lock(mutex_);
+  while (true) {
+    wake_.wait(lock, [this] { return stopping_ || !unused_.empty() || !waiters_.empty(); });
+    if (!unused_.empty()) {
+      auto unused = std::exchange(unused_, {});
+      lock.unlock();
+      unused.clear();
+      lock.lock();
+    } else if (stopping_) {
+      return;
+    } else {
+      const node::SessionId first = waiters_.front().id;
+      const bool isNobodyInside = inside_ == 0;
+      lock.unlock();
+      if (isNobodyInside) {
+        makeFor(first, Haste::kAllCores);
+      } else {
+        makeBesideOthers(first);
+      }
+      lock.lock();
+    }
+  }
+}
+
+void PreparationLine::makeBesideOthers(node::SessionId id) {
+  try {
+    // A thread of its own, for the priority is a thread's on Linux, and there is no way back.
+    std::thread([this, id] {
+      errno = 0;
+      if (nice(kNice) == -1 && errno != 0) {
+        log::warning("a world is made at the priority of those who are inside: the system refuses a lower one");
+      }
+      makeFor(id, Haste::kNone);
+    }).join();
+  } catch (const std::system_error& e) {
+    log::warning(std::string("no thread for a visitor's world: ") + e.what());
+    makeFor(id, Haste::kNone);
+  }
+}
+
+void PreparationLine::makeFor(node::SessionId id, Haste haste) {
+  std::unique_ptr<WorldCopy> made = makeWhileWanted(id, haste);
+  Waiter waiter;
+  {
+    const std::lock_guard lock(mutex_);
+    if (!isFirst(id)) return;
+    waiter = std::move(waiters_.front());
+    erase(waiters_.begin());
+    if (made) ++inside_;
+  }
+  if (!made) {
+    waiter.enter(nullptr);
+    return;
+  }
+  // The last reference may go on any thread, a worker's too, and there one must not wait for the workers.
+  waiter.enter({made.release(), [this](WorldCopy* copy) { takeApart(std::unique_ptr<WorldCopy>(copy)); }});
+}
+
+std::unique_ptr<WorldCopy> PreparationLine::makeWhileWanted(node::SessionId id, Haste haste) {
+  try {
+    return make_(haste, [this, id](std::string_view step, float share) { progressed(id, step, share); });
+  } catch (const Unwanted&) {
+    return nullptr;
+  } catch (const std::exception& e) {
+    log::error(std::string("cannot make a world for a visitor: ") + e.what());
+    return nullptr;
+  }
+}
+
+void PreparationLine::progressed(node::SessionId id, std::string_view step, float share) {
+  const std::lock_guard lock(mutex_);
+  if (!isFirst(id)) throw Unwanted{};
+  const double now = world::World::now();
+  const bool isNewStep = step != progress_.step();
+  if (!progress_.hear(step, share, now)) return;
+  if (!isNewStep && now - told_ < kProgressSeconds) return;
+  told_ = now;
+  tell(0);
+}
+
+void PreparationLine::takeApart(std::unique_ptr<WorldCopy> copy) {
+  {
+    const std::lock_guard lock(mutex_);
+    unused_.push_back(std::move(copy));
+    --inside_;
+  }
+  wake_.notify_all();
+}
+
+void PreparationLine::erase(const std::deque<Waiter>::iterator& waiter) {
+  if (waiter == waiters_.begin()) {
+    progress_.clear();
+  }
+  waiters_.erase(waiter);
+  tellEach();
+}
+
+void PreparationLine::tell(std::size_t index) const {
+  const Waiter& waiter = waiters_[index];
+  if (!waiter.tell) return;
+  constexpr std::size_t kMaxPlace = std::numeric_limits<std::uint16_t>::max();
+  Waiting waiting;
+  waiting.place = static_cast<std::uint16_t>(std::min(index + 1, kMaxPlace));
+  if (index == 0) {
+    waiting.percent = progress_.percent();
+    waiting.step = progress_.step();
+  }
+  waiter.tell(waiting);
+}
+
+void PreparationLine::tellEach() const {
+  for (std::size_t i = 0; i < waiters_.size(); ++i) tell(i);
+}
+
+}  // namespace grove::stream

@@ -1,0 +1,266 @@
+#include "stream/session/session.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "node/frontend/frontend_node.h"
+#include "stream/encode/encode_stage.h"
+#include "stream/session/host.h"
+#include "stream/session/world_copy.h"
+
+namespace grove::stream {
+namespace {
+
+/// How often frames are looked at for their deadline: so many times in it, or every so many seconds.
+constexpr double kChecksInADeadline = 4.0;
+constexpr double kMaxCheckSeconds = 0.1;
+
+bool blows(const world::Player& player) { return (player.keys & world::kBlow) != 0; }
+
+}  // namespace
+
+Session::Session(Host& host, node::SessionId id, world::PlayerId player, int width, int height, FrameSink sink,
+                 StreamTerms terms)
+    : host_(host),
+      id_(id),
+      player_(player),
+      sink_(std::move(sink)),
+      status_(std::move(terms.status)),
+      control_(std::make_shared<StreamControl>(host.encoders(), status_ != nullptr, host.options().framesPerSecond,
+                                               width, height)) {
+  if (terms.offer) control_->offer(terms.offer->codecs);
+  if (terms.limits) control_->limit(*terms.limits);
+}
+
+Session::~Session() { close(); }
+
+void Session::begin(std::shared_ptr<WorldCopy> copy) {
+  const std::weak_ptr<Session> weak = weak_from_this();
+  auto encoder = std::make_shared<EncodeStage>(
+      control_, status_ != nullptr,
+      [weak](const std::shared_ptr<const EncodedFrame>& frame) {
+        if (const auto self = weak.lock()) self->deliver(frame);
+      },
+      host_.memory_, host_.workers(), host_.timeline_);
+  auto node = std::make_unique<node::FrontendNode>(
+      id_, node::FramePolicy{host_.options().framesInFlight, host_.options().deadlineSeconds},
+      [weak](node::FrameNumber frame) {
+        const auto self = weak.lock();
+        if (self) return self->look(frame);
+        node::View nothing;
+        nothing.frame = frame;
+        return nothing;
+      },
+      encoder, [gate = host_.gate_] { gate->leave(); }, copy->frontendServices());
+  {
+    const std::lock_guard lock(mutex_);
+    if (closed_) return;
+    copy_ = std::move(copy);
+    encoder_ = std::move(encoder);
+    node_ = std::move(node);
+  }
+  tellBreath();
+}
+
+void Session::tellBreath() {
+  // Under the lock, so that who tells last has also looked last.
+  const std::lock_guard lock(mutex_);
+  const auto player = host_.players().find(player_, world::World::now());
+  if (!copy_ || !player) return;
+  if (blows(*player)) {
+    copy_->world().edits().startBlowing(*player);
+  } else {
+    copy_->world().edits().stopBlowing(player_);
+  }
+}
+
+Welcome Session::welcome() const {
+  Welcome welcome;
+  welcome.framesPerSecond = static_cast<std::uint16_t>(host_.options().framesPerSecond);
+  welcome.visitor = player_;
+  welcome.world = host_.layout().name;
+  if (const auto player = host_.players().find(player_, world::World::now())) {
+    welcome.colour = player->colour;
+    welcome.yaw = player->pose.yaw;
+    welcome.pitch = player->pose.pitch;
+  }
+  return welcome;
+}
+
+std::optional<Refusal> Session::input(const world::Input& input) {
+  const double now = world::World::now();
+  world::Players& players = host_.players();
+  const auto before = players.find(player_, now);
+  if (!players.apply(player_, input, now)) {
+    // Or he has left already, for a reason that refusal() tells.
+    if (!players.find(player_, now)) return std::nullopt;
+    return Refusal{CloseCode::kProtocolError, "the direction of an input is not a number"};
+  }
+  const auto after = players.find(player_, now);
+  if (before && after && blows(*before) != blows(*after)) tellBreath();
+  return std::nullopt;
+}
+
+std::optional<Refusal> Session::resize(const Resize& resize) {
+  const auto [width, height] = fitSize(resize.width, resize.height);
+  control_->resize(width, height);
+  return std::nullopt;
+}
+
+void Session::offer(const Offer& offer) { control_->offer(offer.codecs); }
+
+void Session::limit(const Limits& limits) {
+  control_->limit(limits);
+  startIfDue(world::World::now());
+}
+
+void Session::broken() { control_->broken(); }
+
+std::optional<Refusal> Session::acknowledge(const Ack& ack) {
+  return arrived(ack.frame, {.acknowledged = world::World::now()});
+}
+
+std::optional<Refusal> Session::acknowledge(const Presented& presented) {
+  Arrival arrival{.acknowledged = world::World::now(), .held = presented.heldTenthsOfMilliseconds * 1e-4};
+  {
+    const std::lock_guard lock(mutex_);
+    arrival.pageSeconds = pageClock_.seconds(presented.arrivedMicroseconds);
+  }
+  return arrived(presented.frame, arrival);
+}
+
+std::optional<Refusal> Session::arrived(std::uint32_t frame, const Arrival& arrival) {
+  if (!control_->acknowledged(frame, arrival)) {
+    return Refusal{CloseCode::kProtocolError, "acknowledges a frame that was never sent"};
+  }
+  startIfDue(arrival.acknowledged);
+  return std::nullopt;
+}
+
+void Session::refuse(Refusal why) {
+  {
+    const std::lock_guard lock(mutex_);
+    if (!closed_) refusal_ = std::move(why);
+  }
+  close();
+}
+
+std::optional<Refusal> Session::refusal() const {
+  const std::lock_guard lock(mutex_);
+  return refusal_;
+}
+
+void Session::close() {
+  std::shared_ptr<WorldCopy> copy;  // goes last: what the others do in their last runs is done to it
+  std::shared_ptr<EncodeStage> encoder;
+  std::unique_ptr<node::FrontendNode> node;
+  {
+    const std::lock_guard lock(mutex_);
+    if (closed_) return;
+    closed_ = true;
+    copy = std::move(copy_);
+    encoder = std::move(encoder_);
+    node = std::move(node_);
+  }
+  if (node) node->close();
+  if (encoder) encoder->close();
+  if (copy) copy->world().edits().stopBlowing(player_);
+  host_.players().leave(player_);
+  host_.remove(id_);
+}
+
+double Session::tick(double now) {
+  {
+    const std::lock_guard lock(mutex_);
+    if (node_ && now >= nextDeadlineCheck_) {
+      node_->checkDeadline();
+      nextDeadlineCheck_ = now + std::min(kMaxCheckSeconds, host_.options().deadlineSeconds / kChecksInADeadline);
+    }
+  }
+  if (status_) {
+    if (const auto status = control_->takeStatus(now, host_.players().count())) status_(*status);
+  }
+  return startIfDue(now);
+}
+
+double Session::secondsUnacknowledged(double now) const { return control_->secondsUnacknowledged(now); }
+
+double Session::startIfDue(double now) {
+  const double period = 1.0 / control_->framesPerSecond();
+  std::unique_lock lock(mutex_);
+  if (closed_ || !node_ || control_->isHidden()) return now + 1.0;
+  if (now < nextDue_) return nextDue_;
+  if (waits_) return now + period;
+  // A frame that cannot start stays due: the acknowledgement or one of the next looks starts it.
+  if (isBehind(now) || node_->full()) return now + period / 8;
+  const auto onTurn = [weak = weak_from_this(), gate = host_.gate_] {
+    if (const auto self = weak.lock()) {
+      self->takeTurn();
+    } else {
+      gate->leave();
+    }
+  };
+  waits_ = !host_.gate_->enter(onTurn);
+  if (waits_) return now + period;
+  if (startFrame(now)) return nextDue_;
+  // Whose turn it is then begins a frame of his own at once.
+  lock.unlock();
+  host_.gate_->leave();
+  return now + period / 8;
+}
+
+bool Session::isBehind(double now) const { return !control_->mayBegin(now, encoder_->idle() ? 0 : 1); }
+
+bool Session::startFrame(double now) {
+  if (closed_ || !node_ || now < nextDue_ || isBehind(now)) return false;
+  if (!node_->requestFrame()) return false;
+  const double period = 1.0 / control_->framesPerSecond();
+  nextDue_ = std::max(nextDue_ + period, now + period / 2);
+  return true;
+}
+
+void Session::takeTurn() {
+  {
+    const std::lock_guard lock(mutex_);
+    waits_ = false;
+    if (startFrame(world::World::now())) return;
+  }
+  host_.gate_->leave();
+}
+
+node::View Session::look(node::FrameNumber frame) {
+  const double now = world::World::now();
+  node::View view;
+  view.session = id_;
+  view.frame = frame;
+  const std::shared_ptr<WorldCopy> copy = currentCopy();
+  if (!copy) return view;
+  world::World& world = copy->world();
+  view.viewer = player_;
+  view.time = now;
+  view.players = world.players().all(now);
+  view.lights = world.lights(now, view.players);
+  const auto self = std::ranges::find(view.players, player_, &world::Player::id);
+  if (self != view.players.end()) {
+    view.camera.pose = self->pose;
+    view.lastInput = self->lastInput;
+  }
+  view.borderPercent = control_->aim(view.camera);
+  return view;
+}
+
+std::shared_ptr<WorldCopy> Session::currentCopy() const {
+  const std::lock_guard lock(mutex_);
+  return copy_;
+}
+
+void Session::deliver(const std::shared_ptr<const EncodedFrame>& frame) {
+  {
+    const std::lock_guard lock(mutex_);
+    if (closed_) return;
+  }
+  control_->sent(frame->header.frame, frame->header.lastInput, frame->message().size(), world::World::now());
+  sink_(frame);
+}
+
+}  // namespace grove::stream

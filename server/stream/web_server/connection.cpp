@@ -1,0 +1,162 @@
+#include "stream/web_server/connection.h"
+
+#include <utility>
+
+#include "base/log.h"
+#include "stream/protocol/printable.h"
+
+namespace grove::stream {
+namespace {
+
+constexpr double kHelloSeconds = 10.0;
+constexpr double kAcknowledgementSeconds = 25.0;
+constexpr int kMaxPiecesPerSecond = 500;
+
+Refusal protocolError(std::string reason) { return {CloseCode::kProtocolError, std::move(reason)}; }
+
+}  // namespace
+
+Connection::Connection(Host& host, std::string peer, double now, std::function<void()> wake, Door door,
+                       std::string_view subProtocol)
+    : host_(host),
+      peer_(std::move(peer)),
+      opened_(now),
+      outbox_(std::make_shared<Outbox>(std::move(wake))),
+      door_(std::move(door)),
+      knowsVideo_(subProtocol == kSubProtocolWithVideo),
+      knowsWaiting_(knowsVideo_ || subProtocol == kSubProtocolWithWaiting),
+      secondBegan_(now) {
+  message_.reserve(kLargestClientMessage);
+}
+
+Connection::~Connection() { leave("the connection was dropped"); }
+
+std::optional<Refusal> Connection::receive(const MessagePiece& piece, double now) {
+  if (ended_) return std::nullopt;
+  if (auto why = takePiece(piece, now)) return refuse(std::move(*why));
+  if (!piece.last) return std::nullopt;
+  const ClientMessage message = parseClientMessage(message_);
+  message_.clear();
+  if (auto why = act(message)) return refuse(std::move(*why));
+  return std::nullopt;
+}
+
+std::optional<Refusal> Connection::overdue(double now) {
+  if (ended_) return std::nullopt;
+  if (!session_) {
+    if (now - opened_ < kHelloSeconds) return std::nullopt;
+    return refuse({CloseCode::kNoHello, "no Hello within 10 seconds"});
+  }
+  if (auto why = session_->refusal()) return refuse(std::move(*why));
+  if (session_->secondsUnacknowledged(now) < kAcknowledgementSeconds) return std::nullopt;
+  return refuse({CloseCode::kNoAcknowledgement, "no frame acknowledged for 25 seconds"});
+}
+
+std::vector<std::uint8_t> Connection::takeMessage() {
+  if (!welcome_.empty()) return std::exchange(welcome_, {});
+  if (const auto waiting = outbox_->takeWaiting()) return encode(*waiting);
+  if (const auto status = outbox_->takeStatus()) return encode(*status);
+  if (!hasNewsOfRefining()) return {};
+  const auto [number, refining] = host_.refining();
+  const bool wasToldNothing = std::exchange(refiningTold_, number) == 0;
+  // Who comes when all is done has not seen anything else.
+  return wasToldNothing && refining.percent == 100 ? std::vector<std::uint8_t>{} : encode(refining);
+}
+
+void Connection::end(const Refusal& why) { leave(std::to_string(static_cast<int>(why.code)) + " " + why.reason); }
+
+void Connection::leave(const std::string& why) {
+  if (std::exchange(ended_, true)) return;
+  welcome_.clear();
+  place_.reset();
+  if (const auto session = std::exchange(session_, nullptr)) {
+    session->close();
+    log::info(peer_ + " left: " + why);
+  } else {
+    door_.strangers.warning(peer_ + " went without being a visitor: " + why);
+  }
+}
+
+std::optional<Refusal> Connection::refuse(Refusal why) {
+  end(why);
+  return why;
+}
+
+std::optional<Refusal> Connection::takePiece(const MessagePiece& piece, double now) {
+  if (isFlood(now)) return Refusal{CloseCode::kFlood, "more than 500 messages in a second"};
+  if (!piece.binary) return protocolError("a text message");
+  if (piece.first) message_.clear();
+  if (message_.size() + piece.bytes.size() > kLargestClientMessage) {
+    return protocolError("a message of more than 256 bytes");
+  }
+  message_.insert(message_.end(), piece.bytes.begin(), piece.bytes.end());
+  return std::nullopt;
+}
+
+std::optional<Refusal> Connection::act(const ClientMessage& message) {
+  if (const auto* refusal = std::get_if<Refusal>(&message)) return *refusal;
+  if (const auto* hello = std::get_if<Hello>(&message)) return greet(*hello);
+  if (knowsVideo_) {
+    if (const auto* offer = std::get_if<Offer>(&message); offer != nullptr && !session_) {
+      offer_ = *offer;
+      return std::nullopt;
+    }
+    if (const auto* limits = std::get_if<Limits>(&message); limits != nullptr && !session_) {
+      limits_ = *limits;
+      return std::nullopt;
+    }
+  }
+  if (!session_) return protocolError("the first message is not Hello");
+  if (const auto* input = std::get_if<world::Input>(&message)) return session_->input(*input);
+  if (const auto* resize = std::get_if<Resize>(&message)) return session_->resize(*resize);
+  if (const auto* ack = std::get_if<Ack>(&message)) return session_->acknowledge(*ack);
+  return actOnStream(message);
+}
+
+std::optional<Refusal> Connection::actOnStream(const ClientMessage& message) {
+  if (!knowsVideo_) return protocolError("a message of a newer sub-protocol");
+  if (const auto* presented = std::get_if<Presented>(&message)) return session_->acknowledge(*presented);
+  if (const auto* offer = std::get_if<Offer>(&message)) session_->offer(*offer);
+  if (const auto* limits = std::get_if<Limits>(&message)) session_->limit(*limits);
+  if (std::holds_alternative<Broken>(message)) session_->broken();
+  return std::nullopt;
+}
+
+std::optional<Refusal> Connection::greet(const Hello& hello) {
+  if (session_) return protocolError("a second Hello");
+  place_ = door_.takePlace();
+  if (!place_) return Refusal{CloseCode::kFull, "as many visitors as may come from one address are here"};
+  // The sink may outlive this connection in a run that is in progress; it must not keep the frame then.
+  const auto send = [outbox = std::weak_ptr(outbox_)](std::shared_ptr<const EncodedFrame> frame) {
+    if (const auto to = outbox.lock()) to->put(std::move(frame));
+  };
+  WaitingSink tell;
+  if (knowsWaiting_) {
+    tell = [outbox = std::weak_ptr(outbox_)](const Waiting& waiting) {
+      if (const auto to = outbox.lock()) to->put(waiting);
+    };
+  }
+  StreamTerms terms{.status = {}, .offer = std::move(offer_), .limits = limits_};
+  if (knowsVideo_) {
+    terms.status = [outbox = std::weak_ptr(outbox_)](const Status& status) {
+      if (const auto to = outbox.lock()) to->put(status);
+    };
+  }
+  auto opened = host_.open(hello, send, std::move(tell), std::move(terms));
+  if (auto* refusal = std::get_if<Refusal>(&opened)) return std::move(*refusal);
+  session_ = std::get<std::shared_ptr<Session>>(std::move(opened));
+  const Welcome welcome = session_->welcome();
+  welcome_ = encode(welcome);
+  log::info(peer_ + " is visitor " + std::to_string(welcome.visitor) + (hello.name.empty() ? "" : ", " + hello.name));
+  return std::nullopt;
+}
+
+bool Connection::isFlood(double now) {
+  if (now - secondBegan_ >= 1.0) {
+    secondBegan_ = now;
+    piecesThisSecond_ = 0;
+  }
+  return ++piecesThisSecond_ > kMaxPiecesPerSecond;
+}
+
+}  // namespace grove::stream

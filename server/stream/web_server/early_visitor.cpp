@@ -1,0 +1,49 @@
+#include "stream/web_server/early_visitor.h"
+
+namespace grove::stream {
+namespace {
+
+/// A greeting with what belongs to it is three messages.
+constexpr std::size_t kMaxPieces = 16;
+constexpr std::size_t kMaxBytes = 4 * kLargestClientMessage;
+
+constexpr double kChangeSeconds = 0.25;
+constexpr double kSilenceSeconds = 1.0;
+
+}  // namespace
+
+std::optional<Refusal> EarlyVisitor::receive(const MessagePiece& piece) {
+  bytes_ += piece.bytes.size();
+  if (said_.size() == kMaxPieces || bytes_ > kMaxBytes) {
+    return Refusal{CloseCode::kFlood, "more than a greeting before the world is ready"};
+  }
+  Piece said{{piece.bytes.begin(), piece.bytes.end()}, piece};
+  said.piece.bytes = {};
+  said_.push_back(std::move(said));
+  return std::nullopt;
+}
+
+std::optional<Refusal> EarlyVisitor::introduceTo(Connection& connection, double now) const {
+  for (const Piece& said : said_) {
+    MessagePiece piece = said.piece;
+    piece.bytes = said.bytes;
+    if (auto why = connection.receive(piece, now)) return why;
+  }
+  return std::nullopt;
+}
+
+bool EarlyVisitor::wants(const Waiting& waiting, double now) const {
+  // Who has not greeted waits for nothing.
+  if (!knowsWaiting_ || said_.empty()) return false;
+  if (!toldAt_) return true;
+  const bool isOther = waiting.step != told_.step || waiting.percent != told_.percent;
+  return now - *toldAt_ >= (isOther ? kChangeSeconds : kSilenceSeconds);
+}
+
+std::vector<std::uint8_t> EarlyVisitor::take(const Waiting& waiting, double now) {
+  told_ = waiting;
+  toldAt_ = now;
+  return encode(waiting);
+}
+
+}  // namespace grove::stream

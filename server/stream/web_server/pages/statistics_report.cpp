@@ -1,0 +1,112 @@
+#include "stream/web_server/pages/statistics_report.h"
+
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "base/version.h"
+#include "measure/memory_use.h"
+#include "measure/quality_policy.h"
+
+namespace grove::stream {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+double milliseconds(std::int64_t nanoseconds) { return static_cast<double>(nanoseconds) * 1e-6; }
+
+double megabytes(double bytes) { return bytes / 1.0e6; }
+
+Json stages(const pipeline::Timeline& timeline) {
+  Json stages = Json::object();
+  for (const auto& [name, total] : timeline.totals()) {
+    stages[name] = {{"work", pipeline::toString(total.work)},
+                    {"runs", total.runs},
+                    {"failures", total.failures},
+                    {"cpu_ms", milliseconds(total.cpuNanoseconds)},
+                    {"wall_ms", milliseconds(total.wallNanoseconds)}};
+  }
+  return stages;
+}
+
+Json memory(const pipeline::MemoryLedger& ledger) {
+  Json holders = Json::array();
+  double told = 0.0;
+  for (const auto& [key, total] : ledger.totals()) {
+    told += static_cast<double>(total.bytes);
+    holders.push_back({{"holder", key.holder},
+                       {"type", key.subject},
+                       {"work", pipeline::toString(total.work)},
+                       {"mb", megabytes(static_cast<double>(total.bytes))}});
+  }
+  const auto resident = static_cast<double>(measure::residentBytes());
+  return {{"resident_mb", megabytes(resident)}, {"told_mb", megabytes(told)}, {"holders", holders}};
+}
+
+Json costs(const measure::FrameCost& cost, const measure::MemoryShare& share) {
+  return {{"c_i_ms", cost.acrossUser},
+          {"c_b_ms", cost.backendCompressed()},
+          {"c_f_ms", cost.frontend},
+          {"alpha", measure::alpha1(cost)},
+          {"beta", share.beta()},
+          {"across_user_mb", megabytes(share.acrossUser)},
+          {"per_visitor_mb", megabytes(share.perUserBackend + share.perUserFrontend)}};
+}
+
+Json amortization(const measure::AmortizationMeter& meter) {
+  const auto measured = meter.newest();
+  if (!measured) return nullptr;
+  const auto cores = static_cast<double>(std::max(1U, std::thread::hardware_concurrency()));
+  const measure::Capacity capacity = measure::capacityOf(*measured, meter.nominalFramesPerSecond());
+  Json report = {{"mode", meter.privateWorlds() ? "private" : "shared"},
+                 {"seconds", measured->seconds},
+                 {"visitors", measured->visitors},
+                 {"frames_per_second", measured->framesPerSecond}};
+  report.update(costs(measure::sum(measured->costs), measure::sum(measured->memory)));
+  report.update(
+      Json{{"cpu_cores", measured->cpuCores},
+           {"cores", cores},
+           {"other_ms", capacity.untold * 1000.0 / meter.nominalFramesPerSecond()},
+           {"private_frame_ms", capacity.privateVisitor * 1000.0 / meter.nominalFramesPerSecond()},
+           {"visitor_cores", meter.privateWorlds() ? capacity.privateVisitor : capacity.visitor},
+           {"visitors_fit", meter.privateWorlds() ? capacity.privateVisitorsFit(cores) : capacity.visitorsFit(cores)},
+           {"private_cores", capacity.privateVisitor * measured->visitors},
+           {"private_visitors_fit", capacity.privateVisitorsFit(cores)}});
+  Json types = Json::object();
+  for (const auto& [type, cost] : measured->costs) {
+    const auto share = measured->memory.find(type);
+    types[type] = costs(cost, share == measured->memory.end() ? measure::MemoryShare{} : share->second);
+  }
+  report["types"] = std::move(types);
+  return report;
+}
+
+Json counters(const pipeline::Timeline& timeline) {
+  Json counters = Json::object();
+  for (const auto& [name, value] : timeline.counters()) counters[name] = value;
+  return counters;
+}
+
+}  // namespace
+
+std::string sharingJson(const StatisticsSources& sources) {
+  return Json{{"version", version()},
+              {"counters", counters(sources.timeline)},
+              {"amortization", amortization(sources.meter)}}
+             .dump() +
+         "\n";
+}
+
+std::string statisticsJson(const StatisticsSources& sources) {
+  return Json{{"version", version()},
+              {"visitors", sources.visitors},
+              {"stages", stages(sources.timeline)},
+              {"counters", counters(sources.timeline)},
+              {"quality",
+               {{"step", sources.quality}, {"steps", measure::kQualitySteps}, {"automatic", sources.raisesQuality}}},
+              {"memory", memory(sources.memory)},
+              {"amortization", amortization(sources.meter)}}
+             .dump() +
+         "\n";
+}
+
+}  // namespace grove::stream

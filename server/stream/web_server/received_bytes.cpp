@@ -1,0 +1,20 @@
+#include "stream/web_server/received_bytes.h"
+
+// Not <netinet/tcp.h>, whose tcp_info is an older one.
+#include <linux/tcp.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+
+#include <cstddef>
+
+namespace grove::stream {
+
+std::uint64_t receivedBytes(int socket) noexcept {
+  tcp_info info{};
+  socklen_t size = sizeof info;
+  if (getsockopt(socket, IPPROTO_TCP, TCP_INFO, &info, &size) != 0) return 0;
+  const bool isTold = size >= offsetof(tcp_info, tcpi_bytes_received) + sizeof info.tcpi_bytes_received;
+  return isTold ? info.tcpi_bytes_received : 0;
+}
+
+}  // namespace grove::stream

@@ -1,0 +1,226 @@
+#include "stream/encode/encode_stage.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <future>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "base/error.h"
+#include "pipeline/worker_pool.h"
+#include "stream/encode/h264_decoder.h"
+#include "stream/encode/jpeg_decoder.h"
+#include "world/world.h"
+
+namespace grove::stream {
+namespace {
+
+TEST(EncodeStage, MakesAFrameMessageOfAFrame) {
+  std::vector<std::uint32_t> pixels(200 * 120, 0xFF4080C0U);
+  raster::Image image;
+  image.rect = {0, 0, 200, 120};
+  image.colour = pixels;
+  node::View view;
+  view.session = 3;
+  view.frame = 17;
+  view.lastInput = 99;
+  view.time = world::World::now() - 0.25;
+  view.players.resize(2);
+
+  const EncoderRegistry encoders = builtinEncoders(80);
+  pipeline::Timeline timeline;
+  pipeline::MemoryLedger memory;
+  std::promise<std::shared_ptr<const EncodedFrame>> promise;
+  auto future = promise.get_future();
+  pipeline::WorkerPool workers(1);
+  const auto stage = std::make_shared<EncodeStage>(
+      std::make_shared<StreamControl>(encoders, false, 30.0, 200, 120), false,
+      [&](std::shared_ptr<const EncodedFrame> frame) { promise.set_value(std::move(frame)); }, memory, workers,
+      timeline);
+  stage->push({std::make_shared<const node::View>(view), std::make_shared<const raster::Image>(image)});
+
+  const auto frame = future.get();
+  EXPECT_GE(memory.totals().at({"encoders", ""}).bytes, static_cast<std::int64_t>(frame->bytes.size()));
+  const ServerMessage message = parseServerMessage(frame->message());
+  const auto* read = std::get_if<FrameMessage>(&message);
+  ASSERT_NE(read, nullptr);
+  EXPECT_EQ(read->header.codec, kCodecJpeg);
+  EXPECT_EQ(read->header.width, 200);
+  EXPECT_EQ(read->header.height, 120);
+  EXPECT_EQ(read->header.visitors, 2);
+  EXPECT_EQ(read->header.frame, 17U);
+  EXPECT_EQ(read->header.lastInput, 99U);
+  EXPECT_GE(read->header.serverMicroseconds, 250'000U);
+  JpegDecoder decoder;
+  const DecodedPicture* picture = decoder.decode(read->picture);
+  ASSERT_NE(picture, nullptr);
+  EXPECT_NEAR(static_cast<int>(picture->colour[5000] & 0xFFU), 0xC0, 4);
+}
+
+/// An encoder that fails at its nth picture; 0: it cannot even be made.
+class FailingEncoder final : public Encoder {
+ public:
+  explicit FailingEncoder(int at) : at_(at) {
+    if (at == 0) throw EnvironmentError("cannot start", "test encoder", "");
+  }
+  [[nodiscard]] std::uint8_t codec() const noexcept override { return kCodecH264; }
+  [[nodiscard]] QuantiserRange range() const noexcept override { return {}; }
+  bool encode(const raster::Image& /*image*/, const EncodeOrder& /*order*/, std::vector<std::uint8_t>& out) override {
+    out.push_back(1);
+    if (++made_ == at_) throw EnvironmentError("cannot encode", "test encoder", "");
+    return made_ == 1;
+  }
+  [[nodiscard]] std::size_t bytes() const noexcept override { return 0; }
+
+ private:
+  const int at_;
+  int made_ = 0;
+};
+
+/// A stage, a stream's control and what comes out of it, of one visitor whose page takes H.264.
+class Stream {
+ public:
+  explicit Stream(EncoderRegistry encoders = builtinEncoders(80))
+      : encoders_(std::move(encoders)),
+        control_(std::make_shared<StreamControl>(encoders_, true, 30.0, 320, 180)),
+        stage_(std::make_shared<EncodeStage>(
+            control_, true,
+            [this](const std::shared_ptr<const EncodedFrame>& frame) {
+              control_->sent(frame->header.frame, frame->header.lastInput, frame->message().size(),
+                             world::World::now());
+              sent_.push_back(frame);
+            },
+            memory_, workers_, timeline_)) {
+    control_->offer({kCodecH264, kCodecJpeg});
+  }
+
+  /// Sends a frame through; returns the Picture, or null if none was sent.
+  std::shared_ptr<const EncodedFrame> push(const std::vector<std::uint32_t>& pixels, float yaw = 0.0F) {
+    const std::size_t before = sent_.size();
+    stage_->push(frame(pixels, yaw));
+    workers_.drain();
+    return sent_.size() > before ? sent_.back() : nullptr;
+  }
+  /// Pushes without waiting for what comes of it.
+  void rush(const std::vector<std::uint32_t>& pixels) { stage_->push(frame(pixels, 0.0F)); }
+  void drain() { workers_.drain(); }
+
+  StreamControl& control() { return *control_; }
+  [[nodiscard]] const std::vector<std::shared_ptr<const EncodedFrame>>& sent() const { return sent_; }
+  [[nodiscard]] std::uint32_t pushed() const { return number_; }
+
+  static constexpr std::size_t kPixels = std::size_t{320} * 180;
+
+ private:
+  node::FinishedFrame frame(const std::vector<std::uint32_t>& pixels, float yaw) {
+    const auto own = std::make_shared<std::vector<std::uint32_t>>(pixels);
+    const std::shared_ptr<raster::Image> image(new raster::Image, [own](const raster::Image* each) { delete each; });
+    image->rect = {0, 0, 320, 180};
+    image->colour = *own;
+    node::View view;
+    view.frame = ++number_;
+    view.lastInput = 10 * number_;
+    view.camera.width = 320;
+    view.camera.height = 180;
+    view.camera.pose.yaw = yaw;
+    view.time = world::World::now();
+    return {std::make_shared<const node::View>(view), image};
+  }
+
+  const EncoderRegistry encoders_;
+  pipeline::Timeline timeline_;
+  pipeline::MemoryLedger memory_;
+  std::vector<std::shared_ptr<const EncodedFrame>> sent_;
+  std::shared_ptr<StreamControl> control_;
+  pipeline::WorkerPool workers_{1};
+  std::shared_ptr<EncodeStage> stage_;
+  std::uint32_t number_ = 0;
+};
+
+std::vector<std::uint32_t> grain(std::uint32_t seed) {
+  std::vector<std::uint32_t> pixels(Stream::kPixels);
+  for (std::size_t i = 0; i < pixels.size(); ++i) {
+    const auto at = static_cast<std::uint32_t>(i);
+    pixels[i] = 0xFF000000U | ((((at / 7U) * 2654435761U + seed * 40503U) >> 26U) * 0x010101U);
+  }
+  return pixels;
+}
+
+// Faults: a picture that stands still and is sent thirty times a second; one that never gets as fine as it could; an
+// input that changed nothing and is never told of.
+TEST(EncodeStage, SendsWhatIsShownAlreadyOnlyToRefineIt) {
+  Stream stream;
+  const std::vector<std::uint32_t> pixels = grain(1);
+  ASSERT_NE(stream.push(pixels), nullptr);
+  int quiet = 0;
+  for (int i = 0; i < 60 && quiet < 5; ++i) quiet = stream.push(pixels) ? 0 : quiet + 1;
+  EXPECT_EQ(quiet, 5);
+  EXPECT_GE(stream.sent().size(), 2U);
+  EXPECT_LE(stream.sent().size(), 20U);
+  EXPECT_EQ(stream.control().status().lastInput, 10 * stream.pushed());
+  EXPECT_EQ(stream.control().status().quality, 100);
+  // A blade of grass moves, and a key frame is asked for.
+  std::vector<std::uint32_t> other = pixels;
+  other[1000] ^= 0xFFU;
+  EXPECT_NE(stream.push(other), nullptr);
+  EXPECT_NE(stream.push(other, 0.1F), nullptr);
+}
+
+// Fault: a page that has lost its decoder while nothing moves, and waits for a picture for ever.
+TEST(EncodeStage, SendsAnIndependentPictureOfWhatStandsStill) {
+  Stream stream;
+  const std::vector<std::uint32_t> pixels = grain(1);
+  for (int i = 0; i < 40; ++i) (void)stream.push(pixels);
+  ASSERT_EQ(stream.push(pixels), nullptr);
+  stream.control().broken();
+  std::shared_ptr<const EncodedFrame> picture;
+  for (int i = 0; i < 200 && !picture; ++i) {
+    picture = stream.push(pixels);
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  ASSERT_NE(picture, nullptr);
+  EXPECT_TRUE(picture->header.independent);
+}
+
+// Fault: a frame that was dropped once it was encoded, which those after it need.
+TEST(EncodeStage, DropsFramesBeforeTheyAreEncodedOnly) {
+  Stream stream;
+  for (std::uint32_t i = 0; i < 60; ++i) {
+    stream.rush(grain(i));
+    if (i % 4 == 3) stream.drain();
+  }
+  EXPECT_GE(stream.sent().size(), 15U);
+  H264Decoder decoder;
+  for (const auto& frame : stream.sent()) {
+    const ServerMessage message = parseServerMessage(frame->message());
+    const auto* read = std::get_if<PictureMessage>(&message);
+    ASSERT_NE(read, nullptr);
+    EXPECT_EQ(read->header.independent, frame == stream.sent().front());
+    EXPECT_NE(decoder.decode(read->picture), nullptr) << read->header.frame;
+  }
+  EXPECT_EQ(stream.sent().back()->header.frame, stream.pushed());
+}
+
+// Faults: an encoder that fails and takes the stream with it, at its start or in the midst of it; half of a picture
+// that is sent.
+TEST(EncodeStage, GoesOnInJpegWhenAnEncoderFails) {
+  for (const int at : {0, 1, 3}) {
+    EncoderRegistry encoders = builtinEncoders(80);
+    encoders.add({kCodecH264, true, "failing", "test", [at] { return std::make_unique<FailingEncoder>(at); }});
+    Stream stream(std::move(encoders));
+    for (std::uint32_t i = 0; i < 8; ++i) (void)stream.push(grain(i));
+    ASSERT_GE(stream.sent().size(), 6U) << at;
+    const ServerMessage message = parseServerMessage(stream.sent().back()->message());
+    const auto* read = std::get_if<PictureMessage>(&message);
+    ASSERT_NE(read, nullptr);
+    EXPECT_EQ(read->header.codec, kCodecJpeg) << at;
+    EXPECT_TRUE(read->header.independent) << at;
+    JpegDecoder decoder;
+    EXPECT_NE(decoder.decode(read->picture), nullptr) << at;
+  }
+}
+
+}  // namespace
+}  // namespace grove::stream

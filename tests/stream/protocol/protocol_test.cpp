@@ -1,0 +1,159 @@
+#include "stream/protocol/protocol.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+namespace grove::stream {
+namespace {
+
+using Bytes = std::vector<std::uint8_t>;
+
+CloseCode codeOf(const ClientMessage& message) {
+  const auto* refusal = std::get_if<Refusal>(&message);
+  return refusal == nullptr ? CloseCode{} : refusal->code;
+}
+
+TEST(Protocol, RefusesEveryOtherLength) {
+  const std::vector<Bytes> messages = {encode(Hello{"Ada", 1280, 720}), encode(world::Input{1, 2, 0.5F, 0.25F}),
+                                       encode(Ack{3}), encode(Resize{640, 360})};
+  for (const Bytes& message : messages) {
+    EXPECT_FALSE(std::holds_alternative<Refusal>(parseClientMessage(message)));
+    for (std::size_t length = 0; length < message.size(); ++length) {
+      EXPECT_EQ(codeOf(parseClientMessage(std::span(message).first(length))), CloseCode::kProtocolError) << length;
+    }
+    Bytes longer = message;
+    longer.push_back(0);
+    EXPECT_EQ(codeOf(parseClientMessage(longer)), CloseCode::kProtocolError);
+  }
+}
+
+TEST(Protocol, RefusesUnknownTypesAndReservedBytes) {
+  EXPECT_EQ(codeOf(parseClientMessage(Bytes{0x05, 0, 0, 0})), CloseCode::kProtocolError);
+  EXPECT_EQ(codeOf(parseClientMessage(encode(Welcome{}))), CloseCode::kProtocolError);
+  Bytes ack = encode(Ack{1});
+  ack[2] = 1;
+  EXPECT_EQ(codeOf(parseClientMessage(ack)), CloseCode::kProtocolError);
+  EXPECT_EQ(codeOf(parseClientMessage(Bytes(kLargestClientMessage + 1, 1))), CloseCode::kProtocolError);
+}
+
+TEST(Protocol, TellsAnotherVersionByItsCodeWhateverFollows) {
+  EXPECT_EQ(codeOf(parseClientMessage(Bytes{0x01, 2})), CloseCode::kWrongVersion);
+  Bytes hello = encode(Hello{"Ada", 1280, 720});
+  hello[1] = 200;
+  EXPECT_EQ(codeOf(parseClientMessage(hello)), CloseCode::kWrongVersion);
+}
+
+TEST(Protocol, RefusesAnglesThatAreNoNumbers) {
+  constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  for (const float bad : {kNan, kInfinity, -kInfinity}) {
+    EXPECT_EQ(codeOf(parseClientMessage(encode(world::Input{1, 0, bad, 0}))), CloseCode::kProtocolError);
+    EXPECT_EQ(codeOf(parseClientMessage(encode(world::Input{1, 0, 0, bad}))), CloseCode::kProtocolError);
+  }
+}
+
+TEST(Protocol, RefusesSizesOutOfRangeWithTheSizeInTheReason) {
+  for (const std::uint32_t bad : {0U, 15U, 16385U, 100000U, 0xFFFFFFFFU}) {
+    EXPECT_EQ(codeOf(parseClientMessage(encode(Resize{bad, 720}))), CloseCode::kProtocolError);
+    EXPECT_EQ(codeOf(parseClientMessage(encode(Resize{1280, bad}))), CloseCode::kProtocolError);
+    const ClientMessage hello = parseClientMessage(encode(Hello{"Ada", 1280, bad}));
+    ASSERT_EQ(codeOf(hello), CloseCode::kProtocolError);
+    EXPECT_NE(std::get<Refusal>(hello).reason.find(std::to_string(bad)), std::string::npos);
+  }
+  EXPECT_TRUE(std::holds_alternative<Resize>(parseClientMessage(encode(Resize{16, 16384}))));
+}
+
+TEST(Protocol, RefusesANameThatIsTooLong) {
+  Bytes hello = encode(Hello{std::string(64, 'a'), 1280, 720});
+  EXPECT_EQ(std::get<Hello>(parseClientMessage(hello)).name.size(), 64U);
+  hello[2] = 65;
+  hello.push_back('a');
+  EXPECT_EQ(codeOf(parseClientMessage(hello)), CloseCode::kProtocolError);
+}
+
+TEST(Protocol, CleansTheNameThatAClientSends) {
+  Bytes hello = encode(Hello{"Ada12", 1280, 720});
+  hello[12] = '\n';
+  hello[13] = 0xFF;
+  EXPECT_EQ(std::get<Hello>(parseClientMessage(hello)).name, "?a12");
+}
+
+TEST(Protocol, DropsUnknownKeys) {
+  EXPECT_EQ(std::get<world::Input>(parseClientMessage(encode(world::Input{1, 0xFF, 0, 0}))).keys, 0x3F);
+}
+
+TEST(Protocol, ReadsOrRefusesRandomBytes) {
+  std::mt19937 random(4);
+  std::uniform_int_distribution<int> byte(0, 255);
+  std::uniform_int_distribution<std::size_t> length(0, kLargestClientMessage + 8);
+  const std::vector<Bytes> good = {encode(Hello{"Ada", 1280, 720}),
+                                   encode(world::Input{1, 2, 0.5F, 0.25F}),
+                                   encode(Ack{3}),
+                                   encode(Resize{640, 360}),
+                                   encode(Welcome{}),
+                                   encode(Waiting{2, 40, "step"})};
+  std::size_t accepted = 0;
+  std::size_t refused = 0;
+  for (std::size_t i = 0; i < 100'000; ++i) {
+    // Exact size on the heap, so that the address sanitizer sees any read past the end.
+    Bytes message;
+    if (i % 2 == 0) {
+      message.resize(length(random));
+      for (std::uint8_t& value : message) value = static_cast<std::uint8_t>(byte(random));
+    } else {
+      message = good[(i / 2) % good.size()];
+      message[length(random) % message.size()] = static_cast<std::uint8_t>(byte(random));
+      if (i % 3 == 0) message.resize(length(random) % (message.size() + 2));
+      message.shrink_to_fit();
+    }
+    const ClientMessage client = parseClientMessage(message);
+    if (const auto* refusal = std::get_if<Refusal>(&client)) {
+      ++refused;
+      ASSERT_FALSE(refusal->reason.empty());
+      ASSERT_LE(refusal->reason.size(), 100U);
+    } else {
+      ++accepted;
+    }
+    const ServerMessage server = parseServerMessage(message);
+    if (const auto* frame = std::get_if<FrameMessage>(&server)) {
+      ASSERT_EQ(frame->picture.size() + kFrameHeaderBytes, message.size());
+    }
+  }
+  EXPECT_GT(accepted, 5'000U);
+  EXPECT_GT(refused, 50'000U);
+}
+
+TEST(Protocol, RefusesAWaitThatCannotBe) {
+  EXPECT_TRUE(std::holds_alternative<Refusal>(parseServerMessage(encode(Waiting{0, 0, ""}))));
+  EXPECT_TRUE(std::holds_alternative<Refusal>(parseServerMessage(encode(Waiting{1, 101, ""}))));
+}
+
+TEST(Protocol, CutsTheNameOfAStep) {
+  const ServerMessage read = parseServerMessage(encode(Waiting{1, 0, std::string(100, 'a')}));
+  ASSERT_TRUE(std::holds_alternative<Waiting>(read));
+  EXPECT_EQ(std::get<Waiting>(read).step, std::string(64, 'a'));
+}
+
+TEST(Protocol, RefusesServerMessagesThatAreCutShort) {
+  Welcome welcome;
+  welcome.world = "The clearing";
+  const Bytes bytes = encode(welcome);
+  for (std::size_t length = 0; length < bytes.size(); ++length) {
+    EXPECT_TRUE(std::holds_alternative<Refusal>(parseServerMessage(std::span(bytes).first(length))));
+  }
+  const Bytes waiting = encode(Waiting{2, 0, "a step"});
+  ASSERT_TRUE(std::holds_alternative<Waiting>(parseServerMessage(waiting)));
+  for (std::size_t length = 0; length < waiting.size(); ++length) {
+    EXPECT_TRUE(std::holds_alternative<Refusal>(parseServerMessage(std::span(waiting).first(length))));
+  }
+  std::array<std::uint8_t, kFrameHeaderBytes> frame{};
+  encode(FrameHeader{}, frame);
+  EXPECT_TRUE(std::holds_alternative<FrameMessage>(parseServerMessage(frame)));
+  EXPECT_TRUE(std::holds_alternative<Refusal>(parseServerMessage(std::span(frame).first(kFrameHeaderBytes - 1))));
+}
+
+}  // namespace
+}  // namespace grove::stream

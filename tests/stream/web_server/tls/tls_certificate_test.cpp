@@ -1,0 +1,174 @@
+#include "stream/web_server/tls/tls_certificate.h"
+
+#include <gmock/gmock.h>
+#include <openssl/pem.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "base/error.h"
+#include "stream/web_server/tls/certificates.h"
+#include "stream/web_server/tls/tls_store.h"
+
+namespace grove::stream {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+class TlsCertificateTest : public testing::Test {
+ protected:
+  TlsCertificateTest() { writePair(good_); }
+
+  /// What is wrong with them; empty: nothing.
+  static std::string complaint(const TlsFiles& files) {
+    try {
+      const TlsCertificate certificate(files, std::time(nullptr));
+      return {};
+    } catch (const EnvironmentError& e) {
+      return e.what();
+    }
+  }
+
+  TestFolder folder_;
+  const TlsFiles good_{folder_.file("good.pem"), folder_.file("good.key")};
+  const TlsFiles other_{folder_.file("other.pem"), folder_.file("other.key")};
+};
+
+TEST_F(TlsCertificateTest, IsTakenWithItsKey) {
+  EXPECT_EQ(complaint(good_), "");
+  writePair(other_, {.rsaBits = 2048});
+  EXPECT_EQ(complaint(other_), "");
+  writeFile(good_.certificate, readFile(good_.certificate) + readFile(other_.certificate));
+  EXPECT_EQ(complaint(good_), "") << "its issuer's behind it";
+}
+
+TEST_F(TlsCertificateTest, NamesAFileThatIsNotThere) {
+  EXPECT_THAT(complaint({folder_.file("no.pem"), good_.key}),
+              AllOf(HasSubstr("--tls-cert"), HasSubstr("no.pem"), HasSubstr("No such file"), HasSubstr("PEM")));
+  EXPECT_THAT(complaint({good_.certificate, folder_.file("no.key")}),
+              AllOf(HasSubstr("--tls-key"), HasSubstr("no.key"), HasSubstr("No such file"), HasSubstr("PEM")));
+}
+
+TEST_F(TlsCertificateTest, NamesAFileThatCannotBeRead) {
+  EXPECT_THAT(complaint({folder_.file("."), good_.key}), AllOf(HasSubstr("--tls-cert"), HasSubstr("no plain file")));
+  const std::string pipe = folder_.file("pipe");
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  EXPECT_THAT(complaint({good_.certificate, pipe}), AllOf(HasSubstr("--tls-key"), HasSubstr("no plain file")));
+  EXPECT_THAT(complaint({"/dev/zero", good_.key}), HasSubstr("no plain file"));
+  if (geteuid() == 0) GTEST_SKIP() << "root may read everything";
+  ASSERT_EQ(chmod(good_.key.c_str(), 0), 0);
+  EXPECT_THAT(complaint(good_), AllOf(HasSubstr("--tls-key"), HasSubstr("Permission denied")));
+}
+
+TEST_F(TlsCertificateTest, NamesWhatIsNoCertificateAndNoKey) {
+  const std::string text = folder_.file("text");
+  for (const std::string content : {"", "nonsense\n", "\x30\x82\x01\x0A"}) {
+    writeFile(text, content);
+    EXPECT_THAT(complaint({text, good_.key}), AllOf(HasSubstr("--tls-cert"), HasSubstr("not in PEM form")));
+    EXPECT_THAT(complaint({good_.certificate, text}), AllOf(HasSubstr("--tls-key"), HasSubstr("not in PEM form")));
+  }
+  EXPECT_THAT(complaint({good_.key, good_.key}), AllOf(HasSubstr("--tls-cert"), HasSubstr("no certificate")));
+  EXPECT_THAT(complaint({good_.certificate, good_.certificate}), AllOf(HasSubstr("--tls-key"), HasSubstr("no key")));
+  const std::string whole = readFile(good_.certificate);
+  writeFile(text, whole.substr(0, whole.size() / 2));
+  EXPECT_THAT(complaint({text, good_.key}), HasSubstr("no certificate that can be read"));
+  writeFile(text, whole + whole.substr(0, whole.size() / 2));
+  EXPECT_THAT(complaint({text, good_.key}), HasSubstr("behind the first is damaged"));
+}
+
+TEST_F(TlsCertificateTest, TellsTheDateThatItIsNotValidAt) {
+  const std::time_t now = std::time(nullptr);
+  writePair(other_, {.beginsIn = -7200, .expiresIn = -3600});
+  EXPECT_THAT(complaint(other_),
+              AllOf(HasSubstr(other_.certificate), HasSubstr("expired on " + dateOf(now - 3600).substr(0, 10)),
+                    HasSubstr("renew")));
+  writePair(other_, {.beginsIn = 86'400, .expiresIn = 2 * 86'400});
+  EXPECT_THAT(complaint(other_),
+              AllOf(HasSubstr("not valid before " + dateOf(now + 86'400).substr(0, 10)), HasSubstr("clock")));
+}
+
+TEST_F(TlsCertificateTest, NamesAKeyOfAnotherOne) {
+  for (const int bits : {0, 2048}) {
+    writePair(other_, {.rsaBits = bits});
+    EXPECT_THAT(complaint({good_.certificate, other_.key}),
+                AllOf(HasSubstr("--tls-key " + other_.key), HasSubstr("not the key"), HasSubstr(good_.certificate)));
+  }
+}
+
+TEST_F(TlsCertificateTest, NamesAKeyWithAPassphrase) {
+  writePair(other_, {.passphrase = "sesame"});
+  EXPECT_THAT(complaint(other_), AllOf(HasSubstr("--tls-key"), HasSubstr("passphrase"), HasSubstr("openssl pkey")));
+}
+
+TEST_F(TlsCertificateTest, NamesAKeyThatBrowsersWouldNotTake) {
+  writePair(other_, {.rsaBits = 512});
+  EXPECT_THAT(complaint(other_), AllOf(HasSubstr("too small"), HasSubstr("2048")));
+}
+
+class TlsStoreTest : public TlsCertificateTest {
+ protected:
+  /// What it logs meanwhile.
+  template <class Action>
+  static std::string logged(const Action& action) {
+    testing::internal::CaptureStderr();
+    action();
+    return testing::internal::GetCapturedStderr();
+  }
+};
+
+TEST_F(TlsStoreTest, LooksForFilesThatHaveChangedAndRest) {
+  TlsStore store(good_);
+  const auto first = store.current();
+  EXPECT_EQ(logged([&] { store.look(); }), "");
+  writePair(good_, {.expiresIn = 80 * 86'400});
+  EXPECT_EQ(logged([&] { store.look(); }), "") << "its key may still be on its way";
+  EXPECT_EQ(store.current(), first);
+  EXPECT_THAT(logged([&] { store.look(); }), HasSubstr("new connections"));
+  EXPECT_NE(store.current(), first);
+  EXPECT_EQ(logged([&] { store.look(); }), "");
+}
+
+TEST_F(TlsStoreTest, FollowsLinksThatAreReplaced) {
+  writePair(other_);
+  const TlsFiles live{folder_.file("live.pem"), folder_.file("live.key")};
+  std::filesystem::create_symlink(good_.certificate, live.certificate);
+  std::filesystem::create_symlink(good_.key, live.key);
+  TlsStore store(live);
+  const auto first = store.current();
+  std::filesystem::create_symlink(other_.certificate, folder_.file("next"));
+  std::filesystem::rename(folder_.file("next"), live.certificate);
+  std::filesystem::create_symlink(other_.key, folder_.file("next"));
+  std::filesystem::rename(folder_.file("next"), live.key);
+  store.look();
+  store.look();
+  EXPECT_NE(store.current(), first);
+}
+
+TEST_F(TlsStoreTest, KeepsTheOldOneWhenTheNewOneIsBad) {
+  TlsStore store(good_);
+  const auto first = store.current();
+  const std::string key = readFile(good_.key);
+  writePair(other_);
+  writeFile(good_.key, readFile(other_.key));
+  EXPECT_THAT(logged([&] { store.look(), store.look(); }), AllOf(HasSubstr("not the key"), HasSubstr("stays")));
+  EXPECT_EQ(logged([&] { store.look(), store.look(); }), "") << "told once";
+  std::filesystem::remove(good_.key);
+  EXPECT_THAT(logged([&] { store.look(), store.look(); }), AllOf(HasSubstr("No such file"), HasSubstr("stays")));
+  EXPECT_THAT(logged([&] { store.reload(); }), HasSubstr("No such file")) << "who asks is told again";
+  EXPECT_EQ(store.current(), first);
+  writeFile(good_.key, key);
+  EXPECT_THAT(logged([&] { store.look(), store.look(); }), HasSubstr("new connections"));
+}
+
+TEST_F(TlsStoreTest, WarnsOfAnExpiryThatIsNear) {
+  writePair(good_, {.expiresIn = 15 * 86'400});
+  EXPECT_EQ(logged([&] { TlsStore store(good_); }), "");
+  writePair(good_, {.expiresIn = 13 * 86'400});
+  std::optional<TlsStore> store;
+  EXPECT_THAT(logged([&] { store.emplace(good_); }), AllOf(HasSubstr("expires on"), HasSubstr("renew")));
+  EXPECT_EQ(logged([&] { store->look(); }), "") << "once a day";
+}
+
+}  // namespace
+}  // namespace grove::stream

@@ -1,0 +1,231 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <functional>
+#include <thread>
+
+#include "stream/web_server/served_world.h"
+#include "world/world.h"
+
+namespace grove::stream {
+namespace {
+
+using std::chrono_literals::operator""ms;
+
+/// A page since v1.2, which turns on the spot so that there is something to send.
+class VideoPage {
+ public:
+  struct Heard {
+    std::vector<PictureHeader> pictures;
+    std::vector<Status> statuses;
+  };
+
+  VideoPage(int port, std::vector<std::uint8_t> codecs, std::optional<Limits> limits = {})
+      : websocket_(port, "Sec-WebSocket-Protocol: grove.v1.2, grove.v1.1, grove.v1\r\n") {
+    if (!codecs.empty()) say(Offer{std::move(codecs)});
+    if (limits) say(*limits);
+    say(Hello{"Ada", 640, 360});
+  }
+
+  template <class Message>
+  void say(const Message& message) {
+    websocket_.send(encode(message));
+  }
+  void turn() { say(world::Input{++input_, 0, 0.1F * static_cast<float>(input_), 0.0F}); }
+  [[nodiscard]] std::uint32_t lastInput() const noexcept { return input_; }
+
+  /// Listens and acknowledges until `enough` of what was heard; false at the end of the connection, or after 20
+  /// seconds.
+  bool listenUntil(const std::function<bool(const Heard&)>& enough, bool turning = true) {
+    Heard heard;
+    const double deadline = world::World::now() + 20.0;
+    while (!enough(heard)) {
+      if (world::World::now() > deadline) return false;
+      const auto message = websocket_.receive();
+      if (!message || message->opcode != RawWebsocket::kBinary) return false;
+      const ServerMessage parsed = parseServerMessage(message->bytes);
+      if (const auto* refusal = std::get_if<Refusal>(&parsed)) {
+        ADD_FAILURE() << refusal->reason;
+        return false;
+      }
+      if (const auto* status = std::get_if<Status>(&parsed)) heard.statuses.push_back(*status);
+      if (const auto* picture = std::get_if<PictureMessage>(&parsed)) {
+        heard.pictures.push_back(picture->header);
+        const auto now = static_cast<std::uint32_t>(world::World::now() * 1e6);
+        say(Presented{picture->header.frame, 5, now});
+        if (turning) turn();
+      }
+    }
+    return true;
+  }
+  [[nodiscard]] RawWebsocket& websocket() noexcept { return websocket_; }
+
+ private:
+  RawWebsocket websocket_;
+  std::uint32_t input_ = 0;
+};
+
+auto pictures(std::size_t count) {
+  return [count](const VideoPage::Heard& heard) { return heard.pictures.size() >= count; };
+}
+
+class VideoTest : public ServedWorld {};
+
+TEST_F(VideoTest, TheFirstCodecOfAnOfferThatTheServerHasIsSent) {
+  VideoPage page(port(), {200, kCodecH264, kCodecJpeg});
+  ASSERT_TRUE(page.listenUntil([](const VideoPage::Heard& heard) {
+    if (heard.pictures.size() < 5) return false;
+    for (const PictureHeader& each : heard.pictures) EXPECT_EQ(each.codec, kCodecH264);
+    EXPECT_TRUE(heard.pictures.front().independent);
+    EXPECT_FALSE(heard.pictures.back().independent);
+    return true;
+  }));
+  // Whoever offers nothing that the server has, or nothing at all, is sent what every page can decode.
+  for (const std::vector<std::uint8_t>& codecs : {std::vector<std::uint8_t>{200}, std::vector<std::uint8_t>{}}) {
+    VideoPage old(port(), codecs);
+    ASSERT_TRUE(old.listenUntil([](const VideoPage::Heard& heard) {
+      return !heard.pictures.empty() && heard.pictures.back().codec == kCodecJpeg;
+    }));
+  }
+}
+
+TEST_F(VideoTest, AnotherOfferChangesTheCodecWithinTheStream) {
+  VideoPage page(port(), {kCodecH264});
+  ASSERT_TRUE(page.listenUntil(pictures(3)));
+  page.say(Offer{{kCodecJpeg}});
+  ASSERT_TRUE(page.listenUntil([](const VideoPage::Heard& heard) {
+    return !heard.pictures.empty() && heard.pictures.back().codec == kCodecJpeg;
+  }));
+  page.say(Offer{{kCodecH264}});
+  // The first of the new codec must not depend on what the old one's decoder knew.
+  ASSERT_TRUE(page.listenUntil([](const VideoPage::Heard& heard) {
+    if (heard.pictures.empty() || heard.pictures.back().codec != kCodecH264) return false;
+    EXPECT_TRUE(heard.pictures.back().independent);
+    return true;
+  }));
+}
+
+TEST_F(VideoTest, ABrokenPictureIsFollowedByAnIndependentOne) {
+  VideoPage page(port(), {kCodecH264});
+  ASSERT_TRUE(page.listenUntil(pictures(3)));
+  page.say(Broken{1});
+  ASSERT_TRUE(page.listenUntil(
+      [](const VideoPage::Heard& heard) { return !heard.pictures.empty() && heard.pictures.back().independent; }));
+}
+
+TEST_F(VideoTest, AFloodOfRequestsMakesFewIndependentPictures) {
+  VideoPage page(port(), {kCodecH264});
+  ASSERT_TRUE(page.listenUntil(pictures(3)));
+  const double begin = world::World::now();
+  for (int i = 0; i < 200; ++i) page.say(Broken{1});
+  int independent = 0;
+  ASSERT_TRUE(page.listenUntil([&](const VideoPage::Heard& heard) {
+    independent = static_cast<int>(std::ranges::count(heard.pictures, true, &PictureHeader::independent));
+    return heard.pictures.size() >= 20;
+  }));
+  EXPECT_GE(independent, 1);
+  EXPECT_LE(independent, 2 + (world::World::now() - begin) / 0.25);
+}
+
+TEST_F(VideoTest, PicturesTellTheirCamera) {
+  VideoPage page(port(), {kCodecJpeg});
+  ASSERT_TRUE(page.listenUntil(pictures(2)));
+  page.say(world::Input{1000, 0, 0.75F, -0.25F});
+  ASSERT_TRUE(page.listenUntil(
+      [](const VideoPage::Heard& heard) {
+        if (heard.pictures.empty() || heard.pictures.back().lastInput != 1000) return false;
+        const PictureHeader& header = heard.pictures.back();
+        EXPECT_FLOAT_EQ(header.yaw, 0.75F);
+        EXPECT_FLOAT_EQ(header.pitch, -0.25F);
+        EXPECT_NEAR(header.tanHalfX / header.tanHalfY, 640.0 / 360.0, 1e-3);
+        return true;
+      },
+      false));
+}
+
+TEST_F(VideoTest, WhatDoesNotChangeIsNotSentAgainButTheStreamIsToldOf) {
+  VideoPage page(port(), {kCodecH264});
+  ASSERT_TRUE(page.listenUntil(pictures(1), false));
+  // While it is refined, pictures come; then none, and word of the stream twice a second.
+  ASSERT_TRUE(page.listenUntil([](const VideoPage::Heard& heard) { return heard.statuses.size() >= 3; }, false));
+  const double begin = world::World::now();
+  std::size_t sent = 0;
+  ASSERT_TRUE(page.listenUntil(
+      [&](const VideoPage::Heard& heard) {
+        sent = heard.pictures.size();
+        return heard.statuses.size() >= 4;
+      },
+      false));
+  EXPECT_EQ(sent, 0U);
+  EXPECT_GT(world::World::now() - begin, 1.0);
+  // An input that changes nothing on the screen is answered all the same.
+  page.say(world::Input{5000, 0, 0.0F, 0.0F});
+  ASSERT_TRUE(page.listenUntil(
+      [](const VideoPage::Heard& heard) {
+        return (!heard.statuses.empty() && heard.statuses.back().lastInput == 5000) ||
+               (!heard.pictures.empty() && heard.pictures.back().lastInput == 5000);
+      },
+      false));
+}
+
+TEST_F(VideoTest, AHiddenPageIsSentNothingUntilItIsSeenAgain) {
+  VideoPage page(port(), {kCodecH264});
+  ASSERT_TRUE(page.listenUntil(pictures(3)));
+  page.say(Limits{.hidden = true});
+  // What was under way comes before the answer to the ping; a turning page would be sent pictures after it.
+  std::this_thread::sleep_for(300ms);
+  page.turn();
+  std::this_thread::sleep_for(300ms);
+  page.websocket().send({}, RawWebsocket::kPing);
+  std::vector<std::uint32_t> underWay;
+  while (const auto message = page.websocket().receive()) {
+    if (message->opcode != RawWebsocket::kBinary) break;
+    const ServerMessage parsed = parseServerMessage(message->bytes);
+    if (const auto* picture = std::get_if<PictureMessage>(&parsed)) underWay.push_back(picture->header.lastInput);
+  }
+  for (const std::uint32_t input : underWay) EXPECT_LT(input, page.lastInput()) << "was drawn after it was hidden";
+  page.say(Limits{});
+  ASSERT_TRUE(page.listenUntil([](const VideoPage::Heard& heard) {
+    if (heard.pictures.empty()) return false;
+    EXPECT_TRUE(heard.pictures.front().independent) << "its decoder may be gone";
+    return true;
+  }));
+}
+
+TEST_F(VideoTest, LimitsAreKept) {
+  VideoPage page(port(), {kCodecJpeg}, Limits{.framesPerSecond = 10, .lines = 180});
+  ASSERT_TRUE(page.listenUntil([](const VideoPage::Heard& heard) {
+    for (const PictureHeader& each : heard.pictures) EXPECT_EQ(each.height, 180);
+    return heard.pictures.size() >= 3;
+  }));
+  const double begin = world::World::now();
+  ASSERT_TRUE(page.listenUntil(pictures(10)));
+  EXPECT_GT(world::World::now() - begin, 0.8);
+  page.say(Limits{});
+  ASSERT_TRUE(page.listenUntil(
+      [](const VideoPage::Heard& heard) { return !heard.pictures.empty() && heard.pictures.back().height == 360; }));
+}
+
+TEST_F(VideoTest, MessagesOfVideoAreRefusedFromOlderPages) {
+  for (const auto& message : {encode(Offer{{kCodecH264}}), encode(Limits{}), encode(Broken{1}), encode(Presented{})}) {
+    GoodClient old(port());
+    ASSERT_TRUE(old.receiveFrames(1));
+    old.websocket().send(message);
+    const auto close = old.websocket().receiveClose();
+    ASSERT_TRUE(close);
+    EXPECT_EQ(close->code, 4000);
+  }
+}
+
+TEST_F(VideoTest, AFrameThatWasNeverSentCannotBePresented) {
+  VideoPage page(port(), {kCodecH264});
+  ASSERT_TRUE(page.listenUntil(pictures(1)));
+  page.say(Presented{4'000'000'000U, 0, 0});
+  const auto close = page.websocket().receiveClose();
+  ASSERT_TRUE(close);
+  EXPECT_EQ(close->code, 4000);
+}
+
+}  // namespace
+}  // namespace grove::stream
