@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/log.h"
-#include "cli/progress.h"
+#include "cli/prepare/progress.h"
 #include "cli/stop_on_signal.h"
 #include "models/gltf/gltf_import.h"
 #include "models/plants/plants.h"

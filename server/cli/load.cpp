@@ -7,7 +7,7 @@
 
 #include "base/log.h"
 #include "cli/figures.h"
-#include "cli/prepare_world.h"
+#include "cli/prepare/prepare_world.h"
 #include "stream/load/load_client.h"
 
 namespace grove::cli {

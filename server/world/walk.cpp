@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::uint64_t kMaxFileBytes = std::uint64_t{16} << 20U;
 constexpr double kMaxSeconds = 86'400.0;
-constexpr double kMaxMetres = 1e5;
+constexpr double kMaxWalkMetres = 1e5;
 constexpr double kMaxYaw = 1e4;
 constexpr float kFullTurn = 6.2831853F;
 
@@ -75,7 +75,7 @@ class WalkReader {
     return value;
   }
   [[nodiscard]] float metres(double value, const std::string& what) const {
-    return static_cast<float>(within(value, -kMaxMetres, kMaxMetres, what));
+    return static_cast<float>(within(value, -kMaxWalkMetres, kMaxWalkMetres, what));
   }
 
   [[noreturn]] void fail(const std::string& reason) const {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "world/object.h"
-#include "world/ray_scene.h"
+#include "world/rays/ray_scene.h"
 
 namespace grove::world {
 

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "cli/prepare_world.h"
+#include "cli/prepare/prepare_world.h"
 #include "integration/served_scene.h"
 #include "objects/lightfield/backend/light_field_model.h"
 #include "objects/lightfield/file/small_field.h"

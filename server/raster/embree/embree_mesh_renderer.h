@@ -6,7 +6,7 @@
 
 #include "raster/drawing.h"
 #include "raster/shading/detail_texture.h"
-#include "world/ray_scene.h"
+#include "world/rays/ray_scene.h"
 
 namespace grove::raster {
 

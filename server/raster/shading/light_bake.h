@@ -4,7 +4,7 @@
 #include <span>
 
 #include "raster/surface.h"
-#include "world/ray_scene.h"
+#include "world/rays/ray_scene.h"
 
 namespace grove::raster {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "models/plants/soil.h"
-#include "world/ray_scene.h"
+#include "world/rays/ray_scene.h"
 
 namespace grove::models {
 namespace {

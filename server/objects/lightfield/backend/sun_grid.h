@@ -5,7 +5,7 @@
 
 #include "world/geometry.h"
 #include "world/object.h"
-#include "world/ray_scene.h"
+#include "world/rays/ray_scene.h"
 
 namespace grove::objects::lightfield {
 

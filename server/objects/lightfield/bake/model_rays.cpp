@@ -6,8 +6,8 @@
 #include <bit>
 #include <cstring>
 
-#include "world/embree_device.h"
 #include "world/noise.h"
+#include "world/rays/embree_device.h"
 
 namespace grove::bake {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <optional>
 
-#include "world/ray_scene.h"
+#include "world/rays/ray_scene.h"
 
 namespace grove::bake {
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "world/ray_scene.h"
+#include "world/rays/ray_scene.h"
 
 namespace grove::objects::lightfield {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "objects/lightfield/format/view_camera.h"
 #include "raster/image.h"
-#include "world/ray_scene.h"
+#include "world/rays/ray_scene.h"
 
 namespace grove::objects::lightfield {
 

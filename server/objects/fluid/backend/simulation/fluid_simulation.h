@@ -16,7 +16,7 @@
 #include "objects/fluid/common/snapshot.h"
 #include "world/edits.h"
 #include "world/players.h"
-#include "world/ray_scene.h"
+#include "world/rays/ray_scene.h"
 
 namespace grove::objects::fluid {
 

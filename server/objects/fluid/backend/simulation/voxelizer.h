@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "world/geometry.h"
-#include "world/ray_scene.h"
+#include "world/rays/ray_scene.h"
 
 namespace grove::objects::fluid {
 

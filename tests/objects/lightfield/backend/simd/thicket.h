@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "objects/lightfield/file/view_packer.h"
-#include "world/ray_scene.h"
+#include "world/rays/ray_scene.h"
 
 namespace grove::objects::lightfield {
 

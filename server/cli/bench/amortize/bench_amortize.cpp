@@ -1,0 +1,142 @@
+#include "cli/bench/amortize/bench_amortize.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cstdio>
+#include <fstream>
+#include <stdexcept>
+#include <thread>
+#include <tuple>
+#include <utility>
+
+#include "base/error.h"
+#include "cli/bench/amortize/bench_amortize_report.h"
+#include "cli/prepare/prepare_world.h"
+#include "cli/prepare/progress.h"
+#include "cli/stop_on_signal.h"
+#include "stream/session/session.h"
+
+namespace grove::cli {
+namespace {
+
+/// Options that cannot be used; what() is one line.
+class Refused : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// What the options ask for.
+struct Plan {
+  std::vector<int> users;  ///< rising
+  AmortizeRun run;         ///< but for its visitors
+  bool figure = false;
+};
+
+std::vector<int> usersOf(const BenchAmortizeOptions& options) {
+  if (options.users.empty()) return {1, 2, 4, 8};
+  std::vector<int> users = options.users;
+  std::ranges::sort(users);
+  if (users.front() < 1 || users.back() > kMostAmortizeUsers) {
+    throw Refused("--users must be from 1 to " + std::to_string(kMostAmortizeUsers));
+  }
+  if (const auto twice = std::ranges::adjacent_find(users); twice != users.end()) {
+    throw Refused("--users has " + std::to_string(*twice) + " twice");
+  }
+  return users;
+}
+
+/// WIDTHxHEIGHT, as a session would accept it.
+std::pair<int, int> sizeOf(const std::string& text) {
+  int width = 0;
+  int height = 0;
+  const char* const end = text.data() + text.size();
+  const auto first = std::from_chars(text.data(), end, width);
+  const bool cross = first.ec == std::errc() && first.ptr != end && *first.ptr == 'x';
+  const bool whole = cross && std::from_chars(first.ptr + 1, end, height).ptr == end;
+  const std::pair size(width, height);
+  if (!whole || width < 1 || height < 1 ||
+      stream::fitSize(static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height)) != size) {
+    throw Refused("--size must be WIDTHxHEIGHT, even numbers from 160x90 to 1920x1080, not '" + text + "'");
+  }
+  return size;
+}
+
+/// Opened before anything is measured.
+std::ofstream plotFile(const BenchAmortizeOptions& options) {
+  std::ofstream file;
+  if (!options.plot) return file;
+  file.open(*options.plot);
+  if (!file) throw EnvironmentError("cannot be written", *options.plot, "--plot wants a file in an existing folder");
+  return file;
+}
+
+/// Told by what a first row has held: every visitor's own, and a world for each in private mode.
+void refuseWhatDoesNotFit(const AmortizeRow& first, int users) {
+  const measure::MemoryShare share = measure::sum(first.memory);
+  const double needed = users * (share.acrossUser + share.perUserBackend + share.perUserFrontend);
+  const auto free = static_cast<double>(measure::availableMemory());
+  if (needed <= free) return;
+  const auto gigabytes = [](double bytes) { return std::to_string(std::lround(bytes * 1e-9)) + " GB"; };
+  throw Refused(std::to_string(users) + " worlds need about " + gigabytes(needed) + " of memory, " + gigabytes(free) +
+                " are free");
+}
+
+Plan planOf(const BenchAmortizeOptions& options) {
+  Plan plan;
+  plan.users = usersOf(options);
+  plan.run.seconds = options.seconds;
+  plan.run.frames = options.frames;
+  std::tie(plan.run.width, plan.run.height) = sizeOf(options.size);
+  plan.figure = options.figure || options.users.empty();
+  return plan;
+}
+
+void measureRows(AmortizeResult& result, const Plan& plan, const world::Scene& scene, const gl::ShaderLibrary& shaders,
+                 const std::stop_token& stop) {
+  for (const int users : plan.users) {
+    for (const bool privateWorlds : {false, true}) {
+      AmortizeRun run = plan.run;
+      run.users = users;
+      run.privateWorlds = privateWorlds;
+      const auto row = runAmortize(scene, shaders, run, stop);
+      if (!row) return;
+      result.rows.push_back(*row);
+      if (result.rows.size() == 1) refuseWhatDoesNotFit(*row, plan.users.back());
+    }
+  }
+}
+
+AmortizeResult measureAll(const Plan& plan, const world::Scene& scene, const std::stop_token& stop) {
+  AmortizeResult result;
+  result.cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  const gl::ShaderLibrary shaders;
+  Progress progress;
+  const bool prepared = prepareWorld(scene, progress, stop);
+  progress.finish();
+  if (prepared) measureRows(result, plan, scene, shaders, stop);
+  if (plan.figure && !stop.stop_requested()) {
+    result.figure = runFigure(shaders, plan.run.width, plan.run.height, stop);
+  }
+  result.interrupted = stop.stop_requested();
+  return result;
+}
+
+}  // namespace
+
+int runBenchAmortize(const BenchAmortizeOptions& options) {
+  const StopOnSignal stop;
+  try {
+    const Plan plan = planOf(options);
+    std::ofstream plot = plotFile(options);
+    const AmortizeResult result = measureAll(plan, openScene(options.scene), stop.token());
+    if (plot.is_open()) plot << amortizePlot(result);
+    const std::string text = options.json ? amortizeJson(result) : amortizeTables(result);
+    std::fputs(text.c_str(), stdout);
+    return 0;
+  } catch (const Refused& e) {
+    std::fprintf(stderr, "bench amortize: %s\n", e.what());
+    return 2;
+  }
+}
+
+}  // namespace grove::cli

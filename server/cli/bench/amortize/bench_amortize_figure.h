@@ -1,0 +1,26 @@
+#pragma once
+
+#include <stop_token>
+#include <vector>
+
+#include "cli/bench/amortize/bench_amortize_run.h"
+
+namespace grove::cli {
+
+/// A column of the paper's Figure 5.6: a fluid simulation alone in the world.
+struct FigureColumn {
+  int grid = 64;  ///< cells per edge
+  int frontends = 1;
+  int frames = 100;
+  measure::FrameCost cost;  ///< of the type of object "fluid" only
+};
+
+/// What a tick of the paper's own simulation took on its GPU, rounded, in milliseconds: c_i of Figure 5.6.
+inline constexpr double kPapersTick = 60.0;
+
+/// The figure's four columns with the default world's fluid, and once more with the grid whose tick takes nearest to
+/// the paper's here (128 at most). Only the columns that were measured before it was stopped. Throws EnvironmentError.
+[[nodiscard]] std::vector<FigureColumn> runFigure(const gl::ShaderLibrary& shaders, int width, int height,
+                                                  const std::stop_token& stop);
+
+}  // namespace grove::cli

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "cli/bench/amortize/bench_amortize_run.h"
+#include "measure/linear_fit.h"
+
+namespace grove::cli {
+
+/// How many visitors a mode serves at the nominal frame rate on the cores of this machine.
+struct Capacity {
+  int served = 0;                ///< most visitors that were, of the counts that were measured; 0: not even the fewest
+  std::optional<int> unserved;   ///< the next larger count, which was not; none: the largest one was served
+  std::optional<double> fitted;  ///< where the fitted line reaches the machine's cores; none without a rising line
+};
+
+/// Cores over visitors of one mode: CPU(N) = a + b N, of what serving at the nominal rate needs. Over the counts that
+/// the machine could serve if those are three or more, over all of them otherwise: where frames are few, more changes
+/// from one to the next, and each costs more than it would at the nominal rate.
+struct ModeFit {
+  std::optional<measure::LinearFit> line;
+  std::vector<int> over;  ///< numbers of visitors
+  Capacity capacity;
+};
+
+/// The paper's claims, tested: the across-user share as the stages tell it against that of the slopes, and the law
+/// M = N (1 - alpha) + alpha against what both modes serve.
+struct AmortizeLaw {
+  int cores = 1;
+  ModeFit shared;
+  ModeFit unshared;
+  double alphaStages = 0.0;         ///< alpha_1 with the most visitors that share
+  std::optional<double> alphaFit;   ///< 1 - b_shared / b_private
+  std::optional<double> lawStages;  ///< visitors of private mode that the law expects of `alphaStages`
+  std::optional<double> lawFit;     ///< and of `alphaFit`
+  std::optional<double> gain;       ///< fitted capacities, shared over private
+};
+
+[[nodiscard]] AmortizeLaw amortizeLaw(const std::vector<AmortizeRow>& rows, int cores);
+
+/// The row of a mode with the most visitors; null if there is none.
+[[nodiscard]] const AmortizeRow* fullest(const std::vector<AmortizeRow>& rows, bool privateWorlds);
+
+}  // namespace grove::cli

@@ -1,0 +1,89 @@
+#include <algorithm>
+
+#include "cli/bench/amortize/bench_amortize_report.h"
+#include "measure/svg_plot.h"
+
+namespace grove::cli {
+namespace {
+
+using measure::Panel;
+using measure::Series;
+
+constexpr const char* kVisitors = "visitors";
+
+/// A value of each row of a mode over its visitors.
+template <class Value>
+Series over(const char* name, const std::vector<AmortizeRow>& rows, bool privateWorlds, Value value) {
+  Series series{.name = name, .points = {}};
+  for (const AmortizeRow& row : rows) {
+    if (row.privateWorlds == privateWorlds) series.points.emplace_back(row.users, value(row));
+  }
+  std::ranges::sort(series.points);
+  return series;
+}
+
+Panel coresPanel(const AmortizeResult& result) {
+  const AmortizeLaw law = amortizeLaw(result.rows, result.cores);
+  Panel panel{.title = "Cores for 30 frames a second each", .xLabel = kVisitors, .yLabel = "cores", .series = {}};
+  int most = 1;
+  for (const AmortizeRow& row : result.rows) most = std::max(most, row.users);
+  const auto add = [&](const char* name, const char* fitName, bool privateWorlds, const ModeFit& fit) {
+    Series& points = panel.series.emplace_back(
+        over(name, result.rows, privateWorlds, [](const AmortizeRow& row) { return row.coresNeeded(); }));
+    points.line = false;
+    if (!fit.line) return;
+    // Nobody needs fewer than no cores.
+    const double from =
+        fit.line->at(0.0) < 0.0 && fit.line->b.value > 0.0 ? -fit.line->a.value / fit.line->b.value : 0.0;
+    panel.series.push_back(
+        {.name = fitName, .points = {{from, fit.line->at(from)}, {most, fit.line->at(most)}}, .marks = false});
+  };
+  add("shared", "fit", false, law.shared);
+  add("private", "fit", true, law.unshared);
+  panel.series.push_back({.name = "this machine", .points = {{0.0, law.cores}, {most, law.cores}}, .marks = false});
+  return panel;
+}
+
+Panel alphaPanel(const std::vector<AmortizeRow>& rows) {
+  const auto alpha0 = [](const AmortizeRow& row) { return measure::alpha0(row.cost()); };
+  const auto alpha1 = [](const AmortizeRow& row) { return measure::alpha1(row.cost()); };
+  const auto beta = [](const AmortizeRow& row) { return measure::sum(row.memory).beta(); };
+  return {.title = "Across-user share",
+          .xLabel = kVisitors,
+          .yLabel = "of computation (α) and memory (β)",
+          .series = {over("α0", rows, false, alpha0), over("α1", rows, false, alpha1), over("β", rows, false, beta)}};
+}
+
+Panel costPanel(const std::vector<AmortizeRow>& rows) {
+  const auto each = [](const AmortizeRow& row) { return row.cost().acrossUser * row.copies() / row.users; };
+  const auto all = [&](const AmortizeRow& row) { return each(row) + row.cost().perUser(); };
+  return {.title = "CPU for a frame of one visitor",
+          .xLabel = kVisitors,
+          .yLabel = "ms",
+          .series = {
+              over("all, shared", rows, false, all), over("all, private", rows, true, all),
+              over("c_i / N, shared", rows, false, each),
+              over("c_b, shared", rows, false, [](const AmortizeRow& row) { return row.cost().backendCompressed(); }),
+              over("c_f, shared", rows, false, [](const AmortizeRow& row) { return row.cost().frontend; })}};
+}
+
+Panel memoryPanel(const std::vector<AmortizeRow>& rows) {
+  const auto resident = [](const AmortizeRow& row) { return static_cast<double>(row.process.resident) * 1e-6; };
+  const auto told = [](const AmortizeRow& row) { return row.toldBytes * 1e-6; };
+  return {.title = "Memory of the process",
+          .xLabel = kVisitors,
+          .yLabel = "MB",
+          .series = {over("resident, shared", rows, false, resident), over("resident, private", rows, true, resident),
+                     over("told by holders, shared", rows, false, told),
+                     over("told by holders, private", rows, true, told)}};
+}
+
+}  // namespace
+
+std::string amortizePlot(const AmortizeResult& result) {
+  const std::vector<Panel> panels = {coresPanel(result), alphaPanel(result.rows), costPanel(result.rows),
+                                     memoryPanel(result.rows)};
+  return measure::svgPlot(panels, 2);
+}
+
+}  // namespace grove::cli

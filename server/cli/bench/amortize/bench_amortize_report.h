@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/bench/amortize/bench_amortize_figure.h"
+#include "cli/bench/amortize/bench_amortize_law.h"
+#include "cli/bench/amortize/bench_amortize_run.h"
+
+namespace grove::cli {
+
+/// All that `grove bench amortize` has measured.
+struct AmortizeResult {
+  std::vector<AmortizeRow> rows;
+  std::vector<FigureColumn> figure;
+  int cores = 1;  ///< of the machine
+  bool interrupted = false;
+};
+
+/// The document of the contract, for machines. Unbounded values are null.
+[[nodiscard]] std::string amortizeJson(const AmortizeResult& result);
+
+/// Tables like the paper's, for people.
+[[nodiscard]] std::string amortizeTables(const AmortizeResult& result);
+
+/// Curves over the number of visitors, as SVG.
+[[nodiscard]] std::string amortizePlot(const AmortizeResult& result);
+
+}  // namespace grove::cli

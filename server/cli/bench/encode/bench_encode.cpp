@@ -1,0 +1,211 @@
+#include "cli/bench/encode/bench_encode.h"
+
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <utility>
+#include <vector>
+
+#include "cli/bench/encode/encode_trial.h"
+#include "cli/bench/encode/walk_recorder.h"
+#include "cli/bench/picture_size.h"
+#include "cli/figures.h"
+#include "cli/prepare/prepare_world.h"
+#include "cli/prepare/progress.h"
+#include "cli/stop_on_signal.h"
+#include "gl/shader_library.h"
+#include "objects/builtin.h"
+#include "stream/protocol/protocol.h"
+#include "stream/session/host.h"
+#include "world/players.h"
+#include "world/scene_file.h"
+#include "world/walk.h"
+
+namespace grove::cli {
+namespace {
+
+using nlohmann::ordered_json;
+using world::Pose;
+using world::Vec3;
+
+constexpr double kStandingSeconds = 10.0;
+constexpr int kStandingKilobits = 4000;
+/// Metres from the fire of one who stands before it, and of one who walks around it.
+constexpr float kStandingDistance = 5.0F;
+constexpr float kWalkingDistance = 7.0F;
+
+Pose lookingAt(Vec3 eye, Vec3 target) {
+  Pose pose;
+  pose.position = eye;
+  const Vec3 way = target - eye;
+  pose.yaw = std::atan2(-way.x, -way.z);
+  pose.pitch = std::atan2(way.y, std::hypot(way.x, way.z));
+  return pose;
+}
+
+Vec3 fireOf(const world::World::Layout& layout) {
+  return layout.lights.empty() ? Vec3(0.0F) : layout.lights.front().light.position;
+}
+
+world::Walk standingWalk(const world::World::Layout& layout) {
+  const Vec3 fire = fireOf(layout);
+  const Vec3 outwards = glm::normalize(Vec3(layout.spawn.x - fire.x, 0.0F, layout.spawn.z - fire.z));
+  const Vec3 eye = Vec3(fire.x, world::kEyeHeight, fire.z) + outwards * kStandingDistance;
+  return world::Walk({{0.0, lookingAt(eye, fire)}});
+}
+
+/// Around the fire at a walk, looking about: at the fire, ahead, and over to the trees.
+world::Walk roundWalk(const world::World::Layout& layout) {
+  constexpr double kStepSeconds = 0.1;
+  constexpr int kSteps = 200;
+  const Vec3 fire = fireOf(layout);
+  const float start = std::atan2(layout.spawn.x - fire.x, layout.spawn.z - fire.z);
+  std::vector<world::Walk::Step> steps;
+  for (int i = 0; i <= kSteps; ++i) {
+    const auto time = static_cast<float>(i * kStepSeconds);
+    const float angle = start + time * world::kWalkSpeed / kWalkingDistance;
+    const Vec3 outwards(std::sin(angle), 0.0F, std::cos(angle));
+    Pose pose = lookingAt(Vec3(fire.x, world::kEyeHeight, fire.z) + outwards * kWalkingDistance, fire);
+    pose.yaw -= 0.8F * (1.0F - std::cos(0.7F * time));
+    pose.pitch += 0.08F * std::sin(0.9F * time);
+    steps.push_back({i * kStepSeconds, pose});
+  }
+  return world::Walk(std::move(steps));
+}
+
+/// As the system calls it; empty if it does not say.
+std::string processorName() {
+  std::ifstream file("/proc/cpuinfo");
+  for (std::string line; std::getline(file, line);) {
+    const std::size_t colon = line.find(": ");
+    if (line.starts_with("model name") && colon != std::string::npos) return line.substr(colon + 2);
+  }
+  return {};
+}
+
+struct TrialRow {
+  std::string walk;
+  std::size_t frames = 0;
+  EncodeTrial trial;
+};
+
+struct EncodeReport {
+  std::string size;
+  double conversion = 0.0;
+  std::vector<TrialRow> rows;
+  bool interrupted = false;
+};
+
+std::vector<EncodeSetting> walkSettings(const stream::EncoderKind& kind) {
+  if (!kind.chained) return {{kind.make()->range().usual}};
+  std::vector<EncodeSetting> settings;
+  for (const int quantiser : {22, 25, 28, 31, 34}) settings.push_back({quantiser});
+  for (const int kilobits : {2000, 4000, 6000}) settings.push_back({std::nullopt, kilobits});
+  return settings;
+}
+
+std::string settingName(const EncodeSetting& setting) {
+  if (setting.quantiser) return "fixed";
+  return "led, " + std::to_string(setting.kilobitsPerSecond) + " kbit/s";
+}
+
+void print(const EncodeReport& report) {
+  std::printf("%s, one core of %s; of a video codec's CPU, %.2f ms make the frame what it takes\n", report.size.c_str(),
+              processorName().c_str(), report.conversion);
+  std::printf("%-7s %-20s %-18s %9s %9s %9s %9s %7s %7s\n", "codec", "walk", "setting", "quantiser", "CPU ms", "p99",
+              "kbit/s", "SSIM", "lowest");
+  for (const TrialRow& row : report.rows) {
+    const EncodeTrial& trial = row.trial;
+    std::printf("%-7s %-20s %-18s %9.1f %9.2f %9.2f %9.0f %7.4f %7.4f\n", trial.codec.c_str(), row.walk.c_str(),
+                settingName(trial.setting).c_str(), trial.quantiser, trial.cpuMilliseconds, trial.p99Milliseconds,
+                trial.kilobitsPerSecond, trial.ssim, trial.minSsim);
+  }
+  if (report.interrupted) std::puts("\ninterrupted: what is above is not all that was asked for");
+}
+
+ordered_json toJson(const EncodeReport& report) {
+  ordered_json rows = ordered_json::array();
+  const std::string processor = processorName();
+  for (const TrialRow& row : report.rows) {
+    const EncodeTrial& trial = row.trial;
+    ordered_json wanted;
+    if (!trial.setting.quantiser) wanted = trial.setting.kilobitsPerSecond;
+    rows.push_back({{"codec", trial.codec},
+                    {"walk", row.walk},
+                    {"wanted_kbit_per_s", wanted},
+                    {"quantiser", rounded(trial.quantiser, 2)},
+                    {"frames", row.frames},
+                    {"pictures", trial.pictures},
+                    {"size", report.size},
+                    {"processor", processor},
+                    {"cpu_ms_per_frame", rounded(trial.cpuMilliseconds, 3)},
+                    {"p99_ms", rounded(trial.p99Milliseconds, 3)},
+                    {"kbit_per_s", rounded(trial.kilobitsPerSecond, 1)},
+                    {"ssim", rounded(trial.ssim, 4)},
+                    {"ssim_min", rounded(trial.minSsim, 4)}});
+  }
+  return {{"conversion_ms_per_frame", rounded(report.conversion, 3)},
+          {"interrupted", report.interrupted},
+          {"rows", std::move(rows)}};
+}
+
+}  // namespace
+
+int runBenchEncode(const BenchEncodeOptions& options) {
+  const auto size = parsePictureSize(options.size);
+  if (!size) {
+    std::fprintf(stderr, "bench encode: --size wants even numbers from 160x90 to 1920x1080, not '%s'\n",
+                 options.size.c_str());
+    return 2;
+  }
+  std::optional<world::Walk> walk;
+  if (options.walk) walk = world::loadWalk(*options.walk);
+
+  const StopOnSignal stop;
+  EncodeReport report;
+  report.size = options.size;
+  const world::Scene scene = openScene(std::nullopt);
+  const gl::ShaderLibrary shaders;
+  gl::Workers gl(gl::ContextKind::kAuto, shaders);
+  Progress progress;
+  if (prepareWorld(scene, progress, stop.token())) {
+    node::Registry registry;
+    objects::registerBuiltinTypes(registry);
+    const world::World::Layout layout = node::makeLayout(scene, registry);
+    if (!walk) walk = roundWalk(layout);
+    const stream::EncoderRegistry encoders = stream::builtinEncoders(stream::HostOptions().jpegQuality);
+    // Frames are drawn first and encoded when the world is gone, so that nothing else takes the processor's caches.
+    std::optional<WalkRecorder> recorder;
+    recorder.emplace(layout, registry, gl, [&](std::string_view label, float share) { progress.show(label, share); });
+    progress.show("drawing a walk", 0.0F);
+    KeptFrames moving = recorder->record(*walk, options.seconds, size->width, size->height, stop.token());
+    KeptFrames still =
+        recorder->record(standingWalk(layout), kStandingSeconds, size->width, size->height, stop.token());
+    recorder.reset();
+    progress.finish();
+    const auto measure = [&](const stream::EncoderKind& kind, const EncodeSetting& setting, const std::string& name,
+                             KeptFrames& frames) {
+      if (stop.token().stop_requested() || frames.count() == 0) return;
+      report.rows.push_back({name, frames.count(), tryEncoder(encoders, kind, setting, frames, stop.token())});
+    };
+    for (const stream::EncoderKind& kind : encoders.kinds()) {
+      const std::string name = options.walk.value_or("around the fire");
+      for (const EncodeSetting& setting : walkSettings(kind)) measure(kind, setting, name, moving);
+    }
+    for (const stream::EncoderKind& kind : encoders.kinds()) {
+      measure(kind, {std::nullopt, kStandingKilobits}, "before the fire", still);
+    }
+    if (moving.count() > 0) report.conversion = conversionMilliseconds(moving);
+  }
+  report.interrupted = stop.token().stop_requested();
+  if (options.json) {
+    std::printf("%s\n", toJson(report).dump(2).c_str());
+  } else {
+    print(report);
+  }
+  return 0;
+}
+
+}  // namespace grove::cli

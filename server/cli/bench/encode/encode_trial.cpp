@@ -1,0 +1,149 @@
+#include "cli/bench/encode/encode_trial.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "base/checksum.h"
+#include "base/error.h"
+#include "cli/bench/encode/walk_recorder.h"
+#include "cli/figures.h"
+#include "measure/picture_quality.h"
+#include "measure/utilisation.h"
+#include "pipeline/clocks.h"
+#include "stream/adapt/stream_control.h"
+#include "stream/encode/h264_decoder.h"
+#include "stream/encode/i420.h"
+#include "stream/encode/jpeg_decoder.h"
+
+namespace grove::cli {
+namespace {
+
+/// To tell how alike two pictures are takes ten times as long as to encode them.
+constexpr std::size_t kFramesPerComparison = 10;
+/// Of a line that is better than the visitor asks for.
+constexpr double kRoundTrip = 0.020;
+
+double milliseconds(std::int64_t nanoseconds) { return static_cast<double>(nanoseconds) * 1e-6; }
+
+/// What a page shows of a stream.
+class Screen {
+ public:
+  explicit Screen(std::uint8_t codec) : codec_(codec) {}
+
+  void show(std::span<const std::uint8_t> picture) {
+    shown_ = codec_ == stream::kCodecJpeg ? jpeg_.decode(picture) : h264_.decode(picture);
+    if (shown_ == nullptr) throw EnvironmentError("makes pictures that cannot be decoded", "encoder", "");
+  }
+
+  [[nodiscard]] double likeness(const raster::Image& frame) const {
+    const measure::Mask all(frame.colour.size(), 1);
+    return measure::structuralSimilarity({frame.colour, frame.width()}, {shown_->colour, shown_->width}, all);
+  }
+
+ private:
+  const std::uint8_t codec_;
+  stream::JpegDecoder jpeg_;
+  stream::H264Decoder h264_;
+  const stream::DecodedPicture* shown_ = nullptr;
+};
+
+/// What stream::EncodeStage does with a frame, and how long it takes.
+class Visitor {
+ public:
+  Visitor(const stream::EncoderRegistry& encoders, const stream::EncoderKind& kind, const EncodeSetting& setting,
+          int width, int height)
+      : kind_(kind),
+        setting_(setting),
+        control_(encoders, true, kRecordedFramesPerSecond, width, height),
+        encoder_(kind.make()) {
+    stream::Limits limits;
+    limits.kilobitsPerSecond = static_cast<std::uint32_t>(setting.kilobitsPerSecond);
+    control_.limit(limits);
+  }
+
+  /// The bytes to send, for a page that shows the frames before; none if nothing is.
+  [[nodiscard]] std::span<const std::uint8_t> send(const world::Pose& pose, const raster::Image& frame) {
+    const double now = ++frames_ / kRecordedFramesPerSecond;
+    const double pixels = static_cast<double>(frame.width()) * frame.height();
+    const bool still =
+        frames_ > 1 && pose.position == pose_.position && pose.yaw == pose_.yaw && pose.pitch == pose_.pitch;
+    const std::uint64_t hash = checksumOf(std::as_bytes(frame.colour));
+    const bool same = still && hash == hash_;
+    pose_ = pose;
+    hash_ = hash;
+    stream::StreamControl::Choice choice = control_.choose(kind_, encoder_->range(), pixels, still, same, now);
+    if (setting_.quantiser) choice.order.quantiser = *setting_.quantiser;
+    if (same && !choice.order.independent && choice.order.quantiser >= quantiser_) return {};
+    quantiser_ = choice.order.quantiser;
+    bytes_.clear();
+    const std::int64_t begin = pipeline::threadCpuNanoseconds();
+    const bool independent = encoder_->encode(frame, choice.order, bytes_);
+    times_.push_back(milliseconds(pipeline::threadCpuNanoseconds() - begin));
+    quantisers_ += quantiser_;
+    sent_ += bytes_.size();
+    control_.encoded(choice, independent, pixels, bytes_.size());
+    control_.sent(static_cast<std::uint32_t>(frames_), 0, bytes_.size(), now);
+    static_cast<void>(control_.acknowledged(static_cast<std::uint32_t>(frames_),
+                                            {.acknowledged = now + kRoundTrip, .pageSeconds = now + kRoundTrip / 2}));
+    return bytes_;
+  }
+
+  void report(EncodeTrial& trial) const {
+    trial.pictures = times_.size();
+    trial.quantiser = quantisers_ / static_cast<double>(times_.size());
+    trial.cpuMilliseconds = median(times_);
+    trial.p99Milliseconds = measure::percentile(times_, 0.99);
+    trial.kilobitsPerSecond = 8e-3 * static_cast<double>(sent_) * kRecordedFramesPerSecond / frames_;
+  }
+
+ private:
+  const stream::EncoderKind& kind_;
+  const EncodeSetting setting_;
+  stream::StreamControl control_;
+  const std::unique_ptr<stream::Encoder> encoder_;
+  int frames_ = 0;
+  world::Pose pose_;
+  std::uint64_t hash_ = 0;
+  stream::Quantiser quantiser_ = 0.0;
+  std::vector<std::uint8_t> bytes_;
+  std::size_t sent_ = 0;
+  std::vector<double> times_;
+  double quantisers_ = 0.0;
+};
+
+}  // namespace
+
+EncodeTrial tryEncoder(const stream::EncoderRegistry& encoders, const stream::EncoderKind& kind,
+                       const EncodeSetting& setting, KeptFrames& frames, const std::stop_token& stop) {
+  EncodeTrial trial{kind.name, setting};
+  trial.minSsim = 1.0;
+  Visitor visitor(encoders, kind, setting, frames.width(), frames.height());
+  Screen screen(kind.codec);
+  std::size_t compared = 0;
+  for (std::size_t i = 0; i < frames.count() && (i == 0 || !stop.stop_requested()); ++i) {
+    const raster::Image& frame = frames.read(i);
+    if (const auto picture = visitor.send(frames.pose(i), frame); !picture.empty()) screen.show(picture);
+    if (i % kFramesPerComparison != 0) continue;
+    const double ssim = screen.likeness(frame);
+    trial.ssim += ssim;
+    trial.minSsim = std::min(trial.minSsim, ssim);
+    ++compared;
+  }
+  trial.ssim /= static_cast<double>(compared);
+  visitor.report(trial);
+  return trial;
+}
+
+double conversionMilliseconds(KeptFrames& frames) {
+  stream::I420 picture;
+  std::vector<double> times;
+  for (std::size_t i = 0; i < frames.count(); ++i) {
+    const raster::Image& frame = frames.read(i);
+    const std::int64_t begin = pipeline::threadCpuNanoseconds();
+    picture.assign(frame);
+    times.push_back(milliseconds(pipeline::threadCpuNanoseconds() - begin));
+  }
+  return median(times);
+}
+
+}  // namespace grove::cli

@@ -1,0 +1,65 @@
+#include "cli/bench/encode/kept_frames.h"
+
+#include <sys/types.h>
+#include <unistd.h>
+
+#include <cassert>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+
+#include "base/error.h"
+
+namespace grove::cli {
+namespace {
+
+[[noreturn]] void fail(const char* what) {
+  throw EnvironmentError(what, std::filesystem::temp_directory_path().string(), "set TMPDIR to a folder with room");
+}
+
+/// `transfer` is pread or pwrite, either of which may do a part only.
+template <class Bytes, class Transfer>
+bool transferAll(const Transfer& transfer, int descriptor, Bytes* bytes, std::size_t size, std::size_t offset) {
+  while (size > 0) {
+    const ssize_t done = transfer(descriptor, bytes, size, static_cast<off_t>(offset));
+    if (done <= 0) return false;
+    bytes += done;
+    offset += static_cast<std::size_t>(done);
+    size -= static_cast<std::size_t>(done);
+  }
+  return true;
+}
+
+}  // namespace
+
+KeptFrames::KeptFrames(int width, int height)
+    : pixels_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {
+  image_.rect = {0, 0, width, height};
+  image_.colour = pixels_;
+  image_.opaque = true;
+  std::string path = (std::filesystem::temp_directory_path() / "grove-frames-XXXXXX").string();
+  const int descriptor = ::mkstemp(path.data());
+  if (descriptor < 0) fail("cannot make a file for frames");
+  ::unlink(path.c_str());
+  file_.reset(::fdopen(descriptor, "r+b"));
+  if (!file_) fail("cannot make a file for frames");
+}
+
+void KeptFrames::add(const world::Pose& pose, const raster::Image& image) {
+  assert(image.width() == width() && image.height() == height());
+  const auto bytes = std::as_bytes(image.colour);
+  if (!transferAll(::pwrite, ::fileno(file_.get()), bytes.data(), bytes.size(), count() * bytes.size())) {
+    fail("cannot write a frame");
+  }
+  poses_.push_back(pose);
+}
+
+const raster::Image& KeptFrames::read(std::size_t index) {
+  const auto bytes = std::as_writable_bytes(std::span(pixels_));
+  if (!transferAll(::pread, ::fileno(file_.get()), bytes.data(), bytes.size(), index * bytes.size())) {
+    fail("cannot read a frame");
+  }
+  return image_;
+}
+
+}  // namespace grove::cli

@@ -1,0 +1,121 @@
+#include "cli/bench/encode/walk_recorder.h"
+
+#include <algorithm>
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <utility>
+
+#include "base/error.h"
+#include "node/transport/in_process.h"
+#include "pipeline/stage.h"
+#include "stream/session/host.h"
+
+namespace grove::cli {
+namespace {
+
+constexpr node::SessionId kSession = 1;
+/// Until smoke has risen and the first views of plants are there.
+constexpr double kWarmUpSeconds = 6.0;
+constexpr auto kMaxWait = std::chrono::seconds(60);
+
+int workerCount() { return static_cast<int>(std::max(1U, std::thread::hardware_concurrency())); }
+
+/// Stands where the encoder would: the newest frame waits for whoever asked for it.
+class FrameShelf final : public pipeline::Stage<node::FinishedFrame> {
+ public:
+  FrameShelf(pipeline::Executor& executor, pipeline::Timeline& timeline)
+      : Stage({.name = "Recorder",
+               .work = pipeline::Work::kPerUserFrontend,
+               .capacity = 1,
+               .overflow = pipeline::Overflow::kDropOldest,
+               .finishes = true},
+              executor, timeline) {}
+
+  /// Nothing if it does not come.
+  [[nodiscard]] std::optional<node::FinishedFrame> take() {
+    std::unique_lock lock(mutex_);
+    arrived_.wait_for(lock, kMaxWait, [this] { return frame_.has_value(); });
+    return std::exchange(frame_, std::nullopt);
+  }
+
+ protected:
+  void process(std::span<node::FinishedFrame> items, pipeline::Run& /*run*/) override {
+    {
+      const std::lock_guard lock(mutex_);
+      frame_ = items.back();
+    }
+    arrived_.notify_all();
+  }
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable arrived_;
+  std::optional<node::FinishedFrame> frame_;
+};
+
+void sleepUntil(double time) { std::this_thread::sleep_for(std::chrono::duration<double>(time - world::World::now())); }
+
+}  // namespace
+
+WalkRecorder::WalkRecorder(world::World::Layout layout, const node::Registry& registry, gl::Workers& gl,
+                           const std::function<void(std::string_view, float)>& progress)
+    : layout_(std::move(layout)),
+      players_(world::World::makePlayers(layout_)),
+      images_(memory_),
+      workers_(workerCount(), "grove-worker"),
+      copy_(stream::WorldGround{layout_,
+                                std::make_shared<const world::WorldGeometry>(
+                                    layout_.objects,
+                                    [&progress](float share) { progress("laying out the world", share); }),
+                                players_, registry, workers_, gl, timeline_, memory_, images_, nullptr},
+            std::make_unique<node::InProcessTransport>(), stream::Haste::kAllCores, progress) {}
+
+KeptFrames WalkRecorder::record(const world::Walk& walk, double seconds, int width, int height,
+                                const std::stop_token& stop) {
+  KeptFrames frames(width, height);
+  const auto camera = std::make_shared<world::Camera>();
+  camera->width = width;
+  camera->height = height;
+  const auto shelf = std::make_shared<FrameShelf>(workers_, timeline_);
+  // The camera is set between two frames only: there is never one in progress then.
+  const auto look = [this, camera](node::FrameNumber number) {
+    node::View view;
+    view.session = kSession;
+    view.frame = number;
+    view.camera = *camera;
+    view.time = world::World::now();
+    view.lights = copy_.world().lights(view.time, {});
+    return view;
+  };
+  // Two, as the one before may still be ending when the next begins.
+  node::FrontendNode node(
+      kSession, {2, stream::HostOptions::kNoHurry}, look, shelf, [] {}, copy_.frontendServices());
+  const auto frameAt = [&](double time) {
+    camera->pose = walk.thereAndBack(time);
+    if (!node.requestFrame()) return std::optional<node::FinishedFrame>();
+    return shelf->take();
+  };
+  const double warmUp = std::exchange(warm_, true) ? 1.0 : kWarmUpSeconds;
+  const double begin = world::World::now() + warmUp;
+  const auto warmUpFrames = static_cast<int>(warmUp * kRecordedFramesPerSecond);
+  const auto count = static_cast<int>(seconds * kRecordedFramesPerSecond);
+  for (int i = -warmUpFrames; i < count && !stop.stop_requested(); ++i) {
+    const double time = i / kRecordedFramesPerSecond;
+    // A warm-up is over in its time, however few frames come of it.
+    if (i < 0 && world::World::now() > begin) continue;
+    sleepUntil(begin + time);
+    const auto frame = frameAt(std::max(0.0, time));
+    if (!frame) throw EnvironmentError("a frame did not come within a minute", "recording", "");
+    if (i >= 0) frames.add(camera->pose, *frame->image);
+  }
+  node.close();
+  shelf->close();
+  workers_.drain();
+  copy_.forget(kSession);
+  return frames;
+}
+
+}  // namespace grove::cli

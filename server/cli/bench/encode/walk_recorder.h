@@ -1,0 +1,48 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <stop_token>
+#include <string_view>
+
+#include "cli/bench/encode/kept_frames.h"
+#include "gl/workers.h"
+#include "node/registry.h"
+#include "pipeline/memory_ledger.h"
+#include "pipeline/timeline.h"
+#include "pipeline/worker_pool.h"
+#include "raster/image.h"
+#include "stream/session/world_copy.h"
+#include "world/walk.h"
+#include "world/world.h"
+
+namespace grove::cli {
+
+inline constexpr double kRecordedFramesPerSecond = 30.0;
+
+/// A world with one visitor, whose frames are kept instead of encoded: the pipeline that serves, without a host and
+/// sessions. One thread, not one of the executors'.
+class WalkRecorder {
+ public:
+  /// Prepares the world, which may take seconds; throws what backends throw.
+  WalkRecorder(world::World::Layout layout, const node::Registry& registry, gl::Workers& gl,
+               const std::function<void(std::string_view, float)>& progress);
+
+  /// What he sees who goes along the walk, there and back again. One frame is begun each thirtieth of a second, so that
+  /// smoke moves between two of them as far as it does for visitors; where a frame takes longer than that, farther. If
+  /// it is to stop, returns what there is.
+  [[nodiscard]] KeptFrames record(const world::Walk& walk, double seconds, int width, int height,
+                                  const std::stop_token& stop);
+
+ private:
+  const world::World::Layout layout_;
+  const std::shared_ptr<world::Players> players_;
+  pipeline::Timeline timeline_;
+  pipeline::MemoryLedger memory_;
+  raster::ImagePool images_;
+  pipeline::WorkerPool workers_;
+  stream::WorldCopy copy_;
+  bool warm_ = false;
+};
+
+}  // namespace grove::cli

@@ -1,0 +1,258 @@
+#include "cli/bench/pipeline/bench_pipeline.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <stop_token>
+#include <thread>
+#include <utility>
+
+#include "base/error.h"
+#include "cli/bench/picture_size.h"
+#include "cli/figures.h"
+#include "cli/prepare/prepare_world.h"
+#include "cli/prepare/progress.h"
+#include "cli/stop_on_signal.h"
+#include "gl/shader_library.h"
+#include "gl/workers.h"
+#include "measure/chrome_trace.h"
+#include "measure/utilisation.h"
+#include "node/registry.h"
+#include "objects/builtin.h"
+#include "pipeline/clocks.h"
+#include "pipeline/embedded.h"
+#include "stream/session/headless_session.h"
+#include "stream/session/host.h"
+#include "world/scene_file.h"
+
+namespace grove::cli {
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr double kWarmUpSeconds = 2.0;
+constexpr double kSecondsPerInput = 1.0 / 30.0;
+/// More than any machine makes of a scene worth measuring, so that the frame clock is not the limit.
+constexpr int kFramesPerSecond = 240;
+constexpr std::size_t kTimelineEvents = std::size_t{1} << 20U;
+
+/// Those who look, each on a circle of his own.
+class Walkers {
+ public:
+  Walkers(stream::Host& host, int count, const PictureSize& size) {
+    for (int i = 0; i < count; ++i) {
+      visitors_.push_back(
+          std::make_unique<stream::HeadlessSession>(host, "Visitor " + std::to_string(i + 1), size.width, size.height));
+    }
+  }
+
+  /// Returns early if it is to stop.
+  void walk(double seconds, const std::stop_token& stop) {
+    for (double left = seconds; left > 0.0 && !stop.stop_requested(); left -= kSecondsPerInput) {
+      for (std::size_t i = 0; i < visitors_.size(); ++i) {
+        const double turn = 0.4 * walked_ + 1.6 * static_cast<double>(i);
+        visitors_[i]->control(world::kForward, visitors_[i]->welcome().yaw + static_cast<float>(turn), 0.0F);
+      }
+      const double pause = std::min(left, kSecondsPerInput);
+      std::this_thread::sleep_for(std::chrono::duration<double>(pause));
+      walked_ += pause;
+    }
+  }
+
+ private:
+  std::vector<std::unique_ptr<stream::HeadlessSession>> visitors_;
+  double walked_ = 0.0;
+};
+
+/// What was measured with one number of frames in flight.
+struct Row {
+  int framesInFlight = 0;
+  measure::Window window;
+  std::vector<pipeline::TimelineEvent> events;  ///< those before the window, too
+  std::vector<measure::FrameSpan> frames;
+  std::map<std::string, measure::StageUse> stages;
+  double framesPerSecond = 0.0;  ///< of a visitor
+  double overlap = 0.0;
+
+  [[nodiscard]] double latency(double share) const {
+    std::vector<double> milliseconds;
+    for (const measure::FrameSpan& frame : frames) milliseconds.push_back(frame.milliseconds());
+    return measure::percentile(std::move(milliseconds), share);
+  }
+};
+
+Row evaluate(int framesInFlight, int users, const measure::Window& window,
+             std::vector<pipeline::TimelineEvent> events) {
+  Row row{framesInFlight, window, std::move(events), {}, {}, 0.0, 0.0};
+  // Of more runs than are kept, the oldest are gone.
+  if (row.events.size() == kTimelineEvents) {
+    row.window.beginNanoseconds = std::max(window.beginNanoseconds, row.events.front().beginNanoseconds);
+  }
+  row.frames = measure::deliveredFrames(row.events, row.window);
+  row.stages = measure::stageUse(row.events, row.window);
+  row.framesPerSecond = static_cast<double>(row.frames.size()) / row.window.seconds() / users;
+  row.overlap = measure::overlap(row.frames, row.window, users);
+  return row;
+}
+
+/// Nothing if it was stopped before anything was measured.
+std::optional<Row> measureRow(const BenchPipelineOptions& options, int framesInFlight, stream::Host& host,
+                              const PictureSize& size, const std::stop_token& stop) {
+  Walkers walkers(host, options.users, size);
+  walkers.walk(kWarmUpSeconds, stop);
+  if (stop.stop_requested()) return std::nullopt;
+  measure::Window window;
+  window.beginNanoseconds = pipeline::wallNanoseconds();
+  walkers.walk(options.seconds, stop);
+  window.endNanoseconds = pipeline::wallNanoseconds();
+  return evaluate(framesInFlight, options.users, window, host.timeline().events());
+}
+
+ordered_json toJson(const measure::Use& use) {
+  return {{"runs", use.runs},
+          {"wall_ms_per_run", rounded(use.wallMillisecondsPerRun, 3)},
+          {"cpu_ms_per_run", rounded(use.cpuMillisecondsPerRun, 3)},
+          {"utilisation", rounded(use.utilisation, 3)}};
+}
+
+ordered_json toJson(const Row& row) {
+  ordered_json stages = ordered_json::object();
+  for (const auto& [name, stage] : row.stages) {
+    ordered_json& entry = stages[name] = toJson(stage.all);
+    for (const auto& [type, use] : stage.types) entry["types"][type] = toJson(use);
+  }
+  return {{"frames_in_flight", row.framesInFlight},
+          {"seconds", rounded(row.window.seconds(), 3)},
+          {"frames", row.frames.size()},
+          {"frames_per_second", rounded(row.framesPerSecond, 3)},
+          {"latency_ms", {{"p50", rounded(row.latency(0.5), 3)}, {"p99", rounded(row.latency(0.99), 3)}}},
+          {"overlap", rounded(row.overlap, 3)},
+          {"bottleneck", measure::bottleneck(row.stages)},
+          {"stages", std::move(stages)}};
+}
+
+void print(const char* indent, const std::string& name, const measure::Use& use) {
+  const int width = 24 - static_cast<int>(std::string_view(indent).size());
+  const auto bar = static_cast<std::size_t>(std::lround(use.utilisation * 20.0));
+  std::printf("%s%-*s %8llu %9.3f %9.3f %5.0f %% %s\n", indent, width, name.c_str(),
+              static_cast<unsigned long long>(use.runs), use.wallMillisecondsPerRun, use.cpuMillisecondsPerRun,
+              use.utilisation * 100.0, std::string(bar, '#').c_str());
+}
+
+void print(const Row& row) {
+  std::printf(
+      "\n%d in flight: %.1f frames/s for each visitor, latency %.1f ms (p99 %.1f), %.2f frames of a visitor in "
+      "progress\n",
+      row.framesInFlight, row.framesPerSecond, row.latency(0.5), row.latency(0.99), row.overlap);
+  std::printf("  %-22s %8s %9s %9s %7s\n", "stage", "runs", "wall ms", "CPU ms", "active");
+  for (const auto& [name, stage] : row.stages) {
+    print("  ", name, stage.all);
+    for (const auto& [type, use] : stage.types) print("    ", type, use);
+  }
+  std::printf("  bottleneck: %s\n", measure::bottleneck(row.stages).c_str());
+}
+
+void report(const BenchPipelineOptions& options, const world::Scene& scene, const std::vector<Row>& rows,
+            bool interrupted) {
+  if (!options.json) {
+    std::printf("%s, %d visitors, %s, %u cores\n", scene.name.c_str(), options.users, options.size.c_str(),
+                std::thread::hardware_concurrency());
+    for (const Row& row : rows) print(row);
+    if (interrupted) std::puts("\ninterrupted: what is above is not all that was asked for");
+    return;
+  }
+  ordered_json document = {{"scene", scene.name},
+                           {"users", options.users},
+                           {"size", options.size},
+                           {"cores", std::thread::hardware_concurrency()},
+                           {"frames_per_second_limit", kFramesPerSecond},
+                           {"interrupted", interrupted},
+                           {"rows", ordered_json::array()}};
+  for (const Row& row : rows) document["rows"].push_back(toJson(row));
+  std::printf("%s\n", document.dump(2).c_str());
+}
+
+/// The file that the trace goes to, opened before it costs anything.
+class TraceFile {
+ public:
+  explicit TraceFile(const std::string& path) : path_(path), file_(path, std::ios::binary) { check(); }
+
+  void write(const std::vector<Row>& rows) {
+    std::vector<std::vector<pipeline::TimelineEvent>> measured;
+    for (const Row& row : rows) {
+      std::erase_if(measured.emplace_back(row.events), [&](const pipeline::TimelineEvent& event) {
+        return event.beginNanoseconds < row.window.beginNanoseconds ||
+               event.beginNanoseconds > row.window.endNanoseconds;
+      });
+    }
+    std::vector<measure::TraceSection> sections;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      const int count = rows[i].framesInFlight;
+      sections.push_back(
+          {std::to_string(count) + (count == 1 ? " frame in flight" : " frames in flight"), measured[i]});
+    }
+    file_ << measure::chromeTrace(sections) << std::flush;
+    check();
+  }
+
+ private:
+  void check() const {
+    if (!file_) throw EnvironmentError("cannot write the trace", path_, "name a file that can be written");
+  }
+
+  const std::string path_;
+  std::ofstream file_;
+};
+
+}  // namespace
+
+int runBenchPipeline(const BenchPipelineOptions& options) {
+  if (std::set<int>(options.framesInFlight.begin(), options.framesInFlight.end()).size() !=
+      options.framesInFlight.size()) {
+    std::fputs("bench pipeline: --frames-in-flight has a number twice\n", stderr);
+    return 2;
+  }
+  const auto size = parsePictureSize(options.size);
+  if (!size) {
+    std::fprintf(stderr, "bench pipeline: --size wants even numbers from 160x90 to 1920x1080, not '%s'\n",
+                 options.size.c_str());
+    return 2;
+  }
+  std::optional<TraceFile> trace;
+  if (options.trace) trace.emplace(*options.trace);
+
+  const StopOnSignal stop;
+  const embedded::File& grove = embedded::scenes().front();
+  const world::Scene scene =
+      options.scene ? world::loadScene(*options.scene) : world::parseScene(grove.text(), grove.path);
+  const gl::ShaderLibrary shaders;
+  gl::Workers gl(gl::ContextKind::kAuto, shaders);
+  Progress progress;
+  const bool prepared = prepareWorld(scene, progress, stop.token());
+  node::Registry registry;
+  objects::registerBuiltinTypes(registry);
+  std::vector<Row> rows;
+  for (const int framesInFlight : options.framesInFlight) {
+    if (!prepared || stop.token().stop_requested()) break;
+    stream::HostOptions hosting;
+    hosting.deadlineSeconds = stream::HostOptions::kNoHurry;
+    hosting.framesInFlight = framesInFlight;
+    hosting.framesPerSecond = kFramesPerSecond;
+    hosting.mostVisitors = options.users;
+    hosting.timelineEvents = kTimelineEvents;
+    stream::Host host(node::makeLayout(scene, registry), registry, gl, hosting,
+                      [&](std::string_view label, float share) { progress.show(label, share); });
+    progress.finish();
+    if (auto row = measureRow(options, framesInFlight, host, *size, stop.token())) rows.push_back(std::move(*row));
+  }
+  if (trace) trace->write(rows);
+  report(options, scene, rows, stop.token().stop_requested());
+  return 0;
+}
+
+}  // namespace grove::cli

@@ -1,0 +1,190 @@
+#include "cli/bench/amortize/bench_amortize.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "cli/bench/amortize/bench_amortize_report.h"
+#include "cli/program.h"
+
+namespace grove::cli {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+/// A file that goes when this goes.
+struct TemporaryFile {
+  explicit TemporaryFile(const std::string& name, const std::string& text = {})
+      : path(std::filesystem::temp_directory_path() / name) {
+    std::ofstream(path) << text;
+  }
+  ~TemporaryFile() { std::filesystem::remove(path); }
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+  [[nodiscard]] std::string text() const {
+    std::ostringstream all;
+    all << std::ifstream(path).rdbuf();
+    return all.str();
+  }
+  const std::filesystem::path path;
+};
+
+const std::string kSmallScene = R"(
+name = "small"
+spawn = [0, 0, 6]
+[visitor]
+type = "figure"
+[[object]]
+type = "fluid"
+grid = 16
+size = 4
+)";
+
+TEST(BenchAmortize, BadOptionsExitTwoWithOneLine) {
+  for (const char* options :
+       {"--users 0", "--users -1", "--users 1,2,1", "--users two", "--users 1,x", "--users 1.5", "--users ,",
+        "--users 1000000", "--seconds 0", "--seconds 1 --frames 9", "--frames 0", "--size 3", "--size 1280x721",
+        "--size 64x36", "--size 3840x2160", "--size 1280x720x3", "--size -1x-1"}) {
+    const Outcome outcome = grove(std::string("bench amortize ") + options);
+    EXPECT_EQ(outcome.exit, 2) << options;
+    EXPECT_EQ(std::ranges::count(outcome.output, '\n'), 1) << options << ": " << outcome.output;
+  }
+}
+
+TEST(BenchAmortize, APlotThatCannotBeWrittenIsToldFirst) {
+  const Outcome outcome = grove("bench amortize --users 1 --plot no/such/folder/plot.svg");
+  EXPECT_EQ(outcome.exit, 1);
+  EXPECT_THAT(outcome.output, HasSubstr("no/such/folder"));
+  EXPECT_EQ(std::ranges::count(outcome.output, '\n'), 1) << outcome.output;
+}
+
+void expectKeys(const json& object, std::initializer_list<const char*> keys) {
+  for (const char* key : keys) EXPECT_TRUE(object.contains(key)) << key << " in " << object.dump();
+}
+
+TEST(BenchAmortize, PrintsTheDocumentOfTheContractAndDraws) {
+  const TemporaryFile scene("grove_bench_amortize.toml", kSmallScene);
+  const TemporaryFile plot("grove_bench_amortize.svg");
+  const Outcome outcome = grove("bench amortize --users 2,1 --seconds 0.5 --size 160x90 --json --scene " +
+                                    scene.path.string() + " --plot " + plot.path.string(),
+                                false);
+  ASSERT_EQ(outcome.exit, 0);
+  const json document = json::parse(outcome.output);
+  ASSERT_EQ(document["rows"].size(), 4U);
+  const std::vector<std::pair<int, std::string>> expected = {
+      {1, "shared"}, {1, "private"}, {2, "shared"}, {2, "private"}};
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    const json& row = document["rows"][i];
+    EXPECT_EQ(row["users"], expected[i].first);
+    EXPECT_EQ(row["mode"], expected[i].second);
+    expectKeys(row, {"c_i_ms", "c_b0_ms", "c_b1_ms", "c_f_ms", "alpha0", "alpha1", "beta", "cpu_cores", "fps",
+                     "cores_needed", "saturated", "unaccounted_cores", "latency_ms", "memory", "types"});
+    EXPECT_GT(row["c_i_ms"], 0.0) << "the simulation ticks";
+    EXPECT_GT(row["c_f_ms"], 0.0);
+    EXPECT_GT(row["fps"], 0.0);
+    EXPECT_GT(row["latency_ms"]["p50"], 0.0);
+    EXPECT_GT(row["memory"]["resident_bytes"], 0);
+    EXPECT_GT(row["types"]["fluid"]["c_i_ms"], 0.0);
+    EXPECT_EQ(row["types"]["fluid"]["c_i_ms"], row["c_i_ms"]) << "nothing else is across users";
+  }
+  for (const char* mode : {"shared", "private"}) {
+    expectKeys(document["fit"][mode], {"a", "b", "a_95", "b_95", "r_squared", "residual", "over_users"});
+    EXPECT_TRUE(document["fit"][mode]["b_95"][0].is_null()) << "two counts say nothing of the error";
+    expectKeys(document["law"]["capacity"][mode], {"served", "unserved", "fitted"});
+  }
+  expectKeys(document["law"], {"cores", "alpha_stages", "alpha_fit", "private_expected_of_alpha_stages",
+                               "private_expected_of_alpha_fit", "shared_over_private", "cores_per_visitor"});
+  EXPECT_TRUE(document["figure_5_6"].empty()) << "was not asked for";
+  EXPECT_EQ(document["interrupted"], false);
+  EXPECT_THAT(plot.text(), StartsWith("<?xml"));
+  EXPECT_THAT(plot.text(), HasSubstr("</svg>"));
+}
+
+TEST(BenchAmortize, ASignalEndsItWithWhatThereIs) {
+  const TemporaryFile scene("grove_bench_amortize_signal.toml", kSmallScene);
+  const Outcome outcome = groveStoppedAfter(
+      4.0, "bench amortize --users 1,2 --frames 45 --size 160x90 --json --figure-5.6 --scene " + scene.path.string());
+  EXPECT_EQ(outcome.exit, 0);
+  const json document = json::parse(outcome.output);
+  EXPECT_EQ(document["interrupted"], true);
+  EXPECT_LT(document["rows"].size(), 4U);
+  EXPECT_TRUE(document["figure_5_6"].empty());
+}
+
+/// Visitors who each need so much, ms a frame.
+AmortizeRow row(int users, bool privateWorlds, double fps) {
+  AmortizeRow row;
+  row.users = users;
+  row.privateWorlds = privateWorlds;
+  row.seconds = 10.0;
+  row.frames = fps * row.seconds * users;
+  row.costs["fluid"] = {.acrossUser = 20.0, .backend = 0.5, .compressor = 0.5, .frontend = 4.0};
+  return row;
+}
+
+TEST(AmortizeLaw, HoldsForCostsThatObeyIt) {
+  std::vector<AmortizeRow> rows;
+  for (const int users : {1, 2, 4, 8}) {
+    for (const bool mode : {false, true}) rows.push_back(row(users, mode, mode && users > 2 ? 20.0 : 30.0));
+  }
+  const AmortizeLaw law = amortizeLaw(rows, 2);
+  EXPECT_NEAR(law.shared.line->a.value, 0.6, 1e-9) << "c_i thirty times a second";
+  EXPECT_NEAR(law.shared.line->b.value, 0.15, 1e-9);
+  EXPECT_NEAR(law.unshared.line->a.value, 0.0, 1e-9);
+  EXPECT_NEAR(law.unshared.line->b.value, 0.75, 1e-9) << "though the machine was too slow for them";
+  EXPECT_NEAR(law.alphaStages, 0.8, 1e-9);
+  EXPECT_NEAR(*law.alphaFit, 0.8, 1e-9);
+  EXPECT_EQ(law.shared.capacity.served, 8);
+  EXPECT_FALSE(law.shared.capacity.unserved);
+  EXPECT_EQ(law.unshared.capacity.served, 2);
+  EXPECT_EQ(law.unshared.capacity.unserved, 4);
+  EXPECT_NEAR(*law.lawStages, *law.unshared.capacity.fitted, 1e-9) << "M = N (1 - alpha) + alpha";
+  EXPECT_NEAR(*law.gain, (1.4 / 0.15) / (2.0 / 0.75), 1e-9);
+}
+
+TEST(AmortizeLaw, FitsWhatTheMachineCouldServeIfThatIsEnough) {
+  std::vector<AmortizeRow> rows = {row(1, false, 30.0), row(2, false, 30.0), row(4, false, 30.0), row(8, false, 9.0)};
+  rows.back().costs["lightfield"].backend = 10.0;  // more to do anew, as frames are far apart
+  EXPECT_NEAR(amortizeLaw(rows, 2).shared.line->b.value, 0.15, 1e-9);
+  EXPECT_EQ(amortizeLaw(rows, 2).shared.over, (std::vector{1, 2, 4}));
+  rows.erase(rows.begin());
+  EXPECT_GT(amortizeLaw(rows, 2).shared.line->b.value, 0.3) << "two served counts are not enough";
+  EXPECT_EQ(amortizeLaw(rows, 2).shared.over, (std::vector{2, 4, 8}));
+}
+
+TEST(AmortizeLaw, CountsWhatNoStageTells) {
+  AmortizeRow slow = row(4, false, 15.0);
+  slow.cpuCores = 1.0;
+  slow.stageCores = 0.8;
+  EXPECT_NEAR(slow.coresNeeded(), 0.6 + 4 * 0.15 + 2.0 * 0.2, 1e-9) << "twice as much at twice the frames";
+}
+
+TEST(AmortizeLaw, SaysNothingOfOneNumberOfVisitors) {
+  const AmortizeLaw law = amortizeLaw({row(2, false, 30.0), row(2, true, 30.0)}, 2);
+  EXPECT_FALSE(law.shared.line);
+  EXPECT_FALSE(law.alphaFit);
+  EXPECT_FALSE(law.gain);
+  const AmortizeResult result{.rows = {row(2, false, 30.0)}, .figure = {}, .cores = 2};
+  EXPECT_THAT(amortizeTables(result), HasSubstr("one number of visitors"));
+  EXPECT_TRUE(json::parse(amortizeJson(result))["fit"]["shared"]["b"].is_null());
+}
+
+TEST(AmortizeReport, ShowsThePapersFigure) {
+  AmortizeResult result;
+  const measure::FrameCost cost{.acrossUser = 63.94, .backend = 2.72, .compressor = 56.60, .frontend = 9.69};
+  result.figure.push_back({.grid = 64, .frontends = 4, .frames = 500, .cost = cost});
+  EXPECT_THAT(amortizeTables(result), HasSubstr("0.837"));
+  const json column = json::parse(amortizeJson(result))["figure_5_6"][0];
+  EXPECT_NEAR(column["alpha1"], 0.48, 0.005);
+  EXPECT_EQ(column["c_b1_ms"], 59.32);
+  EXPECT_EQ(column["frames"], 500);
+}
+
+}  // namespace
+}  // namespace grove::cli
