@@ -51,7 +51,7 @@ add_library(grove_exact_kernels INTERFACE)
 target_compile_options(grove_exact_kernels INTERFACE -O3)
 
 # grove_library(NAME SOURCES ... HEADERS ... [KERNELS ...] [EXACT_KERNELS ...] DEPS ...)
-# The floor NAME of server/. KERNELS and EXACT_KERNELS name the sources that hold kernels.
+# A floor of server/, or a part of one. KERNELS and EXACT_KERNELS name the sources that hold kernels.
 # Every header must stand alone: `all_verify_interface_header_sets` compiles each by itself.
 # precompiled.h belongs to `base`, and every floor uses it; kernels, with their own options, cannot.
 function(grove_library name)

@@ -16,12 +16,13 @@
 namespace grove::objects::mesh {
 namespace {
 
+using raster::makeBox;
+using raster::RendererKind;
 using world::Vec3;
 
 const Vec3 kWhite{0.8F};
-constexpr std::array kRenderers = {raster::RendererKind::kGl, raster::RendererKind::kSimd,
-                                   raster::RendererKind::kEmbree};
-constexpr std::array kFast = {raster::RendererKind::kGl, raster::RendererKind::kSimd};
+constexpr std::array kRenderers = {RendererKind::kGl, RendererKind::kSimd, RendererKind::kEmbree};
+constexpr std::array kFast = {RendererKind::kGl, RendererKind::kSimd};
 
 world::Camera smallCamera() {
   world::Camera camera;
@@ -56,17 +57,17 @@ class MeshBackendTest : public testing::Test {
 };
 
 /// What holds for each renderer that is fast enough to draw frames.
-class FastRenderers : public testing::TestWithParam<raster::RendererKind> {
+class FastRenderers : public testing::TestWithParam<RendererKind> {
  protected:
   Bench bench_;
 };
 
 INSTANTIATE_TEST_SUITE_P(Mesh, FastRenderers, testing::ValuesIn(kFast),
-                         [](const auto& kind) { return kind.param == raster::RendererKind::kGl ? "Gl" : "Simd"; });
+                         [](const auto& kind) { return kind.param == RendererKind::kGl ? "Gl" : "Simd"; });
 
 TEST_F(MeshBackendTest, DepthOfABoxIsExact) {
-  for (const raster::RendererKind kind : kRenderers) {
-    world::World world(layoutOf({makeObject(1, raster::makeBox({2, 3, 1}, kWhite), kind, {0, 0, -7.5F})}));
+  for (const RendererKind kind : kRenderers) {
+    world::World world(layoutOf({makeObject(1, makeBox({2, 3, 1}, kWhite), kind, {0, 0, -7.5F})}));
     MeshBackend half(bench_.services(world), 0);
     const auto image = imageOf(ask(half, {{look(smallCamera(), world.objects()), 0}})[0]);
     ASSERT_NE(image, nullptr);
@@ -100,7 +101,7 @@ TEST_P(FastRenderers, NothingWhereNothingIs) {
 }
 
 /// One kind's pictures of a standing stone and a camp fire by the light of two lamps.
-std::vector<std::shared_ptr<const raster::Image>> twoObjects(Bench& bench, raster::RendererKind kind,
+std::vector<std::shared_ptr<const raster::Image>> twoObjects(Bench& bench, RendererKind kind,
                                                              const world::Camera& camera) {
   world::World world(layoutOf({makeObject(1, makeStandingStone({3, 1.4F, 0.8F}, 9), kind, {0.4F, 0, -3.5F}),
                                makeObject(2, makeLogs({0.32F, 0.75F, 0.75F}, 2), kind, {-1.2F, 0, -2.5F})}));
@@ -138,11 +139,11 @@ void expectSamePicture(const raster::Image& a, const raster::Image& b) {
 TEST_F(MeshBackendTest, AllRenderersGiveTheSamePicture) {
   world::Camera camera = smallCamera();
   camera.pose.pitch = -0.25F;
-  std::map<raster::RendererKind, std::vector<std::shared_ptr<const raster::Image>>> images;
-  for (const raster::RendererKind kind : kRenderers) images[kind] = twoObjects(bench_, kind, camera);
-  for (const auto& [a, b] : {std::pair(raster::RendererKind::kGl, raster::RendererKind::kEmbree),
-                             std::pair(raster::RendererKind::kSimd, raster::RendererKind::kEmbree),
-                             std::pair(raster::RendererKind::kSimd, raster::RendererKind::kGl)}) {
+  std::map<RendererKind, std::vector<std::shared_ptr<const raster::Image>>> images;
+  for (const RendererKind kind : kRenderers) images[kind] = twoObjects(bench_, kind, camera);
+  for (const auto& [a, b] :
+       {std::pair(RendererKind::kGl, RendererKind::kEmbree), std::pair(RendererKind::kSimd, RendererKind::kEmbree),
+        std::pair(RendererKind::kSimd, RendererKind::kGl)}) {
     for (std::size_t object = 0; object < 2; ++object) {
       SCOPED_TRACE("object " + std::to_string(object) + " by " + std::to_string(static_cast<int>(a)));
       expectSamePicture(*images[a][object], *images[b][object]);
@@ -185,7 +186,7 @@ Seen seen(const raster::Image& image) {
 }
 
 TEST_F(MeshBackendTest, AllRenderersShowFrontsAlone) {
-  for (const raster::RendererKind kind : kRenderers) {
+  for (const RendererKind kind : kRenderers) {
     for (const bool hasBack : {false, true}) {
       SCOPED_TRACE(std::to_string(static_cast<int>(kind)) + (hasBack ? ", both sides" : ", one side"));
       world::World world(layoutOf({makeObject(1, makeSheet(hasBack), kind, {0, 0, -5})}));
@@ -207,7 +208,7 @@ TEST_F(MeshBackendTest, AllRenderersShowFrontsAlone) {
 
 TEST_F(MeshBackendTest, TrianglesAcrossTheNearDepthAreClippedAlike) {
   const world::Bounds box =
-      makeObject(1, makeStandingStone({3, 1.4F, 0.8F}, 9), raster::RendererKind::kSimd, {0.4F, 0, -3.5F}).bounds;
+      makeObject(1, makeStandingStone({3, 1.4F, 0.8F}, 9), RendererKind::kSimd, {0.4F, 0, -3.5F}).bounds;
   const Vec3 before(box.centre().x, 1.2F, box.high.z + 0.3F);
   const Vec3 within = box.high - 0.04F * box.size();
   for (const Vec3 eye : {before, within}) {
@@ -216,17 +217,16 @@ TEST_F(MeshBackendTest, TrianglesAcrossTheNearDepthAreClippedAlike) {
     camera.pose.position = eye;
     camera.pose.yaw = std::atan2(-towards.x, -towards.z);
     camera.pose.pitch = std::asin(towards.y);
-    const auto simd = twoObjects(bench_, raster::RendererKind::kSimd, camera);
-    const auto embree = twoObjects(bench_, raster::RendererKind::kEmbree, camera);
+    const auto simd = twoObjects(bench_, RendererKind::kSimd, camera);
+    const auto embree = twoObjects(bench_, RendererKind::kEmbree, camera);
     SCOPED_TRACE("eye at " + std::to_string(eye.y));
     expectSamePicture(*simd[0], *embree[0]);
   }
 }
 
 TEST_F(MeshBackendTest, AnswersAtTheSameTimeAreThoseOneByOne) {
-  world::World world(
-      layoutOf({makeObject(1, makeStandingStone({3, 1.2F, 0.7F}, 4), raster::RendererKind::kSimd, {-1, 0, -5}),
-                makeObject(2, makeRocks({0.5F, 2.4F, 2.0F}, 4), raster::RendererKind::kSimd, {1, 0, -4})}));
+  world::World world(layoutOf({makeObject(1, makeStandingStone({3, 1.2F, 0.7F}, 4), RendererKind::kSimd, {-1, 0, -5}),
+                               makeObject(2, makeRocks({0.5F, 2.4F, 2.0F}, 4), RendererKind::kSimd, {1, 0, -4})}));
   MeshBackend half(bench_.services(world), 0);
   EXPECT_EQ(&half.executor(), &bench_.workers);
   EXPECT_EQ(half.concurrency(), bench_.workers.width());
@@ -254,9 +254,8 @@ TEST_F(MeshBackendTest, AnswersAtTheSameTimeAreThoseOneByOne) {
 }
 
 TEST_F(MeshBackendTest, OneObjectDrawnByGlTakesAllToItsExecutor) {
-  world::World world(
-      layoutOf({makeObject(1, raster::makeBox({1, 1, 1}, kWhite), raster::RendererKind::kSimd, {-1, 0, -5}),
-                makeObject(2, raster::makeBox({1, 1, 1}, kWhite), raster::RendererKind::kGl, {1, 0, -5})}));
+  world::World world(layoutOf({makeObject(1, makeBox({1, 1, 1}, kWhite), RendererKind::kSimd, {-1, 0, -5}),
+                               makeObject(2, makeBox({1, 1, 1}, kWhite), RendererKind::kGl, {1, 0, -5})}));
   MeshBackend half(bench_.services(world), 0);
   EXPECT_EQ(&half.executor(), &bench_.gl);
   const auto list = look(smallCamera(), world.objects());
@@ -266,10 +265,9 @@ TEST_F(MeshBackendTest, OneObjectDrawnByGlTakesAllToItsExecutor) {
 
 TEST_F(MeshBackendTest, TheMachineChoosesTheRenderer) {
   const bool software = bench_.gl.softwareRendered();
-  EXPECT_EQ(raster::resolved(raster::RendererKind::kAuto, bench_.gl),
-            software ? raster::RendererKind::kSimd : raster::RendererKind::kGl);
-  EXPECT_EQ(raster::resolved(raster::RendererKind::kGl, bench_.gl), raster::RendererKind::kGl);
-  EXPECT_EQ(raster::resolved(raster::RendererKind::kEmbree, bench_.gl), raster::RendererKind::kEmbree);
+  EXPECT_EQ(raster::resolved(RendererKind::kAuto, bench_.gl), software ? RendererKind::kSimd : RendererKind::kGl);
+  EXPECT_EQ(raster::resolved(RendererKind::kGl, bench_.gl), RendererKind::kGl);
+  EXPECT_EQ(raster::resolved(RendererKind::kEmbree, bench_.gl), RendererKind::kEmbree);
 }
 
 TEST_P(FastRenderers, ACropIsThatPartOfTheWhole) {
@@ -297,9 +295,8 @@ TEST_P(FastRenderers, ACropIsThatPartOfTheWhole) {
 }
 
 TEST_P(FastRenderers, RequestsOfOneBatchDoNotMix) {
-  world::World world(
-      layoutOf({makeObject(1, raster::makeBox({1, 2, 1}, {0.8F, 0.02F, 0.02F}), GetParam(), {-1, 0, -5}),
-                makeObject(2, raster::makeBox({1, 2, 1}, {0.02F, 0.02F, 0.8F}), GetParam(), {1, 0, -5})}));
+  world::World world(layoutOf({makeObject(1, makeBox({1, 2, 1}, {0.8F, 0.02F, 0.02F}), GetParam(), {-1, 0, -5}),
+                               makeObject(2, makeBox({1, 2, 1}, {0.02F, 0.02F, 0.8F}), GetParam(), {1, 0, -5})}));
   MeshBackend half(bench_.services(world), 0);
   world::Camera aside = smallCamera();
   aside.pose.position = {2, 1.7F, 3};
@@ -326,7 +323,7 @@ TEST_P(FastRenderers, RequestsOfOneBatchDoNotMix) {
 }
 
 TEST_P(FastRenderers, AnEyeWithinReachOfAnObjectStillSeesIt) {
-  world::World world(layoutOf({makeObject(1, raster::makeBox({1, 1, 12}, kWhite), GetParam(), {0, 0, -2})}));
+  world::World world(layoutOf({makeObject(1, makeBox({1, 1, 12}, kWhite), GetParam(), {0, 0, -2})}));
   MeshBackend half(bench_.services(world), 0);
   const auto list = look(smallCamera(), world.objects());
   ASSERT_EQ(list->objects[0].rect, (world::Rect{0, 0, 320, 180}));
@@ -338,13 +335,11 @@ TEST_P(FastRenderers, AnEyeWithinReachOfAnObjectStillSeesIt) {
 }
 
 TEST_F(MeshBackendTest, ASunlitSideIsBrighterThanAShadedOne) {
-  world::World open(
-      layoutOf({makeObject(1, raster::makeBox({1, 2, 1}, kWhite), raster::RendererKind::kGl, {0, 0, -5})}));
+  world::World open(layoutOf({makeObject(1, makeBox({1, 2, 1}, kWhite), RendererKind::kGl, {0, 0, -5})}));
   const Vec3 towardsSun = world::sunDirection();
-  world::World shaded(
-      layoutOf({makeObject(1, raster::makeBox({1, 2, 1}, kWhite), raster::RendererKind::kGl, {0, 0, -5}),
-                makeObject(2, raster::makeBox({8, 12, 8}, kWhite), raster::RendererKind::kGl,
-                           Vec3(0, 0, -5) + 9.0F * Vec3(towardsSun.x, 0, towardsSun.z))}));
+  world::World shaded(layoutOf({makeObject(1, makeBox({1, 2, 1}, kWhite), RendererKind::kGl, {0, 0, -5}),
+                                makeObject(2, makeBox({8, 12, 8}, kWhite), RendererKind::kGl,
+                                           Vec3(0, 0, -5) + 9.0F * Vec3(towardsSun.x, 0, towardsSun.z))}));
   world::Camera camera = smallCamera();
   camera.pose.position = Vec3(-3, 1.7F, -9);
   camera.pose.yaw = -2.5F;
@@ -366,11 +361,9 @@ TEST_F(MeshBackendTest, ASunlitSideIsBrighterThanAShadedOne) {
 }
 
 TEST_F(MeshBackendTest, AnUnknownObjectIsAFailure) {
-  world::World world(
-      layoutOf({makeObject(1, raster::makeBox({1, 1, 1}, kWhite), raster::RendererKind::kGl, {0, 0, -5})}));
+  world::World world(layoutOf({makeObject(1, makeBox({1, 1, 1}, kWhite), RendererKind::kGl, {0, 0, -5})}));
   MeshBackend half(bench_.services(world), 0);
-  const auto list =
-      look(smallCamera(), {makeObject(77, raster::makeBox({1, 1, 1}, kWhite), raster::RendererKind::kGl, {0, 0, -5})});
+  const auto list = look(smallCamera(), {makeObject(77, makeBox({1, 1, 1}, kWhite), RendererKind::kGl, {0, 0, -5})});
   EXPECT_TRUE(std::holds_alternative<node::Failure>(ask(half, {{list, 0}})[0]));
 }
 
