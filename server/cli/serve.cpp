@@ -23,7 +23,7 @@
 #include "cli/stop_on_signal.h"
 #include "gl/shader_library.h"
 #include "gl/workers.h"
-#include "node/registry.h"
+#include "node/object_types.h"
 #include "objects/builtin.h"
 #include "stream/web_server/access/origin.h"
 #include "stream/web_server/descriptor_limit.h"
@@ -48,11 +48,15 @@ constexpr auto kStopWhilePreparing = 900ms;
 /// given up.
 constexpr auto kStopWhileServing = 4000ms;
 
+std::size_t sharedBytes(const ServeOptions& options) {
+  return static_cast<std::size_t>(options.viewCacheMegabytes) << 20U;
+}
+
 /// What is needed once the world is ready; a crash of what takes no failed allocation is worse than no start.
 std::size_t spaceForServing(const world::Scene& scene, const ServeOptions& options) {
   const bool shared =
       std::ranges::any_of(scene.objects, [](const auto& object) { return object.type == "lightfield"; });
-  return kForServing + (shared ? static_cast<std::size_t>(options.viewCacheMegabytes) << 20U : 0);
+  return kForServing + (shared ? sharedBytes(options) : 0);
 }
 
 std::string urlOf(const stream::HostPort& at, bool isSecure) {
@@ -141,7 +145,7 @@ int runServe(const ServeOptions& options) {
   requireAddressSpace(kForGl);
   const gl::ShaderLibrary shaders(options.shaderDirectory);
   gl::Workers gl(options.gl, shaders);
-  node::Registry registry;
+  node::ObjectTypes types;
   // The server goes before the host and the refiner before both, however this ends.
   std::optional<stream::Host> host;
   const stream::HostPort desk = options.operators ? *operators : operatorsBeside(*visitors);
@@ -164,16 +168,17 @@ int runServe(const ServeOptions& options) {
     log::info("stopped; the next start goes on from here");
     return 0;
   }
-  objects::registerBuiltinTypes(
-      registry, {.viewCache = {static_cast<std::size_t>(options.viewCacheMegabytes) << 20U, options.viewError},
-                 .lightFields = std::exchange(look->fields, {})});
-  world::World::Layout layout = node::makeLayout(scene, registry);
+  types = objects::builtinTypes({.lightField = {options.viewCacheMegabytes > 0, options.viewError},
+                                 .lightFields = std::exchange(look->fields, {})});
+  node::LoadedScene loaded = node::loadScene(scene, types.backends);
 
   log::info("GL: " + gl.description() + ", " + std::to_string(gl.width()) + " workers");
-  log::info("world: " + layout.name + ", " + std::to_string(layout.objects.size()) + " objects");
+  log::info("world: " + loaded.layout.name + ", " + std::to_string(loaded.objects.size()) + " objects");
   const std::size_t threads = std::max(1U, std::thread::hardware_concurrency()) + kThreadsBesidesWorkers;
   requireAddressSpace(spaceForServing(scene, options) + threads * stackBytes());
-  host.emplace(std::move(layout), registry, gl, options.host, tell);
+  stream::HostOptions hosting = options.host;
+  hosting.maxSharedBytes = sharedBytes(options);
+  host.emplace(std::move(loaded), types, gl, hosting, tell);
   progress.finish();
   requireAddressSpace(spaceForServing(scene, options));
   ending.reset();
@@ -181,7 +186,7 @@ int runServe(const ServeOptions& options) {
   server.open(*host);
   std::optional<Refiner> refiner;
   if (!look->rough.empty()) {
-    const node::ObjectType& lightField = registry.type(*registry.find("lightfield"));
+    const node::BackendType& lightField = *types.backends.find("lightfield");
     refiner.emplace(
         std::move(look->rough), [&](const std::filesystem::path& file) { lightField.show(file); },
         [&](const stream::Refining& refining) { host->tell(refining); });

@@ -1,17 +1,11 @@
 #pragma once
 
-#include "node/registry.h"
-#include "objects/lightfield/backend/light_field_type.h"
+#include "node/object_types.h"
+#include "objects/builtin_backends.h"
 
 namespace grove::objects {
 
-/// What the server may choose of the object types.
-struct BuiltinOptions {
-  lightfield::ViewCacheOptions viewCache;
-  lightfield::KnownFields lightFields;
-};
-
-/// Makes the object types of this folder known. The one place where they are all named.
-void registerBuiltinTypes(node::Registry& registry, const BuiltinOptions& options = {});
+/// What a process knows of the object types of this folder that is both a frontend and a backend.
+[[nodiscard]] node::ObjectTypes builtinTypes(const BuiltinOptions& options = {});
 
 }  // namespace grove::objects

@@ -32,19 +32,23 @@ class Model {
   [[nodiscard]] virtual std::size_t bytes() const { return 0; }
 };
 
-using ObjectId = std::uint32_t;
-using TypeIndex = std::uint32_t;  ///< place of an object type in the registry
+using ObjectId = std::uint64_t;
+using TypeIndex = std::uint32_t;  ///< short for the name of an object type, agreed among the nodes of a world
 
 /// Ids from here on are visitors: kFirstPlayerObject + their PlayerId.
-inline constexpr ObjectId kFirstPlayerObject = 0x40000000;
+inline constexpr ObjectId kFirstPlayerObject = ObjectId{1} << 63U;
 
-/// A thing in the world.
+/// A thing in the world, as every node knows it.
 struct Object {
   ObjectId id = 0;
   TypeIndex type = 0;
   std::string name;
   Transform transform;
   Bounds bounds;  ///< in the world
+};
+
+/// The same with what it is made of, as only backend nodes know it.
+struct ModelledObject : Object {
   std::shared_ptr<const Model> model;
 };
 

@@ -13,7 +13,7 @@
 
 namespace grove::world {
 
-using PlayerId = std::uint32_t;
+using PlayerId = std::uint64_t;
 
 /// Keys that a visitor holds, bits of Input::keys.
 enum Key : std::uint8_t {

@@ -3,9 +3,9 @@
 namespace grove::world {
 namespace {
 
-Triangles gather(const std::vector<Object>& objects, const Triangles* (Model::*part)() const) {
+Triangles gather(const std::vector<ModelledObject>& objects, const Triangles* (Model::*part)() const) {
   Triangles all;
-  for (const Object& object : objects) {
+  for (const ModelledObject& object : objects) {
     if (const Triangles* triangles = (*object.model.*part)()) all.append(*triangles, object.transform.matrix());
   }
   return all;
@@ -13,7 +13,7 @@ Triangles gather(const std::vector<Object>& objects, const Triangles* (Model::*p
 
 }  // namespace
 
-WorldGeometry::WorldGeometry(const std::vector<Object>& objects, const std::function<void(float)>& progress)
+WorldGeometry::WorldGeometry(const std::vector<ModelledObject>& objects, const std::function<void(float)>& progress)
     : solids_(gather(objects, &Model::solid), progress),
       shades_(gather(objects, &Model::shade)),
       rays_(shades_, progress) {}

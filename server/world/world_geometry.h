@@ -14,7 +14,7 @@ namespace grove::world {
 class WorldGeometry {
  public:
   /// `progress`: as RayScene's, once for each of the two.
-  explicit WorldGeometry(const std::vector<Object>& objects, const std::function<void(float)>& progress = {});
+  explicit WorldGeometry(const std::vector<ModelledObject>& objects, const std::function<void(float)>& progress = {});
 
   /// What stops smoke.
   [[nodiscard]] const RayScene& solids() const noexcept { return solids_; }

@@ -41,9 +41,9 @@ class LightFields : public ::testing::Test {
            "]\n[[object]]\ntype = 'lightfield'\nscale = 5\nfile = '" + (*folder_ / "thicket.glf").string() + "'\n" +
            more;
   }
-  static objects::BuiltinOptions withCache(std::size_t megabytes) {
+  static objects::BuiltinOptions withoutSharing() {
     objects::BuiltinOptions options;
-    options.viewCache.mostBytes = megabytes << 20U;
+    options.lightField.reusesPictures = false;
     return options;
   }
 
@@ -70,28 +70,29 @@ TEST_F(LightFields, AreSeenWhereTheyStand) {
 }
 
 TEST_F(LightFields, WoodStopsSmokeAndLeavesOnlyLight) {
-  ServedScene served(scene("", 25.0));
-  const world::World& world = served.host.world();
+  const node::LoadedScene loaded =
+      node::loadScene(world::parseScene(scene("", 25.0), "test.toml"), objects::builtinBackends());
+  const world::WorldGeometry geometry(loaded.objects);
   // Five times as large: wood up to 6 m, leaves up to 10 m.
   const auto stops = [&](const world::RayScene& rays, float height) {
     return rays.occluded({-10.0F, height, 0.0F}, {1.0F, 0.0F, 0.0F});
   };
-  EXPECT_TRUE(stops(world.geometry().solids(), 3.25F));
-  EXPECT_TRUE(stops(world.geometry().rays(), 3.25F));
+  EXPECT_TRUE(stops(geometry.solids(), 3.25F));
+  EXPECT_TRUE(stops(geometry.rays(), 3.25F));
   int leaves = 0;
   for (float height = 6.1F; height < 10.0F; height += 0.1F) {
-    EXPECT_FALSE(stops(world.geometry().solids(), height)) << height;
-    leaves += stops(world.geometry().rays(), height) ? 1 : 0;
+    EXPECT_FALSE(stops(geometry.solids(), height)) << height;
+    leaves += stops(geometry.rays(), height) ? 1 : 0;
   }
   EXPECT_GT(leaves, 5);
-  const auto radius = world.objects().front().model->obstacleRadius();
+  const auto radius = loaded.objects.front().model->obstacleRadius();
   ASSERT_TRUE(radius.has_value());
   EXPECT_NEAR(*radius, 0.056F, 0.01F) << "visitors walk around the trunk";
 }
 
 TEST_F(LightFields, BothRenderersGiveTheSamePicture) {
-  ServedScene simd(scene("renderer = 'simd'\n", 25.0), {}, withCache(0));
-  ServedScene gl(scene("renderer = 'gl'\n", 25.0), {}, withCache(0));
+  ServedScene simd(scene("renderer = 'simd'\n", 25.0), {}, withoutSharing());
+  ServedScene gl(scene("renderer = 'gl'\n", 25.0), {}, withoutSharing());
   HeadlessSession a(simd.host, "Ada", 320, 180);
   HeadlessSession b(gl.host, "Bob", 320, 180);
   const Picture bySimd = pictureAfter(a, 0, 0.05F);
@@ -115,8 +116,8 @@ TEST_F(LightFields, VisitorsSharePicturesOfWhatIsFar) {
 }
 
 TEST_F(LightFields, SharedPicturesLookLikeOnesOwn) {
-  ServedScene shared(scene("", 40.0), {}, withCache(64));
-  ServedScene own(scene("", 40.0), {}, withCache(0));
+  ServedScene shared(scene("", 40.0));
+  ServedScene own(scene("", 40.0), {}, withoutSharing());
   HeadlessSession a(shared.host, "Ada", 640, 360);
   HeadlessSession b(own.host, "Ada", 640, 360);
   for (const float yaw : {0.0F, 0.3F}) {
@@ -136,7 +137,7 @@ TEST_F(LightFields, AFileThatBecomesShorterCostsItsObjectOnly) {
       "[[object]]\ntype = 'lightfield'\nscale = 5\nposition = [-10, 0, 0]\nfile = '" +
           file.string() + "'\n[[object]]\ntype = 'lightfield'\nscale = 5\nposition = [10, 0, 0]\nfile = '" +
           (*folder_ / "thicket.glf").string() + "'\n",
-      {}, withCache(0));
+      {}, withoutSharing());
   HeadlessSession visitor(served.host, "Ada", 320, 180);
   const Picture whole = pictureAfter(visitor, 0, 0.0F);
   testing::internal::CaptureStderr();

@@ -19,10 +19,8 @@ using testing::AllOf;
 using testing::HasSubstr;
 
 std::string complaintAbout(const std::string& text) {
-  node::Registry registry;
-  objects::registerBuiltinTypes(registry);
   try {
-    (void)node::makeLayout(world::parseScene(text, "scene.toml"), registry);
+    (void)node::loadScene(world::parseScene(text, "scene.toml"), objects::builtinBackends());
   } catch (const world::SceneError& e) {
     return e.what();
   }
@@ -50,21 +48,19 @@ TEST(BuiltInScene, PreparesItselfAndHasWhatTheReadmePromises) {
   const world::Scene scene = world::parseScene(coarseBuiltInScene(), "grove.toml");
   cli::Progress progress;
   ASSERT_TRUE(cli::prepareWorld(scene, progress, {}));
-  node::Registry registry;
-  objects::registerBuiltinTypes(registry);
-  const auto layout = node::makeLayout(scene, registry);
+  const node::BackendTypes types = objects::builtinBackends();
+  const node::LoadedScene loaded = node::loadScene(scene, types);
+  const world::Layout& layout = loaded.layout;
   EXPECT_TRUE(layout.visitor.has_value());
   EXPECT_EQ(layout.lights.size(), 1u);
   EXPECT_GE(layout.objects.size(), 40u);
   for (const char* type : {"sky", "ground", "mesh", "fluid", "lightfield"}) {
-    const auto index = registry.find(type);
-    ASSERT_TRUE(index.has_value());
-    EXPECT_TRUE(std::ranges::any_of(layout.objects, [&](const world::Object& o) { return o.type == *index; })) << type;
+    const auto isIts = [&](const world::Object& object) { return layout.types[object.type] == type; };
+    EXPECT_TRUE(std::ranges::any_of(layout.objects, isIts)) << type;
   }
   // One sun: every light field stands under one of the suns that it was baked with.
-  const auto lightfield = registry.find("lightfield");
-  for (const world::Object& object : layout.objects) {
-    if (object.type != *lightfield) continue;
+  for (const world::ModelledObject& object : loaded.objects) {
+    if (layout.types[object.type] != "lightfield") continue;
     const auto& field = static_cast<const objects::lightfield::LightFieldModel&>(*object.model).shown()->field;
     const double step = 360.0 / field.lightings();
     const double degrees = glm::degrees(static_cast<double>(object.transform.yaw));

@@ -5,7 +5,7 @@
 
 #include "gl/shader_library.h"
 #include "gl/workers.h"
-#include "node/registry.h"
+#include "node/object_types.h"
 #include "objects/builtin.h"
 #include "stream/session/host.h"
 #include "world/scene_file.h"
@@ -16,8 +16,9 @@ namespace grove::integration {
 struct ServedScene {
   explicit ServedScene(const std::string& scene, const stream::HostOptions& options = {},
                        const objects::BuiltinOptions& builtin = {})
-      : host(node::makeLayout(world::parseScene(scene, "test.toml"), registered(builtin)), registry, gl,
-             patient(options), [](std::string_view, float) {}) {}
+      : types(objects::builtinTypes(builtin)),
+        host(node::loadScene(world::parseScene(scene, "test.toml"), types.backends), types, gl, patient(options),
+             [](std::string_view, float) {}) {}
 
   /// Tests are about what a frame shows, not about how long a slow machine or a sanitizer takes for it.
   static stream::HostOptions patient(stream::HostOptions options) {
@@ -25,12 +26,7 @@ struct ServedScene {
     return options;
   }
 
-  const node::Registry& registered(const objects::BuiltinOptions& builtin) {
-    objects::registerBuiltinTypes(registry, builtin);
-    return registry;
-  }
-
-  node::Registry registry;
+  const node::ObjectTypes types;
   gl::ShaderLibrary shaders;
   gl::Workers gl{gl::ContextKind::kAuto, shaders};
   stream::Host host;

@@ -17,6 +17,7 @@ namespace grove::node {
 namespace {
 
 using ::testing::ElementsAre;
+using ::testing::UnorderedElementsAre;
 
 /// Throws at the requests of one visitor.
 class Fussy final : public BackendHalf {
@@ -27,7 +28,7 @@ class Fussy final : public BackendHalf {
   void answer(std::span<const Request> requests, std::span<Payload>) override {
     batches.push_back(requests.size());
     for (const Request& request : requests) {
-      if (request.view().session == refused_) throw std::runtime_error("not for him");
+      if (request.view && request.view->session == refused_) throw std::runtime_error("not for him");
     }
   }
 
@@ -56,16 +57,15 @@ Request requestOf(SessionId session, double deadline = std::numeric_limits<doubl
   auto view = std::make_shared<View>();
   view->session = session;
   view->deadline = deadline;
-  auto list = std::make_shared<FrameList>();
-  list->view = std::move(view);
-  list->objects.resize(1);
-  return {std::move(list), 0};
+  Request request;
+  request.view = std::move(view);
+  return request;
 }
 
 /// What becomes of requests that wait together for the only worker.
-std::shared_ptr<Results> answerTogether(const std::vector<Request>& requests, Fussy& half,
+std::shared_ptr<Results> answerTogether(const std::vector<Request>& requests, Fussy& half, const EndedFrames& ended,
                                         pipeline::WorkerPool& workers, pipeline::Timeline& timeline) {
-  const auto renderer = std::make_shared<Renderer>("fussy", half, timeline);
+  const auto renderer = std::make_shared<Renderer>("fussy", half, ended, timeline);
   const auto results = std::make_shared<Results>(workers, timeline);
   renderer->connect(results);
   std::binary_semaphore begin(0);
@@ -80,23 +80,27 @@ TEST(Answerer, OneRequestThatThrowsCostsTheOthersOfItsBatchNothing) {
   pipeline::Timeline timeline;
   pipeline::WorkerPool workers(1);
   Fussy half(workers, 2);
-  const auto results = answerTogether({requestOf(1), requestOf(2), requestOf(3)}, half, workers, timeline);
+  const auto results = answerTogether({requestOf(1), requestOf(2), requestOf(3)}, half, {}, workers, timeline);
   EXPECT_THAT(half.batches, ElementsAre(3U, 1U, 1U, 1U));
   EXPECT_THAT(results->failed, ElementsAre(std::pair(1U, false), std::pair(2U, true), std::pair(3U, false)));
   EXPECT_EQ(timeline.totals().at("Renderer").failures, 2U) << "of the batch and of the one";
 }
 
-/// Or who is slower than the deadline would fall behind for ever.
+/// Or who is slower than the deadline would fall behind for ever. Shared data somebody else may wait for, who is told.
 TEST(Answerer, LeavesRequestsOfFramesThatHaveEnded) {
   pipeline::Timeline timeline;
   pipeline::WorkerPool workers(1);
   Fussy half(workers, 0);
+  EndedFrames ended;
+  ended.add({.session = 4, .frame = 1});
   const double now = world::World::now();
-  const auto results = answerTogether({requestOf(1, now - 0.1), requestOf(2, now + 3600.0), requestOf(3, now - 0.1)},
-                                      half, workers, timeline);
-  EXPECT_THAT(half.batches, ElementsAre(1U));
-  EXPECT_THAT(results->failed, ElementsAre(std::pair(2U, false)));
-  EXPECT_EQ(timeline.counters()["requests of frames that had ended"], 2);
+  const auto results = answerTogether(
+      {requestOf(1, now - 0.1), requestOf(2, now + 3600.0), requestOf(3, now - 0.1), requestOf(4), Request()}, half,
+      ended, workers, timeline);
+  EXPECT_THAT(half.batches, ElementsAre(2U));
+  EXPECT_THAT(results->failed, UnorderedElementsAre(std::pair(1U, true), std::pair(2U, false), std::pair(3U, true),
+                                                    std::pair(4U, true), std::pair(0U, false)));
+  EXPECT_EQ(timeline.counters()["requests of frames that had ended"], 3);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "node/baked_store.h"
+#include "node/backend/baked_store.h"
 
 #include <gtest/gtest.h>
 

@@ -1,14 +1,20 @@
 #pragma once
 
+#include <algorithm>
 #include <atomic>
+#include <cstring>
+#include <functional>
+#include <map>
 #include <memory>
-#include <string>
+#include <stdexcept>
+#include <utility>
+#include <vector>
 
-#include "node/object_type.h"
-#include "node/registry.h"
+#include "node/object_types.h"
 
-/// The smallest real object type: a box that answers with one flat colour at the distance of its middle. Shows what an
-/// object type of one's own needs, and lets the nodes be tested without GL.
+/// The smallest real object type: a box that shows one flat colour at the distance of its middle. Shows what an object
+/// type of one's own needs, and lets the nodes be tested without GL. Its backend half answers in both ways, with
+/// pictures and with shared data; its frontend half asks for one of the two.
 namespace grove::node::testing {
 
 class BoxModel final : public world::Model {
@@ -22,16 +28,40 @@ class BoxModel final : public world::Model {
   std::uint32_t colour_;
 };
 
+/// What a box shows, for every visitor; four bytes when packed.
+class BoxColour final : public SharedData {
+ public:
+  BoxColour(Version version, std::uint32_t colour) : SharedData(version), colour_(colour) {}
+  [[nodiscard]] std::uint32_t colour() const { return colour_; }
+
+ private:
+  [[nodiscard]] std::size_t ownBytes() const noexcept override { return sizeof(BoxColour); }
+  [[nodiscard]] PackedBytes pack() const override {
+    PackedBytes bytes(sizeof colour_);
+    std::memcpy(bytes.data(), &colour_, sizeof colour_);
+    return bytes;
+  }
+  const std::uint32_t colour_;
+};
+
 /// What the test can turn while requests come in.
 struct BoxControls {
   std::atomic<bool> fail{false};
   std::atomic<int> answered{0};
+  std::atomic<Version> version{1};  ///< of the colours; each higher one is redder by one
+  /// Of the backend that was made last.
+  std::function<void(const Announcement&)> announce;
 };
 
 class BoxBackend final : public BackendHalf {
  public:
-  BoxBackend(const BackendServices& services, std::shared_ptr<BoxControls> controls)
-      : services_(services), controls_(std::move(controls)) {}
+  BoxBackend(const BackendServices& services, world::TypeIndex self, std::shared_ptr<BoxControls> controls)
+      : services_(services), controls_(std::move(controls)) {
+    for (const world::ModelledObject& object : services.scene.objects) {
+      if (object.type == self) objects_[object.id] = object;
+    }
+    controls_->announce = services.announce;
+  }
   [[nodiscard]] NodeKind kind() const override { return NodeKind::kRendering; }
   [[nodiscard]] pipeline::Executor& executor() override { return services_.workers; }
   [[nodiscard]] int concurrency() const override { return services_.workers.width(); }
@@ -39,38 +69,117 @@ class BoxBackend final : public BackendHalf {
   void answer(std::span<const Request> requests, std::span<Payload> payloads) override {
     if (controls_->fail) throw std::runtime_error("the box is broken");
     for (std::size_t i = 0; i < requests.size(); ++i) {
-      const VisibleObject& visible = requests[i].visible();
-      const auto image = services_.images.acquire(visible.rect);
-      const auto& model = static_cast<const BoxModel&>(*visible.object.model);
-      std::fill(image->colour.begin(), image->colour.end(), model.colour());
-      std::fill(image->depth.begin(), image->depth.end(),
-                requests[i].view().camera.project(visible.object.bounds.centre()).z);
-      payloads[i] = std::shared_ptr<const raster::Image>(image);
+      const world::ModelledObject& object = objects_.at(requests[i].object);
+      const Version version = controls_->version;
+      const std::uint32_t colour = static_cast<const BoxModel&>(*object.model).colour() + version - 1;
+      if (requests[i].shared) {
+        payloads[i] = std::make_shared<const BoxColour>(version, colour);
+      } else {
+        payloads[i] = picture(requests[i], object, colour);
+      }
       ++controls_->answered;
     }
   }
 
  private:
-  BackendServices services_;
-  std::shared_ptr<BoxControls> controls_;
+  std::shared_ptr<const raster::Image> picture(const Request& request, const world::Object& object,
+                                               std::uint32_t colour) {
+    const auto image = services_.images.acquire(request.rect);
+    std::ranges::fill(image->colour, colour);
+    std::ranges::fill(image->depth, request.view->camera.project(object.bounds.centre()).z);
+    return image;
+  }
+
+  const BackendServices services_;
+  std::map<world::ObjectId, world::ModelledObject> objects_;
+  const std::shared_ptr<BoxControls> controls_;
 };
 
-class BoxType final : public ObjectType {
+class BoxBackendType final : public BackendType {
  public:
-  explicit BoxType(std::shared_ptr<BoxControls> controls) : controls_(std::move(controls)) {}
+  explicit BoxBackendType(std::shared_ptr<BoxControls> controls) : controls_(std::move(controls)) {}
   [[nodiscard]] std::string_view name() const override { return "box"; }
   [[nodiscard]] std::shared_ptr<const world::Model> model(const world::Parameters& parameters) const override {
     const auto size = static_cast<float>(parameters.number("size", 1.0, 0.01, 100.0));
     const int red = parameters.integer("red", 255, 0, 255);
     return std::make_shared<BoxModel>(size, 0xFF000000U | static_cast<std::uint32_t>(red));
   }
-  [[nodiscard]] std::unique_ptr<BackendHalf> makeBackend(const BackendServices& services,
-                                                         world::TypeIndex) const override {
-    return std::make_unique<BoxBackend>(services, controls_);
+  [[nodiscard]] std::unique_ptr<BackendHalf> makeHalf(const BackendServices& services,
+                                                      world::TypeIndex self) const override {
+    return std::make_unique<BoxBackend>(services, self, controls_);
   }
 
  private:
-  std::shared_ptr<BoxControls> controls_;
+  const std::shared_ptr<BoxControls> controls_;
 };
+
+/// One colour at one depth all over the box's place on the screen.
+class BoxLayer final : public Layer {
+ public:
+  BoxLayer(const world::Rect& rect, std::uint32_t colour, float depth) : rect_(rect), colour_(colour), depth_(depth) {}
+  [[nodiscard]] bool opaque() const override { return true; }
+  void lay(FrameBuilder& rows) override {
+    const world::Rect rect = rows.clip(rect_);
+    const auto pixels = static_cast<std::size_t>(rect.width()) * static_cast<std::size_t>(rect.height());
+    const std::vector<std::uint32_t> colours(pixels, colour_);
+    const std::vector<float> depths(pixels, depth_);
+    rows.lay(rect, colours.data(), depths.data(), rect.width());
+  }
+
+ private:
+  const world::Rect rect_;
+  const std::uint32_t colour_;
+  const float depth_;
+};
+
+/// Asks for the shared colour instead of a picture.
+class SharedBoxFrontend final : public FrontendHalf {
+ public:
+  [[nodiscard]] Plan plan(const VisibleObject&, const View&, const SharedOf& shared, const Reply* reply) override {
+    if (reply != nullptr) return reply->payload;
+    if (auto colour = shared.find({})) return Payload(std::move(colour));
+    return Ask{.shared = true, .key = {}, .rect = {}};
+  }
+  [[nodiscard]] std::unique_ptr<Layer> layer(const VisibleObject& object, const Payload& payload,
+                                             const View& view) override {
+    const auto& shared = std::get<std::shared_ptr<const SharedData>>(payload);
+    return std::make_unique<BoxLayer>(object.rect, static_cast<const BoxColour&>(*shared).colour(),
+                                      view.camera.project(object.object.bounds.centre()).z);
+  }
+};
+
+enum class BoxAsks : std::uint8_t { kPictures, kShared };
+
+class BoxFrontendType final : public FrontendType {
+ public:
+  explicit BoxFrontendType(BoxAsks asks) : asks_(asks) {}
+  [[nodiscard]] std::string_view name() const override { return "box"; }
+  [[nodiscard]] std::unique_ptr<FrontendHalf> makeHalf(const FrontendTools&) const override {
+    if (asks_ == BoxAsks::kShared) return std::make_unique<SharedBoxFrontend>();
+    return std::make_unique<FrontendHalf>();
+  }
+  [[nodiscard]] std::shared_ptr<SharedData> unpack(const Key&, Version version,
+                                                   std::span<const std::byte> bytes) const override {
+    std::uint32_t colour = 0;
+    if (bytes.size() != sizeof colour) throw PackingError("no colour");
+    std::memcpy(&colour, bytes.data(), sizeof colour);
+    return std::make_shared<BoxColour>(version, colour);
+  }
+
+ private:
+  const BoxAsks asks_;
+};
+
+inline BackendTypes boxBackends(const std::shared_ptr<BoxControls>& controls = std::make_shared<BoxControls>()) {
+  BackendTypes types;
+  types.add(std::make_unique<BoxBackendType>(controls));
+  return types;
+}
+
+inline FrontendTypes boxFrontends(BoxAsks asks = BoxAsks::kPictures) {
+  FrontendTypes types;
+  types.add(std::make_unique<BoxFrontendType>(asks));
+  return types;
+}
 
 }  // namespace grove::node::testing

@@ -6,26 +6,27 @@
 #include <utility>
 #include <vector>
 
-#include "node/transport/in_process.h"
+#include "node/transport/reference_transport.h"
 
 namespace grove::node::testing {
 
-/// A wire that keeps results back, or throws, when it is told to.
+/// A wire that keeps results back, throws, or spoils what it carries, when it is told to.
 class FaultyTransport final : public Transport {
  public:
   enum class Fault { kNone, kSendRequest, kSendResult, kCompress, kDecompress };
 
   std::atomic<bool> keepBack{false};              ///< results wait for release()
-  mutable std::atomic<Fault> next{Fault::kNone};  ///< throws there, once
+  mutable std::atomic<Fault> next{Fault::kNone};  ///< happens there, once
+  std::atomic<int> requests{0};                   ///< that were sent
 
   void release() {
     keepBack = false;
-    std::vector<Result> kept;
+    std::vector<ToFrontend> kept;
     {
       const std::lock_guard lock(mutex_);
       kept.swap(kept_);
     }
-    for (Result& result : kept) wire_.send(std::move(result));
+    for (ToFrontend& message : kept) wire_.send(std::move(message));
   }
 
   /// How many results wait.
@@ -34,44 +35,45 @@ class FaultyTransport final : public Transport {
     return kept_.size();
   }
 
-  void connectBackend(world::TypeIndex type, std::shared_ptr<pipeline::Inlet<Request>> receiver) override {
-    wire_.connectBackend(type, std::move(receiver));
+  [[nodiscard]] bool sharesMemory() const override { return wire_.sharesMemory(); }
+  void connect(BackendPort& backend) override { wire_.connect(backend); }
+  void connect(FrontendPort& frontend) override { wire_.connect(frontend); }
+  void leaveBackend() override { wire_.leaveBackend(); }
+  void leaveFrontend() override { wire_.leaveFrontend(); }
+  pipeline::PushResult send(ToBackend message) override {
+    if (std::holds_alternative<Request>(message)) {
+      ++requests;
+      if (happens(Fault::kSendRequest)) throw std::runtime_error("the wire is broken");
+    }
+    return wire_.send(std::move(message));
   }
-  void connectFrontend(SessionId session, std::weak_ptr<pipeline::Inlet<Result>> receiver) override {
-    wire_.connectFrontend(session, std::move(receiver));
-  }
-  void disconnectFrontend(SessionId session) override { wire_.disconnectFrontend(session); }
-  pipeline::PushResult send(Request request) override {
-    fail(Fault::kSendRequest);
-    return wire_.send(std::move(request));
-  }
-  void send(Result result) override {
-    fail(Fault::kSendResult);
+  void send(ToFrontend message) override {
+    if (!std::holds_alternative<Result>(message)) return wire_.send(std::move(message));
+    if (happens(Fault::kSendResult)) throw std::runtime_error("the wire is broken");
     if (keepBack) {
       const std::lock_guard lock(mutex_);
-      kept_.push_back(std::move(result));
+      kept_.push_back(std::move(message));
     } else {
-      wire_.send(std::move(result));
+      wire_.send(std::move(message));
     }
   }
-  [[nodiscard]] Payload compress(Payload payload) const override {
-    fail(Fault::kCompress);
-    return payload;
-  }
-  [[nodiscard]] Payload decompress(Payload payload) const override {
-    fail(Fault::kDecompress);
-    return payload;
+  void compress(Result& result, std::string_view subject) const override {
+    if (happens(Fault::kCompress)) throw std::runtime_error("the wire is broken");
+    wire_.compress(result, subject);
+    if (!happens(Fault::kDecompress)) return;
+    result.payload = std::shared_ptr<const raster::Image>();
+    result.packed = std::make_shared<const PackedBytes>(1);
   }
 
  private:
-  void fail(Fault here) const {
+  bool happens(Fault here) const {
     Fault expected = here;
-    if (next.compare_exchange_strong(expected, Fault::kNone)) throw std::runtime_error("the wire is broken");
+    return next.compare_exchange_strong(expected, Fault::kNone);
   }
 
-  InProcessTransport wire_;
+  ReferenceTransport wire_;
   std::mutex mutex_;
-  std::vector<Result> kept_;
+  std::vector<ToFrontend> kept_;
 };
 
 }  // namespace grove::node::testing

@@ -1,4 +1,4 @@
-#include "node/prepare_each.h"
+#include "node/backend/prepare_each.h"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "gl/workers.h"
-#include "node/object_type.h"
+#include "node/backend/backend_half.h"
 #include "pipeline/worker_pool.h"
 
 namespace grove::node {
@@ -23,10 +23,21 @@ namespace {
 class PrepareEach : public ::testing::Test {
  protected:
   BackendServices services(std::function<void(std::string_view, float)> progress) {
-    return {world_, workers_, gl_, timeline_, memory_, images_, std::move(progress)};
+    return {.scene = scene_,
+            .geometry = geometry_,
+            .world = world_,
+            .workers = workers_,
+            .gl = gl_,
+            .timeline = timeline_,
+            .memory = memory_,
+            .images = images_,
+            .announce = {},
+            .progress = std::move(progress)};
   }
 
-  world::World world_{world::World::Layout{}};
+  const LoadedScene scene_;
+  const world::WorldGeometry geometry_{scene_.objects};
+  const WorldMirror world_;
   pipeline::WorkerPool workers_{2};
   gl::ShaderLibrary shaders_;
   gl::Workers gl_{gl::ContextKind::kAuto, shaders_, 1};

@@ -16,8 +16,8 @@ std::shared_ptr<const FrameList> frameOf(FrameNumber number, std::size_t request
 }
 
 bool put(ResultTable& table, FrameNumber frame, std::uint32_t slot, const std::string& reason) {
-  Result result{1, frame, slot, Failure{reason}};
-  return table.put(result);
+  Payload payload = Failure{reason};
+  return table.put(frame, slot, payload);
 }
 
 TEST(ResultTable, AssemblesResultsThatComeInAnyOrderOfAnyFrame) {

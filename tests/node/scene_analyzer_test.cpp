@@ -5,16 +5,15 @@
 
 #include "node/boxes.h"
 #include "node/limits.h"
+#include "world/world.h"
 
 namespace grove::node {
 namespace {
 
 using ::testing::ElementsAre;
 
-world::World worldOf(const std::string& scene) {
-  Registry registry;
-  registry.add(std::make_unique<testing::BoxType>(std::make_shared<testing::BoxControls>()));
-  return world::World(makeLayout(world::parseScene(scene, "test"), registry));
+world::Layout layoutOf(const std::string& scene) {
+  return loadScene(world::parseScene(scene, "test"), testing::boxBackends()).layout;
 }
 
 View lookingAlong(float yaw) {
@@ -49,25 +48,25 @@ position = [-1, 1, -20]
 )";
 
 TEST(SceneAnalyzer, SendsWhatTheCameraSeesBackToFront) {
-  const world::World world = worldOf(kFourBoxes);
-  EXPECT_THAT(names(visibleObjects(world, lookingAlong(0.0F))), ElementsAre("far", "middle", "near"));
-  EXPECT_THAT(names(visibleObjects(world, lookingAlong(3.14159F))), ElementsAre("behind"));
+  const world::Layout layout = layoutOf(kFourBoxes);
+  EXPECT_THAT(names(visibleObjects(layout, lookingAlong(0.0F))), ElementsAre("far", "middle", "near"));
+  EXPECT_THAT(names(visibleObjects(layout, lookingAlong(3.14159F))), ElementsAre("behind"));
 }
 
 TEST(SceneAnalyzer, OrderFollowsTheViewerAcrossTheScene) {
-  const world::World world = worldOf(kFourBoxes);
+  const world::Layout layout = layoutOf(kFourBoxes);
   View view = lookingAlong(3.14159F);
   view.camera.pose.position.z = -60.0F;
-  EXPECT_THAT(names(visibleObjects(world, view)), ElementsAre("behind", "near", "middle", "far"));
+  EXPECT_THAT(names(visibleObjects(layout, view)), ElementsAre("behind", "near", "middle", "far"));
 }
 
 TEST(SceneAnalyzer, WhatEnclosesOthersComesBeforeThem) {
-  const world::World world = worldOf(kFourBoxes + "[[object]]\ntype='box'\nname='sky'\nsize=100\nscale=3\n");
-  EXPECT_THAT(names(visibleObjects(world, lookingAlong(0.0F))), ElementsAre("sky", "far", "middle", "near"));
+  const world::Layout layout = layoutOf(kFourBoxes + "[[object]]\ntype='box'\nname='sky'\nsize=100\nscale=3\n");
+  EXPECT_THAT(names(visibleObjects(layout, lookingAlong(0.0F))), ElementsAre("sky", "far", "middle", "near"));
 }
 
 TEST(SceneAnalyzer, EqualDistancesHaveOneOrder) {
-  const world::World world = worldOf(R"(
+  const world::Layout layout = layoutOf(R"(
 [[object]]
 type = "box"
 name = "left"
@@ -77,17 +76,18 @@ type = "box"
 name = "right"
 position = [2, 1.7, -10]
 )");
-  EXPECT_THAT(names(visibleObjects(world, lookingAlong(0.0F))), ElementsAre("left", "right"));
+  EXPECT_THAT(names(visibleObjects(layout, lookingAlong(0.0F))), ElementsAre("left", "right"));
 }
 
 TEST(SceneAnalyzer, ShowsOtherVisitorsButNotTheViewer) {
-  world::World world = worldOf("spawn=[0,0,-8]\n[visitor]\ntype='box'");
+  const world::Layout layout = layoutOf("spawn=[0,0,-8]\n[visitor]\ntype='box'");
+  world::World world(layout);
   const auto me = world.players().join("me", 0.0);
   world.players().join("you", 0.0);
   View view = lookingAlong(0.0F);
   view.viewer = me;
   view.players = world.players().all(0.0);
-  const auto visible = visibleObjects(world, view);
+  const auto visible = visibleObjects(layout, view);
   EXPECT_THAT(names(visible), ElementsAre("you"));
   EXPECT_GE(visible[0].object.id, world::kFirstPlayerObject);
 }
@@ -98,7 +98,7 @@ TEST(SceneAnalyzer, KeepsTheNearestOfTooMany) {
     scene += "[[object]]\ntype='box'\nname='" + std::to_string(i) + "'\nposition=[0,1.7,-" +
              std::to_string(2 + i * 0.5) + "]\n";
   }
-  const auto visible = visibleObjects(worldOf(scene), lookingAlong(0.0F));
+  const auto visible = visibleObjects(layoutOf(scene), lookingAlong(0.0F));
   ASSERT_EQ(visible.size(), kMostObjectsPerFrame);
   EXPECT_EQ(visible.back().object.name, "0");
 }

@@ -9,7 +9,7 @@
 
 #include "cli/prepare/light_fields.h"
 #include "cli/prepare/progress.h"
-#include "objects/lightfield/backend/light_field_type.h"
+#include "objects/lightfield/backend/light_field_backend_type.h"
 #include "world/scene_file.h"
 
 namespace grove::cli {

@@ -11,12 +11,22 @@ namespace grove::node {
 namespace {
 
 Result makeResult(const Request& request, Payload payload) {
-  return {request.view().session, request.view().frame, request.slot, std::move(payload)};
+  Result result;
+  result.session = request.view ? request.view->session : makeId(request.process, 0);
+  result.frame = request.view ? request.view->frame : 0;
+  result.slot = request.slot;
+  result.what = {request.object, request.key};
+  result.shared = request.shared;
+  const auto* const data = std::get_if<std::shared_ptr<const SharedData>>(&payload);
+  if (data != nullptr && *data != nullptr) result.version = (*data)->version();
+  result.payload = std::move(payload);
+  return result;
 }
 
 }  // namespace
 
-Answerer::Answerer(const char* name, std::string_view subject, BackendHalf& half, pipeline::Timeline& timeline)
+Answerer::Answerer(const char* name, std::string_view subject, BackendHalf& half, const EndedFrames& ended,
+                   pipeline::Timeline& timeline)
     : Stage({.name = name,
              .subject = subject,
              .work = pipeline::Work::kPerUserBackend,
@@ -25,7 +35,8 @@ Answerer::Answerer(const char* name, std::string_view subject, BackendHalf& half
              .maxBatch = half.mostAtOnce()},
             half.executor(), timeline),
       timeline_(timeline),
-      half_(half) {}
+      half_(half),
+      ended_(ended) {}
 
 void Answerer::connect(std::shared_ptr<pipeline::Inlet<Result>> compressor) {
   compressor_.connect(std::move(compressor));
@@ -34,10 +45,16 @@ void Answerer::connect(std::shared_ptr<pipeline::Inlet<Result>> compressor) {
 
 void Answerer::process(std::span<Request> all, pipeline::Run& run) {
   const double now = world::World::now();
-  const auto isWanted = [&](const Request& request) { return now < request.view().deadline; };
-  const auto ended = std::stable_partition(all.begin(), all.end(), isWanted);
-  const std::span<Request> requests(all.begin(), ended);
-  if (ended != all.end()) timeline_.count("requests of frames that had ended", all.end() - ended);
+  const auto isWanted = [&](const Request& request) {
+    return !request.view || (now < request.view->deadline && !ended_.contain(*request.view));
+  };
+  const auto firstEnded = std::stable_partition(all.begin(), all.end(), isWanted);
+  const std::span<Request> requests(all.begin(), firstEnded);
+  if (firstEnded != all.end()) timeline_.count("requests of frames that had ended", all.end() - firstEnded);
+  // Somebody else may wait for shared data, and asks again.
+  for (auto request = firstEnded; request != all.end(); ++request) {
+    compressor_.send(run, makeResult(*request, Failure{"the frame has ended", true}));
+  }
   if (requests.empty()) return;
   std::vector<Payload> payloads(requests.size());
   attempt([&] { half_.answer(requests, payloads); },

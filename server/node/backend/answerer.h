@@ -2,22 +2,24 @@
 
 #include <string_view>
 
-#include "node/messages.h"
-#include "node/object_type.h"
+#include "node/backend/backend_half.h"
+#include "node/backend/ended_frames.h"
 #include "pipeline/outlet.h"
 
 namespace grove::node {
 
 /// What Renderer and Simulator share: a batch of requests goes to the object type's backend half, and a result for each
 /// goes on, a Failure where the half threw. One request that throws costs the others of its batch nothing. A request
-/// whose frame has ended meanwhile is left unanswered, so that what is slow has no backlog.
+/// whose frame has ended meanwhile fails at once, so that what is slow has no backlog.
 class Answerer : public pipeline::Stage<Request> {
  public:
   void connect(std::shared_ptr<pipeline::Inlet<Result>> compressor);
 
  protected:
   /// `subject`: the type of object, for the timeline.
-  Answerer(const char* name, std::string_view subject, BackendHalf& half, pipeline::Timeline& timeline);
+  /// `ended` outlives it.
+  Answerer(const char* name, std::string_view subject, BackendHalf& half, const EndedFrames& ended,
+           pipeline::Timeline& timeline);
   void process(std::span<Request> all, pipeline::Run& run) final;
 
  private:
@@ -26,6 +28,7 @@ class Answerer : public pipeline::Stage<Request> {
 
   pipeline::Timeline& timeline_;
   BackendHalf& half_;
+  const EndedFrames& ended_;
   pipeline::Outlet<Result> compressor_;
 };
 

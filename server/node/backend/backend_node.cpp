@@ -1,38 +1,82 @@
 #include "node/backend/backend_node.h"
 
-#include "node/backend/renderer.h"
-#include "node/backend/simulator.h"
+#include <future>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "gl/workers.h"
 
 namespace grove::node {
-namespace {
 
-std::shared_ptr<Answerer> makeAnswerer(std::string_view type, BackendHalf& half, pipeline::Timeline& timeline) {
-  if (half.kind() == NodeKind::kSimulation) return std::make_shared<Simulator>(type, half, timeline);
-  return std::make_shared<Renderer>(type, half, timeline);
+BackendNode::BackendNode(const LoadedScene& scene, const world::WorldGeometry& geometry, const BackendTypes& types,
+                         const BackendMachine& machine, Transport& transport, Haste haste, const Progress& progress)
+    : scene_(scene), geometry_(geometry), machine_(machine), transport_(transport) {
+  const BackendServices services = this->services(haste, progress);
+  std::set<world::TypeIndex> used;
+  for (const world::ModelledObject& object : scene.objects) used.insert(object.type);
+  if (scene.layout.visitor) used.insert(scene.layout.visitor->object.type);
+  const auto policy = haste == Haste::kAllCores ? std::launch::async : std::launch::deferred;
+  std::vector<std::pair<world::TypeIndex, std::future<std::unique_ptr<BackendPipeline>>>> prepared;
+  prepared.reserve(used.size());
+  for (const world::TypeIndex type : used) {
+    prepared.emplace_back(type, std::async(policy, [&, type] {
+                            return std::make_unique<BackendPipeline>(*types.find(scene.layout.types[type]), type,
+                                                                     services, ended_, transport_);
+                          }));
+  }
+  for (auto& [type, pipeline] : prepared) pipelines_.emplace(type, pipeline.get());
+  for (const world::ModelledObject& object : scene.objects) owners_[object.id] = pipelines_.at(object.type).get();
+  if (scene.layout.visitor) visitors_ = pipelines_.at(scene.layout.visitor->object.type).get();
+  transport_.connect(static_cast<BackendPort&>(*this));
 }
 
-}  // namespace
-
-BackendNode::BackendNode(const ObjectType& type, world::TypeIndex index, const BackendServices& services,
-                         Transport& transport)
-    : half_(type.makeBackend(services, index)),
-      receiver_(std::make_shared<RequestReceiver>(services.workers, services.timeline)),
-      answerer_(makeAnswerer(type.name(), *half_, services.timeline)),
-      compressor_(std::make_shared<Compressor>(transport, type.name(), services.workers, services.timeline)),
-      sender_(std::make_shared<ResultSender>(transport, services.workers, services.timeline)) {
-  receiver_->connect(answerer_);
-  answerer_->connect(compressor_);
-  compressor_->connect(sender_);
-  transport.connectBackend(index, receiver_);
+BackendNode::~BackendNode() {
+  transport_.leaveBackend();
+  for (const auto& [type, pipeline] : pipelines_) pipeline->close();
+  // Runs in progress use the halves; with every queue closed, none can start after these.
+  machine_.workers.drain();
+  machine_.gl.drain();
+  machine_.workers.drain();
 }
 
-BackendNode::~BackendNode() = default;
+BackendServices BackendNode::services(Haste haste, const Progress& progress) {
+  return {.scene = scene_,
+          .geometry = geometry_,
+          .world = world_,
+          .workers = machine_.workers,
+          .gl = machine_.gl,
+          .timeline = machine_.timeline,
+          .memory = machine_.memory,
+          .images = machine_.images,
+          .announce = [this](const Announcement& announcement) { transport_.send(announcement); },
+          .sharesMemory = transport_.sharesMemory(),
+          .progress = progress,
+          .helpers = haste == Haste::kAllCores ? &machine_.workers : nullptr,
+          .baked = machine_.baked};
+}
 
-void BackendNode::close() {
-  receiver_->close();
-  answerer_->close();
-  compressor_->close();
-  sender_->close();
+pipeline::PushResult BackendNode::receive(ToBackend message) {
+  if (auto* request = std::get_if<Request>(&message)) return take(std::move(*request));
+  if (auto* update = std::get_if<std::shared_ptr<const WorldUpdate>>(&message)) {
+    world_.apply(std::move(*update));
+  } else if (const auto* cancel = std::get_if<Cancel>(&message)) {
+    ended_.add(*cancel);
+  } else if (const auto* quality = std::get_if<Quality>(&message)) {
+    for (const auto& [type, pipeline] : pipelines_) pipeline->half().setQuality(quality->step);
+  } else if (const auto* forget = std::get_if<Forget>(&message)) {
+    ended_.forget(forget->session);
+    for (const auto& [type, pipeline] : pipelines_) pipeline->half().forget(forget->session);
+  }
+  return pipeline::PushResult::kAccepted;
+}
+
+pipeline::PushResult BackendNode::take(Request request) {
+  const auto owner = owners_.find(request.object);
+  BackendPipeline* const pipeline = owner != owners_.end()                        ? owner->second
+                                    : request.object >= world::kFirstPlayerObject ? visitors_
+                                                                                  : nullptr;
+  return pipeline == nullptr ? pipeline::PushResult::kClosed : pipeline->push(std::move(request));
 }
 
 }  // namespace grove::node

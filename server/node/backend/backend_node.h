@@ -1,40 +1,63 @@
 #pragma once
 
+#include <cstdint>
+#include <map>
 #include <memory>
 
-#include "node/backend/answerer.h"
-#include "node/backend/compressor.h"
-#include "node/backend/request_receiver.h"
-#include "node/backend/result_sender.h"
-#include "node/object_type.h"
+#include "node/backend/backend_pipeline.h"
+#include "node/backend/ended_frames.h"
+#include "node/backend/load_scene.h"
+#include "node/backend/world_mirror.h"
 #include "node/transport/transport.h"
 
 namespace grove::node {
 
-/// The right half of Figure 4.2: one pipeline that owns all objects of one type and serves all sessions.
-class BackendNode {
+/// The machine that a backend node runs on. All of it outlives the node.
+struct BackendMachine {
+  pipeline::Executor& workers;
+  gl::Workers& gl;
+  pipeline::Timeline& timeline;
+  pipeline::MemoryLedger& memory;
+  raster::ImagePool& images;
+  BakedStore* baked = nullptr;  ///< null if there is one instance of the world only
+};
+
+/// What a world may take of the machine while it is made.
+enum class Haste : std::uint8_t {
+  kAllCores,  ///< nobody is in another one yet
+  kNone,      ///< the calling thread alone makes it, one step after the other: the workers are theirs who are inside
+};
+
+/// Owns all objects of a world and answers requests for them: a pipeline for each type. Knows of frontends what their
+/// messages say, and nothing else.
+class BackendNode final : public BackendPort {
  public:
-  /// Prepares the objects, which may take seconds, and connects to the transport.
-  BackendNode(const ObjectType& type, world::TypeIndex index, const BackendServices& services, Transport& transport);
-  ~BackendNode();
+  using Progress = std::function<void(std::string_view, float)>;
+
+  /// Prepares the objects, which may take seconds; throws what that throws. Not on one of the executors' threads.
+  /// `progress` is called from any thread, and may throw to end it. All but it outlive the node.
+  BackendNode(const LoadedScene& scene, const world::WorldGeometry& geometry, const BackendTypes& types,
+              const BackendMachine& machine, Transport& transport, Haste haste, const Progress& progress);
+  /// Waits for the runs in progress, so not on one of the executors' threads.
+  ~BackendNode() override;
   BackendNode(const BackendNode&) = delete;
   BackendNode& operator=(const BackendNode&) = delete;
 
-  /// See BackendHalf::setQuality().
-  void setQuality(int step) { half_->setQuality(step); }
-
-  /// See BackendHalf::forget().
-  void forget(SessionId session) { half_->forget(session); }
-
-  /// Takes no more requests; runs in progress finish. The executors must be joined before the node is destroyed.
-  void close();
+  pipeline::PushResult receive(ToBackend message) override;
 
  private:
-  const std::unique_ptr<BackendHalf> half_;
-  const std::shared_ptr<RequestReceiver> receiver_;
-  const std::shared_ptr<Answerer> answerer_;
-  const std::shared_ptr<Compressor> compressor_;
-  const std::shared_ptr<ResultSender> sender_;
+  [[nodiscard]] BackendServices services(Haste haste, const Progress& progress);
+  pipeline::PushResult take(Request request);
+
+  const LoadedScene& scene_;
+  const world::WorldGeometry& geometry_;
+  const BackendMachine machine_;
+  Transport& transport_;
+  WorldMirror world_;
+  EndedFrames ended_;
+  std::map<world::TypeIndex, std::unique_ptr<BackendPipeline>> pipelines_;
+  std::map<world::ObjectId, BackendPipeline*> owners_;
+  BackendPipeline* visitors_ = nullptr;  ///< of the objects that show them
 };
 
 }  // namespace grove::node

@@ -15,7 +15,8 @@ Compressor::Compressor(const Transport& transport, std::string_view subject, pip
              .maxBatch = kBackendBatch,
              .finishes = true},
             executor, timeline),
-      transport_(transport) {}
+      transport_(transport),
+      subject_(subject) {}
 
 void Compressor::connect(std::shared_ptr<pipeline::Inlet<Result>> next) {
   next_.connect(std::move(next));
@@ -24,7 +25,7 @@ void Compressor::connect(std::shared_ptr<pipeline::Inlet<Result>> next) {
 
 void Compressor::process(std::span<Result> results, pipeline::Run& run) {
   for (Result& result : results) {
-    attempt([&] { result.payload = transport_.compress(std::move(result.payload)); },
+    attempt([&] { transport_.compress(result, subject_); },
             [&](const std::string& reason) { result.payload = Failure{reason}; });
     next_.send(run, std::move(result));
   }

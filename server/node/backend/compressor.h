@@ -19,6 +19,7 @@ class Compressor final : public pipeline::Stage<Result> {
 
  private:
   const Transport& transport_;
+  const std::string_view subject_;
   pipeline::Outlet<Result> next_;
 };
 

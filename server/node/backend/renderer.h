@@ -7,8 +7,8 @@ namespace grove::node {
 /// Renders images of an object from the request's camera (section 4.2, step 4).
 class Renderer final : public Answerer {
  public:
-  Renderer(std::string_view subject, BackendHalf& half, pipeline::Timeline& timeline)
-      : Answerer("Renderer", subject, half, timeline) {}
+  Renderer(std::string_view subject, BackendHalf& half, const EndedFrames& ended, pipeline::Timeline& timeline)
+      : Answerer("Renderer", subject, half, ended, timeline) {}
 };
 
 }  // namespace grove::node

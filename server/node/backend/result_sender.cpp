@@ -17,11 +17,13 @@ ResultSender::ResultSender(Transport& transport, pipeline::Executor& executor, p
 
 void ResultSender::process(std::span<Result> results, pipeline::Run&) {
   for (Result& result : results) {
-    Result instead{result.session, result.frame, result.slot, {}};
-    attempt([&] { transport_.send(std::move(result)); },
+    Result instead = result;
+    instead.payload = Failure{};
+    instead.packed = nullptr;
+    attempt([&] { transport_.send(ToFrontend(std::move(result))); },
             [&](const std::string& reason) {
               instead.payload = Failure{reason};
-              transport_.send(std::move(instead));
+              transport_.send(ToFrontend(std::move(instead)));
             });
   }
 }

@@ -20,35 +20,20 @@ constexpr const char* kStage = "Compositor";
 /// Rows that are put together at once: with their edges, about what fits into the cache of a core.
 constexpr int kBandHeight = 48;
 
-/// What covers all of its pixels comes first, which is cheapest where nothing lies yet; then the others, the nearest
-/// first, so that what they hide need not be laid. The payloads are those of a frame's list, back to front.
-std::vector<std::size_t> layingOrder(std::span<const Payload> payloads) {
-  std::vector<std::size_t> order(payloads.size());
-  std::iota(order.begin(), order.end(), 0);
-  const auto isOpaque = [&](std::size_t index) {
-    const auto* const layer = std::get_if<std::shared_ptr<const raster::Image>>(&payloads[index]);
-    return layer != nullptr && *layer != nullptr && (*layer)->opaque;
-  };
-  const auto others = std::stable_partition(order.begin(), order.end(), isOpaque);
-  std::reverse(others, order.end());
-  return order;
-}
-
 }  // namespace
 
-Compositor::Compositor(const Registry& registry, raster::ImagePool& images, pipeline::MemoryLedger& memory,
-                       const FramePolicy& policy, std::function<void()> frameDone, pipeline::Executor& executor,
-                       pipeline::Timeline& timeline)
+Compositor::Compositor(FrontendProcess& frontend, std::shared_ptr<VisitorHalves> halves, const FramePolicy& policy,
+                       std::function<void()> frameDone)
     : Stage({.name = kStage,
              .work = pipeline::Work::kPerUserFrontend,
              .capacity = static_cast<std::size_t>(policy.framesInFlight) * (kMostObjectsPerFrame + 1) + 1,
              .finishes = true},
-            executor, timeline),
-      executor_(executor),
-      registry_(registry),
-      timeline_(timeline),
-      images_(images),
-      memory_(memory),
+            frontend.tools().workers, frontend.tools().timeline),
+      frontend_(frontend),
+      executor_(frontend.tools().workers),
+      timeline_(frontend.tools().timeline),
+      images_(frontend.tools().images),
+      halves_(std::move(halves)),
       frameDone_(std::move(frameDone)),
       table_(static_cast<std::size_t>(policy.framesInFlight)) {}
 
@@ -59,19 +44,27 @@ void Compositor::connect(std::shared_ptr<pipeline::Inlet<FinishedFrame>> next) {
 
 void Compositor::process(std::span<CompositorInput> inputs, pipeline::Run& run) {
   for (CompositorInput& input : inputs) {
+    if (auto* const answers = std::get_if<Answers>(&input)) {
+      take(std::move(*answers), run);
+      continue;
+    }
     std::optional<CompleteFrame> frame;
     if (const auto* list = std::get_if<std::shared_ptr<const FrameList>>(&input)) {
       table_.open(*list);
       frame = table_.take((*list)->view->frame);
-    } else if (Result* result = std::get_if<Result>(&input)) {
-      const FrameNumber number = result->frame;
-      if (!table_.put(*result)) takeLate(std::move(*result));
-      frame = table_.take(number);
     } else {
       frame = takeOverdue();
     }
     if (frame) show(std::move(*frame), run);
   }
+}
+
+void Compositor::take(Answers answers, pipeline::Run& run) {
+  const FrameNumber number = answers.view->frame;
+  for (Answers::Slot& answer : answers.slots) {
+    if (!table_.put(number, answer.slot, answer.payload)) takeLate(number, std::move(answer));
+  }
+  if (auto frame = table_.take(number)) show(std::move(*frame), run);
 }
 
 void Compositor::show(CompleteFrame frame, pipeline::Run& run) {
@@ -87,9 +80,11 @@ void Compositor::show(CompleteFrame frame, pipeline::Run& run) {
   lastResults_.keep(std::move(frame));
 }
 
-void Compositor::takeLate(Result result) {
+void Compositor::takeLate(FrameNumber frame, Answers::Slot answer) {
   timeline_.count("results that were not waited for");
-  if (lastResults_.keepLate(std::move(result))) timeline_.count("results that the next frame may show");
+  if (lastResults_.keepLate(frame, answer.slot, std::move(answer.payload))) {
+    timeline_.count("results that the next frame may show");
+  }
 }
 
 std::optional<CompleteFrame> Compositor::takeOverdue() {
@@ -100,7 +95,10 @@ std::optional<CompleteFrame> Compositor::takeOverdue() {
     if (newest) frameDone_();
     newest = std::move(frame);
   }
-  if (newest) fillIn(*newest);
+  if (!newest) return newest;
+  const View& view = *newest->list->view;
+  frontend_.send(Cancel{view.session, view.frame});
+  fillIn(*newest);
   return newest;
 }
 
@@ -108,72 +106,97 @@ void Compositor::fillIn(CompleteFrame& frame) {
   for (const std::size_t slot : lastResults_.fillIn(frame)) {
     timeline_.recordFailure(kStage, pipeline::Work::kPerUserFrontend);
     const world::Object& object = frame.list->objects[slot].object;
-    overdue_.warning(std::string(registry_.type(object.type).name()) + " " + object.name +
+    overdue_.warning(std::string(halves_->name(object.type)) + " " + object.name +
                      ": no result within the deadline of a frame");
   }
 }
 
 std::shared_ptr<const raster::Image> Compositor::composite(const CompleteFrame& frame) {
   const View& view = *frame.list->view;
-  const auto& objects = frame.list->objects;
   const auto image = images_.acquire({0, 0, view.camera.width, view.camera.height});
-  std::vector<Layer> layers;
-  layers.reserve(objects.size());
-  for (const std::size_t i : layingOrder(frame.payloads)) {
-    if (std::holds_alternative<Failure>(frame.payloads[i])) continue;
-    layers.push_back({objects[i], frame.payloads[i], halfOf(objects[i].object.type)});
-  }
+  std::vector<Placed> placed = placedOf(frame);
+  makeParts(frame, placed);
+  // What covers all of its pixels comes first, which is cheapest where nothing lies yet; then the others, the nearest
+  // first, so that what they hide need not be laid.
+  std::vector<Placed*> order;
+  order.reserve(placed.size());
+  for (Placed& each : placed) order.push_back(&each);
+  const auto others = std::ranges::stable_partition(order, &Placed::opaque);
+  std::ranges::reverse(others);
   const int bands = (image->height() + kBandHeight - 1) / kBandHeight;
   pipeline::shareOut(executor_, static_cast<std::size_t>(bands), [&](const pipeline::NextPart& next) {
     pipeline::TimedParts times = timesOf(frame);
     while (const auto band = next()) {
       const int top = static_cast<int>(*band) * kBandHeight;
       const int bottom = std::min(top + kBandHeight, image->height());
-      layBand({0, top, image->width(), bottom}, layers, view, times, *image);
+      layBand({0, top, image->width(), bottom}, order, times, *image);
     }
   });
   pipeline::TimedParts times = timesOf(frame);
-  for (std::size_t i = 0; i < objects.size(); ++i) {
-    if (std::holds_alternative<Failure>(frame.payloads[i])) continue;
-    times.turnTo(registry_.type(objects[i].object.type).name());
-    if (FrontendHalf* half = halfOf(objects[i].object.type)) half->draw(objects[i], frame.payloads[i], view, *image);
+  for (Placed& each : placed) {
+    if (!each.layer) continue;
+    times.turnTo(halves_->name(each.object.object.type));
+    each.layer->draw(*image);
   }
-  tellMemory();
+  halves_->reportMemory();
   return image;
+}
+
+std::vector<Compositor::Placed> Compositor::placedOf(const CompleteFrame& frame) {
+  pipeline::TimedParts times = timesOf(frame);
+  const auto& objects = frame.list->objects;
+  std::vector<Placed> placed;
+  placed.reserve(objects.size());
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    const Payload& payload = frame.payloads[i];
+    if (std::holds_alternative<Failure>(payload)) continue;
+    const auto* const picture = std::get_if<std::shared_ptr<const raster::Image>>(&payload);
+    times.turnTo(halves_->name(objects[i].object.type));
+    Placed each{objects[i], picture == nullptr ? nullptr : picture->get(),
+                halves_->of(objects[i].object.type).layer(objects[i], payload, *frame.list->view)};
+    if (each.picture != nullptr || each.layer) placed.push_back(std::move(each));
+  }
+  return placed;
+}
+
+void Compositor::makeParts(const CompleteFrame& frame, std::span<Placed> placed) {
+  struct Part {
+    Placed* of = nullptr;
+    std::size_t number = 0;
+  };
+  std::vector<Part> parts;
+  for (Placed& each : placed) {
+    const std::size_t count = each.layer ? each.layer->parts() : 0;
+    parts.reserve(parts.size() + count);
+    for (std::size_t i = 0; i < count; ++i) parts.push_back({&each, i});
+  }
+  if (parts.empty()) return;
+  pipeline::shareOut(executor_, parts.size(), [&](const pipeline::NextPart& next) {
+    pipeline::TimedParts times = timesOf(frame);
+    while (const auto part = next()) {
+      const auto& [of, number] = parts[*part];
+      times.turnTo(halves_->name(of->object.object.type));
+      of->layer->makePart(number);
+    }
+  });
 }
 
 pipeline::TimedParts Compositor::timesOf(const CompleteFrame& frame) {
   return {timeline_, kStage, pipeline::Work::kPerUserFrontend, traceTag(frame.list)};
 }
 
-void Compositor::layBand(const world::Rect& band, std::span<const Layer> layers, const View& view,
-                         pipeline::TimedParts& times, raster::Image& frame) {
+void Compositor::layBand(const world::Rect& band, std::span<Placed* const> placed, pipeline::TimedParts& times,
+                         raster::Image& frame) {
   const auto edges = images_.acquire(band);
   FrameBuilder builder(frame, *edges);
-  for (const Layer& layer : layers) {
-    const auto* const image = std::get_if<std::shared_ptr<const raster::Image>>(&layer.payload);
-    if (image != nullptr ? *image == nullptr : layer.half == nullptr) continue;
-    if (builder.clip(image != nullptr ? (*image)->rect : layer.object.rect).empty()) continue;
-    times.turnTo(registry_.type(layer.object.object.type).name());
-    if (image != nullptr) {
-      builder.lay(**image);
-    } else {
-      layer.half->lay(layer.object, layer.payload, view, builder);
+  for (Placed* const each : placed) {
+    times.turnTo(halves_->name(each->object.object.type));
+    if (each->picture != nullptr) {
+      if (!builder.clip(each->picture->rect).empty()) builder.lay(*each->picture);
     }
+    if (each->layer && !builder.clip(each->object.rect).empty()) each->layer->lay(builder);
   }
   builder.finish();
-}
-
-FrontendHalf* Compositor::halfOf(world::TypeIndex type) {
-  const auto it = halves_.find(type);
-  if (it != halves_.end()) return it->second.half.get();
-  return halves_.try_emplace(type, registry_.type(type), memory_).first->second.half.get();
-}
-
-void Compositor::tellMemory() {
-  for (auto& [type, half] : halves_) {
-    if (half.half) half.held.set(half.half->bytes());
-  }
 }
 
 }  // namespace grove::node

@@ -1,17 +1,15 @@
 #pragma once
 
 #include <functional>
-#include <map>
 #include <memory>
 #include <optional>
 #include <variant>
+#include <vector>
 
 #include "node/frontend/last_results.h"
 #include "node/frontend/result_table.h"
+#include "node/frontend/visitor_halves.h"
 #include "node/messages.h"
-#include "node/object_type.h"
-#include "node/registry.h"
-#include "pipeline/memory_ledger.h"
 #include "pipeline/outlet.h"
 
 namespace grove::node {
@@ -21,8 +19,22 @@ struct DeadlineCheck {};
 
 inline pipeline::TraceTag traceTag(const DeadlineCheck&) { return {}; }
 
-/// The Scene Analyzer's list announces a frame; results fill it.
-using CompositorInput = std::variant<std::shared_ptr<const FrameList>, Result, DeadlineCheck>;
+/// What some objects of a frame are to be shown with.
+struct Answers {
+  struct Slot {
+    std::uint32_t slot = 0;
+    Payload payload;
+  };
+  std::shared_ptr<const View> view;
+  std::vector<Slot> slots;
+};
+
+inline pipeline::TraceTag traceTag(const Answers& answers) {
+  return {numberOf(answers.view->session), answers.view->frame};
+}
+
+/// The Scene Analyzer's list announces a frame; answers fill it.
+using CompositorInput = std::variant<std::shared_ptr<const FrameList>, Answers, DeadlineCheck>;
 
 inline pipeline::TraceTag traceTag(const CompositorInput& input) {
   return std::visit([](const auto& held) { return traceTag(held); }, input);
@@ -34,16 +46,16 @@ struct FramePolicy {
   double deadlineSeconds = 0.5;  ///< then it is shown with the last results of the objects that did not answer
 };
 
-/// Last box of Figure 4.2: when all requests of a frame are fulfilled, composites their images by depth, then lets each
-/// object type's frontend half draw its data, back to front (section 4.2, step 10). A frame that is complete only after
-/// a newer one was shown is dropped; one that is not complete by its deadline is shown with the last results of what is
-/// missing. What comes later still is the last result then.
+/// Last box of Figure 4.2: when all objects of a frame are answered, composites their pictures and layers by depth,
+/// then lets the layers draw, back to front (section 4.2, step 10). A frame that is complete only after a newer one was
+/// shown is dropped; one that is not complete by its deadline is shown with the last results of what is missing. What
+/// comes later still is the last result then.
 class Compositor final : public pipeline::Stage<CompositorInput> {
  public:
   /// `frameDone` is called once for every announced frame, shown or not.
-  Compositor(const Registry& registry, raster::ImagePool& images, pipeline::MemoryLedger& memory,
-             const FramePolicy& policy, std::function<void()> frameDone, pipeline::Executor& executor,
-             pipeline::Timeline& timeline);
+  /// `frontend` outlives it.
+  Compositor(FrontendProcess& frontend, std::shared_ptr<VisitorHalves> halves, const FramePolicy& policy,
+             std::function<void()> frameDone);
   void connect(std::shared_ptr<pipeline::Inlet<FinishedFrame>> next);
 
  protected:
@@ -51,41 +63,38 @@ class Compositor final : public pipeline::Stage<CompositorInput> {
 
  private:
   void show(CompleteFrame frame, pipeline::Run& run);
+  void take(Answers answers, pipeline::Run& run);
   /// Of a frame that has ended.
-  void takeLate(Result result);
+  void takeLate(FrameNumber frame, Answers::Slot answer);
   /// The newest frame whose deadline has passed, filled in; ends those before it.
   [[nodiscard]] std::optional<CompleteFrame> takeOverdue();
   void fillIn(CompleteFrame& frame);
   [[nodiscard]] std::shared_ptr<const raster::Image> composite(const CompleteFrame& frame);
   /// Something to lay over a frame.
-  struct Layer {
+  struct Placed {
     const VisibleObject& object;
-    const Payload& payload;
-    FrontendHalf* half;  ///< null if images are all of it
+    const raster::Image* picture;  ///< null: none
+    std::unique_ptr<Layer> layer;  ///< null: the picture is all of it
+    [[nodiscard]] bool opaque() const { return layer ? layer->opaque() : picture->opaque; }
   };
+  /// Back to front.
+  [[nodiscard]] std::vector<Placed> placedOf(const CompleteFrame& frame);
+  /// What the layers are to have before they can be laid.
+  void makeParts(const CompleteFrame& frame, std::span<Placed> placed);
   [[nodiscard]] pipeline::TimedParts timesOf(const CompleteFrame& frame);
-  void layBand(const world::Rect& band, std::span<const Layer> layers, const View& view, pipeline::TimedParts& times,
+  void layBand(const world::Rect& band, std::span<Placed* const> placed, pipeline::TimedParts& times,
                raster::Image& frame);
-  void tellMemory();
-  FrontendHalf* halfOf(world::TypeIndex type);
 
+  FrontendProcess& frontend_;
   pipeline::Executor& executor_;
-  const Registry& registry_;
   pipeline::Timeline& timeline_;
   raster::ImagePool& images_;
-  pipeline::MemoryLedger& memory_;
+  const std::shared_ptr<VisitorHalves> halves_;
   const std::function<void()> frameDone_;
   ResultTable table_;
   LastResults lastResults_;
   log::Limited overdue_;
   FrameNumber newestShown_ = 0;
-  struct TypeHalf {
-    TypeHalf(const ObjectType& type, pipeline::MemoryLedger& memory)
-        : half(type.makeFrontend()), held(memory, "frontends", type.name(), pipeline::Work::kPerUserFrontend) {}
-    std::unique_ptr<FrontendHalf> half;  ///< null if images are all of it
-    pipeline::HeldMemory held;
-  };
-  std::map<world::TypeIndex, TypeHalf> halves_;
   pipeline::Outlet<FinishedFrame> next_;
 };
 

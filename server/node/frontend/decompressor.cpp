@@ -6,25 +6,24 @@
 
 namespace grove::node {
 
-Decompressor::Decompressor(const Transport& transport, pipeline::Executor& executor, pipeline::Timeline& timeline)
+Decompressor::Decompressor(FrontendProcess& frontend)
     : Stage({.name = "Decompressor",
              .work = pipeline::Work::kPerUserFrontend,
              .capacity = kBackendBatch,
              .maxBatch = kBackendBatch,
              .finishes = true},
-            executor, timeline),
-      transport_(transport) {}
+            frontend.tools().workers, frontend.tools().timeline),
+      frontend_(frontend) {}
 
-void Decompressor::connect(std::shared_ptr<pipeline::Inlet<CompositorInput>> compositor) {
-  compositor_.connect(std::move(compositor));
-  addOutlet(compositor_);
+void Decompressor::connect(std::shared_ptr<pipeline::Inlet<RequestSenderInput>> requestSender) {
+  requestSender_.connect(std::move(requestSender));
+  addOutlet(requestSender_);
 }
 
 void Decompressor::process(std::span<Result> results, pipeline::Run& run) {
   for (Result& result : results) {
-    attempt([&] { result.payload = transport_.decompress(std::move(result.payload)); },
-            [&](const std::string& reason) { result.payload = Failure{reason}; });
-    compositor_.send(run, std::move(result));
+    attempt([&] { frontend_.unpack(result); }, [&](const std::string& reason) { result.payload = Failure{reason}; });
+    requestSender_.send(run, std::move(result));
   }
 }
 

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "node/frontend/compositor.h"
-#include "node/transport/transport.h"
+#include "node/frontend/request_sender.h"
 #include "pipeline/outlet.h"
 
 namespace grove::node {
@@ -9,15 +8,16 @@ namespace grove::node {
 /// Undoes what the Compressor did (section 4.2, step 9).
 class Decompressor final : public pipeline::Stage<Result> {
  public:
-  Decompressor(const Transport& transport, pipeline::Executor& executor, pipeline::Timeline& timeline);
-  void connect(std::shared_ptr<pipeline::Inlet<CompositorInput>> compositor);
+  /// `frontend` outlives it.
+  explicit Decompressor(FrontendProcess& frontend);
+  void connect(std::shared_ptr<pipeline::Inlet<RequestSenderInput>> requestSender);
 
  protected:
   void process(std::span<Result> results, pipeline::Run& run) override;
 
  private:
-  const Transport& transport_;
-  pipeline::Outlet<CompositorInput> compositor_;
+  FrontendProcess& frontend_;
+  pipeline::Outlet<RequestSenderInput> requestSender_;
 };
 
 }  // namespace grove::node

@@ -9,29 +9,28 @@ namespace grove::node {
 
 FrontendNode::FrontendNode(SessionId session, const FramePolicy& policy, SceneAnalyzer::Look look,
                            std::shared_ptr<pipeline::Inlet<FinishedFrame>> next, std::function<void()> frameEnded,
-                           const FrontendServices& services)
+                           FrontendProcess& frontend)
     : session_(session),
-      transport_(services.transport),
+      frontend_(frontend),
       inFlight_(std::make_shared<FramesInFlight>(policy.framesInFlight, std::move(frameEnded))) {
   assert(policy.framesInFlight >= 1 && policy.framesInFlight <= kMostFramesInFlight);
-  pipeline::Executor& workers = services.workers;
-  pipeline::Timeline& timeline = services.timeline;
-
   const auto endFrame = [frames = inFlight_] { frames->end(); };
+  const auto results = static_cast<std::size_t>(policy.framesInFlight) * kMostObjectsPerFrame;
+  const auto halves = std::make_shared<VisitorHalves>(frontend);
+  const FrontendTools& tools = frontend.tools();
 
-  analyzer_ = std::make_shared<SceneAnalyzer>(services.world, std::move(look), policy.deadlineSeconds, endFrame,
-                                              workers, timeline);
-  requestSender_ = std::make_shared<RequestSender>(transport_, workers, timeline);
-  resultReceiver_ = std::make_shared<ResultReceiver>(
-      static_cast<std::size_t>(policy.framesInFlight) * kMostObjectsPerFrame, workers, timeline);
-  decompressor_ = std::make_shared<Decompressor>(transport_, workers, timeline);
-  compositor_ = std::make_shared<Compositor>(services.registry, services.images, services.memory, policy, endFrame,
-                                             workers, timeline);
+  analyzer_ = std::make_shared<SceneAnalyzer>(frontend.layout(), std::move(look), policy.deadlineSeconds, endFrame,
+                                              tools.workers, tools.timeline);
+  requestSender_ = std::make_shared<RequestSender>(results + kMostFramesInFlight, frontend, halves);
+  resultReceiver_ = std::make_shared<ResultReceiver>(results, tools.workers, tools.timeline);
+  decompressor_ = std::make_shared<Decompressor>(frontend);
+  compositor_ = std::make_shared<Compositor>(frontend, halves, policy, endFrame);
 
   analyzer_->connect(compositor_, requestSender_);
-  transport_.connectFrontend(session_, resultReceiver_);
+  requestSender_->connect(compositor_);
+  frontend_.connect(session_, resultReceiver_);
   resultReceiver_->connect(decompressor_);
-  decompressor_->connect(compositor_);
+  decompressor_->connect(requestSender_);
   compositor_->connect(std::move(next));
 }
 
@@ -49,7 +48,7 @@ void FrontendNode::checkDeadline() {
 }
 
 void FrontendNode::close() {
-  transport_.disconnectFrontend(session_);
+  frontend_.disconnect(session_);
   analyzer_->close();
   requestSender_->close();
   resultReceiver_->close();

@@ -7,34 +7,22 @@
 #include "node/frontend/compositor.h"
 #include "node/frontend/decompressor.h"
 #include "node/frontend/frames_in_flight.h"
+#include "node/frontend/frontend_process.h"
 #include "node/frontend/request_sender.h"
 #include "node/frontend/result_receiver.h"
 #include "node/frontend/scene_analyzer.h"
-#include "node/transport/transport.h"
-#include "world/world.h"
 
 namespace grove::node {
-
-/// What all frontend nodes of a process share. All of it outlives them.
-struct FrontendServices {
-  const world::World& world;
-  const Registry& registry;
-  Transport& transport;
-  pipeline::Executor& workers;
-  pipeline::Timeline& timeline;
-  pipeline::MemoryLedger& memory;
-  raster::ImagePool& images;
-};
 
 /// The left half of Figure 4.2: one visitor's pipeline from the camera to the composited frame. Any thread.
 class FrontendNode {
  public:
   /// `look` reads the camera, on a worker thread, when a frame's turn has come. Finished frames go to `next`.
   /// `frameEnded` (may be empty) is called once for each frame that was requested: it is composited, or dropped. Any
-  /// thread; it may request frames, of other nodes too.
+  /// thread; it may request frames, of other nodes too. `frontend` outlives the node.
   FrontendNode(SessionId session, const FramePolicy& policy, SceneAnalyzer::Look look,
                std::shared_ptr<pipeline::Inlet<FinishedFrame>> next, std::function<void()> frameEnded,
-               const FrontendServices& services);
+               FrontendProcess& frontend);
   ~FrontendNode();
   FrontendNode(const FrontendNode&) = delete;
   FrontendNode& operator=(const FrontendNode&) = delete;
@@ -54,7 +42,7 @@ class FrontendNode {
 
  private:
   const SessionId session_;
-  Transport& transport_;
+  FrontendProcess& frontend_;
   const std::shared_ptr<FramesInFlight> inFlight_;
   std::atomic<FrameNumber> nextFrame_{1};
   std::shared_ptr<SceneAnalyzer> analyzer_;

@@ -18,13 +18,13 @@ void LastResults::keep(CompleteFrame frame) {
   newest_ = std::move(frame);
 }
 
-bool LastResults::keepLate(Result result) {
-  const auto of = [&](const std::shared_ptr<const FrameList>& list) { return list->view->frame == result.frame; };
+bool LastResults::keepLate(FrameNumber frame, std::uint32_t slot, Payload payload) {
+  const auto of = [&](const std::shared_ptr<const FrameList>& list) { return list->view->frame == frame; };
   const auto list = std::ranges::find_if(incomplete_, of);
-  if (list == incomplete_.end() || result.slot >= (*list)->objects.size()) return false;
-  const auto slot = slotOf((*list)->objects[result.slot], *(*list)->view);
-  if (!slot || newest_.fulfilled[*slot] || std::holds_alternative<Failure>(result.payload)) return false;
-  newest_.payloads[*slot] = std::move(result.payload);
+  if (list == incomplete_.end() || slot >= (*list)->objects.size()) return false;
+  const auto place = slotOf((*list)->objects[slot], *(*list)->view);
+  if (!place || newest_.fulfilled[*place] || std::holds_alternative<Failure>(payload)) return false;
+  newest_.payloads[*place] = std::move(payload);
   return true;
 }
 

@@ -13,13 +13,13 @@ bool ResultTable::open(std::shared_ptr<const FrameList> list) {
   return true;
 }
 
-bool ResultTable::put(Result& result) {
-  const auto it = rows_.find(result.frame);
+bool ResultTable::put(FrameNumber frame, std::uint32_t slot, Payload& payload) {
+  const auto it = rows_.find(frame);
   if (it == rows_.end()) return false;
   Row& row = it->second;
-  if (result.slot >= row.frame.fulfilled.size() || row.frame.fulfilled[result.slot]) return false;
-  row.frame.fulfilled[result.slot] = true;
-  row.frame.payloads[result.slot] = std::move(result.payload);
+  if (slot >= row.frame.fulfilled.size() || row.frame.fulfilled[slot]) return false;
+  row.frame.fulfilled[slot] = true;
+  row.frame.payloads[slot] = std::move(payload);
   --row.missing;
   return true;
 }

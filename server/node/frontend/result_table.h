@@ -29,7 +29,7 @@ class ResultTable {
 
   /// Takes the payload and marks the request as fulfilled. False, and nothing changes, for an unknown frame or slot or
   /// a second answer.
-  bool put(Result& result);
+  bool put(FrameNumber frame, std::uint32_t slot, Payload& payload);
 
   /// The frame, if it is there and complete; its row is free again.
   [[nodiscard]] std::optional<CompleteFrame> take(FrameNumber frame);

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "node/limits.h"
+#include "world/world.h"
 
 namespace grove::node {
 
@@ -15,7 +16,7 @@ float farthest(const world::Bounds& bounds, world::Vec3 from) {
 
 }  // namespace
 
-std::vector<VisibleObject> visibleObjects(const world::World& world, const View& view) {
+std::vector<VisibleObject> visibleObjects(const world::Layout& layout, const View& view) {
   std::vector<VisibleObject> visible;
   const auto consider = [&](const world::Object& object) {
     if (!view.camera.sees(object.bounds)) return;
@@ -23,10 +24,10 @@ std::vector<VisibleObject> visibleObjects(const world::World& world, const View&
     if (rect.empty()) return;
     visible.push_back({object, rect, farthest(object.bounds, view.camera.pose.position)});
   };
-  for (const world::Object& object : world.objects()) consider(object);
+  for (const world::Object& object : layout.objects) consider(object);
   for (const world::Player& player : view.players) {
     if (player.id == view.viewer) continue;
-    if (const auto object = world.objectOf(player)) consider(*object);
+    if (const auto object = layout.objectOf(player)) consider(*object);
   }
   // Ids decide between equal distances, so that the order does not depend on the order of the list.
   std::ranges::sort(visible, [](const VisibleObject& a, const VisibleObject& b) {
@@ -38,18 +39,18 @@ std::vector<VisibleObject> visibleObjects(const world::World& world, const View&
   return visible;
 }
 
-SceneAnalyzer::SceneAnalyzer(const world::World& world, Look look, double deadlineSeconds,
+SceneAnalyzer::SceneAnalyzer(const world::Layout& layout, Look look, double deadlineSeconds,
                              std::function<void()> frameFailed, pipeline::Executor& executor,
                              pipeline::Timeline& timeline)
     : Stage({.name = "Scene Analyzer", .work = pipeline::Work::kPerUserFrontend, .capacity = kMostFramesInFlight},
             executor, timeline),
-      world_(world),
+      layout_(layout),
       look_(std::move(look)),
       deadlineSeconds_(deadlineSeconds),
       frameFailed_(std::move(frameFailed)) {}
 
 void SceneAnalyzer::connect(std::shared_ptr<pipeline::Inlet<CompositorInput>> compositor,
-                            std::shared_ptr<pipeline::Inlet<std::shared_ptr<const FrameList>>> requestSender) {
+                            std::shared_ptr<pipeline::Inlet<RequestSenderInput>> requestSender) {
   compositor_.connect(std::move(compositor));
   requestSender_.connect(std::move(requestSender));
   addOutlet(compositor_);
@@ -62,10 +63,10 @@ void SceneAnalyzer::process(std::span<FrameTicket> tickets, pipeline::Run& run) 
     View view = look_(ticket.frame);
     view.deadline = world::World::now() + deadlineSeconds_;
     list->view = std::make_shared<const View>(std::move(view));
-    list->objects = visibleObjects(world_, *list->view);
+    list->objects = visibleObjects(layout_, *list->view);
     // The Compositor must know the frame before the first result can come back.
     compositor_.send(run, std::shared_ptr<const FrameList>(list));
-    requestSender_.send(run, std::move(list));
+    requestSender_.send(run, std::shared_ptr<const FrameList>(std::move(list)));
   }
 }
 

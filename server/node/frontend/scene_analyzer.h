@@ -4,10 +4,10 @@
 #include <memory>
 #include <vector>
 
-#include "node/frontend/compositor.h"
+#include "node/frontend/request_sender.h"
 #include "node/messages.h"
 #include "pipeline/outlet.h"
-#include "world/world.h"
+#include "world/layout.h"
 
 namespace grove::node {
 
@@ -17,12 +17,12 @@ struct FrameTicket {
   FrameNumber frame = 0;
 };
 
-inline pipeline::TraceTag traceTag(const FrameTicket& ticket) { return {ticket.session, ticket.frame}; }
+inline pipeline::TraceTag traceTag(const FrameTicket& ticket) { return {numberOf(ticket.session), ticket.frame}; }
 
 /// The objects of the world whose bounds the camera sees, back to front by the distance of their farthest corners, so
 /// that what encloses others (the sky, the ground) comes before them; the nearest kMostObjectsPerFrame of them. The
 /// viewer's own figure is left out.
-[[nodiscard]] std::vector<VisibleObject> visibleObjects(const world::World& world, const View& view);
+[[nodiscard]] std::vector<VisibleObject> visibleObjects(const world::Layout& layout, const View& view);
 
 /// First box of Figure 4.2: reads the camera, as late as possible, finds what it sees, and sends the sorted list to
 /// both the Compositor and the Request Sender (section 4.2, step 1).
@@ -30,22 +30,22 @@ class SceneAnalyzer final : public pipeline::Stage<FrameTicket> {
  public:
   using Look = std::function<View(FrameNumber)>;
   /// `frameFailed` is called for a ticket that came to nothing.
-  SceneAnalyzer(const world::World& world, Look look, double deadlineSeconds, std::function<void()> frameFailed,
+  SceneAnalyzer(const world::Layout& layout, Look look, double deadlineSeconds, std::function<void()> frameFailed,
                 pipeline::Executor& executor, pipeline::Timeline& timeline);
   void connect(std::shared_ptr<pipeline::Inlet<CompositorInput>> compositor,
-               std::shared_ptr<pipeline::Inlet<std::shared_ptr<const FrameList>>> requestSender);
+               std::shared_ptr<pipeline::Inlet<RequestSenderInput>> requestSender);
 
  protected:
   void process(std::span<FrameTicket> tickets, pipeline::Run& run) override;
   void recover(FrameTicket& ticket, const std::string& reason, pipeline::Run& run) override;
 
  private:
-  const world::World& world_;
+  const world::Layout& layout_;
   const Look look_;
   const double deadlineSeconds_;
   const std::function<void()> frameFailed_;
   pipeline::Outlet<CompositorInput> compositor_;
-  pipeline::Outlet<std::shared_ptr<const FrameList>> requestSender_;
+  pipeline::Outlet<RequestSenderInput> requestSender_;
 };
 
 }  // namespace grove::node

@@ -1,7 +1,6 @@
 #include "stream/session/host.h"
 
 #include <algorithm>
-#include <cassert>
 #include <chrono>
 #include <exception>
 #include <string>
@@ -10,12 +9,15 @@
 #include "base/log.h"
 #include "gl/workers.h"
 #include "node/limits.h"
-#include "node/transport/in_process.h"
+#include "node/transport/reference_transport.h"
 
 namespace grove::stream {
 namespace {
 
 constexpr double kSampleSeconds = 1.0;
+
+/// Among the frontend processes of a backend node; there is no other.
+constexpr node::ProcessId kProcess = 1;
 
 int workerCount() { return static_cast<int>(std::max(1U, std::thread::hardware_concurrency())); }
 
@@ -23,11 +25,11 @@ static_assert(node::kMostQuality == measure::kQualitySteps - 1);
 
 }  // namespace
 
-Host::Host(world::World::Layout layout, const node::Registry& registry, gl::Workers& gl, const HostOptions& options,
+Host::Host(node::LoadedScene scene, const node::ObjectTypes& types, gl::Workers& gl, const HostOptions& options,
            const std::function<void(std::string_view, float)>& progress)
-    : layout_(std::move(layout)),
-      players_(world::World::makePlayers(layout_)),
-      registry_(registry),
+    : scene_(std::move(scene)),
+      players_(world::World::makePlayers(scene_.layout)),
+      types_(types),
       gl_(gl),
       options_(options),
       encoders_(builtinEncoders(options.jpegQuality)),
@@ -40,9 +42,10 @@ Host::Host(world::World::Layout layout, const node::Registry& registry, gl::Work
       gate_(std::make_shared<FrameGate>(std::max(workerCount(), options_.framesInFlight))),
       workers_(workerCount(), "grove-worker", [gate = gate_](bool idle) { gate->workerIs(idle); }) {
   if (options_.privateWorlds) {
-    line_ = std::make_unique<PreparationLine>([this](Haste haste, const auto& tell) { return makeCopy(haste, tell); });
+    line_ = std::make_unique<PreparationLine>(
+        [this](node::Haste haste, const auto& tell) { return makeInstance(haste, tell); });
   } else {
-    shared_ = makeCopy(Haste::kAllCores, progress);
+    shared_ = makeInstance(node::Haste::kAllCores, progress);
   }
   clock_ = std::thread([this] { runClock(); });
 }
@@ -65,23 +68,20 @@ Host::~Host() {
   shared_.reset();
 }
 
-std::unique_ptr<WorldCopy> Host::makeCopy(Haste haste, const std::function<void(std::string_view, float)>& progress) {
-  auto transport = options_.makeTransport ? options_.makeTransport(registry_, timeline_)
-                                          : std::make_unique<node::InProcessTransport>();
+std::unique_ptr<WorldInstance> Host::makeInstance(node::Haste haste, const node::BackendNode::Progress& progress) {
+  auto transport =
+      options_.makeTransport ? options_.makeTransport(timeline_) : std::make_unique<node::ReferenceTransport>();
   if (!geometry_) {
-    geometry_ = std::make_shared<const world::WorldGeometry>(layout_.objects, [&progress](float share) {
+    geometry_ = std::make_shared<const world::WorldGeometry>(scene_.objects, [&progress](float share) {
       if (progress) progress("laying out the world", share);
     });
     geometryMemory_.set(geometry_->bytes());
   }
-  return std::make_unique<WorldCopy>(WorldGround{layout_, geometry_, players_, registry_, workers_, gl_, timeline_,
-                                                 memory_, images_, options_.privateWorlds ? &baked_ : nullptr},
-                                     std::move(transport), haste, progress);
-}
-
-world::World& Host::world() noexcept {
-  assert(shared_ && "in private mode there is no world of all");
-  return shared_->world();
+  node::BakedStore* const baked = options_.privateWorlds ? &baked_ : nullptr;
+  const node::BackendMachine machine{workers_, gl_, timeline_, memory_, images_, baked};
+  return std::make_unique<WorldInstance>(
+      WorldGround{scene_, geometry_, players_, types_, machine, options_.maxSharedBytes}, std::move(transport), haste,
+      progress);
 }
 
 std::variant<std::shared_ptr<Session>, Refusal> Host::open(const Hello& hello, FrameSink sink, WaitingSink waiting,
@@ -94,10 +94,10 @@ std::variant<std::shared_ptr<Session>, Refusal> Host::open(const Hello& hello, F
     if (sessions_.size() >= static_cast<std::size_t>(options_.mostVisitors)) {
       return Refusal{CloseCode::kFull, "the world is full (" + std::to_string(options_.mostVisitors) + " visitors)"};
     }
-    id = nextSession_++;
+    id = node::makeId(kProcess, nextSession_++);
     sessions_[id] = {};  // keeps the place
   }
-  const std::string name = hello.name.empty() ? "Visitor " + std::to_string(id) : hello.name;
+  const std::string name = hello.name.empty() ? "Visitor " + std::to_string(node::numberOf(id)) : hello.name;
   const world::PlayerId player = players_->join(name, world::World::now());
   const auto session = std::make_shared<Session>(*this, id, player, width, height, std::move(sink), std::move(terms));
   {
@@ -112,8 +112,8 @@ std::variant<std::shared_ptr<Session>, Refusal> Host::open(const Hello& hello, F
   return session;
 }
 
-void Host::begin(const std::shared_ptr<Session>& session, std::shared_ptr<WorldCopy> copy) {
-  session->begin(std::move(copy));
+void Host::begin(const std::shared_ptr<Session>& session, std::shared_ptr<WorldInstance> instance) {
+  session->begin(std::move(instance));
   {
     const std::lock_guard lock(mutex_);
     sessionsChanged_ = true;
@@ -123,12 +123,12 @@ void Host::begin(const std::shared_ptr<Session>& session, std::shared_ptr<WorldC
 
 void Host::preparePrivately(const std::shared_ptr<Session>& session, WaitingSink waiting) {
   const Refusal noWorld{CloseCode::kFull, "a world of your own cannot be made at the moment"};
-  const auto enter = [this, noWorld, weak = std::weak_ptr(session)](std::shared_ptr<WorldCopy> copy) {
+  const auto enter = [this, noWorld, weak = std::weak_ptr(session)](std::shared_ptr<WorldInstance> instance) {
     const auto entering = weak.lock();
     if (!entering) return;
     try {
-      if (copy) {
-        begin(entering, std::move(copy));
+      if (instance) {
+        begin(entering, std::move(instance));
       } else {
         entering->refuse(noWorld);
       }
@@ -159,8 +159,13 @@ std::size_t Host::visitors() const {
 
 void Host::remove(node::SessionId id) {
   if (line_) line_->leave(id);
-  const std::lock_guard lock(mutex_);
-  if (sessions_.erase(id) > 0) left_.push_back(id);
+  {
+    const std::lock_guard lock(mutex_);
+    if (sessions_.erase(id) == 0) return;
+    left_.push_back(id);
+    sessionsChanged_ = true;
+  }
+  clockWake_.notify_all();
 }
 
 void Host::forgetWhoLeft() {
@@ -200,8 +205,11 @@ void Host::runClock() {
     for (const auto& [id, weak] : sessions_) {
       if (auto session = weak.lock()) open.push_back(std::move(session));
     }
+    const bool sessionsChanged = std::exchange(sessionsChanged_, false);
     lock.unlock();
     const double now = world::World::now();
+    // Simulations wake, or rest, without delay.
+    if (sessionsChanged && shared_) shared_->publish();
     if (now >= nextSample) {
       takeStock(static_cast<int>(open.size()));
       nextSample = now + kSampleSeconds;
@@ -213,7 +221,6 @@ void Host::runClock() {
     if (stopping_) return;
     clockWake_.wait_for(lock, std::chrono::duration<double>(std::max(0.0, next - world::World::now())),
                         [this] { return stopping_ || sessionsChanged_; });
-    sessionsChanged_ = false;
   }
 }
 

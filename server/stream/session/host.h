@@ -2,6 +2,8 @@
 
 #include <atomic>
 #include <condition_variable>
+#include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <memory>
@@ -12,7 +14,7 @@
 
 #include "measure/amortization_meter.h"
 #include "measure/quality_policy.h"
-#include "node/registry.h"
+#include "node/object_types.h"
 #include "node/transport/transport.h"
 #include "pipeline/memory_ledger.h"
 #include "pipeline/timeline.h"
@@ -23,7 +25,7 @@
 #include "stream/session/frame_gate.h"
 #include "stream/session/preparation_line.h"
 #include "stream/session/session.h"
-#include "stream/session/world_copy.h"
+#include "stream/session/world_instance.h"
 #include "world/world.h"
 
 namespace grove::stream {
@@ -45,16 +47,19 @@ struct HostOptions {
   /// Lets the quality of across-user work rise while visitors share its bill; not in private mode, where none do.
   bool raiseQuality = false;
   std::size_t timelineEvents = std::size_t{1} << 16U;  ///< the newest so many stage runs are kept
-  /// Makes the wire between frontend and backend nodes; empty: they share a process.
-  std::function<std::unique_ptr<node::Transport>(const node::Registry&, pipeline::Timeline&)> makeTransport = {};
+  /// What an instance of the world keeps of the data that its visitors share, besides each object's own.
+  std::size_t maxSharedBytes = std::size_t{256} << 20U;
+  /// Makes the wire between the frontend process and a backend node; empty: they share memory.
+  std::function<std::unique_ptr<node::Transport>(pipeline::Timeline&)> makeTransport = {};
 };
 
-/// One living world and everybody in it: owns the world with its backend nodes (in private mode: every visitor's), the
+/// One living world and everybody in it: owns the world with its backend node (in private mode: every visitor's), the
 /// workers, the frame clock and the sessions. Knows no sockets.
 class Host {
  public:
-  /// Prepares the world, which may take seconds; throws what backends throw. `progress` is called from any thread.
-  Host(world::World::Layout layout, const node::Registry& registry, gl::Workers& gl, const HostOptions& options,
+  /// Prepares the world, which may take seconds; throws what backends throw. `progress` is called from any thread. The
+  /// types outlive it.
+  Host(node::LoadedScene scene, const node::ObjectTypes& types, gl::Workers& gl, const HostOptions& options,
        const std::function<void(std::string_view, float)>& progress);
   ~Host();
   Host(const Host&) = delete;
@@ -78,10 +83,8 @@ class Host {
   [[nodiscard]] std::size_t visitors() const;
   /// For the statistics.
   void countRefusedConnection() { timeline_.count("refused connections"); }
-  [[nodiscard]] const world::World::Layout& layout() const noexcept { return layout_; }
+  [[nodiscard]] const world::Layout& layout() const noexcept { return scene_.layout; }
   [[nodiscard]] world::Players& players() noexcept { return *players_; }
-  /// The world that everybody is in; not in private mode.
-  [[nodiscard]] world::World& world() noexcept;
   [[nodiscard]] const pipeline::Timeline& timeline() const noexcept { return timeline_; }
   /// The step that across-user work is at, 0 to node::kMostQuality.
   [[nodiscard]] int quality() const noexcept { return quality_; }
@@ -95,17 +98,17 @@ class Host {
  private:
   friend class Session;
   void remove(node::SessionId id);
-  void begin(const std::shared_ptr<Session>& session, std::shared_ptr<WorldCopy> copy);
+  void begin(const std::shared_ptr<Session>& session, std::shared_ptr<WorldInstance> instance);
   void preparePrivately(const std::shared_ptr<Session>& session, WaitingSink waiting);
-  [[nodiscard]] std::unique_ptr<WorldCopy> makeCopy(Haste haste,
-                                                    const std::function<void(std::string_view, float)>& progress);
+  [[nodiscard]] std::unique_ptr<WorldInstance> makeInstance(node::Haste haste,
+                                                            const node::BackendNode::Progress& progress);
   void takeStock(int visitors);
   void forgetWhoLeft();
   void runClock();
 
-  const world::World::Layout layout_;
+  const node::LoadedScene scene_;
   const std::shared_ptr<world::Players> players_;
-  const node::Registry& registry_;
+  const node::ObjectTypes& types_;
   gl::Workers& gl_;
   const HostOptions options_;
   const EncoderRegistry encoders_;
@@ -116,7 +119,7 @@ class Host {
   measure::QualityPolicy policy_;  ///< the clock's
   std::atomic<int> quality_{0};
   raster::ImagePool images_;
-  std::shared_ptr<const world::WorldGeometry> geometry_;  ///< of all copies; made with the first
+  std::shared_ptr<const world::WorldGeometry> geometry_;  ///< of all instances; made with the first
   pipeline::HeldMemory geometryMemory_;
   node::BakedStore baked_;             ///< used in private mode
   std::vector<node::SessionId> gone_;  ///< the clock's: left before it took stock last
@@ -127,13 +130,13 @@ class Host {
   bool sessionsChanged_ = false;
   std::map<node::SessionId, std::weak_ptr<Session>> sessions_;
   std::vector<node::SessionId> left_;  ///< since the clock took stock
-  node::SessionId nextSession_ = 1;
+  std::uint32_t nextSession_ = 1;
   Refining refining_;
   std::atomic<unsigned> newsNumber_{0};  ///< written with mutex_ held
 
   const std::shared_ptr<FrameGate> gate_;  ///< sessions that end may hold it last
   pipeline::WorkerPool workers_;
-  std::shared_ptr<WorldCopy> shared_;      ///< null in private mode
+  std::shared_ptr<WorldInstance> shared_;  ///< null in private mode
   std::unique_ptr<PreparationLine> line_;  ///< null but in private mode
   std::thread clock_;
 };

@@ -77,7 +77,7 @@ void PreparationLine::run() {
       const bool isNobodyInside = inside_ == 0;
       lock.unlock();
       if (isNobodyInside) {
-        makeFor(first, Haste::kAllCores);
+        makeFor(first, node::Haste::kAllCores);
       } else {
         makeBesideOthers(first);
       }
@@ -94,16 +94,16 @@ void PreparationLine::makeBesideOthers(node::SessionId id) {
       if (nice(kNice) == -1 && errno != 0) {
         log::warning("a world is made at the priority of those who are inside: the system refuses a lower one");
       }
-      makeFor(id, Haste::kNone);
+      makeFor(id, node::Haste::kNone);
     }).join();
   } catch (const std::system_error& e) {
     log::warning(std::string("no thread for a visitor's world: ") + e.what());
-    makeFor(id, Haste::kNone);
+    makeFor(id, node::Haste::kNone);
   }
 }
 
-void PreparationLine::makeFor(node::SessionId id, Haste haste) {
-  std::unique_ptr<WorldCopy> made = makeWhileWanted(id, haste);
+void PreparationLine::makeFor(node::SessionId id, node::Haste haste) {
+  std::unique_ptr<WorldInstance> made = makeWhileWanted(id, haste);
   Waiter waiter;
   {
     const std::lock_guard lock(mutex_);
@@ -117,10 +117,11 @@ void PreparationLine::makeFor(node::SessionId id, Haste haste) {
     return;
   }
   // The last reference may go on any thread, a worker's too, and there one must not wait for the workers.
-  waiter.enter({made.release(), [this](WorldCopy* copy) { takeApart(std::unique_ptr<WorldCopy>(copy)); }});
+  waiter.enter(
+      {made.release(), [this](WorldInstance* instance) { takeApart(std::unique_ptr<WorldInstance>(instance)); }});
 }
 
-std::unique_ptr<WorldCopy> PreparationLine::makeWhileWanted(node::SessionId id, Haste haste) {
+std::unique_ptr<WorldInstance> PreparationLine::makeWhileWanted(node::SessionId id, node::Haste haste) {
   try {
     return make_(haste, [this, id](std::string_view step, float share) { progressed(id, step, share); });
   } catch (const Unwanted&) {
@@ -142,10 +143,10 @@ void PreparationLine::progressed(node::SessionId id, std::string_view step, floa
   tell(0);
 }
 
-void PreparationLine::takeApart(std::unique_ptr<WorldCopy> copy) {
+void PreparationLine::takeApart(std::unique_ptr<WorldInstance> instance) {
   {
     const std::lock_guard lock(mutex_);
-    unused_.push_back(std::move(copy));
+    unused_.push_back(std::move(instance));
     --inside_;
   }
   wake_.notify_all();

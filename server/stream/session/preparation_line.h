@@ -12,7 +12,7 @@
 #include "node/messages.h"
 #include "stream/protocol/protocol.h"
 #include "stream/session/step_progress.h"
-#include "stream/session/world_copy.h"
+#include "stream/session/world_instance.h"
 
 namespace grove::stream {
 
@@ -27,13 +27,13 @@ class PreparationLine {
   /// Told a step and its share, from any thread.
   using Progress = std::function<void(std::string_view, float)>;
   /// Makes a world; where `progress` throws, it ends with that. One at a time.
-  using Make = std::function<std::unique_ptr<WorldCopy>(Haste haste, const Progress& progress)>;
+  using Make = std::function<std::unique_ptr<WorldInstance>(node::Haste haste, const Progress& progress)>;
 
   struct Waiter {
     node::SessionId id = 0;
     WaitingSink tell;  ///< may be empty
     /// On a thread of the line's, once, and only if he has not left by then; null if his world could not be made.
-    std::function<void(std::shared_ptr<WorldCopy>)> enter;
+    std::function<void(std::shared_ptr<WorldInstance>)> enter;
   };
 
   explicit PreparationLine(Make make);
@@ -57,10 +57,10 @@ class PreparationLine {
 
   void run();
   void makeBesideOthers(node::SessionId id);
-  void makeFor(node::SessionId id, Haste haste);
-  [[nodiscard]] std::unique_ptr<WorldCopy> makeWhileWanted(node::SessionId id, Haste haste);
+  void makeFor(node::SessionId id, node::Haste haste);
+  [[nodiscard]] std::unique_ptr<WorldInstance> makeWhileWanted(node::SessionId id, node::Haste haste);
   void progressed(node::SessionId id, std::string_view step, float share);
-  void takeApart(std::unique_ptr<WorldCopy> copy);
+  void takeApart(std::unique_ptr<WorldInstance> instance);
   // These with mutex_ held.
   [[nodiscard]] bool isFirst(node::SessionId id) const { return !waiters_.empty() && waiters_.front().id == id; }
   void erase(const std::deque<Waiter>::iterator& waiter);
@@ -75,7 +75,7 @@ class PreparationLine {
   int inside_ = 0;         ///< worlds that somebody is in
   StepProgress progress_;  ///< of the first one's world
   double told_ = 0.0;      ///< how it gets on
-  std::vector<std::unique_ptr<WorldCopy>> unused_;
+  std::vector<std::unique_ptr<WorldInstance>> unused_;
   std::thread thread_;  ///< last: uses the others
 };
 

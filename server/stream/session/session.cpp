@@ -6,7 +6,7 @@
 #include "node/frontend/frontend_node.h"
 #include "stream/encode/encode_stage.h"
 #include "stream/session/host.h"
-#include "stream/session/world_copy.h"
+#include "stream/session/world_instance.h"
 
 namespace grove::stream {
 namespace {
@@ -34,7 +34,7 @@ Session::Session(Host& host, node::SessionId id, world::PlayerId player, int wid
 
 Session::~Session() { close(); }
 
-void Session::begin(std::shared_ptr<WorldCopy> copy) {
+void Session::begin(std::shared_ptr<WorldInstance> instance) {
   const std::weak_ptr<Session> weak = weak_from_this();
   auto encoder = std::make_shared<EncodeStage>(
       control_, status_ != nullptr,
@@ -51,11 +51,11 @@ void Session::begin(std::shared_ptr<WorldCopy> copy) {
         nothing.frame = frame;
         return nothing;
       },
-      encoder, [gate = host_.gate_] { gate->leave(); }, copy->frontendServices());
+      encoder, [gate = host_.gate_] { gate->leave(); }, instance->frontend());
   {
     const std::lock_guard lock(mutex_);
     if (closed_) return;
-    copy_ = std::move(copy);
+    instance_ = std::move(instance);
     encoder_ = std::move(encoder);
     node_ = std::move(node);
   }
@@ -66,18 +66,18 @@ void Session::tellBreath() {
   // Under the lock, so that who tells last has also looked last.
   const std::lock_guard lock(mutex_);
   const auto player = host_.players().find(player_, world::World::now());
-  if (!copy_ || !player) return;
+  if (!instance_ || !player) return;
   if (blows(*player)) {
-    copy_->world().edits().startBlowing(*player);
+    instance_->world().edits().startBlowing(*player);
   } else {
-    copy_->world().edits().stopBlowing(player_);
+    instance_->world().edits().stopBlowing(player_);
   }
 }
 
 Welcome Session::welcome() const {
   Welcome welcome;
   welcome.framesPerSecond = static_cast<std::uint16_t>(host_.options().framesPerSecond);
-  welcome.visitor = player_;
+  welcome.visitor = node::numberOf(player_);
   welcome.world = host_.layout().name;
   if (const auto player = host_.players().find(player_, world::World::now())) {
     welcome.colour = player->colour;
@@ -151,20 +151,20 @@ std::optional<Refusal> Session::refusal() const {
 }
 
 void Session::close() {
-  std::shared_ptr<WorldCopy> copy;  // goes last: what the others do in their last runs is done to it
+  std::shared_ptr<WorldInstance> instance;  // goes last: what the others do in their last runs is done to it
   std::shared_ptr<EncodeStage> encoder;
   std::unique_ptr<node::FrontendNode> node;
   {
     const std::lock_guard lock(mutex_);
     if (closed_) return;
     closed_ = true;
-    copy = std::move(copy_);
+    instance = std::move(instance_);
     encoder = std::move(encoder_);
     node = std::move(node_);
   }
   if (node) node->close();
   if (encoder) encoder->close();
-  if (copy) copy->world().edits().stopBlowing(player_);
+  if (instance) instance->world().edits().stopBlowing(player_);
   host_.players().leave(player_);
   host_.remove(id_);
 }
@@ -180,7 +180,9 @@ double Session::tick(double now) {
   if (status_) {
     if (const auto status = control_->takeStatus(now, host_.players().count())) status_(*status);
   }
-  return startIfDue(now);
+  const double next = startIfDue(now);
+  const std::shared_ptr<WorldInstance> instance = currentInstance();
+  return instance ? std::min(next, instance->publishIfDue(now)) : next;
 }
 
 double Session::secondsUnacknowledged(double now) const { return control_->secondsUnacknowledged(now); }
@@ -233,13 +235,13 @@ node::View Session::look(node::FrameNumber frame) {
   node::View view;
   view.session = id_;
   view.frame = frame;
-  const std::shared_ptr<WorldCopy> copy = currentCopy();
-  if (!copy) return view;
-  world::World& world = copy->world();
+  const std::shared_ptr<WorldInstance> instance = currentInstance();
+  if (!instance) return view;
+  world::World& world = instance->world();
   view.viewer = player_;
   view.time = now;
   view.players = world.players().all(now);
-  view.lights = world.lights(now, view.players);
+  view.lights = world.layout().lightsAt(now, view.players);
   const auto self = std::ranges::find(view.players, player_, &world::Player::id);
   if (self != view.players.end()) {
     view.camera.pose = self->pose;
@@ -249,9 +251,9 @@ node::View Session::look(node::FrameNumber frame) {
   return view;
 }
 
-std::shared_ptr<WorldCopy> Session::currentCopy() const {
+std::shared_ptr<WorldInstance> Session::currentInstance() const {
   const std::lock_guard lock(mutex_);
-  return copy_;
+  return instance_;
 }
 
 void Session::deliver(const std::shared_ptr<const EncodedFrame>& frame) {

@@ -22,7 +22,7 @@ namespace grove::stream {
 
 class Host;
 class EncodeStage;
-class WorldCopy;
+class WorldInstance;
 
 /// Receives each new frame, on a worker thread; must not block. A newer frame replaces one that was not sent yet.
 using FrameSink = std::function<void(std::shared_ptr<const EncodedFrame>)>;
@@ -68,7 +68,8 @@ class Session : public std::enable_shared_from_this<Session> {
   void close();
 
   /// Starts a frame if one is due, fewer than `framesInFlight` are being made and the line has room for one, or waits
-  /// for its turn to. Returns when to ask again. Called by the host's frame clock.
+  /// for its turn to; publishes what the world's backend node is to know. Returns when to ask again. Called by the
+  /// host's frame clock.
   double tick(double now);
 
   /// How long frames have been waiting to be acknowledged, seconds, since one was last; 0 if there is none. To
@@ -78,7 +79,7 @@ class Session : public std::enable_shared_from_this<Session> {
  private:
   friend class Host;
   /// Starts to deliver frames of this world.
-  void begin(std::shared_ptr<WorldCopy> copy);
+  void begin(std::shared_ptr<WorldInstance> instance);
   [[nodiscard]] node::View look(node::FrameNumber frame);
   double startIfDue(double now);
   /// The gate has a place for this session's next frame.
@@ -91,7 +92,7 @@ class Session : public std::enable_shared_from_this<Session> {
   void deliver(const std::shared_ptr<const EncodedFrame>& frame);
   /// Tells the world, if there is one, whether he blows.
   void tellBreath();
-  [[nodiscard]] std::shared_ptr<WorldCopy> currentCopy() const;
+  [[nodiscard]] std::shared_ptr<WorldInstance> currentInstance() const;
 
   Host& host_;
   const node::SessionId id_;
@@ -103,7 +104,7 @@ class Session : public std::enable_shared_from_this<Session> {
   mutable std::mutex mutex_;
   bool closed_ = false;
   std::optional<Refusal> refusal_;
-  std::shared_ptr<WorldCopy> copy_;  ///< null until it is ready, and once closed
+  std::shared_ptr<WorldInstance> instance_;  ///< null until it is ready, and once closed
   std::shared_ptr<EncodeStage> encoder_;
   std::unique_ptr<node::FrontendNode> node_;
   PageClock pageClock_;

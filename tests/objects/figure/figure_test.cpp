@@ -3,13 +3,12 @@
 #include <algorithm>
 #include <future>
 
-#include "gl/workers.h"
+#include "node/backend_stand.h"
 #include "objects/figure/backend/figure_backend.h"
 #include "objects/figure/backend/figure_model.h"
 #include "objects/figure/backend/gait.h"
-#include "objects/figure/frontend/figure_frontend.h"
+#include "objects/figure/frontend/figure_labels.h"
 #include "objects/figure/frontend/utf8.h"
-#include "pipeline/worker_pool.h"
 
 namespace grove::objects::figure {
 namespace {
@@ -20,9 +19,8 @@ world::Object visitor(world::PlayerId id, Vec3 position) {
   world::Object object;
   object.id = world::kFirstPlayerObject + id;
   object.name = "Åsa";
-  object.model = std::make_shared<FigureModel>();
   object.transform.position = position;
-  object.bounds = object.transform.apply(object.model->bounds());
+  object.bounds = object.transform.apply(FigureModel().bounds());
   return object;
 }
 
@@ -40,13 +38,21 @@ std::shared_ptr<node::FrameList> look(const std::vector<world::Object>& visitors
   return list;
 }
 
+/// One whose figure stands there.
+world::Player playerAt(world::PlayerId id, Vec3 position) {
+  world::Player player;
+  player.id = id;
+  player.pose.position = position + Vec3(0, world::kEyeHeight, 0);
+  return player;
+}
+
 class FigureTest : public testing::Test {
  protected:
   std::vector<node::Payload> ask(const std::shared_ptr<node::FrameList>& list,
                                  raster::RendererKind kind = raster::RendererKind::kAuto) {
-    FigureBackend half({world_, workers_, gl_, timeline_, memory_, images_, {}}, kind);
+    FigureBackend half(stand_.services(world_), kind);
     std::vector<node::Request> requests;
-    for (std::uint32_t i = 0; i < list->objects.size(); ++i) requests.push_back({list, i});
+    for (std::uint32_t i = 0; i < list->objects.size(); ++i) requests.push_back(tests::pictureRequest(*list, i));
     std::vector<node::Payload> payloads(requests.size());
     std::promise<void> done;
     half.executor().post([&] {
@@ -57,13 +63,15 @@ class FigureTest : public testing::Test {
     return payloads;
   }
 
-  world::World world_{world::World::Layout()};
-  gl::ShaderLibrary shaders_;
-  gl::Workers gl_{gl::ContextKind::kAuto, shaders_, 1};
-  pipeline::WorkerPool workers_{1};
-  pipeline::Timeline timeline_;
-  pipeline::MemoryLedger memory_;
-  raster::ImagePool images_;
+  static tests::BackendWorld worldOfFigures() {
+    node::LoadedScene scene;
+    scene.visitor = std::make_shared<FigureModel>();
+    scene.layout.visitor = world::VisitorTemplate{{}, scene.visitor->bounds()};
+    return tests::BackendWorld(std::move(scene));
+  }
+
+  tests::BackendWorld world_ = worldOfFigures();
+  tests::BackendStand stand_;
 };
 
 /// An answer's picture, where its spans leave nothing out.
@@ -99,11 +107,9 @@ std::pair<double, double> redAndBlue(const Picture& image) {
 }
 
 TEST_F(FigureTest, ShowsItsVisitorsColour) {
-  world::Player red;
-  red.id = 4;
+  world::Player red = playerAt(4, {1, 0, -4});
   red.colour = 0x002020FF;
-  world::Player blue;
-  blue.id = 9;
+  world::Player blue = playerAt(9, {-1, 0, -4});
   blue.colour = 0x00FF2020;
   const auto list = look({visitor(9, {-1, 0, -4}), visitor(4, {1, 0, -4})}, {red, blue});
   const auto payloads = ask(list);
@@ -114,8 +120,7 @@ TEST_F(FigureTest, ShowsItsVisitorsColour) {
 }
 
 TEST_F(FigureTest, StandsWhereItIs) {
-  world::Player player;
-  player.id = 1;
+  const world::Player player = playerAt(1, {0, 0, -4});
   const auto payloads = ask(look({visitor(1, {0, 0, -4})}, {player}));
   const Picture image(payloads[0]);
   const float nearest = *std::ranges::min_element(image.depth);
@@ -124,8 +129,7 @@ TEST_F(FigureTest, StandsWhereItIs) {
 }
 
 TEST_F(FigureTest, LooksTheSameByEitherRenderer) {
-  world::Player player;
-  player.id = 1;
+  world::Player player = playerAt(1, {0.3F, 0, -3});
   player.stride = 0.375F;
   player.velocity = {0, 0, -world::kWalkSpeed};
   const auto list = look({visitor(1, {0.3F, 0, -3})}, {player});
@@ -177,11 +181,11 @@ class LabelTest : public testing::Test {
     for (std::size_t y = 0; y < 180; ++y)
       std::fill_n(depth_.begin() + static_cast<std::ptrdiff_t>(y * 320), 160, 1.0e30F);
     raster::Image frame{{0, 0, 320, 180}, colour_, depth_, false, {}};
-    frontend_.draw(list->objects[0], {}, *list->view, frame);
+    labels_.draw(list->objects[0].object, list->view->camera, frame);
     return static_cast<std::size_t>(std::ranges::count_if(colour_, [](std::uint32_t c) { return c != kGrey; }));
   }
 
-  FigureFrontend frontend_;
+  FigureLabels labels_;
   std::vector<std::uint32_t> colour_;
   std::vector<float> depth_;
 };

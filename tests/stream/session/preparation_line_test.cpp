@@ -12,7 +12,7 @@
 #include "eventually.h"
 #include "gl/shader_library.h"
 #include "gl/workers.h"
-#include "node/registry.h"
+#include "node/object_types.h"
 #include "stream/session/host.h"
 #include "stream/web_server/connection.h"
 
@@ -66,22 +66,38 @@ class HeldBackend final : public node::BackendHalf {
   const node::BackendServices services_;
 };
 
-class HeldType final : public node::ObjectType {
+class HeldBackendType final : public node::BackendType {
  public:
-  explicit HeldType(Preparations& preparations) : preparations_(preparations) {}
+  explicit HeldBackendType(Preparations& preparations) : preparations_(preparations) {}
   [[nodiscard]] std::string_view name() const override { return "held"; }
   [[nodiscard]] std::shared_ptr<const world::Model> model(const world::Parameters& parameters) const override {
     parameters.finish();
     return std::make_shared<NoModel>();
   }
-  [[nodiscard]] std::unique_ptr<node::BackendHalf> makeBackend(const node::BackendServices& services,
-                                                               world::TypeIndex) const override {
+  [[nodiscard]] std::unique_ptr<node::BackendHalf> makeHalf(const node::BackendServices& services,
+                                                            world::TypeIndex) const override {
     return std::make_unique<HeldBackend>(services, preparations_);
   }
 
  private:
   Preparations& preparations_;
 };
+
+class HeldFrontendType final : public node::FrontendType {
+ public:
+  [[nodiscard]] std::string_view name() const override { return "held"; }
+};
+
+node::ObjectTypes heldTypes(Preparations& preparations) {
+  node::ObjectTypes types;
+  types.backends.add(std::make_unique<HeldBackendType>(preparations));
+  types.frontends.add(std::make_unique<HeldFrontendType>());
+  return types;
+}
+
+node::LoadedScene heldScene(const node::ObjectTypes& types) {
+  return node::loadScene(world::parseScene("[[object]]\ntype = 'held'\n", "test"), types.backends);
+}
 
 /// What a visitor is told, until he leaves.
 class Visitor {
@@ -130,18 +146,17 @@ class PreparationLineTest : public testing::Test {
   ~PreparationLineTest() override { preparations_.held = false; }
 
  protected:
-  world::World::Layout layout() {
-    registry_.add(std::make_unique<HeldType>(preparations_));
-    return node::makeLayout(world::parseScene("[[object]]\ntype = 'held'\n", "test"), registry_);
-  }
-
   Preparations preparations_;
   log::Limited strangers_;
-  node::Registry registry_;
+  const node::ObjectTypes types_ = heldTypes(preparations_);
   gl::ShaderLibrary shaders_;
   gl::Workers gl_{gl::ContextKind::kAuto, shaders_, 1};
-  std::optional<Host> host_{
-      std::in_place, layout(), registry_, gl_, HostOptions{.privateWorlds = true}, [](std::string_view, float) {}};
+  std::optional<Host> host_{std::in_place,
+                            heldScene(types_),
+                            types_,
+                            gl_,
+                            HostOptions{.privateWorlds = true},
+                            [](std::string_view, float) {}};
 };
 
 TEST_F(PreparationLineTest, TellsEveryPlaceAndHowTheFirstGetsOn) {
@@ -266,12 +281,10 @@ TEST_F(PreparationLineTest, WhoseWorldCannotBeMadeIsToldSoAndGivesUpHisPlace) {
 TEST(SharedWorld, IsMadeWithAllWorkers) {
   Preparations preparations;
   preparations.held = false;
-  node::Registry registry;
-  registry.add(std::make_unique<HeldType>(preparations));
+  const node::ObjectTypes types = heldTypes(preparations);
   const gl::ShaderLibrary shaders;
   gl::Workers gl(gl::ContextKind::kAuto, shaders, 1);
-  Host host(node::makeLayout(world::parseScene("[[object]]\ntype = 'held'\n", "test"), registry), registry, gl, {},
-            [](std::string_view, float) {});
+  Host host(heldScene(types), types, gl, {}, [](std::string_view, float) {});
   EXPECT_EQ(preparations.helpers, &host.workers());
   EXPECT_EQ(preparations.niceness, getpriority(PRIO_PROCESS, 0));
 }

@@ -8,7 +8,7 @@
 
 #include "gl/shader_library.h"
 #include "gl/workers.h"
-#include "node/registry.h"
+#include "node/object_types.h"
 #include "stream/session/host.h"
 #include "stream/web_server/raw_websocket.h"
 #include "stream/web_server/websocket_server.h"
@@ -25,9 +25,9 @@ class EarlyVisitorTest : public testing::Test {
   ~EarlyVisitorTest() override { server_.stop(); }
 
   void makeWorld() {
-    world::World::Layout layout;
-    layout.name = "Late";
-    host_.emplace(std::move(layout), registry_, gl_, HostOptions{.mostVisitors = 1}, [](std::string_view, float) {});
+    node::LoadedScene scene;
+    scene.layout.name = "Late";
+    host_.emplace(std::move(scene), types_, gl_, HostOptions{.mostVisitors = 1}, [](std::string_view, float) {});
     server_.open(*host_);
   }
 
@@ -43,7 +43,7 @@ class EarlyVisitorTest : public testing::Test {
 
   gl::ShaderLibrary shaders_;
   gl::Workers gl_{gl::ContextKind::kAuto, shaders_, 1};
-  node::Registry registry_;
+  node::ObjectTypes types_;
   std::optional<Host> host_;
   WebsocketServer server_{{.visitors = {"127.0.0.1", 0}, .operators = {}}};
 };

@@ -6,10 +6,10 @@
 namespace grove::stream {
 namespace {
 
-world::World::Layout emptyWorld() {
-  world::World::Layout layout;
-  layout.name = "Nowhere";
-  return layout;
+node::LoadedScene emptyWorld() {
+  node::LoadedScene scene;
+  scene.layout.name = "Nowhere";
+  return scene;
 }
 
 }  // namespace
@@ -37,7 +37,7 @@ bool GoodClient::receiveFrames(int count) {
 
 ServedWorld::ServedWorld()
     : gl_(gl::ContextKind::kAuto, shaders_, 1),
-      host_(emptyWorld(), registry_, gl_, {.mostVisitors = kMostVisitors}, [](std::string_view, float) {}),
+      host_(emptyWorld(), types_, gl_, {.mostVisitors = kMostVisitors}, [](std::string_view, float) {}),
       server_(host_, {.visitors = {"127.0.0.1", 0}, .operators = {}}) {
   server_.start();
 }

@@ -4,7 +4,7 @@
 
 #include "gl/shader_library.h"
 #include "gl/workers.h"
-#include "node/registry.h"
+#include "node/object_types.h"
 #include "stream/session/host.h"
 #include "stream/web_server/raw_websocket.h"
 #include "stream/web_server/websocket_server.h"
@@ -39,7 +39,7 @@ class ServedWorld : public testing::Test {
   [[nodiscard]] bool becomesEmpty();
 
   gl::ShaderLibrary shaders_;
-  node::Registry registry_;
+  node::ObjectTypes types_;
   gl::Workers gl_;
   Host host_;
   WebsocketServer server_;

@@ -10,8 +10,7 @@
 #include "base/log.h"
 #include "gl/workers.h"
 #include "measure/thread_times.h"
-#include "node/registry.h"
-#include "node/transport/packed_loopback.h"
+#include "node/object_types.h"
 #include "objects/builtin.h"
 #include "stream/load/load_report.h"
 #include "stream/session/headless_session.h"
@@ -39,11 +38,6 @@ stream::HostOptions hostOptions(const AmortizeRun& run) {
   options.framesPerSecond = static_cast<int>(kNominalFps);
   options.mostVisitors = run.users;
   options.privateWorlds = run.privateWorlds;
-  if (run.packed) {
-    options.makeTransport = [](const node::Registry& registry, pipeline::Timeline& timeline) {
-      return std::make_unique<node::PackedLoopback>(registry, timeline);
-    };
-  }
   return options;
 }
 
@@ -51,10 +45,9 @@ stream::HostOptions hostOptions(const AmortizeRun& run) {
 struct ServedWorld {
   ServedWorld(const world::Scene& scene, const gl::ShaderLibrary& shaders, const AmortizeRun& run)
       : gl(gl::ContextKind::kAuto, shaders),
-        host((objects::registerBuiltinTypes(registry), node::makeLayout(scene, registry)), registry, gl,
-             hostOptions(run), [](std::string_view, float) {}) {}
+        host(node::loadScene(scene, types.backends), types, gl, hostOptions(run), [](std::string_view, float) {}) {}
 
-  node::Registry registry;
+  const node::ObjectTypes types = objects::builtinTypes();
   gl::Workers gl;
   stream::Host host;
 };

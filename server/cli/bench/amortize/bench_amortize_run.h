@@ -18,7 +18,6 @@ struct AmortizeRun {
   bool privateWorlds = false;  ///< the control: a world for each
   double seconds = 5.0;        ///< measured, after a warm-up
   int frames = 0;              ///< instead of seconds, unless 0: until every visitor got so many
-  bool packed = false;         ///< with what a wire between backend and frontend nodes costs
   int width = 1280;            ///< pixels
   int height = 720;            ///< pixels
 };

@@ -45,11 +45,11 @@ Pose lookingAt(Vec3 eye, Vec3 target) {
   return pose;
 }
 
-Vec3 fireOf(const world::World::Layout& layout) {
+Vec3 fireOf(const world::Layout& layout) {
   return layout.lights.empty() ? Vec3(0.0F) : layout.lights.front().light.position;
 }
 
-world::Walk standingWalk(const world::World::Layout& layout) {
+world::Walk standingWalk(const world::Layout& layout) {
   const Vec3 fire = fireOf(layout);
   const Vec3 outwards = glm::normalize(Vec3(layout.spawn.x - fire.x, 0.0F, layout.spawn.z - fire.z));
   const Vec3 eye = Vec3(fire.x, world::kEyeHeight, fire.z) + outwards * kStandingDistance;
@@ -57,7 +57,7 @@ world::Walk standingWalk(const world::World::Layout& layout) {
 }
 
 /// Around the fire at a walk, looking about: at the fire, ahead, and over to the trees.
-world::Walk roundWalk(const world::World::Layout& layout) {
+world::Walk roundWalk(const world::Layout& layout) {
   constexpr double kStepSeconds = 0.1;
   constexpr int kSteps = 200;
   const Vec3 fire = fireOf(layout);
@@ -171,18 +171,17 @@ int runBenchEncode(const BenchEncodeOptions& options) {
   gl::Workers gl(gl::ContextKind::kAuto, shaders);
   Progress progress;
   if (prepareWorld(scene, progress, stop.token())) {
-    node::Registry registry;
-    objects::registerBuiltinTypes(registry);
-    const world::World::Layout layout = node::makeLayout(scene, registry);
-    if (!walk) walk = roundWalk(layout);
+    const node::ObjectTypes types = objects::builtinTypes();
+    const node::LoadedScene loaded = node::loadScene(scene, types.backends);
+    if (!walk) walk = roundWalk(loaded.layout);
     const stream::EncoderRegistry encoders = stream::builtinEncoders(stream::HostOptions().jpegQuality);
     // Frames are drawn first and encoded when the world is gone, so that nothing else takes the processor's caches.
     std::optional<WalkRecorder> recorder;
-    recorder.emplace(layout, registry, gl, [&](std::string_view label, float share) { progress.show(label, share); });
+    recorder.emplace(loaded, types, gl, [&](std::string_view label, float share) { progress.show(label, share); });
     progress.show("drawing a walk", 0.0F);
     KeptFrames moving = recorder->record(*walk, options.seconds, size->width, size->height, stop.token());
     KeptFrames still =
-        recorder->record(standingWalk(layout), kStandingSeconds, size->width, size->height, stop.token());
+        recorder->record(standingWalk(loaded.layout), kStandingSeconds, size->width, size->height, stop.token());
     recorder.reset();
     progress.finish();
     const auto measure = [&](const stream::EncoderKind& kind, const EncodeSetting& setting, const std::string& name,

@@ -9,14 +9,15 @@
 #include <utility>
 
 #include "base/error.h"
-#include "node/transport/in_process.h"
+#include "node/frontend/frontend_node.h"
+#include "node/transport/reference_transport.h"
 #include "pipeline/stage.h"
 #include "stream/session/host.h"
 
 namespace grove::cli {
 namespace {
 
-constexpr node::SessionId kSession = 1;
+constexpr node::SessionId kSession = node::makeId(1, 1);
 /// Until smoke has risen and the first views of plants are there.
 constexpr double kWarmUpSeconds = 6.0;
 constexpr auto kMaxWait = std::chrono::seconds(60);
@@ -60,18 +61,18 @@ void sleepUntil(double time) { std::this_thread::sleep_for(std::chrono::duration
 
 }  // namespace
 
-WalkRecorder::WalkRecorder(world::World::Layout layout, const node::Registry& registry, gl::Workers& gl,
+WalkRecorder::WalkRecorder(const node::LoadedScene& scene, const node::ObjectTypes& types, gl::Workers& gl,
                            const std::function<void(std::string_view, float)>& progress)
-    : layout_(std::move(layout)),
-      players_(world::World::makePlayers(layout_)),
+    : players_(world::World::makePlayers(scene.layout)),
       images_(memory_),
       workers_(workerCount(), "grove-worker"),
-      copy_(stream::WorldGround{layout_,
-                                std::make_shared<const world::WorldGeometry>(
-                                    layout_.objects,
-                                    [&progress](float share) { progress("laying out the world", share); }),
-                                players_, registry, workers_, gl, timeline_, memory_, images_, nullptr},
-            std::make_unique<node::InProcessTransport>(), stream::Haste::kAllCores, progress) {}
+      instance_(
+          stream::WorldGround{scene,
+                              std::make_shared<const world::WorldGeometry>(
+                                  scene.objects, [&progress](float share) { progress("laying out the world", share); }),
+                              players_, types, node::BackendMachine{workers_, gl, timeline_, memory_, images_},
+                              stream::HostOptions().maxSharedBytes},
+          std::make_unique<node::ReferenceTransport>(), node::Haste::kAllCores, progress) {}
 
 KeptFrames WalkRecorder::record(const world::Walk& walk, double seconds, int width, int height,
                                 const std::stop_token& stop) {
@@ -87,17 +88,19 @@ KeptFrames WalkRecorder::record(const world::Walk& walk, double seconds, int wid
     view.frame = number;
     view.camera = *camera;
     view.time = world::World::now();
-    view.lights = copy_.world().lights(view.time, {});
+    view.lights = instance_.world().layout().lightsAt(view.time, {});
     return view;
   };
   // Two, as the one before may still be ending when the next begins.
   node::FrontendNode node(
-      kSession, {2, stream::HostOptions::kNoHurry}, look, shelf, [] {}, copy_.frontendServices());
+      kSession, {2, stream::HostOptions::kNoHurry}, look, shelf, [] {}, instance_.frontend());
   const auto frameAt = [&](double time) {
     camera->pose = walk.thereAndBack(time);
     if (!node.requestFrame()) return std::optional<node::FinishedFrame>();
     return shelf->take();
   };
+  // Simulations tick while somebody is here.
+  const world::PlayerId visitor = players_->join("Recorder", world::World::now());
   const double warmUp = std::exchange(warm_, true) ? 1.0 : kWarmUpSeconds;
   const double begin = world::World::now() + warmUp;
   const auto warmUpFrames = static_cast<int>(warmUp * kRecordedFramesPerSecond);
@@ -107,6 +110,7 @@ KeptFrames WalkRecorder::record(const world::Walk& walk, double seconds, int wid
     // A warm-up is over in its time, however few frames come of it.
     if (i < 0 && world::World::now() > begin) continue;
     sleepUntil(begin + time);
+    instance_.publish();
     const auto frame = frameAt(std::max(0.0, time));
     if (!frame) throw EnvironmentError("a frame did not come within a minute", "recording", "");
     if (i >= 0) frames.add(camera->pose, *frame->image);
@@ -114,7 +118,9 @@ KeptFrames WalkRecorder::record(const world::Walk& walk, double seconds, int wid
   node.close();
   shelf->close();
   workers_.drain();
-  copy_.forget(kSession);
+  players_->leave(visitor);
+  instance_.publish();
+  instance_.forget(kSession);
   return frames;
 }
 

@@ -7,12 +7,12 @@
 
 #include "cli/bench/encode/kept_frames.h"
 #include "gl/workers.h"
-#include "node/registry.h"
+#include "node/object_types.h"
 #include "pipeline/memory_ledger.h"
 #include "pipeline/timeline.h"
 #include "pipeline/worker_pool.h"
 #include "raster/image.h"
-#include "stream/session/world_copy.h"
+#include "stream/session/world_instance.h"
 #include "world/walk.h"
 #include "world/world.h"
 
@@ -24,8 +24,8 @@ inline constexpr double kRecordedFramesPerSecond = 30.0;
 /// sessions. One thread, not one of the executors'.
 class WalkRecorder {
  public:
-  /// Prepares the world, which may take seconds; throws what backends throw.
-  WalkRecorder(world::World::Layout layout, const node::Registry& registry, gl::Workers& gl,
+  /// Prepares the world, which may take seconds; throws what backends throw. The scene and the types outlive it.
+  WalkRecorder(const node::LoadedScene& scene, const node::ObjectTypes& types, gl::Workers& gl,
                const std::function<void(std::string_view, float)>& progress);
 
   /// What he sees who goes along the walk, there and back again. One frame is begun each thirtieth of a second, so that
@@ -35,13 +35,12 @@ class WalkRecorder {
                                   const std::stop_token& stop);
 
  private:
-  const world::World::Layout layout_;
   const std::shared_ptr<world::Players> players_;
   pipeline::Timeline timeline_;
   pipeline::MemoryLedger memory_;
   raster::ImagePool images_;
   pipeline::WorkerPool workers_;
-  stream::WorldCopy copy_;
+  stream::WorldInstance instance_;
   bool warm_ = false;
 };
 

@@ -22,7 +22,7 @@
 #include "gl/workers.h"
 #include "measure/chrome_trace.h"
 #include "measure/utilisation.h"
-#include "node/registry.h"
+#include "node/object_types.h"
 #include "objects/builtin.h"
 #include "pipeline/clocks.h"
 #include "pipeline/embedded.h"
@@ -234,8 +234,7 @@ int runBenchPipeline(const BenchPipelineOptions& options) {
   gl::Workers gl(gl::ContextKind::kAuto, shaders);
   Progress progress;
   const bool prepared = prepareWorld(scene, progress, stop.token());
-  node::Registry registry;
-  objects::registerBuiltinTypes(registry);
+  const node::ObjectTypes types = objects::builtinTypes();
   std::vector<Row> rows;
   for (const int framesInFlight : options.framesInFlight) {
     if (!prepared || stop.token().stop_requested()) break;
@@ -245,7 +244,7 @@ int runBenchPipeline(const BenchPipelineOptions& options) {
     hosting.framesPerSecond = kFramesPerSecond;
     hosting.mostVisitors = options.users;
     hosting.timelineEvents = kTimelineEvents;
-    stream::Host host(node::makeLayout(scene, registry), registry, gl, hosting,
+    stream::Host host(node::loadScene(scene, types.backends), types, gl, hosting,
                       [&](std::string_view label, float share) { progress.show(label, share); });
     progress.finish();
     if (auto row = measureRow(options, framesInFlight, host, *size, stop.token())) rows.push_back(std::move(*row));

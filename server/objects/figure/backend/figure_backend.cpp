@@ -23,7 +23,8 @@ world::Vec3 linear(std::uint32_t colour) {
 }  // namespace
 
 FigureBackend::FigureBackend(const node::BackendServices& services, raster::RendererKind kind)
-    : world_(services.world),
+    : layout_(services.scene.layout),
+      geometry_(services.geometry),
       executor_(raster::executorFor(raster::resolved(kind, services.gl), services.gl, services.workers)),
       figure_(makeFigure()),
       renderer_(raster::makeRenderer(raster::resolved(kind, services.gl), services.gl, services.images,
@@ -34,23 +35,27 @@ void FigureBackend::answer(std::span<const node::Request> requests, std::span<no
   std::vector<raster::Drawing> drawings;
   std::vector<std::size_t> slots;
   for (std::size_t i = 0; i < requests.size(); ++i) {
-    const node::VisibleObject& visible = requests[i].visible();
-    const node::View& view = requests[i].view();
-    const world::Transform& transform = visible.object.transform;
+    const node::Request& request = requests[i];
+    if (request.shared) {
+      payloads[i] = node::Failure{"figures answer with pictures"};
+      continue;
+    }
+    const node::View& view = *request.view;
     payloads[i] = std::shared_ptr<const raster::Image>();
-    const auto player =
-        std::ranges::find(view.players, visible.object.id - world::kFirstPlayerObject, &world::Player::id);
+    const auto player = std::ranges::find(view.players, request.object - world::kFirstPlayerObject, &world::Player::id);
     if (player == view.players.end()) continue;
+    const auto object = layout_.objectOf(*player);
+    if (!object) continue;
+    const world::Transform& transform = object->transform;
     raster::Drawing& drawing = drawings.emplace_back();
     drawing.object = &figure_;
     drawing.camera = &view.camera;
-    drawing.rect = visible.rect;
-    drawing.distance = visible.distance / transform.scale;
+    drawing.rect = request.rect;
+    drawing.distance = request.distance / transform.scale;
     drawing.bones = bonesOf(*player, transform);
     drawing.tint = linear(player->colour);
-    drawing.sunShare =
-        raster::sunAt(transform.position + world::Vec3(0.0F, kChestHeight, 0.0F), world_.geometry().rays());
-    drawing.lamps = raster::chooseLamps(view.lights, visible.object.bounds);
+    drawing.sunShare = raster::sunAt(transform.position + world::Vec3(0.0F, kChestHeight, 0.0F), geometry_.rays());
+    drawing.lamps = raster::chooseLamps(view.lights, object->bounds);
     slots.push_back(i);
   }
   std::vector<std::shared_ptr<const raster::Image>> images(drawings.size());

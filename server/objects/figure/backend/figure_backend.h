@@ -1,6 +1,6 @@
 #pragma once
 
-#include "node/object_type.h"
+#include "node/backend/backend_half.h"
 #include "objects/figure/backend/figure_shape.h"
 #include "raster/renderer_choice.h"
 
@@ -20,7 +20,8 @@ class FigureBackend final : public node::BackendHalf {
   void answer(std::span<const node::Request> requests, std::span<node::Payload> payloads) override;
 
  private:
-  const world::World& world_;
+  const world::Layout& layout_;
+  const world::WorldGeometry& geometry_;
   pipeline::Executor& executor_;
   const raster::LitSurface figure_;
   const std::unique_ptr<raster::MeshRenderer> renderer_;

@@ -15,8 +15,8 @@
 #include <vector>
 
 #include "base/log.h"
+#include "objects/fluid/backend/fluid_backend_type.h"
 #include "objects/fluid/backend/fluid_clock.h"
-#include "objects/fluid/backend/fluid_type.h"
 #include "objects/fluid/backend/pace.h"
 #include "objects/fluid/backend/scalable_simulation.h"
 #include "pipeline/clocks.h"
@@ -33,7 +33,7 @@ constexpr int kIdleTicks = 60;        // two seconds without visitors, before it
 /// Of a snapshot that nobody moves on: the world's clock goes on while the simulation rests.
 constexpr double kStandsStill = std::numeric_limits<double>::infinity();
 
-FluidSettings settingsOf(const world::Object& object) {
+FluidSettings settingsOf(const world::ModelledObject& object) {
   const auto* model = dynamic_cast<const FluidModel*>(object.model.get());
   assert(model != nullptr && "an object of this type has this type's model");
   FluidSettings settings = model->settings();
@@ -47,8 +47,11 @@ FluidSettings settingsOf(const world::Object& object) {
 /// One simulation, its clock and the newest snapshot.
 class FluidBackend::Fire {
  public:
-  Fire(const node::BackendServices& services, const world::Object& object, double tickSeconds)
-      : world_(services.world),
+  Fire(const node::BackendServices& services, const world::ModelledObject& object, double tickSeconds)
+      : id_(object.id),
+        world_(services.world),
+        geometry_(services.geometry),
+        announce_(services.announce),
         timeline_(services.timeline),
         name_(object.name),
         settings_(settingsOf(object)),
@@ -57,7 +60,7 @@ class FluidBackend::Fire {
         held_(services.memory, "simulations", "fluid", pipeline::Work::kAcrossUser),
         pace_(tickSeconds) {
     // Seen from here on: gusts from before the fire existed do not count.
-    static_cast<void>(world_.edits().during(cursor_, {}));
+    static_cast<void>(world_.gusts(cursor_));
     FluidSimulation& simulation = simulation_.current();
     const auto grown = services.bakedOnce(
         "fluid " + std::to_string(object.id), [](const auto& state) { return state->bytes(); },
@@ -66,17 +69,13 @@ class FluidBackend::Fire {
     newest_ = simulation.snapshot(world::World::now());
     held_.set(simulation.bytes() + newest_->bytes());
     startClock(services.workers);
+    awake_ = world_.whileVisited([this] { clock_->wake(); });
   }
 
-  /// For somebody who looks, so the simulation goes on if it rests. Any thread.
+  /// Any thread.
   [[nodiscard]] std::shared_ptr<const FluidSnapshot> newest() {
-    std::shared_ptr<const FluidSnapshot> newest;
-    {
-      const std::lock_guard lock(mutex_);
-      newest = newest_;
-    }
-    clock_->wake();
-    return newest;
+    const std::lock_guard lock(mutex_);
+    return newest_;
   }
 
   /// Any thread.
@@ -106,8 +105,7 @@ class FluidBackend::Fire {
   }
 
   [[nodiscard]] std::unique_ptr<FluidSimulation> make(world::Vec3 place, int cells) const {
-    return std::make_unique<FluidSimulation>(settings_, place, world_.geometry().solids(), world_.geometry().rays(),
-                                             cells);
+    return std::make_unique<FluidSimulation>(settings_, place, geometry_.solids(), geometry_.rays(), cells);
   }
 
   [[nodiscard]] int cells() const noexcept { return cellsAt(settings_.grid, std::min<int>(quality_, mostQuality_)); }
@@ -145,8 +143,8 @@ class FluidBackend::Fire {
       if (simulation_.update()) pace_.restart();
       const std::int64_t begin = pipeline::threadCpuNanoseconds();
       const double now = world::World::now();
-      const std::vector<world::Player> visitors = world_.players().all(now);
-      const std::vector<world::Gust> gusts = world_.edits().during(cursor_, visitors);
+      const std::vector<world::Player> visitors = world_.players();
+      const std::vector<world::Gust> gusts = world_.gusts(cursor_);
       idleTicks_ = visitors.empty() ? idleTicks_ + 1 : 0;
       const bool rest = idleTicks_ >= kIdleTicks;
       FluidSimulation& simulation = simulation_.current();
@@ -155,9 +153,10 @@ class FluidBackend::Fire {
       {
         const std::lock_guard lock(mutex_);
         newest_.swap(next);
-        // What packing the last one took, the new one will take.
-        held_.set(simulation.bytes() + newest_->bytes() + next->packedBytes());
+        // As large as the last one, of which somebody may have had the packed form.
+        held_.set(simulation.bytes() + next->bytes());
       }
+      announce_({{id_, {}}, static_cast<node::Version>(simulation.tick())});
       keepPace(pipeline::threadCpuNanoseconds() - begin);
       return rest ? FluidClock::Next::kSleep : FluidClock::Next::kTick;
     } catch (const std::exception& e) {
@@ -167,7 +166,10 @@ class FluidBackend::Fire {
     }
   }
 
-  world::World& world_;
+  const world::ObjectId id_;
+  const node::WorldMirror& world_;
+  const world::WorldGeometry& geometry_;
+  const std::function<void(const node::Announcement&)> announce_;
   pipeline::Timeline& timeline_;
   const std::string name_;
   const FluidSettings settings_;
@@ -176,17 +178,18 @@ class FluidBackend::Fire {
   std::atomic<int> quality_ = 0;                       ///< as wished
   std::atomic<int> mostQuality_ = node::kMostQuality;  ///< that is done in time
   Pace pace_;
-  world::Edits::Cursor cursor_ = 0;
+  node::WorldMirror::Cursor cursor_ = 0;
   bool isSlow_ = false;  ///< and that was reported
   int idleTicks_ = 0;    ///< without visitors
   std::mutex mutex_;
   std::shared_ptr<const FluidSnapshot> newest_;
-  std::unique_ptr<FluidClock> clock_;  ///< last, so that it stops before what it uses goes
+  std::unique_ptr<FluidClock> clock_;  ///< stops before what it uses goes
+  std::shared_ptr<void> awake_;        ///< while somebody is there; last, since it uses the clock
 };
 
 FluidBackend::FluidBackend(const node::BackendServices& services, world::TypeIndex self, double tickSeconds)
     : services_(services) {
-  for (const world::Object& object : services_.world.objects()) {
+  for (const world::ModelledObject& object : services_.scene.objects) {
     if (object.type == self) fires_.emplace(object.id, std::make_unique<Fire>(services_, object, tickSeconds));
   }
 }
@@ -200,11 +203,11 @@ void FluidBackend::setQuality(int step) {
 void FluidBackend::answer(std::span<const node::Request> requests, std::span<node::Payload> payloads) {
   assert(requests.size() == payloads.size());
   for (std::size_t i = 0; i < requests.size(); ++i) {
-    const auto fire = fires_.find(requests[i].visible().object.id);
-    if (fire == fires_.end()) {
-      payloads[i] = node::Failure{"no such fluid"};
+    const auto fire = fires_.find(requests[i].object);
+    if (fire == fires_.end() || !requests[i].shared) {
+      payloads[i] = node::Failure{"fluids answer with shared data of fluids"};
     } else {
-      payloads[i] = std::shared_ptr<const node::SimulationData>(fire->second->newest());
+      payloads[i] = std::shared_ptr<const node::SharedData>(fire->second->newest());
     }
   }
 }

@@ -4,15 +4,15 @@
 #include <memory>
 #include <span>
 
-#include "node/object_type.h"
+#include "node/backend/backend_half.h"
 #include "objects/fluid/backend/simulation/fluid_simulation.h"
 
 namespace grove::objects::fluid {
 
 /// The simulation node of all fires in the world: each ticks on its own clock and publishes an immutable snapshot, and
 /// an answer is no more than the newest one (section 4.1). Construction simulates the first seconds, so that the first
-/// visitor meets a grown plume. A world that was empty for two seconds costs nothing: the simulations rest until the
-/// next request, and go on where they were.
+/// visitor meets a grown plume. A world that was empty for two seconds costs nothing: the simulations rest until
+/// somebody comes, and go on where they were.
 class FluidBackend final : public node::BackendHalf {
  public:
   /// `tickSeconds`: what a tick may take of a core.

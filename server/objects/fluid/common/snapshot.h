@@ -2,21 +2,24 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <string_view>
 #include <vector>
 
-#include "node/simulation_data.h"
+#include "node/messages/shared_data.h"
 #include "pipeline/vector_bytes.h"
 
 namespace grove::objects::fluid {
 
+inline constexpr const char* kTypeName = "fluid";
+
 /// What the fluid publishes once per tick for all visitors (section 5.2.1). World coordinates, metres. One entry per
 /// particle in every array; the order is the same from tick to tick for as long as a particle lives.
-struct FluidSnapshot final : node::SimulationData {
+struct FluidSnapshot final : node::SharedData {
+  explicit FluidSnapshot(std::uint64_t ofTick = 0) : SharedData(static_cast<node::Version>(ofTick)), tick(ofTick) {}
+
   /// Seconds of the world's clock when the tick was computed; infinite while the simulation rests, when nobody moves
   /// the particles on.
   double time = 0.0;
-  std::uint64_t tick = 0;
+  std::uint64_t tick;
   std::vector<float> x, y, z;
   std::vector<float> velocityX, velocityY, velocityZ;  ///< metres a second
   std::vector<float> age;                              ///< seconds since injection
@@ -30,11 +33,6 @@ struct FluidSnapshot final : node::SimulationData {
   static constexpr float kLifetimeSteps = 4096.0F;
 
   [[nodiscard]] std::size_t count() const noexcept { return x.size(); }
-  /// Memory that it takes, packed and not.
-  [[nodiscard]] std::size_t bytes() const noexcept {
-    return packedBytes() + pipeline::vectorBytes(x, y, z, velocityX, velocityY, velocityZ, age, lifetime, temperature,
-                                                 skyLight, sunLight);
-  }
   void resize(std::size_t particles) {
     for (std::vector<float>* array :
          {&x, &y, &z, &velocityX, &velocityY, &velocityZ, &age, &lifetime, &temperature, &skyLight, &sunLight}) {
@@ -43,8 +41,11 @@ struct FluidSnapshot final : node::SimulationData {
   }
 
  private:
-  [[nodiscard]] std::string_view packedType() const override { return "fluid"; }
-  [[nodiscard]] std::vector<std::byte> pack() const override;
+  [[nodiscard]] std::size_t ownBytes() const noexcept override {
+    return pipeline::vectorBytes(x, y, z, velocityX, velocityY, velocityZ, age, lifetime, temperature, skyLight,
+                                 sunLight);
+  }
+  [[nodiscard]] node::PackedBytes pack() const override;
 };
 
 }  // namespace grove::objects::fluid

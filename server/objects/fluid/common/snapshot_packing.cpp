@@ -107,7 +107,7 @@ bool sane(const SnapshotRange& range) {
 
 }  // namespace
 
-std::vector<std::byte> packSnapshot(const FluidSnapshot& snapshot) {
+node::PackedBytes packSnapshot(const FluidSnapshot& snapshot) {
   const std::size_t count = snapshot.count();
   assert(count <= kMostPackedParticles);
   Header header;
@@ -130,7 +130,7 @@ std::vector<std::byte> packSnapshot(const FluidSnapshot& snapshot) {
   return bytes;
 }
 
-std::shared_ptr<const FluidSnapshot> unpackSnapshot(std::span<const std::byte> bytes) {
+std::shared_ptr<FluidSnapshot> unpackSnapshot(std::span<const std::byte> bytes) {
   Header header;
   if (bytes.size() < sizeof header) refuse("it ends too early");
   std::memcpy(&header, bytes.data(), sizeof header);
@@ -141,9 +141,8 @@ std::shared_ptr<const FluidSnapshot> unpackSnapshot(std::span<const std::byte> b
   if (std::isnan(header.time) || !sane(header.range)) refuse("its numbers make no sense");
 
   const std::size_t count = header.count;
-  auto snapshot = std::make_shared<FluidSnapshot>();
+  auto snapshot = std::make_shared<FluidSnapshot>(header.tick);
   snapshot->time = header.time;
-  snapshot->tick = header.tick;
   PlaneReader reader{bytes.subspan(sizeof header)};
   std::array<std::vector<std::uint8_t>, kPlanes> rooms;
   std::array<const std::uint8_t*, kPlanes> planes{};
@@ -154,6 +153,6 @@ std::shared_ptr<const FluidSnapshot> unpackSnapshot(std::span<const std::byte> b
   return snapshot;
 }
 
-std::vector<std::byte> FluidSnapshot::pack() const { return packSnapshot(*this); }
+node::PackedBytes FluidSnapshot::pack() const { return packSnapshot(*this); }
 
 }  // namespace grove::objects::fluid

@@ -41,10 +41,10 @@ namespace grove::objects::fluid {
 inline constexpr std::size_t kMostPackedParticles = 1 << 20;
 
 /// Any thread.
-[[nodiscard]] std::vector<std::byte> packSnapshot(const FluidSnapshot& snapshot);
+[[nodiscard]] node::PackedBytes packSnapshot(const FluidSnapshot& snapshot);
 
 /// Positions return within a 131070th of the box's edge, velocities within a hundredth of the largest; ages, lifetimes,
 /// temperatures and light within half a step. Throws node::PackingError unless the bytes are what packSnapshot() made.
-[[nodiscard]] std::shared_ptr<const FluidSnapshot> unpackSnapshot(std::span<const std::byte> bytes);
+[[nodiscard]] std::shared_ptr<FluidSnapshot> unpackSnapshot(std::span<const std::byte> bytes);
 
 }  // namespace grove::objects::fluid

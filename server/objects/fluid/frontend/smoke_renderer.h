@@ -1,22 +1,23 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <vector>
 
-#include "node/object_type.h"
+#include "node/messages/view.h"
+#include "objects/fluid/common/snapshot.h"
 #include "objects/fluid/frontend/smoke_detail.h"
 #include "objects/fluid/frontend/smoke_order.h"
 #include "objects/fluid/frontend/smoke_shading.h"
 #include "objects/fluid/frontend/smoke_sprites.h"
 #include "objects/fluid/frontend/smoke_target.h"
+#include "raster/image.h"
 
 namespace grove::objects::fluid {
 
 /// Draws a FluidSnapshot into a finished frame: the per-user half of section 5.2.2. The paper sorts particles on the
 /// backend along six directions and lets viewers flicker between them; here each frame sorts for its own viewer.
 /// Allocates nothing once its buffers have grown. One per session, used by one thread at a time.
-class SmokeRenderer final : public node::FrontendHalf {
+class SmokeRenderer {
  public:
   /// One to two milliseconds of a core that has AVX2, twice as long without.
   static constexpr float kUsualBudget = 125'000.0F;
@@ -24,11 +25,9 @@ class SmokeRenderer final : public node::FrontendHalf {
   /// `budget` bounds the cost of a frame, see chooseDetail().
   explicit SmokeRenderer(float budget = kUsualBudget) : budget_(budget) {}
 
-  /// A payload that is no FluidSnapshot (a failure, say) draws nothing.
-  void draw(const node::VisibleObject& object, const node::Payload& payload, const node::View& view,
-            raster::Image& frame) override;
+  void draw(const FluidSnapshot& snapshot, const node::View& view, raster::Image& frame);
 
-  [[nodiscard]] std::size_t bytes() const override {
+  [[nodiscard]] std::size_t bytes() const {
     return sizeof(*this) + sprites_.bytes() + sorter_.bytes() + target_.bytes() + pipeline::vectorBytes(order_);
   }
 
@@ -44,8 +43,5 @@ class SmokeRenderer final : public node::FrontendHalf {
   SmokeTarget target_;
   std::vector<std::uint32_t> order_;
 };
-
-/// The frontend half of the fluid, for one session.
-[[nodiscard]] std::unique_ptr<node::FrontendHalf> makeSmokeRenderer();
 
 }  // namespace grove::objects::fluid

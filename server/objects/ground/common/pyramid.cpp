@@ -29,15 +29,21 @@ void halve(const std::uint32_t* fine, std::size_t size, std::uint32_t* coarse) {
 
 }  // namespace
 
-Pyramid::Pyramid(int size, std::vector<std::uint32_t> finest) : size_(size), texels_(std::move(finest)) {
+Pyramid::Pyramid(int size) : size_(size) {
   assert(std::has_single_bit(static_cast<unsigned>(size)) && size >= 2 && size < (1 << kMaxLevels));
-  assert(texels_.size() == static_cast<std::size_t>(size) * static_cast<std::size_t>(size));
   std::size_t total = 0;
+  levels_.reserve(kMaxLevels);
   for (auto at = static_cast<std::size_t>(size); at > 0; at /= 2) {
     levels_.push_back(total);
     total += at * at;
   }
+  levels_.shrink_to_fit();
   texels_.resize(total);
+}
+
+Pyramid::Pyramid(int size, std::vector<std::uint32_t> finest) : Pyramid(size) {
+  assert(finest.size() == static_cast<std::size_t>(size) * static_cast<std::size_t>(size));
+  std::ranges::copy(finest, texels_.begin());
   for (std::size_t i = 1; i < levels_.size(); ++i) {
     halve(texels_.data() + levels_[i - 1], static_cast<std::size_t>(size) >> (i - 1), texels_.data() + levels_[i]);
   }

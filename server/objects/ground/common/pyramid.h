@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "pipeline/vector_bytes.h"
@@ -16,6 +17,8 @@ class Pyramid {
 
   /// Averages `finest` (size x size texels) down to a single texel.
   Pyramid(int size, std::vector<std::uint32_t> finest);
+  /// All texels 0.
+  explicit Pyramid(int size);
 
   [[nodiscard]] int size() const noexcept { return size_; }
   [[nodiscard]] int levels() const noexcept { return static_cast<int>(levels_.size()); }
@@ -27,11 +30,15 @@ class Pyramid {
   /// block and block by block along a row of blocks: a line in any direction meets few cache lines and pages.
   [[nodiscard]] Pyramid inBlocks() const;
 
+  /// Those of all levels.
+  [[nodiscard]] std::span<const std::uint32_t> texels() const noexcept { return texels_; }
+  [[nodiscard]] std::span<std::uint32_t> texels() noexcept { return texels_; }
+
   /// Memory that it takes.
   [[nodiscard]] std::size_t bytes() const noexcept { return pipeline::vectorBytes(texels_, levels_); }
 
  private:
-  const int size_;
+  int size_;
   std::vector<std::uint32_t> texels_;
   std::vector<std::size_t> levels_;  // where each begins
 };

@@ -31,8 +31,21 @@ void LightFieldModel::show(LightField finer) {
   next->field = std::move(finer);
   const std::shared_ptr<const FieldVersion> last = shown();  // goes without the lock
   next->number = last->number + 1;
-  const std::lock_guard lock(mutex_);
-  shown_ = std::move(next);
+  {
+    const std::lock_guard lock(mutex_);
+    shown_ = std::move(next);
+  }
+  const std::lock_guard lock(listenersMutex_);
+  for (const auto& tell : listeners_) tell();
+}
+
+std::shared_ptr<const void> LightFieldModel::whenShown(std::function<void()> tell) const {
+  const std::lock_guard lock(listenersMutex_);
+  const auto listener = listeners_.insert(listeners_.end(), std::move(tell));
+  return {this, [this, listener](const void*) {
+            const std::lock_guard ending(listenersMutex_);
+            listeners_.erase(listener);
+          }};
 }
 
 const world::Triangles* LightFieldModel::solid() const { return unlessEmpty(solid_); }

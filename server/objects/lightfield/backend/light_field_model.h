@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
+#include <list>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -39,11 +41,15 @@ class LightFieldModel final : public world::Model {
   [[nodiscard]] std::shared_ptr<const FieldVersion> shown() const;
   /// From now on this one, of the same model in the same place. Pictures that are being made of the last one still are.
   void show(LightField finer);
+  /// Calls `tell` each time that it shows another one, until the token that this returns is gone.
+  [[nodiscard]] std::shared_ptr<const void> whenShown(std::function<void()> tell) const;
   [[nodiscard]] SamplerKind sampler() const noexcept { return sampler_; }
 
  private:
   mutable std::mutex mutex_;
   std::shared_ptr<const FieldVersion> shown_;  ///< under mutex_
+  mutable std::mutex listenersMutex_;
+  mutable std::list<std::function<void()>> listeners_;
   const SamplerKind sampler_;
   const world::Bounds bounds_;
   const world::Triangles solid_;

@@ -6,7 +6,7 @@
 #include <mutex>
 
 #include "node/limits.h"
-#include "node/messages.h"
+#include "node/messages/view.h"
 
 namespace grove::objects::lightfield {
 
@@ -24,8 +24,6 @@ class PictureBudget {
   static constexpr double kBurst = 0.25;      ///< seconds' worth that fit in a bucket: a frame of a late machine
   static constexpr int kMostNewPictures = 2;  ///< in one frame, but for those that are too wrong by kLateness
   static constexpr float kLateness = 3.0F;
-  static constexpr float kCoarse = 4.0F;           ///< times the width of the pixels of a picture for want of time
-  static constexpr float kCoarseWrongness = 4.0F;  ///< it counts as at least so wrong
 
   explicit PictureBudget(double texelsPerSecond) : texelsPerSecond_(texelsPerSecond) {}
 

@@ -42,7 +42,7 @@ float sunAt(Vec3 point, float from, const world::RayScene& rays) {
 
 }  // namespace
 
-SunGrid makeSunGrid(const world::Object& object, const world::RayScene& rays) {
+SunGrid makeSunGrid(const world::ModelledObject& object, const world::RayScene& rays) {
   const world::Bounds box = object.model->bounds();
   const world::Mat4 toWorld = object.transform.matrix();
   const Vec3 sun = glm::normalize(glm::transpose(glm::mat3(toWorld)) * world::sunDirection());

@@ -20,6 +20,6 @@ struct SunGrid {
 };
 
 /// `rays` is what stops light in the world, the object itself too: what lies within its own box is left out.
-[[nodiscard]] SunGrid makeSunGrid(const world::Object& object, const world::RayScene& rays);
+[[nodiscard]] SunGrid makeSunGrid(const world::ModelledObject& object, const world::RayScene& rays);
 
 }  // namespace grove::objects::lightfield

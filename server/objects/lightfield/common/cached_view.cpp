@@ -40,9 +40,7 @@ CachedView::CachedView(const raster::Image& image, const ObjectCamera& camera) :
   top_ = image.rect.top + part.top - kBorder;
   width_ = part.width() + 2 * kBorder;
   height_ = part.height() + 2 * kBorder;
-  colour_ = std::make_unique_for_overwrite<std::uint32_t[]>(texels());
-  nearness_ = std::make_unique_for_overwrite<float[]>(texels() + padding());
-  std::fill_n(nearness_.get() + texels(), padding(), 0.0F);
+  allocate();
   // A power of two: it can be taken away and added again with little rounding.
   softness_ = std::bit_cast<float>((std::bit_cast<std::uint32_t>(1.0F / nearest) & 0x7F800000U) + 0x00800000U);
   copy(image);
@@ -50,7 +48,13 @@ CachedView::CachedView(const raster::Image& image, const ObjectCamera& camera) :
   measure();
 }
 
-std::size_t CachedView::bytes() const noexcept {
+void CachedView::allocate() {
+  colour_ = std::make_unique_for_overwrite<std::uint32_t[]>(texels());
+  nearness_ = std::make_unique_for_overwrite<float[]>(texels() + padding());
+  std::fill_n(nearness_.get() + texels(), padding(), 0.0F);
+}
+
+std::size_t CachedView::ownBytes() const noexcept {
   return sizeof(*this) + texels() * (sizeof(std::uint32_t) + sizeof(float)) + padding() * sizeof(float) +
          ranges_.capacity() * sizeof(Range);
 }

@@ -5,24 +5,23 @@
 #include <memory>
 #include <vector>
 
-#include "node/messages.h"
+#include "node/messages/shared_data.h"
 #include "objects/lightfield/format/view_camera.h"
 #include "raster/image.h"
 
 namespace grove::objects::lightfield {
 
 /// A picture of an object that many eyes near its own share, without haze: the covered part of an image, made ready for
-/// reproject(). Immutable, any thread; travels as a payload.
-class CachedView final : public node::SimulationData {
+/// reproject(). Immutable, any thread.
+class CachedView final : public node::SharedData {
  public:
   /// Copies what shows of `image`, whose rectangle is in pixels of `camera`.
   CachedView(const raster::Image& image, const ObjectCamera& camera);
+  /// The inverse of pack(). Throws node::PackingError.
+  [[nodiscard]] static std::shared_ptr<CachedView> unpack(std::span<const std::byte> bytes);
 
   [[nodiscard]] const ObjectCamera& camera() const noexcept { return camera_; }
   [[nodiscard]] bool empty() const noexcept { return width_ == 0; }
-  /// Memory that this takes.
-  [[nodiscard]] std::size_t bytes() const noexcept;
-
   /// All texels: those of the picture and kBorder more on each side that show nothing. Texel (0, 0) is the camera's
   /// pixel (left(), top()).
   static constexpr int kBorder = 2;
@@ -57,6 +56,10 @@ class CachedView final : public node::SimulationData {
   [[nodiscard]] const Range& range() const noexcept { return whole_; }
 
  private:
+  CachedView() = default;
+  [[nodiscard]] std::size_t ownBytes() const noexcept override;
+  [[nodiscard]] node::PackedBytes pack() const override;
+  void allocate();
   [[nodiscard]] std::size_t texels() const noexcept {
     return static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
   }

@@ -21,9 +21,9 @@ float pixelAt(const ObjectCamera& camera, float distance) {
 }
 
 /// The object's metres across a texel in the middle of a typical view.
-float texelOf(const LightField& field) {
-  const ViewCamera view = viewCamera(field.geometry, {0.0F, 1.0F, 0.0F});
-  return glm::distance(view.eye, field.geometry.target) / (view.focal * static_cast<float>(field.size));
+float texelOf(const ViewGeometry& geometry, int viewSize) {
+  const ViewCamera view = viewCamera(geometry, {0.0F, 1.0F, 0.0F});
+  return glm::distance(view.eye, geometry.target) / (view.focal * static_cast<float>(viewSize));
 }
 
 }  // namespace
@@ -43,8 +43,8 @@ ObjectCamera objectCamera(const world::Camera& camera, const world::Transform& t
   return result;
 }
 
-Haze hazeBefore(const node::VisibleObject& object, const world::Camera& camera) {
-  const Vec3 towards = object.object.bounds.centre() - camera.pose.position;
+Haze hazeBefore(const world::Bounds& worldBounds, const world::Camera& camera) {
+  const Vec3 towards = worldBounds.centre() - camera.pose.position;
   const float distance = std::max(glm::length(towards), 1.0e-3F);
   const Vec3 colour = world::hazeColour(towards / distance);
   return {{world::toDisplay(colour.r), world::toDisplay(colour.g), world::toDisplay(colour.b)},
@@ -60,7 +60,7 @@ ObjectCamera coarser(const ObjectCamera& camera, float times) {
 
 int levelFor(const LightField& field, const ObjectCamera& camera) {
   const float distance = std::max(glm::distance(camera.eye, field.geometry.target), 0.25F * field.geometry.extent);
-  const float texels = pixelAt(camera, distance) / texelOf(field);
+  const float texels = pixelAt(camera, distance) / texelOf(field.geometry, field.size);
   const float level = std::floor(std::log2(std::max(texels, 1.0e-3F)) + 0.35F);
   return std::clamp(static_cast<int>(level), 0, field.levels - 1);
 }
@@ -84,9 +84,9 @@ world::Rect boxOf(const world::Bounds& bounds, const ObjectCamera& camera, const
   return {static_cast<int>(low.x), static_cast<int>(low.y), static_cast<int>(high.x), static_cast<int>(high.y)};
 }
 
-float magnification(const LightField& field, const ObjectCamera& camera) {
-  const float behind = glm::distance(camera.eye, field.geometry.target) + 0.5F * field.geometry.extent;
-  return std::max(1.0F, texelOf(field) / pixelAt(camera, behind));
+float magnification(const ViewGeometry& geometry, int viewSize, const ObjectCamera& camera) {
+  const float behind = glm::distance(camera.eye, geometry.target) + 0.5F * geometry.extent;
+  return std::max(1.0F, texelOf(geometry, viewSize) / pixelAt(camera, behind));
 }
 
 }  // namespace grove::objects::lightfield

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "node/messages.h"
 #include "objects/lightfield/common/haze.h"
 #include "objects/lightfield/format/light_field.h"
 #include "objects/lightfield/format/view_camera.h"
+#include "world/camera.h"
 
 /// From a frame's view of the world to a light field's own coordinates.
 namespace grove::objects::lightfield {
@@ -11,7 +11,7 @@ namespace grove::objects::lightfield {
 [[nodiscard]] ObjectCamera objectCamera(const world::Camera& camera, const world::Transform& transform);
 
 /// The air between the eye and the middle of an object.
-[[nodiscard]] Haze hazeBefore(const node::VisibleObject& object, const world::Camera& camera);
+[[nodiscard]] Haze hazeBefore(const world::Bounds& worldBounds, const world::Camera& camera);
 
 /// The level of the mip pyramid whose texels are about as large as the frame's pixels at the object.
 [[nodiscard]] int levelFor(const LightField& field, const ObjectCamera& camera);
@@ -24,6 +24,6 @@ namespace grove::objects::lightfield {
 
 /// How many pixels wide the finest texels are in the middle of the object's far half, at least 1: a picture of it with
 /// one sample for so many pixels shows all but a little of what the texels have. What is farther is mostly hidden.
-[[nodiscard]] float magnification(const LightField& field, const ObjectCamera& camera);
+[[nodiscard]] float magnification(const ViewGeometry& geometry, int viewSize, const ObjectCamera& camera);
 
 }  // namespace grove::objects::lightfield

@@ -28,6 +28,13 @@ constexpr float kOutside = 1.05F;
 // missing.
 constexpr float kLeastCosine = 0.5F;
 constexpr float kMostOctaves = 1.0F;
+constexpr float kErrorsPerPixel = 64.0F;
+constexpr float kMaxLayers = 1.0e6F;
+constexpr float kPi = std::numbers::pi_v<float>;
+// Of any id: far more than eyes have.
+constexpr std::int32_t kMaxErrors = 1 << 16;
+constexpr std::int32_t kMaxFocals = 80;
+constexpr std::int32_t kMaxShells = 256;
 
 /// How far eyes between two distances may be from the axis of their cell.
 ///
@@ -46,6 +53,93 @@ float permittedSide(float ball, float nearest, float axis, float radial, float a
   const float c = clear * clear - ball * ball - radial * ball * ball / (axis * angle);
   const float b = clear + ball / angle;
   return c > 0.0F && clear > 0.0F ? c / (b + std::sqrt(b * b - c)) : 0.0F;
+}
+
+/// What all cells of one layer have in common.
+struct Layer {
+  float sharp = 0.0F;      ///< focal length
+  float low = 0.0F;        ///< distance at which its shell begins
+  float thickness = 0.0F;  ///< of the shell
+  float layers = 0.0F;     ///< of the shell
+  float nearest = 0.0F;    ///< distance
+  float axis = 0.0F;       ///< distance of the cells' own eyes
+  float radial = 0.0F;     ///< how far eyes may be from theirs, along the axis
+  float side = 0.0F;       ///< and across it
+  float halfBand = 0.0F;   ///< radians
+  float bands = 0.0F;
+  float reach = 0.0F;  ///< metres
+};
+
+/// The shell of an id, without the layer's own distances; nothing if it has no layers.
+std::optional<Layer> shellOf(float ball, const CellId& id) {
+  Layer layer;
+  layer.sharp = std::exp2(static_cast<float>(id.focal) / kFocalsPerOctave);
+  const float angle = static_cast<float>(id.error) / kErrorsPerPixel / layer.sharp;
+  layer.low = ball * std::exp2(static_cast<float>(id.shell) / kShellsPerOctave);
+  layer.thickness = layer.low * (std::exp2(1.0F / kShellsPerOctave) - 1.0F);
+  const float power = std::max(layer.low * layer.low - ball * ball, 1.0e-6F * ball * ball);
+  layer.layers = std::ceil(0.5F * layer.thickness * ball * ball / (layer.low * power * kRadialShare * angle));
+  if (!(layer.layers < kMaxLayers)) return std::nullopt;
+  return layer;
+}
+
+/// The rest of it; nothing if an eye in one of its cells could hardly move.
+std::optional<Layer> layerOf(float ball, const CellId& id) {
+  std::optional<Layer> layer = shellOf(ball, id);
+  if (!layer) return std::nullopt;
+  const auto index = static_cast<float>(id.layer);
+  const float angle = static_cast<float>(id.error) / kErrorsPerPixel / layer->sharp;
+  layer->nearest = layer->low + layer->thickness * index / layer->layers;
+  if (!(layer->nearest > ball)) return std::nullopt;
+  const float farthest = layer->low + layer->thickness * (index + 1.0F) / layer->layers;
+  layer->axis = 0.5F * (layer->nearest + farthest);
+
+  // Eyes off the axis are nearer along it by side^2 / 2 nearest.
+  const float half = farthest - layer->axis;
+  const float guess = std::min(permittedSide(ball, layer->nearest, layer->axis, half, angle), kWidest * farthest);
+  layer->radial = half + guess * guess / (2.0F * layer->nearest);
+  layer->side = std::min(permittedSide(ball, layer->nearest, layer->axis, layer->radial, angle), guess);
+
+  // A chord across the cell's middle is at most the root of the sum of the squares of its two half sides (haversine
+  // formula), and no eye is farther from the axis than the farthest distance times that chord.
+  const float chord = layer->side / farthest;
+  layer->halfBand = chord / std::sqrt(1.0F + kAspect * kAspect);
+  layer->reach = layer->halfBand * layer->nearest * kAspect;
+  if (!(layer->reach >= kLeastReach)) return std::nullopt;
+  layer->bands = std::ceil(0.5F * kPi / layer->halfBand);
+  return layer;
+}
+
+float bandBegin(const Layer& layer, float band) { return (band / layer.bands - 0.5F) * kPi; }
+
+/// Of a band of elevations.
+float columnsOf(const Layer& layer, float band) {
+  const float lowest = bandBegin(layer, band);
+  const float highest = bandBegin(layer, band + 1.0F);
+  const float widest = lowest < 0.0F && highest > 0.0F ? 1.0F : std::max(std::cos(lowest), std::cos(highest));
+  return std::max(1.0F, std::ceil(kPi * widest / (kAspect * layer.halfBand)));
+}
+
+/// The cell in its layer, with its own eye.
+std::optional<ViewCell> cellIn(const Layer& layer, const ViewGeometry& geometry, const CellId& id) {
+  ViewCell cell;
+  cell.id = id;
+  cell.reach = layer.reach;
+  const auto band = static_cast<float>(id.band);
+  const float up = 0.5F * (bandBegin(layer, band) + bandBegin(layer, band + 1.0F));
+  const float around = ((static_cast<float>(id.column) + 0.5F) / columnsOf(layer, band) - 0.5F) * 2.0F * kPi;
+  const world::Vec3 direction(std::cos(up) * std::sin(around), std::sin(up), std::cos(up) * std::cos(around));
+  ViewGeometry aimed = geometry;
+  aimed.centre = geometry.target;
+  aimed.radius = layer.axis;
+  const ViewCamera camera = viewCamera(aimed, direction);
+  // A point of the ball is farther from the cell's eye than from another one by at most what lies between the eyes.
+  const float size =
+      std::ceil(layer.sharp / camera.focal * (1.0F + (layer.side + layer.radial) / (layer.nearest - geometry.extent)));
+  if (!(size <= static_cast<float>(kMostCellSize))) return std::nullopt;
+  cell.size = static_cast<int>(size);
+  cell.camera = objectCamera(camera, cell.size);
+  return cell;
 }
 
 }  // namespace
@@ -76,62 +170,35 @@ std::optional<ViewCell> viewCell(const ViewGeometry& geometry, world::Vec3 eye, 
   const float distance = glm::length(from);
   if (!(distance > kOutside * ball)) return std::nullopt;
 
-  ViewCell cell;
-  cell.id.error = static_cast<std::int32_t>(std::lround(errorPixels * 64.0F));
-  cell.id.focal = static_cast<std::int32_t>(std::ceil(std::log2(focal) * kFocalsPerOctave - 1.0e-3F));
-  const float sharp = std::max(focal, std::exp2(static_cast<float>(cell.id.focal) / kFocalsPerOctave));
-  const float angle = errorPixels / sharp;
-
-  cell.id.shell = static_cast<std::int32_t>(std::floor(std::log2(distance / ball) * kShellsPerOctave));
-  const float low = ball * std::exp2(static_cast<float>(cell.id.shell) / kShellsPerOctave);
-  const float thickness = low * (std::exp2(1.0F / kShellsPerOctave) - 1.0F);
-  const float power = std::max(low * low - ball * ball, 1.0e-6F * ball * ball);
-  const float layers = std::ceil(0.5F * thickness * ball * ball / (low * power * kRadialShare * angle));
-  if (!(layers < 1.0e6F)) return std::nullopt;
-  const float layer = std::clamp(std::floor((distance - low) / thickness * layers), 0.0F, layers - 1.0F);
-  cell.id.layer = static_cast<std::int32_t>(layer);
-  const float nearest = std::min(distance, low + thickness * layer / layers);
-  const float farthest = std::max(distance, low + thickness * (layer + 1.0F) / layers);
-  const float axis = 0.5F * (nearest + farthest);
-
-  // Eyes off the axis are nearer along it by side^2 / 2 nearest.
-  const float half = farthest - axis;
-  const float guess = std::min(permittedSide(ball, nearest, axis, half, angle), kWidest * farthest);
-  const float radial = half + guess * guess / (2.0F * nearest);
-  const float side = std::min(permittedSide(ball, nearest, axis, radial, angle), guess);
-
-  // A chord across the cell's middle is at most the root of the sum of the squares of its two half sides (haversine
-  // formula), and no eye is farther from the axis than the farthest distance times that chord.
-  const float chord = side / farthest;
-  const float halfBand = chord / std::sqrt(1.0F + kAspect * kAspect);
-  cell.reach = halfBand * nearest * kAspect;
-  if (!(cell.reach >= kLeastReach)) return std::nullopt;
-  constexpr float kPi = std::numbers::pi_v<float>;
-  const float bands = std::ceil(0.5F * kPi / halfBand);
+  CellId id;
+  id.error = std::max(static_cast<std::int32_t>(std::lround(errorPixels * kErrorsPerPixel)), 1);
+  id.focal = static_cast<std::int32_t>(std::ceil(std::log2(focal) * kFocalsPerOctave - 1.0e-3F));
+  id.shell = static_cast<std::int32_t>(std::floor(std::log2(distance / ball) * kShellsPerOctave));
+  const auto shell = shellOf(ball, id);
+  if (!shell) return std::nullopt;
+  const float at = std::floor((distance - shell->low) / shell->thickness * shell->layers);
+  id.layer = static_cast<std::int32_t>(std::clamp(at, 0.0F, shell->layers - 1.0F));
+  const auto layer = layerOf(ball, id);
+  if (!layer) return std::nullopt;
   const float elevation = std::asin(std::clamp(from.y / distance, -1.0F, 1.0F));
-  const float band = std::clamp(std::floor((elevation / kPi + 0.5F) * bands), 0.0F, bands - 1.0F);
-  const float lowest = (band / bands - 0.5F) * kPi;
-  const float highest = ((band + 1.0F) / bands - 0.5F) * kPi;
-  const float widest = lowest < 0.0F && highest > 0.0F ? 1.0F : std::max(std::cos(lowest), std::cos(highest));
-  const float columns = std::max(1.0F, std::ceil(kPi * widest / (kAspect * halfBand)));
+  const float band = std::clamp(std::floor((elevation / kPi + 0.5F) * layer->bands), 0.0F, layer->bands - 1.0F);
+  const float columns = columnsOf(*layer, band);
   const float azimuth = std::atan2(from.x, from.z) / (2.0F * kPi) + 0.5F;
-  const float column = std::clamp(std::floor(azimuth * columns), 0.0F, columns - 1.0F);
-  cell.id.band = static_cast<std::int32_t>(band);
-  cell.id.column = static_cast<std::int32_t>(column);
+  id.band = static_cast<std::int32_t>(band);
+  id.column = static_cast<std::int32_t>(std::clamp(std::floor(azimuth * columns), 0.0F, columns - 1.0F));
+  return cellIn(*layer, geometry, id);
+}
 
-  const float up = 0.5F * (lowest + highest);
-  const float around = ((column + 0.5F) / columns - 0.5F) * 2.0F * kPi;
-  const world::Vec3 direction(std::cos(up) * std::sin(around), std::sin(up), std::cos(up) * std::cos(around));
-  ViewGeometry aimed = geometry;
-  aimed.centre = geometry.target;
-  aimed.radius = axis;
-  const ViewCamera camera = viewCamera(aimed, direction);
-  // A point of the ball is farther from the cell's eye than from another one by at most what lies between the eyes.
-  const float size = std::ceil(sharp / camera.focal * (1.0F + (side + radial) / (nearest - ball)));
-  if (!(size <= static_cast<float>(kMostCellSize))) return std::nullopt;
-  cell.size = static_cast<int>(size);
-  cell.camera = objectCamera(camera, cell.size);
-  return cell;
+std::optional<ViewCell> viewCell(const ViewGeometry& geometry, const CellId& id) {
+  const bool isPossible = id.error >= 1 && id.error <= kMaxErrors && id.focal >= 0 && id.focal <= kMaxFocals &&
+                          id.shell >= 0 && id.shell <= kMaxShells && id.layer >= 0 && id.band >= 0 && id.column >= 0;
+  if (!isPossible) return std::nullopt;
+  const auto layer = layerOf(geometry.extent, id);
+  if (!layer || static_cast<float>(id.layer) >= layer->layers || static_cast<float>(id.band) >= layer->bands ||
+      static_cast<float>(id.column) >= columnsOf(*layer, static_cast<float>(id.band))) {
+    return std::nullopt;
+  }
+  return cellIn(*layer, geometry, id);
 }
 
 }  // namespace grove::objects::lightfield

@@ -37,9 +37,12 @@ struct ViewCell {
 
 /// The cell of an eye (object coordinates) in a frame with this focal length in pixels. Nothing if a picture would not
 /// be used again: if the eye is in or near the ball, could not move by kLeastReach, or needs more than kMostCellSize
-/// pixels.
+/// pixels. The error is rounded to 1 / 64 of a pixel.
 [[nodiscard]] std::optional<ViewCell> viewCell(const ViewGeometry& geometry, world::Vec3 eye, float focal,
                                                float errorPixels);
+
+/// The same cell by its id alone; nothing if no eye has such a cell.
+[[nodiscard]] std::optional<ViewCell> viewCell(const ViewGeometry& geometry, const CellId& id);
 
 /// How wrong a picture that was made from `own` is for `eye` (object coordinates), which need be in no cell of it, in a
 /// frame of this focal length: in times of what is permitted, which is an error of `errorPixels`, and to be an eighth

@@ -1,35 +1,97 @@
 #include "objects/lightfield/frontend/light_field_frontend.h"
 
-#include "objects/lightfield/common/shared_view.h"
-#include "objects/lightfield/frontend/lamp_light.h"
+#include <utility>
+
+#include "objects/lightfield/common/lamp_light.h"
+#include "objects/lightfield/common/object_view.h"
 #include "objects/lightfield/frontend/mixed_tiles.h"
 #include "objects/lightfield/frontend/reprojection.h"
 
 namespace grove::objects::lightfield {
+namespace {
 
-void LightFieldFrontend::lay(const node::VisibleObject& object, const node::Payload& payload, const node::View&,
-                             node::FrameBuilder& frame) {
-  const auto* data = std::get_if<std::shared_ptr<const node::SimulationData>>(&payload);
-  if (data == nullptr) return;
-  const auto& [picture, fade, camera, haze, lamps] = static_cast<const SharedView&>(**data).parts();
-  const LampLight light(lamps, camera);
-  const world::Rect rect = frame.clip(object.rect);
-  const auto lay = [&](const world::Rect& part, std::uint32_t* colour, const float* depth) {
-    light.addTo(part, colour, depth, kTileWidth);
-    frame.lay(part, colour, depth, kTileWidth);
-  };
-  const auto hides = [&](const world::Rect& part, float depth) { return frame.hides(part, depth); };
-  if (!fade.from) {
-    const auto layTile = [&](const world::Rect& part, WarpTile& tile) { lay(part, tile.colour, tile.depth); };
-    reproject(*picture, camera, haze, rect, layTile, hides);
-    return;
+/// From here on it is cheaper to sample one pixel a texel, and to enlarge the picture here.
+constexpr float kLeastMagnification = 1.3F;
+
+/// A picture with depth, moved to where this visitor's eye sees it.
+class ReprojectedLayer final : public node::Layer {
+ public:
+  ReprojectedLayer(const node::VisibleObject& object, const node::View& view, std::shared_ptr<const CachedView> picture,
+                   CrossFade fade)
+      : rect_(object.rect),
+        picture_(std::move(picture)),
+        fade_(std::move(fade)),
+        camera_(objectCamera(view.camera, object.object.transform)),
+        haze_(hazeBefore(object.object.bounds, view.camera)),
+        light_(chooseLamps(view.lights, object.object.bounds, glm::inverse(object.object.transform.matrix())),
+               camera_) {}
+
+  void lay(node::FrameBuilder& rows) override {
+    const world::Rect rect = rows.clip(rect_);
+    const auto lay = [&](const world::Rect& part, std::uint32_t* colour, const float* depth) {
+      light_.addTo(part, colour, depth, kTileWidth);
+      rows.lay(part, colour, depth, kTileWidth);
+    };
+    const auto hides = [&](const world::Rect& part, float depth) { return rows.hides(part, depth); };
+    if (!fade_.from) {
+      const auto layTile = [&](const world::Rect& part, WarpTile& tile) { lay(part, tile.colour, tile.depth); };
+      reproject(*picture_, camera_, haze_, rect, layTile, hides);
+      return;
+    }
+    MixedTiles tiles(fade_.share);
+    const auto addLeaving = [&](const world::Rect& part, const WarpTile& tile) { tiles.addLeaving(part, tile); };
+    const auto addComing = [&](const world::Rect& part, const WarpTile& tile) { tiles.addComing(part, tile); };
+    reproject(*fade_.from, camera_, haze_, rect, addLeaving, hides);
+    reproject(*picture_, camera_, haze_, rect, addComing, hides);
+    tiles.forEach(lay);
   }
-  MixedTiles tiles(fade.share);
-  const auto addLeaving = [&](const world::Rect& part, const WarpTile& tile) { tiles.addLeaving(part, tile); };
-  const auto addComing = [&](const world::Rect& part, const WarpTile& tile) { tiles.addComing(part, tile); };
-  reproject(*fade.from, camera, haze, rect, addLeaving, hides);
-  reproject(*picture, camera, haze, rect, addComing, hides);
-  tiles.forEach(lay);
+
+ private:
+  const world::Rect rect_;
+  const std::shared_ptr<const CachedView> picture_;
+  const CrossFade fade_;
+  const ObjectCamera camera_;
+  const Haze haze_;
+  const LampLight light_;
+};
+
+}  // namespace
+
+LightFieldFrontend::LightFieldFrontend(const node::FrontendTools& tools)
+    : timeline_(tools.timeline), shared_(tools.timeline), own_(tools.timeline) {}
+
+node::Plan LightFieldFrontend::plan(const node::VisibleObject& object, const node::View& view,
+                                    const node::SharedOf& shared, const node::Reply* reply) {
+  const auto info = std::static_pointer_cast<const FieldInfo>(shared.find({}));
+  const bool isOfInfo = reply != nullptr && reply->ask.shared && reply->ask.key.empty();
+  if (!info && isOfInfo) return reply->payload;
+  if (!info) return node::Ask{.shared = true, .key = {}, .rect = {}};
+  const Sight sight = sightOf(object, view, shared, *info);
+  if (reply == nullptr || isOfInfo) return begin(sight);
+  if (reply->ask.shared) return shared_.resume(sight, *reply);
+  return reply->ask.key.empty() ? reply->payload : own_.resume(sight, *reply);
+}
+
+node::Plan LightFieldFrontend::begin(const Sight& sight) {
+  if (const auto cell = SharedViews::cellOf(sight)) return shared_.begin(sight, *cell);
+  if (sight.field.maxError > 0.0F) timeline_.count("views too near to share");
+  const float times = magnification(sight.field.geometry, sight.field.viewSize, sight.camera);
+  if (times > kLeastMagnification || own_.isFading(sight)) return own_.begin(sight, times);
+  return node::Ask{.shared = false, .key = {}, .rect = sight.object.rect};
+}
+
+std::unique_ptr<node::Layer> LightFieldFrontend::layer(const node::VisibleObject& object, const node::Payload& payload,
+                                                       const node::View& view) {
+  const auto* const data = std::get_if<std::shared_ptr<const node::SharedData>>(&payload);
+  if (data == nullptr || *data == nullptr) return nullptr;
+  auto picture = std::static_pointer_cast<const CachedView>(*data);
+  CrossFade fade = this->fade(object.object.id, *picture, view.time);
+  return std::make_unique<ReprojectedLayer>(object, view, std::move(picture), std::move(fade));
+}
+
+CrossFade LightFieldFrontend::fade(world::ObjectId object, const CachedView& picture, double time) {
+  CrossFade own = own_.fade(object, picture, time);
+  return own.from ? own : shared_.fade(object, time);
 }
 
 }  // namespace grove::objects::lightfield

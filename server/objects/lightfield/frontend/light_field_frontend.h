@@ -1,14 +1,34 @@
 #pragma once
 
-#include "node/object_type.h"
+#include <memory>
+
+#include "node/frontend/frontend_half.h"
+#include "objects/lightfield/frontend/own_views.h"
+#include "objects/lightfield/frontend/shared_views.h"
 
 namespace grove::objects::lightfield {
 
-/// Turns shared pictures into one visitor's view: moves them by their depth to where this eye sees them.
+/// One visitor's view of all light fields. What is far enough is shown with a picture that all share, moved by its
+/// depth to where this eye sees it; what is near, with a picture of his own, and with that again as long as it serves.
 class LightFieldFrontend final : public node::FrontendHalf {
  public:
-  void lay(const node::VisibleObject& object, const node::Payload& payload, const node::View& view,
-           node::FrameBuilder& frame) override;
+  explicit LightFieldFrontend(const node::FrontendTools& tools);
+
+  [[nodiscard]] node::Plan plan(const node::VisibleObject& object, const node::View& view, const node::SharedOf& shared,
+                                const node::Reply* reply) override;
+  [[nodiscard]] std::unique_ptr<node::Layer> layer(const node::VisibleObject& object, const node::Payload& payload,
+                                                   const node::View& view) override;
+  [[nodiscard]] std::size_t bytes() const override { return own_.bytes(); }
+
+  /// What gives way to an object's picture in a frame of that time.
+  [[nodiscard]] CrossFade fade(world::ObjectId object, const CachedView& picture, double time);
+
+ private:
+  [[nodiscard]] node::Plan begin(const Sight& sight);
+
+  pipeline::Timeline& timeline_;
+  SharedViews shared_;
+  OwnViews own_;
 };
 
 }  // namespace grove::objects::lightfield

@@ -8,11 +8,11 @@
 namespace grove::objects::mesh {
 namespace {
 
-const MeshModel& modelOf(const world::Object& object) { return static_cast<const MeshModel&>(*object.model); }
+const MeshModel& modelOf(const world::ModelledObject& object) { return static_cast<const MeshModel&>(*object.model); }
 
 /// One executor serves all of the type's objects, and GL is bound to threads of its own.
 pipeline::Executor& executorOf(const node::BackendServices& services, world::TypeIndex self) {
-  const bool anyByGl = std::ranges::any_of(services.world.objects(), [&](const world::Object& object) {
+  const bool anyByGl = std::ranges::any_of(services.scene.objects, [&](const world::ModelledObject& object) {
     return object.type == self &&
            raster::resolved(modelOf(object).renderer(), services.gl) == raster::RendererKind::kGl;
   });
@@ -22,15 +22,17 @@ pipeline::Executor& executorOf(const node::BackendServices& services, world::Typ
 
 }  // namespace
 
-MeshBackend::Entry::Entry(const world::Object& object, raster::RendererKind kind)
+MeshBackend::Entry::Entry(const world::ModelledObject& object, raster::RendererKind kind)
     : lit{modelOf(object).surface(), {}, true},
       points(lit.surface),
       toWorld(object.transform.matrix()),
+      bounds(object.bounds),
+      scale(object.transform.scale),
       renderer(kind) {}
 
 MeshBackend::MeshBackend(const node::BackendServices& services, world::TypeIndex self)
     : executor_(executorOf(services, self)), held_(services.memory, "surfaces", "mesh", pipeline::Work::kAcrossUser) {
-  for (const world::Object& object : services.world.objects()) {
+  for (const world::ModelledObject& object : services.scene.objects) {
     if (object.type != self) continue;
     const raster::RendererKind kind = raster::resolved(modelOf(object).renderer(), services.gl);
     entries_.try_emplace(object.id, object, kind);
@@ -39,7 +41,7 @@ MeshBackend::MeshBackend(const node::BackendServices& services, world::TypeIndex
   }
   std::vector<PlacedMesh> meshes;
   std::vector<std::vector<world::Vec4>*> lights;
-  for (const world::Object& object : services.world.objects()) {
+  for (const world::ModelledObject& object : services.scene.objects) {
     if (object.type != self) continue;
     Entry& entry = entries_.at(object.id);
     meshes.push_back({&entry.lit.surface, entry.toWorld, modelOf(object).shade() != nullptr});
@@ -68,21 +70,21 @@ void MeshBackend::answerWith(raster::RendererKind kind, std::span<const node::Re
   std::vector<raster::Drawing> drawings;
   std::vector<std::size_t> slots;
   for (std::size_t i = 0; i < requests.size(); ++i) {
-    const node::VisibleObject& visible = requests[i].visible();
-    const auto it = entries_.find(visible.object.id);
-    if (it == entries_.end()) {
-      payloads[i] = node::Failure{"no such mesh: " + visible.object.name};
+    const node::Request& request = requests[i];
+    const auto it = entries_.find(request.object);
+    if (it == entries_.end() || request.shared) {
+      payloads[i] = node::Failure{"meshes answer with pictures of meshes"};
       continue;
     }
     const Entry& entry = it->second;
     if (entry.renderer != kind) continue;
     raster::Drawing& drawing = drawings.emplace_back();
     drawing.object = &entry.lit;
-    drawing.camera = &requests[i].view().camera;
-    drawing.rect = raster::screenBox(entry.points, entry.toWorld, *drawing.camera, visible.rect);
-    drawing.distance = visible.distance / visible.object.transform.scale;
+    drawing.camera = &request.view->camera;
+    drawing.rect = raster::screenBox(entry.points, entry.toWorld, *drawing.camera, request.rect);
+    drawing.distance = request.distance / entry.scale;
     drawing.bones[0] = entry.toWorld;
-    drawing.lamps = raster::chooseLamps(requests[i].view().lights, visible.object.bounds);
+    drawing.lamps = raster::chooseLamps(request.view->lights, entry.bounds);
     slots.push_back(i);
   }
   std::vector<std::shared_ptr<const raster::Image>> images(drawings.size());

@@ -3,7 +3,7 @@
 #include <map>
 #include <memory>
 
-#include "node/object_type.h"
+#include "node/backend/backend_half.h"
 #include "objects/mesh/backend/mesh_model.h"
 #include "raster/drawing.h"
 #include "raster/simd/screen_box.h"
@@ -26,10 +26,12 @@ class MeshBackend final : public node::BackendHalf {
 
  private:
   struct Entry {
-    Entry(const world::Object& object, raster::RendererKind kind);
+    Entry(const world::ModelledObject& object, raster::RendererKind kind);
     raster::LitSurface lit;
     raster::PointCloud points;
     world::Mat4 toWorld;
+    world::Bounds bounds;  ///< in the world
+    float scale;
     raster::RendererKind renderer;
   };
   void answerWith(raster::RendererKind kind, std::span<const node::Request> requests,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "pipeline/vector_bytes.h"
@@ -29,6 +30,7 @@ class Panorama {
   /// Texels from a row to the next.
   [[nodiscard]] int stride() const noexcept { return size_.width + 1; }
   [[nodiscard]] const std::uint32_t* texels() const noexcept { return texels_.data(); }
+  [[nodiscard]] std::span<std::uint32_t> texels() noexcept { return texels_; }
   [[nodiscard]] std::uint32_t texel(int column, int row) const noexcept;
 
   /// Sets a texel; column 0 is also set at the seam.

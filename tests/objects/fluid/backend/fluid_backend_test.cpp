@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <cstdint>
@@ -11,8 +12,8 @@
 
 #include "eventually.h"
 #include "gl/workers.h"
-#include "node/registry.h"
-#include "objects/fluid/backend/fluid_type.h"
+#include "node/backend/load_scene.h"
+#include "objects/fluid/backend/fluid_backend_type.h"
 #include "objects/fluid/common/snapshot.h"
 #include "pipeline/worker_pool.h"
 #include "sanitized.h"
@@ -23,34 +24,71 @@ namespace {
 using namespace std::chrono_literals;
 using tests::eventually;
 
+node::LoadedScene fireOf(int grid) {
+  node::BackendTypes types;
+  types.add(std::make_unique<FluidBackendType>());
+  const std::string text = "[[object]]\ntype = 'fluid'\ngrid = " + std::to_string(grid) + "\nsize = 4\nrate = 200\n";
+  return loadScene(world::parseScene(text, "test"), types);
+}
+
 /// A world that is nothing but a fire.
 class Fire : public ::testing::Test {
  protected:
   explicit Fire(int grid, double tickSeconds = FluidSimulation::kTick)
-      : world_(makeWorld(grid)), backend_({world_, workers_, gl_, timeline_, memory_, images_, {}}, 0, tickSeconds) {}
+      : scene_(fireOf(grid)), backend_(services(), 0, tickSeconds) {}
 
-  world::World makeWorld(int grid) {
-    registry_.add(std::make_unique<FluidType>());
-    const std::string scene = "[[object]]\ntype = 'fluid'\ngrid = " + std::to_string(grid) + "\nsize = 4\nrate = 200\n";
-    return world::World(makeLayout(world::parseScene(scene, "test"), registry_));
+  node::BackendServices services() {
+    return {.scene = scene_,
+            .geometry = geometry_,
+            .world = mirror_,
+            .workers = workers_,
+            .gl = gl_,
+            .timeline = timeline_,
+            .memory = memory_,
+            .images = images_,
+            .announce = [this](const node::Announcement& announcement) { take(announcement); },
+            .progress = {}};
   }
 
-  /// What a visitor's request is answered with.
-  std::shared_ptr<const FluidSnapshot> ask() { return askFrom(backend_); }
-  std::shared_ptr<const FluidSnapshot> askFrom(FluidBackend& backend) {
-    auto list = std::make_shared<node::FrameList>();
-    list->view = std::make_shared<const node::View>();
-    list->objects.push_back({world_.objects().front(), {}, 0.0F});
-    const node::Request request{list, 0};
+  [[nodiscard]] world::ObjectId fire() const { return scene_.objects.front().id; }
+
+  static node::Payload answerTo(FluidBackend& backend, world::ObjectId object, bool shared) {
+    node::Request request;
+    request.object = object;
+    request.shared = shared;
     node::Payload payload;
     backend.answer({&request, 1}, {&payload, 1});
-    return std::dynamic_pointer_cast<const FluidSnapshot>(
-        std::get<std::shared_ptr<const node::SimulationData>>(payload));
+    return payload;
   }
+  /// What a frontend process is answered with.
+  std::shared_ptr<const FluidSnapshot> ask() { return askFrom(backend_); }
+  std::shared_ptr<const FluidSnapshot> askFrom(FluidBackend& backend) {
+    const node::Payload payload = answerTo(backend, fire(), true);
+    return std::dynamic_pointer_cast<const FluidSnapshot>(std::get<std::shared_ptr<const node::SharedData>>(payload));
+  }
+
+  /// The owner of the world says how many are there.
+  void report(std::size_t visitors) {
+    const auto update = std::make_shared<node::WorldUpdate>();
+    update->number = ++updates_;
+    update->players.resize(visitors);
+    mirror_.apply(update);
+  }
+
   std::uint64_t ticks() { return timeline_.totals()["Simulation Tick"].runs; }
 
-  node::Registry registry_;
-  world::World world_;
+  /// On the simulation's thread.
+  void take(const node::Announcement& announcement) {
+    EXPECT_EQ(announcement.what, (node::SharedKey{fire(), {}}));
+    EXPECT_GT(announcement.version, announced_) << "each tick once";
+    announced_ = announcement.version;
+  }
+
+  const node::LoadedScene scene_;
+  const world::WorldGeometry geometry_{scene_.objects};
+  node::WorldMirror mirror_;
+  std::uint64_t updates_ = 0;
+  std::atomic<node::Version> announced_ = 0;
   pipeline::Timeline timeline_;
   pipeline::MemoryLedger memory_;
   raster::ImagePool images_;
@@ -72,15 +110,11 @@ class FluidOfManyWorlds : public Fire {
 
   std::shared_ptr<const FluidSnapshot> startOfAnother() {
     steps_ = 0;
-    FluidBackend another({.world = world_,
-                          .workers = workers_,
-                          .gl = gl_,
-                          .timeline = timeline_,
-                          .memory = memory_,
-                          .images = images_,
-                          .progress = [this](std::string_view, float) { ++steps_; },
-                          .baked = &store_},
-                         0);
+    node::BackendServices services = this->services();
+    services.announce = [](const node::Announcement&) {};
+    services.progress = [this](std::string_view, float) { ++steps_; };
+    services.baked = &store_;
+    FluidBackend another(services, 0);
     return askFrom(another);
   }
 
@@ -118,18 +152,23 @@ TEST_F(FluidBackendTest, RestsWithoutVisitorsAndGoesOnWhereItWas) {
   std::this_thread::sleep_for(300ms);
   EXPECT_EQ(ticks(), 60U) << "two seconds";
 
-  world_.players().join("first", world::World::now());
   const auto first = ask();
   ASSERT_TRUE(first);
   EXPECT_GT(first->count(), 100U) << "the first visitor meets a grown plume";
   EXPECT_TRUE(std::isinf(first->time)) << "that nobody moves on: it stands since long ago";
+  EXPECT_EQ(announced_, first->version());
+  report(0);
+  std::this_thread::sleep_for(100ms);
+  EXPECT_EQ(ticks(), 60U) << "nobody came";
+
+  report(1);
   const std::uint64_t before = first->tick;
   auto next = first;
   ASSERT_TRUE(eventually([&] { return (next = ask())->tick != before; }));
   EXPECT_EQ(next->tick, before + 1) << "simulated time goes on where it was";
   EXPECT_TRUE(std::isfinite(next->time));
 
-  // The grid changes while it ticks and while visitors ask: time and smoke go on.
+  // The grid changes while it ticks and while frontends ask: time and smoke go on.
   auto last = ask();
   for (int i = 0; i < (kSanitized ? 6 : 12); ++i) {
     const std::uint64_t until = last->tick + 4;
@@ -137,6 +176,7 @@ TEST_F(FluidBackendTest, RestsWithoutVisitorsAndGoesOnWhereItWas) {
     const auto reached = [&] {
       const auto former = std::exchange(last, ask());
       EXPECT_GE(last->tick, former->tick) << "time never starts anew";
+      EXPECT_EQ(last->version(), last->tick);
       EXPECT_GT(last->count(), 100U);
       return last->tick >= until;
     };
@@ -146,6 +186,24 @@ TEST_F(FluidBackendTest, RestsWithoutVisitorsAndGoesOnWhereItWas) {
 
   // As long as somebody is here, wherever they look.
   EXPECT_TRUE(eventually([&] { return ticks() >= 60 + 65; }));
+
+  report(0);
+  EXPECT_TRUE(eventually([&] { return std::isinf(ask()->time); })) << "all have left";
+}
+
+TEST_F(FluidBackendTest, AnnouncesWhatItThenAnswersWith) {
+  report(1);
+  for (int i = 0; i < 5; ++i) {
+    const node::Version before = announced_;
+    ASSERT_TRUE(eventually([&] { return announced_ > before; }));
+    const node::Version announced = announced_;
+    EXPECT_GE(ask()->version(), announced);
+  }
+}
+
+TEST_F(FluidBackendTest, RefusesPicturesAndOtherObjects) {
+  EXPECT_TRUE(std::holds_alternative<node::Failure>(answerTo(backend_, fire(), false)));
+  EXPECT_TRUE(std::holds_alternative<node::Failure>(answerTo(backend_, fire() + 1, true)));
 }
 
 }  // namespace

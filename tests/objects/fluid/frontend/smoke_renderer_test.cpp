@@ -120,9 +120,6 @@ TEST(SmokeRenderer, NothingToDraw) {
   const node::View view = lookAt({0.0F, 1.7F, 8.0F}, {0.0F, 2.0F, 0.0F}, 64, 36);
   Frame frame(64, 36, kGrey, world::kInfiniteDepth);
   draw(renderer, std::make_shared<FluidSnapshot>(), view, frame);
-  renderer.draw({}, node::Failure{"no fluid"}, view, frame.image);
-  renderer.draw({}, std::shared_ptr<const node::SimulationData>(), view, frame.image);
-  renderer.draw({}, std::shared_ptr<const raster::Image>(), view, frame.image);
   draw(renderer, makePlume(200), lookAt({0.0F, 1.7F, 20.0F}, {0.0F, 1.7F, 40.0F}, 64, 36), frame);
   EXPECT_EQ(std::ranges::count(frame.colours, kGrey), 64 * 36) << "smoke behind the camera shows";
 }

@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-#include "node/messages.h"
+#include "node/messages/view.h"
 #include "objects/fluid/common/snapshot.h"
 #include "objects/fluid/frontend/smoke_renderer.h"
 
@@ -85,10 +85,9 @@ inline node::View lookAt(world::Vec3 from, world::Vec3 to, int width, int height
   return view;
 }
 
-inline void draw(SmokeRenderer& renderer, std::shared_ptr<const FluidSnapshot> snapshot, const node::View& view,
+inline void draw(SmokeRenderer& renderer, const std::shared_ptr<const FluidSnapshot>& snapshot, const node::View& view,
                  Frame& frame) {
-  const node::Payload payload = std::shared_ptr<const node::SimulationData>(std::move(snapshot));
-  renderer.draw({}, payload, view, frame.image);
+  renderer.draw(*snapshot, view, frame.image);
 }
 
 /// Mean absolute difference of the colour channels, 0..255.

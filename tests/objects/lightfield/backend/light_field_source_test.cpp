@@ -6,7 +6,7 @@
 
 #include <fstream>
 
-#include "objects/lightfield/backend/light_field_type.h"
+#include "objects/lightfield/backend/light_field_backend_type.h"
 #include "objects/lightfield/file/small_field.h"
 
 namespace grove::objects::lightfield {
@@ -23,7 +23,7 @@ world::Scene sceneOf(const std::string& settings) {
 std::string errorOf(const std::string& settings) {
   const world::Scene scene = sceneOf(settings);
   try {
-    (void)LightFieldType(ViewCacheOptions{}).model(scene.objects.at(0).parameters);
+    (void)LightFieldBackendType(LightFieldOptions{}).model(scene.objects.at(0).parameters);
   } catch (const world::SceneError& e) {
     return e.what();
   }

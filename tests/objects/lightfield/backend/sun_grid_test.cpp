@@ -18,8 +18,8 @@ class Block final : public world::Model {
   Vec3 size_;
 };
 
-world::Object objectOf(Vec3 size, const world::Transform& transform) {
-  world::Object object;
+world::ModelledObject objectOf(Vec3 size, const world::Transform& transform) {
+  world::ModelledObject object;
   object.transform = transform;
   object.model = std::make_shared<Block>(size);
   object.bounds = transform.apply(object.model->bounds());
@@ -64,7 +64,7 @@ TEST(SunGrid, TheObjectsOwnBodyIsLeftOut) {
 
 TEST(SunGrid, ATurnedAndScaledObjectIsMeasuredWhereItStands) {
   // The wall's shadow ends at a height of 1.5 m in the world; this object's own metres are two of the world's.
-  const world::Object object = objectOf({1, 4, 1}, {{0, 0, 0}, 2.0F, 2.0F});
+  const world::ModelledObject object = objectOf({1, 4, 1}, {{0, 0, 0}, 2.0F, 2.0F});
   const SunGrid grid = makeSunGrid(object, world::RayScene(wall(9.0F, 1.5F)));
   const int x = grid.cells[0] / 2;
   const int z = grid.cells[2] / 2;

@@ -82,10 +82,9 @@ TEST(ObjectView, ABoxIsWithinItsPixels) {
 }
 
 TEST(ObjectView, HazeIsTheWorlds) {
-  node::VisibleObject visible;
-  visible.object.bounds = {{-1, 0, -101}, {1, 2, -99}};
+  const world::Bounds bounds{{-1, 0, -101}, {1, 2, -99}};
   const world::Camera camera = cameraAt({0, 1, 0});
-  const Haze haze = hazeBefore(visible, camera);
+  const Haze haze = hazeBefore(bounds, camera);
   EXPECT_NEAR(haze.amount, world::hazeAmount(100.0F), 1e-4F);
   EXPECT_NEAR(haze.colour[0], world::toDisplay(world::hazeColour({0, 0, -1}).r), 1e-4F);
 }

@@ -218,6 +218,49 @@ TEST(ViewCell, LastsForItsReachAndIsNeverComeBackTo) {
   EXPECT_NEAR(static_cast<float>(seen.size()), expected, 0.1F * expected);
 }
 
+TEST(ViewCell, IsTheSameByItsIdAlone) {
+  Dice dice;
+  int cells = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const ViewGeometry geometry = ballOf(dice.in(0.4F, 6.0F));
+    const Vec3 eye = geometry.target + dice.direction() * geometry.extent * std::exp2(dice.in(0.05F, 5.0F));
+    const auto cell = viewCell(geometry, eye, dice.in(100.0F, 2000.0F), std::exp2(dice.in(-1.0F, 5.0F)));
+    if (!cell) continue;
+    ++cells;
+    const auto again = viewCell(geometry, cell->id);
+    ASSERT_TRUE(again);
+    EXPECT_EQ(again->id, cell->id);
+    EXPECT_EQ(again->size, cell->size);
+    EXPECT_EQ(again->reach, cell->reach);
+    EXPECT_EQ(again->camera.eye, cell->camera.eye);
+    EXPECT_EQ(again->camera.corner, cell->camera.corner);
+  }
+  EXPECT_GT(cells, 1500);
+}
+
+TEST(ViewCell, IsNoneOfAnIdThatNoEyeHas) {
+  const ViewGeometry geometry = ballOf(4.0F);
+  const auto cell = viewCell(geometry, geometry.target + Vec3(30.0F, 0.0F, 0.0F), kFocal, 16.0F);
+  ASSERT_TRUE(cell);
+  const auto isNone = [&](auto change) {
+    CellId id = cell->id;
+    change(id);
+    return !viewCell(geometry, id);
+  };
+  constexpr std::int32_t kMuch = 2'000'000'000;
+  EXPECT_FALSE(isNone([](CellId&) {}));
+  for (const std::int32_t wrong : {-1, kMuch}) {
+    EXPECT_TRUE(isNone([&](CellId& id) { id.focal = wrong; }));
+    EXPECT_TRUE(isNone([&](CellId& id) { id.shell = wrong; }));
+    EXPECT_TRUE(isNone([&](CellId& id) { id.layer = wrong; }));
+    EXPECT_TRUE(isNone([&](CellId& id) { id.band = wrong; }));
+    EXPECT_TRUE(isNone([&](CellId& id) { id.column = wrong; }));
+    EXPECT_TRUE(isNone([&](CellId& id) { id.error = wrong; }));
+  }
+  EXPECT_TRUE(isNone([](CellId& id) { id.error = 0; }));
+  EXPECT_TRUE(isNone([](CellId& id) { id.shell = 0; })) << "the ball itself";
+}
+
 TEST(ViewCell, IsSharedByFramesOfAboutTheSameSize) {
   const ViewGeometry geometry = ballOf(4.0F);
   const Vec3 eye = geometry.target + Vec3(11.0F, -1.0F, 9.0F);

@@ -8,21 +8,15 @@
 
 namespace grove::objects::mesh {
 
-world::Object makeObject(world::ObjectId id, raster::Surface surface, raster::RendererKind renderer,
-                         world::Vec3 position) {
-  world::Object object;
+world::ModelledObject makeObject(world::ObjectId id, raster::Surface surface, raster::RendererKind renderer,
+                                 world::Vec3 position) {
+  world::ModelledObject object;
   object.id = id;
   object.name = "object " + std::to_string(id);
   object.transform.position = position;
   object.model = std::make_shared<MeshModel>(std::move(surface), renderer);
   object.bounds = object.transform.apply(object.model->bounds());
   return object;
-}
-
-world::World::Layout layoutOf(std::vector<world::Object> objects) {
-  world::World::Layout layout;
-  layout.objects = std::move(objects);
-  return layout;
 }
 
 std::shared_ptr<node::FrameList> look(const world::Camera& camera, const std::vector<world::Object>& objects) {
@@ -35,6 +29,17 @@ std::shared_ptr<node::FrameList> look(const world::Camera& camera, const std::ve
         {object, camera.screenRect(object.bounds), glm::distance(object.bounds.centre(), camera.pose.position)});
   }
   return list;
+}
+
+std::vector<node::Request> requestsFor(const std::vector<Asked>& asked) {
+  std::vector<node::Request> requests;
+  requests.reserve(asked.size());
+  for (const auto& [list, slot] : asked) requests.push_back(tests::pictureRequest(*list, slot));
+  return requests;
+}
+
+std::vector<node::Payload> ask(node::BackendHalf& half, const std::vector<Asked>& asked) {
+  return ask(half, requestsFor(asked));
 }
 
 std::vector<node::Payload> ask(node::BackendHalf& half, const std::vector<node::Request>& requests) {

@@ -53,13 +53,13 @@ int difference(std::uint32_t a, std::uint32_t b) {
 
 class MeshBackendTest : public testing::Test {
  protected:
-  Bench bench_;
+  tests::BackendStand bench_{2};
 };
 
 /// What holds for each renderer that is fast enough to draw frames.
 class FastRenderers : public testing::TestWithParam<RendererKind> {
  protected:
-  Bench bench_;
+  tests::BackendStand bench_{2};
 };
 
 INSTANTIATE_TEST_SUITE_P(Mesh, FastRenderers, testing::ValuesIn(kFast),
@@ -67,9 +67,9 @@ INSTANTIATE_TEST_SUITE_P(Mesh, FastRenderers, testing::ValuesIn(kFast),
 
 TEST_F(MeshBackendTest, DepthOfABoxIsExact) {
   for (const RendererKind kind : kRenderers) {
-    world::World world(layoutOf({makeObject(1, makeBox({2, 3, 1}, kWhite), kind, {0, 0, -7.5F})}));
+    tests::BackendWorld world(std::vector{makeObject(1, makeBox({2, 3, 1}, kWhite), kind, {0, 0, -7.5F})});
     MeshBackend half(bench_.services(world), 0);
-    const auto image = imageOf(ask(half, {{look(smallCamera(), world.objects()), 0}})[0]);
+    const auto image = imageOf(ask(half, std::vector<Asked>{{look(smallCamera(), world.objects()), 0}})[0]);
     ASSERT_NE(image, nullptr);
     // The eye is at z = 0 and the near side at z = -7.
     const Pixel middle = at(*image, 160, 90);
@@ -81,9 +81,9 @@ TEST_F(MeshBackendTest, DepthOfABoxIsExact) {
 }
 
 TEST_P(FastRenderers, NothingWhereNothingIs) {
-  world::World world(layoutOf({makeObject(1, makeStandingStone({3, 1.2F, 0.7F}, 4), GetParam(), {0, 0, -6})}));
+  tests::BackendWorld world(std::vector{makeObject(1, makeStandingStone({3, 1.2F, 0.7F}, 4), GetParam(), {0, 0, -6})});
   MeshBackend half(bench_.services(world), 0);
-  const auto image = imageOf(ask(half, {{look(smallCamera(), world.objects()), 0}})[0]);
+  const auto image = imageOf(ask(half, std::vector<Asked>{{look(smallCamera(), world.objects()), 0}})[0]);
   ASSERT_NE(image, nullptr);
   std::size_t covered = 0;
   for (std::size_t i = 0; i < image->colour.size(); ++i) {
@@ -101,17 +101,18 @@ TEST_P(FastRenderers, NothingWhereNothingIs) {
 }
 
 /// One kind's pictures of a standing stone and a camp fire by the light of two lamps.
-std::vector<std::shared_ptr<const raster::Image>> twoObjects(Bench& bench, RendererKind kind,
+std::vector<std::shared_ptr<const raster::Image>> twoObjects(tests::BackendStand& bench, RendererKind kind,
                                                              const world::Camera& camera) {
-  world::World world(layoutOf({makeObject(1, makeStandingStone({3, 1.4F, 0.8F}, 9), kind, {0.4F, 0, -3.5F}),
-                               makeObject(2, makeLogs({0.32F, 0.75F, 0.75F}, 2), kind, {-1.2F, 0, -2.5F})}));
+  tests::BackendWorld world(std::vector{makeObject(1, makeStandingStone({3, 1.4F, 0.8F}, 9), kind, {0.4F, 0, -3.5F}),
+                                        makeObject(2, makeLogs({0.32F, 0.75F, 0.75F}, 2), kind, {-1.2F, 0, -2.5F})});
   MeshBackend half(bench.services(world), 0);
   const auto list = look(camera, world.objects());
   auto lit = std::make_shared<node::View>(*list->view);
   lit->lights = {{Vec3(-1.2F, 0.7F, -2.5F), Vec3(2.0F, 0.9F, 0.3F)}, {Vec3(1.5F, 1.0F, -1.5F), Vec3(0.1F, 0.3F, 0.8F)}};
   list->view = lit;
   std::vector<std::shared_ptr<const raster::Image>> images;
-  for (const node::Payload& payload : ask(half, {{list, 0}, {list, 1}})) images.push_back(imageOf(payload));
+  for (const node::Payload& payload : ask(half, std::vector<Asked>{{list, 0}, {list, 1}}))
+    images.push_back(imageOf(payload));
   return images;
 }
 
@@ -189,16 +190,16 @@ TEST_F(MeshBackendTest, AllRenderersShowFrontsAlone) {
   for (const RendererKind kind : kRenderers) {
     for (const bool hasBack : {false, true}) {
       SCOPED_TRACE(std::to_string(static_cast<int>(kind)) + (hasBack ? ", both sides" : ", one side"));
-      world::World world(layoutOf({makeObject(1, makeSheet(hasBack), kind, {0, 0, -5})}));
+      tests::BackendWorld world(std::vector{makeObject(1, makeSheet(hasBack), kind, {0, 0, -5})});
       MeshBackend half(bench_.services(world), 0);
       world::Camera camera = smallCamera();
-      const auto front = imageOf(ask(half, {{look(camera, world.objects()), 0}})[0]);
+      const auto front = imageOf(ask(half, std::vector<Asked>{{look(camera, world.objects()), 0}})[0]);
       ASSERT_NE(front, nullptr);
       EXPECT_GT(seen(*front).pixels, 1000);
       EXPECT_EQ(seen(*front).blue, 0);
       camera.pose.position.z = -10.0F;
       camera.pose.yaw = 3.1415927F;
-      const auto back = imageOf(ask(half, {{look(camera, world.objects()), 0}})[0]);
+      const auto back = imageOf(ask(half, std::vector<Asked>{{look(camera, world.objects()), 0}})[0]);
       ASSERT_NE(back, nullptr);
       EXPECT_EQ(seen(*back).pixels > 1000, hasBack);
       EXPECT_EQ(seen(*back).blue, seen(*back).pixels);
@@ -225,13 +226,14 @@ TEST_F(MeshBackendTest, TrianglesAcrossTheNearDepthAreClippedAlike) {
 }
 
 TEST_F(MeshBackendTest, AnswersAtTheSameTimeAreThoseOneByOne) {
-  world::World world(layoutOf({makeObject(1, makeStandingStone({3, 1.2F, 0.7F}, 4), RendererKind::kSimd, {-1, 0, -5}),
-                               makeObject(2, makeRocks({0.5F, 2.4F, 2.0F}, 4), RendererKind::kSimd, {1, 0, -4})}));
+  tests::BackendWorld world(
+      std::vector{makeObject(1, makeStandingStone({3, 1.2F, 0.7F}, 4), RendererKind::kSimd, {-1, 0, -5}),
+                  makeObject(2, makeRocks({0.5F, 2.4F, 2.0F}, 4), RendererKind::kSimd, {1, 0, -4})});
   MeshBackend half(bench_.services(world), 0);
   EXPECT_EQ(&half.executor(), &bench_.workers);
   EXPECT_EQ(half.concurrency(), bench_.workers.width());
   const auto list = look(smallCamera(), world.objects());
-  const std::vector<node::Request> requests = {{list, 0}, {list, 1}};
+  const std::vector<node::Request> requests = requestsFor({{list, 0}, {list, 1}});
   const auto serial = ask(half, requests);
   constexpr int kRounds = 20;
   const auto repeated = [&] {
@@ -254,12 +256,12 @@ TEST_F(MeshBackendTest, AnswersAtTheSameTimeAreThoseOneByOne) {
 }
 
 TEST_F(MeshBackendTest, OneObjectDrawnByGlTakesAllToItsExecutor) {
-  world::World world(layoutOf({makeObject(1, makeBox({1, 1, 1}, kWhite), RendererKind::kSimd, {-1, 0, -5}),
-                               makeObject(2, makeBox({1, 1, 1}, kWhite), RendererKind::kGl, {1, 0, -5})}));
+  tests::BackendWorld world(std::vector{makeObject(1, makeBox({1, 1, 1}, kWhite), RendererKind::kSimd, {-1, 0, -5}),
+                                        makeObject(2, makeBox({1, 1, 1}, kWhite), RendererKind::kGl, {1, 0, -5})});
   MeshBackend half(bench_.services(world), 0);
   EXPECT_EQ(&half.executor(), &bench_.gl);
   const auto list = look(smallCamera(), world.objects());
-  const auto payloads = ask(half, {{list, 0}, {list, 1}});
+  const auto payloads = ask(half, std::vector<Asked>{{list, 0}, {list, 1}});
   for (const node::Payload& payload : payloads) EXPECT_NE(imageOf(payload), nullptr);
 }
 
@@ -271,13 +273,13 @@ TEST_F(MeshBackendTest, TheMachineChoosesTheRenderer) {
 }
 
 TEST_P(FastRenderers, ACropIsThatPartOfTheWhole) {
-  world::World world(layoutOf({makeObject(1, makeStandingStone({3, 1.2F, 0.7F}, 4), GetParam(), {0, 0, -4})}));
+  tests::BackendWorld world(std::vector{makeObject(1, makeStandingStone({3, 1.2F, 0.7F}, 4), GetParam(), {0, 0, -4})});
   MeshBackend half(bench_.services(world), 0);
   const auto whole = look(smallCamera(), world.objects());
   const auto part = look(smallCamera(), world.objects());
   const world::Rect all = whole->objects[0].rect;
   part->objects[0].rect = {all.left + all.width() / 3, all.top + all.height() / 4, all.right - 12, all.bottom - 30};
-  const auto payloads = ask(half, {{whole, 0}, {part, 0}});
+  const auto payloads = ask(half, std::vector<Asked>{{whole, 0}, {part, 0}});
   const auto large = imageOf(payloads[0]);
   const auto small = imageOf(payloads[1]);
   ASSERT_LT(small->rect.width(), large->rect.width());
@@ -295,8 +297,9 @@ TEST_P(FastRenderers, ACropIsThatPartOfTheWhole) {
 }
 
 TEST_P(FastRenderers, RequestsOfOneBatchDoNotMix) {
-  world::World world(layoutOf({makeObject(1, makeBox({1, 2, 1}, {0.8F, 0.02F, 0.02F}), GetParam(), {-1, 0, -5}),
-                               makeObject(2, makeBox({1, 2, 1}, {0.02F, 0.02F, 0.8F}), GetParam(), {1, 0, -5})}));
+  tests::BackendWorld world(
+      std::vector{makeObject(1, makeBox({1, 2, 1}, {0.8F, 0.02F, 0.02F}), GetParam(), {-1, 0, -5}),
+                  makeObject(2, makeBox({1, 2, 1}, {0.02F, 0.02F, 0.8F}), GetParam(), {1, 0, -5})});
   MeshBackend half(bench_.services(world), 0);
   world::Camera aside = smallCamera();
   aside.pose.position = {2, 1.7F, 3};
@@ -305,11 +308,11 @@ TEST_P(FastRenderers, RequestsOfOneBatchDoNotMix) {
   aside.height = 480;
   const auto first = look(smallCamera(), world.objects());
   const auto second = look(aside, world.objects());
-  const std::vector<node::Request> requests = {{first, 0}, {second, 1}, {first, 1}, {second, 0}};
+  const std::vector<node::Request> requests = requestsFor({{first, 0}, {second, 1}, {first, 1}, {second, 0}});
   const auto together = ask(half, requests);
   for (std::size_t i = 0; i < requests.size(); ++i) {
     const auto one = imageOf(together[i]);
-    const auto alone = imageOf(ask(half, {requests[i]})[0]);
+    const auto alone = imageOf(ask(half, std::vector{requests[i]})[0]);
     ASSERT_EQ(one->rect, alone->rect);
     for (std::size_t p = 0; p < one->colour.size(); ++p) {
       // Where a tile lies in the atlas moves roundings only.
@@ -323,11 +326,11 @@ TEST_P(FastRenderers, RequestsOfOneBatchDoNotMix) {
 }
 
 TEST_P(FastRenderers, AnEyeWithinReachOfAnObjectStillSeesIt) {
-  world::World world(layoutOf({makeObject(1, makeBox({1, 1, 12}, kWhite), GetParam(), {0, 0, -2})}));
+  tests::BackendWorld world(std::vector{makeObject(1, makeBox({1, 1, 12}, kWhite), GetParam(), {0, 0, -2})});
   MeshBackend half(bench_.services(world), 0);
   const auto list = look(smallCamera(), world.objects());
   ASSERT_EQ(list->objects[0].rect, (world::Rect{0, 0, 320, 180}));
-  const auto image = imageOf(ask(half, {{list, 0}})[0]);
+  const auto image = imageOf(ask(half, std::vector<Asked>{{list, 0}})[0]);
   EXPECT_EQ(image->rect, (world::Rect{0, 0, 320, 180}));
   // The box's upper side, 0.7 m below the eye.
   const float down = -smallCamera().ray(160.5F, 150.5F).y;
@@ -335,18 +338,18 @@ TEST_P(FastRenderers, AnEyeWithinReachOfAnObjectStillSeesIt) {
 }
 
 TEST_F(MeshBackendTest, ASunlitSideIsBrighterThanAShadedOne) {
-  world::World open(layoutOf({makeObject(1, makeBox({1, 2, 1}, kWhite), RendererKind::kGl, {0, 0, -5})}));
+  tests::BackendWorld open(std::vector{makeObject(1, makeBox({1, 2, 1}, kWhite), RendererKind::kGl, {0, 0, -5})});
   const Vec3 towardsSun = world::sunDirection();
-  world::World shaded(layoutOf({makeObject(1, makeBox({1, 2, 1}, kWhite), RendererKind::kGl, {0, 0, -5}),
-                                makeObject(2, makeBox({8, 12, 8}, kWhite), RendererKind::kGl,
-                                           Vec3(0, 0, -5) + 9.0F * Vec3(towardsSun.x, 0, towardsSun.z))}));
+  tests::BackendWorld shaded(std::vector{makeObject(1, makeBox({1, 2, 1}, kWhite), RendererKind::kGl, {0, 0, -5}),
+                                         makeObject(2, makeBox({8, 12, 8}, kWhite), RendererKind::kGl,
+                                                    Vec3(0, 0, -5) + 9.0F * Vec3(towardsSun.x, 0, towardsSun.z))});
   world::Camera camera = smallCamera();
   camera.pose.position = Vec3(-3, 1.7F, -9);
   camera.pose.yaw = -2.5F;
   std::vector<double> brightness;
-  for (world::World* world : {&open, &shaded}) {
+  for (const tests::BackendWorld* world : {&open, &shaded}) {
     MeshBackend half(bench_.services(*world), 0);
-    const auto image = imageOf(ask(half, {{look(camera, world->objects()), 0}})[0]);
+    const auto image = imageOf(ask(half, std::vector<Asked>{{look(camera, world->objects()), 0}})[0]);
     double sum = 0.0;
     double count = 0.0;
     for (const std::uint32_t colour : image->colour) {
@@ -361,10 +364,10 @@ TEST_F(MeshBackendTest, ASunlitSideIsBrighterThanAShadedOne) {
 }
 
 TEST_F(MeshBackendTest, AnUnknownObjectIsAFailure) {
-  world::World world(layoutOf({makeObject(1, makeBox({1, 1, 1}, kWhite), RendererKind::kGl, {0, 0, -5})}));
+  tests::BackendWorld world(std::vector{makeObject(1, makeBox({1, 1, 1}, kWhite), RendererKind::kGl, {0, 0, -5})});
   MeshBackend half(bench_.services(world), 0);
   const auto list = look(smallCamera(), {makeObject(77, makeBox({1, 1, 1}, kWhite), RendererKind::kGl, {0, 0, -5})});
-  EXPECT_TRUE(std::holds_alternative<node::Failure>(ask(half, {{list, 0}})[0]));
+  EXPECT_TRUE(std::holds_alternative<node::Failure>(ask(half, std::vector<Asked>{{list, 0}})[0]));
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 #include <map>
 #include <utility>
 
-#include "objects/mesh/backend/mesh_type.h"
+#include "objects/mesh/backend/mesh_backend_type.h"
 #include "objects/mesh/backend/shapes/model_surface.h"
 
 namespace grove::objects::mesh {
@@ -17,7 +17,7 @@ using testing::HasSubstr;
 
 std::shared_ptr<const MeshModel> model(const std::string& settings) {
   const world::Scene scene = world::parseScene("[[object]]\ntype = \"mesh\"\nname = \"it\"\n" + settings, "test.toml");
-  return std::static_pointer_cast<const MeshModel>(MeshType().model(scene.objects.at(0).parameters));
+  return std::static_pointer_cast<const MeshModel>(MeshBackendType().model(scene.objects.at(0).parameters));
 }
 
 std::string errorOf(const std::string& settings) {

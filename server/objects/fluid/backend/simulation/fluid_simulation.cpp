@@ -145,9 +145,8 @@ std::vector<Capsule> FluidSimulation::localCapsules(std::span<const world::Playe
 }
 
 std::shared_ptr<const FluidSnapshot> FluidSimulation::snapshot(double time) {
-  auto result = std::make_shared<FluidSnapshot>();
+  auto result = std::make_shared<FluidSnapshot>(tick_);
   result->time = time;
-  result->tick = tick_;
   const auto moved = [](const std::vector<float>& values, float by) {
     std::vector<float> all(values);
     for (float& value : all) value += by;

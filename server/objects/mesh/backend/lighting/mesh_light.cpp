@@ -10,7 +10,7 @@
 
 #include "base/checksum.h"
 #include "base/log.h"
-#include "node/prepare_each.h"
+#include "node/backend/prepare_each.h"
 #include "objects/mesh/backend/lighting/kept_light.h"
 #include "raster/shading/light_bake.h"
 #include "world/light.h"
@@ -33,7 +33,7 @@ void addTo(Checksum& checksum, const std::vector<T>& values) {
 }
 
 /// Of all that the light depends on.
-std::uint64_t keyOf(const std::vector<PlacedMesh>& meshes, const world::World& world) {
+std::uint64_t keyOf(const std::vector<PlacedMesh>& meshes, const world::WorldGeometry& geometry) {
   Checksum checksum;
   addTo(checksum, std::vector<std::uint64_t>{kBakeVersion, meshes.size()});
   std::vector<world::Vec3> sky{world::sunDirection()};
@@ -45,8 +45,8 @@ std::uint64_t keyOf(const std::vector<PlacedMesh>& meshes, const world::World& w
     }
   }
   addTo(checksum, sky);
-  addTo(checksum, world.geometry().shades().positions);
-  addTo(checksum, world.geometry().shades().indices);
+  addTo(checksum, geometry.shades().positions);
+  addTo(checksum, geometry.shades().indices);
   for (const PlacedMesh& mesh : meshes) {
     addTo(checksum, mesh.surface->vertices);
     addTo(checksum, std::vector<world::Mat4>{mesh.toWorld});
@@ -84,7 +84,7 @@ Light bake(const std::vector<PlacedMesh>& meshes, const node::BackendServices& s
   });
   node::prepareEach(services, "light of the meshes", tasks.size(), [&](std::size_t t) {
     const auto& [i, begin, end] = tasks[t];
-    const raster::Obstacles obstacles{services.world.geometry().rays(), own[i].get()};
+    const raster::Obstacles obstacles{services.geometry.rays(), own[i].get()};
     raster::bakeLight(*meshes[i].surface, meshes[i].toWorld, obstacles, begin,
                       std::span(light[i]).subspan(begin, end - begin));
   });
@@ -112,7 +112,7 @@ Light lightOf(const std::vector<PlacedMesh>& meshes, const node::BackendServices
   std::size_t vertices = 0;
   for (const PlacedMesh& mesh : meshes) vertices += mesh.surface->vertices.size();
   if (vertices < kMinKeptVertices) return bake(meshes, services);
-  const std::uint64_t key = keyOf(meshes, services.world);
+  const std::uint64_t key = keyOf(meshes, services.geometry);
   const std::filesystem::path file = keptLightFile(key);
   if (auto light = kept(file, key, meshes)) return *std::move(light);
   Light light = bake(meshes, services);

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "node/object_type.h"
+#include "node/backend/backend_services.h"
 #include "raster/surface.h"
 
 namespace grove::objects::mesh {

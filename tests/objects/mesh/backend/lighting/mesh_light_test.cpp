@@ -34,10 +34,10 @@ const raster::Surface& largeBall() {
 
 class MeshLight : public testing::Test {
  protected:
-  [[nodiscard]] static world::World worldOf(const raster::Surface& surface, float x = 0.0F) {
-    return world::World(layoutOf({makeObject(1, surface, raster::RendererKind::kSimd, {x, 0, -5})}));
+  [[nodiscard]] static tests::BackendWorld worldOf(const raster::Surface& surface, float x = 0.0F) {
+    return tests::BackendWorld(std::vector{makeObject(1, surface, raster::RendererKind::kSimd, {x, 0, -5})});
   }
-  [[nodiscard]] Light light(const raster::Surface& surface, world::World& world) {
+  [[nodiscard]] Light light(const raster::Surface& surface, const tests::BackendWorld& world) {
     node::BackendServices services = bench_.services(world);
     services.progress = [this](std::string_view label, float share) {
       EXPECT_EQ(label, "light of the meshes");
@@ -59,14 +59,14 @@ class MeshLight : public testing::Test {
   }
 
   const TemporaryCache cache_;
-  Bench bench_;
+  tests::BackendStand bench_{2};
   std::atomic<int> told_ = 0;
   std::atomic<bool> amid_ = false;
   std::string said_;
 };
 
 TEST_F(MeshLight, OfMuchIsKeptAndTakenAgain) {
-  world::World world = worldOf(largeBall());
+  const tests::BackendWorld world = worldOf(largeBall());
   const Light first = light(largeBall(), world);
   EXPECT_GT(told_, 10) << "progress is told";
   EXPECT_TRUE(amid_);
@@ -78,15 +78,15 @@ TEST_F(MeshLight, OfMuchIsKeptAndTakenAgain) {
 
 TEST_F(MeshLight, OfLittleIsNotKept) {
   const raster::Surface small = ball(20);
-  world::World world = worldOf(small);
+  const tests::BackendWorld world = worldOf(small);
   EXPECT_EQ(light(small, world).front().size(), small.vertices.size());
   EXPECT_TRUE(keptFiles().empty());
 }
 
 TEST_F(MeshLight, IsMadeAnewWhereTheWorldOrTheMeshDiffers) {
-  world::World world = worldOf(largeBall());
+  const tests::BackendWorld world = worldOf(largeBall());
   const Light first = light(largeBall(), world);
-  world::World moved = worldOf(largeBall(), 0.5F);
+  const tests::BackendWorld moved = worldOf(largeBall(), 0.5F);
   (void)light(largeBall(), moved);
   EXPECT_GT(told_, 0);
   EXPECT_EQ(keptFiles().size(), 2U);
@@ -98,7 +98,7 @@ TEST_F(MeshLight, IsMadeAnewWhereTheWorldOrTheMeshDiffers) {
 }
 
 TEST_F(MeshLight, ThatIsDamagedIsMadeAnewAndTold) {
-  world::World world = worldOf(largeBall());
+  const tests::BackendWorld world = worldOf(largeBall());
   const Light first = light(largeBall(), world);
   const std::filesystem::path file = keptFiles().front();
   for (const auto& damage :
@@ -118,7 +118,7 @@ TEST_F(MeshLight, ThatIsDamagedIsMadeAnewAndTold) {
 
 TEST_F(MeshLight, ThatCannotBeKeptIsToldAndServed) {
   std::ofstream(cache_.path() / "mesh-light") << "a file where the folder should be";
-  world::World world = worldOf(largeBall());
+  const tests::BackendWorld world = worldOf(largeBall());
   EXPECT_EQ(light(largeBall(), world).front().size(), largeBall().vertices.size());
   EXPECT_THAT(said_, testing::HasSubstr("the next start lights the meshes anew"));
 }
@@ -126,8 +126,8 @@ TEST_F(MeshLight, ThatCannotBeKeptIsToldAndServed) {
 /// What is no obstacle of the world shades itself as if it were one.
 TEST_F(MeshLight, AMeshThatShadesNobodyShadesItself) {
   const raster::Surface surface = ball(20);
-  world::World with = worldOf(surface);
-  world::World without{world::World::Layout{}};
+  const tests::BackendWorld with = worldOf(surface);
+  const tests::BackendWorld without;
   const world::Mat4 toWorld = with.objects().front().transform.matrix();
   const Light among = lightOf({{&surface, toWorld, true}}, bench_.services(with));
   const Light alone = lightOf({{&surface, toWorld, false}}, bench_.services(without));

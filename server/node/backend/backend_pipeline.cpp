@@ -1,0 +1,38 @@
+#include "node/backend/backend_pipeline.h"
+
+#include "node/backend/renderer.h"
+#include "node/backend/simulator.h"
+
+namespace grove::node {
+namespace {
+
+std::shared_ptr<Answerer> makeAnswerer(std::string_view type, BackendHalf& half, const EndedFrames& ended,
+                                       pipeline::Timeline& timeline) {
+  if (half.kind() == NodeKind::kSimulation) return std::make_shared<Simulator>(type, half, ended, timeline);
+  return std::make_shared<Renderer>(type, half, ended, timeline);
+}
+
+}  // namespace
+
+BackendPipeline::BackendPipeline(const BackendType& type, world::TypeIndex index, const BackendServices& services,
+                                 const EndedFrames& ended, Transport& transport)
+    : half_(type.makeHalf(services, index)),
+      receiver_(std::make_shared<RequestReceiver>(services.workers, services.timeline)),
+      answerer_(makeAnswerer(type.name(), *half_, ended, services.timeline)),
+      compressor_(std::make_shared<Compressor>(transport, type.name(), services.workers, services.timeline)),
+      sender_(std::make_shared<ResultSender>(transport, services.workers, services.timeline)) {
+  receiver_->connect(answerer_);
+  answerer_->connect(compressor_);
+  compressor_->connect(sender_);
+}
+
+BackendPipeline::~BackendPipeline() = default;
+
+void BackendPipeline::close() {
+  receiver_->close();
+  answerer_->close();
+  compressor_->close();
+  sender_->close();
+}
+
+}  // namespace grove::node

@@ -1,0 +1,53 @@
+#include "node/backend/world_mirror.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace grove::node {
+
+void WorldMirror::apply(std::shared_ptr<const WorldUpdate> update) {
+  std::vector<std::shared_ptr<const std::function<void()>>> wakes;
+  {
+    const std::lock_guard lock(mutex_);
+    if (update->number <= newest_->number) return;
+    newest_ = std::move(update);
+    if (!newest_->gusts.empty()) past_.push_back({newest_->number, newest_->gusts});
+    if (past_.size() > kKept) past_.erase(past_.begin());
+    std::erase_if(wakes_, [](const auto& wake) { return wake.expired(); });
+    wakes.reserve(wakes_.size());
+    for (const auto& wake : wakes_) {
+      auto held = wake.lock();
+      if (held && !newest_->players.empty()) wakes.push_back(std::move(held));
+    }
+  }
+  for (const auto& wake : wakes) (*wake)();
+}
+
+std::vector<world::Player> WorldMirror::players() const {
+  const std::lock_guard lock(mutex_);
+  return newest_->players;
+}
+
+std::vector<world::Gust> WorldMirror::gusts(Cursor& cursor) const {
+  const std::lock_guard lock(mutex_);
+  // What blows on blows at every tick, also between two updates.
+  std::map<world::PlayerId, world::Gust> gusts;
+  for (const world::Gust& gust : newest_->gusts) gusts[gust.visitor] = gust;
+  for (auto past = past_.rbegin(); past != past_.rend() && past->number > cursor; ++past) {
+    for (const world::Gust& gust : past->gusts) gusts.try_emplace(gust.visitor, gust);
+  }
+  cursor = newest_->number;
+  std::vector<world::Gust> result;
+  result.reserve(gusts.size());
+  for (const auto& [visitor, gust] : gusts) result.push_back(gust);
+  return result;
+}
+
+std::shared_ptr<void> WorldMirror::whileVisited(std::function<void()> wake) const {
+  auto held = std::make_shared<const std::function<void()>>(std::move(wake));
+  const std::lock_guard lock(mutex_);
+  wakes_.push_back(held);
+  return std::const_pointer_cast<std::function<void()>>(held);
+}
+
+}  // namespace grove::node

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include "node/messages/world_update.h"
+
+namespace grove::node {
+
+/// What a backend node knows of the world that its owner reports: who is there, and what blows. Any thread.
+class WorldMirror {
+ public:
+  /// Counts updates.
+  using Cursor = std::uint64_t;
+
+  void apply(std::shared_ptr<const WorldUpdate> update);
+
+  /// Everybody as of the newest update.
+  [[nodiscard]] std::vector<world::Player> players() const;
+
+  /// What blows now or did in the updates after `cursor`, which is moved past them: of each visitor the newest gust.
+  [[nodiscard]] std::vector<world::Gust> gusts(Cursor& cursor) const;
+
+  /// Calls `wake` at each update while somebody is there, until the token that it returns is gone. `wake` must not
+  /// block, nor use this.
+  [[nodiscard]] std::shared_ptr<void> whileVisited(std::function<void()> wake) const;
+
+ private:
+  /// So many updates of gusts are kept: two seconds.
+  static constexpr std::size_t kKept = 64;
+  struct Past {
+    std::uint64_t number = 0;
+    std::vector<world::Gust> gusts;
+  };
+  mutable std::mutex mutex_;
+  std::shared_ptr<const WorldUpdate> newest_ = std::make_shared<const WorldUpdate>();
+  std::vector<Past> past_;  ///< the oldest first
+  mutable std::vector<std::weak_ptr<const std::function<void()>>> wakes_;
+};
+
+}  // namespace grove::node

@@ -1,0 +1,81 @@
+#include "node/frontend/frontend_process.h"
+
+#include <algorithm>
+#include <cassert>
+#include <mutex>
+#include <utility>
+
+namespace grove::node {
+
+FrontendProcess::FrontendProcess(const world::Layout& layout, const FrontendTypes& types, Transport& transport,
+                                 const FrontendTools& tools, std::size_t maxSharedBytes)
+    : layout_(layout),
+      types_(types),
+      transport_(transport),
+      tools_(tools),
+      store_(maxSharedBytes,
+             [this](Request request) { return send(std::move(request)) == pipeline::PushResult::kAccepted; }),
+      sharedReceiver_(std::make_shared<SharedReceiver>(*this, tools.workers, tools.timeline)) {
+  transport_.connect(static_cast<FrontendPort&>(*this));
+}
+
+FrontendProcess::~FrontendProcess() {
+  transport_.leaveFrontend();
+  sharedReceiver_->close();
+  tools_.workers.drain();
+}
+
+void FrontendProcess::connect(SessionId session, std::weak_ptr<pipeline::Inlet<Result>> receiver) {
+  const std::unique_lock lock(mutex_);
+  sessions_[session] = std::move(receiver);
+}
+
+void FrontendProcess::disconnect(SessionId session) {
+  const std::unique_lock lock(mutex_);
+  sessions_.erase(session);
+}
+
+void FrontendProcess::receive(ToFrontend message) {
+  if (const auto* announcement = std::get_if<Announcement>(&message)) {
+    store_.announced(*announcement);
+    return;
+  }
+  Result& result = std::get<Result>(message);
+  if (result.shared) {
+    sharedReceiver_->push(std::move(result));
+    return;
+  }
+  std::shared_ptr<pipeline::Inlet<Result>> receiver;
+  {
+    const std::shared_lock lock(mutex_);
+    const auto session = sessions_.find(result.session);
+    if (session != sessions_.end()) receiver = session->second.lock();
+  }
+  if (receiver) receiver->push(std::move(result));
+}
+
+void FrontendProcess::unpack(Result& result) const {
+  if (!result.packed) return;
+  const std::shared_ptr<const PackedBytes> bytes = std::exchange(result.packed, nullptr);
+  if (!result.shared) throw PackingError("pictures do not travel as bytes yet");
+  const FrontendType* const type = typeOf(result.what.object);
+  if (type == nullptr) throw PackingError("shared data of no object");
+  const std::shared_ptr<SharedData> data = type->unpack(result.what.key, result.version, *bytes);
+  // One that came by reference is reported by who made it.
+  data->holdIn(tools_.memory, "shared store", type->name(), pipeline::Work::kAcrossUser);
+  result.payload = std::shared_ptr<const SharedData>(data);
+}
+
+const FrontendType* FrontendProcess::typeOf(world::ObjectId id) const {
+  if (id >= world::kFirstPlayerObject && layout_.visitor) return &type(layout_.visitor->object.type);
+  const auto object = std::ranges::find(layout_.objects, id, &world::Object::id);
+  return object == layout_.objects.end() ? nullptr : &type(object->type);
+}
+
+const FrontendType& FrontendProcess::type(world::TypeIndex index) const {
+  const FrontendType* const type = types_.find(layout_.types[index]);
+  assert(type != nullptr && "the frontend knows the types of the world");
+  return *type;
+}
+
+}  // namespace grove::node

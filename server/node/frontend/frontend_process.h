@@ -1,0 +1,57 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <shared_mutex>
+
+#include "node/frontend/frontend_half.h"
+#include "node/frontend/frontend_types.h"
+#include "node/frontend/shared_receiver.h"
+#include "node/frontend/shared_store.h"
+#include "node/transport/transport.h"
+#include "world/layout.h"
+
+namespace grove::node {
+
+/// What the frontend nodes of a process have in common: the world's layout, the link to the backend node, the shared
+/// store, and where each session takes its results. Any thread.
+class FrontendProcess final : public FrontendPort {
+ public:
+  /// All of it outlives the process.
+  FrontendProcess(const world::Layout& layout, const FrontendTypes& types, Transport& transport,
+                  const FrontendTools& tools, std::size_t maxSharedBytes);
+  ~FrontendProcess() override;
+  FrontendProcess(const FrontendProcess&) = delete;
+  FrontendProcess& operator=(const FrontendProcess&) = delete;
+
+  /// Pictures for `session` go to `receiver` for as long as it lives.
+  void connect(SessionId session, std::weak_ptr<pipeline::Inlet<Result>> receiver);
+  void disconnect(SessionId session);
+
+  pipeline::PushResult send(ToBackend message) { return transport_.send(std::move(message)); }
+  void receive(ToFrontend message) override;
+
+  /// Makes a result's payload of the bytes that it came as; one that came by reference stays as it is. Throws
+  /// PackingError.
+  void unpack(Result& result) const;
+
+  [[nodiscard]] const world::Layout& layout() const noexcept { return layout_; }
+  /// The type of an object of the world. Asserts that this process knows it.
+  [[nodiscard]] const FrontendType& type(world::TypeIndex index) const;
+  /// Null if the world has no such object.
+  [[nodiscard]] const FrontendType* typeOf(world::ObjectId id) const;
+  [[nodiscard]] SharedStore& shared() noexcept { return store_; }
+  [[nodiscard]] const FrontendTools& tools() const noexcept { return tools_; }
+
+ private:
+  const world::Layout& layout_;
+  const FrontendTypes& types_;
+  Transport& transport_;
+  const FrontendTools tools_;
+  SharedStore store_;
+  const std::shared_ptr<SharedReceiver> sharedReceiver_;
+  std::shared_mutex mutex_;
+  std::map<SessionId, std::weak_ptr<pipeline::Inlet<Result>>> sessions_;
+};
+
+}  // namespace grove::node

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include "base/lru_table.h"
+#include "node/messages/request.h"
+#include "node/messages/result.h"
+
+namespace grove::node {
+
+/// What a frontend process keeps of the data that serves every visitor: at most `maxBytes` of it, the least recently
+/// used given up first; but an object's own data, under the empty key, stays, for there is one of each. What was given
+/// up lives on as long as somebody draws it. Any thread.
+///
+/// However many want the same at once, it is requested once. A change that a backend node announces is fetched as soon
+/// as somebody has used what is there; until it comes, that is what is there.
+class SharedStore {
+ public:
+  /// Sends a request to the object's backend node; false, or a throw, if it is refused.
+  using Fetch = std::function<bool(Request)>;
+  /// Gets what was wanted, or a failure: once, on the thread that brings it, or at once. Must not block.
+  using Waiter = std::function<void(const Payload&)>;
+
+  SharedStore(std::size_t maxBytes, Fetch fetch) : maxBytes_(maxBytes), fetch_(std::move(fetch)) {}
+
+  /// Null if it is not there.
+  [[nodiscard]] std::shared_ptr<const SharedData> find(const SharedKey& what);
+
+  /// Gives `waiter` what the request, which has a view, names. It is requested unless it is there or under way; who
+  /// finds it under way for longer than a frame's deadline requests it again.
+  void get(const Request& request, Waiter waiter);
+
+  /// What a backend node answered to a request of this store. An older version than what is there is left out.
+  void put(const Result& result);
+
+  /// A backend node has a newer version.
+  void announced(const Announcement& announcement);
+
+  struct Statistics {
+    std::size_t bytes = 0;
+    std::size_t entries = 0;
+  };
+  [[nodiscard]] Statistics statistics() const;
+
+ private:
+  struct Entry {
+    std::shared_ptr<const SharedData> data;
+    std::size_t bytes = 0;
+    Version announced = 0;
+    bool used = false;  ///< since it came
+  };
+  struct Pending {
+    double deadline = 0.0;
+    Version announced = 0;  ///< while nothing is there: what comes may have been made before that
+    std::vector<Waiter> waiters;
+  };
+  // These with mutex_ held.
+  [[nodiscard]] Entry* entryOf(const SharedKey& what);
+  /// Whether the entry is to be fetched anew now.
+  [[nodiscard]] bool wantsNewer(const SharedKey& what, const Entry& entry) const;
+  /// Puts it in unless what is there is newer; `given` gets what it replaces.
+  void keep(const SharedKey& what, Entry entry, std::vector<Entry>& given);
+  void makeRoom(std::vector<Entry>& given);
+
+  void fetchNewer(const SharedKey& what);
+  /// Who waits for it gets a failure if it is refused.
+  void fetch(Request request);
+  [[nodiscard]] std::vector<Waiter> takeWaiters(const SharedKey& what);
+
+  const std::size_t maxBytes_;
+  const Fetch fetch_;
+  mutable std::mutex mutex_;
+  LruTable<SharedKey, Entry> entries_;        ///< under keys that are not empty
+  std::map<world::ObjectId, Entry> objects_;  ///< their own data
+  std::map<SharedKey, Pending> pending_;
+  std::size_t bytes_ = 0;  ///< of entries_
+};
+
+}  // namespace grove::node

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "node/messages/ids.h"
+#include "world/geometry.h"
+
+namespace grove::node {
+
+/// Versions of the messages that this program understands.
+inline constexpr std::uint32_t kProtocol = 1;
+
+/// What both ends of a link call one type of object.
+struct TypeName {
+  world::TypeIndex id = 0;
+  std::string name;
+};
+
+/// What a frontend process says first.
+struct NodeHello {
+  std::uint32_t protocol = kProtocol;
+  std::string build;            ///< version of the program
+  std::uint64_t sceneHash = 0;  ///< of the scene file's text
+  ProcessId process = 0;        ///< distinct among the frontend processes of a backend node
+  std::vector<TypeName> types;  ///< ids that it will use
+};
+
+/// An object that a backend node serves.
+struct ServedObject {
+  world::ObjectId id = 0;
+  world::TypeIndex type = 0;
+  std::string name;
+  world::Bounds bounds;  ///< in the world
+};
+
+/// What a backend node answers.
+struct NodeWelcome {
+  std::uint32_t protocol = kProtocol;
+  std::string build;
+  std::uint64_t sceneHash = 0;
+  std::vector<ServedObject> objects;
+};
+
+/// Why a backend node will not serve a frontend process.
+struct NodeRefusal {
+  std::string reason;
+};
+
+}  // namespace grove::node

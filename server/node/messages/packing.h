@@ -1,0 +1,109 @@
+#pragma once
+
+#include <array>
+#include <bit>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <span>
+#include <string>
+#include <type_traits>
+#include <utility>
+
+#include "node/messages/shared_data.h"
+
+/// How object types pack their payloads: little-endian numbers, and planes of them that LZ4 makes smaller.
+namespace grove::node {
+
+static_assert(std::endian::native == std::endian::little, "numbers are copied as they are");
+
+template <class T>
+concept PackedNumber = std::integral<T> || std::floating_point<T>;
+
+/// Bytes with no meaning of their own, that LZ4 makes smaller; stored as they are where it does not.
+void appendCompressed(PackedBytes& to, std::span<const std::byte> plane);
+
+/// The inverse, which takes them off the front. Throws PackingError unless they fill `plane` exactly.
+void takeCompressed(std::span<const std::byte>& from, std::span<std::byte> plane);
+
+class PackWriter {
+ public:
+  template <PackedNumber T>
+  PackWriter& put(T value) {
+    std::array<std::byte, sizeof(T)> bytes;
+    std::memcpy(bytes.data(), &value, sizeof(T));
+    bytes_.insert(bytes_.end(), bytes.begin(), bytes.end());
+    return *this;
+  }
+
+  /// Numbers of four bytes, as four planes: neighbours have bytes of one kind in common.
+  template <class T>
+  requires(sizeof(T) == 4 && std::is_trivially_copyable_v<T>) PackWriter& putPlanes(std::span<const T> values) {
+    PackedBytes plane(values.size());
+    for (std::size_t byte = 0; byte < sizeof(T); ++byte) {
+      const auto* const from = reinterpret_cast<const std::byte*>(values.data()) + byte;
+      for (std::size_t i = 0; i < values.size(); ++i) plane[i] = from[i * sizeof(T)];
+      appendCompressed(bytes_, plane);
+    }
+    return *this;
+  }
+
+  [[nodiscard]] PackedBytes take() { return std::move(bytes_); }
+
+ private:
+  PackedBytes bytes_;
+};
+
+/// Takes off the front what a PackWriter has put. Throws PackingError at the first byte that is missing.
+class PackReader {
+ public:
+  /// `what` names the data in the error's text.
+  PackReader(std::span<const std::byte> bytes, std::string what) : rest_(bytes), what_(std::move(what)) {}
+
+  template <PackedNumber T>
+  [[nodiscard]] T take() {
+    if (rest_.size() < sizeof(T)) fail("ends too soon");
+    T value;
+    std::memcpy(&value, rest_.data(), sizeof(T));
+    rest_ = rest_.subspan(sizeof(T));
+    return value;
+  }
+
+  template <std::floating_point T>
+  [[nodiscard]] T takeFinite(T min, T max) {
+    const T value = take<T>();
+    if (!(value >= min && value <= max)) fail("has a number out of range");
+    return value;
+  }
+
+  template <std::integral T>
+  [[nodiscard]] T takeWithin(T min, T max) {
+    const T value = take<T>();
+    if (value < min || value > max) fail("has a number out of range");
+    return value;
+  }
+
+  template <class T>
+  requires(sizeof(T) == 4 && std::is_trivially_copyable_v<T>) void takePlanes(std::span<T> values) {
+    PackedBytes plane(values.size());
+    for (std::size_t byte = 0; byte < sizeof(T); ++byte) {
+      takeCompressed(rest_, plane);
+      auto* const to = reinterpret_cast<std::byte*>(values.data()) + byte;
+      for (std::size_t i = 0; i < values.size(); ++i) to[i * sizeof(T)] = plane[i];
+    }
+  }
+
+  /// Nothing is to be left.
+  void finish() const {
+    if (!rest_.empty()) fail("has more bytes than it says");
+  }
+
+  [[noreturn]] void fail(const char* reason) const { throw PackingError(what_ + " " + reason); }
+
+ private:
+  std::span<const std::byte> rest_;
+  const std::string what_;
+};
+
+}  // namespace grove::node

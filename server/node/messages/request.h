@@ -1,0 +1,48 @@
+#pragma once
+
+#include <limits>
+#include <memory>
+
+#include "node/messages/shared_key.h"
+#include "node/messages/view.h"
+#include "pipeline/timeline.h"
+
+namespace grove::node {
+
+/// What a frontend process asks of a backend node for one object: shared data, or a picture for one visitor's camera.
+struct Request {
+  /// Whose frame wants it; null for shared data that is fetched anew because it has changed.
+  std::shared_ptr<const View> view;
+  ProcessId process = 0;   ///< who asks, if there is no view
+  std::uint32_t slot = 0;  ///< place in the frame's list
+  world::ObjectId object = 0;
+  bool shared = false;  ///< data for everybody instead of a picture
+  Key key;
+  world::Rect
+      rect;  ///< of a picture: the pixels that are wanted; in pixels of the view's camera unless the key says otherwise
+  float distance = 0.0F;  ///< metres from the eye to the farthest corner of the object's bounds
+  /// How wrong what the visitor would see without an answer is, in times of what is permitted; infinite: nothing.
+  float urgency = std::numeric_limits<float>::infinity();
+};
+
+/// A frame is over: what was asked for it and not begun need not be answered.
+struct Cancel {
+  SessionId session = 0;
+  FrameNumber frame = 0;  ///< this one and those before it
+};
+
+/// How good across-user work is to be, 0 to kMaxQuality.
+struct Quality {
+  int step = 0;
+};
+
+/// A visitor has left: what was kept for him alone may go.
+struct Forget {
+  SessionId session = 0;
+};
+
+inline pipeline::TraceTag traceTag(const Request& request) {
+  return request.view ? pipeline::TraceTag{numberOf(request.view->session), request.view->frame} : pipeline::TraceTag{};
+}
+
+}  // namespace grove::node

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "node/messages/ids.h"
+#include "world/camera.h"
+#include "world/light.h"
+
+namespace grove::node {
+
+/// What one frame of one session looks at; made once by the Scene Analyzer, and sent once to each backend node.
+struct View {
+  SessionId session = 0;
+  FrameNumber frame = 0;
+  world::PlayerId viewer = 0;
+  std::uint32_t lastInput = 0;  ///< number of the last input that the camera obeys
+  world::Camera camera;
+  int borderPercent = 0;  ///< of half the window, that the camera sees beyond it on each side
+  double time = 0.0;      ///< seconds of the world's clock
+  /// Of the same clock: until then the frame waits for its objects, and who gets a request later leaves it unanswered.
+  double deadline = std::numeric_limits<double>::infinity();
+  std::vector<world::Player> players;     ///< all visitors, the viewer too
+  std::vector<world::PointLight> lights;  ///< the fire and the lanterns
+};
+
+}  // namespace grove::node

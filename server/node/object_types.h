@@ -1,0 +1,14 @@
+#pragma once
+
+#include "node/backend/load_scene.h"
+#include "node/frontend/frontend_types.h"
+
+namespace grove::node {
+
+/// What a process knows that is both a frontend and a backend.
+struct ObjectTypes {
+  BackendTypes backends;
+  FrontendTypes frontends;
+};
+
+}  // namespace grove::node

@@ -1,0 +1,7 @@
+#pragma once
+
+namespace grove::objects::figure {
+
+inline constexpr const char* kTypeName = "figure";
+
+}  // namespace grove::objects::figure

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "node/frontend/frontend_half.h"
+
+namespace grove::objects::figure {
+
+class FigureFrontendType final : public node::FrontendType {
+ public:
+  [[nodiscard]] std::string_view name() const override;
+  [[nodiscard]] std::unique_ptr<node::FrontendHalf> makeHalf(const node::FrontendTools& tools) const override;
+};
+
+}  // namespace grove::objects::figure

@@ -1,0 +1,168 @@
+#include "objects/ground/frontend/ground_picture.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "objects/ground/frontend/grow_kernels.h"
+#include "objects/ground/frontend/root_kernels.h"
+#include "objects/ground/frontend/shade_kernels.h"
+
+namespace grove::objects::ground {
+namespace {
+
+constexpr std::size_t kMaxLights = 8;
+constexpr int kMaxRowStep = 4;  // rows between samples of light and soil
+
+int levelFor(float texels, const Pyramid& pyramid) {
+  return std::clamp(static_cast<int>(std::floor(std::log2(std::max(texels, 1.0F)) + 0.5F)), 0, pyramid.levels() - 2);
+}
+
+/// Rows from this one to the next that light and soil are sampled at: fewer where the ground is seen at a flat angle.
+int rowStep(const Frame& frame, int row) {
+  const float along = rowAt(frame, row & ~(kMaxRowStep - 1)).along;
+  return along < 0.10F ? kMaxRowStep : along < 0.6F ? 2 : 1;
+}
+
+/// Rows nearer to the eye whose grass can reach up to this row, which are about as many as of its neighbour.
+int reachOf(const Frame& frame, float tallest, int row, int ofNeighbour) {
+  const auto reaches = [&](int rows) {
+    return rowAt(frame, row + rows).pixelsPerMetre * tallest + 0.5F >= static_cast<float>(rows);
+  };
+  int reach = ofNeighbour;
+  while (reach > 0 && !reaches(reach)) --reach;
+  while (reach + 1 < kRootRows - 1 && reaches(reach + 1)) ++reach;
+  return reach;
+}
+
+std::vector<world::PointLight> nearestLights(std::span<const world::PointLight> lights, world::Vec3 eye) {
+  std::vector<world::PointLight> nearest(lights.begin(), lights.end());
+  const auto distance = [&](const world::PointLight& light) { return glm::distance(light.position, eye); };
+  if (nearest.size() > kMaxLights) {
+    std::ranges::nth_element(nearest, nearest.begin() + kMaxLights, {}, distance);
+    nearest.resize(kMaxLights);
+  }
+  return nearest;
+}
+
+}  // namespace
+
+/// What the strips of a row have in common.
+struct GroundPicture::RowPlan {
+  Row row;
+  int reach = 0;  // rows nearer to the eye whose grass can be seen in this one
+  MeadowSampling sampling;
+};
+
+/// Works on one strip from its nearest row up, because a row looks for its grass in the rows below.
+class GroundPicture::StripPainter {
+ public:
+  StripPainter(const GroundPicture& picture, raster::Image& image, int firstColumn)
+      : maps_(picture.maps_),
+        frame_(picture.frame_),
+        lights_(picture.lights_),
+        image_(image),
+        firstColumn_(firstColumn) {}
+
+  void paint(std::span<const RowPlan> plans) {
+    for (const RowPlan& plan : plans) {
+      const SoilBetween soil = soilAt(plan.row.row);
+      growGrass(frame_, plan.row, firstColumn_, maps_.meadow, plan.sampling, soil, grass_);
+      if (plan.row.row >= image_.rect.bottom) continue;
+      findRoots(plan.row, plan.reach, soil, grass_);
+      shade(plan.row, soil);
+    }
+  }
+
+ private:
+  static constexpr int kNoRow = -1;
+  struct SoilRow {
+    int row = kNoRow;
+    FineSoil soil;
+  };
+
+  void sample(int row, SoilRow& out) {
+    const Row at = rowAt(frame_, row);
+    const float texel = maps_.clearing.metres / static_cast<float>(maps_.clearing.pyramid.size());
+    const float area = at.across * kCoarse * at.along * static_cast<float>(rowStep(frame_, row));
+    sampleSoil(frame_, at, firstColumn_, maps_.clearing, levelFor(std::sqrt(area) / texel, maps_.clearing.pyramid),
+               maps_.daylight, maps_.tone, lights_, samples_);
+    spreadSoil(samples_, out.soil);
+    out.row = row;
+  }
+
+  /// Between the two sampled rows around `row`.
+  SoilBetween soilAt(int row) {
+    const int step = rowStep(frame_, row);
+    const int top = row & ~(step - 1);
+    if (far_->row != top) {
+      if (far_->row == top + step) {
+        std::swap(near_, far_);
+      } else if (row != top) {
+        sample(top + step, *near_);
+      }
+      sample(top, *far_);
+      if (row != top) stepSoil(far_->soil, near_->soil, step, step_);
+    }
+    return {far_->soil, step_, row - top};
+  }
+
+  /// Straight into the image, or by way of a buffer where the image holds only a part of the tile.
+  void shade(const Row& row, const SoilBetween& soil) {
+    const world::Rect rect = image_.rect;
+    const int y = row.row - rect.top;
+    const int left = std::max(firstColumn_, rect.left);
+    const int right = std::min(firstColumn_ + kTile, rect.right);
+    std::uint32_t* colour = image_.colourRow(y) + (left - rect.left);
+    float* depth = image_.depthRow(y) + (left - rect.left);
+    if (right - left == kTile) return shadeRow(frame_, row, soil, grass_, colour, depth);
+    shadeRow(frame_, row, soil, grass_, colour_.data(), depth_.data());
+    std::copy(colour_.begin() + (left - firstColumn_), colour_.begin() + (right - firstColumn_), colour);
+    std::copy(depth_.begin() + (left - firstColumn_), depth_.begin() + (right - firstColumn_), depth);
+  }
+
+  const GroundMaps& maps_;
+  const Frame& frame_;
+  std::span<const world::PointLight> lights_;
+  raster::Image& image_;
+  const int firstColumn_;
+  std::array<SoilRow, 2> sampled_;
+  SoilRow* near_ = &sampled_[0];
+  SoilRow* far_ = &sampled_[1];
+  SampledSoil samples_;
+  FineSoil step_{};  // from the farther to the nearer row
+  GrassRows grass_;
+  alignas(64) std::array<std::uint32_t, kTile> colour_;
+  alignas(64) std::array<float, kTile> depth_;
+};
+
+GroundPicture::GroundPicture(const GroundMaps& maps, const world::Camera& camera, world::Rect rect,
+                             std::span<const world::PointLight> lights, raster::ImagePool& images)
+    : maps_(maps), frame_(frameOf(camera)), lights_(nearestLights(lights, camera.pose.position)) {
+  if (camera.pose.position.y <= 0.0F) return;
+  const auto inverse = [&](int row) { return frame_.firstInverse + static_cast<float>(row) * frame_.inverseStep; };
+  while (!rect.empty() && inverse(rect.top) < 1.0F / kFarthest) ++rect.top;
+  if (rect.empty()) return;
+
+  image_ = images.acquire(rect);
+  image_->opaque = true;
+  firstColumn_ = rect.left / kTile * kTile;
+  parts_ = static_cast<std::size_t>((rect.right - firstColumn_ + kTile - 1) / kTile);
+  int reach = reachOf(frame_, maps.meadow.tallest, rect.bottom - 1, 0);
+  const int lowest = rect.bottom - 1 + reach;
+  plans_.reserve(static_cast<std::size_t>(lowest + 1 - rect.top));
+  for (int y = lowest; y >= rect.top; --y) {
+    const Row row = rowAt(frame_, y);
+    reach = reachOf(frame_, maps.meadow.tallest, y, reach);
+    plans_.push_back({row, reach, samplingFor(row, maps.meadow)});
+  }
+}
+
+GroundPicture::~GroundPicture() = default;
+
+void GroundPicture::paint(std::size_t part) {
+  StripPainter(*this, *image_, firstColumn_ + static_cast<int>(part) * kTile).paint(plans_);
+}
+
+}  // namespace grove::objects::ground

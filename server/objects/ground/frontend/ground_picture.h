@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "objects/ground/common/ground_maps.h"
+#include "objects/ground/frontend/frame.h"
+#include "raster/image.h"
+#include "world/camera.h"
+
+namespace grove::objects::ground {
+
+/// What a camera sees of the ground within `rect`, cropped to the rows below the horizon. Depth is that of the plane,
+/// or nearer where a blade of grass stands before it. Of the lights the nearest eight count.
+class GroundPicture {
+ public:
+  /// `maps` outlive it.
+  GroundPicture(const GroundMaps& maps, const world::Camera& camera, world::Rect rect,
+                std::span<const world::PointLight> lights, raster::ImagePool& images);
+  ~GroundPicture();
+  GroundPicture(const GroundPicture&) = delete;
+  GroundPicture& operator=(const GroundPicture&) = delete;
+
+  /// Strips of the picture, side by side; none if nothing is below the horizon or the eye not above the ground.
+  [[nodiscard]] std::size_t parts() const noexcept { return parts_; }
+  /// Several threads may paint at once, each others.
+  void paint(std::size_t part);
+
+  /// Null if nothing of the ground shows; whole when all parts are painted.
+  [[nodiscard]] std::shared_ptr<const raster::Image> image() const noexcept { return image_; }
+
+ private:
+  struct RowPlan;
+  class StripPainter;
+
+  const GroundMaps& maps_;
+  Frame frame_;
+  std::vector<world::PointLight> lights_;
+  std::shared_ptr<raster::Image> image_;
+  std::vector<RowPlan> plans_;  ///< from the nearest up
+  int firstColumn_ = 0;
+  std::size_t parts_ = 0;
+};
+
+}  // namespace grove::objects::ground

@@ -1,0 +1,72 @@
+#include "objects/lightfield/backend/light_field_backend_type.h"
+
+#include <exception>
+#include <filesystem>
+#include <string>
+
+#include "base/error.h"
+#include "objects/lightfield/backend/light_field_backend.h"
+#include "objects/lightfield/backend/light_field_source.h"
+#include "objects/lightfield/common/field_info.h"
+#include "objects/lightfield/file/light_field_file.h"
+
+namespace grove::objects::lightfield {
+namespace {
+
+SamplerKind samplerNamed(const std::string& name) {
+  if (name == "gl") return SamplerKind::kGl;
+  if (name == "simd") return SamplerKind::kSimd;
+  return SamplerKind::kAuto;
+}
+
+/// The key of the scene file that says which light field it is.
+const char* keyOf(const LightFieldSource& source) {
+  return !source.model.plant.empty() ? "plant" : !source.model.file.empty() ? "model" : "file";
+}
+
+std::string complaint(const LightFieldSource& source, const std::exception& e) {
+  return std::string("'") + keyOf(source) + "': " + e.what();
+}
+
+}  // namespace
+
+std::shared_ptr<const world::Model> LightFieldBackendType::model(const world::Parameters& parameters) const {
+  const std::lock_guard lock(mutex_);
+  const LightFieldSource source = readSource(parameters, names_);
+  const SamplerKind sampler = samplerNamed(parameters.choice("renderer", {"auto", "gl", "simd"}));
+  std::weak_ptr<LightFieldModel>& known = models_[{source.file.lexically_normal().string(), sampler}];
+  if (auto model = known.lock()) return model;
+  try {
+    auto model = std::make_shared<LightFieldModel>(open(source.file), sampler);
+    known = model;
+    return model;
+  } catch (const LightFieldError& e) {
+    parameters.fail(keyOf(source), complaint(source, e));
+  } catch (const EnvironmentError& e) {
+    parameters.fail(keyOf(source), complaint(source, e));
+  }
+}
+
+LightField LightFieldBackendType::open(const std::filesystem::path& file) const {
+  const auto known = known_.find(file);
+  return known == known_.end() ? openLightField(file) : known->second;
+}
+
+void LightFieldBackendType::show(const std::filesystem::path& file) const {
+  const LightField finer = openLightField(file);
+  const std::lock_guard lock(mutex_);
+  known_.insert_or_assign(file, finer);
+  for (const auto& [key, known] : models_) {
+    if (key.first != file.lexically_normal().string()) continue;
+    if (const auto model = known.lock()) model->show(finer);
+  }
+}
+
+std::string_view LightFieldBackendType::name() const { return kTypeName; }
+
+std::unique_ptr<node::BackendHalf> LightFieldBackendType::makeHalf(const node::BackendServices& services,
+                                                                   world::TypeIndex self) const {
+  return std::make_unique<LightFieldBackend>(services, self, options_);
+}
+
+}  // namespace grove::objects::lightfield

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <utility>
+
+#include "models/model_source.h"
+#include "node/backend/backend_half.h"
+#include "objects/lightfield/backend/light_field_model.h"
+#include "objects/lightfield/backend/light_field_options.h"
+
+namespace grove::objects::lightfield {
+
+/// Light fields that are open already, by the file: that one, or something to show until it is made.
+using KnownFields = std::map<std::filesystem::path, LightField>;
+
+/// `type = "lightfield"`: pictures of an object from all around, made by `grove bake` (section 5.1). Keys as in
+/// LightFieldSource and SamplerKind. Any thread.
+class LightFieldBackendType final : public node::BackendType {
+ public:
+  explicit LightFieldBackendType(const LightFieldOptions& options, KnownFields known = {})
+      : options_(options), known_(std::move(known)) {}
+
+  [[nodiscard]] std::string_view name() const override;
+  [[nodiscard]] std::shared_ptr<const world::Model> model(const world::Parameters& parameters) const override;
+  [[nodiscard]] std::unique_ptr<node::BackendHalf> makeHalf(const node::BackendServices& services,
+                                                            world::TypeIndex self) const override;
+  void show(const std::filesystem::path& file) const override;
+
+ private:
+  [[nodiscard]] LightField open(const std::filesystem::path& file) const;
+
+  const LightFieldOptions options_;
+  mutable std::mutex mutex_;
+  mutable KnownFields known_;
+  mutable models::FileNames names_;
+  /// So that a forest of one tree is one copy in memory.
+  mutable std::map<std::pair<std::string, SamplerKind>, std::weak_ptr<LightFieldModel>> models_;
+};
+
+}  // namespace grove::objects::lightfield

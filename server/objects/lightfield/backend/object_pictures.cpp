@@ -1,0 +1,87 @@
+#include "objects/lightfield/backend/object_pictures.h"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "gl/workers.h"
+#include "node/backend/prepare_each.h"
+#include "objects/lightfield/backend/shader/shader_sampler.h"
+#include "objects/lightfield/backend/shadows.h"
+#include "objects/lightfield/backend/simd/simd_sampler.h"
+#include "objects/lightfield/common/object_view.h"
+#include "objects/lightfield/file/mapped_file.h"
+
+namespace grove::objects::lightfield {
+namespace {
+
+const LightFieldModel& modelOf(const world::ModelledObject& object) {
+  return static_cast<const LightFieldModel&>(*object.model);
+}
+
+SamplerKind resolved(SamplerKind kind, const gl::Workers& gl) {
+  if (kind != SamplerKind::kAuto) return kind;
+  return gl.softwareRendered() ? SamplerKind::kSimd : SamplerKind::kGl;
+}
+
+std::unique_ptr<Sampler> makeSampler(SamplerKind kind, const node::BackendServices& services) {
+  if (kind == SamplerKind::kGl) return std::make_unique<ShaderSampler>(services.gl, services.memory);
+  return std::make_unique<SimdSampler>();
+}
+
+/// One executor serves all of the type's objects, and GL is bound to threads of its own.
+pipeline::Executor& executorOf(const node::BackendServices& services, world::TypeIndex self) {
+  const bool anyByGl = std::ranges::any_of(services.scene.objects, [&](const world::ModelledObject& object) {
+    return object.type == self && resolved(modelOf(object).sampler(), services.gl) == SamplerKind::kGl;
+  });
+  if (anyByGl) return services.gl;
+  return services.workers;
+}
+
+}  // namespace
+
+ObjectPictures::ObjectPictures(const node::BackendServices& services, world::TypeIndex self)
+    : executor_(executorOf(services, self)),
+      images_(services.images),
+      sunGrids_(services.memory, "sun grids", "lightfield", pipeline::Work::kAcrossUser) {
+  std::vector<const world::ModelledObject*> objects;
+  objects.reserve(services.scene.objects.size());
+  for (const world::ModelledObject& object : services.scene.objects) {
+    if (object.type == self) objects.push_back(&object);
+  }
+  for (const world::ModelledObject* const object : objects) {
+    const LightFieldModel& model = modelOf(*object);
+    const SamplerKind kind = resolved(model.sampler(), services.gl);
+    std::unique_ptr<Sampler>& sampler = samplers_[kind];
+    if (!sampler) sampler = makeSampler(kind, services);
+    entries_.emplace(object->id, Entry{&model, sampler.get(), object->bounds, object->transform, {}});
+  }
+  node::prepareEach(services, "shadows on the light fields", objects.size(), [&](std::size_t i) {
+    entries_.at(objects[i]->id).sun = makeSunGrid(*objects[i], services.geometry.rays());
+  });
+  std::size_t sunBytes = 0;
+  for (const auto& [id, entry] : entries_) sunBytes += pipeline::vectorBytes(entry.sun.sun);
+  sunGrids_.set(sunBytes);
+}
+
+ObjectPictures::~ObjectPictures() = default;
+
+Shot ObjectPictures::shotOf(const LightField& field, const ViewCell& cell) {
+  const float times = magnification(field.geometry, field.size, cell.camera);
+  const Shot whole = Shot{cell.camera, {0, 0, cell.size, cell.size}}.coarser(times);
+  return {whole.camera, boxOf(field.bounds, whole.camera, whole.rect)};
+}
+
+std::shared_ptr<raster::Image> ObjectPictures::make(const Entry& entry, const LightField& field, const Shot& shot,
+                                                    const Haze& haze) {
+  const SampleRequest request{&field, field.lightingFor(entry.transform.yaw), levelFor(field, shot.camera), shot.camera,
+                              haze};
+  std::shared_ptr<raster::Image> image = images_.acquire(shot.rect);
+  const std::array<raster::Image*, 1> images{image.get()};
+  entry.sampler->render({&request, 1}, images);
+  castShadows(entry.sun, shot.camera, *image);
+  if (field.mapped != nullptr) field.mapped->tellIfCut();
+  return image;
+}
+
+}  // namespace grove::objects::lightfield

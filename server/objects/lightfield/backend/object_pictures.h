@@ -1,0 +1,55 @@
+#pragma once
+
+#include <map>
+#include <memory>
+
+#include "node/backend/backend_services.h"
+#include "objects/lightfield/backend/light_field_model.h"
+#include "objects/lightfield/backend/sampler.h"
+#include "objects/lightfield/backend/sun_grid.h"
+#include "objects/lightfield/common/shot.h"
+#include "objects/lightfield/common/view_cell.h"
+#include "world/object.h"
+
+namespace grove::objects::lightfield {
+
+/// Makes pictures of all objects that show light fields, as they stand in the world: in its shadows, and in the haze
+/// before them where that is wanted. Any thread, on executor().
+class ObjectPictures {
+ public:
+  /// Finds the shadows on its objects on the services' workers and waits for them, so not on one of those.
+  ObjectPictures(const node::BackendServices& services, world::TypeIndex self);
+  ~ObjectPictures();
+  ObjectPictures(const ObjectPictures&) = delete;
+  ObjectPictures& operator=(const ObjectPictures&) = delete;
+
+  /// The GL workers if any object is sampled by GL, else the workers of everything.
+  [[nodiscard]] pipeline::Executor& executor() const noexcept { return executor_; }
+
+  /// One object of the world, as it stands there.
+  struct Entry {
+    const LightFieldModel* model = nullptr;
+    Sampler* sampler = nullptr;
+    world::Bounds bounds;  ///< in the world
+    world::Transform transform;
+    SunGrid sun;
+  };
+  /// Throws std::out_of_range for an object of which nothing is known.
+  [[nodiscard]] const Entry& of(world::ObjectId object) const { return entries_.at(object); }
+  [[nodiscard]] const std::map<world::ObjectId, Entry>& all() const noexcept { return entries_; }
+
+  /// The shared picture of a cell.
+  [[nodiscard]] static Shot shotOf(const LightField& field, const ViewCell& cell);
+
+  [[nodiscard]] std::shared_ptr<raster::Image> make(const Entry& entry, const LightField& field, const Shot& shot,
+                                                    const Haze& haze);
+
+ private:
+  pipeline::Executor& executor_;
+  raster::ImagePool& images_;
+  std::map<SamplerKind, std::unique_ptr<Sampler>> samplers_;
+  std::map<world::ObjectId, Entry> entries_;
+  pipeline::HeldMemory sunGrids_;
+};
+
+}  // namespace grove::objects::lightfield

@@ -1,0 +1,102 @@
+#include "objects/lightfield/frontend/own_views.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "objects/lightfield/common/keys.h"
+#include "objects/lightfield/common/permitted_error.h"
+
+namespace grove::objects::lightfield {
+namespace {
+
+constexpr float kNever = std::numeric_limits<float>::infinity();
+
+/// Of the permitted error: what a near picture may be wrong by on average, where that of a far one is the largest.
+constexpr float kNearShare = 0.5F;
+
+/// Pixels beyond the frame that a near picture has, for a head that turns.
+constexpr int kMarginAcross = 64;
+constexpr int kMarginDown = 32;
+
+Shot shotOf(const Sight& sight, float times) {
+  const world::Rect& rect = sight.object.rect;
+  const Shot whole{
+      sight.camera,
+      {rect.left - kMarginAcross, rect.top - kMarginDown, rect.right + kMarginAcross, rect.bottom + kMarginDown}};
+  return whole.coarser(times);
+}
+
+node::Ask askFor(const Shot& shot, bool mustBeMade, float urgency) {
+  return {.shared = false, .key = keyOf(OwnPicture{shot.camera, mustBeMade}), .rect = shot.rect, .urgency = urgency};
+}
+
+node::Plan planOf(std::shared_ptr<const CachedView> picture) {
+  return node::Payload(std::shared_ptr<const node::SharedData>(std::move(picture)));
+}
+
+/// Nothing is kept from frame to frame.
+bool isForOneFrame(const Sight& sight) { return sight.field.maxError <= 0.0F; }
+
+}  // namespace
+
+float OwnViews::wrongOf(const Sight& sight, const NearView& last) const {
+  if (!last.picture) return kNever;
+  float wrong = wrongness(last, sight.camera, sight.object.rect, kNearShare * sight.field.maxError);
+  if (last.coarse) wrong = std::max(wrong, kCoarseWrongness);
+  if (last.version != sight.field.number) wrong = std::max(wrong, kOutdatedWrongness);
+  return wrong;
+}
+
+node::Plan OwnViews::begin(const Sight& sight, float times) {
+  const Shot shot = shotOf(sight, times);
+  if (isForOneFrame(sight)) return askFor(shot, true, kNever);
+  const NearView last = near_.last(sight.id());
+  const float wrong = wrongOf(sight, last);
+  if (wrong <= 1.0F) return showAgain(sight, last, "near views shown again");
+  return askFor(shot, false, wrong);
+}
+
+node::Plan OwnViews::resume(const Sight& sight, const node::Reply& reply) {
+  const OwnPicture asked = ownPictureOf(reply.ask.key);
+  const NearView last = isForOneFrame(sight) ? NearView{} : near_.last(sight.id());
+  if (isNotNow(reply.payload) && !asked.mustBeMade) {
+    if (wrongOf(sight, last) < kNever) return showAgain(sight, last, "near views shown late");
+    return askFor(Shot{asked.camera, reply.ask.rect}.coarser(kCoarse), true, kNever);
+  }
+  const auto* const image = std::get_if<std::shared_ptr<const raster::Image>>(&reply.payload);
+  if (image == nullptr || *image == nullptr) return reply.payload;
+  auto picture = std::make_shared<const CachedView>(**image, asked.camera);
+  if (isForOneFrame(sight)) return planOf(std::move(picture));
+  if (asked.mustBeMade) timeline_.count("coarse views");
+  const bool isOutdated = last.picture && last.version != sight.field.number;
+  NearView next =
+      isOutdated ? NearView{.from = last.picture, .since = sight.view.time} : unlessFaded(last, sight.view.time);
+  next.picture = picture;
+  next.sampled = reply.ask.rect;
+  next.roughness = roughness(*picture);
+  next.coarse = asked.mustBeMade;
+  next.version = sight.field.number;
+  near_.shown(sight.id(), std::move(next));
+  return planOf(std::move(picture));
+}
+
+node::Plan OwnViews::showAgain(const Sight& sight, const NearView& last, const char* counter) {
+  timeline_.count(counter);
+  NearView again = unlessFaded(last, sight.view.time);
+  if (again.from != last.from) near_.shown(sight.id(), std::move(again));
+  return planOf(last.picture);
+}
+
+bool OwnViews::isFading(const Sight& sight) {
+  const NearView last = near_.last(sight.id());
+  return last.picture && (last.version != sight.field.number || unlessFaded(last, sight.view.time).from);
+}
+
+CrossFade OwnViews::fade(world::ObjectId object, const CachedView& picture, double time) {
+  const NearView last = near_.last(object);
+  if (last.picture.get() != &picture || !last.from) return {};
+  return {last.from, CrossFade::shareAfter(time - last.since)};
+}
+
+}  // namespace grove::objects::lightfield

@@ -1,0 +1,99 @@
+#include "objects/lightfield/frontend/shared_views.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <utility>
+
+#include "objects/lightfield/common/keys.h"
+#include "objects/lightfield/common/permitted_error.h"
+
+namespace grove::objects::lightfield {
+namespace {
+
+constexpr float kNever = std::numeric_limits<float>::infinity();
+
+/// Metres. Hardly two visitors are in one cell that is smaller, and one who walks leaves it after two frames; what he
+/// sees of the object with a picture of his own is less than all of it.
+constexpr float kLeastSharedReach = 0.13F;
+
+/// Where a picture for a visitor who walks is made from, in reaches of his own cell; the first that serves him is
+/// taken.
+constexpr std::array<float, 3> kStepsAhead{1.8F, 1.2F, 0.6F};
+
+float wrongFor(const Sight& sight, world::Vec3 own) {
+  return wrongness(sight.field.geometry, own, sight.camera.eye, sight.focal(), sight.field.maxError);
+}
+
+std::optional<ViewCell> cellAt(const Sight& sight, world::Vec3 eye) {
+  auto cell = viewCell(sight.field.geometry, eye, sight.focal(), sight.field.maxError);
+  if (cell) cell->id.version = sight.field.number;
+  return cell;
+}
+
+std::shared_ptr<const CachedView> find(const Sight& sight, const CellId& cell) {
+  return std::static_pointer_cast<const CachedView>(sight.shared.find(keyOf(cell)));
+}
+
+}  // namespace
+
+std::optional<ViewCell> SharedViews::cellOf(const Sight& sight) {
+  if (sight.field.maxError <= 0.0F) return std::nullopt;
+  auto cell = cellAt(sight, sight.camera.eye);
+  if (cell && cell->reach < kLeastSharedReach) cell.reset();
+  return cell;
+}
+
+SharedViews::Last SharedViews::lastOf(const Sight& sight, std::int32_t focal) const {
+  const std::optional<CellId> cell = last_.last(sight.id());
+  if (!cell || cell->focal != focal) return {{}, nullptr, kNever};
+  Last last{*cell, find(sight, *cell), kNever};
+  if (!last.picture) return last;
+  last.wrong = wrongFor(sight, last.picture->camera().eye);
+  if (cell->coarse) last.wrong = std::max(last.wrong, kCoarseWrongness);
+  if (cell->version != sight.field.number) last.wrong = std::max(last.wrong, kOutdatedWrongness);
+  return last;
+}
+
+node::Plan SharedViews::begin(const Sight& sight, const ViewCell& cell) {
+  const CrossFade fade = last_.fade(sight.id(), sight.view.time);
+  if (fade.from && wrongFor(sight, fade.from->camera().eye) > kMaxFadingWrongness) last_.endFade(sight.id());
+  // Going on with the last picture as long as it serves takes fewer of them than changing it at the border of its cell.
+  Last last = lastOf(sight, cell.id.focal);
+  if (last.wrong <= 1.0F) return show(sight, "view cache hits", last.cell, std::move(last.picture));
+  const world::Vec3 step = cell.reach * sight.heading();
+  CellId best = cell.id;
+  for (const float steps : kStepsAhead) {
+    const auto ahead = cellAt(sight, sight.camera.eye + steps * step);
+    if (!ahead || wrongFor(sight, ahead->camera.eye) > 1.0F) continue;
+    if (auto picture = find(sight, ahead->id)) return show(sight, "view cache hits", ahead->id, std::move(picture));
+    if (best == cell.id) best = ahead->id;
+  }
+  if (auto picture = find(sight, cell.id)) return show(sight, "view cache hits", cell.id, std::move(picture));
+  return node::Ask{.shared = true, .key = keyOf(best), .rect = {}, .urgency = last.wrong};
+}
+
+node::Plan SharedViews::resume(const Sight& sight, const node::Reply& reply) {
+  CellId cell = cellIdOf(reply.ask.key);
+  if (const auto* const data = std::get_if<std::shared_ptr<const node::SharedData>>(&reply.payload)) {
+    return show(sight, cell.coarse ? "coarse views" : "view cache misses", cell,
+                std::static_pointer_cast<const CachedView>(*data));
+  }
+  if (cell.coarse || !isNotNow(reply.payload)) return reply.payload;
+  Last last = lastOf(sight, cell.focal);
+  if (last.wrong < kNever) return show(sight, "views shown late", last.cell, std::move(last.picture));
+  cell.coarse = true;
+  if (auto picture = find(sight, cell)) return show(sight, "views shown late", cell, std::move(picture));
+  return node::Ask{.shared = true, .key = keyOf(cell), .rect = {}, .urgency = kNever};
+}
+
+node::Plan SharedViews::show(const Sight& sight, const char* counter, const CellId& cell,
+                             std::shared_ptr<const CachedView> picture) {
+  timeline_.count(counter);
+  const std::optional<CellId> former = last_.last(sight.id());
+  last_.shown(sight.id(), cell, sight.view.time,
+              former && former->version < cell.version ? find(sight, *former) : nullptr);
+  return node::Payload(std::shared_ptr<const node::SharedData>(std::move(picture)));
+}
+
+}  // namespace grove::objects::lightfield

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "node/frontend/frontend_half.h"
+
+namespace grove::objects::mesh {
+
+/// Meshes are pictures, and compositing them is all there is to do.
+class MeshFrontendType final : public node::FrontendType {
+ public:
+  [[nodiscard]] std::string_view name() const override;
+};
+
+}  // namespace grove::objects::mesh

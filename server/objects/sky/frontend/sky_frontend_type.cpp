@@ -1,0 +1,58 @@
+#include "objects/sky/frontend/sky_frontend_type.h"
+
+#include <utility>
+
+#include "node/frontend/shared_data_frontend.h"
+#include "objects/sky/common/sky_data.h"
+#include "objects/sky/frontend/sky_image.h"
+
+namespace grove::objects::sky {
+namespace {
+
+class SkyLayer final : public node::Layer {
+ public:
+  SkyLayer(const node::VisibleObject& object, const node::View& view, std::shared_ptr<const SkyData> data,
+           raster::ImagePool& images)
+      : rect_(object.rect), camera_(view.camera), data_(std::move(data)), images_(images) {}
+
+  [[nodiscard]] bool opaque() const override { return true; }
+
+  void lay(node::FrameBuilder& rows) override {
+    if (const auto image = skyImage(data_->maps(), camera_, rows.clip(rect_), images_)) rows.lay(*image);
+  }
+
+ private:
+  const world::Rect rect_;
+  const world::Camera& camera_;
+  const std::shared_ptr<const SkyData> data_;
+  raster::ImagePool& images_;
+};
+
+class SkyFrontend final : public node::SharedDataFrontend {
+ public:
+  explicit SkyFrontend(const node::FrontendTools& tools) : images_(tools.images) {}
+
+ private:
+  [[nodiscard]] std::unique_ptr<node::Layer> layerOf(const node::VisibleObject& object,
+                                                     std::shared_ptr<const node::SharedData> data,
+                                                     const node::View& view) override {
+    return std::make_unique<SkyLayer>(object, view, std::static_pointer_cast<const SkyData>(std::move(data)), images_);
+  }
+
+  raster::ImagePool& images_;
+};
+
+}  // namespace
+
+std::string_view SkyFrontendType::name() const { return kTypeName; }
+
+std::unique_ptr<node::FrontendHalf> SkyFrontendType::makeHalf(const node::FrontendTools& tools) const {
+  return std::make_unique<SkyFrontend>(tools);
+}
+
+std::shared_ptr<node::SharedData> SkyFrontendType::unpack(const node::Key& /*key*/, node::Version /*version*/,
+                                                          std::span<const std::byte> bytes) const {
+  return SkyData::unpack(bytes);
+}
+
+}  // namespace grove::objects::sky

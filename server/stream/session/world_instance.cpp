@@ -1,0 +1,63 @@
+#include "stream/session/world_instance.h"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+namespace grove::stream {
+namespace {
+
+constexpr double kUpdateSeconds = 1.0 / 30.0;
+
+}  // namespace
+
+WorldInstance::WorldInstance(const WorldGround& ground, std::unique_ptr<node::Transport> transport, node::Haste haste,
+                             const node::BackendNode::Progress& progress)
+    : ground_(ground),
+      world_(ground.scene.layout, ground.players),
+      transport_(std::move(transport)),
+      backend_(ground.scene, *ground_.geometry, ground.types.backends, ground.machine, *transport_, haste, progress),
+      frontend_(world_.layout(), ground.types.frontends, *transport_,
+                {ground.machine.workers, ground.machine.timeline, ground.machine.memory, ground.machine.images},
+                ground.maxSharedBytes) {
+  tellModels();
+}
+
+WorldInstance::~WorldInstance() = default;
+
+void WorldInstance::publish() {
+  auto update = std::make_shared<node::WorldUpdate>();
+  update->number = ++updates_;
+  update->clock = world::World::now();
+  update->players = world_.players().all(update->clock);
+  world::Edits::Cursor edits = edits_;
+  update->gusts = world_.edits().during(edits, update->players);
+  nextUpdate_ = std::max(nextUpdate_ + kUpdateSeconds, update->clock + kUpdateSeconds / 2);
+  const auto sent = frontend_.send(std::shared_ptr<const node::WorldUpdate>(std::move(update)));
+  // What blew goes with the next one, if this one was not taken.
+  if (sent == pipeline::PushResult::kAccepted) edits_ = edits;
+}
+
+double WorldInstance::publishIfDue(double now) {
+  if (now >= nextUpdate_) publish();
+  return nextUpdate_;
+}
+
+void WorldInstance::tellModels() {
+  std::map<world::TypeIndex, std::set<const world::Model*>> models;
+  for (const world::ModelledObject& object : ground_.scene.objects) models[object.type].insert(object.model.get());
+  for (const auto& [type, distinct] : models) {
+    std::size_t bytes = 0;
+    for (const world::Model* model : distinct) bytes += model->bytes();
+    models_
+        .try_emplace(type, ground_.machine.memory, "models", ground_.scene.layout.types[type],
+                     pipeline::Work::kAcrossUser)
+        .first->second.set(bytes);
+  }
+}
+
+void WorldInstance::setQuality(int step) { frontend_.send(node::Quality{step}); }
+
+void WorldInstance::forget(node::SessionId session) { frontend_.send(node::Forget{session}); }
+
+}  // namespace grove::stream

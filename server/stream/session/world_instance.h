@@ -1,0 +1,72 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string_view>
+
+#include "node/backend/backend_node.h"
+#include "node/frontend/frontend_process.h"
+#include "node/object_types.h"
+#include "node/transport/transport.h"
+#include "pipeline/memory_ledger.h"
+#include "world/world.h"
+
+namespace grove::stream {
+
+/// What all instances of a world stand on: what it is made of, the machine, and the roster of who is here. All of it
+/// outlives them.
+struct WorldGround {
+  const node::LoadedScene& scene;
+  std::shared_ptr<const world::WorldGeometry> geometry;
+  std::shared_ptr<world::Players> players;
+  const node::ObjectTypes& types;
+  node::BackendMachine machine;
+  std::size_t maxSharedBytes;  ///< of the data that an instance shares among its visitors
+};
+
+/// A world with a backend node that owns its objects, and the frontend process of those who are in it: all across-user
+/// state. There is one for everybody, or, in private mode, one for each visitor.
+class WorldInstance {
+ public:
+  /// Prepares the objects, which may take seconds; throws what they throw. Not on one of the executors' threads.
+  /// `progress` is called from any thread, and may throw to end it.
+  WorldInstance(const WorldGround& ground, std::unique_ptr<node::Transport> transport, node::Haste haste,
+                const node::BackendNode::Progress& progress);
+
+  /// Waits for the runs in progress, so not on one of the executors' threads.
+  ~WorldInstance();
+  WorldInstance(const WorldInstance&) = delete;
+  WorldInstance& operator=(const WorldInstance&) = delete;
+
+  [[nodiscard]] world::World& world() noexcept { return world_; }
+  [[nodiscard]] node::FrontendProcess& frontend() noexcept { return frontend_; }
+
+  /// Sends the backend node who is here and what they do. One thread, that of publishIfDue().
+  void publish();
+  /// The same if it was sent a thirtieth of a second ago, for as long as somebody is here. Returns when to ask again;
+  /// `now` is of the world's clock.
+  double publishIfDue(double now);
+
+  /// Of all across-user work, see node::BackendHalf. Any thread.
+  void setQuality(int step);
+  /// A visitor has left. Any thread.
+  void forget(node::SessionId session);
+  /// Of the memory that the models take, which changes when one shows something finer. One thread at a time.
+  void tellModels();
+
+ private:
+  const WorldGround ground_;
+  world::World world_;
+  std::map<world::TypeIndex, pipeline::HeldMemory> models_;
+  std::uint64_t updates_ = 0;
+  world::Edits::Cursor edits_ = 0;  ///< what the backend node knows of them
+  double nextUpdate_ = 0.0;
+  const std::unique_ptr<node::Transport> transport_;
+  node::BackendNode backend_;
+  node::FrontendProcess frontend_;
+};
+
+}  // namespace grove::stream

@@ -1,0 +1,110 @@
+#include "node/backend/world_mirror.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <initializer_list>
+#include <memory>
+#include <vector>
+
+namespace grove::node {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+using ::testing::UnorderedElementsAre;
+
+world::Gust gustOf(world::PlayerId visitor, float speed) {
+  world::Gust gust;
+  gust.visitor = visitor;
+  gust.speed = speed;
+  return gust;
+}
+
+std::shared_ptr<const WorldUpdate> update(std::uint64_t number, std::initializer_list<world::PlayerId> players,
+                                          std::vector<world::Gust> gusts = {}) {
+  auto made = std::make_shared<WorldUpdate>();
+  made->number = number;
+  for (const world::PlayerId id : players) made->players.emplace_back().id = id;
+  made->gusts = std::move(gusts);
+  return made;
+}
+
+std::vector<world::PlayerId> ids(const WorldMirror& mirror) {
+  std::vector<world::PlayerId> ids;
+  for (const world::Player& player : mirror.players()) ids.push_back(player.id);
+  return ids;
+}
+
+std::vector<float> speeds(const WorldMirror& mirror, WorldMirror::Cursor& cursor) {
+  std::vector<float> speeds;
+  for (const world::Gust& gust : mirror.gusts(cursor)) speeds.push_back(gust.speed);
+  return speeds;
+}
+
+TEST(WorldMirror, KnowsNobodyAtFirst) {
+  const WorldMirror mirror;
+  WorldMirror::Cursor cursor = 0;
+  EXPECT_THAT(ids(mirror), IsEmpty());
+  EXPECT_THAT(speeds(mirror, cursor), IsEmpty());
+}
+
+TEST(WorldMirror, TheNewestUpdateCountsInWhateverOrderTheyCome) {
+  WorldMirror mirror;
+  mirror.apply(update(2, {7, 8}));
+  mirror.apply(update(1, {7}));
+  EXPECT_THAT(ids(mirror), ElementsAre(7, 8));
+  mirror.apply(update(3, {}));
+  EXPECT_THAT(ids(mirror), IsEmpty());
+}
+
+TEST(WorldMirror, WhatBlowsOnBlowsAtEveryTick) {
+  WorldMirror mirror;
+  WorldMirror::Cursor cursor = 0;
+  mirror.apply(update(1, {1}, {gustOf(1, 2.0F)}));
+  for (int tick = 0; tick < 3; ++tick) EXPECT_THAT(speeds(mirror, cursor), ElementsAre(2.0F));
+  mirror.apply(update(2, {1}));
+  EXPECT_THAT(speeds(mirror, cursor), IsEmpty());
+}
+
+TEST(WorldMirror, ASlowSimulationMissesNoGustAndGetsNoneTwice) {
+  WorldMirror mirror;
+  WorldMirror::Cursor slow = 0;
+  WorldMirror::Cursor other = 0;
+  mirror.apply(update(1, {1, 2}, {gustOf(1, 1.0F)}));
+  EXPECT_THAT(speeds(mirror, other), ElementsAre(1.0F));
+  mirror.apply(update(2, {1, 2}, {gustOf(1, 3.0F), gustOf(2, 5.0F)}));
+  mirror.apply(update(3, {1, 2}));
+  EXPECT_THAT(speeds(mirror, slow), UnorderedElementsAre(3.0F, 5.0F)) << "of each visitor the newest";
+  EXPECT_THAT(speeds(mirror, slow), IsEmpty());
+  EXPECT_THAT(speeds(mirror, other), UnorderedElementsAre(3.0F, 5.0F)) << "each reads for itself";
+}
+
+TEST(WorldMirror, KeepsTheGustsOfALimitedPast) {
+  WorldMirror mirror;
+  mirror.apply(update(1, {1}, {gustOf(1, 1.0F)}));
+  for (std::uint64_t number = 2; number < 200; ++number) mirror.apply(update(number, {1}, {gustOf(2, 2.0F)}));
+  WorldMirror::Cursor cursor = 0;
+  EXPECT_THAT(speeds(mirror, cursor), ElementsAre(2.0F));
+}
+
+TEST(WorldMirror, WakesWhileSomebodyIsThereAndTheTokenIsHeld) {
+  WorldMirror mirror;
+  int woken = 0;
+  auto token = mirror.whileVisited([&] { ++woken; });
+  mirror.apply(update(1, {}));
+  EXPECT_EQ(woken, 0);
+  mirror.apply(update(2, {1}));
+  mirror.apply(update(3, {1}));
+  EXPECT_EQ(woken, 2);
+  mirror.apply(update(3, {1}));
+  EXPECT_EQ(woken, 2) << "nothing new";
+  mirror.apply(update(4, {}));
+  EXPECT_EQ(woken, 2);
+  token.reset();
+  mirror.apply(update(5, {1}));
+  EXPECT_EQ(woken, 2);
+}
+
+}  // namespace
+}  // namespace grove::node

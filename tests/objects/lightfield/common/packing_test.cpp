@@ -1,0 +1,133 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+#include "objects/lightfield/common/cached_view.h"
+#include "objects/lightfield/common/field_info.h"
+#include "objects/lightfield/common/keys.h"
+
+namespace grove::objects::lightfield {
+namespace {
+
+constexpr FieldInfo::Parts kParts{{{0.0F, 0.1F, 0.2F}, 9.0F, {0.3F, 3.0F, -0.2F}, 4.0F}, 256, 3, 16.0F};
+
+/// A disc with a soft rim and a hole.
+std::shared_ptr<const CachedView> disc() {
+  const auto image = raster::ImagePool().acquire({5, 7, 75, 67});
+  std::mt19937 random(2);
+  for (int y = 0; y < image->height(); ++y) {
+    for (int x = 0; x < image->width(); ++x) {
+      const int far = (x - 35) * (x - 35) + (y - 30) * (y - 30);
+      const bool covered = far < 700 && far > 40;
+      image->colourRow(y)[x] = covered ? (far > 650 ? 0x40302010U : 0xFF000000U | (random() & 0x00FFFFFFU)) : 0U;
+      image->depthRow(y)[x] = covered ? 5.0F + 0.01F * static_cast<float>(x) : world::kInfiniteDepth;
+    }
+  }
+  ObjectCamera camera;
+  camera.eye = {1.0F, 2.0F, 3.0F};
+  camera.corner = {-0.5F, 0.4F, -1.0F};
+  camera.perColumn = {0.01F, 0.0F, 0.0F};
+  camera.perRow = {0.0F, -0.01F, 0.0F};
+  return std::make_shared<const CachedView>(*image, camera);
+}
+
+std::shared_ptr<const node::PackedBytes> packedOf(const node::SharedData& data) {
+  pipeline::Timeline timeline;
+  return data.packed(timeline, kTypeName);
+}
+
+/// Calls `unpack` with damaged bytes; returns how often it refused them.
+template <class Unpack>
+int refusals(const node::PackedBytes& whole, const Unpack& unpack) {
+  std::mt19937 random(4);
+  int refused = 0;
+  for (int i = 0; i < 3000; ++i) {
+    node::PackedBytes bytes = whole;
+    bytes[random() % (random() % 2 == 0 ? std::min<std::size_t>(bytes.size(), 80) : bytes.size())] =
+        static_cast<std::byte>(random() % 256U);
+    if (random() % 4 == 0) bytes.resize(random() % bytes.size());
+    try {
+      unpack(bytes);
+    } catch (const node::PackingError&) {
+      ++refused;
+    }
+  }
+  return refused;
+}
+
+TEST(LightFieldPacking, AViewIsTheSameAfterwards) {
+  const auto before = disc();
+  const auto after = CachedView::unpack(*packedOf(*before));
+  ASSERT_EQ(after->width(), before->width());
+  ASSERT_EQ(after->height(), before->height());
+  EXPECT_EQ(after->left(), before->left());
+  EXPECT_EQ(after->top(), before->top());
+  EXPECT_EQ(after->camera().eye, before->camera().eye);
+  EXPECT_EQ(after->camera().perRow, before->camera().perRow);
+  EXPECT_EQ(after->softness(), before->softness());
+  EXPECT_EQ(after->range().least, before->range().least);
+  EXPECT_EQ(after->range().greatest, before->range().greatest);
+  const auto texels = static_cast<std::size_t>(before->width()) * static_cast<std::size_t>(before->height());
+  EXPECT_TRUE(std::equal(before->colour(), before->colour() + texels, after->colour()));
+  EXPECT_TRUE(std::equal(before->nearness(), before->nearness() + texels + before->padding(), after->nearness()));
+  for (int row = 0; row < before->squaresDown(); ++row) {
+    for (int column = 0; column < before->squaresAcross(); ++column) {
+      EXPECT_EQ(after->range(column, row).least, before->range(column, row).least);
+      EXPECT_EQ(after->range(column, row).greatest, before->range(column, row).greatest);
+    }
+  }
+}
+
+TEST(LightFieldPacking, AnEmptyViewStaysEmpty) {
+  const CachedView empty(*raster::ImagePool().acquire({0, 0, 0, 0}), ObjectCamera());
+  EXPECT_TRUE(CachedView::unpack(*packedOf(empty))->empty());
+}
+
+TEST(LightFieldPacking, ADamagedViewIsRefusedOrAView) {
+  const int refused = refusals(*packedOf(*disc()), [](const node::PackedBytes& bytes) {
+    const auto view = CachedView::unpack(bytes);
+    ASSERT_LE(view->width(), kMostCellSize + 2 * CachedView::kBorder);
+  });
+  EXPECT_GT(refused, 500);
+}
+
+TEST(LightFieldPacking, WhatALightFieldIsStaysTheSame) {
+  const FieldInfo before(kParts, 5);
+  const auto after = FieldInfo::unpack(*packedOf(before), 5);
+  EXPECT_EQ(after->version(), 5U);
+  EXPECT_EQ(after->parts().geometry.target, kParts.geometry.target);
+  EXPECT_EQ(after->parts().geometry.radius, kParts.geometry.radius);
+  EXPECT_EQ(after->parts().geometry.extent, kParts.geometry.extent);
+  EXPECT_EQ(after->parts().viewSize, 256);
+  EXPECT_EQ(after->parts().number, 3);
+  EXPECT_EQ(after->parts().maxError, 16.0F);
+  const int refused = refusals(*packedOf(before), [](const node::PackedBytes& bytes) {
+    ASSERT_GT(FieldInfo::unpack(bytes, 1)->parts().geometry.extent, 0.0F);
+  });
+  EXPECT_GT(refused, 700);
+}
+
+TEST(LightFieldPacking, KeysSayWhatTheyWereMadeOf) {
+  const CellId cell{1, -2, 3, 4, 5, 1024, 7, true};
+  EXPECT_EQ(cellIdOf(keyOf(cell)), cell);
+  OwnPicture own;
+  own.camera.eye = {1.0F, -2.0F, 3.0F};
+  own.camera.perRow = {0.0F, 0.5F, 0.0F};
+  own.mustBeMade = true;
+  const OwnPicture again = ownPictureOf(keyOf(own));
+  EXPECT_EQ(again.camera.eye, own.camera.eye);
+  EXPECT_EQ(again.camera.perRow, own.camera.perRow);
+  EXPECT_TRUE(again.mustBeMade);
+  EXPECT_LE(keyOf(own).size(), node::kMaxKeyBytes);
+  for (const std::size_t length : {0U, 3U, 28U, 30U, 48U, 50U}) {
+    EXPECT_THROW((void)cellIdOf(node::Key(length, '\1')), node::PackingError) << length;
+    EXPECT_THROW((void)ownPictureOf(node::Key(length, '\1')), node::PackingError) << length;
+  }
+  node::Key nowhere = keyOf(own);
+  std::fill_n(nowhere.begin(), 4, '\xFF');
+  EXPECT_THROW((void)ownPictureOf(nowhere), node::PackingError) << "not a number";
+}
+
+}  // namespace
+}  // namespace grove::objects::lightfield

@@ -1,0 +1,287 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "node/backend/load_scene.h"
+#include "node/backend_stand.h"
+#include "node/frontend/scene_analyzer.h"
+#include "node/frontend/shared_store.h"
+#include "objects/lightfield/backend/light_field_backend.h"
+#include "objects/lightfield/backend/light_field_backend_type.h"
+#include "objects/lightfield/backend/simd/thicket.h"
+#include "objects/lightfield/file/light_field_file.h"
+#include "objects/lightfield/file/small_field.h"
+#include "objects/lightfield/frontend/light_field_frontend.h"
+#include "world/scene_file.h"
+#include "world/world.h"
+
+namespace grove::objects::lightfield {
+namespace {
+
+/// What an object is shown with in a frame.
+struct Shown {
+  node::Payload payload;
+  CrossFade fade;
+};
+
+/// A wood of 25 thickets of ten metres, and visitors who walk about in it: each with a frontend half, all with one
+/// shared store and one backend half.
+class Wood {
+ public:
+  Wood(const LightField& field, int visitors) : world_(sceneOf(field)), players_(world_.scene.layout) {
+    for (int i = 0; i < visitors; ++i) {
+      visitors_.push_back({players_.players().join("visitor", 0.0), std::make_unique<LightFieldFrontend>(tools_)});
+    }
+  }
+
+  /// What a visitor sees in the next frame.
+  std::vector<Shown> look(std::size_t visitor, node::FrameNumber frame, double now, bool walks = true) {
+    world::Players& players = players_.players();
+    const world::PlayerId id = visitors_[visitor].id;
+    world::Input input;
+    input.number = frame;
+    input.keys = walks ? world::kForward : 0;
+    input.yaw = 0.8F * static_cast<float>(visitor) + (walks ? std::sin(0.5F * static_cast<float>(now)) : 0.0F);
+    players.apply(id, input, now);
+    const auto view = std::make_shared<node::View>();
+    view->session = visitor + 1;
+    view->frame = frame;
+    view->viewer = id;
+    view->time = now;
+    view->players = players.all(now);
+    view->camera.pose = players.find(id, now)->pose;
+    view->camera.width = 320;
+    view->camera.height = 180;
+    std::vector<Shown> shown;
+    for (const node::VisibleObject& object : node::visibleObjects(world_.scene.layout, *view)) {
+      shown.push_back(show(*visitors_[visitor].half, object, view));
+    }
+    return shown;
+  }
+
+  /// The light field that all show gives way to a finer one.
+  void show(const LightField& finer) {
+    const std::string file = (folder_ / "thicket.glf").string();
+    writeLightField(finer, file);
+    types_.find("lightfield")->show(file);
+  }
+
+  std::int64_t counted(const char* counter) {
+    const auto counters = stand_.timeline.counters();
+    const auto found = counters.find(counter);
+    return found == counters.end() ? 0 : found->second;
+  }
+
+ private:
+  struct Visitor {
+    world::PlayerId id = 0;
+    std::unique_ptr<LightFieldFrontend> half;
+  };
+
+  node::LoadedScene sceneOf(const LightField& field) {
+    const std::string file = (folder_ / "thicket.glf").string();
+    writeLightField(field, file);
+    types_.add(std::make_unique<LightFieldBackendType>(LightFieldOptions{}));
+    std::string scene = "name = 'a wood'\nspawn = [0, 0, 30]\n";
+    for (int i = 0; i < 25; ++i) {
+      scene += "[[object]]\ntype = 'lightfield'\nrenderer = 'simd'\nscale = 5\nfile = '" + file + "'\nposition = [" +
+               std::to_string(14 * (i % 5 - 2)) + ", 0, " + std::to_string(14 * (i / 5 - 2)) + "]\n";
+    }
+    return node::loadScene(world::parseScene(scene, "wood.toml"), types_);
+  }
+
+  node::BackendServices services() {
+    node::BackendServices services = stand_.services(world_);
+    services.announce = [this](const node::Announcement& announcement) { store_.announced(announcement); };
+    return services;
+  }
+
+  node::Payload answer(const node::Request& request) {
+    node::Payload payload;
+    backend_.answer({&request, 1}, {&payload, 1});
+    return payload;
+  }
+
+  bool fetch(const node::Request& request) {
+    node::Result result;
+    result.what = {request.object, request.key};
+    result.shared = true;
+    result.payload = answer(request);
+    const auto* const data = std::get_if<std::shared_ptr<const node::SharedData>>(&result.payload);
+    if (data != nullptr) result.version = (*data)->version();
+    store_.put(result);
+    return true;
+  }
+
+  Shown show(LightFieldFrontend& half, const node::VisibleObject& object,
+             const std::shared_ptr<const node::View>& view) {
+    const node::SharedOf shared(store_, object.object.id);
+    node::Plan plan = half.plan(object, *view, shared, nullptr);
+    while (const auto* const asked = std::get_if<node::Ask>(&plan)) {
+      const node::Ask ask = *asked;
+      node::Request request;
+      request.view = view;
+      request.object = object.object.id;
+      request.shared = ask.shared;
+      request.key = ask.key;
+      request.rect = ask.rect;
+      request.distance = object.distance;
+      request.urgency = ask.urgency;
+      node::Payload payload;
+      if (ask.shared) {
+        store_.get(request, [&](const node::Payload& came) { payload = came; });
+      } else {
+        payload = answer(request);
+      }
+      const node::Reply reply{ask, payload};
+      plan = half.plan(object, *view, shared, &reply);
+    }
+    Shown shown{std::get<node::Payload>(plan), {}};
+    if (const auto* const data = std::get_if<std::shared_ptr<const node::SharedData>>(&shown.payload)) {
+      shown.fade = half.fade(object.object.id, static_cast<const CachedView&>(**data), view->time);
+    }
+    return shown;
+  }
+
+  TemporaryFolder folder_;
+  node::BackendTypes types_;
+  tests::BackendWorld world_;
+  world::World players_;
+  tests::BackendStand stand_;
+  node::SharedStore store_{std::size_t{256} << 20U, [this](const node::Request& request) { return fetch(request); }};
+  LightFieldBackend backend_{services(), 0, {}};
+  node::FrontendTools tools_{stand_.workers, stand_.timeline, stand_.memory, stand_.images};
+  std::vector<Visitor> visitors_;
+};
+
+class LightFieldHalves : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() { field_ = new LightField(Thicket().bake(4, 64, 2)); }
+  static void TearDownTestSuite() { delete field_; }
+  static LightField* field_;
+};
+
+LightField* LightFieldHalves::field_ = nullptr;
+
+struct Fades {
+  int going = 0;
+  float least = 1.0F;  ///< share of the finer ones
+  float most = 0.0F;
+};
+
+Fades fadesOf(const std::vector<Shown>& shown) {
+  Fades fades;
+  for (const auto& [payload, fade] : shown) {
+    if (!fade.from) continue;
+    ++fades.going;
+    fades.least = std::min(fades.least, fade.share);
+    fades.most = std::max(fades.most, fade.share);
+  }
+  return fades;
+}
+
+bool showsAll(const std::vector<Shown>& shown) {
+  return std::ranges::none_of(shown,
+                              [](const Shown& each) { return std::holds_alternative<node::Failure>(each.payload); });
+}
+
+TEST_F(LightFieldHalves, ALoneVisitorIsNeverHeldBack) {
+  Wood wood(*field_, 1);
+  for (node::FrameNumber frame = 1; frame <= 120; ++frame) (void)wood.look(0, frame, frame / 30.0);
+  EXPECT_EQ(wood.counted("coarse views"), 0);
+  EXPECT_LE(wood.counted("views shown late"), wood.counted("view cache hits") / 10);
+  EXPECT_GT(wood.counted("view cache misses"), 20);
+}
+
+TEST_F(LightFieldHalves, AFinerLightFieldComesWithoutAJump) {
+  Wood wood(*field_, 1);
+  node::FrameNumber frame = 1;
+  double now = 0.0;
+  const auto look = [&] { return wood.look(0, frame++, now += 1.0 / 30.0, false); };
+  while (frame < 90) (void)look();
+  EXPECT_EQ(fadesOf(look()).going, 0);
+  wood.show(Thicket().bake(4, 128, 2));
+  // Everything that shows goes over to it, as the budget has it, and begins with the picture that was there.
+  std::map<int, int> seen;
+  int objects = 0;
+  float last = 0.0F;
+  bool isFirst = true;
+  for (int i = 0; i < 120; ++i) {
+    const auto payloads = look();
+    ASSERT_TRUE(showsAll(payloads));
+    objects = static_cast<int>(payloads.size());
+    const Fades fades = fadesOf(payloads);
+    if (fades.going == 0) continue;
+    if (std::exchange(isFirst, false)) {
+      EXPECT_LT(fades.least, 0.01F);
+    }
+    EXPECT_LT(fades.most - last, 0.1F) << "no more than a frame's share at once";
+    last = std::max(last, fades.most);
+    ++seen[fades.going];
+  }
+  ASSERT_GT(objects, 5);
+  EXPECT_FALSE(isFirst);
+  EXPECT_GT(last, 0.9F);
+  EXPECT_GT(seen.rbegin()->first, objects / 2) << "most objects faded";
+  EXPECT_EQ(fadesOf(look()).going, 0) << "and it comes to an end";
+}
+
+/// For the thread sanitizer, too: requests in progress hold on to what they began with.
+TEST_F(LightFieldHalves, LightFieldsChangeWhileFramesAreMade) {
+  Wood wood(*field_, 2);
+  const LightField finer = Thicket().bake(2, 64, 2);
+  std::atomic<bool> done{false};
+  std::jthread shower([&] {
+    for (int i = 0; i < 5; ++i) {
+      wood.show(i % 2 == 0 ? finer : *field_);
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+    done = true;
+  });
+  for (node::FrameNumber frame = 1; !done; ++frame) {
+    for (const std::size_t visitor : {0U, 1U}) {
+      const auto payloads = wood.look(visitor, frame, frame / 30.0);
+      ASSERT_TRUE(showsAll(payloads));
+      ASSERT_FALSE(payloads.empty());
+    }
+  }
+}
+
+TEST_F(LightFieldHalves, ACrowdOnALateMachineSeesEverythingWithinTheBudget) {
+  // Pictures of this light field are small; so many share the budget that those who look get few.
+  constexpr int kVisitors = 800;
+  constexpr std::size_t kLooking = 8;
+  constexpr double kSeconds = 10.0;
+  Wood wood(*field_, kVisitors);
+  const double share = LightFieldBackend::texelsPerSecond(1) * kLooking / kVisitors;
+  node::FrameNumber frame = 0;
+  for (; frame < 4 * kSeconds; ++frame) {
+    for (std::size_t visitor = 0; visitor < kLooking; ++visitor) {
+      ASSERT_TRUE(showsAll(wood.look(visitor, frame + 1, 0.25 * frame)));
+    }
+  }
+  EXPECT_LE(static_cast<double>(wood.counted("texels of new views")), share * (kSeconds + 1.0) + kLooking * 64 * 64);
+  EXPECT_GT(wood.counted("coarse views"), 10);
+  EXPECT_GT(wood.counted("views shown late") + wood.counted("near views shown late"), 100);
+
+  // Who stands still has proper pictures of everything in the end.
+  const auto late = [&] {
+    return wood.counted("coarse views") + wood.counted("views shown late") + wood.counted("near views shown late");
+  };
+  for (; frame < 4 * 6 * kSeconds; ++frame) (void)wood.look(0, frame + 1, 0.25 * frame, false);
+  const std::int64_t before = late();
+  (void)wood.look(0, frame + 1, 0.25 * frame, false);
+  EXPECT_EQ(late(), before);
+}
+
+}  // namespace
+}  // namespace grove::objects::lightfield

@@ -1,0 +1,188 @@
+#include "stream/session/world_instance.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "eventually.h"
+#include "gl/shader_library.h"
+#include "gl/workers.h"
+#include "node/transport/reference_transport.h"
+#include "stream/session/headless_session.h"
+#include "stream/session/host.h"
+
+namespace grove::stream {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+using tests::eventually;
+
+constexpr auto kPatience = std::chrono::seconds(30);
+
+/// What a backend half sees of the world.
+struct Sight {
+  const node::WorldMirror* world = nullptr;
+  std::atomic<int> wakes{0};
+  std::atomic<int> quality{0};
+  std::mutex mutex;
+  std::vector<node::SessionId> forgotten;
+
+  [[nodiscard]] std::vector<std::string> names() const {
+    std::vector<std::string> names;
+    for (const world::Player& player : world->players()) names.push_back(player.name);
+    return names;
+  }
+};
+
+class NoModel final : public world::Model {
+ public:
+  [[nodiscard]] world::Bounds bounds() const override { return {world::Vec3(-1.0F), world::Vec3(1.0F)}; }
+};
+
+class WatchingHalf final : public node::BackendHalf {
+ public:
+  WatchingHalf(const node::BackendServices& services, Sight& sight)
+      : services_(services), sight_(sight), awake_(services.world.whileVisited([&sight] { ++sight.wakes; })) {
+    sight.world = &services.world;
+  }
+  [[nodiscard]] node::NodeKind kind() const override { return node::NodeKind::kSimulation; }
+  [[nodiscard]] pipeline::Executor& executor() override { return services_.workers; }
+  void setQuality(int step) override { sight_.quality = step; }
+  void forget(node::SessionId session) override {
+    const std::lock_guard lock(sight_.mutex);
+    sight_.forgotten.push_back(session);
+  }
+  void answer(std::span<const node::Request>, std::span<node::Payload>) override {}
+
+ private:
+  const node::BackendServices services_;
+  Sight& sight_;
+  const std::shared_ptr<void> awake_;
+};
+
+class WatchingType final : public node::BackendType {
+ public:
+  explicit WatchingType(Sight& sight) : sight_(sight) {}
+  [[nodiscard]] std::string_view name() const override { return "watcher"; }
+  [[nodiscard]] std::shared_ptr<const world::Model> model(const world::Parameters&) const override {
+    return std::make_shared<NoModel>();
+  }
+  [[nodiscard]] std::unique_ptr<node::BackendHalf> makeHalf(const node::BackendServices& services,
+                                                            world::TypeIndex) const override {
+    return std::make_unique<WatchingHalf>(services, sight_);
+  }
+
+ private:
+  Sight& sight_;
+};
+
+class UnseenType final : public node::FrontendType {
+ public:
+  [[nodiscard]] std::string_view name() const override { return "watcher"; }
+};
+
+node::ObjectTypes watchers(Sight& sight) {
+  node::ObjectTypes types;
+  types.backends.add(std::make_unique<WatchingType>(sight));
+  types.frontends.add(std::make_unique<UnseenType>());
+  return types;
+}
+
+class WorldInstanceTest : public testing::Test {
+ protected:
+  Sight sight_;
+  const node::ObjectTypes types_ = watchers(sight_);
+  gl::ShaderLibrary shaders_;
+  gl::Workers gl_{gl::ContextKind::kAuto, shaders_, 1};
+  Host host_{node::loadScene(world::parseScene("[[object]]\ntype = 'watcher'\n", "test"), types_.backends),
+             types_,
+             gl_,
+             {},
+             [](std::string_view, float) {}};
+};
+
+TEST_F(WorldInstanceTest, TellsItsBackendWhoIsThere) {
+  ASSERT_NE(sight_.world, nullptr);
+  EXPECT_THAT(sight_.names(), IsEmpty());
+  {
+    HeadlessSession ada(host_, "Ada", 160, 90);
+    EXPECT_TRUE(eventually([&] { return sight_.names() == std::vector<std::string>{"Ada"}; }));
+    const HeadlessSession bob(host_, "Bob", 160, 90);
+    EXPECT_TRUE(eventually([&] { return sight_.names().size() == 2; }));
+    const int before = sight_.wakes;
+    EXPECT_TRUE(eventually([&] { return sight_.wakes >= before + 3; })) << "again and again";
+    ada.control(world::kForward, 0.0F, 0.0F);
+    const world::Vec3 start = sight_.world->players().at(0).pose.position;
+    EXPECT_TRUE(eventually([&] { return sight_.world->players().at(0).pose.position != start; }));
+  }
+  EXPECT_TRUE(eventually([&] { return sight_.names().empty(); }));
+  const int rest = sight_.wakes;
+  host_.workers().drain();
+  EXPECT_EQ(sight_.wakes, rest) << "nobody is there";
+}
+
+TEST_F(WorldInstanceTest, TellsItsBackendWhatBlows) {
+  HeadlessSession ada(host_, "Ada", 160, 90);
+  node::WorldMirror::Cursor cursor = 0;
+  ASSERT_TRUE(eventually([&] { return !sight_.names().empty(); }));
+  EXPECT_THAT(sight_.world->gusts(cursor), IsEmpty());
+  ada.control(world::kBlow, 0.0F, 0.0F);
+  EXPECT_TRUE(eventually([&] { return sight_.world->gusts(cursor).size() == 1; }));
+  ada.control(0, 0.0F, 0.0F);
+  EXPECT_TRUE(eventually([&] { return sight_.world->gusts(cursor).empty(); }));
+  // A breath between two updates.
+  ada.control(world::kBlow, 0.0F, 0.0F);
+  ada.control(0, 0.0F, 0.0F);
+  EXPECT_TRUE(eventually([&] { return sight_.world->gusts(cursor).size() == 1; }));
+}
+
+TEST_F(WorldInstanceTest, TellsItsBackendWhoHasLeft) {
+  HeadlessSession(host_, "Ada", 160, 90);
+  const auto forgotten = [&] {
+    const std::lock_guard lock(sight_.mutex);
+    return sight_.forgotten;
+  };
+  EXPECT_TRUE(eventually([&] { return !forgotten().empty(); }));
+  EXPECT_THAT(forgotten(), ElementsAre(node::makeId(1, 1)));
+}
+
+TEST_F(WorldInstanceTest, PagesSeeTheLowHalfOfIds) {
+  HeadlessSession ada(host_, "", 160, 90);
+  ASSERT_TRUE(ada.frameAfter(0, kPatience));
+  EXPECT_EQ(ada.welcome().visitor, 1U);
+  EXPECT_EQ(host_.players().all(world::World::now()).at(0).name, "Visitor 1");
+  for (const pipeline::TimelineEvent& event : host_.timeline().events()) EXPECT_LE(event.tag.session, 1U);
+}
+
+TEST(WorldInstance, SetsTheQualityOfItsBackend) {
+  Sight sight;
+  const node::ObjectTypes types = watchers(sight);
+  const gl::ShaderLibrary shaders;
+  gl::Workers gl(gl::ContextKind::kAuto, shaders, 1);
+  const node::LoadedScene scene =
+      node::loadScene(world::parseScene("[[object]]\ntype = 'watcher'\n", "test"), types.backends);
+  pipeline::Timeline timeline;
+  pipeline::MemoryLedger memory;
+  raster::ImagePool images;
+  pipeline::WorkerPool workers(2);
+  WorldInstance instance({scene,
+                          std::make_shared<const world::WorldGeometry>(scene.objects),
+                          world::World::makePlayers(scene.layout),
+                          types,
+                          {workers, gl, timeline, memory, images},
+                          0},
+                         std::make_unique<node::ReferenceTransport>(), node::Haste::kNone, {});
+  instance.setQuality(2);
+  EXPECT_EQ(sight.quality, 2);
+}
+
+}  // namespace
+}  // namespace grove::stream
