@@ -16,6 +16,7 @@ constexpr double kFetchSeconds = 1.0;
 }  // namespace
 
 std::shared_ptr<const SharedData> SharedStore::find(const SharedKey& what) {
+<<<<<<< HEAD
   std::shared_ptr<const SharedData> data;
   {
     const std::lock_guard lock(mutex_);
@@ -28,6 +29,24 @@ std::shared_ptr<const SharedData> SharedStore::find(const SharedKey& what) {
   }
   fetchNewer(what);
   return data;
+=======
+  Found found;
+  {
+    const std::lock_guard lock(mutex_);
+    found = use(what);
+  }
+  if (found.isStale) fetchNewer(what);
+  return found.data;
+}
+
+SharedStore::Found SharedStore::use(const SharedKey& what) {
+  Entry* const entry = what.key.empty() ? entryOf(what) : entries_.use(what);
+  if (entry == nullptr) return {};
+  entry->used = true;
+  const bool isStale = wantsNewer(what, *entry);
+  if (isStale) pending_[what].deadline = world::World::now() + kFetchSeconds;
+  return {entry->data, isStale};
+>>>>>>> wire3
 }
 
 SharedStore::Entry* SharedStore::entryOf(const SharedKey& what) {
@@ -63,6 +82,7 @@ void SharedStore::fetch(Request request) {
 
 void SharedStore::get(const Request& request, Waiter waiter) {
   const SharedKey what{request.object, request.key};
+<<<<<<< HEAD
   if (std::shared_ptr<const SharedData> data = find(what)) {
     waiter(std::move(data));
     return;
@@ -75,6 +95,25 @@ void SharedStore::get(const Request& request, Waiter waiter) {
     pending->second.deadline = request.view->deadline;
   }
   fetch(request);
+=======
+  Found found;
+  {
+    const std::lock_guard lock(mutex_);
+    found = use(what);
+    if (!found.data) {
+      const auto [pending, isNew] = pending_.try_emplace(what);
+      pending->second.waiters.push_back(std::move(waiter));
+      if (!isNew && world::World::now() <= pending->second.deadline) return;
+      pending->second.deadline = request.view->deadline;
+    }
+  }
+  if (!found.data) {
+    fetch(request);
+    return;
+  }
+  if (found.isStale) fetchNewer(what);
+  waiter(std::move(found.data));
+>>>>>>> wire3
 }
 
 std::vector<SharedStore::Waiter> SharedStore::takeWaiters(const SharedKey& what) {
