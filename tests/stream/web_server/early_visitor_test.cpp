@@ -122,9 +122,10 @@ TEST_F(EarlyVisitorTest, WhatIsWrongWithAGreetingIsSaidWhenTheWorldIsThere) {
   // There is room for one, whichever of them the server comes to first.
   std::vector<std::uint8_t> bytes;
   const bool isSecondIn = std::holds_alternative<Welcome>(afterWaiting(second, bytes));
-  const auto full = (isSecondIn ? third : second).receiveClose();
-  ASSERT_TRUE(full);
-  EXPECT_EQ(full->code, static_cast<int>(CloseCode::kFull));
+  const auto thirdClose = isSecondIn ? third.receiveClose() : std::nullopt;
+  ASSERT_TRUE(isSecondIn ? thirdClose.has_value() : bytes.size() >= 2);
+  // The second's was read already: a close begins with its code.
+  EXPECT_EQ(isSecondIn ? thirdClose->code : bytes[0] << 8U | bytes[1], static_cast<int>(CloseCode::kFull));
 }
 
 TEST_F(EarlyVisitorTest, WhoGoesBeforeTheWorldIsThereIsForgotten) {
