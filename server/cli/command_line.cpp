@@ -17,12 +17,8 @@
 #include "base/simd/target.h"
 #include "base/version.h"
 #include "cli/bake.h"
-#include "cli/bench/amortize/bench_amortize.h"
-#include "cli/bench/encode/bench_encode.h"
-#include "cli/bench/fluid/bench_fluid.h"
-#include "cli/bench/fluid/bench_fluid_solvers.h"
-#include "cli/bench/lightfield/bench_lightfield.h"
-#include "cli/bench/pipeline/bench_pipeline.h"
+#include "cli/bench_commands.h"
+#include "cli/choose.h"
 #include "cli/load.h"
 #include "cli/serve.h"
 #include "cli/shape.h"
@@ -33,21 +29,6 @@
 
 namespace grove::cli {
 namespace {
-
-/// As help shows what may stand behind an option, and as shells complete it: "{auto,egl,osmesa}".
-std::string oneOf(std::span<const std::string_view> names) {
-  std::string text;
-  for (const std::string_view name : names) text.append(text.empty() ? "{" : ",").append(name);
-  return text + "}";
-}
-
-template <class Value>
-CLI::Option* choose(CLI::Option* option, const std::map<std::string, Value>& values) {
-  std::vector<std::string_view> names;
-  names.reserve(values.size());
-  for (const auto& [name, value] : values) names.push_back(name);
-  return option->transform(CLI::Transformer(values).description(""))->type_name(oneOf(names));
-}
 
 void addInternet(CLI::App& serve, ServeOptions& options) {
   serve.add_option("--origin", options.origins, "Origin whose pages may open a socket; may be given several times")
@@ -159,89 +140,6 @@ void addBake(CLI::App& app, BakeCommand& command) {
   bake->add_flag("--json", command.json, "One JSON document on stdout");
 }
 
-void addBenchAmortize(CLI::App* bench, BenchAmortizeOptions& options) {
-  CLI::App* amortize = bench->add_subcommand(
-      "amortize", "What visitors save who share a world, against visitors with a world each (alpha, beta, cores)");
-  amortize
-      ->add_option("--users", options.users, "Numbers of visitors, as in 1,2,4,8 (without it: those, and --figure-5.6)")
-      ->delimiter(',')
-      ->check(CLI::Range(1, kMostAmortizeUsers));
-  CLI::Option* seconds = amortize->add_option("--seconds", options.seconds, "How long to measure each, after a warm-up")
-                             ->check(CLI::Range(0.1, 3600.0))
-                             ->capture_default_str();
-  amortize->add_option("--frames", options.frames, "Frames of each visitor to measure instead")
-      ->check(CLI::Range(1, 1'000'000))
-      ->excludes(seconds);
-  amortize->add_flag("--figure-5.6", options.figure, "The paper's Figure 5.6, too: the fluid alone");
-  amortize->add_option("--scene", options.scene, "Scene file (default: the grove, built in)");
-  amortize->add_option("--size", options.size, "Pixels of each visitor's picture, WIDTHxHEIGHT")->capture_default_str();
-  amortize->add_flag("--json", options.json, "One JSON document on stdout");
-  amortize->add_option("--plot", options.plot, "SVG file to draw the curves into");
-}
-
-void addBenchEncode(CLI::App* bench, BenchEncodeOptions& options) {
-  CLI::App* encode = bench->add_subcommand("encode", "CPU, bits and quality of the codecs on a walk through the grove");
-  encode->add_option("--walk", options.walk, "File of the walk (default: around the fire)");
-  encode->add_option("--size", options.size, "Pixels of a picture")->type_name("WxH")->capture_default_str();
-  encode->add_option("--seconds", options.seconds, "How long the walk is, at 30 frames a second")
-      ->check(CLI::Range(0.1, 600.0))
-      ->capture_default_str();
-  encode->add_flag("--json", options.json, "One JSON document on stdout");
-}
-
-/// Without --solvers, whole steps are measured.
-struct BenchFluidCommand {
-  BenchFluidOptions options;
-  bool solvers = false;
-  std::string plot;
-};
-
-int run(const BenchFluidCommand& command) {
-  if (!command.solvers) return runBenchFluid(command.options);
-  return runBenchFluidSolvers({command.options.grid, command.options.json, command.plot});
-}
-
-void addBenchFluid(CLI::App* bench, BenchFluidCommand& command) {
-  BenchFluidOptions& options = command.options;
-  CLI::App* fluid = bench->add_subcommand("fluid", "Time and accuracy of a step of the fluid simulation");
-  fluid->add_option("--grid", options.grid, "Cells per edge")->capture_default_str();
-  fluid->add_option("--steps", options.steps, "Steps to measure")->capture_default_str();
-  fluid->add_option("--threads", options.threads, "Threads per step")->capture_default_str();
-  fluid->add_flag("--json", options.json, "One JSON document on stdout");
-  CLI::Option* solvers =
-      fluid->add_flag("--solvers", command.solvers, "Compare pressure solvers instead: residual against CPU time");
-  fluid->add_option("--plot", command.plot, "With --solvers: SVG file to draw the comparison to")->needs(solvers);
-}
-
-void addBenchLightfield(CLI::App* bench, BenchLightfieldOptions& options) {
-  CLI::App* field = bench->add_subcommand("lightfield", "Speed and quality of pictures made of a light field");
-  field->add_option("--size", options.size, "Pixels per edge of a picture")
-      ->check(CLI::Range(16, 4096))
-      ->capture_default_str();
-  field->add_option("--requests", options.requests, "Pictures to make in each of three repeats")
-      ->check(CLI::Range(1, 100'000))
-      ->capture_default_str();
-  field->add_option("--file", options.file, "Light field (default: a small oak, baked first)");
-  field->add_option("--threads", options.threads, "Threads (default: one per core)")->check(CLI::Range(1, 1024));
-  field->add_flag("--json", options.json, "One JSON document on stdout");
-}
-
-void addBenchPipeline(CLI::App* bench, BenchPipelineOptions& options) {
-  CLI::App* pipeline = bench->add_subcommand("pipeline", "Frame rate and use of the stages by frames in flight");
-  pipeline->add_option("--frames-in-flight", options.framesInFlight, "Numbers to compare, like 1,4")
-      ->delimiter(',')
-      ->check(CLI::Range(1, node::kMostFramesInFlight))
-      ->capture_default_str();
-  pipeline->add_option("--users", options.users, "Visitors")->check(CLI::Range(1, 1024))->capture_default_str();
-  pipeline->add_option("--seconds", options.seconds, "How long, for each number of frames in flight")
-      ->check(CLI::Range(0.1, 60.0))
-      ->capture_default_str();
-  pipeline->add_option("--scene", options.scene, "Scene file (default: the grove, built in)");
-  pipeline->add_option("--size", options.size, "Pixels of a picture")->type_name("WxH")->capture_default_str();
-  pipeline->add_flag("--json", options.json, "One JSON document on stdout");
-  pipeline->add_option("--trace", options.trace, "File to write for ui.perfetto.dev or chrome://tracing");
-}
-
 void addLoad(CLI::App& app, LoadOptions& options) {
   CLI::App* load = app.add_subcommand("load", "Visit a running server with many websocket clients and measure");
   load->add_option("url", options.url, "ws://HOST:PORT/, or wss://")->required();
@@ -284,11 +182,7 @@ void addShape(CLI::App& app, ShapeOptions& options) {
 int run(int argc, char** argv) {
   ServeOptions serve;
   BakeCommand bake;
-  BenchAmortizeOptions benchAmortize;
-  BenchEncodeOptions benchEncode;
-  BenchFluidCommand benchFluid;
-  BenchLightfieldOptions benchLightfield;
-  BenchPipelineOptions benchPipeline;
+  BenchCommands bench;
   LoadOptions load;
   ShapeOptions shape;
   CLI::App app("Grove: one living world, a camera for every browser", "grove");
@@ -296,13 +190,7 @@ int run(int argc, char** argv) {
   app.set_version_flag("--version", std::string(version()), "Print version, SIMD target, GL and codecs, and exit");
   addServe(app, serve);
   addBake(app, bake);
-  CLI::App* bench = app.add_subcommand("bench", "Measure a part of Grove");
-  bench->require_subcommand(1);
-  addBenchAmortize(bench, benchAmortize);
-  addBenchEncode(bench, benchEncode);
-  addBenchFluid(bench, benchFluid);
-  addBenchLightfield(bench, benchLightfield);
-  addBenchPipeline(bench, benchPipeline);
+  bench.addTo(app);
   addLoad(app, load);
   addShape(app, shape);
   bool versionAsked = false;
@@ -328,11 +216,7 @@ int run(int argc, char** argv) {
     if (app.got_subcommand("bake")) return runBake(bake);
     if (app.got_subcommand("load")) return runLoad(load);
     if (app.got_subcommand("shape")) return runShape(shape);
-    if (bench->got_subcommand("amortize")) return runBenchAmortize(benchAmortize);
-    if (bench->got_subcommand("encode")) return runBenchEncode(benchEncode);
-    if (bench->got_subcommand("lightfield")) return runBenchLightfield(benchLightfield);
-    if (bench->got_subcommand("pipeline")) return runBenchPipeline(benchPipeline);
-    return run(benchFluid);
+    return bench.run();
   } catch (const std::bad_alloc&) {
     log::error(memoryShortage());
     return 1;

@@ -23,7 +23,7 @@ constexpr std::size_t kFramesPerComparison = 10;
 /// Of a line that is better than the visitor asks for.
 constexpr double kRoundTrip = 0.020;
 
-double milliseconds(std::int64_t nanoseconds) { return static_cast<double>(nanoseconds) * 1e-6; }
+double asMilliseconds(std::int64_t nanoseconds) { return static_cast<double>(nanoseconds) * 1e-6; }
 
 /// What a page shows of a stream.
 class Screen {
@@ -78,7 +78,7 @@ class Visitor {
     bytes_.clear();
     const std::int64_t begin = pipeline::threadCpuNanoseconds();
     const bool independent = encoder_->encode(frame, choice.order, bytes_);
-    times_.push_back(milliseconds(pipeline::threadCpuNanoseconds() - begin));
+    times_.push_back(asMilliseconds(pipeline::threadCpuNanoseconds() - begin));
     quantisers_ += quantiser_;
     sent_ += bytes_.size();
     control_.encoded(choice, independent, pixels, bytes_.size());
@@ -141,7 +141,7 @@ double conversionMilliseconds(KeptFrames& frames) {
     const raster::Image& frame = frames.read(i);
     const std::int64_t begin = pipeline::threadCpuNanoseconds();
     picture.assign(frame);
-    times.push_back(milliseconds(pipeline::threadCpuNanoseconds() - begin));
+    times.push_back(asMilliseconds(pipeline::threadCpuNanoseconds() - begin));
   }
   return median(times);
 }

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <string>
+
+#include "cli/bench/amortize/bench_amortize.h"
+#include "cli/bench/encode/bench_encode.h"
+#include "cli/bench/fluid/bench_fluid.h"
+#include "cli/bench/lightfield/bench_lightfield.h"
+#include "cli/bench/pipeline/bench_pipeline.h"
+
+namespace CLI {
+class App;
+}
+
+namespace grove::cli {
+
+/// `grove bench` with its sub-commands and what they are asked for.
+class BenchCommands {
+ public:
+  /// This outlives the parsing.
+  void addTo(CLI::App& app);
+  /// The one that was asked for; returns its exit code.
+  [[nodiscard]] int run() const;
+
+ private:
+  /// Without `solvers`, whole steps are measured.
+  struct Fluid {
+    BenchFluidOptions options;
+    bool solvers = false;
+    std::string plot;
+  };
+
+  void addAmortize();
+  void addEncode();
+  void addFluid();
+  void addLightfield();
+  void addPipeline();
+
+  CLI::App* bench_ = nullptr;
+  BenchAmortizeOptions amortize_;
+  BenchEncodeOptions encode_;
+  Fluid fluid_;
+  BenchLightfieldOptions lightfield_;
+  BenchPipelineOptions pipeline_;
+};
+
+}  // namespace grove::cli
