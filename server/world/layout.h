@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,6 +26,7 @@ struct VisitorTemplate {
 /// What is where in a world, as every node knows it. Does not change while the world lives.
 struct Layout {
   std::string name;
+  std::uint64_t hash = 0;          ///< of the scene file's text
   std::vector<std::string> types;  ///< names of the types of its objects; a TypeIndex is a place in this list
   std::vector<Object> objects;
   std::optional<VisitorTemplate> visitor;  ///< none: visitors are invisible

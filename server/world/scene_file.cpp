@@ -7,9 +7,11 @@
 #include <cstdint>
 #include <iomanip>
 #include <set>
+#include <span>
 #include <sstream>
 #include <utility>
 
+#include "base/checksum.h"
 #include "base/plain_file.h"
 #include "world/toml_nesting.h"
 
@@ -190,6 +192,7 @@ Scene parseScene(std::string_view text, const std::string& fileName) {
   const auto root = std::make_shared<Parameters::Table>(parseToml(text, fileName), fileName, "");
   const Parameters top(root);
   Scene scene;
+  scene.hash = checksumOf(std::as_bytes(std::span(text)));
   scene.name = top.text("name", "a world");
   scene.spawn = top.vector("spawn", scene.spawn);
   scene.spawnYaw = glm::radians(static_cast<float>(top.number("spawn_yaw_degrees", 0.0, -360.0, 360.0)));

@@ -61,6 +61,7 @@ struct LightDescription {
 
 struct Scene {
   std::string name;
+  std::uint64_t hash = 0;         ///< of the text
   Vec3 spawn{0.0F, 0.0F, 10.0F};  ///< where visitors arrive, on the ground
   float spawnYaw = 0.0F;          ///< radians
   float radius = 30.0F;           ///< metres from the origin that visitors can walk

@@ -64,6 +64,8 @@ class Answers {
 /// The wire of one process, with somebody listening in.
 class TappedTransport final : public node::Transport {
  public:
+  using Transport::connect;
+  using Transport::send;
   explicit TappedTransport(std::shared_ptr<Answers> answers)
       : answers_(std::move(answers)), world_(answers_->addWorld()) {}
   [[nodiscard]] bool sharesMemory() const override { return true; }
@@ -94,7 +96,9 @@ class TappedTransport final : public node::Transport {
 stream::HostOptions tapped(bool privateWorlds, const std::shared_ptr<Answers>& answers) {
   stream::HostOptions options;
   options.privateWorlds = privateWorlds;
-  options.makeTransport = [answers](pipeline::Timeline&) { return std::make_unique<TappedTransport>(answers); };
+  options.makeTransport = [answers](pipeline::Executor&, pipeline::Timeline&) {
+    return std::make_unique<TappedTransport>(answers);
+  };
   return options;
 }
 

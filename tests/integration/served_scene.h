@@ -1,11 +1,14 @@
 #pragma once
 
+#include <cstdlib>
 #include <memory>
 #include <string>
+#include <string_view>
 
 #include "gl/shader_library.h"
 #include "gl/workers.h"
 #include "node/object_types.h"
+#include "node/transport/transport_kind.h"
 #include "objects/builtin.h"
 #include "stream/session/host.h"
 #include "world/scene_file.h"
@@ -21,8 +24,13 @@ struct ServedScene {
              [](std::string_view, float) {}) {}
 
   /// Tests are about what a frame shows, not about how long a slow machine or a sanitizer takes for it.
+  /// The transport is the one that the test program is to run over, if the test has none of its own.
   static stream::HostOptions patient(stream::HostOptions options) {
     options.deadlineSeconds = stream::HostOptions::kNoHurry;
+    const char* const asked = std::getenv("GROVE_TEST_TRANSPORT");
+    if (!options.makeTransport && asked != nullptr && std::string_view(asked) == "bytes") {
+      options.makeTransport = node::transportFactory(node::TransportKind::kBytes);
+    }
     return options;
   }
 

@@ -8,6 +8,7 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -54,8 +55,8 @@ class Screen final : public pipeline::Stage<FinishedFrame> {
   std::vector<FrameNumber> order_;
 };
 
-/// Both halves of Figure 4.2 around a wire within the process: a small near box of red 90 before a far one of red 200.
-class Nodes : public ::testing::Test {
+/// Both halves of Figure 4.2 around either wire: a small near box of red 90 before a far one of red 200.
+class Nodes : public ::testing::TestWithParam<TransportKind> {
  public:
   explicit Nodes(BoxAsks asks = BoxAsks::kPictures) : frontends(boxFrontends(asks)) {}
   ~Nodes() override { workers.drain(); }
@@ -102,12 +103,17 @@ position = [0, 1.7, -4]
   raster::ImagePool images;
   gl::ShaderLibrary shaders;
   gl::Workers gl{gl::ContextKind::kAuto, shaders, 1};
-  FaultyTransport transport;
   pipeline::WorkerPool workers{3};
+  FaultyTransport transport{transportFactory(GetParam())(workers, timeline)};
   BackendNode backend{scene,     geometry,         backends, {workers, gl, timeline, memory, images},
                       transport, Haste::kAllCores, {}};
   FrontendProcess process{
-      scene.layout, frontends, transport, {workers, timeline, memory, images}, std::size_t{1} << 20U};
+      1, scene.layout, frontends, transport, {workers, timeline, memory, images}, std::size_t{1} << 20U};
 };
+
+inline std::string transportName(const ::testing::TestParamInfo<TransportKind>& info) {
+  return info.param == TransportKind::kBytes ? "Bytes" : "Reference";
+}
+inline const auto kBothTransports = ::testing::Values(TransportKind::kReference, TransportKind::kBytes);
 
 }  // namespace grove::node::testing

@@ -15,7 +15,7 @@ using testing::Nodes;
 using testing::Screen;
 using tests::eventually;
 
-TEST_F(Nodes, AFrameGoesAllTheWay) {
+TEST_P(Nodes, AFrameGoesAllTheWay) {
   const auto screen = std::make_shared<Screen>(workers, timeline);
   const auto node = frontend(1, 0.0F, screen);
   ASSERT_TRUE(node->requestFrame());
@@ -31,7 +31,7 @@ TEST_F(Nodes, AFrameGoesAllTheWay) {
   }
 }
 
-TEST_F(Nodes, ManyFramesInFlightComeOutInOrderAndNeverOld) {
+TEST_P(Nodes, ManyFramesInFlightComeOutInOrderAndNeverOld) {
   const auto screen = std::make_shared<Screen>(workers, timeline);
   const auto node = frontend(1, 0.0F, screen, 4);
   FrameNumber asked = 0;
@@ -51,7 +51,7 @@ TEST_F(Nodes, ManyFramesInFlightComeOutInOrderAndNeverOld) {
   EXPECT_TRUE(eventually([&] { return ended == 200; })) << ended;
 }
 
-TEST_F(Nodes, NeverMoreFramesThanMayBeInFlight) {
+TEST_P(Nodes, NeverMoreFramesThanMayBeInFlight) {
   for (const int most : {1, 3}) {
     const auto screen = std::make_shared<Screen>(workers, timeline);
     transport.keepBack = true;
@@ -68,7 +68,7 @@ TEST_F(Nodes, NeverMoreFramesThanMayBeInFlight) {
   }
 }
 
-TEST_F(Nodes, ALostResultCostsAFrameItsDeadlineAndShowsTheLastOneOfItsObject) {
+TEST_P(Nodes, ALostResultCostsAFrameItsDeadlineAndShowsTheLastOneOfItsObject) {
   deadlineSeconds = 0.2;
   const auto screen = std::make_shared<Screen>(workers, timeline);
   const auto node = frontend(1, 0.0F, screen, 1);
@@ -90,7 +90,7 @@ TEST_F(Nodes, ALostResultCostsAFrameItsDeadlineAndShowsTheLastOneOfItsObject) {
   EXPECT_TRUE(eventually([&] { return timeline.counters()["results that were not waited for"] == 2; }));
 }
 
-TEST_F(Nodes, WhatNeverAnsweredIsLeftOutAfterTheDeadline) {
+TEST_P(Nodes, WhatNeverAnsweredIsLeftOutAfterTheDeadline) {
   deadlineSeconds = 0.05;
   const auto screen = std::make_shared<Screen>(workers, timeline);
   const auto node = frontend(1, 0.0F, screen, 1);
@@ -103,7 +103,7 @@ TEST_F(Nodes, WhatNeverAnsweredIsLeftOutAfterTheDeadline) {
   EXPECT_EQ(screen->waitFor(1)->colourRow(90)[160], 0xFF000000U);
 }
 
-TEST_F(Nodes, AnObjectThatIsAlwaysLateShowsWhatItAnsweredLast) {
+TEST_P(Nodes, AnObjectThatIsAlwaysLateShowsWhatItAnsweredLast) {
   deadlineSeconds = 0.05;
   const auto screen = std::make_shared<Screen>(workers, timeline);
   const auto node = frontend(1, 0.0F, screen, 1);
@@ -123,7 +123,7 @@ TEST_F(Nodes, AnObjectThatIsAlwaysLateShowsWhatItAnsweredLast) {
   EXPECT_EQ(screen->waitFor(2)->colourRow(90)[154] & 0xFFU, 200U);
 }
 
-TEST_F(Nodes, EveryFrameThatBeganEndsOnceWhenTheNodeClosesUnderIt) {
+TEST_P(Nodes, EveryFrameThatBeganEndsOnceWhenTheNodeClosesUnderIt) {
   for (int i = 0; i < 50; ++i) {
     ended = 0;
     const auto screen = std::make_shared<Screen>(workers, timeline);
@@ -139,7 +139,7 @@ TEST_F(Nodes, EveryFrameThatBeganEndsOnceWhenTheNodeClosesUnderIt) {
   }
 }
 
-TEST_F(Nodes, AThrowAnywhereOnTheWayCostsOneObjectInOneFrame) {
+TEST_P(Nodes, AThrowAnywhereOnTheWayCostsOneObjectInOneFrame) {
   using Fault = testing::FaultyTransport::Fault;
   SessionId session = 1;
   for (const Fault fault : {Fault::kSendRequest, Fault::kCompress, Fault::kSendResult, Fault::kDecompress}) {
@@ -162,7 +162,7 @@ TEST_F(Nodes, AThrowAnywhereOnTheWayCostsOneObjectInOneFrame) {
   }
 }
 
-TEST_F(Nodes, AFailingBackendCostsItsObjectsNotTheFrame) {
+TEST_P(Nodes, AFailingBackendCostsItsObjectsNotTheFrame) {
   const auto screen = std::make_shared<Screen>(workers, timeline);
   const auto node = frontend(1, 0.0F, screen);
   controls->fail = true;
@@ -177,7 +177,7 @@ TEST_F(Nodes, AFailingBackendCostsItsObjectsNotTheFrame) {
   EXPECT_EQ(with->colourRow(90)[160] & 0xFFU, 90u);
 }
 
-TEST_F(Nodes, SessionsShareTheBackendAndSeeTheirOwnView) {
+TEST_P(Nodes, SessionsShareTheBackendAndSeeTheirOwnView) {
   const auto screenA = std::make_shared<Screen>(workers, timeline);
   const auto screenB = std::make_shared<Screen>(workers, timeline);
   const auto a = frontend(1, 0.0F, screenA);
@@ -191,7 +191,7 @@ TEST_F(Nodes, SessionsShareTheBackendAndSeeTheirOwnView) {
   EXPECT_EQ(seenByB->colourRow(90)[160], 0xFF000000U) << "looks the other way";
 }
 
-TEST_F(Nodes, ClosingWithFramesInFlightIsClean) {
+TEST_P(Nodes, ClosingWithFramesInFlightIsClean) {
   for (int i = 0; i < 20; ++i) {
     const auto screen = std::make_shared<Screen>(workers, timeline);
     const auto node = frontend(static_cast<SessionId>(10 + i), 0.0F, screen, 4);
@@ -202,6 +202,8 @@ TEST_F(Nodes, ClosingWithFramesInFlightIsClean) {
   ASSERT_TRUE(node->requestFrame());
   EXPECT_TRUE(screen->waitFor(1)) << "the backend still serves others";
 }
+
+INSTANTIATE_TEST_SUITE_P(OverBoth, Nodes, testing::kBothTransports, testing::transportName);
 
 }  // namespace
 }  // namespace grove::node

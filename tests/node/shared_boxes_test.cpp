@@ -26,7 +26,7 @@ class SharedBoxes : public testing::Nodes {
   }
 };
 
-TEST_F(SharedBoxes, AreDrawnByTheFrontend) {
+TEST_P(SharedBoxes, AreDrawnByTheFrontend) {
   const auto screen = std::make_shared<Screen>(workers, timeline);
   const auto node = frontend(1, 0.0F, screen);
   ASSERT_TRUE(node->requestFrame());
@@ -37,7 +37,7 @@ TEST_F(SharedBoxes, AreDrawnByTheFrontend) {
   EXPECT_EQ(image->colourRow(5)[5], 0xFF000000U);
 }
 
-TEST_F(SharedBoxes, AreRequestedOnceForAllFramesOfAllVisitors) {
+TEST_P(SharedBoxes, AreRequestedOnceForAllFramesOfAllVisitors) {
   std::vector<std::shared_ptr<Screen>> screens;
   std::vector<std::unique_ptr<FrontendNode>> nodes;
   for (SessionId session = 1; session <= 8; ++session) {
@@ -52,7 +52,7 @@ TEST_F(SharedBoxes, AreRequestedOnceForAllFramesOfAllVisitors) {
   EXPECT_EQ(process.shared().statistics().entries, 2U);
 }
 
-TEST_F(SharedBoxes, AChangeIsShownSoonAfterItIsAnnounced) {
+TEST_P(SharedBoxes, AChangeIsShownSoonAfterItIsAnnounced) {
   const auto screen = std::make_shared<Screen>(workers, timeline);
   const auto node = frontend(1, 0.0F, screen);
   FrameNumber frame = 0;
@@ -63,7 +63,7 @@ TEST_F(SharedBoxes, AChangeIsShownSoonAfterItIsAnnounced) {
   EXPECT_TRUE(eventually([&] { return shows(100); }));
 }
 
-TEST_F(SharedBoxes, AFailureCostsTheirPlaceInAFrame) {
+TEST_P(SharedBoxes, AFailureCostsTheirPlaceInAFrame) {
   const auto screen = std::make_shared<Screen>(workers, timeline);
   const auto node = frontend(1, 0.0F, screen);
   controls->fail = true;
@@ -74,11 +74,11 @@ TEST_F(SharedBoxes, AFailureCostsTheirPlaceInAFrame) {
   EXPECT_EQ(nearRed(*screen, 2), 90U);
 }
 
-TEST_F(SharedBoxes, AThrowAnywhereOnTheWayCostsOneObjectInOneFrame) {
+TEST_P(SharedBoxes, AThrowAnywhereOnTheWayCostsOneObjectInOneFrame) {
   using Fault = testing::FaultyTransport::Fault;
   for (const Fault fault : {Fault::kSendRequest, Fault::kCompress, Fault::kSendResult, Fault::kDecompress}) {
     // A process of its own has nothing yet.
-    FrontendProcess fresh(scene.layout, frontends, transport, {workers, timeline, memory, images}, 0);
+    FrontendProcess fresh(2, scene.layout, frontends, transport, {workers, timeline, memory, images}, 0);
     const auto screen = std::make_shared<Screen>(workers, timeline);
     FrontendNode node(
         1, FramePolicy{1, deadlineSeconds},
@@ -107,7 +107,7 @@ TEST_F(SharedBoxes, AThrowAnywhereOnTheWayCostsOneObjectInOneFrame) {
   }
 }
 
-TEST_F(SharedBoxes, ComeByBytesAsTheyWere) {
+TEST_P(SharedBoxes, ComeByBytesAsTheyWere) {
   const auto made = std::make_shared<const testing::BoxColour>(7, 0xFF123456U);
   Result result;
   result.what = {scene.layout.objects[0].id, {}};
@@ -123,6 +123,8 @@ TEST_F(SharedBoxes, ComeByBytesAsTheyWere) {
   result.packed = made->packed(timeline, "box");
   EXPECT_THROW(process.unpack(result), PackingError);
 }
+
+INSTANTIATE_TEST_SUITE_P(OverBoth, SharedBoxes, testing::kBothTransports, testing::transportName);
 
 }  // namespace
 }  // namespace grove::node

@@ -8,23 +8,6 @@
 #include "world/world.h"
 
 namespace grove::node {
-namespace {
-
-Result makeResult(const Request& request, Payload payload) {
-  Result result;
-  result.session = request.view ? request.view->session : makeId(request.process, 0);
-  result.frame = request.view ? request.view->frame : 0;
-  result.slot = request.slot;
-  result.what = {request.object, request.key};
-  result.shared = request.shared;
-  const auto* const data = std::get_if<std::shared_ptr<const SharedData>>(&payload);
-  if (data != nullptr && *data != nullptr) result.version = (*data)->version();
-  result.payload = std::move(payload);
-  return result;
-}
-
-}  // namespace
-
 Answerer::Answerer(const char* name, std::string_view subject, BackendHalf& half, const EndedFrames& ended,
                    pipeline::Timeline& timeline)
     : Stage({.name = name,
@@ -53,14 +36,14 @@ void Answerer::process(std::span<Request> all, pipeline::Run& run) {
   if (firstEnded != all.end()) timeline_.count("requests of frames that had ended", all.end() - firstEnded);
   // Somebody else may wait for shared data, and asks again.
   for (auto request = firstEnded; request != all.end(); ++request) {
-    compressor_.send(run, makeResult(*request, Failure{"the frame has ended", true}));
+    compressor_.send(run, resultOf(*request, Failure{"the frame has ended", true}));
   }
   if (requests.empty()) return;
   std::vector<Payload> payloads(requests.size());
   attempt([&] { half_.answer(requests, payloads); },
           [&](const std::string& reason) { answerOneByOne(requests, payloads, reason); });
   for (std::size_t i = 0; i < requests.size(); ++i) {
-    compressor_.send(run, makeResult(requests[i], std::move(payloads[i])));
+    compressor_.send(run, resultOf(requests[i], std::move(payloads[i])));
   }
 }
 

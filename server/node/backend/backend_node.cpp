@@ -5,12 +5,13 @@
 #include <utility>
 #include <vector>
 
+#include "base/version.h"
 #include "gl/workers.h"
 
 namespace grove::node {
 
 BackendNode::BackendNode(const LoadedScene& scene, const world::WorldGeometry& geometry, const BackendTypes& types,
-                         const BackendMachine& machine, Transport& transport, Haste haste, const Progress& progress)
+                         const BackendMachine& machine, BackendEnd& transport, Haste haste, const Progress& progress)
     : scene_(scene), geometry_(geometry), machine_(machine), transport_(transport) {
   const BackendServices services = this->services(haste, progress);
   std::set<world::TypeIndex> used;
@@ -60,6 +61,8 @@ pipeline::PushResult BackendNode::receive(ToBackend message) {
   if (auto* request = std::get_if<Request>(&message)) return take(std::move(*request));
   if (auto* update = std::get_if<std::shared_ptr<const WorldUpdate>>(&message)) {
     world_.apply(std::move(*update));
+  } else if (const auto* hello = std::get_if<NodeHello>(&message)) {
+    greet(*hello);
   } else if (const auto* cancel = std::get_if<Cancel>(&message)) {
     ended_.add(*cancel);
   } else if (const auto* quality = std::get_if<Quality>(&message)) {
@@ -71,7 +74,40 @@ pipeline::PushResult BackendNode::receive(ToBackend message) {
   return pipeline::PushResult::kAccepted;
 }
 
+void BackendNode::greet(const NodeHello& hello) {
+  const std::optional<std::string> objection = objectionTo(hello);
+  welcomed_ = !objection;
+  if (objection) {
+    transport_.send(NodeRefusal{*objection});
+  } else {
+    transport_.send(welcome());
+  }
+}
+
+std::optional<std::string> BackendNode::objectionTo(const NodeHello& hello) const {
+  if (hello.protocol != kProtocol) {
+    return "it speaks protocol " + std::to_string(hello.protocol) + ", this node " + std::to_string(kProtocol);
+  }
+  if (hello.sceneHash != scene_.layout.hash) return "it shows another scene";
+  for (const TypeName& type : hello.types) {
+    if (type.id >= scene_.layout.types.size() || scene_.layout.types[type.id] != type.name) {
+      return "this node has no objects of the type " + type.name;
+    }
+  }
+  return std::nullopt;
+}
+
+NodeWelcome BackendNode::welcome() const {
+  NodeWelcome welcome{.build = std::string(version()), .sceneHash = scene_.layout.hash, .objects = {}};
+  welcome.objects.reserve(scene_.objects.size());
+  for (const world::ModelledObject& object : scene_.objects) {
+    welcome.objects.push_back({object.id, object.type, object.name, object.bounds});
+  }
+  return welcome;
+}
+
 pipeline::PushResult BackendNode::take(Request request) {
+  if (!welcomed_) return pipeline::PushResult::kClosed;
   const auto owner = owners_.find(request.object);
   BackendPipeline* const pipeline = owner != owners_.end()                        ? owner->second
                                     : request.object >= world::kFirstPlayerObject ? visitors_

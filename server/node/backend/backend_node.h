@@ -1,8 +1,11 @@
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
+#include <string>
 
 #include "node/backend/backend_pipeline.h"
 #include "node/backend/ended_frames.h"
@@ -37,7 +40,7 @@ class BackendNode final : public BackendPort {
   /// Prepares the objects, which may take seconds; throws what that throws. Not on one of the executors' threads.
   /// `progress` is called from any thread, and may throw to end it. All but it outlive the node.
   BackendNode(const LoadedScene& scene, const world::WorldGeometry& geometry, const BackendTypes& types,
-              const BackendMachine& machine, Transport& transport, Haste haste, const Progress& progress);
+              const BackendMachine& machine, BackendEnd& transport, Haste haste, const Progress& progress);
   /// Waits for the runs in progress, so not on one of the executors' threads.
   ~BackendNode() override;
   BackendNode(const BackendNode&) = delete;
@@ -48,15 +51,20 @@ class BackendNode final : public BackendPort {
  private:
   [[nodiscard]] BackendServices services(Haste haste, const Progress& progress);
   pipeline::PushResult take(Request request);
+  /// Agrees with a frontend process on the protocol, the scene and its types, or refuses it.
+  void greet(const NodeHello& hello);
+  [[nodiscard]] std::optional<std::string> objectionTo(const NodeHello& hello) const;
+  [[nodiscard]] NodeWelcome welcome() const;
 
   const LoadedScene& scene_;
   const world::WorldGeometry& geometry_;
   const BackendMachine machine_;
-  Transport& transport_;
+  BackendEnd& transport_;
   WorldMirror world_;
   EndedFrames ended_;
   std::map<world::TypeIndex, std::unique_ptr<BackendPipeline>> pipelines_;
   std::map<world::ObjectId, BackendPipeline*> owners_;
+  std::atomic<bool> welcomed_{false};    ///< the frontend process; until then its requests are refused
   BackendPipeline* visitors_ = nullptr;  ///< of the objects that show them
 };
 

@@ -15,7 +15,7 @@ std::shared_ptr<Answerer> makeAnswerer(std::string_view type, BackendHalf& half,
 }  // namespace
 
 BackendPipeline::BackendPipeline(const BackendType& type, world::TypeIndex index, const BackendServices& services,
-                                 const EndedFrames& ended, Transport& transport)
+                                 const EndedFrames& ended, BackendEnd& transport)
     : half_(type.makeHalf(services, index)),
       receiver_(std::make_shared<RequestReceiver>(services.workers, services.timeline)),
       answerer_(makeAnswerer(type.name(), *half_, ended, services.timeline)),

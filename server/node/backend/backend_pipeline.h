@@ -15,7 +15,7 @@ class BackendPipeline {
  public:
   /// Prepares the objects, which may take seconds. `transport` and `ended` outlive it.
   BackendPipeline(const BackendType& type, world::TypeIndex index, const BackendServices& services,
-                  const EndedFrames& ended, Transport& transport);
+                  const EndedFrames& ended, BackendEnd& transport);
   ~BackendPipeline();
   BackendPipeline(const BackendPipeline&) = delete;
   BackendPipeline& operator=(const BackendPipeline&) = delete;

@@ -6,7 +6,7 @@
 
 namespace grove::node {
 
-Compressor::Compressor(const Transport& transport, std::string_view subject, pipeline::Executor& executor,
+Compressor::Compressor(const BackendEnd& transport, std::string_view subject, pipeline::Executor& executor,
                        pipeline::Timeline& timeline)
     : Stage({.name = "Compressor",
              .subject = subject,

@@ -10,7 +10,7 @@ namespace grove::node {
 /// Makes results small for the wire, as the transport wants it (section 4.2, step 6).
 class Compressor final : public pipeline::Stage<Result> {
  public:
-  Compressor(const Transport& transport, std::string_view subject, pipeline::Executor& executor,
+  Compressor(const BackendEnd& transport, std::string_view subject, pipeline::Executor& executor,
              pipeline::Timeline& timeline);
   void connect(std::shared_ptr<pipeline::Inlet<Result>> next);
 
@@ -18,7 +18,7 @@ class Compressor final : public pipeline::Stage<Result> {
   void process(std::span<Result> results, pipeline::Run& run) override;
 
  private:
-  const Transport& transport_;
+  const BackendEnd& transport_;
   const std::string_view subject_;
   pipeline::Outlet<Result> next_;
 };

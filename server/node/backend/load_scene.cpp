@@ -50,6 +50,7 @@ LoadedScene loadScene(const world::Scene& scene, const BackendTypes& types) {
   LoadedScene loaded;
   world::Layout& layout = loaded.layout;
   layout.name = scene.name;
+  layout.hash = scene.hash;
   layout.spawn = scene.spawn;
   layout.spawnYaw = scene.spawnYaw;
   layout.radius = scene.radius;

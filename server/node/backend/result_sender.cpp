@@ -6,7 +6,7 @@
 
 namespace grove::node {
 
-ResultSender::ResultSender(Transport& transport, pipeline::Executor& executor, pipeline::Timeline& timeline)
+ResultSender::ResultSender(BackendEnd& transport, pipeline::Executor& executor, pipeline::Timeline& timeline)
     : Stage({.name = "Result Sender",
              .work = pipeline::Work::kPerUserBackend,
              .capacity = kBackendQueue,

@@ -8,13 +8,13 @@ namespace grove::node {
 /// Sends each result to the frontend node that asked for it (section 4.2, step 7).
 class ResultSender final : public pipeline::Stage<Result> {
  public:
-  ResultSender(Transport& transport, pipeline::Executor& executor, pipeline::Timeline& timeline);
+  ResultSender(BackendEnd& transport, pipeline::Executor& executor, pipeline::Timeline& timeline);
 
  protected:
   void process(std::span<Result> results, pipeline::Run& run) override;
 
  private:
-  Transport& transport_;
+  BackendEnd& transport_;
 };
 
 }  // namespace grove::node

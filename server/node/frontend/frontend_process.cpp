@@ -5,18 +5,30 @@
 #include <mutex>
 #include <utility>
 
+#include "base/log.h"
+#include "base/version.h"
+#include "node/messages/picture_packing.h"
+
 namespace grove::node {
 
-FrontendProcess::FrontendProcess(const world::Layout& layout, const FrontendTypes& types, Transport& transport,
-                                 const FrontendTools& tools, std::size_t maxSharedBytes)
-    : layout_(layout),
+FrontendProcess::FrontendProcess(ProcessId id, const world::Layout& layout, const FrontendTypes& types,
+                                 FrontendEnd& transport, const FrontendTools& tools, std::size_t maxSharedBytes)
+    : id_(id),
+      layout_(layout),
       types_(types),
       transport_(transport),
       tools_(tools),
       store_(maxSharedBytes,
-             [this](Request request) { return send(std::move(request)) == pipeline::PushResult::kAccepted; }),
+             [this](Request request) {
+               request.process = id_;
+               return send(std::move(request)) == pipeline::PushResult::kAccepted;
+             }),
       sharedReceiver_(std::make_shared<SharedReceiver>(*this, tools.workers, tools.timeline)) {
   transport_.connect(static_cast<FrontendPort&>(*this));
+  NodeHello hello{.build = std::string(version()), .sceneHash = layout.hash, .process = id, .types = {}};
+  hello.types.reserve(layout.types.size());
+  for (world::TypeIndex type = 0; type < layout.types.size(); ++type) hello.types.push_back({type, layout.types[type]});
+  transport_.send(std::move(hello));
 }
 
 FrontendProcess::~FrontendProcess() {
@@ -38,9 +50,14 @@ void FrontendProcess::disconnect(SessionId session) {
 void FrontendProcess::receive(ToFrontend message) {
   if (const auto* announcement = std::get_if<Announcement>(&message)) {
     store_.announced(*announcement);
-    return;
+  } else if (const auto* refusal = std::get_if<NodeRefusal>(&message)) {
+    log::error("a backend node refuses this frontend: " + refusal->reason);
+  } else if (auto* result = std::get_if<Result>(&message)) {
+    receive(std::move(*result));
   }
-  Result& result = std::get<Result>(message);
+}
+
+void FrontendProcess::receive(Result result) {
   if (result.shared) {
     sharedReceiver_->push(std::move(result));
     return;
@@ -57,7 +74,10 @@ void FrontendProcess::receive(ToFrontend message) {
 void FrontendProcess::unpack(Result& result) const {
   if (!result.packed) return;
   const std::shared_ptr<const PackedBytes> bytes = std::exchange(result.packed, nullptr);
-  if (!result.shared) throw PackingError("pictures do not travel as bytes yet");
+  if (!result.shared) {
+    result.payload = unpackPicture(*bytes, tools_.images);
+    return;
+  }
   const FrontendType* const type = typeOf(result.what.object);
   if (type == nullptr) throw PackingError("shared data of no object");
   const std::shared_ptr<SharedData> data = type->unpack(result.what.key, result.version, *bytes);

@@ -17,8 +17,8 @@ namespace grove::node {
 /// store, and where each session takes its results. Any thread.
 class FrontendProcess final : public FrontendPort {
  public:
-  /// All of it outlives the process.
-  FrontendProcess(const world::Layout& layout, const FrontendTypes& types, Transport& transport,
+  /// Says hello to the backend node, among whose frontend processes `id` is distinct. All of it outlives the process.
+  FrontendProcess(ProcessId id, const world::Layout& layout, const FrontendTypes& types, FrontendEnd& transport,
                   const FrontendTools& tools, std::size_t maxSharedBytes);
   ~FrontendProcess() override;
   FrontendProcess(const FrontendProcess&) = delete;
@@ -44,9 +44,12 @@ class FrontendProcess final : public FrontendPort {
   [[nodiscard]] const FrontendTools& tools() const noexcept { return tools_; }
 
  private:
+  void receive(Result result);
+
+  const ProcessId id_;
   const world::Layout& layout_;
   const FrontendTypes& types_;
-  Transport& transport_;
+  FrontendEnd& transport_;
   const FrontendTools tools_;
   SharedStore store_;
   const std::shared_ptr<SharedReceiver> sharedReceiver_;

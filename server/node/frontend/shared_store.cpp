@@ -16,20 +16,6 @@ constexpr double kFetchSeconds = 1.0;
 }  // namespace
 
 std::shared_ptr<const SharedData> SharedStore::find(const SharedKey& what) {
-<<<<<<< HEAD
-  std::shared_ptr<const SharedData> data;
-  {
-    const std::lock_guard lock(mutex_);
-    Entry* const entry = what.key.empty() ? entryOf(what) : entries_.use(what);
-    if (entry == nullptr) return nullptr;
-    entry->used = true;
-    data = entry->data;
-    if (!wantsNewer(what, *entry)) return data;
-    pending_[what].deadline = world::World::now() + kFetchSeconds;
-  }
-  fetchNewer(what);
-  return data;
-=======
   Found found;
   {
     const std::lock_guard lock(mutex_);
@@ -46,7 +32,6 @@ SharedStore::Found SharedStore::use(const SharedKey& what) {
   const bool isStale = wantsNewer(what, *entry);
   if (isStale) pending_[what].deadline = world::World::now() + kFetchSeconds;
   return {entry->data, isStale};
->>>>>>> wire3
 }
 
 SharedStore::Entry* SharedStore::entryOf(const SharedKey& what) {
@@ -82,20 +67,6 @@ void SharedStore::fetch(Request request) {
 
 void SharedStore::get(const Request& request, Waiter waiter) {
   const SharedKey what{request.object, request.key};
-<<<<<<< HEAD
-  if (std::shared_ptr<const SharedData> data = find(what)) {
-    waiter(std::move(data));
-    return;
-  }
-  {
-    const std::lock_guard lock(mutex_);
-    const auto [pending, isNew] = pending_.try_emplace(what);
-    pending->second.waiters.push_back(std::move(waiter));
-    if (!isNew && world::World::now() <= pending->second.deadline) return;
-    pending->second.deadline = request.view->deadline;
-  }
-  fetch(request);
-=======
   Found found;
   {
     const std::lock_guard lock(mutex_);
@@ -113,7 +84,6 @@ void SharedStore::get(const Request& request, Waiter waiter) {
   }
   if (found.isStale) fetchNewer(what);
   waiter(std::move(found.data));
->>>>>>> wire3
 }
 
 std::vector<SharedStore::Waiter> SharedStore::takeWaiters(const SharedKey& what) {

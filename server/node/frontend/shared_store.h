@@ -59,16 +59,12 @@ class SharedStore {
     Version announced = 0;  ///< while nothing is there: what comes may have been made before that
     std::vector<Waiter> waiters;
   };
-<<<<<<< HEAD
-  // These with mutex_ held.
-=======
   struct Found {
     std::shared_ptr<const SharedData> data;
     bool isStale = false;  ///< to be fetched anew by who found it
   };
   // These with mutex_ held.
   [[nodiscard]] Found use(const SharedKey& what);
->>>>>>> wire3
   [[nodiscard]] Entry* entryOf(const SharedKey& what);
   /// Whether the entry is to be fetched anew now.
   [[nodiscard]] bool wantsNewer(const SharedKey& what, const Entry& entry) const;

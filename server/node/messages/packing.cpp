@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <limits>
+#include <vector>
+
+#include "node/messages/plane_kernels.h"
 
 namespace grove::node {
 namespace {
@@ -46,6 +49,24 @@ void takeCompressed(std::span<const std::byte>& from, std::span<std::byte> plane
     if (size < 0 || static_cast<std::size_t>(size) != plane.size()) throw PackingError("a plane is damaged");
   }
   from = from.subspan(stored);
+}
+
+void appendPlanes(PackedBytes& to, std::span<const std::uint32_t> words) {
+  std::vector<std::uint8_t> planes(4 * words.size());
+  splitPlanes(words.data(), words.size(), planes.data());
+  const auto bytes = std::as_bytes(std::span(planes));
+  for (std::size_t plane = 0; plane < 4; ++plane) {
+    appendCompressed(to, bytes.subspan(plane * words.size(), words.size()));
+  }
+}
+
+void takePlanes(std::span<const std::byte>& from, std::span<std::uint32_t> words) {
+  std::vector<std::uint8_t> planes(4 * words.size());
+  const auto bytes = std::as_writable_bytes(std::span(planes));
+  for (std::size_t plane = 0; plane < 4; ++plane) {
+    takeCompressed(from, bytes.subspan(plane * words.size(), words.size()));
+  }
+  joinPlanes(planes.data(), words.size(), words.data());
 }
 
 }  // namespace grove::node

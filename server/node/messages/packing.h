@@ -27,6 +27,10 @@ void appendCompressed(PackedBytes& to, std::span<const std::byte> plane);
 /// The inverse, which takes them off the front. Throws PackingError unless they fill `plane` exactly.
 void takeCompressed(std::span<const std::byte>& from, std::span<std::byte> plane);
 
+/// Words as four planes of bytes.
+void appendPlanes(PackedBytes& to, std::span<const std::uint32_t> words);
+void takePlanes(std::span<const std::byte>& from, std::span<std::uint32_t> words);
+
 class PackWriter {
  public:
   template <PackedNumber T>
@@ -40,12 +44,13 @@ class PackWriter {
   /// Numbers of four bytes, as four planes: neighbours have bytes of one kind in common.
   template <class T>
   requires(sizeof(T) == 4 && std::is_trivially_copyable_v<T>) PackWriter& putPlanes(std::span<const T> values) {
-    PackedBytes plane(values.size());
-    for (std::size_t byte = 0; byte < sizeof(T); ++byte) {
-      const auto* const from = reinterpret_cast<const std::byte*>(values.data()) + byte;
-      for (std::size_t i = 0; i < values.size(); ++i) plane[i] = from[i * sizeof(T)];
-      appendCompressed(bytes_, plane);
-    }
+    appendPlanes(bytes_, {reinterpret_cast<const std::uint32_t*>(values.data()), values.size()});
+    return *this;
+  }
+
+  /// Bytes that LZ4 may make smaller.
+  PackWriter& putBytes(std::span<const std::byte> plane) {
+    appendCompressed(bytes_, plane);
     return *this;
   }
 
@@ -86,13 +91,10 @@ class PackReader {
 
   template <class T>
   requires(sizeof(T) == 4 && std::is_trivially_copyable_v<T>) void takePlanes(std::span<T> values) {
-    PackedBytes plane(values.size());
-    for (std::size_t byte = 0; byte < sizeof(T); ++byte) {
-      takeCompressed(rest_, plane);
-      auto* const to = reinterpret_cast<std::byte*>(values.data()) + byte;
-      for (std::size_t i = 0; i < values.size(); ++i) to[i * sizeof(T)] = plane[i];
-    }
+    node::takePlanes(rest_, {reinterpret_cast<std::uint32_t*>(values.data()), values.size()});
   }
+
+  void takeBytes(std::span<std::byte> plane) { takeCompressed(rest_, plane); }
 
   /// Nothing is to be left.
   void finish() const {

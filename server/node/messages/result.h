@@ -4,6 +4,7 @@
 #include <string>
 #include <variant>
 
+#include "node/messages/request.h"
 #include "node/messages/shared_data.h"
 #include "node/messages/shared_key.h"
 #include "pipeline/timeline.h"
@@ -34,6 +35,9 @@ struct Result {
   /// a null picture.
   std::shared_ptr<const PackedBytes> packed = nullptr;
 };
+
+/// The answer to a request.
+[[nodiscard]] Result resultOf(const Request& request, Payload payload);
 
 /// Shared data has changed: there is a newer version than frontends have.
 struct Announcement {

@@ -10,6 +10,8 @@ namespace grove::node {
 /// Both ends in one process: messages travel by reference, so there is nothing to compress and nothing to copy.
 class ReferenceTransport final : public Transport {
  public:
+  using Transport::connect;
+  using Transport::send;
   [[nodiscard]] bool sharesMemory() const override { return true; }
   void connect(BackendPort& backend) override;
   void connect(FrontendPort& frontend) override;

@@ -1,25 +1,18 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <memory>
-#include <variant>
+#include <string_view>
 
-#include "node/messages/hello.h"
-#include "node/messages/request.h"
-#include "node/messages/result.h"
-#include "node/messages/world_update.h"
+#include "node/messages/envelope.h"
+#include "pipeline/executor.h"
 #include "pipeline/queue.h"
+#include "pipeline/timeline.h"
 
 /// The wire between a frontend process and a backend node. It has two ends; what it does to messages in between is its
 /// own business.
 namespace grove::node {
-
-/// What a frontend process sends. A view goes before the requests that name it.
-using ToBackend =
-    std::variant<std::shared_ptr<const View>, Request, std::shared_ptr<const WorldUpdate>, Cancel, Quality, Forget>;
-
-/// What a backend node sends.
-using ToFrontend = std::variant<Result, Announcement>;
 
 /// Where a backend node takes what frontend processes send. Any thread; returns soon.
 class BackendPort {
@@ -36,29 +29,57 @@ class FrontendPort {
   virtual void receive(ToFrontend message) = 0;
 };
 
-/// A link between one frontend process and one backend node. Any thread.
-class Transport {
- public:
-  virtual ~Transport() = default;
+/// Bytes that have travelled so far.
+struct LinkTraffic {
+  std::uint64_t toBackend = 0;
+  std::uint64_t pictures = 0;    ///< to the frontend process, packed
+  std::uint64_t sharedData = 0;  ///< the same
+  std::uint64_t headers = 0;     ///< to the frontend process, what stands beside them
+  /// Since an earlier reading.
+  [[nodiscard]] LinkTraffic operator-(const LinkTraffic& before) const {
+    return {toBackend - before.toBackend, pictures - before.pictures, sharedData - before.sharedData,
+            headers - before.headers};
+  }
+};
 
+/// A frontend process's end of a link to a backend node. Any thread.
+class FrontendEnd {
+ public:
+  virtual ~FrontendEnd() = default;
+  /// The port is left before it goes; who leaves waits for what is being received.
+  virtual void connect(FrontendPort& frontend) = 0;
+  virtual void leaveFrontend() = 0;
+  /// Refused if the link or the backend node is full.
+  virtual pipeline::PushResult send(ToBackend message) = 0;
+};
+
+/// A backend node's end of a link to a frontend process. Any thread.
+class BackendEnd {
+ public:
+  virtual ~BackendEnd() = default;
+  /// As FrontendEnd::connect().
+  virtual void connect(BackendPort& backend) = 0;
+  virtual void leaveBackend() = 0;
+  /// What cannot be sent is lost, and counted.
+  virtual void send(ToFrontend message) = 0;
   /// Whether both ends share memory, so that what one keeps the other need not.
   [[nodiscard]] virtual bool sharesMemory() const = 0;
-
-  /// Both ports are to be there before the first message; each is left before it goes.
-  virtual void connect(BackendPort& backend) = 0;
-  virtual void connect(FrontendPort& frontend) = 0;
-  virtual void leaveBackend() = 0;
-  virtual void leaveFrontend() = 0;
-
-  /// The frontend process's end. Refused if the link or the backend node is full.
-  virtual pipeline::PushResult send(ToBackend message) = 0;
-
-  /// The backend node's end. What cannot be sent is lost, and counted.
-  virtual void send(ToFrontend message) = 0;
-
-  /// What the Compressor does to a result before it travels, and the Decompressor after; `subject` is its type of
-  /// object, and outlives the timeline. Bytes that cannot be read become a Failure.
+  /// What the Compressor does to a result before it travels, see FrontendProcess::unpack(); `subject` is its type of
+  /// object, and outlives the timeline. Throws PackingError.
   virtual void compress(Result& result, std::string_view subject) const = 0;
 };
+
+/// Both ends of a link within one process.
+class Transport : public FrontendEnd, public BackendEnd {
+ public:
+  using BackendEnd::connect;
+  using BackendEnd::send;
+  using FrontendEnd::connect;
+  using FrontendEnd::send;
+  [[nodiscard]] virtual LinkTraffic traffic() const { return {}; }
+};
+
+/// Makes a link on a process's workers; they and the timeline outlive it.
+using TransportFactory = std::function<std::unique_ptr<Transport>(pipeline::Executor&, pipeline::Timeline&)>;
 
 }  // namespace grove::node

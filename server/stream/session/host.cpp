@@ -69,8 +69,8 @@ Host::~Host() {
 }
 
 std::unique_ptr<WorldInstance> Host::makeInstance(node::Haste haste, const node::BackendNode::Progress& progress) {
-  auto transport =
-      options_.makeTransport ? options_.makeTransport(timeline_) : std::make_unique<node::ReferenceTransport>();
+  auto transport = options_.makeTransport ? options_.makeTransport(workers_, timeline_)
+                                          : std::make_unique<node::ReferenceTransport>();
   if (!geometry_) {
     geometry_ = std::make_shared<const world::WorldGeometry>(scene_.objects, [&progress](float share) {
       if (progress) progress("laying out the world", share);
@@ -80,8 +80,8 @@ std::unique_ptr<WorldInstance> Host::makeInstance(node::Haste haste, const node:
   node::BakedStore* const baked = options_.privateWorlds ? &baked_ : nullptr;
   const node::BackendMachine machine{workers_, gl_, timeline_, memory_, images_, baked};
   return std::make_unique<WorldInstance>(
-      WorldGround{scene_, geometry_, players_, types_, machine, options_.maxSharedBytes}, std::move(transport), haste,
-      progress);
+      WorldGround{scene_, geometry_, players_, types_, machine, options_.maxSharedBytes, kProcess},
+      std::move(transport), haste, progress);
 }
 
 std::variant<std::shared_ptr<Session>, Refusal> Host::open(const Hello& hello, FrameSink sink, WaitingSink waiting,

@@ -49,8 +49,8 @@ struct HostOptions {
   std::size_t timelineEvents = std::size_t{1} << 16U;  ///< the newest so many stage runs are kept
   /// What an instance of the world keeps of the data that its visitors share, besides each object's own.
   std::size_t maxSharedBytes = std::size_t{256} << 20U;
-  /// Makes the wire between the frontend process and a backend node; empty: they share memory.
-  std::function<std::unique_ptr<node::Transport>(pipeline::Timeline&)> makeTransport = {};
+  /// Makes the link between the frontend process and a backend node; empty: they share memory.
+  node::TransportFactory makeTransport = {};
 };
 
 /// One living world and everybody in it: owns the world with its backend node (in private mode: every visitor's), the
@@ -91,6 +91,8 @@ class Host {
   /// Told anew about once a second.
   [[nodiscard]] const measure::AmortizationMeter& meter() const noexcept { return meter_; }
   [[nodiscard]] const pipeline::MemoryLedger& memory() const noexcept { return memory_; }
+  /// Between the frontend and the backend node that all visitors share; nothing in private mode.
+  [[nodiscard]] node::LinkTraffic traffic() const { return shared_ ? shared_->traffic() : node::LinkTraffic{}; }
   [[nodiscard]] pipeline::Executor& workers() noexcept { return workers_; }
   [[nodiscard]] const HostOptions& options() const noexcept { return options_; }
   [[nodiscard]] const EncoderRegistry& encoders() const noexcept { return encoders_; }

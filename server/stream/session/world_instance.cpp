@@ -17,7 +17,7 @@ WorldInstance::WorldInstance(const WorldGround& ground, std::unique_ptr<node::Tr
       world_(ground.scene.layout, ground.players),
       transport_(std::move(transport)),
       backend_(ground.scene, *ground_.geometry, ground.types.backends, ground.machine, *transport_, haste, progress),
-      frontend_(world_.layout(), ground.types.frontends, *transport_,
+      frontend_(ground.process, world_.layout(), ground.types.frontends, *transport_,
                 {ground.machine.workers, ground.machine.timeline, ground.machine.memory, ground.machine.images},
                 ground.maxSharedBytes) {
   tellModels();

@@ -25,6 +25,7 @@ struct WorldGround {
   const node::ObjectTypes& types;
   node::BackendMachine machine;
   std::size_t maxSharedBytes;  ///< of the data that an instance shares among its visitors
+  node::ProcessId process;     ///< names this one among the frontend processes of its backend nodes
 };
 
 /// A world with a backend node that owns its objects, and the frontend process of those who are in it: all across-user
@@ -52,6 +53,8 @@ class WorldInstance {
 
   /// Of all across-user work, see node::BackendHalf. Any thread.
   void setQuality(int step);
+  /// What travels between the frontend and the backend node.
+  [[nodiscard]] node::LinkTraffic traffic() const { return transport_->traffic(); }
   /// A visitor has left. Any thread.
   void forget(node::SessionId session);
   /// Of the memory that the models take, which changes when one shows something finer. One thread at a time.

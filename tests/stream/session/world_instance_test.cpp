@@ -178,7 +178,8 @@ TEST(WorldInstance, SetsTheQualityOfItsBackend) {
                           world::World::makePlayers(scene.layout),
                           types,
                           {workers, gl, timeline, memory, images},
-                          0},
+                          0,
+                          1},
                          std::make_unique<node::ReferenceTransport>(), node::Haste::kNone, {});
   instance.setQuality(2);
   EXPECT_EQ(sight.quality, 2);

@@ -86,6 +86,7 @@ Plan planOf(const BenchAmortizeOptions& options) {
   plan.users = usersOf(options);
   plan.run.seconds = options.seconds;
   plan.run.frames = options.frames;
+  plan.run.transport = options.transport;
   std::tie(plan.run.width, plan.run.height) = sizeOf(options.size);
   plan.figure = options.figure || options.users.empty();
   return plan;
@@ -108,6 +109,7 @@ void measureRows(AmortizeResult& result, const Plan& plan, const world::Scene& s
 
 AmortizeResult measureAll(const Plan& plan, const world::Scene& scene, const std::stop_token& stop) {
   AmortizeResult result;
+  result.transport = plan.run.transport;
   result.cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   const gl::ShaderLibrary shaders;
   Progress progress;

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "node/transport/transport_kind.h"
+
 namespace grove::cli {
 
 /// `grove bench amortize`.
@@ -14,6 +16,7 @@ struct BenchAmortizeOptions {
   bool figure = false;     ///< the paper's Figure 5.6
   std::optional<std::string> scene;
   std::string size = "1280x720";  ///< pixels of each visitor's picture
+  node::TransportKind transport = node::TransportKind::kReference;
   bool json = false;
   std::optional<std::string> plot;  ///< SVG file to write
 };

@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/bench/amortize/bench_amortize_report.h"
+#include "cli/bench/link_report.h"
 
 namespace grove::cli {
 namespace {
@@ -57,6 +58,7 @@ Json rowJson(const AmortizeRow& row) {
   json["memory"].update({{"told_bytes", std::llround(row.toldBytes)},
                          {"resident_bytes", row.process.resident},
                          {"proportional_bytes", row.process.proportional}});
+  if (!row.privateWorlds) json["link"] = linkJson(row.traffic, row.seconds, row.users);
   json["types"] = typesJson(row);
   return json;
 }
@@ -112,7 +114,8 @@ Json lawJson(const AmortizeResult& result, const AmortizeLaw& law) {
 
 std::string amortizeJson(const AmortizeResult& result) {
   const AmortizeLaw law = amortizeLaw(result.rows, result.cores);
-  Json document = {{"rows", Json::array()},
+  Json document = {{"transport", transportName(result.transport)},
+                   {"rows", Json::array()},
                    {"fit", {{"shared", fitJson(law.shared)}, {"private", fitJson(law.unshared)}}},
                    {"law", lawJson(result, law)},
                    {"figure_5_6", Json::array()},

@@ -13,6 +13,7 @@ namespace grove::cli {
 struct AmortizeResult {
   std::vector<AmortizeRow> rows;
   std::vector<FigureColumn> figure;
+  node::TransportKind transport = node::TransportKind::kReference;
   int cores = 1;  ///< of the machine
   bool interrupted = false;
 };

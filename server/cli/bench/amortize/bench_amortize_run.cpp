@@ -38,6 +38,7 @@ stream::HostOptions hostOptions(const AmortizeRun& run) {
   options.framesPerSecond = static_cast<int>(kNominalFps);
   options.mostVisitors = run.users;
   options.privateWorlds = run.privateWorlds;
+  options.makeTransport = node::transportFactory(run.transport);
   return options;
 }
 
@@ -166,6 +167,7 @@ std::optional<AmortizeRow> runAmortize(const world::Scene& scene, const gl::Shad
   log::info(described(run) + ": measuring");
   for (const auto& walker : walkers) walker->beginCounting();
   const measure::ThreadTimes threadsBefore = measure::ThreadTimes::read();
+  const node::LinkTraffic trafficBefore = served.host.traffic();
   const measure::Reading before = measure::Reading::of(served.host.timeline());
   const auto enough = [&] {
     if (run.frames == 0) return world::World::now() >= warm + run.seconds;
@@ -180,6 +182,7 @@ std::optional<AmortizeRow> runAmortize(const world::Scene& scene, const gl::Shad
   row.users = run.users;
   row.privateWorlds = run.privateWorlds;
   row.seconds = after.seconds - before.seconds;
+  row.traffic = served.host.traffic() - trafficBefore;
   std::uint64_t least = walkers.front()->framesCounted();
   std::vector<float> latencies;
   for (const auto& walker : walkers) {

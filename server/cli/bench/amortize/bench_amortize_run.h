@@ -8,6 +8,7 @@
 #include "gl/shader_library.h"
 #include "measure/amortization.h"
 #include "measure/memory_use.h"
+#include "node/transport/transport_kind.h"
 #include "world/scene_file.h"
 
 namespace grove::cli {
@@ -20,6 +21,7 @@ struct AmortizeRun {
   int frames = 0;              ///< instead of seconds, unless 0: until every visitor got so many
   int width = 1280;            ///< pixels
   int height = 720;            ///< pixels
+  node::TransportKind transport = node::TransportKind::kReference;
 };
 
 /// Frames a second that each visitor is meant to get, and what counts as getting them.
@@ -39,9 +41,10 @@ struct AmortizeRow {
   std::map<std::string, measure::MemoryShare> memory;  ///< by type of object
   double toldBytes = 0.0;                              ///< all that the ledger knows
   measure::MemoryUse process;
-  double cpuCores = 0.0;     ///< of the whole process
-  double stageCores = 0.0;   ///< of that, what stages account for
-  double driverCores = 0.0;  ///< of the rest, what the GL driver's own threads have used
+  node::LinkTraffic traffic;  ///< in shared mode
+  double cpuCores = 0.0;      ///< of the whole process
+  double stageCores = 0.0;    ///< of that, what stages account for
+  double driverCores = 0.0;   ///< of the rest, what the GL driver's own threads have used
 
   [[nodiscard]] double fps() const { return frames / seconds / users; }
   /// The machine is too slow. A frame of everybody may be cut off at the ends of the while.

@@ -18,6 +18,7 @@ namespace grove::cli {
 namespace {
 
 constexpr node::SessionId kSession = node::makeId(1, 1);
+constexpr node::ProcessId kProcess = 1;
 /// Until smoke has risen and the first views of plants are there.
 constexpr double kWarmUpSeconds = 6.0;
 constexpr auto kMaxWait = std::chrono::seconds(60);
@@ -71,7 +72,7 @@ WalkRecorder::WalkRecorder(const node::LoadedScene& scene, const node::ObjectTyp
                               std::make_shared<const world::WorldGeometry>(
                                   scene.objects, [&progress](float share) { progress("laying out the world", share); }),
                               players_, types, node::BackendMachine{workers_, gl, timeline_, memory_, images_},
-                              stream::HostOptions().maxSharedBytes},
+                              stream::HostOptions().maxSharedBytes, kProcess},
           std::make_unique<node::ReferenceTransport>(), node::Haste::kAllCores, progress) {}
 
 KeptFrames WalkRecorder::record(const world::Walk& walk, double seconds, int width, int height,

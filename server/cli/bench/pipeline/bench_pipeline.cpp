@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "cli/bench/link_report.h"
 #include "cli/bench/picture_size.h"
 #include "cli/figures.h"
 #include "cli/prepare/prepare_world.h"
@@ -78,6 +79,7 @@ struct Row {
   std::map<std::string, measure::StageUse> stages;
   double framesPerSecond = 0.0;  ///< of a visitor
   double overlap = 0.0;
+  node::LinkTraffic traffic;
 
   [[nodiscard]] double latency(double share) const {
     std::vector<double> milliseconds;
@@ -88,7 +90,7 @@ struct Row {
 
 Row evaluate(int framesInFlight, int users, const measure::Window& window,
              std::vector<pipeline::TimelineEvent> events) {
-  Row row{framesInFlight, window, std::move(events), {}, {}, 0.0, 0.0};
+  Row row{framesInFlight, window, std::move(events), {}, {}, 0.0, 0.0, {}};
   // Of more runs than are kept, the oldest are gone.
   if (row.events.size() == kTimelineEvents) {
     row.window.beginNanoseconds = std::max(window.beginNanoseconds, row.events.front().beginNanoseconds);
@@ -108,9 +110,12 @@ std::optional<Row> measureRow(const BenchPipelineOptions& options, int framesInF
   if (stop.stop_requested()) return std::nullopt;
   measure::Window window;
   window.beginNanoseconds = pipeline::wallNanoseconds();
+  const node::LinkTraffic before = host.traffic();
   walkers.walk(options.seconds, stop);
   window.endNanoseconds = pipeline::wallNanoseconds();
-  return evaluate(framesInFlight, options.users, window, host.timeline().events());
+  Row row = evaluate(framesInFlight, options.users, window, host.timeline().events());
+  row.traffic = host.traffic() - before;
+  return row;
 }
 
 ordered_json toJson(const measure::Use& use) {
@@ -120,7 +125,7 @@ ordered_json toJson(const measure::Use& use) {
           {"utilisation", rounded(use.utilisation, 3)}};
 }
 
-ordered_json toJson(const Row& row) {
+ordered_json toJson(const Row& row, int users) {
   ordered_json stages = ordered_json::object();
   for (const auto& [name, stage] : row.stages) {
     ordered_json& entry = stages[name] = toJson(stage.all);
@@ -133,6 +138,7 @@ ordered_json toJson(const Row& row) {
           {"latency_ms", {{"p50", rounded(row.latency(0.5), 3)}, {"p99", rounded(row.latency(0.99), 3)}}},
           {"overlap", rounded(row.overlap, 3)},
           {"bottleneck", measure::bottleneck(row.stages)},
+          {"link", linkJson(row.traffic, row.window.seconds(), users)},
           {"stages", std::move(stages)}};
 }
 
@@ -169,11 +175,12 @@ void report(const BenchPipelineOptions& options, const world::Scene& scene, cons
   ordered_json document = {{"scene", scene.name},
                            {"users", options.users},
                            {"size", options.size},
+                           {"transport", transportName(options.transport)},
                            {"cores", std::thread::hardware_concurrency()},
                            {"frames_per_second_limit", kFramesPerSecond},
                            {"interrupted", interrupted},
                            {"rows", ordered_json::array()}};
-  for (const Row& row : rows) document["rows"].push_back(toJson(row));
+  for (const Row& row : rows) document["rows"].push_back(toJson(row, options.users));
   std::printf("%s\n", document.dump(2).c_str());
 }
 
@@ -244,6 +251,7 @@ int runBenchPipeline(const BenchPipelineOptions& options) {
     hosting.framesPerSecond = kFramesPerSecond;
     hosting.mostVisitors = options.users;
     hosting.timelineEvents = kTimelineEvents;
+    hosting.makeTransport = node::transportFactory(options.transport);
     stream::Host host(node::loadScene(scene, types.backends), types, gl, hosting,
                       [&](std::string_view label, float share) { progress.show(label, share); });
     progress.finish();

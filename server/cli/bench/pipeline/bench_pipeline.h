@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "node/transport/transport_kind.h"
+
 namespace grove::cli {
 
 /// `grove bench pipeline`.
@@ -13,6 +15,7 @@ struct BenchPipelineOptions {
   double seconds = 5.0;              ///< measured for each number, after a warm-up
   std::optional<std::string> scene;  ///< file; default: the grove
   std::string size = "1280x720";
+  node::TransportKind transport = node::TransportKind::kReference;
   bool json = false;
   std::optional<std::string> trace;  ///< file to write the measured runs to
 };

@@ -1,0 +1,157 @@
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include "node/limits.h"
+#include "node/messages/decode_parts.h"
+#include "node/messages/node.pb.h"
+
+namespace grove::node {
+namespace {
+
+constexpr std::uint32_t kMaxBorderPercent = 100;
+
+template <class From, class To>
+void decodePlayers(const From& from, To& to, Checks& checks) {
+  checks.require(static_cast<std::size_t>(from.players_size()) <= kMaxPlayers, "it has too many players");
+  if (!checks.good()) return;
+  to.players.reserve(static_cast<std::size_t>(from.players_size()));
+  for (const v1::Player& player : from.players()) to.players.push_back(decode(player, checks));
+}
+
+NodeHello decode(const v1::NodeHello& from, Checks& checks) {
+  NodeHello to{.protocol = from.protocol(),
+               .build = decodeName(from.build(), checks),
+               .sceneHash = from.scene_hash(),
+               .process = from.process(),
+               .types = {}};
+  checks.require(static_cast<std::size_t>(from.types_size()) <= kMaxTypes, "it has too many types");
+  if (!checks.good()) return to;
+  to.types.reserve(static_cast<std::size_t>(from.types_size()));
+  for (const v1::TypeName& type : from.types()) to.types.push_back({type.id(), decodeName(type.name(), checks)});
+  return to;
+}
+
+std::shared_ptr<const WorldUpdate> decode(const v1::WorldUpdate& from, Checks& checks) {
+  checks.require(from.number() != 0, "it has no number");
+  checks.require(std::isfinite(from.clock()), "its clock is not finite");
+  auto shared = std::make_shared<WorldUpdate>();
+  WorldUpdate& to = *shared;
+  to.number = from.number();
+  to.clock = from.clock();
+  checks.require(static_cast<std::size_t>(from.gusts_size()) <= kMaxGusts, "it has too many gusts");
+  decodePlayers(from, to, checks);
+  if (!checks.good()) return shared;
+  to.gusts.reserve(static_cast<std::size_t>(from.gusts_size()));
+  for (const v1::Gust& gust : from.gusts()) to.gusts.push_back(decode(gust, checks));
+  return shared;
+}
+
+std::shared_ptr<const View> decode(const v1::View& from, Checks& checks) {
+  requireFrame(from.session(), from.frame(), checks);
+  checks.require(from.border_percent() <= kMaxBorderPercent, "its border is out of range");
+  checks.require(std::isfinite(from.time()), "its time is not finite");
+  checks.require(std::isfinite(from.deadline()) || from.deadline() > 0.0, "its deadline is no time");
+  checks.require(static_cast<std::size_t>(from.lights_size()) <= kMaxLights, "it has too many lights");
+  auto shared = std::make_shared<View>();
+  View& to = *shared;
+  to.session = from.session();
+  to.frame = from.frame();
+  to.viewer = from.viewer();
+  to.lastInput = from.last_input();
+  to.camera = decode(from.camera(), checks);
+  to.borderPercent = static_cast<int>(from.border_percent());
+  to.time = from.time();
+  to.deadline = from.deadline();
+  decodePlayers(from, to, checks);
+  if (!checks.good()) return shared;
+  to.lights.reserve(static_cast<std::size_t>(from.lights_size()));
+  for (const v1::PointLight& light : from.lights()) to.lights.push_back(decode(light, checks));
+  return shared;
+}
+
+Request decode(const v1::Request& from, Checks& checks) {
+  if (from.session() != 0 || from.frame() != 0 || !from.shared()) requireFrame(from.session(), from.frame(), checks);
+  checks.require(std::isfinite(from.distance()) && from.distance() >= 0.0F, "its distance is out of range");
+  checks.require(from.urgency() >= 0.0F, "its urgency is out of range");
+  const auto process = static_cast<ProcessId>(from.session() >> 32U);
+  return {.view = nullptr,
+          .process = from.session() != 0 ? process : from.process(),
+          .slot = from.slot(),
+          .object = from.object(),
+          .shared = from.shared(),
+          .key = decodeKey(from.key(), checks),
+          .rect = decode(from.rectangle(), checks),
+          .distance = from.distance(),
+          .urgency = from.urgency()};
+}
+
+Cancel decode(const v1::Cancel& from, Checks& checks) {
+  requireFrame(from.session(), from.frame(), checks);
+  return {.session = from.session(), .frame = from.frame()};
+}
+
+Quality decode(const v1::Quality& from, Checks& checks) {
+  const bool known = from.step() <= static_cast<std::uint32_t>(kMostQuality);
+  checks.require(known, "its step is out of range");
+  return {.step = known ? static_cast<int>(from.step()) : 0};
+}
+
+Forget decode(const v1::Forget& from, Checks& checks) {
+  checks.require(from.session() != 0, "it names no session");
+  return {.session = from.session()};
+}
+
+template <class From>
+Decoded<ToBackend> backendMessage(std::string_view name, const From& from) {
+  Checks checks(name);
+  auto to = decode(from, checks);
+  if (!checks.good()) return checks.error();
+  return ToBackend(std::move(to));
+}
+
+Decoded<ToBackend> withView(const v1::Request& from, const ViewLookup& viewOf) {
+  Decoded<ToBackend> decoded = backendMessage("request", from);
+  auto* message = std::get_if<ToBackend>(&decoded);
+  if (message == nullptr || from.session() == 0) return decoded;
+  auto view = viewOf(from.session(), from.frame());
+  if (!view && !from.shared()) {
+    const SessionId session = from.session();
+    std::string reason = "request: the view of session ";
+    reason.append(std::to_string(session >> 32U)).append("/").append(std::to_string(numberOf(session)));
+    reason.append(", frame ").append(std::to_string(from.frame())).append(", is unknown");
+    return WireError{std::move(reason)};
+  }
+  std::get<Request>(*message).view = std::move(view);
+  return decoded;
+}
+
+}  // namespace
+
+Decoded<ToBackend> decodeToBackend(std::string_view header, const ViewLookup& viewOf) {
+  v1::ToBackend envelope;
+  Checks checks("message to a backend node");
+  if (!parse(header, envelope, checks)) return checks.error();
+  switch (envelope.message_case()) {
+    case v1::ToBackend::kHello:
+      return backendMessage("hello", envelope.hello());
+    case v1::ToBackend::kWorld:
+      return backendMessage("world update", envelope.world());
+    case v1::ToBackend::kView:
+      return backendMessage("view", envelope.view());
+    case v1::ToBackend::kRequest:
+      return withView(envelope.request(), viewOf);
+    case v1::ToBackend::kCancel:
+      return backendMessage("cancel", envelope.cancel());
+    case v1::ToBackend::kQuality:
+      return backendMessage("quality", envelope.quality());
+    case v1::ToBackend::kForget:
+      return backendMessage("forget", envelope.forget());
+    case v1::ToBackend::MESSAGE_NOT_SET:
+      break;
+  }
+  checks.require(false, "it is of an unknown kind");
+  return checks.error();
+}
+
+}  // namespace grove::node

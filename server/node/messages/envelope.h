@@ -1,0 +1,20 @@
+#pragma once
+
+#include <memory>
+#include <variant>
+
+#include "node/messages/hello.h"
+#include "node/messages/request.h"
+#include "node/messages/result.h"
+#include "node/messages/world_update.h"
+
+namespace grove::node {
+
+/// What a frontend process sends. Its hello goes first, and a view before the requests that name it.
+using ToBackend = std::variant<NodeHello, std::shared_ptr<const WorldUpdate>, std::shared_ptr<const View>, Request,
+                               Cancel, Quality, Forget>;
+
+/// What a backend node sends.
+using ToFrontend = std::variant<NodeWelcome, NodeRefusal, Result, Announcement>;
+
+}  // namespace grove::node

@@ -1,0 +1,194 @@
+#include "node/messages/picture_packing.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include "node/messages/packing.h"
+#include "world/camera.h"
+
+namespace grove::node {
+namespace {
+
+constexpr int kTile = 16;
+constexpr int kMaxEdge = 16384;
+constexpr std::uint32_t kCoverage = 0xFF000000U;
+
+/// A piece of one row of a tile.
+struct Piece {
+  int row = 0;
+  int begin = 0;
+  int count = 0;
+};
+
+struct Tiles {
+  int across = 0;
+  int down = 0;
+  std::vector<std::uint8_t> covered;  ///< by tile, row by row: 1 if anything shows
+};
+
+Tiles tilesOf(const world::Rect& rect) {
+  Tiles tiles{(rect.width() + kTile - 1) / kTile, (rect.height() + kTile - 1) / kTile, {}};
+  tiles.covered.resize(static_cast<std::size_t>(tiles.across) * static_cast<std::size_t>(tiles.down));
+  return tiles;
+}
+
+Tiles coveredTiles(const raster::Image& picture) {
+  Tiles tiles = tilesOf(picture.rect);
+  if (picture.opaque) {
+    std::ranges::fill(tiles.covered, std::uint8_t{1});
+    return tiles;
+  }
+  for (int row = 0; row < picture.height(); ++row) {
+    const raster::Span span = picture.span(row);
+    const std::uint32_t* const colour = picture.colourRow(row);
+    std::uint8_t* const covered = tiles.covered.data() + std::ptrdiff_t{row / kTile} * tiles.across;
+    for (int begin = span.begin; begin < span.end;) {
+      const int end = std::min(span.end, (begin / kTile + 1) * kTile);
+      std::uint32_t any = 0;
+      for (int x = begin; x < end; ++x) any |= colour[x];
+      covered[begin / kTile] |= (any & kCoverage) != 0 ? 1 : 0;
+      begin = end;
+    }
+  }
+  return tiles;
+}
+
+/// The covered tiles' rows, neighbouring tiles joined.
+std::vector<Piece> piecesOf(const Tiles& tiles, int width, int height) {
+  std::vector<Piece> pieces;
+  for (int row = 0; row < height; ++row) {
+    const std::uint8_t* const covered = tiles.covered.data() + std::ptrdiff_t{row / kTile} * tiles.across;
+    for (int tile = 0; tile < tiles.across; ++tile) {
+      if (covered[tile] == 0) continue;
+      const int first = tile;
+      while (tile + 1 < tiles.across && covered[tile + 1] != 0) ++tile;
+      const int end = std::min((tile + 1) * kTile, width);
+      pieces.push_back({row, first * kTile, end - first * kTile});
+    }
+  }
+  return pieces;
+}
+
+std::size_t pixelsOf(const std::vector<Piece>& pieces) {
+  std::size_t pixels = 0;
+  for (const Piece& piece : pieces) pixels += static_cast<std::size_t>(piece.count);
+  return pixels;
+}
+
+/// Rows where nothing shows may have a span that ends before it begins.
+std::uint32_t joined(raster::Span span) {
+  if (span.begin >= span.end) return 0;
+  return static_cast<std::uint32_t>(span.begin) | static_cast<std::uint32_t>(span.end) << 16U;
+}
+
+void putSpans(PackWriter& writer, const raster::Image& picture) {
+  std::vector<std::uint32_t> spans;
+  spans.reserve(picture.spans.size());
+  for (const raster::Span& span : picture.spans) spans.push_back(joined(span));
+  writer.putPlanes(std::span<const std::uint32_t>(spans));
+}
+
+void takeSpans(PackReader& reader, raster::Image& picture) {
+  std::vector<std::uint32_t> spans(static_cast<std::size_t>(picture.height()));
+  reader.takePlanes(std::span(spans));
+  picture.spans.clear();
+  picture.spans.reserve(spans.size());
+  for (const std::uint32_t both : spans) {
+    const raster::Span span{static_cast<int>(both & 0xFFFFU), static_cast<int>(both >> 16U)};
+    if (span.begin > span.end || span.end > picture.width()) reader.fail("has a span beyond its edge");
+    picture.spans.push_back(span);
+  }
+}
+
+/// What the pieces have of a plane of the picture, one after the other. Beside the rows' spans is whatever the memory
+/// held before, which is nobody's business: `elsewhere` instead.
+template <class Pixel>
+std::vector<Pixel> gathered(const std::vector<Piece>& pieces, const raster::Image& picture,
+                            std::span<const Pixel> plane, Pixel elsewhere) {
+  std::vector<Pixel> pixels;
+  pixels.reserve(pixelsOf(pieces));
+  for (const Piece& piece : pieces) {
+    const raster::Span span = picture.span(piece.row);
+    const int end = piece.begin + piece.count;
+    const int first = std::clamp(span.begin, piece.begin, end);
+    const int last = std::clamp(span.end, first, end);
+    const Pixel* const row = plane.data() + std::ptrdiff_t{piece.row} * picture.width();
+    pixels.insert(pixels.end(), static_cast<std::size_t>(first - piece.begin), elsewhere);
+    pixels.insert(pixels.end(), row + first, row + last);
+    pixels.insert(pixels.end(), static_cast<std::size_t>(end - last), elsewhere);
+  }
+  return pixels;
+}
+
+template <class Pixel>
+void scatter(const std::vector<Piece>& pieces, const std::vector<Pixel>& pixels, std::span<Pixel> plane, int width,
+             Pixel elsewhere) {
+  if (pixels.size() != plane.size()) std::ranges::fill(plane, elsewhere);
+  const Pixel* from = pixels.data();
+  for (const Piece& piece : pieces) {
+    std::copy_n(from, piece.count, plane.data() + std::ptrdiff_t{piece.row} * width + piece.begin);
+    from += piece.count;
+  }
+}
+
+world::Rect takeRect(PackReader& reader) {
+  world::Rect rect;
+  rect.left = reader.takeWithin(-kMaxEdge, kMaxEdge);
+  rect.top = reader.takeWithin(-kMaxEdge, kMaxEdge);
+  rect.right = reader.takeWithin(rect.left, kMaxEdge);
+  rect.bottom = reader.takeWithin(rect.top, kMaxEdge);
+  const auto pixels = static_cast<std::size_t>(rect.width()) * static_cast<std::size_t>(rect.height());
+  if (pixels > kMaxPicturePixels) reader.fail("is too large");
+  return rect;
+}
+
+}  // namespace
+
+PackedBytes packPicture(const raster::Image& picture) {
+  const world::Rect& rect = picture.rect;
+  if (picture.colour.size() > kMaxPicturePixels) throw PackingError("a picture is too large to travel");
+  PackWriter writer;
+  writer.put(rect.left).put(rect.top).put(rect.right).put(rect.bottom);
+  writer.put(static_cast<std::uint8_t>(picture.opaque ? 1 : 0));
+  writer.put(static_cast<std::uint8_t>(picture.spans.empty() ? 0 : 1));
+  if (!picture.spans.empty()) putSpans(writer, picture);
+  const Tiles tiles = coveredTiles(picture);
+  writer.putBytes(std::as_bytes(std::span(tiles.covered)));
+  const std::vector<Piece> pieces = piecesOf(tiles, rect.width(), rect.height());
+  const std::span<const std::uint32_t> colour = picture.colour;
+  const std::span<const float> depth = picture.depth;
+  writer.putPlanes(std::span<const std::uint32_t>(gathered(pieces, picture, colour, std::uint32_t{0})));
+  writer.putPlanes(std::span<const float>(gathered(pieces, picture, depth, world::kInfiniteDepth)));
+  return writer.take();
+}
+
+std::shared_ptr<const raster::Image> unpackPicture(std::span<const std::byte> bytes, raster::ImagePool& images) {
+  PackReader reader(bytes, "a picture");
+  const world::Rect rect = takeRect(reader);
+  const bool opaque = reader.takeWithin<std::uint8_t>(0, 1) != 0;
+  const bool hasSpans = reader.takeWithin<std::uint8_t>(0, 1) != 0;
+  const std::shared_ptr<raster::Image> picture = images.acquire(rect);
+  picture->opaque = opaque;
+  picture->spans.clear();
+  if (hasSpans) takeSpans(reader, *picture);
+  Tiles tiles = tilesOf(rect);
+  reader.takeBytes(std::as_writable_bytes(std::span(tiles.covered)));
+  const std::vector<Piece> pieces = piecesOf(tiles, rect.width(), rect.height());
+  std::vector<std::uint32_t> colour(pixelsOf(pieces));
+  std::vector<float> depth(colour.size());
+  reader.takePlanes(std::span(colour));
+  reader.takePlanes(std::span(depth));
+  reader.finish();
+  if (opaque && !std::ranges::all_of(colour, [](std::uint32_t pixel) { return pixel >= kCoverage; })) {
+    reader.fail("is not opaque as it says");
+  }
+  if (opaque && colour.size() != picture->colour.size()) reader.fail("is not opaque as it says");
+  if (std::ranges::any_of(depth, [](float metres) { return !(metres >= 0.0F); }))
+    reader.fail("has a depth that is none");
+  scatter(pieces, colour, picture->colour, rect.width(), std::uint32_t{0});
+  scatter(pieces, depth, picture->depth, rect.width(), world::kInfiniteDepth);
+  return picture;
+}
+
+}  // namespace grove::node

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "node/messages/envelope.h"
+
+/// The messages between frontend and backend nodes as bytes, by the schema node.proto. What is encoded here and decoded
+/// there is equal. Any thread.
+namespace grove::node {
+
+inline constexpr std::size_t kMaxHeaderBytes = std::size_t{1} << 20U;
+inline constexpr std::size_t kMaxNameBytes = 256;
+inline constexpr std::size_t kMaxReasonBytes = 1024;
+inline constexpr std::size_t kMaxPlayers = 4096;
+inline constexpr std::size_t kMaxGusts = 4096;
+inline constexpr std::size_t kMaxLights = 4096;
+inline constexpr std::size_t kMaxServedObjects = 65536;
+inline constexpr std::size_t kMaxTypes = 65536;
+/// Pixels of a camera's picture, across and down.
+inline constexpr int kMaxCameraSize = 8192;
+/// Pixels from the origin to any edge of a rectangle.
+inline constexpr int kMaxRectEdge = 16384;
+
+/// A message as bytes.
+struct Packet {
+  std::string header;
+  std::shared_ptr<const PackedBytes> bulk;  ///< of a result, never copied; null if it has none
+};
+
+/// What decode functions refuse is a programming mistake to encode; but for the reasons of failures and refusals, which
+/// come from anywhere: of those, the first kMaxReasonBytes travel, with '?' for bytes that are no UTF-8.
+[[nodiscard]] Packet encode(const ToBackend& message);
+/// A result's bulk is its `packed`; its payload is a Failure or null.
+[[nodiscard]] Packet encode(const ToFrontend& message);
+
+/// Why bytes are no message, one line for people.
+struct WireError {
+  std::string reason;
+};
+
+template <class Message>
+using Decoded = std::variant<Message, WireError>;
+
+/// The view of a session's frame; null if it is unknown.
+using ViewLookup = std::function<std::shared_ptr<const View>(SessionId, FrameNumber)>;
+
+/// A request's view is looked up. That of a picture has to be known; shared data is for everybody, so without its view
+/// it is still wanted.
+[[nodiscard]] Decoded<ToBackend> decodeToBackend(std::string_view header, const ViewLookup& viewOf);
+
+/// A result's bytes become its `packed`; they are what unpacks them to judge.
+[[nodiscard]] Decoded<ToFrontend> decodeToFrontend(const Packet& packet);
+
+}  // namespace grove::node

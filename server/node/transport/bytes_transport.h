@@ -1,0 +1,42 @@
+#pragma once
+
+#include <memory>
+#include <string_view>
+
+#include "node/transport/transport.h"
+
+namespace grove::node {
+
+class PacketsToBackend;
+class PacketsToFrontend;
+class TrafficCounters;
+
+/// Both ends in one process, but all that travels becomes bytes and is decoded and checked again, as a socket would
+/// carry it. Messages keep their order each way. Each way holds at most 4096 packets and 64 MiB; what does not fit is
+/// refused, or, of what a backend node sends, lost and counted.
+class BytesTransport final : public Transport {
+ public:
+  /// Both outlive it.
+  BytesTransport(pipeline::Executor& executor, pipeline::Timeline& timeline);
+  ~BytesTransport() override;
+  BytesTransport(const BytesTransport&) = delete;
+  BytesTransport& operator=(const BytesTransport&) = delete;
+
+  [[nodiscard]] bool sharesMemory() const override { return false; }
+  void connect(BackendPort& backend) override;
+  void connect(FrontendPort& frontend) override;
+  void leaveBackend() override;
+  void leaveFrontend() override;
+  pipeline::PushResult send(ToBackend message) override;
+  void send(ToFrontend message) override;
+  void compress(Result& result, std::string_view subject) const override;
+  [[nodiscard]] LinkTraffic traffic() const override;
+
+ private:
+  pipeline::Timeline& timeline_;
+  const std::shared_ptr<TrafficCounters> traffic_;
+  const std::shared_ptr<PacketsToFrontend> toFrontend_;
+  const std::shared_ptr<PacketsToBackend> toBackend_;
+};
+
+}  // namespace grove::node

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <atomic>
+#include <mutex>
+#include <shared_mutex>
+#include <span>
+#include <utility>
+
+#include "base/log.h"
+#include "node/limits.h"
+#include "node/messages/wire.h"
+#include "pipeline/stage.h"
+
+namespace grove::node {
+
+/// Bytes that wait on one way of a link.
+inline constexpr std::size_t kMaxWaitingBytes = std::size_t{64} << 20U;
+
+/// One way of a link of bytes: packets wait for a worker, which decodes them in their order and hands them to the port
+/// at the end. Without a port, they are dropped.
+template <class Port>
+class Packets : public pipeline::Stage<Packet> {
+ public:
+  Packets(const pipeline::StageOptions& options, pipeline::Executor& executor, pipeline::Timeline& timeline)
+      : Stage(options, executor, timeline), timeline_(timeline) {}
+
+  void connect(Port& port) {
+    const std::unique_lock lock(mutex_);
+    port_ = &port;
+  }
+  /// Waits for what is being received.
+  void leave() {
+    const std::unique_lock lock(mutex_);
+    port_ = nullptr;
+  }
+
+  [[nodiscard]] pipeline::PushResult send(Packet packet) {
+    const std::size_t bytes = bytesOf(packet);
+    if (waiting_.fetch_add(bytes) + bytes > kMaxWaitingBytes) {
+      waiting_ -= bytes;
+      return pipeline::PushResult::kRejected;
+    }
+    const pipeline::PushResult result = push(std::move(packet));
+    if (result != pipeline::PushResult::kAccepted) waiting_ -= bytes;
+    return result;
+  }
+
+ protected:
+  /// Decodes a packet and hands it on.
+  virtual void deliver(const Packet& packet, Port& port) = 0;
+
+  void process(std::span<Packet> packets, pipeline::Run&) final {
+    const std::shared_lock lock(mutex_);
+    for (const Packet& packet : packets) {
+      waiting_ -= bytesOf(packet);
+      if (port_ != nullptr) attempt([&] { deliver(packet, *port_); }, [](const std::string&) {});
+    }
+  }
+
+  /// A peer that sends it is broken; its other messages may be good.
+  void refuse(const WireError& error) {
+    timeline_.count("messages that were refused");
+    refusals_.warning(error.reason);
+  }
+
+ private:
+  static std::size_t bytesOf(const Packet& packet) {
+    return packet.header.size() + (packet.bulk ? packet.bulk->size() : 0);
+  }
+
+  pipeline::Timeline& timeline_;
+  std::shared_mutex mutex_;  ///< held shared while the port is in use
+  Port* port_ = nullptr;
+  std::atomic<std::size_t> waiting_{0};  ///< bytes
+  log::Limited refusals_;
+};
+
+}  // namespace grove::node

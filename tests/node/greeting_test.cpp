@@ -1,0 +1,90 @@
+#include <gtest/gtest.h>
+
+#include "node/nodes_fixture.h"
+#include "node/transport/reference_transport.h"
+
+namespace grove::node {
+namespace {
+
+class Replies final : public FrontendPort {
+ public:
+  void receive(ToFrontend message) override { messages.push_back(std::move(message)); }
+  std::vector<ToFrontend> messages;
+};
+
+/// A backend node of boxes, before a frontend process whose words the test chooses.
+class Greeting : public ::testing::Test {
+ protected:
+  Greeting() { transport.connect(replies); }
+  ~Greeting() override {
+    transport.leaveFrontend();
+    workers.drain();
+  }
+
+  /// The reason for which the node refuses; empty if it welcomes.
+  std::string refusalOf(NodeHello hello) {
+    replies.messages.clear();
+    (void)transport.send(ToBackend(std::move(hello)));
+    if (replies.messages.size() != 1) return "no reply";
+    const auto* const refusal = std::get_if<NodeRefusal>(&replies.messages[0]);
+    return refusal == nullptr ? "" : refusal->reason;
+  }
+
+  pipeline::Timeline timeline;
+  pipeline::MemoryLedger memory;
+  raster::ImagePool images;
+  gl::ShaderLibrary shaders;
+  gl::Workers gl{gl::ContextKind::kAuto, shaders, 1};
+  pipeline::WorkerPool workers{2};
+  const BackendTypes types = testing::boxBackends(std::make_shared<testing::BoxControls>());
+  const LoadedScene scene = loadScene(
+      world::parseScene("[[object]]\ntype = \"box\"\nname = \"crate\"\nposition = [0, 1, -4]\n", "test"), types);
+  const world::WorldGeometry geometry{scene.objects};
+  ReferenceTransport transport;
+  BackendNode backend{scene, geometry, types, {workers, gl, timeline, memory, images}, transport, Haste::kAllCores, {}};
+  Replies replies;
+  const NodeHello good{
+      .build = "any", .sceneHash = scene.layout.hash, .process = 9, .types = {{.id = 0, .name = "box"}}};
+};
+
+TEST_F(Greeting, WelcomesWhoKnowsTheSceneAndTellsWhatItServes) {
+  EXPECT_EQ(refusalOf(good), "");
+  const auto& welcome = std::get<NodeWelcome>(replies.messages[0]);
+  EXPECT_EQ(welcome.protocol, kProtocol);
+  EXPECT_EQ(welcome.sceneHash, scene.layout.hash);
+  ASSERT_EQ(welcome.objects.size(), 1u);
+  EXPECT_EQ(welcome.objects[0].id, scene.objects[0].id);
+  EXPECT_EQ(welcome.objects[0].name, "crate");
+  EXPECT_EQ(welcome.objects[0].bounds.low, scene.objects[0].bounds.low);
+}
+
+TEST_F(Greeting, RefusesAnotherProtocolSceneOrType) {
+  NodeHello hello = good;
+  hello.protocol = kProtocol + 1;
+  EXPECT_EQ(refusalOf(hello), "it speaks protocol 2, this node 1");
+  hello = good;
+  ++hello.sceneHash;
+  EXPECT_EQ(refusalOf(hello), "it shows another scene");
+  hello = good;
+  hello.types.push_back({.id = 1, .name = "dragon"});
+  EXPECT_EQ(refusalOf(hello), "this node has no objects of the type dragon");
+  hello = good;
+  hello.types[0].name = "dragon";
+  EXPECT_EQ(refusalOf(hello), "this node has no objects of the type dragon");
+}
+
+TEST_F(Greeting, AnswersNobodyWhoWasNotWelcomed) {
+  Request request;
+  request.object = scene.objects[0].id;
+  request.shared = true;
+  EXPECT_EQ(transport.send(ToBackend(request)), pipeline::PushResult::kClosed) << "before any word";
+  NodeHello hello = good;
+  ++hello.sceneHash;
+  (void)refusalOf(hello);
+  EXPECT_EQ(transport.send(ToBackend(request)), pipeline::PushResult::kClosed);
+  (void)refusalOf(good);
+  EXPECT_EQ(transport.send(ToBackend(request)), pipeline::PushResult::kAccepted);
+}
+
+}  // namespace
+}  // namespace grove::node

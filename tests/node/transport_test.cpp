@@ -1,0 +1,213 @@
+#include "node/transport/transport.h"
+
+#include <gtest/gtest.h>
+
+#include <thread>
+
+#include "eventually.h"
+#include "node/messages/examples.h"
+#include "node/transport/bytes_transport.h"
+#include "node/transport/sent_views.h"
+#include "node/transport/transport_kind.h"
+#include "pipeline/worker_pool.h"
+
+namespace grove::node {
+namespace {
+
+using tests::eventually;
+
+/// Keeps what it gets.
+template <class Port, class Message>
+class Mailbox : public Port {
+ public:
+  [[nodiscard]] std::vector<Message> messages() const {
+    const std::lock_guard lock(mutex_);
+    return messages_;
+  }
+  [[nodiscard]] std::size_t count() const { return messages().size(); }
+
+ protected:
+  void keep(Message message) {
+    const std::lock_guard lock(mutex_);
+    messages_.push_back(std::move(message));
+  }
+
+ private:
+  mutable std::mutex mutex_;
+  std::vector<Message> messages_;
+};
+
+class Backend final : public Mailbox<BackendPort, ToBackend> {
+ public:
+  pipeline::PushResult answer = pipeline::PushResult::kAccepted;
+  pipeline::PushResult receive(ToBackend message) override {
+    keep(std::move(message));
+    return answer;
+  }
+};
+
+class Frontend final : public Mailbox<FrontendPort, ToFrontend> {
+ public:
+  void receive(ToFrontend message) override { keep(std::move(message)); }
+};
+
+class Transports : public ::testing::TestWithParam<TransportKind> {
+ protected:
+  Transports() {
+    transport->connect(backend);
+    transport->connect(frontend);
+  }
+  ~Transports() override {
+    transport->leaveFrontend();
+    transport->leaveBackend();
+    workers.drain();
+  }
+  pipeline::Timeline timeline;
+  pipeline::WorkerPool workers{3};
+  Backend backend;
+  Frontend frontend;
+  const std::unique_ptr<Transport> transport = transportFactory(GetParam())(workers, timeline);
+};
+
+TEST_P(Transports, CarryEveryMessageInOrder) {
+  for (int round = 0; round < 50; ++round) {
+    for (const ToBackend& message : examples::toBackend()) {
+      ASSERT_EQ(transport->send(message), pipeline::PushResult::kAccepted);
+    }
+    for (const ToFrontend& message : examples::toFrontend()) transport->send(message);
+  }
+  const std::vector<ToBackend> toBackend = examples::toBackend();
+  const std::vector<ToFrontend> toFrontend = examples::toFrontend();
+  ASSERT_TRUE(eventually([&] { return backend.count() == 50 * toBackend.size(); })) << backend.count();
+  ASSERT_TRUE(eventually([&] { return frontend.count() == 50 * toFrontend.size(); })) << frontend.count();
+  const auto atBackend = backend.messages();
+  for (std::size_t i = 0; i < atBackend.size(); ++i) {
+    ASSERT_EQ(atBackend[i].index(), toBackend[i % toBackend.size()].index());
+  }
+  const auto atFrontend = frontend.messages();
+  for (std::size_t i = 0; i < atFrontend.size(); ++i) {
+    ASSERT_EQ(atFrontend[i].index(), toFrontend[i % toFrontend.size()].index());
+  }
+}
+
+TEST_P(Transports, WhoHasLeftGetsNothing) {
+  transport->leaveBackend();
+  transport->leaveFrontend();
+  (void)transport->send(ToBackend(Quality{1}));
+  transport->send(ToFrontend(examples::failure()));
+  workers.drain();
+  EXPECT_EQ(backend.count(), 0u);
+  EXPECT_EQ(frontend.count(), 0u);
+  transport->connect(backend);
+  transport->connect(frontend);
+}
+
+INSTANTIATE_TEST_SUITE_P(OverBoth, Transports, ::testing::Values(TransportKind::kReference, TransportKind::kBytes),
+                         [](const auto& of) { return of.param == TransportKind::kBytes ? "Bytes" : "Reference"; });
+
+class BytesTransportTest : public ::testing::Test {
+ protected:
+  BytesTransportTest() {
+    transport.connect(backend);
+    transport.connect(frontend);
+  }
+  ~BytesTransportTest() override {
+    transport.leaveFrontend();
+    transport.leaveBackend();
+    workers.drain();
+  }
+  pipeline::Timeline timeline;
+  pipeline::WorkerPool workers{2};
+  Backend backend;
+  Frontend frontend;
+  BytesTransport transport{workers, timeline};
+};
+
+TEST_F(BytesTransportTest, ARequestThatTheNodeRefusesFails) {
+  backend.answer = pipeline::PushResult::kRejected;
+  const Request request = examples::request();
+  ASSERT_EQ(transport.send(ToBackend(request.view)), pipeline::PushResult::kAccepted);
+  ASSERT_EQ(transport.send(ToBackend(request)), pipeline::PushResult::kAccepted);
+  ASSERT_TRUE(eventually([&] { return frontend.count() == 1; }));
+  const auto messages = frontend.messages();
+  const Result& result = std::get<Result>(messages[0]);
+  EXPECT_EQ(result.session, request.view->session);
+  EXPECT_EQ(result.slot, request.slot);
+  EXPECT_TRUE(std::get<Failure>(result.payload).notNow);
+}
+
+TEST_F(BytesTransportTest, ARequestWithoutItsViewIsRefused) {
+  (void)transport.send(ToBackend(examples::request()));
+  EXPECT_TRUE(eventually([&] { return timeline.counters()["messages that were refused"] == 1; }));
+  EXPECT_EQ(backend.count(), 0u);
+}
+
+TEST_F(BytesTransportTest, CountsWhatTravels) {
+  transport.send(ToFrontend(examples::picture()));
+  transport.send(ToFrontend(examples::sharedData()));
+  (void)transport.send(ToBackend(Quality{2}));
+  const LinkTraffic traffic = transport.traffic();
+  EXPECT_EQ(traffic.pictures, examples::bulk()->size());
+  EXPECT_EQ(traffic.sharedData, examples::bulk()->size());
+  EXPECT_GT(traffic.headers, 0u);
+  EXPECT_GT(traffic.toBackend, 0u);
+}
+
+/// Holds its worker until it is let go.
+class SlowBackend final : public BackendPort {
+ public:
+  pipeline::PushResult receive(ToBackend) override {
+    while (!go) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    ++received;
+    return pipeline::PushResult::kAccepted;
+  }
+  std::atomic<bool> go{false};
+  std::atomic<int> received{0};
+};
+
+TEST_F(BytesTransportTest, RefusesWhatDoesNotFit) {
+  SlowBackend slow;
+  transport.connect(slow);
+  int sent = 0;
+  while (sent < 10'000 && transport.send(ToBackend(Quality{1})) == pipeline::PushResult::kAccepted) ++sent;
+  EXPECT_GE(sent, 4096);
+  EXPECT_LT(sent, 10'000) << "a queue without a bound";
+  slow.go = true;
+  EXPECT_TRUE(eventually([&] { return slow.received == sent; })) << "what was accepted arrives";
+  transport.leaveBackend();
+}
+
+TEST(SentViews, KeepTheNewestOfEachSession) {
+  SentViews views;
+  for (FrameNumber frame = 1; frame <= 40; ++frame) {
+    View view = examples::view();
+    view.frame = frame;
+    views.add(std::make_shared<View>(view));
+  }
+  const ViewLookup find = views.lookup();
+  EXPECT_FALSE(find(examples::kSession, 8));
+  ASSERT_TRUE(find(examples::kSession, 9));
+  EXPECT_EQ(find(examples::kSession, 40)->frame, 40u);
+  EXPECT_FALSE(find(examples::kSession + 1, 40));
+  views.forget(examples::kSession);
+  EXPECT_FALSE(find(examples::kSession, 40));
+}
+
+TEST(SentViews, ForgetWhoWasSilentLongest) {
+  SentViews views;
+  const auto add = [&](SessionId session) {
+    View view = examples::view();
+    view.session = session;
+    views.add(std::make_shared<View>(view));
+  };
+  for (SessionId session = 1; session <= SentViews::kMaxSessions; ++session) add(session);
+  add(1);
+  add(SentViews::kMaxSessions + 1);
+  const ViewLookup find = views.lookup();
+  EXPECT_TRUE(find(1, examples::kFrame));
+  EXPECT_FALSE(find(2, examples::kFrame));
+  EXPECT_TRUE(find(3, examples::kFrame));
+}
+
+}  // namespace
+}  // namespace grove::node
