@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <thread>
 
 #include "eventually.h"
@@ -100,6 +101,52 @@ TEST_P(Transports, WhoHasLeftGetsNothing) {
   EXPECT_EQ(frontend.count(), 0u);
   transport->connect(backend);
   transport->connect(frontend);
+}
+
+/// Answers every other message with one of its own.
+class AnsweringBackend final : public BackendPort {
+ public:
+  explicit AnsweringBackend(Transport& transport) : transport_(transport) {}
+  pipeline::PushResult receive(ToBackend /*message*/) override {
+    if (received++ % 2 == 0) transport_.send(ToFrontend(examples::failure()));
+    return pipeline::PushResult::kAccepted;
+  }
+  std::atomic<int> received = 0;
+
+ private:
+  Transport& transport_;
+};
+
+class AnsweringFrontend final : public FrontendPort {
+ public:
+  explicit AnsweringFrontend(Transport& transport) : transport_(transport) {}
+  void receive(ToFrontend /*message*/) override {
+    if (received++ % 2 == 0) (void)transport_.send(ToBackend(Quality{1}));
+  }
+  std::atomic<int> received = 0;
+
+ private:
+  Transport& transport_;
+};
+
+/// For the thread sanitizer: whoever holds a lock of one end while he sends to the other waits for one who does it the
+/// other way round, as soon as somebody leaves.
+TEST_P(Transports, WhoReceivesMaySendWhileTheOtherDoes) {
+  constexpr int kMessages = 200;
+  AnsweringBackend answeringBackend(*transport);
+  AnsweringFrontend answeringFrontend(*transport);
+  transport->connect(answeringBackend);
+  transport->connect(answeringFrontend);
+  std::thread other([&] {
+    for (int i = 0; i < kMessages; ++i) transport->send(ToFrontend(examples::failure()));
+  });
+  for (int i = 0; i < kMessages; ++i) (void)transport->send(ToBackend(Quality{1}));
+  other.join();
+  EXPECT_TRUE(
+      eventually([&] { return answeringBackend.received > kMessages && answeringFrontend.received > kMessages; }));
+  transport->leaveFrontend();
+  transport->leaveBackend();
+  workers.drain();
 }
 
 INSTANTIATE_TEST_SUITE_P(OverBoth, Transports, ::testing::Values(TransportKind::kReference, TransportKind::kBytes),

@@ -1,14 +1,13 @@
 #pragma once
 
 #include <atomic>
-#include <mutex>
-#include <shared_mutex>
 #include <span>
 #include <utility>
 
 #include "base/log.h"
 #include "node/limits.h"
 #include "node/messages/wire.h"
+#include "node/transport/connection.h"
 #include "pipeline/stage.h"
 
 namespace grove::node {
@@ -24,15 +23,9 @@ class Packets : public pipeline::Stage<Packet> {
   Packets(const pipeline::StageOptions& options, pipeline::Executor& executor, pipeline::Timeline& timeline)
       : Stage(options, executor, timeline), timeline_(timeline) {}
 
-  void connect(Port& port) {
-    const std::unique_lock lock(mutex_);
-    port_ = &port;
-  }
+  void connect(Port& port) { receiver_.connect(port); }
   /// Waits for what is being received.
-  void leave() {
-    const std::unique_lock lock(mutex_);
-    port_ = nullptr;
-  }
+  void leave() { receiver_.leave(); }
 
   [[nodiscard]] pipeline::PushResult send(Packet packet) {
     const std::size_t bytes = bytesOf(packet);
@@ -50,11 +43,12 @@ class Packets : public pipeline::Stage<Packet> {
   virtual void deliver(const Packet& packet, Port& port) = 0;
 
   void process(std::span<Packet> packets, pipeline::Run&) final {
-    const std::shared_lock lock(mutex_);
-    for (const Packet& packet : packets) {
-      waiting_ -= bytesOf(packet);
-      if (port_ != nullptr) attempt([&] { deliver(packet, *port_); }, [](const std::string&) {});
-    }
+    receiver_.use([&](Port* port) {
+      for (const Packet& packet : packets) {
+        waiting_ -= bytesOf(packet);
+        if (port != nullptr) attempt([&] { deliver(packet, *port); }, [](const std::string&) {});
+      }
+    });
   }
 
   /// A peer that sends it is broken; its other messages may be good.
@@ -69,8 +63,7 @@ class Packets : public pipeline::Stage<Packet> {
   }
 
   pipeline::Timeline& timeline_;
-  std::shared_mutex mutex_;  ///< held shared while the port is in use
-  Port* port_ = nullptr;
+  Connection<Port> receiver_;
   std::atomic<std::size_t> waiting_{0};  ///< bytes
   log::Limited refusals_;
 };

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <shared_mutex>
 #include <string_view>
 
+#include "node/transport/connection.h"
 #include "node/transport/transport.h"
 
 namespace grove::node {
@@ -13,19 +13,17 @@ class ReferenceTransport final : public Transport {
   using Transport::connect;
   using Transport::send;
   [[nodiscard]] bool sharesMemory() const override { return true; }
-  void connect(BackendPort& backend) override;
-  void connect(FrontendPort& frontend) override;
-  void leaveBackend() override;
-  void leaveFrontend() override;
+  void connect(BackendPort& backend) override { backend_.connect(backend); }
+  void connect(FrontendPort& frontend) override { frontend_.connect(frontend); }
+  void leaveBackend() override { backend_.leave(); }
+  void leaveFrontend() override { frontend_.leave(); }
   pipeline::PushResult send(ToBackend message) override;
   void send(ToFrontend message) override;
   void compress(Result& /*result*/, std::string_view /*subject*/) const override {}
 
  private:
-  std::shared_mutex backendMutex_;  ///< held shared while a port is in use, so that nobody leaves it meanwhile
-  BackendPort* backend_ = nullptr;
-  std::shared_mutex frontendMutex_;
-  FrontendPort* frontend_ = nullptr;
+  Connection<BackendPort> backend_;
+  Connection<FrontendPort> frontend_;
 };
 
 }  // namespace grove::node
