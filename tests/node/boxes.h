@@ -158,8 +158,8 @@ class BoxFrontendType final : public FrontendType {
     if (asks_ == BoxAsks::kShared) return std::make_unique<SharedBoxFrontend>();
     return std::make_unique<FrontendHalf>();
   }
-  [[nodiscard]] std::shared_ptr<SharedData> unpack(const Key&, Version version,
-                                                   std::span<const std::byte> bytes) const override {
+  [[nodiscard]] std::shared_ptr<SharedData> unpack(const Key&, Version version, std::span<const std::byte> bytes,
+                                                   const SharedData* /*known*/) const override {
     std::uint32_t colour = 0;
     if (bytes.size() != sizeof colour) throw PackingError("no colour");
     std::memcpy(&colour, bytes.data(), sizeof colour);

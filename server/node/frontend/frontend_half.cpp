@@ -13,7 +13,8 @@ Plan FrontendHalf::plan(const VisibleObject& object, const View&, const SharedOf
   return Ask{.shared = false, .key = {}, .rect = object.rect};
 }
 
-std::shared_ptr<SharedData> FrontendType::unpack(const Key&, Version, std::span<const std::byte>) const {
+std::shared_ptr<SharedData> FrontendType::unpack(const Key&, Version, std::span<const std::byte>,
+                                                 const SharedData*) const {
   throw PackingError(std::string(name()) + " has no shared data");
 }
 

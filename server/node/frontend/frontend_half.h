@@ -91,10 +91,11 @@ class FrontendType {
     return std::make_unique<FrontendHalf>();
   }
 
-  /// What this type's shared data was before it was packed. Throws PackingError; does so for bytes of which nothing is
-  /// known, too.
+  /// What this type's shared data was before it was packed; `known` is what the process has of it, null if nothing,
+  /// to which the bytes may be a difference. Throws PackingError; does so for bytes of which nothing is known, too.
   [[nodiscard]] virtual std::shared_ptr<SharedData> unpack(const Key& key, Version version,
-                                                           std::span<const std::byte> bytes) const;
+                                                           std::span<const std::byte> bytes,
+                                                           const SharedData* known) const;
 };
 
 }  // namespace grove::node

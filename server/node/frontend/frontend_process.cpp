@@ -71,7 +71,7 @@ void FrontendProcess::receive(Result result) {
   if (receiver) receiver->push(std::move(result));
 }
 
-void FrontendProcess::unpack(Result& result) const {
+void FrontendProcess::unpack(Result& result) {
   if (!result.packed) return;
   const std::shared_ptr<const PackedBytes> bytes = std::exchange(result.packed, nullptr);
   if (!result.shared) {
@@ -80,7 +80,8 @@ void FrontendProcess::unpack(Result& result) const {
   }
   const FrontendType* const type = typeOf(result.what.object);
   if (type == nullptr) throw PackingError("shared data of no object");
-  const std::shared_ptr<SharedData> data = type->unpack(result.what.key, result.version, *bytes);
+  const std::shared_ptr<const SharedData> known = store_.known(result.what);
+  const std::shared_ptr<SharedData> data = type->unpack(result.what.key, result.version, *bytes, known.get());
   // One that came by reference is reported by who made it.
   data->holdIn(tools_.memory, "shared store", type->name(), pipeline::Work::kAcrossUser);
   result.payload = std::shared_ptr<const SharedData>(data);

@@ -33,7 +33,7 @@ class FrontendProcess final : public FrontendPort {
 
   /// Makes a result's payload of the bytes that it came as; one that came by reference stays as it is. Throws
   /// PackingError.
-  void unpack(Result& result) const;
+  void unpack(Result& result);
 
   [[nodiscard]] const world::Layout& layout() const noexcept { return layout_; }
   /// The type of an object of the world. Asserts that this process knows it.

@@ -21,8 +21,14 @@ std::shared_ptr<const SharedData> SharedStore::find(const SharedKey& what) {
     const std::lock_guard lock(mutex_);
     found = use(what);
   }
-  if (found.isStale) fetchNewer(what);
+  if (found.isStale) fetchNewer(what, found.data->version());
   return found.data;
+}
+
+std::shared_ptr<const SharedData> SharedStore::known(const SharedKey& what) {
+  const std::lock_guard lock(mutex_);
+  const Entry* const entry = entryOf(what);
+  return entry == nullptr ? nullptr : entry->data;
 }
 
 SharedStore::Found SharedStore::use(const SharedKey& what) {
@@ -46,8 +52,9 @@ bool SharedStore::wantsNewer(const SharedKey& what, const Entry& entry) const {
   return pending == pending_.end() || pending->second.deadline < world::World::now();
 }
 
-void SharedStore::fetchNewer(const SharedKey& what) {
+void SharedStore::fetchNewer(const SharedKey& what, Version known) {
   Request request;
+  request.known = known;
   request.object = what.object;
   request.shared = true;
   request.key = what.key;
@@ -82,7 +89,7 @@ void SharedStore::get(const Request& request, Waiter waiter) {
     fetch(request);
     return;
   }
-  if (found.isStale) fetchNewer(what);
+  if (found.isStale) fetchNewer(what, found.data->version());
   waiter(std::move(found.data));
 }
 
@@ -136,6 +143,7 @@ void SharedStore::makeRoom(std::vector<Entry>& given) {
 
 void SharedStore::announced(const Announcement& announcement) {
   const SharedKey& what = announcement.what;
+  Version known = 0;
   {
     const std::lock_guard lock(mutex_);
     Entry* const entry = entryOf(what);
@@ -148,8 +156,9 @@ void SharedStore::announced(const Announcement& announcement) {
     entry->announced = std::max(entry->announced, announcement.version);
     if (!wantsNewer(what, *entry)) return;
     pending_[what].deadline = world::World::now() + kFetchSeconds;
+    known = entry->data->version();
   }
-  fetchNewer(what);
+  fetchNewer(what, known);
 }
 
 SharedStore::Statistics SharedStore::statistics() const {

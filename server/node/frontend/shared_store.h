@@ -31,6 +31,9 @@ class SharedStore {
   /// Null if it is not there.
   [[nodiscard]] std::shared_ptr<const SharedData> find(const SharedKey& what);
 
+  /// The same, without using it.
+  [[nodiscard]] std::shared_ptr<const SharedData> known(const SharedKey& what);
+
   /// Gives `waiter` what the request, which has a view, names. It is requested unless it is there or under way; who
   /// finds it under way for longer than a frame's deadline requests it again.
   void get(const Request& request, Waiter waiter);
@@ -72,7 +75,7 @@ class SharedStore {
   void keep(const SharedKey& what, Entry entry, std::vector<Entry>& given);
   void makeRoom(std::vector<Entry>& given);
 
-  void fetchNewer(const SharedKey& what);
+  void fetchNewer(const SharedKey& what, Version known);
   /// Who waits for it gets a failure if it is refused.
   void fetch(Request request);
   [[nodiscard]] std::vector<Waiter> takeWaiters(const SharedKey& what);

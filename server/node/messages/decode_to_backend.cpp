@@ -83,7 +83,8 @@ Request decode(const v1::Request& from, Checks& checks) {
           .key = decodeKey(from.key(), checks),
           .rect = decode(from.rectangle(), checks),
           .distance = from.distance(),
-          .urgency = from.urgency()};
+          .urgency = from.urgency(),
+          .known = from.known()};
 }
 
 Cancel decode(const v1::Cancel& from, Checks& checks) {

@@ -121,6 +121,7 @@ void put(const Request& from, v1::ToBackend& envelope) {
   put(from.rect, to.mutable_rectangle());
   to.set_distance(from.distance);
   to.set_urgency(from.urgency);
+  to.set_known(from.known);
 }
 
 void put(const Cancel& from, v1::ToBackend& envelope) {

@@ -23,6 +23,8 @@ struct Request {
   float distance = 0.0F;  ///< metres from the eye to the farthest corner of the object's bounds
   /// How wrong what the visitor would see without an answer is, in times of what is permitted; infinite: nothing.
   float urgency = std::numeric_limits<float>::infinity();
+  /// Of shared data: the version that the process has, to which the answer may come as a difference; 0: none.
+  Version known = 0;
 };
 
 /// A frame is over: what was asked for it and not begun need not be answered.

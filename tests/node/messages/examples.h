@@ -63,7 +63,8 @@ inline Request request() {
           .key = std::string("cell\0\xFF", 6),
           .rect = {-5, 10, 300, 200},
           .distance = 17.5F,
-          .urgency = 1.75F};
+          .urgency = 1.75F,
+          .known = 4};
 }
 
 inline std::shared_ptr<const PackedBytes> bulk() { return std::make_shared<PackedBytes>(100, std::byte{7}); }

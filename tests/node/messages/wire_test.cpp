@@ -145,6 +145,7 @@ TEST(Wire, CarriesRequestAndFindsItsView) {
   EXPECT_EQ(got.rect, sent.rect);
   EXPECT_EQ(got.distance, sent.distance);
   EXPECT_EQ(got.urgency, sent.urgency);
+  EXPECT_EQ(got.known, sent.known);
 }
 
 TEST(Wire, CarriesRequestForSharedDataWithoutView) {
@@ -222,9 +223,9 @@ TEST(Wire, BytesOfHelloStayAsTheyAre) {
 }
 
 TEST(Wire, BytesOfRequestStayAsTheyAre) {
-  EXPECT_EQ(
-      hex(encode(ToBackend(examples::request())).header),
-      "22340908000000030000001029180621d204000000000000320663656c6c00ff3a0a0809101418d8042090034500008c414d0000e03f");
+  EXPECT_EQ(hex(encode(ToBackend(examples::request())).header),
+            "22360908000000030000001029180621d204000000000000320663656c6c00ff3a0a0809101418d8042090034500008c414d0000e0"
+            "3f5804");
 }
 
 }  // namespace

@@ -19,6 +19,7 @@
 #include "objects/fluid/backend/fluid_clock.h"
 #include "objects/fluid/backend/pace.h"
 #include "objects/fluid/backend/scalable_simulation.h"
+#include "objects/fluid/common/snapshot_packing.h"
 #include "pipeline/clocks.h"
 #include "world/world.h"
 
@@ -28,6 +29,7 @@ namespace {
 
 constexpr const char* kStage = "Simulation Tick";
 constexpr float kGrowSeconds = 3.0F;  // simulated before the first visitor
+constexpr std::size_t kKept = 15;     // snapshots that a frontend process half a second away knows
 constexpr int kIdleTicks = 60;        // two seconds without visitors, before it rests
 
 /// Of a snapshot that nobody moves on: the world's clock goes on while the simulation rests.
@@ -52,6 +54,7 @@ class FluidBackend::Fire {
         world_(services.world),
         geometry_(services.geometry),
         announce_(services.announce),
+        sharesMemory_(services.sharesMemory),
         timeline_(services.timeline),
         name_(object.name),
         settings_(settingsOf(object)),
@@ -72,10 +75,14 @@ class FluidBackend::Fire {
     awake_ = world_.whileVisited([this] { clock_->wake(); });
   }
 
-  /// Any thread.
-  [[nodiscard]] std::shared_ptr<const FluidSnapshot> newest() {
+  /// The newest snapshot, for who knows the one of tick `known`. Any thread.
+  [[nodiscard]] std::shared_ptr<const node::SharedData> newest(node::Version known) {
     const std::lock_guard lock(mutex_);
-    return newest_;
+    if (change_ && change_->leads(known, newest_->version())) return change_;
+    const auto base = std::ranges::find(past_, known, &FluidSnapshot::version);
+    if (known == 0 || base == past_.end()) return newest_;
+    change_ = std::make_shared<const SnapshotChange>(newest_, *base);
+    return change_;
   }
 
   /// Any thread.
@@ -137,6 +144,12 @@ class FluidBackend::Fire {
                  "; give it a smaller grid, or more threads");
   }
 
+  /// For those who know it and are sent differences. With mutex_ held.
+  void keep(std::shared_ptr<const FluidSnapshot> snapshot) {
+    past_.push_back(std::move(snapshot));
+    if (past_.size() > kKept) past_.erase(past_.begin());
+  }
+
   FluidClock::Next tick() noexcept {
     try {
       const pipeline::TimedRun timed(timeline_, kStage, pipeline::Work::kAcrossUser, {}, "fluid");
@@ -154,7 +167,8 @@ class FluidBackend::Fire {
         const std::lock_guard lock(mutex_);
         newest_.swap(next);
         // As large as the last one, of which somebody may have had the packed form.
-        held_.set(simulation.bytes() + next->bytes());
+        held_.set(simulation.bytes() + (1 + past_.size()) * next->bytes());
+        if (!sharesMemory_) keep(std::move(next));
       }
       announce_({{id_, {}}, static_cast<node::Version>(simulation.tick())});
       keepPace(pipeline::threadCpuNanoseconds() - begin);
@@ -170,6 +184,7 @@ class FluidBackend::Fire {
   const node::WorldMirror& world_;
   const world::WorldGeometry& geometry_;
   const std::function<void(const node::Announcement&)> announce_;
+  const bool sharesMemory_;
   pipeline::Timeline& timeline_;
   const std::string name_;
   const FluidSettings settings_;
@@ -183,8 +198,10 @@ class FluidBackend::Fire {
   int idleTicks_ = 0;    ///< without visitors
   std::mutex mutex_;
   std::shared_ptr<const FluidSnapshot> newest_;
-  std::unique_ptr<FluidClock> clock_;  ///< stops before what it uses goes
-  std::shared_ptr<void> awake_;        ///< while somebody is there; last, since it uses the clock
+  std::vector<std::shared_ptr<const FluidSnapshot>> past_;  ///< before the newest, the oldest first
+  std::shared_ptr<const SnapshotChange> change_;            ///< that was asked for last
+  std::unique_ptr<FluidClock> clock_;                       ///< stops before what it uses goes
+  std::shared_ptr<void> awake_;                             ///< while somebody is there; last, since it uses the clock
 };
 
 FluidBackend::FluidBackend(const node::BackendServices& services, world::TypeIndex self, double tickSeconds)
@@ -207,7 +224,7 @@ void FluidBackend::answer(std::span<const node::Request> requests, std::span<nod
     if (fire == fires_.end() || !requests[i].shared) {
       payloads[i] = node::Failure{"fluids answer with shared data of fluids"};
     } else {
-      payloads[i] = std::shared_ptr<const node::SharedData>(fire->second->newest());
+      payloads[i] = std::shared_ptr<const node::SharedData>(fire->second->newest(requests[i].known));
     }
   }
 }

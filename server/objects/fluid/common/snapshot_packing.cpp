@@ -1,16 +1,20 @@
 #include "objects/fluid/common/snapshot_packing.h"
 
-#include <lz4.h>
+#include <zlib.h>
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cassert>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <stdexcept>
 #include <string>
+#include <vector>
 
-#include "objects/fluid/common/snapshot_planes.h"
+#include "objects/fluid/common/snapshot_differences.h"
+#include "objects/fluid/common/snapshot_steps.h"
 
 #define XXH_INLINE_ALL
 #include <xxhash.h>
@@ -21,7 +25,7 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "headers are copied as they are");
 
 constexpr std::array<char, 4> kMagic{'G', 'F', 'S', 'P'};
-constexpr std::uint16_t kVersion = 1;
+constexpr std::uint16_t kVersion = 2;
 
 struct Header {
   std::array<char, 4> magic = kMagic;
@@ -30,12 +34,18 @@ struct Header {
   std::uint64_t checksum = 0;
   double time = 0.0;
   std::uint64_t tick = 0;
+  std::uint64_t baseTick = 0;
+  std::uint32_t baseCount = 0;
   std::uint32_t count = 0;
-  SnapshotRange range;
+  std::uint32_t survivors = 0;
+  std::array<std::int32_t, 3> low{};
 };
 static_assert(sizeof(Header) == 64);
 
 constexpr std::size_t kUnchecked = 16;  // bytes before those that the checksum covers
+
+/// A base that is older is as good as none.
+constexpr std::uint64_t kMaxTicks = 256;
 
 std::uint64_t checksumOf(std::span<const std::byte> bytes) {
   const auto checked = bytes.subspan(kUnchecked);
@@ -44,112 +54,131 @@ std::uint64_t checksumOf(std::span<const std::byte> bytes) {
 
 [[noreturn]] void refuse(const std::string& reason) { throw node::PackingError("packed smoke: " + reason); }
 
-/// Appends planes and finds them again.
-struct PlaneWriter {
-  std::vector<std::byte>& bytes;
-  std::vector<char> compressed;
-
-  void add(std::span<const std::uint8_t> plane) {
-    // An LZ4 block that is no shorter than the plane is not worth its name.
-    compressed.resize(plane.size());
-    const int size = LZ4_compress_fast(std::bit_cast<const char*>(plane.data()), compressed.data(),
-                                       static_cast<int>(plane.size()), static_cast<int>(compressed.size()), 1);
-    const auto length = static_cast<std::uint32_t>(size);
-    append(&length, sizeof length);
-    if (size > 0) {
-      append(compressed.data(), static_cast<std::size_t>(size));
-    } else {
-      append(plane.data(), plane.size());
-    }
-  }
-
- private:
-  void append(const void* data, std::size_t size) {
-    const auto* from = static_cast<const std::byte*>(data);
-    bytes.insert(bytes.end(), from, from + size);
-  }
-};
-
-struct PlaneReader {
-  std::span<const std::byte> bytes;
-
-  /// The next plane of `count` bytes, decompressed into `room` if it has to be.
-  const std::uint8_t* next(std::size_t count, std::vector<std::uint8_t>& room) {
-    std::uint32_t length = 0;
-    std::memcpy(&length, take(sizeof length).data(), sizeof length);
-    if (length == 0) return std::bit_cast<const std::uint8_t*>(take(count).data());
-    room.resize(count);
-    const auto block = take(length);
-    const int size = LZ4_decompress_safe(std::bit_cast<const char*>(block.data()), std::bit_cast<char*>(room.data()),
-                                         static_cast<int>(block.size()), static_cast<int>(room.size()));
-    if (size < 0 || static_cast<std::size_t>(size) != room.size()) refuse("a plane is damaged");
-    return room.data();
-  }
-
- private:
-  std::span<const std::byte> take(std::size_t size) {
-    if (size > bytes.size()) refuse("it ends too early");
-    const auto taken = bytes.first(size);
-    bytes = bytes.subspan(size);
-    return taken;
-  }
-};
-
-/// Finite, and so small that numbers in it stay finite.
-bool sane(const SnapshotRange& range) {
-  constexpr float kMost = 1e9F;
-  bool good = range.fastest >= 0.0F && range.fastest <= kMost;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    good = good && std::abs(range.low[axis]) <= kMost && range.size[axis] >= 0.0F && range.size[axis] <= kMost;
-  }
-  return good;
+/// Differences are nearly random, but some much more frequent: runs and Huffman's code are all that pays.
+void appendDeflated(node::PackedBytes& bytes, std::span<const std::uint8_t> planes) {
+  constexpr int kWindowBits = 9;
+  constexpr int kMemoryLevel = 7;  // so large are the blocks that get a code of their own
+  z_stream stream{};
+  if (deflateInit2(&stream, 1, Z_DEFLATED, kWindowBits, kMemoryLevel, Z_RLE) != Z_OK) throw std::bad_alloc();
+  const std::size_t begin = bytes.size();
+  bytes.resize(begin + deflateBound(&stream, planes.size()));
+  stream.next_in = const_cast<Bytef*>(planes.data());  // which zlib only reads
+  stream.avail_in = static_cast<uInt>(planes.size());
+  stream.next_out = reinterpret_cast<Bytef*>(bytes.data() + begin);
+  stream.avail_out = static_cast<uInt>(bytes.size() - begin);
+  const int result = deflate(&stream, Z_FINISH);
+  bytes.resize(bytes.size() - stream.avail_out);
+  deflateEnd(&stream);
+  if (result != Z_STREAM_END) throw std::runtime_error("zlib cannot pack smoke");
 }
 
-}  // namespace
-
-node::PackedBytes packSnapshot(const FluidSnapshot& snapshot) {
-  const std::size_t count = snapshot.count();
-  assert(count <= kMostPackedParticles);
-  Header header;
-  header.time = snapshot.time;
-  header.tick = snapshot.tick;
-  header.count = static_cast<std::uint32_t>(count);
-  header.range = rangeOf(snapshot);
-
-  std::vector<std::byte> bytes;
-  bytes.reserve(sizeof header + kPlanes * (sizeof(std::uint32_t) + count));
-  bytes.resize(sizeof header);
-  std::vector<std::uint8_t> planes(kPlanes * count);
-  toPlanes(snapshot, header.range, planes);
-  PlaneWriter writer{bytes, {}};
-  for (std::size_t plane = 0; plane < kPlanes; ++plane) writer.add({planes.data() + plane * count, count});
-
-  std::memcpy(bytes.data(), &header, sizeof header);
-  header.checksum = checksumOf(bytes);
-  std::memcpy(bytes.data(), &header, sizeof header);
-  return bytes;
+std::vector<std::uint8_t> inflated(std::span<const std::byte> bytes, std::size_t size) {
+  std::vector<std::uint8_t> planes(size);
+  uLongf length = size;
+  uLong used = bytes.size();
+  // zlib wants a place to write to, even if there is nothing to write.
+  Bytef nothing = 0;
+  Bytef* const to = planes.empty() ? &nothing : planes.data();
+  const int result = uncompress2(to, &length, reinterpret_cast<const Bytef*>(bytes.data()), &used);
+  if (result != Z_OK || length != size) refuse("it is damaged");
+  if (used != bytes.size()) refuse("it is too long");
+  return planes;
 }
 
-std::shared_ptr<FluidSnapshot> unpackSnapshot(std::span<const std::byte> bytes) {
+std::size_t maskBytes(std::size_t particles) { return (particles + 7) / 8; }
+
+void putMask(const std::vector<std::uint8_t>& lives, std::uint8_t* mask) {
+  for (std::size_t i = 0; i < lives.size(); ++i) {
+    mask[i / 8] = static_cast<std::uint8_t>(mask[i / 8] | lives[i] << i % 8);
+  }
+}
+
+Survivors takeMask(std::span<const std::uint8_t> mask, std::size_t particles) {
+  Survivors survivors{std::vector<std::uint8_t>(particles), 0};
+  for (std::size_t i = 0; i < particles; ++i) {
+    survivors.lives[i] = mask[i / 8] >> i % 8 & 1;
+    survivors.count += survivors.lives[i];
+  }
+  return survivors;
+}
+
+std::array<std::int32_t, 3> lowestPlace(const SnapshotSteps& steps) {
+  std::array<std::int32_t, 3> low{};
+  for (std::size_t axis = 0; axis < 3 && steps.count() > 0; ++axis) {
+    low[axis] = std::ranges::min(steps.fields[SnapshotSteps::kPosition + axis]);
+  }
+  return low;
+}
+
+Header takeHeader(std::span<const std::byte> bytes) {
   Header header;
   if (bytes.size() < sizeof header) refuse("it ends too early");
   std::memcpy(&header, bytes.data(), sizeof header);
   if (header.magic != kMagic) refuse("not packed smoke");
   if (header.version != kVersion) refuse("version " + std::to_string(header.version) + " is unknown");
   if (header.zero != 0 || header.checksum != checksumOf(bytes)) refuse("it is damaged");
-  if (header.count > kMostPackedParticles) refuse("too many particles");
-  if (std::isnan(header.time) || !sane(header.range)) refuse("its numbers make no sense");
+  if (header.count > kMostPackedParticles || header.survivors > header.count) refuse("too many particles");
+  constexpr std::int32_t kFar = 1 << 24;
+  const bool isNear = std::ranges::all_of(header.low, [](std::int32_t low) { return low >= -kFar && low <= kFar; });
+  if (std::isnan(header.time) || !isNear) refuse("its numbers make no sense");
+  return header;
+}
 
-  const std::size_t count = header.count;
+/// Throws unless it is the one that the header names.
+SnapshotSteps baseOf(const Header& header, const FluidSnapshot* known) {
+  if (header.baseCount == 0) return {};
+  if (known == nullptr || known->tick != header.baseTick || known->count() != header.baseCount) {
+    refuse("it is the difference to a tick that is not here");
+  }
+  if (header.tick <= header.baseTick || header.tick - header.baseTick > kMaxTicks) refuse("its ticks make no sense");
+  return stepsOf(*known);
+}
+
+}  // namespace
+
+node::PackedBytes packSnapshot(const FluidSnapshot& snapshot, const FluidSnapshot* base) {
+  assert(snapshot.count() <= kMostPackedParticles);
+  if (base != nullptr && (base->tick >= snapshot.tick || snapshot.tick - base->tick > kMaxTicks)) base = nullptr;
+  const SnapshotSteps steps = stepsOf(snapshot);
+  const SnapshotSteps before = base == nullptr ? SnapshotSteps{} : stepsOf(*base);
+  const auto ticks = base == nullptr ? 1 : static_cast<std::int32_t>(snapshot.tick - base->tick);
+  const Survivors survivors = findSurvivors(before, steps, ticks);
+  Header header;
+  header.time = snapshot.time;
+  header.tick = snapshot.tick;
+  header.baseTick = base == nullptr ? 0 : base->tick;
+  header.baseCount = static_cast<std::uint32_t>(before.count());
+  header.count = static_cast<std::uint32_t>(steps.count());
+  header.survivors = static_cast<std::uint32_t>(survivors.count);
+  header.low = lowestPlace(steps);
+
+  const std::size_t mask = maskBytes(before.count());
+  std::vector<std::uint8_t> planes(mask + 2 * SnapshotSteps::kFields * steps.count());
+  putMask(survivors.lives, planes.data());
+  toDifferences({before, survivors, ticks, header.low}, steps, std::span(planes).subspan(mask));
+  node::PackedBytes bytes(sizeof header);
+  appendDeflated(bytes, planes);
+  std::memcpy(bytes.data(), &header, sizeof header);
+  header.checksum = checksumOf(bytes);
+  std::memcpy(bytes.data(), &header, sizeof header);
+  return bytes;
+}
+
+std::shared_ptr<FluidSnapshot> unpackSnapshot(std::span<const std::byte> bytes, const FluidSnapshot* known) {
+  const Header header = takeHeader(bytes);
+  const SnapshotSteps base = baseOf(header, known);
+  const std::size_t mask = maskBytes(base.count());
+  const std::vector<std::uint8_t> planes =
+      inflated(bytes.subspan(sizeof header), mask + 2 * SnapshotSteps::kFields * header.count);
+  const Survivors survivors = takeMask(std::span(planes).first(mask), base.count());
+  if (survivors.count != header.survivors) refuse("its particles make no sense");
+  SnapshotSteps steps;
+  steps.resize(header.count);
+  const auto ticks = base.count() == 0 ? 1 : static_cast<std::int32_t>(header.tick - header.baseTick);
+  fromDifferences({base, survivors, ticks, header.low}, std::span(planes).subspan(mask), steps);
   auto snapshot = std::make_shared<FluidSnapshot>(header.tick);
   snapshot->time = header.time;
-  PlaneReader reader{bytes.subspan(sizeof header)};
-  std::array<std::vector<std::uint8_t>, kPlanes> rooms;
-  std::array<const std::uint8_t*, kPlanes> planes{};
-  for (std::size_t plane = 0; plane < kPlanes; ++plane) planes[plane] = reader.next(count, rooms[plane]);
-  if (!reader.bytes.empty()) refuse("it is too long");
-  snapshot->resize(count);
-  fromPlanes(planes, count, header.range, *snapshot);
+  restore(steps, *snapshot);
   return snapshot;
 }
 

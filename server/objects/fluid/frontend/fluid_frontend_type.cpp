@@ -46,9 +46,10 @@ std::unique_ptr<node::FrontendHalf> FluidFrontendType::makeHalf(const node::Fron
 }
 
 std::shared_ptr<node::SharedData> FluidFrontendType::unpack(const node::Key& key, node::Version version,
-                                                            std::span<const std::byte> bytes) const {
+                                                            std::span<const std::byte> bytes,
+                                                            const node::SharedData* known) const {
   if (!key.empty()) throw node::PackingError("packed smoke: it has no keys");
-  std::shared_ptr<FluidSnapshot> snapshot = unpackSnapshot(bytes);
+  std::shared_ptr<FluidSnapshot> snapshot = unpackSnapshot(bytes, dynamic_cast<const FluidSnapshot*>(known));
   if (snapshot->version() != version) throw node::PackingError("packed smoke: it is of another tick");
   return snapshot;
 }

@@ -53,7 +53,8 @@ std::unique_ptr<node::FrontendHalf> GroundFrontendType::makeHalf(const node::Fro
 }
 
 std::shared_ptr<node::SharedData> GroundFrontendType::unpack(const node::Key& /*key*/, node::Version /*version*/,
-                                                             std::span<const std::byte> bytes) const {
+                                                             std::span<const std::byte> bytes,
+                                                             const node::SharedData* /*known*/) const {
   return GroundData::unpack(bytes);
 }
 

@@ -13,7 +13,8 @@ std::unique_ptr<node::FrontendHalf> LightFieldFrontendType::makeHalf(const node:
 }
 
 std::shared_ptr<node::SharedData> LightFieldFrontendType::unpack(const node::Key& key, node::Version version,
-                                                                 std::span<const std::byte> bytes) const {
+                                                                 std::span<const std::byte> bytes,
+                                                                 const node::SharedData* /*known*/) const {
   if (key.empty()) return FieldInfo::unpack(bytes, version);
   return CachedView::unpack(bytes);
 }

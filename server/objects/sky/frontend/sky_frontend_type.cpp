@@ -51,7 +51,8 @@ std::unique_ptr<node::FrontendHalf> SkyFrontendType::makeHalf(const node::Fronte
 }
 
 std::shared_ptr<node::SharedData> SkyFrontendType::unpack(const node::Key& /*key*/, node::Version /*version*/,
-                                                          std::span<const std::byte> bytes) const {
+                                                          std::span<const std::byte> bytes,
+                                                          const node::SharedData* /*known*/) const {
   return SkyData::unpack(bytes);
 }
 

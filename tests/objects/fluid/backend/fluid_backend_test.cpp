@@ -15,6 +15,7 @@
 #include "node/backend/load_scene.h"
 #include "objects/fluid/backend/fluid_backend_type.h"
 #include "objects/fluid/common/snapshot.h"
+#include "objects/fluid/common/snapshot_packing.h"
 #include "pipeline/worker_pool.h"
 #include "sanitized.h"
 
@@ -34,10 +35,10 @@ node::LoadedScene fireOf(int grid) {
 /// A world that is nothing but a fire.
 class Fire : public ::testing::Test {
  protected:
-  explicit Fire(int grid, double tickSeconds = FluidSimulation::kTick)
-      : scene_(fireOf(grid)), backend_(services(), 0, tickSeconds) {}
+  explicit Fire(int grid, double tickSeconds = FluidSimulation::kTick, bool sharesMemory = true)
+      : scene_(fireOf(grid)), backend_(services(sharesMemory), 0, tickSeconds) {}
 
-  node::BackendServices services() {
+  node::BackendServices services(bool sharesMemory = true) {
     return {.scene = scene_,
             .geometry = geometry_,
             .world = mirror_,
@@ -47,13 +48,15 @@ class Fire : public ::testing::Test {
             .memory = memory_,
             .images = images_,
             .announce = [this](const node::Announcement& announcement) { take(announcement); },
+            .sharesMemory = sharesMemory,
             .progress = {}};
   }
 
   [[nodiscard]] world::ObjectId fire() const { return scene_.objects.front().id; }
 
-  static node::Payload answerTo(FluidBackend& backend, world::ObjectId object, bool shared) {
+  static node::Payload answerTo(FluidBackend& backend, world::ObjectId object, bool shared, node::Version known = 0) {
     node::Request request;
+    request.known = known;
     request.object = object;
     request.shared = shared;
     node::Payload payload;
@@ -199,6 +202,60 @@ TEST_F(FluidBackendTest, AnnouncesWhatItThenAnswersWith) {
     const node::Version announced = announced_;
     EXPECT_GE(ask()->version(), announced);
   }
+}
+
+/// Whose frontend processes are on other machines.
+class RemoteFluidBackendTest : public Fire {
+ protected:
+  RemoteFluidBackendTest() : Fire(16, FluidSimulation::kTick, false) {}
+
+  std::shared_ptr<const node::SharedData> askKnowing(node::Version known) {
+    return std::get<std::shared_ptr<const node::SharedData>>(answerTo(backend_, fire(), true, known));
+  }
+  node::PackedBytes packed(const node::SharedData& data) { return *data.packed(timeline_, "fluid"); }
+};
+
+TEST_F(RemoteFluidBackendTest, WhoKnowsARecentTickGetsDifferencesToIt) {
+  report(1);
+  bool isFound = false;
+  for (int i = 0; i < 50 && !isFound; ++i) {
+    const auto known = ask();
+    ASSERT_TRUE(eventually([&] { return announced_ > known->version(); }));
+    const auto change = askKnowing(known->version());
+    const auto whole = ask();
+    // On a machine that is busy the next tick may come in between.
+    if (whole->version() != change->version() || change == whole) continue;
+    isFound = true;
+    EXPECT_EQ(askKnowing(known->version()), change) << "packed once for all who know that tick";
+    const node::PackedBytes bytes = packed(*change);
+    EXPECT_LT(bytes.size(), packed(*whole).size() / 2);
+    const auto travelled = unpackSnapshot(packed(*known));
+    const auto result = unpackSnapshot(bytes, travelled.get());
+    const auto expected = unpackSnapshot(packed(*whole));
+    EXPECT_EQ(result->tick, whole->tick);
+    EXPECT_EQ(result->x, expected->x);
+    EXPECT_EQ(result->age, expected->age);
+    EXPECT_EQ(result->sunLight, expected->sunLight);
+  }
+  EXPECT_TRUE(isFound);
+}
+
+TEST_F(RemoteFluidBackendTest, WhoKnowsNothingRecentGetsTheWhole) {
+  report(1);
+  const node::Version first = ask()->version();
+  ASSERT_TRUE(eventually([&] { return announced_ > first + 40; }));
+  for (const node::Version known : {node::Version{0}, first, announced_ + 1000}) {
+    EXPECT_TRUE(std::dynamic_pointer_cast<const FluidSnapshot>(askKnowing(known))) << known;
+  }
+}
+
+TEST_F(FluidBackendTest, KeepsNothingForThoseWhoShareItsMemory) {
+  report(1);
+  const auto known = ask();
+  ASSERT_TRUE(eventually([&] { return announced_ > known->version(); }));
+  const node::Payload payload = answerTo(backend_, fire(), true, known->version());
+  const auto data = std::get<std::shared_ptr<const node::SharedData>>(payload);
+  EXPECT_TRUE(std::dynamic_pointer_cast<const FluidSnapshot>(data));
 }
 
 TEST_F(FluidBackendTest, RefusesPicturesAndOtherObjects) {

@@ -91,10 +91,10 @@ TEST_F(FluidFrontendTest, NothingShowsWithoutASnapshot) {
 
 TEST_F(FluidFrontendTest, UnpacksTheVersionThatWasAnnounced) {
   const auto packed = std::make_shared<const FluidSnapshot>(375)->packed(timeline_, type_.name());
-  EXPECT_EQ(type_.unpack({}, 375, *packed)->version(), 375U);
-  EXPECT_THROW(static_cast<void>(type_.unpack({}, 376, *packed)), node::PackingError);
-  EXPECT_THROW(static_cast<void>(type_.unpack("other", 375, *packed)), node::PackingError);
-  EXPECT_THROW(static_cast<void>(type_.unpack({}, 375, {})), node::PackingError);
+  EXPECT_EQ(type_.unpack({}, 375, *packed, nullptr)->version(), 375U);
+  EXPECT_THROW(static_cast<void>(type_.unpack({}, 376, *packed, nullptr)), node::PackingError);
+  EXPECT_THROW(static_cast<void>(type_.unpack("other", 375, *packed, nullptr)), node::PackingError);
+  EXPECT_THROW(static_cast<void>(type_.unpack({}, 375, {}, nullptr)), node::PackingError);
 }
 
 }  // namespace
