@@ -11,11 +11,6 @@ namespace {
 
 constexpr std::string_view kCompressor = "Compressor";
 
-/// Stages that run by a clock, at this many runs a second, and not because somebody looks.
-constexpr std::string_view kTick = "Simulation Tick";
-constexpr std::string_view kPacking = "Snapshot Packing";
-constexpr double kTicksPerSecond = 30.0;
-
 double milliseconds(std::int64_t nanoseconds) { return static_cast<double>(nanoseconds) * 1.0e-6; }
 
 }  // namespace
@@ -71,8 +66,8 @@ std::map<std::string, FrameCost> frameCosts(const Reading& before, const Reading
     FrameCost& cost = costs[key.subject];
     switch (total.work) {
       case pipeline::Work::kAcrossUser:
-        if (key.stage == kTick || key.stage == kPacking) {
-          cost.acrossUser += runs > 0.0 ? cpu / runs * kTicksPerSecond / served.framesPerSecond : 0.0;
+        if (total.cadence > 0.0) {
+          cost.acrossUser += runs > 0.0 ? cpu / runs * total.cadence / served.framesPerSecond : 0.0;
         } else {
           cost.acrossUser += cpu / framesOfOne / copies;
           cost.onDemand += cpu / framesOfOne / copies;

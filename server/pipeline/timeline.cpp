@@ -29,6 +29,7 @@ void add(StageTotal& total, const StageTotal& more) {
   total.work = more.work;
   total.runs += more.runs;
   total.failures += more.failures;
+  if (more.runs > 0) total.cadence = more.cadence;
   total.wallNanoseconds += more.wallNanoseconds;
   total.cpuNanoseconds += more.cpuNanoseconds;
 }
@@ -63,6 +64,7 @@ void Timeline::record(const TimelineEvent& event) {
   StageTotal& total = totals_[{event.stage, event.subject}];
   add(total, {.work = event.work,
               .runs = event.part ? 0U : 1U,
+              .cadence = event.cadence,
               .wallNanoseconds = event.part ? 0 : event.wallNanoseconds,
               .cpuNanoseconds = event.cpuNanoseconds});
 }
@@ -115,7 +117,8 @@ std::map<std::string, std::int64_t> Timeline::counters() const {
   return {counters_.begin(), counters_.end()};
 }
 
-TimedRun::TimedRun(Timeline& timeline, const char* stage, Work work, TraceTag tag, std::string_view subject) noexcept
+TimedRun::TimedRun(Timeline& timeline, const char* stage, Work work, TraceTag tag, std::string_view subject,
+                   double cadence) noexcept
     : timeline_(timeline),
       outer_(std::exchange(innermostRun(), this)),
       event_{.stage = stage,
@@ -124,6 +127,7 @@ TimedRun::TimedRun(Timeline& timeline, const char* stage, Work work, TraceTag ta
              .tag = tag,
              .thread = threadNumber(),
              .part = outer_ != nullptr && std::string_view(outer_->event_.stage) == stage,
+             .cadence = cadence,
              .beginNanoseconds = wallNanoseconds()},
       cpuBegin_(threadCpuNanoseconds()) {}
 

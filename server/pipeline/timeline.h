@@ -33,6 +33,7 @@ struct TimelineEvent {
   TraceTag tag;
   std::uint32_t thread = 0;           ///< small number, stable for a thread
   bool part = false;                  ///< within a run of the same stage
+  double cadence = 0.0;               ///< runs a second by a clock; 0: it runs because somebody looks
   std::int64_t beginNanoseconds = 0;  ///< monotonic clock
   std::int64_t wallNanoseconds = 0;
   std::int64_t cpuNanoseconds = 0;  ///< of the thread that ran it, less what the runs within it have used
@@ -43,6 +44,7 @@ struct StageTotal {
   Work work = Work::kAcrossUser;
   std::uint64_t runs = 0;  ///< parts of runs are not counted
   std::uint64_t failures = 0;
+  double cadence = 0.0;  ///< the newest run's
   std::int64_t wallNanoseconds = 0;
   std::int64_t cpuNanoseconds = 0;
 };
@@ -90,7 +92,8 @@ class Timeline {
 /// is a part of that one, which then does not count its CPU.
 class TimedRun {
  public:
-  TimedRun(Timeline& timeline, const char* stage, Work work, TraceTag tag, std::string_view subject = {}) noexcept;
+  TimedRun(Timeline& timeline, const char* stage, Work work, TraceTag tag, std::string_view subject = {},
+           double cadence = 0.0) noexcept;
   ~TimedRun();
   TimedRun(const TimedRun&) = delete;
   TimedRun& operator=(const TimedRun&) = delete;

@@ -7,11 +7,13 @@ namespace {
 
 using pipeline::Work;
 
-void record(pipeline::Timeline& timeline, const char* stage, Work work, int runs, double milliseconds) {
+void record(pipeline::Timeline& timeline, const char* stage, Work work, int runs, double milliseconds,
+            double cadence = 0.0) {
   for (int i = 0; i < runs; ++i) {
     pipeline::TimelineEvent event;
     event.stage = stage;
     event.work = work;
+    event.cadence = cadence;
     event.cpuNanoseconds = static_cast<std::int64_t>(milliseconds * 1.0e6);
     timeline.record(event);
   }
@@ -36,7 +38,7 @@ TEST(AmortizationMeter, TellsOfTheLastSamplesOnly) {
   for (int i = 0; i < 6; ++i) {
     meter.sample(2);
     record(timeline, "Encoder", Work::kPerUserFrontend, 60, 3.0);
-    record(timeline, "Simulation Tick", Work::kAcrossUser, 30, 6.0);
+    record(timeline, "Simulation Tick", Work::kAcrossUser, 30, 6.0, 30.0);
   }
   meter.sample(2);
   const auto measured = meter.newest();

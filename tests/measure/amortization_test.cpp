@@ -47,12 +47,13 @@ TEST(Amortization, LawGoesBothWays) {
 }
 
 void record(pipeline::Timeline& timeline, const char* stage, const char* subject, pipeline::Work work, int runs,
-            double milliseconds) {
+            double milliseconds, double cadence = 0.0) {
   for (int i = 0; i < runs; ++i) {
     pipeline::TimelineEvent event;
     event.stage = stage;
     event.subject = subject;
     event.work = work;
+    event.cadence = cadence;
     event.cpuNanoseconds = static_cast<std::int64_t>(milliseconds * 1.0e6);
     timeline.record(event);
   }
@@ -61,10 +62,10 @@ void record(pipeline::Timeline& timeline, const char* stage, const char* subject
 TEST(Amortization, TellsCostsOfAFrameByTypeOfObject) {
   using pipeline::Work;
   pipeline::Timeline timeline;
-  record(timeline, "Simulation Tick", "fluid", Work::kAcrossUser, 100, 99.0);  // before: does not count
+  record(timeline, "Simulation Tick", "fluid", Work::kAcrossUser, 100, 99.0, 30.0);  // before: does not count
   const Reading before = Reading::of(timeline);
   // Two visitors got 60 frames each, while a slow machine did 30 ticks of 10 ms.
-  record(timeline, "Simulation Tick", "fluid", Work::kAcrossUser, 30, 10.0);
+  record(timeline, "Simulation Tick", "fluid", Work::kAcrossUser, 30, 10.0, 30.0);
   record(timeline, "Shared View", "lightfield", Work::kAcrossUser, 120, 3.0);
   record(timeline, "Renderer", "lightfield", Work::kPerUserBackend, 120, 2.0);
   record(timeline, "Compressor", "fluid", Work::kPerUserBackend, 120, 0.5);
@@ -87,7 +88,7 @@ TEST(Amortization, CountsOneOfManyCopies) {
   using pipeline::Work;
   pipeline::Timeline timeline;
   const Reading before = Reading::of(timeline);
-  record(timeline, "Simulation Tick", "fluid", Work::kAcrossUser, 120, 10.0);
+  record(timeline, "Simulation Tick", "fluid", Work::kAcrossUser, 120, 10.0, 30.0);
   record(timeline, "Shared View", "lightfield", Work::kAcrossUser, 120, 3.0);
   const auto costs = frameCosts(before, Reading::of(timeline), {.visitors = 4, .frames = 120.0, .copies = 4});
   EXPECT_NEAR(costs.at("fluid").acrossUser, 10.0, 1e-9);

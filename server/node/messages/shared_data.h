@@ -27,7 +27,8 @@ using PackedBytes = std::vector<std::byte>;
 /// once shared. A type derives its own from this; in one process they travel by reference.
 class SharedData {
  public:
-  explicit SharedData(Version version = 0) : version_(version) {}
+  /// `cadence` is how many versions a second a clock makes, whoever looks; 0: they are made because somebody does.
+  explicit SharedData(Version version = 0, double cadence = 0.0) : version_(version), cadence_(cadence) {}
   virtual ~SharedData() = default;
   SharedData(const SharedData&) = delete;
   SharedData& operator=(const SharedData&) = delete;
@@ -52,6 +53,7 @@ class SharedData {
   [[nodiscard]] virtual PackedBytes pack() const = 0;
 
   const Version version_;
+  const double cadence_;
   mutable std::optional<pipeline::HeldMemory> held_;
   mutable std::once_flag once_;
   mutable std::atomic<std::size_t> packedBytes_{0};

@@ -95,9 +95,8 @@ class FluidBackend::Fire {
   /// From a worker: a thread begins with the priority of the one that starts it, and a world may be made by one whose
   /// priority is low.
   void startClock(pipeline::Executor& workers) {
-    const auto start = std::make_shared<std::packaged_task<std::unique_ptr<FluidClock>()>>([this] {
-      return std::make_unique<FluidClock>(1.0 / static_cast<double>(FluidSimulation::kTick), [this] { return tick(); });
-    });
+    const auto start = std::make_shared<std::packaged_task<std::unique_ptr<FluidClock>()>>(
+        [this] { return std::make_unique<FluidClock>(kTicksPerSecond, [this] { return tick(); }); });
     workers.post([start] { (*start)(); });
     clock_ = start->get_future().get();
   }
@@ -152,7 +151,7 @@ class FluidBackend::Fire {
 
   FluidClock::Next tick() noexcept {
     try {
-      const pipeline::TimedRun timed(timeline_, kStage, pipeline::Work::kAcrossUser, {}, "fluid");
+      const pipeline::TimedRun timed(timeline_, kStage, pipeline::Work::kAcrossUser, {}, kTypeName, kTicksPerSecond);
       if (simulation_.update()) pace_.restart();
       const std::int64_t begin = pipeline::threadCpuNanoseconds();
       const double now = world::World::now();

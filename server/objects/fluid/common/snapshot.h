@@ -11,10 +11,13 @@ namespace grove::objects::fluid {
 
 inline constexpr const char* kTypeName = "fluid";
 
+inline constexpr double kTicksPerSecond = 30.0;
+
 /// What the fluid publishes once per tick for all visitors (section 5.2.1). World coordinates, metres. One entry per
 /// particle in every array; the order is the same from tick to tick for as long as a particle lives.
 struct FluidSnapshot final : node::SharedData {
-  explicit FluidSnapshot(std::uint64_t ofTick = 0) : SharedData(static_cast<node::Version>(ofTick)), tick(ofTick) {}
+  explicit FluidSnapshot(std::uint64_t ofTick = 0)
+      : SharedData(static_cast<node::Version>(ofTick), kTicksPerSecond), tick(ofTick) {}
 
   /// Seconds of the world's clock when the tick was computed; infinite while the simulation rests, when nobody moves
   /// the particles on.

@@ -49,7 +49,7 @@ inline constexpr std::size_t kMostPackedParticles = 1 << 20;
 class SnapshotChange final : public node::SharedData {
  public:
   SnapshotChange(std::shared_ptr<const FluidSnapshot> snapshot, std::shared_ptr<const FluidSnapshot> base)
-      : SharedData(snapshot->version()), snapshot_(std::move(snapshot)), base_(std::move(base)) {}
+      : SharedData(snapshot->version(), kTicksPerSecond), snapshot_(std::move(snapshot)), base_(std::move(base)) {}
 
   [[nodiscard]] bool leads(node::Version from, node::Version to) const noexcept {
     return base_->version() == from && version() == to;
