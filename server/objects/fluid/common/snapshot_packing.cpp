@@ -1,6 +1,6 @@
 #include "objects/fluid/common/snapshot_packing.h"
 
-#include <zlib.h>
+#include <zstd.h>
 
 #include <algorithm>
 #include <array>
@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -54,34 +55,38 @@ std::uint64_t checksumOf(std::span<const std::byte> bytes) {
 
 [[noreturn]] void refuse(const std::string& reason) { throw node::PackingError("packed smoke: " + reason); }
 
-/// Differences are nearly random, but some much more frequent: runs and Huffman's code are all that pays.
-void appendDeflated(node::PackedBytes& bytes, std::span<const std::uint8_t> planes) {
-  constexpr int kWindowBits = 9;
-  constexpr int kMemoryLevel = 7;  // so large are the blocks that get a code of their own
-  z_stream stream{};
-  if (deflateInit2(&stream, 1, Z_DEFLATED, kWindowBits, kMemoryLevel, Z_RLE) != Z_OK) throw std::bad_alloc();
+/// Differences are nearly random, but some much more frequent: entropy coding is all that pays.
+constexpr int kLevel = 1;
+
+struct FreeCompression {
+  void operator()(ZSTD_CCtx* context) const noexcept { ZSTD_freeCCtx(context); }
+};
+
+/// One frame. What a plane has most is another thing than what the next one has, so each begins a block.
+void appendCompressed(node::PackedBytes& bytes, std::span<const std::uint8_t> mask,
+                      std::span<const std::uint8_t> planes, std::size_t planeSize) {
+  const std::unique_ptr<ZSTD_CCtx, FreeCompression> context(ZSTD_createCCtx());
+  if (!context) throw std::bad_alloc();
+  ZSTD_CCtx_setParameter(context.get(), ZSTD_c_compressionLevel, kLevel);
   const std::size_t begin = bytes.size();
-  bytes.resize(begin + deflateBound(&stream, planes.size()));
-  stream.next_in = const_cast<Bytef*>(planes.data());  // which zlib only reads
-  stream.avail_in = static_cast<uInt>(planes.size());
-  stream.next_out = reinterpret_cast<Bytef*>(bytes.data() + begin);
-  stream.avail_out = static_cast<uInt>(bytes.size() - begin);
-  const int result = deflate(&stream, Z_FINISH);
-  bytes.resize(bytes.size() - stream.avail_out);
-  deflateEnd(&stream);
-  if (result != Z_STREAM_END) throw std::runtime_error("zlib cannot pack smoke");
+  constexpr std::size_t kPerBlock = 32;
+  bytes.resize(begin + ZSTD_compressBound(mask.size() + planes.size()) + kPerBlock * (2 * SnapshotSteps::kFields + 2));
+  ZSTD_outBuffer out{bytes.data() + begin, bytes.size() - begin, 0};
+  const auto put = [&](std::span<const std::uint8_t> part, ZSTD_EndDirective end) {
+    ZSTD_inBuffer in{part.data(), part.size(), 0};
+    const std::size_t left = ZSTD_compressStream2(context.get(), &out, &in, end);
+    if (left != 0) throw std::runtime_error("zstd cannot pack smoke");
+  };
+  put(mask, ZSTD_e_flush);
+  for (std::size_t at = 0; at < planes.size(); at += planeSize) put(planes.subspan(at, planeSize), ZSTD_e_flush);
+  put({}, ZSTD_e_end);
+  bytes.resize(begin + out.pos);
 }
 
-std::vector<std::uint8_t> inflated(std::span<const std::byte> bytes, std::size_t size) {
+std::vector<std::uint8_t> decompressed(std::span<const std::byte> bytes, std::size_t size) {
   std::vector<std::uint8_t> planes(size);
-  uLongf length = size;
-  uLong used = bytes.size();
-  // zlib wants a place to write to, even if there is nothing to write.
-  Bytef nothing = 0;
-  Bytef* const to = planes.empty() ? &nothing : planes.data();
-  const int result = uncompress2(to, &length, reinterpret_cast<const Bytef*>(bytes.data()), &used);
-  if (result != Z_OK || length != size) refuse("it is damaged");
-  if (used != bytes.size()) refuse("it is too long");
+  const std::size_t length = ZSTD_decompress(planes.data(), planes.size(), bytes.data(), bytes.size());
+  if (ZSTD_isError(length) != 0 || length != size) refuse("it is damaged");
   return planes;
 }
 
@@ -157,7 +162,7 @@ node::PackedBytes packSnapshot(const FluidSnapshot& snapshot, const FluidSnapsho
   putMask(survivors.lives, planes.data());
   toDifferences({before, survivors, ticks, header.low}, steps, std::span(planes).subspan(mask));
   node::PackedBytes bytes(sizeof header);
-  appendDeflated(bytes, planes);
+  appendCompressed(bytes, std::span(planes).first(mask), std::span(planes).subspan(mask), steps.count());
   std::memcpy(bytes.data(), &header, sizeof header);
   header.checksum = checksumOf(bytes);
   std::memcpy(bytes.data(), &header, sizeof header);
@@ -169,7 +174,7 @@ std::shared_ptr<FluidSnapshot> unpackSnapshot(std::span<const std::byte> bytes, 
   const SnapshotSteps base = baseOf(header, known);
   const std::size_t mask = maskBytes(base.count());
   const std::vector<std::uint8_t> planes =
-      inflated(bytes.subspan(sizeof header), mask + 2 * SnapshotSteps::kFields * header.count);
+      decompressed(bytes.subspan(sizeof header), mask + 2 * SnapshotSteps::kFields * header.count);
   const Survivors survivors = takeMask(std::span(planes).first(mask), base.count());
   if (survivors.count != header.survivors) refuse("its particles make no sense");
   SnapshotSteps steps;

@@ -22,9 +22,9 @@
 ///         44     4  particles, at most kMostPackedParticles
 ///         48     4  of these, those that were in the base
 ///         52    12  the lowest x, y, z, steps, three signed numbers
-///         64     -  a zlib stream
+///         64     -  frames of Zstandard
 ///
-/// The stream holds a bit for each particle of the base, lowest bits first: whether it lives. Then, for each field, a
+/// They hold a bit for each particle of the base, lowest bits first: whether it lives. Then, for each field, a
 /// plane of the low bytes and one of the high bytes of a difference for each particle: first those that live, in the
 /// base's order, then the new ones. Differences are modulo 65536, and folded: 0, -1, 1, -2, ...
 ///
