@@ -3,6 +3,7 @@
 #include <lz4.h>
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <vector>
 
@@ -13,6 +14,9 @@ namespace {
 
 /// Marks a plane that is stored as it is.
 constexpr std::uint32_t kStored = std::numeric_limits<std::uint32_t>::max();
+
+/// So that four planes stay in a core's own cache, and need no memory of their own.
+constexpr std::size_t kWordsAtOnce = 8192;
 
 }  // namespace
 
@@ -52,21 +56,23 @@ void takeCompressed(std::span<const std::byte>& from, std::span<std::byte> plane
 }
 
 void appendPlanes(PackedBytes& to, std::span<const std::uint32_t> words) {
-  std::vector<std::uint8_t> planes(4 * words.size());
-  splitPlanes(words.data(), words.size(), planes.data());
-  const auto bytes = std::as_bytes(std::span(planes));
-  for (std::size_t plane = 0; plane < 4; ++plane) {
-    appendCompressed(to, bytes.subspan(plane * words.size(), words.size()));
+  std::array<std::uint8_t, 4 * kWordsAtOnce> planes;
+  for (std::size_t at = 0; at < words.size(); at += kWordsAtOnce) {
+    const std::size_t count = std::min(kWordsAtOnce, words.size() - at);
+    splitPlanes(words.data() + at, count, planes.data());
+    const auto bytes = std::as_bytes(std::span(planes));
+    for (std::size_t plane = 0; plane < 4; ++plane) appendCompressed(to, bytes.subspan(plane * count, count));
   }
 }
 
 void takePlanes(std::span<const std::byte>& from, std::span<std::uint32_t> words) {
-  std::vector<std::uint8_t> planes(4 * words.size());
-  const auto bytes = std::as_writable_bytes(std::span(planes));
-  for (std::size_t plane = 0; plane < 4; ++plane) {
-    takeCompressed(from, bytes.subspan(plane * words.size(), words.size()));
+  std::array<std::uint8_t, 4 * kWordsAtOnce> planes;
+  for (std::size_t at = 0; at < words.size(); at += kWordsAtOnce) {
+    const std::size_t count = std::min(kWordsAtOnce, words.size() - at);
+    const auto bytes = std::as_writable_bytes(std::span(planes));
+    for (std::size_t plane = 0; plane < 4; ++plane) takeCompressed(from, bytes.subspan(plane * count, count));
+    joinPlanes(planes.data(), count, words.data() + at);
   }
-  joinPlanes(planes.data(), words.size(), words.data());
 }
 
 }  // namespace grove::node

@@ -27,12 +27,15 @@ void appendCompressed(PackedBytes& to, std::span<const std::byte> plane);
 /// The inverse, which takes them off the front. Throws PackingError unless they fill `plane` exactly.
 void takeCompressed(std::span<const std::byte>& from, std::span<std::byte> plane);
 
-/// Words as four planes of bytes.
+/// Words as four planes of bytes, some thousands at a time.
 void appendPlanes(PackedBytes& to, std::span<const std::uint32_t> words);
 void takePlanes(std::span<const std::byte>& from, std::span<std::uint32_t> words);
 
 class PackWriter {
  public:
+  /// `bytes` are what it is to hold, if nothing gets smaller.
+  explicit PackWriter(std::size_t bytes = 0) { bytes_.reserve(bytes); }
+
   template <PackedNumber T>
   PackWriter& put(T value) {
     std::array<std::byte, sizeof(T)> bytes;

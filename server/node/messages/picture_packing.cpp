@@ -122,9 +122,27 @@ std::vector<Pixel> gathered(const std::vector<Piece>& pieces, const raster::Imag
 }
 
 template <class Pixel>
-void scatter(const std::vector<Piece>& pieces, const std::vector<Pixel>& pixels, std::span<Pixel> plane, int width,
-             Pixel elsewhere) {
-  if (pixels.size() != plane.size()) std::ranges::fill(plane, elsewhere);
+void putPlane(PackWriter& writer, const std::vector<Piece>& pieces, const raster::Image& picture,
+              std::span<const Pixel> plane, Pixel elsewhere) {
+  if (picture.spans.empty() && pixelsOf(pieces) == plane.size()) {
+    writer.putPlanes(plane);
+  } else {
+    writer.putPlanes(std::span<const Pixel>(gathered(pieces, picture, plane, elsewhere)));
+  }
+}
+
+/// The inverse of putPlane(): all of the plane.
+template <class Pixel>
+void takePlane(PackReader& reader, const std::vector<Piece>& pieces, std::span<Pixel> plane, int width,
+               Pixel elsewhere) {
+  const std::size_t count = pixelsOf(pieces);
+  if (count == plane.size()) {
+    reader.takePlanes(plane);
+    return;
+  }
+  std::vector<Pixel> pixels(count);
+  reader.takePlanes(std::span(pixels));
+  std::ranges::fill(plane, elsewhere);
   const Pixel* from = pixels.data();
   for (const Piece& piece : pieces) {
     std::copy_n(from, piece.count, plane.data() + std::ptrdiff_t{piece.row} * width + piece.begin);
@@ -148,18 +166,17 @@ world::Rect takeRect(PackReader& reader) {
 PackedBytes packPicture(const raster::Image& picture) {
   const world::Rect& rect = picture.rect;
   if (picture.colour.size() > kMaxPicturePixels) throw PackingError("a picture is too large to travel");
-  PackWriter writer;
+  const Tiles tiles = coveredTiles(picture);
+  const std::vector<Piece> pieces = piecesOf(tiles, rect.width(), rect.height());
+  PackWriter writer(64 + tiles.covered.size() + picture.spans.size() * sizeof(raster::Span) +
+                    pixelsOf(pieces) * (sizeof(std::uint32_t) + sizeof(float)));
   writer.put(rect.left).put(rect.top).put(rect.right).put(rect.bottom);
   writer.put(static_cast<std::uint8_t>(picture.opaque ? 1 : 0));
   writer.put(static_cast<std::uint8_t>(picture.spans.empty() ? 0 : 1));
   if (!picture.spans.empty()) putSpans(writer, picture);
-  const Tiles tiles = coveredTiles(picture);
   writer.putBytes(std::as_bytes(std::span(tiles.covered)));
-  const std::vector<Piece> pieces = piecesOf(tiles, rect.width(), rect.height());
-  const std::span<const std::uint32_t> colour = picture.colour;
-  const std::span<const float> depth = picture.depth;
-  writer.putPlanes(std::span<const std::uint32_t>(gathered(pieces, picture, colour, std::uint32_t{0})));
-  writer.putPlanes(std::span<const float>(gathered(pieces, picture, depth, world::kInfiniteDepth)));
+  putPlane(writer, pieces, picture, std::span<const std::uint32_t>(picture.colour), std::uint32_t{0});
+  putPlane(writer, pieces, picture, std::span<const float>(picture.depth), world::kInfiniteDepth);
   return writer.take();
 }
 
@@ -175,19 +192,16 @@ std::shared_ptr<const raster::Image> unpackPicture(std::span<const std::byte> by
   Tiles tiles = tilesOf(rect);
   reader.takeBytes(std::as_writable_bytes(std::span(tiles.covered)));
   const std::vector<Piece> pieces = piecesOf(tiles, rect.width(), rect.height());
-  std::vector<std::uint32_t> colour(pixelsOf(pieces));
-  std::vector<float> depth(colour.size());
-  reader.takePlanes(std::span(colour));
-  reader.takePlanes(std::span(depth));
+  const std::span<std::uint32_t> colour = picture->colour;
+  const std::span<float> depth = picture->depth;
+  takePlane(reader, pieces, colour, rect.width(), std::uint32_t{0});
+  takePlane(reader, pieces, depth, rect.width(), world::kInfiniteDepth);
   reader.finish();
   if (opaque && !std::ranges::all_of(colour, [](std::uint32_t pixel) { return pixel >= kCoverage; })) {
     reader.fail("is not opaque as it says");
   }
-  if (opaque && colour.size() != picture->colour.size()) reader.fail("is not opaque as it says");
   if (std::ranges::any_of(depth, [](float metres) { return !(metres >= 0.0F); }))
     reader.fail("has a depth that is none");
-  scatter(pieces, colour, picture->colour, rect.width(), std::uint32_t{0});
-  scatter(pieces, depth, picture->depth, rect.width(), world::kInfiniteDepth);
   return picture;
 }
 
