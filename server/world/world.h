@@ -22,9 +22,6 @@ class World {
   [[nodiscard]] Players& players() noexcept { return *players_; }
   [[nodiscard]] Edits& edits() noexcept { return edits_; }
 
-  /// Seconds of the world's clock.
-  [[nodiscard]] static double now() noexcept;
-
  private:
   const Layout layout_;
   const std::shared_ptr<Players> players_;

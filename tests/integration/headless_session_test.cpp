@@ -7,6 +7,7 @@
 #include "eventually.h"
 #include "integration/picture.h"
 #include "integration/served_scene.h"
+#include "pipeline/clocks.h"
 
 namespace grove::integration {
 namespace {
@@ -36,7 +37,7 @@ wind = [0, 0, 0]
 class HeadlessSessions : public ::testing::Test {
  protected:
   /// Of who came first.
-  world::Vec3 position() { return served.host.players().all(world::World::now()).front().pose.position; }
+  world::Vec3 position() { return served.host.players().all(pipeline::wallSeconds()).front().pose.position; }
 
   ServedScene served{kScene};
 };

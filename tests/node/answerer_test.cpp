@@ -11,7 +11,6 @@
 
 #include "node/backend/renderer.h"
 #include "pipeline/worker_pool.h"
-#include "world/world.h"
 
 namespace grove::node {
 namespace {
@@ -64,8 +63,9 @@ Request requestOf(SessionId session, double deadline = std::numeric_limits<doubl
 
 /// What becomes of requests that wait together for the only worker.
 std::shared_ptr<Results> answerTogether(const std::vector<Request>& requests, Fussy& half, const EndedFrames& ended,
-                                        pipeline::WorkerPool& workers, pipeline::Timeline& timeline) {
-  const auto renderer = std::make_shared<Renderer>("fussy", half, ended, timeline);
+                                        pipeline::WorkerPool& workers, pipeline::Timeline& timeline,
+                                        const WorldMirror& world = {}) {
+  const auto renderer = std::make_shared<Renderer>("fussy", half, world, ended, timeline);
   const auto results = std::make_shared<Results>(workers, timeline);
   renderer->connect(results);
   std::binary_semaphore begin(0);
@@ -93,10 +93,16 @@ TEST(Answerer, LeavesRequestsOfFramesThatHaveEnded) {
   Fussy half(workers, 0);
   EndedFrames ended;
   ended.add({.session = 4, .frame = 1});
-  const double now = world::World::now();
+  // By the clock of the world's owner, which shows something else than the clock here.
+  const double now = 5.0;
+  WorldMirror world;
+  const auto update = std::make_shared<WorldUpdate>();
+  update->number = 1;
+  update->clock = now;
+  world.apply(update);
   const auto results = answerTogether(
       {requestOf(1, now - 0.1), requestOf(2, now + 3600.0), requestOf(3, now - 0.1), requestOf(4), Request()}, half,
-      ended, workers, timeline);
+      ended, workers, timeline, world);
   EXPECT_THAT(half.batches, ElementsAre(2U));
   EXPECT_THAT(results->failed, UnorderedElementsAre(std::pair(1U, true), std::pair(2U, false), std::pair(3U, true),
                                                     std::pair(4U, true), std::pair(0U, false)));

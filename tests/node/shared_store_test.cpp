@@ -10,8 +10,8 @@
 #include <thread>
 #include <vector>
 
+#include "pipeline/clocks.h"
 #include "pipeline/worker_pool.h"
-#include "world/world.h"
 
 namespace grove::node {
 namespace {
@@ -35,7 +35,7 @@ constexpr world::ObjectId kObject = 5;
 
 Request requestFor(const SharedKey& what, double secondsLeft = 60.0) {
   auto view = std::make_shared<View>();
-  view->deadline = world::World::now() + secondsLeft;
+  view->deadline = pipeline::wallSeconds() + secondsLeft;
   Request request;
   request.view = std::move(view);
   request.object = what.object;

@@ -49,6 +49,37 @@ TEST(WorldMirror, KnowsNobodyAtFirst) {
   EXPECT_THAT(speeds(mirror, cursor), IsEmpty());
 }
 
+TEST(WorldMirror, KnowsTheClockOfTheWorldsOwner) {
+  WorldMirror mirror;
+  EXPECT_FALSE(mirror.now());
+  const auto timed = std::make_shared<WorldUpdate>();
+  timed->number = 1;
+  timed->clock = 7000.0;
+  mirror.apply(timed);
+  ASSERT_TRUE(mirror.now());
+  EXPECT_GE(*mirror.now(), 7000.0);
+  EXPECT_LT(*mirror.now(), 7010.0);
+}
+
+TEST(PeerClock, OfTimesThatItTellsTheOneThatTookLeastToComeCounts) {
+  PeerClock clock;
+  EXPECT_FALSE(clock.at(1.0));
+  clock.hear(100.0, 1.3);  // took 0.3
+  EXPECT_NEAR(*clock.at(2.0), 100.7, 1e-9);
+  clock.hear(101.0, 2.1);
+  EXPECT_NEAR(*clock.at(3.0), 101.9, 1e-9);
+  clock.hear(102.0, 3.8);
+  EXPECT_NEAR(*clock.at(4.0), 102.9, 1e-9) << "a slow one tells nothing new";
+}
+
+TEST(PeerClock, FollowsAClockThatDriftsAwayAndOneThatBeginsAnew) {
+  PeerClock clock;
+  for (int i = 0; i < 2000; ++i) clock.hear(0.9 * i, i);
+  EXPECT_NEAR(*clock.at(2000.0), 0.9 * 2000.0, 15.0);
+  for (int i = 2000; i < 2200; ++i) clock.hear(i - 2000, i);
+  EXPECT_NEAR(*clock.at(2200.0), 200.0, 1e-9);
+}
+
 TEST(WorldMirror, TheNewestUpdateCountsInWhateverOrderTheyCome) {
   WorldMirror mirror;
   mirror.apply(update(2, {7, 8}));

@@ -1,15 +1,15 @@
 #include "node/backend/answerer.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "node/limits.h"
-#include "world/world.h"
 
 namespace grove::node {
-Answerer::Answerer(const char* name, std::string_view subject, BackendHalf& half, const EndedFrames& ended,
-                   pipeline::Timeline& timeline)
+Answerer::Answerer(const char* name, std::string_view subject, BackendHalf& half, const WorldMirror& world,
+                   const EndedFrames& ended, pipeline::Timeline& timeline)
     : Stage({.name = name,
              .subject = subject,
              .work = pipeline::Work::kPerUserBackend,
@@ -19,6 +19,7 @@ Answerer::Answerer(const char* name, std::string_view subject, BackendHalf& half
             half.executor(), timeline),
       timeline_(timeline),
       half_(half),
+      world_(world),
       ended_(ended) {}
 
 void Answerer::connect(std::shared_ptr<pipeline::Inlet<Result>> compressor) {
@@ -27,9 +28,10 @@ void Answerer::connect(std::shared_ptr<pipeline::Inlet<Result>> compressor) {
 }
 
 void Answerer::process(std::span<Request> all, pipeline::Run& run) {
-  const double now = world::World::now();
+  const std::optional<double> now = world_.now();
   const auto isWanted = [&](const Request& request) {
-    return !request.view || (now < request.view->deadline && !ended_.contain(*request.view));
+    const View* const view = request.view.get();
+    return view == nullptr || ((!now || *now < view->deadline) && !ended_.contain(*view));
   };
   const auto firstEnded = std::stable_partition(all.begin(), all.end(), isWanted);
   const std::span<Request> requests(all.begin(), firstEnded);

@@ -16,10 +16,9 @@ class Answerer : public pipeline::Stage<Request> {
   void connect(std::shared_ptr<pipeline::Inlet<Result>> compressor);
 
  protected:
-  /// `subject`: the type of object, for the timeline.
-  /// `ended` outlives it.
-  Answerer(const char* name, std::string_view subject, BackendHalf& half, const EndedFrames& ended,
-           pipeline::Timeline& timeline);
+  /// `subject`: the type of object, for the timeline. The world and `ended` outlive it.
+  Answerer(const char* name, std::string_view subject, BackendHalf& half, const WorldMirror& world,
+           const EndedFrames& ended, pipeline::Timeline& timeline);
   void process(std::span<Request> all, pipeline::Run& run) final;
 
  private:
@@ -28,6 +27,7 @@ class Answerer : public pipeline::Stage<Request> {
 
   pipeline::Timeline& timeline_;
   BackendHalf& half_;
+  const WorldMirror& world_;
   const EndedFrames& ended_;
   pipeline::Outlet<Result> compressor_;
 };

@@ -7,9 +7,11 @@ namespace grove::node {
 namespace {
 
 std::shared_ptr<Answerer> makeAnswerer(std::string_view type, BackendHalf& half, const EndedFrames& ended,
-                                       pipeline::Timeline& timeline) {
-  if (half.kind() == NodeKind::kSimulation) return std::make_shared<Simulator>(type, half, ended, timeline);
-  return std::make_shared<Renderer>(type, half, ended, timeline);
+                                       const BackendServices& services) {
+  if (half.kind() == NodeKind::kSimulation) {
+    return std::make_shared<Simulator>(type, half, services.world, ended, services.timeline);
+  }
+  return std::make_shared<Renderer>(type, half, services.world, ended, services.timeline);
 }
 
 }  // namespace
@@ -18,7 +20,7 @@ BackendPipeline::BackendPipeline(const BackendType& type, world::TypeIndex index
                                  const EndedFrames& ended, BackendEnd& transport)
     : half_(type.makeHalf(services, index)),
       receiver_(std::make_shared<RequestReceiver>(services.workers, services.timeline)),
-      answerer_(makeAnswerer(type.name(), *half_, ended, services.timeline)),
+      answerer_(makeAnswerer(type.name(), *half_, ended, services)),
       compressor_(std::make_shared<Compressor>(transport, type.name(), services.workers, services.timeline)),
       sender_(std::make_shared<ResultSender>(transport, services.workers, services.timeline)) {
   receiver_->connect(answerer_);

@@ -7,8 +7,9 @@ namespace grove::node {
 /// Renders images of an object from the request's camera (section 4.2, step 4).
 class Renderer final : public Answerer {
  public:
-  Renderer(std::string_view subject, BackendHalf& half, const EndedFrames& ended, pipeline::Timeline& timeline)
-      : Answerer("Renderer", subject, half, ended, timeline) {}
+  Renderer(std::string_view subject, BackendHalf& half, const WorldMirror& world, const EndedFrames& ended,
+           pipeline::Timeline& timeline)
+      : Answerer("Renderer", subject, half, world, ended, timeline) {}
 };
 
 }  // namespace grove::node

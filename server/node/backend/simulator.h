@@ -8,8 +8,9 @@ namespace grove::node {
 /// independent of requests.
 class Simulator final : public Answerer {
  public:
-  Simulator(std::string_view subject, BackendHalf& half, const EndedFrames& ended, pipeline::Timeline& timeline)
-      : Answerer("Simulator", subject, half, ended, timeline) {}
+  Simulator(std::string_view subject, BackendHalf& half, const WorldMirror& world, const EndedFrames& ended,
+            pipeline::Timeline& timeline)
+      : Answerer("Simulator", subject, half, world, ended, timeline) {}
 };
 
 }  // namespace grove::node

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "pipeline/clocks.h"
+
 namespace grove::node {
 
 void WorldMirror::apply(std::shared_ptr<const WorldUpdate> update) {
@@ -11,6 +13,7 @@ void WorldMirror::apply(std::shared_ptr<const WorldUpdate> update) {
     const std::lock_guard lock(mutex_);
     if (update->number <= newest_->number) return;
     newest_ = std::move(update);
+    clock_.hear(newest_->clock, pipeline::wallSeconds());
     if (!newest_->gusts.empty()) past_.push_back({newest_->number, newest_->gusts});
     if (past_.size() > kKept) past_.erase(past_.begin());
     std::erase_if(wakes_, [](const auto& wake) { return wake.expired(); });
@@ -21,6 +24,11 @@ void WorldMirror::apply(std::shared_ptr<const WorldUpdate> update) {
     }
   }
   for (const auto& wake : wakes) (*wake)();
+}
+
+std::optional<double> WorldMirror::now() const {
+  const std::lock_guard lock(mutex_);
+  return clock_.at(pipeline::wallSeconds());
 }
 
 std::vector<world::Player> WorldMirror::players() const {

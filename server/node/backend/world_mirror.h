@@ -4,19 +4,25 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <vector>
 
+#include "node/backend/peer_clock.h"
 #include "node/messages/world_update.h"
 
 namespace grove::node {
 
-/// What a backend node knows of the world that its owner reports: who is there, and what blows. Any thread.
+/// What a backend node knows of the world that its owner reports: who is there, what blows, and what time it is. Any
+/// thread.
 class WorldMirror {
  public:
   /// Counts updates.
   using Cursor = std::uint64_t;
 
   void apply(std::shared_ptr<const WorldUpdate> update);
+
+  /// Seconds of the world's clock; nothing before the first update.
+  [[nodiscard]] std::optional<double> now() const;
 
   /// Everybody as of the newest update.
   [[nodiscard]] std::vector<world::Player> players() const;
@@ -36,6 +42,7 @@ class WorldMirror {
     std::vector<world::Gust> gusts;
   };
   mutable std::mutex mutex_;
+  PeerClock clock_;
   std::shared_ptr<const WorldUpdate> newest_ = std::make_shared<const WorldUpdate>();
   std::vector<Past> past_;  ///< the oldest first
   mutable std::vector<std::weak_ptr<const std::function<void()>>> wakes_;

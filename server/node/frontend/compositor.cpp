@@ -9,8 +9,8 @@
 
 #include "node/frontend/composite.h"
 #include "node/limits.h"
+#include "pipeline/clocks.h"
 #include "pipeline/share_out.h"
-#include "world/world.h"
 
 namespace grove::node {
 namespace {
@@ -88,7 +88,7 @@ void Compositor::takeLate(FrameNumber frame, Answers::Slot answer) {
 }
 
 std::optional<CompleteFrame> Compositor::takeOverdue() {
-  const double now = world::World::now();
+  const double now = pipeline::wallSeconds();
   std::optional<CompleteFrame> newest;
   while (auto frame = table_.takeOverdue(now)) {
     // Older ones would be followed by this one at once.

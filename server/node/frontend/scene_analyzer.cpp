@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "node/limits.h"
-#include "world/world.h"
+#include "pipeline/clocks.h"
 
 namespace grove::node {
 
@@ -61,7 +61,7 @@ void SceneAnalyzer::process(std::span<FrameTicket> tickets, pipeline::Run& run) 
   for (const FrameTicket& ticket : tickets) {
     auto list = std::make_shared<FrameList>();
     View view = look_(ticket.frame);
-    view.deadline = world::World::now() + deadlineSeconds_;
+    view.deadline = pipeline::wallSeconds() + deadlineSeconds_;
     list->view = std::make_shared<const View>(std::move(view));
     list->objects = visibleObjects(layout_, *list->view);
     // The Compositor must know the frame before the first result can come back.

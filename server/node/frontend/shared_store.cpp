@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "world/world.h"
+#include "pipeline/clocks.h"
 
 namespace grove::node {
 namespace {
@@ -36,7 +36,7 @@ SharedStore::Found SharedStore::use(const SharedKey& what) {
   if (entry == nullptr) return {};
   entry->used = true;
   const bool isStale = wantsNewer(what, *entry);
-  if (isStale) pending_[what].deadline = world::World::now() + kFetchSeconds;
+  if (isStale) pending_[what].deadline = pipeline::wallSeconds() + kFetchSeconds;
   return {entry->data, isStale};
 }
 
@@ -49,7 +49,7 @@ SharedStore::Entry* SharedStore::entryOf(const SharedKey& what) {
 bool SharedStore::wantsNewer(const SharedKey& what, const Entry& entry) const {
   if (!entry.used || entry.announced <= entry.data->version()) return false;
   const auto pending = pending_.find(what);
-  return pending == pending_.end() || pending->second.deadline < world::World::now();
+  return pending == pending_.end() || pending->second.deadline < pipeline::wallSeconds();
 }
 
 void SharedStore::fetchNewer(const SharedKey& what, Version known) {
@@ -81,7 +81,7 @@ void SharedStore::get(const Request& request, Waiter waiter) {
     if (!found.data) {
       const auto [pending, isNew] = pending_.try_emplace(what);
       pending->second.waiters.push_back(std::move(waiter));
-      if (!isNew && world::World::now() <= pending->second.deadline) return;
+      if (!isNew && pipeline::wallSeconds() <= pending->second.deadline) return;
       pending->second.deadline = request.view->deadline;
     }
   }
@@ -155,7 +155,7 @@ void SharedStore::announced(const Announcement& announcement) {
     }
     entry->announced = std::max(entry->announced, announcement.version);
     if (!wantsNewer(what, *entry)) return;
-    pending_[what].deadline = world::World::now() + kFetchSeconds;
+    pending_[what].deadline = pipeline::wallSeconds() + kFetchSeconds;
     known = entry->data->version();
   }
   fetchNewer(what, known);

@@ -16,7 +16,8 @@
 namespace grove::stream {
 
 /// What leads one visitor's stream: codec, size, rate, quantiser, and how many frames are under way; from what he
-/// wants, what his line carries and what the pictures are like. Any thread; times are seconds of world::World::now().
+/// wants, what his line carries and what the pictures are like. Any thread; times are seconds of
+/// pipeline::wallSeconds().
 class StreamControl {
  public:
   /// `adapts`: pages since v1.2. To others, pictures of the wanted size go in JPEG of the usual quality; only how many

@@ -7,8 +7,8 @@
 #include "base/checksum.h"
 #include "base/error.h"
 #include "base/log.h"
+#include "pipeline/clocks.h"
 #include "stream/protocol/saturate.h"
-#include "world/world.h"
 
 namespace grove::stream {
 namespace {
@@ -21,7 +21,7 @@ PictureHeader describe(const node::FinishedFrame& frame) {
   header.visitors = saturate<std::uint16_t>(static_cast<double>(view.players.size()));
   header.frame = view.frame;
   header.lastInput = view.lastInput;
-  header.serverMicroseconds = saturate<std::uint32_t>((world::World::now() - view.time) * 1e6);
+  header.serverMicroseconds = saturate<std::uint32_t>((pipeline::wallSeconds() - view.time) * 1e6);
   header.border = static_cast<std::uint8_t>(view.borderPercent);
   header.yaw = view.camera.pose.yaw;
   header.pitch = view.camera.pose.pitch;
@@ -66,7 +66,7 @@ void EncodeStage::encodeNext(const node::FinishedFrame& frame) {
   lastCamera_ = camera;
   const double pixels = static_cast<double>(frame.image->width()) * frame.image->height();
   const StreamControl::Choice choice =
-      control_->choose(kind, encoder->range(), pixels, still, same, world::World::now());
+      control_->choose(kind, encoder->range(), pixels, still, same, pipeline::wallSeconds());
   if (same && !choice.order.independent && choice.order.quantiser >= lastQuantiser_) {
     control_->unchanged(frame.view->lastInput);
     return;

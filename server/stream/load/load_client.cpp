@@ -11,12 +11,12 @@
 
 #include "base/error.h"
 #include "base/log.h"
+#include "pipeline/clocks.h"
 #include "stream/load/link/link_shaper.h"
 #include "stream/load/load_visitor.h"
 #include "stream/protocol/printable.h"
 #include "stream/web_server/tls/tls_listener.h"
 #include "stream/web_server/wsi.h"
-#include "world/world.h"
 
 namespace grove::stream {
 namespace {
@@ -161,19 +161,20 @@ LoadReport LoadClients::run() {
       return std::ranges::all_of(clients_, [&](const auto& client) { return client->ended || condition(*client); });
     };
   };
-  serveUntil(world::World::now() + kConnectSeconds, all([](const Client& client) { return client.visitor.isLetIn(); }));
+  serveUntil(pipeline::wallSeconds() + kConnectSeconds,
+             all([](const Client& client) { return client.visitor.isLetIn(); }));
   for (const auto& client : clients_) {
     if (!client->visitor.isLetIn()) end(*client, "no Welcome within 10 seconds");
   }
-  serveUntil(world::World::now() + kWalkToStartSeconds,
+  serveUntil(pipeline::wallSeconds() + kWalkToStartSeconds,
              all([](const Client& client) { return client.visitor.isInPlace(); }));
-  const double begin = world::World::now();
+  const double begin = pipeline::wallSeconds();
   for (const auto& client : clients_) {
     if (client->visitor.isLetIn()) client->visitor.beginCounting(begin);
   }
   const auto nobodyLeft = all([](const Client&) { return false; });
   serveUntil(begin + plan_.seconds, nobodyLeft);
-  const double ended = world::World::now();
+  const double ended = pipeline::wallSeconds();
   const double counted = std::max(ended - begin, 1e-3);
 
   std::vector<VisitorStatistics> letIn;
@@ -190,13 +191,13 @@ LoadReport LoadClients::run() {
     if (!client->ended && client->socket != nullptr) lws_callback_on_writable(client->socket);
   }
   LoadReport report = summarise(letIn, counted, std::move(errors));
-  serveUntil(world::World::now() + kCloseSeconds, nobodyLeft);
+  serveUntil(pipeline::wallSeconds() + kCloseSeconds, nobodyLeft);
   return report;
 }
 
 template <class Condition>
 void LoadClients::serveUntil(double deadline, Condition done) {
-  while (!done() && world::World::now() < deadline) {
+  while (!done() && pipeline::wallSeconds() < deadline) {
     if (lws_service(context_.get(), 0) < 0) return;
   }
 }
@@ -267,7 +268,7 @@ void LoadClients::receive(Client& client, lws* wsi, std::span<const std::uint8_t
   }
   client.message.insert(client.message.end(), piece.begin(), piece.end());
   if (lws_is_final_fragment(wsi) == 0) return;
-  client.visitor.receive(client.message, world::World::now());
+  client.visitor.receive(client.message, pipeline::wallSeconds());
   if (client.visitor.hasMessage()) lws_callback_on_writable(wsi);
 }
 
@@ -277,7 +278,7 @@ int LoadClients::write(Client& client, lws* wsi) {
     lws_close_reason(wsi, LWS_CLOSE_STATUS_NORMAL, nullptr, 0);
     return -1;
   }
-  std::vector<std::uint8_t> message = client.visitor.nextMessage(world::World::now());
+  std::vector<std::uint8_t> message = client.visitor.nextMessage(pipeline::wallSeconds());
   if (message.empty()) return 0;
   message.insert(message.begin(), LWS_PRE, 0);
   if (lws_write(wsi, message.data() + LWS_PRE, message.size() - LWS_PRE, LWS_WRITE_BINARY) < 0) return -1;

@@ -17,7 +17,7 @@
 namespace grove::stream {
 
 /// One visitor of a load test: walks, looks around, acknowledges each frame when it is there, and measures. Knows no
-/// sockets. One thread. Times are seconds of world::World::now().
+/// sockets. One thread. Times are seconds of pipeline::wallSeconds().
 class LoadVisitor {
  public:
   /// `index` makes visitors differ; `plan` outlives this; `decoder` may be shared by all of a thread.

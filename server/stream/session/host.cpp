@@ -10,6 +10,7 @@
 #include "gl/workers.h"
 #include "node/limits.h"
 #include "node/transport/reference_transport.h"
+#include "pipeline/clocks.h"
 
 namespace grove::stream {
 namespace {
@@ -98,7 +99,7 @@ std::variant<std::shared_ptr<Session>, Refusal> Host::open(const Hello& hello, F
     sessions_[id] = {};  // keeps the place
   }
   const std::string name = hello.name.empty() ? "Visitor " + std::to_string(node::numberOf(id)) : hello.name;
-  const world::PlayerId player = players_->join(name, world::World::now());
+  const world::PlayerId player = players_->join(name, pipeline::wallSeconds());
   const auto session = std::make_shared<Session>(*this, id, player, width, height, std::move(sink), std::move(terms));
   {
     const std::lock_guard lock(mutex_);
@@ -191,14 +192,14 @@ void Host::takeStock(int visitors) {
     load.acrossUserCores = (cost.acrossUser - cost.onDemand) * options_.framesPerSecond / 1000.0;
     load.frameShare = measured->framesPerSecond / options_.framesPerSecond;
   }
-  const int step = policy_.update(world::World::now(), load);
+  const int step = policy_.update(pipeline::wallSeconds(), load);
   if (step == quality_.exchange(step)) return;
   log::info("quality of shared work: step " + std::to_string(step) + " of " + std::to_string(node::kMostQuality));
   shared_->setQuality(step);
 }
 
 void Host::runClock() {
-  double nextSample = world::World::now();
+  double nextSample = pipeline::wallSeconds();
   std::unique_lock lock(mutex_);
   while (!stopping_) {
     std::vector<std::shared_ptr<Session>> open;
@@ -207,7 +208,7 @@ void Host::runClock() {
     }
     const bool sessionsChanged = std::exchange(sessionsChanged_, false);
     lock.unlock();
-    const double now = world::World::now();
+    const double now = pipeline::wallSeconds();
     // Simulations wake, or rest, without delay.
     if (sessionsChanged && shared_) shared_->publish();
     if (now >= nextSample) {
@@ -219,7 +220,7 @@ void Host::runClock() {
     open.clear();
     lock.lock();
     if (stopping_) return;
-    clockWake_.wait_for(lock, std::chrono::duration<double>(std::max(0.0, next - world::World::now())),
+    clockWake_.wait_for(lock, std::chrono::duration<double>(std::max(0.0, next - pipeline::wallSeconds())),
                         [this] { return stopping_ || sessionsChanged_; });
   }
 }

@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "base/log.h"
-#include "world/world.h"
+#include "pipeline/clocks.h"
 
 namespace grove::stream {
 namespace {
@@ -135,7 +135,7 @@ std::unique_ptr<WorldInstance> PreparationLine::makeWhileWanted(node::SessionId 
 void PreparationLine::progressed(node::SessionId id, std::string_view step, float share) {
   const std::lock_guard lock(mutex_);
   if (!isFirst(id)) throw Unwanted{};
-  const double now = world::World::now();
+  const double now = pipeline::wallSeconds();
   const bool isNewStep = step != progress_.step();
   if (!progress_.hear(step, share, now)) return;
   if (!isNewStep && now - told_ < kProgressSeconds) return;

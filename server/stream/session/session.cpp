@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "node/frontend/frontend_node.h"
+#include "pipeline/clocks.h"
 #include "stream/encode/encode_stage.h"
 #include "stream/session/host.h"
 #include "stream/session/world_instance.h"
@@ -65,7 +66,7 @@ void Session::begin(std::shared_ptr<WorldInstance> instance) {
 void Session::tellBreath() {
   // Under the lock, so that who tells last has also looked last.
   const std::lock_guard lock(mutex_);
-  const auto player = host_.players().find(player_, world::World::now());
+  const auto player = host_.players().find(player_, pipeline::wallSeconds());
   if (!instance_ || !player) return;
   if (blows(*player)) {
     instance_->world().edits().startBlowing(*player);
@@ -79,7 +80,7 @@ Welcome Session::welcome() const {
   welcome.framesPerSecond = static_cast<std::uint16_t>(host_.options().framesPerSecond);
   welcome.visitor = node::numberOf(player_);
   welcome.world = host_.layout().name;
-  if (const auto player = host_.players().find(player_, world::World::now())) {
+  if (const auto player = host_.players().find(player_, pipeline::wallSeconds())) {
     welcome.colour = player->colour;
     welcome.yaw = player->pose.yaw;
     welcome.pitch = player->pose.pitch;
@@ -88,7 +89,7 @@ Welcome Session::welcome() const {
 }
 
 std::optional<Refusal> Session::input(const world::Input& input) {
-  const double now = world::World::now();
+  const double now = pipeline::wallSeconds();
   world::Players& players = host_.players();
   const auto before = players.find(player_, now);
   if (!players.apply(player_, input, now)) {
@@ -111,17 +112,17 @@ void Session::offer(const Offer& offer) { control_->offer(offer.codecs); }
 
 void Session::limit(const Limits& limits) {
   control_->limit(limits);
-  startIfDue(world::World::now());
+  startIfDue(pipeline::wallSeconds());
 }
 
 void Session::broken() { control_->broken(); }
 
 std::optional<Refusal> Session::acknowledge(const Ack& ack) {
-  return arrived(ack.frame, {.acknowledged = world::World::now()});
+  return arrived(ack.frame, {.acknowledged = pipeline::wallSeconds()});
 }
 
 std::optional<Refusal> Session::acknowledge(const Presented& presented) {
-  Arrival arrival{.acknowledged = world::World::now(), .held = presented.heldTenthsOfMilliseconds * 1e-4};
+  Arrival arrival{.acknowledged = pipeline::wallSeconds(), .held = presented.heldTenthsOfMilliseconds * 1e-4};
   {
     const std::lock_guard lock(mutex_);
     arrival.pageSeconds = pageClock_.seconds(presented.arrivedMicroseconds);
@@ -225,13 +226,13 @@ void Session::takeTurn() {
   {
     const std::lock_guard lock(mutex_);
     waits_ = false;
-    if (startFrame(world::World::now())) return;
+    if (startFrame(pipeline::wallSeconds())) return;
   }
   host_.gate_->leave();
 }
 
 node::View Session::look(node::FrameNumber frame) {
-  const double now = world::World::now();
+  const double now = pipeline::wallSeconds();
   node::View view;
   view.session = id_;
   view.frame = frame;
@@ -261,7 +262,7 @@ void Session::deliver(const std::shared_ptr<const EncodedFrame>& frame) {
     const std::lock_guard lock(mutex_);
     if (closed_) return;
   }
-  control_->sent(frame->header.frame, frame->header.lastInput, frame->message().size(), world::World::now());
+  control_->sent(frame->header.frame, frame->header.lastInput, frame->message().size(), pipeline::wallSeconds());
   sink_(frame);
 }
 

@@ -7,7 +7,7 @@
 namespace grove::stream {
 
 /// How a preparation gets on, for people: of several steps at once, one is told until it is done, or nothing was heard
-/// of it for a second. One thread at a time; times are seconds of world::World::now().
+/// of it for a second. One thread at a time; times are seconds of pipeline::wallSeconds().
 class StepProgress {
  public:
   /// False if another step is being told.

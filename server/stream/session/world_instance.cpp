@@ -4,6 +4,8 @@
 #include <set>
 #include <utility>
 
+#include "pipeline/clocks.h"
+
 namespace grove::stream {
 namespace {
 
@@ -28,7 +30,7 @@ WorldInstance::~WorldInstance() = default;
 void WorldInstance::publish() {
   auto update = std::make_shared<node::WorldUpdate>();
   update->number = ++updates_;
-  update->clock = world::World::now();
+  update->clock = pipeline::wallSeconds();
   update->players = world_.players().all(update->clock);
   world::Edits::Cursor edits = edits_;
   update->gusts = world_.edits().during(edits, update->players);

@@ -27,7 +27,7 @@ struct MessagePiece {
 };
 
 /// One browser's way through the protocol: greeting, limits, end. Knows the host and no sockets; the websocket server
-/// calls it, on its one thread. Times are seconds of world::World::now().
+/// calls it, on its one thread. Times are seconds of pipeline::wallSeconds().
 class Connection {
  public:
   /// What a visitor's address has of him as long as he is in the world; null if it may have no more.

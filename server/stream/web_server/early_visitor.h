@@ -12,7 +12,7 @@
 namespace grove::stream {
 
 /// Who came before the world was ready: keeps what he said until there is a Connection to say it to, and tells him how
-/// the world gets on. On the server's one thread; times are seconds of world::World::now().
+/// the world gets on. On the server's one thread; times are seconds of pipeline::wallSeconds().
 class EarlyVisitor {
  public:
   explicit EarlyVisitor(std::string_view subProtocol) : knowsWaiting_(subProtocol != kSubProtocol) {}

@@ -7,8 +7,8 @@
 #include <string>
 #include <utility>
 
+#include "pipeline/clocks.h"
 #include "stream/web_server/descriptor_limit.h"
-#include "world/world.h"
 
 namespace grove::stream {
 namespace {
@@ -59,7 +59,7 @@ void WebsocketServer::Service::stop() {
 
 void WebsocketServer::Service::tell(std::string_view step, float share) {
   const std::lock_guard lock(preparationMutex_);
-  preparation_.hear(step, share, world::World::now());
+  preparation_.hear(step, share, pipeline::wallSeconds());
 }
 
 void WebsocketServer::Service::run() {
@@ -67,10 +67,10 @@ void WebsocketServer::Service::run() {
   while (true) {
     if (stopping_) {
       if (!deadline) {
-        deadline = world::World::now() + kStopSeconds;
+        deadline = pipeline::wallSeconds() + kStopSeconds;
         for (auto& [wsi, socket] : sockets_) closeLater(wsi, socket, {CloseCode::kGoingAway, "the server stops"});
       }
-      if (sockets_.empty() || world::World::now() > *deadline) return;
+      if (sockets_.empty() || pipeline::wallSeconds() > *deadline) return;
     }
     if (lws_service(context_.get(), 0) < 0) return;
   }

@@ -3,9 +3,9 @@
 #include <string>
 #include <utility>
 
+#include "pipeline/clocks.h"
 #include "stream/web_server/service.h"
 #include "stream/web_server/wsi.h"
-#include "world/world.h"
 
 namespace grove::stream {
 namespace {
@@ -41,7 +41,7 @@ bool WebsocketServer::Service::letIn(lws* listener, const lws_filter_network_con
 void WebsocketServer::Service::instantiate(lws* wsi) {
   const std::string address = addressOfPeer(wsi);
   Guest& guest = guests_[wsi];
-  guest.since = world::World::now();
+  guest.since = pipeline::wallSeconds();
   guest.isProxy = entrance_.isProxy(address);
   if (!guest.isProxy) guest.ticket = entrance_.socket(address);
 }

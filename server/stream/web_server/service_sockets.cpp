@@ -4,10 +4,10 @@
 #include <utility>
 #include <vector>
 
+#include "pipeline/clocks.h"
 #include "stream/web_server/received_bytes.h"
 #include "stream/web_server/service.h"
 #include "stream/web_server/wsi.h"
-#include "world/world.h"
 
 namespace grove::stream {
 namespace {
@@ -36,7 +36,7 @@ void WebsocketServer::Service::admit() {
   for (auto& [wsi, socket] : sockets_) {
     if (socket.closing) continue;
     socket.connection = connect(wsi);
-    if (auto why = socket.early->introduceTo(*socket.connection, world::World::now())) {
+    if (auto why = socket.early->introduceTo(*socket.connection, pipeline::wallSeconds())) {
       closeLater(wsi, socket, std::move(*why));
     }
     socket.early.reset();
@@ -56,7 +56,7 @@ std::unique_ptr<Connection> WebsocketServer::Service::connect(lws* wsi) {
   const auto wake = [waker = waker_] { waker->wake(); };
   const RequestSource& source = guests_[wsi].source;
   const auto takePlace = [this, address = source.address] { return entrance_.visitor(address); };
-  return std::make_unique<Connection>(*host_, source.name, world::World::now(), wake,
+  return std::make_unique<Connection>(*host_, source.name, pipeline::wallSeconds(), wake,
                                       Connection::Door{takePlace, strangers_}, subProtocolOf(wsi));
 }
 
@@ -67,7 +67,7 @@ int WebsocketServer::Service::receive(lws* wsi, std::span<const std::uint8_t> by
   if (closing) return 0;
   const MessagePiece piece{bytes, lws_is_first_fragment(wsi) != 0, lws_is_final_fragment(wsi) != 0,
                            lws_frame_is_binary(wsi) != 0};
-  closing = early ? early->receive(piece) : connection->receive(piece, world::World::now());
+  closing = early ? early->receive(piece) : connection->receive(piece, pipeline::wallSeconds());
   if (closing) {
     giveCloseReason(wsi, *closing);
     return -1;
@@ -87,8 +87,8 @@ int WebsocketServer::Service::write(lws* wsi) {
   std::vector<std::uint8_t> words;
   if (connection) {
     words = connection->takeMessage();
-  } else if (const Waiting waiting = preparation(); early->wants(waiting, world::World::now())) {
-    words = early->take(waiting, world::World::now());
+  } else if (const Waiting waiting = preparation(); early->wants(waiting, pipeline::wallSeconds())) {
+    words = early->take(waiting, pipeline::wallSeconds());
   }
   if (!words.empty()) {
     words.insert(words.begin(), LWS_PRE, 0);
@@ -124,7 +124,7 @@ void WebsocketServer::Service::closeLater(lws* wsi, Socket& socket, Refusal why)
 void WebsocketServer::Service::wakeWriters() {
   if (host_ == nullptr && ready_ != nullptr) admit();
   const Waiting waiting = preparation();
-  const double now = world::World::now();
+  const double now = pipeline::wallSeconds();
   for (const auto& [wsi, socket] : sockets_) {
     const bool wants =
         socket.connection ? socket.connection->hasSomethingToSend() : socket.early && socket.early->wants(waiting, now);
@@ -134,7 +134,7 @@ void WebsocketServer::Service::wakeWriters() {
 }
 
 void WebsocketServer::Service::sweep() {
-  const double now = world::World::now();
+  const double now = pipeline::wallSeconds();
   std::vector<lws*> floods;
   for (auto& [wsi, guest] : guests_) {
     if (isFlood(wsi, guest, now)) floods.push_back(wsi);

@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "base/error.h"
+#include "pipeline/clocks.h"
 #include "pipeline/worker_pool.h"
 #include "stream/encode/h264_decoder.h"
 #include "stream/encode/jpeg_decoder.h"
-#include "world/world.h"
 
 namespace grove::stream {
 namespace {
@@ -26,7 +26,7 @@ TEST(EncodeStage, MakesAFrameMessageOfAFrame) {
   view.session = 3;
   view.frame = 17;
   view.lastInput = 99;
-  view.time = world::World::now() - 0.25;
+  view.time = pipeline::wallSeconds() - 0.25;
   view.players.resize(2);
 
   const EncoderRegistry encoders = builtinEncoders(80);
@@ -89,7 +89,7 @@ class Stream {
             control_, true,
             [this](const std::shared_ptr<const EncodedFrame>& frame) {
               control_->sent(frame->header.frame, frame->header.lastInput, frame->message().size(),
-                             world::World::now());
+                             pipeline::wallSeconds());
               sent_.push_back(frame);
             },
             memory_, workers_, timeline_)) {
@@ -125,7 +125,7 @@ class Stream {
     view.camera.width = 320;
     view.camera.height = 180;
     view.camera.pose.yaw = yaw;
-    view.time = world::World::now();
+    view.time = pipeline::wallSeconds();
     return {std::make_shared<const node::View>(view), image};
   }
 

@@ -13,6 +13,7 @@
 #include "gl/shader_library.h"
 #include "gl/workers.h"
 #include "node/object_types.h"
+#include "pipeline/clocks.h"
 #include "stream/session/host.h"
 #include "stream/web_server/connection.h"
 
@@ -238,7 +239,7 @@ TEST_F(PreparationLineTest, LeavesTheMachineToThoseWhoAreInside) {
 }
 
 TEST_F(PreparationLineTest, PagesThatDoNotKnowOfWaitingHearNothingOfIt) {
-  const double now = world::World::now();
+  const double now = pipeline::wallSeconds();
   const Connection::Door door{[] { return std::make_shared<int>(); }, strangers_};
   Connection newer(
       *host_, "newer", now, [] {}, door, kSubProtocolWithWaiting);
@@ -259,7 +260,7 @@ TEST_F(PreparationLineTest, PagesThatDoNotKnowOfWaitingHearNothingOfIt) {
 }
 
 TEST_F(PreparationLineTest, WhoseWorldCannotBeMadeIsToldSoAndGivesUpHisPlace) {
-  const double now = world::World::now();
+  const double now = pipeline::wallSeconds();
   auto place = std::make_shared<int>();
   Connection visitor(
       *host_, "visitor", now, [] {}, {[&place] { return place; }, strangers_}, kSubProtocol);

@@ -15,6 +15,7 @@
 #include "gl/shader_library.h"
 #include "gl/workers.h"
 #include "node/transport/reference_transport.h"
+#include "pipeline/clocks.h"
 #include "stream/session/headless_session.h"
 #include "stream/session/host.h"
 
@@ -158,7 +159,7 @@ TEST_F(WorldInstanceTest, PagesSeeTheLowHalfOfIds) {
   HeadlessSession ada(host_, "", 160, 90);
   ASSERT_TRUE(ada.frameAfter(0, kPatience));
   EXPECT_EQ(ada.welcome().visitor, 1U);
-  EXPECT_EQ(host_.players().all(world::World::now()).at(0).name, "Visitor 1");
+  EXPECT_EQ(host_.players().all(pipeline::wallSeconds()).at(0).name, "Visitor 1");
   for (const pipeline::TimelineEvent& event : host_.timeline().events()) EXPECT_LE(event.tag.session, 1U);
 }
 

@@ -5,8 +5,8 @@
 #include <thread>
 #include <vector>
 
+#include "pipeline/clocks.h"
 #include "stream/web_server/served_world.h"
-#include "world/world.h"
 
 namespace grove::stream {
 namespace {
@@ -24,7 +24,7 @@ class ConnectionTest : public ServedWorld {
     return connection_.takeFrame()->header.frame;
   }
 
-  const double now_ = world::World::now();
+  const double now_ = pipeline::wallSeconds();
   log::Limited strangers_;
   const Connection::Door door_{[] { return std::make_shared<int>(); }, strangers_};
   Connection connection_{host_, "a test", now_, [] {}, door_, kSubProtocol};
@@ -42,7 +42,7 @@ TEST_F(ConnectionTest, EndsWithoutAcknowledgements) {
   enter();
   EXPECT_EQ(host_.visitors(), 1U);
   EXPECT_FALSE(connection_.overdue(now_ + 24.0));
-  const auto refusal = connection_.overdue(world::World::now() + 25.0);
+  const auto refusal = connection_.overdue(pipeline::wallSeconds() + 25.0);
   ASSERT_TRUE(refusal);
   EXPECT_EQ(refusal->code, CloseCode::kNoAcknowledgement);
   EXPECT_EQ(host_.visitors(), 0U);
@@ -52,7 +52,7 @@ TEST_F(ConnectionTest, ToAcknowledgeAFrameAgainKeepsNoPlace) {
   const std::uint32_t frame = enter();
   ASSERT_FALSE(connection_.receive(whole(encode(Ack{frame})), now_));
   while (!connection_.hasSomethingToSend()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  const double next = world::World::now();
+  const double next = pipeline::wallSeconds();
   ASSERT_FALSE(connection_.receive(whole(encode(Ack{0})), now_ + 10.0));
   ASSERT_FALSE(connection_.receive(whole(encode(Ack{frame})), now_ + 20.0));
   EXPECT_TRUE(connection_.overdue(next + 25.0));

@@ -5,8 +5,8 @@
 #include <functional>
 #include <thread>
 
+#include "pipeline/clocks.h"
 #include "stream/web_server/served_world.h"
-#include "world/world.h"
 
 namespace grove::stream {
 namespace {
@@ -39,9 +39,9 @@ class VideoPage {
   /// seconds.
   bool listenUntil(const std::function<bool(const Heard&)>& enough, bool turning = true) {
     Heard heard;
-    const double deadline = world::World::now() + 20.0;
+    const double deadline = pipeline::wallSeconds() + 20.0;
     while (!enough(heard)) {
-      if (world::World::now() > deadline) return false;
+      if (pipeline::wallSeconds() > deadline) return false;
       const auto message = websocket_.receive();
       if (!message || message->opcode != RawWebsocket::kBinary) return false;
       const ServerMessage parsed = parseServerMessage(message->bytes);
@@ -52,7 +52,7 @@ class VideoPage {
       if (const auto* status = std::get_if<Status>(&parsed)) heard.statuses.push_back(*status);
       if (const auto* picture = std::get_if<PictureMessage>(&parsed)) {
         heard.pictures.push_back(picture->header);
-        const auto now = static_cast<std::uint32_t>(world::World::now() * 1e6);
+        const auto now = static_cast<std::uint32_t>(pipeline::wallSeconds() * 1e6);
         say(Presented{picture->header.frame, 5, now});
         if (turning) turn();
       }
@@ -117,7 +117,7 @@ TEST_F(VideoTest, ABrokenPictureIsFollowedByAnIndependentOne) {
 TEST_F(VideoTest, AFloodOfRequestsMakesFewIndependentPictures) {
   VideoPage page(port(), {kCodecH264});
   ASSERT_TRUE(page.listenUntil(pictures(3)));
-  const double begin = world::World::now();
+  const double begin = pipeline::wallSeconds();
   for (int i = 0; i < 200; ++i) page.say(Broken{1});
   int independent = 0;
   ASSERT_TRUE(page.listenUntil([&](const VideoPage::Heard& heard) {
@@ -125,7 +125,7 @@ TEST_F(VideoTest, AFloodOfRequestsMakesFewIndependentPictures) {
     return heard.pictures.size() >= 20;
   }));
   EXPECT_GE(independent, 1);
-  EXPECT_LE(independent, 2 + (world::World::now() - begin) / 0.25);
+  EXPECT_LE(independent, 2 + (pipeline::wallSeconds() - begin) / 0.25);
 }
 
 TEST_F(VideoTest, PicturesTellTheirCamera) {
@@ -149,7 +149,7 @@ TEST_F(VideoTest, WhatDoesNotChangeIsNotSentAgainButTheStreamIsToldOf) {
   ASSERT_TRUE(page.listenUntil(pictures(1), false));
   // While it is refined, pictures come; then none, and word of the stream twice a second.
   ASSERT_TRUE(page.listenUntil([](const VideoPage::Heard& heard) { return heard.statuses.size() >= 3; }, false));
-  const double begin = world::World::now();
+  const double begin = pipeline::wallSeconds();
   std::size_t sent = 0;
   ASSERT_TRUE(page.listenUntil(
       [&](const VideoPage::Heard& heard) {
@@ -158,7 +158,7 @@ TEST_F(VideoTest, WhatDoesNotChangeIsNotSentAgainButTheStreamIsToldOf) {
       },
       false));
   EXPECT_EQ(sent, 0U);
-  EXPECT_GT(world::World::now() - begin, 1.0);
+  EXPECT_GT(pipeline::wallSeconds() - begin, 1.0);
   // An input that changes nothing on the screen is answered all the same.
   page.say(world::Input{5000, 0, 0.0F, 0.0F});
   ASSERT_TRUE(page.listenUntil(
@@ -199,9 +199,9 @@ TEST_F(VideoTest, LimitsAreKept) {
     for (const PictureHeader& each : heard.pictures) EXPECT_EQ(each.height, 180);
     return heard.pictures.size() >= 3;
   }));
-  const double begin = world::World::now();
+  const double begin = pipeline::wallSeconds();
   ASSERT_TRUE(page.listenUntil(pictures(10)));
-  EXPECT_GT(world::World::now() - begin, 0.8);
+  EXPECT_GT(pipeline::wallSeconds() - begin, 0.8);
   page.say(Limits{});
   ASSERT_TRUE(page.listenUntil(
       [](const VideoPage::Heard& heard) { return !heard.pictures.empty() && heard.pictures.back().height == 360; }));

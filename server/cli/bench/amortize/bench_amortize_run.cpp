@@ -12,10 +12,10 @@
 #include "measure/thread_times.h"
 #include "node/object_types.h"
 #include "objects/builtin.h"
+#include "pipeline/clocks.h"
 #include "stream/load/load_report.h"
 #include "stream/session/headless_session.h"
 #include "stream/session/stroll.h"
-#include "world/world.h"
 
 namespace grove::cli {
 namespace {
@@ -61,7 +61,7 @@ class Walker {
         session_(host, "Walker " + std::to_string(index + 1), run.width, run.height,
                  [seen = seen_](const stream::FrameHeader& frame) {
                    const std::lock_guard lock(seen->mutex);
-                   seen->latency.shown(frame.lastInput, world::World::now(), seen->latencies);
+                   seen->latency.shown(frame.lastInput, pipeline::wallSeconds(), seen->latencies);
                  }),
         yaw_(session_.welcome().yaw) {}
 
@@ -69,7 +69,7 @@ class Walker {
     if (!walksSince_) walksSince_ = now;
     const world::Input input = stream::stroll(index_, yaw_, now - *walksSince_);
     const std::lock_guard lock(seen_->mutex);
-    seen_->latency.sent(session_.control(input.keys, input.yaw, input.pitch), world::World::now());
+    seen_->latency.sent(session_.control(input.keys, input.yaw, input.pitch), pipeline::wallSeconds());
   }
 
   [[nodiscard]] std::uint64_t frames() const { return session_.framesReceived(); }
@@ -105,19 +105,19 @@ using Walkers = std::vector<std::unique_ptr<Walker>>;
 /// Waits for the first frame of everybody; false if it was stopped. In private mode every world takes seconds.
 bool everybodySees(const Walkers& walkers, const AmortizeRun& run, const std::stop_token& stop) {
   std::ptrdiff_t told = 0;
-  double since = world::World::now();
+  double since = pipeline::wallSeconds();
   while (!stop.stop_requested()) {
     const auto ready = std::ranges::count_if(walkers, [](const auto& walker) { return walker->frames() > 0; });
     if (ready == std::ssize(walkers)) return true;
     if (ready != told) {
       told = ready;
-      since = world::World::now();
+      since = pipeline::wallSeconds();
       if (run.privateWorlds) {
         log::info(described(run) + ": " + std::to_string(ready) + " of " + std::to_string(run.users) +
                   " worlds are ready");
       }
     }
-    if (world::World::now() - since > kPatience) {
+    if (pipeline::wallSeconds() - since > kPatience) {
       throw EnvironmentError("a visitor gets no frame", described(run), "the log may tell why");
     }
     std::this_thread::sleep_for(milliseconds(20));
@@ -130,7 +130,7 @@ template <class Condition>
 bool walkUntil(const Walkers& walkers, double begin, const std::stop_token& stop, Condition done) {
   while (!done()) {
     if (stop.stop_requested()) return false;
-    for (const auto& walker : walkers) walker->walk(world::World::now() - begin);
+    for (const auto& walker : walkers) walker->walk(pipeline::wallSeconds() - begin);
     std::this_thread::sleep_for(kInputPeriod);
   }
   return true;
@@ -160,9 +160,9 @@ std::optional<AmortizeRow> runAmortize(const world::Scene& scene, const gl::Shad
   for (int i = 0; i < run.users; ++i) walkers.push_back(std::make_unique<Walker>(served.host, i, run));
   if (!everybodySees(walkers, run, stop)) return std::nullopt;
 
-  const double begin = world::World::now();
+  const double begin = pipeline::wallSeconds();
   const double warm = begin + std::min(kMostWarmUp, 2.0 * run.seconds);
-  if (!walkUntil(walkers, begin, stop, [&] { return world::World::now() >= warm; })) return std::nullopt;
+  if (!walkUntil(walkers, begin, stop, [&] { return pipeline::wallSeconds() >= warm; })) return std::nullopt;
 
   log::info(described(run) + ": measuring");
   for (const auto& walker : walkers) walker->beginCounting();
@@ -170,7 +170,7 @@ std::optional<AmortizeRow> runAmortize(const world::Scene& scene, const gl::Shad
   const node::LinkTraffic trafficBefore = served.host.traffic();
   const measure::Reading before = measure::Reading::of(served.host.timeline());
   const auto enough = [&] {
-    if (run.frames == 0) return world::World::now() >= warm + run.seconds;
+    if (run.frames == 0) return pipeline::wallSeconds() >= warm + run.seconds;
     const auto all = static_cast<std::uint64_t>(run.frames);
     return std::ranges::all_of(walkers, [&](const auto& walker) { return walker->framesCounted() >= all; });
   };

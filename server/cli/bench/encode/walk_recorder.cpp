@@ -11,6 +11,7 @@
 #include "base/error.h"
 #include "node/frontend/frontend_node.h"
 #include "node/transport/reference_transport.h"
+#include "pipeline/clocks.h"
 #include "pipeline/stage.h"
 #include "stream/session/host.h"
 
@@ -58,7 +59,9 @@ class FrameShelf final : public pipeline::Stage<node::FinishedFrame> {
   std::optional<node::FinishedFrame> frame_;
 };
 
-void sleepUntil(double time) { std::this_thread::sleep_for(std::chrono::duration<double>(time - world::World::now())); }
+void sleepUntil(double time) {
+  std::this_thread::sleep_for(std::chrono::duration<double>(time - pipeline::wallSeconds()));
+}
 
 }  // namespace
 
@@ -88,7 +91,7 @@ KeptFrames WalkRecorder::record(const world::Walk& walk, double seconds, int wid
     view.session = kSession;
     view.frame = number;
     view.camera = *camera;
-    view.time = world::World::now();
+    view.time = pipeline::wallSeconds();
     view.lights = instance_.world().layout().lightsAt(view.time, {});
     return view;
   };
@@ -101,15 +104,15 @@ KeptFrames WalkRecorder::record(const world::Walk& walk, double seconds, int wid
     return shelf->take();
   };
   // Simulations tick while somebody is here.
-  const world::PlayerId visitor = players_->join("Recorder", world::World::now());
+  const world::PlayerId visitor = players_->join("Recorder", pipeline::wallSeconds());
   const double warmUp = std::exchange(warm_, true) ? 1.0 : kWarmUpSeconds;
-  const double begin = world::World::now() + warmUp;
+  const double begin = pipeline::wallSeconds() + warmUp;
   const auto warmUpFrames = static_cast<int>(warmUp * kRecordedFramesPerSecond);
   const auto count = static_cast<int>(seconds * kRecordedFramesPerSecond);
   for (int i = -warmUpFrames; i < count && !stop.stop_requested(); ++i) {
     const double time = i / kRecordedFramesPerSecond;
     // A warm-up is over in its time, however few frames come of it.
-    if (i < 0 && world::World::now() > begin) continue;
+    if (i < 0 && pipeline::wallSeconds() > begin) continue;
     sleepUntil(begin + time);
     instance_.publish();
     const auto frame = frameAt(std::max(0.0, time));

@@ -21,7 +21,6 @@
 #include "objects/fluid/backend/scalable_simulation.h"
 #include "objects/fluid/common/snapshot_packing.h"
 #include "pipeline/clocks.h"
-#include "world/world.h"
 
 namespace grove::objects::fluid {
 
@@ -69,7 +68,7 @@ class FluidBackend::Fire {
         "fluid " + std::to_string(object.id), [](const auto& state) { return state->bytes(); },
         [&] { return grow(simulation, services.progress); });
     simulation.takeOver(*grown);
-    newest_ = simulation.snapshot(world::World::now());
+    newest_ = simulation.snapshot(world_.now().value_or(kStandsStill));
     held_.set(simulation.bytes() + newest_->bytes());
     startClock(services.workers);
     awake_ = world_.whileVisited([this] { clock_->wake(); });
@@ -154,7 +153,7 @@ class FluidBackend::Fire {
       const pipeline::TimedRun timed(timeline_, kStage, pipeline::Work::kAcrossUser, {}, kTypeName, kTicksPerSecond);
       if (simulation_.update()) pace_.restart();
       const std::int64_t begin = pipeline::threadCpuNanoseconds();
-      const double now = world::World::now();
+      const double now = world_.now().value_or(kStandsStill);
       const std::vector<world::Player> visitors = world_.players();
       const std::vector<world::Gust> gusts = world_.gusts(cursor_);
       idleTicks_ = visitors.empty() ? idleTicks_ + 1 : 0;

@@ -1,10 +1,10 @@
 #include "stream/web_server/access/entrance.h"
 
+#include "pipeline/clocks.h"
 #include "stream/protocol/printable.h"
 #include "stream/web_server/access/forwarded.h"
 #include "stream/web_server/access/origin.h"
 #include "stream/web_server/wsi.h"
-#include "world/world.h"
 
 namespace grove::stream {
 namespace {
@@ -25,7 +25,7 @@ bool Entrance::letsIn(const std::string& address, std::size_t sockets, std::size
     refuse(address, "there are " + std::to_string(sockets) + " already");
     return false;
   }
-  if (isProxy(address) || limits_.welcomes(address, world::World::now())) return true;
+  if (isProxy(address) || limits_.welcomes(address, pipeline::wallSeconds())) return true;
   refuse(address, "its address has or opens too many");
   return false;
 }
@@ -79,7 +79,7 @@ bool Entrance::isKnown(const RequestSource& source) {
 }
 
 bool Entrance::isWelcome(const RequestSource& source, double cost) {
-  if (limits_.welcomes(source.address, world::World::now(), cost)) return true;
+  if (limits_.welcomes(source.address, pipeline::wallSeconds(), cost)) return true;
   refuse(source.name, "its address has or opens too many");
   return false;
 }

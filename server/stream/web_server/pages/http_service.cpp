@@ -4,9 +4,9 @@
 #include <array>
 #include <utility>
 
+#include "pipeline/clocks.h"
 #include "pipeline/embedded.h"
 #include "stream/web_server/wsi.h"
-#include "world/world.h"
 
 namespace grove::stream {
 namespace {
@@ -55,7 +55,7 @@ int HttpService::answer(lws* wsi, std::optional<PageReply> refusal) {
   } else if (!answer.isLast && LiveReports::has(path, audience_)) {
     answer.reply = {HTTP_STATUS_OK, "application/json", "", "", method == "GET"};
     answer.waitsFor = path;
-    answer.asked = world::World::now();
+    answer.asked = pipeline::wallSeconds();
   }
   answers_[wsi] = std::move(answer);
   return resume(wsi);

@@ -7,8 +7,8 @@
 
 #include "base/log.h"
 #include "measure/chrome_trace.h"
+#include "pipeline/clocks.h"
 #include "stream/web_server/pages/statistics_report.h"
-#include "world/world.h"
 
 namespace grove::stream {
 namespace {
@@ -99,7 +99,7 @@ void LiveReports::run() {
     if (stopping_) return;
     const std::size_t kind = *firstWanted();
     lock.unlock();
-    const double begun = world::World::now();
+    const double begun = pipeline::wallSeconds();
     Report report = make(kKindsByPath[kind], host_);
     lock.lock();
     slots_[kind] = {std::move(report), begun, false};

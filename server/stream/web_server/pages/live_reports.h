@@ -31,8 +31,8 @@ class LiveReports {
 
   [[nodiscard]] static bool has(std::string_view path, Audience audience) noexcept;
 
-  /// The report at a path that has() knows, if it was made less than a second before `asked` (of world::World::now())
-  /// or is a trace that is being read; else none, and it is made. Any thread.
+  /// The report at a path that has() knows, if it was made less than a second before `asked` (of
+  /// pipeline::wallSeconds()) or is a trace that is being read; else none, and it is made. Any thread.
   [[nodiscard]] Report find(std::string_view path, double asked);
 
  private:

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <deque>
+#include <optional>
+
+namespace grove::node {
+
+/// What the clock of a peer shows, known from the times that it tells: of the newest ones that counts which was under
+/// way for the shortest time. So it is behind by that, and follows a clock that drifts. Times are seconds.
+class PeerClock {
+ public:
+  /// It told `theirs`, which came when the clock here showed `ours`.
+  void hear(double theirs, double ours);
+
+  /// What it shows while the clock here shows `ours`; nothing if it told nothing yet.
+  [[nodiscard]] std::optional<double> at(double ours) const;
+
+ private:
+  /// Some seconds of world updates.
+  static constexpr std::size_t kKept = 128;
+  std::deque<double> ahead_;  ///< theirs less ours
+  double offset_ = 0.0;       ///< the greatest of them
+};
+
+}  // namespace grove::node
