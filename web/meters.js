@@ -48,7 +48,7 @@ function quantiles(values, shares) {
 const kLongSpan = 10_000;
 
 /** Inputs that may wait for their frame; the server shows them in order, so the oldest go first when it stalls. */
-const kMostWaiting = 512;
+const kMaxWaiting = 512;
 
 /** Time from sending an input to presenting the first frame that shows it, in milliseconds. */
 export class LatencyMeter {
@@ -60,7 +60,7 @@ export class LatencyMeter {
 
   sent(number, now) {
     this.#waiting.push({ number, time: now });
-    if (this.#waiting.length > kMostWaiting) this.#waiting.shift();
+    if (this.#waiting.length > kMaxWaiting) this.#waiting.shift();
   }
 
   /** A frame that shows all inputs up to this one is on its way to the screen. */

@@ -37,7 +37,7 @@ const Type = Object.freeze({
   status: 0x85,
   refining: 0x86,
 });
-const kMostNameBytes = 64;
+const kMaxNameBytes = 64;
 const kWelcomeBytes = 20;
 const kFrameHeaderBytes = 20;
 const kPictureHeaderBytes = 40;
@@ -59,7 +59,7 @@ function message(type, bytes) {
 
 /** `width` and `height` are the wanted frame in pixels; a name longer than 64 bytes is cut between characters. */
 export function encodeHello({ name, width, height }) {
-  const nameRoom = new Uint8Array(kMostNameBytes);
+  const nameRoom = new Uint8Array(kMaxNameBytes);
   const { written } = new TextEncoder().encodeInto(name, nameRoom);
   const view = message(Type.hello, 12 + written);
   view.setUint8(1, kVersion);

@@ -1,7 +1,7 @@
 import { kDefaultKeys, repairKeys } from './input/bindings.js';
 
 const kStorageKey = 'grove.settings';
-const kMostNameLength = 32;
+const kMaxNameLength = 32;
 
 const oneOf = (...choices) => (value) => (choices.includes(value) ? value : undefined);
 const boolean = (value) => (typeof value === 'boolean' ? value : undefined);
@@ -12,7 +12,7 @@ function sensitivity(value) {
 
 function name(value) {
   if (typeof value !== 'string') return undefined;
-  return [...value.replace(/\p{C}/gu, '').trim()].slice(0, kMostNameLength).join('');
+  return [...value.replace(/\p{C}/gu, '').trim()].slice(0, kMaxNameLength).join('');
 }
 
 /** What a visitor gets who never changed anything. 0 is no limit. */

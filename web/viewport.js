@@ -6,7 +6,7 @@ const kMaxShortSideInHand = 720;
 /** CSS pixels: the short side of the largest phones is under 500, that of the smallest tablets over 700. */
 const kLargestPhone = 600;
 /** The protocol refuses a side below this. */
-const kLeastSide = 16;
+const kMinSide = 16;
 /** A drag of the window's edge asks for one new size, not for fifty. */
 const kSettleTime = 200;
 
@@ -22,7 +22,7 @@ export function fitStream(width, height, pixelRatio, coarse) {
     inHand ? kMaxLongSideInHand / long : kMaxWidth / Math.max(width, 1),
     inHand ? kMaxShortSideInHand / short : kMaxHeight / Math.max(height, 1),
   );
-  const side = (length) => Math.max(kLeastSide, Math.round(length * scale));
+  const side = (length) => Math.max(kMinSide, Math.round(length * scale));
   return { width: side(width), height: side(height) };
 }
 

@@ -27,10 +27,10 @@ std::optional<unsigned long long> limit() noexcept {
 
 /// Into `text`, for there may be no memory for a string.
 std::string_view describe(std::array<char, 128>& text) noexcept {
-  const auto most = limit();
+  const auto max = limit();
   const int length =
-      most ? std::snprintf(text.data(), text.size(), "%s: raise the limit (ulimit -v), which is %llu kB", kWhat, *most)
-           : std::snprintf(text.data(), text.size(), "%s: this machine has no more for this process", kWhat);
+      max ? std::snprintf(text.data(), text.size(), "%s: raise the limit (ulimit -v), which is %llu kB", kWhat, *max)
+          : std::snprintf(text.data(), text.size(), "%s: this machine has no more for this process", kWhat);
   return {text.data(), static_cast<std::size_t>(length)};
 }
 

@@ -37,7 +37,7 @@ void BenchCommands::addAmortize() {
   amortize
       ->add_option("--users", options.users, "Numbers of visitors, as in 1,2,4,8 (without it: those, and --figure-5.6)")
       ->delimiter(',')
-      ->check(CLI::Range(1, kMostAmortizeUsers));
+      ->check(CLI::Range(1, kMaxAmortizeUsers));
   CLI::Option* seconds = amortize->add_option("--seconds", options.seconds, "How long to measure each, after a warm-up")
                              ->check(CLI::Range(0.1, 3600.0))
                              ->capture_default_str();
@@ -95,7 +95,7 @@ void BenchCommands::addPipeline() {
   CLI::App* pipeline = bench_->add_subcommand("pipeline", "Frame rate and use of the stages by frames in flight");
   pipeline->add_option("--frames-in-flight", options.framesInFlight, "Numbers to compare, like 1,4")
       ->delimiter(',')
-      ->check(CLI::Range(1, node::kMostFramesInFlight))
+      ->check(CLI::Range(1, node::kMaxFramesInFlight))
       ->capture_default_str();
   pipeline->add_option("--users", options.users, "Visitors")->check(CLI::Range(1, 1024))->capture_default_str();
   pipeline->add_option("--seconds", options.seconds, "How long, for each number of frames in flight")

@@ -86,7 +86,7 @@ void addServe(CLI::App& app, ServeOptions& options) {
       ->type_name("INT")
       ->check(CLI::Range(10, 60'000))
       ->default_str("500");
-  serve->add_option("--max-visitors", options.host.mostVisitors, "How many may be in the world at once")
+  serve->add_option("--max-visitors", options.host.maxVisitors, "How many may be in the world at once")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
   serve->add_option("--visitors-per-address", options.visitorsPerAddress, "How many of them may have one address")
@@ -107,9 +107,9 @@ void addServe(CLI::App& app, ServeOptions& options) {
 }
 
 void addBake(CLI::App& app, BakeCommand& command) {
-  using objects::lightfield::kLeastSize;
-  using objects::lightfield::kMostLightings;
-  using objects::lightfield::kMostSize;
+  using objects::lightfield::kMaxLightings;
+  using objects::lightfield::kMaxSize;
+  using objects::lightfield::kMinSize;
   using objects::lightfield::ViewSphere;
   CLI::App* bake = app.add_subcommand("bake", "Make a light field of a model or of a plant");
   bake->add_option("model", command.model, "glTF file, .glb or .gltf");
@@ -118,19 +118,19 @@ void addBake(CLI::App& app, BakeCommand& command) {
   const std::map<std::string, bool> details{{"small", false}, {"full", true}};
   choose(bake->add_option("--detail", command.full, "The plant's; full is several million triangles"), details);
   bake->add_option("--subdivision", command.options.subdivision, "Parts per edge of the octahedron of views")
-      ->check(CLI::Range(1, ViewSphere::kMostSubdivision))
+      ->check(CLI::Range(1, ViewSphere::kMaxSubdivision))
       ->capture_default_str();
   const auto powerOfTwo = [](const std::string& text) -> std::string {
-    for (int size = kLeastSize; size <= kMostSize; size *= 2) {
+    for (int size = kMinSize; size <= kMaxSize; size *= 2) {
       if (text == std::to_string(size)) return {};
     }
-    return "must be a power of two from " + std::to_string(kLeastSize) + " to " + std::to_string(kMostSize);
+    return "must be a power of two from " + std::to_string(kMinSize) + " to " + std::to_string(kMaxSize);
   };
   bake->add_option("--size", command.options.size, "Texels per edge of a view")
       ->check(powerOfTwo, "POWER OF TWO")
       ->capture_default_str();
   bake->add_option("--lightings", command.options.lightings, "Suns around the object, for objects that are turned")
-      ->check(CLI::Range(1, kMostLightings))
+      ->check(CLI::Range(1, kMaxLightings))
       ->capture_default_str();
   bake->add_option("--samples", command.options.samples, "Samples per edge of a texel")
       ->check(CLI::Range(1, 16))

@@ -6,7 +6,7 @@ namespace grove::measure {
 namespace {
 
 /// So many must share the bill of a step that nobody pays more than one alone for step 0.
-double leastVisitors(int step) { return QualityPolicy::kCosts[static_cast<std::size_t>(step)]; }
+double minVisitors(int step) { return QualityPolicy::kCosts[static_cast<std::size_t>(step)]; }
 
 /// A bill that was just met must not be refused for a rounding, or when one of many blinks.
 constexpr double kGrace = 0.9;
@@ -30,14 +30,14 @@ int QualityPolicy::update(double now, const QualityLoad& load) {
 }
 
 bool QualityPolicy::inTrouble(const QualityLoad& load) const {
-  return load.busyCores > kCrowdedShare * load.cores || load.frameShare < kLeastFrameShare ||
-         load.visitors < kGrace * leastVisitors(step_);
+  return load.busyCores > kCrowdedShare * load.cores || load.frameShare < kMinFrameShare ||
+         load.visitors < kGrace * minVisitors(step_);
 }
 
 bool QualityPolicy::hasRoom(const QualityLoad& load) const {
-  const double growth = leastVisitors(step_ + 1) / leastVisitors(step_);
+  const double growth = minVisitors(step_ + 1) / minVisitors(step_);
   const double then = load.busyCores + (growth - 1.0) * load.acrossUserCores;
-  return load.frameShare >= kLeastFrameShare && load.visitors >= leastVisitors(step_ + 1) &&
+  return load.frameShare >= kMinFrameShare && load.visitors >= minVisitors(step_ + 1) &&
          then <= kRoomyShare * load.cores;
 }
 

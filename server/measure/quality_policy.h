@@ -30,7 +30,7 @@ class QualityPolicy {
   static constexpr std::array<double, kQualitySteps> kCosts{1.0, 3.375, 8.0};
   static constexpr double kRoomyShare = 0.75;    ///< of the cores, to go up to
   static constexpr double kCrowdedShare = 0.92;  ///< of the cores, to go down from
-  static constexpr double kLeastFrameShare = 0.9;
+  static constexpr double kMinFrameShare = 0.9;
   static constexpr double kPatience = 8.0;  ///< seconds of room before it goes up
   static constexpr double kSettling = 3.0;  ///< seconds after a change in which measurements show the old step, too
   static constexpr double kRegret = 45.0;   ///< seconds after a step down before it goes up

@@ -94,10 +94,10 @@ std::map<std::string, StageUse> stageUse(std::span<const TimelineEvent> events, 
 
 std::string bottleneck(const std::map<std::string, StageUse>& stages) {
   std::string busiest;
-  double most = 0.0;
+  double max = 0.0;
   for (const auto& [name, stage] : stages) {
-    if (!stage.servesFrames || stage.all.utilisation <= most) continue;
-    most = stage.all.utilisation;
+    if (!stage.servesFrames || stage.all.utilisation <= max) continue;
+    max = stage.all.utilisation;
     busiest = name;
   }
   return busiest;

@@ -6,7 +6,7 @@
 namespace grove::node {
 
 /// The nearest so many objects are drawn.
-inline constexpr std::size_t kMostObjectsPerFrame = 1024;
+inline constexpr std::size_t kMaxObjectsPerFrame = 1024;
 
 /// Requests and results that wait at one stage of a backend node, of all sessions together.
 inline constexpr std::size_t kBackendQueue = 4096;
@@ -14,9 +14,9 @@ inline constexpr std::size_t kBackendQueue = 4096;
 /// Requests that one run of a backend stage answers.
 inline constexpr std::size_t kBackendBatch = 64;
 
-inline constexpr int kMostFramesInFlight = 8;
+inline constexpr int kMaxFramesInFlight = 8;
 
 /// The finest step of across-user quality.
-inline constexpr int kMostQuality = 2;
+inline constexpr int kMaxQuality = 2;
 
 }  // namespace grove::node

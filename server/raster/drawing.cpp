@@ -27,7 +27,7 @@ Lamps chooseLamps(std::span<const world::PointLight> lights, const world::Bounds
     const float strength = strongest(light, bounds);
     if (strength > kFaintest) candidates.push_back({strength, &light});
   }
-  const std::size_t count = std::min(candidates.size(), kMostLamps);
+  const std::size_t count = std::min(candidates.size(), kMaxLamps);
   std::ranges::partial_sort(candidates, candidates.begin() + static_cast<std::ptrdiff_t>(count),
                             [](const Candidate& a, const Candidate& b) { return a.strength > b.strength; });
   Lamps lamps;

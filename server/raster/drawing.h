@@ -15,8 +15,8 @@
 
 namespace grove::raster {
 
-inline constexpr std::size_t kMostBones = 4;
-inline constexpr std::size_t kMostLamps = 8;
+inline constexpr std::size_t kMaxBones = 4;
+inline constexpr std::size_t kMaxLamps = 8;
 
 /// A surface with the light that reaches each vertex: across-user, made once.
 struct LitSurface {
@@ -33,8 +33,8 @@ struct LitSurface {
 /// The point lights that matter most to an object.
 struct Lamps {
   int count = 0;
-  std::array<world::Vec3, kMostLamps> position{};
-  std::array<world::Vec3, kMostLamps> colour{};
+  std::array<world::Vec3, kMaxLamps> position{};
+  std::array<world::Vec3, kMaxLamps> colour{};
 };
 
 [[nodiscard]] Lamps chooseLamps(std::span<const world::PointLight> lights, const world::Bounds& bounds);
@@ -43,9 +43,9 @@ struct Lamps {
 struct Drawing {
   const LitSurface* object = nullptr;  ///< must outlive the renderer, which keeps what it derives from it
   const world::Camera* camera = nullptr;
-  world::Rect rect;                             ///< pixels of the camera's image that are wanted
-  float distance = 0.0F;                        ///< from the eye in the object's own metres, for the level of detail
-  std::array<world::Mat4, kMostBones> bones{};  ///< object to world, rigid but for an even scale
+  world::Rect rect;                            ///< pixels of the camera's image that are wanted
+  float distance = 0.0F;                       ///< from the eye in the object's own metres, for the level of detail
+  std::array<world::Mat4, kMaxBones> bones{};  ///< object to world, rigid but for an even scale
   world::Vec3 tint{1.0F};
   float sunShare = 1.0F;  ///< scales the share of the sun of all vertices
   Lamps lamps;

@@ -23,9 +23,9 @@ struct ImagePool::Store {
     std::size_t touched = 0;                 // pixels of the largest image so far: beyond, the process holds nothing
   };
 
-  explicit Store(std::size_t most) : mostBytes(most) {}
+  explicit Store(std::size_t max) : maxBytes(max) {}
 
-  const std::size_t mostBytes;
+  const std::size_t maxBytes;
   std::mutex mutex;
   std::multimap<std::size_t, Memory> unused;  // by pixels
   std::size_t unusedBytes = 0;
@@ -57,7 +57,7 @@ struct ImagePool::Store {
 
   void give(std::size_t pixels, Memory memory) {
     const std::lock_guard lock(mutex);
-    if (unusedBytes + pixels * kPixelBytes > mostBytes) {
+    if (unusedBytes + pixels * kPixelBytes > maxBytes) {
       allBytes -= memory.touched * kPixelBytes;
       tell();
       return;
@@ -81,9 +81,9 @@ struct ImagePool::Store {
   }
 };
 
-ImagePool::ImagePool(std::size_t mostBytes) : store_(std::make_shared<Store>(mostBytes)) {}
+ImagePool::ImagePool(std::size_t maxBytes) : store_(std::make_shared<Store>(maxBytes)) {}
 
-ImagePool::ImagePool(pipeline::MemoryLedger& memory, std::size_t mostBytes) : ImagePool(mostBytes) {
+ImagePool::ImagePool(pipeline::MemoryLedger& memory, std::size_t maxBytes) : ImagePool(maxBytes) {
   store_->held = std::make_unique<pipeline::HeldMemory>(memory, "images", "", pipeline::Work::kPerUserFrontend);
 }
 

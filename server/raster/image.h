@@ -42,14 +42,14 @@ struct Image {
 };
 
 /// Hands out images and takes their memory back when the last reference goes, so that no frame allocates or clears.
-/// Keeps at most `mostBytes` of unused memory. Any thread; images may outlive the pool, and then the ledger.
+/// Keeps at most `maxBytes` of unused memory. Any thread; images may outlive the pool, and then the ledger.
 class ImagePool {
  public:
   static constexpr std::size_t kUsualBytes = std::size_t{256} << 20U;
 
-  explicit ImagePool(std::size_t mostBytes = kUsualBytes);
+  explicit ImagePool(std::size_t maxBytes = kUsualBytes);
   /// Tells all memory of its images, in use or not, as per-user.
-  explicit ImagePool(pipeline::MemoryLedger& memory, std::size_t mostBytes = kUsualBytes);
+  explicit ImagePool(pipeline::MemoryLedger& memory, std::size_t maxBytes = kUsualBytes);
   ~ImagePool();
   ImagePool(const ImagePool&) = delete;
   ImagePool& operator=(const ImagePool&) = delete;

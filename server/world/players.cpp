@@ -8,7 +8,7 @@ namespace {
 
 constexpr float kPlayerRadius = 0.35F;
 constexpr float kStepSeconds = 1.0F / 60.0F;
-constexpr double kMostSecondsAtOnce = 1.0;
+constexpr double kMaxSecondsAtOnce = 1.0;
 
 // Warm and cold lantern colours that stay apart from each other and from the grass; 0x00BBGGRR.
 constexpr std::array<std::uint32_t, 8> kColours = {0x4FB4FF, 0xFFC46A, 0x7CE38B, 0xC98BFF,
@@ -79,7 +79,7 @@ std::size_t Players::count() const {
 }
 
 void Players::advance(Entry& entry, double now) const {
-  entry.time = std::max(entry.time, now - kMostSecondsAtOnce);
+  entry.time = std::max(entry.time, now - kMaxSecondsAtOnce);
   while (entry.time < now) {
     const float seconds = std::min(kStepSeconds, static_cast<float>(now - entry.time));
     step(entry.player, seconds);
@@ -97,8 +97,8 @@ void Players::step(Player& player, float seconds) const {
   for (const Obstacle& obstacle : obstacles_) {
     const Vec2 away = place - obstacle.centre;
     const float distance = glm::length(away);
-    const float least = obstacle.radius + kPlayerRadius;
-    if (distance < least) place = obstacle.centre + (distance > 1e-4F ? away / distance : Vec2(1, 0)) * least;
+    const float min = obstacle.radius + kPlayerRadius;
+    if (distance < min) place = obstacle.centre + (distance > 1e-4F ? away / distance : Vec2(1, 0)) * min;
   }
   if (glm::length(place) > radius_) place = glm::normalize(place) * radius_;
   player.pose.position.x = place.x;

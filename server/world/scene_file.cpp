@@ -56,7 +56,7 @@ class Parameters::Table {
 
 namespace {
 
-constexpr std::size_t kMostObjects = 4096;
+constexpr std::size_t kMaxObjects = 4096;
 constexpr int kMaxNested = 16;
 constexpr std::uint64_t kMaxBytes = std::uint64_t{16} << 20U;
 constexpr double kMaxMetres = 1000.0;
@@ -157,7 +157,7 @@ std::vector<const toml::table*> tablesOf(const Parameters::Table& root, std::str
   if (node == nullptr) return tables;
   const toml::array* array = node->as_array();
   if (array == nullptr) root.fail(node, inQuotes(key) + " must be written as [[" + std::string(key) + "]]");
-  if (array->size() > kMostObjects) root.fail(node, "more than " + std::to_string(kMostObjects) + " entries");
+  if (array->size() > kMaxObjects) root.fail(node, "more than " + std::to_string(kMaxObjects) + " entries");
   for (const toml::node& element : *array) {
     if (!element.is_table()) root.fail(&element, inQuotes(key) + " must hold tables");
     tables.push_back(element.as_table());

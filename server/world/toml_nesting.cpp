@@ -39,7 +39,7 @@ bool isOneOf(char c, std::string_view all) { return all.find(c) != std::string_v
 
 }  // namespace
 
-std::optional<std::size_t> lineNestedDeeper(std::string_view text, int most) {
+std::optional<std::size_t> lineNestedDeeper(std::string_view text, int max) {
   std::size_t line = 1;
   int open = 0;
   int dots = 0;
@@ -50,7 +50,7 @@ std::optional<std::size_t> lineNestedDeeper(std::string_view text, int most) {
     if (isOneOf(first, "]}")) open = std::max(open - 1, 0);
     if (isOneOf(first, "[{]}=,\n")) dots = 0;
     if (first == '.') ++dots;
-    if (open > most || dots > most) return line;
+    if (open > max || dots > max) return line;
     const std::string_view piece = text.substr(begin, end - begin);
     line += static_cast<std::size_t>(std::ranges::count(piece, '\n'));
     begin = end;

@@ -10,6 +10,6 @@ namespace grove::world {
 ///
 /// The parser makes a table of every part of a dotted name, and takes tables apart by recursion: a long enough name
 /// ends the program. This scan does not recurse, and a text that passes has no value deeper than about most * most.
-[[nodiscard]] std::optional<std::size_t> lineNestedDeeper(std::string_view text, int most);
+[[nodiscard]] std::optional<std::size_t> lineNestedDeeper(std::string_view text, int max);
 
 }  // namespace grove::world

@@ -9,7 +9,7 @@ const float kAgreement = 7.0;
 void addView(int view, float viewWeight, vec3 point, bool plain, inout vec4 sum, inout float total) {
   Lens lens = lensOf(view);
   vec3 p = point - lens.eye;
-  float z = max(dot(lens.forward, p), kLeastViewDepth);
+  float z = max(dot(lens.forward, p), kMinViewDepth);
   Texels texels = texelsAround(lens, vec2(dot(lens.column, p), dot(lens.row, p)) / z + lens.middle);
   float nearest = (z - kAgreement * lens.metresPerTexel * z - lens.nearDepth) / lens.depthStep;
   bvec4 counts = greaterThanEqual(vec4(texels.depth), vec4(plain ? 0.0 : nearest));

@@ -1,7 +1,7 @@
 #include "lightfield/field.glsl"
 #include "lightfield/request.glsl"
 
-const float kLeastViewDepth = 1.0e-3;
+const float kMinViewDepth = 1.0e-3;
 
 // A view's camera at the request's level: for p = point - eye, z = dot(forward, p) is its view depth and
 // dot(column, p) / z + middle its column of texels, texel centres being whole numbers.

@@ -1,7 +1,7 @@
 #include "lightfield/lens.glsl"
 
 // A walk has at most so many steps; farther ones are longer than a texel.
-const int kMostSteps = 128;
+const int kMaxSteps = 128;
 // How far before and behind a step's middle a texel is still met: a share of the step more than its half, and so many
 // texels' widths.
 const float kSlack = 0.25;
@@ -60,15 +60,15 @@ bool lookForSurface(int view, vec3 ray, float from, float to, inout Surface resu
   vec3 origin = eye.xyz - lens.eye;
   vec3 start = vec3(dot(lens.column, origin), dot(lens.row, origin), dot(lens.forward, origin));
   vec3 slope = vec3(dot(lens.column, ray), dot(lens.row, ray), dot(lens.forward, ray));
-  float zFrom = max(start.z + from * slope.z, kLeastViewDepth);
-  float zTo = max(start.z + to * slope.z, kLeastViewDepth);
+  float zFrom = max(start.z + from * slope.z, kMinViewDepth);
+  float zTo = max(start.z + to * slope.z, kMinViewDepth);
   if (zTo <= zFrom) return false;
   Way way;
   way.begin = (start.xy + from * slope.xy) / zFrom + lens.middle;
   way.span = (start.xy + to * slope.xy) / zTo + lens.middle - way.begin;
   way.inverseBegin = 1.0 / zFrom;
   way.inverseSpan = min(1.0 / zTo - way.inverseBegin, -1.0e-9);
-  way.steps = clamp(int(max(abs(way.span.x), abs(way.span.y)) + 1.0), 1, kMostSteps);
+  way.steps = clamp(int(max(abs(way.span.x), abs(way.span.y)) + 1.0), 1, kMaxSteps);
   float texel = -lens.metresPerTexel * way.inverseBegin / way.inverseSpan;
   way.slack = (0.5 + kSlack) / float(way.steps) + kThickness * texel;
 

@@ -5,9 +5,9 @@ layout(location = 0) in vec4 position;  // w: index of its bone
 layout(location = 1) in vec4 light;     // display-encoded; a: weight of the relief
 layout(location = 2) in float lichen;
 
-const int kMostBones = 4;
+const int kMaxBones = 4;
 
-uniform mat4 toClip[kMostBones];  // of the tile
+uniform mat4 toClip[kMaxBones];  // of the tile
 
 out vec4 shone;
 out float overgrown;

@@ -27,9 +27,9 @@ class PlainFileTest : public testing::Test {
   ~PlainFileTest() override { std::filesystem::remove_all(folder_); }
 
   /// What opening it says.
-  static std::string complaint(const std::filesystem::path& file, std::uint64_t mostBytes = 100) {
+  static std::string complaint(const std::filesystem::path& file, std::uint64_t maxBytes = 100) {
     try {
-      const PlainFile opened(file, "name another", mostBytes);
+      const PlainFile opened(file, "name another", maxBytes);
     } catch (const EnvironmentError& e) {
       return e.what();
     }

@@ -34,8 +34,8 @@ TEST(VersionReport, TellsOneFactALine) {
 }
 
 TEST(VersionReport, TellsTheSimdTargetThatIsForced) {
-  const std::string least = linesOf(grove("--version", false).output).at(1);
-  const std::string name = least.substr(least.find_last_of(", ") + 1);
+  const std::string min = linesOf(grove("--version", false).output).at(1);
+  const std::string name = min.substr(min.find_last_of(", ") + 1);
   const std::string target = name.substr(0, name.find(')'));
   const Outcome forced = shell("GROVE_SIMD=" + target + " " GROVE_BINARY " --version");
   EXPECT_THAT(linesOf(forced.output).at(1), StartsWith("SIMD: " + target));

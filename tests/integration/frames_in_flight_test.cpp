@@ -41,7 +41,7 @@ stream::HostOptions inFlight(int frames) {
 /// The most frames of a visitor that are in flight at a time. A frame is until its composition begins, the last of its
 /// runs before the encoding. Begins alone are looked at: a thread may be put to sleep after the last deed of its run,
 /// so that the run ends, for the timeline, when the next frame is long under way.
-int mostInFlight(const std::vector<TimelineEvent>& events) {
+int maxInFlight(const std::vector<TimelineEvent>& events) {
   struct Span {
     std::int64_t first = std::numeric_limits<std::int64_t>::max();
     std::int64_t last = 0;
@@ -60,30 +60,30 @@ int mostInFlight(const std::vector<TimelineEvent>& events) {
   }
   std::ranges::sort(changes);
   int now = 0;
-  int most = 0;
-  for (const auto& [time, change] : changes) most = std::max(most, now += change);
-  return most;
+  int max = 0;
+  for (const auto& [time, change] : changes) max = std::max(max, now += change);
+  return max;
 }
 
 TEST(FramesInFlight, OneIsFinishedBeforeTheNextBegins) {
   ServedScene served(kSmallFire, inFlight(1));
   stream::HeadlessSession visitor(served.host, "a", 640, 360);
   ASSERT_TRUE(visitor.frameAfter(100, kPatience));
-  EXPECT_EQ(mostInFlight(served.host.timeline().events()), 1);
+  EXPECT_EQ(maxInFlight(served.host.timeline().events()), 1);
 }
 
 TEST(FramesInFlight, FourOverlap) {
   ServedScene served(kSmallFire, inFlight(4));
   stream::HeadlessSession visitor(served.host, "a", 1920, 1080);
-  int most = 0;
-  for (node::FrameNumber seen = 0; most < 2;) {
+  int max = 0;
+  for (node::FrameNumber seen = 0; max < 2;) {
     const auto frame = visitor.frameAfter(seen, kPatience);
     ASSERT_TRUE(frame);
     ASSERT_LT(seen, 1000U) << "one after the other, all of them";
     seen = frame->header.frame;
-    most = mostInFlight(served.host.timeline().events());
+    max = maxInFlight(served.host.timeline().events());
   }
-  EXPECT_LE(most, 4);
+  EXPECT_LE(max, 4);
 }
 
 TEST(FramesInFlight, TheTraceOfARealServerIsSound) {

@@ -17,14 +17,14 @@ struct Row {
   std::vector<float> depth;
 };
 
-Row randomRow(int width, std::mt19937& random, std::uint32_t leastCoverage = 0) {
+Row randomRow(int width, std::mt19937& random, std::uint32_t minCoverage = 0) {
   Row row;
   for (int i = 0; i < width; ++i) {
     // A third covers nothing, a third all.
     const auto kind = random() % 3;
-    const std::uint32_t alpha = std::max(leastCoverage, kind == 0   ? 0
-                                                        : kind == 1 ? 255
-                                                                    : static_cast<std::uint32_t>(random() % 256));
+    const std::uint32_t alpha = std::max(minCoverage, kind == 0   ? 0
+                                                      : kind == 1 ? 255
+                                                                  : static_cast<std::uint32_t>(random() % 256));
     std::uint32_t colour = alpha << 24U;
     for (std::uint32_t shift = 0; shift < 24; shift += 8) colour |= random() % (alpha + 1) << shift;
     row.colour.push_back(colour);

@@ -28,9 +28,9 @@ class Screen final : public pipeline::Stage<FinishedFrame> {
       : Stage({.name = "Screen", .work = pipeline::Work::kPerUserFrontend, .capacity = 4}, executor, timeline) {}
 
   std::shared_ptr<const raster::Image> waitFor(FrameNumber frame,
-                                               std::chrono::milliseconds most = std::chrono::seconds(10)) {
+                                               std::chrono::milliseconds max = std::chrono::seconds(10)) {
     std::unique_lock lock(mutex_);
-    arrived_.wait_for(lock, most, [&] { return newest_.view && newest_.view->frame >= frame; });
+    arrived_.wait_for(lock, max, [&] { return newest_.view && newest_.view->frame >= frame; });
     return newest_.view && newest_.view->frame >= frame ? newest_.image : nullptr;
   }
   std::vector<FrameNumber> order() {

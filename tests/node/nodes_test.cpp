@@ -52,18 +52,18 @@ TEST_P(Nodes, ManyFramesInFlightComeOutInOrderAndNeverOld) {
 }
 
 TEST_P(Nodes, NeverMoreFramesThanMayBeInFlight) {
-  for (const int most : {1, 3}) {
+  for (const int max : {1, 3}) {
     const auto screen = std::make_shared<Screen>(workers, timeline);
     transport.keepBack = true;
-    const auto node = frontend(static_cast<SessionId>(most), 0.0F, screen, most);
+    const auto node = frontend(static_cast<SessionId>(max), 0.0F, screen, max);
     int started = 0;
     for (int i = 0; i < 50; ++i) started += node->requestFrame() ? 1 : 0;
-    EXPECT_EQ(started, most);
+    EXPECT_EQ(started, max);
     EXPECT_TRUE(node->full());
-    EXPECT_TRUE(eventually([&] { return controls->answered >= 2 * most; })) << "all are made";
+    EXPECT_TRUE(eventually([&] { return controls->answered >= 2 * max; })) << "all are made";
     EXPECT_FALSE(node->requestFrame()) << "and none has ended";
     transport.release();
-    ASSERT_TRUE(screen->waitFor(static_cast<FrameNumber>(most)));
+    ASSERT_TRUE(screen->waitFor(static_cast<FrameNumber>(max)));
     EXPECT_TRUE(eventually([&] { return !node->full(); }));
   }
 }

@@ -94,12 +94,12 @@ TEST(SceneAnalyzer, ShowsOtherVisitorsButNotTheViewer) {
 
 TEST(SceneAnalyzer, KeepsTheNearestOfTooMany) {
   std::string scene;
-  for (int i = 0; i < static_cast<int>(kMostObjectsPerFrame) + 50; ++i) {
+  for (int i = 0; i < static_cast<int>(kMaxObjectsPerFrame) + 50; ++i) {
     scene += "[[object]]\ntype='box'\nname='" + std::to_string(i) + "'\nposition=[0,1.7,-" +
              std::to_string(2 + i * 0.5) + "]\n";
   }
   const auto visible = visibleObjects(layoutOf(scene), lookingAlong(0.0F));
-  ASSERT_EQ(visible.size(), kMostObjectsPerFrame);
+  ASSERT_EQ(visible.size(), kMaxObjectsPerFrame);
   EXPECT_EQ(visible.back().object.name, "0");
 }
 

@@ -81,13 +81,13 @@ TEST(WorkerPool, TellsThatAWorkerIsIdleBeforeItSleepsAndRunsWhatIsPostedThen) {
   WorkerPool* pool = nullptr;
   std::latch made(1);
   std::atomic<int> idle = 0;
-  std::atomic<int> most = 0;
+  std::atomic<int> max = 0;
   std::atomic<int> rounds = 0;
   std::promise<void> done;
   const auto listen = [&](bool isIdle) {
     made.wait();
     idle += isIdle ? 1 : -1;
-    most = std::max(most.load(), idle.load());
+    max = std::max(max.load(), idle.load());
     if (isIdle && rounds < 1000) {
       pool->post([&] {
         EXPECT_LT(idle, 2) << "one of two is at work";
@@ -102,7 +102,7 @@ TEST(WorkerPool, TellsThatAWorkerIsIdleBeforeItSleepsAndRunsWhatIsPostedThen) {
     EXPECT_EQ(done.get_future().wait_for(std::chrono::seconds(20)), std::future_status::ready);
   }
   EXPECT_EQ(idle, 0);
-  EXPECT_LE(most, 2);
+  EXPECT_LE(max, 2);
 }
 
 }  // namespace

@@ -49,12 +49,12 @@ class Collect final : public Stage<int> {
     return values_;
   }
   std::atomic<int> delayMilliseconds{0};
-  std::atomic<std::size_t> mostQueued{0};
+  std::atomic<std::size_t> maxQueued{0};
   std::atomic<std::size_t> largestBatch{0};
 
  protected:
   void process(std::span<int> items, Run&) override {
-    if (queued() > mostQueued) mostQueued = queued();
+    if (queued() > maxQueued) maxQueued = queued();
     if (items.size() > largestBatch) largestBatch = items.size();
     if (delayMilliseconds > 0) std::this_thread::sleep_for(delayMilliseconds.load() * 1ms);
     const std::lock_guard lock(mutex_);
@@ -138,7 +138,7 @@ TEST(Stage, AFullSuccessorHoldsBackItsPredecessors) {
     EXPECT_LE(collect->queued(), 2u);
   }
   ASSERT_TRUE(eventually([&] { return collect->values().size() == 100; })) << "nothing may be lost by back-pressure";
-  EXPECT_LE(collect->mostQueued, 2u);
+  EXPECT_LE(collect->maxQueued, 2u);
 }
 
 // The run that found no room is still under way when it is told of some.
@@ -201,7 +201,7 @@ TEST(Stage, ABatchNeverOutgrowsItsOutlet) {
   add->connect(collect);
   for (int i = 0; i < 16; ++i) add->push(i);
   ASSERT_TRUE(eventually([&] { return collect->values().size() == 16; }));
-  EXPECT_LE(collect->mostQueued, 3u);
+  EXPECT_LE(collect->maxQueued, 3u);
 }
 
 TEST(Stage, CloseDropsWhatIsQueuedAndEndsCleanly) {

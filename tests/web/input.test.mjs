@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
 import { kDefaultKeys } from '../../web/input/bindings.js';
-import { Controls, kMostPitch } from '../../web/input/controls.js';
+import { Controls, kMaxPitch } from '../../web/input/controls.js';
 import { listenToKeyboard } from '../../web/input/keyboard.js';
 import { InputSender } from '../../web/input/sender.js';
 import { stickAxis, stickKeys } from '../../web/input/stick.js';
@@ -128,9 +128,9 @@ test('sensitivity and inversion change what a hand does, and not what keys do', 
 test('pitch is clamped and yaw stays within half a turn', () => {
   const controls = new Controls();
   controls.look(0, 7);
-  assert.equal(controls.pitch, kMostPitch);
+  assert.equal(controls.pitch, kMaxPitch);
   controls.look(0, -0.5);
-  assert.equal(controls.pitch, kMostPitch - 0.5);
+  assert.equal(controls.pitch, kMaxPitch - 0.5);
   controls.look(0, -100);
   assert.equal(controls.pitch, -1.5);
   controls.look(3 * Math.PI, 0);

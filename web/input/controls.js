@@ -1,5 +1,5 @@
 /** As far up or down as a visitor can look, in radians; the server's limit too. */
-export const kMostPitch = 1.5;
+export const kMaxPitch = 1.5;
 
 /**
  * The state of a visitor's controls, whatever moves them. Keys are held under the name of what holds them, so that two
@@ -97,7 +97,7 @@ export class Controls {
     if (!Number.isFinite(yaw) || !Number.isFinite(pitch)) return;
     // Within half a turn of 0, where 32-bit floats are fine.
     const wrapped = yaw - 2 * Math.PI * Math.round(yaw / (2 * Math.PI));
-    const clamped = Math.min(kMostPitch, Math.max(-kMostPitch, pitch));
+    const clamped = Math.min(kMaxPitch, Math.max(-kMaxPitch, pitch));
     if (wrapped === this.#yaw && clamped === this.#pitch) return;
     this.#yaw = wrapped;
     this.#pitch = clamped;

@@ -120,7 +120,7 @@ class Importer {
 
   /// An attribute with as many elements as there are positions, of one of the widths.
   std::optional<Elements> attribute(const tinygltf::Primitive& primitive, const std::string& name, std::size_t count,
-                                    std::size_t least, std::size_t most) const {
+                                    std::size_t min, std::size_t max) const {
     const auto found = primitive.attributes.find(name);
     if (found == primitive.attributes.end()) return {};
     // Before it is read: it may have millions of elements where there are three positions.
@@ -128,7 +128,7 @@ class Importer {
       file_.fail(name + " has not as many elements as POSITION");
     }
     Elements elements = readElements(file_, found->second);
-    if (elements.width < least || elements.width > most) file_.fail(name + " has vectors of the wrong length");
+    if (elements.width < min || elements.width > max) file_.fail(name + " has vectors of the wrong length");
     return elements;
   }
 
@@ -213,8 +213,8 @@ class Importer {
     const auto uvs = attribute(primitive, "TEXCOORD_" + std::to_string(placement.uvSet), count, 2, 2);
     for (std::size_t i = 0; i < count; ++i) {
       const Vec2 uv = uvs ? placement.apply({uvs->at(i)[0], uvs->at(i)[1]}) : Vec2(0.0F);
-      const float most = std::max(std::abs(uv.x), std::abs(uv.y));
-      if (!std::isfinite(uv.x + uv.y) || most > kMaxUv) {
+      const float max = std::max(std::abs(uv.x), std::abs(uv.y));
+      if (!std::isfinite(uv.x + uv.y) || max > kMaxUv) {
         file_.fail("has UVs beyond " + std::to_string(static_cast<int>(kMaxUv)));
       }
       model_.uvs.push_back(uv);

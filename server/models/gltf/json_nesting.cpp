@@ -4,7 +4,7 @@
 
 namespace grove::models {
 
-bool nestsDeeper(std::string_view json, int most) noexcept {
+bool nestsDeeper(std::string_view json, int max) noexcept {
   int open = 0;
   bool inString = false;
   for (std::size_t at = 0; at < json.size(); ++at) {
@@ -15,7 +15,7 @@ bool nestsDeeper(std::string_view json, int most) noexcept {
     } else if (c == '"') {
       inString = true;
     } else if (c == '[' || c == '{') {
-      if (++open > most) return true;
+      if (++open > max) return true;
     } else if ((c == ']' || c == '}') && --open <= 0) {
       return false;
     }

@@ -36,10 +36,10 @@ TilingField::TilingField(std::uint32_t seed, float shortest, float longest) {
   const double base = 4.0 * std::numbers::pi / (3.0 * static_cast<double>(kTileRadius));
   const double low = 2.0 * std::numbers::pi / static_cast<double>(longest);
   const double high = 2.0 * std::numbers::pi / static_cast<double>(shortest);
-  const auto most = static_cast<float>(high / base) * 1.2F;
+  const auto max = static_cast<float>(high / base) * 1.2F;
   while (waves_.size() < 3 * kWaves) {
-    const auto m = static_cast<double>(std::lround(random.range(-most, most)));
-    const auto n = static_cast<double>(std::lround(random.range(-most, most)));
+    const auto m = static_cast<double>(std::lround(random.range(-max, max)));
+    const auto n = static_cast<double>(std::lround(random.range(-max, max)));
     const double x = base * (m + 0.5 * n);
     const double y = base * kSine60 * n;
     const double length = std::hypot(x, y);

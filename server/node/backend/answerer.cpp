@@ -15,7 +15,7 @@ Answerer::Answerer(const char* name, std::string_view subject, BackendHalf& half
              .work = pipeline::Work::kPerUserBackend,
              .capacity = kBackendQueue,
              .concurrency = half.concurrency(),
-             .maxBatch = half.mostAtOnce()},
+             .maxBatch = half.maxAtOnce()},
             half.executor(), timeline),
       timeline_(timeline),
       half_(half),

@@ -36,10 +36,10 @@ class BackendHalf {
   [[nodiscard]] virtual int concurrency() const { return 1; }
 
   /// How many requests one call of answer() gets: few where each takes long, so that all threads have work.
-  [[nodiscard]] virtual std::size_t mostAtOnce() const { return kBackendBatch; }
+  [[nodiscard]] virtual std::size_t maxAtOnce() const { return kBackendBatch; }
 
   /// How good its across-user work is to be: 0 as the scene says, each step above finer and dearer, at most
-  /// kMostQuality. Any thread, returns at once; the change may take its time. Types that know only one quality ignore
+  /// kMaxQuality. Any thread, returns at once; the change may take its time. Types that know only one quality ignore
   /// it.
   virtual void setQuality(int /*step*/) {}
 

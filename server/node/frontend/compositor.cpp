@@ -26,7 +26,7 @@ Compositor::Compositor(FrontendProcess& frontend, std::shared_ptr<VisitorHalves>
                        std::function<void()> frameDone)
     : Stage({.name = kStage,
              .work = pipeline::Work::kPerUserFrontend,
-             .capacity = static_cast<std::size_t>(policy.framesInFlight) * (kMostObjectsPerFrame + 1) + 1,
+             .capacity = static_cast<std::size_t>(policy.framesInFlight) * (kMaxObjectsPerFrame + 1) + 1,
              .finishes = true},
             frontend.tools().workers, frontend.tools().timeline),
       frontend_(frontend),

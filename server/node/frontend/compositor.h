@@ -42,7 +42,7 @@ inline pipeline::TraceTag traceTag(const CompositorInput& input) {
 
 /// How many frames of a visitor are made at once, and how long one waits for its results.
 struct FramePolicy {
-  int framesInFlight = 1;        ///< 1 to kMostFramesInFlight
+  int framesInFlight = 1;        ///< 1 to kMaxFramesInFlight
   double deadlineSeconds = 0.5;  ///< then it is shown with the last results of the objects that did not answer
 };
 

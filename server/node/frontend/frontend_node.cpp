@@ -13,15 +13,15 @@ FrontendNode::FrontendNode(SessionId session, const FramePolicy& policy, SceneAn
     : session_(session),
       frontend_(frontend),
       inFlight_(std::make_shared<FramesInFlight>(policy.framesInFlight, std::move(frameEnded))) {
-  assert(policy.framesInFlight >= 1 && policy.framesInFlight <= kMostFramesInFlight);
+  assert(policy.framesInFlight >= 1 && policy.framesInFlight <= kMaxFramesInFlight);
   const auto endFrame = [frames = inFlight_] { frames->end(); };
-  const auto results = static_cast<std::size_t>(policy.framesInFlight) * kMostObjectsPerFrame;
+  const auto results = static_cast<std::size_t>(policy.framesInFlight) * kMaxObjectsPerFrame;
   const auto halves = std::make_shared<VisitorHalves>(frontend);
   const FrontendTools& tools = frontend.tools();
 
   analyzer_ = std::make_shared<SceneAnalyzer>(frontend.layout(), std::move(look), policy.deadlineSeconds, endFrame,
                                               tools.workers, tools.timeline);
-  requestSender_ = std::make_shared<RequestSender>(results + kMostFramesInFlight, frontend, halves);
+  requestSender_ = std::make_shared<RequestSender>(results + kMaxFramesInFlight, frontend, halves);
   resultReceiver_ = std::make_shared<ResultReceiver>(results, tools.workers, tools.timeline);
   decompressor_ = std::make_shared<Decompressor>(frontend);
   compositor_ = std::make_shared<Compositor>(frontend, halves, policy, endFrame);

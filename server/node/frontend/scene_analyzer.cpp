@@ -33,8 +33,8 @@ std::vector<VisibleObject> visibleObjects(const world::Layout& layout, const Vie
   std::ranges::sort(visible, [](const VisibleObject& a, const VisibleObject& b) {
     return std::pair(-a.distance, a.object.id) < std::pair(-b.distance, b.object.id);
   });
-  if (visible.size() > kMostObjectsPerFrame) {
-    visible.erase(visible.begin(), visible.end() - static_cast<std::ptrdiff_t>(kMostObjectsPerFrame));
+  if (visible.size() > kMaxObjectsPerFrame) {
+    visible.erase(visible.begin(), visible.end() - static_cast<std::ptrdiff_t>(kMaxObjectsPerFrame));
   }
   return visible;
 }
@@ -42,7 +42,7 @@ std::vector<VisibleObject> visibleObjects(const world::Layout& layout, const Vie
 SceneAnalyzer::SceneAnalyzer(const world::Layout& layout, Look look, double deadlineSeconds,
                              std::function<void()> frameFailed, pipeline::Executor& executor,
                              pipeline::Timeline& timeline)
-    : Stage({.name = "Scene Analyzer", .work = pipeline::Work::kPerUserFrontend, .capacity = kMostFramesInFlight},
+    : Stage({.name = "Scene Analyzer", .work = pipeline::Work::kPerUserFrontend, .capacity = kMaxFramesInFlight},
             executor, timeline),
       layout_(layout),
       look_(std::move(look)),

@@ -20,7 +20,7 @@ struct FrameTicket {
 inline pipeline::TraceTag traceTag(const FrameTicket& ticket) { return {numberOf(ticket.session), ticket.frame}; }
 
 /// The objects of the world whose bounds the camera sees, back to front by the distance of their farthest corners, so
-/// that what encloses others (the sky, the ground) comes before them; the nearest kMostObjectsPerFrame of them. The
+/// that what encloses others (the sky, the ground) comes before them; the nearest kMaxObjectsPerFrame of them. The
 /// viewer's own figure is left out.
 [[nodiscard]] std::vector<VisibleObject> visibleObjects(const world::Layout& layout, const View& view);
 

@@ -93,7 +93,7 @@ Cancel decode(const v1::Cancel& from, Checks& checks) {
 }
 
 Quality decode(const v1::Quality& from, Checks& checks) {
-  const bool known = from.step() <= static_cast<std::uint32_t>(kMostQuality);
+  const bool known = from.step() <= static_cast<std::uint32_t>(kMaxQuality);
   checks.require(known, "its step is out of range");
   return {.step = known ? static_cast<int>(from.step()) : 0};
 }

@@ -24,9 +24,9 @@ void appendCompressed(PackedBytes& to, std::span<const std::byte> plane) {
   const std::size_t begin = to.size();
   to.resize(begin + sizeof(std::uint32_t) + plane.size());
   std::byte* const data = to.data() + begin + sizeof(std::uint32_t);
-  const auto most = static_cast<int>(plane.size());
+  const auto max = static_cast<int>(plane.size());
   const int size =
-      LZ4_compress_default(reinterpret_cast<const char*>(plane.data()), reinterpret_cast<char*>(data), most, most);
+      LZ4_compress_default(reinterpret_cast<const char*>(plane.data()), reinterpret_cast<char*>(data), max, max);
   std::uint32_t length = kStored;
   if (size > 0) {
     length = static_cast<std::uint32_t>(size);

@@ -19,7 +19,7 @@ namespace {
 constexpr int kAtlasWidth = 1024;
 constexpr int kAtlasHeight = 384;
 constexpr int kAtlasStep = 64;  // pixels: no more is cleared than is needed
-constexpr std::size_t kMostAtlases = 16;
+constexpr std::size_t kMaxAtlases = 16;
 
 int roundedUp(int pixels, int step) { return (pixels + step - 1) / step * step; }
 
@@ -95,7 +95,7 @@ class GlMeshRenderer::Bench {
   gl::Framebuffer& atlasFor(int width, int height) {
     const auto it = atlases_.find({width, height});
     if (it != atlases_.end()) return it->second;
-    if (atlases_.size() >= kMostAtlases) atlases_.clear();
+    if (atlases_.size() >= kMaxAtlases) atlases_.clear();
     return atlases_.try_emplace({width, height}, api_, width, height).first->second;
   }
 
@@ -148,9 +148,9 @@ class GlMeshRenderer::Bench {
     api_.Viewport(tile.left, tile.top, tile.width(), tile.height());
     api_.Scissor(tile.left, tile.top, tile.width(), tile.height());
     const world::Mat4 clip = clipMatrix(*drawing.camera, drawing.rect);
-    std::array<world::Mat4, kMostBones> toClip;
+    std::array<world::Mat4, kMaxBones> toClip;
     std::ranges::transform(drawing.bones, toClip.begin(), [&](const world::Mat4& bone) { return clip * bone; });
-    api_.UniformMatrix4fv(toClip_, static_cast<GLsizei>(kMostBones), GL_FALSE, &toClip[0][0][0]);
+    api_.UniformMatrix4fv(toClip_, static_cast<GLsizei>(kMaxBones), GL_FALSE, &toClip[0][0][0]);
     surfaceOf(*drawing.object).draw(levelOf(drawing), lightBuffer_, firstLight);
   }
 

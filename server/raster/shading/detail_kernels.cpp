@@ -198,7 +198,7 @@ class Weathering {
   }
 
   /// How much the sun brings out slopes.
-  static HWY_INLINE Floats reliefOf(Ints surface) { return toFloats(shiftRight<28>(surface)) * (kMostRelief / 15.0F); }
+  static HWY_INLINE Floats reliefOf(Ints surface) { return toFloats(shiftRight<28>(surface)) * (kMaxRelief / 15.0F); }
 
   /// Turns surface into colour and leaves out the depth of what is empty.
   HWY_INLINE void grade(int i) {

@@ -156,7 +156,7 @@ HWY_INLINE void sendToEye(const VertexArrays& v, std::size_t first, std::size_t 
     const std::uint32_t blue = toByte(channel(ab[i], tint.b, b, haze.b, glow.b));
     const float grazing = std::min(std::max(4.0F * cosine + 0.5F, 0.0F), 1.0F);
     const float relief = seen * grazing * cleared * (sunColour.r + sunColour.g + sunColour.b) / (r + g + b + shown);
-    const std::uint32_t alpha = toByte(255.0F / kMostRelief * std::min(relief, kMostRelief));
+    const std::uint32_t alpha = toByte(255.0F / kMaxRelief * std::min(relief, kMaxRelief));
     out[i] = red | green << 8U | blue << 16U | alpha << 24U;
   }
 }

@@ -27,8 +27,8 @@ struct BoneLight {
   world::Vec3 glow{0.0F};
 
   int lampCount = 0;
-  std::array<world::Vec3, kMostLamps> lampPosition{};
-  std::array<world::Vec3, kMostLamps> lampColour{};
+  std::array<world::Vec3, kMaxLamps> lampPosition{};
+  std::array<world::Vec3, kMaxLamps> lampColour{};
 
   float clearing = 0.0F;         ///< the logarithm of what a unit of air lets through
   world::Vec3 haze{0.0F};        ///< world::hazeColour() away from the sun

@@ -23,15 +23,15 @@ PointCloud::PointCloud(const Surface& surface) {
 }
 
 world::Rect screenBox(const PointCloud& points, const world::Mat4& toWorld, const world::Camera& camera,
-                      const world::Rect& most) {
+                      const world::Rect& max) {
   const auto [left, right, top, bottom, nearest] =
       extentOf({points.x.data(), points.y.data(), points.z.data(), points.x.size()}, Projection(camera, toWorld));
-  if (nearest < camera.nearDepth) return most;
+  if (nearest < camera.nearDepth) return max;
   // Approximate division may be off by a hair.
   constexpr float kSlack = 0.01F;
-  return {clampedPixel(left - kSlack, most.left, most.right), clampedPixel(top - kSlack, most.top, most.bottom),
-          clampedPixel(right + kSlack + 1.0F, most.left, most.right),
-          clampedPixel(bottom + kSlack + 1.0F, most.top, most.bottom)};
+  return {clampedPixel(left - kSlack, max.left, max.right), clampedPixel(top - kSlack, max.top, max.bottom),
+          clampedPixel(right + kSlack + 1.0F, max.left, max.right),
+          clampedPixel(bottom + kSlack + 1.0F, max.top, max.bottom)};
 }
 
 }  // namespace grove::raster

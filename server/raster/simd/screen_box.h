@@ -23,6 +23,6 @@ struct PointCloud {
 /// the camera. Much tighter than the box of a leaning or turned object, and every pixel less is one less to clear and
 /// copy.
 [[nodiscard]] world::Rect screenBox(const PointCloud& points, const world::Mat4& toWorld, const world::Camera& camera,
-                                    const world::Rect& most);
+                                    const world::Rect& max);
 
 }  // namespace grove::raster

@@ -31,7 +31,7 @@ constexpr double kBackSeconds = 1.2;
 constexpr double kCurvature = 0.35;
 /// What has not been tried is not known: the rate stays within this of what is delivered.
 constexpr double kBeyondDelivered = 1.6;
-constexpr double kBeyondAtLeast = 400e3;
+constexpr double kBeyondAtMin = 400e3;
 constexpr std::size_t kMinWindow = 2;
 constexpr std::size_t kMaxWindow = 24;
 /// More than the idle line's flight may be under way by this; it covers jitter, not queues.
@@ -104,7 +104,7 @@ double LinkEstimator::delivered(double now) const {
 
 void LinkEstimator::grow(double now) {
   const double seconds = std::min(0.1, now - std::exchange(lastGrowth_, now));
-  const double bound = kBeyondDelivered * delivered(now) + kBeyondAtLeast;
+  const double bound = kBeyondDelivered * delivered(now) + kBeyondAtMin;
   if (rate_ > bound) return;
   const double perSecond =
       lastFall_ ? std::min(kMaxGrowth, kCurvature * std::pow(now - *lastFall_ - kBackSeconds, 2.0)) : kFirstGrowth;

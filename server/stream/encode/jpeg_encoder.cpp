@@ -46,10 +46,10 @@ QuantiserRange JpegEncoder::range() const noexcept {
 }
 
 bool JpegEncoder::encode(const raster::Image& image, const EncodeOrder& order, std::vector<std::uint8_t>& out) {
-  const unsigned long most = tjBufSize(image.width(), image.height(), TJSAMP_420);
-  if (most > scratchBytes_) {
-    scratch_ = std::make_unique_for_overwrite<unsigned char[]>(most);
-    scratchBytes_ = most;
+  const unsigned long max = tjBufSize(image.width(), image.height(), TJSAMP_420);
+  if (max > scratchBytes_) {
+    scratch_ = std::make_unique_for_overwrite<unsigned char[]>(max);
+    scratchBytes_ = max;
     touchedBytes_ = 0;
   }
   unsigned char* bytes = scratch_.get();

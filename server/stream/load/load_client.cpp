@@ -27,7 +27,7 @@ constexpr double kCloseSeconds = 1.0;
 constexpr lws_usec_t kInputMicroseconds = 16'000;
 constexpr lws_usec_t kWatchMicroseconds = 20'000;
 constexpr std::size_t kReceiveBytes = 256 * 1024;
-constexpr std::size_t kMostMessageBytes = std::size_t{16} << 20U;
+constexpr std::size_t kMaxMessageBytes = std::size_t{16} << 20U;
 
 constexpr int kTakeAny =
     LCCSCF_ALLOW_SELFSIGNED | LCCSCF_ALLOW_EXPIRED | LCCSCF_ALLOW_INSECURE | LCCSCF_SKIP_SERVER_CERT_HOSTNAME_CHECK;
@@ -263,7 +263,7 @@ int LoadClients::handle(Client& client, lws* wsi, lws_callback_reasons reason, s
 
 void LoadClients::receive(Client& client, lws* wsi, std::span<const std::uint8_t> piece) {
   if (lws_is_first_fragment(wsi) != 0) client.message.clear();
-  if (client.message.size() + piece.size() > kMostMessageBytes) {
+  if (client.message.size() + piece.size() > kMaxMessageBytes) {
     throw EnvironmentError("a message of more than 16 MiB", "server", "is this a Grove server?");
   }
   client.message.insert(client.message.end(), piece.begin(), piece.end());

@@ -10,7 +10,7 @@
 namespace grove::stream {
 namespace {
 
-constexpr std::size_t kMostNameBytes = 64;
+constexpr std::size_t kMaxNameBytes = 64;
 constexpr std::uint32_t kSmallestSide = 16;
 constexpr std::uint32_t kLargestSide = 16384;
 constexpr std::uint8_t kAllKeys =
@@ -42,9 +42,9 @@ ClientMessage parseHello(WireReader reader) {
   hello.width = reader.take<std::uint32_t>();
   hello.height = reader.take<std::uint32_t>();
   if (reader.exhausted() || reader.rest().size() != nameBytes) return wrongLength("Hello");
-  if (nameBytes > kMostNameBytes) return refuseMessage("the name is longer than 64 bytes");
+  if (nameBytes > kMaxNameBytes) return refuseMessage("the name is longer than 64 bytes");
   if (!isGoodSide(hello.width) || !isGoodSide(hello.height)) return badSize(hello.width, hello.height);
-  hello.name = printable(reader.restAsText(), kMostNameBytes);
+  hello.name = printable(reader.restAsText(), kMaxNameBytes);
   return hello;
 }
 
@@ -153,7 +153,7 @@ ClientMessage parseClientMessage(std::span<const std::uint8_t> bytes) {
 }
 
 std::vector<std::uint8_t> encode(const Hello& hello) {
-  const std::string name = printable(hello.name, kMostNameBytes);
+  const std::string name = printable(hello.name, kMaxNameBytes);
   WireWriter writer;
   writer.put(toByte(MessageType::kHello)).put(kProtocolVersion).put(static_cast<std::uint16_t>(name.size()));
   writer.put(hello.width).put(hello.height).put(name);

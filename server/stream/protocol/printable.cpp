@@ -38,7 +38,7 @@ bool isVisible(std::uint32_t code) {
 
 }  // namespace
 
-std::string printable(std::string_view text, std::size_t mostBytes) {
+std::string printable(std::string_view text, std::size_t maxBytes) {
   std::string result;
   while (!text.empty()) {
     const Character character = firstCharacter(text);
@@ -46,7 +46,7 @@ std::string printable(std::string_view text, std::size_t mostBytes) {
     text.remove_prefix(shown.size());
     if (character.bytes != 0 && !isVisible(character.code)) continue;
     if (result.empty() && shown == " ") continue;
-    if (result.size() + shown.size() > mostBytes) break;
+    if (result.size() + shown.size() > maxBytes) break;
     result += shown;
   }
   while (!result.empty() && result.back() == ' ') result.pop_back();

@@ -11,7 +11,7 @@
 namespace grove::stream {
 namespace {
 
-constexpr std::size_t kMostWorldNameBytes = 255;
+constexpr std::size_t kMaxWorldNameBytes = 255;
 constexpr std::size_t kMaxStepBytes = 64;
 constexpr std::uint8_t kAllPercent = 100;
 constexpr std::uint8_t kIndependentFlag = 1;
@@ -36,7 +36,7 @@ ServerMessage parseWelcome(WireReader reader) {
   welcome.pitch = reader.take<float>();
   if (reader.exhausted() || reader.rest().size() != worldBytes) return wrongLength("Welcome");
   if (!areFinite({welcome.yaw, welcome.pitch})) return refuseMessage("the camera's angles are not numbers");
-  welcome.world = printable(reader.restAsText(), kMostWorldNameBytes);
+  welcome.world = printable(reader.restAsText(), kMaxWorldNameBytes);
   return welcome;
 }
 
@@ -170,7 +170,7 @@ ServerMessage parseServerMessage(std::span<const std::uint8_t> bytes) {
 }
 
 std::vector<std::uint8_t> encode(const Welcome& welcome) {
-  const std::string world = printable(welcome.world, kMostWorldNameBytes);
+  const std::string world = printable(welcome.world, kMaxWorldNameBytes);
   WireWriter writer;
   writer.put(toByte(MessageType::kWelcome)).put(kProtocolVersion).put(welcome.framesPerSecond).put(welcome.visitor);
   for (const std::uint32_t shift : {0U, 8U, 16U}) writer.put(static_cast<std::uint8_t>(welcome.colour >> shift));

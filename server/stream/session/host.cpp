@@ -22,7 +22,7 @@ constexpr node::ProcessId kProcess = 1;
 
 int workerCount() { return static_cast<int>(std::max(1U, std::thread::hardware_concurrency())); }
 
-static_assert(node::kMostQuality == measure::kQualitySteps - 1);
+static_assert(node::kMaxQuality == measure::kQualitySteps - 1);
 
 }  // namespace
 
@@ -92,8 +92,8 @@ std::variant<std::shared_ptr<Session>, Refusal> Host::open(const Hello& hello, F
   {
     const std::lock_guard lock(mutex_);
     if (stopping_) return Refusal{CloseCode::kGoingAway, "the server stops"};
-    if (sessions_.size() >= static_cast<std::size_t>(options_.mostVisitors)) {
-      return Refusal{CloseCode::kFull, "the world is full (" + std::to_string(options_.mostVisitors) + " visitors)"};
+    if (sessions_.size() >= static_cast<std::size_t>(options_.maxVisitors)) {
+      return Refusal{CloseCode::kFull, "the world is full (" + std::to_string(options_.maxVisitors) + " visitors)"};
     }
     id = node::makeId(kProcess, nextSession_++);
     sessions_[id] = {};  // keeps the place
@@ -194,7 +194,7 @@ void Host::takeStock(int visitors) {
   }
   const int step = policy_.update(pipeline::wallSeconds(), load);
   if (step == quality_.exchange(step)) return;
-  log::info("quality of shared work: step " + std::to_string(step) + " of " + std::to_string(node::kMostQuality));
+  log::info("quality of shared work: step " + std::to_string(step) + " of " + std::to_string(node::kMaxQuality));
   shared_->setQuality(step);
 }
 

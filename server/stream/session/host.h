@@ -39,7 +39,7 @@ struct HostOptions {
   double deadlineSeconds = 0.5;
   /// Deadline of those who measure or compare frames, and would rather wait than leave anything out.
   static constexpr double kNoHurry = 60.0;
-  int mostVisitors = 16;
+  int maxVisitors = 16;
   int jpegQuality = 75;
   /// The control experiment, one console per player: every visitor gets copies of his own of all that backend nodes
   /// hold, simulations with clocks of their own, views that nobody shares.
@@ -86,7 +86,7 @@ class Host {
   [[nodiscard]] const world::Layout& layout() const noexcept { return scene_.layout; }
   [[nodiscard]] world::Players& players() noexcept { return *players_; }
   [[nodiscard]] const pipeline::Timeline& timeline() const noexcept { return timeline_; }
-  /// The step that across-user work is at, 0 to node::kMostQuality.
+  /// The step that across-user work is at, 0 to node::kMaxQuality.
   [[nodiscard]] int quality() const noexcept { return quality_; }
   /// Told anew about once a second.
   [[nodiscard]] const measure::AmortizationMeter& meter() const noexcept { return meter_; }

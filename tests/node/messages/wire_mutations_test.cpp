@@ -35,7 +35,7 @@ bool isSound(const Request& request) {
          request.rect.left <= request.rect.right && request.rect.top <= request.rect.bottom && request.distance >= 0.0F;
 }
 bool isSound(const Cancel& cancel) { return cancel.session != 0 && cancel.frame != 0; }
-bool isSound(const Quality& quality) { return quality.step >= 0 && quality.step <= kMostQuality; }
+bool isSound(const Quality& quality) { return quality.step >= 0 && quality.step <= kMaxQuality; }
 bool isSound(const Forget& forget) { return forget.session != 0; }
 bool isSound(const NodeWelcome& welcome) { return welcome.objects.size() <= kMaxServedObjects; }
 bool isSound(const NodeRefusal& refusal) { return refusal.reason.size() <= kMaxReasonBytes; }

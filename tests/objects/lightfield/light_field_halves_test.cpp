@@ -174,8 +174,8 @@ LightField* LightFieldHalves::field_ = nullptr;
 
 struct Fades {
   int going = 0;
-  float least = 1.0F;  ///< share of the finer ones
-  float most = 0.0F;
+  float min = 1.0F;  ///< share of the finer ones
+  float max = 0.0F;
 };
 
 Fades fadesOf(const std::vector<Shown>& shown) {
@@ -183,8 +183,8 @@ Fades fadesOf(const std::vector<Shown>& shown) {
   for (const auto& [payload, fade] : shown) {
     if (!fade.from) continue;
     ++fades.going;
-    fades.least = std::min(fades.least, fade.share);
-    fades.most = std::max(fades.most, fade.share);
+    fades.min = std::min(fades.min, fade.share);
+    fades.max = std::max(fades.max, fade.share);
   }
   return fades;
 }
@@ -222,10 +222,10 @@ TEST_F(LightFieldHalves, AFinerLightFieldComesWithoutAJump) {
     const Fades fades = fadesOf(payloads);
     if (fades.going == 0) continue;
     if (std::exchange(isFirst, false)) {
-      EXPECT_LT(fades.least, 0.01F);
+      EXPECT_LT(fades.min, 0.01F);
     }
-    EXPECT_LT(fades.most - last, 0.1F) << "no more than a frame's share at once";
-    last = std::max(last, fades.most);
+    EXPECT_LT(fades.max - last, 0.1F) << "no more than a frame's share at once";
+    last = std::max(last, fades.max);
     ++seen[fades.going];
   }
   ASSERT_GT(objects, 5);

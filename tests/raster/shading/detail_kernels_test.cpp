@@ -73,9 +73,7 @@ class PatchyWall {
     return {surface[i] & 0xFFU, surface[i] >> 8U & 0xFFU, surface[i] >> 16U & 0xFFU};
   }
   [[nodiscard]] float lichen(std::size_t i) const { return static_cast<float>(surface[i] >> 24U & 0xFU) / 15.0F; }
-  [[nodiscard]] float relief(std::size_t i) const {
-    return static_cast<float>(surface[i] >> 28U) * kMostRelief / 15.0F;
-  }
+  [[nodiscard]] float relief(std::size_t i) const { return static_cast<float>(surface[i] >> 28U) * kMaxRelief / 15.0F; }
 
   std::vector<std::uint32_t> surface;
   std::vector<float> depth;

@@ -92,7 +92,7 @@ glm::dvec4 plainLight(const Vertex& vertex, const world::Vec4& seen, const BoneL
                         (glm::dot(lit, Vec3d(1.0)) + static_cast<double>(vertex.emission));
   const auto display = [](double linear) { return 255.0 * world::toDisplay(static_cast<float>(linear)); };
   return {display(radiance.r), display(radiance.g), display(radiance.b),
-          255.0 * std::min(relief / static_cast<double>(kMostRelief), 1.0)};
+          255.0 * std::min(relief / static_cast<double>(kMaxRelief), 1.0)};
 }
 
 /// Fails if a target leaves a term or a vertex out. Rounding is half a step, the display curve 0.3 and more.

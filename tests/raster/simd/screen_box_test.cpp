@@ -15,8 +15,8 @@ TEST(ScreenBox, HoldsEveryPointAndIsNoLargerThanTheBounds) {
   place.position = {1.0F, 0.0F, -6.0F};
   place.yaw = 0.8F;
   const world::Camera camera;
-  const world::Rect most = camera.screenRect(place.apply(stone.bounds()));
-  const world::Rect box = screenBox(points, place.matrix(), camera, most);
+  const world::Rect max = camera.screenRect(place.apply(stone.bounds()));
+  const world::Rect box = screenBox(points, place.matrix(), camera, max);
   for (const Vertex& vertex : stone.vertices) {
     const world::Vec3 at = camera.project(world::Vec3(place.matrix() * world::Vec4(vertex.position, 1.0F)));
     ASSERT_GE(at.x, static_cast<float>(box.left) - 0.01F);
@@ -24,13 +24,13 @@ TEST(ScreenBox, HoldsEveryPointAndIsNoLargerThanTheBounds) {
     ASSERT_GE(at.y, static_cast<float>(box.top) - 0.01F);
     ASSERT_LE(at.y, static_cast<float>(box.bottom) + 0.01F);
   }
-  EXPECT_LT(box.width() * box.height(), most.width() * most.height());
+  EXPECT_LT(box.width() * box.height(), max.width() * max.height());
 }
 
 TEST(ScreenBox, IsEverythingIfAPointIsBehindTheEye) {
   const PointCloud points(makeBox({1.2F, 3.0F, 0.7F}, world::Vec3(0.5F)));
-  const world::Rect most{10, 20, 300, 400};
-  EXPECT_EQ(screenBox(points, world::Mat4(1.0F), world::Camera(), most), most);
+  const world::Rect max{10, 20, 300, 400};
+  EXPECT_EQ(screenBox(points, world::Mat4(1.0F), world::Camera(), max), max);
 }
 
 TEST(TilePacker, TilesDoNotOverlapAndAFullAtlasRefuses) {

@@ -80,8 +80,8 @@ TEST_F(LoadClientTest, WalksToWhereItsWalkBeginsBeforeItCounts) {
 }
 
 TEST_F(LoadClientTest, CountsThoseThatFindNoPlace) {
-  const LoadReport report = runLoadClients({"127.0.0.1", port()}, plan(kMostVisitors + 2, 0.3));
-  EXPECT_EQ(report.sessions, kMostVisitors);
+  const LoadReport report = runLoadClients({"127.0.0.1", port()}, plan(kMaxVisitors + 2, 0.3));
+  EXPECT_EQ(report.sessions, kMaxVisitors);
   EXPECT_EQ(report.errors.size(), 2U);
   EXPECT_THAT(report.errors, Contains(HasSubstr("4002")));
 }

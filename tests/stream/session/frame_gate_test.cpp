@@ -60,11 +60,11 @@ TEST(FrameGate, NeitherLosesNorDoublesPlacesUnderManyThreads) {
   FrameGate gate(kPlaces);
   gate.workerIs(true);
   std::atomic<int> inside{0};
-  std::atomic<int> most{0};
+  std::atomic<int> max{0};
   std::atomic<int> done{0};
   const auto work = [&] {
     const int now = ++inside;
-    for (int seen = most; seen < now && !most.compare_exchange_weak(seen, now);) {
+    for (int seen = max; seen < now && !max.compare_exchange_weak(seen, now);) {
     }
     --inside;
     ++done;
@@ -94,7 +94,7 @@ TEST(FrameGate, NeitherLosesNorDoublesPlacesUnderManyThreads) {
   over = true;
   worker.join();
   EXPECT_EQ(done, kThreads * kTurns);
-  EXPECT_LE(most, kPlaces);
+  EXPECT_LE(max, kPlaces);
   for (int i = 0; i < kPlaces; ++i) EXPECT_TRUE(gate.enter({}));
   EXPECT_FALSE(gate.enter([] {}));
 }

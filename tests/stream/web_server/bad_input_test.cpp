@@ -190,7 +190,7 @@ TEST_F(BadInput, DisconnectsInTheMiddleOfAMessage) {
 
 TEST_F(BadInput, MoreVisitorsThanPlaces) {
   std::vector<std::unique_ptr<GoodClient>> others;
-  for (int i = 1; i < kMostVisitors; ++i) {
+  for (int i = 1; i < kMaxVisitors; ++i) {
     others.push_back(std::make_unique<GoodClient>(port()));
     EXPECT_TRUE(others.back()->receiveFrames(1));
   }

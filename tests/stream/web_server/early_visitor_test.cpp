@@ -27,7 +27,7 @@ class EarlyVisitorTest : public testing::Test {
   void makeWorld() {
     node::LoadedScene scene;
     scene.layout.name = "Late";
-    host_.emplace(std::move(scene), types_, gl_, HostOptions{.mostVisitors = 1}, [](std::string_view, float) {});
+    host_.emplace(std::move(scene), types_, gl_, HostOptions{.maxVisitors = 1}, [](std::string_view, float) {});
     server_.open(*host_);
   }
 

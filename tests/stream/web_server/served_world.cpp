@@ -37,7 +37,7 @@ bool GoodClient::receiveFrames(int count) {
 
 ServedWorld::ServedWorld()
     : gl_(gl::ContextKind::kAuto, shaders_, 1),
-      host_(emptyWorld(), types_, gl_, {.mostVisitors = kMostVisitors}, [](std::string_view, float) {}),
+      host_(emptyWorld(), types_, gl_, {.maxVisitors = kMaxVisitors}, [](std::string_view, float) {}),
       server_(host_, {.visitors = {"127.0.0.1", 0}, .operators = {}}) {
   server_.start();
 }

@@ -30,7 +30,7 @@ class GoodClient {
 /// A real server with an empty world and room for four, on a free port.
 class ServedWorld : public testing::Test {
  protected:
-  static constexpr int kMostVisitors = 4;
+  static constexpr int kMaxVisitors = 4;
   ServedWorld();
 
   [[nodiscard]] int port() const { return server_.port(); }

@@ -36,8 +36,8 @@ std::vector<int> usersOf(const BenchAmortizeOptions& options) {
   if (options.users.empty()) return {1, 2, 4, 8};
   std::vector<int> users = options.users;
   std::ranges::sort(users);
-  if (users.front() < 1 || users.back() > kMostAmortizeUsers) {
-    throw Refused("--users must be from 1 to " + std::to_string(kMostAmortizeUsers));
+  if (users.front() < 1 || users.back() > kMaxAmortizeUsers) {
+    throw Refused("--users must be from 1 to " + std::to_string(kMaxAmortizeUsers));
   }
   if (const auto twice = std::ranges::adjacent_find(users); twice != users.end()) {
     throw Refused("--users has " + std::to_string(*twice) + " twice");

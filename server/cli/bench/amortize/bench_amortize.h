@@ -22,7 +22,7 @@ struct BenchAmortizeOptions {
 };
 
 /// Most visitors that can be asked for.
-inline constexpr int kMostAmortizeUsers = 1024;
+inline constexpr int kMaxAmortizeUsers = 1024;
 
 /// Serves visitors that share a world and visitors who have one each, and prints what sharing saves. Returns the
 /// process's exit code: 0, also if a signal ended it early, or 2 with a line on stderr for bad options or if so many

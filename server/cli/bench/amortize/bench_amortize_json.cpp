@@ -47,7 +47,7 @@ Json rowJson(const AmortizeRow& row) {
   json.update({{"beta", number(memory.beta())},
                {"cpu_cores", number(row.cpuCores)},
                {"fps", number(row.fps())},
-               {"fps_least", number(row.fpsLeast)},
+               {"fps_least", number(row.fpsMin)},
                {"saturated", row.saturated()},
                {"cores_needed", number(row.coresNeeded())},
                {"unaccounted_cores", {{"driver", number(row.driverCores)}, {"other", number(row.otherCores())}}},

@@ -25,8 +25,8 @@ Series over(const char* name, const std::vector<AmortizeRow>& rows, bool private
 Panel coresPanel(const AmortizeResult& result) {
   const AmortizeLaw law = amortizeLaw(result.rows, result.cores);
   Panel panel{.title = "Cores for 30 frames a second each", .xLabel = kVisitors, .yLabel = "cores", .series = {}};
-  int most = 1;
-  for (const AmortizeRow& row : result.rows) most = std::max(most, row.users);
+  int max = 1;
+  for (const AmortizeRow& row : result.rows) max = std::max(max, row.users);
   const auto add = [&](const char* name, const char* fitName, bool privateWorlds, const ModeFit& fit) {
     Series& points = panel.series.emplace_back(
         over(name, result.rows, privateWorlds, [](const AmortizeRow& row) { return row.coresNeeded(); }));
@@ -36,11 +36,11 @@ Panel coresPanel(const AmortizeResult& result) {
     const double from =
         fit.line->at(0.0) < 0.0 && fit.line->b.value > 0.0 ? -fit.line->a.value / fit.line->b.value : 0.0;
     panel.series.push_back(
-        {.name = fitName, .points = {{from, fit.line->at(from)}, {most, fit.line->at(most)}}, .marks = false});
+        {.name = fitName, .points = {{from, fit.line->at(from)}, {max, fit.line->at(max)}}, .marks = false});
   };
   add("shared", "fit", false, law.shared);
   add("private", "fit", true, law.unshared);
-  panel.series.push_back({.name = "this machine", .points = {{0.0, law.cores}, {most, law.cores}}, .marks = false});
+  panel.series.push_back({.name = "this machine", .points = {{0.0, law.cores}, {max, law.cores}}, .marks = false});
   return panel;
 }
 

@@ -23,7 +23,7 @@ namespace {
 using std::chrono::milliseconds;
 
 constexpr milliseconds kInputPeriod{16};
-constexpr double kMostWarmUp = 4.0;  ///< seconds
+constexpr double kMaxWarmUp = 4.0;   ///< seconds
 constexpr double kPatience = 180.0;  ///< seconds without a further world getting ready
 
 std::string described(const AmortizeRun& run) {
@@ -36,7 +36,7 @@ stream::HostOptions hostOptions(const AmortizeRun& run) {
   stream::HostOptions options;
   options.deadlineSeconds = stream::HostOptions::kNoHurry;
   options.framesPerSecond = static_cast<int>(kNominalFps);
-  options.mostVisitors = run.users;
+  options.maxVisitors = run.users;
   options.privateWorlds = run.privateWorlds;
   options.makeTransport = node::transportFactory(run.transport);
   return options;
@@ -161,7 +161,7 @@ std::optional<AmortizeRow> runAmortize(const world::Scene& scene, const gl::Shad
   if (!everybodySees(walkers, run, stop)) return std::nullopt;
 
   const double begin = pipeline::wallSeconds();
-  const double warm = begin + std::min(kMostWarmUp, 2.0 * run.seconds);
+  const double warm = begin + std::min(kMaxWarmUp, 2.0 * run.seconds);
   if (!walkUntil(walkers, begin, stop, [&] { return pipeline::wallSeconds() >= warm; })) return std::nullopt;
 
   log::info(described(run) + ": measuring");
@@ -183,15 +183,15 @@ std::optional<AmortizeRow> runAmortize(const world::Scene& scene, const gl::Shad
   row.privateWorlds = run.privateWorlds;
   row.seconds = after.seconds - before.seconds;
   row.traffic = served.host.traffic() - trafficBefore;
-  std::uint64_t least = walkers.front()->framesCounted();
+  std::uint64_t min = walkers.front()->framesCounted();
   std::vector<float> latencies;
   for (const auto& walker : walkers) {
     row.frames += static_cast<double>(walker->framesCounted());
-    least = std::min(least, walker->framesCounted());
+    min = std::min(min, walker->framesCounted());
     const auto more = walker->latencies();
     latencies.insert(latencies.end(), more.begin(), more.end());
   }
-  row.fpsLeast = static_cast<double>(least) / row.seconds;
+  row.fpsMin = static_cast<double>(min) / row.seconds;
   row.latencyP50 = stream::percentile(latencies, 0.5);
   row.latencyP99 = stream::percentile(std::move(latencies), 0.99);
   measure::Served who;

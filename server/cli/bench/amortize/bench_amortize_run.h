@@ -34,7 +34,7 @@ struct AmortizeRow {
   bool privateWorlds = false;
   double seconds = 0.0;     ///< that were measured
   double frames = 0.0;      ///< of all visitors together
-  double fpsLeast = 0.0;    ///< of the visitor who got the fewest
+  double fpsMin = 0.0;      ///< of the visitor who got the fewest
   double latencyP50 = 0.0;  ///< ms, from sending an input to the first frame that shows it
   double latencyP99 = 0.0;
   std::map<std::string, measure::FrameCost> costs;     ///< by type of object

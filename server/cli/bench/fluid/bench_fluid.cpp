@@ -104,8 +104,8 @@ int runBenchFluid(const BenchFluidOptions& options) {
     std::fputs("bench fluid: --steps must be from 1 to 100000\n", stderr);
     return 2;
   }
-  if (options.threads < 1 || options.threads > BenchFluidOptions::kMostThreads) {
-    std::fprintf(stderr, "bench fluid: --threads must be from 1 to %d\n", BenchFluidOptions::kMostThreads);
+  if (options.threads < 1 || options.threads > BenchFluidOptions::kMaxThreads) {
+    std::fprintf(stderr, "bench fluid: --threads must be from 1 to %d\n", BenchFluidOptions::kMaxThreads);
     return 2;
   }
 

@@ -6,10 +6,10 @@ namespace grove::cli {
 struct BenchFluidOptions {
   int grid = 64;    ///< cells per edge; a multiple of 8 from 16 to 128
   int steps = 100;  ///< measured, after a warm-up
-  int threads = 1;  ///< that share a step, from 1 to kMostThreads
+  int threads = 1;  ///< that share a step, from 1 to kMaxThreads
   bool json = false;
 
-  static constexpr int kMostThreads = 16;
+  static constexpr int kMaxThreads = 16;
 };
 
 /// Simulates a fire amid standing stones, a ball and a walking visitor, and prints what a step takes and how exact it

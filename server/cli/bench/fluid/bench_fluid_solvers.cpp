@@ -30,8 +30,8 @@ using fluid::Field;
 using fluid::Layout;
 using fluid::SolidGrid;
 
-constexpr double kExact = 1.0e-6;             // relative residual: about what floats can tell
-constexpr double kMostCpuMsPerCell = 6.0e-4;  // then a solver is given up
+constexpr double kExact = 1.0e-6;            // relative residual: about what floats can tell
+constexpr double kMaxCpuMsPerCell = 6.0e-4;  // then a solver is given up
 
 struct Point {
   int iterations = 0;
@@ -188,7 +188,7 @@ class Solvers {
 };
 
 /// Until the residual is as small as floats allow, or no longer falls, or it takes too long.
-std::vector<Point> curve(const Solver& solver, const Solvers& solvers, double mostCpuMs) {
+std::vector<Point> curve(const Solver& solver, const Solvers& solvers, double maxCpuMs) {
   constexpr int kRepeats = 3;
   std::vector<Point> points;
   for (int iterations = 1; iterations <= 4096; iterations += std::max(1, iterations / 3)) {
@@ -202,7 +202,7 @@ std::vector<Point> curve(const Solver& solver, const Solvers& solvers, double mo
     points.push_back(point);
     const bool stuck =
         points.size() > 1 && iterations < 12 && point.residual > 0.9 * points[points.size() - 2].residual;
-    if (point.residual < kExact || point.cpuMs > mostCpuMs || (stuck && point.residual < 1.0e-4)) break;
+    if (point.residual < kExact || point.cpuMs > maxCpuMs || (stuck && point.residual < 1.0e-4)) break;
   }
   return points;
 }
@@ -215,7 +215,7 @@ int runBenchFluidSolvers(const BenchFluidSolversOptions& options) {
     return 2;
   }
   const double cells = static_cast<double>(options.grid) * options.grid * options.grid;
-  const double mostCpuMs = kMostCpuMsPerCell * cells;
+  const double maxCpuMs = kMaxCpuMsPerCell * cells;
   nlohmann::ordered_json report = {{"grid", options.grid}, {"cases", nlohmann::ordered_json::array()}};
   std::vector<measure::Panel> panels;
   for (const Case& scene : cases(options.grid)) {
@@ -224,7 +224,7 @@ int runBenchFluidSolvers(const BenchFluidSolversOptions& options) {
     for (const Solver& solver : solvers.all()) {
       nlohmann::ordered_json points = nlohmann::ordered_json::array();
       measure::Series series{solver.name, {}};
-      for (const Point& point : curve(solver, solvers, mostCpuMs)) {
+      for (const Point& point : curve(solver, solvers, maxCpuMs)) {
         points.push_back({{"iterations", point.iterations}, {"cpu_ms", point.cpuMs}, {"residual", point.residual}});
         series.points.emplace_back(point.cpuMs, point.residual);
         if (!options.json) {

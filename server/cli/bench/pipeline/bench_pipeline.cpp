@@ -249,7 +249,7 @@ int runBenchPipeline(const BenchPipelineOptions& options) {
     hosting.deadlineSeconds = stream::HostOptions::kNoHurry;
     hosting.framesInFlight = framesInFlight;
     hosting.framesPerSecond = kFramesPerSecond;
-    hosting.mostVisitors = options.users;
+    hosting.maxVisitors = options.users;
     hosting.timelineEvents = kTimelineEvents;
     hosting.makeTransport = node::transportFactory(options.transport);
     stream::Host host(node::loadScene(scene, types.backends), types, gl, hosting,

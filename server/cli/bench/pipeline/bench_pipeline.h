@@ -10,7 +10,7 @@ namespace grove::cli {
 
 /// `grove bench pipeline`.
 struct BenchPipelineOptions {
-  std::vector<int> framesInFlight = {1, 4};  ///< each 1 to node::kMostFramesInFlight, each once
+  std::vector<int> framesInFlight = {1, 4};  ///< each 1 to node::kMaxFramesInFlight, each once
   int users = 1;
   double seconds = 5.0;              ///< measured for each number, after a warm-up
   std::optional<std::string> scene;  ///< file; default: the grove

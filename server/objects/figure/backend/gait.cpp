@@ -22,7 +22,7 @@ Mat4 swung(const Mat4& body, float height, float angle) {
 
 }  // namespace
 
-std::array<Mat4, raster::kMostBones> bonesOf(const world::Player& player, const world::Transform& transform) {
+std::array<Mat4, raster::kMaxBones> bonesOf(const world::Player& player, const world::Transform& transform) {
   const float phase = player.stride * 6.2831853F / kStrideMetres;
   const float pace = std::min(1.0F, std::hypot(player.velocity.x, player.velocity.z) / world::kWalkSpeed);
   const float swing = kSwing * pace * std::sin(phase);

@@ -12,7 +12,7 @@ constexpr float kFadeFrom = 14.0F;      // metres
 constexpr float kFadeTo = 25.0F;        // metres
 constexpr float kPanelShare = 0.42F;    // opacity behind the letters
 constexpr int kPadding = 4;             // pixels
-constexpr std::size_t kMostMasks = 64;
+constexpr std::size_t kMaxMasks = 64;
 
 std::uint32_t blended(std::uint32_t under, float white, float opacity) {
   std::uint32_t result = under & 0xFF000000U;
@@ -42,7 +42,7 @@ const LabelMask& FigureLabels::maskOf(const std::string& name, int pixels) {
   const std::pair<std::string, int> key(name, pixels);
   const auto it = masks_.find(key);
   if (it != masks_.end()) return it->second;
-  if (masks_.size() >= kMostMasks) masks_.clear();
+  if (masks_.size() >= kMaxMasks) masks_.clear();
   return masks_.emplace(key, font_.draw(name, pixels)).first->second;
 }
 

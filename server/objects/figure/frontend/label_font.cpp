@@ -48,7 +48,7 @@ LabelMask LabelFont::draw(std::string_view text, int pixels) const {
   int gap = 0;
   stbtt_GetFontVMetrics(font, &ascent, &descent, &gap);
   std::vector<std::uint32_t> points = decodeUtf8(text);
-  points.resize(std::min(points.size(), std::size_t{kMostCharacters}));
+  points.resize(std::min(points.size(), std::size_t{kMaxCharacters}));
 
   std::vector<float> starts;
   float pen = 1.0F;

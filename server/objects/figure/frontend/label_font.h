@@ -22,10 +22,10 @@ class LabelFont {
   LabelFont(LabelFont&&) noexcept;
   LabelFont& operator=(LabelFont&&) noexcept;
 
-  /// Draws UTF-8 text; what is not UTF-8 becomes U+FFFD, and at most `kMostCharacters` are drawn.
+  /// Draws UTF-8 text; what is not UTF-8 becomes U+FFFD, and at most `kMaxCharacters` are drawn.
   [[nodiscard]] LabelMask draw(std::string_view text, int pixels) const;
 
-  static constexpr int kMostCharacters = 32;
+  static constexpr int kMaxCharacters = 32;
 
  private:
   struct Face;

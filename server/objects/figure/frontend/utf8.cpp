@@ -7,7 +7,7 @@ namespace grove::objects::figure {
 std::vector<std::uint32_t> decodeUtf8(std::string_view text) {
   constexpr std::uint32_t kReplacement = 0xFFFD;
   // The least value that a sequence of so many further bytes may carry.
-  constexpr std::array<std::uint32_t, 4> kLeast = {0, 0x80, 0x800, 0x10000};
+  constexpr std::array<std::uint32_t, 4> kMin = {0, 0x80, 0x800, 0x10000};
   std::vector<std::uint32_t> points;
   for (std::size_t i = 0; i < text.size();) {
     const auto lead = static_cast<unsigned char>(text[i]);
@@ -20,7 +20,7 @@ std::vector<std::uint32_t> decodeUtf8(std::string_view text) {
       valid = (next & 0xC0U) == 0x80U;
       point = point << 6U | (next & 0x3FU);
     }
-    valid = valid && point >= kLeast[more] && point <= 0x10FFFFU && (point < 0xD800U || point > 0xDFFFU);
+    valid = valid && point >= kMin[more] && point <= 0x10FFFFU && (point < 0xD800U || point > 0xDFFFU);
     points.push_back(valid ? point : kReplacement);
     i += valid ? more + 1 : 1;
   }

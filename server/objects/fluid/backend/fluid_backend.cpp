@@ -113,7 +113,7 @@ class FluidBackend::Fire {
     return std::make_unique<FluidSimulation>(settings_, place, geometry_.solids(), geometry_.rays(), cells);
   }
 
-  [[nodiscard]] int cells() const noexcept { return cellsAt(settings_.grid, std::min<int>(quality_, mostQuality_)); }
+  [[nodiscard]] int cells() const noexcept { return cellsAt(settings_.grid, std::min<int>(quality_, maxQuality_)); }
 
   /// Smoke in slow motion is worse than smoke on the scene's grid: a step is given up for good if its ticks need more
   /// than a core has time for. Waiting does not count, which another load brings and takes away. On the scene's own
@@ -125,9 +125,9 @@ class FluidBackend::Fire {
       reportSlowMotion(cpuNanoseconds);
       return;
     }
-    int step = mostQuality_;
+    int step = maxQuality_;
     while (step > 0 && cellsAt(settings_.grid, step) >= now) --step;
-    mostQuality_ = step;
+    maxQuality_ = step;
     simulation_.setCells(cells());
     log::info(name_ + ": " + std::to_string(now) + " cells to an edge are too many for this machine");
   }
@@ -188,8 +188,8 @@ class FluidBackend::Fire {
   const FluidSettings settings_;
   ScalableSimulation simulation_;
   pipeline::HeldMemory held_;
-  std::atomic<int> quality_ = 0;                       ///< as wished
-  std::atomic<int> mostQuality_ = node::kMostQuality;  ///< that is done in time
+  std::atomic<int> quality_ = 0;                     ///< as wished
+  std::atomic<int> maxQuality_ = node::kMaxQuality;  ///< that is done in time
   Pace pace_;
   node::WorldMirror::Cursor cursor_ = 0;
   bool isSlow_ = false;  ///< and that was reported

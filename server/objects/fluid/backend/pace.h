@@ -7,13 +7,13 @@ namespace grove::objects::fluid {
 class Pace {
  public:
   /// `period` in seconds.
-  explicit Pace(double period) noexcept : most_(kShare * period) {}
+  explicit Pace(double period) noexcept : max_(kShare * period) {}
 
   /// Takes what the thread needed for a tick; true if the last kTicks together took too long.
   [[nodiscard]] bool tooSlow(double seconds) noexcept {
     sum_ += seconds;
     if (++ticks_ < kTicks) return false;
-    const bool slow = sum_ > most_ * kTicks;
+    const bool slow = sum_ > max_ * kTicks;
     restart();
     return slow;
   }
@@ -27,7 +27,7 @@ class Pace {
   static constexpr double kShare = 0.95;  ///< of the period
 
  private:
-  const double most_;
+  const double max_;
   double sum_ = 0.0;
   int ticks_ = 0;
 };

@@ -12,12 +12,12 @@
 namespace grove::objects::fluid {
 
 int cellsAt(int grid, int quality) {
-  constexpr std::array<double, node::kMostQuality + 1> kTimes{1.0, 1.5, 2.0};
-  assert(quality >= 0 && quality <= node::kMostQuality);
-  constexpr int kMost = 128;
+  constexpr std::array<double, node::kMaxQuality + 1> kTimes{1.0, 1.5, 2.0};
+  assert(quality >= 0 && quality <= node::kMaxQuality);
+  constexpr int kMax = 128;
   constexpr int kMultiple = 8;
   const double cells = grid * kTimes[static_cast<std::size_t>(quality)];
-  return std::min(static_cast<int>(cells / kMultiple + 0.5) * kMultiple, kMost);
+  return std::min(static_cast<int>(cells / kMultiple + 0.5) * kMultiple, kMax);
 }
 
 ScalableSimulation::ScalableSimulation(Make make, int cells)

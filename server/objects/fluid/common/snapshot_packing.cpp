@@ -122,7 +122,7 @@ Header takeHeader(std::span<const std::byte> bytes) {
   if (header.magic != kMagic) refuse("not packed smoke");
   if (header.version != kVersion) refuse("version " + std::to_string(header.version) + " is unknown");
   if (header.zero != 0 || header.checksum != checksumOf(bytes)) refuse("it is damaged");
-  if (header.count > kMostPackedParticles || header.survivors > header.count) refuse("too many particles");
+  if (header.count > kMaxPackedParticles || header.survivors > header.count) refuse("too many particles");
   constexpr std::int32_t kFar = 1 << 24;
   const bool isNear = std::ranges::all_of(header.low, [](std::int32_t low) { return low >= -kFar && low <= kFar; });
   if (std::isnan(header.time) || !isNear) refuse("its numbers make no sense");
@@ -142,7 +142,7 @@ SnapshotSteps baseOf(const Header& header, const FluidSnapshot* known) {
 }  // namespace
 
 node::PackedBytes packSnapshot(const FluidSnapshot& snapshot, const FluidSnapshot* base) {
-  assert(snapshot.count() <= kMostPackedParticles);
+  assert(snapshot.count() <= kMaxPackedParticles);
   if (base != nullptr && (base->tick >= snapshot.tick || snapshot.tick - base->tick > kMaxTicks)) base = nullptr;
   const SnapshotSteps steps = stepsOf(snapshot);
   const SnapshotSteps before = base == nullptr ? SnapshotSteps{} : stepsOf(*base);

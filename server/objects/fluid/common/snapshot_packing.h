@@ -19,7 +19,7 @@
 ///         24     8  tick
 ///         32     8  tick of the base
 ///         40     4  particles of the base; 0: there is none
-///         44     4  particles, at most kMostPackedParticles
+///         44     4  particles, at most kMaxPackedParticles
 ///         48     4  of these, those that were in the base
 ///         52    12  the lowest x, y, z, steps, three signed numbers
 ///         64     -  frames of Zstandard
@@ -34,7 +34,7 @@
 /// its steps, so errors do not add up.
 namespace grove::objects::fluid {
 
-inline constexpr std::size_t kMostPackedParticles = 1 << 20;
+inline constexpr std::size_t kMaxPackedParticles = 1 << 20;
 
 /// The differences to `base`, which is null if the reader knows none. Any thread.
 [[nodiscard]] node::PackedBytes packSnapshot(const FluidSnapshot& snapshot, const FluidSnapshot* base = nullptr);

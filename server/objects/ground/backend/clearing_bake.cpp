@@ -21,7 +21,7 @@ constexpr float kOcclusionReach = 3.0F;  // metres around solids within which th
 constexpr float kStart = 0.03F;          // metres above the ground
 // What lies under a stone is never seen, but lends its values to the grass at the stone's foot: no deep darkness, and
 // sunlight only close to the side that the sun shines on, or a bright seam would part the stone from its shadow.
-constexpr float kLeastSky = 0.45F;
+constexpr float kMinSky = 0.45F;
 constexpr float kStoneMargin = 0.13F;   // metres
 constexpr float kTallestSolid = 12.0F;  // metres
 constexpr int kCell = 4;                // texels between probes of sun and sky
@@ -109,7 +109,7 @@ class Baker {
     const float cellX = (static_cast<float>(x) + 0.5F) * scale;
     const float cellY = (static_cast<float>(y) + 0.5F) * scale;
     const Vec3 point = place(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F, options_.size);
-    return ground(point, sunlight(point, cellX, cellY), std::max(kLeastSky, sky_.smooth(cellX, cellY)));
+    return ground(point, sunlight(point, cellX, cellY), std::max(kMinSky, sky_.smooth(cellX, cellY)));
   }
 
   [[nodiscard]] int cells() const noexcept { return cells_; }

@@ -16,10 +16,10 @@ namespace grove::objects::lightfield {
 namespace {
 
 /// A picture takes milliseconds: small batches keep all threads at work on one frame.
-constexpr std::size_t kMostAtOnce = 4;
+constexpr std::size_t kMaxAtOnce = 4;
 
 /// Of the scene's permitted error, by quality.
-constexpr std::array<float, node::kMostQuality + 1> kErrorShares{1.0F, 0.75F, 0.5F};
+constexpr std::array<float, node::kMaxQuality + 1> kErrorShares{1.0F, 0.75F, 0.5F};
 
 /// What a core samples in a second, shadows and all: 25 to 31 ns a texel were measured on a Xeon with AVX-512, for
 /// visitors who walk among trees in the default world.
@@ -55,7 +55,7 @@ LightFieldBackend::LightFieldBackend(const node::BackendServices& services, worl
 LightFieldBackend::~LightFieldBackend() = default;
 
 void LightFieldBackend::setQuality(int step) {
-  assert(step >= 0 && step <= node::kMostQuality);
+  assert(step >= 0 && step <= node::kMaxQuality);
   maxError_ = kErrorShares[static_cast<std::size_t>(step)] * options_.maxError;
   announceInfo();
 }
@@ -67,7 +67,7 @@ void LightFieldBackend::announceInfo() {
 
 double LightFieldBackend::texelsPerSecond(int cores) noexcept { return kShareOfCores * kTexelsPerCoreSecond * cores; }
 
-std::size_t LightFieldBackend::mostAtOnce() const { return kMostAtOnce; }
+std::size_t LightFieldBackend::maxAtOnce() const { return kMaxAtOnce; }
 
 void LightFieldBackend::answer(std::span<const node::Request> requests, std::span<node::Payload> payloads) {
   for (std::size_t i = 0; i < requests.size(); ++i) payloads[i] = answerOne(requests[i]);

@@ -23,7 +23,7 @@ class LightFieldBackend final : public node::BackendHalf {
   [[nodiscard]] node::NodeKind kind() const override { return node::NodeKind::kRendering; }
   [[nodiscard]] pipeline::Executor& executor() override { return pictures_.executor(); }
   [[nodiscard]] int concurrency() const override { return pictures_.executor().width(); }
-  [[nodiscard]] std::size_t mostAtOnce() const override;
+  [[nodiscard]] std::size_t maxAtOnce() const override;
   /// Each step permits pictures less error. Those of other steps are shown on as long as they serve.
   void setQuality(int step) override;
   /// On the executor; safe to call from several of its threads at once.

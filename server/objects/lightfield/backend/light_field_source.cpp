@@ -16,12 +16,12 @@ LightFieldSource readSource(const world::Parameters& parameters, models::FileNam
     parameters.fail("file", "a light field wants one of 'file', 'plant' and 'model'");
   }
   if (source.model.empty()) return source;
-  source.subdivision = parameters.integer("subdivision", source.subdivision, 1, ViewSphere::kMostSubdivision);
-  source.size = parameters.integer("size", source.size, kLeastSize, kMostSize);
+  source.subdivision = parameters.integer("subdivision", source.subdivision, 1, ViewSphere::kMaxSubdivision);
+  source.size = parameters.integer("size", source.size, kMinSize, kMaxSize);
   if (!std::has_single_bit(static_cast<unsigned>(source.size))) {
     parameters.fail("size", "'size' must be a power of two");
   }
-  source.lightings = parameters.integer("lightings", source.lightings, 1, kMostLightings);
+  source.lightings = parameters.integer("lightings", source.lightings, 1, kMaxLightings);
   source.file = cacheFolder() / "light-fields" /
                 (names.of(source.model, parameters) + "-n" + std::to_string(source.subdivision) + "-s" +
                  std::to_string(source.size) + "-k" + std::to_string(source.lightings) + ".glf");

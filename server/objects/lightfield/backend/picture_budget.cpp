@@ -18,11 +18,11 @@ double PictureBudget::share(const node::View& view) const {
 }
 
 PictureBudget::Bucket& PictureBudget::filled(const node::View& view) {
-  const double most = kBurst * share(view);
+  const double max = kBurst * share(view);
   const auto found = buckets_.find(view.session);
   if (found == buckets_.end()) {
     std::erase_if(buckets_, [&](const auto& bucket) { return bucket.second.time + kForgotten < view.time; });
-    const double tokens = buckets_.empty() ? most : 0.0;
+    const double tokens = buckets_.empty() ? max : 0.0;
     return buckets_.emplace(view.session, Bucket{tokens, view.time}).first->second;
   }
   Bucket& bucket = found->second;
@@ -30,7 +30,7 @@ PictureBudget::Bucket& PictureBudget::filled(const node::View& view) {
   const double passed = std::max(view.time - bucket.time, 0.0);
   bucket.time += passed;
   const double tokens = bucket.tokens + passed * share(view);
-  bucket.tokens = std::min(most, tokens);
+  bucket.tokens = std::min(max, tokens);
   pot_ = std::min(kBurst * texelsPerSecond_, pot_ + tokens - bucket.tokens);
   return bucket;
 }
@@ -53,7 +53,7 @@ bool PictureBudget::take(const node::View& view, std::int64_t texels, float wron
   const std::lock_guard lock(mutex_);
   Bucket& bucket = filled(view);
   int& made = madeIn(bucket, view.frame);
-  if (wrong <= kLateness && made >= kMostNewPictures) return false;
+  if (wrong <= kLateness && made >= kMaxNewPictures) return false;
   const double left = kReserve * kBurst / std::max(wrong, 1.0F);
   const bool potPays = pot_ > left * texelsPerSecond_ + static_cast<double>(texels);
   if (bucket.tokens <= left * share(view) && !potPays) return false;

@@ -21,8 +21,8 @@ namespace grove::objects::lightfield {
 /// seconds all take at most t + 2 kBurst seconds' worth, a picture each, and what they must owe. Any thread.
 class PictureBudget {
  public:
-  static constexpr double kBurst = 0.25;      ///< seconds' worth that fit in a bucket: a frame of a late machine
-  static constexpr int kMostNewPictures = 2;  ///< in one frame, but for those that are too wrong by kLateness
+  static constexpr double kBurst = 0.25;     ///< seconds' worth that fit in a bucket: a frame of a late machine
+  static constexpr int kMaxNewPictures = 2;  ///< in one frame, but for those that are too wrong by kLateness
   static constexpr float kLateness = 3.0F;
 
   explicit PictureBudget(double texelsPerSecond) : texelsPerSecond_(texelsPerSecond) {}
@@ -42,7 +42,7 @@ class PictureBudget {
   struct Bucket {
     double tokens = 0.0;
     double time = 0.0;  ///< of the world's clock, up to which it was filled
-    std::array<Made, node::kMostFramesInFlight> made{};
+    std::array<Made, node::kMaxFramesInFlight> made{};
   };
   [[nodiscard]] double share(const node::View& view) const;
   [[nodiscard]] Bucket& filled(const node::View& view);

@@ -11,7 +11,7 @@ namespace {
 using world::Vec3;
 
 constexpr float kFinest = 0.3F;  // metres between samples
-constexpr int kMostCells = 20;   // along an edge
+constexpr int kMaxCells = 20;    // along an edge
 constexpr int kSunRays = 4;
 constexpr float kSunRadius = 0.035F;  // of its direction, as the meshes' light has it
 
@@ -51,7 +51,7 @@ SunGrid makeSunGrid(const world::ModelledObject& object, const world::RayScene& 
   for (int axis = 0; axis < 3; ++axis) {
     const float size = std::max(box.size()[axis], 1.0e-3F);
     const int cells =
-        std::clamp(static_cast<int>(std::ceil(size * object.transform.scale / kFinest)) + 1, 2, kMostCells);
+        std::clamp(static_cast<int>(std::ceil(size * object.transform.scale / kFinest)) + 1, 2, kMaxCells);
     grid.cells[static_cast<std::size_t>(axis)] = cells;
     grid.perMetre[axis] = static_cast<float>(cells - 1) / size;
   }

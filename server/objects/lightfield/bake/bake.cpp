@@ -33,7 +33,7 @@ namespace grove::bake {
 
 using objects::lightfield::DenseView;
 using objects::lightfield::HeldOutView;
-using objects::lightfield::kLeastSize;
+using objects::lightfield::kMinSize;
 using objects::lightfield::kNoDepth;
 using objects::lightfield::LightField;
 using objects::lightfield::ObjectCamera;
@@ -151,7 +151,7 @@ DenseView toDense(Picture picture, const ViewCamera& camera) {
   return view;
 }
 
-int levelsOf(int size) { return std::bit_width(static_cast<unsigned>(size / kLeastSize)); }
+int levelsOf(int size) { return std::bit_width(static_cast<unsigned>(size / kMinSize)); }
 
 /// Deletes what a process that was killed while it wrote the finished file has left: up to the whole file's bytes.
 void removeLeftovers(const std::filesystem::path& file) {

@@ -12,9 +12,9 @@
 namespace grove::bake {
 
 struct BakeOptions {
-  int subdivision = 16;  ///< of the sphere of views, 1 to ViewSphere::kMostSubdivision
-  int size = 256;        ///< texels an edge of a view, a power of two, kLeastSize to kMostSize
-  int lightings = 6;     ///< 1 to kMostLightings
+  int subdivision = 16;  ///< of the sphere of views, 1 to ViewSphere::kMaxSubdivision
+  int size = 256;        ///< texels an edge of a view, a power of two, kMinSize to kMaxSize
+  int lightings = 6;     ///< 1 to kMaxLightings
   int samples = 2;       ///< per edge of a pixel, 1 to 16
   /// Of the held-out views, which are what the others are measured against: with few samples, their own noise would
   /// count as error of the light field. 1 to 16.

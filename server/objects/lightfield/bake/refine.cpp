@@ -45,13 +45,13 @@ class Refiner {
  private:
   /// The longest edge, from corner e to corner e + 1; 3 if none is longer than the square root of `most`. Both
   /// triangles at an edge decide alike.
-  [[nodiscard]] std::size_t longEdge(const Triangle& triangle, float most) const {
+  [[nodiscard]] std::size_t longEdge(const Triangle& triangle, float max) const {
     std::size_t longest = 3;
     for (std::size_t e = 0; e < 3; ++e) {
       const Vec3 along = model_.triangles.positions[triangle[e]] - model_.triangles.positions[triangle[(e + 1) % 3]];
       const float squared = glm::dot(along, along);
-      if (squared > most) {
-        most = squared;
+      if (squared > max) {
+        max = squared;
         longest = e;
       }
     }

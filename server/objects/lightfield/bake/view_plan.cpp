@@ -22,12 +22,12 @@ constexpr int kOffSphere = 8;
 std::vector<Vec3> outermost(const std::vector<Vec3>& points) {
   std::vector<Vec3> result;
   for (const Vec3 direction : evenDirections(160)) {
-    float most = -std::numeric_limits<float>::infinity();
+    float max = -std::numeric_limits<float>::infinity();
     Vec3 farthest(0.0F);
     for (const Vec3 point : points) {
       const float along = glm::dot(point, direction);
-      if (along > most) {
-        most = along;
+      if (along > max) {
+        max = along;
         farthest = point;
       }
     }
@@ -42,11 +42,11 @@ Vec3 centreOfBall(const std::vector<Vec3>& points) {
   Vec3 centre = points.front();
   for (int step = 1; step <= kSteps; ++step) {
     Vec3 farthest = centre;
-    float most = -1.0F;
+    float max = -1.0F;
     for (const Vec3 point : points) {
       const float squared = glm::dot(point - centre, point - centre);
-      if (squared > most) {
-        most = squared;
+      if (squared > max) {
+        max = squared;
         farthest = point;
       }
     }
@@ -56,9 +56,9 @@ Vec3 centreOfBall(const std::vector<Vec3>& points) {
 }
 
 float farthestFrom(Vec3 centre, const std::vector<Vec3>& points) {
-  float most = 0.0F;
-  for (const Vec3 point : points) most = std::max(most, glm::dot(point - centre, point - centre));
-  return std::sqrt(most);
+  float max = 0.0F;
+  for (const Vec3 point : points) max = std::max(max, glm::dot(point - centre, point - centre));
+  return std::sqrt(max);
 }
 
 Vec3 latticeDirection(float i, float j, float n) {

@@ -13,7 +13,7 @@
 
 namespace grove::bake {
 
-using objects::lightfield::kMostLightings;
+using objects::lightfield::kMaxLightings;
 using objects::lightfield::ObjectCamera;
 using world::Vec2;
 using world::Vec3;
@@ -21,7 +21,7 @@ using world::Vec3;
 namespace {
 
 constexpr int kBlockEdge = 4;  // of a packet in samples, and of a block in pixels
-constexpr std::size_t kMostFloats = 3 * kMostLightings;
+constexpr std::size_t kMaxFloats = 3 * kMaxLightings;
 
 // The table of display values has 256 entries an octave, for linear values from 2^-14 to 2^6.
 constexpr std::uint32_t kDropped = 15;
@@ -68,7 +68,7 @@ float depthOf(std::span<float> depths, float gap) {
 struct ViewRenderer::Gathered {
   explicit Gathered(std::size_t samples) : depths(kPacket * samples) {}
 
-  std::array<std::array<float, kMostFloats>, kPacket> colour;  ///< sums over a pixel's covered samples, 0..255
+  std::array<std::array<float, kMaxFloats>, kPacket> colour;  ///< sums over a pixel's covered samples, 0..255
   std::array<std::size_t, kPacket> covered;
   std::vector<float> depths;  ///< [pixel][sample], as many as are covered
 };
@@ -124,7 +124,7 @@ void ViewRenderer::shade(const RTCRayHit16& rays, std::size_t lane, float footpr
   const std::size_t stride = light_.stride();
   const std::array<std::uint32_t, 3> at{points_.ofVertex[corners[0]], points_.ofVertex[corners[1]],
                                         points_.ofVertex[corners[2]]};
-  std::array<float, 2 * kMostFloats> blended;
+  std::array<float, 2 * kMaxFloats> blended;
   const float* arriving = light_.at(at[0]).data();
   if (at[0] != at[1] || at[0] != at[2]) {
     const float* a = arriving;

@@ -15,10 +15,10 @@ using world::Vec3;
 
 namespace {
 
-constexpr int kRays = 3;             // per cell's edge and axis
-constexpr int kMostCrossings = 512;  // of one ray
-constexpr float kWood = 0.3F;        // share of a cell's volume
-constexpr float kLeaves = 0.1F;      // area per face of a cell
+constexpr int kRays = 3;            // per cell's edge and axis
+constexpr int kMaxCrossings = 512;  // of one ray
+constexpr float kWood = 0.3F;       // share of a cell's volume
+constexpr float kLeaves = 0.1F;     // area per face of a cell
 
 std::size_t cellIndex(const VoxelGrid& grid, const std::array<int, 3>& at) {
   return (static_cast<std::size_t>(at[2]) * static_cast<std::size_t>(grid.height) + static_cast<std::size_t>(at[1])) *
@@ -42,7 +42,7 @@ std::optional<std::vector<Span>> insideAlong(const world::RayScene& bodies, Vec3
   int winding = 0;
   float near = 0.0F;
   float entered = 0.0F;
-  for (int i = 0; i < kMostCrossings; ++i) {
+  for (int i = 0; i < kMaxCrossings; ++i) {
     const auto hit = bodies.intersect(origin, direction, near);
     if (!hit) return winding == 0 ? std::optional(std::move(spans)) : std::nullopt;
     const int turn = glm::dot(hit->normal, direction) < 0.0F ? 1 : -1;

@@ -102,25 +102,25 @@ void CachedView::spread() {
 void CachedView::measure() {
   constexpr float kNever = 1.0e30F;
   const auto width = static_cast<std::size_t>(width_);
-  std::vector<float> least(width);
-  std::vector<float> greatest(width);
+  std::vector<float> min(width);
+  std::vector<float> max(width);
   ranges_.reserve(static_cast<std::size_t>(squaresAcross()) * static_cast<std::size_t>(squaresDown()));
   whole_ = {kNever, 0.0F};
   for (int top = 0; top < height_; top += kSquare) {
-    std::fill(least.begin(), least.end(), kNever);
-    std::fill(greatest.begin(), greatest.end(), 0.0F);
+    std::fill(min.begin(), min.end(), kNever);
+    std::fill(max.begin(), max.end(), 0.0F);
     for (int y = top; y < std::min(top + kSquare, height_); ++y) {
-      widenRanges(nearness_.get() + std::ptrdiff_t{y} * width_, width_, softness_, least.data(), greatest.data());
+      widenRanges(nearness_.get() + std::ptrdiff_t{y} * width_, width_, softness_, min.data(), max.data());
     }
     for (std::size_t left = 0; left < width; left += kSquare) {
       Range range{kNever, 0.0F};
       for (std::size_t x = left; x < std::min(left + kSquare, width); ++x) {
-        range.least = std::min(range.least, least[x]);
-        range.greatest = std::max(range.greatest, greatest[x]);
+        range.min = std::min(range.min, min[x]);
+        range.max = std::max(range.max, max[x]);
       }
       ranges_.push_back(range);
-      whole_.least = std::min(whole_.least, range.least);
-      whole_.greatest = std::max(whole_.greatest, range.greatest);
+      whole_.min = std::min(whole_.min, range.min);
+      whole_.max = std::max(whole_.max, range.max);
     }
   }
 }

@@ -42,8 +42,8 @@ class CachedView final : public node::SharedData {
 
   /// The least and the greatest 1 / depth in squares of kSquare x kSquare texels; greatest is 0 if all are empty.
   struct Range {
-    float least = 0.0F;
-    float greatest = 0.0F;
+    float min = 0.0F;
+    float max = 0.0F;
   };
   static constexpr int kSquare = 8;
   [[nodiscard]] int squaresAcross() const noexcept { return (width_ + kSquare - 1) / kSquare; }

@@ -39,12 +39,12 @@ void rankRow(const float* __restrict above, const float* __restrict here, const 
   }
 }
 
-void widenRanges(const float* __restrict nearness, int width, float softness, float* __restrict least,
-                 float* __restrict greatest) {
+void widenRanges(const float* __restrict nearness, int width, float softness, float* __restrict min,
+                 float* __restrict max) {
   for (int x = 0; x < width; ++x) {
     const float near = nearness[x] < 0.0F ? nearness[x] + softness : nearness[x];
-    least[x] = near > 0.0F ? lower(least[x], near) : least[x];
-    greatest[x] = upper(greatest[x], near);
+    min[x] = near > 0.0F ? lower(min[x], near) : min[x];
+    max[x] = upper(max[x], near);
   }
 }
 
@@ -71,8 +71,8 @@ void rankRow(const float* above, const float* here, const float* below, const st
   HWY_DYNAMIC_DISPATCH(rankRow)(above, here, below, colour, width, softness, nearness);
 }
 
-void widenRanges(const float* nearness, int width, float softness, float* least, float* greatest) {
-  HWY_DYNAMIC_DISPATCH(widenRanges)(nearness, width, softness, least, greatest);
+void widenRanges(const float* nearness, int width, float softness, float* min, float* max) {
+  HWY_DYNAMIC_DISPATCH(widenRanges)(nearness, width, softness, min, max);
 }
 
 }  // namespace grove::objects::lightfield

@@ -29,6 +29,6 @@ void rankRow(const float* above, const float* here, const float* below, const st
              float softness, float* nearness);
 
 /// Widens each column's range of 1 / depth by a row of CachedView::nearness().
-void widenRanges(const float* nearness, int width, float softness, float* least, float* greatest);
+void widenRanges(const float* nearness, int width, float softness, float* min, float* max);
 
 }  // namespace grove::objects::lightfield

@@ -8,7 +8,7 @@
 namespace grove::objects::lightfield {
 namespace {
 
-constexpr int kMaxSize = kMostCellSize + 2 * CachedView::kBorder;
+constexpr int kMaxEdge = kMaxCellSize + 2 * CachedView::kBorder;
 constexpr int kMaxOffset = 1 << 20;
 
 }  // namespace
@@ -28,8 +28,8 @@ std::shared_ptr<CachedView> CachedView::unpack(std::span<const std::byte> bytes)
   view->camera_ = takeCamera(reader);
   view->left_ = reader.takeWithin(-kMaxOffset, kMaxOffset);
   view->top_ = reader.takeWithin(-kMaxOffset, kMaxOffset);
-  view->width_ = reader.takeWithin(0, kMaxSize);
-  view->height_ = reader.takeWithin(0, kMaxSize);
+  view->width_ = reader.takeWithin(0, kMaxEdge);
+  view->height_ = reader.takeWithin(0, kMaxEdge);
   view->softness_ = reader.takeFinite(0.0F, 1.0e6F);
   if (view->empty() != (view->height_ == 0)) reader.fail("has columns or rows alone");
   if (!view->empty()) view->allocate();

@@ -36,7 +36,7 @@ world::Bounds boundsOf(const ObjectCamera& camera, const PicturePart& part) {
 }  // namespace
 
 LampLight::LampLight(std::span<const world::PointLight> lamps, const ObjectCamera& camera)
-    : camera_(camera), count_(std::min(lamps.size(), kMostLamps)) {
+    : camera_(camera), count_(std::min(lamps.size(), kMaxLamps)) {
   std::copy_n(lamps.begin(), count_, lamps_.begin());
   for (world::PointLight& lamp : lamps_) lamp.colour *= kLampGain;
 }
@@ -45,7 +45,7 @@ void LampLight::addTo(const world::Rect& part, std::uint32_t* colour, const floa
   if (count_ == 0) return;
   const PicturePart pixels{colour, depth, stride, part};
   const world::Bounds bounds = boundsOf(camera_, pixels);
-  std::array<world::PointLight, kMostLamps> reaching;
+  std::array<world::PointLight, kMaxLamps> reaching;
   std::size_t count = 0;
   for (const world::PointLight& lamp : std::span(lamps_).first(count_)) {
     const Vec3 apart = lamp.position - glm::max(bounds.low, glm::min(lamp.position, bounds.high));

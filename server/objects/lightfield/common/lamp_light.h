@@ -24,7 +24,7 @@ class LampLight {
 
  private:
   const ObjectCamera& camera_;
-  std::array<world::PointLight, kMostLamps> lamps_;
+  std::array<world::PointLight, kMaxLamps> lamps_;
   std::size_t count_;
 };
 

@@ -14,7 +14,7 @@ std::vector<world::PointLight> chooseLamps(std::span<const world::PointLight> li
     if (distance(light) < kLampReach) near.push_back(light);
   }
   std::ranges::sort(near, {}, distance);
-  near.resize(std::min(near.size(), kMostLamps));
+  near.resize(std::min(near.size(), kMaxLamps));
   for (world::PointLight& light : near) light.position = world::Vec3(toObject * world::Vec4(light.position, 1.0F));
   return near;
 }

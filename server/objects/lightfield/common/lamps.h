@@ -8,7 +8,7 @@
 
 namespace grove::objects::lightfield {
 
-inline constexpr std::size_t kMostLamps = 4;
+inline constexpr std::size_t kMaxLamps = 4;
 
 /// Metres at which a lamp is no longer seen.
 inline constexpr float kLampReach = 7.0F;

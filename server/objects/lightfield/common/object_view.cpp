@@ -12,7 +12,7 @@ using world::Vec3;
 namespace {
 
 /// Metres of view depth; what is nearer may be anywhere in the picture.
-constexpr float kLeastAhead = 0.05F;
+constexpr float kMinAhead = 0.05F;
 
 /// The object's metres across a pixel at a distance in the object's metres.
 float pixelAt(const ObjectCamera& camera, float distance) {
@@ -73,7 +73,7 @@ world::Rect boxOf(const world::Bounds& bounds, const ObjectCamera& camera, const
     const Vec3 point((corner & 1) != 0 ? bounds.high.x : bounds.low.x, (corner & 2) != 0 ? bounds.high.y : bounds.low.y,
                      (corner & 4) != 0 ? bounds.high.z : bounds.low.z);
     const Vec3 at = toPixels * (point - camera.eye);
-    if (at.z < kLeastAhead) return whole;
+    if (at.z < kMinAhead) return whole;
     low = glm::min(low, glm::vec2(at) / at.z);
     high = glm::max(high, glm::vec2(at) / at.z);
   }

@@ -26,8 +26,8 @@ constexpr float kWidest = 0.25F;
 constexpr float kOutside = 1.05F;
 // How far an eye may at most be from that of a picture it is shown for want of time: much of what shows is then
 // missing.
-constexpr float kLeastCosine = 0.5F;
-constexpr float kMostOctaves = 1.0F;
+constexpr float kMinCosine = 0.5F;
+constexpr float kMaxOctaves = 1.0F;
 constexpr float kErrorsPerPixel = 64.0F;
 constexpr float kMaxLayers = 1.0e6F;
 constexpr float kPi = std::numbers::pi_v<float>;
@@ -105,7 +105,7 @@ std::optional<Layer> layerOf(float ball, const CellId& id) {
   const float chord = layer->side / farthest;
   layer->halfBand = chord / std::sqrt(1.0F + kAspect * kAspect);
   layer->reach = layer->halfBand * layer->nearest * kAspect;
-  if (!(layer->reach >= kLeastReach)) return std::nullopt;
+  if (!(layer->reach >= kMinReach)) return std::nullopt;
   layer->bands = std::ceil(0.5F * kPi / layer->halfBand);
   return layer;
 }
@@ -136,7 +136,7 @@ std::optional<ViewCell> cellIn(const Layer& layer, const ViewGeometry& geometry,
   // A point of the ball is farther from the cell's eye than from another one by at most what lies between the eyes.
   const float size =
       std::ceil(layer.sharp / camera.focal * (1.0F + (layer.side + layer.radial) / (layer.nearest - geometry.extent)));
-  if (!(size <= static_cast<float>(kMostCellSize))) return std::nullopt;
+  if (!(size <= static_cast<float>(kMaxCellSize))) return std::nullopt;
   cell.size = static_cast<int>(size);
   cell.camera = objectCamera(camera, cell.size);
   return cell;
@@ -152,8 +152,8 @@ float wrongness(const ViewGeometry& geometry, world::Vec3 own, world::Vec3 eye, 
   const float axis = glm::length(from);
   const float distance = glm::length(to);
   const float nearer = std::log2(axis / distance) * kShellsPerOctave;
-  if (!(distance > kOutside * ball && std::abs(nearer) <= kMostOctaves * kShellsPerOctave)) return kNever;
-  if (!(glm::dot(from, to) >= kLeastCosine * axis * distance)) return kNever;
+  if (!(distance > kOutside * ball && std::abs(nearer) <= kMaxOctaves * kShellsPerOctave)) return kNever;
+  if (!(glm::dot(from, to) >= kMinCosine * axis * distance)) return kNever;
   const float along = glm::dot(eye - own, from) / axis;
   const float side = glm::length(eye - own - along * from / axis);
   const float radial = std::abs(along);

@@ -36,7 +36,7 @@ struct ViewCell {
 };
 
 /// The cell of an eye (object coordinates) in a frame with this focal length in pixels. Nothing if a picture would not
-/// be used again: if the eye is in or near the ball, could not move by kLeastReach, or needs more than kMostCellSize
+/// be used again: if the eye is in or near the ball, could not move by kMinReach, or needs more than kMaxCellSize
 /// pixels. The error is rounded to 1 / 64 of a pixel.
 [[nodiscard]] std::optional<ViewCell> viewCell(const ViewGeometry& geometry, world::Vec3 eye, float focal,
                                                float errorPixels);
@@ -51,7 +51,7 @@ struct ViewCell {
 [[nodiscard]] float wrongness(const ViewGeometry& geometry, world::Vec3 own, world::Vec3 eye, float focal,
                               float errorPixels);
 
-inline constexpr float kLeastReach = 0.04F;
-inline constexpr int kMostCellSize = 2048;
+inline constexpr float kMinReach = 0.04F;
+inline constexpr int kMaxCellSize = 2048;
 
 }  // namespace grove::objects::lightfield

@@ -78,13 +78,13 @@ class Reader {
   static world::Vec3 vector(const float (&v)[3]) { return {v[0], v[1], v[2]}; }
 
   void checkShape() const {
-    require(header_.subdivision >= 1 && header_.subdivision <= ViewSphere::kMostSubdivision,
+    require(header_.subdivision >= 1 && header_.subdivision <= ViewSphere::kMaxSubdivision,
             "has a subdivision out of range");
-    require(header_.size >= kLeastSize && header_.size <= kMostSize && std::has_single_bit(header_.size),
+    require(header_.size >= kMinSize && header_.size <= kMaxSize && std::has_single_bit(header_.size),
             "has views of a size out of range");
     require(header_.levels >= 1 && header_.levels <= 16 && (header_.size >> (header_.levels - 1)) >= kBlock,
             "has a number of mip levels out of range");
-    require(header_.lightings >= 1 && header_.lightings <= kMostLightings, "has a number of lightings out of range");
+    require(header_.lightings >= 1 && header_.lightings <= kMaxLightings, "has a number of lightings out of range");
     checkLengths();
     require(isSourceText(header_.source), "has a source that is no line of UTF-8");
   }
@@ -172,10 +172,10 @@ class Reader {
   }
 
   void readVoxels(LightField& field) const {
-    constexpr std::uint32_t kMostCells = 4096;
+    constexpr std::uint32_t kMaxCells = 4096;
     const std::uint32_t(&n)[3] = header_.voxelCells;
     const Section& section = header_.sections[kVoxels];
-    require(std::ranges::all_of(n, [](std::uint32_t cells) { return cells <= kMostCells; }),
+    require(std::ranges::all_of(n, [](std::uint32_t cells) { return cells <= kMaxCells; }),
             "has a number of voxels out of range");
     require(std::uint64_t{n[0]} * n[1] * n[2] == section.bytes, "has voxels of the wrong length");
     require(section.bytes > 0 ? header_.voxelCell >= kShortestVoxel : n[0] == 0 && n[1] == 0 && n[2] == 0,
@@ -194,7 +194,7 @@ class Reader {
       require(rest.size() >= sizeof header, "has held-out views of the wrong length");
       std::memcpy(&header, rest.data(), sizeof header);
       rest = rest.subspan(sizeof header);
-      require(header.size >= 1 && header.size <= kMostSize && header.amid <= 1,
+      require(header.size >= 1 && header.size <= kMaxSize && header.amid <= 1,
               "has a held-out view of a size out of range");
       const world::Vec3 camera[] = {vector(header.eye), vector(header.corner), vector(header.perColumn),
                                     vector(header.perRow)};

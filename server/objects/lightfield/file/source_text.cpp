@@ -21,9 +21,9 @@ std::size_t characterLength(std::string_view text) noexcept {
     if ((next & 0xC0U) != 0x80U) return 0;
     code = (code << 6U) | (next & 0x3FU);
   }
-  constexpr std::array<std::uint32_t, 5> kLeast{0, 0, 0xA0, 0x800, 0x10000};  // below A0: control characters
+  constexpr std::array<std::uint32_t, 5> kMin{0, 0, 0xA0, 0x800, 0x10000};  // below A0: control characters
   const bool surrogate = code >= 0xD800U && code < 0xE000U;
-  return code >= kLeast[length] && code <= 0x10FFFFU && !surrogate ? length : 0;
+  return code >= kMin[length] && code <= 0x10FFFFU && !surrogate ? length : 0;
 }
 
 }  // namespace

@@ -134,7 +134,7 @@ PackedView packView(const DenseView& view, int levels) {
 
 LightFieldBuilder::LightFieldBuilder(LightField shape, int lightings)
     : shape_(std::move(shape)), lightings_(lightings), views_(static_cast<std::size_t>(shape_.sphere.views())) {
-  assert(lightings >= 1 && lightings <= kMostLightings);
+  assert(lightings >= 1 && lightings <= kMaxLightings);
 }
 
 void LightFieldBuilder::set(int view, PackedView packed) {

@@ -43,8 +43,8 @@ struct Header {
   std::uint32_t voxelCells[3]{};
   float voxelCell = 0.0F;
   float voxelLow[3]{};
-  char source[128]{};                            ///< UTF-8, zero-terminated
-  Section sections[kColour + kMostLightings]{};  ///< those of lightings that there are not are all 0
+  char source[128]{};                           ///< UTF-8, zero-terminated
+  Section sections[kColour + kMaxLightings]{};  ///< those of lightings that there are not are all 0
 };
 static_assert(sizeof(Header) == 752, "no padding");
 

@@ -24,9 +24,9 @@ inline constexpr std::uint32_t kNoBlock = 0xFFFFFFFFU;
 /// Depth of a texel that shows nothing; its colour is 0.
 inline constexpr std::uint16_t kNoDepth = 0xFFFFU;
 
-inline constexpr int kLeastSize = 32;
-inline constexpr int kMostSize = 1024;
-inline constexpr int kMostLightings = 16;
+inline constexpr int kMinSize = 32;
+inline constexpr int kMaxSize = 1024;
+inline constexpr int kMaxLightings = 16;
 
 /// What the object keeps from the fluid (kWood) and what casts shade (both).
 enum class Voxel : std::uint8_t { kEmpty = 0, kWood = 1, kLeaves = 2 };
@@ -64,7 +64,7 @@ struct LightField {
   ViewSphere sphere{1};
   ViewGeometry geometry;
   world::Bounds bounds;  ///< of what shows, object coordinates
-  int size = 0;          ///< texels an edge of a view, a power of two, kLeastSize to kMostSize
+  int size = 0;          ///< texels an edge of a view, a power of two, kMinSize to kMaxSize
   int levels = 1;
   float sunAzimuth = 0.0F;                             ///< radians, atan2(x, z) of the direction towards the sun
   std::vector<std::span<const std::uint32_t>> blocks;  ///< by level: [view][block row][block column], kNoBlock if empty

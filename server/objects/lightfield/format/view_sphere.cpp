@@ -7,7 +7,7 @@
 
 namespace grove::objects::lightfield {
 
-ViewSphere::ViewSphere(int subdivision) : n_(subdivision) { assert(n_ >= 1 && n_ <= kMostSubdivision); }
+ViewSphere::ViewSphere(int subdivision) : n_(subdivision) { assert(n_ >= 1 && n_ <= kMaxSubdivision); }
 
 int ViewSphere::view(Point point) const noexcept {
   const auto [i, j] = point;

@@ -11,9 +11,9 @@ namespace grove::objects::lightfield {
 /// the nearest ones are found without a search.
 class ViewSphere {
  public:
-  static constexpr int kMostSubdivision = 128;
+  static constexpr int kMaxSubdivision = 128;
 
-  /// `subdivision` is the number of parts of each edge of the octahedron, 1 to kMostSubdivision.
+  /// `subdivision` is the number of parts of each edge of the octahedron, 1 to kMaxSubdivision.
   explicit ViewSphere(int subdivision);
 
   [[nodiscard]] int subdivision() const noexcept { return n_; }

@@ -11,7 +11,7 @@ namespace grove::objects::lightfield {
 namespace {
 
 /// From here on it is cheaper to sample one pixel a texel, and to enlarge the picture here.
-constexpr float kLeastMagnification = 1.3F;
+constexpr float kMinMagnification = 1.3F;
 
 /// A picture with depth, moved to where this visitor's eye sees it.
 class ReprojectedLayer final : public node::Layer {
@@ -76,7 +76,7 @@ node::Plan LightFieldFrontend::begin(const Sight& sight) {
   if (const auto cell = SharedViews::cellOf(sight)) return shared_.begin(sight, *cell);
   if (sight.field.maxError > 0.0F) timeline_.count("views too near to share");
   const float times = magnification(sight.field.geometry, sight.field.viewSize, sight.camera);
-  if (times > kLeastMagnification || own_.isFading(sight)) return own_.begin(sight, times);
+  if (times > kMinMagnification || own_.isFading(sight)) return own_.begin(sight, times);
   return node::Ask{.shared = false, .key = {}, .rect = sight.object.rect};
 }
 

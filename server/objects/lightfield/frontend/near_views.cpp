@@ -19,8 +19,8 @@ float roughness(const CachedView& picture) {
   for (int row = 0; row < picture.squaresDown(); ++row) {
     for (int column = 0; column < picture.squaresAcross(); ++column) {
       const CachedView::Range& range = picture.range(column, row);
-      if (range.greatest <= 0.0F) continue;
-      const double apart = range.greatest - range.least;
+      if (range.max <= 0.0F) continue;
+      const double apart = range.max - range.min;
       sum += apart * apart;
       ++squares;
     }
@@ -33,7 +33,7 @@ float wrongness(const NearView& view, const ObjectCamera& camera, const world::R
   const world::Vec3 moved = camera.eye - own.eye;
   constexpr float kNever = std::numeric_limits<float>::infinity();
   const glm::mat3 toPixels = glm::inverse(glm::mat3(own.perColumn, own.perRow, own.corner));
-  const float nearest = view.picture->empty() ? 0.0F : view.picture->range().greatest;
+  const float nearest = view.picture->empty() ? 0.0F : view.picture->range().max;
   for (const int x : {rect.left, rect.right}) {
     for (const int y : {rect.top, rect.bottom}) {
       for (const float nearness : {0.0F, nearest}) {

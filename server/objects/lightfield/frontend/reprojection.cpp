@@ -14,7 +14,7 @@ namespace {
 /// where b = (m - s m2) / (1 - m2 w), which is largest at a corner of the picture.
 float maxTexelsPerNearness(const CachedView& view, const ViewWarp& warp) {
   const CachedView::Range& whole = view.range();
-  const float scale = 1.0F - std::max(warp.m.z * whole.least, warp.m.z * whole.greatest);
+  const float scale = 1.0F - std::max(warp.m.z * whole.min, warp.m.z * whole.max);
   float fastest = 0.0F;
   for (const int x : {0, view.width()}) {
     for (const int y : {0, view.height()}) {
@@ -36,7 +36,7 @@ struct Passed {
 };
 
 /// Of the squares that rays pass at nearnesses up to `most`.
-CachedView::Range rangeOf(const CachedView& view, const Passed& passed, float most) {
+CachedView::Range rangeOf(const CachedView& view, const Passed& passed, float max) {
   constexpr float kSquare = CachedView::kSquare;
   const int firstColumn = static_cast<int>(std::max(passed.low.x - 1.0F, 0.0F) / kSquare);
   const int firstRow = static_cast<int>(std::max(passed.low.y - 1.0F, 0.0F) / kSquare);
@@ -44,12 +44,12 @@ CachedView::Range rangeOf(const CachedView& view, const Passed& passed, float mo
       static_cast<int>(std::min(passed.high.x + 1.0F, static_cast<float>(view.width()) - 1.0F) / kSquare);
   const int lastRow =
       static_cast<int>(std::min(passed.high.y + 1.0F, static_cast<float>(view.height()) - 1.0F) / kSquare);
-  CachedView::Range range{most, 0.0F};
+  CachedView::Range range{max, 0.0F};
   for (int row = firstRow; row <= lastRow; ++row) {
     for (int column = firstColumn; column <= lastColumn; ++column) {
       const CachedView::Range& square = view.range(column, row);
-      range.least = std::min(range.least, square.least);
-      range.greatest = std::max(range.greatest, square.greatest);
+      range.min = std::min(range.min, square.min);
+      range.max = std::max(range.max, square.max);
     }
   }
   return range;
@@ -60,9 +60,9 @@ float minDepth(const ViewWarp& warp, const Reach& reach, const world::Rect& part
   const auto forward = [&](int x, int y) {
     return warp.k.z + static_cast<float>(x) * warp.kPerColumn.z + static_cast<float>(y) * warp.kPerRow.z;
   };
-  const float most = std::max({forward(part.left, part.top), forward(part.right, part.top),
-                               forward(part.left, part.bottom), forward(part.right, part.bottom)});
-  return (1.0F / reach.range.greatest - warp.m.z) / std::max(most, kMinForward);
+  const float max = std::max({forward(part.left, part.top), forward(part.right, part.top),
+                              forward(part.left, part.bottom), forward(part.right, part.bottom)});
+  return (1.0F / reach.range.max - warp.m.z) / std::max(max, kMinForward);
 }
 
 /// The tiles between two lines of corners.
@@ -92,7 +92,7 @@ class Strip {
         passed.add({line->highX[i], line->highY[i]});
       }
     }
-    Reach reach{rangeOf(view_, passed, whole.greatest)};
+    Reach reach{rangeOf(view_, passed, whole.max)};
     if (!reach.shows()) return reach;
     // What is left of the range is often so little that the rays pass much less.
     Passed less;
@@ -101,12 +101,12 @@ class Strip {
       for (const int i : {tile, tile + 1}) {
         const world::Vec2 place(line->x[i], line->y[i]);
         const world::Vec2 way = warp_.way(place);
-        less.add(place + way * reach.range.least);
-        less.add(place + way * reach.range.greatest);
+        less.add(place + way * reach.range.min);
+        less.add(place + way * reach.range.max);
         speed = std::max(speed, glm::dot(way, way));
       }
     }
-    reach.range = rangeOf(view_, less, reach.range.greatest);
+    reach.range = rangeOf(view_, less, reach.range.max);
     reach.texelsPerNearness = std::min(std::sqrt(speed), maxSpeed_);
     return reach;
   }

@@ -15,7 +15,7 @@ constexpr float kNever = std::numeric_limits<float>::infinity();
 
 /// Metres. Hardly two visitors are in one cell that is smaller, and one who walks leaves it after two frames; what he
 /// sees of the object with a picture of his own is less than all of it.
-constexpr float kLeastSharedReach = 0.13F;
+constexpr float kMinSharedReach = 0.13F;
 
 /// Where a picture for a visitor who walks is made from, in reaches of his own cell; the first that serves him is
 /// taken.
@@ -40,7 +40,7 @@ std::shared_ptr<const CachedView> find(const Sight& sight, const CellId& cell) {
 std::optional<ViewCell> SharedViews::cellOf(const Sight& sight) {
   if (sight.field.maxError <= 0.0F) return std::nullopt;
   auto cell = cellAt(sight, sight.camera.eye);
-  if (cell && cell->reach < kLeastSharedReach) cell.reset();
+  if (cell && cell->reach < kMinSharedReach) cell.reset();
   return cell;
 }
 

@@ -13,8 +13,8 @@ namespace grove::objects::lightfield::HWY_NAMESPACE {
 void setCorners(const ViewWarp& warp, const CachedView::Range& range, int left, int line, CornerLine& corners) {
   const world::Vec3 k = warp.k + static_cast<float>(left) * warp.kPerColumn + static_cast<float>(line) * warp.kPerRow;
   const world::Vec3 step = static_cast<float>(kTileWidth) * warp.kPerColumn;
-  const world::Vec3 far = warp.m * range.least;
-  const world::Vec3 near = warp.m * range.greatest;
+  const world::Vec3 far = warp.m * range.min;
+  const world::Vec3 near = warp.m * range.max;
   for (int i = 0; i < kCorners; ++i) {
     const auto tile = static_cast<float>(i);
     const float forward = k.z + tile * step.z;

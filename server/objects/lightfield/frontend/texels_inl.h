@@ -67,9 +67,9 @@ struct Rays {
   /// CachedView::nearness() where the rays are at nearness `w`.
   HWY_INLINE Floats ranked(const Texels& texels, float w) const { return at(texels, w, cornerAt(texels, w)); }
   /// The same for a `w` of each ray, somewhere from `least` to `greatest`.
-  HWY_INLINE Floats ranked(const Texels& texels, Floats w, float least, float greatest) const {
-    const Corner a = cornerAt(texels, least);
-    const Corner b = cornerAt(texels, greatest);
+  HWY_INLINE Floats ranked(const Texels& texels, Floats w, float min, float max) const {
+    const Corner a = cornerAt(texels, min);
+    const Corner b = cornerAt(texels, max);
     return at(texels, w, {a.column < b.column ? a.column : b.column, a.row < b.row ? a.row : b.row});
   }
 

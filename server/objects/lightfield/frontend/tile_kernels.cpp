@@ -74,7 +74,7 @@ HWY_INLINE void settle(const Texels& texels, const Reach& reach, float permitted
   const Mask lies = met.best > 0.5F * kNothing;
   const Floats found = texels.nearnessOf(met.best);
   const Floats w = select(lies, found, met.farPlace);
-  const Floats near = texels.nearnessOf(rays.ranked(texels, w, reach.range.least, reach.range.greatest));
+  const Floats near = texels.nearnessOf(rays.ranked(texels, w, reach.range.min, reach.range.max));
   const Mask same = abs(near - w) <= permitted;
   const Mask hidden = near > w + permitted;
   const Floats exact = select(same, near, select(hidden, met.bestPlace, w));
@@ -84,9 +84,9 @@ HWY_INLINE void settle(const Texels& texels, const Reach& reach, float permitted
 
 /// Finds what each ray meets.
 HWY_INLINE void searchTile(const Texels& texels, const Reach& reach, WarpTile& tile) {
-  const float range = reach.range.greatest - reach.range.least;
+  const float range = reach.range.max - reach.range.min;
   const float way = range * reach.texelsPerNearness;
-  if (way < kStill) return glance(texels, reach.range.least + 0.5F * range, tile);
+  if (way < kStill) return glance(texels, reach.range.min + 0.5F * range, tile);
   const int steps = static_cast<int>(std::clamp(std::ceil(way), 1.0F, kMaxSteps));
   const float step = range / static_cast<float>(steps);
   const float permitted = 0.5F * step + kSlack / reach.texelsPerNearness;
@@ -94,7 +94,7 @@ HWY_INLINE void searchTile(const Texels& texels, const Reach& reach, WarpTile& t
     const Rays rays(tile, i);
     Met met;
     for (int j = 0; j < steps; ++j) {
-      const float w = reach.range.greatest - (static_cast<float>(j) + 0.5F) * step;
+      const float w = reach.range.max - (static_cast<float>(j) + 0.5F) * step;
       met.pass(texels, rays.ranked(texels, w), w, permitted);
       if (all(met.best >= 0.0F)) break;
     }

@@ -11,7 +11,7 @@ struct Reach {
   CachedView::Range range;         ///< nearnesses; greatest is 0 if there are none
   float texelsPerNearness = 1.0F;  ///< how far a ray moves in the picture for one unit of nearness, at most
 
-  [[nodiscard]] bool shows() const noexcept { return range.greatest > 0.0F; }
+  [[nodiscard]] bool shows() const noexcept { return range.max > 0.0F; }
 };
 
 /// Fills the tile whose first pixel is (left, top): finds what its rays meet within `reach`, and sets bilinear colour

@@ -20,7 +20,7 @@ struct Layer {
   float threshold;  // noise above which there is cloud
   float softness;
   float depth;  // how fast light fades inside
-  float most;   // cover of the thickest part
+  float max;    // cover of the thickest part
 };
 
 constexpr Layer kHigh{0.16F, {0.55F, 2.1F}, 0.50F, 0.34F, 1.1F, 0.55F};
@@ -52,7 +52,7 @@ CloudSample layerAt(const Layer& layer, Vec3 direction, float seed) {
   const Vec3 bright = world::sunColour() * (0.62F + 1.15F * forward) + Vec3(0.05F, 0.04F, 0.05F);
   const Vec3 belly = glm::mix(Vec3(0.30F, 0.265F, 0.335F), Vec3(0.62F, 0.36F, 0.25F), std::pow(cosine, 3.0F));
   const Vec3 colour = glm::mix(belly, bright, lit);
-  const float cover = layer.most * here * fade;
+  const float cover = layer.max * here * fade;
   // Clouds near the horizon are seen through much air.
   const float air = 0.75F * std::exp(-9.0F * direction.y);
   return {glm::mix(colour, world::hazeColour(direction), air) * cover, cover};

@@ -27,8 +27,8 @@ std::uint64_t mixed(std::uint64_t value) {
 LinkLine::LinkLine(LinkSchedule schedule, LinkTime delay, LinkTime jitter, std::uint64_t seed)
     : schedule_(std::move(schedule)), delay_(delay), jitter_(jitter), seed_(mixed(seed)) {
   const double onItsWay = schedule_.maxRate() / 8.0 * seconds(delay + jitter);
-  const double most = onItsWay + schedule_.maxRate() / 8.0 * kQueueSeconds + static_cast<double>(2 * kMinQueueBytes);
-  maxBytes_ = static_cast<std::size_t>(std::min(most, static_cast<double>(kMaxLineBytes)));
+  const double max = onItsWay + schedule_.maxRate() / 8.0 * kQueueSeconds + static_cast<double>(2 * kMinQueueBytes);
+  maxBytes_ = static_cast<std::size_t>(std::min(max, static_cast<double>(kMaxLineBytes)));
 }
 
 std::size_t LinkLine::room(LinkTime now) {

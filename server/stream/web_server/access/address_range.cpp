@@ -12,11 +12,11 @@ namespace {
 constexpr int kAddressBits = 128;
 constexpr int kIpv4Prefix = 96;
 
-std::optional<int> parseBits(std::string_view text, int most) {
+std::optional<int> parseBits(std::string_view text, int max) {
   int bits = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), bits);
   if (text.empty() || error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-  return bits >= 0 && bits <= most ? std::optional(bits) : std::nullopt;
+  return bits >= 0 && bits <= max ? std::optional(bits) : std::nullopt;
 }
 
 }  // namespace

@@ -179,7 +179,7 @@ TEST_F(FluidBackendTest, RestsWithoutVisitorsAndGoesOnWhereItWas) {
   auto last = ask();
   for (int i = 0; i < (kSanitized ? 6 : 12); ++i) {
     const std::uint64_t until = last->tick + 4;
-    backend_.setQuality(i % (node::kMostQuality + 1));
+    backend_.setQuality(i % (node::kMaxQuality + 1));
     const auto reached = [&] {
       const auto former = std::exchange(last, ask());
       EXPECT_GE(last->tick, former->tick) << "time never starts anew";

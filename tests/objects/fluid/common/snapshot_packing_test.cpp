@@ -29,9 +29,9 @@ std::shared_ptr<FluidSnapshot> three() {
   return snapshot;
 }
 
-void expectAllNear(const std::vector<float>& one, const std::vector<float>& other, float most) {
+void expectAllNear(const std::vector<float>& one, const std::vector<float>& other, float max) {
   ASSERT_EQ(one.size(), other.size());
-  for (std::size_t i = 0; i < one.size(); ++i) ASSERT_NEAR(one[i], other[i], most) << i;
+  for (std::size_t i = 0; i < one.size(); ++i) ASSERT_NEAR(one[i], other[i], max) << i;
 }
 
 /// The plume a tick later: everything rises and cools a little, every fortieth dies, and as many are new.

@@ -36,7 +36,7 @@ TEST(SmokeRenderer, TurningNeverJumps) {
   const auto snapshot = makePlume(3000);
   SmokeRenderer renderer;
   Frame before(160, 90, kGrey, world::kInfiniteDepth);
-  double most = 0.0;
+  double max = 0.0;
   double sum = 0.0;
   for (int i = 0; i <= 720; ++i) {
     const float angle = glm::radians(0.5F * static_cast<float>(i));
@@ -45,14 +45,14 @@ TEST(SmokeRenderer, TurningNeverJumps) {
     draw(renderer, snapshot, lookAt(from, {0.0F, 2.5F, 0.0F}, 160, 90), frame);
     if (i > 0) {
       const double step = meanDifference(before, frame);
-      most = std::max(most, step);
+      max = std::max(max, step);
       sum += step;
     }
     before.colours = frame.colours;
     before.image.colour = before.colours;
   }
   EXPECT_GT(sum, 0.0);
-  EXPECT_LT(most, 3.0 * sum / 720.0) << "a step differs by " << most << ", the mean one by " << sum / 720.0;
+  EXPECT_LT(max, 3.0 * sum / 720.0) << "a step differs by " << max << ", the mean one by " << sum / 720.0;
 }
 
 TEST(SmokeRenderer, HiddenBehindASurfaceAndSeenBeforeIt) {

@@ -77,10 +77,10 @@ TEST(SmokeShadingKernels, EveryTargetShadesAsAPlainLoopDoes) {
           const auto mixed = [&](float radiance, float tint, float share) {
             return smoke * encode(albedo * radiance * tint) + flame * encode(power * share);
           };
-          const float most = 0.004F * (smoke + flame) + 2.0e-5F;
-          EXPECT_NEAR(s.red[i], mixed(lit.red[i], 1.0F, 1.0F), most) << i;
-          EXPECT_NEAR(s.green[i], mixed(lit.green[i], 1.01F, 0.05F + 0.23F * glow), most) << i;
-          EXPECT_NEAR(s.blue[i], mixed(lit.blue[i], 1.06F, 0.006F + 0.05F * glow * glow * glow), most) << i;
+          const float max = 0.004F * (smoke + flame) + 2.0e-5F;
+          EXPECT_NEAR(s.red[i], mixed(lit.red[i], 1.0F, 1.0F), max) << i;
+          EXPECT_NEAR(s.green[i], mixed(lit.green[i], 1.01F, 0.05F + 0.23F * glow), max) << i;
+          EXPECT_NEAR(s.blue[i], mixed(lit.blue[i], 1.06F, 0.006F + 0.05F * glow * glow * glow), max) << i;
           EXPECT_NEAR(s.opacity[i], smoke + 0.6F * flame, 2.0e-5F) << i;
           expectNear(s.softness[i], 0.08F + 0.55F * s.radius[i], "softness", i);
         }

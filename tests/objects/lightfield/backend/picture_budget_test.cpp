@@ -32,7 +32,7 @@ TEST(PictureBudget, AFrameMakesTwoOfWhatIsHardlyWrongAndAllOfWhatIsWrong) {
   PictureBudget budget(kRate);
   for (node::FrameNumber frame = 1; frame < 5; ++frame) {
     const node::View view = viewOf(1, frame, frame);
-    EXPECT_EQ(takes(budget, view, 1.5F), PictureBudget::kMostNewPictures);
+    EXPECT_EQ(takes(budget, view, 1.5F), PictureBudget::kMaxNewPictures);
     EXPECT_TRUE(budget.take(view, kPicture, 1.01F * PictureBudget::kLateness));
   }
 }
@@ -43,7 +43,7 @@ TEST(PictureBudget, FramesInFlightThatTakeTurnsMakeTwoEach) {
   for (int turn = 0; turn < 4; ++turn) {
     for (node::FrameNumber frame = 5; frame < 8; ++frame) made += budget.take(viewOf(1, frame, 5.0), 100, 1.5F) ? 1 : 0;
   }
-  EXPECT_EQ(made, 3 * PictureBudget::kMostNewPictures);
+  EXPECT_EQ(made, 3 * PictureBudget::kMaxNewPictures);
 }
 
 TEST(PictureBudget, TheBucketHoldsAQuarterOfASecondAndFillsByTheWorldsClock) {
@@ -123,8 +123,8 @@ TEST(PictureBudget, AMinuteOfEightVisitorsAtFourFramesASecondTakesNoMore) {
       }
     }
   }
-  const double most = kRate * (kSeconds + 2.0 * PictureBudget::kBurst) + kVisitors * 120000.0;
-  EXPECT_LE(static_cast<double>(taken), most);
+  const double max = kRate * (kSeconds + 2.0 * PictureBudget::kBurst) + kVisitors * 120000.0;
+  EXPECT_LE(static_cast<double>(taken), max);
   EXPECT_GT(static_cast<double>(taken), 0.8 * kRate * kSeconds) << "what there is, is used";
 }
 

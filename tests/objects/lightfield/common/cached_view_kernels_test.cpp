@@ -83,16 +83,16 @@ TEST(CachedViewKernels, EveryTargetSpreadsAndRanksRowsAsAPlainLoopDoes) {
       }
       ASSERT_EQ(ranked.back(), kBeyond);
 
-      std::vector<float> least(near.size(), 0.2F);
-      std::vector<float> greatest(near.size(), 0.3F);
-      widenRanges(ranked.data(), width, kSoftness, least.data(), greatest.data());
+      std::vector<float> min(near.size(), 0.2F);
+      std::vector<float> max(near.size(), 0.3F);
+      widenRanges(ranked.data(), width, kSoftness, min.data(), max.data());
       for (std::size_t x = 0; x < colour.size(); ++x) {
         const float value = ranked[x] < 0.0F ? ranked[x] + kSoftness : ranked[x];
-        ASSERT_EQ(least[x], value > 0.0F ? std::min(0.2F, value) : 0.2F);
-        ASSERT_EQ(greatest[x], std::max(0.3F, value));
+        ASSERT_EQ(min[x], value > 0.0F ? std::min(0.2F, value) : 0.2F);
+        ASSERT_EQ(max[x], std::max(0.3F, value));
       }
-      ASSERT_EQ(least.back(), 0.2F);
-      ASSERT_EQ(greatest.back(), 0.3F);
+      ASSERT_EQ(min.back(), 0.2F);
+      ASSERT_EQ(max.back(), 0.3F);
     }
   });
 }

@@ -15,7 +15,7 @@ TEST(ChooseLamps, TheNearestFewLampsAreChosenInObjectCoordinates) {
   std::vector<world::PointLight> lights;
   for (int i = 0; i < 8; ++i) lights.push_back({{static_cast<float>(i) * 2.0F, 1.0F, 0.0F}, Vec3(1.0F)});
   const auto chosen = chooseLamps(lights, bounds, toObject);
-  ASSERT_EQ(chosen.size(), kMostLamps);
+  ASSERT_EQ(chosen.size(), kMaxLamps);
   EXPECT_EQ(chosen[0].position, Vec3(0.0F, 1.0F, 0.0F));
   EXPECT_TRUE(chooseLamps(std::vector<world::PointLight>{{{-40, 0, 0}, Vec3(1.0F)}}, bounds, toObject).empty());
 }

@@ -66,15 +66,15 @@ TEST(LightFieldPacking, AViewIsTheSameAfterwards) {
   EXPECT_EQ(after->camera().eye, before->camera().eye);
   EXPECT_EQ(after->camera().perRow, before->camera().perRow);
   EXPECT_EQ(after->softness(), before->softness());
-  EXPECT_EQ(after->range().least, before->range().least);
-  EXPECT_EQ(after->range().greatest, before->range().greatest);
+  EXPECT_EQ(after->range().min, before->range().min);
+  EXPECT_EQ(after->range().max, before->range().max);
   const auto texels = static_cast<std::size_t>(before->width()) * static_cast<std::size_t>(before->height());
   EXPECT_TRUE(std::equal(before->colour(), before->colour() + texels, after->colour()));
   EXPECT_TRUE(std::equal(before->nearness(), before->nearness() + texels + before->padding(), after->nearness()));
   for (int row = 0; row < before->squaresDown(); ++row) {
     for (int column = 0; column < before->squaresAcross(); ++column) {
-      EXPECT_EQ(after->range(column, row).least, before->range(column, row).least);
-      EXPECT_EQ(after->range(column, row).greatest, before->range(column, row).greatest);
+      EXPECT_EQ(after->range(column, row).min, before->range(column, row).min);
+      EXPECT_EQ(after->range(column, row).max, before->range(column, row).max);
     }
   }
 }
@@ -87,7 +87,7 @@ TEST(LightFieldPacking, AnEmptyViewStaysEmpty) {
 TEST(LightFieldPacking, ADamagedViewIsRefusedOrAView) {
   const int refused = refusals(*packedOf(*disc()), [](const node::PackedBytes& bytes) {
     const auto view = CachedView::unpack(bytes);
-    ASSERT_LE(view->width(), kMostCellSize + 2 * CachedView::kBorder);
+    ASSERT_LE(view->width(), kMaxCellSize + 2 * CachedView::kBorder);
   });
   EXPECT_GT(refused, 500);
 }

@@ -155,7 +155,7 @@ TEST(ViewCell, PictureEnclosesTheBallAndIsSharpEnough) {
     const auto cell = viewCell(geometry, eye, focal, 8.0F);
     if (!cell) continue;
     ++cells;
-    ASSERT_LE(cell->size, kMostCellSize);
+    ASSERT_LE(cell->size, kMaxCellSize);
     const auto size = static_cast<float>(cell->size);
     const glm::mat3 inverse = glm::inverse(glm::mat3(cell->camera.perColumn, cell->camera.perRow, cell->camera.corner));
     for (int j = 0; j < 16; ++j) {

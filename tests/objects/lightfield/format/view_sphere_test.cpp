@@ -40,7 +40,7 @@ std::vector<Vec3> someDirections(int count) {
 
 TEST(ViewSphere, CountsItsViews) {
   EXPECT_EQ(ViewSphere(64).views(), 8321);
-  for (int n = 1; n <= ViewSphere::kMostSubdivision; ++n) {
+  for (int n = 1; n <= ViewSphere::kMaxSubdivision; ++n) {
     int points = 0;
     for (int j = -n; j <= n; ++j) points += 2 * (n - std::abs(j)) + 1;
     EXPECT_EQ(ViewSphere(n).views(), points);
@@ -49,7 +49,7 @@ TEST(ViewSphere, CountsItsViews) {
 }
 
 TEST(ViewSphere, NumbersEveryLatticePointOnce) {
-  for (int n = 1; n <= ViewSphere::kMostSubdivision; ++n) {
+  for (int n = 1; n <= ViewSphere::kMaxSubdivision; ++n) {
     const ViewSphere sphere(n);
     int expected = 0;
     for (int j = -n; j <= n; ++j) {

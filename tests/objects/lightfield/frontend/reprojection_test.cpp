@@ -369,8 +369,8 @@ TEST(CachedView, KeepsTheCoveredPartOnly) {
   EXPECT_EQ(at(1, 1), 0.25F - view.softness());   // beside the solid one
   EXPECT_EQ(at(3, 2), 0.25F - view.softness());   // beside both: the nearer
   EXPECT_EQ(at(0, 0), -view.softness());          // nothing
-  EXPECT_EQ(view.range().least, 0.125F);
-  EXPECT_EQ(view.range().greatest, 0.25F);
+  EXPECT_EQ(view.range().min, 0.125F);
+  EXPECT_EQ(view.range().max, 0.25F);
 }
 
 }  // namespace

@@ -104,10 +104,10 @@ class PlainWarp {
   [[nodiscard]] float nearnessOf(float rank) const { return rank < 0.0F ? rank + view_.softness() : rank; }
 
   [[nodiscard]] Found search(world::Vec2 a) const {
-    const float range = reach_.range.greatest - reach_.range.least;
+    const float range = reach_.range.max - reach_.range.min;
     const float way = range * reach_.texelsPerNearness;
     if (way < 0.5F) {
-      const float w = reach_.range.least + 0.5F * range;
+      const float w = reach_.range.min + 0.5F * range;
       const float near = nearnessOf(ranked(a, w));
       return {near > 0.0F ? near : w, near};
     }
@@ -120,7 +120,7 @@ class PlainWarp {
     float far = 1.0e30F;
     float farPlace = 0.0F;
     for (int j = 0; static_cast<float>(j) < steps; ++j) {
-      const float w = reach_.range.greatest - (static_cast<float>(j) + 0.5F) * step;
+      const float w = reach_.range.max - (static_cast<float>(j) + 0.5F) * step;
       const float rank = ranked(a, w);
       const float near = nearnessOf(rank);
       if (std::abs(near - w) <= permitted && (!lies || rank > best)) {
@@ -212,7 +212,7 @@ TEST(StripKernels, EveryTargetBoundsTilesAsAPlainLoopDoes) {
         const Vec3 k = warp.k + static_cast<float>(-200 + i * kTileWidth) * warp.kPerColumn +
                        static_cast<float>(10 + line * kTileHeight) * warp.kPerRow;
         const world::Vec2 a = world::Vec2(k) / std::max(k.z, kMinForward);
-        const world::Vec2 ends[2] = {a + warp.way(a) * range.least, a + warp.way(a) * range.greatest};
+        const world::Vec2 ends[2] = {a + warp.way(a) * range.min, a + warp.way(a) * range.max};
         const float slack = 1.0e-3F + 1.0e-5F * glm::length(a);
         const CornerLine& corners = lines[line];
         ASSERT_NEAR(corners.forward[i], k.z, 1.0e-4F);

@@ -44,11 +44,11 @@ Pixel at(const raster::Image& image, int x, int y) {
 }
 
 int difference(std::uint32_t a, std::uint32_t b) {
-  int most = 0;
+  int max = 0;
   for (const unsigned shift : {0U, 8U, 16U, 24U}) {
-    most = std::max(most, std::abs(static_cast<int>((a >> shift) & 0xFFU) - static_cast<int>((b >> shift) & 0xFFU)));
+    max = std::max(max, std::abs(static_cast<int>((a >> shift) & 0xFFU) - static_cast<int>((b >> shift) & 0xFFU)));
   }
-  return most;
+  return max;
 }
 
 class MeshBackendTest : public testing::Test {

@@ -69,17 +69,17 @@ TEST(LinkLine, CarriesItsRateWhoeverFillsIt) {
 TEST(LinkLine, HoldsNoMoreThanItsQueueAndItsWay) {
   for (const double rate : {1e5, 5e6, 1e8, 1e10}) {
     LinkLine line(steady(rate), 100ms, 50ms, 1);
-    std::size_t most = 0;
+    std::size_t max = 0;
     for (LinkTime now = 0ns; now < 20s; now += 10ms) {  // nobody fetches
       for (std::size_t room = line.room(now); room > 0; room = line.room(now)) {
         line.put(counting(std::min<std::size_t>(room, 60'000)), now);
       }
-      most = std::max(most, line.bytes());
+      max = std::max(max, line.bytes());
     }
     const double bound = std::min(rate / 8.0 * 0.4 + 2.0 * 65'536, 64.0 * 1024 * 1024);
-    EXPECT_LE(static_cast<double>(most), bound) << rate;
+    EXPECT_LE(static_cast<double>(max), bound) << rate;
     EXPECT_EQ(line.room(20s), 0U) << rate;
-    EXPECT_EQ(fetchAll(line, 1h).size(), most) << rate;
+    EXPECT_EQ(fetchAll(line, 1h).size(), max) << rate;
     EXPECT_GT(line.room(1h), 0U) << rate;
   }
 }
@@ -101,8 +101,8 @@ TEST(LinkLine, NeverReordersWhateverTheJitter) {
   LinkLine line(steady(5e6), 20ms, 30ms, 3);
   std::size_t put = 0;
   std::vector<std::uint8_t> got;
-  LinkTime least = 1h;
-  LinkTime most = 0ns;
+  LinkTime min = 1h;
+  LinkTime max = 0ns;
   for (LinkTime now = 0ns; now < 10s; now += 7ms) {
     line.put(counting(100, put), now);
     put += 100;
@@ -110,13 +110,13 @@ TEST(LinkLine, NeverReordersWhateverTheJitter) {
     const auto arrived = fetchAll(line, now + 1h);
     EXPECT_EQ(arrived.size(), 100U);
     got.insert(got.end(), arrived.begin(), arrived.end());
-    least = std::min(least, delay);
-    most = std::max(most, delay);
+    min = std::min(min, delay);
+    max = std::max(max, delay);
   }
   EXPECT_EQ(got, counting(put));
-  EXPECT_LT(least, 22ms);
-  EXPECT_GT(most, 45ms);
-  EXPECT_LE(most, 50ms);
+  EXPECT_LT(min, 22ms);
+  EXPECT_GT(max, 45ms);
+  EXPECT_LE(max, 50ms);
 }
 
 TEST(LinkLine, IsAsRestlessInEachRun) {

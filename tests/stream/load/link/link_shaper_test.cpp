@@ -45,11 +45,11 @@ void sendAll(const Descriptor& socket, std::span<const std::uint8_t> bytes) {
 }
 
 /// All until the end, or so many bytes; fewer if nothing comes for long.
-Bytes receive(const Descriptor& socket, std::size_t most = SIZE_MAX) {
+Bytes receive(const Descriptor& socket, std::size_t max = SIZE_MAX) {
   Bytes all;
   Bytes part(65'536);
-  while (all.size() < most && waitFor(socket, POLLIN)) {
-    const ssize_t count = ::recv(socket.get(), part.data(), std::min(part.size(), most - all.size()), 0);
+  while (all.size() < max && waitFor(socket, POLLIN)) {
+    const ssize_t count = ::recv(socket.get(), part.data(), std::min(part.size(), max - all.size()), 0);
     if (count <= 0) break;
     all.insert(all.end(), part.begin(), part.begin() + count);
   }

@@ -54,8 +54,8 @@ Particles::Source particlesOf(const FluidSettings& settings) {
   result.centre = source.centre;
   result.radius = settings.radius;
   result.rate = settings.rate;
-  result.leastLifetime = 3.2F;
-  result.mostLifetime = 6.0F;
+  result.minLifetime = 3.2F;
+  result.maxLifetime = 6.0F;
   return result;
 }
 

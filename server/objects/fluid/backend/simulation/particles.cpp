@@ -10,7 +10,7 @@
 namespace grove::objects::fluid {
 
 Particles::Particles(const Source& source, std::uint32_t seed) : source_(source), random_(seed) {
-  forEachArray([](std::vector<float>& values) { values.reserve(kMost); });
+  forEachArray([](std::vector<float>& values) { values.reserve(kMax); });
 }
 
 template <class Visit>
@@ -31,7 +31,7 @@ void Particles::inject(const SolidGrid& solids, float seconds, float cellSize) {
   due_ += source_.rate * seconds;
   const float whole = std::floor(due_);
   due_ -= whole;
-  const std::size_t room = kMost - count();
+  const std::size_t room = kMax - count();
   const std::size_t wanted = std::min(static_cast<std::size_t>(whole), room);
   for (std::size_t i = 0; i < wanted; ++i) {
     const float distance = std::sqrt(uniform(0.0F, 1.0F));
@@ -40,7 +40,7 @@ void Particles::inject(const SolidGrid& solids, float seconds, float cellSize) {
         source_.centre +
         source_.radius * world::Vec3(distance * std::cos(angle), uniform(-0.3F, 0.3F), distance * std::sin(angle));
     const float born = uniform(0.0F, seconds);
-    const float life = uniform(source_.leastLifetime, source_.mostLifetime);
+    const float life = uniform(source_.minLifetime, source_.maxLifetime);
     // The rim burns out first, which makes the flames pointed.
     const float rate = uniform(1.3F, 1.8F) + 1.1F * distance * distance;
     if (!inside(solids.layout(), place / cellSize) || !inAir(solids, place / cellSize)) continue;

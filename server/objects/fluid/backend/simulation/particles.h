@@ -15,20 +15,20 @@ namespace grove::objects::fluid {
 /// of those that live never changes. One thread.
 class Particles {
  public:
-  static constexpr std::size_t kMost = 10'000;
+  static constexpr std::size_t kMax = 10'000;
 
   struct Source {
     world::Vec3 centre{0.0F};
-    float radius = 0.35F;        ///< metres
-    float rate = 1800.0F;        ///< particles a second
-    float leastLifetime = 4.0F;  ///< seconds
-    float mostLifetime = 7.0F;   ///< seconds
+    float radius = 0.35F;      ///< metres
+    float rate = 1800.0F;      ///< particles a second
+    float minLifetime = 4.0F;  ///< seconds
+    float maxLifetime = 7.0F;  ///< seconds
   };
 
   /// The seed makes runs repeatable.
   Particles(const Source& source, std::uint32_t seed);
 
-  /// New ones at the source; never more than kMost in all, never inside of solids.
+  /// New ones at the source; never more than kMax in all, never inside of solids.
   void inject(const SolidGrid& solids, float seconds, float cellSize);
 
   /// Moves all by the midpoint method, with whirls smaller than the grid's cells on top of the velocity, keeps them out

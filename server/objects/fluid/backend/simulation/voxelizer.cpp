@@ -8,14 +8,14 @@ namespace grove::objects::fluid {
 
 namespace {
 
-constexpr int kMostHitsPerRay = 256;
+constexpr int kMaxHitsPerRay = 256;
 
 /// Visits the crossings of a ray with surfaces: called with the distance and +1 (enters) or -1 (leaves).
 template <class Visit>
 void forEachCrossing(const world::RayScene& surfaces, world::Vec3 origin, world::Vec3 direction, float far,
                      const Visit& visit) {
   float near = 0.0F;
-  for (int hits = 0; hits < kMostHitsPerRay; ++hits) {
+  for (int hits = 0; hits < kMaxHitsPerRay; ++hits) {
     const std::optional<world::RayScene::Hit> hit = surfaces.intersect(origin, direction, near, far);
     if (!hit) return;
     visit(hit->distance, glm::dot(hit->normal, direction) < 0.0F ? 1 : -1);

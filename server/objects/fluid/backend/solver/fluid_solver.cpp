@@ -10,7 +10,7 @@ namespace grove::objects::fluid {
 
 namespace {
 
-constexpr int kLeastPlanes = 8;  // for a thread: it computes some of its neighbours' as well
+constexpr int kMinPlanes = 8;  // for a thread: it computes some of its neighbours' as well
 
 }  // namespace
 
@@ -22,7 +22,7 @@ FluidSolver::FluidSolver(const Settings& settings)
       nextVelocity_(layout_),
       temperature_(layout_.size()),
       nextTemperature_(layout_.size()),
-      team_(std::make_shared<Team>(std::clamp(settings.threads, 1, settings.cells / kLeastPlanes))),
+      team_(std::make_shared<Team>(std::clamp(settings.threads, 1, settings.cells / kMinPlanes))),
       advection_(layout_, team_),
       confinement_(layout_, team_),
       pressure_(layout_, team_) {

@@ -11,7 +11,7 @@ void GlFieldCache::bind(const LightField& field, int lighting) {
   auto found = entries_.find(key);
   if (found == entries_.end() || !found->second.textures.isOf(field)) {
     std::erase_if(entries_, [](const auto& entry) { return entry.second.textures.isAbandoned(); });
-    makeRoom(GlLightField::leastBytes(field), key);
+    makeRoom(GlLightField::minBytes(field), key);
     found = entries_.try_emplace(key, Entry{GlLightField(api_, field), 0}).first;
   }
   makeRoom(found->second.textures.missingBytes(lighting), key);
@@ -26,7 +26,7 @@ std::size_t GlFieldCache::bytes() const noexcept {
 }
 
 void GlFieldCache::makeRoom(std::size_t bytes, const void* but) {
-  while (this->bytes() + bytes > mostBytes_) {
+  while (this->bytes() + bytes > maxBytes_) {
     auto oldest = entries_.end();
     for (auto entry = entries_.begin(); entry != entries_.end(); ++entry) {
       if (entry->first == but) continue;
@@ -34,8 +34,7 @@ void GlFieldCache::makeRoom(std::size_t bytes, const void* but) {
     }
     if (oldest == entries_.end()) {
       throw EnvironmentError("a light field needs " + std::to_string((this->bytes() + bytes) >> 20U) +
-                                 " MiB of textures, more than the " + std::to_string(mostBytes_ >> 20U) +
-                                 " MiB allowed",
+                                 " MiB of textures, more than the " + std::to_string(maxBytes_ >> 20U) + " MiB allowed",
                              "GL", "bake it smaller, or set renderer = \"simd\" for it in the scene file");
     }
     entries_.erase(oldest);

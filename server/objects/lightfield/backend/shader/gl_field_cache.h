@@ -12,7 +12,7 @@ namespace grove::objects::lightfield {
 /// is no room, and those that nobody uses any more when there is a new one.
 class GlFieldCache {
  public:
-  GlFieldCache(const gl::Api& api, std::size_t mostBytes) : api_(api), mostBytes_(mostBytes) {}
+  GlFieldCache(const gl::Api& api, std::size_t maxBytes) : api_(api), maxBytes_(maxBytes) {}
 
   /// Binds a field's textures, uploading what is missing. Throws EnvironmentError if the field alone is too big for the
   /// driver or the budget.
@@ -30,7 +30,7 @@ class GlFieldCache {
   void makeRoom(std::size_t bytes, const void* but);
 
   const gl::Api& api_;
-  const std::size_t mostBytes_;
+  const std::size_t maxBytes_;
   std::uint64_t uses_ = 0;
   Entries entries_;
 };

@@ -64,12 +64,12 @@ Extent3 extentOfDirectory(const LightField& field) {
 
 void allocate(const gl::TextureArray& texture, const Format& format, const Extent3& extent) {
   const gl::Api& api = texture.api();
-  GLint mostAcross = 0;
-  GLint mostLayers = 0;
-  api.GetIntegerv(GL_MAX_TEXTURE_SIZE, &mostAcross);
-  api.GetIntegerv(GL_MAX_ARRAY_TEXTURE_LAYERS, &mostLayers);
-  const bool fits = std::max(extent.width, extent.height) <= static_cast<std::size_t>(mostAcross) &&
-                    extent.layers <= static_cast<std::size_t>(mostLayers);
+  GLint maxAcross = 0;
+  GLint maxLayers = 0;
+  api.GetIntegerv(GL_MAX_TEXTURE_SIZE, &maxAcross);
+  api.GetIntegerv(GL_MAX_ARRAY_TEXTURE_LAYERS, &maxLayers);
+  const bool fits = std::max(extent.width, extent.height) <= static_cast<std::size_t>(maxAcross) &&
+                    extent.layers <= static_cast<std::size_t>(maxLayers);
   while (api.GetError() != GL_NO_ERROR) {
   }
   if (fits) {
@@ -150,7 +150,7 @@ void uploadCameras(const gl::Buffer& buffer, const LightField& field) {
 GlLightField::GlLightField(const gl::Api& api, const LightField& field)
     : storage_(field.storage),
       colourBytes_(extentOfBlocks(field).texels() * sizeof(std::uint32_t)),
-      bytes_(leastBytes(field)),
+      bytes_(minBytes(field)),
       cameras_(api),
       directory_(api),
       depth_(api),
@@ -179,7 +179,7 @@ std::size_t GlLightField::missingBytes(int lighting) const noexcept {
   return colour_[static_cast<std::size_t>(lighting)] ? 0 : colourBytes_;
 }
 
-std::size_t GlLightField::leastBytes(const LightField& field) noexcept {
+std::size_t GlLightField::minBytes(const LightField& field) noexcept {
   return static_cast<std::size_t>(field.sphere.views()) * sizeof(Camera) +
          extentOfDirectory(field).texels() * sizeof(std::uint32_t) +
          extentOfBlocks(field).texels() * sizeof(std::uint16_t);

@@ -24,7 +24,7 @@ class GlLightField {
   [[nodiscard]] std::size_t bytes() const noexcept { return bytes_; }
   [[nodiscard]] std::size_t missingBytes(int lighting) const noexcept;
   /// Of the directory, the cameras and depth.
-  [[nodiscard]] static std::size_t leastBytes(const LightField& field) noexcept;
+  [[nodiscard]] static std::size_t minBytes(const LightField& field) noexcept;
 
   /// False if `field` is another one, perhaps at the same address.
   [[nodiscard]] bool isOf(const LightField& field) const noexcept;

@@ -13,7 +13,7 @@ namespace {
 
 constexpr GLuint kRequestBinding = 0;
 // Rows of a target before another round is begun; a picture that is taller gets a target of its own.
-constexpr int kMostRows = 4096;
+constexpr int kMaxRows = 4096;
 constexpr int kStep = 256;      // pixels: targets grow by so much
 constexpr float kNear = 0.02F;  // as in sample.frag
 
@@ -71,14 +71,14 @@ int roundedUp(int pixels) { return (pixels + kStep - 1) / kStep * kStep; }
 /// One worker's program, target and textures.
 class ShaderSampler::Bench {
  public:
-  Bench(const gl::Workers::Local& local, DepthCorrection correction, std::size_t mostBytes,
+  Bench(const gl::Workers::Local& local, DepthCorrection correction, std::size_t maxBytes,
         pipeline::MemoryLedger* memory)
       : api_(local.api),
         correction_(correction),
         program_(local.api, local.shaders.load("lightfield/sample.vert"), local.shaders.load("lightfield/sample.frag")),
         noVertices_(local.api),
         request_(local.api),
-        fields_(local.api, mostBytes) {
+        fields_(local.api, maxBytes) {
     if (memory != nullptr) held_.emplace(*memory, "textures", "lightfield", pipeline::Work::kAcrossUser);
   }
 
@@ -88,7 +88,7 @@ class ShaderSampler::Bench {
     int width = 1;
     int height = 0;
     std::vector<int> tops;
-    for (; count < images.size() && (count == 0 || height + images[count]->height() <= kMostRows); ++count) {
+    for (; count < images.size() && (count == 0 || height + images[count]->height() <= kMaxRows); ++count) {
       tops.push_back(height);
       width = std::max(width, images[count]->width());
       height += images[count]->height();
@@ -144,10 +144,10 @@ class ShaderSampler::Bench {
   std::optional<pipeline::HeldMemory> held_;
 };
 
-ShaderSampler::ShaderSampler(gl::Workers& workers, DepthCorrection correction, std::size_t mostBytes)
+ShaderSampler::ShaderSampler(gl::Workers& workers, DepthCorrection correction, std::size_t maxBytes)
     : workers_(workers),
       correction_(correction),
-      mostBytes_(mostBytes),
+      maxBytes_(maxBytes),
       benches_(static_cast<std::size_t>(workers.width())) {}
 
 ShaderSampler::ShaderSampler(gl::Workers& workers, pipeline::MemoryLedger& memory) : ShaderSampler(workers) {
@@ -162,7 +162,7 @@ void ShaderSampler::render(std::span<const SampleRequest> requests, std::span<ra
   assert(requests.size() == images.size());
   const gl::Workers::Local& local = gl::Workers::local();
   std::unique_ptr<Bench>& bench = benches_[static_cast<std::size_t>(local.index)];
-  if (!bench) bench = std::make_unique<Bench>(local, correction_, mostBytes_, memory_);
+  if (!bench) bench = std::make_unique<Bench>(local, correction_, maxBytes_, memory_);
   while (!requests.empty()) {
     const std::size_t done = bench->renderSome(requests, images);
     requests = requests.subspan(done);

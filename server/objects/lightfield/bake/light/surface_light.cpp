@@ -15,7 +15,7 @@
 
 namespace grove::bake {
 
-using objects::lightfield::kMostLightings;
+using objects::lightfield::kMaxLightings;
 using world::Vec3;
 
 namespace {
@@ -237,8 +237,8 @@ void Computation::forEachDirection(const LightPoint& point, const Visit& visit) 
 void Computation::addSky(std::size_t index, SurfaceLight& light) const {
   const LightPoint& point = points_[index];
   const auto count = static_cast<std::size_t>(lightings_.count());
-  std::array<std::array<Vec3, kMostLightings>, 2> all{};
-  std::array<std::array<Vec3, kMostLightings>, 2> seen{};
+  std::array<std::array<Vec3, kMaxLightings>, 2> all{};
+  std::array<std::array<Vec3, kMaxLightings>, 2> seen{};
   forEachDirection(point, [&](std::size_t side, std::size_t d, float weight) {
     const Found found = found_[index * directions_.size() + d];
     const bool open = found == kOpen || (found < kFirstOther && found / 2 >= modelPoints_);

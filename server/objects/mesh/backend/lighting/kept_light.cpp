@@ -41,7 +41,7 @@ struct Header {
 };
 static_assert(sizeof(Header) == 32);
 
-constexpr std::size_t kMostKept = 8;
+constexpr std::size_t kMaxKept = 8;
 constexpr std::chrono::hours kOldest{1};  // of a file that is being written
 
 /// Light has a new name whenever an object moves, and a process that is ended while it writes leaves what it wrote.
@@ -62,7 +62,7 @@ void removeFormer(const std::filesystem::path& newest) {
     if (partial && now - used > kOldest) std::filesystem::remove(path, ignored);
   }
   std::ranges::sort(kept, std::greater());
-  for (std::size_t i = kMostKept - 1; i < kept.size(); ++i) std::filesystem::remove(kept[i].second, ignored);
+  for (std::size_t i = kMaxKept - 1; i < kept.size(); ++i) std::filesystem::remove(kept[i].second, ignored);
 }
 
 }  // namespace

@@ -60,13 +60,13 @@ class Cutter {
     const std::size_t side = static_cast<std::size_t>(parts) + 1;
     made_.assign(side * side, kNone);
     const Material& material = model_.materials[material_];
-    const float least = material.blended ? kFaint * material.alphaCutoff : material.alphaCutoff;
+    const float min = material.blended ? kFaint * material.alphaCutoff : material.alphaCutoff;
     const models::Texture& texture = textureOf(model_, triangle);
     for (int row = 0; row < parts; ++row) {
       for (int column = 0; row + column < parts; ++column) {
-        keep({Place{column, row}, {column + 1, row}, {column, row + 1}}, texture, least);
+        keep({Place{column, row}, {column + 1, row}, {column, row + 1}}, texture, min);
         if (row + column + 1 == parts) continue;
-        keep({Place{column + 1, row}, {column + 1, row + 1}, {column, row + 1}}, texture, least);
+        keep({Place{column + 1, row}, {column + 1, row + 1}, {column, row + 1}}, texture, min);
       }
     }
   }
@@ -85,13 +85,13 @@ class Cutter {
     return values[corners_[0]] * (1.0F - second - third) + values[corners_[1]] * second + values[corners_[2]] * third;
   }
 
-  void keep(const std::array<Place, 3>& piece, const models::Texture& texture, float least) {
+  void keep(const std::array<Place, 3>& piece, const models::Texture& texture, float min) {
     // At its middle and half way from there to its corners.
     Vec2 middle(0.0F);
     for (const Place& place : piece) middle += Vec2(place.column, place.row) / 3.0F;
     const auto isSeen = [&](Vec2 place) {
       const Vec2 share = place / static_cast<float>(parts_);
-      return static_cast<float>(texture.at(mixed(model_.uvs, share.x, share.y)) >> 24U) / 255.0F >= least;
+      return static_cast<float>(texture.at(mixed(model_.uvs, share.x, share.y)) >> 24U) / 255.0F >= min;
     };
     int seen = isSeen(middle) ? 1 : 0;
     for (const Place& place : piece) seen += isSeen((middle + Vec2(place.column, place.row)) * 0.5F) ? 1 : 0;

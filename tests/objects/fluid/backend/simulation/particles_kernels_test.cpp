@@ -159,13 +159,12 @@ std::vector<std::uint32_t> move(Crowd& crowd, const Surroundings& around) {
   return dead;
 }
 
-void expectAlike(const Crowd& one, const Crowd& other, float most) {
+void expectAlike(const Crowd& one, const Crowd& other, float max) {
   ASSERT_EQ(one.count(), other.count());
   for (std::size_t array = 0; array < one.values.size(); ++array) {
     for (std::size_t i = 0; i < one.count(); ++i) {
       const float value = other.values[array][i];
-      ASSERT_NEAR(one.values[array][i], value, most * std::max(1.0F, std::abs(value)))
-          << "array " << array << ", " << i;
+      ASSERT_NEAR(one.values[array][i], value, max * std::max(1.0F, std::abs(value))) << "array " << array << ", " << i;
     }
   }
 }

@@ -32,7 +32,7 @@ TEST(Particles, NeverExceedTheMost) {
   Particles particles({{2.0F, 1.0F, 2.0F}, 0.3F, 1.0e6F, 4.0F, 7.0F}, 1);
   particles.inject(solids, 1.0F, kCell);
   particles.inject(solids, 1.0F, kCell);
-  EXPECT_EQ(particles.count(), Particles::kMost);
+  EXPECT_EQ(particles.count(), Particles::kMax);
 }
 
 TEST(Particles, KeepTheirOrderWhenOthersDie) {

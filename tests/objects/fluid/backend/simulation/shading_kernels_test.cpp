@@ -30,10 +30,10 @@ struct Places {
   [[nodiscard]] ParticlePlaces view() const { return {at[0].data(), at[1].data(), at[2].data(), at[0].size()}; }
 };
 
-std::vector<float> randomValues(std::size_t count, float most) {
+std::vector<float> randomValues(std::size_t count, float max) {
   std::mt19937 random(static_cast<unsigned>(count));
   std::vector<float> values(count);
-  for (float& value : values) value = most * static_cast<float>(random()) / 4294967296.0F;
+  for (float& value : values) value = max * static_cast<float>(random()) / 4294967296.0F;
   return values;
 }
 
@@ -49,10 +49,10 @@ std::size_t indexOf(int cells, int x, int y, int z) {
 
 void expectNear(const std::vector<float>& values, const std::vector<double>& expected) {
   ASSERT_EQ(values.size(), expected.size());
-  const double most = *std::ranges::max_element(expected);
-  ASSERT_GT(most, 0.0);
+  const double max = *std::ranges::max_element(expected);
+  ASSERT_GT(max, 0.0);
   for (std::size_t i = 0; i < values.size(); ++i) {
-    ASSERT_NEAR(static_cast<double>(values[i]), expected[i], static_cast<double>(kShadingTolerance) * most) << i;
+    ASSERT_NEAR(static_cast<double>(values[i]), expected[i], static_cast<double>(kShadingTolerance) * max) << i;
   }
 }
 

@@ -44,16 +44,16 @@ std::unique_ptr<FluidSolver> burnt() {
 }
 
 float largest(const Layout& layout, const Field& a, const Field* b = nullptr) {
-  float most = 0.0F;
+  float max = 0.0F;
   for (int z = 0; z < kOddCells; ++z) {
     for (int y = 0; y < kOddCells; ++y) {
       for (int x = 0; x < kOddCells; ++x) {
         const std::ptrdiff_t i = layout.index(x, y, z);
-        most = std::max(most, std::fabs(a[i] - (b != nullptr ? (*b)[i] : 0.0F)));
+        max = std::max(max, std::fabs(a[i] - (b != nullptr ? (*b)[i] : 0.0F)));
       }
     }
   }
-  return most;
+  return max;
 }
 
 /// Replicas on different processors must show the same smoke. Their roundings differ: over these steps they were

@@ -129,12 +129,12 @@ class ShaderSamplerTest : public testing::Test {
 
   /// `least` is a little below what has been measured: their steps differ, which shows at the outlines of leaves that
   /// few views see.
-  static void expectAgreement(const Likeness& least, const SampleRequest& request, const world::Rect& rect = kWhole,
+  static void expectAgreement(const Likeness& min, const SampleRequest& request, const world::Rect& rect = kWhole,
                               DepthCorrection correction = DepthCorrection::kOn) {
     const Shot shader = shoot(request, rect, correction);
     const Likeness likeness = compare(shader, shootSimd(request, rect, correction));
-    EXPECT_GT(likeness.psnr, least.psnr);
-    EXPECT_GT(likeness.sameDepth, least.sameDepth);
+    EXPECT_GT(likeness.psnr, min.psnr);
+    EXPECT_GT(likeness.sameDepth, min.sameDepth);
     EXPECT_GT(std::ranges::count_if(shader.colour, [](std::uint32_t c) { return c >> 24U == 255; }), 100);
   }
 
@@ -254,11 +254,11 @@ TEST_F(ShaderSamplerTest, RefusesAFieldBeyondItsBudget) {
 LightField tinyField(std::uint32_t colour, int lightings) {
   LightField shape;
   shape.sphere = ViewSphere(1);
-  shape.size = kLeastSize;
+  shape.size = kMinSize;
   LightFieldBuilder builder(std::move(shape), lightings);
   DenseView view;
-  view.size = kLeastSize;
-  view.depth.assign(std::size_t{kLeastSize} * kLeastSize, 32767);
+  view.size = kMinSize;
+  view.depth.assign(std::size_t{kMinSize} * kMinSize, 32767);
   for (int k = 0; k < lightings; ++k)
     view.colour.emplace_back(view.depth.size(), 0xFF000000U | colour << (8U * static_cast<unsigned>(k)));
   for (int v = 0; v < 5; ++v) builder.set(v, packView(view, 1));
@@ -269,26 +269,26 @@ TEST_F(ShaderSamplerTest, CacheKeepsItsBudgetAndUploadsWhatIsUsed) {
   onWorker([] {
     const LightField a = tinyField(1, 3);
     const LightField b = tinyField(2, 3);
-    const std::size_t least = GlLightField::leastBytes(a);
+    const std::size_t min = GlLightField::minBytes(a);
     const std::size_t colour = GlLightField(gl::Workers::local().api, a).missingBytes(0);
-    GlFieldCache cache(gl::Workers::local().api, 2 * least + 3 * colour);
+    GlFieldCache cache(gl::Workers::local().api, 2 * min + 3 * colour);
     cache.bind(a, 0);
-    EXPECT_EQ(cache.bytes(), least + colour);
+    EXPECT_EQ(cache.bytes(), min + colour);
     cache.bind(a, 0);
-    EXPECT_EQ(cache.bytes(), least + colour);
+    EXPECT_EQ(cache.bytes(), min + colour);
     cache.bind(a, 2);
-    EXPECT_EQ(cache.bytes(), least + 2 * colour);
+    EXPECT_EQ(cache.bytes(), min + 2 * colour);
     cache.bind(b, 0);
-    EXPECT_EQ(cache.bytes(), 2 * least + 3 * colour);
+    EXPECT_EQ(cache.bytes(), 2 * min + 3 * colour);
     cache.bind(b, 1);  // drops a
-    EXPECT_EQ(cache.bytes(), least + 2 * colour);
+    EXPECT_EQ(cache.bytes(), min + 2 * colour);
     {
       const LightField c = tinyField(3, 3);
       cache.bind(c, 0);
     }
     cache.bind(a, 1);  // c is no more
-    EXPECT_LE(cache.bytes(), 2 * least + 3 * colour);
-    EXPECT_THROW(GlFieldCache(gl::Workers::local().api, least).bind(a, 0), EnvironmentError);
+    EXPECT_LE(cache.bytes(), 2 * min + 3 * colour);
+    EXPECT_THROW(GlFieldCache(gl::Workers::local().api, min).bind(a, 0), EnvironmentError);
   });
 }
 

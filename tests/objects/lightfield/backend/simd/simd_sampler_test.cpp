@@ -184,13 +184,13 @@ TEST(SimdSampler, ARectBesideTheObjectIsEmpty) {
 TEST(SimdSampler, AnEmptyFieldIsEmpty) {
   LightField shape;
   shape.sphere = ViewSphere(1);
-  shape.size = kLeastSize;
+  shape.size = kMinSize;
   shape.bounds.add(Vec3(-0.5F));
   shape.bounds.add(Vec3(0.5F));
   LightFieldBuilder builder(std::move(shape), 1);
   DenseView nothing;
-  nothing.size = kLeastSize;
-  nothing.depth.assign(std::size_t{kLeastSize} * kLeastSize, kNoDepth);
+  nothing.size = kMinSize;
+  nothing.depth.assign(std::size_t{kMinSize} * kMinSize, kNoDepth);
   nothing.colour.emplace_back(nothing.depth.size(), 0U);
   for (int view = 0; view < 5; ++view) builder.set(view, packView(nothing, 1));
   const LightField empty = std::move(builder).build();

@@ -220,8 +220,8 @@ float longestMove(const PlaneExtent& extent, const Moves& moves) {
       const float x = moves.x[i] < 0.0F ? -moves.x[i] : moves.x[i];
       const float up = moves.y[i] < 0.0F ? -moves.y[i] : moves.y[i];
       const float z = moves.z[i] < 0.0F ? -moves.z[i] : moves.z[i];
-      const float most = x > up ? x : up;
-      const float any = most > z ? most : z;
+      const float max = x > up ? x : up;
+      const float any = max > z ? max : z;
       longest = any > longest ? any : longest;
     }
   }

@@ -9,8 +9,8 @@ namespace grove::objects::fluid {
 
 namespace {
 
-constexpr std::size_t kMostValues = 129;  // along an axis: the faces of the finest grid
-constexpr std::size_t kMostKnown = 131;   // with ghosts
+constexpr std::size_t kMaxValues = 129;  // along an axis: the faces of the finest grid
+constexpr std::size_t kMaxKnown = 131;   // with ghosts
 
 /// Between which values of the one grid those of the other lie, along an axis.
 struct Axis {
@@ -25,19 +25,19 @@ struct Axis {
   }
 
   int count;
-  std::array<std::int32_t, kMostValues> base{};
-  std::array<float, kMostValues> share{};  ///< of the value above
+  std::array<std::int32_t, kMaxValues> base{};
+  std::array<float, kMaxValues> share{};  ///< of the value above
 };
 
 }  // namespace
 
 void resample(const Layout& fromLayout, const Field& from, Place place, const Layout& toLayout, Field& to) {
-  assert(toLayout.cells < static_cast<int>(kMostValues) && fromLayout.cells < static_cast<int>(kMostValues));
+  assert(toLayout.cells < static_cast<int>(kMaxValues) && fromLayout.cells < static_cast<int>(kMaxValues));
   const auto axis = [&](Place faces) { return Axis(fromLayout.cells, toLayout.cells, place == faces); };
   const Axis alongX = axis(Place::kFaceX);
   const Axis alongY = axis(Place::kFaceY);
   const Axis alongZ = axis(Place::kFaceZ);
-  std::array<float, kMostKnown> known{};
+  std::array<float, kMaxKnown> known{};
   const int length = fromLayout.cells + 3;
   for (int z = 0; z < alongZ.count; ++z) {
     const float fz = alongZ.share[static_cast<std::size_t>(z)];

@@ -15,11 +15,11 @@ ConjugateGradients::ConjugateGradients(const Layout& layout)
 
 double ConjugateGradients::solve(const rows::FineOperator& a, const Pockets& pockets,
                                  const Preconditioner& preconditioner, const Field& b, Field& x, double enough,
-                                 int mostIterations, int& iterations) {
+                                 int maxIterations, int& iterations) {
   double squared = initialResidual(layout_, a, b, x, r_);
   double gamma = 0.0;
   double alpha = 0.0;
-  for (bool first = true; squared > enough && iterations < mostIterations; first = false) {
+  for (bool first = true; squared > enough && iterations < maxIterations; first = false) {
     pockets.removeMeans(r_);
     const Multigrid::Products products = preconditioner(r_, z_, az_);
     double beta = 0.0;

@@ -18,10 +18,10 @@ class ConjugateGradients {
   using Preconditioner =
       std::function<Multigrid::Products(const Field& residual, Field& result, Field& operatorResult)>;
 
-  /// Improves `x`, counting `iterations` up to `mostIterations`, until the squared residual is at most `enough`.
+  /// Improves `x`, counting `iterations` up to `maxIterations`, until the squared residual is at most `enough`.
   /// Returns it, by the method's own recurrence.
   double solve(const rows::FineOperator& a, const Pockets& pockets, const Preconditioner& preconditioner,
-               const Field& b, Field& x, double enough, int mostIterations, int& iterations);
+               const Field& b, Field& x, double enough, int maxIterations, int& iterations);
 
   /// Memory that it takes.
   [[nodiscard]] std::size_t bytes() const noexcept { return heldBytes(r_, z_, az_, p_, ap_); }

@@ -75,14 +75,14 @@ PressureSolver::Outcome PressureSolver::iterate(double squaredB, const Options& 
   }
   const double enough = norms.b * static_cast<double>(options.tolerance) * static_cast<double>(options.tolerance);
   double squared = norms.after;
-  while (squared > kCertainly * enough && outcome.iterations < options.mostIterations) {
+  while (squared > kCertainly * enough && outcome.iterations < options.maxIterations) {
     norms = cycle(false);
     ++outcome.iterations;
     const bool slow = norms.after > kSlow * squared;
     squared = norms.after;
     if (slow && squared > kCertainly * enough) {
       const auto precondition = [this](const Field& r, Field& z, Field& az) { return multigrid_.apply(r, z, az); };
-      squared = gradients_.solve(multigrid_.finest(), pockets_, precondition, b_, x_, enough, options.mostIterations,
+      squared = gradients_.solve(multigrid_.finest(), pockets_, precondition, b_, x_, enough, options.maxIterations,
                                  outcome.iterations);
       break;
     }

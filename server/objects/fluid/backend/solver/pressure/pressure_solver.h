@@ -18,7 +18,7 @@ class PressureSolver {
  public:
   struct Options {
     float tolerance = 1.0e-4F;  ///< relative L2 residual
-    int mostIterations = 60;
+    int maxIterations = 60;
   };
   struct Outcome {
     int iterations = 0;
