@@ -18,7 +18,7 @@ namespace {
 
 constexpr const char* kWhat = "not enough memory";
 
-/// In kB, as ulimit tells it.
+/// In kB, as ulimit reports it.
 std::optional<unsigned long long> limit() noexcept {
   rlimit space{};
   if (getrlimit(RLIMIT_AS, &space) != 0 || space.rlim_cur == RLIM_INFINITY) return std::nullopt;

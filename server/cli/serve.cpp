@@ -138,7 +138,7 @@ int runServe(const ServeOptions& options) {
   (void)stream::socketsThatFit();
   const std::shared_ptr<stream::TlsStore> tls =
       options.tls.certificate.empty() ? nullptr : std::make_shared<stream::TlsStore>(options.tls);
-  StopOnSignal stop(StopOnSignal::Hangup::kIsTold);
+  StopOnSignal stop(StopOnSignal::Hangup::kIsReported);
   stop.endWithin(kStopWhilePreparing);
   const world::Scene scene = openScene(options.scene);
   std::optional<EndOnMemoryShortage> ending(std::in_place);
@@ -156,14 +156,14 @@ int runServe(const ServeOptions& options) {
   Progress progress;
   std::once_flag announced;
   // Of what cannot be served, nothing is announced.
-  const auto tell = [&](std::string_view label, float share) {
+  const auto report = [&](std::string_view label, float share) {
     std::call_once(announced, [&] {
       log::info("the page is at " + address + "; visitors wait there while the world is prepared");
     });
     progress.show(label, share);
-    server.tell(label, share);
+    server.report(label, share);
   };
-  std::optional<FirstLook> look = prepareFirstLook(scene, tell, stop.token());
+  std::optional<FirstLook> look = prepareFirstLook(scene, report, stop.token());
   if (!look) {
     log::info("stopped; the next start goes on from here");
     return 0;
@@ -178,7 +178,7 @@ int runServe(const ServeOptions& options) {
   requireAddressSpace(spaceForServing(scene, options) + threads * stackBytes());
   stream::HostOptions hosting = options.host;
   hosting.maxSharedBytes = sharedBytes(options);
-  host.emplace(std::move(loaded), types, gl, hosting, tell);
+  host.emplace(std::move(loaded), types, gl, hosting, report);
   progress.finish();
   requireAddressSpace(spaceForServing(scene, options));
   ending.reset();
@@ -189,7 +189,7 @@ int runServe(const ServeOptions& options) {
     const node::BackendType& lightField = *types.backends.find("lightfield");
     refiner.emplace(
         std::move(look->rough), [&](const std::filesystem::path& file) { lightField.show(file); },
-        [&](const stream::Refining& refining) { host->tell(refining); });
+        [&](const stream::Refining& refining) { host->report(refining); });
   }
   const bool secureDesk = server.isSecure(stream::Audience::kOperator);
   std::printf("operator's page at %s/operator\n", urlOf({desk.host, server.operatorPort()}, secureDesk).c_str());

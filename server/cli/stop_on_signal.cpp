@@ -26,7 +26,7 @@ StopOnSignal::StopOnSignal(Hangup hangup) : hadTerminal_(hasTerminal()) {
   sigemptyset(&signals_);
   sigaddset(&signals_, SIGINT);
   sigaddset(&signals_, SIGTERM);
-  if (hangup == Hangup::kIsTold) sigaddset(&signals_, SIGHUP);
+  if (hangup == Hangup::kIsReported) sigaddset(&signals_, SIGHUP);
   pthread_sigmask(SIG_BLOCK, &signals_, nullptr);
   watcher_ = std::jthread([this](const std::stop_token& ended) { watch(ended); });
 }
@@ -38,7 +38,7 @@ void StopOnSignal::watch(const std::stop_token& ended) {
   while (!ended.stop_requested()) {
     const int signal = sigtimedwait(&signals_, nullptr, &kPeriod);
     if (signal == SIGHUP && !(hadTerminal_ && !hasTerminal())) {
-      tellHangup();
+      reportHangup();
     } else if (signal > 0) {
       stop_.request_stop();
       if (!asked) asked = Clock::now();
@@ -51,15 +51,15 @@ void StopOnSignal::watch(const std::stop_token& ended) {
   }
 }
 
-void StopOnSignal::tellHangup() {
+void StopOnSignal::reportHangup() {
   const std::lock_guard lock(mutex_);
   hangup_ = true;
-  told_.notify_all();
+  reported_.notify_all();
 }
 
 StopOnSignal::Event StopOnSignal::waitFor(std::chrono::milliseconds patience) {
   std::unique_lock lock(mutex_);
-  told_.wait_for(lock, token(), patience, [this] { return hangup_; });
+  reported_.wait_for(lock, token(), patience, [this] { return hangup_; });
   if (stop_.stop_requested()) return Event::kStop;
   return std::exchange(hangup_, false) ? Event::kHangup : Event::kNone;
 }

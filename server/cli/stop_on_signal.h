@@ -16,7 +16,7 @@ class StopOnSignal {
   enum class Event { kStop, kHangup, kNone };
   /// What SIGHUP does: ends the process at once, or is told to who waits; then it is a request to stop only if the
   /// terminal that the process was started from is gone.
-  enum class Hangup { kEnds, kIsTold };
+  enum class Hangup { kEnds, kIsReported };
 
   explicit StopOnSignal(Hangup hangup = Hangup::kEnds);
   [[nodiscard]] std::stop_token token() const { return stop_.get_token(); }
@@ -30,12 +30,12 @@ class StopOnSignal {
 
  private:
   void watch(const std::stop_token& ended);
-  void tellHangup();
+  void reportHangup();
 
   const bool hadTerminal_;
   sigset_t signals_{};
   std::mutex mutex_;
-  std::condition_variable_any told_;
+  std::condition_variable_any reported_;
   bool hangup_ = false;  ///< one that nobody has been told of
   std::stop_source stop_;
   std::atomic<std::chrono::milliseconds::rep> patience_{-1};  ///< negative: none set

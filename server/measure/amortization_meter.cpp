@@ -29,12 +29,13 @@ Capacity capacityOf(const Amortization& measured, double nominalFramesPerSecond)
   const double coresPerMillisecond = nominalFramesPerSecond / 1000.0;
   const double frames = measured.visitors * measured.framesPerSecond;
   const double clocked = cost.acrossUser - cost.onDemand;
-  const double told =
+  const double reported =
       (clocked * nominalFramesPerSecond + cost.onDemand * measured.framesPerSecond + cost.perUser() * frames) / 1000.0;
   Capacity capacity;
-  capacity.untold = frames > 0.0 ? std::max(0.0, measured.cpuCores - told) / frames * nominalFramesPerSecond : 0.0;
+  capacity.unreported =
+      frames > 0.0 ? std::max(0.0, measured.cpuCores - reported) / frames * nominalFramesPerSecond : 0.0;
   capacity.base = cost.acrossUser * coresPerMillisecond;
-  capacity.visitor = cost.perUser() * coresPerMillisecond + capacity.untold;
+  capacity.visitor = cost.perUser() * coresPerMillisecond + capacity.unreported;
   // Alone, a visitor has all the clocked work, and of the work on demand at least his share.
   const double own = clocked + cost.onDemand / std::max(1.0, measured.visitors);
   capacity.privateVisitor = own * coresPerMillisecond + capacity.visitor;

@@ -24,7 +24,7 @@ struct Amortization {
 /// What serving costs and whom the machine can serve, told from measured costs, in cores at the nominal frame rate.
 struct Capacity {
   double base = 0.0;            ///< a: across-user work
-  double untold = 0.0;          ///< of one visitor: CPU that no stage accounts for
+  double unreported = 0.0;      ///< of one visitor: CPU that no stage accounts for
   double visitor = 0.0;         ///< b: of one more visitor
   double privateVisitor = 0.0;  ///< of one visitor in private mode: at least so much
   [[nodiscard]] int visitorsFit(double cores) const noexcept;

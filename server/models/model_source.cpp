@@ -42,7 +42,7 @@ std::string nameOfBytes(const std::filesystem::path& path) {
     try {
       add(named, print);
     } catch (const EnvironmentError&) {
-      continue;  // the import tells of it, or does without
+      continue;  // the import reports it, or does without
     }
   }
   std::array<char, 32> text{};
@@ -50,7 +50,7 @@ std::string nameOfBytes(const std::filesystem::path& path) {
   return text.data();
 }
 
-/// What a function makes of the file that a scene names; what it throws is told with the scene's line and key.
+/// What a function makes of the file that a scene names; what it throws is reported with the scene's line and key.
 template <class Make>
 auto ofNamedFile(const world::Parameters& parameters, const Make& make) {
   try {

@@ -22,7 +22,7 @@ struct MemoryTotal {
   std::int64_t bytes = 0;
 };
 
-/// Sums of the bytes that are held, by holder and by the type of object they serve. Holders tell it by HeldMemory,
+/// Sums of the bytes that are held, by holder and by the type of object they serve. Holders report by HeldMemory,
 /// where they allocate. Any thread.
 class MemoryLedger {
  public:

@@ -51,7 +51,7 @@ struct Drawing {
   Lamps lamps;
 };
 
-/// Whom a renderer tells what it keeps, and for which type of object.
+/// To whom a renderer reports what it keeps, and for which type of object.
 struct MeshMemory {
   pipeline::MemoryLedger& ledger;  ///< outlives the renderer
   std::string_view type;           ///< outlives the ledger

@@ -40,7 +40,7 @@ struct ImagePool::Store {
       const std::lock_guard lock(mutex);
       allBytes += (used - memory.touched) * kPixelBytes;
       memory.touched = used;
-      tell();
+      report();
     }
     return memory;
   }
@@ -59,7 +59,7 @@ struct ImagePool::Store {
     const std::lock_guard lock(mutex);
     if (unusedBytes + pixels * kPixelBytes > maxBytes) {
       allBytes -= memory.touched * kPixelBytes;
-      tell();
+      report();
       return;
     }
     unused.emplace(pixels, std::move(memory));
@@ -72,11 +72,11 @@ struct ImagePool::Store {
     freed.swap(unused);
     unusedBytes = 0;
     for (const auto& [pixels, memory] : freed) allBytes -= memory.touched * kPixelBytes;
-    tell();
+    report();
   }
 
   /// Only what is allocated and freed, so a frame that reuses memory tells nothing.
-  void tell() {
+  void report() {
     if (held) held->set(allBytes);
   }
 };

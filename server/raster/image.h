@@ -48,7 +48,7 @@ class ImagePool {
   static constexpr std::size_t kUsualBytes = std::size_t{256} << 20U;
 
   explicit ImagePool(std::size_t maxBytes = kUsualBytes);
-  /// Tells all memory of its images, in use or not, as per-user.
+  /// Reports all memory of its images, in use or not, as per-user.
   explicit ImagePool(pipeline::MemoryLedger& memory, std::size_t maxBytes = kUsualBytes);
   ~ImagePool();
   ImagePool(const ImagePool&) = delete;

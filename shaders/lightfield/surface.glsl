@@ -18,9 +18,9 @@ struct Surface {
   bool guessed;  // no view may show it
 };
 
-// The part of a ray within the object's bounds as a view sees it: a way of steps of about a texel each. Places on it
+// The part of a ray within the object's bounds as a view sees it: a segment of steps of about a texel each. Places on it
 // run from 0 to 1, and 1 / view depth is linear in them.
-struct Way {
+struct RaySegment {
   vec2 begin;  // texels
   vec2 span;
   float inverseBegin;  // 1 / view depth
@@ -37,16 +37,16 @@ struct Meeting {
 };
 
 // Each of four texels is met where the ray has its depth, and by as much as the ray there lies within its square.
-Meeting meetTexels(Lens lens, Way way, float middle) {
-  Texels texels = texelsAround(lens, way.begin + middle * way.span);
+Meeting meetTexels(Lens lens, RaySegment segment, float middle) {
+  Texels texels = texelsAround(lens, segment.begin + middle * segment.span);
   vec4 inverse = 1.0 / (lens.nearDepth + vec4(texels.depth) * lens.depthStep);
-  vec4 away = (inverse - way.inverseBegin) / way.inverseSpan - middle;
+  vec4 away = (inverse - segment.inverseBegin) / segment.inverseSpan - middle;
   bvec4 empty = equal(texels.depth, uvec4(kNoDepth));
-  vec4 columns = abs(texels.within.x + away * way.span.x - vec4(0.0, 1.0, 0.0, 1.0));
-  vec4 rows = abs(texels.within.y + away * way.span.y - vec4(0.0, 0.0, 1.0, 1.0));
+  vec4 columns = abs(texels.within.x + away * segment.span.x - vec4(0.0, 1.0, 0.0, 1.0));
+  vec4 rows = abs(texels.within.y + away * segment.span.y - vec4(0.0, 0.0, 1.0, 1.0));
   vec4 share = max(1.0 - columns, 0.0) * max(1.0 - rows, 0.0);
-  share *= vec4(lessThanEqual(abs(away), vec4(way.slack))) * vec4(not(empty));
-  vec4 behind = texels.weight * vec4(lessThan(away, vec4(-way.slack))) * vec4(not(empty));
+  share *= vec4(lessThanEqual(abs(away), vec4(segment.slack))) * vec4(not(empty));
+  vec4 behind = texels.weight * vec4(lessThan(away, vec4(-segment.slack))) * vec4(not(empty));
 
   const vec4 kAll = vec4(1.0);
   float met = dot(share, kAll);
@@ -63,14 +63,14 @@ bool lookForSurface(int view, vec3 ray, float from, float to, inout Surface resu
   float zFrom = max(start.z + from * slope.z, kMinViewDepth);
   float zTo = max(start.z + to * slope.z, kMinViewDepth);
   if (zTo <= zFrom) return false;
-  Way way;
-  way.begin = (start.xy + from * slope.xy) / zFrom + lens.middle;
-  way.span = (start.xy + to * slope.xy) / zTo + lens.middle - way.begin;
-  way.inverseBegin = 1.0 / zFrom;
-  way.inverseSpan = min(1.0 / zTo - way.inverseBegin, -1.0e-9);
-  way.steps = clamp(int(max(abs(way.span.x), abs(way.span.y)) + 1.0), 1, kMaxSteps);
-  float texel = -lens.metresPerTexel * way.inverseBegin / way.inverseSpan;
-  way.slack = (0.5 + kSlack) / float(way.steps) + kThickness * texel;
+  RaySegment segment;
+  segment.begin = (start.xy + from * slope.xy) / zFrom + lens.middle;
+  segment.span = (start.xy + to * slope.xy) / zTo + lens.middle - segment.begin;
+  segment.inverseBegin = 1.0 / zFrom;
+  segment.inverseSpan = min(1.0 / zTo - segment.inverseBegin, -1.0e-9);
+  segment.steps = clamp(int(max(abs(segment.span.x), abs(segment.span.y)) + 1.0), 1, kMaxSteps);
+  float texel = -lens.metresPerTexel * segment.inverseBegin / segment.inverseSpan;
+  segment.slack = (0.5 + kSlack) / float(segment.steps) + kThickness * texel;
 
   int hidden = 0;  // steps behind something
   float hiddenAt = 0.0;
@@ -78,9 +78,9 @@ bool lookForSurface(int view, vec3 ray, float from, float to, inout Surface resu
   float grazedAt = 0.0;
   bool found = false;
   float foundAt = 0.0;
-  for (int k = 0; k < way.steps; ++k) {
-    float middle = (float(k) + 0.5) / float(way.steps);
-    Meeting meeting = meetTexels(lens, way, middle);
+  for (int k = 0; k < segment.steps; ++k) {
+    float middle = (float(k) + 0.5) / float(segment.steps);
+    Meeting meeting = meetTexels(lens, segment, middle);
     found = meeting.share > kEnough;
     foundAt = meeting.place;
     if (found) break;
@@ -96,9 +96,9 @@ bool lookForSurface(int view, vec3 ray, float from, float to, inout Surface resu
 
   bool open = !found && hidden > 0;
   bool grazes = !found && grazed > 0.0;
-  bool guesses = open && !grazes && float(hidden) > float(way.steps) * kMostlyHidden;
+  bool guesses = open && !grazes && float(hidden) > float(segment.steps) * kMostlyHidden;
   float place = found ? foundAt : grazes ? grazedAt : hiddenAt;
-  float z = 1.0 / (way.inverseBegin + place * way.inverseSpan);
+  float z = 1.0 / (segment.inverseBegin + place * segment.inverseSpan);
   if (found || ((grazes || guesses) && !result.guessed)) result.depth = clamp((z - start.z) / slope.z, from, to);
   result.found = result.found || found || (grazes && !open);
   result.guessed = result.guessed || guesses || (grazes && open);

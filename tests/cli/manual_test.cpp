@@ -46,9 +46,9 @@ Manual readManual() {
 }
 
 TEST(ManualPage, HasEveryCommandAndNoOther) {
-  std::vector<std::string> told;
-  for (const auto& [command, options] : readManual()) told.push_back(command);
-  EXPECT_THAT(allCommands(), testing::UnorderedElementsAreArray(told));
+  std::vector<std::string> reported;
+  for (const auto& [command, options] : readManual()) reported.push_back(command);
+  EXPECT_THAT(allCommands(), testing::UnorderedElementsAreArray(reported));
 }
 
 TEST(ManualPage, HasEveryOptionAndNoOther) {
@@ -58,13 +58,13 @@ TEST(ManualPage, HasEveryOptionAndNoOther) {
     for (const auto& [name, option] : helpOf(command).options) real.insert(name);
     EXPECT_EQ(real.count("--help"), 1U) << command;
     if (!command.empty()) real.erase("--help");  // told once
-    std::set<std::string> told;
-    for (const auto& [name, about] : manual[command]) told.insert(name);
-    EXPECT_THAT(told, ContainerEq(real)) << "grove " << command;
+    std::set<std::string> reported;
+    for (const auto& [name, about] : manual[command]) reported.insert(name);
+    EXPECT_THAT(reported, ContainerEq(real)) << "grove " << command;
   }
 }
 
-TEST(ManualPage, TellsDefaultsAndValuesAsHelpDoes) {
+TEST(ManualPage, ReportsDefaultsAndValuesAsHelpDoes) {
   Manual manual = readManual();
   int defaults = 0;
   int values = 0;

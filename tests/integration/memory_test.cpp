@@ -33,7 +33,7 @@ constexpr int kGrid = kSanitized ? 16 : 64;
 constexpr int kViews = kSanitized ? 4 : 8;
 
 /// What is held for `work`; of shared work only what visitors do not fill by and by: no caches, nothing made on demand.
-double told(const stream::Host& host, Work work) {
+double reported(const stream::Host& host, Work work) {
   static const std::set<std::string> onDemand{"shared views", "buffers"};
   double sum = 0.0;
   for (const auto& [key, total] : host.memory().totals()) {
@@ -135,20 +135,20 @@ TEST_F(Memory, WhatIsToldIsWhatTheProcessHolds) {
 TEST_F(Memory, OnlyWhatIsPerUserGrowsWithVisitorsAndGoesWithThem) {
   ServedScene served(scene());
   const stream::Host& host = served.host;
-  const auto perUser = [&] { return told(host, Work::kPerUserFrontend) + told(host, Work::kPerUserBackend); };
+  const auto perUser = [&] { return reported(host, Work::kPerUserFrontend) + reported(host, Work::kPerUserBackend); };
   EXPECT_EQ(perUser(), 0.0);
   Visitors visitors;
   enter(served, visitors);
   const double one = perUser();
-  const double shared = told(host, Work::kAcrossUser);
+  const double shared = reported(host, Work::kAcrossUser);
   EXPECT_GT(one, kWidth * kHeight * 8.0) << "a frame at least";
   for (int i = 0; i < 2; ++i) enter(served, visitors);
   EXPECT_GT(perUser(), 1.5 * one);
-  EXPECT_NEAR(told(host, Work::kAcrossUser), shared, 0.02 * shared);
+  EXPECT_NEAR(reported(host, Work::kAcrossUser), shared, 0.02 * shared);
   visitors.clear();
   waitFor([&] { return perUser() == 0.0; });
   EXPECT_EQ(perUser(), 0.0);
-  EXPECT_NEAR(told(host, Work::kAcrossUser), shared, 0.02 * shared);
+  EXPECT_NEAR(reported(host, Work::kAcrossUser), shared, 0.02 * shared);
 }
 
 TEST_F(Memory, PrivateWorldsHoldACopyForEachVisitor) {

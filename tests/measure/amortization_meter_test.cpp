@@ -19,7 +19,7 @@ void record(pipeline::Timeline& timeline, const char* stage, Work work, int runs
   }
 }
 
-TEST(AmortizationMeter, TellsNothingWhileNobodyIsServed) {
+TEST(AmortizationMeter, ReportsNothingWhileNobodyIsServed) {
   const pipeline::Timeline timeline;
   const pipeline::MemoryLedger memory;
   AmortizationMeter meter(timeline, memory, 30.0, false);
@@ -29,7 +29,7 @@ TEST(AmortizationMeter, TellsNothingWhileNobodyIsServed) {
   EXPECT_FALSE(meter.newest());
 }
 
-TEST(AmortizationMeter, TellsOfTheLastSamplesOnly) {
+TEST(AmortizationMeter, ReportsOfTheLastSamplesOnly) {
   pipeline::Timeline timeline;
   const pipeline::MemoryLedger memory;
   AmortizationMeter meter(timeline, memory, 30.0, false);
@@ -57,7 +57,7 @@ TEST(AmortizationMeter, KnowsThatClocksDoNotWaitForSlowFrames) {
   EXPECT_NEAR(capacityOf(measured, 30.0).visitor, 0.15, 1e-9) << "all of its CPU is accounted for";
 }
 
-TEST(AmortizationMeter, TellsWhomAMachineCanServe) {
+TEST(AmortizationMeter, ReportsWhomAMachineCanServe) {
   Amortization measured;
   measured.visitors = 4.0;
   measured.framesPerSecond = 30.0;

@@ -59,7 +59,7 @@ void record(pipeline::Timeline& timeline, const char* stage, const char* subject
   }
 }
 
-TEST(Amortization, TellsCostsOfAFrameByTypeOfObject) {
+TEST(Amortization, ReportsCostsOfAFrameByTypeOfObject) {
   using pipeline::Work;
   pipeline::Timeline timeline;
   record(timeline, "Simulation Tick", "fluid", Work::kAcrossUser, 100, 99.0, 30.0);  // before: does not count

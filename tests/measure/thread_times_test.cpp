@@ -12,7 +12,7 @@
 namespace grove::measure {
 namespace {
 
-TEST(ThreadTimes, TellsWhatAThreadOfThatNameUsed) {
+TEST(ThreadTimes, ReportsWhatAThreadOfThatNameUsed) {
   constexpr double kBurnt = 0.05;
   std::latch burnt(1);
   std::latch read(1);

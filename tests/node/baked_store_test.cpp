@@ -25,7 +25,7 @@ TEST(BakedStore, BakesOnceAndHandsOutCopies) {
   EXPECT_EQ(store.copyOf<Map>("ground 2", bytesOf, bake)[0], 2);
 }
 
-TEST(BakedStore, TellsWhatItHolds) {
+TEST(BakedStore, ReportsWhatItHolds) {
   pipeline::MemoryLedger memory;
   BakedStore store(memory);
   for (const char* key : {"a", "a", "b"}) {

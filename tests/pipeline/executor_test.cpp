@@ -77,7 +77,7 @@ TEST(Executor, PostFirstGoesAheadOfWhatWaits) {
 }
 
 /// Fails if a frame that begins when a worker is idle would wait for ever.
-TEST(WorkerPool, TellsThatAWorkerIsIdleBeforeItSleepsAndRunsWhatIsPostedThen) {
+TEST(WorkerPool, ReportsThatAWorkerIsIdleBeforeItSleepsAndRunsWhatIsPostedThen) {
   WorkerPool* pool = nullptr;
   std::latch made(1);
   std::atomic<int> idle = 0;

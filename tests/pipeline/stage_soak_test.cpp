@@ -60,8 +60,8 @@ class Count final : public Stage<int> {
 class Bursts : public testing::TestWithParam<int> {};
 
 TEST_P(Bursts, LargerThanTheOutletComeThroughWhole) {
-  const char* const told = std::getenv("GROVE_BURSTS");
-  const int bursts = told ? std::stoi(told) : 200;
+  const char* const reported = std::getenv("GROVE_BURSTS");
+  const int bursts = reported ? std::stoi(reported) : 200;
   Timeline timeline;
   WorkerPool pool(GetParam());
   const auto pass = std::make_shared<Pass>(StageOptions{.name = "pass", .capacity = kBurst}, pool, timeline);

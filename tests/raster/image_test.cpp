@@ -38,28 +38,28 @@ TEST(ImagePool, ImagesMayOutliveIt) {
   EXPECT_EQ(image->colour[63], 7u);
 }
 
-TEST(ImagePool, TellsWhatItHoldsUsedOrNot) {
+TEST(ImagePool, ReportsWhatItHoldsUsedOrNot) {
   pipeline::MemoryLedger memory;
-  const auto told = [&] { return memory.totals().at({"images", ""}).bytes; };
+  const auto reported = [&] { return memory.totals().at({"images", ""}).bytes; };
   std::shared_ptr<Image> outlives;
   {
     ImagePool pool(memory);
     auto image = pool.acquire({0, 0, 640, 360});
-    const std::int64_t one = told();
+    const std::int64_t one = reported();
     EXPECT_EQ(one, 640 * 360 * 8) << "what it may have touched";
     image.reset();
-    EXPECT_EQ(told(), one) << "it is kept";
+    EXPECT_EQ(reported(), one) << "it is kept";
     image = pool.acquire({0, 0, 640, 360});
     outlives = pool.acquire({0, 0, 640, 360});
-    EXPECT_EQ(told(), 2 * one);
+    EXPECT_EQ(reported(), 2 * one);
     image.reset();
     pool.freeUnused();
-    EXPECT_EQ(told(), one);
+    EXPECT_EQ(reported(), one);
     EXPECT_EQ(pool.unusedBytes(), 0u);
   }
-  EXPECT_EQ(told(), 0);
+  EXPECT_EQ(reported(), 0);
   outlives.reset();
-  EXPECT_EQ(told(), 0);
+  EXPECT_EQ(reported(), 0);
 }
 
 TEST(ImagePool, AnEmptyRectangleIsNoError) {

@@ -39,7 +39,7 @@ struct WantedField {
 void makeFieldFolder(const std::filesystem::path& folder);
 
 /// What is in a file, or why it cannot be taken from there: it is not there, or damaged, or of another version of the
-/// format. One that is there and damaged is told in the log.
+/// format. One that is there and damaged is reported in the log.
 [[nodiscard]] std::variant<objects::lightfield::LightField, std::string> openField(const std::filesystem::path& file);
 
 /// For people: the plant, or the file of the model.

@@ -21,7 +21,7 @@ namespace {
 
 using objects::lightfield::KnownFields;
 using objects::lightfield::LightField;
-using Tell = std::function<void(std::string_view, float)>;
+using Report = std::function<void(std::string_view, float)>;
 
 constexpr const char* kWaiting = "waiting for another server that prepares light fields";
 
@@ -32,26 +32,26 @@ int cores() { return static_cast<int>(std::max(1U, std::thread::hardware_concurr
 /// The mean of what several threads have done.
 class MeanShare {
  public:
-  MeanShare(std::size_t count, const Tell& tell) : shares_(count, 0.0F), tell_(tell) {}
+  MeanShare(std::size_t count, const Report& report) : shares_(count, 0.0F), report_(report) {}
 
   void set(std::size_t index, float share) {
     const std::lock_guard lock(mutex_);
     shares_[index] = share;
-    tell_("sketching the light fields",
-          std::accumulate(shares_.begin(), shares_.end(), 0.0F) / static_cast<float>(shares_.size()));
+    report_("sketching the light fields",
+            std::accumulate(shares_.begin(), shares_.end(), 0.0F) / static_cast<float>(shares_.size()));
   }
 
  private:
   std::mutex mutex_;
   std::vector<float> shares_;
-  const Tell& tell_;
+  const Report& report_;
 };
 
 /// Several at a time, for much of a bake is one thread's work. False if it was stopped.
 bool makeRoughly(const std::vector<WantedField>& wanted, const std::filesystem::path& folder, KnownFields& fields,
-                 const Tell& tell, const std::stop_token& stop) {
+                 const Report& report, const std::stop_token& stop) {
   const int together = std::min(cores(), static_cast<int>(wanted.size()));
-  MeanShare share(wanted.size(), tell);
+  MeanShare share(wanted.size(), report);
   std::mutex mutex;
   bake::parallelFor(together, wanted.size(), [&](std::size_t i) {
     const std::filesystem::path file = roughFile(wanted[i], folder);
@@ -72,13 +72,13 @@ bool makeRoughly(const std::vector<WantedField>& wanted, const std::filesystem::
 }
 
 /// In the cache folder.
-bool makeRoughlyToKeep(const std::vector<WantedField>& wanted, KnownFields& fields, const Tell& tell,
+bool makeRoughlyToKeep(const std::vector<WantedField>& wanted, KnownFields& fields, const Report& report,
                        const std::stop_token& stop) {
   const std::filesystem::path folder = fieldFolder();
   makeFieldFolder(folder);
   const FieldLock lock(folder / "rough.lock");
-  if (!lock.wait([&] { tell(kWaiting, 0.0F); }, stop)) return false;
-  return makeRoughly(wanted, folder, fields, tell, stop);
+  if (!lock.wait([&] { report(kWaiting, 0.0F); }, stop)) return false;
+  return makeRoughly(wanted, folder, fields, report, stop);
 }
 
 /// How much of the view from where visitors arrive its objects take.
@@ -122,7 +122,8 @@ bool prepareWorld(const world::Scene& scene, Progress& progress, const std::stop
   return true;
 }
 
-std::optional<FirstLook> prepareFirstLook(const world::Scene& scene, const Tell& tell, const std::stop_token& stop) {
+std::optional<FirstLook> prepareFirstLook(const world::Scene& scene, const Report& report,
+                                          const std::stop_token& stop) {
   FirstLook look;
   const std::vector<WantedField> wanted = wantedFields(scene);
   std::mutex mutex;
@@ -137,11 +138,11 @@ std::optional<FirstLook> prepareFirstLook(const world::Scene& scene, const Tell&
   });
   if (look.rough.empty()) return look;
   try {
-    if (!makeRoughlyToKeep(look.rough, look.fields, tell, stop)) return std::nullopt;
+    if (!makeRoughlyToKeep(look.rough, look.fields, report, stop)) return std::nullopt;
   } catch (const EnvironmentError& e) {
     log::warning(std::string(e.what()) + "; until then, light fields are coarse and made anew at every start");
     const TemporaryFolder folder;
-    if (!makeRoughly(look.rough, folder.path(), look.fields, tell, stop)) return std::nullopt;
+    if (!makeRoughly(look.rough, folder.path(), look.fields, report, stop)) return std::nullopt;
     look.rough.clear();
   }
   std::ranges::sort(look.rough, std::ranges::greater{}, [&](const WantedField& each) {

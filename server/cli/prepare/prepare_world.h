@@ -29,7 +29,7 @@ struct FirstLook {
 };
 
 /// For those who serve: opens what is in the cache folder, and makes something rough of the rest, in seconds. If
-/// nothing can be kept there, it is made for this once and stays as it is, of which the log tells. Nothing if it was
+/// nothing can be kept there, it is made for this once and stays as it is, which the log reports. Nothing if it was
 /// stopped. Throws as prepareWorld().
 [[nodiscard]] std::optional<FirstLook> prepareFirstLook(const world::Scene& scene,
                                                         const std::function<void(std::string_view, float)>& progress,

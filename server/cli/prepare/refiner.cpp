@@ -77,8 +77,8 @@ std::string inSeconds(double seconds) {
 
 }  // namespace
 
-Refiner::Refiner(std::vector<WantedField> wanted, Show show, Tell tell)
-    : left_(std::move(wanted)), costAll_(costOf(left_)), show_(std::move(show)), tell_(std::move(tell)) {
+Refiner::Refiner(std::vector<WantedField> wanted, Show show, Report report)
+    : left_(std::move(wanted)), costAll_(costOf(left_)), show_(std::move(show)), report_(std::move(report)) {
   log::info("finer light fields are made while the world is shown: " + std::to_string(left_.size()));
   thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
   pthread_setname_np(thread_.native_handle(), "grove-refine");
@@ -109,7 +109,7 @@ void Refiner::run(const std::stop_token& stop) {
   } catch (const std::exception& e) {
     log::error(std::string(e.what()) + "; the light fields that are left stay coarse");
   }
-  tell_({.percent = 100, .secondsLeft = 0, .step = {}});
+  report_({.percent = 100, .secondsLeft = 0, .step = {}});
 }
 
 void Refiner::showWhatIsThere() {
@@ -145,8 +145,8 @@ void Refiner::wait(const std::stop_token& stop) {
 
 void Refiner::progressed(float share) {
   const Clock::time_point now = Clock::now();
-  if (told_ && now - *told_ < kBetweenNews) return;
-  told_ = now;
+  if (reported_ && now - *reported_ < kBetweenNews) return;
+  reported_ = now;
   const float done = shareDone(share);
   Refining news;
   news.percent = static_cast<std::uint8_t>(std::clamp(std::floor(100.0F * done), 0.0F, 99.0F));
@@ -154,7 +154,7 @@ void Refiner::progressed(float share) {
     news.secondsLeft = static_cast<std::uint16_t>(std::min(*left, Refining::kUnknownSeconds - 1.0));
   }
   news.step = nameOf(left_.front());
-  tell_(news);
+  report_(news);
 }
 
 double Refiner::seconds() const { return std::chrono::duration<double>(Clock::now() - begin_).count(); }

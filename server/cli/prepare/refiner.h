@@ -16,17 +16,17 @@ namespace grove::cli {
 
 /// Makes the light fields of a world that is shown already, as fine as the scene wants them, in the time in which the
 /// cores have nothing else to do: on threads that run only then. One after the other; of several servers on one cache
-/// folder one makes each, and all show it. The log tells how it gets on. What cannot be made (a full disk) stays as it
-/// is, and says so once.
+/// folder one makes each, and all show it. The log reports how it gets on. What cannot be made (a full disk) stays as
+/// it is, and says so once.
 class Refiner {
  public:
   /// A file is there: shows it. May throw.
   using Show = std::function<void(const std::filesystem::path&)>;
   /// At each change, at most once a second, and at the end.
-  using Tell = std::function<void(const stream::Refining&)>;
+  using Report = std::function<void(const stream::Refining&)>;
 
   /// `wanted` in the order to make them in. Both functions are called on the refiner's own thread.
-  Refiner(std::vector<WantedField> wanted, Show show, Tell tell);
+  Refiner(std::vector<WantedField> wanted, Show show, Report report);
 
   /// Ends without waiting for the rest: what was begun goes on at the next start.
   ~Refiner();
@@ -56,9 +56,9 @@ class Refiner {
   const float costAll_;
   float costDone_ = 0.0F;
   const Show show_;
-  const Tell tell_;
+  const Report report_;
   const Clock::time_point begin_ = Clock::now();
-  std::optional<Clock::time_point> told_;
+  std::optional<Clock::time_point> reported_;
   std::jthread thread_;  ///< last: uses the others
 };
 

@@ -6,8 +6,8 @@
 namespace grove::node {
 namespace {
 
-std::shared_ptr<Answerer> makeAnswerer(std::string_view type, BackendHalf& half, const EndedFrames& ended,
-                                       const BackendServices& services) {
+std::shared_ptr<RequestHandler> makeHandler(std::string_view type, BackendHalf& half, const EndedFrames& ended,
+                                            const BackendServices& services) {
   if (half.kind() == NodeKind::kSimulation) {
     return std::make_shared<Simulator>(type, half, services.world, ended, services.timeline);
   }
@@ -20,11 +20,11 @@ BackendPipeline::BackendPipeline(const BackendType& type, world::TypeIndex index
                                  const EndedFrames& ended, BackendEnd& transport)
     : half_(type.makeHalf(services, index)),
       receiver_(std::make_shared<RequestReceiver>(services.workers, services.timeline)),
-      answerer_(makeAnswerer(type.name(), *half_, ended, services)),
+      handler_(makeHandler(type.name(), *half_, ended, services)),
       compressor_(std::make_shared<Compressor>(transport, type.name(), services.workers, services.timeline)),
       sender_(std::make_shared<ResultSender>(transport, services.workers, services.timeline)) {
-  receiver_->connect(answerer_);
-  answerer_->connect(compressor_);
+  receiver_->connect(handler_);
+  handler_->connect(compressor_);
   compressor_->connect(sender_);
 }
 
@@ -32,7 +32,7 @@ BackendPipeline::~BackendPipeline() = default;
 
 void BackendPipeline::close() {
   receiver_->close();
-  answerer_->close();
+  handler_->close();
   compressor_->close();
   sender_->close();
 }

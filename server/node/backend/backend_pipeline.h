@@ -2,8 +2,8 @@
 
 #include <memory>
 
-#include "node/backend/answerer.h"
 #include "node/backend/compressor.h"
+#include "node/backend/request_handler.h"
 #include "node/backend/request_receiver.h"
 #include "node/backend/result_sender.h"
 #include "node/transport/transport.h"
@@ -29,7 +29,7 @@ class BackendPipeline {
  private:
   const std::unique_ptr<BackendHalf> half_;
   const std::shared_ptr<RequestReceiver> receiver_;
-  const std::shared_ptr<Answerer> answerer_;
+  const std::shared_ptr<RequestHandler> handler_;
   const std::shared_ptr<Compressor> compressor_;
   const std::shared_ptr<ResultSender> sender_;
 };

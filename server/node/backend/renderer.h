@@ -1,15 +1,15 @@
 #pragma once
 
-#include "node/backend/answerer.h"
+#include "node/backend/request_handler.h"
 
 namespace grove::node {
 
 /// Renders images of an object from the request's camera (section 4.2, step 4).
-class Renderer final : public Answerer {
+class Renderer final : public RequestHandler {
  public:
   Renderer(std::string_view subject, BackendHalf& half, const WorldMirror& world, const EndedFrames& ended,
            pipeline::Timeline& timeline)
-      : Answerer("Renderer", subject, half, world, ended, timeline) {}
+      : RequestHandler("Renderer", subject, half, world, ended, timeline) {}
 };
 
 }  // namespace grove::node

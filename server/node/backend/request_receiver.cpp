@@ -13,13 +13,13 @@ RequestReceiver::RequestReceiver(pipeline::Executor& executor, pipeline::Timelin
              .maxBatch = kBackendBatch},
             executor, timeline) {}
 
-void RequestReceiver::connect(std::shared_ptr<pipeline::Inlet<Request>> answerer) {
-  answerer_.connect(std::move(answerer));
-  addOutlet(answerer_);
+void RequestReceiver::connect(std::shared_ptr<pipeline::Inlet<Request>> handler) {
+  handler_.connect(std::move(handler));
+  addOutlet(handler_);
 }
 
 void RequestReceiver::process(std::span<Request> requests, pipeline::Run& run) {
-  for (Request& request : requests) answerer_.send(run, std::move(request));
+  for (Request& request : requests) handler_.send(run, std::move(request));
 }
 
 }  // namespace grove::node

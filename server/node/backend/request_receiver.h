@@ -9,13 +9,13 @@ namespace grove::node {
 class RequestReceiver final : public pipeline::Stage<Request> {
  public:
   RequestReceiver(pipeline::Executor& executor, pipeline::Timeline& timeline);
-  void connect(std::shared_ptr<pipeline::Inlet<Request>> answerer);
+  void connect(std::shared_ptr<pipeline::Inlet<Request>> handler);
 
  protected:
   void process(std::span<Request> requests, pipeline::Run& run) override;
 
  private:
-  pipeline::Outlet<Request> answerer_;
+  pipeline::Outlet<Request> handler_;
 };
 
 }  // namespace grove::node

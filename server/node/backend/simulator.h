@@ -1,16 +1,16 @@
 #pragma once
 
-#include "node/backend/answerer.h"
+#include "node/backend/request_handler.h"
 
 namespace grove::node {
 
 /// Answers with the simulation's newest data (section 4.2, step 5). The simulation itself ticks on its own clock,
 /// independent of requests.
-class Simulator final : public Answerer {
+class Simulator final : public RequestHandler {
  public:
   Simulator(std::string_view subject, BackendHalf& half, const WorldMirror& world, const EndedFrames& ended,
             pipeline::Timeline& timeline)
-      : Answerer("Simulator", subject, half, world, ended, timeline) {}
+      : RequestHandler("Simulator", subject, half, world, ended, timeline) {}
 };
 
 }  // namespace grove::node

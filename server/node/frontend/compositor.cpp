@@ -62,7 +62,7 @@ void Compositor::process(std::span<CompositorInput> inputs, pipeline::Run& run) 
 void Compositor::take(Answers answers, pipeline::Run& run) {
   const FrameNumber number = answers.view->frame;
   for (Answers::Slot& answer : answers.slots) {
-    if (!table_.put(number, answer.slot, answer.payload)) takeLate(number, std::move(answer));
+    if (!table_.put(number, answer.slot, answer.payload)) takeStale(number, std::move(answer));
   }
   if (auto frame = table_.take(number)) show(std::move(*frame), run);
 }
@@ -80,9 +80,9 @@ void Compositor::show(CompleteFrame frame, pipeline::Run& run) {
   lastResults_.keep(std::move(frame));
 }
 
-void Compositor::takeLate(FrameNumber frame, Answers::Slot answer) {
+void Compositor::takeStale(FrameNumber frame, Answers::Slot answer) {
   timeline_.count("results that were not waited for");
-  if (lastResults_.keepLate(frame, answer.slot, std::move(answer.payload))) {
+  if (lastResults_.keepStale(frame, answer.slot, std::move(answer.payload))) {
     timeline_.count("results that the next frame may show");
   }
 }

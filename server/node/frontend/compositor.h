@@ -65,7 +65,7 @@ class Compositor final : public pipeline::Stage<CompositorInput> {
   void show(CompleteFrame frame, pipeline::Run& run);
   void take(Answers answers, pipeline::Run& run);
   /// Of a frame that has ended.
-  void takeLate(FrameNumber frame, Answers::Slot answer);
+  void takeStale(FrameNumber frame, Answers::Slot answer);
   /// The newest frame whose deadline has passed, filled in; ends those before it.
   [[nodiscard]] std::optional<CompleteFrame> takeOverdue();
   void fillIn(CompleteFrame& frame);

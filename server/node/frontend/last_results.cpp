@@ -18,7 +18,7 @@ void LastResults::keep(CompleteFrame frame) {
   newest_ = std::move(frame);
 }
 
-bool LastResults::keepLate(FrameNumber frame, std::uint32_t slot, Payload payload) {
+bool LastResults::keepStale(FrameNumber frame, std::uint32_t slot, Payload payload) {
   const auto of = [&](const std::shared_ptr<const FrameList>& list) { return list->view->frame == frame; };
   const auto list = std::ranges::find_if(incomplete_, of);
   if (list == incomplete_.end() || slot >= (*list)->objects.size()) return false;

@@ -17,7 +17,7 @@ class LastResults {
   void keep(CompleteFrame frame);
 
   /// Of a frame that was shown without it. True if it is the last one of its object now.
-  bool keepLate(FrameNumber frame, std::uint32_t slot, Payload payload);
+  bool keepStale(FrameNumber frame, std::uint32_t slot, Payload payload);
 
   /// Gives each slot without a result the last one of its object, or a Failure if there is none that fits. Returns the
   /// slots that it looked after.

@@ -210,7 +210,7 @@ void StreamControl::sent(std::uint32_t frame, std::uint32_t lastInput, std::size
   const std::lock_guard lock(mutex_);
   if (link_.framesUnderWay() == 0) unacknowledgedSince_ = now;
   newestSent_ = std::max(newestSent_, frame);
-  lastInput_ = lastInputTold_ = std::max(lastInput_, lastInput);
+  lastInput_ = lastInputReported_ = std::max(lastInput_, lastInput);
   wordSince_ = now;
   link_.sent(frame, bytes, now);
 }
@@ -244,11 +244,12 @@ std::optional<Status> StreamControl::takeStatus(double now, std::size_t visitors
   if (!adapts_ || limits_.hidden) return std::nullopt;
   Status status = statusNow();
   status.visitors = saturate<std::uint16_t>(static_cast<double>(visitors));
-  const bool news = status.limitedBy != told_.limitedBy || status.framesPerSecond != told_.framesPerSecond ||
-                    status.height != told_.height || status.visitors != told_.visitors || lastInput_ != lastInputTold_;
+  const bool news = status.limitedBy != reported_.limitedBy || status.framesPerSecond != reported_.framesPerSecond ||
+                    status.height != reported_.height || status.visitors != reported_.visitors ||
+                    lastInput_ != lastInputReported_;
   if (!news && now - wordSince_ < kStatusSeconds) return std::nullopt;
-  told_ = status;
-  lastInputTold_ = lastInput_;
+  reported_ = status;
+  lastInputReported_ = lastInput_;
   wordSince_ = now;
   return status;
 }

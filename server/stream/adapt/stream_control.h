@@ -94,9 +94,9 @@ class StreamControl {
   std::uint32_t newestSent_ = 0;
   double unacknowledgedSince_ = 0.0;  ///< if there are any
   std::uint32_t lastInput_ = 0;       ///< that the page's picture obeys
-  std::uint32_t lastInputTold_ = 0;
+  std::uint32_t lastInputReported_ = 0;
   double wordSince_ = 0.0;  ///< when anything was last sent
-  Status told_;
+  Status reported_;
 };
 
 }  // namespace grove::stream

@@ -69,7 +69,7 @@ std::optional<std::string> PictureCheck::checkH264(const PictureHeader& header, 
 
 std::optional<std::string> PictureCheck::breakChain(std::string reason) {
   chain_ = Chain::kBroken;
-  tellBroken_ = true;
+  reportBroken_ = true;
   return reason;
 }
 

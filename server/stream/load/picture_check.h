@@ -23,7 +23,7 @@ class PictureCheck {
 
   /// Whether the last picture could not be decoded, so that none that depends on it can: the server is to be told once.
   /// Those that come nevertheless were under way; nothing is wrong with them.
-  [[nodiscard]] bool takeBroken() { return std::exchange(tellBroken_, false); }
+  [[nodiscard]] bool takeBroken() { return std::exchange(reportBroken_, false); }
 
  private:
   [[nodiscard]] std::optional<std::string> checkJpeg(const PictureHeader& header,
@@ -40,7 +40,7 @@ class PictureCheck {
   std::uint64_t jpegs_ = 0;
   Chain chain_ = Chain::kNone;  ///< of H.264 pictures, up to the last one
   std::pair<int, int> size_{0, 0};
-  bool tellBroken_ = false;
+  bool reportBroken_ = false;
 };
 
 }  // namespace grove::stream

@@ -44,7 +44,7 @@ Host::Host(node::LoadedScene scene, const node::ObjectTypes& types, gl::Workers&
       workers_(workerCount(), "grove-worker", [gate = gate_](bool idle) { gate->workerIs(idle); }) {
   if (options_.privateWorlds) {
     line_ = std::make_unique<PreparationLine>(
-        [this](node::Haste haste, const auto& tell) { return makeInstance(haste, tell); });
+        [this](node::Haste haste, const auto& report) { return makeInstance(haste, report); });
   } else {
     shared_ = makeInstance(node::Haste::kAllCores, progress);
   }
@@ -141,8 +141,8 @@ void Host::preparePrivately(const std::shared_ptr<Session>& session, WaitingSink
   line_->join({session->id_, std::move(waiting), enter});
 }
 
-void Host::tell(const Refining& refining) {
-  if (shared_) shared_->tellModels();
+void Host::report(const Refining& refining) {
+  if (shared_) shared_->reportModels();
   const std::lock_guard lock(mutex_);
   refining_ = refining;
   ++newsNumber_;
@@ -181,7 +181,7 @@ void Host::forgetWhoLeft() {
 
 void Host::takeStock(int visitors) {
   forgetWhoLeft();
-  if (line_) line_->tellAll();
+  if (line_) line_->reportToAll();
   meter_.sample(visitors);
   if (!options_.raiseQuality || !shared_) return;
   measure::QualityLoad load{.cores = static_cast<double>(workers_.width())};

@@ -66,12 +66,13 @@ class Host {
   Host& operator=(const Host&) = delete;
 
   /// Lets a visitor in, or says why not. In private mode the first frame comes when his world is ready; until then
-  /// `waiting` is told his place in line at each change and once a second.
+  /// `waiting` is sent his place in line at each change and once a second.
   [[nodiscard]] std::variant<std::shared_ptr<Session>, Refusal> open(const Hello& hello, FrameSink sink,
                                                                      WaitingSink waiting = {}, StreamTerms terms = {});
 
-  /// What gets finer while the world is shown, to tell those who are in it and those who come. One thread at a time.
-  void tell(const Refining& refining);
+  /// What gets finer while the world is shown, to report to those who are in it and those who come. One thread at a
+  /// time.
+  void report(const Refining& refining);
   /// The newest of it.
   struct RefiningNews {
     unsigned number = 0;  ///< from 1; 0: there is none
@@ -88,7 +89,7 @@ class Host {
   [[nodiscard]] const pipeline::Timeline& timeline() const noexcept { return timeline_; }
   /// The step that across-user work is at, 0 to node::kMaxQuality.
   [[nodiscard]] int quality() const noexcept { return quality_; }
-  /// Told anew about once a second.
+  /// Reported anew about once a second.
   [[nodiscard]] const measure::AmortizationMeter& meter() const noexcept { return meter_; }
   [[nodiscard]] const pipeline::MemoryLedger& memory() const noexcept { return memory_; }
   /// Between the frontend and the backend node that all visitors share; nothing in private mode.

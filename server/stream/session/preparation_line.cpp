@@ -42,7 +42,7 @@ void PreparationLine::join(Waiter waiter) {
   {
     const std::lock_guard lock(mutex_);
     waiters_.push_back(std::move(waiter));
-    tell(waiters_.size() - 1);
+    report(waiters_.size() - 1);
   }
   wake_.notify_all();
 }
@@ -56,9 +56,9 @@ void PreparationLine::leave(node::SessionId id) {
   erase(place);
 }
 
-void PreparationLine::tellAll() {
+void PreparationLine::reportToAll() {
   const std::lock_guard lock(mutex_);
-  tellEach();
+  reportToEach();
 }
 
 void PreparationLine::run() {
@@ -138,9 +138,9 @@ void PreparationLine::progressed(node::SessionId id, std::string_view step, floa
   const double now = pipeline::wallSeconds();
   const bool isNewStep = step != progress_.step();
   if (!progress_.hear(step, share, now)) return;
-  if (!isNewStep && now - told_ < kProgressSeconds) return;
-  told_ = now;
-  tell(0);
+  if (!isNewStep && now - reported_ < kProgressSeconds) return;
+  reported_ = now;
+  report(0);
 }
 
 void PreparationLine::takeApart(std::unique_ptr<WorldInstance> instance) {
@@ -157,12 +157,12 @@ void PreparationLine::erase(const std::deque<Waiter>::iterator& waiter) {
     progress_.clear();
   }
   waiters_.erase(waiter);
-  tellEach();
+  reportToEach();
 }
 
-void PreparationLine::tell(std::size_t index) const {
+void PreparationLine::report(std::size_t index) const {
   const Waiter& waiter = waiters_[index];
-  if (!waiter.tell) return;
+  if (!waiter.report) return;
   constexpr std::size_t kMaxPlace = std::numeric_limits<std::uint16_t>::max();
   Waiting waiting;
   waiting.place = static_cast<std::uint16_t>(std::min(index + 1, kMaxPlace));
@@ -170,11 +170,11 @@ void PreparationLine::tell(std::size_t index) const {
     waiting.percent = progress_.percent();
     waiting.step = progress_.step();
   }
-  waiter.tell(waiting);
+  waiter.report(waiting);
 }
 
-void PreparationLine::tellEach() const {
-  for (std::size_t i = 0; i < waiters_.size(); ++i) tell(i);
+void PreparationLine::reportToEach() const {
+  for (std::size_t i = 0; i < waiters_.size(); ++i) report(i);
 }
 
 }  // namespace grove::stream

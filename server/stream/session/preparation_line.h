@@ -31,7 +31,7 @@ class PreparationLine {
 
   struct Waiter {
     node::SessionId id = 0;
-    WaitingSink tell;  ///< may be empty
+    WaitingSink report;  ///< may be empty
     /// On a thread of the line's, once, and only if he has not left by then; null if his world could not be made.
     std::function<void(std::shared_ptr<WorldInstance>)> enter;
   };
@@ -48,8 +48,8 @@ class PreparationLine {
   /// Gives up his place, if he has one: the others move up, and what was being made for him is dropped.
   void leave(node::SessionId id);
 
-  /// Tells everybody anew, so that no wait looks like a dead connection.
-  void tellAll();
+  /// Reports to everybody anew, so that no wait looks like a dead connection.
+  void reportToAll();
 
  private:
   /// What progress throws when nobody waits for the world any more.
@@ -64,8 +64,8 @@ class PreparationLine {
   // These with mutex_ held.
   [[nodiscard]] bool isFirst(node::SessionId id) const { return !waiters_.empty() && waiters_.front().id == id; }
   void erase(const std::deque<Waiter>::iterator& waiter);
-  void tell(std::size_t index) const;
-  void tellEach() const;
+  void report(std::size_t index) const;
+  void reportToEach() const;
 
   const Make make_;
   std::mutex mutex_;
@@ -74,7 +74,7 @@ class PreparationLine {
   std::deque<Waiter> waiters_;
   int inside_ = 0;         ///< worlds that somebody is in
   StepProgress progress_;  ///< of the first one's world
-  double told_ = 0.0;      ///< how it gets on
+  double reported_ = 0.0;  ///< how it gets on
   std::vector<std::unique_ptr<WorldInstance>> unused_;
   std::thread thread_;  ///< last: uses the others
 };

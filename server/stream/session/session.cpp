@@ -60,10 +60,10 @@ void Session::begin(std::shared_ptr<WorldInstance> instance) {
     encoder_ = std::move(encoder);
     node_ = std::move(node);
   }
-  tellBreath();
+  reportBreath();
 }
 
-void Session::tellBreath() {
+void Session::reportBreath() {
   // Under the lock, so that who tells last has also looked last.
   const std::lock_guard lock(mutex_);
   const auto player = host_.players().find(player_, pipeline::wallSeconds());
@@ -93,12 +93,12 @@ std::optional<Refusal> Session::input(const world::Input& input) {
   world::Players& players = host_.players();
   const auto before = players.find(player_, now);
   if (!players.apply(player_, input, now)) {
-    // Or he has left already, for a reason that refusal() tells.
+    // Or he has left already, for a reason that refusal() reports.
     if (!players.find(player_, now)) return std::nullopt;
     return Refusal{CloseCode::kProtocolError, "the direction of an input is not a number"};
   }
   const auto after = players.find(player_, now);
-  if (before && after && blows(*before) != blows(*after)) tellBreath();
+  if (before && after && blows(*before) != blows(*after)) reportBreath();
   return std::nullopt;
 }
 

@@ -59,7 +59,7 @@ class Session : public std::enable_shared_from_this<Session> {
   void limit(const Limits& limits);
   void broken();
 
-  /// Leaves the world because of this, of which refusal() tells.
+  /// Leaves the world because of this, which refusal() reports.
   void refuse(Refusal why);
   /// Why he had to leave; none while he is here.
   [[nodiscard]] std::optional<Refusal> refusal() const;
@@ -90,8 +90,8 @@ class Session : public std::enable_shared_from_this<Session> {
   /// With mutex_ held and a place in the gate: begins a frame if one still is due.
   [[nodiscard]] bool startFrame(double now);
   void deliver(const std::shared_ptr<const EncodedFrame>& frame);
-  /// Tells the world, if there is one, whether he blows.
-  void tellBreath();
+  /// Reports to the world, if there is one, whether he blows.
+  void reportBreath();
   [[nodiscard]] std::shared_ptr<WorldInstance> currentInstance() const;
 
   Host& host_;

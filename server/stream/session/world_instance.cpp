@@ -22,7 +22,7 @@ WorldInstance::WorldInstance(const WorldGround& ground, std::unique_ptr<node::Tr
       frontend_(ground.process, world_.layout(), ground.types.frontends, *transport_,
                 {ground.machine.workers, ground.machine.timeline, ground.machine.memory, ground.machine.images},
                 ground.maxSharedBytes) {
-  tellModels();
+  reportModels();
 }
 
 WorldInstance::~WorldInstance() = default;
@@ -45,7 +45,7 @@ double WorldInstance::publishIfDue(double now) {
   return nextUpdate_;
 }
 
-void WorldInstance::tellModels() {
+void WorldInstance::reportModels() {
   std::map<world::TypeIndex, std::set<const world::Model*>> models;
   for (const world::ModelledObject& object : ground_.scene.objects) models[object.type].insert(object.model.get());
   for (const auto& [type, distinct] : models) {

@@ -58,7 +58,7 @@ class WorldInstance {
   /// A visitor has left. Any thread.
   void forget(node::SessionId session);
   /// Of the memory that the models take, which changes when one shows something finer. One thread at a time.
-  void tellModels();
+  void reportModels();
 
  private:
   const WorldGround ground_;

@@ -58,9 +58,9 @@ std::vector<std::uint8_t> Connection::takeMessage() {
   if (const auto status = outbox_->takeStatus()) return encode(*status);
   if (!hasNewsOfRefining()) return {};
   const auto [number, refining] = host_.refining();
-  const bool wasToldNothing = std::exchange(refiningTold_, number) == 0;
+  const bool reportedNothing = std::exchange(refiningReported_, number) == 0;
   // Who comes when all is done has not seen anything else.
-  return wasToldNothing && refining.percent == 100 ? std::vector<std::uint8_t>{} : encode(refining);
+  return reportedNothing && refining.percent == 100 ? std::vector<std::uint8_t>{} : encode(refining);
 }
 
 void Connection::end(const Refusal& why) { leave(std::to_string(static_cast<int>(why.code)) + " " + why.reason); }
@@ -130,9 +130,9 @@ std::optional<Refusal> Connection::greet(const Hello& hello) {
   const auto send = [outbox = std::weak_ptr(outbox_)](std::shared_ptr<const EncodedFrame> frame) {
     if (const auto to = outbox.lock()) to->put(std::move(frame));
   };
-  WaitingSink tell;
+  WaitingSink report;
   if (knowsWaiting_) {
-    tell = [outbox = std::weak_ptr(outbox_)](const Waiting& waiting) {
+    report = [outbox = std::weak_ptr(outbox_)](const Waiting& waiting) {
       if (const auto to = outbox.lock()) to->put(waiting);
     };
   }
@@ -142,7 +142,7 @@ std::optional<Refusal> Connection::greet(const Hello& hello) {
       if (const auto to = outbox.lock()) to->put(status);
     };
   }
-  auto opened = host_.open(hello, send, std::move(tell), std::move(terms));
+  auto opened = host_.open(hello, send, std::move(report), std::move(terms));
   if (auto* refusal = std::get_if<Refusal>(&opened)) return std::move(*refusal);
   session_ = std::get<std::shared_ptr<Session>>(std::move(opened));
   const Welcome welcome = session_->welcome();

@@ -76,7 +76,9 @@ class Connection {
   [[nodiscard]] std::optional<Refusal> actOnStream(const ClientMessage& message);
   [[nodiscard]] std::optional<Refusal> greet(const Hello& hello);
   [[nodiscard]] bool isFlood(double now);
-  [[nodiscard]] bool hasNewsOfRefining() const { return knowsVideo_ && session_ && host_.knowsMoreThan(refiningTold_); }
+  [[nodiscard]] bool hasNewsOfRefining() const {
+    return knowsVideo_ && session_ && host_.knowsMoreThan(refiningReported_);
+  }
 
   Host& host_;
   const std::string peer_;
@@ -85,9 +87,9 @@ class Connection {
   const Door door_;
   const bool knowsVideo_;
   const bool knowsWaiting_;
-  std::optional<Offer> offer_;    ///< before Hello
-  std::optional<Limits> limits_;  ///< the same
-  unsigned refiningTold_ = 0;     ///< the host's number of it
+  std::optional<Offer> offer_;     ///< before Hello
+  std::optional<Limits> limits_;   ///< the same
+  unsigned refiningReported_ = 0;  ///< the host's number of it
   std::shared_ptr<void> place_;
   std::shared_ptr<Session> session_;
   bool ended_ = false;

@@ -35,14 +35,14 @@ std::optional<Refusal> EarlyVisitor::introduceTo(Connection& connection, double 
 bool EarlyVisitor::wants(const Waiting& waiting, double now) const {
   // Who has not greeted waits for nothing.
   if (!knowsWaiting_ || said_.empty()) return false;
-  if (!toldAt_) return true;
-  const bool isOther = waiting.step != told_.step || waiting.percent != told_.percent;
-  return now - *toldAt_ >= (isOther ? kChangeSeconds : kSilenceSeconds);
+  if (!reportedAt_) return true;
+  const bool isOther = waiting.step != reported_.step || waiting.percent != reported_.percent;
+  return now - *reportedAt_ >= (isOther ? kChangeSeconds : kSilenceSeconds);
 }
 
 std::vector<std::uint8_t> EarlyVisitor::take(const Waiting& waiting, double now) {
-  told_ = waiting;
-  toldAt_ = now;
+  reported_ = waiting;
+  reportedAt_ = now;
   return encode(waiting);
 }
 

@@ -36,8 +36,8 @@ class EarlyVisitor {
   const bool knowsWaiting_;
   std::vector<Piece> said_;
   std::size_t bytes_ = 0;
-  Waiting told_;
-  std::optional<double> toldAt_;
+  Waiting reported_;
+  std::optional<double> reportedAt_;
 };
 
 }  // namespace grove::stream

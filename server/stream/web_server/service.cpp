@@ -57,7 +57,7 @@ void WebsocketServer::Service::stop() {
   reports_.reset();
 }
 
-void WebsocketServer::Service::tell(std::string_view step, float share) {
+void WebsocketServer::Service::report(std::string_view step, float share) {
   const std::lock_guard lock(preparationMutex_);
   preparation_.hear(step, share, pipeline::wallSeconds());
 }

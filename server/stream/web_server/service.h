@@ -39,7 +39,7 @@ class WebsocketServer::Service {
   [[nodiscard]] bool isSecure(Audience audience) const { return context_.isSecure(audience); }
   void start();
   void stop();
-  void tell(std::string_view step, float share);
+  void report(std::string_view step, float share);
   void open(Host& host);
 
  private:

@@ -18,7 +18,7 @@ void WebsocketServer::start() { service_->start(); }
 
 void WebsocketServer::stop() { service_->stop(); }
 
-void WebsocketServer::tell(std::string_view step, float share) { service_->tell(step, share); }
+void WebsocketServer::report(std::string_view step, float share) { service_->report(step, share); }
 
 void WebsocketServer::open(Host& host) { service_->open(host); }
 

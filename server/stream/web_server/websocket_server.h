@@ -45,7 +45,7 @@ class WebsocketServer {
   void start();
 
   /// How the preparation of the world gets on, for those who wait for it. Any thread.
-  void tell(std::string_view step, float share);
+  void report(std::string_view step, float share);
 
   /// The world is ready: lets them in. Once; `host` outlives the server, or at least its stop(). Any thread.
   void open(Host& host);

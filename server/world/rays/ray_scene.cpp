@@ -39,18 +39,20 @@ bool addBytes(void* sum, ssize_t bytes, bool /*post*/) {
 
 namespace {
 
-/// What Embree tells while it builds. Its callbacks know no exceptions, so what is thrown waits until it is back.
+/// What Embree reports while it builds. Its callbacks know no exceptions, so what is thrown waits until it is back.
 class Build {
  public:
   explicit Build(const std::function<void(float)>& progress) : progress_(progress) {}
 
-  static bool tell(void* build, double share) { return static_cast<Build*>(build)->tell(static_cast<float>(share)); }
+  static bool report(void* build, double share) {
+    return static_cast<Build*>(build)->report(static_cast<float>(share));
+  }
   void rethrow() const {
     if (thrown_) std::rethrow_exception(thrown_);
   }
 
  private:
-  bool tell(float share) noexcept {
+  bool report(float share) noexcept {
     const std::lock_guard lock(mutex_);
     if (thrown_) return false;
     try {
@@ -100,7 +102,7 @@ RayScene::RayScene(const Triangles& triangles, const std::function<void(float)>&
     rtcCommitGeometry(geometry);
   }
   Build build(progress);
-  if (progress) rtcSetSceneProgressMonitorFunction(handles_->scene, &Build::tell, &build);
+  if (progress) rtcSetSceneProgressMonitorFunction(handles_->scene, &Build::report, &build);
   rtcCommitScene(handles_->scene);
   rtcSetSceneProgressMonitorFunction(handles_->scene, nullptr, nullptr);
   build.rethrow();

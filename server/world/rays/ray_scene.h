@@ -16,7 +16,7 @@ class RayScene {
   /// Whether rays meet the backs of triangles, whose corners wind clockwise for who looks at them. Shadows do always.
   enum class Backs : std::uint8_t { kMet, kPassed };
 
-  /// `progress` is told shares of 0..1 while it is built, from any thread, one at a time; what it throws ends that.
+  /// `progress` gets shares of 0..1 while it is built, from any thread, one at a time; what it throws ends that.
   explicit RayScene(const Triangles& triangles, const std::function<void(float)>& progress = {},
                     Backs backs = Backs::kMet);
   ~RayScene();

@@ -32,7 +32,7 @@ class GltfAlpha : public GltfImport {
     writer.json["meshes"][0]["primitives"][0]["attributes"]["COLOR_0"] = accessor;
   }
   /// What the import says.
-  std::string told() {
+  std::string reported() {
     testing::internal::CaptureStderr();
     model = import();
     return testing::internal::GetCapturedStderr();
@@ -45,7 +45,7 @@ TEST_F(GltfAlpha, WhatTheCutOffLeavesNothingOfIsLeftOutAndNamed) {
   for (const bool textured : {true, false}) {
     writer = GltfWriter();
     useAlpha("MASK", 0.4, textured);
-    EXPECT_THAT(told(), AllOf(HasSubstr("'m' is left out"), HasSubstr("cut-off"))) << textured;
+    EXPECT_THAT(reported(), AllOf(HasSubstr("'m' is left out"), HasSubstr("cut-off"))) << textured;
     EXPECT_EQ(model.triangles.indices.size(), 1U) << textured;
     EXPECT_EQ(model.materials[model.materialOf.at(0)].name, "plain") << textured;
   }
@@ -53,13 +53,13 @@ TEST_F(GltfAlpha, WhatTheCutOffLeavesNothingOfIsLeftOutAndNamed) {
 
 TEST_F(GltfAlpha, WhatBlendsWithNothingIsLeftOutAndNamed) {
   useAlpha("BLEND", 0.0, false);
-  EXPECT_THAT(told(), HasSubstr("'m' is left out"));
+  EXPECT_THAT(reported(), HasSubstr("'m' is left out"));
   EXPECT_EQ(model.triangles.indices.size(), 1U);
 }
 
 TEST_F(GltfAlpha, WhatTheCutOffLeavesIsWhole) {
   useAlpha("MASK", 0.5, false);
-  EXPECT_EQ(told(), "");
+  EXPECT_EQ(reported(), "");
   EXPECT_EQ(model.triangles.indices.size(), 2U);
   EXPECT_EQ(model.materials[0].alphaCutoff, 0.0F);
 }
@@ -72,7 +72,7 @@ TEST_F(GltfAlpha, AModelOfWhichNothingIsSeenIsRefused) {
 
 TEST_F(GltfAlpha, WhatBlendsWithoutATextureBlends) {
   useAlpha("BLEND", 0.25, false);
-  EXPECT_EQ(told(), "");
+  EXPECT_EQ(reported(), "");
   EXPECT_TRUE(model.materials[0].blended);
   EXPECT_FLOAT_EQ(model.materials[0].alphaCutoff, 4.0F) << "alpha 1, of which a quarter is to be met";
   EXPECT_FALSE(model.materials[0].solid);
@@ -80,7 +80,7 @@ TEST_F(GltfAlpha, WhatBlendsWithoutATextureBlends) {
 
 TEST_F(GltfAlpha, WhatBlendsWithAnAlphaOfOneDoesNot) {
   useAlpha("BLEND", 1.0, false);
-  EXPECT_EQ(told(), "");
+  EXPECT_EQ(reported(), "");
   EXPECT_FALSE(model.materials[0].blended);
   EXPECT_EQ(model.materials[0].alphaCutoff, 0.0F);
 }
@@ -90,7 +90,7 @@ TEST_F(GltfAlpha, OfWhatBlendsByATextureWithoutUvsTheFactorIsLeft) {
     writer = GltfWriter();
     useAlpha("BLEND", factor, true);
     writer.json["meshes"][0]["primitives"][0]["attributes"].erase("TEXCOORD_0");
-    (void)told();
+    (void)reported();
     const Material& material = model.materials[model.materialOf.at(0)];
     EXPECT_EQ(material.texture, -1) << factor;
     EXPECT_EQ(material.blended, factor < 1.0) << factor;
@@ -101,7 +101,7 @@ TEST_F(GltfAlpha, OfWhatBlendsByATextureWithoutUvsTheFactorIsLeft) {
 TEST_F(GltfAlpha, OfVertexColoursIsNamedWhereItWouldBeSeen) {
   useAlpha("MASK", 1.0, true);
   useColours({1.0F, 0.4F, 1.0F});
-  const std::string line = told();
+  const std::string line = reported();
   EXPECT_THAT(line, HasSubstr("is read without the alpha of the vertex colours of 'm'"));
   EXPECT_EQ(std::ranges::count(line, '\n'), 1);
 }
@@ -109,11 +109,11 @@ TEST_F(GltfAlpha, OfVertexColoursIsNamedWhereItWouldBeSeen) {
 TEST_F(GltfAlpha, OfVertexColoursIsNotNamedWhereItChangesNothing) {
   useAlpha("BLEND", 1.0, true);
   useColours({1.0F, 1.0F, 1.0F});
-  EXPECT_EQ(told(), "");
+  EXPECT_EQ(reported(), "");
   writer = GltfWriter();
   useAlpha("OPAQUE", 1.0, true);
   useColours({0.0F, 0.0F, 0.0F});
-  EXPECT_EQ(told(), "");
+  EXPECT_EQ(reported(), "");
 }
 
 }  // namespace

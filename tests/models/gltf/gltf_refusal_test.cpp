@@ -287,9 +287,9 @@ TEST_F(GltfImport, NamesWhatItLeavesOutInOneLine) {
   writer.json["skins"] = {{{"joints", {0}}}};
   testing::internal::CaptureStderr();
   (void)import();
-  const std::string told = testing::internal::GetCapturedStderr();
-  EXPECT_THAT(told, HasSubstr("is read without KHR_materials_clearcoat, KHR_materials_sheen, skins"));
-  EXPECT_EQ(std::ranges::count(told, '\n'), 1);
+  const std::string reported = testing::internal::GetCapturedStderr();
+  EXPECT_THAT(reported, HasSubstr("is read without KHR_materials_clearcoat, KHR_materials_sheen, skins"));
+  EXPECT_EQ(std::ranges::count(reported, '\n'), 1);
 }
 
 TEST_F(GltfImport, RefusesWhatIsNestedSoDeepThatTheParserWouldOverflowTheStack) {

@@ -198,7 +198,7 @@ TEST_F(LightFieldHalves, ALoneVisitorIsNeverHeldBack) {
   Wood wood(*field_, 1);
   for (node::FrameNumber frame = 1; frame <= 120; ++frame) (void)wood.look(0, frame, frame / 30.0);
   EXPECT_EQ(wood.counted("coarse views"), 0);
-  EXPECT_LE(wood.counted("views shown late"), wood.counted("view cache hits") / 10);
+  EXPECT_LE(wood.counted("views shown stale"), wood.counted("view cache hits") / 10);
   EXPECT_GT(wood.counted("view cache misses"), 20);
 }
 
@@ -271,11 +271,11 @@ TEST_F(LightFieldHalves, ACrowdOnALateMachineSeesEverythingWithinTheBudget) {
   }
   EXPECT_LE(static_cast<double>(wood.counted("texels of new views")), share * (kSeconds + 1.0) + kLooking * 64 * 64);
   EXPECT_GT(wood.counted("coarse views"), 10);
-  EXPECT_GT(wood.counted("views shown late") + wood.counted("near views shown late"), 100);
+  EXPECT_GT(wood.counted("views shown stale") + wood.counted("near views shown stale"), 100);
 
   // Who stands still has proper pictures of everything in the end.
   const auto late = [&] {
-    return wood.counted("coarse views") + wood.counted("views shown late") + wood.counted("near views shown late");
+    return wood.counted("coarse views") + wood.counted("views shown stale") + wood.counted("near views shown stale");
   };
   for (; frame < 4 * 6 * kSeconds; ++frame) (void)wood.look(0, frame + 1, 0.25 * frame, false);
   const std::int64_t before = late();

@@ -121,9 +121,9 @@ class SimulatedStream {
     // Neither way ever changes the order: it is TCP.
     const auto delay = [&] { return 0.5 * line_.roundTrip + line_.jitter * jitter_(random_); };
     const double arrived = arrived_ = std::max(arrived_, free_ + delay());
-    const double told = told_ = std::max(told_, arrived + delay());
+    const double reported = reported_ = std::max(reported_, arrived + delay());
     frames_.push_back({now_, bytes, begins - now_, arrived});
-    words_.push_back({told, frame, {.held = 0.0, .pageSeconds = 1000.0 + arrived}});
+    words_.push_back({reported, frame, {.held = 0.0, .pageSeconds = 1000.0 + arrived}});
   }
 
   const Bottleneck line_;
@@ -135,7 +135,7 @@ class SimulatedStream {
   double due_ = 0.0;
   double free_ = 0.0;  ///< when the bottleneck has nothing more to do
   double arrived_ = 0.0;
-  double told_ = 0.0;
+  double reported_ = 0.0;
   std::uint32_t number_ = 0;
   std::vector<Passage> frames_;
   std::deque<Word> words_;

@@ -96,7 +96,7 @@ TEST(StreamControl, RefinesWhatStandsStill) {
 }
 
 // Fault: what the page shows already is told neither by a picture nor by a status.
-TEST(StreamControl, TellsOfInputsThatChangeNothing) {
+TEST(StreamControl, ReportsOfInputsThatChangeNothing) {
   Led led;
   (void)led.frame(10'000);
   (void)led.control().takeStatus(led.now(), 1);
@@ -109,7 +109,7 @@ TEST(StreamControl, TellsOfInputsThatChangeNothing) {
 }
 
 // Fault: who looks at a still view is not told that others have come or gone.
-TEST(StreamControl, TellsWhenSomebodyComesOrGoes) {
+TEST(StreamControl, ReportsWhenSomebodyComesOrGoes) {
   Led led;
   (void)led.frame(10'000);
   (void)led.control().takeStatus(led.now(), 1);

@@ -91,7 +91,7 @@ TEST(H264Decoder, TakesAnotherSizeWithAnIndependentPicture) {
   EXPECT_NE(decoder.decode(large.next(100, 128, 128, 2)), nullptr);
 }
 
-TEST(H264Decoder, TellsWhatItCannotDecode) {
+TEST(H264Decoder, ReportsWhatItCannotDecode) {
   H264Stream stream(kWidth, kHeight);
   const std::vector<std::uint8_t> independent = stream.next(100, 128, 128, 1);
   const std::vector<std::uint8_t> second = stream.next(100, 128, 128, 2);
@@ -115,7 +115,7 @@ TEST(H264Decoder, TellsWhatItCannotDecode) {
   EXPECT_NE(decoder.decode(stream.next(100, 128, 128, 5, true)), nullptr);
 }
 
-TEST(AnnexB, TellsTheTypesOfItsUnits) {
+TEST(AnnexB, ReportsTheTypesOfItsUnits) {
   H264Stream stream(kWidth, kHeight);
   const auto first = unitTypes(stream.next(100, 128, 128, 1));
   ASSERT_TRUE(first);

@@ -73,11 +73,11 @@ TEST(H264Encoder, IsConstrainedBaselineWithoutDelay) {
   for (int i = 0; i < 3; ++i) (void)encoder.encode(TestPicture(1280, 720, i).image, {25.0, false}, stream);
   const StreamFile file("h264", stream);
   const std::vector<char> output = file.run("ffprobe -v error -show_streams @");
-  const std::string told(output.begin(), output.end());
+  const std::string reported(output.begin(), output.end());
   for (const char* line :
        {"profile=Constrained Baseline\n", "has_b_frames=0\n", "color_range=tv\n", "color_space=smpte170m\n",
         "color_primaries=smpte170m\n", "width=1280\n", "height=720\n", "field_order=progressive\n", "refs=1\n"}) {
-    EXPECT_THAT(told, ::testing::HasSubstr(line));
+    EXPECT_THAT(reported, ::testing::HasSubstr(line));
   }
   const std::vector<char> headers =
       file.run("ffmpeg -nostdin -v verbose -i @ -c copy -bsf:v trace_headers -f null - 2>&1");
@@ -143,13 +143,13 @@ TEST(H264Encoder, ChangesItsSizeWithinTheStream) {
   }
   const StreamFile file("h264", stream);
   const std::vector<char> output = file.run("ffprobe -v error -show_entries frame=width,height -of csv=p=0 @");
-  const std::string told(output.begin(), output.end());
-  EXPECT_THAT(told, ::testing::StartsWith("1280,720\n1280,720\n1280,720\n160,90\n160,90\n160,90\n1920,1080\n"));
-  EXPECT_THAT(told, ::testing::EndsWith("852,480\n852,480\n852,480\n1280,720\n1280,720\n1280,720\n"));
+  const std::string reported(output.begin(), output.end());
+  EXPECT_THAT(reported, ::testing::StartsWith("1280,720\n1280,720\n1280,720\n160,90\n160,90\n160,90\n1920,1080\n"));
+  EXPECT_THAT(reported, ::testing::EndsWith("852,480\n852,480\n852,480\n1280,720\n1280,720\n1280,720\n"));
 }
 
 // Fault: a decoder that shows nonsense, or what it guesses, when a picture of the chain is missing or damaged.
-TEST(H264Decoder, TellsWhatCannotBeDecoded) {
+TEST(H264Decoder, ReportsWhatCannotBeDecoded) {
   H264Encoder encoder;
   const Bytes first = encodeOne(encoder, TestPicture(320, 180, 0), {24.0, false});
   const Bytes second = encodeOne(encoder, TestPicture(320, 180, 1), {24.0, false});

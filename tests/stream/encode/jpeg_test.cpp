@@ -62,7 +62,7 @@ TEST(JpegEncoder, SpendsBytesOnQuality) {
   EXPECT_LT(1.5 * usual.size(), high.size());
 }
 
-TEST(JpegDecoder, TellsDamagedPictures) {
+TEST(JpegDecoder, ReportsDamagedPictures) {
   JpegDecoder decoder;
   std::vector<std::uint8_t> jpeg;
   JpegEncoder(80).encode(Picture(320, 200).image, {}, jpeg);

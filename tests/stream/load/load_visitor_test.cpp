@@ -101,7 +101,7 @@ TEST_F(LoadVisitorTest, AcknowledgesBeforeItSteers) {
   EXPECT_FALSE(visitor_.hasMessage());
 }
 
-TEST_F(LoadVisitorTest, TellsBadFrames) {
+TEST_F(LoadVisitorTest, ReportsBadFrames) {
   std::vector<std::uint8_t> damaged = frame(1, 0);
   damaged.resize(damaged.size() / 2);
   visitor_.receive(damaged, 1.0);
@@ -143,7 +143,7 @@ TEST_F(LoadVisitorTest, LooksOrStandsIfToldSo) {
   }
 }
 
-TEST_F(LoadVisitorTest, TellsTheLongestGap) {
+TEST_F(LoadVisitorTest, ReportsTheLongestGap) {
   visitor_.beginCounting(10.0);
   visitor_.receive(frame(1, 0), 10.2);
   visitor_.receive(frame(2, 0), 10.9);
@@ -215,7 +215,7 @@ TEST_F(VideoVisitorTest, OffersItsCodecsBeforeHello) {
   EXPECT_TRUE(std::holds_alternative<Hello>(parseClientMessage(older.nextMessage(0.0))));
 }
 
-TEST_F(VideoVisitorTest, TellsWhenEachPictureArrived) {
+TEST_F(VideoVisitorTest, ReportsWhenEachPictureArrived) {
   video_.receive(h264(7, true), 5000.25);
   video_.receive(h264(9, false), 5000.5);
   const auto said = saidBy(video_);

@@ -39,7 +39,7 @@ TEST(Protocol, RefusesUnknownTypesAndReservedBytes) {
   EXPECT_EQ(codeOf(parseClientMessage(Bytes(kLargestClientMessage + 1, 1))), CloseCode::kProtocolError);
 }
 
-TEST(Protocol, TellsAnotherVersionByItsCodeWhateverFollows) {
+TEST(Protocol, ReportsAnotherVersionByItsCodeWhateverFollows) {
   EXPECT_EQ(codeOf(parseClientMessage(Bytes{0x01, 2})), CloseCode::kWrongVersion);
   Bytes hello = encode(Hello{"Ada", 1280, 720});
   hello[1] = 200;

@@ -109,7 +109,7 @@ class Visitor {
         [seen = seen_](const Waiting& waiting) {
           const std::lock_guard lock(seen->mutex);
           seen->last = waiting;
-          ++seen->told;
+          ++seen->reported;
         });
     session_ = std::get<std::shared_ptr<Session>>(std::move(opened));
   }
@@ -125,9 +125,9 @@ class Visitor {
     const std::lock_guard lock(seen_->mutex);
     return seen_->last.value_or(Waiting{});
   }
-  [[nodiscard]] int told() const {
+  [[nodiscard]] int reported() const {
     const std::lock_guard lock(seen_->mutex);
-    return seen_->told;
+    return seen_->reported;
   }
   [[nodiscard]] bool sees() const { return seen_->frames > 0; }
 
@@ -135,7 +135,7 @@ class Visitor {
   struct Seen {
     std::mutex mutex;
     std::optional<Waiting> last;
-    int told = 0;
+    int reported = 0;
     std::atomic<int> frames{0};
   };
   const std::shared_ptr<Seen> seen_ = std::make_shared<Seen>();
@@ -160,7 +160,7 @@ class PreparationLineTest : public testing::Test {
                             [](std::string_view, float) {}};
 };
 
-TEST_F(PreparationLineTest, TellsEveryPlaceAndHowTheFirstGetsOn) {
+TEST_F(PreparationLineTest, ReportsEveryPlaceAndHowTheFirstGetsOn) {
   const Visitor first(*host_);
   const Visitor second(*host_);
   const Visitor third(*host_);
@@ -202,11 +202,11 @@ TEST_F(PreparationLineTest, WhoLeavesGivesUpTheWorldThatIsBeingMade) {
   EXPECT_TRUE(eventually([&] { return second.sees(); }));
 }
 
-TEST_F(PreparationLineTest, TellsAnewThoughNothingChanges) {
+TEST_F(PreparationLineTest, ReportsAnewThoughNothingChanges) {
   const Visitor first(*host_);
   const Visitor second(*host_);
-  const int before = second.told();
-  EXPECT_TRUE(eventually([&] { return second.told() >= before + 2; })) << "or its page takes the line for dead";
+  const int before = second.reported();
+  EXPECT_TRUE(eventually([&] { return second.reported() >= before + 2; })) << "or its page takes the line for dead";
   EXPECT_TRUE(second.isAt(2));
 }
 
@@ -252,9 +252,9 @@ TEST_F(PreparationLineTest, PagesThatDoNotKnowOfWaitingHearNothingOfIt) {
     EXPECT_TRUE(std::holds_alternative<Welcome>(parseServerMessage(connection->takeMessage()))) << "comes first";
   }
   ASSERT_TRUE(eventually([&] { return newer.hasSomethingToSend(); }));
-  const ServerMessage told = parseServerMessage(newer.takeMessage());
-  ASSERT_TRUE(std::holds_alternative<Waiting>(told));
-  EXPECT_EQ(std::get<Waiting>(told).place, 1);
+  const ServerMessage reported = parseServerMessage(newer.takeMessage());
+  ASSERT_TRUE(std::holds_alternative<Waiting>(reported));
+  EXPECT_EQ(std::get<Waiting>(reported).place, 1);
   ASSERT_TRUE(eventually([&] { return newer.hasSomethingToSend(); })) << "all were told anew";
   EXPECT_FALSE(older.hasSomethingToSend());
 }

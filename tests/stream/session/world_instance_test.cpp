@@ -110,7 +110,7 @@ class WorldInstanceTest : public testing::Test {
              [](std::string_view, float) {}};
 };
 
-TEST_F(WorldInstanceTest, TellsItsBackendWhoIsThere) {
+TEST_F(WorldInstanceTest, ReportsItsBackendWhoIsThere) {
   ASSERT_NE(sight_.world, nullptr);
   EXPECT_THAT(sight_.names(), IsEmpty());
   {
@@ -130,7 +130,7 @@ TEST_F(WorldInstanceTest, TellsItsBackendWhoIsThere) {
   EXPECT_EQ(sight_.wakes, rest) << "nobody is there";
 }
 
-TEST_F(WorldInstanceTest, TellsItsBackendWhatBlows) {
+TEST_F(WorldInstanceTest, ReportsItsBackendWhatBlows) {
   HeadlessSession ada(host_, "Ada", 160, 90);
   node::WorldMirror::Cursor cursor = 0;
   ASSERT_TRUE(eventually([&] { return !sight_.names().empty(); }));
@@ -145,7 +145,7 @@ TEST_F(WorldInstanceTest, TellsItsBackendWhatBlows) {
   EXPECT_TRUE(eventually([&] { return sight_.world->gusts(cursor).size() == 1; }));
 }
 
-TEST_F(WorldInstanceTest, TellsItsBackendWhoHasLeft) {
+TEST_F(WorldInstanceTest, ReportsItsBackendWhoHasLeft) {
   HeadlessSession(host_, "Ada", 160, 90);
   const auto forgotten = [&] {
     const std::lock_guard lock(sight_.mutex);

@@ -129,13 +129,13 @@ TEST_F(BadInput, FloodOfInputs) {
   // a new second begins amid them they are not too many, and are sent again.
   std::string flood;
   for (std::uint32_t i = 1; i <= 500; ++i) flood += RawWebsocket::frame(encode(world::Input{i, 0, 0, 0}));
-  std::optional<RawWebsocket::Close> told;
-  for (int tries = 0; tries < 5 && !told; ++tries) {
+  std::optional<RawWebsocket::Close> reported;
+  for (int tries = 0; tries < 5 && !reported; ++tries) {
     GoodClient slower(port());
     slower.websocket().socket().send(flood);
-    told = slower.websocket().receiveClose();
+    reported = slower.websocket().receiveClose();
   }
-  expectRefused(told, CloseCode::kFlood, "500");
+  expectRefused(reported, CloseCode::kFlood, "500");
 }
 
 TEST_F(BadInput, FloodOfPings) {
@@ -145,14 +145,14 @@ TEST_F(BadInput, FloodOfPings) {
   for (const bool greets : {false, true}) {
     SCOPED_TRACE(greets);
     // All at once, and then it only reads: what is sent after the end may reset the connection before that is told.
-    std::optional<RawWebsocket::Close> told;
-    for (int tries = 0; tries < 5 && !told; ++tries) {
+    std::optional<RawWebsocket::Close> reported;
+    for (int tries = 0; tries < 5 && !reported; ++tries) {
       RawWebsocket bad(port());
       if (greets) bad.send(encode(Hello{"bad", 320, 180}));
       bad.socket().send(pings);
-      told = bad.receiveClose();
+      reported = bad.receiveClose();
     }
-    expectRefused(told, CloseCode::kFlood, "64 KiB");
+    expectRefused(reported, CloseCode::kFlood, "64 KiB");
   }
 }
 

@@ -113,7 +113,7 @@ std::vector<int> percentsToldTo(Connection& connection) {
   return percents;
 }
 
-TEST_F(ConnectionTest, TellsWhatGetsFinerToThoseWhoKnowItAndAreIn) {
+TEST_F(ConnectionTest, ReportsWhatGetsFinerToThoseWhoKnowItAndAreIn) {
   const auto connect = [&](const char* subProtocol) {
     return std::make_unique<Connection>(
         host_, "a test", now_, [] {}, door_, subProtocol);
@@ -121,17 +121,17 @@ TEST_F(ConnectionTest, TellsWhatGetsFinerToThoseWhoKnowItAndAreIn) {
   const auto hello = encode(Hello{"Ada", 320, 180});
   const auto newest = connect(kSubProtocolWithVideo);
   const auto older = connect(kSubProtocolWithWaiting);
-  host_.tell({.percent = 10, .secondsLeft = 90, .step = "oak"});
+  host_.report({.percent = 10, .secondsLeft = 90, .step = "oak"});
   EXPECT_FALSE(newest->hasSomethingToSend()) << "he is not in";
   ASSERT_FALSE(newest->receive(whole(hello), now_));
   ASSERT_FALSE(older->receive(whole(hello), now_));
   EXPECT_EQ(percentsToldTo(*newest), std::vector{10}) << "to who comes while it goes on";
   EXPECT_TRUE(percentsToldTo(*newest).empty()) << "once";
-  host_.tell({.percent = 20, .secondsLeft = 80, .step = "oak"});
-  host_.tell({.percent = 30, .secondsLeft = 70, .step = "oak"});
+  host_.report({.percent = 20, .secondsLeft = 80, .step = "oak"});
+  host_.report({.percent = 30, .secondsLeft = 70, .step = "oak"});
   EXPECT_TRUE(newest->hasSomethingToSend());
   EXPECT_EQ(percentsToldTo(*newest), std::vector{30}) << "the newest alone";
-  host_.tell({.percent = 100, .secondsLeft = 0, .step = {}});
+  host_.report({.percent = 100, .secondsLeft = 0, .step = {}});
   EXPECT_EQ(percentsToldTo(*newest), std::vector{100});
   EXPECT_TRUE(percentsToldTo(*older).empty());
   const auto late = connect(kSubProtocolWithVideo);

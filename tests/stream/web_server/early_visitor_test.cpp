@@ -63,7 +63,7 @@ TEST_F(EarlyVisitorTest, GetsThePageAtOnceAndReportsLater) {
 TEST_F(EarlyVisitorTest, IsToldHowTheWorldGetsOnAndLetInOnTheSameSocket) {
   RawWebsocket websocket(server_.port(), kAsksForWaiting);
   ASSERT_EQ(websocket.status(), 101);
-  server_.tell("growing trees", 0.25F);
+  server_.report("growing trees", 0.25F);
   websocket.send(encode(Hello{"Ada", 640, 360}));
   for (const std::uint8_t percent : {25, 75}) {
     std::optional<Waiting> newest;
@@ -76,7 +76,7 @@ TEST_F(EarlyVisitorTest, IsToldHowTheWorldGetsOnAndLetInOnTheSameSocket) {
     }
     EXPECT_EQ(newest->step, "growing trees");
     EXPECT_EQ(newest->place, 1);
-    server_.tell("growing trees", 0.75F);
+    server_.report("growing trees", 0.75F);
   }
   makeWorld();
   std::vector<std::uint8_t> bytes;
@@ -91,7 +91,7 @@ TEST_F(EarlyVisitorTest, IsToldHowTheWorldGetsOnAndLetInOnTheSameSocket) {
 TEST_F(EarlyVisitorTest, AnOlderPageWaitsInSilence) {
   RawWebsocket websocket(server_.port());
   websocket.send(encode(Hello{"Ada", 320, 180}));
-  server_.tell("growing trees", 0.25F);
+  server_.report("growing trees", 0.25F);
   makeWorld();
   const auto first = websocket.receive();
   ASSERT_TRUE(first);

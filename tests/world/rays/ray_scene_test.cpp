@@ -31,14 +31,14 @@ TEST(RayScene, OcclusionObeysTheInterval) {
 TEST(RayScene, IsNotBuiltToItsEndWhereProgressThrows) {
   Triangles many;
   for (int i = 0; i < 20'000; ++i) many.append(floorSquare(), glm::translate(Mat4(1.0F), Vec3(i, i % 7, i % 13)));
-  int told = 0;
+  int reported = 0;
   const auto count = [&](float share) {
-    ++told;
+    ++reported;
     EXPECT_GE(share, 0.0F);
     EXPECT_LE(share, 1.0F);
   };
   const RayScene whole(many, count);
-  EXPECT_GT(told, 1);
+  EXPECT_GT(reported, 1);
   EXPECT_TRUE(whole.occluded({0, 3, 0}, {0, -1, 0}));
   int toldBefore = 0;
   const auto stop = [&](float) {
@@ -49,7 +49,7 @@ TEST(RayScene, IsNotBuiltToItsEndWhereProgressThrows) {
   EXPECT_EQ(toldBefore, 1) << "nothing is told after that";
 }
 
-TEST(RayScene, TellsItsMemory) {
+TEST(RayScene, ReportsItsMemory) {
   Triangles many;
   for (int i = 0; i < 1000; ++i) many.append(floorSquare(), glm::translate(Mat4(1.0F), Vec3(i, 0, 0)));
   const std::size_t few = RayScene(floorSquare()).bytes();

@@ -55,7 +55,7 @@ Json rowJson(const AmortizeRow& row) {
                {"seconds", number(row.seconds)},
                {"frames", row.frames}});
   json["memory"] = memoryJson(memory);
-  json["memory"].update({{"told_bytes", std::llround(row.toldBytes)},
+  json["memory"].update({{"told_bytes", std::llround(row.reportedBytes)},
                          {"resident_bytes", row.process.resident},
                          {"proportional_bytes", row.process.proportional}});
   if (!row.privateWorlds) json["link"] = linkJson(row.traffic, row.seconds, row.users);

@@ -24,7 +24,7 @@ struct ModeFit {
   Capacity capacity;
 };
 
-/// The paper's claims, tested: the across-user share as the stages tell it against that of the slopes, and the law
+/// The paper's claims, tested: the across-user share as the stages report it against that of the slopes, and the law
 /// M = N (1 - alpha) + alpha against what both modes serve.
 struct AmortizeLaw {
   int cores = 1;

@@ -69,13 +69,13 @@ Panel costPanel(const std::vector<AmortizeRow>& rows) {
 
 Panel memoryPanel(const std::vector<AmortizeRow>& rows) {
   const auto resident = [](const AmortizeRow& row) { return static_cast<double>(row.process.resident) * 1e-6; };
-  const auto told = [](const AmortizeRow& row) { return row.toldBytes * 1e-6; };
+  const auto reported = [](const AmortizeRow& row) { return row.reportedBytes * 1e-6; };
   return {.title = "Memory of the process",
           .xLabel = kVisitors,
           .yLabel = "MB",
           .series = {over("resident, shared", rows, false, resident), over("resident, private", rows, true, resident),
-                     over("told by holders, shared", rows, false, told),
-                     over("told by holders, private", rows, true, told)}};
+                     over("told by holders, shared", rows, false, reported),
+                     over("told by holders, private", rows, true, reported)}};
 }
 
 }  // namespace

@@ -104,13 +104,13 @@ using Walkers = std::vector<std::unique_ptr<Walker>>;
 
 /// Waits for the first frame of everybody; false if it was stopped. In private mode every world takes seconds.
 bool everybodySees(const Walkers& walkers, const AmortizeRun& run, const std::stop_token& stop) {
-  std::ptrdiff_t told = 0;
+  std::ptrdiff_t reported = 0;
   double since = pipeline::wallSeconds();
   while (!stop.stop_requested()) {
     const auto ready = std::ranges::count_if(walkers, [](const auto& walker) { return walker->frames() > 0; });
     if (ready == std::ssize(walkers)) return true;
-    if (ready != told) {
-      told = ready;
+    if (ready != reported) {
+      reported = ready;
       since = pipeline::wallSeconds();
       if (run.privateWorlds) {
         log::info(described(run) + ": " + std::to_string(ready) + " of " + std::to_string(run.users) +
@@ -147,8 +147,8 @@ double stageSeconds(const measure::Reading& before, const measure::Reading& afte
 
 double AmortizeRow::coresNeeded() const {
   const measure::FrameCost all = cost();
-  const double told = (copies() * all.acrossUser + users * all.perUser()) * 1e-3 * kNominalFps;
-  return told + (cpuCores - stageCores) * kNominalFps / std::max(1e-3, fps());
+  const double reported = (copies() * all.acrossUser + users * all.perUser()) * 1e-3 * kNominalFps;
+  return reported + (cpuCores - stageCores) * kNominalFps / std::max(1e-3, fps());
 }
 
 std::optional<AmortizeRow> runAmortize(const world::Scene& scene, const gl::ShaderLibrary& shaders,
@@ -201,7 +201,7 @@ std::optional<AmortizeRow> runAmortize(const world::Scene& scene, const gl::Shad
   who.framesPerSecond = kNominalFps;
   row.costs = measure::frameCosts(before, after, who);
   row.memory = measure::memoryShares(served.host.memory(), run.users, row.copies());
-  for (const auto& [key, total] : served.host.memory().totals()) row.toldBytes += static_cast<double>(total.bytes);
+  for (const auto& [key, total] : served.host.memory().totals()) row.reportedBytes += static_cast<double>(total.bytes);
   row.process = measure::MemoryUse::read();
   row.cpuCores = (after.processSeconds - before.processSeconds) / row.seconds;
   row.stageCores = stageSeconds(before, after) / row.seconds;

@@ -39,7 +39,7 @@ struct AmortizeRow {
   double latencyP99 = 0.0;
   std::map<std::string, measure::FrameCost> costs;     ///< by type of object
   std::map<std::string, measure::MemoryShare> memory;  ///< by type of object
-  double toldBytes = 0.0;                              ///< all that the ledger knows
+  double reportedBytes = 0.0;                          ///< all that the ledger knows
   measure::MemoryUse process;
   node::LinkTraffic traffic;  ///< in shared mode
   double cpuCores = 0.0;      ///< of the whole process
@@ -57,7 +57,7 @@ struct AmortizeRow {
   [[nodiscard]] double coresNeeded() const;
 };
 
-/// Serves the scene to visitors within the process and measures; tells on stderr how far it is. Nothing if it was
+/// Serves the scene to visitors within the process and measures; reports on stderr how far it is. Nothing if it was
 /// stopped before the end. Throws EnvironmentError.
 [[nodiscard]] std::optional<AmortizeRow> runAmortize(const world::Scene& scene, const gl::ShaderLibrary& shaders,
                                                      const AmortizeRun& run, const std::stop_token& stop);

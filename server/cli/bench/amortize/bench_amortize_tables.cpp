@@ -66,7 +66,7 @@ void printTypes(std::string& out, const AmortizeRow& row) {
   line("all", row.cost(), measure::sum(row.memory));
   print(out, "\nresident %.0f MB (%.0f MB with its share of shared pages), of which %.0f MB are told above\n",
         mega(static_cast<double>(row.process.resident)), mega(static_cast<double>(row.process.proportional)),
-        mega(row.toldBytes));
+        mega(row.reportedBytes));
 }
 
 void printFit(std::string& out, const char* mode, const ModeFit& fit) {
@@ -106,10 +106,10 @@ void printReasons(std::string& out, const std::vector<AmortizeRow>& rows) {
     }
   }
   line("c_b1 + c_f, one visitor", shared->cost().perUser(), unshared->cost().perUser());
-  const auto untold = [](const AmortizeRow& row) {
+  const auto unreported = [](const AmortizeRow& row) {
     return (row.cpuCores - row.stageCores) * row.seconds / std::max(1.0, row.frames) * 1e3;
   };
-  line("in no stage, one visitor", untold(*shared), untold(*unshared));
+  line("in no stage, one visitor", unreported(*shared), unreported(*unshared));
 }
 
 void printLaw(std::string& out, const AmortizeResult& result) {

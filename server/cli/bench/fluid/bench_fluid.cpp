@@ -143,7 +143,7 @@ int runBenchFluid(const BenchFluidOptions& options) {
     for (std::size_t p = 0; p < phases.size(); ++p) {
       phases[p].push_back(static_cast<double>(simulation.phaseNanoseconds()[p]) * kMs);
     }
-    iterations.push_back(static_cast<double>(simulation.outcome().iterations));
+    iterations.push_back(static_cast<double>(simulation.result().iterations));
     const auto& solver = simulation.solver();
     residual = std::max(residual, objects::fluid::relativeResidual(solver.solids(), solver.pressure().pressure(),
                                                                    solver.pressure().rightHandSide()));

@@ -2,7 +2,7 @@
 
 namespace grove::objects::fluid {
 
-/// Tells whether ticks that must each be done within a period can be: by their mean, since one may wait for another.
+/// Reports whether ticks that must each be done within a period can be: by their mean, since one may wait for another.
 /// One thread.
 class Pace {
  public:

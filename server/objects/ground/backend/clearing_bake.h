@@ -17,7 +17,7 @@ struct ClearingOptions {
 };
 
 /// Bakes the light that `solids` leave: soft shadows of a sun disc, and occlusion of the sky near their feet.
-/// `progress` is told shares of 0..1.
+/// `progress` gets shares of 0..1.
 [[nodiscard]] Clearing bakeClearing(const ClearingOptions& options, const world::Triangles& solids,
                                     const world::RayScene& rays, const std::function<void(float)>& progress);
 

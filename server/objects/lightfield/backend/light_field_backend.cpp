@@ -90,7 +90,7 @@ node::Payload LightFieldBackend::info(const LightFieldModel& model) const {
 
 bool LightFieldBackend::mayMake(const node::Request& request, const Shot& shot, bool mustBeMade) {
   if (!mustBeMade) return budget_.take(*request.view, shot.texels(), request.urgency);
-  budget_.owe(*request.view, shot.texels());
+  budget_.borrow(*request.view, shot.texels());
   return true;
 }
 

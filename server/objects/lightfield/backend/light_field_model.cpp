@@ -36,12 +36,12 @@ void LightFieldModel::show(LightField finer) {
     shown_ = std::move(next);
   }
   const std::lock_guard lock(listenersMutex_);
-  for (const auto& tell : listeners_) tell();
+  for (const auto& report : listeners_) report();
 }
 
-std::shared_ptr<const void> LightFieldModel::whenShown(std::function<void()> tell) const {
+std::shared_ptr<const void> LightFieldModel::whenShown(std::function<void()> report) const {
   const std::lock_guard lock(listenersMutex_);
-  const auto listener = listeners_.insert(listeners_.end(), std::move(tell));
+  const auto listener = listeners_.insert(listeners_.end(), std::move(report));
   return {this, [this, listener](const void*) {
             const std::lock_guard ending(listenersMutex_);
             listeners_.erase(listener);

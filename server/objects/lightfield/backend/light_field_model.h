@@ -41,8 +41,8 @@ class LightFieldModel final : public world::Model {
   [[nodiscard]] std::shared_ptr<const FieldVersion> shown() const;
   /// From now on this one, of the same model in the same place. Pictures that are being made of the last one still are.
   void show(LightField finer);
-  /// Calls `tell` each time that it shows another one, until the token that this returns is gone.
-  [[nodiscard]] std::shared_ptr<const void> whenShown(std::function<void()> tell) const;
+  /// Calls `report` each time that it shows another one, until the token that this returns is gone.
+  [[nodiscard]] std::shared_ptr<const void> whenShown(std::function<void()> report) const;
   [[nodiscard]] SamplerKind sampler() const noexcept { return sampler_; }
 
  private:

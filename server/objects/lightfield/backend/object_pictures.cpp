@@ -80,7 +80,7 @@ std::shared_ptr<raster::Image> ObjectPictures::make(const Entry& entry, const Li
   const std::array<raster::Image*, 1> images{image.get()};
   entry.sampler->render({&request, 1}, images);
   castShadows(entry.sun, shot.camera, *image);
-  if (field.mapped != nullptr) field.mapped->tellIfCut();
+  if (field.mapped != nullptr) field.mapped->reportIfCut();
   return image;
 }
 

@@ -5,7 +5,7 @@
 namespace grove::objects::lightfield {
 namespace {
 
-/// Of a full bucket or pot, what stays for pictures that are more than hardly wrong.
+/// Of a full bucket, what stays for pictures whose error is more than just too large.
 constexpr double kReserve = 0.5;
 
 /// Seconds after which a bucket is taken for one that nobody uses.
@@ -31,7 +31,7 @@ PictureBudget::Bucket& PictureBudget::filled(const node::View& view) {
   bucket.time += passed;
   const double tokens = bucket.tokens + passed * share(view);
   bucket.tokens = std::min(max, tokens);
-  pot_ = std::min(kBurst * texelsPerSecond_, pot_ + tokens - bucket.tokens);
+  sharedTokens_ = std::min(kBurst * texelsPerSecond_, sharedTokens_ + tokens - bucket.tokens);
   return bucket;
 }
 
@@ -44,25 +44,25 @@ int& PictureBudget::madeIn(Bucket& bucket, node::FrameNumber frame) {
 void PictureBudget::spend(Bucket& bucket, std::int64_t texels) {
   const auto all = static_cast<double>(texels);
   const double own = std::clamp(bucket.tokens, 0.0, all);
-  const double common = std::min(pot_, all - own);
-  pot_ -= common;
+  const double common = std::min(sharedTokens_, all - own);
+  sharedTokens_ -= common;
   bucket.tokens -= all - common;
 }
 
-bool PictureBudget::take(const node::View& view, std::int64_t texels, float wrong) {
+bool PictureBudget::take(const node::View& view, std::int64_t texels, float error) {
   const std::lock_guard lock(mutex_);
   Bucket& bucket = filled(view);
   int& made = madeIn(bucket, view.frame);
-  if (wrong <= kLateness && made >= kMaxNewPictures) return false;
-  const double left = kReserve * kBurst / std::max(wrong, 1.0F);
-  const bool potPays = pot_ > left * texelsPerSecond_ + static_cast<double>(texels);
-  if (bucket.tokens <= left * share(view) && !potPays) return false;
+  if (error <= kUrgentError && made >= kMaxNewPictures) return false;
+  const double left = kReserve * kBurst / std::max(error, 1.0F);
+  const bool sharedTokensPay = sharedTokens_ > left * texelsPerSecond_ + static_cast<double>(texels);
+  if (bucket.tokens <= left * share(view) && !sharedTokensPay) return false;
   spend(bucket, texels);
   ++made;
   return true;
 }
 
-void PictureBudget::owe(const node::View& view, std::int64_t texels) {
+void PictureBudget::borrow(const node::View& view, std::int64_t texels) {
   const std::lock_guard lock(mutex_);
   spend(filled(view), texels);
 }

@@ -15,24 +15,24 @@ namespace grove::objects::lightfield {
 /// for each, and be later still. So all visitors together have so many texels a second of the world's clock, and make
 /// do with the pictures they have when those are spent.
 ///
-/// A bucket of tokens for each visitor, which all fill alike, and a pot for what overflows them, which is anybody's.
-/// The bucket of one who comes while others are here is empty, so that his first frame does not hold up theirs. A
-/// picture is made if the bucket has any or the pot has enough; what it takes may leave the bucket in debt. So in t
-/// seconds all take at most t + 2 kBurst seconds' worth, a picture each, and what they must owe. Any thread.
+/// A bucket of tokens for each visitor, which all fill alike, and a shared one for what overflows them. The bucket of
+/// one who comes while others are here is empty, so that his first frame does not hold up theirs. A picture is made if
+/// the visitor's bucket has any tokens or the shared one has enough; what it takes may leave his bucket in debt. So in
+/// t seconds all take at most t + 2 kBurst seconds' worth, a picture each, and what they must borrow. Any thread.
 class PictureBudget {
  public:
   static constexpr double kBurst = 0.25;     ///< seconds' worth that fit in a bucket: a frame of a late machine
-  static constexpr int kMaxNewPictures = 2;  ///< in one frame, but for those that are too wrong by kLateness
-  static constexpr float kLateness = 3.0F;
+  static constexpr int kMaxNewPictures = 2;  ///< in one frame, but for those whose error exceeds kUrgentError
+  static constexpr float kUrgentError = 3.0F;
 
   explicit PictureBudget(double texelsPerSecond) : texelsPerSecond_(texelsPerSecond) {}
 
-  /// Whether to make a picture of so many texels in this frame; takes them. What is there instead is wrong by `wrong`
-  /// times the permitted error; infinite if there is nothing. The wronger it is, the emptier the bucket may be.
-  [[nodiscard]] bool take(const node::View& view, std::int64_t texels, float wrong);
+  /// Whether to make a picture of so many texels in this frame; takes them. `error` is that of what is there instead,
+  /// in times of what is permitted; infinite if there is nothing. The larger it is, the emptier the bucket may be.
+  [[nodiscard]] bool take(const node::View& view, std::int64_t texels, float error);
 
   /// Takes them though there may be none left: of a picture that must be made.
-  void owe(const node::View& view, std::int64_t texels);
+  void borrow(const node::View& view, std::int64_t texels);
 
  private:
   struct Made {
@@ -53,7 +53,7 @@ class PictureBudget {
   const double texelsPerSecond_;
   std::mutex mutex_;
   std::map<node::SessionId, Bucket> buckets_;
-  double pot_ = 0.0;
+  double sharedTokens_ = 0.0;
 };
 
 }  // namespace grove::objects::lightfield

@@ -62,7 +62,7 @@ constexpr std::size_t kRoughHeldOut = 2;
 
 using ProgressCall = std::function<void(const BakeProgress&)>;
 
-/// Tells the progress of one step with the time that is left, guessed from the time so far.
+/// Reports the progress of one step with the time that is left, guessed from the time so far.
 class Step {
  public:
   Step(std::string_view name, const ProgressCall& progress)

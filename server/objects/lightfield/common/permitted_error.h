@@ -5,13 +5,13 @@ namespace grove::objects::lightfield {
 /// What pictures that are not what they should be count as, in times of the permitted error.
 
 /// Of few texels, for want of time: at least so much.
-inline constexpr float kCoarseWrongness = 4.0F;
+inline constexpr float kCoarseError = 4.0F;
 
 /// Of a former light field: at least so much, so little that it is replaced when there is time.
-inline constexpr float kOutdatedWrongness = 1.5F;
+inline constexpr float kOutdatedError = 1.5F;
 
-/// Of a former light field: a picture that is more wrong is no longer mixed into the one that replaces it.
-inline constexpr float kMaxFadingWrongness = 4.0F;
+/// Of a former light field: a picture with a larger error is no longer mixed into the one that replaces it.
+inline constexpr float kMaxFadingError = 4.0F;
 
 /// Times the width of the pixels of a coarse picture.
 inline constexpr float kCoarse = 4.0F;

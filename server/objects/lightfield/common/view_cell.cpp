@@ -47,7 +47,7 @@ constexpr std::int32_t kMaxShells = 256;
 /// where x0 and x1 are the ends of the chord. x0 x1 is the power of F, |F|^2 - R^2, and |F| >= |e| - h. Since
 /// L <= 2R and L sin a <= R^2 / D (largest at D sin a = R / sqrt 2), and sin a <= R / D wherever there is a chord,
 ///     angle <= (2 R side + radial R^2 / D) / ((|e| - side - radial R / D)^2 - R^2).
-/// This is the error over the focal length, as wrongness() has it; the function solves for `side`.
+/// This is the error over the focal length, as reprojectionError() has it; the function solves for `side`.
 float permittedSide(float ball, float nearest, float axis, float radial, float angle) {
   const float clear = nearest - radial * ball / axis;
   const float c = clear * clear - ball * ball - radial * ball * ball / (axis * angle);
@@ -144,7 +144,8 @@ std::optional<ViewCell> cellIn(const Layer& layer, const ViewGeometry& geometry,
 
 }  // namespace
 
-float wrongness(const ViewGeometry& geometry, world::Vec3 own, world::Vec3 eye, float focal, float errorPixels) {
+float reprojectionError(const ViewGeometry& geometry, world::Vec3 own, world::Vec3 eye, float focal,
+                        float errorPixels) {
   constexpr float kNever = std::numeric_limits<float>::infinity();
   const float ball = geometry.extent;
   const world::Vec3 from = own - geometry.target;

@@ -44,12 +44,12 @@ struct ViewCell {
 /// The same cell by its id alone; nothing if no eye has such a cell.
 [[nodiscard]] std::optional<ViewCell> viewCell(const ViewGeometry& geometry, const CellId& id);
 
-/// How wrong a picture that was made from `own` is for `eye` (object coordinates), which need be in no cell of it, in a
-/// frame of this focal length: in times of what is permitted, which is an error of `errorPixels`, and to be an eighth
-/// of an octave nearer than `own` (the picture is then so much less sharp) or two farther. Beyond 1 it is an estimate,
-/// and infinite where too little of the object is in the picture.
-[[nodiscard]] float wrongness(const ViewGeometry& geometry, world::Vec3 own, world::Vec3 eye, float focal,
-                              float errorPixels);
+/// The reprojection error of a picture that was made from `own`, for `eye` (object coordinates), which need be in no
+/// cell of it, in a frame of this focal length: in times of what is permitted, which is an error of `errorPixels`, and
+/// to be an eighth of an octave nearer than `own` (the picture is then so much less sharp) or two farther. Beyond 1 it
+/// is an estimate, and infinite where too little of the object is in the picture.
+[[nodiscard]] float reprojectionError(const ViewGeometry& geometry, world::Vec3 own, world::Vec3 eye, float focal,
+                                      float errorPixels);
 
 inline constexpr float kMinReach = 0.04F;
 inline constexpr int kMaxCellSize = 2048;

@@ -35,8 +35,8 @@ MappedFile::~MappedFile() {
   if (!bytes_.empty()) munmap(const_cast<std::byte*>(bytes_.data()), bytes_.size());
 }
 
-void MappedFile::tellOnce() const noexcept {
-  if (!told_.exchange(true)) log::warning(cutMessage_);
+void MappedFile::reportOnce() const noexcept {
+  if (!reported_.exchange(true)) log::warning(cutMessage_);
 }
 
 }  // namespace grove::objects::lightfield

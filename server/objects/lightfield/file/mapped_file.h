@@ -25,17 +25,17 @@ class MappedFile {
   [[nodiscard]] std::span<const std::byte> bytes() const noexcept { return bytes_; }
 
   /// Once something that was cut off has been read, says so in the log, once. Any thread; costs nothing otherwise.
-  void tellIfCut() const noexcept {
-    if (guard_ && guard_->cut()) tellOnce();
+  void reportIfCut() const noexcept {
+    if (guard_ && guard_->cut()) reportOnce();
   }
 
  private:
-  void tellOnce() const noexcept;
+  void reportOnce() const noexcept;
 
   const std::string cutMessage_;
   std::span<const std::byte> bytes_;
   std::optional<MappedRangeGuard> guard_;
-  mutable std::atomic<bool> told_{false};
+  mutable std::atomic<bool> reported_{false};
 };
 
 }  // namespace grove::objects::lightfield

@@ -28,7 +28,7 @@ float roughness(const CachedView& picture) {
   return squares > 0 ? static_cast<float>(std::sqrt(sum / squares)) : 0.0F;
 }
 
-float wrongness(const NearView& view, const ObjectCamera& camera, const world::Rect& rect, float errorPixels) {
+float reprojectionError(const NearView& view, const ObjectCamera& camera, const world::Rect& rect, float errorPixels) {
   const ObjectCamera& own = view.picture->camera();
   const world::Vec3 moved = camera.eye - own.eye;
   constexpr float kNever = std::numeric_limits<float>::infinity();

@@ -31,8 +31,8 @@ struct NearView {
 /// How wide the strips are, in times of `errorPixels` pixels of the frame's camera, at which the picture shows the
 /// object. Infinite if it does not show all that the frame needs, which are the pixels `rect` of that camera. A head
 /// that only turns uncovers nothing.
-[[nodiscard]] float wrongness(const NearView& view, const ObjectCamera& camera, const world::Rect& rect,
-                              float errorPixels);
+[[nodiscard]] float reprojectionError(const NearView& view, const ObjectCamera& camera, const world::Rect& rect,
+                                      float errorPixels);
 
 /// The picture without the one that it replaced, if that has faded away.
 [[nodiscard]] NearView unlessFaded(NearView view, double now);

@@ -12,7 +12,7 @@ namespace {
 
 constexpr float kNever = std::numeric_limits<float>::infinity();
 
-/// Of the permitted error: what a near picture may be wrong by on average, where that of a far one is the largest.
+/// Of the permitted error: the error of a near picture on average, where that of a far one is the largest.
 constexpr float kNearShare = 0.5F;
 
 /// Pixels beyond the frame that a near picture has, for a head that turns.
@@ -40,28 +40,28 @@ bool isForOneFrame(const Sight& sight) { return sight.field.maxError <= 0.0F; }
 
 }  // namespace
 
-float OwnViews::wrongOf(const Sight& sight, const NearView& last) const {
+float OwnViews::errorOf(const Sight& sight, const NearView& last) const {
   if (!last.picture) return kNever;
-  float wrong = wrongness(last, sight.camera, sight.object.rect, kNearShare * sight.field.maxError);
-  if (last.coarse) wrong = std::max(wrong, kCoarseWrongness);
-  if (last.version != sight.field.number) wrong = std::max(wrong, kOutdatedWrongness);
-  return wrong;
+  float error = reprojectionError(last, sight.camera, sight.object.rect, kNearShare * sight.field.maxError);
+  if (last.coarse) error = std::max(error, kCoarseError);
+  if (last.version != sight.field.number) error = std::max(error, kOutdatedError);
+  return error;
 }
 
 node::Plan OwnViews::begin(const Sight& sight, float times) {
   const Shot shot = shotOf(sight, times);
   if (isForOneFrame(sight)) return askFor(shot, true, kNever);
   const NearView last = near_.last(sight.id());
-  const float wrong = wrongOf(sight, last);
-  if (wrong <= 1.0F) return showAgain(sight, last, "near views shown again");
-  return askFor(shot, false, wrong);
+  const float error = errorOf(sight, last);
+  if (error <= 1.0F) return showAgain(sight, last, "near views shown again");
+  return askFor(shot, false, error);
 }
 
 node::Plan OwnViews::resume(const Sight& sight, const node::Reply& reply) {
   const OwnPicture asked = ownPictureOf(reply.ask.key);
   const NearView last = isForOneFrame(sight) ? NearView{} : near_.last(sight.id());
   if (isNotNow(reply.payload) && !asked.mustBeMade) {
-    if (wrongOf(sight, last) < kNever) return showAgain(sight, last, "near views shown late");
+    if (errorOf(sight, last) < kNever) return showAgain(sight, last, "near views shown stale");
     return askFor(Shot{asked.camera, reply.ask.rect}.coarser(kCoarse), true, kNever);
   }
   const auto* const image = std::get_if<std::shared_ptr<const raster::Image>>(&reply.payload);

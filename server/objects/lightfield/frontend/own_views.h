@@ -10,8 +10,8 @@
 namespace grove::objects::lightfield {
 
 /// Chooses for one visitor which of his own pictures he is shown of what is too near to share one: the last as long as
-/// it serves, else a new one. While there is no time for new ones the last is shown however wrong it is, or if there is
-/// none, one with a sixteenth of the texels.
+/// it serves, else a new one. While there is no time for new ones the last is shown however large its error is, or if
+/// there is none, one with a sixteenth of the texels.
 class OwnViews {
  public:
   explicit OwnViews(pipeline::Timeline& timeline) : timeline_(timeline) {}
@@ -29,7 +29,7 @@ class OwnViews {
   [[nodiscard]] std::size_t bytes() const { return near_.bytes(); }
 
  private:
-  [[nodiscard]] float wrongOf(const Sight& sight, const NearView& last) const;
+  [[nodiscard]] float errorOf(const Sight& sight, const NearView& last) const;
   [[nodiscard]] node::Plan showAgain(const Sight& sight, const NearView& last, const char* counter);
 
   pipeline::Timeline& timeline_;

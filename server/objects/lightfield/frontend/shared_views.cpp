@@ -21,8 +21,8 @@ constexpr float kMinSharedReach = 0.13F;
 /// taken.
 constexpr std::array<float, 3> kStepsAhead{1.8F, 1.2F, 0.6F};
 
-float wrongFor(const Sight& sight, world::Vec3 own) {
-  return wrongness(sight.field.geometry, own, sight.camera.eye, sight.focal(), sight.field.maxError);
+float errorFor(const Sight& sight, world::Vec3 own) {
+  return reprojectionError(sight.field.geometry, own, sight.camera.eye, sight.focal(), sight.field.maxError);
 }
 
 std::optional<ViewCell> cellAt(const Sight& sight, world::Vec3 eye) {
@@ -49,28 +49,28 @@ SharedViews::Last SharedViews::lastOf(const Sight& sight, std::int32_t focal) co
   if (!cell || cell->focal != focal) return {{}, nullptr, kNever};
   Last last{*cell, find(sight, *cell), kNever};
   if (!last.picture) return last;
-  last.wrong = wrongFor(sight, last.picture->camera().eye);
-  if (cell->coarse) last.wrong = std::max(last.wrong, kCoarseWrongness);
-  if (cell->version != sight.field.number) last.wrong = std::max(last.wrong, kOutdatedWrongness);
+  last.error = errorFor(sight, last.picture->camera().eye);
+  if (cell->coarse) last.error = std::max(last.error, kCoarseError);
+  if (cell->version != sight.field.number) last.error = std::max(last.error, kOutdatedError);
   return last;
 }
 
 node::Plan SharedViews::begin(const Sight& sight, const ViewCell& cell) {
   const CrossFade fade = last_.fade(sight.id(), sight.view.time);
-  if (fade.from && wrongFor(sight, fade.from->camera().eye) > kMaxFadingWrongness) last_.endFade(sight.id());
+  if (fade.from && errorFor(sight, fade.from->camera().eye) > kMaxFadingError) last_.endFade(sight.id());
   // Going on with the last picture as long as it serves takes fewer of them than changing it at the border of its cell.
   Last last = lastOf(sight, cell.id.focal);
-  if (last.wrong <= 1.0F) return show(sight, "view cache hits", last.cell, std::move(last.picture));
+  if (last.error <= 1.0F) return show(sight, "view cache hits", last.cell, std::move(last.picture));
   const world::Vec3 step = cell.reach * sight.heading();
   CellId best = cell.id;
   for (const float steps : kStepsAhead) {
     const auto ahead = cellAt(sight, sight.camera.eye + steps * step);
-    if (!ahead || wrongFor(sight, ahead->camera.eye) > 1.0F) continue;
+    if (!ahead || errorFor(sight, ahead->camera.eye) > 1.0F) continue;
     if (auto picture = find(sight, ahead->id)) return show(sight, "view cache hits", ahead->id, std::move(picture));
     if (best == cell.id) best = ahead->id;
   }
   if (auto picture = find(sight, cell.id)) return show(sight, "view cache hits", cell.id, std::move(picture));
-  return node::Ask{.shared = true, .key = keyOf(best), .rect = {}, .urgency = last.wrong};
+  return node::Ask{.shared = true, .key = keyOf(best), .rect = {}, .urgency = last.error};
 }
 
 node::Plan SharedViews::resume(const Sight& sight, const node::Reply& reply) {
@@ -81,9 +81,9 @@ node::Plan SharedViews::resume(const Sight& sight, const node::Reply& reply) {
   }
   if (cell.coarse || !isNotNow(reply.payload)) return reply.payload;
   Last last = lastOf(sight, cell.focal);
-  if (last.wrong < kNever) return show(sight, "views shown late", last.cell, std::move(last.picture));
+  if (last.error < kNever) return show(sight, "views shown stale", last.cell, std::move(last.picture));
   cell.coarse = true;
-  if (auto picture = find(sight, cell)) return show(sight, "views shown late", cell, std::move(picture));
+  if (auto picture = find(sight, cell)) return show(sight, "views shown stale", cell, std::move(picture));
   return node::Ask{.shared = true, .key = keyOf(cell), .rect = {}, .urgency = kNever};
 }
 

@@ -12,8 +12,8 @@
 namespace grove::objects::lightfield {
 
 /// Chooses for one visitor which of the pictures that all share he is shown: the last one as long as it serves, else
-/// that of a cell on his way or of his own. While there is no time for new ones the last is shown however wrong it is,
-/// or if there is none, one with a sixteenth of the texels.
+/// that of a cell on his way or of his own. While there is no time for new ones the last is shown however large its
+/// error is, or if there is none, one with a sixteenth of the texels.
 class SharedViews {
  public:
   explicit SharedViews(pipeline::Timeline& timeline) : timeline_(timeline) {}
@@ -31,7 +31,7 @@ class SharedViews {
   struct Last {
     CellId cell;
     std::shared_ptr<const CachedView> picture;  ///< null if there is none
-    float wrong = 0.0F;                         ///< in times of what is permitted; infinite if there is none
+    float error = 0.0F;                         ///< in times of what is permitted; infinite if there is none
   };
   [[nodiscard]] Last lastOf(const Sight& sight, std::int32_t focal) const;
   [[nodiscard]] node::Plan show(const Sight& sight, const char* counter, const CellId& cell,

@@ -6,7 +6,7 @@
 
 namespace grove::objects::sky {
 
-/// Paints sky, sun, clouds and distant landscape; seconds of work at full size. `progress` is told shares of 0..1.
+/// Paints sky, sun, clouds and distant landscape; seconds of work at full size. `progress` gets shares of 0..1.
 /// Dithered by half a step, so that smooth skies do not band.
 [[nodiscard]] Panorama bakePanorama(PanoramaSize size, int seed, const std::function<void(float)>& progress);
 

@@ -30,16 +30,16 @@ Json stages(const pipeline::Timeline& timeline) {
 
 Json memory(const pipeline::MemoryLedger& ledger) {
   Json holders = Json::array();
-  double told = 0.0;
+  double reported = 0.0;
   for (const auto& [key, total] : ledger.totals()) {
-    told += static_cast<double>(total.bytes);
+    reported += static_cast<double>(total.bytes);
     holders.push_back({{"holder", key.holder},
                        {"type", key.subject},
                        {"work", pipeline::toString(total.work)},
                        {"mb", megabytes(static_cast<double>(total.bytes))}});
   }
   const auto resident = static_cast<double>(measure::residentBytes());
-  return {{"resident_mb", megabytes(resident)}, {"told_mb", megabytes(told)}, {"holders", holders}};
+  return {{"resident_mb", megabytes(resident)}, {"told_mb", megabytes(reported)}, {"holders", holders}};
 }
 
 Json costs(const measure::FrameCost& cost, const measure::MemoryShare& share) {
@@ -65,7 +65,7 @@ Json amortization(const measure::AmortizationMeter& meter) {
   report.update(
       Json{{"cpu_cores", measured->cpuCores},
            {"cores", cores},
-           {"other_ms", capacity.untold * 1000.0 / meter.nominalFramesPerSecond()},
+           {"other_ms", capacity.unreported * 1000.0 / meter.nominalFramesPerSecond()},
            {"private_frame_ms", capacity.privateVisitor * 1000.0 / meter.nominalFramesPerSecond()},
            {"visitor_cores", meter.privateWorlds() ? capacity.privateVisitor : capacity.visitor},
            {"visitors_fit", meter.privateWorlds() ? capacity.privateVisitorsFit(cores) : capacity.visitorsFit(cores)},

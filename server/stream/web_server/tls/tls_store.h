@@ -11,7 +11,7 @@
 namespace grove::stream {
 
 /// The certificate that a running server shows, made anew from its files when they change: connections that are there
-/// go on with the one they began with. A bad new pair is told of, and the one before stays.
+/// go on with the one they began with. A bad new pair is reported, and the one before stays.
 class TlsStore {
  public:
   /// Throws what TlsCertificate throws. A certificate that expires soon is warned of, now and once a day.

@@ -78,7 +78,7 @@ TEST_F(ScalableSimulationTest, ThePlumeGoesOnRisingAsItDid) {
       EXPECT_NEAR(now.heat / before.heat, 1.0, 0.1) << tick;
       EXPECT_NEAR(now.smoke, before.smoke, 0.06) << tick;
       EXPECT_EQ(simulation.current().particles().injected(), injected + 60U);
-      ASSERT_LE(simulation.current().outcome().residual, 1.0e-4F);
+      ASSERT_LE(simulation.current().result().residual, 1.0e-4F);
     }
     // Half a second later it is where it would be without the change.
     run(*same, 15);

@@ -51,7 +51,7 @@ TEST_F(ScalableSimulationThreadsTest, WishesFromManyThreadsWhileItTicks) {
     changes += simulation.update() ? 1 : 0;
     run(simulation.current(), 1);
     ASSERT_EQ(simulation.current().tick(), static_cast<std::uint64_t>(i + 1));
-    ASSERT_LE(simulation.current().outcome().residual, 1.0e-4F);
+    ASSERT_LE(simulation.current().result().residual, 1.0e-4F);
   }
   done = true;
   for (std::thread& each : visitors) each.join();

@@ -22,9 +22,9 @@ node::View viewOf(node::SessionId session, node::FrameNumber frame, double time,
 }
 
 /// How many pictures the frame may make.
-int takes(PictureBudget& budget, const node::View& view, float wrong) {
+int takes(PictureBudget& budget, const node::View& view, float error) {
   int made = 0;
-  while (made < 10000 && budget.take(view, kPicture, wrong)) ++made;
+  while (made < 10000 && budget.take(view, kPicture, error)) ++made;
   return made;
 }
 
@@ -33,7 +33,7 @@ TEST(PictureBudget, AFrameMakesTwoOfWhatIsHardlyWrongAndAllOfWhatIsWrong) {
   for (node::FrameNumber frame = 1; frame < 5; ++frame) {
     const node::View view = viewOf(1, frame, frame);
     EXPECT_EQ(takes(budget, view, 1.5F), PictureBudget::kMaxNewPictures);
-    EXPECT_TRUE(budget.take(view, kPicture, 1.01F * PictureBudget::kLateness));
+    EXPECT_TRUE(budget.take(view, kPicture, 1.01F * PictureBudget::kUrgentError));
   }
 }
 
@@ -56,9 +56,9 @@ TEST(PictureBudget, TheBucketHoldsAQuarterOfASecondAndFillsByTheWorldsClock) {
 }
 
 TEST(PictureBudget, WhatIsWrongerMayEmptyItMore) {
-  const auto taken = [](float wrong) {
+  const auto taken = [](float error) {
     PictureBudget budget(kRate);
-    return takes(budget, viewOf(1, 1, 0.0), wrong);
+    return takes(budget, viewOf(1, 1, 0.0), error);
   };
   EXPECT_NEAR(taken(4.0F), 25 * (1.0 - 0.5 / 4.0), 1.0);
   EXPECT_NEAR(taken(10.0F), 25 * (1.0 - 0.5 / 10.0), 1.0);
@@ -93,7 +93,7 @@ TEST(PictureBudget, WhoComesWhileOthersAreHereBeginsWithNothing) {
 TEST(PictureBudget, DebtsArePaidFirst) {
   PictureBudget budget(kRate);
   EXPECT_EQ(takes(budget, viewOf(1, 1, 0.0), kNothing), 25);
-  for (int i = 0; i < 10; ++i) budget.owe(viewOf(1, 1, 0.0), kPicture);
+  for (int i = 0; i < 10; ++i) budget.borrow(viewOf(1, 1, 0.0), kPicture);
   EXPECT_FALSE(budget.take(viewOf(1, 2, 0.0625), kPicture, kNothing));
   EXPECT_TRUE(budget.take(viewOf(1, 3, 0.125), kPicture, kNothing));
 }
@@ -101,7 +101,7 @@ TEST(PictureBudget, DebtsArePaidFirst) {
 TEST(PictureBudget, AMinuteOfEightVisitorsAtFourFramesASecondTakesNoMore) {
   PictureBudget budget(kRate);
   std::mt19937 dice(7);
-  std::uniform_real_distribution<float> wrongs(0.5F, 12.0F);
+  std::uniform_real_distribution<float> errors(0.5F, 12.0F);
   std::uniform_int_distribution<std::int64_t> sizes(1000, 120000);
   constexpr std::size_t kVisitors = 8;
   constexpr double kSeconds = 60.0;
@@ -112,12 +112,12 @@ TEST(PictureBudget, AMinuteOfEightVisitorsAtFourFramesASecondTakesNoMore) {
       if (visitor == 1 && frame % 8 != 0) continue;
       const node::View view = viewOf(visitor, frame, 0.25 * frame, kVisitors);
       for (int object = 0; object < 12; ++object) {
-        const float wrong = object == 0 ? kNothing : wrongs(dice);
+        const float error = object == 0 ? kNothing : errors(dice);
         const std::int64_t texels = sizes(dice);
-        if (budget.take(view, texels, wrong)) {
+        if (budget.take(view, texels, error)) {
           taken += texels;
         } else if (object == 0) {
-          budget.owe(view, texels / 16);
+          budget.borrow(view, texels / 16);
           taken += texels / 16;
         }
       }

@@ -103,7 +103,7 @@ TEST(ViewCell, ServesNoEyeWithMoreThanTheError) {
     const Vec3 own = geometry.target + dice.direction() * geometry.extent * std::exp2(dice.in(0.05F, 4.0F));
     const float distance = glm::length(own - geometry.target);
     const Vec3 eye = own + dice.direction() * distance * std::exp2(dice.in(-8.0F, -1.0F));
-    if (wrongness(geometry, own, eye, focal, error) > 1.0F) continue;
+    if (reprojectionError(geometry, own, eye, focal, error) > 1.0F) continue;
     ++served;
     EXPECT_GT(glm::distance(eye, geometry.target), 0.9F * distance) << "a picture from afar is not sharp";
     for (int j = 0; j < 8; ++j) {
@@ -136,11 +136,12 @@ TEST(ViewCell, ServesAllOfACellAndMore) {
     if (!cell) continue;
     ++cells;
     for (int j = 0; j < 4; ++j) {
-      EXPECT_LE(wrongness(geometry, cell->camera.eye, eyeIn(*cell, geometry, focal, 8.0F, dice), focal, 8.0F), 1.0F);
+      EXPECT_LE(reprojectionError(geometry, cell->camera.eye, eyeIn(*cell, geometry, focal, 8.0F, dice), focal, 8.0F),
+                1.0F);
     }
     const Vec3 from = cell->camera.eye - geometry.target;
     const Vec3 aside = glm::normalize(Vec3(from.z, 0.0F, -from.x)) * 1.1F * cell->reach;
-    EXPECT_LE(wrongness(geometry, cell->camera.eye, cell->camera.eye + aside, focal, 8.0F), 1.0F);
+    EXPECT_LE(reprojectionError(geometry, cell->camera.eye, cell->camera.eye + aside, focal, 8.0F), 1.0F);
   }
   EXPECT_GT(cells, 300);
 }

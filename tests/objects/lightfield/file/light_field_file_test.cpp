@@ -124,7 +124,7 @@ TEST_F(LightFieldFile, SaysOnceThatItBecameShorter) {
   const LightField opened = openLightField(file_);
   const auto said = [&] {
     testing::internal::CaptureStderr();
-    opened.mapped->tellIfCut();
+    opened.mapped->reportIfCut();
     return testing::internal::GetCapturedStderr();
   };
   std::filesystem::resize_file(file_, 4096);

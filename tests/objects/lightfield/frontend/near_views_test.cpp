@@ -42,7 +42,7 @@ constexpr Rect kSampled{0, 0, kSize, kSize};
 constexpr Rect kFrame{8, 8, kSize - 8, kSize - 8};
 
 bool serves(const NearView& view, const ObjectCamera& camera, const Rect& rect, float errorPixels) {
-  return wrongness(view, camera, rect, 1.0F) <= errorPixels;
+  return reprojectionError(view, camera, rect, 1.0F) <= errorPixels;
 }
 
 NearView viewOf(std::shared_ptr<const CachedView> picture) {

@@ -50,12 +50,12 @@ TEST(Panorama, SoftMapIsTheSamePictureInAllDirections) {
 }
 
 TEST(PanoramaBake, HasNoSeamAndIsBrightestAtTheSun) {
-  float told = 0.0F;
+  float reported = 0.0F;
   const Panorama panorama = bakePanorama({512, 128}, 7, [&](float share) {
-    EXPECT_GE(share, told);
-    told = share;
+    EXPECT_GE(share, reported);
+    reported = share;
   });
-  EXPECT_FLOAT_EQ(told, 1.0F);
+  EXPECT_FLOAT_EQ(reported, 1.0F);
   // From the last column to the first is no bigger a step than between any two.
   for (int row = 40; row < 128; ++row) {
     const auto green = [&](int column) { return static_cast<int>((panorama.texel(column, row) >> 8U) & 0xFFU); };

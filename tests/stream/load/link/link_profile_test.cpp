@@ -99,7 +99,7 @@ TEST(LinkProfile, RefusesWhatIsNone) {
   EXPECT_TRUE(std::holds_alternative<std::string>(parseLinkProfile(many + ",0ms")));
 }
 
-TEST(LinkProfile, TellsTheFirstFaultWithItsText) {
+TEST(LinkProfile, ReportsTheFirstFaultWithItsText) {
   EXPECT_THAT(std::get<std::string>(parseLinkProfile("fast,slow")), HasSubstr("'fast'"));
   EXPECT_THAT(std::get<std::string>(parseLinkProfile("5mbit,slow")), HasSubstr("'slow'"));
 }

@@ -251,7 +251,7 @@ TEST_F(LinkShaperTest, SleepsWhileThereIsNothingToDo) {
   EXPECT_LT(static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC, 0.25);
 }
 
-TEST_F(LinkShaperTest, TellsWhichAddressWillNotDo) {
+TEST_F(LinkShaperTest, ReportsWhichAddressWillNotDo) {
   const LinkProfile profile = std::get<LinkProfile>(parseLinkProfile("4mbit,20ms"));
   const auto reason = [&](const HostPort& listen, const HostPort& target) -> std::string {
     try {

@@ -84,13 +84,13 @@ TEST_F(Http, SaysWhenNothingHasChanged) {
   EXPECT_EQ(request(port(), "GET", "/main.js", "If-None-Match: \"other\"\r\n").status, 200);
 }
 
-TEST_F(Http, TellsThatItIsWell) {
+TEST_F(Http, ReportsThatItIsWell) {
   const HttpAnswer answer = request(port(), "GET", "/healthz");
   EXPECT_EQ(answer.status, 200);
   EXPECT_EQ(answer.body, "ok");
 }
 
-TEST_F(Http, TellsItsStatistics) {
+TEST_F(Http, ReportsItsStatistics) {
   const HttpAnswer answer = request(operatorPort(), "GET", "/statistics.json");
   EXPECT_EQ(answer.status, 200);
   EXPECT_TRUE(contains(answer.head, "content-type: application/json"));
@@ -107,13 +107,13 @@ TEST_F(Http, TellsItsStatistics) {
   EXPECT_TRUE(head.body.empty());
 }
 
-TEST_F(Http, TellsVisitorsWhatSharingSaves) {
+TEST_F(Http, ReportsVisitorsWhatSharingSaves) {
   for (const int at : {port(), operatorPort()}) {
-    const auto told = nlohmann::json::parse(request(at, "GET", "/sharing.json").body);
-    EXPECT_EQ(told.at("version"), version());
-    EXPECT_TRUE(told.at("counters").is_object());
-    EXPECT_TRUE(told.contains("amortization"));
-    EXPECT_FALSE(told.contains("memory")) << "that is the operator's";
+    const auto reported = nlohmann::json::parse(request(at, "GET", "/sharing.json").body);
+    EXPECT_EQ(reported.at("version"), version());
+    EXPECT_TRUE(reported.at("counters").is_object());
+    EXPECT_TRUE(reported.contains("amortization"));
+    EXPECT_FALSE(reported.contains("memory")) << "that is the operator's";
   }
 }
 

@@ -77,7 +77,7 @@ TEST_F(TlsCertificateTest, NamesWhatIsNoCertificateAndNoKey) {
   EXPECT_THAT(complaint({text, good_.key}), HasSubstr("behind the first is damaged"));
 }
 
-TEST_F(TlsCertificateTest, TellsTheDateThatItIsNotValidAt) {
+TEST_F(TlsCertificateTest, ReportsTheDateThatItIsNotValidAt) {
   const std::time_t now = std::time(nullptr);
   writePair(other_, {.beginsIn = -7200, .expiresIn = -3600});
   EXPECT_THAT(complaint(other_),

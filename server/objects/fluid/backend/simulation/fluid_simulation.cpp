@@ -111,7 +111,7 @@ void FluidSimulation::step(float seconds, std::span<const world::Gust> gusts, st
     particles_.weighDown(solver_.layout(), each, dt, cell, solver_.velocity());
   });
   timed([&] { solver_.confine(dt); });
-  timed([&] { outcome_ = solver_.project(); });
+  timed([&] { lastSolve_ = solver_.project(); });
   timed([&] {
     particles_.inject(solver_.solids(), dt, cell);
     particles_.advance(solver_.solids(), solver_.velocity(), dt, cell);

@@ -64,7 +64,7 @@ class FluidSimulation {
 
   [[nodiscard]] const FluidSolver& solver() const noexcept { return solver_; }
   [[nodiscard]] const Particles& particles() const noexcept { return particles_; }
-  [[nodiscard]] const PressureSolver::Outcome& outcome() const noexcept { return outcome_; }
+  [[nodiscard]] const PressureSolver::SolveResult& result() const noexcept { return lastSolve_; }
   [[nodiscard]] std::uint64_t tick() const noexcept { return tick_; }
   /// CPU time that the last step's parts took.
   [[nodiscard]] const std::array<std::int64_t, kPhases.size()>& phaseNanoseconds() const noexcept { return phases_; }
@@ -82,7 +82,7 @@ class FluidSimulation {
   FluidSolver solver_;
   Particles particles_;
   Shading shading_;
-  PressureSolver::Outcome outcome_;
+  PressureSolver::SolveResult lastSolve_;
   double time_ = 0.0;  ///< simulated seconds
   std::uint64_t tick_ = 0;
   std::array<std::int64_t, kPhases.size()> phases_{};

@@ -67,11 +67,11 @@ void FluidSolver::confine(float seconds) {
   confinement_.apply(settings_.confinement, seconds, cellSize(), velocity_);
 }
 
-PressureSolver::Outcome FluidSolver::project() {
+PressureSolver::SolveResult FluidSolver::project() {
   solids_.enforce(velocity_);
-  const PressureSolver::Outcome outcome = pressure_.project(solids_, velocity_, settings_.pressure);
+  const PressureSolver::SolveResult result = pressure_.project(solids_, velocity_, settings_.pressure);
   fillVelocityGhosts(layout_, settings_.sides, velocity_);
-  return outcome;
+  return result;
 }
 
 }  // namespace grove::objects::fluid

@@ -46,7 +46,7 @@ class FluidSolver {
   void force(float seconds, const HeatSource* source, std::span<const world::Gust> gusts, double time);
   void confine(float seconds);
   /// Takes the solids into account and removes divergence.
-  PressureSolver::Outcome project();
+  PressureSolver::SolveResult project();
 
   [[nodiscard]] const Settings& settings() const noexcept { return settings_; }
   [[nodiscard]] const Layout& layout() const noexcept { return layout_; }

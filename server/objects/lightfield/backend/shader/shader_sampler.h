@@ -22,7 +22,7 @@ class ShaderSampler final : public Sampler {
   /// The workers outlive the sampler.
   explicit ShaderSampler(gl::Workers& workers, DepthCorrection correction = DepthCorrection::kOn,
                          std::size_t maxBytes = kDefaultBytes);
-  /// Tells `memory`, which outlives the sampler, of the textures and targets.
+  /// Reports to `memory`, which outlives the sampler, of the textures and targets.
   ShaderSampler(gl::Workers& workers, pipeline::MemoryLedger& memory);
   /// Not on a worker: waits for each to drop its textures.
   ~ShaderSampler() override;

@@ -9,9 +9,9 @@
 
 #include <hwy/highway.h>
 
+#include "objects/lightfield/backend/simd/ray_march_inl.h"
 #include "objects/lightfield/backend/simd/texel_window_inl.h"
 #include "objects/lightfield/backend/simd/tile_inl.h"
-#include "objects/lightfield/backend/simd/walk_inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace grove::objects::lightfield::simd::HWY_NAMESPACE {
@@ -158,27 +158,27 @@ class SurfaceSearch {
     const Floats to = min(tile.to[g], (high + slack - sight.z0) * perDepth);
     const Floats zFrom = max(sight.z0 + from * sight.z1, kMinViewDepth);
     const Floats zTo = max(sight.z0 + to * sight.z1, kMinViewDepth);
-    const Way way(sight, lens, zFrom, zTo, from, to);
-    const Outcome outcome = walkAlong(way, window_, box, mask & (zTo > zFrom));
+    const RaySegment segment(sight, lens, zFrom, zTo, from, to);
+    const MarchResult march = marchAlong(segment, window_, box, mask & (zTo > zFrom));
 
-    const Mask nothing = without(mask, outcome.found);
-    const Mask hidden = nothing & (outcome.hidden > 0.0F);
+    const Mask nothing = without(mask, march.found);
+    const Mask hidden = nothing & (march.hidden > 0.0F);
     // A ray that begins behind all that this view sees is hidden from it, too.
     const Mask open = hidden | (nothing & (tile.from[g] > to));
-    const Mask grazes = nothing & (outcome.grazed > 0.0F);
-    const Mask settled = outcome.found | without(grazes, open);
-    const Mask guesses = without(open & (grazes | (outcome.hidden > kMostlyHidden)), tile.guessed[g]);
-    const Floats place = select(outcome.found, outcome.foundAt,
-                                select(grazes, outcome.grazedAt, 0.5F * (outcome.hiddenAt + outcome.hiddenTo)));
+    const Mask grazes = nothing & (march.grazed > 0.0F);
+    const Mask settled = march.found | without(grazes, open);
+    const Mask guesses = without(open & (grazes | (march.hidden > kMostlyHidden)), tile.guessed[g]);
+    const Floats place =
+        select(march.found, march.foundAt, select(grazes, march.grazedAt, 0.5F * (march.hiddenAt + march.hiddenTo)));
     const auto rayDepth = [&](Floats at) {
-      return clamp((way.depthAt(at) - sight.z0) * perDepth, tile.from[g], tile.to[g]);
+      return clamp((segment.depthAt(at) - sight.z0) * perDepth, tile.from[g], tile.to[g]);
     };
     tile.depth[g] = select(settled | guesses, rayDepth(place), tile.depth[g]);
     tile.found[g] |= settled;
     tile.guessed[g] |= guesses;
     // Elsewhere on its way the ray is seen to meet nothing.
-    const Floats nextFrom = rayDepth(outcome.hiddenAt - kMargin * outcome.texel);
-    const Floats nextTo = rayDepth(outcome.hiddenTo + kMargin * outcome.texel);
+    const Floats nextFrom = rayDepth(march.hiddenAt - kMargin * march.texel);
+    const Floats nextTo = rayDepth(march.hiddenTo + kMargin * march.texel);
     tile.from[g] = select(hidden, nextFrom, tile.from[g]);
     tile.to[g] = select(hidden, nextTo, tile.to[g]);
     return open;

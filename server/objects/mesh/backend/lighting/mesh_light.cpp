@@ -91,7 +91,7 @@ Light bake(const std::vector<PlacedMesh>& meshes, const node::BackendServices& s
   return light;
 }
 
-/// Nothing if there is none; one that is no good is told.
+/// Nothing if there is none; one that is no good is reported.
 std::optional<Light> kept(const std::filesystem::path& file, std::uint64_t key, const std::vector<PlacedMesh>& meshes) {
   std::error_code error;
   if (!std::filesystem::exists(file, error)) return std::nullopt;

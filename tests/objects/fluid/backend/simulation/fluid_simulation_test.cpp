@@ -161,10 +161,10 @@ TEST_F(FluidSimulationTest, BadInputIsRefusedOrClamped) {
   EXPECT_TRUE(std::isfinite(kineticEnergy(solver.layout(), solver.velocity())));
   EXPECT_TRUE(finite(*simulation.snapshot(0.0)));
   simulation.step(FluidSimulation::kTick, {}, {});
-  EXPECT_LE(simulation.outcome().residual, 1.0e-4F);
+  EXPECT_LE(simulation.result().residual, 1.0e-4F);
 }
 
-TEST_F(FluidSimulationTest, TellsItsMemory) {
+TEST_F(FluidSimulationTest, ReportsItsMemory) {
   const world::RayScene nothing(world::Triangles{});
   FluidSettings coarse = settings();
   FluidSettings fine = settings();

@@ -37,8 +37,8 @@ std::unique_ptr<FluidSolver> burnt() {
     solver->advect(kOddStep);
     solver->force(kOddStep, &source, {}, static_cast<double>(i) * static_cast<double>(kOddStep));
     solver->confine(kOddStep);
-    const PressureSolver::Outcome outcome = solver->project();
-    EXPECT_LE(outcome.residual, 1.0e-4F) << i;
+    const PressureSolver::SolveResult result = solver->project();
+    EXPECT_LE(result.residual, 1.0e-4F) << i;
   }
   return solver;
 }

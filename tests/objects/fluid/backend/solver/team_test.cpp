@@ -64,7 +64,7 @@ TEST_P(TeamOnAFire, DoesWhatOneThreadDoes) {
   ASSERT_GT(alone.particles().count(), 300U);
   EXPECT_EQ(alone.particles().x, together.particles().x);
   EXPECT_EQ(alone.particles().y, together.particles().y);
-  EXPECT_EQ(alone.outcome().iterations, together.outcome().iterations);
+  EXPECT_EQ(alone.result().iterations, together.result().iterations);
   const Layout& layout = alone.solver().layout();
   for (int a = 0; a < 3; ++a) {
     const Field& one = alone.solver().velocity().axis(a);

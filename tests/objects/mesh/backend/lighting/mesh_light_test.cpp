@@ -42,10 +42,10 @@ class MeshLight : public testing::Test {
     services.progress = [this](std::string_view label, float share) {
       EXPECT_EQ(label, "light of the meshes");
       EXPECT_LE(share, 1.0F);
-      ++told_;
+      ++reported_;
       if (share > 0.2F && share < 0.8F) amid_ = true;
     };
-    told_ = 0;
+    reported_ = 0;
     testing::internal::CaptureStderr();
     Light made = lightOf({{&surface, world.objects().front().transform.matrix(), true}}, services);
     said_ = testing::internal::GetCapturedStderr();
@@ -60,7 +60,7 @@ class MeshLight : public testing::Test {
 
   const TemporaryCache cache_;
   tests::BackendStand bench_{2};
-  std::atomic<int> told_ = 0;
+  std::atomic<int> reported_ = 0;
   std::atomic<bool> amid_ = false;
   std::string said_;
 };
@@ -68,11 +68,11 @@ class MeshLight : public testing::Test {
 TEST_F(MeshLight, OfMuchIsKeptAndTakenAgain) {
   const tests::BackendWorld world = worldOf(largeBall());
   const Light first = light(largeBall(), world);
-  EXPECT_GT(told_, 10) << "progress is told";
+  EXPECT_GT(reported_, 10) << "progress is told";
   EXPECT_TRUE(amid_);
   ASSERT_EQ(keptFiles().size(), 1U) << "and nothing half made beside it";
   EXPECT_EQ(light(largeBall(), world), first);
-  EXPECT_EQ(told_, 0) << "nothing was baked";
+  EXPECT_EQ(reported_, 0) << "nothing was baked";
   EXPECT_EQ(said_, "");
 }
 
@@ -88,12 +88,12 @@ TEST_F(MeshLight, IsMadeAnewWhereTheWorldOrTheMeshDiffers) {
   const Light first = light(largeBall(), world);
   const tests::BackendWorld moved = worldOf(largeBall(), 0.5F);
   (void)light(largeBall(), moved);
-  EXPECT_GT(told_, 0);
+  EXPECT_GT(reported_, 0);
   EXPECT_EQ(keptFiles().size(), 2U);
   raster::Surface painted = largeBall();
   painted.vertices.front().albedo = world::Vec3(0.9F);
   (void)light(painted, world);
-  EXPECT_GT(told_, 0);
+  EXPECT_GT(reported_, 0);
   EXPECT_EQ(keptFiles().size(), 3U);
 }
 
@@ -110,9 +110,9 @@ TEST_F(MeshLight, ThatIsDamagedIsMadeAnewAndTold) {
     EXPECT_EQ(light(largeBall(), world), first);
     EXPECT_THAT(said_, testing::AllOf(testing::HasSubstr(file.string()), testing::HasSubstr("; it is made anew")));
     EXPECT_EQ(std::ranges::count(said_, '\n'), 1);
-    EXPECT_GT(told_, 0);
+    EXPECT_GT(reported_, 0);
     EXPECT_EQ(light(largeBall(), world), first);
-    EXPECT_EQ(told_, 0);
+    EXPECT_EQ(reported_, 0);
   }
 }
 

@@ -83,10 +83,10 @@ TEST(Holes, WhatBlendsIsSolidWhereThereIsAnythingToSeeAndIsNamed) {
   model.materials[1].blended = true;
   model.materials[1].alphaCutoff = 1.0F;
   EXPECT_NEAR(areaOf(withHolesCut(model), 1), 3.1416F * 0.25F, 0.08F);
-  const std::string told = warningOf(model);
-  EXPECT_THAT(told,
+  const std::string reported = warningOf(model);
+  EXPECT_THAT(reported,
               testing::AllOf(HasSubstr("disc: as a mesh, 'leaf' is solid where it blends"), HasSubstr("light field")));
-  EXPECT_EQ(std::ranges::count(told, '\n'), 1);
+  EXPECT_EQ(std::ranges::count(reported, '\n'), 1);
 }
 
 TEST(Holes, WhatBlendsWithoutATextureIsNamed) {

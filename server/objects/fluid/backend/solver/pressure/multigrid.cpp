@@ -137,7 +137,7 @@ void Multigrid::solveBelow(std::size_t index) {
   ascendCoarse(level.planes(), below.layout, below.coefficients(), below.z.data());
 }
 
-FineWave::Norms Multigrid::cycle(const Field& b, const Field& x, Field& next, bool first) {
+FineSweep::Norms Multigrid::cycle(const Field& b, const Field& x, Field& next, bool first) {
   Level& below = *levels_.front();
   if (!first) solveBelow(0);
   const float* correction = first ? nullptr : below.z.data();

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "objects/fluid/backend/solver/grid.h"
-#include "objects/fluid/backend/solver/pressure/fine_wave.h"
+#include "objects/fluid/backend/solver/pressure/fine_sweep.h"
 #include "objects/fluid/backend/solver/pressure/multigrid_kernels.h"
 #include "objects/fluid/backend/solver/pressure/pressure_operator.h"
 #include "objects/fluid/backend/solver/solid_grid.h"
@@ -19,7 +19,7 @@ namespace grove::objects::fluid {
 /// - Interpolation is linear along each axis, weighted with that share, hence never reaches through a closed face and
 ///   meets an open side's pressure exactly; restriction is its transpose.
 /// - The smoother is a Chebyshev polynomial of Jacobi (Adams et al. 2003), which needs no colours and no order.
-/// - Smoothing, residual, restriction and operator run as waves over z-planes: each level is read once on the way down
+/// - Smoothing, residual, restriction and operator run as sweeps over z-planes: each level is read once on the way down
 ///   and once on the way up.
 ///
 /// The equation in a cell is sum over open faces of (p - p of the neighbour) = right-hand side. Used by one thread;
@@ -42,7 +42,7 @@ class Multigrid {
 
   /// One step of multigrid by itself: next = x, corrected. The first one of a solve has nothing to correct with yet: it
   /// smooths, and finds what the next ones need.
-  FineWave::Norms cycle(const Field& b, const Field& x, Field& next, bool first);
+  FineSweep::Norms cycle(const Field& b, const Field& x, Field& next, bool first);
 
   [[nodiscard]] rows::FineOperator finest() const noexcept {
     return {diagonal_.data(), sixtieths_.data(), layout_.step(1)};
@@ -61,7 +61,7 @@ class Multigrid {
   Array<std::uint8_t> diagonal_;
   Array<std::uint8_t> sixtieths_;               ///< 60 over the diagonal
   std::vector<std::unique_ptr<Level>> levels_;  ///< coarser and coarser; the finest is not among them
-  FineWave fine_;
+  FineSweep fine_;
   Field odd_;       ///< planes of the finest level's smoother
   Field residual_;  ///< planes of the finest level's residual
 };

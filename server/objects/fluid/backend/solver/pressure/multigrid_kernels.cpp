@@ -27,7 +27,7 @@ namespace grove::objects::fluid::HWY_NAMESPACE {
 
 namespace pr = rows::HWY_NAMESPACE;
 
-/// The planes around the wave of something that is not kept; those outside of the cube are zero.
+/// The planes around the sweep of something that is not kept; those outside of the cube are zero.
 struct Ring {
   const Layout& layout;
   float* memory;
@@ -67,11 +67,11 @@ HWY_INLINE void descend(const MultigridLevel<Operator>& level, const Layout& coa
   const Layout& layout = level.layout;
   const Ring residual{layout, level.residual};
   const int n = layout.cells;
-  for (int wave = 0; wave < n + kStages + 1; ++wave) {
+  for (int sweep = 0; sweep < n + kStages + 1; ++sweep) {
     for (int k = 0; k < kStages; ++k) {
-      if (const int plane = wave - k; plane >= 0 && plane < n) smoothPlane(level, k, plane, true);
+      if (const int plane = sweep - k; plane >= 0 && plane < n) smoothPlane(level, k, plane, true);
     }
-    const int plane = wave - kStages;
+    const int plane = sweep - kStages;
     if (plane < 0) continue;
     for (int y = 0; y < n && plane < n; ++y) {
       const std::ptrdiff_t at = layout.index(0, y, plane);
@@ -96,17 +96,17 @@ HWY_INLINE void ascend(const MultigridLevel<Operator>& level, const Layout& coar
                        const rows::CoarseOperator& coarse, const float* coarseZ, const Finish& finish) {
   const Layout& layout = level.layout;
   const int n = layout.cells;
-  for (int wave = 0; wave < n + kStages + 1; ++wave) {
-    for (int y = 0; y < n && wave < n; ++y) {
-      const std::ptrdiff_t at = layout.index(0, y, wave);
-      const std::ptrdiff_t from = coarseLayout.index(0, y / 2, wave / 2);
-      pr::interpolate(coarseZ + from, coarse.from(from), y % 2 != 0, wave % 2 != 0, level.a.from(at), level.z + at,
+  for (int sweep = 0; sweep < n + kStages + 1; ++sweep) {
+    for (int y = 0; y < n && sweep < n; ++y) {
+      const std::ptrdiff_t at = layout.index(0, y, sweep);
+      const std::ptrdiff_t from = coarseLayout.index(0, y / 2, sweep / 2);
+      pr::interpolate(coarseZ + from, coarse.from(from), y % 2 != 0, sweep % 2 != 0, level.a.from(at), level.z + at,
                       level.z + at, coarseLayout.cells);
     }
     for (int k = 0; k < kStages; ++k) {
-      if (const int plane = wave - 1 - k; plane >= 0 && plane < n) smoothPlane(level, k, plane, false);
+      if (const int plane = sweep - 1 - k; plane >= 0 && plane < n) smoothPlane(level, k, plane, false);
     }
-    if (const int plane = wave - kStages - 1; plane >= 0) finish(plane);
+    if (const int plane = sweep - kStages - 1; plane >= 0) finish(plane);
   }
 }
 

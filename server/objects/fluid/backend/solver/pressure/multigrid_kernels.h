@@ -5,7 +5,7 @@
 #include "objects/fluid/backend/solver/grid.h"
 #include "objects/fluid/backend/solver/pressure/pressure_operator.h"
 
-/// The passes of a V-cycle (Multigrid) over one level, each a wave over z-planes.
+/// The passes of a V-cycle (Multigrid) over one level, each a sweep over z-planes.
 namespace grove::objects::fluid {
 
 /// A level, with A of its own kind. Ghosts and solids of `b` and `z` are zero and stay so.

@@ -24,16 +24,16 @@ void PressureSolver::prepare(SolidGrid& solids) {
   maskSolids(layout_, multigrid_.diagonal(), x_);
 }
 
-PressureSolver::Outcome PressureSolver::project(SolidGrid& solids, Velocity& velocity, const Options& options) {
+PressureSolver::SolveResult PressureSolver::project(SolidGrid& solids, Velocity& velocity, const Options& options) {
   prepare(solids);
   const double squaredB = negativeDivergence(layout_, velocity, multigrid_.diagonal(), b_, *team_);
-  const Outcome outcome = iterate(squaredB, options);
+  const SolveResult result = iterate(squaredB, options);
   subtractGradient(layout_, x_, velocity, *team_);
   solids.enforce(velocity);
-  return outcome;
+  return result;
 }
 
-PressureSolver::Outcome PressureSolver::solve(SolidGrid& solids, Field& b, const Options& options) {
+PressureSolver::SolveResult PressureSolver::solve(SolidGrid& solids, Field& b, const Options& options) {
   prepare(solids);
   maskSolids(layout_, multigrid_.diagonal(), b);
   b_.copyFrom(b);
@@ -42,28 +42,28 @@ PressureSolver::Outcome PressureSolver::solve(SolidGrid& solids, Field& b, const
     const double value = static_cast<double>(b[static_cast<std::ptrdiff_t>(i)]);
     squaredB += value * value;
   }
-  const Outcome outcome = iterate(squaredB, options);
+  const SolveResult result = iterate(squaredB, options);
   b.copyFrom(b_);
-  return outcome;
+  return result;
 }
 
-FineWave::Norms PressureSolver::cycle(bool first) {
-  const FineWave::Norms norms = multigrid_.cycle(b_, x_, next_, first);
+FineSweep::Norms PressureSolver::cycle(bool first) {
+  const FineSweep::Norms norms = multigrid_.cycle(b_, x_, next_, first);
   std::swap(x_, next_);
   return norms;
 }
 
-PressureSolver::Outcome PressureSolver::iterate(double squaredB, const Options& options) {
+PressureSolver::SolveResult PressureSolver::iterate(double squaredB, const Options& options) {
   constexpr double kNothing = 1.0e-30;
   constexpr double kCertainly = 0.9;  // the cycle knows the residual that it leaves to a few hundredths only
   constexpr double kSlow = 0.04;      // of the squared residual is more than a cycle leaves in common scenes
-  Outcome outcome;
+  SolveResult result;
   if (!(squaredB > kNothing)) {
     x_.clear();
-    return outcome;
+    return result;
   }
   pockets_.removeMeans(b_);
-  FineWave::Norms norms = cycle(true);
+  FineSweep::Norms norms = cycle(true);
   if (norms.before > norms.b) {
     // The last pressure is worse than none, as after a jump of the scene.
     x_.clear();
@@ -71,24 +71,24 @@ PressureSolver::Outcome PressureSolver::iterate(double squaredB, const Options& 
   }
   if (!(norms.b > kNothing)) {
     x_.clear();
-    return outcome;
+    return result;
   }
   const double enough = norms.b * static_cast<double>(options.tolerance) * static_cast<double>(options.tolerance);
   double squared = norms.after;
-  while (squared > kCertainly * enough && outcome.iterations < options.maxIterations) {
+  while (squared > kCertainly * enough && result.iterations < options.maxIterations) {
     norms = cycle(false);
-    ++outcome.iterations;
+    ++result.iterations;
     const bool slow = norms.after > kSlow * squared;
     squared = norms.after;
     if (slow && squared > kCertainly * enough) {
       const auto precondition = [this](const Field& r, Field& z, Field& az) { return multigrid_.apply(r, z, az); };
       squared = gradients_.solve(multigrid_.finest(), pockets_, precondition, b_, x_, enough, options.maxIterations,
-                                 outcome.iterations);
+                                 result.iterations);
       break;
     }
   }
-  outcome.residual = static_cast<float>(std::sqrt(squared / norms.b));
-  return outcome;
+  result.residual = static_cast<float>(std::sqrt(squared / norms.b));
+  return result;
 }
 
 }  // namespace grove::objects::fluid

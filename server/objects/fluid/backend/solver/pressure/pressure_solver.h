@@ -20,7 +20,7 @@ class PressureSolver {
     float tolerance = 1.0e-4F;  ///< relative L2 residual
     int maxIterations = 60;
   };
-  struct Outcome {
+  struct SolveResult {
     int iterations = 0;
     float residual = 0.0F;  ///< relative L2, to a few hundredths
   };
@@ -32,11 +32,11 @@ class PressureSolver {
 
   /// The projection of Stam 1999: afterwards the net flow out of every air cell is zero to the tolerance. The
   /// velocity's faces at solids must hold the solids' velocity (SolidGrid::enforce()), and do so afterwards.
-  Outcome project(SolidGrid& solids, Velocity& velocity, const Options& options);
+  SolveResult project(SolidGrid& solids, Velocity& velocity, const Options& options);
 
   /// Solves for a right-hand side of one's own: sum over open faces of (p - p of the neighbour) = b. `b` is changed
   /// where it cannot be met: zero in solids, each pocket's mean taken away.
-  Outcome solve(SolidGrid& solids, Field& b, const Options& options);
+  SolveResult solve(SolidGrid& solids, Field& b, const Options& options);
 
   /// Metres a second: pressure * time step / (density * cell size). Zero in solids.
   [[nodiscard]] const Field& pressure() const noexcept { return x_; }
@@ -51,8 +51,8 @@ class PressureSolver {
   }
 
  private:
-  Outcome iterate(double squaredB, const Options& options);
-  FineWave::Norms cycle(bool first);
+  SolveResult iterate(double squaredB, const Options& options);
+  FineSweep::Norms cycle(bool first);
 
   const Layout layout_;
   const std::shared_ptr<Team> team_;

@@ -10,9 +10,9 @@ void sweepRedBlack(const Layout& layout, const rows::FineOperator& a, const Fiel
   const int n = layout.cells;
   const float relax = 2.0F / (1.0F + std::sin(3.14159265F / static_cast<float>(n + 1)));
   // Black follows one plane behind red, while the planes are in the cache.
-  for (int wave = 0; wave <= n; ++wave) {
+  for (int sweep = 0; sweep <= n; ++sweep) {
     for (int colour = 0; colour < 2; ++colour) {
-      const int z = wave - colour;
+      const int z = sweep - colour;
       if (z >= 0 && z < n) relaxPlane(layout, z, a, b.data(), colour, relax, x.data());
     }
   }

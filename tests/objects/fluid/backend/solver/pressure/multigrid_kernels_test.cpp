@@ -32,7 +32,7 @@ void smoothPlainly(const Layout& layout, const Field& b, std::vector<double>& z,
   }
 }
 
-/// Fails if the waves of a V-cycle, on some target, do anything else than whole passes would.
+/// Fails if the sweeps of a V-cycle, on some target, do anything else than whole passes would.
 TEST(MultigridKernels, EveryTargetGoesDownAndUpAsWholePassesDo) {
   tests::onEachTarget([] {
     std::mt19937 random(8);

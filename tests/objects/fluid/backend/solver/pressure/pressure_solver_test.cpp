@@ -59,12 +59,12 @@ TEST_P(Projection, LeavesNoDivergenceAndNoFlowThroughSolids) {
   const double before = largestNetFlow(solids, velocity);
 
   PressureSolver solver(layout);
-  const PressureSolver::Outcome outcome = solver.project(solids, velocity, {1.0e-4F, 60});
+  const PressureSolver::SolveResult result = solver.project(solids, velocity, {1.0e-4F, 60});
 
-  EXPECT_LE(outcome.residual, 1.0e-4F);
+  EXPECT_LE(result.residual, 1.0e-4F);
   const double residual = relativeResidual(solids, solver.pressure(), solver.rightHandSide());
   EXPECT_LE(residual, 1.05e-4);
-  EXPECT_NEAR(static_cast<double>(outcome.residual), residual, 0.1 * residual);
+  EXPECT_NEAR(static_cast<double>(result.residual), residual, 0.1 * residual);
   EXPECT_GT(before, 1.0);
   EXPECT_LT(largestNetFlow(solids, velocity), 2.0e-3 * before);
   for (int a = 0; a < 3; ++a) {
@@ -105,15 +105,15 @@ TEST(PressureSolver, FindsTheCosineModeOfAClosedBox) {
   SolidGrid solids(layout, Sides::closed());
   Field b(layout.size());
   Field expected(layout.size());
-  const int waves[3] = {1, 2, 3};
+  const int sweeps[3] = {1, 2, 3};
   double eigenvalue = 0.0;
-  for (const int w : waves) eigenvalue += 2.0 - 2.0 * std::cos(M_PI * w / kCells);
+  for (const int w : sweeps) eigenvalue += 2.0 - 2.0 * std::cos(M_PI * w / kCells);
   for (int z = 0; z < kCells; ++z) {
     for (int y = 0; y < kCells; ++y) {
       for (int x = 0; x < kCells; ++x) {
-        const double mode = std::cos(M_PI * waves[0] * (x + 0.5) / kCells) *
-                            std::cos(M_PI * waves[1] * (y + 0.5) / kCells) *
-                            std::cos(M_PI * waves[2] * (z + 0.5) / kCells);
+        const double mode = std::cos(M_PI * sweeps[0] * (x + 0.5) / kCells) *
+                            std::cos(M_PI * sweeps[1] * (y + 0.5) / kCells) *
+                            std::cos(M_PI * sweeps[2] * (z + 0.5) / kCells);
         expected[layout.index(x, y, z)] = static_cast<float>(mode);
         // A constant, which no pressure can meet, must be projected out.
         b[layout.index(x, y, z)] = static_cast<float>(mode * eigenvalue) + 0.01F;
@@ -121,8 +121,8 @@ TEST(PressureSolver, FindsTheCosineModeOfAClosedBox) {
     }
   }
   PressureSolver solver(layout);
-  const PressureSolver::Outcome outcome = solver.solve(solids, b, {1.0e-5F, 60});
-  EXPECT_LE(outcome.residual, 1.0e-5F);
+  const PressureSolver::SolveResult result = solver.solve(solids, b, {1.0e-5F, 60});
+  EXPECT_LE(result.residual, 1.0e-5F);
 
   double mean = 0.0;
   for (std::size_t i = 0; i < layout.size(); ++i) {
@@ -172,9 +172,9 @@ TEST(PressureSolver, CyclesReachFarBelowWhatHalvesHold) {
   fillWithNoise(layout, velocity);
   solids.enforce(velocity);
   PressureSolver solver(layout);
-  const PressureSolver::Outcome outcome = solver.project(solids, velocity, {3.0e-6F, 60});
+  const PressureSolver::SolveResult result = solver.project(solids, velocity, {3.0e-6F, 60});
   EXPECT_LE(relativeResidual(solids, solver.pressure(), solver.rightHandSide()), 4.0e-6);
-  EXPECT_LE(outcome.iterations, 5);
+  EXPECT_LE(result.iterations, 5);
 }
 
 TEST(PressureSolver, StartsFromTheLastPressure) {

@@ -1,7 +1,7 @@
-#include "objects/fluid/backend/solver/pressure/fine_wave_kernels.h"
+#include "objects/fluid/backend/solver/pressure/fine_sweep_kernels.h"
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "objects/fluid/backend/solver/pressure/fine_wave_kernels.cpp"
+#define HWY_TARGET_INCLUDE "objects/fluid/backend/solver/pressure/fine_sweep_kernels.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
@@ -9,8 +9,8 @@
 
 #include "objects/fluid/backend/solver/pressure/pressure_rows_inl.h"
 
-#ifndef GROVE_OBJECTS_FLUID_FINE_WAVE_KERNELS_CPP
-#define GROVE_OBJECTS_FLUID_FINE_WAVE_KERNELS_CPP
+#ifndef GROVE_OBJECTS_FLUID_FINE_SWEEP_KERNELS_CPP
+#define GROVE_OBJECTS_FLUID_FINE_SWEEP_KERNELS_CPP
 
 namespace grove::objects::fluid {
 

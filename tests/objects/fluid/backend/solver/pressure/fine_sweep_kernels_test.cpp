@@ -1,4 +1,4 @@
-#include "objects/fluid/backend/solver/pressure/fine_wave_kernels.h"
+#include "objects/fluid/backend/solver/pressure/fine_sweep_kernels.h"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@
 namespace grove::objects::fluid {
 namespace {
 
-/// A field's plane as a FineWave keeps it.
+/// A field's plane as a FineSweep keeps it.
 std::vector<float> keptPlane(const Layout& layout, const Field& field, int z) {
   const KeptPlane kept(layout.cells);
   std::vector<float> plane(static_cast<std::size_t>(kept.size + 64));
@@ -26,7 +26,7 @@ std::vector<float> keptPlane(const Layout& layout, const Field& field, int z) {
 }
 
 /// Fails if a target leaves out a neighbour, a row's end or a stage, or weighs it otherwise.
-TEST(FineWaveKernels, EveryTargetTakesAStepAsPlainLoopsDo) {
+TEST(FineSweepKernels, EveryTargetTakesAStepAsPlainLoopsDo) {
   constexpr auto kChebyshev = rows::chebyshevStages<kFineStages>(0.15F);
   tests::onEachTarget([&] {
     std::mt19937 random(6);
@@ -113,7 +113,7 @@ TEST(FineWaveKernels, EveryTargetTakesAStepAsPlainLoopsDo) {
   });
 }
 
-TEST(FineWaveKernels, EveryTargetRestrictsByTheTransposeOfInterpolation) {
+TEST(FineSweepKernels, EveryTargetRestrictsByTheTransposeOfInterpolation) {
   tests::onEachTarget([] {
     std::mt19937 random(7);
     for (const int n : {8, 16, 24, 40}) {

@@ -24,7 +24,7 @@ constexpr float kEnough = 0.35F;
 
 /// The part of a ray that is walked, as a view sees it: a line of texels, from place 0 to place 1. A point on it is at
 /// the place (1 / its view depth - inverseFrom) * perPlace.
-struct Way {
+struct RaySegment {
   Floats x, y;         ///< texels at place 0
   Floats byX, byY;     ///< from there to place 1
   Floats inverseFrom;  ///< 1 / view depth at place 0
@@ -32,7 +32,7 @@ struct Way {
   Floats perPlace;     ///< 1 / inverseBy
   Floats thickness;    ///< kThickness in places
 
-  Way(const Sight& sight, const Lens& lens, Floats zFrom, Floats zTo, Floats from, Floats to) {
+  RaySegment(const Sight& sight, const Lens& lens, Floats zFrom, Floats zTo, Floats from, Floats to) {
     inverseFrom = 1.0F / zFrom;
     const Floats inverseTo = 1.0F / zTo;
     x = (sight.x0 + from * sight.x1) * inverseFrom + lens.middle;
@@ -50,11 +50,11 @@ struct Way {
   }
 };
 
-/// What comes of a walk; where, as places of the way.
-struct Outcome {
+/// What comes of a march; where, as places of the segment.
+struct MarchResult {
   Mask found;
   Floats foundAt;
-  Floats hidden;  ///< share of the way that lies behind something
+  Floats hidden;  ///< share of the segment that lies behind something
   Floats hiddenAt;
   Floats hiddenTo;
   Floats grazed;  ///< the largest share of a surface that was not enough
@@ -62,14 +62,14 @@ struct Outcome {
   Floats texel;  ///< length in places
 };
 
-inline Outcome walkAlong(const Way& way, const NearnessWindow& window, const TexelBox& box, Mask rays) {
+inline MarchResult marchAlong(const RaySegment& segment, const NearnessWindow& window, const TexelBox& box, Mask rays) {
   const float* const texels = window.nearness.data() - window.layout.origin;
   const auto stride = static_cast<float>(window.layout.stride);
   const Floats left = static_cast<float>(box.left);
   const Floats right = static_cast<float>(box.right);
   const Floats top = static_cast<float>(box.top);
   const Floats bottom = static_cast<float>(box.bottom);
-  const Mask level = abs(way.byX) >= abs(way.byY);
+  const Mask level = abs(segment.byX) >= abs(segment.byY);
   const Floats minAlong = select(level, left, top);
   const Floats maxAlong = select(level, right, bottom);
   const Floats minAcross = select(level, top, left);
@@ -77,19 +77,19 @@ inline Outcome walkAlong(const Way& way, const NearnessWindow& window, const Tex
   const Floats alongStride = select(level, Floats(1.0F), Floats(stride));
   const Floats acrossStride = select(level, Floats(stride), Floats(1.0F));
   const Ints acrossStep = truncate(acrossStride);
-  const Floats along0 = select(level, way.x, way.y);
-  const Floats alongBy = select(level, way.byX, way.byY);
-  const Floats across0 = select(level, way.y, way.x);
-  const Floats acrossBy = select(level, way.byY, way.byX);
+  const Floats along0 = select(level, segment.x, segment.y);
+  const Floats alongBy = select(level, segment.byX, segment.byY);
+  const Floats across0 = select(level, segment.y, segment.x);
+  const Floats acrossBy = select(level, segment.byY, segment.byX);
   const Floats sign = select(alongBy < 0.0F, Floats(-1.0F), Floats(1.0F));
   const auto reached = [&](Floats along) { return clamp(sign * floor(sign * along), minAlong, maxAlong); };
   const Floats first = reached(along0);
   const Floats steps = abs(reached(along0 + alongBy) - first) + 2.0F;
   const Floats placePerTexel = 1.0F / (sign * max(abs(alongBy), 0.5F));
-  const Floats placeOfZero = -way.inverseFrom * way.perPlace;
-  Outcome outcome;
-  outcome.texel = abs(placePerTexel);
-  const Floats slack = kSlack * outcome.texel + way.thickness;
+  const Floats placeOfZero = -segment.inverseFrom * segment.perPlace;
+  MarchResult march;
+  march.texel = abs(placePerTexel);
+  const Floats slack = kSlack * march.texel + segment.thickness;
   const Floats reach = 0.5F + slack;
   // Places times what was met there; divided by what was met when the walk is over.
   Floats foundPlaces;
@@ -117,7 +117,7 @@ inline Outcome walkAlong(const Way& way, const NearnessWindow& window, const Tex
     Floats behind;
     for (std::size_t i = 0; i < 2; ++i) {
       // Where the ray is at this texel's depth, and how much of the texel it meets there.
-      const Floats place = mulAdd(nearness[i], way.perPlace, placeOfZero);
+      const Floats place = mulAdd(nearness[i], segment.perPlace, placeOfZero);
       const Floats awayAlong = abs(mulAdd(place, alongBy, along0 - along));
       const Floats awayAcross = abs(mulAdd(place, acrossBy, across0 - line - static_cast<float>(i)));
       const Floats share = max(1.0F - awayAlong, 0.0F) * max(1.0F - awayAcross, 0.0F);
@@ -136,19 +136,19 @@ inline Outcome walkAlong(const Way& way, const NearnessWindow& window, const Tex
     found |= ends;
     walking = without(walking, ends);
     const Mask hides = walking & (behind > 0.5F);
-    outcome.hiddenAt = select(hides & (hiddenSteps < 0.5F), here, outcome.hiddenAt);
-    outcome.hiddenTo = select(hides, here, outcome.hiddenTo);
+    march.hiddenAt = select(hides & (hiddenSteps < 0.5F), here, march.hiddenAt);
+    march.hiddenTo = select(hides, here, march.hiddenTo);
     hiddenSteps += onlyWhere(hides, Floats(1.0F));
-    const Mask grazes = walking & (total > outcome.grazed);
+    const Mask grazes = walking & (total > march.grazed);
     grazedPlaces = select(grazes, totalPlaces, grazedPlaces);
-    outcome.grazed = select(grazes, total, outcome.grazed);
+    march.grazed = select(grazes, total, march.grazed);
     walking &= steps > k + 1.0F;
   }
-  outcome.found = found;
-  outcome.foundAt = foundPlaces / foundMet;
-  outcome.grazedAt = grazedPlaces / max(outcome.grazed, 1.0e-6F);
-  outcome.hidden = hiddenSteps / steps;
-  return outcome;
+  march.found = found;
+  march.foundAt = foundPlaces / foundMet;
+  march.grazedAt = grazedPlaces / max(march.grazed, 1.0e-6F);
+  march.hidden = hiddenSteps / steps;
+  return march;
 }
 
 }  // namespace grove::objects::lightfield::simd::HWY_NAMESPACE

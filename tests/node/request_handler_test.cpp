@@ -1,4 +1,4 @@
-#include "node/backend/answerer.h"
+#include "node/backend/request_handler.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -76,7 +76,7 @@ std::shared_ptr<Results> answerTogether(const std::vector<Request>& requests, Fu
   return results;
 }
 
-TEST(Answerer, OneRequestThatThrowsCostsTheOthersOfItsBatchNothing) {
+TEST(RequestHandler, OneRequestThatThrowsCostsTheOthersOfItsBatchNothing) {
   pipeline::Timeline timeline;
   pipeline::WorkerPool workers(1);
   Fussy half(workers, 2);
@@ -87,7 +87,7 @@ TEST(Answerer, OneRequestThatThrowsCostsTheOthersOfItsBatchNothing) {
 }
 
 /// Or who is slower than the deadline would fall behind for ever. Shared data somebody else may wait for, who is told.
-TEST(Answerer, LeavesRequestsOfFramesThatHaveEnded) {
+TEST(RequestHandler, LeavesRequestsOfFramesThatHaveEnded) {
   pipeline::Timeline timeline;
   pipeline::WorkerPool workers(1);
   Fussy half(workers, 0);

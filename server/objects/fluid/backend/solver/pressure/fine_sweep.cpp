@@ -1,11 +1,11 @@
-#include "objects/fluid/backend/solver/pressure/fine_wave.h"
+#include "objects/fluid/backend/solver/pressure/fine_sweep.h"
 
 #include <algorithm>
 #include <utility>
 
 namespace grove::objects::fluid {
 
-FineWave::Wave::Wave(const Layout& layout, const KeptPlane& kept, const Slab& own)
+FineSweep::Sweep::Sweep(const Layout& layout, const KeptPlane& kept, const Slab& own)
     : slab(own),
       source(static_cast<std::size_t>(kept.size) * (kPlanes + 1) + 2 * Layout::kLead),
       error{Field(source.size()), Field(source.size())},
@@ -13,16 +13,16 @@ FineWave::Wave::Wave(const Layout& layout, const KeptPlane& kept, const Slab& ow
       left(static_cast<std::size_t>(kept.size) * (kLeftPlanes + 1) + 4 * Layout::kLead),
       beside(static_cast<std::size_t>(layout.plane) * (kPlanes + 1) + 2 * Layout::kLead) {}
 
-FineWave::FineWave(const Layout& layout, std::shared_ptr<Team> team)
+FineSweep::FineSweep(const Layout& layout, std::shared_ptr<Team> team)
     : layout_(layout), kept_(layout.cells), team_(std::move(team)), norms_(static_cast<std::size_t>(layout.cells)) {
   for (int part = 0; part < team_->width(); ++part) {
-    waves_.emplace_back(layout_, kept_, Slab::of(part, team_->width(), layout.cells));
+    sweeps_.emplace_back(layout_, kept_, Slab::of(part, team_->width(), layout.cells));
   }
 }
 
-FineWave::Norms FineWave::run(const rows::FineOperator& a, const Field& b, const Field& x, Field& next,
-                              const Coarse& coarse) {
-  team_->run([&](int part) { run(waves_[static_cast<std::size_t>(part)], a, b, x, next, coarse); });
+FineSweep::Norms FineSweep::run(const rows::FineOperator& a, const Field& b, const Field& x, Field& next,
+                                const Coarse& coarse) {
+  team_->run([&](int part) { run(sweeps_[static_cast<std::size_t>(part)], a, b, x, next, coarse); });
   Norms norms;
   for (const Norms& plane : norms_) {
     norms.before += plane.before;
@@ -32,18 +32,18 @@ FineWave::Norms FineWave::run(const rows::FineOperator& a, const Field& b, const
   return norms;
 }
 
-void FineWave::run(Wave& wave, const rows::FineOperator& a, const Field& b, const Field& x, Field& next,
-                   const Coarse& coarse) {
+void FineSweep::run(Sweep& sweep, const rows::FineOperator& a, const Field& b, const Field& x, Field& next,
+                    const Coarse& coarse) {
   const int n = layout_.cells;
-  const int first = wave.slab.first;
-  const int end = wave.slab.end;
+  const int first = sweep.slab.first;
+  const int end = sweep.slab.end;
   const auto isOwn = [first, end](int plane) { return plane >= first && plane < end; };
   // Beyond the cube are the ghosts of `next`.
   const auto unknown = [&](int z) {
     if (isOwn(z) || z < 0 || z >= n) return next.data() + layout_.index(0, 0, z);
-    return wave.beside.data() + layout_.plane * std::ptrdiff_t{z % kPlanes} + layout_.index(0, 0, -1);
+    return sweep.beside.data() + layout_.plane * std::ptrdiff_t{z % kPlanes} + layout_.index(0, 0, -1);
   };
-  Field& smoothed = wave.error[(kFineStages - 1) % 2];
+  Field& smoothed = sweep.error[(kFineStages - 1) % 2];
 
   // Each step needs one plane more on either side than the one after it.
   const auto within = [&](int plane, int beyond) {
@@ -65,21 +65,21 @@ void FineWave::run(Wave& wave, const rows::FineOperator& a, const Field& b, cons
       step.residual = {a.from(plane),
                        b.data() + plane,
                        {unknown(z - 1), unknown(z), unknown(z + 1)},
-                       kept(wave.source, z),
-                       kept(wave.error[0], z)};
+                       kept(sweep.source, z),
+                       kept(sweep.error[0], z)};
     }
     for (int k = 1; k < kFineStages; ++k) {
       const int z = at - 1 - k;
       if (!within(z, kBeyond - 1 - k)) continue;
       const auto to = static_cast<std::size_t>(k % 2);
-      step.smooth[static_cast<std::size_t>(k)] = {a.sixtieths + layout_.index(0, 0, z), kept(wave.source, z),
-                                                  around(wave.error[1 - to], z), kept(wave.error[to], z)};
+      step.smooth[static_cast<std::size_t>(k)] = {a.sixtieths + layout_.index(0, 0, z), kept(sweep.source, z),
+                                                  around(sweep.error[1 - to], z), kept(sweep.error[to], z)};
     }
     if (const int z = at - kFineStages; within(z, 0)) step.add = {kept(smoothed, z), unknown(z)};
     const int last = at - kFineStages - 1;
     if (within(last, 1)) {
-      step.left = {a.from(layout_.index(0, 0, last)), kept(wave.source, last), around(smoothed, last),
-                   kept(wave.left, last, kLeftPlanes)};
+      step.left = {a.from(layout_.index(0, 0, last)), kept(sweep.source, last), around(smoothed, last),
+                   kept(sweep.left, last, kLeftPlanes)};
     }
     const FineSums sums = runFineStep(step);
     if (isOwn(at - 1)) {
@@ -93,7 +93,7 @@ void FineWave::run(Wave& wave, const rows::FineOperator& a, const Field& b, cons
       RestrictedPlane plane{
           {}, kept_.stride, coarse.a.from(to), coarse.b + to, coarse.layout.stride, coarse.layout.cells};
       for (int dz = 0; dz < 4; ++dz) {
-        plane.left[static_cast<std::size_t>(dz)] = kept(wave.left, 2 * z - 1 + dz, kLeftPlanes);
+        plane.left[static_cast<std::size_t>(dz)] = kept(sweep.left, 2 * z - 1 + dz, kLeftPlanes);
       }
       restrictFine(plane);
     }

@@ -1,4 +1,4 @@
-#include "node/backend/answerer.h"
+#include "node/backend/request_handler.h"
 
 #include <algorithm>
 #include <optional>
@@ -8,8 +8,8 @@
 #include "node/limits.h"
 
 namespace grove::node {
-Answerer::Answerer(const char* name, std::string_view subject, BackendHalf& half, const WorldMirror& world,
-                   const EndedFrames& ended, pipeline::Timeline& timeline)
+RequestHandler::RequestHandler(const char* name, std::string_view subject, BackendHalf& half, const WorldMirror& world,
+                               const EndedFrames& ended, pipeline::Timeline& timeline)
     : Stage({.name = name,
              .subject = subject,
              .work = pipeline::Work::kPerUserBackend,
@@ -22,12 +22,12 @@ Answerer::Answerer(const char* name, std::string_view subject, BackendHalf& half
       world_(world),
       ended_(ended) {}
 
-void Answerer::connect(std::shared_ptr<pipeline::Inlet<Result>> compressor) {
+void RequestHandler::connect(std::shared_ptr<pipeline::Inlet<Result>> compressor) {
   compressor_.connect(std::move(compressor));
   addOutlet(compressor_);
 }
 
-void Answerer::process(std::span<Request> all, pipeline::Run& run) {
+void RequestHandler::process(std::span<Request> all, pipeline::Run& run) {
   const std::optional<double> now = world_.now();
   const auto isWanted = [&](const Request& request) {
     const View* const view = request.view.get();
@@ -49,8 +49,8 @@ void Answerer::process(std::span<Request> all, pipeline::Run& run) {
   }
 }
 
-void Answerer::answerOneByOne(std::span<const Request> requests, std::span<Payload> payloads,
-                              const std::string& reason) {
+void RequestHandler::answerOneByOne(std::span<const Request> requests, std::span<Payload> payloads,
+                                    const std::string& reason) {
   if (requests.size() == 1) {
     payloads[0] = Failure{reason};
     return;

@@ -7,20 +7,20 @@
 #include <vector>
 
 #include "objects/fluid/backend/solver/grid.h"
-#include "objects/fluid/backend/solver/pressure/fine_wave_kernels.h"
+#include "objects/fluid/backend/solver/pressure/fine_sweep_kernels.h"
 #include "objects/fluid/backend/solver/pressure/pressure_operator.h"
 #include "objects/fluid/backend/solver/team.h"
 
 namespace grove::objects::fluid {
 
-/// The finest level's part of a multigrid cycle, as one wave over z-planes: add the coarse correction, take the
+/// The finest level's part of a multigrid cycle, as one sweep over z-planes: add the coarse correction, take the
 /// residual, smooth it away, and hand what is left to the coarser level. What the smoother adds to the solution is
 /// computed apart from it (iterative refinement), as small numbers, and so keeps its digits. Each stage of the smoother
-/// follows one plane behind the one before, its planes still in the cache. A team sends one wave through each slab,
+/// follows one plane behind the one before, its planes still in the cache. A team sends one sweep through each slab,
 /// which computes the planes around its slab that it depends on as well. Used by one thread.
-class FineWave {
+class FineSweep {
  public:
-  FineWave(const Layout& layout, std::shared_ptr<Team> team);
+  FineSweep(const Layout& layout, std::shared_ptr<Team> team);
 
   struct Coarse {
     const Layout& layout;
@@ -40,17 +40,17 @@ class FineWave {
   /// Memory that it takes.
   [[nodiscard]] std::size_t bytes() const noexcept {
     std::size_t sum = 0;
-    for (const Wave& w : waves_) sum += heldBytes(w.source, w.error[0], w.error[1], w.left, w.beside);
+    for (const Sweep& w : sweeps_) sum += heldBytes(w.source, w.error[0], w.error[1], w.left, w.beside);
     return sum;
   }
 
  private:
-  /// The planes around the wave of something that is not kept; those outside of the cube are zero.
+  /// The planes around the sweep of something that is not kept; those outside of the cube are zero.
   static constexpr int kPlanes = kFineStages + 3;
   static constexpr int kLeftPlanes = 4;
-  /// What a wave through one slab keeps.
-  struct Wave {
-    Wave(const Layout& layout, const KeptPlane& kept, const Slab& own);
+  /// What a sweep through one slab keeps.
+  struct Sweep {
+    Sweep(const Layout& layout, const KeptPlane& kept, const Slab& own);
 
     Slab slab;
     Field source;                ///< residual that is smoothed away
@@ -58,7 +58,8 @@ class FineWave {
     Field left;                  ///< residual behind the smoother
     Field beside;                ///< planes of `next` that belong to the neighbours
   };
-  void run(Wave& wave, const rows::FineOperator& a, const Field& b, const Field& x, Field& next, const Coarse& coarse);
+  void run(Sweep& sweep, const rows::FineOperator& a, const Field& b, const Field& x, Field& next,
+           const Coarse& coarse);
   /// Row 0 of a plane in a ring of `planes` kept ones and, behind them, the zero one.
   [[nodiscard]] float* kept(Field& ring, int z, int planes = kPlanes) const noexcept {
     const int slot = z < 0 || z >= layout_.cells ? planes : z % planes;
@@ -71,8 +72,8 @@ class FineWave {
   const Layout layout_;
   const KeptPlane kept_;
   std::shared_ptr<Team> team_;
-  std::vector<Wave> waves_;   ///< one for each of the team
-  std::vector<Norms> norms_;  ///< of each plane
+  std::vector<Sweep> sweeps_;  ///< one for each of the team
+  std::vector<Norms> norms_;   ///< of each plane
 };
 
 }  // namespace grove::objects::fluid

@@ -11,14 +11,14 @@ namespace grove::node {
 /// What Renderer and Simulator share: a batch of requests goes to the object type's backend half, and a result for each
 /// goes on, a Failure where the half threw. One request that throws costs the others of its batch nothing. A request
 /// whose frame has ended meanwhile fails at once, so that what is slow has no backlog.
-class Answerer : public pipeline::Stage<Request> {
+class RequestHandler : public pipeline::Stage<Request> {
  public:
   void connect(std::shared_ptr<pipeline::Inlet<Result>> compressor);
 
  protected:
   /// `subject`: the type of object, for the timeline. The world and `ended` outlive it.
-  Answerer(const char* name, std::string_view subject, BackendHalf& half, const WorldMirror& world,
-           const EndedFrames& ended, pipeline::Timeline& timeline);
+  RequestHandler(const char* name, std::string_view subject, BackendHalf& half, const WorldMirror& world,
+                 const EndedFrames& ended, pipeline::Timeline& timeline);
   void process(std::span<Request> all, pipeline::Run& run) final;
 
  private:

@@ -6,13 +6,13 @@
 
 #include "objects/fluid/backend/solver/pressure/pressure_operator.h"
 
-/// What FineWave does to a plane at a time. Pointers are to the first cell of a plane's row 0.
+/// What FineSweep does to a plane at a time. Pointers are to the first cell of a plane's row 0.
 namespace grove::objects::fluid {
 
 /// Stages of the finest level's smoother: a Chebyshev polynomial of Jacobi.
 inline constexpr int kFineStages = 10;
 
-/// How the planes lie that the wave keeps: rows of whole vectors, what is behind the last cell being zero, without
+/// How the planes lie that the sweep keeps: rows of whole vectors, what is behind the last cell being zero, without
 /// ghosts in x; a row of zeros below and one above.
 struct KeptPlane {
   explicit constexpr KeptPlane(int cells) noexcept : stride(rows::wholeVectors(cells)), size(stride * (cells + 2)) {}
@@ -29,8 +29,8 @@ struct PlanesAround {
   const float* above = nullptr;
 };
 
-/// What happens as the wave moves on by one plane, each to another plane, one behind the other. A step that has nothing
-/// to do has a null where it would write to. Planes are those of a Layout, or as said.
+/// What happens as the sweep moves on by one plane, each to another plane, one behind the other. A step that has
+/// nothing to do has a null where it would write to. Planes are those of a Layout, or as said.
 struct FineStep {
   int cells = 0;
   std::ptrdiff_t stride = 0;  ///< between rows of a Layout
