@@ -55,7 +55,8 @@ class Screen final : public pipeline::Stage<FinishedFrame> {
   std::vector<FrameNumber> order_;
 };
 
-/// Both halves of Figure 4.2 around either wire: a small near box of red 90 before a far one of red 200.
+/// Both halves of Figure 4.2 around either wire: a small near box of red 90 before a far one of red 200. The frontend
+/// process has what a process of its own would have, but for the workers and the timeline, by which tests wait.
 class Nodes : public ::testing::TestWithParam<TransportKind> {
  public:
   explicit Nodes(BoxAsks asks = BoxAsks::kPictures) : frontends(boxFrontends(asks)) {}
@@ -107,8 +108,11 @@ position = [0, 1.7, -4]
   FaultyTransport transport{transportFactory(GetParam())(workers, timeline)};
   BackendNode backend{scene,     geometry,         backends, {workers, gl, timeline, memory, images},
                       transport, Haste::kAllCores, {}};
+  const world::Layout layout = scene.layout;
+  pipeline::MemoryLedger frontendMemory;
+  raster::ImagePool frontendImages;
   FrontendProcess process{
-      1, scene.layout, frontends, transport, {workers, timeline, memory, images}, std::size_t{1} << 20U};
+      1, layout, frontends, transport, {workers, timeline, frontendMemory, frontendImages}, std::size_t{1} << 20U};
 };
 
 inline std::string transportName(const ::testing::TestParamInfo<TransportKind>& info) {

@@ -118,7 +118,7 @@ TEST_P(SharedBoxes, ComeByBytesAsTheyWere) {
   const auto& data = std::get<std::shared_ptr<const SharedData>>(result.payload);
   EXPECT_EQ(static_cast<const testing::BoxColour&>(*data).colour(), 0xFF123456U);
   EXPECT_EQ(data->version(), 7U);
-  EXPECT_EQ(memory.totals().at({"shared store", "box"}).bytes, static_cast<std::int64_t>(data->bytes()));
+  EXPECT_EQ(frontendMemory.totals().at({"shared store", "box"}).bytes, static_cast<std::int64_t>(data->bytes()));
   result.what.object = 99;
   result.packed = made->packed(timeline, "box");
   EXPECT_THROW(process.unpack(result), PackingError);
