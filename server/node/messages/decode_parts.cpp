@@ -3,8 +3,8 @@
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 
+#include "base/utf8.h"
 #include "node/messages/node.pb.h"
-#include "node/messages/utf8.h"
 
 namespace grove::node {
 namespace {
@@ -21,13 +21,13 @@ bool isPositive(float value) { return std::isfinite(value) && value >= 0.0F; }
 
 std::string decodeName(const std::string& from, Checks& checks) {
   checks.require(from.size() <= kMaxNameBytes, "a name is too long");
-  checks.require(isUtf8(from), "a name is not UTF-8");
+  checks.require(utf8::isValid(from), "a name is not UTF-8");
   return from;
 }
 
 std::string decodeReason(const std::string& from, Checks& checks) {
   checks.require(from.size() <= kMaxReasonBytes, "its reason is too long");
-  checks.require(isUtf8(from), "its reason is not UTF-8");
+  checks.require(utf8::isValid(from), "its reason is not UTF-8");
   return from;
 }
 

@@ -1,8 +1,8 @@
 #include <cassert>
 #include <utility>
 
+#include "base/utf8.h"
 #include "node/messages/node.pb.h"
-#include "node/messages/utf8.h"
 #include "node/messages/wire.h"
 
 namespace grove::node {
@@ -61,7 +61,7 @@ void put(const SharedKey& from, v1::SharedKey* to) {
 }
 
 void put(const Failure& from, v1::Failure* to) {
-  to->set_reason(asUtf8(from.reason, kMaxReasonBytes));
+  to->set_reason(utf8::repaired(from.reason, kMaxReasonBytes));
   to->set_not_now(from.notNow);
 }
 
@@ -153,7 +153,7 @@ void put(const NodeWelcome& from, v1::ToFrontend& envelope) {
 }
 
 void put(const NodeRefusal& from, v1::ToFrontend& envelope) {
-  envelope.mutable_refusal()->set_reason(asUtf8(from.reason, kMaxReasonBytes));
+  envelope.mutable_refusal()->set_reason(utf8::repaired(from.reason, kMaxReasonBytes));
 }
 
 void put(const Result& from, v1::ToFrontend& envelope) {

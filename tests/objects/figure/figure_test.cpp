@@ -8,7 +8,6 @@
 #include "objects/figure/backend/figure_model.h"
 #include "objects/figure/backend/gait.h"
 #include "objects/figure/frontend/figure_labels.h"
-#include "objects/figure/frontend/utf8.h"
 
 namespace grove::objects::figure {
 namespace {
@@ -219,14 +218,6 @@ TEST(LabelFont, DrawsAnyBytes) {
   const LabelMask broken = font.draw("\xFF\xC3", 18);
   EXPECT_TRUE(std::ranges::any_of(broken.coverage, [](std::uint8_t c) { return c > 0; }));
   EXPECT_LT(font.draw(std::string(10'000, 'W'), 18).width, 1000);
-}
-
-TEST(Utf8, DecodesAndReplaces) {
-  using Points = std::vector<std::uint32_t>;
-  EXPECT_EQ(decodeUtf8("aø€😀"), (Points{0x61, 0xF8, 0x20AC, 0x1F600}));
-  EXPECT_EQ(decodeUtf8("\xC3"), (Points{0xFFFD}));
-  EXPECT_EQ(decodeUtf8("\xC0\x80x"), (Points{0xFFFD, 0xFFFD, 0x78}));
-  EXPECT_EQ(decodeUtf8("\xED\xA0\x80"), (Points{0xFFFD, 0xFFFD, 0xFFFD}));
 }
 
 }  // namespace

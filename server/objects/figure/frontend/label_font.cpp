@@ -5,7 +5,7 @@
 #include <span>
 
 #include "base/error.h"
-#include "objects/figure/frontend/utf8.h"
+#include "base/utf8.h"
 #include "pipeline/embedded.h"
 
 #define STBTT_STATIC
@@ -47,7 +47,7 @@ LabelMask LabelFont::draw(std::string_view text, int pixels) const {
   int descent = 0;
   int gap = 0;
   stbtt_GetFontVMetrics(font, &ascent, &descent, &gap);
-  std::vector<std::uint32_t> points = decodeUtf8(text);
+  std::vector<std::uint32_t> points = utf8::codePoints(text);
   points.resize(std::min(points.size(), std::size_t{kMaxCharacters}));
 
   std::vector<float> starts;
