@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <mutex>
 #include <semaphore>
@@ -62,9 +63,9 @@ Request requestOf(SessionId session, double deadline = std::numeric_limits<doubl
 }
 
 /// What becomes of requests that wait together for the only worker.
-std::shared_ptr<Results> answerTogether(const std::vector<Request>& requests, Fussy& half, const EndedFrames& ended,
-                                        pipeline::WorkerPool& workers, pipeline::Timeline& timeline,
-                                        const WorldMirror& world = {}) {
+std::shared_ptr<Results> answerTogether(const std::vector<Request>& requests, BackendHalf& half,
+                                        const EndedFrames& ended, pipeline::WorkerPool& workers,
+                                        pipeline::Timeline& timeline, const WorldMirror& world = {}) {
   const auto renderer = std::make_shared<Renderer>("fussy", half, world, ended, timeline);
   const auto results = std::make_shared<Results>(workers, timeline);
   renderer->connect(results);
@@ -84,6 +85,31 @@ TEST(RequestHandler, OneRequestThatThrowsCostsTheOthersOfItsBatchNothing) {
   EXPECT_THAT(half.batches, ElementsAre(3U, 1U, 1U, 1U));
   EXPECT_THAT(results->failed, ElementsAre(std::pair(1U, false), std::pair(2U, true), std::pair(3U, false)));
   EXPECT_EQ(timeline.totals().at("Renderer").failures, 2U) << "of the batch and of the one";
+}
+
+/// Answers everything with a picture.
+class OnlyPictures final : public BackendHalf {
+ public:
+  explicit OnlyPictures(pipeline::Executor& workers) : workers_(workers) {}
+  [[nodiscard]] NodeKind kind() const override { return NodeKind::kRendering; }
+  [[nodiscard]] pipeline::Executor& executor() override { return workers_; }
+  void answer(std::span<const Request>, std::span<Payload> payloads) override {
+    std::ranges::fill(payloads, Payload(std::shared_ptr<const raster::Image>()));
+  }
+
+ private:
+  pipeline::Executor& workers_;
+};
+
+/// Or who waits for shared data would take a picture for it.
+TEST(RequestHandler, APayloadOfAnotherKindIsAFailure) {
+  pipeline::Timeline timeline;
+  pipeline::WorkerPool workers(1);
+  OnlyPictures half(workers);
+  Request forData = requestOf(2);
+  forData.shared = true;
+  const auto results = answerTogether({requestOf(1), forData}, half, {}, workers, timeline);
+  EXPECT_THAT(results->failed, ElementsAre(std::pair(1U, false), std::pair(2U, true)));
 }
 
 /// Or who is slower than the deadline would fall behind for ever. Shared data somebody else may wait for, who is told.

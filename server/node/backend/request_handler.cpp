@@ -8,6 +8,16 @@
 #include "node/limits.h"
 
 namespace grove::node {
+namespace {
+
+/// A half of somebody else's may mistake what it was asked for, and who waits for one kind cannot use the other.
+bool isOfItsKind(const Request& request, const Payload& payload) {
+  if (std::holds_alternative<Failure>(payload)) return true;
+  return std::holds_alternative<std::shared_ptr<const SharedData>>(payload) == request.shared;
+}
+
+}  // namespace
+
 RequestHandler::RequestHandler(const char* name, std::string_view subject, BackendHalf& half, const WorldMirror& world,
                                const EndedFrames& ended, pipeline::Timeline& timeline)
     : Stage({.name = name,
@@ -45,6 +55,7 @@ void RequestHandler::process(std::span<Request> all, pipeline::Run& run) {
   attempt([&] { half_.answer(requests, payloads); },
           [&](const std::string& reason) { answerOneByOne(requests, payloads, reason); });
   for (std::size_t i = 0; i < requests.size(); ++i) {
+    if (!isOfItsKind(requests[i], payloads[i])) payloads[i] = Failure{"it was answered with data of another kind"};
     compressor_.send(run, resultOf(requests[i], std::move(payloads[i])));
   }
 }
