@@ -75,7 +75,7 @@ struct ImagePool::Store {
     report();
   }
 
-  /// Only what is allocated and freed, so a frame that reuses memory tells nothing.
+  /// Only what is allocated and freed, so a frame that reuses memory reports nothing.
   void report() {
     if (held) held->set(allBytes);
   }
@@ -112,8 +112,8 @@ std::shared_ptr<Image> ImagePool::acquire(const world::Rect& rect) {
   owned->store = store_;
   owned->memory = store_->take(pixels, used);
   owned->image.rect = rect;
-  owned->image.colour = {owned->memory.words.get(), used};
-  owned->image.depth = {reinterpret_cast<float*>(owned->memory.words.get() + pixels), used};
+  owned->image.colour = std::span(owned->memory.words.get(), used);
+  owned->image.depth = std::span(reinterpret_cast<float*>(owned->memory.words.get() + pixels), used);
   return {owned, &owned->image};
 }
 

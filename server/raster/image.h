@@ -18,14 +18,45 @@ struct Span {
   int end = 0;
 };
 
+/// Pixels in memory of somebody else: who may not change the plane may not change its pixels either.
+template <class Pixel>
+class Plane {
+ public:
+  Plane() = default;
+  Plane(std::span<Pixel> pixels) noexcept : pixels_(pixels.data()), count_(pixels.size()) {}
+  Plane(std::vector<Pixel>& pixels) noexcept : Plane(std::span(pixels)) {}
+  // A copy could be changed though the plane may not.
+  Plane(const Plane&) = delete;
+  Plane& operator=(const Plane&) = delete;
+  Plane(Plane&&) noexcept = default;
+  Plane& operator=(Plane&&) noexcept = default;
+  ~Plane() = default;
+
+  [[nodiscard]] Pixel* data() noexcept { return pixels_; }
+  [[nodiscard]] const Pixel* data() const noexcept { return pixels_; }
+  [[nodiscard]] std::size_t size() const noexcept { return count_; }
+  [[nodiscard]] bool empty() const noexcept { return count_ == 0; }
+  [[nodiscard]] Pixel* begin() noexcept { return pixels_; }
+  [[nodiscard]] Pixel* end() noexcept { return pixels_ + count_; }
+  [[nodiscard]] const Pixel* begin() const noexcept { return pixels_; }
+  [[nodiscard]] const Pixel* end() const noexcept { return pixels_ + count_; }
+  [[nodiscard]] Pixel& operator[](std::size_t i) noexcept { return pixels_[i]; }
+  [[nodiscard]] const Pixel& operator[](std::size_t i) const noexcept { return pixels_[i]; }
+  [[nodiscard]] const Pixel& back() const noexcept { return pixels_[count_ - 1]; }
+
+ private:
+  Pixel* pixels_ = nullptr;
+  std::size_t count_ = 0;
+};
+
 /// Colour and depth of a rectangle of a frame, rows from the top, in memory.
 ///
 /// Colour is RGBA8 (bytes R, G, B, A), display-encoded and premultiplied by A = coverage. Depth is view depth in
 /// metres, kInfiniteDepth where there is nothing.
 struct Image {
   world::Rect rect;
-  std::span<std::uint32_t> colour;
-  std::span<float> depth;
+  Plane<std::uint32_t> colour;
+  Plane<float> depth;
   bool opaque = false;  ///< promises that every pixel's A is 255, which makes compositing cheaper
   /// By row, what may show anything; pixels outside of it are never read. Empty: all of every row.
   std::vector<Span> spans;
@@ -35,10 +66,12 @@ struct Image {
   [[nodiscard]] Span span(int row) const noexcept {
     return spans.empty() ? Span{0, width()} : spans[static_cast<std::size_t>(row)];
   }
-  [[nodiscard]] std::uint32_t* colourRow(int row) const noexcept {
+  [[nodiscard]] std::uint32_t* colourRow(int row) noexcept { return colour.data() + std::ptrdiff_t{row} * width(); }
+  [[nodiscard]] const std::uint32_t* colourRow(int row) const noexcept {
     return colour.data() + std::ptrdiff_t{row} * width();
   }
-  [[nodiscard]] float* depthRow(int row) const noexcept { return depth.data() + std::ptrdiff_t{row} * width(); }
+  [[nodiscard]] float* depthRow(int row) noexcept { return depth.data() + std::ptrdiff_t{row} * width(); }
+  [[nodiscard]] const float* depthRow(int row) const noexcept { return depth.data() + std::ptrdiff_t{row} * width(); }
 };
 
 /// Hands out images and takes their memory back when the last reference goes, so that no frame allocates or clears.

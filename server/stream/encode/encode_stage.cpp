@@ -118,7 +118,7 @@ bool EncodeStage::isSame(const node::FinishedFrame& frame, bool still) {
     lastHash_ = 0;
     return false;
   }
-  const std::uint64_t hash = checksumOf(std::as_bytes(frame.image->colour));
+  const std::uint64_t hash = checksumOf(std::as_bytes(std::span(frame.image->colour)));
   return std::exchange(lastHash_, hash) == hash;
 }
 

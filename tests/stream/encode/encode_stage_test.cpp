@@ -39,7 +39,7 @@ TEST(EncodeStage, MakesAFrameMessageOfAFrame) {
       std::make_shared<StreamControl>(encoders, false, 30.0, 200, 120), false,
       [&](std::shared_ptr<const EncodedFrame> frame) { promise.set_value(std::move(frame)); }, memory, workers,
       timeline);
-  stage->push({std::make_shared<const node::View>(view), std::make_shared<const raster::Image>(image)});
+  stage->push({std::make_shared<const node::View>(view), std::make_shared<const raster::Image>(std::move(image))});
 
   const auto frame = future.get();
   EXPECT_GE(memory.totals().at({"encoders", ""}).bytes, static_cast<std::int64_t>(frame->bytes.size()));

@@ -67,7 +67,7 @@ class Visitor {
     const double pixels = static_cast<double>(frame.width()) * frame.height();
     const bool still =
         frames_ > 1 && pose.position == pose_.position && pose.yaw == pose_.yaw && pose.pitch == pose_.pitch;
-    const std::uint64_t hash = checksumOf(std::as_bytes(frame.colour));
+    const std::uint64_t hash = checksumOf(std::as_bytes(std::span(frame.colour)));
     const bool same = still && hash == hash_;
     pose_ = pose;
     hash_ = hash;

@@ -47,7 +47,7 @@ KeptFrames::KeptFrames(int width, int height)
 
 void KeptFrames::add(const world::Pose& pose, const raster::Image& image) {
   assert(image.width() == width() && image.height() == height());
-  const auto bytes = std::as_bytes(image.colour);
+  const auto bytes = std::as_bytes(std::span(image.colour));
   if (!transferAll(::pwrite, ::fileno(file_.get()), bytes.data(), bytes.size(), count() * bytes.size())) {
     fail("cannot write a frame");
   }

@@ -127,7 +127,7 @@ class ShaderSampler::Bench {
     api_.DrawArrays(GL_TRIANGLES, 0, 3);
   }
 
-  void readBack(const raster::Image& image, int top) const {
+  void readBack(raster::Image& image, int top) const {
     if (image.rect.empty()) return;
     api_.ReadPixels(0, top, image.width(), image.height(), GL_RGBA, GL_UNSIGNED_BYTE, image.colour.data());
     api_.ReadPixels(0, top, image.width(), image.height(), GL_DEPTH_COMPONENT, GL_FLOAT, image.depth.data());
