@@ -67,7 +67,7 @@ std::shared_ptr<Results> answerTogether(const std::vector<Request>& requests, Ba
                                         const EndedFrames& ended, pipeline::WorkerPool& workers,
                                         pipeline::Timeline& timeline, const WorldMirror& world = {}) {
   const auto renderer = std::make_shared<Renderer>("fussy", half, world, ended, timeline);
-  const auto results = std::make_shared<Results>(workers, timeline);
+  auto results = std::make_shared<Results>(workers, timeline);
   renderer->connect(results);
   std::binary_semaphore begin(0);
   workers.post([&] { begin.acquire(); });

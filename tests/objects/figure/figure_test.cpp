@@ -83,7 +83,8 @@ struct Picture {
     for (int row = 0; row < image.height(); ++row) {
       const raster::Span span = image.span(row);
       for (int x = span.begin; x < span.end; ++x) {
-        const auto at = static_cast<std::size_t>(row * image.width() + x);
+        const auto at =
+            static_cast<std::size_t>(row) * static_cast<std::size_t>(image.width()) + static_cast<std::size_t>(x);
         colour[at] = image.colour[at];
         depth[at] = image.depth[at];
       }
