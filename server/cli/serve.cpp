@@ -163,13 +163,12 @@ int runServe(const ServeOptions& options) {
     progress.show(label, share);
     server.report(label, share);
   };
-  std::optional<FirstLook> look = prepareFirstLook(scene, report, stop.token());
-  if (!look) {
+  types = objects::builtinTypes({.lightField = {options.viewCacheMegabytes > 0, options.viewError}});
+  std::optional<Preparations> coarse = prepareFirstLook(scene, types.backends, report, stop.token());
+  if (!coarse) {
     log::info("stopped; the next start goes on from here");
     return 0;
   }
-  types = objects::builtinTypes({.lightField = {options.viewCacheMegabytes > 0, options.viewError},
-                                 .lightFields = std::exchange(look->fields, {})});
   node::LoadedScene loaded = node::loadScene(scene, types.backends);
 
   log::info("GL: " + gl.description() + ", " + std::to_string(gl.width()) + " workers");
@@ -185,11 +184,8 @@ int runServe(const ServeOptions& options) {
   stop.endWithin(kStopWhileServing);
   server.open(*host);
   std::optional<Refiner> refiner;
-  if (!look->rough.empty()) {
-    const node::BackendType& lightField = *types.backends.find("lightfield");
-    refiner.emplace(
-        std::move(look->rough), [&](const std::filesystem::path& file) { lightField.show(file); },
-        [&](const stream::Refining& refining) { host->report(refining); });
+  if (!coarse->empty()) {
+    refiner.emplace(std::move(*coarse), [&](const stream::Refining& refining) { host->report(refining); });
   }
   const bool secureDesk = server.isSecure(stream::Audience::kOperator);
   std::printf("operator's page at %s/operator\n", urlOf({desk.host, server.operatorPort()}, secureDesk).c_str());

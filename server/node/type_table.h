@@ -26,6 +26,8 @@ class TypeTable {
     return nullptr;
   }
 
+  [[nodiscard]] const std::vector<std::unique_ptr<const Type>>& all() const noexcept { return types_; }
+
   [[nodiscard]] std::vector<std::string_view> names() const {
     std::vector<std::string_view> names;
     names.reserve(types_.size());

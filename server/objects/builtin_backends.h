@@ -8,7 +8,6 @@ namespace grove::objects {
 /// What the server may choose of the object types.
 struct BuiltinOptions {
   lightfield::LightFieldOptions lightField;
-  lightfield::KnownFields lightFields;
 };
 
 /// What a backend node knows of the object types of this folder.

@@ -47,8 +47,8 @@ TEST(BuiltInScene, PreparesItselfAndHasWhatTheReadmePromises) {
   ASSERT_EQ(setenv("GROVE_CACHE", folder.path().c_str(), 1), 0);
   const world::Scene scene = world::parseScene(coarseBuiltInScene(), "grove.toml");
   cli::Progress progress;
-  ASSERT_TRUE(cli::prepareWorld(scene, progress, {}));
   const node::BackendTypes types = objects::builtinBackends();
+  ASSERT_TRUE(cli::prepareWorld(scene, types, progress, {}));
   const node::LoadedScene loaded = node::loadScene(scene, types);
   const world::Layout& layout = loaded.layout;
   EXPECT_TRUE(layout.visitor.has_value());
@@ -69,7 +69,7 @@ TEST(BuiltInScene, PreparesItselfAndHasWhatTheReadmePromises) {
   // What is prepared once is not prepared again.
   const auto file = std::filesystem::directory_iterator(folder.path() / "light-fields")->path();
   const auto time = std::filesystem::last_write_time(file);
-  ASSERT_TRUE(cli::prepareWorld(scene, progress, {}));
+  ASSERT_TRUE(cli::prepareWorld(scene, types, progress, {}));
   EXPECT_EQ(std::filesystem::last_write_time(file), time);
 }
 
@@ -79,8 +79,9 @@ TEST(BuiltInScene, AStoppedPreparationLeavesNothingHalfDone) {
   std::stop_source stop;
   stop.request_stop();
   cli::Progress progress;
-  EXPECT_FALSE(cli::prepareWorld(world::parseScene(coarseBuiltInScene(), "grove.toml"), progress, stop.get_token()));
-  for (const auto& entry : std::filesystem::directory_iterator(folder.path() / "light-fields")) {
+  EXPECT_FALSE(cli::prepareWorld(world::parseScene(coarseBuiltInScene(), "grove.toml"), objects::builtinBackends(),
+                                 progress, stop.get_token()));
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder.path())) {
     EXPECT_NE(entry.path().extension(), ".glf") << entry.path();
   }
 }

@@ -2,31 +2,27 @@
 
 #include <chrono>
 #include <cstddef>
-#include <filesystem>
 #include <functional>
 #include <optional>
 #include <stop_token>
 #include <thread>
-#include <vector>
 
-#include "cli/prepare/light_fields.h"
+#include "cli/prepare/prepare_world.h"
 #include "stream/protocol/protocol.h"
 
 namespace grove::cli {
 
-/// Makes the light fields of a world that is shown already, as fine as the scene wants them, in the time in which the
+/// Makes what a world that is shown already has only roughly, as fine as the scene wants it, in the time in which the
 /// cores have nothing else to do: on threads that run only then. One after the other; of several servers on one cache
 /// folder one makes each, and all show it. The log reports how it gets on. What cannot be made (a full disk) stays as
 /// it is, and says so once.
 class Refiner {
  public:
-  /// A file is there: shows it. May throw.
-  using Show = std::function<void(const std::filesystem::path&)>;
   /// At each change, at most once a second, and at the end.
   using Report = std::function<void(const stream::Refining&)>;
 
-  /// `wanted` in the order to make them in. Both functions are called on the refiner's own thread.
-  Refiner(std::vector<WantedField> wanted, Show show, Report report);
+  /// `wanted` in the order to make them in, used on the refiner's own thread, as `report` is.
+  Refiner(Preparations wanted, Report report);
 
   /// Ends without waiting for the rest: what was begun goes on at the next start.
   ~Refiner();
@@ -51,11 +47,10 @@ class Refiner {
   [[nodiscard]] float shareDone(float shareOfNext) const;
   [[nodiscard]] std::optional<double> secondsLeft(float shareDone) const;
 
-  std::vector<WantedField> left_;  ///< the next first
+  Preparations left_;  ///< the next first
   std::size_t shown_ = 0;
   const float costAll_;
   float costDone_ = 0.0F;
-  const Show show_;
   const Report report_;
   const Clock::time_point begin_ = Clock::now();
   std::optional<Clock::time_point> reported_;

@@ -1,13 +1,13 @@
 #pragma once
 
 #include <cstddef>
-#include <filesystem>
 #include <memory>
 #include <span>
 #include <string_view>
 #include <vector>
 
 #include "node/backend/backend_services.h"
+#include "node/backend/preparation.h"
 #include "node/limits.h"
 #include "node/messages/request.h"
 #include "node/messages/result.h"
@@ -67,9 +67,10 @@ class BackendType {
   [[nodiscard]] virtual std::unique_ptr<BackendHalf> makeHalf(const BackendServices& services,
                                                               world::TypeIndex self) const = 0;
 
-  /// A finer version of a file that models of this type show is there: they show it from now on, in worlds that live
-  /// too. May take its time; throws EnvironmentError. Any thread.
-  virtual void show(const std::filesystem::path& /*file*/) const {}
+  /// What the objects of this type need that takes long to make, each once. Throws world::SceneError.
+  [[nodiscard]] virtual std::vector<std::unique_ptr<Preparation>> preparations(const world::Scene& /*scene*/) const {
+    return {};
+  }
 };
 
 }  // namespace grove::node

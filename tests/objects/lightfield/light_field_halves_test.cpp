@@ -72,7 +72,7 @@ class Wood {
   void show(const LightField& finer) {
     const std::string file = (folder_ / "thicket.glf").string();
     writeLightField(finer, file);
-    types_.find("lightfield")->show(file);
+    static_cast<const LightFieldBackendType&>(*types_.find("lightfield")).show(file, openLightField(file));
   }
 
   std::int64_t counted(const char* counter) {

@@ -14,6 +14,7 @@
 #include "cli/prepare/prepare_world.h"
 #include "cli/prepare/progress.h"
 #include "cli/stop_on_signal.h"
+#include "objects/builtin_backends.h"
 #include "stream/session/session.h"
 
 namespace grove::cli {
@@ -113,7 +114,7 @@ AmortizeResult measureAll(const Plan& plan, const world::Scene& scene, const std
   result.cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   const gl::ShaderLibrary shaders;
   Progress progress;
-  const bool prepared = prepareWorld(scene, progress, stop);
+  const bool prepared = prepareWorld(scene, objects::builtinBackends(), progress, stop);
   progress.finish();
   if (prepared) measureRows(result, plan, scene, shaders, stop);
   if (plan.figure && !stop.stop_requested()) {

@@ -170,8 +170,8 @@ int runBenchEncode(const BenchEncodeOptions& options) {
   const gl::ShaderLibrary shaders;
   gl::Workers gl(gl::ContextKind::kAuto, shaders);
   Progress progress;
-  if (prepareWorld(scene, progress, stop.token())) {
-    const node::ObjectTypes types = objects::builtinTypes();
+  const node::ObjectTypes types = objects::builtinTypes();
+  if (prepareWorld(scene, types.backends, progress, stop.token())) {
     const node::LoadedScene loaded = node::loadScene(scene, types.backends);
     if (!walk) walk = roundWalk(loaded.layout);
     const stream::EncoderRegistry encoders = stream::builtinEncoders(stream::HostOptions().jpegQuality);

@@ -240,8 +240,8 @@ int runBenchPipeline(const BenchPipelineOptions& options) {
   const gl::ShaderLibrary shaders;
   gl::Workers gl(gl::ContextKind::kAuto, shaders);
   Progress progress;
-  const bool prepared = prepareWorld(scene, progress, stop.token());
   const node::ObjectTypes types = objects::builtinTypes();
+  const bool prepared = prepareWorld(scene, types.backends, progress, stop.token());
   std::vector<Row> rows;
   for (const int framesInFlight : options.framesInFlight) {
     if (!prepared || stop.token().stop_requested()) break;

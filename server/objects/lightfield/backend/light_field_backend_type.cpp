@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "objects/lightfield/backend/light_field_backend.h"
+#include "objects/lightfield/backend/light_field_preparation.h"
 #include "objects/lightfield/backend/light_field_source.h"
 #include "objects/lightfield/common/field_info.h"
 #include "objects/lightfield/file/light_field_file.h"
@@ -52,14 +53,23 @@ LightField LightFieldBackendType::open(const std::filesystem::path& file) const 
   return known == known_.end() ? openLightField(file) : known->second;
 }
 
-void LightFieldBackendType::show(const std::filesystem::path& file) const {
-  const LightField finer = openLightField(file);
+void LightFieldBackendType::show(const std::filesystem::path& file, const LightField& field) const {
   const std::lock_guard lock(mutex_);
-  known_.insert_or_assign(file, finer);
+  known_.insert_or_assign(file, field);
   for (const auto& [key, known] : models_) {
     if (key.first != file.lexically_normal().string()) continue;
-    if (const auto model = known.lock()) model->show(finer);
+    if (const auto model = known.lock()) model->show(field);
   }
+}
+
+std::optional<LightField> LightFieldBackendType::shown(const std::filesystem::path& file) const {
+  const std::lock_guard lock(mutex_);
+  const auto known = known_.find(file);
+  return known == known_.end() ? std::nullopt : std::optional(known->second);
+}
+
+std::vector<std::unique_ptr<node::Preparation>> LightFieldBackendType::preparations(const world::Scene& scene) const {
+  return lightFieldPreparations(scene, *this);
 }
 
 std::string_view LightFieldBackendType::name() const { return kTypeName; }

@@ -18,7 +18,6 @@
 #include "objects/lightfield/bake/light/lightings.h"
 #include "objects/lightfield/bake/light/surface_light.h"
 #include "objects/lightfield/bake/model_rays.h"
-#include "objects/lightfield/bake/parallel.h"
 #include "objects/lightfield/bake/partial_bake.h"
 #include "objects/lightfield/bake/refine.h"
 #include "objects/lightfield/bake/view_plan.h"
@@ -27,6 +26,7 @@
 #include "objects/lightfield/file/light_field_file.h"
 #include "objects/lightfield/file/view_packer.h"
 #include "pipeline/clocks.h"
+#include "pipeline/parallel_for.h"
 #include "world/camera.h"
 
 namespace grove::bake {
@@ -219,7 +219,7 @@ class Job {
 std::vector<Picture> Job::renderHeldOut(const ViewRenderer& renderer, const std::vector<ObjectCamera>& cameras,
                                         ModelRays::Among among) const {
   std::vector<Picture> pictures(cameras.size());
-  parallelFor(threads_, cameras.size(), [&](std::size_t i) {
+  pipeline::parallelFor(threads_, cameras.size(), [&](std::size_t i) {
     if (!stop_.stop_requested()) pictures[i] = renderer.render(cameras[i], options_.size, among);
   });
   return pictures;
@@ -264,7 +264,7 @@ void Job::renderViews(const ViewRenderer& renderer, const Step& step) {
     step.show(static_cast<float>(partial_.views() - takenUp) / static_cast<float>(shape_.views - takenUp));
     appended.notify_all();
   };
-  parallelFor(threads_, static_cast<std::size_t>(shape_.views - takenUp), [&](std::size_t i) {
+  pipeline::parallelFor(threads_, static_cast<std::size_t>(shape_.views - takenUp), [&](std::size_t i) {
     if (stop_.stop_requested()) return;
     try {
       make(takenUp + static_cast<int>(i));

@@ -8,8 +8,8 @@
 
 #include "objects/lightfield/bake/directions.h"
 #include "objects/lightfield/bake/light/meadow.h"
-#include "objects/lightfield/bake/parallel.h"
 #include "objects/lightfield/format/light_field.h"
+#include "pipeline/parallel_for.h"
 #include "world/camera.h"
 #include "world/light.h"
 
@@ -290,7 +290,7 @@ SurfaceLight Computation::run(const std::function<void(float)>& progress, const 
   std::mutex mutex;
   std::size_t done = 0;
   SurfaceLight direct(points_.size(), lightings_.count());
-  parallelFor(settings_.threads, tasks, [&](std::size_t task) {
+  pipeline::parallelFor(settings_.threads, tasks, [&](std::size_t task) {
     if (stop.stop_requested()) return;
     const std::size_t end = std::min((task + 1) * kTask, points_.size());
     for (std::size_t first = task * kTask; first < end; first += kPacket) {
@@ -306,7 +306,7 @@ SurfaceLight Computation::run(const std::function<void(float)>& progress, const 
     SurfaceLight sent(points_.size(), lightings_.count());
     for (std::size_t i = 0; i < points_.size(); ++i) send(i, light, sent);
     light = direct;
-    parallelFor(settings_.threads, tasks, [&](std::size_t task) {
+    pipeline::parallelFor(settings_.threads, tasks, [&](std::size_t task) {
       for (std::size_t i = task * kTask; i < std::min((task + 1) * kTask, points_.size()); ++i) {
         addBounces(i, sent, light);
       }

@@ -7,7 +7,7 @@
 #include <thread>
 #include <vector>
 
-namespace grove::bake {
+namespace grove::pipeline {
 
 /// Calls body(i) for each i below `count` on `threads` threads, the lower ones first. If calls throw, no new ones are
 /// started and the first exception is rethrown here.
@@ -35,4 +35,4 @@ void parallelFor(int threads, std::size_t count, const Body& body) {
   if (failure) std::rethrow_exception(failure);
 }
 
-}  // namespace grove::bake
+}  // namespace grove::pipeline

@@ -1,0 +1,168 @@
+#include "objects/lightfield/backend/light_field_preparation.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <system_error>
+#include <utility>
+
+#include "base/cache_folder.h"
+#include "base/error.h"
+#include "base/log.h"
+#include "models/model_source.h"
+#include "objects/lightfield/backend/light_field_backend_type.h"
+#include "objects/lightfield/backend/light_field_source.h"
+#include "objects/lightfield/bake/bake.h"
+#include "objects/lightfield/common/field_info.h"
+#include "objects/lightfield/file/light_field_file.h"
+
+namespace grove::objects::lightfield {
+namespace {
+
+/// Of rough light fields: a tree is drawn with the pixels of a thumb nail from all around. Measured: all six of the
+/// default world take 4 seconds of two cores.
+constexpr int kRoughSubdivision = 4;
+constexpr int kRoughSize = 128;
+
+/// Of the time that one takes: the rest are views and the file.
+constexpr float kLightShare = 0.6F;
+constexpr float kViewsShare = 0.35F;
+
+float shareOf(const bake::BakeProgress& progress) {
+  if (progress.step == "light") return kLightShare * progress.share;
+  if (progress.step == "views") return kLightShare + kViewsShare * progress.share;
+  return progress.step == "file" ? kLightShare + kViewsShare : 0.0F;
+}
+
+/// One that is baked when it is first needed.
+class LightFieldPreparation final : public node::Preparation {
+ public:
+  LightFieldPreparation(LightFieldSource source, const world::Parameters& parameters, const LightFieldBackendType& type)
+      : source_(std::move(source)), parameters_(parameters), type_(type) {}
+
+  void addPlace(float scale, float distance) { places_.push_back({scale, distance}); }
+
+  [[nodiscard]] std::string_view kind() const override { return "light field"; }
+  [[nodiscard]] std::string name() const override {
+    return source_.model.plant.empty() ? source_.model.file.filename().string() : source_.model.plant;
+  }
+
+  /// Measured: light is found for every sun apart, the rest of the work is once for all.
+  [[nodiscard]] float cost() const override {
+    return static_cast<float>(source_.lightings + 3) * static_cast<float>(source_.size * source_.size);
+  }
+
+  [[nodiscard]] float weight() const override {
+    const auto field = type_.shown(source_.file);
+    if (!field) return 0.0F;
+    float sum = 0.0F;
+    for (const Place& place : places_) {
+      const float size = place.scale * field->geometry.extent;
+      const float across = size / std::max(place.distance, size);
+      sum += across * across;
+    }
+    return sum;
+  }
+
+  [[nodiscard]] bool show() override {
+    const std::optional<LightField> field = opened(source_.file);
+    if (field) type_.show(source_.file, *field);
+    return field.has_value();
+  }
+
+  [[nodiscard]] bool make(const Progress& progress, const std::stop_token& stop) override {
+    return bake(options(), source_.file, progress, stop);
+  }
+
+  [[nodiscard]] bool showRoughly(const std::optional<std::filesystem::path>& elsewhere, int threads,
+                                 const Progress& progress, const std::stop_token& stop) override {
+    bake::BakeOptions rough = roughOptions();
+    rough.threads = threads;
+    const std::filesystem::path file = elsewhere.value_or(source_.file.parent_path()) /
+                                       (source_.file.stem().string() + "-rough-n" + std::to_string(rough.subdivision) +
+                                        "-s" + std::to_string(rough.size) + ".glf");
+    std::optional<LightField> field = opened(file);
+    if (!field) {
+      if (stop.stop_requested() || !bake(rough, file, progress, stop)) return false;
+      field = opened(file);
+    }
+    // Should it not even open now, the type of object says so.
+    if (field) type_.show(source_.file, *field);
+    return true;
+  }
+
+ private:
+  struct Place {
+    float scale = 1.0F;
+    float distance = 0.0F;  ///< metres from where visitors arrive
+  };
+
+  /// What is in a file; nothing if it is not there, or is damaged, or of another version of the format.
+  [[nodiscard]] std::optional<LightField> opened(const std::filesystem::path& file) {
+    std::error_code ignored;
+    if (!std::filesystem::exists(file, ignored)) return std::nullopt;
+    try {
+      return openLightField(file);
+    } catch (const LightFieldError& e) {
+      if (std::exchange(damage_, e.what()) != e.what()) log::warning(damage_ + "; it is made anew");
+      return std::nullopt;
+    }
+  }
+
+  [[nodiscard]] bake::BakeOptions options() const {
+    bake::BakeOptions options;
+    options.subdivision = source_.subdivision;
+    options.size = source_.size;
+    options.lightings = source_.lightings;
+    options.truthSamples = options.samples;  // nobody measures these
+    options.tile = !source_.model.plant.empty() && models::isTile(source_.model.plant);
+    return options;
+  }
+
+  [[nodiscard]] bake::BakeOptions roughOptions() const {
+    bake::BakeOptions rough = options();
+    rough.subdivision = std::min(rough.subdivision, kRoughSubdivision);
+    rough.size = std::min(rough.size, kRoughSize);
+    rough.samples = 1;
+    rough.truthSamples = 1;
+    rough.rough = true;
+    return rough;
+  }
+
+  [[nodiscard]] bool bake(const bake::BakeOptions& options, const std::filesystem::path& file, const Progress& progress,
+                          const std::stop_token& stop) const {
+    makeCacheFolder(file.parent_path());
+    const models::Model model = models::loadModel(source_.model, models::Detail::kSmall, parameters_);
+    const auto report = [&](const bake::BakeProgress& now) { progress(now.step, shareOf(now)); };
+    return bake::bakeLightField(model, options, file, report, stop).has_value();
+  }
+
+  const LightFieldSource source_;
+  const world::Parameters& parameters_;  ///< of the first object that shows it
+  const LightFieldBackendType& type_;
+  std::vector<Place> places_;
+  std::string damage_;  ///< that the log reports already
+};
+
+}  // namespace
+
+std::vector<std::unique_ptr<node::Preparation>> lightFieldPreparations(const world::Scene& scene,
+                                                                       const LightFieldBackendType& type) {
+  std::map<std::filesystem::path, std::unique_ptr<LightFieldPreparation>> wanted;
+  models::FileNames names;
+  for (const world::ObjectDescription& object : scene.objects) {
+    if (object.type != type.name()) continue;
+    LightFieldSource source = readSource(object.parameters, names);
+    if (source.model.empty()) continue;
+    auto& preparation = wanted[source.file];
+    if (!preparation) preparation = std::make_unique<LightFieldPreparation>(std::move(source), object.parameters, type);
+    preparation->addPlace(object.transform.scale, glm::distance(object.transform.position, scene.spawn));
+  }
+  std::vector<std::unique_ptr<node::Preparation>> preparations;
+  preparations.reserve(wanted.size());
+  for (auto& [file, preparation] : wanted) preparations.push_back(std::move(preparation));
+  return preparations;
+}
+
+}  // namespace grove::objects::lightfield
