@@ -12,6 +12,7 @@
 #include "raster/surface.h"
 #include "world/camera.h"
 #include "world/light.h"
+#include "world/sky.h"
 
 namespace grove::raster {
 
@@ -22,7 +23,7 @@ inline constexpr std::size_t kMaxLamps = 8;
 struct LitSurface {
   Surface surface;
   /// Per vertex: x the share of the sun it sees, yzw the indirect light that a white surface would reflect there
-  /// (`baked`), or the share of world::ambient() that it sees (not `baked`, for what moves).
+  /// (`baked`), or the share of Sky::ambient() that it sees (not `baked`, for what moves).
   std::vector<world::Vec4> light;
   bool baked = true;
 
@@ -43,6 +44,7 @@ struct Lamps {
 struct Drawing {
   const LitSurface* object = nullptr;  ///< must outlive the renderer, which keeps what it derives from it
   const world::Camera* camera = nullptr;
+  const world::Sky* sky = nullptr;
   world::Rect rect;                            ///< pixels of the camera's image that are wanted
   float distance = 0.0F;                       ///< from the eye in the object's own metres, for the level of detail
   std::array<world::Mat4, kMaxBones> bones{};  ///< object to world, rigid but for an even scale

@@ -8,6 +8,7 @@
 #include "world/light.h"
 #include "world/object.h"
 #include "world/players.h"
+#include "world/sky.h"
 
 namespace grove::world {
 
@@ -31,6 +32,7 @@ struct Layout {
   std::vector<Object> objects;
   std::optional<VisitorTemplate> visitor;  ///< none: visitors are invisible
   std::vector<FlickeringLight> lights;
+  Sky sky;
   Vec3 spawn{0.0F};
   float spawnYaw = 0.0F;
   float radius = 30.0F;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "world/geometry.h"
+#include "world/sky.h"
 
 namespace grove::world {
 
@@ -68,6 +69,7 @@ struct Scene {
   std::vector<ObjectDescription> objects;
   std::optional<ObjectDescription> visitor;  ///< `[visitor]`: how visitors look to each other
   std::vector<LightDescription> lights;
+  Sky sky;
 };
 
 /// Reads a scene. Throws SceneError (bad file) or EnvironmentError (no such file, no plain

@@ -111,8 +111,12 @@ position = [0, 1.7, -4]
   const world::Layout layout = scene.layout;
   pipeline::MemoryLedger frontendMemory;
   raster::ImagePool frontendImages;
-  FrontendProcess process{
-      1, layout, frontends, transport, {workers, timeline, frontendMemory, frontendImages}, std::size_t{1} << 20U};
+  FrontendProcess process{1,
+                          layout,
+                          frontends,
+                          transport,
+                          {workers, timeline, frontendMemory, frontendImages, layout.sky},
+                          std::size_t{1} << 20U};
 };
 
 inline std::string transportName(const ::testing::TestParamInfo<TransportKind>& info) {

@@ -78,7 +78,7 @@ TEST_P(SharedBoxes, AThrowAnywhereOnTheWayCostsOneObjectInOneFrame) {
   using Fault = testing::FaultyTransport::Fault;
   for (const Fault fault : {Fault::kSendRequest, Fault::kCompress, Fault::kSendResult, Fault::kDecompress}) {
     // A process of its own has nothing yet.
-    FrontendProcess fresh(2, scene.layout, frontends, transport, {workers, timeline, memory, images}, 0);
+    FrontendProcess fresh(2, scene.layout, frontends, transport, {workers, timeline, memory, images, layout.sky}, 0);
     const auto screen = std::make_shared<Screen>(workers, timeline);
     FrontendNode node(
         1, FramePolicy{1, deadlineSeconds},

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "pipeline/worker_pool.h"
+#include "world/sky.h"
 
 /// A program of frontend halves alone, linked without any backend: it would not be if one of them needed something of a
 /// backend.
@@ -24,9 +25,10 @@ TEST(BuiltinFrontends, MakeTheirHalvesWithoutABackend) {
   pipeline::Timeline timeline;
   pipeline::MemoryLedger memory;
   raster::ImagePool images;
+  const world::Sky sky;
   const node::FrontendTypes types = builtinFrontends();
   for (const std::string_view name : types.names()) {
-    EXPECT_TRUE(types.find(name)->makeHalf({workers, timeline, memory, images})) << name;
+    EXPECT_TRUE(types.find(name)->makeHalf({workers, timeline, memory, images, sky})) << name;
   }
   workers.drain();
 }

@@ -5,12 +5,6 @@
 namespace grove::world {
 namespace {
 
-TEST(Light, TheSunStandsLowAboveTheHorizon) {
-  EXPECT_NEAR(glm::length(sunDirection()), 1.0F, 1e-5F);
-  EXPECT_GT(sunDirection().y, 0.05F);
-  EXPECT_LT(sunDirection().y, 0.4F);
-}
-
 TEST(Light, DisplayCurveGrowsFromBlackToWhite) {
   EXPECT_NEAR(toDisplay(0.0F), 0.0F, 0.01F);
   float before = 0.0F;

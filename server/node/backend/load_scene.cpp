@@ -54,6 +54,7 @@ LoadedScene loadScene(const world::Scene& scene, const BackendTypes& types) {
   layout.spawn = scene.spawn;
   layout.spawnYaw = scene.spawnYaw;
   layout.radius = scene.radius;
+  layout.sky = scene.sky;
   layout.lights.reserve(scene.lights.size());
   for (const world::LightDescription& light : scene.lights) {
     layout.lights.push_back({{light.position, light.colour}, light.flicker});

@@ -11,6 +11,7 @@
 #include "node/messages.h"
 #include "pipeline/executor.h"
 #include "pipeline/memory_ledger.h"
+#include "world/sky.h"
 
 namespace grove::node {
 
@@ -51,6 +52,7 @@ struct FrontendTools {
   pipeline::Timeline& timeline;
   pipeline::MemoryLedger& memory;
   raster::ImagePool& images;
+  const world::Sky& sky;
 };
 
 /// One visitor's half of an object type: says what of an object a frame needs, and turns it into what is seen.

@@ -49,7 +49,7 @@ DetailView viewOf(const Drawing& drawing) {
   view.corner = rayAt(0, 0);
   view.alongRow = rayAt(1, 0) - view.corner;
   view.downwards = rayAt(0, 1) - view.corner;
-  const Vec3 sun = turn * world::sunDirection() * metre;
+  const Vec3 sun = turn * drawing.sky->sun * metre;
   const Vec3 up = turn * Vec3(0, 1, 0) * metre;
   for (std::size_t i = 0; i < kDetailScales; ++i) view.scales[i] = scaleOf(i, camera.focal() * metre, sun, up);
   return view;

@@ -6,7 +6,6 @@
 #include <cstdint>
 
 #include "world/camera.h"
-#include "world/light.h"
 
 namespace grove::raster {
 namespace {
@@ -45,26 +44,26 @@ using SunDirections = std::array<Vec3, kSunRays>;
 
 /// Around +z, denser by their cosine to it.
 SkyDirections skyDirections() {
-  SkyDirections sky;
+  SkyDirections directions;
   for (std::uint32_t i = 0; i < kSkyRays; ++i) {
     const float u = (static_cast<float>(i) + 0.5F) / static_cast<float>(kSkyRays);
     const float around = 6.2831853F * radicalInverse(i);
     const float radius = std::sqrt(u);
-    sky[i] = {radius * std::cos(around), radius * std::sin(around), std::sqrt(std::max(0.0F, 1.0F - u))};
+    directions[i] = {radius * std::cos(around), radius * std::sin(around), std::sqrt(std::max(0.0F, 1.0F - u))};
   }
-  return sky;
+  return directions;
 }
 
 /// A spiral over the disc.
-SunDirections sunDirections() {
-  SunDirections sun;
-  const glm::mat3 basis = basisAround(world::sunDirection());
+SunDirections sunDirections(Vec3 sun) {
+  SunDirections directions;
+  const glm::mat3 basis = basisAround(sun);
   for (std::uint32_t i = 0; i < kSunRays; ++i) {
     const float radius = kSunRadius * std::sqrt((static_cast<float>(i) + 0.5F) / static_cast<float>(kSunRays));
     const float around = 2.3999632F * static_cast<float>(i);
-    sun[i] = basis * Vec3(radius * std::cos(around), radius * std::sin(around), 1.0F);
+    directions[i] = basis * Vec3(radius * std::cos(around), radius * std::sin(around), 1.0F);
   }
-  return sun;
+  return directions;
 }
 
 bool occluded(const Obstacles& obstacles, Vec3 origin, Vec3 direction, float reach) {
@@ -79,7 +78,8 @@ float sunAt(Vec3 point, const Obstacles& obstacles, const SunDirections& directi
 }
 
 /// Indirect light, with the sky weakened by what covers it and its colour taken from the open side.
-Vec3 indirectAt(Vec3 origin, Vec3 normal, const Obstacles& obstacles, const SkyDirections& directions) {
+Vec3 indirectAt(Vec3 origin, Vec3 normal, const world::Sky& sky, const Obstacles& obstacles,
+                const SkyDirections& directions) {
   const glm::mat3 basis = basisAround(normal);
   float open = 0.0F;
   Vec3 openSide(0.0F);
@@ -99,17 +99,19 @@ Vec3 indirectAt(Vec3 origin, Vec3 normal, const Obstacles& obstacles, const SkyD
   open /= static_cast<float>(kSkyRays);
   const float length = glm::length(openSide);
   const Vec3 towards = length > 0.0F ? openSide / length : normal;
-  return world::ambient(towards) * open + kRockBounce * (1.0F - open);
+  return sky.ambient(towards) * open + kRockBounce * (1.0F - open);
 }
 
 }  // namespace
 
-float sunAt(Vec3 point, const world::RayScene& solids) { return sunAt(point, Obstacles{solids}, sunDirections()); }
+float sunAt(Vec3 point, Vec3 sun, const world::RayScene& solids) {
+  return sunAt(point, Obstacles{solids}, sunDirections(sun));
+}
 
-void bakeLight(const Surface& surface, const world::Mat4& toWorld, const Obstacles& obstacles, std::size_t begin,
-               std::span<Vec4> light) {
-  const SkyDirections sky = skyDirections();
-  const SunDirections sun = sunDirections();
+void bakeLight(const Surface& surface, const world::Mat4& toWorld, const world::Sky& sky, const Obstacles& obstacles,
+               std::size_t begin, std::span<Vec4> light) {
+  const SkyDirections around = skyDirections();
+  const SunDirections sun = sunDirections(sky.sun);
   const glm::mat3 turn(toWorld);
   for (std::size_t i = 0; i < light.size(); ++i) {
     const Vertex& vertex = surface.vertices[begin + i];
@@ -117,8 +119,9 @@ void bakeLight(const Surface& surface, const world::Mat4& toWorld, const Obstacl
     Vec3 origin = Vec3(toWorld * Vec4(vertex.position, 1.0F)) + normal * kAway;
     // A vertex below the ground lends its light to the triangles that come out of it.
     origin.y = std::max(origin.y, 2.0F * kAway);
-    const bool towardsSun = glm::dot(normal, world::sunDirection()) > -0.2F;
-    light[i] = Vec4(towardsSun ? sunAt(origin, obstacles, sun) : 0.0F, indirectAt(origin, normal, obstacles, sky));
+    const bool towardsSun = glm::dot(normal, sky.sun) > -0.2F;
+    light[i] =
+        Vec4(towardsSun ? sunAt(origin, obstacles, sun) : 0.0F, indirectAt(origin, normal, sky, obstacles, around));
   }
 }
 

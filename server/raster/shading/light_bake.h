@@ -5,6 +5,7 @@
 
 #include "raster/surface.h"
 #include "world/rays/ray_scene.h"
+#include "world/sky.h"
 
 namespace grove::raster {
 
@@ -16,10 +17,10 @@ struct Obstacles {
 
 /// The light of sun, sky and ground at the surface's vertices from `begin` on, as many as `light` has, behind all
 /// obstacles and above the ground y = 0; see LitSurface. About 70 rays a vertex.
-void bakeLight(const Surface& surface, const world::Mat4& toWorld, const Obstacles& obstacles, std::size_t begin,
-               std::span<world::Vec4> light);
+void bakeLight(const Surface& surface, const world::Mat4& toWorld, const world::Sky& sky, const Obstacles& obstacles,
+               std::size_t begin, std::span<world::Vec4> light);
 
-/// The share of the sun that reaches a point, 0..1.
-[[nodiscard]] float sunAt(world::Vec3 point, const world::RayScene& solids);
+/// The share of the sun, which is in the direction `sun`, that reaches a point: 0..1.
+[[nodiscard]] float sunAt(world::Vec3 point, world::Vec3 sun, const world::RayScene& solids);
 
 }  // namespace grove::raster

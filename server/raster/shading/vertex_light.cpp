@@ -12,22 +12,23 @@ using world::Vec3;
 
 BoneLight lightOf(const Drawing& drawing, const world::Mat4& bone) {
   const world::Mat4 toBone = glm::inverse(bone);
+  const world::Sky& sky = *drawing.sky;
   BoneLight light;
   light.metre = glm::length(Vec3(bone[0]));
   light.eye = Vec3(toBone * world::Vec4(drawing.camera->pose.position, 1.0F));
   const glm::mat3 turn = glm::mat3(toBone) * light.metre;
-  light.sun = turn * world::sunDirection();
-  light.sunColour = world::sunColour();
+  light.sun = turn * sky.sun;
+  light.sunColour = sky.sunColour;
   light.sunShare = drawing.sunShare;
   light.baked = drawing.object->baked;
   light.up = turn * Vec3(0, 1, 0);
   // The ambient light is a polynomial of two cosines; three directions tell its coefficients.
-  const Vec3 level = world::sunDirection() * Vec3(1, 0, 1);
+  const Vec3 level = sky.sun * Vec3(1, 0, 1);
   const Vec3 sunwards = glm::normalize(level);
-  light.towardsGlow = (light.sun - light.up * world::sunDirection().y) / glm::length(level);
-  light.ambient = world::ambient(-sunwards);
-  light.slope = 0.5F * (world::ambient({0, 1, 0}) - world::ambient({0, -1, 0}));
-  light.glow = world::ambient(sunwards) - light.ambient;
+  light.towardsGlow = (light.sun - light.up * sky.sun.y) / glm::length(level);
+  light.ambient = sky.ambient(-sunwards);
+  light.slope = 0.5F * (sky.ambient({0, 1, 0}) - sky.ambient({0, -1, 0}));
+  light.glow = sky.ambient(sunwards) - light.ambient;
   light.lampCount = drawing.lamps.count;
   for (std::size_t i = 0; i < static_cast<std::size_t>(drawing.lamps.count); ++i) {
     light.lampPosition[i] = Vec3(toBone * world::Vec4(drawing.lamps.position[i], 1.0F));
@@ -36,8 +37,8 @@ BoneLight lightOf(const Drawing& drawing, const world::Mat4& bone) {
   // An exponential in the distance, by how much a thousand metres let through.
   light.clearing = std::log(1.0F - world::hazeAmount(1000.0F)) / 1000.0F * light.metre;
   // The glow of the haze is a polynomial of the cosine to the sun; two directions tell its coefficients.
-  light.haze = world::hazeColour(-world::sunDirection());
-  light.hazeGlow = (world::hazeColour(world::sunDirection()) - light.haze) / 0.66F;
+  light.haze = sky.hazeColour(-sky.sun);
+  light.hazeGlow = (sky.hazeColour(sky.sun) - light.haze) / 0.66F;
   light.tintChange = drawing.tint - 1.0F;
   return light;
 }

@@ -31,7 +31,7 @@ struct BoneLight {
   std::array<world::Vec3, kMaxLamps> lampColour{};
 
   float clearing = 0.0F;         ///< the logarithm of what a unit of air lets through
-  world::Vec3 haze{0.0F};        ///< world::hazeColour() away from the sun
+  world::Vec3 haze{0.0F};        ///< Sky::hazeColour() away from the sun
   world::Vec3 hazeGlow{0.0F};    ///< what it has more towards the sun, by a unit of 0.36 cos^4 + 0.30 cos^16
   world::Vec3 tintChange{0.0F};  ///< the drawing's tint - 1
 };

@@ -20,7 +20,8 @@ WorldInstance::WorldInstance(const WorldGround& ground, std::unique_ptr<node::Tr
       transport_(std::move(transport)),
       backend_(ground.scene, *ground_.geometry, ground.types.backends, ground.machine, *transport_, haste, progress),
       frontend_(ground.process, world_.layout(), ground.types.frontends, *transport_,
-                {ground.machine.workers, ground.machine.timeline, ground.machine.memory, ground.machine.images},
+                {ground.machine.workers, ground.machine.timeline, ground.machine.memory, ground.machine.images,
+                 world_.layout().sky},
                 ground.maxSharedBytes) {
   reportModels();
 }

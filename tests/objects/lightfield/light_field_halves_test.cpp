@@ -159,7 +159,7 @@ class Wood {
   tests::BackendStand stand_;
   node::SharedStore store_{std::size_t{256} << 20U, [this](const node::Request& request) { return fetch(request); }};
   LightFieldBackend backend_{services(), 0, {}};
-  node::FrontendTools tools_{stand_.workers, stand_.timeline, stand_.memory, stand_.images};
+  node::FrontendTools tools_{stand_.workers, stand_.timeline, stand_.memory, stand_.images, world_.scene.layout.sky};
   std::vector<Visitor> visitors_;
 };
 

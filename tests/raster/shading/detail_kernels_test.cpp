@@ -6,6 +6,7 @@
 #include "each_target.h"
 #include "raster/shading/vertex_light.h"
 #include "raster/shading/wall.h"
+#include "world/sky.h"
 
 namespace grove::raster {
 namespace {
@@ -51,7 +52,7 @@ Vec3 plainRock(const DetailTexture& texture, Vec3 point, float metres, float foc
     const world::Vec4 found = plainHeight(texture, layer.turn * point / layer.texel);
     const Vec3 gradient = glm::transpose(layer.turn) * Vec3(found);
     stain += shown * layer.stain * (found.w - 0.5F);
-    slope -= shown * layer.slope * glm::dot(gradient, relief * world::sunDirection() + 0.5F * Vec3(0, 1, 0));
+    slope -= shown * layer.slope * glm::dot(gradient, relief * world::Sky().sun + 0.5F * Vec3(0, 1, 0));
   }
   const float change = glm::clamp(stain + slope, -0.9F, 0.8F);
   const float overgrown = glm::clamp((lichen + 1.1F * stain - 0.42F) * 6.0F, 0.0F, 1.0F);

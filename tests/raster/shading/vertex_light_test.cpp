@@ -5,6 +5,7 @@
 #include <string>
 
 #include "world/light.h"
+#include "world/sky.h"
 
 namespace grove::raster {
 namespace {
@@ -25,6 +26,7 @@ class VertexLightTest : public testing::Test {
     camera_.pose.position = {1.0F, 2.0F, -2.9F};
     drawing_.object = &object_;
     drawing_.camera = &camera_;
+    drawing_.sky = &sky_;
     drawing_.bones.fill(world::Mat4(1.0F));
   }
 
@@ -46,6 +48,7 @@ class VertexLightTest : public testing::Test {
 
   LitSurface object_;
   world::Camera camera_;
+  world::Sky sky_;
   Drawing drawing_;
 };
 
@@ -65,18 +68,18 @@ TEST_F(VertexLightTest, WhatMovesIsInTheWorldsAmbientLightHoweverItIsTurned) {
       drawing_.bones[0] = bone;
       const Vec3 place(bone * Vec4(vertex().position, 1.0F));
       camera_.pose.position = place + Vec3(0.05F, 0.0F, 0.0F);
-      expectShown(world::ambient(glm::mat3(bone) * vertex().normal / 1.7F), "yaw " + std::to_string(yaw));
+      expectShown(world::Sky().ambient(glm::mat3(bone) * vertex().normal / 1.7F), "yaw " + std::to_string(yaw));
     }
   }
 }
 
 TEST_F(VertexLightTest, TheSunCountsAsFarAsItIsSeen) {
-  vertex().normal = world::sunDirection();
+  vertex().normal = world::Sky().sun;
   object_.light = {Vec4(0.6F, 0.1F, 0.1F, 0.1F)};
   drawing_.sunShare = 0.5F;
-  expectShown(vertex().albedo * (0.3F * world::sunColour() + 0.1F), "sun");
+  expectShown(vertex().albedo * (0.3F * world::Sky().sunColour + 0.1F), "sun");
   EXPECT_GT(lit() >> 24U, 0U);
-  vertex().normal = -world::sunDirection();
+  vertex().normal = -world::Sky().sun;
   expectShown(vertex().albedo * 0.1F, "turned away");
   EXPECT_EQ(lit() >> 24U, 0U);
 }
@@ -95,11 +98,11 @@ TEST_F(VertexLightTest, ALampFallsOffWithTheSquareOfMetres) {
 
 TEST_F(VertexLightTest, HazeIsTheWorlds) {
   object_.light = {Vec4(0.0F, 1.0F, 1.0F, 1.0F)};
-  for (const Vec3 direction : {Vec3(1, 0, 0), world::sunDirection(), glm::normalize(Vec3(-1, 0.1F, -1))}) {
+  for (const Vec3 direction : {Vec3(1, 0, 0), world::Sky().sun, glm::normalize(Vec3(-1, 0.1F, -1))}) {
     for (const float metres : {3.0F, 60.0F, 500.0F}) {
       camera_.pose.position = vertex().position - direction * metres;
       const float hazy = world::hazeAmount(metres);
-      expectShown(vertex().albedo * (1.0F - hazy) + world::hazeColour(direction) * hazy, std::to_string(metres));
+      expectShown(vertex().albedo * (1.0F - hazy) + world::Sky().hazeColour(direction) * hazy, std::to_string(metres));
     }
   }
 }

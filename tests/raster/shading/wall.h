@@ -27,6 +27,7 @@ class WallTest : public testing::Test {
     camera_.height = kHeight;
     drawing_.object = &object_;
     drawing_.camera = &camera_;
+    drawing_.sky = &sky_;
     drawing_.rect = {0, 0, kWidth, kHeight};
     drawing_.bones.fill(world::Mat4(1.0F));
   }
@@ -68,6 +69,7 @@ class WallTest : public testing::Test {
 
   LitSurface object_;
   world::Camera camera_;
+  world::Sky sky_;
   Drawing drawing_;
   std::vector<Span> spans_;
   ImagePool images_;

@@ -113,7 +113,7 @@ int runBenchFluid(const BenchFluidOptions& options) {
   objects::fluid::FluidSettings settings;
   settings.grid = options.grid;
   settings.threads = options.threads;
-  FluidSimulation simulation(settings, Vec3(0.0F), surfaces, surfaces);
+  FluidSimulation simulation(settings, Vec3(0.0F), surfaces, surfaces, world::Sky());
 
   std::vector<double> cpu;
   std::vector<double> wall;

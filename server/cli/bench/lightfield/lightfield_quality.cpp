@@ -10,6 +10,7 @@
 #include "objects/lightfield/backend/simd/simd_sampler.h"
 #include "world/camera.h"
 #include "world/light.h"
+#include "world/sky.h"
 
 namespace grove::cli {
 namespace {
@@ -36,7 +37,7 @@ Pixels render(const LightField& field, const HeldOutView& view, DepthCorrection 
 }
 
 Pixels overSky(std::span<const std::uint32_t> picture) {
-  const std::uint32_t sky = world::toDisplayRgba(world::skyRadiance(Vec3(0.0F, 0.5F, 0.8F)));
+  const std::uint32_t sky = world::toDisplayRgba(world::Sky().radiance(Vec3(0.0F, 0.5F, 0.8F)));
   Pixels result(picture.begin(), picture.end());
   for (std::uint32_t& pixel : result) {
     const std::uint32_t open = 255U - (pixel >> 24U);

@@ -50,11 +50,13 @@ void FigureBackend::answer(std::span<const node::Request> requests, std::span<no
     raster::Drawing& drawing = drawings.emplace_back();
     drawing.object = &figure_;
     drawing.camera = &view.camera;
+    drawing.sky = &layout_.sky;
     drawing.rect = request.rect;
     drawing.distance = request.distance / transform.scale;
     drawing.bones = bonesOf(*player, transform);
     drawing.tint = linear(player->colour);
-    drawing.sunShare = raster::sunAt(transform.position + world::Vec3(0.0F, kChestHeight, 0.0F), geometry_.rays());
+    drawing.sunShare =
+        raster::sunAt(transform.position + world::Vec3(0.0F, kChestHeight, 0.0F), layout_.sky.sun, geometry_.rays());
     drawing.lamps = raster::chooseLamps(view.lights, object->bounds);
     slots.push_back(i);
   }

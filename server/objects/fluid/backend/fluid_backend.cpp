@@ -52,6 +52,7 @@ class FluidBackend::Fire {
       : id_(object.id),
         world_(services.world),
         geometry_(services.geometry),
+        sky_(services.scene.layout.sky),
         announce_(services.announce),
         sharesMemory_(services.sharesMemory),
         timeline_(services.timeline),
@@ -110,7 +111,7 @@ class FluidBackend::Fire {
   }
 
   [[nodiscard]] std::unique_ptr<FluidSimulation> make(world::Vec3 place, int cells) const {
-    return std::make_unique<FluidSimulation>(settings_, place, geometry_.solids(), geometry_.rays(), cells);
+    return std::make_unique<FluidSimulation>(settings_, place, geometry_.solids(), geometry_.rays(), sky_, cells);
   }
 
   [[nodiscard]] int cells() const noexcept { return cellsAt(settings_.grid, std::min<int>(quality_, maxQuality_)); }
@@ -181,6 +182,7 @@ class FluidBackend::Fire {
   const world::ObjectId id_;
   const node::WorldMirror& world_;
   const world::WorldGeometry& geometry_;
+  const world::Sky& sky_;
   const std::function<void(const node::Announcement&)> announce_;
   const bool sharesMemory_;
   pipeline::Timeline& timeline_;

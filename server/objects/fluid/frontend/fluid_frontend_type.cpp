@@ -24,6 +24,8 @@ class SmokeLayer final : public node::Layer {
 
 class FluidFrontend final : public node::SharedDataFrontend {
  public:
+  explicit FluidFrontend(const node::FrontendTools& tools) : renderer_(tools.sky) {}
+
   [[nodiscard]] std::size_t bytes() const override { return renderer_.bytes(); }
 
  private:
@@ -41,8 +43,8 @@ class FluidFrontend final : public node::SharedDataFrontend {
 
 std::string_view FluidFrontendType::name() const { return kTypeName; }
 
-std::unique_ptr<node::FrontendHalf> FluidFrontendType::makeHalf(const node::FrontendTools& /*tools*/) const {
-  return std::make_unique<FluidFrontend>();
+std::unique_ptr<node::FrontendHalf> FluidFrontendType::makeHalf(const node::FrontendTools& tools) const {
+  return std::make_unique<FluidFrontend>(tools);
 }
 
 std::shared_ptr<node::SharedData> FluidFrontendType::unpack(const node::Key& key, node::Version version,

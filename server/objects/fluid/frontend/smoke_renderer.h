@@ -23,7 +23,7 @@ class SmokeRenderer {
   static constexpr float kUsualBudget = 125'000.0F;
 
   /// `budget` bounds the cost of a frame, see chooseDetail().
-  explicit SmokeRenderer(float budget = kUsualBudget) : budget_(budget) {}
+  explicit SmokeRenderer(const world::Sky& sky, float budget = kUsualBudget) : budget_(budget), shading_(sky) {}
 
   void draw(const FluidSnapshot& snapshot, const node::View& view, raster::Image& frame);
 

@@ -5,7 +5,6 @@
 #include <numbers>
 #include <vector>
 
-#include "world/light.h"
 #include "world/noise.h"
 
 namespace grove::objects::ground {
@@ -27,8 +26,7 @@ constexpr float kTallestSolid = 12.0F;  // metres
 constexpr int kCell = 4;                // texels between probes of sun and sky
 
 /// Ray directions to the sun's disc, spread by the golden angle.
-Vec3 towardsSun(int ray) {
-  const Vec3 sun = world::sunDirection();
+Vec3 towardsSun(Vec3 sun, int ray) {
   const Vec3 side = glm::normalize(glm::cross(sun, Vec3(0, 1, 0)));
   const Vec3 up = glm::cross(side, sun);
   const float radius = kSunRadius * std::sqrt((static_cast<float>(ray) + 0.5F) / kSunRays);
@@ -86,8 +84,9 @@ class Grid {
 
 class Baker {
  public:
-  Baker(const ClearingOptions& options, const world::Triangles& solids, const world::RayScene& rays)
+  Baker(const ClearingOptions& options, Vec3 sun, const world::Triangles& solids, const world::RayScene& rays)
       : options_(options),
+        towardsSun_(sun),
         rays_(rays),
         cells_(std::max(1, options.size / kCell)),
         sun_(cells_),
@@ -99,7 +98,7 @@ class Baker {
   void probe(int row) {
     for (int x = 0; x < cells_; ++x) {
       const Vec3 point = place(static_cast<float>(x) + 0.5F, static_cast<float>(row) + 0.5F, cells_);
-      sun_.set(x, row, rays_.occluded(point, world::sunDirection()) ? 0.0F : 1.0F);
+      sun_.set(x, row, rays_.occluded(point, towardsSun_) ? 0.0F : 1.0F);
       if (near_.at(x, row) == 0.0F) sky_.set(x, row, openness(point));
     }
   }
@@ -147,12 +146,12 @@ class Baker {
     const auto x = static_cast<int>(cellX);
     const auto y = static_cast<int>(cellY);
     if (near_.at(x, y) == 0.0F && rays_.occluded(point, Vec3(0, 1, 0), 0.0F, kTallestSolid)) {
-      const Vec3 sunward = glm::normalize(world::sunDirection() * Vec3(1, 0, 1));
-      return rays_.occluded(point + sunward * kStoneMargin, world::sunDirection()) ? 0.0F : 1.0F;
+      const Vec3 sunward = glm::normalize(towardsSun_ * Vec3(1, 0, 1));
+      return rays_.occluded(point + sunward * kStoneMargin, towardsSun_) ? 0.0F : 1.0F;
     }
     if (sun_.even(x, y)) return sun_.at(x, y);
     int free = 0;
-    for (int ray = 0; ray < kSunRays; ++ray) free += rays_.occluded(point, towardsSun(ray)) ? 0 : 1;
+    for (int ray = 0; ray < kSunRays; ++ray) free += rays_.occluded(point, towardsSun(towardsSun_, ray)) ? 0 : 1;
     return static_cast<float>(free) / kSunRays;
   }
 
@@ -182,6 +181,7 @@ class Baker {
   }
 
   const ClearingOptions options_;
+  const Vec3 towardsSun_;
   const world::RayScene& rays_;
   const int cells_;
   Grid sun_;
@@ -191,9 +191,9 @@ class Baker {
 
 }  // namespace
 
-Clearing bakeClearing(const ClearingOptions& options, const world::Triangles& solids, const world::RayScene& rays,
-                      const std::function<void(float)>& progress) {
-  Baker baker(options, solids, rays);
+Clearing bakeClearing(const ClearingOptions& options, world::Vec3 sun, const world::Triangles& solids,
+                      const world::RayScene& rays, const std::function<void(float)>& progress) {
+  Baker baker(options, sun, solids, rays);
   for (int row = 0; row < baker.cells(); ++row) {
     baker.probe(row);
     progress(0.4F * static_cast<float>(row + 1) / static_cast<float>(baker.cells()));

@@ -16,9 +16,9 @@ struct ClearingOptions {
   int seed = 1;
 };
 
-/// Bakes the light that `solids` leave: soft shadows of a sun disc, and occlusion of the sky near their feet.
-/// `progress` gets shares of 0..1.
-[[nodiscard]] Clearing bakeClearing(const ClearingOptions& options, const world::Triangles& solids,
+/// Bakes the light that `solids` leave of a sun in the direction `sun`, a unit vector, and of the sky: soft shadows of
+/// a sun disc, and occlusion of the sky near their feet. `progress` gets shares of 0..1.
+[[nodiscard]] Clearing bakeClearing(const ClearingOptions& options, world::Vec3 sun, const world::Triangles& solids,
                                     const world::RayScene& rays, const std::function<void(float)>& progress);
 
 }  // namespace grove::objects::ground

@@ -47,8 +47,8 @@ std::shared_ptr<GroundData> GroundData::unpack(std::span<const std::byte> bytes)
   Pyramid clearing = takePyramid(reader);
   Pyramid meadow = takePyramid(reader);
   reader.finish();
-  return std::make_shared<GroundData>(GroundMaps{
-      {std::move(clearing), clearingMetres}, {std::move(meadow), meadowMetres, tallest}, ToneTable(), Daylight()});
+  return std::make_shared<GroundData>(
+      GroundMaps{{std::move(clearing), clearingMetres}, {std::move(meadow), meadowMetres, tallest}});
 }
 
 }  // namespace grove::objects::ground

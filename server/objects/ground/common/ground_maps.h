@@ -1,7 +1,6 @@
 #pragma once
 
 #include "objects/ground/common/clearing.h"
-#include "objects/ground/common/daylight.h"
 #include "objects/ground/common/meadow.h"
 
 namespace grove::objects::ground {
@@ -10,8 +9,6 @@ namespace grove::objects::ground {
 struct GroundMaps {
   Clearing clearing;
   Meadow meadow;
-  ToneTable tone;
-  Daylight daylight;
 };
 
 }  // namespace grove::objects::ground

@@ -12,8 +12,8 @@ namespace {
 class GroundLayer final : public node::Layer {
  public:
   GroundLayer(const node::VisibleObject& object, const node::View& view, std::shared_ptr<const GroundData> data,
-              raster::ImagePool& images)
-      : data_(std::move(data)), picture_(data_->maps(), view.camera, object.rect, view.lights, images) {}
+              const GroundLight& light, raster::ImagePool& images)
+      : data_(std::move(data)), picture_(data_->maps(), light, view.camera, object.rect, view.lights, images) {}
 
   [[nodiscard]] bool opaque() const override { return true; }
   [[nodiscard]] std::size_t parts() const override { return picture_.parts(); }
@@ -31,16 +31,17 @@ class GroundLayer final : public node::Layer {
 
 class GroundFrontend final : public node::SharedDataFrontend {
  public:
-  explicit GroundFrontend(const node::FrontendTools& tools) : images_(tools.images) {}
+  explicit GroundFrontend(const node::FrontendTools& tools) : light_(tools.sky), images_(tools.images) {}
 
  private:
   [[nodiscard]] std::unique_ptr<node::Layer> layerOf(const node::VisibleObject& object,
                                                      std::shared_ptr<const node::SharedData> data,
                                                      const node::View& view) override {
     return std::make_unique<GroundLayer>(object, view, std::static_pointer_cast<const GroundData>(std::move(data)),
-                                         images_);
+                                         light_, images_);
   }
 
+  const GroundLight light_;
   raster::ImagePool& images_;
 };
 

@@ -60,6 +60,7 @@ class GroundPicture::StripPainter {
  public:
   StripPainter(const GroundPicture& picture, raster::Image& image, int firstColumn)
       : maps_(picture.maps_),
+        light_(picture.light_),
         frame_(picture.frame_),
         lights_(picture.lights_),
         image_(image),
@@ -87,7 +88,7 @@ class GroundPicture::StripPainter {
     const float texel = maps_.clearing.metres / static_cast<float>(maps_.clearing.pyramid.size());
     const float area = at.across * kCoarse * at.along * static_cast<float>(rowStep(frame_, row));
     sampleSoil(frame_, at, firstColumn_, maps_.clearing, levelFor(std::sqrt(area) / texel, maps_.clearing.pyramid),
-               maps_.daylight, maps_.tone, lights_, samples_);
+               light_, lights_, samples_);
     spreadSoil(samples_, out.soil);
     out.row = row;
   }
@@ -123,6 +124,7 @@ class GroundPicture::StripPainter {
   }
 
   const GroundMaps& maps_;
+  const GroundLight& light_;
   const Frame& frame_;
   std::span<const world::PointLight> lights_;
   raster::Image& image_;
@@ -137,9 +139,9 @@ class GroundPicture::StripPainter {
   alignas(64) std::array<float, kTile> depth_;
 };
 
-GroundPicture::GroundPicture(const GroundMaps& maps, const world::Camera& camera, world::Rect rect,
-                             std::span<const world::PointLight> lights, raster::ImagePool& images)
-    : maps_(maps), frame_(frameOf(camera)), lights_(nearestLights(lights, camera.pose.position)) {
+GroundPicture::GroundPicture(const GroundMaps& maps, const GroundLight& light, const world::Camera& camera,
+                             world::Rect rect, std::span<const world::PointLight> lights, raster::ImagePool& images)
+    : maps_(maps), light_(light), frame_(frameOf(camera)), lights_(nearestLights(lights, camera.pose.position)) {
   if (camera.pose.position.y <= 0.0F) return;
   const auto inverse = [&](int row) { return frame_.firstInverse + static_cast<float>(row) * frame_.inverseStep; };
   while (!rect.empty() && inverse(rect.top) < 1.0F / kFarthest) ++rect.top;

@@ -7,8 +7,10 @@
 
 #include "objects/ground/common/ground_maps.h"
 #include "objects/ground/frontend/frame.h"
+#include "objects/ground/frontend/ground_light.h"
 #include "raster/image.h"
 #include "world/camera.h"
+#include "world/light.h"
 
 namespace grove::objects::ground {
 
@@ -16,8 +18,8 @@ namespace grove::objects::ground {
 /// or nearer where a blade of grass stands before it. Of the lights the nearest eight count.
 class GroundPicture {
  public:
-  /// `maps` outlive it.
-  GroundPicture(const GroundMaps& maps, const world::Camera& camera, world::Rect rect,
+  /// `maps` and `light` outlive it.
+  GroundPicture(const GroundMaps& maps, const GroundLight& light, const world::Camera& camera, world::Rect rect,
                 std::span<const world::PointLight> lights, raster::ImagePool& images);
   ~GroundPicture();
   GroundPicture(const GroundPicture&) = delete;
@@ -36,6 +38,7 @@ class GroundPicture {
   class StripPainter;
 
   const GroundMaps& maps_;
+  const GroundLight& light_;
   Frame frame_;
   std::vector<world::PointLight> lights_;
   std::shared_ptr<raster::Image> image_;

@@ -48,7 +48,7 @@ struct SoilRow {
   float logTransmittance;                      // along a ray of length 1
 };
 
-SoilRow soilRowOf(const Frame& frame, const Row& row, int firstColumn, const Daylight& light) {
+SoilRow soilRowOf(const Frame& frame, const Row& row, int firstColumn, const GroundLight& light) {
   const world::Vec3 sun = light.sun;
   const float far = std::clamp((row.depth - kMistBegins) / (kFarthest - kMistBegins), 0.0F, 1.0F);
   return {.x = frame.eyeX + row.depth * row.ahead * frame.forwardX,
@@ -157,7 +157,7 @@ HWY_INLINE void develop(Floats radiance, Floats haze, const float* HWY_RESTRICT 
   lanes::store(dark - (slope + square * kDark) * kDark + 0.5F, out.base.data() + first);
 }
 
-HWY_INLINE void sampleAt(const SoilRow& row, const Texels& level, const Daylight& light, const ToneTable& tone,
+HWY_INLINE void sampleAt(const SoilRow& row, const Texels& level, const GroundLight& light,
                          std::span<const world::PointLight> lights, int first, SampledSoil& out) {
   const Floats side = lanes::toFloats(lanes::upwards() + Ints(first)) * row.sideStep + row.firstSide;
   const Floats x = side * row.sideX + row.x;
@@ -188,26 +188,25 @@ HWY_INLINE void sampleAt(const SoilRow& row, const Texels& level, const Daylight
   const Floats glow = (c4 * 0.36F + c16 * 0.30F) * (1.0F / 0.66F);
   const Floats air = Floats(1.0F) - through;
 
-  const float* HWY_RESTRICT levels = tone.levels.data();
+  const float* HWY_RESTRICT levels = light.tone.levels.data();
   const auto channel = [&](Floats albedo, float sun, float sky, Floats lamp, float aside, float glows, int index) {
     const Floats radiance = through * albedo * (direct * sun + shade * sky + lamp);
     const Floats haze = air * (glow * glows + aside);
     develop(radiance, haze, levels, out.channels[static_cast<std::size_t>(index)], first);
   };
-  channel(r, light.sunColour.r, light.sky.r, lamps.r, light.hazeAside.r, light.hazeGlow.r, 0);
-  channel(g, light.sunColour.g, light.sky.g, lamps.g, light.hazeAside.g, light.hazeGlow.g, 1);
-  channel(b, light.sunColour.b, light.sky.b, lamps.b, light.hazeAside.b, light.hazeGlow.b, 2);
+  channel(r, light.sunColour.r, light.ambient.r, lamps.r, light.hazeAside.r, light.hazeGlow.r, 0);
+  channel(g, light.sunColour.g, light.ambient.g, lamps.g, light.hazeAside.g, light.hazeGlow.g, 1);
+  channel(b, light.sunColour.b, light.ambient.b, lamps.b, light.hazeAside.b, light.hazeGlow.b, 2);
   lanes::store(grass, out.grass.data() + first);
 }
 
 void sampleSoil(const Frame& frame, const Row& row, int firstColumn, const Clearing& clearing, int level,
-                const Daylight& daylight, const ToneTable& tone, std::span<const world::PointLight> lights,
-                SampledSoil& out) {
+                const GroundLight& light, std::span<const world::PointLight> lights, SampledSoil& out) {
   const int size = clearing.pyramid.size() >> level;
   const Texels texels{clearing.pyramid.level(level), size, static_cast<float>(size) / clearing.metres};
-  const SoilRow soilRow = soilRowOf(frame, row, firstColumn, daylight);
+  const SoilRow soilRow = soilRowOf(frame, row, firstColumn, light);
   for (int first = 0; first < kCoarsePadded; first += kLanes) {
-    sampleAt(soilRow, texels, daylight, tone, lights, first, out);
+    sampleAt(soilRow, texels, light, lights, first, out);
   }
 }
 
@@ -222,10 +221,9 @@ namespace grove::objects::ground {
 HWY_EXPORT(sampleSoil);
 
 void sampleSoil(const Frame& frame, const Row& row, int firstColumn, const Clearing& clearing, int level,
-                const Daylight& daylight, const ToneTable& tone, std::span<const world::PointLight> lights,
-                SampledSoil& out) {
+                const GroundLight& light, std::span<const world::PointLight> lights, SampledSoil& out) {
   HWY_DYNAMIC_DISPATCH(sampleSoil)
-  (frame, row, firstColumn, clearing, level, daylight, tone, lights, out);
+  (frame, row, firstColumn, clearing, level, light, lights, out);
 }
 
 }  // namespace grove::objects::ground

@@ -5,8 +5,9 @@
 #include <span>
 
 #include "objects/ground/common/clearing.h"
-#include "objects/ground/common/daylight.h"
 #include "objects/ground/frontend/frame.h"
+#include "objects/ground/frontend/ground_light.h"
+#include "world/light.h"
 
 /// Kernel over light and soil, which change slowly: they are sampled every kCoarse columns and every few rows, with all
 /// that the air and the tone curve do to them.
@@ -34,7 +35,6 @@ struct SampledSoil {
 
 /// Samples the tile that begins at `firstColumn`. `level` is the clearing's mip level.
 void sampleSoil(const Frame& frame, const Row& row, int firstColumn, const Clearing& clearing, int level,
-                const Daylight& daylight, const ToneTable& tone, std::span<const world::PointLight> lights,
-                SampledSoil& out);
+                const GroundLight& light, std::span<const world::PointLight> lights, SampledSoil& out);
 
 }  // namespace grove::objects::ground

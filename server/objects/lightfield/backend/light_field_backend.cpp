@@ -122,7 +122,8 @@ node::Payload LightFieldBackend::ownPicture(const node::Request& request, const 
 node::Payload LightFieldBackend::framePicture(const node::Request& request, const ObjectPictures::Entry& entry) {
   const world::Camera& camera = request.view->camera;
   const Shot shot{objectCamera(camera, entry.transform), request.rect};
-  const auto image = pictures_.make(entry, entry.model->shown()->field, shot, hazeBefore(entry.bounds, camera));
+  const auto image =
+      pictures_.make(entry, entry.model->shown()->field, shot, hazeBefore(entry.bounds, pictures_.sky(), camera));
   const auto lamps = chooseLamps(request.view->lights, entry.bounds, glm::inverse(entry.transform.matrix()));
   LampLight(lamps, shot.camera).addTo(*image);
   return std::shared_ptr<const raster::Image>(image);

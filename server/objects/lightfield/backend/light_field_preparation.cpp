@@ -38,8 +38,9 @@ float shareOf(const bake::BakeProgress& progress) {
 /// One that is baked when it is first needed.
 class LightFieldPreparation final : public node::Preparation {
  public:
-  LightFieldPreparation(LightFieldSource source, const world::Parameters& parameters, const LightFieldBackendType& type)
-      : source_(std::move(source)), parameters_(parameters), type_(type) {}
+  LightFieldPreparation(LightFieldSource source, const world::Parameters& parameters, const world::Sky& sky,
+                        const LightFieldBackendType& type)
+      : source_(std::move(source)), parameters_(parameters), sky_(sky), type_(type) {}
 
   void addPlace(float scale, float distance) { places_.push_back({scale, distance}); }
 
@@ -112,6 +113,7 @@ class LightFieldPreparation final : public node::Preparation {
 
   [[nodiscard]] bake::BakeOptions options() const {
     bake::BakeOptions options;
+    options.sky = sky_;
     options.subdivision = source_.subdivision;
     options.size = source_.size;
     options.lightings = source_.lightings;
@@ -140,6 +142,7 @@ class LightFieldPreparation final : public node::Preparation {
 
   const LightFieldSource source_;
   const world::Parameters& parameters_;  ///< of the first object that shows it
+  const world::Sky sky_;
   const LightFieldBackendType& type_;
   std::vector<Place> places_;
   std::string damage_;  ///< that the log reports already
@@ -156,7 +159,8 @@ std::vector<std::unique_ptr<node::Preparation>> lightFieldPreparations(const wor
     LightFieldSource source = readSource(object.parameters, names);
     if (source.model.empty()) continue;
     auto& preparation = wanted[source.file];
-    if (!preparation) preparation = std::make_unique<LightFieldPreparation>(std::move(source), object.parameters, type);
+    if (!preparation)
+      preparation = std::make_unique<LightFieldPreparation>(std::move(source), object.parameters, scene.sky, type);
     preparation->addPlace(object.transform.scale, glm::distance(object.transform.position, scene.spawn));
   }
   std::vector<std::unique_ptr<node::Preparation>> preparations;

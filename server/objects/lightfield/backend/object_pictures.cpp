@@ -43,6 +43,7 @@ pipeline::Executor& executorOf(const node::BackendServices& services, world::Typ
 ObjectPictures::ObjectPictures(const node::BackendServices& services, world::TypeIndex self)
     : executor_(executorOf(services, self)),
       images_(services.images),
+      sky_(services.scene.layout.sky),
       sunGrids_(services.memory, "sun grids", "lightfield", pipeline::Work::kAcrossUser) {
   std::vector<const world::ModelledObject*> objects;
   objects.reserve(services.scene.objects.size());
@@ -57,7 +58,7 @@ ObjectPictures::ObjectPictures(const node::BackendServices& services, world::Typ
     entries_.emplace(object->id, Entry{&model, sampler.get(), object->bounds, object->transform, {}});
   }
   node::prepareEach(services, "shadows on the light fields", objects.size(), [&](std::size_t i) {
-    entries_.at(objects[i]->id).sun = makeSunGrid(*objects[i], services.geometry.rays());
+    entries_.at(objects[i]->id).sun = makeSunGrid(*objects[i], sky_.sun, services.geometry.rays());
   });
   std::size_t sunBytes = 0;
   for (const auto& [id, entry] : entries_) sunBytes += pipeline::vectorBytes(entry.sun.sun);
@@ -74,8 +75,8 @@ Shot ObjectPictures::shotOf(const LightField& field, const ViewCell& cell) {
 
 std::shared_ptr<raster::Image> ObjectPictures::make(const Entry& entry, const LightField& field, const Shot& shot,
                                                     const Haze& haze) {
-  const SampleRequest request{&field, field.lightingFor(entry.transform.yaw), levelFor(field, shot.camera), shot.camera,
-                              haze};
+  const SampleRequest request{&field, field.lightingFor(entry.transform.yaw, sky_.sun), levelFor(field, shot.camera),
+                              shot.camera, haze};
   std::shared_ptr<raster::Image> image = images_.acquire(shot.rect);
   const std::array<raster::Image*, 1> images{image.get()};
   entry.sampler->render({&request, 1}, images);

@@ -36,6 +36,7 @@ class ObjectPictures {
   };
   /// Throws std::out_of_range for an object of which nothing is known.
   [[nodiscard]] const Entry& of(world::ObjectId object) const { return entries_.at(object); }
+  [[nodiscard]] const world::Sky& sky() const noexcept { return sky_; }
   [[nodiscard]] const std::map<world::ObjectId, Entry>& all() const noexcept { return entries_; }
 
   /// The shared picture of a cell.
@@ -47,6 +48,7 @@ class ObjectPictures {
  private:
   pipeline::Executor& executor_;
   raster::ImagePool& images_;
+  const world::Sky& sky_;
   std::map<SamplerKind, std::unique_ptr<Sampler>> samplers_;
   std::map<world::ObjectId, Entry> entries_;
   pipeline::HeldMemory sunGrids_;

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "world/light.h"
-
 namespace grove::objects::lightfield {
 namespace {
 
@@ -26,8 +24,7 @@ float exitOf(const world::Bounds& box, Vec3 origin, Vec3 direction) {
   return std::max(exit, 0.0F);
 }
 
-float sunAt(Vec3 point, float from, const world::RayScene& rays) {
-  const Vec3 sun = world::sunDirection();
+float sunAt(Vec3 point, Vec3 sun, float from, const world::RayScene& rays) {
   const Vec3 across = glm::normalize(glm::cross(sun, Vec3(0.0F, 1.0F, 0.0F)));
   const Vec3 up = glm::cross(across, sun);
   int seen = 0;
@@ -42,10 +39,10 @@ float sunAt(Vec3 point, float from, const world::RayScene& rays) {
 
 }  // namespace
 
-SunGrid makeSunGrid(const world::ModelledObject& object, const world::RayScene& rays) {
+SunGrid makeSunGrid(const world::ModelledObject& object, Vec3 towardsSun, const world::RayScene& rays) {
   const world::Bounds box = object.model->bounds();
   const world::Mat4 toWorld = object.transform.matrix();
-  const Vec3 sun = glm::normalize(glm::transpose(glm::mat3(toWorld)) * world::sunDirection());
+  const Vec3 sun = glm::normalize(glm::transpose(glm::mat3(toWorld)) * towardsSun);
   SunGrid grid;
   grid.low = box.low;
   for (int axis = 0; axis < 3; ++axis) {
@@ -61,7 +58,7 @@ SunGrid makeSunGrid(const world::ModelledObject& object, const world::RayScene& 
         const Vec3 sample(static_cast<float>(x), static_cast<float>(y), static_cast<float>(z));
         const Vec3 point = box.low + sample / grid.perMetre;
         const float from = exitOf(box, point, sun) * object.transform.scale;
-        grid.sun.push_back(sunAt(Vec3(toWorld * world::Vec4(point, 1.0F)), from, rays));
+        grid.sun.push_back(sunAt(Vec3(toWorld * world::Vec4(point, 1.0F)), towardsSun, from, rays));
       }
     }
   }

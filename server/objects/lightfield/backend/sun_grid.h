@@ -20,6 +20,8 @@ struct SunGrid {
 };
 
 /// `rays` is what stops light in the world, the object itself too: what lies within its own box is left out.
-[[nodiscard]] SunGrid makeSunGrid(const world::ModelledObject& object, const world::RayScene& rays);
+/// `towardsSun` is a unit vector.
+[[nodiscard]] SunGrid makeSunGrid(const world::ModelledObject& object, world::Vec3 towardsSun,
+                                  const world::RayScene& rays);
 
 }  // namespace grove::objects::lightfield

@@ -97,6 +97,9 @@ std::uint64_t keyOf(const models::Model& model, const BakeOptions& options) {
                                            static_cast<std::uint64_t>(options.tile),
                                            static_cast<std::uint64_t>(options.rough)};
   addTo(checksum, numbers);
+  const world::Sky& sky = options.sky;
+  addTo(checksum, std::vector<Vec3>{sky.sun, sky.sunColour, sky.zenith, sky.haze, sky.glow, sky.ambientSky,
+                                    sky.ambientGround, sky.ambientGlow});
   addTo(checksum, model.triangles.positions);
   addTo(checksum, model.triangles.indices);
   addTo(checksum, model.normals);
@@ -181,7 +184,7 @@ class Job {
         model_(refined(model, {kLongest.solid * texel_, kLongest.leaves * texel_})),
         textures_(model.textures.begin(), model.textures.end()),
         rays_(model_, textures_),
-        lightings_(options.lightings),
+        lightings_(options.sky, options.lightings),
         shape_{sphere_.views(), options.size, levelsOf(options.size), options.lightings, keyOf(model, options)},
         partial_(file_.string() + ".partial", shape_) {
     // Nobody else writes this file now: the partial bake is locked.
@@ -285,7 +288,7 @@ void Job::writeFile(std::vector<HeldOutView> heldOut) {
   field.bounds = boundsOfView(original_.triangles, texel_);
   field.size = options_.size;
   field.levels = shape_.levels;
-  field.sunAzimuth = Lightings::firstAzimuth();
+  field.sunAzimuth = lightings_.firstAzimuth();
   field.source = original_.name;
   const Voxels voxels = voxelize(original_, kVoxelsAlongEdge);
   field.voxels = voxels.grid;

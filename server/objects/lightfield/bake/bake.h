@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "models/model.h"
+#include "world/sky.h"
 
 namespace grove::bake {
 
@@ -19,8 +20,9 @@ struct BakeOptions {
   /// Of the held-out views, which are what the others are measured against: with few samples, their own noise would
   /// count as error of the light field. 1 to 16.
   int truthSamples = 6;
-  int threads = 0;    ///< 0: one per core
-  bool tile = false;  ///< the model stands amid copies of itself, see models::isTile()
+  world::Sky sky = {};  ///< of the world that it is for
+  int threads = 0;      ///< 0: one per core
+  bool tile = false;    ///< the model stands amid copies of itself, see models::isTile()
   /// Light of a quarter of the rays that neighbouring leaves share, and two held-out views. For what is shown until
   /// something better is made.
   bool rough = false;

@@ -43,10 +43,10 @@ ObjectCamera objectCamera(const world::Camera& camera, const world::Transform& t
   return result;
 }
 
-Haze hazeBefore(const world::Bounds& worldBounds, const world::Camera& camera) {
+Haze hazeBefore(const world::Bounds& worldBounds, const world::Sky& sky, const world::Camera& camera) {
   const Vec3 towards = worldBounds.centre() - camera.pose.position;
   const float distance = std::max(glm::length(towards), 1.0e-3F);
-  const Vec3 colour = world::hazeColour(towards / distance);
+  const Vec3 colour = sky.hazeColour(towards / distance);
   return {{world::toDisplay(colour.r), world::toDisplay(colour.g), world::toDisplay(colour.b)},
           world::hazeAmount(distance)};
 }

@@ -4,6 +4,7 @@
 #include "objects/lightfield/format/light_field.h"
 #include "objects/lightfield/format/view_camera.h"
 #include "world/camera.h"
+#include "world/sky.h"
 
 /// From a frame's view of the world to a light field's own coordinates.
 namespace grove::objects::lightfield {
@@ -11,7 +12,7 @@ namespace grove::objects::lightfield {
 [[nodiscard]] ObjectCamera objectCamera(const world::Camera& camera, const world::Transform& transform);
 
 /// The air between the eye and the middle of an object.
-[[nodiscard]] Haze hazeBefore(const world::Bounds& worldBounds, const world::Camera& camera);
+[[nodiscard]] Haze hazeBefore(const world::Bounds& worldBounds, const world::Sky& sky, const world::Camera& camera);
 
 /// The level of the mip pyramid whose texels are about as large as the frame's pixels at the object.
 [[nodiscard]] int levelFor(const LightField& field, const ObjectCamera& camera);

@@ -3,12 +3,9 @@
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 
-#include "world/light.h"
-
 namespace grove::objects::lightfield {
 
-int LightField::lightingFor(float yaw) const noexcept {
-  const world::Vec3 sun = world::sunDirection();
+int LightField::lightingFor(float yaw, world::Vec3 sun) const noexcept {
   // Turning an object by yaw turns the sun by -yaw for it.
   const float azimuth = std::atan2(sun.x, sun.z) - yaw - sunAzimuth;
   const float steps = azimuth / glm::two_pi<float>() * static_cast<float>(lightings());

@@ -80,8 +80,9 @@ struct LightField {
   [[nodiscard]] int lightings() const noexcept { return static_cast<int>(colour.size()); }
   /// Blocks along an edge of a view.
   [[nodiscard]] int blocksAcross(int level) const noexcept { return (size >> level) / kBlock; }
-  /// The lighting whose sun stands nearest to where the world's sun stands for an object that is turned by `yaw`.
-  [[nodiscard]] int lightingFor(float yaw) const noexcept;
+  /// The lighting whose sun stands nearest to where the world's sun, in the direction `sun`, stands for an
+  /// object that is turned by `yaw`.
+  [[nodiscard]] int lightingFor(float yaw, world::Vec3 sun) const noexcept;
 };
 
 }  // namespace grove::objects::lightfield

@@ -17,12 +17,12 @@ constexpr float kMinMagnification = 1.3F;
 class ReprojectedLayer final : public node::Layer {
  public:
   ReprojectedLayer(const node::VisibleObject& object, const node::View& view, std::shared_ptr<const CachedView> picture,
-                   CrossFade fade)
+                   CrossFade fade, const world::Sky& sky)
       : rect_(object.rect),
         picture_(std::move(picture)),
         fade_(std::move(fade)),
         camera_(objectCamera(view.camera, object.object.transform)),
-        haze_(hazeBefore(object.object.bounds, view.camera)),
+        haze_(hazeBefore(object.object.bounds, sky, view.camera)),
         light_(chooseLamps(view.lights, object.object.bounds, glm::inverse(object.object.transform.matrix())),
                camera_) {}
 
@@ -58,7 +58,7 @@ class ReprojectedLayer final : public node::Layer {
 }  // namespace
 
 LightFieldFrontend::LightFieldFrontend(const node::FrontendTools& tools)
-    : timeline_(tools.timeline), shared_(tools.timeline), own_(tools.timeline) {}
+    : timeline_(tools.timeline), sky_(tools.sky), shared_(tools.timeline), own_(tools.timeline) {}
 
 node::Plan LightFieldFrontend::plan(const node::VisibleObject& object, const node::View& view,
                                     const node::SharedOf& shared, const node::Reply* reply) {
@@ -86,7 +86,7 @@ std::unique_ptr<node::Layer> LightFieldFrontend::layer(const node::VisibleObject
   if (data == nullptr || *data == nullptr) return nullptr;
   auto picture = std::static_pointer_cast<const CachedView>(*data);
   CrossFade fade = this->fade(object.object.id, *picture, view.time);
-  return std::make_unique<ReprojectedLayer>(object, view, std::move(picture), std::move(fade));
+  return std::make_unique<ReprojectedLayer>(object, view, std::move(picture), std::move(fade), sky_);
 }
 
 CrossFade LightFieldFrontend::fade(world::ObjectId object, const CachedView& picture, double time) {

@@ -27,6 +27,7 @@ class LightFieldFrontend final : public node::FrontendHalf {
   [[nodiscard]] node::Plan begin(const Sight& sight);
 
   pipeline::Timeline& timeline_;
+  const world::Sky& sky_;
   SharedViews shared_;
   OwnViews own_;
 };

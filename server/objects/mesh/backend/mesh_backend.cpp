@@ -31,7 +31,9 @@ MeshBackend::Entry::Entry(const world::ModelledObject& object, raster::RendererK
       renderer(kind) {}
 
 MeshBackend::MeshBackend(const node::BackendServices& services, world::TypeIndex self)
-    : executor_(executorOf(services, self)), held_(services.memory, "surfaces", "mesh", pipeline::Work::kAcrossUser) {
+    : sky_(services.scene.layout.sky),
+      executor_(executorOf(services, self)),
+      held_(services.memory, "surfaces", "mesh", pipeline::Work::kAcrossUser) {
   for (const world::ModelledObject& object : services.scene.objects) {
     if (object.type != self) continue;
     const raster::RendererKind kind = raster::resolved(modelOf(object).renderer(), services.gl);
@@ -81,6 +83,7 @@ void MeshBackend::answerWith(raster::RendererKind kind, std::span<const node::Re
     raster::Drawing& drawing = drawings.emplace_back();
     drawing.object = &entry.lit;
     drawing.camera = &request.view->camera;
+    drawing.sky = &sky_;
     drawing.rect = raster::screenBox(entry.points, entry.toWorld, *drawing.camera, request.rect);
     drawing.distance = request.distance / entry.scale;
     drawing.bones[0] = entry.toWorld;

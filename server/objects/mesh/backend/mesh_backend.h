@@ -37,6 +37,7 @@ class MeshBackend final : public node::BackendHalf {
   void answerWith(raster::RendererKind kind, std::span<const node::Request> requests,
                   std::span<node::Payload> payloads);
 
+  const world::Sky& sky_;
   std::map<world::ObjectId, Entry> entries_;
   std::map<raster::RendererKind, std::unique_ptr<raster::MeshRenderer>> renderers_;
   pipeline::Executor& executor_;

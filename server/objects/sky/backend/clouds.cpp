@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "world/light.h"
 #include "world/noise.h"
 
 namespace grove::objects::sky {
@@ -32,10 +31,10 @@ float density(const Layer& layer, Vec2 at, float seed, int octaves) {
   return glm::smoothstep(layer.threshold, layer.threshold + layer.softness, n);
 }
 
-CloudSample layerAt(const Layer& layer, Vec3 direction, float seed) {
+CloudSample layerAt(const Layer& layer, const world::Sky& sky, Vec3 direction, float seed) {
   const float fade = glm::smoothstep(0.035F, 0.16F, direction.y);
   if (fade <= 0.0F) return {};
-  const Vec3 sun = world::sunDirection();
+  const Vec3 sun = sky.sun;
   const Vec2 wind = glm::normalize(Vec2(0.86F, -0.5F));
   const Vec2 sheet = Vec2(direction.x, direction.z) / (direction.y + layer.flatness);
   const Vec2 at(glm::dot(sheet, wind), glm::dot(sheet, Vec2(-wind.y, wind.x)));
@@ -49,20 +48,20 @@ CloudSample layerAt(const Layer& layer, Vec3 direction, float seed) {
 
   const float cosine = std::max(0.0F, glm::dot(direction, sun));
   const float forward = std::pow(cosine, 10.0F);
-  const Vec3 bright = world::sunColour() * (0.62F + 1.15F * forward) + Vec3(0.05F, 0.04F, 0.05F);
+  const Vec3 bright = sky.sunColour * (0.62F + 1.15F * forward) + Vec3(0.05F, 0.04F, 0.05F);
   const Vec3 belly = glm::mix(Vec3(0.30F, 0.265F, 0.335F), Vec3(0.62F, 0.36F, 0.25F), std::pow(cosine, 3.0F));
   const Vec3 colour = glm::mix(belly, bright, lit);
   const float cover = layer.max * here * fade;
   // Clouds near the horizon are seen through much air.
   const float air = 0.75F * std::exp(-9.0F * direction.y);
-  return {glm::mix(colour, world::hazeColour(direction), air) * cover, cover};
+  return {glm::mix(colour, sky.hazeColour(direction), air) * cover, cover};
 }
 
 }  // namespace
 
-CloudSample cloudsAt(Vec3 direction, float seed) {
-  const CloudSample high = layerAt(kHigh, direction, seed);
-  const CloudSample low = layerAt(kLow, direction, seed + 91.7F);
+CloudSample cloudsAt(const world::Sky& sky, Vec3 direction, float seed) {
+  const CloudSample high = layerAt(kHigh, sky, direction, seed);
+  const CloudSample low = layerAt(kLow, sky, direction, seed + 91.7F);
   return {high.light * (1.0F - low.cover) + low.light, high.cover * (1.0F - low.cover) + low.cover};
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "world/geometry.h"
+#include "world/sky.h"
 
 namespace grove::objects::sky {
 
@@ -10,8 +10,8 @@ struct CloudSample {
   float cover = 0.0F;
 };
 
-/// Soft evening clouds in two layers, lit by the low sun from the side: glowing rims towards it, mauve bellies away
-/// from it. A pure function of the direction (unit vector) and the seed.
-[[nodiscard]] CloudSample cloudsAt(world::Vec3 direction, float seed);
+/// Soft evening clouds in two layers, lit by a low sun from the side: glowing rims towards it, mauve bellies away
+/// from it. The direction is a unit vector.
+[[nodiscard]] CloudSample cloudsAt(const world::Sky& sky, world::Vec3 direction, float seed);
 
 }  // namespace grove::objects::sky

@@ -87,11 +87,11 @@ Skyline skylineAt(float heading, float seed) {
   return skyline;
 }
 
-Vec3 landscapeOver(Vec3 behind, const Skyline& skyline, Vec3 direction, float heading, float tangent, float texel,
-                   float seed) {
-  const Vec3 haze = world::hazeColour(direction);
+Vec3 landscapeOver(const world::Sky& sky, Vec3 behind, const Skyline& skyline, Vec3 direction, float heading,
+                   float tangent, float texel, float seed) {
+  const Vec3 haze = sky.hazeColour(direction);
   // What faces the viewer is lit where the sun stands behind the viewer's back.
-  const Vec3 sun = world::sunDirection();
+  const Vec3 sun = sky.sun;
   const float facing =
       0.5F - 0.5F * glm::dot(glm::normalize(Vec2(direction.x, direction.z)), glm::normalize(Vec2(sun.x, sun.z)));
   Vec3 colour = behind;
@@ -103,7 +103,7 @@ Vec3 landscapeOver(Vec3 behind, const Skyline& skyline, Vec3 direction, float he
     const float grain = ridge.treeTop > 0.0F ? 1.0F / ridge.treeTop : 60.0F;
     const float leaves = world::fractalNoise(
         Vec3(std::cos(heading) * grain * 2.0F, std::sin(heading) * grain * 2.0F, tangent * grain * 2.2F + seed), 3);
-    const Vec3 light = world::ambient(Vec3(0.0F, 0.35F, 0.0F)) + world::sunColour() * (0.85F * facing * facing);
+    const Vec3 light = sky.ambient(Vec3(0.0F, 0.35F, 0.0F)) + sky.sunColour * (0.85F * facing * facing);
     const Vec3 surface = ridge.albedo * light * (0.35F + 1.3F * leaves);
     // Mist gathers in the hollows, and lies on the meadow's far end, which the ground's renderer hides in it too.
     const float hollow =

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "world/geometry.h"
+#include "world/sky.h"
 
 namespace grove::objects::sky {
 
@@ -18,7 +18,7 @@ struct Skyline {
 
 /// Radiance of the landscape in front of `behind`. `direction` is a unit vector whose elevation has the tangent
 /// `tangent`; edges are as soft as `texel`, the tangents' step between texels.
-[[nodiscard]] world::Vec3 landscapeOver(world::Vec3 behind, const Skyline& skyline, world::Vec3 direction,
-                                        float heading, float tangent, float texel, float seed);
+[[nodiscard]] world::Vec3 landscapeOver(const world::Sky& sky, world::Vec3 behind, const Skyline& skyline,
+                                        world::Vec3 direction, float heading, float tangent, float texel, float seed);
 
 }  // namespace grove::objects::sky

@@ -17,8 +17,8 @@ using world::Vec3;
 constexpr float kSunRadius = 0.0105F;        // radians, twice the real one: what a camera's lens makes of it
 constexpr float kLandscapeTangent = 0.125F;  // nothing of it stands higher
 
-Vec3 sunAt(Vec3 direction) {
-  const float angle = std::acos(std::clamp(glm::dot(direction, world::sunDirection()), -1.0F, 1.0F));
+Vec3 sunAt(Vec3 sun, Vec3 direction) {
+  const float angle = std::acos(std::clamp(glm::dot(direction, sun), -1.0F, 1.0F));
   const float disc = 1.0F - glm::smoothstep(kSunRadius * 0.85F, kSunRadius * 1.15F, angle);
   const float halo = 0.55F * std::exp(-angle / 0.030F) + 0.30F * std::exp(-angle / 0.11F);
   return Vec3(26.0F, 17.0F, 8.0F) * disc + Vec3(2.6F, 1.45F, 0.62F) * halo;
@@ -35,7 +35,7 @@ std::uint32_t dithered(Vec3 linear, int column, int row) {
 
 }  // namespace
 
-Panorama bakePanorama(PanoramaSize size, int seed, const std::function<void(float)>& progress) {
+Panorama bakePanorama(PanoramaSize size, int seed, const world::Sky& sky, const std::function<void(float)>& progress) {
   Panorama panorama(size);
   const auto salt = static_cast<float>(seed % 1000) * 3.7F;
   std::vector<Skyline> skylines;
@@ -48,17 +48,16 @@ Panorama bakePanorama(PanoramaSize size, int seed, const std::function<void(floa
     for (int column = 0; column < size.width; ++column) {
       const float heading = panorama.heading(column);
       const Vec3 direction = Panorama::direction(heading, tangent);
-      const CloudSample clouds = cloudsAt(direction, salt);
-      const Vec3 sun = sunAt(direction);
+      const CloudSample clouds = cloudsAt(sky, direction, salt);
+      const Vec3 sun = sunAt(sky.sun, direction);
       // Thin cloud lets the disc through, thick cloud keeps its glow.
       Vec3 colour =
-          (world::skyRadiance(direction) + sun) * (1.0F - clouds.cover) + clouds.light + sun * (0.10F * clouds.cover);
+          (sky.radiance(direction) + sun) * (1.0F - clouds.cover) + clouds.light + sun * (0.10F * clouds.cover);
       if (tangent < kLandscapeTangent) {
         const Skyline& skyline = skylines[static_cast<std::size_t>(column)];
-        colour = landscapeOver(colour, skyline, direction, heading, tangent, step, salt);
+        colour = landscapeOver(sky, colour, skyline, direction, heading, tangent, step, salt);
         // The lens spreads the sun's glow over what stands before it.
-        colour += Vec3(0.50F, 0.26F, 0.09F) *
-                  std::pow(std::max(0.0F, glm::dot(direction, world::sunDirection())), 40.0F) *
+        colour += Vec3(0.50F, 0.26F, 0.09F) * std::pow(std::max(0.0F, glm::dot(direction, sky.sun)), 40.0F) *
                   (1.0F - glm::smoothstep(0.0F, kLandscapeTangent, tangent));
       }
       panorama.set(column, row, dithered(colour, column, row));

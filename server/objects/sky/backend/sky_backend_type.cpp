@@ -49,7 +49,7 @@ class SkyBackend final : public node::BackendHalf {
   [[nodiscard]] static std::shared_ptr<const SkyData> paint(const node::BackendServices& services, PanoramaSize size,
                                                             int seed) {
     const auto progress = [&](float share) { services.progress("painting the sky", share); };
-    const auto bake = [&] { return SkyMaps(bakePanorama(size, seed, progress)); };
+    const auto bake = [&] { return SkyMaps(bakePanorama(size, seed, services.scene.layout.sky, progress)); };
     auto data = std::make_shared<SkyData>(services.bakedOnce("sky " + std::to_string(seed), bytesOf, bake));
     data->holdIn(services.memory, "maps", kTypeName, pipeline::Work::kAcrossUser);
     return data;

@@ -12,34 +12,35 @@ namespace {
 class SkyLayer final : public node::Layer {
  public:
   SkyLayer(const node::VisibleObject& object, const node::View& view, std::shared_ptr<const SkyData> data,
-           raster::ImagePool& images)
-      : rect_(object.rect), camera_(view.camera), data_(std::move(data)), images_(images) {}
+           const node::FrontendTools& tools)
+      : rect_(object.rect), camera_(view.camera), data_(std::move(data)), sun_(tools.sky.sun), images_(tools.images) {}
 
   [[nodiscard]] bool opaque() const override { return true; }
 
   void lay(node::FrameBuilder& rows) override {
-    if (const auto image = skyImage(data_->maps(), camera_, rows.clip(rect_), images_)) rows.lay(*image);
+    if (const auto image = skyImage(data_->maps(), sun_, camera_, rows.clip(rect_), images_)) rows.lay(*image);
   }
 
  private:
   const world::Rect rect_;
   const world::Camera& camera_;
   const std::shared_ptr<const SkyData> data_;
+  const world::Vec3 sun_;
   raster::ImagePool& images_;
 };
 
 class SkyFrontend final : public node::SharedDataFrontend {
  public:
-  explicit SkyFrontend(const node::FrontendTools& tools) : images_(tools.images) {}
+  explicit SkyFrontend(const node::FrontendTools& tools) : tools_(tools) {}
 
  private:
   [[nodiscard]] std::unique_ptr<node::Layer> layerOf(const node::VisibleObject& object,
                                                      std::shared_ptr<const node::SharedData> data,
                                                      const node::View& view) override {
-    return std::make_unique<SkyLayer>(object, view, std::static_pointer_cast<const SkyData>(std::move(data)), images_);
+    return std::make_unique<SkyLayer>(object, view, std::static_pointer_cast<const SkyData>(std::move(data)), tools_);
   }
 
-  raster::ImagePool& images_;
+  const node::FrontendTools tools_;
 };
 
 }  // namespace

@@ -6,7 +6,6 @@
 
 #include "objects/sky/frontend/sample_kernels.h"
 #include "world/camera.h"
-#include "world/light.h"
 
 namespace grove::objects::sky {
 namespace {
@@ -24,8 +23,9 @@ constexpr float kSunReach = 0.035F;  // radians from the sun's middle
 /// Samples rows of one camera.
 class SkyRows {
  public:
-  explicit SkyRows(const world::Camera& camera)
+  SkyRows(const world::Camera& camera, world::Vec3 sun)
       : camera_(camera),
+        sun_(sun),
         cosine_(std::cos(camera.pose.pitch)),
         sine_(std::sin(camera.pose.pitch)),
         tanHalfX_(camera.tanHalfX()),
@@ -42,8 +42,7 @@ class SkyRows {
   [[nodiscard]] bool sunny(int row) const {
     // A row is a plane through the eye, and the sun is as far from it as their angle.
     const float v = slope(row);
-    const world::Vec3 sun = world::sunDirection();
-    const float off = glm::dot(sun, camera_.pose.up()) - v * glm::dot(sun, camera_.pose.forward());
+    const float off = glm::dot(sun_, camera_.pose.up()) - v * glm::dot(sun_, camera_.pose.forward());
     return std::fabs(off) < kSunReach * std::hypot(1.0F, v);
   }
 
@@ -66,6 +65,7 @@ class SkyRows {
   }
 
   const world::Camera& camera_;
+  const world::Vec3 sun_;
   const float cosine_;
   const float sine_;
   const float tanHalfX_;
@@ -129,15 +129,15 @@ class SoftRows {
 
 }  // namespace
 
-std::shared_ptr<const raster::Image> skyImage(const SkyMaps& maps, const world::Camera& camera, world::Rect rect,
-                                              raster::ImagePool& images) {
+std::shared_ptr<const raster::Image> skyImage(const SkyMaps& maps, world::Vec3 sun, const world::Camera& camera,
+                                              world::Rect rect, raster::ImagePool& images) {
   const auto rise = [&](int row) { return camera.ray(0.0F, static_cast<float>(row) + 0.5F).y; };
   while (!rect.empty() && rise(rect.bottom - 1) < kLowestRise) --rect.bottom;
   if (rect.empty()) return nullptr;
 
   const auto image = images.acquire(rect);
   image->opaque = true;
-  const SkyRows rows(camera);
+  const SkyRows rows(camera, sun);
   SoftRows softRows(rows, maps.soft, rect, kSoftStep);
   SoftRows sunnyRows(rows, maps.sharp, rect, kSunStep);
   for (int row = rect.top; row < rect.bottom; ++row) {

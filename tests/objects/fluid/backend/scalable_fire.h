@@ -19,7 +19,8 @@ class ScalableFire : public testing::Test {
     FluidSettings settings;
     settings.grid = kGrid;
     settings.size = 6.0F;
-    return std::make_unique<FluidSimulation>(settings, world::Vec3(1.0F, 0.0F, 2.0F), nothing_, nothing_, cells);
+    return std::make_unique<FluidSimulation>(settings, world::Vec3(1.0F, 0.0F, 2.0F), nothing_, nothing_, world::Sky(),
+                                             cells);
   }
   [[nodiscard]] ScalableSimulation scalable(int cells) const {
     return ScalableSimulation([this](int wanted) { return make(wanted); }, cells);

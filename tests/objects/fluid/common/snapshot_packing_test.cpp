@@ -13,6 +13,7 @@
 
 #include "objects/fluid/common/snapshot_steps.h"
 #include "objects/fluid/frontend/smoke_scene.h"
+#include "world/sky.h"
 
 namespace grove::objects::fluid::testing {
 namespace {
@@ -218,8 +219,8 @@ TEST(SnapshotPacking, LooksTheSameAfterTheWire) {
   const Frame clean(640, 360, kGrey, world::kInfiniteDepth);
   Frame sent(640, 360, kGrey, world::kInfiniteDepth);
   Frame received(640, 360, kGrey, world::kInfiniteDepth);
-  SmokeRenderer near;
-  SmokeRenderer far;
+  SmokeRenderer near{world::Sky()};
+  SmokeRenderer far{world::Sky()};
   draw(near, snapshot, view, sent);
   draw(far, unpackSnapshot(packSnapshot(*snapshot)), view, received);
   EXPECT_LT(meanDifference(sent, received), 0.02 * meanDifference(clean, sent));

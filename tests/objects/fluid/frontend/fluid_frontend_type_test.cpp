@@ -9,6 +9,7 @@
 #include "objects/fluid/common/snapshot_packing.h"
 #include "objects/fluid/frontend/smoke_scene.h"
 #include "pipeline/worker_pool.h"
+#include "world/sky.h"
 
 namespace grove::objects::fluid::testing {
 namespace {
@@ -47,7 +48,8 @@ class FluidFrontendTest : public ::testing::Test {
   pipeline::MemoryLedger memory_;
   raster::ImagePool images_;
   pipeline::WorkerPool workers_{1};
-  const std::unique_ptr<node::FrontendHalf> half_ = type_.makeHalf({workers_, timeline_, memory_, images_});
+  const world::Sky sky_;
+  const std::unique_ptr<node::FrontendHalf> half_ = type_.makeHalf({workers_, timeline_, memory_, images_, sky_});
   node::SharedStore store_{0, [](const node::Request&) { return true; }};
   node::VisibleObject fire_;
   const node::View view_ = lookAt({0.0F, 1.7F, 6.0F}, {0.0F, 2.5F, 0.0F}, 320, 180);
@@ -74,7 +76,7 @@ TEST_F(FluidFrontendTest, AsksOnceAndThenTakesTheNewestThatIsThere) {
 TEST_F(FluidFrontendTest, DrawsWhatTheRendererDraws) {
   const auto snapshot = makePlume(2000);
   Frame expected = empty();
-  SmokeRenderer renderer;
+  SmokeRenderer renderer{world::Sky()};
   draw(renderer, snapshot, view_, expected);
   Frame drawn = empty();
   drawLayer(std::shared_ptr<const node::SharedData>(snapshot), drawn);

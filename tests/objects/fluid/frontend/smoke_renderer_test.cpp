@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "objects/fluid/frontend/smoke_scene.h"
+#include "world/sky.h"
 
 namespace grove::objects::fluid::testing {
 namespace {
@@ -22,7 +23,7 @@ std::shared_ptr<FluidSnapshot> lightBeforeDark() {
 TEST(SmokeRenderer, NearerSmokeHidesFartherSmokeFromEverySide) {
   const auto snapshot = lightBeforeDark();
   const auto brightness = [&](world::Vec3 from) {
-    SmokeRenderer renderer(kNoBudget);
+    SmokeRenderer renderer(world::Sky(), kNoBudget);
     Frame frame(161, 91, kGrey, world::kInfiniteDepth);
     draw(renderer, snapshot, lookAt(from, {0.0F, 1.7F, 0.0F}, 161, 91), frame);
     return frame.channel(80, 45, 8);
@@ -34,7 +35,7 @@ TEST(SmokeRenderer, NearerSmokeHidesFartherSmokeFromEverySide) {
 
 TEST(SmokeRenderer, TurningNeverJumps) {
   const auto snapshot = makePlume(3000);
-  SmokeRenderer renderer;
+  SmokeRenderer renderer{world::Sky()};
   Frame before(160, 90, kGrey, world::kInfiniteDepth);
   double max = 0.0;
   double sum = 0.0;
@@ -59,7 +60,7 @@ TEST(SmokeRenderer, HiddenBehindASurfaceAndSeenBeforeIt) {
   const auto snapshot = makePlume(500);
   const node::View view = lookAt({0.0F, 1.7F, 8.0F}, {0.0F, 2.0F, 0.0F}, 320, 180);
   for (const float budget : {kNoBudget, 1000.0F}) {
-    SmokeRenderer renderer(budget);
+    SmokeRenderer renderer(world::Sky(), budget);
     Frame behind(320, 180, kGrey, 4.0F);
     draw(renderer, snapshot, view, behind);
     EXPECT_EQ(std::ranges::count(behind.colours, kGrey), 320 * 180);
@@ -74,7 +75,7 @@ TEST(SmokeRenderer, SilhouettesStayCrisp) {
   const node::View view = lookAt({0.0F, 1.7F, 8.0F}, {0.0F, 2.0F, 0.0F}, 320, 180);
   constexpr int kEdge = 159;
   for (const float budget : {kNoBudget, 1.0F}) {
-    SmokeRenderer renderer(budget);
+    SmokeRenderer renderer(world::Sky(), budget);
     Frame whole(320, 180, kGrey, 100.0F);
     draw(renderer, snapshot, view, whole);
     Frame frame(320, 180, kGrey, 100.0F);
@@ -91,7 +92,7 @@ TEST(SmokeRenderer, StretchedAlongTheVelocity) {
   const auto moments = [](world::Vec3 velocity) {
     auto snapshot = std::make_shared<FluidSnapshot>();
     for (int i = 0; i < 10; ++i) add(*snapshot, {.at = {0.0F, 1.7F, 0.0F}, .velocity = velocity});
-    SmokeRenderer renderer(kNoBudget);
+    SmokeRenderer renderer(world::Sky(), kNoBudget);
     Frame frame(320, 180, kGrey, world::kInfiniteDepth);
     draw(renderer, snapshot, lookAt({0.0F, 1.7F, 3.0F}, {0.0F, 1.7F, 0.0F}, 320, 180), frame);
     double xx = 0.0;
@@ -116,7 +117,7 @@ TEST(SmokeRenderer, StretchedAlongTheVelocity) {
 }
 
 TEST(SmokeRenderer, NothingToDraw) {
-  SmokeRenderer renderer;
+  SmokeRenderer renderer{world::Sky()};
   const node::View view = lookAt({0.0F, 1.7F, 8.0F}, {0.0F, 2.0F, 0.0F}, 64, 36);
   Frame frame(64, 36, kGrey, world::kInfiniteDepth);
   draw(renderer, std::make_shared<FluidSnapshot>(), view, frame);
@@ -128,7 +129,7 @@ TEST(SmokeRenderer, AnyFrameSizeFromInsideOfThePlume) {
   const auto snapshot = makePlume(4000);
   for (const auto& [width, height] : {std::pair{161, 91}, {16, 16}, {1, 1}, {3, 200}, {17, 5}, {641, 361}}) {
     for (const float budget : {kNoBudget, 1.0F, SmokeRenderer::kUsualBudget}) {
-      SmokeRenderer renderer(budget);
+      SmokeRenderer renderer(world::Sky(), budget);
       for (const float pitchTo : {0.0F, 2.0F, 4.0F}) {
         Frame frame(width, height, kGrey, world::kInfiniteDepth);
         draw(renderer, snapshot, lookAt({0.05F, 2.0F, 0.1F}, {0.3F, pitchTo, -1.0F}, width, height), frame);
@@ -143,7 +144,7 @@ TEST(SmokeRenderer, CoarserDetailGivesNearlyTheSamePicture) {
   const auto snapshot = makePlume(8000);
   const node::View view = lookAt({0.0F, 1.7F, 8.0F}, {0.0F, 2.5F, 0.0F}, 1280, 720);
   const auto picture = [&](float budget, Frame& frame) {
-    SmokeRenderer renderer(budget);
+    SmokeRenderer renderer(world::Sky(), budget);
     draw(renderer, snapshot, view, frame);
     return renderer.detail();
   };
@@ -165,7 +166,7 @@ TEST(SmokeRenderer, MovesOnBetweenTicks) {
   add(*snapshot, {.at = {0.0F, 1.7F, 0.0F}, .velocity = {2.0F, 0.0F, 0.0F}});
   snapshot->time = 10.0;
   const auto middle = [&](double time) {
-    SmokeRenderer renderer(kNoBudget);
+    SmokeRenderer renderer(world::Sky(), kNoBudget);
     node::View view = lookAt({0.0F, 1.7F, 4.0F}, {0.0F, 1.7F, 0.0F}, 320, 180);
     view.time = time;
     Frame frame(320, 180, 0xFF000000U, world::kInfiniteDepth);

@@ -8,6 +8,7 @@
 
 #include "each_target.h"
 #include "objects/fluid/frontend/sprites_by_hand.h"
+#include "world/sky.h"
 
 namespace grove::objects::fluid::testing {
 namespace {
@@ -36,7 +37,7 @@ TEST(SmokeShadingKernels, EveryTargetShadesAsAPlainLoopDoes) {
     return display[static_cast<std::size_t>(std::sqrt(saturate(linear / kBrightestSmoke)) * kDisplaySteps)];
   };
   const world::Vec3 eye = camera().pose.position;
-  const world::Vec3 sun = world::sunDirection();
+  const world::Vec3 sun = world::Sky().sun;
   const world::Vec3 sunColour(1.9F, 1.1F, 0.5F);
   const world::Vec3 sky(0.3F, 0.4F, 0.5F);
   const world::PointLight light{{0.0F, 0.5F, 0.0F}, {3.0F, 1.5F, 0.5F}};

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "world/light.h"
+#include "world/sky.h"
 
 namespace grove::objects::ground {
 namespace {
@@ -37,8 +37,8 @@ class ClearingBake : public testing::Test {
   const world::Triangles solids = pillar(stone);
   const world::RayScene rays{solids};
   const ClearingOptions options{.size = 256, .metres = 40.0F};
-  const Clearing clearing = bakeClearing(options, solids, rays, [](float) {});
-  const world::Vec3 sunward = glm::normalize(world::sunDirection() * world::Vec3(1, 0, 1));
+  const Clearing clearing = bakeClearing(options, world::Sky().sun, solids, rays, [](float) {});
+  const world::Vec3 sunward = glm::normalize(world::Sky().sun * world::Vec3(1, 0, 1));
 };
 
 TEST_F(ClearingBake, TheShadowFallsAwayFromTheSun) {

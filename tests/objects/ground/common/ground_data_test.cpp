@@ -17,9 +17,7 @@ Pyramid speckled(int size, unsigned seed) {
   return {size, std::move(texels)};
 }
 
-GroundMaps maps() {
-  return {{speckled(32, 1), 40.0F}, {speckled(16, 2).inBlocks(), 5.0F, 0.2F}, ToneTable(), Daylight()};
-}
+GroundMaps maps() { return {{speckled(32, 1), 40.0F}, {speckled(16, 2).inBlocks(), 5.0F, 0.2F}}; }
 
 std::shared_ptr<const node::PackedBytes> packedOf(const GroundData& data) {
   pipeline::Timeline timeline;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "objects/ground/backend/meadow_bake.h"
+#include "world/sky.h"
 
 namespace grove::objects::ground {
 namespace {
@@ -16,7 +17,7 @@ Clearing uniform(float grass) {
   return {Pyramid(64, std::vector<std::uint32_t>(64 * 64, packTexel(1.0F, 1.0F, 0.5F, grass))), 40.0F};
 }
 
-GroundMaps mapsWith(float grass) { return {uniform(grass), bakeMeadow(128, 2.0F, 3), ToneTable(), Daylight()}; }
+GroundMaps mapsWith(float grass) { return {uniform(grass), bakeMeadow(128, 2.0F, 3)}; }
 
 world::Camera cameraAt(world::Vec3 eye, float pitch) {
   return {.pose = {.position = eye, .yaw = 0.6F, .pitch = pitch}, .width = 330, .height = 181};
@@ -28,7 +29,8 @@ world::Rect whole(const world::Camera& camera) { return {0, 0, camera.width, cam
 std::shared_ptr<const raster::Image> groundImage(const GroundMaps& maps, const world::Camera& camera,
                                                  const world::Rect& rect, std::span<const world::PointLight> lights,
                                                  raster::ImagePool& images) {
-  GroundPicture picture(maps, camera, rect, lights, images);
+  const GroundLight light{world::Sky()};
+  GroundPicture picture(maps, light, camera, rect, lights, images);
   for (std::size_t part = picture.parts(); part > 0; --part) picture.paint(part - 1);
   return picture.image();
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "each_target.h"
+#include "world/sky.h"
 
 namespace grove::objects::ground {
 namespace {
@@ -60,10 +61,15 @@ std::array<float, 4> soilAt(const Clearing& clearing, int level, float metresX, 
   return mixed;
 }
 
+GroundLight lightWith(const ToneTable& tone) {
+  GroundLight light{world::Sky()};
+  light.tone = tone;
+  return light;
+}
+
 struct Scene {
   Clearing clearing = wavy();
-  Daylight daylight;
-  ToneTable tone = linear();
+  GroundLight light = lightWith(linear());
   std::vector<world::PointLight> lights{{{1.0F, 0.8F, 4.0F}, {3.0F, 2.0F, 0.5F}}, {{-3.0F, 0.3F, 2.0F}, {0.2F, 1, 3}}};
   Frame frame;
   Row row;
@@ -73,7 +79,7 @@ struct Scene {
 world::Vec3 shownAt(const Scene& scene, int level, float side, float root) {
   const Frame& frame = scene.frame;
   const Row& row = scene.row;
-  const Daylight& light = scene.daylight;
+  const GroundLight& light = scene.light;
   const float x = frame.eyeX + row.depth * (row.ahead * frame.forwardX + side * frame.sideX);
   const float z = frame.eyeZ + row.depth * (row.ahead * frame.forwardZ + side * frame.sideZ);
   const auto [lit, open, dry, grass] = soilAt(scene.clearing, level, x, z);
@@ -98,7 +104,7 @@ world::Vec3 shownAt(const Scene& scene, int level, float side, float root) {
   const float far = std::clamp((row.depth - 28.0F) / (kFarthest - 28.0F), 0.0F, 1.0F);
   const float mist = 0.80F * far * far * (3.0F - 2.0F * far);
   const float through = (1.0F - mist) * std::exp(light.logTransmittance * row.depth * length);
-  const world::Vec3 radiance = through * albedo * (light.sunColour * direct + light.sky * shade + lamps);
+  const world::Vec3 radiance = through * albedo * (light.sunColour * direct + light.ambient * shade + lamps);
   const float glow = (0.36F * c4 + 0.30F * c16) / 0.66F;
   const world::Vec3 haze = (1.0F - through) * (light.hazeAside + light.hazeGlow * glow);
   const float scale = ToneTable::kScale * 255.0F / ToneTable::kEntries;
@@ -116,8 +122,7 @@ TEST(SoilKernels, ParabolasMeetWhatIsDisplayedAtThreeRoots) {
       for (const auto& [firstColumn, level] : {std::pair{0, 0}, {640, 1}}) {
         scene.row = rowAt(scene.frame, y);
         SampledSoil soil;
-        sampleSoil(scene.frame, scene.row, firstColumn, scene.clearing, level, scene.daylight, scene.tone, scene.lights,
-                   soil);
+        sampleSoil(scene.frame, scene.row, firstColumn, scene.clearing, level, scene.light, scene.lights, soil);
         for (int i = 0; i < kCoarseSamples; ++i) {
           const auto at = static_cast<std::size_t>(i);
           const float side =

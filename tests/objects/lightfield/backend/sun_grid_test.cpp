@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "world/light.h"
+#include "world/sky.h"
 
 namespace grove::objects::lightfield {
 namespace {
@@ -28,7 +28,7 @@ world::ModelledObject objectOf(Vec3 size, const world::Transform& transform) {
 
 /// A wall across the sun's way, `metres` from the origin, high enough to hide the sun from y < `height` there.
 world::Triangles wall(float metres, float height, float halfWidth = 50.0F) {
-  const Vec3 sun = world::sunDirection();
+  const Vec3 sun = world::Sky().sun;
   const Vec3 flat = glm::normalize(Vec3(sun.x, 0.0F, sun.z));
   const Vec3 across(-flat.z, 0.0F, flat.x);
   const float top = height + metres * sun.y / glm::length(Vec3(sun.x, 0.0F, sun.z));
@@ -41,13 +41,13 @@ world::Triangles wall(float metres, float height, float halfWidth = 50.0F) {
 }
 
 TEST(SunGrid, TheOpenIsAllSun) {
-  const SunGrid grid = makeSunGrid(objectOf({2, 1, 2}, {}), world::RayScene({}));
+  const SunGrid grid = makeSunGrid(objectOf({2, 1, 2}, {}), world::Sky().sun, world::RayScene({}));
   EXPECT_TRUE(grid.whole);
   EXPECT_EQ(grid.sun.size(), static_cast<std::size_t>(grid.cells[0] * grid.cells[1] * grid.cells[2]));
 }
 
 TEST(SunGrid, AWallHidesWhatIsLowAndNotWhatIsHigh) {
-  const SunGrid grid = makeSunGrid(objectOf({1, 4, 1}, {}), world::RayScene(wall(6.0F, 1.5F)));
+  const SunGrid grid = makeSunGrid(objectOf({1, 4, 1}, {}), world::Sky().sun, world::RayScene(wall(6.0F, 1.5F)));
   EXPECT_FALSE(grid.whole);
   const auto at = [&](int y) {
     const int x = grid.cells[0] / 2;
@@ -59,13 +59,13 @@ TEST(SunGrid, AWallHidesWhatIsLowAndNotWhatIsHigh) {
 }
 
 TEST(SunGrid, TheObjectsOwnBodyIsLeftOut) {
-  EXPECT_TRUE(makeSunGrid(objectOf({3, 4, 3}, {}), world::RayScene(wall(1.0F, 2.0F, 1.0F))).whole);
+  EXPECT_TRUE(makeSunGrid(objectOf({3, 4, 3}, {}), world::Sky().sun, world::RayScene(wall(1.0F, 2.0F, 1.0F))).whole);
 }
 
 TEST(SunGrid, ATurnedAndScaledObjectIsMeasuredWhereItStands) {
   // The wall's shadow ends at a height of 1.5 m in the world; this object's own metres are two of the world's.
   const world::ModelledObject object = objectOf({1, 4, 1}, {{0, 0, 0}, 2.0F, 2.0F});
-  const SunGrid grid = makeSunGrid(object, world::RayScene(wall(9.0F, 1.5F)));
+  const SunGrid grid = makeSunGrid(object, world::Sky().sun, world::RayScene(wall(9.0F, 1.5F)));
   const int x = grid.cells[0] / 2;
   const int z = grid.cells[2] / 2;
   for (int y = 0; y < grid.cells[1]; ++y) {

@@ -27,7 +27,7 @@ using testing::HasSubstr;
 using testing::ThrowsMessage;
 using world::Vec3;
 
-constexpr BakeOptions kSmallBake{.subdivision = 2, .size = 64, .lightings = 2, .samples = 2, .threads = 2};
+const BakeOptions kSmallBake{.subdivision = 2, .size = 64, .lightings = 2, .samples = 2, .threads = 2};
 
 std::string contents(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);

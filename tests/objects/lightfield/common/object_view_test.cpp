@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "world/light.h"
+#include "world/sky.h"
 
 namespace grove::objects::lightfield {
 namespace {
@@ -84,9 +85,9 @@ TEST(ObjectView, ABoxIsWithinItsPixels) {
 TEST(ObjectView, HazeIsTheWorlds) {
   const world::Bounds bounds{{-1, 0, -101}, {1, 2, -99}};
   const world::Camera camera = cameraAt({0, 1, 0});
-  const Haze haze = hazeBefore(bounds, camera);
+  const Haze haze = hazeBefore(bounds, world::Sky(), camera);
   EXPECT_NEAR(haze.amount, world::hazeAmount(100.0F), 1e-4F);
-  EXPECT_NEAR(haze.colour[0], world::toDisplay(world::hazeColour({0, 0, -1}).r), 1e-4F);
+  EXPECT_NEAR(haze.colour[0], world::toDisplay(world::Sky().hazeColour({0, 0, -1}).r), 1e-4F);
 }
 
 }  // namespace

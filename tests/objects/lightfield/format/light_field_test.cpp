@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "world/light.h"
+#include "world/sky.h"
 
 namespace grove::objects::lightfield {
 namespace {
@@ -17,7 +17,7 @@ TEST(LightField, TakesTheLightingNearestToTheWorldsSun) {
   field.sunAzimuth = 0.7F;
   for (const std::size_t lightings : {1U, 2U, 6U, 16U}) {
     field.colour.resize(lightings);
-    const world::Vec3 sun = world::sunDirection();
+    const world::Vec3 sun = world::Sky().sun;
     const world::Vec3 flat = glm::normalize(world::Vec3(sun.x, 0.0F, sun.z));
     for (float yaw = -9.0F; yaw < 9.0F; yaw += 0.0317F) {
       const auto agreement = [&](int lighting) {
@@ -27,7 +27,7 @@ TEST(LightField, TakesTheLightingNearestToTheWorldsSun) {
                                    world::Vec4(std::sin(azimuth), 0.0F, std::cos(azimuth), 0.0F);
         return glm::dot(world::Vec3(turned), flat);
       };
-      const int chosen = field.lightingFor(yaw);
+      const int chosen = field.lightingFor(yaw, world::Sky().sun);
       ASSERT_GE(chosen, 0);
       ASSERT_LT(chosen, field.lightings());
       for (int other = 0; other < field.lightings(); ++other)

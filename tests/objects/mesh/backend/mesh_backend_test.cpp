@@ -12,6 +12,7 @@
 #include "objects/mesh/backend/bench.h"
 #include "objects/mesh/backend/shapes/shapes.h"
 #include "raster/box.h"
+#include "world/sky.h"
 
 namespace grove::objects::mesh {
 namespace {
@@ -339,7 +340,7 @@ TEST_P(FastRenderers, AnEyeWithinReachOfAnObjectStillSeesIt) {
 
 TEST_F(MeshBackendTest, ASunlitSideIsBrighterThanAShadedOne) {
   tests::BackendWorld open(std::vector{makeObject(1, makeBox({1, 2, 1}, kWhite), RendererKind::kGl, {0, 0, -5})});
-  const Vec3 towardsSun = world::sunDirection();
+  const Vec3 towardsSun = world::Sky().sun;
   tests::BackendWorld shaded(std::vector{makeObject(1, makeBox({1, 2, 1}, kWhite), RendererKind::kGl, {0, 0, -5}),
                                          makeObject(2, makeBox({8, 12, 8}, kWhite), RendererKind::kGl,
                                                     Vec3(0, 0, -5) + 9.0F * Vec3(towardsSun.x, 0, towardsSun.z))});

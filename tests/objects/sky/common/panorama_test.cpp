@@ -7,7 +7,7 @@
 
 #include "objects/sky/backend/panorama_bake.h"
 #include "objects/sky/common/ramps.h"
-#include "world/light.h"
+#include "world/sky.h"
 
 namespace grove::objects::sky {
 namespace {
@@ -32,7 +32,7 @@ TEST(Panorama, HeadingsTurnClockwiseFromMinusZ) {
 }
 
 TEST(Panorama, SoftMapIsTheSamePictureInAllDirections) {
-  const SkyMaps maps(bakePanorama({1024, 256}, 7, [](float) {}));
+  const SkyMaps maps(bakePanorama({1024, 256}, 7, world::Sky(), [](float) {}));
   EXPECT_EQ(maps.soft.width() * kSoftColumns, maps.sharp.width());
   EXPECT_EQ(maps.soft.height() * kSoftRows, maps.sharp.height());
   double square = 0.0;
@@ -40,7 +40,7 @@ TEST(Panorama, SoftMapIsTheSamePictureInAllDirections) {
   for (float heading = 0.01F; heading < 6.28F; heading += 0.05F) {
     for (const float tangent : {0.2F, 0.5F, 1.0F, 3.0F}) {
       const world::Vec3 direction = Panorama::direction(heading, tangent);
-      if (glm::dot(direction, world::sunDirection()) > 0.999F) continue;
+      if (glm::dot(direction, world::Sky().sun) > 0.999F) continue;
       const world::Vec3 off = maps.soft.sample(direction) - maps.sharp.sample(direction);
       square += static_cast<double>(glm::dot(off, off)) / 3.0;
       ++count;
@@ -51,7 +51,7 @@ TEST(Panorama, SoftMapIsTheSamePictureInAllDirections) {
 
 TEST(PanoramaBake, HasNoSeamAndIsBrightestAtTheSun) {
   float reported = 0.0F;
-  const Panorama panorama = bakePanorama({512, 128}, 7, [&](float share) {
+  const Panorama panorama = bakePanorama({512, 128}, 7, world::Sky(), [&](float share) {
     EXPECT_GE(share, reported);
     reported = share;
   });
@@ -61,8 +61,8 @@ TEST(PanoramaBake, HasNoSeamAndIsBrightestAtTheSun) {
     const auto green = [&](int column) { return static_cast<int>((panorama.texel(column, row) >> 8U) & 0xFFU); };
     EXPECT_LE(std::abs(green(511) - green(0)), 24) << row;
   }
-  const auto sun = panorama.sample(world::sunDirection());
-  const auto opposite = panorama.sample(world::sunDirection() * world::Vec3(-1, 1, -1));
+  const auto sun = panorama.sample(world::Sky().sun);
+  const auto opposite = panorama.sample(world::Sky().sun * world::Vec3(-1, 1, -1));
   EXPECT_GT(sun.r, 245.0F);
   EXPECT_GT(sun.r, opposite.r + 20.0F);
 }

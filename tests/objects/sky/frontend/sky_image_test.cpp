@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "objects/sky/backend/panorama_bake.h"
-#include "world/light.h"
+#include "world/sky.h"
 
 namespace grove::objects::sky {
 namespace {
@@ -19,8 +19,9 @@ world::Rect whole(const world::Camera& camera) { return {0, 0, camera.width, cam
 
 class SkyImage : public testing::Test {
  protected:
+  static inline const world::Sky sky;
   static void SetUpTestSuite() {
-    baked = std::make_unique<SkyMaps>(bakePanorama({1024, 256}, 7, [](float) {}));
+    baked = std::make_unique<SkyMaps>(bakePanorama({1024, 256}, 7, sky, [](float) {}));
   }
   static void TearDownTestSuite() { baked.reset(); }
   static inline std::unique_ptr<SkyMaps> baked;
@@ -29,9 +30,9 @@ class SkyImage : public testing::Test {
 
 TEST_F(SkyImage, TheSunShowsWhereItsDirectionProjects) {
   for (const float turn : {0.0F, 0.4F, -0.5F}) {
-    const world::Vec3 sun = world::sunDirection();
+    const world::Vec3 sun = world::Sky().sun;
     const world::Camera camera = cameraAt(std::atan2(-sun.x, -sun.z) + turn, 0.15F);
-    const auto image = skyImage(*baked, camera, whole(camera), images);
+    const auto image = skyImage(*baked, sky.sun, camera, whole(camera), images);
     ASSERT_TRUE(image);
     const world::Vec3 at = camera.project(camera.pose.position + sun);
     const std::uint32_t there = image->colourRow(static_cast<int>(at.y))[static_cast<int>(at.x)];
@@ -44,27 +45,27 @@ TEST_F(SkyImage, TheSunShowsWhereItsDirectionProjects) {
 
 TEST_F(SkyImage, LiesBehindEverything) {
   const world::Camera camera = cameraAt(1.0F, 0.3F);
-  const auto image = skyImage(*baked, camera, whole(camera), images);
+  const auto image = skyImage(*baked, sky.sun, camera, whole(camera), images);
   ASSERT_TRUE(image);
   for (const float depth : image->depth) ASSERT_EQ(depth, world::kInfiniteDepth);
 }
 
 TEST_F(SkyImage, EndsSlightlyBelowTheHorizon) {
   const world::Camera level = cameraAt(2.0F, 0.0F);
-  const auto image = skyImage(*baked, level, whole(level), images);
+  const auto image = skyImage(*baked, sky.sun, level, whole(level), images);
   ASSERT_TRUE(image);
   EXPECT_GT(image->rect.bottom, 90);
   EXPECT_LT(image->rect.bottom, 100);
   const world::Camera down = cameraAt(2.0F, -1.2F);
-  EXPECT_FALSE(skyImage(*baked, down, whole(down), images));
+  EXPECT_FALSE(skyImage(*baked, sky.sun, down, whole(down), images));
 }
 
 TEST_F(SkyImage, APartEqualsThatPartOfTheWhole) {
   const world::Camera camera = cameraAt(-2.5F, 0.4F);
-  const auto all = skyImage(*baked, camera, whole(camera), images);
+  const auto all = skyImage(*baked, sky.sun, camera, whole(camera), images);
   for (const world::Rect rect :
        {world::Rect{37, 11, 200, 90}, world::Rect{100, 24, 101, 25}, world::Rect{0, 120, 322, 181}}) {
-    const auto part = skyImage(*baked, camera, rect, images);
+    const auto part = skyImage(*baked, sky.sun, camera, rect, images);
     ASSERT_TRUE(part);
     for (int y = part->rect.top; y < part->rect.bottom; ++y) {
       for (int x = rect.left; x < rect.right; ++x) {
@@ -78,7 +79,7 @@ TEST_F(SkyImage, NeighboursDifferLittleAcrossTheSeamAndAtTheZenith) {
   // Heading 0 is the map's seam; the pitch shows the zenith.
   for (const float pitch : {0.5F, 1.45F}) {
     const world::Camera camera = cameraAt(0.0F, pitch);
-    const auto image = skyImage(*baked, camera, whole(camera), images);
+    const auto image = skyImage(*baked, sky.sun, camera, whole(camera), images);
     ASSERT_TRUE(image);
     for (int y = 0; y < 60; ++y) {
       for (int x = 1; x < camera.width; ++x) {

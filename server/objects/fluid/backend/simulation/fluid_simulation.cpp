@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "pipeline/clocks.h"
-#include "world/light.h"
 
 namespace grove::objects::fluid {
 
@@ -60,20 +59,20 @@ Particles::Source particlesOf(const FluidSettings& settings) {
 }
 
 /// Seen from the coarse cells that light is computed in.
-std::vector<float> visibilityIn(const Cube& cube, int cells, const world::RayScene& surfaces) {
-  return sunVisibility(surfaces, {cube.low, cube.size, Shading::coarseCells(cells)}, world::sunDirection());
+std::vector<float> visibilityIn(const Cube& cube, int cells, world::Vec3 sun, const world::RayScene& surfaces) {
+  return sunVisibility(surfaces, {cube.low, cube.size, Shading::coarseCells(cells)}, sun);
 }
 
 }  // namespace
 
 FluidSimulation::FluidSimulation(const FluidSettings& settings, world::Vec3 position, const world::RayScene& solids,
-                                 const world::RayScene& shades, std::optional<int> cells)
+                                 const world::RayScene& shades, const world::Sky& sky, std::optional<int> cells)
     : settings_(settings),
       cube_(cubeAt(settings, position, cells.value_or(settings.grid))),
       source_(sourceOf(settings)),
       solver_(solverOf(settings, cube_.cells)),
       particles_(particlesOf(settings), settings.seed),
-      shading_(settings.grid, settings.size, world::sunDirection(), visibilityIn(cube_, settings.grid, shades)) {
+      shading_(settings.grid, settings.size, sky.sun, visibilityIn(cube_, settings.grid, sky.sun, shades)) {
   solver_.setStatic(voxelize(solids, cube_));
 }
 

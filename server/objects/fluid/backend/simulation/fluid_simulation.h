@@ -17,6 +17,7 @@
 #include "world/edits.h"
 #include "world/players.h"
 #include "world/rays/ray_scene.h"
+#include "world/sky.h"
 
 namespace grove::objects::fluid {
 
@@ -41,10 +42,10 @@ class FluidSimulation {
   static constexpr float kTick = 1.0F / 30.0F;
   static constexpr float kLongestStep = 0.1F;
 
-  /// `solids`: what the smoke flows around; `shades`: what hides the sun. Only read here. `cells`: per edge of the
-  /// air's grid, if other than the settings'. Light and particles stay as these say: they go with each other.
+  /// `solids`: what the smoke flows around; `shades`: what hides the sun of `sky`. Only read here. `cells`: per edge of
+  /// the air's grid, if other than the settings'. Light and particles stay as these say: they go with each other.
   FluidSimulation(const FluidSettings& settings, world::Vec3 position, const world::RayScene& solids,
-                  const world::RayScene& shades, std::optional<int> cells = {});
+                  const world::RayScene& shades, const world::Sky& sky, std::optional<int> cells = {});
 
   /// A copy of its air, of its particles in their order, and of its time: megabytes.
   [[nodiscard]] FluidState state() const;

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "objects/lightfield/bake/light/light_points.h"
-#include "objects/lightfield/bake/light/lightings.h"
 
 namespace grove::bake {
 
@@ -14,7 +13,7 @@ namespace grove::bake {
 class Meadow {
  public:
   /// Around everything that `points` cover.
-  explicit Meadow(const std::vector<LightPoint>& points) {
+  Meadow(const std::vector<LightPoint>& points, world::Vec3 albedo) : albedo_(albedo) {
     world::Bounds bounds;
     for (const LightPoint& point : points) bounds.add(point.position);
     const world::Vec3 size = bounds.empty() ? world::Vec3(1.0F) : bounds.size();
@@ -31,7 +30,7 @@ class Meadow {
     LightPoint point;
     point.position = {low_.x + (static_cast<float>(column) + 0.5F) * cell, 0.0F,
                       low_.z + (static_cast<float>(row) + 0.5F) * cell};
-    point.albedo = Lightings::meadowAlbedo();
+    point.albedo = albedo_;
     return point;
   }
 
@@ -50,6 +49,7 @@ class Meadow {
  private:
   static constexpr std::size_t kCells = 32;
 
+  const world::Vec3 albedo_;
   world::Vec3 low_{0.0F};
   float edge_ = 1.0F;
 };

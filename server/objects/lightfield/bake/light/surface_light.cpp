@@ -11,7 +11,6 @@
 #include "objects/lightfield/format/light_field.h"
 #include "pipeline/parallel_for.h"
 #include "world/camera.h"
-#include "world/light.h"
 
 namespace grove::bake {
 
@@ -50,7 +49,7 @@ std::vector<Vec3> openRadiance(const std::vector<Vec3>& directions, const Lighti
   for (std::size_t d = 0; d < directions.size(); ++d) {
     for (std::size_t k = 0; k < count; ++k) {
       Vec3& sum = sums[d * count + k];
-      sum = directions[d].y > 0.0F ? sum / parts[d] : Lightings::meadowRadiance();
+      sum = directions[d].y > 0.0F ? sum / parts[d] : lightings.meadowRadiance();
     }
   }
   return sums;
@@ -67,7 +66,7 @@ class Computation {
         rays_(rays),
         lightings_(lightings),
         among_(settings.tiled ? ModelRays::Among::kSurroundings : ModelRays::Among::kModel),
-        meadow_(points.points),
+        meadow_(points.points, lightings.meadowAlbedo()),
         modelPoints_(points.points.size()),
         points_(points.points),
         directions_(evenDirections(settings.directions)),
@@ -138,7 +137,7 @@ void Computation::place(RTCRay16& ray, std::size_t lane, const LightPoint& point
 void Computation::addSun(std::size_t first, SurfaceLight& light) const {
   const Packet packet = this->packet(first);
   for (int k = 0; k < lightings_.count(); ++k) {
-    const Vec3 sun = lightings_.sunDirection(k);
+    const Vec3 sun = lightings_.sun(k);
     const glm::mat3 basis = basisAround(sun);
     std::array<int, kPacket> seen{};
     const auto trace = [&](int begin, const ModelRays::Mask& wanted) {
@@ -176,7 +175,7 @@ void Computation::addSun(std::size_t first, SurfaceLight& light) const {
       const float share = std::abs(cosine) * static_cast<float>(seen[lane]) / static_cast<float>(settings_.sunRays);
       const std::size_t at = static_cast<std::size_t>(k) * 3 + (cosine < 0.0F ? light.stride() : 0);
       const std::span<float> to = light.at(first + lane);
-      for (int c = 0; c < 3; ++c) to[at + static_cast<std::size_t>(c)] += world::sunColour()[c] * share;
+      for (int c = 0; c < 3; ++c) to[at + static_cast<std::size_t>(c)] += lightings_.sunColour()[c] * share;
     }
   }
 }
@@ -280,7 +279,7 @@ void Computation::send(std::size_t index, const SurfaceLight& light, SurfaceLigh
     const auto c = static_cast<int>(i % 3);
     const std::size_t other = i < stride ? i + stride : i - stride;
     to[i] = point.albedo[c] * from[i] + point.transmittance[c] * from[other];
-    if (index >= modelPoints_) to[i] -= Lightings::meadowRadiance()[c];
+    if (index >= modelPoints_) to[i] -= lightings_.meadowRadiance()[c];
   }
 }
 

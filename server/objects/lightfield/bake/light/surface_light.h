@@ -12,7 +12,7 @@
 namespace grove::bake {
 
 /// The light that arrives at each light point, per side and lighting: linear, as the radiance that a white surface
-/// would reflect (the convention of world/light.h).
+/// would reflect (the convention of world/sky.h).
 class SurfaceLight {
  public:
   SurfaceLight(std::size_t points, int lightings)
@@ -40,7 +40,7 @@ struct LightSettings {
 };
 
 /// Light of the sun (a small disc) and of the sky through the model's gaps, from the meadow below, through leaves, and
-/// two bounces between surfaces. Where nothing is in the way a surface gets what world::ambient() and the sun say.
+/// two bounces between surfaces. Where nothing is in the way a surface gets what ambient() and the sun say.
 ///
 /// All points look into the same directions: that leaves no noise, and neighbours' rays make coherent packets. The
 /// result does not depend on the number of threads, and is incomplete if `stop` was requested. `progress` gets the

@@ -13,7 +13,6 @@
 #include "node/backend/prepare_each.h"
 #include "objects/mesh/backend/lighting/kept_light.h"
 #include "raster/shading/light_bake.h"
-#include "world/light.h"
 
 namespace grove::objects::mesh {
 namespace {
@@ -33,18 +32,20 @@ void addTo(Checksum& checksum, const std::vector<T>& values) {
 }
 
 /// Of all that the light depends on.
-std::uint64_t keyOf(const std::vector<PlacedMesh>& meshes, const world::WorldGeometry& geometry) {
+std::uint64_t keyOf(const std::vector<PlacedMesh>& meshes, const node::BackendServices& services) {
+  const world::WorldGeometry& geometry = services.geometry;
+  const world::Sky& sky = services.scene.layout.sky;
   Checksum checksum;
   addTo(checksum, std::vector<std::uint64_t>{kBakeVersion, meshes.size()});
-  std::vector<world::Vec3> sky{world::sunDirection()};
+  std::vector<world::Vec3> light{sky.sun};
   for (const float along : {-1.0F, 1.0F}) {
     for (int axis = 0; axis < 3; ++axis) {
       world::Vec3 direction(0.0F);
       direction[axis] = along;
-      sky.push_back(world::ambient(direction));
+      light.push_back(sky.ambient(direction));
     }
   }
-  addTo(checksum, sky);
+  addTo(checksum, light);
   addTo(checksum, geometry.shades().positions);
   addTo(checksum, geometry.shades().indices);
   for (const PlacedMesh& mesh : meshes) {
@@ -85,7 +86,7 @@ Light bake(const std::vector<PlacedMesh>& meshes, const node::BackendServices& s
   node::prepareEach(services, "light of the meshes", tasks.size(), [&](std::size_t t) {
     const auto& [i, begin, end] = tasks[t];
     const raster::Obstacles obstacles{services.geometry.rays(), own[i].get()};
-    raster::bakeLight(*meshes[i].surface, meshes[i].toWorld, obstacles, begin,
+    raster::bakeLight(*meshes[i].surface, meshes[i].toWorld, services.scene.layout.sky, obstacles, begin,
                       std::span(light[i]).subspan(begin, end - begin));
   });
   return light;
@@ -112,7 +113,7 @@ Light lightOf(const std::vector<PlacedMesh>& meshes, const node::BackendServices
   std::size_t vertices = 0;
   for (const PlacedMesh& mesh : meshes) vertices += mesh.surface->vertices.size();
   if (vertices < kMinKeptVertices) return bake(meshes, services);
-  const std::uint64_t key = keyOf(meshes, services.geometry);
+  const std::uint64_t key = keyOf(meshes, services);
   const std::filesystem::path file = keptLightFile(key);
   if (auto light = kept(file, key, meshes)) return *std::move(light);
   Light light = bake(meshes, services);

@@ -4,7 +4,7 @@
 
 #include <numeric>
 
-#include "world/light.h"
+#include "world/sky.h"
 
 namespace grove::objects::fluid {
 namespace {
@@ -36,7 +36,7 @@ double mean(const Particles& particles, const std::vector<float>& light, world::
 TEST(Shading, IsDarkerBelowAndAwayFromTheSun) {
   const SolidGrid solids(Layout(kShadedCells), Sides::outdoors());
   const Particles particles = puff(solids);
-  for (const world::Vec3 sun : {world::sunDirection(), glm::normalize(world::Vec3(-0.3F, 0.2F, -0.9F)),
+  for (const world::Vec3 sun : {world::Sky().sun, glm::normalize(world::Vec3(-0.3F, 0.2F, -0.9F)),
                                 glm::normalize(world::Vec3(0.9F, 0.1F, -0.1F))}) {
     Shading shading(kShadedCells, kShadedSize, sun, {});
     std::vector<float> sky;
@@ -53,7 +53,7 @@ TEST(Shading, ALoneParticleIsInFullLight) {
   Particles particles({{2.0F, 2.0F, 2.0F}, 0.1F, 10.0F, 4.0F, 7.0F}, 3);
   particles.inject(solids, 0.1F, kShadedSize / kShadedCells);
   ASSERT_EQ(particles.count(), 1U);
-  Shading shading(kShadedCells, kShadedSize, world::sunDirection(), {});
+  Shading shading(kShadedCells, kShadedSize, world::Sky().sun, {});
   std::vector<float> sky;
   std::vector<float> light;
   shading.shade(particles, solids, sky, light);

@@ -8,6 +8,7 @@
 #include "objects/fluid/backend/simulation/fluid_simulation.h"
 #include "objects/fluid/backend/solver/diagnostics.h"
 #include "sanitized.h"
+#include "world/sky.h"
 
 namespace grove::objects::fluid {
 namespace {
@@ -50,9 +51,9 @@ TEST_P(TeamOnAFire, DoesWhatOneThreadDoes) {
   FluidSettings settings;
   settings.grid = kSanitized ? 32 : 48;
   settings.size = 6.0F;
-  FluidSimulation alone(settings, {}, solids, solids);
+  FluidSimulation alone(settings, {}, solids, solids, world::Sky());
   settings.threads = GetParam();
-  FluidSimulation together(settings, {}, solids, solids);
+  FluidSimulation together(settings, {}, solids, solids, world::Sky());
   world::Player player;
   player.velocity = {0.0F, 0.0F, 1.5F};
   for (int i = 0; i < (kSanitized ? 15 : 40); ++i) {

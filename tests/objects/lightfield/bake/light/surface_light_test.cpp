@@ -7,7 +7,7 @@
 
 #include "objects/lightfield/bake/models.h"
 #include "objects/lightfield/bake/refine.h"
-#include "world/light.h"
+#include "world/sky.h"
 
 namespace grove::bake {
 namespace {
@@ -21,7 +21,8 @@ struct Lit {
         textures(model.textures.begin(), model.textures.end()),
         rays(model, textures),
         points(chooseLightPoints(model, textures, 0.6F * edge)),
-        light(lightSurfaces(model, points, rays, Lightings(lightings), {threads, 0.003F, false}, [](float) {}, {})) {}
+        light(lightSurfaces(model, points, rays, Lightings(world::Sky(), lightings), {threads, 0.003F, false},
+                            [](float) {}, {})) {}
 
   /// The light on a side of the vertex that is nearest to a place.
   [[nodiscard]] Vec3 at(Vec3 place, int lighting = 0, bool back = false) const {
@@ -58,13 +59,13 @@ models::Model floorAt(float height, const models::Material& material) {
 TEST(SurfaceLight, InTheOpenItIsWhatTheWorldSays) {
   const Lit lit(floorAt(0.5F, whiteStone()), 3);
   const Vec3 up(0, 1, 0);
-  const Vec3 expected = world::ambient(up) + world::sunColour() * world::sunDirection().y;
+  const Vec3 expected = world::Sky().ambient(up) + world::Sky().sunColour * world::Sky().sun.y;
   for (int k = 0; k < 3; ++k) expectNear(lit.at({0, 0.5F, 0}, k), expected, 0.01F);
 }
 
 TEST(SurfaceLight, AUprightSurfaceHasTheSunOfItsLighting) {
   models::Model model;
-  const Vec3 sun = world::sunDirection();
+  const Vec3 sun = world::Sky().sun;
   const Vec3 level = glm::normalize(Vec3(sun.x, 0, sun.z));
   // High above the meadow, which it would shade.
   addQuad(model, Vec3(0, 9, 0), {0, 1, 0}, glm::cross(level, Vec3(0, 1, 0)), addMaterial(model, whiteStone()));
@@ -72,20 +73,20 @@ TEST(SurfaceLight, AUprightSurfaceHasTheSunOfItsLighting) {
   const Lit lit(model, 2);
   const float cosine = glm::dot(normal, sun);
   ASSERT_GT(std::abs(cosine), 0.9F);
-  const Vec3 sunny = world::sunColour() * std::abs(cosine);
+  const Vec3 sunny = world::Sky().sunColour * std::abs(cosine);
   const Vec3 place = model.triangles.positions.front();
-  expectNear(lit.at(place, cosine > 0 ? 0 : 1), world::ambient(level) + sunny, 0.05F);
-  expectNear(lit.at(place, cosine > 0 ? 1 : 0), world::ambient(-level), 0.05F);
+  expectNear(lit.at(place, cosine > 0 ? 0 : 1), world::Sky().ambient(level) + sunny, 0.05F);
+  expectNear(lit.at(place, cosine > 0 ? 1 : 0), world::Sky().ambient(-level), 0.05F);
 }
 
 TEST(SurfaceLight, AWallThrowsAShadow) {
   models::Model model = floorAt(0.0F, whiteStone());
-  const Vec3 sun = world::sunDirection();
+  const Vec3 sun = world::Sky().sun;
   const Vec3 level = glm::normalize(Vec3(sun.x, 0, sun.z));
   const Vec3 side = glm::cross(Vec3(0, 1, 0), level);
   addQuad(model, 0.2F * level - 2.0F * side, 4.0F * side, {0, 3, 0}, addMaterial(model, whiteStone()));
   const Lit lit(model, 1);
-  const Vec3 sunPart = world::sunColour() * sun.y;
+  const Vec3 sunPart = world::Sky().sunColour * sun.y;
   const Vec3 inShade = lit.at(-0.5F * level);
   const Vec3 inSun = lit.at(0.6F * level);
   EXPECT_GT(inSun.r, sunPart.r);
@@ -99,13 +100,13 @@ TEST(SurfaceLight, WhatIsUnderARoofGetsLightFromTheMeadow) {
   addQuad(model, {-1, 1, -1}, {2, 0, 0}, {0, 0, 2}, white);
   const Lit lit(model, 1);
   const Vec3 below = lit.at({0, 1, 0});
-  expectNear(below, Lightings::meadowRadiance(), 0.6F);
-  EXPECT_LT(below.r, Lightings::meadowRadiance().r) << "the roof shades the meadow";
+  expectNear(below, Lightings(world::Sky(), 1).meadowRadiance(), 0.6F);
+  EXPECT_LT(below.r, Lightings(world::Sky(), 1).meadowRadiance().r) << "the roof shades the meadow";
 }
 
 TEST(SurfaceLight, ALeafLetsTheSunThrough) {
   models::Model model;
-  const Vec3 sun = world::sunDirection();
+  const Vec3 sun = world::Sky().sun;
   const models::Material leaf{.name = "leaf", .albedo = Vec3(0.2F), .transmittance = Vec3(0.3F)};
   const Vec3 side = glm::normalize(glm::cross(sun, Vec3(0, 1, 0)));
   addQuad(model, Vec3(0, 2, 0), 0.1F * side, 0.1F * glm::cross(side, sun), addMaterial(model, leaf));
@@ -114,7 +115,7 @@ TEST(SurfaceLight, ALeafLetsTheSunThrough) {
   const Vec3 front = lit.at({0, 2, 0}, 0, false);
   const Vec3 back = lit.at({0, 2, 0}, 0, true);
   EXPECT_LT(front.r, 0.6F);
-  EXPECT_GT(back.r, world::sunColour().r);
+  EXPECT_GT(back.r, world::Sky().sunColour.r);
 }
 
 TEST(SurfaceLight, HolesOfATextureLetTheSunThrough) {
@@ -125,7 +126,7 @@ TEST(SurfaceLight, HolesOfATextureLetTheSunThrough) {
         addMaterial(model, {.name = "mask", .albedo = Vec3(0.5F), .texture = 0, .alphaCutoff = 0.5F});
     addQuad(model, {-20, 0.5F, -20}, {40, 0, 0}, {0, 0, 40}, mask);
     const Lit lit(model, 1, 2, 1.0F);
-    const float open = world::ambient({0, 1, 0}).r + world::sunColour().r * world::sunDirection().y;
+    const float open = world::Sky().ambient({0, 1, 0}).r + world::Sky().sunColour.r * world::Sky().sun.y;
     if (texel == 0x00FFFFFFU) {
       EXPECT_NEAR(lit.at({0, 0, 0}).r, open, 0.01F * open);
     } else {
