@@ -7,7 +7,7 @@
 
 #include "models/model.h"
 #include "models/plants/plants.h"
-#include "world/scene_file.h"
+#include "world/scenes/scene_file.h"
 
 namespace grove::models {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "node/backend/load_scene.h"
+#include "node/backend/prepare/load_scene.h"
 #include "node/frontend/frontend_types.h"
 
 namespace grove::node {

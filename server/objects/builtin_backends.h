@@ -1,6 +1,6 @@
 #pragma once
 
-#include "node/backend/load_scene.h"
+#include "node/backend/prepare/load_scene.h"
 #include "objects/lightfield/backend/light_field_backend_type.h"
 
 namespace grove::objects {

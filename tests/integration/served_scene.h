@@ -11,7 +11,7 @@
 #include "node/transport/transport_kind.h"
 #include "objects/builtin.h"
 #include "stream/session/host.h"
-#include "world/scene_file.h"
+#include "world/scenes/scene_file.h"
 
 namespace grove::integration {
 

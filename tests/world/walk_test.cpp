@@ -7,7 +7,7 @@
 
 #include "pipeline/embedded.h"
 #include "world/players.h"
-#include "world/scene_file.h"
+#include "world/scenes/scene_file.h"
 
 namespace grove::world {
 namespace {

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "cli/prepare/progress.h"
-#include "node/backend/load_scene.h"
-#include "node/backend/preparation.h"
-#include "world/scene_file.h"
+#include "node/backend/prepare/load_scene.h"
+#include "node/backend/prepare/preparation.h"
+#include "world/scenes/scene_file.h"
 
 namespace grove::cli {
 

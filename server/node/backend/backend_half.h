@@ -7,12 +7,12 @@
 #include <vector>
 
 #include "node/backend/backend_services.h"
-#include "node/backend/preparation.h"
+#include "node/backend/prepare/preparation.h"
 #include "node/limits.h"
 #include "node/messages/request.h"
 #include "node/messages/result.h"
 #include "pipeline/executor.h"
-#include "world/scene_file.h"
+#include "world/scenes/scene_file.h"
 
 namespace grove::node {
 

@@ -9,7 +9,7 @@
 
 #include "node/backend/backend_pipeline.h"
 #include "node/backend/ended_frames.h"
-#include "node/backend/load_scene.h"
+#include "node/backend/prepare/load_scene.h"
 #include "node/backend/world_mirror.h"
 #include "node/transport/transport.h"
 

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "node/backend/baked_store.h"
+#include "node/backend/prepare/baked_store.h"
 #include "node/backend/world_mirror.h"
 #include "node/messages/result.h"
 #include "pipeline/executor.h"

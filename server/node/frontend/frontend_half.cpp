@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "node/frontend/shared_store.h"
+#include "node/frontend/shared/shared_store.h"
 
 namespace grove::node {
 

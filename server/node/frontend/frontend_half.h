@@ -7,7 +7,7 @@
 #include <string_view>
 #include <variant>
 
-#include "node/frontend/layer.h"
+#include "node/frontend/compositing/layer.h"
 #include "node/messages.h"
 #include "pipeline/executor.h"
 #include "pipeline/memory_ledger.h"

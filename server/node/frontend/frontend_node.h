@@ -4,7 +4,7 @@
 #include <functional>
 #include <memory>
 
-#include "node/frontend/compositor.h"
+#include "node/frontend/compositing/compositor.h"
 #include "node/frontend/decompressor.h"
 #include "node/frontend/frames_in_flight.h"
 #include "node/frontend/frontend_process.h"

@@ -6,8 +6,8 @@
 
 #include "node/frontend/frontend_half.h"
 #include "node/frontend/frontend_types.h"
-#include "node/frontend/shared_receiver.h"
-#include "node/frontend/shared_store.h"
+#include "node/frontend/shared/shared_receiver.h"
+#include "node/frontend/shared/shared_store.h"
 #include "node/transport/transport.h"
 #include "world/layout.h"
 

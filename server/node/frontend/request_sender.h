@@ -6,7 +6,7 @@
 #include <variant>
 #include <vector>
 
-#include "node/frontend/compositor.h"
+#include "node/frontend/compositing/compositor.h"
 #include "node/frontend/frontend_process.h"
 #include "node/frontend/visitor_halves.h"
 #include "pipeline/outlet.h"

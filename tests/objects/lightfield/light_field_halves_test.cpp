@@ -11,17 +11,17 @@
 #include <utility>
 #include <vector>
 
-#include "node/backend/load_scene.h"
+#include "node/backend/prepare/load_scene.h"
 #include "node/backend_stand.h"
 #include "node/frontend/scene_analyzer.h"
-#include "node/frontend/shared_store.h"
+#include "node/frontend/shared/shared_store.h"
 #include "objects/lightfield/backend/light_field_backend.h"
 #include "objects/lightfield/backend/light_field_backend_type.h"
 #include "objects/lightfield/backend/simd/thicket.h"
 #include "objects/lightfield/file/light_field_file.h"
 #include "objects/lightfield/file/small_field.h"
 #include "objects/lightfield/frontend/light_field_frontend.h"
-#include "world/scene_file.h"
+#include "world/scenes/scene_file.h"
 #include "world/world.h"
 
 namespace grove::objects::lightfield {

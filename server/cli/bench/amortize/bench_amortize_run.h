@@ -9,7 +9,7 @@
 #include "measure/amortization.h"
 #include "measure/memory_use.h"
 #include "node/transport/transport_kind.h"
-#include "world/scene_file.h"
+#include "world/scenes/scene_file.h"
 
 namespace grove::cli {
 

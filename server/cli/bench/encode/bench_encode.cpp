@@ -20,7 +20,7 @@
 #include "stream/protocol/protocol.h"
 #include "stream/session/host.h"
 #include "world/players.h"
-#include "world/scene_file.h"
+#include "world/scenes/scene_file.h"
 #include "world/walk.h"
 
 namespace grove::cli {

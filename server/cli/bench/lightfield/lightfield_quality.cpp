@@ -6,7 +6,7 @@
 
 #include "measure/picture_quality.h"
 #include "models/plants/plants.h"
-#include "node/frontend/composite.h"
+#include "node/frontend/compositing/composite.h"
 #include "objects/lightfield/backend/simd/simd_sampler.h"
 #include "world/camera.h"
 #include "world/light.h"

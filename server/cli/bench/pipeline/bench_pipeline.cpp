@@ -29,7 +29,7 @@
 #include "pipeline/embedded.h"
 #include "stream/session/headless_session.h"
 #include "stream/session/host.h"
-#include "world/scene_file.h"
+#include "world/scenes/scene_file.h"
 
 namespace grove::cli {
 namespace {

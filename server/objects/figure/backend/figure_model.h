@@ -1,7 +1,7 @@
 #pragma once
 
 #include "world/object.h"
-#include "world/scene_file.h"
+#include "world/scenes/scene_file.h"
 
 namespace grove::objects::figure {
 

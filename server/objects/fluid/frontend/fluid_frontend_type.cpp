@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "node/frontend/shared_data_frontend.h"
+#include "node/frontend/shared/shared_data_frontend.h"
 #include "objects/fluid/common/snapshot_packing.h"
 #include "objects/fluid/frontend/smoke_renderer.h"
 

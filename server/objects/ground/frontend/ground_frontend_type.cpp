@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "node/frontend/shared_data_frontend.h"
+#include "node/frontend/shared/shared_data_frontend.h"
 #include "objects/ground/common/ground_data.h"
 #include "objects/ground/frontend/ground_picture.h"
 

@@ -8,7 +8,7 @@
 #include "objects/lightfield/common/cached_view.h"
 #include "objects/lightfield/common/field_info.h"
 #include "objects/lightfield/common/keys.h"
-#include "objects/lightfield/common/lamp_light.h"
+#include "objects/lightfield/common/lamps/lamp_light.h"
 #include "objects/lightfield/common/object_view.h"
 #include "objects/lightfield/common/permitted_error.h"
 

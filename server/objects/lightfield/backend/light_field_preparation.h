@@ -3,8 +3,8 @@
 #include <memory>
 #include <vector>
 
-#include "node/backend/preparation.h"
-#include "world/scene_file.h"
+#include "node/backend/prepare/preparation.h"
+#include "world/scenes/scene_file.h"
 
 namespace grove::objects::lightfield {
 

@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "models/model_source.h"
-#include "world/scene_file.h"
+#include "world/scenes/scene_file.h"
 
 namespace grove::objects::lightfield {
 

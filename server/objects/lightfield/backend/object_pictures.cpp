@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "gl/workers.h"
-#include "node/backend/prepare_each.h"
+#include "node/backend/prepare/prepare_each.h"
 #include "objects/lightfield/backend/shader/shader_sampler.h"
 #include "objects/lightfield/backend/shadows.h"
 #include "objects/lightfield/backend/simd/simd_sampler.h"

@@ -2,10 +2,10 @@
 
 #include <utility>
 
-#include "objects/lightfield/common/lamp_light.h"
+#include "objects/lightfield/common/lamps/lamp_light.h"
 #include "objects/lightfield/common/object_view.h"
 #include "objects/lightfield/frontend/mixed_tiles.h"
-#include "objects/lightfield/frontend/reprojection.h"
+#include "objects/lightfield/frontend/reprojection/reprojection.h"
 
 namespace grove::objects::lightfield {
 namespace {

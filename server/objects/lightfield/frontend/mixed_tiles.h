@@ -5,7 +5,7 @@
 #include <map>
 #include <utility>
 
-#include "objects/lightfield/frontend/reprojection.h"
+#include "objects/lightfield/frontend/reprojection/reprojection.h"
 
 namespace grove::objects::lightfield {
 

@@ -6,7 +6,7 @@
 #include "raster/renderer_choice.h"
 #include "raster/surface.h"
 #include "world/object.h"
-#include "world/scene_file.h"
+#include "world/scenes/scene_file.h"
 
 namespace grove::objects::mesh {
 

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "node/frontend/shared_data_frontend.h"
+#include "node/frontend/shared/shared_data_frontend.h"
 #include "objects/sky/common/sky_data.h"
 #include "objects/sky/frontend/sky_image.h"
 

@@ -12,7 +12,7 @@
 
 #include "eventually.h"
 #include "gl/workers.h"
-#include "node/backend/load_scene.h"
+#include "node/backend/prepare/load_scene.h"
 #include "objects/fluid/backend/fluid_backend_type.h"
 #include "objects/fluid/common/snapshot.h"
 #include "objects/fluid/common/snapshot_packing.h"

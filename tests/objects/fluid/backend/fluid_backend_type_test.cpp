@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "world/scene_file.h"
+#include "world/scenes/scene_file.h"
 
 namespace grove::objects::fluid {
 namespace {

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "node/frontend/shared_store.h"
+#include "node/frontend/shared/shared_store.h"
 #include "objects/fluid/common/snapshot_packing.h"
 #include "objects/fluid/frontend/smoke_scene.h"
 #include "pipeline/worker_pool.h"

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "world/scene_file.h"
+#include "world/scenes/scene_file.h"
 
 namespace grove::objects::sky {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "base/checksum.h"
 #include "base/log.h"
-#include "node/backend/prepare_each.h"
+#include "node/backend/prepare/prepare_each.h"
 #include "objects/mesh/backend/lighting/kept_light.h"
 #include "raster/shading/light_bake.h"
 

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "node/backend/backend_half.h"
+#include "node/type_table.h"
+#include "world/scenes/scene_file.h"
+
+namespace grove::node {
+
+using BackendTypes = TypeTable<BackendType>;
+
+/// Loads what a scene's objects are made of, by their types. Throws world::SceneError.
+[[nodiscard]] LoadedScene loadScene(const world::Scene& scene, const BackendTypes& types);
+
+}  // namespace grove::node

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <vector>
+
+#include "node/frontend/compositing/composite_kernels.h"
+#include "raster/image.h"
+
+namespace grove::node {
+
+/// Puts a frame, or some of its rows, together from layers. The former contents of the frame and of the edges do not
+/// matter: a row is cleared (black, opaque, infinitely far) when the first layer touches it, unless that layer covers
+/// it. Several builders may work on different rows of a frame at once.
+class FrameBuilder {
+ public:
+  /// `frame` starts at (0, 0); `edges` is as wide, spans the rows that are put together, and is room to work in. Both
+  /// outlive the builder.
+  FrameBuilder(raster::Image& frame, raster::Image& edges);
+
+  /// The part of a rectangle that lies in the rows that are put together.
+  [[nodiscard]] world::Rect clip(const world::Rect& rect) const noexcept;
+
+  /// Lays a layer over these rows wherever it is not farther than what is there, blended by its coverage. What covers
+  /// in part does not hide what is laid later and lies behind it. The layer's rectangle must lie within the frame.
+  void lay(const raster::Image& layer);
+
+  /// The same for a part of a layer that need not be an image: its rows are `stride` pixels apart. `rect` must lie
+  /// within the rows that are put together.
+  void lay(const world::Rect& rect, const std::uint32_t* colour, const float* depth, std::ptrdiff_t stride);
+
+  /// Whether nothing of a layer that is nowhere nearer than `depth` would show in `rect`.
+  [[nodiscard]] bool hides(const world::Rect& rect, float depth) const;
+
+  /// Ends what the layers have begun: the frame holds their picture only now. The depth of a pixel is that of what
+  /// covers it for half and more.
+  void finish();
+
+ private:
+  struct Row {
+    bool touched = false;
+    bool edged = false;
+  };
+  [[nodiscard]] Row& row(int y) { return rows_[static_cast<std::size_t>(y - edges_.rect.top)]; }
+  [[nodiscard]] const Row& row(int y) const { return rows_[static_cast<std::size_t>(y - edges_.rect.top)]; }
+  [[nodiscard]] FramePixels pixels(int x, int y) const;
+  void clear(int y);
+  void layOpaque(const raster::Image& layer, int line);
+
+  raster::Image& frame_;
+  raster::Image& edges_;
+  std::vector<Row> rows_;
+};
+
+}  // namespace grove::node

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstddef>
+
+#include "node/frontend/compositing/composite.h"
+#include "raster/image.h"
+
+namespace grove::node {
+
+/// What one object adds to one frame of one visitor, besides a picture that its backend sent. Made when the frame is
+/// put together, gone with it.
+class Layer {
+ public:
+  virtual ~Layer() = default;
+
+  /// Promises that all that it lays is opaque; such layers come first, which is cheapest.
+  [[nodiscard]] virtual bool opaque() const { return false; }
+
+  /// What is to be made before it can be laid comes in so many parts; several threads make them at once, each others.
+  [[nodiscard]] virtual std::size_t parts() const { return 0; }
+  virtual void makePart(std::size_t /*part*/) {}
+
+  /// Lays what shows in some rows of the frame over them, see FrameBuilder::clip(); the nearest layer first. What is
+  /// hidden already may be left out, see FrameBuilder::hides(). Several threads do so at once, each for other rows.
+  virtual void lay(FrameBuilder& /*rows*/) {}
+
+  /// Called by one thread when all layers are in place, back to front, to draw what cannot be laid. `frame` is the
+  /// whole frame: colour may be blended into, depth is read only.
+  virtual void draw(raster::Image& /*frame*/) {}
+};
+
+}  // namespace grove::node

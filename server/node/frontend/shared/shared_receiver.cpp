@@ -1,0 +1,33 @@
+#include "node/frontend/shared/shared_receiver.h"
+
+#include "node/frontend/frontend_process.h"
+#include "node/limits.h"
+
+namespace grove::node {
+namespace {
+
+constexpr const char* kReceiver = "Shared Receiver";
+
+}  // namespace
+
+SharedReceiver::SharedReceiver(FrontendProcess& frontend, pipeline::Executor& executor, pipeline::Timeline& timeline)
+    : Stage({.name = kReceiver,
+             .work = pipeline::Work::kAcrossUser,
+             .capacity = kBackendQueue,
+             .maxBatch = kBackendBatch,
+             .finishes = true},
+            executor, timeline),
+      frontend_(frontend),
+      timeline_(timeline) {}
+
+void SharedReceiver::process(std::span<Result> results, pipeline::Run&) {
+  pipeline::TimedParts times(timeline_, kReceiver, pipeline::Work::kAcrossUser, {});
+  for (Result& result : results) {
+    const FrontendType* const type = frontend_.typeOf(result.what.object);
+    times.turnTo(type == nullptr ? std::string_view() : type->name());
+    attempt([&] { frontend_.unpack(result); }, [&](const std::string& reason) { result.payload = Failure{reason}; });
+    frontend_.shared().put(result);
+  }
+}
+
+}  // namespace grove::node

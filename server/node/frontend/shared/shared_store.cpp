@@ -1,0 +1,171 @@
+#include "node/frontend/shared/shared_store.h"
+
+#include <algorithm>
+#include <exception>
+#include <string>
+#include <utility>
+
+#include "pipeline/clocks.h"
+
+namespace grove::node {
+namespace {
+
+/// For what is fetched without a frame that waits for it.
+constexpr double kFetchSeconds = 1.0;
+
+}  // namespace
+
+std::shared_ptr<const SharedData> SharedStore::find(const SharedKey& what) {
+  Found found;
+  {
+    const std::lock_guard lock(mutex_);
+    found = use(what);
+  }
+  if (found.isStale) fetchNewer(what, found.data->version());
+  return found.data;
+}
+
+std::shared_ptr<const SharedData> SharedStore::known(const SharedKey& what) {
+  const std::lock_guard lock(mutex_);
+  const Entry* const entry = entryOf(what);
+  return entry == nullptr ? nullptr : entry->data;
+}
+
+SharedStore::Found SharedStore::use(const SharedKey& what) {
+  Entry* const entry = what.key.empty() ? entryOf(what) : entries_.use(what);
+  if (entry == nullptr) return {};
+  entry->used = true;
+  const bool isStale = wantsNewer(what, *entry);
+  if (isStale) pending_[what].deadline = pipeline::wallSeconds() + kFetchSeconds;
+  return {entry->data, isStale};
+}
+
+SharedStore::Entry* SharedStore::entryOf(const SharedKey& what) {
+  if (!what.key.empty()) return entries_.find(what);
+  const auto found = objects_.find(what.object);
+  return found == objects_.end() ? nullptr : &found->second;
+}
+
+bool SharedStore::wantsNewer(const SharedKey& what, const Entry& entry) const {
+  if (!entry.used || entry.announced <= entry.data->version()) return false;
+  const auto pending = pending_.find(what);
+  return pending == pending_.end() || pending->second.deadline < pipeline::wallSeconds();
+}
+
+void SharedStore::fetchNewer(const SharedKey& what, Version known) {
+  Request request;
+  request.known = known;
+  request.object = what.object;
+  request.shared = true;
+  request.key = what.key;
+  fetch(std::move(request));
+}
+
+void SharedStore::fetch(Request request) {
+  const SharedKey what{request.object, request.key};
+  std::string reason = "the backend node is full";
+  try {
+    if (fetch_(std::move(request))) return;
+  } catch (const std::exception& e) {
+    reason = e.what();
+  }
+  for (const Waiter& waiter : takeWaiters(what)) waiter(Failure{reason, true});
+}
+
+void SharedStore::get(const Request& request, Waiter waiter) {
+  const SharedKey what{request.object, request.key};
+  Found found;
+  {
+    const std::lock_guard lock(mutex_);
+    found = use(what);
+    if (!found.data) {
+      const auto [pending, isNew] = pending_.try_emplace(what);
+      pending->second.waiters.push_back(std::move(waiter));
+      if (!isNew && pipeline::wallSeconds() <= pending->second.deadline) return;
+      pending->second.deadline = request.view->deadline;
+    }
+  }
+  if (!found.data) {
+    fetch(request);
+    return;
+  }
+  if (found.isStale) fetchNewer(what, found.data->version());
+  waiter(std::move(found.data));
+}
+
+std::vector<SharedStore::Waiter> SharedStore::takeWaiters(const SharedKey& what) {
+  const std::lock_guard lock(mutex_);
+  auto pending = pending_.extract(what);
+  return pending.empty() ? std::vector<Waiter>() : std::move(pending.mapped().waiters);
+}
+
+void SharedStore::put(const Result& result) {
+  const SharedKey& what = result.what;
+  const auto* const data = std::get_if<std::shared_ptr<const SharedData>>(&result.payload);
+  std::vector<Entry> given;  // their memory is freed after the lock
+  std::vector<Waiter> waiters;
+  {
+    const std::lock_guard lock(mutex_);
+    auto pending = pending_.extract(what);
+    if (!pending.empty()) waiters = std::move(pending.mapped().waiters);
+    if (data != nullptr && *data != nullptr) {
+      const Version announced = pending.empty() ? 0 : pending.mapped().announced;
+      keep(what, {*data, (*data)->bytes(), announced, false}, given);
+    }
+  }
+  for (const Waiter& waiter : waiters) waiter(result.payload);
+}
+
+void SharedStore::keep(const SharedKey& what, Entry entry, std::vector<Entry>& given) {
+  if (Entry* const known = entryOf(what)) {
+    if (entry.data->version() < known->data->version()) return;
+    entry.announced = std::max(entry.announced, known->announced);
+  }
+  if (what.key.empty()) {
+    given.push_back(std::exchange(objects_[what.object], std::move(entry)));
+    return;
+  }
+  bytes_ += entry.bytes;
+  if (auto replaced = entries_.put(what, std::move(entry))) {
+    bytes_ -= replaced->bytes;
+    given.push_back(std::move(*replaced));
+  }
+  makeRoom(given);
+}
+
+void SharedStore::makeRoom(std::vector<Entry>& given) {
+  while (bytes_ > maxBytes_ && !entries_.empty()) {
+    Entry oldest = entries_.takeOldest().value;
+    bytes_ -= oldest.bytes;
+    given.push_back(std::move(oldest));
+  }
+}
+
+void SharedStore::announced(const Announcement& announcement) {
+  const SharedKey& what = announcement.what;
+  Version known = 0;
+  {
+    const std::lock_guard lock(mutex_);
+    Entry* const entry = entryOf(what);
+    if (entry == nullptr) {
+      const auto pending = pending_.find(what);
+      if (pending == pending_.end()) return;
+      pending->second.announced = std::max(pending->second.announced, announcement.version);
+      return;
+    }
+    entry->announced = std::max(entry->announced, announcement.version);
+    if (!wantsNewer(what, *entry)) return;
+    pending_[what].deadline = pipeline::wallSeconds() + kFetchSeconds;
+    known = entry->data->version();
+  }
+  fetchNewer(what, known);
+}
+
+SharedStore::Statistics SharedStore::statistics() const {
+  const std::lock_guard lock(mutex_);
+  Statistics statistics{bytes_, entries_.size() + objects_.size()};
+  for (const auto& [object, entry] : objects_) statistics.bytes += entry.bytes;
+  return statistics;
+}
+
+}  // namespace grove::node

@@ -1,0 +1,129 @@
+#include "objects/lightfield/frontend/reprojection/tile_kernels.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "objects/lightfield/frontend/reprojection/tile_kernels.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "objects/lightfield/frontend/reprojection/shade_inl.h"
+#include "objects/lightfield/frontend/reprojection/texels_inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace grove::objects::lightfield::HWY_NAMESPACE {
+
+/// A tile's rays are looked at in steps of a texel (finer ones gain nothing); no cell of a sensible error needs more.
+constexpr float kMaxSteps = 64.0F;
+/// Rays that move by less, in texels, do not leave theirs.
+constexpr float kStill = 0.5F;
+/// How many texels beside a ray's texel its point may lie, beyond half a step.
+constexpr float kSlack = 0.4F;
+constexpr float kNothing = -1.0e30F;
+
+HWY_INLINE void beginTile(const ViewWarp& warp, int left, int top, WarpTile& tile) {
+  for (int row = 0; row < kTileHeight; ++row) {
+    const world::Vec3 k = warp.k + (static_cast<float>(left) + 0.5F) * warp.kPerColumn +
+                          (static_cast<float>(top + row) + 0.5F) * warp.kPerRow;
+    for (int column = 0; column < kTileWidth; column += kLanes) {
+      const Floats x = toFloats(upwards() + column);
+      const Floats scale = 1.0F / max(mulAdd(x, warp.kPerColumn.z, k.z), kMinForward);
+      const int at = row * kTileWidth + column;
+      store(mulAdd(x, warp.kPerColumn.x, k.x) * scale, tile.a0 + at);
+      store(mulAdd(x, warp.kPerColumn.y, k.y) * scale, tile.a1 + at);
+      store(scale, tile.perForward + at);
+    }
+  }
+}
+
+/// What rays that stay in their texels show.
+HWY_INLINE void glance(const Texels& texels, float w, WarpTile& tile) {
+  for (int i = 0; i < kTilePixels; i += kLanes) {
+    const Floats near = texels.nearnessOf(Rays(tile, i).ranked(texels, w));
+    store(select(near > 0.0F, near, w), tile.place + i);
+    store(near, tile.near + i);
+  }
+}
+
+/// What rays have met so far, texels as CachedView::nearness().
+struct Met {
+  Floats best = kNothing;  ///< the best texel that lies on it, or kNothing
+  Floats bestPlace;        ///< the w where that was
+  Floats far = -kNothing;  ///< 1 / depth of the farthest texel passed
+  Floats farPlace;
+
+  /// The rays pass texels of these ranks at nearness `w`. Those that have met one that hides what is behind it meet no
+  /// other, whatever becomes of their neighbours.
+  HWY_INLINE void pass(const Texels& texels, Floats ranked, float w, float permitted) {
+    const Floats near = texels.nearnessOf(ranked);
+    const Floats lying = select(without(abs(near - w) <= permitted, best >= 0.0F), ranked, kNothing);
+    bestPlace = select(lying > best, w, bestPlace);
+    best = max(best, lying);
+    farPlace = select(near < far, w, farPlace);
+    far = min(far, near);
+  }
+};
+
+/// Decides what each ray shows. The best texel lies on the ray to half a step; the one at the place that belongs to its
+/// depth is better if it is of the same surface. If that is farther away, the surface ends between both, and the colour
+/// there is that of its edge. If it is nearer, it hides what the ray meets, of which the texel found is all that is
+/// known.
+HWY_INLINE void settle(const Texels& texels, const Reach& reach, float permitted, const Rays& rays, const Met& met,
+                       int i, WarpTile& tile) {
+  const Mask lies = met.best > 0.5F * kNothing;
+  const Floats found = texels.nearnessOf(met.best);
+  const Floats w = select(lies, found, met.farPlace);
+  const Floats near = texels.nearnessOf(rays.ranked(texels, w, reach.range.min, reach.range.max));
+  const Mask same = abs(near - w) <= permitted;
+  const Mask hidden = near > w + permitted;
+  const Floats exact = select(same, near, select(hidden, met.bestPlace, w));
+  store(select(lies, exact, met.farPlace), tile.place + i);
+  store(select(lies, select(same, near, found), met.far), tile.near + i);
+}
+
+/// Finds what each ray meets.
+HWY_INLINE void searchTile(const Texels& texels, const Reach& reach, WarpTile& tile) {
+  const float range = reach.range.max - reach.range.min;
+  const float way = range * reach.texelsPerNearness;
+  if (way < kStill) return glance(texels, reach.range.min + 0.5F * range, tile);
+  const int steps = static_cast<int>(std::clamp(std::ceil(way), 1.0F, kMaxSteps));
+  const float step = range / static_cast<float>(steps);
+  const float permitted = 0.5F * step + kSlack / reach.texelsPerNearness;
+  for (int i = 0; i < kTilePixels; i += kLanes) {
+    const Rays rays(tile, i);
+    Met met;
+    for (int j = 0; j < steps; ++j) {
+      const float w = reach.range.max - (static_cast<float>(j) + 0.5F) * step;
+      met.pass(texels, rays.ranked(texels, w), w, permitted);
+      if (all(met.best >= 0.0F)) break;
+    }
+    settle(texels, reach, permitted, rays, met, i, tile);
+  }
+}
+
+bool warpTile(const CachedView& view, const ViewWarp& warp, const Haze& haze, const Reach& reach, int left, int top,
+              WarpTile& tile) {
+  beginTile(warp, left, top, tile);
+  const Texels texels(view, warp);
+  searchTile(texels, reach, tile);
+  return shade(texels, view.colour(), haze, tile);
+}
+
+}  // namespace grove::objects::lightfield::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+
+namespace grove::objects::lightfield {
+
+HWY_EXPORT(warpTile);
+
+bool warpTile(const CachedView& view, const ViewWarp& warp, const Haze& haze, const Reach& reach, int left, int top,
+              WarpTile& tile) {
+  return HWY_DYNAMIC_DISPATCH(warpTile)(view, warp, haze, reach, left, top, tile);
+}
+
+}  // namespace grove::objects::lightfield
+
+#endif  // HWY_ONCE

@@ -1,0 +1,220 @@
+#include "world/scenes/scene_file.h"
+
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <iomanip>
+#include <set>
+#include <span>
+#include <sstream>
+#include <utility>
+
+#include "base/checksum.h"
+#include "base/plain_file.h"
+#include "world/scenes/toml_nesting.h"
+
+namespace grove::world {
+
+/// A parsed TOML table that remembers which keys were asked for.
+class Parameters::Table {
+ public:
+  /// `values` is shared with the whole file's tree, because copies of a table forget their lines.
+  Table(std::shared_ptr<const toml::table> values, std::string fileName, std::string owner)
+      : values_(std::move(values)), fileName_(std::move(fileName)), owner_(std::move(owner)) {}
+
+  [[nodiscard]] const toml::node* find(std::string_view key) const {
+    known_.emplace(key);
+    return values_->get(key);
+  }
+
+  [[noreturn]] void fail(const toml::node* node, const std::string& reason) const {
+    const auto line = (node != nullptr ? node->source() : values_->source()).begin.line;
+    throw SceneError(fileName_ + ":" + std::to_string(line) + ": " + owner_ + reason);
+  }
+
+  [[nodiscard]] std::filesystem::path folder() const { return std::filesystem::path(fileName_).parent_path(); }
+
+  /// A table inside this one.
+  [[nodiscard]] std::shared_ptr<const Table> inner(const toml::table& table, const std::string& owner) const {
+    return std::make_shared<Table>(std::shared_ptr<const toml::table>(values_, &table), fileName_, owner);
+  }
+
+  void refuseUnknown() const {
+    for (const auto& [key, node] : *values_) {
+      if (known_.find(key.str()) == known_.end()) fail(&node, "unknown key '" + std::string(key.str()) + "'");
+    }
+  }
+
+ private:
+  std::shared_ptr<const toml::table> values_;
+  std::string fileName_;
+  std::string owner_;  // "" or "object 'name': ", for messages
+  mutable std::set<std::string, std::less<>> known_;
+};
+
+namespace {
+
+constexpr std::size_t kMaxObjects = 4096;
+constexpr int kMaxNested = 16;
+constexpr std::uint64_t kMaxBytes = std::uint64_t{16} << 20U;
+constexpr double kMaxMetres = 1000.0;
+
+std::string inQuotes(std::string_view text) { return std::string("'").append(text).append("'"); }
+
+/// A whole number may be one that no double is equal to.
+std::optional<double> numberIn(const toml::node& node) {
+  if (const auto whole = node.is_integer() ? node.value<std::int64_t>() : std::nullopt) {
+    return static_cast<double>(*whole);
+  }
+  return node.is_number() ? node.value<double>() : std::nullopt;
+}
+
+}  // namespace
+
+Parameters::Parameters(std::shared_ptr<const Table> table) : table_(std::move(table)) {}
+
+double Parameters::number(std::string_view key, double fallback, double low, double high) const {
+  const toml::node* node = table_->find(key);
+  if (node == nullptr) return fallback;
+  const auto value = numberIn(*node);
+  if (!value) table_->fail(node, inQuotes(key) + " must be a number");
+  if (!(*value >= low && *value <= high)) {
+    std::ostringstream range;
+    range << std::setprecision(10) << " must lie between " << low << " and " << high;
+    table_->fail(node, inQuotes(key) + range.str());
+  }
+  return *value;
+}
+
+int Parameters::integer(std::string_view key, int fallback, int low, int high) const {
+  const toml::node* node = table_->find(key);
+  if (node != nullptr && !node->is_integer()) table_->fail(node, inQuotes(key) + " must be a whole number");
+  return static_cast<int>(number(key, fallback, low, high));
+}
+
+std::string Parameters::text(std::string_view key, std::string_view fallback) const {
+  const toml::node* node = table_->find(key);
+  if (node == nullptr) return std::string(fallback);
+  if (!node->is_string()) table_->fail(node, inQuotes(key) + " must be a text in quotes");
+  return *node->value<std::string>();
+}
+
+std::string Parameters::choice(std::string_view key, const std::vector<std::string>& choices) const {
+  std::string value = text(key, choices.front());
+  if (std::ranges::find(choices, value) == choices.end()) {
+    std::string list;
+    for (const std::string& choice : choices) list += (list.empty() ? "" : ", ") + inQuotes(choice);
+    fail(key, inQuotes(key) + " is " + inQuotes(value) + " but must be one of " + list);
+  }
+  return value;
+}
+
+Vec3 Parameters::vector(std::string_view key, Vec3 fallback) const {
+  const toml::node* node = table_->find(key);
+  if (node == nullptr) return fallback;
+  const toml::array* array = node->as_array();
+  if (array == nullptr || array->size() != 3) table_->fail(node, inQuotes(key) + " must be three numbers, [x, y, z]");
+  Vec3 result(0.0F);
+  for (int i = 0; i < 3; ++i) {
+    const toml::node& element = (*array)[static_cast<std::size_t>(i)];
+    const auto value = numberIn(element);
+    if (!value || !(std::abs(*value) <= kMaxMetres)) {
+      table_->fail(node, inQuotes(key) + " must be three numbers within +-1000");
+    }
+    result[i] = static_cast<float>(*value);
+  }
+  return result;
+}
+
+std::filesystem::path Parameters::path(std::string_view key) const {
+  const std::string given = text(key, "");
+  return given.empty() ? std::filesystem::path() : table_->folder() / given;
+}
+
+void Parameters::finish() const { table_->refuseUnknown(); }
+
+void Parameters::fail(std::string_view key, const std::string& reason) const {
+  table_->fail(table_->find(key), reason);
+}
+
+namespace {
+
+ObjectDescription readObject(const Parameters& parameters) {
+  ObjectDescription object{parameters.text("type", ""), parameters.text("name", ""), {}, parameters};
+  if (object.type.empty()) parameters.fail("type", "'type' is missing");
+  object.transform.position = parameters.vector("position", Vec3(0.0F));
+  object.transform.yaw = glm::radians(static_cast<float>(parameters.number("yaw_degrees", 0.0, -360.0, 360.0)));
+  object.transform.scale = static_cast<float>(parameters.number("scale", 1.0, 0.01, 100.0));
+  return object;
+}
+
+/// The tables of an array such as `[[object]]`, in the file's order.
+std::vector<const toml::table*> tablesOf(const Parameters::Table& root, std::string_view key) {
+  std::vector<const toml::table*> tables;
+  const toml::node* node = root.find(key);
+  if (node == nullptr) return tables;
+  const toml::array* array = node->as_array();
+  if (array == nullptr) root.fail(node, inQuotes(key) + " must be written as [[" + std::string(key) + "]]");
+  if (array->size() > kMaxObjects) root.fail(node, "more than " + std::to_string(kMaxObjects) + " entries");
+  for (const toml::node& element : *array) {
+    if (!element.is_table()) root.fail(&element, inQuotes(key) + " must hold tables");
+    tables.push_back(element.as_table());
+  }
+  return tables;
+}
+
+LightDescription readLight(const Parameters& parameters) {
+  LightDescription light;
+  light.position = parameters.vector("position", light.position);
+  light.colour = parameters.vector("colour", light.colour);
+  light.flicker = static_cast<float>(parameters.number("flicker", 0.0, 0.0, 1.0));
+  parameters.finish();
+  return light;
+}
+
+std::shared_ptr<const toml::table> parseToml(std::string_view text, const std::string& fileName) {
+  if (const auto line = lineNestedDeeper(text, kMaxNested)) {
+    throw SceneError(fileName + ":" + std::to_string(*line) + ": nested more than " + std::to_string(kMaxNested) +
+                     " deep; a scene needs two");
+  }
+  try {
+    return std::make_shared<const toml::table>(toml::parse(text, fileName));
+  } catch (const toml::parse_error& e) {
+    throw SceneError(fileName + ":" + std::to_string(e.source().begin.line) + ": " + std::string(e.description()));
+  }
+}
+
+}  // namespace
+
+Scene parseScene(std::string_view text, const std::string& fileName) {
+  const auto root = std::make_shared<Parameters::Table>(parseToml(text, fileName), fileName, "");
+  const Parameters top(root);
+  Scene scene;
+  scene.hash = checksumOf(std::as_bytes(std::span(text)));
+  scene.name = top.text("name", "a world");
+  scene.spawn = top.vector("spawn", scene.spawn);
+  scene.spawnYaw = glm::radians(static_cast<float>(top.number("spawn_yaw_degrees", 0.0, -360.0, 360.0)));
+  scene.radius = static_cast<float>(top.number("radius", scene.radius, 1.0, 500.0));
+  for (const toml::table* table : tablesOf(*root, "object")) {
+    const auto name = (*table)["name"].value<std::string>();
+    const std::string owner = name ? "object " + inQuotes(*name) + ": " : "object: ";
+    scene.objects.push_back(readObject(Parameters(root->inner(*table, owner))));
+  }
+  for (const toml::table* table : tablesOf(*root, "light")) {
+    scene.lights.push_back(readLight(Parameters(root->inner(*table, "light: "))));
+  }
+  if (const toml::node* visitor = root->find("visitor")) {
+    if (!visitor->is_table()) root->fail(visitor, "'visitor' must be written as [visitor]");
+    scene.visitor = readObject(Parameters(root->inner(*visitor->as_table(), "visitor: ")));
+  }
+  top.finish();
+  return scene;
+}
+
+Scene loadScene(const std::filesystem::path& file) {
+  return parseScene(PlainFile(file, "check the path given to --scene", kMaxBytes).readAll(), file.string());
+}
+
+}  // namespace grove::world

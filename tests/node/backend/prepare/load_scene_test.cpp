@@ -1,0 +1,80 @@
+#include "node/backend/prepare/load_scene.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "node/boxes.h"
+
+namespace grove::node {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+LoadedScene load(const std::string& text) {
+  return loadScene(world::parseScene(text, "t.toml"), testing::boxBackends());
+}
+
+TEST(TypeTable, FindsTypesByName) {
+  const BackendTypes types = testing::boxBackends();
+  ASSERT_NE(types.find("box"), nullptr);
+  EXPECT_EQ(types.find("box")->name(), "box");
+  EXPECT_EQ(types.find("sphere"), nullptr);
+  EXPECT_THAT(types.names(), ElementsAre("box"));
+}
+
+TEST(LoadScene, MakesObjectsWithBoundsInTheWorld) {
+  const LoadedScene scene = load("[[object]]\ntype='box'\nsize=2\nposition=[5,0,0]\nscale=3");
+  ASSERT_EQ(scene.objects.size(), 1U);
+  EXPECT_NE(scene.objects[0].model, nullptr);
+  EXPECT_FLOAT_EQ(scene.objects[0].bounds.low.x, 2.0F);
+  EXPECT_FLOAT_EQ(scene.objects[0].bounds.high.x, 8.0F);
+}
+
+TEST(LoadScene, LayoutHasWhatEveryNodeKnows) {
+  const LoadedScene scene = load(R"(
+name = "a yard"
+radius = 12
+[visitor]
+type = "box"
+size = 4
+[[light]]
+position = [0, 1, 0]
+[[object]]
+type = "box"
+[[object]]
+type = "box"
+name = "second"
+)");
+  const world::Layout& layout = scene.layout;
+  EXPECT_EQ(layout.name, "a yard");
+  EXPECT_EQ(layout.radius, 12.0F);
+  EXPECT_EQ(layout.lights.size(), 1U);
+  EXPECT_THAT(layout.types, ElementsAre("box"));
+  ASSERT_EQ(layout.objects.size(), 2U);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(layout.objects[i].id, scene.objects[i].id);
+    EXPECT_EQ(layout.objects[i].type, 0U);
+    EXPECT_NE(layout.objects[i].id, 0U);
+    EXPECT_LT(layout.objects[i].id, world::kFirstPlayerObject);
+  }
+  EXPECT_NE(layout.objects[0].id, layout.objects[1].id);
+  EXPECT_EQ(layout.objects[1].name, "second");
+  ASSERT_TRUE(layout.visitor);
+  EXPECT_FLOAT_EQ(layout.visitor->bounds.high.x, 2.0F);
+  EXPECT_NE(scene.visitor, nullptr);
+}
+
+TEST(LoadScene, UnknownTypesAndKeysNameLineAndChoices) {
+  try {
+    (void)load("[[object]]\ntype='sphere'");
+    FAIL();
+  } catch (const world::SceneError& e) {
+    EXPECT_THAT(e.what(), AllOf(HasSubstr("t.toml:2"), HasSubstr("'sphere'"), HasSubstr("known: box")));
+  }
+  EXPECT_THROW((void)load("[[object]]\ntype='box'\nsise=2"), world::SceneError);
+}
+
+}  // namespace
+}  // namespace grove::node

@@ -1,0 +1,134 @@
+#include "node/backend/prepare/prepare_each.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <new>
+#include <set>
+#include <stdexcept>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "gl/workers.h"
+#include "node/backend/backend_half.h"
+#include "pipeline/worker_pool.h"
+
+namespace grove::node {
+namespace {
+
+class PrepareEach : public ::testing::Test {
+ protected:
+  BackendServices services(std::function<void(std::string_view, float)> progress) {
+    return {.scene = scene_,
+            .geometry = geometry_,
+            .world = world_,
+            .workers = workers_,
+            .gl = gl_,
+            .timeline = timeline_,
+            .memory = memory_,
+            .images = images_,
+            .announce = {},
+            .progress = std::move(progress)};
+  }
+
+  const LoadedScene scene_;
+  const world::WorldGeometry geometry_{scene_.objects};
+  const WorldMirror world_;
+  pipeline::WorkerPool workers_{2};
+  gl::ShaderLibrary shaders_;
+  gl::Workers gl_{gl::ContextKind::kAuto, shaders_, 1};
+  pipeline::Timeline timeline_;
+  pipeline::MemoryLedger memory_;
+  raster::ImagePool images_;
+};
+
+TEST_F(PrepareEach, StaysOnItsThreadWithoutHelpers) {
+  std::vector<float> shares;
+  std::vector<std::size_t> done;
+  std::set<std::thread::id> threads;
+  const auto progress = [&](std::string_view label, float share) {
+    EXPECT_EQ(label, "parts");
+    shares.push_back(share);
+  };
+  prepareEach(services(progress), "parts", 4, [&](std::size_t i) {
+    done.push_back(i);
+    threads.insert(std::this_thread::get_id());
+  });
+  EXPECT_EQ(done, (std::vector<std::size_t>{0, 1, 2, 3}));
+  EXPECT_EQ(threads, std::set<std::thread::id>{std::this_thread::get_id()});
+  EXPECT_EQ(shares, (std::vector<float>{0.0F, 0.25F, 0.5F, 0.75F, 1.0F}));
+}
+
+TEST_F(PrepareEach, EndsBetweenTwoPartsWhereProgressThrows) {
+  int done = 0;
+  const auto progress = [&](std::string_view, float share) {
+    if (share > 0.4F) throw std::runtime_error("not wanted");
+  };
+  EXPECT_THROW(prepareEach(services(progress), "parts", 4, [&](std::size_t) { ++done; }), std::runtime_error);
+  EXPECT_EQ(done, 2);
+}
+
+TEST_F(PrepareEach, IsDoneWhenTheHelpersAre) {
+  std::array<std::atomic<int>, 64> done{};
+  std::atomic<bool> here = false;
+  BackendServices helped = services({});
+  helped.helpers = &workers_;
+  const std::thread::id self = std::this_thread::get_id();
+  prepareEach(helped, "parts", done.size(), [&](std::size_t i) {
+    if (std::this_thread::get_id() == self) here = true;
+    ++done[i];
+  });
+  EXPECT_FALSE(here);
+  EXPECT_TRUE(std::ranges::all_of(done, [](const auto& times) { return times == 1; }));
+}
+
+TEST_F(PrepareEach, RethrowsHereWhatAHelperThrows) {
+  std::atomic<int> done = 0;
+  std::atomic<bool> throws = false;
+  BackendServices helped = services({});
+  helped.helpers = &workers_;
+  const auto all = [&] {
+    prepareEach(helped, "parts", 1000, [&](std::size_t i) {
+      ++done;
+      if (i == 10) {
+        throws = true;
+        throws.notify_all();
+        throw std::runtime_error("ten");
+      }
+      if (i < 10) return;
+      // Else the other helper may do all the rest before this one has thrown.
+      throws.wait(false);
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    });
+  };
+  EXPECT_THROW(all(), std::runtime_error);
+  EXPECT_LT(done, 1000);
+}
+
+/// An executor that takes one task and then has no memory for more.
+class Short final : public pipeline::Executor {
+ public:
+  [[nodiscard]] int width() const noexcept override { return 3; }
+
+ private:
+  void enqueue(std::function<void()> task, Place /*place*/) override {
+    if (std::exchange(taken_, true)) throw std::bad_alloc();
+    pool_.post(std::move(task));
+  }
+  bool taken_ = false;
+  pipeline::WorkerPool pool_{1};
+};
+
+TEST_F(PrepareEach, WaitsForWhatWasPostedIfTheRestCannotBe) {
+  Short executor;
+  BackendServices helped = services({});
+  helped.helpers = &executor;
+  EXPECT_THROW(prepareEach(helped, "parts", 1000, [](std::size_t) {}), std::bad_alloc);
+}
+
+}  // namespace
+}  // namespace grove::node
