@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <type_traits>
+#include <vector>
 
 namespace grove {
 
@@ -16,6 +18,14 @@ class Checksum {
   Checksum& operator=(Checksum&&) noexcept;
 
   void add(std::span<const std::byte> bytes);
+  /// How many there are, and their bytes: two lists have one checksum only if they are cut at the same place.
+  template <class T>
+  void add(const std::vector<T>& values) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    const std::uint64_t count = values.size();
+    add(std::as_bytes(std::span(&count, 1)));
+    add(std::as_bytes(std::span(values)));
+  }
   [[nodiscard]] std::uint64_t value() const;
 
  private:

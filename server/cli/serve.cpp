@@ -102,6 +102,51 @@ std::optional<stream::EntranceRules> entranceRules(const ServeOptions& options) 
   return rules;
 }
 
+struct Listeners {
+  stream::HostPort visitors;
+  stream::HostPort desk;  ///< of the operator
+};
+
+/// Nothing, and a line on stderr, if they cannot be listened at.
+std::optional<Listeners> listenersOf(const ServeOptions& options) {
+  const auto visitors = parseHostPort(options.listen);
+  const auto operators = parseHostPort(options.operators.value_or(options.listen));
+  if (!visitors || !operators) {
+    std::fprintf(stderr, "grove: %s wants HOST:PORT, not '%s'\n", visitors ? "--operator" : "--listen",
+                 visitors ? options.operators->c_str() : options.listen.c_str());
+    return std::nullopt;
+  }
+  // The library tells listeners apart by their ports.
+  if (options.operators && visitors->port != 0 && visitors->port == operators->port) {
+    std::fprintf(stderr, "grove: --listen and --operator want ports of their own, not both %d\n", visitors->port);
+    return std::nullopt;
+  }
+  return Listeners{*visitors, options.operators ? *operators : operatorsBeside(*visitors)};
+}
+
+/// Where visitors wait, and what the terminal and they see of the preparation. Of what cannot be served, nothing is
+/// announced.
+class WaitingRoom {
+ public:
+  WaitingRoom(stream::WebsocketServer& server, std::string address) : server_(server), address_(std::move(address)) {}
+
+  /// Any thread.
+  void report(std::string_view label, float share) {
+    std::call_once(announced_, [&] {
+      log::info("the page is at " + address_ + "; visitors wait there while the world is prepared");
+    });
+    progress_.show(label, share);
+    server_.report(label, share);
+  }
+  void close() { progress_.finish(); }
+
+ private:
+  stream::WebsocketServer& server_;
+  const std::string address_;
+  Progress progress_;
+  std::once_flag announced_;
+};
+
 void serveUntilStopped(StopOnSignal& stop, stream::TlsStore* tls) {
   while (true) {
     const StopOnSignal::Event event = stop.waitFor(1000ms);
@@ -121,18 +166,9 @@ void serveUntilStopped(StopOnSignal& stop, stream::TlsStore* tls) {
 }  // namespace
 
 int runServe(const ServeOptions& options) {
-  const auto visitors = parseHostPort(options.listen);
-  const auto operators = parseHostPort(options.operators.value_or(options.listen));
-  if (!visitors || !operators) {
-    std::fprintf(stderr, "grove: %s wants HOST:PORT, not '%s'\n", visitors ? "--operator" : "--listen",
-                 visitors ? options.operators->c_str() : options.listen.c_str());
-    return 2;
-  }
-  // The library tells listeners apart by their ports.
-  if (options.operators && visitors->port != 0 && visitors->port == operators->port) {
-    std::fprintf(stderr, "grove: --listen and --operator want ports of their own, not both %d\n", visitors->port);
-    return 2;
-  }
+  const auto listeners = listenersOf(options);
+  if (!listeners) return 2;
+  const auto& [visitors, desk] = *listeners;
   const auto rules = entranceRules(options);
   if (!rules) return 2;
   (void)stream::socketsThatFit();
@@ -148,21 +184,12 @@ int runServe(const ServeOptions& options) {
   node::ObjectTypes types;
   // The server goes before the host and the refiner before both, however this ends.
   std::optional<stream::Host> host;
-  const stream::HostPort desk = options.operators ? *operators : operatorsBeside(*visitors);
   stream::WebsocketServer server(
-      {.visitors = *visitors, .operators = desk, .rules = *rules, .tls = tls, .hsts = options.hsts});
+      {.visitors = visitors, .operators = desk, .rules = *rules, .tls = tls, .hsts = options.hsts});
   server.start();
-  const std::string address = urlOf({visitors->host, server.port()}, tls != nullptr);
-  Progress progress;
-  std::once_flag announced;
-  // Of what cannot be served, nothing is announced.
-  const auto report = [&](std::string_view label, float share) {
-    std::call_once(announced, [&] {
-      log::info("the page is at " + address + "; visitors wait there while the world is prepared");
-    });
-    progress.show(label, share);
-    server.report(label, share);
-  };
+  const std::string address = urlOf({visitors.host, server.port()}, tls != nullptr);
+  WaitingRoom waiting(server, address);
+  const auto report = [&](std::string_view label, float share) { waiting.report(label, share); };
   types = objects::builtinTypes({.lightField = {options.viewCacheMegabytes > 0, options.viewError}});
   std::optional<Preparations> coarse = prepareFirstLook(scene, types.backends, report, stop.token());
   if (!coarse) {
@@ -178,7 +205,7 @@ int runServe(const ServeOptions& options) {
   stream::HostOptions hosting = options.host;
   hosting.maxSharedBytes = sharedBytes(options);
   host.emplace(std::move(loaded), types, gl, hosting, report);
-  progress.finish();
+  waiting.close();
   requireAddressSpace(spaceForServing(scene, options));
   ending.reset();
   stop.endWithin(kStopWhileServing);

@@ -74,7 +74,7 @@ class PrepareWorld : public testing::Test {
     setenv("GROVE_CACHE", folder_.path().c_str(), 1);
     types_.add(std::make_unique<CarvedType>(done_));
   }
-  ~PrepareWorld() override { unsetenv("GROVE_CACHE"); }
+  void TearDown() override { unsetenv("GROVE_CACHE"); }
 
   std::optional<Preparations> firstLook(const std::stop_token& stop = {}) {
     return prepareFirstLook(

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -93,87 +94,114 @@ world::Player walker(double time) {
 
 constexpr double kMs = 1.0e-6;  // per nanosecond
 
-}  // namespace
-
-int runBenchFluid(const BenchFluidOptions& options) {
+/// Nothing, or what is wrong with the options.
+std::optional<std::string> objectionTo(const BenchFluidOptions& options) {
   if (options.grid < 16 || options.grid > 128 || options.grid % 8 != 0) {
-    std::fputs("bench fluid: --grid must be a multiple of 8 from 16 to 128\n", stderr);
-    return 2;
+    return "--grid must be a multiple of 8 from 16 to 128";
   }
-  if (options.steps < 1 || options.steps > 100'000) {
-    std::fputs("bench fluid: --steps must be from 1 to 100000\n", stderr);
-    return 2;
-  }
+  if (options.steps < 1 || options.steps > 100'000) return "--steps must be from 1 to 100000";
   if (options.threads < 1 || options.threads > BenchFluidOptions::kMaxThreads) {
-    std::fprintf(stderr, "bench fluid: --threads must be from 1 to %d\n", BenchFluidOptions::kMaxThreads);
-    return 2;
+    return "--threads must be from 1 to " + std::to_string(BenchFluidOptions::kMaxThreads);
   }
+  return std::nullopt;
+}
 
-  const world::RayScene surfaces(obstacles());
-  objects::fluid::FluidSettings settings;
-  settings.grid = options.grid;
-  settings.threads = options.threads;
-  FluidSimulation simulation(settings, Vec3(0.0F), surfaces, surfaces, world::Sky());
-
-  std::vector<double> cpu;
+/// What steps take, in milliseconds, and how far their results are off.
+struct Measured {
+  std::vector<double> cpu;          ///< of all threads
+  std::vector<double> firstThread;  ///< of the one that steps
   std::vector<double> wall;
-  std::vector<double> longest;
   std::array<std::vector<double>, FluidSimulation::kPhases.size()> phases;
   std::vector<double> snapshots;
   std::vector<double> iterations;
   double residual = 0.0;
   double divergence = 0.0;
-  for (int i = 0; i < kWarmUpSteps + options.steps; ++i) {
-    const world::Player player = walker(static_cast<double>(i) * static_cast<double>(FluidSimulation::kTick));
-    const std::int64_t wallBegin = pipeline::wallNanoseconds();
-    const std::int64_t allBegin = pipeline::processCpuNanoseconds();
-    const std::int64_t cpuBegin = pipeline::threadCpuNanoseconds();
-    simulation.step(FluidSimulation::kTick, {}, {&player, 1});
-    const std::int64_t cpuStepped = pipeline::threadCpuNanoseconds();
-    const auto snapshot = simulation.snapshot(0.0);
-    const std::int64_t cpuEnd = pipeline::threadCpuNanoseconds();
-    const std::int64_t allEnd = pipeline::processCpuNanoseconds();
-    const std::int64_t wallEnd = pipeline::wallNanoseconds();
-    if (i < kWarmUpSteps) continue;
+};
 
-    cpu.push_back(static_cast<double>(allEnd - allBegin) * kMs);
-    longest.push_back(static_cast<double>(cpuEnd - cpuBegin) * kMs);
-    wall.push_back(static_cast<double>(wallEnd - wallBegin) * kMs);
-    snapshots.push_back(static_cast<double>(cpuEnd - cpuStepped) * kMs);
-    for (std::size_t p = 0; p < phases.size(); ++p) {
-      phases[p].push_back(static_cast<double>(simulation.phaseNanoseconds()[p]) * kMs);
-    }
-    iterations.push_back(static_cast<double>(simulation.result().iterations));
-    const auto& solver = simulation.solver();
-    residual = std::max(residual, objects::fluid::relativeResidual(solver.solids(), solver.pressure().pressure(),
-                                                                   solver.pressure().rightHandSide()));
-    const double flow = objects::fluid::largestNetFlow(solver.solids(), solver.velocity());
-    divergence = std::max(divergence,
-                          flow / static_cast<double>(solver.cellSize()) * static_cast<double>(FluidSimulation::kTick));
+void measureStep(FluidSimulation& simulation, const world::Player& player, Measured& measured) {
+  const std::int64_t wallBegin = pipeline::wallNanoseconds();
+  const std::int64_t allBegin = pipeline::processCpuNanoseconds();
+  const std::int64_t cpuBegin = pipeline::threadCpuNanoseconds();
+  simulation.step(FluidSimulation::kTick, {}, {&player, 1});
+  const std::int64_t cpuStepped = pipeline::threadCpuNanoseconds();
+  const auto snapshot = simulation.snapshot(0.0);
+  const std::int64_t cpuEnd = pipeline::threadCpuNanoseconds();
+  const std::int64_t allEnd = pipeline::processCpuNanoseconds();
+  const std::int64_t wallEnd = pipeline::wallNanoseconds();
+
+  measured.cpu.push_back(static_cast<double>(allEnd - allBegin) * kMs);
+  measured.firstThread.push_back(static_cast<double>(cpuEnd - cpuBegin) * kMs);
+  measured.wall.push_back(static_cast<double>(wallEnd - wallBegin) * kMs);
+  measured.snapshots.push_back(static_cast<double>(cpuEnd - cpuStepped) * kMs);
+  for (std::size_t p = 0; p < measured.phases.size(); ++p) {
+    measured.phases[p].push_back(static_cast<double>(simulation.phaseNanoseconds()[p]) * kMs);
   }
+  measured.iterations.push_back(static_cast<double>(simulation.result().iterations));
+}
 
+void checkStep(const FluidSimulation& simulation, Measured& measured) {
+  const auto& solver = simulation.solver();
+  const double residual = objects::fluid::relativeResidual(solver.solids(), solver.pressure().pressure(),
+                                                           solver.pressure().rightHandSide());
+  measured.residual = std::max(measured.residual, residual);
+  const double flow = objects::fluid::largestNetFlow(solver.solids(), solver.velocity());
+  const double divergence = flow / static_cast<double>(solver.cellSize()) * static_cast<double>(FluidSimulation::kTick);
+  measured.divergence = std::max(measured.divergence, divergence);
+}
+
+nlohmann::ordered_json reportOf(const BenchFluidOptions& options, const FluidSimulation& simulation,
+                                const Measured& measured) {
   nlohmann::ordered_json report = {{"grid", options.grid},
                                    {"threads", options.threads},
                                    {"steps", options.steps},
                                    {"obstacle_cells", simulation.solver().solids().solidCells()},
                                    {"particles", simulation.particles().count()},
-                                   {"cpu_ms_per_step", median(cpu)},
-                                   {"first_thread_cpu_ms_per_step", median(longest)},
-                                   {"wall_ms_per_step", median(wall)},
-                                   {"residual", residual},
-                                   {"max_divergence", divergence},
-                                   {"pressure_iterations", median(iterations)}};
-  for (std::size_t p = 0; p < phases.size(); ++p) {
-    report["phases"][std::string(FluidSimulation::kPhases[p]) + "_cpu_ms"] = median(phases[p]);
+                                   {"cpu_ms_per_step", median(measured.cpu)},
+                                   {"first_thread_cpu_ms_per_step", median(measured.firstThread)},
+                                   {"wall_ms_per_step", median(measured.wall)},
+                                   {"residual", measured.residual},
+                                   {"max_divergence", measured.divergence},
+                                   {"pressure_iterations", median(measured.iterations)}};
+  for (std::size_t p = 0; p < measured.phases.size(); ++p) {
+    report["phases"][std::string(FluidSimulation::kPhases[p]) + "_cpu_ms"] = median(measured.phases[p]);
   }
-  report["phases"]["snapshot_cpu_ms"] = median(snapshots);
+  report["phases"]["snapshot_cpu_ms"] = median(measured.snapshots);
+  return report;
+}
+
+}  // namespace
+
+int runBenchFluid(const BenchFluidOptions& options) {
+  if (const auto objection = objectionTo(options)) {
+    std::fprintf(stderr, "bench fluid: %s\n", objection->c_str());
+    return 2;
+  }
+  const world::RayScene surfaces(obstacles());
+  objects::fluid::FluidSettings settings;
+  settings.grid = options.grid;
+  settings.threads = options.threads;
+  FluidSimulation simulation(settings, Vec3(0.0F), surfaces, surfaces, world::Sky());
+  const auto playerAt = [](int step) {
+    return walker(static_cast<double>(step) * static_cast<double>(FluidSimulation::kTick));
+  };
+  for (int i = 0; i < kWarmUpSteps; ++i) {
+    const world::Player player = playerAt(i);
+    simulation.step(FluidSimulation::kTick, {}, {&player, 1});
+    (void)simulation.snapshot(0.0);
+  }
+  Measured measured;
+  for (int i = kWarmUpSteps; i < kWarmUpSteps + options.steps; ++i) {
+    measureStep(simulation, playerAt(i), measured);
+    checkStep(simulation, measured);
+  }
   if (options.json) {
-    std::printf("%s\n", report.dump(2).c_str());
+    std::printf("%s\n", reportOf(options, simulation, measured).dump(2).c_str());
   } else {
     std::printf(
         "%d^3 cells, %d of them solid: %.2f ms CPU a step (median of %d), residual at most %.1e, divergence at most "
         "%.1e\n",
-        options.grid, simulation.solver().solids().solidCells(), median(cpu), options.steps, residual, divergence);
+        options.grid, simulation.solver().solids().solidCells(), median(measured.cpu), options.steps, measured.residual,
+        measured.divergence);
   }
   return 0;
 }

@@ -11,9 +11,10 @@
 #include <thread>
 #include <vector>
 
-#include "base/checksum.h"
 #include "base/error.h"
 #include "models/plants/plants.h"
+#include "objects/lightfield/bake/bake_key.h"
+#include "objects/lightfield/bake/bake_step.h"
 #include "objects/lightfield/bake/light/light_points.h"
 #include "objects/lightfield/bake/light/lightings.h"
 #include "objects/lightfield/bake/light/surface_light.h"
@@ -25,7 +26,6 @@
 #include "objects/lightfield/bake/voxelize.h"
 #include "objects/lightfield/file/light_field_file.h"
 #include "objects/lightfield/file/view_packer.h"
-#include "pipeline/clocks.h"
 #include "pipeline/parallel_for.h"
 #include "world/camera.h"
 
@@ -45,9 +45,6 @@ using world::Vec3;
 
 namespace {
 
-/// To be raised when the same model and options give other views than before, so that old partial bakes are not mixed
-/// with new ones.
-constexpr std::uint64_t kBakeVersion = 2;
 constexpr int kVoxelsAlongEdge = 64;
 // In texels of a view.
 constexpr float kPatch = 2.0F;  // that share a light point
@@ -59,64 +56,6 @@ constexpr float kRoughPatch = 4.0F;
 constexpr int kRoughDirections = 16;
 constexpr int kRoughSunRays = 2;
 constexpr std::size_t kRoughHeldOut = 2;
-
-using ProgressCall = std::function<void(const BakeProgress&)>;
-
-/// Reports the progress of one step with the time that is left, guessed from the time so far.
-class Step {
- public:
-  Step(std::string_view name, const ProgressCall& progress)
-      : name_(name), progress_(progress), begin_(pipeline::wallNanoseconds()) {
-    progress_({name_, 0.0F, 0.0});
-  }
-  [[nodiscard]] double seconds() const { return static_cast<double>(pipeline::wallNanoseconds() - begin_) * 1.0e-9; }
-  void show(float share) const {
-    progress_({name_, share,
-               share > 0.0F ? seconds() / static_cast<double>(share) * (1.0 - static_cast<double>(share)) : 0.0});
-  }
-
- private:
-  std::string_view name_;
-  const ProgressCall& progress_;
-  std::int64_t begin_;
-};
-
-template <class T>
-void addTo(Checksum& checksum, const std::vector<T>& values) {
-  const std::uint64_t count = values.size();
-  checksum.add(std::as_bytes(std::span(&count, 1)));
-  checksum.add(std::as_bytes(std::span(values)));
-}
-
-std::uint64_t keyOf(const models::Model& model, const BakeOptions& options) {
-  Checksum checksum;
-  const std::vector<std::uint64_t> numbers{kBakeVersion,
-                                           static_cast<std::uint64_t>(options.samples),
-                                           static_cast<std::uint64_t>(options.truthSamples),
-                                           static_cast<std::uint64_t>(options.subdivision),
-                                           static_cast<std::uint64_t>(options.tile),
-                                           static_cast<std::uint64_t>(options.rough)};
-  addTo(checksum, numbers);
-  const world::Sky& sky = options.sky;
-  addTo(checksum, std::vector<Vec3>{sky.sun, sky.sunColour, sky.zenith, sky.haze, sky.glow, sky.ambientSky,
-                                    sky.ambientGround, sky.ambientGlow});
-  addTo(checksum, model.triangles.positions);
-  addTo(checksum, model.triangles.indices);
-  addTo(checksum, model.normals);
-  addTo(checksum, model.colours);
-  addTo(checksum, model.uvs);
-  addTo(checksum, model.materialOf);
-  for (const models::Material& m : model.materials) {
-    addTo(checksum, std::vector<Vec3>{m.albedo, m.transmittance});
-    addTo(checksum, std::vector<float>{m.alphaCutoff, static_cast<float>(m.texture), m.solid ? 1.0F : 0.0F,
-                                       m.blended ? 1.0F : 0.0F, m.twoSided ? 1.0F : 0.0F});
-  }
-  for (const models::Texture& texture : model.textures) {
-    addTo(checksum, std::vector<int>{texture.width, texture.height});
-    addTo(checksum, texture.texels);
-  }
-  return checksum.value();
-}
 
 /// Two rings of a tile's neighbours.
 std::vector<Vec3> tilesAround() {
@@ -185,7 +124,7 @@ class Job {
         textures_(model.textures.begin(), model.textures.end()),
         rays_(model_, textures_),
         lightings_(options.sky, options.lightings),
-        shape_{sphere_.views(), options.size, levelsOf(options.size), options.lightings, keyOf(model, options)},
+        shape_{sphere_.views(), options.size, levelsOf(options.size), options.lightings, bakeKeyOf(model, options)},
         partial_(file_.string() + ".partial", shape_) {
     // Nobody else writes this file now: the partial bake is locked.
     removeLeftovers(file_);
@@ -199,7 +138,7 @@ class Job {
                                                    const std::vector<ObjectCamera>& cameras,
                                                    ModelRays::Among among) const;
   void checkRoom(const std::vector<Picture>& samples) const;
-  void renderViews(const ViewRenderer& renderer, const Step& step);
+  void renderViews(const ViewRenderer& renderer, const BakeStep& step);
   void writeFile(std::vector<HeldOutView> heldOut);
 
   const BakeOptions options_;
@@ -250,7 +189,7 @@ void Job::checkRoom(const std::vector<Picture>& samples) const {
   }
 }
 
-void Job::renderViews(const ViewRenderer& renderer, const Step& step) {
+void Job::renderViews(const ViewRenderer& renderer, const BakeStep& step) {
   const int takenUp = partial_.views();
   std::mutex mutex;
   std::condition_variable_any appended;
@@ -299,7 +238,7 @@ void Job::writeFile(std::vector<HeldOutView> heldOut) {
 }
 
 std::optional<BakeReport> Job::run() {
-  const Step all("preparing", progress_);
+  const BakeStep all("preparing", progress_);
   BakeReport report;
   report.triangles = original_.triangles.indices.size();
   report.views = shape_.views;
@@ -309,7 +248,7 @@ std::optional<BakeReport> Job::run() {
                                  : chooseLightPoints(model_, textures_, kPatch * texel_, PointsOf::kPiece);
   report.lightPoints = points.points.size();
 
-  const Step lighting("light", progress_);
+  const BakeStep lighting("light", progress_);
   LightSettings settings{.threads = threads_, .away = kAwayFromSurface * texel_, .tiled = options_.tile};
   if (options_.rough) {
     settings.directions = kRoughDirections;
@@ -320,7 +259,7 @@ std::optional<BakeReport> Job::run() {
   report.lightSeconds = lighting.seconds();
   if (stop_.stop_requested()) return std::nullopt;
 
-  const Step views("views", progress_);
+  const BakeStep views("views", progress_);
   const ViewRenderer renderer(model_, textures_, rays_, points, light, options_.samples);
   std::vector<ObjectCamera> cameras = planHeldOut(geometry_, options_.subdivision, options_.size);
   // They tell how much room the others take; nobody measures a rough one by them.
@@ -336,7 +275,7 @@ std::optional<BakeReport> Job::run() {
   report.viewSeconds = views.seconds();
   if (stop_.stop_requested()) return std::nullopt;
 
-  const Step writing("file", progress_);
+  const BakeStep writing("file", progress_);
   std::vector<HeldOutView> kept;
   for (std::size_t i = 0; i < cameras.size(); ++i) {
     kept.push_back({cameras[i], options_.size, heldOut[i].colour.front(), heldOut[i].depth, false});

@@ -62,33 +62,60 @@ struct MarchResult {
   Floats texel;  ///< length in places
 };
 
-inline MarchResult marchAlong(const RaySegment& segment, const NearnessWindow& window, const TexelBox& box, Mask rays) {
-  const float* const texels = window.nearness.data() - window.layout.origin;
-  const auto stride = static_cast<float>(window.layout.stride);
+/// A segment as a walk over the lines of texels that it crosses: along the axis of which it covers more, with one step
+/// for each line.
+struct Walk {
+  Floats minAlong;
+  Floats maxAlong;
+  Floats minAcross;
+  Floats maxAcross;
+  Floats alongStride;
+  Floats acrossStride;
+  Ints acrossStep;
+  Floats along0;
+  Floats alongBy;
+  Floats across0;
+  Floats acrossBy;
+  Floats sign;  ///< of a step
+  Floats first;
+  Floats steps;
+  Floats placePerTexel;
+};
+
+HWY_INLINE Walk walkOf(const RaySegment& segment, float stride, const TexelBox& box) {
   const Floats left = static_cast<float>(box.left);
   const Floats right = static_cast<float>(box.right);
   const Floats top = static_cast<float>(box.top);
   const Floats bottom = static_cast<float>(box.bottom);
   const Mask level = abs(segment.byX) >= abs(segment.byY);
-  const Floats minAlong = select(level, left, top);
-  const Floats maxAlong = select(level, right, bottom);
-  const Floats minAcross = select(level, top, left);
-  const Floats maxAcross = select(level, bottom, right) - 1.0F;
-  const Floats alongStride = select(level, Floats(1.0F), Floats(stride));
-  const Floats acrossStride = select(level, Floats(stride), Floats(1.0F));
-  const Ints acrossStep = truncate(acrossStride);
-  const Floats along0 = select(level, segment.x, segment.y);
-  const Floats alongBy = select(level, segment.byX, segment.byY);
-  const Floats across0 = select(level, segment.y, segment.x);
-  const Floats acrossBy = select(level, segment.byY, segment.byX);
-  const Floats sign = select(alongBy < 0.0F, Floats(-1.0F), Floats(1.0F));
-  const auto reached = [&](Floats along) { return clamp(sign * floor(sign * along), minAlong, maxAlong); };
-  const Floats first = reached(along0);
-  const Floats steps = abs(reached(along0 + alongBy) - first) + 2.0F;
-  const Floats placePerTexel = 1.0F / (sign * max(abs(alongBy), 0.5F));
+  Walk walk;
+  walk.minAlong = select(level, left, top);
+  walk.maxAlong = select(level, right, bottom);
+  walk.minAcross = select(level, top, left);
+  walk.maxAcross = select(level, bottom, right) - 1.0F;
+  walk.alongStride = select(level, Floats(1.0F), Floats(stride));
+  walk.acrossStride = select(level, Floats(stride), Floats(1.0F));
+  walk.acrossStep = truncate(walk.acrossStride);
+  walk.along0 = select(level, segment.x, segment.y);
+  walk.alongBy = select(level, segment.byX, segment.byY);
+  walk.across0 = select(level, segment.y, segment.x);
+  walk.acrossBy = select(level, segment.byY, segment.byX);
+  walk.sign = select(walk.alongBy < 0.0F, Floats(-1.0F), Floats(1.0F));
+  const auto reached = [&](Floats along) {
+    return clamp(walk.sign * floor(walk.sign * along), walk.minAlong, walk.maxAlong);
+  };
+  walk.first = reached(walk.along0);
+  walk.steps = abs(reached(walk.along0 + walk.alongBy) - walk.first) + 2.0F;
+  walk.placePerTexel = 1.0F / (walk.sign * max(abs(walk.alongBy), 0.5F));
+  return walk;
+}
+
+inline MarchResult marchAlong(const RaySegment& segment, const NearnessWindow& window, const TexelBox& box, Mask rays) {
+  const float* const texels = window.nearness.data() - window.layout.origin;
+  const Walk walk = walkOf(segment, static_cast<float>(window.layout.stride), box);
   const Floats placeOfZero = -segment.inverseFrom * segment.perPlace;
   MarchResult march;
-  march.texel = abs(placePerTexel);
+  march.texel = abs(walk.placePerTexel);
   const Floats slack = kSlack * march.texel + segment.thickness;
   const Floats reach = 0.5F + slack;
   // Places times what was met there; divided by what was met when the walk is over.
@@ -101,15 +128,15 @@ inline MarchResult marchAlong(const RaySegment& segment, const NearnessWindow& w
   Floats placesBefore;
   Mask walking = rays;
   Mask found;
-  const float maxSteps = maxOf(onlyWhere(rays, steps));
+  const float maxSteps = maxOf(onlyWhere(rays, walk.steps));
   for (float k = 0.0F; k < maxSteps && any(walking); k += 1.0F) {
-    const Floats along = clamp(first + sign * k, minAlong, maxAlong);
-    const Floats here = clamp((along - along0) * placePerTexel, 0.0F, 1.0F);
-    const Floats across = clamp(across0 + here * acrossBy, minAcross, maxAcross);
+    const Floats along = clamp(walk.first + walk.sign * k, walk.minAlong, walk.maxAlong);
+    const Floats here = clamp((along - walk.along0) * walk.placePerTexel, 0.0F, 1.0F);
+    const Floats across = clamp(walk.across0 + here * walk.acrossBy, walk.minAcross, walk.maxAcross);
     const Floats line = toFloats(truncate(across));
     const Floats beside = across - line;
-    const Ints at = truncate(along * alongStride + line * acrossStride);
-    const Floats nearness[2] = {lookUp(texels, at), lookUp(texels, at + acrossStep)};
+    const Ints at = truncate(along * walk.alongStride + line * walk.acrossStride);
+    const Floats nearness[2] = {lookUp(texels, at), lookUp(texels, at + walk.acrossStep)};
     const Floats weight[2] = {1.0F - beside, beside};
     const Floats hiding = here - slack;
     Floats met;
@@ -118,8 +145,8 @@ inline MarchResult marchAlong(const RaySegment& segment, const NearnessWindow& w
     for (std::size_t i = 0; i < 2; ++i) {
       // Where the ray is at this texel's depth, and how much of the texel it meets there.
       const Floats place = mulAdd(nearness[i], segment.perPlace, placeOfZero);
-      const Floats awayAlong = abs(mulAdd(place, alongBy, along0 - along));
-      const Floats awayAcross = abs(mulAdd(place, acrossBy, across0 - line - static_cast<float>(i)));
+      const Floats awayAlong = abs(mulAdd(place, walk.alongBy, walk.along0 - along));
+      const Floats awayAcross = abs(mulAdd(place, walk.acrossBy, walk.across0 - line - static_cast<float>(i)));
       const Floats share = max(1.0F - awayAlong, 0.0F) * max(1.0F - awayAcross, 0.0F);
       const Floats counted = onlyWhere(abs(place - 0.5F) <= reach, share);
       met += counted;
@@ -142,12 +169,12 @@ inline MarchResult marchAlong(const RaySegment& segment, const NearnessWindow& w
     const Mask grazes = walking & (total > march.grazed);
     grazedPlaces = select(grazes, totalPlaces, grazedPlaces);
     march.grazed = select(grazes, total, march.grazed);
-    walking &= steps > k + 1.0F;
+    walking &= walk.steps > k + 1.0F;
   }
   march.found = found;
   march.foundAt = foundPlaces / foundMet;
   march.grazedAt = grazedPlaces / max(march.grazed, 1.0e-6F);
-  march.hidden = hiddenSteps / steps;
+  march.hidden = hiddenSteps / walk.steps;
   return march;
 }
 

@@ -24,19 +24,12 @@ constexpr std::uint64_t kBakeVersion = 1;
 /// Milliseconds of work, so that all workers have some until the end, and progress is seen.
 constexpr std::size_t kVerticesPerTask = 1024;
 
-template <class T>
-void addTo(Checksum& checksum, const std::vector<T>& values) {
-  const std::uint64_t count = values.size();
-  checksum.add(std::as_bytes(std::span(&count, 1)));
-  checksum.add(std::as_bytes(std::span(values)));
-}
-
 /// Of all that the light depends on.
 std::uint64_t keyOf(const std::vector<PlacedMesh>& meshes, const node::BackendServices& services) {
   const world::WorldGeometry& geometry = services.geometry;
   const world::Sky& sky = services.scene.layout.sky;
   Checksum checksum;
-  addTo(checksum, std::vector<std::uint64_t>{kBakeVersion, meshes.size()});
+  checksum.add(std::vector<std::uint64_t>{kBakeVersion, meshes.size()});
   std::vector<world::Vec3> light{sky.sun};
   for (const float along : {-1.0F, 1.0F}) {
     for (int axis = 0; axis < 3; ++axis) {
@@ -45,13 +38,13 @@ std::uint64_t keyOf(const std::vector<PlacedMesh>& meshes, const node::BackendSe
       light.push_back(sky.ambient(direction));
     }
   }
-  addTo(checksum, light);
-  addTo(checksum, geometry.shades().positions);
-  addTo(checksum, geometry.shades().indices);
+  checksum.add(light);
+  checksum.add(geometry.shades().positions);
+  checksum.add(geometry.shades().indices);
   for (const PlacedMesh& mesh : meshes) {
-    addTo(checksum, mesh.surface->vertices);
-    addTo(checksum, std::vector<world::Mat4>{mesh.toWorld});
-    addTo(checksum, mesh.shades ? std::vector<raster::Triangle>{} : mesh.surface->levels.back().triangles);
+    checksum.add(mesh.surface->vertices);
+    checksum.add(std::vector<world::Mat4>{mesh.toWorld});
+    checksum.add(mesh.shades ? std::vector<raster::Triangle>{} : mesh.surface->levels.back().triangles);
   }
   return checksum.value();
 }

@@ -31,6 +31,41 @@ struct Multigrid::Level {
             inverse.data(),    layout.step(1),    layout.step(2)};
   }
 
+  /// The weights of the faces across an axis of the cells in a box, from what `open` says of the four faces of the next
+  /// finer level that each is made of.
+  template <class Open>
+  void weighFaces(int axis, const CellBox& box, const Layout& fine, float fineOpenSide, const Open& open) {
+    const std::ptrdiff_t s = fine.step((axis + 1) % 3);
+    const std::ptrdiff_t t = fine.step((axis + 2) % 3);
+    // The low face of the cell behind the box is the box's own high face.
+    const auto end = [&](int a) { return box.high[a] + (axis == a ? 1 : 0); };
+    int c[3];
+    for (c[2] = box.low[2]; c[2] < end(2); ++c[2]) {
+      for (c[1] = box.low[1]; c[1] < end(1); ++c[1]) {
+        for (c[0] = box.low[0]; c[0] < end(0); ++c[0]) {
+          const std::ptrdiff_t from = fine.index(2 * c[0], 2 * c[1], 2 * c[2]);
+          float weight = 0.25F * (open(from) + open(from + s) + open(from + t) + open(from + s + t));
+          if (c[axis] == 0 || c[axis] == layout.cells) weight *= openSide / fineOpenSide;
+          weights[axis][layout.index(c[0], c[1], c[2])] = weight;
+        }
+      }
+    }
+  }
+
+  void sumWeights(const CellBox& box) {
+    for (int cz = box.low[2]; cz < box.high[2]; ++cz) {
+      for (int cy = box.low[1]; cy < box.high[1]; ++cy) {
+        for (int cx = box.low[0]; cx < box.high[0]; ++cx) {
+          const std::ptrdiff_t i = layout.index(cx, cy, cz);
+          float sum = 0.0F;
+          for (int a = 0; a < 3; ++a) sum += weights[a][i] + weights[a][i + layout.step(a)];
+          diagonal[i] = sum;
+          inverse[i] = sum > 0.0F ? 1.0F / sum : 0.0F;
+        }
+      }
+    }
+  }
+
   Layout layout;
   float openSide;  ///< weight of an open side's face: its pressure is 0 half a *finest* cell outside of the cube
   Field weights[3];
@@ -67,62 +102,44 @@ std::size_t Multigrid::bytes() const noexcept {
 
 void Multigrid::rebuild(const SolidGrid& solids, const CellBox& changed) {
   if (changed.empty()) return;
-  const Array<std::uint8_t>& air = solids.air();
   const CellBox near = changed.grown(layout_.cells);
-  for (int z = near.low[2]; z < near.high[2]; ++z) {
-    for (int y = near.low[1]; y < near.high[1]; ++y) {
-      for (int x = near.low[0]; x < near.high[0]; ++x) {
+  countFaces(solids.air(), near);
+  CellBox box = near;
+  for (std::size_t l = 0; l < levels_.size(); ++l) {
+    Level& level = *levels_[l];
+    const int n = level.layout.cells;
+    for (int a = 0; a < 3; ++a) {
+      box.low[a] /= 2;
+      box.high[a] = std::min((box.high[a] + 1) / 2, n);
+    }
+    for (int a = 0; a < 3; ++a) {
+      if (l == 0) {
+        const Array<std::uint8_t>& air = solids.air();
+        level.weighFaces(a, box, layout_, 1.0F, [&air, step = layout_.step(a)](std::ptrdiff_t face) {
+          return static_cast<float>(air[face] * air[face - step]);
+        });
+      } else {
+        const Level& finer = *levels_[l - 1];
+        const auto& weights = finer.weights[a];
+        level.weighFaces(a, box, finer.layout, finer.openSide,
+                         [&weights](std::ptrdiff_t face) { return weights[face]; });
+      }
+    }
+    box = box.grown(n);
+    level.sumWeights(box);
+  }
+}
+
+void Multigrid::countFaces(const Array<std::uint8_t>& air, const CellBox& box) {
+  for (int z = box.low[2]; z < box.high[2]; ++z) {
+    for (int y = box.low[1]; y < box.high[1]; ++y) {
+      for (int x = box.low[0]; x < box.high[0]; ++x) {
         const std::ptrdiff_t i = layout_.index(x, y, z);
         int faces = 0;
         for (int a = 0; a < 3; ++a) faces += air[i - layout_.step(a)] + air[i + layout_.step(a)];
         if (air[i] == 0) faces = 0;
         diagonal_[i] = static_cast<std::uint8_t>(faces);
         sixtieths_[i] = static_cast<std::uint8_t>(faces > 0 ? rows::FineOperator::kSixty / faces : 0);
-      }
-    }
-  }
-
-  CellBox box = near;
-  for (std::size_t l = 0; l < levels_.size(); ++l) {
-    Level& level = *levels_[l];
-    const Level* finer = l == 0 ? nullptr : levels_[l - 1].get();
-    const Layout& fine = finer != nullptr ? finer->layout : layout_;
-    const int n = level.layout.cells;
-    for (int a = 0; a < 3; ++a) {
-      box.low[a] /= 2;
-      box.high[a] = std::min((box.high[a] + 1) / 2, n);
-    }
-    // The low face of the cell behind the box is the box's own high face.
-    for (int a = 0; a < 3; ++a) {
-      const int s = (a + 1) % 3;
-      const int t = (a + 2) % 3;
-      const auto open = [&](std::ptrdiff_t face) {
-        if (finer != nullptr) return finer->weights[a][face];
-        return static_cast<float>(air[face] * air[face - fine.step(a)]);
-      };
-      int c[3];
-      for (c[2] = box.low[2]; c[2] < box.high[2] + (a == 2 ? 1 : 0); ++c[2]) {
-        for (c[1] = box.low[1]; c[1] < box.high[1] + (a == 1 ? 1 : 0); ++c[1]) {
-          for (c[0] = box.low[0]; c[0] < box.high[0] + (a == 0 ? 1 : 0); ++c[0]) {
-            const std::ptrdiff_t from = fine.index(2 * c[0], 2 * c[1], 2 * c[2]);
-            float weight = 0.25F * (open(from) + open(from + fine.step(s)) + open(from + fine.step(t)) +
-                                    open(from + fine.step(s) + fine.step(t)));
-            if (c[a] == 0 || c[a] == n) weight *= level.openSide / (finer != nullptr ? finer->openSide : 1.0F);
-            level.weights[a][level.layout.index(c[0], c[1], c[2])] = weight;
-          }
-        }
-      }
-    }
-    box = box.grown(n);
-    for (int z = box.low[2]; z < box.high[2]; ++z) {
-      for (int y = box.low[1]; y < box.high[1]; ++y) {
-        for (int x = box.low[0]; x < box.high[0]; ++x) {
-          const std::ptrdiff_t i = level.layout.index(x, y, z);
-          float sum = 0.0F;
-          for (int a = 0; a < 3; ++a) sum += level.weights[a][i] + level.weights[a][i + level.layout.step(a)];
-          level.diagonal[i] = sum;
-          level.inverse[i] = sum > 0.0F ? 1.0F / sum : 0.0F;
-        }
       }
     }
   }

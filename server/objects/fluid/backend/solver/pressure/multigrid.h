@@ -55,6 +55,7 @@ class Multigrid {
 
  private:
   struct Level;
+  void countFaces(const Array<std::uint8_t>& air, const CellBox& box);
   void solveBelow(std::size_t level);
 
   const Layout layout_;
