@@ -100,9 +100,10 @@ void addServe(CLI::App& app, ServeOptions& options) {
                    "MB of light-field pictures that visitors share; 0: none")
       ->check(CLI::Range(0, 1 << 20))
       ->capture_default_str();
-  serve->add_option("--view-error", options.viewError, "Pixels of parallax that a shared picture may have to mend")
-      ->check(CLI::Range(0.25, 64.0))
-      ->capture_default_str();
+  serve
+      ->add_option("--view-error", options.viewError,
+                   "Pixels of parallax that a shared picture may have to mend (default: as the scene says, or 16)")
+      ->check(CLI::Range(0.25, 64.0));
   serve->add_option("--shader-dir", options.shaderDirectory, "Read shaders from here instead of the built-in ones");
 }
 

@@ -102,6 +102,12 @@ std::optional<stream::EntranceRules> entranceRules(const ServeOptions& options) 
   return rules;
 }
 
+/// What the command line says of the types of object.
+void applyTo(world::Scene& scene, const ServeOptions& options) {
+  const auto viewError = options.viewCacheMegabytes > 0 ? options.viewError : 0.0F;
+  if (viewError) world::setTypeOption(scene, "lightfield", "view_error", static_cast<double>(*viewError));
+}
+
 struct Listeners {
   stream::HostPort visitors;
   stream::HostPort desk;  ///< of the operator
@@ -176,7 +182,8 @@ int runServe(const ServeOptions& options) {
       options.tls.certificate.empty() ? nullptr : std::make_shared<stream::TlsStore>(options.tls);
   StopOnSignal stop(StopOnSignal::Hangup::kIsReported);
   stop.endWithin(kStopWhilePreparing);
-  const world::Scene scene = openScene(options.scene);
+  world::Scene scene = openScene(options.scene);
+  applyTo(scene, options);
   std::optional<EndOnMemoryShortage> ending(std::in_place);
   requireAddressSpace(kForGl);
   const gl::ShaderLibrary shaders(options.shaderDirectory);
@@ -190,7 +197,7 @@ int runServe(const ServeOptions& options) {
   const std::string address = urlOf({visitors.host, server.port()}, tls != nullptr);
   WaitingRoom waiting(server, address);
   const auto report = [&](std::string_view label, float share) { waiting.report(label, share); };
-  types = objects::builtinTypes({.lightField = {options.viewCacheMegabytes > 0, options.viewError}});
+  types = objects::builtinTypes();
   std::optional<Preparations> coarse = prepareFirstLook(scene, types.backends, report, stop.token());
   if (!coarse) {
     log::info("stopped; the next start goes on from here");

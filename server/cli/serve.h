@@ -26,7 +26,7 @@ struct ServeOptions {
   std::optional<std::string> shaderDirectory;
   stream::HostOptions host;
   int viewCacheMegabytes = 256;
-  float viewError = 16.0F;
+  std::optional<float> viewError;  ///< nothing: what the scene says
 };
 
 /// Serves until SIGINT or SIGTERM. Prints `listening on http://HOST:PORT` on stdout when ready, or https. Returns 0, or

@@ -4,6 +4,6 @@
 
 namespace grove::objects {
 
-node::ObjectTypes builtinTypes(const BuiltinOptions& options) { return {builtinBackends(options), builtinFrontends()}; }
+node::ObjectTypes builtinTypes() { return {builtinBackends(), builtinFrontends()}; }
 
 }  // namespace grove::objects

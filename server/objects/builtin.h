@@ -6,6 +6,6 @@
 namespace grove::objects {
 
 /// What a process knows of the object types of this folder that is both a frontend and a backend.
-[[nodiscard]] node::ObjectTypes builtinTypes(const BuiltinOptions& options = {});
+[[nodiscard]] node::ObjectTypes builtinTypes();
 
 }  // namespace grove::objects

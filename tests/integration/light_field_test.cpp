@@ -41,11 +41,7 @@ class LightFields : public ::testing::Test {
            "]\n[[object]]\ntype = 'lightfield'\nscale = 5\nfile = '" + (*folder_ / "thicket.glf").string() + "'\n" +
            more;
   }
-  static objects::BuiltinOptions withoutSharing() {
-    objects::BuiltinOptions options;
-    options.lightField.reusesPictures = false;
-    return options;
-  }
+  static std::string withoutSharing(const std::string& scene) { return scene + "[types.lightfield]\nview_error = 0\n"; }
 
   static objects::lightfield::TemporaryFolder* folder_;
 };
@@ -91,8 +87,8 @@ TEST_F(LightFields, WoodStopsSmokeAndLeavesOnlyLight) {
 }
 
 TEST_F(LightFields, BothRenderersGiveTheSamePicture) {
-  ServedScene simd(scene("renderer = 'simd'\n", 25.0), {}, withoutSharing());
-  ServedScene gl(scene("renderer = 'gl'\n", 25.0), {}, withoutSharing());
+  ServedScene simd(withoutSharing(scene("renderer = 'simd'\n", 25.0)));
+  ServedScene gl(withoutSharing(scene("renderer = 'gl'\n", 25.0)));
   HeadlessSession a(simd.host, "Ada", 320, 180);
   HeadlessSession b(gl.host, "Bob", 320, 180);
   const Picture bySimd = pictureAfter(a, 0, 0.05F);
@@ -117,7 +113,7 @@ TEST_F(LightFields, VisitorsSharePicturesOfWhatIsFar) {
 
 TEST_F(LightFields, SharedPicturesLookLikeOnesOwn) {
   ServedScene shared(scene("", 40.0));
-  ServedScene own(scene("", 40.0), {}, withoutSharing());
+  ServedScene own(withoutSharing(scene("", 40.0)));
   HeadlessSession a(shared.host, "Ada", 640, 360);
   HeadlessSession b(own.host, "Ada", 640, 360);
   for (const float yaw : {0.0F, 0.3F}) {
@@ -133,11 +129,10 @@ TEST_F(LightFields, AFileThatBecomesShorterCostsItsObjectOnly) {
   const std::filesystem::path file = *folder_ / "shortened.glf";
   std::filesystem::copy_file(*folder_ / "thicket.glf", file);
   ServedScene served(
-      "name = 'two thickets'\nspawn = [0, 0, 30]\n"
-      "[[object]]\ntype = 'lightfield'\nscale = 5\nposition = [-10, 0, 0]\nfile = '" +
-          file.string() + "'\n[[object]]\ntype = 'lightfield'\nscale = 5\nposition = [10, 0, 0]\nfile = '" +
-          (*folder_ / "thicket.glf").string() + "'\n",
-      {}, withoutSharing());
+      withoutSharing("name = 'two thickets'\nspawn = [0, 0, 30]\n"
+                     "[[object]]\ntype = 'lightfield'\nscale = 5\nposition = [-10, 0, 0]\nfile = '" +
+                     file.string() + "'\n[[object]]\ntype = 'lightfield'\nscale = 5\nposition = [10, 0, 0]\nfile = '" +
+                     (*folder_ / "thicket.glf").string() + "'\n"));
   HeadlessSession visitor(served.host, "Ada", 320, 180);
   const Picture whole = pictureAfter(visitor, 0, 0.0F);
   testing::internal::CaptureStderr();

@@ -17,10 +17,8 @@ namespace grove::integration {
 
 /// A whole server without its sockets: a scene with the built-in object types and a host for visitors.
 struct ServedScene {
-  explicit ServedScene(const std::string& scene, const stream::HostOptions& options = {},
-                       const objects::BuiltinOptions& builtin = {})
-      : types(objects::builtinTypes(builtin)),
-        host(node::loadScene(world::parseScene(scene, "test.toml"), types.backends), types, gl, patient(options),
+  explicit ServedScene(const std::string& scene, const stream::HostOptions& options = {})
+      : host(node::loadScene(world::parseScene(scene, "test.toml"), types.backends), types, gl, patient(options),
              [](std::string_view, float) {}) {}
 
   /// Tests are about what a frame shows, not about how long a slow machine or a sanitizer takes for it.
@@ -34,7 +32,7 @@ struct ServedScene {
     return options;
   }
 
-  const node::ObjectTypes types;
+  const node::ObjectTypes types = objects::builtinTypes();
   gl::ShaderLibrary shaders;
   gl::Workers gl{gl::ContextKind::kAuto, shaders};
   stream::Host host;

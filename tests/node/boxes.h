@@ -44,6 +44,11 @@ class BoxColour final : public SharedData {
   const std::uint32_t colour_;
 };
 
+/// How all boxes of a scene look, `[types.box]`.
+struct BoxOptions final : TypeOptions {
+  std::uint32_t green = 0;
+};
+
 /// What the test can turn while requests come in.
 struct BoxControls {
   std::atomic<bool> fail{false};
@@ -56,7 +61,7 @@ struct BoxControls {
 class BoxBackend final : public BackendHalf {
  public:
   BoxBackend(const BackendServices& services, world::TypeIndex self, std::shared_ptr<BoxControls> controls)
-      : services_(services), controls_(std::move(controls)) {
+      : services_(services), green_(services.scene.optionsOf<BoxOptions>("box").green), controls_(std::move(controls)) {
     for (const world::ModelledObject& object : services.scene.objects) {
       if (object.type == self) objects_[object.id] = object;
     }
@@ -71,7 +76,7 @@ class BoxBackend final : public BackendHalf {
     for (std::size_t i = 0; i < requests.size(); ++i) {
       const world::ModelledObject& object = objects_.at(requests[i].object);
       const Version version = controls_->version;
-      const std::uint32_t colour = static_cast<const BoxModel&>(*object.model).colour() + version - 1;
+      const std::uint32_t colour = static_cast<const BoxModel&>(*object.model).colour() + (green_ << 8U) + version - 1;
       if (requests[i].shared) {
         payloads[i] = std::make_shared<const BoxColour>(version, colour);
       } else {
@@ -91,6 +96,7 @@ class BoxBackend final : public BackendHalf {
   }
 
   const BackendServices services_;
+  const std::uint32_t green_;
   std::map<world::ObjectId, world::ModelledObject> objects_;
   const std::shared_ptr<BoxControls> controls_;
 };
@@ -103,6 +109,11 @@ class BoxBackendType final : public BackendType {
     const auto size = static_cast<float>(parameters.number("size", 1.0, 0.01, 100.0));
     const int red = parameters.integer("red", 255, 0, 255);
     return std::make_shared<BoxModel>(size, 0xFF000000U | static_cast<std::uint32_t>(red));
+  }
+  [[nodiscard]] std::shared_ptr<const TypeOptions> options(const world::Parameters& parameters) const override {
+    auto options = std::make_shared<BoxOptions>();
+    options->green = static_cast<std::uint32_t>(parameters.integer("green", 0, 0, 255));
+    return options;
   }
   [[nodiscard]] std::unique_ptr<BackendHalf> makeHalf(const BackendServices& services,
                                                       world::TypeIndex self) const override {

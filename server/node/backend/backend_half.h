@@ -63,6 +63,13 @@ class BackendType {
   /// Reads one object's own settings. Throws world::SceneError.
   [[nodiscard]] virtual std::shared_ptr<const world::Model> model(const world::Parameters& parameters) const = 0;
 
+  /// Reads what all objects of this type have in common, `[types.NAME]` in a scene file. Throws world::SceneError.
+  /// Types without options refuse all keys.
+  [[nodiscard]] virtual std::shared_ptr<const TypeOptions> options(const world::Parameters& parameters) const {
+    parameters.finish();
+    return nullptr;
+  }
+
   /// For the objects of the scene that have the type `self`.
   [[nodiscard]] virtual std::unique_ptr<BackendHalf> makeHalf(const BackendServices& services,
                                                               world::TypeIndex self) const = 0;

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <functional>
+#include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -22,11 +24,26 @@ class Workers;
 
 namespace grove::node {
 
+/// Options of one type, which knows what they are.
+class TypeOptions {
+ public:
+  virtual ~TypeOptions() = default;
+};
+
 /// A scene with what its object types have loaded for it.
 struct LoadedScene {
   world::Layout layout;
   std::vector<world::ModelledObject> objects;   ///< those of the layout
   std::shared_ptr<const world::Model> visitor;  ///< null: visitors are invisible
+  /// By the type's name; those of types of which the scene says nothing are not there.
+  std::map<std::string, std::shared_ptr<const TypeOptions>, std::less<>> options;
+
+  /// The options that a type has read, or how they are if the scene says nothing.
+  template <class Options>
+  [[nodiscard]] Options optionsOf(std::string_view type) const {
+    const auto found = options.find(type);
+    return found == options.end() ? Options() : static_cast<const Options&>(*found->second);
+  }
 };
 
 /// What a backend half may use of its node; nothing of any frontend. All of it outlives the half.

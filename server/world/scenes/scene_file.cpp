@@ -26,8 +26,11 @@ class Parameters::Table {
 
   [[nodiscard]] const toml::node* find(std::string_view key) const {
     known_.emplace(key);
-    return values_->get(key);
+    const toml::node* const given = given_.get(key);
+    return given != nullptr ? given : values_->get(key);
   }
+
+  void give(std::string_view key, double value) { given_.insert_or_assign(key, value); }
 
   [[noreturn]] void fail(const toml::node* node, const std::string& reason) const {
     const auto line = (node != nullptr ? node->source() : values_->source()).begin.line;
@@ -50,6 +53,7 @@ class Parameters::Table {
  private:
   std::shared_ptr<const toml::table> values_;
   std::string fileName_;
+  toml::table given_;  // whatever the values say
   std::string owner_;  // "" or "object 'name': ", for messages
   mutable std::set<std::string, std::less<>> known_;
 };
@@ -133,6 +137,12 @@ std::filesystem::path Parameters::path(std::string_view key) const {
   return given.empty() ? std::filesystem::path() : table_->folder() / given;
 }
 
+Parameters Parameters::with(std::string_view key, double value) const {
+  auto table = std::make_shared<Table>(*table_);
+  table->give(key, value);
+  return Parameters(std::move(table));
+}
+
 void Parameters::finish() const { table_->refuseUnknown(); }
 
 void Parameters::fail(std::string_view key, const std::string& reason) const {
@@ -174,6 +184,19 @@ LightDescription readLight(const Parameters& parameters) {
   return light;
 }
 
+std::map<std::string, Parameters, std::less<>> readTypeOptions(const Parameters::Table& root) {
+  std::map<std::string, Parameters, std::less<>> options;
+  const toml::node* const types = root.find("types");
+  if (types == nullptr) return options;
+  if (!types->is_table()) root.fail(types, "'types' must be written as [types.NAME]");
+  for (const auto& [name, node] : *types->as_table()) {
+    const std::string type(name.str());
+    if (!node.is_table()) root.fail(&node, "options of types must be written as [types.NAME]");
+    options.emplace(type, Parameters(root.inner(*node.as_table(), "options of type " + inQuotes(type) + ": ")));
+  }
+  return options;
+}
+
 std::shared_ptr<const toml::table> parseToml(std::string_view text, const std::string& fileName) {
   if (const auto line = lineNestedDeeper(text, kMaxNested)) {
     throw SceneError(fileName + ":" + std::to_string(*line) + ": nested more than " + std::to_string(kMaxNested) +
@@ -209,8 +232,19 @@ Scene parseScene(std::string_view text, const std::string& fileName) {
     if (!visitor->is_table()) root->fail(visitor, "'visitor' must be written as [visitor]");
     scene.visitor = readObject(Parameters(root->inner(*visitor->as_table(), "visitor: ")));
   }
+  scene.typeOptions = readTypeOptions(*root);
   top.finish();
   return scene;
+}
+
+void setTypeOption(Scene& scene, std::string_view type, std::string_view key, double value) {
+  const auto found = scene.typeOptions.find(type);
+  if (found != scene.typeOptions.end()) {
+    found->second = found->second.with(key, value);
+    return;
+  }
+  const Parameters none(std::make_shared<Parameters::Table>(std::make_shared<const toml::table>(), "", ""));
+  scene.typeOptions.emplace(type, none.with(key, value));
 }
 
 Scene loadScene(const std::filesystem::path& file) {

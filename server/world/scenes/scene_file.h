@@ -1,6 +1,8 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -38,6 +40,9 @@ class Parameters {
   /// Throws SceneError if a key was given that no getter asked for.
   void finish() const;
 
+  /// The same, but for one key, which has this value whatever the file says.
+  [[nodiscard]] Parameters with(std::string_view key, double value) const;
+
   /// Throws SceneError at the key's line, or at the object's if it was not given.
   [[noreturn]] void fail(std::string_view key, const std::string& reason) const;
 
@@ -69,8 +74,13 @@ struct Scene {
   std::vector<ObjectDescription> objects;
   std::optional<ObjectDescription> visitor;  ///< `[visitor]`: how visitors look to each other
   std::vector<LightDescription> lights;
+  /// `[types.NAME]`: what all objects of a type have in common.
+  std::map<std::string, Parameters, std::less<>> typeOptions;
   Sky sky;
 };
+
+/// Sets one of a type's options, whatever the file says.
+void setTypeOption(Scene& scene, std::string_view type, std::string_view key, double value);
 
 /// Reads a scene. Throws SceneError (bad file) or EnvironmentError (no such file, no plain
 /// one, or more than 16 MiB).

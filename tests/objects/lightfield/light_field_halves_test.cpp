@@ -90,7 +90,7 @@ class Wood {
   node::LoadedScene sceneOf(const LightField& field) {
     const std::string file = (folder_ / "thicket.glf").string();
     writeLightField(field, file);
-    types_.add(std::make_unique<LightFieldBackendType>(LightFieldOptions{}));
+    types_.add(std::make_unique<LightFieldBackendType>());
     std::string scene = "name = 'a wood'\nspawn = [0, 0, 30]\n";
     for (int i = 0; i < 25; ++i) {
       scene += "[[object]]\ntype = 'lightfield'\nrenderer = 'simd'\nscale = 5\nfile = '" + file + "'\nposition = [" +

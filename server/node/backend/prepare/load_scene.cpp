@@ -72,6 +72,12 @@ LoadedScene loadScene(const world::Scene& scene, const BackendTypes& types) {
     layout.visitor = {static_cast<const world::Object&>(visitor), visitor.model->bounds()};
     loaded.visitor = std::move(visitor.model);
   }
+  for (const auto& [name, parameters] : scene.typeOptions) {
+    const BackendType* const type = types.find(name);
+    if (type == nullptr) parameters.fail("", "there is no such type of object");
+    if (auto options = type->options(parameters)) loaded.options.emplace(name, std::move(options));
+    parameters.finish();
+  }
   return loaded;
 }
 

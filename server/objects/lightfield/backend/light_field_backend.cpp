@@ -83,8 +83,7 @@ node::Payload LightFieldBackend::info(const LightFieldModel& model) const {
   // Before the rest: what changes meanwhile is announced again.
   const node::Version version = infoVersion_;
   const std::shared_ptr<const FieldVersion> shown = model.shown();
-  const FieldInfo::Parts parts{shown->field.geometry, shown->field.size, shown->number,
-                               options_.reusesPictures ? maxError_.load() : 0.0F};
+  const FieldInfo::Parts parts{shown->field.geometry, shown->field.size, shown->number, maxError_};
   return std::shared_ptr<const node::SharedData>(std::make_shared<const FieldInfo>(parts, version));
 }
 

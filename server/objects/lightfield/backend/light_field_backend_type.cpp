@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "objects/lightfield/backend/light_field_backend.h"
+#include "objects/lightfield/backend/light_field_options.h"
 #include "objects/lightfield/backend/light_field_preparation.h"
 #include "objects/lightfield/backend/light_field_source.h"
 #include "objects/lightfield/common/field_info.h"
@@ -68,6 +69,13 @@ std::optional<LightField> LightFieldBackendType::shown(const std::filesystem::pa
   return known == known_.end() ? std::nullopt : std::optional(known->second);
 }
 
+std::shared_ptr<const node::TypeOptions> LightFieldBackendType::options(const world::Parameters& parameters) const {
+  auto options = std::make_shared<LightFieldOptions>();
+  const auto usual = static_cast<double>(options->maxError);
+  options->maxError = static_cast<float>(parameters.number("view_error", usual, 0.0, 64.0));
+  return options;
+}
+
 std::vector<std::unique_ptr<node::Preparation>> LightFieldBackendType::preparations(const world::Scene& scene) const {
   return lightFieldPreparations(scene, *this);
 }
@@ -76,7 +84,7 @@ std::string_view LightFieldBackendType::name() const { return kTypeName; }
 
 std::unique_ptr<node::BackendHalf> LightFieldBackendType::makeHalf(const node::BackendServices& services,
                                                                    world::TypeIndex self) const {
-  return std::make_unique<LightFieldBackend>(services, self, options_);
+  return std::make_unique<LightFieldBackend>(services, self, services.scene.optionsOf<LightFieldOptions>(kTypeName));
 }
 
 }  // namespace grove::objects::lightfield

@@ -12,18 +12,16 @@
 #include "models/model_source.h"
 #include "node/backend/backend_half.h"
 #include "objects/lightfield/backend/light_field_model.h"
-#include "objects/lightfield/backend/light_field_options.h"
 
 namespace grove::objects::lightfield {
 
 /// `type = "lightfield"`: pictures of an object from all around, made by `grove bake` (section 5.1). Keys as in
-/// LightFieldSource and SamplerKind. Any thread.
+/// LightFieldSource and SamplerKind, options as in LightFieldOptions. Any thread.
 class LightFieldBackendType final : public node::BackendType {
  public:
-  explicit LightFieldBackendType(const LightFieldOptions& options) : options_(options) {}
-
   [[nodiscard]] std::string_view name() const override;
   [[nodiscard]] std::shared_ptr<const world::Model> model(const world::Parameters& parameters) const override;
+  [[nodiscard]] std::shared_ptr<const node::TypeOptions> options(const world::Parameters& parameters) const override;
   [[nodiscard]] std::unique_ptr<node::BackendHalf> makeHalf(const node::BackendServices& services,
                                                             world::TypeIndex self) const override;
   [[nodiscard]] std::vector<std::unique_ptr<node::Preparation>> preparations(const world::Scene& scene) const override;
@@ -36,7 +34,6 @@ class LightFieldBackendType final : public node::BackendType {
  private:
   [[nodiscard]] LightField open(const std::filesystem::path& file) const;
 
-  const LightFieldOptions options_;
   mutable std::mutex mutex_;
   /// That are open already, by the file: that one, or something to show until it is made.
   mutable std::map<std::filesystem::path, LightField> known_;

@@ -83,10 +83,10 @@ class SoftRows {
         first_(rect.left / step),
         skip_(rect.left % step),
         count_(rect.width()) {
-    const auto samples = static_cast<std::size_t>((count_ + skip_) / step + 2);
+    const auto samples = static_cast<std::size_t>((count_ + skip_) / step) + 2;
     even_.resize(samples);
     next_.resize(samples);
-    wide_.resize(static_cast<std::size_t>(count_ + skip_ + step));
+    wide_.resize(static_cast<std::size_t>(count_ + skip_) + static_cast<std::size_t>(step));
   }
 
   void fill(int row, std::uint32_t* colour) {

@@ -76,5 +76,33 @@ TEST(LoadScene, UnknownTypesAndKeysNameLineAndChoices) {
   EXPECT_THROW((void)load("[[object]]\ntype='box'\nsise=2"), world::SceneError);
 }
 
+TEST(LoadScene, ATypesOptionsAreThoseOfTheSceneOrOfItsOverride) {
+  const auto greenOf = [](const LoadedScene& scene) { return scene.optionsOf<testing::BoxOptions>("box").green; };
+  EXPECT_EQ(greenOf(load("[[object]]\ntype='box'")), 0U);
+  EXPECT_EQ(greenOf(load("[types.box]\ngreen = 7")), 7U);
+  for (const char* const text : {"[types.box]\ngreen = 7", "name = 'no options'"}) {
+    world::Scene scene = world::parseScene(text, "t.toml");
+    world::setTypeOption(scene, "box", "green", 9);
+    EXPECT_EQ(greenOf(loadScene(scene, testing::boxBackends())), 9U) << text;
+  }
+}
+
+TEST(LoadScene, WrongOptionsOfTypesNameTheirLine) {
+  const auto complaint = [](const std::string& text) -> std::string {
+    try {
+      (void)load(text);
+    } catch (const world::SceneError& e) {
+      return e.what();
+    }
+    return "none";
+  };
+  EXPECT_THAT(complaint("[types.box]\ngrene = 7"),
+              AllOf(HasSubstr("t.toml:2"), HasSubstr("'box'"), HasSubstr("'grene'")));
+  EXPECT_THAT(complaint("[types.box]\ngreen = 700"), AllOf(HasSubstr("t.toml:2"), HasSubstr("between 0 and 255")));
+  EXPECT_THAT(complaint("[types.sphere]\nred = 1"), AllOf(HasSubstr("t.toml:1"), HasSubstr("'sphere'")));
+  EXPECT_THAT(complaint("[types]\nbox = 1"), HasSubstr("t.toml:2"));
+  EXPECT_THAT(complaint("types = 1"), HasSubstr("t.toml:1"));
+}
+
 }  // namespace
 }  // namespace grove::node

@@ -23,7 +23,7 @@ world::Scene sceneOf(const std::string& settings) {
 std::string errorOf(const std::string& settings) {
   const world::Scene scene = sceneOf(settings);
   try {
-    (void)LightFieldBackendType(LightFieldOptions{}).model(scene.objects.at(0).parameters);
+    (void)LightFieldBackendType().model(scene.objects.at(0).parameters);
   } catch (const world::SceneError& e) {
     return e.what();
   }

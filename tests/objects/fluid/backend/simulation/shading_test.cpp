@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <numeric>
 
 #include "world/sky.h"
@@ -72,7 +74,8 @@ TEST(Shading, SolidsAndTheWorldHideTheSun) {
   std::vector<std::uint8_t> wall(kShadedCells * kShadedCells * kShadedCells, 0);
   for (int z = 0; z < kShadedCells; ++z) {
     for (int y = 0; y < kShadedCells; ++y) {
-      for (int x = 26; x < 30; ++x) wall[static_cast<std::size_t>((z * kShadedCells + y) * kShadedCells + x)] = 1;
+      const std::ptrdiff_t row = std::ptrdiff_t{kShadedCells} * (kShadedCells * z + y);
+      std::fill_n(wall.begin() + row + 26, 4, std::uint8_t{1});
     }
   }
   solids.setStatic(wall);
