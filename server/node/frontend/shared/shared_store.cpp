@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <iterator>
 #include <string>
 #include <utility>
 
@@ -69,22 +70,30 @@ void SharedStore::fetch(Request request) {
   } catch (const std::exception& e) {
     reason = e.what();
   }
-  for (const Waiter& waiter : takeWaiters(what)) waiter(Failure{reason, true});
+  for (const Waiting& waiting : takeWaiting(what)) waiting.waiter(Failure{reason, true});
 }
 
 void SharedStore::get(const Request& request, Waiter waiter) {
   const SharedKey what{request.object, request.key};
   Found found;
+  std::vector<Waiting> late;
   {
     const std::lock_guard lock(mutex_);
     found = use(what);
     if (!found.data) {
-      const auto [pending, isNew] = pending_.try_emplace(what);
-      pending->second.waiters.push_back(std::move(waiter));
-      if (!isNew && pipeline::wallSeconds() <= pending->second.deadline) return;
-      pending->second.deadline = request.view->deadline;
+      const double now = pipeline::wallSeconds();
+      const auto [known, isNew] = pending_.try_emplace(what);
+      Pending& pending = known->second;
+      pending.waiting.push_back({request.view->deadline, std::move(waiter)});
+      if (!isNew && now <= pending.deadline) return;
+      pending.deadline = request.view->deadline;
+      // A backend node that never answers must not let them grow without bound.
+      const auto over = std::ranges::partition(pending.waiting, [now](const Waiting& w) { return now <= w.deadline; });
+      late.assign(std::make_move_iterator(over.begin()), std::make_move_iterator(over.end()));
+      pending.waiting.erase(over.begin(), over.end());
     }
   }
+  for (const Waiting& waiting : late) waiting.waiter(Failure{"the backend node did not answer in time", true});
   if (!found.data) {
     fetch(request);
     return;
@@ -93,27 +102,27 @@ void SharedStore::get(const Request& request, Waiter waiter) {
   waiter(std::move(found.data));
 }
 
-std::vector<SharedStore::Waiter> SharedStore::takeWaiters(const SharedKey& what) {
+std::vector<SharedStore::Waiting> SharedStore::takeWaiting(const SharedKey& what) {
   const std::lock_guard lock(mutex_);
   auto pending = pending_.extract(what);
-  return pending.empty() ? std::vector<Waiter>() : std::move(pending.mapped().waiters);
+  return pending.empty() ? std::vector<Waiting>() : std::move(pending.mapped().waiting);
 }
 
 void SharedStore::put(const Result& result) {
   const SharedKey& what = result.what;
   const auto* const data = std::get_if<std::shared_ptr<const SharedData>>(&result.payload);
   std::vector<Entry> given;  // their memory is freed after the lock
-  std::vector<Waiter> waiters;
+  std::vector<Waiting> waiting;
   {
     const std::lock_guard lock(mutex_);
     auto pending = pending_.extract(what);
-    if (!pending.empty()) waiters = std::move(pending.mapped().waiters);
+    if (!pending.empty()) waiting = std::move(pending.mapped().waiting);
     if (data != nullptr && *data != nullptr) {
       const Version announced = pending.empty() ? 0 : pending.mapped().announced;
       keep(what, {*data, (*data)->bytes(), announced, false}, given);
     }
   }
-  for (const Waiter& waiter : waiters) waiter(result.payload);
+  for (const Waiting& each : waiting) each.waiter(result.payload);
 }
 
 void SharedStore::keep(const SharedKey& what, Entry entry, std::vector<Entry>& given) {

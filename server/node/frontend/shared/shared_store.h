@@ -23,7 +23,8 @@ class SharedStore {
  public:
   /// Sends a request to the object's backend node; false, or a throw, if it is refused.
   using Fetch = std::function<bool(Request)>;
-  /// Gets what was wanted, or a failure: once, on the thread that brings it, or at once. Must not block.
+  /// Gets what was wanted, or a failure: once, on the thread that brings it, or at once; or when somebody else asks again
+  /// for what has not come before the deadline of the waiter's frame. Must not block.
   using Waiter = std::function<void(const Payload&)>;
 
   SharedStore(std::size_t maxBytes, Fetch fetch) : maxBytes_(maxBytes), fetch_(std::move(fetch)) {}
@@ -57,10 +58,14 @@ class SharedStore {
     Version announced = 0;
     bool used = false;  ///< since it came
   };
+  struct Waiting {
+    double deadline = 0.0;  ///< of its frame
+    Waiter waiter;
+  };
   struct Pending {
     double deadline = 0.0;
     Version announced = 0;  ///< while nothing is there: what comes may have been made before that
-    std::vector<Waiter> waiters;
+    std::vector<Waiting> waiting;
   };
   struct Found {
     std::shared_ptr<const SharedData> data;
@@ -78,7 +83,7 @@ class SharedStore {
   void fetchNewer(const SharedKey& what, Version known);
   /// Who waits for it gets a failure if it is refused.
   void fetch(Request request);
-  [[nodiscard]] std::vector<Waiter> takeWaiters(const SharedKey& what);
+  [[nodiscard]] std::vector<Waiting> takeWaiting(const SharedKey& what);
 
   const std::size_t maxBytes_;
   const Fetch fetch_;
