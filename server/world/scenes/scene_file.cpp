@@ -30,7 +30,14 @@ class Parameters::Table {
     return given != nullptr ? given : values_->get(key);
   }
 
-  void give(std::string_view key, double value) { given_.insert_or_assign(key, value); }
+  /// A whole number is given as one, which serves where either kind is wanted.
+  void give(std::string_view key, double value) {
+    if (value == std::floor(value)) {
+      given_.insert_or_assign(key, static_cast<std::int64_t>(value));
+    } else {
+      given_.insert_or_assign(key, value);
+    }
+  }
 
   [[noreturn]] void fail(const toml::node* node, const std::string& reason) const {
     const auto line = (node != nullptr ? node->source() : values_->source()).begin.line;

@@ -40,6 +40,12 @@ world::Triangles wall(float metres, float height, float halfWidth = 50.0F) {
   return triangles;
 }
 
+/// Of a layer.
+float sunInTheMiddle(const SunGrid& grid, int y) {
+  const std::ptrdiff_t row = std::ptrdiff_t{grid.cells[2] / 2} * grid.cells[1] + y;
+  return grid.sun[static_cast<std::size_t>(row * grid.cells[0] + grid.cells[0] / 2)];
+}
+
 TEST(SunGrid, TheOpenIsAllSun) {
   const SunGrid grid = makeSunGrid(objectOf({2, 1, 2}, {}), world::Sky().sun, world::RayScene({}));
   EXPECT_TRUE(grid.whole);
@@ -49,13 +55,8 @@ TEST(SunGrid, TheOpenIsAllSun) {
 TEST(SunGrid, AWallHidesWhatIsLowAndNotWhatIsHigh) {
   const SunGrid grid = makeSunGrid(objectOf({1, 4, 1}, {}), world::Sky().sun, world::RayScene(wall(6.0F, 1.5F)));
   EXPECT_FALSE(grid.whole);
-  const auto at = [&](int y) {
-    const int x = grid.cells[0] / 2;
-    const int z = grid.cells[2] / 2;
-    return grid.sun[static_cast<std::size_t>((z * grid.cells[1] + y) * grid.cells[0] + x)];
-  };
-  EXPECT_EQ(at(0), 0.0F);
-  EXPECT_EQ(at(grid.cells[1] - 1), 1.0F);
+  EXPECT_EQ(sunInTheMiddle(grid, 0), 0.0F);
+  EXPECT_EQ(sunInTheMiddle(grid, grid.cells[1] - 1), 1.0F);
 }
 
 TEST(SunGrid, TheObjectsOwnBodyIsLeftOut) {
@@ -66,11 +67,9 @@ TEST(SunGrid, ATurnedAndScaledObjectIsMeasuredWhereItStands) {
   // The wall's shadow ends at a height of 1.5 m in the world; this object's own metres are two of the world's.
   const world::ModelledObject object = objectOf({1, 4, 1}, {{0, 0, 0}, 2.0F, 2.0F});
   const SunGrid grid = makeSunGrid(object, world::Sky().sun, world::RayScene(wall(9.0F, 1.5F)));
-  const int x = grid.cells[0] / 2;
-  const int z = grid.cells[2] / 2;
   for (int y = 0; y < grid.cells[1]; ++y) {
     const float height = 2.0F * (static_cast<float>(y) / grid.perMetre.y);
-    const float sun = grid.sun[static_cast<std::size_t>((z * grid.cells[1] + y) * grid.cells[0] + x)];
+    const float sun = sunInTheMiddle(grid, y);
     if (height < 0.8F) {
       EXPECT_EQ(sun, 0.0F) << height;
     } else if (height > 2.2F) {

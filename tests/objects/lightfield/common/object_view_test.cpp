@@ -53,7 +53,8 @@ TEST(ObjectView, TwiceAsFarIsOneLevelCoarser) {
 
 TEST(ObjectView, ATexelOfTheChosenLevelIsAboutAPixel) {
   const LightField field = fieldOf(512);
-  for (float metres = 20.0F; metres < 60.0F; metres += 3.0F) {
+  for (int distance = 20; distance < 60; distance += 3) {
+    const auto metres = static_cast<float>(distance);
     const world::Camera camera = cameraAt({0, 2, metres});
     const int level = levelFor(field, objectCamera(camera, {}));
     const float texelMetres = 2.0F * field.geometry.extent / static_cast<float>(field.size >> level);

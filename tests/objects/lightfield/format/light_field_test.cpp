@@ -19,7 +19,8 @@ TEST(LightField, TakesTheLightingNearestToTheWorldsSun) {
     field.colour.resize(lightings);
     const world::Vec3 sun = world::Sky().sun;
     const world::Vec3 flat = glm::normalize(world::Vec3(sun.x, 0.0F, sun.z));
-    for (float yaw = -9.0F; yaw < 9.0F; yaw += 0.0317F) {
+    for (int turn = 0; turn < 568; ++turn) {
+      const float yaw = -9.0F + 0.0317F * static_cast<float>(turn);
       const auto agreement = [&](int lighting) {
         const float step = 2.0F * std::numbers::pi_v<float> / static_cast<float>(lightings);
         const float azimuth = field.sunAzimuth + static_cast<float>(lighting) * step;

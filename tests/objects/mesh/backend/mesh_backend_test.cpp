@@ -367,7 +367,9 @@ TEST_F(MeshBackendTest, ASunlitSideIsBrighterThanAShadedOne) {
 TEST_F(MeshBackendTest, AnUnknownObjectIsAFailure) {
   tests::BackendWorld world(std::vector{makeObject(1, makeBox({1, 1, 1}, kWhite), RendererKind::kGl, {0, 0, -5})});
   MeshBackend half(bench_.services(world), 0);
-  const auto list = look(smallCamera(), {makeObject(77, makeBox({1, 1, 1}, kWhite), RendererKind::kGl, {0, 0, -5})});
+  const world::ModelledObject unknown = makeObject(77, makeBox({1, 1, 1}, kWhite), RendererKind::kGl, {0, 0, -5});
+  const world::Object& placed = unknown;
+  const auto list = look(smallCamera(), {placed});
   EXPECT_TRUE(std::holds_alternative<node::Failure>(ask(half, std::vector<Asked>{{list, 0}})[0]));
 }
 
