@@ -1,29 +1,15 @@
 #include "measure/linear_fit.h"
 
 #include <algorithm>
+#include <boost/math/distributions/students_t.hpp>
 #include <cassert>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 namespace grove::measure {
 namespace {
 
 constexpr double kConfidence = 0.95;
-
-/// P(|T| <= t) for t = sqrt(degrees) tan(angle): Abramowitz and Stegun, 26.7.3 and 26.7.4.
-double within(double angle, int degrees) {
-  const double sine = std::sin(angle);
-  const double cosine = std::cos(angle);
-  const bool odd = degrees % 2 != 0;
-  double term = odd ? cosine : 1.0;
-  double series = 0.0;
-  for (int i = odd ? 1 : 0; i <= degrees - 2; i += 2) {
-    series += term;
-    term *= cosine * cosine * (i + 1.0) / (i + 2.0);
-  }
-  return odd ? 2.0 / std::numbers::pi * (angle + sine * series) : sine * series;
-}
 
 Estimate around(double value, double reach) { return {value, value - reach, value + reach}; }
 
@@ -31,13 +17,7 @@ Estimate around(double value, double reach) { return {value, value - reach, valu
 
 double studentQuantile(double confidence, int degrees) {
   assert(confidence > 0.0 && confidence < 1.0 && degrees >= 1);
-  double low = 0.0;
-  double high = 0.5 * std::numbers::pi;
-  while (true) {
-    const double middle = 0.5 * (low + high);
-    if (middle <= low || middle >= high) return std::sqrt(degrees) * std::tan(low);
-    (within(middle, degrees) < confidence ? low : high) = middle;
-  }
+  return boost::math::quantile(boost::math::students_t(degrees), 0.5 + 0.5 * confidence);
 }
 
 std::optional<LinearFit> linearFit(std::span<const std::pair<double, double>> points) {
