@@ -132,13 +132,4 @@ double overlap(std::span<const FrameSpan> frames, const Window& window, int sess
   return inProgress * 1.0e-3 / window.seconds() / std::max(1, sessions);
 }
 
-double percentile(std::vector<double> values, double share) {
-  if (values.empty()) return 0.0;
-  const double rank = std::ceil(share * static_cast<double>(values.size()));
-  const auto at = std::min(values.size() - 1, static_cast<std::size_t>(std::max(1.0, rank)) - 1);
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(at);
-  std::ranges::nth_element(values, middle);
-  return *middle;
-}
-
 }  // namespace grove::measure

@@ -62,7 +62,4 @@ struct FrameSpan {
 /// second times how long one takes.
 [[nodiscard]] double overlap(std::span<const FrameSpan> frames, const Window& window, int sessions);
 
-/// The smallest value that at least this share of all is not above; 0 of nothing.
-[[nodiscard]] double percentile(std::vector<double> values, double share);
-
 }  // namespace grove::measure

@@ -100,13 +100,5 @@ TEST(DeliveredFrames, LastFromTheirFirstRunToTheirEncoding) {
   EXPECT_DOUBLE_EQ(overlap(frames, kWindow, 2), 0.35);
 }
 
-TEST(Percentile, IsTheNearestRank) {
-  EXPECT_EQ(percentile({}, 0.5), 0.0);
-  EXPECT_EQ(percentile({3.0}, 0.99), 3.0);
-  EXPECT_EQ(percentile({4.0, 1.0, 3.0, 2.0}, 0.5), 2.0);
-  EXPECT_EQ(percentile({4.0, 1.0, 3.0, 2.0}, 0.99), 4.0);
-  EXPECT_EQ(percentile({4.0, 1.0, 3.0, 2.0}, 0.0), 1.0);
-}
-
 }  // namespace
 }  // namespace grove::measure

@@ -1,8 +1,8 @@
 #include "stream/load/load_report.h"
 
 #include <algorithm>
-#include <cmath>
 
+#include "measure/percentile.h"
 #include "stream/protocol/protocol.h"
 
 namespace grove::stream {
@@ -40,14 +40,6 @@ void summarisePictures(const std::vector<VisitorStatistics>& visitors, LoadRepor
 
 }  // namespace
 
-double percentile(std::vector<float> values, double share) {
-  if (values.empty()) return 0.0;
-  const double rank = std::ceil(share * static_cast<double>(values.size())) - 1.0;
-  const auto index = static_cast<std::ptrdiff_t>(std::clamp(rank, 0.0, static_cast<double>(values.size() - 1)));
-  std::ranges::nth_element(values, values.begin() + index);
-  return static_cast<double>(values[static_cast<std::size_t>(index)]);
-}
-
 LoadReport summarise(const std::vector<VisitorStatistics>& letIn, double seconds, std::vector<std::string> errors) {
   LoadReport report;
   report.sessions = static_cast<int>(letIn.size());
@@ -66,10 +58,10 @@ LoadReport summarise(const std::vector<VisitorStatistics>& letIn, double seconds
     report.errors.insert(report.errors.end(), visitor.errors.begin(), visitor.errors.end());
   }
   report.fpsMin = fps.empty() ? 0.0 : static_cast<double>(*std::ranges::min_element(fps));
-  report.fpsP50 = percentile(fps, 0.5);
-  report.latencyP50Milliseconds = percentile(latency, 0.5);
-  report.latencyP95Milliseconds = percentile(latency, 0.95);
-  report.latencyP99Milliseconds = percentile(std::move(latency), 0.99);
+  report.fpsP50 = measure::percentile(fps, 0.5);
+  report.latencyP50Milliseconds = measure::percentile(latency, 0.5);
+  report.latencyP95Milliseconds = measure::percentile(latency, 0.95);
+  report.latencyP99Milliseconds = measure::percentile(std::move(latency), 0.99);
   summarisePictures(letIn, report);
   report.mbitPerSecond = static_cast<double>(bytes) * 8e-6 / seconds;
   return report;

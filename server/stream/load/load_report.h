@@ -54,9 +54,6 @@ struct LoadReport {
   std::vector<std::string> errors;
 };
 
-/// The value that `share` (0 to 1) of the values do not exceed: nearest rank. 0 if there are none.
-[[nodiscard]] double percentile(std::vector<float> values, double share);
-
 /// `let in` are the statistics of those that were let in, during `seconds`; `errors` are of the others.
 [[nodiscard]] LoadReport summarise(const std::vector<VisitorStatistics>& letIn, double seconds,
                                    std::vector<std::string> errors);

@@ -9,13 +9,6 @@ namespace {
 
 using testing::ElementsAre;
 
-TEST(Percentile, IsTheNearestRank) {
-  EXPECT_EQ(percentile({}, 0.5), 0.0);
-  EXPECT_EQ(percentile({4, 1, 3, 2}, 0.5), 2.0);
-  EXPECT_EQ(percentile({4, 1, 3, 2}, 0.99), 4.0);
-  EXPECT_EQ(percentile({5}, 0.0), 5.0);
-}
-
 TEST(LoadReport, PutsVisitorsTogether) {
   VisitorStatistics ada;
   ada.frames = 300;

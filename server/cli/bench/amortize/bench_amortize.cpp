@@ -1,12 +1,10 @@
 #include "cli/bench/amortize/bench_amortize.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cstdio>
 #include <fstream>
 #include <stdexcept>
 #include <thread>
-#include <tuple>
 #include <utility>
 
 #include "base/error.h"
@@ -15,7 +13,6 @@
 #include "cli/prepare/progress.h"
 #include "cli/stop_on_signal.h"
 #include "objects/builtin_backends.h"
-#include "stream/session/session.h"
 
 namespace grove::cli {
 namespace {
@@ -46,20 +43,9 @@ std::vector<int> usersOf(const BenchAmortizeOptions& options) {
   return users;
 }
 
-/// WIDTHxHEIGHT, as a session would accept it.
-std::pair<int, int> sizeOf(const std::string& text) {
-  int width = 0;
-  int height = 0;
-  const char* const end = text.data() + text.size();
-  const auto first = std::from_chars(text.data(), end, width);
-  const bool cross = first.ec == std::errc() && first.ptr != end && *first.ptr == 'x';
-  const bool whole = cross && std::from_chars(first.ptr + 1, end, height).ptr == end;
-  const std::pair size(width, height);
-  if (!whole || width < 1 || height < 1 ||
-      stream::fitSize(static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height)) != size) {
-    throw Refused("--size must be WIDTHxHEIGHT, even numbers from 160x90 to 1920x1080, not '" + text + "'");
-  }
-  return size;
+PictureSize sizeOf(const std::string& text) {
+  if (const auto size = parsePictureSize(text)) return *size;
+  throw Refused("--size must be WIDTHxHEIGHT, even numbers from 160x90 to 1920x1080, not '" + text + "'");
 }
 
 /// Opened before anything is measured.
@@ -88,7 +74,7 @@ Plan planOf(const BenchAmortizeOptions& options) {
   plan.run.seconds = options.seconds;
   plan.run.frames = options.frames;
   plan.run.transport = options.transport;
-  std::tie(plan.run.width, plan.run.height) = sizeOf(options.size);
+  plan.run.size = sizeOf(options.size);
   plan.figure = options.figure || options.users.empty();
   return plan;
 }
@@ -118,7 +104,7 @@ AmortizeResult measureAll(const Plan& plan, const world::Scene& scene, const std
   progress.finish();
   if (prepared) measureRows(result, plan, scene, shaders, stop);
   if (plan.figure && !stop.stop_requested()) {
-    result.figure = runFigure(shaders, plan.run.width, plan.run.height, stop);
+    result.figure = runFigure(shaders, plan.run.size, stop);
   }
   result.interrupted = stop.stop_requested();
   return result;

@@ -37,7 +37,7 @@ grid = )" + std::to_string(grid) +
 
 /// c_i with one visitor; nothing if it was stopped.
 std::optional<double> tickOf(int grid, const gl::ShaderLibrary& shaders, const std::stop_token& stop) {
-  const auto row = runAmortize(fluidAlone(grid), shaders, {.frames = 30, .width = 160, .height = 90}, stop);
+  const auto row = runAmortize(fluidAlone(grid), shaders, {.frames = 30, .size = {160, 90}}, stop);
   return row ? std::optional(row->cost().acrossUser) : std::nullopt;
 }
 
@@ -84,11 +84,10 @@ bool measureColumns(std::vector<FigureColumn>& figure, int grid, AmortizeRun run
 
 }  // namespace
 
-std::vector<FigureColumn> runFigure(const gl::ShaderLibrary& shaders, int width, int height,
-                                    const std::stop_token& stop) {
+std::vector<FigureColumn> runFigure(const gl::ShaderLibrary& shaders, PictureSize size, const std::stop_token& stop) {
   std::vector<FigureColumn> figure;
   // The paper counts what packing takes, and what comes before it.
-  AmortizeRun run{.width = width, .height = height};
+  AmortizeRun run{.size = size};
   run.transport = node::TransportKind::kBytes;
   if (!measureColumns(figure, kDefaultGrid, run, shaders, stop)) return figure;
   const auto grid = gridForPapersTick(figure.front().cost.acrossUser, shaders, stop);

@@ -20,7 +20,7 @@ inline constexpr double kPapersTick = 60.0;
 
 /// The figure's four columns with the default world's fluid, and once more with the grid whose tick takes nearest to
 /// the paper's here (128 at most). Only the columns that were measured before it was stopped. Throws EnvironmentError.
-[[nodiscard]] std::vector<FigureColumn> runFigure(const gl::ShaderLibrary& shaders, int width, int height,
+[[nodiscard]] std::vector<FigureColumn> runFigure(const gl::ShaderLibrary& shaders, PictureSize size,
                                                   const std::stop_token& stop);
 
 }  // namespace grove::cli

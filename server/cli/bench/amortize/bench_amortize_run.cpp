@@ -1,20 +1,19 @@
 #include "cli/bench/amortize/bench_amortize_run.h"
 
 #include <algorithm>
-#include <memory>
-#include <mutex>
+#include <chrono>
 #include <thread>
 #include <vector>
 
 #include "base/error.h"
 #include "base/log.h"
+#include "cli/bench/walkers.h"
 #include "gl/workers.h"
+#include "measure/percentile.h"
 #include "measure/thread_times.h"
 #include "node/object_types.h"
 #include "objects/builtin.h"
 #include "pipeline/clocks.h"
-#include "stream/load/load_report.h"
-#include "stream/session/headless_session.h"
 #include "stream/session/stroll.h"
 
 namespace grove::cli {
@@ -22,7 +21,6 @@ namespace {
 
 using std::chrono::milliseconds;
 
-constexpr milliseconds kInputPeriod{16};
 constexpr double kMaxWarmUp = 4.0;   ///< seconds
 constexpr double kPatience = 180.0;  ///< seconds without a further world getting ready
 
@@ -53,55 +51,6 @@ struct ServedWorld {
   stream::Host host;
 };
 
-/// One who walks about as the visitors of `grove load` do.
-class Walker {
- public:
-  Walker(stream::Host& host, int index, const AmortizeRun& run)
-      : index_(index),
-        session_(host, "Walker " + std::to_string(index + 1), run.width, run.height,
-                 [seen = seen_](const stream::FrameHeader& frame) {
-                   const std::lock_guard lock(seen->mutex);
-                   seen->latency.shown(frame.lastInput, pipeline::wallSeconds(), seen->latencies);
-                 }),
-        yaw_(session_.welcome().yaw) {}
-
-  void walk(double now) {
-    if (!walksSince_) walksSince_ = now;
-    const world::Input input = stream::stroll(index_, yaw_, now - *walksSince_);
-    const std::lock_guard lock(seen_->mutex);
-    seen_->latency.sent(session_.control(input.keys, input.yaw, input.pitch), pipeline::wallSeconds());
-  }
-
-  [[nodiscard]] std::uint64_t frames() const { return session_.framesReceived(); }
-
-  void beginCounting() {
-    const std::lock_guard lock(seen_->mutex);
-    seen_->latencies.clear();
-    framesBefore_ = frames();
-  }
-  [[nodiscard]] std::uint64_t framesCounted() const { return frames() - framesBefore_; }
-  [[nodiscard]] std::vector<float> latencies() const {
-    const std::lock_guard lock(seen_->mutex);
-    return seen_->latencies;
-  }
-
- private:
-  /// Outlives the walker for as long as a worker still delivers.
-  struct Seen {
-    std::mutex mutex;
-    stream::InputLatency latency;
-    std::vector<float> latencies;
-  };
-  const int index_;
-  const std::shared_ptr<Seen> seen_ = std::make_shared<Seen>();
-  stream::HeadlessSession session_;
-  const float yaw_;
-  std::optional<double> walksSince_;
-  std::uint64_t framesBefore_ = 0;
-};
-
-using Walkers = std::vector<std::unique_ptr<Walker>>;
-
 /// Waits for the first frame of everybody; false if it was stopped. In private mode every world takes seconds.
 bool everybodySees(const Walkers& walkers, const AmortizeRun& run, const std::stop_token& stop) {
   std::ptrdiff_t reported = 0;
@@ -125,17 +74,6 @@ bool everybodySees(const Walkers& walkers, const AmortizeRun& run, const std::st
   return false;
 }
 
-/// Everybody walks until `done`; false if it was stopped.
-template <class Condition>
-bool walkUntil(const Walkers& walkers, double begin, const std::stop_token& stop, Condition done) {
-  while (!done()) {
-    if (stop.stop_requested()) return false;
-    for (const auto& walker : walkers) walker->walk(pipeline::wallSeconds() - begin);
-    std::this_thread::sleep_for(kInputPeriod);
-  }
-  return true;
-}
-
 double stageSeconds(const measure::Reading& before, const measure::Reading& after) {
   std::int64_t nanoseconds = 0;
   for (const auto& [key, total] : after.costs) nanoseconds += total.cpuNanoseconds;
@@ -156,8 +94,7 @@ std::optional<AmortizeRow> runAmortize(const world::Scene& scene, const gl::Shad
   log::info(described(run) + ": preparing");
   measure::returnFreedMemory();
   ServedWorld served(scene, shaders, run);
-  Walkers walkers;
-  for (int i = 0; i < run.users; ++i) walkers.push_back(std::make_unique<Walker>(served.host, i, run));
+  const Walkers walkers = makeWalkers(served.host, run.users, run.size, stream::stroll);
   if (!everybodySees(walkers, run, stop)) return std::nullopt;
 
   const double begin = pipeline::wallSeconds();
@@ -192,8 +129,8 @@ std::optional<AmortizeRow> runAmortize(const world::Scene& scene, const gl::Shad
     latencies.insert(latencies.end(), more.begin(), more.end());
   }
   row.fpsMin = static_cast<double>(min) / row.seconds;
-  row.latencyP50 = stream::percentile(latencies, 0.5);
-  row.latencyP99 = stream::percentile(std::move(latencies), 0.99);
+  row.latencyP50 = measure::percentile(latencies, 0.5);
+  row.latencyP99 = measure::percentile(std::move(latencies), 0.99);
   measure::Served who;
   who.visitors = run.users;
   who.frames = row.frames;

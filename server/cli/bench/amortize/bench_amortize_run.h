@@ -5,6 +5,7 @@
 #include <stop_token>
 #include <string>
 
+#include "cli/bench/picture_size.h"
 #include "gl/shader_library.h"
 #include "measure/amortization.h"
 #include "measure/memory_use.h"
@@ -19,8 +20,7 @@ struct AmortizeRun {
   bool privateWorlds = false;  ///< the control: a world for each
   double seconds = 5.0;        ///< measured, after a warm-up
   int frames = 0;              ///< instead of seconds, unless 0: until every visitor got so many
-  int width = 1280;            ///< pixels
-  int height = 720;            ///< pixels
+  PictureSize size{1280, 720};
   node::TransportKind transport = node::TransportKind::kReference;
 };
 

@@ -1,20 +1,18 @@
 #include "cli/bench/pipeline/bench_pipeline.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <fstream>
-#include <memory>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <stop_token>
-#include <thread>
 #include <utility>
 
 #include "base/error.h"
 #include "cli/bench/link_report.h"
 #include "cli/bench/picture_size.h"
+#include "cli/bench/walkers.h"
 #include "cli/figures.h"
 #include "cli/prepare/prepare_world.h"
 #include "cli/prepare/progress.h"
@@ -22,12 +20,12 @@
 #include "gl/shader_library.h"
 #include "gl/workers.h"
 #include "measure/chrome_trace.h"
+#include "measure/percentile.h"
 #include "measure/utilisation.h"
 #include "node/object_types.h"
 #include "objects/builtin.h"
 #include "pipeline/clocks.h"
 #include "pipeline/embedded.h"
-#include "stream/session/headless_session.h"
 #include "stream/session/host.h"
 #include "world/scenes/scene_file.h"
 
@@ -37,38 +35,15 @@ namespace {
 using nlohmann::ordered_json;
 
 constexpr double kWarmUpSeconds = 2.0;
-constexpr double kSecondsPerInput = 1.0 / 30.0;
 /// More than any machine makes of a scene worth measuring, so that the frame clock is not the limit.
 constexpr int kFramesPerSecond = 240;
 constexpr std::size_t kTimelineEvents = std::size_t{1} << 20U;
 
-/// Those who look, each on a circle of his own.
-class Walkers {
- public:
-  Walkers(stream::Host& host, int count, const PictureSize& size) {
-    for (int i = 0; i < count; ++i) {
-      visitors_.push_back(
-          std::make_unique<stream::HeadlessSession>(host, "Visitor " + std::to_string(i + 1), size.width, size.height));
-    }
-  }
-
-  /// Returns early if it is to stop.
-  void walk(double seconds, const std::stop_token& stop) {
-    for (double left = seconds; left > 0.0 && !stop.stop_requested(); left -= kSecondsPerInput) {
-      for (std::size_t i = 0; i < visitors_.size(); ++i) {
-        const double turn = 0.4 * walked_ + 1.6 * static_cast<double>(i);
-        visitors_[i]->control(world::kForward, visitors_[i]->welcome().yaw + static_cast<float>(turn), 0.0F);
-      }
-      const double pause = std::min(left, kSecondsPerInput);
-      std::this_thread::sleep_for(std::chrono::duration<double>(pause));
-      walked_ += pause;
-    }
-  }
-
- private:
-  std::vector<std::unique_ptr<stream::HeadlessSession>> visitors_;
-  double walked_ = 0.0;
-};
+/// Everybody walks on a circle of his own.
+world::Input circle(int index, float yaw, double seconds) {
+  const double turn = 0.4 * seconds + 1.6 * static_cast<double>(index);
+  return {.keys = world::kForward, .yaw = yaw + static_cast<float>(turn)};
+}
 
 /// What was measured with one number of frames in flight.
 struct Row {
@@ -105,13 +80,17 @@ Row evaluate(int framesInFlight, int users, const measure::Window& window,
 /// Nothing if it was stopped before anything was measured.
 std::optional<Row> measureRow(const BenchPipelineOptions& options, int framesInFlight, stream::Host& host,
                               const PictureSize& size, const std::stop_token& stop) {
-  Walkers walkers(host, options.users, size);
-  walkers.walk(kWarmUpSeconds, stop);
-  if (stop.stop_requested()) return std::nullopt;
+  const Walkers walkers = makeWalkers(host, options.users, size, circle);
+  const double begin = pipeline::wallSeconds();
+  const auto walkFor = [&](double seconds) {
+    const double end = pipeline::wallSeconds() + seconds;
+    return walkUntil(walkers, begin, stop, [end] { return pipeline::wallSeconds() >= end; });
+  };
+  if (!walkFor(kWarmUpSeconds)) return std::nullopt;
   measure::Window window;
   window.beginNanoseconds = pipeline::wallNanoseconds();
   const node::LinkTraffic before = host.traffic();
-  walkers.walk(options.seconds, stop);
+  (void)walkFor(options.seconds);  // what was measured until a signal counts
   window.endNanoseconds = pipeline::wallNanoseconds();
   Row row = evaluate(framesInFlight, options.users, window, host.timeline().events());
   row.traffic = host.traffic() - before;
