@@ -4,6 +4,7 @@
 
 #include "cli/bench/fluid/bench_fluid_solvers.h"
 #include "cli/bench/link_report.h"
+#include "cli/bench/picture_size.h"
 #include "cli/choose.h"
 #include "node/limits.h"
 
@@ -16,6 +17,26 @@ void addTransport(CLI::App* bench, node::TransportKind& kind) {
     kinds.emplace(transportName(known), known);
   }
   choose(bench->add_option("--transport", kind, "How messages travel between the nodes (default: reference)"), kinds);
+}
+
+void addSize(CLI::App* bench, PictureSize& size) {
+  const auto take = [&size](const std::string& text) {
+    const auto given = parsePictureSize(text);
+    if (!given) throw CLI::ValidationError("--size", "wants even numbers from 160x90 to 1920x1080, not '" + text + "'");
+    size = *given;
+  };
+  bench->add_option_function<std::string>("--size", take, "Pixels of a visitor's picture")
+      ->type_name("WxH")
+      ->default_str(nameOf(size));
+}
+
+/// As CLI::Range for numbers that a step divides.
+CLI::Validator multipleOf(int step) {
+  return {[step](const std::string& text) {
+            const int value = std::stoi(text);  // a check before this one says that it is a number
+            return value % step == 0 ? std::string() : text + " is no multiple of " + std::to_string(step);
+          },
+          "MULTIPLE OF " + std::to_string(step), "multiple of " + std::to_string(step)};
 }
 
 }  // namespace
@@ -46,7 +67,7 @@ void BenchCommands::addAmortize() {
       ->excludes(seconds);
   amortize->add_flag("--figure-5.6", options.figure, "The paper's Figure 5.6, too: the fluid alone");
   amortize->add_option("--scene", options.scene, "Scene file (default: the grove, built in)");
-  amortize->add_option("--size", options.size, "Pixels of each visitor's picture, WIDTHxHEIGHT")->capture_default_str();
+  addSize(amortize, options.size);
   addTransport(amortize, options.transport);
   amortize->add_flag("--json", options.json, "One JSON document on stdout");
   amortize->add_option("--plot", options.plot, "SVG file to draw the curves into");
@@ -57,7 +78,7 @@ void BenchCommands::addEncode() {
   CLI::App* encode =
       bench_->add_subcommand("encode", "CPU, bits and quality of the codecs on a walk through the grove");
   encode->add_option("--walk", options.walk, "File of the walk (default: around the fire)");
-  encode->add_option("--size", options.size, "Pixels of a picture")->type_name("WxH")->capture_default_str();
+  addSize(encode, options.size);
   encode->add_option("--seconds", options.seconds, "How long the walk is, at 30 frames a second")
       ->check(CLI::Range(0.1, 600.0))
       ->capture_default_str();
@@ -67,9 +88,14 @@ void BenchCommands::addEncode() {
 void BenchCommands::addFluid() {
   BenchFluidOptions& options = fluid_.options;
   CLI::App* fluid = bench_->add_subcommand("fluid", "Time and accuracy of a step of the fluid simulation");
-  fluid->add_option("--grid", options.grid, "Cells per edge")->capture_default_str();
-  fluid->add_option("--steps", options.steps, "Steps to measure")->capture_default_str();
-  fluid->add_option("--threads", options.threads, "Threads per step")->capture_default_str();
+  fluid->add_option("--grid", options.grid, "Cells per edge")
+      ->check(CLI::Range(16, 128))
+      ->check(multipleOf(8))
+      ->capture_default_str();
+  fluid->add_option("--steps", options.steps, "Steps to measure")->check(CLI::Range(1, 100'000))->capture_default_str();
+  fluid->add_option("--threads", options.threads, "Threads per step")
+      ->check(CLI::Range(1, BenchFluidOptions::kMaxThreads))
+      ->capture_default_str();
   fluid->add_flag("--json", options.json, "One JSON document on stdout");
   CLI::Option* solvers =
       fluid->add_flag("--solvers", fluid_.solvers, "Compare pressure solvers instead: residual against CPU time");
@@ -102,7 +128,7 @@ void BenchCommands::addPipeline() {
       ->check(CLI::Range(0.1, 60.0))
       ->capture_default_str();
   pipeline->add_option("--scene", options.scene, "Scene file (default: the grove, built in)");
-  pipeline->add_option("--size", options.size, "Pixels of a picture")->type_name("WxH")->capture_default_str();
+  addSize(pipeline, options.size);
   addTransport(pipeline, options.transport);
   pipeline->add_flag("--json", options.json, "One JSON document on stdout");
   pipeline->add_option("--trace", options.trace, "File to write for ui.perfetto.dev or chrome://tracing");

@@ -8,6 +8,8 @@
 
 namespace grove::cli {
 
+std::string nameOf(const PictureSize& size) { return std::to_string(size.width) + "x" + std::to_string(size.height); }
+
 std::optional<PictureSize> parsePictureSize(const std::string& text) {
   PictureSize size;
   int read = 0;

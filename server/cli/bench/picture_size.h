@@ -10,6 +10,9 @@ struct PictureSize {
   int height = 0;
 };
 
+/// "WIDTHxHEIGHT".
+[[nodiscard]] std::string nameOf(const PictureSize& size);
+
 /// Of "WIDTHxHEIGHT", a size that is streamed as it is: even numbers from 160x90 to 1920x1080. Nothing if it is none.
 [[nodiscard]] std::optional<PictureSize> parsePictureSize(const std::string& text);
 

@@ -34,18 +34,10 @@ std::vector<int> usersOf(const BenchAmortizeOptions& options) {
   if (options.users.empty()) return {1, 2, 4, 8};
   std::vector<int> users = options.users;
   std::ranges::sort(users);
-  if (users.front() < 1 || users.back() > kMaxAmortizeUsers) {
-    throw Refused("--users must be from 1 to " + std::to_string(kMaxAmortizeUsers));
-  }
   if (const auto twice = std::ranges::adjacent_find(users); twice != users.end()) {
     throw Refused("--users has " + std::to_string(*twice) + " twice");
   }
   return users;
-}
-
-PictureSize sizeOf(const std::string& text) {
-  if (const auto size = parsePictureSize(text)) return *size;
-  throw Refused("--size must be WIDTHxHEIGHT, even numbers from 160x90 to 1920x1080, not '" + text + "'");
 }
 
 /// Opened before anything is measured.
@@ -74,7 +66,7 @@ Plan planOf(const BenchAmortizeOptions& options) {
   plan.run.seconds = options.seconds;
   plan.run.frames = options.frames;
   plan.run.transport = options.transport;
-  plan.run.size = sizeOf(options.size);
+  plan.run.size = options.size;
   plan.figure = options.figure || options.users.empty();
   return plan;
 }

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/bench/picture_size.h"
 #include "node/transport/transport_kind.h"
 
 namespace grove::cli {
@@ -15,7 +16,7 @@ struct BenchAmortizeOptions {
   int frames = 0;          ///< of each visitor to measure instead, unless 0
   bool figure = false;     ///< the paper's Figure 5.6
   std::optional<std::string> scene;
-  std::string size = "1280x720";  ///< pixels of each visitor's picture
+  PictureSize size{1280, 720};  ///< of each visitor's picture
   node::TransportKind transport = node::TransportKind::kReference;
   bool json = false;
   std::optional<std::string> plot;  ///< SVG file to write

@@ -154,18 +154,12 @@ ordered_json toJson(const EncodeReport& report) {
 }  // namespace
 
 int runBenchEncode(const BenchEncodeOptions& options) {
-  const auto size = parsePictureSize(options.size);
-  if (!size) {
-    std::fprintf(stderr, "bench encode: --size wants even numbers from 160x90 to 1920x1080, not '%s'\n",
-                 options.size.c_str());
-    return 2;
-  }
   std::optional<world::Walk> walk;
   if (options.walk) walk = world::loadWalk(*options.walk);
 
   const StopOnSignal stop;
   EncodeReport report;
-  report.size = options.size;
+  report.size = nameOf(options.size);
   const world::Scene scene = openScene(std::nullopt);
   const gl::ShaderLibrary shaders;
   gl::Workers gl(gl::ContextKind::kAuto, shaders);
@@ -179,9 +173,9 @@ int runBenchEncode(const BenchEncodeOptions& options) {
     std::optional<WalkRecorder> recorder;
     recorder.emplace(loaded, types, gl, [&](std::string_view label, float share) { progress.show(label, share); });
     progress.show("drawing a walk", 0.0F);
-    KeptFrames moving = recorder->record(*walk, options.seconds, size->width, size->height, stop.token());
-    KeptFrames still =
-        recorder->record(standingWalk(loaded.layout), kStandingSeconds, size->width, size->height, stop.token());
+    KeptFrames moving = recorder->record(*walk, options.seconds, options.size.width, options.size.height, stop.token());
+    KeptFrames still = recorder->record(standingWalk(loaded.layout), kStandingSeconds, options.size.width,
+                                        options.size.height, stop.token());
     recorder.reset();
     progress.finish();
     const auto measure = [&](const stream::EncoderKind& kind, const EncodeSetting& setting, const std::string& name,

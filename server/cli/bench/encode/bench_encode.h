@@ -3,12 +3,14 @@
 #include <optional>
 #include <string>
 
+#include "cli/bench/picture_size.h"
+
 namespace grove::cli {
 
 /// `grove bench encode`.
 struct BenchEncodeOptions {
   std::optional<std::string> walk;  ///< file; default: around the fire
-  std::string size = "1280x720";
+  PictureSize size{1280, 720};      ///< of each visitor's picture
   double seconds = 10.0;
   bool json = false;
 };

@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <cstdio>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -94,18 +93,6 @@ world::Player walker(double time) {
 
 constexpr double kMs = 1.0e-6;  // per nanosecond
 
-/// Nothing, or what is wrong with the options.
-std::optional<std::string> objectionTo(const BenchFluidOptions& options) {
-  if (options.grid < 16 || options.grid > 128 || options.grid % 8 != 0) {
-    return "--grid must be a multiple of 8 from 16 to 128";
-  }
-  if (options.steps < 1 || options.steps > 100'000) return "--steps must be from 1 to 100000";
-  if (options.threads < 1 || options.threads > BenchFluidOptions::kMaxThreads) {
-    return "--threads must be from 1 to " + std::to_string(BenchFluidOptions::kMaxThreads);
-  }
-  return std::nullopt;
-}
-
 /// What steps take, in milliseconds, and how far their results are off.
 struct Measured {
   std::vector<double> cpu;          ///< of all threads
@@ -172,10 +159,6 @@ nlohmann::ordered_json reportOf(const BenchFluidOptions& options, const FluidSim
 }  // namespace
 
 int runBenchFluid(const BenchFluidOptions& options) {
-  if (const auto objection = objectionTo(options)) {
-    std::fprintf(stderr, "bench fluid: %s\n", objection->c_str());
-    return 2;
-  }
   const world::RayScene surfaces(obstacles());
   objects::fluid::FluidSettings settings;
   settings.grid = options.grid;

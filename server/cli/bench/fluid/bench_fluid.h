@@ -13,7 +13,7 @@ struct BenchFluidOptions {
 };
 
 /// Simulates a fire amid standing stones, a ball and a walking visitor, and prints what a step takes and how exact it
-/// is. Returns the process's exit code: 0, or 2 with a line on stderr if an option is out of range.
+/// is. Returns the process's exit code.
 int runBenchFluid(const BenchFluidOptions& options);
 
 }  // namespace grove::cli

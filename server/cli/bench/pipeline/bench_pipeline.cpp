@@ -79,8 +79,8 @@ Row evaluate(int framesInFlight, int users, const measure::Window& window,
 
 /// Nothing if it was stopped before anything was measured.
 std::optional<Row> measureRow(const BenchPipelineOptions& options, int framesInFlight, stream::Host& host,
-                              const PictureSize& size, const std::stop_token& stop) {
-  const Walkers walkers = makeWalkers(host, options.users, size, circle);
+                              const std::stop_token& stop) {
+  const Walkers walkers = makeWalkers(host, options.users, options.size, circle);
   const double begin = pipeline::wallSeconds();
   const auto walkFor = [&](double seconds) {
     const double end = pipeline::wallSeconds() + seconds;
@@ -145,7 +145,7 @@ void print(const Row& row) {
 void report(const BenchPipelineOptions& options, const world::Scene& scene, const std::vector<Row>& rows,
             bool interrupted) {
   if (!options.json) {
-    std::printf("%s, %d visitors, %s, %u cores\n", scene.name.c_str(), options.users, options.size.c_str(),
+    std::printf("%s, %d visitors, %s, %u cores\n", scene.name.c_str(), options.users, nameOf(options.size).c_str(),
                 std::thread::hardware_concurrency());
     for (const Row& row : rows) print(row);
     if (interrupted) std::puts("\ninterrupted: what is above is not all that was asked for");
@@ -153,7 +153,7 @@ void report(const BenchPipelineOptions& options, const world::Scene& scene, cons
   }
   ordered_json document = {{"scene", scene.name},
                            {"users", options.users},
-                           {"size", options.size},
+                           {"size", nameOf(options.size)},
                            {"transport", transportName(options.transport)},
                            {"cores", std::thread::hardware_concurrency()},
                            {"frames_per_second_limit", kFramesPerSecond},
@@ -203,12 +203,6 @@ int runBenchPipeline(const BenchPipelineOptions& options) {
     std::fputs("bench pipeline: --frames-in-flight has a number twice\n", stderr);
     return 2;
   }
-  const auto size = parsePictureSize(options.size);
-  if (!size) {
-    std::fprintf(stderr, "bench pipeline: --size wants even numbers from 160x90 to 1920x1080, not '%s'\n",
-                 options.size.c_str());
-    return 2;
-  }
   std::optional<TraceFile> trace;
   if (options.trace) trace.emplace(*options.trace);
 
@@ -234,7 +228,7 @@ int runBenchPipeline(const BenchPipelineOptions& options) {
     stream::Host host(node::loadScene(scene, types.backends), types, gl, hosting,
                       [&](std::string_view label, float share) { progress.show(label, share); });
     progress.finish();
-    if (auto row = measureRow(options, framesInFlight, host, *size, stop.token())) rows.push_back(std::move(*row));
+    if (auto row = measureRow(options, framesInFlight, host, stop.token())) rows.push_back(std::move(*row));
   }
   if (trace) trace->write(rows);
   report(options, scene, rows, stop.token().stop_requested());

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/bench/picture_size.h"
 #include "node/transport/transport_kind.h"
 
 namespace grove::cli {
@@ -14,7 +15,7 @@ struct BenchPipelineOptions {
   int users = 1;
   double seconds = 5.0;              ///< measured for each number, after a warm-up
   std::optional<std::string> scene;  ///< file; default: the grove
-  std::string size = "1280x720";
+  PictureSize size{1280, 720};       ///< of each visitor's picture
   node::TransportKind transport = node::TransportKind::kReference;
   bool json = false;
   std::optional<std::string> trace;  ///< file to write the measured runs to
