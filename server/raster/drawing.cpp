@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "world/strongest_lights.h"
+
 namespace grove::raster {
 namespace {
 
@@ -17,24 +19,13 @@ float strongest(const world::PointLight& light, const world::Bounds& bounds) {
 }  // namespace
 
 Lamps chooseLamps(std::span<const world::PointLight> lights, const world::Bounds& bounds) {
-  struct Candidate {
-    float strength;
-    const world::PointLight* light;
-  };
-  std::vector<Candidate> candidates;
-  candidates.reserve(lights.size());
-  for (const world::PointLight& light : lights) {
-    const float strength = strongest(light, bounds);
-    if (strength > kFaintest) candidates.push_back({strength, &light});
-  }
-  const std::size_t count = std::min(candidates.size(), kMaxLamps);
-  std::ranges::partial_sort(candidates, candidates.begin() + static_cast<std::ptrdiff_t>(count),
-                            [](const Candidate& a, const Candidate& b) { return a.strength > b.strength; });
+  const std::vector<world::PointLight> chosen = world::strongestLights(
+      lights, kMaxLamps, kFaintest, [&](const world::PointLight& light) { return strongest(light, bounds); });
   Lamps lamps;
-  lamps.count = static_cast<int>(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    lamps.position[i] = candidates[i].light->position;
-    lamps.colour[i] = candidates[i].light->colour;
+  lamps.count = static_cast<int>(chosen.size());
+  for (std::size_t i = 0; i < chosen.size(); ++i) {
+    lamps.position[i] = chosen[i].position;
+    lamps.colour[i] = chosen[i].colour;
   }
   return lamps;
 }

@@ -9,11 +9,6 @@
 
 namespace grove::raster {
 
-RendererKind resolved(RendererKind kind, const gl::Workers& gl) noexcept {
-  if (kind != RendererKind::kAuto) return kind;
-  return gl.softwareRendered() ? RendererKind::kSimd : RendererKind::kGl;
-}
-
 std::unique_ptr<MeshRenderer> makeRenderer(RendererKind kind, gl::Workers& gl, ImagePool& images,
                                            const MeshMemory& memory) {
   assert(kind != RendererKind::kAuto);

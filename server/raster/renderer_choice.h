@@ -19,10 +19,7 @@ enum class RendererKind {
   kEmbree,
 };
 
-/// What kAuto means on this machine; every other kind is itself.
-[[nodiscard]] RendererKind resolved(RendererKind kind, const gl::Workers& gl) noexcept;
-
-/// `kind` is a resolved one. `gl` and `images` outlive the renderer.
+/// `kind` is one that gl::resolved() gave. `gl` and `images` outlive the renderer.
 [[nodiscard]] std::unique_ptr<MeshRenderer> makeRenderer(RendererKind kind, gl::Workers& gl, ImagePool& images,
                                                          const MeshMemory& memory);
 

@@ -2,7 +2,8 @@
 
 #include "world/geometry.h"
 
-/// Deterministic noise on integer hashes, equal on every machine.
+/// Deterministic noise on integer hashes, equal on every machine: like world/noise.h, with a hash of half the work for
+/// surfaces of millions of vertices. Stones would have other shapes with that one.
 namespace grove::raster {
 
 /// Trilinear value noise in 0..1 with smooth cells of size one.

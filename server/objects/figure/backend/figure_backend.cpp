@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "gl/renderer_choice.h"
 #include "objects/figure/backend/gait.h"
 #include "raster/shading/light_bake.h"
 
@@ -25,9 +26,9 @@ world::Vec3 linear(std::uint32_t colour) {
 FigureBackend::FigureBackend(const node::BackendServices& services, raster::RendererKind kind)
     : layout_(services.scene.layout),
       geometry_(services.geometry),
-      executor_(raster::executorFor(raster::resolved(kind, services.gl), services.gl, services.workers)),
+      executor_(raster::executorFor(gl::resolved(kind, services.gl), services.gl, services.workers)),
       figure_(makeFigure()),
-      renderer_(raster::makeRenderer(raster::resolved(kind, services.gl), services.gl, services.images,
+      renderer_(raster::makeRenderer(gl::resolved(kind, services.gl), services.gl, services.images,
                                      {services.memory, "figure"})),
       held_(services.memory, "surfaces", "figure", pipeline::Work::kAcrossUser, figure_.bytes()) {}
 

@@ -8,6 +8,7 @@
 #include "objects/ground/frontend/grow_kernels.h"
 #include "objects/ground/frontend/root_kernels.h"
 #include "objects/ground/frontend/shade_kernels.h"
+#include "world/strongest_lights.h"
 
 namespace grove::objects::ground {
 namespace {
@@ -37,13 +38,9 @@ int reachOf(const Frame& frame, float tallest, int row, int ofNeighbour) {
 }
 
 std::vector<world::PointLight> nearestLights(std::span<const world::PointLight> lights, world::Vec3 eye) {
-  std::vector<world::PointLight> nearest(lights.begin(), lights.end());
-  const auto distance = [&](const world::PointLight& light) { return glm::distance(light.position, eye); };
-  if (nearest.size() > kMaxLights) {
-    std::ranges::nth_element(nearest, nearest.begin() + kMaxLights, {}, distance);
-    nearest.resize(kMaxLights);
-  }
-  return nearest;
+  if (lights.size() <= kMaxLights) return {lights.begin(), lights.end()};
+  const auto nearness = [&](const world::PointLight& light) { return -glm::distance(light.position, eye); };
+  return world::strongestLights(lights, kMaxLights, -world::kInfiniteDepth, nearness);
 }
 
 }  // namespace

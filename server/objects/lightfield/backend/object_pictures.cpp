@@ -4,7 +4,8 @@
 #include <array>
 #include <vector>
 
-#include "gl/workers.h"
+#include "gl/renderer_choice.h"
+#include "node/backend/drawing_executor.h"
 #include "node/backend/prepare/prepare_each.h"
 #include "objects/lightfield/backend/shader/shader_sampler.h"
 #include "objects/lightfield/backend/shadows.h"
@@ -19,9 +20,8 @@ const LightFieldModel& modelOf(const world::ModelledObject& object) {
   return static_cast<const LightFieldModel&>(*object.model);
 }
 
-SamplerKind resolved(SamplerKind kind, const gl::Workers& gl) {
-  if (kind != SamplerKind::kAuto) return kind;
-  return gl.softwareRendered() ? SamplerKind::kSimd : SamplerKind::kGl;
+SamplerKind kindOf(const world::ModelledObject& object, const gl::Workers& gl) {
+  return gl::resolved(modelOf(object).sampler(), gl);
 }
 
 std::unique_ptr<Sampler> makeSampler(SamplerKind kind, const node::BackendServices& services) {
@@ -29,19 +29,12 @@ std::unique_ptr<Sampler> makeSampler(SamplerKind kind, const node::BackendServic
   return std::make_unique<SimdSampler>();
 }
 
-/// One executor serves all of the type's objects, and GL is bound to threads of its own.
-pipeline::Executor& executorOf(const node::BackendServices& services, world::TypeIndex self) {
-  const bool anyByGl = std::ranges::any_of(services.scene.objects, [&](const world::ModelledObject& object) {
-    return object.type == self && resolved(modelOf(object).sampler(), services.gl) == SamplerKind::kGl;
-  });
-  if (anyByGl) return services.gl;
-  return services.workers;
-}
-
 }  // namespace
 
 ObjectPictures::ObjectPictures(const node::BackendServices& services, world::TypeIndex self)
-    : executor_(executorOf(services, self)),
+    : executor_(node::drawingExecutor(
+          services, self,
+          [&](const world::ModelledObject& object) { return kindOf(object, services.gl) == SamplerKind::kGl; })),
       images_(services.images),
       sky_(services.scene.layout.sky),
       sunGrids_(services.memory, "sun grids", "lightfield", pipeline::Work::kAcrossUser) {
@@ -52,7 +45,7 @@ ObjectPictures::ObjectPictures(const node::BackendServices& services, world::Typ
   }
   for (const world::ModelledObject* const object : objects) {
     const LightFieldModel& model = modelOf(*object);
-    const SamplerKind kind = resolved(model.sampler(), services.gl);
+    const SamplerKind kind = kindOf(*object, services.gl);
     std::unique_ptr<Sampler>& sampler = samplers_[kind];
     if (!sampler) sampler = makeSampler(kind, services);
     entries_.emplace(object->id, Entry{&model, sampler.get(), object->bounds, object->transform, {}});

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "gl/renderer_choice.h"
+#include "node/backend/drawing_executor.h"
 #include "objects/mesh/backend/lighting/mesh_light.h"
 
 namespace grove::objects::mesh {
@@ -10,14 +12,8 @@ namespace {
 
 const MeshModel& modelOf(const world::ModelledObject& object) { return static_cast<const MeshModel&>(*object.model); }
 
-/// One executor serves all of the type's objects, and GL is bound to threads of its own.
-pipeline::Executor& executorOf(const node::BackendServices& services, world::TypeIndex self) {
-  const bool anyByGl = std::ranges::any_of(services.scene.objects, [&](const world::ModelledObject& object) {
-    return object.type == self &&
-           raster::resolved(modelOf(object).renderer(), services.gl) == raster::RendererKind::kGl;
-  });
-  return raster::executorFor(anyByGl ? raster::RendererKind::kGl : raster::RendererKind::kSimd, services.gl,
-                             services.workers);
+raster::RendererKind kindOf(const world::ModelledObject& object, const gl::Workers& gl) {
+  return gl::resolved(modelOf(object).renderer(), gl);
 }
 
 }  // namespace
@@ -32,11 +28,14 @@ MeshBackend::Entry::Entry(const world::ModelledObject& object, raster::RendererK
 
 MeshBackend::MeshBackend(const node::BackendServices& services, world::TypeIndex self)
     : sky_(services.scene.layout.sky),
-      executor_(executorOf(services, self)),
+      executor_(node::drawingExecutor(services, self,
+                                      [&](const world::ModelledObject& object) {
+                                        return kindOf(object, services.gl) == raster::RendererKind::kGl;
+                                      })),
       held_(services.memory, "surfaces", "mesh", pipeline::Work::kAcrossUser) {
   for (const world::ModelledObject& object : services.scene.objects) {
     if (object.type != self) continue;
-    const raster::RendererKind kind = raster::resolved(modelOf(object).renderer(), services.gl);
+    const raster::RendererKind kind = kindOf(object, services.gl);
     entries_.try_emplace(object.id, object, kind);
     std::unique_ptr<raster::MeshRenderer>& renderer = renderers_[kind];
     if (!renderer) renderer = raster::makeRenderer(kind, services.gl, services.images, {services.memory, "mesh"});

@@ -9,6 +9,7 @@
 #include <map>
 #include <utility>
 
+#include "gl/renderer_choice.h"
 #include "objects/mesh/backend/bench.h"
 #include "objects/mesh/backend/shapes/shapes.h"
 #include "raster/box.h"
@@ -268,9 +269,9 @@ TEST_F(MeshBackendTest, OneObjectDrawnByGlTakesAllToItsExecutor) {
 
 TEST_F(MeshBackendTest, TheMachineChoosesTheRenderer) {
   const bool software = bench_.gl.softwareRendered();
-  EXPECT_EQ(raster::resolved(RendererKind::kAuto, bench_.gl), software ? RendererKind::kSimd : RendererKind::kGl);
-  EXPECT_EQ(raster::resolved(RendererKind::kGl, bench_.gl), RendererKind::kGl);
-  EXPECT_EQ(raster::resolved(RendererKind::kEmbree, bench_.gl), RendererKind::kEmbree);
+  EXPECT_EQ(gl::resolved(RendererKind::kAuto, bench_.gl), software ? RendererKind::kSimd : RendererKind::kGl);
+  EXPECT_EQ(gl::resolved(RendererKind::kGl, bench_.gl), RendererKind::kGl);
+  EXPECT_EQ(gl::resolved(RendererKind::kEmbree, bench_.gl), RendererKind::kEmbree);
 }
 
 TEST_P(FastRenderers, ACropIsThatPartOfTheWhole) {
