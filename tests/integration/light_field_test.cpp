@@ -76,7 +76,8 @@ TEST_F(LightFields, WoodStopsSmokeAndLeavesOnlyLight) {
   EXPECT_TRUE(stops(geometry.solids(), 3.25F));
   EXPECT_TRUE(stops(geometry.rays(), 3.25F));
   int leaves = 0;
-  for (float height = 6.1F; height < 10.0F; height += 0.1F) {
+  for (int decimetres = 61; decimetres < 100; ++decimetres) {
+    const float height = 0.1F * static_cast<float>(decimetres);
     EXPECT_FALSE(stops(geometry.solids(), height)) << height;
     leaves += stops(geometry.rays(), height) ? 1 : 0;
   }

@@ -75,31 +75,32 @@ void SharedStore::fetch(Request request) {
 
 void SharedStore::get(const Request& request, Waiter waiter) {
   const SharedKey what{request.object, request.key};
-  Found found;
-  std::vector<Waiting> late;
-  {
-    const std::lock_guard lock(mutex_);
-    found = use(what);
-    if (!found.data) {
-      const double now = pipeline::wallSeconds();
-      const auto [known, isNew] = pending_.try_emplace(what);
-      Pending& pending = known->second;
-      pending.waiting.push_back({request.view->deadline, std::move(waiter)});
-      if (!isNew && now <= pending.deadline) return;
-      pending.deadline = request.view->deadline;
-      // A backend node that never answers must not let them grow without bound.
-      const auto over = std::ranges::partition(pending.waiting, [now](const Waiting& w) { return now <= w.deadline; });
-      late.assign(std::make_move_iterator(over.begin()), std::make_move_iterator(over.end()));
-      pending.waiting.erase(over.begin(), over.end());
-    }
-  }
-  for (const Waiting& waiting : late) waiting.waiter(Failure{"the backend node did not answer in time", true});
-  if (!found.data) {
-    fetch(request);
+  std::unique_lock lock(mutex_);
+  if (const Found found = use(what); found.data) {
+    lock.unlock();
+    if (found.isStale) fetchNewer(what, found.data->version());
+    waiter(found.data);
     return;
   }
-  if (found.isStale) fetchNewer(what, found.data->version());
-  waiter(std::move(found.data));
+  const double now = pipeline::wallSeconds();
+  const auto [known, isNew] = pending_.try_emplace(what);
+  Pending& pending = known->second;
+  pending.waiting.push_back({request.view->deadline, std::move(waiter)});
+  if (!isNew && now <= pending.deadline) return;
+  pending.deadline = request.view->deadline;
+  const std::vector<Waiting> late = takeLate(pending, now);
+  lock.unlock();
+  for (const Waiting& waiting : late) waiting.waiter(Failure{"the backend node did not answer in time", true});
+  fetch(request);
+}
+
+/// A backend node that never answers must not let them grow without bound.
+std::vector<SharedStore::Waiting> SharedStore::takeLate(Pending& pending, double now) {
+  std::vector<Waiting>& all = pending.waiting;
+  const auto over = std::partition(all.begin(), all.end(), [now](const Waiting& w) { return now <= w.deadline; });
+  std::vector<Waiting> late(std::make_move_iterator(over), std::make_move_iterator(all.end()));
+  all.erase(over, all.end());
+  return late;
 }
 
 std::vector<SharedStore::Waiting> SharedStore::takeWaiting(const SharedKey& what) {

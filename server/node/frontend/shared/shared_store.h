@@ -79,6 +79,8 @@ class SharedStore {
   /// Puts it in unless what is there is newer; `given` gets what it replaces.
   void keep(const SharedKey& what, Entry entry, std::vector<Entry>& given);
   void makeRoom(std::vector<Entry>& given);
+  /// Those whose frames are over.
+  [[nodiscard]] static std::vector<Waiting> takeLate(Pending& pending, double now);
 
   void fetchNewer(const SharedKey& what, Version known);
   /// Who waits for it gets a failure if it is refused.
