@@ -26,7 +26,7 @@ void returnFreedBlocks() noexcept;
 void spareAddressSpace() noexcept;
 
 /// While it lives, the process ends with one line, and exit status 1, where there is no memory for a `new`: for work
-/// that loses nothing when it is cut off, on threads that could not tell it otherwise. One at a time.
+/// that loses nothing when it is cut off, on threads that could not report it otherwise. One at a time.
 class EndOnMemoryShortage {
  public:
   EndOnMemoryShortage() noexcept;

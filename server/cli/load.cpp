@@ -65,7 +65,7 @@ stream::Movement movementOf(const LoadOptions& options) {
   return options.stand ? stream::Movement::kStand : stream::Movement::kStroll;
 }
 
-/// As if the world were the one that is built in: a client is not told where visitors arrive.
+/// As if the world were the one that is built in: a client does not know where visitors arrive.
 stream::WalkToFollow walkToFollow(const std::string& file) {
   const world::Scene scene = openScene(std::nullopt);
   return {world::loadWalk(file), scene.spawn, scene.spawnYaw};

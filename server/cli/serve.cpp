@@ -44,8 +44,8 @@ constexpr std::size_t kForServing = std::size_t{96} << 20U;
 constexpr std::size_t kThreadsBesidesWorkers = 12;
 
 constexpr auto kStopWhilePreparing = 900ms;
-/// Long enough for everybody to be told, for visitors' worlds to be taken apart, and for one that is being made to be
-/// given up.
+/// Long enough for everybody to be notified, for visitors' worlds to be taken apart, and for one that is being made to
+/// be given up.
 constexpr auto kStopWhileServing = 4000ms;
 
 std::size_t sharedBytes(const ServeOptions& options) {

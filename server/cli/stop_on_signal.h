@@ -14,7 +14,7 @@ namespace grove::cli {
 class StopOnSignal {
  public:
   enum class Event { kStop, kHangup, kNone };
-  /// What SIGHUP does: ends the process at once, or is told to who waits; then it is a request to stop only if the
+  /// What SIGHUP does: ends the process at once, or is reported to who waits; then it is a request to stop only if the
   /// terminal that the process was started from is gone.
   enum class Hangup { kEnds, kIsReported };
 
@@ -36,7 +36,7 @@ class StopOnSignal {
   sigset_t signals_{};
   std::mutex mutex_;
   std::condition_variable_any reported_;
-  bool hangup_ = false;  ///< one that nobody has been told of
+  bool hangup_ = false;  ///< one that was not reported yet
   std::stop_source stop_;
   std::atomic<std::chrono::milliseconds::rep> patience_{-1};  ///< negative: none set
   std::jthread watcher_;

@@ -30,7 +30,7 @@ class Context {
   /// As in "EGL surfaceless, llvmpipe (LLVM 15.0.6, 256 bits), GL 4.5".
   [[nodiscard]] const std::string& description() const noexcept { return description_; }
 
-  /// Vendor and version as the driver tells them, as in "Mesa, 4.5 (Core Profile) Mesa 22.3.6".
+  /// Vendor and version as the driver reports them, as in "Mesa, 4.5 (Core Profile) Mesa 22.3.6".
   [[nodiscard]] std::string driver() const;
 
   /// True if triangles are drawn by this machine's CPU.

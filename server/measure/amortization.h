@@ -33,7 +33,7 @@ struct FrameCost {
 [[nodiscard]] double privateVisitors(double shared, double alpha) noexcept;
 [[nodiscard]] double sharedVisitors(double unshared, double alpha) noexcept;
 
-/// What is needed to tell the costs of a while from totals that only grow.
+/// What is needed to know the costs of a while from totals that only grow.
 struct Reading {
   std::map<pipeline::CostKey, pipeline::StageTotal> costs;
   double seconds = 0.0;         ///< of the monotonic clock

@@ -21,7 +21,7 @@ struct Amortization {
   std::map<std::string, MemoryShare> memory;
 };
 
-/// What serving costs and whom the machine can serve, told from measured costs, in cores at the nominal frame rate.
+/// What serving costs and whom the machine can serve, from measured costs, in cores at the nominal frame rate.
 struct Capacity {
   double base = 0.0;            ///< a: across-user work
   double unreported = 0.0;      ///< of one visitor: CPU that no stage accounts for

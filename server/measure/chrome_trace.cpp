@@ -166,7 +166,7 @@ void Writer::slice(const TimelineEvent& event) {
 }
 
 void Writer::flow(char phase, const TimelineEvent& event) {
-  // Flows of one name are told apart by number in the whole file. As text, since readers hold numbers in 53 bits.
+  // Flows of one name are distinguished by number in the whole file. As text, since readers hold numbers in 53 bits.
   const std::uint64_t number = std::uint64_t{process_ - 1} << 56U | RunsOfFrames::keyOf(event);
   char id[32];
   std::snprintf(id, sizeof id, "0x%llx", static_cast<unsigned long long>(number));

@@ -10,7 +10,7 @@ struct MemoryUse {
   std::int64_t resident = 0;      ///< mapped files included
   std::int64_t proportional = 0;  ///< with its share only of what other processes have mapped, too
 
-  /// Throws EnvironmentError if the system does not tell.
+  /// Throws EnvironmentError if the system does not report it.
   [[nodiscard]] static MemoryUse read();
 };
 
@@ -18,7 +18,7 @@ struct MemoryUse {
 /// tell.
 [[nodiscard]] std::size_t residentBytes();
 
-/// Bytes that programs may still take without swapping. Throws EnvironmentError if the system does not tell.
+/// Bytes that programs may still take without swapping. Throws EnvironmentError if the system does not report it.
 [[nodiscard]] std::int64_t availableMemory();
 
 /// Gives back to the system what was freed, so that what was held before does not count as held now.

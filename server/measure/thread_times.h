@@ -9,7 +9,7 @@ namespace grove::measure {
 /// CPU that the process's threads have used so far, our own and those that libraries have started.
 class ThreadTimes {
  public:
-  /// Of now. A thread that has ended is in it no longer. Throws EnvironmentError if the system does not tell.
+  /// Of now. A thread that has ended is in it no longer. Throws EnvironmentError if the system does not report it.
   [[nodiscard]] static ThreadTimes read();
 
   /// Seconds that threads whose names start with `prefix` have used since `before`. Those that ended in the meantime

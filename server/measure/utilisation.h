@@ -30,8 +30,9 @@ struct Use {
 
 struct StageUse {
   Use all;
-  bool servesFrames = false;         ///< of a session, and not a clock of its own
-  std::map<std::string, Use> types;  ///< by type of object, where the stage tells; parts count by the run of the stage
+  bool servesFrames = false;  ///< of a session, and not a clock of its own
+  std::map<std::string, Use>
+      types;  ///< by type of object, where the stage says it; parts count by the run of the stage
 };
 
 /// By name of stage.
@@ -54,7 +55,7 @@ struct FrameSpan {
   }
 };
 
-/// Those that ended within the window, by session and number; the events from before it tell when they began.
+/// Those that ended within the window, by session and number; the events from before it say when they began.
 [[nodiscard]] std::vector<FrameSpan> deliveredFrames(std::span<const pipeline::TimelineEvent> events,
                                                      const Window& window);
 

@@ -20,7 +20,7 @@ enum class Overflow {
 enum class PushResult { kAccepted, kDroppedOldest, kRejected, kClosed };
 
 /// Bounded first-in-first-out list between threads, the arrow of Figure 4.2. Nothing in it blocks: a producer that must
-/// not lose values reserves room first, and is told when there is room again.
+/// not lose values reserves room first, and is notified when there is room again.
 template <class T>
 class Queue {
  public:

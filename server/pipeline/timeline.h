@@ -24,8 +24,8 @@ struct TraceTag {
   std::uint32_t frame = 0;
 };
 
-/// One run of one stage, or a part of it that is told apart: by the type of object it serves, or because it is work of
-/// another kind.
+/// One run of one stage, or a part of it that is counted apart: by the type of object it serves, or because it is work
+/// of another kind.
 struct TimelineEvent {
   const char* stage = "";         ///< a string literal
   std::string_view subject = {};  ///< the type of object it was done for; empty: of none. Outlives the timeline
@@ -107,7 +107,7 @@ class TimedRun {
   std::int64_t cpuWithin_ = 0;
 };
 
-/// Tells apart what parts of a stage's run are for that come in turns, on the thread of the run or on another one.
+/// Counts apart what parts of a stage's run are for that come in turns, on the thread of the run or on another one.
 /// Records one event for each subject at the end, as if its turns had followed one another. Reading the clock of a
 /// thread takes a good part of a microsecond, so turns of one subject that follow one another are one. Holds no other
 /// runs. One thread.

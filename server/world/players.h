@@ -27,7 +27,7 @@ enum Key : std::uint8_t {
 
 /// The newest state of a visitor's controls; absolute, so a lost one does no harm.
 struct Input {
-  std::uint32_t number = 0;  ///< counts up; a frame tells the last one it shows
+  std::uint32_t number = 0;  ///< counts up; a frame names the last one it shows
   std::uint8_t keys = 0;     ///< bits of Key
   float yaw = 0.0F;          ///< radians
   float pitch = 0.0F;        ///< radians

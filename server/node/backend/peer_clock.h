@@ -5,14 +5,14 @@
 
 namespace grove::node {
 
-/// What the clock of a peer shows, known from the times that it tells: of the newest ones that counts which was under
+/// What the clock of a peer shows, known from the times that it reports: of the newest ones that counts which was under
 /// way for the shortest time. So it is behind by that, and follows a clock that drifts. Times are seconds.
 class PeerClock {
  public:
-  /// It told `theirs`, which came when the clock here showed `ours`.
+  /// It reported `theirs`, which came when the clock here showed `ours`.
   void hear(double theirs, double ours);
 
-  /// What it shows while the clock here shows `ours`; nothing if it told nothing yet.
+  /// What it shows while the clock here shows `ours`; nothing if it reported nothing yet.
   [[nodiscard]] std::optional<double> at(double ours) const;
 
  private:

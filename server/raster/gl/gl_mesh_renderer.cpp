@@ -103,7 +103,7 @@ class GlMeshRenderer::Bench {
     constexpr float kFarthest = 0.0F;
     atlas.bind();
     api_.Disable(GL_SCISSOR_TEST);
-    // Depth alone tells where something is, so the colour keeps what earlier batches drew.
+    // Depth alone says where something is, so the colour keeps what earlier batches drew.
     api_.ClearNamedFramebufferfv(atlas.name(), GL_DEPTH, 0, &kFarthest);
     api_.Enable(GL_SCISSOR_TEST);
     api_.ClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);

@@ -9,7 +9,7 @@
 
 namespace grove::stream {
 
-/// What the page tells of a frame's arrival.
+/// What the page reports of a frame's arrival.
 struct Arrival {
   double acknowledged = 0.0;            ///< when its word came, seconds of the server's clock
   double held = 0.0;                    ///< seconds between arrival and the page's word

@@ -4,7 +4,7 @@
 
 namespace grove::stream {
 
-/// A page's clock, of which 32 bits of microseconds are told: goes on over their end. One thread at a time.
+/// A page's clock, of which 32 bits of microseconds are reported: goes on over their end. One thread at a time.
 class PageClock {
  public:
   /// Seconds since a moment that stays the same.

@@ -21,7 +21,7 @@ struct StreamMeans {
   double bitsPerSecond = 3e6;  ///< that pictures may take
   /// That the machine can draw and encode for this visitor; infinite where that is not what is scarce.
   double pixelsPerSecond = std::numeric_limits<double>::infinity();
-  /// Of an ordinary picture at quantiser 0, as QuantiserControl tells it.
+  /// Of an ordinary picture at quantiser 0, as QuantiserControl has it.
   double bitsPerPixel = 4.0;
   Quantiser finest = 18.0;  ///< of the encoder
   Quantiser coarsest = 40.0;

@@ -16,7 +16,7 @@ H264Decoder::H264Decoder() {
   SDecodingParam parameters{};
   parameters.sVideoProperty.size = sizeof parameters.sVideoProperty;
   parameters.sVideoProperty.eVideoBsType = VIDEO_BITSTREAM_AVC;
-  parameters.eEcActiveIdc = ERROR_CON_DISABLE;  // what is damaged is to be told, not painted over
+  parameters.eEcActiveIdc = ERROR_CON_DISABLE;  // damage is to be reported, not painted over
   int level = WELS_LOG_QUIET;
   if (failed != 0 || decoder == nullptr || decoder->SetOption(DECODER_OPTION_TRACE_LEVEL, &level) != cmResultSuccess ||
       decoder->Initialize(&parameters) != cmResultSuccess) {

@@ -16,7 +16,7 @@ class QuantiserControl {
   /// What came of it.
   void encoded(bool independent, double pixels, Quantiser quantiser, double bytes, double wantedBytes);
 
-  /// No picture was made, since it would be the last one again: what is owed is worked off, and what is left to refine
+  /// No picture was made, since it would be the last one again: the debt is worked off, and what is left to refine
   /// costs less than a picture that moves.
   void rested();
 

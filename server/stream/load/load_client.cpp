@@ -151,7 +151,7 @@ void LoadClients::connect(Client& client, const LoadTarget& asked, const LoadTar
   info.ietf_version_or_minus_one = -1;
   info.opaque_user_data = &client;
   info.pwsi = &client.socket;
-  // A failure here has told its reason through the callback already, if it has one.
+  // A failure here has reported its reason through the callback already, if it has one.
   if (lws_client_connect_via_info(&info) == nullptr) end(client, "cannot connect");
 }
 

@@ -23,7 +23,7 @@ class LoadVisitor {
   /// `index` makes visitors differ; `plan` outlives this; `decoder` may be shared by all of a thread.
   LoadVisitor(int index, const LoadPlan& plan, JpegDecoder& decoder);
 
-  /// What was agreed on, before anything else; grove.v1 if it is not told.
+  /// What was agreed on, before anything else; grove.v1 if it is not said.
   void agreedOn(std::string_view subProtocol) { video_ = subProtocol == kSubProtocolWithVideo; }
 
   /// Time for the next input; the page sends one per displayed frame at most.

@@ -21,8 +21,8 @@ class PictureCheck {
   /// What is wrong with the next picture, in a few words; nothing if it is all right.
   [[nodiscard]] std::optional<std::string> check(const PictureHeader& header, std::span<const std::uint8_t> picture);
 
-  /// Whether the last picture could not be decoded, so that none that depends on it can: the server is to be told once.
-  /// Those that come nevertheless were under way; nothing is wrong with them.
+  /// Whether the last picture could not be decoded, so that none that depends on it can: that is to be reported to the
+  /// server once. Those that come nevertheless were under way; nothing is wrong with them.
   [[nodiscard]] bool takeBroken() { return std::exchange(reportBroken_, false); }
 
  private:

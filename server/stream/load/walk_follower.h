@@ -4,7 +4,7 @@
 
 namespace grove::stream {
 
-/// Leads a visitor along a walk by his keys. Where he is, nobody tells him: he reckons it from his own keys by the laws
+/// Leads a visitor along a walk by his keys. Where he is, nobody reports: he reckons it from his own keys by the laws
 /// of world::Players, looks where the walk looks, and holds the keys that bring him nearest to where it will be. First
 /// he runs from where he arrived to where it begins, straight on; then he goes there and back again, for ever. Whatever
 /// stops him on his way, and a line that delivers his keys late and at once, leave him beside it. One thread.

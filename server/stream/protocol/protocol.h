@@ -72,7 +72,7 @@ struct Broken {
   std::uint32_t frame = 0;
 };
 
-/// Since v1.2: an Ack that tells when the frame arrived.
+/// Since v1.2: an Ack that says when the frame arrived.
 struct Presented {
   std::uint32_t frame = 0;
   std::uint16_t heldTenthsOfMilliseconds = 0;  ///< from arrival to here; the largest: that or more

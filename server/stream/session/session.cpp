@@ -64,7 +64,7 @@ void Session::begin(std::shared_ptr<WorldInstance> instance) {
 }
 
 void Session::reportBreath() {
-  // Under the lock, so that who tells last has also looked last.
+  // Under the lock, so that who reports last has also looked last.
   const std::lock_guard lock(mutex_);
   const auto player = host_.players().find(player_, pipeline::wallSeconds());
   if (!instance_ || !player) return;

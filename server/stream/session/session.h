@@ -26,7 +26,7 @@ class WorldInstance;
 
 /// Receives each new frame, on a worker thread; must not block. A newer frame replaces one that was not sent yet.
 using FrameSink = std::function<void(std::shared_ptr<const EncodedFrame>)>;
-/// Is told how the stream stands, on the host's clock; must not block.
+/// Gets how the stream stands, on the host's clock; must not block.
 using StatusSink = std::function<void(const Status&)>;
 
 /// What a page since v1.2 said before Hello; an older one says nothing.

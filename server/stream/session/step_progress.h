@@ -6,11 +6,11 @@
 
 namespace grove::stream {
 
-/// How a preparation gets on, for people: of several steps at once, one is told until it is done, or nothing was heard
-/// of it for a second. One thread at a time; times are seconds of pipeline::wallSeconds().
+/// How a preparation gets on, for people: of several steps at once, one is reported until it is done, or nothing was
+/// heard of it for a second. One thread at a time; times are seconds of pipeline::wallSeconds().
 class StepProgress {
  public:
-  /// False if another step is being told.
+  /// False if another step is being reported.
   bool hear(std::string_view step, float share, double now);
   void clear() noexcept;
 

@@ -36,7 +36,7 @@ class Connection {
   /// What all connections of a server come through.
   struct Door {
     TakePlace takePlace;
-    log::Limited& strangers;  ///< tells of those who went, or were sent away, before they were visitors
+    log::Limited& strangers;  ///< reports those who went, or were sent away, before they were visitors
   };
 
   /// `peer` names the other end in the log. `wake` is called from other threads when there is something to send.

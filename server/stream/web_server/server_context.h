@@ -30,7 +30,7 @@ class ServerContext {
   [[nodiscard]] Audience audienceOf(lws* wsi) const;
   /// Whether that listener takes TLS.
   [[nodiscard]] bool isSecure(Audience audience) const { return secure_[static_cast<std::size_t>(audience)]; }
-  /// What the callback does with the OpenSSL context that it is told of.
+  /// What the callback does with the OpenSSL context that it is given.
   void prepare(SSL_CTX* listener) const;
   void close() { context_.reset(); }
 

@@ -53,7 +53,8 @@ struct AmortizeRow {
   /// What neither stages nor the driver's threads account for: clocks, queues, sockets, the bench itself.
   [[nodiscard]] double otherCores() const { return cpuCores - stageCores - driverCores; }
   [[nodiscard]] measure::FrameCost cost() const { return measure::sum(costs); }
-  /// Cores that are needed to give every visitor the nominal frame rate. `cpuCores` cannot tell where there are fewer.
+  /// Cores that are needed to give every visitor the nominal frame rate. `cpuCores` cannot show it where there are
+  /// fewer.
   [[nodiscard]] double coresNeeded() const;
 };
 

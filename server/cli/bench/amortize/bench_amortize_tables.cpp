@@ -90,7 +90,7 @@ void printFit(std::string& out, const char* mode, const ModeFit& fit) {
   print(out, ", by the line %s\n", shown(capacity.fitted).c_str());
 }
 
-/// Where the slopes and the stages tell different shares, these are the numbers that differ.
+/// Where the slopes and the stages give different shares, these are the numbers that differ.
 void printReasons(std::string& out, const std::vector<AmortizeRow>& rows) {
   const AmortizeRow* shared = fullest(rows, false);
   const AmortizeRow* unshared = fullest(rows, true);

@@ -18,7 +18,7 @@
 namespace grove::cli {
 namespace {
 
-/// To tell how alike two pictures are takes ten times as long as to encode them.
+/// To measure how alike two pictures are takes ten times as long as to encode them.
 constexpr std::size_t kFramesPerComparison = 10;
 /// Of a line that is better than the visitor asks for.
 constexpr double kRoundTrip = 0.020;

@@ -128,7 +128,7 @@ raster::LitSurface makeFigure() {
   add(figure.surface, makeLeg(1.0F), kRightLeg);
   add(figure.surface, makeSleeve(), kArm);
   add(figure.surface, makeLantern(), kArm);
-  // Limbs and lantern are thin and show their corners sooner than the typical edge tells.
+  // Limbs and lantern are thin and show their corners sooner than the typical edge suggests.
   for (raster::Level& level : figure.surface.levels) level.edge *= 2.0F;
   for (const Vertex& vertex : figure.surface.vertices) {
     // The cloak shades the legs, and the ground the lower half a little.

@@ -167,7 +167,7 @@ std::vector<Picture> Job::renderHeldOut(const ViewRenderer& renderer, const std:
   return pictures;
 }
 
-/// The held-out views tell about how much the others will take.
+/// The held-out views show about how much the others will take.
 void Job::checkRoom(const std::vector<Picture>& samples) const {
   std::uint64_t blocks = 0;
   for (const Picture& picture : samples) {
@@ -262,7 +262,7 @@ std::optional<BakeReport> Job::run() {
   const BakeStep views("views", progress_);
   const ViewRenderer renderer(model_, textures_, rays_, points, light, options_.samples);
   std::vector<ObjectCamera> cameras = planHeldOut(geometry_, options_.subdivision, options_.size);
-  // They tell how much room the others take; nobody measures a rough one by them.
+  // They show how much room the others take; nobody measures a rough one by them.
   if (options_.rough) cameras.resize(kRoughHeldOut);
   const ViewRenderer truth(model_, textures_, rays_, points, light, options_.truthSamples);
   const std::vector<Picture> heldOut = renderHeldOut(truth, cameras, ModelRays::Among::kModel);

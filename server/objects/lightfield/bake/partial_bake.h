@@ -12,7 +12,7 @@
 namespace grove::bake {
 
 /// The finished views of a bake that goes on, in a folder beside its file: the sections of the light field to be, to
-/// which views are appended in their order, and a journal that tells which bytes are whole. The folder outlives its
+/// which views are appended in their order, and a journal that says which bytes are whole. The folder outlives its
 /// process, so that a bake that was killed goes on where it stopped. One thread at a time; one process at a time, which
 /// a lock ensures. Throws EnvironmentError: no permission, disk full, another process is at it.
 class PartialBake {

@@ -7,7 +7,7 @@ namespace grove::bake {
 /// The longest edge that a triangle may have, metres.
 struct LongestEdge {
   float solid = 0.1F;   ///< of solid materials
-  float leaves = 0.3F;  ///< of others: shadows on what is small and thin are not told apart
+  float leaves = 0.3F;  ///< of others: shadows on what is small and thin cannot be distinguished
 };
 
 /// The same surface as a model whose edges are no longer than wanted, so that light that is kept at vertices can follow

@@ -10,7 +10,7 @@ namespace grove::objects::lightfield {
 
 inline constexpr const char* kTypeName = "lightfield";
 
-/// What a frontend half knows of a light field, under the empty key: enough to tell which pictures of it to show.
+/// What a frontend half knows of a light field, under the empty key: enough to know which pictures of it to show.
 class FieldInfo final : public node::SharedData {
  public:
   struct Parts {

@@ -7,7 +7,7 @@
 
 namespace grove::objects::lightfield {
 
-/// One view as it was rendered, rows from the top, encoded as LightField tells.
+/// One view as it was rendered, rows from the top, encoded as LightField says.
 struct DenseView {
   int size = 0;
   std::vector<std::uint16_t> depth;                ///< size * size

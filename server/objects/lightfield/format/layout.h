@@ -5,7 +5,7 @@
 
 #include "objects/lightfield/format/light_field.h"
 
-/// The bytes of a light-field file, little-endian; FORMAT.md tells the same in words.
+/// The bytes of a light-field file, little-endian; FORMAT.md says the same in words.
 namespace grove::objects::lightfield {
 
 inline constexpr std::array<char, 8> kMagic{'G', 'r', 'o', 'v', 'e', 'L', 'F', '\n'};

@@ -50,7 +50,7 @@ struct HeldOutView {
 };
 
 /// Pictures of one object from all around, with depth: the data of sections 5.1.1 and 5.1.3. Read-only and shared by
-/// all visitors; the spans point into a mapped file or into memory that `storage` owns. FORMAT.md tells the layout.
+/// all visitors; the spans point into a mapped file or into memory that `storage` owns. FORMAT.md describes the layout.
 ///
 /// Colour is as in raster::Image: RGBA8, display-encoded, premultiplied by coverage. It was lit by a sun of the world's
 /// height that stands at azimuth `sunAzimuth + k * 2 pi / lightings` for lighting k, so that an object that is turned

@@ -121,7 +121,7 @@ void LinkShaper::acceptAll(LinkTime time) {
   for (;;) {
     Descriptor client = acceptFrom(listener_);
     if (!client) {
-      // Out of descriptors, most likely; the listener will not tell again of who waits already.
+      // Out of descriptors, most likely; the listener will not report again who waits already.
       const bool none = errno == EAGAIN || errno == EWOULDBLOCK;
       if (!none) times_.emplace(errno == ECONNABORTED || errno == EINTR ? time : time + kAcceptAgain, kListenerId);
       return;

@@ -21,7 +21,7 @@ struct EntranceRules {
   std::vector<std::string> names = {};
   /// Pages of these may open a socket, besides the server's own; as parseOrigin() gives them.
   std::vector<std::string> origins = {};
-  /// What these tell of whom they pass on is believed.
+  /// What these say of whom they pass on is believed.
   std::vector<AddressRange> proxies = {};
   AddressAllowance allowance = {};
 };

@@ -16,7 +16,7 @@ namespace grove::stream {
 /// call returns what its callback has to.
 class HttpService {
  public:
-  /// `hsts`: seconds for which browsers shall come by https only; none: they are not told.
+  /// `hsts`: seconds for which browsers shall come by https only; none: they are not asked to.
   HttpService(Audience audience, std::optional<int> hsts);
 
   /// From now on there are reports; they outlive it.

@@ -8,7 +8,7 @@
 
 namespace grove::stream {
 
-/// What `/statistics.json` and `/sharing.json` tell of.
+/// What `/statistics.json` and `/sharing.json` report.
 struct StatisticsSources {
   const pipeline::Timeline& timeline;
   const pipeline::MemoryLedger& memory;

@@ -16,7 +16,7 @@ struct PageReply {
   int status = 200;
   std::string_view type = "text/plain; charset=utf-8";
   std::string_view etag;  ///< empty: none
-  std::string_view body;  ///< its length is told even if it is not sent
+  std::string_view body;  ///< its length is announced even if it is not sent
   bool sendBody = true;
   std::string location = {};  ///< where to ask instead; empty: nowhere else
 };

@@ -74,7 +74,7 @@ HWY_INLINE Vectors octave(Vectors at, float perMetre) {
 }
 
 /// Whirls too small for the grid: two octaves of Arnold-Beltrami-Childress flow, each component about -1 to 1. They
-/// ride with the smoke: `at.y`, where a place along the column's axis would stand, tells when a particle was born.
+/// ride with the smoke: `at.y`, where a place along the column's axis would stand, says when a particle was born.
 HWY_INLINE Vectors eddies(Vectors at) {
   constexpr float kWide = 1.25F;  // periods a metre
   constexpr float kFine = 3.25F;

@@ -43,7 +43,7 @@ class Shading {
            static_cast<std::size_t>(x);
   }
 
-  /// Cells of a fluid's grid, along any axis, whose being solid tells for a cell of light.
+  /// Cells of a fluid's grid, along any axis, whose being solid counts for a cell of light.
   struct Inside {
     int low = 0;
     int high = 0;

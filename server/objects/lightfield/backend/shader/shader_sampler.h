@@ -11,7 +11,7 @@
 namespace grove::objects::lightfield {
 
 /// The Sampler for GPUs: shaders/lightfield/sample.frag, one triangle a picture. It makes the same pictures as
-/// SimdSampler, whose header tells how.
+/// SimdSampler, whose header says how.
 ///
 /// The pictures of a call are drawn one below the other into one target and read back at the end. Every GL worker keeps
 /// the light fields that it has drawn as textures, `maxBytes` of them at most.

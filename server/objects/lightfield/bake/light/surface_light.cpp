@@ -160,7 +160,7 @@ void Computation::addSun(std::size_t first, SurfaceLight& light) const {
     ModelRays::Mask mask;
     for (std::size_t lane = 0; lane < kPacket; ++lane) mask.lane[lane] = sends(packet[lane], sun) ? -1 : 0;
     trace(0, mask);
-    // Half of the rays tell for most points that they are wholly in the sun or in shade.
+    // Half of the rays show for most points that they are wholly in the sun or in shade.
     for (std::size_t lane = 0; lane < kPacket; ++lane) {
       const bool partly = seen[lane] > 0 && seen[lane] < settings_.sunRays / 2;
       if (!partly) {

@@ -82,7 +82,7 @@ class Strip {
 
   [[nodiscard]] Reach reach(int tile) const {
     if (tiles_.misses[tile] != 0) return {};
-    // Some of its rays go nowhere and their ends tell nothing.
+    // Some of its rays go nowhere and their ends say nothing.
     if (tiles_.whole[tile] != 0) return {view_.range(), maxSpeed_};
     const CachedView::Range& whole = view_.range();
     Passed passed;

@@ -16,7 +16,7 @@ inline constexpr int kLongestRow = 128;
 [[nodiscard]] constexpr int wholeVectors(int n) noexcept { return (n + 15) & ~15; }
 
 /// The finest level: all open faces weigh 1. Because the unknown is zero in solids and behind walls, neighbours need no
-/// mask: the diagonal alone tells how many of them count.
+/// mask: the diagonal alone says how many of them count.
 struct FineOperator {
   const std::uint8_t* diagonal;
   const std::uint8_t* sixtieths;
