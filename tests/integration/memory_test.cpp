@@ -90,13 +90,13 @@ class Memory : public ::testing::Test {
 objects::lightfield::TemporaryFolder* Memory::folder_ = nullptr;
 
 bool isHonest(double share) {
-  // Sanitizers keep memory of their own, so there the process holds more than is told.
+  // Sanitizers keep memory of their own, so there the process holds more than is reported.
   return share > (kSanitized ? 0.0 : 0.85) && share < 1.05;
 }
 
-/// What is told over what the process has grown by. In a process that did nothing before: else some of the growth would
-/// be into memory that was freed and is still resident. What is told of before it is used, or freed after it was told
-/// of, makes single readings differ; so there are some until one is honest.
+/// What is reported over what the process has grown by. In a process that did nothing before: else some of the growth
+/// would be into memory that was freed and is still resident. What is reported before it is used, or freed after it was
+/// reported, makes single readings differ; so there are some until one is honest.
 double toldShare(const std::string& scene) {
   {
     // Libraries and threads take theirs once; as little as can be, for some of it stays resident when it is freed.
@@ -107,7 +107,7 @@ double toldShare(const std::string& scene) {
   measure::returnFreedMemory();
   const auto before = static_cast<double>(measure::MemoryUse::read().resident);
   stream::HostOptions options;
-  options.timelineEvents = 1024;  // what is kept for events is told whole, though they come by and by
+  options.timelineEvents = 1024;  // what is kept for events is reported whole, though they come by and by
   ServedScene served(scene, options);
   Visitors visitors;
   for (int i = 0; i < 3; ++i) enter(served, visitors);
@@ -122,11 +122,11 @@ double toldShare(const std::string& scene) {
   return share;
 }
 
-TEST_F(Memory, WhatIsToldIsWhatTheProcessHolds) {
+TEST_F(Memory, WhatIsReportedIsWhatTheProcessHolds) {
   GTEST_FLAG_SET(death_test_style, "threadsafe");
   const auto check = [] {
     const double share = toldShare(scene());
-    std::fprintf(stderr, "told over grown: %.3f\n", share);
+    std::fprintf(stderr, "reported over grown: %.3f\n", share);
     std::_Exit(isHonest(share) ? 0 : 1);
   };
   EXPECT_EXIT(check(), testing::ExitedWithCode(0), "");

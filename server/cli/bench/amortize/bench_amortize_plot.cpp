@@ -74,8 +74,8 @@ Panel memoryPanel(const std::vector<AmortizeRow>& rows) {
           .xLabel = kVisitors,
           .yLabel = "MB",
           .series = {over("resident, shared", rows, false, resident), over("resident, private", rows, true, resident),
-                     over("told by holders, shared", rows, false, reported),
-                     over("told by holders, private", rows, true, reported)}};
+                     over("reported by holders, shared", rows, false, reported),
+                     over("reported by holders, private", rows, true, reported)}};
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ std::string shown(const std::optional<double>& value) {
 
 void printRows(std::string& out, const std::vector<AmortizeRow>& rows) {
   print(out,
-        "Milliseconds of CPU in a frame; cores of the process, its drivers' threads and the rest no stage tells;\n");
+        "Milliseconds of CPU in a frame; cores of the process, its drivers' threads and the rest no stage reports;\n");
   print(out,
         "cores that 30 frames a second for all need (* the machine gives fewer, and each of them costs more).\n\n");
   print(out,
@@ -64,7 +64,7 @@ void printTypes(std::string& out, const AmortizeRow& row) {
          share != row.memory.end() ? share->second : measure::MemoryShare());
   }
   line("all", row.cost(), measure::sum(row.memory));
-  print(out, "\nresident %.0f MB (%.0f MB with its share of shared pages), of which %.0f MB are told above\n",
+  print(out, "\nresident %.0f MB (%.0f MB with its share of shared pages), of which %.0f MB are reported above\n",
         mega(static_cast<double>(row.process.resident)), mega(static_cast<double>(row.process.proportional)),
         mega(row.reportedBytes));
 }
