@@ -123,6 +123,27 @@ ClientMessage parsePresented(WireReader reader) {
   return presented;
 }
 
+ClientMessage parsePainted(WireReader reader) {
+  const bool zero = reader.take<std::uint8_t>() == 0;
+  Painted painted;
+  painted.heldTenthsOfMilliseconds = reader.take<std::uint16_t>();
+  painted.frame = reader.take<std::uint32_t>();
+  painted.arrivedMicroseconds = reader.take<std::uint32_t>();
+  painted.decodeTenthsOfMilliseconds = reader.take<std::uint16_t>();
+  painted.paintTenthsOfMilliseconds = reader.take<std::uint16_t>();
+  if (!isWhole(reader)) return wrongLength("Painted");
+  if (!zero) return reservedBytes("Painted");
+  return painted;
+}
+
+ClientMessage parseCapture(WireReader reader) {
+  const bool zero = takeReserved(reader);
+  const Capture capture{reader.take<std::uint32_t>()};
+  if (!isWhole(reader)) return wrongLength("Capture");
+  if (!zero) return reservedBytes("Capture");
+  return capture;
+}
+
 }  // namespace
 
 ClientMessage parseClientMessage(std::span<const std::uint8_t> bytes) {
@@ -147,6 +168,10 @@ ClientMessage parseClientMessage(std::span<const std::uint8_t> bytes) {
       return parseBroken(reader);
     case MessageType::kPresented:
       return parsePresented(reader);
+    case MessageType::kPainted:
+      return parsePainted(reader);
+    case MessageType::kCapture:
+      return parseCapture(reader);
     default:
       return refuseMessage("unknown message type " + std::to_string(type));
   }
@@ -205,6 +230,20 @@ std::vector<std::uint8_t> encode(const Presented& presented) {
   WireWriter writer;
   writer.put(toByte(MessageType::kPresented)).put(std::uint8_t{0}).put(presented.heldTenthsOfMilliseconds);
   writer.put(presented.frame).put(presented.arrivedMicroseconds);
+  return writer.take();
+}
+
+std::vector<std::uint8_t> encode(const Painted& painted) {
+  WireWriter writer;
+  writer.put(toByte(MessageType::kPainted)).put(std::uint8_t{0}).put(painted.heldTenthsOfMilliseconds);
+  writer.put(painted.frame).put(painted.arrivedMicroseconds);
+  writer.put(painted.decodeTenthsOfMilliseconds).put(painted.paintTenthsOfMilliseconds);
+  return writer.take();
+}
+
+std::vector<std::uint8_t> encode(const Capture& capture) {
+  WireWriter writer;
+  writer.put(toByte(MessageType::kCapture)).put(std::uint8_t{0}).put(std::uint16_t{0}).put(capture.number);
   return writer.take();
 }
 

@@ -20,12 +20,16 @@ enum class MessageType : std::uint8_t {
   kLimits = 0x06,
   kBroken = 0x07,
   kPresented = 0x08,
+  kPainted = 0x09,
+  kCapture = 0x0A,
   kWelcome = 0x81,
   kFrame = 0x82,
   kWaiting = 0x83,
   kPicture = 0x84,
   kStatus = 0x85,
   kRefining = 0x86,
+  kCaptured = 0x87,
+  kTimes = 0x88,
 };
 
 [[nodiscard]] constexpr std::uint8_t toByte(MessageType type) { return static_cast<std::uint8_t>(type); }

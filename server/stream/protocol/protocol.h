@@ -20,6 +20,8 @@ inline constexpr const char* kSubProtocol = "grove.v1";
 inline constexpr const char* kSubProtocolWithWaiting = "grove.v1.1";
 /// The same, of pages that besides choose a codec, adapt to their line and know the messages below "since v1.2".
 inline constexpr const char* kSubProtocolWithVideo = "grove.v1.2";
+/// The same, of pages that besides report where a frame's time goes and know the messages below "since v1.3".
+inline constexpr const char* kSubProtocolWithTimes = "grove.v1.3";
 
 /// Close codes of PROTOCOL.md.
 enum class CloseCode : std::uint16_t {
@@ -79,7 +81,19 @@ struct Presented {
   std::uint32_t arrivedMicroseconds = 0;       ///< by the page's clock, modulo 2^32
 };
 
-using ClientMessage = std::variant<Hello, world::Input, Ack, Resize, Offer, Limits, Broken, Presented, Refusal>;
+/// Since v1.3: a Presented that reports what the browser spent on the frame.
+struct Painted : Presented {
+  std::uint16_t decodeTenthsOfMilliseconds = 0;  ///< from arrival until the image came out of the decoder
+  std::uint16_t paintTenthsOfMilliseconds = 0;   ///< that drawing took; 0 if it was skipped
+};
+
+/// Since v1.3: asks for one whole picture of the wanted size, as fine as JPEG gets.
+struct Capture {
+  std::uint32_t number = 0;  ///< comes back with the answer
+};
+
+using ClientMessage =
+    std::variant<Hello, world::Input, Ack, Resize, Offer, Limits, Broken, Presented, Painted, Capture, Refusal>;
 
 [[nodiscard]] ClientMessage parseClientMessage(std::span<const std::uint8_t> bytes);
 
@@ -126,7 +140,13 @@ struct PictureHeader : FrameHeader {
 };
 
 /// What keeps the stream from being all that the visitor could want.
-enum class LimitedBy : std::uint8_t { kNothing = 0, kLine = 1, kMachine = 2, kVisitor = 3 };
+enum class LimitedBy : std::uint8_t {
+  kNothing = 0,
+  kLine = 1,
+  kMachine = 2,  ///< the server
+  kVisitor = 3,  ///< the visitor's own limits
+  kBrowser = 4,  ///< since v1.3
+};
 
 /// Since v1.2: how the stream stands, at each change and twice a second when no picture is sent.
 struct Status {
@@ -149,14 +169,36 @@ struct Refining {
   std::string step;                             ///< what is being made; cut to 64 bytes
 };
 
+/// Since v1.3: where a frame's time goes before the page has it, medians of the last second; once a second while
+/// pictures are sent.
+struct Times {
+  std::uint16_t queuedTenthsOfMilliseconds = 0;   ///< a due frame waits for a worker
+  std::uint16_t drawnTenthsOfMilliseconds = 0;    ///< from reading the camera to the finished picture
+  std::uint16_t encodedTenthsOfMilliseconds = 0;  ///< from there to the encoded picture
+  std::uint16_t socketTenthsOfMilliseconds = 0;   ///< from there until the socket has taken all of it
+  std::uint16_t lineTenthsOfMilliseconds = 0;     ///< from there to the page, as far as the clocks allow to say
+};
+
+/// Since v1.3: the answer to Capture; the picture follows it.
+struct CapturedHeader {
+  std::uint8_t codec = kCodecJpeg;
+  std::uint16_t width = 0;
+  std::uint16_t height = 0;
+  std::uint32_t number = 0;
+};
+inline constexpr std::size_t kCapturedHeaderBytes = 12;
+
 [[nodiscard]] std::vector<std::uint8_t> encode(const Welcome& welcome);
 [[nodiscard]] std::vector<std::uint8_t> encode(const Waiting& waiting);
 [[nodiscard]] std::vector<std::uint8_t> encode(const Status& status);
 [[nodiscard]] std::vector<std::uint8_t> encode(const Refining& refining);
+[[nodiscard]] std::vector<std::uint8_t> encode(const Times& times);
 /// Writes the header of a Frame message; the picture follows it.
 void encode(const FrameHeader& header, std::span<std::uint8_t, kFrameHeaderBytes> out);
 /// Writes the header of a Picture message; the picture follows it.
 void encode(const PictureHeader& header, std::span<std::uint8_t, kPictureHeaderBytes> out);
+/// Writes the header of a Captured message; the picture follows it.
+void encode(const CapturedHeader& header, std::span<std::uint8_t, kCapturedHeaderBytes> out);
 
 /// The client's side, for `grove load` and tests.
 [[nodiscard]] std::vector<std::uint8_t> encode(const Hello& hello);
@@ -167,6 +209,8 @@ void encode(const PictureHeader& header, std::span<std::uint8_t, kPictureHeaderB
 [[nodiscard]] std::vector<std::uint8_t> encode(const Limits& limits);
 [[nodiscard]] std::vector<std::uint8_t> encode(const Broken& broken);
 [[nodiscard]] std::vector<std::uint8_t> encode(const Presented& presented);
+[[nodiscard]] std::vector<std::uint8_t> encode(const Painted& painted);
+[[nodiscard]] std::vector<std::uint8_t> encode(const Capture& capture);
 
 struct FrameMessage {
   FrameHeader header;
@@ -176,7 +220,12 @@ struct PictureMessage {
   PictureHeader header;
   std::span<const std::uint8_t> picture;
 };
-using ServerMessage = std::variant<Welcome, Waiting, FrameMessage, PictureMessage, Status, Refining, Refusal>;
+struct CapturedMessage {
+  CapturedHeader header;
+  std::span<const std::uint8_t> picture;
+};
+using ServerMessage =
+    std::variant<Welcome, Waiting, FrameMessage, PictureMessage, CapturedMessage, Status, Refining, Times, Refusal>;
 [[nodiscard]] ServerMessage parseServerMessage(std::span<const std::uint8_t> bytes);
 
 }  // namespace grove::stream

@@ -110,7 +110,7 @@ ServerMessage parseStatus(WireReader reader) {
   status.kilobitsPerSecond = reader.take<std::uint32_t>();
   status.lastInput = reader.take<std::uint32_t>();
   if (reader.exhausted() || !reader.rest().empty()) return wrongLength("Status");
-  if (limitedBy > static_cast<std::uint8_t>(LimitedBy::kVisitor)) return refuseMessage("limited by nothing known");
+  if (limitedBy > static_cast<std::uint8_t>(LimitedBy::kBrowser)) return refuseMessage("limited by nothing known");
   if (status.quality > kAllPercent) return refuseMessage("more than 100 percent");
   status.limitedBy = static_cast<LimitedBy>(limitedBy);
   return status;
@@ -126,6 +126,35 @@ ServerMessage parseRefining(WireReader reader) {
   if (stepBytes > kMaxStepBytes) return refuseMessage("the step is longer than 64 bytes");
   refining.step = printable(reader.restAsText(), kMaxStepBytes);
   return refining;
+}
+
+ServerMessage parseCaptured(WireReader reader) {
+  CapturedMessage captured;
+  captured.header.codec = reader.take<std::uint8_t>();
+  captured.header.width = reader.take<std::uint16_t>();
+  captured.header.height = reader.take<std::uint16_t>();
+  const bool zero = reader.take<std::uint16_t>() == 0;
+  captured.header.number = reader.take<std::uint32_t>();
+  if (reader.exhausted()) return wrongLength("Captured");
+  if (captured.header.codec != kCodecJpeg) {
+    return refuseMessage("unknown codec " + std::to_string(captured.header.codec));
+  }
+  if (!zero) return reservedBytes("Captured");
+  captured.picture = reader.rest();
+  return captured;
+}
+
+ServerMessage parseTimes(WireReader reader) {
+  const bool zero = reader.take<std::uint8_t>() == 0;
+  Times times;
+  times.queuedTenthsOfMilliseconds = reader.take<std::uint16_t>();
+  times.drawnTenthsOfMilliseconds = reader.take<std::uint16_t>();
+  times.encodedTenthsOfMilliseconds = reader.take<std::uint16_t>();
+  times.socketTenthsOfMilliseconds = reader.take<std::uint16_t>();
+  times.lineTenthsOfMilliseconds = reader.take<std::uint16_t>();
+  if (reader.exhausted() || !reader.rest().empty()) return wrongLength("Times");
+  if (!zero) return reservedBytes("Times");
+  return times;
 }
 
 /// Writes one number after the other into room that is there.
@@ -164,6 +193,10 @@ ServerMessage parseServerMessage(std::span<const std::uint8_t> bytes) {
       return parseStatus(reader);
     case MessageType::kRefining:
       return parseRefining(reader);
+    case MessageType::kCaptured:
+      return parseCaptured(reader);
+    case MessageType::kTimes:
+      return parseTimes(reader);
     default:
       return refuseMessage("unknown message type " + std::to_string(type));
   }
@@ -202,6 +235,15 @@ std::vector<std::uint8_t> encode(const Refining& refining) {
   return writer.take();
 }
 
+std::vector<std::uint8_t> encode(const Times& times) {
+  WireWriter writer;
+  writer.put(toByte(MessageType::kTimes)).put(std::uint8_t{0});
+  writer.put(times.queuedTenthsOfMilliseconds).put(times.drawnTenthsOfMilliseconds);
+  writer.put(times.encodedTenthsOfMilliseconds).put(times.socketTenthsOfMilliseconds);
+  writer.put(times.lineTenthsOfMilliseconds);
+  return writer.take();
+}
+
 void encode(const FrameHeader& header, std::span<std::uint8_t, kFrameHeaderBytes> out) {
   HeaderWriter writer(out);
   writer.put(toByte(MessageType::kFrame)).put(header.codec).put(header.width).put(header.height);
@@ -216,6 +258,13 @@ void encode(const PictureHeader& header, std::span<std::uint8_t, kPictureHeaderB
   writer.put(header.width).put(header.height).put(header.visitors).put(std::uint16_t{0});
   writer.put(header.frame).put(header.lastInput).put(header.serverMicroseconds);
   writer.put(header.yaw).put(header.pitch).put(header.tanHalfX).put(header.tanHalfY);
+  assert(writer.full());
+}
+
+void encode(const CapturedHeader& header, std::span<std::uint8_t, kCapturedHeaderBytes> out) {
+  HeaderWriter writer(out);
+  writer.put(toByte(MessageType::kCaptured)).put(header.codec).put(header.width).put(header.height);
+  writer.put(std::uint16_t{0}).put(header.number);
   assert(writer.full());
 }
 

@@ -52,6 +52,14 @@ Json fieldsOf(const Presented& presented) {
           {"held", presented.heldTenthsOfMilliseconds / 10.0},
           {"arrived", presented.arrivedMicroseconds}};
 }
+Json fieldsOf(const Painted& painted) {
+  Json fields = fieldsOf(static_cast<const Presented&>(painted));
+  fields["message"] = "Painted";
+  fields["decode"] = painted.decodeTenthsOfMilliseconds / 10.0;
+  fields["paint"] = painted.paintTenthsOfMilliseconds / 10.0;
+  return fields;
+}
+Json fieldsOf(const Capture& capture) { return {{"message", "Capture"}, {"number", capture.number}}; }
 Json fieldsOf(const Refusal& refusal) { return {{"message", "Refusal"}, {"reason", refusal.reason}}; }
 Json fieldsOf(const Welcome& welcome) {
   return {{"message", "Welcome"},
@@ -85,6 +93,15 @@ Json fieldsOf(const Refining& refining) {
           {"percent", refining.percent},
           {"secondsLeft", known ? Json(refining.secondsLeft) : Json(nullptr)},
           {"step", refining.step}};
+}
+
+Json fieldsOf(const Times& times) {
+  return {{"message", "Times"},
+          {"queued", times.queuedTenthsOfMilliseconds / 10.0},
+          {"drawn", times.drawnTenthsOfMilliseconds / 10.0},
+          {"encoded", times.encodedTenthsOfMilliseconds / 10.0},
+          {"socket", times.socketTenthsOfMilliseconds / 10.0},
+          {"line", times.lineTenthsOfMilliseconds / 10.0}};
 }
 
 std::string hex(std::span<const std::uint8_t> bytes) {
@@ -121,6 +138,15 @@ Json fieldsOf(const PictureMessage& picture) {
   return fields;
 }
 
+Json fieldsOf(const CapturedMessage& captured) {
+  return {{"message", "Captured"},
+          {"codec", captured.header.codec},
+          {"width", captured.header.width},
+          {"height", captured.header.height},
+          {"number", captured.header.number},
+          {"picture", hex(captured.picture)}};
+}
+
 Bytes encodeAgain(const Hello& hello) { return encode(hello); }
 Bytes encodeAgain(const world::Input& input) { return encode(input); }
 Bytes encodeAgain(const Ack& ack) { return encode(ack); }
@@ -131,6 +157,9 @@ Bytes encodeAgain(const Offer& offer) { return encode(offer); }
 Bytes encodeAgain(const Limits& limits) { return encode(limits); }
 Bytes encodeAgain(const Broken& broken) { return encode(broken); }
 Bytes encodeAgain(const Presented& presented) { return encode(presented); }
+Bytes encodeAgain(const Painted& painted) { return encode(painted); }
+Bytes encodeAgain(const Capture& capture) { return encode(capture); }
+Bytes encodeAgain(const Times& times) { return encode(times); }
 Bytes encodeAgain(const Status& status) { return encode(status); }
 Bytes encodeAgain(const Refining& refining) { return encode(refining); }
 Bytes encodeAgain(const Refusal&) { return {}; }
@@ -147,8 +176,16 @@ Bytes encodeAgain(const FrameMessage& frame) {
   return bytes;
 }
 
+Bytes encodeAgain(const CapturedMessage& captured) {
+  Bytes bytes(kCapturedHeaderBytes);
+  encode(captured.header, std::span(bytes).first<kCapturedHeaderBytes>());
+  bytes.insert(bytes.end(), captured.picture.begin(), captured.picture.end());
+  return bytes;
+}
+
 bool isFromServer(const Json& fields) {
-  static const std::set<std::string> kMessages{"Welcome", "Waiting", "Frame", "Picture", "Status", "Refining"};
+  static const std::set<std::string> kMessages{"Welcome", "Waiting",  "Frame",    "Picture",
+                                               "Status",  "Refining", "Captured", "Times"};
   return kMessages.contains(fields["message"]);
 }
 
@@ -175,8 +212,9 @@ TEST(GoldenMessages, AreWrittenToTheByte) {
 TEST(GoldenMessages, CoverEveryMessage) {
   std::set<std::string> messages;
   for (const Json& entry : golden()) messages.insert(entry["fields"]["message"]);
-  EXPECT_EQ(messages, (std::set<std::string>{"Ack", "Broken", "Frame", "Hello", "Input", "Limits", "Offer", "Picture",
-                                             "Presented", "Refining", "Resize", "Status", "Waiting", "Welcome"}));
+  EXPECT_EQ(messages, (std::set<std::string>{"Ack", "Broken", "Capture", "Captured", "Frame", "Hello", "Input",
+                                             "Limits", "Offer", "Painted", "Picture", "Presented", "Refining", "Resize",
+                                             "Status", "Times", "Waiting", "Welcome"}));
 }
 
 }  // namespace

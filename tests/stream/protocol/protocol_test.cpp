@@ -17,8 +17,12 @@ CloseCode codeOf(const ClientMessage& message) {
 }
 
 TEST(Protocol, RefusesEveryOtherLength) {
-  const std::vector<Bytes> messages = {encode(Hello{"Ada", 1280, 720}), encode(world::Input{1, 2, 0.5F, 0.25F}),
-                                       encode(Ack{3}), encode(Resize{640, 360})};
+  const std::vector<Bytes> messages = {encode(Hello{"Ada", 1280, 720}),
+                                       encode(world::Input{1, 2, 0.5F, 0.25F}),
+                                       encode(Ack{3}),
+                                       encode(Resize{640, 360}),
+                                       encode(Painted{}),
+                                       encode(Capture{5})};
   for (const Bytes& message : messages) {
     EXPECT_FALSE(std::holds_alternative<Refusal>(parseClientMessage(message)));
     for (std::size_t length = 0; length < message.size(); ++length) {
@@ -149,6 +153,15 @@ TEST(Protocol, RefusesServerMessagesThatAreCutShort) {
   for (std::size_t length = 0; length < waiting.size(); ++length) {
     EXPECT_TRUE(std::holds_alternative<Refusal>(parseServerMessage(std::span(waiting).first(length))));
   }
+  const Bytes times = encode(Times{});
+  ASSERT_TRUE(std::holds_alternative<Times>(parseServerMessage(times)));
+  for (std::size_t length = 0; length < times.size(); ++length) {
+    EXPECT_TRUE(std::holds_alternative<Refusal>(parseServerMessage(std::span(times).first(length))));
+  }
+  std::array<std::uint8_t, kCapturedHeaderBytes> captured{};
+  encode(CapturedHeader{}, captured);
+  EXPECT_TRUE(std::holds_alternative<CapturedMessage>(parseServerMessage(captured)));
+  EXPECT_TRUE(std::holds_alternative<Refusal>(parseServerMessage(std::span(captured).first(kCapturedHeaderBytes - 1))));
   std::array<std::uint8_t, kFrameHeaderBytes> frame{};
   encode(FrameHeader{}, frame);
   EXPECT_TRUE(std::holds_alternative<FrameMessage>(parseServerMessage(frame)));
