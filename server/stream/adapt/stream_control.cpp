@@ -1,6 +1,7 @@
 #include "stream/adapt/stream_control.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <tuple>
@@ -31,13 +32,18 @@ constexpr double kLongRoundTrip = 0.100;
 /// Nobody expects less of a limit than this.
 constexpr double kMinKilobits = 200.0;
 constexpr int kMinLines = 90;
+/// Of a walk through the grove, in JPEG of the usual quality.
+constexpr double kJpegBitsPerPixel = 1.1;
+/// A trial of JPEG begins with this much more than it takes.
+constexpr double kTrust = 1.3;
 
 }  // namespace
 
-StreamControl::StreamControl(const EncoderRegistry& encoders, bool adapts, double framesPerSecond, int width,
+StreamControl::StreamControl(const EncoderRegistry& encoders, PageLevel page, double framesPerSecond, int width,
                              int height)
-    : encoders_(encoders), adapts_(adapts), serverFramesPerSecond_(framesPerSecond), width_(width), height_(height) {
-  plan(0.0);
+    : encoders_(encoders), page_(page), serverFramesPerSecond_(framesPerSecond), width_(width), height_(height) {
+  // Before the first frame nothing is known that would speak against the wish.
+  policy_.update(0.0, wish(), {.bitsPerSecond = std::numeric_limits<double>::infinity()});
 }
 
 void StreamControl::resize(int width, int height) {
@@ -63,11 +69,18 @@ void StreamControl::broken() {
   wantsIndependent_ = true;
 }
 
+void StreamControl::capture(std::uint32_t number) {
+  const std::lock_guard lock(mutex_);
+  capture_.ask(number);
+}
+
 bool StreamControl::acknowledged(std::uint32_t frame, const Arrival& arrival) {
   const std::lock_guard lock(mutex_);
   if (frame > newestSent_) return false;
   const std::size_t before = link_.framesUnderWay();
   link_.arrived(frame, arrival);
+  work_.held(arrival.held);
+  if (page_ == PageLevel::kTimed) times_.add(FrameTimes::Place::kLine, 0.5 * link_.roundTrip() + link_.queueing());
   if (link_.framesUnderWay() < before) unacknowledgedSince_ = arrival.acknowledged;
   return true;
 }
@@ -89,30 +102,46 @@ StreamWish StreamControl::wish() const {
   return wish;
 }
 
-double StreamControl::bitsPerSecond() const {
-  const double limit = limits_.kilobitsPerSecond > 0
-                           ? std::max<double>(kMinKilobits, limits_.kilobitsPerSecond) * 1000.0
-                           : LinkEstimator::kMaxBitsPerSecond;
-  return kUsable * std::min(link_.bitsPerSecond(), limit);
+double StreamControl::wantedBitsPerSecond() const {
+  return limits_.kilobitsPerSecond > 0 ? std::max<double>(kMinKilobits, limits_.kilobitsPerSecond) * 1000.0
+                                       : LinkEstimator::kMaxBitsPerSecond;
 }
 
+double StreamControl::bitsPerSecond() const { return kUsable * std::min(link_.bitsPerSecond(), wantedBitsPerSecond()); }
+
 void StreamControl::plan(double now) {
-  if (adapts_) {
-    policy_.update(now, wish(),
-                   {.bitsPerSecond = bitsPerSecond(),
-                    .bitsPerPixel = quantisers_.complexity(),
-                    .finest = range_.finest,
-                    .coarsest = range_.coarsest,
-                    .isTried = link_.isMeasured()});
-  } else {
+  if (page_ == PageLevel::kBasic) {
     policy_.update(now, wish(), {.bitsPerSecond = std::numeric_limits<double>::infinity()});
+    return;
   }
+  policy_.update(now, work_.relieve(wish(), now),
+                 {.bitsPerSecond = bitsPerSecond(),
+                  .bitsPerPixel = quantisers_.complexity(),
+                  .framesPerSecond = work_.framesPerSecond(),
+                  .finest = range_.finest,
+                  .coarsest = range_.coarsest,
+                  .isTried = link_.isMeasured()});
+  planCodec(now);
+}
+
+void StreamControl::planCodec(double now) {
+  const StreamPlan& plan = policy_.plan();
+  const double jpeg =
+      kJpegBitsPerPixel * plan.width * plan.height * std::min(plan.framesPerSecond, work_.framesPerSecond());
+  const bool before = codecChoice_.savesWork();
+  const bool savesWork = codecChoice_.update(
+      now, {.isWorkScarce = work_.shortOf() == LimitedBy::kMachine || work_.shortOf() == LimitedBy::kBrowser,
+            .isLineScarce = plan.limitedBy == LimitedBy::kLine || work_.shortOf() == LimitedBy::kLine,
+            .lineBitsPerSecond = bitsPerSecond(),
+            .provenBitsPerSecond = std::min(link_.proven(), wantedBitsPerSecond()),
+            .workSaverBitsPerSecond = jpeg});
+  if (savesWork && !before) link_.trust(kTrust * jpeg / kUsable);
 }
 
 void StreamControl::planBorder() {
-  const bool hasRoom = policy_.plan().limitedBy == LimitedBy::kNothing &&
+  const bool hasRoom = policy_.plan().limitedBy == LimitedBy::kNothing && work_.shortOf() == LimitedBy::kNothing &&
                        newestQuantiser_ <= range_.usual + (borderSteps_ > 0 ? kBorderQuantisers : 0.0);
-  if (!adapts_ || !limits_.border || !hasRoom) {
+  if (page_ == PageLevel::kBasic || !limits_.border || !hasRoom) {
     borderSteps_ = 0;
     return;
   }
@@ -129,11 +158,26 @@ bool StreamControl::isHidden() const {
 
 bool StreamControl::mayBegin(double now, int beingMade) {
   const std::lock_guard lock(mutex_);
-  if (limits_.hidden) return false;
+  if (limits_.hidden) {
+    work_.rest();
+    return false;
+  }
   link_.look(now);
   plan(now);
   planBorder();
-  return !link_.isFull(now, policy_.plan().framesPerSecond, static_cast<std::size_t>(beingMade));
+  if (!link_.isFull(now, policy_.plan().framesPerSecond, static_cast<std::size_t>(beingMade))) return true;
+  work_.waitsForPage(link_, now);
+  return false;
+}
+
+void StreamControl::waitsForServer(double now) {
+  const std::lock_guard lock(mutex_);
+  work_.waitsForServer(now);
+}
+
+void StreamControl::begins(double now) {
+  const std::lock_guard lock(mutex_);
+  took(FrameTimes::Place::kQueue, work_.begins(now), lock);
 }
 
 double StreamControl::framesPerSecond() const {
@@ -141,8 +185,13 @@ double StreamControl::framesPerSecond() const {
   return policy_.plan().framesPerSecond;
 }
 
-int StreamControl::aim(world::Camera& camera) const {
+int StreamControl::aim(world::Camera& camera, std::uint32_t frame, double now) {
   const std::lock_guard lock(mutex_);
+  if (capture_.begin(frame, now)) {
+    camera.width = width_;
+    camera.height = height_;
+    return 0;
+  }
   const StreamPlan& plan = policy_.plan();
   camera.width = plan.width;
   camera.height = plan.height;
@@ -155,8 +204,18 @@ int StreamControl::aim(world::Camera& camera) const {
   return border;
 }
 
+std::optional<std::uint32_t> StreamControl::takeCapture(std::uint32_t frame) {
+  const std::lock_guard lock(mutex_);
+  return capture_.take(frame);
+}
+
 const EncoderKind& StreamControl::kind() const {
   const std::lock_guard lock(mutex_);
+  // A visitor who insists on a codec offers no other.
+  constexpr std::array<std::uint8_t, 1> kSavesWork{kCodecJpeg};
+  if (codecChoice_.savesWork() && std::ranges::find(offer_, kCodecJpeg) != offer_.end()) {
+    return encoders_.choose(kSavesWork);
+  }
   std::vector<std::uint8_t> codecs = offer_;
   std::erase_if(codecs, [&](std::uint8_t codec) { return std::ranges::find(failed_, codec) != failed_.end(); });
   return encoders_.choose(codecs);
@@ -177,9 +236,9 @@ StreamControl::Choice StreamControl::choose(const EncoderKind& kind, const Quant
     wantsIndependent_ = false;
     independentMade_ = now;
   }
-  if (!adapts_) return choice;
+  if (page_ == PageLevel::kBasic) return choice;
   const auto within = [&](double bits, Quantiser finest) {
-    choice.bytes = bits / 8.0 / policy_.plan().framesPerSecond;
+    choice.bytes = bits / 8.0 / std::min(policy_.plan().framesPerSecond, work_.framesPerSecond());
     const Quantiser wanted = quantisers_.choose(choice.order.independent, pixels, choice.bytes);
     return std::ceil(std::clamp(wanted, std::min(finest, range.coarsest), range.coarsest));
   };
@@ -200,29 +259,40 @@ void StreamControl::encoded(const Choice& choice, bool independent, double pixel
                       choice.bytes);
 }
 
+void StreamControl::took(FrameTimes::Place place, double seconds) {
+  const std::lock_guard lock(mutex_);
+  took(place, seconds, lock);
+}
+
+void StreamControl::took(FrameTimes::Place place, double seconds, const std::lock_guard<std::mutex>& /*held*/) {
+  if (page_ == PageLevel::kTimed) times_.add(place, seconds);
+}
+
 void StreamControl::unchanged(std::uint32_t lastInput) {
   const std::lock_guard lock(mutex_);
   quantisers_.rested();
   lastInput_ = std::max(lastInput_, lastInput);
 }
 
-void StreamControl::sent(std::uint32_t frame, std::uint32_t lastInput, std::size_t bytes, double now) {
+void StreamControl::sent(std::uint32_t frame, std::uint32_t lastInput, std::size_t bytes, double allowed, double now) {
   const std::lock_guard lock(mutex_);
   if (link_.framesUnderWay() == 0) unacknowledgedSince_ = now;
   newestSent_ = std::max(newestSent_, frame);
   lastInput_ = lastInputReported_ = std::max(lastInput_, lastInput);
   wordSince_ = now;
-  link_.sent(frame, bytes, now);
+  link_.sent(frame, bytes, allowed, now);
+}
+
+void StreamControl::written(std::uint32_t frame, double reached, double now) {
+  const std::lock_guard lock(mutex_);
+  const std::optional<double> waited = link_.handedOver(frame, reached);
+  if (waited) took(FrameTimes::Place::kSocket, *waited + now - reached, lock);
 }
 
 Status StreamControl::statusNow() const {
   const StreamPlan& plan = policy_.plan();
-  const bool limits = limits_.lines > 0 || limits_.framesPerSecond > 0 || limits_.kilobitsPerSecond > 0;
-  const bool byHim = plan.limitedBy == LimitedBy::kNothing
-                         ? limits
-                         : plan.limitedBy == LimitedBy::kLine && bitsPerSecond() < kUsable * link_.bitsPerSecond();
   Status status;
-  status.limitedBy = byHim ? LimitedBy::kVisitor : plan.limitedBy;
+  status.limitedBy = limitedBy();
   status.framesPerSecond = saturate<std::uint8_t>(std::lround(plan.framesPerSecond));
   const double share = (range_.coarsest - newestQuantiser_) / std::max(1.0, range_.coarsest - range_.finest);
   status.quality = saturate<std::uint8_t>(std::lround(100.0 * std::clamp(share, 0.0, 1.0)));
@@ -234,6 +304,18 @@ Status StreamControl::statusNow() const {
   return status;
 }
 
+LimitedBy StreamControl::limitedBy() const {
+  const LimitedBy planned = policy_.plan().limitedBy;
+  if (planned == LimitedBy::kLine && wantedBitsPerSecond() < link_.bitsPerSecond()) return LimitedBy::kVisitor;
+  if (planned != LimitedBy::kNothing) return planned;
+  if (work_.shortOf() == LimitedBy::kBrowser || work_.isBrowserRelieved()) {
+    return page_ == PageLevel::kTimed ? LimitedBy::kBrowser : LimitedBy::kNothing;
+  }
+  if (work_.shortOf() != LimitedBy::kNothing) return work_.shortOf();
+  const bool limits = limits_.lines > 0 || limits_.framesPerSecond > 0 || limits_.kilobitsPerSecond > 0;
+  return limits ? LimitedBy::kVisitor : LimitedBy::kNothing;
+}
+
 Status StreamControl::status() const {
   const std::lock_guard lock(mutex_);
   return statusNow();
@@ -241,7 +323,7 @@ Status StreamControl::status() const {
 
 std::optional<Status> StreamControl::takeStatus(double now, std::size_t visitors) {
   const std::lock_guard lock(mutex_);
-  if (!adapts_ || limits_.hidden) return std::nullopt;
+  if (page_ == PageLevel::kBasic || limits_.hidden) return std::nullopt;
   Status status = statusNow();
   status.visitors = saturate<std::uint16_t>(static_cast<double>(visitors));
   const bool news = status.limitedBy != reported_.limitedBy || status.framesPerSecond != reported_.framesPerSecond ||
@@ -252,6 +334,11 @@ std::optional<Status> StreamControl::takeStatus(double now, std::size_t visitors
   lastInputReported_ = lastInput_;
   wordSince_ = now;
   return status;
+}
+
+std::optional<Times> StreamControl::takeTimes(double now) {
+  const std::lock_guard lock(mutex_);
+  return page_ == PageLevel::kTimed ? times_.take(now) : std::nullopt;
 }
 
 }  // namespace grove::stream

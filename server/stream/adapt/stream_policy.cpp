@@ -38,7 +38,9 @@ constexpr double kTightSeconds = 0.15;
 constexpr double kRoomySeconds = 2.0;
 /// At the beginning, what seemed to be needed was a guess.
 constexpr double kFirstRoomySeconds = 0.3;
-/// Far beyond, nothing is waited for.
+/// What a line carries that has never been full is not known yet: the estimate may grow tenfold in this time.
+constexpr double kUntriedSeconds = 0.6;
+/// Far beyond, nothing is waited for, once the line is known.
 constexpr double kMuchTooTight = 4.0;
 /// Smaller pictures have finer detail in each pixel: bits go with this power of the pixels.
 constexpr double kDetail = 0.85;
@@ -47,7 +49,7 @@ constexpr double kDetail = 0.85;
 Quantiser needed(const Rung& rung, const StreamWish& wish, const StreamMeans& means) {
   const double whole = static_cast<double>(wish.width) * wish.height;
   const double pixels = whole * std::pow(rung.scale * rung.scale, kDetail);
-  const double bits = means.bitsPerSecond / (wish.framesPerSecond * rung.rate);
+  const double bits = means.bitsPerSecond / std::min(wish.framesPerSecond * rung.rate, means.framesPerSecond);
   return 6.0 * std::log2(std::max(1e-9, means.bitsPerPixel * pixels / bits));
 }
 
@@ -81,7 +83,8 @@ void StreamPolicy::step(double now, const StreamWish& wish, const StreamMeans& m
   if (beyond > 0.0 && rung_ + 1 < kLadder.size()) {
     roomySince_ = -1.0;
     if (tightSince_ < 0.0) tightSince_ = now;
-    if (now - tightSince_ < kTightSeconds && beyond < kMuchTooTight) return;
+    const bool isCertain = means.isTried && beyond >= kMuchTooTight;
+    if (!isCertain && now - tightSince_ < (means.isTried ? kTightSeconds : kUntriedSeconds)) return;
     limit_ = needed(kLadder[rung_], wish, means) > means.finest && overload(kLadder[rung_], wish, means) <= 1.0
                  ? LimitedBy::kLine
                  : LimitedBy::kMachine;

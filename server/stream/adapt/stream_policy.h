@@ -23,6 +23,8 @@ struct StreamMeans {
   double pixelsPerSecond = std::numeric_limits<double>::infinity();
   /// Of an ordinary picture at quantiser 0, as QuantiserControl has it.
   double bitsPerPixel = 4.0;
+  /// That server and browser manage at most, however good the line is.
+  double framesPerSecond = std::numeric_limits<double>::infinity();
   Quantiser finest = 18.0;  ///< of the encoder
   Quantiser coarsest = 40.0;
   bool isTried = true;  ///< the line has been full before; else it is not known yet what it carries

@@ -8,10 +8,14 @@
 #include "base/error.h"
 #include "base/log.h"
 #include "pipeline/clocks.h"
+#include "stream/encode/jpeg_encoder.h"
 #include "stream/protocol/saturate.h"
 
 namespace grove::stream {
 namespace {
+
+/// Nobody sees what is finer, and files double.
+constexpr int kCaptureQuality = 95;
 
 PictureHeader describe(const node::FinishedFrame& frame) {
   const node::View& view = *frame.view;
@@ -39,7 +43,7 @@ bool isSameView(const world::Camera& a, const world::Camera& b) {
 
 }  // namespace
 
-EncodeStage::EncodeStage(std::shared_ptr<StreamControl> control, bool asPictures, Deliver deliver,
+EncodeStage::EncodeStage(std::shared_ptr<StreamControl> control, bool asPictures, Outputs outputs,
                          pipeline::MemoryLedger& memory, pipeline::Executor& executor, pipeline::Timeline& timeline)
     : Stage({.name = "Encoder",
              .work = pipeline::Work::kPerUserFrontend,
@@ -49,7 +53,7 @@ EncodeStage::EncodeStage(std::shared_ptr<StreamControl> control, bool asPictures
             executor, timeline),
       control_(std::move(control)),
       asPictures_(asPictures),
-      deliver_(std::move(deliver)),
+      outputs_(std::move(outputs)),
       held_(memory, "encoders", "", pipeline::Work::kPerUserFrontend) {}
 
 void EncodeStage::process(std::span<node::FinishedFrame> items, pipeline::Run& /*run*/) {
@@ -57,6 +61,10 @@ void EncodeStage::process(std::span<node::FinishedFrame> items, pipeline::Run& /
 }
 
 void EncodeStage::encodeNext(const node::FinishedFrame& frame) {
+  if (const auto number = control_->takeCapture(frame.view->frame)) {
+    capture(frame, *number);
+    return;
+  }
   const EncoderKind& kind = control_->kind();
   Encoder* encoder = encoderOf(kind);
   if (encoder == nullptr) return;
@@ -71,6 +79,8 @@ void EncodeStage::encodeNext(const node::FinishedFrame& frame) {
     control_->unchanged(frame.view->lastInput);
     return;
   }
+  const double began = pipeline::wallSeconds();
+  control_->took(FrameTimes::Place::kDrawing, began - frame.view->time);
   const std::shared_ptr<EncodedFrame> made = makeRoom();
   const std::size_t before = made->bytes.size();
   bool independent = true;
@@ -83,9 +93,11 @@ void EncodeStage::encodeNext(const node::FinishedFrame& frame) {
     control_->failed(kind);
     return;
   }
+  control_->took(FrameTimes::Place::kEncoder, pipeline::wallSeconds() - began);
   lastQuantiser_ = choice.order.quantiser;
   control_->encoded(choice, independent, pixels, made->bytes.size() - before);
   lastBytes_ = made->bytes.size();
+  made->allowedBytes = choice.bytes;
   made->header = describe(frame);
   made->header.codec = encoder->codec();
   made->header.independent = independent;
@@ -96,7 +108,24 @@ void EncodeStage::encodeNext(const node::FinishedFrame& frame) {
     encode(static_cast<const FrameHeader&>(made->header), room.first<kFrameHeaderBytes>());
   }
   held_.set(encoder->bytes() + made->bytes.capacity());
-  deliver_(made);
+  outputs_.frame(made);
+}
+
+void EncodeStage::capture(const node::FinishedFrame& frame, std::uint32_t number) {
+  CapturedHeader header;
+  header.width = saturate<std::uint16_t>(frame.image->width());
+  header.height = saturate<std::uint16_t>(frame.image->height());
+  header.number = number;
+  std::vector<std::uint8_t> message(kCapturedHeaderBytes);
+  encode(header, std::span(message).first<kCapturedHeaderBytes>());
+  try {
+    JpegEncoder encoder(kCaptureQuality);
+    encoder.encode(*frame.image, {.quantiser = encoder.range().usual, .independent = true}, message);
+  } catch (const EnvironmentError& e) {
+    log::error(e.what());
+    return;
+  }
+  outputs_.captured(std::move(message));
 }
 
 Encoder* EncodeStage::encoderOf(const EncoderKind& kind) {

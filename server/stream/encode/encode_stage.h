@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "node/messages.h"
 #include "pipeline/memory_ledger.h"
@@ -19,11 +20,14 @@ namespace grove::stream {
 /// screen shows already is not encoded again.
 class EncodeStage final : public pipeline::Stage<node::FinishedFrame> {
  public:
-  using Deliver = std::function<void(std::shared_ptr<const EncodedFrame>)>;
+  /// Where messages go; called on the executor's threads, must not block.
+  struct Outputs {
+    std::function<void(std::shared_ptr<const EncodedFrame>)> frame;
+    std::function<void(std::vector<std::uint8_t>)> captured = {};  ///< a Captured message
+  };
 
-  /// `asPictures`: messages are Pictures. `deliver` is called on the executor's threads and must not block. Tells
-  /// `memory` of the encoder and of the newest frame, which waits to be sent.
-  EncodeStage(std::shared_ptr<StreamControl> control, bool asPictures, Deliver deliver, pipeline::MemoryLedger& memory,
+  /// `asPictures`: messages are Pictures. Reports to `memory` the encoder and the newest frame, which waits to be sent.
+  EncodeStage(std::shared_ptr<StreamControl> control, bool asPictures, Outputs outputs, pipeline::MemoryLedger& memory,
               pipeline::Executor& executor, pipeline::Timeline& timeline);
 
  protected:
@@ -31,6 +35,7 @@ class EncodeStage final : public pipeline::Stage<node::FinishedFrame> {
 
  private:
   void encodeNext(const node::FinishedFrame& frame);
+  void capture(const node::FinishedFrame& frame, std::uint32_t number);
   /// The encoder that is wanted now, made anew if it is another than before; null if it cannot be had.
   [[nodiscard]] Encoder* encoderOf(const EncoderKind& kind);
   /// Whether not one pixel differs from the last frame's.
@@ -39,7 +44,7 @@ class EncodeStage final : public pipeline::Stage<node::FinishedFrame> {
 
   const std::shared_ptr<StreamControl> control_;
   const bool asPictures_;
-  const Deliver deliver_;
+  const Outputs outputs_;
   std::string kind_;  ///< name of the encoder's
   std::unique_ptr<Encoder> encoder_;
   std::size_t lastBytes_ = 0;

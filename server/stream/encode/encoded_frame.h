@@ -14,6 +14,7 @@ namespace grove::stream {
 struct EncodedFrame {
   static constexpr std::size_t kHeadroom = 32;
   PictureHeader header;
+  double allowedBytes = 0.0;  ///< that the picture might have taken
   std::vector<std::uint8_t> bytes;
 
   [[nodiscard]] std::span<const std::uint8_t> message() const { return std::span(bytes).subspan(kHeadroom); }

@@ -6,6 +6,7 @@
 #include <mutex>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "stream/encode/encoded_frame.h"
 #include "stream/protocol/protocol.h"
@@ -13,8 +14,8 @@
 namespace grove::stream {
 
 /// What waits to be sent to one visitor: the newest frame that depends on no other, with those after it that do, and
-/// before the first one how long it takes; of words about the stream the newest. No more frames wait than may be under
-/// way at once, so a slow visitor holds little memory and never sees old frames. Any thread.
+/// before the first one how long it takes; of reports about the stream and of captures the newest. No more frames wait
+/// than may be under way at once, so a slow visitor holds little memory and never sees old frames. Any thread.
 class Outbox {
  public:
   /// `wake` is called, on the thread that puts, when there is something to send; it must not block.
@@ -32,6 +33,9 @@ class Outbox {
 
   void put(const Waiting& waiting) { replace(waiting_, waiting); }
   void put(const Status& status) { replace(status_, status); }
+  void put(const Times& times) { replace(times_, times); }
+  /// A Captured message.
+  void putCaptured(std::vector<std::uint8_t> message) { replace(captured_, std::move(message)); }
 
   /// To send before any frame.
   [[nodiscard]] std::optional<Waiting> takeWaiting() {
@@ -42,6 +46,21 @@ class Outbox {
   [[nodiscard]] std::optional<Status> takeStatus() {
     const std::lock_guard lock(mutex_);
     return std::exchange(status_, std::nullopt);
+  }
+
+  [[nodiscard]] std::optional<Times> takeTimes() {
+    const std::lock_guard lock(mutex_);
+    return std::exchange(times_, std::nullopt);
+  }
+
+  [[nodiscard]] std::optional<std::vector<std::uint8_t>> takeCaptured() {
+    const std::lock_guard lock(mutex_);
+    return std::exchange(captured_, std::nullopt);
+  }
+
+  [[nodiscard]] bool hasFrame() const {
+    const std::lock_guard lock(mutex_);
+    return !frames_.empty();
   }
 
   /// The frame to send next, or null.
@@ -55,15 +74,15 @@ class Outbox {
 
   [[nodiscard]] bool empty() const {
     const std::lock_guard lock(mutex_);
-    return frames_.empty() && !waiting_ && !status_;
+    return frames_.empty() && !waiting_ && !status_ && !times_ && !captured_;
   }
 
  private:
   template <class Message>
-  void replace(std::optional<Message>& slot, const Message& message) {
+  void replace(std::optional<Message>& slot, Message message) {
     {
       const std::lock_guard lock(mutex_);
-      slot = message;
+      slot = std::move(message);
     }
     wake_();
   }
@@ -73,6 +92,8 @@ class Outbox {
   std::deque<std::shared_ptr<const EncodedFrame>> frames_;
   std::optional<Waiting> waiting_;
   std::optional<Status> status_;
+  std::optional<Times> times_;
+  std::optional<std::vector<std::uint8_t>> captured_;
 };
 
 }  // namespace grove::stream

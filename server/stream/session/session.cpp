@@ -16,6 +16,10 @@ namespace {
 constexpr double kChecksInADeadline = 4.0;
 constexpr double kMaxCheckSeconds = 0.1;
 
+constexpr double kTenthOfMillisecond = 1e-4;
+/// A browser that takes longer than this to decode or to paint a picture has its processor elsewhere.
+constexpr double kBusySeconds = 0.025;
+
 bool blows(const world::Player& player) { return (player.keys & world::kBlow) != 0; }
 
 }  // namespace
@@ -26,23 +30,24 @@ Session::Session(Host& host, node::SessionId id, world::PlayerId player, int wid
       id_(id),
       player_(player),
       sink_(std::move(sink)),
-      status_(std::move(terms.status)),
-      control_(std::make_shared<StreamControl>(host.encoders(), status_ != nullptr, host.options().framesPerSecond,
-                                               width, height)) {
-  if (terms.offer) control_->offer(terms.offer->codecs);
-  if (terms.limits) control_->limit(*terms.limits);
+      terms_(std::move(terms)),
+      control_(std::make_shared<StreamControl>(host.encoders(), terms_.page, host.options().framesPerSecond, width,
+                                               height)) {
+  if (terms_.offer) control_->offer(terms_.offer->codecs);
+  if (terms_.limits) control_->limit(*terms_.limits);
 }
 
 Session::~Session() { close(); }
 
 void Session::begin(std::shared_ptr<WorldInstance> instance) {
   const std::weak_ptr<Session> weak = weak_from_this();
-  auto encoder = std::make_shared<EncodeStage>(
-      control_, status_ != nullptr,
-      [weak](const std::shared_ptr<const EncodedFrame>& frame) {
-        if (const auto self = weak.lock()) self->deliver(frame);
-      },
-      host_.memory_, host_.workers(), host_.timeline_);
+  EncodeStage::Outputs outputs;
+  outputs.frame = [weak](const std::shared_ptr<const EncodedFrame>& frame) {
+    if (const auto self = weak.lock()) self->deliver(frame);
+  };
+  outputs.captured = terms_.captured;
+  auto encoder = std::make_shared<EncodeStage>(control_, terms_.page != PageLevel::kBasic, std::move(outputs),
+                                               host_.memory_, host_.workers(), host_.timeline_);
   auto node = std::make_unique<node::FrontendNode>(
       id_, node::FramePolicy{host_.options().framesInFlight, host_.options().deadlineSeconds},
       [weak](node::FrameNumber frame) {
@@ -122,12 +127,21 @@ std::optional<Refusal> Session::acknowledge(const Ack& ack) {
 }
 
 std::optional<Refusal> Session::acknowledge(const Presented& presented) {
-  Arrival arrival{.acknowledged = pipeline::wallSeconds(), .held = presented.heldTenthsOfMilliseconds * 1e-4};
-  {
-    const std::lock_guard lock(mutex_);
-    arrival.pageSeconds = pageClock_.seconds(presented.arrivedMicroseconds);
-  }
-  return arrived(presented.frame, arrival);
+  return arrived(presented.frame, arrivalOf(presented));
+}
+
+std::optional<Refusal> Session::acknowledge(const Painted& painted) {
+  Arrival arrival = arrivalOf(painted);
+  const double decode = painted.decodeTenthsOfMilliseconds * kTenthOfMillisecond;
+  arrival.browserBusy = std::max(decode, painted.paintTenthsOfMilliseconds * kTenthOfMillisecond) > kBusySeconds;
+  return arrived(painted.frame, arrival);
+}
+
+Arrival Session::arrivalOf(const Presented& presented) {
+  const std::lock_guard lock(mutex_);
+  return {.acknowledged = pipeline::wallSeconds(),
+          .held = presented.heldTenthsOfMilliseconds * kTenthOfMillisecond,
+          .pageSeconds = pageClock_.seconds(presented.arrivedMicroseconds)};
 }
 
 std::optional<Refusal> Session::arrived(std::uint32_t frame, const Arrival& arrival) {
@@ -178,8 +192,11 @@ double Session::tick(double now) {
       nextDeadlineCheck_ = now + std::min(kMaxCheckSeconds, host_.options().deadlineSeconds / kChecksInADeadline);
     }
   }
-  if (status_) {
-    if (const auto status = control_->takeStatus(now, host_.players().count())) status_(*status);
+  if (terms_.status) {
+    if (const auto status = control_->takeStatus(now, host_.players().count())) terms_.status(*status);
+  }
+  if (terms_.times) {
+    if (const auto times = control_->takeTimes(now)) terms_.times(*times);
   }
   const double next = startIfDue(now);
   const std::shared_ptr<WorldInstance> instance = currentInstance();
@@ -195,7 +212,11 @@ double Session::startIfDue(double now) {
   if (now < nextDue_) return nextDue_;
   if (waits_) return now + period;
   // A frame that cannot start stays due: the acknowledgement or one of the next looks starts it.
-  if (isBehind(now) || node_->full()) return now + period / 8;
+  if (isBehind(now)) return now + period / 8;
+  if (node_->full()) {
+    control_->waitsForServer(now);
+    return now + period / 8;
+  }
   const auto onTurn = [weak = weak_from_this(), gate = host_.gate_] {
     if (const auto self = weak.lock()) {
       self->takeTurn();
@@ -204,7 +225,10 @@ double Session::startIfDue(double now) {
     }
   };
   waits_ = !host_.gate_->enter(onTurn);
-  if (waits_) return now + period;
+  if (waits_) {
+    control_->waitsForServer(now);
+    return now + period;
+  }
   if (startFrame(now)) return nextDue_;
   // Whose turn it is then begins a frame of his own at once.
   lock.unlock();
@@ -217,6 +241,7 @@ bool Session::isBehind(double now) const { return !control_->mayBegin(now, encod
 bool Session::startFrame(double now) {
   if (closed_ || !node_ || now < nextDue_ || isBehind(now)) return false;
   if (!node_->requestFrame()) return false;
+  control_->begins(now);
   const double period = 1.0 / control_->framesPerSecond();
   nextDue_ = std::max(nextDue_ + period, now + period / 2);
   return true;
@@ -248,7 +273,7 @@ node::View Session::look(node::FrameNumber frame) {
     view.camera.pose = self->pose;
     view.lastInput = self->lastInput;
   }
-  view.borderPercent = control_->aim(view.camera);
+  view.borderPercent = control_->aim(view.camera, view.frame, now);
   return view;
 }
 
@@ -262,7 +287,8 @@ void Session::deliver(const std::shared_ptr<const EncodedFrame>& frame) {
     const std::lock_guard lock(mutex_);
     if (closed_) return;
   }
-  control_->sent(frame->header.frame, frame->header.lastInput, frame->message().size(), pipeline::wallSeconds());
+  control_->sent(frame->header.frame, frame->header.lastInput, frame->message().size(), frame->allowedBytes,
+                 pipeline::wallSeconds());
   sink_(frame);
 }
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "node/messages.h"
 #include "stream/adapt/page_clock.h"
@@ -29,11 +30,18 @@ using FrameSink = std::function<void(std::shared_ptr<const EncodedFrame>)>;
 /// Gets how the stream stands, on the host's clock; must not block.
 using StatusSink = std::function<void(const Status&)>;
 
-/// What a page since v1.2 said before Hello; an older one says nothing.
+using TimesSink = std::function<void(const Times&)>;
+/// Gets Captured messages, on a worker thread; must not block.
+using CaptureSink = std::function<void(std::vector<std::uint8_t>)>;
+
+/// What a page understands, and what it said before Hello.
 struct StreamTerms {
-  StatusSink status;  ///< none: an older page, which gets Frames
+  PageLevel page = PageLevel::kBasic;
+  StatusSink status;  ///< of pages since v1.2
   std::optional<Offer> offer;
   std::optional<Limits> limits;
+  TimesSink times = {};  ///< of pages since v1.3
+  CaptureSink captured = {};
 };
 
 /// One visitor: a camera in the world, a frontend node that draws what it sees, and an encoder. Knows no sockets, so a
@@ -55,9 +63,13 @@ class Session : public std::enable_shared_from_this<Session> {
   /// A frame was presented; starts the next one at once if it is due. A frame that was never sent is refused.
   [[nodiscard]] std::optional<Refusal> acknowledge(const Ack& ack);
   [[nodiscard]] std::optional<Refusal> acknowledge(const Presented& presented);
+  [[nodiscard]] std::optional<Refusal> acknowledge(const Painted& painted);
   void offer(const Offer& offer);
   void limit(const Limits& limits);
   void broken();
+  void capture(const Capture& capture) { control_->capture(capture.number); }
+  /// The socket has taken all of this frame at `now`; the thread that writes had come to it at `reached`.
+  void written(std::uint32_t frame, double reached, double now) { control_->written(frame, reached, now); }
 
   /// Leaves the world because of this, which refusal() reports.
   void refuse(Refusal why);
@@ -85,6 +97,7 @@ class Session : public std::enable_shared_from_this<Session> {
   /// The gate has a place for this session's next frame.
   void takeTurn();
   [[nodiscard]] std::optional<Refusal> arrived(std::uint32_t frame, const Arrival& arrival);
+  [[nodiscard]] Arrival arrivalOf(const Presented& presented);
   /// With mutex_ held: whether one more frame would only wait for the visitor to acknowledge others.
   [[nodiscard]] bool isBehind(double now) const;
   /// With mutex_ held and a place in the gate: begins a frame if one still is due.
@@ -98,7 +111,7 @@ class Session : public std::enable_shared_from_this<Session> {
   const node::SessionId id_;
   const world::PlayerId player_;
   const FrameSink sink_;
-  const StatusSink status_;  ///< none: an older page
+  const StreamTerms terms_;
   const std::shared_ptr<StreamControl> control_;
 
   mutable std::mutex mutex_;

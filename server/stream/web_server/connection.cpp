@@ -14,6 +14,11 @@ constexpr int kMaxPiecesPerSecond = 500;
 
 Refusal protocolError(std::string reason) { return {CloseCode::kProtocolError, std::move(reason)}; }
 
+PageLevel levelOf(std::string_view subProtocol) {
+  if (subProtocol == kSubProtocolWithTimes) return PageLevel::kTimed;
+  return subProtocol == kSubProtocolWithVideo ? PageLevel::kAdaptive : PageLevel::kBasic;
+}
+
 }  // namespace
 
 Connection::Connection(Host& host, std::string peer, double now, std::function<void()> wake, Door door,
@@ -23,8 +28,8 @@ Connection::Connection(Host& host, std::string peer, double now, std::function<v
       opened_(now),
       outbox_(std::make_shared<Outbox>(std::move(wake))),
       door_(std::move(door)),
-      knowsVideo_(subProtocol == kSubProtocolWithVideo),
-      knowsWaiting_(knowsVideo_ || subProtocol == kSubProtocolWithWaiting),
+      page_(levelOf(subProtocol)),
+      knowsWaiting_(page_ != PageLevel::kBasic || subProtocol == kSubProtocolWithWaiting),
       secondBegan_(now) {
   message_.reserve(kLargestClientMessage);
 }
@@ -56,11 +61,19 @@ std::vector<std::uint8_t> Connection::takeMessage() {
   if (!welcome_.empty()) return std::exchange(welcome_, {});
   if (const auto waiting = outbox_->takeWaiting()) return encode(*waiting);
   if (const auto status = outbox_->takeStatus()) return encode(*status);
+  if (const auto times = outbox_->takeTimes()) return encode(*times);
+  if (auto captured = outbox_->takeCaptured()) return std::move(*captured);
   if (!hasNewsOfRefining()) return {};
   const auto [number, refining] = host_.refining();
   const bool reportedNothing = std::exchange(refiningReported_, number) == 0;
   // Who comes when all is done has not seen anything else.
   return reportedNothing && refining.percent == 100 ? std::vector<std::uint8_t>{} : encode(refining);
+}
+
+void Connection::written(const EncodedFrame& frame, double now) {
+  const double reached = std::exchange(reached_, std::nullopt).value_or(now);
+  if (session_) session_->written(frame.header.frame, reached, now);
+  reach(now);
 }
 
 void Connection::end(const Refusal& why) { leave(std::to_string(static_cast<int>(why.code)) + " " + why.reason); }
@@ -96,7 +109,7 @@ std::optional<Refusal> Connection::takePiece(const MessagePiece& piece, double n
 std::optional<Refusal> Connection::act(const ClientMessage& message) {
   if (const auto* refusal = std::get_if<Refusal>(&message)) return *refusal;
   if (const auto* hello = std::get_if<Hello>(&message)) return greet(*hello);
-  if (knowsVideo_) {
+  if (page_ != PageLevel::kBasic) {
     if (const auto* offer = std::get_if<Offer>(&message); offer != nullptr && !session_) {
       offer_ = *offer;
       return std::nullopt;
@@ -114,11 +127,16 @@ std::optional<Refusal> Connection::act(const ClientMessage& message) {
 }
 
 std::optional<Refusal> Connection::actOnStream(const ClientMessage& message) {
-  if (!knowsVideo_) return protocolError("a message of a newer sub-protocol");
+  const bool isTimed = std::holds_alternative<Painted>(message) || std::holds_alternative<Capture>(message);
+  if (page_ == PageLevel::kBasic || (isTimed && page_ != PageLevel::kTimed)) {
+    return protocolError("a message of a newer sub-protocol");
+  }
+  if (const auto* painted = std::get_if<Painted>(&message)) return session_->acknowledge(*painted);
   if (const auto* presented = std::get_if<Presented>(&message)) return session_->acknowledge(*presented);
   if (const auto* offer = std::get_if<Offer>(&message)) session_->offer(*offer);
   if (const auto* limits = std::get_if<Limits>(&message)) session_->limit(*limits);
   if (std::holds_alternative<Broken>(message)) session_->broken();
+  if (const auto* capture = std::get_if<Capture>(&message)) session_->capture(*capture);
   return std::nullopt;
 }
 
@@ -136,19 +154,31 @@ std::optional<Refusal> Connection::greet(const Hello& hello) {
       if (const auto to = outbox.lock()) to->put(waiting);
     };
   }
-  StreamTerms terms{.status = {}, .offer = std::move(offer_), .limits = limits_};
-  if (knowsVideo_) {
-    terms.status = [outbox = std::weak_ptr(outbox_)](const Status& status) {
-      if (const auto to = outbox.lock()) to->put(status);
-    };
-  }
-  auto opened = host_.open(hello, send, std::move(report), std::move(terms));
+  auto opened = host_.open(hello, send, std::move(report), terms());
   if (auto* refusal = std::get_if<Refusal>(&opened)) return std::move(*refusal);
   session_ = std::get<std::shared_ptr<Session>>(std::move(opened));
   const Welcome welcome = session_->welcome();
   welcome_ = encode(welcome);
   log::info(peer_ + " is visitor " + std::to_string(welcome.visitor) + (hello.name.empty() ? "" : ", " + hello.name));
   return std::nullopt;
+}
+
+StreamTerms Connection::terms() {
+  StreamTerms terms{.page = page_, .status = {}, .offer = std::move(offer_), .limits = limits_};
+  if (page_ != PageLevel::kBasic) {
+    terms.status = [outbox = std::weak_ptr(outbox_)](const Status& status) {
+      if (const auto to = outbox.lock()) to->put(status);
+    };
+  }
+  if (page_ == PageLevel::kTimed) {
+    terms.times = [outbox = std::weak_ptr(outbox_)](const Times& times) {
+      if (const auto to = outbox.lock()) to->put(times);
+    };
+    terms.captured = [outbox = std::weak_ptr(outbox_)](std::vector<std::uint8_t> message) {
+      if (const auto to = outbox.lock()) to->putCaptured(std::move(message));
+    };
+  }
+  return terms;
 }
 
 bool Connection::isFlood(double now) {

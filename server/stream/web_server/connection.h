@@ -63,10 +63,16 @@ class Connection {
   [[nodiscard]] bool hasSomethingToSend() const {
     return !welcome_.empty() || !outbox_->empty() || hasNewsOfRefining();
   }
+  /// The thread that writes has come to what is to be sent: what waits from now on waits for the socket.
+  void reach(double now) {
+    if (!reached_ && outbox_->hasFrame()) reached_ = now;
+  }
   /// The greeting, how the wait for the first frame gets on, and what gets finer; they go before any frame. Empty if
   /// there is none.
   [[nodiscard]] std::vector<std::uint8_t> takeMessage();
   [[nodiscard]] std::shared_ptr<const EncodedFrame> takeFrame() { return outbox_->take(); }
+  /// The socket has taken this frame.
+  void written(const EncodedFrame& frame, double now);
 
  private:
   [[nodiscard]] std::optional<Refusal> refuse(Refusal why);
@@ -75,9 +81,11 @@ class Connection {
   /// Messages since v1.2.
   [[nodiscard]] std::optional<Refusal> actOnStream(const ClientMessage& message);
   [[nodiscard]] std::optional<Refusal> greet(const Hello& hello);
+  /// For the session: what the page understands, and where to put what it gets besides frames.
+  [[nodiscard]] StreamTerms terms();
   [[nodiscard]] bool isFlood(double now);
   [[nodiscard]] bool hasNewsOfRefining() const {
-    return knowsVideo_ && session_ && host_.knowsMoreThan(refiningReported_);
+    return page_ != PageLevel::kBasic && session_ && host_.knowsMoreThan(refiningReported_);
   }
 
   Host& host_;
@@ -85,8 +93,9 @@ class Connection {
   const double opened_;
   const std::shared_ptr<Outbox> outbox_;
   const Door door_;
-  const bool knowsVideo_;
+  const PageLevel page_;
   const bool knowsWaiting_;
+  std::optional<double> reached_;  ///< when the thread that writes came to the oldest frame that waits
   std::optional<Offer> offer_;     ///< before Hello
   std::optional<Limits> limits_;   ///< the same
   unsigned refiningReported_ = 0;  ///< the host's number of it

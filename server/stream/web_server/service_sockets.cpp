@@ -102,7 +102,10 @@ int WebsocketServer::Service::write(lws* wsi) {
   const auto message = frame->message();
   // The library writes into the headroom before the message, and only there.
   auto* bytes = const_cast<std::uint8_t*>(message.data());
-  return lws_write(wsi, bytes, message.size(), LWS_WRITE_BINARY) < 0 ? -1 : 0;
+  if (lws_write(wsi, bytes, message.size(), LWS_WRITE_BINARY) < 0) return -1;
+  connection->written(*frame, pipeline::wallSeconds());
+  if (connection->hasSomethingToSend()) lws_callback_on_writable(wsi);
+  return 0;
 }
 
 void WebsocketServer::Service::close(lws* wsi) {
@@ -129,6 +132,7 @@ void WebsocketServer::Service::wakeWriters() {
     const bool wants =
         socket.connection ? socket.connection->hasSomethingToSend() : socket.early && socket.early->wants(waiting, now);
     if (wants) lws_callback_on_writable(wsi);
+    if (socket.connection) socket.connection->reach(now);
   }
   for (HttpService& each : http_) each.wakeWaiting();
 }

@@ -18,7 +18,26 @@ struct Bottleneck {
   std::function<double(double)> bitsPerSecond = [](double) { return 5e6; };
   double roundTrip = 0.020;  ///< seconds, of an empty line
   double jitter = 0.0;       ///< up to so many seconds more on each way
+  /// When the page notices what arrives: later, if its processor does other work.
+  std::function<double(double)> noticed = [](double arrival) { return arrival; };
 };
+
+/// A processor that others keep busy: in every tenth of a second, about one time in three, it stops a program for 20 to
+/// 120 ms.
+inline double noticedBetweenHiccups(double arrival) {
+  constexpr double kSlot = 0.1;
+  double noticed = arrival;
+  for (double slot = std::floor(arrival / kSlot) - 1.0; slot * kSlot <= noticed; slot += 1.0) {
+    std::minstd_rand random(static_cast<unsigned>(std::max(0.0, slot)) * 7919U + 17U);
+    random.discard(3);
+    std::uniform_real_distribution<double> share(0.0, 1.0);
+    if (share(random) > 0.35) continue;
+    const double begins = slot * kSlot;
+    const double ends = begins + 0.020 + 0.100 * share(random);
+    if (noticed >= begins && noticed < ends) noticed = ends;
+  }
+  return noticed;
+}
 
 /// One frame's fate.
 struct Passage {
@@ -107,10 +126,11 @@ class SimulatedStream {
   void send() {
     due_ = std::max(due_ + 1.0 / framesPerSecond_, now_ + 0.5 / framesPerSecond_);
     // As the quantiser's control does it: the share of the rate that is used, give or take a fifth.
-    const double bits = std::min(0.9 * link_.bitsPerSecond(), best_) / framesPerSecond_;
+    const double allowed = 0.9 * link_.bitsPerSecond() / framesPerSecond_ / 8.0;
+    const double bits = std::min(8.0 * allowed, best_ / framesPerSecond_);
     const double bytes = std::max(300.0, bits / 8.0 * spread_(random_));
     const std::uint32_t frame = ++number_;
-    link_.sent(frame, static_cast<std::size_t>(bytes), now_);
+    link_.sent(frame, static_cast<std::size_t>(bytes), allowed, now_);
     const double begins = std::max(now_, free_);
     free_ = begins;
     for (double left = 8.0 * bytes; left > 0.0;) {
@@ -120,7 +140,7 @@ class SimulatedStream {
     }
     // Neither way ever changes the order: it is TCP.
     const auto delay = [&] { return 0.5 * line_.roundTrip + line_.jitter * jitter_(random_); };
-    const double arrived = arrived_ = std::max(arrived_, free_ + delay());
+    const double arrived = arrived_ = std::max(arrived_, line_.noticed(free_ + delay()));
     const double reported = reported_ = std::max(reported_, arrived + delay());
     frames_.push_back({now_, bytes, begins - now_, arrived});
     words_.push_back({reported, frame, {.held = 0.0, .pageSeconds = 1000.0 + arrived}});

@@ -97,6 +97,73 @@ TEST(LinkEstimator, IsNotMisledByJitter) {
   }
 }
 
+/// The smallest estimate from one time to another.
+double minEstimate(SimulatedStream& stream, double from, double to) {
+  stream.runUntil(from);
+  double smallest = stream.link().bitsPerSecond();
+  for (double now = from; now < to; now += 0.02) {
+    stream.runUntil(now);
+    smallest = std::min(smallest, stream.link().bitsPerSecond());
+  }
+  return smallest;
+}
+
+// Fault: a busy processor's hiccups that are taken for a queue of the line, until little is sent over a line that
+// carries a hundred times as much.
+TEST(LinkEstimator, IsNotMisledByHiccupsOfAProcessor) {
+  for (const double best : {0.3e6, 5e6, 28e6}) {
+    for (const double roundTrip : {0.001, 0.030, 0.150}) {
+      Bottleneck line = steady(500e6, roundTrip);
+      line.noticed = &noticedBetweenHiccups;
+      SimulatedStream stream(line);
+      stream.setBest(best);
+      EXPECT_GE(minEstimate(stream, 5.0, 40.0), 1.2 * best) << best << ", " << roundTrip;
+    }
+  }
+}
+
+// Fault: a stream that takes little because little moves, whose estimate falls below what the line has carried before.
+TEST(LinkEstimator, LearnsNothingBadFromAStreamThatTakesLittle) {
+  Bottleneck line = steady(20e6, 0.020);
+  line.noticed = [](double arrival) { return arrival < 10.0 ? arrival : noticedBetweenHiccups(arrival); };
+  SimulatedStream stream(line);
+  stream.runUntil(10.0);
+  const double before = stream.link().bitsPerSecond();
+  stream.setBest(0.4e6);
+  EXPECT_GE(minEstimate(stream, 10.5, 60.0), 0.9 * before);
+}
+
+// Fault: a line that gets slower than a stream that took little of it, and is never found out.
+TEST(LinkEstimator, FindsOutThatALineGotSlowerThanAStreamThatTookLittleOfIt) {
+  for (const double roundTrip : {0.005, 0.080}) {
+    Bottleneck line;
+    line.roundTrip = roundTrip;
+    line.bitsPerSecond = [](double now) { return now > 8.0 ? 1e6 : 100e6; };
+    SimulatedStream stream(line);
+    stream.setBest(5e6);
+    stream.runUntil(8.0);
+    EXPECT_GT(stream.link().bitsPerSecond(), 8e6) << roundTrip;
+    stream.runUntil(12.0);
+    EXPECT_LT(stream.link().bitsPerSecond(), 1.3e6) << roundTrip;
+    stream.runUntil(20.0);
+    EXPECT_LT(stream.queued(12.0, 20.0, 0.95), 0.15) << roundTrip;
+    EXPECT_GE(stream.delivered(12.0, 20.0), 0.7e6) << roundTrip;
+  }
+}
+
+// Fault: a browser that decodes slowly, and so notices arrivals late, whose line is thought to be slow for it.
+TEST(LinkEstimator, DoesNotTakeABusyBrowserForALine) {
+  Bottleneck line = steady(100e6, 0.001);
+  line.noticed = [](double arrival) { return std::fmod(arrival, 0.2) < 0.02 ? arrival : arrival + 0.050; };
+  SimulatedStream stream(line);
+  stream.setBest(5e6);
+  stream.play([](std::uint32_t, Arrival& arrival) {
+    arrival.browserBusy = true;
+    return 1;
+  });
+  EXPECT_GE(minEstimate(stream, 2.0, 20.0), 6e6);
+}
+
 // Faults: an acknowledgement that counts twice; frames that stay under way for ever because later ones came first.
 TEST(LinkEstimator, TakesAcknowledgementsTwiceAndNotAtAll) {
   for (const SimulatedStream::Mischief& mischief :
@@ -115,7 +182,7 @@ TEST(LinkEstimator, TakesAcknowledgementsTwiceAndNotAtAll) {
 // again.
 TEST(LinkEstimator, IgnoresAcknowledgementsOutOfOrder) {
   LinkEstimator link;
-  for (const std::uint32_t frame : {1U, 2U, 3U}) link.sent(frame, 10'000, 0.01 * frame);
+  for (const std::uint32_t frame : {1U, 2U, 3U}) link.sent(frame, 10'000, 10'000, 0.01 * frame);
   link.arrived(3, {.acknowledged = 0.06});
   EXPECT_EQ(link.framesUnderWay(), 0U);
   const double rate = link.bitsPerSecond();

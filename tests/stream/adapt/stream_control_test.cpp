@@ -13,7 +13,7 @@ constexpr QuantiserRange kRange{.finest = 20.0, .usual = 25.0, .coarsest = 40.0}
 /// A visitor whose page decodes all there is, on a line that is always good.
 class Led {
  public:
-  Led() : encoders_(builtinEncoders(75)), control_(encoders_, true, 30.0, 1280, 720) {
+  Led() : encoders_(builtinEncoders(75)), control_(encoders_, PageLevel::kTimed, 30.0, 1280, 720) {
     control_.offer({kCodecH264, kCodecJpeg});
   }
 
@@ -27,7 +27,7 @@ class Led {
     const StreamControl::Choice choice = control_.choose(control_.kind(), kRange, kWhole, still, same, now_);
     control_.encoded(choice, choice.order.independent, kWhole, bytes);
     ++number_;
-    control_.sent(number_, number_, bytes, now_);
+    control_.sent(number_, number_, bytes, choice.bytes, now_);
     (void)control_.acknowledged(number_, {.acknowledged = now_ + 0.020, .pageSeconds = now_ + 0.010});
     return choice;
   }

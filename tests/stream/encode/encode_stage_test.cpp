@@ -36,9 +36,10 @@ TEST(EncodeStage, MakesAFrameMessageOfAFrame) {
   auto future = promise.get_future();
   pipeline::WorkerPool workers(1);
   const auto stage = std::make_shared<EncodeStage>(
-      std::make_shared<StreamControl>(encoders, false, 30.0, 200, 120), false,
-      [&](std::shared_ptr<const EncodedFrame> frame) { promise.set_value(std::move(frame)); }, memory, workers,
-      timeline);
+      std::make_shared<StreamControl>(encoders, PageLevel::kBasic, 30.0, 200, 120), false,
+      EncodeStage::Outputs{
+          .frame = [&](std::shared_ptr<const EncodedFrame> frame) { promise.set_value(std::move(frame)); }},
+      memory, workers, timeline);
   stage->push({std::make_shared<const node::View>(view), std::make_shared<const raster::Image>(std::move(image))});
 
   const auto frame = future.get();
@@ -84,14 +85,17 @@ class Stream {
  public:
   explicit Stream(EncoderRegistry encoders = builtinEncoders(80))
       : encoders_(std::move(encoders)),
-        control_(std::make_shared<StreamControl>(encoders_, true, 30.0, 320, 180)),
+        control_(std::make_shared<StreamControl>(encoders_, PageLevel::kTimed, 30.0, 320, 180)),
         stage_(std::make_shared<EncodeStage>(
             control_, true,
-            [this](const std::shared_ptr<const EncodedFrame>& frame) {
-              control_->sent(frame->header.frame, frame->header.lastInput, frame->message().size(),
-                             pipeline::wallSeconds());
-              sent_.push_back(frame);
-            },
+            EncodeStage::Outputs{
+                .frame =
+                    [this](const std::shared_ptr<const EncodedFrame>& frame) {
+                      control_->sent(frame->header.frame, frame->header.lastInput, frame->message().size(),
+                                     frame->allowedBytes, pipeline::wallSeconds());
+                      sent_.push_back(frame);
+                    },
+                .captured = [this](std::vector<std::uint8_t> message) { captured_ = std::move(message); }},
             memory_, workers_, timeline_)) {
     control_->offer({kCodecH264, kCodecJpeg});
   }
@@ -133,6 +137,7 @@ class Stream {
   pipeline::Timeline timeline_;
   pipeline::MemoryLedger memory_;
   std::vector<std::shared_ptr<const EncodedFrame>> sent_;
+  std::vector<std::uint8_t> captured_;
   std::shared_ptr<StreamControl> control_;
   pipeline::WorkerPool workers_{1};
   std::shared_ptr<EncodeStage> stage_;

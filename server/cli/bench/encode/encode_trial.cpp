@@ -54,7 +54,7 @@ class Visitor {
           int width, int height)
       : kind_(kind),
         setting_(setting),
-        control_(encoders, true, kRecordedFramesPerSecond, width, height),
+        control_(encoders, stream::PageLevel::kAdaptive, kRecordedFramesPerSecond, width, height),
         encoder_(kind.make()) {
     stream::Limits limits;
     limits.kilobitsPerSecond = static_cast<std::uint32_t>(setting.kilobitsPerSecond);
@@ -82,7 +82,7 @@ class Visitor {
     quantisers_ += quantiser_;
     sent_ += bytes_.size();
     control_.encoded(choice, independent, pixels, bytes_.size());
-    control_.sent(static_cast<std::uint32_t>(frames_), 0, bytes_.size(), now);
+    control_.sent(static_cast<std::uint32_t>(frames_), 0, bytes_.size(), choice.bytes, now);
     static_cast<void>(control_.acknowledged(static_cast<std::uint32_t>(frames_),
                                             {.acknowledged = now + kRoundTrip, .pageSeconds = now + kRoundTrip / 2}));
     return bytes_;

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <utility>
+
+namespace grove::stream {
+
+/// A visitor's wish for a capture, from the request until its frame is drawn: one at a time, the newest wins, and one a
+/// second at most. One thread at a time; times are seconds that do not go back.
+class CaptureRequest {
+ public:
+  void ask(std::uint32_t number) { wanted_ = number; }
+
+  /// Whether this frame, which begins, is to be the capture.
+  [[nodiscard]] bool begin(std::uint32_t frame, double now) {
+    if (!wanted_ || now - began_ < kMinSecondsBetween) return false;
+    made_ = {frame, *std::exchange(wanted_, std::nullopt)};
+    began_ = now;
+    return true;
+  }
+
+  /// The capture's number if this frame, which is drawn, is one; once.
+  [[nodiscard]] std::optional<std::uint32_t> take(std::uint32_t frame) {
+    if (!made_ || made_->first != frame) return std::nullopt;
+    return std::exchange(made_, std::nullopt)->second;
+  }
+
+ private:
+  static constexpr double kMinSecondsBetween = 1.0;
+  std::optional<std::uint32_t> wanted_;
+  std::optional<std::pair<std::uint32_t, std::uint32_t>> made_;  ///< frame and number
+  double began_ = -kMinSecondsBetween;
+};
+
+}  // namespace grove::stream

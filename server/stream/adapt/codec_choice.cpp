@@ -1,0 +1,59 @@
+#include "stream/adapt/codec_choice.h"
+
+#include <algorithm>
+
+namespace grove::stream {
+namespace {
+
+/// A trial is worth it where the line has carried this much of what the codec would take: pictures that save bits prove
+/// no more.
+constexpr double kPromising = 0.5;
+/// The line must carry this much more than what is sent, or the codec is given up.
+constexpr double kEase = 1.15;
+constexpr double kReasonSeconds = 1.0;
+constexpr double kMaxLineRest = 600.0;
+constexpr double kMaxWorkRest = 3600.0;
+constexpr double kRest = 2.0;
+/// A reason so soon after the change back means that the change back was a mistake.
+constexpr double kMistakeSeconds = 20.0;
+
+}  // namespace
+
+void CodecChoice::change(bool savesWork, double now) {
+  savesWork_ = savesWork;
+  changed_ = now;
+  reasonSince_ = -1.0;
+}
+
+bool CodecChoice::update(double now, const Means& means) {
+  const bool lineFails = means.isLineScarce || means.lineBitsPerSecond < kEase * means.workSaverBitsPerSecond;
+  const bool mayTry = !lineFailed_ || now - changed_ > lineRest_;
+  const bool isPromising =
+      std::max(means.lineBitsPerSecond, means.provenBitsPerSecond) > kPromising * means.workSaverBitsPerSecond;
+  const bool reason = savesWork_ ? lineFails || !means.isWorkScarce
+                                 : means.isWorkScarce && !means.isLineScarce && isPromising && mayTry;
+  if (!reason) {
+    reasonSince_ = -1.0;
+    return savesWork_;
+  }
+  if (reasonSince_ < 0.0) reasonSince_ = now;
+  const double lasted = now - reasonSince_;
+  if (!savesWork_) {
+    if (lasted < kReasonSeconds) return false;
+    if (!lineFailed_ && changed_ > 0.0 && now - changed_ < kMistakeSeconds) {
+      workRest_ = std::min(kMaxWorkRest, kRest * workRest_);
+    }
+    change(true, now);
+  } else if (lineFails) {
+    if (lasted < kReasonSeconds) return true;
+    if (lineFailed_) lineRest_ = std::min(kMaxLineRest, kRest * lineRest_);
+    lineFailed_ = true;
+    change(false, now);
+  } else if (lasted > workRest_) {
+    lineFailed_ = false;
+    change(false, now);
+  }
+  return savesWork_;
+}
+
+}  // namespace grove::stream

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <limits>
+
+#include "stream/adapt/browser_relief.h"
+#include "stream/adapt/shortage.h"
+#include "stream/adapt/stream_policy.h"
+#include "stream/protocol/protocol.h"
+
+namespace grove::stream {
+
+class LinkEstimator;
+
+/// Learns what server and browser manage of one visitor's stream, who of line, server and browser is short, and what
+/// the browser is to be spared. One thread at a time; times are seconds that do not go back.
+class WorkControl {
+ public:
+  /// The page had a frame for so long before it reported that it was painted.
+  void held(double seconds);
+  /// A frame that is due may not begin: too many wait to be acknowledged.
+  void waitsForPage(const LinkEstimator& link, double now);
+  void waitsForServer(double now) { shortage_.blocked(LimitedBy::kMachine, now); }
+  /// Returns how long the frame waited for the server, seconds.
+  double begins(double now) { return shortage_.began(now); }
+  void rest() { shortage_.rest(); }
+
+  /// What remains of a wish with what the browser is spared. To be asked a few times a second at least.
+  [[nodiscard]] StreamWish relieve(StreamWish wish, double now);
+  /// Frames a second that server and browser manage at most; infinite where the line is what limits them.
+  [[nodiscard]] double framesPerSecond() const noexcept { return framesPerSecond_; }
+  /// Who is short, as judged twice a second; so it does not flicker.
+  [[nodiscard]] LimitedBy shortOf() const noexcept { return shortOf_; }
+  [[nodiscard]] bool isBrowserRelieved() const noexcept { return !(relief_.share() == BrowserRelief::Share{}); }
+
+ private:
+  Shortage shortage_;
+  BrowserRelief relief_;
+  double held_ = 0.0;  ///< usually; seconds
+  double framesPerSecond_ = std::numeric_limits<double>::infinity();
+  LimitedBy shortOf_ = LimitedBy::kNothing;
+  double judged_ = 0.0;
+};
+
+}  // namespace grove::stream
