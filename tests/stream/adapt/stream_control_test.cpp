@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <deque>
 #include <vector>
 
 namespace grove::stream {
@@ -20,22 +22,60 @@ class Led {
   StreamControl& control() { return control_; }
   const EncoderRegistry& encoders() { return encoders_; }
 
+  /// What delays the next frames, seconds.
+  struct Delays {
+    double server = 0.0;  ///< a due frame waits for a worker
+    double line = 0.010;  ///< each way
+    double page = 0.010;  ///< that it works on each frame, one after the other
+  };
+  void delay(const Delays& delays) { delays_ = delays; }
+
   /// One frame of so many bytes; returns what was ordered.
   StreamControl::Choice frame(std::size_t bytes, bool still = false, bool same = false) {
     now_ += 1.0 / 30.0;
-    (void)control_.mayBegin(now_, 0);
+    for (double waited = 0.0; waited < delays_.server; waited += kStep, now_ += kStep) control_.waitsForServer(now_);
+    while (!control_.mayBegin(now_, 0)) {
+      now_ += kStep;
+      acknowledge();
+    }
+    control_.begins(now_);
     const StreamControl::Choice choice = control_.choose(control_.kind(), kRange, kWhole, still, same, now_);
     control_.encoded(choice, choice.order.independent, kWhole, bytes);
     ++number_;
     control_.sent(number_, number_, bytes, choice.bytes, now_);
-    (void)control_.acknowledged(number_, {.acknowledged = now_ + 0.020, .pageSeconds = now_ + 0.010});
+    control_.written(number_, now_, now_);
+    const double arrived = now_ + delays_.line;
+    painted_ = std::max(arrived, painted_) + delays_.page;
+    reports_.push_back({painted_ + delays_.line, number_, arrived, painted_ - arrived});
+    acknowledge();
     return choice;
   }
   [[nodiscard]] double now() const { return now_; }
 
  private:
+  static constexpr double kStep = 0.001;
+  struct Report {
+    double due;
+    std::uint32_t frame;
+    double arrived;
+    double held;
+  };
+
+  void acknowledge() {
+    while (!reports_.empty() && reports_.front().due <= now_) {
+      const Report& each = reports_.front();
+      (void)control_.acknowledged(
+          each.frame,
+          {.acknowledged = each.due, .held = each.held, .pageSeconds = each.arrived, .browserBusy = each.held > 0.050});
+      reports_.pop_front();
+    }
+  }
+
   const EncoderRegistry encoders_;
   StreamControl control_;
+  Delays delays_;
+  std::deque<Report> reports_;
+  double painted_ = 0.0;  ///< when the page had painted the newest frame
   std::uint32_t number_ = 0;
   double now_ = 100.0;
 };
@@ -136,6 +176,50 @@ TEST(StreamControl, ObeysAVisitorsLimits) {
   for (int i = 0; i < 90; ++i) {
     EXPECT_GT(led.frame(300).bytes, 100.0);
     EXPECT_GE(led.control().framesPerSecond(), 1.0);
+  }
+}
+
+/// Who limits the stream after ten seconds with these delays.
+LimitedBy limitedAfter(const Led::Delays& delays) {
+  Led led;
+  led.delay(delays);
+  for (double end = led.now() + 10.0; led.now() < end;) (void)led.frame(18'000);
+  return led.control().status().limitedBy;
+}
+
+// Faults: the line that is blamed for a busy server or browser; nobody who is blamed; somebody who is, for nothing.
+TEST(StreamControl, NamesWhoIsShort) {
+  EXPECT_EQ(limitedAfter({}), LimitedBy::kNothing);
+  EXPECT_EQ(limitedAfter({.line = 0.075}), LimitedBy::kNothing) << "a long way is not a slow line";
+  EXPECT_EQ(limitedAfter({.server = 0.030}), LimitedBy::kMachine);
+  EXPECT_EQ(limitedAfter({.page = 0.060}), LimitedBy::kBrowser);
+  EXPECT_EQ(limitedAfter({.server = 0.010, .line = 0.001, .page = 0.090}), LimitedBy::kBrowser);
+}
+
+// Faults: pictures that get smaller for a busy server, or before they get fewer for a busy browser.
+TEST(StreamControl, SparesABusyBrowserFramesAndNotPixels) {
+  Led led;
+  led.delay({.line = 0.001, .page = 0.060});
+  for (double end = led.now() + 8.0; led.now() < end;) (void)led.frame(18'000);
+  EXPECT_EQ(led.control().framesPerSecond(), 20.0);
+  EXPECT_EQ(led.control().status().height, 720);
+  Led other;
+  other.delay({.server = 0.060});
+  for (double end = other.now() + 20.0; other.now() < end;) (void)other.frame(18'000);
+  EXPECT_EQ(other.control().status().height, 720);
+  EXPECT_EQ(other.control().framesPerSecond(), 30.0);
+}
+
+// Faults: H.264 for a server that has no time for it, over a line that could carry anything; JPEG for a visitor who
+// insists on H.264.
+TEST(StreamControl, TakesTheCodecThatSavesWorkWhereWorkIsScarce) {
+  for (const bool insists : {false, true}) {
+    Led led;
+    if (insists) led.control().offer({kCodecH264});
+    led.delay({.server = 0.030, .line = 0.001});
+    for (int i = 0; i < 300; ++i) (void)led.frame(led.control().kind().codec == kCodecJpeg ? 110'000 : 18'000);
+    EXPECT_EQ(led.control().kind().codec, insists ? kCodecH264 : kCodecJpeg);
+    EXPECT_EQ(led.control().status().height, 720);
   }
 }
 
