@@ -101,8 +101,8 @@ TEST(LinkEstimator, IsNotMisledByJitter) {
 double minEstimate(SimulatedStream& stream, double from, double to) {
   stream.runUntil(from);
   double smallest = stream.link().bitsPerSecond();
-  for (double now = from; now < to; now += 0.02) {
-    stream.runUntil(now);
+  while (stream.now() < to) {
+    stream.runUntil(stream.now() + 0.02);
     smallest = std::min(smallest, stream.link().bitsPerSecond());
   }
   return smallest;

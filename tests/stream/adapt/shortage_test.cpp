@@ -7,9 +7,12 @@ namespace {
 
 /// Frames of 30 a second, each of which waits for `who` so long; seconds. Returns when the last one began.
 double run(Shortage& shortage, double from, double seconds, LimitedBy who, double wait) {
+  constexpr double kRate = 30.0;
+  constexpr double kLook = 0.004;
   double now = from;
-  for (double due = from; due < from + seconds; due += 1.0 / 30.0) {
-    for (now = due; now < due + wait; now += 0.004) shortage.blocked(who, now);
+  for (int frame = 0; frame < static_cast<int>(seconds * kRate); ++frame) {
+    const double due = from + frame / kRate;
+    for (int look = 0; look * kLook < wait; ++look) shortage.blocked(who, due + look * kLook);
     now = due + wait;
     shortage.began(now);
   }

@@ -33,7 +33,11 @@ class Led {
   /// One frame of so many bytes; returns what was ordered.
   StreamControl::Choice frame(std::size_t bytes, bool still = false, bool same = false) {
     now_ += 1.0 / 30.0;
-    for (double waited = 0.0; waited < delays_.server; waited += kStep, now_ += kStep) control_.waitsForServer(now_);
+    const double ready = now_ + delays_.server;
+    while (now_ < ready) {
+      control_.waitsForServer(now_);
+      now_ += kStep;
+    }
     while (!control_.mayBegin(now_, 0)) {
       now_ += kStep;
       acknowledge();
