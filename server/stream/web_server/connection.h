@@ -60,6 +60,8 @@ class Connection {
   /// The socket is gone: the visitor leaves the world, unless that has happened already.
   void leave(const std::string& why);
 
+  [[nodiscard]] bool isInWorld() const noexcept { return session_ != nullptr; }
+
   [[nodiscard]] bool hasSomethingToSend() const {
     return !welcome_.empty() || !outbox_->empty() || hasNewsOfRefining();
   }

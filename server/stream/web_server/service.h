@@ -10,6 +10,7 @@
 #include <mutex>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <thread>
 
@@ -47,6 +48,9 @@ class WebsocketServer::Service {
   struct Guest {
     AddressLimits::Ticket ticket;  ///< of a proxy's: for whom it works at the moment
     bool isProxy = false;
+    std::string owner;           ///< as of guestOf(); empty: a proxy's that is no websocket, or this machine's
+    bool hasAsked = false;       ///< it has sent a whole request
+    double accepted = 0.0;       ///< when
     RequestSource source;        ///< of the request that became a websocket
     double since = 0.0;          ///< when it had received
     std::uint64_t received = 0;  ///< so many bytes
@@ -69,6 +73,8 @@ class WebsocketServer::Service {
   int handleHttp(lws* wsi, lws_callback_reasons reason, void* user, void* in, std::size_t length);
 
   [[nodiscard]] bool letIn(lws* listener, const lws_filter_network_conn_args* peer);
+  /// Closes a socket that asks for nothing, so that a newcomer has a place; false if there is none.
+  [[nodiscard]] bool evictOne();
   void instantiate(lws* wsi);
   int answer(lws* wsi);
   int resume(lws* wsi);

@@ -20,14 +20,18 @@ PageReply textReply(int status, std::string_view text) {
 
 }  // namespace
 
-bool Entrance::letsIn(const std::string& address, std::size_t sockets, std::size_t maxSockets) {
-  if (sockets >= maxSockets) {
-    refuse(address, "there are " + std::to_string(sockets) + " already");
-    return false;
-  }
+bool Entrance::letsIn(const std::string& address) {
   if (isProxy(address) || limits_.welcomes(address, pipeline::wallSeconds())) return true;
   refuse(address, "its address has or opens too many");
   return false;
+}
+
+void Entrance::refuseFull(const std::string& address, std::size_t sockets) {
+  refuse(address, "there are " + std::to_string(sockets) + " already");
+}
+
+void Entrance::reportEvicted(const std::string& name) {
+  refusals_.warning("the connection of " + name + " was closed for a newcomer: it asks for nothing");
 }
 
 bool Entrance::isProxy(const std::string& address) const { return stream::isProxy(address, rules_.proxies); }
