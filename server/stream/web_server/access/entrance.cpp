@@ -51,6 +51,8 @@ RequestSource Entrance::sourceOf(lws* wsi) const {
 }
 
 std::optional<PageReply> Entrance::refuseRequest(lws* wsi, const RequestSource& source, bool isSecure) {
+  // RFC 9112, 3.2: whoever reads the other one would take it for another request.
+  if (isRepeated(wsi, WSI_TOKEN_HOST)) return textReply(HTTP_STATUS_BAD_REQUEST, "more than one Host\n");
   if (!isKnown(source)) return textReply(HTTP_STATUS_FORBIDDEN, "this server is not known by that name\n");
   if (source.isForwarded && !isWelcome(source, AddressLimits::kRequest)) {
     return textReply(kTooManyRequests, "too many requests of one address\n");
@@ -64,6 +66,7 @@ std::optional<PageReply> Entrance::refuseRequest(lws* wsi, const RequestSource& 
 }
 
 std::optional<unsigned> Entrance::refuseUpgrade(lws* wsi, const RequestSource& source, bool isSecure) {
+  if (isRepeated(wsi, WSI_TOKEN_HOST)) return HTTP_STATUS_BAD_REQUEST;
   if (!isKnown(source) || (isSecure && !stream::isSecure(wsi))) return HTTP_STATUS_FORBIDDEN;
   const std::string origin = header(wsi, WSI_TOKEN_ORIGIN);
   if (!origin.empty() && !isSameOrigin(origin, source.host, source.isSecure) && !isOneOf(rules_.origins, origin)) {
