@@ -36,7 +36,7 @@ class Connection {
   /// What all connections of a server come through.
   struct Door {
     TakePlace takePlace;
-    log::Limited& strangers;  ///< reports those who went, or were sent away, before they were visitors
+    log::Limited& log;  ///< reports who comes and who goes
   };
 
   /// `peer` names the other end in the log. `wake` is called from other threads when there is something to send.

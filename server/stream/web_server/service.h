@@ -104,7 +104,7 @@ class WebsocketServer::Service {
   Entrance entrance_;
   const std::size_t maxSockets_;
   std::map<lws*, Guest> guests_;
-  log::Limited strangers_;  ///< before the connections that use it
+  log::Limited visitorLog_;  ///< before the connections that use it
   std::map<lws*, Socket> sockets_;
   ServerContext context_;
   const std::shared_ptr<Waker> waker_;
