@@ -1,5 +1,6 @@
 #include "base/log.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <ctime>
@@ -23,6 +24,7 @@ void info(std::string_view message) noexcept { write("info", message); }
 void warning(std::string_view message) noexcept { write("warning", message); }
 void error(std::string_view message) noexcept { write("error", message); }
 
+void Limited::info(std::string_view message) noexcept { write(&log::info, message); }
 void Limited::warning(std::string_view message) noexcept { write(&log::warning, message); }
 void Limited::error(std::string_view message) noexcept { write(&log::error, message); }
 
@@ -40,12 +42,14 @@ void Limited::write(void (*line)(std::string_view) noexcept, std::string_view me
     leftOut = std::exchange(leftOut_, 0);
   }
   if (leftOut > 0) {
-    char text[64];
-    const int length = std::snprintf(text, sizeof text, "(%llu lines like the next were left out)",
+    char text[512];
+    const int length = std::snprintf(text, sizeof text, "%.*s (before it %llu like it were left out)",
+                                     static_cast<int>(std::min<std::size_t>(message.size(), 440)), message.data(),
                                      static_cast<unsigned long long>(leftOut));
-    line({text, static_cast<std::size_t>(length)});
+    line({text, static_cast<std::size_t>(std::max(0, length))});
+  } else {
+    line(message);
   }
-  line(message);
 }
 
 }  // namespace grove::log

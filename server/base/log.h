@@ -15,6 +15,7 @@ void error(std::string_view message) noexcept;
 /// it. Any thread.
 class Limited {
  public:
+  void info(std::string_view message) noexcept;
   void warning(std::string_view message) noexcept;
   void error(std::string_view message) noexcept;
 

@@ -84,9 +84,9 @@ void Connection::leave(const std::string& why) {
   place_.reset();
   if (const auto session = std::exchange(session_, nullptr)) {
     session->close();
-    log::info(peer_ + " left: " + why);
+    door_.log.info(peer_ + " left: " + why);
   } else {
-    door_.strangers.warning(peer_ + " went without being a visitor: " + why);
+    door_.log.warning(peer_ + " went without being a visitor: " + why);
   }
 }
 
@@ -159,7 +159,8 @@ std::optional<Refusal> Connection::greet(const Hello& hello) {
   session_ = std::get<std::shared_ptr<Session>>(std::move(opened));
   const Welcome welcome = session_->welcome();
   welcome_ = encode(welcome);
-  log::info(peer_ + " is visitor " + std::to_string(welcome.visitor) + (hello.name.empty() ? "" : ", " + hello.name));
+  door_.log.info(peer_ + " is visitor " + std::to_string(welcome.visitor) +
+                 (hello.name.empty() ? "" : ", " + hello.name));
   return std::nullopt;
 }
 

@@ -36,7 +36,7 @@ class Connection {
   /// What all connections of a server come through.
   struct Door {
     TakePlace takePlace;
-    log::Limited& strangers;  ///< reports those who went, or were sent away, before they were visitors
+    log::Limited& log;  ///< reports who comes and who goes
   };
 
   /// `peer` names the other end in the log. `wake` is called from other threads when there is something to send.
@@ -59,6 +59,8 @@ class Connection {
 
   /// The socket is gone: the visitor leaves the world, unless that has happened already.
   void leave(const std::string& why);
+
+  [[nodiscard]] bool isInWorld() const noexcept { return session_ != nullptr; }
 
   [[nodiscard]] bool hasSomethingToSend() const {
     return !welcome_.empty() || !outbox_->empty() || hasNewsOfRefining();

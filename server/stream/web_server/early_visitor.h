@@ -23,6 +23,8 @@ class EarlyVisitor {
   /// Says it all to the connection; a refusal as of Connection::receive().
   [[nodiscard]] std::optional<Refusal> introduceTo(Connection& connection, double now) const;
 
+  [[nodiscard]] bool hasSpoken() const noexcept { return !said_.empty(); }
+
   /// Whether there is something new to report, or nothing was reported for a second, which would look like a dead
   /// connection.
   [[nodiscard]] bool wants(const Waiting& waiting, double now) const;

@@ -2,6 +2,7 @@
 
 #include <libwebsockets.h>
 
+#include <algorithm>
 #include <cassert>
 #include <exception>
 #include <string>
@@ -21,7 +22,7 @@ constexpr lws_usec_t kSweepMicroseconds = 100'000;
 
 WebsocketServer::Service::Service(const ServerOptions& options)
     : entrance_(options.rules),
-      maxSockets_(socketsThatFit()),
+      maxSockets_(std::min(options.maxSockets, socketsThatFit())),
       context_(&Service::callback, this, maxSockets_, options.tls),
       waker_(std::make_shared<Waker>(context_.get())),
       http_{HttpService(Audience::kVisitors, options.hsts), HttpService(Audience::kOperator, std::nullopt)} {

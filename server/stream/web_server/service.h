@@ -10,6 +10,7 @@
 #include <mutex>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <thread>
 
@@ -47,6 +48,9 @@ class WebsocketServer::Service {
   struct Guest {
     AddressLimits::Ticket ticket;  ///< of a proxy's: for whom it works at the moment
     bool isProxy = false;
+    std::string owner;           ///< as of guestOf(); empty: a proxy's that is no websocket, or this machine's
+    bool hasAsked = false;       ///< it has sent a whole request
+    double accepted = 0.0;       ///< when
     RequestSource source;        ///< of the request that became a websocket
     double since = 0.0;          ///< when it had received
     std::uint64_t received = 0;  ///< so many bytes
@@ -69,6 +73,8 @@ class WebsocketServer::Service {
   int handleHttp(lws* wsi, lws_callback_reasons reason, void* user, void* in, std::size_t length);
 
   [[nodiscard]] bool letIn(lws* listener, const lws_filter_network_conn_args* peer);
+  /// Closes a socket that asks for nothing, so that a newcomer has a place; false if there is none.
+  [[nodiscard]] bool evictOne();
   void instantiate(lws* wsi);
   int answer(lws* wsi);
   int resume(lws* wsi);
@@ -98,7 +104,7 @@ class WebsocketServer::Service {
   Entrance entrance_;
   const std::size_t maxSockets_;
   std::map<lws*, Guest> guests_;
-  log::Limited strangers_;  ///< before the connections that use it
+  log::Limited visitorLog_;  ///< before the connections that use it
   std::map<lws*, Socket> sockets_;
   ServerContext context_;
   const std::shared_ptr<Waker> waker_;

@@ -2,8 +2,10 @@
 
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "pipeline/clocks.h"
+#include "stream/web_server/access/eviction.h"
 #include "stream/web_server/service.h"
 #include "stream/web_server/wsi.h"
 
@@ -34,21 +36,48 @@ int WebsocketServer::Service::handleHttp(lws* wsi, lws_callback_reasons reason, 
 
 bool WebsocketServer::Service::letIn(lws* listener, const lws_filter_network_conn_args* peer) {
   const bool isOperators = context_.audienceOf(listener) == Audience::kOperator;
-  return entrance_.letsIn(numericAddress(peer->cli_addr), guests_.size(),
-                          isOperators ? maxSockets_ : maxSockets_ - kOperatorSockets);
+  const std::string address = numericAddress(peer->cli_addr);
+  if (!entrance_.letsIn(address)) return false;
+  if (guests_.size() < (isOperators ? maxSockets_ : maxSockets_ - kOperatorSockets) || evictOne()) return true;
+  entrance_.refuseFull(address, guests_.size());
+  return false;
+}
+
+bool WebsocketServer::Service::evictOne() {
+  std::vector<lws*> sockets;
+  std::vector<Evictable> evictable;
+  for (const auto& [wsi, guest] : guests_) {
+    bool isBusy = guest.hasAsked && http(wsi).isAnswering(wsi);
+    if (const auto found = sockets_.find(wsi); found != sockets_.end()) {
+      const auto& [connection, early, closing] = found->second;
+      if (connection && connection->isInWorld()) continue;
+      isBusy = early && early->hasSpoken();
+    }
+    sockets.push_back(wsi);
+    evictable.push_back({guest.owner, guest.accepted, isBusy});
+  }
+  const auto chosen = chooseEvicted(evictable);
+  if (!chosen) return false;
+  lws* const wsi = sockets[*chosen];
+  entrance_.reportEvicted(nameOfPeer(wsi));
+  lws_set_timeout(wsi, PENDING_TIMEOUT_CLOSE_SEND, LWS_TO_KILL_SYNC);
+  return true;
 }
 
 void WebsocketServer::Service::instantiate(lws* wsi) {
   const std::string address = addressOfPeer(wsi);
   Guest& guest = guests_[wsi];
-  guest.since = pipeline::wallSeconds();
+  guest.accepted = guest.since = pipeline::wallSeconds();
   guest.isProxy = entrance_.isProxy(address);
-  if (!guest.isProxy) guest.ticket = entrance_.socket(address);
+  if (guest.isProxy) return;
+  guest.owner = guestOf(address);
+  guest.ticket = entrance_.socket(address);
 }
 
 int WebsocketServer::Service::answer(lws* wsi) {
   const RequestSource source = entrance_.sourceOf(wsi);
   Guest& guest = guests_[wsi];
+  guest.hasAsked = true;
   if (source.isForwarded) guest.ticket.reset();
   auto refusal = entrance_.refuseRequest(wsi, source, context_.isSecure(context_.audienceOf(wsi)));
   if (source.isForwarded) guest.ticket = entrance_.socket(source.address);
@@ -80,7 +109,10 @@ int WebsocketServer::Service::confirmUpgrade(lws* wsi, std::string_view protocol
   if (const auto status = entrance_.refuseUpgrade(wsi, guest.source, context_.isSecure(audience))) {
     return refuse(*status);
   }
-  if (guest.source.isForwarded) guest.ticket = entrance_.socket(guest.source.address);
+  if (guest.source.isForwarded) {
+    guest.ticket = entrance_.socket(guest.source.address);
+    guest.owner = guestOf(guest.source.address);
+  }
   return 0;
 }
 

@@ -57,7 +57,7 @@ std::unique_ptr<Connection> WebsocketServer::Service::connect(lws* wsi) {
   const RequestSource& source = guests_[wsi].source;
   const auto takePlace = [this, address = source.address] { return entrance_.visitor(address); };
   return std::make_unique<Connection>(*host_, source.name, pipeline::wallSeconds(), wake,
-                                      Connection::Door{takePlace, strangers_}, subProtocolOf(wsi));
+                                      Connection::Door{takePlace, visitorLog_}, subProtocolOf(wsi));
 }
 
 int WebsocketServer::Service::receive(lws* wsi, std::span<const std::uint8_t> bytes) {

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <string_view>
 
 #include "stream/session/host.h"
 #include "stream/web_server/access/entrance.h"
+#include "stream/web_server/descriptor_limit.h"
 #include "stream/web_server/listen_address.h"
 #include "stream/web_server/tls/tls_store.h"
 
@@ -16,6 +18,8 @@ struct ServerOptions {
   HostPort visitors;                  ///< port 0: any free one
   std::optional<HostPort> operators;  ///< the operator's pages and reports; none: any free port of 127.0.0.1
   EntranceRules rules = {};           ///< the hosts above are names of the server, too
+  /// At once; fewer if the system gives no more descriptors.
+  std::size_t maxSockets = kMaxSockets;
   std::shared_ptr<const TlsStore> tls = nullptr;  ///< null: plain http
   /// With TLS: browsers are told to come by https only for so many seconds.
   std::optional<int> hsts = std::nullopt;

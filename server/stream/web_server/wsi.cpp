@@ -53,6 +53,8 @@ std::string header(lws* wsi, std::string_view name) {
   return value;
 }
 
+bool isRepeated(lws* wsi, lws_token_indexes token) { return lws_hdr_fragment_length(wsi, token, 1) != 0; }
+
 bool isSecure(lws* wsi) { return lws_get_ssl(wsi) != nullptr; }
 
 std::string encodedTarget(lws* wsi) {

@@ -14,7 +14,10 @@ namespace grove::stream {
 /// A header of the request; empty if there is none.
 [[nodiscard]] std::string header(lws* wsi, lws_token_indexes token);
 
-/// The same of one that the library has no token for: in lower case, with its colon.
+/// Whether the request has this header more than once.
+[[nodiscard]] bool isRepeated(lws* wsi, lws_token_indexes token);
+
+/// The value of one that the library has no token for: in lower case, with its colon.
 [[nodiscard]] std::string header(lws* wsi, std::string_view name);
 
 /// Whether the request has come by TLS, and not as plain http to the same port.

@@ -148,7 +148,7 @@ class PreparationLineTest : public testing::Test {
 
  protected:
   Preparations preparations_;
-  log::Limited strangers_;
+  log::Limited visitorLog_;
   const node::ObjectTypes types_ = heldTypes(preparations_);
   gl::ShaderLibrary shaders_;
   gl::Workers gl_{gl::ContextKind::kAuto, shaders_, 1};
@@ -240,7 +240,7 @@ TEST_F(PreparationLineTest, LeavesTheMachineToThoseWhoAreInside) {
 
 TEST_F(PreparationLineTest, PagesThatDoNotKnowOfWaitingHearNothingOfIt) {
   const double now = pipeline::wallSeconds();
-  const Connection::Door door{[] { return std::make_shared<int>(); }, strangers_};
+  const Connection::Door door{[] { return std::make_shared<int>(); }, visitorLog_};
   Connection newer(
       *host_, "newer", now, [] {}, door, kSubProtocolWithWaiting);
   Connection older(
@@ -263,7 +263,7 @@ TEST_F(PreparationLineTest, WhoseWorldCannotBeMadeIsToldSoAndGivesUpHisPlace) {
   const double now = pipeline::wallSeconds();
   auto place = std::make_shared<int>();
   Connection visitor(
-      *host_, "visitor", now, [] {}, {[&place] { return place; }, strangers_}, kSubProtocol);
+      *host_, "visitor", now, [] {}, {[&place] { return place; }, visitorLog_}, kSubProtocol);
   const auto hello = encode(Hello{"", 160, 90});
   ASSERT_FALSE(visitor.receive({hello, true, true, true}, now));
   EXPECT_FALSE(visitor.overdue(now)) << "his world is being made";

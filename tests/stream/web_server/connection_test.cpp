@@ -25,8 +25,8 @@ class ConnectionTest : public ServedWorld {
   }
 
   const double now_ = pipeline::wallSeconds();
-  log::Limited strangers_;
-  const Connection::Door door_{[] { return std::make_shared<int>(); }, strangers_};
+  log::Limited visitorLog_;
+  const Connection::Door door_{[] { return std::make_shared<int>(); }, visitorLog_};
   Connection connection_{host_, "a test", now_, [] {}, door_, kSubProtocol};
 };
 

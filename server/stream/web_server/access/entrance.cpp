@@ -20,14 +20,18 @@ PageReply textReply(int status, std::string_view text) {
 
 }  // namespace
 
-bool Entrance::letsIn(const std::string& address, std::size_t sockets, std::size_t maxSockets) {
-  if (sockets >= maxSockets) {
-    refuse(address, "there are " + std::to_string(sockets) + " already");
-    return false;
-  }
+bool Entrance::letsIn(const std::string& address) {
   if (isProxy(address) || limits_.welcomes(address, pipeline::wallSeconds())) return true;
   refuse(address, "its address has or opens too many");
   return false;
+}
+
+void Entrance::refuseFull(const std::string& address, std::size_t sockets) {
+  refuse(address, "there are " + std::to_string(sockets) + " already");
+}
+
+void Entrance::reportEvicted(const std::string& name) {
+  refusals_.warning("the connection of " + name + " was closed for a newcomer: it asks for nothing");
 }
 
 bool Entrance::isProxy(const std::string& address) const { return stream::isProxy(address, rules_.proxies); }
@@ -47,6 +51,8 @@ RequestSource Entrance::sourceOf(lws* wsi) const {
 }
 
 std::optional<PageReply> Entrance::refuseRequest(lws* wsi, const RequestSource& source, bool isSecure) {
+  // RFC 9112, 3.2: whoever reads the other one would take it for another request.
+  if (isRepeated(wsi, WSI_TOKEN_HOST)) return textReply(HTTP_STATUS_BAD_REQUEST, "more than one Host\n");
   if (!isKnown(source)) return textReply(HTTP_STATUS_FORBIDDEN, "this server is not known by that name\n");
   if (source.isForwarded && !isWelcome(source, AddressLimits::kRequest)) {
     return textReply(kTooManyRequests, "too many requests of one address\n");
@@ -60,6 +66,7 @@ std::optional<PageReply> Entrance::refuseRequest(lws* wsi, const RequestSource& 
 }
 
 std::optional<unsigned> Entrance::refuseUpgrade(lws* wsi, const RequestSource& source, bool isSecure) {
+  if (isRepeated(wsi, WSI_TOKEN_HOST)) return HTTP_STATUS_BAD_REQUEST;
   if (!isKnown(source) || (isSecure && !stream::isSecure(wsi))) return HTTP_STATUS_FORBIDDEN;
   const std::string origin = header(wsi, WSI_TOKEN_ORIGIN);
   if (!origin.empty() && !isSameOrigin(origin, source.host, source.isSecure) && !isOneOf(rules_.origins, origin)) {

@@ -45,9 +45,13 @@ class Entrance {
 
   void addName(std::string name) { rules_.names.push_back(std::move(name)); }
 
-  /// Whether one more socket from this numeric address is welcome beside `sockets`, of which there may be `maxSockets`.
-  /// All visitors of a proxy have its address, so proxies are judged by their requests.
-  [[nodiscard]] bool letsIn(const std::string& address, std::size_t sockets, std::size_t maxSockets);
+  /// Whether one more socket from this numeric address is welcome. All visitors of a proxy have its address, so proxies
+  /// are judged by their requests.
+  [[nodiscard]] bool letsIn(const std::string& address);
+  /// It was welcome, but there is no place, and no socket that could be evicted.
+  void refuseFull(const std::string& address, std::size_t sockets);
+  /// This socket was closed to make room for another.
+  void reportEvicted(const std::string& name);
 
   [[nodiscard]] bool isProxy(const std::string& address) const;
   [[nodiscard]] RequestSource sourceOf(lws* wsi) const;

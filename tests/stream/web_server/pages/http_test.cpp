@@ -293,5 +293,13 @@ TEST(Origin, OfOthersIsAllowedByItsWholeName) {
   EXPECT_FALSE(isOneOf({}, ""));
 }
 
+/// A proxy that goes by the first would let through what the server takes for a request of the second.
+TEST_F(Http, TwoHostsAreRefused) {
+  EXPECT_EQ(request(port(), "GET", "/healthz", "Host: evil.example\r\n").status, 400);
+  EXPECT_EQ(request(port(), "GET", "/healthz", "Host: localhost\r\n").status, 400);
+  EXPECT_EQ(RawWebsocket(port(), "Host: localhost\r\n").status(), 400);
+  EXPECT_EQ(request(port(), "GET", "/healthz").status, 200);
+}
+
 }  // namespace
 }  // namespace grove::stream
