@@ -59,6 +59,9 @@ class Session : public std::enable_shared_from_this<Session> {
   void limit(const Limits& limits);
   void broken();
 
+  /// How long nobody has looked, seconds; 0 while somebody does.
+  [[nodiscard]] double secondsHidden(double now) const;
+
   /// Leaves the world because of this, which refusal() reports.
   void refuse(Refusal why);
   /// Why he had to leave; none while he is here.
@@ -110,7 +113,8 @@ class Session : public std::enable_shared_from_this<Session> {
   PageClock pageClock_;
   double nextDue_ = 0.0;
   double nextDeadlineCheck_ = 0.0;
-  bool waits_ = false;  ///< for its turn
+  bool waits_ = false;                 ///< for its turn
+  std::optional<double> hiddenSince_;  ///< until a frame is acknowledged that somebody sees
 };
 
 }  // namespace grove::stream

@@ -54,6 +54,11 @@ class Connection {
   /// Whether the other end has been silent for too long, or his world cannot be made; a refusal as of receive().
   [[nodiscard]] std::optional<Refusal> overdue(double now);
 
+  /// The other end has answered a ping.
+  void hear() noexcept { pinged_.reset(); }
+  /// Whether a ping is to be sent, which is told once.
+  [[nodiscard]] bool takePing() noexcept { return std::exchange(pingIsDue_, false); }
+
   /// The server ends this connection.
   void end(const Refusal& why);
 
@@ -63,7 +68,7 @@ class Connection {
   [[nodiscard]] bool isInWorld() const noexcept { return session_ != nullptr; }
 
   [[nodiscard]] bool hasSomethingToSend() const {
-    return !welcome_.empty() || !outbox_->empty() || hasNewsOfRefining();
+    return pingIsDue_ || !welcome_.empty() || !outbox_->empty() || hasNewsOfRefining();
   }
   /// The greeting, how the wait for the first frame gets on, and what gets finer; they go before any frame. Empty if
   /// there is none.
@@ -78,6 +83,8 @@ class Connection {
   [[nodiscard]] std::optional<Refusal> actOnStream(const ClientMessage& message);
   [[nodiscard]] std::optional<Refusal> greet(const Hello& hello);
   [[nodiscard]] bool isFlood(double now);
+  /// Whether he says nothing, and has not answered a ping. Asks for one in time.
+  [[nodiscard]] bool isDead(double now);
   [[nodiscard]] bool hasNewsOfRefining() const {
     return knowsVideo_ && session_ && host_.knowsMoreThan(refiningReported_);
   }
@@ -99,6 +106,9 @@ class Connection {
   std::vector<std::uint8_t> message_;
   double secondBegan_;
   int piecesThisSecond_ = 0;
+  double heard_;                  ///< when a message last came
+  std::optional<double> pinged_;  ///< since then: when a ping became due
+  bool pingIsDue_ = false;
 };
 
 }  // namespace grove::stream

@@ -1,6 +1,7 @@
 #include <libwebsockets.h>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 #include <vector>
 
@@ -84,6 +85,12 @@ int WebsocketServer::Service::write(lws* wsi) {
     giveCloseReason(wsi, *closing);
     return -1;
   }
+  if (connection && connection->takePing()) {
+    std::array<std::uint8_t, LWS_PRE> nothing{};
+    if (lws_write(wsi, nothing.data() + LWS_PRE, 0, LWS_WRITE_PING) < 0) return -1;
+    lws_callback_on_writable(wsi);
+    return 0;
+  }
   std::vector<std::uint8_t> words;
   if (connection) {
     words = connection->takeMessage();
@@ -103,6 +110,11 @@ int WebsocketServer::Service::write(lws* wsi) {
   // The library writes into the headroom before the message, and only there.
   auto* bytes = const_cast<std::uint8_t*>(message.data());
   return lws_write(wsi, bytes, message.size(), LWS_WRITE_BINARY) < 0 ? -1 : 0;
+}
+
+void WebsocketServer::Service::hear(lws* wsi) {
+  const auto found = sockets_.find(wsi);
+  if (found != sockets_.end() && found->second.connection) found->second.connection->hear();
 }
 
 void WebsocketServer::Service::close(lws* wsi) {
