@@ -36,7 +36,7 @@ const kListeners = Object.freeze({
  * The page's one link to the server. Reaches it again by itself after a loss.
  *
  * States: `connecting` (the first time), `open` (welcomed), `silent` (still open, but the server says nothing), `lost`
- * (out of reach, trying again), `full` (trying again more slowly), `outdated` (the page speaks another version) and
+ * (out of reach, trying again), `full` (trying again more slowly), `away` (the place went to another while nobody looked; trying again), `outdated` (the page speaks another version) and
  * `refused` (the server said why). The last two stay until retry().
  */
 export class Connection {
@@ -222,6 +222,10 @@ export class Connection {
       case CloseCode.full:
         this.#enter('full', reason);
         this.#retryAfter(kFullDelay);
+        break;
+      case CloseCode.hidden:
+        this.#enter('away', reason);
+        this.#retryAfter(this.#backoff.next());
         break;
       case CloseCode.wrongVersion:
         this.#enter('outdated', reason);

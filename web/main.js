@@ -259,7 +259,7 @@ for (const [target, event] of [
     stream.setHidden(document.hidden);
     if (document.hidden) return;
     connection.listen();
-    if (['lost', 'full'].includes(connection.state)) connection.retry();
+    if (['lost', 'full', 'away'].includes(connection.state)) connection.retry();
   });
 }
 stream.setHidden(document.hidden);

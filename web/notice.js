@@ -4,6 +4,7 @@ const kTexts = {
   silent: { title: 'The world does not answer\u2026', text: 'What you see may be out of date.' },
   lost: { title: 'The world is out of reach', text: 'Trying again\u2026' },
   full: { title: 'No place for you yet', next: 'We knock again every fifteen seconds.', action: 'Try again now' },
+  away: { title: 'Your place was given away', next: 'Trying to enter again\u2026', action: 'Try again now' },
   outdated: { title: 'The world has moved on', text: 'Please reload the page to follow.', action: 'Reload' },
   refused: { title: 'The world let go', action: 'Try again' },
 };

@@ -12,7 +12,7 @@ const kVersion = 1;
 export const Key = Object.freeze({ forward: 1, back: 2, left: 4, right: 8, run: 16, blow: 32 });
 
 /** Why the server closed a connection, as far as the page acts on it. */
-export const CloseCode = Object.freeze({ protocolError: 4000, wrongVersion: 4001, full: 4002, flood: 4004 });
+export const CloseCode = Object.freeze({ protocolError: 4000, wrongVersion: 4001, full: 4002, flood: 4004, hidden: 4006 });
 
 /** Numbers of the picture codecs, and their names. */
 export const Codec = Object.freeze({ jpeg: 1, h264: 2 });

@@ -25,7 +25,7 @@ export function encodeFrame(payload, { opcode = Opcode.binary, final = true } = 
 }
 
 /** The request for a socket of the server. */
-export function upgradeRequest({ host, origin }) {
+export function upgradeRequest({ host, origin, protocol = 'grove.v1' }) {
   const lines = [
     'GET / HTTP/1.1',
     `Host: ${host}`,
@@ -33,7 +33,7 @@ export function upgradeRequest({ host, origin }) {
     'Connection: Upgrade',
     'Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==',
     'Sec-WebSocket-Version: 13',
-    'Sec-WebSocket-Protocol: grove.v1',
+    `Sec-WebSocket-Protocol: ${protocol}`,
   ];
   if (origin) lines.push(`Origin: ${origin}`);
   return `${lines.join('\r\n')}\r\n\r\n`;
@@ -104,7 +104,7 @@ export class WebSocketClient {
 }
 
 /** A client once it is let in; fails with the HTTP status if it is not. `from` is the address to come from. */
-export function openWebSocket({ port, from, host = `127.0.0.1:${port}`, origin }) {
+export function openWebSocket({ port, from, host = `127.0.0.1:${port}`, origin, protocol }) {
   return new Promise((resolve, reject) => {
     const socket = connect({ host: '127.0.0.1', port, localAddress: from });
     socket.setNoDelay(true);
@@ -130,7 +130,7 @@ export function openWebSocket({ port, from, host = `127.0.0.1:${port}`, origin }
     };
     // Stays: who is let in still has to survive a reset.
     socket.on('error', () => {});
-    socket.on('connect', () => socket.write(upgradeRequest({ host, origin })));
+    socket.on('connect', () => socket.write(upgradeRequest({ host, origin, protocol })));
     socket.on('data', onData);
     socket.on('close', onClose);
   });

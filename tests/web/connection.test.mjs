@@ -246,6 +246,19 @@ test('a hidden page waits to be looked at before it returns', () => {
   assert.equal(sockets.length, 2);
 });
 
+test('who lost the place while hidden is told why, and comes back when shown', () => {
+  let visible = false;
+  const { clock, sockets, states, connection, letIn } = setUp({ mayRetry: () => visible });
+  letIn();
+  sockets[0].end(4006, 'your place went to a newcomer');
+  clock.advance(60_000);
+  assert.equal(sockets.length, 1, 'a page that nobody looks at takes no place');
+  visible = true;
+  connection.retry();
+  letIn();
+  assert.deepEqual(states, ['connecting', 'open', 'away: your place went to a newcomer', 'open']);
+});
+
 test('delays are spread, but never beyond five seconds', () => {
   const early = new Backoff(() => 0);
   const late = new Backoff(() => 1);

@@ -95,3 +95,10 @@ test('the world that is still being made for everybody is nobody\'s own', () => 
   assert.equal(text.textContent, 'Sketching the light fields\u2026');
   assert.deepEqual([progress.hidden, progress.value], [false, 12]);
 });
+
+test('says that the place was given away, and why', () => {
+  const { notice, title, text } = setUp();
+  notice.show('away', 'your place went to a newcomer while this page was hidden');
+  assert.equal(title.textContent, 'Your place was given away');
+  assert.match(text.textContent, /^Your place went to a newcomer while this page was hidden\. Trying to enter again/);
+});

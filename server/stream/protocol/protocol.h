@@ -32,6 +32,7 @@ enum class CloseCode : std::uint16_t {
   kNoHello = 4003,
   kFlood = 4004,
   kNoAcknowledgement = 4005,
+  kHidden = 4006,
 };
 
 /// Why a connection is to be closed.

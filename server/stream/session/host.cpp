@@ -88,16 +88,10 @@ std::unique_ptr<WorldInstance> Host::makeInstance(node::Haste haste, const node:
 std::variant<std::shared_ptr<Session>, Refusal> Host::open(const Hello& hello, FrameSink sink, WaitingSink waiting,
                                                            StreamTerms terms) {
   const auto [width, height] = fitSize(hello.width, hello.height);
-  node::SessionId id = 0;
-  {
-    const std::lock_guard lock(mutex_);
-    if (stopping_) return Refusal{CloseCode::kGoingAway, "the server stops"};
-    if (sessions_.size() >= static_cast<std::size_t>(options_.maxVisitors)) {
-      return Refusal{CloseCode::kFull, "the world is full (" + std::to_string(options_.maxVisitors) + " visitors)"};
-    }
-    id = node::makeId(kProcess, nextSession_++);
-    sessions_[id] = {};  // keeps the place
-  }
+  auto place = takePlace();
+  if (std::holds_alternative<Refusal>(place) && evictHidden(pipeline::wallSeconds())) place = takePlace();
+  if (auto* refusal = std::get_if<Refusal>(&place)) return std::move(*refusal);
+  const auto id = std::get<node::SessionId>(place);
   const std::string name = hello.name.empty() ? "Visitor " + std::to_string(node::numberOf(id)) : hello.name;
   const world::PlayerId player = players_->join(name, pipeline::wallSeconds());
   const auto session = std::make_shared<Session>(*this, id, player, width, height, std::move(sink), std::move(terms));
@@ -111,6 +105,36 @@ std::variant<std::shared_ptr<Session>, Refusal> Host::open(const Hello& hello, F
     begin(session, shared_);
   }
   return session;
+}
+
+std::variant<node::SessionId, Refusal> Host::takePlace() {
+  const std::lock_guard lock(mutex_);
+  if (stopping_) return Refusal{CloseCode::kGoingAway, "the server stops"};
+  if (sessions_.size() >= static_cast<std::size_t>(options_.maxVisitors)) {
+    return Refusal{CloseCode::kFull, "the world is full (" + std::to_string(options_.maxVisitors) + " visitors)"};
+  }
+  const node::SessionId id = node::makeId(kProcess, nextSession_++);
+  sessions_[id] = {};
+  return id;
+}
+
+bool Host::evictHidden(double now) {
+  const std::vector<std::shared_ptr<Session>> open = openSessions();
+  const auto secondsHidden = [now](const auto& session) { return session->secondsHidden(now); };
+  const auto longest = std::ranges::max_element(open, {}, secondsHidden);
+  if (longest == open.end() || !(secondsHidden(*longest) > options_.hiddenGraceSeconds)) return false;
+  (*longest)->refuse({CloseCode::kHidden, "your place went to a newcomer while this page was hidden"});
+  return true;
+}
+
+/// Not to be let go of while mutex_ is held: a session that ends takes it.
+std::vector<std::shared_ptr<Session>> Host::openSessions() const {
+  std::vector<std::shared_ptr<Session>> open;
+  const std::lock_guard lock(mutex_);
+  for (const auto& [id, weak] : sessions_) {
+    if (auto session = weak.lock()) open.push_back(std::move(session));
+  }
+  return open;
 }
 
 void Host::begin(const std::shared_ptr<Session>& session, std::shared_ptr<WorldInstance> instance) {

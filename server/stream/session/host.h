@@ -40,6 +40,8 @@ struct HostOptions {
   /// Deadline of those who measure or compare frames, and would rather wait than leave anything out.
   static constexpr double kNoHurry = 60.0;
   int maxVisitors = 16;
+  /// In a full world, who has been hidden for so long gives up his place to a newcomer.
+  double hiddenGraceSeconds = 12.0;
   int jpegQuality = 75;
   /// The control experiment, one console per player: every visitor gets copies of his own of all that backend nodes
   /// hold, simulations with clocks of their own, views that nobody shares.
@@ -100,6 +102,11 @@ class Host {
 
  private:
   friend class Session;
+  /// A place in the world, named; a refusal if there is none.
+  [[nodiscard]] std::variant<node::SessionId, Refusal> takePlace();
+  /// Sends who has been hidden longest out of the world; false if nobody has for long enough.
+  bool evictHidden(double now);
+  [[nodiscard]] std::vector<std::shared_ptr<Session>> openSessions() const;
   void remove(node::SessionId id);
   void begin(const std::shared_ptr<Session>& session, std::shared_ptr<WorldInstance> instance);
   void preparePrivately(const std::shared_ptr<Session>& session, WaitingSink waiting);

@@ -34,7 +34,7 @@ Session::Session(Host& host, node::SessionId id, world::PlayerId player, int wid
       control_(std::make_shared<StreamControl>(host.encoders(), terms_.page, host.options().framesPerSecond, width,
                                                height)) {
   if (terms_.offer) control_->offer(terms_.offer->codecs);
-  if (terms_.limits) control_->limit(*terms_.limits);
+  if (terms_.limits) limit(*terms_.limits);
 }
 
 Session::~Session() { close(); }
@@ -117,7 +117,17 @@ void Session::offer(const Offer& offer) { control_->offer(offer.codecs); }
 
 void Session::limit(const Limits& limits) {
   control_->limit(limits);
-  startIfDue(pipeline::wallSeconds());
+  const double now = pipeline::wallSeconds();
+  {
+    const std::lock_guard lock(mutex_);
+    if (limits.hidden && !hiddenSince_) hiddenSince_ = now;
+  }
+  startIfDue(now);
+}
+
+double Session::secondsHidden(double now) const {
+  const std::lock_guard lock(mutex_);
+  return hiddenSince_ && control_->isHidden() ? now - *hiddenSince_ : 0.0;
 }
 
 void Session::broken() { control_->broken(); }
@@ -147,6 +157,10 @@ Arrival Session::arrivalOf(const Presented& presented) {
 std::optional<Refusal> Session::arrived(std::uint32_t frame, const Arrival& arrival) {
   if (!control_->acknowledged(frame, arrival)) {
     return Refusal{CloseCode::kProtocolError, "acknowledges a frame that was never sent"};
+  }
+  if (!control_->isHidden()) {
+    const std::lock_guard lock(mutex_);
+    hiddenSince_.reset();
   }
   startIfDue(arrival.acknowledged);
   return std::nullopt;

@@ -71,6 +71,9 @@ class Session : public std::enable_shared_from_this<Session> {
   /// The socket has taken all of this frame at `now`; the thread that writes had come to it at `reached`.
   void written(std::uint32_t frame, double reached, double now) { control_->written(frame, reached, now); }
 
+  /// How long nobody has looked, seconds; 0 while somebody does.
+  [[nodiscard]] double secondsHidden(double now) const;
+
   /// Leaves the world because of this, which refusal() reports.
   void refuse(Refusal why);
   /// Why he had to leave; none while he is here.
@@ -123,7 +126,8 @@ class Session : public std::enable_shared_from_this<Session> {
   PageClock pageClock_;
   double nextDue_ = 0.0;
   double nextDeadlineCheck_ = 0.0;
-  bool waits_ = false;  ///< for its turn
+  bool waits_ = false;                 ///< for its turn
+  std::optional<double> hiddenSince_;  ///< until a frame is acknowledged that somebody sees
 };
 
 }  // namespace grove::stream

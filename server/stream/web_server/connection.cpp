@@ -10,6 +10,8 @@ namespace {
 
 constexpr double kHelloSeconds = 10.0;
 constexpr double kAcknowledgementSeconds = 25.0;
+constexpr double kPingSeconds = 10.0;
+constexpr double kAnswerSeconds = kAcknowledgementSeconds - kPingSeconds;
 constexpr int kMaxPiecesPerSecond = 500;
 
 Refusal protocolError(std::string reason) { return {CloseCode::kProtocolError, std::move(reason)}; }
@@ -30,7 +32,8 @@ Connection::Connection(Host& host, std::string peer, double now, std::function<v
       door_(std::move(door)),
       page_(levelOf(subProtocol)),
       knowsWaiting_(page_ != PageLevel::kBasic || subProtocol == kSubProtocolWithWaiting),
-      secondBegan_(now) {
+      secondBegan_(now),
+      heard_(now) {
   message_.reserve(kLargestClientMessage);
 }
 
@@ -38,6 +41,8 @@ Connection::~Connection() { leave("the connection was dropped"); }
 
 std::optional<Refusal> Connection::receive(const MessagePiece& piece, double now) {
   if (ended_) return std::nullopt;
+  heard_ = now;
+  pinged_.reset();
   if (auto why = takePiece(piece, now)) return refuse(std::move(*why));
   if (!piece.last) return std::nullopt;
   const ClientMessage message = parseClientMessage(message_);
@@ -53,8 +58,17 @@ std::optional<Refusal> Connection::overdue(double now) {
     return refuse({CloseCode::kNoHello, "no Hello within 10 seconds"});
   }
   if (auto why = session_->refusal()) return refuse(std::move(*why));
+  if (isDead(now)) return refuse({CloseCode::kNoAcknowledgement, "no answer to a ping"});
   if (session_->secondsUnacknowledged(now) < kAcknowledgementSeconds) return std::nullopt;
   return refuse({CloseCode::kNoAcknowledgement, "no frame acknowledged for 25 seconds"});
+}
+
+bool Connection::isDead(double now) {
+  if (pinged_) return now - *pinged_ >= kAnswerSeconds;
+  if (now - heard_ < kPingSeconds) return false;
+  pinged_ = heard_ = now;
+  pingIsDue_ = true;
+  return false;
 }
 
 std::vector<std::uint8_t> Connection::takeMessage() {

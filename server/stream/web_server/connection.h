@@ -54,6 +54,11 @@ class Connection {
   /// Whether the other end has been silent for too long, or his world cannot be made; a refusal as of receive().
   [[nodiscard]] std::optional<Refusal> overdue(double now);
 
+  /// The other end has answered a ping.
+  void hear() noexcept { pinged_.reset(); }
+  /// Whether a ping is to be sent, which is told once.
+  [[nodiscard]] bool takePing() noexcept { return std::exchange(pingIsDue_, false); }
+
   /// The server ends this connection.
   void end(const Refusal& why);
 
@@ -63,7 +68,7 @@ class Connection {
   [[nodiscard]] bool isInWorld() const noexcept { return session_ != nullptr; }
 
   [[nodiscard]] bool hasSomethingToSend() const {
-    return !welcome_.empty() || !outbox_->empty() || hasNewsOfRefining();
+    return pingIsDue_ || !welcome_.empty() || !outbox_->empty() || hasNewsOfRefining();
   }
   /// The thread that writes has come to what is to be sent: what waits from now on waits for the socket.
   void reach(double now) {
@@ -86,6 +91,8 @@ class Connection {
   /// For the session: what the page understands, and where to put what it gets besides frames.
   [[nodiscard]] StreamTerms terms();
   [[nodiscard]] bool isFlood(double now);
+  /// Whether he says nothing, and has not answered a ping. Asks for one in time.
+  [[nodiscard]] bool isDead(double now);
   [[nodiscard]] bool hasNewsOfRefining() const {
     return page_ != PageLevel::kBasic && session_ && host_.knowsMoreThan(refiningReported_);
   }
@@ -108,6 +115,9 @@ class Connection {
   std::vector<std::uint8_t> message_;
   double secondBegan_;
   int piecesThisSecond_ = 0;
+  double heard_;                  ///< when a message last came
+  std::optional<double> pinged_;  ///< since then: when a ping became due
+  bool pingIsDue_ = false;
 };
 
 }  // namespace grove::stream

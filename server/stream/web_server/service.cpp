@@ -124,6 +124,9 @@ int WebsocketServer::Service::handle(lws* wsi, lws_callback_reasons reason, void
       return 0;
     case LWS_CALLBACK_RECEIVE:
       return receive(wsi, {static_cast<const std::uint8_t*>(in), length});
+    case LWS_CALLBACK_RECEIVE_PONG:
+      hear(wsi);
+      return 0;
     case LWS_CALLBACK_SERVER_WRITEABLE:
       return write(wsi);
     case LWS_CALLBACK_CLOSED:

@@ -1,6 +1,7 @@
 #include <libwebsockets.h>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 #include <vector>
 
@@ -84,6 +85,12 @@ int WebsocketServer::Service::write(lws* wsi) {
     giveCloseReason(wsi, *closing);
     return -1;
   }
+  if (connection && connection->takePing()) {
+    std::array<std::uint8_t, LWS_PRE> nothing{};
+    if (lws_write(wsi, nothing.data() + LWS_PRE, 0, LWS_WRITE_PING) < 0) return -1;
+    lws_callback_on_writable(wsi);
+    return 0;
+  }
   std::vector<std::uint8_t> words;
   if (connection) {
     words = connection->takeMessage();
@@ -106,6 +113,11 @@ int WebsocketServer::Service::write(lws* wsi) {
   connection->written(*frame, pipeline::wallSeconds());
   if (connection->hasSomethingToSend()) lws_callback_on_writable(wsi);
   return 0;
+}
+
+void WebsocketServer::Service::hear(lws* wsi) {
+  const auto found = sockets_.find(wsi);
+  if (found != sockets_.end() && found->second.connection) found->second.connection->hear();
 }
 
 void WebsocketServer::Service::close(lws* wsi) {

@@ -1,3 +1,4 @@
+import { doorGroup } from './door.mjs';
 import { fewDescriptors } from './few_descriptors.mjs';
 import { garbage } from './garbage.mjs';
 import { idleGroup } from './idle_sockets.mjs';
@@ -26,6 +27,7 @@ import { traceGroups } from './trace.mjs';
 export const kGroups = [
   ...traceGroups,
   idleGroup,
+  doorGroup,
   silentGroup,
   pingGroup,
   { name: 'words', attacks: [rebinding, garbage, resizes, names, paths] },
