@@ -32,7 +32,14 @@ void main() {
   gl_FragColor = vec4(colour, 1.0);
 }`;
 
-const kContext = Object.freeze({ alpha: false, antialias: false, depth: false, stencil: false });
+// Software WebGL turns a picture slower than the server sends the next one, on the processor that decodes it.
+const kContext = Object.freeze({
+  alpha: false,
+  antialias: false,
+  depth: false,
+  stencil: false,
+  failIfMajorPerformanceCaveat: true,
+});
 
 function compile(gl, type, source) {
   const shader = gl.createShader(type);
@@ -60,6 +67,7 @@ export class LateLook {
   #look;
   #halfPixel;
   #ready;
+  #isTooSlow = false;
 
   /** `canvas` is one that nobody sees; `onChange()`: `isReady` has changed, as a graphics card may lose what it held. */
   constructor(canvas, onChange) {
@@ -74,9 +82,21 @@ export class LateLook {
     canvas.addEventListener('webglcontextrestored', () => this.#become(this.#prepare()));
   }
 
-  /** False where WebGL is missing or lost. */
+  /** False where WebGL is missing, lost or too slow. */
   get isReady() {
-    return this.#ready;
+    return this.hindrance === '';
+  }
+
+  /** Why it is not ready, in a few words, or ''. */
+  get hindrance() {
+    if (this.#isTooSlow) return 'too slow';
+    return this.#ready ? '' : 'no fast WebGL';
+  }
+
+  /** Turning takes too long in this browser: it is not ready any more until the page is reloaded. */
+  giveUp() {
+    this.#isTooSlow = true;
+    this.#onChange();
   }
 
   /** Takes a copy of the image (ImageBitmap or VideoFrame), and the size of its window. */

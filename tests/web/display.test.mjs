@@ -13,6 +13,7 @@ function setUp() {
   let paint = null;
   const screen = {
     isBehind: false,
+    isTurned: false,
     show: (image) => {
       log.push(`paint ${image.name}`);
       image.close();
@@ -26,6 +27,8 @@ function setUp() {
       assert.equal(paint, null, 'one paint at a time is planned');
       paint = callback;
     },
+    clock: { now: () => 0 },
+    onTurned: () => log.push('turned'),
     onPresented: (picture) => log.push(`presented ${picture.frame}`),
   });
   const decode = (name) => new Promise((resolve, reject) => decodes.set(name, { resolve, reject }));

@@ -1,14 +1,14 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
-import { LineHint } from '../../web/line_hint.js';
+import { LimitHint } from '../../web/limit_hint.js';
 import { LimitedBy } from '../../web/protocol.js';
 import { FakeClock } from './fake_clock.mjs';
 
 function setUp() {
   const clock = new FakeClock();
   const element = { hidden: true, textContent: '' };
-  const hint = new LineHint(element, clock);
+  const hint = new LimitHint(element, clock);
   const limited = (limitedBy, framesPerSecond = 20, lines = 480) => hint.update({ limitedBy, framesPerSecond }, lines);
   return { clock, element, hint, limited };
 }
