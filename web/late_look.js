@@ -41,6 +41,14 @@ const kContext = Object.freeze({
   failIfMajorPerformanceCaveat: true,
 });
 
+// Not every browser counts these as a major performance caveat.
+const kSoftware = /swiftshader|llvmpipe|softpipe|software|basic render/i;
+
+function isSoftware(gl) {
+  const names = gl.getExtension('WEBGL_debug_renderer_info');
+  return kSoftware.test(gl.getParameter(names ? names.UNMASKED_RENDERER_WEBGL : gl.RENDERER));
+}
+
 function compile(gl, type, source) {
   const shader = gl.createShader(type);
   gl.shaderSource(shader, source);
@@ -128,7 +136,7 @@ export class LateLook {
   /** Makes what a new or a restored context lacks; whether that went well. */
   #prepare() {
     const gl = this.#gl;
-    const program = gl && link(gl);
+    const program = gl && !isSoftware(gl) && link(gl);
     if (!program) return false;
     gl.useProgram(program);
     this.#look = gl.getUniformLocation(program, 'look');

@@ -150,3 +150,23 @@ test('between pictures, one paint turns the picture to the newest look, and only
   vsync();
   assert.deepEqual(log, ['turn', 'paint p1', 'presented 1'], 'a new picture is painted turned at once');
 });
+
+test('a paint is timed by the clock around it, and told as turned only if it is', async () => {
+  let now = 0;
+  let paint = null;
+  const told = [];
+  const screen = { isTurned: false, isBehind: true, show: () => (now += 3), turn: () => (now += 5) };
+  const display = new Display({
+    screen,
+    schedule: (callback) => (paint = callback),
+    clock: { now: () => now },
+    onTurned: (time) => told.push(`turned ${time}`),
+    onPresented: ({ frame }, time) => told.push(`${frame} in ${time}`),
+  });
+  display.show({}, { frame: 1 });
+  paint();
+  screen.isTurned = true;
+  display.turn();
+  paint();
+  assert.deepEqual(told, ['1 in 3', 'turned 5']);
+});

@@ -54,3 +54,26 @@ test('a lost connection takes the words with it', () => {
   clock.advance(10_000);
   assert.equal(element.hidden, true);
 });
+
+test('browser and server are named as the line is', () => {
+  for (const [limit, words] of [
+    [LimitedBy.browser, 'Your browser is busy: 480 lines, 20 frames/s'],
+    [LimitedBy.machine, 'The server is busy: 480 lines, 20 frames/s'],
+  ]) {
+    const { clock, element, limited } = setUp();
+    limited(limit);
+    clock.advance(2000);
+    assert.equal(element.hidden, false);
+    assert.equal(element.textContent, words);
+  }
+});
+
+test('when another falls short, the words change without a pause', () => {
+  const { clock, element, limited } = setUp();
+  limited(LimitedBy.line);
+  clock.advance(2000);
+  limited(LimitedBy.browser);
+  assert.match(element.textContent, /^Your browser/);
+  clock.advance(10_000);
+  assert.equal(element.hidden, false);
+});
