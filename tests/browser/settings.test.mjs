@@ -45,6 +45,7 @@ async function tabTo(visitor, id) {
 
 /** Keeps the keys of every input that the page sends, in `window.sentKeys`. */
 function keepInputs() {
+  delete window.Worker; // whose socket no script reaches
   window.sentKeys = [];
   const send = WebSocket.prototype.send;
   WebSocket.prototype.send = function keep(data) {
@@ -284,6 +285,7 @@ for (const [width, height] of [[360, 640], [390, 844], [844, 390]]) {
 
 test('what the browser cannot do is shown with the reason', async () => {
   const poor = await arrive({}, () => {
+    delete window.Worker;
     delete window.VideoDecoder;
     HTMLCanvasElement.prototype.getContext = new Proxy(HTMLCanvasElement.prototype.getContext, {
       apply: (real, canvas, kind) => (/webgl/.test(kind[0]) ? null : Reflect.apply(real, canvas, kind)),
