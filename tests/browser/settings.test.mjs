@@ -82,7 +82,7 @@ test('the panel opens and closes by button and by key, and the keyboard alone ca
   assert.equal(await focused(ada), 'settings-title', 'the focus goes in');
   await tabTo(ada, 'setting-lines');
   await ada.page.keyboard.press('ArrowDown');
-  await tabTo(ada, 'setting-late');
+  await tabTo(ada, 'setting-fps');
   const back = ada.page.getByRole('button', { name: /^Walk back, second key/ });
   await back.focus();
   for (const key of ['Space', 'Space', 'Enter', 'KeyK']) await ada.page.keyboard.press(key);
