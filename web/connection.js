@@ -3,13 +3,16 @@ import {
   decodeServerMessage,
   encodeAck,
   encodeBroken,
+  encodeCapture,
   encodeHello,
   encodeInput,
   encodeLimits,
   encodeOffer,
+  encodePainted,
   encodePresented,
   encodeResize,
-  kAdaptiveProtocol,
+  kAdaptiveProtocols,
+  kMeasuringProtocol,
 } from './protocol.js';
 
 /** After this long without a word from the server (ms), the connection counts as lost. */
@@ -30,6 +33,8 @@ const kListeners = Object.freeze({
   Picture: 'picture',
   Status: 'status',
   Refining: 'refining',
+  Captured: 'captured',
+  Times: 'times',
 });
 
 /**
@@ -52,6 +57,7 @@ export class Connection {
   #socket = null;
   #greeted = false;
   #adapts = false;
+  #measures = false;
   #patience = kLongestSilence;
   #lastAcknowledged = 0;
   #size = null;
@@ -72,6 +78,8 @@ export class Connection {
    *     `arrived`
    * @param {(message: object) => void} [parts.on.status]
    * @param {(message: object) => void} [parts.on.refining]
+   * @param {(message: object) => void} [parts.on.captured]
+   * @param {(message: object) => void} [parts.on.times]
    * @param {import('./backoff.js').Backoff} parts.backoff
    * @param {() => boolean} parts.mayRetry whether anybody looks, so that silence means something and trying again is
    *     worth it; once it turns true again, retry() and listen() will be called
@@ -91,9 +99,14 @@ export class Connection {
     return this.#state;
   }
 
-  /** Whether the server takes offers, limits and the like: it speaks 1.2. */
+  /** Whether the server takes offers, limits and the like: it speaks 1.2 or later. */
   get adapts() {
     return this.#greeted && this.#adapts;
+  }
+
+  /** Whether the server takes Painted and Capture: it speaks 1.3. */
+  get measures() {
+    return this.#greeted && this.#measures;
   }
 
   start() {
@@ -124,12 +137,21 @@ export class Connection {
     this.#send(encodeResize({ width, height }));
   }
 
-  /** Tells that the picture was presented or will never be; earlier ones are acknowledged with it. */
-  acknowledge({ frame, arrived }) {
+  /**
+   * Tells that the picture was presented or will never be; earlier ones are acknowledged with it. `decode` and `paint`
+   * are milliseconds, 0 for what has not happened.
+   */
+  acknowledge({ frame, arrived }, { decode = 0, paint = 0 } = {}) {
     if (!this.#greeted || frame <= this.#lastAcknowledged) return;
     this.#lastAcknowledged = frame;
-    if (this.#adapts) this.#send(encodePresented({ frame, held: this.#clock.now() - arrived, arrived: arrived * 1000 }));
+    const times = { frame, held: this.#clock.now() - arrived, arrived: arrived * 1000 };
+    if (this.#measures) this.#send(encodePainted({ ...times, decode, paint }));
+    else if (this.#adapts) this.#send(encodePresented(times));
     else this.#send(encodeAck({ frame }));
+  }
+
+  sendCapture(number) {
+    if (this.measures) this.#send(encodeCapture({ number }));
   }
 
   sendOffer(codecs) {
@@ -157,7 +179,8 @@ export class Connection {
     this.#lastAcknowledged = 0;
     this.#expectWord();
     socket.onopen = () => {
-      this.#adapts = socket.protocol === kAdaptiveProtocol;
+      this.#adapts = kAdaptiveProtocols.includes(socket.protocol);
+      this.#measures = socket.protocol === kMeasuringProtocol;
       if (this.#adapts) socket.send(encodeOffer({ codecs: this.#offer() }));
       const hello = this.#hello();
       this.#size = hello;

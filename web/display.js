@@ -5,6 +5,8 @@
 export class Display {
   #screen;
   #schedule;
+  #clock;
+  #onTurned;
   #onPresented;
   #waiting = null;
   #scheduled = false;
@@ -13,11 +15,15 @@ export class Display {
    * @param {object} parts
    * @param {import('./screen.js').Screen} parts.screen
    * @param {(callback: Function) => void} parts.schedule calls back when the screen can take a picture
-   * @param {(picture: object) => void} parts.onPresented
+   * @param {{now: Function}} parts.clock milliseconds
+   * @param {(paint: number) => void} parts.onTurned a turned picture was painted, in so many milliseconds
+   * @param {(picture: object, paint: number) => void} parts.onPresented painted in so many milliseconds
    */
-  constructor({ screen, schedule, onPresented }) {
+  constructor({ screen, schedule, clock, onTurned, onPresented }) {
     this.#screen = screen;
     this.#schedule = schedule;
+    this.#clock = clock;
+    this.#onTurned = onTurned;
     this.#onPresented = onPresented;
   }
 
@@ -49,13 +55,21 @@ export class Display {
   #present() {
     this.#scheduled = false;
     if (!this.#waiting) {
-      this.#screen.turn();
+      this.#paint(() => this.#screen.turn());
       return;
     }
     const { image, picture } = this.#waiting;
     this.#waiting = null;
-    this.#screen.show(image, picture);
-    this.#onPresented(picture);
+    this.#onPresented(picture, this.#paint(() => this.#screen.show(image, picture)));
+  }
+
+  /** Milliseconds that it took. */
+  #paint(draw) {
+    const begin = this.#clock.now();
+    draw();
+    const paint = this.#clock.now() - begin;
+    if (this.#screen.isTurned) this.#onTurned(paint);
+    return paint;
   }
 }
 
@@ -64,23 +78,24 @@ const kHiddenInterval = 1000;
 
 /**
  * Schedules paints: with the screen while the page is visible, else once a second, so that a page in the background
- * keeps its place in the world; a server of today sends it nothing, an older one next to nothing.
+ * keeps its place in the world; a server of today sends it nothing, an older one next to nothing. `visibility` is a document or
+ * a Visibility.
  */
-export function paintScheduler(document) {
+export function paintScheduler(visibility) {
   return (callback) => {
     let frame;
     let timer;
     const plan = () => {
       cancelAnimationFrame(frame);
       clearTimeout(timer);
-      if (document.hidden) timer = setTimeout(run, kHiddenInterval);
+      if (visibility.hidden) timer = setTimeout(run, kHiddenInterval);
       else frame = requestAnimationFrame(run);
     };
     const run = () => {
-      document.removeEventListener('visibilitychange', plan);
+      visibility.removeEventListener('visibilitychange', plan);
       callback();
     };
-    document.addEventListener('visibilitychange', plan);
+    visibility.addEventListener('visibilitychange', plan);
     plan();
   };
 }

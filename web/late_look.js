@@ -32,7 +32,22 @@ void main() {
   gl_FragColor = vec4(colour, 1.0);
 }`;
 
-const kContext = Object.freeze({ alpha: false, antialias: false, depth: false, stencil: false });
+// Software WebGL turns a picture slower than the server sends the next one, on the processor that decodes it.
+const kContext = Object.freeze({
+  alpha: false,
+  antialias: false,
+  depth: false,
+  stencil: false,
+  failIfMajorPerformanceCaveat: true,
+});
+
+// Not every browser counts these as a major performance caveat.
+const kSoftware = /swiftshader|llvmpipe|softpipe|software|basic render/i;
+
+function isSoftware(gl) {
+  const names = gl.getExtension('WEBGL_debug_renderer_info');
+  return kSoftware.test(gl.getParameter(names ? names.UNMASKED_RENDERER_WEBGL : gl.RENDERER));
+}
 
 function compile(gl, type, source) {
   const shader = gl.createShader(type);
@@ -60,6 +75,7 @@ export class LateLook {
   #look;
   #halfPixel;
   #ready;
+  #isTooSlow = false;
 
   /** `canvas` is one that nobody sees; `onChange()`: `isReady` has changed, as a graphics card may lose what it held. */
   constructor(canvas, onChange) {
@@ -74,9 +90,21 @@ export class LateLook {
     canvas.addEventListener('webglcontextrestored', () => this.#become(this.#prepare()));
   }
 
-  /** False where WebGL is missing or lost. */
+  /** False where WebGL is missing, lost or too slow. */
   get isReady() {
-    return this.#ready;
+    return this.hindrance === '';
+  }
+
+  /** Why it is not ready, in a few words, or ''. */
+  get hindrance() {
+    if (this.#isTooSlow) return 'too slow';
+    return this.#ready ? '' : 'no fast WebGL';
+  }
+
+  /** Turning takes too long in this browser: it is not ready any more until the page is reloaded. */
+  giveUp() {
+    this.#isTooSlow = true;
+    this.#onChange();
   }
 
   /** Takes a copy of the image (ImageBitmap or VideoFrame), and the size of its window. */
@@ -108,7 +136,7 @@ export class LateLook {
   /** Makes what a new or a restored context lacks; whether that went well. */
   #prepare() {
     const gl = this.#gl;
-    const program = gl && link(gl);
+    const program = gl && !isSoftware(gl) && link(gl);
     if (!program) return false;
     gl.useProgram(program);
     this.#look = gl.getUniformLocation(program, 'look');

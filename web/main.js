@@ -1,10 +1,5 @@
-import { Backoff } from './backoff.js';
 import { h264Hindrance } from './browser_abilities.js';
-import { Codecs } from './codecs.js';
-import { Connection } from './connection.js';
-import { decoders } from './decoders.js';
-import { Decoding } from './decoding.js';
-import { Display, paintScheduler } from './display.js';
+import { Capture } from './capture.js';
 import { Fullscreen } from './fullscreen.js';
 import { Hint } from './hint.js';
 import { listenToBlowButton } from './input/blow_button.js';
@@ -19,25 +14,27 @@ import { Turner } from './input/turner.js';
 import { KeyEditor } from './key_editor.js';
 import { writeKeyHints } from './key_hints.js';
 import { LatencyButton } from './latency_button.js';
-import { LateLook } from './late_look.js';
-import { LineHint } from './line_hint.js';
+import { LimitHint } from './limit_hint.js';
 import { Notice } from './notice.js';
 import { Overlay } from './overlay.js';
-import { Codec, LimitedBy, kSubProtocols } from './protocol.js';
+import { ReceiverHome } from './receiver_home.js';
 import { Refining } from './refining.js';
 import { ReloadOnce } from './reload_once.js';
-import { Screen } from './screen.js';
-import { Screenshot, saveFile, takePicture } from './screenshot.js';
+import { storedItems } from './remote_storage.js';
+import { Screenshot, saveFile } from './screenshot.js';
 import { Settings, streamPreferences } from './settings.js';
 import { SettingsPanel } from './settings_panel.js';
-import { Stream } from './stream.js';
-import { Telemetry } from './telemetry.js';
+import { kNoReading } from './telemetry.js';
 import { Toast } from './toast.js';
 import { Viewport } from './viewport.js';
 import { WorldStatistics } from './world_statistics.js';
 
 const kFailed = 'it failed in this browser';
-const kLimitNames = Object.fromEntries(Object.entries(LimitedBy).map(([name, number]) => [number, name]));
+/** Why pictures are not turned, by the hindrance that LateLook names. */
+const kHindrances = {
+  'no fast WebGL': 'Needs WebGL by a graphics card, which this browser does not give to the page.',
+  'too slow': 'Off until you reload the page: this browser turns pictures too slowly.',
+};
 const element = (id) => document.getElementById(id);
 const root = document.documentElement;
 const canvas = element('world');
@@ -49,69 +46,71 @@ const clock = {
 };
 
 const settings = new Settings(() => window.localStorage);
-const telemetry = new Telemetry();
 const controls = new Controls();
-const viewport = new Viewport(window, (size) => connection.sendResize(size));
+const viewport = new Viewport(window, () => receiver.send({ kind: 'hello', hello: hello() }));
 const reloadOnce = new ReloadOnce(window);
 const refining = new Refining(element('refining'));
 const hint = new Hint(element('hint'), controls);
 const notice = new Notice(element('notice'), () => {
-  if (connection.state === 'outdated') window.location.reload();
-  else connection.retry();
+  if (root.dataset.connection === 'outdated') window.location.reload();
+  else receiver.send({ kind: 'retry' });
 });
 
 const nameInAddress = query.get('name');
 
-const connection = new Connection({
-  openSocket: () => new WebSocket(window.location.origin.replace(/^http/, 'ws') + '/', kSubProtocols),
-  offer: () => stream.offer,
-  hello: () => ({ name: nameInAddress || settings.values.name, ...viewport.size }),
-  on: {
-    state: enter,
-    welcome,
-    waiting: (message) => notice.wait(message),
-    picture: receive,
-    status: hear,
-    refining: (message) => refining.show(message),
-  },
-  backoff: new Backoff(),
-  mayRetry: () => !document.hidden,
+const hello = () => ({ name: nameInAddress || settings.values.name, ...viewport.size });
+
+const receiver = new ReceiverHome({
+  window,
   clock,
+  canvas,
+  start: {
+    url: window.location.origin.replace(/^http/, 'ws') + '/',
+    hello: hello(),
+    hidden: document.hidden,
+    preferences: streamPreferences(settings.values),
+    stored: storedItems(() => window.sessionStorage),
+  },
+  on: (event) => hearers[event.kind](event),
 });
+const capture = new Capture({ send: (command) => receiver.send(command), clock });
+const hearers = {
+  state: enter,
+  welcome,
+  waiting: (message) => notice.wait(message),
+  refining: (message) => refining.show(message),
+  status: hear,
+  presented,
+  reading: (event) => (reading = event.reading),
+  captured: (answer) => capture.answered(answer),
+  picture: (answer) => capture.answered(answer),
+  lateLook: ({ hindrance }) => panel.explain('lateLook', hindrance && kHindrances[hindrance]),
+  codecs: ({ h264 }) => h264 || disableH264(),
+  codecFailed: ({ words }) => {
+    console.warn(words);
+    panel.disable('codec', kFailed, 'h264');
+  },
+  store: ({ key, value }) => keep(key, value),
+};
+
+let visit = 0;
+let reading = kNoReading;
 
 const sender = new InputSender({
   controls,
   clock,
-  send: (input, now) => {
-    connection.sendInput(input);
-    telemetry.inputSent(input.number, now);
-  },
+  send: (input, now) => receiver.send({ kind: 'input', visit, input, now }),
 });
 
-const lateLook = new LateLook(document.createElement('canvas'), () => stream.tellLimits());
-const screen = new Screen({ canvas, lateLook, look: () => (stream.turns ? controls : null) });
-const display = new Display({ screen, schedule: paintScheduler(document), onPresented: presented });
-const codecs = new Codecs(window);
-const stream = new Stream({
-  connection,
-  codecs,
-  makeDecoding: (on) => new Decoding({ make: decoders(window, clock), clock, on }),
-  display,
-  lateLook,
-  onCodecFailed: (words) => {
-    console.warn(words);
-    panel.disable('codec', kFailed, 'h264');
-  },
-});
-const lineHint = new LineHint(element('line'), clock);
+const limitHint = new LimitHint(element('line'), clock);
 const latency = new LatencyButton(element('latency'), {
   clock,
   sendInput: () => sender.repeat(),
   save: (file) => saveFile(window, file),
 });
-controls.onChange(() => display.turn());
+controls.onChange(() => receiver.send({ kind: 'look', yaw: controls.yaw, pitch: controls.pitch }));
 
-function enter(state, reason) {
+function enter({ state, reason, visit: count }) {
   const was = root.dataset.connection;
   root.dataset.connection = state;
   if (state === 'silent') {
@@ -119,12 +118,12 @@ function enter(state, reason) {
   } else if (state === 'open' && was === 'silent') {
     notice.hide();
   } else if (state === 'open') {
+    visit = count;
     sender.start();
-    connection.sendResize(viewport.size);
     reloadOnce.settled();
   } else {
     sender.stop();
-    lineHint.reset();
+    limitHint.reset();
     notice.show(state, reason);
     if (state !== 'lost' && document.pointerLockElement) document.exitPointerLock();
     if (state === 'outdated') reloadOnce.attempt();
@@ -132,9 +131,6 @@ function enter(state, reason) {
 }
 
 function welcome({ red, green, blue, yaw, pitch, world }) {
-  stream.begin();
-  display.reset();
-  telemetry.reset();
   refining.hide();
   controls.face(yaw, pitch);
   root.style.setProperty('--lantern', `rgb(${red} ${green} ${blue})`);
@@ -142,29 +138,34 @@ function welcome({ red, green, blue, yaw, pitch, world }) {
   document.title = world && world !== 'Grove' ? `${world} \u00b7 Grove` : 'Grove';
 }
 
-function receive(picture) {
-  telemetry.frameReceived(picture, clock.now());
-  stream.receive(picture);
-}
-
-function hear(status) {
-  telemetry.statusReceived(status);
-  lineHint.update(status, telemetry.read(clock.now()).height ?? status.height);
-  root.dataset.limitedBy = kLimitNames[status.limitedBy];
+function hear({ status, lines, limitedBy }) {
+  limitHint.update(status, lines);
+  root.dataset.limitedBy = limitedBy;
   root.dataset.visitors = status.visitors;
 }
 
-function presented(picture) {
-  connection.acknowledge(picture);
-  const now = clock.now();
-  latency.presented(telemetry.framePresented(picture, now), picture, now);
-  if (connection.state === 'open') notice.hide();
+function presented({ picture, inputs, now, reading: figures }) {
+  latency.presented(inputs, picture, now);
+  if (root.dataset.connection === 'open') notice.hide();
   if (root.dataset.picture === 'none') {
     root.dataset.picture = 'shown';
     hint.show();
     if (query.has('latency')) latency.start(Number(query.get('latency')) || undefined);
   }
-  publish(telemetry.read(now));
+  publish(figures);
+}
+
+/** Where the browser keeps no storage for the page, it is gone after a reload. */
+function keep(key, value) {
+  try {
+    window.sessionStorage.setItem(key, value);
+  } catch {
+    // Refused by the browser or its user.
+  }
+}
+
+async function disableH264() {
+  panel.disable('codec', (await h264Hindrance(window)) || kFailed, 'h264');
 }
 
 /** What the page is doing, for whoever looks at it from outside. */
@@ -189,19 +190,14 @@ const statistics = new WorldStatistics(() => fetch('/sharing.json').then((answer
 const overlay = new Overlay(
   element('overlay'),
   element('figures'),
-  () => ({
-    ...telemetry.read(clock.now()),
-    ...statistics.read(),
-    latencyPercentiles: telemetry.latencyPercentiles(clock.now()),
-    lateLook: stream.lateLookWord,
-  }),
+  () => ({ ...reading, ...statistics.read() }),
   (shown) => statistics.watch(shown),
 );
 const fullscreen = new Fullscreen(document, element('fullscreen'));
 new Turner(controls, (callback) => window.requestAnimationFrame(callback));
 const toast = new Toast(element('toast'), clock);
 const screenshot = new Screenshot({
-  take: () => takePicture(canvas),
+  take: () => capture.take(),
   save: (file) => saveFile(window, file),
   say: (text) => toast.say(text),
 });
@@ -211,7 +207,7 @@ const panel = new SettingsPanel({
   dialog: element('settings'),
   button: element('settings-button'),
   settings,
-  read: () => telemetry.read(clock.now()),
+  read: () => reading,
   narrow: window.matchMedia('(max-width: 48rem), (max-height: 28rem)'),
 });
 const labels = new KeyLabels();
@@ -226,7 +222,8 @@ listenToKeyboard(window, controls, () => settings.values.keys, {
 
 function apply(values) {
   controls.setSteering(values);
-  stream.setPreferences(streamPreferences(values));
+  receiver.send({ kind: 'preferences', preferences: streamPreferences(values) });
+  receiver.send({ kind: 'hello', hello: hello() });
   writeKeyHints(document, values.keys, labels);
 }
 
@@ -243,7 +240,6 @@ window.addEventListener('keydown', (event) => {
 });
 window.addEventListener('storage', () => settings.reload());
 if (nameInAddress) panel.disable('name', `The page's address names you ${nameInAddress}.`);
-if (!lateLook.isReady) panel.disable('lateLook', 'Needs WebGL, which this browser does not give to the page.');
 listenToMouse(canvas, controls, pointer);
 listenToTouch(canvas, controls, element('stick'));
 listenToBlowButton(element('blow'), controls);
@@ -255,18 +251,8 @@ for (const [target, event] of [
   [document, 'resume'],
   [document, 'visibilitychange'],
 ]) {
-  target.addEventListener(event, () => {
-    stream.setHidden(document.hidden);
-    if (document.hidden) return;
-    connection.listen();
-    if (['lost', 'full', 'away'].includes(connection.state)) connection.retry();
-  });
+  target.addEventListener(event, () => receiver.send({ kind: 'visibility', hidden: document.hidden }));
 }
-stream.setHidden(document.hidden);
 // Before the wait: it tells that the page has started.
-root.dataset.connection = connection.state;
-await codecs.ask();
-connection.start();
-if (!codecs.offer('h264').includes(Codec.h264)) {
-  panel.disable('codec', (await h264Hindrance(window)) || kFailed, 'h264');
-}
+root.dataset.connection = 'connecting';
+root.dataset.receiver = await receiver.open();

@@ -23,8 +23,20 @@ const kLines = {
 const kLimits = {
   [LimitedBy.nothing]: 'nothing',
   [LimitedBy.line]: 'your line',
-  [LimitedBy.machine]: 'the server',
+  [LimitedBy.machine]: 'the server is busy',
+  [LimitedBy.browser]: 'your browser is busy',
   [LimitedBy.visitor]: 'your settings',
+};
+
+/** What each line says of where a picture's time goes; a server before 1.3 does not tell its part. */
+const kPlaces = {
+  queued: ({ times }) => times && milliseconds(times.queued),
+  drawn: ({ times }) => times && milliseconds(times.drawn),
+  encoded: ({ times }) => times && milliseconds(times.encoded),
+  socket: ({ times }) => times && milliseconds(times.socket),
+  line: ({ times }) => times && milliseconds(times.line),
+  decoded: ({ decodeMs }) => milliseconds(decodeMs),
+  painted: ({ paintMs }) => milliseconds(paintMs),
 };
 
 /** What each line says of how the stream fits the line, as the server tells it. */
@@ -61,7 +73,7 @@ export class Overlay {
   #timer;
 
   /**
-   * `panel` has an element with `data-figure`, `data-status` or `data-saving` for each line; `read()` gives a reading
+   * `panel` has an element with `data-figure`, `data-status`, `data-place` or `data-saving` for each line; `read()` gives a reading
    * of Telemetry and WorldStatistics, and `lateLook`, what becomes of that; `watch(shown)` is told when the panel appears and goes.
    */
   constructor(panel, button, read, watch) {
@@ -94,6 +106,9 @@ export class Overlay {
     for (const figure of status === null ? [] : stream.querySelectorAll('[data-status]')) {
       const { status: name } = figure.dataset;
       figure.textContent = (name === 'lateLook' ? lateLook : kStatus[name](status)) || kUnknown;
+    }
+    for (const figure of this.#panel.querySelectorAll('[data-place]')) {
+      figure.textContent = kPlaces[figure.dataset.place](reading) || kUnknown;
     }
     this.#panel.querySelector('[data-savings]').hidden = amortization === null;
     if (amortization === null) return;

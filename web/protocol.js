@@ -3,9 +3,13 @@
  * throughout. Reading never trusts the bytes: whatever breaks the protocol throws ProtocolError.
  */
 
-/** What to ask for, the newest first: without 1.2 there is no choice of codec, without 1.1 no Waiting. */
-export const kAdaptiveProtocol = 'grove.v1.2';
-export const kSubProtocols = Object.freeze([kAdaptiveProtocol, 'grove.v1.1', 'grove.v1']);
+/**
+ * What to ask for, the newest first: without 1.3 there is no Painted, Capture or Times, without 1.2 no choice of codec,
+ * without 1.1 no Waiting.
+ */
+export const kMeasuringProtocol = 'grove.v1.3';
+export const kAdaptiveProtocols = Object.freeze([kMeasuringProtocol, 'grove.v1.2']);
+export const kSubProtocols = Object.freeze([...kAdaptiveProtocols, 'grove.v1.1', 'grove.v1']);
 const kVersion = 1;
 
 /** Bits of an input's `keys`. */
@@ -19,7 +23,7 @@ export const Codec = Object.freeze({ jpeg: 1, h264: 2 });
 export const kCodecNames = Object.freeze({ [Codec.jpeg]: 'JPEG', [Codec.h264]: 'H.264' });
 
 /** What keeps the stream from being all that one could want. */
-export const LimitedBy = Object.freeze({ nothing: 0, line: 1, machine: 2, visitor: 3 });
+export const LimitedBy = Object.freeze({ nothing: 0, line: 1, machine: 2, visitor: 3, browser: 4 });
 
 const Type = Object.freeze({
   hello: 0x01,
@@ -30,12 +34,16 @@ const Type = Object.freeze({
   limits: 0x06,
   broken: 0x07,
   presented: 0x08,
+  painted: 0x09,
+  capture: 0x0a,
   welcome: 0x81,
   frame: 0x82,
   waiting: 0x83,
   picture: 0x84,
   status: 0x85,
   refining: 0x86,
+  captured: 0x87,
+  times: 0x88,
 });
 const kMaxNameBytes = 64;
 const kWelcomeBytes = 20;
@@ -45,7 +53,10 @@ const kWaitingBytes = 8;
 const kStatusBytes = 20;
 const kRefiningBytes = 8;
 const kUnknownSeconds = 0xffff;
-const kLongestHold = 0xffff;
+const kCapturedHeaderBytes = 12;
+const kTimesBytes = 12;
+/** Tenths of milliseconds, as the 16 bits of a duration hold them. */
+const kLongestDuration = 0xffff;
 
 export class ProtocolError extends Error {
   name = 'ProtocolError';
@@ -115,12 +126,35 @@ export function encodeBroken({ frame }) {
   return view.buffer;
 }
 
+/** Milliseconds as the protocol counts them. */
+function tenths(milliseconds) {
+  return Math.min(kLongestDuration, Math.max(0, Math.round(milliseconds * 10)));
+}
+
 /** `held`: milliseconds from arrival until now; `arrived`: microseconds of the page's clock, of which 32 bits count. */
 export function encodePresented({ frame, held, arrived }) {
   const view = message(Type.presented, 12);
-  view.setUint16(2, Math.min(kLongestHold, Math.max(0, Math.round(held * 10))), true);
+  view.setUint16(2, tenths(held), true);
   view.setUint32(4, frame, true);
   view.setUint32(8, Math.floor(arrived) % 2 ** 32, true);
+  return view.buffer;
+}
+
+/** Presented of 1.3: `decode` and `paint` are milliseconds, too; `paint` is 0 for a picture that was not painted. */
+export function encodePainted({ frame, held, arrived, decode, paint }) {
+  const view = message(Type.painted, 16);
+  view.setUint16(2, tenths(held), true);
+  view.setUint32(4, frame, true);
+  view.setUint32(8, Math.floor(arrived) % 2 ** 32, true);
+  view.setUint16(12, tenths(decode), true);
+  view.setUint16(14, tenths(paint), true);
+  return view.buffer;
+}
+
+/** Asks for one picture of the full wanted size at the finest quality. */
+export function encodeCapture({ number }) {
+  const view = message(Type.capture, 8);
+  view.setUint32(4, number, true);
   return view.buffer;
 }
 
@@ -227,7 +261,7 @@ function decodeStatus(view) {
     kilobitsPerSecond: view.getUint32(12, true),
     lastInput: view.getUint32(16, true),
   };
-  if (status.limitedBy > LimitedBy.visitor) throw new ProtocolError('the status is limited by nothing known');
+  if (status.limitedBy > LimitedBy.browser) throw new ProtocolError('the status is limited by nothing known');
   if (status.quality > 100) throw new ProtocolError('the status has more than 100 percent');
   return status;
 }
@@ -248,6 +282,27 @@ function decodeRefining(view) {
   return refining;
 }
 
+function decodeCaptured(view) {
+  if (view.byteLength <= kCapturedHeaderBytes) throw new ProtocolError('the captured picture has no bytes');
+  const captured = {
+    message: 'Captured',
+    codec: view.getUint8(1),
+    width: view.getUint16(2, true),
+    height: view.getUint16(4, true),
+    number: view.getUint32(8, true),
+    picture: new Uint8Array(view.buffer, kCapturedHeaderBytes),
+  };
+  if (captured.codec !== Codec.jpeg) throw new ProtocolError(`the captured picture's codec ${captured.codec} is unknown`);
+  if (captured.width === 0 || captured.height === 0) throw new ProtocolError('the captured picture has no size');
+  return captured;
+}
+
+function decodeTimes(view) {
+  if (view.byteLength !== kTimesBytes) throw new ProtocolError('the times have a wrong length');
+  const at = (offset) => view.getUint16(offset, true) / 10;
+  return { message: 'Times', queued: at(2), drawn: at(4), encoded: at(6), socket: at(8), line: at(10) };
+}
+
 const kDecoders = Object.freeze({
   [Type.welcome]: decodeWelcome,
   [Type.frame]: decodeFrame,
@@ -255,6 +310,8 @@ const kDecoders = Object.freeze({
   [Type.picture]: decodePicture,
   [Type.status]: decodeStatus,
   [Type.refining]: decodeRefining,
+  [Type.captured]: decodeCaptured,
+  [Type.times]: decodeTimes,
 });
 
 /** Reads one message of the server from an ArrayBuffer; a frame's `picture` is a view into it, not a copy. */

@@ -17,7 +17,7 @@ export class Screen {
 
   /**
    * @param {object} parts
-   * @param {HTMLCanvasElement} parts.canvas takes each picture's size; the style sheet fits it into the window
+   * @param {HTMLCanvasElement | OffscreenCanvas} parts.canvas takes each picture's size; the style sheet fits it into the window
    * @param {import('./late_look.js').LateLook} parts.lateLook
    * @param {() => {yaw: number, pitch: number} | null} parts.look the newest direction, in radians; `null` to leave
    *     pictures as they are
@@ -41,6 +41,11 @@ export class Screen {
     if (!this.#shown) return false;
     const { yaw, pitch } = this.#wanted();
     return yaw !== this.#turn.yaw || pitch !== this.#turn.pitch;
+  }
+
+  /** Whether the picture on the screen is turned, which costs more than to paint it as it is. */
+  get isTurned() {
+    return this.#turn.yaw !== 0 || this.#turn.pitch !== 0;
   }
 
   /** Turns the picture on the screen to the newest look. */

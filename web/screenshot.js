@@ -1,19 +1,17 @@
 /** Browsers still read from the address for a while after the click. Milliseconds. */
 const kAddressKeptFor = 60_000;
+const kEndings = Object.freeze({ 'image/png': 'png', 'image/jpeg': 'jpg' });
 
-/** `grove-2026-03-01-174205.png`, by the visitor's clock. */
-export function pictureName(date) {
+/** `grove-2026-03-01-174205.png`, by the visitor's clock; JPEGs, as the server sends them, end in `.jpg`. */
+export function pictureName(date, type = 'image/png') {
   const two = (value) => String(value).padStart(2, '0');
   const day = [date.getFullYear(), two(date.getMonth() + 1), two(date.getDate())].join('-');
-  return `grove-${day}-${two(date.getHours())}${two(date.getMinutes())}${two(date.getSeconds())}.png`;
+  return `grove-${day}-${two(date.getHours())}${two(date.getMinutes())}${two(date.getSeconds())}.${kEndings[type]}`;
 }
 
-/**
- * What the canvas shows, as a PNG. `draw()` draws it once more in the same task, for a canvas that forgets its picture
- * as soon as the screen has it (WebGL).
- */
-export function takePicture(canvas, draw = () => {}) {
-  draw();
+/** What a 2D canvas shows, on the page or in a worker, as a PNG. */
+export function takePicture(canvas) {
+  if (canvas.convertToBlob) return canvas.convertToBlob({ type: 'image/png' });
   return new Promise((resolve, reject) => {
     canvas.toBlob((blob) => (blob ? resolve(blob) : reject(new Error('the canvas gives no picture'))), 'image/png');
   });
@@ -62,8 +60,9 @@ export class Screenshot {
 
   async shoot() {
     try {
-      const name = pictureName(new Date());
-      this.#say(await this.#save(new File([await this.#take()], name, { type: 'image/png' })));
+      const picture = await this.#take();
+      const { type } = picture;
+      this.#say(await this.#save(new File([picture], pictureName(new Date(), type), { type })));
     } catch (error) {
       // The visitor thought better of sharing it.
       if (error.name !== 'AbortError') this.#say('The picture could not be saved.');

@@ -77,6 +77,15 @@ export class SettingsPanel {
     }
   }
 
+  /** Shows a setting as one that cannot be fulfilled for now, and why; '' if it can. */
+  explain(setting, reason) {
+    const control = this.#control(setting);
+    const words = this.#dialog.querySelector(`#${control.getAttribute('aria-describedby')}`);
+    words.dataset.about ??= words.textContent;
+    control.disabled = reason !== '';
+    words.textContent = reason || words.dataset.about;
+  }
+
   #control(setting) {
     return this.#dialog.querySelector(`[data-setting=${setting}]`);
   }

@@ -31,15 +31,16 @@ export class Stream {
    * @param {(on: object) => import('./decoding.js').Decoding} parts.makeDecoding made with whom it tells
    * @param {import('./display.js').Display} parts.display
    * @param {import('./late_look.js').LateLook} parts.lateLook
+   * @param {{now: Function}} parts.clock milliseconds
    * @param {(words: string) => void} parts.onCodecFailed a codec is not offered any more, and why
    */
-  constructor({ connection, codecs, makeDecoding, display, lateLook, onCodecFailed }) {
+  constructor({ connection, codecs, clock, makeDecoding, display, lateLook, onCodecFailed }) {
     this.#connection = connection;
     this.#codecs = codecs;
     this.#lateLook = lateLook;
     this.#onCodecFailed = onCodecFailed;
     this.#decoding = makeDecoding({
-      image: (image, picture) => display.show(image, picture),
+      image: (image, picture) => display.show(image, { ...picture, decode: clock.now() - picture.arrived }),
       skipped: (picture) => connection.acknowledge(picture),
       broken: (picture) => connection.sendBroken(picture.frame),
       useless: (codec, error) => this.#drop(codec, error),
@@ -59,7 +60,7 @@ export class Stream {
   /** What becomes of late look, in a word. */
   get lateLookWord() {
     if (this.turns) return 'on';
-    return this.#preferences.lateLook ? 'off: no WebGL' : 'off';
+    return this.#preferences.lateLook ? `off: ${this.#lateLook.hindrance}` : 'off';
   }
 
   /**

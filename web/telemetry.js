@@ -7,10 +7,13 @@ export class Telemetry {
   #presented = new SlidingWindow();
   #received = new SlidingWindow();
   #server = new SlidingWindow();
+  #decode = new SlidingWindow();
+  #paint = new SlidingWindow();
   #latency = new LatencyMeter();
   #frames = 0;
   #last = null;
   #status = null;
+  #times = null;
 
   inputSent(number, now) {
     this.#latency.sent(number, now);
@@ -27,12 +30,19 @@ export class Telemetry {
     this.#latency.obeyed(status.lastInput);
   }
 
+  /** Where the server and the line spend time, as in the message Times. */
+  timesReceived(times) {
+    this.#times = times;
+  }
+
   /** Returns the inputs that the frame is the first to show, as `{ number, time, latency }`. */
-  framePresented(frame, now) {
+  framePresented(frame, now, paint = 0) {
     this.#frames += 1;
     this.#last = frame;
     this.#presented.add(now, 1);
     this.#server.add(now, frame.serverMicroseconds / 1000);
+    this.#decode.add(now, frame.decode ?? 0);
+    this.#paint.add(now, paint);
     return this.#latency.presented(frame.lastInput, now);
   }
 
@@ -40,6 +50,7 @@ export class Telemetry {
   reset() {
     this.#latency.reset();
     this.#status = null;
+    this.#times = null;
   }
 
   /** Figures that are not known yet are `null`. */
@@ -55,6 +66,9 @@ export class Telemetry {
       width: size && size.width,
       height: size && size.height,
       visitors: this.#last && this.#last.visitors,
+      decodeMs: median(this.#decode.values(now)),
+      paintMs: median(this.#paint.values(now)),
+      times: this.#times,
       status: this.#status,
     };
   }
@@ -64,3 +78,10 @@ export class Telemetry {
     return this.#latency.percentiles(now);
   }
 }
+
+/** The reading of a page to which nothing has come yet. */
+export const kNoReading = Object.freeze({
+  ...new Telemetry().read(0),
+  latencyPercentiles: { p50: null, p95: null, p99: null },
+  lateLook: '',
+});

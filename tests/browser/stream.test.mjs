@@ -33,8 +33,11 @@ async function arrive({ script, options, query = '', expected = null } = {}) {
   return visitor;
 }
 
+// A script reaches no worker: each that changes what the receiver uses also keeps it on the page.
+
 /** Lets a test make the page's decoder fail, and count the decoders. */
 function breakableDecoder() {
+  delete window.Worker;
   window.decoders = [];
   window.VideoDecoder = class extends window.VideoDecoder {
     #tell;
@@ -54,6 +57,7 @@ function breakableDecoder() {
 
 /** A browser that promises every codec and keeps no promise. */
 function lyingDecoder() {
+  delete window.Worker;
   window.VideoDecoder = class {
     static isConfigSupported = async (config) => ({ supported: true, config });
     state = 'unconfigured';
@@ -76,6 +80,7 @@ function lyingDecoder() {
 
 /** A decoder that hands out a picture only when another comes, as some graphics cards do. */
 function withholdingDecoder() {
+  delete window.Worker;
   window.VideoDecoder = class extends window.VideoDecoder {
     constructor({ output, error }) {
       let held = null;
@@ -99,11 +104,17 @@ async function drag({ page }, way) {
   await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
 }
 
-/** Keeps what WebGL gave, for the test to take away. */
+/** A browser without a graphics card that claims one, and what its WebGL gave, for the test to take away. */
 function keepWebGl() {
+  delete window.Worker;
+  const { getParameter } = WebGLRenderingContext.prototype;
+  WebGLRenderingContext.prototype.getParameter = function name(parameter) {
+    const value = getParameter.call(this, parameter);
+    return /swiftshader/i.test(value) ? 'a graphics card' : value;
+  };
   const { getContext } = HTMLCanvasElement.prototype;
-  HTMLCanvasElement.prototype.getContext = function keep(kind, ...rest) {
-    const context = getContext.call(this, kind, ...rest);
+  HTMLCanvasElement.prototype.getContext = function keep(kind, options) {
+    const context = getContext.call(this, kind, { ...options, failIfMajorPerformanceCaveat: false });
     if (kind === 'webgl') window.webGl ??= context.getExtension('WEBGL_lose_context');
     return context;
   };
@@ -118,8 +129,21 @@ test('on localhost the stream is H.264', async () => {
   assert.equal((await ada.state()).codec, 'H.264');
 });
 
+test('a worker receives and paints; a browser without one does it on the page', async () => {
+  const ada = await arrive();
+  assert.equal((await ada.state()).receiver, 'worker');
+  const bob = await arrive({ script: () => delete window.Worker });
+  assert.equal((await bob.state()).receiver, 'page');
+  for (const visitor of [ada, bob]) assert.ok(statistics(await visitor.picture()).deviation > 10);
+});
+
 test('without a decoder, as on plain http, it is JPEG', async () => {
-  const ada = await arrive({ script: () => delete window.VideoDecoder });
+  const ada = await arrive({
+    script: () => {
+      delete window.Worker;
+      delete window.VideoDecoder;
+    },
+  });
   assert.equal((await ada.state()).codec, 'JPEG');
 });
 
@@ -179,7 +203,7 @@ test('a page that nobody looks at gets nothing, and a picture as soon as somebod
 });
 
 test('the newest picture turns with the look before the next one comes', async () => {
-  const ada = await arrive();
+  const ada = await arrive({ script: keepWebGl });
   server.signal('SIGSTOP');
   try {
     // What is still on its way comes first.
@@ -212,7 +236,7 @@ test('a graphics card that loses what it held takes nothing from the screen', as
     ada.page.waitForFunction((text) => document.querySelector('[data-status=lateLook]').textContent === text, word);
   await lateLook('on');
   await ada.page.evaluate(() => window.webGl.loseContext());
-  await lateLook('off: no WebGL');
+  await lateLook('off: no fast WebGL');
   await drag(ada, -80);
   await ada.frames(3);
   assert.ok(statistics(await ada.picture()).deviation > 10);

@@ -350,3 +350,24 @@ test('a page that was itself held up reads what came before it judges', () => {
   clock.advance(500);
   assert.deepEqual(states.slice(2), ['silent']);
 });
+
+test('a server of 1.3 hears how long decoding and painting took, one of 1.2 does not', () => {
+  for (const [protocol, type] of [['grove.v1.3', '09'], ['grove.v1.2', '08']]) {
+    const { sockets, clock, connection, letIn } = setUp({ protocol });
+    letIn();
+    clock.advance(12.3);
+    connection.acknowledge({ frame: 1, arrived: 0 }, { decode: 4.5, paint: 0.8 });
+    const sent = sockets[0].sent.at(-1);
+    assert.equal(sent.slice(0, 8), `${type}007b00`, protocol);
+    if (type === '09') assert.equal(sent.slice(24), '2d000800');
+  }
+});
+
+test('a capture is asked for only of a server that knows it', () => {
+  for (const [protocol, count] of [['grove.v1.3', 1], ['grove.v1.2', 0]]) {
+    const { sockets, connection, letIn } = setUp({ protocol });
+    letIn();
+    connection.sendCapture(7);
+    assert.equal(sockets[0].sent.filter((hex) => hex === '0a00000007000000').length, count, protocol);
+  }
+});

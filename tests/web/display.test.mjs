@@ -13,6 +13,7 @@ function setUp() {
   let paint = null;
   const screen = {
     isBehind: false,
+    isTurned: false,
     show: (image) => {
       log.push(`paint ${image.name}`);
       image.close();
@@ -26,6 +27,8 @@ function setUp() {
       assert.equal(paint, null, 'one paint at a time is planned');
       paint = callback;
     },
+    clock: { now: () => 0 },
+    onTurned: () => log.push('turned'),
     onPresented: (picture) => log.push(`presented ${picture.frame}`),
   });
   const decode = (name) => new Promise((resolve, reject) => decodes.set(name, { resolve, reject }));
@@ -146,4 +149,24 @@ test('between pictures, one paint turns the picture to the newest look, and only
   await finish('p1');
   vsync();
   assert.deepEqual(log, ['turn', 'paint p1', 'presented 1'], 'a new picture is painted turned at once');
+});
+
+test('a paint is timed by the clock around it, and told as turned only if it is', async () => {
+  let now = 0;
+  let paint = null;
+  const told = [];
+  const screen = { isTurned: false, isBehind: true, show: () => (now += 3), turn: () => (now += 5) };
+  const display = new Display({
+    screen,
+    schedule: (callback) => (paint = callback),
+    clock: { now: () => now },
+    onTurned: (time) => told.push(`turned ${time}`),
+    onPresented: ({ frame }, time) => told.push(`${frame} in ${time}`),
+  });
+  display.show({}, { frame: 1 });
+  paint();
+  screen.isTurned = true;
+  display.turn();
+  paint();
+  assert.deepEqual(told, ['1 in 3', 'turned 5']);
 });

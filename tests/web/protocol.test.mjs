@@ -7,10 +7,12 @@ import {
   decodeServerMessage,
   encodeAck,
   encodeBroken,
+  encodeCapture,
   encodeHello,
   encodeInput,
   encodeLimits,
   encodeOffer,
+  encodePainted,
   encodePresented,
   encodeResize,
 } from '../../web/protocol.js';
@@ -28,13 +30,15 @@ const encoders = {
   Limits: encodeLimits,
   Broken: encodeBroken,
   Presented: encodePresented,
+  Painted: encodePainted,
+  Capture: encodeCapture,
 };
 
 test('every message type has golden bytes', () => {
   const types = new Set(golden.map((entry) => entry.fields.message));
   assert.deepEqual([...types].sort(), [
-    'Ack', 'Broken', 'Frame', 'Hello', 'Input', 'Limits', 'Offer', 'Picture', 'Presented', 'Refining', 'Resize',
-    'Status', 'Waiting', 'Welcome',
+    'Ack', 'Broken', 'Capture', 'Captured', 'Frame', 'Hello', 'Input', 'Limits', 'Offer', 'Painted', 'Picture', 'Presented',
+    'Refining', 'Resize', 'Status', 'Times', 'Waiting', 'Welcome',
   ]);
 });
 
@@ -64,14 +68,14 @@ test('no cut of a server message is taken for a whole one', () => {
   for (let length = 0; length < hex.length; length += 2) {
     assert.throws(() => decodeServerMessage(bytesOf(hex.slice(0, length))), ProtocolError, `welcome of ${length / 2}`);
   }
-  for (const message of ['Waiting', 'Status', 'Refining']) {
+  for (const message of ['Waiting', 'Status', 'Refining', 'Times']) {
     const whole = find(message).hex;
     for (let length = 0; length < whole.length; length += 2) {
       const cut = bytesOf(whole.slice(0, length));
       assert.throws(() => decodeServerMessage(cut), ProtocolError, `${message} of ${length / 2}`);
     }
   }
-  for (const [message, header] of [['Frame', 20], ['Picture', 40]]) {
+  for (const [message, header] of [['Frame', 20], ['Picture', 40], ['Captured', 12]]) {
     for (let length = 0; length <= header; length += 1) {
       const cut = bytesOf(find(message).hex.slice(0, 2 * length));
       assert.throws(() => decodeServerMessage(cut), ProtocolError, `${message} of ${length}`);
@@ -105,8 +109,11 @@ for (const [what, data] of [
   ['a picture whose camera looks nowhere', spoilt('Picture', (view) => view.setFloat32(24, NaN, true))],
   ['a picture without an angle', spoilt('Picture', (view) => view.setFloat32(36, 0, true))],
   ['a longer status', bytesOf(find('Status').hex + '00')],
-  ['a status limited by nothing known', spoilt('Status', (view) => view.setUint8(1, 4))],
+  ['a status limited by nothing known', spoilt('Status', (view) => view.setUint8(1, 5))],
   ['a quality of more than 100 percent', spoilt('Status', (view) => view.setUint8(3, 101))],
+  ['longer times', bytesOf(find('Times').hex + '00')],
+  ['a captured picture of an unknown codec', spoilt('Captured', (view) => view.setUint8(1, 2))],
+  ['a captured picture without height', spoilt('Captured', (view) => view.setUint16(4, 0, true))],
   ['a longer refining', bytesOf(find('Refining').hex + '00')],
   ['a frame without width', spoilt('Frame', (view) => view.setUint16(2, 0, true))],
   ['a frame without height', spoilt('Frame', (view) => view.setUint16(4, 0, true))],

@@ -5,20 +5,12 @@ import { Screenshot, pictureName, saveFile, takePicture } from '../../web/screen
 
 test('the file is called after the moment', () => {
   assert.equal(pictureName(new Date(2026, 2, 1, 7, 4, 9)), 'grove-2026-03-01-070409.png');
+  assert.equal(pictureName(new Date(2026, 2, 1, 7, 4, 9), 'image/jpeg'), 'grove-2026-03-01-070409.jpg');
 });
 
-test('a canvas that forgets its picture is drawn in the same task as it is read', async () => {
-  const order = [];
-  const canvas = {
-    toBlob: (give) => {
-      order.push('read');
-      give('png');
-    },
-  };
-  const picture = takePicture(canvas, () => order.push('draw'));
-  order.push('next');
-  assert.equal(await picture, 'png');
-  assert.deepEqual(order, ['draw', 'read', 'next']);
+test('a picture is taken of a canvas of the page or of a worker', async () => {
+  assert.equal(await takePicture({ toBlob: (give) => give('png') }), 'png');
+  assert.equal(await takePicture({ convertToBlob: async ({ type }) => type }), 'image/png');
   await assert.rejects(takePicture({ toBlob: (give) => give(null) }));
 });
 
@@ -56,7 +48,7 @@ async function shoot(take, save) {
 }
 
 test('what became of the picture is said; who changed his mind knows it himself', async () => {
-  const take = async () => new Blob(['x']);
+  const take = async () => new Blob(['x'], { type: 'image/png' });
   assert.deepEqual(await shoot(take, async ({ type }) => `as ${type}`), ['as image/png']);
   const fail = () => Promise.reject(new Error('no picture'));
   assert.deepEqual(await shoot(fail, null), ['The picture could not be saved.']);

@@ -17,17 +17,18 @@ function setUp({ adapts = true } = {}) {
     offer: (preference) => (preference === 'jpeg' || failed.has(2) ? [1] : [2, 1]),
     drop: (codec) => failed.add(codec),
   };
-  const lateLook = { isReady: true };
+  const lateLook = { isReady: true, hindrance: 'no fast WebGL' };
   const reports = [];
   let decoding;
   const stream = new Stream({
     connection,
     codecs,
+    clock: { now: () => 30 },
     makeDecoding: (on) => {
       decoding = { on, reset: () => log.push('reset'), push: ({ frame }) => log.push(`push ${frame}`) };
       return decoding;
     },
-    display: { show: (image, { frame }) => log.push(`show ${frame}`) },
+    display: { show: (image, { frame, decode }) => log.push(`show ${frame} decoded in ${decode}`) },
     lateLook,
     onCodecFailed: (words) => reports.push(words),
   });
@@ -94,6 +95,12 @@ test('says what becomes of late look', () => {
   assert.equal(stream.lateLookWord, 'off');
   stream.setPreferences({ lateLook: true });
   lateLook.isReady = false;
-  assert.equal(stream.lateLookWord, 'off: no WebGL');
+  assert.equal(stream.lateLookWord, 'off: no fast WebGL');
   assert.equal(stream.turns, false);
+});
+
+test('decoding is measured from arrival, not from when the decoder got it', () => {
+  const { log, decoding } = setUp();
+  decoding.on.image({}, { frame: 3, arrived: 25.5 });
+  assert.deepEqual(log, ['show 3 decoded in 4.5']);
 });

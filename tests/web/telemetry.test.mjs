@@ -64,6 +64,9 @@ test('a reading tells the last second', () => {
     width: null,
     height: null,
     visitors: null,
+    decodeMs: null,
+    paintMs: null,
+    times: null,
     status: null,
   });
   telemetry.inputSent(1, 0);

@@ -1,14 +1,14 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
-import { LineHint } from '../../web/line_hint.js';
+import { LimitHint } from '../../web/limit_hint.js';
 import { LimitedBy } from '../../web/protocol.js';
 import { FakeClock } from './fake_clock.mjs';
 
 function setUp() {
   const clock = new FakeClock();
   const element = { hidden: true, textContent: '' };
-  const hint = new LineHint(element, clock);
+  const hint = new LimitHint(element, clock);
   const limited = (limitedBy, framesPerSecond = 20, lines = 480) => hint.update({ limitedBy, framesPerSecond }, lines);
   return { clock, element, hint, limited };
 }
@@ -53,4 +53,27 @@ test('a lost connection takes the words with it', () => {
   hint.reset();
   clock.advance(10_000);
   assert.equal(element.hidden, true);
+});
+
+test('browser and server are named as the line is', () => {
+  for (const [limit, words] of [
+    [LimitedBy.browser, 'Your browser is busy: 480 lines, 20 frames/s'],
+    [LimitedBy.machine, 'The server is busy: 480 lines, 20 frames/s'],
+  ]) {
+    const { clock, element, limited } = setUp();
+    limited(limit);
+    clock.advance(2000);
+    assert.equal(element.hidden, false);
+    assert.equal(element.textContent, words);
+  }
+});
+
+test('when another falls short, the words change without a pause', () => {
+  const { clock, element, limited } = setUp();
+  limited(LimitedBy.line);
+  clock.advance(2000);
+  limited(LimitedBy.browser);
+  assert.match(element.textContent, /^Your browser/);
+  clock.advance(10_000);
+  assert.equal(element.hidden, false);
 });

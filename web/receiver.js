@@ -1,0 +1,212 @@
+import { Backoff } from './backoff.js';
+import { Codecs } from './codecs.js';
+import { Connection } from './connection.js';
+import { decoders } from './decoders.js';
+import { Decoding } from './decoding.js';
+import { Display, paintScheduler } from './display.js';
+import { LateLook } from './late_look.js';
+import { PaintBudget } from './paint_budget.js';
+import { Codec, LimitedBy, kSubProtocols } from './protocol.js';
+import { RemoteStorage } from './remote_storage.js';
+import { Screen } from './screen.js';
+import { takePicture } from './screenshot.js';
+import { Stream } from './stream.js';
+import { Telemetry } from './telemetry.js';
+import { Visibility } from './visibility.js';
+
+/** A still view has figures, too, that change. Milliseconds. */
+const kReadingInterval = 250;
+const kLimitNames = Object.fromEntries(Object.entries(LimitedBy).map(([name, number]) => [number, name]));
+
+/**
+ * Receives, decodes and paints the stream, in a worker or on the main thread: the owner of socket and canvas. The page talks
+ * to it by commands (`do()`), it answers by events (`emit()`); both are plain objects with a `kind`, so that they can be
+ * posted. All times are milliseconds of the page's clock.
+ */
+export class Receiver {
+  #emit;
+  #clock;
+  #canvas;
+  #visibility;
+  #codecs;
+  #connection;
+  #telemetry = new Telemetry();
+  #lateLook;
+  #screen;
+  #display;
+  #stream;
+  #look = { yaw: 0, pitch: 0 };
+  #hello;
+  #visit = 0;
+  #commands;
+
+  /**
+   * @param {object} parts
+   * @param {object} parts.scope the globals of its home: WebSocket, timers, VideoDecoder, EncodedVideoChunk
+   * @param {object} parts.clock as in connection.js
+   * @param {HTMLCanvasElement | OffscreenCanvas} parts.canvas where pictures are painted
+   * @param {() => HTMLCanvasElement | OffscreenCanvas} parts.makeCanvas makes one that nobody sees
+   * @param {(event: object, transfer?: object[]) => void} parts.emit
+   * @param {object} parts.start
+   * @param {string} parts.start.url of the server's socket
+   * @param {{name: string, width: number, height: number}} parts.start.hello
+   * @param {boolean} parts.start.hidden
+   * @param {object} parts.start.preferences as Stream takes them
+   * @param {object} parts.start.stored what the page's sessionStorage holds
+   */
+  constructor({ scope, clock, canvas, makeCanvas, emit, start }) {
+    this.#emit = emit;
+    this.#clock = clock;
+    this.#canvas = canvas;
+    this.#hello = start.hello;
+    this.#visibility = new Visibility(start.hidden);
+    this.#codecs = new Codecs({
+      VideoDecoder: scope.VideoDecoder,
+      setTimeout: clock.setTimeout,
+      sessionStorage: new RemoteStorage(start.stored, (key, value) => emit({ kind: 'store', key, value })),
+    });
+    this.#connection = new Connection({
+      openSocket: () => new scope.WebSocket(start.url, kSubProtocols),
+      offer: () => this.#stream.offer,
+      hello: () => this.#hello,
+      on: {
+        state: (state, reason) => emit({ kind: 'state', state, reason, visit: this.#visit }),
+        welcome: (message) => this.#welcome(message),
+        waiting: ({ place, percent, step, isIn }) => emit({ kind: 'waiting', place, percent, step, isIn }),
+        picture: (picture) => this.#receive(picture),
+        status: (status) => this.#hear(status),
+        refining: ({ percent, secondsLeft }) => emit({ kind: 'refining', percent, secondsLeft }),
+        captured: ({ number, picture }) => emit({ kind: 'captured', number, picture }, [picture.buffer]),
+        times: (times) => this.#telemetry.timesReceived(times),
+      },
+      backoff: new Backoff(),
+      mayRetry: () => !this.#visibility.hidden,
+      clock,
+    });
+    const budget = new PaintBudget();
+    this.#lateLook = new LateLook(makeCanvas(), () => this.#lateLookChanged());
+    this.#screen = new Screen({ canvas, lateLook: this.#lateLook, look: () => (this.#stream.turns ? this.#look : null) });
+    this.#display = new Display({
+      screen: this.#screen,
+      schedule: paintScheduler(this.#visibility),
+      clock,
+      onTurned: (paint) => {
+        if (budget.isExceededBy(paint)) this.#lateLook.giveUp();
+      },
+      onPresented: (picture, paint) => this.#presented(picture, paint),
+    });
+    this.#stream = new Stream({
+      connection: this.#connection,
+      codecs: this.#codecs,
+      clock,
+      makeDecoding: (on) => new Decoding({ make: decoders(scope, clock), clock, on }),
+      display: this.#display,
+      lateLook: this.#lateLook,
+      onCodecFailed: (words) => emit({ kind: 'codecFailed', words }),
+    });
+    this.#stream.setPreferences(start.preferences);
+    this.#stream.setHidden(start.hidden);
+    this.#commands = {
+      input: (command) => this.#input(command),
+      look: ({ yaw, pitch }) => this.#turn(yaw, pitch),
+      hello: ({ hello }) => this.#greet(hello),
+      preferences: ({ preferences }) => this.#stream.setPreferences(preferences),
+      visibility: ({ hidden }) => this.#see(hidden),
+      retry: () => this.#connection.retry(),
+      capture: ({ number }) => this.#capture(number),
+      picture: ({ number }) => this.#takePicture(number),
+    };
+  }
+
+  /** Asks what the browser can decode, then connects. */
+  async start() {
+    this.#lateLookChanged();
+    await this.#codecs.ask();
+    this.#emit({ kind: 'codecs', h264: this.#codecs.offer('h264').includes(Codec.h264) });
+    this.#connection.start();
+    this.#tellReading();
+  }
+
+  /** Obeys one command. */
+  do(command) {
+    this.#commands[command.kind](command);
+  }
+
+  #welcome({ red, green, blue, yaw, pitch, world }) {
+    this.#visit += 1;
+    this.#stream.begin();
+    this.#display.reset();
+    this.#telemetry.reset();
+    this.#look = { yaw, pitch };
+    this.#connection.sendResize(this.#hello);
+    this.#emit({ kind: 'welcome', red, green, blue, yaw, pitch, world });
+  }
+
+  #receive(picture) {
+    this.#telemetry.frameReceived(picture, this.#clock.now());
+    this.#stream.receive(picture);
+  }
+
+  #hear(status) {
+    this.#telemetry.statusReceived(status);
+    const lines = this.#telemetry.read(this.#clock.now()).height ?? status.height;
+    this.#emit({ kind: 'status', status, lines, limitedBy: kLimitNames[status.limitedBy] });
+  }
+
+  #presented(picture, paint) {
+    const { frame, width, height, codec, decode } = picture;
+    this.#connection.acknowledge(picture, { decode, paint });
+    const now = this.#clock.now();
+    const inputs = this.#telemetry.framePresented(picture, now, paint);
+    const reading = this.#telemetry.read(now);
+    this.#emit({ kind: 'presented', picture: { frame, width, height, codec }, inputs, now, reading });
+  }
+
+  #tellReading() {
+    const now = this.#clock.now();
+    const latencyPercentiles = this.#telemetry.latencyPercentiles(now);
+    const { lateLookWord: lateLook } = this.#stream;
+    this.#emit({ kind: 'reading', reading: { ...this.#telemetry.read(now), latencyPercentiles, lateLook } });
+    this.#clock.setTimeout(() => this.#tellReading(), kReadingInterval);
+  }
+
+  #lateLookChanged() {
+    this.#stream.tellLimits();
+    this.#emit({ kind: 'lateLook', hindrance: this.#lateLook.hindrance });
+  }
+
+  /** An input of a former connection has a number that means nothing to the server of this one. */
+  #input({ visit, input, now }) {
+    if (visit !== this.#visit) return;
+    this.#connection.sendInput(input);
+    this.#telemetry.inputSent(input.number, now);
+  }
+
+  #turn(yaw, pitch) {
+    this.#look = { yaw, pitch };
+    this.#display.turn();
+  }
+
+  #greet(hello) {
+    this.#hello = hello;
+    this.#connection.sendResize(hello);
+  }
+
+  #see(hidden) {
+    this.#visibility.hidden = hidden;
+    this.#stream.setHidden(hidden);
+    if (hidden) return;
+    this.#connection.listen();
+    if (['lost', 'full', 'away'].includes(this.#connection.state)) this.#connection.retry();
+  }
+
+  #capture(number) {
+    if (this.#connection.measures) this.#connection.sendCapture(number);
+    else this.#emit({ kind: 'captured', number, picture: null });
+  }
+
+  async #takePicture(number) {
+    const picture = await takePicture(this.#canvas).catch(() => null);
+    this.#emit({ kind: 'picture', number, picture });
+  }
+}

@@ -1,0 +1,36 @@
+// The worker that is the receiver's home: offers what it can do, and takes the canvas if the page accepts.
+import { Receiver } from './receiver.js';
+
+function canPaint() {
+  try {
+    return typeof requestAnimationFrame === 'function' && new OffscreenCanvas(1, 1).getContext('2d') !== null;
+  } catch {
+    return false;
+  }
+}
+
+let receiver = null;
+
+function begin({ canvas, start }) {
+  // All times are told by the page's clock.
+  const ahead = performance.timeOrigin - start.timeOrigin;
+  receiver = new Receiver({
+    scope: self,
+    clock: {
+      now: () => performance.now() + ahead,
+      setTimeout: (callback, delay) => setTimeout(callback, delay),
+      clearTimeout: (timer) => clearTimeout(timer),
+    },
+    canvas,
+    makeCanvas: () => new OffscreenCanvas(16, 9),
+    emit: (event, transfer = []) => postMessage(event, transfer),
+    start,
+  });
+  receiver.start();
+}
+
+onmessage = ({ data }) => {
+  if (data.kind === 'start') begin(data);
+  else receiver.do(data);
+};
+postMessage({ kind: 'able', able: canPaint() });
