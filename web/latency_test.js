@@ -1,3 +1,4 @@
+import { windowOf } from './look_geometry.js';
 import { median, quantile } from './meters.js';
 import { kCodecNames } from './protocol.js';
 
@@ -41,15 +42,19 @@ export class LatencyTest {
     this.#ask();
   }
 
-  /** `inputs` as LatencyMeter.presented() returns them, first shown by this picture. */
+  /**
+   * `inputs` as LatencyMeter.presented() returns them, first shown by this picture. Its size in the table is the window's,
+   * as in the overlay: how wide a border is says nothing about what a visitor sees.
+   */
   presented(inputs, picture, now) {
     if (!this.isRunning) return;
+    const { width, height } = windowOf(picture);
     for (const { number, time, latency } of inputs) {
       if (time < this.#begin) continue;
       const times = [time - this.#begin, now - this.#begin, latency].map((value) => value.toFixed(2));
       this.#rows.push({
         latency,
-        cells: [number, ...times, picture.frame, picture.width, picture.height, kCodecNames[picture.codec]],
+        cells: [number, ...times, picture.frame, width, height, kCodecNames[picture.codec]],
       });
     }
   }

@@ -88,9 +88,10 @@ endfunction()
 
 # grove_test(NAME [CONCURRENT] SOURCES ... DEPS ...): one GoogleTest program, linked with the floors it tests only.
 # CONCURRENT: its threads meet, so it is built and run under the thread sanitizer, too. Those with a source named
-# *_kernels_test.cpp are what `kernel_tests` builds, and kernel_tests.txt in the build folder names them.
+# *_kernels_test.cpp are what `kernel_tests` builds, and kernel_tests.txt in the build folder names them. SHARDS: so many
+# entries of ctest, name_1 and so on, each of which runs its share of the tests beside the others.
 function(grove_test name)
-  cmake_parse_arguments(arg "CONCURRENT" "TIMEOUT" "SOURCES;DEPS" ${ARGN})
+  cmake_parse_arguments(arg "CONCURRENT" "TIMEOUT;SHARDS" "SOURCES;DEPS" ${ARGN})
   if(NOT arg_TIMEOUT)
     set(arg_TIMEOUT 120)
   endif()
@@ -101,26 +102,46 @@ function(grove_test name)
   if(arg_SOURCES MATCHES "_kernels_test\\.cpp")
     set_property(GLOBAL APPEND PROPERTY GROVE_KERNEL_TESTS ${name})
   endif()
-  add_test(NAME ${name} COMMAND ${name})
-  # What is freed is given back soon, for there are tests of memory; undefined behaviour fails the test that shows it.
-  # What may take long starts first.
-  set_tests_properties(${name} PROPERTIES TIMEOUT ${arg_TIMEOUT} COST ${arg_TIMEOUT}
-    ENVIRONMENT "GROVE_CACHE=${CMAKE_BINARY_DIR}/cache;ASAN_OPTIONS=quarantine_size_mb=16;UBSAN_OPTIONS=halt_on_error=1:print_stacktrace=1;TSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/tests/tsan.supp;LSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/tests/lsan.supp")
+  if(NOT arg_SHARDS)
+    set(arg_SHARDS 1)
+  endif()
+  set_target_properties(${name} PROPERTIES GROVE_SHARDS ${arg_SHARDS} GROVE_TIMEOUT ${arg_TIMEOUT})
   if(arg_CONCURRENT)
-    set_tests_properties(${name} PROPERTIES LABELS concurrent)
+    set_target_properties(${name} PROPERTIES GROVE_LABELS concurrent)
     add_dependencies(concurrent_tests ${name})
   endif()
+  grove_add_tests(${name} ${name})
+endfunction()
+
+# grove_add_tests(PROGRAM NAME [ENVIRONMENT...])
+# The entries of a test program, with what is in its environment besides.
+function(grove_add_tests program name)
+  get_target_property(shards ${program} GROVE_SHARDS)
+  get_target_property(timeout ${program} GROVE_TIMEOUT)
+  get_target_property(labels ${program} GROVE_LABELS)
+  foreach(shard RANGE 1 ${shards})
+    set(entry ${name})
+    set(share)
+    if(shards GREATER 1)
+      set(entry ${name}_${shard})
+      math(EXPR index "${shard} - 1")
+      set(share GTEST_TOTAL_SHARDS=${shards} GTEST_SHARD_INDEX=${index})
+    endif()
+    add_test(NAME ${entry} COMMAND ${program})
+    # What is freed is given back soon, for there are tests of memory; undefined behaviour fails the test that shows it.
+    # What may take long starts first.
+    set(environment "GROVE_CACHE=${CMAKE_BINARY_DIR}/cache" ASAN_OPTIONS=quarantine_size_mb=16
+      UBSAN_OPTIONS=halt_on_error=1:print_stacktrace=1 "TSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/tests/tsan.supp"
+      "LSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/tests/lsan.supp" ${share} ${ARGN})
+    set_tests_properties(${entry} PROPERTIES TIMEOUT ${timeout} COST ${timeout} ENVIRONMENT "${environment}")
+    if(labels)
+      set_tests_properties(${entry} PROPERTIES LABELS ${labels})
+    endif()
+  endforeach()
 endfunction()
 
 # grove_test_over_bytes(NAME)
 # The same program once more, over the transport by bytes.
 function(grove_test_over_bytes name)
-  add_test(NAME ${name}_over_bytes COMMAND ${name})
-  foreach(property TIMEOUT COST ENVIRONMENT LABELS)
-    get_test_property(${name} ${property} value)
-    if(value)
-      set_tests_properties(${name}_over_bytes PROPERTIES ${property} "${value}")
-    endif()
-  endforeach()
-  set_property(TEST ${name}_over_bytes APPEND PROPERTY ENVIRONMENT GROVE_TEST_TRANSPORT=bytes)
+  grove_add_tests(${name} ${name}_over_bytes GROVE_TEST_TRANSPORT=bytes)
 endfunction()

@@ -1,6 +1,9 @@
 import assert from 'node:assert/strict';
 import { spawn } from 'node:child_process';
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { createServer } from 'node:net';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
 import { chromium } from 'playwright-core';
@@ -19,6 +22,21 @@ const kDriver = /GL Driver Message \(OpenGL, Performance/;
 
 /** The first server on a machine bakes the light fields of its world. Milliseconds. */
 const kPreparation = 600_000;
+
+/**
+ * A file with the built-in scene, its light fields as coarse as those that a visitor sees before the fine ones are ready:
+ * these take minutes to bake. Gone when the test's process ends.
+ */
+export function coarseGrove() {
+  const folder = mkdtempSync(join(tmpdir(), 'grove-coarse-'));
+  process.on('exit', () => rmSync(folder, { recursive: true, force: true }));
+  const scene = join(folder, 'grove.toml');
+  const text = readFileSync(`${kRoot}/server/world/scenes/grove.toml`, 'utf8');
+  const coarse = text.replaceAll(/^plant = /gm, 'subdivision = 4\nsize = 128\nplant = ');
+  assert.notEqual(coarse, text);
+  writeFileSync(scene, coarse);
+  return scene;
+}
 
 /** A port that was free a moment ago. */
 export async function freePort() {

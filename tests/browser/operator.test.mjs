@@ -1,14 +1,14 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 
-import { Server, Visitor, freePort, launchBrowser } from './helpers.mjs';
+import { Server, Visitor, coarseGrove, freePort, launchBrowser } from './helpers.mjs';
 
 let browser;
 let server;
 
 before(async () => {
   browser = await launchBrowser();
-  server = await Server.start();
+  server = await Server.start({ options: ['--scene', coarseGrove()] });
 });
 
 after(async () => {
@@ -98,7 +98,7 @@ test('headings, tables and regions have names', async () => {
 
 test('a server that dies leaves its last words in grey, and is found again', async () => {
   const [port, operatorPort] = [await freePort(), await freePort()];
-  const options = ['--operator', `127.0.0.1:${operatorPort}`];
+  const options = ['--operator', `127.0.0.1:${operatorPort}`, '--scene', coarseGrove()];
   let mortal = await Server.start({ port, options });
   const operator = await open(mortal.operatorUrl);
   try {

@@ -1,14 +1,14 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 
-import { Server, Visitor, freePort, launchBrowser } from './helpers.mjs';
+import { Server, Visitor, coarseGrove, freePort, launchBrowser } from './helpers.mjs';
 
 let browser;
 let server;
 
 before(async () => {
   browser = await launchBrowser();
-  server = await Server.start();
+  server = await Server.start({ options: ['--scene', coarseGrove()] });
 });
 
 after(async () => {
@@ -100,7 +100,8 @@ test('every button has a name, and the keyboard reaches it', async () => {
 
 test('a server that dies and returns is found again', async () => {
   const port = await freePort();
-  let mortal = await Server.start({ port });
+  const options = ['--scene', coarseGrove()];
+  let mortal = await Server.start({ port, options });
   const ada = await Visitor.arrive(browser, mortal.url);
   try {
     await ada.until('connection', 'open');
@@ -110,7 +111,7 @@ test('a server that dies and returns is found again', async () => {
     await ada.page.getByText('The world is out of reach').waitFor();
     assert.match(await ada.page.getByRole('status').textContent(), /out of reach.*Trying again/s);
 
-    mortal = await Server.start({ port });
+    mortal = await Server.start({ port, options });
     await ada.until('connection', 'open');
     await ada.frames(5);
     await ada.page.getByText('The world is out of reach').waitFor({ state: 'hidden' });
@@ -122,7 +123,8 @@ test('a server that dies and returns is found again', async () => {
 });
 
 test('a full server says so', async () => {
-  const small = await Server.start({ options: ['--max-visitors', '1'] });
+  // The scene that is served if none is named; its fine light fields would take minutes.
+  const small = await Server.start({ options: ['--max-visitors', '1'], coarse: true });
   try {
     const ada = await Visitor.arrive(browser, small.url);
     await ada.until('connection', 'open');

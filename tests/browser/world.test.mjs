@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { after, afterEach, before, test } from 'node:test';
 
-import { Server, Visitor, difference, idleDifference, launchBrowser, pause } from './helpers.mjs';
+import { Server, Visitor, coarseGrove, difference, idleDifference, launchBrowser, pause } from './helpers.mjs';
 
 let server;
 let browser;
@@ -16,7 +16,7 @@ async function arrive(name, options) {
 }
 
 before(async () => {
-  server = await Server.start();
+  server = await Server.start({ options: ['--scene', coarseGrove()] });
   browser = await launchBrowser();
 });
 

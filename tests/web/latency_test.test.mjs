@@ -56,3 +56,16 @@ test('has a row for each input, with times since its begin', () => {
   latency.start(1);
   assert.equal(latency.words, null, 'another test begins with nothing');
 });
+
+test('the size in the table is the window\'s, however wide the border', () => {
+  const { clock, latency } = setUp();
+  latency.start(10);
+  [{ width: 640, height: 360, border: 0 }, { width: 678, height: 380, border: 6 }, { width: 716, height: 402, border: 12 }]
+    .forEach((size, index) => {
+      clock.advance(100);
+      const input = { number: index, time: clock.now() - 10, latency: 10 };
+      latency.presented([input], { ...kPicture, ...size }, clock.now());
+    });
+  const sizes = latency.csv.trim().split('\n').slice(1).map((row) => row.split(',').slice(5, 7).join('x'));
+  assert.deepEqual(sizes, ['640x360', '640x360', '640x360']);
+});
