@@ -42,11 +42,15 @@ export class Codecs {
     this.#claimed = claims ? [Codec.h264] : [];
   }
 
-  /** What to offer; `preference` is `auto`, `h264` or `jpeg`. JPEG is always among it: every browser has it. */
+  /**
+   * What to offer; `preference` is `auto`, `h264` or `jpeg`. The server may choose among what is offered, so a codec that
+   * is asked for stands alone. JPEG is offered where nothing else works: every browser has it.
+   */
   offer(preference) {
-    const usable = this.#claimed.filter((codec) => !this.#failed.has(codec));
-    const wanted = preference in kForced ? usable.filter((codec) => codec === kForced[preference]) : usable;
-    return [...wanted, Codec.jpeg];
+    const usable = [...this.#claimed.filter((codec) => !this.#failed.has(codec)), Codec.jpeg];
+    const wanted = usable.filter((codec) => codec === kForced[preference]);
+    if (!(preference in kForced)) return usable;
+    return wanted.length > 0 ? wanted : [Codec.jpeg];
   }
 
   /** Leaves a codec that does not work out of every further offer. */
