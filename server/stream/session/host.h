@@ -22,6 +22,7 @@
 #include "raster/image.h"
 #include "stream/encode/encoder_registry.h"
 #include "stream/protocol/protocol.h"
+#include "stream/session/entry_budget.h"
 #include "stream/session/frame_gate.h"
 #include "stream/session/preparation_line.h"
 #include "stream/session/session.h"
@@ -144,6 +145,7 @@ class Host {
   Refining refining_;
   std::atomic<unsigned> newsNumber_{0};  ///< written with mutex_ held
 
+  EntryBudget entries_;
   const std::shared_ptr<FrameGate> gate_;  ///< sessions that end may hold it last
   pipeline::WorkerPool workers_;
   std::shared_ptr<WorldInstance> shared_;  ///< null in private mode

@@ -194,6 +194,7 @@ void Session::close() {
   if (node) node->close();
   if (encoder) encoder->close();
   if (instance) instance->world().edits().stopBlowing(player_);
+  host_.entries_.end(id_, pipeline::wallSeconds());
   host_.players().leave(player_);
   host_.remove(id_);
 }
@@ -225,6 +226,10 @@ double Session::startIfDue(double now) {
   if (closed_ || !node_ || control_->isHidden()) return now + 1.0;
   if (now < nextDue_) return nextDue_;
   if (waits_) return now + period;
+  if (!entered_ && !host_.entries_.mayBegin(id_, now)) {
+    control_->waitsForServer(now);
+    return now + period / 8;
+  }
   // A frame that cannot start stays due: the acknowledgement or one of the next looks starts it.
   if (isBehind(now)) return now + period / 8;
   if (node_->full()) {
@@ -300,6 +305,7 @@ void Session::deliver(const std::shared_ptr<const EncodedFrame>& frame) {
   {
     const std::lock_guard lock(mutex_);
     if (closed_) return;
+    if (!std::exchange(entered_, true)) host_.entries_.end(id_, pipeline::wallSeconds());
   }
   control_->sent(frame->header.frame, frame->header.lastInput, frame->message().size(), frame->allowedBytes,
                  pipeline::wallSeconds());

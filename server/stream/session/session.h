@@ -127,6 +127,7 @@ class Session : public std::enable_shared_from_this<Session> {
   double nextDue_ = 0.0;
   double nextDeadlineCheck_ = 0.0;
   bool waits_ = false;                 ///< for its turn
+  bool entered_ = false;               ///< has been sent a frame
   std::optional<double> hiddenSince_;  ///< until a frame is acknowledged that somebody sees
 };
 
