@@ -5,38 +5,22 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <csignal>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <string>
 #include <thread>
 
+#include "cli/program.h"
+
 namespace grove::bake {
 namespace {
 
+using cli::grove;
+using cli::groveHere;
+using cli::Outcome;
 using testing::HasSubstr;
 using testing::StartsWith;
-
-struct Outcome {
-  int exit = -1;
-  std::string output;
-};
-
-/// Runs the real program; output is stderr, or stdout where asked for.
-Outcome grove(const std::string& arguments, bool wantErrors = true) {
-  const std::string command =
-      "timeout 100 " GROVE_BINARY " " + arguments + (wantErrors ? " 2>&1 >/dev/null" : " 2>/dev/null");
-  std::FILE* pipe = popen(command.c_str(), "r");
-  Outcome outcome;
-  std::array<char, 4096> buffer{};
-  while (const std::size_t n = std::fread(buffer.data(), 1, buffer.size(), pipe)) {
-    outcome.output.append(buffer.data(), n);
-  }
-  outcome.exit = WEXITSTATUS(pclose(pipe));
-  return outcome;
-}
 
 std::ptrdiff_t lines(const std::string& text) { return std::ranges::count(text, '\n'); }
 
@@ -70,11 +54,11 @@ TEST_F(BakeCommand, BadOptionsExitTwoWithOneLine) {
         "--plant oak --lightings 0" + out, "--plant oak --lightings 17" + out, "--plant oak --samples 0" + out,
         "--plant oak --threads 0" + out, "--plant oak --detail huge" + out, "--plant baobab" + out,
         "a.glb --plant oak" + out, "-o " + path("out.glf")}) {
-    const Outcome outcome = grove("bake " + options);
+    const Outcome outcome = groveHere("bake " + options);
     EXPECT_EQ(outcome.exit, 2) << options;
     EXPECT_EQ(lines(outcome.output), 1) << options << ": " << outcome.output;
   }
-  EXPECT_THAT(grove("bake --plant baobab" + out).output, testing::AllOf(HasSubstr("baobab"), HasSubstr("oak")));
+  EXPECT_THAT(groveHere("bake --plant baobab" + out).output, testing::AllOf(HasSubstr("baobab"), HasSubstr("oak")));
 }
 
 TEST_F(BakeCommand, ReplacesNothingButFiles) {

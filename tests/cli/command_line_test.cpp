@@ -98,7 +98,7 @@ TEST(CommandLine, BadOptionsExitTwoWithOneLine) {
                               "bench pipeline --size 1280x720x3",
                               "bench pipeline --size 16x9",
                               "bench pipeline --size 1281x721"}) {
-    const Outcome outcome = grove(command);
+    const Outcome outcome = groveHere(command);
     EXPECT_EQ(outcome.exit, 2) << command;
     EXPECT_EQ(lines(outcome.output), 1) << command << ": " << outcome.output;
   }

@@ -26,7 +26,7 @@ Help helpOf(const std::string& command) {
   const std::regex commandLine(R"(^  ([a-z]+) .*)");
   Help help;
   bool ofCommands = false;
-  std::istringstream lines(grove(command + " --help", false).output);
+  std::istringstream lines(groveHere(command + " --help", false).output);
   for (std::string line; std::getline(lines, line);) {
     std::smatch found;
     if (line == "Subcommands:") ofCommands = true;
@@ -40,7 +40,10 @@ std::vector<std::string> allCommands() {
   std::vector<std::string> all = {""};
   for (std::size_t i = 0; i < all.size(); ++i) {
     const std::string above = all[i];
-    for (const std::string& name : helpOf(above).commands) all.push_back(above.empty() ? name : above + " " + name);
+    for (const std::string& name : helpOf(above).commands) {
+      all.push_back(above);
+      all.back().append(above.empty() ? "" : " ").append(name);
+    }
   }
   return all;
 }

@@ -19,7 +19,7 @@ struct Help {
   std::set<std::string> commands;
 };
 
-/// Asks the real program; `command` is empty or as in "bench fluid".
+/// `command` is empty or as in "bench fluid".
 Help helpOf(const std::string& command);
 
 /// "", "serve", "bench fluid" and all the others.

@@ -12,6 +12,10 @@ struct Outcome {
 /// Runs the real program.
 Outcome grove(const std::string& arguments, bool wantErrors = true);
 
+/// What the real program does, in a fork of this one: for the many command lines that end once they are read, where
+/// starting it, which loads LLVM for OSMesa, takes longer than all that it does.
+Outcome groveHere(const std::string& arguments, bool wantErrors = true);
+
 /// Runs a command of bash; its stdout.
 Outcome shell(const std::string& script);
 
