@@ -1,5 +1,5 @@
 import { H264Decoder } from './h264_decoder.js';
-import { JpegDecoder } from './jpeg_decoder.js';
+import { JpegDecoder, decodeJpegToFrame } from './jpeg_decoder.js';
 import { Codec } from './protocol.js';
 
 /**
@@ -12,11 +12,12 @@ import { Codec } from './protocol.js';
  * - `onHeld(picture)`: all up to this one are inside for long; the server must not wait for their being shown.
  *
  * `software` asks for a decoder that does not use the graphics card. To add a codec, add it here, to protocol.js and to
- * codecs.js.
+ * codecs.js. `paintsInSoftware`: so does the browser's canvas.
  */
-export function decoders(window, clock) {
+export function decoders(window, clock, paintsInSoftware = false) {
+  const decode = paintsInSoftware && window.ImageDecoder ? decodeJpegToFrame : undefined;
   return {
-    [Codec.jpeg]: (parts) => new JpegDecoder(parts),
+    [Codec.jpeg]: (parts) => new JpegDecoder({ decode, ...parts }),
     [Codec.h264]: (parts) => new H264Decoder({ window, clock, ...parts }),
   };
 }

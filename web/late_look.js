@@ -107,7 +107,7 @@ export class LateLook {
     this.#onChange();
   }
 
-  /** Takes a copy of the image (ImageBitmap or VideoFrame), and the size of its window. */
+  /** Takes a copy of the image (ImageBitmap, VideoFrame or ImageData), and the size of its window. */
   take(image, picture) {
     const gl = this.#gl;
     const { width, height } = windowOf(picture);

@@ -5,6 +5,7 @@ import { decoders } from './decoders.js';
 import { Decoding } from './decoding.js';
 import { Display, paintScheduler } from './display.js';
 import { LateLook } from './late_look.js';
+import { MemoryImages } from './memory_images.js';
 import { PaintBudget } from './paint_budget.js';
 import { Codec, LimitedBy, kSubProtocols } from './protocol.js';
 import { RemoteStorage } from './remote_storage.js';
@@ -99,7 +100,7 @@ export class Receiver {
       connection: this.#connection,
       codecs: this.#codecs,
       clock,
-      makeDecoding: (on) => new Decoding({ make: decoders(scope, clock), clock, on }),
+      makeDecoding: (on) => this.#makeDecoding(scope, on),
       display: this.#display,
       lateLook: this.#lateLook,
       onCodecFailed: (words) => emit({ kind: 'codecFailed', words }),
@@ -116,6 +117,15 @@ export class Receiver {
       capture: ({ number }) => this.#capture(number),
       picture: ({ number }) => this.#takePicture(number),
     };
+  }
+
+  #makeDecoding(scope, on) {
+    const paintsInSoftware = !this.#lateLook.isReady;
+    const make = decoders(scope, this.#clock, paintsInSoftware);
+    if (!paintsInSoftware) return new Decoding({ make, clock: this.#clock, on });
+    const copies = new MemoryImages();
+    const image = (decoded, picture) => copies.pass(decoded, (copied) => on.image(copied, picture));
+    return new Decoding({ make, clock: this.#clock, on: { ...on, image } });
   }
 
   /** Asks what the browser can decode, then connects. */

@@ -78,10 +78,11 @@ export class Screen {
     }
     if (turn.yaw === 0 && turn.pitch === 0) {
       const [left, top] = [(picture.width - width) / 2, (picture.height - height) / 2];
-      this.#context.drawImage(image, left, top, width, height, 0, 0, width, height);
+      if (image.imageData) this.#context.putImageData(image.imageData, -left, -top);
+      else this.#context.drawImage(image, left, top, width, height, 0, 0, width, height);
       return;
     }
-    if (!this.#taken) this.#lateLook.take(image, picture);
+    if (!this.#taken) this.#lateLook.take(image.imageData ?? image, picture);
     this.#taken = true;
     this.#context.drawImage(this.#lateLook.turned(picture, turn), 0, 0);
   }

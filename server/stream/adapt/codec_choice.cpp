@@ -11,7 +11,7 @@ constexpr double kPromising = 0.5;
 /// The line must carry this much more than what is sent, or the codec is given up.
 constexpr double kEase = 1.15;
 constexpr double kReasonSeconds = 1.0;
-constexpr double kMaxLineRest = 600.0;
+constexpr double kMaxFailureRest = 600.0;
 constexpr double kMaxWorkRest = 3600.0;
 constexpr double kRest = 2.0;
 /// A reason so soon after the change back means that the change back was a mistake.
@@ -26,12 +26,14 @@ void CodecChoice::change(bool savesWork, double now) {
 }
 
 bool CodecChoice::update(double now, const Means& means) {
-  const bool lineFails = means.isLineScarce || means.lineBitsPerSecond < kEase * means.workSaverBitsPerSecond;
-  const bool mayTry = !lineFailed_ || now - changed_ > lineRest_;
+  const bool fails =
+      means.isLineScarce || means.isBrowserShort || means.lineBitsPerSecond < kEase * means.workSaverBitsPerSecond;
+  const bool mayTry = !failed_ || now - changed_ > failureRest_;
   const bool isPromising =
       std::max(means.lineBitsPerSecond, means.provenBitsPerSecond) > kPromising * means.workSaverBitsPerSecond;
-  const bool reason = savesWork_ ? lineFails || !means.isWorkScarce
-                                 : means.isWorkScarce && !means.isLineScarce && isPromising && mayTry;
+  const bool wantsIt = means.isWorkScarce && !means.isStill;
+  const bool reason =
+      savesWork_ ? fails || !wantsIt : wantsIt && !means.isLineScarce && !means.isBrowserShort && isPromising && mayTry;
   if (!reason) {
     reasonSince_ = -1.0;
     return savesWork_;
@@ -40,17 +42,17 @@ bool CodecChoice::update(double now, const Means& means) {
   const double lasted = now - reasonSince_;
   if (!savesWork_) {
     if (lasted < kReasonSeconds) return false;
-    if (!lineFailed_ && changed_ > 0.0 && now - changed_ < kMistakeSeconds) {
+    if (!failed_ && changed_ > 0.0 && now - changed_ < kMistakeSeconds) {
       workRest_ = std::min(kMaxWorkRest, kRest * workRest_);
     }
     change(true, now);
-  } else if (lineFails) {
+  } else if (fails) {
     if (lasted < kReasonSeconds) return true;
-    if (lineFailed_) lineRest_ = std::min(kMaxLineRest, kRest * lineRest_);
-    lineFailed_ = true;
+    if (failed_) failureRest_ = std::min(kMaxFailureRest, kRest * failureRest_);
+    failed_ = true;
     change(false, now);
-  } else if (lasted > workRest_) {
-    lineFailed_ = false;
+  } else if (means.isStill || lasted > workRest_) {
+    failed_ = false;
     change(false, now);
   }
   return savesWork_;

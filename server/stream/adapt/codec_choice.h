@@ -2,13 +2,16 @@
 
 namespace grove::stream {
 
-/// Decides between a codec that saves bits (H.264) and one that saves work (JPEG): the second while the server or the
-/// browser is short of time and the line has bits to spare. One thread at a time; times are seconds that do not go
-/// back.
+/// Decides between a codec that saves bits (H.264) and one that saves the server work (JPEG): the second while the
+/// server is short of time, the view moves, and line and browser carry it. A view that stands still is almost free in
+/// H.264, and browsers without a graphics card take longer for a JPEG. One thread at a time; times are seconds that do
+/// not go back.
 class CodecChoice {
  public:
   struct Means {
-    bool isWorkScarce = false;            ///< frames wait for the server or the browser
+    bool isWorkScarce = false;            ///< frames wait for the server
+    bool isBrowserShort = false;          ///< frames wait for the browser
+    bool isStill = false;                 ///< the camera has been standing for a while
     bool isLineScarce = false;            ///< pictures are smaller or fewer because of the line
     double lineBitsPerSecond = 0.0;       ///< that the stream may take
     double provenBitsPerSecond = 0.0;     ///< that the line is known to have carried of late
@@ -23,11 +26,11 @@ class CodecChoice {
   void change(bool savesWork, double now);
 
   bool savesWork_ = false;
+  bool failed_ = false;  ///< the line or the browser did not carry it
   double changed_ = 0.0;
   double reasonSince_ = -1.0;  ///< to change; negative: there is none
-  double lineRest_ = 30.0;     ///< until the line is tried again
+  double failureRest_ = 30.0;  ///< until it is tried again
   double workRest_ = 60.0;     ///< without scarcity until bits are saved again
-  bool lineFailed_ = false;
 };
 
 }  // namespace grove::stream

@@ -19,6 +19,8 @@ constexpr double kStillBitsPerSecond = 1.3e6;
 /// A picture gets finer step by step, so that no single one takes long.
 constexpr Quantiser kRefinement = 2.0;
 constexpr double kIndependentSeconds = 0.25;
+/// A view counts as still after this: who stops for a moment goes on walking.
+constexpr double kStillSeconds = 2.0;
 /// Percent.
 constexpr int kBorderStep = 6;
 constexpr int kBorderSteps = 2;
@@ -129,7 +131,9 @@ void StreamControl::planCodec(double now) {
       kJpegBitsPerPixel * plan.width * plan.height * std::min(plan.framesPerSecond, work_.framesPerSecond());
   const bool before = codecChoice_.savesWork();
   const bool savesWork = codecChoice_.update(
-      now, {.isWorkScarce = work_.shortOf() == LimitedBy::kMachine || work_.shortOf() == LimitedBy::kBrowser,
+      now, {.isWorkScarce = work_.shortOf() == LimitedBy::kMachine,
+            .isBrowserShort = work_.shortOf() == LimitedBy::kBrowser,
+            .isStill = now - moved_ > kStillSeconds,
             .isLineScarce = plan.limitedBy == LimitedBy::kLine || work_.shortOf() == LimitedBy::kLine,
             .lineBitsPerSecond = bitsPerSecond(),
             .provenBitsPerSecond = std::min(link_.proven(), wantedBitsPerSecond()),
@@ -229,6 +233,7 @@ StreamControl::Choice StreamControl::choose(const EncoderKind& kind, const Quant
                                             bool still, bool same, double now) {
   const std::lock_guard lock(mutex_);
   range_ = range;
+  if (!still) moved_ = now;
   Choice choice{&kind, {range.usual, false}, 0.0};
   if (wantsIndependent_ && now - independentMade_ >= kIndependentSeconds) {
     choice.order.independent = true;

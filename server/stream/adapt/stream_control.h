@@ -117,6 +117,7 @@ class StreamControl {
   StreamPolicy policy_;
   WorkControl work_;
   CodecChoice codecChoice_;
+  double moved_ = 0.0;  ///< the camera, last
   FrameTimes times_;
   int borderSteps_ = 0;
   QuantiserControl quantisers_;

@@ -11,6 +11,8 @@ constexpr double kJpeg = 25e6;
 struct CodecSituation {
   double line;
   bool isWorkScarce;
+  bool isBrowserShort = false;  ///< with JPEG
+  bool isStill = false;
 };
 
 struct ChosenStream {
@@ -23,6 +25,8 @@ struct ChosenStream {
       const bool before = choice.savesWork();
       const double sent = before ? kJpeg : 4e6;
       choice.update(now, {.isWorkScarce = situation.isWorkScarce && !before,
+                          .isBrowserShort = situation.isBrowserShort && before,
+                          .isStill = situation.isStill,
                           .isLineScarce = situation.line < sent,
                           .lineBitsPerSecond = situation.line,
                           .provenBitsPerSecond = situation.line,
@@ -38,6 +42,19 @@ TEST(CodecChoice, SavesWorkOnlyWhereItIsScarceAndTheLineHasBitsToSpare) {
   EXPECT_FALSE((ChosenStream{}.run(60.0, {200e6, false})));
   EXPECT_FALSE((ChosenStream{}.run(60.0, {6e6, true})));
   EXPECT_TRUE((ChosenStream{}.run(5.0, {200e6, true})));
+}
+
+// Faults: 25 Mbit/s for a view that stands still; a browser that needs longer for a JPEG and gets it all the same.
+TEST(CodecChoice, SavesBitsWhereAViewIsStillOrTheBrowserIsShort) {
+  ChosenStream still;
+  ASSERT_TRUE(still.run(5.0, {200e6, true}));
+  EXPECT_FALSE(still.run(0.3, {200e6, true, false, true}));
+  EXPECT_FALSE(still.run(60.0, {200e6, true, false, true}));
+  EXPECT_TRUE(still.run(5.0, {200e6, true}));
+  ChosenStream slow;
+  slow.run(1200.0, {200e6, true, true});
+  EXPECT_FALSE(slow.choice.savesWork());
+  EXPECT_LE(slow.changes, 14);
 }
 
 // Fault: a moment's shortage that changes the codec.
