@@ -31,10 +31,10 @@ LimitedBy StreamControl::limitedBy() const {
   const LimitedBy planned = policy_.plan().limitedBy;
   if (planned == LimitedBy::kLine && wantedBitsPerSecond() < link_.bitsPerSecond()) return LimitedBy::kVisitor;
   if (planned != LimitedBy::kNothing) return planned;
-  if (work_.shortOf() == LimitedBy::kBrowser || work_.isBrowserRelieved()) {
-    return page_ == PageLevel::kTimed ? LimitedBy::kBrowser : LimitedBy::kNothing;
-  }
-  if (work_.shortOf() != LimitedBy::kNothing) return work_.shortOf();
+  const LimitedBy who = work_.relieved() != LimitedBy::kNothing ? work_.relieved() : work_.shortOf();
+  // An older page does not know a busy browser.
+  if (who == LimitedBy::kBrowser && page_ != PageLevel::kTimed) return LimitedBy::kNothing;
+  if (who != LimitedBy::kNothing) return who;
   const bool limits = limits_.lines > 0 || limits_.framesPerSecond > 0 || limits_.kilobitsPerSecond > 0;
   return limits ? LimitedBy::kVisitor : LimitedBy::kNothing;
 }

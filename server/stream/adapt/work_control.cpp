@@ -1,5 +1,7 @@
 #include "stream/adapt/work_control.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "stream/adapt/link_estimator.h"
@@ -17,8 +19,24 @@ constexpr double kNearRoundTrip = 0.020;
 constexpr double kGrowth = 1.25;
 constexpr double kShareOfLine = 0.15;
 constexpr double kJudgedEvery = 0.5;
+/// A browser that cannot keep up shows fewer frames first, evenly spaced.
+constexpr std::array<Relief::Share, 5> kBrowserSteps = {
+    {{1.0, 1.0}, {2.0 / 3.0, 1.0}, {2.0 / 3.0, 0.85}, {2.0 / 3.0, 2.0 / 3.0}, {0.5, 0.5}}};
+constexpr double kTooFewForBrowser = 0.7;
+/// What a full server draws is spread over more frames by drawing fewer pixels; it makes as many as it can anyway.
+constexpr std::array<Relief::Share, 3> kServerSteps = {{{1.0, 1.0}, {1.0, 0.85}, {1.0, 2.0 / 3.0}}};
+/// Of 30 frames a second: a server that makes a dozen is not yet spared.
+constexpr double kTooFewForServer = 0.4;
+constexpr double kUsualFramesPerSecond = 30.0;
 
 }  // namespace
+
+WorkControl::WorkControl() : browser_(kBrowserSteps, kTooFewForBrowser), server_(kServerSteps, kTooFewForServer) {}
+
+LimitedBy WorkControl::relieved() const noexcept {
+  if (browser_.isGiven()) return LimitedBy::kBrowser;
+  return server_.isGiven() ? LimitedBy::kMachine : LimitedBy::kNothing;
+}
 
 void WorkControl::held(double seconds) { held_ += kHoldCalming * (seconds - held_); }
 
@@ -35,11 +53,14 @@ StreamWish WorkControl::relieve(StreamWish wish, double now) {
   const double achieved = shortage_.framesPerSecond();
   const bool isKnown = achieved > 0.0 && shortage_.share(LimitedBy::kLine, now) < kShareOfLine;
   framesPerSecond_ = isKnown ? kGrowth * achieved + 1.0 : std::numeric_limits<double>::infinity();
-  const BrowserRelief::Share& share =
-      relief_.update(now, shortage_.share(LimitedBy::kBrowser, now), achieved, wish.framesPerSecond);
-  wish.framesPerSecond *= share.rate;
-  wish.width = static_cast<int>(std::lround(wish.width * share.scale));
-  wish.height = static_cast<int>(std::lround(wish.height * share.scale));
+  const Relief::Share& browser =
+      browser_.update(now, shortage_.share(LimitedBy::kBrowser, now), achieved, wish.framesPerSecond);
+  const Relief::Share& server = server_.update(now, shortage_.share(LimitedBy::kMachine, now), achieved,
+                                               std::min(wish.framesPerSecond, kUsualFramesPerSecond));
+  const double scale = std::min(browser.scale, server.scale);
+  wish.framesPerSecond *= std::min(browser.rate, server.rate);
+  wish.width = static_cast<int>(std::lround(wish.width * scale));
+  wish.height = static_cast<int>(std::lround(wish.height * scale));
   return wish;
 }
 

@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "stream/adapt/browser_relief.h"
+#include "stream/adapt/relief.h"
 #include "stream/adapt/shortage.h"
 #include "stream/adapt/stream_policy.h"
 #include "stream/protocol/protocol.h"
@@ -15,6 +15,8 @@ class LinkEstimator;
 /// the browser is to be spared. One thread at a time; times are seconds that do not go back.
 class WorkControl {
  public:
+  WorkControl();
+
   /// The page had a frame for so long before it reported that it was painted.
   void held(double seconds);
   /// A frame that is due may not begin: too many wait to be acknowledged.
@@ -24,17 +26,19 @@ class WorkControl {
   double begins(double now) { return shortage_.began(now); }
   void rest() { shortage_.rest(); }
 
-  /// What remains of a wish with what the browser is spared. To be asked a few times a second at least.
+  /// What remains of a wish with what server and browser are spared. To be asked a few times a second at least.
   [[nodiscard]] StreamWish relieve(StreamWish wish, double now);
   /// Frames a second that server and browser manage at most; infinite where the line is what limits them.
   [[nodiscard]] double framesPerSecond() const noexcept { return framesPerSecond_; }
   /// Who is short, as judged twice a second; so it does not flicker.
   [[nodiscard]] LimitedBy shortOf() const noexcept { return shortOf_; }
-  [[nodiscard]] bool isBrowserRelieved() const noexcept { return !(relief_.share() == BrowserRelief::Share{}); }
+  /// Who is spared something, or nothing.
+  [[nodiscard]] LimitedBy relieved() const noexcept;
 
  private:
   Shortage shortage_;
-  BrowserRelief relief_;
+  Relief browser_;
+  Relief server_;
   double held_ = 0.0;  ///< usually; seconds
   double framesPerSecond_ = std::numeric_limits<double>::infinity();
   LimitedBy shortOf_ = LimitedBy::kNothing;

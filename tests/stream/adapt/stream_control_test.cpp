@@ -200,18 +200,24 @@ TEST(StreamControl, NamesWhoIsShort) {
   EXPECT_EQ(limitedAfter({.server = 0.010, .line = 0.001, .page = 0.090}), LimitedBy::kBrowser);
 }
 
-// Faults: pictures that get smaller for a busy server, or before they get fewer for a busy browser.
-TEST(StreamControl, SparesABusyBrowserFramesAndNotPixels) {
+// Faults: pictures that get smaller for a server that still makes a fair number, or before they get fewer for a busy
+// browser; a full server that goes on drawing whole pictures, a few a second.
+TEST(StreamControl, SparesABusyBrowserFramesAndAFullServerPixels) {
   Led led;
   led.delay({.line = 0.001, .page = 0.060});
   for (double end = led.now() + 8.0; led.now() < end;) (void)led.frame(18'000);
   EXPECT_EQ(led.control().framesPerSecond(), 20.0);
   EXPECT_EQ(led.control().status().height, 720);
   Led other;
-  other.delay({.server = 0.060});
+  other.delay({.server = 0.030});
   for (double end = other.now() + 20.0; other.now() < end;) (void)other.frame(18'000);
   EXPECT_EQ(other.control().status().height, 720);
   EXPECT_EQ(other.control().framesPerSecond(), 30.0);
+  other.delay({.server = 0.120});
+  for (double end = other.now() + 20.0; other.now() < end;) (void)other.frame(18'000);
+  EXPECT_EQ(other.control().status().height, 480);
+  EXPECT_EQ(other.control().framesPerSecond(), 30.0);
+  EXPECT_EQ(other.control().status().limitedBy, LimitedBy::kMachine);
 }
 
 // Faults: H.264 for a server that has no time for it, over a line that could carry anything; JPEG for a visitor who

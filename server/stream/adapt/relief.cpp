@@ -1,17 +1,12 @@
-#include "stream/adapt/browser_relief.h"
+#include "stream/adapt/relief.h"
 
 #include <algorithm>
-#include <array>
 
 namespace grove::stream {
 namespace {
 
-constexpr std::array<BrowserRelief::Share, 5> kSteps = {
-    {{1.0, 1.0}, {2.0 / 3.0, 1.0}, {2.0 / 3.0, 0.85}, {2.0 / 3.0, 2.0 / 3.0}, {0.5, 0.5}}};
-/// A browser is strained if it keeps frames back for this share of the time, and fewer come than this share of what is
-/// sent for: to send less would gain nothing else.
+/// Frames that are kept back for less of the time than this do no harm.
 constexpr double kStrained = 0.25;
-constexpr double kTooFew = 0.7;
 constexpr double kStrainedSeconds = 2.0;
 constexpr double kMinPatience = 10.0;
 constexpr double kMaxPatience = 160.0;
@@ -20,10 +15,8 @@ constexpr double kFailedTrySeconds = 8.0;
 
 }  // namespace
 
-const BrowserRelief::Share& BrowserRelief::share() const noexcept { return kSteps[step_]; }
-
-const BrowserRelief::Share& BrowserRelief::update(double now, double blocked, double achieved, double wanted) {
-  const bool isStrained = blocked > kStrained && achieved < kTooFew * wanted * kSteps[step_].rate;
+const Relief::Share& Relief::update(double now, double blocked, double achieved, double wanted) {
+  const bool isStrained = blocked > kStrained && achieved < tooFew_ * wanted * steps_[step_].rate;
   if (!isStrained) {
     strainedSince_ = -1.0;
     if (step_ > 0 && now - changed_ > patience_) {
@@ -33,7 +26,7 @@ const BrowserRelief::Share& BrowserRelief::update(double now, double blocked, do
     return share();
   }
   if (strainedSince_ < 0.0) strainedSince_ = now;
-  if (now - strainedSince_ < kStrainedSeconds || step_ + 1 == kSteps.size()) return share();
+  if (now - strainedSince_ < kStrainedSeconds || step_ + 1 == steps_.size()) return share();
   const bool failed = changed_ > 0.0 && now - changed_ < kFailedTrySeconds;
   patience_ = failed ? std::min(kMaxPatience, 2.0 * patience_) : std::max(kMinPatience, patience_);
   ++step_;
