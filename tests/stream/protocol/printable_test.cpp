@@ -23,14 +23,14 @@ TEST(Printable, ReplacesWhatIsNotUtf8) {
 
 TEST(Printable, DropsWhatCannotBeSeen) {
   EXPECT_EQ(printable("a\r\n\x1B[31mb\x7F", 64), "a[31mb");
-  EXPECT_EQ(printable("\u202Eevil\u200B\uFEFF\u0085", 64), "evil");
+  EXPECT_EQ(printable("\u202Eevil\u202C\u200B\uFEFF\u0085", 64), "evil");
   EXPECT_EQ(printable("  Ada \n ", 64), "Ada");
 }
 
 /// A name of these alone would be an empty one over somebody's head, or another's name with something hidden in it.
 TEST(Printable, DropsBlankAndIgnorableCharacters) {
   for (const char* blank : {"\u3164", "\u115F", "\u1160", "\uFFA0", "\u2800", "\u00AD", "\u034F", "\u061C", "\u180E",
-                            "\u200D", "\u2066", "\uFE0F", "\U000E0001", "\U000E0041", "\U000E0100", "\u3000"}) {
+                            "\u200D", "\u2066\u2069", "\uFE0F", "\U000E0001", "\U000E0041", "\U000E0100", "\u3000"}) {
     EXPECT_EQ(printable(blank, 64), "");
     EXPECT_EQ(printable(std::string("Ada") + blank, 64), "Ada");
   }
