@@ -20,7 +20,7 @@ class CaptureRequest {
     return true;
   }
 
-  /// The capture's number if this frame, which is drawn, is one; once.
+  /// Returns the capture's number if this drawn frame is the capture; only once.
   [[nodiscard]] std::optional<std::uint32_t> take(std::uint32_t frame) {
     if (!made_ || made_->first != frame) return std::nullopt;
     return std::exchange(made_, std::nullopt)->second;

@@ -8,7 +8,7 @@ namespace {
 /// A trial is worth it where the line has carried this much of what the codec would take: pictures that save bits prove
 /// no more.
 constexpr double kPromising = 0.5;
-/// The line must carry this much more than what is sent, or the codec is given up.
+/// Headroom of the line over the bit rate, below which the trial ends.
 constexpr double kEase = 1.15;
 constexpr double kReasonSeconds = 1.0;
 constexpr double kMaxFailureRest = 600.0;

@@ -49,7 +49,7 @@ class StreamControl {
   [[nodiscard]] double secondsUnacknowledged(double now) const;
 
   // What a frame is to be.
-  /// Whether one more frame, which is due, may begin while `beingMade` are.
+  /// Returns whether a due frame may begin while `beingMade` others are in progress.
   [[nodiscard]] bool mayBegin(double now, int beingMade);
   /// One that is due waits for the server.
   void waitsForServer(double now);

@@ -105,7 +105,7 @@ class Host {
   friend class Session;
   /// A place in the world, named; a refusal if there is none.
   [[nodiscard]] std::variant<node::SessionId, Refusal> takePlace();
-  /// Sends who has been hidden longest out of the world; false if nobody has for long enough.
+  /// Evicts the visitor who has been hidden longest; false if nobody has been hidden for long enough.
   bool evictHidden(double now);
   [[nodiscard]] std::vector<std::shared_ptr<Session>> openSessions() const;
   void remove(node::SessionId id);

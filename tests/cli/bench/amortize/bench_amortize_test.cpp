@@ -68,6 +68,22 @@ void expectKeys(const json& object, std::initializer_list<const char*> keys) {
   for (const char* key : keys) EXPECT_TRUE(object.contains(key)) << key << " in " << object.dump();
 }
 
+/// Nothing else is across users but to take a tick off the wire, which is of no type. That takes a larger share on a
+/// busy machine, so what is compared is to whom each cost is put down.
+void expectAcrossUserWorkIsTheFluids(const json& row) {
+  double sum = 0.0;
+  for (const auto& [type, costs] : row["types"].items()) {
+    const double acrossUser = costs.value("c_i_ms", 0.0);
+    sum += acrossUser;
+    if (type == "fluid") {
+      EXPECT_GT(acrossUser, 0.5 * row["c_i_ms"].get<double>());
+    } else if (!type.empty()) {
+      EXPECT_EQ(acrossUser, 0.0) << type;
+    }
+  }
+  EXPECT_NEAR(sum, row["c_i_ms"].get<double>(), 1e-3 * sum);
+}
+
 TEST(BenchAmortize, PrintsTheDocumentOfTheContractAndDraws) {
   const TemporaryFile scene("grove_bench_amortize.toml", kSmallScene);
   const TemporaryFile plot("grove_bench_amortize.svg");
@@ -91,8 +107,7 @@ TEST(BenchAmortize, PrintsTheDocumentOfTheContractAndDraws) {
     EXPECT_GT(row["latency_ms"]["p50"], 0.0);
     EXPECT_GT(row["memory"]["resident_bytes"], 0);
     EXPECT_GT(row["types"]["fluid"]["c_i_ms"], 0.0);
-    EXPECT_GT(row["types"]["fluid"]["c_i_ms"].get<double>(), 0.5 * row["c_i_ms"].get<double>())
-        << "nothing else is across users but to take it off the wire";
+    expectAcrossUserWorkIsTheFluids(row);
   }
   for (const char* mode : {"shared", "private"}) {
     expectKeys(document["fit"][mode], {"a", "b", "a_95", "b_95", "r_squared", "residual", "over_users"});
