@@ -12,7 +12,7 @@ namespace {
 
 using world::Vec3;
 
-constexpr float kHeight = 8.3F;
+constexpr float kBirchHeight = 8.3F;
 constexpr float kBole = 1.5F;
 constexpr int kBranches = 66;
 
@@ -26,7 +26,7 @@ class Birch {
 
   void grow() {
     const Limb trunk = models::grow({.root = Vec3(0, -0.12F, 0),
-                                     .length = kHeight,
+                                     .length = kBirchHeight,
                                      .rootRadius = 0.115F,
                                      .tipRadius = 0.006F,
                                      .sag = -0.15F,
@@ -43,7 +43,7 @@ class Birch {
  private:
   /// A main branch: steep at first, then arching over.
   void branch(const Limb& trunk, float share, float turn) {
-    const float at = glm::mix(kBole / kHeight, 0.985F, std::pow(share, 0.9F));
+    const float at = glm::mix(kBole / kBirchHeight, 0.985F, std::pow(share, 0.9F));
     const Limb::Point root = trunk.at(at);
     const float envelope = std::pow(std::sin((0.27F + share * 0.74F) * 3.0F), 0.8F);
     const float length = (0.28F + 1.8F * envelope) * random_.range(0.7F, 1.15F);

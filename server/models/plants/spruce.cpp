@@ -11,7 +11,7 @@ namespace {
 
 using world::Vec3;
 
-constexpr float kHeight = 8.6F;
+constexpr float kSpruceHeight = 8.6F;
 constexpr float kLowest = 0.5F;  // metres: the lowest boughs
 
 class Spruce {
@@ -25,7 +25,7 @@ class Spruce {
 
   void grow() {
     const Limb trunk = models::grow({.root = Vec3(0, -0.12F, 0),
-                                     .length = kHeight,
+                                     .length = kSpruceHeight,
                                      .rootRadius = 0.15F,
                                      .tipRadius = 0.006F,
                                      .sag = -0.2F,
@@ -34,8 +34,8 @@ class Spruce {
                                     random_);
     drawLimb(mesh_, trunk, spruceBark, wood_, detail_);
     float turn = random_.angle();
-    for (float y = kLowest; y < kHeight - 0.2F;) {
-      const float share = (y - kLowest) / (kHeight - kLowest);
+    for (float y = kLowest; y < kSpruceHeight - 0.2F;) {
+      const float share = (y - kLowest) / (kSpruceHeight - kLowest);
       const int boughs = share > 0.85F ? 5 : 7;
       for (int i = 0; i < boughs; ++i) {
         const float angle =
@@ -53,8 +53,8 @@ class Spruce {
 
  private:
   void bough(const Limb& trunk, float y, float turn) {
-    const float share = std::clamp((y - kLowest) / (kHeight - kLowest), 0.0F, 1.0F);
-    const Limb::Point root = trunk.at((y + 0.12F) / kHeight);
+    const float share = std::clamp((y - kLowest) / (kSpruceHeight - kLowest), 0.0F, 1.0F);
+    const Limb::Point root = trunk.at((y + 0.12F) / kSpruceHeight);
     const float skirt = glm::smoothstep(-0.12F, 0.12F, share);  // the lowest boughs have too little light
     const float length =
         (0.16F + 1.9F * std::pow(1.0F - share, 0.9F) * (0.72F + 0.28F * skirt)) * random_.range(0.78F, 1.12F);

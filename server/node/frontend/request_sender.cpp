@@ -8,7 +8,7 @@
 namespace grove::node {
 namespace {
 
-constexpr const char* kStage = "Request Sender";
+constexpr const char* kRequestSender = "Request Sender";
 
 /// Whose results are still of use, if only as the last ones of their objects.
 constexpr std::size_t kKeptFrames = 16;
@@ -30,7 +30,7 @@ bool fits(const Payload& answer, const Ask& ask) {
 }  // namespace
 
 RequestSender::RequestSender(std::size_t capacity, FrontendProcess& frontend, std::shared_ptr<VisitorHalves> halves)
-    : Stage({.name = kStage, .work = pipeline::Work::kPerUserFrontend, .capacity = capacity}, frontend.tools().workers,
+    : Stage({.name = kRequestSender, .work = pipeline::Work::kPerUserFrontend, .capacity = capacity}, frontend.tools().workers,
             frontend.tools().timeline),
       frontend_(frontend),
       halves_(std::move(halves)) {}

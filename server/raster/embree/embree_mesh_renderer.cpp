@@ -13,17 +13,17 @@ using world::Vec3;
 namespace {
 
 /// What the rasteriser interpolates and shaders/mesh/mesh.frag packs.
-struct Corner {
+struct LitCorner {
   world::Vec4 light;
   float lichen;
 };
 
-Corner cornerOf(std::uint32_t light, float lichen) {
+LitCorner cornerOf(std::uint32_t light, float lichen) {
   const auto byte = [&](unsigned shift) { return static_cast<float>((light >> shift) & 0xFFU); };
   return {{byte(0), byte(8), byte(16), byte(24)}, lichen};
 }
 
-std::uint32_t packed(const Corner& a, const Corner& b, const Corner& c, float u, float v) {
+std::uint32_t packed(const LitCorner& a, const LitCorner& b, const LitCorner& c, float u, float v) {
   const float w = 1.0F - u - v;
   const world::Vec4 light = a.light * w + b.light * u + c.light * v;
   const float lichen = a.lichen * w + b.lichen * u + c.lichen * v;

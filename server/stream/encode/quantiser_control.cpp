@@ -7,7 +7,6 @@ namespace grove::stream {
 namespace {
 
 constexpr double kStepsPerHalving = 6.0;
-constexpr double kBitsPerByte = 8.0;
 /// An independent picture may take what so many others do: it comes seldom.
 constexpr double kIndependentShare = 3.0;
 /// Of a debt, this much is saved on each picture, and no picture gets less than this of its share.
@@ -18,7 +17,7 @@ constexpr double kDebtDecay = 0.9;
 constexpr double kCalming = 0.06;
 
 double bitsAtZero(double pixels, Quantiser quantiser, double bytes) {
-  return bytes * kBitsPerByte / pixels * std::exp2(quantiser / kStepsPerHalving);
+  return bytes * 8.0 / pixels * std::exp2(quantiser / kStepsPerHalving);
 }
 
 }  // namespace
@@ -26,7 +25,7 @@ double bitsAtZero(double pixels, Quantiser quantiser, double bytes) {
 Quantiser QuantiserControl::choose(bool independent, double pixels, double bytes) const {
   const double share = independent ? kIndependentShare * bytes : bytes;
   const double wanted = std::max(share * kMinShare, share - kRepayment * std::max(0.0, debt_));
-  const double needed = (independent ? independent_ : dependent_) * pixels / kBitsPerByte;
+  const double needed = (independent ? independent_ : dependent_) * pixels / 8.0;
   return kStepsPerHalving * std::log2(std::max(1e-9, needed / std::max(1.0, wanted)));
 }
 

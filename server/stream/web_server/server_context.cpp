@@ -9,11 +9,11 @@
 #include "stream/protocol/protocol.h"
 #include "stream/web_server/access/address_range.h"
 #include "stream/web_server/listen_address.h"
+#include "stream/web_server/pages/http_service.h"
 
 namespace grove::stream {
 namespace {
 
-constexpr int kHttpSeconds = 10;
 constexpr int kKeepAliveSeconds = 5;
 constexpr unsigned kSpareDescriptors = 16;  // listening sockets, the wake-up pipe and such
 // A frame goes to the kernel in one call; the library would cut it to 4 KiB and copy the rest.

@@ -71,40 +71,40 @@ TEST(QuantiserControl, SpendsWhatItMay) {
 TEST(QuantiserControl, FollowsAJumpInOnePicture) {
   QuantiserControl control;
   ModelEncoder encoder(6.0);
-  constexpr double kWanted = 12'000.0;
-  (void)run(control, encoder, 0, 60, kWanted, [](int) { return 0.05; });
-  const Outcome jump = run(control, encoder, 60, 61, kWanted, [](int) { return 0.4; });
-  ASSERT_GT(jump.bytes, 4.0 * kWanted);
-  const Outcome after = run(control, encoder, 61, 76, kWanted, [](int) { return 0.4; });
-  EXPECT_LT(after.largest, 1.2 * kWanted);
+  constexpr double kBytesWanted = 12'000.0;
+  (void)run(control, encoder, 0, 60, kBytesWanted, [](int) { return 0.05; });
+  const Outcome jump = run(control, encoder, 60, 61, kBytesWanted, [](int) { return 0.4; });
+  ASSERT_GT(jump.bytes, 4.0 * kBytesWanted);
+  const Outcome after = run(control, encoder, 61, 76, kBytesWanted, [](int) { return 0.4; });
+  EXPECT_LT(after.largest, 1.2 * kBytesWanted);
   // What was spent too much is saved again.
-  EXPECT_LT(jump.bytes + after.bytes, 1.3 * 16.0 * kWanted);
+  EXPECT_LT(jump.bytes + after.bytes, 1.3 * 16.0 * kBytesWanted);
 }
 
 // Fault: one picture that was cheap by chance, after which the next one takes several times its share.
 TEST(QuantiserControl, DoesNotTrustOneCheapPicture) {
   QuantiserControl control;
   ModelEncoder encoder(6.0);
-  constexpr double kWanted = 12'000.0;
-  (void)run(control, encoder, 0, 60, kWanted, [](int) { return 0.3; });
-  (void)run(control, encoder, 60, 61, kWanted, [](int) { return 0.03; });
-  EXPECT_LT(run(control, encoder, 61, 63, kWanted, [](int) { return 0.3; }).largest, 2.2 * kWanted);
+  constexpr double kBytesWanted = 12'000.0;
+  (void)run(control, encoder, 0, 60, kBytesWanted, [](int) { return 0.3; });
+  (void)run(control, encoder, 60, 61, kBytesWanted, [](int) { return 0.03; });
+  EXPECT_LT(run(control, encoder, 61, 63, kBytesWanted, [](int) { return 0.3; }).largest, 2.2 * kBytesWanted);
 }
 
 // Fault: independent pictures, which take several times the bits, that spoil what is known of the others.
 TEST(QuantiserControl, KeepsIndependentPicturesApart) {
   QuantiserControl control;
   ModelEncoder encoder(6.0);
-  constexpr double kWanted = 12'000.0;
+  constexpr double kBytesWanted = 12'000.0;
   const auto same = [](int) { return 0.1; };
-  const Outcome before = run(control, encoder, 0, 60, kWanted, same);
-  const Quantiser independent = control.choose(true, kModelPixels, kWanted);
-  control.encoded(true, kModelPixels, independent, 6.0 * encoder.bytes(0.1, independent), kWanted);
-  const Outcome after = run(control, encoder, 60, 120, kWanted, same);
+  const Outcome before = run(control, encoder, 0, 60, kBytesWanted, same);
+  const Quantiser independent = control.choose(true, kModelPixels, kBytesWanted);
+  control.encoded(true, kModelPixels, independent, 6.0 * encoder.bytes(0.1, independent), kBytesWanted);
+  const Outcome after = run(control, encoder, 60, 120, kBytesWanted, same);
   EXPECT_NEAR(before.bytes, after.bytes, 0.2 * before.bytes);
   // The next one is led by what the last took, to three times the share of others.
-  const Quantiser next = control.choose(true, kModelPixels, kWanted);
-  EXPECT_NEAR(6.0 * encoder.bytes(0.1, next), 3.0 * kWanted, 0.3 * 3.0 * kWanted);
+  const Quantiser next = control.choose(true, kModelPixels, kBytesWanted);
+  EXPECT_NEAR(6.0 * encoder.bytes(0.1, next), 3.0 * kBytesWanted, 0.3 * 3.0 * kBytesWanted);
 }
 
 // Fault: pictures without a byte, or of none that are wanted, from which no number comes.

@@ -21,7 +21,7 @@ namespace {
 constexpr node::SessionId kSession = node::makeId(1, 1);
 constexpr node::ProcessId kProcess = 1;
 /// Until smoke has risen and the first views of plants are there.
-constexpr double kWarmUpSeconds = 6.0;
+constexpr double kSmokeRisesSeconds = 6.0;
 constexpr auto kMaxWait = std::chrono::seconds(60);
 
 int workerCount() { return static_cast<int>(std::max(1U, std::thread::hardware_concurrency())); }
@@ -105,7 +105,7 @@ KeptFrames WalkRecorder::record(const world::Walk& walk, double seconds, int wid
   };
   // Simulations tick while somebody is here.
   const world::PlayerId visitor = players_->join("Recorder", pipeline::wallSeconds());
-  const double warmUp = std::exchange(warm_, true) ? 1.0 : kWarmUpSeconds;
+  const double warmUp = std::exchange(warm_, true) ? 1.0 : kSmokeRisesSeconds;
   const double begin = pipeline::wallSeconds() + warmUp;
   const auto warmUpFrames = static_cast<int>(warmUp * kRecordedFramesPerSecond);
   const auto count = static_cast<int>(seconds * kRecordedFramesPerSecond);

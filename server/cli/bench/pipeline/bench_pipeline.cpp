@@ -57,9 +57,9 @@ struct Row {
   node::LinkTraffic traffic;
 
   [[nodiscard]] double latency(double share) const {
-    std::vector<double> milliseconds;
-    for (const measure::FrameSpan& frame : frames) milliseconds.push_back(frame.milliseconds());
-    return measure::percentile(std::move(milliseconds), share);
+    std::vector<double> latencies;
+    for (const measure::FrameSpan& frame : frames) latencies.push_back(frame.milliseconds());
+    return measure::percentile(std::move(latencies), share);
   }
 };
 

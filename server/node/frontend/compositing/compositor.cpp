@@ -15,7 +15,7 @@
 namespace grove::node {
 namespace {
 
-constexpr const char* kStage = "Compositor";
+constexpr const char* kCompositor = "Compositor";
 
 /// Rows that are put together at once: with their edges, about what fits into the cache of a core.
 constexpr int kBandHeight = 48;
@@ -24,7 +24,7 @@ constexpr int kBandHeight = 48;
 
 Compositor::Compositor(FrontendProcess& frontend, std::shared_ptr<VisitorHalves> halves, const FramePolicy& policy,
                        std::function<void()> frameDone)
-    : Stage({.name = kStage,
+    : Stage({.name = kCompositor,
              .work = pipeline::Work::kPerUserFrontend,
              .capacity = static_cast<std::size_t>(policy.framesInFlight) * (kMaxObjectsPerFrame + 1) + 1,
              .finishes = true},
@@ -104,7 +104,7 @@ std::optional<CompleteFrame> Compositor::takeOverdue() {
 
 void Compositor::fillIn(CompleteFrame& frame) {
   for (const std::size_t slot : lastResults_.fillIn(frame)) {
-    timeline_.recordFailure(kStage, pipeline::Work::kPerUserFrontend);
+    timeline_.recordFailure(kCompositor, pipeline::Work::kPerUserFrontend);
     const world::Object& object = frame.list->objects[slot].object;
     overdue_.warning(std::string(halves_->name(object.type)) + " " + object.name +
                      ": no result within the deadline of a frame");
@@ -182,7 +182,7 @@ void Compositor::makeParts(const CompleteFrame& frame, std::span<Placed> placed)
 }
 
 pipeline::TimedParts Compositor::timesOf(const CompleteFrame& frame) {
-  return {timeline_, kStage, pipeline::Work::kPerUserFrontend, traceTag(frame.list)};
+  return {timeline_, kCompositor, pipeline::Work::kPerUserFrontend, traceTag(frame.list)};
 }
 
 void Compositor::layBand(const world::Rect& band, std::span<Placed* const> placed, pipeline::TimedParts& times,

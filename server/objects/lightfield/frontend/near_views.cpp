@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
+
+#include "objects/lightfield/common/permitted_error.h"
 
 namespace grove::objects::lightfield {
 
@@ -31,7 +32,6 @@ float roughness(const CachedView& picture) {
 float reprojectionError(const NearView& view, const ObjectCamera& camera, const world::Rect& rect, float errorPixels) {
   const ObjectCamera& own = view.picture->camera();
   const world::Vec3 moved = camera.eye - own.eye;
-  constexpr float kNever = std::numeric_limits<float>::infinity();
   const glm::mat3 toPixels = glm::inverse(glm::mat3(own.perColumn, own.perRow, own.corner));
   const float nearest = view.picture->empty() ? 0.0F : view.picture->range().max;
   for (const int x : {rect.left, rect.right}) {

@@ -1,7 +1,6 @@
 #include "objects/lightfield/frontend/own_views.h"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 #include "objects/lightfield/common/keys.h"
@@ -9,8 +8,6 @@
 
 namespace grove::objects::lightfield {
 namespace {
-
-constexpr float kNever = std::numeric_limits<float>::infinity();
 
 /// Of the permitted error: the error of a near picture on average, where that of a far one is the largest.
 constexpr float kNearShare = 0.5F;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <utility>
 
 #include "objects/lightfield/common/keys.h"
@@ -10,8 +9,6 @@
 
 namespace grove::objects::lightfield {
 namespace {
-
-constexpr float kNever = std::numeric_limits<float>::infinity();
 
 /// Metres. Hardly two visitors are in one cell that is smaller, and one who walks leaves it after two frames; what he
 /// sees of the object with a picture of his own is less than all of it.

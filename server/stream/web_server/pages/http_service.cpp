@@ -11,7 +11,6 @@
 namespace grove::stream {
 namespace {
 
-constexpr int kHttpSeconds = 10;
 constexpr std::size_t kChunk = 16 * 1024;
 
 }  // namespace

@@ -12,6 +12,9 @@
 
 namespace grove::stream {
 
+/// A request or an answer over HTTP that stands still for so long is given up.
+inline constexpr int kHttpSeconds = 10;
+
 /// Answers the http requests of one listener: pages, and reports once they are made. On the library's thread only; each
 /// call returns what its callback has to.
 class HttpService {

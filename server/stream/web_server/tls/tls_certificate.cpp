@@ -12,7 +12,7 @@
 namespace grove::stream {
 namespace {
 
-constexpr std::uint64_t kMaxBytes = std::uint64_t{1} << 20U;
+constexpr std::uint64_t kMaxCertificateBytes = std::uint64_t{1} << 20U;
 constexpr std::string_view kCertificateMend = "a certificate in PEM form, followed by those of its issuers, is wanted";
 constexpr std::string_view kKeyMend = "the certificate's key in PEM form is wanted";
 
@@ -40,7 +40,7 @@ class Secret {
 
 std::string read(const std::string& option, const std::string& file, std::string_view mend) {
   try {
-    return PlainFile(file, std::string(mend), kMaxBytes).readAll();
+    return PlainFile(file, std::string(mend), kMaxCertificateBytes).readAll();
   } catch (const EnvironmentError& e) {
     throw EnvironmentError(e.what(), option, "");
   }

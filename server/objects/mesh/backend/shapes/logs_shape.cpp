@@ -9,13 +9,13 @@ namespace {
 
 using world::Vec3;
 
-constexpr int kHalvings = 2;
+constexpr int kLogHalvings = 2;
 
 /// A charred log along y from 0 to `length`, burnt to embers towards its upper end.
 raster::Surface makeLog(float length, float radius, std::uint32_t seed) {
   const Vec3 offset(raster::random01(seed, 1) * 90.0F, raster::random01(seed, 2) * 90.0F,
                     raster::random01(seed, 3) * 90.0F);
-  return raster::makeDeformedBox({1, 3, 1}, kHalvings, [&](Vec3 cube) {
+  return raster::makeDeformedBox({1, 3, 1}, kLogHalvings, [&](Vec3 cube) {
     const float along = 0.5F * (cube.y + 1.0F);
     const float square = std::max(std::abs(cube.x), std::abs(cube.z));
     const float circle = std::hypot(cube.x, cube.z);
@@ -67,7 +67,7 @@ raster::Surface makeLogs(const Size& size, std::uint32_t seed) {
     world::Mat4 placed = glm::rotate(world::Mat4(1.0F), around, Vec3(0, 1, 0));
     placed = glm::translate(placed, Vec3(0.41F * size.width, form.half.y - form.buried, 0.0F));
     placed = glm::rotate(placed, 1.2F * (random(4) - 0.5F) + 1.5708F, Vec3(0, 1, 0));
-    fire.append(makeRock(form, 2.0F * form.half.x, kHalvings), placed);
+    fire.append(makeRock(form, 2.0F * form.half.x, kLogHalvings), placed);
   }
   // Soot.
   for (raster::Vertex& vertex : fire.vertices) {

@@ -8,7 +8,7 @@
 namespace grove::objects::mesh {
 namespace {
 
-constexpr int kHalvings = 3;
+constexpr int kStoneHalvings = 3;
 
 /// Quads of such a size that a stone ends with two to five thousand triangles.
 float cellFor(const Size& s) {
@@ -30,7 +30,7 @@ raster::Surface makeStandingStone(const Size& size, std::uint32_t seed) {
   form.breaks = 0.7F + 0.6F * random(4);
   form.seed = seed;
   raster::Surface stone;
-  stone.append(makeRock(form, cellFor(size), kHalvings),
+  stone.append(makeRock(form, cellFor(size), kStoneHalvings),
                glm::translate(world::Mat4(1.0F), world::Vec3(0.0F, form.half.y - form.buried, 0.0F)));
   return stone;
 }
@@ -45,7 +45,7 @@ raster::Surface makeLintel(const Size& size, std::uint32_t seed) {
   form.buried = -2.0F;
   form.seed = seed;
   raster::Surface lintel;
-  lintel.append(makeRock(form, cellFor(size), kHalvings),
+  lintel.append(makeRock(form, cellFor(size), kStoneHalvings),
                 glm::translate(world::Mat4(1.0F), world::Vec3(0.0F, form.half.y, 0.0F)));
   return lintel;
 }
@@ -69,7 +69,7 @@ raster::Surface makeRocks(const Size& size, std::uint32_t seed) {
     const float out = i == 0 ? 0.1F : 0.75F + 0.25F * random(5);
     const world::Vec3 at(std::cos(around) * out * room.x, form.half.y - form.buried, std::sin(around) * out * room.z);
     const world::Mat4 turned = glm::rotate(glm::translate(world::Mat4(1.0F), at), 6.2832F * random(6), {0, 1, 0});
-    rocks.append(makeRock(form, 0.9F * (form.half.x + form.half.z), kHalvings), turned);
+    rocks.append(makeRock(form, 0.9F * (form.half.x + form.half.z), kStoneHalvings), turned);
   }
   return rocks;
 }

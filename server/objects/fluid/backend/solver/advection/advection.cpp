@@ -12,7 +12,7 @@ namespace grove::objects::fluid {
 
 namespace {
 
-constexpr int kScratchPlanes = 13;
+constexpr int kAdvectionPlanes = 13;
 constexpr int kSparsePlanes = 4;
 
 float mix(float from, float to, float share) { return from + share * (to - from); }
@@ -197,7 +197,7 @@ class Advection::Wave {
 
 Advection::Advection(const Layout& layout, std::shared_ptr<Team> team) : layout_(layout), team_(std::move(team)) {
   const auto planes = [this] {
-    return Field(static_cast<std::size_t>(kScratchPlanes * layout_.plane + 2 * Layout::kLead));
+    return Field(static_cast<std::size_t>(kAdvectionPlanes * layout_.plane + 2 * Layout::kLead));
   };
   for (int part = 0; part < team_->width(); ++part) scratch_.push_back({planes(), planes(), planes(), planes()});
 }

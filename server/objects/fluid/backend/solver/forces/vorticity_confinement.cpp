@@ -18,14 +18,14 @@ constexpr int kBelow = 3;
 constexpr int kAbove = 3;
 constexpr int kReach = 2;
 /// Three components each, and the vorticity's length.
-constexpr int kScratchPlanes = 3 * kCentrePlanes + 4 * kVorticityPlanes + 3 * kForcePlanes + 3 * (kBelow + kAbove);
+constexpr int kConfinementPlanes = 3 * kCentrePlanes + 4 * kVorticityPlanes + 3 * kForcePlanes + 3 * (kBelow + kAbove);
 
 }  // namespace
 
 VorticityConfinement::VorticityConfinement(const Layout& layout, std::shared_ptr<Team> team)
     : layout_(layout), team_(std::move(team)) {
   for (int part = 0; part < team_->width(); ++part) {
-    scratch_.emplace_back(static_cast<std::size_t>(kScratchPlanes * layout.plane + 2 * Layout::kLead));
+    scratch_.emplace_back(static_cast<std::size_t>(kConfinementPlanes * layout.plane + 2 * Layout::kLead));
   }
 }
 
@@ -44,7 +44,7 @@ void VorticityConfinement::average(int axis, int z, const Velocity& velocity, fl
 
 float* VorticityConfinement::beside(Field& scratch, const Slab& slab, int axis, int z) const {
   const int number = z < slab.first ? z - slab.first + kBelow : z - (slab.end - 1) + kBelow;
-  const int first = kScratchPlanes - 3 * (kBelow + kAbove);
+  const int first = kConfinementPlanes - 3 * (kBelow + kAbove);
   return scratch.data() + Layout::kLead + std::ptrdiff_t{layout_.plane} * (first + (kBelow + kAbove) * axis + number);
 }
 

@@ -65,14 +65,14 @@ TEST(ForcesKernels, EveryTargetBlowsAndCoolsAsPlainLoopsDo) {
     std::mt19937 random(13);
     for (const int n : {8, 16, 24}) {
       const Layout layout(n);
-      constexpr float kCell = 0.2F;
+      constexpr float kGustCell = 0.2F;
       const GustCone gust{{0.1F, 0.4F, 0.2F}, {0.48F, 0.6F, 0.64F}, 3.0F, 2.5F};
       int blown = 0;
       for (int axis = 0; axis < 3; ++axis) {
         Field faces = randomField(layout.size(), random);
         Field before(layout.size());
         before.copyFrom(faces);
-        for (int z = 0; z < n; ++z) blowPlane(layout, z, axis, gust, kCell, faces.data());
+        for (int z = 0; z < n; ++z) blowPlane(layout, z, axis, gust, kGustCell, faces.data());
         for (int z = 0; z < n; ++z) {
           for (int y = 0; y < n; ++y) {
             for (int x = 0; x < n; ++x) {
@@ -81,7 +81,7 @@ TEST(ForcesKernels, EveryTargetBlowsAndCoolsAsPlainLoopsDo) {
               double along = 0.0;
               double squared = 0.0;
               for (int k = 0; k < 3; ++k) {
-                away[k] = (at[k] + (k == axis ? 0.0 : 0.5)) * static_cast<double>(kCell) -
+                away[k] = (at[k] + (k == axis ? 0.0 : 0.5)) * static_cast<double>(kGustCell) -
                           static_cast<double>(gust.origin[k]);
                 along += away[k] * static_cast<double>(gust.direction[k]);
                 squared += away[k] * away[k];
