@@ -98,10 +98,10 @@ test('chosen keys walk and turn, and the former ones no more', () => {
 test('who types, presses a button or is in a panel walks nowhere', () => {
   let opened = 0;
   const within = (...focus) => keyboard({ focus, shortcuts: { settings: () => (opened += 1) } });
-  const typing = within('select', 'dialog');
+  const typing = within('select', 'dialog[open]');
   for (const code of ['KeyW', 'KeyP', 'ArrowUp']) assert.equal(typing.press(code).defaultPrevented, false);
   assert.deepEqual([typing.controls.keys, opened], [0, 0]);
-  const panel = within('dialog');
+  const panel = within('dialog[open]');
   assert.equal(panel.press('ArrowUp').defaultPrevented, false, 'it scrolls');
   assert.equal(panel.controls.keys, 0);
   panel.press('KeyP');

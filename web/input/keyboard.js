@@ -16,9 +16,9 @@ function belongsToPage({ code, target }) {
   return code === 'Space' && Boolean(target.closest?.('button, input'));
 }
 
-/** Keys scroll a panel and move its sliders: nobody walks from within one. */
+/** Keys scroll a panel and move its sliders: nobody walks from within one. One that closes has the focus a moment longer. */
 function isInPanel({ target }) {
-  return Boolean(target.closest?.('dialog'));
+  return Boolean(target.closest?.('dialog[open]'));
 }
 
 /**

@@ -8,6 +8,8 @@ namespace {
 /// Frames that are kept back for less of the time than this do no harm.
 constexpr double kStrained = 0.25;
 constexpr double kStrainedSeconds = 2.0;
+/// Frames that wait for less of the time than this: what more would be managed is not known.
+constexpr double kIdle = 0.1;
 constexpr double kMinPatience = 10.0;
 constexpr double kMaxPatience = 160.0;
 /// Who is strained so soon after a step up has been asked for too much, and is asked less often.
@@ -15,11 +17,16 @@ constexpr double kFailedTrySeconds = 8.0;
 
 }  // namespace
 
+bool Relief::suffices(std::size_t step, double achieved, double wanted) const {
+  const double ratio = share().scale / steps_[step].scale;
+  return achieved * ratio * ratio >= tooFew_ * wanted * steps_[step].rate;
+}
+
 const Relief::Share& Relief::update(double now, double blocked, double achieved, double wanted) {
-  const bool isStrained = blocked > kStrained && achieved < tooFew_ * wanted * steps_[step_].rate;
-  if (!isStrained) {
+  if (blocked <= kStrained || suffices(step_, achieved, wanted)) {
     strainedSince_ = -1.0;
-    if (step_ > 0 && now - changed_ > patience_) {
+    const bool mayTry = step_ > 0 && now - changed_ > patience_;
+    if (mayTry && (blocked <= kIdle || suffices(step_ - 1, achieved, wanted))) {
       --step_;
       changed_ = now;
     }
@@ -29,7 +36,9 @@ const Relief::Share& Relief::update(double now, double blocked, double achieved,
   if (now - strainedSince_ < kStrainedSeconds || step_ + 1 == steps_.size()) return share();
   const bool failed = changed_ > 0.0 && now - changed_ < kFailedTrySeconds;
   patience_ = failed ? std::min(kMaxPatience, 2.0 * patience_) : std::max(kMinPatience, patience_);
-  ++step_;
+  std::size_t next = step_ + 1;
+  while (next + 1 < steps_.size() && !suffices(next, achieved, wanted)) ++next;
+  step_ = next;
   changed_ = now;
   strainedSince_ = -1.0;
   return share();

@@ -5,8 +5,8 @@
 
 namespace grove::stream {
 
-/// Decides what a server or browser that cannot keep up with a stream is spared: frames or pixels, a step at a time,
-/// and less again when it has time for a while. One thread at a time; times are seconds that do not go back.
+/// Decides what a server or browser that cannot keep up with a stream is spared: frames or pixels, as
+/// many steps at once as are needed, and less again, a step at a time, when it has time for a while. One thread at a time; times are seconds that do not go back.
 class Relief {
  public:
   struct Share {
@@ -26,6 +26,9 @@ class Relief {
   [[nodiscard]] bool isGiven() const noexcept { return step_ > 0; }
 
  private:
+  /// Whether enough frames are to be expected at a step: those that are achieved now, by the pixels of each.
+  [[nodiscard]] bool suffices(std::size_t step, double achieved, double wanted) const;
+
   const std::span<const Share> steps_;
   const double tooFew_;
   std::size_t step_ = 0;

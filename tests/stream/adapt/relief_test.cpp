@@ -59,5 +59,21 @@ TEST(Relief, EndsWhenItIsNotNeededAndIsTriedEverMoreSeldom) {
   EXPECT_EQ(browser.run(900.0), Relief::Share{});
 }
 
+// Fault: relief a step at a time, for a browser that needs all of it: seconds with a few large frames.
+TEST(Relief, GivesAtOnceWhatIsNeeded) {
+  Browser browser{6.0};
+  EXPECT_LT(browser.run(3.0).scale, 0.85);
+  EXPECT_EQ(browser.changes, 1);
+}
+
+// Fault: larger pictures for a browser that paints just enough small ones: a stream that goes up and down for ever.
+TEST(Relief, StaysWhereLessWouldNotSuffice) {
+  Browser browser{6.0};
+  browser.run(3.0);
+  browser.changes = 0;
+  browser.run(600.0);
+  EXPECT_EQ(browser.changes, 0);
+}
+
 }  // namespace
 }  // namespace grove::stream
