@@ -17,8 +17,21 @@ install_packages() {
   local as_root=()
   [ "$(id -u)" = 0 ] || as_root=(sudo)
   "${as_root[@]}" apt-get update -qq
-  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends "$@" >&2
+  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive sh -c "$install_without_starting" sh "$@" >&2
 }
+
+# Debian starts each service that it installs: here that would be web servers on port 80, which only the tests need. Its own
+# way to refuse is a policy-rc.d that returns 101; the machine's own, if there is one, stays.
+install_without_starting='
+policy=/usr/sbin/policy-rc.d
+if [ ! -e $policy ]; then
+  trap "rm -f $policy" EXIT
+  trap "exit 1" INT TERM
+  printf "#!/bin/sh\nexit 101\n" >$policy
+  chmod +x $policy
+fi
+apt-get install -y --no-install-recommends "$@"
+'
 
 # need_node: Node.js 18 or newer with npm, from wherever it came.
 need_node() {
