@@ -17,13 +17,13 @@ struct Rung {
   double scale;  ///< of width and height
   double rate;   ///< of the wanted frames a second
 };
-/// Every one takes a fifth to a third less than the one before. 1280 x 720 at 30 goes down to 480 lines before frames
+/// Every one takes an eighth to a third less than the one before. 1280 x 720 at 30 goes down to 480 lines before frames
 /// become fewer, and stays there down to 20.
 constexpr std::array<Rung, 11> kLadder = {{{1.0, 1.0},
                                            {0.85, 1.0},
                                            {0.75, 1.0},
                                            {2.0 / 3.0, 1.0},
-                                           {2.0 / 3.0, 0.8},
+                                           {2.0 / 3.0, 0.87},
                                            {2.0 / 3.0, 2.0 / 3.0},
                                            {0.5, 2.0 / 3.0},
                                            {0.5, 0.5},
