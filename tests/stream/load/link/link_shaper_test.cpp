@@ -150,6 +150,7 @@ TEST_F(LinkShaperTest, GivesEachConnectionALineOfItsOwn) {
   }
   const auto begin = Clock::now();
   std::vector<std::thread> senders;
+  senders.reserve(servers.size());
   for (const Descriptor& server : servers) senders.emplace_back([&] { sendAll(server, counting(125'000)); });
   for (const Descriptor& client : clients) EXPECT_EQ(receive(client, 125'000), counting(125'000));
   for (std::thread& sender : senders) sender.join();
