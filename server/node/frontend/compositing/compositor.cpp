@@ -121,8 +121,8 @@ std::shared_ptr<const raster::Image> Compositor::composite(const CompleteFrame& 
   std::vector<Placed*> order;
   order.reserve(placed.size());
   for (Placed& each : placed) order.push_back(&each);
-  const auto others = std::ranges::stable_partition(order, &Placed::opaque);
-  std::ranges::reverse(others);
+  const auto isOpaque = [](const Placed* each) { return each->opaque(); };
+  std::reverse(std::stable_partition(order.begin(), order.end(), isOpaque), order.end());
   const int bands = (image->height() + kBandHeight - 1) / kBandHeight;
   pipeline::shareOut(executor_, static_cast<std::size_t>(bands), [&](const pipeline::NextPart& next) {
     pipeline::TimedParts times = timesOf(frame);
