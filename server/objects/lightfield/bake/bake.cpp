@@ -15,6 +15,7 @@
 #include "models/plants/plants.h"
 #include "objects/lightfield/bake/bake_key.h"
 #include "objects/lightfield/bake/bake_step.h"
+#include "objects/lightfield/bake/dense_view.h"
 #include "objects/lightfield/bake/light/light_points.h"
 #include "objects/lightfield/bake/light/lightings.h"
 #include "objects/lightfield/bake/light/surface_light.h"
@@ -78,19 +79,6 @@ world::Bounds boundsOfView(const world::Triangles& triangles, float texel) {
   bounds.low -= 0.5F * missing;
   bounds.high += 0.5F * missing;
   return bounds;
-}
-
-DenseView toDense(Picture picture, const ViewCamera& camera) {
-  DenseView view;
-  view.size = picture.size;
-  view.colour = std::move(picture.colour);
-  view.depth.reserve(picture.depth.size());
-  const float scale = static_cast<float>(kNoDepth - 1) / (camera.farDepth - camera.nearDepth);
-  for (const float depth : picture.depth) {
-    const float step = std::clamp((depth - camera.nearDepth) * scale, 0.0F, static_cast<float>(kNoDepth - 1));
-    view.depth.push_back(depth >= world::kInfiniteDepth ? kNoDepth : static_cast<std::uint16_t>(std::lround(step)));
-  }
-  return view;
 }
 
 int levelsOf(int size) { return std::bit_width(static_cast<unsigned>(size / kMinSize)); }

@@ -8,6 +8,7 @@
 
 #include "objects/lightfield/bake/directions.h"
 #include "objects/lightfield/bake/light/meadow.h"
+#include "objects/lightfield/bake/light/open_radiance.h"
 #include "objects/lightfield/format/light_field.h"
 #include "pipeline/parallel_for.h"
 #include "world/camera.h"
@@ -28,32 +29,6 @@ using Found = std::uint32_t;
 constexpr Found kOpen = 0xFFFFFFFFU;     // sky or far meadow
 constexpr Found kNotSent = 0xFFFFFFFEU;  // behind a surface with one side
 constexpr Found kFirstOther = kNotSent;
-
-/// Sky and far meadow in each direction and lighting: means over the solid angle that a direction stands for, so that
-/// few directions hold all of the sky's light.
-std::vector<Vec3> openRadiance(const std::vector<Vec3>& directions, const Lightings& lightings) {
-  const auto count = static_cast<std::size_t>(lightings.count());
-  std::vector<Vec3> sums(directions.size() * count, Vec3(0.0F));
-  std::vector<float> parts(directions.size(), 0.0F);
-  for (const Vec3 fine : evenDirections(16384)) {
-    if (fine.y <= 0.0F) continue;
-    std::size_t nearest = 0;
-    for (std::size_t d = 1; d < directions.size(); ++d) {
-      if (glm::dot(directions[d], fine) > glm::dot(directions[nearest], fine)) nearest = d;
-    }
-    parts[nearest] += 1.0F;
-    for (std::size_t k = 0; k < count; ++k) {
-      sums[nearest * count + k] += lightings.skyRadiance(static_cast<int>(k), fine);
-    }
-  }
-  for (std::size_t d = 0; d < directions.size(); ++d) {
-    for (std::size_t k = 0; k < count; ++k) {
-      Vec3& sum = sums[d * count + k];
-      sum = directions[d].y > 0.0F ? sum / parts[d] : lightings.meadowRadiance();
-    }
-  }
-  return sums;
-}
 
 /// One run of lightSurfaces(). A task is a run of points; it writes nothing but what belongs to them.
 class Computation {
