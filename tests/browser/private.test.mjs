@@ -54,6 +54,7 @@ test('who waits for a world of his own is told his place, moves up and gets in',
     // Two moves may be told between two looks at the page: it need not be told each place.
     assert.deepEqual(places, [...new Set(places)].sort().reverse(), `places told: ${places}`);
   }
+  assert.ok(waited.some((places) => places.length === 0), `the first waits for nobody: ${JSON.stringify(told)}`);
   assert.ok(waited.flat().includes(2), `nobody waited: ${JSON.stringify(told)}`);
   for (const visitor of visitors) {
     const { deviation } = statistics(await visitor.picture());
