@@ -30,8 +30,8 @@ bool fits(const Payload& answer, const Ask& ask) {
 }  // namespace
 
 RequestSender::RequestSender(std::size_t capacity, FrontendProcess& frontend, std::shared_ptr<VisitorHalves> halves)
-    : Stage({.name = kRequestSender, .work = pipeline::Work::kPerUserFrontend, .capacity = capacity}, frontend.tools().workers,
-            frontend.tools().timeline),
+    : Stage({.name = kRequestSender, .work = pipeline::Work::kPerUserFrontend, .capacity = capacity},
+            frontend.tools().workers, frontend.tools().timeline),
       frontend_(frontend),
       halves_(std::move(halves)) {}
 
