@@ -1,6 +1,5 @@
 #include "cli/bench/encode/bench_encode.h"
 
-#include <cmath>
 #include <cstdio>
 #include <fstream>
 #include <functional>
@@ -9,8 +8,9 @@
 #include <vector>
 
 #include "cli/bench/encode/encode_trial.h"
-#include "cli/bench/encode/walk_recorder.h"
+#include "cli/bench/encode/record_walk.h"
 #include "cli/bench/picture_size.h"
+#include "cli/bench/walk/fire_walks.h"
 #include "cli/figures.h"
 #include "cli/prepare/prepare_world.h"
 #include "cli/prepare/progress.h"
@@ -19,7 +19,6 @@
 #include "objects/builtin.h"
 #include "stream/protocol/protocol.h"
 #include "stream/session/host.h"
-#include "world/players.h"
 #include "world/scenes/scene_file.h"
 #include "world/walk.h"
 
@@ -27,53 +26,9 @@ namespace grove::cli {
 namespace {
 
 using nlohmann::ordered_json;
-using world::Pose;
-using world::Vec3;
 
 constexpr double kStandingSeconds = 10.0;
 constexpr int kStandingKilobits = 4000;
-/// Metres from the fire of one who stands before it, and of one who walks around it.
-constexpr float kStandingDistance = 5.0F;
-constexpr float kWalkingDistance = 7.0F;
-
-Pose lookingAt(Vec3 eye, Vec3 target) {
-  Pose pose;
-  pose.position = eye;
-  const Vec3 way = target - eye;
-  pose.yaw = std::atan2(-way.x, -way.z);
-  pose.pitch = std::atan2(way.y, std::hypot(way.x, way.z));
-  return pose;
-}
-
-Vec3 fireOf(const world::Layout& layout) {
-  return layout.lights.empty() ? Vec3(0.0F) : layout.lights.front().light.position;
-}
-
-world::Walk standingWalk(const world::Layout& layout) {
-  const Vec3 fire = fireOf(layout);
-  const Vec3 outwards = glm::normalize(Vec3(layout.spawn.x - fire.x, 0.0F, layout.spawn.z - fire.z));
-  const Vec3 eye = Vec3(fire.x, world::kEyeHeight, fire.z) + outwards * kStandingDistance;
-  return world::Walk({{0.0, lookingAt(eye, fire)}});
-}
-
-/// Around the fire at a walk, looking about: at the fire, ahead, and over to the trees.
-world::Walk roundWalk(const world::Layout& layout) {
-  constexpr double kStepSeconds = 0.1;
-  constexpr int kSteps = 200;
-  const Vec3 fire = fireOf(layout);
-  const float start = std::atan2(layout.spawn.x - fire.x, layout.spawn.z - fire.z);
-  std::vector<world::Walk::Step> steps;
-  for (int i = 0; i <= kSteps; ++i) {
-    const auto time = static_cast<float>(i * kStepSeconds);
-    const float angle = start + time * world::kWalkSpeed / kWalkingDistance;
-    const Vec3 outwards(std::sin(angle), 0.0F, std::cos(angle));
-    Pose pose = lookingAt(Vec3(fire.x, world::kEyeHeight, fire.z) + outwards * kWalkingDistance, fire);
-    pose.yaw -= 0.8F * (1.0F - std::cos(0.7F * time));
-    pose.pitch += 0.08F * std::sin(0.9F * time);
-    steps.push_back({i * kStepSeconds, pose});
-  }
-  return world::Walk(std::move(steps));
-}
 
 /// As the system calls it; empty if it does not say.
 std::string processorName() {
@@ -170,13 +125,12 @@ int runBenchEncode(const BenchEncodeOptions& options) {
     if (!walk) walk = roundWalk(loaded.layout);
     const stream::EncoderRegistry encoders = stream::builtinEncoders(stream::HostOptions().jpegQuality);
     // Frames are drawn first and encoded when the world is gone, so that nothing else takes the processor's caches.
-    std::optional<WalkRecorder> recorder;
-    recorder.emplace(loaded, types, gl, [&](std::string_view label, float share) { progress.show(label, share); });
+    std::optional<WalkWorld> world;
+    world.emplace(loaded, types, gl, [&](std::string_view label, float share) { progress.show(label, share); });
     progress.show("drawing a walk", 0.0F);
-    KeptFrames moving = recorder->record(*walk, options.seconds, options.size.width, options.size.height, stop.token());
-    KeptFrames still = recorder->record(standingWalk(loaded.layout), kStandingSeconds, options.size.width,
-                                        options.size.height, stop.token());
-    recorder.reset();
+    KeptFrames moving = recordWalk(*world, *walk, options.seconds, options.size, stop.token());
+    KeptFrames still = recordWalk(*world, standingWalk(loaded.layout), kStandingSeconds, options.size, stop.token());
+    world.reset();
     progress.finish();
     const auto measure = [&](const stream::EncoderKind& kind, const EncodeSetting& setting, const std::string& name,
                              KeptFrames& frames) {
@@ -184,7 +138,7 @@ int runBenchEncode(const BenchEncodeOptions& options) {
       report.rows.push_back({name, frames.count(), tryEncoder(encoders, kind, setting, frames, stop.token())});
     };
     for (const stream::EncoderKind& kind : encoders.kinds()) {
-      const std::string name = options.walk.value_or("around the fire");
+      const std::string name = options.walk.value_or(kRoundWalkName);
       for (const EncodeSetting& setting : walkSettings(kind)) measure(kind, setting, name, moving);
     }
     for (const stream::EncoderKind& kind : encoders.kinds()) {

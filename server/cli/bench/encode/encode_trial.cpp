@@ -5,7 +5,7 @@
 
 #include "base/checksum.h"
 #include "base/error.h"
-#include "cli/bench/encode/walk_recorder.h"
+#include "cli/bench/walk/walk_world.h"
 #include "cli/figures.h"
 #include "measure/percentile.h"
 #include "measure/picture_quality.h"
@@ -54,7 +54,7 @@ class Visitor {
           int width, int height)
       : kind_(kind),
         setting_(setting),
-        control_(encoders, stream::PageLevel::kAdaptive, kRecordedFramesPerSecond, width, height),
+        control_(encoders, stream::PageLevel::kAdaptive, kWalkFramesPerSecond, width, height),
         encoder_(kind.make()) {
     stream::Limits limits;
     limits.kilobitsPerSecond = static_cast<std::uint32_t>(setting.kilobitsPerSecond);
@@ -63,7 +63,7 @@ class Visitor {
 
   /// The bytes to send, for a page that shows the frames before; none if nothing is.
   [[nodiscard]] std::span<const std::uint8_t> send(const world::Pose& pose, const raster::Image& frame) {
-    const double now = ++frames_ / kRecordedFramesPerSecond;
+    const double now = ++frames_ / kWalkFramesPerSecond;
     const double pixels = static_cast<double>(frame.width()) * frame.height();
     const bool still =
         frames_ > 1 && pose.position == pose_.position && pose.yaw == pose_.yaw && pose.pitch == pose_.pitch;
@@ -93,7 +93,7 @@ class Visitor {
     trial.quantiser = quantisers_ / static_cast<double>(times_.size());
     trial.cpuMilliseconds = median(times_);
     trial.p99Milliseconds = measure::percentile(times_, 0.99);
-    trial.kilobitsPerSecond = 8e-3 * static_cast<double>(sent_) * kRecordedFramesPerSecond / frames_;
+    trial.kilobitsPerSecond = 8e-3 * static_cast<double>(sent_) * kWalkFramesPerSecond / frames_;
   }
 
  private:

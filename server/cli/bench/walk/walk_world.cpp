@@ -1,0 +1,81 @@
+#include "cli/bench/walk/walk_world.h"
+
+#include <algorithm>
+#include <chrono>
+#include <thread>
+#include <utility>
+
+#include "node/transport/reference_transport.h"
+#include "pipeline/clocks.h"
+#include "stream/session/host.h"
+
+namespace grove::cli {
+namespace {
+
+constexpr node::ProcessId kProcess = 1;
+/// Until smoke has risen and the first views of plants are there.
+constexpr double kSmokeRisesSeconds = 6.0;
+constexpr double kFurtherWarmUpSeconds = 1.0;
+
+int workerCount() { return static_cast<int>(std::max(1U, std::thread::hardware_concurrency())); }
+
+void sleepUntil(double time) {
+  std::this_thread::sleep_for(std::chrono::duration<double>(time - pipeline::wallSeconds()));
+}
+
+/// Simulations tick while somebody is in the world.
+class Presence {
+ public:
+  Presence(world::Players& players, stream::WorldInstance& instance)
+      : players_(players), instance_(instance), id_(players.join("Walker", pipeline::wallSeconds())) {}
+  ~Presence() {
+    players_.leave(id_);
+    instance_.publish();
+  }
+  Presence(const Presence&) = delete;
+  Presence& operator=(const Presence&) = delete;
+
+ private:
+  world::Players& players_;
+  stream::WorldInstance& instance_;
+  const world::PlayerId id_;
+};
+
+}  // namespace
+
+WalkWorld::WalkWorld(const node::LoadedScene& scene, const node::ObjectTypes& types, gl::Workers& gl,
+                     const std::function<void(std::string_view, float)>& progress)
+    : players_(world::World::makePlayers(scene.layout)),
+      images_(memory_),
+      workers_(workerCount(), "grove-worker"),
+      instance_(
+          stream::WorldGround{scene,
+                              std::make_shared<const world::WorldGeometry>(
+                                  scene.objects, [&progress](float share) { progress("laying out the world", share); }),
+                              players_, types, node::BackendMachine{workers_, gl, timeline_, memory_, images_},
+                              stream::HostOptions().maxSharedBytes, kProcess},
+          std::make_unique<node::ReferenceTransport>(), node::Haste::kAllCores, progress) {}
+
+void WalkWorld::walk(const world::Walk& walk, double seconds, Pace pace, const Look& warmUp, const Look& look,
+                     const std::stop_token& stop) {
+  const Presence presence(*players_, instance_);
+  const double warmUpSeconds = std::exchange(warm_, true) ? kFurtherWarmUpSeconds : kSmokeRisesSeconds;
+  const double begin = pipeline::wallSeconds() + warmUpSeconds;
+  const auto warmUpFrames = static_cast<int>(warmUpSeconds * kWalkFramesPerSecond);
+  const auto count = static_cast<int>(seconds * kWalkFramesPerSecond);
+  for (int i = -warmUpFrames; i < count && !stop.stop_requested(); ++i) {
+    const double time = i / kWalkFramesPerSecond;
+    // A warm-up is over in its time, however few frames come of it.
+    if (i < 0 && pipeline::wallSeconds() > begin) continue;
+    if (i < 0 || pace == Pace::kThirtyASecond) sleepUntil(begin + time);
+    instance_.publishIfDue(pipeline::wallSeconds());
+    (i < 0 ? warmUp : look)(momentAt(walk.thereAndBack(std::max(0.0, time))));
+  }
+}
+
+Moment WalkWorld::momentAt(const world::Pose& pose) {
+  const double now = pipeline::wallSeconds();
+  return {pose, now, instance_.world().layout().lightsAt(now, {})};
+}
+
+}  // namespace grove::cli
