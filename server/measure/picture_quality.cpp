@@ -17,11 +17,10 @@ using Plane = std::vector<float>;
 
 double channel(std::uint32_t pixel, unsigned shift) { return static_cast<double>((pixel >> shift) & 0xFFU); }
 
-/// ITU-R BT.601.
 Plane luma(const Picture& picture) {
   Plane plane(picture.colour.size());
   std::ranges::transform(picture.colour, plane.begin(), [](std::uint32_t p) {
-    return static_cast<float>(0.299 * channel(p, 0) + 0.587 * channel(p, 8) + 0.114 * channel(p, 16));
+    return static_cast<float>(lumaOf(channel(p, 0), channel(p, 8), channel(p, 16)));
   });
   return plane;
 }

@@ -17,6 +17,11 @@ struct Picture {
 
 using Mask = std::vector<std::uint8_t>;
 
+/// ITU-R BT.601.
+[[nodiscard]] constexpr double lumaOf(double red, double green, double blue) noexcept {
+  return 0.299 * red + 0.587 * green + 0.114 * blue;
+}
+
 /// Pixels whose coverage (A) is not 0.
 [[nodiscard]] Mask covered(const Picture& picture);
 
