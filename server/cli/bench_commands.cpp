@@ -49,6 +49,7 @@ void BenchCommands::addTo(CLI::App& app) {
   addFluid();
   addLightfield();
   addPipeline();
+  addView();
 }
 
 void BenchCommands::addAmortize() {
@@ -134,11 +135,25 @@ void BenchCommands::addPipeline() {
   pipeline->add_option("--trace", options.trace, "File to write for ui.perfetto.dev or chrome://tracing");
 }
 
+void BenchCommands::addView() {
+  BenchViewOptions& options = view_;
+  CLI::App* view = bench_->add_subcommand(
+      "view", "What one visitor's frames cost on a walk, and how near they come to drawing everything");
+  view->add_option("--walk", options.walk, "File of the walk (default: around the fire)");
+  view->add_option("--scene", options.scene, "Scene file (default: the grove, built in)");
+  addSize(view, options.size);
+  view->add_option("--seconds", options.seconds, "How long the walk is, at 30 frames a second")
+      ->check(CLI::Range(0.1, 600.0))
+      ->capture_default_str();
+  view->add_flag("--json", options.json, "One JSON document on stdout");
+}
+
 int BenchCommands::run() const {
   if (bench_->got_subcommand("amortize")) return runBenchAmortize(amortize_);
   if (bench_->got_subcommand("encode")) return runBenchEncode(encode_);
   if (bench_->got_subcommand("lightfield")) return runBenchLightfield(lightfield_);
   if (bench_->got_subcommand("pipeline")) return runBenchPipeline(pipeline_);
+  if (bench_->got_subcommand("view")) return runBenchView(view_);
   if (!fluid_.solvers) return runBenchFluid(fluid_.options);
   return runBenchFluidSolvers({fluid_.options.grid, fluid_.options.json, fluid_.plot});
 }

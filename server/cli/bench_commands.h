@@ -7,6 +7,7 @@
 #include "cli/bench/fluid/bench_fluid.h"
 #include "cli/bench/lightfield/bench_lightfield.h"
 #include "cli/bench/pipeline/bench_pipeline.h"
+#include "cli/bench/view/bench_view.h"
 
 namespace CLI {
 class App;
@@ -35,6 +36,7 @@ class BenchCommands {
   void addFluid();
   void addLightfield();
   void addPipeline();
+  void addView();
 
   CLI::App* bench_ = nullptr;
   BenchAmortizeOptions amortize_;
@@ -42,6 +44,7 @@ class BenchCommands {
   Fluid fluid_;
   BenchLightfieldOptions lightfield_;
   BenchPipelineOptions pipeline_;
+  BenchViewOptions view_;
 };
 
 }  // namespace grove::cli

@@ -21,7 +21,7 @@ std::ptrdiff_t lines(const std::string& text) { return std::ranges::count(text, 
 TEST(CommandLine, HelpEverywhere) {
   for (const char* command :
        {"--help", "serve --help", "load --help", "bench --help", "bench fluid --help", "bench amortize --help",
-        "bench encode --help", "bench pipeline --help", "shape --help"}) {
+        "bench encode --help", "bench pipeline --help", "bench view --help", "shape --help"}) {
     const Outcome outcome = grove(command, false);
     EXPECT_EQ(outcome.exit, 0) << command;
     EXPECT_THAT(outcome.output, HasSubstr("--help")) << command;
@@ -91,7 +91,12 @@ TEST(CommandLine, BadOptionsExitTwoWithOneLine) {
                               "bench pipeline --size 1280",
                               "bench pipeline --size 1280x720x3",
                               "bench pipeline --size 16x9",
-                              "bench pipeline --size 1281x721"}) {
+                              "bench pipeline --size 1281x721",
+                              "bench view --size 1280",
+                              "bench view --size 1281x721",
+                              "bench view --seconds 0",
+                              "bench view --seconds long",
+                              "bench view round"}) {
     const Outcome outcome = groveHere(command);
     EXPECT_EQ(outcome.exit, 2) << command;
     EXPECT_EQ(lines(outcome.output), 1) << command << ": " << outcome.output;

@@ -1,0 +1,61 @@
+#include "cli/bench/view/bench_view.h"
+
+#include <cstdio>
+
+#include "cli/bench/view/bench_view_report.h"
+#include "cli/bench/walk/fire_walks.h"
+#include "cli/prepare/prepare_world.h"
+#include "cli/prepare/progress.h"
+#include "cli/stop_on_signal.h"
+#include "gl/shader_library.h"
+#include "objects/builtin.h"
+
+namespace grove::cli {
+namespace {
+
+void measureInto(ViewReport& report, WalkWorld& world, const world::Walk& walk, const BenchViewOptions& options,
+                 Progress& progress, const std::stop_token& stop) {
+  const double seconds = options.seconds;
+  const PictureSize& size = options.size;
+  progress.show("drawing a walk, thirty frames a second", 0.0F);
+  report.paced = measureViewCost(world, walk, seconds, size, Pace::kThirtyASecond, stop);
+  progress.show("drawing it as fast as it goes", 0.0F);
+  report.inLoop = measureViewCost(world, walk, seconds, size, Pace::kOneAfterOther, stop);
+  progress.show("comparing it with drawing everything", 0.0F);
+  report.quality = measureViewQuality(world, walk, seconds, size, stop);
+  progress.show("finding the memory that a frame touches", 0.0F);
+  if (!stop.stop_requested()) report.bytes = measureViewMemory(world, walk, seconds, size, stop);
+}
+
+}  // namespace
+
+int runBenchView(const BenchViewOptions& options) {
+  std::optional<world::Walk> walk;
+  if (options.walk) walk = world::loadWalk(*options.walk);
+
+  const StopOnSignal stop;
+  ViewReport report;
+  report.walk = options.walk.value_or(kRoundWalkName);
+  report.size = options.size;
+  const world::Scene scene = openScene(options.scene);
+  const gl::ShaderLibrary shaders;
+  gl::Workers gl(gl::ContextKind::kAuto, shaders);
+  Progress progress;
+  const node::ObjectTypes types = objects::builtinTypes();
+  if (prepareWorld(scene, types.backends, progress, stop.token())) {
+    const node::LoadedScene loaded = node::loadScene(scene, types.backends);
+    if (!walk) walk = roundWalk(loaded.layout);
+    WalkWorld world(loaded, types, gl, [&](std::string_view label, float share) { progress.show(label, share); });
+    measureInto(report, world, *walk, options, progress, stop.token());
+  }
+  progress.finish();
+  report.interrupted = stop.token().stop_requested();
+  if (options.json) {
+    std::fputs(viewJson(report).c_str(), stdout);
+  } else {
+    printView(report);
+  }
+  return 0;
+}
+
+}  // namespace grove::cli

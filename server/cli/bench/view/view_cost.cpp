@@ -1,0 +1,37 @@
+#include "cli/bench/view/view_cost.h"
+
+#include "cli/bench/view/jpeg_of_visitors.h"
+#include "cli/bench/view/view_layers.h"
+#include "cli/bench/walk/walk_visitor.h"
+#include "measure/amortization.h"
+
+namespace grove::cli {
+
+std::optional<ViewCost> measureViewCost(WalkWorld& world, const world::Walk& walk, double seconds,
+                                        const PictureSize& size, Pace pace, const std::stop_token& stop) {
+  // A frame's last runs may end after it has come.
+  const auto read = [&world] {
+    world.workers().drain();
+    return measure::Reading::of(world.timeline());
+  };
+  WalkVisitor visitor(world, {.size = size, .encoder = jpegOfVisitors()});
+  ViewCost cost;
+  std::optional<measure::Reading> before;
+  world.walk(
+      walk, seconds, pace, [&](const Moment& moment) { static_cast<void>(visitor.draw(moment)); },
+      [&](const Moment& moment) {
+        if (!before) before = read();
+        static_cast<void>(visitor.draw(moment));
+        ++cost.frames;
+      },
+      stop);
+  if (!before) return std::nullopt;
+  const measure::Reading after = read();
+  const measure::Served served{
+      .visitors = 1.0, .frames = static_cast<double>(cost.frames), .framesPerSecond = kWalkFramesPerSecond};
+  cost.milliseconds = sum(measure::frameCosts(*before, after, served)).perUser();
+  cost.layers = layersOf(*before, after, served);
+  return cost;
+}
+
+}  // namespace grove::cli

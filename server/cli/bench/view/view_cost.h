@@ -1,0 +1,28 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <stop_token>
+#include <string>
+
+#include "cli/bench/picture_size.h"
+#include "cli/bench/walk/walk_world.h"
+#include "world/walk.h"
+
+namespace grove::cli {
+
+/// What the frames of one visitor cost.
+struct ViewCost {
+  int frames = 0;
+  /// CPU of a frame, of the work that is done for him alone (c_b and c_f, and JPEG): what all visitors share is not in
+  /// it.
+  double milliseconds = 0.0;
+  std::map<std::string, double> layers;  ///< of that, see layersOf()
+};
+
+/// Draws the walk's frames and makes JPEGs of them. If it is to stop, tells of the frames by then; nothing if there are
+/// none.
+[[nodiscard]] std::optional<ViewCost> measureViewCost(WalkWorld& world, const world::Walk& walk, double seconds,
+                                                      const PictureSize& size, Pace pace, const std::stop_token& stop);
+
+}  // namespace grove::cli

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <stop_token>
+
+#include "cli/bench/picture_size.h"
+#include "cli/bench/walk/walk_world.h"
+#include "world/walk.h"
+
+namespace grove::cli {
+
+/// Bytes of memory that drawing and encoding one frame touches, an upper bound in whole pages, see
+/// measure::touchedBytes(): the median of some frames that are spread over the walk. Simulations are at rest meanwhile.
+/// Nothing where the kernel cannot tell, or if it is to stop.
+[[nodiscard]] std::optional<std::int64_t> measureViewMemory(WalkWorld& world, const world::Walk& walk, double seconds,
+                                                            const PictureSize& size, const std::stop_token& stop);
+
+}  // namespace grove::cli

@@ -1,0 +1,66 @@
+#include "cli/bench/view/view_quality.h"
+
+#include <algorithm>
+
+#include "cli/bench/walk/walk_visitor.h"
+#include "measure/flicker.h"
+#include "measure/picture_quality.h"
+
+namespace grove::cli {
+namespace {
+
+/// Of who draws everything in every frame. Visitors do so too: the policy has no way yet to draw less.
+node::FramePolicy referencePolicy() { return walkPolicy(); }
+
+measure::Picture pictureOf(const node::FinishedFrame& frame) { return {frame.image->colour, frame.image->width()}; }
+
+/// Sums over frames.
+class QualityMeter {
+ public:
+  void add(const measure::Picture& shown, const measure::Picture& reference) {
+    all_.resize(shown.colour.size(), 1);
+    const double decibels = measure::decibels(measure::meanSquareError(shown, reference, all_));
+    sum_ += decibels;
+    worst_ = std::min(worst_, decibels);
+    ++frames_;
+    flicker_.add(shown);
+    flickerReference_.add(reference);
+  }
+
+  [[nodiscard]] std::optional<ViewQuality> quality() const {
+    if (frames_ == 0) return std::nullopt;
+    return ViewQuality{sum_ / frames_, worst_, flicker_.share(), flickerReference_.share()};
+  }
+
+ private:
+  measure::Mask all_;
+  int frames_ = 0;
+  double sum_ = 0.0;
+  double worst_ = measure::kEqual;
+  measure::Flicker flicker_;
+  measure::Flicker flickerReference_;
+};
+
+}  // namespace
+
+std::optional<ViewQuality> measureViewQuality(WalkWorld& world, const world::Walk& walk, double seconds,
+                                              const PictureSize& size, const std::stop_token& stop) {
+  WalkVisitor visitor(world, {.number = 1, .size = size});
+  WalkVisitor reference(world, {.number = 2, .size = size, .policy = referencePolicy()});
+  QualityMeter meter;
+  const auto drawBoth = [&](const Moment& moment) {
+    visitor.begin(moment);
+    reference.begin(moment);
+    return std::pair(visitor.take(), reference.take());
+  };
+  world.walk(
+      walk, seconds, Pace::kThirtyASecond, [&](const Moment& moment) { static_cast<void>(drawBoth(moment)); },
+      [&](const Moment& moment) {
+        const auto [shown, whole] = drawBoth(moment);
+        meter.add(pictureOf(shown), pictureOf(whole));
+      },
+      stop);
+  return meter.quality();
+}
+
+}  // namespace grove::cli

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <optional>
+#include <stop_token>
+
+#include "cli/bench/picture_size.h"
+#include "cli/bench/walk/walk_world.h"
+#include "world/walk.h"
+
+namespace grove::cli {
+
+/// How a visitor's frames compare with frames of which everything is drawn.
+struct ViewQuality {
+  double meanDecibels = 0.0;   ///< PSNR, the mean over the frames; a frame without an error counts measure::kEqual
+  double worstDecibels = 0.0;  ///< PSNR of the worst frame
+  double flicker = 0.0;        ///< of the visitor's frames, see measure::Flicker
+  double flickerReference = 0.0;
+};
+
+/// Two draw each frame of the walk at the same time, of the same moment. What moves between the two, such as smoke
+/// whose next state arrives, is noise of the measure. Nothing if it is to stop before the first frame.
+[[nodiscard]] std::optional<ViewQuality> measureViewQuality(WalkWorld& world, const world::Walk& walk, double seconds,
+                                                            const PictureSize& size, const std::stop_token& stop);
+
+}  // namespace grove::cli
