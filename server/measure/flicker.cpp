@@ -33,7 +33,7 @@ bool jumps(double before, double middle, double after) {
 }  // namespace
 
 void Flicker::add(const Picture& picture) {
-  std::ranges::rotate(means_, means_.begin() + 1);
+  std::rotate(means_.begin(), means_.begin() + 1, means_.end());
   std::vector<double>& means = means_.back();
   means.clear();
   for (int y = 0; y < picture.height(); y += kBlock) {

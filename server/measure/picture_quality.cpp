@@ -37,7 +37,7 @@ std::array<float, 2 * kReach + 1> gaussian() {
   const auto at = [](int i) { return std::exp(-0.5 * i * i / (kSpread * kSpread)); };
   for (int i = -kReach; i <= kReach; ++i) total += at(i);
   for (int i = -kReach; i <= kReach; ++i) {
-    weights[static_cast<std::size_t>(i + kReach)] = static_cast<float>(at(i) / total);
+    weights[static_cast<std::size_t>(std::ptrdiff_t{i} + kReach)] = static_cast<float>(at(i) / total);
   }
   return weights;
 }
@@ -52,7 +52,7 @@ Plane blurredAlong(const Plane& from, int count, int step, int lines, int lineSt
       float sum = 0.0F;
       float total = 0.0F;
       for (int k = std::max(-kReach, -i); k <= std::min(kReach, count - 1 - i); ++k) {
-        const float weight = weights[static_cast<std::size_t>(k + kReach)];
+        const float weight = weights[static_cast<std::size_t>(std::ptrdiff_t{k} + kReach)];
         sum += weight * from[static_cast<std::size_t>(start + std::ptrdiff_t{i + k} * step)];
         total += weight;
       }

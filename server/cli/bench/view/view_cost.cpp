@@ -14,7 +14,7 @@ std::optional<ViewCost> measureViewCost(WalkWorld& world, const world::Walk& wal
     world.workers().drain();
     return measure::Reading::of(world.timeline());
   };
-  WalkVisitor visitor(world, {.size = size, .encoder = jpegOfVisitors()});
+  WalkVisitor visitor(world, {.size = size}, jpegOfVisitors());
   ViewCost cost;
   std::optional<measure::Reading> before;
   world.walk(

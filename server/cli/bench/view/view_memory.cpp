@@ -24,7 +24,7 @@ constexpr auto kFrameTime = std::chrono::milliseconds(33);
 
 std::optional<std::int64_t> measureViewMemory(WalkWorld& world, const world::Walk& walk, double seconds,
                                               const PictureSize& size, const std::stop_token& stop) {
-  WalkVisitor visitor(world, {.size = size, .encoder = jpegOfVisitors()});
+  WalkVisitor visitor(world, {.size = size}, jpegOfVisitors());
   const auto draw = [&](int frame) {
     static_cast<void>(visitor.draw(world.momentAt(walk.thereAndBack(frame / kWalkFramesPerSecond))));
     world.workers().drain();

@@ -16,11 +16,11 @@ constexpr std::uint32_t kFirstPart = 1;
 
 node::FramePolicy walkPolicy() { return {.framesInFlight = 2, .deadlineSeconds = stream::HostOptions::kNoHurry}; }
 
-WalkVisitor::WalkVisitor(WalkWorld& world, Terms terms)
+WalkVisitor::WalkVisitor(WalkWorld& world, const Terms& terms, std::unique_ptr<stream::Encoder> encoder)
     : world_(world),
       session_(node::makeId(kFirstPart, terms.number)),
       size_(terms.size),
-      shelf_(std::make_shared<FrameShelf>(std::move(terms.encoder), world.workers(), world.timeline())),
+      shelf_(std::make_shared<FrameShelf>(std::move(encoder), world.workers(), world.timeline())),
       node_(
           session_, terms.policy, [this](node::FrameNumber number) { return look(number); }, shelf_, [] {},
           world.instance().frontend()) {}

@@ -22,9 +22,9 @@ class WalkVisitor {
     std::uint32_t number = 1;  ///< tells apart those who are in the world at the same time
     PictureSize size;
     node::FramePolicy policy = walkPolicy();
-    std::unique_ptr<stream::Encoder> encoder = nullptr;  ///< of his frames; null: they are not encoded
   };
-  WalkVisitor(WalkWorld& world, Terms terms);
+  /// Without an encoder, his frames are not encoded.
+  WalkVisitor(WalkWorld& world, const Terms& terms, std::unique_ptr<stream::Encoder> encoder = nullptr);
   /// Waits for what is still in progress.
   ~WalkVisitor();
   WalkVisitor(const WalkVisitor&) = delete;
