@@ -4,6 +4,7 @@
 
 #include "cli/bench/view/bench_view_report.h"
 #include "cli/bench/walk/fire_walks.h"
+#include "cli/bench/walk/walk_world.h"
 #include "cli/prepare/prepare_world.h"
 #include "cli/prepare/progress.h"
 #include "cli/stop_on_signal.h"

@@ -1,6 +1,7 @@
 #include "cli/bench/view/view_quality.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "cli/bench/walk/walk_visitor.h"
 #include "measure/flicker.h"
