@@ -194,7 +194,7 @@ TEST_P(Nodes, SessionsShareTheBackendAndSeeTheirOwnView) {
 TEST_P(Nodes, ClosingWithFramesInFlightIsClean) {
   for (int i = 0; i < 20; ++i) {
     const auto screen = std::make_shared<Screen>(workers, timeline);
-    const auto node = frontend(static_cast<SessionId>(10 + i), 0.0F, screen, 4);
+    const auto node = frontend(static_cast<SessionId>(i) + 10, 0.0F, screen, 4);
     for (int k = 0; k < 4; ++k) node->requestFrame();
   }
   const auto screen = std::make_shared<Screen>(workers, timeline);

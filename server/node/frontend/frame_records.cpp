@@ -6,9 +6,8 @@
 
 namespace grove::node {
 
-FrameRecord& FrameRecords::open(std::shared_ptr<const FrameList> list) {
-  const FrameNumber number = list->view->frame;
-  [[maybe_unused]] const auto [frame, isNew] = frames_.try_emplace(number, std::move(list));
+FrameRecord& FrameRecords::open(const std::shared_ptr<const FrameList>& list) {
+  [[maybe_unused]] const auto [frame, isNew] = frames_.try_emplace(list->view->frame, list);
   assert(isNew && "a frame begins once");
   forget();
   return frame->second;

@@ -23,7 +23,7 @@ class FrameRecords {
   FrameRecords& operator=(const FrameRecords&) = delete;
 
   /// A frame begins; its number is new. The oldest one that has ended may be forgotten.
-  FrameRecord& open(std::shared_ptr<const FrameList> list);
+  FrameRecord& open(const std::shared_ptr<const FrameList>& list);
 
   /// Null if it is unknown or forgotten.
   [[nodiscard]] FrameRecord* find(FrameNumber frame);
