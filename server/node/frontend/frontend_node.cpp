@@ -29,10 +29,11 @@ FrontendNode::FrontendNode(SessionId session, const FramePolicy& policy, SceneAn
 
   analyzer_->connect(planner_);
   planner_->connect(compositor_);
-  frontend_.connect(session_, resultReceiver_);
   resultReceiver_->connect(decompressor_);
   decompressor_->connect(planner_);
   compositor_->connect(std::move(next));
+  // Last, for results may come at once: late ones of an earlier node of this session.
+  frontend_.connect(session_, resultReceiver_);
 }
 
 FrontendNode::~FrontendNode() { close(); }
