@@ -22,6 +22,12 @@ struct FrameList {
   std::vector<VisibleObject> objects;
 };
 
+/// A frame with what each of its objects is to be shown with, in the order of its list.
+struct CompleteFrame {
+  std::shared_ptr<const FrameList> list;
+  std::vector<Payload> payloads;
+};
+
 /// A composited frame, the pipeline's product.
 struct FinishedFrame {
   std::shared_ptr<const View> view;
@@ -31,6 +37,7 @@ struct FinishedFrame {
 inline pipeline::TraceTag traceTag(const std::shared_ptr<const FrameList>& list) {
   return {numberOf(list->view->session), list->view->frame};
 }
+inline pipeline::TraceTag traceTag(const CompleteFrame& frame) { return traceTag(frame.list); }
 inline pipeline::TraceTag traceTag(const FinishedFrame& frame) {
   return {numberOf(frame.view->session), frame.view->frame};
 }

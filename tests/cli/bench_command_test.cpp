@@ -54,7 +54,7 @@ TEST(BenchCommand, PipelinePrintsARowForEachNumberOfFramesInFlight) {
     EXPECT_GE(row.at("latency_ms").at("p99"), row.at("latency_ms").at("p50"));
     const auto& stages = row.at("stages");
     EXPECT_TRUE(stages.contains(row.at("bottleneck").get<std::string>()));
-    for (const char* stage : {"Scene Analyzer", "Request Sender", "Request Receiver", "Renderer", "Compressor",
+    for (const char* stage : {"Scene Analyzer", "Frame Planner", "Request Receiver", "Renderer", "Compressor",
                               "Result Sender", "Result Receiver", "Decompressor", "Compositor", "Encoder"}) {
       ASSERT_TRUE(stages.contains(stage)) << stage;
       for (const char* key : {"runs", "wall_ms_per_run", "cpu_ms_per_run", "utilisation"}) {

@@ -25,7 +25,7 @@ TEST_P(Nodes, AFrameGoesAllTheWay) {
   EXPECT_EQ(image->colourRow(90)[154] & 0xFFU, 200u) << "which shows beside it";
   EXPECT_EQ(image->colourRow(5)[5], 0xFF000000U);
   // A frame may be shown before the thread that sent its requests has ended its stage.
-  for (const char* box : {"Scene Analyzer", "Request Sender", "Request Receiver", "Renderer", "Compressor",
+  for (const char* box : {"Scene Analyzer", "Frame Planner", "Request Receiver", "Renderer", "Compressor",
                           "Result Sender", "Result Receiver", "Decompressor", "Compositor"}) {
     EXPECT_TRUE(eventually([&] { return timeline.totals().contains(box); })) << box;
   }
@@ -84,7 +84,7 @@ TEST_P(Nodes, ALostResultCostsAFrameItsDeadlineAndShowsTheLastOneOfItsObject) {
   }));
   const auto image = screen->waitFor(3);
   EXPECT_EQ(image->colourRow(90)[160] & 0xFFU, 90u) << "the near box, as it was";
-  EXPECT_EQ(timeline.totals().at("Compositor").failures, 2u);
+  EXPECT_EQ(timeline.totals().at("Frame Planner").failures, 2u);
   EXPECT_TRUE(eventually([&] { return !node->full(); })) << "its place is free again";
   transport.release();
   EXPECT_TRUE(eventually([&] { return timeline.counters()["results that were not waited for"] == 2; }));
@@ -194,7 +194,7 @@ TEST_P(Nodes, SessionsShareTheBackendAndSeeTheirOwnView) {
 TEST_P(Nodes, ClosingWithFramesInFlightIsClean) {
   for (int i = 0; i < 20; ++i) {
     const auto screen = std::make_shared<Screen>(workers, timeline);
-    const auto node = frontend(static_cast<SessionId>(10 + i), 0.0F, screen, 4);
+    const auto node = frontend(static_cast<SessionId>(i) + 10, 0.0F, screen, 4);
     for (int k = 0; k < 4; ++k) node->requestFrame();
   }
   const auto screen = std::make_shared<Screen>(workers, timeline);

@@ -15,15 +15,15 @@ Decompressor::Decompressor(FrontendProcess& frontend)
             frontend.tools().workers, frontend.tools().timeline),
       frontend_(frontend) {}
 
-void Decompressor::connect(std::shared_ptr<pipeline::Inlet<RequestSenderInput>> requestSender) {
-  requestSender_.connect(std::move(requestSender));
-  addOutlet(requestSender_);
+void Decompressor::connect(std::shared_ptr<pipeline::Inlet<FramePlannerInput>> framePlanner) {
+  framePlanner_.connect(std::move(framePlanner));
+  addOutlet(framePlanner_);
 }
 
 void Decompressor::process(std::span<Result> results, pipeline::Run& run) {
   for (Result& result : results) {
     attempt([&] { frontend_.unpack(result); }, [&](const std::string& reason) { result.payload = Failure{reason}; });
-    requestSender_.send(run, std::move(result));
+    framePlanner_.send(run, std::move(result));
   }
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "node/frontend/request_sender.h"
+#include "node/frontend/frame_planner.h"
 #include "pipeline/outlet.h"
 
 namespace grove::node {
@@ -10,14 +10,14 @@ class Decompressor final : public pipeline::Stage<Result> {
  public:
   /// `frontend` outlives it.
   explicit Decompressor(FrontendProcess& frontend);
-  void connect(std::shared_ptr<pipeline::Inlet<RequestSenderInput>> requestSender);
+  void connect(std::shared_ptr<pipeline::Inlet<FramePlannerInput>> framePlanner);
 
  protected:
   void process(std::span<Result> results, pipeline::Run& run) override;
 
  private:
   FrontendProcess& frontend_;
-  pipeline::Outlet<RequestSenderInput> requestSender_;
+  pipeline::Outlet<FramePlannerInput> framePlanner_;
 };
 
 }  // namespace grove::node

@@ -15,23 +15,25 @@ FrontendNode::FrontendNode(SessionId session, const FramePolicy& policy, SceneAn
       inFlight_(std::make_shared<FramesInFlight>(policy.framesInFlight, std::move(frameEnded))) {
   assert(policy.framesInFlight >= 1 && policy.framesInFlight <= kMaxFramesInFlight);
   const auto endFrame = [frames = inFlight_] { frames->end(); };
-  const auto results = static_cast<std::size_t>(policy.framesInFlight) * kMaxObjectsPerFrame;
+  const auto frames = static_cast<std::size_t>(policy.framesInFlight);
+  const std::size_t results = frames * kMaxObjectsPerFrame;
   const auto halves = std::make_shared<VisitorHalves>(frontend);
   const FrontendTools& tools = frontend.tools();
 
   analyzer_ = std::make_shared<SceneAnalyzer>(frontend.layout(), std::move(look), policy.deadlineSeconds, endFrame,
                                               tools.workers, tools.timeline);
-  requestSender_ = std::make_shared<RequestSender>(results + kMaxFramesInFlight, frontend, halves);
+  planner_ = std::make_shared<FramePlanner>(results + frames + 1, frontend, halves, endFrame);
   resultReceiver_ = std::make_shared<ResultReceiver>(results, tools.workers, tools.timeline);
   decompressor_ = std::make_shared<Decompressor>(frontend);
-  compositor_ = std::make_shared<Compositor>(frontend, halves, policy, endFrame);
+  compositor_ = std::make_shared<Compositor>(frames, frontend, halves, endFrame);
 
-  analyzer_->connect(compositor_, requestSender_);
-  requestSender_->connect(compositor_);
-  frontend_.connect(session_, resultReceiver_);
+  analyzer_->connect(planner_);
+  planner_->connect(compositor_);
   resultReceiver_->connect(decompressor_);
-  decompressor_->connect(requestSender_);
+  decompressor_->connect(planner_);
   compositor_->connect(std::move(next));
+  // Last, for results may come at once: late ones of an earlier node of this session.
+  frontend_.connect(session_, resultReceiver_);
 }
 
 FrontendNode::~FrontendNode() { close(); }
@@ -44,13 +46,13 @@ bool FrontendNode::requestFrame() {
 }
 
 void FrontendNode::checkDeadline() {
-  if (inFlight_->count() > 0) compositor_->push(DeadlineCheck{});
+  if (inFlight_->count() > 0) planner_->push(DeadlineCheck{});
 }
 
 void FrontendNode::close() {
   frontend_.disconnect(session_);
   analyzer_->close();
-  requestSender_->close();
+  planner_->close();
   resultReceiver_->close();
   decompressor_->close();
   compositor_->close();

@@ -6,13 +6,19 @@
 
 #include "node/frontend/compositing/compositor.h"
 #include "node/frontend/decompressor.h"
+#include "node/frontend/frame_planner.h"
 #include "node/frontend/frames_in_flight.h"
 #include "node/frontend/frontend_process.h"
-#include "node/frontend/request_sender.h"
 #include "node/frontend/result_receiver.h"
 #include "node/frontend/scene_analyzer.h"
 
 namespace grove::node {
+
+/// How many frames of a visitor are made at once, and how long one waits for its results.
+struct FramePolicy {
+  int framesInFlight = 1;        ///< 1 to kMaxFramesInFlight
+  double deadlineSeconds = 0.5;  ///< then it is shown with the last results of the objects that did not answer
+};
 
 /// The left half of Figure 4.2: one visitor's pipeline from the camera to the composited frame. Any thread.
 class FrontendNode {
@@ -46,7 +52,7 @@ class FrontendNode {
   const std::shared_ptr<FramesInFlight> inFlight_;
   std::atomic<FrameNumber> nextFrame_{1};
   std::shared_ptr<SceneAnalyzer> analyzer_;
-  std::shared_ptr<RequestSender> requestSender_;
+  std::shared_ptr<FramePlanner> planner_;
   std::shared_ptr<ResultReceiver> resultReceiver_;
   std::shared_ptr<Decompressor> decompressor_;
   std::shared_ptr<Compositor> compositor_;

@@ -1,58 +1,45 @@
 #pragma once
 
-#include <deque>
+#include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
-#include <variant>
-#include <vector>
+#include <utility>
 
-#include "node/frontend/compositing/compositor.h"
 #include "node/frontend/frontend_process.h"
-#include "node/frontend/visitor_halves.h"
-#include "pipeline/outlet.h"
+#include "node/messages.h"
 
 namespace grove::node {
 
-/// A frame that begins, or what came of something that it asked for.
-using RequestSenderInput = std::variant<std::shared_ptr<const FrameList>, Result>;
-
-inline pipeline::TraceTag traceTag(const RequestSenderInput& input) {
-  return std::visit([](const auto& held) { return traceTag(held); }, input);
-}
-
-/// Finds out from each object's frontend half what a frame needs of it, takes that from the shared store or requests it
-/// from the backend node (section 4.2, step 2), and hands the Compositor what it then has. A request that is refused is
-/// a Failure at once, so that its frame is completed without it.
-class RequestSender final : public pipeline::Stage<RequestSenderInput> {
+/// Second box of Figure 4.2: sends a frame's view, then a request for each thing that it needs, to the backend node or
+/// to the shared store in front of it (section 4.2, step 2). No stage of its own, for it takes no time. Used by one
+/// thread at a time.
+class RequestSender {
  public:
-  /// `frontend` outlives it.
-  RequestSender(std::size_t capacity, FrontendProcess& frontend, std::shared_ptr<VisitorHalves> halves);
-  void connect(std::shared_ptr<pipeline::Inlet<CompositorInput>> compositor);
+  /// Takes what the shared store has got for a request, on the thread that brings it, or at once. Must not block.
+  using Bring = std::function<void(Result)>;
 
- protected:
-  void process(std::span<RequestSenderInput> inputs, pipeline::Run& run) override;
+  /// `frontend` outlives it.
+  explicit RequestSender(FrontendProcess& frontend) : frontend_(frontend) {}
+  /// To be called before the first request. What a backend node answers for one visitor takes another way, through the
+  /// Result Receiver.
+  void connect(Bring bring) { bring_ = std::move(bring); }
+
+  /// Goes before the requests that name it.
+  void send(std::shared_ptr<const View> view) { frontend_.send(std::move(view)); }
+
+  /// Asks for what a slot of a frame needs. Nothing if it is under way, or a Failure at once if it is refused. May
+  /// throw what the transport throws.
+  [[nodiscard]] std::optional<Failure> send(const FrameList& frame, std::uint32_t slot, const Ask& ask);
+
+  /// What this frame and those before it have asked for need not be answered any more.
+  void cancel(const View& view) { frontend_.send(Cancel{view.session, view.frame}); }
 
  private:
-  /// A frame whose results may still come.
-  struct Frame {
-    std::shared_ptr<const FrameList> list;
-    std::vector<std::optional<Ask>> asked;  ///< what each object waits for
-    std::vector<int> rounds;                ///< how often each has asked
-  };
-  [[nodiscard]] Answers begin(std::shared_ptr<const FrameList> list);
-  [[nodiscard]] Answers resume(const Result& result);
-  /// Goes on with one object until it waits, or its payload is in `answers`.
-  void proceed(Frame& frame, std::uint32_t slot, std::optional<Payload> answer, Answers& answers);
-  [[nodiscard]] Plan planOf(const Frame& frame, std::uint32_t slot, const Payload* answer);
-  /// Nothing yet, if it is under way.
-  [[nodiscard]] std::optional<Payload> send(Frame& frame, std::uint32_t slot);
-  /// Brings what the shared store gets for a request back to this stage.
-  [[nodiscard]] SharedStore::Waiter waiterFor(const Request& request);
+  [[nodiscard]] SharedStore::Waiter waiterFor(const Request& request) const;
 
   FrontendProcess& frontend_;
-  const std::shared_ptr<VisitorHalves> halves_;
-  std::deque<Frame> frames_;  ///< the newest, oldest first
-  pipeline::Outlet<CompositorInput> compositor_;
+  Bring bring_;
 };
 
 }  // namespace grove::node

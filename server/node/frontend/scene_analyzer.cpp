@@ -49,12 +49,9 @@ SceneAnalyzer::SceneAnalyzer(const world::Layout& layout, Look look, double dead
       deadlineSeconds_(deadlineSeconds),
       frameFailed_(std::move(frameFailed)) {}
 
-void SceneAnalyzer::connect(std::shared_ptr<pipeline::Inlet<CompositorInput>> compositor,
-                            std::shared_ptr<pipeline::Inlet<RequestSenderInput>> requestSender) {
-  compositor_.connect(std::move(compositor));
-  requestSender_.connect(std::move(requestSender));
-  addOutlet(compositor_);
-  addOutlet(requestSender_);
+void SceneAnalyzer::connect(std::shared_ptr<pipeline::Inlet<FramePlannerInput>> framePlanner) {
+  framePlanner_.connect(std::move(framePlanner));
+  addOutlet(framePlanner_);
 }
 
 void SceneAnalyzer::process(std::span<FrameTicket> tickets, pipeline::Run& run) {
@@ -64,9 +61,7 @@ void SceneAnalyzer::process(std::span<FrameTicket> tickets, pipeline::Run& run) 
     view.deadline = pipeline::wallSeconds() + deadlineSeconds_;
     list->view = std::make_shared<const View>(std::move(view));
     list->objects = visibleObjects(layout_, *list->view);
-    // The Compositor must know the frame before the first result can come back.
-    compositor_.send(run, std::shared_ptr<const FrameList>(list));
-    requestSender_.send(run, std::shared_ptr<const FrameList>(std::move(list)));
+    framePlanner_.send(run, std::shared_ptr<const FrameList>(std::move(list)));
   }
 }
 

@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "node/frontend/request_sender.h"
+#include "node/frontend/frame_planner.h"
 #include "node/messages.h"
 #include "pipeline/outlet.h"
 #include "world/layout.h"
@@ -24,16 +24,16 @@ inline pipeline::TraceTag traceTag(const FrameTicket& ticket) { return {numberOf
 /// viewer's own figure is left out.
 [[nodiscard]] std::vector<VisibleObject> visibleObjects(const world::Layout& layout, const View& view);
 
-/// First box of Figure 4.2: reads the camera, as late as possible, finds what it sees, and sends the sorted list to
-/// both the Compositor and the Request Sender (section 4.2, step 1).
+/// First box of Figure 4.2: reads the camera, as late as possible, finds what it sees, and sends the sorted list on
+/// (section 4.2, step 1): to the Frame Planner, which has requests sent, and gives the Compositor the list with what
+/// came of them.
 class SceneAnalyzer final : public pipeline::Stage<FrameTicket> {
  public:
   using Look = std::function<View(FrameNumber)>;
   /// `frameFailed` is called for a ticket that came to nothing.
   SceneAnalyzer(const world::Layout& layout, Look look, double deadlineSeconds, std::function<void()> frameFailed,
                 pipeline::Executor& executor, pipeline::Timeline& timeline);
-  void connect(std::shared_ptr<pipeline::Inlet<CompositorInput>> compositor,
-               std::shared_ptr<pipeline::Inlet<RequestSenderInput>> requestSender);
+  void connect(std::shared_ptr<pipeline::Inlet<FramePlannerInput>> framePlanner);
 
  protected:
   void process(std::span<FrameTicket> tickets, pipeline::Run& run) override;
@@ -44,8 +44,7 @@ class SceneAnalyzer final : public pipeline::Stage<FrameTicket> {
   const Look look_;
   const double deadlineSeconds_;
   const std::function<void()> frameFailed_;
-  pipeline::Outlet<CompositorInput> compositor_;
-  pipeline::Outlet<RequestSenderInput> requestSender_;
+  pipeline::Outlet<FramePlannerInput> framePlanner_;
 };
 
 }  // namespace grove::node

@@ -2,14 +2,11 @@
 
 #include <algorithm>
 #include <numeric>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "node/frontend/compositing/composite.h"
-#include "node/limits.h"
-#include "pipeline/clocks.h"
 #include "pipeline/share_out.h"
 
 namespace grove::node {
@@ -22,92 +19,26 @@ constexpr int kBandHeight = 48;
 
 }  // namespace
 
-Compositor::Compositor(FrontendProcess& frontend, std::shared_ptr<VisitorHalves> halves, const FramePolicy& policy,
+Compositor::Compositor(std::size_t capacity, FrontendProcess& frontend, std::shared_ptr<VisitorHalves> halves,
                        std::function<void()> frameDone)
-    : Stage({.name = kCompositor,
-             .work = pipeline::Work::kPerUserFrontend,
-             .capacity = static_cast<std::size_t>(policy.framesInFlight) * (kMaxObjectsPerFrame + 1) + 1,
-             .finishes = true},
+    : Stage({.name = kCompositor, .work = pipeline::Work::kPerUserFrontend, .capacity = capacity, .finishes = true},
             frontend.tools().workers, frontend.tools().timeline),
-      frontend_(frontend),
       executor_(frontend.tools().workers),
       timeline_(frontend.tools().timeline),
       images_(frontend.tools().images),
       halves_(std::move(halves)),
-      frameDone_(std::move(frameDone)),
-      table_(static_cast<std::size_t>(policy.framesInFlight)) {}
+      frameDone_(std::move(frameDone)) {}
 
 void Compositor::connect(std::shared_ptr<pipeline::Inlet<FinishedFrame>> next) {
   next_.connect(std::move(next));
   addOutlet(next_);
 }
 
-void Compositor::process(std::span<CompositorInput> inputs, pipeline::Run& run) {
-  for (CompositorInput& input : inputs) {
-    if (auto* const answers = std::get_if<Answers>(&input)) {
-      take(std::move(*answers), run);
-      continue;
-    }
-    std::optional<CompleteFrame> frame;
-    if (const auto* list = std::get_if<std::shared_ptr<const FrameList>>(&input)) {
-      table_.open(*list);
-      frame = table_.take((*list)->view->frame);
-    } else {
-      frame = takeOverdue();
-    }
-    if (frame) show(std::move(*frame), run);
-  }
-}
-
-void Compositor::take(Answers answers, pipeline::Run& run) {
-  const FrameNumber number = answers.view->frame;
-  for (Answers::Slot& answer : answers.slots) {
-    if (!table_.put(number, answer.slot, answer.payload)) takeStale(number, std::move(answer));
-  }
-  if (auto frame = table_.take(number)) show(std::move(*frame), run);
-}
-
-void Compositor::show(CompleteFrame frame, pipeline::Run& run) {
-  struct Done {
-    const std::function<void()>& call;
-    ~Done() { call(); }
-  };
-  const Done done{frameDone_};
-  const FrameNumber number = frame.list->view->frame;
-  if (number <= newestShown_) return;
-  newestShown_ = number;
-  next_.send(run, FinishedFrame{frame.list->view, composite(frame)});
-  lastResults_.keep(std::move(frame));
-}
-
-void Compositor::takeStale(FrameNumber frame, Answers::Slot answer) {
-  timeline_.count("results that were not waited for");
-  if (lastResults_.keepStale(frame, answer.slot, std::move(answer.payload))) {
-    timeline_.count("results that the next frame may show");
-  }
-}
-
-std::optional<CompleteFrame> Compositor::takeOverdue() {
-  const double now = pipeline::wallSeconds();
-  std::optional<CompleteFrame> newest;
-  while (auto frame = table_.takeOverdue(now)) {
-    // Older ones would be followed by this one at once.
-    if (newest) frameDone_();
-    newest = std::move(frame);
-  }
-  if (!newest) return newest;
-  const View& view = *newest->list->view;
-  frontend_.send(Cancel{view.session, view.frame});
-  fillIn(*newest);
-  return newest;
-}
-
-void Compositor::fillIn(CompleteFrame& frame) {
-  for (const std::size_t slot : lastResults_.fillIn(frame)) {
-    timeline_.recordFailure(kCompositor, pipeline::Work::kPerUserFrontend);
-    const world::Object& object = frame.list->objects[slot].object;
-    overdue_.warning(std::string(halves_->name(object.type)) + " " + object.name +
-                     ": no result within the deadline of a frame");
+void Compositor::process(std::span<CompleteFrame> frames, pipeline::Run& run) {
+  for (const CompleteFrame& frame : frames) {
+    // One that cannot be shown ends, too.
+    attempt([&] { next_.send(run, FinishedFrame{frame.list->view, composite(frame)}); }, [](const std::string&) {});
+    frameDone_();
   }
 }
 

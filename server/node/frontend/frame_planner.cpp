@@ -1,0 +1,161 @@
+#include "node/frontend/frame_planner.h"
+
+#include <string>
+#include <utility>
+
+#include "pipeline/clocks.h"
+
+namespace grove::node {
+namespace {
+
+constexpr const char* kFramePlanner = "Frame Planner";
+
+/// An object that asks for more in one frame is broken.
+constexpr int kMaxRounds = 6;
+
+/// A backend node may send less than was asked for, but nothing else.
+bool isWithin(const world::Rect& inner, const world::Rect& outer) {
+  return inner.left >= outer.left && inner.top >= outer.top && inner.right <= outer.right &&
+         inner.bottom <= outer.bottom;
+}
+
+bool fits(const Payload& answer, const Ask& ask) {
+  const auto* const picture = std::get_if<std::shared_ptr<const raster::Image>>(&answer);
+  return picture == nullptr || *picture == nullptr || (*picture)->rect.empty() || isWithin((*picture)->rect, ask.rect);
+}
+
+}  // namespace
+
+FramePlanner::FramePlanner(std::size_t capacity, FrontendProcess& frontend, std::shared_ptr<VisitorHalves> halves,
+                           std::function<void()> frameDropped)
+    : Stage({.name = kFramePlanner, .work = pipeline::Work::kPerUserFrontend, .capacity = capacity},
+            frontend.tools().workers, frontend.tools().timeline),
+      frontend_(frontend),
+      timeline_(frontend.tools().timeline),
+      halves_(std::move(halves)),
+      frameDropped_(std::move(frameDropped)),
+      sender_(frontend) {}
+
+void FramePlanner::connect(std::shared_ptr<pipeline::Inlet<CompleteFrame>> compositor) {
+  compositor_.connect(std::move(compositor));
+  addOutlet(compositor_);
+  sender_.connect([weak = weak_from_this()](Result result) {
+    if (const auto self = weak.lock()) self->push(std::move(result));
+  });
+}
+
+void FramePlanner::process(std::span<FramePlannerInput> inputs, pipeline::Run& run) {
+  for (FramePlannerInput& input : inputs) {
+    if (const auto* const list = std::get_if<std::shared_ptr<const FrameList>>(&input)) {
+      begin(*list, run);
+    } else if (auto* const result = std::get_if<Result>(&input)) {
+      resume(std::move(*result), run);
+    } else {
+      endOverdue(run);
+    }
+  }
+}
+
+void FramePlanner::recover(FramePlannerInput& input, const std::string&, pipeline::Run&) {
+  // One that has a record ends by its deadline.
+  const auto* const list = std::get_if<std::shared_ptr<const FrameList>>(&input);
+  if (list != nullptr && frames_.find((*list)->view->frame) == nullptr) frameDropped_();
+}
+
+void FramePlanner::begin(const std::shared_ptr<const FrameList>& list, pipeline::Run& run) {
+  FrameRecord& frame = frames_.open(list);
+  sender_.send(list->view);
+  for (std::uint32_t slot = 0; slot < list->objects.size(); ++slot) proceed(frame, slot, std::nullopt);
+  if (frame.complete()) end(frame, run);
+}
+
+void FramePlanner::resume(Result result, pipeline::Run& run) {
+  FrameRecord* const frame = frames_.find(result.frame);
+  if (frame == nullptr || frame->asked(result.slot) == nullptr) {
+    timeline_.count("results that nobody asked for");
+    return;
+  }
+  proceed(*frame, result.slot, std::move(result.payload));
+  if (frame->inTheMaking() && frame->complete()) end(*frame, run);
+}
+
+void FramePlanner::endOverdue(pipeline::Run& run) {
+  FrameRecord* newest = nullptr;
+  for (FrameRecord* const frame : frames_.overdue(pipeline::wallSeconds())) {
+    // Older ones would be followed by this one at once.
+    if (newest != nullptr) drop(*newest);
+    newest = frame;
+  }
+  if (newest == nullptr) return;
+  fillIn(*newest);
+  end(*newest, run);
+  sender_.cancel(newest->view());
+}
+
+void FramePlanner::proceed(FrameRecord& frame, std::uint32_t slot, std::optional<Payload> answer) {
+  while (true) {
+    Plan plan = planOf(frame, slot, answer ? &*answer : nullptr);
+    if (auto* const payload = std::get_if<Payload>(&plan)) return take(frame, slot, std::move(*payload));
+    frame.ask(slot, std::get<Ask>(std::move(plan)));
+    answer = request(frame, slot);
+    if (!answer) return;
+  }
+}
+
+Plan FramePlanner::planOf(const FrameRecord& frame, std::uint32_t slot, const Payload* answer) {
+  if (frame.rounds(slot) >= kMaxRounds) return Payload(Failure{"the object asks without end"});
+  const VisibleObject& object = frame.object(slot);
+  Plan plan = Payload(Failure{});
+  attempt(
+      [&] {
+        const SharedOf shared(frontend_.shared(), object.object.id);
+        FrontendHalf& half = halves_->of(object.object.type);
+        if (answer == nullptr) {
+          plan = half.plan(object, frame.view(), shared, nullptr);
+        } else if (const Ask& ask = *frame.asked(slot); fits(*answer, ask)) {
+          const Reply reply{ask, *answer};
+          plan = half.plan(object, frame.view(), shared, &reply);
+        } else {
+          plan = Payload(Failure{"the picture is larger than what was asked for"});
+        }
+      },
+      [&](const std::string& reason) { plan = Payload(Failure{reason}); });
+  return plan;
+}
+
+std::optional<Payload> FramePlanner::request(const FrameRecord& frame, std::uint32_t slot) {
+  std::optional<Payload> refused;
+  attempt([&] { refused = sender_.send(*frame.list(), slot, *frame.asked(slot)); },
+          [&](const std::string& reason) {
+            refused = Failure{reason, true};
+          });
+  return refused;
+}
+
+void FramePlanner::take(FrameRecord& frame, std::uint32_t slot, Payload payload) {
+  if (frame.answer(slot, payload)) return;
+  timeline_.count("results that were not waited for");
+  if (frames_.keepStale(frame, slot, std::move(payload))) timeline_.count("results that the next frame may show");
+}
+
+void FramePlanner::fillIn(FrameRecord& frame) {
+  for (const std::uint32_t slot : frames_.fillIn(frame)) {
+    timeline_.recordFailure(kFramePlanner, pipeline::Work::kPerUserFrontend);
+    const world::Object& object = frame.object(slot).object;
+    overdue_.warning(std::string(halves_->name(object.type)) + " " + object.name +
+                     ": no result within the deadline of a frame");
+  }
+}
+
+void FramePlanner::end(FrameRecord& frame, pipeline::Run& run) {
+  if (frames_.overtaken(frame)) return drop(frame);
+  compositor_.send(run, frame.toShow());
+  frames_.show(frame);
+}
+
+void FramePlanner::drop(FrameRecord& frame) {
+  frame.drop();
+  frameDropped_();
+}
+
+}  // namespace grove::node
