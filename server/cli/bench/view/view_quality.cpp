@@ -20,9 +20,9 @@ class QualityMeter {
  public:
   void add(const measure::Picture& shown, const measure::Picture& reference) {
     all_.resize(shown.colour.size(), 1);
-    const double decibels = measure::decibels(measure::meanSquareError(shown, reference, all_));
-    sum_ += decibels;
-    worst_ = std::min(worst_, decibels);
+    const double error = measure::meanSquareError(shown, reference, all_);
+    sum_ += error;
+    worst_ = std::max(worst_, error);
     ++frames_;
     flicker_.add(shown);
     flickerReference_.add(reference);
@@ -30,14 +30,15 @@ class QualityMeter {
 
   [[nodiscard]] std::optional<ViewQuality> quality() const {
     if (frames_ == 0) return std::nullopt;
-    return ViewQuality{sum_ / frames_, worst_, flicker_.share(), flickerReference_.share()};
+    return ViewQuality{measure::decibels(sum_ / frames_), measure::decibels(worst_), flicker_.share(),
+                       flickerReference_.share()};
   }
 
  private:
   measure::Mask all_;
   int frames_ = 0;
-  double sum_ = 0.0;
-  double worst_ = measure::kEqual;
+  double sum_ = 0.0;    ///< of mean square errors
+  double worst_ = 0.0;  ///< mean square error
   measure::Flicker flicker_;
   measure::Flicker flickerReference_;
 };

@@ -11,7 +11,7 @@ namespace grove::cli {
 
 /// How a visitor's frames compare with frames of which everything is drawn.
 struct ViewQuality {
-  double meanDecibels = 0.0;   ///< PSNR, the mean over the frames; a frame without an error counts measure::kEqual
+  double meanDecibels = 0.0;   ///< PSNR of the mean square error over all frames
   double worstDecibels = 0.0;  ///< PSNR of the worst frame
   double flicker = 0.0;        ///< of the visitor's frames, see measure::Flicker
   double flickerReference = 0.0;
