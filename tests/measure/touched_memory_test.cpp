@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <vector>
 
 #include "sanitized.h"
@@ -26,7 +27,8 @@ TEST(TouchedMemory, CountsWhatIsReadOrWrittenAndNothingElse) {
     return bytes;
   };
   const auto nothing = touch(0);
-  if (!nothing) GTEST_SKIP() << "this kernel does not tell";
+  ASSERT_EQ(nothing.has_value(), std::filesystem::exists("/proc/self/clear_refs"));
+  if (!nothing) return;
   EXPECT_LT(*nothing, kTouched / 2);
   EXPECT_NEAR(static_cast<double>(*touch(1) - *nothing), kTouched, 0.05 * kTouched);
   EXPECT_NEAR(static_cast<double>(*touch(4) - *nothing), 4.0 * kTouched, 0.05 * kTouched);
