@@ -30,6 +30,13 @@ void addSize(CLI::App* bench, PictureSize& size) {
       ->default_str(nameOf(size));
 }
 
+void addWalk(CLI::App* bench, std::optional<std::string>& walk, double& seconds) {
+  bench->add_option("--walk", walk, "File of the walk (default: around the fire)");
+  bench->add_option("--seconds", seconds, "How long the walk is, at 30 frames a second")
+      ->check(CLI::Range(0.1, 600.0))
+      ->capture_default_str();
+}
+
 /// As CLI::Range for numbers that a step divides.
 CLI::Validator multipleOf(int step) {
   return {[step](const std::string& text) {
@@ -78,11 +85,8 @@ void BenchCommands::addEncode() {
   BenchEncodeOptions& options = encode_;
   CLI::App* encode =
       bench_->add_subcommand("encode", "CPU, bits and quality of the codecs on a walk through the grove");
-  encode->add_option("--walk", options.walk, "File of the walk (default: around the fire)");
+  addWalk(encode, options.walk, options.seconds);
   addSize(encode, options.size);
-  encode->add_option("--seconds", options.seconds, "How long the walk is, at 30 frames a second")
-      ->check(CLI::Range(0.1, 600.0))
-      ->capture_default_str();
   encode->add_flag("--json", options.json, "One JSON document on stdout");
 }
 
@@ -139,12 +143,9 @@ void BenchCommands::addView() {
   BenchViewOptions& options = view_;
   CLI::App* view = bench_->add_subcommand(
       "view", "What one visitor's frames cost on a walk, and how near they come to drawing everything");
-  view->add_option("--walk", options.walk, "File of the walk (default: around the fire)");
+  addWalk(view, options.walk, options.seconds);
   view->add_option("--scene", options.scene, "Scene file (default: the grove, built in)");
   addSize(view, options.size);
-  view->add_option("--seconds", options.seconds, "How long the walk is, at 30 frames a second")
-      ->check(CLI::Range(0.1, 600.0))
-      ->capture_default_str();
   view->add_flag("--json", options.json, "One JSON document on stdout");
 }
 
