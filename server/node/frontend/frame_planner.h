@@ -25,9 +25,8 @@ inline pipeline::TraceTag traceTag(const FramePlannerInput& input) {
   return std::visit([](const auto& held) { return traceTag(held); }, input);
 }
 
-/// Leads each frame from the Scene Analyzer's list to what the Compositor can show: finds out from each object's
-/// frontend half what it needs, has the Request Sender ask for that, and plans again with what has come, until every
-/// object has its payload.
+/// Turns the Scene Analyzer's list into a frame that the Compositor can show: asks each object's frontend half what it
+/// needs, passes that to the Request Sender, and repeats this with each result until every object has its payload.
 ///
 /// A frame that is complete only after a newer one was shown is dropped. One that is not complete by its deadline is
 /// shown with the last results of what is missing; what comes later still is the last result then. A request that is

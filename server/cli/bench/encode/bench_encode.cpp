@@ -77,7 +77,7 @@ void print(const EncodeReport& report) {
                 settingName(trial.setting).c_str(), trial.quantiser, trial.cpuMilliseconds, trial.p99Milliseconds,
                 trial.kilobitsPerSecond, trial.ssim, trial.minSsim);
   }
-  if (report.interrupted) std::puts("\ninterrupted: what is above is not all that was asked for");
+  if (report.interrupted) std::puts("\ninterrupted: these figures are incomplete");
 }
 
 ordered_json toJson(const EncodeReport& report) {

@@ -148,7 +148,7 @@ void report(const BenchPipelineOptions& options, const world::Scene& scene, cons
     std::printf("%s, %d visitors, %s, %u cores\n", scene.name.c_str(), options.users, nameOf(options.size).c_str(),
                 std::thread::hardware_concurrency());
     for (const Row& row : rows) print(row);
-    if (interrupted) std::puts("\ninterrupted: what is above is not all that was asked for");
+    if (interrupted) std::puts("\ninterrupted: these figures are incomplete");
     return;
   }
   ordered_json document = {{"scene", scene.name},

@@ -95,7 +95,7 @@ void printView(const ViewReport& report) {
     std::printf("blocks that flicker: %.4f %%; where everything is drawn: %.4f %%\n", 100.0 * quality->flicker,
                 100.0 * quality->flickerReference);
   }
-  if (report.interrupted) std::puts("\ninterrupted: what is above is not all that was asked for");
+  if (report.interrupted) std::puts("\ninterrupted: these figures are incomplete");
 }
 
 }  // namespace grove::cli

@@ -20,8 +20,8 @@ struct ViewCost {
   std::map<std::string, double> layers;  ///< of that, see layersOf()
 };
 
-/// Draws the walk's frames and makes JPEGs of them. If it is to stop, tells of the frames by then; nothing if there are
-/// none.
+/// Draws the walk's frames and encodes them as JPEG. After a stop request, returns the cost of the frames drawn so far;
+/// nothing if there are none.
 [[nodiscard]] std::optional<ViewCost> measureViewCost(WalkWorld& world, const world::Walk& walk, double seconds,
                                                       const PictureSize& size, Pace pace, const std::stop_token& stop);
 

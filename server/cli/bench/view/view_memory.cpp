@@ -14,7 +14,7 @@ namespace grove::cli {
 namespace {
 
 constexpr int kSamples = 10;
-/// Frames before each that is measured: what is shared among visitors is made by them, as it would be on a walk.
+/// Warm-up frames before each measured frame: they make the pictures that visitors share.
 constexpr int kFramesBefore = 5;
 /// A simulation goes on for two seconds when nobody is there any more.
 constexpr auto kUntilRest = std::chrono::milliseconds(2500);

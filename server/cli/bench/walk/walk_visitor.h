@@ -19,7 +19,7 @@ namespace grove::cli {
 class WalkVisitor {
  public:
   struct Terms {
-    std::uint32_t number = 1;  ///< tells apart those who are in the world at the same time
+    std::uint32_t number = 1;  ///< unique among the visitors in the world
     PictureSize size;
     node::FramePolicy policy = walkPolicy();
   };
