@@ -4,7 +4,7 @@
 
 namespace grove::objects::ground {
 
-inline constexpr int kTile = 320;  ///< columns that are worked on together
+inline constexpr int kTile = 160;  ///< columns that are worked on together
 
 /// How far the meadow reaches, in metres; there the forest of the sky's panorama begins.
 inline constexpr float kFarthest = 140.0F;

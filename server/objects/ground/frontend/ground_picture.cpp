@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/floor_to.h"
 #include "objects/ground/frontend/grow_kernels.h"
 #include "objects/ground/frontend/root_kernels.h"
 #include "objects/ground/frontend/shade_kernels.h"
@@ -146,7 +147,7 @@ GroundPicture::GroundPicture(const GroundMaps& maps, const GroundLight& light, c
 
   image_ = images.acquire(rect);
   image_->opaque = true;
-  firstColumn_ = rect.left / kTile * kTile;
+  firstColumn_ = floorTo(rect.left, kTile);
   parts_ = static_cast<std::size_t>((rect.right - firstColumn_ + kTile - 1) / kTile);
   int reach = reachOf(frame_, maps.meadow.tallest, rect.bottom - 1, 0);
   const int lowest = rect.bottom - 1 + reach;

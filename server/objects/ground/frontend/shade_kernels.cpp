@@ -48,8 +48,8 @@ HWY_INLINE void place(const Frame& frame, const Row& row, const GrassRows& grass
     const auto above = hn::And(root, rowMask);
     const auto slot = hn::And(hn::Add(above, thisRow), rowMask);
     const auto column = hn::Iota(indexTag, static_cast<std::int32_t>(i));
-    static_assert(kTile == (1 << 8) + (1 << 6));
-    const auto line = hn::Add(hn::ShiftLeft<8>(slot), hn::ShiftLeft<6>(slot));
+    static_assert(kTile == (1 << 7) + (1 << 5));
+    const auto line = hn::Add(hn::ShiftLeft<7>(slot), hn::ShiftLeft<5>(slot));
     hn::Store(hn::Add(line, column), indexTag, at + i);
     const auto inverse = hn::MulAdd(hn::ConvertTo(depthTag, above), inverseStep, firstInverse);
     hn::StoreU(hn::Div(one, inverse), depthTag, depth + i);

@@ -6,6 +6,8 @@
 #include <cstring>
 #include <numbers>
 
+#include "base/floor_to.h"
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "objects/sky/frontend/sample_kernels.cpp"
 #include <hwy/foreach_target.h>
@@ -188,7 +190,7 @@ void sampleRow(const Panorama& panorama, const RowOfRays& rays, int first, int c
   const Map map(panorama);
   Places knots;
   Places places;
-  for (int chunk = first / kChunk * kChunk; chunk < first + count; chunk += kChunk) {
+  for (int chunk = floorTo(first, kChunk); chunk < first + count; chunk += kChunk) {
     if (straight) {
       aim(panorama, rays, chunk, kKnot, kChunk / kKnot + 1, knots);
       joinKnots(knots, places);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "objects/sky/frontend/sample_kernels.h"
@@ -80,8 +81,8 @@ class SoftRows {
       : rows_(rows),
         panorama_(panorama),
         step_(step),
-        first_(rect.left / step),
-        skip_(rect.left % step),
+        skip_(rect.left & (step - 1)),
+        first_((rect.left - skip_) / step),
         count_(rect.width()) {
     const auto samples = static_cast<std::size_t>((count_ + skip_) / step) + 2;
     even_.resize(samples);
@@ -118,10 +119,10 @@ class SoftRows {
   const SkyRows& rows_;
   const Panorama& panorama_;
   const int step_;
-  const int first_;
   const int skip_;
+  const int first_;
   const int count_;
-  int loaded_ = -1;  // the row in even_
+  std::optional<int> loaded_;  // the row in even_
   std::vector<std::uint32_t> even_;
   std::vector<std::uint32_t> next_;
   std::vector<std::uint32_t> wide_;

@@ -113,6 +113,21 @@ TEST_F(GroundPictureTest, APartEqualsThatPartOfTheWhole) {
   }
 }
 
+/// Fails if columns left of the frame are rounded towards it.
+TEST_F(GroundPictureTest, IsTheSameWithABorderBeyondTheFrame) {
+  const world::Camera camera = cameraAt({3.0F, 1.7F, -2.0F}, -0.3F);
+  const auto all = groundImage(grown, camera, whole(camera), {}, images);
+  const world::Rect border{-38, -14, 360, 200};
+  const auto wide = groundImage(grown, camera, border, {}, images);
+  ASSERT_TRUE(all && wide);
+  for (int y = all->rect.top; y < all->rect.bottom; ++y) {
+    for (int x = 0; x < camera.width; ++x) {
+      const std::uint32_t there = wide->colourRow(y - wide->rect.top)[x - border.left];
+      ASSERT_EQ(there, all->colourRow(y - all->rect.top)[x]) << x << ", " << y;
+    }
+  }
+}
+
 TEST_F(GroundPictureTest, ALampBrightensTheGroundBelowItMost) {
   const world::Camera camera = cameraAt({0.0F, 1.7F, 0.0F}, -0.5F);
   const world::Vec3 spot = camera.pose.position + camera.ray(165.0F, 100.0F) * (-1.7F / camera.ray(165.0F, 100.0F).y);

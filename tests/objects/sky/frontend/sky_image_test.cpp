@@ -75,6 +75,22 @@ TEST_F(SkyImage, APartEqualsThatPartOfTheWhole) {
   }
 }
 
+/// Fails if columns left of the frame are rounded towards it.
+TEST_F(SkyImage, IsTheSameWithABorderBeyondTheFrame) {
+  const world::Camera camera = cameraAt(-2.5F, 0.4F);
+  const auto all = skyImage(*baked, sky.sun, camera, whole(camera), images);
+  for (const world::Rect border : {world::Rect{-2, -2, 324, 182}, world::Rect{-38, -14, 330, 190}}) {
+    const auto wide = skyImage(*baked, sky.sun, camera, border, images);
+    ASSERT_TRUE(wide);
+    for (int y = all->rect.top; y < all->rect.bottom; ++y) {
+      for (int x = 0; x < camera.width; ++x) {
+        ASSERT_EQ(wide->colourRow(y - border.top)[x - border.left], all->colourRow(y)[x]) << x << ", " << y;
+      }
+    }
+    EXPECT_NE(wide->colourRow(0)[0] & 0xFFFFFFU, 0U) << "the border is not black";
+  }
+}
+
 TEST_F(SkyImage, NeighboursDifferLittleAcrossTheSeamAndAtTheZenith) {
   // Heading 0 is the map's seam; the pitch shows the zenith.
   for (const float pitch : {0.5F, 1.45F}) {
