@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "node/messages/request.h"
@@ -14,12 +15,19 @@ struct VisibleObject {
   world::Object object;
   world::Rect rect;       ///< screen box
   float distance = 0.0F;  ///< metres from the eye to the farthest corner of its bounds, the key of the order
+  bool still = false;     ///< it is drawn into the frame's backdrop
 };
 
 /// The Scene Analyzer's list, back to front; a request's slot is its index.
 struct FrameList {
   std::shared_ptr<const View> view;
   std::vector<VisibleObject> objects;
+  /// The frame that draws its backdrop: itself, or an earlier one if still objects are not in the list. Nothing: it has
+  /// no backdrop.
+  std::optional<FrameNumber> backdrop;
+  world::Rect area;  ///< of the backdrop that it draws, in pixels of the view's camera
+
+  [[nodiscard]] bool drawsBackdrop() const { return backdrop == view->frame; }
 };
 
 /// A frame with what each of its objects is to be shown with, in the order of its list.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <optional>
 
 #include "world/geometry.h"
@@ -16,8 +17,16 @@ struct Rect {
   [[nodiscard]] int width() const noexcept { return right - left; }
   [[nodiscard]] int height() const noexcept { return bottom - top; }
   [[nodiscard]] bool empty() const noexcept { return right <= left || bottom <= top; }
+  [[nodiscard]] Rect moved(int across, int down) const noexcept {
+    return {left + across, top + down, right + across, bottom + down};
+  }
   friend bool operator==(const Rect&, const Rect&) = default;
 };
+
+/// Empty if they do not overlap.
+[[nodiscard]] constexpr Rect overlap(const Rect& a, const Rect& b) noexcept {
+  return {std::max(a.left, b.left), std::max(a.top, b.top), std::min(a.right, b.right), std::min(a.bottom, b.bottom)};
+}
 
 /// Where an eye is and looks. Yaw 0 looks along -Z and grows counter-clockwise seen from above; pitch grows upwards.
 struct Pose {

@@ -27,6 +27,8 @@ struct Bounds {
   [[nodiscard]] Vec3 centre() const noexcept { return (low + high) * 0.5F; }
   [[nodiscard]] Vec3 size() const noexcept { return high - low; }
   [[nodiscard]] std::array<Vec3, 8> corners() const noexcept;
+  /// Of a point; 0 inside.
+  [[nodiscard]] float distance(Vec3 point) const noexcept { return glm::distance(point, glm::clamp(point, low, high)); }
   void add(Vec3 point) noexcept;
   void add(const Bounds& other) noexcept;
 };

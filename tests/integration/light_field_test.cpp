@@ -138,6 +138,8 @@ TEST_F(LightFields, AFileThatBecomesShorterCostsItsObjectOnly) {
   const Picture whole = pictureAfter(visitor, 0, 0.0F);
   testing::internal::CaptureStderr();
   std::filesystem::resize_file(file, 4096);
+  // Away and back, so that it is drawn again.
+  (void)pictureAfter(visitor, 0, 0.3F);
   const Picture cut = pictureAfter(visitor, 0, 0.001F);
   (void)pictureAfter(visitor, 0, 0.002F);
   const std::string said = testing::internal::GetCapturedStderr();

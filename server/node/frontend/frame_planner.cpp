@@ -27,13 +27,14 @@ bool fits(const Payload& answer, const Ask& ask) {
 }  // namespace
 
 FramePlanner::FramePlanner(std::size_t capacity, FrontendProcess& frontend, std::shared_ptr<VisitorHalves> halves,
-                           std::function<void()> frameDropped)
+                           std::unique_ptr<BackdropPlanner> backdrops, std::function<void()> frameDropped)
     : Stage({.name = kFramePlanner, .work = pipeline::Work::kPerUserFrontend, .capacity = capacity},
             frontend.tools().workers, frontend.tools().timeline),
       frontend_(frontend),
       timeline_(frontend.tools().timeline),
       halves_(std::move(halves)),
       frameDropped_(std::move(frameDropped)),
+      backdrops_(std::move(backdrops)),
       sender_(frontend) {}
 
 void FramePlanner::connect(std::shared_ptr<pipeline::Inlet<CompleteFrame>> compositor) {
@@ -50,6 +51,9 @@ void FramePlanner::process(std::span<FramePlannerInput> inputs, pipeline::Run& r
       begin(*list, run);
     } else if (auto* const result = std::get_if<Result>(&input)) {
       resume(std::move(*result), run);
+    } else if (const auto* const sent = std::get_if<BackdropSent>(&input)) {
+      FrameRecord* const frame = frames_.find(sent->showing);
+      if (frame != nullptr && frame->inTheMaking()) endIfComplete(*frame, run);
     } else {
       endOverdue(run);
     }
@@ -59,14 +63,17 @@ void FramePlanner::process(std::span<FramePlannerInput> inputs, pipeline::Run& r
 void FramePlanner::recover(FramePlannerInput& input, const std::string&, pipeline::Run&) {
   // One that has a record ends by its deadline.
   const auto* const list = std::get_if<std::shared_ptr<const FrameList>>(&input);
-  if (list != nullptr && frames_.find((*list)->view->frame) == nullptr) frameDropped_();
+  if (list == nullptr || frames_.find((*list)->view->frame) != nullptr) return;
+  if (backdrops_) backdrops_->drop((*list)->view->frame);
+  frameDropped_();
 }
 
-void FramePlanner::begin(const std::shared_ptr<const FrameList>& list, pipeline::Run& run) {
+void FramePlanner::begin(const std::shared_ptr<const FrameList>& seen, pipeline::Run& run) {
+  const std::shared_ptr<const FrameList> list = backdrops_ ? backdrops_->plan(seen) : seen;
   FrameRecord& frame = frames_.open(list);
   sender_.send(list->view);
   for (std::uint32_t slot = 0; slot < list->objects.size(); ++slot) proceed(frame, slot, std::nullopt);
-  if (frame.complete()) end(frame, run);
+  endIfComplete(frame, run);
 }
 
 void FramePlanner::resume(Result result, pipeline::Run& run) {
@@ -76,20 +83,23 @@ void FramePlanner::resume(Result result, pipeline::Run& run) {
     return;
   }
   proceed(*frame, result.slot, std::move(result.payload));
-  if (frame->inTheMaking() && frame->complete()) end(*frame, run);
+  if (frame->inTheMaking()) endIfComplete(*frame, run);
 }
 
 void FramePlanner::endOverdue(pipeline::Run& run) {
-  FrameRecord* newest = nullptr;
-  for (FrameRecord* const frame : frames_.overdue(pipeline::wallSeconds())) {
-    // Older ones would be followed by this one at once.
-    if (newest != nullptr) drop(*newest);
-    newest = frame;
+  const std::vector<FrameRecord*> overdue = frames_.overdue(pipeline::wallSeconds());
+  for (FrameRecord* const frame : overdue) {
+    // The newest would follow at once; but it may show the backdrop of an older one.
+    if (frame != overdue.back() && !frame->list()->drawsBackdrop()) {
+      drop(*frame);
+      continue;
+    }
+    fillIn(*frame);
+    end(*frame, run);
+    sender_.cancel(frame->view());
+    if (frame != overdue.back()) push(DeadlineCheck{});
+    return;
   }
-  if (newest == nullptr) return;
-  fillIn(*newest);
-  end(*newest, run);
-  sender_.cancel(newest->view());
 }
 
 void FramePlanner::proceed(FrameRecord& frame, std::uint32_t slot, std::optional<Payload> answer) {
@@ -147,14 +157,21 @@ void FramePlanner::fillIn(FrameRecord& frame) {
   }
 }
 
+void FramePlanner::endIfComplete(FrameRecord& frame, pipeline::Run& run) {
+  if (!frame.complete() || frames_.waitsForBackdrop(frame)) return;
+  end(frame, run);
+}
+
 void FramePlanner::end(FrameRecord& frame, pipeline::Run& run) {
   if (frames_.overtaken(frame)) return drop(frame);
   compositor_.send(run, frame.toShow());
   frames_.show(frame);
+  for (const FrameRecord* const next : frames_.showingBackdropOf(frame)) push(BackdropSent{next->number()});
 }
 
 void FramePlanner::drop(FrameRecord& frame) {
   frame.drop();
+  if (backdrops_) backdrops_->drop(frame.number());
   frameDropped_();
 }
 

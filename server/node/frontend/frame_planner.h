@@ -6,6 +6,7 @@
 #include <optional>
 #include <variant>
 
+#include "node/frontend/backdrops/backdrop_planner.h"
 #include "node/frontend/frame_records.h"
 #include "node/frontend/request_sender.h"
 #include "node/frontend/visitor_halves.h"
@@ -18,8 +19,17 @@ struct DeadlineCheck {};
 
 inline pipeline::TraceTag traceTag(const DeadlineCheck&) { return {}; }
 
-/// A frame that begins, what came of something that it asked for, or a look at the clock.
-using FramePlannerInput = std::variant<std::shared_ptr<const FrameList>, Result, DeadlineCheck>;
+/// The backdrop that a frame shows has been sent to the Compositor. The planner's own note to itself: a run may send
+/// one frame for each input.
+struct BackdropSent {
+  FrameNumber showing = 0;
+};
+
+inline pipeline::TraceTag traceTag(const BackdropSent&) { return {}; }
+
+/// A frame that begins, what came of something that it asked for, a look at the clock, or a frame that need not wait
+/// any more.
+using FramePlannerInput = std::variant<std::shared_ptr<const FrameList>, Result, DeadlineCheck, BackdropSent>;
 
 inline pipeline::TraceTag traceTag(const FramePlannerInput& input) {
   return std::visit([](const auto& held) { return traceTag(held); }, input);
@@ -33,9 +43,10 @@ inline pipeline::TraceTag traceTag(const FramePlannerInput& input) {
 /// refused is a Failure at once, so that its frame is completed without it.
 class FramePlanner final : public pipeline::Stage<FramePlannerInput> {
  public:
-  /// `frameDropped` is called once for every frame that began and is not sent on. `frontend` outlives it.
+  /// `frameDropped` is called once for every frame that began and is not sent on. `frontend` outlives it. Without
+  /// `backdrops` every frame draws all that it sees.
   FramePlanner(std::size_t capacity, FrontendProcess& frontend, std::shared_ptr<VisitorHalves> halves,
-               std::function<void()> frameDropped);
+               std::unique_ptr<BackdropPlanner> backdrops, std::function<void()> frameDropped);
   void connect(std::shared_ptr<pipeline::Inlet<CompleteFrame>> compositor);
 
  protected:
@@ -43,9 +54,10 @@ class FramePlanner final : public pipeline::Stage<FramePlannerInput> {
   void recover(FramePlannerInput& input, const std::string& reason, pipeline::Run& run) override;
 
  private:
-  void begin(const std::shared_ptr<const FrameList>& list, pipeline::Run& run);
+  void begin(const std::shared_ptr<const FrameList>& seen, pipeline::Run& run);
   void resume(Result result, pipeline::Run& run);
-  /// Ends all whose deadline has passed: shows the newest, filled in.
+  /// Ends one whose deadline has passed, filled in, and drops those before it: the newest, or the first that draws a
+  /// backdrop. If more are left, looks again.
   void endOverdue(pipeline::Run& run);
 
   /// Goes on with one object until it waits or has its payload.
@@ -56,6 +68,8 @@ class FramePlanner final : public pipeline::Stage<FramePlannerInput> {
   void take(FrameRecord& frame, std::uint32_t slot, Payload payload);
 
   void fillIn(FrameRecord& frame);
+  /// Ends it if nothing is missing, its backdrop included.
+  void endIfComplete(FrameRecord& frame, pipeline::Run& run);
   /// Shows a frame in the making, or drops it if a newer one was shown.
   void end(FrameRecord& frame, pipeline::Run& run);
   void drop(FrameRecord& frame);
@@ -64,6 +78,7 @@ class FramePlanner final : public pipeline::Stage<FramePlannerInput> {
   pipeline::Timeline& timeline_;
   const std::shared_ptr<VisitorHalves> halves_;
   const std::function<void()> frameDropped_;
+  const std::unique_ptr<BackdropPlanner> backdrops_;
   RequestSender sender_;
   FrameRecords frames_;
   log::Limited overdue_;

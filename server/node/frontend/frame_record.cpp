@@ -28,13 +28,17 @@ bool FrameRecord::answer(std::uint32_t slot, Payload& payload) {
   return true;
 }
 
-std::vector<std::uint32_t> FrameRecord::fillIn(const FrameRecord* last) {
+std::vector<std::uint32_t> FrameRecord::fillIn(std::initializer_list<const FrameRecord*> earlier) {
   std::vector<std::uint32_t> filled;
   for (std::uint32_t slot = 0; slot < slots_.size(); ++slot) {
     if (slots_[slot].answered) continue;
-    const auto place = last == nullptr ? std::nullopt : last->slotOf(object(slot), view());
-    const bool has = place && !std::holds_alternative<Failure>(last->slots_[*place].payload);
-    slots_[slot].payload = has ? last->slots_[*place].payload : Payload(Failure{"no result in time"});
+    slots_[slot].payload = Failure{"no result in time"};
+    for (const FrameRecord* const frame : earlier) {
+      const Payload* const payload = frame == nullptr ? nullptr : frame->shownWith(object(slot), view());
+      if (payload == nullptr) continue;
+      slots_[slot].payload = *payload;
+      break;
+    }
     filled.push_back(slot);
   }
   return filled;
@@ -61,6 +65,11 @@ void FrameRecord::drop() {
 
 void FrameRecord::release() {
   for (Slot& slot : slots_) slot.payload = {};
+}
+
+const Payload* FrameRecord::shownWith(const VisibleObject& object, const View& view) const {
+  const auto place = slotOf(object, view);
+  return place && !std::holds_alternative<Failure>(slots_[*place].payload) ? &slots_[*place].payload : nullptr;
 }
 
 std::optional<std::size_t> FrameRecord::slotOf(const VisibleObject& object, const View& view) const {

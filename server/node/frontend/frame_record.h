@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -45,9 +46,9 @@ class FrameRecord {
   /// slot, for a second answer, and after the frame's end.
   bool answer(std::uint32_t slot, Payload& payload);
 
-  /// Gives each slot without an answer what `last`, which may be null, was shown with for the same object, or a Failure
-  /// if there is nothing that fits. Returns those slots.
-  std::vector<std::uint32_t> fillIn(const FrameRecord* last);
+  /// Gives each slot without an answer what the first of the earlier frames, which may be null, was shown with for the
+  /// same object, or a Failure if there is nothing that fits. Returns those slots.
+  std::vector<std::uint32_t> fillIn(std::initializer_list<const FrameRecord*> earlier);
 
   /// What has come of a slot of `late`, which was shown without it, stands for that object in this frame from now on.
   /// False, and nothing changes, if this frame has an answer of its own or the payload does not fit.
@@ -67,6 +68,8 @@ class FrameRecord {
     int rounds = 0;
     bool answered = false;  ///< the payload is its own
   };
+  /// What this frame was shown with for an object that is seen by `view`; null if nothing fits.
+  [[nodiscard]] const Payload* shownWith(const VisibleObject& object, const View& view) const;
   /// Where this frame has an object that is seen by `view`, if both see pictures of one size.
   [[nodiscard]] std::optional<std::size_t> slotOf(const VisibleObject& object, const View& view) const;
 

@@ -11,8 +11,8 @@ namespace grove::node {
 
 /// The frames of one visitor: requests x frames in flight (section 4.4), and beside those in the making some that have
 /// ended, for results that come late are of use as the last ones of their objects. Bounded by the frames in flight and
-/// kKept. Only the newest that was shown holds payloads after its end. Records stay where they are until open() forgets
-/// them. Used by one thread at a time.
+/// kKept. Only the newest that was shown and the newest that drew a backdrop hold payloads after their end. Records
+/// stay where they are until open() forgets them. Used by one thread at a time.
 class FrameRecords {
  public:
   /// Whose results are still of use; frames in the making are kept even if they are more.
@@ -37,8 +37,13 @@ class FrameRecords {
   /// It is the newest shown from now on.
   void show(FrameRecord& frame);
 
-  /// See FrameRecord::fillIn(), with what the newest shown frame has.
-  std::vector<std::uint32_t> fillIn(FrameRecord& frame) { return frame.fillIn(newestShown_); }
+  /// See FrameRecord::fillIn(), with what the newest shown frame has, and the newest that drew a backdrop.
+  std::vector<std::uint32_t> fillIn(FrameRecord& frame) { return frame.fillIn({newestShown_, newestDrawn_}); }
+
+  /// Those in the making that show the backdrop which this frame draws.
+  [[nodiscard]] std::vector<FrameRecord*> showingBackdropOf(const FrameRecord& frame);
+  /// Whether the frame that draws its backdrop is still in the making.
+  [[nodiscard]] bool waitsForBackdrop(const FrameRecord& frame);
 
   /// What has come of a slot after its frame's end: true if it is the last result of its object now, see
   /// FrameRecord::takeStale(). Of frames that were not shown it never is.
@@ -51,6 +56,7 @@ class FrameRecords {
 
   std::map<FrameNumber, FrameRecord> frames_;
   FrameRecord* newestShown_ = nullptr;
+  FrameRecord* newestDrawn_ = nullptr;  ///< of those that were shown
 };
 
 }  // namespace grove::node

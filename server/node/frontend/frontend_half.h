@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <variant>
@@ -74,6 +75,13 @@ class FrontendHalf {
   [[nodiscard]] virtual std::unique_ptr<Layer> layer(const VisibleObject& /*object*/, const Payload& /*payload*/,
                                                      const View& /*view*/) {
     return nullptr;
+  }
+
+  /// For an object that looks the same from one frame to the next but for the eye's place and the lights, so that one
+  /// picture of it may serve several frames (see Backdrop): its distance from an eye in metres, below which a small
+  /// step of the eye changes much. Nothing for an object that moves.
+  [[nodiscard]] virtual std::optional<float> stillDistance(const VisibleObject& /*object*/, world::Vec3 /*eye*/) const {
+    return std::nullopt;
   }
 
   /// Memory that it keeps from frame to frame.

@@ -22,10 +22,14 @@ FrontendNode::FrontendNode(SessionId session, const FramePolicy& policy, SceneAn
 
   analyzer_ = std::make_shared<SceneAnalyzer>(frontend.layout(), std::move(look), policy.deadlineSeconds, endFrame,
                                               tools.workers, tools.timeline);
-  planner_ = std::make_shared<FramePlanner>(results + frames + 1, frontend, halves, endFrame);
+  const auto backdrops = std::make_shared<BackdropStore>();
+  auto backdropPlanner =
+      policy.backdrops ? std::make_unique<BackdropPlanner>(frontend.layout(), halves, backdrops) : nullptr;
+  planner_ =
+      std::make_shared<FramePlanner>(results + 2 * frames + 1, frontend, halves, std::move(backdropPlanner), endFrame);
   resultReceiver_ = std::make_shared<ResultReceiver>(results, tools.workers, tools.timeline);
   decompressor_ = std::make_shared<Decompressor>(frontend);
-  compositor_ = std::make_shared<Compositor>(frames, frontend, halves, endFrame);
+  compositor_ = std::make_shared<Compositor>(frames, frontend, halves, backdrops, endFrame);
 
   analyzer_->connect(planner_);
   planner_->connect(compositor_);

@@ -18,6 +18,7 @@ namespace grove::node {
 struct FramePolicy {
   int framesInFlight = 1;        ///< 1 to kMaxFramesInFlight
   double deadlineSeconds = 0.5;  ///< then it is shown with the last results of the objects that did not answer
+  bool backdrops = true;         ///< false: every object is drawn for every frame
 };
 
 /// The left half of Figure 4.2: one visitor's pipeline from the camera to the composited frame. Any thread.

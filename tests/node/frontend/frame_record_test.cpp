@@ -22,7 +22,7 @@ bool answers(FrameRecord& record, std::uint32_t slot, Payload payload) { return 
 FrameRecord shownWithoutSecond(FrameNumber number, std::uint32_t colour, int width = 320) {
   FrameRecord record(listOf(number, 2, {.width = width}));
   answers(record, 0, picture(colour));
-  record.fillIn(nullptr);
+  record.fillIn({});
   record.show();
   return record;
 }
@@ -88,7 +88,7 @@ TEST(FrameRecord, FillsInWhatTheLastOneHadOfTheSameObject) {
   const FrameRecord last = shownWithoutSecond(1, 5);
   FrameRecord record(listOf(2, 3));
   ASSERT_TRUE(answers(record, 2, picture(9)));
-  EXPECT_THAT(record.fillIn(&last), ElementsAre(0U, 1U));
+  EXPECT_THAT(record.fillIn({&last}), ElementsAre(0U, 1U));
   const CompleteFrame frame = record.toShow();
   EXPECT_EQ(colourOf(frame.payloads[0]), 5U);
   EXPECT_EQ(reasonOf(frame.payloads[1]), "no result in time") << "the last one had no answer either";
@@ -98,14 +98,14 @@ TEST(FrameRecord, FillsInWhatTheLastOneHadOfTheSameObject) {
 TEST(FrameRecord, FillsInPicturesOfItsOwnSizeOnly) {
   const FrameRecord last = shownWithoutSecond(1, 5, 640);
   FrameRecord record(listOf(2, 1));
-  EXPECT_THAT(record.fillIn(&last), ElementsAre(0U));
+  EXPECT_THAT(record.fillIn({&last}), ElementsAre(0U));
   EXPECT_EQ(reasonOf(record.toShow().payloads[0]), "no result in time");
 }
 
 TEST(FrameRecord, HasNothingToFillInWhenItIsComplete) {
   FrameRecord record(listOf(1, 1));
   answers(record, 0, failure("broken"));
-  EXPECT_THAT(record.fillIn(nullptr), IsEmpty());
+  EXPECT_THAT(record.fillIn({}), IsEmpty());
   EXPECT_EQ(reasonOf(record.toShow().payloads[0]), "broken");
 }
 
@@ -117,7 +117,7 @@ TEST(FrameRecord, TakesAStaleResultForWhatItWasShownWithout) {
   EXPECT_TRUE(shown.takeStale(shown, 1, picture(8))) << "its own, come late, in place of an older one";
   EXPECT_FALSE(shown.takeStale(late, 0, picture(9))) << "it has its own";
   FrameRecord next(listOf(3, 2));
-  next.fillIn(&shown);
+  next.fillIn({&shown});
   EXPECT_EQ(colourOf(next.toShow().payloads[0]), 6U);
   EXPECT_EQ(colourOf(next.toShow().payloads[1]), 8U);
 }

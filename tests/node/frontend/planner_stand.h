@@ -7,6 +7,7 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -20,6 +21,14 @@
 
 /// A Frame Planner whose neighbours are the test: it gives lists and results, and looks at requests and frames.
 namespace grove::node::testing {
+
+/// Of the only type.
+inline world::Object objectOf(world::ObjectId id, const world::Bounds& bounds) {
+  world::Object object;
+  object.id = id;
+  object.bounds = bounds;
+  return object;
+}
 
 /// Keeps what a frontend process sends, and answers nothing.
 class SilentBackend final : public BackendPort {
@@ -96,26 +105,34 @@ class FrameShelf final : public pipeline::Inlet<CompleteFrame> {
 class ScriptedHalf final : public FrontendHalf {
  public:
   using Script = std::function<Plan(const VisibleObject&, const Reply*)>;
-  explicit ScriptedHalf(const Script& script) : script_(script) {}
+  /// Distance of an object that stands still; nothing if it moves.
+  using Stillness = std::function<std::optional<float>(const VisibleObject&)>;
+  ScriptedHalf(const Script& script, const Stillness& stillness) : script_(script), stillness_(stillness) {}
   [[nodiscard]] Plan plan(const VisibleObject& object, const View& view, const SharedOf& shared,
                           const Reply* reply) override {
     return script_ ? script_(object, reply) : FrontendHalf::plan(object, view, shared, reply);
   }
+  [[nodiscard]] std::optional<float> stillDistance(const VisibleObject& object, world::Vec3) const override {
+    return stillness_ ? stillness_(object) : std::nullopt;
+  }
 
  private:
   const Script& script_;
+  const Stillness& stillness_;
 };
 
 class ScriptedType final : public FrontendType {
  public:
-  explicit ScriptedType(const ScriptedHalf::Script& script) : script_(script) {}
+  ScriptedType(const ScriptedHalf::Script& script, const ScriptedHalf::Stillness& stillness)
+      : script_(script), stillness_(stillness) {}
   [[nodiscard]] std::string_view name() const override { return "scripted"; }
   [[nodiscard]] std::unique_ptr<FrontendHalf> makeHalf(const FrontendTools&) const override {
-    return std::make_unique<ScriptedHalf>(script_);
+    return std::make_unique<ScriptedHalf>(script_, stillness_);
   }
 
  private:
   const ScriptedHalf::Script& script_;
+  const ScriptedHalf::Stillness& stillness_;
 };
 
 class PlannerStand : public ::testing::Test {
@@ -158,6 +175,7 @@ class PlannerStand : public ::testing::Test {
   [[nodiscard]] std::uint64_t counted(const std::string& what) { return timeline.counters()[what]; }
 
   ScriptedHalf::Script script;
+  ScriptedHalf::Stillness stillness;
   std::atomic<int> dropped{0};
   world::Layout layout = [] {
     world::Layout made;
@@ -166,7 +184,7 @@ class PlannerStand : public ::testing::Test {
   }();
   FrontendTypes types = [this] {
     FrontendTypes made;
-    made.add(std::make_unique<ScriptedType>(script));
+    made.add(std::make_unique<ScriptedType>(script, stillness));
     return made;
   }();
   pipeline::Timeline timeline;
@@ -177,8 +195,10 @@ class PlannerStand : public ::testing::Test {
   ReferenceTransport transport;
   FrontendProcess process{1, layout, types, transport, {workers, timeline, memory, images, layout.sky}, 1U << 20U};
   const std::shared_ptr<FrameShelf> shown = std::make_shared<FrameShelf>();
-  const std::shared_ptr<FramePlanner> planner =
-      std::make_shared<FramePlanner>(64, process, std::make_shared<VisitorHalves>(process), [this] { ++dropped; });
+  const std::shared_ptr<VisitorHalves> halves = std::make_shared<VisitorHalves>(process);
+  const std::shared_ptr<BackdropStore> backdrops = std::make_shared<BackdropStore>();
+  const std::shared_ptr<FramePlanner> planner = std::make_shared<FramePlanner>(
+      64, process, halves, std::make_unique<BackdropPlanner>(layout, halves, backdrops), [this] { ++dropped; });
 };
 
 }  // namespace grove::node::testing

@@ -10,8 +10,12 @@
 namespace grove::cli {
 namespace {
 
-/// Of who draws everything in every frame. Visitors do so too: the policy has no way yet to draw less.
-node::FramePolicy referencePolicy() { return walkPolicy(); }
+/// Of who draws everything in every frame.
+node::FramePolicy referencePolicy() {
+  node::FramePolicy policy = walkPolicy();
+  policy.backdrops = false;
+  return policy;
+}
 
 measure::Picture pictureOf(const node::FinishedFrame& frame) { return {frame.image->colour, frame.image->width()}; }
 

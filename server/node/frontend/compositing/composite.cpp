@@ -12,38 +12,44 @@ constexpr std::uint32_t kOpaqueBlack = 0xFF000000U;
 
 FrameBuilder::FrameBuilder(raster::Image& frame, raster::Image& edges)
     : frame_(frame), edges_(edges), rows_(static_cast<std::size_t>(edges.height())) {
-  assert(frame.rect.left == 0 && frame.rect.top == 0 && edges.rect.left == 0 && edges.width() == frame.width());
-  assert(edges.rect.top >= 0 && edges.rect.bottom <= frame.height());
+  assert(edges.rect.left == frame.rect.left && edges.rect.right == frame.rect.right);
+  assert(edges.rect.top >= frame.rect.top && edges.rect.bottom <= frame.rect.bottom);
 }
 
 world::Rect FrameBuilder::clip(const world::Rect& rect) const noexcept {
   return {rect.left, std::max(rect.top, edges_.rect.top), rect.right, std::min(rect.bottom, edges_.rect.bottom)};
 }
 
+FramePixels FrameBuilder::cover() {
+  for (Row& each : rows_) each.touched = true;
+  return pixels(frame_.rect.left, edges_.rect.top);
+}
+
 void FrameBuilder::lay(const raster::Image& layer) {
   const world::Rect part = clip(layer.rect);
   for (int y = part.top; y < part.bottom; ++y) {
     const int line = y - layer.rect.top;
-    const raster::Span span = layer.span(line);
+    const raster::Span whole = layer.span(line);
+    const raster::Span span{std::max(whole.begin, frame_.rect.left - layer.rect.left),
+                            std::min(whole.end, frame_.rect.right - layer.rect.left)};
+    if (span.begin >= span.end) continue;
     if (layer.opaque && !row(y).edged) {
-      layOpaque(layer, line);
-    } else if (span.begin < span.end) {
+      layOpaque(layer, line, span);
+    } else {
       lay({layer.rect.left + span.begin, y, layer.rect.left + span.end, y + 1}, layer.colourRow(line) + span.begin,
           layer.depthRow(line) + span.begin, layer.width());
     }
   }
 }
 
-void FrameBuilder::layOpaque(const raster::Image& layer, int line) {
+void FrameBuilder::layOpaque(const raster::Image& layer, int line, const raster::Span& span) {
   const int y = layer.rect.top + line;
-  const raster::Span span = layer.span(line);
   const int width = span.end - span.begin;
-  if (width <= 0) return;
   const std::uint32_t* const colour = layer.colourRow(line) + span.begin;
   const float* const depth = layer.depthRow(line) + span.begin;
   if (!row(y).touched && width == frame_.width()) {
-    std::copy_n(colour, width, frame_.colourRow(y));
-    std::copy_n(depth, width, frame_.depthRow(y));
+    std::copy_n(colour, width, frame_.colourRow(this->line(y)));
+    std::copy_n(depth, width, frame_.depthRow(this->line(y)));
     row(y).touched = true;
   } else {
     clear(y);
@@ -54,7 +60,7 @@ void FrameBuilder::layOpaque(const raster::Image& layer, int line) {
 void FrameBuilder::lay(const world::Rect& rect, const std::uint32_t* colour, const float* depth,
                        std::ptrdiff_t stride) {
   if (rect.empty()) return;
-  assert(rect.left >= 0 && rect.right <= frame_.rect.right && clip(rect) == rect);
+  assert(rect.left >= frame_.rect.left && rect.right <= frame_.rect.right && clip(rect) == rect);
   for (int y = rect.top; y < rect.bottom; ++y) {
     clear(y);
     bool& edged = row(y).edged;
@@ -69,29 +75,31 @@ bool FrameBuilder::hides(const world::Rect& rect, float depth) const {
   for (int y = rect.top; y < rect.bottom; ++y) {
     if (!row(y).touched) return false;
   }
-  return allNearer(frame_.depthRow(rect.top) + rect.left, frame_.width(), rect.width(), rect.height(), depth);
+  return allNearer(frame_.depthRow(line(rect.top)) + (rect.left - frame_.rect.left), frame_.width(), rect.width(),
+                   rect.height(), depth);
 }
 
 void FrameBuilder::finish() {
   for (int y = edges_.rect.top; y < edges_.rect.bottom; ++y) {
     clear(y);
     bool& edged = row(y).edged;
-    if (edged) layEdges(pixels(0, y), frame_.width());
+    if (edged) layEdges(pixels(frame_.rect.left, y), frame_.width());
     edged = false;
   }
 }
 
 FramePixels FrameBuilder::pixels(int x, int y) const {
-  const int line = y - edges_.rect.top;
-  return {frame_.colourRow(y) + x, frame_.depthRow(y) + x, edges_.colourRow(line) + x, edges_.depthRow(line) + x,
-          frame_.width()};
+  const int column = x - frame_.rect.left;
+  const int edge = y - edges_.rect.top;
+  return {frame_.colourRow(line(y)) + column, frame_.depthRow(line(y)) + column, edges_.colourRow(edge) + column,
+          edges_.depthRow(edge) + column, frame_.width()};
 }
 
 void FrameBuilder::clear(int y) {
   bool& touched = row(y).touched;
   if (touched) return;
-  std::fill_n(frame_.colourRow(y), frame_.width(), kOpaqueBlack);
-  std::fill_n(frame_.depthRow(y), frame_.width(), world::kInfiniteDepth);
+  std::fill_n(frame_.colourRow(line(y)), frame_.width(), kOpaqueBlack);
+  std::fill_n(frame_.depthRow(line(y)), frame_.width(), world::kInfiniteDepth);
   touched = true;
 }
 

@@ -12,15 +12,19 @@ namespace grove::node {
 /// it. Several builders may work on different rows of a frame at once.
 class FrameBuilder {
  public:
-  /// `frame` starts at (0, 0); `edges` is as wide, spans the rows that are put together, and is room to work in. Both
+  /// `edges` has the frame's left and right, spans the rows that are put together, and is a scratch buffer. Both
   /// outlive the builder.
   FrameBuilder(raster::Image& frame, raster::Image& edges);
 
   /// The part of a rectangle that lies in the rows that are put together.
   [[nodiscard]] world::Rect clip(const world::Rect& rect) const noexcept;
 
+  /// The pixels of these rows, from the left of the first one, for a caller who writes all of their colours before
+  /// anything is laid, and depths where something will be laid.
+  [[nodiscard]] FramePixels cover();
+
   /// Lays a layer over these rows wherever it is not farther than what is there, blended by its coverage. What covers
-  /// in part does not hide what is laid later and lies behind it. The layer's rectangle must lie within the frame.
+  /// in part does not hide what is laid later and lies behind it. What lies beyond the frame is left out.
   void lay(const raster::Image& layer);
 
   /// The same for a part of a layer that need not be an image: its rows are `stride` pixels apart. `rect` must lie
@@ -42,8 +46,10 @@ class FrameBuilder {
   [[nodiscard]] Row& row(int y) { return rows_[static_cast<std::size_t>(y - edges_.rect.top)]; }
   [[nodiscard]] const Row& row(int y) const { return rows_[static_cast<std::size_t>(y - edges_.rect.top)]; }
   [[nodiscard]] FramePixels pixels(int x, int y) const;
+  /// Row of the frame's image.
+  [[nodiscard]] int line(int y) const { return y - frame_.rect.top; }
   void clear(int y);
-  void layOpaque(const raster::Image& layer, int line);
+  void layOpaque(const raster::Image& layer, int line, const raster::Span& span);
 
   raster::Image& frame_;
   raster::Image& edges_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -13,6 +14,10 @@ namespace grove::node {
 namespace {
 
 constexpr const char* kCompositor = "Compositor";
+/// Part of a frame's time.
+constexpr const char* kBackdrop = "backdrop";
+/// Pixels around an object's box that its layer may look at.
+constexpr int kDepthMargin = 32;
 
 /// Rows that are put together at once: with their edges, about what fits into the cache of a core.
 constexpr int kBandHeight = 48;
@@ -20,13 +25,14 @@ constexpr int kBandHeight = 48;
 }  // namespace
 
 Compositor::Compositor(std::size_t capacity, FrontendProcess& frontend, std::shared_ptr<VisitorHalves> halves,
-                       std::function<void()> frameDone)
+                       std::shared_ptr<BackdropStore> backdrops, std::function<void()> frameDone)
     : Stage({.name = kCompositor, .work = pipeline::Work::kPerUserFrontend, .capacity = capacity, .finishes = true},
             frontend.tools().workers, frontend.tools().timeline),
       executor_(frontend.tools().workers),
       timeline_(frontend.tools().timeline),
       images_(frontend.tools().images),
       halves_(std::move(halves)),
+      backdrops_(std::move(backdrops)),
       frameDone_(std::move(frameDone)) {}
 
 void Compositor::connect(std::shared_ptr<pipeline::Inlet<FinishedFrame>> next) {
@@ -43,28 +49,18 @@ void Compositor::process(std::span<CompleteFrame> frames, pipeline::Run& run) {
 }
 
 std::shared_ptr<const raster::Image> Compositor::composite(const CompleteFrame& frame) {
-  const View& view = *frame.list->view;
-  const auto image = images_.acquire({0, 0, view.camera.width, view.camera.height});
-  std::vector<Placed> placed = placedOf(frame);
-  makeParts(frame, placed);
-  // What covers all of its pixels comes first, which is cheapest where nothing lies yet; then the others, the nearest
-  // first, so that what they hide need not be laid.
-  std::vector<Placed*> order;
-  order.reserve(placed.size());
-  for (Placed& each : placed) order.push_back(&each);
-  const auto isOpaque = [](const Placed* each) { return each->opaque(); };
-  std::reverse(std::stable_partition(order.begin(), order.end(), isOpaque), order.end());
-  const int bands = (image->height() + kBandHeight - 1) / kBandHeight;
-  pipeline::shareOut(executor_, static_cast<std::size_t>(bands), [&](const pipeline::NextPart& next) {
-    pipeline::TimedParts times = timesOf(frame);
-    while (const auto band = next()) {
-      const int top = static_cast<int>(*band) * kBandHeight;
-      const int bottom = std::min(top + kBandHeight, image->height());
-      layBand({0, top, image->width(), bottom}, order, times, *image);
-    }
-  });
-  pipeline::TimedParts times = timesOf(frame);
-  for (Placed& each : placed) {
+  const FrameList& list = *frame.list;
+  const world::Camera& camera = list.view->camera;
+  const auto image = images_.acquire({0, 0, camera.width, camera.height});
+  if (list.drawsBackdrop()) drawBackdrop(frame);
+  Scene scene = sceneOf(frame, false);
+  const auto backdrop = backdrops_->newest();
+  const std::optional<BackdropWarp> warp = warpOf(list, backdrop.get(), scene);
+  BandSteps steps;
+  if (warp) steps.begin = [&](FrameBuilder& rows) { warp->fill(rows); };
+  compose(scene, traceTag(frame), *image, steps);
+  pipeline::TimedParts times = timesOf(traceTag(frame));
+  for (Placed& each : scene) {
     if (!each.layer) continue;
     times.turnTo(halves_->name(each.object.object.type));
     each.layer->draw(*image);
@@ -73,37 +69,93 @@ std::shared_ptr<const raster::Image> Compositor::composite(const CompleteFrame& 
   return image;
 }
 
-std::vector<Compositor::Placed> Compositor::placedOf(const CompleteFrame& frame) {
-  pipeline::TimedParts times = timesOf(frame);
+void Compositor::drawBackdrop(const CompleteFrame& frame) {
+  const auto image = images_.acquire(frame.list->area);
+  image->opaque = true;
+  BackdropDepths depths(image->width(), image->height());
+  Scene scene = sceneOf(frame, true);
+  compose(scene, traceTag(frame), *image, {{}, [&](int top, int bottom) { depths.measure(*image, top, bottom); }});
+  pipeline::TimedParts times = timesOf(traceTag(frame));
+  times.turnTo(kBackdrop);
+  backdrops_->put(std::make_shared<const Backdrop>(image, std::move(depths), frame.list->view));
+}
+
+std::optional<BackdropWarp> Compositor::warpOf(const FrameList& list, const Backdrop* backdrop,
+                                               const Scene& scene) const {
+  if (!list.backdrop) return std::nullopt;
+  if (backdrop == nullptr) throw std::runtime_error("no backdrop could be drawn yet");
+  std::vector<world::Rect> withDepth;
+  withDepth.reserve(scene.size());
+  for (const Placed& each : scene) {
+    const world::Rect& rect = each.object.rect;
+    withDepth.push_back(
+        {rect.left - kDepthMargin, rect.top - kDepthMargin, rect.right + kDepthMargin, rect.bottom + kDepthMargin});
+  }
+  return std::make_optional<BackdropWarp>(*backdrop, list.view->camera, std::move(withDepth));
+}
+
+Compositor::Scene Compositor::sceneOf(const CompleteFrame& frame, bool still) {
+  pipeline::TimedParts times = timesOf(traceTag(frame));
   const auto& objects = frame.list->objects;
-  std::vector<Placed> placed;
-  placed.reserve(objects.size());
+  Scene scene;
   for (std::size_t i = 0; i < objects.size(); ++i) {
     const Payload& payload = frame.payloads[i];
-    if (std::holds_alternative<Failure>(payload)) continue;
+    if (objects[i].still != still || std::holds_alternative<Failure>(payload)) continue;
     const auto* const picture = std::get_if<std::shared_ptr<const raster::Image>>(&payload);
     times.turnTo(halves_->name(objects[i].object.type));
     Placed each{objects[i], picture == nullptr ? nullptr : picture->get(),
                 halves_->of(objects[i].object.type).layer(objects[i], payload, *frame.list->view)};
-    if (each.picture != nullptr || each.layer) placed.push_back(std::move(each));
+    if (each.picture != nullptr || each.layer) scene.push_back(std::move(each));
   }
-  return placed;
+  return scene;
 }
 
-void Compositor::makeParts(const CompleteFrame& frame, std::span<Placed> placed) {
+void Compositor::compose(Scene& scene, pipeline::TraceTag tag, raster::Image& image, const BandSteps& steps) {
+  makeParts(scene, tag);
+  // What covers all of its pixels comes first, which is cheapest where nothing lies yet; then the others, the nearest
+  // first, so that what they hide need not be laid.
+  std::vector<Placed*> order;
+  order.reserve(scene.size());
+  for (Placed& each : scene) order.push_back(&each);
+  const auto isOpaque = [](const Placed* each) { return each->opaque(); };
+  std::reverse(std::stable_partition(order.begin(), order.end(), isOpaque), order.end());
+  const int bands = (image.height() + kBandHeight - 1) / kBandHeight;
+  pipeline::shareOut(executor_, static_cast<std::size_t>(bands), [&](const pipeline::NextPart& next) {
+    pipeline::TimedParts times = timesOf(tag);
+    while (const auto band = next()) {
+      const int top = static_cast<int>(*band) * kBandHeight;
+      const int bottom = std::min(top + kBandHeight, image.height());
+      const world::Rect& whole = image.rect;
+      const auto edges = images_.acquire({whole.left, whole.top + top, whole.right, whole.top + bottom});
+      FrameBuilder rows(image, *edges);
+      times.turnTo(kBackdrop);
+      if (steps.begin) steps.begin(rows);
+      for (Placed* const each : order) {
+        times.turnTo(halves_->name(each->object.object.type));
+        if (each->picture != nullptr && !rows.clip(each->picture->rect).empty()) rows.lay(*each->picture);
+        if (each->layer && !rows.clip(each->object.rect).empty()) each->layer->lay(rows);
+      }
+      rows.finish();
+      times.turnTo(kBackdrop);
+      if (steps.end) steps.end(top, bottom);
+    }
+  });
+}
+
+void Compositor::makeParts(Scene& scene, pipeline::TraceTag tag) {
   struct Part {
     Placed* of = nullptr;
     std::size_t number = 0;
   };
   std::vector<Part> parts;
-  for (Placed& each : placed) {
+  for (Placed& each : scene) {
     const std::size_t count = each.layer ? each.layer->parts() : 0;
     parts.reserve(parts.size() + count);
     for (std::size_t i = 0; i < count; ++i) parts.push_back({&each, i});
   }
   if (parts.empty()) return;
   pipeline::shareOut(executor_, parts.size(), [&](const pipeline::NextPart& next) {
-    pipeline::TimedParts times = timesOf(frame);
+    pipeline::TimedParts times = timesOf(tag);
     while (const auto part = next()) {
       const auto& [of, number] = parts[*part];
       times.turnTo(halves_->name(of->object.object.type));
@@ -112,22 +164,8 @@ void Compositor::makeParts(const CompleteFrame& frame, std::span<Placed> placed)
   });
 }
 
-pipeline::TimedParts Compositor::timesOf(const CompleteFrame& frame) {
-  return {timeline_, kCompositor, pipeline::Work::kPerUserFrontend, traceTag(frame.list)};
-}
-
-void Compositor::layBand(const world::Rect& band, std::span<Placed* const> placed, pipeline::TimedParts& times,
-                         raster::Image& frame) {
-  const auto edges = images_.acquire(band);
-  FrameBuilder builder(frame, *edges);
-  for (Placed* const each : placed) {
-    times.turnTo(halves_->name(each->object.object.type));
-    if (each->picture != nullptr) {
-      if (!builder.clip(each->picture->rect).empty()) builder.lay(*each->picture);
-    }
-    if (each->layer && !builder.clip(each->object.rect).empty()) each->layer->lay(builder);
-  }
-  builder.finish();
+pipeline::TimedParts Compositor::timesOf(pipeline::TraceTag tag) {
+  return {timeline_, kCompositor, pipeline::Work::kPerUserFrontend, tag};
 }
 
 }  // namespace grove::node

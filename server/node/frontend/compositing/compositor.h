@@ -3,9 +3,13 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
+#include "node/frontend/backdrops/backdrop_store.h"
+#include "node/frontend/backdrops/backdrop_warp.h"
 #include "node/frontend/visitor_halves.h"
 #include "node/messages.h"
 #include "pipeline/outlet.h"
@@ -13,12 +17,13 @@
 namespace grove::node {
 
 /// Last box of Figure 4.2: composites the pictures and layers of a frame's objects by depth, then lets the layers draw,
-/// back to front (section 4.2, step 10). Shows every frame that it gets, in the order in which they come.
+/// back to front (section 4.2, step 10). Still objects come first: they are drawn into a backdrop, or the last backdrop
+/// is warped. Shows every frame that it gets, in the order in which they come.
 class Compositor final : public pipeline::Stage<CompleteFrame> {
  public:
   /// `frameDone` is called once for every frame that came, be it sent on or not. `frontend` outlives it.
   Compositor(std::size_t capacity, FrontendProcess& frontend, std::shared_ptr<VisitorHalves> halves,
-             std::function<void()> frameDone);
+             std::shared_ptr<BackdropStore> backdrops, std::function<void()> frameDone);
   void connect(std::shared_ptr<pipeline::Inlet<FinishedFrame>> next);
 
  protected:
@@ -26,7 +31,7 @@ class Compositor final : public pipeline::Stage<CompleteFrame> {
 
  private:
   [[nodiscard]] std::shared_ptr<const raster::Image> composite(const CompleteFrame& frame);
-  /// Something to lay over a frame.
+  /// Something to lay over an image.
   struct Placed {
     const VisibleObject& object;
     const raster::Image* picture;  ///< null: none
@@ -34,17 +39,27 @@ class Compositor final : public pipeline::Stage<CompleteFrame> {
     [[nodiscard]] bool opaque() const { return layer ? layer->opaque() : picture->opaque; }
   };
   /// Back to front.
-  [[nodiscard]] std::vector<Placed> placedOf(const CompleteFrame& frame);
+  using Scene = std::vector<Placed>;
+  [[nodiscard]] Scene sceneOf(const CompleteFrame& frame, bool still);
+  void drawBackdrop(const CompleteFrame& frame);
+  /// The frame's backdrop as its camera sees it, nothing if it has none. Throws if it could not be drawn.
+  [[nodiscard]] std::optional<BackdropWarp> warpOf(const FrameList& list, const Backdrop* backdrop,
+                                                   const Scene& scene) const;
+  /// What is done with the rows of a band: `begin` before anything is laid, `end`, with rows of the image, afterwards.
+  struct BandSteps {
+    std::function<void(FrameBuilder& rows)> begin;
+    std::function<void(int top, int bottom)> end;
+  };
+  void compose(Scene& scene, pipeline::TraceTag tag, raster::Image& image, const BandSteps& steps);
   /// What the layers are to have before they can be laid.
-  void makeParts(const CompleteFrame& frame, std::span<Placed> placed);
-  [[nodiscard]] pipeline::TimedParts timesOf(const CompleteFrame& frame);
-  void layBand(const world::Rect& band, std::span<Placed* const> placed, pipeline::TimedParts& times,
-               raster::Image& frame);
+  void makeParts(Scene& scene, pipeline::TraceTag tag);
+  [[nodiscard]] pipeline::TimedParts timesOf(pipeline::TraceTag tag);
 
   pipeline::Executor& executor_;
   pipeline::Timeline& timeline_;
   raster::ImagePool& images_;
   const std::shared_ptr<VisitorHalves> halves_;
+  const std::shared_ptr<BackdropStore> backdrops_;
   const std::function<void()> frameDone_;
   pipeline::Outlet<FinishedFrame> next_;
 };

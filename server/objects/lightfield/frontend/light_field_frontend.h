@@ -18,6 +18,9 @@ class LightFieldFrontend final : public node::FrontendHalf {
                                 const node::Reply* reply) override;
   [[nodiscard]] std::unique_ptr<node::Layer> layer(const node::VisibleObject& object, const node::Payload& payload,
                                                    const node::View& view) override;
+  [[nodiscard]] std::optional<float> stillDistance(const node::VisibleObject& object, world::Vec3 eye) const override {
+    return object.object.bounds.distance(eye);
+  }
   [[nodiscard]] std::size_t bytes() const override { return own_.bytes(); }
 
   /// What gives way to an object's picture in a frame of that time.

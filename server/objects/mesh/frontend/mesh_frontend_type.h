@@ -8,6 +8,7 @@ namespace grove::objects::mesh {
 class MeshFrontendType final : public node::FrontendType {
  public:
   [[nodiscard]] std::string_view name() const override;
+  [[nodiscard]] std::unique_ptr<node::FrontendHalf> makeHalf(const node::FrontendTools& tools) const override;
 };
 
 }  // namespace grove::objects::mesh

@@ -33,6 +33,11 @@ class SkyFrontend final : public node::SharedDataFrontend {
  public:
   explicit SkyFrontend(const node::FrontendTools& tools) : tools_(tools) {}
 
+  [[nodiscard]] std::optional<float> stillDistance(const node::VisibleObject& /*object*/,
+                                                   world::Vec3 /*eye*/) const override {
+    return world::kInfiniteDepth;
+  }
+
  private:
   [[nodiscard]] std::unique_ptr<node::Layer> layerOf(const node::VisibleObject& object,
                                                      std::shared_ptr<const node::SharedData> data,

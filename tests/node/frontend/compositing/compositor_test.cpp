@@ -45,52 +45,133 @@ class BreakableType final : public FrontendType {
   const std::atomic<bool>& broken_;
 };
 
-/// Takes every frame at once.
-class Numbers final : public pipeline::Inlet<FinishedFrame> {
+/// Keeps the frames that are shown.
+class Frames final : public pipeline::Inlet<FinishedFrame> {
  public:
   pipeline::PushResult push(FinishedFrame frame) override {
     const std::lock_guard lock(mutex_);
-    numbers_.push_back(frame.view->frame);
+    frames_.push_back(std::move(frame));
     return pipeline::PushResult::kAccepted;
   }
   bool tryReserve(std::function<void()>) override { return true; }
   void cancelReservation() override {}
   pipeline::PushResult pushReserved(FinishedFrame frame) override { return push(std::move(frame)); }
-  [[nodiscard]] std::vector<FrameNumber> all() const {
+  [[nodiscard]] std::vector<FrameNumber> numbers() const {
     const std::lock_guard lock(mutex_);
-    return numbers_;
+    std::vector<FrameNumber> numbers;
+    for (const FinishedFrame& frame : frames_) numbers.push_back(frame.view->frame);
+    return numbers;
+  }
+  [[nodiscard]] std::shared_ptr<const raster::Image> newest() const {
+    const std::lock_guard lock(mutex_);
+    return frames_.back().image;
   }
 
  private:
   mutable std::mutex mutex_;
-  std::vector<FrameNumber> numbers_;
+  std::vector<FinishedFrame> frames_;
 };
 
-TEST(Compositor, EndsEveryFrameOnceThoughItThrows) {
+class CompositorTest : public ::testing::Test {
+ public:
+  CompositorTest() { compositor->connect(shown); }
+  ~CompositorTest() override {
+    compositor->close();
+    workers.drain();
+  }
+
+ protected:
+  void show(CompleteFrame frame) {
+    ASSERT_EQ(compositor->push(std::move(frame)), pipeline::PushResult::kAccepted);
+    ASSERT_TRUE(tests::eventually([&] { return compositor->idle(); }));
+  }
+
   std::atomic<bool> broken{false};
   std::atomic<int> done{0};
-  world::Layout layout;
-  layout.types = {"breakable"};
-  FrontendTypes types;
-  types.add(std::make_unique<BreakableType>(broken));
+  world::Layout layout = [] {
+    world::Layout made;
+    made.types = {"breakable"};
+    return made;
+  }();
+  FrontendTypes types = [this] {
+    FrontendTypes made;
+    made.add(std::make_unique<BreakableType>(broken));
+    return made;
+  }();
   pipeline::Timeline timeline;
   pipeline::MemoryLedger memory;
   raster::ImagePool images;
   pipeline::WorkerPool workers{2};
   ReferenceTransport transport;
-  FrontendProcess process(1, layout, types, transport, {workers, timeline, memory, images, layout.sky}, 0);
-  const auto compositor =
-      std::make_shared<Compositor>(1, process, std::make_shared<VisitorHalves>(process), [&] { ++done; });
-  const auto shown = std::make_shared<Numbers>();
-  compositor->connect(shown);
+  FrontendProcess process{1, layout, types, transport, {workers, timeline, memory, images, layout.sky}, 0};
+  const std::shared_ptr<BackdropStore> backdrops = std::make_shared<BackdropStore>();
+  const std::shared_ptr<Frames> shown = std::make_shared<Frames>();
+  const std::shared_ptr<Compositor> compositor =
+      std::make_shared<Compositor>(1, process, std::make_shared<VisitorHalves>(process), backdrops, [this] { ++done; });
+};
+
+TEST_F(CompositorTest, EndsEveryFrameOnceThoughItThrows) {
   for (FrameNumber frame = 1; frame <= 3; ++frame) {
     broken = frame == 2;
-    ASSERT_EQ(compositor->push({listOf(frame, 1), {picture(5)}}), pipeline::PushResult::kAccepted);
-    ASSERT_TRUE(tests::eventually([&] { return compositor->idle(); }));
+    show({listOf(frame, 1), {picture(5)}});
     EXPECT_EQ(done, static_cast<int>(frame));
   }
-  EXPECT_THAT(shown->all(), ElementsAre(1, 3));
+  EXPECT_THAT(shown->numbers(), ElementsAre(1, 3));
   EXPECT_EQ(timeline.totals().at("Compositor").failures, 1U);
+}
+
+/// With a backdrop that reaches beyond its frame.
+class CompositorBackdrops : public CompositorTest {
+ protected:
+  static constexpr std::uint32_t kStill = 0xFF808080U;
+  static constexpr std::uint32_t kMoving = 0xFF0000FFU;
+
+  /// A still picture and one that moves, each of one depth; without `still` the backdrop of frame 1 is shown.
+  static CompleteFrame frameOf(FrameNumber number, float movingDepth, bool still) {
+    auto list = std::make_shared<FrameList>(*listOf(number, still ? 2 : 1));
+    list->backdrop = 1;
+    list->area = {-8, -4, 330, 184};
+    const world::Rect rect{100, 50, 140, 90};
+    list->objects.back().rect = rect;
+    std::vector<Payload> payloads;
+    if (still) {
+      list->objects.front().still = true;
+      payloads.push_back(flat(kStill, 5.0F, list->area));
+    }
+    payloads.push_back(flat(kMoving, movingDepth, rect));
+    return {std::move(list), std::move(payloads)};
+  }
+  [[nodiscard]] std::uint32_t at(int x, int y) const { return shown->newest()->colourRow(y)[x]; }
+
+ private:
+  static Payload flat(std::uint32_t colour, float depth, const world::Rect& rect) {
+    const auto image = raster::ImagePool().acquire(rect);
+    std::ranges::fill(image->colour, colour);
+    std::ranges::fill(image->depth, depth);
+    return std::shared_ptr<const raster::Image>(image);
+  }
+};
+
+TEST_F(CompositorBackdrops, StillObjectsAreShownAgainAndOthersLaidOverThemByDepth) {
+  show(frameOf(1, 2.0F, true));
+  ASSERT_TRUE(backdrops->newest());
+  EXPECT_EQ(backdrops->newest()->image().rect, (world::Rect{-8, -4, 330, 184}));
+  for (const FrameNumber frame : {1U, 2U, 3U}) {
+    if (frame > 1) show(frameOf(frame, 2.0F, false));
+    EXPECT_EQ(at(0, 0), kStill) << frame;
+    EXPECT_EQ(at(319, 179), kStill) << frame;
+    EXPECT_EQ(at(120, 70), kMoving) << frame;
+  }
+  show(frameOf(4, 9.0F, false));
+  EXPECT_EQ(at(120, 70), kStill) << "it is behind the backdrop";
+}
+
+TEST_F(CompositorBackdrops, AFrameWithoutABackdropToShowIsNotShown) {
+  show(frameOf(2, 2.0F, false));
+  EXPECT_THAT(shown->numbers(), ::testing::IsEmpty());
+  EXPECT_EQ(done, 1);
+  show(frameOf(1, 2.0F, true));
+  EXPECT_THAT(shown->numbers(), ElementsAre(1)) << "the next is";
 }
 
 }  // namespace

@@ -1,0 +1,116 @@
+#include "node/frontend/backdrops/backdrop.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <utility>
+
+#include "node/frontend/backdrops/warp_camera.h"
+
+namespace grove::node {
+namespace {
+
+constexpr int kBlockCells = 8;
+
+/// Difference in nearness, 1 / metres, that makes an outline. Cells at an outline and beside it move with what is in
+/// front, which keeps it straight: what is behind is torn anyway.
+constexpr float kOutline = 0.02F;
+
+/// Variance of the nearness within a cell where it changes linearly from the cell before to the cell after: that is not
+/// an error, for a warp stretches a cell between its corners.
+float varianceOfRamp(float before, float after) {
+  constexpr float kSide = Backdrop::kCell;
+  if (std::abs(after - before) > kOutline) return 0.0F;
+  const float slope = (after - before) / (2.0F * kSide);
+  return slope * slope * (kSide * kSide - 1.0F) / 12.0F;
+}
+
+int cellsFor(int pixels) { return (pixels + Backdrop::kCell - 1) / Backdrop::kCell; }
+
+}  // namespace
+
+BackdropDepths::BackdropDepths(int width, int height)
+    : across_(cellsFor(width)),
+      cells_(static_cast<std::size_t>(across_) * static_cast<std::size_t>(cellsFor(height))),
+      squares_(static_cast<std::size_t>(width / 2) * static_cast<std::size_t>(height / 2)) {
+  assert(width % 2 == 0 && height % 2 == 0);
+}
+
+void BackdropDepths::measure(const raster::Image& image, int top, int bottom) {
+  assert(top % Backdrop::kCell == 0);
+  for (int row = top; row < bottom; row += Backdrop::kCell) {
+    measureCells(image.depthRow(row), image.width(), std::min(Backdrop::kCell, bottom - row),
+                 cells_.data() + std::ptrdiff_t{row / Backdrop::kCell} * across_,
+                 squares_.data() + std::ptrdiff_t{row / 2} * (image.width() / 2));
+  }
+}
+
+Backdrop::Backdrop(std::shared_ptr<const raster::Image> image, BackdropDepths depths, std::shared_ptr<const View> view)
+    : image_(std::move(image)),
+      view_(std::move(view)),
+      across_(cellsFor(image_->width())),
+      down_(cellsFor(image_->height())),
+      squares_(depths.takeSquares()) {
+  for (const CellDepths& cell : depths.cells()) nearest_ = std::max(nearest_, cell.nearest);
+  chooseNearness(depths.cells());
+  measureBlocks(depths.cells());
+}
+
+float Backdrop::shiftError(const WarpCamera& warp) const {
+  float sum = 0.0F;
+  for (const Block& block : blocks_) {
+    const world::Vec2 perNearness = warp.shiftPerNearness(block.centre);
+    sum += block.squares * glm::dot(perNearness, perNearness);
+  }
+  return std::sqrt(sum / static_cast<float>(image_->colour.size()));
+}
+
+void Backdrop::chooseNearness(const std::vector<CellDepths>& depths) {
+  nearness_.reserve(depths.size());
+  for (int row = 0; row < down_; ++row) {
+    for (int column = 0; column < across_; ++column) {
+      const CellDepths& cell = depths[indexOf(column, row)];
+      const float mean = cell.count > 0.0F ? cell.nearness / cell.count : 0.0F;
+      float nearest = 0.0F;
+      for (int y = std::max(row - 1, 0); y <= std::min(row + 1, down_ - 1); ++y) {
+        for (int x = std::max(column - 1, 0); x <= std::min(column + 1, across_ - 1); ++x) {
+          nearest = std::max(nearest, depths[indexOf(x, y)].nearest);
+        }
+      }
+      nearness_.push_back(nearest - mean > kOutline ? nearest : mean);
+    }
+  }
+}
+
+void Backdrop::measureBlocks(const std::vector<CellDepths>& depths) {
+  const int blocksAcross = (across_ + kBlockCells - 1) / kBlockCells;
+  const int blocksDown = (down_ + kBlockCells - 1) / kBlockCells;
+  const world::Vec2 origin(image_->rect.left, image_->rect.top);
+  blocks_.reserve(static_cast<std::size_t>(blocksAcross) * static_cast<std::size_t>(blocksDown));
+  for (int y = 0; y < down_; y += kBlockCells) {
+    for (int x = 0; x < across_; x += kBlockCells) {
+      constexpr float kHalf = 0.5F * kBlockCells;
+      Block block{origin + (world::Vec2(x, y) + kHalf) * static_cast<float>(kCell), 0.0F};
+      for (int row = y; row < std::min(y + kBlockCells, down_); ++row) {
+        for (int column = x; column < std::min(x + kBlockCells, across_); ++column) {
+          block.squares += squaredErrors(depths[indexOf(column, row)], column, row);
+        }
+      }
+      blocks_.push_back(block);
+    }
+  }
+}
+
+float Backdrop::squaredErrors(const CellDepths& depths, int column, int row) const {
+  if (depths.count <= 0.0F) return 0.0F;
+  const auto near = [&](int x, int y) {
+    return nearness_[indexOf(std::clamp(x, 0, across_ - 1), std::clamp(y, 0, down_ - 1))];
+  };
+  const float own = near(column, row);
+  const float ramp = varianceOfRamp(near(column - 1, row), near(column + 1, row)) +
+                     varianceOfRamp(near(column, row - 1), near(column, row + 1));
+  const float errors = depths.squares - 2.0F * own * depths.nearness + own * own * depths.count;
+  return std::max(errors - ramp * depths.count, 0.0F);
+}
+
+}  // namespace grove::node

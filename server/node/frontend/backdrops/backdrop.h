@@ -1,0 +1,81 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "node/frontend/backdrops/backdrop_kernels.h"
+#include "node/messages/view.h"
+#include "raster/image.h"
+
+namespace grove::node {
+
+struct WarpCamera;
+
+/// Depths of a backdrop's image, measured band by band while the image is composited. Several threads may measure
+/// different bands at once.
+class BackdropDepths {
+ public:
+  /// Pixels; both even.
+  BackdropDepths(int width, int height);
+  /// Rows of the image from `top` to before `bottom`. `top` is a multiple of Backdrop::kCell.
+  void measure(const raster::Image& image, int top, int bottom);
+
+  [[nodiscard]] const std::vector<CellDepths>& cells() const noexcept { return cells_; }
+  [[nodiscard]] std::vector<SquareNearness> takeSquares() { return std::move(squares_); }
+
+ private:
+  int across_;
+  std::vector<CellDepths> cells_;
+  std::vector<SquareNearness> squares_;
+};
+
+/// What a visitor saw of all still objects in one frame: colour and depth, opaque, with a border beyond the frame where
+/// his head turns to. BackdropLayer shows it from nearby eyes. Immutable, any thread.
+class Backdrop {
+ public:
+  /// `image` is in pixels of the view's camera and may reach beyond its frame.
+  Backdrop(std::shared_ptr<const raster::Image> image, BackdropDepths depths, std::shared_ptr<const View> view);
+
+  [[nodiscard]] const raster::Image& image() const noexcept { return *image_; }
+  [[nodiscard]] const View& view() const noexcept { return *view_; }
+  /// Nearness of its squares of 2 x 2 pixels, row by row.
+  [[nodiscard]] const std::vector<SquareNearness>& squares() const noexcept { return squares_; }
+
+  /// Pixels of a cell's side.
+  static constexpr int kCell = 8;
+  [[nodiscard]] int cellsAcross() const noexcept { return across_; }
+  [[nodiscard]] int cellsDown() const noexcept { return down_; }
+  /// 1 / depth that each cell is warped by, row by row, in 1 / metres.
+  [[nodiscard]] const std::vector<float>& nearness() const noexcept { return nearness_; }
+  /// Largest 1 / depth; 0 if everything is infinitely far.
+  [[nodiscard]] float nearest() const noexcept { return nearest_; }
+
+  /// Error of a warp, in pixels, root mean square: a cell moves as a whole though its pixels differ in depth.
+  [[nodiscard]] float shiftError(const WarpCamera& warp) const;
+
+ private:
+  /// A block of cells, the unit in which shiftError() sums.
+  struct Block {
+    world::Vec2 centre{0.0F};  ///< pixels of the camera
+    float squares = 0.0F;      ///< sum over its pixels of the squared difference from the nearness they are warped by
+  };
+  [[nodiscard]] std::size_t indexOf(int column, int row) const noexcept {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(across_) + static_cast<std::size_t>(column);
+  }
+  void chooseNearness(const std::vector<CellDepths>& depths);
+  void measureBlocks(const std::vector<CellDepths>& depths);
+  [[nodiscard]] float squaredErrors(const CellDepths& depths, int column, int row) const;
+
+  std::shared_ptr<const raster::Image> image_;
+  std::shared_ptr<const View> view_;
+  int across_ = 0;
+  int down_ = 0;
+  std::vector<SquareNearness> squares_;
+  std::vector<float> nearness_;
+  std::vector<Block> blocks_;
+  float nearest_ = 0.0F;
+};
+
+}  // namespace grove::node

@@ -1,0 +1,217 @@
+#include "node/frontend/backdrops/backdrop_kernels.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "node/frontend/backdrops/backdrop_kernels.cpp"
+#include <hwy/cache_control.h>
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include <algorithm>
+
+#include "node/frontend/backdrops/warp_pixels_inl.h"
+#include "node/frontend/backdrops/warp_shift_inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace grove::node::HWY_NAMESPACE {
+namespace {
+
+constexpr int kSide = 8;
+/// Anything at or beyond this depth counts as infinitely far.
+constexpr float kFarthestDepth = 1.0e29F;
+
+/// Sums of columns of pixels, which are added up by cell when all rows are in.
+struct ColumnSums {
+  static constexpr int kColumns = 256;
+  float count[kColumns];
+  float nearness[kColumns];
+  float squares[kColumns];
+  float nearest[kColumns];
+
+  HWY_INLINE void clear() {
+    for (int x = 0; x < kColumns; ++x) {
+      count[x] = 0.0F;
+      nearness[x] = 0.0F;
+      squares[x] = 0.0F;
+      nearest[x] = 0.0F;
+    }
+  }
+
+  /// Writes the row's nearness to `near`.
+  HWY_INLINE void add(const float* __restrict depth, int width, float* __restrict near) {
+    for (int x = 0; x < width; ++x) {
+      const float d = depth[x];
+      const bool has = d < kFarthestDepth;
+      const float w = has ? 1.0F / d : 0.0F;
+      count[x] += has ? 1.0F : 0.0F;
+      nearness[x] += w;
+      squares[x] += w * w;
+      nearest[x] = nearest[x] > w ? nearest[x] : w;
+      near[x] = w;
+    }
+  }
+
+  HWY_INLINE CellDepths cell(int first, int width) const {
+    CellDepths sums{};
+    for (int x = first; x < first + width; ++x) {
+      sums.count += count[x];
+      sums.nearness += nearness[x];
+      sums.squares += squares[x];
+      sums.nearest = std::max(sums.nearest, nearest[x]);
+    }
+    return sums;
+  }
+};
+
+/// Squares of two rows.
+HWY_INLINE void packSquares(const float* __restrict upper, const float* __restrict lower, int squares,
+                            SquareNearness* __restrict out) {
+  constexpr float kMax = 65535.0F;
+  for (int i = 0; i < squares; ++i) {
+    const float first = upper[2 * i] > upper[2 * i + 1] ? upper[2 * i] : upper[2 * i + 1];
+    const float second = lower[2 * i] > lower[2 * i + 1] ? lower[2 * i] : lower[2 * i + 1];
+    const float nearest = first > second ? first : second;
+    const float steps = nearest * kNearnessSteps + 0.5F;
+    out[i] = static_cast<SquareNearness>(static_cast<int>(steps < kMax ? steps : kMax));
+  }
+}
+
+void measureCells(const float* depths, int width, int lines, CellDepths* cells, SquareNearness* squares) {
+  ColumnSums columns;
+  float upper[ColumnSums::kColumns];
+  float lower[ColumnSums::kColumns];
+  for (int left = 0; left < width; left += ColumnSums::kColumns) {
+    const int part = std::min(ColumnSums::kColumns, width - left);
+    columns.clear();
+    for (int line = 0; line < lines; line += 2) {
+      const float* const above = depths + std::ptrdiff_t{line} * width + left;
+      columns.add(above, part, upper);
+      columns.add(above + width, part, lower);
+      packSquares(upper, lower, part / 2, squares + std::ptrdiff_t{line / 2} * (width / 2) + left / 2);
+    }
+    for (int x = 0; x < part; x += kSide) *cells++ = columns.cell(x, std::min(kSide, part - x));
+  }
+}
+
+/// Between the cells' centres.
+HWY_INLINE Floats nearnessAt(const CornerSearch& search, Floats x, Floats y) {
+  const Floats u = lanes::clamp(lanes::mulAdd(x, 1.0F / kSide, -0.5F), 0.0F, static_cast<float>(search.across - 1));
+  const Floats v = lanes::clamp(lanes::mulAdd(y, 1.0F / kSide, -0.5F), 0.0F, static_cast<float>(search.down - 1));
+  const Ints column = lanes::min(lanes::truncate(u), Ints(std::max(search.across - 2, 0)));
+  const Ints row = lanes::min(lanes::truncate(v), Ints(std::max(search.down - 2, 0)));
+  const Floats right = u - lanes::toFloats(column);
+  const Floats down = v - lanes::toFloats(row);
+  const Ints at = row * search.across + column;
+  const std::ptrdiff_t next = search.across > 1 ? 1 : 0;
+  const std::ptrdiff_t below = search.down > 1 ? search.across : 0;
+  const auto line = [&](const float* from) {
+    const Floats begin = lanes::lookUp(from, at);
+    return lanes::mulAdd(right, lanes::lookUp(from + next, at) - begin, begin);
+  };
+  const Floats upper = line(search.nearness);
+  return lanes::mulAdd(down, line(search.nearness + below) - upper, upper);
+}
+
+void findCorners(const CornerSearch& search, int left, int line, int steps, CornerLine& corners) {
+  const WarpCamera& warp = search.warp;
+  const world::Vec3 first = warp.at(static_cast<float>(left), static_cast<float>(line));
+  for (int i = 0; i < kCorners; i += lanes::kLanes) {
+    const Floats pixels = lanes::toFloats(lanes::upwards() + i) * static_cast<float>(kSide);
+    const Floats forward = lanes::mulAdd(pixels, warp.kPerColumn.z, first.z);
+    const Floats perForward = lanes::onlyWhere(forward > kMinForward, 1.0F / forward);
+    const Floats farX = lanes::mulAdd(pixels, warp.kPerColumn.x, first.x) * perForward;
+    const Floats farY = lanes::mulAdd(pixels, warp.kPerColumn.y, first.y) * perForward;
+    const Floats wayX = warp.m.x - farX * warp.m.z;
+    const Floats wayY = warp.m.y - farY * warp.m.z;
+    const Floats fromX = farX - search.origin.x;
+    const Floats fromY = farY - search.origin.y;
+    Floats nearness = lanes::load(corners.nearness + i);
+    for (int step = 0; step < steps; ++step) {
+      nearness = nearnessAt(search, lanes::mulAdd(nearness, wayX, fromX), lanes::mulAdd(nearness, wayY, fromY));
+    }
+    lanes::store(lanes::mulAdd(nearness, wayX, fromX), corners.x + i);
+    lanes::store(lanes::mulAdd(nearness, wayY, fromY), corners.y + i);
+    lanes::store(nearness, corners.nearness + i);
+    lanes::store(perForward, corners.perForward + i);
+  }
+}
+
+/// Fetches what the next row of cells reads: rows of a picture are too far apart for the processor's own prefetching.
+HWY_INLINE void prefetch(const WarpSource& source, const CornerLine& corners, int count) {
+  constexpr int kCellsPerLine = 64 / sizeof(std::uint32_t) / kSide;
+  for (int cell = 0; cell <= count; cell += kCellsPerLine) {
+    const int column = static_cast<int>(std::clamp(corners.x[cell], 0.0F, static_cast<float>(source.width - 1)));
+    const int top = static_cast<int>(std::clamp(corners.y[cell], 0.0F, static_cast<float>(source.height - 1)));
+    for (int row = top; row < std::min(top + kSide, source.height); ++row) {
+      hwy::Prefetch(source.colour + std::ptrdiff_t{row} * source.width + column);
+    }
+  }
+}
+
+template <bool kWithDepth>
+HWY_INLINE void warpRun(const WarpSource& source, const CornerLine& above, const CornerLine& below, int count,
+                        WarpRun& run) {
+  prefetch(source, below, count);
+  const auto stretch = [&](int begin, int end) {
+    for (int row = 0; row < kSide; ++row) {
+      const RowCorners corners(above, below, begin, end, (static_cast<float>(row) + 0.5F) / kSide);
+      for (int x = 0; x < (end - begin) * kSide; x += lanes::kLanes) {
+        const std::ptrdiff_t at = row * WarpRun::kStride + begin * kSide + x;
+        warpPixels<kWithDepth>(source, corners, x, run.colour + at, run.depth + at);
+      }
+    }
+  };
+  // Whole vectors of stretched cells may write over the cell after them, so shifted cells come last.
+  std::uint32_t shifted = 0;
+  for (int begin = 0; begin < count;) {
+    const auto isShifted = [&](int cell) { return Shift(source, above, below, cell).isOne; };
+    int end = begin;
+    while (end < count && !isShifted(end)) ++end;
+    if (end > begin) stretch(begin, end);
+    if (end < count) shifted |= 1U << static_cast<unsigned>(end);
+    begin = end + 1;
+  }
+  for (int cell = 0; cell < count; ++cell) {
+    if ((shifted >> static_cast<unsigned>(cell) & 1U) == 0) continue;
+    const Shift shift(source, above, below, cell);
+    const std::ptrdiff_t at = std::ptrdiff_t{cell} * kSide;
+    ShiftedCell(source, shift, above, below, cell).warp<kWithDepth>(run.colour + at, run.depth + at);
+  }
+}
+
+void warpCells(const WarpSource& source, const CornerLine& above, const CornerLine& below, int count, bool withDepth,
+               WarpRun& run) {
+  if (withDepth) {
+    warpRun<true>(source, above, below, count, run);
+  } else {
+    warpRun<false>(source, above, below, count, run);
+  }
+}
+
+}  // namespace
+}  // namespace grove::node::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+
+namespace grove::node {
+
+HWY_EXPORT(measureCells);
+HWY_EXPORT(findCorners);
+HWY_EXPORT(warpCells);
+
+void measureCells(const float* depths, int width, int lines, CellDepths* cells, SquareNearness* squares) {
+  HWY_DYNAMIC_DISPATCH(measureCells)(depths, width, lines, cells, squares);
+}
+
+void findCorners(const CornerSearch& search, int left, int line, int steps, CornerLine& corners) {
+  HWY_DYNAMIC_DISPATCH(findCorners)(search, left, line, steps, corners);
+}
+
+void warpCells(const WarpSource& source, const CornerLine& above, const CornerLine& below, int count, bool withDepth,
+               WarpRun& run) {
+  HWY_DYNAMIC_DISPATCH(warpCells)(source, above, below, count, withDepth, run);
+}
+
+}  // namespace grove::node
+
+#endif  // HWY_ONCE

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "node/frontend/backdrops/warp_camera.h"
+
+namespace grove::node {
+
+/// Of the pixels of one cell that have a depth, i.e. all but the sky.
+struct CellDepths {
+  float count;
+  float nearness;  ///< sum of 1 / depth
+  float squares;   ///< sum of (1 / depth)^2
+  float nearest;   ///< largest 1 / depth
+};
+
+/// Largest 1 / depth of a square of 2 x 2 pixels, times kNearnessSteps; 0 if all are infinitely far.
+using SquareNearness = std::uint16_t;
+inline constexpr float kNearnessSteps = 16384.0F;
+
+/// Kernel: measures the cells and squares of `lines` rows of depths, which are `width` apart. The last cell may be
+/// narrower than the others. Width and lines are even.
+void measureCells(const float* depths, int width, int lines, CellDepths* cells, SquareNearness* squares);
+
+/// Cells in a row that are warped together, at most.
+inline constexpr int kWarpCells = 32;
+inline constexpr int kWarpPixels = 8 * kWarpCells;
+/// At least kWarpCells + 1, rounded up to whole vectors.
+inline constexpr int kCorners = 48;
+
+/// Where a line of corners of the frame's cells lies in the backdrop's image.
+struct alignas(64) CornerLine {
+  float x[kCorners];  ///< pixels from the image's left
+  float y[kCorners];
+  float nearness[kCorners];    ///< 1 / depth in the backdrop
+  float perForward[kCorners];  ///< 1 / k2, see WarpCamera; 0 where the backdrop's camera cannot see
+};
+
+/// A backdrop's depths as the search for corners reads them.
+struct CornerSearch {
+  WarpCamera warp;
+  world::Vec2 origin;     ///< left and top of the image, in pixels of its camera
+  const float* nearness;  ///< of cells, see Backdrop::nearness()
+  int across;             ///< cells
+  int down;
+};
+
+/// Kernel: finds a line of corners, one every eight pixels from `left` on. Starts from the nearness that each corner
+/// has in `corners` and repeats `steps` times: look where it lies with that nearness, take the nearness there.
+void findCorners(const CornerSearch& search, int left, int line, int steps, CornerLine& corners);
+
+/// A backdrop's pixels as a warp reads them.
+struct WarpSource {
+  const std::uint32_t* colour;
+  const SquareNearness* squares;
+  int width;
+  int height;
+  float m2;  ///< of the WarpCamera
+};
+
+/// Scratch buffer for a row of cells. Each row of pixels ends with space that whole vectors may write to.
+struct alignas(64) WarpRun {
+  static constexpr int kStride = kWarpPixels + 16;
+  std::uint32_t colour[kStride * 8];
+  float depth[kStride * 8];
+};
+
+/// Kernel: warps `count` cells between two lines of corners: bilinear colour and, if `withDepth`, the depth of the
+/// nearest square. Without motion the colours are those of the backdrop.
+void warpCells(const WarpSource& source, const CornerLine& above, const CornerLine& below, int count, bool withDepth,
+               WarpRun& run);
+
+}  // namespace grove::node

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "node/frontend/backdrops/backdrop_store.h"
+#include "node/frontend/backdrops/eye_motion.h"
+#include "node/frontend/visitor_halves.h"
+#include "node/messages.h"
+
+namespace grove::node {
+
+/// Decides for each frame of a visitor whether the still objects are drawn, as a backdrop for the frames to come, or
+/// shown by the last backdrop. Objects that move or are near the eye are drawn in every frame. One thread at a time.
+class BackdropPlanner {
+ public:
+  /// `layout` outlives it.
+  BackdropPlanner(const world::Layout& layout, std::shared_ptr<VisitorHalves> halves,
+                  std::shared_ptr<BackdropStore> backdrops);
+
+  /// The list of what a frame draws, from the list of what it sees.
+  [[nodiscard]] std::shared_ptr<const FrameList> plan(std::shared_ptr<const FrameList> seen);
+
+  /// A frame is never composited: if it was to draw a backdrop, the next frame does.
+  void drop(FrameNumber frame);
+
+ private:
+  [[nodiscard]] std::shared_ptr<const FrameList> listToWarp(const FrameList& seen) const;
+  [[nodiscard]] std::shared_ptr<const FrameList> listToDraw(const View& view) const;
+  /// Whether the last backdrop can show a view.
+  [[nodiscard]] bool serves(const View& view) const;
+  [[nodiscard]] bool reaches(const world::Camera& camera) const;
+  [[nodiscard]] world::Rect areaFor(const world::Camera& camera) const;
+  /// Still objects within the area, others within the frame.
+  [[nodiscard]] std::vector<VisibleObject> objectsWithin(const View& view, const world::Rect& area) const;
+  [[nodiscard]] bool isStill(const VisibleObject& object, world::Vec3 eye) const;
+  [[nodiscard]] bool isInLast(world::ObjectId id) const;
+
+  const world::Layout& layout_;
+  const std::shared_ptr<VisitorHalves> halves_;
+  const std::shared_ptr<BackdropStore> backdrops_;
+  EyeMotion motion_;
+  std::shared_ptr<const FrameList> last_;  ///< the newest list that draws a backdrop; null: none is of use
+  int pause_ = 0;                          ///< frames until a backdrop is tried again
+};
+
+}  // namespace grove::node

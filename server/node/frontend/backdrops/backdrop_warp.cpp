@@ -1,0 +1,87 @@
+#include "node/frontend/backdrops/backdrop_warp.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace grove::node {
+namespace {
+
+constexpr int kCell = Backdrop::kCell;
+/// Steps of the search for a corner from the nearness of the corner above it, and from the nearest in the picture.
+constexpr int kSteps = 1;
+constexpr int kFirstSteps = 4;
+
+bool isSame(const world::Camera& a, const world::Camera& b) {
+  return a.pose.position == b.pose.position && a.pose.yaw == b.pose.yaw && a.pose.pitch == b.pose.pitch &&
+         a.width == b.width && a.height == b.height && a.verticalFov == b.verticalFov;
+}
+
+}  // namespace
+
+BackdropWarp::BackdropWarp(const Backdrop& backdrop, const world::Camera& frame, std::vector<world::Rect> withDepth)
+    : backdrop_(backdrop),
+      search_{WarpCamera(backdrop.view().camera, frame),
+              world::Vec2(backdrop.image().rect.left, backdrop.image().rect.top), backdrop.nearness().data(),
+              backdrop.cellsAcross(), backdrop.cellsDown()},
+      frame_{0, 0, frame.width, frame.height},
+      still_(isSame(backdrop.view().camera, frame)),
+      withDepth_(std::move(withDepth)) {}
+
+void BackdropWarp::fill(FrameBuilder& rows) const {
+  const world::Rect rect = rows.clip(frame_);
+  const FramePixels out = rows.cover();
+  if (still_) return copy(rect, out);
+  for (int left = rect.left; left < rect.right; left += kWarpPixels) {
+    const FramePixels at{out.colour + left, out.depth + left, nullptr, nullptr, out.stride};
+    warp({left, rect.top, std::min(left + kWarpPixels, rect.right), rect.bottom}, at);
+  }
+}
+
+void BackdropWarp::copy(const world::Rect& rows, const FramePixels& out) const {
+  const raster::Image& image = backdrop_.image();
+  for (int y = rows.top; y < rows.bottom; ++y) {
+    const std::ptrdiff_t to = (y - rows.top) * out.stride;
+    std::copy_n(image.colourRow(y - image.rect.top) - image.rect.left, rows.width(), out.colour + to);
+  }
+  for (const world::Rect& each : withDepth_) {
+    const world::Rect part = world::overlap(rows, each);
+    if (part.empty()) continue;
+    for (int y = part.top; y < part.bottom; ++y) {
+      const float* const from = image.depthRow(y - image.rect.top) + (part.left - image.rect.left);
+      std::copy_n(from, part.width(), out.depth + (y - rows.top) * out.stride + part.left);
+    }
+  }
+}
+
+void BackdropWarp::warp(const world::Rect& strip, const FramePixels& out) const {
+  const raster::Image& image = backdrop_.image();
+  const WarpSource source{image.colour.data(), backdrop_.squares().data(), image.width(), image.height(),
+                          search_.warp.m.z};
+  CornerLine first;
+  CornerLine second;
+  CornerLine* above = &first;
+  CornerLine* below = &second;
+  WarpRun run;
+  std::ranges::fill(below->nearness, backdrop_.nearest());
+  findCorners(search_, strip.left, strip.top, kFirstSteps, *below);
+  for (int top = strip.top; top < strip.bottom; top += kCell) {
+    std::swap(above, below);
+    std::ranges::copy(above->nearness, below->nearness);
+    findCorners(search_, strip.left, top + kCell, kSteps, *below);
+    const world::Rect part{strip.left, top, strip.right, std::min(top + kCell, strip.bottom)};
+    const bool withDepth = needsDepth(part);
+    warpCells(source, *above, *below, (strip.width() + kCell - 1) / kCell, withDepth, run);
+    for (int y = part.top; y < part.bottom; ++y) {
+      const std::ptrdiff_t from = std::ptrdiff_t{y - top} * WarpRun::kStride;
+      const std::ptrdiff_t to = (y - strip.top) * out.stride;
+      std::copy_n(run.colour + from, part.width(), out.colour + to);
+      if (withDepth) std::copy_n(run.depth + from, part.width(), out.depth + to);
+    }
+  }
+}
+
+bool BackdropWarp::needsDepth(const world::Rect& part) const {
+  return std::ranges::any_of(withDepth_, [&](const world::Rect& each) { return !world::overlap(part, each).empty(); });
+}
+
+}  // namespace grove::node

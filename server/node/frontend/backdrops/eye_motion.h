@@ -1,0 +1,27 @@
+#pragma once
+
+#include "world/camera.h"
+
+namespace grove::node {
+
+/// How a visitor's eye moves and turns, estimated from his last frames. One thread at a time.
+class EyeMotion {
+ public:
+  /// A frame is seen from here at `time`, seconds of the world's clock.
+  void see(const world::Camera& camera, double time);
+
+  [[nodiscard]] float secondsPerFrame() const noexcept { return secondsPerFrame_; }
+
+  /// Where the camera is after some seconds.
+  [[nodiscard]] world::Camera ahead(world::Camera camera, float seconds) const;
+
+ private:
+  world::Pose last_;
+  double time_ = -1.0;
+  float secondsPerFrame_ = 1.0F / 30.0F;
+  world::Vec3 velocity_{0.0F};  ///< metres a second
+  float yawRate_ = 0.0F;        ///< radians a second
+  float pitchRate_ = 0.0F;
+};
+
+}  // namespace grove::node

@@ -1,0 +1,236 @@
+// Pixels of a warped backdrop. For kernels: included once per target.
+
+#if defined(GROVE_NODE_FRONTEND_BACKDROPS_WARP_PIXELS_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef GROVE_NODE_FRONTEND_BACKDROPS_WARP_PIXELS_INL_H
+#undef GROVE_NODE_FRONTEND_BACKDROPS_WARP_PIXELS_INL_H
+#else
+#define GROVE_NODE_FRONTEND_BACKDROPS_WARP_PIXELS_INL_H
+#endif
+
+#include <hwy/highway.h>
+
+#include <algorithm>
+#include <cstdint>
+
+#include "base/simd/look_up_inl.h"
+#include "node/frontend/backdrops/backdrop_kernels.h"
+#include "world/camera.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace grove::node::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+namespace lanes = grove::simd::HWY_NAMESPACE;
+using lanes::Floats;
+using lanes::Ints;
+using lanes::kLanes;
+using lanes::Mask;
+using lanes::Pair;
+
+/// The corners of one row of pixels.
+struct RowCorners {
+  float x[kCorners];
+  float y[kCorners];
+  float perForward[kCorners];
+
+  HWY_INLINE RowCorners(const CornerLine& above, const CornerLine& below, int first, int last, float down) {
+    const auto mix = [&](const float* __restrict from, const float* __restrict to, float* __restrict out) {
+      for (int i = 0; i < last - first + 2; ++i) out[i] = from[first + i] + down * (to[first + i] - from[first + i]);
+    };
+    mix(above.x, below.x, x);
+    mix(above.y, below.y, y);
+    mix(above.perForward, below.perForward, perForward);
+  }
+};
+
+/// Between the corners, for kLanes pixels from the `first` of the row on, which is the first of a cell or of its half.
+HWY_INLINE Floats between(const float* corners, int first) {
+  const int cell = first / 8;
+  const Floats place = (lanes::toFloats((lanes::upwards() + first) & Ints(7)) + 0.5F) * 0.125F;
+  const float begin = corners[cell];
+  const float middle = corners[cell + 1];
+  if constexpr (kLanes <= 8) {
+    return lanes::mulAdd(place, Floats(middle - begin), Floats(begin));
+  } else {
+    const Mask isFirst = lanes::upwards() < Ints(8);
+    const float end = corners[cell + 2];
+    return lanes::mulAdd(place, lanes::select(isFirst, Floats(middle - begin), Floats(end - middle)),
+                         lanes::select(isFirst, Floats(begin), Floats(middle)));
+  }
+}
+
+/// Two channels of 8 bits, each in 16.
+using ChannelTag = hn::Repartition<std::uint16_t, lanes::IntTag>;
+using Channels = hn::Vec<ChannelTag>;
+
+HWY_INLINE Channels channels(Ints value) { return hn::BitCast(ChannelTag(), value.raw); }
+HWY_INLINE Channels twice(Ints value) { return channels(value | lanes::shiftLeft<16>(value)); }
+
+/// Four neighbouring pixels by shares of 256.
+HWY_INLINE Ints blend(const Pair& above, const Pair& below, Ints right, Ints down) {
+  const Ints both = lanes::shiftRight<8>(right * down + 128);
+  const Channels w11 = twice(both);
+  const Channels w10 = twice(right - both);
+  const Channels w01 = twice(down - both);
+  const Channels w00 = twice(256 - right - down + both);
+  const auto sum = [&](auto part) {
+    const Channels all = hn::Add(hn::Add(hn::Mul(part(above.first), w00), hn::Mul(part(above.second), w10)),
+                                 hn::Add(hn::Mul(part(below.first), w01), hn::Mul(part(below.second), w11)));
+    return hn::Add(all, hn::Set(ChannelTag(), std::uint16_t{128}));
+  };
+  const Channels even = hn::ShiftRight<8>(sum([](Ints pixel) { return channels(pixel & 0x00FF00FF); }));
+  const Channels odd = sum([](Ints pixel) { return channels(lanes::shiftRight<8>(pixel) & 0x00FF00FF); });
+  const auto highBytes = hn::AndNot(hn::Set(ChannelTag(), std::uint16_t{0x00FF}), odd);
+  return Ints(hn::BitCast(lanes::IntTag(), hn::Or(even, highBytes)));
+}
+
+/// What a warped pixel lies between.
+struct Neighbours {
+  Pair above;
+  Pair below;
+};
+
+/// By loads of each lane.
+HWY_INLINE Neighbours lookUpEach(const WarpSource& source, Ints column, Ints row) {
+  const Ints at = row * source.width + column;
+  return {lanes::lookUpPair(source.colour, at), lanes::lookUpPair(source.colour + source.width, at)};
+}
+
+/// Steps of the squares that pixels lie in.
+HWY_INLINE Ints lookUpSquares(const WarpSource& source, Ints column, Ints row) {
+  const Ints at = lanes::shiftRight<1>(row) * (source.width / 2) + lanes::shiftRight<1>(column);
+  return lanes::lookUpPair(source.squares, at).first;
+}
+
+/// The columns and rows that kLanes pixels have, as their corners say.
+struct Span {
+  int left, right, top, bottom;
+
+  HWY_INLINE Span(const WarpSource& source, const RowCorners& corners, int first)
+      : Span(source, corners, first / 8, (first + kLanes - 1) / 8 + 1) {}
+
+ private:
+  HWY_INLINE Span(const WarpSource& source, const RowCorners& corners, int begin, int end) {
+    float lowX = corners.x[begin];
+    float highX = lowX;
+    float lowY = corners.y[begin];
+    float highY = lowY;
+    for (int i = begin + 1; i <= end; ++i) {
+      lowX = std::min(lowX, corners.x[i]);
+      highX = std::max(highX, corners.x[i]);
+      lowY = std::min(lowY, corners.y[i]);
+      highY = std::max(highY, corners.y[i]);
+    }
+    const auto place = [](float value, int size) {
+      return static_cast<int>(std::clamp(value - 0.5F, 0.0F, static_cast<float>(size - 2)));
+    };
+    left = place(lowX, source.width);
+    right = place(highX, source.width);
+    top = place(lowY, source.height);
+    bottom = place(highY, source.height);
+  }
+};
+
+#if HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_AVX3
+/// Two registers of a row.
+template <class Tag>
+struct RowPart {
+  hn::Vec<Tag> low;
+  hn::Vec<Tag> high;
+
+  HWY_INLINE explicit RowPart(const hn::TFromD<Tag>* from)
+      : low(hn::LoadU(Tag(), from)), high(hn::LoadU(Tag(), from + kLanes)) {}
+
+  HWY_INLINE hn::Vec<Tag> at(Ints place) const {
+    const auto indices = hn::IndicesFromVec(Tag(), hn::And(place.raw, hn::Set(lanes::IntTag(), kLanes - 1)));
+    const auto isHigh = hn::RebindMask(Tag(), hn::Gt(place.raw, hn::Set(lanes::IntTag(), kLanes - 1)));
+    return hn::IfThenElse(isHigh, hn::TableLookupLanes(high, indices), hn::TableLookupLanes(low, indices));
+  }
+};
+
+/// Neighbouring pixels of a frame lie between neighbouring pixels of the backdrop: two registers of three rows hold all
+/// of them, unless the picture is turned or made smaller. False if they do not.
+HWY_INLINE bool lookUpNear(const WarpSource& source, const Span& span, Ints column, Ints row, Neighbours& out) {
+  if (span.right - span.left > 2 * kLanes - 2 || span.bottom - span.top > 1) return false;
+  const std::ptrdiff_t begin = std::ptrdiff_t{span.top} * source.width + span.left;
+  const std::ptrdiff_t third = 2 * std::ptrdiff_t{source.width};
+  if (begin + third + 2 * kLanes > std::ptrdiff_t{source.width} * source.height) return false;
+  using ColourTag = hn::RebindToUnsigned<lanes::IntTag>;
+  const Ints right = column - Ints(span.left);
+  const std::uint32_t* const colour = source.colour + begin;
+  const auto at = [](const RowPart<ColourTag>& part, Ints place) {
+    return Ints(hn::BitCast(lanes::IntTag(), part.at(place)));
+  };
+  const RowPart<ColourTag> first(colour);
+  const RowPart<ColourTag> second(colour + source.width);
+  out.above = {at(first, right), at(first, right + 1)};
+  out.below = {at(second, right), at(second, right + 1)};
+  if (span.bottom == span.top) return true;
+  const Mask isLower = row > Ints(span.top);
+  const RowPart<ColourTag> last(colour + third);
+  out.above = {lanes::select(isLower, out.below.first, out.above.first),
+               lanes::select(isLower, out.below.second, out.above.second)};
+  out.below = {lanes::select(isLower, at(last, right), out.below.first),
+               lanes::select(isLower, at(last, right + 1), out.below.second)};
+  return true;
+}
+
+/// The same for squares, all in one register of one row or two.
+HWY_INLINE bool lookUpSquaresNear(const WarpSource& source, const Span& span, Ints column, Ints row, Ints& out) {
+  const int left = span.left / 2;
+  const int top = span.top / 2;
+  const int below = (span.bottom + 1) / 2;
+  const int stride = source.width / 2;
+  const std::ptrdiff_t begin = std::ptrdiff_t{top} * stride + left;
+  if ((span.right + 1) / 2 - left >= kLanes || below - top > 1) return false;
+  if (begin + stride + kLanes > std::ptrdiff_t{stride} * (source.height / 2)) return false;
+  const hn::Rebind<SquareNearness, lanes::IntTag> squareTag;
+  const auto indices = hn::IndicesFromVec(lanes::IntTag(), (lanes::shiftRight<1>(column) - Ints(left)).raw);
+  const auto rowAt = [&](const SquareNearness* from) {
+    return Ints(hn::TableLookupLanes(hn::PromoteTo(lanes::IntTag(), hn::LoadU(squareTag, from)), indices));
+  };
+  out = rowAt(source.squares + begin);
+  if (below > top)
+    out = lanes::select(lanes::shiftRight<1>(row) > Ints(top), rowAt(source.squares + begin + stride), out);
+  return true;
+}
+#else
+HWY_INLINE bool lookUpNear(const WarpSource&, const Span&, Ints, Ints, Neighbours&) { return false; }
+HWY_INLINE bool lookUpSquaresNear(const WarpSource&, const Span&, Ints, Ints, Ints&) { return false; }
+#endif
+
+/// View depth in the frame.
+HWY_INLINE Floats depthOf(const WarpSource& source, Ints steps, Floats perForward) {
+  const Floats depth = (kNearnessSteps / lanes::toFloats(steps) - source.m2) * perForward;
+  return lanes::select(steps > Ints(0), depth, world::kInfiniteDepth);
+}
+
+/// kLanes pixels from the `first` of a row on.
+template <bool kWithDepth>
+HWY_INLINE void warpPixels(const WarpSource& source, const RowCorners& corners, int first, std::uint32_t* colour,
+                           float* depth) {
+  const Floats x = lanes::clamp(between(corners.x, first) - 0.5F, 0.0F, static_cast<float>(source.width - 2));
+  const Floats y = lanes::clamp(between(corners.y, first) - 0.5F, 0.0F, static_cast<float>(source.height - 2));
+  const Ints column = lanes::truncate(x);
+  const Ints row = lanes::truncate(y);
+  const Ints right = lanes::truncate(lanes::mulAdd(x - lanes::toFloats(column), 256.0F, 0.5F));
+  const Ints down = lanes::truncate(lanes::mulAdd(y - lanes::toFloats(row), 256.0F, 0.5F));
+  const Span span(source, corners, first);
+  Neighbours near;
+  if (!lookUpNear(source, span, column, row, near)) near = lookUpEach(source, column, row);
+  lanes::store(blend(near.above, near.below, right, down), colour);
+  if constexpr (kWithDepth) {
+    const Ints nearestColumn = column + lanes::shiftRight<8>(right + 128);
+    const Ints nearestRow = row + lanes::shiftRight<8>(down + 128);
+    Ints steps;
+    if (!lookUpSquaresNear(source, span, nearestColumn, nearestRow, steps)) {
+      steps = lookUpSquares(source, nearestColumn, nearestRow);
+    }
+    lanes::store(depthOf(source, steps, between(corners.perForward, first)), depth);
+  }
+}
+
+}  // namespace grove::node::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // once per target

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <utility>
+
+#include "node/frontend/backdrops/backdrop.h"
+
+/// Backdrops that are drawn by a function.
+namespace grove::node::testing {
+
+inline world::Camera cameraOf(int width, int height) {
+  world::Camera camera;
+  camera.width = width;
+  camera.height = height;
+  return camera;
+}
+
+inline View viewOf(const world::Camera& camera) {
+  View view;
+  view.frame = 1;
+  view.camera = camera;
+  return view;
+}
+
+struct Pixel {
+  std::uint32_t colour = 0;
+  float depth = world::kInfiniteDepth;
+};
+
+/// What a ray of one metre of view depth meets.
+using Painter = std::function<Pixel(const world::Camera& camera, world::Vec3 ray)>;
+
+inline std::shared_ptr<raster::Image> paint(const Painter& painter, const world::Camera& camera,
+                                            const world::Rect& area) {
+  const auto image = raster::ImagePool().acquire(area);
+  for (int y = 0; y < image->height(); ++y) {
+    for (int x = 0; x < image->width(); ++x) {
+      const auto at = [](int place, int edge) { return static_cast<float>(place + edge) + 0.5F; };
+      const Pixel pixel = painter(camera, camera.ray(at(x, area.left), at(y, area.top)));
+      image->colourRow(y)[x] = pixel.colour;
+      image->depthRow(y)[x] = pixel.depth;
+    }
+  }
+  return image;
+}
+
+inline std::shared_ptr<const Backdrop> backdropOf(std::shared_ptr<const raster::Image> image, View view) {
+  BackdropDepths depths(image->width(), image->height());
+  depths.measure(*image, 0, image->height());
+  return std::make_shared<const Backdrop>(std::move(image), std::move(depths),
+                                          std::make_shared<const View>(std::move(view)));
+}
+
+inline std::shared_ptr<const Backdrop> backdropOf(const Painter& painter, const world::Camera& camera,
+                                                  const world::Rect& area) {
+  return backdropOf(paint(painter, camera, area), viewOf(camera));
+}
+
+}  // namespace grove::node::testing
