@@ -12,15 +12,15 @@ namespace {
 
 constexpr int kBlockCells = 8;
 
-/// Difference in nearness, 1 / metres, that makes an outline. Cells at an outline and beside it move with what is in
-/// front, which keeps it straight: what is behind is torn anyway.
-constexpr float kOutline = 0.02F;
+/// Difference in nearness, 1 / metres, that makes a silhouette. Cells at a silhouette move with the nearer surface,
+/// which keeps the silhouette straight. The error falls on the background, where pixels are missing anyway.
+constexpr float kSilhouette = 0.02F;
 
 /// Variance of the nearness within a cell where it changes linearly from the cell before to the cell after: that is not
 /// an error, for a warp stretches a cell between its corners.
 float varianceOfRamp(float before, float after) {
   constexpr float kSide = Backdrop::kCell;
-  if (std::abs(after - before) > kOutline) return 0.0F;
+  if (std::abs(after - before) > kSilhouette) return 0.0F;
   const float slope = (after - before) / (2.0F * kSide);
   return slope * slope * (kSide * kSide - 1.0F) / 12.0F;
 }
@@ -77,7 +77,7 @@ void Backdrop::chooseNearness(const std::vector<CellDepths>& depths) {
           nearest = std::max(nearest, depths[indexOf(x, y)].nearest);
         }
       }
-      nearness_.push_back(nearest - mean > kOutline ? nearest : mean);
+      nearness_.push_back(nearest - mean > kSilhouette ? nearest : mean);
     }
   }
 }

@@ -6,16 +6,16 @@
 
 namespace grove::node {
 
-/// The part of a backdrop that a frame shows, in pixels of the backdrop's camera: the box of where the frame's edges
-/// lie, for what is at least `nearest` metres away. Nothing of it is in the backdrop if it is empty.
+/// Bounding box of the part of a backdrop that a frame shows, in pixels of the backdrop's camera, for surfaces at least
+/// `nearest` metres away. Empty if the frame looks elsewhere.
 [[nodiscard]] world::Rect seenPart(const world::Camera& backdrop, const world::Camera& frame, float nearest);
 
-/// The area of a backdrop for a frame: the frame and a border for what `later` sees beside it. Nothing if that is too
-/// much to draw.
+/// Area of a backdrop: the frame, with a border for what the camera `later` sees outside the frame. Nothing if the
+/// border costs too much to draw.
 [[nodiscard]] std::optional<world::Rect> areaWithBorder(const world::Camera& camera, const world::Camera& later,
                                                         float nearest);
 
-/// The area without a border. Areas have even edges.
+/// Area without a border. All areas have even edges.
 [[nodiscard]] world::Rect evenFrame(const world::Camera& camera);
 
 }  // namespace grove::node

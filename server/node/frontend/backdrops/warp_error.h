@@ -4,11 +4,11 @@
 
 namespace grove::node {
 
-/// Error of a backdrop that is shown to a camera, in multiples of what is permitted: pixels are shifted wrongly, or it
-/// is too small.
+/// Error of a backdrop warped to a camera, in multiples of the permitted error: the larger of wrong shifts and of a
+/// wrong scale of the nearest surface.
 [[nodiscard]] float warpError(const Backdrop& backdrop, const world::Camera& camera);
 
-/// How much the lights have changed between two views, in multiples of what is permitted.
+/// Change of the lights between two views, in multiples of the permitted change.
 [[nodiscard]] float lightError(const View& before, const View& now);
 
 }  // namespace grove::node

@@ -19,12 +19,12 @@ class FrameBuilder {
   /// The part of a rectangle that lies in the rows that are put together.
   [[nodiscard]] world::Rect clip(const world::Rect& rect) const noexcept;
 
-  /// The pixels of these rows, from the left of the first one, for a caller who writes all of their colours before
-  /// anything is laid, and depths where something will be laid.
+  /// Gives direct access to these rows, from the leftmost pixel of the first row. Call it before any lay(). The caller
+  /// writes every colour, and depth wherever a layer follows.
   [[nodiscard]] FramePixels cover();
 
-  /// Lays a layer over these rows wherever it is not farther than what is there, blended by its coverage. What covers
-  /// in part does not hide what is laid later and lies behind it. What lies beyond the frame is left out.
+  /// Composites a layer over these rows where it is not farther than the pixels there, blended by its coverage. A pixel
+  /// of partial coverage does not hide layers that come later and lie behind it. Clips the layer to the frame.
   void lay(const raster::Image& layer);
 
   /// The same for a part of a layer that need not be an image: its rows are `stride` pixels apart. `rect` must lie
