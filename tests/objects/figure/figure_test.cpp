@@ -201,6 +201,23 @@ TEST_F(LabelTest, IsDrawnOnlyWhereNothingStandsBeforeIt) {
   }
 }
 
+/// Fails if a long name is hidden by depths that were never written.
+TEST_F(LabelTest, ReadsDepthWhereverItIsDrawn) {
+  world::Object ada = visitor(1, {0, 0, -15});
+  ada.name = "a name that is far wider than its figure";
+  const auto list = look({ada}, {});
+  const node::VisibleObject& object = list->objects[0];
+  const world::Rect reads = labels_.layer(object, {}, *list->view)->readsDepth({0, 0, 320, 180});
+  EXPECT_GT(reads.width(), object.rect.width());
+  ASSERT_GT(touched(ada, world::kInfiniteDepth), 0U);
+  for (int y = 0; y < 180; ++y) {
+    for (int x = 0; x < 320; ++x) {
+      if (colour_[static_cast<std::size_t>(y * 320 + x)] == kGrey) continue;
+      ASSERT_FALSE(world::overlap(reads, {x, y, x + 1, y + 1}).empty()) << x << ", " << y;
+    }
+  }
+}
+
 TEST_F(LabelTest, FadesWithDistance) {
   const auto brightest = [&] {
     return *std::ranges::max_element(colour_, {}, [](std::uint32_t c) { return c & 0xFFU; }) & 0xFFU;

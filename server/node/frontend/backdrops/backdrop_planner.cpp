@@ -59,7 +59,7 @@ std::shared_ptr<const FrameList> BackdropPlanner::plan(std::shared_ptr<const Fra
     pause_ = std::max(pause_ - 1, 0);
     return seen;
   }
-  last_ = listToDraw(view);
+  last_ = listToDraw(seen->view);
   return last_;
 }
 
@@ -76,12 +76,12 @@ std::shared_ptr<const FrameList> BackdropPlanner::listToWarp(const FrameList& se
   return list;
 }
 
-std::shared_ptr<const FrameList> BackdropPlanner::listToDraw(const View& view) const {
+std::shared_ptr<const FrameList> BackdropPlanner::listToDraw(const std::shared_ptr<const View>& view) const {
   auto list = std::make_shared<FrameList>();
-  list->view = std::make_shared<const View>(view);
-  list->backdrop = view.frame;
-  list->area = areaFor(view.camera);
-  list->objects = objectsWithin(view, list->area);
+  list->view = view;
+  list->backdrop = view->frame;
+  list->area = areaFor(view->camera);
+  list->objects = objectsWithin(*view, list->area);
   return list;
 }
 

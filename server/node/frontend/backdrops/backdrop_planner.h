@@ -26,7 +26,7 @@ class BackdropPlanner {
 
  private:
   [[nodiscard]] std::shared_ptr<const FrameList> listToWarp(const FrameList& seen) const;
-  [[nodiscard]] std::shared_ptr<const FrameList> listToDraw(const View& view) const;
+  [[nodiscard]] std::shared_ptr<const FrameList> listToDraw(const std::shared_ptr<const View>& view) const;
   /// Whether the last backdrop can show a view.
   [[nodiscard]] bool serves(const View& view) const;
   [[nodiscard]] bool reaches(const world::Camera& camera) const;

@@ -16,8 +16,6 @@ namespace {
 constexpr const char* kCompositor = "Compositor";
 /// Part of a frame's time.
 constexpr const char* kBackdrop = "backdrop";
-/// Pixels around an object's box that its layer may look at.
-constexpr int kDepthMargin = 32;
 
 /// Rows that are put together at once: with their edges, about what fits into the cache of a core.
 constexpr int kBandHeight = 48;
@@ -84,14 +82,14 @@ std::optional<BackdropWarp> Compositor::warpOf(const FrameList& list, const Back
                                                const Scene& scene) const {
   if (!list.backdrop) return std::nullopt;
   if (backdrop == nullptr) throw std::runtime_error("no backdrop could be drawn yet");
+  const world::Camera& camera = list.view->camera;
   std::vector<world::Rect> withDepth;
-  withDepth.reserve(scene.size());
+  withDepth.reserve(2 * scene.size());
   for (const Placed& each : scene) {
-    const world::Rect& rect = each.object.rect;
-    withDepth.push_back(
-        {rect.left - kDepthMargin, rect.top - kDepthMargin, rect.right + kDepthMargin, rect.bottom + kDepthMargin});
+    withDepth.push_back(each.object.rect);
+    if (each.layer) withDepth.push_back(each.layer->readsDepth({0, 0, camera.width, camera.height}));
   }
-  return std::make_optional<BackdropWarp>(*backdrop, list.view->camera, std::move(withDepth));
+  return std::make_optional<BackdropWarp>(*backdrop, camera, std::move(withDepth));
 }
 
 Compositor::Scene Compositor::sceneOf(const CompleteFrame& frame, bool still) {

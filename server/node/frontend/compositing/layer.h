@@ -25,8 +25,11 @@ class Layer {
   virtual void lay(FrameBuilder& /*rows*/) {}
 
   /// Called by one thread when all layers are in place, back to front, to draw what cannot be laid. `frame` is the
-  /// whole frame: colour may be blended into, depth is read only.
+  /// whole frame: colour may be blended into, depth is read only and defined within readsDepth() only.
   virtual void draw(raster::Image& /*frame*/) {}
+
+  /// The part of the frame whose depths draw() reads. May reach beyond the frame; empty if it reads none.
+  [[nodiscard]] virtual world::Rect readsDepth(const world::Rect& /*frame*/) const { return {}; }
 };
 
 }  // namespace grove::node

@@ -23,12 +23,25 @@ std::uint32_t blended(std::uint32_t under, float white, float opacity) {
   return result;
 }
 
+/// Above the head.
+world::Vec3 placeOf(const world::Object& object) {
+  const world::Transform& transform = object.transform;
+  return transform.position + world::Vec3(0.0F, (kFigureHeight + kAboveHead) * transform.scale, 0.0F);
+}
+
+/// Pixels.
+int letterHeight(const world::Camera& camera) { return std::max(12, camera.height / 40); }
+
 class LabelLayer final : public node::Layer {
  public:
   LabelLayer(FigureLabels& labels, const world::Object& object, const world::Camera& camera)
       : labels_(labels), object_(object), camera_(camera) {}
 
   void draw(raster::Image& frame) override { labels_.draw(object_, camera_, frame); }
+  /// A name may be wider than its figure.
+  [[nodiscard]] world::Rect readsDepth(const world::Rect& /*frame*/) const override {
+    return labels_.panelOf(object_, camera_).value_or(world::Rect{});
+  }
 
  private:
   FigureLabels& labels_;
@@ -51,17 +64,22 @@ std::unique_ptr<node::Layer> FigureLabels::layer(const node::VisibleObject& obje
   return std::make_unique<LabelLayer>(*this, object.object, view.camera);
 }
 
+std::optional<world::Rect> FigureLabels::panelOf(const world::Object& object, const world::Camera& camera) {
+  const world::Vec3 at = camera.project(placeOf(object));
+  if (object.name.empty() || at.z < camera.nearDepth || at.z >= kFadeTo) return std::nullopt;
+  const LabelMask& mask = maskOf(object.name, letterHeight(camera));
+  const int left = static_cast<int>(std::lround(at.x)) - mask.width / 2 - kPadding;
+  const int top = static_cast<int>(std::lround(at.y)) - mask.height - kPadding;
+  return world::Rect{left, top, left + mask.width + 2 * kPadding, top + mask.height + kPadding};
+}
+
 void FigureLabels::draw(const world::Object& object, const world::Camera& camera, raster::Image& frame) {
-  const world::Transform& transform = object.transform;
-  const world::Vec3 head = transform.position + world::Vec3(0.0F, (kFigureHeight + kAboveHead) * transform.scale, 0.0F);
-  const world::Vec3 at = camera.project(head);
-  if (object.name.empty() || at.z < camera.nearDepth || at.z >= kFadeTo) return;
+  const std::optional<world::Rect> panel = panelOf(object, camera);
+  if (!panel) return;
+  const world::Vec3 at = camera.project(placeOf(object));
   const float opacity = std::min(1.0F, (kFadeTo - at.z) / (kFadeTo - kFadeFrom));
-  const LabelMask& mask = maskOf(object.name, std::max(12, frame.height() / 40));
-  const int left = static_cast<int>(std::lround(at.x)) - mask.width / 2 - kPadding - frame.rect.left;
-  const int top = static_cast<int>(std::lround(at.y)) - mask.height - kPadding - frame.rect.top;
-  const int right = left + mask.width + 2 * kPadding;
-  const int bottom = top + mask.height + kPadding;
+  const LabelMask& mask = maskOf(object.name, letterHeight(camera));
+  const auto [left, top, right, bottom] = panel->moved(-frame.rect.left, -frame.rect.top);
   for (int y = std::max(0, top); y < std::min(frame.height(), bottom); ++y) {
     std::uint32_t* colour = frame.colourRow(y);
     const float* depth = frame.depthRow(y);

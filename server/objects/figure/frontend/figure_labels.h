@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -15,6 +16,9 @@ class FigureLabels final : public node::FrontendHalf {
   [[nodiscard]] std::unique_ptr<node::Layer> layer(const node::VisibleObject& object, const node::Payload& payload,
                                                    const node::View& view) override;
 
+  /// Where the name is written, in pixels of the camera; nothing if it is too far away. May reach beyond the frame. One
+  /// thread at a time.
+  [[nodiscard]] std::optional<world::Rect> panelOf(const world::Object& object, const world::Camera& camera);
   /// One thread at a time.
   void draw(const world::Object& object, const world::Camera& camera, raster::Image& frame);
 

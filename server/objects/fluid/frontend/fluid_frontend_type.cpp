@@ -15,6 +15,8 @@ class SmokeLayer final : public node::Layer {
       : renderer_(renderer), snapshot_(std::move(snapshot)), view_(view) {}
 
   void draw(raster::Image& frame) override { renderer_.draw(*snapshot_, view_, frame); }
+  /// Puffs are larger than the box of their middles.
+  [[nodiscard]] world::Rect readsDepth(const world::Rect& frame) const override { return frame; }
 
  private:
   SmokeRenderer& renderer_;

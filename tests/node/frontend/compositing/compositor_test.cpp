@@ -20,29 +20,42 @@ using ::testing::ElementsAre;
 using testing::listOf;
 using testing::picture;
 
+/// Notes the depth of a pixel far from its object's box.
+class LookingLayer final : public Layer {
+ public:
+  explicit LookingLayer(std::atomic<float>& depth) : depth_(depth) {}
+  void draw(raster::Image& frame) override { depth_ = frame.depthRow(10)[300]; }
+  [[nodiscard]] world::Rect readsDepth(const world::Rect& /*frame*/) const override { return {296, 8, 304, 16}; }
+
+ private:
+  std::atomic<float>& depth_;
+};
+
 /// Draws nothing, or throws where it would.
 class BreakableHalf final : public FrontendHalf {
  public:
-  explicit BreakableHalf(const std::atomic<bool>& broken) : broken_(broken) {}
-  [[nodiscard]] std::unique_ptr<Layer> layer(const VisibleObject&, const Payload&, const View&) override {
+  BreakableHalf(const std::atomic<bool>& broken, std::atomic<float>& depth) : broken_(broken), depth_(depth) {}
+  [[nodiscard]] std::unique_ptr<Layer> layer(const VisibleObject& object, const Payload&, const View&) override {
     if (broken_) throw std::runtime_error("the layer is broken");
-    return nullptr;
+    return object.still ? nullptr : std::make_unique<LookingLayer>(depth_);
   }
 
  private:
   const std::atomic<bool>& broken_;
+  std::atomic<float>& depth_;
 };
 
 class BreakableType final : public FrontendType {
  public:
-  explicit BreakableType(const std::atomic<bool>& broken) : broken_(broken) {}
+  BreakableType(const std::atomic<bool>& broken, std::atomic<float>& depth) : broken_(broken), depth_(depth) {}
   [[nodiscard]] std::string_view name() const override { return "breakable"; }
   [[nodiscard]] std::unique_ptr<FrontendHalf> makeHalf(const FrontendTools&) const override {
-    return std::make_unique<BreakableHalf>(broken_);
+    return std::make_unique<BreakableHalf>(broken_, depth_);
   }
 
  private:
   const std::atomic<bool>& broken_;
+  std::atomic<float>& depth_;
 };
 
 /// Keeps the frames that are shown.
@@ -87,6 +100,7 @@ class CompositorTest : public ::testing::Test {
   }
 
   std::atomic<bool> broken{false};
+  std::atomic<float> depthSeen{0.0F};  ///< by the newest LookingLayer
   std::atomic<int> done{0};
   world::Layout layout = [] {
     world::Layout made;
@@ -95,7 +109,7 @@ class CompositorTest : public ::testing::Test {
   }();
   FrontendTypes types = [this] {
     FrontendTypes made;
-    made.add(std::make_unique<BreakableType>(broken));
+    made.add(std::make_unique<BreakableType>(broken, depthSeen));
     return made;
   }();
   pipeline::Timeline timeline;
@@ -164,6 +178,15 @@ TEST_F(CompositorBackdrops, StillObjectsAreShownAgainAndOthersLaidOverThemByDept
   }
   show(frameOf(4, 9.0F, false));
   EXPECT_EQ(at(120, 70), kStill) << "it is behind the backdrop";
+}
+
+/// Fails if smoke and names are hidden by depths that were never written.
+TEST_F(CompositorBackdrops, LayersReadDepthsOutsideOfTheirBoxes) {
+  for (const FrameNumber frame : {1U, 2U}) {
+    depthSeen = 0.0F;
+    show(frameOf(frame, 2.0F, frame == 1));
+    EXPECT_FLOAT_EQ(depthSeen, 5.0F) << frame;
+  }
 }
 
 TEST_F(CompositorBackdrops, AFrameWithoutABackdropToShowIsNotShown) {
