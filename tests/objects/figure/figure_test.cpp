@@ -212,7 +212,7 @@ TEST_F(LabelTest, ReadsDepthWhereverItIsDrawn) {
   ASSERT_GT(touched(ada, world::kInfiniteDepth), 0U);
   for (int y = 0; y < 180; ++y) {
     for (int x = 0; x < 320; ++x) {
-      if (colour_[static_cast<std::size_t>(y * 320 + x)] == kGrey) continue;
+      if (colour_.data()[std::ptrdiff_t{y} * 320 + x] == kGrey) continue;
       ASSERT_FALSE(world::overlap(reads, {x, y, x + 1, y + 1}).empty()) << x << ", " << y;
     }
   }

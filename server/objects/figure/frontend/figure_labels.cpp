@@ -89,8 +89,7 @@ void FigureLabels::draw(const world::Object& object, const world::Camera& camera
       const int row = y - top - kPadding / 2;
       const bool inside = column >= 0 && column < mask.width && row >= 0 && row < mask.height;
       const float letter =
-          inside ? static_cast<float>(mask.coverage[static_cast<std::size_t>(row * mask.width + column)]) / 255.0F
-                 : 0.0F;
+          inside ? static_cast<float>(mask.coverage.data()[std::ptrdiff_t{row} * mask.width + column]) / 255.0F : 0.0F;
       colour[x] = blended(blended(colour[x], 16.0F, kPanelShare * opacity), 245.0F, letter * opacity);
     }
   }

@@ -24,7 +24,6 @@ namespace hn = hwy::HWY_NAMESPACE;
 using lanes::Floats;
 using lanes::Ints;
 using lanes::kLanes;
-using lanes::Mask;
 
 /// Turns (1 = full circle) from `ahead` to `side`; error below 2e-6. Odd minimax polynomial on 0..1, then octants.
 HWY_INLINE Floats turnsOf(Floats side, Floats ahead) {
