@@ -4,7 +4,7 @@
 
 #include <cstddef>
 #include <fstream>
-#include <limits>
+#include <sstream>
 #include <string>
 
 namespace grove::measure {
@@ -29,14 +29,33 @@ bool unmarkPages() {
   return file.good();
 }
 
+/// Whether a mapping's marks say what this process did; `words` follow its addresses. Pages of the program and of its
+/// libraries (private mappings of files) also carry the marks of every other process that runs them.
+bool isOwn(std::istringstream& words) {
+  std::string permissions;
+  std::string offset;
+  std::string device;
+  std::uint64_t inode = 0;
+  words >> permissions >> offset >> device >> inode;
+  return inode == 0 || permissions.ends_with('s');
+}
+
 std::optional<std::int64_t> markedBytes() {
-  std::ifstream lines("/proc/self/smaps_rollup");
-  for (std::string word; lines >> word;) {
+  std::ifstream lines("/proc/self/smaps");
+  std::optional<std::int64_t> bytes;
+  bool own = false;
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream words(line);
+    std::string name;
+    words >> name;
     std::int64_t kilobytes = 0;
-    if (word == "Referenced:" && lines >> kilobytes) return 1024 * kilobytes;
-    lines.ignore(std::numeric_limits<std::streamsize>::max(), '\n');
+    if (!name.ends_with(':')) {
+      own = isOwn(words);
+    } else if (name == "Referenced:" && own && words >> kilobytes) {
+      bytes = bytes.value_or(0) + 1024 * kilobytes;
+    }
   }
-  return std::nullopt;
+  return bytes;
 }
 
 }  // namespace
