@@ -111,7 +111,7 @@ class PlainWarp {
       const float near = nearnessOf(ranked(a, w));
       return {near > 0.0F ? near : w, near};
     }
-    const float steps = std::clamp(std::ceil(way), 1.0F, 64.0F);
+    const float steps = std::clamp(std::ceil(way), 1.0F, 16.0F);
     const float step = range / steps;
     const float permitted = 0.5F * step + 0.4F / reach_.texelsPerNearness;
     bool lies = false;
