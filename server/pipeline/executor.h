@@ -25,6 +25,9 @@ class Executor {
   /// Number of threads, hence the most tasks that run at once.
   [[nodiscard]] virtual int width() const noexcept = 0;
 
+  /// Share of its threads that have had tasks lately, 0 to 1; see BusyShare. 0 where nobody counts. Any thread.
+  [[nodiscard]] virtual double busyShare() const { return 0.0; }
+
  protected:
   enum class Place : std::uint8_t { kFirst, kLast };
   virtual void enqueue(std::function<void()> task, Place place) = 0;

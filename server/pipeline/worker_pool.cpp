@@ -5,10 +5,12 @@
 #include <cassert>
 #include <utility>
 
+#include "pipeline/clocks.h"
+
 namespace grove::pipeline {
 
-WorkerPool::WorkerPool(int threads, const std::string& name, IdleListener idleListener)
-    : idleListener_(std::move(idleListener)) {
+WorkerPool::WorkerPool(int threads, const std::string& name, IdleListener idleListener, Load load)
+    : idleListener_(std::move(idleListener)), load_(load), busy_(threads) {
   assert(threads > 0);
   threads_.reserve(static_cast<std::size_t>(threads));
   try {
@@ -41,12 +43,19 @@ void WorkerPool::enqueue(std::function<void()> task, Place place) {
   wake_.notify_one();
 }
 
-void WorkerPool::run() {
-  while (const auto task = next()) task();
+double WorkerPool::busyShare() const {
+  if (load_ == Load::kIgnored) return 0.0;
+  const std::lock_guard lock(mutex_);
+  return busy_.at(wallSeconds());
 }
 
-std::function<void()> WorkerPool::next() {
+void WorkerPool::run() {
+  for (bool hadTask = false; const auto task = next(hadTask); hadTask = true) task();
+}
+
+std::function<void()> WorkerPool::next(bool hadTask) {
   std::unique_lock lock(mutex_);
+  if (hadTask) busy_.end(wallSeconds());
   const bool sleeps = !hasTasks() && !stopping_ && idleListener_;
   if (sleeps) {
     lock.unlock();
@@ -58,6 +67,7 @@ std::function<void()> WorkerPool::next() {
   if (auto& tasks = first_.empty() ? tasks_ : first_; !tasks.empty()) {
     task = std::move(tasks.front());
     tasks.pop_front();
+    busy_.begin(wallSeconds());
   }
   lock.unlock();
   if (sleeps) idleListener_(false);

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <condition_variable>
+#include <cstdint>
 #include <deque>
 #include <mutex>
 #include <string>
 #include <thread>
 #include <vector>
 
+#include "pipeline/busy_share.h"
 #include "pipeline/executor.h"
 
 namespace grove::pipeline {
@@ -21,8 +23,14 @@ class WorkerPool final : public Executor {
   /// the pool; what it posts may be run by that worker at once.
   using IdleListener = std::function<void(bool idle)>;
 
+  enum class Load : std::uint8_t {
+    kIgnored,   ///< busyShare() stays 0, so pictures are as accurate as on a machine that has time
+    kMeasured,  ///< for visitors, who lose accuracy before they lose frames
+  };
+
   /// Starts `threads` (at least one) threads named `name` in debuggers and `top -H`.
-  explicit WorkerPool(int threads, const std::string& name = "grove-worker", IdleListener idleListener = {});
+  explicit WorkerPool(int threads, const std::string& name = "grove-worker", IdleListener idleListener = {},
+                      Load load = Load::kIgnored);
 
   /// Runs what is queued, then joins.
   ~WorkerPool() override;
@@ -31,21 +39,24 @@ class WorkerPool final : public Executor {
   WorkerPool& operator=(const WorkerPool&) = delete;
 
   [[nodiscard]] int width() const noexcept override { return static_cast<int>(threads_.size()); }
+  [[nodiscard]] double busyShare() const override;
 
  private:
   void enqueue(std::function<void()> task, Place place) override;
   void run();
   /// Waits for a task, or for the end if there is none.
-  [[nodiscard]] std::function<void()> next();
+  [[nodiscard]] std::function<void()> next(bool hadTask);
   [[nodiscard]] bool hasTasks() const { return !first_.empty() || !tasks_.empty(); }
   void stop() noexcept;
 
   const IdleListener idleListener_;
-  std::mutex mutex_;
+  mutable std::mutex mutex_;
   std::condition_variable wake_;
   std::deque<std::function<void()>> first_;  ///< before tasks_
   std::deque<std::function<void()>> tasks_;
   bool stopping_ = false;
+  const Load load_;
+  BusyShare busy_;
   std::vector<std::thread> threads_;
 };
 

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "node/limits.h"
+#include "node/load_shedding.h"
 
 namespace grove::node {
 
@@ -23,8 +24,11 @@ FrontendNode::FrontendNode(SessionId session, const FramePolicy& policy, SceneAn
   analyzer_ = std::make_shared<SceneAnalyzer>(frontend.layout(), std::move(look), policy.deadlineSeconds, endFrame,
                                               tools.workers, tools.timeline);
   const auto backdrops = std::make_shared<BackdropStore>();
-  auto backdropPlanner =
-      policy.backdrops ? std::make_unique<BackdropPlanner>(frontend.layout(), halves, backdrops) : nullptr;
+  std::unique_ptr<BackdropPlanner> backdropPlanner;
+  if (policy.backdrops) {
+    backdropPlanner = std::make_unique<BackdropPlanner>(
+        frontend.layout(), halves, backdrops, [&workers = tools.workers] { return errorFactor(workers.busyShare()); });
+  }
   planner_ =
       std::make_shared<FramePlanner>(results + 2 * frames + 1, frontend, halves, std::move(backdropPlanner), endFrame);
   resultReceiver_ = std::make_shared<ResultReceiver>(results, tools.workers, tools.timeline);

@@ -41,7 +41,9 @@ Host::Host(node::LoadedScene scene, const node::ObjectTypes& types, gl::Workers&
       geometryMemory_(memory_, "obstacles", "", pipeline::Work::kAcrossUser),
       baked_(memory_),
       gate_(std::make_shared<FrameGate>(std::max(workerCount(), options_.framesInFlight))),
-      workers_(workerCount(), "grove-worker", [gate = gate_](bool idle) { gate->workerIs(idle); }) {
+      workers_(
+          workerCount(), "grove-worker", [gate = gate_](bool idle) { gate->workerIs(idle); },
+          pipeline::WorkerPool::Load::kMeasured) {
   if (options_.privateWorlds) {
     line_ = std::make_unique<PreparationLine>(
         [this](node::Haste haste, const auto& report) { return makeInstance(haste, report); });

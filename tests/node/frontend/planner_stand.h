@@ -198,7 +198,8 @@ class PlannerStand : public ::testing::Test {
   const std::shared_ptr<VisitorHalves> halves = std::make_shared<VisitorHalves>(process);
   const std::shared_ptr<BackdropStore> backdrops = std::make_shared<BackdropStore>();
   const std::shared_ptr<FramePlanner> planner = std::make_shared<FramePlanner>(
-      64, process, halves, std::make_unique<BackdropPlanner>(layout, halves, backdrops), [this] { ++dropped; });
+      64, process, halves, std::make_unique<BackdropPlanner>(layout, halves, backdrops, [] { return 1.0F; }),
+      [this] { ++dropped; });
 };
 
 }  // namespace grove::node::testing

@@ -16,15 +16,17 @@ namespace {
 
 /// Frames that a border is drawn for: the first that is not too wide.
 constexpr std::array<float, 2> kFramesAhead{2.0F, 1.0F};
-/// Metres. Still objects nearer than this are drawn in every frame: they hide and reveal much of what is behind them.
+/// Metres, divided by the error factor. Still objects nearer than this are drawn in every frame: they hide and reveal
+/// much of what is behind them.
 constexpr float kMinDistance = 2.0F;
 /// Metres. The border holds what is at least so far away.
 constexpr float kNearestInBorder = 3.0F;
-/// Pixels at the frame's edges that the backdrop may lack; its outermost pixels are repeated there.
-constexpr int kMaxLacking = 8;
+/// Pixels at the frame's edges, times the error factor, that the backdrop may lack; its outermost pixels are repeated
+/// there.
+constexpr float kMaxLacking = 8.0F;
 /// Seconds. Data that gets finer shows with this delay to a visitor who stands still.
 constexpr double kMaxAge = 0.5;
-/// Frames that draw everything after a backdrop that no other frame could show.
+/// Frames that draw everything after a backdrop that no other frame could show, while there is time.
 constexpr int kPauseFrames = 5;
 
 /// The same camera with so many pixels more on each side.
@@ -44,16 +46,20 @@ bool isSameSize(const world::Camera& a, const world::Camera& b) {
 }  // namespace
 
 BackdropPlanner::BackdropPlanner(const world::Layout& layout, std::shared_ptr<VisitorHalves> halves,
-                                 std::shared_ptr<BackdropStore> backdrops)
-    : layout_(layout), halves_(std::move(halves)), backdrops_(std::move(backdrops)) {}
+                                 std::shared_ptr<BackdropStore> backdrops, ErrorFactor errorFactor)
+    : layout_(layout),
+      halves_(std::move(halves)),
+      backdrops_(std::move(backdrops)),
+      currentFactor_(std::move(errorFactor)) {}
 
 std::shared_ptr<const FrameList> BackdropPlanner::plan(std::shared_ptr<const FrameList> seen) {
   const View& view = *seen->view;
   motion_.see(view.camera, view.time);
+  errorFactor_ = currentFactor_();
   if (last_ && serves(view)) return listToWarp(*seen);
   const bool servedNone = last_ && view.frame == last_->view->frame + 1;
   last_ = nullptr;
-  if (servedNone) pause_ = kPauseFrames;
+  if (servedNone && errorFactor_ <= 1.0F) pause_ = kPauseFrames;
   const auto isStillHere = [&](const VisibleObject& object) { return isStill(object, view.camera.pose.position); };
   if (pause_ > 0 || std::ranges::none_of(seen->objects, isStillHere)) {
     pause_ = std::max(pause_ - 1, 0);
@@ -92,14 +98,15 @@ bool BackdropPlanner::serves(const View& view) const {
   const auto backdrop = backdrops_->newest();
   // One that is still being drawn has no known error: it serves the next frame only.
   if (!backdrop || backdrop->view().frame != own.frame) return view.frame == own.frame + 1;
-  return warpError(*backdrop, view.camera) <= 1.0F && lightError(own, view) <= 1.0F;
+  return warpError(*backdrop, view.camera) <= errorFactor_ && lightError(own, view) <= errorFactor_;
 }
 
 bool BackdropPlanner::reaches(const world::Camera& camera) const {
   const world::Rect part = seenPart(last_->view->camera, camera, kNearestInBorder);
   const world::Rect& area = last_->area;
-  return !part.empty() && part.left >= area.left - kMaxLacking && part.top >= area.top - kMaxLacking &&
-         part.right <= area.right + kMaxLacking && part.bottom <= area.bottom + kMaxLacking;
+  const int lacking = static_cast<int>(kMaxLacking * errorFactor_);
+  return !part.empty() && part.left >= area.left - lacking && part.top >= area.top - lacking &&
+         part.right <= area.right + lacking && part.bottom <= area.bottom + lacking;
 }
 
 world::Rect BackdropPlanner::areaFor(const world::Camera& camera) const {
@@ -128,7 +135,7 @@ std::vector<VisibleObject> BackdropPlanner::objectsWithin(const View& view, cons
 
 bool BackdropPlanner::isStill(const VisibleObject& object, world::Vec3 eye) const {
   const std::optional<float> distance = halves_->of(object.object.type).stillDistance(object, eye);
-  return distance && *distance >= kMinDistance;
+  return distance && *distance >= kMinDistance / errorFactor_;
 }
 
 bool BackdropPlanner::isInLast(world::ObjectId id) const {

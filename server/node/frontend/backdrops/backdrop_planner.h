@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -14,9 +15,12 @@ namespace grove::node {
 /// shown by the last backdrop. Objects that move or are near the eye are drawn in every frame. One thread at a time.
 class BackdropPlanner {
  public:
+  /// What permitted errors are multiplied by at present, see errorFactor().
+  using ErrorFactor = std::function<float()>;
+
   /// `layout` outlives it.
   BackdropPlanner(const world::Layout& layout, std::shared_ptr<VisitorHalves> halves,
-                  std::shared_ptr<BackdropStore> backdrops);
+                  std::shared_ptr<BackdropStore> backdrops, ErrorFactor errorFactor);
 
   /// The list of what a frame draws, from the list of what it sees.
   [[nodiscard]] std::shared_ptr<const FrameList> plan(std::shared_ptr<const FrameList> seen);
@@ -39,6 +43,8 @@ class BackdropPlanner {
   const world::Layout& layout_;
   const std::shared_ptr<VisitorHalves> halves_;
   const std::shared_ptr<BackdropStore> backdrops_;
+  const ErrorFactor currentFactor_;
+  float errorFactor_ = 1.0F;  ///< for this frame
   EyeMotion motion_;
   std::shared_ptr<const FrameList> last_;  ///< the newest list that draws a backdrop; null: none is of use
   int pause_ = 0;                          ///< frames until a backdrop is tried again

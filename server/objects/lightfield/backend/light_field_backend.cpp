@@ -5,6 +5,7 @@
 #include <set>
 #include <utility>
 
+#include "node/load_shedding.h"
 #include "objects/lightfield/common/cached_view.h"
 #include "objects/lightfield/common/field_info.h"
 #include "objects/lightfield/common/keys.h"
@@ -43,7 +44,8 @@ LightFieldBackend::LightFieldBackend(const node::BackendServices& services, worl
       options_(options),
       maxError_(options.maxError),
       pictures_(services, self),
-      budget_(texelsPerSecond(pictures_.executor().width())) {
+      budget_(texelsPerSecond(pictures_.executor().width()),
+              [&workers = pictures_.executor()] { return node::errorFactor(workers.busyShare()); }) {
   std::set<const LightFieldModel*> models;
   for (const auto& [id, entry] : pictures_.all()) models.insert(entry.model);
   listeners_.reserve(models.size());

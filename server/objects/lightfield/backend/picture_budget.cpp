@@ -29,7 +29,7 @@ PictureBudget::Bucket& PictureBudget::filled(const node::View& view) {
   // A frame may overtake another.
   const double passed = std::max(view.time - bucket.time, 0.0);
   bucket.time += passed;
-  const double tokens = bucket.tokens + passed * share(view);
+  const double tokens = bucket.tokens + passed * share(view) / static_cast<double>(errorFactor_());
   bucket.tokens = std::min(max, tokens);
   sharedTokens_ = std::min(kBurst * texelsPerSecond_, sharedTokens_ + tokens - bucket.tokens);
   return bucket;

@@ -2,8 +2,10 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <mutex>
+#include <utility>
 
 #include "node/limits.h"
 #include "node/messages/view.h"
@@ -25,7 +27,11 @@ class PictureBudget {
   static constexpr int kMaxNewPictures = 2;  ///< in one frame, but for those whose error exceeds kUrgentError
   static constexpr float kUrgentError = 3.0F;
 
-  explicit PictureBudget(double texelsPerSecond) : texelsPerSecond_(texelsPerSecond) {}
+  /// By how much fewer the texels are at present, see node::errorFactor(). Any thread.
+  using ErrorFactor = std::function<float()>;
+
+  PictureBudget(double texelsPerSecond, ErrorFactor errorFactor)
+      : texelsPerSecond_(texelsPerSecond), errorFactor_(std::move(errorFactor)) {}
 
   /// Whether to make a picture of so many texels in this frame; takes them. `error` is that of what is there instead,
   /// in times of what is permitted; infinite if there is nothing. The larger it is, the emptier the bucket may be.
@@ -51,6 +57,7 @@ class PictureBudget {
   void spend(Bucket& bucket, std::int64_t texels);
 
   const double texelsPerSecond_;
+  const ErrorFactor errorFactor_;
   std::mutex mutex_;
   std::map<node::SessionId, Bucket> buckets_;
   double sharedTokens_ = 0.0;

@@ -71,7 +71,8 @@ class BackdropPlannerTest : public testing::PlannerStand {
   std::vector<world::PointLight> lights;
   FrameNumber frame = 0;
   double time = 100.0;
-  BackdropPlanner planned{layout, halves, backdrops};
+  float factor = 1.0F;
+  BackdropPlanner planned{layout, halves, backdrops, [this] { return factor; }};
 };
 
 TEST_F(BackdropPlannerTest, DrawsOnceAndThenOnlyWhatMoves) {
@@ -176,6 +177,33 @@ TEST_F(BackdropPlannerTest, PausesWhereBackdropsServeNoOtherFrame) {
     ++drawn;
   }
   EXPECT_LE(drawn, 15);
+}
+
+/// Fails if a machine at its limit keeps to an accuracy that it has no time for.
+TEST_F(BackdropPlannerTest, ABusyMachineShowsBackdropsWithLargerErrors) {
+  lights = {{{0.0F, 1.0F, -8.0F}, {4.0F, 2.0F, 1.0F}}};
+  factor = 4.0F;
+  draw(*plan());
+  camera.pose.position.z = -2.8F;  // of 20
+  EXPECT_FALSE(plan()->drawsBackdrop());
+  factor = 1.0F;
+  const auto nearer = plan();
+  EXPECT_TRUE(nearer->drawsBackdrop());
+  draw(*nearer);
+  factor = 4.0F;
+  lights[0].colour *= 1.5F;
+  EXPECT_FALSE(plan()->drawsBackdrop());
+  factor = 1.0F;
+  EXPECT_TRUE(plan()->drawsBackdrop());
+}
+
+TEST_F(BackdropPlannerTest, ABusyMachineDrawsNearerObjectsIntoBackdrops) {
+  distance = 1.0F;
+  EXPECT_FALSE(plan()->backdrop);
+  factor = 4.0F;
+  const auto list = plan();
+  EXPECT_TRUE(list->drawsBackdrop());
+  for (const VisibleObject& object : list->objects) EXPECT_EQ(object.still, object.object.id == kHill);
 }
 
 }  // namespace

@@ -21,6 +21,8 @@ node::View viewOf(node::SessionId session, node::FrameNumber frame, double time,
   return view;
 }
 
+float unshed() { return 1.0F; }
+
 /// How many pictures the frame may make.
 int takes(PictureBudget& budget, const node::View& view, float error) {
   int made = 0;
@@ -29,7 +31,7 @@ int takes(PictureBudget& budget, const node::View& view, float error) {
 }
 
 TEST(PictureBudget, AFrameMakesTwoOfWhatIsHardlyWrongAndAllOfWhatIsWrong) {
-  PictureBudget budget(kRate);
+  PictureBudget budget(kRate, unshed);
   for (node::FrameNumber frame = 1; frame < 5; ++frame) {
     const node::View view = viewOf(1, frame, frame);
     EXPECT_EQ(takes(budget, view, 1.5F), PictureBudget::kMaxNewPictures);
@@ -38,7 +40,7 @@ TEST(PictureBudget, AFrameMakesTwoOfWhatIsHardlyWrongAndAllOfWhatIsWrong) {
 }
 
 TEST(PictureBudget, FramesInFlightThatTakeTurnsMakeTwoEach) {
-  PictureBudget budget(kRate);
+  PictureBudget budget(kRate, unshed);
   int made = 0;
   for (int turn = 0; turn < 4; ++turn) {
     for (node::FrameNumber frame = 5; frame < 8; ++frame) made += budget.take(viewOf(1, frame, 5.0), 100, 1.5F) ? 1 : 0;
@@ -47,7 +49,7 @@ TEST(PictureBudget, FramesInFlightThatTakeTurnsMakeTwoEach) {
 }
 
 TEST(PictureBudget, TheBucketHoldsAQuarterOfASecondAndFillsByTheWorldsClock) {
-  PictureBudget budget(kRate);
+  PictureBudget budget(kRate, unshed);
   EXPECT_EQ(takes(budget, viewOf(1, 1, 10.0), kNothing), 25);
   EXPECT_EQ(takes(budget, viewOf(1, 2, 10.0), kNothing), 0) << "another frame alone gives nothing";
   EXPECT_EQ(takes(budget, viewOf(1, 3, 10.125), kNothing), 13) << "the last one on credit";
@@ -55,9 +57,17 @@ TEST(PictureBudget, TheBucketHoldsAQuarterOfASecondAndFillsByTheWorldsClock) {
   EXPECT_EQ(takes(budget, viewOf(1, 5, 100.0), kNothing), 49) << "the bucket and the pot, however long it took";
 }
 
+TEST(PictureBudget, ABusyMachineFillsItMoreSlowly) {
+  float factor = 1.0F;
+  PictureBudget budget(kRate, [&] { return factor; });
+  EXPECT_EQ(takes(budget, viewOf(1, 1, 10.0), kNothing), 25);
+  factor = 4.0F;
+  EXPECT_EQ(takes(budget, viewOf(1, 2, 10.25), kNothing), 7) << "a quarter of 25, the last one on credit";
+}
+
 TEST(PictureBudget, WhatIsWrongerMayEmptyItMore) {
   const auto taken = [](float error) {
-    PictureBudget budget(kRate);
+    PictureBudget budget(kRate, unshed);
     return takes(budget, viewOf(1, 1, 0.0), error);
   };
   EXPECT_NEAR(taken(4.0F), 25 * (1.0 - 0.5 / 4.0), 1.0);
@@ -66,14 +76,14 @@ TEST(PictureBudget, WhatIsWrongerMayEmptyItMore) {
 }
 
 TEST(PictureBudget, AllVisitorsHaveEqualSharesAndWhatOthersLeave) {
-  PictureBudget busy(kRate);
+  PictureBudget busy(kRate, unshed);
   for (node::SessionId visitor = 1; visitor <= 5; ++visitor) (void)busy.take(viewOf(visitor, 1, 0.0, 5), 0, kNothing);
   for (node::SessionId visitor = 1; visitor <= 5; ++visitor) {
     EXPECT_EQ(takes(busy, viewOf(visitor, 2, 0.25, 5), kNothing), visitor == 1 ? 9 : 5)
         << "the first came with a full one";
   }
   EXPECT_EQ(takes(busy, viewOf(1, 3, 0.45, 5), kNothing), 4);
-  PictureBudget calm(kRate);
+  PictureBudget calm(kRate, unshed);
   for (node::SessionId visitor = 1; visitor <= 5; ++visitor) (void)calm.take(viewOf(visitor, 1, 0.0, 5), 0, kNothing);
   for (node::SessionId visitor = 2; visitor <= 5; ++visitor) {
     (void)calm.take(viewOf(visitor, 2, 0.25, 5), 0, kNothing);
@@ -84,14 +94,14 @@ TEST(PictureBudget, AllVisitorsHaveEqualSharesAndWhatOthersLeave) {
 
 /// Or eight who come at once wait for one another's pictures.
 TEST(PictureBudget, WhoComesWhileOthersAreHereBeginsWithNothing) {
-  PictureBudget budget(kRate);
+  PictureBudget budget(kRate, unshed);
   EXPECT_EQ(takes(budget, viewOf(1, 1, 0.0), kNothing), 25) << "nobody is held up";
   EXPECT_EQ(takes(budget, viewOf(2, 1, 0.0, 2), kNothing), 0);
   EXPECT_EQ(takes(budget, viewOf(2, 2, 0.25, 2), kNothing), 13) << "the last one on credit";
 }
 
 TEST(PictureBudget, DebtsArePaidFirst) {
-  PictureBudget budget(kRate);
+  PictureBudget budget(kRate, unshed);
   EXPECT_EQ(takes(budget, viewOf(1, 1, 0.0), kNothing), 25);
   for (int i = 0; i < 10; ++i) budget.borrow(viewOf(1, 1, 0.0), kPicture);
   EXPECT_FALSE(budget.take(viewOf(1, 2, 0.0625), kPicture, kNothing));
@@ -99,7 +109,7 @@ TEST(PictureBudget, DebtsArePaidFirst) {
 }
 
 TEST(PictureBudget, AMinuteOfEightVisitorsAtFourFramesASecondTakesNoMore) {
-  PictureBudget budget(kRate);
+  PictureBudget budget(kRate, unshed);
   std::mt19937 dice(7);
   std::uniform_real_distribution<float> errors(0.5F, 12.0F);
   std::uniform_int_distribution<std::int64_t> sizes(1000, 120000);

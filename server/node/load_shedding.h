@@ -1,0 +1,19 @@
+#pragma once
+
+#include <algorithm>
+
+namespace grove::node {
+
+/// Load shedding: what the permitted errors of pictures are multiplied by, at this share of busy workers, so that
+/// visitors of a machine at its limit lose accuracy before they lose frames. 1 while there is time, kMaxErrorFactor at
+/// most.
+inline constexpr float kMaxErrorFactor = 4.0F;
+
+[[nodiscard]] inline float errorFactor(double busyShare) {
+  constexpr double kBegins = 0.75;
+  constexpr double kEnds = 0.95;
+  const double shed = std::clamp((busyShare - kBegins) / (kEnds - kBegins), 0.0, 1.0);
+  return 1.0F + (kMaxErrorFactor - 1.0F) * static_cast<float>(shed);
+}
+
+}  // namespace grove::node
