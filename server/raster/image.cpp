@@ -47,8 +47,9 @@ struct ImagePool::Store {
 
   Memory takeUnused(std::size_t pixels) {
     const std::lock_guard lock(mutex);
-    const auto it = unused.find(pixels);
-    if (it == unused.end()) return {};
+    const auto [oldest, end] = unused.equal_range(pixels);
+    if (oldest == end) return {};
+    const auto it = std::prev(end);  // caches may hold some of it
     Memory memory = std::move(it->second);
     unused.erase(it);
     unusedBytes -= pixels * kPixelBytes;
