@@ -5,8 +5,8 @@
 namespace grove::stream {
 namespace {
 
-/// Of one core's time, first frames take a sixth at most.
-constexpr double kRest = 5.0;
+/// Of all cores' time, first frames take a sixth at most while nobody else waits.
+constexpr double kShare = 1.0 / 6.0;
 /// A newcomer never waits longer than this for the one before, however slow the machine is.
 constexpr double kMaxRest = 1.0;
 constexpr double kMaxEntry = 2.0;
@@ -25,22 +25,41 @@ bool EntryBudget::mayBegin(node::SessionId session, double now) {
   } else {
     own->asked = now;
   }
-  while (now - waiting_.front().asked > kStaleSeconds) waiting_.pop_front();
+  forgetStale(now);
   if (entry_ || now < next_ || waiting_.front().session != session) return false;
   waiting_.pop_front();
   entry_ = {session, now};
   return true;
 }
 
-void EntryBudget::end(node::SessionId session, double now) {
+void EntryBudget::enter(node::SessionId session, double now) {
   const std::lock_guard lock(mutex_);
+  inside_.insert(session);
+  if (entry_ && entry_->session == session) finish(now);
+}
+
+void EntryBudget::leave(node::SessionId session, double now) {
+  const std::lock_guard lock(mutex_);
+  inside_.erase(session);
   std::erase_if(waiting_, [session](const Waiter& each) { return each.session == session; });
   if (entry_ && entry_->session == session) finish(now);
 }
 
 void EntryBudget::finish(double now) {
-  next_ = now + std::min(kMaxRest, kRest * (now - entry_->began));
+  forgetStale(now);
+  next_ = now + std::min(kMaxRest, restPerSecond() * (now - entry_->began));
   entry_.reset();
+}
+
+void EntryBudget::forgetStale(double now) {
+  while (!waiting_.empty() && now - waiting_.front().asked > kStaleSeconds) waiting_.pop_front();
+}
+
+double EntryBudget::restPerSecond() const {
+  const auto inside = static_cast<double>(inside_.size());
+  const auto outside = static_cast<double>(waiting_.size());
+  const double rest = std::max(1.0 / (kShare * cores_) - 1.0, 0.0);
+  return rest * inside / std::max(inside + outside, 1.0);
 }
 
 }  // namespace grove::stream

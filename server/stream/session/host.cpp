@@ -40,6 +40,7 @@ Host::Host(node::LoadedScene scene, const node::ObjectTypes& types, gl::Workers&
       images_(memory_),
       geometryMemory_(memory_, "obstacles", "", pipeline::Work::kAcrossUser),
       baked_(memory_),
+      entries_(workerCount()),
       gate_(std::make_shared<FrameGate>(std::max(workerCount(), options_.framesInFlight))),
       workers_(
           workerCount(), "grove-worker", [gate = gate_](bool idle) { gate->workerIs(idle); },
