@@ -16,6 +16,13 @@ bool isSame(const world::Camera& a, const world::Camera& b) {
          a.width == b.width && a.height == b.height && a.verticalFov == b.verticalFov;
 }
 
+/// Has caches take up pixels that are written soon: while those before are computed, not while stores wait.
+template <class Pixel>
+void fetchToWrite(const Pixel* pixels, int count) {
+  constexpr int kLine = 64 / sizeof(Pixel);
+  for (int i = 0; i < count; i += kLine) __builtin_prefetch(pixels + i, 1);
+}
+
 }  // namespace
 
 BackdropWarp::BackdropWarp(const Backdrop& backdrop, const world::Camera& frame, std::vector<world::Rect> withDepth)
@@ -70,6 +77,11 @@ void BackdropWarp::warp(const world::Rect& strip, const FramePixels& out) const 
     findCorners(search_, strip.left, top + kCell, kSteps, *below);
     const world::Rect part{strip.left, top, strip.right, std::min(top + kCell, strip.bottom)};
     const bool withDepth = needsDepth(part);
+    for (int y = part.top; y < part.bottom; ++y) {
+      const std::ptrdiff_t to = (y - strip.top) * out.stride;
+      fetchToWrite(out.colour + to, part.width());
+      if (withDepth) fetchToWrite(out.depth + to, part.width());
+    }
     warpCells(source, *above, *below, (strip.width() + kCell - 1) / kCell, withDepth, run);
     for (int y = part.top; y < part.bottom; ++y) {
       const std::ptrdiff_t from = std::ptrdiff_t{y - top} * WarpRun::kStride;
