@@ -5,8 +5,10 @@
 namespace grove::stream {
 namespace {
 
-/// Of all cores' time, first frames take a sixth at most while nobody else waits.
-constexpr double kShare = 1.0 / 6.0;
+/// Of all cores' time, what first frames take in the long run.
+constexpr double kShare = 1.0 / 12.0;
+/// Seconds that fit in the bucket: of a core, so those inside keep the others.
+constexpr double kBurst = 0.5;
 /// A newcomer never waits longer than this for the one before, however slow the machine is.
 constexpr double kMaxRest = 1.0;
 constexpr double kMaxEntry = 2.0;
@@ -14,6 +16,8 @@ constexpr double kMaxEntry = 2.0;
 constexpr double kStaleSeconds = 0.25;
 
 }  // namespace
+
+EntryBudget::EntryBudget(int cores) : rate_(kShare * cores), seconds_(kBurst) {}
 
 bool EntryBudget::mayBegin(node::SessionId session, double now) {
   const std::lock_guard lock(mutex_);
@@ -25,41 +29,29 @@ bool EntryBudget::mayBegin(node::SessionId session, double now) {
   } else {
     own->asked = now;
   }
-  forgetStale(now);
-  if (entry_ || now < next_ || waiting_.front().session != session) return false;
+  while (now - waiting_.front().asked > kStaleSeconds) waiting_.pop_front();
+  fill(now);
+  if (entry_ || seconds_ <= 0.0 || waiting_.front().session != session) return false;
   waiting_.pop_front();
   entry_ = {session, now};
   return true;
 }
 
-void EntryBudget::enter(node::SessionId session, double now) {
+void EntryBudget::end(node::SessionId session, double now) {
   const std::lock_guard lock(mutex_);
-  inside_.insert(session);
-  if (entry_ && entry_->session == session) finish(now);
-}
-
-void EntryBudget::leave(node::SessionId session, double now) {
-  const std::lock_guard lock(mutex_);
-  inside_.erase(session);
   std::erase_if(waiting_, [session](const Waiter& each) { return each.session == session; });
   if (entry_ && entry_->session == session) finish(now);
 }
 
+void EntryBudget::fill(double now) {
+  seconds_ = std::min(seconds_ + rate_ * std::max(now - filled_, 0.0), kBurst);
+  filled_ = std::max(filled_, now);
+}
+
 void EntryBudget::finish(double now) {
-  forgetStale(now);
-  next_ = now + std::min(kMaxRest, restPerSecond() * (now - entry_->began));
+  fill(now);
+  seconds_ = std::max(seconds_ - (now - entry_->began), -kMaxRest * rate_);
   entry_.reset();
-}
-
-void EntryBudget::forgetStale(double now) {
-  while (!waiting_.empty() && now - waiting_.front().asked > kStaleSeconds) waiting_.pop_front();
-}
-
-double EntryBudget::restPerSecond() const {
-  const auto inside = static_cast<double>(inside_.size());
-  const auto outside = static_cast<double>(waiting_.size());
-  const double rest = std::max(1.0 / (kShare * cores_) - 1.0, 0.0);
-  return rest * inside / std::max(inside + outside, 1.0);
 }
 
 }  // namespace grove::stream

@@ -117,7 +117,7 @@ void Session::close() {
   if (node) node->close();
   if (encoder) encoder->close();
   if (instance) instance->world().edits().stopBlowing(player_);
-  host_.entries_.leave(id_, pipeline::wallSeconds());
+  host_.entries_.end(id_, pipeline::wallSeconds());
   host_.players().leave(player_);
   host_.remove(id_);
 }
@@ -228,7 +228,7 @@ void Session::deliver(const std::shared_ptr<const EncodedFrame>& frame) {
   {
     const std::lock_guard lock(mutex_);
     if (closed_) return;
-    if (!std::exchange(entered_, true)) host_.entries_.enter(id_, pipeline::wallSeconds());
+    if (!std::exchange(entered_, true)) host_.entries_.end(id_, pipeline::wallSeconds());
   }
   control_->sent(frame->header.frame, frame->header.lastInput, frame->message().size(), frame->allowedBytes,
                  pipeline::wallSeconds());

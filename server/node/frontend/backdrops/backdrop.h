@@ -32,7 +32,7 @@ class BackdropDepths {
 };
 
 /// What a visitor saw of all still objects in one frame: colour and depth, opaque, with a border beyond the frame where
-/// his head turns to. BackdropLayer shows it from nearby eyes. Immutable, any thread.
+/// his head turns to. BackdropWarp shows it from nearby eyes. Immutable, any thread.
 class Backdrop {
  public:
   /// `image` is in pixels of the view's camera and may reach beyond its frame.
