@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "base/simd/look_up_inl.h"
+#include "base/simd/channels_inl.h"
 #include "node/frontend/backdrops/backdrop_kernels.h"
 #include "world/camera.h"
 
@@ -21,6 +21,8 @@ namespace grove::node::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 namespace lanes = grove::simd::HWY_NAMESPACE;
+using lanes::Channels;
+using lanes::ChannelTag;
 using lanes::Floats;
 using lanes::Ints;
 using lanes::kLanes;
@@ -59,29 +61,16 @@ HWY_INLINE Floats between(const float* corners, int first) {
   }
 }
 
-/// Two channels of 8 bits, each in 16.
-using ChannelTag = hn::Repartition<std::uint16_t, lanes::IntTag>;
-using Channels = hn::Vec<ChannelTag>;
-
-HWY_INLINE Channels channels(Ints value) { return hn::BitCast(ChannelTag(), value.raw); }
-HWY_INLINE Channels twice(Ints value) { return channels(value | lanes::shiftLeft<16>(value)); }
+HWY_INLINE Channels highBytes(Channels value) {
+  return hn::AndNot(hn::Set(ChannelTag(), std::uint16_t{0x00FF}), value);
+}
 
 /// Four neighbouring pixels by shares of 256.
 HWY_INLINE Ints blend(const Pair& above, const Pair& below, Ints right, Ints down) {
-  const Ints both = lanes::shiftRight<8>(right * down + 128);
-  const Channels w11 = twice(both);
-  const Channels w10 = twice(right - both);
-  const Channels w01 = twice(down - both);
-  const Channels w00 = twice(256 - right - down + both);
-  const auto sum = [&](auto part) {
-    const Channels all = hn::Add(hn::Add(hn::Mul(part(above.first), w00), hn::Mul(part(above.second), w10)),
-                                 hn::Add(hn::Mul(part(below.first), w01), hn::Mul(part(below.second), w11)));
-    return hn::Add(all, hn::Set(ChannelTag(), std::uint16_t{128}));
-  };
-  const Channels even = hn::ShiftRight<8>(sum([](Ints pixel) { return channels(pixel & 0x00FF00FF); }));
-  const Channels odd = sum([](Ints pixel) { return channels(lanes::shiftRight<8>(pixel) & 0x00FF00FF); });
-  const auto highBytes = hn::AndNot(hn::Set(ChannelTag(), std::uint16_t{0x00FF}), odd);
-  return Ints(hn::BitCast(lanes::IntTag(), hn::Or(even, highBytes)));
+  const lanes::Bilinear weights(right, down);
+  const Channels even = lanes::whole(weights.sumOf<0>(above, below));
+  const Channels odd = lanes::rounded(weights.sumOf<8>(above, below));
+  return Ints(hn::BitCast(lanes::IntTag(), hn::Or(even, highBytes(odd))));
 }
 
 /// What a warped pixel lies between.

@@ -131,8 +131,8 @@ class ShiftedCell {
     const Ints a = at(from);
     const Ints b = at(from + 1);
     const auto mix = [&](Ints first, Ints second) {
-      const Channels sum = hn::Add(hn::Mul(channels(first), left_), hn::Mul(channels(second), right_));
-      return hn::ShiftRight<8>(hn::Add(sum, hn::Set(ChannelTag(), std::uint16_t{128})));
+      const Channels sum = hn::Add(hn::Mul(lanes::channels(first), left_), hn::Mul(lanes::channels(second), right_));
+      return lanes::whole(sum);
     };
     const Ints mask(0x00FF00FF);
     return {mix(a & mask, b & mask), mix(lanes::shiftRight<8>(a) & mask, lanes::shiftRight<8>(b) & mask)};
@@ -144,11 +144,10 @@ class ShiftedCell {
     const Halves above = acrossOf(from);
     const Halves below = acrossOf(from + source_.width);
     const auto mix = [&](Channels first, Channels second) {
-      return hn::Add(hn::Add(hn::Mul(first, upper_), hn::Mul(second, lower_)),
-                     hn::Set(ChannelTag(), std::uint16_t{128}));
+      return lanes::rounded(hn::Add(hn::Mul(first, upper_), hn::Mul(second, lower_)));
     };
     const Channels even = hn::ShiftRight<8>(mix(above.even, below.even));
-    const Channels odd = hn::AndNot(hn::Set(ChannelTag(), std::uint16_t{0x00FF}), mix(above.odd, below.odd));
+    const Channels odd = highBytes(mix(above.odd, below.odd));
     return Ints(hn::BitCast(lanes::IntTag(), hn::Or(even, odd)));
   }
 

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "base/simd/channels_inl.h"
 #include "objects/lightfield/common/haze.h"
 #include "objects/lightfield/frontend/reprojection/texels_inl.h"
 
@@ -22,18 +23,8 @@ namespace grove::objects::lightfield::HWY_NAMESPACE {
 constexpr float kShares = 256.0F;
 constexpr float kRounding = 0.5F;
 
-/// Two channels of 8 bits, each in 16.
-using ChannelTag = hn::Repartition<std::uint16_t, IntTag>;
-using Channels = hn::Vec<ChannelTag>;
-
-HWY_INLINE Channels channels(Ints value) { return hn::BitCast(ChannelTag(), value.raw); }
 HWY_INLINE Ints share(Floats part) { return truncate(mulAdd(part, kShares, kRounding)); }
-HWY_INLINE Channels twice(Ints value) { return channels(value | shiftLeft<16>(value)); }
 HWY_INLINE Channels eachOf(std::uint32_t value) { return channels(static_cast<std::int32_t>(value)); }
-/// Of 256ths, rounded.
-HWY_INLINE Channels whole(Channels sum) {
-  return hn::ShiftRight<8>(hn::Add(sum, hn::Set(ChannelTag(), std::uint16_t{128})));
-}
 
 /// The air as shade() mixes it in.
 struct Air {
@@ -51,30 +42,6 @@ struct Air {
   }
 };
 
-/// Four neighbouring texels' channels by weights that add up to 256.
-struct Mix {
-  Channels w00, w10, w01, w11;
-
-  /// Of the texels around (x, y), whose whole numbers are `column` and `row`.
-  HWY_INLINE Mix(Floats x, Floats y, Ints column, Ints row) {
-    const Ints right = share(x - toFloats(column));
-    const Ints down = share(y - toFloats(row));
-    const Ints both = shiftRight<8>(right * down + 128);
-    w11 = twice(both);
-    w10 = twice(right - both);
-    w01 = twice(down - both);
-    w00 = twice(256 - right - down + both);
-  }
-
-  /// The first and third channels, or the second and fourth.
-  template <int kShift>
-  HWY_INLINE Channels of(const Pair& above, const Pair& below) const {
-    const auto part = [](Ints texel) { return channels(shiftRight<kShift>(texel) & 0x00FF00FF); };
-    return whole(hn::Add(hn::Add(hn::Mul(part(above.first), w00), hn::Mul(part(above.second), w10)),
-                         hn::Add(hn::Mul(part(below.first), w01), hn::Mul(part(below.second), w11))));
-  }
-};
-
 /// As many neighbouring pixels as there are lanes; true where one shows anything.
 HWY_INLINE Mask shadePixels(const Texels& texels, const std::uint32_t* colour, const Air& air, WarpTile& tile,
                             int first) {
@@ -84,12 +51,12 @@ HWY_INLINE Mask shadePixels(const Texels& texels, const std::uint32_t* colour, c
   const Floats y = clamp(mulAdd(load(tile.a1 + first), scale, texels.m.y * w - 0.5F), 0.0F, texels.limitY);
   const Ints column = truncate(x);
   const Ints row = truncate(y);
-  const Mix mix(x, y, column, row);
+  const Bilinear weights(share(x - toFloats(column)), share(y - toFloats(row)));
   const Ints at = row * texels.stride + column;
   const Pair above = lookUpPair(colour, at);
   const Pair below = lookUpPair(colour + texels.stride, at);
-  const Channels even = mix.of<0>(above, below);
-  const Channels odd = mix.of<8>(above, below);
+  const Channels even = whole(weights.sumOf<0>(above, below));
+  const Channels odd = whole(weights.sumOf<8>(above, below));
   const Ints cover = shiftRight<16>(Ints(hn::BitCast(IntTag(), odd)));
   const Channels hazed = twice(cover);
   const Channels hazedEven = whole(hn::Add(hn::Mul(even, air.clear), hn::Mul(hazed, air.even)));
