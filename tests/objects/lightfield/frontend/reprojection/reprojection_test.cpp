@@ -6,58 +6,12 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "objects/lightfield/common/view_cell.h"
-#include "objects/lightfield/frontend/traced_picture.h"
+#include "objects/lightfield/frontend/reprojection/reprojected.h"
 
 namespace grove::objects::lightfield {
 namespace {
 
 using world::Vec3;
-
-constexpr int kWidth = 640;
-constexpr int kHeight = 360;
-constexpr float kTestFocal = 310.0F;
-constexpr float kError = 4.0F;
-
-std::shared_ptr<raster::Image> reprojected(const CachedView& view, const ObjectCamera& camera, const world::Rect& rect,
-                                           const Haze& haze = {}) {
-  auto image = raster::ImagePool().acquire(rect);
-  std::ranges::fill(image->colour, 0U);
-  std::ranges::fill(image->depth, world::kInfiniteDepth);
-  const auto lay = [&](const world::Rect& part, const WarpTile& tile) {
-    for (int row = 0; row < part.height(); ++row) {
-      const int to = (part.top - rect.top + row) * rect.width() + part.left - rect.left;
-      std::copy_n(tile.colour + row * kTileWidth, part.width(), image->colour.begin() + to);
-      std::copy_n(tile.depth + row * kTileWidth, part.width(), image->depth.begin() + to);
-    }
-  };
-  reproject(view, camera, haze, rect, lay, [](const world::Rect&, float) { return false; });
-  return image;
-}
-
-/// A cell of a model and what it caches.
-struct Cached {
-  ViewCell cell;
-  std::shared_ptr<raster::Image> picture;
-  CachedView view;
-
-  Cached(const TracedModel& model, Vec3 eye, float error, int samples = 3)
-      : cell(viewCell(model.geometry(), eye, kTestFocal, error).value()),
-        picture(model.picture(cell.camera, {0, 0, cell.size, cell.size}, samples)),
-        view(*picture, cell.camera) {}
-
-  /// How far the cell's eye can go before it leaves, a little less.
-  [[nodiscard]] Vec3 towards(const TracedModel& model, Vec3 way, float error) const {
-    float inside = 0.0F;
-    float outside = 4.0F;
-    for (int i = 0; i < 24; ++i) {
-      const float middle = 0.5F * (inside + outside);
-      const auto other = viewCell(model.geometry(), cell.camera.eye + middle * way, kTestFocal, error);
-      (other && other->id == cell.id ? inside : outside) = middle;
-    }
-    return cell.camera.eye + 0.98F * inside * way;
-  }
-};
 
 TEST(Reprojection, OwnCameraGivesTheSamePicture) {
   const TracedModel model = TracedModel::crown(2.0F, 4000, 0.2F);
@@ -118,97 +72,6 @@ TEST(Reprojection, NoPixelIsNearerThanItsPartWasSaidToBe) {
       cached.view, camera, {}, rect, [](const auto&, const auto&) { ADD_FAILURE(); },
       [](const world::Rect&, float) { return true; });
 }
-
-/// Whether a picture's pixel around (x, y) has this depth, but for what it changes along a slope.
-bool hasDepth(const raster::Image& image, float x, float y, int reach, float depth) {
-  const int column = static_cast<int>(std::floor(x)) - image.rect.left;
-  const int row = static_cast<int>(std::floor(y)) - image.rect.top;
-  for (int v = std::max(row - reach, 0); v <= std::min(row + reach, image.height() - 1); ++v) {
-    for (int u = std::max(column - reach, 0); u <= std::min(column + reach, image.width() - 1); ++u) {
-      if (std::abs(image.depthRow(v)[u] - depth) < 0.012F * depth) return true;
-    }
-  }
-  return false;
-}
-
-/// How the pixels of a reprojected picture that show something lie.
-struct Placement {
-  int shown = 0;
-  int exact = 0;   ///< show the depth that the eye itself sees there
-  int lost = 0;    ///< show one that it does not see within the error
-  int astray = 0;  ///< show a point that is not where the cell's eye sees it to a texel
-};
-
-Placement placementOf(const raster::Image& image, const raster::Image& truth, const ObjectCamera& camera,
-                      const Cached& cached) {
-  Placement placement;
-  for (int row = 0; row < image.height(); ++row) {
-    for (int column = 0; column < image.width(); ++column) {
-      if (image.colourRow(row)[column] >> 24U < 128U) continue;
-      const float depth = image.depthRow(row)[column];
-      const float x = static_cast<float>(image.rect.left + column) + 0.5F;
-      const float y = static_cast<float>(image.rect.top + row) + 0.5F;
-      ++placement.shown;
-      placement.exact += hasDepth(truth, x, y, 0, depth);
-      placement.lost += !hasDepth(truth, x, y, static_cast<int>(kError), depth);
-      const Vec3 point = projected(cached.cell.camera, camera.eye + depth * camera.ray(x, y));
-      placement.astray += !hasDepth(*cached.picture, point.x, point.y, 1, point.z);
-    }
-  }
-  return placement;
-}
-
-struct Scene {
-  const char* name;
-  TracedModel model;
-  float distance;
-  double decibels;
-};
-
-class Moved : public testing::TestWithParam<int> {
- protected:
-  static Scene scene() {
-    if (GetParam() == 0) return {"still life", TracedModel::stillLife(), 8.0F, 32.0};
-    if (GetParam() == 1) return {"crown", TracedModel::crown(3.0F, 8000, 0.2F), 12.0F, 28.5};
-    return {"blades", TracedModel::blades(900, 0.03F), 8.0F, 27.0};
-  }
-};
-
-TEST_P(Moved, LooksAsIfDrawnForTheEyeItself) {
-  const Scene scene = Moved::scene();
-  const TracedModel& model = scene.model;
-  const Cached cached(model, model.geometry().target + glm::normalize(Vec3(0.7F, 0.15F, 0.6F)) * scene.distance,
-                      kError);
-  int ray = 0;
-  for (const Vec3 way : {Vec3(0.6F, 0, -0.7F), Vec3(-0.6F, 0, 0.7F), Vec3(0.7F, 0, 0.6F), Vec3(0.3F, 0.4F, -0.4F)}) {
-    const Vec3 eye = cached.towards(model, way, kError);
-    const ObjectCamera camera =
-        frameCamera(eye, model.geometry().target + Vec3(0.5F, -0.3F, 0.2F), kWidth, kHeight, kTestFocal);
-    const world::Rect rect = ballRect(model.geometry(), camera, kWidth, kHeight);
-    const auto truth = model.picture(camera, rect, 3);
-    const auto image = reprojected(cached.view, camera, rect);
-    EXPECT_GT(psnr(*image, *truth), scene.decibels) << scene.name << " " << ray;
-
-    const Placement placement = placementOf(*image, *truth, camera, cached);
-    EXPECT_GT(placement.shown, 2000);
-    EXPECT_GT(placement.exact, placement.shown * 4 / 5) << scene.name << " " << ray;
-    // Leaves on edge come and go from one eye to the next.
-    EXPECT_LE(placement.lost, placement.shown * 3 / 200) << scene.name << " " << ray;
-    EXPECT_LE(placement.astray, placement.shown / 500) << scene.name << " " << ray;
-
-    // Nothing solid is torn open, nothing is spread over the sky.
-    int torn = 0;
-    int spread = 0;
-    for (std::size_t i = 0; i < image->colour.size(); ++i) {
-      torn += truth->colour[i] >> 24U > 230U && image->colour[i] >> 24U < 60U;
-      spread += truth->colour[i] >> 24U < 25U && image->colour[i] >> 24U > 195U;
-    }
-    EXPECT_LE(torn, placement.shown / 200) << scene.name << " " << ray;
-    EXPECT_LE(spread, placement.shown / 200) << scene.name << " " << ray;
-    ++ray;
-  }
-}
-INSTANTIATE_TEST_SUITE_P(Models, Moved, testing::Values(0, 1, 2));
 
 TEST(Reprojection, ThinBladesDoNotBreak) {
   const TracedModel model = TracedModel::blades(60, 0.02F);
@@ -348,29 +211,6 @@ TEST(Reprojection, AnEmptyViewIsEmptyAndAnEmptyRectangleIsNothing) {
   EXPECT_EQ(std::ranges::count(image->colour, 0U), 33 * 7);
   EXPECT_EQ(std::ranges::count(image->depth, world::kInfiniteDepth), 33 * 7);
   EXPECT_EQ(reprojected(view, camera, {5, 5, 5, 9})->colour.size(), 0U);
-}
-
-TEST(CachedView, KeepsTheCoveredPartOnly) {
-  const auto image = raster::ImagePool().acquire({100, 200, 160, 260});
-  std::fill(image->colour.begin(), image->colour.end(), 0U);
-  std::fill(image->depth.begin(), image->depth.end(), world::kInfiniteDepth);
-  image->colourRow(20)[30] = 0xFF102030U;
-  image->depthRow(20)[30] = 4.0F;
-  image->colourRow(21)[32] = 0x40010203U;
-  image->depthRow(21)[32] = 8.0F;
-  const CachedView view(*image, ObjectCamera{});
-  EXPECT_EQ(view.width(), 3 + 2 * CachedView::kBorder);
-  EXPECT_EQ(view.height(), 2 + 2 * CachedView::kBorder);
-  EXPECT_EQ(view.left(), 130 - CachedView::kBorder);
-  EXPECT_EQ(view.top(), 220 - CachedView::kBorder);
-  const auto at = [&](int x, int y) { return view.nearness()[y * view.width() + x]; };
-  EXPECT_EQ(at(2, 2), 0.25F);                     // solid
-  EXPECT_EQ(at(4, 3), 0.125F - view.softness());  // covered a little
-  EXPECT_EQ(at(1, 1), 0.25F - view.softness());   // beside the solid one
-  EXPECT_EQ(at(3, 2), 0.25F - view.softness());   // beside both: the nearer
-  EXPECT_EQ(at(0, 0), -view.softness());          // nothing
-  EXPECT_EQ(view.range().min, 0.125F);
-  EXPECT_EQ(view.range().max, 0.25F);
 }
 
 }  // namespace
