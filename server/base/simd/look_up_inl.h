@@ -59,6 +59,19 @@ HWY_INLINE Floats lookUp(const float* base, Ints at) {
   });
 }
 
+HWY_INLINE Ints lookUp(const std::uint16_t* base, Ints at) {
+  const hn::FixedTag<std::uint16_t, 1> one;
+  const hn::FixedTag<std::uint16_t, 2> two;
+  const Indices indices(at);
+  const auto values = joinQuads<std::int32_t>([&](int lane) {
+    const auto value = [&](int i) { return hn::LoadU(one, base + indices[lane + i]); };
+    return hn::PromoteTo(QuadTag<std::int32_t>(),
+                         hn::Combine(QuadTag<std::uint16_t>(), hn::Combine(two, value(3), value(2)),
+                                     hn::Combine(two, value(1), value(0))));
+  });
+  return Ints(values);
+}
+
 /// Two neighbours in memory for each lane.
 struct Pair {
   Ints first;

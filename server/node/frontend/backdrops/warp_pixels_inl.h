@@ -87,8 +87,7 @@ HWY_INLINE Neighbours lookUpEach(const WarpSource& source, Ints column, Ints row
 
 /// Steps of the squares that pixels lie in.
 HWY_INLINE Ints lookUpSquares(const WarpSource& source, Ints column, Ints row) {
-  const Ints at = lanes::shiftRight<1>(row) * (source.width / 2) + lanes::shiftRight<1>(column);
-  return lanes::lookUpPair(source.squares, at).first;
+  return lanes::lookUp(source.squares, lanes::shiftRight<1>(row) * (source.width / 2) + lanes::shiftRight<1>(column));
 }
 
 /// The columns and rows that kLanes pixels have, as their corners say.

@@ -108,6 +108,19 @@ TEST_F(BackdropWarpTest, ShowsWhatAMovedCameraSees) {
   });
 }
 
+/// Fails under the address sanitizer if a look-up of the last square reads what lies behind it.
+TEST_F(BackdropWarpTest, ShowsTheLastPixelsOfItsImage) {
+  const world::Camera before = cameraOf(640, 360);
+  const auto backdrop = backdropOf(skyAt, before, {0, 0, 640, 360});
+  world::Camera after = before;
+  after.pose.yaw -= 0.01F;
+  after.pose.pitch -= 0.01F;
+  tests::onEachTarget([&] {
+    const auto frame = show(*backdrop, after, {{0, 0, 640, 360}});
+    EXPECT_EQ(frame->depthRow(359)[639], world::kInfiniteDepth);
+  });
+}
+
 /// Fails if a row of cells writes beyond its end, into the next row or the next strip.
 TEST_F(BackdropWarpTest, FillsFramesOfAnySize) {
   for (const int width : {8, 250, 263, 431, 530}) {
