@@ -13,6 +13,7 @@
 #include <cstdint>
 
 #include "base/simd/channels_inl.h"
+#include "base/simd/row_part_inl.h"
 #include "node/frontend/backdrops/backdrop_kernels.h"
 #include "world/camera.h"
 
@@ -27,6 +28,7 @@ using lanes::Floats;
 using lanes::Ints;
 using lanes::kLanes;
 using lanes::Mask;
+using lanes::Neighbours;
 using lanes::Pair;
 
 /// The corners of one row of pixels.
@@ -73,18 +75,6 @@ HWY_INLINE Ints blend(const Pair& above, const Pair& below, Ints right, Ints dow
   return Ints(hn::BitCast(lanes::IntTag(), hn::Or(even, highBytes(odd))));
 }
 
-/// What a warped pixel lies between.
-struct Neighbours {
-  Pair above;
-  Pair below;
-};
-
-/// By loads of each lane.
-HWY_INLINE Neighbours lookUpEach(const WarpSource& source, Ints column, Ints row) {
-  const Ints at = row * source.width + column;
-  return {lanes::lookUpPair(source.colour, at), lanes::lookUpPair(source.colour + source.width, at)};
-}
-
 /// Steps of the squares that pixels lie in.
 HWY_INLINE Ints lookUpSquares(const WarpSource& source, Ints column, Ints row) {
   return lanes::lookUp(source.squares, lanes::shiftRight<1>(row) * (source.width / 2) + lanes::shiftRight<1>(column));
@@ -119,23 +109,7 @@ struct Span {
   }
 };
 
-#if HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_AVX3
-/// Two registers of a row.
-template <class Tag>
-struct RowPart {
-  hn::Vec<Tag> low;
-  hn::Vec<Tag> high;
-
-  HWY_INLINE explicit RowPart(const hn::TFromD<Tag>* from)
-      : low(hn::LoadU(Tag(), from)), high(hn::LoadU(Tag(), from + kLanes)) {}
-
-  HWY_INLINE hn::Vec<Tag> at(Ints place) const {
-    const auto indices = hn::IndicesFromVec(Tag(), hn::And(place.raw, hn::Set(lanes::IntTag(), kLanes - 1)));
-    const auto isHigh = hn::RebindMask(Tag(), hn::Gt(place.raw, hn::Set(lanes::IntTag(), kLanes - 1)));
-    return hn::IfThenElse(isHigh, hn::TableLookupLanes(high, indices), hn::TableLookupLanes(low, indices));
-  }
-};
-
+#if GROVE_SIMD_PERMUTES
 /// Neighbouring pixels of a frame lie between neighbouring pixels of the backdrop: two registers of three rows hold all
 /// of them, unless the picture is turned or made smaller. False if they do not.
 HWY_INLINE bool lookUpNear(const WarpSource& source, const Span& span, Ints column, Ints row, Neighbours& out) {
@@ -143,23 +117,13 @@ HWY_INLINE bool lookUpNear(const WarpSource& source, const Span& span, Ints colu
   const std::ptrdiff_t begin = std::ptrdiff_t{span.top} * source.width + span.left;
   const std::ptrdiff_t third = 2 * std::ptrdiff_t{source.width};
   if (begin + third + 2 * kLanes > std::ptrdiff_t{source.width} * source.height) return false;
-  using ColourTag = hn::RebindToUnsigned<lanes::IntTag>;
   const Ints right = column - Ints(span.left);
   const std::uint32_t* const colour = source.colour + begin;
-  const auto at = [](const RowPart<ColourTag>& part, Ints place) {
-    return Ints(hn::BitCast(lanes::IntTag(), part.at(place)));
-  };
-  const RowPart<ColourTag> first(colour);
-  const RowPart<ColourTag> second(colour + source.width);
-  out.above = {at(first, right), at(first, right + 1)};
-  out.below = {at(second, right), at(second, right + 1)};
+  out = {lanes::pairAt(colour, right), lanes::pairAt(colour + source.width, right)};
   if (span.bottom == span.top) return true;
   const Mask isLower = row > Ints(span.top);
-  const RowPart<ColourTag> last(colour + third);
-  out.above = {lanes::select(isLower, out.below.first, out.above.first),
-               lanes::select(isLower, out.below.second, out.above.second)};
-  out.below = {lanes::select(isLower, at(last, right), out.below.first),
-               lanes::select(isLower, at(last, right + 1), out.below.second)};
+  out = {lanes::select(isLower, out.below, out.above),
+         lanes::select(isLower, lanes::pairAt(colour + third, right), out.below)};
   return true;
 }
 
@@ -205,7 +169,8 @@ HWY_INLINE void warpPixels(const WarpSource& source, const RowCorners& corners, 
   const Ints down = lanes::truncate(lanes::mulAdd(y - lanes::toFloats(row), 256.0F, 0.5F));
   const Span span(source, corners, first);
   Neighbours near;
-  if (!lookUpNear(source, span, column, row, near)) near = lookUpEach(source, column, row);
+  if (!lookUpNear(source, span, column, row, near))
+    near = lanes::lookUpNeighbours(source.colour, source.width, column, row);
   lanes::store(blend(near.above, near.below, right, down), colour);
   if constexpr (kWithDepth) {
     const Ints nearestColumn = column + lanes::shiftRight<8>(right + 128);

@@ -49,13 +49,14 @@ CachedView::CachedView(const raster::Image& image, const ObjectCamera& camera) :
 }
 
 void CachedView::allocate() {
-  colour_ = std::make_unique_for_overwrite<std::uint32_t[]>(texels());
+  colour_ = std::make_unique_for_overwrite<std::uint32_t[]>(texels() + padding());
   nearness_ = std::make_unique_for_overwrite<float[]>(texels() + padding());
+  std::fill_n(colour_.get() + texels(), padding(), 0U);
   std::fill_n(nearness_.get() + texels(), padding(), 0.0F);
 }
 
 std::size_t CachedView::ownBytes() const noexcept {
-  return sizeof(*this) + texels() * (sizeof(std::uint32_t) + sizeof(float)) + padding() * sizeof(float) +
+  return sizeof(*this) + (texels() + padding()) * (sizeof(std::uint32_t) + sizeof(float)) +
          ranges_.capacity() * sizeof(Range);
 }
 

@@ -30,12 +30,13 @@ class CachedView final : public node::SharedData {
   [[nodiscard]] int width() const noexcept { return width_; }
   [[nodiscard]] int height() const noexcept { return height_; }
 
-  /// As raster::Image's.
+  /// As raster::Image's. As many as padding() more may be read, so that vectors of texels can be read from wherever one
+  /// lies.
   [[nodiscard]] const std::uint32_t* colour() const noexcept { return colour_.get(); }
   /// Nearness of every texel: 1 / depth if it is covered by half; that less softness() if it is covered by less, or is
   /// empty beside a covered one, whose depth it then has; and -softness() where there is nothing. So the nearest of
-  /// several texels is the largest, but all that hide what is behind come before those that do not. As many
-  /// as padding() more may be read, so that vectors of texels can be read from wherever one lies.
+  /// several texels is the largest, but all that hide what is behind come before those that do not.
+  /// Padded as the colours are.
   [[nodiscard]] const float* nearness() const noexcept { return nearness_.get(); }
   [[nodiscard]] std::size_t padding() const noexcept { return static_cast<std::size_t>(width_) + 32; }
   [[nodiscard]] float softness() const noexcept { return softness_; }

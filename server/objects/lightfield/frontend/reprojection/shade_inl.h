@@ -42,6 +42,40 @@ struct Air {
   }
 };
 
+#if GROVE_SIMD_PERMUTES
+/// Pixels side by side show texels that are mostly near each other: among two registers of each of four rows.
+HWY_INLINE Neighbours neighbours(const Texels& texels, const std::uint32_t* colour, Ints column, Ints row) {
+  constexpr int kMarginAcross = 4;
+  constexpr int kRows = 3;  // and one more below
+  const auto ends = [](Ints places, int margin, int most) {
+    const int first = hn::GetLane(places.raw);
+    const int last = hn::ExtractLane(places.raw, kLanes - 1);
+    return std::clamp(std::min(first, last) - margin, 0, most);
+  };
+  const int left = ends(column, kMarginAcross, texels.stride);
+  const int top = ends(row, 1, texels.rows - (kRows + 1));
+  const Ints right = column - left;
+  const Ints down = row - top;
+  const Ints outside = hn::Or(hn::ShiftRight<(kLanes == 16 ? 5 : 4)>((right + 1).raw), hn::ShiftRight<2>(down.raw));
+  if (HWY_UNLIKELY(any((outside != 0) | (right < 0) | (down > kRows - 1)))) {
+    return lookUpNeighbours(colour, texels.stride, column, row);
+  }
+  const std::uint32_t* const from = colour + std::ptrdiff_t{top} * texels.stride + left;
+  const auto line = [&](int each) { return pairAt(from + std::ptrdiff_t{each} * texels.stride, right); };
+  const Pair second = line(1);
+  Neighbours found{line(0), second};
+  const Pair third = line(2);
+  const Mask isSecond = down == 1;
+  found = {select(isSecond, second, found.above), select(isSecond, third, found.below)};
+  const Mask isThird = down == 2;
+  return {select(isThird, third, found.above), select(isThird, line(3), found.below)};
+}
+#else
+HWY_INLINE Neighbours neighbours(const Texels& texels, const std::uint32_t* colour, Ints column, Ints row) {
+  return lookUpNeighbours(colour, texels.stride, column, row);
+}
+#endif
+
 /// As many neighbouring pixels as there are lanes; true where one shows anything.
 HWY_INLINE Mask shadePixels(const Texels& texels, const std::uint32_t* colour, const Air& air, WarpTile& tile,
                             int first) {
@@ -52,9 +86,7 @@ HWY_INLINE Mask shadePixels(const Texels& texels, const std::uint32_t* colour, c
   const Ints column = truncate(x);
   const Ints row = truncate(y);
   const Bilinear weights(share(x - toFloats(column)), share(y - toFloats(row)));
-  const Ints at = row * texels.stride + column;
-  const Pair above = lookUpPair(colour, at);
-  const Pair below = lookUpPair(colour + texels.stride, at);
+  const auto [above, below] = neighbours(texels, colour, column, row);
   const Channels even = whole(weights.sumOf<0>(above, below));
   const Channels odd = whole(weights.sumOf<8>(above, below));
   const Ints cover = shiftRight<16>(Ints(hn::BitCast(IntTag(), odd)));

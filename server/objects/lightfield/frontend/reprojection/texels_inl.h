@@ -11,7 +11,7 @@
 
 #include <cstddef>
 
-#include "base/simd/look_up_inl.h"
+#include "base/simd/row_part_inl.h"
 #include "objects/lightfield/common/cached_view.h"
 #include "objects/lightfield/frontend/reprojection/reprojection_tile.h"
 
@@ -30,6 +30,7 @@ struct Corner {
 struct Texels {
   const float* nearness;
   int stride;
+  int rows;
   float softness;
   float limitX;
   float limitY;
@@ -38,6 +39,7 @@ struct Texels {
   Texels(const CachedView& view, const ViewWarp& warp)
       : nearness(view.nearness()),
         stride(view.width()),
+        rows(view.height()),
         softness(view.softness()),
         // The last column and row are for bilinear look-ups only.
         limitX(static_cast<float>(view.width()) - 1.001F),
@@ -92,7 +94,7 @@ struct Rays {
   }
 };
 
-#if HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_AVX3
+#if GROVE_SIMD_PERMUTES
 /// Neighbouring pixels look at neighbouring texels: most are among two registers of each of a few rows.
 HWY_INLINE Floats Texels::rankedNear(const Corner& corner, Ints column, Ints row) const {
   constexpr int kRows = kLanes == 16 ? 3 : 2;
@@ -101,12 +103,8 @@ HWY_INLINE Floats Texels::rankedNear(const Corner& corner, Ints column, Ints row
   // Shifted with their signs.
   const Ints outside = hn::Or(hn::ShiftRight<(kLanes == 16 ? 5 : 4)>(right.raw), hn::ShiftRight<2>(down.raw));
   if (HWY_UNLIKELY(any((outside != 0) | (down > kRows - 1)))) return lookUp(nearness, row * stride + column);
-  const auto table = hn::IndicesFromVec(FloatTag(), hn::And(right.raw, hn::Set(IntTag(), kLanes - 1)));
-  const Mask second = right > kLanes - 1;
   const auto among = [&](int line) {
-    const float* const from = nearness + std::ptrdiff_t{corner.row + line} * stride + corner.column;
-    return select(second, Floats(hn::TableLookupLanes(hn::LoadU(FloatTag(), from + kLanes), table)),
-                  Floats(hn::TableLookupLanes(hn::LoadU(FloatTag(), from), table)));
+    return Floats(RowPart<FloatTag>(nearness + std::ptrdiff_t{corner.row + line} * stride + corner.column).at(right));
   };
   Floats found = among(0);
   for (int line = 1; line < kRows; ++line) found = select(down == line, among(line), found);

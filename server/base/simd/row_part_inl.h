@@ -1,0 +1,71 @@
+// Look-ups among neighbours in memory, in registers. For kernels: included once per target.
+
+#if defined(GROVE_BASE_SIMD_ROW_PART_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef GROVE_BASE_SIMD_ROW_PART_INL_H
+#undef GROVE_BASE_SIMD_ROW_PART_INL_H
+#else
+#define GROVE_BASE_SIMD_ROW_PART_INL_H
+#endif
+
+#include <hwy/highway.h>
+
+#include "base/simd/lanes_inl.h"
+#include "base/simd/look_up_inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace grove::simd::HWY_NAMESPACE {
+
+/// Whether permuting registers is cheaper than loads of each lane.
+#undef GROVE_SIMD_PERMUTES
+#if HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_AVX3
+#define GROVE_SIMD_PERMUTES 1
+#else
+#define GROVE_SIMD_PERMUTES 0
+#endif
+
+#if GROVE_SIMD_PERMUTES
+/// 2 kLanes values of a row.
+template <class Tag>
+struct RowPart {
+  hn::Vec<Tag> low;
+  hn::Vec<Tag> high;
+
+  HWY_INLINE explicit RowPart(const hn::TFromD<Tag>* from)
+      : low(hn::LoadU(Tag(), from)), high(hn::LoadU(Tag(), from + kLanes)) {}
+
+  /// Of each lane, the value at `place`.
+  HWY_INLINE hn::Vec<Tag> at(Ints place) const {
+    const auto indices = hn::IndicesFromVec(Tag(), hn::And(place.raw, hn::Set(IntTag(), kLanes - 1)));
+    const auto isHigh = hn::RebindMask(Tag(), hn::Gt(place.raw, hn::Set(IntTag(), kLanes - 1)));
+    return hn::IfThenElse(isHigh, hn::TableLookupLanes(high, indices), hn::TableLookupLanes(low, indices));
+  }
+};
+
+/// Of a row of pixels, for each lane, those at `place` and `place` + 1.
+HWY_INLINE Pair pairAt(const std::uint32_t* from, Ints place) {
+  const RowPart<hn::RebindToUnsigned<IntTag>> part(from);
+  const auto at = [&](Ints each) { return Ints(hn::BitCast(IntTag(), part.at(each))); };
+  return {at(place), at(place + 1)};
+}
+#endif
+
+/// What an interpolated pixel lies between.
+struct Neighbours {
+  Pair above;
+  Pair below;
+};
+
+/// By loads of each lane.
+HWY_INLINE Neighbours lookUpNeighbours(const std::uint32_t* pixels, int stride, Ints column, Ints row) {
+  const Ints at = row * stride + column;
+  return {lookUpPair(pixels, at), lookUpPair(pixels + stride, at)};
+}
+
+HWY_INLINE Pair select(Mask mask, const Pair& yes, const Pair& no) {
+  return {select(mask, yes.first, no.first), select(mask, yes.second, no.second)};
+}
+
+}  // namespace grove::simd::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // once per target
