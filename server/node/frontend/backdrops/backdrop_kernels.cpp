@@ -149,14 +149,14 @@ HWY_INLINE void prefetch(const WarpSource& source, const CornerLine& corners, in
 
 template <bool kWithDepth>
 HWY_INLINE void warpRun(const WarpSource& source, const CornerLine& above, const CornerLine& below, int count,
-                        WarpRun& run) {
+                        const WarpedPixels& out) {
   prefetch(source, below, count);
   const auto stretch = [&](int begin, int end) {
     for (int row = 0; row < kSide; ++row) {
       const RowCorners corners(above, below, begin, end, (static_cast<float>(row) + 0.5F) / kSide);
       for (int x = 0; x < (end - begin) * kSide; x += lanes::kLanes) {
-        const std::ptrdiff_t at = row * WarpRun::kStride + begin * kSide + x;
-        warpPixels<kWithDepth>(source, corners, x, run.colour + at, run.depth + at);
+        const std::ptrdiff_t at = row * out.stride + begin * kSide + x;
+        warpPixels<kWithDepth>(source, corners, x, out.colour + at, out.depth + at);
       }
     }
   };
@@ -174,16 +174,17 @@ HWY_INLINE void warpRun(const WarpSource& source, const CornerLine& above, const
     if ((shifted >> static_cast<unsigned>(cell) & 1U) == 0) continue;
     const Shift shift(source, above, below, cell);
     const std::ptrdiff_t at = std::ptrdiff_t{cell} * kSide;
-    ShiftedCell(source, shift, above, below, cell).warp<kWithDepth>(run.colour + at, run.depth + at);
+    const WarpedPixels to{out.colour + at, out.depth + at, out.stride};
+    ShiftedCell(source, shift, above, below, cell).warp<kWithDepth>(to);
   }
 }
 
 void warpCells(const WarpSource& source, const CornerLine& above, const CornerLine& below, int count, bool withDepth,
-               WarpRun& run) {
+               const WarpedPixels& out) {
   if (withDepth) {
-    warpRun<true>(source, above, below, count, run);
+    warpRun<true>(source, above, below, count, out);
   } else {
-    warpRun<false>(source, above, below, count, run);
+    warpRun<false>(source, above, below, count, out);
   }
 }
 
@@ -208,8 +209,8 @@ void findCorners(const CornerSearch& search, int left, int line, int steps, Corn
 }
 
 void warpCells(const WarpSource& source, const CornerLine& above, const CornerLine& below, int count, bool withDepth,
-               WarpRun& run) {
-  HWY_DYNAMIC_DISPATCH(warpCells)(source, above, below, count, withDepth, run);
+               const WarpedPixels& out) {
+  HWY_DYNAMIC_DISPATCH(warpCells)(source, above, below, count, withDepth, out);
 }
 
 }  // namespace grove::node

@@ -59,16 +59,16 @@ struct WarpSource {
   float m2;  ///< of the WarpCamera
 };
 
-/// Scratch buffer for a row of cells. Each row of pixels ends with space that whole vectors may write to.
-struct alignas(64) WarpRun {
-  static constexpr int kStride = kWarpPixels + 16;
-  std::uint32_t colour[kStride * 8];
-  float depth[kStride * 8];
+/// Where a row of cells is written to, eight rows of pixels.
+struct WarpedPixels {
+  std::uint32_t* colour;
+  float* depth;
+  std::ptrdiff_t stride;
 };
 
 /// Kernel: warps `count` cells between two lines of corners: bilinear colour and, if `withDepth`, the depth of the
-/// nearest square. Without motion the colours are those of the backdrop.
+/// nearest square. Without motion the colours are those of the backdrop. May write one cell more.
 void warpCells(const WarpSource& source, const CornerLine& above, const CornerLine& below, int count, bool withDepth,
-               WarpRun& run);
+               const WarpedPixels& out);
 
 }  // namespace grove::node

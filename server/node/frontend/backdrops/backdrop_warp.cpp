@@ -16,6 +16,13 @@ bool isSame(const world::Camera& a, const world::Camera& b) {
          a.width == b.width && a.height == b.height && a.verticalFov == b.verticalFov;
 }
 
+/// A row of cells that does not fit into the frame. Each row of pixels ends with space for one cell more.
+struct alignas(64) ScratchRow {
+  static constexpr int kStride = kWarpPixels + kCell;
+  std::uint32_t colour[kStride * kCell];
+  float depth[kStride * kCell];
+};
+
 /// Has caches take up pixels that are written soon: while those before are computed, not while stores wait.
 template <class Pixel>
 void fetchToWrite(const Pixel* pixels, int count) {
@@ -68,7 +75,7 @@ void BackdropWarp::warp(const world::Rect& strip, const FramePixels& out) const 
   CornerLine second;
   CornerLine* above = &first;
   CornerLine* below = &second;
-  WarpRun run;
+  ScratchRow scratch;
   std::ranges::fill(below->nearness, backdrop_.nearest());
   findCorners(search_, strip.left, strip.top, kFirstSteps, *below);
   for (int top = strip.top; top < strip.bottom; top += kCell) {
@@ -77,17 +84,23 @@ void BackdropWarp::warp(const world::Rect& strip, const FramePixels& out) const 
     findCorners(search_, strip.left, top + kCell, kSteps, *below);
     const world::Rect part{strip.left, top, strip.right, std::min(top + kCell, strip.bottom)};
     const bool withDepth = needsDepth(part);
+    const auto rowOf = [&](int y) { return (y - strip.top) * out.stride; };
     for (int y = part.top; y < part.bottom; ++y) {
-      const std::ptrdiff_t to = (y - strip.top) * out.stride;
-      fetchToWrite(out.colour + to, part.width());
-      if (withDepth) fetchToWrite(out.depth + to, part.width());
+      fetchToWrite(out.colour + rowOf(y), part.width());
+      if (withDepth) fetchToWrite(out.depth + rowOf(y), part.width());
     }
-    warpCells(source, *above, *below, (strip.width() + kCell - 1) / kCell, withDepth, run);
+    const int cells = (strip.width() + kCell - 1) / kCell;
+    // One cell more is the next strip's, which is filled later.
+    if (part.height() == kCell && strip.right < frame_.right) {
+      warpCells(source, *above, *below, cells, withDepth,
+                {out.colour + rowOf(top), out.depth + rowOf(top), out.stride});
+      continue;
+    }
+    warpCells(source, *above, *below, cells, withDepth, {scratch.colour, scratch.depth, ScratchRow::kStride});
     for (int y = part.top; y < part.bottom; ++y) {
-      const std::ptrdiff_t from = std::ptrdiff_t{y - top} * WarpRun::kStride;
-      const std::ptrdiff_t to = (y - strip.top) * out.stride;
-      std::copy_n(run.colour + from, part.width(), out.colour + to);
-      if (withDepth) std::copy_n(run.depth + from, part.width(), out.depth + to);
+      const std::ptrdiff_t from = std::ptrdiff_t{y - top} * ScratchRow::kStride;
+      std::copy_n(scratch.colour + from, part.width(), out.colour + rowOf(y));
+      if (withDepth) std::copy_n(scratch.depth + from, part.width(), out.depth + rowOf(y));
     }
   }
 }

@@ -69,11 +69,11 @@ HWY_INLINE hn::Vec<Tag> loadOfCell(Tag tag, const hn::TFromD<Tag>* from, std::pt
   }
 }
 template <class Tag>
-HWY_INLINE void storeOfCell(Tag tag, hn::Vec<Tag> value, hn::TFromD<Tag>* to) {
+HWY_INLINE void storeOfCell(Tag tag, hn::Vec<Tag> value, hn::TFromD<Tag>* to, std::ptrdiff_t stride) {
   if constexpr (hn::MaxLanes(Tag()) == 16) {
     const hn::Half<Tag> half;
     hn::StoreU(hn::LowerHalf(half, value), half, to);
-    hn::StoreU(hn::UpperHalf(half, value), half, to + WarpRun::kStride);
+    hn::StoreU(hn::UpperHalf(half, value), half, to + stride);
   } else {
     hn::StoreU(value, tag, to);
   }
@@ -107,13 +107,13 @@ class ShiftedCell {
   }
 
   template <bool kWithDepth>
-  HWY_INLINE void warp(std::uint32_t* colour, float* depth) const {
+  HWY_INLINE void warp(const WarpedPixels& out) const {
     for (int i = 0; i < 64; i += lanes::kLanes) {
       const int row = i / 8;
       const int column = i % 8;
-      const std::ptrdiff_t to = row * WarpRun::kStride + column;
-      storeOfCell(ColourTag(), hn::BitCast(ColourTag(), colourAt(row, column).raw), colour + to);
-      if constexpr (kWithDepth) storeOfCell(lanes::FloatTag(), depthAt(row, column).raw, depth + to);
+      const std::ptrdiff_t to = row * out.stride + column;
+      storeOfCell(ColourTag(), hn::BitCast(ColourTag(), colourAt(row, column).raw), out.colour + to, out.stride);
+      if constexpr (kWithDepth) storeOfCell(lanes::FloatTag(), depthAt(row, column).raw, out.depth + to, out.stride);
     }
   }
 
