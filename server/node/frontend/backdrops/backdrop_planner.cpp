@@ -27,7 +27,7 @@ constexpr float kMaxLacking = 8.0F;
 /// Seconds. Data that gets finer shows with this delay to a visitor who stands still.
 constexpr double kMaxAge = 0.5;
 /// Frames that draw everything after a backdrop that no other frame could show, while there is time.
-constexpr int kPauseFrames = 5;
+constexpr int kPauseFrames = 2;
 
 /// The same camera with so many pixels more on each side.
 world::Camera withMargin(world::Camera camera, int across, int down) {
