@@ -7,7 +7,6 @@
 #include "objects/lightfield/common/permitted_error.h"
 
 namespace grove::objects::lightfield {
-
 namespace {
 
 std::size_t bytesOf(const NearView& view) { return view.picture->bytes() + (view.from ? view.from->bytes() : 0); }
@@ -29,22 +28,54 @@ float roughness(const CachedView& picture) {
   return squares > 0 ? static_cast<float>(std::sqrt(sum / squares)) : 0.0F;
 }
 
+EdgeNearness edgeNearness(const CachedView& picture, const world::Rect& sampled) {
+  if (picture.empty()) return {};
+  const auto edge = [&](int gap, const world::Rect& squares) {
+    if (gap >= EdgeNearness::kClear) return EdgeNearness::kEnds;
+    float nearest = 0.0F;
+    for (int row = squares.top; row < squares.bottom; ++row) {
+      for (int column = squares.left; column < squares.right; ++column) {
+        nearest = std::max(nearest, picture.range(column, row).max);
+      }
+    }
+    return nearest;
+  };
+  constexpr int kBorder = CachedView::kBorder;
+  const int across = picture.squaresAcross();
+  const int down = picture.squaresDown();
+  // The last square of a row or column may be of a texel only.
+  const int wide = std::min(2, across);
+  const int high = std::min(2, down);
+  return {edge(picture.left() + kBorder - sampled.left, {0, 0, wide, down}),
+          edge(picture.top() + kBorder - sampled.top, {0, 0, across, high}),
+          edge(sampled.right - (picture.left() + picture.width() - kBorder), {across - wide, 0, across, down}),
+          edge(sampled.bottom - (picture.top() + picture.height() - kBorder), {0, down - high, across, down})};
+}
+
 float reprojectionError(const NearView& view, const ObjectCamera& camera, const world::Rect& rect, float errorPixels) {
   const ObjectCamera& own = view.picture->camera();
   const world::Vec3 moved = camera.eye - own.eye;
   const glm::mat3 toPixels = glm::inverse(glm::mat3(own.perColumn, own.perRow, own.corner));
-  const float nearest = view.picture->empty() ? 0.0F : view.picture->range().max;
+  // Of a corner of what the frame needs, the places in the picture, times z, of what is there at some nearness.
+  const auto within = [&](int x, int y, float nearness, const auto& isInside) {
+    const world::Vec3 ray = camera.ray(static_cast<float>(x), static_cast<float>(y));
+    const auto inside = [&](float w) {
+      const world::Vec3 at = toPixels * (ray + w * moved);
+      return at.z > 0.0F && (nearness < 0.0F || isInside(at));
+    };
+    return inside(0.0F) && inside(std::max(nearness, 0.0F));
+  };
+  const auto limit = [](int edge, float z) { return static_cast<float>(edge) * z; };
+  const world::Rect& sampled = view.sampled;
   for (const int x : {rect.left, rect.right}) {
     for (const int y : {rect.top, rect.bottom}) {
-      for (const float nearness : {0.0F, nearest}) {
-        const world::Vec3 at = toPixels * (camera.ray(static_cast<float>(x), static_cast<float>(y)) + nearness * moved);
-        if (!(at.z > 0.0F)) return kNever;
-        const bool within = at.x >= static_cast<float>(view.sampled.left) * at.z &&
-                            at.x <= static_cast<float>(view.sampled.right) * at.z &&
-                            at.y >= static_cast<float>(view.sampled.top) * at.z &&
-                            at.y <= static_cast<float>(view.sampled.bottom) * at.z;
-        if (!within) return kNever;
-      }
+      const EdgeNearness& edges = view.edges;
+      const bool isShown =
+          within(x, y, edges.left, [&](world::Vec3 at) { return at.x >= limit(sampled.left, at.z); }) &&
+          within(x, y, edges.right, [&](world::Vec3 at) { return at.x <= limit(sampled.right, at.z); }) &&
+          within(x, y, edges.top, [&](world::Vec3 at) { return at.y >= limit(sampled.top, at.z); }) &&
+          within(x, y, edges.bottom, [&](world::Vec3 at) { return at.y <= limit(sampled.bottom, at.z); });
+      if (!isShown) return kNever;
     }
   }
   return glm::length(moved) * view.roughness / (errorPixels * glm::length(camera.perColumn));

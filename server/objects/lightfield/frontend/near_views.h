@@ -12,11 +12,26 @@
 
 namespace grove::objects::lightfield {
 
+/// Largest 1 / depth along each edge of a picture, beyond which the object goes on; kEnds where it ends within the
+/// picture.
+struct EdgeNearness {
+  static constexpr float kEnds = -1.0F;
+  /// An object that leaves so many texels beside an edge empty ends before it.
+  static constexpr int kClear = CachedView::kSquare;
+  float left = 0.0F;
+  float top = 0.0F;
+  float right = 0.0F;
+  float bottom = 0.0F;
+};
+/// `sampled`: what the picture was made for, in pixels of its camera.
+[[nodiscard]] EdgeNearness edgeNearness(const CachedView& picture, const world::Rect& sampled);
+
 /// A visitor's own picture of an object that is too near to share, made for one frame and good for some more.
 struct NearView {
   std::shared_ptr<const CachedView> picture = nullptr;
   world::Rect sampled = {};                          ///< pixels of the picture's camera; beyond, nothing is known
   float roughness = 0.0F;                            ///< of the picture
+  EdgeNearness edges = {};                           ///< of the picture
   bool coarse = false;                               ///< of few texels, for want of time
   int version = 0;                                   ///< of the light field that it shows
   std::shared_ptr<const CachedView> from = nullptr;  ///< the last one of a former light field
@@ -29,8 +44,8 @@ struct NearView {
 [[nodiscard]] float roughness(const CachedView& picture);
 
 /// How wide the strips are, in times of `errorPixels` pixels of the frame's camera, at which the picture shows the
-/// object. Infinite if it does not show all that the frame needs, which are the pixels `rect` of that camera. A head
-/// that only turns uncovers nothing.
+/// object. Infinite if it does not show all that the frame needs, which are the pixels `rect` of that camera; what lies
+/// beyond the picture counts as no nearer than what its edge shows. A head that only turns uncovers nothing.
 [[nodiscard]] float reprojectionError(const NearView& view, const ObjectCamera& camera, const world::Rect& rect,
                                       float errorPixels);
 

@@ -5,22 +5,18 @@
 
 #include "objects/lightfield/common/keys.h"
 #include "objects/lightfield/common/permitted_error.h"
+#include "objects/lightfield/frontend/near_margins.h"
 
 namespace grove::objects::lightfield {
 namespace {
 
-/// Of the permitted error: the error of a near picture on average, where that of a far one is the largest.
-constexpr float kNearShare = 0.5F;
+/// Of the permitted error: the error of a near picture is a mean, that of a far one the largest, and what is near is
+/// larger on the screen.
+constexpr float kNearShare = 0.15F;
 
-/// Pixels beyond the frame that a near picture has, for a head that turns.
-constexpr int kMarginAcross = 64;
-constexpr int kMarginDown = 32;
-
-Shot shotOf(const Sight& sight, float times) {
-  const world::Rect& rect = sight.object.rect;
-  const Shot whole{
-      sight.camera,
-      {rect.left - kMarginAcross, rect.top - kMarginDown, rect.right + kMarginAcross, rect.bottom + kMarginDown}};
+/// `times`: how wide a texel is, in pixels.
+Shot shotOf(const Sight& sight, const NearView& last, float times) {
+  const Shot whole{sight.camera, withMargins(sight.object.rect, sight.view.camera, sight.camera, last, times)};
   return whole.coarser(times);
 }
 
@@ -46,12 +42,11 @@ float OwnViews::errorOf(const Sight& sight, const NearView& last) const {
 }
 
 node::Plan OwnViews::begin(const Sight& sight, float times) {
-  const Shot shot = shotOf(sight, times);
-  if (isForOneFrame(sight)) return askFor(shot, true, kNever);
+  if (isForOneFrame(sight)) return askFor(shotOf(sight, {}, times), true, kNever);
   const NearView last = near_.last(sight.id());
   const float error = errorOf(sight, last);
   if (error <= 1.0F) return showAgain(sight, last, "near views shown again");
-  return askFor(shot, false, error);
+  return askFor(shotOf(sight, last, times), false, error);
 }
 
 node::Plan OwnViews::resume(const Sight& sight, const node::Reply& reply) {
@@ -72,6 +67,7 @@ node::Plan OwnViews::resume(const Sight& sight, const node::Reply& reply) {
   next.picture = picture;
   next.sampled = reply.ask.rect;
   next.roughness = roughness(*picture);
+  next.edges = edgeNearness(*picture, reply.ask.rect);
   next.coarse = asked.mustBeMade;
   next.version = sight.field.number;
   near_.shown(sight.id(), std::move(next));

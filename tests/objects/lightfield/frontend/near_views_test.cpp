@@ -3,7 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
+
+#include "objects/lightfield/frontend/near_cameras.h"
 
 namespace grove::objects::lightfield {
 namespace {
@@ -11,43 +12,29 @@ namespace {
 using world::Rect;
 using world::Vec3;
 
-constexpr int kSize = 96;
-constexpr float kNearFocal = 80.0F;
-
-/// Looks along -z, turned to the left by `yaw`; (0, 0) is the frame's first pixel.
-ObjectCamera cameraAt(Vec3 eye, float yaw = 0.0F) {
-  const Vec3 right(std::cos(yaw), 0.0F, -std::sin(yaw));
-  const Vec3 ahead(-std::sin(yaw), 0.0F, -std::cos(yaw));
-  ObjectCamera camera;
-  camera.eye = eye;
-  camera.perColumn = right / kNearFocal;
-  camera.perRow = Vec3(0.0F, -1.0F, 0.0F) / kNearFocal;
-  camera.corner = ahead - 0.5F * kSize * (camera.perColumn + camera.perRow);
-  return camera;
-}
-
 /// A wall at `far` metres behind a grating of bars at `near` metres.
 std::shared_ptr<const CachedView> gratingOf(float near, float far) {
   static raster::ImagePool pool;
-  const auto image = pool.acquire({0, 0, kSize, kSize});
+  const auto image = pool.acquire({0, 0, kPictureSize, kPictureSize});
   std::ranges::fill(image->colour, 0xFFFFFFFFU);
-  for (int y = 0; y < kSize; ++y) {
-    for (int x = 0; x < kSize; ++x) image->depthRow(y)[x] = x / 4 % 2 == 0 ? near : far;
+  for (int y = 0; y < kPictureSize; ++y) {
+    for (int x = 0; x < kPictureSize; ++x) image->depthRow(y)[x] = x / 4 % 2 == 0 ? near : far;
   }
-  return std::make_shared<const CachedView>(*image, cameraAt(Vec3(0.0F)));
+  return std::make_shared<const CachedView>(*image, turnedCamera(Vec3(0.0F)));
 }
 
 /// The frame is the middle of what is sampled, eight pixels less on each side.
-constexpr Rect kSampled{0, 0, kSize, kSize};
-constexpr Rect kFrame{8, 8, kSize - 8, kSize - 8};
+constexpr Rect kSampled{0, 0, kPictureSize, kPictureSize};
+constexpr Rect kFrame{8, 8, kPictureSize - 8, kPictureSize - 8};
 
 bool serves(const NearView& view, const ObjectCamera& camera, const Rect& rect, float errorPixels) {
   return reprojectionError(view, camera, rect, 1.0F) <= errorPixels;
 }
 
 NearView viewOf(std::shared_ptr<const CachedView> picture) {
-  const float rough = roughness(*picture);
-  return {std::move(picture), kSampled, rough};
+  NearView view{.sampled = kSampled, .roughness = roughness(*picture), .edges = edgeNearness(*picture, kSampled)};
+  view.picture = std::move(picture);
+  return view;
 }
 
 TEST(NearViews, RoughnessIsTheDepthOfTheEdges) {
@@ -60,7 +47,7 @@ TEST(NearViews, RoughnessIsTheDepthOfTheEdges) {
 TEST(NearViews, ServesUntilTheEdgesUncoverTooMuch) {
   const NearView view = viewOf(gratingOf(2.0F, 4.0F));
   // From 0.1 metres aside, the bars uncover 80 * 0.1 * (1 / 2 - 1 / 4) = 2 pixels.
-  const ObjectCamera aside = cameraAt({0.1F, 0.0F, 0.0F});
+  const ObjectCamera aside = turnedCamera({0.1F, 0.0F, 0.0F});
   EXPECT_TRUE(serves(view, aside, kFrame, 2.1F));
   EXPECT_FALSE(serves(view, aside, kFrame, 1.9F));
   EXPECT_TRUE(serves(viewOf(gratingOf(2.0F, 2.0F)), aside, kFrame, 0.1F)) << "a wall uncovers nothing";
@@ -68,17 +55,58 @@ TEST(NearViews, ServesUntilTheEdgesUncoverTooMuch) {
 
 TEST(NearViews, ServesAHeadThatTurnsWithinTheMargin) {
   const NearView view = viewOf(gratingOf(2.0F, 4.0F));
-  EXPECT_TRUE(serves(view, cameraAt(Vec3(0.0F)), kFrame, 0.0F));
-  EXPECT_TRUE(serves(view, cameraAt(Vec3(0.0F), 0.06F), kFrame, 0.0F));
-  EXPECT_FALSE(serves(view, cameraAt(Vec3(0.0F), 0.15F), kFrame, 0.0F)) << "what is beyond was not sampled";
-  EXPECT_FALSE(serves(view, cameraAt(Vec3(0.0F), 3.1F), kFrame, 100.0F)) << "it is behind";
+  EXPECT_TRUE(serves(view, turnedCamera(Vec3(0.0F)), kFrame, 0.0F));
+  EXPECT_TRUE(serves(view, turnedCamera(Vec3(0.0F), 0.06F), kFrame, 0.0F));
+  EXPECT_FALSE(serves(view, turnedCamera(Vec3(0.0F), 0.15F), kFrame, 0.0F)) << "what is beyond was not sampled";
+  EXPECT_FALSE(serves(view, turnedCamera(Vec3(0.0F), 3.1F), kFrame, 100.0F)) << "it is behind";
 }
 
 TEST(NearViews, DoesNotServeWhatANearEyeWouldSeeBeyondTheEdge) {
   const NearView view = viewOf(gratingOf(2.0F, 4.0F));
   // 80 * 0.3 / 2 = 12 pixels of the near bars.
-  EXPECT_FALSE(serves(view, cameraAt({0.3F, 0.0F, 0.0F}), kFrame, 100.0F));
-  EXPECT_TRUE(serves(view, cameraAt({0.15F, 0.0F, 0.0F}), kFrame, 100.0F));
+  EXPECT_FALSE(serves(view, turnedCamera({0.3F, 0.0F, 0.0F}), kFrame, 100.0F));
+  EXPECT_TRUE(serves(view, turnedCamera({0.15F, 0.0F, 0.0F}), kFrame, 100.0F));
+}
+
+/// A wall in some columns of the picture, at one depth in its left half and at another in its right half.
+std::shared_ptr<const CachedView> wallOf(int begin, int end, float left, float right) {
+  static raster::ImagePool pool;
+  const auto image = pool.acquire({0, 0, kPictureSize, kPictureSize});
+  std::ranges::fill(image->colour, 0U);
+  std::ranges::fill(image->depth, world::kInfiniteDepth);
+  for (int y = 0; y < kPictureSize; ++y) {
+    for (int x = begin; x < end; ++x) {
+      image->colourRow(y)[x] = 0xFFFFFFFFU;
+      image->depthRow(y)[x] = x < kPictureSize / 2 ? left : right;
+    }
+  }
+  return std::make_shared<const CachedView>(*image, turnedCamera(Vec3(0.0F)));
+}
+
+TEST(NearViews, EdgesHaveTheNearestOfWhatLiesAlongThem) {
+  const EdgeNearness edges = edgeNearness(*wallOf(0, kPictureSize, 2.0F, 10.0F), kSampled);
+  EXPECT_FLOAT_EQ(edges.left, 0.5F);
+  EXPECT_FLOAT_EQ(edges.right, 0.1F);
+  EXPECT_FLOAT_EQ(edges.top, 0.5F);
+  EXPECT_FLOAT_EQ(edges.bottom, 0.5F);
+}
+
+/// Fails if a picture is made anew because the head turns to where the object is not.
+TEST(NearViews, ServesHoweverFarTheHeadTurnsBeyondAnObjectThatEndsInThePicture) {
+  const NearView view = viewOf(wallOf(0, kPictureSize - 20, 2.0F, 2.0F));
+  EXPECT_EQ(view.edges.right, EdgeNearness::kEnds);
+  EXPECT_TRUE(serves(view, turnedCamera(Vec3(0.0F), -0.3F), {8, 30, kPictureSize - 8, kPictureSize - 30}, 0.0F));
+  EXPECT_FALSE(serves(view, turnedCamera(Vec3(0.0F), 0.3F), {8, 30, kPictureSize - 8, kPictureSize - 30}, 0.0F));
+  EXPECT_FALSE(serves(view, turnedCamera(Vec3(0.0F), -0.3F), {8, 1, kPictureSize - 8, kPictureSize - 1}, 0.0F))
+      << "above and below it";
+}
+
+/// Fails if the nearest of the whole picture decides what may lie beyond its farthest edge.
+TEST(NearViews, WhatIsFarAtAnEdgeServesLongerThere) {
+  const NearView view = viewOf(wallOf(0, kPictureSize, 0.5F, 10.0F));
+  const Rect right{kPictureSize / 2, 40, kPictureSize - 8, kPictureSize - 40};
+  // 80 * 0.2 / 10 = 1.6 pixels, but 32 of what is near.
+  EXPECT_TRUE(serves(view, turnedCamera({0.2F, 0.0F, 0.0F}), right, 100.0F));
 }
 
 TEST(NearViews, KeepsTheLastOfEachObject) {
