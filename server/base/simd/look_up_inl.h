@@ -48,28 +48,25 @@ class Indices {
   alignas(64) std::int32_t at_[kLanes];
 };
 
-/// base[at] of each lane.
-HWY_INLINE Floats lookUp(const float* base, Ints at) {
-  const hn::FixedTag<float, 1> one;
-  const hn::FixedTag<float, 2> two;
-  const Indices indices(at);
-  return joinQuads<float>([&](int lane) {
-    const auto value = [&](int i) { return hn::LoadU(one, base + indices[lane + i]); };
-    return hn::Combine(QuadTag<float>(), hn::Combine(two, value(3), value(2)), hn::Combine(two, value(1), value(0)));
-  });
+/// base[at] to base[at + kCount - 1] of four lanes, from `lane` on.
+template <std::size_t kCount, typename T>
+HWY_INLINE auto loadFour(const T* base, const Indices& at, int lane) {
+  const hn::FixedTag<T, kCount> one;
+  const hn::FixedTag<T, 2 * kCount> two;
+  const hn::FixedTag<T, 4 * kCount> four;
+  const auto value = [&](int i) { return hn::LoadU(one, base + at[lane + i]); };
+  return hn::Combine(four, hn::Combine(two, value(3), value(2)), hn::Combine(two, value(1), value(0)));
 }
 
-HWY_INLINE Ints lookUp(const std::uint16_t* base, Ints at) {
-  const hn::FixedTag<std::uint16_t, 1> one;
-  const hn::FixedTag<std::uint16_t, 2> two;
+/// base[at] of each lane.
+HWY_INLINE Floats lookUp(const float* base, Ints at) {
   const Indices indices(at);
-  const auto values = joinQuads<std::int32_t>([&](int lane) {
-    const auto value = [&](int i) { return hn::LoadU(one, base + indices[lane + i]); };
-    return hn::PromoteTo(QuadTag<std::int32_t>(),
-                         hn::Combine(QuadTag<std::uint16_t>(), hn::Combine(two, value(3), value(2)),
-                                     hn::Combine(two, value(1), value(0))));
-  });
-  return Ints(values);
+  return joinQuads<float>([&](int lane) { return loadFour<1>(base, indices, lane); });
+}
+HWY_INLINE Ints lookUp(const std::uint16_t* base, Ints at) {
+  const Indices indices(at);
+  return Ints(joinQuads<std::int32_t>(
+      [&](int lane) { return hn::PromoteTo(QuadTag<std::int32_t>(), loadFour<1>(base, indices, lane)); }));
 }
 
 /// Two neighbours in memory for each lane.
@@ -93,16 +90,9 @@ HWY_INLINE Pair lookUpPair(const std::uint32_t* base, Ints at) {
 }
 
 HWY_INLINE Pair lookUpPair(const std::uint16_t* base, Ints at) {
-  const hn::FixedTag<std::uint16_t, 2> pair;
-  const hn::FixedTag<std::uint16_t, 4> two;
-  const hn::FixedTag<std::uint16_t, 8> four;
   const Indices indices(at);
-  const auto both = joinQuads<std::uint32_t>([&](int lane) {
-    const auto value = [&](int i) { return hn::LoadU(pair, base + indices[lane + i]); };
-    return hn::BitCast(QuadTag<std::uint32_t>(),
-                       hn::Combine(four, hn::Combine(two, value(3), value(2)), hn::Combine(two, value(1), value(0))));
-  });
-  const Ints pairs = hn::BitCast(IntTag(), both);
+  const Ints pairs(joinQuads<std::int32_t>(
+      [&](int lane) { return hn::BitCast(QuadTag<std::int32_t>(), loadFour<2>(base, indices, lane)); }));
   return {pairs & 0xFFFF, shiftRight<16>(pairs)};
 }
 

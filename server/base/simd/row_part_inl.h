@@ -1,4 +1,5 @@
-// Look-ups among neighbours in memory, in registers. For kernels: included once per target.
+// Look-ups of values that are near each other in memory: loads whole rows, then permutes registers. For kernels:
+// included once per target.
 
 #if defined(GROVE_BASE_SIMD_ROW_PART_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef GROVE_BASE_SIMD_ROW_PART_INL_H
@@ -15,7 +16,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace grove::simd::HWY_NAMESPACE {
 
-/// Whether permuting registers is cheaper than loads of each lane.
+// Whether permuting two registers takes less time than one load for each lane.
 #undef GROVE_SIMD_PERMUTES
 #if HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_AVX3
 #define GROVE_SIMD_PERMUTES 1
@@ -33,7 +34,7 @@ struct RowPart {
   HWY_INLINE explicit RowPart(const hn::TFromD<Tag>* from)
       : low(hn::LoadU(Tag(), from)), high(hn::LoadU(Tag(), from + kLanes)) {}
 
-  /// Of each lane, the value at `place`.
+  /// For each lane, the value at `place`, from 0 to 2 kLanes - 1.
   HWY_INLINE hn::Vec<Tag> at(Ints place) const {
     const auto indices = hn::IndicesFromVec(Tag(), hn::And(place.raw, hn::Set(IntTag(), kLanes - 1)));
     const auto isHigh = hn::RebindMask(Tag(), hn::Gt(place.raw, hn::Set(IntTag(), kLanes - 1)));
@@ -41,7 +42,7 @@ struct RowPart {
   }
 };
 
-/// Of a row of pixels, for each lane, those at `place` and `place` + 1.
+/// For each lane, the pixels at `place` and `place` + 1 of a row.
 HWY_INLINE Pair pairAt(const std::uint32_t* from, Ints place) {
   const RowPart<hn::RebindToUnsigned<IntTag>> part(from);
   const auto at = [&](Ints each) { return Ints(hn::BitCast(IntTag(), part.at(each))); };
@@ -49,13 +50,13 @@ HWY_INLINE Pair pairAt(const std::uint32_t* from, Ints place) {
 }
 #endif
 
-/// What an interpolated pixel lies between.
+/// The four pixels that bilinear interpolation takes.
 struct Neighbours {
   Pair above;
   Pair below;
 };
 
-/// By loads of each lane.
+/// The neighbours right of and below (column, row), wherever they are: one load for each lane.
 HWY_INLINE Neighbours lookUpNeighbours(const std::uint32_t* pixels, int stride, Ints column, Ints row) {
   const Ints at = row * stride + column;
   return {lookUpPair(pixels, at), lookUpPair(pixels + stride, at)};
