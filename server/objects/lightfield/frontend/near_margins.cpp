@@ -9,20 +9,12 @@ namespace {
 /// Pixels beyond the edges of the frame, at least and at most.
 constexpr world::Vec2 kMin{32.0F, 24.0F};
 constexpr world::Vec2 kMax{256.0F, 160.0F};
-/// Texels beside an object that ends within the frame: it has to show that it does.
-constexpr float kClear = EdgeNearness::kClear + 1.0F;
-/// The margin is for a turn so many times as wide as the one since the last picture.
+/// Texels beside an object that ends within the frame, so that the picture shows that it ends.
+constexpr float kClear = kClearTexels + 1.0F;
+/// Width of the turn that a margin is for, in times of the turn since the last picture.
 constexpr float kTimesLastTurn = 2.0F;
 
-/// Pixels beyond each side of a frame.
-struct Sides {
-  float left = 0.0F;
-  float top = 0.0F;
-  float right = 0.0F;
-  float bottom = 0.0F;
-};
-
-/// How far a frame reaches beyond that of the last picture, as the head has turned since.
+/// By how many pixels a frame reaches beyond that of the last picture, because the head has turned.
 Sides turnSince(const NearView& last, const ObjectCamera& camera, world::Vec2 frame) {
   Sides beyond;
   if (!last.picture) return beyond;

@@ -28,10 +28,10 @@ float roughness(const CachedView& picture) {
   return squares > 0 ? static_cast<float>(std::sqrt(sum / squares)) : 0.0F;
 }
 
-EdgeNearness edgeNearness(const CachedView& picture, const world::Rect& sampled) {
+Sides edgeNearness(const CachedView& picture, const world::Rect& sampled) {
   if (picture.empty()) return {};
   const auto edge = [&](int gap, const world::Rect& squares) {
-    if (gap >= EdgeNearness::kClear) return EdgeNearness::kEnds;
+    if (gap >= kClearTexels) return kObjectEnds;
     float nearest = 0.0F;
     for (int row = squares.top; row < squares.bottom; ++row) {
       for (int column = squares.left; column < squares.right; ++column) {
@@ -56,7 +56,7 @@ float reprojectionError(const NearView& view, const ObjectCamera& camera, const 
   const ObjectCamera& own = view.picture->camera();
   const world::Vec3 moved = camera.eye - own.eye;
   const glm::mat3 toPixels = glm::inverse(glm::mat3(own.perColumn, own.perRow, own.corner));
-  // Of a corner of what the frame needs, the places in the picture, times z, of what is there at some nearness.
+  // Whether the picture shows what a pixel may see, which is infinitely far or at `nearness`.
   const auto within = [&](int x, int y, float nearness, const auto& isInside) {
     const world::Vec3 ray = camera.ray(static_cast<float>(x), static_cast<float>(y));
     const auto inside = [&](float w) {
@@ -69,7 +69,7 @@ float reprojectionError(const NearView& view, const ObjectCamera& camera, const 
   const world::Rect& sampled = view.sampled;
   for (const int x : {rect.left, rect.right}) {
     for (const int y : {rect.top, rect.bottom}) {
-      const EdgeNearness& edges = view.edges;
+      const Sides& edges = view.edges;
       const bool isShown =
           within(x, y, edges.left, [&](world::Vec3 at) { return at.x >= limit(sampled.left, at.z); }) &&
           within(x, y, edges.right, [&](world::Vec3 at) { return at.x <= limit(sampled.right, at.z); }) &&

@@ -12,26 +12,28 @@
 
 namespace grove::objects::lightfield {
 
-/// Largest 1 / depth along each edge of a picture, beyond which the object goes on; kEnds where it ends within the
-/// picture.
-struct EdgeNearness {
-  static constexpr float kEnds = -1.0F;
-  /// An object that leaves so many texels beside an edge empty ends before it.
-  static constexpr int kClear = CachedView::kSquare;
+/// A value for each side of a rectangle.
+struct Sides {
   float left = 0.0F;
   float top = 0.0F;
   float right = 0.0F;
   float bottom = 0.0F;
 };
-/// `sampled`: what the picture was made for, in pixels of its camera.
-[[nodiscard]] EdgeNearness edgeNearness(const CachedView& picture, const world::Rect& sampled);
+
+/// Empty texels between an object and an edge of its picture that show that the object ends there.
+inline constexpr int kClearTexels = CachedView::kSquare;
+/// edgeNearness() where the object ends within the picture.
+inline constexpr float kObjectEnds = -1.0F;
+
+/// Largest 1 / depth along each edge of a picture that was made for the pixels `sampled` of its camera.
+[[nodiscard]] Sides edgeNearness(const CachedView& picture, const world::Rect& sampled);
 
 /// A visitor's own picture of an object that is too near to share, made for one frame and good for some more.
 struct NearView {
   std::shared_ptr<const CachedView> picture = nullptr;
   world::Rect sampled = {};                          ///< pixels of the picture's camera; beyond, nothing is known
   float roughness = 0.0F;                            ///< of the picture
-  EdgeNearness edges = {};                           ///< of the picture
+  Sides edges = {};                                  ///< see edgeNearness()
   bool coarse = false;                               ///< of few texels, for want of time
   int version = 0;                                   ///< of the light field that it shows
   std::shared_ptr<const CachedView> from = nullptr;  ///< the last one of a former light field
@@ -44,8 +46,8 @@ struct NearView {
 [[nodiscard]] float roughness(const CachedView& picture);
 
 /// How wide the strips are, in times of `errorPixels` pixels of the frame's camera, at which the picture shows the
-/// object. Infinite if it does not show all that the frame needs, which are the pixels `rect` of that camera; what lies
-/// beyond the picture counts as no nearer than what its edge shows. A head that only turns uncovers nothing.
+/// object. Infinite if the picture lacks something in the pixels `rect` of that camera. Assumes that what lies beyond
+/// an edge is not nearer than what the edge shows. A head that only turns uncovers nothing.
 [[nodiscard]] float reprojectionError(const NearView& view, const ObjectCamera& camera, const world::Rect& rect,
                                       float errorPixels);
 

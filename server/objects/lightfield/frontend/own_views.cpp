@@ -10,8 +10,8 @@
 namespace grove::objects::lightfield {
 namespace {
 
-/// Of the permitted error: the error of a near picture is a mean, that of a far one the largest, and what is near is
-/// larger on the screen.
+/// Share of the permitted error that a near picture may have. It is less than 1 for two reasons: the error of a near
+/// picture is a mean, that of a far one a maximum, and near objects cover more of the screen.
 constexpr float kNearShare = 0.15F;
 
 /// `times`: how wide a texel is, in pixels.

@@ -84,7 +84,7 @@ std::shared_ptr<const CachedView> wallOf(int begin, int end, float left, float r
 }
 
 TEST(NearViews, EdgesHaveTheNearestOfWhatLiesAlongThem) {
-  const EdgeNearness edges = edgeNearness(*wallOf(0, kPictureSize, 2.0F, 10.0F), kSampled);
+  const Sides edges = edgeNearness(*wallOf(0, kPictureSize, 2.0F, 10.0F), kSampled);
   EXPECT_FLOAT_EQ(edges.left, 0.5F);
   EXPECT_FLOAT_EQ(edges.right, 0.1F);
   EXPECT_FLOAT_EQ(edges.top, 0.5F);
@@ -94,7 +94,7 @@ TEST(NearViews, EdgesHaveTheNearestOfWhatLiesAlongThem) {
 /// Fails if a picture is made anew because the head turns to where the object is not.
 TEST(NearViews, ServesHoweverFarTheHeadTurnsBeyondAnObjectThatEndsInThePicture) {
   const NearView view = viewOf(wallOf(0, kPictureSize - 20, 2.0F, 2.0F));
-  EXPECT_EQ(view.edges.right, EdgeNearness::kEnds);
+  EXPECT_EQ(view.edges.right, kObjectEnds);
   EXPECT_TRUE(serves(view, turnedCamera(Vec3(0.0F), -0.3F), {8, 30, kPictureSize - 8, kPictureSize - 30}, 0.0F));
   EXPECT_FALSE(serves(view, turnedCamera(Vec3(0.0F), 0.3F), {8, 30, kPictureSize - 8, kPictureSize - 30}, 0.0F));
   EXPECT_FALSE(serves(view, turnedCamera(Vec3(0.0F), -0.3F), {8, 1, kPictureSize - 8, kPictureSize - 1}, 0.0F))

@@ -43,7 +43,7 @@ struct Air {
 };
 
 #if GROVE_SIMD_PERMUTES
-/// Pixels side by side show texels that are mostly near each other: among two registers of each of four rows.
+/// Neighbouring pixels mostly show neighbouring texels: two registers of each of four rows hold all of them.
 HWY_INLINE Neighbours neighbours(const Texels& texels, const std::uint32_t* colour, Ints column, Ints row) {
   constexpr int kMarginAcross = 4;
   constexpr int kRows = 3;  // and one more below
