@@ -3,10 +3,26 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <future>
 #include <utility>
 
 namespace grove::objects::mesh {
+
+world::Camera smallCamera() {
+  world::Camera camera;
+  camera.width = 320;
+  camera.height = 180;
+  return camera;
+}
+
+int difference(std::uint32_t a, std::uint32_t b) {
+  int max = 0;
+  for (const unsigned shift : {0U, 8U, 16U, 24U}) {
+    max = std::max(max, std::abs(static_cast<int>((a >> shift) & 0xFFU) - static_cast<int>((b >> shift) & 0xFFU)));
+  }
+  return max;
+}
 
 world::ModelledObject makeObject(world::ObjectId id, raster::Surface surface, raster::RendererKind renderer,
                                  world::Vec3 position) {

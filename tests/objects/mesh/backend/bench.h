@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -8,6 +10,15 @@
 #include "objects/mesh/backend/mesh_model.h"
 
 namespace grove::objects::mesh {
+
+inline constexpr std::array kRenderers = {raster::RendererKind::kGl, raster::RendererKind::kSimd,
+                                          raster::RendererKind::kEmbree};
+
+/// 320 x 180 pixels.
+[[nodiscard]] world::Camera smallCamera();
+
+/// Largest difference of a channel.
+[[nodiscard]] int difference(std::uint32_t a, std::uint32_t b);
 
 [[nodiscard]] world::ModelledObject makeObject(world::ObjectId id, raster::Surface surface,
                                                raster::RendererKind renderer, world::Vec3 position);
