@@ -146,6 +146,12 @@ void BenchCommands::addView() {
   addWalk(view, options.walk, options.seconds);
   view->add_option("--scene", options.scene, "Scene file (default: the grove, built in)");
   addSize(view, options.size);
+  CLI::Option* stand = view->add_flag("--stand", options.stand,
+                                      "Measure visitors who stand where the walk begins, in a world that stands still");
+  view->add_option("--visitors", options.visitors, "With --stand: how many")
+      ->check(CLI::Range(1, kMaxStandingVisitors))
+      ->capture_default_str()
+      ->needs(stand);
   view->add_flag("--json", options.json, "One JSON document on stdout");
 }
 

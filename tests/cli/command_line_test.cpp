@@ -96,6 +96,9 @@ TEST(CommandLine, BadOptionsExitTwoWithOneLine) {
                               "bench view --size 1281x721",
                               "bench view --seconds 0",
                               "bench view --seconds long",
+                              "bench view --visitors 2",
+                              "bench view --stand --visitors 0",
+                              "bench view --stand --visitors 129",
                               "bench view round"}) {
     const Outcome outcome = groveHere(command);
     EXPECT_EQ(outcome.exit, 2) << command;

@@ -18,6 +18,11 @@ void measureInto(ViewReport& report, WalkWorld& world, const world::Walk& walk, 
                  Progress& progress, const std::stop_token& stop) {
   const double seconds = options.seconds;
   const PictureSize& size = options.size;
+  if (options.stand) {
+    progress.show("drawing what visitors see who stand", 0.0F);
+    report.standing = measureStandCost(world, walk, options.visitors, seconds, size, stop);
+    return;
+  }
   progress.show("drawing a walk, thirty frames a second", 0.0F);
   report.paced = measureViewCost(world, walk, seconds, size, Pace::kThirtyASecond, stop);
   progress.show("drawing it as fast as it goes", 0.0F);
@@ -52,7 +57,9 @@ int runBenchView(const BenchViewOptions& options) {
   progress.finish();
   report.interrupted = stop.token().stop_requested();
   if (options.json) {
-    std::fputs(viewJson(report).c_str(), stdout);
+    std::fputs((options.stand ? standJson(report) : viewJson(report)).c_str(), stdout);
+  } else if (options.stand) {
+    printStand(report);
   } else {
     printView(report);
   }

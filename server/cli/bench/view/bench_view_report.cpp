@@ -13,6 +13,8 @@ namespace {
 
 using Document = nlohmann::ordered_json;
 
+constexpr const char* kIncomplete = "\ninterrupted: these figures are incomplete";
+
 Document orNull(std::optional<double> value, int digits) {
   return value ? Document(rounded(*value, digits)) : Document();
 }
@@ -23,7 +25,8 @@ std::optional<double> partOf(const std::optional<Measured>& measured, Member mem
   return measured ? std::optional<double>((*measured).*member) : std::nullopt;
 }
 
-Document layersJson(const std::optional<ViewCost>& cost) {
+template <class Cost>
+Document layersJson(const std::optional<Cost>& cost) {
   Document layers = Document::object();
   if (!cost) return layers;
   for (const auto& [name, cpu] : cost->layers) layers[name] = rounded(cpu, 4);
@@ -48,7 +51,8 @@ std::optional<double> layerOf(const std::optional<ViewCost>& cost, const std::st
 }
 
 /// The dearest first.
-std::vector<std::string> layerNames(const std::optional<ViewCost>& cost) {
+template <class Cost>
+std::vector<std::string> layerNames(const std::optional<Cost>& cost) {
   std::vector<std::string> names;
   if (!cost) return names;
   for (const auto& [name, cpu] : cost->layers) names.push_back(name);
@@ -95,7 +99,33 @@ void printView(const ViewReport& report) {
     std::printf("blocks that flicker: %.4f %%; where everything is drawn: %.4f %%\n", 100.0 * quality->flicker,
                 100.0 * quality->flickerReference);
   }
-  if (report.interrupted) std::puts("\ninterrupted: these figures are incomplete");
+  if (report.interrupted) std::puts(kIncomplete);
+}
+
+std::string standJson(const ViewReport& report) {
+  const auto& cost = report.standing;
+  const Document document = {
+      {"walk", report.walk},
+      {"size", nameOf(report.size)},
+      {"visitors", cost ? cost->visitors : 0},
+      {"frames", cost ? cost->frames : 0},
+      {"cpu_ms_per_frame", orNull(partOf(cost, &StandCost::milliseconds), 3)},
+      {"layers", layersJson(cost)},
+      {"bytes_per_visitor", orNull(partOf(cost, &StandCost::visitorBytes), 0)},
+      {"interrupted", report.interrupted},
+  };
+  return document.dump(2) + "\n";
+}
+
+void printStand(const ViewReport& report) {
+  if (const auto& cost = report.standing) {
+    std::printf("%s, %s: CPU of a frame of each of %d who stand where it begins, ms\n", report.walk.c_str(),
+                nameOf(report.size).c_str(), cost->visitors);
+    for (const std::string& name : layerNames(cost)) std::printf("%-20s %10.3f\n", name.c_str(), cost->layers.at(name));
+    std::printf("%-20s %10.3f\n", "the whole process", cost->milliseconds);
+    std::printf("memory of each: %.1f MB\n", 1e-6 * cost->visitorBytes);
+  }
+  if (report.interrupted) std::puts(kIncomplete);
 }
 
 }  // namespace grove::cli

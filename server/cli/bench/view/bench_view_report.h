@@ -5,6 +5,7 @@
 #include <string>
 
 #include "cli/bench/picture_size.h"
+#include "cli/bench/view/stand_cost.h"
 #include "cli/bench/view/view_cost.h"
 #include "cli/bench/view/view_memory.h"
 #include "cli/bench/view/view_quality.h"
@@ -19,6 +20,7 @@ struct ViewReport {
   std::optional<ViewCost> inLoop;
   std::optional<ViewQuality> quality;
   std::optional<std::int64_t> bytes;  ///< that a frame touches
+  std::optional<StandCost> standing;  ///< instead of all these
   bool interrupted = false;
 };
 
@@ -26,5 +28,9 @@ struct ViewReport {
 [[nodiscard]] std::string viewJson(const ViewReport& report);
 /// A table on stdout.
 void printView(const ViewReport& report);
+
+/// The same of visitors who stand.
+[[nodiscard]] std::string standJson(const ViewReport& report);
+void printStand(const ViewReport& report);
 
 }  // namespace grove::cli

@@ -16,8 +16,6 @@ namespace {
 constexpr int kSamples = 10;
 /// Warm-up frames before each measured frame: they make the pictures that visitors share.
 constexpr int kFramesBefore = 5;
-/// A simulation goes on for two seconds when nobody is there any more.
-constexpr auto kUntilRest = std::chrono::milliseconds(2500);
 constexpr auto kFrameTime = std::chrono::milliseconds(33);
 
 }  // namespace
@@ -29,7 +27,7 @@ std::optional<std::int64_t> measureViewMemory(WalkWorld& world, const world::Wal
     static_cast<void>(visitor.draw(world.momentAt(walk.thereAndBack(frame / kWalkFramesPerSecond))));
     world.workers().drain();
   };
-  std::this_thread::sleep_for(kUntilRest);
+  WalkWorld::awaitRest();
   const double frames = seconds * kWalkFramesPerSecond;
   std::vector<double> samples;
   for (int i = 0; i < kSamples; ++i) {

@@ -16,6 +16,8 @@ constexpr node::ProcessId kProcess = 1;
 /// Until smoke has risen and the first views of plants are there.
 constexpr double kSmokeRisesSeconds = 6.0;
 constexpr double kFurtherWarmUpSeconds = 1.0;
+/// A simulation goes on for two seconds when nobody is there any more.
+constexpr auto kUntilRest = std::chrono::milliseconds(2500);
 
 int workerCount() { return static_cast<int>(std::max(1U, std::thread::hardware_concurrency())); }
 
@@ -72,6 +74,8 @@ void WalkWorld::walk(const world::Walk& walk, double seconds, Pace pace, const L
     (i < 0 ? warmUp : look)(momentAt(walk.thereAndBack(std::max(0.0, time))));
   }
 }
+
+void WalkWorld::awaitRest() { std::this_thread::sleep_for(kUntilRest); }
 
 Moment WalkWorld::momentAt(const world::Pose& pose) {
   const double now = pipeline::wallSeconds();

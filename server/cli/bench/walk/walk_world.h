@@ -54,12 +54,16 @@ class WalkWorld {
   void walk(const world::Walk& walk, double seconds, Pace pace, const Look& warmUp, const Look& look,
             const std::stop_token& stop);
 
+  /// Waits until simulations are at rest, as they are while nobody walks.
+  static void awaitRest();
+
   /// Now, seen from there.
   [[nodiscard]] Moment momentAt(const world::Pose& pose);
 
   [[nodiscard]] stream::WorldInstance& instance() noexcept { return instance_; }
   [[nodiscard]] pipeline::WorkerPool& workers() noexcept { return workers_; }
   [[nodiscard]] pipeline::Timeline& timeline() noexcept { return timeline_; }
+  [[nodiscard]] const pipeline::MemoryLedger& memory() const noexcept { return memory_; }
 
  private:
   const std::shared_ptr<world::Players> players_;

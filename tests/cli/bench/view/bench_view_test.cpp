@@ -105,6 +105,22 @@ TEST(BenchView, AnInterruptedOnePrintsWhatItHas) {
   EXPECT_TRUE(report.at("bytes_per_frame").is_null());
 }
 
+TEST(BenchView, TellsWhatEachOfManyCostsWhoStand) {
+  const SmallScene scene;
+  const Outcome outcome =
+      grove("bench view --stand --visitors 3 --seconds 0.5 --size 320x180 --json --scene " + scene.path(), false);
+  ASSERT_EQ(outcome.exit, 0);
+  const auto report = nlohmann::json::parse(outcome.output);
+  EXPECT_EQ(report.at("visitors"), 3);
+  EXPECT_EQ(report.at("frames"), 3 * 15);
+  EXPECT_EQ(report.at("interrupted"), false);
+  double layers = 0.0;
+  for (const auto& [name, milliseconds] : report.at("layers").items()) layers += milliseconds.get<double>();
+  EXPECT_GT(report.at("layers").at("JPEG"), 0.0);
+  EXPECT_GT(report.at("cpu_ms_per_frame"), 0.8 * layers) << "of the whole process, by another clock";
+  EXPECT_GT(report.at("bytes_per_visitor"), 320 * 180 * 4) << "a frame's own pixels, and more";
+}
+
 TEST(BenchView, AWalkThatIsNotThereIsToldBeforeAnythingElse) {
   const Outcome outcome = grove("bench view --walk no/such.walk --scene no/such/file.toml");
   EXPECT_EQ(outcome.exit, 1);
