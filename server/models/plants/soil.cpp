@@ -65,7 +65,8 @@ Soil::Soil(Random own)
     : own_(own.direction() * 50.0F), relief_(11, 0.35F, 1.5F), vigour_(12, 0.3F, 1.2F), grain_(13, 0.06F, 0.5F) {}
 
 float Soil::height(Vec2 place) const {
-  const float hills = world::fractalNoise(Vec3(place.x, 0.0F, place.y) * 1.3F + own_, 3) - 0.5F;
+  // Never below the edges, or the ground that the tile lies on would show.
+  const float hills = world::fractalNoise(Vec3(place.x, 0.0F, place.y) * 1.3F + own_, 3);
   return 0.005F * std::clamp(relief_.at(place), -2.0F, 2.0F) + 0.11F * hills * ownShare(place);
 }
 

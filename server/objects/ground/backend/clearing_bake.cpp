@@ -16,7 +16,7 @@ using world::Vec3;
 constexpr float kSunRadius = 0.013F;     // radians; softer than the real one, as through haze
 constexpr int kSunRays = 24;             // a texel in penumbra
 constexpr int kSkyRays = 32;             // a cell near solids
-constexpr float kOcclusionReach = 3.0F;  // metres around solids within which they darken the sky
+constexpr float kOcclusionReach = 3.0F;  // metres around things within which they darken the sky
 constexpr float kStart = 0.03F;          // metres above the ground
 // What lies under a stone is never seen, but lends its values to the grass at the stone's foot: no deep darkness, and
 // sunlight only close to the side that the sun shines on, or a bright seam would part the stone from its shadow.
@@ -24,6 +24,13 @@ constexpr float kMinSky = 0.45F;
 constexpr float kStoneMargin = 0.13F;   // metres
 constexpr float kTallestSolid = 12.0F;  // metres
 constexpr int kCell = 4;                // texels between probes of sun and sky
+
+// Foliage that is lower covers the ground.
+constexpr float kLowFoliage = 0.7F;   // metres
+constexpr int kCoverRays = 16;        // a cell near things
+constexpr float kCoverSpread = 0.4F;  // of a sky ray's way to the side
+// Gaps between the plants that cover the ground are about as bright as they are.
+constexpr float kMinSunUnderCover = 0.4F;
 
 /// Ray directions to the sun's disc, spread by the golden angle.
 Vec3 towardsSun(Vec3 sun, int ray) {
@@ -45,8 +52,8 @@ Vec3 towardsSky(int ray) {
 /// A coarse grid of 0..1 over the square.
 class Grid {
  public:
-  explicit Grid(int size)
-      : size_(size), values_(static_cast<std::size_t>(size) * static_cast<std::size_t>(size), 1.0F) {}
+  Grid(int size, float value)
+      : size_(size), values_(static_cast<std::size_t>(size) * static_cast<std::size_t>(size), value) {}
 
   [[nodiscard]] int size() const noexcept { return size_; }
   [[nodiscard]] float at(int x, int y) const {
@@ -84,22 +91,26 @@ class Grid {
 
 class Baker {
  public:
-  Baker(const ClearingOptions& options, Vec3 sun, const world::Triangles& solids, const world::RayScene& rays)
+  Baker(const ClearingOptions& options, Vec3 sun, const Standing& standing)
       : options_(options),
         towardsSun_(sun),
-        rays_(rays),
+        rays_(standing.rays),
+        solids_(standing.solids),
         cells_(std::max(1, options.size / kCell)),
-        sun_(cells_),
-        sky_(cells_),
-        near_(cells_) {
-    markNearSolids(solids);
+        sun_(cells_, 1.0F),
+        sky_(cells_, 1.0F),
+        cover_(cells_, 0.0F),
+        near_(cells_, 1.0F) {
+    markNear(standing.shades);
   }
 
   void probe(int row) {
     for (int x = 0; x < cells_; ++x) {
       const Vec3 point = place(static_cast<float>(x) + 0.5F, static_cast<float>(row) + 0.5F, cells_);
       sun_.set(x, row, rays_.occluded(point, towardsSun_) ? 0.0F : 1.0F);
-      if (near_.at(x, row) == 0.0F) sky_.set(x, row, openness(point));
+      if (near_.at(x, row) != 0.0F) continue;
+      sky_.set(x, row, openness(point));
+      cover_.set(x, row, cover(point));
     }
   }
 
@@ -108,7 +119,9 @@ class Baker {
     const float cellX = (static_cast<float>(x) + 0.5F) * scale;
     const float cellY = (static_cast<float>(y) + 0.5F) * scale;
     const Vec3 point = place(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F, options_.size);
-    return ground(point, sunlight(point, cellX, cellY), std::max(kMinSky, sky_.smooth(cellX, cellY)));
+    const float cover = glm::smoothstep(0.2F, 0.7F, cover_.smooth(cellX, cellY));
+    const float sun = std::max(sunlight(point, cellX, cellY), kMinSunUnderCover * cover);
+    return ground(point, sun, std::max(kMinSky, sky_.smooth(cellX, cellY)), 1.0F - cover);
   }
 
   [[nodiscard]] int cells() const noexcept { return cells_; }
@@ -119,14 +132,14 @@ class Baker {
     return {x * step - 0.5F * options_.metres, kStart, y * step - 0.5F * options_.metres};
   }
 
-  void markNearSolids(const world::Triangles& solids) {
+  void markNear(const world::Triangles& shades) {
     const float perMetre = static_cast<float>(cells_) / options_.metres;
     const auto cell = [&](float metres) {
       return static_cast<int>(std::floor((metres + 0.5F * options_.metres) * perMetre));
     };
-    for (const auto& [a, b, c] : solids.indices) {
+    for (const auto& [a, b, c] : shades.indices) {
       world::Bounds box;
-      for (const std::uint32_t corner : {a, b, c}) box.add(solids.positions[corner]);
+      for (const std::uint32_t corner : {a, b, c}) box.add(shades.positions[corner]);
       const int right = std::min(cells_ - 1, cell(box.high.x + kOcclusionReach));
       const int bottom = std::min(cells_ - 1, cell(box.high.z + kOcclusionReach));
       for (int y = std::max(0, cell(box.low.z - kOcclusionReach)); y <= bottom; ++y) {
@@ -140,6 +153,17 @@ class Baker {
     for (int ray = 0; ray < kSkyRays; ++ray)
       free += rays_.occluded(point, towardsSky(ray), 0.0F, kTallestSolid) ? 0 : 1;
     return static_cast<float>(free) / kSkyRays;
+  }
+
+  /// How much of the ground around a point low foliage hides from above.
+  [[nodiscard]] float cover(Vec3 point) const {
+    if (solids_.occluded(point, Vec3(0, 1, 0), 0.0F, kTallestSolid)) return 0.0F;
+    int hidden = 0;
+    for (int ray = 0; ray < kCoverRays; ++ray) {
+      const Vec3 spread(kCoverSpread, 1.0F, kCoverSpread);
+      hidden += rays_.occluded(point, towardsSky(ray * kSkyRays / kCoverRays) * spread, 0.0F, kLowFoliage) ? 1 : 0;
+    }
+    return static_cast<float>(hidden) / kCoverRays;
   }
 
   [[nodiscard]] float sunlight(Vec3 point, float cellX, float cellY) const {
@@ -164,7 +188,8 @@ class Baker {
     return std::fabs(glm::dot(at, Vec2(-way.y, way.x)) - winding) + 0.02F * std::max(0.0F, along - 12.0F);
   }
 
-  [[nodiscard]] std::uint32_t ground(Vec3 point, float sun, float sky) const {
+  /// `grass`: how much of it may grow.
+  [[nodiscard]] std::uint32_t ground(Vec3 point, float sun, float sky, float grass) const {
     const Vec2 at(point.x, point.z);
     const float salt = static_cast<float>(options_.seed % 1000) * 2.3F;
     const float broad = world::fractalNoise(at * 0.09F + salt, 4);
@@ -177,23 +202,25 @@ class Baker {
     // Nobody mows or treads close to the stones.
     const float sheltered = 1.0F + 0.9F * (1.0F - sky);
     const float height = (0.42F + 0.50F * glm::smoothstep(0.3F, 0.7F, broad * 0.5F + fine * 0.5F)) * sheltered;
-    return packTexel(sun, sky, dry, std::min(1.0F, height) * glm::smoothstep(0.18F, 0.9F, trodden));
+    return packTexel(sun, sky, dry, grass * std::min(1.0F, height) * glm::smoothstep(0.18F, 0.9F, trodden));
   }
 
   const ClearingOptions options_;
   const Vec3 towardsSun_;
   const world::RayScene& rays_;
+  const world::RayScene& solids_;
   const int cells_;
   Grid sun_;
   Grid sky_;
-  Grid near_;  // 0 near solids
+  Grid cover_;
+  Grid near_;  // 0 near things
 };
 
 }  // namespace
 
-Clearing bakeClearing(const ClearingOptions& options, world::Vec3 sun, const world::Triangles& solids,
-                      const world::RayScene& rays, const std::function<void(float)>& progress) {
-  Baker baker(options, sun, solids, rays);
+Clearing bakeClearing(const ClearingOptions& options, world::Vec3 sun, const Standing& standing,
+                      const std::function<void(float)>& progress) {
+  Baker baker(options, sun, standing);
   for (int row = 0; row < baker.cells(); ++row) {
     baker.probe(row);
     progress(0.4F * static_cast<float>(row + 1) / static_cast<float>(baker.cells()));

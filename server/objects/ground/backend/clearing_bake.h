@@ -16,9 +16,17 @@ struct ClearingOptions {
   int seed = 1;
 };
 
-/// Bakes the light that `solids` leave of a sun in the direction `sun`, a unit vector, and of the sky: soft shadows of
-/// a sun disc, and occlusion of the sky near their feet. `progress` gets shares of 0..1.
-[[nodiscard]] Clearing bakeClearing(const ClearingOptions& options, world::Vec3 sun, const world::Triangles& solids,
-                                    const world::RayScene& rays, const std::function<void(float)>& progress);
+/// What stands on the ground. All of it outlives the bake.
+struct Standing {
+  const world::Triangles& shades;  ///< what stops light
+  const world::RayScene& rays;     ///< the same
+  const world::RayScene& solids;   ///< of that, what is no foliage
+};
+
+/// Bakes the light that reaches the ground from a sun in the direction `sun`, a unit vector, and from the sky: soft
+/// shadows of a sun disc, and occlusion of the sky near things' feet. No grass grows under low foliage, which has its
+/// own. `progress` gets shares of 0..1.
+[[nodiscard]] Clearing bakeClearing(const ClearingOptions& options, world::Vec3 sun, const Standing& standing,
+                                    const std::function<void(float)>& progress);
 
 }  // namespace grove::objects::ground

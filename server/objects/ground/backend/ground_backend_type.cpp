@@ -28,8 +28,9 @@ GroundMaps bake(const node::BackendServices& services, const GroundModel& model,
   ClearingOptions options = model.options();
   options.size = sizes.clearing;
   const auto progress = [&](float share) { services.progress("lighting the ground", share); };
-  return {bakeClearing(options, services.scene.layout.sky.sun, services.geometry.shades(), services.geometry.rays(),
-                       progress),
+  const world::WorldGeometry& geometry = services.geometry;
+  const Standing standing{geometry.shades(), geometry.rays(), geometry.solids()};
+  return {bakeClearing(options, services.scene.layout.sky.sun, standing, progress),
           bakeMeadow(sizes.meadow, kMeadowMetres, options.seed)};
 }
 

@@ -37,7 +37,7 @@ class ClearingBake : public testing::Test {
   const world::Triangles solids = pillar(stone);
   const world::RayScene rays{solids};
   const ClearingOptions options{.size = 256, .metres = 40.0F};
-  const Clearing clearing = bakeClearing(options, world::Sky().sun, solids, rays, [](float) {});
+  const Clearing clearing = bakeClearing(options, world::Sky().sun, {solids, rays, rays}, [](float) {});
   const world::Vec3 sunward = glm::normalize(world::Sky().sun * world::Vec3(1, 0, 1));
 };
 
@@ -70,6 +70,27 @@ TEST_F(ClearingBake, StonesDarkenTheSkyAtTheirFeet) {
 TEST_F(ClearingBake, NoGrassGrowsAtTheFire) {
   EXPECT_LT(soilAt(clearing, {0.3F, 0.0F, -0.2F}).grass, 0.02F);
   EXPECT_GT(soilAt(clearing, {-10.0F, 0.0F, -10.0F}).grass, 0.3F);
+}
+
+TEST_F(ClearingBake, LowFoliageHasItsOwnGrassAndLeavesNoBlackGaps) {
+  // Leaves close above the ground, around a place that nothing else shades.
+  const world::Vec3 place(-10.0F, 0.0F, -10.0F);
+  world::Triangles leaves;
+  for (const world::Vec2 corner : {world::Vec2(-2, -2), world::Vec2(2, -2), world::Vec2(2, 2), world::Vec2(-2, 2)}) {
+    leaves.positions.push_back(place + world::Vec3(corner.x, 0.3F, corner.y));
+  }
+  leaves.indices = {{0, 1, 2}, {0, 2, 3}};
+  const world::RayScene leafRays(leaves);
+  const world::RayScene nothing{world::Triangles()};
+  const auto bakedUnder = [&](const world::RayScene& firm) {
+    return soilAt(bakeClearing(options, world::Sky().sun, {leaves, leafRays, firm}, [](float) {}), place);
+  };
+  const Soil underLeaves = bakedUnder(nothing);
+  EXPECT_LT(underLeaves.grass, 0.02F) << "its blades would stick through the plants";
+  EXPECT_GT(underLeaves.sun, 0.3F) << "or gaps between plants would be black";
+  const Soil underStone = bakedUnder(leafRays);
+  EXPECT_GT(underStone.grass, 0.3F) << "it lends its values to the grass at a stone's foot";
+  EXPECT_LT(underStone.sun, 0.1F);
 }
 
 }  // namespace
