@@ -29,7 +29,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     default:
       try {
         static raster::ImagePool images;
-        (void)node::packPicture(*node::unpackPicture({begin, size - 1}, images));
+        constexpr world::Rect kAsked{-2000, -2000, 2000, 2000};
+        (void)node::packPicture(*node::unpackPicture({begin, size - 1}, kAsked, images));
       } catch (const node::PackingError&) {
       }
   }

@@ -5,6 +5,7 @@
 
 #include "base/utf8.h"
 #include "node/messages/node.pb.h"
+#include "node/messages/picture_packing.h"
 
 namespace grove::node {
 namespace {
@@ -68,6 +69,9 @@ world::Rect decode(const v1::Rectangle& from, Checks& checks) {
   const bool inRange = isEdge(from.left()) && isEdge(from.top()) && isEdge(from.right()) && isEdge(from.bottom());
   checks.require(inRange, "its rectangle is out of range");
   checks.require(from.left() <= from.right() && from.top() <= from.bottom(), "its rectangle is inside out");
+  const auto along = [](std::int32_t begin, std::int32_t end) { return std::int64_t{end} - begin; };
+  const std::int64_t pixels = along(from.left(), from.right()) * along(from.top(), from.bottom());
+  checks.require(!inRange || pixels <= std::int64_t{kMaxPicturePixels}, "its rectangle is too large");
   return {from.left(), from.top(), from.right(), from.bottom()};
 }
 

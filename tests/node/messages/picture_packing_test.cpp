@@ -10,6 +10,7 @@ namespace grove::node {
 namespace {
 
 constexpr std::uint32_t kClear = 0x00000000U;
+constexpr world::Rect kAll{-16384, -16384, 16384, 16384};
 
 /// A disc with a soft edge, which fills the rectangle, on nothing.
 std::shared_ptr<raster::Image> disc(raster::ImagePool& images, const world::Rect& rect) {
@@ -50,11 +51,17 @@ void expectSame(const raster::Image& a, const raster::Image& b) {
   }
 }
 
+std::int64_t heldBytes(const pipeline::MemoryLedger& ledger) {
+  std::int64_t bytes = 0;
+  for (const auto& [key, total] : ledger.totals()) bytes += total.bytes;
+  return bytes;
+}
+
 class PicturePacking : public ::testing::Test {
  protected:
   void expectItTravels(const raster::Image& image) {
     const PackedBytes bytes = packPicture(image);
-    expectSame(image, *unpackPicture(bytes, images));
+    expectSame(image, *unpackPicture(bytes, kAll, images));
   }
   raster::ImagePool images;
 };
@@ -84,7 +91,7 @@ TEST_F(PicturePacking, WithSpansReadsNothingBesideThem) {
   std::fill_n(image->colourRow(7) + 45, 5, 0xFFFFFFFFU);
   std::fill_n(image->depthRow(7) + 45, 5, -1.0F);
   expectItTravels(*image);
-  const auto unpacked = unpackPicture(packPicture(*image), images);
+  const auto unpacked = unpackPicture(packPicture(*image), kAll, images);
   EXPECT_EQ(unpacked->colourRow(7)[46], 0U) << "what the memory held before stays where it is";
 }
 
@@ -108,7 +115,7 @@ TEST_F(PicturePacking, ClearsWhatThePoolHeldBefore) {
     const auto dirty = images.acquire({0, 0, 64, 64});
     std::ranges::fill(dirty->colour, 0xFFFFFFFFU);
   }
-  expectSame(*image, *unpackPicture(bytes, images));
+  expectSame(*image, *unpackPicture(bytes, kAll, images));
 }
 
 TEST_F(PicturePacking, RefusesWhatIsTooLarge) {
@@ -116,7 +123,38 @@ TEST_F(PicturePacking, RefusesWhatIsTooLarge) {
   const std::int32_t far = 16000;
   std::memcpy(bytes.data() + 8, &far, sizeof far);
   std::memcpy(bytes.data() + 12, &far, sizeof far);
-  EXPECT_THROW((void)unpackPicture(bytes, images), PackingError);
+  EXPECT_THROW((void)unpackPicture(bytes, kAll, images), PackingError);
+}
+
+/// Would catch a peer who has much memory held for few bytes.
+TEST_F(PicturePacking, RefusesMoreThanWasAskedForBeforeItTakesMemory) {
+  const auto clear = images.acquire({0, 0, 4096, 2048});
+  clear->opaque = false;
+  clear->spans.clear();
+  std::ranges::fill(clear->colour, kClear);
+  std::ranges::fill(clear->depth, world::kInfiniteDepth);
+  const PackedBytes bytes = packPicture(*clear);
+  EXPECT_LT(bytes.size(), 200u);
+  pipeline::MemoryLedger ledger;
+  raster::ImagePool reported(ledger);
+  EXPECT_THROW((void)unpackPicture(bytes, {0, 0, 4096, 2047}, reported), PackingError);
+  EXPECT_THROW((void)unpackPicture(bytes, {1, 0, 5000, 2048}, reported), PackingError);
+  EXPECT_EQ(heldBytes(ledger), 0);
+  EXPECT_TRUE(unpackPicture(bytes, {0, 0, 4096, 2048}, reported));
+}
+
+TEST_F(PicturePacking, RefusesCoveredTilesThatItsBytesCannotHold) {
+  const auto opaque = images.acquire({0, 0, 4096, 2048});
+  opaque->opaque = true;
+  opaque->spans.clear();
+  std::ranges::fill(opaque->colour, 0xFF000000U);
+  std::ranges::fill(opaque->depth, 1.0F);
+  PackedBytes bytes = packPicture(*opaque);
+  bytes.resize(300);
+  pipeline::MemoryLedger ledger;
+  raster::ImagePool reported(ledger);
+  EXPECT_THROW((void)unpackPicture(bytes, kAll, reported), PackingError);
+  EXPECT_EQ(heldBytes(ledger), 0);
 }
 
 TEST_F(PicturePacking, RefusesDamageAndMakesSenseOfTheRest) {
@@ -129,7 +167,7 @@ TEST_F(PicturePacking, RefusesDamageAndMakesSenseOfTheRest) {
     for (int change = 0; change < changes; ++change) bytes[random() % bytes.size()] = static_cast<std::byte>(random());
     if (random() % 4 == 0) bytes.resize(random() % bytes.size());
     try {
-      const auto image = unpackPicture(bytes, images);
+      const auto image = unpackPicture(bytes, kAll, images);
       ASSERT_LE(image->colour.size(), kMaxPicturePixels);
       for (int y = 0; y < image->height(); ++y) {
         ASSERT_GE(image->span(y).begin, 0);

@@ -156,7 +156,15 @@ TEST(WireRefusals, Views) {
 TEST(WireRefusals, Requests) {
   EXPECT_EQ(requestRefusal([](Request& request) { request.key.assign(kMaxKeyBytes, 'k'); }), "nothing wrong");
   EXPECT_THAT(requestRefusal([](Request& request) { request.key.assign(kMaxKeyBytes + 1, 'k'); }), HasSubstr("key"));
-  EXPECT_EQ(requestRefusal([](Request& request) { request.rect = {-16384, -16384, 16384, 16384}; }), "nothing wrong");
+  EXPECT_EQ(requestRefusal([](Request& request) { request.rect = {-16384, 16128, 16384, 16384}; }), "nothing wrong");
+  EXPECT_THAT(requestRefusal([](Request& request) {
+                request.rect = {-16384, 16127, 16384, 16384};
+              }),
+              HasSubstr("too large"));
+  EXPECT_THAT(requestRefusal([](Request& request) {
+                request.rect = {-16384, -16384, 16384, 16384};
+              }),
+              HasSubstr("too large"));
   EXPECT_EQ(requestRefusal([](Request& request) { request.rect = {5, 5, 5, 5}; }), "nothing wrong");
   EXPECT_THAT(requestRefusal([](Request& request) { request.rect = {0, 0, 16385, 1}; }), HasSubstr("rectangle"));
   EXPECT_THAT(requestRefusal([](Request& request) { request.rect = {6, 0, 5, 1}; }), HasSubstr("rectangle"));
