@@ -106,8 +106,17 @@ TEST(LightFieldPacking, WhatALightFieldIsStaysTheSame) {
 
 TEST(LightFieldPacking, DamageToWhatALightFieldIsIsRefusedOrALightField) {
   tests::expectMutationsAreRefusedOrSmall(*packedOf(FieldInfo(kParts, 5)), {}, [](const node::PackedBytes& bytes) {
-    ASSERT_GT(FieldInfo::unpack(bytes, 1)->parts().geometry.extent, 0.0F);
+    const ViewGeometry geometry = FieldInfo::unpack(bytes, 1)->parts().geometry;
+    ASSERT_GT(geometry.extent, 0.0F);
+    ASSERT_TRUE(seesItsBall(geometry));
   });
+}
+
+/// Would catch cameras of views that stand within what they look at, which a file's reader refuses, too.
+TEST(LightFieldPacking, AnObjectAsLargeAsTheSphereOfItsViewsIsRefused) {
+  FieldInfo::Parts parts = kParts;
+  parts.geometry.radius = glm::distance(parts.geometry.centre, parts.geometry.target) + parts.geometry.extent;
+  EXPECT_THROW((void)FieldInfo::unpack(*packedOf(FieldInfo(parts, 1)), 1), node::PackingError);
 }
 
 TEST(LightFieldPacking, KeysSayWhatTheyWereMadeOf) {
