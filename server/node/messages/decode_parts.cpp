@@ -91,7 +91,9 @@ world::Player decode(const v1::Player& from, Checks& checks) {
 world::Gust decode(const v1::Gust& from, Checks& checks) {
   const world::Vec3 direction = decode(from.direction(), checks);
   checks.require(std::abs(glm::length(direction) - 1.0F) <= kUnitTolerance, "a gust's direction is not of length 1");
-  checks.require(isPositive(from.speed()) && isPositive(from.reach()), "a gust's speed or reach is out of range");
+  const bool isBlown = from.speed() >= 0.0F && from.speed() <= kMaxGustSpeed;
+  checks.require(isBlown && from.reach() >= 0.0F && from.reach() <= kMaxGustReach,
+                 "a gust's speed or reach is out of range");
   return {.origin = decode(from.origin(), checks),
           .direction = direction,
           .speed = from.speed(),

@@ -96,6 +96,7 @@ TEST(WireRefusals, Counts) {
   EXPECT_THAT(worldRefusal([](WorldUpdate& world) { world.players.resize(kMaxPlayers + 1); }), HasSubstr("players"));
   EXPECT_THAT(viewRefusal([](View& view) { view.players.resize(kMaxPlayers + 1); }), HasSubstr("players"));
   EXPECT_THAT(worldRefusal([](WorldUpdate& world) { world.gusts.resize(kMaxGusts + 1); }), HasSubstr("gusts"));
+  EXPECT_EQ(worldRefusal([](WorldUpdate& world) { world.gusts.resize(kMaxGusts, examples::gust()); }), "nothing wrong");
   EXPECT_THAT(refusalOf(examples::hello(), [](NodeHello& hello) { hello.types.resize(kMaxTypes + 1); }),
               HasSubstr("types"));
   EXPECT_THAT(
@@ -124,6 +125,10 @@ TEST(WireRefusals, WorldUpdates) {
   EXPECT_THAT(gust([](world::Gust& g) { g.direction.y = kNan; }), HasSubstr("vector"));
   EXPECT_THAT(gust([](world::Gust& g) { g.speed = kInfinity; }), HasSubstr("speed"));
   EXPECT_THAT(gust([](world::Gust& g) { g.reach = -1.0F; }), HasSubstr("reach"));
+  EXPECT_THAT(gust([](world::Gust& g) { g.reach = kNan; }), HasSubstr("reach"));
+  EXPECT_EQ(gust([](world::Gust& g) { g.speed = g.reach = 100.0F; }), "nothing wrong");
+  EXPECT_THAT(gust([](world::Gust& g) { g.speed = 101.0F; }), HasSubstr("speed"));
+  EXPECT_THAT(gust([](world::Gust& g) { g.reach = 101.0F; }), HasSubstr("reach"));
   EXPECT_THAT(worldRefusal([](WorldUpdate& world) { world.number = 0; }), HasSubstr("number"));
   EXPECT_THAT(worldRefusal([](WorldUpdate& world) { world.clock = kNan; }), HasSubstr("clock"));
 }
