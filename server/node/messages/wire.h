@@ -25,6 +25,8 @@ inline constexpr float kMaxGustReach = 100.0F;
 inline constexpr std::size_t kMaxLights = 4096;
 inline constexpr std::size_t kMaxServedObjects = 65536;
 inline constexpr std::size_t kMaxTypes = 65536;
+/// Seconds that a clock may show: more than thirty years.
+inline constexpr double kMaxSeconds = 1.0e9;
 /// Pixels of a camera's picture, across and down.
 inline constexpr int kMaxCameraSize = 8192;
 /// Pixels from the origin to any edge of a rectangle.

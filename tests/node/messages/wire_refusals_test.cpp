@@ -131,6 +131,8 @@ TEST(WireRefusals, WorldUpdates) {
   EXPECT_THAT(gust([](world::Gust& g) { g.reach = 101.0F; }), HasSubstr("reach"));
   EXPECT_THAT(worldRefusal([](WorldUpdate& world) { world.number = 0; }), HasSubstr("number"));
   EXPECT_THAT(worldRefusal([](WorldUpdate& world) { world.clock = kNan; }), HasSubstr("clock"));
+  EXPECT_THAT(worldRefusal([](WorldUpdate& world) { world.clock = 1.0e300; }), HasSubstr("clock"));
+  EXPECT_THAT(worldRefusal([](WorldUpdate& world) { world.clock = -1.0e300; }), HasSubstr("clock"));
 }
 
 TEST(WireRefusals, Cameras) {
@@ -152,6 +154,8 @@ TEST(WireRefusals, Views) {
   EXPECT_THAT(viewRefusal([](View& view) { view.borderPercent = 101; }), HasSubstr("border"));
   EXPECT_THAT(viewRefusal([](View& view) { view.borderPercent = -1; }), HasSubstr("border"));
   EXPECT_THAT(viewRefusal([](View& view) { view.time = std::numeric_limits<double>::infinity(); }), HasSubstr("time"));
+  EXPECT_THAT(viewRefusal([](View& view) { view.time = 1.0e300; }), HasSubstr("time"));
+  EXPECT_THAT(viewRefusal([](View& view) { view.time = -1.0e300; }), HasSubstr("time"));
   EXPECT_THAT(viewRefusal([](View& view) { view.deadline = -std::numeric_limits<double>::infinity(); }),
               HasSubstr("deadline"));
   EXPECT_THAT(viewRefusal([](View& view) { view.deadline = std::numeric_limits<double>::quiet_NaN(); }),
