@@ -5,6 +5,7 @@
 #include <limits>
 #include <type_traits>
 
+#include "allocations.h"
 #include "node/messages/examples.h"
 #include "node/messages/wire.h"
 
@@ -66,6 +67,19 @@ TEST(WireRefusals, WhatIsNoMessage) {
   EXPECT_THAT(toFrontend("\xFF\xFF"), HasSubstr("damaged"));
   EXPECT_THAT(toBackend(std::string(kMaxHeaderBytes + 1, '\0')), HasSubstr("too long"));
   EXPECT_THAT(toFrontend(std::string(kMaxHeaderBytes + 1, '\0')), HasSubstr("too long"));
+}
+
+/// Would catch 13 bytes that have memory of 50 MB set aside: a hello, in it a type, in it a name, each far longer than
+/// what is there.
+TEST(WireRefusals, PartsLongerThanWhatHoldsThem) {
+  const std::string whole("\x0A\x04\x2A\x02\x12\x00", 6);
+  EXPECT_EQ(reasonOf(decodeToBackend(whole, examples::knownView())), "nothing wrong");
+  for (const char* const header :
+       {"\x0A\xC0\x84\x3D\x2A\xA0\x84\x3D\x12\x80\x84\x3D", "\x0A\x04\x2A\x03\x12\x01n", "\x0A\x04\x2A\x02\x12\x01n"}) {
+    const tests::Allocations allocations;
+    EXPECT_THAT(reasonOf(decodeToBackend(header, examples::knownView())), HasSubstr("damaged"));
+    EXPECT_LT(allocations.bytes(), 10'000u);
+  }
 }
 
 TEST(WireRefusals, EveryTruncation) {
