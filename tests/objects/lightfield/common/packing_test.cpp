@@ -1,7 +1,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <random>
+#include <span>
 
 #include "node/payload_mutations.h"
 #include "objects/lightfield/common/cached_view.h"
@@ -117,6 +119,26 @@ TEST(LightFieldPacking, AnObjectAsLargeAsTheSphereOfItsViewsIsRefused) {
   FieldInfo::Parts parts = kParts;
   parts.geometry.radius = glm::distance(parts.geometry.centre, parts.geometry.target) + parts.geometry.extent;
   EXPECT_THROW((void)FieldInfo::unpack(*packedOf(FieldInfo(parts, 1)), 1), node::PackingError);
+}
+
+/// Would catch a key that throws anything but what its reader expects, or names a picture larger than a cell's.
+TEST(LightFieldPacking, DamagedKeysAreRefusedOrNameAPictureOfACell) {
+  const auto asKey = [](const node::PackedBytes& bytes) {
+    return node::Key(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  };
+  const auto asBytes = [](const node::Key& key) {
+    const auto bytes = std::as_bytes(std::span(key));
+    return node::PackedBytes(bytes.begin(), bytes.end());
+  };
+  const auto cell = viewCell(kParts.geometry, {3.0F, 3.0F, 20.0F}, 600.0F, 16.0F);
+  ASSERT_TRUE(cell);
+  tests::expectMutationsAreRefusedOrSmall(asBytes(keyOf(cell->id)), {}, [&](const node::PackedBytes& bytes) {
+    const auto named = viewCell(kParts.geometry, cellIdOf(asKey(bytes)));
+    ASSERT_TRUE(!named || (named->size > 0 && named->size <= kMaxCellSize));
+  });
+  tests::expectMutationsAreRefusedOrSmall(asBytes(keyOf(OwnPicture())), {}, [&](const node::PackedBytes& bytes) {
+    ASSERT_TRUE(std::isfinite(ownPictureOf(asKey(bytes)).camera.eye.x));
+  });
 }
 
 TEST(LightFieldPacking, KeysSayWhatTheyWereMadeOf) {
