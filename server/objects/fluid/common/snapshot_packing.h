@@ -34,7 +34,7 @@
 /// its steps, so errors do not add up.
 namespace grove::objects::fluid {
 
-/// More than any fire has.
+/// As many as a fire may have, and some more.
 inline constexpr std::size_t kMaxPackedParticles = 1 << 14;
 
 /// The differences to `base`, which is null if the reader knows none. Any thread.
