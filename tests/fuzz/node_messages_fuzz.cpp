@@ -1,37 +1,61 @@
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <memory>
+#include <span>
 #include <string_view>
 
 #include "node/messages/picture_packing.h"
 #include "node/messages/wire.h"
+#include "objects/builtin_frontends.h"
+
+namespace {
+
+using namespace grove;
+
+void decodeForBackend(std::string_view header) {
+  const auto viewOf = [](node::SessionId, node::FrameNumber) { return std::make_shared<const node::View>(); };
+  const auto decoded = node::decodeToBackend(header, viewOf);
+  if (const auto* message = std::get_if<node::ToBackend>(&decoded)) (void)node::encode(*message);
+}
+
+void decodeForFrontend(std::string_view header, bool withBulk) {
+  const auto bulk = withBulk ? std::make_shared<const node::PackedBytes>(3) : nullptr;
+  const auto decoded = node::decodeToFrontend({std::string(header), bulk});
+  if (const auto* message = std::get_if<node::ToFrontend>(&decoded)) (void)node::encode(*message);
+}
+
+void unpackPicture(std::span<const std::byte> bytes) {
+  static raster::ImagePool images;
+  constexpr world::Rect kAsked{-1000, -1000, 1000, 1000};
+  (void)node::packPicture(*node::unpackPicture(bytes, kAsked, images));
+}
+
+/// As the type's own data, and as what it has under a key.
+void unpackShared(const node::FrontendType& type, bool ownData, std::span<const std::byte> bytes) {
+  (void)type.unpack(ownData ? node::Key() : node::Key("key"), 1, bytes, nullptr);
+}
+
+}  // namespace
 
 /// Gives libFuzzer's bytes to everything that decodes what a peer sends. The first byte chooses.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  using namespace grove;
+  static const node::FrontendTypes types = objects::builtinFrontends();
   if (size == 0) return 0;
   const std::string_view text(reinterpret_cast<const char*>(data) + 1, size - 1);
-  const auto* const begin = reinterpret_cast<const std::byte*>(data) + 1;
-  switch (data[0] % 3) {
-    case 0: {
-      const auto viewOf = [](node::SessionId, node::FrameNumber) { return std::make_shared<const node::View>(); };
-      const auto decoded = node::decodeToBackend(text, viewOf);
-      if (const auto* message = std::get_if<node::ToBackend>(&decoded)) (void)node::encode(*message);
-      break;
+  const auto bytes = std::as_bytes(std::span(data + 1, size - 1));
+  const std::size_t choice = data[0] % (3 + types.all().size());
+  const bool other = data[0] >= 128;
+  try {
+    if (choice == 0) {
+      decodeForBackend(text);
+    } else if (choice == 1) {
+      decodeForFrontend(text, other);
+    } else if (choice == 2) {
+      unpackPicture(bytes);
+    } else {
+      unpackShared(*types.all()[choice - 3], other, bytes);
     }
-    case 1: {
-      const auto bulk = data[0] < 128 ? std::make_shared<const node::PackedBytes>(3) : nullptr;
-      const auto decoded = node::decodeToFrontend({std::string(text), bulk});
-      if (const auto* message = std::get_if<node::ToFrontend>(&decoded)) (void)node::encode(*message);
-      break;
-    }
-    default:
-      try {
-        static raster::ImagePool images;
-        (void)node::packPicture(*node::unpackPicture({begin, size - 1}, images));
-      } catch (const node::PackingError&) {
-      }
+  } catch (const node::PackingError&) {
   }
   return 0;
 }

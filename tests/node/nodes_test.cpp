@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "eventually.h"
+#include "node/messages/picture_packing.h"
 #include "node/nodes_fixture.h"
 
 namespace grove::node {
@@ -29,6 +30,14 @@ TEST_P(Nodes, AFrameGoesAllTheWay) {
                           "Result Sender", "Result Receiver", "Decompressor", "Compositor"}) {
     EXPECT_TRUE(eventually([&] { return timeline.totals().contains(box); })) << box;
   }
+}
+
+TEST_P(Nodes, APictureThatNobodyAskedForIsNotUnpacked) {
+  Result result;
+  result.session = 1;
+  result.frame = 1;
+  result.packed = std::make_shared<const PackedBytes>(packPicture(*images.acquire({0, 0, 32, 32})));
+  EXPECT_THROW(process.unpack(result), PackingError);
 }
 
 TEST_P(Nodes, ManyFramesInFlightComeOutInOrderAndNeverOld) {

@@ -124,6 +124,22 @@ TEST_P(SharedBoxes, ComeByBytesAsTheyWere) {
   EXPECT_THROW(process.unpack(result), PackingError);
 }
 
+/// Would catch a backend node that fills a process's memory.
+TEST_P(SharedBoxes, WhatNobodyAskedForIsCountedAndNotKept) {
+  const auto made = std::make_shared<const testing::BoxColour>(7, 0xFF123456U);
+  for (const Key& key : {Key(), Key("other")}) {
+    Result result;
+    result.session = makeId(1, 0);
+    result.what = {scene.layout.objects[0].id, key};
+    result.shared = true;
+    result.version = 7;
+    result.packed = made->packed(timeline, "box");
+    process.receive(ToFrontend(std::move(result)));
+  }
+  EXPECT_TRUE(eventually([&] { return timeline.counters()["shared data that nobody asked for"] == 2; }));
+  EXPECT_EQ(process.shared().statistics().entries, 0U);
+}
+
 INSTANTIATE_TEST_SUITE_P(OverBoth, SharedBoxes, testing::kBothTransports, testing::transportName);
 
 }  // namespace

@@ -1,11 +1,20 @@
 #include "node/backend/peer_clock.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace grove::node {
 
 void PeerClock::hear(double theirs, double ours) {
-  ahead_.push_back(theirs - ours);
+  const double ahead = theirs - ours;
+  if (!ahead_.empty() && std::abs(ahead - offset_) > kJump) {
+    const bool isAgain = doubted_ && std::abs(ahead - *doubted_) <= kJump;
+    doubted_ = ahead;
+    if (!isAgain) return;
+    ahead_.clear();
+  }
+  doubted_.reset();
+  ahead_.push_back(ahead);
   if (ahead_.size() > kKept) ahead_.pop_front();
   offset_ = *std::ranges::max_element(ahead_);
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <mutex>
+#include <optional>
 #include <utility>
 
 #include "base/log.h"
@@ -38,6 +39,7 @@ FrontendProcess::~FrontendProcess() {
 }
 
 void FrontendProcess::connect(SessionId session, std::weak_ptr<pipeline::Inlet<Result>> receiver) {
+  pictures_.begin(session);
   const std::unique_lock lock(mutex_);
   sessions_[session] = std::move(receiver);
 }
@@ -45,6 +47,12 @@ void FrontendProcess::connect(SessionId session, std::weak_ptr<pipeline::Inlet<R
 void FrontendProcess::disconnect(SessionId session) {
   const std::unique_lock lock(mutex_);
   sessions_.erase(session);
+  pictures_.end(session);
+}
+
+pipeline::PushResult FrontendProcess::askForPicture(Request request) {
+  pictures_.add(request);
+  return send(std::move(request));
 }
 
 void FrontendProcess::receive(ToFrontend message) {
@@ -72,10 +80,12 @@ void FrontendProcess::receive(Result result) {
 }
 
 void FrontendProcess::unpack(Result& result) {
+  const std::optional<world::Rect> asked = result.shared ? std::nullopt : pictures_.take(result);
   if (!result.packed) return;
   const std::shared_ptr<const PackedBytes> bytes = std::exchange(result.packed, nullptr);
   if (!result.shared) {
-    result.payload = unpackPicture(*bytes, tools_.images);
+    if (!asked) throw PackingError("a picture that nobody asked for");
+    result.payload = unpackPicture(*bytes, *asked, tools_.images);
     return;
   }
   const FrontendType* const type = typeOf(result.what.object);

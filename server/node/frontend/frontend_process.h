@@ -4,6 +4,7 @@
 #include <memory>
 #include <shared_mutex>
 
+#include "node/frontend/asked_pictures.h"
 #include "node/frontend/frontend_half.h"
 #include "node/frontend/frontend_types.h"
 #include "node/frontend/shared/shared_receiver.h"
@@ -29,10 +30,12 @@ class FrontendProcess final : public FrontendPort {
   void disconnect(SessionId session);
 
   pipeline::PushResult send(ToBackend message) { return transport_.send(std::move(message)); }
+  /// Asks for a picture, so that its answer is let in.
+  pipeline::PushResult askForPicture(Request request);
   void receive(ToFrontend message) override;
 
   /// Makes a result's payload of the bytes that it came as; one that came by reference stays as it is. Throws
-  /// PackingError.
+  /// PackingError, also for a picture that nobody asked for, or that is larger than what was asked for.
   void unpack(Result& result);
 
   [[nodiscard]] const world::Layout& layout() const noexcept { return layout_; }
@@ -51,6 +54,7 @@ class FrontendProcess final : public FrontendPort {
   const FrontendTypes& types_;
   FrontendEnd& transport_;
   const FrontendTools tools_;
+  AskedPictures pictures_;
   SharedStore store_;
   const std::shared_ptr<SharedReceiver> sharedReceiver_;
   std::shared_mutex mutex_;

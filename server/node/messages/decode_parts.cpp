@@ -5,6 +5,7 @@
 
 #include "base/utf8.h"
 #include "node/messages/node.pb.h"
+#include "node/messages/picture_packing.h"
 
 namespace grove::node {
 namespace {
@@ -68,6 +69,9 @@ world::Rect decode(const v1::Rectangle& from, Checks& checks) {
   const bool inRange = isEdge(from.left()) && isEdge(from.top()) && isEdge(from.right()) && isEdge(from.bottom());
   checks.require(inRange, "its rectangle is out of range");
   checks.require(from.left() <= from.right() && from.top() <= from.bottom(), "its rectangle is inside out");
+  const auto along = [](std::int32_t begin, std::int32_t end) { return std::int64_t{end} - begin; };
+  const std::int64_t pixels = along(from.left(), from.right()) * along(from.top(), from.bottom());
+  checks.require(!inRange || pixels <= std::int64_t{kMaxPicturePixels}, "its rectangle is too large");
   return {from.left(), from.top(), from.right(), from.bottom()};
 }
 
@@ -87,7 +91,9 @@ world::Player decode(const v1::Player& from, Checks& checks) {
 world::Gust decode(const v1::Gust& from, Checks& checks) {
   const world::Vec3 direction = decode(from.direction(), checks);
   checks.require(std::abs(glm::length(direction) - 1.0F) <= kUnitTolerance, "a gust's direction is not of length 1");
-  checks.require(isPositive(from.speed()) && isPositive(from.reach()), "a gust's speed or reach is out of range");
+  const bool isBlown = from.speed() >= 0.0F && from.speed() <= kMaxGustSpeed;
+  checks.require(isBlown && from.reach() >= 0.0F && from.reach() <= kMaxGustReach,
+                 "a gust's speed or reach is out of range");
   return {.origin = decode(from.origin(), checks),
           .direction = direction,
           .speed = from.speed(),

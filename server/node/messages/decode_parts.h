@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "node/messages/ids.h"
+#include "node/messages/nesting.h"
 #include "node/messages/shared_key.h"
 #include "node/messages/wire.h"
 #include "world/camera.h"
@@ -52,6 +53,8 @@ class Checks {
 template <class Envelope>
 bool parse(std::string_view header, Envelope& envelope, Checks& checks) {
   checks.require(header.size() <= kMaxHeaderBytes, "it is too long");
+  if (!checks.good()) return false;
+  checks.require(isNested(header, *Envelope::descriptor()), "it is damaged");
   if (!checks.good()) return false;
   checks.require(envelope.ParseFromArray(header.data(), static_cast<int>(header.size())), "it is damaged");
   return checks.good();

@@ -11,6 +11,9 @@ namespace {
 
 constexpr std::uint32_t kMaxBorderPercent = 100;
 
+/// False for what is not finite, too.
+bool isTime(double seconds) { return std::abs(seconds) <= kMaxSeconds; }
+
 template <class From, class To>
 void decodePlayers(const From& from, To& to, Checks& checks) {
   checks.require(static_cast<std::size_t>(from.players_size()) <= kMaxPlayers, "it has too many players");
@@ -34,7 +37,7 @@ NodeHello decode(const v1::NodeHello& from, Checks& checks) {
 
 std::shared_ptr<const WorldUpdate> decode(const v1::WorldUpdate& from, Checks& checks) {
   checks.require(from.number() != 0, "it has no number");
-  checks.require(std::isfinite(from.clock()), "its clock is not finite");
+  checks.require(isTime(from.clock()), "its clock is out of range");
   auto shared = std::make_shared<WorldUpdate>();
   WorldUpdate& to = *shared;
   to.number = from.number();
@@ -50,8 +53,8 @@ std::shared_ptr<const WorldUpdate> decode(const v1::WorldUpdate& from, Checks& c
 std::shared_ptr<const View> decode(const v1::View& from, Checks& checks) {
   requireFrame(from.session(), from.frame(), checks);
   checks.require(from.border_percent() <= kMaxBorderPercent, "its border is out of range");
-  checks.require(std::isfinite(from.time()), "its time is not finite");
-  checks.require(std::isfinite(from.deadline()) || from.deadline() > 0.0, "its deadline is no time");
+  checks.require(isTime(from.time()), "its time is out of range");
+  checks.require(from.deadline() >= -kMaxSeconds, "its deadline is no time");
   checks.require(static_cast<std::size_t>(from.lights_size()) <= kMaxLights, "it has too many lights");
   auto shared = std::make_shared<View>();
   View& to = *shared;

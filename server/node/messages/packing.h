@@ -21,6 +21,9 @@ static_assert(std::endian::native == std::endian::little, "numbers are copied as
 template <class T>
 concept PackedNumber = std::integral<T> || std::floating_point<T>;
 
+/// LZ4 makes nothing smaller than by this factor.
+inline constexpr std::size_t kMaxRatio = 255;
+
 /// Bytes with no meaning of their own, that LZ4 makes smaller; stored as they are where it does not.
 void appendCompressed(PackedBytes& to, std::span<const std::byte> plane);
 
@@ -90,6 +93,12 @@ class PackReader {
     const T value = take<T>();
     if (value < min || value > max) fail("has a number out of range");
     return value;
+  }
+
+  /// Planes of so many bytes can be there: to be asked before memory is allocated for them, because a size of a few
+  /// digits asks for any amount.
+  void expect(std::size_t bytes) const {
+    if (rest_.size() < bytes / kMaxRatio) fail("is too short for its size");
   }
 
   template <class T>

@@ -27,10 +27,14 @@ struct Tiles {
   std::vector<std::uint8_t> covered;  ///< by tile, row by row: 1 if anything shows
 };
 
+int tilesAlong(int pixels) { return (pixels + kTile - 1) / kTile; }
+
+std::size_t tileCount(const world::Rect& rect) {
+  return static_cast<std::size_t>(tilesAlong(rect.width())) * static_cast<std::size_t>(tilesAlong(rect.height()));
+}
+
 Tiles tilesOf(const world::Rect& rect) {
-  Tiles tiles{(rect.width() + kTile - 1) / kTile, (rect.height() + kTile - 1) / kTile, {}};
-  tiles.covered.resize(static_cast<std::size_t>(tiles.across) * static_cast<std::size_t>(tiles.down));
-  return tiles;
+  return {tilesAlong(rect.width()), tilesAlong(rect.height()), std::vector<std::uint8_t>(tileCount(rect))};
 }
 
 Tiles coveredTiles(const raster::Image& picture) {
@@ -89,16 +93,26 @@ void putSpans(PackWriter& writer, const raster::Image& picture) {
   writer.putPlanes(std::span<const std::uint32_t>(spans));
 }
 
-void takeSpans(PackReader& reader, raster::Image& picture) {
-  std::vector<std::uint32_t> spans(static_cast<std::size_t>(picture.height()));
-  reader.takePlanes(std::span(spans));
-  picture.spans.clear();
-  picture.spans.reserve(spans.size());
-  for (const std::uint32_t both : spans) {
+std::vector<raster::Span> takeSpans(PackReader& reader, const world::Rect& rect) {
+  const auto rows = static_cast<std::size_t>(rect.height());
+  reader.expect(rows * sizeof(std::uint32_t));
+  std::vector<std::uint32_t> packed(rows);
+  reader.takePlanes(std::span(packed));
+  std::vector<raster::Span> spans;
+  spans.reserve(rows);
+  for (const std::uint32_t both : packed) {
     const raster::Span span{static_cast<int>(both & 0xFFFFU), static_cast<int>(both >> 16U)};
-    if (span.begin > span.end || span.end > picture.width()) reader.fail("has a span beyond its edge");
-    picture.spans.push_back(span);
+    if (span.begin > span.end || span.end > rect.width()) reader.fail("has a span beyond its edge");
+    spans.push_back(span);
   }
+  return spans;
+}
+
+Tiles takeTiles(PackReader& reader, const world::Rect& rect) {
+  reader.expect(tileCount(rect));
+  Tiles tiles = tilesOf(rect);
+  reader.takeBytes(std::as_writable_bytes(std::span(tiles.covered)));
+  return tiles;
 }
 
 /// What the pieces have of a plane of the picture, one after the other. Beside the rows' spans is whatever the memory
@@ -150,12 +164,15 @@ void takePlane(PackReader& reader, const std::vector<Piece>& pieces, std::span<P
   }
 }
 
-world::Rect takeRect(PackReader& reader) {
+/// Within `asked`, if it has any pixels.
+world::Rect takeRect(PackReader& reader, const world::Rect& asked) {
   world::Rect rect;
   rect.left = reader.takeWithin(-kMaxEdge, kMaxEdge);
   rect.top = reader.takeWithin(-kMaxEdge, kMaxEdge);
   rect.right = reader.takeWithin(rect.left, kMaxEdge);
   rect.bottom = reader.takeWithin(rect.top, kMaxEdge);
+  if (rect.empty()) return {rect.left, rect.top, rect.left, rect.top};
+  if (world::overlap(rect, asked) != rect) reader.fail("is larger than what was asked for");
   const auto pixels = static_cast<std::size_t>(rect.width()) * static_cast<std::size_t>(rect.height());
   if (pixels > kMaxPicturePixels) reader.fail("is too large");
   return rect;
@@ -180,18 +197,18 @@ PackedBytes packPicture(const raster::Image& picture) {
   return writer.take();
 }
 
-std::shared_ptr<const raster::Image> unpackPicture(std::span<const std::byte> bytes, raster::ImagePool& images) {
+std::shared_ptr<const raster::Image> unpackPicture(std::span<const std::byte> bytes, const world::Rect& asked,
+                                                   raster::ImagePool& images) {
   PackReader reader(bytes, "a picture");
-  const world::Rect rect = takeRect(reader);
+  const world::Rect rect = takeRect(reader, asked);
   const bool opaque = reader.takeWithin<std::uint8_t>(0, 1) != 0;
   const bool hasSpans = reader.takeWithin<std::uint8_t>(0, 1) != 0;
+  std::vector<raster::Span> spans = hasSpans ? takeSpans(reader, rect) : std::vector<raster::Span>();
+  const std::vector<Piece> pieces = piecesOf(takeTiles(reader, rect), rect.width(), rect.height());
+  reader.expect(pixelsOf(pieces) * (sizeof(std::uint32_t) + sizeof(float)));
   const std::shared_ptr<raster::Image> picture = images.acquire(rect);
   picture->opaque = opaque;
-  picture->spans.clear();
-  if (hasSpans) takeSpans(reader, *picture);
-  Tiles tiles = tilesOf(rect);
-  reader.takeBytes(std::as_writable_bytes(std::span(tiles.covered)));
-  const std::vector<Piece> pieces = piecesOf(tiles, rect.width(), rect.height());
+  picture->spans = std::move(spans);
   const std::span<std::uint32_t> colour = picture->colour;
   const std::span<float> depth = picture->depth;
   takePlane(reader, pieces, colour, rect.width(), std::uint32_t{0});

@@ -17,8 +17,9 @@ inline constexpr std::size_t kMaxPicturePixels = std::size_t{1} << 23U;
 /// Throws PackingError for one that is larger.
 [[nodiscard]] PackedBytes packPicture(const raster::Image& picture);
 
-/// The inverse. Throws PackingError.
+/// The inverse. Throws PackingError, also for a picture with pixels outside of `asked`, the rectangle that was asked
+/// for: nobody can be made to hold more than he wanted.
 [[nodiscard]] std::shared_ptr<const raster::Image> unpackPicture(std::span<const std::byte> bytes,
-                                                                 raster::ImagePool& images);
+                                                                 const world::Rect& asked, raster::ImagePool& images);
 
 }  // namespace grove::node

@@ -17,10 +17,16 @@ inline constexpr std::size_t kMaxHeaderBytes = std::size_t{1} << 20U;
 inline constexpr std::size_t kMaxNameBytes = 256;
 inline constexpr std::size_t kMaxReasonBytes = 1024;
 inline constexpr std::size_t kMaxPlayers = 4096;
-inline constexpr std::size_t kMaxGusts = 4096;
+/// Of as many visitors as a world can have, and the breaths that world::Edits keeps.
+inline constexpr std::size_t kMaxGusts = 1024 + 256;
+/// Metres a second, and metres: a storm.
+inline constexpr float kMaxGustSpeed = 100.0F;
+inline constexpr float kMaxGustReach = 100.0F;
 inline constexpr std::size_t kMaxLights = 4096;
 inline constexpr std::size_t kMaxServedObjects = 65536;
 inline constexpr std::size_t kMaxTypes = 65536;
+/// Seconds that a clock may show: more than thirty years.
+inline constexpr double kMaxSeconds = 1.0e9;
 /// Pixels of a camera's picture, across and down.
 inline constexpr int kMaxCameraSize = 8192;
 /// Pixels from the origin to any edge of a rectangle.

@@ -80,6 +80,29 @@ TEST(PeerClock, FollowsAClockThatDriftsAwayAndOneThatBeginsAnew) {
   EXPECT_NEAR(*clock.at(2200.0), 200.0, 1e-9);
 }
 
+/// Would catch one wrong report that lets every deadline pass.
+TEST(PeerClock, AReportFarFromAllOthersCountsOnlyIfTheNextOneIsLikeIt) {
+  PeerClock clock;
+  clock.hear(100.0, 0.0);
+  for (const double wrong : {1.0e9, -1.0e9}) {
+    clock.hear(wrong, 1.0);
+    EXPECT_NEAR(*clock.at(2.0), 102.0, 1e-9);
+    clock.hear(103.0, 3.0);
+    EXPECT_NEAR(*clock.at(4.0), 104.0, 1e-9);
+  }
+  clock.hear(500.0, 5.0);
+  clock.hear(501.0, 6.0);
+  EXPECT_NEAR(*clock.at(7.0), 502.0, 1e-9) << "the peer began anew";
+}
+
+TEST(PeerClock, AWrongFirstReportIsSoonForgotten) {
+  PeerClock clock;
+  clock.hear(1.0e9, 0.0);
+  clock.hear(101.0, 1.0);
+  clock.hear(102.0, 2.0);
+  EXPECT_NEAR(*clock.at(3.0), 103.0, 1e-9);
+}
+
 TEST(WorldMirror, TheNewestUpdateCountsInWhateverOrderTheyCome) {
   WorldMirror mirror;
   mirror.apply(update(2, {7, 8}));

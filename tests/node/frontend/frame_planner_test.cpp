@@ -128,7 +128,9 @@ TEST_F(FramePlanning, WhatTheSharedStoreBringsComesBack) {
   };
   begin(listOf(1, 2));
   ASSERT_THAT(backend.requests(), SizeIs(2));
-  for (const Request& request : backend.requests()) process.shared().put(resultOf(request, failure("none")));
+  for (const Request& request : backend.requests()) {
+    EXPECT_TRUE(process.shared().put(resultOf(request, failure("none"))));
+  }
   settle();
   ASSERT_THAT(shownNumbers(), ElementsAre(1));
   EXPECT_EQ(reasonOf(newestPayloads()[1]), "none");

@@ -5,6 +5,7 @@
 #include <limits>
 #include <type_traits>
 
+#include "allocations.h"
 #include "node/messages/examples.h"
 #include "node/messages/wire.h"
 
@@ -68,6 +69,19 @@ TEST(WireRefusals, WhatIsNoMessage) {
   EXPECT_THAT(toFrontend(std::string(kMaxHeaderBytes + 1, '\0')), HasSubstr("too long"));
 }
 
+/// Would catch 13 bytes that have memory of 50 MB set aside: a hello, in it a type, in it a name, each far longer than
+/// what is there.
+TEST(WireRefusals, PartsLongerThanWhatHoldsThem) {
+  const std::string whole("\x0A\x04\x2A\x02\x12\x00", 6);
+  EXPECT_EQ(reasonOf(decodeToBackend(whole, examples::knownView())), "nothing wrong");
+  for (const char* const header :
+       {"\x0A\xC0\x84\x3D\x2A\xA0\x84\x3D\x12\x80\x84\x3D", "\x0A\x04\x2A\x03\x12\x01n", "\x0A\x04\x2A\x02\x12\x01n"}) {
+    const tests::Allocations allocations;
+    EXPECT_THAT(reasonOf(decodeToBackend(header, examples::knownView())), HasSubstr("damaged"));
+    EXPECT_LT(allocations.bytes(), 10'000u);
+  }
+}
+
 TEST(WireRefusals, EveryTruncation) {
   for (const ToBackend& message : examples::toBackend()) {
     const std::string header = encode(message).header;
@@ -96,6 +110,7 @@ TEST(WireRefusals, Counts) {
   EXPECT_THAT(worldRefusal([](WorldUpdate& world) { world.players.resize(kMaxPlayers + 1); }), HasSubstr("players"));
   EXPECT_THAT(viewRefusal([](View& view) { view.players.resize(kMaxPlayers + 1); }), HasSubstr("players"));
   EXPECT_THAT(worldRefusal([](WorldUpdate& world) { world.gusts.resize(kMaxGusts + 1); }), HasSubstr("gusts"));
+  EXPECT_EQ(worldRefusal([](WorldUpdate& world) { world.gusts.resize(kMaxGusts, examples::gust()); }), "nothing wrong");
   EXPECT_THAT(refusalOf(examples::hello(), [](NodeHello& hello) { hello.types.resize(kMaxTypes + 1); }),
               HasSubstr("types"));
   EXPECT_THAT(
@@ -124,8 +139,14 @@ TEST(WireRefusals, WorldUpdates) {
   EXPECT_THAT(gust([](world::Gust& g) { g.direction.y = kNan; }), HasSubstr("vector"));
   EXPECT_THAT(gust([](world::Gust& g) { g.speed = kInfinity; }), HasSubstr("speed"));
   EXPECT_THAT(gust([](world::Gust& g) { g.reach = -1.0F; }), HasSubstr("reach"));
+  EXPECT_THAT(gust([](world::Gust& g) { g.reach = kNan; }), HasSubstr("reach"));
+  EXPECT_EQ(gust([](world::Gust& g) { g.speed = g.reach = 100.0F; }), "nothing wrong");
+  EXPECT_THAT(gust([](world::Gust& g) { g.speed = 101.0F; }), HasSubstr("speed"));
+  EXPECT_THAT(gust([](world::Gust& g) { g.reach = 101.0F; }), HasSubstr("reach"));
   EXPECT_THAT(worldRefusal([](WorldUpdate& world) { world.number = 0; }), HasSubstr("number"));
   EXPECT_THAT(worldRefusal([](WorldUpdate& world) { world.clock = kNan; }), HasSubstr("clock"));
+  EXPECT_THAT(worldRefusal([](WorldUpdate& world) { world.clock = 1.0e300; }), HasSubstr("clock"));
+  EXPECT_THAT(worldRefusal([](WorldUpdate& world) { world.clock = -1.0e300; }), HasSubstr("clock"));
 }
 
 TEST(WireRefusals, Cameras) {
@@ -147,6 +168,8 @@ TEST(WireRefusals, Views) {
   EXPECT_THAT(viewRefusal([](View& view) { view.borderPercent = 101; }), HasSubstr("border"));
   EXPECT_THAT(viewRefusal([](View& view) { view.borderPercent = -1; }), HasSubstr("border"));
   EXPECT_THAT(viewRefusal([](View& view) { view.time = std::numeric_limits<double>::infinity(); }), HasSubstr("time"));
+  EXPECT_THAT(viewRefusal([](View& view) { view.time = 1.0e300; }), HasSubstr("time"));
+  EXPECT_THAT(viewRefusal([](View& view) { view.time = -1.0e300; }), HasSubstr("time"));
   EXPECT_THAT(viewRefusal([](View& view) { view.deadline = -std::numeric_limits<double>::infinity(); }),
               HasSubstr("deadline"));
   EXPECT_THAT(viewRefusal([](View& view) { view.deadline = std::numeric_limits<double>::quiet_NaN(); }),
@@ -156,7 +179,15 @@ TEST(WireRefusals, Views) {
 TEST(WireRefusals, Requests) {
   EXPECT_EQ(requestRefusal([](Request& request) { request.key.assign(kMaxKeyBytes, 'k'); }), "nothing wrong");
   EXPECT_THAT(requestRefusal([](Request& request) { request.key.assign(kMaxKeyBytes + 1, 'k'); }), HasSubstr("key"));
-  EXPECT_EQ(requestRefusal([](Request& request) { request.rect = {-16384, -16384, 16384, 16384}; }), "nothing wrong");
+  EXPECT_EQ(requestRefusal([](Request& request) { request.rect = {-16384, 16128, 16384, 16384}; }), "nothing wrong");
+  EXPECT_THAT(requestRefusal([](Request& request) {
+                request.rect = {-16384, 16127, 16384, 16384};
+              }),
+              HasSubstr("too large"));
+  EXPECT_THAT(requestRefusal([](Request& request) {
+                request.rect = {-16384, -16384, 16384, 16384};
+              }),
+              HasSubstr("too large"));
   EXPECT_EQ(requestRefusal([](Request& request) { request.rect = {5, 5, 5, 5}; }), "nothing wrong");
   EXPECT_THAT(requestRefusal([](Request& request) { request.rect = {0, 0, 16385, 1}; }), HasSubstr("rectangle"));
   EXPECT_THAT(requestRefusal([](Request& request) { request.rect = {6, 0, 5, 1}; }), HasSubstr("rectangle"));

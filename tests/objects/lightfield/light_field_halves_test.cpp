@@ -118,7 +118,7 @@ class Wood {
     result.payload = answer(request);
     const auto* const data = std::get_if<std::shared_ptr<const node::SharedData>>(&result.payload);
     if (data != nullptr) result.version = (*data)->version();
-    store_.put(result);
+    EXPECT_TRUE(store_.put(result));
     return true;
   }
 

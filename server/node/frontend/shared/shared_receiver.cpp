@@ -25,9 +25,14 @@ void SharedReceiver::process(std::span<Result> results, pipeline::Run&) {
   for (Result& result : results) {
     const FrontendType* const type = frontend_.typeOf(result.what.object);
     times.turnTo(type == nullptr ? std::string_view() : type->name());
-    attempt([&] { frontend_.unpack(result); }, [&](const std::string& reason) { result.payload = Failure{reason}; });
-    frontend_.shared().put(result);
+    if (!take(result)) timeline_.count("shared data that nobody asked for");
   }
+}
+
+bool SharedReceiver::take(Result& result) {
+  if (!frontend_.shared().awaits(result.what)) return false;
+  attempt([&] { frontend_.unpack(result); }, [&](const std::string& reason) { result.payload = Failure{reason}; });
+  return frontend_.shared().put(result);
 }
 
 }  // namespace grove::node

@@ -8,7 +8,7 @@ namespace grove::node {
 class FrontendProcess;
 
 /// Takes shared data off the transport, undoes what the Compressor did to it, and puts it into the shared store: once,
-/// for all sessions.
+/// for all sessions. What nobody asked for is left as it is, and counted.
 class SharedReceiver final : public pipeline::Stage<Result> {
  public:
   /// `frontend` outlives it.
@@ -18,6 +18,9 @@ class SharedReceiver final : public pipeline::Stage<Result> {
   void process(std::span<Result> results, pipeline::Run& run) override;
 
  private:
+  /// False if nobody asked for it.
+  [[nodiscard]] bool take(Result& result);
+
   FrontendProcess& frontend_;
   pipeline::Timeline& timeline_;
 };

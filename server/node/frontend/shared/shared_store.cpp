@@ -48,7 +48,7 @@ SharedStore::Entry* SharedStore::entryOf(const SharedKey& what) {
 }
 
 bool SharedStore::wantsNewer(const SharedKey& what, const Entry& entry) const {
-  if (!entry.used || entry.announced <= entry.data->version()) return false;
+  if (!entry.used || !entry.isStale) return false;
   const auto pending = pending_.find(what);
   return pending == pending_.end() || pending->second.deadline < pipeline::wallSeconds();
 }
@@ -109,7 +109,12 @@ std::vector<SharedStore::Waiting> SharedStore::takeWaiting(const SharedKey& what
   return pending.empty() ? std::vector<Waiting>() : std::move(pending.mapped().waiting);
 }
 
-void SharedStore::put(const Result& result) {
+bool SharedStore::awaits(const SharedKey& what) const {
+  const std::lock_guard lock(mutex_);
+  return pending_.contains(what);
+}
+
+bool SharedStore::put(const Result& result) {
   const SharedKey& what = result.what;
   const auto* const data = std::get_if<std::shared_ptr<const SharedData>>(&result.payload);
   std::vector<Entry> given;  // their memory is freed after the lock
@@ -117,20 +122,18 @@ void SharedStore::put(const Result& result) {
   {
     const std::lock_guard lock(mutex_);
     auto pending = pending_.extract(what);
-    if (!pending.empty()) waiting = std::move(pending.mapped().waiting);
+    if (pending.empty()) return false;
+    waiting = std::move(pending.mapped().waiting);
     if (data != nullptr && *data != nullptr) {
-      const Version announced = pending.empty() ? 0 : pending.mapped().announced;
-      keep(what, {*data, (*data)->bytes(), announced, false}, given);
+      const bool isStale = pending.mapped().announced > (*data)->version();
+      keep(what, {*data, (*data)->bytes(), isStale, false}, given);
     }
   }
   for (const Waiting& each : waiting) each.waiter(result.payload);
+  return true;
 }
 
 void SharedStore::keep(const SharedKey& what, Entry entry, std::vector<Entry>& given) {
-  if (Entry* const known = entryOf(what)) {
-    if (entry.data->version() < known->data->version()) return;
-    entry.announced = std::max(entry.announced, known->announced);
-  }
   if (what.key.empty()) {
     given.push_back(std::exchange(objects_[what.object], std::move(entry)));
     return;
@@ -156,16 +159,16 @@ void SharedStore::announced(const Announcement& announcement) {
   Version known = 0;
   {
     const std::lock_guard lock(mutex_);
+    // The last one counts, not the highest, which no later one could contradict.
+    const auto underWay = pending_.find(what);
+    if (underWay != pending_.end()) underWay->second.announced = announcement.version;
     Entry* const entry = entryOf(what);
-    if (entry == nullptr) {
-      const auto pending = pending_.find(what);
-      if (pending == pending_.end()) return;
-      pending->second.announced = std::max(pending->second.announced, announcement.version);
-      return;
-    }
-    entry->announced = std::max(entry->announced, announcement.version);
+    if (entry == nullptr) return;
+    entry->isStale = announcement.version != entry->data->version();
     if (!wantsNewer(what, *entry)) return;
-    pending_[what].deadline = pipeline::wallSeconds() + kFetchSeconds;
+    Pending& pending = pending_[what];
+    pending.deadline = pipeline::wallSeconds() + kFetchSeconds;
+    pending.announced = announcement.version;
     known = entry->data->version();
   }
   fetchNewer(what, known);

@@ -18,13 +18,14 @@ namespace grove::node {
 /// up lives on as long as somebody draws it. Any thread.
 ///
 /// However many want the same at once, it is requested once. A change that a backend node announces is fetched as soon
-/// as somebody has used what is there; until it comes, that is what is there.
+/// as somebody has used what is there; until it comes, that is what is there. What comes takes its place, whatever its
+/// version: a version is what a backend node says, and a wrong one must not stay for ever.
 class SharedStore {
  public:
   /// Sends a request to the object's backend node; false, or a throw, if it is refused.
   using Fetch = std::function<bool(Request)>;
-  /// Gets what was wanted, or a failure: once, on the thread that brings it, or at once; or when somebody else asks again
-  /// for what has not come before the deadline of the waiter's frame. Must not block.
+  /// Gets what was wanted, or a failure: once, on the thread that brings it, or at once; or when somebody else asks
+  /// again for what has not come before the deadline of the waiter's frame. Must not block.
   using Waiter = std::function<void(const Payload&)>;
 
   SharedStore(std::size_t maxBytes, Fetch fetch) : maxBytes_(maxBytes), fetch_(std::move(fetch)) {}
@@ -39,10 +40,13 @@ class SharedStore {
   /// finds it under way for longer than a frame's deadline requests it again.
   void get(const Request& request, Waiter waiter);
 
-  /// What a backend node answered to a request of this store. An older version than what is there is left out.
-  void put(const Result& result);
+  /// Whether it is requested and has not come.
+  [[nodiscard]] bool awaits(const SharedKey& what) const;
 
-  /// A backend node has a newer version.
+  /// What a backend node answered to a request of this store. False, and nothing changes, if none is under way.
+  [[nodiscard]] bool put(const Result& result);
+
+  /// A backend node has another version.
   void announced(const Announcement& announcement);
 
   struct Statistics {
@@ -55,8 +59,8 @@ class SharedStore {
   struct Entry {
     std::shared_ptr<const SharedData> data;
     std::size_t bytes = 0;
-    Version announced = 0;
-    bool used = false;  ///< since it came
+    bool isStale = false;  ///< another version was announced
+    bool used = false;     ///< since it came
   };
   struct Waiting {
     double deadline = 0.0;  ///< of its frame
@@ -64,7 +68,7 @@ class SharedStore {
   };
   struct Pending {
     double deadline = 0.0;
-    Version announced = 0;  ///< while nothing is there: what comes may have been made before that
+    Version announced = 0;  ///< meanwhile: what comes may have been made before that
     std::vector<Waiting> waiting;
   };
   struct Found {
@@ -76,7 +80,7 @@ class SharedStore {
   [[nodiscard]] Entry* entryOf(const SharedKey& what);
   /// Whether the entry is to be fetched anew now.
   [[nodiscard]] bool wantsNewer(const SharedKey& what, const Entry& entry) const;
-  /// Puts it in unless what is there is newer; `given` gets what it replaces.
+  /// `given` gets what it replaces.
   void keep(const SharedKey& what, Entry entry, std::vector<Entry>& given);
   void makeRoom(std::vector<Entry>& given);
   /// Those whose frames are over.

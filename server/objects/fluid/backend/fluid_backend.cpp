@@ -26,6 +26,8 @@ namespace grove::objects::fluid {
 
 namespace {
 
+static_assert(Particles::kMax <= kMaxPackedParticles, "what a fire has can travel");
+
 constexpr const char* kStage = "Simulation Tick";
 constexpr float kGrowSeconds = 3.0F;  // simulated before the first visitor
 constexpr std::size_t kKept = 15;     // snapshots that a frontend process half a second away knows

@@ -84,6 +84,10 @@ void appendCompressed(node::PackedBytes& bytes, std::span<const std::uint8_t> ma
 }
 
 std::vector<std::uint8_t> decompressed(std::span<const std::byte> bytes, std::size_t size) {
+  // The least that one block of a frame takes, and the most that it holds.
+  constexpr std::size_t kMinBlock = 3;
+  constexpr std::size_t kMaxBlock = 128 << 10;
+  if (size > bytes.size() / kMinBlock * kMaxBlock) refuse("it is damaged");
   std::vector<std::uint8_t> planes(size);
   const std::size_t length = ZSTD_decompress(planes.data(), planes.size(), bytes.data(), bytes.size());
   if (ZSTD_isError(length) != 0 || length != size) refuse("it is damaged");

@@ -34,7 +34,8 @@
 /// its steps, so errors do not add up.
 namespace grove::objects::fluid {
 
-inline constexpr std::size_t kMaxPackedParticles = 1 << 20;
+/// As many as a fire may have, and some more.
+inline constexpr std::size_t kMaxPackedParticles = 1 << 14;
 
 /// The differences to `base`, which is null if the reader knows none. Any thread.
 [[nodiscard]] node::PackedBytes packSnapshot(const FluidSnapshot& snapshot, const FluidSnapshot* base = nullptr);

@@ -8,7 +8,7 @@
 namespace grove::objects::ground {
 namespace {
 
-constexpr int kMaxSize = 1 << 14;
+constexpr int kMaxSize = 1 << 12;
 constexpr float kMaxMetres = 1.0e5F;
 
 /// All levels: those of a map that is in blocks do not follow from the finest.
@@ -20,6 +20,7 @@ void putPyramid(node::PackWriter& writer, const Pyramid& pyramid) {
 Pyramid takePyramid(node::PackReader& reader) {
   const int size = reader.takeWithin(2, kMaxSize);
   if (!std::has_single_bit(static_cast<unsigned>(size))) reader.fail("has a size that is no power of two");
+  reader.expect(Pyramid::texelsOf(size) * sizeof(std::uint32_t));
   Pyramid pyramid(size);
   reader.takePlanes(pyramid.texels());
   return pyramid;

@@ -31,14 +31,15 @@ void halve(const std::uint32_t* fine, std::size_t size, std::uint32_t* coarse) {
 
 Pyramid::Pyramid(int size) : size_(size) {
   assert(std::has_single_bit(static_cast<unsigned>(size)) && size >= 2 && size < (1 << kMaxLevels));
-  std::size_t total = 0;
-  levels_.reserve(kMaxLevels);
-  for (auto at = static_cast<std::size_t>(size); at > 0; at /= 2) {
-    levels_.push_back(total);
-    total += at * at;
-  }
-  levels_.shrink_to_fit();
-  texels_.resize(total);
+  levels_.reserve(static_cast<std::size_t>(std::bit_width(static_cast<unsigned>(size))));
+  // A level and all coarser ones lie after the finer ones.
+  for (int at = size; at > 0; at /= 2) levels_.push_back(texelsOf(size) - texelsOf(at));
+  texels_.resize(texelsOf(size));
+}
+
+std::size_t Pyramid::texelsOf(int size) noexcept {
+  const auto side = static_cast<std::size_t>(size);
+  return (4 * side * side - 1) / 3;
 }
 
 Pyramid::Pyramid(int size, std::vector<std::uint32_t> finest) : Pyramid(size) {

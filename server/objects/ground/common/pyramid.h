@@ -20,6 +20,9 @@ class Pyramid {
   /// All texels 0.
   explicit Pyramid(int size);
 
+  /// How many texels all levels have together.
+  [[nodiscard]] static std::size_t texelsOf(int size) noexcept;
+
   [[nodiscard]] int size() const noexcept { return size_; }
   [[nodiscard]] int levels() const noexcept { return static_cast<int>(levels_.size()); }
   /// Level 0 is the finest; level i has size() >> i texels a side, rows without gaps. All levels lie in one array, each

@@ -44,8 +44,10 @@ LightFieldBackend::LightFieldBackend(const node::BackendServices& services, worl
       options_(options),
       maxError_(options.maxError),
       pictures_(services, self),
-      budget_(texelsPerSecond(pictures_.executor().width()),
-              [&workers = pictures_.executor()] { return node::errorFactor(workers.busyShare()); }) {
+      budget_(
+          texelsPerSecond(pictures_.executor().width()),
+          [&workers = pictures_.executor()] { return node::errorFactor(workers.busyShare()); },
+          [&world = services.world] { return world.now(); }) {
   std::set<const LightFieldModel*> models;
   for (const auto& [id, entry] : pictures_.all()) models.insert(entry.model);
   listeners_.reserve(models.size());

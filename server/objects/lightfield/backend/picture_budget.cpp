@@ -19,15 +19,16 @@ double PictureBudget::share(const node::View& view) const {
 
 PictureBudget::Bucket& PictureBudget::filled(const node::View& view) {
   const double max = kBurst * share(view);
+  const double now = clock_().value_or(view.time);
   const auto found = buckets_.find(view.session);
   if (found == buckets_.end()) {
-    std::erase_if(buckets_, [&](const auto& bucket) { return bucket.second.time + kForgotten < view.time; });
+    std::erase_if(buckets_, [&](const auto& bucket) { return bucket.second.time + kForgotten < now; });
     const double tokens = buckets_.empty() ? max : 0.0;
-    return buckets_.emplace(view.session, Bucket{tokens, view.time}).first->second;
+    return buckets_.emplace(view.session, Bucket{tokens, now}).first->second;
   }
   Bucket& bucket = found->second;
   // A frame may overtake another.
-  const double passed = std::max(view.time - bucket.time, 0.0);
+  const double passed = std::max(std::min(view.time, now) - bucket.time, 0.0);
   bucket.time += passed;
   const double tokens = bucket.tokens + passed * share(view) / static_cast<double>(errorFactor_());
   bucket.tokens = std::min(max, tokens);

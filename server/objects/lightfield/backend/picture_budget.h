@@ -5,6 +5,7 @@
 #include <functional>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <utility>
 
 #include "node/limits.h"
@@ -20,7 +21,8 @@ namespace grove::objects::lightfield {
 /// A bucket of tokens for each visitor, which all fill alike, and a shared one for what overflows them. The bucket of
 /// one who comes while others are here is empty, so that his first frame does not hold up theirs. A picture is made if
 /// the visitor's bucket has any tokens or the shared one has enough; what it takes may leave his bucket in debt. So in
-/// t seconds all take at most t + 2 kBurst seconds' worth, a picture each, and what they must borrow. Any thread.
+/// t seconds all take at most t + 2 kBurst seconds' worth, a picture each, and what they must borrow, whatever the
+/// times of their views. Any thread.
 class PictureBudget {
  public:
   static constexpr double kBurst = 0.25;     ///< seconds' worth that fit in a bucket: a frame of a late machine
@@ -30,8 +32,12 @@ class PictureBudget {
   /// By how much fewer the texels are at present, see node::errorFactor(). Any thread.
   using ErrorFactor = std::function<float()>;
 
-  PictureBudget(double texelsPerSecond, ErrorFactor errorFactor)
-      : texelsPerSecond_(texelsPerSecond), errorFactor_(std::move(errorFactor)) {}
+  /// What the world's clock shows at present, as far as is known here: a view's time is what somebody else says. Any
+  /// thread.
+  using Clock = std::function<std::optional<double>()>;
+
+  PictureBudget(double texelsPerSecond, ErrorFactor errorFactor, Clock clock)
+      : texelsPerSecond_(texelsPerSecond), errorFactor_(std::move(errorFactor)), clock_(std::move(clock)) {}
 
   /// Whether to make a picture of so many texels in this frame; takes them. `error` is that of what is there instead,
   /// in times of what is permitted; infinite if there is nothing. The larger it is, the emptier the bucket may be.
@@ -58,6 +64,7 @@ class PictureBudget {
 
   const double texelsPerSecond_;
   const ErrorFactor errorFactor_;
+  const Clock clock_;
   std::mutex mutex_;
   std::map<node::SessionId, Bucket> buckets_;
   double sharedTokens_ = 0.0;

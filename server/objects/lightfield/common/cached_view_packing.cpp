@@ -32,6 +32,7 @@ std::shared_ptr<CachedView> CachedView::unpack(std::span<const std::byte> bytes)
   view->height_ = reader.takeWithin(0, kMaxEdge);
   view->softness_ = reader.takeFinite(0.0F, 1.0e6F);
   if (view->empty() != (view->height_ == 0)) reader.fail("has columns or rows alone");
+  reader.expect(view->texels() * (sizeof(std::uint32_t) + sizeof(float)));
   if (!view->empty()) view->allocate();
   reader.takePlanes(std::span<std::uint32_t>(view->colour_.get(), view->texels()));
   const std::span<float> nearness(view->nearness_.get(), view->texels());

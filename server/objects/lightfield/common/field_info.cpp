@@ -29,6 +29,7 @@ std::shared_ptr<FieldInfo> FieldInfo::unpack(std::span<const std::byte> bytes, n
   parts.geometry.target = takeVec3(reader);
   parts.geometry.radius = reader.takeFinite(1.0e-3F, kMaxMetres);
   parts.geometry.extent = reader.takeFinite(1.0e-3F, kMaxMetres);
+  if (!seesItsBall(parts.geometry)) reader.fail("has a radius out of range");
   parts.viewSize = reader.takeWithin(kMinSize, kMaxSize);
   parts.number = reader.takeWithin(0, std::numeric_limits<int>::max());
   parts.maxError = reader.takeFinite(0.0F, kMaxError);

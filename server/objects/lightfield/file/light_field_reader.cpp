@@ -34,7 +34,7 @@ class Reader {
     checkSections();
     LightField field;
     field.sphere = ViewSphere(static_cast<int>(header_.subdivision));
-    field.geometry = {vector(header_.centre), header_.radius, vector(header_.target), header_.extent};
+    field.geometry = geometry();
     field.bounds = {vector(header_.boundsLow), vector(header_.boundsHigh)};
     field.size = static_cast<int>(header_.size);
     field.levels = static_cast<int>(header_.levels);
@@ -77,6 +77,10 @@ class Reader {
 
   static world::Vec3 vector(const float (&v)[3]) { return {v[0], v[1], v[2]}; }
 
+  [[nodiscard]] ViewGeometry geometry() const {
+    return {vector(header_.centre), header_.radius, vector(header_.target), header_.extent};
+  }
+
   void checkShape() const {
     require(header_.subdivision >= 1 && header_.subdivision <= ViewSphere::kMaxSubdivision,
             "has a subdivision out of range");
@@ -101,8 +105,7 @@ class Reader {
                   one(h.sunAzimuth), one(h.voxelCell)}),
             "has a length that is no sane number");
     require(h.extent >= kShortest, "has an extent out of range");
-    // Else a view's camera would stand within what it looks at.
-    require(glm::distance(vector(h.centre), vector(h.target)) + h.extent < h.radius, "has a radius out of range");
+    require(seesItsBall(geometry()), "has a radius out of range");
     for (int axis = 0; axis < 3; ++axis) require(h.boundsLow[axis] <= h.boundsHigh[axis], "has bounds without inside");
   }
 

@@ -5,6 +5,10 @@
 
 namespace grove::objects::lightfield {
 
+bool seesItsBall(const ViewGeometry& geometry) noexcept {
+  return glm::distance(geometry.centre, geometry.target) + geometry.extent < geometry.radius;
+}
+
 ViewCamera viewCamera(const ViewGeometry& geometry, world::Vec3 direction) noexcept {
   ViewCamera camera;
   camera.eye = geometry.centre + geometry.radius * direction;

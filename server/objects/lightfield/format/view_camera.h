@@ -13,6 +13,9 @@ struct ViewGeometry {
   float extent = 1.0F;  ///< radius of the enclosing ball
 };
 
+/// Whether every view's camera stands outside of the ball that it looks at.
+[[nodiscard]] bool seesItsBall(const ViewGeometry& geometry) noexcept;
+
 /// The pinhole camera of one view.
 struct ViewCamera {
   world::Vec3 eye{0.0F};

@@ -42,7 +42,7 @@ Panorama softened(const Panorama& sharp) {
 
 Panorama::Panorama(PanoramaSize size) : size_(size) {
   assert(size.width >= 4 && size.height >= 2);
-  texels_.resize(static_cast<std::size_t>(stride()) * static_cast<std::size_t>(size.height));
+  texels_.resize(texelsOf(size));
 }
 
 std::uint32_t Panorama::texel(int column, int row) const noexcept {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -24,6 +25,11 @@ class Panorama {
   static constexpr float kSpread = 0.8F;
 
   explicit Panorama(PanoramaSize size);
+
+  /// How many texels there are, the repeated column included.
+  [[nodiscard]] static std::size_t texelsOf(PanoramaSize size) noexcept {
+    return (static_cast<std::size_t>(size.width) + 1) * static_cast<std::size_t>(size.height);
+  }
 
   [[nodiscard]] int width() const noexcept { return size_.width; }
   [[nodiscard]] int height() const noexcept { return size_.height; }

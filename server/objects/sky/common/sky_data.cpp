@@ -5,7 +5,8 @@
 namespace grove::objects::sky {
 namespace {
 
-constexpr int kMaxEdge = 1 << 14;
+constexpr int kMaxWidth = 1 << 13;
+constexpr int kMaxHeight = 1 << 11;
 
 }  // namespace
 
@@ -22,8 +23,9 @@ node::PackedBytes SkyData::pack() const {
 
 std::shared_ptr<SkyData> SkyData::unpack(std::span<const std::byte> bytes) {
   node::PackReader reader(bytes, "a sky");
-  const int width = reader.takeWithin(4, kMaxEdge);
-  const int height = reader.takeWithin(2, kMaxEdge);
+  const int width = reader.takeWithin(4, kMaxWidth);
+  const int height = reader.takeWithin(2, kMaxHeight);
+  reader.expect(Panorama::texelsOf({width, height}) * sizeof(std::uint32_t));
   Panorama sharp({width, height});
   reader.takePlanes(sharp.texels());
   reader.finish();

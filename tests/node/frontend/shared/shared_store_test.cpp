@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <limits>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -72,8 +73,14 @@ class SharedStoreTest : public ::testing::Test {
   void get(const SharedKey& what, double secondsLeft = 60.0) {
     store.get(requestFor(what, secondsLeft), [this](const Payload& payload) { got.push_back(described(payload)); });
   }
-  /// As it would come from a backend node without a wait.
-  void bring(const SharedKey& what, Version version) { store.put(resultOf(what, version)); }
+  /// As it would come from a backend node without a wait, asked for if it was not.
+  void bring(const SharedKey& what, Version version) {
+    if (store.put(resultOf(what, version))) return;
+    const std::vector<SharedKey> before = fetched;
+    store.get(requestFor(what), [](const Payload&) {});
+    fetched = before;
+    EXPECT_TRUE(store.put(resultOf(what, version)));
+  }
   /// 0: it is not there.
   Version versionOf(const SharedKey& what) {
     const auto data = store.find(what);
@@ -155,7 +162,7 @@ TEST_F(SharedStoreTest, WhatIsGivenUpLivesWhileItIsDrawn) {
 
 TEST_F(SharedStoreTest, WhatIsLargerThanAllRoomStillReachesWhoWaits) {
   get(a);
-  store.put(resultOf(a, 1, 2 * kMaxBytes));
+  EXPECT_TRUE(store.put(resultOf(a, 1, 2 * kMaxBytes)));
   EXPECT_THAT(got, ElementsAre("version 1"));
   EXPECT_EQ(versionOf(a), 0U);
   EXPECT_EQ(store.statistics().bytes, 0U);
@@ -211,19 +218,56 @@ TEST_F(SharedStoreTest, AnnouncementsOfWhatNobodyWantsAreForgotten) {
   EXPECT_EQ(store.statistics().entries, 0U);
 }
 
-TEST_F(SharedStoreTest, AnOlderVersionIsLeftOut) {
-  for (const SharedKey& what : {own, a}) {
+/// Would catch a peer who fills the store with what nobody wants, or changes what is there.
+TEST_F(SharedStoreTest, WhatNobodyAskedForIsRefused) {
+  for (const SharedKey& what : {a, own}) {
+    EXPECT_FALSE(store.awaits(what));
+    EXPECT_FALSE(store.put(resultOf(what, 1)));
+    EXPECT_FALSE(store.put(failureOf(what)));
+    EXPECT_FALSE(store.find(what));
+    get(what);
+    EXPECT_TRUE(store.awaits(what));
     bring(what, 5);
-    bring(what, 4);
+    EXPECT_FALSE(store.put(resultOf(what, 6))) << "once";
     EXPECT_EQ(versionOf(what), 5U);
   }
-  EXPECT_EQ(store.statistics().bytes, 800U);
+}
+
+/// Would catch a version that is higher than any to come, which nothing ever replaced.
+TEST_F(SharedStoreTest, NoVersionStaysForEver) {
+  constexpr Version kHighest = std::numeric_limits<Version>::max();
+  for (const SharedKey& what : {own, a}) {
+    bring(what, kHighest);
+    EXPECT_EQ(versionOf(what), kHighest);
+    store.announced({what, 6});
+    bring(what, 6);
+    EXPECT_EQ(versionOf(what), 6U);
+  }
+}
+
+TEST_F(SharedStoreTest, AnAbsurdAnnouncementCostsTwoRequestsAndHidesNoLaterOne) {
+  constexpr Version kHighest = std::numeric_limits<Version>::max();
+  for (const SharedKey& what : {own, a}) {
+    bring(what, 5);
+    (void)store.find(what);
+    fetched.clear();
+    store.announced({what, kHighest});
+    for (int i = 0; i < 5; ++i) {
+      if (store.awaits(what)) bring(what, 5);
+      (void)store.find(what);
+    }
+    EXPECT_EQ(fetched.size(), 2U);
+    store.announced({what, 6});
+    EXPECT_EQ(fetched.size(), 3U);
+    bring(what, 6);
+    EXPECT_EQ(versionOf(what), 6U);
+  }
 }
 
 TEST_F(SharedStoreTest, AFailureIsToldAndTriedAgain) {
   get(a);
   get(a);
-  store.put(failureOf(a));
+  EXPECT_TRUE(store.put(failureOf(a)));
   EXPECT_THAT(got, ElementsAre("broken", "broken"));
   get(a);
   EXPECT_EQ(fetched.size(), 2U);
@@ -235,7 +279,7 @@ TEST_F(SharedStoreTest, AFailedChangeLeavesWhatIsThereAndIsTriedAgain) {
   bring(a, 1);
   (void)store.find(a);
   store.announced({a, 2});
-  store.put(failureOf(a));
+  EXPECT_TRUE(store.put(failureOf(a)));
   EXPECT_EQ(versionOf(a), 1U);
   EXPECT_EQ(fetched.size(), 2U);
 }
@@ -278,7 +322,8 @@ TEST(SharedStoreThreads, EverybodyGetsWhatHeAskedForOnce) {
   std::atomic<Version> version{1};
   std::atomic<SharedStore*> front{nullptr};
   SharedStore store(3 * 400, [&](const Request& request) {
-    backend.post([&, what = SharedKey{request.object, request.key}] { front.load()->put(resultOf(what, version)); });
+    backend.post(
+        [&, what = SharedKey{request.object, request.key}] { (void)front.load()->put(resultOf(what, version)); });
     return true;
   });
   front = &store;

@@ -19,13 +19,15 @@ class FluidFrontendTest : public ::testing::Test {
  protected:
   FluidFrontendTest() { fire_.object.id = 3; }
 
+  /// As the answer to a request.
   void bring(std::shared_ptr<const FluidSnapshot> snapshot) {
-    node::Result result;
-    result.what = {fire_.object.id, {}};
-    result.shared = true;
-    result.version = snapshot->version();
-    result.payload = std::shared_ptr<const node::SharedData>(std::move(snapshot));
-    store_.put(result);
+    node::Request request;
+    request.view = std::make_shared<const node::View>(view_);
+    request.object = fire_.object.id;
+    request.shared = true;
+    store_.announced({{request.object, {}}, snapshot->version()});
+    store_.get(request, [](const node::Payload&) {});
+    EXPECT_TRUE(store_.put(node::resultOf(request, std::shared_ptr<const node::SharedData>(std::move(snapshot)))));
   }
 
   node::Plan plan(const node::Reply* reply = nullptr) { return half_->plan(fire_, view_, {store_, 3}, reply); }

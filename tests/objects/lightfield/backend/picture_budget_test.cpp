@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <optional>
 #include <random>
 
 namespace grove::objects::lightfield {
@@ -22,6 +23,7 @@ node::View viewOf(node::SessionId session, node::FrameNumber frame, double time,
 }
 
 float unshed() { return 1.0F; }
+std::optional<double> unknown() { return std::nullopt; }
 
 /// How many pictures the frame may make.
 int takes(PictureBudget& budget, const node::View& view, float error) {
@@ -31,7 +33,7 @@ int takes(PictureBudget& budget, const node::View& view, float error) {
 }
 
 TEST(PictureBudget, AFrameMakesTwoOfWhatIsHardlyWrongAndAllOfWhatIsWrong) {
-  PictureBudget budget(kRate, unshed);
+  PictureBudget budget(kRate, unshed, unknown);
   for (node::FrameNumber frame = 1; frame < 5; ++frame) {
     const node::View view = viewOf(1, frame, frame);
     EXPECT_EQ(takes(budget, view, 1.5F), PictureBudget::kMaxNewPictures);
@@ -40,7 +42,7 @@ TEST(PictureBudget, AFrameMakesTwoOfWhatIsHardlyWrongAndAllOfWhatIsWrong) {
 }
 
 TEST(PictureBudget, FramesInFlightThatTakeTurnsMakeTwoEach) {
-  PictureBudget budget(kRate, unshed);
+  PictureBudget budget(kRate, unshed, unknown);
   int made = 0;
   for (int turn = 0; turn < 4; ++turn) {
     for (node::FrameNumber frame = 5; frame < 8; ++frame) made += budget.take(viewOf(1, frame, 5.0), 100, 1.5F) ? 1 : 0;
@@ -49,7 +51,7 @@ TEST(PictureBudget, FramesInFlightThatTakeTurnsMakeTwoEach) {
 }
 
 TEST(PictureBudget, TheBucketHoldsAQuarterOfASecondAndFillsByTheWorldsClock) {
-  PictureBudget budget(kRate, unshed);
+  PictureBudget budget(kRate, unshed, unknown);
   EXPECT_EQ(takes(budget, viewOf(1, 1, 10.0), kNothing), 25);
   EXPECT_EQ(takes(budget, viewOf(1, 2, 10.0), kNothing), 0) << "another frame alone gives nothing";
   EXPECT_EQ(takes(budget, viewOf(1, 3, 10.125), kNothing), 13) << "the last one on credit";
@@ -59,7 +61,8 @@ TEST(PictureBudget, TheBucketHoldsAQuarterOfASecondAndFillsByTheWorldsClock) {
 
 TEST(PictureBudget, ABusyMachineFillsItMoreSlowly) {
   float factor = 1.0F;
-  PictureBudget budget(kRate, [&] { return factor; });
+  PictureBudget budget(
+      kRate, [&] { return factor; }, unknown);
   EXPECT_EQ(takes(budget, viewOf(1, 1, 10.0), kNothing), 25);
   factor = 4.0F;
   EXPECT_EQ(takes(budget, viewOf(1, 2, 10.25), kNothing), 7) << "a quarter of 25, the last one on credit";
@@ -67,7 +70,7 @@ TEST(PictureBudget, ABusyMachineFillsItMoreSlowly) {
 
 TEST(PictureBudget, WhatIsWrongerMayEmptyItMore) {
   const auto taken = [](float error) {
-    PictureBudget budget(kRate, unshed);
+    PictureBudget budget(kRate, unshed, unknown);
     return takes(budget, viewOf(1, 1, 0.0), error);
   };
   EXPECT_NEAR(taken(4.0F), 25 * (1.0 - 0.5 / 4.0), 1.0);
@@ -76,14 +79,14 @@ TEST(PictureBudget, WhatIsWrongerMayEmptyItMore) {
 }
 
 TEST(PictureBudget, AllVisitorsHaveEqualSharesAndWhatOthersLeave) {
-  PictureBudget busy(kRate, unshed);
+  PictureBudget busy(kRate, unshed, unknown);
   for (node::SessionId visitor = 1; visitor <= 5; ++visitor) (void)busy.take(viewOf(visitor, 1, 0.0, 5), 0, kNothing);
   for (node::SessionId visitor = 1; visitor <= 5; ++visitor) {
     EXPECT_EQ(takes(busy, viewOf(visitor, 2, 0.25, 5), kNothing), visitor == 1 ? 9 : 5)
         << "the first came with a full one";
   }
   EXPECT_EQ(takes(busy, viewOf(1, 3, 0.45, 5), kNothing), 4);
-  PictureBudget calm(kRate, unshed);
+  PictureBudget calm(kRate, unshed, unknown);
   for (node::SessionId visitor = 1; visitor <= 5; ++visitor) (void)calm.take(viewOf(visitor, 1, 0.0, 5), 0, kNothing);
   for (node::SessionId visitor = 2; visitor <= 5; ++visitor) {
     (void)calm.take(viewOf(visitor, 2, 0.25, 5), 0, kNothing);
@@ -94,22 +97,36 @@ TEST(PictureBudget, AllVisitorsHaveEqualSharesAndWhatOthersLeave) {
 
 /// Or eight who come at once wait for one another's pictures.
 TEST(PictureBudget, WhoComesWhileOthersAreHereBeginsWithNothing) {
-  PictureBudget budget(kRate, unshed);
+  PictureBudget budget(kRate, unshed, unknown);
   EXPECT_EQ(takes(budget, viewOf(1, 1, 0.0), kNothing), 25) << "nobody is held up";
   EXPECT_EQ(takes(budget, viewOf(2, 1, 0.0, 2), kNothing), 0);
   EXPECT_EQ(takes(budget, viewOf(2, 2, 0.25, 2), kNothing), 13) << "the last one on credit";
 }
 
 TEST(PictureBudget, DebtsArePaidFirst) {
-  PictureBudget budget(kRate, unshed);
+  PictureBudget budget(kRate, unshed, unknown);
   EXPECT_EQ(takes(budget, viewOf(1, 1, 0.0), kNothing), 25);
   for (int i = 0; i < 10; ++i) budget.borrow(viewOf(1, 1, 0.0), kPicture);
   EXPECT_FALSE(budget.take(viewOf(1, 2, 0.0625), kPicture, kNothing));
   EXPECT_TRUE(budget.take(viewOf(1, 3, 0.125), kPicture, kNothing));
 }
 
+/// Would catch a peer who takes everybody's pictures by saying that it is late.
+TEST(PictureBudget, TimesThatTheWorldsClockDoesNotShowGiveNothing) {
+  double now = 10.0;
+  PictureBudget budget(kRate, unshed, [&] { return now; });
+  EXPECT_EQ(takes(budget, viewOf(1, 1, now, 2), kNothing), 13);
+  for (node::SessionId liar = 100; liar < 120; ++liar) {
+    for (const double time : {-1.0e300, 1.0e300}) {
+      EXPECT_EQ(takes(budget, viewOf(liar, 1, time, 2), kNothing), 0) << liar << " at " << time;
+    }
+  }
+  now += 0.125;
+  EXPECT_EQ(takes(budget, viewOf(1, 2, now, 2), kNothing), 6) << "as if nobody had lied";
+}
+
 TEST(PictureBudget, AMinuteOfEightVisitorsAtFourFramesASecondTakesNoMore) {
-  PictureBudget budget(kRate, unshed);
+  PictureBudget budget(kRate, unshed, unknown);
   std::mt19937 dice(7);
   std::uniform_real_distribution<float> errors(0.5F, 12.0F);
   std::uniform_int_distribution<std::int64_t> sizes(1000, 120000);

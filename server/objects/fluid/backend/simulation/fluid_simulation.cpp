@@ -28,6 +28,11 @@ Cube cubeAt(const FluidSettings& settings, world::Vec3 position, int cells) {
   return {position - world::Vec3(half, 0.0F, half), settings.size, cells};
 }
 
+/// Of a place in the cube's own coordinates.
+float distanceTo(const Cube& cube, world::Vec3 place) {
+  return glm::distance(place, glm::clamp(place, world::Vec3(0.0F), world::Vec3(cube.size)));
+}
+
 /// On the ground in the middle.
 HeatSource sourceOf(const FluidSettings& settings) {
   const float half = 0.5F * settings.size;
@@ -125,8 +130,14 @@ std::vector<world::Gust> FluidSimulation::localGusts(std::span<const world::Gust
     const float length = glm::length(gust.direction);
     if (!finite(gust.origin) || !std::isfinite(length) || length < 1.0e-6F) continue;
     if (!std::isfinite(gust.speed) || !std::isfinite(gust.reach) || gust.speed <= 0.0F || gust.reach <= 0.0F) continue;
-    local.push_back({gust.origin - cube_.low, gust.direction / length, std::min(gust.speed, kStrongestGust),
-                     std::min(gust.reach, kLongestReach), gust.visitor});
+    const float reach = std::min(gust.reach, kLongestReach);
+    if (distanceTo(cube_, gust.origin - cube_.low) > reach) continue;
+    local.push_back(
+        {gust.origin - cube_.low, gust.direction / length, std::min(gust.speed, kStrongestGust), reach, gust.visitor});
+  }
+  if (local.size() > kMaxGusts) {
+    std::ranges::stable_sort(local, {}, [this](const world::Gust& gust) { return distanceTo(cube_, gust.origin); });
+    local.resize(kMaxGusts);
   }
   return local;
 }

@@ -41,6 +41,8 @@ class FluidSimulation {
   /// Seconds of a tick.
   static constexpr float kTick = 1.0F / 30.0F;
   static constexpr float kLongestStep = 0.1F;
+  /// Gusts that count in one step: those that begin nearest to the cube. Each costs about as much as the wind.
+  static constexpr std::size_t kMaxGusts = 32;
 
   /// `solids`: what the smoke flows around; `shades`: what hides the sun of `sky`. Only read here. `cells`: per edge of
   /// the air's grid, if other than the settings'. Light and particles stay as these say: they go with each other.
@@ -74,6 +76,7 @@ class FluidSimulation {
   [[nodiscard]] std::size_t bytes() const noexcept { return solver_.bytes() + particles_.bytes() + shading_.bytes(); }
 
  private:
+  /// Those that reach the cube, in its coordinates.
   [[nodiscard]] std::vector<world::Gust> localGusts(std::span<const world::Gust> gusts) const;
   [[nodiscard]] std::vector<Capsule> localCapsules(std::span<const world::Player> visitors) const;
 

@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "objects/fluid/backend/solver/diagnostics.h"
 #include "world/sky.h"
@@ -108,6 +110,31 @@ TEST_F(FluidSimulationTest, AGustMovesTheSmokeItsWay) {
     EXPECT_GT(glm::dot(way, direction), 0.15F);
     EXPECT_GT(glm::dot(way, direction), 0.7F * glm::length(way));
   }
+}
+
+/// Would catch a peer who has thousands blow, which took seconds of each tick.
+TEST_F(FluidSimulationTest, OnlySoManyGustsCountAndThoseTheNearest) {
+  std::vector<world::Gust> near;
+  std::vector<world::Gust> all;
+  for (std::size_t i = 0; i < 1000; ++i) {
+    const float away = i < FluidSimulation::kMaxGusts ? 0.5F : 1.0F + 0.01F * static_cast<float>(i);
+    const world::Gust gust{{3.0F + away, 1.0F, 0.001F * static_cast<float>(i)}, {-1.0F, 0.0F, 0.0F}, 8.0F, 60.0F, i};
+    all.push_back(gust);
+    if (i < FluidSimulation::kMaxGusts) near.push_back(gust);
+  }
+  std::ranges::reverse(near);
+  std::ranges::reverse(all);
+  FluidSimulation few(settings(), {}, nothing_, nothing_, world::Sky());
+  FluidSimulation many(settings(), {}, nothing_, nothing_, world::Sky());
+  run(few, 10);
+  run(many, 10);
+  for (int i = 0; i < 5; ++i) {
+    few.step(FluidSimulation::kTick, near, {});
+    many.step(FluidSimulation::kTick, all, {});
+  }
+  run(few, 10);
+  run(many, 10);
+  EXPECT_EQ(few.snapshot(0.0)->x, many.snapshot(0.0)->x);
 }
 
 TEST_F(FluidSimulationTest, AVisitorWhoWalksPushesTheAirAndNoSmokeIsInside) {
