@@ -54,6 +54,7 @@ struct BoxControls {
   std::atomic<bool> fail{false};
   std::atomic<int> answered{0};
   std::atomic<Version> version{1};  ///< of the colours; each higher one is redder by one
+  std::atomic<Version> known{0};    ///< in the request that was answered last
   /// Of the backend that was made last.
   std::function<void(const Announcement&)> announce;
 };
@@ -82,6 +83,7 @@ class BoxBackend final : public BackendHalf {
       } else {
         payloads[i] = picture(requests[i], object, colour);
       }
+      controls_->known = requests[i].known;
       ++controls_->answered;
     }
   }

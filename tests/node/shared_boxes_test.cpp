@@ -63,6 +63,20 @@ TEST_P(SharedBoxes, AChangeIsShownSoonAfterItIsAnnounced) {
   EXPECT_TRUE(eventually([&] { return shows(100); }));
 }
 
+/// Or a half would answer with differences where nobody unpacks them.
+TEST_P(SharedBoxes, OnlyWhereBytesTravelDoesABackendHearWhatIsKnown) {
+  const auto screen = std::make_shared<Screen>(workers, timeline);
+  const auto node = frontend(1, 0.0F, screen);
+  for (FrameNumber frame = 1; frame <= 2; ++frame) {
+    ASSERT_TRUE(eventually([&] { return node->requestFrame(); }));
+    ASSERT_EQ(nearRed(*screen, frame), 90U);
+  }
+  controls->version = 11;
+  controls->announce({{scene.layout.objects[1].id, {}}, 11});
+  ASSERT_TRUE(eventually([&] { return controls->answered == 3; }));
+  EXPECT_EQ(controls->known, transport.sharesMemory() ? 0U : 1U);
+}
+
 TEST_P(SharedBoxes, AFailureCostsTheirPlaceInAFrame) {
   const auto screen = std::make_shared<Screen>(workers, timeline);
   const auto node = frontend(1, 0.0F, screen);

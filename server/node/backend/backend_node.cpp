@@ -51,7 +51,6 @@ BackendServices BackendNode::services(Haste haste, const Progress& progress) {
           .memory = machine_.memory,
           .images = machine_.images,
           .announce = [this](const Announcement& announcement) { transport_.send(announcement); },
-          .sharesMemory = transport_.sharesMemory(),
           .progress = progress,
           .helpers = haste == Haste::kAllCores ? &machine_.workers : nullptr,
           .baked = machine_.baked};
@@ -108,6 +107,8 @@ NodeWelcome BackendNode::welcome() const {
 
 pipeline::PushResult BackendNode::take(Request request) {
   if (!welcomed_) return pipeline::PushResult::kClosed;
+  // Differences are for who unpacks them.
+  if (transport_.sharesMemory()) request.known = 0;
   const auto owner = owners_.find(request.object);
   BackendPipeline* const pipeline = owner != owners_.end()                        ? owner->second
                                     : request.object >= world::kFirstPlayerObject ? visitors_
