@@ -11,10 +11,11 @@ void WorldMirror::apply(std::shared_ptr<const WorldUpdate> update) {
   std::vector<std::shared_ptr<const std::function<void()>>> wakes;
   {
     const std::lock_guard lock(mutex_);
-    if (update->number <= newest_->number) return;
+    if (newest_->number - update->number < kLate) return;  // unsigned: of a higher one the difference is huge
     newest_ = std::move(update);
+    ++count_;
     clock_.hear(newest_->clock, pipeline::wallSeconds());
-    if (!newest_->gusts.empty()) past_.push_back({newest_->number, newest_->gusts});
+    if (!newest_->gusts.empty()) past_.push_back({count_, newest_->gusts});
     if (past_.size() > kKept) past_.erase(past_.begin());
     std::erase_if(wakes_, [](const auto& wake) { return wake.expired(); });
     wakes.reserve(wakes_.size());
@@ -44,7 +45,7 @@ std::vector<world::Gust> WorldMirror::gusts(Cursor& cursor) const {
   for (auto past = past_.rbegin(); past != past_.rend() && past->number > cursor; ++past) {
     for (const world::Gust& gust : past->gusts) gusts.try_emplace(gust.visitor, gust);
   }
-  cursor = newest_->number;
+  cursor = count_;
   std::vector<world::Gust> result;
   result.reserve(gusts.size());
   for (const auto& [visitor, gust] : gusts) result.push_back(gust);

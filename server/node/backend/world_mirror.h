@@ -16,9 +16,11 @@ namespace grove::node {
 /// thread.
 class WorldMirror {
  public:
-  /// Counts updates.
+  /// Counts updates as they come.
   using Cursor = std::uint64_t;
 
+  /// One that comes late, after a newer one, changes nothing. One whose number lies far behind begins a new count, so
+  /// no number keeps those after it out.
   void apply(std::shared_ptr<const WorldUpdate> update);
 
   /// Seconds of the world's clock; nothing before the first update.
@@ -37,13 +39,16 @@ class WorldMirror {
  private:
   /// So many updates of gusts are kept: two seconds.
   static constexpr std::size_t kKept = 64;
+  /// So far behind, an update is late.
+  static constexpr std::uint64_t kLate = 64;
   struct Past {
-    std::uint64_t number = 0;
+    Cursor number = 0;
     std::vector<world::Gust> gusts;
   };
   mutable std::mutex mutex_;
   PeerClock clock_;
   std::shared_ptr<const WorldUpdate> newest_ = std::make_shared<const WorldUpdate>();
+  Cursor count_ = 0;
   std::vector<Past> past_;  ///< the oldest first
   mutable std::vector<std::weak_ptr<const std::function<void()>>> wakes_;
 };

@@ -89,6 +89,21 @@ TEST(WorldMirror, TheNewestUpdateCountsInWhateverOrderTheyCome) {
   EXPECT_THAT(ids(mirror), IsEmpty());
 }
 
+/// Or one number that is nonsense would keep all players where they were, for ever.
+TEST(WorldMirror, GoesOnAfterAnyNumber) {
+  for (const std::uint64_t nonsense : {~std::uint64_t{0}, std::uint64_t{1} << 63U, std::uint64_t{1} << 32U}) {
+    WorldMirror mirror;
+    WorldMirror::Cursor cursor = 0;
+    mirror.apply(update(4, {7}));
+    mirror.apply(update(nonsense, {}));
+    EXPECT_THAT(speeds(mirror, cursor), IsEmpty());
+    mirror.apply(update(5, {7, 8}, {gustOf(7, 2.0F)}));
+    mirror.apply(update(6, {7, 8}));
+    EXPECT_THAT(ids(mirror), ElementsAre(7, 8));
+    EXPECT_THAT(speeds(mirror, cursor), ElementsAre(2.0F)) << "which blew between two ticks";
+  }
+}
+
 TEST(WorldMirror, WhatBlowsOnBlowsAtEveryTick) {
   WorldMirror mirror;
   WorldMirror::Cursor cursor = 0;
