@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <mutex>
 
 #include "base/lru_table.h"
 #include "node/messages/request.h"
@@ -10,13 +9,13 @@
 namespace grove::node {
 
 /// Frames that a frontend process has ended before their requests were answered. Of more than kMaxSessions sessions,
-/// those that ended none for longest are forgotten; then what nobody waits for is answered, too. Any thread.
+/// those that ended none for longest are forgotten; then what nobody waits for is answered, too. One thread
+/// at a time.
 class EndedFrames {
  public:
   static constexpr std::size_t kMaxSessions = 4096;
 
   void add(const Cancel& cancel) {
-    const std::lock_guard lock(mutex_);
     if (FrameNumber* const newest = newest_.use(cancel.session)) {
       *newest = std::max(*newest, cancel.frame);
       return;
@@ -25,19 +24,14 @@ class EndedFrames {
     newest_.put(cancel.session, cancel.frame);
   }
 
-  void forget(SessionId session) {
-    const std::lock_guard lock(mutex_);
-    newest_.take(session);
-  }
+  void forget(SessionId session) { newest_.take(session); }
 
   [[nodiscard]] bool contain(const View& view) const {
-    const std::lock_guard lock(mutex_);
     const FrameNumber* const newest = newest_.find(view.session);
     return newest != nullptr && view.frame <= *newest;
   }
 
  private:
-  mutable std::mutex mutex_;
   LruTable<SessionId, FrameNumber> newest_;
 };
 

@@ -7,11 +7,13 @@
 
 namespace grove::node {
 
-void WorldMirror::apply(std::shared_ptr<const WorldUpdate> update) {
+bool WorldMirror::apply(ProcessId from, std::shared_ptr<const WorldUpdate> update) {
   std::vector<std::shared_ptr<const std::function<void()>>> wakes;
   {
     const std::lock_guard lock(mutex_);
-    if (newest_->number - update->number < kLate) return;  // unsigned: of a higher one the difference is huge
+    if (owner_.value_or(from) != from) return false;
+    owner_ = from;
+    if (newest_->number - update->number < kLate) return true;  // unsigned: of a higher one the difference is huge
     newest_ = std::move(update);
     ++count_;
     clock_.hear(newest_->clock, pipeline::wallSeconds());
@@ -25,6 +27,16 @@ void WorldMirror::apply(std::shared_ptr<const WorldUpdate> update) {
     }
   }
   for (const auto& wake : wakes) (*wake)();
+  return true;
+}
+
+void WorldMirror::leave(ProcessId owner) {
+  const std::lock_guard lock(mutex_);
+  if (owner_ != owner) return;
+  owner_.reset();
+  newest_ = std::make_shared<const WorldUpdate>();
+  past_.clear();
+  clock_ = {};
 }
 
 std::optional<double> WorldMirror::now() const {

@@ -34,7 +34,7 @@ struct Cancel {
   FrameNumber frame = 0;  ///< this one and those before it
 };
 
-/// How good across-user work is to be, 0 to kMaxQuality.
+/// How good across-user work is to be, 0 to kMaxQuality. Of what several frontend processes want the best counts.
 struct Quality {
   int step = 0;
 };

@@ -14,7 +14,7 @@
 /// own business.
 namespace grove::node {
 
-/// Where a backend node takes what frontend processes send. Any thread; returns soon.
+/// Where a backend node takes what one frontend process sends. Any thread; returns soon.
 class BackendPort {
  public:
   virtual ~BackendPort() = default;

@@ -40,7 +40,7 @@ class Mailbox : public Port {
 
 class Backend final : public Mailbox<BackendPort, ToBackend> {
  public:
-  pipeline::PushResult answer = pipeline::PushResult::kAccepted;
+  std::atomic<pipeline::PushResult> answer = pipeline::PushResult::kAccepted;
   pipeline::PushResult receive(ToBackend message) override {
     keep(std::move(message));
     return answer;
@@ -171,9 +171,10 @@ class BytesTransportTest : public ::testing::Test {
 };
 
 TEST_F(BytesTransportTest, ARequestThatTheNodeRefusesFails) {
-  backend.answer = pipeline::PushResult::kRejected;
   const Request request = examples::request();
   ASSERT_EQ(transport.send(ToBackend(request.view)), pipeline::PushResult::kAccepted);
+  ASSERT_TRUE(eventually([&] { return backend.count() == 1; }));
+  backend.answer = pipeline::PushResult::kRejected;
   ASSERT_EQ(transport.send(ToBackend(request)), pipeline::PushResult::kAccepted);
   ASSERT_TRUE(eventually([&] { return frontend.count() == 1; }));
   const auto messages = frontend.messages();
@@ -187,6 +188,15 @@ TEST_F(BytesTransportTest, ARequestWithoutItsViewIsRefused) {
   (void)transport.send(ToBackend(examples::request()));
   EXPECT_TRUE(eventually([&] { return timeline.counters()["messages that were refused"] == 1; }));
   EXPECT_EQ(backend.count(), 0u);
+}
+
+/// Or who is not welcome at a node could fill its memory all the same.
+TEST_F(BytesTransportTest, AViewThatTheNodeRefusesIsNotKept) {
+  backend.answer = pipeline::PushResult::kClosed;
+  (void)transport.send(ToBackend(examples::request().view));
+  (void)transport.send(ToBackend(examples::request()));
+  EXPECT_TRUE(eventually([&] { return timeline.counters()["messages that were refused"] == 1; }));
+  EXPECT_EQ(backend.count(), 1U);
 }
 
 TEST_F(BytesTransportTest, CountsWhatTravels) {

@@ -75,7 +75,7 @@ class Fire : public ::testing::Test {
     update->number = ++updates_;
     update->clock = kClock;
     update->players.resize(visitors);
-    mirror_.apply(update);
+    mirror_.apply(1, update);
   }
 
   std::uint64_t ticks() { return timeline_.totals()["Simulation Tick"].runs; }
