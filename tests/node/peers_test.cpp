@@ -218,6 +218,7 @@ TEST_P(TwoPeers, OneThatLeavesWithRequestsUnderWayCostsTheOtherNothing) {
     ASSERT_TRUE(b.ask());
     ASSERT_TRUE(eventually([&] { return node.controls->held > 0; }));
   }
+  EXPECT_EQ(node.controls->forgotten, makeId(2, 1)) << "what is kept for its visitor may go";
   ASSERT_TRUE(a.ask());
   node.controls->hold = false;
   node.controls->hold.notify_all();
@@ -299,6 +300,21 @@ TEST_P(TwoPeers, TheFirstWhoReportsOwnsTheWorldUntilItLeaves) {
   (void)a.send(updateOf(2, makeId(1, 1)));
   a.settle();
   EXPECT_THAT(players(), ElementsAre(makeId(1, 1)));
+}
+
+/// Or a process on a machine that began earlier would see its neighbours' frames given up.
+TEST_P(TwoPeers, TheClockOfOneEndsNoFramesOfTheOther) {
+  Stranger a(node, first());
+  ASSERT_EQ(a.hello(1), "");
+  Process b(node, second(), 2);
+  auto update = std::make_shared<WorldUpdate>();
+  update->number = 1;
+  update->clock = 1.0e12;
+  (void)a.send(std::shared_ptr<const WorldUpdate>(std::move(update)));
+  a.settle();
+  EXPECT_GE(node.controls->world->now().value_or(0.0), 1.0e12);
+  EXPECT_EQ(b.red(), 90U);
+  EXPECT_EQ(node.timeline.counters()["requests of frames that had ended"], 0);
 }
 
 TEST_P(TwoPeers, TheBestQualityThatAnybodyWantsCounts) {

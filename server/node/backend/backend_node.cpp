@@ -94,7 +94,9 @@ pipeline::PushResult BackendNode::receive(const std::shared_ptr<Peer>& peer, ToB
   }
   if (auto* request = std::get_if<Request>(&message)) return take({std::move(*request), peer});
   if (auto* update = std::get_if<std::shared_ptr<const WorldUpdate>>(&message)) return apply(*peer, std::move(*update));
-  if (const auto* cancel = std::get_if<Cancel>(&message)) {
+  if (const auto* view = std::get_if<std::shared_ptr<const View>>(&message)) {
+    peer->begin(**view);
+  } else if (const auto* cancel = std::get_if<Cancel>(&message)) {
     peer->end(*cancel);
   } else if (const auto* quality = std::get_if<Quality>(&message)) {
     peer->setQuality(quality->step);
@@ -123,6 +125,8 @@ void BackendNode::dismiss(Peer& peer) {
   if (!process) return;
   world_.leave(*process);
   peers_.remove(peer);
+  // A link may end before it says so of each.
+  for (const SessionId session : peer.sessions()) forget(peer, session);
   peer.setQuality(0);
   adjustQuality();
 }

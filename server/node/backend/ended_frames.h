@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <vector>
 
 #include "base/lru_table.h"
 #include "node/messages/request.h"
@@ -22,6 +23,17 @@ class EndedFrames {
     }
     if (newest_.size() == kMaxSessions) newest_.takeOldest();
     newest_.put(cancel.session, cancel.frame);
+  }
+
+  /// Of a session that may have ended none yet.
+  void meet(SessionId session) { add({.session = session, .frame = 0}); }
+
+  /// That were met, or have ended frames.
+  [[nodiscard]] std::vector<SessionId> sessions() const {
+    std::vector<SessionId> sessions;
+    sessions.reserve(newest_.size());
+    for (const auto& entry : newest_.entries()) sessions.push_back(entry.key);
+    return sessions;
   }
 
   void forget(SessionId session) { newest_.take(session); }

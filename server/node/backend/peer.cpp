@@ -41,6 +41,11 @@ void Peer::hearClock(double theirs) {
   clock_.hear(theirs, pipeline::wallSeconds());
 }
 
+void Peer::begin(const View& view) {
+  const std::lock_guard lock(mutex_);
+  ended_.meet(view.session);
+}
+
 void Peer::end(const Cancel& cancel) {
   const std::lock_guard lock(mutex_);
   ended_.add(cancel);
@@ -49,6 +54,11 @@ void Peer::end(const Cancel& cancel) {
 void Peer::forget(SessionId session) {
   const std::lock_guard lock(mutex_);
   ended_.forget(session);
+}
+
+std::vector<SessionId> Peer::sessions() const {
+  const std::lock_guard lock(mutex_);
+  return ended_.sessions();
 }
 
 bool Peer::isOver(const View& view) const {

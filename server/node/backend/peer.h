@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "base/log.h"
 #include "node/backend/ended_frames.h"
@@ -38,8 +39,12 @@ class Peer {
 
   /// It tells what its clock shows.
   void hearClock(double theirs);
+  /// A frame begins.
+  void begin(const View& view);
   void end(const Cancel& cancel);
   void forget(SessionId session);
+  /// The newest that it has spoken of and not forgotten.
+  [[nodiscard]] std::vector<SessionId> sessions() const;
   /// Whether nobody waits for this frame of its any more.
   [[nodiscard]] bool isOver(const View& view) const;
 

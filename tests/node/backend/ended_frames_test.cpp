@@ -23,6 +23,18 @@ TEST(EndedFrames, AreThoseUpToTheNewestOfTheSession) {
   EXPECT_FALSE(ended.contain(frameOf(1, 5)));
 }
 
+TEST(EndedFrames, AreNoneOfASessionThatIsOnlyMet) {
+  EndedFrames ended;
+  ended.add({.session = 1, .frame = 5});
+  ended.meet(1);
+  ended.meet(2);
+  EXPECT_TRUE(ended.contain(frameOf(1, 5)));
+  EXPECT_FALSE(ended.contain(frameOf(2, 1)));
+  EXPECT_EQ(ended.sessions(), (std::vector<SessionId>{2, 1})) << "the newest first";
+  ended.forget(2);
+  EXPECT_EQ(ended.sessions(), (std::vector<SessionId>{1}));
+}
+
 /// Or who ends frames of sessions without end takes all memory.
 TEST(EndedFrames, AreKeptOfALimitedNumberOfSessions) {
   EndedFrames ended;
