@@ -32,6 +32,11 @@ class LruTable {
     return place == places_.end() ? nullptr : &place->second->value;
   }
 
+  [[nodiscard]] const Value* find(const Key& key) const {
+    const auto place = places_.find(key);
+    return place == places_.end() ? nullptr : &place->second->value;
+  }
+
   /// Puts a value in as the one used last, and returns the one that was there.
   std::optional<Value> put(const Key& key, Value value) {
     if (Value* const known = use(key)) return std::exchange(*known, std::move(value));

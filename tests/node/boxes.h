@@ -54,8 +54,14 @@ struct BoxControls {
   std::atomic<bool> fail{false};
   std::atomic<int> answered{0};
   std::atomic<Version> version{1};  ///< of the colours; each higher one is redder by one
+  std::atomic<Version> known{0};    ///< in the request that was answered last
+  std::atomic<bool> hold{false};    ///< who is to answer waits
+  std::atomic<int> held{0};         ///< so many do
+  std::atomic<int> quality{0};
+  std::atomic<SessionId> forgotten{0};  ///< the last one
   /// Of the backend that was made last.
   std::function<void(const Announcement&)> announce;
+  const WorldMirror* world = nullptr;
 };
 
 class BoxBackend final : public BackendHalf {
@@ -66,12 +72,18 @@ class BoxBackend final : public BackendHalf {
       if (object.type == self) objects_[object.id] = object;
     }
     controls_->announce = services.announce;
+    controls_->world = &services.world;
   }
   [[nodiscard]] NodeKind kind() const override { return NodeKind::kRendering; }
   [[nodiscard]] pipeline::Executor& executor() override { return services_.workers; }
   [[nodiscard]] int concurrency() const override { return services_.workers.width(); }
+  void setQuality(int step) override { controls_->quality = step; }
+  void forget(SessionId session) override { controls_->forgotten = session; }
 
   void answer(std::span<const Request> requests, std::span<Payload> payloads) override {
+    ++controls_->held;
+    controls_->hold.wait(true);
+    --controls_->held;
     if (controls_->fail) throw std::runtime_error("the box is broken");
     for (std::size_t i = 0; i < requests.size(); ++i) {
       const world::ModelledObject& object = objects_.at(requests[i].object);
@@ -82,6 +94,7 @@ class BoxBackend final : public BackendHalf {
       } else {
         payloads[i] = picture(requests[i], object, colour);
       }
+      controls_->known = requests[i].known;
       ++controls_->answered;
     }
   }

@@ -15,16 +15,16 @@ class Replies final : public FrontendPort {
 /// A backend node of boxes, before a frontend process whose words the test chooses.
 class Greeting : public ::testing::Test {
  protected:
-  Greeting() { transport.connect(replies); }
+  Greeting() { transport->connect(replies); }
   ~Greeting() override {
-    transport.leaveFrontend();
+    transport->leaveFrontend();
     workers.drain();
   }
 
   /// The reason for which the node refuses; empty if it welcomes.
   std::string refusalOf(NodeHello hello) {
     replies.messages.clear();
-    (void)transport.send(ToBackend(std::move(hello)));
+    (void)transport->send(ToBackend(std::move(hello)));
     if (replies.messages.size() != 1) return "no reply";
     const auto* const refusal = std::get_if<NodeRefusal>(&replies.messages[0]);
     return refusal == nullptr ? "" : refusal->reason;
@@ -40,8 +40,9 @@ class Greeting : public ::testing::Test {
   const LoadedScene scene = loadScene(
       world::parseScene("[[object]]\ntype = \"box\"\nname = \"crate\"\nposition = [0, 1, -4]\n", "test"), types);
   const world::WorldGeometry geometry{scene.objects};
-  ReferenceTransport transport;
-  BackendNode backend{scene, geometry, types, {workers, gl, timeline, memory, images}, transport, Haste::kAllCores, {}};
+  const std::shared_ptr<ReferenceTransport> transport = std::make_shared<ReferenceTransport>();
+  BackendNode backend{scene, geometry, types, {workers, gl, timeline, memory, images}, Haste::kAllCores, {}};
+  const std::shared_ptr<void> served = backend.accept(transport);
   Replies replies;
   const NodeHello good{
       .build = "any", .sceneHash = scene.layout.hash, .process = 9, .types = {{.id = 0, .name = "box"}}};
@@ -75,15 +76,16 @@ TEST_F(Greeting, RefusesAnotherProtocolSceneOrType) {
 
 TEST_F(Greeting, AnswersNobodyWhoWasNotWelcomed) {
   Request request;
+  request.process = good.process;
   request.object = scene.objects[0].id;
   request.shared = true;
-  EXPECT_EQ(transport.send(ToBackend(request)), pipeline::PushResult::kClosed) << "before any word";
+  EXPECT_EQ(transport->send(ToBackend(request)), pipeline::PushResult::kClosed) << "before any word";
   NodeHello hello = good;
   ++hello.sceneHash;
   (void)refusalOf(hello);
-  EXPECT_EQ(transport.send(ToBackend(request)), pipeline::PushResult::kClosed);
+  EXPECT_EQ(transport->send(ToBackend(request)), pipeline::PushResult::kClosed);
   (void)refusalOf(good);
-  EXPECT_EQ(transport.send(ToBackend(request)), pipeline::PushResult::kAccepted);
+  EXPECT_EQ(transport->send(ToBackend(request)), pipeline::PushResult::kAccepted);
 }
 
 }  // namespace

@@ -63,9 +63,10 @@ class Nodes : public ::testing::TestWithParam<TransportKind> {
   ~Nodes() override { workers.drain(); }
 
  protected:
-  /// One visitor's pipeline, who looks along `yaw`.
-  std::unique_ptr<FrontendNode> frontend(SessionId session, float yaw, const std::shared_ptr<Screen>& screen,
+  /// The pipeline of the visitor of this number, who looks along `yaw`.
+  std::unique_ptr<FrontendNode> frontend(std::uint32_t number, float yaw, const std::shared_ptr<Screen>& screen,
                                          int framesInFlight = 2) {
+    const SessionId session = makeId(kProcess, number);
     return std::make_unique<FrontendNode>(
         session, FramePolicy{framesInFlight, deadlineSeconds},
         [session, yaw](FrameNumber frame) {
@@ -80,6 +81,7 @@ class Nodes : public ::testing::TestWithParam<TransportKind> {
         screen, [this] { ++ended; }, process);
   }
 
+  static constexpr ProcessId kProcess = 1;
   double deadlineSeconds = 60.0;
   std::atomic<int> ended{0};  ///< frames of all frontends
   const std::shared_ptr<BoxControls> controls = std::make_shared<BoxControls>();
@@ -105,13 +107,15 @@ position = [0, 1.7, -4]
   gl::ShaderLibrary shaders;
   gl::Workers gl{gl::ContextKind::kAuto, shaders, 1};
   pipeline::WorkerPool workers{3};
-  FaultyTransport transport{transportFactory(GetParam())(workers, timeline)};
-  BackendNode backend{scene,     geometry,         backends, {workers, gl, timeline, memory, images},
-                      transport, Haste::kAllCores, {}};
+  const std::shared_ptr<FaultyTransport> link =
+      std::make_shared<FaultyTransport>(transportFactory(GetParam())(workers, timeline));
+  FaultyTransport& transport = *link;
+  BackendNode backend{scene, geometry, backends, {workers, gl, timeline, memory, images}, Haste::kAllCores, {}};
+  const std::shared_ptr<void> served = backend.accept(link);
   const world::Layout layout = scene.layout;
   pipeline::MemoryLedger frontendMemory;
   raster::ImagePool frontendImages;
-  FrontendProcess process{1,
+  FrontendProcess process{kProcess,
                           layout,
                           frontends,
                           transport,

@@ -64,7 +64,7 @@ TEST_P(Nodes, NeverMoreFramesThanMayBeInFlight) {
   for (const int max : {1, 3}) {
     const auto screen = std::make_shared<Screen>(workers, timeline);
     transport.keepBack = true;
-    const auto node = frontend(static_cast<SessionId>(max), 0.0F, screen, max);
+    const auto node = frontend(static_cast<std::uint32_t>(max), 0.0F, screen, max);
     int started = 0;
     for (int i = 0; i < 50; ++i) started += node->requestFrame() ? 1 : 0;
     EXPECT_EQ(started, max);
@@ -150,10 +150,10 @@ TEST_P(Nodes, EveryFrameThatBeganEndsOnceWhenTheNodeClosesUnderIt) {
 
 TEST_P(Nodes, AThrowAnywhereOnTheWayCostsOneObjectInOneFrame) {
   using Fault = testing::FaultyTransport::Fault;
-  SessionId session = 1;
+  std::uint32_t number = 1;
   for (const Fault fault : {Fault::kSendRequest, Fault::kCompress, Fault::kSendResult, Fault::kDecompress}) {
     const auto screen = std::make_shared<Screen>(workers, timeline);
-    const auto node = frontend(session++, 0.0F, screen, 1);
+    const auto node = frontend(number++, 0.0F, screen, 1);
     transport.next = fault;
     ASSERT_TRUE(node->requestFrame());
     const auto with = screen->waitFor(1);
@@ -203,7 +203,7 @@ TEST_P(Nodes, SessionsShareTheBackendAndSeeTheirOwnView) {
 TEST_P(Nodes, ClosingWithFramesInFlightIsClean) {
   for (int i = 0; i < 20; ++i) {
     const auto screen = std::make_shared<Screen>(workers, timeline);
-    const auto node = frontend(static_cast<SessionId>(i) + 10, 0.0F, screen, 4);
+    const auto node = frontend(static_cast<std::uint32_t>(i) + 10, 0.0F, screen, 4);
     for (int k = 0; k < 4; ++k) node->requestFrame();
   }
   const auto screen = std::make_shared<Screen>(workers, timeline);

@@ -40,9 +40,9 @@ TEST_P(SharedBoxes, AreDrawnByTheFrontend) {
 TEST_P(SharedBoxes, AreRequestedOnceForAllFramesOfAllVisitors) {
   std::vector<std::shared_ptr<Screen>> screens;
   std::vector<std::unique_ptr<FrontendNode>> nodes;
-  for (SessionId session = 1; session <= 8; ++session) {
+  for (std::uint32_t number = 1; number <= 8; ++number) {
     screens.push_back(std::make_shared<Screen>(workers, timeline));
-    nodes.push_back(frontend(session, 0.0F, screens.back()));
+    nodes.push_back(frontend(number, 0.0F, screens.back()));
   }
   for (FrameNumber frame = 1; frame <= 5; ++frame) {
     for (const auto& node : nodes) ASSERT_TRUE(eventually([&] { return node->requestFrame(); }));
@@ -63,6 +63,20 @@ TEST_P(SharedBoxes, AChangeIsShownSoonAfterItIsAnnounced) {
   EXPECT_TRUE(eventually([&] { return shows(100); }));
 }
 
+/// Or a half would answer with differences where nobody unpacks them.
+TEST_P(SharedBoxes, OnlyWhereBytesTravelDoesABackendHearWhatIsKnown) {
+  const auto screen = std::make_shared<Screen>(workers, timeline);
+  const auto node = frontend(1, 0.0F, screen);
+  for (FrameNumber frame = 1; frame <= 2; ++frame) {
+    ASSERT_TRUE(eventually([&] { return node->requestFrame(); }));
+    ASSERT_EQ(nearRed(*screen, frame), 90U);
+  }
+  controls->version = 11;
+  controls->announce({{scene.layout.objects[1].id, {}}, 11});
+  ASSERT_TRUE(eventually([&] { return controls->answered == 3; }));
+  EXPECT_EQ(controls->known, transport.sharesMemory() ? 0U : 1U);
+}
+
 TEST_P(SharedBoxes, AFailureCostsTheirPlaceInAFrame) {
   const auto screen = std::make_shared<Screen>(workers, timeline);
   const auto node = frontend(1, 0.0F, screen);
@@ -81,10 +95,10 @@ TEST_P(SharedBoxes, AThrowAnywhereOnTheWayCostsOneObjectInOneFrame) {
     FrontendProcess fresh(2, scene.layout, frontends, transport, {workers, timeline, memory, images, layout.sky}, 0);
     const auto screen = std::make_shared<Screen>(workers, timeline);
     FrontendNode node(
-        1, FramePolicy{1, deadlineSeconds},
+        makeId(2, 1), FramePolicy{1, deadlineSeconds},
         [](FrameNumber frame) {
           View view;
-          view.session = 1;
+          view.session = makeId(2, 1);
           view.frame = frame;
           view.camera.width = 320;
           view.camera.height = 180;

@@ -1,5 +1,7 @@
 #include "node/backend/backend_node.h"
 
+#include <algorithm>
+#include <cassert>
 #include <future>
 #include <set>
 #include <utility>
@@ -10,9 +12,30 @@
 
 namespace grove::node {
 
+/// Hears one frontend process, for as long as the node serves it.
+class BackendNode::Reception final : public BackendPort {
+ public:
+  Reception(BackendNode& node, std::shared_ptr<BackendEnd> link)
+      : node_(node), peer_(std::make_shared<Peer>(std::move(link))) {
+    peer_->link().connect(*this);
+  }
+  ~Reception() override {
+    peer_->link().leaveBackend();
+    node_.dismiss(*peer_);
+  }
+  Reception(const Reception&) = delete;
+  Reception& operator=(const Reception&) = delete;
+
+  pipeline::PushResult receive(ToBackend message) override { return node_.receive(peer_, std::move(message)); }
+
+ private:
+  BackendNode& node_;
+  const std::shared_ptr<Peer> peer_;
+};
+
 BackendNode::BackendNode(const LoadedScene& scene, const world::WorldGeometry& geometry, const BackendTypes& types,
-                         const BackendMachine& machine, BackendEnd& transport, Haste haste, const Progress& progress)
-    : scene_(scene), geometry_(geometry), machine_(machine), transport_(transport) {
+                         const BackendMachine& machine, Haste haste, const Progress& progress)
+    : scene_(scene), geometry_(geometry), machine_(machine) {
   const BackendServices services = this->services(haste, progress);
   std::set<world::TypeIndex> used;
   for (const world::ModelledObject& object : scene.objects) used.insert(object.type);
@@ -23,17 +46,16 @@ BackendNode::BackendNode(const LoadedScene& scene, const world::WorldGeometry& g
   for (const world::TypeIndex type : used) {
     prepared.emplace_back(type, std::async(policy, [&, type] {
                             return std::make_unique<BackendPipeline>(*types.find(scene.layout.types[type]), type,
-                                                                     services, ended_, transport_);
+                                                                     services);
                           }));
   }
   for (auto& [type, pipeline] : prepared) pipelines_.emplace(type, pipeline.get());
   for (const world::ModelledObject& object : scene.objects) owners_[object.id] = pipelines_.at(object.type).get();
   if (scene.layout.visitor) visitors_ = pipelines_.at(scene.layout.visitor->object.type).get();
-  transport_.connect(static_cast<BackendPort&>(*this));
 }
 
 BackendNode::~BackendNode() {
-  transport_.leaveBackend();
+  assert(peers_.empty() && "they leave first");
   for (const auto& [type, pipeline] : pipelines_) pipeline->close();
   // Runs in progress use the halves; with every queue closed, none can start after these.
   machine_.workers.drain();
@@ -50,38 +72,86 @@ BackendServices BackendNode::services(Haste haste, const Progress& progress) {
           .timeline = machine_.timeline,
           .memory = machine_.memory,
           .images = machine_.images,
-          .announce = [this](const Announcement& announcement) { transport_.send(announcement); },
-          .sharesMemory = transport_.sharesMemory(),
+          .announce = [this](const Announcement& announcement) { peers_.announce(announcement); },
           .progress = progress,
           .helpers = haste == Haste::kAllCores ? &machine_.workers : nullptr,
           .baked = machine_.baked};
 }
 
-pipeline::PushResult BackendNode::receive(ToBackend message) {
-  if (auto* request = std::get_if<Request>(&message)) return take(std::move(*request));
-  if (auto* update = std::get_if<std::shared_ptr<const WorldUpdate>>(&message)) {
-    world_.apply(std::move(*update));
-  } else if (const auto* hello = std::get_if<NodeHello>(&message)) {
-    greet(*hello);
+std::shared_ptr<void> BackendNode::accept(std::shared_ptr<BackendEnd> link) {
+  return std::make_shared<Reception>(*this, std::move(link));
+}
+
+pipeline::PushResult BackendNode::receive(const std::shared_ptr<Peer>& peer, ToBackend message) {
+  if (const auto* hello = std::get_if<NodeHello>(&message)) {
+    greet(peer, *hello);
+    return pipeline::PushResult::kAccepted;
+  }
+  if (const auto objection = peer->objectionTo(message)) {
+    machine_.timeline.count("messages that were refused");
+    peer->reproach(*objection);
+    return pipeline::PushResult::kClosed;
+  }
+  if (auto* request = std::get_if<Request>(&message)) return take({std::move(*request), peer});
+  if (auto* update = std::get_if<std::shared_ptr<const WorldUpdate>>(&message)) return apply(*peer, std::move(*update));
+  if (const auto* view = std::get_if<std::shared_ptr<const View>>(&message)) {
+    peer->begin(**view);
   } else if (const auto* cancel = std::get_if<Cancel>(&message)) {
-    ended_.add(*cancel);
+    peer->end(*cancel);
   } else if (const auto* quality = std::get_if<Quality>(&message)) {
-    for (const auto& [type, pipeline] : pipelines_) pipeline->half().setQuality(quality->step);
-  } else if (const auto* forget = std::get_if<Forget>(&message)) {
-    ended_.forget(forget->session);
-    for (const auto& [type, pipeline] : pipelines_) pipeline->half().forget(forget->session);
+    peer->setQuality(quality->step);
+    adjustQuality();
+  } else if (const auto* forgotten = std::get_if<Forget>(&message)) {
+    forget(*peer, forgotten->session);
   }
   return pipeline::PushResult::kAccepted;
 }
 
-void BackendNode::greet(const NodeHello& hello) {
-  const std::optional<std::string> objection = objectionTo(hello);
-  welcomed_ = !objection;
-  if (objection) {
-    transport_.send(NodeRefusal{*objection});
-  } else {
-    transport_.send(welcome());
+void BackendNode::greet(const std::shared_ptr<Peer>& peer, const NodeHello& hello) {
+  dismiss(*peer);
+  std::optional<std::string> objection = objectionTo(hello);
+  if (!objection && !peers_.add(peer, hello.process)) {
+    objection = "another frontend process has the number " + std::to_string(hello.process);
   }
+  if (objection) {
+    peer->link().send(ToFrontend(NodeRefusal{*objection}));
+  } else {
+    peer->link().send(ToFrontend(welcome()));
+  }
+}
+
+void BackendNode::dismiss(Peer& peer) {
+  const std::optional<ProcessId> process = peer.process();
+  if (!process) return;
+  world_.leave(*process);
+  peers_.remove(peer);
+  // A link may end before it says so of each.
+  for (const SessionId session : peer.sessions()) forget(peer, session);
+  peer.setQuality(0);
+  adjustQuality();
+}
+
+pipeline::PushResult BackendNode::apply(Peer& peer, std::shared_ptr<const WorldUpdate> update) {
+  // By its own clock its frames have deadlines, whoever owns the world.
+  peer.hearClock(update->clock);
+  const std::optional<ProcessId> process = peer.process();
+  if (process && world_.apply(*process, std::move(update))) return pipeline::PushResult::kAccepted;
+  machine_.timeline.count("updates by who does not own the world");
+  peer.reportForeignWorld();
+  return pipeline::PushResult::kClosed;
+}
+
+void BackendNode::forget(Peer& peer, SessionId session) {
+  peer.forget(session);
+  for (const auto& [type, pipeline] : pipelines_) pipeline->half().forget(session);
+}
+
+void BackendNode::adjustQuality() {
+  // Held while halves announce what changes, which asks for no quality.
+  const std::lock_guard lock(qualityMutex_);
+  const std::optional<int> wanted = peers_.quality();
+  if (!wanted || std::exchange(quality_, *wanted) == *wanted) return;
+  for (const auto& [type, pipeline] : pipelines_) pipeline->half().setQuality(*wanted);
 }
 
 std::optional<std::string> BackendNode::objectionTo(const NodeHello& hello) const {
@@ -106,13 +176,15 @@ NodeWelcome BackendNode::welcome() const {
   return welcome;
 }
 
-pipeline::PushResult BackendNode::take(Request request) {
-  if (!welcomed_) return pipeline::PushResult::kClosed;
+pipeline::PushResult BackendNode::take(Asked asked) {
+  Request& request = asked.request;
+  // Differences are for who unpacks them.
+  if (asked.peer->link().sharesMemory()) request.known = 0;
   const auto owner = owners_.find(request.object);
   BackendPipeline* const pipeline = owner != owners_.end()                        ? owner->second
                                     : request.object >= world::kFirstPlayerObject ? visitors_
                                                                                   : nullptr;
-  return pipeline == nullptr ? pipeline::PushResult::kClosed : pipeline->push(std::move(request));
+  return pipeline == nullptr ? pipeline::PushResult::kClosed : pipeline->push(std::move(asked));
 }
 
 }  // namespace grove::node

@@ -6,21 +6,19 @@
 #include "node/backend/request_handler.h"
 #include "node/backend/request_receiver.h"
 #include "node/backend/result_sender.h"
-#include "node/transport/transport.h"
 
 namespace grove::node {
 
 /// The right half of Figure 4.2 for all objects of one type: from their requests to their results.
 class BackendPipeline {
  public:
-  /// Prepares the objects, which may take seconds. `transport` and `ended` outlive it.
-  BackendPipeline(const BackendType& type, world::TypeIndex index, const BackendServices& services,
-                  const EndedFrames& ended, BackendEnd& transport);
+  /// Prepares the objects, which may take seconds.
+  BackendPipeline(const BackendType& type, world::TypeIndex index, const BackendServices& services);
   ~BackendPipeline();
   BackendPipeline(const BackendPipeline&) = delete;
   BackendPipeline& operator=(const BackendPipeline&) = delete;
 
-  pipeline::PushResult push(Request request) { return receiver_->push(std::move(request)); }
+  pipeline::PushResult push(Asked asked) { return receiver_->push(std::move(asked)); }
   [[nodiscard]] BackendHalf& half() noexcept { return *half_; }
 
   /// Takes no more requests; runs in progress finish. The executors must be joined before it is destroyed.

@@ -59,8 +59,6 @@ struct BackendServices {
   raster::ImagePool& images;
   /// Says that there is newer shared data. Any thread.
   std::function<void(const Announcement&)> announce;
-  /// Whether a frontend's shared store keeps what it gets by reference, so that the half need not keep it, too.
-  bool sharesMemory = true;
   /// Reports slow preparation: a label and a share of 0..1. It throws if the half is not wanted any more, so it is
   /// called often.
   std::function<void(std::string_view, float)> progress;

@@ -6,8 +6,7 @@
 
 namespace grove::node {
 
-Compressor::Compressor(const BackendEnd& transport, std::string_view subject, pipeline::Executor& executor,
-                       pipeline::Timeline& timeline)
+Compressor::Compressor(std::string_view subject, pipeline::Executor& executor, pipeline::Timeline& timeline)
     : Stage({.name = "Compressor",
              .subject = subject,
              .work = pipeline::Work::kPerUserBackend,
@@ -15,19 +14,18 @@ Compressor::Compressor(const BackendEnd& transport, std::string_view subject, pi
              .maxBatch = kBackendBatch,
              .finishes = true},
             executor, timeline),
-      transport_(transport),
       subject_(subject) {}
 
-void Compressor::connect(std::shared_ptr<pipeline::Inlet<Result>> next) {
+void Compressor::connect(std::shared_ptr<pipeline::Inlet<Answered>> next) {
   next_.connect(std::move(next));
   addOutlet(next_);
 }
 
-void Compressor::process(std::span<Result> results, pipeline::Run& run) {
-  for (Result& result : results) {
-    attempt([&] { transport_.compress(result, subject_); },
-            [&](const std::string& reason) { result.payload = Failure{reason}; });
-    next_.send(run, std::move(result));
+void Compressor::process(std::span<Answered> results, pipeline::Run& run) {
+  for (Answered& answered : results) {
+    attempt([&] { answered.peer->link().compress(answered.result, subject_); },
+            [&](const std::string& reason) { answered.result.payload = Failure{reason}; });
+    next_.send(run, std::move(answered));
   }
 }
 

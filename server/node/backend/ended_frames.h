@@ -1,36 +1,50 @@
 #pragma once
 
 #include <algorithm>
-#include <map>
-#include <mutex>
+#include <cstddef>
+#include <vector>
 
+#include "base/lru_table.h"
 #include "node/messages/request.h"
 
 namespace grove::node {
 
-/// Frames that frontends have ended before their requests were answered. Any thread.
+/// Frames that a frontend process has ended before their requests were answered. Of more than kMaxSessions sessions,
+/// those that ended none for longest are forgotten; then what nobody waits for is answered, too. One thread
+/// at a time.
 class EndedFrames {
  public:
+  static constexpr std::size_t kMaxSessions = 4096;
+
   void add(const Cancel& cancel) {
-    const std::lock_guard lock(mutex_);
-    FrameNumber& newest = newest_[cancel.session];
-    newest = std::max(newest, cancel.frame);
+    if (FrameNumber* const newest = newest_.use(cancel.session)) {
+      *newest = std::max(*newest, cancel.frame);
+      return;
+    }
+    if (newest_.size() == kMaxSessions) newest_.takeOldest();
+    newest_.put(cancel.session, cancel.frame);
   }
 
-  void forget(SessionId session) {
-    const std::lock_guard lock(mutex_);
-    newest_.erase(session);
+  /// Of a session that may have ended none yet.
+  void meet(SessionId session) { add({.session = session, .frame = 0}); }
+
+  /// That were met, or have ended frames.
+  [[nodiscard]] std::vector<SessionId> sessions() const {
+    std::vector<SessionId> sessions;
+    sessions.reserve(newest_.size());
+    for (const auto& entry : newest_.entries()) sessions.push_back(entry.key);
+    return sessions;
   }
+
+  void forget(SessionId session) { newest_.take(session); }
 
   [[nodiscard]] bool contain(const View& view) const {
-    const std::lock_guard lock(mutex_);
-    const auto found = newest_.find(view.session);
-    return found != newest_.end() && view.frame <= found->second;
+    const FrameNumber* const newest = newest_.find(view.session);
+    return newest != nullptr && view.frame <= *newest;
   }
 
  private:
-  mutable std::mutex mutex_;
-  std::map<SessionId, FrameNumber> newest_;
+  LruTable<SessionId, FrameNumber> newest_;
 };
 
 }  // namespace grove::node

@@ -1,7 +1,6 @@
 #include "node/backend/request_handler.h"
 
 #include <algorithm>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -18,8 +17,8 @@ bool isOfItsKind(const Request& request, const Payload& payload) {
 
 }  // namespace
 
-RequestHandler::RequestHandler(const char* name, std::string_view subject, BackendHalf& half, const WorldMirror& world,
-                               const EndedFrames& ended, pipeline::Timeline& timeline)
+RequestHandler::RequestHandler(const char* name, std::string_view subject, BackendHalf& half,
+                               pipeline::Timeline& timeline)
     : Stage({.name = name,
              .subject = subject,
              .work = pipeline::Work::kPerUserBackend,
@@ -28,35 +27,34 @@ RequestHandler::RequestHandler(const char* name, std::string_view subject, Backe
              .maxBatch = half.maxAtOnce()},
             half.executor(), timeline),
       timeline_(timeline),
-      half_(half),
-      world_(world),
-      ended_(ended) {}
+      half_(half) {}
 
-void RequestHandler::connect(std::shared_ptr<pipeline::Inlet<Result>> compressor) {
+void RequestHandler::connect(std::shared_ptr<pipeline::Inlet<Answered>> compressor) {
   compressor_.connect(std::move(compressor));
   addOutlet(compressor_);
 }
 
-void RequestHandler::process(std::span<Request> all, pipeline::Run& run) {
-  const std::optional<double> now = world_.now();
-  const auto isWanted = [&](const Request& request) {
-    const View* const view = request.view.get();
-    return view == nullptr || ((!now || *now < view->deadline) && !ended_.contain(*view));
+void RequestHandler::process(std::span<Asked> all, pipeline::Run& run) {
+  const auto isWanted = [](const Asked& asked) {
+    return asked.request.view == nullptr || !asked.peer->isOver(*asked.request.view);
   };
   const auto firstEnded = std::stable_partition(all.begin(), all.end(), isWanted);
-  const std::span<Request> requests(all.begin(), firstEnded);
+  const std::span<Asked> wanted(all.begin(), firstEnded);
   if (firstEnded != all.end()) timeline_.count("requests of frames that had ended", all.end() - firstEnded);
   // Somebody else may wait for shared data, and asks again.
-  for (auto request = firstEnded; request != all.end(); ++request) {
-    compressor_.send(run, resultOf(*request, Failure{"the frame has ended", true}));
+  for (auto ended = firstEnded; ended != all.end(); ++ended) {
+    compressor_.send(run, {resultOf(ended->request, Failure{"the frame has ended", true}), std::move(ended->peer)});
   }
-  if (requests.empty()) return;
+  if (wanted.empty()) return;
+  std::vector<Request> requests;
+  requests.reserve(wanted.size());
+  for (Asked& asked : wanted) requests.push_back(std::move(asked.request));
   std::vector<Payload> payloads(requests.size());
   attempt([&] { half_.answer(requests, payloads); },
           [&](const std::string& reason) { answerOneByOne(requests, payloads, reason); });
   for (std::size_t i = 0; i < requests.size(); ++i) {
     if (!isOfItsKind(requests[i], payloads[i])) payloads[i] = Failure{"it was answered with data of another kind"};
-    compressor_.send(run, resultOf(requests[i], std::move(payloads[i])));
+    compressor_.send(run, {resultOf(requests[i], std::move(payloads[i])), std::move(wanted[i].peer)});
   }
 }
 

@@ -2,8 +2,8 @@
 
 #include <string_view>
 
+#include "node/backend/asked.h"
 #include "node/backend/backend_half.h"
-#include "node/backend/ended_frames.h"
 #include "pipeline/outlet.h"
 
 namespace grove::node {
@@ -11,15 +11,14 @@ namespace grove::node {
 /// What Renderer and Simulator share: a batch of requests goes to the object type's backend half, and a result for each
 /// goes on, a Failure where the half threw. One request that throws costs the others of its batch nothing. A request
 /// whose frame has ended meanwhile fails at once, so that what is slow has no backlog.
-class RequestHandler : public pipeline::Stage<Request> {
+class RequestHandler : public pipeline::Stage<Asked> {
  public:
-  void connect(std::shared_ptr<pipeline::Inlet<Result>> compressor);
+  void connect(std::shared_ptr<pipeline::Inlet<Answered>> compressor);
 
  protected:
-  /// `subject`: the type of object, for the timeline. The world and `ended` outlive it.
-  RequestHandler(const char* name, std::string_view subject, BackendHalf& half, const WorldMirror& world,
-                 const EndedFrames& ended, pipeline::Timeline& timeline);
-  void process(std::span<Request> all, pipeline::Run& run) final;
+  /// `subject`: the type of object, for the timeline.
+  RequestHandler(const char* name, std::string_view subject, BackendHalf& half, pipeline::Timeline& timeline);
+  void process(std::span<Asked> all, pipeline::Run& run) final;
 
  private:
   /// After the batch has thrown for `reason`: only those fail that throw alone, too.
@@ -27,9 +26,7 @@ class RequestHandler : public pipeline::Stage<Request> {
 
   pipeline::Timeline& timeline_;
   BackendHalf& half_;
-  const WorldMirror& world_;
-  const EndedFrames& ended_;
-  pipeline::Outlet<Result> compressor_;
+  pipeline::Outlet<Answered> compressor_;
 };
 
 }  // namespace grove::node

@@ -1,21 +1,21 @@
 #pragma once
 
-#include "node/messages.h"
+#include "node/backend/asked.h"
 #include "pipeline/outlet.h"
 
 namespace grove::node {
 
 /// Takes requests off the transport and hands them to the Renderer or the Simulator (section 4.2, step 3).
-class RequestReceiver final : public pipeline::Stage<Request> {
+class RequestReceiver final : public pipeline::Stage<Asked> {
  public:
   RequestReceiver(pipeline::Executor& executor, pipeline::Timeline& timeline);
-  void connect(std::shared_ptr<pipeline::Inlet<Request>> handler);
+  void connect(std::shared_ptr<pipeline::Inlet<Asked>> handler);
 
  protected:
-  void process(std::span<Request> requests, pipeline::Run& run) override;
+  void process(std::span<Asked> requests, pipeline::Run& run) override;
 
  private:
-  pipeline::Outlet<Request> handler_;
+  pipeline::Outlet<Asked> handler_;
 };
 
 }  // namespace grove::node

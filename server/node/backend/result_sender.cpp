@@ -6,24 +6,25 @@
 
 namespace grove::node {
 
-ResultSender::ResultSender(BackendEnd& transport, pipeline::Executor& executor, pipeline::Timeline& timeline)
+ResultSender::ResultSender(pipeline::Executor& executor, pipeline::Timeline& timeline)
     : Stage({.name = "Result Sender",
              .work = pipeline::Work::kPerUserBackend,
              .capacity = kBackendQueue,
              .maxBatch = kBackendBatch,
              .finishes = true},
-            executor, timeline),
-      transport_(transport) {}
+            executor, timeline) {}
 
-void ResultSender::process(std::span<Result> results, pipeline::Run&) {
-  for (Result& result : results) {
+void ResultSender::process(std::span<Answered> results, pipeline::Run&) {
+  for (Answered& answered : results) {
+    Result& result = answered.result;
+    BackendEnd& link = answered.peer->link();
     Result instead = result;
     instead.payload = Failure{};
     instead.packed = nullptr;
-    attempt([&] { transport_.send(ToFrontend(std::move(result))); },
+    attempt([&] { link.send(ToFrontend(std::move(result))); },
             [&](const std::string& reason) {
               instead.payload = Failure{reason};
-              transport_.send(ToFrontend(std::move(instead)));
+              link.send(ToFrontend(std::move(instead)));
             });
   }
 }

@@ -1,20 +1,17 @@
 #pragma once
 
-#include "node/transport/transport.h"
+#include "node/backend/asked.h"
 #include "pipeline/stage.h"
 
 namespace grove::node {
 
-/// Sends each result to the frontend node that asked for it (section 4.2, step 7).
-class ResultSender final : public pipeline::Stage<Result> {
+/// Sends each result to the frontend process that asked for it (section 4.2, step 7).
+class ResultSender final : public pipeline::Stage<Answered> {
  public:
-  ResultSender(BackendEnd& transport, pipeline::Executor& executor, pipeline::Timeline& timeline);
+  ResultSender(pipeline::Executor& executor, pipeline::Timeline& timeline);
 
  protected:
-  void process(std::span<Result> results, pipeline::Run& run) override;
-
- private:
-  BackendEnd& transport_;
+  void process(std::span<Answered> results, pipeline::Run& run) override;
 };
 
 }  // namespace grove::node

@@ -8,9 +8,8 @@ namespace grove::node {
 /// independent of requests.
 class Simulator final : public RequestHandler {
  public:
-  Simulator(std::string_view subject, BackendHalf& half, const WorldMirror& world, const EndedFrames& ended,
-            pipeline::Timeline& timeline)
-      : RequestHandler("Simulator", subject, half, world, ended, timeline) {}
+  Simulator(std::string_view subject, BackendHalf& half, pipeline::Timeline& timeline)
+      : RequestHandler("Simulator", subject, half, timeline) {}
 };
 
 }  // namespace grove::node

@@ -7,14 +7,17 @@
 
 namespace grove::node {
 
-void WorldMirror::apply(std::shared_ptr<const WorldUpdate> update) {
+bool WorldMirror::apply(ProcessId from, std::shared_ptr<const WorldUpdate> update) {
   std::vector<std::shared_ptr<const std::function<void()>>> wakes;
   {
     const std::lock_guard lock(mutex_);
-    if (update->number <= newest_->number) return;
+    if (owner_.value_or(from) != from) return false;
+    owner_ = from;
+    if (newest_->number - update->number < kLate) return true;  // unsigned: of a higher one the difference is huge
     newest_ = std::move(update);
+    ++count_;
     clock_.hear(newest_->clock, pipeline::wallSeconds());
-    if (!newest_->gusts.empty()) past_.push_back({newest_->number, newest_->gusts});
+    if (!newest_->gusts.empty()) past_.push_back({count_, newest_->gusts});
     if (past_.size() > kKept) past_.erase(past_.begin());
     std::erase_if(wakes_, [](const auto& wake) { return wake.expired(); });
     wakes.reserve(wakes_.size());
@@ -24,6 +27,16 @@ void WorldMirror::apply(std::shared_ptr<const WorldUpdate> update) {
     }
   }
   for (const auto& wake : wakes) (*wake)();
+  return true;
+}
+
+void WorldMirror::leave(ProcessId owner) {
+  const std::lock_guard lock(mutex_);
+  if (owner_ != owner) return;
+  owner_.reset();
+  newest_ = std::make_shared<const WorldUpdate>();
+  past_.clear();
+  clock_ = {};
 }
 
 std::optional<double> WorldMirror::now() const {
@@ -44,7 +57,7 @@ std::vector<world::Gust> WorldMirror::gusts(Cursor& cursor) const {
   for (auto past = past_.rbegin(); past != past_.rend() && past->number > cursor; ++past) {
     for (const world::Gust& gust : past->gusts) gusts.try_emplace(gust.visitor, gust);
   }
-  cursor = newest_->number;
+  cursor = count_;
   std::vector<world::Gust> result;
   result.reserve(gusts.size());
   for (const auto& [visitor, gust] : gusts) result.push_back(gust);

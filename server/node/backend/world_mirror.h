@@ -8,18 +8,24 @@
 #include <vector>
 
 #include "node/backend/peer_clock.h"
+#include "node/messages/ids.h"
 #include "node/messages/world_update.h"
 
 namespace grove::node {
 
-/// What a backend node knows of the world that its owner reports: who is there, what blows, and what time it is. Any
-/// thread.
+/// What a backend node knows of the world that its owner reports: who is there, what blows, and what time it is. Of
+/// several frontend processes that report, the first owns the world until it leaves: each has a clock of its own, and a
+/// simulation can only follow one. Any thread.
 class WorldMirror {
  public:
-  /// Counts updates.
+  /// Counts updates as they come.
   using Cursor = std::uint64_t;
 
-  void apply(std::shared_ptr<const WorldUpdate> update);
+  /// False if another one owns the world. An update that comes late, after a newer one, changes nothing. One whose
+  /// number lies far behind begins a new count, so no number keeps those after it out.
+  bool apply(ProcessId from, std::shared_ptr<const WorldUpdate> update);
+  /// If it owns the world, nobody is there until another one reports.
+  void leave(ProcessId owner);
 
   /// Seconds of the world's clock; nothing before the first update.
   [[nodiscard]] std::optional<double> now() const;
@@ -37,13 +43,17 @@ class WorldMirror {
  private:
   /// So many updates of gusts are kept: two seconds.
   static constexpr std::size_t kKept = 64;
+  /// So far behind, an update is late.
+  static constexpr std::uint64_t kLate = 64;
   struct Past {
-    std::uint64_t number = 0;
+    Cursor number = 0;
     std::vector<world::Gust> gusts;
   };
   mutable std::mutex mutex_;
   PeerClock clock_;
+  std::optional<ProcessId> owner_;
   std::shared_ptr<const WorldUpdate> newest_ = std::make_shared<const WorldUpdate>();
+  Cursor count_ = 0;
   std::vector<Past> past_;  ///< the oldest first
   mutable std::vector<std::weak_ptr<const std::function<void()>>> wakes_;
 };

@@ -16,6 +16,8 @@ using ProcessId = std::uint32_t;
 [[nodiscard]] constexpr std::uint64_t makeId(ProcessId process, std::uint32_t number) noexcept {
   return std::uint64_t{process} << 32U | number;
 }
+/// Whose an id is.
+[[nodiscard]] constexpr ProcessId processOf(std::uint64_t id) noexcept { return static_cast<ProcessId>(id >> 32U); }
 /// What tells the sessions of one process apart, for people and traces.
 [[nodiscard]] constexpr std::uint32_t numberOf(std::uint64_t id) noexcept { return static_cast<std::uint32_t>(id); }
 

@@ -23,7 +23,8 @@ struct Request {
   float distance = 0.0F;  ///< metres from the eye to the farthest corner of the object's bounds
   /// How wrong what the visitor would see without an answer is, in times of what is permitted; infinite: nothing.
   float urgency = std::numeric_limits<float>::infinity();
-  /// Of shared data: the version that the process has, to which the answer may come as a difference; 0: none.
+  /// Of shared data: the version that the process has, to which the answer may come as a difference; 0: none, and
+  /// where the answer goes by reference.
   Version known = 0;
 };
 
@@ -33,7 +34,7 @@ struct Cancel {
   FrameNumber frame = 0;  ///< this one and those before it
 };
 
-/// How good across-user work is to be, 0 to kMaxQuality.
+/// How good across-user work is to be, 0 to kMaxQuality. Of what several frontend processes want the best counts.
 struct Quality {
   int step = 0;
 };

@@ -9,7 +9,7 @@
 namespace grove::node {
 
 /// What backend nodes know of who is in the world and what they do, as of one moment. The owner of the world sends it
-/// to every node, thirty times a second while somebody is there.
+/// to every node, thirty times a second while somebody is there; see WorldMirror for who that is.
 struct WorldUpdate {
   std::uint64_t number = 0;  ///< counts up from 1
   double clock = 0.0;        ///< seconds of the world's clock

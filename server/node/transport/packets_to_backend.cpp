@@ -19,15 +19,14 @@ void PacketsToBackend::deliver(const Packet& packet, BackendPort& port) {
     refuse(*error);
     return;
   }
-  auto& message = std::get<ToBackend>(decoded);
+  const ToBackend message = std::get<ToBackend>(std::move(decoded));
+  const bool isAccepted = port.receive(message) == pipeline::PushResult::kAccepted;
+  if (const auto* request = std::get_if<Request>(&message); request != nullptr && !isAccepted) {
+    answers_.send(ToFrontend(resultOf(*request, Failure{"the backend node is full", true})));
+  }
+  if (!isAccepted) return;
   if (const auto* view = std::get_if<std::shared_ptr<const View>>(&message)) views_.add(*view);
   if (const auto* forgotten = std::get_if<Forget>(&message)) views_.forget(forgotten->session);
-  const auto* const request = std::get_if<Request>(&message);
-  Result refusal = request == nullptr ? Result{} : resultOf(*request, Failure{"the backend node is full", true});
-  const bool isRequest = request != nullptr;
-  if (port.receive(std::move(message)) != pipeline::PushResult::kAccepted && isRequest) {
-    answers_.send(ToFrontend(std::move(refusal)));
-  }
 }
 
 }  // namespace grove::node

@@ -3,17 +3,44 @@
 #include <utility>
 
 namespace grove::node {
+namespace {
+
+/// What a session's own place takes, too.
+constexpr std::size_t kOverhead = 256;
+
+std::size_t bytesOf(const View& view) {
+  std::size_t bytes = sizeof(View) + kOverhead + view.players.capacity() * sizeof(world::Player) +
+                      view.lights.capacity() * sizeof(world::PointLight);
+  for (const world::Player& player : view.players) bytes += player.name.capacity();
+  return bytes;
+}
+
+/// The same view, in `sum` for as long as anybody holds it.
+std::shared_ptr<const View> counted(std::shared_ptr<const View> view, std::size_t bytes,
+                                    std::shared_ptr<std::atomic<std::size_t>> sum) {
+  const View* const seen = view.get();
+  *sum += bytes;
+  return {seen, [held = std::move(view), sum = std::move(sum), bytes](const View*) { *sum -= bytes; }};
+}
+
+}  // namespace
 
 void SentViews::add(std::shared_ptr<const View> view) {
-  std::vector<std::shared_ptr<const View>>* views = sessions_.use(view->session);
-  if (views == nullptr) {
-    if (sessions_.size() == kMaxSessions) sessions_.takeOldest();
-    const SessionId session = view->session;
-    sessions_.put(session, {});
-    views = sessions_.use(session);
-  }
-  if (views->size() == kKept) views->erase(views->begin());
-  views->push_back(std::move(view));
+  const std::size_t bytes = bytesOf(*view);
+  const SessionId session = view->session;
+  if (sessions_.use(session) == nullptr) sessions_.put(session, {});
+  while (*bytes_ + bytes > kMaxBytes && !sessions_.empty()) forgetOldest();
+  if (*bytes_ + bytes > kMaxBytes) return;
+  if (sessions_.find(session) == nullptr) sessions_.put(session, {});
+  auto& views = *sessions_.find(session);
+  if (views.size() == kKept) views.erase(views.begin());
+  views.push_back(counted(std::move(view), bytes, bytes_));
+}
+
+void SentViews::forgetOldest() {
+  auto& views = *sessions_.find(sessions_.entries().back().key);
+  if (!views.empty()) views.erase(views.begin());
+  if (views.empty()) sessions_.takeOldest();
 }
 
 std::shared_ptr<const View> SentViews::find(SessionId session, FrameNumber frame) {

@@ -14,7 +14,7 @@
 /// own business.
 namespace grove::node {
 
-/// Where a backend node takes what frontend processes send. Any thread; returns soon.
+/// Where a backend node takes what one frontend process sends. Any thread; returns soon.
 class BackendPort {
  public:
   virtual ~BackendPort() = default;
@@ -62,7 +62,7 @@ class BackendEnd {
   virtual void leaveBackend() = 0;
   /// What cannot be sent is lost, and counted.
   virtual void send(ToFrontend message) = 0;
-  /// Whether both ends share memory, so that what one keeps the other need not.
+  /// Whether both ends share memory, so that what is shared travels whole, by reference.
   [[nodiscard]] virtual bool sharesMemory() const = 0;
   /// What the Compressor does to a result before it travels, see FrontendProcess::unpack(); `subject` is its type of
   /// object, and outlives the timeline. Throws PackingError.

@@ -67,8 +67,9 @@ class WorldInstance {
   std::uint64_t updates_ = 0;
   world::Edits::Cursor edits_ = 0;  ///< what the backend node knows of them
   double nextUpdate_ = 0.0;
-  const std::unique_ptr<node::Transport> transport_;
+  const std::shared_ptr<node::Transport> transport_;
   node::BackendNode backend_;
+  const std::shared_ptr<void> served_;  ///< the frontend by the backend
   node::FrontendProcess frontend_;
 };
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "node/backend/renderer.h"
+#include "node/transport/reference_transport.h"
 #include "pipeline/worker_pool.h"
 
 namespace grove::node {
@@ -39,15 +40,15 @@ class Fussy final : public BackendHalf {
   const SessionId refused_;
 };
 
-class Results final : public pipeline::Stage<Result> {
+class Results final : public pipeline::Stage<Answered> {
  public:
   Results(pipeline::Executor& executor, pipeline::Timeline& timeline)
       : Stage({.name = "Results", .capacity = 16}, executor, timeline) {}
   std::vector<std::pair<SessionId, bool>> failed;  ///< whether it did
 
  protected:
-  void process(std::span<Result> results, pipeline::Run&) override {
-    for (const Result& result : results) {
+  void process(std::span<Answered> results, pipeline::Run&) override {
+    for (const auto& [result, peer] : results) {
       failed.emplace_back(result.session, std::holds_alternative<Failure>(result.payload));
     }
   }
@@ -62,16 +63,18 @@ Request requestOf(SessionId session, double deadline = std::numeric_limits<doubl
   return request;
 }
 
+std::shared_ptr<Peer> somebody() { return std::make_shared<Peer>(std::make_shared<ReferenceTransport>()); }
+
 /// What becomes of requests that wait together for the only worker.
 std::shared_ptr<Results> answerTogether(const std::vector<Request>& requests, BackendHalf& half,
-                                        const EndedFrames& ended, pipeline::WorkerPool& workers,
-                                        pipeline::Timeline& timeline, const WorldMirror& world = {}) {
-  const auto renderer = std::make_shared<Renderer>("fussy", half, world, ended, timeline);
+                                        pipeline::WorkerPool& workers, pipeline::Timeline& timeline,
+                                        const std::shared_ptr<Peer>& peer = somebody()) {
+  const auto renderer = std::make_shared<Renderer>("fussy", half, timeline);
   auto results = std::make_shared<Results>(workers, timeline);
   renderer->connect(results);
   std::binary_semaphore begin(0);
   workers.post([&] { begin.acquire(); });
-  for (const Request& request : requests) renderer->push(request);
+  for (const Request& request : requests) renderer->push({request, peer});
   begin.release();
   for (int stage = 0; stage < 6; ++stage) workers.drain();
   return results;
@@ -81,7 +84,7 @@ TEST(RequestHandler, OneRequestThatThrowsCostsTheOthersOfItsBatchNothing) {
   pipeline::Timeline timeline;
   pipeline::WorkerPool workers(1);
   Fussy half(workers, 2);
-  const auto results = answerTogether({requestOf(1), requestOf(2), requestOf(3)}, half, {}, workers, timeline);
+  const auto results = answerTogether({requestOf(1), requestOf(2), requestOf(3)}, half, workers, timeline);
   EXPECT_THAT(half.batches, ElementsAre(3U, 1U, 1U, 1U));
   EXPECT_THAT(results->failed, ElementsAre(std::pair(1U, false), std::pair(2U, true), std::pair(3U, false)));
   EXPECT_EQ(timeline.totals().at("Renderer").failures, 2U) << "of the batch and of the one";
@@ -108,7 +111,7 @@ TEST(RequestHandler, APayloadOfAnotherKindIsAFailure) {
   OnlyPictures half(workers);
   Request forData = requestOf(2);
   forData.shared = true;
-  const auto results = answerTogether({requestOf(1), forData}, half, {}, workers, timeline);
+  const auto results = answerTogether({requestOf(1), forData}, half, workers, timeline);
   EXPECT_THAT(results->failed, ElementsAre(std::pair(1U, false), std::pair(2U, true)));
 }
 
@@ -117,18 +120,14 @@ TEST(RequestHandler, LeavesRequestsOfFramesThatHaveEnded) {
   pipeline::Timeline timeline;
   pipeline::WorkerPool workers(1);
   Fussy half(workers, 0);
-  EndedFrames ended;
-  ended.add({.session = 4, .frame = 1});
-  // By the clock of the world's owner, which shows something else than the clock here.
+  const auto peer = somebody();
+  peer->end({.session = 4, .frame = 1});
+  // By the clock of who asks, which shows something else than the clock here.
   const double now = 5.0;
-  WorldMirror world;
-  const auto update = std::make_shared<WorldUpdate>();
-  update->number = 1;
-  update->clock = now;
-  world.apply(update);
+  peer->hearClock(now);
   const auto results = answerTogether(
       {requestOf(1, now - 0.1), requestOf(2, now + 3600.0), requestOf(3, now - 0.1), requestOf(4), Request()}, half,
-      ended, workers, timeline, world);
+      workers, timeline, peer);
   EXPECT_THAT(half.batches, ElementsAre(2U));
   EXPECT_THAT(results->failed, UnorderedElementsAre(std::pair(1U, true), std::pair(2U, false), std::pair(3U, true),
                                                     std::pair(4U, true), std::pair(0U, false)));

@@ -14,6 +14,8 @@ using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 using ::testing::UnorderedElementsAre;
 
+constexpr ProcessId kOwner = 1;
+
 world::Gust gustOf(world::PlayerId visitor, float speed) {
   world::Gust gust;
   gust.visitor = visitor;
@@ -55,7 +57,7 @@ TEST(WorldMirror, KnowsTheClockOfTheWorldsOwner) {
   const auto timed = std::make_shared<WorldUpdate>();
   timed->number = 1;
   timed->clock = 7000.0;
-  mirror.apply(timed);
+  mirror.apply(kOwner, timed);
   ASSERT_TRUE(mirror.now());
   EXPECT_GE(*mirror.now(), 7000.0);
   EXPECT_LT(*mirror.now(), 7010.0);
@@ -105,19 +107,53 @@ TEST(PeerClock, AWrongFirstReportIsSoonForgotten) {
 
 TEST(WorldMirror, TheNewestUpdateCountsInWhateverOrderTheyCome) {
   WorldMirror mirror;
-  mirror.apply(update(2, {7, 8}));
-  mirror.apply(update(1, {7}));
+  mirror.apply(kOwner, update(2, {7, 8}));
+  mirror.apply(kOwner, update(1, {7}));
   EXPECT_THAT(ids(mirror), ElementsAre(7, 8));
-  mirror.apply(update(3, {}));
+  mirror.apply(kOwner, update(3, {}));
   EXPECT_THAT(ids(mirror), IsEmpty());
+}
+
+/// Or one number that is nonsense would keep all players where they were, for ever.
+TEST(WorldMirror, GoesOnAfterAnyNumber) {
+  for (const std::uint64_t nonsense : {~std::uint64_t{0}, std::uint64_t{1} << 63U, std::uint64_t{1} << 32U}) {
+    WorldMirror mirror;
+    WorldMirror::Cursor cursor = 0;
+    mirror.apply(kOwner, update(4, {7}));
+    mirror.apply(kOwner, update(nonsense, {}));
+    EXPECT_THAT(speeds(mirror, cursor), IsEmpty());
+    mirror.apply(kOwner, update(5, {7, 8}, {gustOf(7, 2.0F)}));
+    mirror.apply(kOwner, update(6, {7, 8}));
+    EXPECT_THAT(ids(mirror), ElementsAre(7, 8));
+    EXPECT_THAT(speeds(mirror, cursor), ElementsAre(2.0F)) << "which blew between two ticks";
+  }
+}
+
+/// Two clocks and two lists of players would take turns in one simulation.
+TEST(WorldMirror, BelongsToTheFirstWhoReportsUntilHeLeaves) {
+  WorldMirror mirror;
+  WorldMirror::Cursor cursor = 0;
+  EXPECT_TRUE(mirror.apply(1, update(100, {7}, {gustOf(7, 1.0F)})));
+  EXPECT_FALSE(mirror.apply(2, update(101, {8})));
+  mirror.leave(2);
+  EXPECT_THAT(ids(mirror), ElementsAre(7));
+  EXPECT_THAT(speeds(mirror, cursor), ElementsAre(1.0F));
+  mirror.leave(1);
+  EXPECT_THAT(ids(mirror), IsEmpty());
+  EXPECT_THAT(speeds(mirror, cursor), IsEmpty());
+  EXPECT_FALSE(mirror.now());
+  EXPECT_TRUE(mirror.apply(2, update(1, {8}, {gustOf(8, 2.0F)})));
+  EXPECT_TRUE(mirror.apply(2, update(2, {8})));
+  EXPECT_THAT(ids(mirror), ElementsAre(8));
+  EXPECT_THAT(speeds(mirror, cursor), ElementsAre(2.0F)) << "its count begins where it likes";
 }
 
 TEST(WorldMirror, WhatBlowsOnBlowsAtEveryTick) {
   WorldMirror mirror;
   WorldMirror::Cursor cursor = 0;
-  mirror.apply(update(1, {1}, {gustOf(1, 2.0F)}));
+  mirror.apply(kOwner, update(1, {1}, {gustOf(1, 2.0F)}));
   for (int tick = 0; tick < 3; ++tick) EXPECT_THAT(speeds(mirror, cursor), ElementsAre(2.0F));
-  mirror.apply(update(2, {1}));
+  mirror.apply(kOwner, update(2, {1}));
   EXPECT_THAT(speeds(mirror, cursor), IsEmpty());
 }
 
@@ -125,10 +161,10 @@ TEST(WorldMirror, ASlowSimulationMissesNoGustAndGetsNoneTwice) {
   WorldMirror mirror;
   WorldMirror::Cursor slow = 0;
   WorldMirror::Cursor other = 0;
-  mirror.apply(update(1, {1, 2}, {gustOf(1, 1.0F)}));
+  mirror.apply(kOwner, update(1, {1, 2}, {gustOf(1, 1.0F)}));
   EXPECT_THAT(speeds(mirror, other), ElementsAre(1.0F));
-  mirror.apply(update(2, {1, 2}, {gustOf(1, 3.0F), gustOf(2, 5.0F)}));
-  mirror.apply(update(3, {1, 2}));
+  mirror.apply(kOwner, update(2, {1, 2}, {gustOf(1, 3.0F), gustOf(2, 5.0F)}));
+  mirror.apply(kOwner, update(3, {1, 2}));
   EXPECT_THAT(speeds(mirror, slow), UnorderedElementsAre(3.0F, 5.0F)) << "of each visitor the newest";
   EXPECT_THAT(speeds(mirror, slow), IsEmpty());
   EXPECT_THAT(speeds(mirror, other), UnorderedElementsAre(3.0F, 5.0F)) << "each reads for itself";
@@ -136,8 +172,8 @@ TEST(WorldMirror, ASlowSimulationMissesNoGustAndGetsNoneTwice) {
 
 TEST(WorldMirror, KeepsTheGustsOfALimitedPast) {
   WorldMirror mirror;
-  mirror.apply(update(1, {1}, {gustOf(1, 1.0F)}));
-  for (std::uint64_t number = 2; number < 200; ++number) mirror.apply(update(number, {1}, {gustOf(2, 2.0F)}));
+  mirror.apply(kOwner, update(1, {1}, {gustOf(1, 1.0F)}));
+  for (std::uint64_t number = 2; number < 200; ++number) mirror.apply(kOwner, update(number, {1}, {gustOf(2, 2.0F)}));
   WorldMirror::Cursor cursor = 0;
   EXPECT_THAT(speeds(mirror, cursor), ElementsAre(2.0F));
 }
@@ -146,17 +182,17 @@ TEST(WorldMirror, WakesWhileSomebodyIsThereAndTheTokenIsHeld) {
   WorldMirror mirror;
   int woken = 0;
   auto token = mirror.whileVisited([&] { ++woken; });
-  mirror.apply(update(1, {}));
+  mirror.apply(kOwner, update(1, {}));
   EXPECT_EQ(woken, 0);
-  mirror.apply(update(2, {1}));
-  mirror.apply(update(3, {1}));
+  mirror.apply(kOwner, update(2, {1}));
+  mirror.apply(kOwner, update(3, {1}));
   EXPECT_EQ(woken, 2);
-  mirror.apply(update(3, {1}));
+  mirror.apply(kOwner, update(3, {1}));
   EXPECT_EQ(woken, 2) << "nothing new";
-  mirror.apply(update(4, {}));
+  mirror.apply(kOwner, update(4, {}));
   EXPECT_EQ(woken, 2);
   token.reset();
-  mirror.apply(update(5, {1}));
+  mirror.apply(kOwner, update(5, {1}));
   EXPECT_EQ(woken, 2);
 }
 

@@ -40,7 +40,7 @@ class Mailbox : public Port {
 
 class Backend final : public Mailbox<BackendPort, ToBackend> {
  public:
-  pipeline::PushResult answer = pipeline::PushResult::kAccepted;
+  std::atomic<pipeline::PushResult> answer = pipeline::PushResult::kAccepted;
   pipeline::PushResult receive(ToBackend message) override {
     keep(std::move(message));
     return answer;
@@ -171,9 +171,10 @@ class BytesTransportTest : public ::testing::Test {
 };
 
 TEST_F(BytesTransportTest, ARequestThatTheNodeRefusesFails) {
-  backend.answer = pipeline::PushResult::kRejected;
   const Request request = examples::request();
   ASSERT_EQ(transport.send(ToBackend(request.view)), pipeline::PushResult::kAccepted);
+  ASSERT_TRUE(eventually([&] { return backend.count() == 1; }));
+  backend.answer = pipeline::PushResult::kRejected;
   ASSERT_EQ(transport.send(ToBackend(request)), pipeline::PushResult::kAccepted);
   ASSERT_TRUE(eventually([&] { return frontend.count() == 1; }));
   const auto messages = frontend.messages();
@@ -187,6 +188,15 @@ TEST_F(BytesTransportTest, ARequestWithoutItsViewIsRefused) {
   (void)transport.send(ToBackend(examples::request()));
   EXPECT_TRUE(eventually([&] { return timeline.counters()["messages that were refused"] == 1; }));
   EXPECT_EQ(backend.count(), 0u);
+}
+
+/// Or who is not welcome at a node could fill its memory all the same.
+TEST_F(BytesTransportTest, AViewThatTheNodeRefusesIsNotKept) {
+  backend.answer = pipeline::PushResult::kClosed;
+  (void)transport.send(ToBackend(examples::request().view));
+  (void)transport.send(ToBackend(examples::request()));
+  EXPECT_TRUE(eventually([&] { return timeline.counters()["messages that were refused"] == 1; }));
+  EXPECT_EQ(backend.count(), 1U);
 }
 
 TEST_F(BytesTransportTest, CountsWhatTravels) {
@@ -240,20 +250,54 @@ TEST(SentViews, KeepTheNewestOfEachSession) {
   EXPECT_FALSE(find(examples::kSession, 40));
 }
 
+/// One whose lights make it a tenth of all that views may take.
+std::shared_ptr<const View> largeView(SessionId session, FrameNumber frame = 1) {
+  auto view = std::make_shared<View>();
+  view->session = session;
+  view->frame = frame;
+  view->lights.resize(SentViews::kMaxBytes / 10 / sizeof(world::PointLight) - 100);
+  return view;
+}
+
 TEST(SentViews, ForgetWhoWasSilentLongest) {
   SentViews views;
-  const auto add = [&](SessionId session) {
-    View view = examples::view();
-    view.session = session;
-    views.add(std::make_shared<View>(view));
-  };
-  for (SessionId session = 1; session <= SentViews::kMaxSessions; ++session) add(session);
-  add(1);
-  add(SentViews::kMaxSessions + 1);
   const ViewLookup find = views.lookup();
-  EXPECT_TRUE(find(1, examples::kFrame));
-  EXPECT_FALSE(find(2, examples::kFrame));
-  EXPECT_TRUE(find(3, examples::kFrame));
+  for (SessionId session = 1; session <= 10; ++session) views.add(largeView(session));
+  views.add(largeView(1, 2));
+  EXPECT_TRUE(find(1, 2));
+  EXPECT_TRUE(find(1, 1)) << "who speaks is not silent";
+  EXPECT_FALSE(find(2, 1));
+  EXPECT_TRUE(find(3, 1));
+}
+
+/// Or who sends views without end, and requests that hold them, takes all memory.
+TEST(SentViews, WhatRequestsHoldCountsAsLongAsTheyDo) {
+  SentViews views;
+  const ViewLookup find = views.lookup();
+  std::vector<std::shared_ptr<const View>> held;
+  for (SessionId session = 1; session <= 100; ++session) {
+    views.add(largeView(session));
+    if (auto view = find(session, 1)) held.push_back(std::move(view));
+  }
+  EXPECT_EQ(held.size(), 10U);
+  held.clear();
+  views.add(largeView(101));
+  EXPECT_TRUE(find(101, 1));
+}
+
+TEST(SentViews, AnEndlessNumberOfSessionsTakesLimitedMemory) {
+  SentViews views;
+  auto view = std::make_shared<View>();
+  view->frame = 1;
+  view->session = 1;
+  const std::weak_ptr<const View> first = view;
+  views.add(std::move(view));
+  for (SessionId session = 2; !first.expired() && session < 1'000'000; ++session) {
+    auto next = std::make_shared<View>();
+    next->session = session;
+    views.add(std::move(next));
+  }
+  EXPECT_TRUE(first.expired());
 }
 
 }  // namespace

@@ -56,7 +56,6 @@ class FluidBackend::Fire {
         geometry_(services.geometry),
         sky_(services.scene.layout.sky),
         announce_(services.announce),
-        sharesMemory_(services.sharesMemory),
         timeline_(services.timeline),
         name_(object.name),
         settings_(settingsOf(object)),
@@ -80,9 +79,11 @@ class FluidBackend::Fire {
   /// The newest snapshot, for who knows the one of tick `known`. Any thread.
   [[nodiscard]] std::shared_ptr<const node::SharedData> newest(node::Version known) {
     const std::lock_guard lock(mutex_);
+    if (known == 0) return newest_;
+    ticksToKeep_ = kKept;
     if (change_ && change_->leads(known, newest_->version())) return change_;
     const auto base = std::ranges::find(past_, known, &FluidSnapshot::version);
-    if (known == 0 || base == past_.end()) return newest_;
+    if (base == past_.end()) return newest_;
     change_ = std::make_shared<const SnapshotChange>(newest_, *base);
     return change_;
   }
@@ -145,8 +146,13 @@ class FluidBackend::Fire {
                  "; give it a smaller grid, or more threads");
   }
 
-  /// For those who know it and are sent differences. With mutex_ held.
+  /// For those who know it and are sent differences, as long as there are any. With mutex_ held.
   void keep(std::shared_ptr<const FluidSnapshot> snapshot) {
+    if (ticksToKeep_ == 0) {
+      past_.clear();
+      return;
+    }
+    --ticksToKeep_;
     past_.push_back(std::move(snapshot));
     if (past_.size() > kKept) past_.erase(past_.begin());
   }
@@ -169,7 +175,7 @@ class FluidBackend::Fire {
         newest_.swap(next);
         // As large as the last one, of which somebody may have had the packed form.
         held_.set(simulation.bytes() + (1 + past_.size()) * next->bytes());
-        if (!sharesMemory_) keep(std::move(next));
+        keep(std::move(next));
       }
       announce_({{id_, {}}, static_cast<node::Version>(simulation.tick())});
       keepPace(pipeline::threadCpuNanoseconds() - begin);
@@ -186,7 +192,6 @@ class FluidBackend::Fire {
   const world::WorldGeometry& geometry_;
   const world::Sky& sky_;
   const std::function<void(const node::Announcement&)> announce_;
-  const bool sharesMemory_;
   pipeline::Timeline& timeline_;
   const std::string name_;
   const FluidSettings settings_;
@@ -201,6 +206,7 @@ class FluidBackend::Fire {
   std::mutex mutex_;
   std::shared_ptr<const FluidSnapshot> newest_;
   std::vector<std::shared_ptr<const FluidSnapshot>> past_;  ///< before the newest, the oldest first
+  std::size_t ticksToKeep_ = 0;                             ///< since somebody asked for differences
   std::shared_ptr<const SnapshotChange> change_;            ///< that was asked for last
   std::unique_ptr<FluidClock> clock_;                       ///< stops before what it uses goes
   std::shared_ptr<void> awake_;                             ///< while somebody is there; last, since it uses the clock

@@ -1,0 +1,342 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "eventually.h"
+#include "node/nodes_fixture.h"
+
+namespace grove::node {
+namespace {
+
+using testing::BoxAsks;
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+using testing::Screen;
+using tests::eventually;
+
+/// What a backend node stands on, with workers of its own beside those of the frontend processes.
+class OneNode {
+ public:
+  const std::shared_ptr<testing::BoxControls> controls = std::make_shared<testing::BoxControls>();
+  const BackendTypes types = testing::boxBackends(controls);
+  const LoadedScene scene =
+      loadScene(world::parseScene("[[object]]\ntype = \"box\"\nred = 90\nposition = [0, 1.7, -4]\n", "test"), types);
+  const world::WorldGeometry geometry{scene.objects};
+  pipeline::Timeline timeline;
+  pipeline::MemoryLedger memory;
+  raster::ImagePool images;
+  gl::ShaderLibrary shaders;
+  gl::Workers gl{gl::ContextKind::kAuto, shaders, 1};
+  pipeline::WorkerPool nodeWorkers{2};
+  pipeline::WorkerPool workers{2};
+  BackendNode backend{scene, geometry, types, {nodeWorkers, gl, timeline, memory, images}, Haste::kAllCores, {}};
+
+  std::int64_t refused() { return timeline.counters()["messages that were refused"]; }
+};
+
+/// A frontend process with one visitor before the box.
+class Process {
+ public:
+  Process(OneNode& node, TransportKind kind, ProcessId id, BoxAsks asks = BoxAsks::kPictures)
+      : node_(node),
+        types_(testing::boxFrontends(asks)),
+        link_(transportFactory(kind)(node.workers, node.timeline)),
+        served_(node.backend.accept(link_)),
+        process_(id, node.scene.layout, types_, *link_,
+                 {node.workers, node.timeline, node.memory, node.images, node.scene.layout.sky}, 1U << 20U),
+        screen_(std::make_shared<Screen>(node.workers, node.timeline)),
+        visitor_(
+            makeId(id, 1), {.framesInFlight = 1, .deadlineSeconds = 60.0},
+            [id](FrameNumber frame) {
+              View view;
+              view.session = makeId(id, 1);
+              view.frame = frame;
+              view.camera.width = 320;
+              view.camera.height = 180;
+              view.camera.pose = {{0, 1.7F, 0}, 0, 0};
+              return view;
+            },
+            screen_, {}, process_) {}
+  ~Process() {
+    visitor_.close();
+    node_.workers.drain();
+  }
+  Process(const Process&) = delete;
+  Process& operator=(const Process&) = delete;
+
+  bool ask() { return visitor_.requestFrame(); }
+  /// Red in the middle of the next frame.
+  std::uint32_t red() {
+    if (!eventually([&] { return ask(); })) return 0;
+    const auto image = screen_->waitFor(++frame_);
+    return image ? image->colourRow(90)[160] & 0xFFU : 0;
+  }
+  void send(ToBackend message) { (void)process_.send(std::move(message)); }
+  std::weak_ptr<Transport> link() { return link_; }
+
+ private:
+  OneNode& node_;
+  const FrontendTypes types_;
+  const std::shared_ptr<Transport> link_;
+  const std::shared_ptr<void> served_;
+  FrontendProcess process_;
+  FrameNumber frame_ = 0;
+  const std::shared_ptr<Screen> screen_;
+  FrontendNode visitor_;
+};
+
+/// A frontend process whose words the test chooses.
+class Stranger final : public FrontendPort {
+ public:
+  Stranger(OneNode& node, TransportKind kind)
+      : node_(node), link_(transportFactory(kind)(node.workers, node.timeline)), served_(node.backend.accept(link_)) {
+    link_->connect(static_cast<FrontendPort&>(*this));
+  }
+  ~Stranger() override {
+    link_->leaveFrontend();
+    node_.workers.drain();
+  }
+  Stranger(const Stranger&) = delete;
+  Stranger& operator=(const Stranger&) = delete;
+
+  void receive(ToFrontend message) override {
+    const std::lock_guard lock(mutex_);
+    messages_.push_back(std::move(message));
+  }
+  pipeline::PushResult send(ToBackend message) { return link_->send(std::move(message)); }
+  /// All that was sent has been heard.
+  void settle() {
+    for (int stage = 0; stage < 8; ++stage) {
+      node_.workers.drain();
+      node_.nodeWorkers.drain();
+    }
+  }
+  /// The reason of the refusal; empty if it is welcome.
+  std::string hello(ProcessId process, std::uint64_t sceneHash) {
+    messages();
+    (void)send(NodeHello{.build = "any", .sceneHash = sceneHash, .process = process, .types = {}});
+    settle();
+    const std::vector<ToFrontend> said = messages();
+    if (said.size() != 1) return "no reply";
+    const auto* const refusal = std::get_if<NodeRefusal>(said.data());
+    return refusal == nullptr ? "" : refusal->reason;
+  }
+  std::string hello(ProcessId process) { return hello(process, node_.scene.layout.hash); }
+  /// What came since the last call.
+  std::vector<ToFrontend> messages() {
+    const std::lock_guard lock(mutex_);
+    return std::exchange(messages_, {});
+  }
+
+ private:
+  OneNode& node_;
+  const std::shared_ptr<Transport> link_;
+  const std::shared_ptr<void> served_;
+  std::mutex mutex_;
+  std::vector<ToFrontend> messages_;
+};
+
+std::shared_ptr<const WorldUpdate> updateOf(std::uint64_t number, world::PlayerId player) {
+  auto update = std::make_shared<WorldUpdate>();
+  update->number = number;
+  update->players.emplace_back().id = player;
+  return update;
+}
+
+std::shared_ptr<const View> viewOf(SessionId session) {
+  auto view = std::make_shared<View>();
+  view->session = session;
+  view->frame = 1;
+  view->camera.width = 320;
+  view->camera.height = 180;
+  return view;
+}
+
+Request pictureOf(const OneNode& node, std::shared_ptr<const View> view) {
+  Request request;
+  request.view = std::move(view);
+  request.object = node.scene.objects[0].id;
+  request.rect = {0, 0, 8, 8};
+  return request;
+}
+
+/// Two frontend processes at one node, over every mix of links.
+class TwoPeers : public ::testing::TestWithParam<std::tuple<TransportKind, TransportKind>> {
+ protected:
+  [[nodiscard]] static TransportKind first() { return std::get<0>(GetParam()); }
+  [[nodiscard]] static TransportKind second() { return std::get<1>(GetParam()); }
+  OneNode node;
+};
+
+TEST_P(TwoPeers, BothGetTheirPictures) {
+  Process a(node, first(), 1);
+  Process b(node, second(), 2);
+  for (int frame = 0; frame < 5; ++frame) {
+    EXPECT_EQ(a.red(), 90U);
+    EXPECT_EQ(b.red(), 90U);
+  }
+}
+
+TEST_P(TwoPeers, BothGetSharedDataAndHearOfItsChanges) {
+  Process a(node, first(), 1, BoxAsks::kShared);
+  Process b(node, second(), 2, BoxAsks::kShared);
+  for (Process* process : {&a, &b, &a, &b}) EXPECT_EQ(process->red(), 90U);
+  node.controls->version = 11;
+  node.controls->announce({{node.scene.objects[0].id, {}}, 11});
+  EXPECT_TRUE(eventually([&] { return a.red() == 100U; }));
+  EXPECT_TRUE(eventually([&] { return b.red() == 100U; }));
+}
+
+TEST_P(TwoPeers, OneThatIsRefusedDoesNotDisturbTheOther) {
+  Process a(node, first(), 1);
+  EXPECT_EQ(a.red(), 90U);
+  Stranger b(node, second());
+  EXPECT_EQ(b.hello(2, node.scene.layout.hash + 1), "it shows another scene");
+  EXPECT_EQ(a.red(), 90U);
+  EXPECT_EQ(b.hello(1), "another frontend process has the number 1");
+  EXPECT_EQ(a.red(), 90U);
+  node.controls->announce({{node.scene.objects[0].id, {}}, 2});
+  b.settle();
+  EXPECT_THAT(b.messages(), IsEmpty()) << "it is none of its business";
+  EXPECT_EQ(b.hello(2), "") << "with better words it is welcome";
+}
+
+TEST_P(TwoPeers, OneThatLeavesWithRequestsUnderWayCostsTheOtherNothing) {
+  Process a(node, first(), 1);
+  EXPECT_EQ(a.red(), 90U);
+  std::weak_ptr<Transport> link;
+  {
+    Process b(node, second(), 2);
+    link = b.link();
+    node.controls->hold = true;
+    ASSERT_TRUE(b.ask());
+    ASSERT_TRUE(eventually([&] { return node.controls->held > 0; }));
+  }
+  EXPECT_EQ(node.controls->forgotten, makeId(2, 1)) << "what is kept for its visitor may go";
+  ASSERT_TRUE(a.ask());
+  node.controls->hold = false;
+  node.controls->hold.notify_all();
+  EXPECT_TRUE(eventually([&] { return link.expired(); })) << "with the last answer";
+  EXPECT_TRUE(eventually([&] { return a.red() == 90U; }));
+  Process again(node, second(), 2);
+  EXPECT_EQ(again.red(), 90U) << "its number is free";
+}
+
+TEST_P(TwoPeers, NobodySpeaksOfAnothersSessions) {
+  Process a(node, first(), 1);
+  EXPECT_EQ(a.red(), 90U);
+  Stranger b(node, second());
+  ASSERT_EQ(b.hello(2), "");
+  (void)b.send(Cancel{makeId(1, 1), 1000});
+  (void)b.send(Forget{makeId(1, 1)});
+  (void)b.send(viewOf(makeId(1, 1)));
+  (void)b.send(pictureOf(node, viewOf(makeId(1, 1))));
+  Request data = pictureOf(node, nullptr);
+  data.shared = true;
+  data.process = 1;
+  (void)b.send(data);
+  b.settle();
+  EXPECT_EQ(node.refused(), 5);
+  EXPECT_EQ(node.controls->answered, 1);
+  EXPECT_EQ(node.controls->forgotten, 0U);
+  EXPECT_EQ(a.red(), 90U) << "its frames have not ended";
+  (void)b.send(Forget{makeId(2, 1)});
+  b.settle();
+  EXPECT_EQ(node.controls->forgotten, makeId(2, 1)) << "of its own it may";
+}
+
+TEST_P(TwoPeers, OnlyAHelloIsHeardBeforeTheWelcomeAndAfterARefusal) {
+  Process a(node, first(), 1);
+  Stranger b(node, second());
+  const auto saysAll = [&] {
+    const std::int64_t before = node.refused();
+    (void)b.send(updateOf(1, makeId(2, 1)));
+    (void)b.send(Quality{2});
+    (void)b.send(Cancel{makeId(2, 1), 1});
+    (void)b.send(Forget{makeId(2, 1)});
+    (void)b.send(viewOf(makeId(2, 1)));
+    (void)b.send(pictureOf(node, viewOf(makeId(2, 1))));
+    b.settle();
+    EXPECT_EQ(node.refused(), before + 6);
+    EXPECT_THAT(node.controls->world->players(), IsEmpty());
+    EXPECT_EQ(node.controls->quality, 0);
+    EXPECT_EQ(node.controls->forgotten, 0U);
+    EXPECT_EQ(node.controls->answered, 0);
+  };
+  saysAll();
+  EXPECT_NE(b.hello(2, node.scene.layout.hash + 1), "");
+  saysAll();
+  ASSERT_EQ(b.hello(2), "");
+  (void)b.send(viewOf(makeId(2, 1)));
+  (void)b.send(pictureOf(node, viewOf(makeId(2, 1))));
+  b.settle();
+  EXPECT_EQ(node.controls->answered, 1) << "nor had it ended the frame";
+}
+
+TEST_P(TwoPeers, TheFirstWhoReportsOwnsTheWorldUntilItLeaves) {
+  const auto players = [&] {
+    std::vector<world::PlayerId> ids;
+    for (const world::Player& player : node.controls->world->players()) ids.push_back(player.id);
+    return ids;
+  };
+  Stranger a(node, first());
+  ASSERT_EQ(a.hello(1), "");
+  {
+    Stranger b(node, second());
+    ASSERT_EQ(b.hello(2), "");
+    (void)b.send(updateOf(~std::uint64_t{0} / 2, makeId(2, 1)));
+    b.settle();
+    (void)a.send(updateOf(1, makeId(1, 1)));
+    a.settle();
+    EXPECT_THAT(players(), ElementsAre(makeId(2, 1)));
+  }
+  EXPECT_THAT(players(), IsEmpty());
+  (void)a.send(updateOf(2, makeId(1, 1)));
+  a.settle();
+  EXPECT_THAT(players(), ElementsAre(makeId(1, 1)));
+}
+
+/// Or a process on a machine that began earlier would see its neighbours' frames given up.
+TEST_P(TwoPeers, TheClockOfOneEndsNoFramesOfTheOther) {
+  Stranger a(node, first());
+  ASSERT_EQ(a.hello(1), "");
+  Process b(node, second(), 2);
+  auto update = std::make_shared<WorldUpdate>();
+  update->number = 1;
+  update->clock = 1.0e12;
+  (void)a.send(std::shared_ptr<const WorldUpdate>(std::move(update)));
+  a.settle();
+  EXPECT_GE(node.controls->world->now().value_or(0.0), 1.0e12);
+  EXPECT_EQ(b.red(), 90U);
+  EXPECT_EQ(node.timeline.counters()["requests of frames that had ended"], 0);
+}
+
+TEST_P(TwoPeers, TheBestQualityThatAnybodyWantsCounts) {
+  Process a(node, first(), 1);
+  {
+    Process b(node, second(), 2);
+    b.send(Quality{2});
+    EXPECT_TRUE(eventually([&] { return node.controls->quality == 2; }));
+    a.send(Quality{1});
+    EXPECT_EQ(a.red(), 90U) << "so it has been heard";
+    EXPECT_EQ(node.controls->quality, 2);
+  }
+  EXPECT_EQ(node.controls->quality, 1);
+}
+
+std::string mixName(const ::testing::TestParamInfo<std::tuple<TransportKind, TransportKind>>& info) {
+  const auto name = [](TransportKind kind) { return kind == TransportKind::kBytes ? "Bytes" : "Reference"; };
+  return std::string(name(std::get<0>(info.param))) + "And" + name(std::get<1>(info.param));
+}
+
+INSTANTIATE_TEST_SUITE_P(OverAllMixes, TwoPeers, ::testing::Combine(testing::kBothTransports, testing::kBothTransports),
+                         mixName);
+
+}  // namespace
+}  // namespace grove::node
