@@ -68,9 +68,9 @@ class MeshRenderer {
  public:
   virtual ~MeshRenderer() = default;
 
-  /// Fills one image per drawing, of its rectangle; null where the rectangle is empty. The drawings may be of many
+  /// Makes one image per drawing, of its rectangle; null where the rectangle is empty. The drawings may be of many
   /// frames and sessions.
-  virtual void render(std::span<const Drawing> drawings, std::span<std::shared_ptr<const Image>> images) = 0;
+  virtual void render(std::span<const Drawing> drawings, std::span<std::shared_ptr<Image>> images) = 0;
 };
 
 }  // namespace grove::raster

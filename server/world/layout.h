@@ -21,7 +21,8 @@ struct FlickeringLight {
 /// Object that shows a visitor to the others, at the origin.
 struct VisitorTemplate {
   Object object;
-  Bounds bounds;  ///< in its own coordinates
+  Bounds bounds;            ///< in its own coordinates
+  bool hasOwnBody = false;  ///< see Model::hasOwnBody()
 };
 
 /// What is where in a world, as every node knows it. Does not change while the world lives.

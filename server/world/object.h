@@ -28,6 +28,9 @@ class Model {
   /// Radius in metres of the upright cylinder that visitors walk around; none if they walk through.
   [[nodiscard]] virtual std::optional<float> obstacleRadius() const { return std::nullopt; }
 
+  /// Of a visitor's: whether its pictures for the visitor himself show only what he sees of his own body.
+  [[nodiscard]] virtual bool hasOwnBody() const { return false; }
+
   /// Memory that it takes, mapped files included.
   [[nodiscard]] virtual std::size_t bytes() const { return 0; }
 };

@@ -10,6 +10,9 @@ namespace grove::node {
 
 namespace {
 
+/// Radians.
+constexpr float kLookingDown = -0.55F;
+
 float farthest(const world::Bounds& bounds, world::Vec3 from) {
   return glm::length(glm::max(glm::abs(bounds.low - from), glm::abs(bounds.high - from)));
 }
@@ -25,8 +28,9 @@ std::vector<VisibleObject> visibleObjects(const world::Layout& layout, const Vie
     visible.push_back({object, rect, farthest(object.bounds, view.camera.pose.position)});
   };
   for (const world::Object& object : layout.objects) consider(object);
+  const bool seesOwnBody = layout.visitor && layout.visitor->hasOwnBody && view.camera.pose.pitch < kLookingDown;
   for (const world::Player& player : view.players) {
-    if (player.id == view.viewer) continue;
+    if (player.id == view.viewer && !seesOwnBody) continue;
     if (const auto object = layout.objectOf(player)) consider(*object);
   }
   // Ids decide between equal distances, so that the order does not depend on the order of the list.

@@ -34,7 +34,7 @@ std::uint32_t packed(const LitCorner& a, const LitCorner& b, const LitCorner& c,
 
 }  // namespace
 
-void EmbreeMeshRenderer::render(std::span<const Drawing> drawings, std::span<std::shared_ptr<const Image>> images) {
+void EmbreeMeshRenderer::render(std::span<const Drawing> drawings, std::span<std::shared_ptr<Image>> images) {
   for (std::size_t i = 0; i < drawings.size(); ++i) {
     if (!drawings[i].rect.empty()) images[i] = renderOne(drawings[i]);
   }
@@ -50,7 +50,7 @@ const world::RayScene& EmbreeMeshRenderer::raysOf(const Surface& surface, const 
   return rays_.emplace(&level, world::RayScene(triangles, {}, world::RayScene::Backs::kPassed)).first->second;
 }
 
-std::shared_ptr<const Image> EmbreeMeshRenderer::renderOne(const Drawing& drawing) {
+std::shared_ptr<Image> EmbreeMeshRenderer::renderOne(const Drawing& drawing) {
   const world::Camera& camera = *drawing.camera;
   const Surface& surface = drawing.object->surface;
   const Level& level = surface.levelFor(drawing.distance, camera.focal());

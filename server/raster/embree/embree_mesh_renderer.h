@@ -17,11 +17,11 @@ class EmbreeMeshRenderer final : public MeshRenderer {
   /// `images` outlives the renderer.
   explicit EmbreeMeshRenderer(ImagePool& images) : images_(images) {}
 
-  void render(std::span<const Drawing> drawings, std::span<std::shared_ptr<const Image>> images) override;
+  void render(std::span<const Drawing> drawings, std::span<std::shared_ptr<Image>> images) override;
 
  private:
   [[nodiscard]] const world::RayScene& raysOf(const Surface& surface, const Level& level);
-  [[nodiscard]] std::shared_ptr<const Image> renderOne(const Drawing& drawing);
+  [[nodiscard]] std::shared_ptr<Image> renderOne(const Drawing& drawing);
 
   const DetailTexture texture_;
   ImagePool& images_;

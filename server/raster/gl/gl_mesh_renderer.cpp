@@ -55,8 +55,7 @@ class GlMeshRenderer::Bench {
 
   /// Draws from `order[first]` on as many as one atlas holds; returns the next that is left.
   std::size_t renderSome(std::span<const Drawing> drawings, std::span<const std::size_t> order, std::size_t first,
-                         const DetailTexture& texture, ImagePool& pool,
-                         std::span<std::shared_ptr<const Image>> images) {
+                         const DetailTexture& texture, ImagePool& pool, std::span<std::shared_ptr<Image>> images) {
     const Drawing& tallest = drawings[order[first]];
     int widest = 0;
     for (const std::size_t i : order.subspan(first)) widest = std::max(widest, drawings[i].rect.width());
@@ -185,7 +184,7 @@ GlMeshRenderer::~GlMeshRenderer() {
   workers_.runOnEach([this](gl::Workers::Local& local) { benches_[static_cast<std::size_t>(local.index)].reset(); });
 }
 
-void GlMeshRenderer::render(std::span<const Drawing> drawings, std::span<std::shared_ptr<const Image>> images) {
+void GlMeshRenderer::render(std::span<const Drawing> drawings, std::span<std::shared_ptr<Image>> images) {
   const gl::Workers::Local& local = gl::Workers::local();
   std::unique_ptr<Bench>& bench = benches_[static_cast<std::size_t>(local.index)];
   if (!bench) bench = std::make_unique<Bench>(local, memory_);

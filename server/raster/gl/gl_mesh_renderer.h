@@ -19,7 +19,7 @@ class GlMeshRenderer final : public MeshRenderer {
   ~GlMeshRenderer() override;
 
   /// On a worker. What a worker needs is made at its first call; throws EnvironmentError if that fails.
-  void render(std::span<const Drawing> drawings, std::span<std::shared_ptr<const Image>> images) override;
+  void render(std::span<const Drawing> drawings, std::span<std::shared_ptr<Image>> images) override;
 
  private:
   class Bench;

@@ -25,7 +25,7 @@ SimdMeshRenderer::SimdMeshRenderer(ImagePool& images, const MeshMemory& memory)
 
 SimdMeshRenderer::~SimdMeshRenderer() = default;
 
-void SimdMeshRenderer::render(std::span<const Drawing> drawings, std::span<std::shared_ptr<const Image>> images) {
+void SimdMeshRenderer::render(std::span<const Drawing> drawings, std::span<std::shared_ptr<Image>> images) {
   std::unique_ptr<Bench> bench = takeBench();
   for (std::size_t i = 0; i < drawings.size(); ++i) {
     if (!drawings[i].rect.empty()) images[i] = renderOne(drawings[i], *bench);
@@ -56,7 +56,7 @@ void SimdMeshRenderer::giveBack(std::unique_ptr<Bench> bench) {
   held_.set(sum);
 }
 
-std::shared_ptr<const Image> SimdMeshRenderer::renderOne(const Drawing& drawing, Bench& bench) {
+std::shared_ptr<Image> SimdMeshRenderer::renderOne(const Drawing& drawing, Bench& bench) {
   const Level& level = drawing.object->surface.levelFor(drawing.distance, drawing.camera->focal());
   const VertexArrays& arrays = arraysOf(*drawing.object);
   const float nearDepth = drawing.camera->nearDepth;

@@ -19,14 +19,14 @@ class SimdMeshRenderer final : public MeshRenderer {
   SimdMeshRenderer(ImagePool& images, const MeshMemory& memory);
   ~SimdMeshRenderer() override;
 
-  void render(std::span<const Drawing> drawings, std::span<std::shared_ptr<const Image>> images) override;
+  void render(std::span<const Drawing> drawings, std::span<std::shared_ptr<Image>> images) override;
 
  private:
   struct Bench;
   [[nodiscard]] const VertexArrays& arraysOf(const LitSurface& object);
   [[nodiscard]] std::unique_ptr<Bench> takeBench();
   void giveBack(std::unique_ptr<Bench> bench);
-  [[nodiscard]] std::shared_ptr<const Image> renderOne(const Drawing& drawing, Bench& bench);
+  [[nodiscard]] std::shared_ptr<Image> renderOne(const Drawing& drawing, Bench& bench);
 
   const DetailTexture texture_;
   ImagePool& images_;

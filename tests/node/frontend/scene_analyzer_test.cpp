@@ -92,6 +92,23 @@ TEST(SceneAnalyzer, ShowsOtherVisitorsButNotTheViewer) {
   EXPECT_GE(visible[0].object.id, world::kFirstPlayerObject);
 }
 
+TEST(SceneAnalyzer, ShowsTheViewerWhoLooksDownWhatHasAnOwnBody) {
+  world::Layout layout = layoutOf("[visitor]\ntype='box'");
+  world::World world(layout);
+  View view = lookingAlong(0.0F);
+  view.viewer = world.players().join("me", 0.0);
+  view.players = world.players().all(0.0);
+  view.camera.pose = view.players[0].pose;
+  const auto seenAt = [&](float pitch) {
+    view.camera.pose.pitch = pitch;
+    return names(visibleObjects(layout, view));
+  };
+  EXPECT_THAT(seenAt(-1.2F), ElementsAre()) << "or he would see his figure from inside";
+  layout.visitor->hasOwnBody = true;
+  EXPECT_THAT(seenAt(-1.2F), ElementsAre("me"));
+  EXPECT_THAT(seenAt(0.0F), ElementsAre());
+}
+
 TEST(SceneAnalyzer, KeepsTheNearestOfTooMany) {
   std::string scene;
   for (int i = 0; i < static_cast<int>(kMaxObjectsPerFrame) + 50; ++i) {

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <future>
+#include <set>
 
 #include "node/backend_stand.h"
+#include "objects/figure/backend/contact_shadow.h"
 #include "objects/figure/backend/figure_backend.h"
 #include "objects/figure/backend/figure_model.h"
 #include "objects/figure/backend/gait.h"
@@ -128,6 +130,60 @@ TEST_F(FigureTest, StandsWhereItIs) {
   EXPECT_LT(nearest, 4.0F);
 }
 
+/// Opaque pixels that show anything, and those that only darken what is behind.
+std::pair<std::size_t, std::size_t> solidAndShade(const Picture& image) {
+  std::pair<std::size_t, std::size_t> counts;
+  for (std::size_t i = 0; i < image.depth.size(); ++i) {
+    if (image.depth[i] >= world::kInfiniteDepth) continue;
+    const bool isSolid = image.colour[i] >> 24U == 0xFFU;
+    ++(isSolid ? counts.first : counts.second);
+    EXPECT_TRUE(isSolid || (image.colour[i] & 0x00FFFFFFU) == 0U) << "a shadow is black";
+  }
+  return counts;
+}
+
+TEST_F(FigureTest, ThrowsASoftShadowOnTheGroundAroundItsFeet) {
+  const Vec3 place(0, 0, -4);
+  const auto list = look({visitor(1, place)}, {playerAt(1, place)});
+  const Picture image(ask(list)[0]);
+  EXPECT_GT(solidAndShade(image).second, 100U);
+  const world::Camera& camera = list->view->camera;
+  for (int y = image.rect.top; y < image.rect.bottom; ++y) {
+    for (int x = image.rect.left; x < image.rect.right; ++x) {
+      const auto at = static_cast<std::size_t>((y - image.rect.top) * image.rect.width() + x - image.rect.left);
+      if (image.depth[at] >= world::kInfiniteDepth || image.colour[at] >> 24U == 0xFFU) continue;
+      const Vec3 point = camera.pose.position +
+                         image.depth[at] * camera.ray(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F);
+      ASSERT_NEAR(point.y, 0.1F, 0.01F);
+      ASSERT_LT(glm::distance(point, place), kShadowRadius + 0.1F);
+    }
+  }
+}
+
+TEST_F(FigureTest, VisitorsDifferInStature) {
+  std::set<std::size_t> sizes;
+  for (const world::PlayerId id : {1U, 2U, 3U, 4U}) {
+    const Vec3 place(0, 0, -4);
+    sizes.insert(solidAndShade(Picture(ask(look({visitor(id, place)}, {playerAt(id, place)}))[0])).first);
+  }
+  EXPECT_EQ(sizes.size(), kStatures.size()) << "the fourth is like the first";
+}
+
+TEST_F(FigureTest, OneSeesOfOneselfOnlyBootsAndShadow) {
+  const Vec3 place(0, 0, 0);
+  const auto list = look({visitor(1, place)}, {playerAt(1, place)});
+  auto view = std::make_shared<node::View>(*list->view);
+  view->viewer = 1;
+  view->camera.pose.pitch = -1.4F;
+  list->view = view;
+  list->objects[0].rect = {0, 0, view->camera.width, view->camera.height};
+  const Picture image(ask(list)[0]);
+  const auto [solid, shade] = solidAndShade(image);
+  EXPECT_GT(solid, 300U);
+  EXPECT_GT(shade, 300U);
+  EXPECT_GT(*std::ranges::min_element(image.depth), 1.2F) << "nothing is as near as a hood would be";
+}
+
 TEST_F(FigureTest, LooksTheSameByEitherRenderer) {
   world::Player player = playerAt(1, {0.3F, 0, -3});
   player.stride = 0.375F;
@@ -216,6 +272,14 @@ TEST_F(LabelTest, ReadsDepthWhereverItIsDrawn) {
       ASSERT_FALSE(world::overlap(reads, {x, y, x + 1, y + 1}).empty()) << x << ", " << y;
     }
   }
+}
+
+TEST_F(LabelTest, NobodyReadsHisOwnName) {
+  const auto list = look({visitor(1, {0, 0, -4})}, {});
+  node::View view = *list->view;
+  EXPECT_NE(labels_.layer(list->objects[0], {}, view), nullptr);
+  view.viewer = 1;
+  EXPECT_EQ(labels_.layer(list->objects[0], {}, view), nullptr);
 }
 
 TEST_F(LabelTest, FadesWithDistance) {

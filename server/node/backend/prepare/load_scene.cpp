@@ -69,7 +69,7 @@ LoadedScene loadScene(const world::Scene& scene, const BackendTypes& types) {
   }
   if (scene.visitor) {
     world::ModelledObject visitor = load(*scene.visitor, types, layout);
-    layout.visitor = {static_cast<const world::Object&>(visitor), visitor.model->bounds()};
+    layout.visitor = {static_cast<const world::Object&>(visitor), visitor.model->bounds(), visitor.model->hasOwnBody()};
     loaded.visitor = std::move(visitor.model);
   }
   for (const auto& [name, parameters] : scene.typeOptions) {

@@ -15,15 +15,19 @@ class FigureBackend final : public node::BackendHalf {
   [[nodiscard]] node::NodeKind kind() const override { return node::NodeKind::kRendering; }
   [[nodiscard]] pipeline::Executor& executor() override { return executor_; }
   [[nodiscard]] int concurrency() const override { return executor_.width(); }
-  /// On the executor; safe to call from several of its threads at once. A visitor who has left meanwhile gives a null
-  /// image.
+  /// Who asks for himself gets what he sees of his own body. On the executor; safe to call from several of its threads
+  /// at once. A visitor who has left meanwhile gives a null image.
   void answer(std::span<const node::Request> requests, std::span<node::Payload> payloads) override;
 
  private:
   const world::Layout& layout_;
   const world::WorldGeometry& geometry_;
   pipeline::Executor& executor_;
-  const raster::LitSurface figure_;
+  [[nodiscard]] raster::Drawing drawingOf(const node::Request& request, const world::Player& player,
+                                          const world::Object& object) const;
+
+  const std::vector<raster::LitSurface> figures_;  ///< one for each of kStatures
+  const raster::LitSurface own_;
   const std::unique_ptr<raster::MeshRenderer> renderer_;
   const pipeline::HeldMemory held_;
 };

@@ -10,8 +10,9 @@ class FigureModel final : public world::Model {
  public:
   /// Room for every step of the walk.
   [[nodiscard]] world::Bounds bounds() const override {
-    return {world::Vec3(-0.5F, 0, -0.6F), world::Vec3(0.5F, 1.85F, 0.6F)};
+    return {world::Vec3(-0.5F, 0, -0.6F), world::Vec3(0.5F, 1.98F, 0.6F)};
   }
+  [[nodiscard]] bool hasOwnBody() const override { return true; }
 };
 
 }  // namespace grove::objects::figure

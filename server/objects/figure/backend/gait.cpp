@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "objects/figure/backend/figure_shape.h"
+#include "objects/figure/backend/limbs.h"
 
 namespace grove::objects::figure {
 namespace {

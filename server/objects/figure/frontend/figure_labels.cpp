@@ -6,7 +6,7 @@
 namespace grove::objects::figure {
 namespace {
 
-constexpr float kFigureHeight = 1.75F;  // metres
+constexpr float kFigureHeight = 1.88F;  // metres
 constexpr float kAboveHead = 0.16F;     // metres
 constexpr float kFadeFrom = 14.0F;      // metres
 constexpr float kFadeTo = 25.0F;        // metres
@@ -61,6 +61,7 @@ const LabelMask& FigureLabels::maskOf(const std::string& name, int pixels) {
 
 std::unique_ptr<node::Layer> FigureLabels::layer(const node::VisibleObject& object, const node::Payload& /*payload*/,
                                                  const node::View& view) {
+  if (object.object.id == world::kFirstPlayerObject + view.viewer) return nullptr;
   return std::make_unique<LabelLayer>(*this, object.object, view.camera);
 }
 

@@ -89,7 +89,7 @@ void MeshBackend::answerWith(raster::RendererKind kind, std::span<const node::Re
     drawing.lamps = raster::chooseLamps(request.view->lights, entry.bounds);
     slots.push_back(i);
   }
-  std::vector<std::shared_ptr<const raster::Image>> images(drawings.size());
+  std::vector<std::shared_ptr<raster::Image>> images(drawings.size());
   renderers_.at(kind)->render(drawings, images);
   for (std::size_t i = 0; i < slots.size(); ++i) payloads[slots[i]] = std::move(images[i]);
 }
