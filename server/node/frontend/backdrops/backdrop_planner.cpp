@@ -21,8 +21,8 @@ constexpr std::array<float, 2> kFramesAhead{2.0F, 1.0F};
 constexpr float kMinDistance = 2.0F;
 /// Metres. The border holds what is at least so far away.
 constexpr float kNearestInBorder = 3.0F;
-/// Pixels at the frame's edges, times the error factor, that the backdrop may lack; its outermost pixels are repeated
-/// there.
+/// Pixels at the frame's edges, times the error factor, that the backdrop may lack while the eye moves; its outermost
+/// pixels are repeated there, which whoever stands still would see.
 constexpr float kMaxLacking = 8.0F;
 /// Seconds. Data that gets finer shows with this delay to a visitor who stands still.
 constexpr double kMaxAge = 0.5;
@@ -104,7 +104,7 @@ bool BackdropPlanner::serves(const View& view) const {
 bool BackdropPlanner::reaches(const world::Camera& camera) const {
   const world::Rect part = seenPart(last_->view->camera, camera, kNearestInBorder);
   const world::Rect& area = last_->area;
-  const int lacking = static_cast<int>(kMaxLacking * errorFactor_);
+  const int lacking = motion_.isAtRest() ? 0 : static_cast<int>(kMaxLacking * errorFactor_);
   return !part.empty() && part.left >= area.left - lacking && part.top >= area.top - lacking &&
          part.right <= area.right + lacking && part.bottom <= area.bottom + lacking;
 }

@@ -10,6 +10,9 @@ class EyeMotion {
   /// A frame is seen from here at `time`, seconds of the world's clock.
   void see(const world::Camera& camera, double time);
 
+  /// Whether the newest frame is seen from where the one before was.
+  [[nodiscard]] bool isAtRest() const noexcept { return isAtRest_; }
+
   [[nodiscard]] float secondsPerFrame() const noexcept { return secondsPerFrame_; }
 
   /// Where the camera is after some seconds.
@@ -22,6 +25,7 @@ class EyeMotion {
   world::Vec3 velocity_{0.0F};  ///< metres a second
   float yawRate_ = 0.0F;        ///< radians a second
   float pitchRate_ = 0.0F;
+  bool isAtRest_ = false;
 };
 
 }  // namespace grove::node

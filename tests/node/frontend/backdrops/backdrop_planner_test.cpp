@@ -197,6 +197,14 @@ TEST_F(BackdropPlannerTest, ABusyMachineShowsBackdropsWithLargerErrors) {
   EXPECT_TRUE(plan()->drawsBackdrop());
 }
 
+TEST_F(BackdropPlannerTest, WhoStopsTurningLacksNothingAtTheEdges) {
+  drawSome();
+  factor = 4.0F;
+  camera.pose.yaw -= 0.03F;  // about 16 pixels, of 32 that may be missing
+  EXPECT_FALSE(plan()->drawsBackdrop());
+  EXPECT_TRUE(plan()->drawsBackdrop()) << "he would look at repeated pixels";
+}
+
 TEST_F(BackdropPlannerTest, ABusyMachineDrawsNearerObjectsIntoBackdrops) {
   distance = 1.0F;
   EXPECT_FALSE(plan()->backdrop);
