@@ -314,7 +314,7 @@ test('a page that cannot start says why', async () => {
     await context.close();
   };
   const broken = { contentType: 'text/javascript', body: 'not ( script' };
-  await tell((page) => page.route('**/connection.js', (route) => route.fulfill(broken)), 'too old for this page');
+  await tell((page) => page.route('**/main.js', (route) => route.fulfill(broken)), 'too old for this page');
   // A browser without WebSocket has none in a worker either.
   const noSocket = () => ['WebSocket', 'Worker'].forEach((name) => delete window[name]);
   await tell((page) => page.addInitScript(noSocket), 'opens no WebSocket');
