@@ -117,3 +117,13 @@ test('a reload takes almost nothing from the network', async () => {
   assert.ok(line.bytes <= kMostAgain, `${line.bytes} bytes`);
   await ada.leave();
 });
+
+test('a missing page looks like the others and leads home', async () => {
+  const ada = await Visitor.arrive(browser, `${server.url}no/such/page`);
+  await ada.page.getByRole('heading', { name: 'There is no such page' }).waitFor();
+  const ground = await ada.page.evaluate(() => getComputedStyle(document.documentElement).backgroundColor);
+  assert.equal(ground, 'rgb(18, 17, 14)', "the page's");
+  await ada.page.getByRole('link', { name: 'Enter the grove' }).click();
+  await ada.until('connection', 'open');
+  await ada.leave(/status of 404/);
+});

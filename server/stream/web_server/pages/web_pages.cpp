@@ -23,6 +23,7 @@ constexpr std::string_view kIdentity = "identity";
 constexpr std::array kCodings = {Pair{".gz", "gzip"}, Pair{".br", "br"}};
 /// Where addresses change with what is there.
 constexpr std::string_view kHashed = "/v/";
+constexpr std::string_view kNotFound = "/not_found.html";
 
 /// Some have a name of their own.
 std::string_view fileOf(std::string_view path, Audience audience) {
@@ -90,8 +91,8 @@ PageReply WebPages::answer(const PageRequest& request) const {
   if (path == "/healthz") {
     reply.body = "ok";
   } else if (found == pages_.end()) {
+    reply = represent(pages_.find(kNotFound)->second, request.acceptEncoding);
     reply.status = 404;
-    reply.body = "there is no such page\n";
   } else {
     reply = represent(found->second, request.acceptEncoding);
     reply.isForGood = path.starts_with(kHashed);

@@ -118,5 +118,14 @@ TEST_F(CompressedPages, AreKeptForGoodWhereTheAddressChangesWithThem) {
   EXPECT_EQ(get(pathOf("main.js") + ".gz", "gzip").status, 404) << "no page of its own";
 }
 
+TEST_F(CompressedPages, AMissingPageSaysSoAndLeadsHome) {
+  const HttpAnswer missing = get("/no/such/page", "identity");
+  EXPECT_EQ(missing.status, 404);
+  EXPECT_EQ(value(missing, "content-type"), "text/html; charset=utf-8");
+  EXPECT_NE(missing.body.find("href=\"/\""), std::string::npos);
+  EXPECT_NE(missing.body.find(pathOf("not_found.css")), std::string::npos) << "by its whole path, from any folder";
+  EXPECT_EQ(get("/no/such/page", "identity", "If-None-Match: " + value(missing, "etag") + "\r\n").status, 404);
+}
+
 }  // namespace
 }  // namespace grove::stream
