@@ -1,3 +1,5 @@
+import { kStatistics } from './texts.js';
+
 /** What stands where a figure is not known. */
 export const kUnknown = '\u2013';
 
@@ -51,5 +53,5 @@ export function megabytes(value) {
 
 /** `1 visitor`, `8 visitors`. */
 export function visitors(count) {
-  return `${whole(count)} ${count === 1 ? 'visitor' : 'visitors'}`;
+  return kStatistics.visitors(count, whole(count));
 }

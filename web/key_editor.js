@@ -1,30 +1,10 @@
 import { isBindable, kSlots, rebind } from './input/bindings.js';
-
-/** The actions in the order and the words of the panel. */
-export const kActionNames = Object.freeze({
-  forward: 'Walk forward',
-  back: 'Walk back',
-  left: 'Walk left',
-  right: 'Walk right',
-  run: 'Run',
-  blow: 'Blow',
-  turnLeft: 'Turn left',
-  turnRight: 'Turn right',
-  lookUp: 'Look up',
-  lookDown: 'Look down',
-  figures: 'Figures',
-  settings: 'Settings',
-  screenshot: 'Screenshot',
-  latency: 'Measure latency',
-  fullscreen: 'Full screen',
-});
-
-const kSlotNames = ['key', 'second key'];
+import { kActions, kKeys } from './texts.js';
 
 /** What has changed between two states of the keys besides `action` itself, in words. */
 export function consequence(before, after, action, labels) {
   const other = Object.keys(after).find((name) => name !== action && after[name].join() !== before[name].join());
-  return other ? ` ${kActionNames[other]} now has ${labels.names(after[other])}.` : '';
+  return other ? kKeys.also(kActions[other], labels.names(after[other])) : '';
 }
 
 /** The table of keys in the settings: a press on one of its buttons, then on a key, gives the action that key. */
@@ -46,7 +26,7 @@ export class KeyEditor {
     this.#settings = settings;
     this.#labels = labels;
     this.#say = say;
-    for (const [action, name] of Object.entries(kActionNames)) this.#addRow(body, action, name);
+    for (const [action, name] of Object.entries(kActions)) this.#addRow(body, action, name);
     settings.onChange(() => this.write());
     this.write();
   }
@@ -55,9 +35,9 @@ export class KeyEditor {
   write() {
     for (const [button, { action, slot }] of this.#buttons) {
       const code = this.#settings.values.keys[action][slot];
-      const name = code ? this.#labels.name(code) : 'none';
+      const name = code ? this.#labels.name(code) : kKeys.emptySlot;
       button.textContent = code ? this.#labels.label(code) : '\u2013';
-      button.setAttribute('aria-label', `${kActionNames[action]}, ${kSlotNames[slot]}: ${name}`);
+      button.setAttribute('aria-label', kKeys.ofSlot(kActions[action], kKeys.slots[slot], name));
     }
   }
 
@@ -84,8 +64,8 @@ export class KeyEditor {
     // Safari gives no focus to a button that is clicked.
     button.focus();
     button.classList.add('waiting');
-    button.textContent = 'press a key';
-    this.#say(`Press a key for ${kActionNames[this.#buttons.get(button).action]}. Escape keeps it as it is.`);
+    button.textContent = kKeys.wait;
+    this.#say(kKeys.press(kActions[this.#buttons.get(button).action]));
   }
 
   #stop(button) {
@@ -104,9 +84,9 @@ export class KeyEditor {
     this.#labels.learn(event);
     const { action, slot } = this.#buttons.get(button);
     if (event.code === 'Escape') {
-      this.#say(`${kActionNames[action]} stays as it was.`);
+      this.#say(kKeys.kept(kActions[action]));
     } else if (!isBindable(event.code)) {
-      this.#say('The browser needs this key. Press another one.');
+      this.#say(kKeys.reserved);
       return;
     } else {
       this.#bind(action, slot, event.code);
@@ -125,6 +105,6 @@ export class KeyEditor {
     this.#settings.change({ keys: rebind(before, action, slot, code) });
     const after = this.#settings.values.keys;
     const rest = consequence(before, after, action, this.#labels);
-    this.#say(`${kActionNames[action]}: ${this.#labels.name(code)}.${rest}`);
+    this.#say(kKeys.bound(kActions[action], this.#labels.name(code)) + rest);
   }
 }

@@ -1,3 +1,5 @@
+import { kActions, kKeys } from './texts.js';
+
 /** As aria-keyshortcuts has it: F3 O PageUp. */
 function shortcuts(codes, labels) {
   return codes
@@ -17,7 +19,7 @@ export function writeKeyHints(document, keys, labels) {
   }
   for (const button of document.querySelectorAll('[data-shortcut]')) {
     const codes = keys[button.dataset.shortcut];
-    button.title = `${button.getAttribute('aria-label')} (${labels.names(codes)})`;
+    button.title = kKeys.tip(kActions[button.dataset.shortcut], labels.names(codes));
     button.setAttribute('aria-keyshortcuts', shortcuts(codes, labels));
   }
 }

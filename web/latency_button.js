@@ -1,7 +1,7 @@
 import { LatencyTest } from './latency_test.js';
+import { kLatency } from './texts.js';
 
 const kSeconds = 10;
-const kInvitation = `Measure latency for ${kSeconds} s`;
 
 /** Starts a latency test by button, key or address, tells how it went, and hands out its table. */
 export class LatencyButton {
@@ -35,7 +35,7 @@ export class LatencyButton {
   #write() {
     const { isRunning, words } = this.#test;
     this.#button.disabled = isRunning;
-    this.#button.textContent = isRunning ? 'Measuring\u2026' : kInvitation;
+    this.#button.textContent = isRunning ? kLatency.measuring : kLatency.measure(kSeconds);
     this.#words.textContent = (!isRunning && words) || '';
     this.#words.hidden = this.#link.hidden = isRunning || words === null;
   }

@@ -1,6 +1,7 @@
 import { windowOf } from './look_geometry.js';
 import { median, quantile } from './meters.js';
 import { kCodecNames } from './protocol.js';
+import { kLatency } from './texts.js';
 
 /** While it is measured, the controls' state is sent at least so often (ms), moved or not: more to measure. */
 const kInterval = 50;
@@ -63,8 +64,8 @@ export class LatencyTest {
   get words() {
     const values = this.#rows.map(({ latency }) => latency);
     if (values.length === 0) return null;
-    const [p50, p95, p99] = [median(values), quantile(values, 0.95), quantile(values, 0.99)];
-    return `p50 ${p50.toFixed(0)}, p95 ${p95.toFixed(0)}, p99 ${p99.toFixed(0)} ms of ${values.length} inputs`;
+    const quantiles = [median(values), quantile(values, 0.95), quantile(values, 0.99)];
+    return kLatency.result(...quantiles.map((value) => value.toFixed(0)), values.length);
   }
 
   /** A header and a row for each input, as comma-separated values. */

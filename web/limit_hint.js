@@ -1,4 +1,5 @@
 import { LimitedBy } from './protocol.js';
+import { kHints } from './texts.js';
 
 /** What falls short for a moment is not worth a word; nor is what recovers for a moment. Milliseconds. */
 const kUntilSaid = 2000;
@@ -6,9 +7,9 @@ const kUntilGone = 3000;
 
 /** Who is short, as the hint begins; limits by choice need no words. */
 const kShort = {
-  [LimitedBy.line]: 'Slow line',
-  [LimitedBy.browser]: 'Your browser is busy',
-  [LimitedBy.machine]: 'The server is busy',
+  [LimitedBy.line]: kHints.line,
+  [LimitedBy.browser]: kHints.browser,
+  [LimitedBy.machine]: kHints.machine,
 };
 
 /** A few words at the edge of the picture while line, browser or server keep the stream from being better. */
@@ -28,7 +29,7 @@ export class LimitHint {
   /** `status` as in the message Status; `lines`: how high the pictures are that the visitor sees. */
   update({ limitedBy, framesPerSecond }, lines) {
     const isShort = limitedBy in kShort;
-    if (isShort) this.#words = `${kShort[limitedBy]}: ${lines} lines, ${framesPerSecond} frames/s`;
+    if (isShort) this.#words = kHints.limited(kShort[limitedBy], lines, framesPerSecond);
     if (isShort && !this.#element.hidden) this.#write();
     if (isShort === this.#isShort) return;
     this.#isShort = isShort;

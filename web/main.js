@@ -25,16 +25,12 @@ import { Screenshot, saveFile } from './screenshot.js';
 import { Settings, streamPreferences } from './settings.js';
 import { SettingsPanel } from './settings_panel.js';
 import { kNoReading } from './telemetry.js';
+import { kPage, kSettings } from './texts.js';
 import { Toast } from './toast.js';
 import { Viewport } from './viewport.js';
+import { writeWords } from './words.js';
 import { WorldStatistics } from './world_statistics.js';
 
-const kFailed = 'it failed in this browser';
-/** Why pictures are not turned, by the hindrance that LateLook names. */
-const kHindrances = {
-  'no fast WebGL': 'Needs WebGL by a graphics card, which this browser does not give to the page.',
-  'too slow': 'Off until you reload the page: this browser turns pictures too slowly.',
-};
 const element = (id) => document.getElementById(id);
 const root = document.documentElement;
 const canvas = element('world');
@@ -45,6 +41,7 @@ const clock = {
   clearTimeout: (timer) => window.clearTimeout(timer),
 };
 
+writeWords(document, kPage);
 const settings = new Settings(() => window.localStorage);
 const controls = new Controls();
 const viewport = new Viewport(window, () => receiver.send({ kind: 'hello', hello: hello() }));
@@ -84,11 +81,11 @@ const hearers = {
   reading: (event) => (reading = event.reading),
   captured: (answer) => capture.answered(answer),
   picture: (answer) => capture.answered(answer),
-  lateLook: ({ hindrance }) => panel.explain('lateLook', hindrance && kHindrances[hindrance]),
+  lateLook: ({ hindrance }) => panel.explain('lateLook', hindrance && kSettings.hindrances[hindrance]),
   codecs: ({ h264 }) => h264 || disableH264(),
   codecFailed: ({ words }) => {
     console.warn(words);
-    panel.disable('codec', kFailed, 'h264');
+    panel.disable('codec', kSettings.codecFailed, 'h264');
   },
   store: ({ key, value }) => keep(key, value),
 };
@@ -165,7 +162,7 @@ function keep(key, value) {
 }
 
 async function disableH264() {
-  panel.disable('codec', (await h264Hindrance(window)) || kFailed, 'h264');
+  panel.disable('codec', (await h264Hindrance(window)) || kSettings.codecFailed, 'h264');
 }
 
 /** What the page is doing, for whoever looks at it from outside. */
@@ -239,7 +236,7 @@ window.addEventListener('keydown', (event) => {
   if (labels.learn(event)) relabel();
 });
 window.addEventListener('storage', () => settings.reload());
-if (nameInAddress) panel.disable('name', `The page's address names you ${nameInAddress}.`);
+if (nameInAddress) panel.disable('name', kSettings.nameInAddress(nameInAddress));
 listenToMouse(canvas, controls, pointer);
 listenToTouch(canvas, controls, element('stick'));
 listenToBlowButton(element('blow'), controls);

@@ -1,13 +1,4 @@
-/** What a visitor reads in each state of the connection; `open` needs no words. */
-const kTexts = {
-  connecting: { title: 'Grove', text: 'Entering the grove\u2026' },
-  silent: { title: 'The world does not answer\u2026', text: 'What you see may be out of date.' },
-  lost: { title: 'The world is out of reach', text: 'Trying again\u2026' },
-  full: { title: 'No place for you yet', next: 'We knock again every fifteen seconds.', action: 'Try again now' },
-  away: { title: 'Your place was given away', next: 'Trying to enter again\u2026', action: 'Try again now' },
-  outdated: { title: 'The world has moved on', text: 'Please reload the page to follow.', action: 'Reload' },
-  refused: { title: 'The world let go', action: 'Try again' },
-};
+import { kStates, kWaiting } from './texts.js';
 
 /** The words in the middle of the page while there is no living picture. */
 export class Notice {
@@ -28,7 +19,7 @@ export class Notice {
   }
 
   show(state, reason) {
-    const { title, text, next, action } = kTexts[state];
+    const { title, text, next, action } = kStates[state];
     this.#say(title, [text ?? sentence(reason), next].filter(Boolean).join(' '));
     this.#progress.hidden = true;
     this.#button.textContent = action ?? '';
@@ -38,9 +29,9 @@ export class Notice {
 
   /** How the wait for the world gets on, or, once one is in, for one of one's own; as in the message Waiting. */
   wait({ place, percent, step, isIn }) {
-    const title = isIn ? 'Your world is being made' : 'The world is being made';
-    if (place === 1) this.#say(title, step ? `${capitalised(step)}\u2026` : 'A moment\u2026');
-    else this.#say(`Place ${place} in line`, `Everyone gets a world of their own here. ${before(place - 1)}`);
+    const title = isIn ? kWaiting.own : kWaiting.common;
+    if (place === 1) this.#say(title, step ? `${capitalised(step)}\u2026` : kWaiting.moment);
+    else this.#say(kWaiting.place(place), kWaiting.ahead(place - 1));
     // Not among the words: a screen reader would say every percent of it.
     this.#progress.hidden = place !== 1;
     this.#progress.value = percent;
@@ -59,17 +50,13 @@ export class Notice {
   }
 }
 
-function before(visitors) {
-  return visitors === 1 ? 'One visitor is before you.' : `${visitors} visitors are before you.`;
-}
-
 function capitalised(text) {
   return text[0].toUpperCase() + text.slice(1);
 }
 
 /** A close reason as a sentence. */
 function sentence(reason) {
-  if (!reason) return 'It gave no reason.';
+  if (!reason) return kWaiting.noReason;
   const capital = capitalised(reason);
   return /[.!?]$/.test(capital) ? capital : `${capital}.`;
 }

@@ -11,10 +11,12 @@ import { Poll } from './operator/poll.js';
 import { Readings } from './operator/readings.js';
 import { situation } from './operator/situation.js';
 import { makeTables } from './operator/tables.js';
-
-const kStates = { asking: 'asking', live: 'live', paused: 'paused', lost: 'out of reach' };
+import { kOperator, kOperatorPage } from './texts.js';
+import { writeWords } from './words.js';
 
 const element = (id) => document.getElementById(id);
+writeWords(document, kOperatorPage);
+writeWords(element('chart').content, kOperatorPage);
 const readings = new Readings();
 const history = new History();
 const tables = makeTables(document);
@@ -60,7 +62,7 @@ function leaveLive(state) {
 
 function enter(state, statistics = null) {
   document.documentElement.dataset.state = state;
-  write(element('state'), kStates[state]);
+  write(element('state'), kOperator.states[state]);
   const words = situation(state, statistics, heard);
   element('notice').classList.toggle('quiet', words === null);
   write(element('notice').querySelector('strong'), words?.title ?? '');

@@ -1,14 +1,33 @@
 import { perUser } from './amortization.js';
 import { kUnknown, known, milliseconds, percent, plain, visitors, whole } from './figures.js';
 import { LimitedBy } from './protocol.js';
+import { kRows, kStatistics } from './texts.js';
 
 /** Readable numbers change a few times a second, not with every frame. Milliseconds. */
 const kInterval = 250;
 
-/** What each line says about a reading; `null` where it is not known yet. */
-const kLines = {
-  fps: (reading) => String(reading.framesPerSecond),
+const kLimits = {
+  [LimitedBy.nothing]: kStatistics.limits.nothing,
+  [LimitedBy.line]: kStatistics.limits.line,
+  [LimitedBy.machine]: kStatistics.limits.machine,
+  [LimitedBy.browser]: kStatistics.limits.browser,
+  [LimitedBy.visitor]: kStatistics.limits.visitor,
+};
+
+const ofStatus = (tell) => ({ status }) => status !== null && tell(status);
+/** A server before 1.3 does not tell its part of a picture's time. */
+const ofTimes = (part) => ({ times }) => times && milliseconds(times[part]);
+const ofSavings = (tell) => ({ amortization }) => amortization !== null && tell(amortization);
+const told = (value, tell) => known(value) !== null && tell(value);
+const atMost = (count) => (count === 0 ? kStatistics.noVisitors : kStatistics.atMost(whole(count)));
+
+/** What each row says about a reading; nothing where it is not known yet. */
+const kFigures = {
+  fps: (reading) => kStatistics.framesPerSecond(reading.framesPerSecond),
   latency: (reading) => reading.latencyMs !== null && `${reading.latencyMs.toFixed(0)} ms`,
+  quality: ofStatus(({ quality }) => `${quality} %`),
+  limit: ofStatus(({ limitedBy }) => kLimits[limitedBy]),
+
   percentiles: ({ latencyPercentiles: { p50, p95, p99 } }) =>
     p50 !== null && `${[p50, p95, p99].map((value) => value.toFixed(0)).join(' / ')} ms`,
   rate: (reading) => `${reading.megabitsPerSecond.toFixed(1)} Mbit/s`,
@@ -18,53 +37,42 @@ const kLines = {
   shared: (reading) => reading.sharedViews !== null && `${Math.round(reading.sharedViews * 100)} %`,
   server: (reading) => reading.serverMs !== null && `${reading.serverMs.toFixed(1)} ms`,
   version: (reading) => reading.version,
-};
 
-const kLimits = {
-  [LimitedBy.nothing]: 'nothing',
-  [LimitedBy.line]: 'your line',
-  [LimitedBy.machine]: 'the server is busy',
-  [LimitedBy.browser]: 'your browser is busy',
-  [LimitedBy.visitor]: 'your settings',
-};
+  goal: ofStatus(({ framesPerSecond }) => kStatistics.framesPerSecond(framesPerSecond)),
+  carries: ofStatus(({ kilobitsPerSecond }) => kilobitsPerSecond > 0 && `${plain(kilobitsPerSecond / 1000)} Mbit/s`),
+  roundTrip: ofStatus(({ roundTripMilliseconds }) => `${roundTripMilliseconds} ms`),
+  lateLook: ({ lateLook }) => lateLook,
 
-/** What each line says of where a picture's time goes; a server before 1.3 does not tell its part. */
-const kPlaces = {
-  queued: ({ times }) => times && milliseconds(times.queued),
-  drawn: ({ times }) => times && milliseconds(times.drawn),
-  encoded: ({ times }) => times && milliseconds(times.encoded),
-  socket: ({ times }) => times && milliseconds(times.socket),
-  line: ({ times }) => times && milliseconds(times.line),
+  queued: ofTimes('queued'),
+  drawn: ofTimes('drawn'),
+  encoded: ofTimes('encoded'),
+  socket: ofTimes('socket'),
+  line: ofTimes('line'),
   decoded: ({ decodeMs }) => milliseconds(decodeMs),
   painted: ({ paintMs }) => milliseconds(paintMs),
+
+  mode: ofSavings(({ isPrivate }) => isPrivate && kStatistics.sharingOff),
+  alpha: ofSavings(({ alpha }) => told(alpha, percent)),
+  beta: ofSavings(({ beta }) => told(beta, percent)),
+  everybody: ofSavings(({ acrossUser }) => told(acrossUser, milliseconds)),
+  visitor: ofSavings((amortization) => told(perUser(amortization), milliseconds)),
+  cost: ofSavings(({ visitorCores }) => told(visitorCores, (cores) => kStatistics.cores(plain(cores)))),
+  fit: ofSavings(({ visitorsFit }) => told(visitorsFit, visitors)),
+  private: ofSavings(({ isPrivate, privateVisitorsFit }) => !isPrivate && told(privateVisitorsFit, atMost)),
 };
 
-/** What each line says of how the stream fits the line, as the server tells it. */
-const kStatus = {
-  limit: ({ limitedBy }) => kLimits[limitedBy],
-  goal: ({ framesPerSecond }) => `${framesPerSecond} frames/s`,
-  quality: ({ quality }) => `${quality} %`,
-  carries: ({ kilobitsPerSecond }) => kilobitsPerSecond > 0 && `${plain(kilobitsPerSecond / 1000)} Mbit/s`,
-  roundTrip: ({ roundTripMilliseconds }) => `${roundTripMilliseconds} ms`,
-};
+function addRows(list, { label, rows }) {
+  const { ownerDocument: document } = list;
+  list.setAttribute('aria-label', label);
+  for (const [name, [term, about]] of Object.entries(rows)) {
+    const row = list.appendChild(document.createElement('div'));
+    if (about) row.title = about;
+    row.appendChild(document.createElement('dt')).textContent = term;
+    row.appendChild(document.createElement('dd')).dataset.figure = name;
+  }
+}
 
-const told = (value, tell) => known(value) !== null && tell(value);
-
-/** What each line says about what sharing saves; a line that is not told of is not there. */
-const kSavings = {
-  alpha: ({ alpha }) => told(alpha, percent),
-  beta: ({ beta }) => told(beta, percent),
-  everybody: ({ acrossUser }) => told(acrossUser, milliseconds),
-  visitor: (amortization) => told(perUser(amortization), milliseconds),
-  cost: ({ visitorCores }) => told(visitorCores, (cores) => `${plain(cores)} cores`),
-  fit: ({ visitorsFit }) => told(visitorsFit, visitors),
-  private: ({ isPrivate, privateVisitorsFit }) => !isPrivate && told(privateVisitorsFit, atMost),
-  mode: ({ isPrivate }) => isPrivate && 'off',
-};
-
-const atMost = (count) => (count === 0 ? 'none' : `at most ${whole(count)}`);
-
-/** The small panel of figures; hidden until it is asked for. */
+/** The small panel of figures, the expert's below the simple ones; hidden until it is asked for. */
 export class Overlay {
   #panel;
   #button;
@@ -73,14 +81,15 @@ export class Overlay {
   #timer;
 
   /**
-   * `panel` has an element with `data-figure`, `data-status`, `data-place` or `data-saving` for each line; `read()` gives a reading
-   * of Telemetry and WorldStatistics, and `lateLook`, what becomes of that; `watch(shown)` is told when the panel appears and goes.
+   * `panel` has a list with `data-rows` for each list in kRows; `read()` gives a reading of Telemetry and WorldStatistics,
+   * and `lateLook`, what becomes of that; `watch(shown)` is told when the panel appears and goes.
    */
   constructor(panel, button, read, watch) {
     this.#panel = panel;
     this.#button = button;
     this.#read = read;
     this.#watch = watch;
+    for (const [name, rows] of Object.entries(kRows)) addRows(this.#list(name), rows);
     button.addEventListener('click', () => this.toggle());
   }
 
@@ -95,27 +104,18 @@ export class Overlay {
     this.#timer = setInterval(() => this.#write(), kInterval);
   }
 
+  #list(name) {
+    return this.#panel.querySelector(`[data-rows=${name}]`);
+  }
+
   #write() {
     const reading = this.#read();
     for (const figure of this.#panel.querySelectorAll('[data-figure]')) {
-      figure.textContent = kLines[figure.dataset.figure](reading) || kUnknown;
+      figure.textContent = kFigures[figure.dataset.figure](reading) || kUnknown;
     }
-    const { status, lateLook, amortization } = reading;
-    const stream = this.#panel.querySelector('[data-line]');
-    stream.hidden = status === null;
-    for (const figure of status === null ? [] : stream.querySelectorAll('[data-status]')) {
-      const { status: name } = figure.dataset;
-      figure.textContent = (name === 'lateLook' ? lateLook : kStatus[name](status)) || kUnknown;
-    }
-    for (const figure of this.#panel.querySelectorAll('[data-place]')) {
-      figure.textContent = kPlaces[figure.dataset.place](reading) || kUnknown;
-    }
-    this.#panel.querySelector('[data-savings]').hidden = amortization === null;
-    if (amortization === null) return;
-    for (const figure of this.#panel.querySelectorAll('[data-saving]')) {
-      const text = kSavings[figure.dataset.saving](amortization) || '';
-      figure.textContent = text;
-      figure.parentElement.hidden = text === '';
-    }
+    this.#list('line').hidden = reading.status === null;
+    this.#list('savings').hidden = reading.amortization === null;
+    // A server that shares nothing, and an older one, have less to tell of this.
+    for (const row of this.#list('savings').children) row.hidden = row.lastChild.textContent === kUnknown;
   }
 }

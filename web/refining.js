@@ -1,3 +1,5 @@
+import { kHints } from './texts.js';
+
 /** A guess is no more exact than this (s). */
 const kRounding = 5;
 const kLongestInSeconds = 90;
@@ -13,7 +15,7 @@ export class Refining {
   /** As in the message Refining. */
   show({ percent, secondsLeft }) {
     this.#element.hidden = percent >= 100;
-    this.#element.textContent = `The world is getting finer: ${percent}\u00a0%${left(secondsLeft)}`;
+    this.#element.textContent = kHints.refining(percent) + left(secondsLeft);
   }
 
   hide() {
@@ -23,6 +25,6 @@ export class Refining {
 
 function left(seconds) {
   if (seconds === null) return '';
-  if (seconds > kLongestInSeconds) return `, about ${Math.round(seconds / 60)}\u00a0minutes left`;
-  return `, about ${Math.max(kRounding, Math.round(seconds / kRounding) * kRounding)}\u00a0s left`;
+  if (seconds > kLongestInSeconds) return kHints.minutesLeft(Math.round(seconds / 60));
+  return kHints.secondsLeft(Math.max(kRounding, Math.round(seconds / kRounding) * kRounding));
 }

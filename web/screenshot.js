@@ -1,3 +1,5 @@
+import { kPictures } from './texts.js';
+
 /** Browsers still read from the address for a while after the click. Milliseconds. */
 const kAddressKeptFor = 60_000;
 const kEndings = Object.freeze({ 'image/png': 'png', 'image/jpeg': 'jpg' });
@@ -26,18 +28,18 @@ export async function saveFile(window, file) {
   const link = document.createElement('a');
   if (!('download' in link) && navigator.canShare?.({ files: [file] })) {
     await navigator.share({ files: [file] });
-    return 'Picture shared';
+    return kPictures.shared;
   }
   link.href = URL.createObjectURL(file);
   window.setTimeout(() => URL.revokeObjectURL(link.href), kAddressKeptFor);
   if ('download' in link) {
     link.download = file.name;
     link.click();
-    return `Picture saved: ${file.name}`;
+    return kPictures.saved(file.name);
   }
   link.target = '_blank';
   link.click();
-  return 'Picture opened';
+  return kPictures.opened;
 }
 
 /** Keeps the present picture as a file, and says so. */
@@ -65,7 +67,7 @@ export class Screenshot {
       this.#say(await this.#save(new File([picture], pictureName(new Date(), type), { type })));
     } catch (error) {
       // The visitor thought better of sharing it.
-      if (error.name !== 'AbortError') this.#say('The picture could not be saved.');
+      if (error.name !== 'AbortError') this.#say(kPictures.failed);
     }
   }
 }

@@ -1,4 +1,5 @@
 import { kUnknown } from './figures.js';
+import { kChoices, kSettings, kStatistics } from './texts.js';
 
 /** How often the words about the stream of now change. Milliseconds. */
 const kInterval = 500;
@@ -6,7 +7,7 @@ const kInterval = 500;
 /** The stream as it is now, from a reading of Telemetry. */
 export function streamInWords({ codec, width, height, framesPerSecond, megabitsPerSecond }) {
   if (width === null) return kUnknown;
-  const parts = [codec, `${width} \u00d7 ${height}`, `${framesPerSecond} frames/s`];
+  const parts = [codec, `${width} \u00d7 ${height}`, kStatistics.framesPerSecond(framesPerSecond)];
   return [...parts, `${megabitsPerSecond.toFixed(1)} Mbit/s`].join(', ');
 }
 
@@ -14,6 +15,11 @@ export function streamInWords({ codec, width, height, framesPerSecond, megabitsP
 function valueOf(control, setting) {
   if (control.type === 'checkbox') return control.checked;
   return typeof setting === 'number' ? Number(control.value) : control.value;
+}
+
+function addChoices(select) {
+  const option = (value, text) => Object.assign(select.ownerDocument.createElement('option'), { value, text });
+  select.append(...kChoices[select.dataset.setting].map(([value, text]) => option(value, text)));
 }
 
 /**
@@ -30,7 +36,7 @@ export class SettingsPanel {
 
   /**
    * @param {object} parts
-   * @param {HTMLDialogElement} parts.dialog has a control with `data-setting` for each setting but the keys
+   * @param {HTMLDialogElement} parts.dialog has a control with `data-setting` for each setting but the keys; those with choices are filled here
    * @param {HTMLButtonElement} parts.button opens and closes it; stays away where the browser knows no dialogs
    * @param {import('./settings.js').Settings} parts.settings
    * @param {() => object} parts.read a reading of Telemetry
@@ -42,6 +48,7 @@ export class SettingsPanel {
     this.#settings = settings;
     this.#read = read;
     this.#narrow = narrow;
+    for (const select of dialog.querySelectorAll('select')) addChoices(select);
     button.hidden = !dialog.show;
     button.addEventListener('click', () => this.toggle());
     dialog.querySelector('[data-close]').addEventListener('click', () => dialog.close());
@@ -73,7 +80,7 @@ export class SettingsPanel {
     } else {
       const choice = control.querySelector(`option[value="${option}"]`);
       choice.disabled = true;
-      choice.textContent = `${choice.textContent} \u2013 ${reason}`;
+      choice.textContent = kSettings.unavailable(choice.textContent, reason);
     }
   }
 
@@ -120,12 +127,12 @@ export class SettingsPanel {
     const { setting } = control.dataset;
     this.#settings.change({ [setting]: valueOf(control, this.#settings.values[setting]) });
     const { isKept } = this.#settings;
-    this.say(isKept ? '' : 'This browser keeps nothing for this page: settings last until you leave it.');
+    this.say(isKept ? '' : kSettings.notKept);
   }
 
   #reset() {
     this.#settings.reset();
-    this.say('All settings are as they were at first.');
+    this.say(kSettings.reset);
   }
 
   #write() {
@@ -138,7 +145,7 @@ export class SettingsPanel {
     }
     const times = values.sensitivity.toFixed(1);
     this.#dialog.querySelector('output').textContent = `\u00d7 ${times}`;
-    this.#control('sensitivity').setAttribute('aria-valuetext', `${times} times`);
+    this.#control('sensitivity').setAttribute('aria-valuetext', kSettings.times(times));
   }
 
   #tell() {

@@ -6,7 +6,7 @@ window.addEventListener('load', function () {
     words = 'This browser is too old for this page, or a part of the page did not arrive. '
       + 'It needs Chrome or Edge 84, Firefox 90, Safari 14.1 or later.';
   } else if (!window.WebSocket) {
-    words = 'This browser opens no WebSocket, and the world comes through one.';
+    words = 'This browser does not support WebSocket, which Grove needs to show its world.';
   }
   if (!words) return;
   document.querySelector('[data-notice=title]').textContent = 'Grove cannot start here';

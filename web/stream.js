@@ -1,5 +1,6 @@
 import { namesOf } from './codecs.js';
 import { kCodecNames } from './protocol.js';
+import { kStatistics } from './texts.js';
 
 /** What the visitor may choose; 0 is no limit. */
 export const kPreferences = Object.freeze({
@@ -59,8 +60,8 @@ export class Stream {
 
   /** What becomes of late look, in a word. */
   get lateLookWord() {
-    if (this.turns) return 'on';
-    return this.#preferences.lateLook ? `off: ${this.#lateLook.hindrance}` : 'off';
+    if (this.turns) return kStatistics.lateLookOn;
+    return this.#preferences.lateLook ? kStatistics.lateLookHindered(this.#lateLook.hindrance) : kStatistics.lateLookOff;
   }
 
   /**

@@ -86,6 +86,22 @@ function(grove_embed target symbol base)
   target_sources(${target} PRIVATE "${out}")
 endfunction()
 
+# grove_embed_web(TARGET WEB_DIR SOURCES...)
+# The same as `grove::embedded::web()`, of the pages that are made from those sources (web.cmake).
+function(grove_embed_web target web)
+  find_program(GROVE_ESBUILD esbuild REQUIRED)
+  find_program(GROVE_GZIP gzip REQUIRED)
+  find_program(GROVE_BROTLI brotli REQUIRED)
+  set(out "${CMAKE_CURRENT_BINARY_DIR}/embedded_web.cpp")
+  set(scripts "${PROJECT_SOURCE_DIR}/server/cmake/web.cmake" "${PROJECT_SOURCE_DIR}/server/cmake/embed.cmake")
+  add_custom_command(OUTPUT "${out}"
+    COMMAND ${CMAKE_COMMAND} -DOUT=${out} -DSYMBOL=web -DWEB=${web} -DBASE=${CMAKE_CURRENT_BINARY_DIR}/web
+            -DESBUILD=${GROVE_ESBUILD} -DGZIP=${GROVE_GZIP} -DBROTLI=${GROVE_BROTLI}
+            -P "${PROJECT_SOURCE_DIR}/server/cmake/web.cmake"
+    DEPENDS ${ARGN} ${scripts} VERBATIM)
+  target_sources(${target} PRIVATE "${out}")
+endfunction()
+
 # grove_test(NAME [CONCURRENT] SOURCES ... DEPS ...): one GoogleTest program, linked with the floors it tests only.
 # CONCURRENT: its threads meet, so it is built and run under the thread sanitizer, too. Those with a source named
 # *_kernels_test.cpp are what `kernel_tests` builds, and kernel_tests.txt in the build folder names them. SHARDS: so many

@@ -79,9 +79,9 @@ test('who comes in the first second sees how the world gets on, then the world, 
   assert.ok(deviation > 10, `the picture is uniform: deviation ${deviation}`);
   // Without a reload, or the titles would have begun anew.
   const titles = await visitor.page.evaluate(() => window.titles);
-  assert.deepEqual(titles, ['Grove', 'The world is being made']);
+  assert.deepEqual(titles, ['Grove', 'The world is being prepared']);
   await visitor.page.waitForFunction(() => window.finer.some((text) => /100/.test(text)));
-  assert.match(await visitor.page.evaluate(() => window.finer[0]), /^The world is getting finer: \d+\s%/);
+  assert.match(await visitor.page.evaluate(() => window.finer[0]), /^Improving the detail: \d+\s%/);
   assert.ok(await visitor.page.locator('#refining').isHidden(), 'all is done, and it says nothing more');
   await visitor.frames(3);
   await visitor.leave();

@@ -30,9 +30,9 @@ const overflow = (operator) =>
 test('while nobody is here it says so, and tells what is known', async () => {
   const operator = await open(server.operatorUrl);
   await operator.until('state', 'live');
-  await operator.page.getByText('Nobody is here').waitFor();
+  await operator.page.getByText('No visitors').waitFor();
   assert.deepEqual(await figures(operator), { visitors: '0', fps: '–', alpha: '–', beta: '–', cores: '–', fit: '–' });
-  assert.match(await operator.page.locator('#resident').textContent(), /holds [\d.,]+ [MG]B/);
+  assert.match(await operator.page.locator('#resident').textContent(), /uses [\d.,]+ [MG]B/);
   await operator.page.getByRole('row', { name: /^Simulation Tick/ }).waitFor();
   assert.match(await operator.page.getByRole('heading', { level: 1 }).textContent(), /^Grove \d+\.\d+\.\d+$/);
   await operator.leave();
@@ -105,13 +105,13 @@ test('a server that dies leaves its last words in grey, and is found again', asy
     await operator.until('state', 'live');
     await mortal.end('SIGKILL');
     await operator.until('state', 'lost');
-    assert.match(await operator.page.getByRole('status').textContent(), /out of reach.*said last, at .*Trying again/s);
+    assert.match(await operator.page.getByRole('status').textContent(), /cannot be reached.*figures are from .*Trying again/s);
     assert.equal((await figures(operator)).visitors, '0', 'its last words');
     assert.ok(Number(await operator.page.$eval('main', (main) => getComputedStyle(main).opacity)) < 0.7, 'are grey');
 
     mortal = await Server.start({ port, options });
     await operator.until('state', 'live');
-    await operator.page.getByText('out of reach').first().waitFor({ state: 'hidden' });
+    await operator.page.getByText('cannot be reached').first().waitFor({ state: 'hidden' });
   } finally {
     await mortal.end();
   }

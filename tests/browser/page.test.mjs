@@ -51,18 +51,21 @@ test('the overlay tells finite figures, by key and by button', async () => {
   for (const toggle of [
     () => ada.page.keyboard.press('o'),
     () => ada.page.keyboard.press('F3'),
-    () => ada.page.getByRole('button', { name: 'Figures' }).click(),
+    () => ada.page.getByRole('button', { name: 'Statistics' }).click(),
   ]) {
     await toggle();
     await overlay.waitFor({ state: 'visible' });
     await ada.page.waitForFunction(() =>
-      [...document.querySelectorAll('[data-figure]')].every((figure) => /^[0-9]|^H\.264$/.test(figure.textContent)),
+      [...document.querySelectorAll('[data-rows=stream] dd')].every((figure) => /^[0-9]|^H\.264$/.test(figure.textContent)),
     );
-    const figures = await ada.page.$$eval('[data-figure]', (all) => all.map((figure) => figure.textContent));
-    assert.equal(figures.length, 10);
-    assert.match(figures[9], /^\d+\.\d+\.\d+$/, 'the version');
-    for (const figure of figures) assert.doesNotMatch(figure, /NaN|Infinity|undefined|null/);
-    assert.ok(parseFloat(figures[1]) >= 0 && parseFloat(figures[3]) > 0, figures.join(', '));
+    const figures = await ada.page.$$eval('#overlay dd', (all) =>
+      Object.fromEntries(all.map((figure) => [figure.dataset.figure, figure.textContent])),
+    );
+    assert.match(figures.version, /^\d+\.\d+\.\d+$/);
+    for (const [name, figure] of Object.entries(figures)) {
+      assert.doesNotMatch(figure, /NaN|Infinity|undefined|null/, name);
+    }
+    assert.ok(parseFloat(figures.latency) >= 0 && parseFloat(figures.rate) > 0, JSON.stringify(figures));
     await toggle();
     await overlay.waitFor({ state: 'hidden' });
   }
@@ -73,16 +76,37 @@ test('the overlay tells finite figures, by key and by button', async () => {
 test('the overlay tells what sharing saves, with explanations', async () => {
   const ada = await arrive();
   await ada.page.keyboard.press('o');
-  await ada.page.locator('[data-savings]').waitFor({ state: 'visible' });
-  const lines = await ada.page.$$eval('[data-savings] > div:not([hidden])', (all) =>
+  await ada.page.getByText('All statistics').click();
+  await ada.page.locator('[data-rows=savings]').waitFor({ state: 'visible' });
+  const lines = await ada.page.$$eval('[data-rows=savings] > div:not([hidden])', (all) =>
     all.map((line) => ({ text: [...line.children].map((part) => part.textContent).join(' '), title: line.title })),
   );
   const whole = lines.map(({ text }) => text).join(', ');
-  assert.match(whole, /^shared work \u03b1 (< |> )?\d+ %, /);
-  assert.match(whole, /for everybody [\d,.]+ ms, for you [\d,.]+ ms, one more visitor [\d,.]+ cores/);
-  assert.match(whole, /room for \d+ visitors?, without sharing (none|at most \d+)/);
-  assert.doesNotMatch(whole, /NaN|Infinity|undefined|null|sharing off/);
+  assert.match(whole, /^Shared work \u03b1 (< |> )?\d+ %, /);
+  assert.match(whole, /For everybody [\d,.]+ ms, For you [\d,.]+ ms, One more visitor [\d,.]+ cores/);
+  assert.match(whole, /Room for (1 visitor|\d+ visitors), Without sharing (none|at most \d+)/);
+  assert.doesNotMatch(whole, /NaN|Infinity|undefined|null|Sharing off/);
   for (const { text, title } of lines) assert.ok(title.length > 20, `${text} is explained`);
+  await ada.leave();
+});
+
+test('the overlay begins with four plain figures, and shows all to who asks', async () => {
+  const ada = await arrive();
+  await ada.page.keyboard.press('o');
+  const terms = () => ada.page.locator('#overlay dt').filter({ visible: true }).allTextContents();
+  assert.deepEqual(await terms(), ['Frame rate', 'Latency', 'Picture quality', 'Limited by']);
+  await ada.page.getByText('All statistics').click();
+  await ada.page.getByText('Round trip').waitFor();
+  assert.ok((await terms()).length > 20);
+  await ada.page.getByText('All statistics').click();
+  assert.equal((await terms()).length, 4);
+  await ada.leave();
+});
+
+test('buttons tell their keys under the mouse', async () => {
+  const ada = await arrive();
+  const tips = await ada.page.$$eval('#tools button', (all) => all.map((button) => button.title));
+  assert.deepEqual(tips, ['Statistics (O or F3)', 'Screenshot (C)', 'Settings (P)', 'Full screen (F)']);
   await ada.leave();
 });
 
@@ -93,7 +117,7 @@ test('every button has a name, and the keyboard reaches it', async () => {
     await ada.page.keyboard.press('Tab');
     names.push(await ada.page.evaluate(() => document.activeElement.getAttribute('aria-label')));
   }
-  const wanted = ['Figures', 'Screenshot', 'Settings', 'Full screen'];
+  const wanted = ['Statistics', 'Screenshot', 'Settings', 'Full screen'];
   assert.ok(wanted.every((name) => names.includes(name)), names.join(', '));
   await ada.leave();
 });
@@ -108,13 +132,13 @@ test('a server that dies and returns is found again', async () => {
     await ada.frames(3);
     await mortal.end('SIGKILL');
     await ada.until('connection', 'lost');
-    await ada.page.getByText('The world is out of reach').waitFor();
-    assert.match(await ada.page.getByRole('status').textContent(), /out of reach.*Trying again/s);
+    await ada.page.getByText('Connection lost').waitFor();
+    assert.match(await ada.page.getByRole('status').textContent(), /Connection lost.*Trying to reconnect/s);
 
     mortal = await Server.start({ port, options });
     await ada.until('connection', 'open');
     await ada.frames(5);
-    await ada.page.getByText('The world is out of reach').waitFor({ state: 'hidden' });
+    await ada.page.getByText('Connection lost').waitFor({ state: 'hidden' });
   } finally {
     await mortal.end();
   }
@@ -131,7 +155,7 @@ test('a full server says so', async () => {
     await ada.frames(2);
     const bob = await Visitor.arrive(browser, small.url);
     await bob.until('connection', 'full');
-    await bob.page.getByText('The world is full').waitFor();
+    await bob.page.getByText('The world is full (1 visitor).').waitFor();
     await ada.frames(5);
     await ada.leave();
 

@@ -50,7 +50,7 @@ test('who waits for a world of his own is told his place, moves up and gets in',
   );
   const waited = told.map((titles) => titles.slice(1, -1).map((title) => Number(title.match(/^Place (\d) in line$/)[1])));
   for (const [index, places] of waited.entries()) {
-    assert.deepEqual([told[index].at(0), told[index].at(-1)], ['Grove', 'Your world is being made']);
+    assert.deepEqual([told[index].at(0), told[index].at(-1)], ['Grove', 'Your world is being prepared']);
     // Two moves may be told between two looks at the page: it need not be told each place.
     assert.deepEqual(places, [...new Set(places)].sort().reverse(), `places told: ${places}`);
   }

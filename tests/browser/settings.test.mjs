@@ -124,7 +124,7 @@ test('what is chosen outlasts the page, and can be reset', async () => {
   await field('Sensitivity').fill('2');
   await field('Invert up and down').check();
   await field('Codec').selectOption('jpeg');
-  await field('Frame rate, at most').selectOption('20');
+  await field('Maximum frame rate').selectOption('20');
   await ada.page.waitForFunction(() => /JPEG, 640 × 360/.test(document.querySelector('[data-stream]').textContent));
   await ada.page.reload();
   await enter(ada);
@@ -134,7 +134,7 @@ test('what is chosen outlasts the page, and can be reset', async () => {
     await field('Sensitivity').inputValue(),
     await field('Invert up and down').isChecked(),
     await field('Codec').inputValue(),
-    await field('Frame rate, at most').inputValue(),
+    await field('Maximum frame rate').inputValue(),
   ];
   assert.deepEqual(await read(), ['Wasd Ada', '2', true, 'jpeg', '20']);
   await ada.page.getByRole('button', { name: 'Reset to defaults' }).click();
@@ -233,6 +233,17 @@ test('every control has a name for those who hear the page', async () => {
 for (const [width, height] of [[360, 640], [390, 844], [844, 390]]) {
   test(`a phone of ${width} x ${height} reaches and reads everything`, async () => {
     const ada = await arrive({ viewport: { width, height }, hasTouch: true, isMobile: true });
+    const covers = await ada.page.evaluate(() => {
+      const line = document.querySelector('#line');
+      line.textContent = 'Your browser is busy: 1080 lines, 30 frames/s';
+      line.hidden = false;
+      const { right, bottom } = line.getBoundingClientRect();
+      return [...document.querySelectorAll('#tools button')].some((button) => {
+        const { left, top } = button.getBoundingClientRect();
+        return left < right && top < bottom && button.getBoundingClientRect().bottom > line.getBoundingClientRect().top;
+      });
+    });
+    assert.equal(covers, false, 'the words on who is short cover a button');
     await ada.page.locator('#figures').tap();
     const page = await ada.page.evaluate(() => {
       const box = (element) => element.getBoundingClientRect();
@@ -297,7 +308,7 @@ test('what the browser cannot do is shown with the reason', async () => {
   const option = poor.page.locator('option[value=h264]');
   assert.ok(await option.isDisabled());
   assert.match(await option.textContent(), /this browser has no WebCodecs/);
-  assert.ok(await poor.page.getByLabel('Turn at once').isDisabled());
+  assert.ok(await poor.page.getByLabel('Instant turning').isDisabled());
   await panelOf(poor).getByText('Needs WebGL').waitFor();
   await poor.leave();
 });
@@ -314,8 +325,8 @@ test('a page that cannot start says why', async () => {
     await context.close();
   };
   const broken = { contentType: 'text/javascript', body: 'not ( script' };
-  await tell((page) => page.route('**/connection.js', (route) => route.fulfill(broken)), 'too old for this page');
+  await tell((page) => page.route('**/main.js', (route) => route.fulfill(broken)), 'too old for this page');
   // A browser without WebSocket has none in a worker either.
   const noSocket = () => ['WebSocket', 'Worker'].forEach((name) => delete window[name]);
-  await tell((page) => page.addInitScript(noSocket), 'opens no WebSocket');
+  await tell((page) => page.addInitScript(noSocket), 'does not support WebSocket');
 });

@@ -233,7 +233,7 @@ test('a graphics card that loses what it held takes nothing from the screen', as
   const ada = await arrive({ script: keepWebGl });
   await ada.page.keyboard.press('o');
   const lateLook = (word) =>
-    ada.page.waitForFunction((text) => document.querySelector('[data-status=lateLook]').textContent === text, word);
+    ada.page.waitForFunction((text) => document.querySelector('[data-figure=lateLook]').textContent === text, word);
   await lateLook('on');
   await ada.page.evaluate(() => window.webGl.loseContext());
   await lateLook('off: no fast WebGL');
@@ -249,7 +249,7 @@ test('a graphics card that loses what it held takes nothing from the screen', as
 
 test('a server that says nothing is told of within three seconds, and no more once it speaks', async () => {
   const ada = await arrive();
-  const notice = ada.page.getByRole('heading', { name: 'The world does not answer' });
+  const notice = ada.page.getByRole('heading', { name: 'The server is not responding' });
   server.signal('SIGSTOP');
   try {
     await notice.waitFor({ timeout: 3000 });
@@ -272,6 +272,7 @@ test('a phone asks for no more than it can show', async () => {
 test('latency is measured and handed out as a table', async () => {
   const ada = await arrive({ query: '?latency=1' });
   await ada.page.keyboard.press('o');
+  await ada.page.getByText('All statistics').click();
   const save = ada.page.getByRole('button', { name: 'Save as CSV' });
   const [download] = await Promise.all([ada.page.waitForEvent('download'), save.click()]);
   const [header, ...rows] = readFileSync(await download.path(), 'utf8').trim().split('\n');

@@ -3,7 +3,8 @@ import { test } from 'node:test';
 
 import { actionOf, isBindable, kDefaultKeys, rebind, repairKeys } from '../../web/input/bindings.js';
 import { KeyLabels } from '../../web/input/key_labels.js';
-import { consequence, kActionNames } from '../../web/key_editor.js';
+import { consequence } from '../../web/key_editor.js';
+import { kActions } from '../../web/texts.js';
 import { writeKeyHints } from '../../web/key_hints.js';
 import { Key } from '../../web/protocol.js';
 
@@ -14,7 +15,7 @@ test('the defaults are sound: no key twice, all bindable, every control has one 
   assert.equal(new Set(codes).size, codes.length);
   assert.ok(codes.every(isBindable));
   for (const action of Object.keys(Key)) assert.ok(kDefaultKeys[action][0], action);
-  assert.deepEqual(Object.keys(kActionNames), Object.keys(kDefaultKeys));
+  assert.deepEqual(Object.keys(kActions), Object.keys(kDefaultKeys));
   assert.deepEqual(repairKeys(kDefaultKeys), kDefaultKeys);
 });
 
@@ -102,7 +103,6 @@ test('hints and buttons name the keys of now', () => {
   const set = {};
   const button = {
     dataset: { shortcut: 'lookUp' },
-    getAttribute: () => 'Look up',
     setAttribute: (name, value) => (set[name] = value),
   };
   const document = { querySelectorAll: (selector) => (selector === '[data-keys]' ? [hint, blow] : [button]) };

@@ -22,9 +22,9 @@ test('a line that stays slow is named, with what becomes of the stream', () => {
   assert.equal(element.hidden, true);
   clock.advance(1);
   assert.equal(element.hidden, false);
-  assert.equal(element.textContent, 'Slow line: 480 lines, 20 frames/s');
+  assert.equal(element.textContent, 'Slow connection: 480 lines, 20 frames/s');
   limited(LimitedBy.line, 15, 360);
-  assert.equal(element.textContent, 'Slow line: 360 lines, 15 frames/s');
+  assert.equal(element.textContent, 'Slow connection: 360 lines, 15 frames/s');
 });
 
 test('neither a short lapse nor a short recovery is worth a word', () => {

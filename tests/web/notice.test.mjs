@@ -44,11 +44,11 @@ test('says how many are before', () => {
   const { notice, title, text, progress } = setUp();
   notice.wait({ place: 3, percent: 0, step: '', isIn: true });
   assert.equal(title.textContent, 'Place 3 in line');
-  assert.match(text.textContent, /2 visitors are before you\.$/);
+  assert.match(text.textContent, /2 visitors are ahead of you\.$/);
   assert.equal(progress.hidden, true);
   notice.wait({ place: 2, percent: 0, step: '', isIn: true });
   assert.equal(title.textContent, 'Place 2 in line');
-  assert.match(text.textContent, /One visitor is before you\.$/);
+  assert.match(text.textContent, /One visitor is ahead of you\.$/);
 });
 
 test('says what is being made, and shows how much of it', () => {
@@ -56,12 +56,12 @@ test('says what is being made, and shows how much of it', () => {
   notice.hide();
   notice.wait({ place: 1, percent: 40, step: 'painting the sky', isIn: true });
   assert.equal(element.hidden, false);
-  assert.equal(title.textContent, 'Your world is being made');
+  assert.equal(title.textContent, 'Your world is being prepared');
   assert.equal(text.textContent, 'Painting the sky\u2026');
   assert.equal(progress.hidden, false);
   assert.equal(progress.value, 40);
   notice.wait({ place: 1, percent: 0, step: '', isIn: true });
-  assert.equal(text.textContent, 'A moment\u2026');
+  assert.equal(text.textContent, 'One moment\u2026');
 });
 
 test('words that stay the same are not read out again', () => {
@@ -74,8 +74,8 @@ test('words that stay the same are not read out again', () => {
 
 test('says why there is no place, and that it tries again', () => {
   const { notice, text } = setUp();
-  notice.show('full', 'as many visitors as may come from one address are here');
-  assert.match(text.textContent, /^As many visitors as may come from one address are here\. We knock again/);
+  notice.show('full', 'your address already has as many visitors as it may');
+  assert.match(text.textContent, /^Your address already has as many visitors as it may\. Trying again every 15 seconds/);
 });
 
 test('neither the button of another state nor its bar stays', () => {
@@ -91,7 +91,7 @@ test('neither the button of another state nor its bar stays', () => {
 test('the world that is still being made for everybody is nobody\'s own', () => {
   const { notice, title, text, progress } = setUp();
   notice.wait({ place: 1, percent: 12, step: 'sketching the light fields', isIn: false });
-  assert.equal(title.textContent, 'The world is being made');
+  assert.equal(title.textContent, 'The world is being prepared');
   assert.equal(text.textContent, 'Sketching the light fields\u2026');
   assert.deepEqual([progress.hidden, progress.value], [false, 12]);
 });
@@ -99,6 +99,6 @@ test('the world that is still being made for everybody is nobody\'s own', () => 
 test('says that the place was given away, and why', () => {
   const { notice, title, text } = setUp();
   notice.show('away', 'your place went to a newcomer while this page was hidden');
-  assert.equal(title.textContent, 'Your place was given away');
+  assert.equal(title.textContent, 'Your place went to another visitor');
   assert.match(text.textContent, /^Your place went to a newcomer while this page was hidden\. Trying to enter again/);
 });

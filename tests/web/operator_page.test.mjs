@@ -11,18 +11,18 @@ import { sample } from './statistics_sample.mjs';
 test('says what has to be known before the figures can be read', () => {
   const title = (statistics) => situation('live', statistics, '12:00')?.title;
   assert.equal(title(sample()), undefined);
-  assert.equal(title({ ...sample(), amortization: null, visitors: 0 }), 'Nobody is here');
-  assert.equal(title({ ...sample(), amortization: null, visitors: 1 }), 'Somebody has come');
+  assert.equal(title({ ...sample(), amortization: null, visitors: 0 }), 'No visitors');
+  assert.equal(title({ ...sample(), amortization: null, visitors: 1 }), 'A visitor has arrived');
   assert.equal(title({ ...sample(), amortization: { ...sample().amortization, mode: 'private' } }), 'Private mode');
-  assert.equal(title({ visitors: 2, stages: {}, counters: {} }), 'This server does not tell what sharing saves');
+  assert.equal(title({ visitors: 2, stages: {}, counters: {} }), 'This server does not report what sharing saves');
 });
 
 test('says that figures are not of now, and of when', () => {
   const lost = situation('lost', null, '12:00:01');
-  assert.match(`${lost.title}. ${lost.text}`, /out of reach.*said last, at 12:00:01.*Trying again/s);
-  assert.doesNotMatch(situation('lost', null, null).text, /said last/);
+  assert.match(`${lost.title}. ${lost.text}`, /cannot be reached.*figures are from 12:00:01.*Trying again/s);
+  assert.doesNotMatch(situation('lost', null, null).text, /figures are from/);
   assert.equal(situation('paused', null, '12:00').title, 'Paused');
-  assert.match(situation('asking', null, null).title, /Asking/);
+  assert.match(situation('asking', null, null).title, /Connecting/);
   assert.equal(situation('asking', null, '12:00'), null, 'a moment later it is live');
 });
 

@@ -11,13 +11,13 @@ const said = (message) => {
 
 test('tells how far it is and about how long it takes', () => {
   const told = (percent, secondsLeft) => said({ percent, secondsLeft, step: 'oak' });
-  assert.equal(told(37, 73), 'The world is getting finer: 37 %, about 75 s left');
-  assert.equal(told(98, 1), 'The world is getting finer: 98 %, about 5 s left');
-  assert.equal(told(5, 400), 'The world is getting finer: 5 %, about 7 minutes left');
+  assert.equal(told(37, 73), 'Improving the detail: 37 %, about 75 s left');
+  assert.equal(told(98, 1), 'Improving the detail: 98 %, about 5 s left');
+  assert.equal(told(5, 400), 'Improving the detail: 5 %, about 7 minutes left');
 });
 
 test('guesses no time where none is known', () => {
-  assert.equal(said({ percent: 0, secondsLeft: null, step: '' }), 'The world is getting finer: 0 %');
+  assert.equal(said({ percent: 0, secondsLeft: null, step: '' }), 'Improving the detail: 0 %');
 });
 
 test('goes when all is done', () => {

@@ -1,17 +1,6 @@
-const kArrows = { ArrowUp: '\u2191', ArrowLeft: '\u2190', ArrowDown: '\u2193', ArrowRight: '\u2192' };
+import { kKeys } from '../texts.js';
 
-/** Names of keys that have the same one on every layout. */
-const kNames = {
-  ArrowUp: 'up arrow',
-  ArrowLeft: 'left arrow',
-  ArrowDown: 'down arrow',
-  ArrowRight: 'right arrow',
-  ShiftLeft: 'left shift',
-  ShiftRight: 'right shift',
-  Space: 'space',
-  PageUp: 'page up',
-  PageDown: 'page down',
-};
+const kArrows = { ArrowUp: '\u2191', ArrowLeft: '\u2190', ArrowDown: '\u2193', ArrowRight: '\u2192' };
 
 /** What is printed on these keys where the layout is not known. */
 const kMarks = {
@@ -50,7 +39,7 @@ export class KeyLabels {
 
   /** For reading aloud: W, up arrow, space. */
   name(code) {
-    if (kNames[code]) return kNames[code];
+    if (kKeys.names[code]) return kKeys.names[code];
     const mark = this.#marks.get(code) ?? kMarks[code];
     if (mark) return capital(mark);
     // KeyW, Digit1, Numpad7, ControlLeft, F3.
@@ -61,19 +50,19 @@ export class KeyLabels {
   /** All keys of one action in a sentence: `O or F3`. */
   names(codes) {
     const known = codes.filter(Boolean);
-    if (known.length === 2 && known.every((code) => code.startsWith('Shift'))) return 'shift';
-    return known.map((code) => this.name(code)).join(' or ') || 'no key';
+    if (known.length === 2 && known.every((code) => code.startsWith('Shift'))) return kKeys.shift;
+    return known.map((code) => this.name(code)).join(kKeys.or) || kKeys.none;
   }
 
   /** The keys to walk with: `WASD or arrows`. */
   walking(keys) {
     const rows = [0, 1].map((slot) => kWalking.map((action) => keys[action][slot]));
     const words = rows.map((codes) => {
-      if (codes.join() === 'ArrowUp,ArrowLeft,ArrowDown,ArrowRight') return 'arrows';
+      if (codes.join() === 'ArrowUp,ArrowLeft,ArrowDown,ArrowRight') return kKeys.arrows;
       const labels = codes.filter(Boolean).map((code) => this.label(code));
       return labels.join(labels.every((label) => label.length === 1) ? '' : ' ');
     });
-    return words.filter(Boolean).join(' or ') || 'no key';
+    return words.filter(Boolean).join(kKeys.or) || kKeys.none;
   }
 }
 

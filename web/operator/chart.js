@@ -1,3 +1,4 @@
+import { kOperator } from '../texts.js';
 import { kHistory } from './history.js';
 
 /** A line across readings that lie further apart would tell of a time that nobody measured. Milliseconds. */
@@ -64,8 +65,8 @@ export class Chart {
   }
 
   #words(values) {
-    if (values.length === 0) return 'The last two minutes: nothing measured yet';
-    return `The last two minutes: between ${this.#tell(Math.min(...values))} and ${this.#tell(Math.max(...values))}`;
+    if (values.length === 0) return kOperator.chartEmpty;
+    return kOperator.chartRange(this.#tell(Math.min(...values)), this.#tell(Math.max(...values)));
   }
 }
 

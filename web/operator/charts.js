@@ -1,18 +1,19 @@
 import { plain, share, whole } from '../figures.js';
+import { kOperator } from '../texts.js';
 import { Chart } from './chart.js';
 
 const kCharts = [
-  { name: 'visitors', title: 'visitors', least: 4, tell: whole },
-  { name: 'cores', title: 'CPU cores busy', least: 1, tell: plain },
-  { name: 'alpha', title: 'shared work \u03b1', least: 1, tell: share },
-  { name: 'fps', title: 'frames a second', least: 30, tell: plain },
+  { name: 'visitors', least: 4, tell: whole },
+  { name: 'cores', least: 1, tell: plain },
+  { name: 'alpha', least: 1, tell: share },
+  { name: 'fps', least: 30, tell: plain },
 ];
 
 /** Fills `place` with the charts; gives a function that draws them, of a History up to `end`. */
 export function makeCharts(place, template) {
-  const charts = kCharts.map(({ name, title, least, tell }) => {
+  const charts = kCharts.map(({ name, least, tell }) => {
     const figure = template.content.cloneNode(true).firstElementChild;
-    figure.querySelector('figcaption span').textContent = title;
+    figure.querySelector('figcaption span').textContent = kOperator.charts[name];
     place.append(figure);
     return { name, chart: new Chart(figure, { least, tell }) };
   });

@@ -1,19 +1,8 @@
 import { milliseconds } from '../figures.js';
+import { kOperator } from '../texts.js';
 import { total } from './frame_cost.js';
 import { verdict } from './figures_panel.js';
 import { write } from './live_table.js';
-
-const kNames = {
-  shared: 'work that could be shared',
-  backend: 'own work, backends',
-  frontend: 'own work, frontend',
-  other: 'everything else',
-};
-
-const kWords = {
-  now: 'Milliseconds of CPU behind each picture. Work for everybody is done once and split among those who are here.',
-  alone: 'Milliseconds of CPU behind each picture. Each visitor pays for everything.',
-};
 
 /** The stacked bars of what a frame costs now and in private mode, on one scale. */
 export class CostBars {
@@ -22,7 +11,7 @@ export class CostBars {
   constructor(section) {
     this.#section = section;
     for (const stack of section.querySelectorAll('.stack')) {
-      for (const part of Object.keys(kNames)) {
+      for (const part of Object.keys(kOperator.parts)) {
         const piece = stack.appendChild(stack.ownerDocument.createElement('span'));
         piece.dataset.part = part;
       }
@@ -33,14 +22,14 @@ export class CostBars {
   show(cost, isPrivate) {
     const sums = { now: cost ? total(cost.now) : null, alone: cost?.alone ? total(cost.alone) : null };
     const most = Math.max(sums.now ?? 0, sums.alone ?? 0);
-    this.#bar('now', isPrivate ? 'now, in private mode' : 'now, shared', cost?.now, sums.now, most);
-    this.#bar('alone', 'in private mode, at least', cost?.alone, sums.alone, most);
-    for (const [part, name] of Object.entries(kNames)) {
+    this.#bar('now', isPrivate ? kOperator.barNowAlone : kOperator.barNow, cost?.now, sums.now, most);
+    this.#bar('alone', kOperator.barAlone, cost?.alone, sums.alone, most);
+    for (const [part, name] of Object.entries(kOperator.parts)) {
       const entry = this.#section.querySelector(`.legend [data-part=${part}]`);
-      write(entry.querySelector('span'), part === 'shared' && !isPrivate ? 'part of the shared work' : name);
+      write(entry.querySelector('span'), part === 'shared' && !isPrivate ? kOperator.sharedWork : name);
       write(entry.querySelector('b'), milliseconds(cost?.now[part]));
     }
-    write(this.#section.querySelector('#frame-words'), isPrivate ? kWords.alone : kWords.now);
+    write(this.#section.querySelector('#frame-words'), isPrivate ? kOperator.aboutFrameAlone : kOperator.aboutFrame);
     write(this.#section.querySelector('#verdict'), verdict(cost, sums));
   }
 
@@ -50,8 +39,8 @@ export class CostBars {
     write(bar.querySelector('[data-cost-part=title]'), title);
     write(bar.querySelector('b'), milliseconds(sum));
     const stack = bar.querySelector('.stack');
-    const words = Object.entries(kNames).map(([part, words]) => `${words} ${milliseconds(parts?.[part])}`);
-    stack.setAttribute('aria-label', parts ? words.join(', ') : 'not known');
+    const words = Object.entries(kOperator.parts).map(([part, words]) => `${words} ${milliseconds(parts?.[part])}`);
+    stack.setAttribute('aria-label', parts ? words.join(', ') : kOperator.barUnknown);
     for (const piece of stack.children) {
       piece.style.setProperty('width', `${most > 0 && parts ? (parts[piece.dataset.part] / most) * 100 : 0}%`);
     }

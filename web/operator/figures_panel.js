@@ -1,40 +1,39 @@
-import { megabytes, milliseconds, percent, plain, share, whole } from '../figures.js';
+import { kUnknown, megabytes, milliseconds, percent, plain, share, whole } from '../figures.js';
+import { kOperator } from '../texts.js';
 import { versionOf } from '../world_statistics.js';
 import { write } from './live_table.js';
 
 /** The figure and the words under it, of `{ statistics, amortization }`; `amortization` may be `null`. */
 const kTiles = {
-  visitors: ({ statistics }) => [whole(statistics.visitors), 'inside now'],
-  fps: ({ amortization: told }) => [plain(told?.framesPerSecond), 'each visitor gets, on average'],
-  alpha: ({ amortization: told }) => [share(told?.alpha), shared('work behind a frame', told, told?.alpha)],
-  beta: ({ amortization: told }) => [share(told?.beta), shared('memory for one visitor', told, told?.beta)],
+  visitors: ({ statistics }) => [whole(statistics.visitors), kOperator.visitorsNote],
+  fps: ({ amortization: told }) => [plain(told?.framesPerSecond), kOperator.fpsNote],
+  alpha: ({ amortization: told }) => [share(told?.alpha), shared(kOperator.work, told, told?.alpha)],
+  beta: ({ amortization: told }) => [share(told?.beta), shared(kOperator.memory, told, told?.beta)],
   cores: ({ amortization: told }) => [
     plain(told?.cpuCores),
-    told?.cores ? `of ${whole(told.cores)}; one more visitor takes ${plain(told.visitorCores)}` : 'of this machine',
+    told?.cores ? kOperator.coresNote(whole(told.cores), plain(told.visitorCores)) : kOperator.coresUnknown,
   ],
   fit: ({ amortization: told }) => [whole(told?.visitorsFit), room(told)],
 };
 
 function shared(what, told, value) {
-  if (told?.isPrivate) return `of the ${what} could be shared`;
-  return (value ?? null) === null ? `part of the ${what} that is shared` : `${percent(value)} of the ${what} is shared`;
+  if (told?.isPrivate) return kOperator.couldBeShared(what);
+  return (value ?? null) === null ? kOperator.isShared(what) : kOperator.sharedPart(percent(value), what);
 }
 
 function room(told) {
-  if (!told || told.privateVisitorsFit === null) return 'at the full frame rate';
-  if (told.isPrivate) return 'each with a world of their own';
-  if (told.visitorsFit === 0) return 'not even one gets the full frame rate';
-  if (told.privateVisitorsFit === 0) return 'in private mode not even one';
+  if (!told || told.privateVisitorsFit === null) return kOperator.fit;
+  if (told.isPrivate) return kOperator.fitPrivate;
+  if (told.visitorsFit === 0) return kOperator.fitNone;
+  if (told.privateVisitorsFit === 0) return kOperator.fitNoneAlone;
   const times = told.visitorsFit / told.privateVisitorsFit;
-  const most = `at most ${whole(told.privateVisitorsFit)}`;
-  if (times <= 1) return `in private mode ${most}`;
-  return `${Number(times.toFixed(1))} times as many as in private mode (${most})`;
+  const most = whole(told.privateVisitorsFit);
+  return times <= 1 ? kOperator.fitAlone(most) : kOperator.fitTimes(Number(times.toFixed(1)), most);
 }
 
 const kQuality = ({ quality }) => {
-  if (!Number.isInteger(quality?.step) || !Number.isInteger(quality.steps)) return '\u2013';
-  const place = `step ${quality.step + 1} of ${quality.steps}`;
-  return `${place}, ${quality.automatic ? 'raised while visitors share the bill' : 'fixed'}`;
+  if (!Number.isInteger(quality?.step) || !Number.isInteger(quality.steps)) return kUnknown;
+  return kOperator.quality(quality.step + 1, quality.steps, quality.automatic);
 };
 
 /** Writes the big figures and the small ones at the end. `root` is the document. */
@@ -51,15 +50,15 @@ export function writeFigures(root, now) {
 
 /** Where the memory is, in a sentence. */
 export function memoryWords(memory) {
-  if (memory === null) return 'This server does not tell.';
-  const told = memory.holders.length > 0 ? `, of which ${megabytes(memory.told)} have a name` : '';
-  return `The process holds ${megabytes(memory.resident)}${told}.`;
+  if (memory === null) return kOperator.memoryUnknown;
+  const used = megabytes(memory.resident);
+  return memory.holders.length > 0 ? kOperator.memoryUseOf(used, megabytes(memory.told)) : kOperator.memoryUse(used);
 }
 
 /** What the bars mean, in a sentence; empty where they are not known. */
 export function verdict(cost, sums) {
   if (!cost?.alone || sums.now <= 0) return '';
   const times = sums.alone / sums.now;
-  const more = times >= 1.05 ? `${plain(times)} times as much` : 'about as much';
-  return `With a world of their own each visitor would cost at least ${milliseconds(sums.alone)} a frame: ${more}.`;
+  const more = times >= 1.05 ? kOperator.timesAsMuch(plain(times)) : kOperator.aboutAsMuch;
+  return kOperator.verdict(milliseconds(sums.alone), more);
 }

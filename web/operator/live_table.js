@@ -1,3 +1,5 @@
+import { kBeneficiaries } from '../texts.js';
+
 /** Sets text only where it changes, so that a selection and a reader's place stay. */
 export function write(element, text) {
   if (element.textContent !== text) element.textContent = text;
@@ -52,16 +54,12 @@ export const bar = (share, tell) => (cell, entry) => {
   write(cell, tell(entry));
 };
 
-const kWork = {
-  'across-user': ['shared', 'everybody'],
-  'per-user-backend': ['backend', 'visitor, backend'],
-  'per-user-frontend': ['frontend', 'visitor, frontend'],
-};
+/** The part of a frame's cost, as its colour names it. */
+const kParts = { 'across-user': 'shared', 'per-user-backend': 'backend', 'per-user-frontend': 'frontend' };
 
 /** Writes whom the work or the memory is for. */
 export const work = (cell, entry) => {
-  const [part, words] = kWork[entry.work] ?? ['other', String(entry.work)];
-  cell.dataset.part = part;
+  cell.dataset.part = kParts[entry.work] ?? 'other';
   cell.classList.add('work');
-  write(cell, words);
+  write(cell, kBeneficiaries[entry.work] ?? String(entry.work));
 };

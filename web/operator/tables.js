@@ -1,14 +1,12 @@
 import { fixed, percent, share, whole } from '../figures.js';
+import { kOperator } from '../texts.js';
 import { LiveTable, bar, text, work } from './live_table.js';
-
-const kAll = 'all together';
-const kNoType = 'no single type';
 
 function typesTable(body) {
   const table = new LiveTable(body, [
     (cell, { name }) => {
-      text(() => name || kNoType)(cell);
-      if (!name) cell.title = 'Camera, encoder, transport: what serves no single type';
+      text(() => name || kOperator.noType)(cell);
+      if (!name) cell.title = kOperator.aboutNoType;
     },
     text(({ acrossUser }) => fixed(acrossUser, 2)),
     text(({ backend }) => fixed(backend, 2)),
@@ -20,7 +18,7 @@ function typesTable(body) {
   ]);
   return (amortization) => {
     const types = [...(amortization?.types ?? [])].sort((a, b) => (a.name || '~').localeCompare(b.name || '~'));
-    const all = amortization ? [{ ...amortization, key: kAll, name: kAll }] : [];
+    const all = amortization ? [{ ...amortization, key: 'all', name: kOperator.typesSum }] : [];
     table.show([...types.map((type) => ({ key: `type ${type.name}`, ...type })), ...all]);
   };
 }
@@ -52,7 +50,7 @@ function memoryTable(body) {
     const holders = memory?.holders ?? [];
     const rows = holders.map((entry) => ({ key: `${entry.name} ${entry.type} ${entry.work}`, ...entry }));
     if (typeof memory?.rest === 'number') {
-      const name = holders.length > 0 ? 'everything else' : 'without a name';
+      const name = holders.length > 0 ? kOperator.rest : kOperator.unlisted;
       rows.push({ key: 'rest', name, type: '', mb: memory.rest, share: memory.rest / memory.resident });
     }
     table.show(rows);

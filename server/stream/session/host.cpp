@@ -116,7 +116,8 @@ std::variant<node::SessionId, Refusal> Host::takePlace() {
   const std::lock_guard lock(mutex_);
   if (stopping_) return Refusal{CloseCode::kGoingAway, "the server stops"};
   if (sessions_.size() >= static_cast<std::size_t>(options_.maxVisitors)) {
-    return Refusal{CloseCode::kFull, "the world is full (" + std::to_string(options_.maxVisitors) + " visitors)"};
+    const std::string visitors = options_.maxVisitors == 1 ? " visitor" : " visitors";
+    return Refusal{CloseCode::kFull, "the world is full (" + std::to_string(options_.maxVisitors) + visitors + ")"};
   }
   const node::SessionId id = node::makeId(kProcess, nextSession_++);
   sessions_[id] = {};

@@ -157,7 +157,7 @@ std::optional<Refusal> Connection::actOnStream(const ClientMessage& message) {
 std::optional<Refusal> Connection::greet(const Hello& hello) {
   if (session_) return protocolError("a second Hello");
   place_ = door_.takePlace();
-  if (!place_) return Refusal{CloseCode::kFull, "as many visitors as may come from one address are here"};
+  if (!place_) return Refusal{CloseCode::kFull, "your address already has as many visitors as it may"};
   // The sink may outlive this connection in a run that is in progress; it must not keep the frame then.
   const auto send = [outbox = std::weak_ptr(outbox_)](std::shared_ptr<const EncodedFrame> frame) {
     if (const auto to = outbox.lock()) to->put(std::move(frame));

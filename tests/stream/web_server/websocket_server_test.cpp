@@ -140,7 +140,7 @@ TEST_F(OneAddress, MayHaveSoManyVisitors) {
   const auto close = visitor().receiveClose();
   ASSERT_TRUE(close);
   EXPECT_EQ(close->code, static_cast<int>(CloseCode::kFull));
-  EXPECT_THAT(close->reason, HasSubstr("one address"));
+  EXPECT_THAT(close->reason, HasSubstr("your address"));
   GoodClient other(limited_.port());
   EXPECT_TRUE(other.receiveFrames(2)) << "another address is not concerned";
   one.reset();

@@ -24,13 +24,16 @@ bool HttpService::writeHeaders(lws* wsi, const PageReply& reply) const {
     const auto* bytes = reinterpret_cast<const unsigned char*>(value.data());
     return lws_add_http_header_by_token(wsi, token, bytes, static_cast<int>(value.size()), &at, end) == 0;
   };
+  const std::string_view cache = reply.isForGood ? "public, max-age=31536000, immutable" : "no-cache";
   return lws_add_http_common_headers(wsi, static_cast<unsigned>(reply.status), std::string(reply.type).c_str(),
                                      reply.body.size(), &at, end) == 0 &&
          (reply.etag.empty() || add(WSI_TOKEN_HTTP_ETAG, reply.etag)) &&
          (reply.location.empty() || add(WSI_TOKEN_HTTP_LOCATION, reply.location)) &&
          // Not by plain http, where anybody could have written it (RFC 6797, 7.2).
          (hsts_.empty() || !isSecure(wsi) || add(WSI_TOKEN_HTTP_STRICT_TRANSPORT_SECURITY, hsts_)) &&
-         add(WSI_TOKEN_HTTP_CACHE_CONTROL, "no-cache") && lws_finalize_write_http_header(wsi, begin, &at, end) == 0;
+         (reply.coding.empty() || add(WSI_TOKEN_HTTP_CONTENT_ENCODING, reply.coding)) &&
+         (!reply.variesByCoding || add(WSI_TOKEN_HTTP_VARY, "accept-encoding")) &&
+         add(WSI_TOKEN_HTTP_CACHE_CONTROL, cache) && lws_finalize_write_http_header(wsi, begin, &at, end) == 0;
 }
 
 HttpService::HttpService(Audience audience, std::optional<int> hsts)
@@ -42,7 +45,8 @@ int HttpService::answer(lws* wsi, std::optional<PageReply> refusal) {
   const std::string_view method = !getPath.empty() ? "GET" : !headPath.empty() ? "HEAD" : "another";
   const std::string& path = getPath.empty() ? headPath : getPath;
   Answer answer;
-  answer.reply = pages_.answer(method, path, header(wsi, WSI_TOKEN_HTTP_IF_NONE_MATCH));
+  answer.reply = pages_.answer(
+      {method, path, header(wsi, WSI_TOKEN_HTTP_IF_NONE_MATCH), header(wsi, WSI_TOKEN_HTTP_ACCEPT_ENCODING)});
   // Without reading the body of a request one cannot find the next one.
   answer.isLast = method == "another";
   if (refusal) {

@@ -1,9 +1,12 @@
 #include "stream/web_server/pages/web_pages.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <cstdio>
 #include <utility>
+
+#include "stream/web_server/pages/content_coding.h"
 
 namespace grove::stream {
 namespace {
@@ -15,6 +18,12 @@ constexpr std::array kTypes = {
     Pair{".js", "text/javascript; charset=utf-8"},
     Pair{".svg", "image/svg+xml"},
 };
+
+constexpr std::string_view kIdentity = "identity";
+constexpr std::array kCodings = {Pair{".gz", "gzip"}, Pair{".br", "br"}};
+/// Where addresses change with what is there.
+constexpr std::string_view kHashed = "/v/";
+constexpr std::string_view kNotFound = "/not_found.html";
 
 /// Some have a name of their own.
 std::string_view fileOf(std::string_view path, Audience audience) {
@@ -39,41 +48,77 @@ std::string tagOf(std::string_view body) {
   return text.data();
 }
 
+/// The file's name as the page has it, and its content coding.
+Pair codingOf(std::string_view file) {
+  for (const auto& [suffix, coding] : kCodings) {
+    if (file.ends_with(suffix)) return {file.substr(0, file.size() - suffix.size()), coding};
+  }
+  return {file, kIdentity};
+}
+
+bool isOperators(std::string_view file) { return file.substr(file.rfind('/') + 1).starts_with("operator"); }
+
+/// Whether the header If-None-Match names the tag, be it among others or as a weak one.
+bool isNamed(std::string_view ifNoneMatch, std::string_view tag) {
+  return ifNoneMatch == "*" || ifNoneMatch.find(tag) != std::string_view::npos;
+}
+
 }  // namespace
 
 WebPages::WebPages(std::span<const embedded::File> files, Audience audience) : audience_(audience) {
   for (const embedded::File& file : files) {
-    if (audience == Audience::kVisitors && std::string_view(file.path).starts_with("operator")) continue;
-    const std::string path = std::string("/") + file.path;
-    pages_.emplace(path, Page{typeOf(path), tagOf(file.text()), file.text()});
+    const std::string_view whole = file.path;
+    if (audience == Audience::kVisitors && isOperators(whole)) continue;
+    const auto [name, coding] = codingOf(whole);
+    Page& page = pages_[std::string("/").append(name)];
+    page.type = typeOf(name);
+    page.representations.push_back({coding, tagOf(file.text()), file.text()});
+  }
+  for (auto& [path, page] : pages_) {
+    std::ranges::sort(page.representations, {}, [](const Representation& one) { return one.body.size(); });
   }
 }
 
-PageReply WebPages::answer(std::string_view method, std::string_view path, std::string_view ifNoneMatch) const {
+PageReply WebPages::answer(const PageRequest& request) const {
   PageReply reply;
-  reply.sendBody = method != "HEAD";
-  if (method != "GET" && method != "HEAD") {
+  if (request.method != "GET" && request.method != "HEAD") {
     reply.status = 405;
     reply.body = "only GET and HEAD\n";
     return reply;
   }
+  const std::string_view path = fileOf(request.path, audience_);
+  const auto found = pages_.find(path);
   if (path == "/healthz") {
     reply.body = "ok";
-    return reply;
-  }
-  const auto found = pages_.find(fileOf(path, audience_));
-  if (found == pages_.end()) {
+  } else if (found == pages_.end()) {
+    reply = represent(pages_.find(kNotFound)->second, request.acceptEncoding);
     reply.status = 404;
-    reply.body = "there is no such page\n";
-    return reply;
+  } else {
+    reply = represent(found->second, request.acceptEncoding);
+    reply.isForGood = path.starts_with(kHashed);
+    if (isNamed(request.ifNoneMatch, reply.etag)) reply.status = 304;
   }
-  reply.type = found->second.type;
-  reply.etag = found->second.etag;
-  if (ifNoneMatch.find(reply.etag) != std::string_view::npos) {
-    reply.status = 304;
-    return reply;
+  reply.sendBody = request.method == "GET" && reply.status != 304;
+  return reply;
+}
+
+PageReply WebPages::represent(const Page& page, std::string_view acceptEncoding) {
+  // Whoever takes none of them, not even identity, is better off with a page than with a refusal.
+  const Representation* best = &page.representations.back();
+  int weight = 0;
+  for (const Representation& one : page.representations) {
+    const int its = codingWeight(acceptEncoding, one.coding);
+    if (its > weight) {
+      best = &one;
+      weight = its;
+    }
   }
-  reply.body = found->second.body;
+  PageReply reply;
+  reply.type = page.type;
+  reply.etag = best->etag;
+  reply.body = best->body;
+  reply.variesByCoding = true;
+  if (best->coding != kIdentity) reply.coding = best->coding;
   return reply;
 }
 

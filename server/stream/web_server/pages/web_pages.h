@@ -5,11 +5,20 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "pipeline/embedded.h"
 #include "stream/web_server/audience.h"
 
 namespace grove::stream {
+
+/// What is asked for: headers are empty if the request has none of the name.
+struct PageRequest {
+  std::string_view method;  ///< "GET", "HEAD" or anything else
+  std::string_view path;    ///< without query
+  std::string_view ifNoneMatch = {};
+  std::string_view acceptEncoding = {};
+};
 
 /// What to answer an http request with.
 struct PageReply {
@@ -18,24 +27,33 @@ struct PageReply {
   std::string_view etag;  ///< empty: none
   std::string_view body;  ///< its length is announced even if it is not sent
   bool sendBody = true;
-  std::string location = {};  ///< where to ask instead; empty: nowhere else
+  std::string location = {};     ///< where to ask instead; empty: nowhere else
+  std::string_view coding = {};  ///< of the body; empty: none
+  bool variesByCoding = false;   ///< whether another Accept-Encoding may get another body
+  bool isForGood = false;        ///< at this address there will never be anything else
 };
 
 /// The page's files, which lie in the program: only their exact names exist, so no path leads elsewhere. The operator's
-/// are for the operator only.
+/// are for the operator only. Each is there as it is and compressed (server/cmake/web.cmake): `main.js`, `main.js.gz`
+/// and `main.js.br` are one page, and a client gets the smallest of those that it takes most gladly.
 class WebPages {
  public:
   WebPages(std::span<const embedded::File> files, Audience audience);
 
-  /// `method` is "GET", "HEAD" or anything else; `path` is without query; `ifNoneMatch` is the header or empty.
-  [[nodiscard]] PageReply answer(std::string_view method, std::string_view path, std::string_view ifNoneMatch) const;
+  [[nodiscard]] PageReply answer(const PageRequest& request) const;
 
  private:
-  struct Page {
-    std::string_view type;
+  struct Representation {
+    std::string_view coding;  ///< "gzip", "br" or "identity"
     std::string etag;
     std::string_view body;
   };
+  struct Page {
+    std::string_view type;
+    std::vector<Representation> representations;  ///< smallest first
+  };
+  [[nodiscard]] static PageReply represent(const Page& page, std::string_view acceptEncoding);
+
   const Audience audience_;
   std::map<std::string, Page, std::less<>> pages_;
 };

@@ -1,0 +1,356 @@
+/**
+ * All words of the visitor's page and of the operator's, to be read, judged and changed in one place. Only what browsers
+ * show before any module runs stands elsewhere: in the heads of the pages, `start_check.js` and `not_found.html`.
+ */
+
+/** What the elements of index.html say, by their `data-words`: a text, or text, label and tip (see words.js). */
+export const kPage = Object.freeze({
+  world: { label: 'The world from where you stand' },
+  hintStart: 'Click to look around.',
+  hintMouse: '{walking} to walk, {run} to run, hold the mouse button to blow, Esc to free the mouse.',
+  hintDrag: 'Drag to look around. {walking} to walk, {run} to run, hold {blow} to blow.',
+  hintMore: '{settings}: settings, {figures}: statistics, {screenshot}: screenshot, {fullscreen}: full screen.',
+  hintTouch: 'Left thumb walks, right thumb looks around. Hold it still to blow.',
+  hintSpoken:
+    '{turnLeft} and {turnRight} turn, {lookUp} and {lookDown} look up and down, {blow} blows, {figures} shows ' +
+    'statistics, {settings} opens the settings, where you can change all keys, {screenshot} saves the picture, ' +
+    '{latency} measures the latency, {fullscreen} fills the screen.',
+  blow: { label: 'Blow' },
+  tools: { label: 'View' },
+  figures: { label: 'Statistics' },
+  screenshot: { label: 'Screenshot' },
+  settingsButton: { label: 'Settings' },
+  fullscreen: { label: 'Full screen' },
+  overlay: { label: 'Statistics' },
+  allFigures: 'All statistics',
+  saveTable: 'Save as CSV',
+  preparation: { label: 'Preparation of the world' },
+  settings: 'Settings',
+  close: { label: 'Close settings', tip: 'Close settings (Escape)' },
+  you: 'You',
+  name: 'Name',
+  aboutName: 'Other visitors see it above you the next time you enter. Reload the page to enter again.',
+  looking: 'Looking around',
+  sensitivity: 'Sensitivity',
+  invert: 'Invert up and down',
+  aboutLooking: 'Applies to mouse, touch and gamepad.',
+  stream: 'Stream',
+  now: 'Now:',
+  codec: 'Codec',
+  rate: 'Maximum data rate',
+  lines: 'Maximum resolution',
+  fps: 'Maximum frame rate',
+  lateLook: 'Instant turning',
+  aboutLateLook: 'Turns the picture as soon as you look around, before the next one arrives from the server.',
+  keys: 'Keys',
+  aboutKeys: 'Choose a key, then press the new one.',
+  reset: 'Reset to defaults',
+});
+
+/** The choices of the settings that have some, in their order: value and text. */
+export const kChoices = Object.freeze({
+  codec: [['auto', 'Automatic'], ['h264', 'H.264'], ['jpeg', 'JPEG']],
+  kilobitsPerSecond: [
+    [0, 'No limit'], [16000, '16 Mbit/s'], [8000, '8 Mbit/s'], [4000, '4 Mbit/s'], [2000, '2 Mbit/s'], [1000, '1 Mbit/s'],
+    [500, '0.5 Mbit/s'],
+  ],
+  lines: [[0, 'Window size'], [1080, '1080 lines'], [720, '720 lines'], [480, '480 lines'], [360, '360 lines']],
+  framesPerSecond: [[0, 'No limit'], [60, '60 frames/s'], [30, '30 frames/s'], [20, '20 frames/s'], [15, '15 frames/s']],
+});
+
+/** The rows of the statistics by list, in their order: name, and what it means where the name does not say it. */
+export const kRows = Object.freeze({
+  simple: {
+    label: 'Stream in brief',
+    rows: {
+      fps: ['Frame rate'],
+      latency: ['Latency', 'Time from your input until you see its effect'],
+      quality: ['Picture quality', 'Compared with the best that this codec can do'],
+      limit: ['Limited by', 'What keeps the stream from being better'],
+    },
+  },
+  stream: {
+    label: 'Stream',
+    rows: {
+      percentiles: ['p50 / 95 / 99', 'Median, 95th and 99th percentile of the latency in the last ten seconds'],
+      rate: ['Data rate'],
+      codec: ['Codec'],
+      size: ['Picture size'],
+      visitors: ['Visitors'],
+      shared: ['Shared views', 'Views of trees and grass that had already been made for somebody else'],
+      server: ['Server time', 'Time from reading your input to sending the picture'],
+      version: ['Grove version'],
+    },
+  },
+  line: {
+    label: 'How the stream adapts to your connection',
+    rows: {
+      goal: ['Target frame rate', 'What the server aims at now'],
+      carries: ['Bandwidth', 'What your connection can carry, as the server estimates it'],
+      roundTrip: ['Round trip', 'Time to the server and back while the connection is idle'],
+      lateLook: ['Instant turning', 'The picture turns as you look around, before the next one arrives'],
+    },
+  },
+  places: {
+    label: "Where a picture's time goes",
+    rows: {
+      queued: ['Waiting', 'Until the server has a free worker for the picture'],
+      drawn: ['Rendering', 'From reading the camera to the finished picture'],
+      encoded: ['Encoding', 'Until the codec has compressed it'],
+      socket: ['Sending', "Until the server's socket has taken it"],
+      line: ['Network', 'From the server to this page, including what waits on the way'],
+      decoded: ['Decoding', "From its arrival until this browser's decoder has it"],
+      painted: ['Displaying', 'Time this browser takes to draw it'],
+    },
+  },
+  savings: {
+    label: 'What sharing one world saves',
+    rows: {
+      mode: ['Sharing', 'This server makes a separate world for every visitor, for comparison'],
+      alpha: ['Shared work \u03b1', 'Share of the computing behind a picture that is done once for all visitors'],
+      beta: ['Shared memory \u03b2', 'Share of the memory behind a picture that is held once for all visitors'],
+      everybody: ['For everybody', 'Computing time per frame that serves all visitors: fire, smoke, pictures of trees'],
+      visitor: ['For you', 'Computing time per frame that serves only you'],
+      cost: ['One more visitor', "What one more visitor would take of the server's processor at the full frame rate"],
+      fit: ['Room for', 'Number of visitors this machine can serve at the full frame rate'],
+      private: ['Without sharing', 'Number of visitors it could serve if each had a separate world'],
+    },
+  },
+});
+
+export const kStatistics = Object.freeze({
+  limits: { nothing: 'nothing', line: 'your connection', machine: 'busy server', browser: 'busy browser', visitor: 'your settings' },
+  noVisitors: 'none',
+  atMost: (count) => `at most ${count}`,
+  cores: (count) => `${count} cores`,
+  framesPerSecond: (count) => `${count} frames/s`,
+  sharingOff: 'off',
+  lateLookOn: 'on',
+  lateLookOff: 'off',
+  lateLookHindered: (hindrance) => `off: ${hindrance}`,
+  visitors: (count, text) => `${text} ${count === 1 ? 'visitor' : 'visitors'}`,
+});
+
+export const kLatency = Object.freeze({
+  measure: (seconds) => `Measure latency for ${seconds} s`,
+  measuring: 'Measuring\u2026',
+  result: (p50, p95, p99, inputs) => `p50 ${p50}, p95 ${p95}, p99 ${p99} ms of ${inputs} inputs`,
+});
+
+/** At the edge of the picture: who keeps the stream from being better, and how the world gets finer. */
+export const kHints = Object.freeze({
+  line: 'Slow connection',
+  browser: 'Your browser is busy',
+  machine: 'The server is busy',
+  limited: (who, lines, framesPerSecond) => `${who}: ${lines} lines, ${framesPerSecond} frames/s`,
+  refining: (percent) => `Improving the detail: ${percent}\u00a0%`,
+  minutesLeft: (minutes) => `, about ${minutes}\u00a0${minutes === 1 ? 'minute' : 'minutes'} left`,
+  secondsLeft: (seconds) => `, about ${seconds}\u00a0s left`,
+});
+
+/** In each state of the connection; `open` needs no words. Without a `text`, the server's reason is told. */
+export const kStates = Object.freeze({
+  connecting: { title: 'Grove', text: 'Entering the grove\u2026' },
+  silent: { title: 'The server is not responding\u2026', text: 'The picture may be out of date.' },
+  lost: { title: 'Connection lost', text: 'Trying to reconnect\u2026' },
+  full: { title: 'No room for you yet', next: 'Trying again every 15 seconds.', action: 'Try again now' },
+  away: { title: 'Your place went to another visitor', next: 'Trying to enter again\u2026', action: 'Try again now' },
+  outdated: { title: 'Grove has been updated', text: 'Please reload the page.', action: 'Reload' },
+  refused: { title: 'The server closed the connection', action: 'Try again' },
+});
+
+export const kWaiting = Object.freeze({
+  noReason: 'No reason was given.',
+  own: 'Your world is being prepared',
+  common: 'The world is being prepared',
+  moment: 'One moment\u2026',
+  place: (place) => `Place ${place} in line`,
+  ahead: (count) =>
+    `Every visitor gets a separate world here. ${count === 1 ? 'One visitor is' : `${count} visitors are`} ahead of you.`,
+});
+
+export const kPictures = Object.freeze({
+  saved: (name) => `Picture saved: ${name}`,
+  shared: 'Picture shared',
+  opened: 'Picture opened',
+  failed: 'The picture could not be saved.',
+});
+
+/** What the settings say about what was done, and about what cannot be. */
+export const kSettings = Object.freeze({
+  notKept: 'This browser does not store settings for this page: they last until you leave it.',
+  reset: 'All settings are back to their defaults.',
+  times: (factor) => `${factor} times`,
+  nameInAddress: (name) => `The address of this page sets your name: ${name}.`,
+  unavailable: (choice, reason) => `${choice} \u2013 ${reason}`,
+  codecFailed: 'it failed in this browser',
+  insecure: 'needs https or localhost',
+  noWebCodecs: 'this browser has no WebCodecs',
+  notDecoded: 'this browser does not decode it',
+  hindrances: {
+    'no fast WebGL': 'Needs WebGL on a graphics card, which this browser does not give to the page.',
+    'too slow': 'Off until you reload the page: this browser turns pictures too slowly.',
+  },
+});
+
+/** The actions in the order of the settings. */
+export const kActions = Object.freeze({
+  forward: 'Walk forward',
+  back: 'Walk back',
+  left: 'Walk left',
+  right: 'Walk right',
+  run: 'Run',
+  blow: 'Blow',
+  turnLeft: 'Turn left',
+  turnRight: 'Turn right',
+  lookUp: 'Look up',
+  lookDown: 'Look down',
+  figures: 'Statistics',
+  settings: 'Settings',
+  screenshot: 'Screenshot',
+  latency: 'Measure latency',
+  fullscreen: 'Full screen',
+});
+
+export const kKeys = Object.freeze({
+  /** That have the same name on every layout. */
+  names: {
+    ArrowUp: 'up arrow',
+    ArrowLeft: 'left arrow',
+    ArrowDown: 'down arrow',
+    ArrowRight: 'right arrow',
+    ShiftLeft: 'left shift',
+    ShiftRight: 'right shift',
+    Space: 'space',
+    PageUp: 'page up',
+    PageDown: 'page down',
+  },
+  arrows: 'arrows',
+  shift: 'shift',
+  or: ' or ',
+  none: 'no key',
+  slots: ['key', 'second key'],
+  ofSlot: (action, slot, key) => `${action}, ${slot}: ${key}`,
+  emptySlot: 'none',
+  wait: 'press a key',
+  press: (action) => `Press a key for ${action}. Press Escape to keep the present one.`,
+  kept: (action) => `${action} keeps its key.`,
+  reserved: 'The browser needs this key. Press another one.',
+  bound: (action, key) => `${action}: ${key}.`,
+  also: (action, keys) => ` ${action} now has ${keys}.`,
+  tip: (label, keys) => `${label} (${keys})`,
+});
+
+/** What the elements of operator.html say. */
+export const kOperatorPage = Object.freeze({
+  purpose: 'What one shared world costs, and what sharing saves',
+  elsewhere: { label: 'Elsewhere' },
+  trace: { text: 'Download the last seconds as a trace for Perfetto', tip: 'A file for ui.perfetto.dev or chrome://tracing' },
+  now: { label: 'Now' },
+  visitors: 'Visitors',
+  fps: 'Frames per second',
+  alpha: 'Shared work \u03b1',
+  beta: 'Shared memory \u03b2',
+  cores: 'CPU cores in use',
+  fit: 'Visitors that fit',
+  frame: 'One frame of one visitor',
+  types: 'Types of object',
+  aboutTypes:
+    'CPU time per frame: what is shared by all visitors, and what each visitor takes on backends and on the frontend. ' +
+    '\u03b1 and \u03b2 are the shared parts of this work and of the memory. MB each: for every visitor.',
+  type: 'type',
+  sharedMs: 'ms shared',
+  backendMs: 'ms backend',
+  frontendMs: 'ms frontend',
+  alphaColumn: '\u03b1',
+  betaColumn: '\u03b2',
+  sharedMb: 'MB shared',
+  eachMb: 'MB each',
+  memory: 'Memory',
+  holder: 'used by',
+  for: 'for',
+  mb: 'MB',
+  ofProcess: 'of the process',
+  charts: 'The last two minutes',
+  stages: 'Stages',
+  aboutStages: 'What ran in the last five seconds, with its CPU time and share of it. Failures count since the start.',
+  stage: 'stage',
+  runs: 'runs/s',
+  perRun: 'ms per run',
+  cpu: 'CPU',
+  failures: 'failures',
+  more: 'Light fields and quality',
+  hits: 'Pictures of trees and grass that were already there',
+  quality: 'Quality of shared work',
+  chartBegin: '2 min ago',
+  chartEnd: 'now',
+});
+
+/** Beside the operator's figures. */
+export const kOperator = Object.freeze({
+  states: { asking: 'connecting', live: 'live', paused: 'paused', lost: 'no connection' },
+  visitorsNote: 'connected now',
+  fpsNote: 'per visitor, on average',
+  coresNote: (cores, more) => `of ${cores}; one more visitor takes ${more}`,
+  coresUnknown: 'of this machine',
+  work: 'work behind a frame',
+  memory: 'memory for one visitor',
+  couldBeShared: (what) => `of the ${what} could be shared`,
+  isShared: (what) => `part of the ${what} that is shared`,
+  sharedPart: (part, what) => `${part} of the ${what} is shared`,
+  fit: 'at the full frame rate',
+  fitPrivate: 'each with a separate world',
+  fitNone: 'not even one gets the full frame rate',
+  fitNoneAlone: 'in private mode, not even one',
+  fitAlone: (count) => `in private mode, at most ${count}`,
+  fitTimes: (times, count) => `${times} times as many as in private mode (at most ${count})`,
+  quality: (step, steps, isAutomatic) =>
+    `step ${step} of ${steps}, ${isAutomatic ? 'raised while visitors share the cost' : 'fixed'}`,
+  memoryUnknown: 'This server does not report its memory.',
+  memoryUse: (used) => `The process uses ${used}.`,
+  memoryUseOf: (used, known) => `The process uses ${used}; ${known} of it are listed here.`,
+  verdict: (cost, times) => `With a separate world, each visitor would cost at least ${cost} per frame: ${times}.`,
+  timesAsMuch: (times) => `${times} times as much`,
+  aboutAsMuch: 'about as much',
+  parts: { shared: 'work that could be shared', backend: 'own work, backends', frontend: 'own work, frontend', other: 'everything else' },
+  sharedWork: 'part of the shared work',
+  aboutFrame: 'CPU time behind each picture. Work for all visitors is done once and split among them.',
+  aboutFrameAlone: 'CPU time behind each picture. Each visitor pays for everything.',
+  barNow: 'now, shared',
+  barNowAlone: 'now, in private mode',
+  barAlone: 'in private mode, at least',
+  barUnknown: 'not known',
+  charts: { visitors: 'Visitors', cores: 'CPU cores in use', alpha: 'Shared work \u03b1', fps: 'Frames per second' },
+  chartEmpty: 'The last two minutes: nothing measured yet',
+  chartRange: (least, most) => `The last two minutes: between ${least} and ${most}`,
+  typesSum: 'all together',
+  noType: 'no single type',
+  aboutNoType: 'Camera, encoder and transport: what serves no single type',
+  rest: 'everything else',
+  unlisted: 'not listed',
+});
+
+/** Whom the work or the memory is for. */
+export const kBeneficiaries = Object.freeze({
+  'across-user': 'everybody',
+  'per-user-backend': 'visitor, backend',
+  'per-user-frontend': 'visitor, frontend',
+});
+
+/** What has to be said before the operator's figures can be read. */
+export const kSituations = Object.freeze({
+  asking: { title: 'Connecting to the server\u2026', text: '' },
+  lost: { title: 'The server cannot be reached', text: 'Trying again\u2026' },
+  lastHeard: (time) => `These figures are from ${time}. `,
+  paused: { title: 'Paused', text: 'The server is not asked while nobody looks at this page.' },
+  older: {
+    title: 'This server does not report what sharing saves',
+    text: 'It has another version than this page. Reload the page.',
+  },
+  first: { title: 'A visitor has arrived', text: 'The first figures follow in a few seconds.' },
+  empty: { title: 'No visitors', text: 'What sharing saves is measured while somebody is connected.' },
+  private: {
+    title: 'Private mode',
+    text: 'Every visitor has a separate world and nothing is shared: this is what serving costs without sharing.',
+  },
+});
