@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <chrono>
 #include <exception>
-#include <ranges>
 #include <string>
 #include <utility>
 
@@ -67,7 +66,8 @@ Host::~Host() {
   clockWake_.notify_all();
   clock_.join();
   // The newest first: who is first in line for a world leaves last, so that none is begun for those behind.
-  for (const auto& session : std::views::reverse(open)) session->close();
+  std::ranges::reverse(open);
+  for (const auto& session : open) session->close();
   open.clear();
   workers_.drain();
   line_.reset();

@@ -1,6 +1,7 @@
 #include "objects/figure/backend/limbs.h"
 
-#include <array>
+#include <algorithm>
+#include <cmath>
 
 #include "objects/figure/backend/tube.h"
 
@@ -18,16 +19,19 @@ const Vec3 kGlove{0.12F, 0.075F, 0.045F};
 const Vec3 kIron{0.05F, 0.045F, 0.04F};
 const Vec3 kLanternAt{0.27F, 0.0F, -0.40F};
 
-/// From hand to shoulder, over the elbow.
-using Arm = std::array<Vec3, 3>;
+struct Arm {
+  Vec3 hand;
+  Vec3 elbow;
+  Vec3 shoulder;
+};
 
 Surface makeArm(const Arm& arm) {
-  const auto& [hand, elbow, shoulder] = arm;
   return makeTube(
       1, 3,
       [&](float along, float) {
-        const Vec3 centre = glm::mix(glm::mix(hand, elbow, along), glm::mix(elbow, shoulder, along), along);
-        const Vec3 way = glm::mix(elbow - hand, shoulder - elbow, along);
+        const Vec3 centre =
+            glm::mix(glm::mix(arm.hand, arm.elbow, along), glm::mix(arm.elbow, arm.shoulder, along), along);
+        const Vec3 way = glm::mix(arm.elbow - arm.hand, arm.shoulder - arm.elbow, along);
         const float radius =
             profile({{0.0F, 0.030F}, {0.12F, 0.045F}, {0.2F, 0.088F}, {0.6F, 0.072F}, {1.0F, 0.055F}}, along);
         return squareRing(centre, way, radius);
