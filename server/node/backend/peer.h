@@ -15,40 +15,41 @@
 
 namespace grove::node {
 
-/// One frontend process as a backend node knows it: its link, its number once it is welcome, its clock, and which of
-/// its frames have ended. Requests under way hold it, so it may leave meanwhile; what it would have got is lost. Any
-/// thread.
+/// A frontend process from a backend node's point of view: its link, its process number after the welcome, its clock,
+/// and its frames that have ended. Pending requests keep it alive after it has left; their results are dropped.
+/// Thread-safe.
 class Peer {
  public:
   explicit Peer(std::shared_ptr<BackendEnd> link) : link_(std::move(link)) {}
 
   [[nodiscard]] BackendEnd& link() const noexcept { return *link_; }
 
-  /// Its number among the node's frontend processes; nothing before it is welcome, or after it was refused.
+  /// Its process number; nothing before the welcome and after a refusal.
   [[nodiscard]] std::optional<ProcessId> process() const noexcept { return process_; }
   void welcomeAs(ProcessId process) noexcept { process_ = process; }
   void dismiss() noexcept { process_ = std::optional<ProcessId>(); }
 
-  /// Why it may not say this, which is no hello: it is not welcome, or speaks of sessions of another process.
+  /// Returns why a message other than a hello is refused: the peer is not welcomed, or the message names a session of
+  /// another process. Nothing if it is accepted.
   [[nodiscard]] std::optional<std::string> objectionTo(const ToBackend& message) const;
-  /// Logs what it does wrong, at most once a second.
+  /// Logs a refused message, at most once a second.
   void reproach(const std::string& objection) { refusals_.warning(objection); }
 
   /// Logs once that its updates are refused, since another process owns the world.
   void reportForeignWorld();
 
-  /// It tells what its clock shows.
+  /// Updates the estimate of the peer's clock, in seconds.
   void hearClock(double theirs);
   /// A frame begins.
   void begin(const View& view);
   void end(const Cancel& cancel);
   void forget(SessionId session);
-  /// The newest that it has spoken of and not forgotten.
+  /// The most recent sessions that it has named and not forgotten.
   [[nodiscard]] std::vector<SessionId> sessions() const;
-  /// Whether nobody waits for this frame of its any more.
+  /// Whether a frame has ended or its deadline has passed, by the peer's clock.
   [[nodiscard]] bool isOver(const View& view) const;
 
-  /// How good it wants across-user work.
+  /// The quality step that it requests for across-user work.
   [[nodiscard]] int quality() const noexcept { return quality_; }
   void setQuality(int step) noexcept { quality_ = step; }
 

@@ -10,17 +10,17 @@
 
 namespace grove::node {
 
-/// The frontend processes that are welcome at a backend node, each by a number of its own. Any thread.
+/// The welcomed frontend processes of a backend node, by process number. Thread-safe.
 class Peers {
  public:
-  /// It is welcome from now on; false if another one goes by this number.
+  /// Welcomes a peer; false if another peer has this number.
   [[nodiscard]] bool add(const std::shared_ptr<Peer>& peer, ProcessId process);
   void remove(Peer& peer);
   [[nodiscard]] bool empty() const;
 
-  /// No lock is held meanwhile, for who is told may answer at once.
+  /// Sends to all peers without holding the lock, since a receiver may call back.
   void announce(const Announcement& announcement) const;
-  /// The best that any of them wants: finer work serves the others, too. Nothing while there is nobody.
+  /// The highest quality step that any peer requests; nothing if there are no peers.
   [[nodiscard]] std::optional<int> quality() const;
 
  private:

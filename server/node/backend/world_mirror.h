@@ -13,27 +13,27 @@
 
 namespace grove::node {
 
-/// What a backend node knows of the world that its owner reports: who is there, what blows, and what time it is. Of
-/// several frontend processes that report, the first owns the world until it leaves: each has a clock of its own, and a
-/// simulation can only follow one. Any thread.
+/// A backend node's copy of the world's state: players, gusts and time. The first frontend process that sends updates
+/// owns the world until it leaves; updates of others are refused, because each process has its own clock and a
+/// simulation can follow only one. Thread-safe.
 class WorldMirror {
  public:
-  /// Counts updates as they come.
+  /// Number of updates received.
   using Cursor = std::uint64_t;
 
-  /// False if another one owns the world. An update that comes late, after a newer one, changes nothing. One whose
-  /// number lies far behind begins a new count, so no number keeps those after it out.
+  /// Applies an update; false if another process owns the world. An update slightly older than the newest is ignored.
+  /// A much lower number restarts the numbering, so a wrong number cannot block later updates.
   bool apply(ProcessId from, std::shared_ptr<const WorldUpdate> update);
-  /// If it owns the world, nobody is there until another one reports.
+  /// A process leaves. If it owns the world, the mirror is emptied and the next process that sends an update owns it.
   void leave(ProcessId owner);
 
   /// Seconds of the world's clock; nothing before the first update.
   [[nodiscard]] std::optional<double> now() const;
 
-  /// Everybody as of the newest update.
+  /// All players as of the newest update.
   [[nodiscard]] std::vector<world::Player> players() const;
 
-  /// What blows now or did in the updates after `cursor`, which is moved past them: of each visitor the newest gust.
+  /// The newest gust of each visitor in the updates after `cursor`, which is advanced past them.
   [[nodiscard]] std::vector<world::Gust> gusts(Cursor& cursor) const;
 
   /// Calls `wake` at each update while somebody is there, until the token that it returns is gone. `wake` must not
