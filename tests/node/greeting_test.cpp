@@ -41,7 +41,7 @@ class Greeting : public ::testing::Test {
       world::parseScene("[[object]]\ntype = \"box\"\nname = \"crate\"\nposition = [0, 1, -4]\n", "test"), types);
   const world::WorldGeometry geometry{scene.objects};
   const std::shared_ptr<ReferenceTransport> transport = std::make_shared<ReferenceTransport>();
-  BackendNode backend{scene, geometry, types, {workers, gl, timeline, memory, images}, Haste::kAllCores, {}};
+  BackendNode backend{scene, geometry, types, {workers, gl, timeline, memory, images}, Parallelism::kAllCores, {}};
   const std::shared_ptr<void> served = backend.accept(transport);
   Replies replies;
   const NodeHello good{

@@ -34,13 +34,13 @@ class BackendNode::Reception final : public BackendPort {
 };
 
 BackendNode::BackendNode(const LoadedScene& scene, const world::WorldGeometry& geometry, const BackendTypes& types,
-                         const BackendMachine& machine, Haste haste, const Progress& progress)
+                         const BackendMachine& machine, Parallelism parallelism, const Progress& progress)
     : scene_(scene), geometry_(geometry), machine_(machine) {
-  const BackendServices services = this->services(haste, progress);
+  const BackendServices services = this->services(parallelism, progress);
   std::set<world::TypeIndex> used;
   for (const world::ModelledObject& object : scene.objects) used.insert(object.type);
   if (scene.layout.visitor) used.insert(scene.layout.visitor->object.type);
-  const auto policy = haste == Haste::kAllCores ? std::launch::async : std::launch::deferred;
+  const auto policy = parallelism == Parallelism::kAllCores ? std::launch::async : std::launch::deferred;
   std::vector<std::pair<world::TypeIndex, std::future<std::unique_ptr<BackendPipeline>>>> prepared;
   prepared.reserve(used.size());
   for (const world::TypeIndex type : used) {
@@ -63,7 +63,7 @@ BackendNode::~BackendNode() {
   machine_.workers.drain();
 }
 
-BackendServices BackendNode::services(Haste haste, const Progress& progress) {
+BackendServices BackendNode::services(Parallelism parallelism, const Progress& progress) {
   return {.scene = scene_,
           .geometry = geometry_,
           .world = world_,
@@ -74,7 +74,7 @@ BackendServices BackendNode::services(Haste haste, const Progress& progress) {
           .images = machine_.images,
           .announce = [this](const Announcement& announcement) { peers_.announce(announcement); },
           .progress = progress,
-          .helpers = haste == Haste::kAllCores ? &machine_.workers : nullptr,
+          .helpers = parallelism == Parallelism::kAllCores ? &machine_.workers : nullptr,
           .baked = machine_.baked};
 }
 

@@ -25,40 +25,39 @@ struct BackendMachine {
   BakedStore* baked = nullptr;  ///< null if there is one instance of the world only
 };
 
-/// What a world may take of the machine while it is made.
-enum class Haste : std::uint8_t {
-  kAllCores,  ///< nobody is in another one yet
-  kNone,      ///< the calling thread alone makes it, one step after the other: the workers are theirs who are inside
+/// How many threads prepare a world.
+enum class Parallelism : std::uint8_t {
+  kAllCores,   ///< the workers help: no visitor needs them yet
+  kOneThread,  ///< the calling thread alone, one step after the other: the workers serve visitors
 };
 
-/// Owns all objects of a world and answers requests for them: a pipeline for each type. Knows of frontend processes
-/// what their messages say, and nothing else.
+/// Owns all objects of a world and answers requests for them, with one pipeline for each object type. Knows frontend
+/// processes only by their messages.
 class BackendNode {
  public:
   using Progress = std::function<void(std::string_view, float)>;
 
-  /// Prepares the objects, which may take seconds; throws what that throws. Not on one of the executors' threads.
-  /// `progress` is called from any thread, and may throw to end it. All but it outlive the node.
+  /// Prepares the objects, which may take seconds; passes on what that throws. Must not run on a thread of the
+  /// executors. `progress` is called from any thread and may throw to cancel. All other arguments outlive the node.
   BackendNode(const LoadedScene& scene, const world::WorldGeometry& geometry, const BackendTypes& types,
-              const BackendMachine& machine, Haste haste, const Progress& progress);
-  /// Waits for the runs in progress, so not on one of the executors' threads. All tokens of accept() are gone.
+              const BackendMachine& machine, Parallelism parallelism, const Progress& progress);
+  /// Waits for runs in progress, so it must not run on a thread of the executors. All tokens of accept() must be gone.
   ~BackendNode();
   BackendNode(const BackendNode&) = delete;
   BackendNode& operator=(const BackendNode&) = delete;
 
-  /// Serves the frontend process at the other end of the link until the token that it returns is gone, which waits for
-  /// what is being received; so not from within. What it says of sessions has to concern its own. The link lives on
-  /// until the last answer to it is made. Any thread.
+  /// Serves the frontend process at the other end of the link until the returned token is destroyed. The token's
+  /// destructor waits for messages that are being received, so it must not run inside receive(). Messages about
+  /// sessions of other processes are refused. The link stays alive until its last result is made. Thread-safe.
   [[nodiscard]] std::shared_ptr<void> accept(std::shared_ptr<BackendEnd> link);
 
  private:
   class Reception;
 
-  [[nodiscard]] BackendServices services(Haste haste, const Progress& progress);
+  [[nodiscard]] BackendServices services(Parallelism parallelism, const Progress& progress);
   pipeline::PushResult receive(const std::shared_ptr<Peer>& peer, ToBackend message);
   pipeline::PushResult take(Asked asked);
-  /// Agrees with a frontend process on the protocol, the scene and its types, or refuses it. What it was before is
-  /// over.
+  /// Welcomes a frontend process if protocol, scene and types match, else refuses it. A second hello starts over.
   void greet(const std::shared_ptr<Peer>& peer, const NodeHello& hello);
   void dismiss(Peer& peer);
   pipeline::PushResult apply(Peer& peer, std::shared_ptr<const WorldUpdate> update);

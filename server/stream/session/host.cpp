@@ -47,9 +47,9 @@ Host::Host(node::LoadedScene scene, const node::ObjectTypes& types, gl::Workers&
           pipeline::WorkerPool::Load::kMeasured) {
   if (options_.privateWorlds) {
     line_ = std::make_unique<PreparationLine>(
-        [this](node::Haste haste, const auto& report) { return makeInstance(haste, report); });
+        [this](node::Parallelism parallelism, const auto& report) { return makeInstance(parallelism, report); });
   } else {
-    shared_ = makeInstance(node::Haste::kAllCores, progress);
+    shared_ = makeInstance(node::Parallelism::kAllCores, progress);
   }
   clock_ = std::thread([this] { runClock(); });
 }
@@ -74,7 +74,8 @@ Host::~Host() {
   shared_.reset();
 }
 
-std::unique_ptr<WorldInstance> Host::makeInstance(node::Haste haste, const node::BackendNode::Progress& progress) {
+std::unique_ptr<WorldInstance> Host::makeInstance(node::Parallelism parallelism,
+                                                  const node::BackendNode::Progress& progress) {
   auto transport = options_.makeTransport ? options_.makeTransport(workers_, timeline_)
                                           : std::make_unique<node::ReferenceTransport>();
   if (!geometry_) {
@@ -87,7 +88,7 @@ std::unique_ptr<WorldInstance> Host::makeInstance(node::Haste haste, const node:
   const node::BackendMachine machine{workers_, gl_, timeline_, memory_, images_, baked};
   return std::make_unique<WorldInstance>(
       WorldGround{scene_, geometry_, players_, types_, machine, options_.maxSharedBytes, kProcess},
-      std::move(transport), haste, progress);
+      std::move(transport), parallelism, progress);
 }
 
 std::variant<std::shared_ptr<Session>, Refusal> Host::open(const Hello& hello, FrameSink sink, WaitingSink waiting,

@@ -111,7 +111,7 @@ class Host {
   void remove(node::SessionId id);
   void begin(const std::shared_ptr<Session>& session, std::shared_ptr<WorldInstance> instance);
   void preparePrivately(const std::shared_ptr<Session>& session, WaitingSink waiting);
-  [[nodiscard]] std::unique_ptr<WorldInstance> makeInstance(node::Haste haste,
+  [[nodiscard]] std::unique_ptr<WorldInstance> makeInstance(node::Parallelism parallelism,
                                                             const node::BackendNode::Progress& progress);
   void takeStock(int visitors);
   void forgetWhoLeft();

@@ -77,7 +77,7 @@ void PreparationLine::run() {
       const bool isNobodyInside = inside_ == 0;
       lock.unlock();
       if (isNobodyInside) {
-        makeFor(first, node::Haste::kAllCores);
+        makeFor(first, node::Parallelism::kAllCores);
       } else {
         makeBesideOthers(first);
       }
@@ -94,16 +94,16 @@ void PreparationLine::makeBesideOthers(node::SessionId id) {
       if (nice(kNice) == -1 && errno != 0) {
         log::warning("a world is made at the priority of those who are inside: the system refuses a lower one");
       }
-      makeFor(id, node::Haste::kNone);
+      makeFor(id, node::Parallelism::kOneThread);
     }).join();
   } catch (const std::system_error& e) {
     log::warning(std::string("no thread for a visitor's world: ") + e.what());
-    makeFor(id, node::Haste::kNone);
+    makeFor(id, node::Parallelism::kOneThread);
   }
 }
 
-void PreparationLine::makeFor(node::SessionId id, node::Haste haste) {
-  std::unique_ptr<WorldInstance> made = makeWhileWanted(id, haste);
+void PreparationLine::makeFor(node::SessionId id, node::Parallelism parallelism) {
+  std::unique_ptr<WorldInstance> made = makeWhileWanted(id, parallelism);
   Waiter waiter;
   {
     const std::lock_guard lock(mutex_);
@@ -121,9 +121,9 @@ void PreparationLine::makeFor(node::SessionId id, node::Haste haste) {
       {made.release(), [this](WorldInstance* instance) { takeApart(std::unique_ptr<WorldInstance>(instance)); }});
 }
 
-std::unique_ptr<WorldInstance> PreparationLine::makeWhileWanted(node::SessionId id, node::Haste haste) {
+std::unique_ptr<WorldInstance> PreparationLine::makeWhileWanted(node::SessionId id, node::Parallelism parallelism) {
   try {
-    return make_(haste, [this, id](std::string_view step, float share) { progressed(id, step, share); });
+    return make_(parallelism, [this, id](std::string_view step, float share) { progressed(id, step, share); });
   } catch (const Unwanted&) {
     return nullptr;
   } catch (const std::exception& e) {

@@ -27,7 +27,7 @@ class PreparationLine {
   /// Told a step and its share, from any thread.
   using Progress = std::function<void(std::string_view, float)>;
   /// Makes a world; where `progress` throws, it ends with that. One at a time.
-  using Make = std::function<std::unique_ptr<WorldInstance>(node::Haste haste, const Progress& progress)>;
+  using Make = std::function<std::unique_ptr<WorldInstance>(node::Parallelism parallelism, const Progress& progress)>;
 
   struct Waiter {
     node::SessionId id = 0;
@@ -57,8 +57,8 @@ class PreparationLine {
 
   void run();
   void makeBesideOthers(node::SessionId id);
-  void makeFor(node::SessionId id, node::Haste haste);
-  [[nodiscard]] std::unique_ptr<WorldInstance> makeWhileWanted(node::SessionId id, node::Haste haste);
+  void makeFor(node::SessionId id, node::Parallelism parallelism);
+  [[nodiscard]] std::unique_ptr<WorldInstance> makeWhileWanted(node::SessionId id, node::Parallelism parallelism);
   void progressed(node::SessionId id, std::string_view step, float share);
   void takeApart(std::unique_ptr<WorldInstance> instance);
   // These with mutex_ held.

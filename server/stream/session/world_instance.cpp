@@ -13,12 +13,12 @@ constexpr double kUpdateSeconds = 1.0 / 30.0;
 
 }  // namespace
 
-WorldInstance::WorldInstance(const WorldGround& ground, std::unique_ptr<node::Transport> transport, node::Haste haste,
-                             const node::BackendNode::Progress& progress)
+WorldInstance::WorldInstance(const WorldGround& ground, std::unique_ptr<node::Transport> transport,
+                             node::Parallelism parallelism, const node::BackendNode::Progress& progress)
     : ground_(ground),
       world_(ground.scene.layout, ground.players),
       transport_(std::move(transport)),
-      backend_(ground.scene, *ground_.geometry, ground.types.backends, ground.machine, haste, progress),
+      backend_(ground.scene, *ground_.geometry, ground.types.backends, ground.machine, parallelism, progress),
       served_(backend_.accept(transport_)),
       frontend_(ground.process, world_.layout(), ground.types.frontends, *transport_,
                 {ground.machine.workers, ground.machine.timeline, ground.machine.memory, ground.machine.images,

@@ -34,7 +34,7 @@ class WorldInstance {
  public:
   /// Prepares the objects, which may take seconds; throws what they throw. Not on one of the executors' threads.
   /// `progress` is called from any thread, and may throw to end it.
-  WorldInstance(const WorldGround& ground, std::unique_ptr<node::Transport> transport, node::Haste haste,
+  WorldInstance(const WorldGround& ground, std::unique_ptr<node::Transport> transport, node::Parallelism parallelism,
                 const node::BackendNode::Progress& progress);
 
   /// Waits for the runs in progress, so not on one of the executors' threads.

@@ -181,7 +181,7 @@ TEST(WorldInstance, SetsTheQualityOfItsBackend) {
                           {workers, gl, timeline, memory, images},
                           0,
                           1},
-                         std::make_unique<node::ReferenceTransport>(), node::Haste::kNone, {});
+                         std::make_unique<node::ReferenceTransport>(), node::Parallelism::kOneThread, {});
   instance.setQuality(2);
   EXPECT_EQ(sight.quality, 2);
 }

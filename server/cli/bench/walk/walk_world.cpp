@@ -56,7 +56,7 @@ WalkWorld::WalkWorld(const node::LoadedScene& scene, const node::ObjectTypes& ty
                                   scene.objects, [&progress](float share) { progress("laying out the world", share); }),
                               players_, types, node::BackendMachine{workers_, gl, timeline_, memory_, images_},
                               stream::HostOptions().maxSharedBytes, kProcess},
-          std::make_unique<node::ReferenceTransport>(), node::Haste::kAllCores, progress) {}
+          std::make_unique<node::ReferenceTransport>(), node::Parallelism::kAllCores, progress) {}
 
 void WalkWorld::walk(const world::Walk& walk, double seconds, Pace pace, const Look& warmUp, const Look& look,
                      const std::stop_token& stop) {
