@@ -11,7 +11,7 @@
 #include <thread>
 #include <vector>
 
-#include "pipeline/clocks.h"
+#include "node/frontend/shared/shared_store_fixture.h"
 #include "pipeline/worker_pool.h"
 
 namespace grove::node {
@@ -19,89 +19,6 @@ namespace {
 
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
-
-/// Shared data of so many bytes.
-class Block final : public SharedData {
- public:
-  Block(Version version, std::size_t bytes) : SharedData(version), bytes_(bytes) {}
-
- private:
-  [[nodiscard]] std::size_t ownBytes() const noexcept override { return bytes_; }
-  [[nodiscard]] PackedBytes pack() const override { return {}; }
-  const std::size_t bytes_;
-};
-
-constexpr std::size_t kMaxBytes = 1000;
-constexpr world::ObjectId kObject = 5;
-
-Request requestFor(const SharedKey& what, double secondsLeft = 60.0) {
-  auto view = std::make_shared<View>();
-  view->deadline = pipeline::wallSeconds() + secondsLeft;
-  Request request;
-  request.view = std::move(view);
-  request.object = what.object;
-  request.shared = true;
-  request.key = what.key;
-  return request;
-}
-
-Result resultOf(const SharedKey& what, Version version, std::size_t bytes = 400) {
-  Result result;
-  result.what = what;
-  result.shared = true;
-  result.version = version;
-  result.payload = std::make_shared<const Block>(version, bytes);
-  return result;
-}
-
-Result failureOf(const SharedKey& what) {
-  Result result;
-  result.what = what;
-  result.shared = true;
-  result.payload = Failure{"broken"};
-  return result;
-}
-
-std::string described(const Payload& payload) {
-  if (const auto* failure = std::get_if<Failure>(&payload)) return failure->reason;
-  const auto& data = std::get<std::shared_ptr<const SharedData>>(payload);
-  return data ? "version " + std::to_string(data->version()) : "null";
-}
-
-class SharedStoreTest : public ::testing::Test {
- protected:
-  void get(const SharedKey& what, double secondsLeft = 60.0) {
-    store.get(requestFor(what, secondsLeft), [this](const Payload& payload) { got.push_back(described(payload)); });
-  }
-  /// As it would come from a backend node without a wait, asked for if it was not.
-  void bring(const SharedKey& what, Version version) {
-    if (store.put(resultOf(what, version))) return;
-    const std::vector<SharedKey> before = fetched;
-    store.get(requestFor(what), [](const Payload&) {});
-    fetched = before;
-    EXPECT_TRUE(store.put(resultOf(what, version)));
-  }
-  /// 0: it is not there.
-  Version versionOf(const SharedKey& what) {
-    const auto data = store.find(what);
-    return data ? data->version() : 0;
-  }
-
-  bool full = false;
-  bool broken = false;
-  std::vector<SharedKey> fetched;
-  std::vector<std::string> got;
-  SharedStore store{kMaxBytes, [this](const Request& request) {
-                      EXPECT_TRUE(request.shared);
-                      if (broken) throw std::runtime_error("the wire is broken");
-                      if (!full) fetched.push_back({request.object, request.key});
-                      return !full;
-                    }};
-  const SharedKey own{kObject, {}};
-  const SharedKey a{kObject, "a"};
-  const SharedKey b{kObject, "b"};
-  const SharedKey c{kObject, "c"};
-};
 
 TEST_F(SharedStoreTest, WhatManyWaitForIsRequestedOnce) {
   for (int i = 0; i < 3; ++i) get(a);
@@ -166,102 +83,6 @@ TEST_F(SharedStoreTest, WhatIsLargerThanAllRoomStillReachesWhoWaits) {
   EXPECT_THAT(got, ElementsAre("version 1"));
   EXPECT_EQ(versionOf(a), 0U);
   EXPECT_EQ(store.statistics().bytes, 0U);
-}
-
-TEST_F(SharedStoreTest, AnAnnouncedChangeIsFetchedOnceItIsUsed) {
-  for (const SharedKey& what : {own, a}) {
-    fetched.clear();
-    bring(what, 1);
-    store.announced({what, 2});
-    EXPECT_THAT(fetched, IsEmpty()) << "nobody has used what is there";
-    EXPECT_EQ(versionOf(what), 1U) << "which stands in until the change comes";
-    EXPECT_THAT(fetched, ElementsAre(what));
-    EXPECT_EQ(versionOf(what), 1U);
-    store.announced({what, 2});
-    EXPECT_THAT(fetched, ElementsAre(what)) << "it is under way";
-    bring(what, 2);
-    EXPECT_EQ(versionOf(what), 2U);
-    EXPECT_EQ(fetched.size(), 1U);
-    store.announced({what, 3});
-    EXPECT_EQ(fetched.size(), 2U) << "at once, for it was used";
-  }
-}
-
-TEST_F(SharedStoreTest, AChangeBeyondWhatIsUnderWayIsFetchedToo) {
-  for (const SharedKey& what : {own, a}) {
-    fetched.clear();
-    bring(what, 1);
-    (void)store.find(what);
-    store.announced({what, 2});
-    store.announced({what, 3});
-    bring(what, 2);
-    EXPECT_EQ(fetched.size(), 1U);
-    EXPECT_EQ(versionOf(what), 2U);
-    EXPECT_EQ(fetched.size(), 2U);
-  }
-}
-
-TEST_F(SharedStoreTest, AnAnnouncementMayOvertakeTheAnswerThatItMakesOld) {
-  for (const SharedKey& what : {own, a}) {
-    fetched.clear();
-    get(what);
-    store.announced({what, 2});
-    bring(what, 1);
-    EXPECT_EQ(versionOf(what), 1U);
-    EXPECT_THAT(fetched, ElementsAre(what, what));
-  }
-}
-
-TEST_F(SharedStoreTest, AnnouncementsOfWhatNobodyWantsAreForgotten) {
-  store.announced({a, 7});
-  EXPECT_THAT(fetched, IsEmpty());
-  EXPECT_EQ(store.statistics().entries, 0U);
-}
-
-/// Would catch a peer who fills the store with what nobody wants, or changes what is there.
-TEST_F(SharedStoreTest, WhatNobodyAskedForIsRefused) {
-  for (const SharedKey& what : {a, own}) {
-    EXPECT_FALSE(store.awaits(what));
-    EXPECT_FALSE(store.put(resultOf(what, 1)));
-    EXPECT_FALSE(store.put(failureOf(what)));
-    EXPECT_FALSE(store.find(what));
-    get(what);
-    EXPECT_TRUE(store.awaits(what));
-    bring(what, 5);
-    EXPECT_FALSE(store.put(resultOf(what, 6))) << "once";
-    EXPECT_EQ(versionOf(what), 5U);
-  }
-}
-
-/// Would catch a version that is higher than any to come, which nothing ever replaced.
-TEST_F(SharedStoreTest, NoVersionStaysForEver) {
-  constexpr Version kHighest = std::numeric_limits<Version>::max();
-  for (const SharedKey& what : {own, a}) {
-    bring(what, kHighest);
-    EXPECT_EQ(versionOf(what), kHighest);
-    store.announced({what, 6});
-    bring(what, 6);
-    EXPECT_EQ(versionOf(what), 6U);
-  }
-}
-
-TEST_F(SharedStoreTest, AnAbsurdAnnouncementCostsTwoRequestsAndHidesNoLaterOne) {
-  constexpr Version kHighest = std::numeric_limits<Version>::max();
-  for (const SharedKey& what : {own, a}) {
-    bring(what, 5);
-    (void)store.find(what);
-    fetched.clear();
-    store.announced({what, kHighest});
-    for (int i = 0; i < 5; ++i) {
-      if (store.awaits(what)) bring(what, 5);
-      (void)store.find(what);
-    }
-    EXPECT_EQ(fetched.size(), 2U);
-    store.announced({what, 6});
-    EXPECT_EQ(fetched.size(), 3U);
-    bring(what, 6);
-    EXPECT_EQ(versionOf(what), 6U);
-  }
 }
 
 TEST_F(SharedStoreTest, AFailureIsToldAndTriedAgain) {

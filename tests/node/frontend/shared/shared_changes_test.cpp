@@ -1,0 +1,115 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <memory>
+
+#include "node/frontend/shared/shared_store_fixture.h"
+
+namespace grove::node {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
+/// What announcements and versions do to a shared store.
+class SharedChanges : public SharedStoreTest {};
+
+TEST_F(SharedChanges, AnAnnouncedChangeIsFetchedOnceItIsUsed) {
+  for (const SharedKey& what : {own, a}) {
+    fetched.clear();
+    bring(what, 1);
+    store.announced({what, 2});
+    EXPECT_THAT(fetched, IsEmpty()) << "nobody has used what is there";
+    EXPECT_EQ(versionOf(what), 1U) << "which stands in until the change comes";
+    EXPECT_THAT(fetched, ElementsAre(what));
+    EXPECT_EQ(versionOf(what), 1U);
+    store.announced({what, 2});
+    EXPECT_THAT(fetched, ElementsAre(what)) << "it is under way";
+    bring(what, 2);
+    EXPECT_EQ(versionOf(what), 2U);
+    EXPECT_EQ(fetched.size(), 1U);
+    store.announced({what, 3});
+    EXPECT_EQ(fetched.size(), 2U) << "at once, for it was used";
+  }
+}
+
+TEST_F(SharedChanges, AChangeBeyondWhatIsUnderWayIsFetchedToo) {
+  for (const SharedKey& what : {own, a}) {
+    fetched.clear();
+    bring(what, 1);
+    (void)store.find(what);
+    store.announced({what, 2});
+    store.announced({what, 3});
+    bring(what, 2);
+    EXPECT_EQ(fetched.size(), 1U);
+    EXPECT_EQ(versionOf(what), 2U);
+    EXPECT_EQ(fetched.size(), 2U);
+  }
+}
+
+TEST_F(SharedChanges, AnAnnouncementMayOvertakeTheAnswerThatItMakesOld) {
+  for (const SharedKey& what : {own, a}) {
+    fetched.clear();
+    get(what);
+    store.announced({what, 2});
+    bring(what, 1);
+    EXPECT_EQ(versionOf(what), 1U);
+    EXPECT_THAT(fetched, ElementsAre(what, what));
+  }
+}
+
+TEST_F(SharedChanges, AnnouncementsOfWhatNobodyWantsAreForgotten) {
+  store.announced({a, 7});
+  EXPECT_THAT(fetched, IsEmpty());
+  EXPECT_EQ(store.statistics().entries, 0U);
+}
+
+/// Would catch a peer who fills the store with what nobody wants, or changes what is there.
+TEST_F(SharedChanges, WhatNobodyAskedForIsRefused) {
+  for (const SharedKey& what : {a, own}) {
+    EXPECT_FALSE(store.awaits(what));
+    EXPECT_FALSE(store.put(resultOf(what, 1)));
+    EXPECT_FALSE(store.put(failureOf(what)));
+    EXPECT_FALSE(store.find(what));
+    get(what);
+    EXPECT_TRUE(store.awaits(what));
+    bring(what, 5);
+    EXPECT_FALSE(store.put(resultOf(what, 6))) << "once";
+    EXPECT_EQ(versionOf(what), 5U);
+  }
+}
+
+/// Would catch a version that is higher than any to come, which nothing ever replaced.
+TEST_F(SharedChanges, NoVersionStaysForEver) {
+  constexpr Version kHighest = std::numeric_limits<Version>::max();
+  for (const SharedKey& what : {own, a}) {
+    bring(what, kHighest);
+    EXPECT_EQ(versionOf(what), kHighest);
+    store.announced({what, 6});
+    bring(what, 6);
+    EXPECT_EQ(versionOf(what), 6U);
+  }
+}
+
+TEST_F(SharedChanges, AnAbsurdAnnouncementCostsTwoRequestsAndHidesNoLaterOne) {
+  constexpr Version kHighest = std::numeric_limits<Version>::max();
+  for (const SharedKey& what : {own, a}) {
+    bring(what, 5);
+    (void)store.find(what);
+    fetched.clear();
+    store.announced({what, kHighest});
+    for (int i = 0; i < 5; ++i) {
+      if (store.awaits(what)) bring(what, 5);
+      (void)store.find(what);
+    }
+    EXPECT_EQ(fetched.size(), 2U);
+    store.announced({what, 6});
+    EXPECT_EQ(fetched.size(), 3U);
+    bring(what, 6);
+    EXPECT_EQ(versionOf(what), 6U);
+  }
+}
+
+}  // namespace
+}  // namespace grove::node
