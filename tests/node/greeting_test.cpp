@@ -14,13 +14,14 @@ class Replies final : public FrontendPort {
 
 /// A backend node of boxes, before a frontend process whose words the test chooses.
 class Greeting : public ::testing::Test {
- protected:
+ public:
   Greeting() { transport->connect(replies); }
   ~Greeting() override {
     transport->leaveFrontend();
     workers.drain();
   }
 
+ protected:
   /// The reason for which the node refuses; empty if it welcomes.
   std::string refusalOf(NodeHello hello) {
     replies.messages.clear();

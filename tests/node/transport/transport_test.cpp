@@ -52,7 +52,7 @@ class Frontend final : public Mailbox<FrontendPort, ToFrontend> {
 };
 
 class Transports : public ::testing::TestWithParam<TransportKind> {
- protected:
+ public:
   Transports() {
     transport->connect(backend);
     transport->connect(frontend);
@@ -62,6 +62,8 @@ class Transports : public ::testing::TestWithParam<TransportKind> {
     transport->leaveBackend();
     workers.drain();
   }
+
+ protected:
   pipeline::Timeline timeline;
   pipeline::WorkerPool workers{3};
   Backend backend;
@@ -152,7 +154,7 @@ INSTANTIATE_TEST_SUITE_P(OverBoth, Transports, ::testing::Values(TransportKind::
                          [](const auto& of) { return of.param == TransportKind::kBytes ? "Bytes" : "Reference"; });
 
 class BytesTransportTest : public ::testing::Test {
- protected:
+ public:
   BytesTransportTest() {
     transport.connect(backend);
     transport.connect(frontend);
@@ -162,6 +164,8 @@ class BytesTransportTest : public ::testing::Test {
     transport.leaveBackend();
     workers.drain();
   }
+
+ protected:
   pipeline::Timeline timeline;
   pipeline::WorkerPool workers{2};
   Backend backend;

@@ -146,7 +146,7 @@ TEST_F(WorldInstanceTest, ReportsItsBackendWhatBlows) {
 }
 
 TEST_F(WorldInstanceTest, ReportsItsBackendWhoHasLeft) {
-  HeadlessSession(host_, "Ada", 160, 90);
+  { const HeadlessSession ada(host_, "Ada", 160, 90); }
   const auto forgotten = [&] {
     const std::lock_guard lock(sight_.mutex);
     return sight_.forgotten;
