@@ -135,6 +135,37 @@ TEST_F(FigureTest, ThrowsASoftShadowOnTheGroundAroundItsFeet) {
   }
 }
 
+/// Where the eye is nearest to a shadow, part of it lies behind the near plane and its rectangle is the whole frame.
+TEST_F(FigureTest, AShadowUnderTheEyeTouchesOnlyItsOwnPixels) {
+  const Vec3 place(0.1F, 0, -0.3F);
+  auto view = std::make_shared<node::View>(*look({visitor(1, place)}, {playerAt(1, place)})->view);
+  world::Camera& camera = view->camera;
+  camera.pose.position = {0, world::kEyeHeight, 0};
+  camera.pose.pitch = -1.1F;
+  const auto image = raster::ImagePool().acquire({0, 0, camera.width, camera.height});
+  std::ranges::fill(image->depth, world::kInfiniteDepth);
+  image->spans.assign(static_cast<std::size_t>(camera.height), raster::Span{});
+  layContactShadow(place, camera, *image);
+  int shaded = 0;
+  for (int y = 0; y < camera.height; ++y) {
+    const raster::Span span = image->span(y);
+    for (int x = 0; x < camera.width; ++x) {
+      const Vec3 ray = camera.ray(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F);
+      const Vec3 point = camera.pose.position + (0.1F - camera.pose.position.y) / ray.y * ray;
+      const float distance = glm::distance(point, place + Vec3(0, 0.1F, 0));
+      const bool isIn = x >= span.begin && x < span.end;
+      if (distance < kShadowRadius - 0.01F) {
+        ASSERT_TRUE(isIn && image->depthRow(y)[x] < world::kInfiniteDepth) << x << ' ' << y;
+        ++shaded;
+      }
+      if (distance > kShadowRadius + 0.01F) {
+        ASSERT_FALSE(isIn) << x << ' ' << y;
+      }
+    }
+  }
+  EXPECT_GT(shaded, 3000);
+}
+
 TEST_F(FigureTest, VisitorsDifferInStature) {
   std::set<std::size_t> sizes;
   for (const world::PlayerId id : {1U, 2U, 3U, 4U}) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 
 namespace grove::objects::figure {
 namespace {
@@ -30,27 +31,61 @@ void widen(raster::Image& picture, int row, int begin, int end) {
   span = wide;
 }
 
+/// Where a row of pixels crosses the shadow. The camera does not roll, so the plane has one depth along the row.
+struct Crossing {
+  float depth;      ///< metres
+  float middle;     ///< column that is nearest to the place
+  float pixel;      ///< metres along the row
+  float remaining;  ///< what the row's distance from the place leaves of the radius, squared
+};
+
+/// The columns that the shadow covers.
+struct Columns {
+  int begin;
+  int end;
+};
+
+std::optional<Crossing> crossingOf(float row, Vec3 place, const world::Camera& camera) {
+  const world::Pose& pose = camera.pose;
+  const float half = 0.5F * static_cast<float>(camera.height);
+  const Vec3 ray = pose.forward() + (half - row) / camera.focal() * pose.up();
+  const float depth = (place.y - pose.position.y) / ray.y;
+  if (!(depth > camera.nearDepth) || depth > camera.farDepth) return std::nullopt;
+  const Vec3 off = pose.position + depth * ray - place;
+  const float along = glm::dot(off, pose.right());
+  const float remaining = kShadowRadius * kShadowRadius - (glm::dot(off, off) - along * along);
+  if (remaining <= 0.0F) return std::nullopt;
+  const float pixel = depth / camera.focal();
+  return Crossing{depth, 0.5F * static_cast<float>(camera.width) - along / pixel, pixel, remaining};
+}
+
+Columns columnsOf(const Crossing& crossing, const world::Rect& rect) {
+  const float reach = std::sqrt(crossing.remaining) / crossing.pixel;
+  const auto clamped = [&](float column) {
+    return static_cast<int>(std::clamp(column, static_cast<float>(rect.left), static_cast<float>(rect.right)));
+  };
+  return {clamped(std::ceil(crossing.middle - reach - 0.5F)), clamped(std::floor(crossing.middle + reach + 0.5F))};
+}
+
 }  // namespace
 
 void layContactShadow(Vec3 place, const world::Camera& camera, raster::Image& picture) {
   place.y += kPlane;
-  const Vec3 reach(kShadowRadius, 0.0F, kShadowRadius);
-  const world::Rect rect =
-      world::overlap(camera.screenRect({place - reach, place + reach + Vec3(0.0F, 0.01F, 0.0F)}), picture.rect);
-  if (rect.empty()) return;
+  const world::Rect& rect = picture.rect;
   for (int y = rect.top; y < rect.bottom; ++y) {
-    const int row = y - picture.rect.top;
-    widen(picture, row, rect.left - picture.rect.left, rect.right - picture.rect.left);
-    for (int x = rect.left; x < rect.right; ++x) {
-      const Vec3 ray = camera.ray(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F);
-      const float depth = (place.y - camera.pose.position.y) / ray.y;
-      if (!(depth > camera.nearDepth)) continue;
-      const Vec3 off = camera.pose.position + depth * ray - place;
-      const float free = 1.0F - glm::dot(off, off) / (kShadowRadius * kShadowRadius);
-      float& shown = picture.depthRow(row)[x - picture.rect.left];
+    const std::optional<Crossing> crossing = crossingOf(static_cast<float>(y) + 0.5F, place, camera);
+    if (!crossing) continue;
+    const Columns columns = columnsOf(*crossing, rect);
+    if (columns.begin >= columns.end) continue;
+    const int row = y - rect.top;
+    widen(picture, row, columns.begin - rect.left, columns.end - rect.left);
+    for (int x = columns.begin; x < columns.end; ++x) {
+      const float along = (static_cast<float>(x) + 0.5F - crossing->middle) * crossing->pixel;
+      const float free = (crossing->remaining - along * along) / (kShadowRadius * kShadowRadius);
+      float& shown = picture.depthRow(row)[x - rect.left];
       if (free <= 0.0F || shown < world::kInfiniteDepth) continue;
-      shown = depth;
-      picture.colourRow(row)[x - picture.rect.left] = shade(kDarkest * free * free);
+      shown = crossing->depth;
+      picture.colourRow(row)[x - rect.left] = shade(kDarkest * free * free);
     }
   }
 }
