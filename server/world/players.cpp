@@ -16,8 +16,8 @@ constexpr std::array<std::uint32_t, 8> kColours = {0x4FB4FF, 0xFFC46A, 0x7CE38B,
 
 }  // namespace
 
-Players::Players(Vec3 spawn, float spawnYaw, float radius, std::vector<Obstacle> obstacles)
-    : spawn_(spawn), spawnYaw_(spawnYaw), radius_(radius), obstacles_(std::move(obstacles)) {}
+Players::Players(Vec3 spawn, float spawnYaw, float radius, std::vector<Obstacle> obstacles, PlayerId base)
+    : spawn_(spawn), spawnYaw_(spawnYaw), radius_(radius), obstacles_(std::move(obstacles)), nextId_(base + 1) {}
 
 PlayerId Players::join(const std::string& name, double now) {
   const std::lock_guard lock(mutex_);

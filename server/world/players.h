@@ -55,8 +55,9 @@ struct Obstacle {
 /// where the held keys have brought it by then, so there is no tick to wait for. Any thread.
 class Players {
  public:
-  /// Visitors arrive around `spawn` and stay within `radius` metres of the origin.
-  Players(Vec3 spawn, float spawnYaw, float radius, std::vector<Obstacle> obstacles);
+  /// Visitors arrive around `spawn` and stay within `radius` metres of the origin. Ids count from `base` + 1, where the
+  /// low 32 bits of `base` are 0.
+  Players(Vec3 spawn, float spawnYaw, float radius, std::vector<Obstacle> obstacles, PlayerId base = 0);
 
   /// `now` is in seconds of the monotonic clock, everywhere in this class.
   PlayerId join(const std::string& name, double now);
@@ -83,7 +84,7 @@ class Players {
   const std::vector<Obstacle> obstacles_;
   mutable std::mutex mutex_;
   std::map<PlayerId, Entry> entries_;
-  PlayerId nextId_ = 1;
+  PlayerId nextId_;
 };
 
 inline constexpr float kEyeHeight = 1.7F;

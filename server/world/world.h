@@ -15,8 +15,8 @@ class World {
   /// Where several instances of a world share the roster: that. Null: one of its own.
   explicit World(Layout layout, std::shared_ptr<Players> players = nullptr);
 
-  /// An empty roster for worlds of this layout.
-  [[nodiscard]] static std::shared_ptr<Players> makePlayers(const Layout& layout);
+  /// An empty roster for worlds of this layout; `base` as in Players.
+  [[nodiscard]] static std::shared_ptr<Players> makePlayers(const Layout& layout, PlayerId base = 0);
 
   [[nodiscard]] const Layout& layout() const noexcept { return layout_; }
   [[nodiscard]] Players& players() noexcept { return *players_; }

@@ -10,6 +10,16 @@ namespace {
 
 Players inTheOpen() { return {Vec3(0, 0, 0), 0.0F, 30.0F, {}}; }
 
+TEST(Players, NumbersVisitorsFromItsBase) {
+  constexpr PlayerId kBase = PlayerId{7} << 32U;
+  Players players(Vec3(0, 0, 0), 0.0F, 12.0F, {}, kBase);
+  const PlayerId first = players.join("first", 0.0);
+  EXPECT_EQ(first, kBase + 1);
+  Players alone(Vec3(0, 0, 0), 0.0F, 12.0F, {});
+  const PlayerId same = alone.join("first", 0.0);
+  EXPECT_EQ(players.find(first, 0.0)->colour, alone.find(same, 0.0)->colour) << "a process does not change colours";
+}
+
 TEST(Players, WalkWhereTheyLook) {
   Players players = inTheOpen();
   const PlayerId id = players.join("a", 100.0);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <exception>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -29,7 +30,7 @@ static_assert(node::kMaxQuality == measure::kQualitySteps - 1);
 Host::Host(node::LoadedScene scene, const node::ObjectTypes& types, gl::Workers& gl, const HostOptions& options,
            const std::function<void(std::string_view, float)>& progress)
     : scene_(std::move(scene)),
-      players_(world::World::makePlayers(scene_.layout)),
+      players_(world::World::makePlayers(scene_.layout, node::makeId(kProcess, 0))),
       types_(types),
       gl_(gl),
       options_(options),
@@ -229,6 +230,14 @@ void Host::takeStock(int visitors) {
   shared_->setQuality(step);
 }
 
+double Host::publishWorlds(const std::vector<std::shared_ptr<Session>>& open, double now) {
+  double next = std::numeric_limits<double>::infinity();
+  for (const auto& session : open) {
+    if (const auto instance = session->currentInstance()) next = std::min(next, instance->publishIfDue(now));
+  }
+  return next;
+}
+
 void Host::runClock() {
   double nextSample = pipeline::wallSeconds();
   std::unique_lock lock(mutex_);
@@ -246,7 +255,7 @@ void Host::runClock() {
       takeStock(static_cast<int>(open.size()));
       nextSample = now + kSampleSeconds;
     }
-    double next = nextSample;
+    double next = std::min(nextSample, publishWorlds(open, now));
     for (const auto& session : open) next = std::min(next, session->tick(now));
     open.clear();
     lock.lock();

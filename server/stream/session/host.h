@@ -115,6 +115,8 @@ class Host {
                                                             const node::BackendNode::Progress& progress);
   void takeStock(int visitors);
   void forgetWhoLeft();
+  /// Publishes what is due of the worlds of these visitors; returns when the next is.
+  double publishWorlds(const std::vector<std::shared_ptr<Session>>& open, double now);
   void runClock();
 
   const node::LoadedScene scene_;

@@ -136,9 +136,7 @@ double Session::tick(double now) {
   if (terms_.times) {
     if (const auto times = control_->takeTimes(now)) terms_.times(*times);
   }
-  const double next = startIfDue(now);
-  const std::shared_ptr<WorldInstance> instance = currentInstance();
-  return instance ? std::min(next, instance->publishIfDue(now)) : next;
+  return startIfDue(now);
 }
 
 double Session::secondsUnacknowledged(double now) const { return control_->secondsUnacknowledged(now); }

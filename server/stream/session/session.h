@@ -83,8 +83,7 @@ class Session : public std::enable_shared_from_this<Session> {
   void close();
 
   /// Starts a frame if one is due, fewer than `framesInFlight` are being made and the line has room for one, or waits
-  /// for its turn to; publishes what the world's backend node is to know. Returns when to ask again. Called by the
-  /// host's frame clock.
+  /// for its turn to. Returns when to ask again. Called by the host's frame clock.
   double tick(double now);
 
   /// How long frames have been waiting to be acknowledged, seconds, since one was last; 0 if there is none. To
