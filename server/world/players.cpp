@@ -54,6 +54,12 @@ bool Players::apply(PlayerId id, const Input& input, double now) {
   return true;
 }
 
+void Players::mirror(std::span<const Player> reported, const std::function<bool(PlayerId)>& isReported, double now) {
+  const std::lock_guard lock(mutex_);
+  std::erase_if(entries_, [&](const auto& entry) { return isReported(entry.first); });
+  for (const Player& player : reported) entries_.insert_or_assign(player.id, Entry{player, now});
+}
+
 std::optional<Player> Players::find(PlayerId id, double now) {
   const std::lock_guard lock(mutex_);
   const auto it = entries_.find(id);

@@ -2,9 +2,11 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <mutex>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -65,6 +67,10 @@ class Players {
 
   /// Takes over the controls. NaN or infinite angles are refused (false), older numbers are ignored.
   bool apply(PlayerId id, const Input& input, double now);
+
+  /// Takes over visitors of other processes as they were reported at `now`. Those that the list lacks have left, if
+  /// `isReported` is true of their id.
+  void mirror(std::span<const Player> reported, const std::function<bool(PlayerId)>& isReported, double now);
 
   [[nodiscard]] std::optional<Player> find(PlayerId id, double now);
   [[nodiscard]] std::vector<Player> all(double now);

@@ -132,8 +132,7 @@ void BackendNode::dismiss(Peer& peer) {
 }
 
 pipeline::PushResult BackendNode::apply(Peer& peer, std::shared_ptr<const WorldUpdate> update) {
-  // By its own clock its frames have deadlines, whoever owns the world.
-  peer.hearClock(update->clock);
+  peer.hearClock(update->sent);
   const std::optional<ProcessId> process = peer.process();
   if (process && world_.apply(*process, std::move(update))) return pipeline::PushResult::kAccepted;
   machine_.timeline.count("updates by who does not own the world");

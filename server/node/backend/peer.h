@@ -10,7 +10,7 @@
 
 #include "base/log.h"
 #include "node/backend/ended_frames.h"
-#include "node/backend/peer_clock.h"
+#include "node/transport/peer_clock.h"
 #include "node/transport/transport.h"
 
 namespace grove::node {

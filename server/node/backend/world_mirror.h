@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "node/backend/peer_clock.h"
+#include "node/transport/peer_clock.h"
 #include "node/messages/ids.h"
 #include "node/messages/world_update.h"
 

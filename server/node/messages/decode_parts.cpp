@@ -105,6 +105,24 @@ world::PointLight decode(const v1::PointLight& from, Checks& checks) {
   return {.position = decode(from.position(), checks), .colour = decode(from.colour(), checks)};
 }
 
+std::shared_ptr<const WorldUpdate> decode(const v1::WorldUpdate& from, Checks& checks) {
+  checks.require(from.number() != 0, "it has no number");
+  checks.require(isTime(from.clock()) && isTime(from.sent()), "its clock is out of range");
+  auto shared = std::make_shared<WorldUpdate>();
+  WorldUpdate& to = *shared;
+  to.number = from.number();
+  to.clock = from.clock();
+  to.sent = from.sent();
+  checks.require(static_cast<std::size_t>(from.gusts_size()) <= kMaxGusts, "it has too many gusts");
+  to.players = decodePlayers(from.players(), checks);
+  if (!checks.good()) return shared;
+  to.gusts.reserve(static_cast<std::size_t>(from.gusts_size()));
+  for (const v1::Gust& gust : from.gusts()) to.gusts.push_back(decode(gust, checks));
+  return shared;
+}
+
+bool isTime(double seconds) { return std::abs(seconds) <= kMaxSeconds; }
+
 void requireFrame(SessionId session, FrameNumber frame, Checks& checks) {
   checks.require(session != 0, "it names no session");
   checks.require(frame != 0, "it names no frame");

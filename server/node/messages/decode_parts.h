@@ -2,8 +2,10 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "node/messages/ids.h"
 #include "node/messages/nesting.h"
@@ -26,6 +28,7 @@ class Pose;
 class Rectangle;
 class SharedKey;
 class Vector;
+class WorldUpdate;
 }  // namespace v1
 
 /// The first thing that is wrong with one message.
@@ -71,6 +74,20 @@ bool parse(std::string_view header, Envelope& envelope, Checks& checks) {
 [[nodiscard]] world::Player decode(const v1::Player& from, Checks& checks);
 [[nodiscard]] world::Gust decode(const v1::Gust& from, Checks& checks);
 [[nodiscard]] world::PointLight decode(const v1::PointLight& from, Checks& checks);
+
+template <class Repeated>
+[[nodiscard]] std::vector<world::Player> decodePlayers(const Repeated& from, Checks& checks) {
+  checks.require(static_cast<std::size_t>(from.size()) <= kMaxPlayers, "it has too many players");
+  std::vector<world::Player> to;
+  if (!checks.good()) return to;
+  to.reserve(static_cast<std::size_t>(from.size()));
+  for (const auto& player : from) to.push_back(decode(player, checks));
+  return to;
+}
+[[nodiscard]] std::shared_ptr<const WorldUpdate> decode(const v1::WorldUpdate& from, Checks& checks);
+
+/// Whether it is a time of any clock; false for what is not finite, too.
+[[nodiscard]] bool isTime(double seconds);
 
 /// Those of a frame: both given.
 void requireFrame(SessionId session, FrameNumber frame, Checks& checks);

@@ -11,17 +11,6 @@ namespace {
 
 constexpr std::uint32_t kMaxBorderPercent = 100;
 
-/// False for what is not finite, too.
-bool isTime(double seconds) { return std::abs(seconds) <= kMaxSeconds; }
-
-template <class From, class To>
-void decodePlayers(const From& from, To& to, Checks& checks) {
-  checks.require(static_cast<std::size_t>(from.players_size()) <= kMaxPlayers, "it has too many players");
-  if (!checks.good()) return;
-  to.players.reserve(static_cast<std::size_t>(from.players_size()));
-  for (const v1::Player& player : from.players()) to.players.push_back(decode(player, checks));
-}
-
 NodeHello decode(const v1::NodeHello& from, Checks& checks) {
   NodeHello to{.protocol = from.protocol(),
                .build = decodeName(from.build(), checks),
@@ -33,21 +22,6 @@ NodeHello decode(const v1::NodeHello& from, Checks& checks) {
   to.types.reserve(static_cast<std::size_t>(from.types_size()));
   for (const v1::TypeName& type : from.types()) to.types.push_back({type.id(), decodeName(type.name(), checks)});
   return to;
-}
-
-std::shared_ptr<const WorldUpdate> decode(const v1::WorldUpdate& from, Checks& checks) {
-  checks.require(from.number() != 0, "it has no number");
-  checks.require(isTime(from.clock()), "its clock is out of range");
-  auto shared = std::make_shared<WorldUpdate>();
-  WorldUpdate& to = *shared;
-  to.number = from.number();
-  to.clock = from.clock();
-  checks.require(static_cast<std::size_t>(from.gusts_size()) <= kMaxGusts, "it has too many gusts");
-  decodePlayers(from, to, checks);
-  if (!checks.good()) return shared;
-  to.gusts.reserve(static_cast<std::size_t>(from.gusts_size()));
-  for (const v1::Gust& gust : from.gusts()) to.gusts.push_back(decode(gust, checks));
-  return shared;
 }
 
 std::shared_ptr<const View> decode(const v1::View& from, Checks& checks) {
@@ -66,7 +40,7 @@ std::shared_ptr<const View> decode(const v1::View& from, Checks& checks) {
   to.borderPercent = static_cast<int>(from.border_percent());
   to.time = from.time();
   to.deadline = from.deadline();
-  decodePlayers(from, to, checks);
+  to.players = decodePlayers(from.players(), checks);
   if (!checks.good()) return shared;
   to.lights.reserve(static_cast<std::size_t>(from.lights_size()));
   for (const v1::PointLight& light : from.lights()) to.lights.push_back(decode(light, checks));

@@ -97,6 +97,8 @@ Decoded<ToFrontend> decodeToFrontend(const Packet& packet) {
       return frontendMessage("refusal", envelope.refusal());
     case v1::ToFrontend::kAnnouncement:
       return frontendMessage("announcement", envelope.announcement());
+    case v1::ToFrontend::kWorld:
+      return frontendMessage("world update", envelope.world());
     case v1::ToFrontend::kResult:
     case v1::ToFrontend::MESSAGE_NOT_SET:
       break;

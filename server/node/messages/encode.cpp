@@ -78,11 +78,13 @@ void put(const NodeHello& from, v1::ToBackend& envelope) {
   }
 }
 
-void put(const std::shared_ptr<const WorldUpdate>& update, v1::ToBackend& envelope) {
+template <class Envelope>
+void put(const std::shared_ptr<const WorldUpdate>& update, Envelope& envelope) {
   const WorldUpdate& from = *update;
   v1::WorldUpdate& to = *envelope.mutable_world();
   to.set_number(from.number);
   to.set_clock(from.clock);
+  to.set_sent(from.sent);
   for (const world::Player& player : from.players) put(player, to.add_players());
   for (const world::Gust& gust : from.gusts) put(gust, to.add_gusts());
 }

@@ -14,7 +14,7 @@ namespace grove::node {
 using ToBackend = std::variant<NodeHello, std::shared_ptr<const WorldUpdate>, std::shared_ptr<const View>, Request,
                                Cancel, Quality, Forget>;
 
-/// What a backend node sends.
-using ToFrontend = std::variant<NodeWelcome, NodeRefusal, Result, Announcement>;
+/// What a backend node sends, or a world's owner, who answers a hello likewise and then sends updates only.
+using ToFrontend = std::variant<NodeWelcome, NodeRefusal, Result, Announcement, std::shared_ptr<const WorldUpdate>>;
 
 }  // namespace grove::node

@@ -18,7 +18,8 @@ struct View {
   world::Camera camera;
   int borderPercent = 0;  ///< of half the window, that the camera sees beyond it on each side
   double time = 0.0;      ///< seconds of the world's clock
-  /// Of the same clock: until then the frame waits for its objects, and who gets a request later leaves it unanswered.
+  /// Seconds of the frontend process's own clock: until then the frame waits for its objects, and who gets a request
+  /// later leaves it unanswered.
   double deadline = std::numeric_limits<double>::infinity();
   std::vector<world::Player> players;     ///< all visitors, the viewer too
   std::vector<world::PointLight> lights;  ///< the fire and the lanterns

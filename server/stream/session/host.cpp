@@ -18,9 +18,6 @@ namespace {
 
 constexpr double kSampleSeconds = 1.0;
 
-/// Among the frontend processes of a backend node; there is no other.
-constexpr node::ProcessId kProcess = 1;
-
 int workerCount() { return static_cast<int>(std::max(1U, std::thread::hardware_concurrency())); }
 
 static_assert(node::kMaxQuality == measure::kQualitySteps - 1);
@@ -30,7 +27,7 @@ static_assert(node::kMaxQuality == measure::kQualitySteps - 1);
 Host::Host(node::LoadedScene scene, const node::ObjectTypes& types, gl::Workers& gl, const HostOptions& options,
            const std::function<void(std::string_view, float)>& progress)
     : scene_(std::move(scene)),
-      players_(world::World::makePlayers(scene_.layout, node::makeId(kProcess, 0))),
+      players_(world::World::makePlayers(scene_.layout, node::makeId(options.process, 0))),
       types_(types),
       gl_(gl),
       options_(options),
@@ -88,7 +85,8 @@ std::unique_ptr<WorldInstance> Host::makeInstance(node::Parallelism parallelism,
   node::BakedStore* const baked = options_.privateWorlds ? &baked_ : nullptr;
   const node::BackendMachine machine{workers_, gl_, timeline_, memory_, images_, baked};
   return std::make_unique<WorldInstance>(
-      WorldGround{scene_, geometry_, players_, types_, machine, options_.maxSharedBytes, kProcess},
+      WorldGround{scene_, geometry_, players_, types_, machine, options_.maxSharedBytes, options_.process,
+                  options_.linkToOwner ? options_.linkToOwner(workers_, timeline_) : nullptr},
       std::move(transport), parallelism, progress);
 }
 
@@ -121,7 +119,7 @@ std::variant<node::SessionId, Refusal> Host::takePlace() {
     const std::string visitors = options_.maxVisitors == 1 ? " visitor" : " visitors";
     return Refusal{CloseCode::kFull, "the world is full (" + std::to_string(options_.maxVisitors) + visitors + ")"};
   }
-  const node::SessionId id = node::makeId(kProcess, nextSession_++);
+  const node::SessionId id = node::makeId(options_.process, nextSession_++);
   sessions_[id] = {};
   return id;
 }
@@ -183,6 +181,10 @@ void Host::report(const Refining& refining) {
 Host::RefiningNews Host::refining() const {
   const std::lock_guard lock(mutex_);
   return {newsNumber_, refining_};
+}
+
+std::optional<node::JoinedWorld::Status> Host::joined() const {
+  return shared_ ? shared_->joined(pipeline::wallSeconds()) : std::nullopt;
 }
 
 std::size_t Host::visitors() const {

@@ -8,6 +8,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <thread>
 #include <variant>
 #include <vector>
@@ -54,6 +55,10 @@ struct HostOptions {
   std::size_t maxSharedBytes = std::size_t{256} << 20U;
   /// Makes the link between the frontend process and a backend node; empty: they share memory.
   node::TransportFactory makeTransport = {};
+  /// Distinct among the frontend processes of a backend node, and among those that show the same world.
+  node::ProcessId process = 1;
+  /// Makes the link to the process that owns the world; empty: this one does. Not in private mode.
+  std::function<std::shared_ptr<node::FrontendEnd>(pipeline::Executor&, pipeline::Timeline&)> linkToOwner = {};
 };
 
 /// One living world and everybody in it: owns the world with its backend node (in private mode: every visitor's), the
@@ -97,6 +102,8 @@ class Host {
   [[nodiscard]] const pipeline::MemoryLedger& memory() const noexcept { return memory_; }
   /// Between the frontend and the backend node that all visitors share; nothing in private mode.
   [[nodiscard]] node::LinkTraffic traffic() const { return shared_ ? shared_->traffic() : node::LinkTraffic{}; }
+  /// How this server stands with the world's owner; nothing if it is the owner.
+  [[nodiscard]] std::optional<node::JoinedWorld::Status> joined() const;
   [[nodiscard]] pipeline::Executor& workers() noexcept { return workers_; }
   [[nodiscard]] const HostOptions& options() const noexcept { return options_; }
   [[nodiscard]] const EncoderRegistry& encoders() const noexcept { return encoders_; }

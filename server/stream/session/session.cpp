@@ -205,9 +205,9 @@ node::View Session::look(node::FrameNumber frame) {
   if (!instance) return view;
   world::World& world = instance->world();
   view.viewer = player_;
-  view.time = now;
+  view.time = instance->worldSeconds(now);
   view.players = world.players().all(now);
-  view.lights = world.layout().lightsAt(now, view.players);
+  view.lights = world.layout().lightsAt(view.time, view.players);
   const auto self = std::ranges::find(view.players, player_, &world::Player::id);
   if (self != view.players.end()) {
     view.camera.pose = self->pose;

@@ -23,20 +23,32 @@ WorldInstance::WorldInstance(const WorldGround& ground, std::unique_ptr<node::Tr
       frontend_(ground.process, world_.layout(), ground.types.frontends, *transport_,
                 {ground.machine.workers, ground.machine.timeline, ground.machine.memory, ground.machine.images,
                  world_.layout().sky},
-                ground.maxSharedBytes) {
+                ground.maxSharedBytes),
+      joined_(ground_.owner ? std::make_unique<node::JoinedWorld>(ground_.process, world_, *ground_.owner,
+                                                                  [this] { tellBackend(); })
+                            : nullptr) {
   reportModels();
 }
 
 WorldInstance::~WorldInstance() = default;
 
 void WorldInstance::publish() {
+  const double now = pipeline::wallSeconds();
+  nextUpdate_ = std::max(nextUpdate_ + kUpdateSeconds, now + kUpdateSeconds / 2);
+  if (joined_) joined_->report(now);
+  // Else the owner's answer is passed on. Without an owner the world goes on by itself.
+  if (!joined_ || joined_->status(now).state != node::JoinedWorld::State::kJoined) tellBackend();
+}
+
+void WorldInstance::tellBackend() {
+  const std::lock_guard lock(updateMutex_);
   auto update = std::make_shared<node::WorldUpdate>();
   update->number = ++updates_;
-  update->clock = pipeline::wallSeconds();
-  update->players = world_.players().all(update->clock);
+  update->sent = pipeline::wallSeconds();
+  update->clock = worldSeconds(update->sent);
+  update->players = world_.players().all(update->sent);
   world::Edits::Cursor edits = edits_;
   update->gusts = world_.edits().during(edits, update->players);
-  nextUpdate_ = std::max(nextUpdate_ + kUpdateSeconds, update->clock + kUpdateSeconds / 2);
   const auto sent = frontend_.send(std::shared_ptr<const node::WorldUpdate>(std::move(update)));
   // What blew goes with the next one, if this one was not taken.
   if (sent == pipeline::PushResult::kAccepted) edits_ = edits;
@@ -45,6 +57,12 @@ void WorldInstance::publish() {
 double WorldInstance::publishIfDue(double now) {
   if (now >= nextUpdate_) publish();
   return nextUpdate_;
+}
+
+double WorldInstance::worldSeconds(double now) const { return joined_ ? joined_->worldSeconds(now) : now; }
+
+std::optional<node::JoinedWorld::Status> WorldInstance::joined(double now) const {
+  return joined_ ? std::optional(joined_->status(now)) : std::nullopt;
 }
 
 void WorldInstance::reportModels() {

@@ -5,12 +5,15 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <mutex>
+#include <optional>
 #include <string_view>
 
 #include "node/backend/backend_node.h"
 #include "node/frontend/frontend_process.h"
 #include "node/object_types.h"
 #include "node/transport/transport.h"
+#include "node/world/joined_world.h"
 #include "pipeline/memory_ledger.h"
 #include "world/world.h"
 
@@ -26,6 +29,8 @@ struct WorldGround {
   node::BackendMachine machine;
   std::size_t maxSharedBytes;  ///< of the data that an instance shares among its visitors
   node::ProcessId process;     ///< names this one among the frontend processes of its backend nodes
+  /// The link to the process that owns the world; null if this one does.
+  std::shared_ptr<node::FrontendEnd> owner = {};
 };
 
 /// A world with a backend node that owns its objects, and the frontend process of those who are in it: all across-user
@@ -45,11 +50,15 @@ class WorldInstance {
   [[nodiscard]] world::World& world() noexcept { return world_; }
   [[nodiscard]] node::FrontendProcess& frontend() noexcept { return frontend_; }
 
-  /// Sends the backend node who is here and what they do. One thread, that of publishIfDue().
+  /// Sends who is here and what they do to the backend node, or to the world's owner, whose answer then goes to the
+  /// backend node. One thread, that of publishIfDue().
   void publish();
-  /// The same if it was sent a thirtieth of a second ago, for as long as somebody is here. Returns when to ask again;
-  /// `now` is of the world's clock.
+  /// The same if it was sent a thirtieth of a second ago, for as long as somebody is here. Returns when to ask again.
   double publishIfDue(double now);
+  /// Seconds of the world's clock, which is this process's unless another one owns the world. Any thread.
+  [[nodiscard]] double worldSeconds(double now) const;
+  /// How this process stands with the world's owner; nothing if it is the owner. Any thread.
+  [[nodiscard]] std::optional<node::JoinedWorld::Status> joined(double now) const;
 
   /// Of all across-user work, see node::BackendHalf. Any thread.
   void setQuality(int step);
@@ -61,16 +70,20 @@ class WorldInstance {
   void reportModels();
 
  private:
+  void tellBackend();
+
   const WorldGround ground_;
   world::World world_;
   std::map<world::TypeIndex, pipeline::HeldMemory> models_;
+  double nextUpdate_ = 0.0;
+  std::mutex updateMutex_;
   std::uint64_t updates_ = 0;
   world::Edits::Cursor edits_ = 0;  ///< what the backend node knows of them
-  double nextUpdate_ = 0.0;
   const std::shared_ptr<node::Transport> transport_;
   node::BackendNode backend_;
   const std::shared_ptr<void> served_;  ///< the frontend by the backend
   node::FrontendProcess frontend_;
+  const std::unique_ptr<node::JoinedWorld> joined_;  ///< null if this process owns the world
 };
 
 }  // namespace grove::stream

@@ -35,7 +35,7 @@ inline NodeHello hello() {
           .types = {{.id = 0, .name = "sky"}, {.id = 5, .name = "lightfield"}}};
 }
 
-inline WorldUpdate world() { return {.number = 17, .clock = 3.3, .players = {player(), player()}, .gusts = {gust()}}; }
+inline WorldUpdate world() { return {.number = 17, .clock = 3.3, .sent = 4.4, .players = {player(), player()}, .gusts = {gust()}}; }
 
 inline world::PointLight light() { return {.position = {3.0F, 0.5F, -2.0F}, .colour = {1.5F, 0.75F, 0.25F}}; }
 
@@ -136,7 +136,8 @@ inline std::vector<ToFrontend> toFrontend() {
           sharedData(),
           failure(),
           nothing(),
-          Announcement{.what = {.object = 4, .key = "map"}, .version = 2}};
+          Announcement{.what = {.object = 4, .key = "map"}, .version = 2},
+          std::make_shared<const WorldUpdate>(world())};
 }
 
 /// Knows the view of the examples only.

@@ -19,7 +19,8 @@ bool isFinite(const world::Vec3& v) { return std::isfinite(v.x) && std::isfinite
 
 bool isSound(const NodeHello& hello) { return hello.types.size() <= kMaxTypes; }
 bool isSound(const std::shared_ptr<const WorldUpdate>& world) {
-  bool sound = world->number > 0 && std::abs(world->clock) <= kMaxSeconds && world->gusts.size() <= kMaxGusts;
+  bool sound = world->number > 0 && std::abs(world->clock) <= kMaxSeconds && std::abs(world->sent) <= kMaxSeconds &&
+               world->gusts.size() <= kMaxGusts;
   for (const world::Player& player : world->players) {
     sound = sound && isFinite(player.pose.position) && isFinite(player.velocity) && player.name.size() <= kMaxNameBytes;
   }

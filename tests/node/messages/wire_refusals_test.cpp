@@ -145,6 +145,7 @@ TEST(WireRefusals, WorldUpdates) {
   EXPECT_THAT(gust([](world::Gust& g) { g.reach = 101.0F; }), HasSubstr("reach"));
   EXPECT_THAT(worldRefusal([](WorldUpdate& world) { world.number = 0; }), HasSubstr("number"));
   EXPECT_THAT(worldRefusal([](WorldUpdate& world) { world.clock = kNan; }), HasSubstr("clock"));
+  EXPECT_THAT(worldRefusal([](WorldUpdate& world) { world.sent = kNan; }), HasSubstr("clock"));
   EXPECT_THAT(worldRefusal([](WorldUpdate& world) { world.clock = 1.0e300; }), HasSubstr("clock"));
   EXPECT_THAT(worldRefusal([](WorldUpdate& world) { world.clock = -1.0e300; }), HasSubstr("clock"));
 }

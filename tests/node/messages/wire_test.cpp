@@ -93,11 +93,10 @@ TEST(Wire, CarriesWelcomeAndRefusal) {
   EXPECT_EQ(afterTravel(NodeRefusal{"another scene"}).reason, "another scene");
 }
 
-TEST(Wire, CarriesWorldUpdate) {
-  const WorldUpdate sent = examples::world();
-  const WorldUpdate got = afterTravelByPointer(sent);
+void expectSame(const WorldUpdate& got, const WorldUpdate& sent) {
   EXPECT_EQ(got.number, sent.number);
   EXPECT_EQ(got.clock, sent.clock);
+  EXPECT_EQ(got.sent, sent.sent);
   ASSERT_EQ(got.players.size(), 2u);
   expectSame(got.players[1], sent.players[1]);
   ASSERT_EQ(got.gusts.size(), 1u);
@@ -106,6 +105,13 @@ TEST(Wire, CarriesWorldUpdate) {
   EXPECT_EQ(got.gusts[0].speed, sent.gusts[0].speed);
   EXPECT_EQ(got.gusts[0].reach, sent.gusts[0].reach);
   EXPECT_EQ(got.gusts[0].visitor, sent.gusts[0].visitor);
+}
+
+TEST(Wire, CarriesWorldUpdatesBothWays) {
+  const WorldUpdate sent = examples::world();
+  expectSame(afterTravelByPointer(sent), sent);
+  const auto back = decodeToFrontend(encode(ToFrontend(std::make_shared<const WorldUpdate>(sent))));
+  expectSame(*std::get<std::shared_ptr<const WorldUpdate>>(std::get<ToFrontend>(back)), sent);
 }
 
 TEST(Wire, CarriesView) {

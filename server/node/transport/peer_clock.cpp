@@ -1,4 +1,4 @@
-#include "node/backend/peer_clock.h"
+#include "node/transport/peer_clock.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,180 @@
+#include "node/world/world_owner.h"
+
+#include <algorithm>
+#include <cassert>
+#include <chrono>
+#include <utility>
+#include <variant>
+
+#include "base/version.h"
+#include "node/backend/peer.h"
+#include "node/backend/world_mirror.h"
+#include "node/messages/wire.h"
+#include "pipeline/clocks.h"
+#include "world/world.h"
+
+namespace grove::node {
+namespace {
+
+constexpr double kUpdateSeconds = 1.0 / 30.0;
+
+}  // namespace
+
+struct WorldOwner::Member {
+  explicit Member(std::shared_ptr<BackendEnd> link) : peer(std::move(link)) {}
+
+  Peer peer;
+  WorldMirror reports;                ///< for its gusts
+  WorldMirror::Cursor published = 0;  ///< of them; the clock's
+};
+
+/// Hears one frontend process, for as long as the owner serves it.
+class WorldOwner::Reception final : public BackendPort {
+ public:
+  Reception(WorldOwner& owner, std::shared_ptr<BackendEnd> link)
+      : owner_(owner), member_(std::make_shared<Member>(std::move(link))) {
+    member_->peer.link().connect(*this);
+  }
+  ~Reception() override {
+    member_->peer.link().leaveBackend();
+    owner_.dismiss(*member_);
+  }
+  Reception(const Reception&) = delete;
+  Reception& operator=(const Reception&) = delete;
+
+  pipeline::PushResult receive(ToBackend message) override { return owner_.receive(member_, std::move(message)); }
+
+ private:
+  WorldOwner& owner_;
+  const std::shared_ptr<Member> member_;
+};
+
+WorldOwner::WorldOwner(const world::Layout& layout)
+    : sceneHash_(layout.hash), players_(world::World::makePlayers(layout)), clock_([this] { runClock(); }) {}
+
+WorldOwner::~WorldOwner() {
+  {
+    const std::lock_guard lock(mutex_);
+    assert(members_.empty() && "they leave first");
+    stopping_ = true;
+  }
+  wake_.notify_all();
+  clock_.join();
+}
+
+std::shared_ptr<void> WorldOwner::accept(std::shared_ptr<BackendEnd> link) {
+  return std::make_shared<Reception>(*this, std::move(link));
+}
+
+std::size_t WorldOwner::processes() const { return members().size(); }
+
+pipeline::PushResult WorldOwner::receive(const std::shared_ptr<Member>& member, ToBackend message) {
+  if (const auto* hello = std::get_if<NodeHello>(&message)) {
+    greet(member, *hello);
+    return pipeline::PushResult::kAccepted;
+  }
+  auto* const report = std::get_if<std::shared_ptr<const WorldUpdate>>(&message);
+  const std::optional<std::string> objection = report == nullptr
+                                                   ? "a frontend process asks the world's owner for more than the world"
+                                                   : takeReport(*member, std::move(*report));
+  if (!objection) return pipeline::PushResult::kAccepted;
+  member->peer.reproach(*objection);
+  return pipeline::PushResult::kClosed;
+}
+
+void WorldOwner::greet(const std::shared_ptr<Member>& member, const NodeHello& hello) {
+  dismiss(*member);
+  if (const auto objection = admit(member, hello)) {
+    member->peer.link().send(ToFrontend(NodeRefusal{*objection}));
+    return;
+  }
+  member->peer.link().send(
+      ToFrontend(NodeWelcome{.build = std::string(version()), .sceneHash = sceneHash_, .objects = {}}));
+  wake_.notify_all();
+}
+
+std::optional<std::string> WorldOwner::admit(const std::shared_ptr<Member>& member, const NodeHello& hello) {
+  if (hello.protocol != kProtocol) {
+    return "it speaks protocol " + std::to_string(hello.protocol) + ", the world's owner " + std::to_string(kProtocol);
+  }
+  if (hello.sceneHash != sceneHash_) return "it shows another scene";
+  const std::lock_guard lock(mutex_);
+  if (!members_.try_emplace(hello.process, member).second) {
+    return "another frontend process has the number " + std::to_string(hello.process);
+  }
+  member->peer.welcomeAs(hello.process);
+  return std::nullopt;
+}
+
+std::optional<std::string> WorldOwner::takeReport(Member& member, std::shared_ptr<const WorldUpdate> report) {
+  const std::optional<ProcessId> process = member.peer.process();
+  if (!process) return "a frontend process that is not welcome says more than hello";
+  const auto isItsOwn = [process](world::PlayerId id) { return processOf(id) == *process; };
+  if (!std::ranges::all_of(report->players, isItsOwn, &world::Player::id) ||
+      !std::ranges::all_of(report->gusts, isItsOwn, &world::Gust::visitor)) {
+    return "frontend process " + std::to_string(*process) + " reports visitors of another one";
+  }
+  players_->mirror(report->players, isItsOwn, pipeline::wallSeconds());
+  member.reports.apply(*process, std::move(report));
+  return std::nullopt;
+}
+
+void WorldOwner::dismiss(Member& member) {
+  const std::optional<ProcessId> process = member.peer.process();
+  if (!process) return;
+  {
+    const std::lock_guard lock(mutex_);
+    member.peer.dismiss();
+    members_.erase(*process);
+  }
+  member.reports.leave(*process);
+  players_->mirror(
+      {}, [process](world::PlayerId id) { return processOf(id) == *process; }, 0.0);
+  // Nothing is being sent to it any more, so its link may go.
+  const std::lock_guard sending(sendMutex_);
+}
+
+std::vector<std::shared_ptr<WorldOwner::Member>> WorldOwner::members() const {
+  const std::lock_guard lock(mutex_);
+  std::vector<std::shared_ptr<Member>> all;
+  all.reserve(members_.size());
+  for (const auto& [process, member] : members_) all.push_back(member);
+  return all;
+}
+
+void WorldOwner::runClock() {
+  double next = pipeline::wallSeconds();
+  std::unique_lock lock(mutex_);
+  while (!stopping_) {
+    if (members_.empty()) {
+      wake_.wait(lock, [this] { return stopping_ || !members_.empty(); });
+      continue;
+    }
+    lock.unlock();
+    publish();
+    const double now = pipeline::wallSeconds();
+    next = std::max(next + kUpdateSeconds, now + kUpdateSeconds / 2);
+    lock.lock();
+    wake_.wait_for(lock, std::chrono::duration<double>(next - now), [this] { return stopping_; });
+  }
+}
+
+void WorldOwner::publish() {
+  const std::lock_guard sending(sendMutex_);
+  const std::vector<std::shared_ptr<Member>> members = this->members();
+  auto update = std::make_shared<WorldUpdate>();
+  update->number = ++updates_;
+  update->clock = pipeline::wallSeconds();
+  update->sent = update->clock;
+  update->players = players_->all(update->clock);
+  if (update->players.size() > kMaxPlayers) update->players.resize(kMaxPlayers);
+  for (const auto& member : members) {
+    for (const world::Gust& gust : member->reports.gusts(member->published)) {
+      if (update->gusts.size() < kMaxGusts) update->gusts.push_back(gust);
+    }
+  }
+  const std::shared_ptr<const WorldUpdate> whole = std::move(update);
+  for (const auto& member : members) member->peer.link().send(ToFrontend(whole));
+}
+
+}  // namespace grove::node
