@@ -13,9 +13,7 @@ namespace {
 
 void addTransport(CLI::App* bench, node::TransportKind& kind) {
   std::map<std::string, node::TransportKind> kinds;
-  for (const node::TransportKind known : {node::TransportKind::kReference, node::TransportKind::kBytes}) {
-    kinds.emplace(transportName(known), known);
-  }
+  for (const node::TransportKind known : kTransports) kinds.emplace(transportName(known), known);
   choose(bench->add_option("--transport", kind, "How messages travel between the nodes (default: reference)"), kinds);
 }
 

@@ -26,8 +26,9 @@ struct ServedScene {
   static stream::HostOptions patient(stream::HostOptions options) {
     options.deadlineSeconds = stream::HostOptions::kNoHurry;
     const char* const asked = std::getenv("GROVE_TEST_TRANSPORT");
-    if (!options.makeTransport && asked != nullptr && std::string_view(asked) == "bytes") {
-      options.makeTransport = node::transportFactory(node::TransportKind::kBytes);
+    if (!options.makeTransport && asked != nullptr) {
+      const bool isGrpc = std::string_view(asked) == "grpc";
+      options.makeTransport = node::transportFactory(isGrpc ? node::TransportKind::kGrpc : node::TransportKind::kBytes);
     }
     return options;
   }

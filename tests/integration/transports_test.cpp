@@ -47,7 +47,7 @@ std::vector<Picture> picturesOver(node::TransportKind kind, const std::string& s
     const std::uint32_t input = visitor.control(0, yaw, 0.0F);
     pictures.push_back(settledPicture(visitor, input));
   }
-  if (kind == node::TransportKind::kBytes) {
+  if (kind != node::TransportKind::kReference) {
     const node::LinkTraffic traffic = served.host.traffic();
     EXPECT_GT(traffic.pictures + traffic.sharedData, 0u) << "nothing travelled";
   }
@@ -63,9 +63,11 @@ struct Comparison {
 Comparison compareTransports(const std::string& scene) {
   const std::vector<Picture> byReference = picturesOver(node::TransportKind::kReference, scene);
   const std::vector<Picture> byBytes = picturesOver(node::TransportKind::kBytes, scene);
+  const std::vector<Picture> byGrpc = picturesOver(node::TransportKind::kGrpc, scene);
   Comparison comparison;
   for (std::size_t i = 0; i < kYaws.size(); ++i) {
-    comparison.difference = std::max(comparison.difference, difference(byReference[i], byBytes[i]));
+    comparison.difference = std::max(
+        {comparison.difference, difference(byReference[i], byBytes[i]), difference(byReference[i], byGrpc[i])});
     comparison.mean = std::max(comparison.mean, byReference[i].mean());
   }
   return comparison;

@@ -17,6 +17,7 @@
 #include "node/boxes.h"
 #include "node/faulty_transport.h"
 #include "node/frontend/frontend_node.h"
+#include "node/tested_transports.h"
 #include "pipeline/worker_pool.h"
 
 namespace grove::node::testing {
@@ -122,10 +123,5 @@ position = [0, 1.7, -4]
                           {workers, timeline, frontendMemory, frontendImages, layout.sky},
                           std::size_t{1} << 20U};
 };
-
-inline std::string transportName(const ::testing::TestParamInfo<TransportKind>& info) {
-  return info.param == TransportKind::kBytes ? "Bytes" : "Reference";
-}
-inline const auto kBothTransports = ::testing::Values(TransportKind::kReference, TransportKind::kBytes);
 
 }  // namespace grove::node::testing

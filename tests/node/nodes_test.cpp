@@ -212,7 +212,7 @@ TEST_P(Nodes, ClosingWithFramesInFlightIsClean) {
   EXPECT_TRUE(screen->waitFor(1)) << "the backend still serves others";
 }
 
-INSTANTIATE_TEST_SUITE_P(OverBoth, Nodes, testing::kBothTransports, testing::transportName);
+INSTANTIATE_TEST_SUITE_P(OverEach, Nodes, testing::kAllTransports, testing::transportName);
 
 }  // namespace
 }  // namespace grove::node

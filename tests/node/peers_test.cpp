@@ -183,11 +183,10 @@ TEST_P(TwoPeers, TheBestQualityThatAnybodyWantsCounts) {
 }
 
 std::string mixName(const ::testing::TestParamInfo<std::tuple<TransportKind, TransportKind>>& info) {
-  const auto name = [](TransportKind kind) { return kind == TransportKind::kBytes ? "Bytes" : "Reference"; };
-  return std::string(name(std::get<0>(info.param))) + "And" + name(std::get<1>(info.param));
+  return testing::nameOf(std::get<0>(info.param)) + "And" + testing::nameOf(std::get<1>(info.param));
 }
 
-INSTANTIATE_TEST_SUITE_P(OverAllMixes, TwoPeers, ::testing::Combine(testing::kBothTransports, testing::kBothTransports),
+INSTANTIATE_TEST_SUITE_P(OverAllMixes, TwoPeers, ::testing::Combine(testing::kBothInMemory, testing::kBothInMemory),
                          mixName);
 
 }  // namespace

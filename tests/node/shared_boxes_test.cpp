@@ -154,7 +154,7 @@ TEST_P(SharedBoxes, WhatNobodyAskedForIsCountedAndNotKept) {
   EXPECT_EQ(process.shared().statistics().entries, 0U);
 }
 
-INSTANTIATE_TEST_SUITE_P(OverBoth, SharedBoxes, testing::kBothTransports, testing::transportName);
+INSTANTIATE_TEST_SUITE_P(OverEach, SharedBoxes, testing::kAllTransports, testing::transportName);
 
 }  // namespace
 }  // namespace grove::node

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <nlohmann/json.hpp>
 #include <string_view>
 
@@ -7,7 +8,11 @@
 
 namespace grove::cli {
 
+inline constexpr std::array kTransports = {node::TransportKind::kReference, node::TransportKind::kBytes,
+                                           node::TransportKind::kGrpc};
+
 [[nodiscard]] constexpr std::string_view transportName(node::TransportKind kind) noexcept {
+  if (kind == node::TransportKind::kGrpc) return "grpc";
   return kind == node::TransportKind::kBytes ? "bytes" : "reference";
 }
 

@@ -36,6 +36,8 @@ inline constexpr int kMaxRectEdge = 16384;
 struct Packet {
   std::string header;
   std::shared_ptr<const PackedBytes> bulk;  ///< of a result, never copied; null if it has none
+
+  [[nodiscard]] std::size_t bytes() const noexcept { return header.size() + (bulk ? bulk->size() : 0); }
 };
 
 /// What decode functions refuse is a programming mistake to encode; but for the reasons of failures and refusals, which

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <functional>
 #include <span>
 #include <utility>
 
@@ -23,12 +24,19 @@ class Packets : public pipeline::Stage<Packet> {
   Packets(const pipeline::StageOptions& options, pipeline::Executor& executor, pipeline::Timeline& timeline)
       : Stage(options, executor, timeline), timeline_(timeline) {}
 
+  /// For who can hold back what comes: `onRoom` is called after each run, on a worker. To be set before packets come.
+  void whenRoom(std::function<void()> onRoom) { onRoom_ = std::move(onRoom); }
+  /// Whether half of what may wait does.
+  [[nodiscard]] bool isHalfFull() const {
+    return waiting_ > kMaxWaitingBytes / 2 || this->queued() > kBackendQueue / 2;
+  }
+
   void connect(Port& port) { receiver_.connect(port); }
   /// Waits for what is being received.
   void leave() { receiver_.leave(); }
 
   [[nodiscard]] pipeline::PushResult send(Packet packet) {
-    const std::size_t bytes = bytesOf(packet);
+    const std::size_t bytes = packet.bytes();
     if (waiting_.fetch_add(bytes) + bytes > kMaxWaitingBytes) {
       waiting_ -= bytes;
       return pipeline::PushResult::kRejected;
@@ -45,10 +53,11 @@ class Packets : public pipeline::Stage<Packet> {
   void process(std::span<Packet> packets, pipeline::Run&) final {
     receiver_.use([&](Port* port) {
       for (const Packet& packet : packets) {
-        waiting_ -= bytesOf(packet);
+        waiting_ -= packet.bytes();
         if (port != nullptr) attempt([&] { deliver(packet, *port); }, [](const std::string&) {});
       }
     });
+    if (onRoom_) onRoom_();
   }
 
   /// A peer that sends it is broken; its other messages may be good.
@@ -58,12 +67,9 @@ class Packets : public pipeline::Stage<Packet> {
   }
 
  private:
-  static std::size_t bytesOf(const Packet& packet) {
-    return packet.header.size() + (packet.bulk ? packet.bulk->size() : 0);
-  }
-
   pipeline::Timeline& timeline_;
   Connection<Port> receiver_;
+  std::function<void()> onRoom_;
   std::atomic<std::size_t> waiting_{0};  ///< bytes
   log::Limited refusals_;
 };

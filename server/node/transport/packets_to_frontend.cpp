@@ -13,9 +13,7 @@ PacketsToFrontend::PacketsToFrontend(pipeline::Executor& executor, pipeline::Tim
               executor, timeline) {}
 
 void PacketsToFrontend::deliver(const Packet& packet, FrontendPort& port) {
-  // The copy that a socket would make.
-  const auto bulk = packet.bulk ? std::make_shared<const PackedBytes>(*packet.bulk) : nullptr;
-  auto decoded = decodeToFrontend({packet.header, bulk});
+  auto decoded = decodeToFrontend(packet);
   if (const auto* error = std::get_if<WireError>(&decoded)) {
     refuse(*error);
   } else {

@@ -51,6 +51,8 @@ class FrontendEnd {
   virtual void leaveFrontend() = 0;
   /// Refused if the link or the backend node is full.
   virtual pipeline::PushResult send(ToBackend message) = 0;
+  /// What has travelled; nothing where messages go by reference.
+  [[nodiscard]] virtual LinkTraffic traffic() const { return {}; }
 };
 
 /// A backend node's end of a link to a frontend process. Any thread.
@@ -76,7 +78,6 @@ class Transport : public FrontendEnd, public BackendEnd {
   using BackendEnd::send;
   using FrontendEnd::connect;
   using FrontendEnd::send;
-  [[nodiscard]] virtual LinkTraffic traffic() const { return {}; }
 };
 
 /// Makes a link on a process's workers; they and the timeline outlive it.

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "node/transport/bytes_transport.h"
+#include "node/transport/grpc/grpc_transport.h"
 #include "node/transport/reference_transport.h"
 
 namespace grove::node {
@@ -10,6 +11,7 @@ namespace grove::node {
 TransportFactory transportFactory(TransportKind kind) {
   return [kind](pipeline::Executor& executor, pipeline::Timeline& timeline) -> std::unique_ptr<Transport> {
     if (kind == TransportKind::kBytes) return std::make_unique<BytesTransport>(executor, timeline);
+    if (kind == TransportKind::kGrpc) return std::make_unique<GrpcTransport>(executor, timeline);
     return std::make_unique<ReferenceTransport>();
   };
 }

@@ -10,6 +10,7 @@ namespace grove::node {
 enum class TransportKind : std::uint8_t {
   kReference,  ///< they share memory
   kBytes,      ///< all that travels is encoded and decoded
+  kGrpc,       ///< the same, through gRPC and a socket of this machine
 };
 
 [[nodiscard]] TransportFactory transportFactory(TransportKind kind);

@@ -7,8 +7,8 @@
 
 #include "eventually.h"
 #include "node/messages/examples.h"
+#include "node/tested_transports.h"
 #include "node/transport/bytes_transport.h"
-#include "node/transport/transport_kind.h"
 #include "pipeline/worker_pool.h"
 
 namespace grove::node {
@@ -80,10 +80,11 @@ TEST_P(Transports, CarryEveryMessageInOrder) {
   }
   const std::vector<ToBackend> toBackend = examples::toBackend();
   const std::vector<ToFrontend> toFrontend = examples::toFrontend();
-  ASSERT_TRUE(eventually([&] { return backend.count() == 50 * toBackend.size(); })) << backend.count();
+  ASSERT_TRUE(eventually([&] { return backend.count() >= 50 * toBackend.size(); })) << backend.count();
   ASSERT_TRUE(eventually([&] { return frontend.count() == 50 * toFrontend.size(); })) << frontend.count();
   const auto atBackend = backend.messages();
-  for (std::size_t i = 0; i < atBackend.size(); ++i) {
+  // One that is refused may greet again.
+  for (std::size_t i = 0; i < 50 * toBackend.size(); ++i) {
     ASSERT_EQ(atBackend[i].index(), toBackend[i % toBackend.size()].index());
   }
   const auto atFrontend = frontend.messages();
@@ -150,8 +151,7 @@ TEST_P(Transports, WhoReceivesMaySendWhileTheOtherDoes) {
   workers.drain();
 }
 
-INSTANTIATE_TEST_SUITE_P(OverBoth, Transports, ::testing::Values(TransportKind::kReference, TransportKind::kBytes),
-                         [](const auto& of) { return of.param == TransportKind::kBytes ? "Bytes" : "Reference"; });
+INSTANTIATE_TEST_SUITE_P(OverEach, Transports, testing::kAllTransports, testing::transportName);
 
 class BytesTransportTest : public ::testing::Test {
  public:

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "node/transport/transport.h"
+#include "pipeline/executor.h"
+#include "pipeline/timeline.h"
+
+namespace grove::node {
+
+/// A frontend process's end of a link to a backend node in another process, over gRPC, in the clear. It connects in the
+/// background, and again when the link is lost, after a pause that doubles from a tenth of a second to one, with
+/// jitter. A new stream begins with the last hello, world update and quality that were sent. While there is no stream,
+/// what is sent is refused. Any thread.
+class GrpcFrontendEnd final : public FrontendEnd {
+ public:
+  enum class State : std::uint8_t {
+    kConnecting,  ///< no welcome so far
+    kWelcomed,
+    kRefused,  ///< by the node, which is asked again
+    kLost,     ///< after a welcome; it is being connected again
+  };
+  struct Status {
+    State state = State::kConnecting;
+    std::string reason;  ///< of a refusal, or of the last attempt that failed
+  };
+
+  /// To the node at HOST:PORT. Workers and timeline outlive it.
+  GrpcFrontendEnd(std::string address, pipeline::Executor& executor, pipeline::Timeline& timeline);
+  /// Waits for the end of the stream, so not on one of gRPC's threads.
+  ~GrpcFrontendEnd() override;
+  GrpcFrontendEnd(const GrpcFrontendEnd&) = delete;
+  GrpcFrontendEnd& operator=(const GrpcFrontendEnd&) = delete;
+
+  void connect(FrontendPort& frontend) override;
+  void leaveFrontend() override;
+  pipeline::PushResult send(ToBackend message) override;
+  [[nodiscard]] LinkTraffic traffic() const override;
+
+  [[nodiscard]] Status status() const;
+  /// Until what is sent goes on its way; false if that takes longer.
+  [[nodiscard]] bool waitUntilOpen(std::chrono::milliseconds max) const;
+
+ private:
+  class Link;
+  class Call;
+  const std::shared_ptr<Link> link_;
+};
+
+}  // namespace grove::node

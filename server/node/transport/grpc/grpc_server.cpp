@@ -1,0 +1,180 @@
+#include "node/transport/grpc/grpc_server.h"
+
+#include <grpcpp/generic/async_generic_service.h>
+#include <grpcpp/grpcpp.h>
+#include <grpcpp/health_check_service_interface.h>
+
+#include <chrono>
+#include <condition_variable>
+#include <exception>
+#include <mutex>
+#include <utility>
+
+#include "base/error.h"
+#include "base/log.h"
+#include "node/transport/grpc/packet_reactor.h"
+#include "node/transport/grpc/quiet_library.h"
+#include "node/transport/pack_result.h"
+#include "node/transport/packets_to_backend.h"
+
+namespace grove::node {
+
+/// Makes a link of each call.
+class GrpcServer::Service final : public grpc::CallbackGenericService {
+ public:
+  Service(Accept accept, pipeline::Executor& executor, pipeline::Timeline& timeline)
+      : accept_(std::move(accept)), executor_(executor), timeline_(timeline) {}
+
+  grpc::ServerGenericBidiReactor* CreateReactor(grpc::GenericCallbackServerContext* context) override;
+
+  void waitUntilEmpty() {
+    std::unique_lock lock(mutex_);
+    left_.wait(lock, [this] { return links_ == 0; });
+  }
+  void leave() {
+    const std::lock_guard lock(mutex_);
+    --links_;
+    left_.notify_all();
+  }
+
+ private:
+  [[nodiscard]] bool enter() {
+    const std::lock_guard lock(mutex_);
+    if (links_ == kMaxLinks) return false;
+    ++links_;
+    return true;
+  }
+
+  const Accept accept_;
+  pipeline::Executor& executor_;
+  pipeline::Timeline& timeline_;
+  std::mutex mutex_;
+  std::condition_variable left_;
+  int links_ = 0;
+};
+
+/// A stream as the backend node's end of a link. gRPC holds it while the call lasts, and the node for as long as there
+/// are results under way.
+class GrpcServer::Link final : public PacketReactor<grpc::ServerGenericBidiReactor>,
+                               public BackendEnd,
+                               public std::enable_shared_from_this<Link> {
+ public:
+  Link(Service& service, pipeline::Executor& executor, pipeline::Timeline& timeline)
+      : service_(service),
+        timeline_(timeline),
+        incoming_(std::make_shared<PacketsToBackend>(executor, timeline, static_cast<BackendEnd&>(*this))) {}
+
+  /// Passes on what `accept` throws; then nothing has begun.
+  void start(const Accept& accept) {
+    incoming_->whenRoom([weak = weak_from_this()] {
+      const auto self = weak.lock();
+      if (self && !self->incoming_->isHalfFull()) self->readOn();
+    });
+    served_ = accept(shared_from_this());
+    self_ = shared_from_this();
+    StartSendInitialMetadata();
+    open({});
+    startReading();
+  }
+
+  void connect(BackendPort& backend) override { incoming_->connect(backend); }
+  void leaveBackend() override { incoming_->leave(); }
+  [[nodiscard]] bool sharesMemory() const override { return false; }
+  void compress(Result& result, std::string_view subject) const override { packResult(result, timeline_, subject); }
+  void send(ToFrontend message) override {
+    if (write(encode(message)) == pipeline::PushResult::kRejected) {
+      timeline_.count("messages that found their link full");
+    }
+  }
+
+  void OnCancel() override { end(); }
+  void OnDone() override {
+    const std::shared_ptr<Link> last = std::move(self_);
+    incoming_->close();
+    served_.reset();
+    service_.leave();
+  }
+
+ private:
+  void take(const grpc::ByteBuffer& message) override {
+    std::optional<Packet> packet = packetOf(message);
+    if (!packet) {
+      timeline_.count("messages that were refused");
+    } else if (incoming_->send(std::move(*packet)) == pipeline::PushResult::kRejected) {
+      timeline_.count("messages that found their link full");
+    }
+  }
+  [[nodiscard]] bool wantsMore() const override { return !incoming_->isHalfFull(); }
+  void hangUp() override { Finish(grpc::Status::OK); }
+
+  Service& service_;
+  pipeline::Timeline& timeline_;
+  const std::shared_ptr<PacketsToBackend> incoming_;
+  std::shared_ptr<void> served_;
+  std::shared_ptr<Link> self_;  ///< while the call lasts
+};
+
+namespace {
+
+/// Refuses a call.
+class Refused final : public grpc::ServerGenericBidiReactor {
+ public:
+  explicit Refused(const grpc::Status& reason) { Finish(reason); }
+  void OnDone() override { delete this; }
+};
+
+}  // namespace
+
+grpc::ServerGenericBidiReactor* GrpcServer::Service::CreateReactor(grpc::GenericCallbackServerContext* context) {
+  if (context->method() != kLinkMethod) return grpc::CallbackGenericService::CreateReactor(context);
+  if (!enter()) return new Refused({grpc::StatusCode::RESOURCE_EXHAUSTED, "this node has too many links"});
+  try {
+    const auto link = std::make_shared<Link>(*this, executor_, timeline_);
+    link->start(accept_);
+    return link.get();
+  } catch (const std::exception& e) {
+    log::error(std::string("cannot serve a frontend process: ") + e.what());
+    leave();
+    return new Refused({grpc::StatusCode::INTERNAL, "this node cannot serve it"});
+  }
+}
+
+struct GrpcServer::Parts {
+  Parts(Accept accept, pipeline::Executor& executor, pipeline::Timeline& timeline)
+      : service(std::move(accept), executor, timeline) {}
+  Service service;
+  std::unique_ptr<grpc::Server> server;
+  int port = 0;
+};
+
+GrpcServer::GrpcServer(const std::string& address, Accept accept, pipeline::Executor& executor,
+                       pipeline::Timeline& timeline)
+    : parts_(std::make_unique<Parts>(std::move(accept), executor, timeline)) {
+  silenceLibrary();
+  grpc::EnableDefaultHealthCheckService(true);
+  grpc::ServerBuilder builder;
+  builder.AddListeningPort(address, grpc::InsecureServerCredentials(), &parts_->port);
+  builder.RegisterCallbackGenericService(&parts_->service);
+  builder.SetMaxReceiveMessageSize(static_cast<int>(kMaxMessageBytes));
+  builder.SetMaxSendMessageSize(static_cast<int>(kMaxMessageBytes));
+  // Two nodes at one port would each get some of the links.
+  builder.AddChannelArgument(GRPC_ARG_ALLOW_REUSEPORT, 0);
+  builder.AddChannelArgument(GRPC_ARG_KEEPALIVE_TIME_MS, kKeepAliveMilliseconds);
+  builder.AddChannelArgument(GRPC_ARG_KEEPALIVE_TIMEOUT_MS, kKeepAliveTimeoutMilliseconds);
+  builder.AddChannelArgument(GRPC_ARG_KEEPALIVE_PERMIT_WITHOUT_CALLS, 1);
+  builder.AddChannelArgument(GRPC_ARG_HTTP2_MIN_RECV_PING_INTERVAL_WITHOUT_DATA_MS, kKeepAliveMilliseconds / 2);
+  builder.AddChannelArgument(GRPC_ARG_HTTP2_MAX_PINGS_WITHOUT_DATA, 0);
+  parts_->server = builder.BuildAndStart();
+  if (!parts_->server || parts_->port == 0) {
+    throw EnvironmentError("cannot listen there", address, "name an address of this machine with a port that is free");
+  }
+}
+
+GrpcServer::~GrpcServer() {
+  parts_->server->Shutdown(std::chrono::system_clock::now());
+  parts_->service.waitUntilEmpty();
+}
+
+int GrpcServer::port() const noexcept { return parts_->port; }
+
+}  // namespace grove::node

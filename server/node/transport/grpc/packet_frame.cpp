@@ -1,0 +1,89 @@
+#include "node/transport/grpc/packet_frame.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <cstring>
+#include <memory>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace grove::node {
+namespace {
+
+grpc::Slice sliceOf(const std::shared_ptr<const PackedBytes>& bulk) {
+  auto held = std::make_unique<std::shared_ptr<const PackedBytes>>(bulk);
+  // The library asks for bytes that it might change, and never does.
+  void* const bytes = const_cast<std::byte*>(bulk->data());  // NOLINT(cppcoreguidelines-pro-type-const-cast)
+  const auto release = [](void* holder) {
+    const std::unique_ptr<std::shared_ptr<const PackedBytes>> last(
+        static_cast<std::shared_ptr<const PackedBytes>*>(holder));
+  };
+  return {bytes, bulk->size(), release, held.release()};
+}
+
+/// Reads slices one after the other as if they were one.
+class SliceReader {
+ public:
+  explicit SliceReader(const std::vector<grpc::Slice>& slices) : slices_(slices) {}
+
+  /// False if so many bytes are not left.
+  bool read(void* to, std::size_t count) {
+    auto* out = static_cast<std::byte*>(to);
+    while (count > 0) {
+      if (slice_ == slices_.size()) return false;
+      const std::size_t part = std::min(count, slices_[slice_].size() - offset_);
+      if (part > 0) std::memcpy(out, slices_[slice_].begin() + offset_, part);
+      out += part;
+      count -= part;
+      offset_ += part;
+      if (offset_ < slices_[slice_].size()) continue;
+      ++slice_;
+      offset_ = 0;
+    }
+    return true;
+  }
+
+ private:
+  const std::vector<grpc::Slice>& slices_;
+  std::size_t slice_ = 0;
+  std::size_t offset_ = 0;
+};
+
+}  // namespace
+
+grpc::ByteBuffer frameOf(const Packet& packet) {
+  std::string front(kFramePrefixBytes, '\0');
+  front.reserve(kFramePrefixBytes + packet.header.size());
+  const auto length = static_cast<std::uint32_t>(packet.header.size());
+  for (std::size_t i = 0; i < 4; ++i) front[i] = static_cast<char>(length >> (8 * i) & 0xFFU);
+  front[4] = packet.bulk ? '\1' : '\0';
+  front += packet.header;
+  std::vector<grpc::Slice> slices{grpc::Slice(front)};
+  if (packet.bulk && !packet.bulk->empty()) slices.push_back(sliceOf(packet.bulk));
+  return {slices.data(), slices.size()};
+}
+
+std::optional<Packet> packetOf(const grpc::ByteBuffer& message) {
+  std::vector<grpc::Slice> slices;
+  if (!message.Dump(&slices).ok()) return std::nullopt;
+  SliceReader reader(slices);
+  std::array<unsigned char, kFramePrefixBytes> prefix{};
+  if (!reader.read(prefix.data(), prefix.size())) return std::nullopt;
+  std::size_t length = 0;
+  for (std::size_t i = 0; i < 4; ++i) length |= std::size_t{prefix[i]} << (8 * i);
+  const std::size_t left = message.Length() - kFramePrefixBytes;
+  if (prefix[4] > 1 || length > left || length > kMaxHeaderBytes || (prefix[4] == 0 && length != left)) {
+    return std::nullopt;
+  }
+  Packet packet{std::string(length, '\0'), nullptr};
+  if (!reader.read(packet.header.data(), length)) return std::nullopt;
+  if (prefix[4] == 0) return packet;
+  PackedBytes bulk(left - length);
+  if (!reader.read(bulk.data(), bulk.size())) return std::nullopt;
+  packet.bulk = std::make_shared<const PackedBytes>(std::move(bulk));
+  return packet;
+}
+
+}  // namespace grove::node

@@ -1,0 +1,113 @@
+#pragma once
+
+#include <grpcpp/support/byte_buffer.h>
+
+#include <deque>
+#include <mutex>
+#include <utility>
+#include <vector>
+
+#include "node/limits.h"
+#include "node/transport/grpc/link_limits.h"
+#include "node/transport/grpc/packet_frame.h"
+#include "pipeline/queue.h"
+
+namespace grove::node {
+
+/// One stream of packets each way, on gRPC's reactor of a client or of a server. What is to be written waits in a
+/// queue of at most kMaxWaitingBytes and kBackendQueue packets. While the packets that were read wait, no more are
+/// read, so that who sends faster than this process receives finds his own queue full. Reactions run on gRPC's threads.
+template <class Reactor>
+class PacketReactor : public Reactor {
+ public:
+  /// Refused if it does not fit, closed before the stream is open and after its end. Any thread.
+  [[nodiscard]] pipeline::PushResult write(const Packet& packet) {
+    if (packet.bytes() > kMaxMessageBytes - kFramePrefixBytes) return pipeline::PushResult::kRejected;
+    grpc::ByteBuffer message = frameOf(packet);
+    const std::lock_guard lock(mutex_);
+    return enqueue(std::move(message));
+  }
+
+  /// Reads on if it has stopped because too much waits. Any thread.
+  void readOn() {
+    const std::lock_guard lock(mutex_);
+    if (!isOver_ && std::exchange(isPaused_, false)) this->StartRead(&read_);
+  }
+
+  /// Ends the stream, if it has not ended. Any thread.
+  void end() {
+    {
+      const std::lock_guard lock(mutex_);
+      if (std::exchange(isOver_, true)) return;
+      isOpen_ = false;
+    }
+    hangUp();
+  }
+
+  void OnReadDone(bool ok) final {
+    if (!ok || !takeSafely()) return end();
+    const std::lock_guard lock(mutex_);
+    if (isOver_) return;
+    isPaused_ = !wantsMore();
+    if (!isPaused_) this->StartRead(&read_);
+  }
+
+  void OnWriteDone(bool ok) final {
+    {
+      const std::lock_guard lock(mutex_);
+      waitingBytes_ -= waiting_.front().Length();
+      waiting_.pop_front();
+      if (ok && !isOver_ && !waiting_.empty()) this->StartWrite(&waiting_.front());
+    }
+    if (!ok) end();
+  }
+
+ protected:
+  void startReading() { this->StartRead(&read_); }
+
+  /// Takes packets from now on, after these.
+  void open(const std::vector<Packet>& first) {
+    const std::lock_guard lock(mutex_);
+    isOpen_ = !isOver_;
+    for (const Packet& packet : first) (void)enqueue(frameOf(packet));
+  }
+
+ private:
+  /// What has come, whatever it is.
+  virtual void take(const grpc::ByteBuffer& message) = 0;
+  /// Whether there is room for another message. Asked with the reactor's lock held.
+  [[nodiscard]] virtual bool wantsMore() const = 0;
+  /// Ends the call: after this, no operation is started.
+  virtual void hangUp() = 0;
+
+  bool takeSafely() {
+    try {
+      take(read_);
+      return true;
+    } catch (...) {  // no memory
+      return false;
+    }
+  }
+
+  pipeline::PushResult enqueue(grpc::ByteBuffer message) {
+    if (!isOpen_) return pipeline::PushResult::kClosed;
+    const std::size_t bytes = message.Length();
+    if (waiting_.size() == kBackendQueue || waitingBytes_ + bytes > kMaxWaitingBytes) {
+      return pipeline::PushResult::kRejected;
+    }
+    waitingBytes_ += bytes;
+    waiting_.push_back(std::move(message));
+    if (waiting_.size() == 1) this->StartWrite(&waiting_.front());
+    return pipeline::PushResult::kAccepted;
+  }
+
+  std::mutex mutex_;
+  bool isOpen_ = false;                   ///< packets may be written
+  bool isOver_ = false;                   ///< no operation may be started
+  bool isPaused_ = false;                 ///< nothing is read
+  std::deque<grpc::ByteBuffer> waiting_;  ///< the first is being written
+  std::size_t waitingBytes_ = 0;
+  grpc::ByteBuffer read_;
+};
+
+}  // namespace grove::node
