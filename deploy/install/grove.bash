@@ -18,7 +18,7 @@ _grove() {
       mapfile -t COMPREPLY < <(compgen -W "$values" -- "$current")
       return
     fi
-    [[ $option =~ ^\ \ [^\ ]+\ [A-Z] ]] && return # a value of its own: a number, or a file by the default completion
+    [[ $option =~ ^\ \ [^\ ]+\ [A-Z]{2} ]] && return # a value of its own: a number, or a file by the default completion
   fi
   if [[ $current == -* ]]; then
     values=$(grep -oE -- '^  -[^ ]+' <<<"$help" | tr ',' '\n' | grep -oE -- '--[a-z][a-z0-9.-]*')

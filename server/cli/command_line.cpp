@@ -23,6 +23,7 @@
 #include "cli/serve.h"
 #include "cli/shape.h"
 #include "cli/version_report.h"
+#include "cli/world.h"
 #include "models/plants/plants.h"
 #include "node/limits.h"
 #include "objects/lightfield/format/light_field.h"
@@ -55,6 +56,14 @@ void addInternet(CLI::App& serve, ServeOptions& options) {
       ->needs(certificate);
 }
 
+/// A world that several servers show.
+void addJoining(CLI::App& serve, ServeOptions& options) {
+  CLI::Option* join = serve.add_option("--join", options.join, "Show the world that the process there owns");
+  CLI::Option* share = serve.add_option("--share", options.share, "Let other servers join this one's world there");
+  for (CLI::Option* option : {join, share}) option->type_name("HOST:PORT")->excludes("--private");
+  join->excludes(share);
+}
+
 void addServe(CLI::App& app, ServeOptions& options) {
   CLI::App* serve = app.add_subcommand("serve", "Serve a world to browsers");
   serve->add_option("--scene", options.scene, "Scene file (default: the grove, built in)");
@@ -74,6 +83,7 @@ void addServe(CLI::App& app, ServeOptions& options) {
       ->capture_default_str();
   serve->add_flag("--private", options.host.privateWorlds,
                   "Each visitor gets copies of his own of everything: what serving costs without sharing");
+  addJoining(*serve, options);
   serve->add_flag("--raise-quality", options.host.raiseQuality,
                   "Let shared work (grid of the fluid, light fields) get finer while enough visitors share its cost");
   serve->add_option("--fps", options.host.framesPerSecond, "Frames a second for each visitor")
@@ -105,6 +115,12 @@ void addServe(CLI::App& app, ServeOptions& options) {
                    "Pixels of parallax that a shared picture may have to mend (default: as the scene says, or 16)")
       ->check(CLI::Range(0.25, 64.0));
   serve->add_option("--shader-dir", options.shaderDirectory, "Read shaders from here instead of the built-in ones");
+}
+
+void addWorld(CLI::App& app, WorldOptions& options) {
+  CLI::App* world = app.add_subcommand("world", "Own a world that servers show (grove serve --join)");
+  world->add_option("--scene", options.scene, "Scene file, that of the servers (default: the grove, built in)");
+  world->add_option("--listen", options.listen, "Address and port; port 0 is any free one")->capture_default_str();
 }
 
 void addBake(CLI::App& app, BakeCommand& command) {
@@ -186,6 +202,7 @@ int run(int argc, char** argv) {
   BenchCommands bench;
   LoadOptions load;
   ShapeOptions shape;
+  WorldOptions world;
   CLI::App app("Grove: one living world, a camera for every browser", "grove");
   app.require_subcommand(1);
   app.set_version_flag("--version", std::string(version()), "Print version, SIMD target, GL and codecs, and exit");
@@ -194,6 +211,7 @@ int run(int argc, char** argv) {
   bench.addTo(app);
   addLoad(app, load);
   addShape(app, shape);
+  addWorld(app, world);
   bool versionAsked = false;
   try {
     app.parse(argc, argv);
@@ -217,6 +235,7 @@ int run(int argc, char** argv) {
     if (app.got_subcommand("bake")) return runBake(bake);
     if (app.got_subcommand("load")) return runLoad(load);
     if (app.got_subcommand("shape")) return runShape(shape);
+    if (app.got_subcommand("world")) return runWorld(world);
     return bench.run();
   } catch (const std::bad_alloc&) {
     log::error(memoryShortage());

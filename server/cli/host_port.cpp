@@ -23,4 +23,9 @@ std::optional<stream::HostPort> parseHostPort(const std::string& text) {
   return result.host.empty() ? std::nullopt : std::optional(result);
 }
 
+std::string addressOf(const stream::HostPort& at, int port) {
+  const bool isIpv6 = at.host.find(':') != std::string::npos;
+  return (isIpv6 ? "[" + at.host + "]" : at.host) + ":" + std::to_string(port);
+}
+
 }  // namespace grove::cli

@@ -8,6 +8,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <random>
 #include <string>
 #include <string_view>
 #include <thread>
@@ -17,6 +18,7 @@
 #include "base/error.h"
 #include "base/log.h"
 #include "cli/host_port.h"
+#include "cli/open_world.h"
 #include "cli/prepare/prepare_world.h"
 #include "cli/prepare/progress.h"
 #include "cli/prepare/refiner.h"
@@ -24,6 +26,7 @@
 #include "gl/shader_library.h"
 #include "gl/workers.h"
 #include "node/object_types.h"
+#include "node/transport/grpc/grpc_frontend_end.h"
 #include "objects/builtin.h"
 #include "stream/web_server/access/origin.h"
 #include "stream/web_server/descriptor_limit.h"
@@ -60,8 +63,7 @@ std::size_t spaceForServing(const world::Scene& scene, const ServeOptions& optio
 }
 
 std::string urlOf(const stream::HostPort& at, bool isSecure) {
-  const bool isIpv6 = at.host.find(':') != std::string::npos;
-  return (isSecure ? "https://" : "http://") + (isIpv6 ? "[" + at.host + "]" : at.host) + ":" + std::to_string(at.port);
+  return (isSecure ? "https://" : "http://") + addressOf(at, at.port);
 }
 
 /// The port next to the visitors' is easily remembered; if it is taken, any free one.
@@ -100,6 +102,25 @@ std::optional<stream::EntranceRules> entranceRules(const ServeOptions& options) 
     rules.proxies.push_back(*range);
   }
   return rules;
+}
+
+/// The number of a process among those that show one world: a new one in each of its lives.
+node::ProcessId randomProcess() { return std::max<node::ProcessId>(1, std::random_device{}() >> 1U); }
+
+/// False, and a line on stderr, if an option is no address.
+bool isAddress(std::string_view option, const std::optional<std::string>& text) {
+  if (!text || parseHostPort(*text)) return true;
+  std::fprintf(stderr, "grove: %.*s wants HOST:PORT, not '%s'\n", static_cast<int>(option.size()), option.data(),
+               text->c_str());
+  return false;
+}
+
+/// Has the host join the world of the process at this address.
+void join(const std::string& owner, stream::HostOptions& host) {
+  host.process = randomProcess();
+  host.linkToOwner = [owner](pipeline::Executor& workers, pipeline::Timeline& timeline) {
+    return std::make_shared<node::GrpcFrontendEnd>(owner, workers, timeline);
+  };
 }
 
 /// What the command line says of the types of object.
@@ -176,7 +197,7 @@ int runServe(const ServeOptions& options) {
   if (!listeners) return 2;
   const auto& [visitors, desk] = *listeners;
   const auto rules = entranceRules(options);
-  if (!rules) return 2;
+  if (!rules || !isAddress("--join", options.join) || !isAddress("--share", options.share)) return 2;
   (void)stream::socketsThatFit();
   const std::shared_ptr<stream::TlsStore> tls =
       options.tls.certificate.empty() ? nullptr : std::make_shared<stream::TlsStore>(options.tls);
@@ -189,6 +210,7 @@ int runServe(const ServeOptions& options) {
   const gl::ShaderLibrary shaders(options.shaderDirectory);
   gl::Workers gl(options.gl, shaders);
   node::ObjectTypes types;
+  std::optional<OpenWorld> shared;
   // The server goes before the host and the refiner before both, however this ends.
   std::optional<stream::Host> host;
   stream::WebsocketServer server(
@@ -211,6 +233,11 @@ int runServe(const ServeOptions& options) {
   requireAddressSpace(spaceForServing(scene, options) + threads * stackBytes());
   stream::HostOptions hosting = options.host;
   hosting.maxSharedBytes = sharedBytes(options);
+  if (options.share) {
+    shared.emplace(scene, *parseHostPort(*options.share));
+    std::printf("the world can be joined at %s\n", shared->address().c_str());
+  }
+  if (const auto owner = shared ? shared->address() : options.join) join(*owner, hosting);
   host.emplace(std::move(loaded), types, gl, hosting, report);
   waiting.close();
   requireAddressSpace(spaceForServing(scene, options));

@@ -24,6 +24,8 @@ struct ServeOptions {
   std::optional<int> hsts;           ///< seconds
   gl::ContextKind gl = gl::ContextKind::kAuto;
   std::optional<std::string> shaderDirectory;
+  std::optional<std::string> join;   ///< address of the process that owns the world
+  std::optional<std::string> share;  ///< address at which other servers join the world of this one
   stream::HostOptions host;
   int viewCacheMegabytes = 256;
   std::optional<float> viewError;  ///< nothing: what the scene says

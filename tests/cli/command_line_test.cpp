@@ -21,7 +21,7 @@ std::ptrdiff_t lines(const std::string& text) { return std::ranges::count(text, 
 TEST(CommandLine, HelpEverywhere) {
   for (const char* command :
        {"--help", "serve --help", "load --help", "bench --help", "bench fluid --help", "bench amortize --help",
-        "bench encode --help", "bench pipeline --help", "bench view --help", "shape --help"}) {
+        "bench encode --help", "bench pipeline --help", "bench view --help", "shape --help", "world --help"}) {
     const Outcome outcome = grove(command, false);
     EXPECT_EQ(outcome.exit, 0) << command;
     EXPECT_THAT(outcome.output, HasSubstr("--help")) << command;
@@ -49,6 +49,11 @@ TEST(CommandLine, BadOptionsExitTwoWithOneLine) {
                               "serve --tls-cert '' --tls-key ''",
                               "serve --hsts 60",
                               "serve --tls-cert cert.pem --tls-key key.pem --hsts -1",
+                              "serve --join nowhere",
+                              "serve --share 127.0.0.1",
+                              "serve --join 127.0.0.1:1 --private",
+                              "serve --join 127.0.0.1:1 --share 127.0.0.1:2",
+                              "world --listen nowhere",
                               "load",
                               "load ftp://x/ --sessions 1",
                               "load ws://127.0.0.1:1/ --sessions 0",

@@ -6,7 +6,6 @@
 #include <variant>
 #include <vector>
 
-#include "base/log.h"
 #include "base/version.h"
 #include "pipeline/clocks.h"
 
@@ -22,7 +21,11 @@ constexpr double kGoneSeconds = 10.0;
 JoinedWorld::JoinedWorld(ProcessId id, world::World& world, FrontendEnd& owner, Updated updated)
     : id_(id), world_(world), owner_(owner), updated_(std::move(updated)) {
   owner_.connect(static_cast<FrontendPort&>(*this));
-  owner_.send(NodeHello{.build = std::string(version()), .sceneHash = world.layout().hash, .process = id, .types = {}});
+}
+
+void JoinedWorld::join() {
+  owner_.send(
+      NodeHello{.build = std::string(version()), .sceneHash = world_.layout().hash, .process = id_, .types = {}});
 }
 
 JoinedWorld::~JoinedWorld() { owner_.leaveFrontend(); }
@@ -60,7 +63,6 @@ void JoinedWorld::receive(ToFrontend message) {
     show(**update);
     updated_();
   } else if (auto* refusal = std::get_if<NodeRefusal>(&message)) {
-    log::error("the world's owner refuses this server: " + refusal->reason);
     const std::lock_guard lock(mutex_);
     status_ = {State::kRefused, std::move(refusal->reason)};
   }

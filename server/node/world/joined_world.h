@@ -31,11 +31,14 @@ class JoinedWorld final : public FrontendPort {
   /// Called after each update of the whole world, on a thread of the link; must not block.
   using Updated = std::function<void()>;
 
-  /// Says hello to the owner at the other end of the link. The link and the world outlive it.
+  /// The owner is at the other end of the link. Link and world outlive this.
   JoinedWorld(ProcessId id, world::World& world, FrontendEnd& owner, Updated updated);
   ~JoinedWorld() override;
   JoinedWorld(const JoinedWorld&) = delete;
   JoinedWorld& operator=(const JoinedWorld&) = delete;
+
+  /// Says hello to the owner, whose updates come from then on.
+  void join();
 
   /// Reports this process's visitors, thirty times a second. `now` is of this process's clock. One thread at a time.
   void report(double now);

@@ -6,12 +6,12 @@
 #include <utility>
 #include <variant>
 
+#include "base/log.h"
 #include "base/version.h"
 #include "node/backend/peer.h"
 #include "node/backend/world_mirror.h"
 #include "node/messages/wire.h"
 #include "pipeline/clocks.h"
-#include "world/world.h"
 
 namespace grove::node {
 namespace {
@@ -49,8 +49,9 @@ class WorldOwner::Reception final : public BackendPort {
   const std::shared_ptr<Member> member_;
 };
 
-WorldOwner::WorldOwner(const world::Layout& layout)
-    : sceneHash_(layout.hash), players_(world::World::makePlayers(layout)), clock_([this] { runClock(); }) {}
+// Between two reports nobody walks far, so obstacles are left to the processes.
+WorldOwner::WorldOwner(std::uint64_t sceneHash, float radius)
+    : sceneHash_(sceneHash), players_({}, 0.0F, radius, {}), clock_([this] { runClock(); }) {}
 
 WorldOwner::~WorldOwner() {
   {
@@ -90,6 +91,7 @@ void WorldOwner::greet(const std::shared_ptr<Member>& member, const NodeHello& h
   }
   member->peer.link().send(
       ToFrontend(NodeWelcome{.build = std::string(version()), .sceneHash = sceneHash_, .objects = {}}));
+  log::info("a server has joined the world");
   wake_.notify_all();
 }
 
@@ -114,7 +116,7 @@ std::optional<std::string> WorldOwner::takeReport(Member& member, std::shared_pt
       !std::ranges::all_of(report->gusts, isItsOwn, &world::Gust::visitor)) {
     return "frontend process " + std::to_string(*process) + " reports visitors of another one";
   }
-  players_->mirror(report->players, isItsOwn, pipeline::wallSeconds());
+  players_.mirror(report->players, isItsOwn, pipeline::wallSeconds());
   member.reports.apply(*process, std::move(report));
   return std::nullopt;
 }
@@ -127,8 +129,9 @@ void WorldOwner::dismiss(Member& member) {
     member.peer.dismiss();
     members_.erase(*process);
   }
+  log::info("a server has left the world");
   member.reports.leave(*process);
-  players_->mirror(
+  players_.mirror(
       {}, [process](world::PlayerId id) { return processOf(id) == *process; }, 0.0);
   // Nothing is being sent to it any more, so its link may go.
   const std::lock_guard sending(sendMutex_);
@@ -166,7 +169,7 @@ void WorldOwner::publish() {
   update->number = ++updates_;
   update->clock = pipeline::wallSeconds();
   update->sent = update->clock;
-  update->players = players_->all(update->clock);
+  update->players = players_.all(update->clock);
   if (update->players.size() > kMaxPlayers) update->players.resize(kMaxPlayers);
   for (const auto& member : members) {
     for (const world::Gust& gust : member->reports.gusts(member->published)) {

@@ -12,7 +12,6 @@
 
 #include "node/messages/ids.h"
 #include "node/transport/transport.h"
-#include "world/layout.h"
 #include "world/players.h"
 
 namespace grove::node {
@@ -22,8 +21,8 @@ namespace grove::node {
 /// second while there are any. Thread-safe.
 class WorldOwner {
  public:
-  /// Welcomes only processes that show the scene of this layout, which is used during the call only.
-  explicit WorldOwner(const world::Layout& layout);
+  /// Welcomes only processes that show the scene with this hash. Visitors stay within `radius` metres of its origin.
+  WorldOwner(std::uint64_t sceneHash, float radius);
   /// All tokens of accept() must be gone.
   ~WorldOwner();
   WorldOwner(const WorldOwner&) = delete;
@@ -36,7 +35,7 @@ class WorldOwner {
   /// Frontend processes that have joined.
   [[nodiscard]] std::size_t processes() const;
   /// Visitors of all of them.
-  [[nodiscard]] std::size_t visitors() const { return players_->count(); }
+  [[nodiscard]] std::size_t visitors() const { return players_.count(); }
 
  private:
   struct Member;
@@ -52,7 +51,7 @@ class WorldOwner {
   [[nodiscard]] std::vector<std::shared_ptr<Member>> members() const;
 
   const std::uint64_t sceneHash_;
-  const std::shared_ptr<world::Players> players_;
+  world::Players players_;
   std::uint64_t updates_ = 0;  ///< the clock's
   std::mutex sendMutex_;       ///< held while all are sent an update; taken before mutex_
   mutable std::mutex mutex_;

@@ -90,6 +90,8 @@ class Host {
   [[nodiscard]] bool knowsMoreThan(unsigned refiningNumber) const noexcept { return newsNumber_ > refiningNumber; }
 
   [[nodiscard]] std::size_t visitors() const;
+  /// With those of other servers that show the world.
+  [[nodiscard]] std::size_t visitorsOfWorld() const { return players_->count(); }
   /// For the statistics.
   void countRefusedConnection() { timeline_.count("refused connections"); }
   [[nodiscard]] const world::Layout& layout() const noexcept { return scene_.layout; }

@@ -27,6 +27,7 @@ WorldInstance::WorldInstance(const WorldGround& ground, std::unique_ptr<node::Tr
       joined_(ground_.owner ? std::make_unique<node::JoinedWorld>(ground_.process, world_, *ground_.owner,
                                                                   [this] { tellBackend(); })
                             : nullptr) {
+  if (joined_) joined_->join();
   reportModels();
 }
 

@@ -37,7 +37,9 @@ class Server {
         world_(meadow(), world::World::makePlayers(meadow(), makeId(id, 0))),
         link_(transportFactory(kind)(workers.pool, workers.timeline)),
         served_(owner.accept(link_)),
-        joined_(id, world_, *link_, [this] { ++updates_; }) {}
+        joined_(id, world_, *link_, [this] { ++updates_; }) {
+    joined_.join();
+  }
   ~Server() {
     hangUp();
     workers_.pool.drain();

@@ -15,7 +15,7 @@ using testing::StrangeServer;
 class SharedWorld : public ::testing::TestWithParam<TransportKind> {
  protected:
   testing::Workers workers_;
-  WorldOwner owner_{testing::meadow()};
+  WorldOwner owner_{testing::meadow().hash, testing::meadow().radius};
 };
 
 TEST_P(SharedWorld, VisitorsOfTwoServersSeeEachOtherComeAndGo) {

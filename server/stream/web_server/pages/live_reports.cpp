@@ -18,7 +18,14 @@ constexpr std::size_t kMaxTraced = 16'384;
 constexpr double kFreshSeconds = 1.0;
 
 StatisticsSources sourcesOf(const Host& host) {
-  return {host.timeline(), host.memory(), host.meter(), host.visitors(), host.quality(), host.options().raiseQuality};
+  return {.timeline = host.timeline(),
+          .memory = host.memory(),
+          .meter = host.meter(),
+          .visitors = host.visitors(),
+          .visitorsOfWorld = host.visitorsOfWorld(),
+          .joined = host.joined(),
+          .quality = host.quality(),
+          .raisesQuality = host.options().raiseQuality};
 }
 
 std::string statistics(const Host& host) { return statisticsJson(sourcesOf(host)); }

@@ -80,6 +80,27 @@ Json amortization(const measure::AmortizationMeter& meter) {
   return report;
 }
 
+std::string_view nameOf(node::JoinedWorld::State state) {
+  switch (state) {
+    case node::JoinedWorld::State::kConnecting:
+      return "connecting";
+    case node::JoinedWorld::State::kJoined:
+      return "joined";
+    case node::JoinedWorld::State::kRefused:
+      return "refused";
+    case node::JoinedWorld::State::kLost:
+      return "lost";
+  }
+  return "";
+}
+
+Json world(const StatisticsSources& sources) {
+  Json world = {{"state", sources.joined ? nameOf(sources.joined->state) : "own"},
+                {"visitors", sources.visitorsOfWorld}};
+  if (sources.joined && !sources.joined->reason.empty()) world["reason"] = sources.joined->reason;
+  return world;
+}
+
 Json counters(const pipeline::Timeline& timeline) {
   Json counters = Json::object();
   for (const auto& [name, value] : timeline.counters()) counters[name] = value;
@@ -99,6 +120,7 @@ std::string sharingJson(const StatisticsSources& sources) {
 std::string statisticsJson(const StatisticsSources& sources) {
   return Json{{"version", version()},
               {"visitors", sources.visitors},
+              {"world", world(sources)},
               {"stages", stages(sources.timeline)},
               {"counters", counters(sources.timeline)},
               {"quality",

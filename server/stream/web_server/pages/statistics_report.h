@@ -1,8 +1,11 @@
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <string>
 
 #include "measure/amortization_meter.h"
+#include "node/world/joined_world.h"
 #include "pipeline/memory_ledger.h"
 #include "pipeline/timeline.h"
 
@@ -13,12 +16,16 @@ struct StatisticsSources {
   const pipeline::Timeline& timeline;
   const pipeline::MemoryLedger& memory;
   const measure::AmortizationMeter& meter;
-  std::size_t visitors = 0;
+  std::size_t visitors = 0;         ///< of this server
+  std::size_t visitorsOfWorld = 0;  ///< of all servers that show its world
+  /// How it stands with the world's owner; nothing if it is the owner.
+  std::optional<node::JoinedWorld::Status> joined = {};
   int quality = 0;  ///< see Host::quality()
   bool raisesQuality = false;
 };
 
-/// What `/statistics.json` answers. The server's version. Since the start: for each stage its work (across-user,
+/// What `/statistics.json` answers. The server's version. The world: `state` ("own", or how the server stands with its
+/// owner: "connecting", "joined", "refused", "lost") and visitors of all servers that show it. Since the start: for each stage its work (across-user,
 /// per-user-backend or per-user-frontend), runs, failures and milliseconds of CPU and wall time, and the named
 /// counters. Of now: the bytes that are held and by what. Of the last seconds: `amortization`, what sharing saves (null
 /// if nobody was served).
