@@ -15,8 +15,10 @@ import { KeyEditor } from './key_editor.js';
 import { writeKeyHints } from './key_hints.js';
 import { LatencyButton } from './latency_button.js';
 import { LimitHint } from './limit_hint.js';
+import { NameTags } from './name_tags.js';
 import { Notice } from './notice.js';
 import { Overlay } from './overlay.js';
+import { People } from './people.js';
 import { ReceiverHome } from './receiver_home.js';
 import { Refining } from './refining.js';
 import { ReloadOnce } from './reload_once.js';
@@ -70,6 +72,8 @@ const receiver = new ReceiverHome({
   },
   on: (event) => hearers[event.kind](event),
 });
+const people = new People();
+const nameTags = new NameTags(element('names'), people, window);
 const capture = new Capture({ send: (command) => receiver.send(command), clock });
 const hearers = {
   state: enter,
@@ -78,6 +82,8 @@ const hearers = {
   refining: (message) => refining.show(message),
   status: hear,
   presented,
+  people: (message) => people.update(message.people),
+  labels: (message) => nameTags.show(message),
   reading: (event) => (reading = event.reading),
   captured: (answer) => capture.answered(answer),
   picture: (answer) => capture.answered(answer),

@@ -31,12 +31,13 @@ PlayerId Players::join(const std::string& name, double now) {
   player.pose.yaw = spawnYaw_;
   player.pose.position = placeOfArrival(id, spawn_, spawnYaw_);
   entries_.emplace(id, entry);
+  ++changes_;
   return id;
 }
 
 void Players::leave(PlayerId id) {
   const std::lock_guard lock(mutex_);
-  entries_.erase(id);
+  changes_ += entries_.erase(id);
 }
 
 bool Players::apply(PlayerId id, const Input& input, double now) {

@@ -70,9 +70,13 @@ TEST(Players, ArriveApartAndLeave) {
   const PlayerId b = players.join("b", 0.0);
   EXPECT_GT(glm::distance(players.find(a, 0)->pose.position, players.find(b, 0)->pose.position), 0.7F);
   EXPECT_NE(players.find(a, 0)->colour, players.find(b, 0)->colour);
+  EXPECT_EQ(players.changes(), 2u);
   players.leave(a);
   EXPECT_EQ(players.count(), 1u);
   EXPECT_FALSE(players.find(a, 0).has_value());
+  EXPECT_EQ(players.changes(), 3u);
+  players.leave(a);
+  EXPECT_EQ(players.changes(), 3u) << "he had gone";
 }
 
 }  // namespace
