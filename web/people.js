@@ -3,6 +3,9 @@ export class People {
   #people = new Map();
   #listeners = [];
 
+  /** Oneself, by the server's number; `null` before the first welcome. */
+  self = null;
+
   /** `listener()` hears of every change. */
   onChange(listener) {
     this.#listeners.push(listener);
@@ -19,5 +22,12 @@ export class People {
   /** Name and colour of a visitor, or `undefined`. */
   find(visitor) {
     return this.#people.get(visitor);
+  }
+
+  /** All of them, oneself first, the others in the order in which they came. */
+  get all() {
+    const isSelf = ({ visitor }) => visitor === this.self;
+    const all = [...this.#people.values()];
+    return [...all.filter(isSelf), ...all.filter((person) => !isSelf(person))];
   }
 }

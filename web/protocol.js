@@ -258,6 +258,7 @@ function decodePicture(view) {
     pitch: view.getFloat32(28, true),
     tanHalfX: view.getFloat32(32, true),
     tanHalfY: view.getFloat32(36, true),
+    fire: view.getUint8(11) / 0xff,
     labels: decodeLabels(view, labels),
     picture: new Uint8Array(view.buffer, headerBytes),
   };

@@ -159,14 +159,14 @@ export class Receiver {
     this.#emit({ kind: 'labels', labels: placed.filter(({ place }) => place), ...windowOf(picture) });
   }
 
-  #welcome({ red, green, blue, yaw, pitch, world }) {
+  #welcome({ visitor, red, green, blue, yaw, pitch, world }) {
     this.#visit += 1;
     this.#stream.begin();
     this.#display.reset();
     this.#telemetry.reset();
     this.#look = { yaw, pitch };
     this.#connection.sendResize(this.#hello);
-    this.#emit({ kind: 'welcome', red, green, blue, yaw, pitch, world });
+    this.#emit({ kind: 'welcome', visitor, red, green, blue, yaw, pitch, world });
   }
 
   #receive(picture) {
@@ -181,12 +181,12 @@ export class Receiver {
   }
 
   #presented(picture, paint) {
-    const { frame, width, height, codec, decode } = picture;
+    const { frame, width, height, codec, fire, decode } = picture;
     this.#connection.acknowledge(picture, { decode, paint });
     const now = this.#clock.now();
     const inputs = this.#telemetry.framePresented(picture, now, paint);
     const reading = this.#telemetry.read(now);
-    this.#emit({ kind: 'presented', picture: { frame, width, height, codec }, inputs, now, reading });
+    this.#emit({ kind: 'presented', picture: { frame, width, height, codec, fire }, inputs, now, reading });
   }
 
   #tellReading() {

@@ -83,8 +83,8 @@ test('no cut of a server message is taken for a whole one', () => {
   }
 });
 
-function spoilt(message, spoil) {
-  const buffer = bytesOf(find(message).hex);
+function spoilt(message, spoil, more = '') {
+  const buffer = bytesOf(find(message).hex + more);
   spoil(new DataView(buffer));
   return buffer;
 }
@@ -108,7 +108,7 @@ for (const [what, data] of [
   ['a picture without width', spoilt('Picture', (view) => view.setUint16(4, 0, true))],
   ['a picture whose camera looks nowhere', spoilt('Picture', (view) => view.setFloat32(24, NaN, true))],
   ['a picture without an angle', spoilt('Picture', (view) => view.setFloat32(36, 0, true))],
-  ['a picture with more labels than it may have', spoilt('Picture', (view) => view.setUint8(10, 25))],
+  ['a picture with more labels than it may have', spoilt('Picture', (view) => view.setUint8(10, 25), '00'.repeat(300))],
   ['a picture that its labels leave no bytes', spoilt('Picture', (view) => view.setUint8(10, 1))],
   ['a longer list of people', bytesOf(find('People').hex + '00')],
   ['a list of more people than it has', spoilt('People', (view) => view.setUint16(2, 4, true))],

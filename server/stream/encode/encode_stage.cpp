@@ -1,5 +1,6 @@
 #include "stream/encode/encode_stage.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -35,6 +36,16 @@ PictureHeader describe(const node::FinishedFrame& frame) {
   return header;
 }
 
+/// Loudness falls with the distance.
+std::uint8_t nearnessOf(const std::vector<world::Vec3>& fires, world::Vec3 ear) {
+  constexpr float kBeside = 1.5F;  // metres
+  float nearness = 0.0F;
+  for (const world::Vec3& fire : fires) {
+    nearness = std::max(nearness, kBeside / std::max(kBeside, glm::distance(fire, ear)));
+  }
+  return saturate<std::uint8_t>(std::lround(nearness * 255.0F));
+}
+
 std::vector<Label> labelsOf(const node::FinishedFrame& frame) {
   static_assert(node::kMaxLabelsPerFrame <= kMaxLabels);
   const auto wire = [](float share) { return saturate<std::uint16_t>(std::lround(share * 65535.0F)); };
@@ -56,8 +67,9 @@ bool isSameView(const world::Camera& a, const world::Camera& b) {
 
 }  // namespace
 
-EncodeStage::EncodeStage(std::shared_ptr<StreamControl> control, PageLevel page, Outputs outputs,
-                         pipeline::MemoryLedger& memory, pipeline::Executor& executor, pipeline::Timeline& timeline)
+EncodeStage::EncodeStage(std::shared_ptr<StreamControl> control, PageLevel page, std::vector<world::Vec3> fires,
+                         Outputs outputs, pipeline::MemoryLedger& memory, pipeline::Executor& executor,
+                         pipeline::Timeline& timeline)
     : Stage({.name = "Encoder",
              .work = pipeline::Work::kPerUserFrontend,
              .capacity = 1,
@@ -66,7 +78,8 @@ EncodeStage::EncodeStage(std::shared_ptr<StreamControl> control, PageLevel page,
             executor, timeline),
       control_(std::move(control)),
       asPictures_(page >= PageLevel::kAdaptive),
-      withLabels_(page >= PageLevel::kNaming),
+      namesAndSounds_(page >= PageLevel::kNaming),
+      fires_(std::move(fires)),
       outputs_(std::move(outputs)),
       held_(memory, "encoders", "", pipeline::Work::kPerUserFrontend) {}
 
@@ -95,7 +108,7 @@ void EncodeStage::encodeNext(const node::FinishedFrame& frame) {
   }
   const double began = pipeline::wallSeconds();
   control_->took(FrameTimes::Place::kDrawing, began - frame.view->time);
-  const std::shared_ptr<EncodedFrame> made = makeRoom(withLabels_ ? frame.labels.size() : 0);
+  const std::shared_ptr<EncodedFrame> made = makeRoom(namesAndSounds_ ? frame.labels.size() : 0);
   const std::size_t before = made->bytes.size();
   bool independent = true;
   try {
@@ -115,7 +128,10 @@ void EncodeStage::encodeNext(const node::FinishedFrame& frame) {
   made->header = describe(frame);
   made->header.codec = encoder->codec();
   made->header.independent = independent;
-  if (withLabels_) made->header.labels = labelsOf(frame);
+  if (namesAndSounds_) {
+    made->header.fire = nearnessOf(fires_, frame.view->camera.pose.position);
+    made->header.labels = labelsOf(frame);
+  }
   const std::span room = std::span(made->bytes).subspan<EncodedFrame::kHeadroom>();
   if (asPictures_) {
     encode(made->header, room.first(pictureHeaderBytes(made->header.labels.size())));

@@ -26,10 +26,11 @@ class EncodeStage final : public pipeline::Stage<node::FinishedFrame> {
     std::function<void(std::vector<std::uint8_t>)> captured = {};  ///< a Captured message
   };
 
-  /// Messages are what this `page` understands: Frames, Pictures, or Pictures with labels. Reports to `memory` the
+  /// Messages are what this `page` understands: Frames, Pictures, or Pictures that tell what is heard (`fires`: where
+  /// they burn) and where names belong. Reports to `memory` the
   /// encoder and the newest frame, which waits to be sent.
-  EncodeStage(std::shared_ptr<StreamControl> control, PageLevel page, Outputs outputs, pipeline::MemoryLedger& memory,
-              pipeline::Executor& executor, pipeline::Timeline& timeline);
+  EncodeStage(std::shared_ptr<StreamControl> control, PageLevel page, std::vector<world::Vec3> fires, Outputs outputs,
+              pipeline::MemoryLedger& memory, pipeline::Executor& executor, pipeline::Timeline& timeline);
 
  protected:
   void process(std::span<node::FinishedFrame> items, pipeline::Run& run) override;
@@ -45,7 +46,8 @@ class EncodeStage final : public pipeline::Stage<node::FinishedFrame> {
 
   const std::shared_ptr<StreamControl> control_;
   const bool asPictures_;
-  const bool withLabels_;
+  const bool namesAndSounds_;
+  const std::vector<world::Vec3> fires_;
   const Outputs outputs_;
   std::string kind_;  ///< name of the encoder's
   std::unique_ptr<Encoder> encoder_;

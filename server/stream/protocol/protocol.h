@@ -22,7 +22,7 @@ inline constexpr const char* kSubProtocolWithWaiting = "grove.v1.1";
 inline constexpr const char* kSubProtocolWithVideo = "grove.v1.2";
 /// The same, of pages that besides report where a frame's time goes and know the messages below "since v1.3".
 inline constexpr const char* kSubProtocolWithTimes = "grove.v1.3";
-/// The same, of pages that besides write names over the picture and know what is "since v1.4".
+/// The same, of pages that besides write names over the picture, make sounds and know what is "since v1.4".
 inline constexpr const char* kSubProtocolWithNames = "grove.v1.4";
 
 /// Close codes of PROTOCOL.md.
@@ -152,6 +152,7 @@ struct PictureHeader : FrameHeader {
   float pitch = 0.0F;
   float tanHalfX = 1.0F;  ///< of the whole picture, border included
   float tanHalfY = 1.0F;
+  std::uint8_t fire = 0;           ///< since v1.4: how near the nearest fire is, 0 out of hearing to 255 beside it
   std::vector<Label> labels = {};  ///< since v1.4: nearest first, at most kMaxLabels
 };
 [[nodiscard]] constexpr std::size_t pictureHeaderBytes(std::size_t labels) {

@@ -98,7 +98,8 @@ ServerMessage parsePicture(WireReader reader) {
   header.height = reader.take<std::uint16_t>();
   header.visitors = reader.take<std::uint16_t>();
   const auto labels = reader.take<std::uint8_t>();
-  bool zero = reader.take<std::uint8_t>() == 0 && (flags & ~kIndependentFlag) == 0;
+  header.fire = reader.take<std::uint8_t>();
+  bool zero = (flags & ~kIndependentFlag) == 0;
   header.frame = reader.take<std::uint32_t>();
   header.lastInput = reader.take<std::uint32_t>();
   header.serverMicroseconds = reader.take<std::uint32_t>();
@@ -313,7 +314,7 @@ void encode(const PictureHeader& header, std::span<std::uint8_t> out) {
   writer.put(toByte(MessageType::kPicture)).put(header.codec);
   writer.put(header.independent ? kIndependentFlag : std::uint8_t{0}).put(header.border);
   writer.put(header.width).put(header.height).put(header.visitors);
-  writer.put(static_cast<std::uint8_t>(header.labels.size())).put(std::uint8_t{0});
+  writer.put(static_cast<std::uint8_t>(header.labels.size())).put(header.fire);
   writer.put(header.frame).put(header.lastInput).put(header.serverMicroseconds);
   writer.put(header.yaw).put(header.pitch).put(header.tanHalfX).put(header.tanHalfY);
   for (const Label& label : header.labels) {

@@ -37,6 +37,7 @@ TEST(EncodeStage, MakesAFrameMessageOfAFrame) {
   pipeline::WorkerPool workers(1);
   const auto stage = std::make_shared<EncodeStage>(
       std::make_shared<StreamControl>(encoders, PageLevel::kBasic, 30.0, 200, 120), PageLevel::kBasic,
+      std::vector<world::Vec3>{},
       EncodeStage::Outputs{
           .frame = [&](std::shared_ptr<const EncodedFrame> frame) { promise.set_value(std::move(frame)); }},
       memory, workers, timeline);
@@ -87,7 +88,7 @@ class Stream {
       : encoders_(std::move(encoders)),
         control_(std::make_shared<StreamControl>(encoders_, page, 30.0, 320, 180)),
         stage_(std::make_shared<EncodeStage>(
-            control_, page,
+            control_, page, std::vector<world::Vec3>{{0, 1.7F, 3}, {0, 1.7F, -30}},
             EncodeStage::Outputs{
                 .frame =
                     [this](const std::shared_ptr<const EncodedFrame>& frame) {
@@ -198,7 +199,7 @@ TEST(EncodeStage, SendsAnIndependentPictureOfWhatStandsStill) {
 
 // Faults: a name at another place than the visitor; a header that runs into the picture; bytes that older pages take
 // for a part of the picture.
-TEST(EncodeStage, TellsPagesThatWriteNamesWhereTheyBelong) {
+TEST(EncodeStage, TellsPagesThatWriteNamesWhereTheyBelongAndWhatIsHeard) {
   for (const PageLevel page : {PageLevel::kTimed, PageLevel::kNaming}) {
     Stream stream(builtinEncoders(80), page);
     stream.labels = {{.object = world::kFirstPlayerObject + 7, .place = {160.0F, 180.0F}, .opacity = 1.0F},
@@ -211,6 +212,8 @@ TEST(EncodeStage, TellsPagesThatWriteNamesWhereTheyBelong) {
     const std::vector<Label> labels{{.visitor = 7, .x = 32768, .y = 65535, .opacity = 255},
                                     {.visitor = 9, .x = 0, .y = 16384, .opacity = 1}};
     EXPECT_EQ(read->header.labels, page == PageLevel::kNaming ? labels : std::vector<Label>{});
+    // Half of the loudness beside it, three metres away.
+    EXPECT_EQ(read->header.fire, page == PageLevel::kNaming ? 128 : 0);
     H264Decoder decoder;
     EXPECT_NE(decoder.decode(read->picture), nullptr);
   }

@@ -147,6 +147,7 @@ Json fieldsOf(const PictureMessage& picture) {
   fields["pitch"] = header.pitch;
   fields["tanHalfX"] = header.tanHalfX;
   fields["tanHalfY"] = header.tanHalfY;
+  fields["fire"] = header.fire / 255.0;
   fields["labels"] = Json::array();
   for (const Label& label : header.labels) {
     fields["labels"].push_back({{"visitor", label.visitor},
