@@ -120,9 +120,9 @@ class Connection {
   int piecesThisSecond_ = 0;
   double heard_;                  ///< when a message last came
   std::optional<double> pinged_;  ///< since then: when a ping became due
-  bool pingIsDue_ = false;
   std::uint64_t peopleTold_ = 0;  ///< as of world::Players::changes(); 0: nobody yet
   double peopleToldAt_ = 0.0;
+  bool pingIsDue_ = false;
   bool peopleAreDue_ = false;
 };
 

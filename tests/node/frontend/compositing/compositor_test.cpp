@@ -31,7 +31,8 @@ class LookingLayer final : public Layer {
   [[nodiscard]] std::optional<Label> label(const raster::Image& /*frame*/) const override {
     // Every third is hidden; two of a depth each.
     if (object_ % 3 == 0) return std::nullopt;
-    return Label{.object = object_, .depth = static_cast<float>(100 - object_ / 2)};
+    const world::ObjectId step = object_ / 2;
+    return Label{.object = object_, .depth = static_cast<float>(100 - step)};
   }
 
  private:
