@@ -12,7 +12,7 @@ import {
   encodePresented,
   encodeResize,
   kAdaptiveProtocols,
-  kMeasuringProtocol,
+  kMeasuringProtocols,
 } from './protocol.js';
 
 /** After this long without a word from the server (ms), the connection counts as lost. */
@@ -35,6 +35,7 @@ const kListeners = Object.freeze({
   Refining: 'refining',
   Captured: 'captured',
   Times: 'times',
+  People: 'people',
 });
 
 /**
@@ -80,6 +81,7 @@ export class Connection {
    * @param {(message: object) => void} [parts.on.refining]
    * @param {(message: object) => void} [parts.on.captured]
    * @param {(message: object) => void} [parts.on.times]
+   * @param {(message: object) => void} [parts.on.people]
    * @param {import('./backoff.js').Backoff} parts.backoff
    * @param {() => boolean} parts.mayRetry whether anybody looks, so that silence means something and trying again is
    *     worth it; once it turns true again, retry() and listen() will be called
@@ -104,7 +106,7 @@ export class Connection {
     return this.#greeted && this.#adapts;
   }
 
-  /** Whether the server takes Painted and Capture: it speaks 1.3. */
+  /** Whether the server takes Painted and Capture: it speaks 1.3 or later. */
   get measures() {
     return this.#greeted && this.#measures;
   }
@@ -180,7 +182,7 @@ export class Connection {
     this.#expectWord();
     socket.onopen = () => {
       this.#adapts = kAdaptiveProtocols.includes(socket.protocol);
-      this.#measures = socket.protocol === kMeasuringProtocol;
+      this.#measures = kMeasuringProtocols.includes(socket.protocol);
       if (this.#adapts) socket.send(encodeOffer({ codecs: this.#offer() }));
       const hello = this.#hello();
       this.#size = hello;

@@ -42,6 +42,26 @@ export function turnOf(picture, look) {
 }
 
 /**
+ * Where a point of the picture, in shares of its width and height from the top left, is in the window, in shares of the
+ * window's; `null` if it is beyond it. The way back of lookMatrix().
+ */
+export function windowPlace(picture, turn, { x, y }) {
+  const inner = windowOf(picture);
+  const { tanHalfX, tanHalfY } = picture;
+  const from = axes(picture);
+  const to = axes({ yaw: picture.yaw + turn.yaw, pitch: picture.pitch + turn.pitch });
+  const [across, upwards] = [(2 * x - 1) * tanHalfX, (1 - 2 * y) * tanHalfY];
+  const ray = from.forward.map((value, i) => value + across * from.right[i] + upwards * from.up[i]);
+  const depth = dot(ray, to.forward);
+  const place = {
+    x: 0.5 + dot(ray, to.right) / depth / (tanHalfX * inner.width / picture.width) / 2,
+    y: 0.5 - dot(ray, to.up) / depth / (tanHalfY * inner.height / picture.height) / 2,
+  };
+  const isInside = depth > 0 && place.x >= 0 && place.x <= 1 && place.y >= 0 && place.y <= 1;
+  return isInside ? place : null;
+}
+
+/**
  * The homography from the window to the picture, for a camera that only turns: of a point (x, y) of the window, each -1
  * to 1 and y upwards, `matrix * (x, y, 1)` is (s, t, q), and (s / q, t / q) the place in the picture: 0 to 1, t
  * downwards. Nine numbers, column by column, as WebGL takes them.

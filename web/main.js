@@ -1,5 +1,6 @@
 import { h264Hindrance } from './browser_abilities.js';
 import { Capture } from './capture.js';
+import { copyText } from './copy_text.js';
 import { Fullscreen } from './fullscreen.js';
 import { Hint } from './hint.js';
 import { listenToBlowButton } from './input/blow_button.js';
@@ -15,15 +16,20 @@ import { KeyEditor } from './key_editor.js';
 import { writeKeyHints } from './key_hints.js';
 import { LatencyButton } from './latency_button.js';
 import { LimitHint } from './limit_hint.js';
+import { NameTags } from './name_tags.js';
 import { Notice } from './notice.js';
 import { Overlay } from './overlay.js';
+import { People } from './people.js';
+import { Key } from './protocol.js';
 import { ReceiverHome } from './receiver_home.js';
 import { Refining } from './refining.js';
 import { ReloadOnce } from './reload_once.js';
 import { storedItems } from './remote_storage.js';
+import { Roster, sharedLink } from './roster.js';
 import { Screenshot, saveFile } from './screenshot.js';
 import { Settings, streamPreferences } from './settings.js';
 import { SettingsPanel } from './settings_panel.js';
+import { Sound } from './sound.js';
 import { kNoReading } from './telemetry.js';
 import { kPage, kSettings } from './texts.js';
 import { Toast } from './toast.js';
@@ -70,6 +76,8 @@ const receiver = new ReceiverHome({
   },
   on: (event) => hearers[event.kind](event),
 });
+const people = new People();
+const nameTags = new NameTags(element('names'), people, window);
 const capture = new Capture({ send: (command) => receiver.send(command), clock });
 const hearers = {
   state: enter,
@@ -78,6 +86,8 @@ const hearers = {
   refining: (message) => refining.show(message),
   status: hear,
   presented,
+  people: (message) => people.update(message.people),
+  labels: (message) => nameTags.show(message),
   reading: (event) => (reading = event.reading),
   captured: (answer) => capture.answered(answer),
   picture: (answer) => capture.answered(answer),
@@ -105,7 +115,11 @@ const latency = new LatencyButton(element('latency'), {
   sendInput: () => sender.repeat(),
   save: (file) => saveFile(window, file),
 });
-controls.onChange(() => receiver.send({ kind: 'look', yaw: controls.yaw, pitch: controls.pitch }));
+const sound = new Sound(window);
+controls.onChange(() => {
+  receiver.send({ kind: 'look', yaw: controls.yaw, pitch: controls.pitch });
+  sound.blow((controls.keys & Key.blow) !== 0);
+});
 
 function enter({ state, reason, visit: count }) {
   const was = root.dataset.connection;
@@ -127,8 +141,9 @@ function enter({ state, reason, visit: count }) {
   }
 }
 
-function welcome({ red, green, blue, yaw, pitch, world }) {
+function welcome({ visitor, red, green, blue, yaw, pitch, world }) {
   refining.hide();
+  people.self = visitor;
   controls.face(yaw, pitch);
   root.style.setProperty('--lantern', `rgb(${red} ${green} ${blue})`);
   element('title').textContent = world || 'Grove';
@@ -143,6 +158,8 @@ function hear({ status, lines, limitedBy }) {
 
 function presented({ picture, inputs, now, reading: figures }) {
   latency.presented(inputs, picture, now);
+  // An older server does not tell.
+  sound.approachFire(picture.fire ?? 0);
   if (root.dataset.connection === 'open') notice.hide();
   if (root.dataset.picture === 'none') {
     root.dataset.picture = 'shown';
@@ -198,6 +215,14 @@ const screenshot = new Screenshot({
   save: (file) => saveFile(window, file),
   say: (text) => toast.say(text),
 });
+const roster = new Roster({
+  panel: element('people'),
+  button: element('people-button'),
+  people,
+  copy: (text) => copyText(window, text),
+  link: () => sharedLink(window.location),
+  say: (text) => toast.say(text),
+});
 element('screenshot').addEventListener('click', () => screenshot.shoot());
 
 const panel = new SettingsPanel({
@@ -214,11 +239,13 @@ listenToKeyboard(window, controls, () => settings.values.keys, {
   fullscreen: () => fullscreen.toggle(),
   screenshot: () => screenshot.shoot(),
   settings: () => panel.toggle(),
+  people: () => roster.toggle(),
   latency: () => latency.start(),
 });
 
 function apply(values) {
   controls.setSteering(values);
+  sound.want(values.sound);
   receiver.send({ kind: 'preferences', preferences: streamPreferences(values) });
   receiver.send({ kind: 'hello', hello: hello() });
   writeKeyHints(document, values.keys, labels);

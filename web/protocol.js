@@ -4,11 +4,11 @@
  */
 
 /**
- * What to ask for, the newest first: without 1.3 there is no Painted, Capture or Times, without 1.2 no choice of codec,
+ * What to ask for, the newest first: without 1.4 there are no labels and People, without 1.3 there is no Painted, Capture or Times, without 1.2 no choice of codec,
  * without 1.1 no Waiting.
  */
-export const kMeasuringProtocol = 'grove.v1.3';
-export const kAdaptiveProtocols = Object.freeze([kMeasuringProtocol, 'grove.v1.2']);
+export const kMeasuringProtocols = Object.freeze(['grove.v1.4', 'grove.v1.3']);
+export const kAdaptiveProtocols = Object.freeze([...kMeasuringProtocols, 'grove.v1.2']);
 export const kSubProtocols = Object.freeze([...kAdaptiveProtocols, 'grove.v1.1', 'grove.v1']);
 const kVersion = 1;
 
@@ -44,17 +44,22 @@ const Type = Object.freeze({
   refining: 0x86,
   captured: 0x87,
   times: 0x88,
+  people: 0x89,
 });
 const kMaxNameBytes = 64;
 const kWelcomeBytes = 20;
 const kFrameHeaderBytes = 20;
 const kPictureHeaderBytes = 40;
+const kLabelBytes = 10;
+const kMaxLabels = 24;
 const kWaitingBytes = 8;
 const kStatusBytes = 20;
 const kRefiningBytes = 8;
 const kUnknownSeconds = 0xffff;
 const kCapturedHeaderBytes = 12;
 const kTimesBytes = 12;
+const kPeopleBytes = 4;
+const kPersonBytes = 8;
 /** Tenths of milliseconds, as the 16 bits of a duration hold them. */
 const kLongestDuration = 0xffff;
 
@@ -219,8 +224,25 @@ function decodeFrame(view) {
   return frame;
 }
 
+/** Where names belong in the picture, as shares of its width and height; the nearest first. */
+function decodeLabels(view, count) {
+  return Array.from({ length: count }, (_, index) => {
+    const at = kPictureHeaderBytes + index * kLabelBytes;
+    return {
+      visitor: view.getUint32(at, true),
+      x: view.getUint16(at + 4, true) / 0xffff,
+      y: view.getUint16(at + 6, true) / 0xffff,
+      opacity: view.getUint8(at + 8) / 0xff,
+    };
+  });
+}
+
 function decodePicture(view) {
   if (view.byteLength <= kPictureHeaderBytes) throw new ProtocolError('the picture has no bytes');
+  const labels = view.getUint8(10);
+  const headerBytes = kPictureHeaderBytes + labels * kLabelBytes;
+  if (labels > kMaxLabels) throw new ProtocolError('the picture has too many labels');
+  if (view.byteLength <= headerBytes) throw new ProtocolError('the picture has no bytes');
   const picture = {
     message: 'Picture',
     codec: view.getUint8(1),
@@ -236,7 +258,9 @@ function decodePicture(view) {
     pitch: view.getFloat32(28, true),
     tanHalfX: view.getFloat32(32, true),
     tanHalfY: view.getFloat32(36, true),
-    picture: new Uint8Array(view.buffer, kPictureHeaderBytes),
+    fire: view.getUint8(11) / 0xff,
+    labels: decodeLabels(view, labels),
+    picture: new Uint8Array(view.buffer, headerBytes),
   };
   if (!(picture.codec in kCodecNames)) throw new ProtocolError(`the picture's codec ${picture.codec} is unknown`);
   if (picture.width === 0 || picture.height === 0) throw new ProtocolError('the picture has no size');
@@ -303,6 +327,29 @@ function decodeTimes(view) {
   return { message: 'Times', queued: at(2), drawn: at(4), encoded: at(6), socket: at(8), line: at(10) };
 }
 
+function decodePeople(view) {
+  if (view.byteLength < kPeopleBytes) throw new ProtocolError('the list of people is cut short');
+  const people = [];
+  let at = kPeopleBytes;
+  for (let count = view.getUint16(2, true); count > 0; count -= 1) {
+    const nameAt = at + kPersonBytes;
+    if (view.byteLength < nameAt || view.byteLength < nameAt + view.getUint8(at + 7)) {
+      throw new ProtocolError('the list of people is cut short');
+    }
+    const name = new Uint8Array(view.buffer, nameAt, view.getUint8(at + 7));
+    people.push({
+      visitor: view.getUint32(at, true),
+      red: view.getUint8(at + 4),
+      green: view.getUint8(at + 5),
+      blue: view.getUint8(at + 6),
+      name: decodeText(name, 'a name'),
+    });
+    at = nameAt + name.length;
+  }
+  if (at !== view.byteLength) throw new ProtocolError('the list of people has a wrong length');
+  return { message: 'People', people };
+}
+
 const kDecoders = Object.freeze({
   [Type.welcome]: decodeWelcome,
   [Type.frame]: decodeFrame,
@@ -312,6 +359,7 @@ const kDecoders = Object.freeze({
   [Type.refining]: decodeRefining,
   [Type.captured]: decodeCaptured,
   [Type.times]: decodeTimes,
+  [Type.people]: decodePeople,
 });
 
 /** Reads one message of the server from an ArrayBuffer; a frame's `picture` is a view into it, not a copy. */

@@ -5,6 +5,7 @@ import { decoders } from './decoders.js';
 import { Decoding } from './decoding.js';
 import { Display, paintScheduler } from './display.js';
 import { LateLook } from './late_look.js';
+import { windowOf, windowPlace } from './look_geometry.js';
 import { MemoryImages } from './memory_images.js';
 import { PaintBudget } from './paint_budget.js';
 import { Codec, LimitedBy, kSubProtocols } from './protocol.js';
@@ -39,6 +40,7 @@ export class Receiver {
   #look = { yaw: 0, pitch: 0 };
   #hello;
   #visit = 0;
+  #labelled = 0;
   #commands;
 
   /**
@@ -79,6 +81,7 @@ export class Receiver {
         refining: ({ percent, secondsLeft }) => emit({ kind: 'refining', percent, secondsLeft }),
         captured: ({ number, picture }) => emit({ kind: 'captured', number, picture }, [picture.buffer]),
         times: (times) => this.#telemetry.timesReceived(times),
+        people: ({ people }) => emit({ kind: 'people', people }),
       },
       backoff: new Backoff(),
       mayRetry: () => !this.#visibility.hidden,
@@ -86,7 +89,12 @@ export class Receiver {
     });
     const budget = new PaintBudget();
     this.#lateLook = new LateLook(makeCanvas(), () => this.#lateLookChanged());
-    this.#screen = new Screen({ canvas, lateLook: this.#lateLook, look: () => (this.#stream.turns ? this.#look : null) });
+    this.#screen = new Screen({
+      canvas,
+      lateLook: this.#lateLook,
+      look: () => (this.#stream.turns ? this.#look : null),
+      onPaint: (picture, turn) => this.#label(picture, turn),
+    });
     this.#display = new Display({
       screen: this.#screen,
       schedule: paintScheduler(this.#visibility),
@@ -142,14 +150,23 @@ export class Receiver {
     this.#commands[command.kind](command);
   }
 
-  #welcome({ red, green, blue, yaw, pitch, world }) {
+  /** Tells where the names of the picture on the screen belong in the window; once, if it has none. */
+  #label(picture, turn) {
+    const { labels = [] } = picture;
+    if (labels.length === 0 && this.#labelled === 0) return;
+    this.#labelled = labels.length;
+    const placed = labels.map((label) => ({ ...label, place: windowPlace(picture, turn, label) }));
+    this.#emit({ kind: 'labels', labels: placed.filter(({ place }) => place), ...windowOf(picture) });
+  }
+
+  #welcome({ visitor, red, green, blue, yaw, pitch, world }) {
     this.#visit += 1;
     this.#stream.begin();
     this.#display.reset();
     this.#telemetry.reset();
     this.#look = { yaw, pitch };
     this.#connection.sendResize(this.#hello);
-    this.#emit({ kind: 'welcome', red, green, blue, yaw, pitch, world });
+    this.#emit({ kind: 'welcome', visitor, red, green, blue, yaw, pitch, world });
   }
 
   #receive(picture) {
@@ -164,12 +181,12 @@ export class Receiver {
   }
 
   #presented(picture, paint) {
-    const { frame, width, height, codec, decode } = picture;
+    const { frame, width, height, codec, fire, decode } = picture;
     this.#connection.acknowledge(picture, { decode, paint });
     const now = this.#clock.now();
     const inputs = this.#telemetry.framePresented(picture, now, paint);
     const reading = this.#telemetry.read(now);
-    this.#emit({ kind: 'presented', picture: { frame, width, height, codec }, inputs, now, reading });
+    this.#emit({ kind: 'presented', picture: { frame, width, height, codec, fire }, inputs, now, reading });
   }
 
   #tellReading() {

@@ -11,6 +11,7 @@ export class Screen {
   #context;
   #lateLook;
   #look;
+  #onPaint;
   #shown = null;
   #turn = kNoTurn;
   #taken = false;
@@ -21,12 +22,14 @@ export class Screen {
    * @param {import('./late_look.js').LateLook} parts.lateLook
    * @param {() => {yaw: number, pitch: number} | null} parts.look the newest direction, in radians; `null` to leave
    *     pictures as they are
+   * @param {(picture: object, turn: {yaw: number, pitch: number}) => void} parts.onPaint what is on the screen now
    */
-  constructor({ canvas, lateLook, look }) {
+  constructor({ canvas, lateLook, look, onPaint }) {
     this.#canvas = canvas;
     this.#context = canvas.getContext('2d', { alpha: false });
     this.#lateLook = lateLook;
     this.#look = look;
+    this.#onPaint = onPaint;
   }
 
   /** Shows a new picture and takes over its image. */
@@ -69,6 +72,11 @@ export class Screen {
 
   #paint(turn) {
     this.#turn = turn;
+    this.#draw(turn);
+    this.#onPaint(this.#shown.picture, turn);
+  }
+
+  #draw(turn) {
     const { image, picture } = this.#shown;
     const { width, height } = windowOf(picture);
     // Setting the size clears the canvas, so it happens only when it changes and in one go with the drawing: no flash.

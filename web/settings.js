@@ -25,6 +25,7 @@ export const kDefaults = Object.freeze({
   lines: 0,
   framesPerSecond: 0,
   lateLook: true,
+  sound: true,
   keys: kDefaultKeys,
 });
 
@@ -38,6 +39,7 @@ const kRepairs = {
   lines: oneOf(0, 1080, 720, 480, 360),
   framesPerSecond: oneOf(0, 60, 30, 20, 15),
   lateLook: boolean,
+  sound: boolean,
   keys: (value) => (value !== null && typeof value === 'object' ? repairKeys(value) : undefined),
 };
 

@@ -9,20 +9,23 @@ export const kPage = Object.freeze({
   hintStart: 'Click to look around.',
   hintMouse: '{walking} to walk, {run} to run, hold the mouse button to blow, Esc to free the mouse.',
   hintDrag: 'Drag to look around. {walking} to walk, {run} to run, hold {blow} to blow.',
-  hintMore: '{settings}: settings, {figures}: statistics, {screenshot}: screenshot, {fullscreen}: full screen.',
+  hintMore: '{settings}: settings, {people}: visitors, {figures}: statistics, {screenshot}: screenshot, {fullscreen}: full screen.',
   hintTouch: 'Left thumb walks, right thumb looks around. Hold it still to blow.',
   hintSpoken:
     '{turnLeft} and {turnRight} turn, {lookUp} and {lookDown} look up and down, {blow} blows, {figures} shows ' +
-    'statistics, {settings} opens the settings, where you can change all keys, {screenshot} saves the picture, ' +
+    'statistics, {people} lists the visitors, {settings} opens the settings, where you can change all keys, {screenshot} saves the picture, ' +
     '{latency} measures the latency, {fullscreen} fills the screen.',
   blow: { label: 'Blow' },
   tools: { label: 'View' },
   figures: { label: 'Statistics' },
+  peopleButton: { label: 'Visitors' },
   screenshot: { label: 'Screenshot' },
   settingsButton: { label: 'Settings' },
   fullscreen: { label: 'Full screen' },
   overlay: { label: 'Statistics' },
   allFigures: 'All statistics',
+  people: { label: 'Visitors' },
+  copyLink: 'Copy link to this world',
   saveTable: 'Save as CSV',
   preparation: { label: 'Preparation of the world' },
   settings: 'Settings',
@@ -42,6 +45,9 @@ export const kPage = Object.freeze({
   fps: 'Maximum frame rate',
   lateLook: 'Instant turning',
   aboutLateLook: 'Turns the picture as soon as you look around, before the next one arrives from the server.',
+  sound: 'Sound',
+  hear: 'Wind and fire',
+  aboutSound: 'Starts with your first click or key. The fire is louder when you are near it.',
   keys: 'Keys',
   aboutKeys: 'Choose a key, then press the new one.',
   reset: 'Reset to defaults',
@@ -176,6 +182,14 @@ export const kPictures = Object.freeze({
   failed: 'The picture could not be saved.',
 });
 
+/** Who is here. */
+export const kPeople = Object.freeze({
+  here: (count) => (count === 1 ? 'You are alone here' : `${count} visitors`),
+  self: ' (you)',
+  copied: 'Link copied',
+  notCopied: (link) => `Your browser does not copy. The link is ${link}`,
+});
+
 /** What the settings say about what was done, and about what cannot be. */
 export const kSettings = Object.freeze({
   notKept: 'This browser does not store settings for this page: they last until you leave it.',
@@ -207,6 +221,7 @@ export const kActions = Object.freeze({
   lookDown: 'Look down',
   figures: 'Statistics',
   settings: 'Settings',
+  people: 'Visitors',
   screenshot: 'Screenshot',
   latency: 'Measure latency',
   fullscreen: 'Full screen',

@@ -19,18 +19,6 @@ Character firstCharacter(std::string_view text) noexcept {
   return {};
 }
 
-std::vector<std::uint32_t> codePoints(std::string_view text) {
-  constexpr std::uint32_t kReplacement = 0xFFFD;
-  std::vector<std::uint32_t> points;
-  points.reserve(text.size());
-  while (!text.empty()) {
-    const Character first = firstCharacter(text);
-    points.push_back(first.bytes == 0 ? kReplacement : first.codePoint);
-    text.remove_prefix(std::max<std::size_t>(first.bytes, 1));
-  }
-  return points;
-}
-
 std::string repaired(std::string_view text, std::size_t maxBytes) {
   std::string result;
   while (!text.empty()) {

@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
-#include <vector>
 
 /// Text of people and peers. Any thread.
 namespace grove::utf8 {
@@ -18,9 +17,6 @@ struct Character {
 
 /// The first one of a text that is not empty.
 [[nodiscard]] Character firstCharacter(std::string_view text) noexcept;
-
-/// Code points, U+FFFD for every byte that belongs to none.
-[[nodiscard]] std::vector<std::uint32_t> codePoints(std::string_view text);
 
 /// As many whole characters as fit into `maxBytes`, with '?' for bytes that belong to none.
 [[nodiscard]] std::string repaired(std::string_view text, std::size_t maxBytes);

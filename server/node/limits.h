@@ -16,6 +16,9 @@ inline constexpr std::size_t kBackendBatch = 64;
 
 inline constexpr int kMaxFramesInFlight = 8;
 
+/// Names that a frame shows, those of the nearest.
+inline constexpr std::size_t kMaxLabelsPerFrame = 24;
+
 /// The finest step of across-user quality.
 inline constexpr int kMaxQuality = 2;
 

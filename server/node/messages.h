@@ -36,10 +36,19 @@ struct CompleteFrame {
   std::vector<Payload> payloads;
 };
 
+/// Where the name of an object belongs in a frame. It is no part of the picture: who shows the frame writes it.
+struct Label {
+  world::ObjectId object = 0;
+  world::Vec2 place{0.0F};  ///< pixels of the camera, the middle of the name's lower edge; within the frame
+  float depth = 0.0F;       ///< metres
+  float opacity = 1.0F;     ///< above 0, up to 1
+};
+
 /// A composited frame, the pipeline's product.
 struct FinishedFrame {
   std::shared_ptr<const View> view;
   std::shared_ptr<const raster::Image> image;  ///< whole frame, A = 255 everywhere
+  std::vector<Label> labels = {};              ///< nearest first, at most kMaxLabelsPerFrame
 };
 
 inline pipeline::TraceTag traceTag(const std::shared_ptr<const FrameList>& list) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace grove::world {
 namespace {
@@ -31,12 +32,13 @@ PlayerId Players::join(const std::string& name, double now) {
   player.pose.yaw = spawnYaw_;
   player.pose.position = placeOfArrival(id, spawn_, spawnYaw_);
   entries_.emplace(id, entry);
+  ++changes_;
   return id;
 }
 
 void Players::leave(PlayerId id) {
   const std::lock_guard lock(mutex_);
-  entries_.erase(id);
+  changes_ += entries_.erase(id);
 }
 
 bool Players::apply(PlayerId id, const Input& input, double now) {
@@ -55,9 +57,14 @@ bool Players::apply(PlayerId id, const Input& input, double now) {
 }
 
 void Players::mirror(std::span<const Player> reported, const std::function<bool(PlayerId)>& isReported, double now) {
+  std::set<PlayerId> here;
+  for (const Player& player : reported) here.insert(player.id);
   const std::lock_guard lock(mutex_);
-  std::erase_if(entries_, [&](const auto& entry) { return isReported(entry.first); });
-  for (const Player& player : reported) entries_.insert_or_assign(player.id, Entry{player, now});
+  changes_ += std::erase_if(entries_,
+                            [&](const auto& entry) { return isReported(entry.first) && !here.contains(entry.first); });
+  for (const Player& player : reported) {
+    if (entries_.insert_or_assign(player.id, Entry{player, now}).second) ++changes_;
+  }
 }
 
 std::optional<Player> Players::find(PlayerId id, double now) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -75,6 +76,8 @@ class Players {
   [[nodiscard]] std::optional<Player> find(PlayerId id, double now);
   [[nodiscard]] std::vector<Player> all(double now);
   [[nodiscard]] std::size_t count() const;
+  /// How often somebody has come or gone.
+  [[nodiscard]] std::uint64_t changes() const noexcept { return changes_; }
 
  private:
   struct Entry {
@@ -91,6 +94,7 @@ class Players {
   mutable std::mutex mutex_;
   std::map<PlayerId, Entry> entries_;
   PlayerId nextId_;
+  std::atomic<std::uint64_t> changes_{0};  ///< written with mutex_ held
 };
 
 inline constexpr float kEyeHeight = 1.7F;

@@ -27,13 +27,5 @@ TEST(Utf8, MakesTextOfAnything) {
   EXPECT_EQ(repaired("a\xC3\xAB", 2), "a") << "half a character";
 }
 
-TEST(Utf8, GivesCodePointsAndReplacesWhatBelongsToNone) {
-  using Points = std::vector<std::uint32_t>;
-  EXPECT_EQ(codePoints("aø€😀"), (Points{0x61, 0xF8, 0x20AC, 0x1F600}));
-  EXPECT_EQ(codePoints("\xC3"), (Points{0xFFFD}));
-  EXPECT_EQ(codePoints("\xC0\x80x"), (Points{0xFFFD, 0xFFFD, 0x78}));
-  EXPECT_EQ(codePoints("\xED\xA0\x80"), (Points{0xFFFD, 0xFFFD, 0xFFFD}));
-}
-
 }  // namespace
 }  // namespace grove::utf8

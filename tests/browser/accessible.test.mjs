@@ -51,6 +51,14 @@ for (const [device, options] of [['desktop', {}], ['phone', kPhone]]) {
     await ada.leave();
   });
 
+  test(`nor in the list of visitors (${device})`, async () => {
+    const ada = await arrive(options);
+    await ada.page.locator('#people-button').click();
+    await ada.page.locator('#people').waitFor({ state: 'visible' });
+    assert.deepEqual(await findings(ada), []);
+    await ada.leave();
+  });
+
   test(`nor in the settings (${device})`, async () => {
     const ada = await arrive(options);
     await ada.page.locator('#settings-button').click();

@@ -106,18 +106,18 @@ test('the overlay begins with four plain figures, and shows all to who asks', as
 test('buttons tell their keys under the mouse', async () => {
   const ada = await arrive();
   const tips = await ada.page.$$eval('#tools button', (all) => all.map((button) => button.title));
-  assert.deepEqual(tips, ['Statistics (O or F3)', 'Screenshot (C)', 'Settings (P)', 'Full screen (F)']);
+  assert.deepEqual(tips, ['Statistics (O or F3)', 'Visitors (V)', 'Screenshot (C)', 'Settings (P)', 'Full screen (F)']);
   await ada.leave();
 });
 
 test('every button has a name, and the keyboard reaches it', async () => {
   const ada = await arrive();
   const names = [];
-  for (let i = 0; i < 6; i += 1) {
+  for (let i = 0; i < 7; i += 1) {
     await ada.page.keyboard.press('Tab');
     names.push(await ada.page.evaluate(() => document.activeElement.getAttribute('aria-label')));
   }
-  const wanted = ['Statistics', 'Screenshot', 'Settings', 'Full screen'];
+  const wanted = ['Statistics', 'Visitors', 'Screenshot', 'Settings', 'Full screen'];
   assert.ok(wanted.every((name) => names.includes(name)), names.join(', '));
   await ada.leave();
 });

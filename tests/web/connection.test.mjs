@@ -352,7 +352,7 @@ test('a page that was itself held up reads what came before it judges', () => {
 });
 
 test('a server of 1.3 hears how long decoding and painting took, one of 1.2 does not', () => {
-  for (const [protocol, type] of [['grove.v1.3', '09'], ['grove.v1.2', '08']]) {
+  for (const [protocol, type] of [['grove.v1.4', '09'], ['grove.v1.3', '09'], ['grove.v1.2', '08']]) {
     const { sockets, clock, connection, letIn } = setUp({ protocol });
     letIn();
     clock.advance(12.3);
@@ -364,7 +364,7 @@ test('a server of 1.3 hears how long decoding and painting took, one of 1.2 does
 });
 
 test('a capture is asked for only of a server that knows it', () => {
-  for (const [protocol, count] of [['grove.v1.3', 1], ['grove.v1.2', 0]]) {
+  for (const [protocol, count] of [['grove.v1.4', 1], ['grove.v1.3', 1], ['grove.v1.2', 0]]) {
     const { sockets, connection, letIn } = setUp({ protocol });
     letIn();
     connection.sendCapture(7);

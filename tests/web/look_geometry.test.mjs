@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
-import { lookMatrix, turnOf, windowOf } from '../../web/look_geometry.js';
+import { lookMatrix, turnOf, windowOf, windowPlace } from '../../web/look_geometry.js';
 
 const kPicture = { width: 704, height: 396, border: 10, yaw: 0.7, pitch: -0.3, tanHalfX: 1.1, tanHalfY: 0.61875 };
 
@@ -81,6 +81,21 @@ test('a point of the world stays where it is while the look turns', () => {
     ];
     near(placeOf(matrix, [x, y]), expected);
   }
+});
+
+test('a place of the picture in the window is where the window shows it', () => {
+  for (const turn of [{ yaw: 0, pitch: 0 }, { yaw: -0.25, pitch: 0.17 }, { yaw: 0.3, pitch: 0 }]) {
+    const matrix = lookMatrix(kPicture, turn);
+    for (const [x, y] of [[0, 0], [-0.9, 0.8], [0.4, -0.95]]) {
+      const [s, t] = placeOf(matrix, [x, y]);
+      const place = windowPlace(kPicture, turn, { x: s, y: t });
+      near([place.x, place.y], [(1 + x) / 2, (1 - y) / 2]);
+    }
+  }
+  const still = { yaw: 0, pitch: 0 };
+  assert.equal(windowPlace(kPicture, still, { x: 0.01, y: 0.5 }), null, 'in the border');
+  const behind = { yaw: Math.PI, pitch: 0 };
+  assert.equal(windowPlace({ ...kPicture, pitch: 0 }, behind, { x: 0.5, y: 0.5 }), null, 'behind');
 });
 
 test('turns the short way round, and no further than the picture goes', () => {

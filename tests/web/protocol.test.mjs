@@ -37,7 +37,7 @@ const encoders = {
 test('every message type has golden bytes', () => {
   const types = new Set(golden.map((entry) => entry.fields.message));
   assert.deepEqual([...types].sort(), [
-    'Ack', 'Broken', 'Capture', 'Captured', 'Frame', 'Hello', 'Input', 'Limits', 'Offer', 'Painted', 'Picture', 'Presented',
+    'Ack', 'Broken', 'Capture', 'Captured', 'Frame', 'Hello', 'Input', 'Limits', 'Offer', 'Painted', 'People', 'Picture', 'Presented',
     'Refining', 'Resize', 'Status', 'Times', 'Waiting', 'Welcome',
   ]);
 });
@@ -68,7 +68,7 @@ test('no cut of a server message is taken for a whole one', () => {
   for (let length = 0; length < hex.length; length += 2) {
     assert.throws(() => decodeServerMessage(bytesOf(hex.slice(0, length))), ProtocolError, `welcome of ${length / 2}`);
   }
-  for (const message of ['Waiting', 'Status', 'Refining', 'Times']) {
+  for (const message of ['Waiting', 'Status', 'Refining', 'Times', 'People']) {
     const whole = find(message).hex;
     for (let length = 0; length < whole.length; length += 2) {
       const cut = bytesOf(whole.slice(0, length));
@@ -83,8 +83,8 @@ test('no cut of a server message is taken for a whole one', () => {
   }
 });
 
-function spoilt(message, spoil) {
-  const buffer = bytesOf(find(message).hex);
+function spoilt(message, spoil, more = '') {
+  const buffer = bytesOf(find(message).hex + more);
   spoil(new DataView(buffer));
   return buffer;
 }
@@ -108,6 +108,11 @@ for (const [what, data] of [
   ['a picture without width', spoilt('Picture', (view) => view.setUint16(4, 0, true))],
   ['a picture whose camera looks nowhere', spoilt('Picture', (view) => view.setFloat32(24, NaN, true))],
   ['a picture without an angle', spoilt('Picture', (view) => view.setFloat32(36, 0, true))],
+  ['a picture with more labels than it may have', spoilt('Picture', (view) => view.setUint8(10, 25), '00'.repeat(300))],
+  ['a picture that its labels leave no bytes', spoilt('Picture', (view) => view.setUint8(10, 1))],
+  ['a longer list of people', bytesOf(find('People').hex + '00')],
+  ['a list of more people than it has', spoilt('People', (view) => view.setUint16(2, 4, true))],
+  ["a visitor's name that is not UTF-8", spoilt('People', (view) => view.setUint8(12, 0xff))],
   ['a longer status', bytesOf(find('Status').hex + '00')],
   ['a status limited by nothing known', spoilt('Status', (view) => view.setUint8(1, 5))],
   ['a quality of more than 100 percent', spoilt('Status', (view) => view.setUint8(3, 101))],

@@ -82,6 +82,14 @@ test('a capture is asked of a server that takes it, else there is none at once',
   assert.deepEqual(older.of('captured'), [{ kind: 'captured', number: 7, picture: null }]);
 });
 
+// Fault: names that nobody learns.
+test('who is here is told to the page', async () => {
+  const { sockets, of } = await setUp({ protocol: 'grove.v1.4' });
+  sockets[0].greet();
+  sockets[0].onmessage({ data: Uint8Array.from(Buffer.from(hexOf('people'), 'hex')).buffer });
+  assert.deepEqual(of('people')[0].people.map(({ name }) => name), ['Ada', '日本 🌲', 'سلمى']);
+});
+
 // Fault: a window that grew while the server prepared keeps the size of its greeting.
 test('the newest size is told once the server has greeted', async () => {
   const { receiver, sockets } = await setUp();

@@ -7,6 +7,7 @@ const kPicture = { width: 704, height: 396, border: 10, yaw: 1, pitch: 0, tanHal
 
 function setUp({ isReady = true } = {}) {
   const log = [];
+  const painted = [];
   const open = new Set();
   const state = { look: { yaw: 1, pitch: 0 } };
   const canvas = {
@@ -19,13 +20,13 @@ function setUp({ isReady = true } = {}) {
     take: (image) => log.push(`take ${image.name}`),
     turned: (picture, turn) => ({ name: `turned ${turn.yaw.toFixed(2)}` }),
   };
-  const screen = new Screen({ canvas, lateLook, look: () => state.look });
+  const screen = new Screen({ canvas, lateLook, look: () => state.look, onPaint: (picture, turn) => painted.push([picture, turn.yaw]) });
   const image = (name) => {
     const made = { name, close: () => assert.ok(open.delete(name), `${name} closed once`) };
     open.add(name);
     return made;
   };
-  return { log, open, state, canvas, lateLook, screen, image };
+  return { log, painted, open, state, canvas, lateLook, screen, image };
 }
 
 test('who looks where the camera did sees the middle of the picture as it is', () => {
@@ -53,6 +54,16 @@ test('who looks elsewhere sees it turned, copied to the graphics card once', () 
   state.look = { yaw: 1, pitch: 0 };
   screen.turn();
   assert.equal(log.at(-1), 'b 32 18 640 360 0 0 640 360', 'and back');
+});
+
+// Fault: names that stay behind while the picture turns.
+test('every paint is told of, with its turn', () => {
+  const { painted, state, screen, image } = setUp();
+  screen.show(image('a'), kPicture);
+  state.look = { yaw: 1.25, pitch: 0 };
+  screen.turn();
+  screen.turn();
+  assert.deepEqual(painted, [[kPicture, 0], [kPicture, 0.25]]);
 });
 
 test('one image at most stays open, and none after a freeze', () => {

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace grove::world {
 namespace {
@@ -80,9 +81,34 @@ TEST(Players, ArriveApartAndLeave) {
   const PlayerId b = players.join("b", 0.0);
   EXPECT_GT(glm::distance(players.find(a, 0)->pose.position, players.find(b, 0)->pose.position), 0.7F);
   EXPECT_NE(players.find(a, 0)->colour, players.find(b, 0)->colour);
+  EXPECT_EQ(players.changes(), 2u);
   players.leave(a);
   EXPECT_EQ(players.count(), 1u);
   EXPECT_FALSE(players.find(a, 0).has_value());
+  EXPECT_EQ(players.changes(), 3u);
+  players.leave(a);
+  EXPECT_EQ(players.changes(), 3u) << "he had gone";
+}
+
+TEST(Players, ShowOthersAsTheirProcessReportsThem) {
+  constexpr PlayerId kOther = PlayerId{7} << 32U;
+  const auto isOther = [](PlayerId id) { return id > kOther; };
+  Players players = inTheOpen();
+  const PlayerId own = players.join("own", 0.0);
+  Player other;
+  other.id = kOther + 1;
+  other.keys = kForward;
+  players.mirror(std::vector<Player>{other}, isOther, 1.0);
+  EXPECT_EQ(players.count(), 2u);
+  EXPECT_EQ(players.changes(), 2u);
+  EXPECT_LT(players.find(other.id, 1.5)->pose.position.z, -0.5F) << "he walks on until the next report";
+  players.mirror(std::vector<Player>{other}, isOther, 1.5);
+  EXPECT_EQ(players.find(other.id, 1.5)->pose.position.z, 0.0F) << "which counts";
+  EXPECT_EQ(players.changes(), 2u) << "nobody came or went";
+  players.mirror({}, isOther, 2.0);
+  EXPECT_FALSE(players.find(other.id, 2.0));
+  EXPECT_TRUE(players.find(own, 2.0));
+  EXPECT_EQ(players.changes(), 3u);
 }
 
 }  // namespace

@@ -15,6 +15,7 @@ export const kDefaultKeys = Object.freeze({
   lookDown: ['PageDown', ''],
   figures: ['KeyO', 'F3'],
   settings: ['KeyP', ''],
+  people: ['KeyV', ''],
   screenshot: ['KeyC', ''],
   latency: ['KeyL', ''],
   fullscreen: ['KeyF', ''],

@@ -18,6 +18,12 @@ using ProcessId = std::uint32_t;
 }
 /// Whose an id is.
 [[nodiscard]] constexpr ProcessId processOf(std::uint64_t id) noexcept { return static_cast<ProcessId>(id >> 32U); }
+/// A player in 32 bits, for the pages of process `own`: the count of its own ones, a hash of others.
+[[nodiscard]] constexpr std::uint32_t shortIdOf(world::PlayerId id, ProcessId own) noexcept {
+  constexpr std::uint32_t kForeign = 1U << 31U;
+  if (processOf(id) == own) return static_cast<std::uint32_t>(id);
+  return kForeign | static_cast<std::uint32_t>(id * 0x9E3779B97F4A7C15U >> 33U);
+}
 /// What tells the sessions of one process apart, for people and traces.
 [[nodiscard]] constexpr std::uint32_t numberOf(std::uint64_t id) noexcept { return static_cast<std::uint32_t>(id); }
 

@@ -81,7 +81,7 @@ bool StreamControl::acknowledged(std::uint32_t frame, const Arrival& arrival) {
   const std::size_t before = link_.framesUnderWay();
   link_.arrived(frame, arrival);
   work_.held(arrival.held);
-  if (page_ == PageLevel::kTimed) times_.add(FrameTimes::Place::kLine, 0.5 * link_.roundTrip() + link_.queueing());
+  if (page_ >= PageLevel::kTimed) times_.add(FrameTimes::Place::kLine, 0.5 * link_.roundTrip() + link_.queueing());
   if (link_.framesUnderWay() < before) unacknowledgedSince_ = arrival.acknowledged;
   return true;
 }
@@ -269,7 +269,7 @@ void StreamControl::took(FrameTimes::Place place, double seconds) {
 }
 
 void StreamControl::took(FrameTimes::Place place, double seconds, const std::lock_guard<std::mutex>& /*held*/) {
-  if (page_ == PageLevel::kTimed) times_.add(place, seconds);
+  if (page_ >= PageLevel::kTimed) times_.add(place, seconds);
 }
 
 void StreamControl::unchanged(std::uint32_t lastInput) {

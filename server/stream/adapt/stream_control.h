@@ -25,6 +25,7 @@ enum class PageLevel : std::uint8_t {
               ///< follows the line
   kAdaptive,  ///< v1.2
   kTimed,     ///< v1.3: reports what the browser spends on frames
+  kNaming,    ///< v1.4: writes names over the picture
 };
 
 /// What leads one visitor's stream: codec, size, rate, quantiser, and how many frames are under way; from what he

@@ -33,7 +33,7 @@ LimitedBy StreamControl::limitedBy() const {
   if (planned != LimitedBy::kNothing) return planned;
   const LimitedBy who = work_.relieved() != LimitedBy::kNothing ? work_.relieved() : work_.shortOf();
   // An older page does not know a busy browser.
-  if (who == LimitedBy::kBrowser && page_ != PageLevel::kTimed) return LimitedBy::kNothing;
+  if (who == LimitedBy::kBrowser && page_ < PageLevel::kTimed) return LimitedBy::kNothing;
   if (who != LimitedBy::kNothing) return who;
   const bool limits = limits_.lines > 0 || limits_.framesPerSecond > 0 || limits_.kilobitsPerSecond > 0;
   return limits ? LimitedBy::kVisitor : LimitedBy::kNothing;
@@ -61,7 +61,7 @@ std::optional<Status> StreamControl::takeStatus(double now, std::size_t visitors
 
 std::optional<Times> StreamControl::takeTimes(double now) {
   const std::lock_guard lock(mutex_);
-  return page_ == PageLevel::kTimed ? times_.take(now) : std::nullopt;
+  return page_ >= PageLevel::kTimed ? times_.take(now) : std::nullopt;
 }
 
 }  // namespace grove::stream

@@ -1,5 +1,6 @@
 #include "stream/encode/encode_stage.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -7,6 +8,7 @@
 #include "base/checksum.h"
 #include "base/error.h"
 #include "base/log.h"
+#include "node/limits.h"
 #include "pipeline/clocks.h"
 #include "stream/encode/jpeg_encoder.h"
 #include "stream/protocol/saturate.h"
@@ -34,7 +36,30 @@ PictureHeader describe(const node::FinishedFrame& frame) {
   return header;
 }
 
-std::size_t headerBytes(bool asPictures) { return asPictures ? kPictureHeaderBytes : kFrameHeaderBytes; }
+/// Loudness falls with the distance.
+std::uint8_t nearnessOf(const std::vector<world::Vec3>& fires, world::Vec3 ear) {
+  constexpr float kBeside = 1.5F;  // metres
+  float nearness = 0.0F;
+  for (const world::Vec3& fire : fires) {
+    nearness = std::max(nearness, kBeside / std::max(kBeside, glm::distance(fire, ear)));
+  }
+  return saturate<std::uint8_t>(std::lround(nearness * 255.0F));
+}
+
+std::vector<Label> labelsOf(const node::FinishedFrame& frame) {
+  static_assert(node::kMaxLabelsPerFrame <= kMaxLabels);
+  const auto wire = [](float share) { return saturate<std::uint16_t>(std::lround(share * 65535.0F)); };
+  const node::ProcessId own = node::processOf(frame.view->viewer);
+  std::vector<Label> labels;
+  labels.reserve(frame.labels.size());
+  for (const node::Label& label : frame.labels) {
+    labels.push_back({.visitor = node::shortIdOf(label.object - world::kFirstPlayerObject, own),
+                      .x = wire(label.place.x / static_cast<float>(frame.image->width())),
+                      .y = wire(label.place.y / static_cast<float>(frame.image->height())),
+                      .opacity = saturate<std::uint8_t>(std::ceil(label.opacity * 255.0F))});
+  }
+  return labels;
+}
 
 bool isSameView(const world::Camera& a, const world::Camera& b) {
   return a.pose.position == b.pose.position && a.pose.yaw == b.pose.yaw && a.pose.pitch == b.pose.pitch &&
@@ -43,8 +68,9 @@ bool isSameView(const world::Camera& a, const world::Camera& b) {
 
 }  // namespace
 
-EncodeStage::EncodeStage(std::shared_ptr<StreamControl> control, bool asPictures, Outputs outputs,
-                         pipeline::MemoryLedger& memory, pipeline::Executor& executor, pipeline::Timeline& timeline)
+EncodeStage::EncodeStage(std::shared_ptr<StreamControl> control, PageLevel page, std::vector<world::Vec3> fires,
+                         Outputs outputs, pipeline::MemoryLedger& memory, pipeline::Executor& executor,
+                         pipeline::Timeline& timeline)
     : Stage({.name = "Encoder",
              .work = pipeline::Work::kPerUserFrontend,
              .capacity = 1,
@@ -52,7 +78,9 @@ EncodeStage::EncodeStage(std::shared_ptr<StreamControl> control, bool asPictures
              .finishes = true},
             executor, timeline),
       control_(std::move(control)),
-      asPictures_(asPictures),
+      asPictures_(page >= PageLevel::kAdaptive),
+      namesAndSounds_(page >= PageLevel::kNaming),
+      fires_(std::move(fires)),
       outputs_(std::move(outputs)),
       held_(memory, "encoders", "", pipeline::Work::kPerUserFrontend) {}
 
@@ -81,7 +109,7 @@ void EncodeStage::encodeNext(const node::FinishedFrame& frame) {
   }
   const double began = pipeline::wallSeconds();
   control_->took(FrameTimes::Place::kDrawing, began - frame.view->time);
-  const std::shared_ptr<EncodedFrame> made = makeRoom();
+  const std::shared_ptr<EncodedFrame> made = makeRoom(namesAndSounds_ ? frame.labels.size() : 0);
   const std::size_t before = made->bytes.size();
   bool independent = true;
   try {
@@ -101,9 +129,13 @@ void EncodeStage::encodeNext(const node::FinishedFrame& frame) {
   made->header = describe(frame);
   made->header.codec = encoder->codec();
   made->header.independent = independent;
+  if (namesAndSounds_) {
+    made->header.fire = nearnessOf(fires_, frame.view->camera.pose.position);
+    made->header.labels = labelsOf(frame);
+  }
   const std::span room = std::span(made->bytes).subspan<EncodedFrame::kHeadroom>();
   if (asPictures_) {
-    encode(made->header, room.first<kPictureHeaderBytes>());
+    encode(made->header, room.first(pictureHeaderBytes(made->header.labels.size())));
   } else {
     encode(static_cast<const FrameHeader&>(made->header), room.first<kFrameHeaderBytes>());
   }
@@ -151,9 +183,9 @@ bool EncodeStage::isSame(const node::FinishedFrame& frame, bool still) {
   return std::exchange(lastHash_, hash) == hash;
 }
 
-std::shared_ptr<EncodedFrame> EncodeStage::makeRoom() const {
+std::shared_ptr<EncodedFrame> EncodeStage::makeRoom(std::size_t labels) const {
   auto frame = std::make_shared<EncodedFrame>();
-  const std::size_t header = EncodedFrame::kHeadroom + headerBytes(asPictures_);
+  const std::size_t header = EncodedFrame::kHeadroom + (asPictures_ ? pictureHeaderBytes(labels) : kFrameHeaderBytes);
   // Neighbouring frames are of like size: room for a little more than the last one saves growing.
   frame->bytes.reserve(header + lastBytes_ + lastBytes_ / 8);
   frame->bytes.resize(header);

@@ -26,9 +26,11 @@ class EncodeStage final : public pipeline::Stage<node::FinishedFrame> {
     std::function<void(std::vector<std::uint8_t>)> captured = {};  ///< a Captured message
   };
 
-  /// `asPictures`: messages are Pictures. Reports to `memory` the encoder and the newest frame, which waits to be sent.
-  EncodeStage(std::shared_ptr<StreamControl> control, bool asPictures, Outputs outputs, pipeline::MemoryLedger& memory,
-              pipeline::Executor& executor, pipeline::Timeline& timeline);
+  /// Messages are what this `page` understands: Frames, Pictures, or Pictures that tell what is heard (`fires`: where
+  /// they burn) and where names belong. Reports to `memory` the
+  /// encoder and the newest frame, which waits to be sent.
+  EncodeStage(std::shared_ptr<StreamControl> control, PageLevel page, std::vector<world::Vec3> fires, Outputs outputs,
+              pipeline::MemoryLedger& memory, pipeline::Executor& executor, pipeline::Timeline& timeline);
 
  protected:
   void process(std::span<node::FinishedFrame> items, pipeline::Run& run) override;
@@ -40,10 +42,12 @@ class EncodeStage final : public pipeline::Stage<node::FinishedFrame> {
   [[nodiscard]] Encoder* encoderOf(const EncoderKind& kind);
   /// Whether not one pixel differs from the last frame's.
   [[nodiscard]] bool isSame(const node::FinishedFrame& frame, bool still);
-  [[nodiscard]] std::shared_ptr<EncodedFrame> makeRoom() const;
+  [[nodiscard]] std::shared_ptr<EncodedFrame> makeRoom(std::size_t labels) const;
 
   const std::shared_ptr<StreamControl> control_;
   const bool asPictures_;
+  const bool namesAndSounds_;
+  const std::vector<world::Vec3> fires_;
   const Outputs outputs_;
   std::string kind_;  ///< name of the encoder's
   std::unique_ptr<Encoder> encoder_;

@@ -30,6 +30,7 @@ enum class MessageType : std::uint8_t {
   kRefining = 0x86,
   kCaptured = 0x87,
   kTimes = 0x88,
+  kPeople = 0x89,
 };
 
 [[nodiscard]] constexpr std::uint8_t toByte(MessageType type) { return static_cast<std::uint8_t>(type); }

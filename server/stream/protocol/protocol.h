@@ -22,6 +22,8 @@ inline constexpr const char* kSubProtocolWithWaiting = "grove.v1.1";
 inline constexpr const char* kSubProtocolWithVideo = "grove.v1.2";
 /// The same, of pages that besides report where a frame's time goes and know the messages below "since v1.3".
 inline constexpr const char* kSubProtocolWithTimes = "grove.v1.3";
+/// The same, of pages that besides write names over the picture, make sounds and know what is "since v1.4".
+inline constexpr const char* kSubProtocolWithNames = "grove.v1.4";
 
 /// Close codes of PROTOCOL.md.
 enum class CloseCode : std::uint16_t {
@@ -130,6 +132,18 @@ struct FrameHeader {
   std::uint32_t serverMicroseconds = 0;
 };
 
+/// Since v1.4: where a visitor's name belongs in a picture. People has the name.
+struct Label {
+  std::uint32_t visitor = 0;
+  std::uint16_t x = 0;  ///< of the picture's width, 0 left, 65535 right: the middle of the name
+  std::uint16_t y = 0;  ///< of the picture's height, 0 top, 65535 bottom: the name's lower edge
+  std::uint8_t opacity = 255;
+
+  friend bool operator==(const Label&, const Label&) = default;
+};
+inline constexpr std::size_t kMaxLabels = 24;
+inline constexpr std::size_t kLabelBytes = 10;
+
 /// Of a Picture, which is a Frame since v1.2.
 struct PictureHeader : FrameHeader {
   bool independent = true;  ///< can be decoded without those before it
@@ -138,7 +152,12 @@ struct PictureHeader : FrameHeader {
   float pitch = 0.0F;
   float tanHalfX = 1.0F;  ///< of the whole picture, border included
   float tanHalfY = 1.0F;
+  std::uint8_t fire = 0;           ///< since v1.4: how near the nearest fire is, 0 out of hearing to 255 beside it
+  std::vector<Label> labels = {};  ///< since v1.4: nearest first, at most kMaxLabels
 };
+[[nodiscard]] constexpr std::size_t pictureHeaderBytes(std::size_t labels) {
+  return kPictureHeaderBytes + labels * kLabelBytes;
+}
 
 /// What keeps the stream from being all that the visitor could want.
 enum class LimitedBy : std::uint8_t {
@@ -180,6 +199,19 @@ struct Times {
   std::uint16_t lineTenthsOfMilliseconds = 0;     ///< from there to the page, as far as the clocks allow to say
 };
 
+struct Person {
+  std::uint32_t visitor = 0;
+  std::uint32_t colour = 0;  ///< of the lantern, 0x00BBGGRR
+  std::string name;          ///< cut to 64 bytes
+
+  friend bool operator==(const Person&, const Person&) = default;
+};
+
+/// Since v1.4: who is here, after Welcome and when somebody has come or gone, once a second at most.
+struct People {
+  std::vector<Person> people;
+};
+
 /// Since v1.3: the answer to Capture; the picture follows it.
 struct CapturedHeader {
   std::uint8_t codec = kCodecJpeg;
@@ -194,10 +226,11 @@ inline constexpr std::size_t kCapturedHeaderBytes = 12;
 [[nodiscard]] std::vector<std::uint8_t> encode(const Status& status);
 [[nodiscard]] std::vector<std::uint8_t> encode(const Refining& refining);
 [[nodiscard]] std::vector<std::uint8_t> encode(const Times& times);
+[[nodiscard]] std::vector<std::uint8_t> encode(const People& people);
 /// Writes the header of a Frame message; the picture follows it.
 void encode(const FrameHeader& header, std::span<std::uint8_t, kFrameHeaderBytes> out);
-/// Writes the header of a Picture message; the picture follows it.
-void encode(const PictureHeader& header, std::span<std::uint8_t, kPictureHeaderBytes> out);
+/// Writes the header of a Picture message into pictureHeaderBytes(); the picture follows it.
+void encode(const PictureHeader& header, std::span<std::uint8_t> out);
 /// Writes the header of a Captured message; the picture follows it.
 void encode(const CapturedHeader& header, std::span<std::uint8_t, kCapturedHeaderBytes> out);
 
@@ -225,8 +258,8 @@ struct CapturedMessage {
   CapturedHeader header;
   std::span<const std::uint8_t> picture;
 };
-using ServerMessage =
-    std::variant<Welcome, Waiting, FrameMessage, PictureMessage, CapturedMessage, Status, Refining, Times, Refusal>;
+using ServerMessage = std::variant<Welcome, Waiting, FrameMessage, PictureMessage, CapturedMessage, Status, Refining,
+                                   Times, People, Refusal>;
 [[nodiscard]] ServerMessage parseServerMessage(std::span<const std::uint8_t> bytes);
 
 }  // namespace grove::stream

@@ -13,11 +13,24 @@ namespace {
 
 constexpr std::size_t kMaxWorldNameBytes = 255;
 constexpr std::size_t kMaxStepBytes = 64;
+constexpr std::size_t kMaxPersonNameBytes = 64;
 constexpr std::uint8_t kAllPercent = 100;
 constexpr std::uint8_t kIndependentFlag = 1;
 
 bool areFinite(std::initializer_list<float> values) {
   return std::ranges::all_of(values, [](float value) { return std::isfinite(value); });
+}
+
+/// Red, green, blue; 0x00BBGGRR.
+std::uint32_t takeColour(WireReader& reader) {
+  const std::uint32_t red = reader.take<std::uint8_t>();
+  const std::uint32_t green = reader.take<std::uint8_t>();
+  const std::uint32_t blue = reader.take<std::uint8_t>();
+  return red | (green << 8U) | (blue << 16U);
+}
+
+void putColour(WireWriter& writer, std::uint32_t colour) {
+  for (const std::uint32_t shift : {0U, 8U, 16U}) writer.put(static_cast<std::uint8_t>(colour >> shift));
 }
 
 ServerMessage parseWelcome(WireReader reader) {
@@ -27,10 +40,7 @@ ServerMessage parseWelcome(WireReader reader) {
   Welcome welcome;
   welcome.framesPerSecond = reader.take<std::uint16_t>();
   welcome.visitor = reader.take<std::uint32_t>();
-  const std::uint32_t red = reader.take<std::uint8_t>();
-  const std::uint32_t green = reader.take<std::uint8_t>();
-  const std::uint32_t blue = reader.take<std::uint8_t>();
-  welcome.colour = red | (green << 8U) | (blue << 16U);
+  welcome.colour = takeColour(reader);
   const auto worldBytes = reader.take<std::uint8_t>();
   welcome.yaw = reader.take<float>();
   welcome.pitch = reader.take<float>();
@@ -68,6 +78,16 @@ ServerMessage parseFrame(WireReader reader) {
   return frame;
 }
 
+Label takeLabel(WireReader& reader, bool& zero) {
+  Label label;
+  label.visitor = reader.take<std::uint32_t>();
+  label.x = reader.take<std::uint16_t>();
+  label.y = reader.take<std::uint16_t>();
+  label.opacity = reader.take<std::uint8_t>();
+  zero = reader.take<std::uint8_t>() == 0 && zero;
+  return label;
+}
+
 ServerMessage parsePicture(WireReader reader) {
   PictureMessage picture;
   PictureHeader& header = picture.header;
@@ -77,7 +97,9 @@ ServerMessage parsePicture(WireReader reader) {
   header.width = reader.take<std::uint16_t>();
   header.height = reader.take<std::uint16_t>();
   header.visitors = reader.take<std::uint16_t>();
-  const bool zero = reader.take<std::uint16_t>() == 0 && (flags & ~kIndependentFlag) == 0;
+  const auto labels = reader.take<std::uint8_t>();
+  header.fire = reader.take<std::uint8_t>();
+  bool zero = (flags & ~kIndependentFlag) == 0;
   header.frame = reader.take<std::uint32_t>();
   header.lastInput = reader.take<std::uint32_t>();
   header.serverMicroseconds = reader.take<std::uint32_t>();
@@ -85,6 +107,8 @@ ServerMessage parsePicture(WireReader reader) {
   header.pitch = reader.take<float>();
   header.tanHalfX = reader.take<float>();
   header.tanHalfY = reader.take<float>();
+  if (labels > kMaxLabels) return refuseMessage("more labels than a picture has");
+  for (int i = 0; i < labels; ++i) header.labels.push_back(takeLabel(reader, zero));
   if (reader.exhausted()) return wrongLength("Picture");
   if (header.codec != kCodecJpeg && header.codec != kCodecH264) {
     return refuseMessage("unknown codec " + std::to_string(header.codec));
@@ -157,6 +181,24 @@ ServerMessage parseTimes(WireReader reader) {
   return times;
 }
 
+ServerMessage parsePeople(WireReader reader) {
+  const bool zero = reader.take<std::uint8_t>() == 0;
+  People people;
+  const auto count = reader.take<std::uint16_t>();
+  for (int i = 0; i < count && !reader.exhausted(); ++i) {
+    Person person;
+    person.visitor = reader.take<std::uint32_t>();
+    person.colour = takeColour(reader);
+    const auto nameBytes = reader.take<std::uint8_t>();
+    if (nameBytes > kMaxPersonNameBytes) return refuseMessage("a name is longer than 64 bytes");
+    person.name = printable(reader.takeText(nameBytes), kMaxPersonNameBytes);
+    people.people.push_back(std::move(person));
+  }
+  if (reader.exhausted() || !reader.rest().empty()) return wrongLength("People");
+  if (!zero) return reservedBytes("People");
+  return people;
+}
+
 /// Writes one number after the other into room that is there.
 class HeaderWriter {
  public:
@@ -197,6 +239,8 @@ ServerMessage parseServerMessage(std::span<const std::uint8_t> bytes) {
       return parseCaptured(reader);
     case MessageType::kTimes:
       return parseTimes(reader);
+    case MessageType::kPeople:
+      return parsePeople(reader);
     default:
       return refuseMessage("unknown message type " + std::to_string(type));
   }
@@ -206,7 +250,7 @@ std::vector<std::uint8_t> encode(const Welcome& welcome) {
   const std::string world = printable(welcome.world, kMaxWorldNameBytes);
   WireWriter writer;
   writer.put(toByte(MessageType::kWelcome)).put(kProtocolVersion).put(welcome.framesPerSecond).put(welcome.visitor);
-  for (const std::uint32_t shift : {0U, 8U, 16U}) writer.put(static_cast<std::uint8_t>(welcome.colour >> shift));
+  putColour(writer, welcome.colour);
   writer.put(static_cast<std::uint8_t>(world.size())).put(welcome.yaw).put(welcome.pitch).put(world);
   return writer.take();
 }
@@ -244,6 +288,19 @@ std::vector<std::uint8_t> encode(const Times& times) {
   return writer.take();
 }
 
+std::vector<std::uint8_t> encode(const People& people) {
+  WireWriter writer;
+  writer.put(toByte(MessageType::kPeople)).put(std::uint8_t{0});
+  writer.put(static_cast<std::uint16_t>(people.people.size()));
+  for (const Person& person : people.people) {
+    const std::string name = printable(person.name, kMaxPersonNameBytes);
+    writer.put(person.visitor);
+    putColour(writer, person.colour);
+    writer.put(static_cast<std::uint8_t>(name.size())).put(name);
+  }
+  return writer.take();
+}
+
 void encode(const FrameHeader& header, std::span<std::uint8_t, kFrameHeaderBytes> out) {
   HeaderWriter writer(out);
   writer.put(toByte(MessageType::kFrame)).put(header.codec).put(header.width).put(header.height);
@@ -251,13 +308,18 @@ void encode(const FrameHeader& header, std::span<std::uint8_t, kFrameHeaderBytes
   assert(writer.full());
 }
 
-void encode(const PictureHeader& header, std::span<std::uint8_t, kPictureHeaderBytes> out) {
+void encode(const PictureHeader& header, std::span<std::uint8_t> out) {
+  assert(header.labels.size() <= kMaxLabels);
   HeaderWriter writer(out);
   writer.put(toByte(MessageType::kPicture)).put(header.codec);
   writer.put(header.independent ? kIndependentFlag : std::uint8_t{0}).put(header.border);
-  writer.put(header.width).put(header.height).put(header.visitors).put(std::uint16_t{0});
+  writer.put(header.width).put(header.height).put(header.visitors);
+  writer.put(static_cast<std::uint8_t>(header.labels.size())).put(header.fire);
   writer.put(header.frame).put(header.lastInput).put(header.serverMicroseconds);
   writer.put(header.yaw).put(header.pitch).put(header.tanHalfX).put(header.tanHalfY);
+  for (const Label& label : header.labels) {
+    writer.put(label.visitor).put(label.x).put(label.y).put(label.opacity).put(std::uint8_t{0});
+  }
   assert(writer.full());
 }
 

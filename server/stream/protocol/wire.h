@@ -39,6 +39,16 @@ class WireReader {
     return std::bit_cast<T>(bits);
   }
 
+  std::string_view takeText(std::size_t bytes) {
+    if (rest_.size() < bytes) {
+      exhausted_ = true;
+      rest_ = {};
+    }
+    const std::string_view text = restAsText().substr(0, bytes);
+    rest_ = rest_.subspan(text.size());
+    return text;
+  }
+
   [[nodiscard]] std::span<const std::uint8_t> rest() const noexcept { return rest_; }
   [[nodiscard]] std::string_view restAsText() const noexcept {
     return {reinterpret_cast<const char*>(rest_.data()), rest_.size()};

@@ -42,7 +42,9 @@ void Session::begin(std::shared_ptr<WorldInstance> instance) {
     if (const auto self = weak.lock()) self->deliver(frame);
   };
   outputs.captured = terms_.captured;
-  auto encoder = std::make_shared<EncodeStage>(control_, terms_.page != PageLevel::kBasic, std::move(outputs),
+  std::vector<world::Vec3> fires;
+  for (const world::FlickeringLight& each : host_.layout().lights) fires.push_back(each.light.position);
+  auto encoder = std::make_shared<EncodeStage>(control_, terms_.page, std::move(fires), std::move(outputs),
                                                host_.memory_, host_.workers(), host_.timeline_);
   auto node = std::make_unique<node::FrontendNode>(
       id_, node::FramePolicy{host_.options().framesInFlight, host_.options().deadlineSeconds},

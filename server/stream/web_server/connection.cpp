@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "base/log.h"
+#include "pipeline/clocks.h"
 #include "stream/protocol/printable.h"
 
 namespace grove::stream {
@@ -13,10 +14,13 @@ constexpr double kAcknowledgementSeconds = 25.0;
 constexpr double kPingSeconds = 10.0;
 constexpr double kAnswerSeconds = kAcknowledgementSeconds - kPingSeconds;
 constexpr int kMaxPiecesPerSecond = 500;
+/// However many come and go.
+constexpr double kPeopleSeconds = 1.0;
 
 Refusal protocolError(std::string reason) { return {CloseCode::kProtocolError, std::move(reason)}; }
 
 PageLevel levelOf(std::string_view subProtocol) {
+  if (subProtocol == kSubProtocolWithNames) return PageLevel::kNaming;
   if (subProtocol == kSubProtocolWithTimes) return PageLevel::kTimed;
   return subProtocol == kSubProtocolWithVideo ? PageLevel::kAdaptive : PageLevel::kBasic;
 }
@@ -57,6 +61,7 @@ std::optional<Refusal> Connection::overdue(double now) {
     if (now - opened_ < kHelloSeconds) return std::nullopt;
     return refuse({CloseCode::kNoHello, "no Hello within 10 seconds"});
   }
+  watchPeople(now);
   if (auto why = session_->refusal()) return refuse(std::move(*why));
   if (isDead(now)) return refuse({CloseCode::kNoAcknowledgement, "no answer to a ping"});
   if (session_->secondsUnacknowledged(now) < kAcknowledgementSeconds) return std::nullopt;
@@ -71,8 +76,26 @@ bool Connection::isDead(double now) {
   return false;
 }
 
+void Connection::watchPeople(double now) {
+  if (page_ < PageLevel::kNaming || now < peopleToldAt_ + kPeopleSeconds) return;
+  if (host_.players().changes() == peopleTold_) return;
+  peopleToldAt_ = now;
+  peopleAreDue_ = true;
+}
+
+People Connection::people() {
+  // Read before the list: who comes in between is told again, rather than never.
+  peopleTold_ = host_.players().changes();
+  People people;
+  for (const world::Player& player : host_.players().all(pipeline::wallSeconds())) {
+    people.people.push_back({node::shortIdOf(player.id, host_.options().process), player.colour, player.name});
+  }
+  return people;
+}
+
 std::vector<std::uint8_t> Connection::takeMessage() {
   if (!welcome_.empty()) return std::exchange(welcome_, {});
+  if (std::exchange(peopleAreDue_, false)) return encode(people());
   if (const auto waiting = outbox_->takeWaiting()) return encode(*waiting);
   if (const auto status = outbox_->takeStatus()) return encode(*status);
   if (const auto times = outbox_->takeTimes()) return encode(*times);
@@ -142,7 +165,7 @@ std::optional<Refusal> Connection::act(const ClientMessage& message) {
 
 std::optional<Refusal> Connection::actOnStream(const ClientMessage& message) {
   const bool isTimed = std::holds_alternative<Painted>(message) || std::holds_alternative<Capture>(message);
-  if (page_ == PageLevel::kBasic || (isTimed && page_ != PageLevel::kTimed)) {
+  if (page_ == PageLevel::kBasic || (isTimed && page_ < PageLevel::kTimed)) {
     return protocolError("a message of a newer sub-protocol");
   }
   if (const auto* painted = std::get_if<Painted>(&message)) return session_->acknowledge(*painted);
@@ -185,7 +208,7 @@ StreamTerms Connection::terms() {
       if (const auto to = outbox.lock()) to->put(status);
     };
   }
-  if (page_ == PageLevel::kTimed) {
+  if (page_ >= PageLevel::kTimed) {
     terms.times = [outbox = std::weak_ptr(outbox_)](const Times& times) {
       if (const auto to = outbox.lock()) to->put(times);
     };

@@ -68,14 +68,14 @@ class Connection {
   [[nodiscard]] bool isInWorld() const noexcept { return session_ != nullptr; }
 
   [[nodiscard]] bool hasSomethingToSend() const {
-    return pingIsDue_ || !welcome_.empty() || !outbox_->empty() || hasNewsOfRefining();
+    return pingIsDue_ || peopleAreDue_ || !welcome_.empty() || !outbox_->empty() || hasNewsOfRefining();
   }
   /// The thread that writes has come to what is to be sent: what waits from now on waits for the socket.
   void reach(double now) {
     if (!reached_ && outbox_->hasFrame()) reached_ = now;
   }
-  /// The greeting, how the wait for the first frame gets on, and what gets finer; they go before any frame. Empty if
-  /// there is none.
+  /// The greeting, who is here, how the wait for the first frame gets on, and what gets finer; they go before any
+  /// frame. Empty if there is none.
   [[nodiscard]] std::vector<std::uint8_t> takeMessage();
   [[nodiscard]] std::shared_ptr<const EncodedFrame> takeFrame() { return outbox_->take(); }
   /// The socket has taken this frame.
@@ -93,6 +93,9 @@ class Connection {
   [[nodiscard]] bool isFlood(double now);
   /// Whether he says nothing, and has not answered a ping. Asks for one in time.
   [[nodiscard]] bool isDead(double now);
+  /// Takes note that somebody has come or gone.
+  void watchPeople(double now);
+  [[nodiscard]] People people();
   [[nodiscard]] bool hasNewsOfRefining() const {
     return page_ != PageLevel::kBasic && session_ && host_.knowsMoreThan(refiningReported_);
   }
@@ -117,7 +120,10 @@ class Connection {
   int piecesThisSecond_ = 0;
   double heard_;                  ///< when a message last came
   std::optional<double> pinged_;  ///< since then: when a ping became due
+  std::uint64_t peopleTold_ = 0;  ///< as of world::Players::changes(); 0: nobody yet
+  double peopleToldAt_ = 0.0;
   bool pingIsDue_ = false;
+  bool peopleAreDue_ = false;
 };
 
 }  // namespace grove::stream

@@ -59,6 +59,15 @@ void expectSame(const world::Player& a, const world::Player& b) {
   EXPECT_EQ(a.keys, b.keys);
 }
 
+/// Would catch two visitors of one world whom a page takes for one.
+TEST(Ids, PagesTellVisitorsOfOtherProcessesFromTheirOwn) {
+  EXPECT_EQ(shortIdOf(makeId(7, 3), 7), 3U);
+  EXPECT_NE(shortIdOf(makeId(8, 3), 7), 3U);
+  EXPECT_NE(shortIdOf(makeId(8, 3), 7), shortIdOf(makeId(8, 4), 7));
+  EXPECT_NE(shortIdOf(makeId(8, 3), 7), shortIdOf(makeId(9, 3), 7));
+  EXPECT_GE(shortIdOf(makeId(8, 3), 7), 1U << 31U) << "no process has so many";
+}
+
 TEST(Wire, CarriesHello) {
   const NodeHello sent = examples::hello();
   const NodeHello got = afterTravel(sent);

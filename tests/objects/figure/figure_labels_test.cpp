@@ -4,26 +4,29 @@
 
 #include <algorithm>
 
+#include "objects/figure/common/stature.h"
 #include "objects/figure/visitors_in_sight.h"
 
 namespace grove::objects::figure {
 namespace {
 
-/// A frame of one grey, at one depth.
+/// A frame of one depth, with something at another depth from a column on.
 class LabelTest : public testing::Test {
  protected:
-  static constexpr std::uint32_t kGrey = 0xFF808080;
-
-  std::size_t touched(const world::Object& object, float depth) {
+  std::optional<node::Label> labelIn(const world::Object& object, float depth, float other, int from) {
     const auto list = look({object}, {});
-    colour_.assign(320 * 180, kGrey);
+    colour_.assign(320 * 180, 0xFF808080);
     depth_.assign(320 * 180, depth);
-    // The left half is open sky.
-    for (std::size_t y = 0; y < 180; ++y)
-      std::fill_n(depth_.begin() + static_cast<std::ptrdiff_t>(y * 320), 160, 1.0e30F);
-    raster::Image frame{{0, 0, 320, 180}, colour_, depth_, false, {}};
-    labels_.draw(list->objects[0].object, list->view->camera, frame);
-    return static_cast<std::size_t>(std::ranges::count_if(colour_, [](std::uint32_t c) { return c != kGrey; }));
+    for (std::size_t i = 0; i < depth_.size(); ++i) {
+      if (static_cast<int>(i % 320) >= from) depth_[i] = other;
+    }
+    const raster::Image frame{{0, 0, 320, 180}, colour_, depth_, false, {}};
+    const auto layer = labels_.layer(list->objects[0], {}, *list->view);
+    return layer->label(frame);
+  }
+  /// Under the open sky.
+  std::optional<node::Label> labelOfOne(const world::Object& object) {
+    return labelIn(object, world::kInfiniteDepth, world::kInfiniteDepth, 320);
   }
 
   FigureLabels labels_;
@@ -31,32 +34,49 @@ class LabelTest : public testing::Test {
   std::vector<float> depth_;
 };
 
-TEST_F(LabelTest, IsDrawnOnlyWhereNothingStandsBeforeIt) {
-  const std::size_t all = touched(visitor(1, {0, 0, -6}), 20.0F);
-  EXPECT_GT(all, 200U);
-  const std::size_t half = touched(visitor(1, {0, 0, -6}), 3.0F);
-  EXPECT_GT(half, all / 4);
-  EXPECT_LT(half, all * 3 / 4);
-  for (std::size_t y = 0; y < 180; ++y) {
-    for (std::size_t x = 160; x < 320; ++x) ASSERT_EQ(colour_[y * 320 + x], kGrey);
-  }
+TEST_F(LabelTest, StandsAboveTheHead) {
+  const auto label = labelOfOne(visitor(1, {0.5F, 0, -6}));
+  ASSERT_TRUE(label);
+  EXPECT_EQ(label->object, world::kFirstPlayerObject + 1);
+  EXPECT_FLOAT_EQ(label->opacity, 1.0F);
+  EXPECT_NEAR(label->depth, 6.0F, 0.01F);
+  // The taller of two: his head is where his body is drawn.
+  const world::Camera camera = look({}, {})->view->camera;
+  const float hood = kFigureHeight * kStatures[1].height;
+  const world::Vec3 head = camera.project({0.5F, hood, -6});
+  EXPECT_NEAR(label->place.x, head.x, 0.5F);
+  EXPECT_LT(label->place.y, head.y);
+  EXPECT_GT(label->place.y, camera.project({0.5F, hood + 0.2F, -6}).y);
+  const auto smaller = labelOfOne(visitor(2, {0.5F, 0, -6}));
+  ASSERT_TRUE(smaller);
+  EXPECT_GT(smaller->place.y, label->place.y + 2.0F);
 }
 
-/// Fails if a long name is hidden by depths that were never written.
-TEST_F(LabelTest, ReadsDepthWhereverItIsDrawn) {
-  world::Object ada = visitor(1, {0, 0, -15});
-  ada.name = "a name that is far wider than its figure";
+TEST_F(LabelTest, IsSeenAsFarAsTheHeadIs) {
+  const world::Object ada = visitor(1, {0, 0, -6});
+  EXPECT_FALSE(labelIn(ada, 3.0F, 3.0F, 0)) << "behind a wall";
+  const auto half = labelIn(ada, world::kInfiniteDepth, 3.0F, 160);
+  ASSERT_TRUE(half);
+  EXPECT_NEAR(half->opacity, 0.5F, 0.2F);
+  const auto own = labelIn(ada, 5.8F, 5.8F, 0);
+  ASSERT_TRUE(own) << "the figure's own face is nearer than its middle";
+  EXPECT_FLOAT_EQ(own->opacity, 1.0F);
+}
+
+/// Fails if a name is hidden by depths that were never written.
+TEST_F(LabelTest, ReadsDepthWithinItsRectangleOnly) {
+  const world::Object ada = visitor(1, {0, 0, -6});
   const auto list = look({ada}, {});
-  const node::VisibleObject& object = list->objects[0];
-  const world::Rect reads = labels_.layer(object, {}, *list->view)->readsDepth({0, 0, 320, 180});
-  EXPECT_GT(reads.width(), object.rect.width());
-  ASSERT_GT(touched(ada, world::kInfiniteDepth), 0U);
-  for (int y = 0; y < 180; ++y) {
-    for (int x = 0; x < 320; ++x) {
-      if (colour_.data()[std::ptrdiff_t{y} * 320 + x] == kGrey) continue;
-      ASSERT_FALSE(world::overlap(reads, {x, y, x + 1, y + 1}).empty()) << x << ", " << y;
-    }
+  const world::Rect reads = labels_.layer(list->objects[0], {}, *list->view)->readsDepth({0, 0, 320, 180});
+  ASSERT_FALSE(reads.empty());
+  colour_.assign(320 * 180, 0);
+  depth_.assign(320 * 180, 0.2F);
+  for (int y = reads.top; y < reads.bottom; ++y) {
+    std::fill_n(depth_.begin() + std::ptrdiff_t{y} * 320 + reads.left, reads.width(), world::kInfiniteDepth);
   }
+  const auto label = labelOf(ada, list->view->camera, {{0, 0, 320, 180}, colour_, depth_, false, {}});
+  ASSERT_TRUE(label);
+  EXPECT_FLOAT_EQ(label->opacity, 1.0F);
 }
 
 TEST_F(LabelTest, NobodyReadsHisOwnName) {
@@ -68,23 +88,25 @@ TEST_F(LabelTest, NobodyReadsHisOwnName) {
 }
 
 TEST_F(LabelTest, FadesWithDistance) {
-  const auto brightest = [&] {
-    return *std::ranges::max_element(colour_, {}, [](std::uint32_t c) { return c & 0xFFU; }) & 0xFFU;
-  };
-  (void)touched(visitor(1, {0, 0, -8}), 1.0e30F);
-  const std::uint32_t near = brightest();
-  (void)touched(visitor(1, {0, 0, -20}), 1.0e30F);
-  EXPECT_LT(brightest(), near);
-  EXPECT_EQ(touched(visitor(1, {0, 0, -26}), 1.0e30F), 0U);
-  EXPECT_EQ(touched(visitor(1, {0, 0, 5}), 1.0e30F), 0U);
+  const auto far = labelOfOne(visitor(1, {0, 0, -22}));
+  ASSERT_TRUE(far);
+  EXPECT_GT(far->opacity, 0.1F);
+  EXPECT_LT(far->opacity, 0.9F);
+  EXPECT_FALSE(labelOfOne(visitor(1, {0, 0, -26})));
+  EXPECT_FALSE(labelOfOne(visitor(1, {0, 0, 5}))) << "behind the eye";
 }
 
-TEST(LabelFont, DrawsAnyBytes) {
-  const LabelFont font;
-  EXPECT_GT(font.draw("wide name", 18).width, font.draw("i", 18).width);
-  const LabelMask broken = font.draw("\xFF\xC3", 18);
-  EXPECT_TRUE(std::ranges::any_of(broken.coverage, [](std::uint8_t c) { return c > 0; }));
-  EXPECT_LT(font.draw(std::string(10'000, 'W'), 18).width, 1000);
+TEST_F(LabelTest, StaysWithinTheFrame) {
+  const auto near = labelOfOne(visitor(1, {0, 0.5F, -0.9F}));
+  ASSERT_TRUE(near);
+  EXPECT_FLOAT_EQ(near->place.y, 0.0F) << "the head touches the upper edge";
+  EXPECT_FALSE(labelOfOne(visitor(1, {20, 0, -4}))) << "beside the frame";
+}
+
+TEST_F(LabelTest, WhoHasNoNameHasNoLabel) {
+  world::Object nobody = visitor(1, {0, 0, -6});
+  nobody.name.clear();
+  EXPECT_FALSE(labelOfOne(nobody));
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "node/backend_stand.h"
 #include "objects/figure/backend/contact_shadow.h"
 #include "objects/figure/backend/figure_backend.h"
+#include "objects/figure/common/stature.h"
 #include "objects/figure/visitors_in_sight.h"
 
 namespace grove::objects::figure {

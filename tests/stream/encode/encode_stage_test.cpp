@@ -36,7 +36,8 @@ TEST(EncodeStage, MakesAFrameMessageOfAFrame) {
   auto future = promise.get_future();
   pipeline::WorkerPool workers(1);
   const auto stage = std::make_shared<EncodeStage>(
-      std::make_shared<StreamControl>(encoders, PageLevel::kBasic, 30.0, 200, 120), false,
+      std::make_shared<StreamControl>(encoders, PageLevel::kBasic, 30.0, 200, 120), PageLevel::kBasic,
+      std::vector<world::Vec3>{},
       EncodeStage::Outputs{
           .frame = [&](std::shared_ptr<const EncodedFrame> frame) { promise.set_value(std::move(frame)); }},
       memory, workers, timeline);
@@ -83,11 +84,11 @@ class FailingEncoder final : public Encoder {
 /// A stage, a stream's control and what comes out of it, of one visitor whose page takes H.264.
 class Stream {
  public:
-  explicit Stream(EncoderRegistry encoders = builtinEncoders(80))
+  explicit Stream(EncoderRegistry encoders = builtinEncoders(80), PageLevel page = PageLevel::kTimed)
       : encoders_(std::move(encoders)),
-        control_(std::make_shared<StreamControl>(encoders_, PageLevel::kTimed, 30.0, 320, 180)),
+        control_(std::make_shared<StreamControl>(encoders_, page, 30.0, 320, 180)),
         stage_(std::make_shared<EncodeStage>(
-            control_, true,
+            control_, page, std::vector<world::Vec3>{{0, 1.7F, 3}, {0, 1.7F, -30}},
             EncodeStage::Outputs{
                 .frame =
                     [this](const std::shared_ptr<const EncodedFrame>& frame) {
@@ -116,6 +117,8 @@ class Stream {
   }
   static constexpr int kMaxRushed = 4;
 
+  std::vector<node::Label> labels;  ///< of the frames to come
+
   StreamControl& control() { return *control_; }
   [[nodiscard]] const std::vector<std::shared_ptr<const EncodedFrame>>& sent() const { return sent_; }
   [[nodiscard]] std::uint32_t pushed() const { return number_; }
@@ -135,7 +138,7 @@ class Stream {
     view.camera.height = 180;
     view.camera.pose.yaw = yaw;
     view.time = pipeline::wallSeconds();
-    return {std::make_shared<const node::View>(view), image};
+    return {std::make_shared<const node::View>(view), image, labels};
   }
 
   const EncoderRegistry encoders_;
@@ -192,6 +195,28 @@ TEST(EncodeStage, SendsAnIndependentPictureOfWhatStandsStill) {
   }
   ASSERT_NE(picture, nullptr);
   EXPECT_TRUE(picture->header.independent);
+}
+
+// Faults: a name at another place than the visitor; a header that runs into the picture; bytes that older pages take
+// for a part of the picture.
+TEST(EncodeStage, TellsPagesThatWriteNamesWhereTheyBelongAndWhatIsHeard) {
+  for (const PageLevel page : {PageLevel::kTimed, PageLevel::kNaming}) {
+    Stream stream(builtinEncoders(80), page);
+    stream.labels = {{.object = world::kFirstPlayerObject + 7, .place = {160.0F, 180.0F}, .opacity = 1.0F},
+                     {.object = world::kFirstPlayerObject + 9, .place = {0.0F, 45.0F}, .opacity = 0.001F}};
+    const auto sent = stream.push(grain(1));
+    ASSERT_NE(sent, nullptr);
+    const ServerMessage message = parseServerMessage(sent->message());
+    const auto* read = std::get_if<PictureMessage>(&message);
+    ASSERT_NE(read, nullptr);
+    const std::vector<Label> labels{{.visitor = 7, .x = 32768, .y = 65535, .opacity = 255},
+                                    {.visitor = 9, .x = 0, .y = 16384, .opacity = 1}};
+    EXPECT_EQ(read->header.labels, page == PageLevel::kNaming ? labels : std::vector<Label>{});
+    // Half of the loudness beside it, three metres away.
+    EXPECT_EQ(read->header.fire, page == PageLevel::kNaming ? 128 : 0);
+    H264Decoder decoder;
+    EXPECT_NE(decoder.decode(read->picture), nullptr);
+  }
 }
 
 // Fault: a frame that was dropped once it was encoded, which those after it need.

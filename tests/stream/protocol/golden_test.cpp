@@ -104,6 +104,18 @@ Json fieldsOf(const Times& times) {
           {"line", times.lineTenthsOfMilliseconds / 10.0}};
 }
 
+Json fieldsOf(const People& people) {
+  Json list = Json::array();
+  for (const Person& person : people.people) {
+    list.push_back({{"visitor", person.visitor},
+                    {"red", person.colour & 0xFFU},
+                    {"green", (person.colour >> 8U) & 0xFFU},
+                    {"blue", person.colour >> 16U},
+                    {"name", person.name}});
+  }
+  return {{"message", "People"}, {"people", list}};
+}
+
 std::string hex(std::span<const std::uint8_t> bytes) {
   std::string text;
   for (const std::uint8_t byte : bytes) {
@@ -135,6 +147,14 @@ Json fieldsOf(const PictureMessage& picture) {
   fields["pitch"] = header.pitch;
   fields["tanHalfX"] = header.tanHalfX;
   fields["tanHalfY"] = header.tanHalfY;
+  fields["fire"] = header.fire / 255.0;
+  fields["labels"] = Json::array();
+  for (const Label& label : header.labels) {
+    fields["labels"].push_back({{"visitor", label.visitor},
+                                {"x", label.x / 65535.0},
+                                {"y", label.y / 65535.0},
+                                {"opacity", label.opacity / 255.0}});
+  }
   return fields;
 }
 
@@ -160,12 +180,13 @@ Bytes encodeAgain(const Presented& presented) { return encode(presented); }
 Bytes encodeAgain(const Painted& painted) { return encode(painted); }
 Bytes encodeAgain(const Capture& capture) { return encode(capture); }
 Bytes encodeAgain(const Times& times) { return encode(times); }
+Bytes encodeAgain(const People& people) { return encode(people); }
 Bytes encodeAgain(const Status& status) { return encode(status); }
 Bytes encodeAgain(const Refining& refining) { return encode(refining); }
 Bytes encodeAgain(const Refusal&) { return {}; }
 Bytes encodeAgain(const PictureMessage& picture) {
-  Bytes bytes(kPictureHeaderBytes);
-  encode(picture.header, std::span(bytes).first<kPictureHeaderBytes>());
+  Bytes bytes(pictureHeaderBytes(picture.header.labels.size()));
+  encode(picture.header, bytes);
   bytes.insert(bytes.end(), picture.picture.begin(), picture.picture.end());
   return bytes;
 }
@@ -184,8 +205,8 @@ Bytes encodeAgain(const CapturedMessage& captured) {
 }
 
 bool isFromServer(const Json& fields) {
-  static const std::set<std::string> kMessages{"Welcome", "Waiting",  "Frame",    "Picture",
-                                               "Status",  "Refining", "Captured", "Times"};
+  static const std::set<std::string> kMessages{"Welcome",  "Waiting",  "Frame", "Picture", "Status",
+                                               "Refining", "Captured", "Times", "People"};
   return kMessages.contains(fields["message"]);
 }
 
@@ -213,8 +234,8 @@ TEST(GoldenMessages, CoverEveryMessage) {
   std::set<std::string> messages;
   for (const Json& entry : golden()) messages.insert(entry["fields"]["message"]);
   EXPECT_EQ(messages, (std::set<std::string>{"Ack", "Broken", "Capture", "Captured", "Frame", "Hello", "Input",
-                                             "Limits", "Offer", "Painted", "Picture", "Presented", "Refining", "Resize",
-                                             "Status", "Times", "Waiting", "Welcome"}));
+                                             "Limits", "Offer", "Painted", "People", "Picture", "Presented", "Refining",
+                                             "Resize", "Status", "Times", "Waiting", "Welcome"}));
 }
 
 }  // namespace

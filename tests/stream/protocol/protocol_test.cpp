@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -139,6 +140,43 @@ TEST(Protocol, CutsTheNameOfAStep) {
   const ServerMessage read = parseServerMessage(encode(Waiting{1, 0, std::string(100, 'a')}));
   ASSERT_TRUE(std::holds_alternative<Waiting>(read));
   EXPECT_EQ(std::get<Waiting>(read).step, std::string(64, 'a'));
+}
+
+TEST(Protocol, RefusesLabelsThatCannotBe) {
+  PictureHeader header;
+  header.labels.resize(kMaxLabels);
+  const std::size_t most = pictureHeaderBytes(kMaxLabels);
+  Bytes picture(most);
+  encode(header, picture);
+  EXPECT_EQ(std::get<PictureMessage>(parseServerMessage(picture)).header.labels.size(), kMaxLabels);
+  EXPECT_TRUE(std::holds_alternative<Refusal>(parseServerMessage(std::span(picture).first(most - 1))));
+  Bytes reserved = picture;
+  reserved.back() = 1;
+  EXPECT_TRUE(std::holds_alternative<Refusal>(parseServerMessage(reserved)));
+  Bytes more = picture;
+  more[10] = kMaxLabels + 1;
+  more.resize(pictureHeaderBytes(kMaxLabels + 1));
+  EXPECT_TRUE(std::holds_alternative<Refusal>(parseServerMessage(more)));
+}
+
+TEST(Protocol, RefusesPeopleThatCannotBe) {
+  const Bytes people = encode(People{{{1, 0x4FB4FF, "Ada"}, {2, 0, "日本"}}});
+  ASSERT_TRUE(std::holds_alternative<People>(parseServerMessage(people)));
+  for (std::size_t length = 0; length < people.size(); ++length) {
+    EXPECT_TRUE(std::holds_alternative<Refusal>(parseServerMessage(std::span(people).first(length)))) << length;
+  }
+  Bytes longer = people;
+  longer.push_back(0);
+  EXPECT_TRUE(std::holds_alternative<Refusal>(parseServerMessage(longer)));
+  Bytes reserved = people;
+  reserved[1] = 1;
+  EXPECT_TRUE(std::holds_alternative<Refusal>(parseServerMessage(reserved)));
+  Bytes long65(12 + 65, 'a');
+  std::ranges::copy(encode(People{{{1, 0, ""}}}), long65.begin());
+  long65[11] = 65;
+  EXPECT_TRUE(std::holds_alternative<Refusal>(parseServerMessage(long65)));
+  const ServerMessage cleaned = parseServerMessage(encode(People{{{1, 0, "a\nb\xFF" + std::string(100, 'c')}}}));
+  EXPECT_EQ(std::get<People>(cleaned).people[0].name, "ab?" + std::string(61, 'c'));
 }
 
 TEST(Protocol, RefusesServerMessagesThatAreCutShort) {

@@ -2,6 +2,8 @@
 
 #include <chrono>
 #include <memory>
+#include <optional>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -137,6 +139,47 @@ TEST_F(ConnectionTest, ReportsWhatGetsFinerToThoseWhoKnowItAndAreIn) {
   const auto late = connect(kSubProtocolWithVideo);
   ASSERT_FALSE(late->receive(whole(hello), now_));
   EXPECT_TRUE(percentsToldTo(*late).empty()) << "what was done before he came";
+}
+
+/// The names in the first message that tells who is here; nothing if none of those that wait does.
+std::optional<std::vector<std::string>> namesToldTo(Connection& connection) {
+  for (auto bytes = connection.takeMessage(); !bytes.empty(); bytes = connection.takeMessage()) {
+    const ServerMessage parsed = parseServerMessage(bytes);
+    const auto* people = std::get_if<People>(&parsed);
+    if (people == nullptr) continue;
+    std::vector<std::string> names;
+    for (const Person& person : people->people) names.push_back(person.name);
+    return names;
+  }
+  return std::nullopt;
+}
+
+// Faults: pages that wait for ever to learn who is here, or are told with every one of a hundred who come at once;
+// older pages that get a message they do not know.
+TEST_F(ConnectionTest, TellsWhoIsHereOnceASecondAtMost) {
+  using Names = std::vector<std::string>;
+  const auto connect = [&](const char* subProtocol, const char* name) {
+    auto connection = std::make_unique<Connection>(
+        host_, "a test", now_, [] {}, door_, subProtocol);
+    EXPECT_FALSE(connection->receive(whole(encode(Hello{name, 320, 180})), now_));
+    return connection;
+  };
+  const auto ada = connect(kSubProtocolWithNames, "Ada");
+  ASSERT_FALSE(ada->overdue(now_));
+  EXPECT_TRUE(ada->hasSomethingToSend());
+  EXPECT_EQ(namesToldTo(*ada), Names{"Ada"});
+  ASSERT_FALSE(ada->overdue(now_ + 5.0));
+  EXPECT_FALSE(namesToldTo(*ada)) << "nobody has come";
+  auto older = connect(kSubProtocolWithTimes, "日本");
+  ASSERT_FALSE(ada->overdue(now_ + 5.1));
+  EXPECT_EQ(namesToldTo(*ada), (Names{"Ada", "日本"}));
+  ASSERT_FALSE(older->overdue(now_ + 5.1));
+  EXPECT_FALSE(namesToldTo(*older));
+  older.reset();
+  ASSERT_FALSE(ada->overdue(now_ + 6.0));
+  EXPECT_FALSE(namesToldTo(*ada)) << "within the second";
+  ASSERT_FALSE(ada->overdue(now_ + 6.2));
+  EXPECT_EQ(namesToldTo(*ada), Names{"Ada"});
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "node/frontend/compositing/composite.h"
+#include "node/limits.h"
 #include "pipeline/share_out.h"
 
 namespace grove::node {
@@ -19,6 +20,13 @@ constexpr const char* kBackdrop = "backdrop";
 
 /// Rows that are put together at once: with their edges, about what fits into the cache of a core.
 constexpr int kBandHeight = 48;
+
+std::vector<Label> nearestOf(std::vector<Label> labels) {
+  // Ids decide between equal depths, so that names that overlap do not change places from frame to frame.
+  std::ranges::sort(labels, {}, [](const Label& label) { return std::pair(label.depth, label.object); });
+  labels.resize(std::min(labels.size(), kMaxLabelsPerFrame));
+  return labels;
+}
 
 }  // namespace
 
@@ -41,12 +49,12 @@ void Compositor::connect(std::shared_ptr<pipeline::Inlet<FinishedFrame>> next) {
 void Compositor::process(std::span<CompleteFrame> frames, pipeline::Run& run) {
   for (const CompleteFrame& frame : frames) {
     // One that cannot be shown ends, too.
-    attempt([&] { next_.send(run, FinishedFrame{frame.list->view, composite(frame)}); }, [](const std::string&) {});
+    attempt([&] { next_.send(run, composite(frame)); }, [](const std::string&) {});
     frameDone_();
   }
 }
 
-std::shared_ptr<const raster::Image> Compositor::composite(const CompleteFrame& frame) {
+FinishedFrame Compositor::composite(const CompleteFrame& frame) {
   const FrameList& list = *frame.list;
   const world::Camera& camera = list.view->camera;
   const auto image = images_.acquire({0, 0, camera.width, camera.height});
@@ -58,13 +66,15 @@ std::shared_ptr<const raster::Image> Compositor::composite(const CompleteFrame& 
   if (warp) steps.begin = [&](FrameBuilder& rows) { warp->fill(rows); };
   compose(scene, traceTag(frame), *image, steps);
   pipeline::TimedParts times = timesOf(traceTag(frame));
+  std::vector<Label> labels;
   for (Placed& each : scene) {
     if (!each.layer) continue;
     times.turnTo(halves_->name(each.object.object.type));
     each.layer->draw(*image);
+    if (const auto label = each.layer->label(*image)) labels.push_back(*label);
   }
   halves_->reportMemory();
-  return image;
+  return {list.view, image, nearestOf(std::move(labels))};
 }
 
 void Compositor::drawBackdrop(const CompleteFrame& frame) {

@@ -17,8 +17,9 @@
 namespace grove::node {
 
 /// Last box of Figure 4.2: composites the pictures and layers of a frame's objects by depth, then lets the layers draw,
-/// back to front (section 4.2, step 10). Still objects come first: they are drawn into a backdrop, or the last backdrop
-/// is warped. Shows every frame that it gets, in the order in which they come.
+/// back to front (section 4.2, step 10), and collects the names of what is seen. Still objects come first: they are
+/// drawn into a backdrop, or the last backdrop is warped. Shows every frame that it gets, in the order in which they
+/// come.
 class Compositor final : public pipeline::Stage<CompleteFrame> {
  public:
   /// `frameDone` is called once for every frame that came, be it sent on or not. `frontend` outlives it.
@@ -30,7 +31,7 @@ class Compositor final : public pipeline::Stage<CompleteFrame> {
   void process(std::span<CompleteFrame> frames, pipeline::Run& run) override;
 
  private:
-  [[nodiscard]] std::shared_ptr<const raster::Image> composite(const CompleteFrame& frame);
+  [[nodiscard]] FinishedFrame composite(const CompleteFrame& frame);
   /// Something to lay over an image.
   struct Placed {
     const VisibleObject& object;

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 
 #include "node/frontend/compositing/composite.h"
+#include "node/messages.h"
 #include "raster/image.h"
 
 namespace grove::node {
@@ -28,7 +30,10 @@ class Layer {
   /// whole frame: colour may be blended into, depth is read only and defined within readsDepth() only.
   virtual void draw(raster::Image& /*frame*/) {}
 
-  /// The part of the frame whose depths draw() reads. May reach beyond the frame; empty if it reads none.
+  /// The object's name, unless it has none or something hides it. Called after draw(), of the same frame.
+  [[nodiscard]] virtual std::optional<Label> label(const raster::Image& /*frame*/) const { return std::nullopt; }
+
+  /// The part of the frame whose depths draw() and label() read. May reach beyond the frame; empty if it reads none.
   [[nodiscard]] virtual world::Rect readsDepth(const world::Rect& /*frame*/) const { return {}; }
 };
 

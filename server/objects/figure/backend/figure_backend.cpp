@@ -9,6 +9,7 @@
 #include "gl/renderer_choice.h"
 #include "objects/figure/backend/contact_shadow.h"
 #include "objects/figure/backend/gait.h"
+#include "objects/figure/common/stature.h"
 #include "raster/shading/light_bake.h"
 
 namespace grove::objects::figure {
@@ -35,8 +36,6 @@ std::size_t bytesOf(const std::vector<raster::LitSurface>& figures) {
   return std::transform_reduce(figures.begin(), figures.end(), std::size_t{0}, std::plus(),
                                [](const raster::LitSurface& figure) { return figure.bytes(); });
 }
-
-std::size_t statureOf(const world::Player& player) { return player.id % kStatures.size(); }
 
 }  // namespace
 
@@ -81,7 +80,7 @@ void FigureBackend::answer(std::span<const node::Request> requests, std::span<no
 raster::Drawing FigureBackend::drawingOf(const node::Request& request, const world::Player& player,
                                          const world::Object& object) const {
   const node::View& view = *request.view;
-  const std::size_t stature = statureOf(player);
+  const std::size_t stature = statureOf(player.id);
   world::Transform transform = object.transform;
   const bool isOwn = player.id == view.viewer;
   if (!isOwn) transform.scale *= kStatures[stature].height;

@@ -3,97 +3,90 @@
 #include <algorithm>
 #include <cmath>
 
+#include "objects/figure/common/stature.h"
+
 namespace grove::objects::figure {
 namespace {
 
-constexpr float kFigureHeight = 1.88F;  // metres
-constexpr float kAboveHead = 0.16F;     // metres
-constexpr float kFadeFrom = 14.0F;      // metres
-constexpr float kFadeTo = 25.0F;        // metres
-constexpr float kPanelShare = 0.42F;    // opacity behind the letters
-constexpr int kPadding = 4;             // pixels
-constexpr std::size_t kMaxMasks = 64;
-
-std::uint32_t blended(std::uint32_t under, float white, float opacity) {
-  std::uint32_t result = under & 0xFF000000U;
-  for (const unsigned shift : {0U, 8U, 16U}) {
-    const auto below = static_cast<float>((under >> shift) & 0xFFU);
-    result |= static_cast<std::uint32_t>(std::lround(below + (white - below) * opacity)) << shift;
-  }
-  return result;
-}
-
-/// Above the head.
-world::Vec3 placeOf(const world::Object& object) {
-  const world::Transform& transform = object.transform;
-  return transform.position + world::Vec3(0.0F, (kFigureHeight + kAboveHead) * transform.scale, 0.0F);
-}
-
-/// Pixels.
-int letterHeight(const world::Camera& camera) { return std::max(12, camera.height / 40); }
+constexpr float kAboveHead = 0.08F;  // metres
+constexpr float kHeadWidth = 0.3F;   // metres
+constexpr float kHeadHeight = 0.4F;  // metres, with the hood
+constexpr float kFadeFrom = 18.0F;   // metres
+constexpr float kFadeTo = 25.0F;     // metres
+/// What is nearer than the figure's middle by this is not the figure itself. Metres.
+constexpr float kOwnDepth = 0.5F;
+/// Rows and columns of pixels that are looked at.
+constexpr int kLooks = 6;
 
 class LabelLayer final : public node::Layer {
  public:
-  LabelLayer(FigureLabels& labels, const world::Object& object, const world::Camera& camera)
-      : labels_(labels), object_(object), camera_(camera) {}
+  LabelLayer(const world::Object& object, const world::Camera& camera) : object_(object), camera_(camera) {}
 
-  void draw(raster::Image& frame) override { labels_.draw(object_, camera_, frame); }
-  /// A name may be wider than its figure.
+  [[nodiscard]] std::optional<node::Label> label(const raster::Image& frame) const override {
+    return labelOf(object_, camera_, frame);
+  }
   [[nodiscard]] world::Rect readsDepth(const world::Rect& /*frame*/) const override {
-    return labels_.panelOf(object_, camera_).value_or(world::Rect{});
+    return headOf(object_, camera_).value_or(world::Rect{});
   }
 
  private:
-  FigureLabels& labels_;
   const world::Object& object_;
   const world::Camera& camera_;
 };
 
-}  // namespace
-
-const LabelMask& FigureLabels::maskOf(const std::string& name, int pixels) {
-  const std::pair<std::string, int> key(name, pixels);
-  const auto it = masks_.find(key);
-  if (it != masks_.end()) return it->second;
-  if (masks_.size() >= kMaxMasks) masks_.clear();
-  return masks_.emplace(key, font_.draw(name, pixels)).first->second;
+float scaleOf(const world::Object& object) {
+  return object.transform.scale * kStatures[statureOf(object.id - world::kFirstPlayerObject)].height;
 }
+
+/// A point of a figure's axis, so many metres above its feet, as Camera::project() has it.
+world::Vec3 projected(const world::Object& object, const world::Camera& camera, float height) {
+  return camera.project(object.transform.position + world::Vec3(0.0F, height * scaleOf(object), 0.0F));
+}
+
+/// The share of a grid of pixels in `rect` that shows nothing nearer than `depth`; pixels beyond the frame show
+/// nothing.
+float seenShare(const world::Rect& rect, float depth, const raster::Image& frame) {
+  int seen = 0;
+  for (int row = 0; row < kLooks; ++row) {
+    const int y = rect.top + (2 * row + 1) * rect.height() / (2 * kLooks) - frame.rect.top;
+    for (int column = 0; column < kLooks; ++column) {
+      const int x = rect.left + (2 * column + 1) * rect.width() / (2 * kLooks) - frame.rect.left;
+      const bool inside = x >= 0 && y >= 0 && x < frame.width() && y < frame.height();
+      if (inside && frame.depthRow(y)[x] >= depth) ++seen;
+    }
+  }
+  return static_cast<float>(seen) / (kLooks * kLooks);
+}
+
+}  // namespace
 
 std::unique_ptr<node::Layer> FigureLabels::layer(const node::VisibleObject& object, const node::Payload& /*payload*/,
                                                  const node::View& view) {
   if (object.object.id == world::kFirstPlayerObject + view.viewer) return nullptr;
-  return std::make_unique<LabelLayer>(*this, object.object, view.camera);
+  return std::make_unique<LabelLayer>(object.object, view.camera);
 }
 
-std::optional<world::Rect> FigureLabels::panelOf(const world::Object& object, const world::Camera& camera) {
-  const world::Vec3 at = camera.project(placeOf(object));
-  if (object.name.empty() || at.z < camera.nearDepth || at.z >= kFadeTo) return std::nullopt;
-  const LabelMask& mask = maskOf(object.name, letterHeight(camera));
-  const int left = static_cast<int>(std::lround(at.x)) - mask.width / 2 - kPadding;
-  const int top = static_cast<int>(std::lround(at.y)) - mask.height - kPadding;
-  return world::Rect{left, top, left + mask.width + 2 * kPadding, top + mask.height + kPadding};
+std::optional<world::Rect> headOf(const world::Object& object, const world::Camera& camera) {
+  const world::Vec3 top = projected(object, camera, kFigureHeight);
+  if (top.z < camera.nearDepth || top.z >= kFadeTo) return std::nullopt;
+  const float pixels = camera.focal() * scaleOf(object) / top.z;  // of a metre
+  const float half = 0.5F * kHeadWidth * pixels;
+  const auto whole = [](float value) { return static_cast<int>(std::lround(std::clamp(value, -1e6F, 1e6F))); };
+  const world::Rect head{whole(top.x - half), whole(top.y), whole(top.x + half), whole(top.y + kHeadHeight * pixels)};
+  // Far away, a head is still some pixels.
+  return world::Rect{head.left, head.top, std::max(head.right, head.left + 1), std::max(head.bottom, head.top + 1)};
 }
 
-void FigureLabels::draw(const world::Object& object, const world::Camera& camera, raster::Image& frame) {
-  const std::optional<world::Rect> panel = panelOf(object, camera);
-  if (!panel) return;
-  const world::Vec3 at = camera.project(placeOf(object));
-  const float opacity = std::min(1.0F, (kFadeTo - at.z) / (kFadeTo - kFadeFrom));
-  const LabelMask& mask = maskOf(object.name, letterHeight(camera));
-  const auto [left, top, right, bottom] = panel->moved(-frame.rect.left, -frame.rect.top);
-  for (int y = std::max(0, top); y < std::min(frame.height(), bottom); ++y) {
-    std::uint32_t* colour = frame.colourRow(y);
-    const float* depth = frame.depthRow(y);
-    for (int x = std::max(0, left); x < std::min(frame.width(), right); ++x) {
-      if (depth[x] < at.z) continue;
-      const int column = x - left - kPadding;
-      const int row = y - top - kPadding / 2;
-      const bool inside = column >= 0 && column < mask.width && row >= 0 && row < mask.height;
-      const float letter =
-          inside ? static_cast<float>(mask.coverage.data()[std::ptrdiff_t{row} * mask.width + column]) / 255.0F : 0.0F;
-      colour[x] = blended(blended(colour[x], 16.0F, kPanelShare * opacity), 245.0F, letter * opacity);
-    }
-  }
+std::optional<node::Label> labelOf(const world::Object& object, const world::Camera& camera,
+                                   const raster::Image& frame) {
+  const auto head = headOf(object, camera);
+  if (!head || object.name.empty()) return std::nullopt;
+  const world::Vec3 at = projected(object, camera, kFigureHeight + kAboveHead);
+  const float near = std::min(1.0F, (kFadeTo - at.z) / (kFadeTo - kFadeFrom));
+  const float opacity = near * seenShare(*head, at.z - kOwnDepth, frame);
+  if (opacity <= 0.0F) return std::nullopt;
+  const world::Vec2 size(static_cast<float>(camera.width), static_cast<float>(camera.height));
+  return node::Label{object.id, glm::clamp(world::Vec2(at), world::Vec2(0.0F), size), at.z, opacity};
 }
 
 }  // namespace grove::objects::figure

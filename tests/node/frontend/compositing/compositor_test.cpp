@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <functional>
 #include <mutex>
@@ -10,6 +11,7 @@
 
 #include "eventually.h"
 #include "node/frontend/frame_lists.h"
+#include "node/limits.h"
 #include "node/transport/reference_transport.h"
 #include "pipeline/worker_pool.h"
 
@@ -20,14 +22,21 @@ using ::testing::ElementsAre;
 using testing::listOf;
 using testing::picture;
 
-/// Notes the depth of a pixel far from its object's box.
+/// Notes the depth of a pixel far from its object's box, and has a name.
 class LookingLayer final : public Layer {
  public:
-  explicit LookingLayer(std::atomic<float>& depth) : depth_(depth) {}
+  LookingLayer(world::ObjectId object, std::atomic<float>& depth) : object_(object), depth_(depth) {}
   void draw(raster::Image& frame) override { depth_ = frame.depthRow(10)[300]; }
   [[nodiscard]] world::Rect readsDepth(const world::Rect& /*frame*/) const override { return {296, 8, 304, 16}; }
+  [[nodiscard]] std::optional<Label> label(const raster::Image& /*frame*/) const override {
+    // Every third is hidden; two of a depth each.
+    if (object_ % 3 == 0) return std::nullopt;
+    const world::ObjectId step = object_ / 2;
+    return Label{.object = object_, .depth = static_cast<float>(100 - step)};
+  }
 
  private:
+  const world::ObjectId object_;
   std::atomic<float>& depth_;
 };
 
@@ -37,7 +46,7 @@ class BreakableHalf final : public FrontendHalf {
   BreakableHalf(const std::atomic<bool>& broken, std::atomic<float>& depth) : broken_(broken), depth_(depth) {}
   [[nodiscard]] std::unique_ptr<Layer> layer(const VisibleObject& object, const Payload&, const View&) override {
     if (broken_) throw std::runtime_error("the layer is broken");
-    return object.still ? nullptr : std::make_unique<LookingLayer>(depth_);
+    return object.still ? nullptr : std::make_unique<LookingLayer>(object.object.id, depth_);
   }
 
  private:
@@ -78,6 +87,10 @@ class Frames final : public pipeline::Inlet<FinishedFrame> {
   [[nodiscard]] std::shared_ptr<const raster::Image> newest() const {
     const std::lock_guard lock(mutex_);
     return frames_.back().image;
+  }
+  [[nodiscard]] std::vector<Label> labels() const {
+    const std::lock_guard lock(mutex_);
+    return frames_.back().labels;
   }
 
  private:
@@ -132,6 +145,23 @@ TEST_F(CompositorTest, EndsEveryFrameOnceThoughItThrows) {
   }
   EXPECT_THAT(shown->numbers(), ElementsAre(1, 3));
   EXPECT_EQ(timeline.totals().at("Compositor").failures, 1U);
+}
+
+// Faults: names of what is hidden; those of the farthest where there are too many; an order that changes by itself.
+TEST_F(CompositorTest, CollectsTheNamesOfTheNearest) {
+  const auto list = listOf(1, 60);
+  std::vector<Payload> payloads;
+  for (std::size_t i = 0; i < list->objects.size(); ++i) payloads.push_back(picture(5));
+  show({list, std::move(payloads)});
+  const std::vector<Label> labels = shown->labels();
+  ASSERT_EQ(labels.size(), kMaxLabelsPerFrame);
+  const auto before = [](const Label& a, const Label& b) {
+    return a.depth < b.depth || (a.depth == b.depth && a.object < b.object);
+  };
+  EXPECT_TRUE(std::ranges::is_sorted(labels, before));
+  for (const Label& label : labels) EXPECT_NE(label.object % 3, 0U);
+  EXPECT_EQ(labels.front().object, 58U);
+  EXPECT_EQ(std::ranges::min(labels, {}, &Label::object).object, 25U) << "the others are farther, or hidden";
 }
 
 /// With a backdrop that reaches beyond its frame.

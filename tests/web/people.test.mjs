@@ -1,0 +1,26 @@
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+
+import { People } from '../../web/people.js';
+import { sharedLink } from '../../web/roster.js';
+
+const person = (visitor, name) => ({ visitor, name, red: 255, green: 180, blue: 79 });
+
+test('a list of people is theirs until the next, oneself first', () => {
+  const people = new People();
+  let changes = 0;
+  people.onChange(() => (changes += 1));
+  people.self = 3;
+  people.update([person(1, 'Ada'), person(3, 'Zo\u00eb'), person(4, 'Ada')]);
+  assert.deepEqual(people.all.map(({ visitor }) => visitor), [3, 1, 4]);
+  assert.deepEqual(people.find(1), { visitor: 1, name: 'Ada', colour: 'rgb(255 180 79)' });
+  people.update([person(3, 'Zo\u00eb')]);
+  assert.equal(people.find(1), undefined);
+  assert.equal(changes, 2);
+});
+
+test("the link for others keeps the page's address and drops one's own name", () => {
+  const link = (href) => sharedLink({ href });
+  assert.equal(link('https://grove.example/?name=Ada#x'), 'https://grove.example/');
+  assert.equal(link('http://127.0.0.1:8080/?latency=5&name=A%20b'), 'http://127.0.0.1:8080/?latency=5');
+});
