@@ -4,6 +4,7 @@
 #include <cassert>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "base/log.h"
@@ -58,11 +59,32 @@ pipeline::PushResult FrontendProcess::askForPicture(Request request) {
 void FrontendProcess::receive(ToFrontend message) {
   if (const auto* announcement = std::get_if<Announcement>(&message)) {
     store_.announced(*announcement);
+  } else if (const auto* welcome = std::get_if<NodeWelcome>(&message)) {
+    welcomed(*welcome);
   } else if (const auto* refusal = std::get_if<NodeRefusal>(&message)) {
     log::error("a backend node refuses this frontend: " + refusal->reason);
   } else if (auto* result = std::get_if<Result>(&message)) {
     receive(std::move(*result));
   }
+}
+
+void FrontendProcess::welcomed(const NodeWelcome& welcome) {
+  std::set<world::ObjectId> served;
+  for (const ServedObject& object : welcome.objects) served.insert(object.id);
+  // All that show visitors count as one.
+  if (welcome.visitors) served.insert(world::kFirstPlayerObject);
+  bool isKnown = false;
+  bool isRestarted = false;
+  {
+    const std::unique_lock lock(mutex_);
+    for (const world::ObjectId id : served) {
+      const auto [last, isNew] = epochs_.try_emplace(id, welcome.epoch);
+      isKnown = isKnown || !isNew;
+      isRestarted = std::exchange(last->second, welcome.epoch) != welcome.epoch || isRestarted;
+    }
+  }
+  const auto isOfNode = [&](world::ObjectId id) { return served.contains(std::min(id, world::kFirstPlayerObject)); };
+  if (isKnown) store_.renew(isOfNode, isRestarted);
 }
 
 void FrontendProcess::receive(Result result) {
