@@ -20,6 +20,7 @@
 #include "cli/bench_commands.h"
 #include "cli/choose.h"
 #include "cli/load.h"
+#include "cli/node.h"
 #include "cli/serve.h"
 #include "cli/shape.h"
 #include "cli/version_report.h"
@@ -72,8 +73,15 @@ void addServe(CLI::App& app, ServeOptions& options) {
   serve->add_option("--frames-in-flight", options.host.framesInFlight, "Frames of a visitor that are made at once")
       ->check(CLI::Range(1, 8))
       ->capture_default_str();
-  serve->add_flag("--private", options.host.privateWorlds,
-                  "Each visitor gets copies of his own of everything: what serving costs without sharing");
+  CLI::Option* isPrivate =
+      serve->add_flag("--private", options.host.privateWorlds,
+                      "Each visitor gets copies of his own of everything: what serving costs without sharing");
+  serve
+      ->add_option("--nodes", options.host.nodes,
+                   "Nodes (grove node) that serve some of the objects, with commas between; the rest is served here")
+      ->type_name("HOST:PORT")
+      ->delimiter(',')
+      ->excludes(isPrivate);
   serve->add_flag("--raise-quality", options.host.raiseQuality,
                   "Let shared work (grid of the fluid, light fields) get finer while enough visitors share its cost");
   serve->add_option("--fps", options.host.framesPerSecond, "Frames a second for each visitor")
@@ -105,6 +113,19 @@ void addServe(CLI::App& app, ServeOptions& options) {
                    "Pixels of parallax that a shared picture may have to mend (default: as the scene says, or 16)")
       ->check(CLI::Range(0.25, 64.0));
   serve->add_option("--shader-dir", options.shaderDirectory, "Read shaders from here instead of the built-in ones");
+}
+
+void addNode(CLI::App& app, NodeOptions& options) {
+  CLI::App* node = app.add_subcommand("node", "Serve some objects of a world to servers (grove serve --nodes)");
+  node->add_option("--objects", options.objects, "Names or types of those that it owns, with commas between")
+      ->type_name("NAME")
+      ->delimiter(',')
+      ->required();
+  node->add_option("--scene", options.scene, "Scene file, that of the servers (default: the grove, built in)");
+  node->add_option("--listen", options.listen, "Address and port; port 0 is any free one")->capture_default_str();
+  const std::map<std::string, gl::ContextKind> kinds{
+      {"auto", gl::ContextKind::kAuto}, {"egl", gl::ContextKind::kEgl}, {"osmesa", gl::ContextKind::kOsmesa}};
+  choose(node->add_option("--gl", options.gl, "Where triangles are drawn"), kinds);
 }
 
 void addBake(CLI::App& app, BakeCommand& command) {
@@ -185,6 +206,7 @@ int run(int argc, char** argv) {
   BakeCommand bake;
   BenchCommands bench;
   LoadOptions load;
+  NodeOptions node;
   ShapeOptions shape;
   CLI::App app("Grove: one living world, a camera for every browser", "grove");
   app.require_subcommand(1);
@@ -193,6 +215,7 @@ int run(int argc, char** argv) {
   addBake(app, bake);
   bench.addTo(app);
   addLoad(app, load);
+  addNode(app, node);
   addShape(app, shape);
   bool versionAsked = false;
   try {
@@ -214,6 +237,7 @@ int run(int argc, char** argv) {
       return 0;
     }
     if (app.got_subcommand("serve")) return runServe(serve);
+    if (app.got_subcommand("node")) return runNode(node);
     if (app.got_subcommand("bake")) return runBake(bake);
     if (app.got_subcommand("load")) return runLoad(load);
     if (app.got_subcommand("shape")) return runShape(shape);

@@ -12,6 +12,7 @@
 #include <string_view>
 #include <thread>
 #include <utility>
+#include <vector>
 
 #include "base/address_space.h"
 #include "base/error.h"
@@ -102,6 +103,14 @@ std::optional<stream::EntranceRules> entranceRules(const ServeOptions& options) 
   return rules;
 }
 
+/// False, and a line on stderr, if one is not.
+bool areAddresses(const std::vector<std::string>& nodes) {
+  const auto wrong = std::ranges::find_if(nodes, [](const std::string& node) { return !parseHostPort(node); });
+  if (wrong == nodes.end()) return true;
+  std::fprintf(stderr, "grove: --nodes wants HOST:PORT, not '%s'\n", wrong->c_str());
+  return false;
+}
+
 /// What the command line says of the types of object.
 void applyTo(world::Scene& scene, const ServeOptions& options) {
   const auto viewError = options.viewCacheMegabytes > 0 ? options.viewError : 0.0F;
@@ -176,7 +185,7 @@ int runServe(const ServeOptions& options) {
   if (!listeners) return 2;
   const auto& [visitors, desk] = *listeners;
   const auto rules = entranceRules(options);
-  if (!rules) return 2;
+  if (!rules || !areAddresses(options.host.nodes)) return 2;
   (void)stream::socketsThatFit();
   const std::shared_ptr<stream::TlsStore> tls =
       options.tls.certificate.empty() ? nullptr : std::make_shared<stream::TlsStore>(options.tls);

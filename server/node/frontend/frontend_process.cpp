@@ -10,8 +10,16 @@
 #include "base/log.h"
 #include "base/version.h"
 #include "node/messages/picture_packing.h"
+#include "node/messages/served_objects.h"
 
 namespace grove::node {
+
+NodeHello helloOf(ProcessId process, const world::Layout& layout) {
+  NodeHello hello{.build = std::string(version()), .sceneHash = layout.hash, .process = process, .types = {}};
+  hello.types.reserve(layout.types.size());
+  for (world::TypeIndex type = 0; type < layout.types.size(); ++type) hello.types.push_back({type, layout.types[type]});
+  return hello;
+}
 
 FrontendProcess::FrontendProcess(ProcessId id, const world::Layout& layout, const FrontendTypes& types,
                                  FrontendEnd& transport, const FrontendTools& tools, std::size_t maxSharedBytes)
@@ -27,10 +35,7 @@ FrontendProcess::FrontendProcess(ProcessId id, const world::Layout& layout, cons
              }),
       sharedReceiver_(std::make_shared<SharedReceiver>(*this, tools.workers, tools.timeline)) {
   transport_.connect(static_cast<FrontendPort&>(*this));
-  NodeHello hello{.build = std::string(version()), .sceneHash = layout.hash, .process = id, .types = {}};
-  hello.types.reserve(layout.types.size());
-  for (world::TypeIndex type = 0; type < layout.types.size(); ++type) hello.types.push_back({type, layout.types[type]});
-  transport_.send(std::move(hello));
+  transport_.send(helloOf(id, layout));
 }
 
 FrontendProcess::~FrontendProcess() {
@@ -69,22 +74,21 @@ void FrontendProcess::receive(ToFrontend message) {
 }
 
 void FrontendProcess::welcomed(const NodeWelcome& welcome) {
-  std::set<world::ObjectId> served;
-  for (const ServedObject& object : welcome.objects) served.insert(object.id);
+  const ServedObjects served = servedBy(welcome);
+  std::set<world::ObjectId> named = served.objects;
   // All that show visitors count as one.
-  if (welcome.visitors) served.insert(world::kFirstPlayerObject);
+  if (served.visitors) named.insert(world::kFirstPlayerObject);
   bool isKnown = false;
   bool isRestarted = false;
   {
     const std::unique_lock lock(mutex_);
-    for (const world::ObjectId id : served) {
+    for (const world::ObjectId id : named) {
       const auto [last, isNew] = epochs_.try_emplace(id, welcome.epoch);
       isKnown = isKnown || !isNew;
       isRestarted = std::exchange(last->second, welcome.epoch) != welcome.epoch || isRestarted;
     }
   }
-  const auto isOfNode = [&](world::ObjectId id) { return served.contains(std::min(id, world::kFirstPlayerObject)); };
-  if (isKnown) store_.renew(isOfNode, isRestarted);
+  if (isKnown) store_.renew([&](world::ObjectId id) { return served.contains(id); }, isRestarted);
 }
 
 void FrontendProcess::receive(Result result) {

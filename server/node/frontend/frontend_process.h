@@ -15,6 +15,9 @@
 
 namespace grove::node {
 
+/// What a frontend process says to each backend node first.
+[[nodiscard]] NodeHello helloOf(ProcessId process, const world::Layout& layout);
+
 /// What the frontend nodes of a process have in common: the world's layout, the link to the backend node, the shared
 /// store, and where each session takes its results. Any thread.
 class FrontendProcess final : public FrontendPort {

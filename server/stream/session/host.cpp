@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <chrono>
 #include <exception>
+#include <random>
 #include <string>
 #include <utility>
 
 #include "base/log.h"
 #include "gl/workers.h"
 #include "node/limits.h"
+#include "node/transport/grpc/dial_nodes.h"
 #include "node/transport/reference_transport.h"
 #include "pipeline/clocks.h"
 
@@ -17,8 +19,13 @@ namespace {
 
 constexpr double kSampleSeconds = 1.0;
 
-/// Among the frontend processes of a backend node; there is no other.
-constexpr node::ProcessId kProcess = 1;
+/// How long nodes of other processes may take to welcome this one.
+constexpr auto kNodePatience = std::chrono::seconds(10);
+
+/// Among the frontend processes of a backend node; of one in this process there is no other.
+node::ProcessId numberAmong(const std::vector<std::string>& nodes) {
+  return nodes.empty() ? 1 : std::max<node::ProcessId>(1, std::random_device{}());
+}
 
 int workerCount() { return static_cast<int>(std::max(1U, std::thread::hardware_concurrency())); }
 
@@ -29,6 +36,7 @@ static_assert(node::kMaxQuality == measure::kQualitySteps - 1);
 Host::Host(node::LoadedScene scene, const node::ObjectTypes& types, gl::Workers& gl, const HostOptions& options,
            const std::function<void(std::string_view, float)>& progress)
     : scene_(std::move(scene)),
+      process_(numberAmong(options.nodes)),
       players_(world::World::makePlayers(scene_.layout)),
       types_(types),
       gl_(gl),
@@ -45,6 +53,10 @@ Host::Host(node::LoadedScene scene, const node::ObjectTypes& types, gl::Workers&
       workers_(
           workerCount(), "grove-worker", [gate = gate_](bool idle) { gate->workerIs(idle); },
           pipeline::WorkerPool::Load::kMeasured) {
+  if (!options_.nodes.empty()) {
+    others_ =
+        node::dialNodes(options_.nodes, node::helloOf(process_, scene_.layout), kNodePatience, workers_, timeline_);
+  }
   if (options_.privateWorlds) {
     line_ = std::make_unique<PreparationLine>(
         [this](node::Parallelism parallelism, const auto& report) { return makeInstance(parallelism, report); });
@@ -72,6 +84,7 @@ Host::~Host() {
   workers_.drain();
   line_.reset();
   shared_.reset();
+  others_.reset();
 }
 
 std::unique_ptr<WorldInstance> Host::makeInstance(node::Parallelism parallelism,
@@ -87,7 +100,7 @@ std::unique_ptr<WorldInstance> Host::makeInstance(node::Parallelism parallelism,
   node::BakedStore* const baked = options_.privateWorlds ? &baked_ : nullptr;
   const node::BackendMachine machine{workers_, gl_, timeline_, memory_, images_, baked};
   return std::make_unique<WorldInstance>(
-      WorldGround{scene_, geometry_, players_, types_, machine, options_.maxSharedBytes, kProcess},
+      WorldGround{scene_, geometry_, players_, types_, machine, options_.maxSharedBytes, process_, others_.get()},
       std::move(transport), parallelism, progress);
 }
 
@@ -120,7 +133,7 @@ std::variant<node::SessionId, Refusal> Host::takePlace() {
     const std::string visitors = options_.maxVisitors == 1 ? " visitor" : " visitors";
     return Refusal{CloseCode::kFull, "the world is full (" + std::to_string(options_.maxVisitors) + visitors + ")"};
   }
-  const node::SessionId id = node::makeId(kProcess, nextSession_++);
+  const node::SessionId id = node::makeId(process_, nextSession_++);
   sessions_[id] = {};
   return id;
 }
