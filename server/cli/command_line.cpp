@@ -20,6 +20,7 @@
 #include "cli/bench_commands.h"
 #include "cli/choose.h"
 #include "cli/load.h"
+#include "cli/node.h"
 #include "cli/serve.h"
 #include "cli/shape.h"
 #include "cli/version_report.h"
@@ -83,6 +84,12 @@ void addServe(CLI::App& app, ServeOptions& options) {
       ->capture_default_str();
   serve->add_flag("--private", options.host.privateWorlds,
                   "Each visitor gets copies of his own of everything: what serving costs without sharing");
+  serve
+      ->add_option("--nodes", options.host.nodes,
+                   "Nodes (grove node) that serve some of the objects, with commas between; the rest is served here")
+      ->type_name("HOST:PORT")
+      ->delimiter(',')
+      ->excludes("--private");
   addJoining(*serve, options);
   serve->add_flag("--raise-quality", options.host.raiseQuality,
                   "Let shared work (grid of the fluid, light fields) get finer while enough visitors share its cost");
@@ -121,6 +128,19 @@ void addWorld(CLI::App& app, WorldOptions& options) {
   CLI::App* world = app.add_subcommand("world", "Own a world that servers show (grove serve --join)");
   world->add_option("--scene", options.scene, "Scene file, that of the servers (default: the grove, built in)");
   world->add_option("--listen", options.listen, "Address and port; port 0 is any free one")->capture_default_str();
+}
+
+void addNode(CLI::App& app, NodeOptions& options) {
+  CLI::App* node = app.add_subcommand("node", "Serve some objects of a world to servers (grove serve --nodes)");
+  node->add_option("--objects", options.objects, "Names or types of those that it owns, with commas between")
+      ->type_name("NAME")
+      ->delimiter(',')
+      ->required();
+  node->add_option("--scene", options.scene, "Scene file, that of the servers (default: the grove, built in)");
+  node->add_option("--listen", options.listen, "Address and port; port 0 is any free one")->capture_default_str();
+  const std::map<std::string, gl::ContextKind> kinds{
+      {"auto", gl::ContextKind::kAuto}, {"egl", gl::ContextKind::kEgl}, {"osmesa", gl::ContextKind::kOsmesa}};
+  choose(node->add_option("--gl", options.gl, "Where triangles are drawn"), kinds);
 }
 
 void addBake(CLI::App& app, BakeCommand& command) {
@@ -201,6 +221,7 @@ int run(int argc, char** argv) {
   BakeCommand bake;
   BenchCommands bench;
   LoadOptions load;
+  NodeOptions node;
   ShapeOptions shape;
   WorldOptions world;
   CLI::App app("Grove: one living world, a camera for every browser", "grove");
@@ -210,6 +231,7 @@ int run(int argc, char** argv) {
   addBake(app, bake);
   bench.addTo(app);
   addLoad(app, load);
+  addNode(app, node);
   addShape(app, shape);
   addWorld(app, world);
   bool versionAsked = false;
@@ -232,6 +254,7 @@ int run(int argc, char** argv) {
       return 0;
     }
     if (app.got_subcommand("serve")) return runServe(serve);
+    if (app.got_subcommand("node")) return runNode(node);
     if (app.got_subcommand("bake")) return runBake(bake);
     if (app.got_subcommand("load")) return runLoad(load);
     if (app.got_subcommand("shape")) return runShape(shape);

@@ -13,6 +13,7 @@
 #include <string_view>
 #include <thread>
 #include <utility>
+#include <vector>
 
 #include "base/address_space.h"
 #include "base/error.h"
@@ -104,7 +105,7 @@ std::optional<stream::EntranceRules> entranceRules(const ServeOptions& options) 
   return rules;
 }
 
-/// The number of a process among those that show one world: a new one in each of its lives.
+/// The number of a process among those that share nodes or a world: a new one in each of its lives.
 node::ProcessId randomProcess() { return std::max<node::ProcessId>(1, std::random_device{}() >> 1U); }
 
 /// False, and a line on stderr, if an option is no address.
@@ -117,10 +118,17 @@ bool isAddress(std::string_view option, const std::optional<std::string>& text) 
 
 /// Has the host join the world of the process at this address.
 void join(const std::string& owner, stream::HostOptions& host) {
-  host.process = randomProcess();
   host.linkToOwner = [owner](pipeline::Executor& workers, pipeline::Timeline& timeline) {
     return std::make_shared<node::GrpcFrontendEnd>(owner, workers, timeline);
   };
+}
+
+/// False, and a line on stderr, if one is not.
+bool areAddresses(const std::vector<std::string>& nodes) {
+  const auto wrong = std::ranges::find_if(nodes, [](const std::string& node) { return !parseHostPort(node); });
+  if (wrong == nodes.end()) return true;
+  std::fprintf(stderr, "grove: --nodes wants HOST:PORT, not '%s'\n", wrong->c_str());
+  return false;
 }
 
 /// What the command line says of the types of object.
@@ -197,7 +205,8 @@ int runServe(const ServeOptions& options) {
   if (!listeners) return 2;
   const auto& [visitors, desk] = *listeners;
   const auto rules = entranceRules(options);
-  if (!rules || !isAddress("--join", options.join) || !isAddress("--share", options.share)) return 2;
+  if (!rules || !areAddresses(options.host.nodes)) return 2;
+  if (!isAddress("--join", options.join) || !isAddress("--share", options.share)) return 2;
   (void)stream::socketsThatFit();
   const std::shared_ptr<stream::TlsStore> tls =
       options.tls.certificate.empty() ? nullptr : std::make_shared<stream::TlsStore>(options.tls);
@@ -237,6 +246,7 @@ int runServe(const ServeOptions& options) {
     shared.emplace(scene, *parseHostPort(*options.share));
     std::printf("the world can be joined at %s\n", shared->address().c_str());
   }
+  if (options.share || options.join || !options.host.nodes.empty()) hosting.process = randomProcess();
   if (const auto owner = shared ? shared->address() : options.join) join(*owner, hosting);
   host.emplace(std::move(loaded), types, gl, hosting, report);
   waiting.close();

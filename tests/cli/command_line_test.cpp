@@ -19,9 +19,9 @@ using testing::HasSubstr;
 std::ptrdiff_t lines(const std::string& text) { return std::ranges::count(text, '\n'); }
 
 TEST(CommandLine, HelpEverywhere) {
-  for (const char* command :
-       {"--help", "serve --help", "load --help", "bench --help", "bench fluid --help", "bench amortize --help",
-        "bench encode --help", "bench pipeline --help", "bench view --help", "shape --help", "world --help"}) {
+  for (const char* command : {"--help", "serve --help", "load --help", "node --help", "bench --help",
+                              "bench fluid --help", "bench amortize --help", "bench encode --help",
+                              "bench pipeline --help", "bench view --help", "shape --help", "world --help"}) {
     const Outcome outcome = grove(command, false);
     EXPECT_EQ(outcome.exit, 0) << command;
     EXPECT_THAT(outcome.output, HasSubstr("--help")) << command;
@@ -48,6 +48,10 @@ TEST(CommandLine, BadOptionsExitTwoWithOneLine) {
                               "serve --tls-key key.pem",
                               "serve --tls-cert '' --tls-key ''",
                               "serve --hsts 60",
+                              "serve --nodes nowhere",
+                              "serve --nodes 127.0.0.1:1 --private",
+                              "node",
+                              "node --objects mesh --listen nowhere",
                               "serve --tls-cert cert.pem --tls-key key.pem --hsts -1",
                               "serve --join nowhere",
                               "serve --share 127.0.0.1",

@@ -54,6 +54,12 @@ TEST_F(Greeting, WelcomesWhoKnowsTheSceneAndTellsWhatItServes) {
   const auto& welcome = std::get<NodeWelcome>(replies.messages[0]);
   EXPECT_EQ(welcome.protocol, kProtocol);
   EXPECT_EQ(welcome.sceneHash, scene.layout.hash);
+  EXPECT_FALSE(welcome.visitors) << "the scene shows none";
+  const std::uint64_t epoch = welcome.epoch;
+  EXPECT_NE(
+      BackendNode(scene, geometry, types, {workers, gl, timeline, memory, images}, Parallelism::kAllCores, {}).epoch(),
+      epoch)
+      << "another life";
   ASSERT_EQ(welcome.objects.size(), 1u);
   EXPECT_EQ(welcome.objects[0].id, scene.objects[0].id);
   EXPECT_EQ(welcome.objects[0].name, "crate");
@@ -63,7 +69,8 @@ TEST_F(Greeting, WelcomesWhoKnowsTheSceneAndTellsWhatItServes) {
 TEST_F(Greeting, RefusesAnotherProtocolSceneOrType) {
   NodeHello hello = good;
   hello.protocol = kProtocol + 1;
-  EXPECT_EQ(refusalOf(hello), "it speaks protocol 2, this node 1");
+  EXPECT_EQ(refusalOf(hello),
+            "it speaks protocol " + std::to_string(kProtocol + 1) + ", this node " + std::to_string(kProtocol));
   hello = good;
   ++hello.sceneHash;
   EXPECT_EQ(refusalOf(hello), "it shows another scene");

@@ -7,6 +7,7 @@
 #include "eventually.h"
 #include "node/messages/picture_packing.h"
 #include "node/nodes_fixture.h"
+#include "pipeline/clocks.h"
 
 namespace grove::node {
 namespace {
@@ -169,6 +170,52 @@ TEST_P(Nodes, AThrowAnywhereOnTheWayCostsOneObjectInOneFrame) {
     EXPECT_EQ(after->colourRow(90)[160] & 0xFFU, 90U);
     EXPECT_EQ(after->colourRow(90)[154] & 0xFFU, 200U);
   }
+}
+
+TEST_P(Nodes, AnObjectThatCannotBeAskedForNowIsShownAsItWas) {
+  using Fault = testing::FaultyTransport::Fault;
+  const auto screen = std::make_shared<Screen>(workers, timeline);
+  const auto node = frontend(1, 0.0F, screen, 1);
+  ASSERT_TRUE(node->requestFrame());
+  ASSERT_TRUE(screen->waitFor(1));
+  transport.next = Fault::kSendRequest;
+  ASSERT_TRUE(eventually([&] { return node->requestFrame(); }));
+  const auto image = screen->waitFor(2);
+  ASSERT_TRUE(image);
+  EXPECT_EQ(transport.next, Fault::kNone) << "it was refused";
+  EXPECT_EQ(image->colourRow(90)[160] & 0xFFU, 90U);
+  EXPECT_EQ(image->colourRow(90)[154] & 0xFFU, 200U);
+}
+
+/// Or what it answers is taken for a difference to data of its earlier life.
+TEST_P(Nodes, ANodeThatWasRestartedIsAskedForDataAnew) {
+  const world::ObjectId object = scene.objects[0].id;
+  std::atomic<int> brought = 0;
+  const auto get = [&] {
+    Request request;
+    auto view = std::make_shared<View>();
+    view->session = makeId(kProcess, 1);
+    view->frame = 1;
+    view->deadline = pipeline::wallSeconds() + 60.0;
+    request.view = std::move(view);
+    request.object = object;
+    request.shared = true;
+    (void)process.send(request.view);
+    process.shared().get(request, [&](const Payload&) { ++brought; });
+  };
+  get();
+  ASSERT_TRUE(eventually([&] { return brought == 1; }));
+  const int before = transport.requests;
+  const auto welcomes = [&](std::uint64_t epoch) {
+    NodeWelcome welcome;
+    welcome.epoch = epoch;
+    welcome.objects.emplace_back().id = object;
+    process.receive(std::move(welcome));
+    get();
+  };
+  welcomes(backend.epoch() + 1);
+  ASSERT_TRUE(eventually([&] { return transport.requests == before + 1; })) << "it is fetched anew";
+  EXPECT_TRUE(eventually([&] { return process.shared().known({object, {}}) != nullptr; }));
 }
 
 TEST_P(Nodes, AFailingBackendCostsItsObjectsNotTheFrame) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <future>
+#include <random>
 #include <set>
 #include <utility>
 #include <vector>
@@ -11,6 +12,15 @@
 #include "gl/workers.h"
 
 namespace grove::node {
+
+namespace {
+
+std::uint64_t anyNumber() {
+  std::random_device device;
+  return std::uint64_t{device()} << 32U | device();
+}
+
+}  // namespace
 
 /// Hears one frontend process, for as long as the node serves it.
 class BackendNode::Reception final : public BackendPort {
@@ -35,11 +45,11 @@ class BackendNode::Reception final : public BackendPort {
 
 BackendNode::BackendNode(const LoadedScene& scene, const world::WorldGeometry& geometry, const BackendTypes& types,
                          const BackendMachine& machine, Parallelism parallelism, const Progress& progress)
-    : scene_(scene), geometry_(geometry), machine_(machine) {
+    : scene_(scene), geometry_(geometry), machine_(machine), epoch_(anyNumber()) {
   const BackendServices services = this->services(parallelism, progress);
   std::set<world::TypeIndex> used;
   for (const world::ModelledObject& object : scene.objects) used.insert(object.type);
-  if (scene.layout.visitor) used.insert(scene.layout.visitor->object.type);
+  if (scene.visitor) used.insert(scene.layout.visitor->object.type);
   const auto policy = parallelism == Parallelism::kAllCores ? std::launch::async : std::launch::deferred;
   std::vector<std::pair<world::TypeIndex, std::future<std::unique_ptr<BackendPipeline>>>> prepared;
   prepared.reserve(used.size());
@@ -51,7 +61,7 @@ BackendNode::BackendNode(const LoadedScene& scene, const world::WorldGeometry& g
   }
   for (auto& [type, pipeline] : prepared) pipelines_.emplace(type, pipeline.get());
   for (const world::ModelledObject& object : scene.objects) owners_[object.id] = pipelines_.at(object.type).get();
-  if (scene.layout.visitor) visitors_ = pipelines_.at(scene.layout.visitor->object.type).get();
+  if (scene.visitor) visitors_ = pipelines_.at(scene.layout.visitor->object.type).get();
 }
 
 BackendNode::~BackendNode() {
@@ -167,7 +177,11 @@ std::optional<std::string> BackendNode::objectionTo(const NodeHello& hello) cons
 }
 
 NodeWelcome BackendNode::welcome() const {
-  NodeWelcome welcome{.build = std::string(version()), .sceneHash = scene_.layout.hash, .objects = {}};
+  NodeWelcome welcome{.build = std::string(version()),
+                      .sceneHash = scene_.layout.hash,
+                      .epoch = epoch_,
+                      .objects = {},
+                      .visitors = visitors_ != nullptr};
   welcome.objects.reserve(scene_.objects.size());
   for (const world::ModelledObject& object : scene_.objects) {
     welcome.objects.push_back({object.id, object.type, object.name, object.bounds});

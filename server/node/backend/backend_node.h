@@ -31,8 +31,8 @@ enum class Parallelism : std::uint8_t {
   kOneThread,  ///< the calling thread alone, one step after the other: the workers serve visitors
 };
 
-/// Owns all objects of a world and answers requests for them, with one pipeline for each object type. Knows frontend
-/// processes only by their messages.
+/// Owns the objects of a world, or some of them, and answers requests for them, with one pipeline for each object type.
+/// Knows frontend processes only by their messages.
 class BackendNode {
  public:
   using Progress = std::function<void(std::string_view, float)>;
@@ -45,6 +45,9 @@ class BackendNode {
   ~BackendNode();
   BackendNode(const BackendNode&) = delete;
   BackendNode& operator=(const BackendNode&) = delete;
+
+  /// Distinct among the lives of a node.
+  [[nodiscard]] std::uint64_t epoch() const noexcept { return epoch_; }
 
   /// Serves the frontend process at the other end of the link until the returned token is destroyed. The token's
   /// destructor waits for messages that are being received, so it must not run inside receive(). Messages about
@@ -69,6 +72,7 @@ class BackendNode {
   const LoadedScene& scene_;
   const world::WorldGeometry& geometry_;
   const BackendMachine machine_;
+  const std::uint64_t epoch_;
   WorldMirror world_;
   Peers peers_;
   std::map<world::TypeIndex, std::unique_ptr<BackendPipeline>> pipelines_;

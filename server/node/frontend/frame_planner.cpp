@@ -143,6 +143,10 @@ std::optional<Payload> FramePlanner::request(const FrameRecord& frame, std::uint
 }
 
 void FramePlanner::take(FrameRecord& frame, std::uint32_t slot, Payload payload) {
+  // Of a backend node that is full or away, what it answered last is shown.
+  const auto* const failure = std::get_if<Failure>(&payload);
+  const Payload* const last = failure != nullptr && failure->notNow ? frames_.lastOf(frame, slot) : nullptr;
+  if (last != nullptr) payload = *last;
   if (frame.answer(slot, payload)) return;
   timeline_.count("results that were not waited for");
   if (frames_.keepStale(frame, slot, std::move(payload))) timeline_.count("results that the next frame may show");

@@ -33,15 +33,18 @@ std::vector<std::uint32_t> FrameRecord::fillIn(std::initializer_list<const Frame
   for (std::uint32_t slot = 0; slot < slots_.size(); ++slot) {
     if (slots_[slot].answered) continue;
     slots_[slot].payload = Failure{"no result in time"};
-    for (const FrameRecord* const frame : earlier) {
-      const Payload* const payload = frame == nullptr ? nullptr : frame->shownWith(object(slot), view());
-      if (payload == nullptr) continue;
-      slots_[slot].payload = *payload;
-      break;
-    }
+    if (const Payload* const payload = lastOf(slot, earlier)) slots_[slot].payload = *payload;
     filled.push_back(slot);
   }
   return filled;
+}
+
+const Payload* FrameRecord::lastOf(std::uint32_t slot, std::initializer_list<const FrameRecord*> earlier) const {
+  for (const FrameRecord* const frame : earlier) {
+    const Payload* const payload = frame == nullptr ? nullptr : frame->shownWith(object(slot), view());
+    if (payload != nullptr) return payload;
+  }
+  return nullptr;
 }
 
 bool FrameRecord::takeStale(const FrameRecord& late, std::uint32_t slot, Payload payload) {

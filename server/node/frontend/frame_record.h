@@ -49,6 +49,8 @@ class FrameRecord {
   /// Gives each slot without an answer what the first of the earlier frames, which may be null, was shown with for the
   /// same object, or a Failure if there is nothing that fits. Returns those slots.
   std::vector<std::uint32_t> fillIn(std::initializer_list<const FrameRecord*> earlier);
+  /// What the object of a slot was shown with in the first of those frames that showed it; null if none did.
+  [[nodiscard]] const Payload* lastOf(std::uint32_t slot, std::initializer_list<const FrameRecord*> earlier) const;
 
   /// What has come of a slot of `late`, which was shown without it, stands for that object in this frame from now on.
   /// False, and nothing changes, if this frame has an answer of its own or the payload does not fit.

@@ -40,6 +40,11 @@ class FrameRecords {
   /// See FrameRecord::fillIn(), with what the newest shown frame has, and the newest that drew a backdrop.
   std::vector<std::uint32_t> fillIn(FrameRecord& frame) { return frame.fillIn({newestShown_, newestDrawn_}); }
 
+  /// What an object of a frame that is in the making was shown with last; null if nothing.
+  [[nodiscard]] const Payload* lastOf(const FrameRecord& frame, std::uint32_t slot) const {
+    return frame.lastOf(slot, {newestShown_, newestDrawn_});
+  }
+
   /// Those in the making that show the backdrop which this frame draws.
   [[nodiscard]] std::vector<FrameRecord*> showingBackdropOf(const FrameRecord& frame);
   /// Whether the frame that draws its backdrop is still in the making.

@@ -4,13 +4,22 @@
 #include <cassert>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "base/log.h"
 #include "base/version.h"
 #include "node/messages/picture_packing.h"
+#include "node/messages/served_objects.h"
 
 namespace grove::node {
+
+NodeHello helloOf(ProcessId process, const world::Layout& layout) {
+  NodeHello hello{.build = std::string(version()), .sceneHash = layout.hash, .process = process, .types = {}};
+  hello.types.reserve(layout.types.size());
+  for (world::TypeIndex type = 0; type < layout.types.size(); ++type) hello.types.push_back({type, layout.types[type]});
+  return hello;
+}
 
 FrontendProcess::FrontendProcess(ProcessId id, const world::Layout& layout, const FrontendTypes& types,
                                  FrontendEnd& transport, const FrontendTools& tools, std::size_t maxSharedBytes)
@@ -26,10 +35,7 @@ FrontendProcess::FrontendProcess(ProcessId id, const world::Layout& layout, cons
              }),
       sharedReceiver_(std::make_shared<SharedReceiver>(*this, tools.workers, tools.timeline)) {
   transport_.connect(static_cast<FrontendPort&>(*this));
-  NodeHello hello{.build = std::string(version()), .sceneHash = layout.hash, .process = id, .types = {}};
-  hello.types.reserve(layout.types.size());
-  for (world::TypeIndex type = 0; type < layout.types.size(); ++type) hello.types.push_back({type, layout.types[type]});
-  transport_.send(std::move(hello));
+  transport_.send(helloOf(id, layout));
 }
 
 FrontendProcess::~FrontendProcess() {
@@ -58,11 +64,31 @@ pipeline::PushResult FrontendProcess::askForPicture(Request request) {
 void FrontendProcess::receive(ToFrontend message) {
   if (const auto* announcement = std::get_if<Announcement>(&message)) {
     store_.announced(*announcement);
+  } else if (const auto* welcome = std::get_if<NodeWelcome>(&message)) {
+    welcomed(*welcome);
   } else if (const auto* refusal = std::get_if<NodeRefusal>(&message)) {
     log::error("a backend node refuses this frontend: " + refusal->reason);
   } else if (auto* result = std::get_if<Result>(&message)) {
     receive(std::move(*result));
   }
+}
+
+void FrontendProcess::welcomed(const NodeWelcome& welcome) {
+  const ServedObjects served = servedBy(welcome);
+  std::set<world::ObjectId> named = served.objects;
+  // All that show visitors count as one.
+  if (served.visitors) named.insert(world::kFirstPlayerObject);
+  bool isKnown = false;
+  bool isRestarted = false;
+  {
+    const std::unique_lock lock(mutex_);
+    for (const world::ObjectId id : named) {
+      const auto [last, isNew] = epochs_.try_emplace(id, welcome.epoch);
+      isKnown = isKnown || !isNew;
+      isRestarted = std::exchange(last->second, welcome.epoch) != welcome.epoch || isRestarted;
+    }
+  }
+  if (isKnown) store_.renew([&](world::ObjectId id) { return served.contains(id); }, isRestarted);
 }
 
 void FrontendProcess::receive(Result result) {

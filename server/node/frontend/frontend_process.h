@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <shared_mutex>
@@ -13,6 +14,9 @@
 #include "world/layout.h"
 
 namespace grove::node {
+
+/// What a frontend process says to each backend node first.
+[[nodiscard]] NodeHello helloOf(ProcessId process, const world::Layout& layout);
 
 /// What the frontend nodes of a process have in common: the world's layout, the link to the backend node, the shared
 /// store, and where each session takes its results. Any thread.
@@ -48,6 +52,7 @@ class FrontendProcess final : public FrontendPort {
 
  private:
   void receive(Result result);
+  void welcomed(const NodeWelcome& welcome);
 
   const ProcessId id_;
   const world::Layout& layout_;
@@ -58,6 +63,7 @@ class FrontendProcess final : public FrontendPort {
   SharedStore store_;
   const std::shared_ptr<SharedReceiver> sharedReceiver_;
   std::shared_mutex mutex_;
+  std::map<world::ObjectId, std::uint64_t> epochs_;  ///< of the nodes that have served them last
   std::map<SessionId, std::weak_ptr<pipeline::Inlet<Result>>> sessions_;
 };
 

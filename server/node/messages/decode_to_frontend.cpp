@@ -17,7 +17,9 @@ NodeWelcome decode(const v1::NodeWelcome& from, Checks& checks) {
   NodeWelcome to{.protocol = from.protocol(),
                  .build = decodeName(from.build(), checks),
                  .sceneHash = from.scene_hash(),
-                 .objects = {}};
+                 .epoch = from.epoch(),
+                 .objects = {},
+                 .visitors = from.visitors()};
   checks.require(static_cast<std::size_t>(from.objects_size()) <= kMaxServedObjects, "it has too many objects");
   if (!checks.good()) return to;
   to.objects.reserve(static_cast<std::size_t>(from.objects_size()));

@@ -143,6 +143,8 @@ void put(const NodeWelcome& from, v1::ToFrontend& envelope) {
   to.set_protocol(from.protocol);
   to.set_build(from.build);
   to.set_scene_hash(from.sceneHash);
+  to.set_epoch(from.epoch);
+  to.set_visitors(from.visitors);
   for (const ServedObject& object : from.objects) {
     v1::ServedObject& served = *to.add_objects();
     served.set_id(object.id);

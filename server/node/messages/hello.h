@@ -10,7 +10,7 @@
 namespace grove::node {
 
 /// Versions of the messages that this program understands.
-inline constexpr std::uint32_t kProtocol = 1;
+inline constexpr std::uint32_t kProtocol = 2;
 
 /// What both ends of a link call one type of object.
 struct TypeName {
@@ -40,7 +40,10 @@ struct NodeWelcome {
   std::uint32_t protocol = kProtocol;
   std::string build;
   std::uint64_t sceneHash = 0;
+  /// Names the life of the node's process: versions of shared data count within it.
+  std::uint64_t epoch = 0;
   std::vector<ServedObject> objects;
+  bool visitors = false;  ///< whether it serves the objects that show visitors, too
 };
 
 /// Why a backend node will not serve a frontend process.

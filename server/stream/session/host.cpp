@@ -10,6 +10,7 @@
 #include "base/log.h"
 #include "gl/workers.h"
 #include "node/limits.h"
+#include "node/transport/grpc/dial_nodes.h"
 #include "node/transport/reference_transport.h"
 #include "pipeline/clocks.h"
 
@@ -17,6 +18,9 @@ namespace grove::stream {
 namespace {
 
 constexpr double kSampleSeconds = 1.0;
+
+/// How long nodes of other processes may take to welcome this one.
+constexpr auto kNodePatience = std::chrono::seconds(10);
 
 int workerCount() { return static_cast<int>(std::max(1U, std::thread::hardware_concurrency())); }
 
@@ -43,6 +47,10 @@ Host::Host(node::LoadedScene scene, const node::ObjectTypes& types, gl::Workers&
       workers_(
           workerCount(), "grove-worker", [gate = gate_](bool idle) { gate->workerIs(idle); },
           pipeline::WorkerPool::Load::kMeasured) {
+  if (!options_.nodes.empty()) {
+    others_ = node::dialNodes(options_.nodes, node::helloOf(options_.process, scene_.layout), kNodePatience, workers_,
+                              timeline_);
+  }
   if (options_.privateWorlds) {
     line_ = std::make_unique<PreparationLine>(
         [this](node::Parallelism parallelism, const auto& report) { return makeInstance(parallelism, report); });
@@ -70,6 +78,7 @@ Host::~Host() {
   workers_.drain();
   line_.reset();
   shared_.reset();
+  others_.reset();
 }
 
 std::unique_ptr<WorldInstance> Host::makeInstance(node::Parallelism parallelism,
@@ -86,7 +95,7 @@ std::unique_ptr<WorldInstance> Host::makeInstance(node::Parallelism parallelism,
   const node::BackendMachine machine{workers_, gl_, timeline_, memory_, images_, baked};
   return std::make_unique<WorldInstance>(
       WorldGround{scene_, geometry_, players_, types_, machine, options_.maxSharedBytes, options_.process,
-                  options_.linkToOwner ? options_.linkToOwner(workers_, timeline_) : nullptr},
+                  options_.linkToOwner ? options_.linkToOwner(workers_, timeline_) : nullptr, others_.get()},
       std::move(transport), parallelism, progress);
 }
 

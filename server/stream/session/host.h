@@ -9,6 +9,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <string>
 #include <thread>
 #include <variant>
 #include <vector>
@@ -59,13 +60,17 @@ struct HostOptions {
   node::ProcessId process = 1;
   /// Makes the link to the process that owns the world; empty: this one does. Not in private mode.
   std::function<std::shared_ptr<node::FrontendEnd>(pipeline::Executor&, pipeline::Timeline&)> linkToOwner = {};
+  /// Addresses (HOST:PORT) of nodes in other processes, which serve some of the objects; the rest is served here. Not
+  /// in private mode.
+  std::vector<std::string> nodes = {};
 };
 
 /// One living world and everybody in it: owns the world with its backend node (in private mode: every visitor's), the
 /// workers, the frame clock and the sessions. Knows no sockets.
 class Host {
  public:
-  /// Prepares the world, which may take seconds; throws what backends throw. `progress` is called from any thread. The
+  /// Prepares the world, which may take seconds; throws what backends throw, and EnvironmentError if a node of another
+  /// process does not serve it. `progress` is called from any thread. The
   /// types outlive it.
   Host(node::LoadedScene scene, const node::ObjectTypes& types, gl::Workers& gl, const HostOptions& options,
        const std::function<void(std::string_view, float)>& progress);
@@ -159,8 +164,9 @@ class Host {
   EntryBudget entries_;
   const std::shared_ptr<FrameGate> gate_;  ///< sessions that end may hold it last
   pipeline::WorkerPool workers_;
-  std::shared_ptr<WorldInstance> shared_;  ///< null in private mode
-  std::unique_ptr<PreparationLine> line_;  ///< null but in private mode
+  std::unique_ptr<node::NodeRouter> others_;  ///< null if all nodes are here
+  std::shared_ptr<WorldInstance> shared_;     ///< null in private mode
+  std::unique_ptr<PreparationLine> line_;     ///< null but in private mode
   std::thread clock_;
 };
 

@@ -4,12 +4,24 @@
 #include <set>
 #include <utility>
 
+#include "node/backend/prepare/share_of_scene.h"
 #include "pipeline/clocks.h"
 
 namespace grove::stream {
 namespace {
 
 constexpr double kUpdateSeconds = 1.0 / 30.0;
+
+node::LoadedScene ownOf(const WorldGround& ground) {
+  if (ground.others == nullptr) return ground.scene;
+  return node::shareOf(ground.scene, node::restOf(ground.scene, ground.others->served()));
+}
+
+node::FrontendEnd& nodesOf(const WorldGround& ground, const std::shared_ptr<node::Transport>& transport) {
+  if (ground.others == nullptr) return *transport;
+  ground.others->add("this process", transport);
+  return *ground.others;
+}
 
 }  // namespace
 
@@ -18,9 +30,11 @@ WorldInstance::WorldInstance(const WorldGround& ground, std::unique_ptr<node::Tr
     : ground_(ground),
       world_(ground.scene.layout, ground.players),
       transport_(std::move(transport)),
-      backend_(ground.scene, *ground_.geometry, ground.types.backends, ground.machine, parallelism, progress),
+      nodes_(nodesOf(ground, transport_)),
+      own_(ownOf(ground)),
+      backend_(own_, *ground_.geometry, ground.types.backends, ground.machine, parallelism, progress),
       served_(backend_.accept(transport_)),
-      frontend_(ground.process, world_.layout(), ground.types.frontends, *transport_,
+      frontend_(ground.process, world_.layout(), ground.types.frontends, nodes_,
                 {ground.machine.workers, ground.machine.timeline, ground.machine.memory, ground.machine.images,
                  world_.layout().sky},
                 ground.maxSharedBytes),

@@ -12,6 +12,7 @@
 #include "node/backend/backend_node.h"
 #include "node/frontend/frontend_process.h"
 #include "node/object_types.h"
+#include "node/transport/node_router.h"
 #include "node/transport/transport.h"
 #include "node/world/joined_world.h"
 #include "pipeline/memory_ledger.h"
@@ -31,10 +32,13 @@ struct WorldGround {
   node::ProcessId process;     ///< names this one among the frontend processes of its backend nodes
   /// The link to the process that owns the world; null if this one does.
   std::shared_ptr<node::FrontendEnd> owner = {};
+  /// Links to nodes of other processes, which serve some of the objects; null if there are none.
+  node::NodeRouter* others = nullptr;
 };
 
-/// A world with a backend node that owns its objects, and the frontend process of those who are in it: all across-user
-/// state. There is one for everybody, or, in private mode, one for each visitor.
+/// A world with a backend node that owns its objects, but for those that nodes in other processes serve, and the
+/// frontend process of those who are in it: all across-user state. There is one for everybody, or, in private mode, one
+/// for each visitor.
 class WorldInstance {
  public:
   /// Prepares the objects, which may take seconds; throws what they throw. Not on one of the executors' threads.
@@ -63,7 +67,7 @@ class WorldInstance {
   /// Of all across-user work, see node::BackendHalf. Any thread.
   void setQuality(int step);
   /// What travels between the frontend and the backend node.
-  [[nodiscard]] node::LinkTraffic traffic() const { return transport_->traffic(); }
+  [[nodiscard]] node::LinkTraffic traffic() const { return nodes_.traffic(); }
   /// A visitor has left. Any thread.
   void forget(node::SessionId session);
   /// Of the memory that the models take, which changes when one shows something finer. One thread at a time.
@@ -80,6 +84,8 @@ class WorldInstance {
   std::uint64_t updates_ = 0;
   world::Edits::Cursor edits_ = 0;  ///< what the backend node knows of them
   const std::shared_ptr<node::Transport> transport_;
+  node::FrontendEnd& nodes_;  ///< the transport, or the way to it and to the others
+  const node::LoadedScene own_;
   node::BackendNode backend_;
   const std::shared_ptr<void> served_;  ///< the frontend by the backend
   node::FrontendProcess frontend_;

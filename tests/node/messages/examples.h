@@ -115,8 +115,10 @@ inline NodeWelcome welcome() {
   return {.protocol = 1,
           .build = "0.2.0",
           .sceneHash = 5,
+          .epoch = 0xFEDCBA9876543210U,
           .objects = {{.id = 9, .type = 5, .name = "oak", .bounds = {{-1.0F, 0.0F, -1.0F}, {1.0F, 8.0F, 1.0F}}},
-                      {.id = 10, .type = 0, .name = "", .bounds = {}}}};
+                      {.id = 10, .type = 0, .name = "", .bounds = {}}},
+          .visitors = true};
 }
 
 inline std::vector<ToBackend> toBackend() {

@@ -92,6 +92,8 @@ TEST(Wire, CarriesWelcomeAndRefusal) {
   EXPECT_EQ(got.protocol, sent.protocol);
   EXPECT_EQ(got.build, sent.build);
   EXPECT_EQ(got.sceneHash, sent.sceneHash);
+  EXPECT_EQ(got.epoch, sent.epoch);
+  EXPECT_TRUE(got.visitors);
   ASSERT_EQ(got.objects.size(), 2u);
   EXPECT_EQ(got.objects[0].id, 9u);
   EXPECT_EQ(got.objects[0].type, 5u);

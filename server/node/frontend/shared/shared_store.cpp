@@ -22,14 +22,14 @@ std::shared_ptr<const SharedData> SharedStore::find(const SharedKey& what) {
     const std::lock_guard lock(mutex_);
     found = use(what);
   }
-  if (found.isStale) fetchNewer(what, found.data->version());
+  if (found.isStale) fetchNewer(what, found.known);
   return found.data;
 }
 
 std::shared_ptr<const SharedData> SharedStore::known(const SharedKey& what) {
   const std::lock_guard lock(mutex_);
   const Entry* const entry = entryOf(what);
-  return entry == nullptr ? nullptr : entry->data;
+  return entry == nullptr || entry->isForeign ? nullptr : entry->data;
 }
 
 SharedStore::Found SharedStore::use(const SharedKey& what) {
@@ -38,7 +38,7 @@ SharedStore::Found SharedStore::use(const SharedKey& what) {
   entry->used = true;
   const bool isStale = wantsNewer(what, *entry);
   if (isStale) pending_[what].deadline = pipeline::wallSeconds() + kFetchSeconds;
-  return {entry->data, isStale};
+  return {entry->data, isStale, entry->known()};
 }
 
 SharedStore::Entry* SharedStore::entryOf(const SharedKey& what) {
@@ -78,7 +78,7 @@ void SharedStore::get(const Request& request, Waiter waiter) {
   std::unique_lock lock(mutex_);
   if (const Found found = use(what); found.data) {
     lock.unlock();
-    if (found.isStale) fetchNewer(what, found.data->version());
+    if (found.isStale) fetchNewer(what, found.known);
     waiter(found.data);
     return;
   }
@@ -126,7 +126,7 @@ bool SharedStore::put(const Result& result) {
     waiting = std::move(pending.mapped().waiting);
     if (data != nullptr && *data != nullptr) {
       const bool isStale = pending.mapped().announced > (*data)->version();
-      keep(what, {*data, (*data)->bytes(), isStale, false}, given);
+      keep(what, {*data, (*data)->bytes(), isStale, false, false}, given);
     }
   }
   for (const Waiting& each : waiting) each.waiter(result.payload);
@@ -154,6 +154,26 @@ void SharedStore::makeRoom(std::vector<Entry>& given) {
   }
 }
 
+void SharedStore::renew(const std::function<bool(world::ObjectId)>& isOfNode, bool restarted) {
+  const std::lock_guard lock(mutex_);
+  const auto age = [&](Entry& entry) {
+    entry.isStale = true;
+    entry.isForeign = entry.isForeign || restarted;
+  };
+  for (auto& [object, entry] : objects_) {
+    if (isOfNode(object)) age(entry);
+  }
+  std::vector<SharedKey> keys;
+  for (const auto& [what, entry] : entries_.entries()) {
+    if (isOfNode(what.object)) keys.push_back(what);
+  }
+  for (const SharedKey& what : keys) age(*entries_.find(what));
+  // What is under way may have been lost with the link: who wants it next asks again.
+  for (auto& [what, pending] : pending_) {
+    if (isOfNode(what.object)) pending = {0.0, 0, std::move(pending.waiting)};
+  }
+}
+
 void SharedStore::announced(const Announcement& announcement) {
   const SharedKey& what = announcement.what;
   Version known = 0;
@@ -164,12 +184,12 @@ void SharedStore::announced(const Announcement& announcement) {
     if (underWay != pending_.end()) underWay->second.announced = announcement.version;
     Entry* const entry = entryOf(what);
     if (entry == nullptr) return;
-    entry->isStale = announcement.version != entry->data->version();
+    entry->isStale = entry->isForeign || announcement.version != entry->data->version();
     if (!wantsNewer(what, *entry)) return;
     Pending& pending = pending_[what];
     pending.deadline = pipeline::wallSeconds() + kFetchSeconds;
     pending.announced = announcement.version;
-    known = entry->data->version();
+    known = entry->known();
   }
   fetchNewer(what, known);
 }

@@ -33,7 +33,7 @@ class SharedStore {
   /// Null if it is not there.
   [[nodiscard]] std::shared_ptr<const SharedData> find(const SharedKey& what);
 
-  /// The same, without using it.
+  /// The same, without using it; null also if it is of an earlier life of its node.
   [[nodiscard]] std::shared_ptr<const SharedData> known(const SharedKey& what);
 
   /// Gives `waiter` what the request, which has a view, names. It is requested unless it is there or under way; who
@@ -45,6 +45,11 @@ class SharedStore {
 
   /// What a backend node answered to a request of this store. False, and nothing changes, if none is under way.
   [[nodiscard]] bool put(const Result& result);
+
+  /// A backend node may have changed these objects unheard: their data is fetched anew as soon as somebody uses it, and
+  /// until it comes, what is there is shown. If the node is `restarted`, its versions count anew, so the fetch names
+  /// none that is known.
+  void renew(const std::function<bool(world::ObjectId)>& isOfNode, bool restarted);
 
   /// A backend node has another version.
   void announced(const Announcement& announcement);
@@ -59,8 +64,11 @@ class SharedStore {
   struct Entry {
     std::shared_ptr<const SharedData> data;
     std::size_t bytes = 0;
-    bool isStale = false;  ///< another version was announced
-    bool used = false;     ///< since it came
+    bool isStale = false;    ///< another version was announced
+    bool used = false;       ///< since it came
+    bool isForeign = false;  ///< its version is of an earlier life of its node
+    /// For the node, to which no version of an earlier life means anything.
+    [[nodiscard]] Version known() const { return isForeign ? 0 : data->version(); }
   };
   struct Waiting {
     double deadline = 0.0;  ///< of its frame
@@ -74,6 +82,7 @@ class SharedStore {
   struct Found {
     std::shared_ptr<const SharedData> data;
     bool isStale = false;  ///< to be fetched anew by who found it
+    Version known = 0;
   };
   // These with mutex_ held.
   [[nodiscard]] Found use(const SharedKey& what);

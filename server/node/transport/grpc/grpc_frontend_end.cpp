@@ -63,6 +63,11 @@ class GrpcFrontendEnd::Link final : public FrontendPort, public std::enable_shar
     const std::lock_guard lock(mutex_);
     return status_;
   }
+  [[nodiscard]] Status waitForAnswer(std::chrono::milliseconds max) const {
+    std::unique_lock lock(mutex_);
+    changed_.wait_for(lock, max, [this] { return status_.state != State::kConnecting; });
+    return status_;
+  }
   [[nodiscard]] bool waitUntilOpen(std::chrono::milliseconds max) const {
     std::unique_lock lock(mutex_);
     return changed_.wait_for(lock, max, [this] { return isOpen_; });
@@ -97,6 +102,7 @@ class GrpcFrontendEnd::Link final : public FrontendPort, public std::enable_shar
   Opening opening_;
   Status status_;
   bool isOpen_ = false;
+  bool isCalling_ = false;  ///< until the call is gone
   bool isStopped_ = false;
   int pauseMilliseconds_ = kFirstPauseMilliseconds;
   std::minstd_rand random_{std::random_device{}()};
@@ -107,7 +113,8 @@ class GrpcFrontendEnd::Link final : public FrontendPort, public std::enable_shar
 /// One stream, from its start to OnDone().
 class GrpcFrontendEnd::Call final : public PacketReactor<grpc::ClientBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer>> {
  public:
-  explicit Call(std::shared_ptr<Link> link) : link_(std::move(link)) {}
+  /// `link` waits for ended().
+  explicit Call(Link& link) : link_(link) {}
 
   void start(grpc::GenericStub& stub) {
     // As long as the node is not there, the channel looks for it.
@@ -120,23 +127,23 @@ class GrpcFrontendEnd::Call final : public PacketReactor<grpc::ClientBidiReactor
   using PacketReactor::open;
 
   void OnReadInitialMetadataDone(bool ok) override {
-    if (ok) link_->opened(*this);
+    if (ok) link_.opened(*this);
   }
   void OnDone(const grpc::Status& status) override {
-    const std::shared_ptr<Link> link = std::move(link_);
-    link->ended(status.error_message());
+    const std::string reason = status.error_message();
+    link_.ended(reason);  // this is destroyed there
   }
 
  private:
-  void take(const grpc::ByteBuffer& message) override { link_->take(message); }
-  [[nodiscard]] bool wantsMore() const override { return link_->wantsMore(); }
+  void take(const grpc::ByteBuffer& message) override { link_.take(message); }
+  [[nodiscard]] bool wantsMore() const override { return link_.wantsMore(); }
   void hangUp() override {
     context_.TryCancel();
     RemoveHold();
   }
 
   grpc::ClientContext context_;
-  std::shared_ptr<Link> link_;
+  Link& link_;
 };
 
 void GrpcFrontendEnd::Link::start() {
@@ -163,8 +170,9 @@ void GrpcFrontendEnd::Link::stop() {
     last = call_;
   }
   if (last) last->end();
+  last.reset();
   std::unique_lock lock(mutex_);
-  changed_.wait(lock, [this] { return call_ == nullptr; });
+  changed_.wait(lock, [this] { return !isCalling_; });
   lock.unlock();
   incoming_->leave();
   incoming_->close();
@@ -186,10 +194,11 @@ pipeline::PushResult GrpcFrontendEnd::Link::send(const ToBackend& message) {
 
 void GrpcFrontendEnd::Link::receive(ToFrontend message) {
   traffic_.countBulk(message);
-  if (std::holds_alternative<NodeWelcome>(message)) welcomed();
   frontend_.use([&](FrontendPort* port) {
     if (port != nullptr) port->receive(message);
   });
+  // Last, for who waits for the answer takes it for heard.
+  if (std::holds_alternative<NodeWelcome>(message)) welcomed();
   if (const auto* refusal = std::get_if<NodeRefusal>(&message)) refused(refusal->reason);
 }
 
@@ -198,6 +207,7 @@ void GrpcFrontendEnd::Link::welcomed() {
   if (status_.state == State::kLost) log::info("the node at " + address_ + " is back");
   status_ = {State::kWelcomed, {}};
   pauseMilliseconds_ = kFirstPauseMilliseconds;
+  changed_.notify_all();
 }
 
 /// The node may change its mind: when one with this process's number leaves.
@@ -208,6 +218,7 @@ void GrpcFrontendEnd::Link::refused(const std::string& reason) {
   }
   status_ = {State::kRefused, reason};
   pauseMilliseconds_ = kLongestPauseMilliseconds;
+  changed_.notify_all();
   if (!isStopped_) afterAPause(&Link::greetAgain);
 }
 
@@ -241,9 +252,15 @@ void GrpcFrontendEnd::Link::take(const grpc::ByteBuffer& message) {
 
 void GrpcFrontendEnd::Link::ended(const std::string& reason) {
   std::shared_ptr<Call> last;
+  {
+    const std::lock_guard lock(mutex_);
+    isOpen_ = false;
+    last = std::move(call_);
+  }
+  // Before stop() goes on: a channel must not be destroyed on gRPC's thread, and the call holds it.
+  last.reset();
   const std::lock_guard lock(mutex_);
-  isOpen_ = false;
-  last = std::move(call_);
+  isCalling_ = false;
   if (!isStopped_) {
     if (status_.state == State::kWelcomed) {
       log::warning("the node at " + address_ + " is lost: " + reason);
@@ -269,7 +286,8 @@ void GrpcFrontendEnd::Link::afterAPause(void (Link::*what)()) {
 void GrpcFrontendEnd::Link::call() {
   const std::lock_guard lock(mutex_);
   if (isStopped_) return;
-  call_ = std::make_shared<Call>(shared_from_this());
+  isCalling_ = true;
+  call_ = std::make_shared<Call>(*this);
   call_->start(stub_);
 }
 
@@ -289,6 +307,10 @@ pipeline::PushResult GrpcFrontendEnd::send(ToBackend message) { return link_->se
 LinkTraffic GrpcFrontendEnd::traffic() const { return link_->traffic(); }
 
 GrpcFrontendEnd::Status GrpcFrontendEnd::status() const { return link_->status(); }
+
+GrpcFrontendEnd::Status GrpcFrontendEnd::waitForAnswer(std::chrono::milliseconds max) const {
+  return link_->waitForAnswer(max);
+}
 
 bool GrpcFrontendEnd::waitUntilOpen(std::chrono::milliseconds max) const { return link_->waitUntilOpen(max); }
 

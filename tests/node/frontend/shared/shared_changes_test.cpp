@@ -80,6 +80,46 @@ TEST_F(SharedChanges, WhatNobodyAskedForIsRefused) {
   }
 }
 
+/// Or a node that has restarted would answer with differences to data that it does not have.
+TEST_F(SharedChanges, AfterARestartEverythingOfTheNodeIsFetchedWithoutAKnownVersion) {
+  const SharedKey elsewhere{kObject + 1, {}};
+  for (const SharedKey& what : {own, a, elsewhere}) bring(what, 900);
+  const auto isOfNode = [](world::ObjectId id) { return id == kObject; };
+  store.renew(isOfNode, true);
+  EXPECT_THAT(fetched, IsEmpty()) << "nobody has used it since";
+  for (const SharedKey& what : {own, a, elsewhere}) EXPECT_EQ(versionOf(what), 900U) << "shown as it was meanwhile";
+  EXPECT_THAT(fetched, ElementsAre(own, a));
+  EXPECT_THAT(known, ElementsAre(0U, 0U));
+  EXPECT_EQ(store.known(own), nullptr) << "no base of a difference";
+  EXPECT_NE(store.known(elsewhere), nullptr);
+  bring(own, 3);
+  bring(a, 900);
+  EXPECT_EQ(versionOf(own), 3U);
+  store.announced({own, 4});
+  store.announced({a, 901});
+  (void)store.find(a);
+  EXPECT_THAT(known, ElementsAre(0U, 0U, 3U, 900U)) << "from then on its versions count";
+}
+
+TEST_F(SharedChanges, WhatAnEarlierLifeAnnouncedIsForgottenByARestart) {
+  get(a);
+  store.announced({a, 900});
+  store.renew([](world::ObjectId) { return true; }, true);
+  get(a);
+  EXPECT_THAT(fetched, ElementsAre(a, a)) << "the first request may be lost";
+  bring(a, 1);
+  EXPECT_EQ(versionOf(a), 1U);
+  EXPECT_EQ(fetched.size(), 2U) << "it is not older than anything";
+}
+
+TEST_F(SharedChanges, AfterALostLinkDataIsFetchedAsDifferences) {
+  bring(own, 7);
+  store.renew([](world::ObjectId) { return true; }, false);
+  EXPECT_EQ(versionOf(own), 7U);
+  EXPECT_THAT(fetched, ElementsAre(own)) << "an announcement may have been lost";
+  EXPECT_THAT(known, ElementsAre(7U));
+}
+
 /// Would catch a version that is higher than any to come, which nothing ever replaced.
 TEST_F(SharedChanges, NoVersionStaysForEver) {
   constexpr Version kHighest = std::numeric_limits<Version>::max();

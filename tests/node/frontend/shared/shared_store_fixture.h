@@ -86,11 +86,13 @@ class SharedStoreTest : public ::testing::Test {
   bool full = false;
   bool broken = false;
   std::vector<SharedKey> fetched;
+  std::vector<Version> known;  ///< of those that no frame waits for
   std::vector<std::string> got;
   SharedStore store{kMaxBytes, [this](const Request& request) {
                       EXPECT_TRUE(request.shared);
                       if (broken) throw std::runtime_error("the wire is broken");
                       if (!full) fetched.push_back({request.object, request.key});
+                      if (!request.view) known.push_back(request.known);
                       return !full;
                     }};
   const SharedKey own{kObject, {}};

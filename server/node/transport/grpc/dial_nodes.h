@@ -1,0 +1,21 @@
+#pragma once
+
+#include <chrono>
+#include <memory>
+#include <span>
+#include <string>
+
+#include "node/transport/node_router.h"
+#include "pipeline/executor.h"
+#include "pipeline/timeline.h"
+
+namespace grove::node {
+
+/// Links to the backend nodes at these addresses (HOST:PORT), each of which has welcomed who says `hello`. Throws
+/// EnvironmentError if one does not answer within `patience`, or refuses, or if two serve one object. Workers and
+/// timeline outlive the links.
+[[nodiscard]] std::unique_ptr<NodeRouter> dialNodes(std::span<const std::string> addresses, const NodeHello& hello,
+                                                    std::chrono::milliseconds patience, pipeline::Executor& executor,
+                                                    pipeline::Timeline& timeline);
+
+}  // namespace grove::node

@@ -1,0 +1,109 @@
+#include "node/transport/node_router.h"
+
+#include <algorithm>
+#include <mutex>
+#include <utility>
+
+#include "base/log.h"
+
+namespace grove::node {
+
+/// One node, as the router hears it.
+class NodeRouter::Branch final : public FrontendPort {
+ public:
+  Branch(NodeRouter& router, std::string name, std::shared_ptr<FrontendEnd> end)
+      : router_(router), name_(std::move(name)), end_(std::move(end)) {
+    end_->connect(*this);
+  }
+  ~Branch() override { end_->leaveFrontend(); }
+  Branch(const Branch&) = delete;
+  Branch& operator=(const Branch&) = delete;
+
+  void receive(ToFrontend message) override { router_.receive(*this, std::move(message)); }
+  [[nodiscard]] const std::string& name() const noexcept { return name_; }
+  [[nodiscard]] FrontendEnd& end() const noexcept { return *end_; }
+
+ private:
+  NodeRouter& router_;
+  const std::string name_;
+  const std::shared_ptr<FrontendEnd> end_;
+};
+
+NodeRouter::NodeRouter() = default;
+NodeRouter::~NodeRouter() { branches_.clear(); }
+
+void NodeRouter::add(std::string name, std::shared_ptr<FrontendEnd> end) {
+  branches_.push_back(std::make_unique<Branch>(*this, std::move(name), std::move(end)));
+}
+
+pipeline::PushResult NodeRouter::send(ToBackend message) {
+  if (auto* const request = std::get_if<Request>(&message)) {
+    const Branch* owner = nullptr;
+    {
+      const std::shared_lock lock(mutex_);
+      const auto found = owners_.find(std::min(request->object, world::kFirstPlayerObject));
+      if (found != owners_.end()) owner = found->second;
+    }
+    return owner == nullptr ? pipeline::PushResult::kClosed : owner->end().send(std::move(message));
+  }
+  pipeline::PushResult best = pipeline::PushResult::kClosed;
+  for (const auto& branch : branches_) {
+    const pipeline::PushResult result = branch->end().send(message);
+    if (best != pipeline::PushResult::kAccepted) best = result;
+  }
+  return best;
+}
+
+LinkTraffic NodeRouter::traffic() const {
+  LinkTraffic sum;
+  for (const auto& branch : branches_) {
+    const LinkTraffic one = branch->end().traffic();
+    sum.toBackend += one.toBackend;
+    sum.pictures += one.pictures;
+    sum.sharedData += one.sharedData;
+    sum.headers += one.headers;
+  }
+  return sum;
+}
+
+ServedObjects NodeRouter::served() const {
+  const std::shared_lock lock(mutex_);
+  ServedObjects served;
+  for (const auto& [id, owner] : owners_) {
+    if (id == world::kFirstPlayerObject) {
+      served.visitors = true;
+    } else {
+      served.objects.insert(id);
+    }
+  }
+  return served;
+}
+
+std::optional<std::string> NodeRouter::conflict() const {
+  const std::shared_lock lock(mutex_);
+  return conflict_;
+}
+
+void NodeRouter::receive(const Branch& from, ToFrontend message) {
+  if (const auto* const welcome = std::get_if<NodeWelcome>(&message)) welcomed(from, *welcome);
+  frontend_.use([&](FrontendPort* port) {
+    if (port != nullptr) port->receive(std::move(message));
+  });
+}
+
+void NodeRouter::welcomed(const Branch& from, const NodeWelcome& welcome) {
+  const std::unique_lock lock(mutex_);
+  std::erase_if(owners_, [&](const auto& owned) { return owned.second == &from; });
+  for (const ServedObject& object : welcome.objects) own(from, object.id, object.name);
+  if (welcome.visitors) own(from, world::kFirstPlayerObject, "of visitors");
+}
+
+void NodeRouter::own(const Branch& branch, world::ObjectId id, const std::string& name) {
+  const auto [owner, isNew] = owners_.try_emplace(id, &branch);
+  if (isNew) return;
+  conflict_ = "object " + std::to_string(id) + " " + name + " is served by " + owner->second->name() + " and by " +
+              branch.name();
+  log::error(*conflict_ + ": the first one goes on to serve it");
+}
+
+}  // namespace grove::node

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <shared_mutex>
+#include <string>
+#include <vector>
+
+#include "node/messages/served_objects.h"
+#include "node/transport/connection.h"
+#include "node/transport/transport.h"
+
+namespace grove::node {
+
+/// A frontend process's end of links to several backend nodes, each of which serves some of the objects. A request goes
+/// to the node that serves its object, everything else to all. Who serves what is what nodes said in their last
+/// welcome. Any thread, but for add().
+class NodeRouter final : public FrontendEnd {
+ public:
+  NodeRouter();
+  ~NodeRouter() override;
+  NodeRouter(const NodeRouter&) = delete;
+  NodeRouter& operator=(const NodeRouter&) = delete;
+
+  /// `name` is for people. Before anything is sent, or while nothing is.
+  void add(std::string name, std::shared_ptr<FrontendEnd> end);
+
+  void connect(FrontendPort& frontend) override { frontend_.connect(frontend); }
+  void leaveFrontend() override { frontend_.leave(); }
+  /// A request is closed if nobody serves its object. Other messages are accepted if any node accepts them: one that is
+  /// away does not hold up the others.
+  pipeline::PushResult send(ToBackend message) override;
+  [[nodiscard]] LinkTraffic traffic() const override;
+
+  /// What all nodes serve.
+  [[nodiscard]] ServedObjects served() const;
+  /// What is wrong if two nodes serve one object, one line for people. The first who said so serves it.
+  [[nodiscard]] std::optional<std::string> conflict() const;
+
+ private:
+  class Branch;
+
+  void receive(const Branch& from, ToFrontend message);
+  void welcomed(const Branch& from, const NodeWelcome& welcome);
+  /// With the lock held.
+  void own(const Branch& branch, world::ObjectId id, const std::string& name);
+
+  Connection<FrontendPort> frontend_;
+  std::vector<std::unique_ptr<Branch>> branches_;
+  mutable std::shared_mutex mutex_;
+  /// All objects that show visitors under kFirstPlayerObject.
+  std::map<world::ObjectId, const Branch*> owners_;
+  std::optional<std::string> conflict_;
+};
+
+}  // namespace grove::node

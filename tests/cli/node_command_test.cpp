@@ -1,0 +1,40 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "cli/program.h"
+#include "cli/small_scene.h"
+
+namespace grove::cli {
+namespace {
+
+using testing::HasSubstr;
+
+TEST(NodeCommand, PrintsWhereItListensAndStopsAtASignal) {
+  const SmallScene scene;
+  const Outcome outcome =
+      shell("out=$(mktemp); " GROVE_BINARY " node --objects mesh --listen 127.0.0.1:0 --scene " + scene.path() +
+            " >$out 2>/dev/null & node=$!\n"
+            "for try in {1..300}; do grep -qs listening $out && break; sleep 0.1; done\n"
+            "kill -TERM $node; wait $node; echo ended with $?; sed 's/:[0-9]*$/:PORT/' $out; rm $out");
+  EXPECT_EQ(outcome.output, "ended with 0\nlistening on 127.0.0.1:PORT\n");
+}
+
+TEST(NodeCommand, NamesWhatTheSceneDoesNotHave) {
+  const SmallScene scene;
+  const Outcome outcome = grove("node --objects mesh,dragon --listen 127.0.0.1:0 --scene " + scene.path());
+  EXPECT_EQ(outcome.exit, 1);
+  EXPECT_THAT(outcome.output, HasSubstr("--objects: the scene has no object and no type 'dragon'"));
+}
+
+TEST(NodeCommand, AServerNamesANodeThatDoesNotAnswer) {
+  const SmallScene scene;
+  const Outcome outcome = grove("serve --nodes 127.0.0.1:1 --listen 127.0.0.1:0 --scene " + scene.path());
+  EXPECT_EQ(outcome.exit, 1);
+  EXPECT_THAT(outcome.output, HasSubstr("127.0.0.1:1: no node answers"));
+}
+
+}  // namespace
+}  // namespace grove::cli

@@ -1,0 +1,167 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <optional>
+#include <string>
+#include <thread>
+
+#include "base/error.h"
+#include "eventually.h"
+#include "integration/node_program.h"
+#include "integration/picture.h"
+#include "integration/served_scene.h"
+#include "stream/session/headless_session.h"
+
+namespace grove::integration {
+namespace {
+
+using namespace std::chrono_literals;
+using ::testing::HasSubstr;
+using tests::eventually;
+
+constexpr const char* kStones = R"(name = 'stones'
+spawn = [0, 0, 6]
+[[object]]
+type = 'sky'
+[[object]]
+type = 'ground'
+[[object]]
+type = 'mesh'
+name = 'left'
+shape = 'rocks'
+position = [-1.5, 0, 1]
+[[object]]
+type = 'mesh'
+name = 'right'
+shape = 'stone'
+position = [1.5, 0, 2]
+[visitor]
+type = 'figure'
+)";
+
+/// A server whose world is in part in other processes.
+class RemoteNodes : public ::testing::Test {
+ public:
+  ~RemoteNodes() override { std::filesystem::remove(file); }
+
+ protected:
+  RemoteNodes() { std::ofstream(file) << kStones; }
+
+  static std::unique_ptr<ServedScene> serve(const std::vector<std::string>& nodes, node::ProcessId process = 1) {
+    stream::HostOptions options;
+    options.process = process;
+    options.nodes = nodes;
+    return std::make_unique<ServedScene>(kStones, options);
+  }
+  std::unique_ptr<NodeProgram> node(const std::string& objects, int port = 0) const {
+    return std::make_unique<NodeProgram>(file.string(), objects, port);
+  }
+
+  /// What shows an input, once it stays as it is.
+  static Picture settled(stream::HeadlessSession& visitor) {
+    auto frame = visitor.frameShowing(visitor.control(0, 0.0F, 0.0F), kPatience);
+    Picture picture = decode(frame);
+    int alike = 0;
+    for (int i = 0; i < 60 && alike < 3; ++i) {
+      std::this_thread::sleep_for(100ms);
+      frame = visitor.frameAfter(frame->header.frame, kPatience);
+      Picture next = decode(frame);
+      alike = difference(picture, next) == 0.0 ? alike + 1 : 0;
+      picture = std::move(next);
+    }
+    return picture;
+  }
+  static std::string errorOf(const std::vector<std::string>& nodes) {
+    try {
+      (void)serve(nodes);
+      return "";
+    } catch (const EnvironmentError& e) {
+      return e.what();
+    }
+  }
+
+  const std::filesystem::path file =
+      std::filesystem::temp_directory_path() / ("grove_remote_nodes_" + std::to_string(getpid()) + ".toml");
+};
+
+TEST_F(RemoteNodes, ShowThePictureThatOneProcessShows) {
+  Picture local;
+  {
+    const auto served = serve({});
+    stream::HeadlessSession visitor(served->host, "Ada", 320, 180);
+    const stream::HeadlessSession neighbour(served->host, "Bob", 160, 90);
+    local = settled(visitor);
+  }
+  const auto stones = node("right,figure");
+  const auto ground = node("ground,left");
+  const auto served = serve({stones->address(), ground->address()});
+  stream::HeadlessSession visitor(served->host, "Ada", 320, 180);
+  const stream::HeadlessSession neighbour(served->host, "Bob", 160, 90);
+  EXPECT_EQ(difference(local, settled(visitor)), 0.0);
+  EXPECT_GT(local.mean(), 1.0) << "of nothing";
+  EXPECT_GT(served->host.traffic().sharedData, 0U) << "the ground came from elsewhere";
+  EXPECT_GT(served->host.traffic().pictures, 0U) << "and the stone";
+}
+
+TEST_F(RemoteNodes, OneThatIsKilledAndRestartedDropsNobodyAndShowsWhatItShowedMeanwhile) {
+  auto remote = node("mesh,ground");
+  const int port = remote->port();
+  const auto served = serve({remote->address()});
+  stream::HeadlessSession visitor(served->host, "Ada", 320, 180);
+  const Picture before = settled(visitor);
+  remote->end(SIGKILL);
+  std::this_thread::sleep_for(300ms);
+  const std::uint64_t received = visitor.framesReceived();
+  EXPECT_EQ(difference(before, settled(visitor)), 0.0) << "as it was";
+  EXPECT_GT(visitor.framesReceived(), received) << "frames go on";
+  const std::uint64_t traffic = served->host.traffic().pictures;
+  remote = node("mesh,ground", port);
+  ASSERT_EQ(remote->port(), port);
+  const auto isBack = [&] { return served->host.traffic().pictures > traffic; };
+  EXPECT_TRUE(eventually([&] {
+    (void)visitor.control(0, 0.0F, 0.01F);
+    (void)visitor.control(0, 0.0F, 0.0F);
+    return isBack();
+  }));
+  EXPECT_EQ(difference(before, settled(visitor)), 0.0);
+  EXPECT_EQ(served->host.visitors(), 1U);
+  EXPECT_EQ(remote->end(SIGTERM), 0) << "it stops cleanly with a link";
+}
+
+TEST_F(RemoteNodes, OneThatDoesNotAnswerIsNamed) {
+  EXPECT_THAT(errorOf({"127.0.0.1:1"}), HasSubstr("127.0.0.1:1: no node answers"));
+}
+
+TEST_F(RemoteNodes, AnObjectOfTwoNodesIsNamed) {
+  const auto a = node("mesh");
+  const auto b = node("left");
+  const std::string error = errorOf({a->address(), b->address()});
+  EXPECT_THAT(error, HasSubstr("left is served by the node at "));
+  EXPECT_THAT(error, HasSubstr(a->address()));
+  EXPECT_THAT(error, HasSubstr(b->address()));
+}
+
+TEST_F(RemoteNodes, OneWithAnotherSceneIsNamed) {
+  const auto other = node("mesh");
+  std::ofstream(file, std::ios::app) << "# another\n";
+  const auto changed = node("mesh");
+  EXPECT_EQ(errorOf({other->address()}), "");
+  EXPECT_THAT(errorOf({changed->address()}),
+              HasSubstr(changed->address() + ": the node refuses: it shows another scene"));
+}
+
+TEST_F(RemoteNodes, ServeTwoServers) {
+  const auto stones = node("mesh");
+  const auto a = serve({stones->address()});
+  const auto b = serve({stones->address()}, 2);
+  stream::HeadlessSession ada(a->host, "Ada", 160, 90);
+  stream::HeadlessSession bob(b->host, "Bob", 160, 90);
+  EXPECT_EQ(difference(settled(ada), settled(bob)), 0.0);
+}
+
+}  // namespace
+}  // namespace grove::integration

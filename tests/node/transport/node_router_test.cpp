@@ -1,0 +1,102 @@
+#include "node/transport/node_router.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <memory>
+
+#include "node/messages/examples.h"
+#include "node/transport/reference_transport.h"
+
+namespace grove::node {
+namespace {
+
+using pipeline::PushResult;
+using ::testing::HasSubstr;
+
+/// A node behind a link by reference, which keeps what it hears.
+class Heard final : public BackendPort {
+ public:
+  Heard() { link->connect(*this); }
+  ~Heard() override { link->leaveBackend(); }
+  Heard(const Heard&) = delete;
+  Heard& operator=(const Heard&) = delete;
+  PushResult receive(ToBackend message) override {
+    if (answer == PushResult::kAccepted) messages.push_back(std::move(message));
+    return answer;
+  }
+  void welcome(const std::vector<world::ObjectId>& objects, bool visitors = false) {
+    NodeWelcome welcome;
+    for (const world::ObjectId id : objects) welcome.objects.emplace_back().id = id;
+    welcome.visitors = visitors;
+    link->send(ToFrontend(welcome));
+  }
+
+  const std::shared_ptr<ReferenceTransport> link = std::make_shared<ReferenceTransport>();
+  PushResult answer = PushResult::kAccepted;
+  std::vector<ToBackend> messages;
+};
+
+class Router : public ::testing::Test {
+ protected:
+  Router() {
+    router.add("a", a.link);
+    router.add("b", b.link);
+  }
+  PushResult ask(world::ObjectId object) {
+    Request request = examples::request();
+    request.object = object;
+    return router.send(std::move(request));
+  }
+
+  Heard a;
+  Heard b;
+  NodeRouter router;
+};
+
+TEST_F(Router, ARequestGoesToWhoServesItsObject) {
+  a.welcome({1, 2});
+  b.welcome({3}, true);
+  EXPECT_EQ(ask(3), PushResult::kAccepted);
+  EXPECT_EQ(ask(world::kFirstPlayerObject + 7), PushResult::kAccepted);
+  EXPECT_EQ(ask(2), PushResult::kAccepted);
+  EXPECT_EQ(ask(4), PushResult::kClosed) << "of nobody";
+  EXPECT_EQ(a.messages.size(), 1U);
+  EXPECT_EQ(b.messages.size(), 2U);
+  EXPECT_EQ(router.served().objects, (std::set<world::ObjectId>{1, 2, 3}));
+  EXPECT_TRUE(router.served().visitors);
+  b.answer = PushResult::kRejected;
+  EXPECT_EQ(ask(3), PushResult::kRejected) << "what the node says counts";
+}
+
+TEST_F(Router, EverythingElseGoesToAll) {
+  b.answer = PushResult::kClosed;
+  EXPECT_EQ(router.send(examples::hello()), PushResult::kAccepted) << "one that is away holds up nobody";
+  b.answer = PushResult::kAccepted;
+  EXPECT_EQ(router.send(Forget{1}), PushResult::kAccepted);
+  EXPECT_EQ(a.messages.size(), 2U);
+  EXPECT_EQ(b.messages.size(), 1U);
+  a.answer = b.answer = PushResult::kClosed;
+  EXPECT_EQ(router.send(Quality{1}), PushResult::kClosed);
+}
+
+TEST_F(Router, TheLastWelcomeCounts) {
+  a.welcome({1, 2});
+  a.welcome({2});
+  EXPECT_EQ(ask(1), PushResult::kClosed);
+  b.welcome({1});
+  EXPECT_EQ(ask(1), PushResult::kAccepted);
+  EXPECT_EQ(b.messages.size(), 1U);
+  EXPECT_FALSE(router.conflict());
+}
+
+TEST_F(Router, AnObjectOfTwoStaysWithTheFirstAndIsNamed) {
+  a.welcome({1});
+  b.welcome({1, 2});
+  EXPECT_THAT(router.conflict().value_or(""), HasSubstr("is served by a and by b"));
+  (void)ask(1);
+  EXPECT_EQ(a.messages.size(), 1U);
+}
+
+}  // namespace
+}  // namespace grove::node
