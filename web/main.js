@@ -86,7 +86,7 @@ const hearers = {
   refining: (message) => refining.show(message),
   status: hear,
   presented,
-  people: (message) => people.update(message.people),
+  people: (message) => people.update(message),
   labels: (message) => nameTags.show(message),
   reading: (event) => (reading = event.reading),
   captured: (answer) => capture.answered(answer),

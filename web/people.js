@@ -6,13 +6,17 @@ export class People {
   /** Oneself, by the server's number; `null` before the first welcome. */
   self = null;
 
+  /** Visitors of other servers that show this world are out of reach. */
+  othersAreLost = false;
+
   /** `listener()` hears of every change. */
   onChange(listener) {
     this.#listeners.push(listener);
   }
 
-  /** Takes over the list of the message People. */
-  update(people) {
+  /** Takes over the message People. */
+  update({ othersAreLost, people }) {
+    this.othersAreLost = othersAreLost;
     this.#people = new Map(
       people.map(({ visitor, red, green, blue, name }) => [visitor, { visitor, name, colour: `rgb(${red} ${green} ${blue})` }]),
     );

@@ -329,6 +329,8 @@ function decodeTimes(view) {
 
 function decodePeople(view) {
   if (view.byteLength < kPeopleBytes) throw new ProtocolError('the list of people is cut short');
+  const flags = view.getUint8(1);
+  if (flags > 1) throw new ProtocolError('the list of people has unknown flags');
   const people = [];
   let at = kPeopleBytes;
   for (let count = view.getUint16(2, true); count > 0; count -= 1) {
@@ -347,7 +349,7 @@ function decodePeople(view) {
     at = nameAt + name.length;
   }
   if (at !== view.byteLength) throw new ProtocolError('the list of people has a wrong length');
-  return { message: 'People', people };
+  return { message: 'People', othersAreLost: flags === 1, people };
 }
 
 const kDecoders = Object.freeze({

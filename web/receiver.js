@@ -81,7 +81,7 @@ export class Receiver {
         refining: ({ percent, secondsLeft }) => emit({ kind: 'refining', percent, secondsLeft }),
         captured: ({ number, picture }) => emit({ kind: 'captured', number, picture }, [picture.buffer]),
         times: (times) => this.#telemetry.timesReceived(times),
-        people: ({ people }) => emit({ kind: 'people', people }),
+        people: ({ othersAreLost, people }) => emit({ kind: 'people', othersAreLost, people }),
       },
       backoff: new Backoff(),
       mayRetry: () => !this.#visibility.hidden,

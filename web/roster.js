@@ -13,6 +13,8 @@ export class Roster {
   #panel;
   #button;
   #people;
+  #say;
+  #othersWereLost = false;
 
   /**
    * @param {object} parts
@@ -27,6 +29,7 @@ export class Roster {
     this.#panel = panel;
     this.#button = button;
     this.#people = people;
+    this.#say = say;
     button.addEventListener('click', () => this.toggle());
     panel.querySelector('[data-copy]').addEventListener('click', async () => {
       try {
@@ -45,7 +48,10 @@ export class Roster {
   }
 
   #write() {
-    const { all, self } = this.#people;
+    const { all, self, othersAreLost } = this.#people;
+    if (othersAreLost !== this.#othersWereLost) this.#say(othersAreLost ? kPeople.lost : kPeople.found);
+    this.#othersWereLost = othersAreLost;
+    this.#panel.querySelector('[data-lost]').hidden = !othersAreLost;
     this.#panel.querySelector('h2').textContent = kPeople.here(all.length);
     const rows = all.map(({ visitor, name, colour }) => {
       const row = this.#panel.ownerDocument.createElement('li');

@@ -25,6 +25,7 @@ export const kPage = Object.freeze({
   overlay: { label: 'Statistics' },
   allFigures: 'All statistics',
   people: { label: 'Visitors' },
+  othersLost: 'Visitors on other servers are out of reach.',
   copyLink: 'Copy link to this world',
   saveTable: 'Save as CSV',
   preparation: { label: 'Preparation of the world' },
@@ -186,6 +187,8 @@ export const kPictures = Object.freeze({
 export const kPeople = Object.freeze({
   here: (count) => (count === 1 ? 'You are alone here' : `${count} visitors`),
   self: ' (you)',
+  lost: 'Visitors on other servers are out of reach',
+  found: 'Visitors on other servers are back',
   copied: 'Link copied',
   notCopied: (link) => `Your browser does not copy. The link is ${link}`,
 });
@@ -364,6 +367,18 @@ export const kSituations = Object.freeze({
   },
   first: { title: 'A visitor has arrived', text: 'The first figures follow in a few seconds.' },
   empty: { title: 'No visitors', text: 'What sharing saves is measured while somebody is connected.' },
+  connecting: {
+    title: 'The owner of this world does not answer',
+    text: 'This server shows the world with its own visitors only, and joins as soon as the owner answers.',
+  },
+  ownerLost: {
+    title: 'The owner of this world is lost',
+    text: 'Visitors on other servers are out of reach. This server joins again as soon as the owner is back.',
+  },
+  refused: (reason) => ({
+    title: 'The owner of this world refuses this server',
+    text: `${reason}. This server shows the world with its own visitors only.`,
+  }),
   private: {
     title: 'Private mode',
     text: 'Every visitor has a separate world and nothing is shared: this is what serving costs without sharing.',

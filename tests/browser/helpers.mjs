@@ -105,6 +105,23 @@ export class Server {
   }
 }
 
+/** A running `grove world`, which ends with `kill()`, without a word to anybody. */
+export async function ownWorld(port, options) {
+  const owner = spawn(kBinary, ['world', '--listen', `127.0.0.1:${port}`, ...options], { cwd: kRoot });
+  const ended = new Promise((resolve) => owner.on('exit', resolve));
+  await new Promise((resolve, reject) => {
+    owner.stdout.once('data', resolve);
+    owner.on('error', reject);
+    owner.on('exit', (code) => reject(new Error(`grove world ended with ${code}`)));
+  });
+  return {
+    kill: async () => {
+      owner.kill('SIGKILL');
+      await ended;
+    },
+  };
+}
+
 /** A headless Chromium with an empty profile of its own. */
 export function launchBrowser() {
   return chromium.launch({

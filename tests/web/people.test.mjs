@@ -11,10 +11,12 @@ test('a list of people is theirs until the next, oneself first', () => {
   let changes = 0;
   people.onChange(() => (changes += 1));
   people.self = 3;
-  people.update([person(1, 'Ada'), person(3, 'Zo\u00eb'), person(4, 'Ada')]);
+  people.update({ othersAreLost: true, people: [person(1, 'Ada'), person(3, 'Zo\u00eb'), person(4, 'Ada')] });
+  assert.equal(people.othersAreLost, true);
   assert.deepEqual(people.all.map(({ visitor }) => visitor), [3, 1, 4]);
   assert.deepEqual(people.find(1), { visitor: 1, name: 'Ada', colour: 'rgb(255 180 79)' });
-  people.update([person(3, 'Zo\u00eb')]);
+  people.update({ othersAreLost: false, people: [person(3, 'Zo\u00eb')] });
+  assert.equal(people.othersAreLost, false);
   assert.equal(people.find(1), undefined);
   assert.equal(changes, 2);
 });

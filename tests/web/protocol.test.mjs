@@ -112,6 +112,7 @@ for (const [what, data] of [
   ['a picture that its labels leave no bytes', spoilt('Picture', (view) => view.setUint8(10, 1))],
   ['a longer list of people', bytesOf(find('People').hex + '00')],
   ['a list of more people than it has', spoilt('People', (view) => view.setUint16(2, 4, true))],
+  ['a list of people with flags that nobody knows', spoilt('People', (view) => view.setUint8(1, 2))],
   ["a visitor's name that is not UTF-8", spoilt('People', (view) => view.setUint8(12, 0xff))],
   ['a longer status', bytesOf(find('Status').hex + '00')],
   ['a status limited by nothing known', spoilt('Status', (view) => view.setUint8(1, 5))],

@@ -87,6 +87,7 @@ test('who is here is told to the page', async () => {
   const { sockets, of } = await setUp({ protocol: 'grove.v1.4' });
   sockets[0].greet();
   sockets[0].onmessage({ data: Uint8Array.from(Buffer.from(hexOf('people'), 'hex')).buffer });
+  assert.equal(of('people')[0].othersAreLost, false);
   assert.deepEqual(of('people')[0].people.map(({ name }) => name), ['Ada', '日本 🌲', 'سلمى']);
 });
 

@@ -1,5 +1,12 @@
 import { kSituations } from '../texts.js';
 
+/** How the server stands with the owner of its world, `null` if there is nothing to say. */
+function ownerSituation(world) {
+  if (world?.state === 'refused') return kSituations.refused(world.reason);
+  if (world?.state === 'connecting') return kSituations.connecting;
+  return world?.state === 'lost' ? kSituations.ownerLost : null;
+}
+
 /**
  * What has to be said before the figures can be read, `null` if they speak for themselves. `state` is `asking`, `live`,
  * `paused` or `lost`; `heard` is the time of day of the newest answer, or `null`.
@@ -11,6 +18,8 @@ export function situation(state, statistics, heard) {
     return { title, text: `${heard ? kSituations.lastHeard(heard) : ''}${text}` };
   }
   if (state === 'paused') return kSituations.paused;
+  const owner = ownerSituation(statistics.world);
+  if (owner) return owner;
   const { amortization } = statistics;
   if (amortization === undefined) return kSituations.older;
   if (amortization === null) return statistics.visitors > 0 ? kSituations.first : kSituations.empty;

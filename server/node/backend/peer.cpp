@@ -32,8 +32,8 @@ std::optional<std::string> Peer::objectionTo(const ToBackend& message) const {
 
 void Peer::reportForeignWorld() {
   if (isForeignReported_.exchange(true)) return;
-  log::warning("frontend process " + std::to_string(process().value_or(0)) +
-               " does not own the world: no simulation knows its visitors");
+  log::info("frontend process " + std::to_string(process().value_or(0)) +
+            ": the simulations follow what another one reports of the world");
 }
 
 void Peer::hearClock(double theirs) {

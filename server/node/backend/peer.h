@@ -35,7 +35,7 @@ class Peer {
   /// Logs a refused message, at most once a second.
   void reproach(const std::string& objection) { refusals_.warning(objection); }
 
-  /// Logs once that its updates are refused, since another process owns the world.
+  /// Logs once that its updates are refused, since the simulations follow another process.
   void reportForeignWorld();
 
   /// Updates the estimate of the peer's clock, in seconds.

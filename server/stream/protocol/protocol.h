@@ -207,8 +207,9 @@ struct Person {
   friend bool operator==(const Person&, const Person&) = default;
 };
 
-/// Since v1.4: who is here, after Welcome and when somebody has come or gone, once a second at most.
+/// Since v1.4: who is here, after Welcome and at each change, once a second at most.
 struct People {
+  bool othersAreLost = false;  ///< visitors of other servers that show this world are out of reach
   std::vector<Person> people;
 };
 

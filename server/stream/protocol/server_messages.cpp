@@ -182,8 +182,9 @@ ServerMessage parseTimes(WireReader reader) {
 }
 
 ServerMessage parsePeople(WireReader reader) {
-  const bool zero = reader.take<std::uint8_t>() == 0;
+  const auto flags = reader.take<std::uint8_t>();
   People people;
+  people.othersAreLost = flags != 0;
   const auto count = reader.take<std::uint16_t>();
   for (int i = 0; i < count && !reader.exhausted(); ++i) {
     Person person;
@@ -195,7 +196,7 @@ ServerMessage parsePeople(WireReader reader) {
     people.people.push_back(std::move(person));
   }
   if (reader.exhausted() || !reader.rest().empty()) return wrongLength("People");
-  if (!zero) return reservedBytes("People");
+  if (flags > 1) return reservedBytes("People");
   return people;
 }
 
@@ -290,7 +291,7 @@ std::vector<std::uint8_t> encode(const Times& times) {
 
 std::vector<std::uint8_t> encode(const People& people) {
   WireWriter writer;
-  writer.put(toByte(MessageType::kPeople)).put(std::uint8_t{0});
+  writer.put(toByte(MessageType::kPeople)).put(static_cast<std::uint8_t>(people.othersAreLost));
   writer.put(static_cast<std::uint16_t>(people.people.size()));
   for (const Person& person : people.people) {
     const std::string name = printable(person.name, kMaxPersonNameBytes);

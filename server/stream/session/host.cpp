@@ -196,6 +196,11 @@ std::optional<node::JoinedWorld::Status> Host::joined() const {
   return shared_ ? shared_->joined(pipeline::wallSeconds()) : std::nullopt;
 }
 
+bool Host::hasLostOthers() const {
+  const auto status = joined();
+  return status && status->state != node::JoinedWorld::State::kJoined;
+}
+
 std::size_t Host::visitors() const {
   const std::lock_guard lock(mutex_);
   return sessions_.size();

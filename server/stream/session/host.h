@@ -111,6 +111,8 @@ class Host {
   [[nodiscard]] node::LinkTraffic traffic() const { return shared_ ? shared_->traffic() : node::LinkTraffic{}; }
   /// How this server stands with the world's owner; nothing if it is the owner.
   [[nodiscard]] std::optional<node::JoinedWorld::Status> joined() const;
+  /// Visitors of other servers that show this world are out of reach.
+  [[nodiscard]] bool hasLostOthers() const;
   [[nodiscard]] pipeline::Executor& workers() noexcept { return workers_; }
   [[nodiscard]] const HostOptions& options() const noexcept { return options_; }
   [[nodiscard]] const EncoderRegistry& encoders() const noexcept { return encoders_; }

@@ -78,7 +78,7 @@ bool Connection::isDead(double now) {
 
 void Connection::watchPeople(double now) {
   if (page_ < PageLevel::kNaming || now < peopleToldAt_ + kPeopleSeconds) return;
-  if (host_.players().changes() == peopleTold_) return;
+  if (host_.players().changes() == peopleTold_ && host_.hasLostOthers() == othersToldLost_) return;
   peopleToldAt_ = now;
   peopleAreDue_ = true;
 }
@@ -86,7 +86,8 @@ void Connection::watchPeople(double now) {
 People Connection::people() {
   // Read before the list: who comes in between is told again, rather than never.
   peopleTold_ = host_.players().changes();
-  People people;
+  People people{.othersAreLost = host_.hasLostOthers(), .people = {}};
+  othersToldLost_ = people.othersAreLost;
   for (const world::Player& player : host_.players().all(pipeline::wallSeconds())) {
     people.people.push_back({node::shortIdOf(player.id, host_.options().process), player.colour, player.name});
   }

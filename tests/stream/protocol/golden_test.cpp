@@ -113,7 +113,7 @@ Json fieldsOf(const People& people) {
                     {"blue", person.colour >> 16U},
                     {"name", person.name}});
   }
-  return {{"message", "People"}, {"people", list}};
+  return {{"message", "People"}, {"othersAreLost", people.othersAreLost}, {"people", list}};
 }
 
 std::string hex(std::span<const std::uint8_t> bytes) {

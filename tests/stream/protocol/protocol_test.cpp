@@ -160,7 +160,7 @@ TEST(Protocol, RefusesLabelsThatCannotBe) {
 }
 
 TEST(Protocol, RefusesPeopleThatCannotBe) {
-  const Bytes people = encode(People{{{1, 0x4FB4FF, "Ada"}, {2, 0, "日本"}}});
+  const Bytes people = encode(People{false, {{1, 0x4FB4FF, "Ada"}, {2, 0, "日本"}}});
   ASSERT_TRUE(std::holds_alternative<People>(parseServerMessage(people)));
   for (std::size_t length = 0; length < people.size(); ++length) {
     EXPECT_TRUE(std::holds_alternative<Refusal>(parseServerMessage(std::span(people).first(length)))) << length;
@@ -169,13 +169,13 @@ TEST(Protocol, RefusesPeopleThatCannotBe) {
   longer.push_back(0);
   EXPECT_TRUE(std::holds_alternative<Refusal>(parseServerMessage(longer)));
   Bytes reserved = people;
-  reserved[1] = 1;
+  reserved[1] = 2;
   EXPECT_TRUE(std::holds_alternative<Refusal>(parseServerMessage(reserved)));
   Bytes long65(12 + 65, 'a');
-  std::ranges::copy(encode(People{{{1, 0, ""}}}), long65.begin());
+  std::ranges::copy(encode(People{false, {{1, 0, ""}}}), long65.begin());
   long65[11] = 65;
   EXPECT_TRUE(std::holds_alternative<Refusal>(parseServerMessage(long65)));
-  const ServerMessage cleaned = parseServerMessage(encode(People{{{1, 0, "a\nb\xFF" + std::string(100, 'c')}}}));
+  const ServerMessage cleaned = parseServerMessage(encode(People{false, {{1, 0, "a\nb\xFF" + std::string(100, 'c')}}}));
   EXPECT_EQ(std::get<People>(cleaned).people[0].name, "ab?" + std::string(61, 'c'));
 }
 

@@ -1,0 +1,56 @@
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+
+import { Server, Visitor, freePort, launchBrowser, ownWorld } from './helpers.mjs';
+
+const kScene = ['--scene', 'tests/browser/clearing.toml'];
+
+let port;
+let owner;
+let servers = [];
+let browser;
+
+before(async () => {
+  port = await freePort();
+  owner = await ownWorld(port, kScene);
+  const options = [...kScene, '--join', `127.0.0.1:${port}`];
+  servers = [await Server.start({ options }), await Server.start({ options })];
+  browser = await launchBrowser();
+});
+
+after(async () => {
+  await browser?.close();
+  for (const server of servers) await server.end();
+  await owner?.kill();
+});
+
+async function arrive(server, name) {
+  const visitor = await Visitor.arrive(browser, `${server.url}?name=${name}`);
+  await visitor.until('picture', 'shown');
+  await visitor.page.keyboard.press('v');
+  return visitor;
+}
+
+const lists = ({ page }, names) =>
+  page.waitForFunction(
+    (wanted) => [...document.querySelectorAll('#people li')].map((row) => row.textContent).join() === wanted,
+    names.join(),
+  );
+
+test('visitors of two servers are in one world, which outlives its owner', async () => {
+  const ada = await arrive(servers[0], 'Ada');
+  const bob = await arrive(servers[1], 'Bob');
+  await lists(ada, ['Ada (you)', 'Bob']);
+  await lists(bob, ['Bob (you)', 'Ada']);
+  await owner.kill();
+  for (const { page } of [ada, bob]) await page.locator('#people [data-lost]').waitFor({ state: 'visible' });
+  await lists(ada, ['Ada (you)']); // ten seconds later others are gone
+  owner = await ownWorld(port, kScene);
+  for (const { page } of [ada, bob]) await page.locator('#people [data-lost]').waitFor({ state: 'hidden' });
+  await lists(ada, ['Ada (you)', 'Bob']);
+  await lists(bob, ['Bob (you)', 'Ada']);
+  assert.match(servers[0].log, /is back/);
+  await ada.leave();
+  await lists(bob, ['Bob (you)']);
+  await bob.leave();
+});
