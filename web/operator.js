@@ -77,6 +77,8 @@ function show(statistics, amortization, now) {
   tables.types(amortization);
   tables.stages(readings.stages());
   tables.memory(memory);
+  tables.nodes(statistics.nodes ?? []);
+  element('nodes').hidden = !statistics.nodes?.length;
   write(element('resident'), memoryWords(memory));
   element('types').hidden = amortization === null;
 }

@@ -183,6 +183,15 @@ export const kPictures = Object.freeze({
   failed: 'The picture could not be saved.',
 });
 
+/** How a link to a node stands. */
+export const kLinkStates = Object.freeze({
+  here: 'in this process',
+  connecting: 'connecting',
+  welcomed: 'connected',
+  refused: 'refused',
+  lost: 'lost, connecting again',
+});
+
 /** Who is here. */
 export const kPeople = Object.freeze({
   here: (count) => (count === 1 ? 'You are alone here' : `${count} visitors`),
@@ -284,6 +293,12 @@ export const kOperatorPage = Object.freeze({
   betaColumn: '\u03b2',
   sharedMb: 'MB shared',
   eachMb: 'MB each',
+  nodes: 'Nodes',
+  aboutNodes: 'Processes that serve the objects of this world, and what has come from them.',
+  node: 'node',
+  link: 'link',
+  objects: 'objects',
+  received: 'MB received',
   memory: 'Memory',
   holder: 'used by',
   for: 'for',

@@ -1,5 +1,5 @@
 import { fixed, percent, share, whole } from '../figures.js';
-import { kOperator } from '../texts.js';
+import { kLinkStates, kOperator } from '../texts.js';
 import { LiveTable, bar, text, work } from './live_table.js';
 
 function typesTable(body) {
@@ -57,8 +57,27 @@ function memoryTable(body) {
   };
 }
 
+function nodesTable(body) {
+  const table = new LiveTable(body, [
+    text(({ name }) => name),
+    (cell, { state, reason }) => {
+      text(() => kLinkStates[state] ?? state)(cell);
+      cell.title = reason;
+      cell.classList.toggle('bad', state !== 'here' && state !== 'welcomed');
+    },
+    text(({ objects }) => whole(objects)),
+    text(({ received_mb: received }) => fixed(received, 1)),
+  ]);
+  return (nodes) => table.show(nodes.map((node) => ({ key: node.name, ...node })));
+}
+
 /** The page's tables, each a function that shows what it is given. */
 export function makeTables(root) {
   const body = (id) => root.querySelector(`#${id} tbody`);
-  return { types: typesTable(body('types')), stages: stagesTable(body('stages')), memory: memoryTable(body('memory')) };
+  return {
+    types: typesTable(body('types')),
+    stages: stagesTable(body('stages')),
+    memory: memoryTable(body('memory')),
+    nodes: nodesTable(body('nodes')),
+  };
 }

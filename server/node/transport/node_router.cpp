@@ -66,6 +66,22 @@ LinkTraffic NodeRouter::traffic() const {
   return sum;
 }
 
+std::vector<NodeRouter::NodeLink> NodeRouter::links() const {
+  const std::shared_lock lock(mutex_);
+  std::vector<NodeLink> links;
+  links.reserve(branches_.size());
+  for (const auto& branch : branches_) {
+    const auto isOwn = [&](const auto& owned) {
+      return owned.second == branch.get() && owned.first != world::kFirstPlayerObject;
+    };
+    links.push_back({.name = branch->name(),
+                     .objects = static_cast<std::size_t>(std::ranges::count_if(owners_, isOwn)),
+                     .status = branch->end().status(),
+                     .traffic = branch->end().traffic()});
+  }
+  return links;
+}
+
 ServedObjects NodeRouter::served() const {
   const std::shared_lock lock(mutex_);
   ServedObjects served;
@@ -86,9 +102,21 @@ std::optional<std::string> NodeRouter::conflict() const {
 
 void NodeRouter::receive(const Branch& from, ToFrontend message) {
   if (const auto* const welcome = std::get_if<NodeWelcome>(&message)) welcomed(from, *welcome);
+  const auto* const result = std::get_if<Result>(&message);
+  const auto* const announcement = std::get_if<Announcement>(&message);
+  if ((result != nullptr && !serves(from, result->what.object)) ||
+      (announcement != nullptr && !serves(from, announcement->what.object))) {
+    return foreign_.warning(from.name() + " speaks of an object that it does not serve");
+  }
   frontend_.use([&](FrontendPort* port) {
     if (port != nullptr) port->receive(std::move(message));
   });
+}
+
+bool NodeRouter::serves(const Branch& branch, world::ObjectId object) const {
+  const std::shared_lock lock(mutex_);
+  const auto owner = owners_.find(std::min(object, world::kFirstPlayerObject));
+  return owner != owners_.end() && owner->second == &branch;
 }
 
 void NodeRouter::welcomed(const Branch& from, const NodeWelcome& welcome) {

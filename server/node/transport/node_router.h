@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <map>
 #include <memory>
 #include <optional>
@@ -7,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "base/log.h"
 #include "node/messages/served_objects.h"
 #include "node/transport/connection.h"
 #include "node/transport/transport.h"
@@ -15,7 +17,7 @@ namespace grove::node {
 
 /// A frontend process's end of links to several backend nodes, each of which serves some of the objects. A request goes
 /// to the node that serves its object, everything else to all. Who serves what is what nodes said in their last
-/// welcome. Any thread, but for add().
+/// welcome; what a node sends of another one's object is dropped. Any thread, but for add().
 class NodeRouter final : public FrontendEnd {
  public:
   NodeRouter();
@@ -33,6 +35,15 @@ class NodeRouter final : public FrontendEnd {
   pipeline::PushResult send(ToBackend message) override;
   [[nodiscard]] LinkTraffic traffic() const override;
 
+  /// One node and its link, for people.
+  struct NodeLink {
+    std::string name;
+    std::size_t objects = 0;  ///< that it serves, its visitors not counted
+    LinkStatus status;
+    LinkTraffic traffic;
+  };
+  [[nodiscard]] std::vector<NodeLink> links() const;
+
   /// What all nodes serve.
   [[nodiscard]] ServedObjects served() const;
   /// What is wrong if two nodes serve one object, one line for people. The first who said so serves it.
@@ -42,6 +53,7 @@ class NodeRouter final : public FrontendEnd {
   class Branch;
 
   void receive(const Branch& from, ToFrontend message);
+  [[nodiscard]] bool serves(const Branch& branch, world::ObjectId object) const;
   void welcomed(const Branch& from, const NodeWelcome& welcome);
   /// With the lock held.
   void own(const Branch& branch, world::ObjectId id, const std::string& name);
@@ -52,6 +64,7 @@ class NodeRouter final : public FrontendEnd {
   /// All objects that show visitors under kFirstPlayerObject.
   std::map<world::ObjectId, const Branch*> owners_;
   std::optional<std::string> conflict_;
+  log::Limited foreign_;
 };
 
 }  // namespace grove::node

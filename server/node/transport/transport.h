@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <string>
 #include <string_view>
 
 #include "node/messages/envelope.h"
@@ -42,6 +43,19 @@ struct LinkTraffic {
   }
 };
 
+/// How a link stands.
+enum class LinkState : std::uint8_t {
+  kHere,        ///< within this process
+  kConnecting,  ///< no welcome so far
+  kWelcomed,
+  kRefused,  ///< by the node, which is asked again
+  kLost,     ///< after a welcome; it is being connected again
+};
+struct LinkStatus {
+  LinkState state = LinkState::kHere;
+  std::string reason = {};  ///< of a refusal, or of the last attempt that failed
+};
+
 /// A frontend process's end of a link to a backend node. Any thread.
 class FrontendEnd {
  public:
@@ -53,6 +67,7 @@ class FrontendEnd {
   virtual pipeline::PushResult send(ToBackend message) = 0;
   /// What has travelled; nothing where messages go by reference.
   [[nodiscard]] virtual LinkTraffic traffic() const { return {}; }
+  [[nodiscard]] virtual LinkStatus status() const { return {}; }
 };
 
 /// A backend node's end of a link to a frontend process. Any thread.

@@ -109,6 +109,10 @@ class Host {
   [[nodiscard]] const pipeline::MemoryLedger& memory() const noexcept { return memory_; }
   /// Between the frontend and the backend node that all visitors share; nothing in private mode.
   [[nodiscard]] node::LinkTraffic traffic() const { return shared_ ? shared_->traffic() : node::LinkTraffic{}; }
+  /// The nodes that serve the world's objects; empty if this process serves all.
+  [[nodiscard]] std::vector<node::NodeRouter::NodeLink> nodeLinks() const {
+    return others_ ? others_->links() : std::vector<node::NodeRouter::NodeLink>{};
+  }
   /// How this server stands with the world's owner; nothing if it is the owner.
   [[nodiscard]] std::optional<node::JoinedWorld::Status> joined() const;
   /// Visitors of other servers that show this world are out of reach.

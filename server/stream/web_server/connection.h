@@ -121,10 +121,10 @@ class Connection {
   double heard_;                  ///< when a message last came
   std::optional<double> pinged_;  ///< since then: when a ping became due
   std::uint64_t peopleTold_ = 0;  ///< as of world::Players::changes(); 0: nobody yet
-  bool othersToldLost_ = false;
   double peopleToldAt_ = 0.0;
   bool pingIsDue_ = false;
   bool peopleAreDue_ = false;
+  bool othersToldLost_ = false;
 };
 
 }  // namespace grove::stream

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <memory>
+#include <utility>
+#include <vector>
 
 #include "node/messages/examples.h"
 #include "node/transport/reference_transport.h"
@@ -67,6 +69,46 @@ TEST_F(Router, ARequestGoesToWhoServesItsObject) {
   EXPECT_TRUE(router.served().visitors);
   b.answer = PushResult::kRejected;
   EXPECT_EQ(ask(3), PushResult::kRejected) << "what the node says counts";
+}
+
+/// Takes what comes through the router.
+class HeardByFrontend final : public FrontendPort {
+ public:
+  void receive(ToFrontend message) override { messages.push_back(std::move(message)); }
+  std::vector<ToFrontend> messages;
+};
+
+/// Would catch a node that shows its own pictures in place of another one's.
+TEST_F(Router, WhatANodeSaysOfAnotherOnesObjectIsDropped) {
+  HeardByFrontend screen;
+  router.connect(screen);
+  a.welcome({1, 2});
+  b.welcome({3}, true);
+  screen.messages.clear();
+  const auto says = [&](Heard& node, world::ObjectId object) {
+    node.link->send(ToFrontend(Announcement{.what = {.object = object, .key = {}}, .version = 1}));
+    Result result;
+    result.what.object = object;
+    node.link->send(ToFrontend(std::move(result)));
+    return std::exchange(screen.messages, {}).size();
+  };
+  EXPECT_EQ(says(a, 1), 2U);
+  EXPECT_EQ(says(b, world::kFirstPlayerObject + 5), 2U);
+  EXPECT_EQ(says(b, 1), 0U);
+  EXPECT_EQ(says(a, world::kFirstPlayerObject + 5), 0U);
+  EXPECT_EQ(says(a, 9), 0U) << "of nobody";
+  router.leaveFrontend();
+}
+
+TEST_F(Router, ReportsItsLinks) {
+  a.welcome({1, 2});
+  b.welcome({3}, true);
+  const std::vector<NodeRouter::NodeLink> links = router.links();
+  ASSERT_EQ(links.size(), 2U);
+  EXPECT_EQ(links[0].name, "a");
+  EXPECT_EQ(links[0].objects, 2U);
+  EXPECT_EQ(links[1].objects, 1U) << "visitors are not counted";
+  EXPECT_EQ(links[0].status.state, LinkState::kHere);
 }
 
 TEST_F(Router, EverythingElseGoesToAll) {

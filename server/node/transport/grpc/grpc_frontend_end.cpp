@@ -100,7 +100,7 @@ class GrpcFrontendEnd::Link final : public FrontendPort, public std::enable_shar
   mutable std::mutex mutex_;
   mutable std::condition_variable changed_;
   Opening opening_;
-  Status status_;
+  Status status_{.state = State::kConnecting};
   bool isOpen_ = false;
   bool isCalling_ = false;  ///< until the call is gone
   bool isStopped_ = false;

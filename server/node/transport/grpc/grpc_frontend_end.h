@@ -1,7 +1,6 @@
 #pragma once
 
 #include <chrono>
-#include <cstdint>
 #include <memory>
 #include <string>
 
@@ -17,16 +16,8 @@ namespace grove::node {
 /// what is sent is refused. Any thread.
 class GrpcFrontendEnd final : public FrontendEnd {
  public:
-  enum class State : std::uint8_t {
-    kConnecting,  ///< no welcome so far
-    kWelcomed,
-    kRefused,  ///< by the node, which is asked again
-    kLost,     ///< after a welcome; it is being connected again
-  };
-  struct Status {
-    State state = State::kConnecting;
-    std::string reason;  ///< of a refusal, or of the last attempt that failed
-  };
+  using State = LinkState;
+  using Status = LinkStatus;
 
   /// To the node at HOST:PORT. Workers and timeline outlive it.
   GrpcFrontendEnd(std::string address, pipeline::Executor& executor, pipeline::Timeline& timeline);
@@ -40,7 +31,7 @@ class GrpcFrontendEnd final : public FrontendEnd {
   pipeline::PushResult send(ToBackend message) override;
   [[nodiscard]] LinkTraffic traffic() const override;
 
-  [[nodiscard]] Status status() const;
+  [[nodiscard]] Status status() const override;
   /// The status once the node has welcomed or refused, or after so long.
   [[nodiscard]] Status waitForAnswer(std::chrono::milliseconds max) const;
   /// Until what is sent goes on its way; false if that takes longer.

@@ -24,6 +24,7 @@ StatisticsSources sourcesOf(const Host& host) {
           .visitors = host.visitors(),
           .visitorsOfWorld = host.visitorsOfWorld(),
           .joined = host.joined(),
+          .nodes = host.nodeLinks(),
           .quality = host.quality(),
           .raisesQuality = host.options().raiseQuality};
 }

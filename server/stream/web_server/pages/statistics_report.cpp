@@ -101,6 +101,36 @@ Json world(const StatisticsSources& sources) {
   return world;
 }
 
+std::string_view nameOf(node::LinkState state) {
+  switch (state) {
+    case node::LinkState::kHere:
+      return "here";
+    case node::LinkState::kConnecting:
+      return "connecting";
+    case node::LinkState::kWelcomed:
+      return "welcomed";
+    case node::LinkState::kRefused:
+      return "refused";
+    case node::LinkState::kLost:
+      return "lost";
+  }
+  return "";
+}
+
+Json nodes(const StatisticsSources& sources) {
+  Json nodes = Json::array();
+  for (const node::NodeRouter::NodeLink& link : sources.nodes) {
+    const node::LinkTraffic& traffic = link.traffic;
+    nodes.push_back(
+        {{"name", link.name},
+         {"state", nameOf(link.status.state)},
+         {"reason", link.status.reason},
+         {"objects", link.objects},
+         {"received_mb", megabytes(static_cast<double>(traffic.pictures + traffic.sharedData + traffic.headers))}});
+  }
+  return nodes;
+}
+
 Json counters(const pipeline::Timeline& timeline) {
   Json counters = Json::object();
   for (const auto& [name, value] : timeline.counters()) counters[name] = value;
@@ -121,6 +151,7 @@ std::string statisticsJson(const StatisticsSources& sources) {
   return Json{{"version", version()},
               {"visitors", sources.visitors},
               {"world", world(sources)},
+              {"nodes", nodes(sources)},
               {"stages", stages(sources.timeline)},
               {"counters", counters(sources.timeline)},
               {"quality",

@@ -3,8 +3,10 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "measure/amortization_meter.h"
+#include "node/transport/node_router.h"
 #include "node/world/joined_world.h"
 #include "pipeline/memory_ledger.h"
 #include "pipeline/timeline.h"
@@ -20,15 +22,17 @@ struct StatisticsSources {
   std::size_t visitorsOfWorld = 0;  ///< of all servers that show its world
   /// How it stands with the world's owner; nothing if it is the owner.
   std::optional<node::JoinedWorld::Status> joined = {};
-  int quality = 0;  ///< see Host::quality()
+  std::vector<node::NodeRouter::NodeLink> nodes = {};  ///< empty if this process serves all objects
+  int quality = 0;                                     ///< see Host::quality()
   bool raisesQuality = false;
 };
 
 /// What `/statistics.json` answers. The server's version. The world: `state` ("own", or how the server stands with its
-/// owner: "connecting", "joined", "refused", "lost") and visitors of all servers that show it. Since the start: for each stage its work (across-user,
-/// per-user-backend or per-user-frontend), runs, failures and milliseconds of CPU and wall time, and the named
-/// counters. Of now: the bytes that are held and by what. Of the last seconds: `amortization`, what sharing saves (null
-/// if nobody was served).
+/// owner: "connecting", "joined", "refused", "lost") and visitors of all servers that show it. The nodes that serve its
+/// objects, if there are several: state of the link ("here", "connecting", "welcomed", "refused", "lost"), objects, and
+/// MB that have come. Since the start: for each stage its work (across-user, per-user-backend or per-user-frontend),
+/// runs, failures and milliseconds of CPU and wall time, and the named counters. Of now: the bytes that are held and by
+/// what. Of the last seconds: `amortization`, what sharing saves (null if nobody was served).
 [[nodiscard]] std::string statisticsJson(const StatisticsSources& sources);
 
 /// What `/sharing.json` answers: of that only what sharing saves, for the overlay of every visitor.

@@ -5,6 +5,7 @@
 #include <functional>
 #include <string>
 
+#include "node/transport/grpc/link_limits.h"
 #include "node/transport/grpc/links_fixture.h"
 #include "node/transport/grpc/packet_frame.h"
 
