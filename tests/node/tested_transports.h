@@ -14,9 +14,11 @@ inline const auto kBothInMemory = ::testing::Values(TransportKind::kReference, T
 /// The thread sanitizer sees no locks within gRPC, which is not built with it, and so reports what is none.
 #if defined(__SANITIZE_THREAD__)
 inline const auto kAllTransports = kBothInMemory;
+inline const auto kAllWires = ::testing::Values(TransportKind::kBytes);
 #else
 inline const auto kAllTransports =
     ::testing::Values(TransportKind::kReference, TransportKind::kBytes, TransportKind::kGrpc);
+inline const auto kAllWires = ::testing::Values(TransportKind::kBytes, TransportKind::kGrpc);
 #endif
 
 inline std::string nameOf(TransportKind kind) {

@@ -31,6 +31,7 @@ void BytesTransport::leaveFrontend() { toFrontend_->leave(); }
 pipeline::PushResult BytesTransport::send(ToBackend message) {
   Packet packet = encode(message);
   traffic_->countToBackend(packet);
+  if (const auto control = controlNameOf(message)) return toBackend_->sendControl(*control, std::move(packet));
   return toBackend_->send(std::move(packet));
 }
 
@@ -38,6 +39,10 @@ void BytesTransport::send(ToFrontend message) {
   Packet packet = encode(message);
   traffic_->countHeader(packet);
   traffic_->countBulk(message);
+  if (const auto control = controlNameOf(message)) {
+    (void)toFrontend_->sendControl(*control, std::move(packet));
+    return;
+  }
   // The copy that a socket would make.
   if (packet.bulk) packet.bulk = std::make_shared<const PackedBytes>(*packet.bulk);
   if (toFrontend_->send(std::move(packet)) != pipeline::PushResult::kAccepted) {

@@ -2,13 +2,16 @@
 
 #include <atomic>
 #include <functional>
+#include <mutex>
 #include <span>
+#include <string>
 #include <utility>
 
 #include "base/log.h"
 #include "node/limits.h"
 #include "node/messages/wire.h"
 #include "node/transport/connection.h"
+#include "node/transport/control_backlog.h"
 #include "pipeline/stage.h"
 
 namespace grove::node {
@@ -35,15 +38,18 @@ class Packets : public pipeline::Stage<Packet> {
   /// Waits for what is being received.
   void leave() { receiver_.leave(); }
 
-  [[nodiscard]] pipeline::PushResult send(Packet packet) {
-    const std::size_t bytes = packet.bytes();
-    if (waiting_.fetch_add(bytes) + bytes > kMaxWaitingBytes) {
-      waiting_ -= bytes;
-      return pipeline::PushResult::kRejected;
+  [[nodiscard]] pipeline::PushResult send(Packet packet) { return enqueue(std::move(packet)); }
+  /// The same of a control message, which waits beside the link while it is full.
+  [[nodiscard]] pipeline::PushResult sendControl(const std::string& name, Packet packet) {
+    const std::lock_guard lock(backlogMutex_);
+    if (backlog_.empty()) {
+      const pipeline::PushResult result = enqueue(packet);
+      if (result != pipeline::PushResult::kRejected) return result;
     }
-    const pipeline::PushResult result = push(std::move(packet));
-    if (result != pipeline::PushResult::kAccepted) waiting_ -= bytes;
-    return result;
+    backlog_.put(name, std::move(packet));
+    // A run may have ended in between, and there may be no other.
+    offerBacklog();
+    return pipeline::PushResult::kAccepted;
   }
 
  protected:
@@ -57,6 +63,10 @@ class Packets : public pipeline::Stage<Packet> {
         if (port != nullptr) attempt([&] { deliver(packet, *port); }, [](const std::string&) {});
       }
     });
+    {
+      const std::lock_guard lock(backlogMutex_);
+      offerBacklog();
+    }
     if (onRoom_) onRoom_();
   }
 
@@ -67,10 +77,26 @@ class Packets : public pipeline::Stage<Packet> {
   }
 
  private:
+  pipeline::PushResult enqueue(Packet packet) {
+    const std::size_t bytes = packet.bytes();
+    if (waiting_.fetch_add(bytes) + bytes > kMaxWaitingBytes) {
+      waiting_ -= bytes;
+      return pipeline::PushResult::kRejected;
+    }
+    const pipeline::PushResult result = push(std::move(packet));
+    if (result != pipeline::PushResult::kAccepted) waiting_ -= bytes;
+    return result;
+  }
+  void offerBacklog() {
+    backlog_.offer([this](const Packet& packet) { return enqueue(packet) == pipeline::PushResult::kAccepted; });
+  }
+
   pipeline::Timeline& timeline_;
   Connection<Port> receiver_;
   std::function<void()> onRoom_;
   std::atomic<std::size_t> waiting_{0};  ///< bytes
+  std::mutex backlogMutex_;
+  ControlBacklog<Packet> backlog_;
   log::Limited refusals_;
 };
 

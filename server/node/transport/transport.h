@@ -63,7 +63,7 @@ class FrontendEnd {
   /// The port is left before it goes; who leaves waits for what is being received.
   virtual void connect(FrontendPort& frontend) = 0;
   virtual void leaveFrontend() = 0;
-  /// Refused if the link or the backend node is full.
+  /// Refused if the link or the backend node is full, but for control messages (controlNameOf()).
   virtual pipeline::PushResult send(ToBackend message) = 0;
   /// What has travelled; nothing where messages go by reference.
   [[nodiscard]] virtual LinkTraffic traffic() const { return {}; }
@@ -77,7 +77,7 @@ class BackendEnd {
   /// As FrontendEnd::connect().
   virtual void connect(BackendPort& backend) = 0;
   virtual void leaveBackend() = 0;
-  /// What cannot be sent is lost, and counted.
+  /// What cannot be sent is lost, and counted; announcements wait until they can.
   virtual void send(ToFrontend message) = 0;
   /// Whether both ends share memory, so that what is shared travels whole, by reference.
   [[nodiscard]] virtual bool sharesMemory() const = 0;

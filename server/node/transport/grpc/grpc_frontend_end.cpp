@@ -187,7 +187,7 @@ pipeline::PushResult GrpcFrontendEnd::Link::send(const ToBackend& message) {
     call = call_;
   }
   const Packet packet = encode(message);
-  const pipeline::PushResult result = call->write(packet);
+  const pipeline::PushResult result = call->write(packet, controlNameOf(message));
   if (result == pipeline::PushResult::kAccepted) traffic_.countToBackend(packet);
   return result;
 }

@@ -84,7 +84,7 @@ class GrpcServer::Link final : public PacketReactor<grpc::ServerGenericBidiReact
   [[nodiscard]] bool sharesMemory() const override { return false; }
   void compress(Result& result, std::string_view subject) const override { packResult(result, timeline_, subject); }
   void send(ToFrontend message) override {
-    if (write(encode(message)) == pipeline::PushResult::kRejected) {
+    if (write(encode(message), controlNameOf(message)) == pipeline::PushResult::kRejected) {
       timeline_.count("messages that found their link full");
     }
   }

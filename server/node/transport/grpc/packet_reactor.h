@@ -4,10 +4,13 @@
 
 #include <deque>
 #include <mutex>
+#include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "node/limits.h"
+#include "node/transport/control_backlog.h"
 #include "node/transport/grpc/link_limits.h"
 #include "node/transport/grpc/packet_frame.h"
 #include "pipeline/queue.h"
@@ -20,12 +23,19 @@ namespace grove::node {
 template <class Reactor>
 class PacketReactor : public Reactor {
  public:
-  /// Refused if it does not fit, closed before the stream is open and after its end. Any thread.
-  [[nodiscard]] pipeline::PushResult write(const Packet& packet) {
+  /// Refused if it does not fit, closed before the stream is open and after its end. A message with a control name
+  /// waits beside a full queue. Any thread.
+  [[nodiscard]] pipeline::PushResult write(const Packet& packet, const std::optional<std::string>& control = {}) {
     if (packet.bytes() > kMaxMessageBytes - kFramePrefixBytes) return pipeline::PushResult::kRejected;
-    grpc::ByteBuffer message = frameOf(packet);
+    const grpc::ByteBuffer message = frameOf(packet);
     const std::lock_guard lock(mutex_);
-    return enqueue(std::move(message));
+    if (!control || backlog_.empty()) {
+      const pipeline::PushResult result = enqueue(message);
+      if (!control || result != pipeline::PushResult::kRejected) return result;
+    }
+    // A write that ends makes room for it.
+    backlog_.put(*control, message);
+    return pipeline::PushResult::kAccepted;
   }
 
   /// Reads on if it has stopped because too much waits. Any thread.
@@ -58,6 +68,10 @@ class PacketReactor : public Reactor {
       waitingBytes_ -= waiting_.front().Length();
       waiting_.pop_front();
       if (ok && !isOver_ && !waiting_.empty()) this->StartWrite(&waiting_.front());
+      const auto enter = [this](const grpc::ByteBuffer& message) {
+        return enqueue(message) == pipeline::PushResult::kAccepted;
+      };
+      if (ok) backlog_.offer(enter);
     }
     if (!ok) end();
   }
@@ -107,6 +121,7 @@ class PacketReactor : public Reactor {
   bool isPaused_ = false;                 ///< nothing is read
   std::deque<grpc::ByteBuffer> waiting_;  ///< the first is being written
   std::size_t waitingBytes_ = 0;
+  ControlBacklog<grpc::ByteBuffer> backlog_;
   grpc::ByteBuffer read_;
 };
 

@@ -126,7 +126,8 @@ TEST(GrpcLinks, OneThatDoesNotReceiveFillsItsOwnLinkOnly) {
   FrontendSide slow(node.address());
   FrontendSide other(node.address());
   ASSERT_TRUE(slow.isWelcomed());
-  ASSERT_TRUE(eventually([&] { return node.end(0) && node.end(0)->count() + node.end(1)->count() == 1; }));
+  ASSERT_TRUE(
+      eventually([&] { return node.end(0) && node.end(1) && node.end(0)->count() + node.end(1)->count() == 1; }));
   const auto its = node.end(node.end(0)->count() == 1 ? 0 : 1);
   ASSERT_TRUE(other.isWelcomed());
   slow.isHeld = true;
@@ -154,7 +155,8 @@ TEST(GrpcLinks, ANodeThatDoesNotReceiveRefusesInTime) {
   ASSERT_TRUE(side.isWelcomed());
   node.end()->isHeld = true;
   int sent = 0;
-  const auto fits = [&] { return side.send(Quality{1}) == PushResult::kAccepted; };
+  const ToBackend view = examples::toBackend()[2];
+  const auto fits = [&] { return side.send(view) == PushResult::kAccepted; };
   // What is under way in the sockets' buffers fits, too.
   while (sent < 2'000'000 && (fits() || (std::this_thread::sleep_for(std::chrono::milliseconds(50)), fits()))) ++sent;
   EXPECT_LT(sent, 2'000'000) << "a queue without a bound";
