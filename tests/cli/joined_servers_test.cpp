@@ -39,7 +39,7 @@ TEST(JoinedServers, ShowOneWorldAndOutliveItsOwner) {
   const SmallScene scene;
   const Outcome outcome = shell(processesOf(scene) +
                                 "owns_world 0; serves a --join 127.0.0.1:$at; serves b --join 127.0.0.1:$at\n"
-                                "visit a 2 15 & visit_a=$!; visit b 1 15 & visit_b=$!\n"
+                                "visit a 2 25 & visit_a=$!; visit b 1 25 & visit_b=$!\n"
                                 "until_world a 'joined\",\"visitors\":3'; until_world b 'joined\",\"visitors\":3'\n"
                                 "kill -KILL $pid_world; until_world a lost; until_world b lost\n"
                                 "owns_world $at; until_world a 'joined\",\"visitors\":3'; "

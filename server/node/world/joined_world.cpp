@@ -32,6 +32,7 @@ JoinedWorld::~JoinedWorld() { owner_.leaveFrontend(); }
 
 void JoinedWorld::report(double now) {
   parkOthers(now);
+  if (status(now).state == State::kRefused) return;
   auto update = std::make_shared<WorldUpdate>();
   update->number = ++reports_;
   update->clock = worldSeconds(now);
