@@ -22,6 +22,9 @@ async function hold(visitor, code, milliseconds) {
 async function takeTogether(browser, visitors, name) {
   const views = [];
   for (const visitor of visitors) {
+    await visitor.page.evaluate(() => {
+      for (const element of document.querySelectorAll('main > :not(canvas, #names)')) element.style.visibility = 'hidden';
+    });
     await visitor.frames(5);
     views.push((await visitor.page.locator('canvas').screenshot({ type: 'png' })).toString('base64'));
   }
