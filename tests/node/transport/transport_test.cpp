@@ -3,79 +3,21 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
-#include <condition_variable>
-#include <memory>
-#include <mutex>
 #include <thread>
-#include <utility>
-#include <variant>
 #include <vector>
 
 #include "eventually.h"
 #include "node/messages/examples.h"
-#include "node/tested_transports.h"
 #include "node/transport/bytes_transport.h"
-#include "pipeline/worker_pool.h"
+#include "node/transport/transports_fixture.h"
 
 namespace grove::node {
 namespace {
 
+using testing::Backend;
+using testing::Frontend;
+using testing::Transports;
 using tests::eventually;
-
-/// Keeps what it gets.
-template <class Port, class Message>
-class Mailbox : public Port {
- public:
-  [[nodiscard]] std::vector<Message> messages() const {
-    const std::lock_guard lock(mutex_);
-    return messages_;
-  }
-  [[nodiscard]] std::size_t count() const { return messages().size(); }
-
- protected:
-  void keep(Message message) {
-    const std::lock_guard lock(mutex_);
-    messages_.push_back(std::move(message));
-  }
-
- private:
-  mutable std::mutex mutex_;
-  std::vector<Message> messages_;
-};
-
-class Backend final : public Mailbox<BackendPort, ToBackend> {
- public:
-  std::atomic<pipeline::PushResult> answer = pipeline::PushResult::kAccepted;
-  pipeline::PushResult receive(ToBackend message) override {
-    keep(std::move(message));
-    return answer;
-  }
-};
-
-class Frontend final : public Mailbox<FrontendPort, ToFrontend> {
- public:
-  void receive(ToFrontend message) override { keep(std::move(message)); }
-};
-
-class Transports : public ::testing::TestWithParam<TransportKind> {
- public:
-  Transports() {
-    transport->connect(backend);
-    transport->connect(frontend);
-  }
-  ~Transports() override {
-    transport->leaveFrontend();
-    transport->leaveBackend();
-    workers.drain();
-  }
-
- protected:
-  pipeline::Timeline timeline;
-  pipeline::WorkerPool workers{3};
-  Backend backend;
-  Frontend frontend;
-  const std::unique_ptr<Transport> transport = transportFactory(GetParam())(workers, timeline);
-};
 
 TEST_P(Transports, CarryEveryMessageInOrder) {
   for (int round = 0; round < 50; ++round) {
@@ -97,112 +39,6 @@ TEST_P(Transports, CarryEveryMessageInOrder) {
   for (std::size_t i = 0; i < atFrontend.size(); ++i) {
     ASSERT_EQ(atFrontend[i].index(), toFrontend[i % toFrontend.size()].index());
   }
-}
-
-/// Receives nothing until it is released.
-template <class Port>
-class Held : public Port {
- public:
-  void release() {
-    {
-      const std::lock_guard lock(mutex_);
-      isReleased_ = true;
-    }
-    released_.notify_all();
-  }
-
- protected:
-  void wait() {
-    std::unique_lock lock(mutex_);
-    released_.wait(lock, [this] { return isReleased_; });
-  }
-
- private:
-  std::mutex mutex_;
-  std::condition_variable released_;
-  bool isReleased_ = false;
-};
-
-class HeldBackend final : public Held<Mailbox<BackendPort, ToBackend>> {
- public:
-  pipeline::PushResult receive(ToBackend message) override {
-    wait();
-    keep(std::move(message));
-    return pipeline::PushResult::kAccepted;
-  }
-};
-
-class HeldFrontend final : public Held<Mailbox<FrontendPort, ToFrontend>> {
- public:
-  void receive(ToFrontend message) override {
-    wait();
-    keep(std::move(message));
-  }
-};
-
-template <class Wanted, class Message>
-std::vector<Wanted> only(const std::vector<Message>& messages) {
-  std::vector<Wanted> found;
-  for (const Message& message : messages) {
-    if (const auto* wanted = std::get_if<Wanted>(&message)) found.push_back(*wanted);
-  }
-  return found;
-}
-
-/// Would catch a quality that stays as it was, or a visitor who is never forgotten, because a link was full for a
-/// moment.
-/// Nothing waits where messages go by reference.
-class FullLinks : public Transports {};
-
-TEST_P(FullLinks, ControlMessagesWaitBesideAFullLink) {
-  HeldBackend held;
-  transport->connect(held);
-  const auto view = std::get<std::shared_ptr<const View>>(examples::toBackend()[2]);
-  int sent = 0;
-  while (transport->send(ToBackend(view)) == pipeline::PushResult::kAccepted && sent < 1'000'000) ++sent;
-  ASSERT_LT(sent, 1'000'000) << "it is never full";
-  for (const int step : {1, 2, 0}) {
-    EXPECT_EQ(transport->send(ToBackend(Quality{step})), pipeline::PushResult::kAccepted);
-  }
-  for (const FrameNumber frame : {7U, 9U}) {
-    EXPECT_EQ(transport->send(ToBackend(Cancel{makeId(1, 1), frame})), pipeline::PushResult::kAccepted);
-  }
-  EXPECT_EQ(transport->send(ToBackend(Forget{makeId(1, 1)})), pipeline::PushResult::kAccepted);
-  held.release();
-  EXPECT_TRUE(eventually([&] { return only<Forget>(held.messages()).size() == 1; }));
-  EXPECT_TRUE(eventually([&] { return !only<Quality>(held.messages()).empty(); }));
-  EXPECT_EQ(only<Quality>(held.messages()).back().step, 0) << "the newest counts";
-  EXPECT_LT(only<Quality>(held.messages()).size(), 3U) << "older ones have no use";
-  EXPECT_EQ(only<Cancel>(held.messages()).back().frame, 9U);
-  transport->leaveBackend();
-  transport->connect(backend);
-}
-
-TEST_P(FullLinks, AnnouncementsWaitBesideAFullLink) {
-  HeldFrontend held;
-  transport->connect(held);
-  if (GetParam() == TransportKind::kGrpc) {
-    (void)transport->send(ToBackend(examples::hello()));  // a stream begins with it
-    ASSERT_TRUE(eventually([&] { return backend.count() > 0; }));
-  }
-  const auto full = [&] { return timeline.counters()["messages that found their link full"] > 0; };
-  for (int sent = 0; sent < 1'000'000 && !full(); ++sent) transport->send(ToFrontend(examples::failure()));
-  ASSERT_TRUE(full());
-  for (const Version version : {2U, 3U}) {
-    transport->send(ToFrontend(Announcement{.what = {.object = 4, .key = "a"}, .version = version}));
-    transport->send(ToFrontend(Announcement{.what = {.object = 4, .key = "b"}, .version = version}));
-  }
-  held.release();
-  const auto newest = [&](const Key& key) {
-    Version version = 0;
-    for (const Announcement& announcement : only<Announcement>(held.messages())) {
-      if (announcement.what.key == key) version = announcement.version;
-    }
-    return version;
-  };
-  EXPECT_TRUE(eventually([&] { return newest("a") == 3 && newest("b") == 3; }));
-  transport->leaveFrontend();
-  transport->connect(frontend);
 }
 
 TEST_P(Transports, WhoHasLeftGetsNothing) {
@@ -263,7 +99,6 @@ TEST_P(Transports, WhoReceivesMaySendWhileTheOtherDoes) {
   workers.drain();
 }
 
-INSTANTIATE_TEST_SUITE_P(OverEach, FullLinks, testing::kAllWires, testing::transportName);
 INSTANTIATE_TEST_SUITE_P(OverEach, Transports, testing::kAllTransports, testing::transportName);
 
 class BytesTransportTest : public ::testing::Test {
