@@ -2,6 +2,8 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <thread>
+#include <utility>
 
 #include "stream/encode/jpeg_decoder.h"
 
@@ -51,6 +53,20 @@ Picture pictureAfter(stream::HeadlessSession& visitor, std::uint8_t keys, float 
   const auto frame = visitor.frameShowing(visitor.control(keys, yaw, pitch), kPatience);
   if (frame == nullptr) throw std::runtime_error("no frame showed the input");
   return decode(frame);
+}
+
+Picture settledPicture(stream::HeadlessSession& visitor, std::uint32_t input, int looks) {
+  auto frame = visitor.frameShowing(input, kPatience);
+  Picture picture = decode(frame);
+  int alike = 0;
+  for (int i = 0; i < looks && alike < 3; ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    frame = visitor.frameAfter(frame->header.frame, kPatience);
+    Picture next = decode(frame);
+    alike = difference(picture, next) == 0.0 ? alike + 1 : 0;
+    picture = std::move(next);
+  }
+  return picture;
 }
 
 }  // namespace grove::integration

@@ -31,4 +31,8 @@ struct Picture {
 /// Sets the controls and returns a frame that shows them.
 [[nodiscard]] Picture pictureAfter(stream::HeadlessSession& visitor, std::uint8_t keys, float yaw, float pitch = 0.0F);
 
+/// A picture that shows an input, once three in a row are equal; the last of `looks`, a tenth of a second apart, if
+/// none are.
+[[nodiscard]] Picture settledPicture(stream::HeadlessSession& visitor, std::uint32_t input, int looks = 12);
+
 }  // namespace grove::integration

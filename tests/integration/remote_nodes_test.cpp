@@ -61,19 +61,8 @@ class RemoteNodes : public ::testing::Test {
     return std::make_unique<NodeProgram>(file.string(), objects, port);
   }
 
-  /// What shows an input, once it stays as it is.
   static Picture settled(stream::HeadlessSession& visitor) {
-    auto frame = visitor.frameShowing(visitor.control(0, 0.0F, 0.0F), kPatience);
-    Picture picture = decode(frame);
-    int alike = 0;
-    for (int i = 0; i < 60 && alike < 3; ++i) {
-      std::this_thread::sleep_for(100ms);
-      frame = visitor.frameAfter(frame->header.frame, kPatience);
-      Picture next = decode(frame);
-      alike = difference(picture, next) == 0.0 ? alike + 1 : 0;
-      picture = std::move(next);
-    }
-    return picture;
+    return settledPicture(visitor, visitor.control(0, 0.0F, 0.0F), 60);
   }
   static std::string errorOf(const std::vector<std::string>& nodes) {
     try {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <thread>
 #include <utility>
 
 #include "integration/picture.h"
@@ -15,24 +14,7 @@
 namespace grove::integration {
 namespace {
 
-using namespace std::chrono_literals;
-
 constexpr std::array kYaws = {0.0F, 0.5F, -1.5708F};
-
-/// What shows an input, once it stays as it is; what never does, after a while.
-Picture settledPicture(stream::HeadlessSession& visitor, std::uint32_t input) {
-  auto frame = visitor.frameShowing(input, kPatience);
-  Picture picture = decode(frame);
-  int alike = 0;
-  for (int i = 0; i < 12 && alike < 3; ++i) {
-    std::this_thread::sleep_for(100ms);
-    frame = visitor.frameAfter(frame->header.frame, kPatience);
-    Picture next = decode(frame);
-    alike = difference(picture, next) == 0.0 ? alike + 1 : 0;
-    picture = std::move(next);
-  }
-  return picture;
-}
 
 /// What a visitor sees in each direction.
 std::vector<Picture> picturesOver(node::TransportKind kind, const std::string& scene) {
