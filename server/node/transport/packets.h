@@ -27,7 +27,7 @@ class Packets : public pipeline::Stage<Packet> {
   Packets(const pipeline::StageOptions& options, pipeline::Executor& executor, pipeline::Timeline& timeline)
       : Stage(options, executor, timeline), timeline_(timeline) {}
 
-  /// For who can hold back what comes: `onRoom` is called after each run, on a worker. To be set before packets come.
+  /// Sets a callback for flow control: a worker calls `onRoom` after each run. Call it before the first send().
   void whenRoom(std::function<void()> onRoom) { onRoom_ = std::move(onRoom); }
   /// Whether half of what may wait does.
   [[nodiscard]] bool isHalfFull() const {

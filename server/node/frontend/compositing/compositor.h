@@ -17,7 +17,7 @@
 namespace grove::node {
 
 /// Last box of Figure 4.2: composites the pictures and layers of a frame's objects by depth, then lets the layers draw,
-/// back to front (section 4.2, step 10), and collects the names of what is seen. Still objects come first: they are
+/// back to front (section 4.2, step 10), and collects the labels of visible objects. Still objects come first: they are
 /// drawn into a backdrop, or the last backdrop is warped. Shows every frame that it gets, in the order in which they
 /// come.
 class Compositor final : public pipeline::Stage<CompleteFrame> {

@@ -46,9 +46,9 @@ class SharedStore {
   /// What a backend node answered to a request of this store. False, and nothing changes, if none is under way.
   [[nodiscard]] bool put(const Result& result);
 
-  /// A backend node may have changed these objects unheard: their data is fetched anew as soon as somebody uses it, and
-  /// until it comes, what is there is shown. If the node is `restarted`, its versions count anew, so the fetch names
-  /// none that is known.
+  /// A link to a backend node is restored, and announcements may have been lost: marks the data of its objects as
+  /// stale. The next use fetches it again; until it arrives, frames show the stale data. If the node has `restarted`,
+  /// its versions start again, so the fetch requests full data instead of a difference.
   void renew(const std::function<bool(world::ObjectId)>& isOfNode, bool restarted);
 
   /// A backend node has another version.

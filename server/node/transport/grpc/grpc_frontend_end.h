@@ -10,10 +10,9 @@
 
 namespace grove::node {
 
-/// A frontend process's end of a link to a backend node in another process, over gRPC, in the clear. It connects in the
-/// background, and again when the link is lost, after a pause that doubles from a tenth of a second to one, with
-/// jitter. A new stream begins with the last hello, world update and quality that were sent. While there is no stream,
-/// what is sent is refused. Any thread.
+/// A frontend process's end of an unencrypted gRPC link to a backend node in another process. Connects in the background.
+/// Reconnects after a lost link with exponential backoff (0.1 s to 1 s) and jitter. A new stream starts with the last
+/// hello, world update and quality. While there is no stream, send() refuses all messages. Thread-safe.
 class GrpcFrontendEnd final : public FrontendEnd {
  public:
   using State = LinkState;
