@@ -10,7 +10,8 @@
 namespace grove::integration {
 
 double Picture::light(int x, int y) const {
-  const std::uint32_t c = colour[static_cast<std::size_t>(y * width + x)];
+  const std::uint32_t c =
+      colour[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)];
   return (c & 0xFFU) + (c >> 8U & 0xFFU) + (c >> 16U & 0xFFU);
 }
 
