@@ -137,7 +137,7 @@ HWY_INLINE Floats shown(Floats radiance, Floats haze, float root, const float* H
   const Floats entry = (haze + radiance * (root * root)) * ToneTable::kScale;
   HWY_ALIGN std::int32_t at[kLanes];
   HWY_ALIGN float level[kLanes];
-  lanes::store(lanes::min(lanes::truncate(entry), Ints(ToneTable::kEntries - 1)), at);
+  lanes::store(lanes::truncate(lanes::min(entry, static_cast<float>(ToneTable::kEntries - 1))), at);
   for (int lane = 0; lane < kLanes; ++lane) level[lane] = levels[at[lane]];
   return lanes::load(level);
 }

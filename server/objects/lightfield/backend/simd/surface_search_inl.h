@@ -37,13 +37,17 @@ class Lattice {
   int n_;
 };
 
+/// Beyond every lattice.
+constexpr float kFarOut = 1.0e6F;
+
 inline Choice choose(const Tile& tile, const Lattice& lattice) {
   Choice choice;
   for (std::size_t g = 0; g < kGroups; ++g) {
     const Floats u = tile.u[g];
     const Floats v = tile.v[g];
-    const Ints i = floorToInts(u + 0.5F);
-    const Ints j = floorToInts(v + 0.5F);
+    // Of rays that go nowhere the coordinates may be infinite.
+    const Ints i = floorToInts(clamp(u + 0.5F, -kFarOut, kFarOut));
+    const Ints j = floorToInts(clamp(v + 0.5F, -kFarOut, kFarOut));
     const Floats du = u - toFloats(i);
     const Floats dv = v - toFloats(j);
     const Ints alongU = lattice.number(i + select(du > 0.0F, Ints(1), Ints(-1)), j);
