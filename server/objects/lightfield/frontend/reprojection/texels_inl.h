@@ -106,9 +106,10 @@ HWY_INLINE Floats Texels::rankedNear(const Corner& corner, Ints column, Ints row
   const auto among = [&](int line) {
     return Floats(RowPart<FloatTag>(nearness + std::ptrdiff_t{corner.row + line} * stride + corner.column).at(right));
   };
-  Floats found = among(0);
-  for (int line = 1; line < kRows; ++line) found = select(down == line, among(line), found);
-  return found;
+  const Floats found = select(down == 1, among(1), among(0));
+  if constexpr (kRows == 2) return found;
+  const Mask isThird = down == 2;
+  return HWY_LIKELY(!any(isThird)) ? found : select(isThird, among(2), found);
 }
 #else
 HWY_INLINE Floats Texels::rankedNear(const Corner&, Ints column, Ints row) const {
