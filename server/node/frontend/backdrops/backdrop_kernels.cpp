@@ -8,6 +8,7 @@
 
 #include <algorithm>
 
+#include "node/frontend/backdrops/warp_depths_inl.h"
 #include "node/frontend/backdrops/warp_pixels_inl.h"
 #include "node/frontend/backdrops/warp_shift_inl.h"
 
@@ -147,8 +148,7 @@ HWY_INLINE void prefetch(const WarpSource& source, const CornerLine& corners, in
   }
 }
 
-template <bool kWithDepth>
-HWY_INLINE void warpRun(const WarpSource& source, const CornerLine& above, const CornerLine& below, int count,
+HWY_INLINE void warpColours(const WarpSource& source, const CornerLine& above, const CornerLine& below, int count,
                         const WarpedPixels& out) {
   prefetch(source, below, count);
   const auto stretch = [&](int begin, int end) {
@@ -156,7 +156,7 @@ HWY_INLINE void warpRun(const WarpSource& source, const CornerLine& above, const
       const RowCorners corners(above, below, begin, end, (static_cast<float>(row) + 0.5F) / kSide);
       for (int x = 0; x < (end - begin) * kSide; x += lanes::kLanes) {
         const std::ptrdiff_t at = row * out.stride + begin * kSide + x;
-        warpPixels<kWithDepth>(source, corners, x, out.colour + at, out.depth + at);
+        warpPixels(source, corners, x, out.colour + at);
       }
     }
   };
@@ -175,17 +175,14 @@ HWY_INLINE void warpRun(const WarpSource& source, const CornerLine& above, const
     const Shift shift(source, above, below, cell);
     const std::ptrdiff_t at = std::ptrdiff_t{cell} * kSide;
     const WarpedPixels to{out.colour + at, out.depth + at, out.stride};
-    ShiftedCell(source, shift, above, below, cell).warp<kWithDepth>(to);
+    ShiftedCell(source, shift).warp(to);
   }
 }
 
 void warpCells(const WarpSource& source, const CornerLine& above, const CornerLine& below, int count, bool withDepth,
                const WarpedPixels& out) {
-  if (withDepth) {
-    warpRun<true>(source, above, below, count, out);
-  } else {
-    warpRun<false>(source, above, below, count, out);
-  }
+  warpColours(source, above, below, count, out);
+  if (withDepth) warpDepths(source, above, below, count, out);
 }
 
 }  // namespace

@@ -66,8 +66,8 @@ struct WarpedPixels {
   std::ptrdiff_t stride;
 };
 
-/// Kernel: warps `count` cells between two lines of corners: bilinear colour and, if `withDepth`, the depth of the
-/// nearest square. Without motion the colours are those of the backdrop. May write one cell more.
+/// Kernel: warps `count` cells between two lines of corners: bilinear colour and, if `withDepth`, depth by
+/// squares of 2 x 2 pixels. Without motion the colours are those of the backdrop. May write one cell more.
 void warpCells(const WarpSource& source, const CornerLine& above, const CornerLine& below, int count, bool withDepth,
                const WarpedPixels& out);
 

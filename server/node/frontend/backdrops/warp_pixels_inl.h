@@ -15,7 +15,6 @@
 #include "base/simd/channels_inl.h"
 #include "base/simd/row_part_inl.h"
 #include "node/frontend/backdrops/backdrop_kernels.h"
-#include "world/camera.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace grove::node::HWY_NAMESPACE {
@@ -75,11 +74,6 @@ HWY_INLINE Ints blend(const Pair& above, const Pair& below, Ints right, Ints dow
   return Ints(hn::BitCast(lanes::IntTag(), hn::Or(even, highBytes(odd))));
 }
 
-/// Steps of the squares that pixels lie in.
-HWY_INLINE Ints lookUpSquares(const WarpSource& source, Ints column, Ints row) {
-  return lanes::lookUp(source.squares, lanes::shiftRight<1>(row) * (source.width / 2) + lanes::shiftRight<1>(column));
-}
-
 /// The columns and rows that kLanes pixels have, as their corners say.
 struct Span {
   int left, right, top, bottom;
@@ -126,41 +120,12 @@ HWY_INLINE bool lookUpNear(const WarpSource& source, const Span& span, Ints colu
          lanes::select(isLower, lanes::pairAt(colour + third, right), out.below)};
   return true;
 }
-
-/// The same for squares, all in one register of one row or two.
-HWY_INLINE bool lookUpSquaresNear(const WarpSource& source, const Span& span, Ints column, Ints row, Ints& out) {
-  const int left = span.left / 2;
-  const int top = span.top / 2;
-  const int below = (span.bottom + 1) / 2;
-  const int stride = source.width / 2;
-  const std::ptrdiff_t begin = std::ptrdiff_t{top} * stride + left;
-  if ((span.right + 1) / 2 - left >= kLanes || below - top > 1) return false;
-  if (begin + stride + kLanes > std::ptrdiff_t{stride} * (source.height / 2)) return false;
-  const hn::Rebind<SquareNearness, lanes::IntTag> squareTag;
-  const auto indices = hn::IndicesFromVec(lanes::IntTag(), (lanes::shiftRight<1>(column) - Ints(left)).raw);
-  const auto rowAt = [&](const SquareNearness* from) {
-    return Ints(hn::TableLookupLanes(hn::PromoteTo(lanes::IntTag(), hn::LoadU(squareTag, from)), indices));
-  };
-  out = rowAt(source.squares + begin);
-  if (below > top)
-    out = lanes::select(lanes::shiftRight<1>(row) > Ints(top), rowAt(source.squares + begin + stride), out);
-  return true;
-}
 #else
 HWY_INLINE bool lookUpNear(const WarpSource&, const Span&, Ints, Ints, Neighbours&) { return false; }
-HWY_INLINE bool lookUpSquaresNear(const WarpSource&, const Span&, Ints, Ints, Ints&) { return false; }
 #endif
 
-/// View depth in the frame.
-HWY_INLINE Floats depthOf(const WarpSource& source, Ints steps, Floats perForward) {
-  const Floats depth = (kNearnessSteps / lanes::toFloats(steps) - source.m2) * perForward;
-  return lanes::select(steps > Ints(0), depth, world::kInfiniteDepth);
-}
-
-/// kLanes pixels from the `first` of a row on.
-template <bool kWithDepth>
-HWY_INLINE void warpPixels(const WarpSource& source, const RowCorners& corners, int first, std::uint32_t* colour,
-                           float* depth) {
+/// Colours of kLanes pixels from the `first` of a row on.
+HWY_INLINE void warpPixels(const WarpSource& source, const RowCorners& corners, int first, std::uint32_t* colour) {
   const Floats x = lanes::clamp(between(corners.x, first) - 0.5F, 0.0F, static_cast<float>(source.width - 2));
   const Floats y = lanes::clamp(between(corners.y, first) - 0.5F, 0.0F, static_cast<float>(source.height - 2));
   const Ints column = lanes::truncate(x);
@@ -172,15 +137,6 @@ HWY_INLINE void warpPixels(const WarpSource& source, const RowCorners& corners, 
   if (!lookUpNear(source, span, column, row, near))
     near = lanes::lookUpNeighbours(source.colour, source.width, column, row);
   lanes::store(blend(near.above, near.below, right, down), colour);
-  if constexpr (kWithDepth) {
-    const Ints nearestColumn = column + lanes::shiftRight<8>(right + 128);
-    const Ints nearestRow = row + lanes::shiftRight<8>(down + 128);
-    Ints steps;
-    if (!lookUpSquaresNear(source, span, nearestColumn, nearestRow, steps)) {
-      steps = lookUpSquares(source, nearestColumn, nearestRow);
-    }
-    lanes::store(depthOf(source, steps, between(corners.perForward, first)), depth);
-  }
 }
 
 }  // namespace grove::node::HWY_NAMESPACE

@@ -53,8 +53,8 @@ struct Shift {
     row = static_cast<int>(top);
     right = shareOf256(x - left);
     down = shareOf256(y - top);
-    // All that is read is there: 16 squares of a row, for one.
-    isOne = column >= 0 && row >= 0 && column + 32 <= source.width && row + 10 <= source.height;
+    // All that is read is there.
+    isOne = column >= 0 && row >= 0 && column + 9 <= source.width && row + 9 <= source.height;
   }
 };
 
@@ -79,41 +79,23 @@ HWY_INLINE void storeOfCell(Tag tag, hn::Vec<Tag> value, hn::TFromD<Tag>* to, st
   }
 }
 
-/// The values of one row of a cell, or of two.
-template <class Tag, class RowTag, class RowAt>
-HWY_INLINE hn::Vec<Tag> joinRows(Tag tag, RowTag /*rowTag*/, int row, const RowAt& rowAt) {
-  if constexpr (hn::MaxLanes(Tag()) == 2 * hn::MaxLanes(RowTag())) {
-    return hn::Combine(tag, rowAt(row + 1), rowAt(row));
-  } else {
-    return rowAt(row);
-  }
-}
-
 /// One cell.
 class ShiftedCell {
  public:
-  HWY_INLINE ShiftedCell(const WarpSource& source, const Shift& shift, const CornerLine& above, const CornerLine& below,
-                         int cell)
+  HWY_INLINE ShiftedCell(const WarpSource& source, const Shift& shift)
       : source_(source),
         shift_(shift),
         right_(hn::Set(ChannelTag(), shift.right)),
         left_(hn::Set(ChannelTag(), static_cast<std::uint16_t>(256 - shift.right))),
         lower_(hn::Set(ChannelTag(), shift.down)),
-        upper_(hn::Set(ChannelTag(), static_cast<std::uint16_t>(256 - shift.down))) {
-    const auto middle = [&](const float* a, const float* b) {
-      return 0.25F * (a[cell] + a[cell + 1] + b[cell] + b[cell + 1]);
-    };
-    perForward_ = middle(above.perForward, below.perForward);
-  }
+        upper_(hn::Set(ChannelTag(), static_cast<std::uint16_t>(256 - shift.down))) {}
 
-  template <bool kWithDepth>
   HWY_INLINE void warp(const WarpedPixels& out) const {
     for (int i = 0; i < 64; i += lanes::kLanes) {
       const int row = i / 8;
       const int column = i % 8;
       const std::ptrdiff_t to = row * out.stride + column;
       storeOfCell(ColourTag(), hn::BitCast(ColourTag(), colourAt(row, column).raw), out.colour + to, out.stride);
-      if constexpr (kWithDepth) storeOfCell(lanes::FloatTag(), depthAt(row, column).raw, out.depth + to, out.stride);
     }
   }
 
@@ -151,29 +133,9 @@ class ShiftedCell {
     return Ints(hn::BitCast(lanes::IntTag(), hn::Or(even, odd)));
   }
 
-  /// Of the squares that pixels lie in.
-  HWY_INLINE Floats depthAt(int row, int column) const {
-    const int nearestColumn = shift_.column + (shift_.right >= 128 ? 1 : 0) + column;
-    const int nearestRow = shift_.row + (shift_.down >= 128 ? 1 : 0) + row;
-    const std::ptrdiff_t stride = source_.width / 2;
-    const auto squaresOf = [&](int line) {
-      return source_.squares + std::ptrdiff_t{line / 2} * stride + nearestColumn / 2;
-    };
-    const hn::CappedTag<std::int32_t, 8> rowTag;
-    const hn::Rebind<SquareNearness, decltype(rowTag)> squareTag;
-    const auto places = hn::ShiftRight<1>(hn::Add(hn::Iota(rowTag, 0), hn::Set(rowTag, nearestColumn % 2)));
-    const auto indices = hn::IndicesFromVec(rowTag, places);
-    const auto rowAt = [&](int line) {
-      return hn::TableLookupLanes(hn::PromoteTo(rowTag, hn::LoadU(squareTag, squaresOf(line))), indices);
-    };
-    const Ints steps = joinRows(lanes::IntTag(), rowTag, nearestRow, rowAt);
-    return depthOf(source_, steps, perForward_);
-  }
-
   const WarpSource& source_;
   const Shift& shift_;
   const Channels right_, left_, lower_, upper_;
-  float perForward_;
 };
 
 }  // namespace grove::node::HWY_NAMESPACE
