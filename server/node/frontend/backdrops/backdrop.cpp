@@ -12,6 +12,12 @@ namespace {
 
 constexpr int kBlockCells = 8;
 
+/// Limits of a block's error, in pixels and octaves.
+constexpr float kMaxShift = 16.0F;
+constexpr float kMaxZoom = 1.0F;
+/// Metres.
+constexpr float kMinDepth = 1.0e-3F;
+
 /// Difference in nearness, 1 / metres, that makes a silhouette. Cells at a silhouette move with the nearer surface,
 /// which keeps the silhouette straight. The error falls on the background, where pixels are missing anyway.
 constexpr float kSilhouette = 0.02F;
@@ -56,13 +62,19 @@ Backdrop::Backdrop(std::shared_ptr<const raster::Image> image, BackdropDepths de
   measureBlocks(depths.cells());
 }
 
-float Backdrop::shiftError(const WarpCamera& warp) const {
-  float sum = 0.0F;
+Backdrop::Error Backdrop::errorOf(const WarpCamera& warp) const {
+  Error sum;
+  float pixels = 0.0F;
   for (const Block& block : blocks_) {
     const world::Vec2 perNearness = warp.shiftPerNearness(block.centre);
-    sum += block.squares * glm::dot(perNearness, perNearness);
+    sum.shift += std::min(block.squares * glm::dot(perNearness, perNearness), kMaxShift * kMaxShift * block.pixels);
+    pixels += block.pixels;
+    if (block.nearest <= 0.0F) continue;
+    const float depth = 1.0F / block.nearest;
+    const float zoom = std::min(std::abs(std::log2(depth / std::max(depth - warp.m.z, kMinDepth))), kMaxZoom);
+    sum.zoom += zoom * zoom * block.pixels;
   }
-  return std::sqrt(sum / static_cast<float>(image_->colour.size()));
+  return {std::sqrt(sum.shift / pixels), std::sqrt(sum.zoom / pixels)};
 }
 
 void Backdrop::chooseNearness(const std::vector<CellDepths>& depths) {
@@ -90,10 +102,13 @@ void Backdrop::measureBlocks(const std::vector<CellDepths>& depths) {
   for (int y = 0; y < down_; y += kBlockCells) {
     for (int x = 0; x < across_; x += kBlockCells) {
       constexpr float kHalf = 0.5F * kBlockCells;
-      Block block{origin + (world::Vec2(x, y) + kHalf) * static_cast<float>(kCell), 0.0F};
+      Block block{.centre = origin + (world::Vec2(x, y) + kHalf) * static_cast<float>(kCell)};
       for (int row = y; row < std::min(y + kBlockCells, down_); ++row) {
         for (int column = x; column < std::min(x + kBlockCells, across_); ++column) {
-          block.squares += squaredErrors(depths[indexOf(column, row)], column, row);
+          const CellDepths& cell = depths[indexOf(column, row)];
+          block.squares += squaredErrors(cell, column, row);
+          block.nearest = std::max(block.nearest, cell.nearest);
+          block.pixels += kCell * kCell;
         }
       }
       blocks_.push_back(block);

@@ -52,14 +52,21 @@ class Backdrop {
   /// Largest 1 / depth; 0 if everything is infinitely far.
   [[nodiscard]] float nearest() const noexcept { return nearest_; }
 
-  /// Error of a warp, in pixels, root mean square: a cell moves as a whole though its pixels differ in depth.
-  [[nodiscard]] float shiftError(const WarpCamera& warp) const;
+  /// Error of a warp, root mean square over the image. Each block counts with a limited error: what is more wrong than
+  /// that looks no worse, so a leaf before the eye does not decide for the whole picture.
+  struct Error {
+    float shift = 0.0F;  ///< pixels: a cell moves as a whole though its pixels differ in depth
+    float zoom = 0.0F;   ///< octaves by which the nearest of a block is shown too large or too small
+  };
+  [[nodiscard]] Error errorOf(const WarpCamera& warp) const;
 
  private:
-  /// A block of cells, the unit in which shiftError() sums.
+  /// A block of cells, the unit in which errorOf() sums.
   struct Block {
     world::Vec2 centre{0.0F};  ///< pixels of the camera
-    float squares = 0.0F;      ///< sum over its pixels of the squared difference from the nearness they are warped by
+    float pixels = 0.0F;
+    float nearest = 0.0F;  ///< largest 1 / depth
+    float squares = 0.0F;  ///< sum over its pixels of the squared difference from the nearness they are warped by
   };
   [[nodiscard]] std::size_t indexOf(int column, int row) const noexcept {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(across_) + static_cast<std::size_t>(column);

@@ -10,14 +10,15 @@
 #include "node/frontend/backdrops/backdrop_area.h"
 #include "node/frontend/backdrops/warp_error.h"
 #include "node/frontend/scene_analyzer.h"
+#include "node/load_shedding.h"
 
 namespace grove::node {
 namespace {
 
 /// Frames that a border is drawn for: the first that is not too wide.
 constexpr std::array<float, 2> kFramesAhead{2.0F, 1.0F};
-/// Metres, divided by the error factor. Still objects nearer than this are drawn in every frame: they hide and reveal
-/// much of what is behind them.
+/// Metres, while there is time, and down to 0 at the largest error factor. Still objects nearer than this are drawn in
+/// every frame: they hide and reveal much of what is behind them.
 constexpr float kMinDistance = 2.0F;
 /// Metres. The border holds what is at least so far away.
 constexpr float kNearestInBorder = 3.0F;
@@ -98,6 +99,8 @@ bool BackdropPlanner::serves(const View& view) const {
   const auto backdrop = backdrops_->newest();
   // One that is still being drawn has no known error: it serves the next frame only.
   if (!backdrop || backdrop->view().frame != own.frame) return view.frame == own.frame + 1;
+  // On a busy machine a backdrop serves some frames whatever its error: amid leaves each frame would draw one.
+  if (static_cast<float>(view.frame - own.frame) < errorFactor_) return true;
   return warpError(*backdrop, view.camera) <= errorFactor_ && lightError(own, view) <= errorFactor_;
 }
 
@@ -134,8 +137,9 @@ std::vector<VisibleObject> BackdropPlanner::objectsWithin(const View& view, cons
 }
 
 bool BackdropPlanner::isStill(const VisibleObject& object, world::Vec3 eye) const {
+  const float shed = (errorFactor_ - 1.0F) / (kMaxErrorFactor - 1.0F);
   const std::optional<float> distance = halves_->of(object.object.type).stillDistance(object, eye);
-  return distance && *distance >= kMinDistance / errorFactor_;
+  return distance && *distance >= kMinDistance * (1.0F - shed);
 }
 
 bool BackdropPlanner::isInLast(world::ObjectId id) const {

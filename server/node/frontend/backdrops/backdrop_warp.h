@@ -9,7 +9,7 @@
 namespace grove::node {
 
 /// Shows a backdrop in a frame. Corners of cells of 8 x 8 pixels look up where they lie in the backdrop by its depth,
-/// and the pixels between them are interpolated; see Backdrop::shiftError() for the error. Copies if the camera is that
+/// and the pixels between them are interpolated; see Backdrop::errorOf() for the error. Copies if the camera is that
 /// of the backdrop. Used for one frame; several threads may fill different rows at once.
 class BackdropWarp {
  public:

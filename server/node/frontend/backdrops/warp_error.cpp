@@ -10,23 +10,17 @@ namespace grove::node {
 namespace {
 
 /// Pixels, root mean square.
-constexpr float kPermittedShift = 1.2F;
-/// Octaves by which the nearest may be larger or smaller in the backdrop.
-constexpr float kPermittedZoom = 0.2F;
+constexpr float kPermittedShift = 1.0F;
+/// Octaves, root mean square.
+constexpr float kPermittedZoom = 0.1F;
 /// Share of a light's colour.
 constexpr float kPermittedLight = 0.25F;
-constexpr float kMinDepth = 1.0e-3F;
 
 }  // namespace
 
 float warpError(const Backdrop& backdrop, const world::Camera& camera) {
-  const WarpCamera warp(backdrop.view().camera, camera);
-  float zoom = 0.0F;
-  if (backdrop.nearest() > 0.0F) {
-    const float depth = 1.0F / backdrop.nearest();
-    zoom = std::log2(depth / std::max(depth - warp.m.z, kMinDepth));
-  }
-  return std::max(backdrop.shiftError(warp) / kPermittedShift, std::abs(zoom) / kPermittedZoom);
+  const Backdrop::Error error = backdrop.errorOf(WarpCamera(backdrop.view().camera, camera));
+  return std::max(error.shift / kPermittedShift, error.zoom / kPermittedZoom);
 }
 
 float lightError(const View& before, const View& now) {

@@ -4,8 +4,8 @@
 
 namespace grove::node {
 
-/// Error of a backdrop warped to a camera, in multiples of the permitted error: the larger of wrong shifts and of a
-/// wrong scale of the nearest surface.
+/// Error of a backdrop warped to a camera, in multiples of the permitted error: the larger of wrong shifts and of
+/// wrong scales, see Backdrop::errorOf().
 [[nodiscard]] float warpError(const Backdrop& backdrop, const world::Camera& camera);
 
 /// Change of the lights between two views, in multiples of the permitted change.
