@@ -14,7 +14,7 @@ constexpr double kUpdateSeconds = 1.0 / 30.0;
 
 node::LoadedScene ownOf(const WorldGround& ground) {
   if (ground.others == nullptr) return ground.scene;
-  return node::shareOf(ground.scene, node::restOf(ground.scene, ground.others->served()));
+  return node::shareOf(ground.scene, node::restOf(ground.scene.layout, ground.others->served()));
 }
 
 node::FrontendEnd& nodesOf(const WorldGround& ground, const std::shared_ptr<node::Transport>& transport) {
