@@ -26,7 +26,9 @@
 #include "cli/stop_on_signal.h"
 #include "gl/shader_library.h"
 #include "gl/workers.h"
+#include "node/local/local_world.h"
 #include "node/object_types.h"
+#include "node/transport/grpc/dial_nodes.h"
 #include "node/transport/grpc/grpc_frontend_end.h"
 #include "objects/builtin.h"
 #include "stream/web_server/access/origin.h"
@@ -46,6 +48,9 @@ constexpr std::size_t kForGl = std::size_t{192} << 20U;
 constexpr std::size_t kForServing = std::size_t{96} << 20U;
 /// Clocks, websocket, reports, and one for each type of object that is prepared.
 constexpr std::size_t kThreadsBesidesWorkers = 12;
+
+/// How long nodes of other processes may take to welcome this one.
+constexpr auto kNodePatience = 10s;
 
 constexpr auto kStopWhilePreparing = 900ms;
 /// Long enough for everybody to be notified, for visitors' worlds to be taken apart, and for one that is being made to
@@ -205,7 +210,7 @@ int runServe(const ServeOptions& options) {
   if (!listeners) return 2;
   const auto& [visitors, desk] = *listeners;
   const auto rules = entranceRules(options);
-  if (!rules || !areAddresses(options.host.nodes)) return 2;
+  if (!rules || !areAddresses(options.nodes)) return 2;
   if (!isAddress("--join", options.join) || !isAddress("--share", options.share)) return 2;
   (void)stream::socketsThatFit();
   const std::shared_ptr<stream::TlsStore> tls =
@@ -246,9 +251,16 @@ int runServe(const ServeOptions& options) {
     shared.emplace(scene, *parseHostPort(*options.share));
     std::printf("the world can be joined at %s\n", shared->address().c_str());
   }
-  if (options.share || options.join || !options.host.nodes.empty()) hosting.process = randomProcess();
+  if (options.share || options.join || !options.nodes.empty()) hosting.process = randomProcess();
   if (const auto owner = shared ? shared->address() : options.join) join(*owner, hosting);
-  host.emplace(std::move(loaded), types, gl, hosting, report);
+  const auto makeNodes = [&](const node::Machine& machine, node::Instances instances) {
+    auto others = options.nodes.empty() ? nullptr
+                                        : node::dialNodes(options.nodes, node::helloOf(hosting.process, loaded.layout),
+                                                          kNodePatience, machine.workers, machine.timeline);
+    return std::make_unique<node::LocalWorld>(std::move(loaded), types.backends, gl, machine, instances,
+                                              node::TransportFactory(), std::move(others));
+  };
+  host.emplace(makeNodes, types.frontends, hosting, report);
   waiting.close();
   requireAddressSpace(spaceForServing(scene, options));
   ending.reset();

@@ -54,8 +54,7 @@ class RemoteNodes : public ::testing::Test {
   static std::unique_ptr<ServedScene> serve(const std::vector<std::string>& nodes, node::ProcessId process = 1) {
     stream::HostOptions options;
     options.process = process;
-    options.nodes = nodes;
-    return std::make_unique<ServedScene>(kStones, options);
+    return std::make_unique<ServedScene>(kStones, options, node::TransportFactory(), nodes);
   }
   std::unique_ptr<NodeProgram> node(const std::string& objects, int port = 0) const {
     return std::make_unique<NodeProgram>(file.string(), objects, port);
