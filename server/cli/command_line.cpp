@@ -85,7 +85,7 @@ void addServe(CLI::App& app, ServeOptions& options) {
   serve->add_flag("--private", options.host.privateWorlds,
                   "Each visitor gets copies of his own of everything: what serving costs without sharing");
   serve
-      ->add_option("--nodes", options.host.nodes,
+      ->add_option("--nodes", options.nodes,
                    "Nodes (grove node) that serve some of the objects, with commas between; the rest is served here")
       ->type_name("HOST:PORT")
       ->delimiter(',')

@@ -23,12 +23,9 @@
 #include "cli/prepare/prepare_world.h"
 #include "cli/prepare/progress.h"
 #include "cli/prepare/refiner.h"
+#include "cli/prepare/world_preparation.h"
 #include "cli/stop_on_signal.h"
-#include "gl/shader_library.h"
-#include "gl/workers.h"
-#include "node/object_types.h"
 #include "node/transport/grpc/grpc_frontend_end.h"
-#include "objects/builtin.h"
 #include "stream/web_server/access/origin.h"
 #include "stream/web_server/descriptor_limit.h"
 #include "stream/web_server/listen_address.h"
@@ -40,12 +37,8 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// Measured: with less than 90 MB, Mesa's drivers crash.
-constexpr std::size_t kForGl = std::size_t{192} << 20U;
 /// What serving takes besides threads and shared pictures: frames, sockets, reports.
 constexpr std::size_t kForServing = std::size_t{96} << 20U;
-/// Clocks, websocket, reports, and one for each type of object that is prepared.
-constexpr std::size_t kThreadsBesidesWorkers = 12;
 
 constexpr auto kStopWhilePreparing = 900ms;
 /// Long enough for everybody to be notified, for visitors' worlds to be taken apart, and for one that is being made to
@@ -205,7 +198,7 @@ int runServe(const ServeOptions& options) {
   if (!listeners) return 2;
   const auto& [visitors, desk] = *listeners;
   const auto rules = entranceRules(options);
-  if (!rules || !areAddresses(options.host.nodes)) return 2;
+  if (!rules || !areAddresses(options.nodes)) return 2;
   if (!isAddress("--join", options.join) || !isAddress("--share", options.share)) return 2;
   (void)stream::socketsThatFit();
   const std::shared_ptr<stream::TlsStore> tls =
@@ -215,12 +208,9 @@ int runServe(const ServeOptions& options) {
   world::Scene scene = openScene(options.scene);
   applyTo(scene, options);
   std::optional<EndOnMemoryShortage> ending(std::in_place);
-  requireAddressSpace(kForGl);
-  const gl::ShaderLibrary shaders(options.shaderDirectory);
-  gl::Workers gl(options.gl, shaders);
-  node::ObjectTypes types;
   std::optional<OpenWorld> shared;
   // The server goes before the host and the refiner before both, however this ends.
+  std::optional<WorldPreparation> world;
   std::optional<stream::Host> host;
   stream::WebsocketServer server(
       {.visitors = visitors, .operators = desk, .rules = *rules, .tls = tls, .hsts = options.hsts});
@@ -228,35 +218,37 @@ int runServe(const ServeOptions& options) {
   const std::string address = urlOf({visitors.host, server.port()}, tls != nullptr);
   WaitingRoom waiting(server, address);
   const auto report = [&](std::string_view label, float share) { waiting.report(label, share); };
-  types = objects::builtinTypes();
-  std::optional<Preparations> coarse = prepareFirstLook(scene, types.backends, report, stop.token());
-  if (!coarse) {
-    log::info("stopped; the next start goes on from here");
-    return 0;
-  }
-  node::LoadedScene loaded = node::loadScene(scene, types.backends);
-
-  log::info("GL: " + gl.description() + ", " + std::to_string(gl.width()) + " workers");
-  log::info("world: " + loaded.layout.name + ", " + std::to_string(loaded.objects.size()) + " objects");
-  const std::size_t threads = std::max(1U, std::thread::hardware_concurrency()) + kThreadsBesidesWorkers;
-  requireAddressSpace(spaceForServing(scene, options) + threads * stackBytes());
   stream::HostOptions hosting = options.host;
   hosting.maxSharedBytes = sharedBytes(options);
   if (options.share) {
     shared.emplace(scene, *parseHostPort(*options.share));
     std::printf("the world can be joined at %s\n", shared->address().c_str());
   }
-  if (options.share || options.join || !options.host.nodes.empty()) hosting.process = randomProcess();
+  if (options.share || options.join || !options.nodes.empty()) hosting.process = randomProcess();
   if (const auto owner = shared ? shared->address() : options.join) join(*owner, hosting);
-  host.emplace(std::move(loaded), types, gl, hosting, report);
+  const std::size_t space = spaceForServing(scene, options);
+  world.emplace(std::move(scene),
+                WorldPreparation::Options{.nodes = options.nodes,
+                                          .process = hosting.process,
+                                          .gl = options.gl,
+                                          .shaderDirectory = options.shaderDirectory,
+                                          .spaceForServing = space},
+                report, stop.token());
+  try {
+    host.emplace([&](const auto& machine, auto instances) { return world->make(machine, instances); },
+                 world->frontends(), hosting, report);
+  } catch (const WorldPreparation::Stopped&) {
+    log::info("stopped; the next start goes on from here");
+    return 0;
+  }
   waiting.close();
-  requireAddressSpace(spaceForServing(scene, options));
+  requireAddressSpace(space);
   ending.reset();
   stop.endWithin(kStopWhileServing);
   server.open(*host);
   std::optional<Refiner> refiner;
-  if (!coarse->empty()) {
-    refiner.emplace(std::move(*coarse), [&](const stream::Refining& refining) { host->report(refining); });
+  if (!world->coarse().empty()) {
+    refiner.emplace(std::move(world->coarse()), [&](const stream::Refining& refining) { host->report(refining); });
   }
   const bool secureDesk = server.isSecure(stream::Audience::kOperator);
   std::printf("operator's page at %s/operator\n", urlOf({desk.host, server.operatorPort()}, secureDesk).c_str());

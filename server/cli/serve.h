@@ -25,6 +25,7 @@ struct ServeOptions {
   gl::ContextKind gl = gl::ContextKind::kAuto;
   std::optional<std::string> shaderDirectory;
   std::optional<std::string> join;   ///< address of the process that owns the world
+  std::vector<std::string> nodes;    ///< addresses of nodes in other processes, which serve some of the objects
   std::optional<std::string> share;  ///< address at which other servers join the world of this one
   stream::HostOptions host;
   int viewCacheMegabytes = 256;

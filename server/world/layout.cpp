@@ -9,6 +9,15 @@ constexpr float kLanternRadiance = 0.45F;
 
 }  // namespace
 
+std::vector<Obstacle> Layout::obstacles() const {
+  std::vector<Obstacle> obstacles;
+  for (const Object& object : objects) {
+    const Vec3 at = object.transform.position;
+    if (object.obstacleRadius > 0.0F) obstacles.push_back({{at.x, at.z}, object.obstacleRadius});
+  }
+  return obstacles;
+}
+
 std::optional<Object> Layout::objectOf(const Player& player) const {
   if (!visitor) return std::nullopt;
   Object object = visitor->object;

@@ -37,7 +37,9 @@ struct Layout {
   Vec3 spawn{0.0F};
   float spawnYaw = 0.0F;
   float radius = 30.0F;
-  std::vector<Obstacle> obstacles;
+
+  /// What visitors walk around.
+  [[nodiscard]] std::vector<Obstacle> obstacles() const;
 
   /// The object that shows a visitor to the others.
   [[nodiscard]] std::optional<Object> objectOf(const Player& player) const;

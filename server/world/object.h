@@ -47,7 +47,8 @@ struct Object {
   TypeIndex type = 0;
   std::string name;
   Transform transform;
-  Bounds bounds;  ///< in the world
+  Bounds bounds;                ///< in the world
+  float obstacleRadius = 0.0F;  ///< metres, of the upright cylinder that visitors walk around; 0: they walk through
 };
 
 /// The same with what it is made of, as only backend nodes know it.

@@ -93,14 +93,13 @@ class TappedTransport final : public node::Transport {
   node::ReferenceTransport wire_;
 };
 
-stream::HostOptions tapped(bool privateWorlds, const std::shared_ptr<Answers>& answers) {
-  stream::HostOptions options;
-  options.privateWorlds = privateWorlds;
-  options.makeTransport = [answers](pipeline::Executor&, pipeline::Timeline&) {
-    return std::make_unique<TappedTransport>(answers);
-  };
-  return options;
-}
+/// A fire whose answers are kept.
+struct TappedFire : ServedScene {
+  TappedFire(bool privateWorlds, const std::shared_ptr<Answers>& answers)
+      : ServedScene(kFire, {.privateWorlds = privateWorlds}, [answers](pipeline::Executor&, pipeline::Timeline&) {
+          return std::make_unique<TappedTransport>(answers);
+        }) {}
+};
 
 /// Mean speed of the particles to one side; a gust makes it large.
 double meanSpeedAlong(const FluidSnapshot& snapshot) {
@@ -117,7 +116,7 @@ struct Seen {
 };
 Seen afterOneBlew(bool privateWorlds) {
   const auto answers = std::make_shared<Answers>();
-  ServedScene served(kFire, tapped(privateWorlds, answers));
+  TappedFire served(privateWorlds, answers);
   stream::HeadlessSession a(served.host, "a", 160, 90);
   stream::HeadlessSession b(served.host, "b", 160, 90);
   EXPECT_TRUE(a.frameAfter(0, kPatience));
@@ -151,7 +150,7 @@ TEST(PrivateWorlds, SharedOnesAreOne) {
 
 TEST(PrivateWorlds, TickEachOnAClockOfItsOwn) {
   const auto answers = std::make_shared<Answers>();
-  ServedScene served(kFire, tapped(true, answers));
+  TappedFire served(true, answers);
   EXPECT_EQ(served.host.timeline().totals().count("Simulation Tick"), 0u) << "nobody is here, nothing ticks";
   auto a = std::make_unique<stream::HeadlessSession>(served.host, "a", 160, 90);
   stream::HeadlessSession b(served.host, "b", 160, 90);
@@ -167,7 +166,7 @@ TEST(PrivateWorlds, TickEachOnAClockOfItsOwn) {
 }
 
 TEST(PrivateWorlds, VisitorsStillMeet) {
-  ServedScene served(kFire, tapped(true, std::make_shared<Answers>()));
+  TappedFire served(true, std::make_shared<Answers>());
   stream::HeadlessSession a(served.host, "a", 160, 90);
   stream::HeadlessSession b(served.host, "b", 160, 90);
   const auto frame = a.frameAfter(0, kPatience);
@@ -186,7 +185,7 @@ int threadsOfLessPriority() {
 }
 
 TEST(PrivateWorlds, KeepNothingOfTheLowPriorityThatTheyWereMadeAt) {
-  ServedScene served(kFire, tapped(true, std::make_shared<Answers>()));
+  TappedFire served(true, std::make_shared<Answers>());
   stream::HeadlessSession a(served.host, "a", 160, 90);
   ASSERT_TRUE(a.frameAfter(0, kPatience));
   const int before = threadsOfLessPriority();  // some of a driver's have less
@@ -197,7 +196,7 @@ TEST(PrivateWorlds, KeepNothingOfTheLowPriorityThatTheyWereMadeAt) {
 }
 
 TEST(PrivateWorlds, LetAVisitorGoWhoseWorldIsNotReady) {
-  ServedScene served(kFire, tapped(true, std::make_shared<Answers>()));
+  TappedFire served(true, std::make_shared<Answers>());
   for (int i = 0; i < 3; ++i) const stream::HeadlessSession gone(served.host, "gone", 160, 90);
   EXPECT_EQ(served.host.visitors(), 0u);
 }

@@ -13,6 +13,7 @@
 #include "eventually.h"
 #include "integration/node_program.h"
 #include "integration/picture.h"
+#include "integration/remote_world.h"
 #include "integration/served_scene.h"
 #include "stream/session/headless_session.h"
 
@@ -54,8 +55,7 @@ class RemoteNodes : public ::testing::Test {
   static std::unique_ptr<ServedScene> serve(const std::vector<std::string>& nodes, node::ProcessId process = 1) {
     stream::HostOptions options;
     options.process = process;
-    options.nodes = nodes;
-    return std::make_unique<ServedScene>(kStones, options);
+    return std::make_unique<ServedScene>(kStones, options, node::TransportFactory(), nodes);
   }
   std::unique_ptr<NodeProgram> node(const std::string& objects, int port = 0) const {
     return std::make_unique<NodeProgram>(file.string(), objects, port);
@@ -94,6 +94,26 @@ TEST_F(RemoteNodes, ShowThePictureThatOneProcessShows) {
   EXPECT_GT(local.mean(), 1.0) << "of nothing";
   EXPECT_GT(served->host.traffic().sharedData, 0U) << "the ground came from elsewhere";
   EXPECT_GT(served->host.traffic().pictures, 0U) << "and the stone";
+}
+
+/// Would catch whatever a server without models knows otherwise than one that has them.
+TEST_F(RemoteNodes, ThatServeAllShowTheSameToAServerWithoutModels) {
+  Picture local;
+  {
+    const auto served = serve({});
+    stream::HeadlessSession visitor(served->host, "Ada", 320, 180);
+    const stream::HeadlessSession neighbour(served->host, "Bob", 160, 90);
+    local = settled(visitor);
+  }
+  const auto stones = node("right,figure,sky");
+  const auto ground = node("ground,left");
+  const node::FrontendTypes types = objects::builtinTypes().frontends;
+  stream::Host host(remoteWorld(kStones, types, {stones->address(), ground->address()}), types,
+                    ServedScene::patient({}), {});
+  stream::HeadlessSession visitor(host, "Ada", 320, 180);
+  const stream::HeadlessSession neighbour(host, "Bob", 160, 90);
+  EXPECT_EQ(difference(local, settled(visitor)), 0.0);
+  EXPECT_EQ(host.nodeLinks().size(), 2U);
 }
 
 TEST_F(RemoteNodes, OneThatIsKilledAndRestartedDropsNobodyAndShowsWhatItShowedMeanwhile) {

@@ -18,9 +18,7 @@ constexpr std::array kYaws = {0.0F, 0.5F, -1.5708F};
 
 /// What a visitor sees in each direction.
 std::vector<Picture> picturesOver(node::TransportKind kind, const std::string& scene) {
-  stream::HostOptions options;
-  options.makeTransport = node::transportFactory(kind);
-  ServedScene served(scene, options);
+  ServedScene served(scene, {}, node::transportFactory(kind));
   stream::HeadlessSession visitor(served.host, "Ada", 320, 180);
   // To the left of who comes first.
   const stream::HeadlessSession neighbour(served.host, "Bob", 160, 90);

@@ -6,6 +6,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -19,13 +20,15 @@ namespace grove::node::testing {
 
 class BoxModel final : public world::Model {
  public:
-  BoxModel(float size, std::uint32_t colour) : size_(size), colour_(colour) {}
+  BoxModel(float size, std::uint32_t colour, float obstacle) : size_(size), colour_(colour), obstacle_(obstacle) {}
   [[nodiscard]] world::Bounds bounds() const override { return {world::Vec3(-size_ / 2), world::Vec3(size_ / 2)}; }
+  [[nodiscard]] std::optional<float> obstacleRadius() const override { return obstacle_; }
   [[nodiscard]] std::uint32_t colour() const { return colour_; }
 
  private:
   float size_;
   std::uint32_t colour_;
+  float obstacle_;
 };
 
 /// What a box shows, for every visitor; four bytes when packed.
@@ -121,7 +124,8 @@ class BoxBackendType final : public BackendType {
   [[nodiscard]] std::shared_ptr<const world::Model> model(const world::Parameters& parameters) const override {
     const auto size = static_cast<float>(parameters.number("size", 1.0, 0.01, 100.0));
     const int red = parameters.integer("red", 255, 0, 255);
-    return std::make_shared<BoxModel>(size, 0xFF000000U | static_cast<std::uint32_t>(red));
+    const auto obstacle = static_cast<float>(parameters.number("obstacle", 0.0, 0.0, 100.0));
+    return std::make_shared<BoxModel>(size, 0xFF000000U | static_cast<std::uint32_t>(red), obstacle);
   }
   [[nodiscard]] std::shared_ptr<const TypeOptions> options(const world::Parameters& parameters) const override {
     auto options = std::make_shared<BoxOptions>();

@@ -38,8 +38,10 @@ class Greeting : public ::testing::Test {
   gl::Workers gl{gl::ContextKind::kAuto, shaders, 1};
   pipeline::WorkerPool workers{2};
   const BackendTypes types = testing::boxBackends(std::make_shared<testing::BoxControls>());
-  const LoadedScene scene = loadScene(
-      world::parseScene("[[object]]\ntype = \"box\"\nname = \"crate\"\nposition = [0, 1, -4]\n", "test"), types);
+  const LoadedScene scene =
+      loadScene(world::parseScene(
+                    "[[object]]\ntype = \"box\"\nname = \"crate\"\nobstacle = 0.5\nposition = [0, 1, -4]\n", "test"),
+                types);
   const world::WorldGeometry geometry{scene.objects};
   const std::shared_ptr<ReferenceTransport> transport = std::make_shared<ReferenceTransport>();
   BackendNode backend{scene, geometry, types, {workers, gl, timeline, memory, images}, Parallelism::kAllCores, {}};
@@ -64,6 +66,7 @@ TEST_F(Greeting, WelcomesWhoKnowsTheSceneAndTellsWhatItServes) {
   EXPECT_EQ(welcome.objects[0].id, scene.objects[0].id);
   EXPECT_EQ(welcome.objects[0].name, "crate");
   EXPECT_EQ(welcome.objects[0].bounds.low, scene.objects[0].bounds.low);
+  EXPECT_EQ(welcome.objects[0].obstacleRadius, 0.5F);
 }
 
 TEST_F(Greeting, RefusesAnotherProtocolSceneOrType) {

@@ -177,14 +177,13 @@ std::optional<std::string> BackendNode::objectionTo(const NodeHello& hello) cons
 }
 
 NodeWelcome BackendNode::welcome() const {
-  NodeWelcome welcome{.build = std::string(version()),
-                      .sceneHash = scene_.layout.hash,
-                      .epoch = epoch_,
-                      .objects = {},
-                      .visitors = visitors_ != nullptr};
+  NodeWelcome welcome{.build = std::string(version()), .sceneHash = scene_.layout.hash, .epoch = epoch_, .objects = {}};
   welcome.objects.reserve(scene_.objects.size());
   for (const world::ModelledObject& object : scene_.objects) {
-    welcome.objects.push_back({object.id, object.type, object.name, object.bounds});
+    welcome.objects.push_back({object.id, object.type, object.name, object.bounds, object.obstacleRadius});
+  }
+  if (visitors_ != nullptr) {
+    welcome.visitors = {scene_.layout.visitor->bounds, scene_.layout.visitor->hasOwnBody};
   }
   return welcome;
 }

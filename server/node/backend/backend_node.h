@@ -11,6 +11,7 @@
 #include "node/backend/peers.h"
 #include "node/backend/prepare/load_scene.h"
 #include "node/backend/world_mirror.h"
+#include "node/parallelism.h"
 #include "node/transport/transport.h"
 
 namespace grove::node {
@@ -23,12 +24,6 @@ struct BackendMachine {
   pipeline::MemoryLedger& memory;
   raster::ImagePool& images;
   BakedStore* baked = nullptr;  ///< null if there is one instance of the world only
-};
-
-/// How many threads prepare a world.
-enum class Parallelism : std::uint8_t {
-  kAllCores,   ///< the workers help: no visitor needs them yet
-  kOneThread,  ///< the calling thread alone, one step after the other: the workers serve visitors
 };
 
 /// Owns the objects of a world, or some of them, and answers requests for them, with one pipeline for each object type.

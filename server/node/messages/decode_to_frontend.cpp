@@ -13,22 +13,30 @@ world::Bounds decode(const v1::Bounds& from, Checks& checks) {
   return to;
 }
 
+template <class Served>
+world::Bounds boundsOf(const Served& from, Checks& checks) {
+  return from.has_bounds() ? decode(from.bounds(), checks) : world::Bounds{};
+}
+
 NodeWelcome decode(const v1::NodeWelcome& from, Checks& checks) {
   NodeWelcome to{.protocol = from.protocol(),
                  .build = decodeName(from.build(), checks),
                  .sceneHash = from.scene_hash(),
                  .epoch = from.epoch(),
-                 .objects = {},
-                 .visitors = from.visitors()};
+                 .objects = {}};
   checks.require(static_cast<std::size_t>(from.objects_size()) <= kMaxServedObjects, "it has too many objects");
   if (!checks.good()) return to;
   to.objects.reserve(static_cast<std::size_t>(from.objects_size()));
   for (const v1::ServedObject& object : from.objects()) {
+    const float radius = object.obstacle_radius();
+    checks.require(radius >= 0.0F && radius <= kMaxObstacleRadius, "an obstacle's radius is out of range");
     to.objects.push_back({.id = object.id(),
                           .type = object.type(),
                           .name = decodeName(object.name(), checks),
-                          .bounds = object.has_bounds() ? decode(object.bounds(), checks) : world::Bounds{}});
+                          .bounds = boundsOf(object, checks),
+                          .obstacleRadius = radius});
   }
+  if (from.has_visitors()) to.visitors = {boundsOf(from.visitors(), checks), from.visitors().own_body()};
   return to;
 }
 

@@ -138,21 +138,30 @@ void put(const Quality& from, v1::ToBackend& envelope) {
 
 void put(const Forget& from, v1::ToBackend& envelope) { envelope.mutable_forget()->set_session(from.session); }
 
+template <class Served>
+void putBounds(const world::Bounds& from, Served& to) {
+  if (from.empty()) return;
+  put(from.low, to.mutable_bounds()->mutable_low());
+  put(from.high, to.mutable_bounds()->mutable_high());
+}
+
 void put(const NodeWelcome& from, v1::ToFrontend& envelope) {
   v1::NodeWelcome& to = *envelope.mutable_welcome();
   to.set_protocol(from.protocol);
   to.set_build(from.build);
   to.set_scene_hash(from.sceneHash);
   to.set_epoch(from.epoch);
-  to.set_visitors(from.visitors);
+  if (from.visitors) {
+    putBounds(from.visitors->bounds, *to.mutable_visitors());
+    to.mutable_visitors()->set_own_body(from.visitors->hasOwnBody);
+  }
   for (const ServedObject& object : from.objects) {
     v1::ServedObject& served = *to.add_objects();
     served.set_id(object.id);
     served.set_type(object.type);
     served.set_name(object.name);
-    if (object.bounds.empty()) continue;
-    put(object.bounds.low, served.mutable_bounds()->mutable_low());
-    put(object.bounds.high, served.mutable_bounds()->mutable_high());
+    putBounds(object.bounds, served);
+    served.set_obstacle_radius(object.obstacleRadius);
   }
 }
 

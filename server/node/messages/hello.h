@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,7 +11,7 @@
 namespace grove::node {
 
 /// Versions of the messages that this program understands.
-inline constexpr std::uint32_t kProtocol = 2;
+inline constexpr std::uint32_t kProtocol = 3;
 
 /// What both ends of a link call one type of object.
 struct TypeName {
@@ -27,12 +28,19 @@ struct NodeHello {
   std::vector<TypeName> types;  ///< ids that it will use
 };
 
-/// An object that a backend node serves.
+/// An object that a backend node serves, with what of its model every frontend process needs.
 struct ServedObject {
   world::ObjectId id = 0;
   world::TypeIndex type = 0;
   std::string name;
-  world::Bounds bounds;  ///< in the world
+  world::Bounds bounds;         ///< in the world
+  float obstacleRadius = 0.0F;  ///< see world::Object
+};
+
+/// The same of the objects that show visitors, see world::VisitorTemplate.
+struct ServedVisitors {
+  world::Bounds bounds;
+  bool hasOwnBody = false;
 };
 
 /// What a backend node answers.
@@ -43,7 +51,7 @@ struct NodeWelcome {
   /// Names the life of the node's process: versions of shared data count within it.
   std::uint64_t epoch = 0;
   std::vector<ServedObject> objects;
-  bool visitors = false;  ///< whether it serves the objects that show visitors, too
+  std::optional<ServedVisitors> visitors = {};  ///< nothing: others show visitors
 };
 
 /// Why a backend node will not serve a frontend process.

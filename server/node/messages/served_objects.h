@@ -3,6 +3,7 @@
 #include <set>
 
 #include "node/messages/hello.h"
+#include "world/layout.h"
 
 namespace grove::node {
 
@@ -18,9 +19,18 @@ struct ServedObjects {
 };
 
 [[nodiscard]] inline ServedObjects servedBy(const NodeWelcome& welcome) {
-  ServedObjects served{.objects = {}, .visitors = welcome.visitors};
+  ServedObjects served{.objects = {}, .visitors = welcome.visitors.has_value()};
   for (const ServedObject& object : welcome.objects) served.objects.insert(object.id);
   return served;
+}
+
+/// What of a world others do not serve.
+[[nodiscard]] inline ServedObjects restOf(const world::Layout& layout, const ServedObjects& others) {
+  ServedObjects rest{.objects = {}, .visitors = layout.visitor && !others.visitors};
+  for (const world::Object& object : layout.objects) {
+    if (!others.contains(object.id)) rest.objects.insert(object.id);
+  }
+  return rest;
 }
 
 }  // namespace grove::node

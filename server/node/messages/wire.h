@@ -24,6 +24,8 @@ inline constexpr float kMaxGustSpeed = 100.0F;
 inline constexpr float kMaxGustReach = 100.0F;
 inline constexpr std::size_t kMaxLights = 4096;
 inline constexpr std::size_t kMaxServedObjects = 65536;
+/// Metres: more than any world measures.
+inline constexpr float kMaxObstacleRadius = 1.0e6F;
 inline constexpr std::size_t kMaxTypes = 65536;
 /// Seconds that a clock may show: more than thirty years.
 inline constexpr double kMaxSeconds = 1.0e9;

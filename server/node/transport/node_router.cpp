@@ -82,6 +82,14 @@ std::vector<NodeRouter::NodeLink> NodeRouter::links() const {
   return links;
 }
 
+std::vector<NodeWelcome> NodeRouter::welcomes() const {
+  const std::shared_lock lock(mutex_);
+  std::vector<NodeWelcome> welcomes;
+  welcomes.reserve(welcomes_.size());
+  for (const auto& [branch, welcome] : welcomes_) welcomes.push_back(welcome);
+  return welcomes;
+}
+
 ServedObjects NodeRouter::served() const {
   const std::shared_lock lock(mutex_);
   ServedObjects served;
@@ -124,6 +132,7 @@ void NodeRouter::welcomed(const Branch& from, const NodeWelcome& welcome) {
   std::erase_if(owners_, [&](const auto& owned) { return owned.second == &from; });
   for (const ServedObject& object : welcome.objects) own(from, object.id, object.name);
   if (welcome.visitors) own(from, world::kFirstPlayerObject, "of visitors");
+  welcomes_[&from] = welcome;
 }
 
 void NodeRouter::own(const Branch& branch, world::ObjectId id, const std::string& name) {

@@ -44,6 +44,8 @@ class NodeRouter final : public FrontendEnd {
   };
   [[nodiscard]] std::vector<NodeLink> links() const;
 
+  /// The last welcome of each node that has said one.
+  [[nodiscard]] std::vector<NodeWelcome> welcomes() const;
   /// What all nodes serve.
   [[nodiscard]] ServedObjects served() const;
   /// What is wrong if two nodes serve one object, one line for people. The first who said so serves it.
@@ -63,6 +65,7 @@ class NodeRouter final : public FrontendEnd {
   mutable std::shared_mutex mutex_;
   /// All objects that show visitors under kFirstPlayerObject.
   std::map<world::ObjectId, const Branch*> owners_;
+  std::map<const Branch*, NodeWelcome> welcomes_;
   std::optional<std::string> conflict_;
   log::Limited foreign_;
 };

@@ -8,10 +8,7 @@
 #include <utility>
 
 #include "base/log.h"
-#include "gl/workers.h"
 #include "node/limits.h"
-#include "node/transport/grpc/dial_nodes.h"
-#include "node/transport/reference_transport.h"
 #include "pipeline/clocks.h"
 
 namespace grove::stream {
@@ -19,38 +16,32 @@ namespace {
 
 constexpr double kSampleSeconds = 1.0;
 
-/// How long nodes of other processes may take to welcome this one.
-constexpr auto kNodePatience = std::chrono::seconds(10);
-
 int workerCount() { return static_cast<int>(std::max(1U, std::thread::hardware_concurrency())); }
+
+node::Instances instancesOf(const HostOptions& options) {
+  return options.privateWorlds ? node::Instances::kMany : node::Instances::kOne;
+}
 
 static_assert(node::kMaxQuality == measure::kQualitySteps - 1);
 
 }  // namespace
 
-Host::Host(node::LoadedScene scene, const node::ObjectTypes& types, gl::Workers& gl, const HostOptions& options,
+Host::Host(const node::WorldNodesFactory& makeNodes, const node::FrontendTypes& types, const HostOptions& options,
            const std::function<void(std::string_view, float)>& progress)
-    : scene_(std::move(scene)),
-      players_(world::World::makePlayers(scene_.layout, node::makeId(options.process, 0))),
-      types_(types),
-      gl_(gl),
+    : types_(types),
       options_(options),
       encoders_(builtinEncoders(options.jpegQuality)),
       timeline_(options.timelineEvents),
       timelineMemory_(memory_, "timeline", "", pipeline::Work::kAcrossUser, timeline_.bytes()),
       meter_(timeline_, memory_, options_.framesPerSecond, options_.privateWorlds),
       images_(memory_),
-      geometryMemory_(memory_, "obstacles", "", pipeline::Work::kAcrossUser),
-      baked_(memory_),
       entries_(workerCount()),
       gate_(std::make_shared<FrameGate>(std::max(workerCount(), options_.framesInFlight))),
       workers_(
           workerCount(), "grove-worker", [gate = gate_](bool idle) { gate->workerIs(idle); },
-          pipeline::WorkerPool::Load::kMeasured) {
-  if (!options_.nodes.empty()) {
-    others_ = node::dialNodes(options_.nodes, node::helloOf(options_.process, scene_.layout), kNodePatience, workers_,
-                              timeline_);
-  }
+          pipeline::WorkerPool::Load::kMeasured),
+      nodes_(makeNodes({workers_, timeline_, memory_, images_}, instancesOf(options_))),
+      players_(world::World::makePlayers(nodes_->layout(), node::makeId(options_.process, 0))) {
   if (options_.privateWorlds) {
     line_ = std::make_unique<PreparationLine>(
         [this](node::Parallelism parallelism, const auto& report) { return makeInstance(parallelism, report); });
@@ -78,25 +69,19 @@ Host::~Host() {
   workers_.drain();
   line_.reset();
   shared_.reset();
-  others_.reset();
 }
 
 std::unique_ptr<WorldInstance> Host::makeInstance(node::Parallelism parallelism,
-                                                  const node::BackendNode::Progress& progress) {
-  auto transport = options_.makeTransport ? options_.makeTransport(workers_, timeline_)
-                                          : std::make_unique<node::ReferenceTransport>();
-  if (!geometry_) {
-    geometry_ = std::make_shared<const world::WorldGeometry>(scene_.objects, [&progress](float share) {
-      if (progress) progress("laying out the world", share);
-    });
-    geometryMemory_.set(geometry_->bytes());
-  }
-  node::BakedStore* const baked = options_.privateWorlds ? &baked_ : nullptr;
-  const node::BackendMachine machine{workers_, gl_, timeline_, memory_, images_, baked};
+                                                  const node::WorldNodes::Progress& progress) {
   return std::make_unique<WorldInstance>(
-      WorldGround{scene_, geometry_, players_, types_, machine, options_.maxSharedBytes, options_.process,
-                  options_.linkToOwner ? options_.linkToOwner(workers_, timeline_) : nullptr, others_.get()},
-      std::move(transport), parallelism, progress);
+      WorldGround{.nodes = *nodes_,
+                  .players = players_,
+                  .types = types_,
+                  .machine = {workers_, timeline_, memory_, images_},
+                  .maxSharedBytes = options_.maxSharedBytes,
+                  .process = options_.process,
+                  .owner = options_.linkToOwner ? options_.linkToOwner(workers_, timeline_) : nullptr},
+      parallelism, progress);
 }
 
 std::variant<std::shared_ptr<Session>, Refusal> Host::open(const Hello& hello, FrameSink sink, WaitingSink waiting,

@@ -16,7 +16,7 @@
 
 #include "measure/amortization_meter.h"
 #include "measure/quality_policy.h"
-#include "node/object_types.h"
+#include "node/frontend/world_nodes.h"
 #include "node/transport/transport.h"
 #include "pipeline/memory_ledger.h"
 #include "pipeline/timeline.h"
@@ -54,25 +54,19 @@ struct HostOptions {
   std::size_t timelineEvents = std::size_t{1} << 16U;  ///< the newest so many stage runs are kept
   /// What an instance of the world keeps of the data that its visitors share, besides each object's own.
   std::size_t maxSharedBytes = std::size_t{256} << 20U;
-  /// Makes the link between the frontend process and a backend node; empty: they share memory.
-  node::TransportFactory makeTransport = {};
   /// Distinct among the frontend processes of a backend node, and among those that show the same world.
   node::ProcessId process = 1;
   /// Makes the link to the process that owns the world; empty: this one does. Not in private mode.
   std::function<std::shared_ptr<node::FrontendEnd>(pipeline::Executor&, pipeline::Timeline&)> linkToOwner = {};
-  /// Addresses (HOST:PORT) of nodes in other processes, which serve some of the objects; the rest is served here. Not
-  /// in private mode.
-  std::vector<std::string> nodes = {};
 };
 
-/// One living world and everybody in it: owns the world with its backend node (in private mode: every visitor's), the
-/// workers, the frame clock and the sessions. Knows no sockets.
+/// One living world and everybody in it: owns the world with the links to its backend nodes (in private mode: every
+/// visitor's), the workers, the frame clock and the sessions. Knows no sockets.
 class Host {
  public:
-  /// Prepares the world, which may take seconds; throws what backends throw, and EnvironmentError if a node of another
-  /// process does not serve it. `progress` is called from any thread. The
-  /// types outlive it.
-  Host(node::LoadedScene scene, const node::ObjectTypes& types, gl::Workers& gl, const HostOptions& options,
+  /// Has the world's nodes made and prepared, which may take seconds; passes on what that throws. `progress` is called
+  /// from any thread. The types outlive it.
+  Host(const node::WorldNodesFactory& makeNodes, const node::FrontendTypes& types, const HostOptions& options,
        const std::function<void(std::string_view, float)>& progress);
   ~Host();
   Host(const Host&) = delete;
@@ -99,7 +93,7 @@ class Host {
   [[nodiscard]] std::size_t visitorsOfWorld() const { return players_->count(); }
   /// For the statistics.
   void countRefusedConnection() { timeline_.count("refused connections"); }
-  [[nodiscard]] const world::Layout& layout() const noexcept { return scene_.layout; }
+  [[nodiscard]] const world::Layout& layout() const noexcept { return nodes_->layout(); }
   [[nodiscard]] world::Players& players() noexcept { return *players_; }
   [[nodiscard]] const pipeline::Timeline& timeline() const noexcept { return timeline_; }
   /// The step that across-user work is at, 0 to node::kMaxQuality.
@@ -110,9 +104,7 @@ class Host {
   /// Between the frontend and the backend node that all visitors share; nothing in private mode.
   [[nodiscard]] node::LinkTraffic traffic() const { return shared_ ? shared_->traffic() : node::LinkTraffic{}; }
   /// The nodes that serve the world's objects; empty if this process serves all.
-  [[nodiscard]] std::vector<node::NodeRouter::NodeLink> nodeLinks() const {
-    return others_ ? others_->links() : std::vector<node::NodeRouter::NodeLink>{};
-  }
+  [[nodiscard]] std::vector<node::NodeRouter::NodeLink> nodeLinks() const { return nodes_->links(); }
   /// How this server stands with the world's owner; nothing if it is the owner.
   [[nodiscard]] std::optional<node::JoinedWorld::Status> joined() const;
   /// Visitors of other servers that show this world are out of reach.
@@ -132,17 +124,14 @@ class Host {
   void begin(const std::shared_ptr<Session>& session, std::shared_ptr<WorldInstance> instance);
   void preparePrivately(const std::shared_ptr<Session>& session, WaitingSink waiting);
   [[nodiscard]] std::unique_ptr<WorldInstance> makeInstance(node::Parallelism parallelism,
-                                                            const node::BackendNode::Progress& progress);
+                                                            const node::WorldNodes::Progress& progress);
   void takeStock(int visitors);
   void forgetWhoLeft();
   /// Publishes what is due of the worlds of these visitors; returns when the next is.
   double publishWorlds(const std::vector<std::shared_ptr<Session>>& open, double now);
   void runClock();
 
-  const node::LoadedScene scene_;
-  const std::shared_ptr<world::Players> players_;
-  const node::ObjectTypes& types_;
-  gl::Workers& gl_;
+  const node::FrontendTypes& types_;
   const HostOptions options_;
   const EncoderRegistry encoders_;
   pipeline::Timeline timeline_;
@@ -152,9 +141,6 @@ class Host {
   measure::QualityPolicy policy_;  ///< the clock's
   std::atomic<int> quality_{0};
   raster::ImagePool images_;
-  std::shared_ptr<const world::WorldGeometry> geometry_;  ///< of all instances; made with the first
-  pipeline::HeldMemory geometryMemory_;
-  node::BakedStore baked_;             ///< used in private mode
   std::vector<node::SessionId> gone_;  ///< the clock's: left before it took stock last
 
   mutable std::mutex mutex_;
@@ -170,9 +156,10 @@ class Host {
   EntryBudget entries_;
   const std::shared_ptr<FrameGate> gate_;  ///< sessions that end may hold it last
   pipeline::WorkerPool workers_;
-  std::unique_ptr<node::NodeRouter> others_;  ///< null if all nodes are here
-  std::shared_ptr<WorldInstance> shared_;     ///< null in private mode
-  std::unique_ptr<PreparationLine> line_;     ///< null but in private mode
+  const std::unique_ptr<node::WorldNodes> nodes_;
+  const std::shared_ptr<world::Players> players_;
+  std::shared_ptr<WorldInstance> shared_;  ///< null in private mode
+  std::unique_ptr<PreparationLine> line_;  ///< null but in private mode
   std::thread clock_;
 };
 

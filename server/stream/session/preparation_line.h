@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "node/messages.h"
+#include "node/parallelism.h"
 #include "stream/protocol/protocol.h"
 #include "stream/session/step_progress.h"
 #include "stream/session/world_instance.h"

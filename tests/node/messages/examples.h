@@ -116,9 +116,13 @@ inline NodeWelcome welcome() {
           .build = "0.2.0",
           .sceneHash = 5,
           .epoch = 0xFEDCBA9876543210U,
-          .objects = {{.id = 9, .type = 5, .name = "oak", .bounds = {{-1.0F, 0.0F, -1.0F}, {1.0F, 8.0F, 1.0F}}},
+          .objects = {{.id = 9,
+                       .type = 5,
+                       .name = "oak",
+                       .bounds = {{-1.0F, 0.0F, -1.0F}, {1.0F, 8.0F, 1.0F}},
+                       .obstacleRadius = 0.4F},
                       {.id = 10, .type = 0, .name = "", .bounds = {}}},
-          .visitors = true};
+          .visitors = ServedVisitors{.bounds = {{-0.5F, 0.0F, -0.5F}, {0.5F, 2.0F, 0.5F}}, .hasOwnBody = true}};
 }
 
 inline std::vector<ToBackend> toBackend() {

@@ -223,6 +223,22 @@ TEST(WireRefusals, Bounds) {
   };
   EXPECT_THAT(spoilt({world::Vec3(0.0F), world::Vec3(kInfinity)}), HasSubstr("vector"));
   EXPECT_THAT(spoilt({{0.0F, 1.0F, 0.0F}, {1.0F, 0.0F, 1.0F}}), HasSubstr("bounds"));
+  const auto spoiltVisitors = [](const world::Bounds& bounds) {
+    return refusalOf(examples::welcome(), [&](NodeWelcome& welcome) { welcome.visitors->bounds = bounds; });
+  };
+  EXPECT_THAT(spoiltVisitors({world::Vec3(0.0F), world::Vec3(kInfinity)}), HasSubstr("vector"));
+  EXPECT_THAT(spoiltVisitors({{0.0F, 1.0F, 0.0F}, {1.0F, 0.0F, 1.0F}}), HasSubstr("bounds"));
+}
+
+/// Would catch a node that pushes visitors out of the world.
+TEST(WireRefusals, Obstacles) {
+  const auto spoilt = [](float radius) {
+    return refusalOf(examples::welcome(), [&](NodeWelcome& welcome) { welcome.objects[0].obstacleRadius = radius; });
+  };
+  EXPECT_EQ(spoilt(kMaxObstacleRadius), "nothing wrong");
+  EXPECT_THAT(spoilt(kMaxObstacleRadius * 2.0F), HasSubstr("radius"));
+  EXPECT_THAT(spoilt(-0.1F), HasSubstr("radius"));
+  EXPECT_THAT(spoilt(kNan), HasSubstr("radius"));
 }
 
 TEST(WireRefusals, Results) {

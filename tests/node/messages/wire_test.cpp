@@ -93,7 +93,10 @@ TEST(Wire, CarriesWelcomeAndRefusal) {
   EXPECT_EQ(got.build, sent.build);
   EXPECT_EQ(got.sceneHash, sent.sceneHash);
   EXPECT_EQ(got.epoch, sent.epoch);
-  EXPECT_TRUE(got.visitors);
+  ASSERT_TRUE(got.visitors);
+  EXPECT_EQ(got.visitors->bounds.high, (world::Vec3{0.5F, 2.0F, 0.5F}));
+  EXPECT_TRUE(got.visitors->hasOwnBody);
+  EXPECT_EQ(got.objects[0].obstacleRadius, 0.4F);
   ASSERT_EQ(got.objects.size(), 2u);
   EXPECT_EQ(got.objects[0].id, 9u);
   EXPECT_EQ(got.objects[0].type, 5u);

@@ -30,7 +30,7 @@ class Heard final : public BackendPort {
   void welcome(const std::vector<world::ObjectId>& objects, bool visitors = false) {
     NodeWelcome welcome;
     for (const world::ObjectId id : objects) welcome.objects.emplace_back().id = id;
-    welcome.visitors = visitors;
+    if (visitors) welcome.visitors.emplace();
     link->send(ToFrontend(welcome));
   }
 

@@ -9,6 +9,7 @@
 #include "eventually.h"
 #include "gl/shader_library.h"
 #include "gl/workers.h"
+#include "node/local/local_world.h"
 #include "node/transport/bytes_transport.h"
 #include "node/world/world_owner.h"
 #include "pipeline/clocks.h"
@@ -20,12 +21,9 @@ namespace grove::stream {
 namespace {
 
 using ::testing::UnorderedElementsAre;
+using testing::watchedScene;
 using State = node::JoinedWorld::State;
 using tests::eventually;
-
-node::LoadedScene watchedScene(const node::ObjectTypes& types) {
-  return node::loadScene(world::parseScene("[[object]]\ntype = 'watcher'\n", "test"), types.backends);
-}
 
 /// A server that shows a world which another process owns.
 class JoinedHost {
@@ -38,7 +36,8 @@ class JoinedHost {
       served_ = owner.accept(link);
       return link;
     };
-    host_ = std::make_unique<Host>(watchedScene(types_), types_, gl, options, [](std::string_view, float) {});
+    host_ = std::make_unique<Host>(node::localWorld(watchedScene(types_), types_.backends, gl), types_.frontends,
+                                   options, [](std::string_view, float) {});
   }
   ~JoinedHost() { leave(); }
   JoinedHost(const JoinedHost&) = delete;

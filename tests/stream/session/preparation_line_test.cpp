@@ -12,6 +12,7 @@
 #include "eventually.h"
 #include "gl/shader_library.h"
 #include "gl/workers.h"
+#include "node/local/local_world.h"
 #include "node/object_types.h"
 #include "pipeline/clocks.h"
 #include "stream/session/host.h"
@@ -152,12 +153,8 @@ class PreparationLineTest : public testing::Test {
   const node::ObjectTypes types_ = heldTypes(preparations_);
   gl::ShaderLibrary shaders_;
   gl::Workers gl_{gl::ContextKind::kAuto, shaders_, 1};
-  std::optional<Host> host_{std::in_place,
-                            heldScene(types_),
-                            types_,
-                            gl_,
-                            HostOptions{.privateWorlds = true},
-                            [](std::string_view, float) {}};
+  std::optional<Host> host_{std::in_place, node::localWorld(heldScene(types_), types_.backends, gl_), types_.frontends,
+                            HostOptions{.privateWorlds = true}, [](std::string_view, float) {}};
 };
 
 TEST_F(PreparationLineTest, ReportsEveryPlaceAndHowTheFirstGetsOn) {
@@ -285,7 +282,8 @@ TEST(SharedWorld, IsMadeWithAllWorkers) {
   const node::ObjectTypes types = heldTypes(preparations);
   const gl::ShaderLibrary shaders;
   gl::Workers gl(gl::ContextKind::kAuto, shaders, 1);
-  Host host(heldScene(types), types, gl, {}, [](std::string_view, float) {});
+  Host host(node::localWorld(heldScene(types), types.backends, gl), types.frontends, {},
+            [](std::string_view, float) {});
   EXPECT_EQ(preparations.helpers, &host.workers());
   EXPECT_EQ(preparations.niceness, getpriority(PRIO_PROCESS, 0));
 }

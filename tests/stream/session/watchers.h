@@ -85,4 +85,8 @@ inline node::ObjectTypes watchers(Sight& sight) {
   return types;
 }
 
+inline node::LoadedScene watchedScene(const node::ObjectTypes& types) {
+  return node::loadScene(world::parseScene("[[object]]\ntype = 'watcher'\n", "test"), types.backends);
+}
+
 }  // namespace grove::stream::testing

@@ -14,7 +14,7 @@
 #include "eventually.h"
 #include "gl/shader_library.h"
 #include "gl/workers.h"
-#include "node/transport/reference_transport.h"
+#include "node/local/local_world.h"
 #include "pipeline/clocks.h"
 #include "stream/session/headless_session.h"
 #include "stream/session/host.h"
@@ -26,6 +26,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 using testing::Sight;
+using testing::watchedScene;
 using testing::watchers;
 using tests::eventually;
 
@@ -37,11 +38,9 @@ class WorldInstanceTest : public ::testing::Test {
   const node::ObjectTypes types_ = watchers(sight_);
   gl::ShaderLibrary shaders_;
   gl::Workers gl_{gl::ContextKind::kAuto, shaders_, 1};
-  Host host_{node::loadScene(world::parseScene("[[object]]\ntype = 'watcher'\n", "test"), types_.backends),
-             types_,
-             gl_,
-             {},
-             [](std::string_view, float) {}};
+  Host host_{
+      node::localWorld(watchedScene(types_), types_.backends, gl_), types_.frontends, {}, [](std::string_view, float) {
+      }};
 };
 
 TEST_F(WorldInstanceTest, ReportsItsBackendWhoIsThere) {
@@ -102,20 +101,14 @@ TEST(WorldInstance, SetsTheQualityOfItsBackend) {
   const node::ObjectTypes types = watchers(sight);
   const gl::ShaderLibrary shaders;
   gl::Workers gl(gl::ContextKind::kAuto, shaders, 1);
-  const node::LoadedScene scene =
-      node::loadScene(world::parseScene("[[object]]\ntype = 'watcher'\n", "test"), types.backends);
   pipeline::Timeline timeline;
   pipeline::MemoryLedger memory;
   raster::ImagePool images;
   pipeline::WorkerPool workers(2);
-  WorldInstance instance({scene,
-                          std::make_shared<const world::WorldGeometry>(scene.objects),
-                          world::World::makePlayers(scene.layout),
-                          types,
-                          {workers, gl, timeline, memory, images},
-                          0,
-                          1},
-                         std::make_unique<node::ReferenceTransport>(), node::Parallelism::kOneThread, {});
+  const node::Machine machine{workers, timeline, memory, images};
+  node::LocalWorld nodes(watchedScene(types), types.backends, gl, machine, node::Instances::kOne);
+  WorldInstance instance({nodes, world::World::makePlayers(nodes.layout()), types.frontends, machine, 0, 1},
+                         node::Parallelism::kOneThread, {});
   instance.setQuality(2);
   EXPECT_EQ(sight.quality, 2);
 }

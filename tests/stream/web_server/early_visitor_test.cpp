@@ -8,6 +8,7 @@
 
 #include "gl/shader_library.h"
 #include "gl/workers.h"
+#include "node/local/local_world.h"
 #include "node/object_types.h"
 #include "stream/session/host.h"
 #include "stream/web_server/raw_websocket.h"
@@ -27,7 +28,8 @@ class EarlyVisitorTest : public testing::Test {
   void makeWorld() {
     node::LoadedScene scene;
     scene.layout.name = "Late";
-    host_.emplace(std::move(scene), types_, gl_, HostOptions{.maxVisitors = 1}, [](std::string_view, float) {});
+    host_.emplace(node::localWorld(std::move(scene), types_.backends, gl_), types_.frontends,
+                  HostOptions{.maxVisitors = 1}, [](std::string_view, float) {});
     server_.open(*host_);
   }
 

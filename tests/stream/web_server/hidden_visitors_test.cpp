@@ -13,7 +13,7 @@ class HiddenVisitors : public ServedWorld {
   std::unique_ptr<Host> makeHost(double graceSeconds) {
     node::LoadedScene scene;
     scene.layout.name = "Nowhere";
-    return std::make_unique<Host>(std::move(scene), types_, gl_,
+    return std::make_unique<Host>(node::localWorld(std::move(scene), types_.backends, gl_), types_.frontends,
                                   HostOptions{.maxVisitors = 2, .hiddenGraceSeconds = graceSeconds},
                                   [](std::string_view, float) {});
   }

@@ -37,7 +37,8 @@ bool GoodClient::receiveFrames(int count) {
 
 ServedWorld::ServedWorld()
     : gl_(gl::ContextKind::kAuto, shaders_, 1),
-      host_(emptyWorld(), types_, gl_, {.maxVisitors = kMaxVisitors}, [](std::string_view, float) {}),
+      host_(node::localWorld(emptyWorld(), types_.backends, gl_), types_.frontends, {.maxVisitors = kMaxVisitors},
+            [](std::string_view, float) {}),
       server_(host_, {.visitors = {"127.0.0.1", 0}, .operators = {}}) {
   server_.start();
 }

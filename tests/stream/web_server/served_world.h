@@ -4,6 +4,7 @@
 
 #include "gl/shader_library.h"
 #include "gl/workers.h"
+#include "node/local/local_world.h"
 #include "node/object_types.h"
 #include "stream/session/host.h"
 #include "stream/web_server/raw_websocket.h"

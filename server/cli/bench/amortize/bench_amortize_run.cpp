@@ -11,6 +11,7 @@
 #include "gl/workers.h"
 #include "measure/percentile.h"
 #include "measure/thread_times.h"
+#include "node/local/local_world.h"
 #include "node/object_types.h"
 #include "objects/builtin.h"
 #include "pipeline/clocks.h"
@@ -36,7 +37,6 @@ stream::HostOptions hostOptions(const AmortizeRun& run) {
   options.framesPerSecond = static_cast<int>(kNominalFps);
   options.maxVisitors = run.users;
   options.privateWorlds = run.privateWorlds;
-  options.makeTransport = node::transportFactory(run.transport);
   return options;
 }
 
@@ -44,7 +44,9 @@ stream::HostOptions hostOptions(const AmortizeRun& run) {
 struct ServedWorld {
   ServedWorld(const world::Scene& scene, const gl::ShaderLibrary& shaders, const AmortizeRun& run)
       : gl(gl::ContextKind::kAuto, shaders),
-        host(node::loadScene(scene, types.backends), types, gl, hostOptions(run), [](std::string_view, float) {}) {}
+        host(node::localWorld(node::loadScene(scene, types.backends), types.backends, gl,
+                              node::transportFactory(run.transport)),
+             types.frontends, hostOptions(run), [](std::string_view, float) {}) {}
 
   const node::ObjectTypes types = objects::builtinTypes();
   gl::Workers gl;

@@ -22,6 +22,7 @@
 #include "measure/chrome_trace.h"
 #include "measure/percentile.h"
 #include "measure/utilisation.h"
+#include "node/local/local_world.h"
 #include "node/object_types.h"
 #include "objects/builtin.h"
 #include "pipeline/clocks.h"
@@ -224,8 +225,9 @@ int runBenchPipeline(const BenchPipelineOptions& options) {
     hosting.framesPerSecond = kFramesPerSecond;
     hosting.maxVisitors = options.users;
     hosting.timelineEvents = kTimelineEvents;
-    hosting.makeTransport = node::transportFactory(options.transport);
-    stream::Host host(node::loadScene(scene, types.backends), types, gl, hosting,
+    stream::Host host(node::localWorld(node::loadScene(scene, types.backends), types.backends, gl,
+                                       node::transportFactory(options.transport)),
+                      types.frontends, hosting,
                       [&](std::string_view label, float share) { progress.show(label, share); });
     progress.finish();
     if (auto row = measureRow(options, framesInFlight, host, stop.token())) rows.push_back(std::move(*row));

@@ -5,7 +5,6 @@
 #include <thread>
 #include <utility>
 
-#include "node/transport/reference_transport.h"
 #include "pipeline/clocks.h"
 #include "stream/session/host.h"
 
@@ -45,18 +44,19 @@ class Presence {
 
 }  // namespace
 
-WalkWorld::WalkWorld(const node::LoadedScene& scene, const node::ObjectTypes& types, gl::Workers& gl,
+WalkWorld::WalkWorld(node::LoadedScene scene, const node::ObjectTypes& types, gl::Workers& gl,
                      const std::function<void(std::string_view, float)>& progress)
-    : players_(world::World::makePlayers(scene.layout)),
-      images_(memory_),
+    : images_(memory_),
       workers_(workerCount(), "grove-worker"),
-      instance_(
-          stream::WorldGround{scene,
-                              std::make_shared<const world::WorldGeometry>(
-                                  scene.objects, [&progress](float share) { progress("laying out the world", share); }),
-                              players_, types, node::BackendMachine{workers_, gl, timeline_, memory_, images_},
-                              stream::HostOptions().maxSharedBytes, kProcess},
-          std::make_unique<node::ReferenceTransport>(), node::Parallelism::kAllCores, progress) {}
+      nodes_(std::move(scene), types.backends, gl, {workers_, timeline_, memory_, images_}, node::Instances::kOne),
+      players_(world::World::makePlayers(nodes_.layout())),
+      instance_({.nodes = nodes_,
+                 .players = players_,
+                 .types = types.frontends,
+                 .machine = {workers_, timeline_, memory_, images_},
+                 .maxSharedBytes = stream::HostOptions().maxSharedBytes,
+                 .process = kProcess},
+                node::Parallelism::kAllCores, progress) {}
 
 void WalkWorld::walk(const world::Walk& walk, double seconds, Pace pace, const Look& warmUp, const Look& look,
                      const std::stop_token& stop) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "gl/workers.h"
+#include "node/local/local_world.h"
 #include "node/object_types.h"
 #include "pipeline/memory_ledger.h"
 #include "pipeline/timeline.h"
@@ -40,8 +41,8 @@ enum class Pace : std::uint8_t {
 /// WalkVisitors. One thread, not one of the executors'.
 class WalkWorld {
  public:
-  /// Prepares the world, which may take seconds; throws what backends throw. The scene and the types outlive it.
-  WalkWorld(const node::LoadedScene& scene, const node::ObjectTypes& types, gl::Workers& gl,
+  /// Prepares the world, which may take seconds; throws what backends throw. The types outlive it.
+  WalkWorld(node::LoadedScene scene, const node::ObjectTypes& types, gl::Workers& gl,
             const std::function<void(std::string_view, float)>& progress);
 
   /// Is called with the moment that a frame shows.
@@ -66,11 +67,12 @@ class WalkWorld {
   [[nodiscard]] const pipeline::MemoryLedger& memory() const noexcept { return memory_; }
 
  private:
-  const std::shared_ptr<world::Players> players_;
   pipeline::Timeline timeline_;
   pipeline::MemoryLedger memory_;
   raster::ImagePool images_;
   pipeline::WorkerPool workers_;
+  node::LocalWorld nodes_;
+  const std::shared_ptr<world::Players> players_;
   stream::WorldInstance instance_;
   bool warm_ = false;
 };

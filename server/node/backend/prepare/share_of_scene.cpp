@@ -27,14 +27,6 @@ std::optional<ServedObjects> namedObjects(const LoadedScene& scene, std::span<co
   return named;
 }
 
-ServedObjects restOf(const LoadedScene& scene, const ServedObjects& others) {
-  ServedObjects rest{.objects = {}, .visitors = scene.visitor && !others.visitors};
-  for (const world::ModelledObject& object : scene.objects) {
-    if (!others.contains(object.id)) rest.objects.insert(object.id);
-  }
-  return rest;
-}
-
 LoadedScene shareOf(const LoadedScene& scene, const ServedObjects& own) {
   LoadedScene share = scene;
   std::erase_if(share.objects, [&](const world::ModelledObject& object) { return !own.contains(object.id); });

@@ -14,9 +14,6 @@ namespace grove::node {
 [[nodiscard]] std::optional<ServedObjects> namedObjects(const LoadedScene& scene, std::span<const std::string> names,
                                                         std::string& unknown);
 
-/// What of a scene others do not serve.
-[[nodiscard]] ServedObjects restOf(const LoadedScene& scene, const ServedObjects& others);
-
 /// A scene for a node that owns these objects only; the layout stays whole.
 [[nodiscard]] LoadedScene shareOf(const LoadedScene& scene, const ServedObjects& own);
 

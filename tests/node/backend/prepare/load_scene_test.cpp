@@ -25,11 +25,15 @@ TEST(TypeTable, FindsTypesByName) {
 }
 
 TEST(LoadScene, MakesObjectsWithBoundsInTheWorld) {
-  const LoadedScene scene = load("[[object]]\ntype='box'\nsize=2\nposition=[5,0,0]\nscale=3");
+  const LoadedScene scene = load("[[object]]\ntype='box'\nsize=2\nobstacle=0.5\nposition=[5,0,0]\nscale=3");
   ASSERT_EQ(scene.objects.size(), 1U);
   EXPECT_NE(scene.objects[0].model, nullptr);
   EXPECT_FLOAT_EQ(scene.objects[0].bounds.low.x, 2.0F);
   EXPECT_FLOAT_EQ(scene.objects[0].bounds.high.x, 8.0F);
+  const std::vector<world::Obstacle> obstacles = scene.layout.obstacles();
+  ASSERT_EQ(obstacles.size(), 1U);
+  EXPECT_EQ(obstacles[0].centre, (world::Vec2{5.0F, 0.0F}));
+  EXPECT_FLOAT_EQ(obstacles[0].radius, 1.5F);
 }
 
 TEST(LoadScene, LayoutHasWhatEveryNodeKnows) {
@@ -51,6 +55,7 @@ name = "second"
   EXPECT_EQ(layout.name, "a yard");
   EXPECT_EQ(layout.radius, 12.0F);
   EXPECT_EQ(layout.lights.size(), 1U);
+  EXPECT_TRUE(layout.obstacles().empty());
   EXPECT_THAT(layout.types, ElementsAre("box"));
   ASSERT_EQ(layout.objects.size(), 2U);
   for (std::size_t i = 0; i < 2; ++i) {

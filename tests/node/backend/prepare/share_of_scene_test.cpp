@@ -41,10 +41,10 @@ TEST(ShareOfScene, KeepsTheIdsAndTheWholeLayout) {
   EXPECT_EQ(share.visitor, nullptr);
   EXPECT_EQ(share.layout.objects.size(), 3U);
   EXPECT_TRUE(share.layout.visitor);
-  const ServedObjects rest = restOf(scene, *named(scene, {"b"}));
+  const ServedObjects rest = restOf(scene.layout, *named(scene, {"b"}));
   EXPECT_EQ(rest.objects, (std::set<world::ObjectId>{1, 3}));
   EXPECT_TRUE(rest.visitors);
-  EXPECT_TRUE(restOf(scene, *named(scene, {"box"})).empty());
+  EXPECT_TRUE(restOf(scene.layout, *named(scene, {"box"})).empty());
 }
 
 }  // namespace

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cli/prepare/prepare_world.h"
+#include "gl/shader_library.h"
+#include "gl/workers.h"
+#include "node/frontend/world_nodes.h"
+#include "node/object_types.h"
+#include "world/scenes/scene_file.h"
+
+namespace grove::cli {
+
+/// Makes the nodes of a server's world: links to those in other processes, and prepares what they do not serve. Where
+/// they serve all, nothing is prepared: no GL, no models, no light fields. Outlives the nodes. One thread.
+class WorldPreparation {
+ public:
+  struct Options {
+    std::vector<std::string> nodes;  ///< addresses (HOST:PORT) of those in other processes
+    node::ProcessId process = 1;     ///< names this one to them
+    gl::ContextKind gl = gl::ContextKind::kAuto;
+    std::optional<std::string> shaderDirectory;
+    std::size_t spaceForServing = 0;  ///< bytes that serving takes besides
+  };
+  /// What make() throws when it is to stop.
+  struct Stopped {};
+
+  /// `report` is told steps of the preparation and their shares, from any thread.
+  WorldPreparation(world::Scene scene, Options options, std::function<void(std::string_view, float)> report,
+                   std::stop_token stop);
+
+  /// As node::WorldNodesFactory; once. Throws Stopped, EnvironmentError or world::SceneError.
+  [[nodiscard]] std::unique_ptr<node::WorldNodes> make(const node::Machine& machine, node::Instances instances);
+
+  [[nodiscard]] const node::FrontendTypes& frontends() const noexcept { return types_.frontends; }
+  /// What is coarse so far.
+  [[nodiscard]] Preparations& coarse() noexcept { return coarse_; }
+
+ private:
+  [[nodiscard]] std::unique_ptr<node::WorldNodes> prepareLocally(const node::Machine& machine,
+                                                                 node::Instances instances,
+                                                                 std::unique_ptr<node::NodeRouter> others);
+
+  const world::Scene scene_;
+  const Options options_;
+  const std::function<void(std::string_view, float)> report_;
+  const std::stop_token stop_;
+  const node::ObjectTypes types_;
+  const gl::ShaderLibrary shaders_;
+  std::optional<gl::Workers> gl_;
+  Preparations coarse_;
+};
+
+}  // namespace grove::cli

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "node/frontend/world_nodes.h"
+#include "node/transport/node_router.h"
+#include "world/layout.h"
+
+namespace grove::node {
+
+/// A world all of whose objects nodes in other processes serve. This process knows of models only what the nodes'
+/// welcomes say. For one instance only.
+class RemoteWorld final : public WorldNodes {
+ public:
+  /// `layout` is what the scene file says (world::layoutOf()). Asserts that the nodes serve all of it. Throws
+  /// EnvironmentError if a node serves an object that is not in the file.
+  RemoteWorld(world::Layout layout, std::unique_ptr<NodeRouter> nodes);
+
+  [[nodiscard]] const world::Layout& layout() const override { return layout_; }
+  [[nodiscard]] std::unique_ptr<InstanceNodes> make(Parallelism parallelism, const Progress& progress) override;
+  [[nodiscard]] std::vector<NodeRouter::NodeLink> links() const override { return nodes_->links(); }
+
+ private:
+  const std::unique_ptr<NodeRouter> nodes_;
+  const world::Layout layout_;
+};
+
+}  // namespace grove::node

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <map>
+#include <memory>
+
+#include "node/backend/backend_node.h"
+#include "node/backend/prepare/load_scene.h"
+#include "node/frontend/world_nodes.h"
+#include "pipeline/memory_ledger.h"
+
+namespace grove::node {
+
+/// One instance's backend node in this process, which owns the objects that no node of another process serves.
+class LocalInstance final : public InstanceNodes {
+ public:
+  /// What all instances stand on, and outlives them.
+  struct Ground {
+    const LoadedScene& scene;
+    const world::WorldGeometry& geometry;
+    const BackendTypes& types;
+    BackendMachine machine;
+    NodeRouter* others;  ///< null: this node owns all
+  };
+  /// Prepares the objects; as BackendNode.
+  LocalInstance(const Ground& ground, std::shared_ptr<Transport> transport, Parallelism parallelism,
+                const BackendNode::Progress& progress);
+
+  [[nodiscard]] FrontendEnd& end() override { return end_; }
+  void reportModels() override;
+
+ private:
+  const Ground ground_;
+  std::map<world::TypeIndex, pipeline::HeldMemory> models_;
+  const std::shared_ptr<Transport> transport_;
+  FrontendEnd& end_;  ///< the transport, or the way to it and to the others
+  const LoadedScene own_;
+  BackendNode backend_;
+  const std::shared_ptr<void> served_;  ///< the frontend process by the backend node
+};
+
+}  // namespace grove::node
