@@ -50,7 +50,7 @@ class CarvedType final : public node::BackendType {
   explicit CarvedType(std::vector<std::string>& done) : done_(done) {}
   [[nodiscard]] std::string_view name() const override { return "carved"; }
   [[nodiscard]] std::shared_ptr<const world::Model> model(const world::Parameters&) const override {
-    return std::make_shared<node::testing::BoxModel>(1.0F, 0xFF000000U);
+    return std::make_shared<node::testing::BoxModel>(1.0F, 0xFF000000U, 0.0F);
   }
   [[nodiscard]] std::unique_ptr<node::BackendHalf> makeHalf(const node::BackendServices&,
                                                             world::TypeIndex) const override {
