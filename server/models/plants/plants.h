@@ -20,7 +20,7 @@ enum class Detail { kSmall, kFull };
 inline constexpr float kTileRadius = 2.0F;
 
 /// Goes up when the same name, seed and detail begin to give other bytes, so that what was made of them is made anew.
-inline constexpr int kPlantsVersion = 2;
+inline constexpr int kPlantsVersion = 3;
 
 /// The same name, seed and detail give the same bytes. Asserts that the name is known.
 [[nodiscard]] Model makePlant(std::string_view name, std::uint32_t seed, Detail detail);

@@ -29,6 +29,9 @@ constexpr int kCell = 4;                // texels between probes of sun and sky
 constexpr float kLowFoliage = 0.7F;   // metres
 constexpr int kCoverRays = 16;        // a cell near things
 constexpr float kCoverSpread = 0.4F;  // of a sky ray's way to the side
+// Grass reaches as far as the edge of the plants, where half of the rays are hidden, or bare earth would frame them.
+constexpr float kEdgeCover = 0.5F;
+constexpr float kWholeCover = 0.8F;
 // Gaps between the plants that cover the ground are about as bright as they are.
 constexpr float kMinSunUnderCover = 0.4F;
 
@@ -119,7 +122,7 @@ class Baker {
     const float cellX = (static_cast<float>(x) + 0.5F) * scale;
     const float cellY = (static_cast<float>(y) + 0.5F) * scale;
     const Vec3 point = place(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F, options_.size);
-    const float cover = glm::smoothstep(0.2F, 0.7F, cover_.smooth(cellX, cellY));
+    const float cover = glm::smoothstep(kEdgeCover, kWholeCover, cover_.smooth(cellX, cellY));
     const float sun = std::max(sunlight(point, cellX, cellY), kMinSunUnderCover * cover);
     return ground(point, sun, std::max(kMinSky, sky_.smooth(cellX, cellY)), 1.0F - cover);
   }

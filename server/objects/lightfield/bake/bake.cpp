@@ -237,7 +237,7 @@ std::optional<BakeReport> Job::run() {
   report.lightPoints = points.points.size();
 
   const BakeStep lighting("light", progress_);
-  LightSettings settings{.threads = threads_, .away = kAwayFromSurface * texel_, .tiled = options_.tile};
+  LightSettings settings{.threads = threads_, .away = kAwayFromSurface * texel_, .grounded = options_.tile};
   if (options_.rough) {
     settings.directions = kRoughDirections;
     settings.sunRays = kRoughSunRays;

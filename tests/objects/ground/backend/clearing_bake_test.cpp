@@ -83,12 +83,16 @@ TEST_F(ClearingBake, LowFoliageHasItsOwnGrassAndLeavesNoBlackGaps) {
   const world::RayScene leafRays(leaves);
   const world::RayScene nothing{world::Triangles()};
   const auto bakedUnder = [&](const world::RayScene& firm) {
-    return soilAt(bakeClearing(options, world::Sky().sun, {leaves, leafRays, firm}, [](float) {}), place);
+    // Texels as small as the world's.
+    return bakeClearing({.size = 512, .metres = 40.0F}, world::Sky().sun, {leaves, leafRays, firm}, [](float) {});
   };
-  const Soil underLeaves = bakedUnder(nothing);
+  const Clearing baked = bakedUnder(nothing);
+  const Soil underLeaves = soilAt(baked, place);
   EXPECT_LT(underLeaves.grass, 0.02F) << "its blades would stick through the plants";
   EXPECT_GT(underLeaves.sun, 0.3F) << "or gaps between plants would be black";
-  const Soil underStone = bakedUnder(leafRays);
+  const world::Vec3 edge = place + world::Vec3(1.9F, 0.0F, 0.0F);
+  EXPECT_GT(soilAt(baked, edge).grass, 0.8F * soilAt(clearing, edge).grass) << "or bare earth would frame the plants";
+  const Soil underStone = soilAt(bakedUnder(leafRays), place);
   EXPECT_GT(underStone.grass, 0.3F) << "it lends its values to the grass at a stone's foot";
   EXPECT_LT(underStone.sun, 0.1F);
 }

@@ -40,13 +40,12 @@ class Computation {
         pointOf_(points.ofVertex),
         rays_(rays),
         lightings_(lightings),
-        among_(settings.tiled ? ModelRays::Among::kSurroundings : ModelRays::Among::kModel),
         meadow_(points.points, lightings.meadowAlbedo()),
         modelPoints_(points.points.size()),
         points_(points.points),
         directions_(evenDirections(settings.directions)),
         open_(openRadiance(directions_, lightings)) {
-    for (std::size_t i = 0; !settings.tiled && i < Meadow::size(); ++i) points_.push_back(meadow_.point(i));
+    for (std::size_t i = 0; !settings.grounded && i < Meadow::size(); ++i) points_.push_back(meadow_.point(i));
     found_.assign(points_.size() * directions_.size(), kNotSent);
   }
 
@@ -81,7 +80,6 @@ class Computation {
   const std::vector<std::uint32_t>& pointOf_;
   const ModelRays& rays_;
   const Lightings& lightings_;
-  const ModelRays::Among among_;
   const Meadow meadow_;
   const std::size_t modelPoints_;
   std::vector<LightPoint> points_;  ///< the model's, then the meadow's
@@ -94,7 +92,7 @@ void Computation::place(RTCRay16& ray, std::size_t lane, const LightPoint& point
   const float side = glm::dot(point.normal, direction);
   Vec3 origin = point.position + point.normal * std::copysign(settings_.away, side);
   // What is below the meadow lends its light to what comes out of it.
-  if (!settings_.tiled) origin.y = std::max(origin.y, settings_.away);
+  if (!settings_.grounded) origin.y = std::max(origin.y, settings_.away);
   ray.org_x[lane] = origin.x;
   ray.org_y[lane] = origin.y;
   ray.org_z[lane] = origin.z;
@@ -126,7 +124,7 @@ void Computation::addSun(std::size_t first, SurfaceLight& light) const {
         for (std::size_t lane = 0; lane < kPacket; ++lane) {
           if (wanted.lane[lane] != 0) place(rays, lane, *packet[lane], direction);
         }
-        rays_.occluded(wanted, rays, among_);
+        rays_.occluded(wanted, rays, ModelRays::Among::kModel);
         for (std::size_t lane = 0; lane < kPacket; ++lane) {
           if (wanted.lane[lane] != 0 && rays.tfar[lane] > 0.0F) ++seen[lane];
         }
@@ -179,14 +177,14 @@ void Computation::look(std::size_t first) {
       rays.hit.geomID[lane] = RTC_INVALID_GEOMETRY_ID;
       rays.hit.instID[0][lane] = RTC_INVALID_GEOMETRY_ID;
     }
-    rays_.intersect(mask, rays, among_, ModelRays::Backs::kMet);
+    rays_.intersect(mask, rays, ModelRays::Among::kModel, ModelRays::Backs::kMet);
     for (std::size_t lane = 0; lane < kPacket; ++lane) {
       if (mask.lane[lane] == 0) continue;
       Found& found = found_[(first + lane) * directions_.size() + d];
       found = kOpen;
       if (rays.hit.geomID[lane] != RTC_INVALID_GEOMETRY_ID) {
         found = pointAt(rays, lane);
-      } else if (direction.y < 0.0F && !settings_.tiled) {
+      } else if (direction.y < 0.0F && !settings_.grounded) {
         const Vec3 origin(rays.ray.org_x[lane], rays.ray.org_y[lane], rays.ray.org_z[lane]);
         if (const auto cell = meadow_.hit(origin, direction)) found = static_cast<Found>(2 * (modelPoints_ + *cell));
       }

@@ -33,14 +33,17 @@ class SurfaceLight {
 
 struct LightSettings {
   int threads = 1;
-  float away = 0.01F;   ///< metres off the surface that rays start, against hitting it
-  bool tiled = false;   ///< the rays' surroundings are ground enough; else a meadow lies at y = 0
-  int directions = 64;  ///< that each point looks into, over the whole sphere; about half are before a surface
-  int sunRays = 8;      ///< even; towards each lighting's sun
+  float away = 0.01F;     ///< metres off the surface that rays start, against hitting it
+  bool grounded = false;  ///< the model has ground of its own; else a meadow lies at y = 0
+  int directions = 64;    ///< that each point looks into, over the whole sphere; about half are before a surface
+  int sunRays = 8;        ///< even; towards each lighting's sun
 };
 
 /// Light of the sun (a small disc) and of the sky through the model's gaps, from the meadow below, through leaves, and
 /// two bounces between surfaces. Where nothing is in the way a surface gets what ambient() and the sun say.
+///
+/// Surroundings of the model take no light: what others take of the sun is found where an object stands, and tiles show
+/// their sides where their group ends.
 ///
 /// All points look into the same directions: that leaves no noise, and neighbours' rays make coherent packets. The
 /// result does not depend on the number of threads, and is incomplete if `stop` was requested. `progress` gets the

@@ -16,13 +16,13 @@ using world::Vec3;
 
 /// A model with its light.
 struct Lit {
-  Lit(const models::Model& source, int lightings, int threads = 2, float edge = 0.1F)
+  Lit(const models::Model& source, int lightings, int threads = 2, float edge = 0.1F,
+      const std::vector<Vec3>& neighbours = {})
       : model(refined(source, {edge, edge})),
         textures(model.textures.begin(), model.textures.end()),
         rays(model, textures),
         points(chooseLightPoints(model, textures, 0.6F * edge)),
-        light(lightSurfaces(model, points, rays, Lightings(world::Sky(), lightings), {threads, 0.003F, false},
-                            [](float) {}, {})) {}
+        light(lit(Lightings(world::Sky(), lightings), threads, neighbours)) {}
 
   /// The light on a side of the vertex that is nearest to a place.
   [[nodiscard]] Vec3 at(Vec3 place, int lighting = 0, bool back = false) const {
@@ -43,6 +43,12 @@ struct Lit {
   ModelRays rays;
   LightPoints points;
   SurfaceLight light;
+
+ private:
+  [[nodiscard]] SurfaceLight lit(const Lightings& lightings, int threads, const std::vector<Vec3>& neighbours) {
+    if (!neighbours.empty()) rays.surround(neighbours);
+    return lightSurfaces(model, points, rays, lightings, {threads, 0.003F, !neighbours.empty()}, [](float) {}, {});
+  }
 };
 
 void expectNear(Vec3 actual, Vec3 expected, float share) {
@@ -102,6 +108,20 @@ TEST(SurfaceLight, WhatIsUnderARoofGetsLightFromTheMeadow) {
   const Vec3 below = lit.at({0, 1, 0});
   expectNear(below, Lightings(world::Sky(), 1).meadowRadiance(), 0.6F);
   EXPECT_LT(below.r, Lightings(world::Sky(), 1).meadowRadiance().r) << "the roof shades the meadow";
+}
+
+/// Fails if a tile is lit as if tiles stood on all sides of it: where a group of tiles ends, its sides would be black.
+TEST(SurfaceLight, ATilesSidesAreLitForTheEdgeOfItsGroup) {
+  models::Model block;
+  const std::uint16_t dark = addMaterial(block, {.name = "earth", .albedo = Vec3(0.1F), .solid = true});
+  addQuad(block, {0.9F, 0, -4}, {0, 1, 0}, {0, 0, 8}, dark);
+  addQuad(block, {-0.9F, 0, -4}, {0, 0, 8}, {0, 1, 0}, dark);
+  addQuad(block, {-0.9F, 1, -4}, {0, 0, 8}, {1.8F, 0, 0}, dark);
+  const Lit alone(block, 1, 2, 0.1F, {{1000, 0, 0}});
+  const Lit tile(block, 1, 2, 0.1F, {{2, 0, 0}, {-2, 0, 0}});
+  for (const Vec3 place : {Vec3(-0.9F, 0.3F, 0), Vec3(0.9F, 0.3F, 0), Vec3(0, 1, 0)}) {
+    expectNear(tile.at(place), alone.at(place), 0.05F);
+  }
 }
 
 TEST(SurfaceLight, ALeafLetsTheSunThrough) {
