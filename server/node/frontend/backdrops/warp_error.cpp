@@ -10,7 +10,7 @@ namespace grove::node {
 namespace {
 
 /// Pixels, root mean square.
-constexpr float kPermittedShift = 1.0F;
+constexpr float kPermittedShift = 0.9F;
 /// Octaves, root mean square.
 constexpr float kPermittedZoom = 0.1F;
 /// Share of a light's colour.
