@@ -64,6 +64,12 @@ class RemoteNodes : public ::testing::Test {
   static Picture settled(stream::HeadlessSession& visitor) {
     return settledPicture(visitor, visitor.control(0, 0.0F, 0.0F), 60);
   }
+  static Picture shownByOneProcess() {
+    const auto served = serve({});
+    stream::HeadlessSession visitor(served->host, "Ada", 320, 180);
+    const stream::HeadlessSession neighbour(served->host, "Bob", 160, 90);
+    return settled(visitor);
+  }
   static std::string errorOf(const std::vector<std::string>& nodes) {
     try {
       (void)serve(nodes);
@@ -78,13 +84,7 @@ class RemoteNodes : public ::testing::Test {
 };
 
 TEST_F(RemoteNodes, ShowThePictureThatOneProcessShows) {
-  Picture local;
-  {
-    const auto served = serve({});
-    stream::HeadlessSession visitor(served->host, "Ada", 320, 180);
-    const stream::HeadlessSession neighbour(served->host, "Bob", 160, 90);
-    local = settled(visitor);
-  }
+  const Picture local = shownByOneProcess();
   const auto stones = node("right,figure");
   const auto ground = node("ground,left");
   const auto served = serve({stones->address(), ground->address()});
@@ -98,13 +98,7 @@ TEST_F(RemoteNodes, ShowThePictureThatOneProcessShows) {
 
 /// Would catch whatever a server without models knows otherwise than one that has them.
 TEST_F(RemoteNodes, ThatServeAllShowTheSameToAServerWithoutModels) {
-  Picture local;
-  {
-    const auto served = serve({});
-    stream::HeadlessSession visitor(served->host, "Ada", 320, 180);
-    const stream::HeadlessSession neighbour(served->host, "Bob", 160, 90);
-    local = settled(visitor);
-  }
+  const Picture local = shownByOneProcess();
   const auto stones = node("right,figure,sky");
   const auto ground = node("ground,left");
   const node::FrontendTypes types = objects::builtinTypes().frontends;

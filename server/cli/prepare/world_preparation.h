@@ -32,7 +32,7 @@ class WorldPreparation {
   /// What make() throws when it is to stop.
   struct Stopped {};
 
-  /// `report` is told steps of the preparation and their shares, from any thread.
+  /// Calls `report` with the name of a step and the share of it that is done, 0 to 1. Any thread.
   WorldPreparation(world::Scene scene, Options options, std::function<void(std::string_view, float)> report,
                    std::stop_token stop);
 
