@@ -148,7 +148,7 @@ class PlainWarp {
 };
 
 /// Fails if a target looks up, decides, mixes or rounds otherwise. Tolerance: 2 of 255 for weights that are rounded to
-/// 256ths and a thousandth of depth; one pixel in fifty may fall on another side of an edge.
+/// 256ths and a thousandth of depth; one pixel in a hundred may fall on another side of an edge.
 TEST(TileKernels, EveryTargetWarpsAsAPlainLoopDoes) {
   const CachedView view(*cards(), cardsCamera());
   const Haze haze{{0.2F, 0.5F, 0.9F}, 0.35F};
@@ -162,7 +162,7 @@ TEST(TileKernels, EveryTargetWarpsAsAPlainLoopDoes) {
   cameras[3].perColumn = {0.009F, -0.004F, 0.001F};
   cameras[4].perColumn = {0.004F, 0.009F, 0.0F};
   cameras[4].perRow = {-0.009F, 0.004F, 0.0F};
-  cameras[5].eye = {0.0F, 0.0F, -3.0F};
+  cameras[5].eye = {0.013F, 0.007F, -3.0F};  // right behind, whole rows of rays run between two texels
   tests::onEachTarget([&] {
     for (const ObjectCamera& camera : cameras) {
       const ViewWarp warp(view, camera);
@@ -189,7 +189,7 @@ TEST(TileKernels, EveryTargetWarpsAsAPlainLoopDoes) {
           }
         }
         EXPECT_GT(shown, 500);
-        EXPECT_LE(different, shown / 50) << "camera " << &camera - cameras.data() << ", " << texelsPerNearness;
+        EXPECT_LE(different, shown / 100) << "camera " << &camera - cameras.data() << ", " << texelsPerNearness;
       }
     }
   });
