@@ -26,7 +26,8 @@ struct SquareGrid {
 };
 
 #if GROVE_SIMD_PERMUTES
-/// As lookUpNear(), for squares: those that neighbours of a frame show are in two registers of two rows.
+/// Looks up squares in two registers of each of two rows, which hold what neighbours of a frame show. False if they do
+/// not.
 HWY_INLINE bool lookUpSquaresNear(const SquareGrid& grid, Ints column, Ints row, Ints& out) {
   const auto ends = [](Ints places) {
     const int first = hn::GetLane(places.raw);
@@ -56,8 +57,8 @@ HWY_INLINE bool lookUpSquaresNear(const SquareGrid& grid, Ints column, Ints row,
 HWY_INLINE bool lookUpSquaresNear(const SquareGrid&, Ints, Ints, Ints&) { return false; }
 #endif
 
-/// Between the corners of a row of pixels, in the middle of each second boundary of pixels from the `first` on: a
-/// multiple of kLanes, counted in squares of 2 x 2 pixels of the frame.
+/// Interpolates between corners at the centres of kLanes squares of 2 x 2 pixels of the frame, from square `first` of
+/// the row on, which is a multiple of kLanes.
 HWY_INLINE Floats betweenSquares(const float* corners, int first) {
   const Ints square = lanes::upwards() + Ints(first);
   const Floats place = (lanes::toFloats((square & Ints(3)) * Ints(2)) + 1.0F) * 0.125F;
