@@ -93,29 +93,41 @@ ImagePool::~ImagePool() {
   store_->held.reset();
 }
 
-std::shared_ptr<Image> ImagePool::acquire(const world::Rect& rect) {
-  struct Owned {
-    Image image;
-    std::size_t pixels = 0;
-    Store::Memory memory;
-    std::shared_ptr<Store> store;
+/// Memory that is in use.
+struct ImagePool::Held {
+  std::size_t pixels = 0;
+  Store::Memory memory;
+  std::shared_ptr<Store> store;
+  Image image;  ///< of acquire()
 
-    Owned() = default;
-    Owned(const Owned&) = delete;
-    Owned& operator=(const Owned&) = delete;
-    ~Owned() { store->give(pixels, std::move(memory)); }
-  };
+  Held() = default;
+  Held(const Held&) = delete;
+  Held& operator=(const Held&) = delete;
+  ~Held() { store->give(pixels, std::move(memory)); }
+};
+
+std::shared_ptr<ImagePool::Held> ImagePool::hold(std::size_t pixels) {
+  auto held = std::make_shared<Held>();
+  held->pixels = roundedPixels(pixels);
+  held->store = store_;
+  held->memory = store_->take(held->pixels, pixels);
+  return held;
+}
+
+std::shared_ptr<Image> ImagePool::acquire(const world::Rect& rect) {
   const std::size_t used =
       rect.empty() ? 0 : static_cast<std::size_t>(rect.width()) * static_cast<std::size_t>(rect.height());
-  const std::size_t pixels = roundedPixels(used);
-  const auto owned = std::make_shared<Owned>();
-  owned->pixels = pixels;
-  owned->store = store_;
-  owned->memory = store_->take(pixels, used);
-  owned->image.rect = rect;
-  owned->image.colour = std::span(owned->memory.words.get(), used);
-  owned->image.depth = std::span(reinterpret_cast<float*>(owned->memory.words.get() + pixels), used);
-  return {owned, &owned->image};
+  const std::shared_ptr<Held> held = hold(used);
+  std::uint32_t* const words = held->memory.words.get();
+  held->image.rect = rect;
+  held->image.colour = std::span(words, used);
+  held->image.depth = std::span(reinterpret_cast<float*>(words + held->pixels), used);
+  return {held, &held->image};
+}
+
+ImagePool::Bytes ImagePool::acquireBytes(std::size_t size) {
+  const std::shared_ptr<Held> held = hold((size + kPixelBytes - 1) / kPixelBytes);
+  return {{reinterpret_cast<std::uint8_t*>(held->memory.words.get()), size}, held};
 }
 
 void ImagePool::freeUnused() { store_->freeUnused(); }

@@ -90,6 +90,13 @@ class ImagePool {
   /// The contents are whatever was there before.
   [[nodiscard]] std::shared_ptr<Image> acquire(const world::Rect& rect);
 
+  /// Memory for another kind of picture, held as long as `owner` is.
+  struct Bytes {
+    std::span<std::uint8_t> bytes;
+    std::shared_ptr<void> owner;
+  };
+  [[nodiscard]] Bytes acquireBytes(std::size_t size);
+
   /// For when fewer will be wanted from now on.
   void freeUnused();
 
@@ -97,6 +104,8 @@ class ImagePool {
 
  private:
   struct Store;
+  struct Held;
+  [[nodiscard]] std::shared_ptr<Held> hold(std::size_t pixels);
   std::shared_ptr<Store> store_;
 };
 

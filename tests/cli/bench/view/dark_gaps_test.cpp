@@ -61,7 +61,9 @@ class Groves {
       const node::FinishedFrame shown = visitor.draw(moment);
       if (i < 0 || i % kFramesPerReference != 0) continue;
       const node::FinishedFrame drawn = reference.draw(moment);
-      gaps += measure::darkGaps({shown.image->colour, kSize.width}, {drawn.image->colour, kSize.width});
+      const auto shownColours = raster::rgbaOf(*shown.picture);
+      const auto drawnColours = raster::rgbaOf(*drawn.picture);
+      gaps += measure::darkGaps({shownColours, kSize.width}, {drawnColours, kSize.width});
     }
     return static_cast<double>(gaps) * kFramesPerReference / kFrames;
   }
