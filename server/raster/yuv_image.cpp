@@ -46,8 +46,8 @@ std::shared_ptr<SemiPlanarImage> acquireSemiPlanar(ImagePool& pool, const world:
 
 void toYuv(const Image& from, const world::Rect& part, YuvImage& to) {
   assert(isEven(part) && holds(from.rect, part) && holds(to.rect, part));
-  const auto* const rgba = reinterpret_cast<const std::uint8_t*>(from.colourRow(part.top - from.rect.top) +
-                                                                 (part.left - from.rect.left));
+  const auto* const rgba =
+      reinterpret_cast<const std::uint8_t*>(from.colourRow(part.top - from.rect.top) + (part.left - from.rect.left));
   const std::ptrdiff_t luma = to.lumaAt(part.left, part.top);
   const std::ptrdiff_t chroma = to.chromaAt(part.left, part.top);
   libyuv::ABGRToJ420(rgba, from.width() * 4, to.y() + luma, to.width(), to.u() + chroma, to.width() / 2,
@@ -69,8 +69,7 @@ void toSemiPlanar(const Image& from, SemiPlanarImage& to) {
 
 void toRgba(const YuvImage& from, const world::Rect& part, Image& to) {
   assert(isEven(part) && holds(from.rect, part) && holds(to.rect, part));
-  auto* const rgba =
-      reinterpret_cast<std::uint8_t*>(to.colourRow(part.top - to.rect.top) + (part.left - to.rect.left));
+  auto* const rgba = reinterpret_cast<std::uint8_t*>(to.colourRow(part.top - to.rect.top) + (part.left - to.rect.left));
   const std::ptrdiff_t luma = from.lumaAt(part.left, part.top);
   const std::ptrdiff_t chroma = from.chromaAt(part.left, part.top);
   libyuv::J420ToABGR(from.y() + luma, from.width(), from.u() + chroma, from.width() / 2, from.v() + chroma,

@@ -27,8 +27,9 @@ TEST(YuvImage, IsWhatJpegCallsIt) {
     std::uint32_t rgba;
     int y, u, v;
   };
-  for (const Case& each : {Case{0xFF0000FFU, 76, 85, 255}, Case{0xFF00FF00U, 150, 44, 21}, Case{0xFFFF0000U, 29, 255, 107},
-                           Case{0xFF000000U, 0, 128, 128}, Case{0xFFFFFFFFU, 255, 128, 128}}) {
+  for (const Case& each :
+       {Case{0xFF0000FFU, 76, 85, 255}, Case{0xFF00FF00U, 150, 44, 21}, Case{0xFFFF0000U, 29, 255, 107},
+        Case{0xFF000000U, 0, 128, 128}, Case{0xFFFFFFFFU, 255, 128, 128}}) {
     const auto yuv = acquireYuv(pool, kRect);
     toYuv(*filled(pool, kRect, each.rgba), kRect, *yuv);
     EXPECT_NEAR(yuv->y()[100], each.y, 1);

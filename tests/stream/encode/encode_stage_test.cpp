@@ -70,7 +70,8 @@ class FailingEncoder final : public Encoder {
   }
   [[nodiscard]] std::uint8_t codec() const noexcept override { return kCodecH264; }
   [[nodiscard]] QuantiserRange range() const noexcept override { return {}; }
-  bool encode(const raster::YuvImage& /*picture*/, const EncodeOrder& /*order*/, std::vector<std::uint8_t>& out) override {
+  bool encode(const raster::YuvImage& /*picture*/, const EncodeOrder& /*order*/,
+              std::vector<std::uint8_t>& out) override {
     out.push_back(1);
     if (++made_ == at_) throw EnvironmentError("cannot encode", "test encoder", "");
     return made_ == 1;

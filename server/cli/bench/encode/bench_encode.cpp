@@ -99,8 +99,7 @@ ordered_json toJson(const EncodeReport& report) {
                     {"ssim", rounded(trial.ssim, 4)},
                     {"ssim_min", rounded(trial.minSsim, 4)}});
   }
-  return {{"interrupted", report.interrupted},
-          {"rows", std::move(rows)}};
+  return {{"interrupted", report.interrupted}, {"rows", std::move(rows)}};
 }
 
 }  // namespace

@@ -38,7 +38,8 @@ class BackdropDepths {
 class Backdrop {
  public:
   /// `image` is in pixels of the view's camera and may reach beyond its frame.
-  Backdrop(std::shared_ptr<const raster::SemiPlanarImage> image, BackdropDepths depths, std::shared_ptr<const View> view);
+  Backdrop(std::shared_ptr<const raster::SemiPlanarImage> image, BackdropDepths depths,
+           std::shared_ptr<const View> view);
 
   [[nodiscard]] const raster::SemiPlanarImage& image() const noexcept { return *image_; }
   [[nodiscard]] const View& view() const noexcept { return *view_; }

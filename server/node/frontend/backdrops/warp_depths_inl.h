@@ -83,8 +83,7 @@ HWY_INLINE Floats depthsOfSquares(const WarpSource& source, const RowCorners& co
   const Ints row = place(corners.y, grid.down);
   Ints steps;
   if (!lookUpSquaresNear(grid, column, row, steps)) steps = lanes::lookUp(grid.squares, row * grid.across + column);
-  const Floats depth =
-      (kNearnessSteps / lanes::toFloats(steps) - source.m2) * betweenSquares(perForward, first);
+  const Floats depth = (kNearnessSteps / lanes::toFloats(steps) - source.m2) * betweenSquares(perForward, first);
   return lanes::select(steps > Ints(0), depth, world::kInfiniteDepth);
 }
 
@@ -101,7 +100,8 @@ HWY_INLINE void warpDepths(const WarpSource& source, const CornerLine& above, co
     for (int i = 0; i < kCorners; ++i) {
       perForward[i] = above.perForward[i] + down * (below.perForward[i] - above.perForward[i]);
     }
-    for (int i = 0; i < width / 2; i += kLanes) lanes::store(depthsOfSquares(source, corners, perForward, i), depths + i);
+    for (int i = 0; i < width / 2; i += kLanes)
+      lanes::store(depthsOfSquares(source, corners, perForward, i), depths + i);
     float* __restrict const upper = depth + row * stride;
     float* __restrict const lower = upper + stride;
     for (int i = 0; i < width / 2; ++i) {

@@ -76,7 +76,7 @@ HWY_INLINE Words spread(const std::int16_t* ofCells) {
 /// Where samples lie in their blocks.
 template <int kSide>
 HWY_INLINE Words placesOf(const std::int16_t* begin, const std::int16_t* step, int count) {
-  const Words number = hn::ShiftRight<kSide == 8 ? 0 : 1>(placeInCell());
+  const Words number = hn::ShiftRight < kSide == 8 ? 0 : 1 > (placeInCell());
   const Words place = hn::SaturatedAdd(spread(begin), hn::Mul(number, spread(step)));
   return hn::Min(hn::Max(place, hn::Zero(WordTag())), word(count * kPlaceSteps - 1));
 }
@@ -99,8 +99,8 @@ HWY_INLINE Words samplesOf(const std::uint8_t* plane, std::ptrdiff_t stride, con
     return hn::TableLookupBytes(blocks, hn::BitCast(ByteTag(), bytes));
   };
   const Bytes lines[3] = {line(0), line(1), line(2)};
-  const auto isLower = hn::RebindMask(ByteTag(), hn::MaskFromVec(hn::BitCast(
-                                                     ByteTag(), hn::VecFromMask(hn::Gt(y, word(kPlaceSteps - 1))))));
+  const auto isLower = hn::RebindMask(
+      ByteTag(), hn::MaskFromVec(hn::BitCast(ByteTag(), hn::VecFromMask(hn::Gt(y, word(kPlaceSteps - 1))))));
   const auto mixed = [&](Bytes upper, Bytes lower) {
     const Bytes sign = hn::Set(ByteTag(), std::uint8_t{0x80});
     return sumOfPairs(weights, hn::Xor(hn::IfThenElse(isLower, lower, upper), sign));
@@ -124,7 +124,8 @@ HWY_INLINE void warpRow(const std::uint8_t* plane, std::ptrdiff_t stride, const 
   }
 }
 
-/// Colours of whole groups of cells. Returns the cells that are stretched too much, bit by bit, and hold no colours yet.
+/// Colours of whole groups of cells. Returns the cells that are stretched too much, bit by bit, and hold no colours
+/// yet.
 HWY_INLINE std::uint32_t warpGroups(WarpSource source, const CornerLine& above, const CornerLine& below, int count,
                                     WarpedPixels out) {
   std::uint32_t stretched = 0;

@@ -177,7 +177,8 @@ TEST_F(BackdropWarpTest, ShowsWhatIsMadeMuchLargerOrSmaller) {
     const auto wanted = tests::yuvOf(*testing::paint(wallAt, after, shown.picture->rect));
     for (int y = 130; y < 230; ++y) {
       for (int x = 230; x < 410; ++x) {
-        ASSERT_NEAR(shown.picture->y()[shown.picture->lumaAt(x, y)], wanted->y()[wanted->lumaAt(x, y)], 3) << x << ", " << y;
+        ASSERT_NEAR(shown.picture->y()[shown.picture->lumaAt(x, y)], wanted->y()[wanted->lumaAt(x, y)], 3)
+            << x << ", " << y;
       }
     }
   });
