@@ -29,6 +29,17 @@ bool FreshParts::isFresh(int left, int top) const {
   return fresh_[static_cast<std::size_t>(row * across_ + (left - frame_.left) / kStripWidth)];
 }
 
+std::vector<raster::Span> FreshParts::spans() const {
+  std::vector<raster::Span> spans(static_cast<std::size_t>(frame_.height()), {frame_.width(), 0});
+  for (const world::Rect& strip : strips()) {
+    for (int y = strip.top; y < strip.bottom; ++y) {
+      raster::Span& span = spans[static_cast<std::size_t>(y - frame_.top)];
+      span = {std::min(span.begin, strip.left - frame_.left), std::max(span.end, strip.right - frame_.left)};
+    }
+  }
+  return spans;
+}
+
 std::vector<world::Rect> FreshParts::strips() const {
   std::vector<world::Rect> strips;
   for (int top = frame_.top; top < frame_.bottom; top += kStripHeight) {

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "world/camera.h"
+#include "raster/image.h"
 
 namespace grove::node {
 
@@ -20,6 +20,8 @@ class FreshParts {
 
   /// Whether the strip that begins at `left` and `top` is one.
   [[nodiscard]] bool isFresh(int left, int top) const;
+  /// Of each row of the frame, what lies from its first to its last fresh strip.
+  [[nodiscard]] std::vector<raster::Span> spans() const;
   /// The fresh strips, from left to right and from the top; neighbours in a row are one rectangle.
   [[nodiscard]] std::vector<world::Rect> strips() const;
 

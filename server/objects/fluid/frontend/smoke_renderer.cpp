@@ -24,7 +24,10 @@ world::Rect SmokeRenderer::prepare(const FluidSnapshot& snapshot, const node::Vi
   shading_.shade(snapshot, camera, view.lights, detail_, view.time, sprites_);
 
   box_ = collectVisible(camera, sprites_, order_);
-  return box_;
+  if (box_.empty()) return box_;
+  // The target's pixels are larger than the frame's, and depend on their neighbours.
+  const int margin = 2 * detail_.scale;
+  return {box_.left - margin, box_.top - margin, box_.right + margin, box_.bottom + margin};
 }
 
 void SmokeRenderer::draw(raster::Image& frame) {

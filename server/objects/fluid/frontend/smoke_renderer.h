@@ -25,7 +25,7 @@ class SmokeRenderer {
   /// `budget` bounds the cost of a frame, see chooseDetail().
   explicit SmokeRenderer(const world::Sky& sky, float budget = kUsualBudget) : budget_(budget), shading_(sky) {}
 
-  /// Prepares the next draw(). Returns the part of the frame that the smoke covers, empty if none shows.
+  /// Prepares the next draw(). Returns a rectangle around all that draw() reads and changes, empty if no smoke shows.
   [[nodiscard]] world::Rect prepare(const FluidSnapshot& snapshot, const node::View& view);
   void draw(raster::Image& frame);
 

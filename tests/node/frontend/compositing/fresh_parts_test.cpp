@@ -18,6 +18,12 @@ TEST(FreshParts, AreTheStripsThatSomethingIsDrawnOver) {
   EXPECT_FALSE(fresh.isFresh(256, 8));
   EXPECT_FALSE(fresh.isFresh(0, 16));
   EXPECT_THAT(fresh.strips(), ElementsAre(Rect{0, 8, 256, 16}));
+  const std::vector<raster::Span> spans = fresh.spans();
+  ASSERT_EQ(spans.size(), 20U);
+  EXPECT_GE(spans[7].begin, spans[7].end);
+  EXPECT_EQ(spans[8].begin, 0);
+  EXPECT_EQ(spans[15].end, 256);
+  EXPECT_GE(spans[16].begin, spans[16].end);
 }
 
 TEST(FreshParts, NeighboursAreOneAndTheLastAreCutOff) {
