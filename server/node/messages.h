@@ -6,6 +6,7 @@
 
 #include "node/messages/request.h"
 #include "node/messages/result.h"
+#include "raster/yuv_image.h"
 
 /// What travels along the arrows of a frontend node in Figure 4.2; what crosses to a backend node is in messages/.
 namespace grove::node {
@@ -47,8 +48,8 @@ struct Label {
 /// A composited frame, the pipeline's product.
 struct FinishedFrame {
   std::shared_ptr<const View> view;
-  std::shared_ptr<const raster::Image> image;  ///< whole frame, A = 255 everywhere
-  std::vector<Label> labels = {};              ///< nearest first, at most kMaxLabelsPerFrame
+  std::shared_ptr<const raster::YuvImage> picture;  ///< whole frame
+  std::vector<Label> labels = {};                   ///< nearest first, at most kMaxLabelsPerFrame
 };
 
 inline pipeline::TraceTag traceTag(const std::shared_ptr<const FrameList>& list) {

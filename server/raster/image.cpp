@@ -1,5 +1,6 @@
 #include "raster/image.h"
 
+#include <algorithm>
 #include <bit>
 #include <map>
 #include <utility>
@@ -15,12 +16,33 @@ std::size_t roundedPixels(std::size_t pixels) {
   return (pixels + granule - 1) / granule * granule;
 }
 
+std::size_t pixelsOf(const world::Rect& rect) {
+  return rect.empty() ? 0 : static_cast<std::size_t>(rect.width()) * static_cast<std::size_t>(rect.height());
+}
+
+/// Those of all pages of memory in which something may show.
+std::size_t touchedPixels(const Image& image) {
+  constexpr std::size_t kPage = 4096 / sizeof(std::uint32_t);
+  std::size_t pages = 0;
+  std::size_t next = 0;  // the first page that is not counted yet
+  for (int row = 0; row < image.height(); ++row) {
+    const Span span = image.span(row);
+    if (span.begin >= span.end) continue;
+    const auto at = [&](int column) { return static_cast<std::size_t>(row * image.width() + column); };
+    const std::size_t end = at(span.end - 1) / kPage + 1;
+    const std::size_t begin = std::max(at(span.begin) / kPage, next);
+    if (end > begin) pages += end - begin;
+    next = std::max(next, end);
+  }
+  return pages * kPage;
+}
+
 }  // namespace
 
 struct ImagePool::Store {
   struct Memory {
     std::unique_ptr<std::uint32_t[]> words;  // colour, then depth
-    std::size_t touched = 0;                 // pixels of the largest image so far: beyond, the process holds nothing
+    std::size_t touched = 0;                 // most pixels that an image touched so far: the process holds no others
   };
 
   explicit Store(std::size_t max) : maxBytes(max) {}
@@ -29,19 +51,12 @@ struct ImagePool::Store {
   std::mutex mutex;
   std::multimap<std::size_t, Memory> unused;  // by pixels
   std::size_t unusedBytes = 0;
-  std::size_t allBytes = 0;                    // touched, in use or not
+  std::size_t allBytes = 0;                    // touched by images that have ended
   std::unique_ptr<pipeline::HeldMemory> held;  // while there is a ledger
 
-  /// Room for `pixels`, of which `used` are wanted.
-  Memory take(std::size_t pixels, std::size_t used) {
+  Memory take(std::size_t pixels) {
     Memory memory = takeUnused(pixels);
     if (!memory.words) memory.words.reset(new std::uint32_t[pixels * 2]);
-    if (used > memory.touched) {
-      const std::lock_guard lock(mutex);
-      allBytes += (used - memory.touched) * kPixelBytes;
-      memory.touched = used;
-      report();
-    }
     return memory;
   }
 
@@ -56,8 +71,13 @@ struct ImagePool::Store {
     return memory;
   }
 
-  void give(std::size_t pixels, Memory memory) {
+  void give(std::size_t pixels, Memory memory, std::size_t touched) {
     const std::lock_guard lock(mutex);
+    if (touched > memory.touched) {
+      allBytes += (touched - memory.touched) * kPixelBytes;
+      memory.touched = touched;
+      report();
+    }
     if (unusedBytes + pixels * kPixelBytes > maxBytes) {
       allBytes -= memory.touched * kPixelBytes;
       report();
@@ -93,29 +113,42 @@ ImagePool::~ImagePool() {
   store_->held.reset();
 }
 
-std::shared_ptr<Image> ImagePool::acquire(const world::Rect& rect) {
-  struct Owned {
-    Image image;
-    std::size_t pixels = 0;
-    Store::Memory memory;
-    std::shared_ptr<Store> store;
+/// Memory that is in use.
+struct ImagePool::Held {
+  std::size_t pixels = 0;
+  std::size_t used = 0;  ///< of the pixels
+  Store::Memory memory;
+  std::shared_ptr<Store> store;
+  Image image;  ///< of acquire()
 
-    Owned() = default;
-    Owned(const Owned&) = delete;
-    Owned& operator=(const Owned&) = delete;
-    ~Owned() { store->give(pixels, std::move(memory)); }
-  };
-  const std::size_t used =
-      rect.empty() ? 0 : static_cast<std::size_t>(rect.width()) * static_cast<std::size_t>(rect.height());
-  const std::size_t pixels = roundedPixels(used);
-  const auto owned = std::make_shared<Owned>();
-  owned->pixels = pixels;
-  owned->store = store_;
-  owned->memory = store_->take(pixels, used);
-  owned->image.rect = rect;
-  owned->image.colour = std::span(owned->memory.words.get(), used);
-  owned->image.depth = std::span(reinterpret_cast<float*>(owned->memory.words.get() + pixels), used);
-  return {owned, &owned->image};
+  Held() = default;
+  Held(const Held&) = delete;
+  Held& operator=(const Held&) = delete;
+  ~Held() { store->give(pixels, std::move(memory), image.spans.empty() ? used : touchedPixels(image)); }
+};
+
+std::shared_ptr<ImagePool::Held> ImagePool::hold(std::size_t pixels) {
+  auto held = std::make_shared<Held>();
+  held->pixels = roundedPixels(pixels);
+  held->store = store_;
+  held->used = pixels;
+  held->memory = store_->take(held->pixels);
+  return held;
+}
+
+std::shared_ptr<Image> ImagePool::acquire(const world::Rect& rect) {
+  const std::size_t used = pixelsOf(rect);
+  const std::shared_ptr<Held> held = hold(used);
+  std::uint32_t* const words = held->memory.words.get();
+  held->image.rect = rect;
+  held->image.colour = std::span(words, used);
+  held->image.depth = std::span(reinterpret_cast<float*>(words + held->pixels), used);
+  return {held, &held->image};
+}
+
+ImagePool::Bytes ImagePool::acquireBytes(std::size_t size) {
+  const std::shared_ptr<Held> held = hold((size + kPixelBytes - 1) / kPixelBytes);
+  return {{reinterpret_cast<std::uint8_t*>(held->memory.words.get()), size}, held};
 }
 
 void ImagePool::freeUnused() { store_->freeUnused(); }

@@ -81,7 +81,8 @@ class ImagePool {
   static constexpr std::size_t kUsualBytes = std::size_t{256} << 20U;
 
   explicit ImagePool(std::size_t maxBytes = kUsualBytes);
-  /// Reports all memory of its images, in use or not, as per-user.
+  /// Reports all memory of its images, in use or not, as per-user; by what they touch, which is known from when an
+  /// image has ended.
   explicit ImagePool(pipeline::MemoryLedger& memory, std::size_t maxBytes = kUsualBytes);
   ~ImagePool();
   ImagePool(const ImagePool&) = delete;
@@ -90,6 +91,13 @@ class ImagePool {
   /// The contents are whatever was there before.
   [[nodiscard]] std::shared_ptr<Image> acquire(const world::Rect& rect);
 
+  /// Memory for another kind of picture, held as long as `owner` is.
+  struct Bytes {
+    std::span<std::uint8_t> bytes;
+    std::shared_ptr<void> owner;
+  };
+  [[nodiscard]] Bytes acquireBytes(std::size_t size);
+
   /// For when fewer will be wanted from now on.
   void freeUnused();
 
@@ -97,6 +105,8 @@ class ImagePool {
 
  private:
   struct Store;
+  struct Held;
+  [[nodiscard]] std::shared_ptr<Held> hold(std::size_t pixels);
   std::shared_ptr<Store> store_;
 };
 

@@ -1,9 +1,18 @@
 #include "world/camera.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 namespace grove::world {
+namespace {
+
+/// Pairs of Bounds::corners().
+constexpr std::array<std::pair<std::size_t, std::size_t>, 12> kBoxEdges{
+    {{0, 1}, {2, 3}, {4, 5}, {6, 7}, {0, 2}, {1, 3}, {4, 6}, {5, 7}, {0, 4}, {1, 5}, {2, 6}, {3, 7}}};
+
+}  // namespace
 
 Vec3 Pose::forward() const noexcept {
   return {-std::sin(yaw) * std::cos(pitch), std::sin(pitch), -std::cos(yaw) * std::cos(pitch)};
@@ -57,20 +66,31 @@ bool Camera::sees(const Bounds& bounds) const noexcept {
 }
 
 Rect Camera::screenRect(const Bounds& bounds) const noexcept {
-  const Rect all{0, 0, width, height};
   if (bounds.empty()) return {};
   float left = 1e9F;
   float top = 1e9F;
   float right = -1e9F;
   float bottom = -1e9F;
-  for (const Vec3 corner : bounds.corners()) {
-    const Vec3 p = project(corner);
-    if (p.z < nearDepth) return all;
+  const auto add = [&](Vec3 point) {
+    const Vec3 p = project(point);
     left = std::min(left, p.x);
     right = std::max(right, p.x);
     top = std::min(top, p.y);
     bottom = std::max(bottom, p.y);
+  };
+  // What is left of a box before the near plane has its corners there, and those where its edges meet the plane.
+  const std::array<Vec3, 8> corners = bounds.corners();
+  std::array<float, 8> beyond;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    beyond[i] = glm::dot(corners[i] - pose.position, pose.forward()) - nearDepth;
+    if (beyond[i] >= 0.0F) add(corners[i]);
   }
+  for (const auto& [a, b] : kBoxEdges) {
+    if ((beyond[a] < 0.0F) != (beyond[b] < 0.0F)) {
+      add(glm::mix(corners[a], corners[b], beyond[a] / (beyond[a] - beyond[b])));
+    }
+  }
+  if (left > right) return {};
   const auto clampTo = [](float value, int size) {
     return static_cast<int>(std::clamp(value, 0.0F, static_cast<float>(size)));
   };

@@ -63,8 +63,7 @@ struct Camera {
   [[nodiscard]] Vec3 project(Vec3 point) const noexcept;
   /// False only if the box is certainly outside of the view.
   [[nodiscard]] bool sees(const Bounds& bounds) const noexcept;
-  /// Smallest rectangle of pixels that holds the box, clipped to the image; the whole image if the eye is near or in
-  /// it.
+  /// Smallest rectangle of pixels that holds what of the box lies beyond the near plane, clipped to the image.
   [[nodiscard]] Rect screenRect(const Bounds& bounds) const noexcept;
 };
 

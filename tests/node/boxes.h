@@ -125,7 +125,8 @@ class BoxBackendType final : public BackendType {
     const auto size = static_cast<float>(parameters.number("size", 1.0, 0.01, 100.0));
     const int red = parameters.integer("red", 255, 0, 255);
     const auto obstacle = static_cast<float>(parameters.number("obstacle", 0.0, 0.0, 100.0));
-    return std::make_shared<BoxModel>(size, 0xFF000000U | static_cast<std::uint32_t>(red), obstacle);
+    // Grey, which is the same in every form that a picture takes.
+    return std::make_shared<BoxModel>(size, 0xFF000000U | static_cast<std::uint32_t>(red) * 0x010101U, obstacle);
   }
   [[nodiscard]] std::shared_ptr<const TypeOptions> options(const world::Parameters& parameters) const override {
     auto options = std::make_shared<BoxOptions>();

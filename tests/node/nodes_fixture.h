@@ -19,6 +19,7 @@
 #include "node/frontend/frontend_node.h"
 #include "node/tested_transports.h"
 #include "pipeline/worker_pool.h"
+#include "yuv_pictures.h"
 
 namespace grove::node::testing {
 
@@ -32,7 +33,7 @@ class Screen final : public pipeline::Stage<FinishedFrame> {
                                                std::chrono::milliseconds max = std::chrono::seconds(10)) {
     std::unique_lock lock(mutex_);
     arrived_.wait_for(lock, max, [&] { return newest_.view && newest_.view->frame >= frame; });
-    return newest_.view && newest_.view->frame >= frame ? newest_.image : nullptr;
+    return newest_.view && newest_.view->frame >= frame ? tests::rgbaOf(*newest_.picture) : nullptr;
   }
   std::vector<FrameNumber> order() {
     const std::lock_guard lock(mutex_);

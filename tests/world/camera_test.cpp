@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <random>
+
 namespace grove::world {
 namespace {
 
@@ -63,6 +66,45 @@ TEST(Camera, ScreenRectHoldsEveryCorner) {
 
 TEST(Camera, ScreenRectAroundTheEyeIsTheWholeImage) {
   EXPECT_EQ(lookingAlong(0).screenRect({{-1, 0, -1}, {1, 3, 1}}), (Rect{0, 0, 1280, 720}));
+}
+
+/// Fails if a box that the near plane cuts takes the whole image.
+TEST(Camera, ScreenRectOfGrassAtTheFeetIsTheLowerPart) {
+  const Camera camera = lookingAlong(0);
+  const float eye = camera.pose.position.y;
+  const Bounds grass{{-1, eye - 1.7F, -1}, {1, eye - 1.2F, 1}};
+  const Rect rect = camera.screenRect(grass);
+  EXPECT_EQ(rect.left, 0);
+  EXPECT_EQ(rect.right, 1280);
+  EXPECT_EQ(rect.bottom, 720);
+  const Vec3 edge = camera.project({0, eye - 1.7F, -1});
+  const Vec3 upper = camera.project({0, eye - 1.2F, -1});
+  EXPECT_LT(upper.y, edge.y);
+  EXPECT_EQ(rect.top, std::min(720, static_cast<int>(upper.y)));
+}
+
+/// Points of the box beyond the near plane, wherever the eye is.
+TEST(Camera, ScreenRectHoldsAllThatShows) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<float> place(-2.0F, 2.0F);
+  for (int i = 0; i < 2000; ++i) {
+    Camera camera = lookingAlong(3.0F * place(random));
+    camera.pose.pitch = 0.7F * place(random);
+    Bounds box;
+    box.add(camera.pose.position + Vec3(place(random), place(random), place(random)));
+    box.add(camera.pose.position + Vec3(place(random), place(random), place(random)));
+    const Rect rect = camera.screenRect(box);
+    for (int k = 0; k < 20; ++k) {
+      const Vec3 at = Vec3(place(random), place(random), place(random)) * 0.25F + 0.5F;
+      const Vec3 p = camera.project(glm::mix(box.low, box.high, at));
+      const bool shows = p.z >= camera.nearDepth && p.x >= 0 && p.x < 1280 && p.y >= 0 && p.y < 720;
+      if (!shows) continue;
+      ASSERT_GE(p.x, static_cast<float>(rect.left) - 0.01F);
+      ASSERT_LE(p.x, static_cast<float>(rect.right) + 0.01F);
+      ASSERT_GE(p.y, static_cast<float>(rect.top) - 0.01F);
+      ASSERT_LE(p.y, static_cast<float>(rect.bottom) + 0.01F);
+    }
+  }
 }
 
 }  // namespace

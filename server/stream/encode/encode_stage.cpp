@@ -22,8 +22,8 @@ constexpr int kCaptureQuality = 95;
 PictureHeader describe(const node::FinishedFrame& frame) {
   const node::View& view = *frame.view;
   PictureHeader header;
-  header.width = saturate<std::uint16_t>(frame.image->width());
-  header.height = saturate<std::uint16_t>(frame.image->height());
+  header.width = saturate<std::uint16_t>(frame.picture->width());
+  header.height = saturate<std::uint16_t>(frame.picture->height());
   header.visitors = saturate<std::uint16_t>(static_cast<double>(view.players.size()));
   header.frame = view.frame;
   header.lastInput = view.lastInput;
@@ -54,8 +54,8 @@ std::vector<Label> labelsOf(const node::FinishedFrame& frame) {
   labels.reserve(frame.labels.size());
   for (const node::Label& label : frame.labels) {
     labels.push_back({.visitor = node::shortIdOf(label.object - world::kFirstPlayerObject, own),
-                      .x = wire(label.place.x / static_cast<float>(frame.image->width())),
-                      .y = wire(label.place.y / static_cast<float>(frame.image->height())),
+                      .x = wire(label.place.x / static_cast<float>(frame.picture->width())),
+                      .y = wire(label.place.y / static_cast<float>(frame.picture->height())),
                       .opacity = saturate<std::uint8_t>(std::ceil(label.opacity * 255.0F))});
   }
   return labels;
@@ -100,7 +100,7 @@ void EncodeStage::encodeNext(const node::FinishedFrame& frame) {
   const bool still = lastCamera_ && isSameView(camera, *lastCamera_);
   const bool same = asPictures_ && isSame(frame, still);
   lastCamera_ = camera;
-  const double pixels = static_cast<double>(frame.image->width()) * frame.image->height();
+  const double pixels = static_cast<double>(frame.picture->width()) * frame.picture->height();
   const StreamControl::Choice choice =
       control_->choose(kind, encoder->range(), pixels, still, same, pipeline::wallSeconds());
   if (same && !choice.order.independent && choice.order.quantiser >= lastQuantiser_) {
@@ -113,7 +113,7 @@ void EncodeStage::encodeNext(const node::FinishedFrame& frame) {
   const std::size_t before = made->bytes.size();
   bool independent = true;
   try {
-    independent = encoder->encode(*frame.image, choice.order, made->bytes);
+    independent = encoder->encode(*frame.picture, choice.order, made->bytes);
   } catch (const EnvironmentError& e) {
     // What it made of the pictures so far is not known; a new one begins anew, of another codec if there is one.
     log::error(e.what());
@@ -145,14 +145,14 @@ void EncodeStage::encodeNext(const node::FinishedFrame& frame) {
 
 void EncodeStage::capture(const node::FinishedFrame& frame, std::uint32_t number) {
   CapturedHeader header;
-  header.width = saturate<std::uint16_t>(frame.image->width());
-  header.height = saturate<std::uint16_t>(frame.image->height());
+  header.width = saturate<std::uint16_t>(frame.picture->width());
+  header.height = saturate<std::uint16_t>(frame.picture->height());
   header.number = number;
   std::vector<std::uint8_t> message(kCapturedHeaderBytes);
   encode(header, std::span(message).first<kCapturedHeaderBytes>());
   try {
     JpegEncoder encoder(kCaptureQuality);
-    encoder.encode(*frame.image, {.quantiser = encoder.range().usual, .independent = true}, message);
+    encoder.encode(*frame.picture, {.quantiser = encoder.range().usual, .independent = true}, message);
   } catch (const EnvironmentError& e) {
     log::error(e.what());
     return;
@@ -179,7 +179,7 @@ bool EncodeStage::isSame(const node::FinishedFrame& frame, bool still) {
     lastHash_ = 0;
     return false;
   }
-  const std::uint64_t hash = checksumOf(std::as_bytes(std::span(frame.image->colour)));
+  const std::uint64_t hash = checksumOf(std::as_bytes(std::span(frame.picture->bytes)));
   return std::exchange(lastHash_, hash) == hash;
 }
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "raster/image.h"
+#include "raster/yuv_image.h"
 
 namespace grove::stream {
 
@@ -35,7 +35,7 @@ class Encoder {
   /// Appends the encoded picture, whose size may differ from the last one's, to `out`. Returns whether it is
   /// independent: if not, it needs the one that was encoded before it, so what was encoded must be sent. Throws
   /// EnvironmentError if the library refuses.
-  virtual bool encode(const raster::Image& image, const EncodeOrder& order, std::vector<std::uint8_t>& out) = 0;
+  virtual bool encode(const raster::YuvImage& picture, const EncodeOrder& order, std::vector<std::uint8_t>& out) = 0;
   /// Memory that it keeps from picture to picture.
   [[nodiscard]] virtual std::size_t bytes() const noexcept = 0;
 };

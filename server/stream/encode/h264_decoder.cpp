@@ -40,7 +40,7 @@ const DecodedPicture* H264Decoder::decode(std::span<const std::uint8_t> accessUn
   picture_.height = buffer.iHeight;
   picture_.colour.resize(static_cast<std::size_t>(picture_.width) * static_cast<std::size_t>(picture_.height));
   // The library calls this order by the number that the four bytes make.
-  const int failed = libyuv::I420ToABGR(planes[0], buffer.iStride[0], planes[1], buffer.iStride[1], planes[2],
+  const int failed = libyuv::J420ToABGR(planes[0], buffer.iStride[0], planes[1], buffer.iStride[1], planes[2],
                                         buffer.iStride[1], reinterpret_cast<std::uint8_t*>(picture_.colour.data()),
                                         4 * picture_.width, picture_.width, picture_.height);
   return failed == 0 ? &picture_ : nullptr;

@@ -17,7 +17,7 @@ class H264Decoder {
   /// Throws EnvironmentError if the library cannot start.
   H264Decoder();
 
-  /// The picture of the next access unit, of BT.601 in its limited range; null if it is damaged or needs one that was
+  /// The picture of the next access unit, of BT.601 in its full range; null if it is damaged or needs one that was
   /// not decoded. The result stands until the next call.
   [[nodiscard]] const DecodedPicture* decode(std::span<const std::uint8_t> accessUnit);
 

@@ -48,7 +48,7 @@ void describe(SEncParamExt& parameters, int width, int height, int quantiser) {
   layer.sSliceArgument.uiSliceMode = SM_SINGLE_SLICE;
   layer.bVideoSignalTypePresent = true;
   layer.uiVideoFormat = VF_UNDEF;
-  layer.bFullRange = false;
+  layer.bFullRange = true;
   layer.bColorDescriptionPresent = true;
   layer.uiColorPrimaries = CP_SMPTE170M;
   layer.uiTransferCharacteristics = TRC_SMPTE170M;
@@ -77,8 +77,7 @@ std::uint8_t H264Encoder::codec() const noexcept { return kCodecH264; }
 QuantiserRange H264Encoder::range() const noexcept { return kRange; }
 
 std::size_t H264Encoder::bytes() const noexcept {
-  return picture_.bytes.size() +
-         static_cast<std::size_t>(picture_.width) * static_cast<std::size_t>(picture_.height) * kBytesPerPixel;
+  return static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_) * kBytesPerPixel;
 }
 
 void H264Encoder::start(int width, int height, int quantiser) {
@@ -91,6 +90,8 @@ void H264Encoder::start(int width, int height, int quantiser) {
     fail("refuses the size of a picture", failed);
   }
   started_ = true;
+  width_ = width;
+  height_ = height;
   quantiser_ = quantiser;
 }
 
@@ -106,12 +107,11 @@ void H264Encoder::setQuantiser(int quantiser) {
   quantiser_ = quantiser;
 }
 
-bool H264Encoder::encode(const raster::Image& image, const EncodeOrder& order, std::vector<std::uint8_t>& out) {
+bool H264Encoder::encode(const raster::YuvImage& picture, const EncodeOrder& order, std::vector<std::uint8_t>& out) {
   const int quantiser = static_cast<int>(std::lround(std::clamp(order.quantiser, kRange.finest, kRange.coarsest)));
-  const bool resized = !started_ || picture_.width != image.width() || picture_.height != image.height();
-  picture_.assign(image);
+  const bool resized = !started_ || width_ != picture.width() || height_ != picture.height();
   if (resized) {
-    start(picture_.width, picture_.height, quantiser);
+    start(picture.width(), picture.height(), quantiser);
   } else {
     setQuantiser(quantiser);
   }
@@ -119,13 +119,14 @@ bool H264Encoder::encode(const raster::Image& image, const EncodeOrder& order, s
   SSourcePicture source;
   std::memset(&source, 0, sizeof source);
   source.iColorFormat = videoFormatI420;
-  source.iPicWidth = picture_.width;
-  source.iPicHeight = picture_.height;
-  source.iStride[0] = picture_.width;
-  source.iStride[1] = source.iStride[2] = picture_.width / 2;
-  source.pData[0] = picture_.y();
-  source.pData[1] = picture_.u();
-  source.pData[2] = picture_.v();
+  source.iPicWidth = width_;
+  source.iPicHeight = height_;
+  source.iStride[0] = width_;
+  source.iStride[1] = source.iStride[2] = width_ / 2;
+  // The library's interface knows no const, but it only reads.
+  source.pData[0] = const_cast<unsigned char*>(picture.y());
+  source.pData[1] = const_cast<unsigned char*>(picture.u());
+  source.pData[2] = const_cast<unsigned char*>(picture.v());
   SFrameBSInfo info;
   std::memset(&info, 0, sizeof info);
   if (const int failed = encoder_->EncodeFrame(&source, &info); failed != cmResultSuccess) {

@@ -4,7 +4,6 @@
 #include <string>
 
 #include "stream/encode/encoder.h"
-#include "stream/encode/i420.h"
 
 class ISVCEncoder;
 
@@ -21,7 +20,7 @@ class H264Encoder final : public Encoder {
 
   [[nodiscard]] std::uint8_t codec() const noexcept override;
   [[nodiscard]] QuantiserRange range() const noexcept override;
-  bool encode(const raster::Image& image, const EncodeOrder& order, std::vector<std::uint8_t>& out) override;
+  bool encode(const raster::YuvImage& picture, const EncodeOrder& order, std::vector<std::uint8_t>& out) override;
   [[nodiscard]] std::size_t bytes() const noexcept override;
 
  private:
@@ -33,7 +32,8 @@ class H264Encoder final : public Encoder {
   void setQuantiser(int quantiser);
 
   std::unique_ptr<ISVCEncoder, Deleter> encoder_;
-  I420 picture_;
+  int width_ = 0;
+  int height_ = 0;
   int quantiser_ = 0;
   bool started_ = false;
 };

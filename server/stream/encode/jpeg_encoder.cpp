@@ -3,6 +3,7 @@
 #include <turbojpeg.h>
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 
@@ -45,8 +46,8 @@ QuantiserRange JpegEncoder::range() const noexcept {
           .coarsest = quantiserOf(std::min(quality_, kCoarsestQuality))};
 }
 
-bool JpegEncoder::encode(const raster::Image& image, const EncodeOrder& order, std::vector<std::uint8_t>& out) {
-  const unsigned long max = tjBufSize(image.width(), image.height(), TJSAMP_420);
+bool JpegEncoder::encode(const raster::YuvImage& picture, const EncodeOrder& order, std::vector<std::uint8_t>& out) {
+  const unsigned long max = tjBufSize(picture.width(), picture.height(), TJSAMP_420);
   if (max > scratchBytes_) {
     scratch_ = std::make_unique_for_overwrite<unsigned char[]>(max);
     scratchBytes_ = max;
@@ -54,11 +55,12 @@ bool JpegEncoder::encode(const raster::Image& image, const EncodeOrder& order, s
   }
   unsigned char* bytes = scratch_.get();
   unsigned long size = scratchBytes_;
-  const int pitch = image.width() * static_cast<int>(sizeof(std::uint32_t));
+  std::array<const unsigned char*, 3> planes{picture.y(), picture.u(), picture.v()};
+  const std::array<int, 3> strides{picture.width(), picture.width() / 2, picture.width() / 2};
   const int quality = qualityOf(std::clamp(order.quantiser, range().finest, range().coarsest));
   const int failed =
-      tjCompress2(handle_.get(), reinterpret_cast<const unsigned char*>(image.colour.data()), image.width(), pitch,
-                  image.height(), TJPF_RGBX, &bytes, &size, TJSAMP_420, quality, TJFLAG_NOREALLOC | TJFLAG_ACCURATEDCT);
+      tjCompressFromYUVPlanes(handle_.get(), planes.data(), picture.width(), strides.data(), picture.height(),
+                              TJSAMP_420, &bytes, &size, quality, TJFLAG_NOREALLOC | TJFLAG_ACCURATEDCT);
   if (failed != 0) throw EnvironmentError(tjGetErrorStr2(handle_.get()), "JPEG encoder", "");
   touchedBytes_ = std::max(touchedBytes_, size);
   out.insert(out.end(), bytes, bytes + size);

@@ -22,7 +22,7 @@ class JpegEncoder final : public Encoder {
 
   [[nodiscard]] std::uint8_t codec() const noexcept override;
   [[nodiscard]] QuantiserRange range() const noexcept override;
-  bool encode(const raster::Image& image, const EncodeOrder& order, std::vector<std::uint8_t>& out) override;
+  bool encode(const raster::YuvImage& picture, const EncodeOrder& order, std::vector<std::uint8_t>& out) override;
   /// What the largest picture so far took of the scratch memory: the rest was never touched.
   [[nodiscard]] std::size_t bytes() const noexcept override { return touchedBytes_; }
 

@@ -67,7 +67,7 @@ TEST_F(LabelTest, IsSeenAsFarAsTheHeadIs) {
 TEST_F(LabelTest, ReadsDepthWithinItsRectangleOnly) {
   const world::Object ada = visitor(1, {0, 0, -6});
   const auto list = look({ada}, {});
-  const world::Rect reads = labels_.layer(list->objects[0], {}, *list->view)->readsDepth({0, 0, 320, 180});
+  const world::Rect reads = labels_.layer(list->objects[0], {}, *list->view)->reach({});
   ASSERT_FALSE(reads.empty());
   colour_.assign(320 * 180, 0);
   depth_.assign(320 * 180, 0.2F);

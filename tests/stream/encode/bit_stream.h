@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "raster/image.h"
+#include "yuv_pictures.h"
 
 namespace grove::stream {
 
@@ -36,9 +37,15 @@ struct TestPicture {
         image.colourRow(y)[x] = red | (green << 8U) | (blue << 16U) | 0xFF000000U;
       }
     }
+    yuv_ = tests::yuvOf(image);
   }
+  [[nodiscard]] const raster::YuvImage& yuv() const { return *yuv_; }
+
   std::vector<std::uint32_t> pixels;
   raster::Image image;
+
+ private:
+  std::shared_ptr<const raster::YuvImage> yuv_;
 };
 
 /// Decibels of red, green and blue.

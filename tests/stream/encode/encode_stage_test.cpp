@@ -13,6 +13,7 @@
 #include "pipeline/worker_pool.h"
 #include "stream/encode/h264_decoder.h"
 #include "stream/encode/jpeg_decoder.h"
+#include "yuv_pictures.h"
 
 namespace grove::stream {
 namespace {
@@ -41,7 +42,7 @@ TEST(EncodeStage, MakesAFrameMessageOfAFrame) {
       EncodeStage::Outputs{
           .frame = [&](std::shared_ptr<const EncodedFrame> frame) { promise.set_value(std::move(frame)); }},
       memory, workers, timeline);
-  stage->push({std::make_shared<const node::View>(view), std::make_shared<const raster::Image>(std::move(image))});
+  stage->push({std::make_shared<const node::View>(view), tests::yuvOf(image)});
 
   const auto frame = future.get();
   EXPECT_GE(memory.totals().at({"encoders", ""}).bytes, static_cast<std::int64_t>(frame->bytes.size()));
@@ -69,7 +70,8 @@ class FailingEncoder final : public Encoder {
   }
   [[nodiscard]] std::uint8_t codec() const noexcept override { return kCodecH264; }
   [[nodiscard]] QuantiserRange range() const noexcept override { return {}; }
-  bool encode(const raster::Image& /*image*/, const EncodeOrder& /*order*/, std::vector<std::uint8_t>& out) override {
+  bool encode(const raster::YuvImage& /*picture*/, const EncodeOrder& /*order*/,
+              std::vector<std::uint8_t>& out) override {
     out.push_back(1);
     if (++made_ == at_) throw EnvironmentError("cannot encode", "test encoder", "");
     return made_ == 1;
@@ -127,10 +129,10 @@ class Stream {
 
  private:
   node::FinishedFrame frame(const std::vector<std::uint32_t>& pixels, float yaw) {
-    const auto own = std::make_shared<std::vector<std::uint32_t>>(pixels);
-    const std::shared_ptr<raster::Image> image(new raster::Image, [own](const raster::Image* each) { delete each; });
-    image->rect = {0, 0, 320, 180};
-    image->colour = *own;
+    std::vector<std::uint32_t> own = pixels;
+    raster::Image image;
+    image.rect = {0, 0, 320, 180};
+    image.colour = own;
     node::View view;
     view.frame = ++number_;
     view.lastInput = 10 * number_;
@@ -138,7 +140,7 @@ class Stream {
     view.camera.height = 180;
     view.camera.pose.yaw = yaw;
     view.time = pipeline::wallSeconds();
-    return {std::make_shared<const node::View>(view), image, labels};
+    return {std::make_shared<const node::View>(view), tests::yuvOf(image), labels};
   }
 
   const EncoderRegistry encoders_;

@@ -8,6 +8,7 @@
 #include "stream/encode/annex_b.h"
 #include "stream/encode/h264_encoder.h"
 #include "stream/encode/h264_stream.h"
+#include "yuv_pictures.h"
 
 namespace grove::stream {
 namespace {
@@ -43,15 +44,15 @@ void expectColour(const DecodedPicture* picture, Colour wanted) {
   EXPECT_NEAR(found.blue, wanted.blue, 4);
 }
 
-/// By ITU-R BT.601: full red, green and blue, and both ends of grey, in 16 to 235.
+/// By ITU-R BT.601: full red, green and blue, and grey, in 0 to 255.
 TEST(H264Decoder, GivesTheColoursOfItsStandard) {
   H264Stream stream(kWidth, kHeight);
   H264Decoder decoder;
-  expectColour(decoder.decode(stream.next(81, 90, 240, 1, true)), {255, 0, 0});
-  expectColour(decoder.decode(stream.next(145, 54, 34, 2, true)), {0, 255, 0});
-  expectColour(decoder.decode(stream.next(41, 240, 110, 3, true)), {0, 0, 255});
-  expectColour(decoder.decode(stream.next(16, 128, 128, 4, true)), {0, 0, 0});
-  expectColour(decoder.decode(stream.next(205, 128, 128, 1, true)), {220, 220, 220});
+  expectColour(decoder.decode(stream.next(76, 85, 255, 1, true)), {255, 0, 0});
+  expectColour(decoder.decode(stream.next(150, 44, 21, 2, true)), {0, 255, 0});
+  expectColour(decoder.decode(stream.next(29, 255, 107, 3, true)), {0, 0, 255});
+  expectColour(decoder.decode(stream.next(0, 128, 128, 4, true)), {0, 0, 0});
+  expectColour(decoder.decode(stream.next(220, 128, 128, 1, true)), {220, 220, 220});
 }
 
 TEST(H264Decoder, ReadsWhatTheServerWrites) {
@@ -63,7 +64,7 @@ TEST(H264Decoder, ReadsWhatTheServerWrites) {
   H264Decoder decoder;
   for (int i = 0; i < 4; ++i) {
     std::vector<std::uint8_t> bytes;
-    EXPECT_EQ(encoder.encode(image, {.independent = i == 2}, bytes), i == 0 || i == 2);
+    EXPECT_EQ(encoder.encode(*tests::yuvOf(image), {.independent = i == 2}, bytes), i == 0 || i == 2);
     expectColour(decoder.decode(bytes), {0xE0, 0x80, 0x20});
   }
 }

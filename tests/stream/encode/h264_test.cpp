@@ -26,7 +26,7 @@ std::vector<int> units(std::span<const std::uint8_t> bytes) {
 
 Bytes encodeOne(Encoder& encoder, const TestPicture& picture, const EncodeOrder& order, bool* independent = nullptr) {
   Bytes bytes;
-  const bool is = encoder.encode(picture.image, order, bytes);
+  const bool is = encoder.encode(picture.yuv(), order, bytes);
   if (independent != nullptr) *independent = is;
   return bytes;
 }
@@ -44,7 +44,7 @@ TEST(Encoders, MakeWhatOthersDecode) {
       for (int i = 0; i < pictures; ++i) {
         const TestPicture picture(width, height, i);
         drawn.insert(drawn.end(), picture.pixels.begin(), picture.pixels.end());
-        EXPECT_EQ(encoder->encode(picture.image, {encoder->range().usual, false}, stream), i == 0) << kind.name;
+        EXPECT_EQ(encoder->encode(picture.yuv(), {encoder->range().usual, false}, stream), i == 0) << kind.name;
       }
       const StreamFile file(kind.chained ? "h264" : "jpg", stream);
       EXPECT_GT(psnr(file.pixels(), drawn), 30.0) << kind.name << ", " << width << " x " << height;
@@ -70,12 +70,12 @@ TEST(H264Decoder, ShowsWhatWasDrawn) {
 TEST(H264Encoder, IsConstrainedBaselineWithoutDelay) {
   H264Encoder encoder;
   Bytes stream;
-  for (int i = 0; i < 3; ++i) (void)encoder.encode(TestPicture(1280, 720, i).image, {25.0, false}, stream);
+  for (int i = 0; i < 3; ++i) (void)encoder.encode(TestPicture(1280, 720, i).yuv(), {25.0, false}, stream);
   const StreamFile file("h264", stream);
   const std::vector<char> output = file.run("ffprobe -v error -show_streams @");
   const std::string reported(output.begin(), output.end());
   for (const char* line :
-       {"profile=Constrained Baseline\n", "has_b_frames=0\n", "color_range=tv\n", "color_space=smpte170m\n",
+       {"profile=Constrained Baseline\n", "has_b_frames=0\n", "color_range=pc\n", "color_space=smpte170m\n",
         "color_primaries=smpte170m\n", "width=1280\n", "height=720\n", "field_order=progressive\n", "refs=1\n"}) {
     EXPECT_THAT(reported, ::testing::HasSubstr(line));
   }

@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "stream/encode/h264_stream.h"
+#include "yuv_pictures.h"
 
 namespace grove::stream {
 namespace {
@@ -38,7 +39,7 @@ class LoadVisitorTest : public testing::Test {
     header.frame = number;
     header.lastInput = lastInput;
     encode(header, std::span(bytes).first<kFrameHeaderBytes>());
-    JpegEncoder(80).encode(image, {}, bytes);
+    JpegEncoder(80).encode(*tests::yuvOf(image), {}, bytes);
     return bytes;
   }
   void sendInput(double now) {

@@ -48,7 +48,6 @@ struct TrialRow {
 
 struct EncodeReport {
   std::string size;
-  double conversion = 0.0;
   std::vector<TrialRow> rows;
   bool interrupted = false;
 };
@@ -67,8 +66,7 @@ std::string settingName(const EncodeSetting& setting) {
 }
 
 void print(const EncodeReport& report) {
-  std::printf("%s, one core of %s; of a video codec's CPU, %.2f ms make the frame what it takes\n", report.size.c_str(),
-              processorName().c_str(), report.conversion);
+  std::printf("%s, one core of %s\n", report.size.c_str(), processorName().c_str());
   std::printf("%-7s %-20s %-18s %9s %9s %9s %9s %7s %7s\n", "codec", "walk", "setting", "quantiser", "CPU ms", "p99",
               "kbit/s", "SSIM", "lowest");
   for (const TrialRow& row : report.rows) {
@@ -101,9 +99,7 @@ ordered_json toJson(const EncodeReport& report) {
                     {"ssim", rounded(trial.ssim, 4)},
                     {"ssim_min", rounded(trial.minSsim, 4)}});
   }
-  return {{"conversion_ms_per_frame", rounded(report.conversion, 3)},
-          {"interrupted", report.interrupted},
-          {"rows", std::move(rows)}};
+  return {{"interrupted", report.interrupted}, {"rows", std::move(rows)}};
 }
 
 }  // namespace
@@ -144,7 +140,6 @@ int runBenchEncode(const BenchEncodeOptions& options) {
     for (const stream::EncoderKind& kind : encoders.kinds()) {
       measure(kind, {std::nullopt, kStandingKilobits}, "before the fire", still);
     }
-    if (moving.count() > 0) report.conversion = conversionMilliseconds(moving);
   }
   report.interrupted = stop.token().stop_requested();
   if (options.json) {

@@ -12,7 +12,6 @@
 #include "pipeline/clocks.h"
 #include "stream/adapt/stream_control.h"
 #include "stream/encode/h264_decoder.h"
-#include "stream/encode/i420.h"
 #include "stream/encode/jpeg_decoder.h"
 
 namespace grove::cli {
@@ -35,9 +34,10 @@ class Screen {
     if (shown_ == nullptr) throw EnvironmentError("makes pictures that cannot be decoded", "encoder", "");
   }
 
-  [[nodiscard]] double likeness(const raster::Image& frame) const {
-    const measure::Mask all(frame.colour.size(), 1);
-    return measure::structuralSimilarity({frame.colour, frame.width()}, {shown_->colour, shown_->width}, all);
+  [[nodiscard]] double likeness(const raster::YuvImage& frame) const {
+    const std::vector<std::uint32_t> colours = raster::rgbaOf(frame);
+    const measure::Mask all(colours.size(), 1);
+    return measure::structuralSimilarity({colours, frame.width()}, {shown_->colour, shown_->width}, all);
   }
 
  private:
@@ -62,12 +62,12 @@ class Visitor {
   }
 
   /// The bytes to send, for a page that shows the frames before; none if nothing is.
-  [[nodiscard]] std::span<const std::uint8_t> send(const world::Pose& pose, const raster::Image& frame) {
+  [[nodiscard]] std::span<const std::uint8_t> send(const world::Pose& pose, const raster::YuvImage& frame) {
     const double now = ++frames_ / kWalkFramesPerSecond;
     const double pixels = static_cast<double>(frame.width()) * frame.height();
     const bool still =
         frames_ > 1 && pose.position == pose_.position && pose.yaw == pose_.yaw && pose.pitch == pose_.pitch;
-    const std::uint64_t hash = checksumOf(std::as_bytes(std::span(frame.colour)));
+    const std::uint64_t hash = checksumOf(std::as_bytes(std::span(frame.bytes)));
     const bool same = still && hash == hash_;
     pose_ = pose;
     hash_ = hash;
@@ -121,7 +121,7 @@ EncodeTrial tryEncoder(const stream::EncoderRegistry& encoders, const stream::En
   Screen screen(kind.codec);
   std::size_t compared = 0;
   for (std::size_t i = 0; i < frames.count() && (i == 0 || !stop.stop_requested()); ++i) {
-    const raster::Image& frame = frames.read(i);
+    const raster::YuvImage& frame = frames.read(i);
     if (const auto picture = visitor.send(frames.pose(i), frame); !picture.empty()) screen.show(picture);
     if (i % kFramesPerComparison != 0) continue;
     const double ssim = screen.likeness(frame);
@@ -132,18 +132,6 @@ EncodeTrial tryEncoder(const stream::EncoderRegistry& encoders, const stream::En
   trial.ssim /= static_cast<double>(compared);
   visitor.report(trial);
   return trial;
-}
-
-double conversionMilliseconds(KeptFrames& frames) {
-  stream::I420 picture;
-  std::vector<double> times;
-  for (std::size_t i = 0; i < frames.count(); ++i) {
-    const raster::Image& frame = frames.read(i);
-    const std::int64_t begin = pipeline::threadCpuNanoseconds();
-    picture.assign(frame);
-    times.push_back(asMilliseconds(pipeline::threadCpuNanoseconds() - begin));
-  }
-  return median(times);
 }
 
 }  // namespace grove::cli

@@ -34,7 +34,4 @@ struct EncodeTrial {
 [[nodiscard]] EncodeTrial tryEncoder(const stream::EncoderRegistry& encoders, const stream::EncoderKind& kind,
                                      const EncodeSetting& setting, KeptFrames& frames, const std::stop_token& stop);
 
-/// Median CPU of making a frame what video codecs take, which is part of their time; milliseconds.
-[[nodiscard]] double conversionMilliseconds(KeptFrames& frames);
-
 }  // namespace grove::cli

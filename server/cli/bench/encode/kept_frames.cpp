@@ -33,10 +33,9 @@ bool transferAll(const Transfer& transfer, int descriptor, Bytes* bytes, std::si
 }  // namespace
 
 KeptFrames::KeptFrames(int width, int height)
-    : pixels_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {
+    : bytes_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) / 2 * 3) {
   image_.rect = {0, 0, width, height};
-  image_.colour = pixels_;
-  image_.opaque = true;
+  image_.bytes = bytes_;
   std::string path = (std::filesystem::temp_directory_path() / "grove-frames-XXXXXX").string();
   const int descriptor = ::mkstemp(path.data());
   if (descriptor < 0) fail("cannot make a file for frames");
@@ -45,17 +44,17 @@ KeptFrames::KeptFrames(int width, int height)
   if (!file_) fail("cannot make a file for frames");
 }
 
-void KeptFrames::add(const world::Pose& pose, const raster::Image& image) {
+void KeptFrames::add(const world::Pose& pose, const raster::YuvImage& image) {
   assert(image.width() == width() && image.height() == height());
-  const auto bytes = std::as_bytes(std::span(image.colour));
+  const auto bytes = std::as_bytes(std::span(image.bytes));
   if (!transferAll(::pwrite, ::fileno(file_.get()), bytes.data(), bytes.size(), count() * bytes.size())) {
     fail("cannot write a frame");
   }
   poses_.push_back(pose);
 }
 
-const raster::Image& KeptFrames::read(std::size_t index) {
-  const auto bytes = std::as_writable_bytes(std::span(pixels_));
+const raster::YuvImage& KeptFrames::read(std::size_t index) {
+  const auto bytes = std::as_writable_bytes(std::span(bytes_));
   if (!transferAll(::pread, ::fileno(file_.get()), bytes.data(), bytes.size(), index * bytes.size())) {
     fail("cannot read a frame");
   }

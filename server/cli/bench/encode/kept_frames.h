@@ -5,12 +5,12 @@
 #include <memory>
 #include <vector>
 
-#include "raster/image.h"
+#include "raster/yuv_image.h"
 #include "world/camera.h"
 
 namespace grove::cli {
 
-/// The frames that one visitor saw, at 3.7 MB each of 1280 x 720 pixels in a file without a name, which goes with this.
+/// The frames that one visitor saw, at 1.4 MB each of 1280 x 720 pixels in a file without a name, which goes with this.
 /// One thread at a time.
 class KeptFrames {
  public:
@@ -18,14 +18,14 @@ class KeptFrames {
   KeptFrames(int width, int height);
 
   /// Throws EnvironmentError if the disk is full.
-  void add(const world::Pose& pose, const raster::Image& image);
+  void add(const world::Pose& pose, const raster::YuvImage& image);
 
   [[nodiscard]] std::size_t count() const noexcept { return poses_.size(); }
   [[nodiscard]] int width() const noexcept { return image_.width(); }
   [[nodiscard]] int height() const noexcept { return image_.height(); }
   [[nodiscard]] const world::Pose& pose(std::size_t index) const { return poses_[index]; }
   /// In memory, as if it had just been drawn; stands until the next call. Throws EnvironmentError if it cannot be read.
-  [[nodiscard]] const raster::Image& read(std::size_t index);
+  [[nodiscard]] const raster::YuvImage& read(std::size_t index);
 
  private:
   struct Closer {
@@ -33,8 +33,8 @@ class KeptFrames {
   };
   std::unique_ptr<std::FILE, Closer> file_;
   std::vector<world::Pose> poses_;
-  std::vector<std::uint32_t> pixels_;
-  raster::Image image_;
+  std::vector<std::uint8_t> bytes_;
+  raster::YuvImage image_;
 };
 
 }  // namespace grove::cli

@@ -10,7 +10,7 @@ KeptFrames recordWalk(WalkWorld& world, const world::Walk& walk, double seconds,
   WalkVisitor visitor(world, {.size = size});
   world.walk(
       walk, seconds, Pace::kThirtyASecond, [&](const Moment& moment) { static_cast<void>(visitor.draw(moment)); },
-      [&](const Moment& moment) { frames.add(moment.pose, *visitor.draw(moment).image); }, stop);
+      [&](const Moment& moment) { frames.add(moment.pose, *visitor.draw(moment).picture); }, stop);
   return frames;
 }
 

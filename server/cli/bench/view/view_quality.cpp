@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 #include "cli/bench/walk/walk_visitor.h"
 #include "measure/flicker.h"
@@ -16,8 +17,6 @@ node::FramePolicy referencePolicy() {
   policy.backdrops = false;
   return policy;
 }
-
-measure::Picture pictureOf(const node::FinishedFrame& frame) { return {frame.image->colour, frame.image->width()}; }
 
 /// Sums over frames.
 class QualityMeter {
@@ -63,7 +62,9 @@ std::optional<ViewQuality> measureViewQuality(WalkWorld& world, const world::Wal
       walk, seconds, Pace::kThirtyASecond, [&](const Moment& moment) { static_cast<void>(drawBoth(moment)); },
       [&](const Moment& moment) {
         const auto [shown, whole] = drawBoth(moment);
-        meter.add(pictureOf(shown), pictureOf(whole));
+        const std::vector<std::uint32_t> pixels = raster::rgbaOf(*shown.picture);
+        const std::vector<std::uint32_t> wanted = raster::rgbaOf(*whole.picture);
+        meter.add({pixels, size.width}, {wanted, size.width});
       },
       stop);
   return meter.quality();

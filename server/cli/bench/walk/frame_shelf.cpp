@@ -29,7 +29,7 @@ std::optional<node::FinishedFrame> FrameShelf::take() {
 void FrameShelf::process(std::span<node::FinishedFrame> items, pipeline::Run& /*run*/) {
   if (encoder_) {
     bytes_.clear();
-    encoder_->encode(*items.back().image, {.quantiser = encoder_->range().usual, .independent = true}, bytes_);
+    encoder_->encode(*items.back().picture, {.quantiser = encoder_->range().usual, .independent = true}, bytes_);
   }
   {
     const std::lock_guard lock(mutex_);

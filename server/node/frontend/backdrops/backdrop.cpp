@@ -35,23 +35,26 @@ int cellsFor(int pixels) { return (pixels + Backdrop::kCell - 1) / Backdrop::kCe
 
 }  // namespace
 
-BackdropDepths::BackdropDepths(int width, int height)
-    : across_(cellsFor(width)),
-      cells_(static_cast<std::size_t>(across_) * static_cast<std::size_t>(cellsFor(height))),
-      squares_(static_cast<std::size_t>(width / 2) * static_cast<std::size_t>(height / 2)) {
-  assert(width % 2 == 0 && height % 2 == 0);
+BackdropDepths::BackdropDepths(const world::Rect& area)
+    : top_(area.top),
+      across_(cellsFor(area.width())),
+      cells_(static_cast<std::size_t>(across_) * static_cast<std::size_t>(cellsFor(area.height()))),
+      squares_(static_cast<std::size_t>(area.width() / 2) * static_cast<std::size_t>(area.height() / 2)) {
+  assert(area.width() % 2 == 0 && area.height() % 2 == 0);
 }
 
-void BackdropDepths::measure(const raster::Image& image, int top, int bottom) {
+void BackdropDepths::measure(const raster::Image& band) {
+  const int top = band.rect.top - top_;
   assert(top % Backdrop::kCell == 0);
-  for (int row = top; row < bottom; row += Backdrop::kCell) {
-    measureCells(image.depthRow(row), image.width(), std::min(Backdrop::kCell, bottom - row),
-                 cells_.data() + std::ptrdiff_t{row / Backdrop::kCell} * across_,
-                 squares_.data() + std::ptrdiff_t{row / 2} * (image.width() / 2));
+  for (int row = 0; row < band.height(); row += Backdrop::kCell) {
+    measureCells(band.depthRow(row), band.width(), std::min(Backdrop::kCell, band.height() - row),
+                 cells_.data() + std::ptrdiff_t{(top + row) / Backdrop::kCell} * across_,
+                 squares_.data() + std::ptrdiff_t{(top + row) / 2} * (band.width() / 2));
   }
 }
 
-Backdrop::Backdrop(std::shared_ptr<const raster::Image> image, BackdropDepths depths, std::shared_ptr<const View> view)
+Backdrop::Backdrop(std::shared_ptr<const raster::SemiPlanarImage> image, BackdropDepths depths,
+                   std::shared_ptr<const View> view)
     : image_(std::move(image)),
       view_(std::move(view)),
       across_(cellsFor(image_->width())),

@@ -8,37 +8,40 @@
 #include "node/frontend/backdrops/backdrop_kernels.h"
 #include "node/messages/view.h"
 #include "raster/image.h"
+#include "raster/yuv_image.h"
 
 namespace grove::node {
 
 struct WarpCamera;
 
-/// Depths of a backdrop's image, measured band by band while the image is composited. Several threads may measure
-/// different bands at once.
+/// Depths of a backdrop, measured band by band while it is composited. Several threads may measure different bands at
+/// once.
 class BackdropDepths {
  public:
-  /// Pixels; both even.
-  BackdropDepths(int width, int height);
-  /// Rows of the image from `top` to before `bottom`. `top` is a multiple of Backdrop::kCell.
-  void measure(const raster::Image& image, int top, int bottom);
+  /// Of a backdrop of this area, whose edges are even.
+  explicit BackdropDepths(const world::Rect& area);
+  /// `band` is as wide as the area, and begins a multiple of Backdrop::kCell rows below its top.
+  void measure(const raster::Image& band);
 
   [[nodiscard]] const std::vector<CellDepths>& cells() const noexcept { return cells_; }
   [[nodiscard]] std::vector<SquareNearness> takeSquares() { return std::move(squares_); }
 
  private:
+  int top_;
   int across_;
   std::vector<CellDepths> cells_;
   std::vector<SquareNearness> squares_;
 };
 
-/// What a visitor saw of all still objects in one frame: colour and depth, opaque, with a border beyond the frame where
-/// his head turns to. BackdropWarp shows it from nearby eyes. Immutable, any thread.
+/// What a visitor saw of all still objects in one frame: colours, and depths by cells and squares, with a border beyond
+/// the frame where his head turns to. BackdropWarp shows it from nearby eyes. Immutable, any thread.
 class Backdrop {
  public:
   /// `image` is in pixels of the view's camera and may reach beyond its frame.
-  Backdrop(std::shared_ptr<const raster::Image> image, BackdropDepths depths, std::shared_ptr<const View> view);
+  Backdrop(std::shared_ptr<const raster::SemiPlanarImage> image, BackdropDepths depths,
+           std::shared_ptr<const View> view);
 
-  [[nodiscard]] const raster::Image& image() const noexcept { return *image_; }
+  [[nodiscard]] const raster::SemiPlanarImage& image() const noexcept { return *image_; }
   [[nodiscard]] const View& view() const noexcept { return *view_; }
   /// Nearness of its squares of 2 x 2 pixels, row by row.
   [[nodiscard]] const std::vector<SquareNearness>& squares() const noexcept { return squares_; }
@@ -75,7 +78,7 @@ class Backdrop {
   void measureBlocks(const std::vector<CellDepths>& depths);
   [[nodiscard]] float squaredErrors(const CellDepths& depths, int column, int row) const;
 
-  std::shared_ptr<const raster::Image> image_;
+  std::shared_ptr<const raster::SemiPlanarImage> image_;
   std::shared_ptr<const View> view_;
   int across_ = 0;
   int down_ = 0;

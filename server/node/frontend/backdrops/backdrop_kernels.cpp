@@ -2,15 +2,14 @@
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "node/frontend/backdrops/backdrop_kernels.cpp"
-#include <hwy/cache_control.h>
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
 #include <algorithm>
 
 #include "node/frontend/backdrops/warp_depths_inl.h"
-#include "node/frontend/backdrops/warp_pixels_inl.h"
-#include "node/frontend/backdrops/warp_shift_inl.h"
+#include "node/frontend/backdrops/warp_planes_inl.h"
+#include "node/frontend/backdrops/warp_stretched_inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace grove::node::HWY_NAMESPACE {
@@ -136,53 +135,12 @@ void findCorners(const CornerSearch& search, int left, int line, int steps, Corn
   }
 }
 
-/// Fetches what the next row of cells reads: rows of a picture are too far apart for the processor's own prefetching.
-HWY_INLINE void prefetch(const WarpSource& source, const CornerLine& corners, int count) {
-  constexpr int kCellsPerLine = 64 / sizeof(std::uint32_t) / kSide;
-  for (int cell = 0; cell <= count; cell += kCellsPerLine) {
-    const int column = static_cast<int>(std::clamp(corners.x[cell], 0.0F, static_cast<float>(source.width - 1)));
-    const int top = static_cast<int>(std::clamp(corners.y[cell], 0.0F, static_cast<float>(source.height - 1)));
-    for (int row = top; row < std::min(top + kSide, source.height); ++row) {
-      hwy::Prefetch(source.colour + std::ptrdiff_t{row} * source.width + column);
-    }
-  }
-}
-
-HWY_INLINE void warpColours(const WarpSource& source, const CornerLine& above, const CornerLine& below, int count,
-                        const WarpedPixels& out) {
-  prefetch(source, below, count);
-  const auto stretch = [&](int begin, int end) {
-    for (int row = 0; row < kSide; ++row) {
-      const RowCorners corners(above, below, begin, end, (static_cast<float>(row) + 0.5F) / kSide);
-      for (int x = 0; x < (end - begin) * kSide; x += lanes::kLanes) {
-        const std::ptrdiff_t at = row * out.stride + begin * kSide + x;
-        warpPixels(source, corners, x, out.colour + at);
-      }
-    }
-  };
-  // Whole vectors of stretched cells may write over the cell after them, so shifted cells come last.
-  std::uint32_t shifted = 0;
-  for (int begin = 0; begin < count;) {
-    const auto isShifted = [&](int cell) { return Shift(source, above, below, cell).isOne; };
-    int end = begin;
-    while (end < count && !isShifted(end)) ++end;
-    if (end > begin) stretch(begin, end);
-    if (end < count) shifted |= 1U << static_cast<unsigned>(end);
-    begin = end + 1;
-  }
-  for (int cell = 0; cell < count; ++cell) {
-    if ((shifted >> static_cast<unsigned>(cell) & 1U) == 0) continue;
-    const Shift shift(source, above, below, cell);
-    const std::ptrdiff_t at = std::ptrdiff_t{cell} * kSide;
-    const WarpedPixels to{out.colour + at, out.depth + at, out.stride};
-    ShiftedCell(source, shift).warp(to);
-  }
-}
-
-void warpCells(const WarpSource& source, const CornerLine& above, const CornerLine& below, int count, bool withDepth,
+void warpCells(const WarpSource& source, const CornerLine& above, const CornerLine& below, int count,
                const WarpedPixels& out) {
-  warpColours(source, above, below, count, out);
-  if (withDepth) warpDepths(source, above, below, count, out);
+  const std::uint32_t stretched = warpGroups(source, above, below, count, out);
+  for (int cell = 0; cell < count; ++cell) {
+    if ((stretched >> static_cast<unsigned>(cell) & 1U) != 0) warpStretched(source, above, below, cell, out);
+  }
 }
 
 }  // namespace
@@ -196,6 +154,7 @@ namespace grove::node {
 HWY_EXPORT(measureCells);
 HWY_EXPORT(findCorners);
 HWY_EXPORT(warpCells);
+HWY_EXPORT(warpDepths);
 
 void measureCells(const float* depths, int width, int lines, CellDepths* cells, SquareNearness* squares) {
   HWY_DYNAMIC_DISPATCH(measureCells)(depths, width, lines, cells, squares);
@@ -205,9 +164,14 @@ void findCorners(const CornerSearch& search, int left, int line, int steps, Corn
   HWY_DYNAMIC_DISPATCH(findCorners)(search, left, line, steps, corners);
 }
 
-void warpCells(const WarpSource& source, const CornerLine& above, const CornerLine& below, int count, bool withDepth,
+void warpCells(const WarpSource& source, const CornerLine& above, const CornerLine& below, int count,
                const WarpedPixels& out) {
-  HWY_DYNAMIC_DISPATCH(warpCells)(source, above, below, count, withDepth, out);
+  HWY_DYNAMIC_DISPATCH(warpCells)(source, above, below, count, out);
+}
+
+void warpDepths(const WarpSource& source, const CornerLine& above, const CornerLine& below, int count, float* depth,
+                std::ptrdiff_t stride) {
+  HWY_DYNAMIC_DISPATCH(warpDepths)(source, above, below, count, depth, stride);
 }
 
 }  // namespace grove::node

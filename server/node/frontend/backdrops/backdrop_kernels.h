@@ -26,6 +26,8 @@ void measureCells(const float* depths, int width, int lines, CellDepths* cells, 
 /// Cells in a row that are warped together, at most.
 inline constexpr int kWarpCells = 32;
 inline constexpr int kWarpPixels = 8 * kWarpCells;
+/// Cells come in whole groups.
+inline constexpr int kCellGroup = 4;
 /// At least kWarpCells + 1, rounded up to whole vectors.
 inline constexpr int kCorners = 48;
 
@@ -50,25 +52,31 @@ struct CornerSearch {
 /// has in `corners` and repeats `steps` times: look where it lies with that nearness, take the nearness there.
 void findCorners(const CornerSearch& search, int left, int line, int steps, CornerLine& corners);
 
-/// A backdrop's pixels as a warp reads them.
+/// A backdrop's picture as a warp reads it: planes as in raster::SemiPlanarImage, at least 16 x 6 pixels.
 struct WarpSource {
-  const std::uint32_t* colour;
+  const std::uint8_t* y;
+  const std::uint8_t* uv;
   const SquareNearness* squares;
-  int width;
+  int width;  ///< of luma; even
   int height;
   float m2;  ///< of the WarpCamera
 };
 
-/// Where a row of cells is written to, eight rows of pixels.
+/// Where a row of cells is written to: eight rows of luma, four of chroma.
 struct WarpedPixels {
-  std::uint32_t* colour;
-  float* depth;
-  std::ptrdiff_t stride;
+  std::uint8_t* y;
+  std::uint8_t* u;
+  std::uint8_t* v;
+  std::ptrdiff_t stride;  ///< of luma; even
 };
 
-/// Kernel: warps `count` cells between two lines of corners: bilinear colour and, if `withDepth`, depth by
-/// squares of 2 x 2 pixels. Without motion the colours are those of the backdrop. May write one cell more.
-void warpCells(const WarpSource& source, const CornerLine& above, const CornerLine& below, int count, bool withDepth,
+/// Kernel: warps the colours of `count` cells, whole groups of them, between two lines of corners, bilinear. Without
+/// motion they are those of the backdrop.
+void warpCells(const WarpSource& source, const CornerLine& above, const CornerLine& below, int count,
                const WarpedPixels& out);
+
+/// Kernel: the depths of these cells, by squares of 2 x 2 pixels; eight rows that are `stride` apart.
+void warpDepths(const WarpSource& source, const CornerLine& above, const CornerLine& below, int count, float* depth,
+                std::ptrdiff_t stride);
 
 }  // namespace grove::node

@@ -1,112 +1,132 @@
 #include "node/frontend/backdrops/backdrop_warp.h"
 
 #include <algorithm>
+#include <cassert>
 #include <utility>
 
 namespace grove::node {
 namespace {
 
 constexpr int kCell = Backdrop::kCell;
+static_assert(FreshParts::kStripWidth == kWarpPixels && FreshParts::kStripHeight == kCell);
+
 /// Steps of the search for a corner from the nearness of the corner above it, and from the nearest in the picture.
 constexpr int kSteps = 1;
 constexpr int kFirstSteps = 4;
 
-bool isSame(const world::Camera& a, const world::Camera& b) {
-  return a.pose.position == b.pose.position && a.pose.yaw == b.pose.yaw && a.pose.pitch == b.pose.pitch &&
-         a.width == b.width && a.height == b.height && a.verticalFov == b.verticalFov;
+/// Has caches take up what is written soon: while what comes before is computed, not while stores wait.
+void fetchToWrite(const void* begin, std::ptrdiff_t bytes) {
+  constexpr std::ptrdiff_t kLine = 64;
+  for (std::ptrdiff_t i = 0; i < bytes; i += kLine) __builtin_prefetch(static_cast<const char*>(begin) + i, 1);
 }
 
-/// A row of cells that does not fit into the frame. Each row of pixels ends with space for one cell more.
-struct alignas(64) ScratchRow {
-  static constexpr int kStride = kWarpPixels + kCell;
-  std::uint32_t colour[kStride * kCell];
-  float depth[kStride * kCell];
-};
+/// The same for what cells below a line of corners read: rows of a picture are too far apart for the processor's own
+/// prefetching.
+void fetchToRead(const WarpSource& source, const CornerLine& corners, int pixels) {
+  constexpr int kLine = 64;
+  const auto fetch = [&](const std::uint8_t* plane, int height, float x, float y, int lines) {
+    const int column = static_cast<int>(std::clamp(x, 0.0F, static_cast<float>(source.width - 1)));
+    const int top = static_cast<int>(std::clamp(y, 0.0F, static_cast<float>(height - 1)));
+    for (int line = top; line < std::min(top + lines, height); ++line) {
+      __builtin_prefetch(plane + std::ptrdiff_t{line} * source.width + column);
+    }
+  };
+  for (int i = 0; i <= pixels; i += kLine) {
+    const float x = corners.x[i / kCell];
+    const float y = corners.y[i / kCell];
+    fetch(source.y, source.height, x, y, kCell);
+    fetch(source.uv, source.height / 2, x, 0.5F * y, kCell / 2);
+  }
+}
 
-/// Has caches take up pixels that are written soon: while those before are computed, not while stores wait.
-template <class Pixel>
-void fetchToWrite(const Pixel* pixels, int count) {
-  constexpr int kLine = 64 / sizeof(Pixel);
-  for (int i = 0; i < count; i += kLine) __builtin_prefetch(pixels + i, 1);
+/// Copies rows of samples.
+template <class Sample>
+void copyRows(const Sample* from, std::ptrdiff_t fromStride, int width, int height, Sample* to,
+              std::ptrdiff_t toStride) {
+  for (int row = 0; row < height; ++row) std::copy_n(from + row * fromStride, width, to + row * toStride);
+}
+
+constexpr int kGroupWidth = kCell * kCellGroup;
+/// In whole groups.
+int cellsAcross(const world::Rect& strip) { return (strip.width() + kGroupWidth - 1) / kGroupWidth * kCellGroup; }
+bool isWhole(const world::Rect& strip) { return strip.width() % kGroupWidth == 0 && strip.height() == kCell; }
+
+WarpSource sourceOf(const Backdrop& backdrop, const WarpCamera& warp) {
+  const raster::SemiPlanarImage& image = backdrop.image();
+  assert(image.width() >= 16 && image.height() >= 6);
+  return {image.y(), image.uv(), backdrop.squares().data(), image.width(), image.height(), warp.m.z};
 }
 
 }  // namespace
 
-BackdropWarp::BackdropWarp(const Backdrop& backdrop, const world::Camera& frame, std::vector<world::Rect> withDepth)
+BackdropWarp::BackdropWarp(const Backdrop& backdrop, const world::Camera& frame)
     : backdrop_(backdrop),
       search_{WarpCamera(backdrop.view().camera, frame),
               world::Vec2(backdrop.image().rect.left, backdrop.image().rect.top), backdrop.nearness().data(),
               backdrop.cellsAcross(), backdrop.cellsDown()},
-      frame_{0, 0, frame.width, frame.height},
-      still_(isSame(backdrop.view().camera, frame)),
-      withDepth_(std::move(withDepth)) {}
+      source_(sourceOf(backdrop, search_.warp)),
+      frame_{0, 0, frame.width, frame.height} {}
 
-void BackdropWarp::fill(FrameBuilder& rows) const {
-  const world::Rect rect = rows.clip(frame_);
-  const FramePixels out = rows.cover();
-  if (still_) return copy(rect, out);
-  for (int left = rect.left; left < rect.right; left += kWarpPixels) {
-    const FramePixels at{out.colour + left, out.depth + left, nullptr, nullptr, out.stride};
-    warp({left, rect.top, std::min(left + kWarpPixels, rect.right), rect.bottom}, at);
+void BackdropWarp::fill(int top, int bottom, const FreshParts& fresh, raster::YuvImage& picture,
+                        raster::Image& layers) const {
+  for (int left = 0; left < frame_.right; left += kWarpPixels) {
+    fillColumn({left, top, std::min(left + kWarpPixels, frame_.right), bottom}, fresh, picture, layers);
   }
 }
 
-void BackdropWarp::copy(const world::Rect& rows, const FramePixels& out) const {
-  const raster::Image& image = backdrop_.image();
-  for (int y = rows.top; y < rows.bottom; ++y) {
-    const std::ptrdiff_t to = (y - rows.top) * out.stride;
-    std::copy_n(image.colourRow(y - image.rect.top) - image.rect.left, rows.width(), out.colour + to);
-  }
-  for (const world::Rect& each : withDepth_) {
-    const world::Rect part = world::overlap(rows, each);
-    if (part.empty()) continue;
-    for (int y = part.top; y < part.bottom; ++y) {
-      const float* const from = image.depthRow(y - image.rect.top) + (part.left - image.rect.left);
-      std::copy_n(from, part.width(), out.depth + (y - rows.top) * out.stride + part.left);
-    }
-  }
-}
-
-void BackdropWarp::warp(const world::Rect& strip, const FramePixels& out) const {
-  const raster::Image& image = backdrop_.image();
-  const WarpSource source{image.colour.data(), backdrop_.squares().data(), image.width(), image.height(),
-                          search_.warp.m.z};
+void BackdropWarp::fillColumn(const world::Rect& column, const FreshParts& fresh, raster::YuvImage& picture,
+                              raster::Image& layers) const {
   CornerLine first;
   CornerLine second;
   CornerLine* above = &first;
   CornerLine* below = &second;
-  ScratchRow scratch;
   std::ranges::fill(below->nearness, backdrop_.nearest());
-  findCorners(search_, strip.left, strip.top, kFirstSteps, *below);
-  for (int top = strip.top; top < strip.bottom; top += kCell) {
+  findCorners(search_, column.left, column.top, kFirstSteps, *below);
+  fetchToRead(source_, *below, column.width());
+  for (int top = column.top; top < column.bottom; top += kCell) {
     std::swap(above, below);
     std::ranges::copy(above->nearness, below->nearness);
-    findCorners(search_, strip.left, top + kCell, kSteps, *below);
-    const world::Rect part{strip.left, top, strip.right, std::min(top + kCell, strip.bottom)};
-    const bool withDepth = needsDepth(part);
-    const auto rowOf = [&](int y) { return (y - strip.top) * out.stride; };
-    for (int y = part.top; y < part.bottom; ++y) {
-      fetchToWrite(out.colour + rowOf(y), part.width());
-      if (withDepth) fetchToWrite(out.depth + rowOf(y), part.width());
-    }
-    const int cells = (strip.width() + kCell - 1) / kCell;
-    // One cell more is the next strip's, which is filled later.
-    if (part.height() == kCell && strip.right < frame_.right) {
-      warpCells(source, *above, *below, cells, withDepth,
-                {out.colour + rowOf(top), out.depth + rowOf(top), out.stride});
-      continue;
-    }
-    warpCells(source, *above, *below, cells, withDepth, {scratch.colour, scratch.depth, ScratchRow::kStride});
-    for (int y = part.top; y < part.bottom; ++y) {
-      const std::ptrdiff_t from = std::ptrdiff_t{y - top} * ScratchRow::kStride;
-      std::copy_n(scratch.colour + from, part.width(), out.colour + rowOf(y));
-      if (withDepth) std::copy_n(scratch.depth + from, part.width(), out.depth + rowOf(y));
-    }
+    findCorners(search_, column.left, top + kCell, kSteps, *below);
+    fetchToRead(source_, *below, column.width());
+    const world::Rect strip{column.left, top, column.right, std::min(top + kCell, column.bottom)};
+    warpColours(*above, *below, strip, picture);
+    if (!fresh.isFresh(strip.left, strip.top)) continue;
+    raster::toRgba(picture, strip, layers);
+    warpDepth(*above, *below, strip, layers);
   }
 }
 
-bool BackdropWarp::needsDepth(const world::Rect& part) const {
-  return std::ranges::any_of(withDepth_, [&](const world::Rect& each) { return !world::overlap(part, each).empty(); });
+void BackdropWarp::warpColours(const CornerLine& above, const CornerLine& below, const world::Rect& strip,
+                               raster::YuvImage& picture) const {
+  const std::ptrdiff_t luma = picture.lumaAt(strip.left, strip.top);
+  const std::ptrdiff_t chroma = picture.chromaAt(strip.left, strip.top);
+  const WarpedPixels out{picture.y() + luma, picture.u() + chroma, picture.v() + chroma, picture.width()};
+  const int cells = cellsAcross(strip);
+  if (isWhole(strip)) {
+    for (int row = 0; row < kCell; ++row) fetchToWrite(out.y + row * out.stride, strip.width());
+    for (int row = 0; row < kCell / 2; ++row) {
+      fetchToWrite(out.u + row * (out.stride / 2), strip.width() / 2);
+      fetchToWrite(out.v + row * (out.stride / 2), strip.width() / 2);
+    }
+    return warpCells(source_, above, below, cells, out);
+  }
+  std::uint8_t y[kWarpPixels * kCell];
+  std::uint8_t u[kWarpPixels * kCell / 4];
+  std::uint8_t v[kWarpPixels * kCell / 4];
+  warpCells(source_, above, below, cells, {y, u, v, kWarpPixels});
+  copyRows(y, kWarpPixels, strip.width(), strip.height(), out.y, out.stride);
+  copyRows(u, kWarpPixels / 2, strip.width() / 2, strip.height() / 2, out.u, out.stride / 2);
+  copyRows(v, kWarpPixels / 2, strip.width() / 2, strip.height() / 2, out.v, out.stride / 2);
+}
+
+void BackdropWarp::warpDepth(const CornerLine& above, const CornerLine& below, const world::Rect& strip,
+                             raster::Image& layers) const {
+  float* const out = layers.depthRow(strip.top) + strip.left;
+  const int cells = cellsAcross(strip);
+  if (isWhole(strip)) return warpDepths(source_, above, below, cells, out, layers.width());
+  float depths[kWarpPixels * kCell];
+  warpDepths(source_, above, below, cells, depths, kWarpPixels);
+  copyRows(depths, kWarpPixels, strip.width(), strip.height(), out, layers.width());
 }
 
 }  // namespace grove::node

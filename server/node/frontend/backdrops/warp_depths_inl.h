@@ -12,7 +12,9 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "node/frontend/backdrops/warp_pixels_inl.h"
+#include "base/simd/row_part_inl.h"
+#include "node/frontend/backdrops/backdrop_kernels.h"
+#include "node/frontend/backdrops/warp_places_inl.h"
 #include "world/camera.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -71,7 +73,8 @@ HWY_INLINE Floats betweenSquares(const float* corners, int first) {
 }
 
 /// View depths in the frame of kLanes of its squares.
-HWY_INLINE Floats depthsOfSquares(const WarpSource& source, const RowCorners& corners, int first) {
+HWY_INLINE Floats depthsOfSquares(const WarpSource& source, const RowCorners& corners, const float* perForward,
+                                  int first) {
   const SquareGrid grid{source.squares, source.width / 2, source.height / 2};
   const auto place = [&](const float* from, int count) {
     return lanes::truncate(lanes::clamp(betweenSquares(from, first) * 0.5F, 0.0F, static_cast<float>(count - 1)));
@@ -80,22 +83,27 @@ HWY_INLINE Floats depthsOfSquares(const WarpSource& source, const RowCorners& co
   const Ints row = place(corners.y, grid.down);
   Ints steps;
   if (!lookUpSquaresNear(grid, column, row, steps)) steps = lanes::lookUp(grid.squares, row * grid.across + column);
-  const Floats depth =
-      (kNearnessSteps / lanes::toFloats(steps) - source.m2) * betweenSquares(corners.perForward, first);
+  const Floats depth = (kNearnessSteps / lanes::toFloats(steps) - source.m2) * betweenSquares(perForward, first);
   return lanes::select(steps > Ints(0), depth, world::kInfiniteDepth);
 }
 
 /// Depths of a row of cells, one for each square of 2 x 2 pixels: the backdrop's are no finer.
 HWY_INLINE void warpDepths(const WarpSource& source, const CornerLine& above, const CornerLine& below, int count,
-                           const WarpedPixels& out) {
+                           float* depth, std::ptrdiff_t stride) {
   constexpr int kSide = 8;
   float depths[kWarpPixels / 2 + kLanes];
   const int width = count * kSide;
   for (int row = 0; row < kSide; row += 2) {
-    const RowCorners corners(above, below, 0, kCorners - 2, (static_cast<float>(row) + 1.0F) / kSide);
-    for (int i = 0; i < width / 2; i += kLanes) lanes::store(depthsOfSquares(source, corners, i), depths + i);
-    float* __restrict const upper = out.depth + row * out.stride;
-    float* __restrict const lower = upper + out.stride;
+    const float down = (static_cast<float>(row) + 1.0F) / kSide;
+    const RowCorners corners(above, below, down);
+    float perForward[kCorners];
+    for (int i = 0; i < kCorners; ++i) {
+      perForward[i] = above.perForward[i] + down * (below.perForward[i] - above.perForward[i]);
+    }
+    for (int i = 0; i < width / 2; i += kLanes)
+      lanes::store(depthsOfSquares(source, corners, perForward, i), depths + i);
+    float* __restrict const upper = depth + row * stride;
+    float* __restrict const lower = upper + stride;
     for (int i = 0; i < width / 2; ++i) {
       upper[2 * i] = depths[i];
       upper[2 * i + 1] = depths[i];

@@ -20,9 +20,8 @@ world::Rect FrameBuilder::clip(const world::Rect& rect) const noexcept {
   return {rect.left, std::max(rect.top, edges_.rect.top), rect.right, std::min(rect.bottom, edges_.rect.bottom)};
 }
 
-FramePixels FrameBuilder::cover() {
+void FrameBuilder::cover() {
   for (Row& each : rows_) each.touched = true;
-  return pixels(frame_.rect.left, edges_.rect.top);
 }
 
 void FrameBuilder::lay(const raster::Image& layer) {

@@ -19,9 +19,8 @@ class FrameBuilder {
   /// The part of a rectangle that lies in the rows that are put together.
   [[nodiscard]] world::Rect clip(const world::Rect& rect) const noexcept;
 
-  /// Gives direct access to these rows, from the leftmost pixel of the first row. Call it before any lay(). The caller
-  /// writes every colour, and depth wherever a layer follows.
-  [[nodiscard]] FramePixels cover();
+  /// Takes these rows as they are. Call it before any lay(), and write colour and depth wherever a layer follows.
+  void cover();
 
   /// Composites a layer over these rows where it is not farther than the pixels there, blended by its coverage. A pixel
   /// of partial coverage does not hide layers that come later and lie behind it. Clips the layer to the frame.

@@ -8,8 +8,10 @@
 #include <vector>
 
 #include "node/frontend/compositing/composite.h"
+#include "node/frontend/compositing/fresh_parts.h"
 #include "node/limits.h"
 #include "pipeline/share_out.h"
+#include "raster/yuv_image.h"
 
 namespace grove::node {
 namespace {
@@ -56,50 +58,66 @@ void Compositor::process(std::span<CompleteFrame> frames, pipeline::Run& run) {
 
 FinishedFrame Compositor::composite(const CompleteFrame& frame) {
   const FrameList& list = *frame.list;
-  const world::Camera& camera = list.view->camera;
-  const auto image = images_.acquire({0, 0, camera.width, camera.height});
+  const world::Rect area{0, 0, list.view->camera.width, list.view->camera.height};
   if (list.drawsBackdrop()) drawBackdrop(frame);
   Scene scene = sceneOf(frame, false);
   const auto backdrop = backdrops_->newest();
-  const std::optional<BackdropWarp> warp = warpOf(list, backdrop.get(), scene);
-  BandSteps steps;
-  if (warp) steps.begin = [&](FrameBuilder& rows) { warp->fill(rows); };
-  compose(scene, traceTag(frame), *image, steps);
+  const std::optional<BackdropWarp> warp = warpOf(list, backdrop.get());
+  const FreshParts fresh(area, warp ? drawnParts(scene) : std::vector{area});
+  const auto picture = raster::acquireYuv(images_, area);
+  const auto layers = images_.acquire(area);
+  layers->spans = fresh.spans();
+  BandSteps steps{.image = [&](const world::Rect&) { return layers; }};
+  if (warp) {
+    steps.begin = [&](FrameBuilder& rows, const world::Rect& band) {
+      rows.cover();
+      warp->fill(band.top, band.bottom, fresh, *picture, *layers);
+    };
+  }
+  compose(scene, traceTag(frame), area, steps);
   pipeline::TimedParts times = timesOf(traceTag(frame));
   std::vector<Label> labels;
   for (Placed& each : scene) {
     if (!each.layer) continue;
     times.turnTo(halves_->name(each.object.object.type));
-    each.layer->draw(*image);
-    if (const auto label = each.layer->label(*image)) labels.push_back(*label);
+    each.layer->draw(*layers);
+    if (const auto label = each.layer->label(*layers)) labels.push_back(*label);
   }
+  times.turnTo(kBackdrop);
+  for (const world::Rect& strip : fresh.strips()) raster::toYuv(*layers, strip, *picture);
   halves_->reportMemory();
-  return {list.view, image, nearestOf(std::move(labels))};
+  return {list.view, picture, nearestOf(std::move(labels))};
 }
 
 void Compositor::drawBackdrop(const CompleteFrame& frame) {
-  const auto image = images_.acquire(frame.list->area);
-  image->opaque = true;
-  BackdropDepths depths(image->width(), image->height());
+  const world::Rect& area = frame.list->area;
+  const auto image = raster::acquireSemiPlanar(images_, area);
+  BackdropDepths depths(area);
   Scene scene = sceneOf(frame, true);
-  compose(scene, traceTag(frame), *image, {{}, [&](int top, int bottom) { depths.measure(*image, top, bottom); }});
-  pipeline::TimedParts times = timesOf(traceTag(frame));
-  times.turnTo(kBackdrop);
+  compose(scene, traceTag(frame), area,
+          {.image = [&](const world::Rect& band) { return images_.acquire(band); },
+           .end =
+               [&](const raster::Image& band) {
+                 depths.measure(band);
+                 raster::toSemiPlanar(band, *image);
+               }});
   backdrops_->put(std::make_shared<const Backdrop>(image, std::move(depths), frame.list->view));
 }
 
-std::optional<BackdropWarp> Compositor::warpOf(const FrameList& list, const Backdrop* backdrop,
-                                               const Scene& scene) const {
+std::optional<BackdropWarp> Compositor::warpOf(const FrameList& list, const Backdrop* backdrop) {
   if (!list.backdrop) return std::nullopt;
   if (backdrop == nullptr) throw std::runtime_error("no backdrop could be drawn yet");
-  const world::Camera& camera = list.view->camera;
-  std::vector<world::Rect> withDepth;
-  withDepth.reserve(2 * scene.size());
+  return std::make_optional<BackdropWarp>(*backdrop, list.view->camera);
+}
+
+std::vector<world::Rect> Compositor::drawnParts(const Scene& scene) {
+  std::vector<world::Rect> parts;
+  parts.reserve(2 * scene.size());
   for (const Placed& each : scene) {
-    withDepth.push_back(each.object.rect);
-    if (each.layer) withDepth.push_back(each.layer->readsDepth({0, 0, camera.width, camera.height}));
+    if (each.picture != nullptr) parts.push_back(each.picture->rect);
+    if (each.layer) parts.push_back(each.layer->reach(each.object.rect));
   }
-  return std::make_optional<BackdropWarp>(*backdrop, camera, std::move(withDepth));
+  return parts;
 }
 
 Compositor::Scene Compositor::sceneOf(const CompleteFrame& frame, bool still) {
@@ -118,7 +136,7 @@ Compositor::Scene Compositor::sceneOf(const CompleteFrame& frame, bool still) {
   return scene;
 }
 
-void Compositor::compose(Scene& scene, pipeline::TraceTag tag, raster::Image& image, const BandSteps& steps) {
+void Compositor::compose(Scene& scene, pipeline::TraceTag tag, const world::Rect& area, const BandSteps& steps) {
   makeParts(scene, tag);
   // What covers all of its pixels comes first, which is cheapest where nothing lies yet; then the others, the nearest
   // first, so that what they hide need not be laid.
@@ -127,17 +145,17 @@ void Compositor::compose(Scene& scene, pipeline::TraceTag tag, raster::Image& im
   for (Placed& each : scene) order.push_back(&each);
   const auto isOpaque = [](const Placed* each) { return each->opaque(); };
   std::reverse(std::stable_partition(order.begin(), order.end(), isOpaque), order.end());
-  const int bands = (image.height() + kBandHeight - 1) / kBandHeight;
+  const int bands = (area.height() + kBandHeight - 1) / kBandHeight;
   pipeline::shareOut(executor_, static_cast<std::size_t>(bands), [&](const pipeline::NextPart& next) {
     pipeline::TimedParts times = timesOf(tag);
-    while (const auto band = next()) {
-      const int top = static_cast<int>(*band) * kBandHeight;
-      const int bottom = std::min(top + kBandHeight, image.height());
-      const world::Rect& whole = image.rect;
-      const auto edges = images_.acquire({whole.left, whole.top + top, whole.right, whole.top + bottom});
-      FrameBuilder rows(image, *edges);
+    while (const auto number = next()) {
+      const int top = area.top + static_cast<int>(*number) * kBandHeight;
+      const world::Rect band{area.left, top, area.right, std::min(top + kBandHeight, area.bottom)};
+      const auto image = steps.image(band);
+      const auto edges = images_.acquire(band);
+      FrameBuilder rows(*image, *edges);
       times.turnTo(kBackdrop);
-      if (steps.begin) steps.begin(rows);
+      if (steps.begin) steps.begin(rows, band);
       for (Placed* const each : order) {
         times.turnTo(halves_->name(each->object.object.type));
         if (each->picture != nullptr && !rows.clip(each->picture->rect).empty()) rows.lay(*each->picture);
@@ -145,7 +163,7 @@ void Compositor::compose(Scene& scene, pipeline::TraceTag tag, raster::Image& im
       }
       rows.finish();
       times.turnTo(kBackdrop);
-      if (steps.end) steps.end(top, bottom);
+      if (steps.end) steps.end(*image);
     }
   });
 }

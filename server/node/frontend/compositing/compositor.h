@@ -44,14 +44,17 @@ class Compositor final : public pipeline::Stage<CompleteFrame> {
   [[nodiscard]] Scene sceneOf(const CompleteFrame& frame, bool still);
   void drawBackdrop(const CompleteFrame& frame);
   /// The frame's backdrop as its camera sees it, nothing if it has none. Throws if it could not be drawn.
-  [[nodiscard]] std::optional<BackdropWarp> warpOf(const FrameList& list, const Backdrop* backdrop,
-                                                   const Scene& scene) const;
-  /// What is done with the rows of a band: `begin` before anything is laid, `end`, with rows of the image, afterwards.
+  [[nodiscard]] static std::optional<BackdropWarp> warpOf(const FrameList& list, const Backdrop* backdrop);
+  /// Where a scene lies over its backdrop.
+  [[nodiscard]] static std::vector<world::Rect> drawnParts(const Scene& scene);
+  /// How the rows of a band, a rectangle as wide as what is composited, are begun and ended.
   struct BandSteps {
-    std::function<void(FrameBuilder& rows)> begin;
-    std::function<void(int top, int bottom)> end;
+    /// What they are composited in.
+    std::function<std::shared_ptr<raster::Image>(const world::Rect& band)> image;
+    std::function<void(FrameBuilder& rows, const world::Rect& band)> begin = nullptr;
+    std::function<void(const raster::Image& band)> end = nullptr;
   };
-  void compose(Scene& scene, pipeline::TraceTag tag, raster::Image& image, const BandSteps& steps);
+  void compose(Scene& scene, pipeline::TraceTag tag, const world::Rect& area, const BandSteps& steps);
   /// What the layers are to have before they can be laid.
   void makeParts(Scene& scene, pipeline::TraceTag tag);
   [[nodiscard]] pipeline::TimedParts timesOf(pipeline::TraceTag tag);

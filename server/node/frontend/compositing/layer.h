@@ -27,14 +27,14 @@ class Layer {
   virtual void lay(FrameBuilder& /*rows*/) {}
 
   /// Called by one thread when all layers are in place, back to front, to draw what cannot be laid. `frame` is the
-  /// whole frame: colour may be blended into, depth is read only and defined within readsDepth() only.
+  /// whole frame, of which only what reach() says may be read or changed; depth is read only.
   virtual void draw(raster::Image& /*frame*/) {}
 
   /// The object's name, unless it has none or something hides it. Called after draw(), of the same frame.
   [[nodiscard]] virtual std::optional<Label> label(const raster::Image& /*frame*/) const { return std::nullopt; }
 
-  /// The part of the frame whose depths draw() and label() read. May reach beyond the frame; empty if it reads none.
-  [[nodiscard]] virtual world::Rect readsDepth(const world::Rect& /*frame*/) const { return {}; }
+  /// All that it lays, draws and reads of the frame lies in here; `rect` is the object's. May reach beyond the frame.
+  [[nodiscard]] virtual world::Rect reach(const world::Rect& rect) const { return rect; }
 };
 
 }  // namespace grove::node

@@ -25,7 +25,7 @@ class LabelLayer final : public node::Layer {
   [[nodiscard]] std::optional<node::Label> label(const raster::Image& frame) const override {
     return labelOf(object_, camera_, frame);
   }
-  [[nodiscard]] world::Rect readsDepth(const world::Rect& /*frame*/) const override {
+  [[nodiscard]] world::Rect reach(const world::Rect& /*rect*/) const override {
     return headOf(object_, camera_).value_or(world::Rect{});
   }
 

@@ -1,5 +1,6 @@
 #include "objects/fluid/frontend/fluid_frontend_type.h"
 
+#include <map>
 #include <utility>
 
 #include "node/frontend/shared/shared_data_frontend.h"
@@ -11,34 +12,37 @@ namespace {
 
 class SmokeLayer final : public node::Layer {
  public:
-  SmokeLayer(SmokeRenderer& renderer, std::shared_ptr<const FluidSnapshot> snapshot, const node::View& view)
-      : renderer_(renderer), snapshot_(std::move(snapshot)), view_(view) {}
+  SmokeLayer(SmokeRenderer& renderer, const FluidSnapshot& snapshot, const node::View& view)
+      : renderer_(renderer), box_(renderer.prepare(snapshot, view)) {}
 
-  void draw(raster::Image& frame) override { renderer_.draw(*snapshot_, view_, frame); }
-  /// Puffs are larger than the box of their middles.
-  [[nodiscard]] world::Rect readsDepth(const world::Rect& frame) const override { return frame; }
+  void draw(raster::Image& frame) override { renderer_.draw(frame); }
+  [[nodiscard]] world::Rect reach(const world::Rect& /*rect*/) const override { return box_; }
 
  private:
   SmokeRenderer& renderer_;
-  const std::shared_ptr<const FluidSnapshot> snapshot_;
-  const node::View& view_;
+  const world::Rect box_;
 };
 
 class FluidFrontend final : public node::SharedDataFrontend {
  public:
-  explicit FluidFrontend(const node::FrontendTools& tools) : renderer_(tools.sky) {}
+  explicit FluidFrontend(const node::FrontendTools& tools) : sky_(tools.sky) {}
 
-  [[nodiscard]] std::size_t bytes() const override { return renderer_.bytes(); }
-
- private:
-  [[nodiscard]] std::unique_ptr<node::Layer> layerOf(const node::VisibleObject& /*object*/,
-                                                     std::shared_ptr<const node::SharedData> data,
-                                                     const node::View& view) override {
-    return std::make_unique<SmokeLayer>(renderer_, std::static_pointer_cast<const FluidSnapshot>(std::move(data)),
-                                        view);
+  [[nodiscard]] std::size_t bytes() const override {
+    std::size_t sum = 0;
+    for (const auto& [id, renderer] : renderers_) sum += renderer.bytes();
+    return sum;
   }
 
-  SmokeRenderer renderer_;
+ private:
+  [[nodiscard]] std::unique_ptr<node::Layer> layerOf(const node::VisibleObject& object,
+                                                     std::shared_ptr<const node::SharedData> data,
+                                                     const node::View& view) override {
+    SmokeRenderer& renderer = renderers_.try_emplace(object.object.id, sky_).first->second;
+    return std::make_unique<SmokeLayer>(renderer, static_cast<const FluidSnapshot&>(*data), view);
+  }
+
+  const world::Sky sky_;
+  std::map<world::ObjectId, SmokeRenderer> renderers_;
 };
 
 }  // namespace

@@ -1,7 +1,6 @@
 #include "objects/fluid/frontend/smoke_renderer.h"
 
 #include <algorithm>
-#include <cassert>
 
 namespace grove::objects::fluid {
 namespace {
@@ -11,10 +10,10 @@ constexpr double kLongestLead = 0.1;
 
 }  // namespace
 
-void SmokeRenderer::draw(const FluidSnapshot& snapshot, const node::View& view, raster::Image& frame) {
-  if (snapshot.count() == 0 || frame.rect.empty()) return;
+world::Rect SmokeRenderer::prepare(const FluidSnapshot& snapshot, const node::View& view) {
+  box_ = {};
   const world::Camera& camera = view.camera;
-  assert(camera.width == frame.width() && camera.height == frame.height());
+  if (snapshot.count() == 0 || camera.width <= 0 || camera.height <= 0) return box_;
 
   const auto lead = static_cast<float>(std::clamp(view.time - snapshot.time, 0.0, kLongestLead));
   project(snapshot, camera, lead, sprites_);
@@ -24,11 +23,18 @@ void SmokeRenderer::draw(const FluidSnapshot& snapshot, const node::View& view, 
   if (detail_.scale != shapedFor) shape(camera, detail_.scale, sprites_);
   shading_.shade(snapshot, camera, view.lights, detail_, view.time, sprites_);
 
-  const world::Rect box = collectVisible(camera, sprites_, order_);
-  if (box.empty()) return;
+  box_ = collectVisible(camera, sprites_, order_);
+  if (box_.empty()) return box_;
+  // The target's pixels are larger than the frame's, and depend on their neighbours.
+  const int margin = 2 * detail_.scale;
+  return {box_.left - margin, box_.top - margin, box_.right + margin, box_.bottom + margin};
+}
+
+void SmokeRenderer::draw(raster::Image& frame) {
+  if (box_.empty()) return;
   sorter_.sortBackToFront(sprites_.depth, order_);
   const float farthest = sprites_.depth[order_.front()] + 1.0F;
-  target_.begin(frame, box, detail_.scale, farthest);
+  target_.begin(frame, box_, detail_.scale, farthest);
   target_.draw(sprites_, order_);
   target_.blendInto(frame, sprites_.depth[order_.back()]);
 }

@@ -16,7 +16,7 @@ namespace grove::objects::fluid {
 
 /// Draws a FluidSnapshot into a finished frame: the per-user half of section 5.2.2. The paper sorts particles on the
 /// backend along six directions and lets viewers flicker between them; here each frame sorts for its own viewer.
-/// Allocates nothing once its buffers have grown. One per session, used by one thread at a time.
+/// Allocates nothing once its buffers have grown. One per session and fluid, used by one thread at a time.
 class SmokeRenderer {
  public:
   /// One to two milliseconds of a core that has AVX2, twice as long without.
@@ -25,7 +25,9 @@ class SmokeRenderer {
   /// `budget` bounds the cost of a frame, see chooseDetail().
   explicit SmokeRenderer(const world::Sky& sky, float budget = kUsualBudget) : budget_(budget), shading_(sky) {}
 
-  void draw(const FluidSnapshot& snapshot, const node::View& view, raster::Image& frame);
+  /// Prepares the next draw(). Returns a rectangle around all that draw() reads and changes, empty if no smoke shows.
+  [[nodiscard]] world::Rect prepare(const FluidSnapshot& snapshot, const node::View& view);
+  void draw(raster::Image& frame);
 
   [[nodiscard]] std::size_t bytes() const {
     return sizeof(*this) + sprites_.bytes() + sorter_.bytes() + target_.bytes() + pipeline::vectorBytes(order_);
@@ -42,6 +44,7 @@ class SmokeRenderer {
   SmokeOrder sorter_;
   SmokeTarget target_;
   std::vector<std::uint32_t> order_;
+  world::Rect box_;  ///< what prepare() returned
 };
 
 }  // namespace grove::objects::fluid

@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <vector>
 
 #include "each_target.h"
 #include "node/frontend/backdrops/drawn_backdrop.h"
+#include "yuv_pictures.h"
 
 namespace grove::node {
 namespace {
@@ -17,7 +19,8 @@ using testing::cameraOf;
 using testing::Painter;
 using testing::Pixel;
 
-constexpr std::uint32_t kPoison = 0x00010203U;
+constexpr std::uint8_t kPoison = 7;
+constexpr std::uint32_t kPoisonColour = 0x00010203U;
 constexpr float kPoisonDepth = -7.0F;
 
 /// A smooth pattern, so that interpolation is exact to about a step.
@@ -39,34 +42,35 @@ Pixel wallAt(const world::Camera& camera, world::Vec3 ray) {
   return {patternAt(2.0F * point.x, 2.0F * point.y), depth};
 }
 
+struct Shown {
+  std::shared_ptr<const raster::YuvImage> picture;
+  std::shared_ptr<const raster::Image> layers;
+};
+
 class BackdropWarpTest : public ::testing::Test {
  protected:
   /// In bands, as the Compositor does.
-  std::shared_ptr<raster::Image> show(const Backdrop& backdrop, const world::Camera& camera,
-                                      std::vector<world::Rect> withDepth = {}) {
-    auto frame = pool.acquire({0, 0, camera.width, camera.height});
-    std::ranges::fill(frame->colour, kPoison);
-    std::ranges::fill(frame->depth, kPoisonDepth);
-    const BackdropWarp warp(backdrop, camera, std::move(withDepth));
+  Shown show(const Backdrop& backdrop, const world::Camera& camera, const std::vector<world::Rect>& drawn = {}) {
+    const world::Rect whole{0, 0, camera.width, camera.height};
+    const auto picture = raster::acquireYuv(pool, whole);
+    const auto layers = pool.acquire(whole);
+    std::ranges::fill(picture->bytes, kPoison);
+    std::ranges::fill(layers->colour, kPoisonColour);
+    std::ranges::fill(layers->depth, kPoisonDepth);
+    const BackdropWarp warp(backdrop, camera);
+    const FreshParts fresh(whole, drawn);
     for (int top = 0; top < camera.height; top += 48) {
-      const auto edges = pool.acquire({0, top, camera.width, std::min(top + 48, camera.height)});
-      FrameBuilder rows(*frame, *edges);
-      warp.fill(rows);
-      rows.finish();
+      warp.fill(top, std::min(top + 48, camera.height), fresh, *picture, *layers);
     }
-    return frame;
+    return {picture, layers};
   }
 
-  static void expectLike(const raster::Image& shown, const raster::Image& wanted, int tolerance) {
-    for (int y = 0; y < shown.height(); ++y) {
-      for (int x = 0; x < shown.width(); ++x) {
-        for (const unsigned shift : {0U, 8U, 16U, 24U}) {
-          const auto channel = [&](const raster::Image& image) {
-            return static_cast<int>(image.colourRow(y)[x] >> shift & 0xFFU);
-          };
-          ASSERT_LE(std::abs(channel(shown) - channel(wanted)), tolerance) << x << ", " << y << ", " << shift;
-        }
-      }
+  /// Both halves of a frame's bytes, luma and chroma.
+  static void expectLike(const raster::YuvImage& shown, const raster::Image& wanted, int tolerance) {
+    const auto yuv = tests::yuvOf(wanted);
+    for (std::size_t i = 0; i < yuv->bytes.size(); ++i) {
+      ASSERT_LE(std::abs(shown.bytes[i] - yuv->bytes[i]), tolerance)
+          << i << " of " << shown.width() << " x " << shown.height();
     }
   }
 
@@ -74,11 +78,13 @@ class BackdropWarpTest : public ::testing::Test {
 };
 
 TEST_F(BackdropWarpTest, CopiesForTheSameCamera) {
-  const world::Camera camera = cameraOf(431, 243);
+  const world::Camera camera = cameraOf(432, 242);
   const auto backdrop = backdropOf(wallAt, camera, {-10, -4, 440, 250});
-  const auto frame = show(*backdrop, camera, {{100, 20, 140, 60}});
-  expectLike(*frame, *testing::paint(wallAt, camera, frame->rect), 0);
-  EXPECT_FLOAT_EQ(frame->depthRow(30)[120], 5.0F);
+  tests::onEachTarget([&] {
+    const Shown shown = show(*backdrop, camera, {{100, 20, 140, 60}});
+    expectLike(*shown.picture, *testing::paint(wallAt, camera, shown.picture->rect), 0);
+    EXPECT_NEAR(shown.layers->depthRow(30)[120], 5.0F, 0.01F);
+  });
 }
 
 TEST_F(BackdropWarpTest, ShowsWhatATurnedCameraSees) {
@@ -88,9 +94,9 @@ TEST_F(BackdropWarpTest, ShowsWhatATurnedCameraSees) {
   after.pose.yaw += 0.06F;
   after.pose.pitch -= 0.03F;
   tests::onEachTarget([&] {
-    const auto frame = show(*backdrop, after, {{0, 0, 640, 360}});
-    expectLike(*frame, *testing::paint(skyAt, after, frame->rect), 3);
-    EXPECT_EQ(frame->depthRow(100)[100], world::kInfiniteDepth);
+    const Shown shown = show(*backdrop, after, {{0, 0, 640, 360}});
+    expectLike(*shown.picture, *testing::paint(skyAt, after, shown.picture->rect), 3);
+    EXPECT_EQ(shown.layers->depthRow(100)[100], world::kInfiniteDepth);
   });
 }
 
@@ -101,10 +107,11 @@ TEST_F(BackdropWarpTest, ShowsWhatAMovedCameraSees) {
   after.pose.position += world::Vec3(0.08F, -0.05F, -0.2F);
   after.pose.yaw += 0.02F;
   tests::onEachTarget([&] {
-    const auto frame = show(*backdrop, after, {{0, 0, 640, 360}});
-    const auto wanted = testing::paint(wallAt, after, frame->rect);
-    expectLike(*frame, *wanted, 4);
-    for (std::size_t i = 0; i < wanted->depth.size(); ++i) ASSERT_NEAR(frame->depth[i], wanted->depth[i], 0.02F) << i;
+    const Shown shown = show(*backdrop, after, {{0, 0, 640, 360}});
+    const auto wanted = testing::paint(wallAt, after, shown.picture->rect);
+    expectLike(*shown.picture, *wanted, 4);
+    const auto& depths = shown.layers->depth;
+    for (std::size_t i = 0; i < wanted->depth.size(); ++i) ASSERT_NEAR(depths[i], wanted->depth[i], 0.02F) << i;
   });
 }
 
@@ -116,33 +123,78 @@ TEST_F(BackdropWarpTest, ShowsTheLastPixelsOfItsImage) {
   after.pose.yaw -= 0.01F;
   after.pose.pitch -= 0.01F;
   tests::onEachTarget([&] {
-    const auto frame = show(*backdrop, after, {{0, 0, 640, 360}});
-    EXPECT_EQ(frame->depthRow(359)[639], world::kInfiniteDepth);
+    const Shown shown = show(*backdrop, after, {{0, 0, 640, 360}});
+    EXPECT_EQ(shown.layers->depthRow(359)[639], world::kInfiniteDepth);
   });
 }
 
 /// Fails if a row of cells writes beyond its end, into the next row or the next strip.
-TEST_F(BackdropWarpTest, FillsFramesOfAnySize) {
-  for (const int width : {8, 250, 263, 431, 530}) {
-    const world::Camera before = cameraOf(width, 131);
-    const auto backdrop = backdropOf(wallAt, before, {-20, -20, width + width % 2 + 20, 152});
+TEST_F(BackdropWarpTest, FillsFramesOfAnyEvenSize) {
+  for (const int width : {34, 250, 264, 432, 530}) {
+    const world::Camera before = cameraOf(width, 130);
+    const auto backdrop = backdropOf(wallAt, before, {-20, -20, width + 20, 152});
     world::Camera after = before;
     after.pose.position.x += 0.05F;
     tests::onEachTarget([&] {
-      const auto frame = show(*backdrop, after);
-      expectLike(*frame, *testing::paint(wallAt, after, frame->rect), 4);
+      const Shown shown = show(*backdrop, after);
+      expectLike(*shown.picture, *testing::paint(wallAt, after, shown.picture->rect), 4);
     });
   }
 }
 
-TEST_F(BackdropWarpTest, WritesDepthsOnlyWhereTheyAreNeeded) {
+/// A backdrop may lack a strip at the frame's edges: its outermost samples are repeated there.
+TEST_F(BackdropWarpTest, RepeatsItsEdgesBeyondThem) {
+  const Painter framed = [](const world::Camera& camera, world::Vec3 ray) {
+    const bool outermost = std::abs(ray.x) > 0.98F * camera.tanHalfX();
+    return Pixel{outermost ? 0xFFC8C8C8U : 0xFF3C3C3CU, 20.0F};
+  };
+  const world::Camera before = cameraOf(640, 360);
+  const auto backdrop = backdropOf(framed, before, {0, 0, 640, 360});
+  for (const float turn : {-0.15F, 0.15F}) {
+    world::Camera after = before;
+    after.pose.yaw += turn;
+    after.pose.pitch += turn;
+    tests::onEachTarget([&] {
+      const Shown shown = show(*backdrop, after);
+      const raster::YuvImage& picture = *shown.picture;
+      for (const int y : {0, 179, 359}) {
+        EXPECT_EQ(picture.y()[std::ptrdiff_t{y} * 640], turn > 0.0F ? 0xC8 : 0x3C) << y;
+        EXPECT_EQ(picture.y()[std::ptrdiff_t{y} * 640 + 639], turn > 0.0F ? 0x3C : 0xC8) << y;
+        EXPECT_EQ(picture.u()[std::ptrdiff_t{y / 2} * 320], 128) << y;
+      }
+    });
+  }
+}
+
+/// Cells that are stretched too much for the kernels' blocks are warped sample by sample; fails if the two differ.
+TEST_F(BackdropWarpTest, ShowsWhatIsMadeMuchLargerOrSmaller) {
+  const world::Camera before = cameraOf(640, 360);
+  const auto backdrop = backdropOf(wallAt, before, {0, 0, 640, 360});
+  world::Camera after = before;
+  after.pose.position.z = 10.0F;  // a third of the size
+  tests::onEachTarget([&] {
+    const Shown shown = show(*backdrop, after);
+    const auto wanted = tests::yuvOf(*testing::paint(wallAt, after, shown.picture->rect));
+    for (int y = 130; y < 230; ++y) {
+      for (int x = 230; x < 410; ++x) {
+        ASSERT_NEAR(shown.picture->y()[shown.picture->lumaAt(x, y)], wanted->y()[wanted->lumaAt(x, y)], 3)
+            << x << ", " << y;
+      }
+    }
+  });
+}
+
+TEST_F(BackdropWarpTest, PreparesOnlyWhatIsDrawnOver) {
   const world::Camera before = cameraOf(640, 360);
   const auto backdrop = backdropOf(wallAt, before, {-20, -20, 660, 380});
   world::Camera after = before;
   after.pose.position.x += 0.05F;
-  const auto frame = show(*backdrop, after, {{10, 100, 50, 110}});
-  EXPECT_NEAR(frame->depthRow(105)[30], 5.0F, 0.02F);
-  EXPECT_EQ(frame->depthRow(300)[30], kPoisonDepth);
+  const Shown shown = show(*backdrop, after, {{10, 100, 50, 110}});
+  EXPECT_NEAR(shown.layers->depthRow(105)[30], 5.0F, 0.02F);
+  const auto below = tests::rgbaOf(*shown.picture);
+  EXPECT_EQ(shown.layers->colourRow(105)[30], below->colourRow(105)[30]);
+  EXPECT_EQ(shown.layers->depthRow(300)[30], kPoisonDepth);
+  EXPECT_EQ(shown.layers->colourRow(300)[30], kPoisonColour);
 }
 
 /// Fails if the corner cells of an outline are stretched between what is in front and what is behind.
@@ -156,13 +208,13 @@ TEST_F(BackdropWarpTest, KeepsTheOutlineOfAPostStraight) {
   world::Camera after = before;
   after.pose.position.x += 0.04F;
   tests::onEachTarget([&] {
-    const auto frame = show(*backdrop, after);
-    for (int y = 0; y < frame->height(); ++y) {
-      const auto* const row = frame->colourRow(y);
-      const auto first = std::find_if(row, row + 640, [](std::uint32_t colour) { return (colour & 0xFFU) > 127U; });
+    const Shown shown = show(*backdrop, after);
+    for (int y = 0; y < 360; ++y) {
+      const std::uint8_t* const row = shown.picture->y() + y * 640;
+      const auto first = std::find_if(row, row + 640, [](std::uint8_t luma) { return luma > 127U; });
       const float left = 320.0F + after.focal() * (-0.3F - 0.04F) / 2.0F;
       ASSERT_NEAR(static_cast<float>(first - row), left, 1.0F) << y;
-      const auto end = std::find_if(first, row + 640, [](std::uint32_t colour) { return (colour & 0xFFU) <= 127U; });
+      const auto end = std::find_if(first, row + 640, [](std::uint8_t luma) { return luma <= 127U; });
       ASSERT_NEAR(static_cast<float>(end - first), after.focal() * 0.3F, 1.0F) << y;
     }
   });

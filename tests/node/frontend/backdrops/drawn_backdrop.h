@@ -45,10 +45,13 @@ inline std::shared_ptr<raster::Image> paint(const Painter& painter, const world:
   return image;
 }
 
-inline std::shared_ptr<const Backdrop> backdropOf(std::shared_ptr<const raster::Image> image, View view) {
-  BackdropDepths depths(image->width(), image->height());
-  depths.measure(*image, 0, image->height());
-  return std::make_shared<const Backdrop>(std::move(image), std::move(depths),
+inline std::shared_ptr<const Backdrop> backdropOf(const std::shared_ptr<const raster::Image>& image, View view) {
+  BackdropDepths depths(image->rect);
+  depths.measure(*image);
+  raster::ImagePool pool;
+  auto colours = raster::acquireSemiPlanar(pool, image->rect);
+  raster::toSemiPlanar(*image, *colours);
+  return std::make_shared<const Backdrop>(std::move(colours), std::move(depths),
                                           std::make_shared<const View>(std::move(view)));
 }
 

@@ -87,7 +87,8 @@ inline node::View lookAt(world::Vec3 from, world::Vec3 to, int width, int height
 
 inline void draw(SmokeRenderer& renderer, const std::shared_ptr<const FluidSnapshot>& snapshot, const node::View& view,
                  Frame& frame) {
-  renderer.draw(*snapshot, view, frame.image);
+  static_cast<void>(renderer.prepare(*snapshot, view));
+  renderer.draw(frame.image);
 }
 
 /// Mean absolute difference of the colour channels, 0..255.

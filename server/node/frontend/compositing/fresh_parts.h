@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "raster/image.h"
+
+namespace grove::node {
+
+/// The parts of a frame over which something is drawn anew: whole strips, each of which is composited as RGBA with
+/// depth. Elsewhere the frame is its warped backdrop.
+class FreshParts {
+ public:
+  /// Pixels of a strip's sides; those at the frame's right and bottom may be smaller.
+  static constexpr int kStripWidth = 256;
+  static constexpr int kStripHeight = 8;
+
+  /// All of the strips that overlap one of `drawn`.
+  FreshParts(const world::Rect& frame, const std::vector<world::Rect>& drawn);
+
+  /// Whether the strip that begins at `left` and `top` is one.
+  [[nodiscard]] bool isFresh(int left, int top) const;
+  /// Of each row of the frame, what lies from its first to its last fresh strip.
+  [[nodiscard]] std::vector<raster::Span> spans() const;
+  /// The fresh strips, from left to right and from the top; neighbours in a row are one rectangle.
+  [[nodiscard]] std::vector<world::Rect> strips() const;
+
+ private:
+  world::Rect frame_;
+  int across_;
+  std::vector<bool> fresh_;  ///< row by row
+};
+
+}  // namespace grove::node

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "raster/image.h"
+
+namespace grove::raster {
+
+// Colours as encoders take them: luma, and chroma of half its width and height, rows from the top. BT.601 in its full
+// range, as JPEG has it (JFIF 1.02). Edges of rectangles are even.
+
+/// A rectangle of a frame in three planes.
+struct YuvImage {
+  world::Rect rect;
+  Plane<std::uint8_t> bytes;  ///< Y, then U, then V, without gaps
+
+  [[nodiscard]] int width() const noexcept { return rect.width(); }
+  [[nodiscard]] int height() const noexcept { return rect.height(); }
+  [[nodiscard]] std::uint8_t* y() noexcept { return bytes.data(); }
+  [[nodiscard]] std::uint8_t* u() noexcept { return y() + lumaBytes(); }
+  [[nodiscard]] std::uint8_t* v() noexcept { return u() + lumaBytes() / 4; }
+  [[nodiscard]] const std::uint8_t* y() const noexcept { return bytes.data(); }
+  [[nodiscard]] const std::uint8_t* u() const noexcept { return y() + lumaBytes(); }
+  [[nodiscard]] const std::uint8_t* v() const noexcept { return u() + lumaBytes() / 4; }
+
+  /// Of a pixel's sample in the planes; both coordinates are even.
+  [[nodiscard]] std::ptrdiff_t lumaAt(int x, int y) const noexcept {
+    return std::ptrdiff_t{y - rect.top} * width() + (x - rect.left);
+  }
+  [[nodiscard]] std::ptrdiff_t chromaAt(int x, int y) const noexcept {
+    return std::ptrdiff_t{(y - rect.top) / 2} * (width() / 2) + (x - rect.left) / 2;
+  }
+
+ private:
+  [[nodiscard]] std::size_t lumaBytes() const noexcept {
+    return static_cast<std::size_t>(width()) * static_cast<std::size_t>(height());
+  }
+};
+
+/// A rectangle of a frame in two planes, whose chroma is looked up at once.
+struct SemiPlanarImage {
+  world::Rect rect;
+  Plane<std::uint8_t> bytes;  ///< Y, then U and V in turn, without gaps
+
+  [[nodiscard]] int width() const noexcept { return rect.width(); }
+  [[nodiscard]] int height() const noexcept { return rect.height(); }
+  [[nodiscard]] std::uint8_t* y() noexcept { return bytes.data(); }
+  [[nodiscard]] std::uint8_t* uv() noexcept { return y() + std::ptrdiff_t{width()} * height(); }
+  [[nodiscard]] const std::uint8_t* y() const noexcept { return bytes.data(); }
+  [[nodiscard]] const std::uint8_t* uv() const noexcept { return y() + std::ptrdiff_t{width()} * height(); }
+};
+
+/// Memory from the pool; the contents are whatever was there before.
+[[nodiscard]] std::shared_ptr<YuvImage> acquireYuv(ImagePool& pool, const world::Rect& rect);
+[[nodiscard]] std::shared_ptr<SemiPlanarImage> acquireSemiPlanar(ImagePool& pool, const world::Rect& rect);
+
+/// Converts colours within `part`, which lies within both; alpha is ignored.
+void toYuv(const Image& from, const world::Rect& part, YuvImage& to);
+/// Converts all colours of `from`, which is as wide as `to` and lies within it.
+void toSemiPlanar(const Image& from, SemiPlanarImage& to);
+
+/// Converts colours within `part`, which lies within both, to opaque ones. Chroma is repeated, so that toYuv() returns
+/// what was there before, to a rounding.
+void toRgba(const YuvImage& from, const world::Rect& part, Image& to);
+
+/// All of its colours, opaque.
+[[nodiscard]] std::vector<std::uint32_t> rgbaOf(const YuvImage& image);
+
+}  // namespace grove::raster
