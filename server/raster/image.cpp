@@ -28,7 +28,7 @@ std::size_t touchedPixels(const Image& image) {
   for (int row = 0; row < image.height(); ++row) {
     const Span span = image.span(row);
     if (span.begin >= span.end) continue;
-    const auto at = [&](int column) { return static_cast<std::size_t>(row * image.width() + column); };
+    const auto at = [&](int column) { return static_cast<std::size_t>(std::ptrdiff_t{row} * image.width() + column); };
     const std::size_t end = at(span.end - 1) / kPage + 1;
     const std::size_t begin = std::max(at(span.begin) / kPage, next);
     if (end > begin) pages += end - begin;

@@ -65,7 +65,7 @@ FinishedFrame Compositor::composite(const CompleteFrame& frame) {
   const std::optional<BackdropWarp> warp = warpOf(list, backdrop.get());
   const FreshParts fresh(area, warp ? drawnParts(scene) : std::vector{area});
   const auto picture = raster::acquireYuv(images_, area);
-  const auto layers = images_.acquire(area);
+  auto layers = images_.acquire(area);
   layers->spans = fresh.spans();
   BandSteps steps{.image = [&](const world::Rect&) { return layers; }};
   if (warp) {

@@ -18,15 +18,18 @@ FreshParts::FreshParts(const world::Rect& frame, const std::vector<world::Rect>&
     if (part.empty()) continue;
     for (int row = part.top / kStripHeight; row * kStripHeight < part.bottom; ++row) {
       for (int column = part.left / kStripWidth; column * kStripWidth < part.right; ++column) {
-        fresh_[static_cast<std::size_t>(row * across_ + column)] = true;
+        fresh_[indexOf(column, row)] = true;
       }
     }
   }
 }
 
+std::size_t FreshParts::indexOf(int column, int row) const {
+  return static_cast<std::size_t>(row) * static_cast<std::size_t>(across_) + static_cast<std::size_t>(column);
+}
+
 bool FreshParts::isFresh(int left, int top) const {
-  const int row = (top - frame_.top) / kStripHeight;
-  return fresh_[static_cast<std::size_t>(row * across_ + (left - frame_.left) / kStripWidth)];
+  return fresh_[indexOf((left - frame_.left) / kStripWidth, (top - frame_.top) / kStripHeight)];
 }
 
 std::vector<raster::Span> FreshParts::spans() const {

@@ -26,6 +26,8 @@ class FreshParts {
   [[nodiscard]] std::vector<world::Rect> strips() const;
 
  private:
+  [[nodiscard]] std::size_t indexOf(int column, int row) const;
+
   world::Rect frame_;
   int across_;
   std::vector<bool> fresh_;  ///< row by row
