@@ -9,7 +9,7 @@
 namespace grove::raster {
 namespace {
 
-constexpr world::Rect kRect{-4, 2, 44, 20};
+constexpr world::Rect kArea{-4, 2, 44, 20};
 
 std::shared_ptr<Image> filled(ImagePool& pool, const world::Rect& rect, std::uint32_t colour) {
   auto image = pool.acquire(rect);
@@ -30,13 +30,13 @@ TEST(YuvImage, IsWhatJpegCallsIt) {
   for (const Case& each :
        {Case{0xFF0000FFU, 76, 85, 255}, Case{0xFF00FF00U, 150, 44, 21}, Case{0xFFFF0000U, 29, 255, 107},
         Case{0xFF000000U, 0, 128, 128}, Case{0xFFFFFFFFU, 255, 128, 128}}) {
-    const auto yuv = acquireYuv(pool, kRect);
-    toYuv(*filled(pool, kRect, each.rgba), kRect, *yuv);
+    const auto yuv = acquireYuv(pool, kArea);
+    toYuv(*filled(pool, kArea, each.rgba), kArea, *yuv);
     EXPECT_NEAR(yuv->y()[100], each.y, 1);
     EXPECT_NEAR(yuv->u()[100], each.u, 2);
     EXPECT_NEAR(yuv->v()[100], each.v, 2);
-    const auto semiPlanar = acquireSemiPlanar(pool, kRect);
-    toSemiPlanar(*filled(pool, kRect, each.rgba), *semiPlanar);
+    const auto semiPlanar = acquireSemiPlanar(pool, kArea);
+    toSemiPlanar(*filled(pool, kArea, each.rgba), *semiPlanar);
     EXPECT_NEAR(semiPlanar->y()[100], each.y, 1);
     EXPECT_NEAR(semiPlanar->uv()[100], each.u, 2);
     EXPECT_NEAR(semiPlanar->uv()[101], each.v, 2);
@@ -49,9 +49,9 @@ TEST(YuvImage, IsWhatJpegCallsIt) {
 /// What is composited over a part of a frame must not change the pixels around it.
 TEST(YuvImage, ComesBackFromRgbaAsItWas) {
   ImagePool pool;
-  const auto yuv = acquireYuv(pool, kRect);
-  for (int y = kRect.top; y < kRect.bottom; ++y) {
-    for (int x = kRect.left; x < kRect.right; ++x) {
+  const auto yuv = acquireYuv(pool, kArea);
+  for (int y = kArea.top; y < kArea.bottom; ++y) {
+    for (int x = kArea.left; x < kArea.right; ++x) {
       yuv->y()[yuv->lumaAt(x, y)] = static_cast<std::uint8_t>(100 + (x * 7 + y * 13) % 60);
     }
   }
@@ -59,24 +59,24 @@ TEST(YuvImage, ComesBackFromRgbaAsItWas) {
     yuv->u()[i] = static_cast<std::uint8_t>(110 + i % 30);
     yuv->v()[i] = static_cast<std::uint8_t>(140 - i % 25);
   }
-  const auto rgba = pool.acquire(kRect);
-  toRgba(*yuv, kRect, *rgba);
-  const auto back = acquireYuv(pool, kRect);
-  toYuv(*rgba, kRect, *back);
+  const auto rgba = pool.acquire(kArea);
+  toRgba(*yuv, kArea, *rgba);
+  const auto back = acquireYuv(pool, kArea);
+  toYuv(*rgba, kArea, *back);
   for (std::size_t i = 0; i < yuv->bytes.size(); ++i) ASSERT_NEAR(back->bytes[i], yuv->bytes[i], 2) << i;
 }
 
 TEST(YuvImage, ConvertsTheAskedPartOnly) {
   ImagePool pool;
   constexpr world::Rect kPart{0, 4, 10, 8};
-  const auto yuv = acquireYuv(pool, kRect);
+  const auto yuv = acquireYuv(pool, kArea);
   std::ranges::fill(yuv->bytes, std::uint8_t{7});
   toYuv(*filled(pool, kPart, 0xFFFFFFFFU), kPart, *yuv);
   EXPECT_EQ(std::count(yuv->y(), yuv->u(), 255), 40);
   EXPECT_EQ(yuv->y()[yuv->lumaAt(0, 4)], 255);
   EXPECT_EQ(std::count(yuv->u(), yuv->v(), 128), 10);
   EXPECT_EQ(yuv->v()[yuv->chromaAt(8, 6)], 128);
-  const auto image = filled(pool, kRect, 3U);
+  const auto image = filled(pool, kArea, 3U);
   toRgba(*yuv, kPart, *image);
   EXPECT_EQ(std::ranges::count(image->colour, 3U), 48 * 18 - 40);
 }
@@ -84,7 +84,7 @@ TEST(YuvImage, ConvertsTheAskedPartOnly) {
 /// Bands are converted by themselves.
 TEST(YuvImage, SemiPlanarBandsLandWhereTheyBelong) {
   ImagePool pool;
-  const auto whole = acquireSemiPlanar(pool, kRect);
+  const auto whole = acquireSemiPlanar(pool, kArea);
   std::ranges::fill(whole->bytes, std::uint8_t{7});
   toSemiPlanar(*filled(pool, {-4, 6, 44, 10}, 0xFFFFFFFFU), *whole);
   EXPECT_EQ(std::count(whole->y(), whole->y() + 4 * 48, 7), 4 * 48);
