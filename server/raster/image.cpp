@@ -71,6 +71,7 @@ struct ImagePool::Store {
     return memory;
   }
 
+  /// `touched`: pixels that the image has touched, known only now.
   void give(std::size_t pixels, Memory memory, std::size_t touched) {
     const std::lock_guard lock(mutex);
     if (touched > memory.touched) {

@@ -14,14 +14,14 @@ static_assert(FreshParts::kStripWidth == kWarpPixels && FreshParts::kStripHeight
 constexpr int kSteps = 1;
 constexpr int kFirstSteps = 4;
 
-/// Has caches take up what is written soon: while what comes before is computed, not while stores wait.
+/// Prefetches memory that is written soon, so that stores do not wait for it.
 void fetchToWrite(const void* begin, std::ptrdiff_t bytes) {
   constexpr std::ptrdiff_t kLine = 64;
   for (std::ptrdiff_t i = 0; i < bytes; i += kLine) __builtin_prefetch(static_cast<const char*>(begin) + i, 1);
 }
 
-/// The same for what cells below a line of corners read: rows of a picture are too far apart for the processor's own
-/// prefetching.
+/// Prefetches the samples that the cells below a line of corners read. The hardware prefetcher does not follow rows
+/// that are this far apart.
 void fetchToRead(const WarpSource& source, const CornerLine& corners, int pixels) {
   constexpr int kLine = 64;
   const auto fetch = [&](const std::uint8_t* plane, int height, float x, float y, int lines) {

@@ -129,7 +129,7 @@ HWY_INLINE void warpRow(const std::uint8_t* plane, std::ptrdiff_t stride, const 
 HWY_INLINE std::uint32_t warpGroups(WarpSource source, const CornerLine& above, const CornerLine& below, int count,
                                     WarpedPixels out) {
   std::uint32_t stretched = 0;
-  // All places come first: processors wait for what is read in other parts than it was just written in.
+  // All places first: a load that spans two recent stores would wait for both (no store forwarding).
   RowPlaces<8> luma[8];
   for (int row = 0; row < 8; ++row) {
     const RowCorners corners(above, below, (static_cast<float>(row) + 0.5F) / 8.0F);

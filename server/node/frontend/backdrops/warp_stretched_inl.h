@@ -18,8 +18,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace grove::node::HWY_NAMESPACE {
 
-/// The samples of one cell in a plane: what four bytes each lies between, and how near it is to them, in 128ths. Loops
-/// that compilers vectorise, around the one that looks up.
+/// Bilinear look-ups of one cell's samples in a plane, with weights in 128ths. Compilers vectorise all loops but the
+/// one that loads.
 template <int kSide>
 class StretchedSamples {
  public:

@@ -19,7 +19,8 @@ class FrameBuilder {
   /// The part of a rectangle that lies in the rows that are put together.
   [[nodiscard]] world::Rect clip(const world::Rect& rect) const noexcept;
 
-  /// Takes these rows as they are. Call it before any lay(), and write colour and depth wherever a layer follows.
+  /// Keeps the current pixels of these rows instead of clearing them. Call it before any lay(). The caller has written
+  /// colour and depth wherever a layer follows.
   void cover();
 
   /// Composites a layer over these rows where it is not farther than the pixels there, blended by its coverage. A pixel

@@ -47,9 +47,9 @@ class Compositor final : public pipeline::Stage<CompleteFrame> {
   [[nodiscard]] static std::optional<BackdropWarp> warpOf(const FrameList& list, const Backdrop* backdrop);
   /// Where a scene lies over its backdrop.
   [[nodiscard]] static std::vector<world::Rect> drawnParts(const Scene& scene);
-  /// How the rows of a band, a rectangle as wide as what is composited, are begun and ended.
+  /// Callbacks for each band: a rectangle of some rows, as wide as the composited area.
   struct BandSteps {
-    /// What they are composited in.
+    /// Returns the image that the band is composited in.
     std::function<std::shared_ptr<raster::Image>(const world::Rect& band)> image;
     std::function<void(FrameBuilder& rows, const world::Rect& band)> begin = nullptr;
     std::function<void(const raster::Image& band)> end = nullptr;

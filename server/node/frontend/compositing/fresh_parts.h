@@ -15,12 +15,12 @@ class FreshParts {
   static constexpr int kStripWidth = 256;
   static constexpr int kStripHeight = 8;
 
-  /// All of the strips that overlap one of `drawn`.
+  /// Marks all strips that overlap one of `drawn`.
   FreshParts(const world::Rect& frame, const std::vector<world::Rect>& drawn);
 
   /// Whether the strip that begins at `left` and `top` is one.
   [[nodiscard]] bool isFresh(int left, int top) const;
-  /// Of each row of the frame, what lies from its first to its last fresh strip.
+  /// For each row of the frame, the columns from its first to its last fresh strip.
   [[nodiscard]] std::vector<raster::Span> spans() const;
   /// The fresh strips, from left to right and from the top; neighbours in a row are one rectangle.
   [[nodiscard]] std::vector<world::Rect> strips() const;

@@ -33,7 +33,8 @@ class Layer {
   /// The object's name, unless it has none or something hides it. Called after draw(), of the same frame.
   [[nodiscard]] virtual std::optional<Label> label(const raster::Image& /*frame*/) const { return std::nullopt; }
 
-  /// All that it lays, draws and reads of the frame lies in here; `rect` is the object's. May reach beyond the frame.
+  /// Returns a rectangle that contains all pixels that the layer lays, draws or reads. `rect` is the object's. May
+  /// extend beyond the frame.
   [[nodiscard]] virtual world::Rect reach(const world::Rect& rect) const { return rect; }
 };
 
