@@ -81,8 +81,8 @@ class ImagePool {
   static constexpr std::size_t kUsualBytes = std::size_t{256} << 20U;
 
   explicit ImagePool(std::size_t maxBytes = kUsualBytes);
-  /// Reports all memory of its images, in use or not, as per-user; by what they touch, which is known from when an
-  /// image has ended.
+  /// Reports all memory of its images, in use or not, as per-user. Counts touched pages, from the first release of an
+  /// image on.
   explicit ImagePool(pipeline::MemoryLedger& memory, std::size_t maxBytes = kUsualBytes);
   ~ImagePool();
   ImagePool(const ImagePool&) = delete;
