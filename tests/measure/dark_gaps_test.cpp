@@ -9,7 +9,7 @@
 namespace grove::measure {
 namespace {
 
-using testing::GrassFilm;
+using tests::GrassFilm;
 
 constexpr std::uint32_t kGapBlack = 0xFF050505U;
 constexpr std::uint32_t kGapShade = 0xFF0E0E0EU;  // above kNearBlack, within kDarkGapContrast of it

@@ -9,7 +9,7 @@
 namespace grove::measure {
 namespace {
 
-using testing::GrassFilm;
+using tests::GrassFilm;
 
 constexpr std::uint32_t kForeignSoil = 0xFF205890U;
 constexpr std::uint32_t kForeignLikeGrass = 0xFF206060U;  // kForeignContrast redder

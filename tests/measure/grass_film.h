@@ -6,7 +6,7 @@
 
 #include "measure/picture_quality.h"
 
-namespace grove::measure::testing {
+namespace grove::tests {
 
 /// A picture of plain grass, for tests that change single pixels.
 struct GrassFilm {
@@ -19,7 +19,7 @@ struct GrassFilm {
   void set(int x, int y, std::uint32_t value) {
     colour[static_cast<std::size_t>(y) * kWidth + static_cast<std::size_t>(x)] = value;
   }
-  [[nodiscard]] Picture picture() const { return {colour, kWidth}; }
+  [[nodiscard]] measure::Picture picture() const { return {colour, kWidth}; }
 };
 
-}  // namespace grove::measure::testing
+}  // namespace grove::tests
