@@ -7,7 +7,7 @@
 #include "gl/context.h"
 #include "stream/session/host.h"
 #include "stream/web_server/access/address_limits.h"
-#include "stream/web_server/tls/tls_certificate.h"
+#include "base/tls/tls_certificate.h"
 
 namespace grove::cli {
 
