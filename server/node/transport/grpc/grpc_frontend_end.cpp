@@ -15,6 +15,8 @@
 
 #include "base/log.h"
 #include "node/transport/connection.h"
+#include "node/transport/grpc/call_failure.h"
+#include "node/transport/grpc/link_credentials.h"
 #include "node/transport/grpc/opening.h"
 #include "node/transport/grpc/packet_reactor.h"
 #include "node/transport/grpc/quiet_library.h"
@@ -26,8 +28,10 @@ namespace {
 
 constexpr int kFirstPauseMilliseconds = 100;
 constexpr int kLongestPauseMilliseconds = 1000;
+/// For a connection with its handshake: several round trips.
+constexpr int kConnectMilliseconds = 3000;
 
-std::shared_ptr<grpc::Channel> channelTo(const std::string& address) {
+std::shared_ptr<grpc::Channel> channelTo(const std::string& address, const LinkTls& tls) {
   silenceLibrary();
   grpc::ChannelArguments arguments;
   arguments.SetMaxReceiveMessageSize(static_cast<int>(kMaxMessageBytes));
@@ -36,13 +40,20 @@ std::shared_ptr<grpc::Channel> channelTo(const std::string& address) {
   arguments.SetInt(GRPC_ARG_KEEPALIVE_TIMEOUT_MS, kKeepAliveTimeoutMilliseconds);
   arguments.SetInt(GRPC_ARG_HTTP2_MAX_PINGS_WITHOUT_DATA, 0);
   arguments.SetInt(GRPC_ARG_INITIAL_RECONNECT_BACKOFF_MS, kFirstPauseMilliseconds);
-  arguments.SetInt(GRPC_ARG_MIN_RECONNECT_BACKOFF_MS, kFirstPauseMilliseconds);
+  // Not a pause, whatever its name: how long an attempt may take at least.
+  arguments.SetInt(GRPC_ARG_MIN_RECONNECT_BACKOFF_MS, kConnectMilliseconds);
   arguments.SetInt(GRPC_ARG_MAX_RECONNECT_BACKOFF_MS, kLongestPauseMilliseconds);
   // Each link has a connection of its own: none waits behind another's pictures.
   arguments.SetInt(GRPC_ARG_USE_LOCAL_SUBCHANNEL_POOL, 1);
   // A node is where its address says, whatever proxy the environment names for web pages.
   arguments.SetInt(GRPC_ARG_ENABLE_HTTP_PROXY, 0);
-  return grpc::CreateCustomChannel(address, grpc::InsecureChannelCredentials(), arguments);
+  return grpc::CreateCustomChannel(address, channelCredentials(tls), arguments);
+}
+
+/// Of HOST:PORT.
+std::string hostOf(const std::string& address) {
+  const std::string host = address.substr(0, address.rfind(':'));
+  return host.starts_with('[') && host.ends_with(']') ? host.substr(1, host.size() - 2) : host;
 }
 
 }  // namespace
@@ -50,9 +61,10 @@ std::shared_ptr<grpc::Channel> channelTo(const std::string& address) {
 /// One call after the other; hears what comes before the frontend process does.
 class GrpcFrontendEnd::Link final : public FrontendPort, public std::enable_shared_from_this<Link> {
  public:
-  Link(std::string address, pipeline::Executor& executor, pipeline::Timeline& timeline)
+  Link(std::string address, pipeline::Executor& executor, pipeline::Timeline& timeline, LinkTls tls)
       : address_(std::move(address)),
-        stub_(channelTo(address_)),
+        tls_(std::move(tls)),
+        stub_(channelTo(address_, tls_)),
         incoming_(std::make_shared<PacketsToFrontend>(executor, timeline)),
         timeline_(timeline) {}
 
@@ -81,7 +93,7 @@ class GrpcFrontendEnd::Link final : public FrontendPort, public std::enable_shar
   void opened(Call& call);
   void take(const grpc::ByteBuffer& message);
   [[nodiscard]] bool wantsMore() const { return !incoming_->isHalfFull(); }
-  void ended(const std::string& reason);
+  void ended(const grpc::Status& status);
 
  private:
   void call();
@@ -90,8 +102,15 @@ class GrpcFrontendEnd::Link final : public FrontendPort, public std::enable_shar
   void afterAPause(void (Link::*what)());
   void welcomed();
   void refused(const std::string& reason);
+  /// With the lock held: nothing more is asked of this node for a while.
+  void keepAway(State state, const std::string& reason);
+  void lost(const CallFailure& failure);
+  [[nodiscard]] bool isKeptAway() const {
+    return status_.state == State::kRefused || status_.state == State::kUntrusted;
+  }
 
   const std::string address_;
+  const LinkTls tls_;
   grpc::GenericStub stub_;
   const std::shared_ptr<PacketsToFrontend> incoming_;
   pipeline::Timeline& timeline_;
@@ -117,21 +136,25 @@ class GrpcFrontendEnd::Call final : public PacketReactor<grpc::ClientBidiReactor
   explicit Call(Link& link) : link_(link) {}
 
   void start(grpc::GenericStub& stub) {
-    // As long as the node is not there, the channel looks for it.
-    context_.set_wait_for_ready(true);
     stub.PrepareBidiStreamingCall(&context_, kLinkMethod, grpc::StubOptions(), this);
     AddHold();  // others write, until hangUp()
-    startReading();
     StartCall();
   }
   using PacketReactor::open;
+  /// Why the node is not to be trusted; once it has taken the call.
+  [[nodiscard]] std::optional<std::string> complaint(const LinkTls& tls, const std::string& host) const {
+    return complaintOf(*context_.auth_context(), tls, TlsAuthorities::Role::kServer, host);
+  }
 
   void OnReadInitialMetadataDone(bool ok) override {
-    if (ok) link_.opened(*this);
+    if (ok) {
+      link_.opened(*this);
+    } else {
+      end();
+    }
   }
   void OnDone(const grpc::Status& status) override {
-    const std::string reason = status.error_message();
-    link_.ended(reason);  // this is destroyed there
+    link_.ended(status);  // this is destroyed there; the status is not its own
   }
 
  private:
@@ -213,13 +236,18 @@ void GrpcFrontendEnd::Link::welcomed() {
 /// The node may change its mind: when one with this process's number leaves.
 void GrpcFrontendEnd::Link::refused(const std::string& reason) {
   const std::lock_guard lock(mutex_);
-  if (status_.state != State::kRefused || status_.reason != reason) {
-    log::error("the node at " + address_ + " refuses this process: " + reason);
+  keepAway(State::kRefused, reason);
+  if (!isStopped_) afterAPause(&Link::greetAgain);
+}
+
+void GrpcFrontendEnd::Link::keepAway(State state, const std::string& reason) {
+  if (status_.state != state || status_.reason != reason) {
+    log::error(state == State::kRefused ? "the node at " + address_ + " refuses this process: " + reason
+                                        : "this process does not trust the node at " + address_ + ": " + reason);
   }
-  status_ = {State::kRefused, reason};
+  status_ = {state, reason};
   pauseMilliseconds_ = kLongestPauseMilliseconds;
   changed_.notify_all();
-  if (!isStopped_) afterAPause(&Link::greetAgain);
 }
 
 void GrpcFrontendEnd::Link::greetAgain() {
@@ -229,8 +257,11 @@ void GrpcFrontendEnd::Link::greetAgain() {
 }
 
 void GrpcFrontendEnd::Link::opened(Call& call) {
+  const std::optional<std::string> complaint = call.complaint(tls_, hostOf(address_));
+  if (complaint) call.end();
   const std::lock_guard lock(mutex_);
   if (isStopped_) return;
+  if (complaint) return keepAway(State::kUntrusted, *complaint);
   const std::vector<Packet> first = opening_.packets();
   for (const Packet& packet : first) traffic_.countToBackend(packet);
   call.open(first);
@@ -250,11 +281,12 @@ void GrpcFrontendEnd::Link::take(const grpc::ByteBuffer& message) {
   }
 }
 
-void GrpcFrontendEnd::Link::ended(const std::string& reason) {
+void GrpcFrontendEnd::Link::ended(const grpc::Status& status) {
   std::shared_ptr<Call> last;
+  bool wasOpen = false;
   {
     const std::lock_guard lock(mutex_);
-    isOpen_ = false;
+    wasOpen = std::exchange(isOpen_, false);
     last = std::move(call_);
   }
   // Before stop() goes on: a channel must not be destroyed on gRPC's thread, and the call holds it.
@@ -262,14 +294,27 @@ void GrpcFrontendEnd::Link::ended(const std::string& reason) {
   const std::lock_guard lock(mutex_);
   isCalling_ = false;
   if (!isStopped_) {
-    if (status_.state == State::kWelcomed) {
-      log::warning("the node at " + address_ + " is lost: " + reason);
-      status_.state = State::kLost;
-    }
-    if (status_.state != State::kRefused) status_.reason = reason;
+    lost(failureOf(status, wasOpen, tls_.trusted != nullptr));
+    // A channel that does not connect makes pauses of its own.
+    if (!wasOpen && !isKeptAway()) pauseMilliseconds_ = kFirstPauseMilliseconds;
     afterAPause(&Link::call);
   }
   changed_.notify_all();
+}
+
+void GrpcFrontendEnd::Link::lost(const CallFailure& failure) {
+  using Kind = CallFailure::Kind;
+  if (failure.kind == Kind::kRefused) return keepAway(State::kRefused, failure.reason);
+  if (failure.kind == Kind::kUntrusted) return keepAway(State::kUntrusted, failure.reason);
+  if (isKeptAway()) return;
+  const bool isNew = failure.reason != status_.reason;
+  if (status_.state == State::kWelcomed) {
+    log::warning("the node at " + address_ + " is lost: " + failure.reason);
+    status_.state = State::kLost;
+  } else if (isNew && (status_.state == State::kConnecting || failure.kind == Kind::kMayWantTls)) {
+    log::warning("the node at " + address_ + " does not answer: " + failure.reason);
+  }
+  status_.reason = failure.reason;
 }
 
 void GrpcFrontendEnd::Link::afterAPause(void (Link::*what)()) {
@@ -291,8 +336,9 @@ void GrpcFrontendEnd::Link::call() {
   call_->start(stub_);
 }
 
-GrpcFrontendEnd::GrpcFrontendEnd(std::string address, pipeline::Executor& executor, pipeline::Timeline& timeline)
-    : link_(std::make_shared<Link>(std::move(address), executor, timeline)) {
+GrpcFrontendEnd::GrpcFrontendEnd(std::string address, pipeline::Executor& executor, pipeline::Timeline& timeline,
+                                 LinkTls tls)
+    : link_(std::make_shared<Link>(std::move(address), executor, timeline, std::move(tls))) {
   link_->start();
 }
 
