@@ -108,7 +108,7 @@ TEST(SecureLinks, WhoIsInTheClearOnOneSideOnlyIsNamed) {
                                 "nodes plain; fails $(links server); kill -KILL $!; wait $! 2>/dev/null\n"
                                 "nodes node $(listens node); fails; cat node.out");
   EXPECT_THAT(outcome.output, HasSubstr("the node is not trusted: it does not speak TLS"));
-  EXPECT_THAT(outcome.output, HasSubstr("no node answers: it closes the connection unheard"));
+  EXPECT_THAT(outcome.output, HasSubstr("no node answers: it closes the connection at once"));
   EXPECT_THAT(outcome.output, HasSubstr("failed to open a link by TLS"));
   EXPECT_THAT(outcome.output, Not(HasSubstr("ended with 0")));
 }
