@@ -11,6 +11,8 @@
 
 namespace grove::node {
 
+class ReconnectingLink;
+
 /// A frontend process's end of a gRPC link to a backend node in another process. Connects in the background.
 /// Reconnects after a lost link with exponential backoff (0.1 s to 1 s) and jitter. A new stream starts with the last
 /// hello, world update and quality. While there is no stream, send() refuses all messages. Thread-safe.
@@ -39,9 +41,7 @@ class GrpcFrontendEnd final : public FrontendEnd {
   [[nodiscard]] bool waitUntilOpen(std::chrono::milliseconds max) const;
 
  private:
-  class Link;
-  class Call;
-  const std::shared_ptr<Link> link_;
+  const std::shared_ptr<ReconnectingLink> link_;
 };
 
 }  // namespace grove::node
