@@ -84,6 +84,7 @@ void ReconnectingLink::receive(ToFrontend message) {
 
 void ReconnectingLink::welcomed() {
   const std::lock_guard lock(mutex_);
+  if (!isOpen_) return;
   standing_.welcomed();
   retry_.reset();
   changed_.notify_all();
@@ -92,10 +93,11 @@ void ReconnectingLink::welcomed() {
 /// The node may change its mind: when one with this process's number leaves.
 void ReconnectingLink::refused(const std::string& reason) {
   const std::lock_guard lock(mutex_);
+  if (!isOpen_ || isStopped_) return;
   standing_.refused(reason);
   retry_.slowDown();
   changed_.notify_all();
-  if (!isStopped_) afterAPause(&ReconnectingLink::greetAgain);
+  afterAPause(&ReconnectingLink::greetAgain);
 }
 
 void ReconnectingLink::greetAgain() {

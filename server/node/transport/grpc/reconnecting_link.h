@@ -52,6 +52,7 @@ class ReconnectingLink final : public FrontendPort,
   void call();
   void readOn();
   void greetAgain();
+  // What they answer to may have ended before a worker read them: then the next call is waited for, and counts.
   void welcomed();
   void refused(const std::string& reason);
   /// With the lock held.
