@@ -189,6 +189,7 @@ export const kLinkStates = Object.freeze({
   connecting: 'connecting',
   welcomed: 'connected',
   refused: 'refused',
+  untrusted: 'not trusted',
   lost: 'lost, connecting again',
 });
 

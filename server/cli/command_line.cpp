@@ -32,6 +32,19 @@
 namespace grove::cli {
 namespace {
 
+std::string isNamedFile(const std::string& file) { return file.empty() ? "must name a file" : ""; }
+
+/// Certificate and key, which need each other; the first of them.
+CLI::Option* addCertificate(CLI::App& command, TlsFiles& files, const std::string& what) {
+  CLI::Option* certificate =
+      command.add_option(files.option + "-cert", files.certificate, what)->check(isNamedFile, "FILE");
+  CLI::Option* key =
+      command.add_option(files.option + "-key", files.key, "The certificate's key, PEM")->check(isNamedFile, "FILE");
+  certificate->needs(key);
+  key->needs(certificate);
+  return certificate;
+}
+
 void addInternet(CLI::App& serve, ServeOptions& options) {
   serve.add_option("--origin", options.origins, "Origin whose pages may open a socket; may be given several times")
       ->type_name("URL")
@@ -43,14 +56,7 @@ void addInternet(CLI::App& serve, ServeOptions& options) {
       ->type_name("ADDRESS")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  const auto isNamed = [](const std::string& file) { return std::string(file.empty() ? "must name a file" : ""); };
-  CLI::Option* certificate =
-      serve.add_option("--tls-cert", options.tls.certificate, "Certificate and its issuers, PEM: https, wss")
-          ->check(isNamed, "FILE");
-  CLI::Option* key =
-      serve.add_option("--tls-key", options.tls.key, "The certificate's key, PEM")->check(isNamed, "FILE");
-  certificate->needs(key);
-  key->needs(certificate);
+  CLI::Option* certificate = addCertificate(serve, options.tls, "Certificate and its issuers, PEM: https, wss");
   serve.add_option("--hsts", options.hsts, "Seconds for which browsers shall come by https only")
       ->type_name("SECONDS")
       ->check(CLI::Range(0, 2 * 365 * 86'400))
@@ -63,6 +69,23 @@ void addJoining(CLI::App& serve, ServeOptions& options) {
   CLI::Option* share = serve.add_option("--share", options.share, "Let other servers join this one's world there");
   for (CLI::Option* option : {join, share}) option->type_name("HOST:PORT")->excludes("--private");
   join->excludes(share);
+  CLI::Option* authorities =
+      serve
+          .add_option("--link-tls-ca", options.links.authorities,
+                      "Certificates of authorities, PEM: links by TLS, to processes that one of them has signed")
+          ->check(isNamedFile, "FILE");
+  addCertificate(serve, options.links.own, "Certificate that is shown on links, and its issuers, PEM")
+      ->needs(authorities);
+}
+
+/// Of who listens for the links of servers.
+void addListenerTls(CLI::App& command, LinkOptions& links) {
+  CLI::Option* certificate = addCertificate(command, links.own, "Certificate and its issuers, PEM: links by TLS");
+  command
+      .add_option("--tls-ca", links.authorities,
+                  "Certificates of authorities, PEM: only servers that one of them has signed")
+      ->check(isNamedFile, "FILE")
+      ->needs(certificate);
 }
 
 void addServe(CLI::App& app, ServeOptions& options) {
@@ -128,6 +151,7 @@ void addWorld(CLI::App& app, WorldOptions& options) {
   CLI::App* world = app.add_subcommand("world", "Own a world that servers show (grove serve --join)");
   world->add_option("--scene", options.scene, "Scene file, that of the servers (default: the grove, built in)");
   world->add_option("--listen", options.listen, "Address and port; port 0 is any free one")->capture_default_str();
+  addListenerTls(*world, options.links);
 }
 
 void addNode(CLI::App& app, NodeOptions& options) {
@@ -138,6 +162,7 @@ void addNode(CLI::App& app, NodeOptions& options) {
       ->required();
   node->add_option("--scene", options.scene, "Scene file, that of the servers (default: the grove, built in)");
   node->add_option("--listen", options.listen, "Address and port; port 0 is any free one")->capture_default_str();
+  addListenerTls(*node, options.links);
   const std::map<std::string, gl::ContextKind> kinds{
       {"auto", gl::ContextKind::kAuto}, {"egl", gl::ContextKind::kEgl}, {"osmesa", gl::ContextKind::kOsmesa}};
   choose(node->add_option("--gl", options.gl, "Where triangles are drawn"), kinds);

@@ -49,6 +49,7 @@ int runNode(const NodeOptions& options) {
     std::fprintf(stderr, "grove: --listen wants HOST:PORT, not '%s'\n", options.listen.c_str());
     return 2;
   }
+  const node::LinkTls tls = options.links.read();
   StopOnSignal stop;
   stop.endWithin(kStopWhileNodePrepares);
   const world::Scene scene = openScene(options.scene);
@@ -72,7 +73,7 @@ int runNode(const NodeOptions& options) {
   stop.endWithin(kStopWhileNodeServes);
   const node::GrpcServer server(
       addressOf(*at, at->port), [&](std::shared_ptr<node::BackendEnd> link) { return node.accept(std::move(link)); },
-      workers, timeline);
+      workers, timeline, tls);
   std::optional<Refiner> refiner;
   if (!coarse->empty()) refiner.emplace(std::move(*coarse), [](const stream::Refining&) {});
   log::info("world: " + own.layout.name + ", " + std::to_string(own.objects.size()) + " of " +

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/link_options.h"
 #include "gl/context.h"
 
 namespace grove::cli {
@@ -13,6 +14,7 @@ struct NodeOptions {
   std::vector<std::string> objects;  ///< names and types of those that it owns
   std::optional<std::string> scene;
   std::string listen = "127.0.0.1:8100";
+  LinkOptions links;
   gl::ContextKind gl = gl::ContextKind::kAuto;
 };
 

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <memory>
 #include <string>
 
 #include "node/transport/grpc/grpc_server.h"
+#include "node/transport/grpc/link_tls.h"
 #include "node/world/world_owner.h"
 #include "pipeline/timeline.h"
 #include "pipeline/worker_pool.h"
@@ -15,10 +17,13 @@ namespace grove::cli {
 class OpenWorld {
  public:
   /// Listens there; throws EnvironmentError if it cannot. The scene is used during the call only.
-  OpenWorld(const world::Scene& scene, const stream::HostPort& at);
+  OpenWorld(const world::Scene& scene, const stream::HostPort& at, const node::LinkTls& tls);
 
   /// Where it listens, HOST:PORT.
   [[nodiscard]] const std::string& address() const noexcept { return address_; }
+
+  /// A link of this process itself, without a socket. It goes before this does.
+  [[nodiscard]] std::shared_ptr<node::FrontendEnd> link();
 
  private:
   pipeline::Timeline timeline_;

@@ -110,10 +110,17 @@ bool isAddress(std::string_view option, const std::optional<std::string>& text) 
 }
 
 /// Has the host join the world of the process at this address.
-void join(const std::string& owner, stream::HostOptions& host) {
-  host.linkToOwner = [owner](pipeline::Executor& workers, pipeline::Timeline& timeline) {
-    return std::make_shared<node::GrpcFrontendEnd>(owner, workers, timeline);
+void join(const std::string& owner, const node::LinkTls& tls, stream::HostOptions& host) {
+  host.linkToOwner = [owner, tls](pipeline::Executor& workers, pipeline::Timeline& timeline) {
+    return std::make_shared<node::GrpcFrontendEnd>(owner, workers, timeline, tls);
   };
+}
+
+/// False, and a line on stderr, if what is to be shared could be in the clear though links are to be secure.
+bool canShareSecurely(const ServeOptions& options) {
+  if (!options.share || options.links.authorities.empty() || !options.links.own.certificate.empty()) return true;
+  std::fputs("grove: --share with --link-tls-ca wants --link-tls-cert and --link-tls-key, too\n", stderr);
+  return false;
 }
 
 /// False, and a line on stderr, if one is not.
@@ -200,9 +207,11 @@ int runServe(const ServeOptions& options) {
   const auto rules = entranceRules(options);
   if (!rules || !areAddresses(options.nodes)) return 2;
   if (!isAddress("--join", options.join) || !isAddress("--share", options.share)) return 2;
+  if (!canShareSecurely(options)) return 2;
   (void)stream::socketsThatFit();
   const std::shared_ptr<stream::TlsStore> tls =
       options.tls.certificate.empty() ? nullptr : std::make_shared<stream::TlsStore>(options.tls);
+  const node::LinkTls linkTls = options.links.read();
   StopOnSignal stop(StopOnSignal::Hangup::kIsReported);
   stop.endWithin(kStopWhilePreparing);
   world::Scene scene = openScene(options.scene);
@@ -221,14 +230,16 @@ int runServe(const ServeOptions& options) {
   stream::HostOptions hosting = options.host;
   hosting.maxSharedBytes = sharedBytes(options);
   if (options.share) {
-    shared.emplace(scene, *parseHostPort(*options.share));
+    shared.emplace(scene, *parseHostPort(*options.share), linkTls);
+    hosting.linkToOwner = [&shared](const auto&, const auto&) { return shared->link(); };
     std::printf("the world can be joined at %s\n", shared->address().c_str());
   }
+  if (options.join) join(*options.join, linkTls, hosting);
   if (options.share || options.join || !options.nodes.empty()) hosting.process = randomProcess();
-  if (const auto owner = shared ? shared->address() : options.join) join(*owner, hosting);
   const std::size_t space = spaceForServing(scene, options);
   world.emplace(std::move(scene),
                 WorldPreparation::Options{.nodes = options.nodes,
+                                          .tls = linkTls,
                                           .process = hosting.process,
                                           .gl = options.gl,
                                           .shaderDirectory = options.shaderDirectory,

@@ -4,10 +4,11 @@
 #include <string>
 #include <vector>
 
+#include "base/tls/tls_certificate.h"
+#include "cli/link_options.h"
 #include "gl/context.h"
 #include "stream/session/host.h"
 #include "stream/web_server/access/address_limits.h"
-#include "stream/web_server/tls/tls_certificate.h"
 
 namespace grove::cli {
 
@@ -20,13 +21,14 @@ struct ServeOptions {
   std::vector<std::string> names;    ///< that browsers may ask for it by, besides addresses
   std::vector<std::string> origins;  ///< whose pages may open a socket, besides its own
   std::vector<std::string> proxies;  ///< addresses, or ranges of them, of whom X-Forwarded-* is believed
-  stream::TlsFiles tls;              ///< both empty: plain http
+  TlsFiles tls;                      ///< both empty: plain http
   std::optional<int> hsts;           ///< seconds
   gl::ContextKind gl = gl::ContextKind::kAuto;
   std::optional<std::string> shaderDirectory;
   std::optional<std::string> join;   ///< address of the process that owns the world
   std::vector<std::string> nodes;    ///< addresses of nodes in other processes, which serve some of the objects
   std::optional<std::string> share;  ///< address at which other servers join the world of this one
+  LinkOptions links{{"", "", "--link-tls"}, ""};
   stream::HostOptions host;
   int viewCacheMegabytes = 256;
   std::optional<float> viewError;  ///< nothing: what the scene says

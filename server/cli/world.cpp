@@ -20,7 +20,7 @@ int runWorld(const WorldOptions& options) {
     return 2;
   }
   StopOnSignal stop;
-  const OpenWorld world(openScene(options.scene), *at);
+  const OpenWorld world(openScene(options.scene), *at, options.links.read());
   std::printf("listening on %s\n", world.address().c_str());
   std::fflush(stdout);
   while (stop.waitFor(1000ms) != StopOnSignal::Event::kStop) continue;

@@ -16,15 +16,20 @@ namespace grove::integration {
 /// `grove node` as a process of its own, which listens when this is made.
 class NodeProgram {
  public:
-  NodeProgram(const std::string& scene, const std::string& objects, int port = 0) {
+  NodeProgram(const std::string& scene, const std::string& objects, int port = 0,
+              const std::vector<std::string>& more = {}) {
     std::array<int, 2> ends{};
     if (pipe2(ends.data(), O_CLOEXEC) != 0) return;
-    const std::string listen = "127.0.0.1:" + std::to_string(port);
+    std::vector<std::string> words{"grove",     "node",  "--scene",  scene,
+                                   "--objects", objects, "--listen", "127.0.0.1:" + std::to_string(port)};
+    words.insert(words.end(), more.begin(), more.end());
+    std::vector<char*> arguments;
+    for (std::string& word : words) arguments.push_back(word.data());
+    arguments.push_back(nullptr);
     process_ = fork();
     if (process_ == 0) {
       dup2(ends[1], STDOUT_FILENO);
-      execl(GROVE_BINARY, "grove", "node", "--scene", scene.c_str(), "--objects", objects.c_str(), "--listen",
-            listen.c_str(), nullptr);
+      execv(GROVE_BINARY, arguments.data());
       _exit(127);
     }
     close(ends[1]);

@@ -16,11 +16,12 @@ namespace grove::integration {
 
 /// A scene that nodes in other processes serve, at these addresses. The types outlive it.
 inline node::WorldNodesFactory remoteWorld(const std::string& scene, const node::FrontendTypes& types,
-                                           const std::vector<std::string>& nodes, node::ProcessId process = 1) {
+                                           const std::vector<std::string>& nodes, node::ProcessId process = 1,
+                                           const node::LinkTls& tls = {}) {
   return [=, &types](const node::Machine& machine, node::Instances) {
     world::Layout layout = world::layoutOf(world::parseScene(scene, "test.toml"), types.names());
     auto links = node::dialNodes(nodes, node::helloOf(process, layout), std::chrono::seconds(10), machine.workers,
-                                 machine.timeline);
+                                 machine.timeline, tls);
     return std::make_unique<node::RemoteWorld>(std::move(layout), std::move(links));
   };
 }

@@ -38,7 +38,7 @@ std::unique_ptr<node::WorldNodes> WorldPreparation::make(const node::Machine& ma
   world::Layout layout = world::layoutOf(scene_, types_.frontends.names());
   if (options_.nodes.empty()) return prepareLocally(machine, instances, nullptr);
   auto others = node::dialNodes(options_.nodes, node::helloOf(options_.process, layout), kNodePatience, machine.workers,
-                                machine.timeline);
+                                machine.timeline, options_.tls);
   if (!node::restOf(layout, others->served()).empty()) return prepareLocally(machine, instances, std::move(others));
   log::info("world: " + layout.name + ", " + std::to_string(layout.objects.size()) +
             " objects, all in other processes");

@@ -14,6 +14,7 @@
 #include "gl/workers.h"
 #include "node/frontend/world_nodes.h"
 #include "node/object_types.h"
+#include "node/transport/grpc/link_tls.h"
 #include "world/scenes/scene_file.h"
 
 namespace grove::cli {
@@ -24,6 +25,7 @@ class WorldPreparation {
  public:
   struct Options {
     std::vector<std::string> nodes;  ///< addresses (HOST:PORT) of those in other processes
+    node::LinkTls tls;               ///< of the links to them
     node::ProcessId process = 1;     ///< names this one to them
     gl::ContextKind gl = gl::ContextKind::kAuto;
     std::optional<std::string> shaderDirectory;

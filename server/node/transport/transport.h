@@ -48,12 +48,13 @@ enum class LinkState : std::uint8_t {
   kHere,        ///< within this process
   kConnecting,  ///< no welcome so far
   kWelcomed,
-  kRefused,  ///< by the node, which is asked again
-  kLost,     ///< after a welcome; it is being connected again
+  kRefused,    ///< by the node, which is asked again
+  kUntrusted,  ///< this process refuses the node, for its certificate or for want of one, and asks again
+  kLost,       ///< after a welcome; it is being connected again
 };
 struct LinkStatus {
   LinkState state = LinkState::kHere;
-  std::string reason = {};  ///< of a refusal, or of the last attempt that failed
+  std::string reason = {};  ///< of a refusal, or why the last attempt failed
 };
 
 /// A frontend process's end of a link to a backend node. Any thread.

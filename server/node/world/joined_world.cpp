@@ -49,9 +49,11 @@ void JoinedWorld::report(double now) {
 }
 
 JoinedWorld::Status JoinedWorld::status(double now) const {
+  const LinkStatus link = owner_.status();
+  if (link.state == LinkState::kRefused || link.state == LinkState::kUntrusted) return {State::kRefused, link.reason};
   const std::lock_guard lock(mutex_);
-  if (status_.state == State::kJoined && now - heard_ > kLostSeconds) return {State::kLost, {}};
-  return status_;
+  if (status_.state == State::kJoined && now - heard_ > kLostSeconds) return {State::kLost, link.reason};
+  return status_.state == State::kConnecting ? Status{State::kConnecting, link.reason} : status_;
 }
 
 double JoinedWorld::worldSeconds(double now) const {

@@ -21,12 +21,12 @@ class JoinedWorld final : public FrontendPort {
   enum class State : std::uint8_t {
     kConnecting,  ///< nothing has come from the owner so far
     kJoined,
-    kRefused,
-    kLost,  ///< nothing has come for a second
+    kRefused,  ///< by the owner, or this process does not trust it
+    kLost,     ///< nothing has come for a second
   };
   struct Status {
     State state = State::kConnecting;
-    std::string reason;  ///< of a refusal
+    std::string reason;  ///< of a refusal, or why there is no link
   };
   /// Called after each update of the whole world, on a thread of the link; must not block.
   using Updated = std::function<void()>;

@@ -14,12 +14,18 @@ using Clock = std::chrono::steady_clock;
 void requireWelcome(const std::string& address, const GrpcFrontendEnd& end, Clock::time_point deadline) {
   const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now());
   const GrpcFrontendEnd::Status status = end.waitForAnswer(std::max(left, std::chrono::milliseconds(0)));
-  if (status.state == GrpcFrontendEnd::State::kRefused) {
-    throw EnvironmentError("the node refuses: " + status.reason, address,
-                           "start it with the scene and the version of this server");
-  }
-  if (status.state != GrpcFrontendEnd::State::kWelcomed) {
-    throw EnvironmentError("no node answers", address, "start grove node there first, with --listen");
+  switch (status.state) {
+    case GrpcFrontendEnd::State::kRefused:
+      throw EnvironmentError("the node refuses: " + status.reason, address,
+                             "it wants its own scene and version, and with --tls-ca a certificate that it trusts");
+    case GrpcFrontendEnd::State::kUntrusted:
+      throw EnvironmentError("the node is not trusted: " + status.reason, address,
+                             "--link-tls-ca wants a certificate of it that names this address");
+    case GrpcFrontendEnd::State::kWelcomed:
+      return;
+    default:
+      throw EnvironmentError("no node answers" + (status.reason.empty() ? "" : ": " + status.reason), address,
+                             "start grove node there first, with --listen");
   }
 }
 
@@ -27,11 +33,11 @@ void requireWelcome(const std::string& address, const GrpcFrontendEnd& end, Cloc
 
 std::unique_ptr<NodeRouter> dialNodes(std::span<const std::string> addresses, const NodeHello& hello,
                                       std::chrono::milliseconds patience, pipeline::Executor& executor,
-                                      pipeline::Timeline& timeline) {
+                                      pipeline::Timeline& timeline, const LinkTls& tls) {
   auto router = std::make_unique<NodeRouter>();
   std::vector<std::shared_ptr<GrpcFrontendEnd>> ends;
   for (const std::string& address : addresses) {
-    ends.push_back(std::make_shared<GrpcFrontendEnd>(address, executor, timeline));
+    ends.push_back(std::make_shared<GrpcFrontendEnd>(address, executor, timeline, tls));
     router->add("the node at " + address, ends.back());
   }
   (void)router->send(hello);

@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 
+#include "node/transport/grpc/link_tls.h"
 #include "node/transport/node_router.h"
 #include "pipeline/executor.h"
 #include "pipeline/timeline.h"
@@ -12,10 +13,10 @@
 namespace grove::node {
 
 /// Links to the backend nodes at these addresses (HOST:PORT), each of which has welcomed who says `hello`. Throws
-/// EnvironmentError if one does not answer within `patience`, or refuses, or if two serve one object. Workers and
-/// timeline outlive the links.
+/// EnvironmentError if one does not answer within `patience`, or refuses, or is not trusted, or if two serve one
+/// object. Workers and timeline outlive the links.
 [[nodiscard]] std::unique_ptr<NodeRouter> dialNodes(std::span<const std::string> addresses, const NodeHello& hello,
                                                     std::chrono::milliseconds patience, pipeline::Executor& executor,
-                                                    pipeline::Timeline& timeline);
+                                                    pipeline::Timeline& timeline, const LinkTls& tls = {});
 
 }  // namespace grove::node

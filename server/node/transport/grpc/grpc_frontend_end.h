@@ -4,13 +4,16 @@
 #include <memory>
 #include <string>
 
+#include "node/transport/grpc/link_tls.h"
 #include "node/transport/transport.h"
 #include "pipeline/executor.h"
 #include "pipeline/timeline.h"
 
 namespace grove::node {
 
-/// A frontend process's end of an unencrypted gRPC link to a backend node in another process. Connects in the background.
+class ReconnectingLink;
+
+/// A frontend process's end of a gRPC link to a backend node in another process. Connects in the background.
 /// Reconnects after a lost link with exponential backoff (0.1 s to 1 s) and jitter. A new stream starts with the last
 /// hello, world update and quality. While there is no stream, send() refuses all messages. Thread-safe.
 class GrpcFrontendEnd final : public FrontendEnd {
@@ -18,8 +21,9 @@ class GrpcFrontendEnd final : public FrontendEnd {
   using State = LinkState;
   using Status = LinkStatus;
 
-  /// To the node at HOST:PORT. Workers and timeline outlive it.
-  GrpcFrontendEnd(std::string address, pipeline::Executor& executor, pipeline::Timeline& timeline);
+  /// To the node at HOST:PORT; over TLS, and only to a node whose certificate is trusted and names HOST, if `tls` says
+  /// whose are. Workers and timeline outlive it.
+  GrpcFrontendEnd(std::string address, pipeline::Executor& executor, pipeline::Timeline& timeline, LinkTls tls = {});
   /// Waits for the end of the stream, so not on one of gRPC's threads.
   ~GrpcFrontendEnd() override;
   GrpcFrontendEnd(const GrpcFrontendEnd&) = delete;
@@ -37,9 +41,7 @@ class GrpcFrontendEnd final : public FrontendEnd {
   [[nodiscard]] bool waitUntilOpen(std::chrono::milliseconds max) const;
 
  private:
-  class Link;
-  class Call;
-  const std::shared_ptr<Link> link_;
+  const std::shared_ptr<ReconnectingLink> link_;
 };
 
 }  // namespace grove::node

@@ -4,6 +4,7 @@
 #include <grpcpp/grpcpp.h>
 #include <grpcpp/health_check_service_interface.h>
 
+#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <exception>
@@ -14,6 +15,7 @@
 
 #include "base/error.h"
 #include "base/log.h"
+#include "node/transport/grpc/link_credentials.h"
 #include "node/transport/grpc/packet_reactor.h"
 #include "node/transport/grpc/quiet_library.h"
 #include "node/transport/pack_result.h"
@@ -24,8 +26,8 @@ namespace grove::node {
 /// Makes a link of each call.
 class GrpcServer::Service final : public grpc::CallbackGenericService {
  public:
-  Service(Accept accept, pipeline::Executor& executor, pipeline::Timeline& timeline)
-      : accept_(std::move(accept)), executor_(executor), timeline_(timeline) {}
+  Service(Accept accept, pipeline::Executor& executor, pipeline::Timeline& timeline, LinkTls tls)
+      : accept_(std::move(accept)), executor_(executor), timeline_(timeline), tls_(std::move(tls)) {}
 
   grpc::ServerGenericBidiReactor* CreateReactor(grpc::GenericCallbackServerContext* context) override;
 
@@ -37,6 +39,12 @@ class GrpcServer::Service final : public grpc::CallbackGenericService {
     const std::lock_guard lock(mutex_);
     --links_;
     left_.notify_all();
+  }
+  /// A process has hung up before it said anything. In the clear that may be anybody.
+  void leftUnheard(const std::string& process) {
+    if (tls_.certificate.empty()) return;
+    strangers_.warning("the process at " + process +
+                       " hung up before its hello: its log says why, if it does not trust " + "this one's certificate");
   }
 
  private:
@@ -50,6 +58,8 @@ class GrpcServer::Service final : public grpc::CallbackGenericService {
   const Accept accept_;
   pipeline::Executor& executor_;
   pipeline::Timeline& timeline_;
+  const LinkTls tls_;
+  log::Limited strangers_;
   std::mutex mutex_;
   std::condition_variable left_;
   int links_ = 0;
@@ -61,8 +71,9 @@ class GrpcServer::Link final : public PacketReactor<grpc::ServerGenericBidiReact
                                public BackendEnd,
                                public std::enable_shared_from_this<Link> {
  public:
-  Link(Service& service, pipeline::Executor& executor, pipeline::Timeline& timeline)
+  Link(Service& service, std::string process, pipeline::Executor& executor, pipeline::Timeline& timeline)
       : service_(service),
+        process_(std::move(process)),
         timeline_(timeline),
         incoming_(std::make_shared<PacketsToBackend>(executor, timeline, static_cast<BackendEnd&>(*this))) {}
 
@@ -76,7 +87,6 @@ class GrpcServer::Link final : public PacketReactor<grpc::ServerGenericBidiReact
     self_ = shared_from_this();
     StartSendInitialMetadata();
     open({});
-    startReading();
   }
 
   void connect(BackendPort& backend) override { incoming_->connect(backend); }
@@ -89,7 +99,10 @@ class GrpcServer::Link final : public PacketReactor<grpc::ServerGenericBidiReact
     }
   }
 
-  void OnCancel() override { end(); }
+  void OnCancel() override {
+    if (!isHeard_) service_.leftUnheard(process_);
+    end();
+  }
   void OnDone() override {
     const std::shared_ptr<Link> last = std::move(self_);
     incoming_->close();
@@ -99,6 +112,7 @@ class GrpcServer::Link final : public PacketReactor<grpc::ServerGenericBidiReact
 
  private:
   void take(const grpc::ByteBuffer& message) override {
+    isHeard_ = true;
     std::optional<Packet> packet = packetOf(message);
     if (!packet) {
       timeline_.count("messages that were refused");
@@ -110,7 +124,9 @@ class GrpcServer::Link final : public PacketReactor<grpc::ServerGenericBidiReact
   void hangUp() override { Finish(grpc::Status::OK); }
 
   Service& service_;
+  const std::string process_;  ///< at the other end, as gRPC names it
   pipeline::Timeline& timeline_;
+  std::atomic<bool> isHeard_{false};
   const std::shared_ptr<PacketsToBackend> incoming_;
   std::shared_ptr<void> served_;
   std::shared_ptr<Link> self_;  ///< while the call lasts
@@ -129,9 +145,13 @@ class Refused final : public grpc::ServerGenericBidiReactor {
 
 grpc::ServerGenericBidiReactor* GrpcServer::Service::CreateReactor(grpc::GenericCallbackServerContext* context) {
   if (context->method() != kLinkMethod) return grpc::CallbackGenericService::CreateReactor(context);
+  if (const auto complaint = complaintOf(*context->auth_context(), tls_, TlsAuthorities::Role::kClient, "")) {
+    strangers_.error("refuses the process at " + context->peer() + ": " + *complaint);
+    return new Refused({grpc::StatusCode::UNAUTHENTICATED, *complaint});
+  }
   if (!enter()) return new Refused({grpc::StatusCode::RESOURCE_EXHAUSTED, "this node has too many links"});
   try {
-    const auto link = std::make_shared<Link>(*this, executor_, timeline_);
+    const auto link = std::make_shared<Link>(*this, context->peer(), executor_, timeline_);
     link->start(accept_);
     return link.get();
   } catch (const std::exception& e) {
@@ -142,20 +162,20 @@ grpc::ServerGenericBidiReactor* GrpcServer::Service::CreateReactor(grpc::Generic
 }
 
 struct GrpcServer::Parts {
-  Parts(Accept accept, pipeline::Executor& executor, pipeline::Timeline& timeline)
-      : service(std::move(accept), executor, timeline) {}
+  Parts(Accept accept, pipeline::Executor& executor, pipeline::Timeline& timeline, const LinkTls& tls)
+      : service(std::move(accept), executor, timeline, tls) {}
   Service service;
   std::unique_ptr<grpc::Server> server;
   int port = 0;
 };
 
 GrpcServer::GrpcServer(const std::string& address, Accept accept, pipeline::Executor& executor,
-                       pipeline::Timeline& timeline)
-    : parts_(std::make_unique<Parts>(std::move(accept), executor, timeline)) {
-  silenceLibrary();
+                       pipeline::Timeline& timeline, const LinkTls& tls)
+    : parts_(std::make_unique<Parts>(std::move(accept), executor, timeline, tls)) {
+  tls.certificate.empty() ? silenceLibrary() : reportHandshakesOnly();
   grpc::EnableDefaultHealthCheckService(true);
   grpc::ServerBuilder builder;
-  builder.AddListeningPort(address, grpc::InsecureServerCredentials(), &parts_->port);
+  builder.AddListeningPort(address, serverCredentials(tls), &parts_->port);
   builder.RegisterCallbackGenericService(&parts_->service);
   builder.SetMaxReceiveMessageSize(static_cast<int>(kMaxMessageBytes));
   builder.SetMaxSendMessageSize(static_cast<int>(kMaxMessageBytes));

@@ -4,14 +4,15 @@
 #include <memory>
 #include <string>
 
+#include "node/transport/grpc/link_tls.h"
 #include "node/transport/transport.h"
 #include "pipeline/executor.h"
 #include "pipeline/timeline.h"
 
 namespace grove::node {
 
-/// Listens for frontend processes over gRPC, in the clear, and gives each link to who serves it. Beside it there is the
-/// standard health service. At most kMaxLinks at a time; one that breaks costs the others nothing.
+/// Listens for frontend processes over gRPC, and gives each link to who serves it. Beside it there is the standard
+/// health service, which answers everybody. At most kMaxLinks at a time; one that breaks costs the others nothing.
 class GrpcServer {
  public:
   /// Serves the process at the other end until what it returns is destroyed, see BackendNode::accept(). On gRPC's
@@ -19,9 +20,11 @@ class GrpcServer {
   using Accept = std::function<std::shared_ptr<void>(std::shared_ptr<BackendEnd>)>;
   static constexpr int kMaxLinks = 64;
 
-  /// Listens at HOST:PORT; port 0 is any free one. Throws EnvironmentError if it cannot. Workers and timeline outlive
-  /// it.
-  GrpcServer(const std::string& address, Accept accept, pipeline::Executor& executor, pipeline::Timeline& timeline);
+  /// Listens at HOST:PORT; port 0 is any free one. Over TLS if there is a certificate, and then only for processes
+  /// whose certificates are trusted, if `tls` says which are. Throws EnvironmentError if it cannot. Workers and
+  /// timeline outlive it.
+  GrpcServer(const std::string& address, Accept accept, pipeline::Executor& executor, pipeline::Timeline& timeline,
+             const LinkTls& tls = {});
   /// Ends all links, and waits until what accept() returned is destroyed; so not on one of the executor's threads.
   ~GrpcServer();
   GrpcServer(const GrpcServer&) = delete;

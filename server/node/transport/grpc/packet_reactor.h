@@ -77,13 +77,13 @@ class PacketReactor : public Reactor {
   }
 
  protected:
-  void startReading() { this->StartRead(&read_); }
-
-  /// Takes packets from now on, after these.
+  /// Takes packets from now on, after these, and reads.
   void open(const std::vector<Packet>& first) {
     const std::lock_guard lock(mutex_);
-    isOpen_ = !isOver_;
+    if (isOver_) return;
+    isOpen_ = true;
     for (const Packet& packet : first) (void)enqueue(frameOf(packet));
+    this->StartRead(&read_);
   }
 
  private:

@@ -111,6 +111,8 @@ std::string_view nameOf(node::LinkState state) {
       return "welcomed";
     case node::LinkState::kRefused:
       return "refused";
+    case node::LinkState::kUntrusted:
+      return "untrusted";
     case node::LinkState::kLost:
       return "lost";
   }

@@ -6,7 +6,7 @@
 #include <memory>
 #include <mutex>
 
-#include "stream/web_server/tls/tls_certificate.h"
+#include "base/tls/tls_certificate.h"
 
 namespace grove::stream {
 

@@ -79,6 +79,39 @@ TEST(GrpcLinks, OneThatIsRefusedGreetsAgain) {
   EXPECT_TRUE(eventually([&] { return node.end()->count() >= 2; })) << "the node may change its mind";
 }
 
+/// A stream that has ended while what it brought waited for a worker.
+class LateAnswers : public ::testing::Test {
+ protected:
+  void hearTooLate(const std::string& refusal) {
+    auto node = std::make_unique<NodeProcess>(0, refusal);
+    port = node->port();
+    side = std::make_unique<FrontendSide>(node->address());
+    side->isHeld = true;
+    (void)side->send(examples::hello());
+    ASSERT_TRUE(eventually([&] { return side->link().traffic().headers > 0; }));
+    node.reset();
+    ASSERT_TRUE(eventually([&] { return !side->link().status().reason.empty(); })) << "why it has ended";
+    side->isHeld = false;
+    side->workers.drain();
+    ASSERT_EQ(side->count(), 1U);
+  }
+
+  int port = 0;
+  std::unique_ptr<FrontendSide> side;
+};
+
+/// The greeting that follows a refusal must not take the place of the next call.
+TEST_F(LateAnswers, ARefusalDoesNotEndTheAttempts) {
+  ASSERT_NO_FATAL_FAILURE(hearTooLate("it shows another scene"));
+  const NodeProcess node(port);
+  EXPECT_TRUE(side->becomes(State::kWelcomed));
+}
+
+TEST_F(LateAnswers, AWelcomeIsNone) {
+  ASSERT_NO_FATAL_FAILURE(hearTooLate(""));
+  EXPECT_EQ(side->link().status().state, State::kConnecting);
+}
+
 TEST(GrpcLinks, CarryBytesThatAreTheSame) {
   NodeProcess node;
   FrontendSide side(node.address());

@@ -2,10 +2,10 @@
 
 #include <chrono>
 
+#include "base/tls/certificates.h"
 #include "eventually.h"
 #include "stream/load/load_client.h"
 #include "stream/web_server/served_world.h"
-#include "stream/web_server/tls/certificates.h"
 
 namespace grove::stream {
 namespace {

@@ -7,15 +7,16 @@
 #include <string>
 #include <vector>
 
-namespace grove::stream {
+namespace grove {
 
-/// Where a server's certificate and key are, in PEM form.
+/// Where a process's certificate and key are, in PEM form.
 struct TlsFiles {
-  std::string certificate;  ///< the server's own first, then those of its issuers
-  std::string key;          ///< without a passphrase
+  std::string certificate;       ///< the process's own first, then those of its issuers
+  std::string key;               ///< without a passphrase
+  std::string option = "--tls";  ///< how the options that name them begin; errors do so, too
 };
 
-/// A certificate with its key, checked: it can be shown to browsers. Immutable.
+/// A certificate with its key, checked: it can be shown to others. Immutable.
 class TlsCertificate {
  public:
   /// Reads both files. Throws EnvironmentError that names option and file if one cannot be read, holds something else,
@@ -38,9 +39,9 @@ class TlsCertificate {
     void operator()(EVP_PKEY* key) const noexcept { EVP_PKEY_free(key); }
     void operator()(STACK_OF(X509) * issuers) const noexcept { sk_X509_pop_free(issuers, X509_free); }
   };
-  void readCertificates(const std::string& file);
-  void readKey(const std::string& file);
-  void checkDates(const std::string& file, std::time_t now);
+  void readCertificates(const TlsFiles& files);
+  void readKey(const TlsFiles& files);
+  void checkDates(const TlsFiles& files, std::time_t now);
   void checkPair(const TlsFiles& files) const;
 
   std::unique_ptr<X509, Deleter> certificate_;
@@ -52,4 +53,4 @@ class TlsCertificate {
 /// "2027-01-31 12:00:00 UTC".
 [[nodiscard]] std::string dateOf(std::time_t time);
 
-}  // namespace grove::stream
+}  // namespace grove

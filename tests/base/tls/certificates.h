@@ -4,9 +4,9 @@
 #include <filesystem>
 #include <string>
 
-#include "stream/web_server/tls/tls_certificate.h"
+#include "base/tls/tls_certificate.h"
 
-namespace grove::stream {
+namespace grove {
 
 /// A folder of one test, gone with it.
 class TestFolder {
@@ -37,4 +37,4 @@ void writePair(const TlsFiles& files, const CertificateWish& wish = {});
 void writeFile(const std::string& file, const std::string& text);
 [[nodiscard]] std::string readFile(const std::string& file);
 
-}  // namespace grove::stream
+}  // namespace grove

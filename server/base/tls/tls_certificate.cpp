@@ -1,4 +1,4 @@
-#include "stream/web_server/tls/tls_certificate.h"
+#include "base/tls/tls_certificate.h"
 
 #include <openssl/err.h>
 #include <openssl/pem.h>
@@ -9,7 +9,7 @@
 #include "base/error.h"
 #include "base/plain_file.h"
 
-namespace grove::stream {
+namespace grove {
 namespace {
 
 constexpr std::uint64_t kMaxCertificateBytes = std::uint64_t{1} << 20U;
@@ -58,6 +58,10 @@ std::time_t timeOf(const ASN1_TIME* time) {
   return ASN1_TIME_to_tm(time, &parts) == 1 ? timegm(&parts) : 0;
 }
 
+std::string certificateOption(const TlsFiles& files) { return files.option + "-cert " + files.certificate; }
+
+std::string keyOption(const TlsFiles& files) { return files.option + "-key " + files.key; }
+
 /// OpenSSL asks for the passphrase of a key that has one.
 int notePassphrase(char* /*buffer*/, int /*size*/, int /*writing*/, void* asked) {
   *static_cast<bool*>(asked) = true;
@@ -75,19 +79,19 @@ std::string dateOf(std::time_t time) {
 
 TlsCertificate::TlsCertificate(const TlsFiles& files, std::time_t now) {
   ERR_clear_error();
-  readCertificates(files.certificate);
-  readKey(files.key);
-  checkDates(files.certificate, now);
+  readCertificates(files);
+  readKey(files);
+  checkDates(files, now);
   checkPair(files);
 }
 
 TlsCertificate::~TlsCertificate() = default;
 
-void TlsCertificate::readCertificates(const std::string& file) {
-  const Secret text(read("--tls-cert", file, kCertificateMend));
+void TlsCertificate::readCertificates(const TlsFiles& files) {
+  const Secret text(read(files.option + "-cert", files.certificate, kCertificateMend));
   const Bio bio = text.open();
   certificate_.reset(PEM_read_bio_X509_AUX(bio.get(), nullptr, nullptr, nullptr));
-  const std::string where = "--tls-cert " + file;
+  const std::string where = certificateOption(files);
   if (!certificate_) {
     ERR_clear_error();
     const bool isPem = text.text().find("-----BEGIN ") != std::string_view::npos;
@@ -105,14 +109,14 @@ void TlsCertificate::readCertificates(const std::string& file) {
     throw EnvironmentError("a certificate behind the first is damaged", where, std::string(kCertificateMend));
 }
 
-void TlsCertificate::readKey(const std::string& file) {
-  const Secret text(read("--tls-key", file, kKeyMend));
+void TlsCertificate::readKey(const TlsFiles& files) {
+  const Secret text(read(files.option + "-key", files.key, kKeyMend));
   const Bio bio = text.open();
   bool hasPassphrase = false;
   key_.reset(PEM_read_bio_PrivateKey(bio.get(), nullptr, &notePassphrase, &hasPassphrase));
   if (key_) return;
   ERR_clear_error();
-  const std::string where = "--tls-key " + file;
+  const std::string where = keyOption(files);
   if (hasPassphrase) {
     throw EnvironmentError("the key has a passphrase, which nobody would be there to type", where,
                            "openssl pkey -in FILE -out NEW writes it without one");
@@ -121,10 +125,10 @@ void TlsCertificate::readKey(const std::string& file) {
   throw EnvironmentError(isPem ? "holds no key that can be read" : "is not in PEM form", where, std::string(kKeyMend));
 }
 
-void TlsCertificate::checkDates(const std::string& file, std::time_t now) {
+void TlsCertificate::checkDates(const TlsFiles& files, std::time_t now) {
   const std::time_t begins = timeOf(X509_get0_notBefore(certificate_.get()));
   expires_ = timeOf(X509_get0_notAfter(certificate_.get()));
-  const std::string where = "--tls-cert " + file;
+  const std::string where = certificateOption(files);
   if (now < begins) {
     throw EnvironmentError("the certificate is not valid before " + dateOf(begins), where,
                            "wait, or set this machine's clock, which says " + dateOf(now));
@@ -138,13 +142,13 @@ void TlsCertificate::checkPair(const TlsFiles& files) const {
   if (X509_check_private_key(certificate_.get(), key_.get()) != 1) {
     ERR_clear_error();
     throw EnvironmentError(
-        "is not the key of the certificate in " + files.certificate, "--tls-key " + files.key,
+        "is not the key of the certificate in " + files.certificate, keyOption(files),
         "give the two that were made together; the server's own certificate comes first in its file");
   }
   // Strength is judged by a context, with the rules of this machine.
   const std::unique_ptr<SSL_CTX, FreeContext> context(SSL_CTX_new(TLS_server_method()));
   if (SSL_CTX_use_cert_and_key(context.get(), certificate_.get(), key_.get(), issuers_.get(), 1) == 1) return;
-  throw EnvironmentError("OpenSSL refuses the certificate: " + lastOpensslError(), "--tls-cert " + files.certificate,
+  throw EnvironmentError("OpenSSL refuses the certificate: " + lastOpensslError(), certificateOption(files),
                          "have a new one made, with an RSA key of 2048 bits or an elliptic one");
 }
 
@@ -152,4 +156,4 @@ bool TlsCertificate::show(SSL* connection) const {
   return SSL_use_cert_and_key(connection, certificate_.get(), key_.get(), issuers_.get(), 1) == 1;
 }
 
-}  // namespace grove::stream
+}  // namespace grove

@@ -1,4 +1,4 @@
-#include "stream/web_server/tls/certificates.h"
+#include "base/tls/certificates.h"
 
 #include <openssl/pem.h>
 #include <openssl/rsa.h>
@@ -10,7 +10,7 @@
 #include <sstream>
 #include <stdexcept>
 
-namespace grove::stream {
+namespace grove {
 namespace {
 
 template <auto Function>
@@ -80,4 +80,4 @@ void writePair(const TlsFiles& files, const CertificateWish& wish) {
   writeFile(files.key, textOf(keyText.get()));
 }
 
-}  // namespace grove::stream
+}  // namespace grove

@@ -1,0 +1,45 @@
+#include "node/transport/grpc/link_standing.h"
+
+#include "base/log.h"
+
+namespace grove::node {
+
+void LinkStanding::welcomed() {
+  if (status_.state == LinkState::kLost) log::info("the node at " + address_ + " is back");
+  status_ = {LinkState::kWelcomed, {}};
+}
+
+void LinkStanding::refused(const std::string& reason) {
+  if (status_.state != LinkState::kRefused || status_.reason != reason) {
+    log::error("the node at " + address_ + " refuses this process: " + reason);
+  }
+  status_ = {LinkState::kRefused, reason};
+}
+
+void LinkStanding::mistrusted(const std::string& reason) {
+  if (status_.state != LinkState::kUntrusted || status_.reason != reason) {
+    log::error("this process does not trust the node at " + address_ + ": " + reason);
+  }
+  status_ = {LinkState::kUntrusted, reason};
+}
+
+void LinkStanding::failed(const CallFailure& failure) {
+  using Kind = CallFailure::Kind;
+  if (failure.kind == Kind::kRefused) return refused(failure.reason);
+  if (failure.kind == Kind::kUntrusted) return mistrusted(failure.reason);
+  if (!isKeptAway()) lost(failure);
+}
+
+void LinkStanding::lost(const CallFailure& failure) {
+  const bool isNew = failure.reason != status_.reason;
+  const bool mayWantTls = failure.kind == CallFailure::Kind::kMayWantTls;
+  if (status_.state == LinkState::kWelcomed) {
+    log::warning("the node at " + address_ + " is lost: " + failure.reason);
+    status_.state = LinkState::kLost;
+  } else if (isNew && (status_.state == LinkState::kConnecting || mayWantTls)) {
+    log::warning("the node at " + address_ + " does not answer: " + failure.reason);
+  }
+  status_.reason = failure.reason;
+}
+
+}  // namespace grove::node

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <string>
+#include <utility>
+
+#include "node/transport/grpc/call_failure.h"
+#include "node/transport/transport.h"
+
+namespace grove::node {
+
+/// How the link to a node stands. Logs what changes, once. One thread at a time.
+class LinkStanding {
+ public:
+  /// `address` of the node, for people.
+  explicit LinkStanding(std::string address) : address_(std::move(address)) {}
+
+  [[nodiscard]] const LinkStatus& status() const noexcept { return status_; }
+  [[nodiscard]] bool isAnswered() const noexcept { return status_.state != LinkState::kConnecting; }
+  /// Whether nothing changes unless somebody changes his mind: the node, or whoever runs it.
+  [[nodiscard]] bool isKeptAway() const noexcept {
+    return status_.state == LinkState::kRefused || status_.state == LinkState::kUntrusted;
+  }
+
+  void welcomed();
+  /// By the node.
+  void refused(const std::string& reason);
+  /// The node, by this process.
+  void mistrusted(const std::string& reason);
+  /// A call has ended.
+  void failed(const CallFailure& failure);
+
+ private:
+  void lost(const CallFailure& failure);
+
+  const std::string address_;
+  LinkStatus status_{.state = LinkState::kConnecting};
+};
+
+}  // namespace grove::node

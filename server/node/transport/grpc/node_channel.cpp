@@ -1,0 +1,38 @@
+#include "node/transport/grpc/node_channel.h"
+
+#include <grpcpp/create_channel.h>
+#include <grpcpp/support/channel_arguments.h>
+
+#include "node/transport/grpc/link_credentials.h"
+#include "node/transport/grpc/link_limits.h"
+#include "node/transport/grpc/quiet_library.h"
+#include "node/transport/grpc/retry_timer.h"
+
+namespace grove::node {
+namespace {
+
+/// For a connection with its handshake: several round trips.
+constexpr int kConnectMilliseconds = 3000;
+
+}  // namespace
+
+std::shared_ptr<grpc::Channel> channelTo(const std::string& address, const LinkTls& tls) {
+  silenceLibrary();
+  grpc::ChannelArguments arguments;
+  arguments.SetMaxReceiveMessageSize(static_cast<int>(kMaxMessageBytes));
+  arguments.SetMaxSendMessageSize(static_cast<int>(kMaxMessageBytes));
+  arguments.SetInt(GRPC_ARG_KEEPALIVE_TIME_MS, kKeepAliveMilliseconds);
+  arguments.SetInt(GRPC_ARG_KEEPALIVE_TIMEOUT_MS, kKeepAliveTimeoutMilliseconds);
+  arguments.SetInt(GRPC_ARG_HTTP2_MAX_PINGS_WITHOUT_DATA, 0);
+  arguments.SetInt(GRPC_ARG_INITIAL_RECONNECT_BACKOFF_MS, RetryTimer::kFirstMilliseconds);
+  // Not a pause, whatever its name: how long an attempt may take at least.
+  arguments.SetInt(GRPC_ARG_MIN_RECONNECT_BACKOFF_MS, kConnectMilliseconds);
+  arguments.SetInt(GRPC_ARG_MAX_RECONNECT_BACKOFF_MS, RetryTimer::kLongestMilliseconds);
+  // Each link has a connection of its own: none waits behind another's pictures.
+  arguments.SetInt(GRPC_ARG_USE_LOCAL_SUBCHANNEL_POOL, 1);
+  // A node is where its address says, whatever proxy the environment names for web pages.
+  arguments.SetInt(GRPC_ARG_ENABLE_HTTP_PROXY, 0);
+  return grpc::CreateCustomChannel(address, channelCredentials(tls), arguments);
+}
+
+}  // namespace grove::node

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <grpcpp/generic/generic_stub.h>
+
+#include <chrono>
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+#include <string>
+
+#include "node/transport/connection.h"
+#include "node/transport/grpc/link_standing.h"
+#include "node/transport/grpc/node_call.h"
+#include "node/transport/grpc/opening.h"
+#include "node/transport/grpc/retry_timer.h"
+#include "node/transport/packets_to_frontend.h"
+#include "node/transport/traffic_counters.h"
+
+namespace grove::node {
+
+/// Makes one call to a node after the other. Hears what comes before the frontend process does, for the node's welcome
+/// or refusal says how the link stands. Any thread.
+class ReconnectingLink final : public FrontendPort,
+                               public NodeCall::Caller,
+                               public std::enable_shared_from_this<ReconnectingLink> {
+ public:
+  ReconnectingLink(std::string address, pipeline::Executor& executor, pipeline::Timeline& timeline, LinkTls tls);
+
+  void start();
+  /// Waits for the end of the call; so not on one of gRPC's threads.
+  void stop();
+
+  /// Closed while no call is open.
+  pipeline::PushResult send(const ToBackend& message);
+  [[nodiscard]] Connection<FrontendPort>& frontend() noexcept { return frontend_; }
+  [[nodiscard]] LinkTraffic traffic() const { return traffic_.read(); }
+
+  [[nodiscard]] LinkStatus status() const;
+  /// The status once the node has welcomed or refused, or after so long.
+  [[nodiscard]] LinkStatus waitForAnswer(std::chrono::milliseconds max) const;
+  /// False if it takes longer.
+  [[nodiscard]] bool waitUntilOpen(std::chrono::milliseconds max) const;
+
+ private:
+  void receive(ToFrontend message) override;
+
+  void opened(NodeCall& call) override;
+  void take(const grpc::ByteBuffer& message) override;
+  [[nodiscard]] bool wantsMore() const override { return !incoming_->isHalfFull(); }
+  void ended(const grpc::Status& status) override;
+
+  void call();
+  void readOn();
+  void greetAgain();
+  // What they answer to may have ended before a worker read them: then the next call is waited for, and counts.
+  void welcomed();
+  void refused(const std::string& reason);
+  /// With the lock held.
+  void afterAPause(void (ReconnectingLink::*what)());
+
+  const std::string address_;
+  const LinkTls tls_;
+  grpc::GenericStub stub_;
+  const std::shared_ptr<PacketsToFrontend> incoming_;
+  pipeline::Timeline& timeline_;
+  Connection<FrontendPort> frontend_;
+  TrafficCounters traffic_;
+  mutable std::mutex mutex_;
+  mutable std::condition_variable changed_;
+  Opening opening_;
+  LinkStanding standing_;
+  RetryTimer retry_;
+  bool isOpen_ = false;
+  bool isCalling_ = false;  ///< until the call is gone
+  bool isStopped_ = false;
+  std::shared_ptr<NodeCall> call_;  ///< null between two
+};
+
+}  // namespace grove::node
