@@ -26,15 +26,26 @@ struct FrameList {
   /// The frame that draws its backdrop: itself, or an earlier one if still objects are not in the list. Nothing: it has
   /// no backdrop.
   std::optional<FrameNumber> backdrop;
-  world::Rect area;  ///< of the backdrop that it draws, in pixels of the view's camera
+  world::Rect area;  ///< of the backdrop that it draws, in pixels of the camera of `eye`
+  /// The frame whose backdrop it extends instead of drawing all of the area; nothing: it draws all.
+  std::optional<FrameNumber> extended = std::nullopt;
+  std::shared_ptr<const View> eye = nullptr;  ///< that the extended backdrop was drawn from; null: `view`
+  std::vector<world::Rect> drawn = {};        ///< parts of the area that it draws, for each of which it lists objects
 
   [[nodiscard]] bool drawsBackdrop() const { return backdrop == view->frame; }
+  /// Who sees the backdrop that it draws.
+  [[nodiscard]] const std::shared_ptr<const View>& backdropEye() const { return eye ? eye : view; }
+  /// Who sees one of its objects.
+  [[nodiscard]] const std::shared_ptr<const View>& eyeOf(const VisibleObject& object) const {
+    return object.still ? backdropEye() : view;
+  }
 };
 
 /// A frame with what each of its objects is to be shown with, in the order of its list.
 struct CompleteFrame {
   std::shared_ptr<const FrameList> list;
   std::vector<Payload> payloads;
+  bool stale = false;  ///< some payloads are of an earlier frame
 };
 
 /// Where the name of an object belongs in a frame. It is no part of the picture: who shows the frame writes it.

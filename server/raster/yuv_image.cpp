@@ -55,16 +55,34 @@ void toYuv(const Image& from, const world::Rect& part, YuvImage& to) {
 }
 
 void toSemiPlanar(const Image& from, SemiPlanarImage& to) {
-  assert(isEven(from.rect) && holds(to.rect, from.rect) && from.width() == to.width());
+  assert(isEven(from.rect) && holds(to.rect, from.rect));
   const int width = from.width();
   const int lines = from.height() / 2;
   std::vector<std::uint8_t> chroma(static_cast<std::size_t>(width) * static_cast<std::size_t>(lines));
   std::uint8_t* const u = chroma.data();
   std::uint8_t* const v = u + chroma.size() / 2;
-  const std::ptrdiff_t top = from.rect.top - to.rect.top;
-  libyuv::ABGRToJ420(reinterpret_cast<const std::uint8_t*>(from.colour.data()), width * 4, to.y() + top * width, width,
-                     u, width / 2, v, width / 2, width, from.height());
-  libyuv::MergeUVPlane(u, width / 2, v, width / 2, to.uv() + top / 2 * width, width, width / 2, lines);
+  libyuv::ABGRToJ420(reinterpret_cast<const std::uint8_t*>(from.colour.data()), width * 4,
+                     to.y() + to.lumaAt(from.rect.left, from.rect.top), to.width(), u, width / 2, v, width / 2, width,
+                     from.height());
+  libyuv::MergeUVPlane(u, width / 2, v, width / 2, to.uv() + to.chromaAt(from.rect.left, from.rect.top), to.width(),
+                       width / 2, lines);
+}
+
+void copyPart(const SemiPlanarImage& from, const world::Rect& part, SemiPlanarImage& to) {
+  assert(isEven(part) && holds(from.rect, part) && holds(to.rect, part));
+  libyuv::CopyPlane(from.y() + from.lumaAt(part.left, part.top), from.width(), to.y() + to.lumaAt(part.left, part.top),
+                    to.width(), part.width(), part.height());
+  libyuv::CopyPlane(from.uv() + from.chromaAt(part.left, part.top), from.width(),
+                    to.uv() + to.chromaAt(part.left, part.top), to.width(), part.width(), part.height() / 2);
+}
+
+void copyPart(const SemiPlanarImage& from, const world::Rect& part, YuvImage& to) {
+  assert(isEven(part) && holds(from.rect, part) && holds(to.rect, part));
+  const std::ptrdiff_t chroma = to.chromaAt(part.left, part.top);
+  libyuv::CopyPlane(from.y() + from.lumaAt(part.left, part.top), from.width(), to.y() + to.lumaAt(part.left, part.top),
+                    to.width(), part.width(), part.height());
+  libyuv::SplitUVPlane(from.uv() + from.chromaAt(part.left, part.top), from.width(), to.u() + chroma, to.width() / 2,
+                       to.v() + chroma, to.width() / 2, part.width() / 2, part.height() / 2);
 }
 
 void toRgba(const YuvImage& from, const world::Rect& part, Image& to) {

@@ -51,6 +51,14 @@ struct SemiPlanarImage {
   [[nodiscard]] std::uint8_t* uv() noexcept { return y() + std::ptrdiff_t{width()} * height(); }
   [[nodiscard]] const std::uint8_t* y() const noexcept { return bytes.data(); }
   [[nodiscard]] const std::uint8_t* uv() const noexcept { return y() + std::ptrdiff_t{width()} * height(); }
+
+  /// Of a pixel's luma, or of its pair of U and V; both coordinates are even.
+  [[nodiscard]] std::ptrdiff_t lumaAt(int x, int y) const noexcept {
+    return std::ptrdiff_t{y - rect.top} * width() + (x - rect.left);
+  }
+  [[nodiscard]] std::ptrdiff_t chromaAt(int x, int y) const noexcept {
+    return std::ptrdiff_t{(y - rect.top) / 2} * width() + (x - rect.left);
+  }
 };
 
 /// Memory from the pool; the contents are whatever was there before.
@@ -59,8 +67,11 @@ struct SemiPlanarImage {
 
 /// Converts colours within `part`, which lies within both; alpha is ignored.
 void toYuv(const Image& from, const world::Rect& part, YuvImage& to);
-/// Converts all colours of `from`, which is as wide as `to` and lies within it.
+/// Converts all colours of `from`, which lies within `to`.
 void toSemiPlanar(const Image& from, SemiPlanarImage& to);
+/// Copies a part that both have.
+void copyPart(const SemiPlanarImage& from, const world::Rect& part, SemiPlanarImage& to);
+void copyPart(const SemiPlanarImage& from, const world::Rect& part, YuvImage& to);
 
 /// Converts colours within `part`, which lies within both, to opaque ones. Chroma is repeated, so that toYuv() returns
 /// what was there before, to a rounding.

@@ -54,6 +54,12 @@ std::int64_t counted(ServedScene& served, const char* counter) {
   return found == counters.end() ? 0 : found->second;
 }
 
+/// Drawn with this yaw: who has looked elsewhere before sees no warped picture.
+Picture pictureDrawn(HeadlessSession& visitor, float yaw) {
+  (void)pictureAfter(visitor, 0, yaw + 2.0F);
+  return pictureAfter(visitor, 0, yaw);
+}
+
 TEST_F(LightFields, AreSeenWhereTheyStand) {
   ServedScene served(scene("", 25.0));
   HeadlessSession visitor(served.host, "Ada", 320, 180);
@@ -92,8 +98,8 @@ TEST_F(LightFields, BothRenderersGiveTheSamePicture) {
   ServedScene gl(withoutSharing(scene("renderer = 'gl'\n", 25.0)));
   HeadlessSession a(simd.host, "Ada", 320, 180);
   HeadlessSession b(gl.host, "Bob", 320, 180);
-  const Picture bySimd = pictureAfter(a, 0, 0.05F);
-  const Picture byGl = pictureAfter(b, 0, 0.05F);
+  const Picture bySimd = pictureDrawn(a, 0.05F);
+  const Picture byGl = pictureDrawn(b, 0.05F);
   EXPECT_GT(bySimd.mean(), 5.0);
   EXPECT_LT(difference(bySimd, byGl), 0.05 * bySimd.mean());
 }
@@ -108,7 +114,7 @@ TEST_F(LightFields, VisitorsSharePicturesOfWhatIsFar) {
   HeadlessSession bob(served.host, "Bob", 320, 180);
   const Picture first = pictureAfter(bob, 0, 0.02F);
   EXPECT_GT(first.mean(), 0.5);
-  for (int i = 0; i < 10; ++i) (void)pictureAfter(bob, 0, 0.02F * static_cast<float>(i));
+  for (int i = 0; i < 3; ++i) (void)pictureDrawn(bob, 0.02F * static_cast<float>(i));
   EXPECT_LE(counted(served, "view cache misses"), made + 1) << "Bob stands beside Ada, in her cell or the next";
   EXPECT_GT(counted(served, "view cache hits"), hits);
 }

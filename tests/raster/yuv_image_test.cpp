@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <utility>
 
 namespace grove::raster {
 namespace {
@@ -92,6 +93,55 @@ TEST(YuvImage, SemiPlanarBandsLandWhereTheyBelong) {
   EXPECT_EQ(std::count(whole->uv(), whole->uv() + 2 * 48, 7), 2 * 48);
   EXPECT_EQ(std::count(whole->uv() + 2 * 48, whole->uv() + 4 * 48, 128), 2 * 48);
   EXPECT_EQ(whole->bytes.back(), 7);
+}
+
+/// Counts up, so that each sample can be told from its neighbours.
+std::shared_ptr<SemiPlanarImage> counting(ImagePool& pool, const world::Rect& rect) {
+  auto image = acquireSemiPlanar(pool, rect);
+  for (std::size_t i = 0; i < image->bytes.size(); ++i) image->bytes[i] = static_cast<std::uint8_t>(i % 251);
+  return image;
+}
+
+TEST(YuvImage, SemiPlanarPartsLandWhereTheyBelong) {
+  ImagePool pool;
+  constexpr world::Rect kPart{8, 6, 16, 10};
+  const auto whole = acquireSemiPlanar(pool, kArea);
+  std::ranges::fill(whole->bytes, std::uint8_t{7});
+  toSemiPlanar(*filled(pool, kPart, 0xFFFFFFFFU), *whole);
+  EXPECT_EQ(std::ranges::count(whole->bytes, 255), 8 * 4);
+  EXPECT_EQ(std::ranges::count(whole->bytes, 128), 8 * 2);
+  for (const auto& [x, y] : {std::pair(8, 6), std::pair(14, 8)}) {
+    EXPECT_EQ(whole->y()[whole->lumaAt(x, y)], 255);
+    EXPECT_EQ(whole->uv()[whole->chromaAt(x, y)], 128);
+    EXPECT_EQ(whole->uv()[whole->chromaAt(x, y) + 1], 128);
+  }
+}
+
+TEST(YuvImage, CopiesTheAskedPartOnly) {
+  ImagePool pool;
+  constexpr world::Rect kPart{0, 4, 20, 12};
+  const auto from = counting(pool, kArea);
+  const auto to = acquireSemiPlanar(pool, {-10, 0, 30, 14});
+  const auto planar = acquireYuv(pool, {-10, 0, 30, 14});
+  std::ranges::fill(to->bytes, std::uint8_t{252});
+  std::ranges::fill(planar->bytes, std::uint8_t{252});
+  copyPart(*from, kPart, *to);
+  copyPart(*from, kPart, *planar);
+  for (int y = kPart.top; y < kPart.bottom; ++y) {
+    for (int x = kPart.left; x < kPart.right; ++x) {
+      ASSERT_EQ(to->y()[to->lumaAt(x, y)], from->y()[from->lumaAt(x, y)]) << x << " " << y;
+      ASSERT_EQ(planar->y()[planar->lumaAt(x, y)], from->y()[from->lumaAt(x, y)]) << x << " " << y;
+      if (x % 2 != 0 || y % 2 != 0) continue;
+      const std::uint8_t* const uv = from->uv() + from->chromaAt(x, y);
+      ASSERT_EQ(to->uv()[to->chromaAt(x, y)], uv[0]) << x << " " << y;
+      ASSERT_EQ(to->uv()[to->chromaAt(x, y) + 1], uv[1]) << x << " " << y;
+      ASSERT_EQ(planar->u()[planar->chromaAt(x, y)], uv[0]) << x << " " << y;
+      ASSERT_EQ(planar->v()[planar->chromaAt(x, y)], uv[1]) << x << " " << y;
+    }
+  }
+  constexpr int kOthers = 40 * 14 / 2 * 3 - 20 * 8 / 2 * 3;
+  EXPECT_EQ(std::ranges::count(to->bytes, 252), kOthers);
+  EXPECT_EQ(std::ranges::count(planar->bytes, 252), kOthers);
 }
 
 /// Memory goes back to the pool and is counted like that of other pictures.

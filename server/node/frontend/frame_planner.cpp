@@ -119,12 +119,13 @@ Plan FramePlanner::planOf(const FrameRecord& frame, std::uint32_t slot, const Pa
   attempt(
       [&] {
         const SharedOf shared(frontend_.shared(), object.object.id);
+        const View& eye = *frame.list()->eyeOf(object);
         FrontendHalf& half = halves_->of(object.object.type);
         if (answer == nullptr) {
-          plan = half.plan(object, frame.view(), shared, nullptr);
+          plan = half.plan(object, eye, shared, nullptr);
         } else if (const Ask& ask = *frame.asked(slot); fits(*answer, ask)) {
           const Reply reply{ask, *answer};
-          plan = half.plan(object, frame.view(), shared, &reply);
+          plan = half.plan(object, eye, shared, &reply);
         } else {
           plan = Payload(Failure{"the picture is larger than what was asked for"});
         }
@@ -146,7 +147,10 @@ void FramePlanner::take(FrameRecord& frame, std::uint32_t slot, Payload payload)
   // Of a backend node that is full or away, what it answered last is shown.
   const auto* const failure = std::get_if<Failure>(&payload);
   const Payload* const last = failure != nullptr && failure->notNow ? frames_.lastOf(frame, slot) : nullptr;
-  if (last != nullptr) payload = *last;
+  if (last != nullptr) {
+    payload = *last;
+    frame.markStale();
+  }
   if (frame.answer(slot, payload)) return;
   timeline_.count("results that were not waited for");
   if (frames_.keepStale(frame, slot, std::move(payload))) timeline_.count("results that the next frame may show");

@@ -35,6 +35,7 @@ std::vector<std::uint32_t> FrameRecord::fillIn(std::initializer_list<const Frame
     slots_[slot].payload = Failure{"no result in time"};
     if (const Payload* const payload = lastOf(slot, earlier)) slots_[slot].payload = *payload;
     filled.push_back(slot);
+    markStale();
   }
   return filled;
 }
@@ -55,7 +56,7 @@ bool FrameRecord::takeStale(const FrameRecord& late, std::uint32_t slot, Payload
 }
 
 CompleteFrame FrameRecord::toShow() const {
-  CompleteFrame frame{list_, {}};
+  CompleteFrame frame{list_, {}, stale_};
   frame.payloads.reserve(slots_.size());
   for (const Slot& slot : slots_) frame.payloads.push_back(slot.payload);
   return frame;

@@ -45,6 +45,8 @@ class FrameRecord {
   /// A slot waits no more. True if the frame takes the payload; false, and the payload stays as it is, for an unknown
   /// slot, for a second answer, and after the frame's end.
   bool answer(std::uint32_t slot, Payload& payload);
+  /// An answer is what an earlier frame was shown with.
+  void markStale() noexcept { stale_ = true; }
 
   /// Gives each slot without an answer what the first of the earlier frames, which may be null, was shown with for the
   /// same object, or a Failure if there is nothing that fits. Returns those slots.
@@ -79,6 +81,7 @@ class FrameRecord {
   std::vector<Slot> slots_;
   std::size_t missing_;
   State state_ = State::kInTheMaking;
+  bool stale_ = false;  ///< some payloads are of an earlier frame
 };
 
 }  // namespace grove::node

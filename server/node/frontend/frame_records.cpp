@@ -35,7 +35,7 @@ void FrameRecords::show(FrameRecord& frame) {
   FrameRecord* const drawnBefore = newestDrawn_;
   frame.show();
   newestShown_ = &frame;
-  if (frame.list()->drawsBackdrop()) newestDrawn_ = &frame;
+  if (frame.list()->drawsBackdrop() && !frame.list()->extended) newestDrawn_ = &frame;
   for (FrameRecord* const each : {before, drawnBefore}) {
     if (each != nullptr && each != newestShown_ && each != newestDrawn_) each->release();
   }

@@ -11,8 +11,8 @@ namespace grove::node {
 
 /// The frames of one visitor: requests x frames in flight (section 4.4), and beside those in the making some that have
 /// ended, for results that come late are of use as the last ones of their objects. Bounded by the frames in flight and
-/// kKept. Only the newest that was shown and the newest that drew a backdrop hold payloads after their end. Records
-/// stay where they are until open() forgets them. Used by one thread at a time.
+/// kKept. Only the newest that was shown and the newest that drew a whole backdrop hold payloads after their end.
+/// Records stay where they are until open() forgets them. Used by one thread at a time.
 class FrameRecords {
  public:
   /// Whose results are still of use; frames in the making are kept even if they are more.
@@ -61,7 +61,7 @@ class FrameRecords {
 
   std::map<FrameNumber, FrameRecord> frames_;
   FrameRecord* newestShown_ = nullptr;
-  FrameRecord* newestDrawn_ = nullptr;  ///< of those that were shown
+  FrameRecord* newestDrawn_ = nullptr;  ///< a whole backdrop, of those that were shown
 };
 
 }  // namespace grove::node

@@ -7,6 +7,7 @@ Request requestOf(const FrameList& frame, std::uint32_t slot, const Ask& ask) {
   const VisibleObject& object = frame.objects[slot];
   Request request;
   request.view = frame.view;
+  if (object.still && !ask.shared) request.eye = frame.eye;
   request.slot = slot;
   request.object = object.object.id;
   request.shared = ask.shared;

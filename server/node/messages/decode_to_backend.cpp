@@ -88,19 +88,23 @@ Decoded<ToBackend> backendMessage(std::string_view name, const From& from) {
   return ToBackend(std::move(to));
 }
 
+WireError unknownView(SessionId session, FrameNumber frame) {
+  std::string reason = "request: the view of session ";
+  reason.append(std::to_string(session >> 32U)).append("/").append(std::to_string(numberOf(session)));
+  reason.append(", frame ").append(std::to_string(frame)).append(", is unknown");
+  return WireError{std::move(reason)};
+}
+
 Decoded<ToBackend> withView(const v1::Request& from, const ViewLookup& viewOf) {
   Decoded<ToBackend> decoded = backendMessage("request", from);
   auto* message = std::get_if<ToBackend>(&decoded);
   if (message == nullptr || from.session() == 0) return decoded;
-  auto view = viewOf(from.session(), from.frame());
-  if (!view && !from.shared()) {
-    const SessionId session = from.session();
-    std::string reason = "request: the view of session ";
-    reason.append(std::to_string(session >> 32U)).append("/").append(std::to_string(numberOf(session)));
-    reason.append(", frame ").append(std::to_string(from.frame())).append(", is unknown");
-    return WireError{std::move(reason)};
-  }
-  std::get<Request>(*message).view = std::move(view);
+  auto& request = std::get<Request>(*message);
+  request.view = viewOf(from.session(), from.frame());
+  if (!request.view && !from.shared()) return unknownView(from.session(), from.frame());
+  if (!from.has_eye()) return decoded;
+  request.eye = viewOf(from.session(), from.eye());
+  if (!request.eye) return unknownView(from.session(), from.eye());
   return decoded;
 }
 

@@ -113,6 +113,7 @@ void put(const Request& from, v1::ToBackend& envelope) {
   if (from.view) {
     to.set_session(from.view->session);
     to.set_frame(from.view->frame);
+    if (from.eye) to.set_eye(from.eye->frame);
   } else {
     to.set_process(from.process);
   }

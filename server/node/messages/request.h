@@ -13,19 +13,24 @@ namespace grove::node {
 struct Request {
   /// Whose frame wants it; null for shared data that is fetched anew because it has changed.
   std::shared_ptr<const View> view;
+  /// Of a picture: who sees the object, if the frame extends what an earlier view of its session saw; null: `view`.
+  std::shared_ptr<const View> eye = nullptr;
   ProcessId process = 0;   ///< who asks, if there is no view
   std::uint32_t slot = 0;  ///< place in the frame's list
   world::ObjectId object = 0;
   bool shared = false;  ///< data for everybody instead of a picture
   Key key;
   world::Rect
-      rect;  ///< of a picture: the pixels that are wanted; in pixels of the view's camera unless the key says otherwise
+      rect;  ///< of a picture: the pixels that are wanted; in pixels of the camera unless the key says otherwise
   float distance = 0.0F;  ///< metres from the eye to the farthest corner of the object's bounds
   /// How wrong what the visitor would see without an answer is, in times of what is permitted; infinite: nothing.
   float urgency = std::numeric_limits<float>::infinity();
   /// Of shared data: the version that the process has, to which the answer may come as a difference; 0: none, and
   /// where the answer goes by reference.
   Version known = 0;
+
+  /// Whose camera and lights a picture is of.
+  [[nodiscard]] const View& seenBy() const { return eye ? *eye : *view; }
 };
 
 /// A frame is over: what was asked for it and not begun need not be answered.

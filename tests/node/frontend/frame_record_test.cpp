@@ -42,6 +42,18 @@ TEST(FrameRecord, IsCompleteWithAnAnswerForEachSlotInAnyOrder) {
   EXPECT_EQ(reasonOf(frame.payloads[2]), "c");
 }
 
+TEST(FrameRecord, SaysWhetherItShowsWhatAnEarlierOneHad) {
+  FrameRecord before(listOf(1, 2));
+  answers(before, 0, picture(1));
+  answers(before, 1, picture(2));
+  EXPECT_FALSE(before.toShow().stale);
+  before.show();
+  FrameRecord record(listOf(2, 2));
+  answers(record, 0, picture(3));
+  record.fillIn({&before});
+  EXPECT_TRUE(record.toShow().stale);
+}
+
 TEST(FrameRecord, WithoutObjectsIsCompleteAtOnce) { EXPECT_TRUE(FrameRecord(listOf(1, 0)).complete()); }
 
 TEST(FrameRecord, RefusesSecondAnswersAndUnknownSlots) {

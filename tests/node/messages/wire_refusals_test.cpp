@@ -207,6 +207,12 @@ TEST(WireRefusals, ViewsOfRequests) {
               request.view = std::make_shared<View>(other);
             }),
             "request: the view of session 3/8, frame 42, is unknown");
+  EXPECT_EQ(requestRefusal([](Request& request) {
+              View other = examples::view();
+              other.frame = 43;
+              request.eye = std::make_shared<View>(other);
+            }),
+            "request: the view of session 3/8, frame 43, is unknown");
 }
 
 TEST(WireRefusals, CancelQualityForget) {

@@ -168,6 +168,16 @@ TEST(Wire, CarriesRequestAndFindsItsView) {
   EXPECT_EQ(got.known, sent.known);
 }
 
+TEST(Wire, FindsTheViewThatAPictureIsOf) {
+  Request sent = examples::request();
+  EXPECT_FALSE(afterTravel(sent).eye);
+  sent.eye = sent.view;
+  const Request got = afterTravel(sent);
+  ASSERT_TRUE(got.eye);
+  EXPECT_EQ(got.eye->frame, examples::kFrame);
+  EXPECT_EQ(&got.seenBy(), got.eye.get());
+}
+
 TEST(Wire, CarriesRequestForSharedDataWithoutView) {
   Request sent = examples::request();
   sent.view = nullptr;

@@ -31,6 +31,7 @@ namespace {
 struct Shown {
   node::Payload payload;
   CrossFade fade;
+  bool isFinal = true;
 };
 
 /// A wood of 25 thickets of ten metres, and visitors who walk about in it: each with a frontend half, all with one
@@ -146,6 +147,7 @@ class Wood {
       plan = half.plan(object, *view, shared, &reply);
     }
     Shown shown{std::get<node::Payload>(plan), {}};
+    if (const auto layer = half.layer(object, shown.payload, *view)) shown.isFinal = layer->isFinal();
     if (const auto* const data = std::get_if<std::shared_ptr<const node::SharedData>>(&shown.payload)) {
       shown.fade = half.fade(object.object.id, static_cast<const CachedView&>(**data), view->time);
     }
@@ -180,14 +182,17 @@ struct Fades {
 
 Fades fadesOf(const std::vector<Shown>& shown) {
   Fades fades;
-  for (const auto& [payload, fade] : shown) {
-    if (!fade.from) continue;
+  for (const Shown& each : shown) {
+    if (!each.fade.from) continue;
     ++fades.going;
-    fades.min = std::min(fades.min, fade.share);
-    fades.max = std::max(fades.max, fade.share);
+    fades.min = std::min(fades.min, each.fade.share);
+    fades.max = std::max(fades.max, each.fade.share);
   }
   return fades;
 }
+
+/// Objects of which nothing better is under way.
+std::ptrdiff_t finalOnes(const std::vector<Shown>& shown) { return std::ranges::count_if(shown, &Shown::isFinal); }
 
 bool showsAll(const std::vector<Shown>& shown) {
   return std::ranges::none_of(shown,
@@ -221,6 +226,7 @@ TEST_F(LightFieldHalves, AFinerLightFieldComesWithoutAJump) {
     objects = static_cast<int>(payloads.size());
     const Fades fades = fadesOf(payloads);
     if (fades.going == 0) continue;
+    EXPECT_LE(finalOnes(payloads), objects - fades.going);
     if (std::exchange(isFirst, false)) {
       EXPECT_LT(fades.min, 0.01F);
     }
@@ -233,6 +239,7 @@ TEST_F(LightFieldHalves, AFinerLightFieldComesWithoutAJump) {
   EXPECT_GT(last, 0.9F);
   EXPECT_GT(seen.rbegin()->first, objects / 2) << "most objects faded";
   EXPECT_EQ(fadesOf(look()).going, 0) << "and it comes to an end";
+  EXPECT_EQ(finalOnes(look()), objects);
 }
 
 /// For the thread sanitizer, too: requests in progress hold on to what they began with.
@@ -263,10 +270,17 @@ TEST_F(LightFieldHalves, ACrowdOnALateMachineSeesEverythingWithinTheBudget) {
   constexpr double kSeconds = 10.0;
   Wood wood(*field_, kVisitors);
   const double share = LightFieldBackend::texelsPerSecond(1) * kLooking / kVisitors;
+  const auto late = [&] {
+    return wood.counted("coarse views") + wood.counted("views shown stale") + wood.counted("near views shown stale");
+  };
   node::FrameNumber frame = 0;
   for (; frame < 4 * kSeconds; ++frame) {
     for (std::size_t visitor = 0; visitor < kLooking; ++visitor) {
-      ASSERT_TRUE(showsAll(wood.look(visitor, frame + 1, 0.25 * frame)));
+      const std::int64_t before = late();
+      const auto shown = wood.look(visitor, frame + 1, 0.25 * frame);
+      ASSERT_TRUE(showsAll(shown));
+      const auto final = static_cast<std::int64_t>(finalOnes(shown));
+      ASSERT_EQ(final<static_cast<std::int64_t>(shown.size()), late()> before);
     }
   }
   EXPECT_LE(static_cast<double>(wood.counted("texels of new views")), share * (kSeconds + 1.0) + kLooking * 64 * 64);
@@ -274,9 +288,6 @@ TEST_F(LightFieldHalves, ACrowdOnALateMachineSeesEverythingWithinTheBudget) {
   EXPECT_GT(wood.counted("views shown stale") + wood.counted("near views shown stale"), 100);
 
   // Who stands still has proper pictures of everything in the end.
-  const auto late = [&] {
-    return wood.counted("coarse views") + wood.counted("views shown stale") + wood.counted("near views shown stale");
-  };
   for (; frame < 4 * 6 * kSeconds; ++frame) (void)wood.look(0, frame + 1, 0.25 * frame, false);
   const std::int64_t before = late();
   (void)wood.look(0, frame + 1, 0.25 * frame, false);

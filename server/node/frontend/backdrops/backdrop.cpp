@@ -31,38 +31,60 @@ float varianceOfRamp(float before, float after) {
   return slope * slope * (kSide * kSide - 1.0F) / 12.0F;
 }
 
-int cellsFor(int pixels) { return (pixels + Backdrop::kCell - 1) / Backdrop::kCell; }
+[[maybe_unused]] bool hasWholeCells(const world::Rect& part) {
+  return part.left % Backdrop::kCell == 0 && part.top % Backdrop::kCell == 0 && part.right % Backdrop::kCell == 0 &&
+         part.bottom % Backdrop::kCell == 0;
+}
 
 }  // namespace
 
 BackdropDepths::BackdropDepths(const world::Rect& area)
-    : top_(area.top),
-      across_(cellsFor(area.width())),
-      cells_(static_cast<std::size_t>(across_) * static_cast<std::size_t>(cellsFor(area.height()))),
+    : area_(area),
+      cells_(static_cast<std::size_t>(area.width() / Backdrop::kCell) *
+             static_cast<std::size_t>(area.height() / Backdrop::kCell)),
       squares_(static_cast<std::size_t>(area.width() / 2) * static_cast<std::size_t>(area.height() / 2)) {
-  assert(area.width() % 2 == 0 && area.height() % 2 == 0);
+  assert(hasWholeCells(area));
 }
 
-void BackdropDepths::measure(const raster::Image& band) {
-  const int top = band.rect.top - top_;
-  assert(top % Backdrop::kCell == 0);
-  for (int row = 0; row < band.height(); row += Backdrop::kCell) {
-    measureCells(band.depthRow(row), band.width(), std::min(Backdrop::kCell, band.height() - row),
-                 cells_.data() + std::ptrdiff_t{(top + row) / Backdrop::kCell} * across_,
-                 squares_.data() + std::ptrdiff_t{(top + row) / 2} * (band.width() / 2));
+void BackdropDepths::measure(const raster::Image& part) {
+  assert(hasWholeCells(part.rect) && overlap(area_, part.rect) == part.rect);
+  for (int y = part.rect.top; y < part.rect.bottom; y += Backdrop::kCell) {
+    measureCells(part.depthRow(y - part.rect.top), part.width(), Backdrop::kCell,
+                 cells_.data() + cellAt(part.rect.left, y),
+                 {squares_.data() + squareAt(part.rect.left, y), area_.width() / 2});
   }
 }
 
-Backdrop::Backdrop(std::shared_ptr<const raster::SemiPlanarImage> image, BackdropDepths depths,
-                   std::shared_ptr<const View> view)
+void BackdropDepths::copy(const BackdropDepths& from, const world::Rect& part) {
+  assert(hasWholeCells(part) && overlap(area_, part) == part && overlap(from.area_, part) == part);
+  for (int y = part.top; y < part.bottom; y += Backdrop::kCell) {
+    std::copy_n(from.cells_.data() + from.cellAt(part.left, y), part.width() / Backdrop::kCell,
+                cells_.data() + cellAt(part.left, y));
+  }
+  for (int y = part.top; y < part.bottom; y += 2) {
+    std::copy_n(from.squares_.data() + from.squareAt(part.left, y), part.width() / 2,
+                squares_.data() + squareAt(part.left, y));
+  }
+}
+
+std::ptrdiff_t BackdropDepths::cellAt(int x, int y) const {
+  constexpr int kCell = Backdrop::kCell;
+  return std::ptrdiff_t{(y - area_.top) / kCell} * (area_.width() / kCell) + (x - area_.left) / kCell;
+}
+
+std::ptrdiff_t BackdropDepths::squareAt(int x, int y) const {
+  return std::ptrdiff_t{(y - area_.top) / 2} * (area_.width() / 2) + (x - area_.left) / 2;
+}
+
+Backdrop::Backdrop(std::shared_ptr<const raster::SemiPlanarImage> image, BackdropDepths depths, Origin origin)
     : image_(std::move(image)),
-      view_(std::move(view)),
-      across_(cellsFor(image_->width())),
-      down_(cellsFor(image_->height())),
-      squares_(depths.takeSquares()) {
-  for (const CellDepths& cell : depths.cells()) nearest_ = std::max(nearest_, cell.nearest);
-  chooseNearness(depths.cells());
-  measureBlocks(depths.cells());
+      depths_(std::move(depths)),
+      origin_(std::move(origin)),
+      across_(image_->width() / kCell),
+      down_(image_->height() / kCell) {
+  for (const CellDepths& cell : depths_.cells()) nearest_ = std::max(nearest_, cell.nearest);
+  chooseNearness();
+  measureBlocks();
 }
 
 Backdrop::Error Backdrop::errorOf(const WarpCamera& warp) const {
@@ -80,7 +102,8 @@ Backdrop::Error Backdrop::errorOf(const WarpCamera& warp) const {
   return {std::sqrt(sum.shift / pixels), std::sqrt(sum.zoom / pixels)};
 }
 
-void Backdrop::chooseNearness(const std::vector<CellDepths>& depths) {
+void Backdrop::chooseNearness() {
+  const std::vector<CellDepths>& depths = depths_.cells();
   nearness_.reserve(depths.size());
   for (int row = 0; row < down_; ++row) {
     for (int column = 0; column < across_; ++column) {
@@ -97,7 +120,7 @@ void Backdrop::chooseNearness(const std::vector<CellDepths>& depths) {
   }
 }
 
-void Backdrop::measureBlocks(const std::vector<CellDepths>& depths) {
+void Backdrop::measureBlocks() {
   const int blocksAcross = (across_ + kBlockCells - 1) / kBlockCells;
   const int blocksDown = (down_ + kBlockCells - 1) / kBlockCells;
   const world::Vec2 origin(image_->rect.left, image_->rect.top);
@@ -108,12 +131,15 @@ void Backdrop::measureBlocks(const std::vector<CellDepths>& depths) {
       Block block{.centre = origin + (world::Vec2(x, y) + kHalf) * static_cast<float>(kCell)};
       for (int row = y; row < std::min(y + kBlockCells, down_); ++row) {
         for (int column = x; column < std::min(x + kBlockCells, across_); ++column) {
-          const CellDepths& cell = depths[indexOf(column, row)];
+          const CellDepths& cell = depths_.cells()[indexOf(column, row)];
           block.squares += squaredErrors(cell, column, row);
           block.nearest = std::max(block.nearest, cell.nearest);
           block.pixels += kCell * kCell;
+          block.covered += cell.count;
+          block.mean += cell.nearness;
         }
       }
+      if (block.covered > 0.0F) block.mean /= block.covered;
       blocks_.push_back(block);
     }
   }

@@ -18,17 +18,22 @@ struct WarpCamera;
 /// once.
 class BackdropDepths {
  public:
-  /// Of a backdrop of this area, whose edges are even.
+  /// Of a backdrop of this area, which consists of whole cells.
   explicit BackdropDepths(const world::Rect& area);
-  /// `band` is as wide as the area, and begins a multiple of Backdrop::kCell rows below its top.
-  void measure(const raster::Image& band);
+  /// A part of the area of whole cells.
+  void measure(const raster::Image& part);
+  /// Takes over those of a part of whole cells that both areas have.
+  void copy(const BackdropDepths& from, const world::Rect& part);
 
   [[nodiscard]] const std::vector<CellDepths>& cells() const noexcept { return cells_; }
-  [[nodiscard]] std::vector<SquareNearness> takeSquares() { return std::move(squares_); }
+  /// Nearness of squares of 2 x 2 pixels, row by row.
+  [[nodiscard]] const std::vector<SquareNearness>& squares() const noexcept { return squares_; }
 
  private:
-  int top_;
-  int across_;
+  [[nodiscard]] std::ptrdiff_t cellAt(int x, int y) const;
+  [[nodiscard]] std::ptrdiff_t squareAt(int x, int y) const;
+
+  world::Rect area_;
   std::vector<CellDepths> cells_;
   std::vector<SquareNearness> squares_;
 };
@@ -37,14 +42,18 @@ class BackdropDepths {
 /// the frame where his head turns to. BackdropWarp shows it from nearby eyes. Immutable, any thread.
 class Backdrop {
  public:
+  struct Origin {
+    std::shared_ptr<const View> view;  ///< whose eye has drawn it
+    FrameNumber frame = 0;             ///< that has drawn or extended it
+    bool isFinal = true;               ///< nothing better is under way of what it shows
+  };
   /// `image` is in pixels of the view's camera and may reach beyond its frame.
-  Backdrop(std::shared_ptr<const raster::SemiPlanarImage> image, BackdropDepths depths,
-           std::shared_ptr<const View> view);
+  Backdrop(std::shared_ptr<const raster::SemiPlanarImage> image, BackdropDepths depths, Origin origin);
 
   [[nodiscard]] const raster::SemiPlanarImage& image() const noexcept { return *image_; }
-  [[nodiscard]] const View& view() const noexcept { return *view_; }
-  /// Nearness of its squares of 2 x 2 pixels, row by row.
-  [[nodiscard]] const std::vector<SquareNearness>& squares() const noexcept { return squares_; }
+  [[nodiscard]] const Origin& origin() const noexcept { return origin_; }
+  [[nodiscard]] const View& view() const noexcept { return *origin_.view; }
+  [[nodiscard]] const BackdropDepths& depths() const noexcept { return depths_; }
 
   /// Pixels of a cell's side.
   static constexpr int kCell = 8;
@@ -63,26 +72,30 @@ class Backdrop {
   };
   [[nodiscard]] Error errorOf(const WarpCamera& warp) const;
 
- private:
-  /// A block of cells, the unit in which errorOf() sums.
+  /// A block of cells, the unit in which errors are summed.
   struct Block {
     world::Vec2 centre{0.0F};  ///< pixels of the camera
     float pixels = 0.0F;
+    float covered = 0.0F;  ///< pixels that have a depth
+    float mean = 0.0F;     ///< 1 / depth, of covered pixels
     float nearest = 0.0F;  ///< largest 1 / depth
     float squares = 0.0F;  ///< sum over its pixels of the squared difference from the nearness they are warped by
   };
+  [[nodiscard]] const std::vector<Block>& blocks() const noexcept { return blocks_; }
+
+ private:
   [[nodiscard]] std::size_t indexOf(int column, int row) const noexcept {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(across_) + static_cast<std::size_t>(column);
   }
-  void chooseNearness(const std::vector<CellDepths>& depths);
-  void measureBlocks(const std::vector<CellDepths>& depths);
+  void chooseNearness();
+  void measureBlocks();
   [[nodiscard]] float squaredErrors(const CellDepths& depths, int column, int row) const;
 
   std::shared_ptr<const raster::SemiPlanarImage> image_;
-  std::shared_ptr<const View> view_;
+  BackdropDepths depths_;
+  Origin origin_;
   int across_ = 0;
   int down_ = 0;
-  std::vector<SquareNearness> squares_;
   std::vector<float> nearness_;
   std::vector<Block> blocks_;
   float nearest_ = 0.0F;

@@ -4,16 +4,19 @@
 #include <cmath>
 #include <limits>
 
+#include "base/floor_to.h"
+#include "node/frontend/backdrops/backdrop.h"
 #include "node/frontend/backdrops/warp_camera.h"
 
 namespace grove::node {
 namespace {
 
-/// Border beyond what is expected to be seen: a share of that, and pixels, even.
+/// Border beyond what is expected to be seen: a share of that, and pixels.
 constexpr float kSpareShare = 1.15F;
 constexpr int kSpare = 2;
-/// Pixels of an area, in multiples of the frame's.
-constexpr float kMaxGrowth = 1.3F;
+/// Pixels of an area, in multiples of the frame's: of one that is drawn, and of one that is extended.
+constexpr float kMaxDrawn = 1.3F;
+constexpr float kMaxExtended = 2.0F;
 
 /// Pixels, of rays that are almost parallel to the backdrop.
 constexpr float kFarOut = 1.0e6F;
@@ -22,7 +25,19 @@ constexpr float kFarOut = 1.0e6F;
 int evenUp(float value) { return 2 * static_cast<int>(std::ceil(0.5F * value)); }
 int evenDown(float value) { return 2 * static_cast<int>(std::floor(0.5F * value)); }
 
-float pixelsOf(const world::Rect& rect) { return static_cast<float>(rect.width()) * static_cast<float>(rect.height()); }
+/// What is seen now and a border on the sides where more is seen later.
+world::Rect withBorder(const world::Rect& seen, const world::Rect& later) {
+  const auto border = [](int beyond) {
+    return beyond > 0 ? static_cast<int>(std::ceil(kSpareShare * static_cast<float>(beyond))) + kSpare : 0;
+  };
+  return wholeCells({seen.left - border(seen.left - later.left), seen.top - border(seen.top - later.top),
+                     seen.right + border(later.right - seen.right), seen.bottom + border(later.bottom - seen.bottom)});
+}
+
+bool isWithin(float limit, const world::Rect& area, const world::Camera& camera) {
+  const auto pixels = [](int width, int height) { return static_cast<float>(width) * static_cast<float>(height); };
+  return pixels(area.width(), area.height()) <= limit * pixels(camera.width, camera.height);
+}
 
 struct Box {
   float left = std::numeric_limits<float>::max();
@@ -58,21 +73,43 @@ world::Rect seenPart(const world::Camera& backdrop, const world::Camera& frame, 
 }
 
 std::optional<world::Rect> areaWithBorder(const world::Camera& camera, const world::Camera& later, float nearest) {
-  const world::Rect frame = evenFrame(camera);
+  const world::Rect frame = areaOfFrame(camera);
   const world::Rect seen = seenPart(camera, later, nearest);
   if (seen.empty()) return std::nullopt;
-  const auto border = [](int beyond) {
-    return beyond > 0 ? evenUp(kSpareShare * static_cast<float>(beyond)) + kSpare : 0;
-  };
-  const world::Rect area{frame.left - border(frame.left - seen.left), frame.top - border(frame.top - seen.top),
-                         frame.right + border(seen.right - frame.right),
-                         frame.bottom + border(seen.bottom - frame.bottom)};
-  if (pixelsOf(area) > kMaxGrowth * pixelsOf(frame)) return std::nullopt;
+  const world::Rect area = withBorder(frame, seen);
+  if (!isWithin(kMaxDrawn, area, camera)) return std::nullopt;
   return area;
 }
 
-world::Rect evenFrame(const world::Camera& camera) {
-  return {0, 0, camera.width + camera.width % 2, camera.height + camera.height % 2};
+world::Rect wholeCells(const world::Rect& rect) {
+  constexpr int kCell = Backdrop::kCell;
+  return {floorTo(rect.left, kCell), floorTo(rect.top, kCell), -floorTo(-rect.right, kCell),
+          -floorTo(-rect.bottom, kCell)};
+}
+
+world::Rect areaOfFrame(const world::Camera& camera) { return wholeCells({0, 0, camera.width, camera.height}); }
+
+std::optional<world::Rect> extendedArea(const world::Rect& area, const world::Rect& seen, const world::Rect& later,
+                                        const world::Camera& camera) {
+  if (later.empty()) return std::nullopt;
+  const world::Rect wanted = withBorder(seen, later);
+  const world::Rect both{std::min(area.left, wanted.left), std::min(area.top, wanted.top),
+                         std::max(area.right, wanted.right), std::max(area.bottom, wanted.bottom)};
+  for (const world::Rect& each : {both, wanted}) {
+    if (isWithin(kMaxExtended, each, camera)) return each;
+  }
+  return std::nullopt;
+}
+
+std::vector<world::Rect> partsBeyond(const world::Rect& area, const world::Rect& other) {
+  const world::Rect kept = world::overlap(area, other);
+  if (kept.empty()) return {area};
+  std::vector<world::Rect> parts{{area.left, area.top, area.right, kept.top},
+                                 {area.left, kept.top, kept.left, kept.bottom},
+                                 {kept.right, kept.top, area.right, kept.bottom},
+                                 {area.left, kept.bottom, area.right, area.bottom}};
+  std::erase_if(parts, [](const world::Rect& part) { return part.empty(); });
+  return parts;
 }
 
 }  // namespace grove::node

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "world/camera.h"
 
@@ -15,7 +16,18 @@ namespace grove::node {
 [[nodiscard]] std::optional<world::Rect> areaWithBorder(const world::Camera& camera, const world::Camera& later,
                                                         float nearest);
 
-/// Area without a border. All areas have even edges.
-[[nodiscard]] world::Rect evenFrame(const world::Camera& camera);
+/// The cells that a rectangle overlaps. All areas consist of whole cells.
+[[nodiscard]] world::Rect wholeCells(const world::Rect& rect);
+
+/// Area without a border.
+[[nodiscard]] world::Rect areaOfFrame(const world::Camera& camera);
+
+/// Area of a backdrop that is extended: what a frame sees of it, in pixels of the backdrop's camera, with a border for
+/// what is seen `later`, and as much of its area as may be kept. Nothing if that would be too large.
+[[nodiscard]] std::optional<world::Rect> extendedArea(const world::Rect& area, const world::Rect& seen,
+                                                      const world::Rect& later, const world::Camera& camera);
+
+/// What an area has beyond another: rectangles that do not overlap, none of them empty.
+[[nodiscard]] std::vector<world::Rect> partsBeyond(const world::Rect& area, const world::Rect& other);
 
 }  // namespace grove::node

@@ -75,7 +75,7 @@ HWY_INLINE void packSquares(const float* __restrict upper, const float* __restri
   }
 }
 
-void measureCells(const float* depths, int width, int lines, CellDepths* cells, SquareNearness* squares) {
+void measureCells(const float* depths, int width, int lines, CellDepths* cells, const SquareRows& squares) {
   ColumnSums columns;
   float upper[ColumnSums::kColumns];
   float lower[ColumnSums::kColumns];
@@ -86,7 +86,7 @@ void measureCells(const float* depths, int width, int lines, CellDepths* cells, 
       const float* const above = depths + std::ptrdiff_t{line} * width + left;
       columns.add(above, part, upper);
       columns.add(above + width, part, lower);
-      packSquares(upper, lower, part / 2, squares + std::ptrdiff_t{line / 2} * (width / 2) + left / 2);
+      packSquares(upper, lower, part / 2, squares.first + std::ptrdiff_t{line / 2} * squares.stride + left / 2);
     }
     for (int x = 0; x < part; x += kSide) *cells++ = columns.cell(x, std::min(kSide, part - x));
   }
@@ -156,7 +156,7 @@ HWY_EXPORT(findCorners);
 HWY_EXPORT(warpCells);
 HWY_EXPORT(warpDepths);
 
-void measureCells(const float* depths, int width, int lines, CellDepths* cells, SquareNearness* squares) {
+void measureCells(const float* depths, int width, int lines, CellDepths* cells, const SquareRows& squares) {
   HWY_DYNAMIC_DISPATCH(measureCells)(depths, width, lines, cells, squares);
 }
 

@@ -19,9 +19,15 @@ struct CellDepths {
 using SquareNearness = std::uint16_t;
 inline constexpr float kNearnessSteps = 16384.0F;
 
+/// Rows of squares, which are `stride` apart.
+struct SquareRows {
+  SquareNearness* first;
+  std::ptrdiff_t stride;
+};
+
 /// Kernel: measures the cells and squares of `lines` rows of depths, which are `width` apart. The last cell may be
 /// narrower than the others. Width and lines are even.
-void measureCells(const float* depths, int width, int lines, CellDepths* cells, SquareNearness* squares);
+void measureCells(const float* depths, int width, int lines, CellDepths* cells, const SquareRows& squares);
 
 /// Cells in a row that are warped together, at most.
 inline constexpr int kWarpCells = 32;

@@ -8,8 +8,10 @@
 #include <utility>
 
 #include "node/frontend/backdrops/backdrop_area.h"
+#include "node/frontend/backdrops/light_error.h"
 #include "node/frontend/backdrops/warp_error.h"
 #include "node/frontend/scene_analyzer.h"
+#include "node/limits.h"
 #include "node/load_shedding.h"
 
 namespace grove::node {
@@ -25,8 +27,12 @@ constexpr float kNearestInBorder = 3.0F;
 /// Pixels at the frame's edges, times the error factor, that the backdrop may lack while the eye moves; its outermost
 /// pixels are repeated there, which whoever stands still would see.
 constexpr float kMaxLacking = 8.0F;
-/// Seconds. Data that gets finer shows with this delay to a visitor who stands still.
+/// Share of the permitted error up to which a backdrop is extended; one that is more wrong is drawn anew soon.
+constexpr float kMaxExtendedError = 0.7F;
+/// Seconds. Data that gets finer shows with this delay to a visitor who stands still: what was under way when the
+/// backdrop was drawn, and what was begun since.
 constexpr double kMaxAge = 0.5;
+constexpr double kMaxFinalAge = 3.0;
 /// Frames that draw everything after a backdrop that no other frame could show, while there is time.
 constexpr int kPauseFrames = 2;
 
@@ -57,7 +63,13 @@ std::shared_ptr<const FrameList> BackdropPlanner::plan(std::shared_ptr<const Fra
   const View& view = *seen->view;
   motion_.see(view.camera, view.time);
   errorFactor_ = currentFactor_();
-  if (last_ && serves(view)) return listToWarp(*seen);
+  if (last_ && serves(view)) {
+    if (reaches(view.camera)) return listToWarp(*seen);
+    if (auto list = listToExtend(*seen)) {
+      adopt(list);
+      return list;
+    }
+  }
   const bool servedNone = last_ && view.frame == last_->view->frame + 1;
   last_ = nullptr;
   if (servedNone && errorFactor_ <= 1.0F) pause_ = kPauseFrames;
@@ -66,7 +78,8 @@ std::shared_ptr<const FrameList> BackdropPlanner::plan(std::shared_ptr<const Fra
     pause_ = std::max(pause_ - 1, 0);
     return seen;
   }
-  last_ = listToDraw(seen->view);
+  held_.clear();
+  adopt(listToDraw(seen->view));
   return last_;
 }
 
@@ -79,7 +92,7 @@ std::shared_ptr<const FrameList> BackdropPlanner::listToWarp(const FrameList& se
   list->view = seen.view;
   list->backdrop = last_->backdrop;
   std::ranges::copy_if(seen.objects, std::back_inserter(list->objects),
-                       [&](const VisibleObject& object) { return !isInLast(object.object.id); });
+                       [&](const VisibleObject& object) { return !held_.contains(object.object.id); });
   return list;
 }
 
@@ -89,23 +102,76 @@ std::shared_ptr<const FrameList> BackdropPlanner::listToDraw(const std::shared_p
   list->backdrop = view->frame;
   list->area = areaFor(view->camera);
   list->objects = objectsWithin(*view, list->area);
+  list->drawn = {list->area};
   return list;
 }
 
-bool BackdropPlanner::serves(const View& view) const {
-  const View& own = *last_->view;
-  const double age = view.time - own.time;
-  if (!(age >= 0.0 && age <= kMaxAge) || !isSameSize(own.camera, view.camera) || !reaches(view.camera)) return false;
+std::shared_ptr<const FrameList> BackdropPlanner::listToExtend(const FrameList& seen) const {
   const auto backdrop = backdrops_->newest();
+  const View& view = *seen.view;
+  if (!backdrop || backdrop->origin().frame != last_->view->frame) return nullptr;
+  if (warpError(*backdrop, view.camera) > kMaxExtendedError * errorFactor_) return nullptr;
+  const world::Camera& camera = backdrop->view().camera;
+  const world::Camera later = motion_.ahead(view.camera, kFramesAhead.front() * motion_.secondsPerFrame());
+  const auto area = extendedArea(last_->area, seenPart(camera, view.camera, kNearestInBorder),
+                                 seenPart(camera, later, kNearestInBorder), camera);
+  if (!area) return nullptr;
+  auto list = std::make_shared<FrameList>();
+  list->view = seen.view;
+  list->backdrop = view.frame;
+  list->area = *area;
+  list->extended = backdrop->origin().frame;
+  list->eye = backdrop->origin().view;
+  list->drawn = partsBeyond(*area, last_->area);
+  list->objects = objectsBeyond(*list);
+  const auto isFresh = [&](const VisibleObject& object) {
+    const auto isSame = [&](const VisibleObject& other) { return other.object.id == object.object.id; };
+    return !held_.contains(object.object.id) && std::ranges::none_of(list->objects, isSame);
+  };
+  std::ranges::copy_if(seen.objects, std::back_inserter(list->objects), isFresh);
+  return list->objects.size() <= kMaxObjectsPerFrame ? list : nullptr;
+}
+
+std::vector<VisibleObject> BackdropPlanner::objectsBeyond(const FrameList& list) const {
+  std::vector<VisibleObject> objects;
+  for (VisibleObject& object : objectsAround(*list.eye, list.area)) {
+    // What was drawn in every frame so far still is, for the backdrop lacks it.
+    const bool isHeld = held_.contains(object.object.id) || world::overlap(object.rect, last_->area).empty();
+    if (!isHeld || !isStill(object, list.eye->camera.pose.position)) continue;
+    object.still = true;
+    for (const world::Rect& part : list.drawn) {
+      const world::Rect rect = world::overlap(object.rect, part);
+      if (rect.empty()) continue;
+      objects.push_back(object);
+      objects.back().rect = rect;
+    }
+  }
+  return objects;
+}
+
+void BackdropPlanner::adopt(std::shared_ptr<const FrameList> list) {
+  for (const VisibleObject& object : list->objects) {
+    if (object.still) held_.insert(object.object.id);
+  }
+  last_ = std::move(list);
+}
+
+bool BackdropPlanner::serves(const View& view) const {
+  const View& eye = *last_->backdropEye();
+  const double age = view.time - eye.time;
+  const auto backdrop = backdrops_->newest();
+  const bool isDrawn = backdrop && backdrop->origin().frame == last_->view->frame;
+  const double maxAge = isDrawn && backdrop->origin().isFinal ? kMaxFinalAge : kMaxAge;
+  if (!(age >= 0.0 && age <= maxAge) || !isSameSize(eye.camera, view.camera)) return false;
   // One that is still being drawn has no known error: it serves the next frame only.
-  if (!backdrop || backdrop->view().frame != own.frame) return view.frame == own.frame + 1;
+  if (!isDrawn) return view.frame == last_->view->frame + 1;
   // On a busy machine a backdrop serves some frames whatever its error: amid leaves each frame would draw one.
-  if (static_cast<float>(view.frame - own.frame) < errorFactor_) return true;
-  return warpError(*backdrop, view.camera) <= errorFactor_ && lightError(own, view) <= errorFactor_;
+  if (static_cast<float>(view.frame - eye.frame) < errorFactor_) return true;
+  return warpError(*backdrop, view.camera) <= errorFactor_ && lightError(*backdrop, view.lights) <= errorFactor_;
 }
 
 bool BackdropPlanner::reaches(const world::Camera& camera) const {
-  const world::Rect part = seenPart(last_->view->camera, camera, kNearestInBorder);
+  const world::Rect part = seenPart(last_->backdropEye()->camera, camera, kNearestInBorder);
   const world::Rect& area = last_->area;
   const int lacking = motion_.isAtRest() ? 0 : static_cast<int>(kMaxLacking * errorFactor_);
   return !part.empty() && part.left >= area.left - lacking && part.top >= area.top - lacking &&
@@ -117,20 +183,27 @@ world::Rect BackdropPlanner::areaFor(const world::Camera& camera) const {
     const world::Camera later = motion_.ahead(camera, frames * motion_.secondsPerFrame());
     if (const auto area = areaWithBorder(camera, later, kNearestInBorder)) return *area;
   }
-  return evenFrame(camera);
+  return areaOfFrame(camera);
+}
+
+std::vector<VisibleObject> BackdropPlanner::objectsAround(const View& eye, const world::Rect& area) const {
+  const world::Camera& camera = eye.camera;
+  const int across = std::max({-area.left, area.right - camera.width, 0});
+  const int down = std::max({-area.top, area.bottom - camera.height, 0});
+  View wide = eye;
+  wide.camera = withMargin(camera, across, down);
+  std::vector<VisibleObject> objects = visibleObjects(layout_, wide);
+  for (VisibleObject& object : objects) object.rect = object.rect.moved(-across, -down);
+  return objects;
 }
 
 std::vector<VisibleObject> BackdropPlanner::objectsWithin(const View& view, const world::Rect& area) const {
   const world::Camera& camera = view.camera;
-  const int across = std::max({-area.left, area.right - camera.width, 0});
-  const int down = std::max({-area.top, area.bottom - camera.height, 0});
-  View wide = view;
-  wide.camera = withMargin(camera, across, down);
-  std::vector<VisibleObject> objects = visibleObjects(layout_, wide);
+  std::vector<VisibleObject> objects = objectsAround(view, area);
   const world::Rect frame{0, 0, camera.width, camera.height};
   for (VisibleObject& object : objects) {
     object.still = isStill(object, camera.pose.position);
-    object.rect = world::overlap(object.rect.moved(-across, -down), object.still ? area : frame);
+    object.rect = world::overlap(object.rect, object.still ? area : frame);
   }
   std::erase_if(objects, [](const VisibleObject& object) { return object.rect.empty(); });
   return objects;
@@ -140,11 +213,6 @@ bool BackdropPlanner::isStill(const VisibleObject& object, world::Vec3 eye) cons
   const float shed = (errorFactor_ - 1.0F) / (kMaxErrorFactor - 1.0F);
   const std::optional<float> distance = halves_->of(object.object.type).stillDistance(object, eye);
   return distance && *distance >= kMinDistance * (1.0F - shed);
-}
-
-bool BackdropPlanner::isInLast(world::ObjectId id) const {
-  return std::ranges::any_of(last_->objects,
-                             [&](const VisibleObject& object) { return object.still && object.object.id == id; });
 }
 
 }  // namespace grove::node

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <memory>
+#include <set>
 #include <vector>
 
 #include "node/frontend/backdrops/backdrop_store.h"
@@ -12,7 +13,8 @@
 namespace grove::node {
 
 /// Decides for each frame of a visitor whether the still objects are drawn, as a backdrop for the frames to come, or
-/// shown by the last backdrop. Objects that move or are near the eye are drawn in every frame. One thread at a time.
+/// shown by the last backdrop. Where the head turns beyond its border, only what is missing is drawn, by the eye that
+/// the backdrop was drawn from. Objects that move or are near the eye are drawn in every frame. One thread at a time.
 class BackdropPlanner {
  public:
   /// What permitted errors are multiplied by at present, see errorFactor().
@@ -31,14 +33,22 @@ class BackdropPlanner {
  private:
   [[nodiscard]] std::shared_ptr<const FrameList> listToWarp(const FrameList& seen) const;
   [[nodiscard]] std::shared_ptr<const FrameList> listToDraw(const std::shared_ptr<const View>& view) const;
-  /// Whether the last backdrop can show a view.
+  /// Null if the last backdrop is not drawn yet, or if it would not serve for long.
+  [[nodiscard]] std::shared_ptr<const FrameList> listToExtend(const FrameList& seen) const;
+  /// Whether the last backdrop can show what a view sees of it.
   [[nodiscard]] bool serves(const View& view) const;
+  /// Whether its area is all that a camera sees.
   [[nodiscard]] bool reaches(const world::Camera& camera) const;
   [[nodiscard]] world::Rect areaFor(const world::Camera& camera) const;
+  /// Those in a backdrop's area, with their boxes in it, which may reach beyond it.
+  [[nodiscard]] std::vector<VisibleObject> objectsAround(const View& eye, const world::Rect& area) const;
   /// Still objects within the area, others within the frame.
   [[nodiscard]] std::vector<VisibleObject> objectsWithin(const View& view, const world::Rect& area) const;
+  /// Still objects in each of the parts that a list draws to extend the last backdrop.
+  [[nodiscard]] std::vector<VisibleObject> objectsBeyond(const FrameList& list) const;
+  /// It draws the newest backdrop.
+  void adopt(std::shared_ptr<const FrameList> list);
   [[nodiscard]] bool isStill(const VisibleObject& object, world::Vec3 eye) const;
-  [[nodiscard]] bool isInLast(world::ObjectId id) const;
 
   const world::Layout& layout_;
   const std::shared_ptr<VisitorHalves> halves_;
@@ -47,6 +57,7 @@ class BackdropPlanner {
   float errorFactor_ = 1.0F;  ///< for this frame
   EyeMotion motion_;
   std::shared_ptr<const FrameList> last_;  ///< the newest list that draws a backdrop; null: none is of use
+  std::set<world::ObjectId> held_;         ///< objects that the backdrop of `last_` shows
   int pause_ = 0;                          ///< frames until a backdrop is tried again
 };
 

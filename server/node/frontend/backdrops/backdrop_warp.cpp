@@ -51,10 +51,15 @@ constexpr int kGroupWidth = kCell * kCellGroup;
 int cellsAcross(const world::Rect& strip) { return (strip.width() + kGroupWidth - 1) / kGroupWidth * kCellGroup; }
 bool isWhole(const world::Rect& strip) { return strip.width() % kGroupWidth == 0 && strip.height() == kCell; }
 
+bool isSame(const world::Camera& a, const world::Camera& b) {
+  return a.pose.position == b.pose.position && a.pose.yaw == b.pose.yaw && a.pose.pitch == b.pose.pitch &&
+         a.width == b.width && a.height == b.height && a.verticalFov == b.verticalFov;
+}
+
 WarpSource sourceOf(const Backdrop& backdrop, const WarpCamera& warp) {
   const raster::SemiPlanarImage& image = backdrop.image();
   assert(image.width() >= 16 && image.height() >= 6);
-  return {image.y(), image.uv(), backdrop.squares().data(), image.width(), image.height(), warp.m.z};
+  return {image.y(), image.uv(), backdrop.depths().squares().data(), image.width(), image.height(), warp.m.z};
 }
 
 }  // namespace
@@ -65,7 +70,8 @@ BackdropWarp::BackdropWarp(const Backdrop& backdrop, const world::Camera& frame)
               world::Vec2(backdrop.image().rect.left, backdrop.image().rect.top), backdrop.nearness().data(),
               backdrop.cellsAcross(), backdrop.cellsDown()},
       source_(sourceOf(backdrop, search_.warp)),
-      frame_{0, 0, frame.width, frame.height} {}
+      frame_{0, 0, frame.width, frame.height},
+      isCopy_(isSame(backdrop.view().camera, frame) && world::overlap(backdrop.image().rect, frame_) == frame_) {}
 
 void BackdropWarp::fill(int top, int bottom, const FreshParts& fresh, raster::YuvImage& picture,
                         raster::Image& layers) const {
@@ -98,6 +104,7 @@ void BackdropWarp::fillColumn(const world::Rect& column, const FreshParts& fresh
 
 void BackdropWarp::warpColours(const CornerLine& above, const CornerLine& below, const world::Rect& strip,
                                raster::YuvImage& picture) const {
+  if (isCopy_) return raster::copyPart(backdrop_.image(), strip, picture);
   const std::ptrdiff_t luma = picture.lumaAt(strip.left, strip.top);
   const std::ptrdiff_t chroma = picture.chromaAt(strip.left, strip.top);
   const WarpedPixels out{picture.y() + luma, picture.u() + chroma, picture.v() + chroma, picture.width()};

@@ -32,6 +32,7 @@ class BackdropWarp {
   const CornerSearch search_;
   const WarpSource source_;
   const world::Rect frame_;
+  const bool isCopy_;  ///< its eye is where the frame's is
 };
 
 }  // namespace grove::node

@@ -8,7 +8,4 @@ namespace grove::node {
 /// wrong scales, see Backdrop::errorOf().
 [[nodiscard]] float warpError(const Backdrop& backdrop, const world::Camera& camera);
 
-/// Change of the lights between two views, in multiples of the permitted change.
-[[nodiscard]] float lightError(const View& before, const View& now);
-
 }  // namespace grove::node

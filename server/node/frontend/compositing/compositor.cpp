@@ -60,7 +60,7 @@ FinishedFrame Compositor::composite(const CompleteFrame& frame) {
   const FrameList& list = *frame.list;
   const world::Rect area{0, 0, list.view->camera.width, list.view->camera.height};
   if (list.drawsBackdrop()) drawBackdrop(frame);
-  Scene scene = sceneOf(frame, false);
+  Scene scene = sceneOf(frame, false, area);
   const auto backdrop = backdrops_->newest();
   const std::optional<BackdropWarp> warp = warpOf(list, backdrop.get());
   const FreshParts fresh(area, warp ? drawnParts(scene) : std::vector{area});
@@ -90,18 +90,32 @@ FinishedFrame Compositor::composite(const CompleteFrame& frame) {
 }
 
 void Compositor::drawBackdrop(const CompleteFrame& frame) {
-  const world::Rect& area = frame.list->area;
-  const auto image = raster::acquireSemiPlanar(images_, area);
-  BackdropDepths depths(area);
-  Scene scene = sceneOf(frame, true);
-  compose(scene, traceTag(frame), area,
-          {.image = [&](const world::Rect& band) { return images_.acquire(band); },
-           .end =
-               [&](const raster::Image& band) {
-                 depths.measure(band);
-                 raster::toSemiPlanar(band, *image);
-               }});
-  backdrops_->put(std::make_shared<const Backdrop>(image, std::move(depths), frame.list->view));
+  const FrameList& list = *frame.list;
+  const auto image = raster::acquireSemiPlanar(images_, list.area);
+  BackdropDepths depths(list.area);
+  const auto before = list.extended ? backdrops_->newest() : nullptr;
+  if (list.extended) {
+    if (!before || before->origin().frame != *list.extended) throw std::runtime_error("no backdrop to extend");
+    const world::Rect kept = world::overlap(before->image().rect, list.area);
+    raster::copyPart(before->image(), kept, *image);
+    depths.copy(before->depths(), kept);
+  }
+  const auto isFailure = [](const Payload& payload) { return std::holds_alternative<Failure>(payload); };
+  bool isFinal =
+      !frame.stale && std::ranges::none_of(frame.payloads, isFailure) && (!before || before->origin().isFinal);
+  for (const world::Rect& part : list.drawn) {
+    Scene scene = sceneOf(frame, true, part);
+    isFinal = isFinal && std::ranges::all_of(scene, &Placed::isFinal);
+    compose(scene, traceTag(frame), part,
+            {.image = [&](const world::Rect& band) { return images_.acquire(band); },
+             .end =
+                 [&](const raster::Image& band) {
+                   depths.measure(band);
+                   raster::toSemiPlanar(band, *image);
+                 }});
+  }
+  const Backdrop::Origin origin{list.backdropEye(), list.view->frame, isFinal};
+  backdrops_->put(std::make_shared<const Backdrop>(image, std::move(depths), origin));
 }
 
 std::optional<BackdropWarp> Compositor::warpOf(const FrameList& list, const Backdrop* backdrop) {
@@ -120,17 +134,18 @@ std::vector<world::Rect> Compositor::drawnParts(const Scene& scene) {
   return parts;
 }
 
-Compositor::Scene Compositor::sceneOf(const CompleteFrame& frame, bool still) {
+Compositor::Scene Compositor::sceneOf(const CompleteFrame& frame, bool still, const world::Rect& area) {
   pipeline::TimedParts times = timesOf(traceTag(frame));
   const auto& objects = frame.list->objects;
   Scene scene;
   for (std::size_t i = 0; i < objects.size(); ++i) {
     const Payload& payload = frame.payloads[i];
     if (objects[i].still != still || std::holds_alternative<Failure>(payload)) continue;
+    if (world::overlap(objects[i].rect, area).empty()) continue;
     const auto* const picture = std::get_if<std::shared_ptr<const raster::Image>>(&payload);
     times.turnTo(halves_->name(objects[i].object.type));
     Placed each{objects[i], picture == nullptr ? nullptr : picture->get(),
-                halves_->of(objects[i].object.type).layer(objects[i], payload, *frame.list->view)};
+                halves_->of(objects[i].object.type).layer(objects[i], payload, *frame.list->eyeOf(objects[i]))};
     if (each.picture != nullptr || each.layer) scene.push_back(std::move(each));
   }
   return scene;

@@ -38,10 +38,12 @@ class Compositor final : public pipeline::Stage<CompleteFrame> {
     const raster::Image* picture;  ///< null: none
     std::unique_ptr<Layer> layer;  ///< null: the picture is all of it
     [[nodiscard]] bool opaque() const { return layer ? layer->opaque() : picture->opaque; }
+    [[nodiscard]] bool isFinal() const { return !layer || layer->isFinal(); }
   };
   /// Back to front.
   using Scene = std::vector<Placed>;
-  [[nodiscard]] Scene sceneOf(const CompleteFrame& frame, bool still);
+  /// The objects that are still or not within an area.
+  [[nodiscard]] Scene sceneOf(const CompleteFrame& frame, bool still, const world::Rect& area);
   void drawBackdrop(const CompleteFrame& frame);
   /// The frame's backdrop as its camera sees it, nothing if it has none. Throws if it could not be drawn.
   [[nodiscard]] static std::optional<BackdropWarp> warpOf(const FrameList& list, const Backdrop* backdrop);

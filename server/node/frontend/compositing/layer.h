@@ -18,6 +18,9 @@ class Layer {
   /// Promises that all that it lays is opaque; such layers come first, which is cheapest.
   [[nodiscard]] virtual bool opaque() const { return false; }
 
+  /// Whether the object looks the same to a later frame with the same eye and lights: nothing better is under way.
+  [[nodiscard]] virtual bool isFinal() const { return true; }
+
   /// What is to be made before it can be laid comes in so many parts; several threads make them at once, each others.
   [[nodiscard]] virtual std::size_t parts() const { return 0; }
   virtual void makePart(std::size_t /*part*/) {}

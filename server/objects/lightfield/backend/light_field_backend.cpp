@@ -123,11 +123,11 @@ node::Payload LightFieldBackend::ownPicture(const node::Request& request, const 
 }
 
 node::Payload LightFieldBackend::framePicture(const node::Request& request, const ObjectPictures::Entry& entry) {
-  const world::Camera& camera = request.view->camera;
+  const world::Camera& camera = request.seenBy().camera;
   const Shot shot{objectCamera(camera, entry.transform), request.rect};
   const auto image =
       pictures_.make(entry, entry.model->shown()->field, shot, hazeBefore(entry.bounds, pictures_.sky(), camera));
-  const auto lamps = chooseLamps(request.view->lights, entry.bounds, glm::inverse(entry.transform.matrix()));
+  const auto lamps = chooseLamps(request.seenBy().lights, entry.bounds, glm::inverse(entry.transform.matrix()));
   LampLight(lamps, shot.camera).addTo(*image);
   return std::shared_ptr<const raster::Image>(image);
 }

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "objects/lightfield/common/keys.h"
 #include "objects/lightfield/common/lamps/lamp_light.h"
 #include "objects/lightfield/common/object_view.h"
 #include "objects/lightfield/frontend/mixed_tiles.h"
@@ -17,14 +18,17 @@ constexpr float kMinMagnification = 1.3F;
 class ReprojectedLayer final : public node::Layer {
  public:
   ReprojectedLayer(const node::VisibleObject& object, const node::View& view, std::shared_ptr<const CachedView> picture,
-                   CrossFade fade, const world::Sky& sky)
+                   CrossFade fade, bool isFinal, const world::Sky& sky)
       : rect_(object.rect),
         picture_(std::move(picture)),
         fade_(std::move(fade)),
+        isFinal_(isFinal),
         camera_(objectCamera(view.camera, object.object.transform)),
         haze_(hazeBefore(object.object.bounds, sky, view.camera)),
         light_(chooseLamps(view.lights, object.object.bounds, glm::inverse(object.object.transform.matrix())),
                camera_) {}
+
+  [[nodiscard]] bool isFinal() const override { return isFinal_; }
 
   void lay(node::FrameBuilder& rows) override {
     const world::Rect rect = rows.clip(rect_);
@@ -50,10 +54,17 @@ class ReprojectedLayer final : public node::Layer {
   const world::Rect rect_;
   const std::shared_ptr<const CachedView> picture_;
   const CrossFade fade_;
+  const bool isFinal_;
   const ObjectCamera camera_;
   const Haze haze_;
   const LampLight light_;
 };
+
+/// Whether a picture is coarse because there was no time for a better one.
+bool isCoarse(const node::Reply& reply) {
+  if (reply.ask.key.empty()) return false;
+  return reply.ask.shared ? cellIdOf(reply.ask.key).coarse : ownPictureOf(reply.ask.key).mustBeMade;
+}
 
 }  // namespace
 
@@ -67,9 +78,10 @@ node::Plan LightFieldFrontend::plan(const node::VisibleObject& object, const nod
   if (!info && isOfInfo) return reply->payload;
   if (!info) return node::Ask{.shared = true, .key = {}, .rect = {}};
   const Sight sight = sightOf(object, view, shared, *info);
-  if (reply == nullptr || isOfInfo) return begin(sight);
-  if (reply->ask.shared) return shared_.resume(sight, *reply);
-  return reply->ask.key.empty() ? reply->payload : own_.resume(sight, *reply);
+  node::Plan plan = reply == nullptr || isOfInfo ? begin(sight) : resume(sight, *reply);
+  if (!std::holds_alternative<node::Payload>(plan)) return plan;
+  remember(object.object.id, reply != nullptr && !isOfInfo && (isNotNow(reply->payload) || isCoarse(*reply)));
+  return plan;
 }
 
 node::Plan LightFieldFrontend::begin(const Sight& sight) {
@@ -80,13 +92,33 @@ node::Plan LightFieldFrontend::begin(const Sight& sight) {
   return node::Ask{.shared = false, .key = {}, .rect = sight.object.rect};
 }
 
+node::Plan LightFieldFrontend::resume(const Sight& sight, const node::Reply& reply) {
+  if (reply.ask.shared) return shared_.resume(sight, reply);
+  return reply.ask.key.empty() ? reply.payload : own_.resume(sight, reply);
+}
+
+void LightFieldFrontend::remember(world::ObjectId object, bool isProvisional) {
+  const std::lock_guard lock(mutex_);
+  if (isProvisional) {
+    provisional_.insert(object);
+  } else {
+    provisional_.erase(object);
+  }
+}
+
+bool LightFieldFrontend::isProvisional(world::ObjectId object) const {
+  const std::lock_guard lock(mutex_);
+  return provisional_.contains(object);
+}
+
 std::unique_ptr<node::Layer> LightFieldFrontend::layer(const node::VisibleObject& object, const node::Payload& payload,
                                                        const node::View& view) {
   const auto* const data = std::get_if<std::shared_ptr<const node::SharedData>>(&payload);
   if (data == nullptr || *data == nullptr) return nullptr;
   auto picture = std::static_pointer_cast<const CachedView>(*data);
   CrossFade fade = this->fade(object.object.id, *picture, view.time);
-  return std::make_unique<ReprojectedLayer>(object, view, std::move(picture), std::move(fade), sky_);
+  const bool isFinal = !fade.from && !isProvisional(object.object.id);
+  return std::make_unique<ReprojectedLayer>(object, view, std::move(picture), std::move(fade), isFinal, sky_);
 }
 
 CrossFade LightFieldFrontend::fade(world::ObjectId object, const CachedView& picture, double time) {

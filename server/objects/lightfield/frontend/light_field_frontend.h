@@ -1,6 +1,8 @@
 #pragma once
 
 #include <memory>
+#include <mutex>
+#include <set>
 
 #include "node/frontend/frontend_half.h"
 #include "objects/lightfield/frontend/own_views.h"
@@ -28,11 +30,17 @@ class LightFieldFrontend final : public node::FrontendHalf {
 
  private:
   [[nodiscard]] node::Plan begin(const Sight& sight);
+  [[nodiscard]] node::Plan resume(const Sight& sight, const node::Reply& reply);
+  /// Remembers whether an object is shown with a picture that is to be replaced.
+  void remember(world::ObjectId object, bool isProvisional);
+  [[nodiscard]] bool isProvisional(world::ObjectId object) const;
 
   pipeline::Timeline& timeline_;
   const world::Sky& sky_;
   SharedViews shared_;
   OwnViews own_;
+  mutable std::mutex mutex_;
+  std::set<world::ObjectId> provisional_;
 };
 
 }  // namespace grove::objects::lightfield

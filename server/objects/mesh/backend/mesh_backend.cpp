@@ -81,12 +81,12 @@ void MeshBackend::answerWith(raster::RendererKind kind, std::span<const node::Re
     if (entry.renderer != kind) continue;
     raster::Drawing& drawing = drawings.emplace_back();
     drawing.object = &entry.lit;
-    drawing.camera = &request.view->camera;
+    drawing.camera = &request.seenBy().camera;
     drawing.sky = &sky_;
     drawing.rect = raster::screenBox(entry.points, entry.toWorld, *drawing.camera, request.rect);
     drawing.distance = request.distance / entry.scale;
     drawing.bones[0] = entry.toWorld;
-    drawing.lamps = raster::chooseLamps(request.view->lights, entry.bounds);
+    drawing.lamps = raster::chooseLamps(request.seenBy().lights, entry.bounds);
     slots.push_back(i);
   }
   std::vector<std::shared_ptr<raster::Image>> images(drawings.size());

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "node/frontend/backdrops/drawn_backdrop.h"
@@ -42,20 +43,19 @@ TEST(SeenPart, OfACameraThatLooksBackIsNothing) {
   EXPECT_TRUE(seenPart(kWindow, turnedBy(1.2F), 3.0F).empty());
 }
 
-TEST(AreaWithBorder, HoldsWhatIsSeenLaterAndIsEven) {
+TEST(AreaWithBorder, HoldsWhatIsSeenLaterInWholeCells) {
   for (const world::Camera& later : {turnedBy(0.03F), turnedBy(-0.05F, 0.02F), turnedBy(0.0F, -0.04F)}) {
     const auto area = areaWithBorder(kWindow, later, 3.0F);
     ASSERT_TRUE(area);
     const world::Rect seen = seenPart(kWindow, later, 3.0F);
     EXPECT_EQ(world::overlap(*area, seen), seen);
-    EXPECT_EQ(world::overlap(*area, evenFrame(kWindow)), evenFrame(kWindow));
-    EXPECT_EQ(area->width() % 2, 0);
-    EXPECT_EQ(area->height() % 2, 0);
+    EXPECT_EQ(world::overlap(*area, areaOfFrame(kWindow)), areaOfFrame(kWindow));
+    for (const int edge : {area->left, area->top, area->right, area->bottom}) EXPECT_EQ(edge % Backdrop::kCell, 0);
   }
 }
 
 TEST(AreaWithBorder, IsTheFrameForACameraThatStandsStill) {
-  EXPECT_EQ(areaWithBorder(kWindow, kWindow, 3.0F), evenFrame(kWindow));
+  EXPECT_EQ(areaWithBorder(kWindow, kWindow, 3.0F), areaOfFrame(kWindow));
 }
 
 TEST(AreaWithBorder, IsNotGivenWhereItWouldCostTooMuch) {
@@ -63,7 +63,48 @@ TEST(AreaWithBorder, IsNotGivenWhereItWouldCostTooMuch) {
   EXPECT_FALSE(areaWithBorder(kWindow, turnedBy(3.0F), 3.0F));
 }
 
-TEST(EvenFrame, RoundsUp) { EXPECT_EQ(evenFrame(testing::cameraOf(431, 243)), (world::Rect{0, 0, 432, 244})); }
+TEST(ExtendedArea, HoldsWhatIsSeenNowAndLaterAndWhatItHad) {
+  const world::Rect area{0, 0, 1280, 720};
+  const auto extended = extendedArea(area, {-40, -12, 1200, 700}, {-100, -20, 1150, 690}, kWindow);
+  ASSERT_TRUE(extended);
+  EXPECT_EQ(world::overlap(*extended, area), area);
+  EXPECT_LE(extended->left, -100);
+  EXPECT_LE(extended->top, -20);
+  EXPECT_EQ(extended->right, 1280);
+  EXPECT_EQ(extended->bottom, 720);
+  for (const int edge : {extended->left, extended->top}) EXPECT_EQ(edge % Backdrop::kCell, 0);
+}
+
+/// Fails if the picture of someone who turns round and round grows without end.
+TEST(ExtendedArea, GivesUpWhatIsOutOfSight) {
+  const world::Rect area{-1200, 0, 1280, 720};
+  const auto extended = extendedArea(area, {-1300, 0, 100, 720}, {-1400, 0, 50, 720}, kWindow);
+  ASSERT_TRUE(extended);
+  EXPECT_LE(extended->left, -1400);
+  EXPECT_LT(extended->right, 200);
+  EXPECT_FALSE(extendedArea(area, {-3000, -600, 300, 1400}, {-3100, -600, 200, 1400}, kWindow)) << "it is too oblique";
+  EXPECT_FALSE(extendedArea(area, {-1300, 0, 100, 720}, {}, kWindow)) << "soon it is out of sight";
+}
+
+TEST(PartsBeyond, CoverTheRestOnce) {
+  const world::Rect area{-16, -8, 40, 32};
+  for (const world::Rect& other : {world::Rect{0, 0, 24, 16}, world::Rect{-64, 0, 24, 64}, world::Rect{-16, -8, 32, 24},
+                                   world::Rect{100, 0, 140, 40}, area}) {
+    const std::vector<world::Rect> parts = partsBeyond(area, other);
+    for (int y = area.top; y < area.bottom; ++y) {
+      for (int x = area.left; x < area.right; ++x) {
+        const world::Rect pixel{x, y, x + 1, y + 1};
+        const auto holds = [&](const world::Rect& part) { return !world::overlap(part, pixel).empty(); };
+        EXPECT_EQ(std::ranges::count_if(parts, holds), holds(other) ? 0 : 1) << x << " " << y;
+      }
+    }
+    EXPECT_TRUE(std::ranges::none_of(parts, &world::Rect::empty));
+  }
+}
+
+TEST(AreaOfFrame, ConsistsOfWholeCells) {
+  EXPECT_EQ(areaOfFrame(testing::cameraOf(431, 243)), (world::Rect{0, 0, 432, 248}));
+}
 
 }  // namespace
 }  // namespace grove::node

@@ -3,6 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
+#include "node/frontend/backdrops/backdrop_area.h"
 #include "node/frontend/backdrops/drawn_backdrop.h"
 #include "node/frontend/planner_stand.h"
 #include "node/frontend/scene_analyzer.h"
@@ -16,6 +19,9 @@ using ::testing::UnorderedElementsAre;
 constexpr world::ObjectId kHill = 1;
 constexpr world::ObjectId kFire = 2;
 constexpr world::ObjectId kTree = 3;  ///< beside the frame
+
+/// Everything near the origin reflects a radiance of 0.1.
+const world::PointLight kFarLamp{{0.0F, 0.0F, 1000.0F}, world::Vec3(0.1e6F)};
 
 std::vector<world::ObjectId> idsOf(const FrameList& list) {
   std::vector<world::ObjectId> ids;
@@ -57,7 +63,9 @@ class BackdropPlannerTest : public testing::PlannerStand {
   /// In the Compositor's place: everything is a wall.
   void draw(const FrameList& list) {
     const auto painter = [this](const world::Camera&, world::Vec3) { return testing::Pixel{0xFFFFFFFFU, wall}; };
-    backdrops->put(testing::backdropOf(testing::paint(painter, list.view->camera, list.area), View(*list.view)));
+    const std::shared_ptr<const View>& eye = list.backdropEye();
+    backdrops->put(
+        testing::backdropOf(testing::paint(painter, eye->camera, list.area), {eye, list.view->frame, isFinal}));
   }
   /// Draws backdrops for some frames, so that the way of the eye is known.
   void drawSome() {
@@ -68,6 +76,7 @@ class BackdropPlannerTest : public testing::PlannerStand {
 
   float distance = 10.0F;
   float wall = 20.0F;  ///< metres
+  bool isFinal = true;
   world::Camera camera;
   std::vector<world::PointLight> lights;
   FrameNumber frame = 0;
@@ -90,15 +99,23 @@ TEST_F(BackdropPlannerTest, DrawsOnceAndThenOnlyWhatMoves) {
 }
 
 TEST_F(BackdropPlannerTest, DrawsAgainWhenItIsOld) {
+  const auto drawnIn = [&](int frames) {
+    int drawn = 0;
+    for (int i = 0; i < frames; ++i) {
+      const auto list = plan();
+      if (!list->drawsBackdrop()) continue;
+      draw(*list);
+      ++drawn;
+    }
+    return drawn;
+  };
   draw(*plan());
-  int drawn = 0;
-  for (int i = 0; i < 30; ++i) {
-    const auto list = plan();
-    if (!list->drawsBackdrop()) continue;
-    draw(*list);
-    ++drawn;
-  }
-  EXPECT_EQ(drawn, 1) << "each half second and a frame";
+  EXPECT_EQ(drawnIn(88), 0);
+  EXPECT_EQ(drawnIn(90), 1) << "every three seconds";
+  isFinal = false;
+  camera.pose.position.x += 10.0F;
+  draw(*plan());
+  EXPECT_EQ(drawnIn(90), 5) << "each half second and a frame, as long as something better is under way";
 }
 
 TEST_F(BackdropPlannerTest, DrawsAgainAfterACut) {
@@ -116,7 +133,7 @@ TEST_F(BackdropPlannerTest, DrawsAgainInAnotherSize) {
 }
 
 TEST_F(BackdropPlannerTest, DrawsAgainWhenTheLightChanges) {
-  lights = {{{0.0F, 1.0F, -8.0F}, {4.0F, 2.0F, 1.0F}}};
+  lights = {kFarLamp};
   draw(*plan());
   lights[0].colour *= 1.1F;
   EXPECT_FALSE(plan()->drawsBackdrop());
@@ -126,19 +143,107 @@ TEST_F(BackdropPlannerTest, DrawsAgainWhenTheLightChanges) {
 
 TEST_F(BackdropPlannerTest, DrawsABorderWhereTheHeadTurnsAndWhatIsInIt) {
   drawSome();
-  for (int i = 0; i < 2; ++i) {
-    camera.pose.yaw += 0.05F;
-    const auto list = plan();
-    if (!list->drawsBackdrop()) continue;
-    draw(*list);
-    EXPECT_LT(list->area.left, -20);
-    EXPECT_EQ(list->area.right, 640);
-    EXPECT_THAT(idsOf(*list), UnorderedElementsAre(kHill, kFire, kTree));
-    camera.pose.yaw += 0.05F;
-    EXPECT_FALSE(plan()->drawsBackdrop()) << "the border serves the next frame";
-    return;
+  camera.pose.yaw += 0.05F;
+  planned.drop(plan()->view->frame);
+  camera.pose.yaw += 0.02F;
+  const auto list = plan();
+  ASSERT_TRUE(list->drawsBackdrop());
+  EXPECT_FALSE(list->extended);
+  draw(*list);
+  EXPECT_LT(list->area.left, -20);
+  EXPECT_EQ(list->area.right, 640);
+  EXPECT_THAT(list->drawn, ElementsAre(list->area));
+  EXPECT_THAT(idsOf(*list), UnorderedElementsAre(kHill, kFire, kTree));
+  camera.pose.yaw += 0.02F;
+  EXPECT_FALSE(plan()->drawsBackdrop()) << "the border serves the next frame";
+}
+
+/// Fails if who looks around has everything drawn anew whenever the border is used up.
+TEST_F(BackdropPlannerTest, DrawsOnlyWhatIsMissingWhereTheHeadTurnsOn) {
+  drawSome();
+  const auto base = backdrops->newest();
+  camera.pose.yaw += 0.05F;
+  const auto list = plan();
+  ASSERT_TRUE(list->drawsBackdrop());
+  EXPECT_EQ(list->extended, base->origin().frame);
+  EXPECT_EQ(list->eye, base->origin().view);
+  const world::Rect before = base->image().rect;
+  EXPECT_EQ(world::overlap(list->area, before), before);
+  EXPECT_LT(list->area.left, -20);
+  EXPECT_EQ(list->drawn, partsBeyond(list->area, before));
+  EXPECT_THAT(idsOf(*list), UnorderedElementsAre(kTree, kFire)) << "the hill is in the backdrop";
+  for (const VisibleObject& object : list->objects) {
+    EXPECT_EQ(object.still, object.object.id == kTree);
+    EXPECT_EQ(list->eyeOf(object), object.still ? base->origin().view : list->view);
+    if (object.still) {
+      EXPECT_TRUE(world::overlap(object.rect, before).empty());
+    }
   }
-  FAIL() << "it never drew a border";
+  draw(*list);
+  camera.pose.yaw += 0.05F;
+  const auto next = plan();
+  EXPECT_FALSE(next->drawsBackdrop()) << "the border serves the next frame";
+  EXPECT_EQ(next->backdrop, list->view->frame);
+  EXPECT_THAT(idsOf(*next), ElementsAre(kFire)) << "the tree is in the backdrop, too";
+}
+
+/// Fails if an object shows twice, or in a part of the backdrop only.
+TEST_F(BackdropPlannerTest, WhatTheBackdropLacksIsDrawnInEveryFrameThoughItIsExtended) {
+  drawSome();
+  layout.objects.push_back(testing::objectOf(9, {{-12.0F, 1.0F, -13.0F}, {-9.0F, 3.0F, -12.0F}}));
+  camera.pose.yaw += 0.05F;
+  const auto list = plan();
+  ASSERT_TRUE(list->extended);
+  const auto found = std::ranges::find(list->objects, 9U, [](const VisibleObject& o) { return o.object.id; });
+  ASSERT_NE(found, list->objects.end());
+  EXPECT_FALSE(found->still);
+  draw(*list);
+  EXPECT_THAT(idsOf(*plan()), UnorderedElementsAre(kFire, 9U));
+}
+
+TEST_F(BackdropPlannerTest, DoesNotExtendWhatIsSoonTooWrong) {
+  drawSome();
+  camera.pose.yaw += 0.05F;
+  camera.pose.position.z -= 1.1F;  // of 20 metres, of which 1.3 are permitted
+  const auto list = plan();
+  EXPECT_TRUE(list->drawsBackdrop());
+  EXPECT_FALSE(list->extended);
+}
+
+TEST_F(BackdropPlannerTest, AnExtensionThatIsDroppedHasAllDrawn) {
+  drawSome();
+  camera.pose.yaw += 0.05F;
+  const auto list = plan();
+  ASSERT_TRUE(list->extended);
+  planned.drop(list->view->frame);
+  const auto next = plan();
+  EXPECT_TRUE(next->drawsBackdrop());
+  EXPECT_FALSE(next->extended);
+}
+
+/// Fails if a visitor who spins has a picture that grows without end, or is left with one that he has turned away from.
+TEST_F(BackdropPlannerTest, TurningRoundDrawsAllNowAndThen) {
+  for (world::ObjectId id = 10; id < 40; ++id) {
+    const float angle = 0.21F * static_cast<float>(id);
+    const world::Vec3 centre(20.0F * std::sin(angle), 1.7F, 20.0F * std::cos(angle));
+    layout.objects.push_back(testing::objectOf(id, {centre - 0.5F, centre + 0.5F}));
+  }
+  drawSome();
+  int extended = 0;
+  int drawn = 0;
+  for (int i = 0; i < 210; ++i) {
+    camera.pose.yaw += 0.03F;
+    const auto list = plan();
+    if (!list->drawsBackdrop()) {
+      EXPECT_FALSE(seenPart(backdrops->newest()->view().camera, camera, 3.0F).empty());
+      continue;
+    }
+    ++(list->extended ? extended : drawn);
+    EXPECT_LE(list->area.width() * list->area.height(), 2 * 640 * 360);
+    draw(*list);
+  }
+  EXPECT_GE(extended, 6);
+  EXPECT_GE(drawn, 6);
 }
 
 TEST_F(BackdropPlannerTest, WhatIsNearIsDrawnInEveryFrame) {
@@ -182,7 +287,7 @@ TEST_F(BackdropPlannerTest, PausesWhereBackdropsServeNoOtherFrame) {
 
 /// Fails if a machine at its limit keeps to an accuracy that it has no time for.
 TEST_F(BackdropPlannerTest, ABusyMachineShowsBackdropsWithLargerErrors) {
-  lights = {{{0.0F, 1.0F, -8.0F}, {4.0F, 2.0F, 1.0F}}};
+  lights = {kFarLamp};
   factor = 4.0F;
   draw(*plan());
   camera.pose.position.z = -2.8F;  // of 20
@@ -192,13 +297,14 @@ TEST_F(BackdropPlannerTest, ABusyMachineShowsBackdropsWithLargerErrors) {
   EXPECT_TRUE(nearer->drawsBackdrop());
   draw(*nearer);
   factor = 4.0F;
-  lights[0].colour *= 1.5F;
+  lights[0].colour *= 2.0F;
   EXPECT_FALSE(plan()->drawsBackdrop());
   factor = 1.0F;
   EXPECT_TRUE(plan()->drawsBackdrop());
 }
 
-/// Fails if a visitor amid leaves, where every backdrop is wrong at once, has one drawn in each frame of a busy machine.
+/// Fails if a visitor amid leaves, where every backdrop is wrong at once, has one drawn in each frame of a busy
+/// machine.
 TEST_F(BackdropPlannerTest, OnABusyMachineABackdropServesSomeFramesWhateverItsError) {
   factor = 4.0F;
   wall = 0.5F;

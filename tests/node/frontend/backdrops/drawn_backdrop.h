@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "node/frontend/backdrops/backdrop.h"
+#include "node/frontend/backdrops/backdrop_area.h"
 
 /// Backdrops that are drawn by a function.
 namespace grove::node::testing {
@@ -45,19 +46,21 @@ inline std::shared_ptr<raster::Image> paint(const Painter& painter, const world:
   return image;
 }
 
-inline std::shared_ptr<const Backdrop> backdropOf(const std::shared_ptr<const raster::Image>& image, View view) {
+/// As if the frame of `origin` had drawn `image`.
+inline std::shared_ptr<const Backdrop> backdropOf(const std::shared_ptr<const raster::Image>& image,
+                                                  Backdrop::Origin origin) {
   BackdropDepths depths(image->rect);
   depths.measure(*image);
   raster::ImagePool pool;
   auto colours = raster::acquireSemiPlanar(pool, image->rect);
   raster::toSemiPlanar(*image, *colours);
-  return std::make_shared<const Backdrop>(std::move(colours), std::move(depths),
-                                          std::make_shared<const View>(std::move(view)));
+  return std::make_shared<const Backdrop>(std::move(colours), std::move(depths), std::move(origin));
 }
 
+/// Of an area that holds `area`.
 inline std::shared_ptr<const Backdrop> backdropOf(const Painter& painter, const world::Camera& camera,
                                                   const world::Rect& area) {
-  return backdropOf(paint(painter, camera, area), viewOf(camera));
+  return backdropOf(paint(painter, camera, wholeCells(area)), {std::make_shared<const View>(viewOf(camera)), 1});
 }
 
 }  // namespace grove::node::testing

@@ -11,6 +11,7 @@ namespace {
 using testing::colourOf;
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
+using testing::listOf;
 using testing::picture;
 
 /// Of the only object.
@@ -69,6 +70,25 @@ TEST_F(PlannedBackdrops, AnOverdueBackdropHasTheResultsOfTheLast) {
   checkDeadline();
   ASSERT_THAT(shownNumbers(), ElementsAre(1, 2, 40));
   EXPECT_EQ(colourOf(newestPayloads().at(0)), 5U);
+}
+
+/// Fails if what is added to a backdrop is asked for as the frame sees it, or what is shown over it as the backdrop
+/// does.
+TEST_F(PlannedBackdrops, WhatExtendsABackdropIsSeenByItsEye) {
+  auto list = std::make_shared<FrameList>(*listOf(2, 2));
+  list->backdrop = 2;
+  list->eye = listOf(1, 0)->view;
+  list->objects.front().still = true;
+  const auto unplanned = std::make_shared<FramePlanner>(64, process, halves, nullptr, [] {});
+  unplanned->connect(shown);
+  ASSERT_EQ(unplanned->push(std::shared_ptr<const FrameList>(list)), pipeline::PushResult::kAccepted);
+  ASSERT_TRUE(tests::eventually([&] { return unplanned->idle(); }));
+  ASSERT_EQ(backend.requests().size(), 2U);
+  EXPECT_EQ(backend.requests()[0].eye, list->eye);
+  EXPECT_EQ(&backend.requests()[0].seenBy(), list->eye.get());
+  EXPECT_EQ(backend.requests()[1].eye, nullptr);
+  EXPECT_EQ(&backend.requests()[1].seenBy(), list->view.get());
+  unplanned->close();
 }
 
 TEST_F(PlannedBackdrops, LateResultsOfABackdropAreTheLastOfTheNext) {

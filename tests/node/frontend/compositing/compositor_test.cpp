@@ -174,7 +174,8 @@ class CompositorBackdrops : public CompositorTest {
   static CompleteFrame frameOf(FrameNumber number, float movingDepth, bool still) {
     auto list = std::make_shared<FrameList>(*listOf(number, still ? 2 : 1));
     list->backdrop = 1;
-    list->area = {-8, -4, 330, 184};
+    list->area = {-8, -8, 336, 184};
+    list->drawn = {list->area};
     const world::Rect rect{100, 50, 140, 90};
     list->objects.back().rect = rect;
     std::vector<Payload> payloads;
@@ -185,9 +186,20 @@ class CompositorBackdrops : public CompositorTest {
     payloads.push_back(flat(kMoving, movingDepth, rect));
     return {std::move(list), std::move(payloads)};
   }
+  /// Its eye sees 64 pixels more on the right, which only another picture shows.
+  [[nodiscard]] CompleteFrame extendedBy(FrameNumber number) const {
+    auto list = std::make_shared<FrameList>(*listOf(number, 1));
+    list->backdrop = number;
+    list->area = {-8, -8, 400, 184};
+    list->drawn = {{336, -8, 400, 184}};
+    list->extended = backdrops->newest()->origin().frame;
+    list->eye = backdrops->newest()->origin().view;
+    list->objects.front().still = true;
+    list->objects.front().rect = list->drawn.front();
+    return {list, {flat(kMoving, 4.0F, list->drawn.front())}};
+  }
   [[nodiscard]] std::uint32_t at(int x, int y) const { return shown->newest()->colourRow(y)[x]; }
 
- private:
   static Payload flat(std::uint32_t colour, float depth, const world::Rect& rect) {
     const auto image = raster::ImagePool().acquire(rect);
     std::ranges::fill(image->colour, colour);
@@ -199,7 +211,7 @@ class CompositorBackdrops : public CompositorTest {
 TEST_F(CompositorBackdrops, StillObjectsAreShownAgainAndOthersLaidOverThemByDepth) {
   show(frameOf(1, 2.0F, true));
   ASSERT_TRUE(backdrops->newest());
-  EXPECT_EQ(backdrops->newest()->image().rect, (world::Rect{-8, -4, 330, 184}));
+  EXPECT_EQ(backdrops->newest()->image().rect, (world::Rect{-8, -8, 336, 184}));
   for (const FrameNumber frame : {1U, 2U, 3U}) {
     if (frame > 1) show(frameOf(frame, 2.0F, false));
     EXPECT_EQ(at(0, 0), kStill) << frame;
@@ -217,6 +229,55 @@ TEST_F(CompositorBackdrops, LayersReadDepthsOutsideOfTheirBoxes) {
     show(frameOf(frame, 2.0F, frame == 1));
     EXPECT_NEAR(depthSeen, 5.0F, 0.001F) << frame;
   }
+}
+
+/// Fails if what a backdrop had is lost, drawn anew or moved, and if its eye becomes that of the frame.
+TEST_F(CompositorBackdrops, AnExtendedBackdropHasItsOldPixelsAndNewOnes) {
+  show(frameOf(1, 2.0F, true));
+  const auto before = backdrops->newest();
+  show(extendedBy(2));
+  const auto backdrop = backdrops->newest();
+  ASSERT_NE(backdrop, before);
+  EXPECT_EQ(backdrop->origin().view, before->origin().view);
+  EXPECT_EQ(backdrop->origin().frame, 2U);
+  const raster::SemiPlanarImage& image = backdrop->image();
+  ASSERT_EQ(image.rect, (world::Rect{-8, -8, 400, 184}));
+  const auto luma = [&](int x, int y) { return static_cast<int>(image.y()[image.lumaAt(x, y)]); };
+  for (const int y : {-8, 90, 183}) {
+    EXPECT_NEAR(luma(-8, y), 0x80, 1) << y;
+    EXPECT_NEAR(luma(335, y), 0x80, 1) << y;
+    EXPECT_NEAR(luma(336, y), 0x30, 1) << y;
+    EXPECT_NEAR(luma(399, y), 0x30, 1) << y;
+  }
+  EXPECT_FLOAT_EQ(backdrop->nearness().front(), 1.0F / 5.0F);
+  EXPECT_FLOAT_EQ(backdrop->nearness().back(), 1.0F / 4.0F);
+  EXPECT_EQ(at(319, 179), kStill) << "the frame itself sees what it saw";
+}
+
+TEST_F(CompositorBackdrops, AFrameThatExtendsABackdropWhichIsGoneIsNotShown) {
+  show(frameOf(1, 2.0F, true));
+  const CompleteFrame late = extendedBy(3);
+  show(extendedBy(2));
+  show(late);
+  EXPECT_THAT(shown->numbers(), ElementsAre(1, 2));
+  EXPECT_EQ(backdrops->newest()->origin().frame, 2U);
+}
+
+TEST_F(CompositorBackdrops, ABackdropIsFinalIfNothingBetterIsUnderWay) {
+  show(frameOf(1, 2.0F, true));
+  EXPECT_TRUE(backdrops->newest()->origin().isFinal);
+  show(extendedBy(2));
+  EXPECT_TRUE(backdrops->newest()->origin().isFinal);
+  CompleteFrame failed = frameOf(1, 2.0F, true);
+  failed.payloads.front() = testing::failure("it is away");
+  show(failed);
+  EXPECT_FALSE(backdrops->newest()->origin().isFinal);
+  show(extendedBy(3));
+  EXPECT_FALSE(backdrops->newest()->origin().isFinal) << "what it extends was not";
+  CompleteFrame stale = frameOf(1, 2.0F, true);
+  stale.stale = true;
+  show(stale);
+  EXPECT_FALSE(backdrops->newest()->origin().isFinal);
 }
 
 TEST_F(CompositorBackdrops, AFrameWithoutABackdropToShowIsNotShown) {
