@@ -3,87 +3,20 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cmath>
-
-#include "node/frontend/backdrops/backdrop_area.h"
-#include "node/frontend/backdrops/drawn_backdrop.h"
-#include "node/frontend/planner_stand.h"
-#include "node/frontend/scene_analyzer.h"
+#include "node/frontend/backdrops/backdrop_planner_stand.h"
 
 namespace grove::node {
 namespace {
 
 using ::testing::ElementsAre;
+using testing::idsOf;
+using testing::kFarLamp;
+using testing::kFire;
+using testing::kHill;
+using testing::kTree;
 using ::testing::UnorderedElementsAre;
 
-constexpr world::ObjectId kHill = 1;
-constexpr world::ObjectId kFire = 2;
-constexpr world::ObjectId kTree = 3;  ///< beside the frame
-
-/// Everything near the origin reflects a radiance of 0.1.
-const world::PointLight kFarLamp{{0.0F, 0.0F, 1000.0F}, world::Vec3(0.1e6F)};
-
-std::vector<world::ObjectId> idsOf(const FrameList& list) {
-  std::vector<world::ObjectId> ids;
-  for (const VisibleObject& object : list.objects) ids.push_back(object.object.id);
-  return ids;
-}
-
-/// A hill that stands still, a fire that does not, and a tree to the left.
-class BackdropPlannerTest : public testing::PlannerStand {
- protected:
-  BackdropPlannerTest() {
-    const auto add = [&](world::ObjectId id, world::Vec3 centre) {
-      layout.objects.push_back(testing::objectOf(id, {centre - 0.5F, centre + 0.5F}));
-    };
-    add(kHill, {0.0F, 1.7F, -20.0F});
-    add(kFire, {1.0F, 1.7F, -8.0F});
-    add(kTree, {-11.6F, 1.7F, -10.0F});
-    stillness = [this](const VisibleObject& object) -> std::optional<float> {
-      if (object.object.id == kFire) return std::nullopt;
-      return distance;
-    };
-    camera.width = 640;
-    camera.height = 360;
-  }
-
-  /// The next frame, a thirtieth of a second later.
-  std::shared_ptr<const FrameList> plan() {
-    View view;
-    view.session = 1;
-    view.frame = ++frame;
-    view.camera = camera;
-    view.time = time += 1.0 / 30.0;
-    view.lights = lights;
-    auto seen = std::make_shared<FrameList>();
-    seen->objects = visibleObjects(layout, view);
-    seen->view = std::make_shared<const View>(std::move(view));
-    return planned.plan(std::move(seen));
-  }
-  /// In the Compositor's place: everything is a wall.
-  void draw(const FrameList& list) {
-    const auto painter = [this](const world::Camera&, world::Vec3) { return testing::Pixel{0xFFFFFFFFU, wall}; };
-    const std::shared_ptr<const View>& eye = list.backdropEye();
-    backdrops->put(
-        testing::backdropOf(testing::paint(painter, eye->camera, list.area), {eye, list.view->frame, isFinal}));
-  }
-  /// Draws backdrops for some frames, so that the way of the eye is known.
-  void drawSome() {
-    for (int i = 0; i < 3; ++i) {
-      if (const auto list = plan(); list->drawsBackdrop()) draw(*list);
-    }
-  }
-
-  float distance = 10.0F;
-  float wall = 20.0F;  ///< metres
-  bool isFinal = true;
-  world::Camera camera;
-  std::vector<world::PointLight> lights;
-  FrameNumber frame = 0;
-  double time = 100.0;
-  float factor = 1.0F;
-  BackdropPlanner planned{layout, halves, backdrops, [this] { return factor; }};
-};
+using BackdropPlannerTest = testing::BackdropPlannerStand;
 
 TEST_F(BackdropPlannerTest, DrawsOnceAndThenOnlyWhatMoves) {
   const auto first = plan();
@@ -156,94 +89,6 @@ TEST_F(BackdropPlannerTest, DrawsABorderWhereTheHeadTurnsAndWhatIsInIt) {
   EXPECT_THAT(idsOf(*list), UnorderedElementsAre(kHill, kFire, kTree));
   camera.pose.yaw += 0.02F;
   EXPECT_FALSE(plan()->drawsBackdrop()) << "the border serves the next frame";
-}
-
-/// Fails if who looks around has everything drawn anew whenever the border is used up.
-TEST_F(BackdropPlannerTest, DrawsOnlyWhatIsMissingWhereTheHeadTurnsOn) {
-  drawSome();
-  const auto base = backdrops->newest();
-  camera.pose.yaw += 0.05F;
-  const auto list = plan();
-  ASSERT_TRUE(list->drawsBackdrop());
-  EXPECT_EQ(list->extended, base->origin().frame);
-  EXPECT_EQ(list->eye, base->origin().view);
-  const world::Rect before = base->image().rect;
-  EXPECT_EQ(world::overlap(list->area, before), before);
-  EXPECT_LT(list->area.left, -20);
-  EXPECT_EQ(list->drawn, partsBeyond(list->area, before));
-  EXPECT_THAT(idsOf(*list), UnorderedElementsAre(kTree, kFire)) << "the hill is in the backdrop";
-  for (const VisibleObject& object : list->objects) {
-    EXPECT_EQ(object.still, object.object.id == kTree);
-    EXPECT_EQ(list->eyeOf(object), object.still ? base->origin().view : list->view);
-    if (object.still) {
-      EXPECT_TRUE(world::overlap(object.rect, before).empty());
-    }
-  }
-  draw(*list);
-  camera.pose.yaw += 0.05F;
-  const auto next = plan();
-  EXPECT_FALSE(next->drawsBackdrop()) << "the border serves the next frame";
-  EXPECT_EQ(next->backdrop, list->view->frame);
-  EXPECT_THAT(idsOf(*next), ElementsAre(kFire)) << "the tree is in the backdrop, too";
-}
-
-/// Fails if an object shows twice, or in a part of the backdrop only.
-TEST_F(BackdropPlannerTest, WhatTheBackdropLacksIsDrawnInEveryFrameThoughItIsExtended) {
-  drawSome();
-  layout.objects.push_back(testing::objectOf(9, {{-12.0F, 1.0F, -13.0F}, {-9.0F, 3.0F, -12.0F}}));
-  camera.pose.yaw += 0.05F;
-  const auto list = plan();
-  ASSERT_TRUE(list->extended);
-  const auto found = std::ranges::find(list->objects, 9U, [](const VisibleObject& o) { return o.object.id; });
-  ASSERT_NE(found, list->objects.end());
-  EXPECT_FALSE(found->still);
-  draw(*list);
-  EXPECT_THAT(idsOf(*plan()), UnorderedElementsAre(kFire, 9U));
-}
-
-TEST_F(BackdropPlannerTest, DoesNotExtendWhatIsSoonTooWrong) {
-  drawSome();
-  camera.pose.yaw += 0.05F;
-  camera.pose.position.z -= 1.1F;  // of 20 metres, of which 1.3 are permitted
-  const auto list = plan();
-  EXPECT_TRUE(list->drawsBackdrop());
-  EXPECT_FALSE(list->extended);
-}
-
-TEST_F(BackdropPlannerTest, AnExtensionThatIsDroppedHasAllDrawn) {
-  drawSome();
-  camera.pose.yaw += 0.05F;
-  const auto list = plan();
-  ASSERT_TRUE(list->extended);
-  planned.drop(list->view->frame);
-  const auto next = plan();
-  EXPECT_TRUE(next->drawsBackdrop());
-  EXPECT_FALSE(next->extended);
-}
-
-/// Fails if a visitor who spins has a picture that grows without end, or is left with one that he has turned away from.
-TEST_F(BackdropPlannerTest, TurningRoundDrawsAllNowAndThen) {
-  for (world::ObjectId id = 10; id < 40; ++id) {
-    const float angle = 0.21F * static_cast<float>(id);
-    const world::Vec3 centre(20.0F * std::sin(angle), 1.7F, 20.0F * std::cos(angle));
-    layout.objects.push_back(testing::objectOf(id, {centre - 0.5F, centre + 0.5F}));
-  }
-  drawSome();
-  int extended = 0;
-  int drawn = 0;
-  for (int i = 0; i < 210; ++i) {
-    camera.pose.yaw += 0.03F;
-    const auto list = plan();
-    if (!list->drawsBackdrop()) {
-      EXPECT_FALSE(seenPart(backdrops->newest()->view().camera, camera, 3.0F).empty());
-      continue;
-    }
-    ++(list->extended ? extended : drawn);
-    EXPECT_LE(list->area.width() * list->area.height(), 2 * 640 * 360);
-    draw(*list);
-  }
-  EXPECT_GE(extended, 6);
-  EXPECT_GE(drawn, 6);
 }
 
 TEST_F(BackdropPlannerTest, WhatIsNearIsDrawnInEveryFrame) {
