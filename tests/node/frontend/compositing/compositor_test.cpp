@@ -14,6 +14,7 @@
 #include "node/limits.h"
 #include "node/transport/reference_transport.h"
 #include "pipeline/worker_pool.h"
+#include "yuv_pictures.h"
 
 namespace grove::node {
 namespace {
