@@ -4,15 +4,13 @@
 #include <utility>
 #include <vector>
 
-#include "node/transport/grpc/node_channel.h"
-
 namespace grove::node {
 
 ReconnectingLink::ReconnectingLink(std::string address, pipeline::Executor& executor, pipeline::Timeline& timeline,
                                    LinkTls tls)
     : address_(std::move(address)),
       tls_(std::move(tls)),
-      stub_(channelTo(address_, tls_)),
+      executor_(executor),
       incoming_(std::make_shared<PacketsToFrontend>(executor, timeline)),
       timeline_(timeline),
       standing_(address_) {}
@@ -144,18 +142,13 @@ void ReconnectingLink::ended(const grpc::Status& status) {
     last = std::move(call_);
   }
   const CallFailure failure = failureOf(status, wasOpen, tls_.trusted != nullptr);
-  // Before stop() goes on: a channel must not be destroyed on gRPC's thread, and the call holds it.
-  last.reset();
+  // Not here: this is one of gRPC's threads.
+  executor_.post([call = std::move(last)] {});
   const std::lock_guard lock(mutex_);
   isCalling_ = false;
   if (!isStopped_) {
     standing_.failed(failure);
-    if (standing_.isKeptAway()) {
-      retry_.slowDown();
-    } else if (!wasOpen) {
-      // A channel that does not connect makes pauses of its own.
-      retry_.reset();
-    }
+    if (standing_.isKeptAway()) retry_.slowDown();
     afterAPause(&ReconnectingLink::call);
   }
   changed_.notify_all();
@@ -171,8 +164,8 @@ void ReconnectingLink::call() {
   const std::lock_guard lock(mutex_);
   if (isStopped_) return;
   isCalling_ = true;
-  call_ = std::make_shared<NodeCall>(*this);
-  call_->start(stub_);
+  call_ = std::make_shared<NodeCall>(*this, address_, tls_);
+  call_->start();
 }
 
 void ReconnectingLink::readOn() {

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <grpcpp/generic/generic_stub.h>
-
 #include <chrono>
 #include <condition_variable>
 #include <memory>
@@ -60,7 +58,7 @@ class ReconnectingLink final : public FrontendPort,
 
   const std::string address_;
   const LinkTls tls_;
-  grpc::GenericStub stub_;
+  pipeline::Executor& executor_;
   const std::shared_ptr<PacketsToFrontend> incoming_;
   pipeline::Timeline& timeline_;
   Connection<FrontendPort> frontend_;
