@@ -43,12 +43,12 @@ void NodeCall::OnReadInitialMetadataDone(bool ok) {
 }
 
 void NodeCall::OnDone(const grpc::Status& status) {
-  if (!isSilent_) return caller_.ended(status);
-  caller_.ended({grpc::StatusCode::DEADLINE_EXCEEDED, "its connection brings no answers"});
+  const char* const why = whyGivenUp_;
+  caller_.ended(why == nullptr ? status : grpc::Status(grpc::StatusCode::DEADLINE_EXCEEDED, why));
 }
 
-void NodeCall::unanswered() {
-  isSilent_ = true;
+void NodeCall::giveUp(const char* reason) {
+  whyGivenUp_ = reason;
   end();
 }
 

@@ -38,6 +38,8 @@ class NodeCall final : public PacketReactor<grpc::ClientBidiReactor<grpc::ByteBu
   void start();
   /// Takes packets from now on, after these, reads, and watches whether the node answers.
   void open(const std::vector<Packet>& first);
+  /// Ends it, for this reason. Any thread.
+  void giveUp(const char* reason);
   /// Why the node at HOST:PORT is not to be trusted; once it has taken the call.
   [[nodiscard]] std::optional<std::string> complaint(const LinkTls& tls, const std::string& address) const;
 
@@ -50,14 +52,14 @@ class NodeCall final : public PacketReactor<grpc::ClientBidiReactor<grpc::ByteBu
   void hangUp() override;
 
   void answered(LinkProbe::Clock::duration /*roundTrip*/) override {}
-  void unanswered() override;
+  void unanswered() override { giveUp("its connection brings no answers"); }
   void probed() override { RemoveHold(); }
 
   grpc::GenericStub stub_;
   grpc::ClientContext context_;
   Caller& caller_;
   LinkProbe probe_;
-  std::atomic<bool> isSilent_{false};
+  std::atomic<const char*> whyGivenUp_{nullptr};
 };
 
 }  // namespace grove::node

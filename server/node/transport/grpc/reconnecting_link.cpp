@@ -4,6 +4,8 @@
 #include <utility>
 #include <vector>
 
+#include "node/transport/grpc/link_limits.h"
+
 namespace grove::node {
 
 ReconnectingLink::ReconnectingLink(std::string address, pipeline::Executor& executor, pipeline::Timeline& timeline,
@@ -29,6 +31,7 @@ void ReconnectingLink::stop() {
     const std::lock_guard lock(mutex_);
     isStopped_ = true;
     retry_.cancel();
+    patience_.reset();
     last = call_;
   }
   if (last) last->end();
@@ -45,6 +48,7 @@ pipeline::PushResult ReconnectingLink::send(const ToBackend& message) {
   {
     const std::lock_guard lock(mutex_);
     opening_.remember(message);
+    if (call_ && std::holds_alternative<NodeHello>(message)) awaitAnswer();
     if (!isOpen_) return pipeline::PushResult::kClosed;
     call = call_;
   }
@@ -83,6 +87,7 @@ void ReconnectingLink::receive(ToFrontend message) {
 void ReconnectingLink::welcomed() {
   const std::lock_guard lock(mutex_);
   if (!isOpen_) return;
+  patience_.reset();
   standing_.welcomed();
   retry_.reset();
   changed_.notify_all();
@@ -92,6 +97,7 @@ void ReconnectingLink::welcomed() {
 void ReconnectingLink::refused(const std::string& reason) {
   const std::lock_guard lock(mutex_);
   if (!isOpen_ || isStopped_) return;
+  patience_.reset();
   standing_.refused(reason);
   retry_.slowDown();
   changed_.notify_all();
@@ -102,6 +108,21 @@ void ReconnectingLink::greetAgain() {
   const std::lock_guard lock(mutex_);
   if (!isOpen_ || standing_.status().state != LinkState::kRefused) return;
   for (const Packet& packet : opening_.packets()) (void)call_->write(packet);
+  awaitAnswer();
+}
+
+void ReconnectingLink::awaitAnswer() {
+  patience_ = std::make_unique<grpc::Alarm>();
+  const auto until = std::chrono::system_clock::now() + std::chrono::milliseconds(kAnswerMilliseconds);
+  patience_->Set(until, [weak = weak_from_this()](bool isDue) {
+    const auto self = isDue ? weak.lock() : nullptr;
+    if (self) self->giveUp();
+  });
+}
+
+void ReconnectingLink::giveUp() {
+  const std::lock_guard lock(mutex_);
+  if (patience_ && call_) call_->giveUp("it takes the connection, and neither welcomes nor refuses");
 }
 
 void ReconnectingLink::opened(NodeCall& call) {
@@ -139,6 +160,7 @@ void ReconnectingLink::ended(const grpc::Status& status) {
   {
     const std::lock_guard lock(mutex_);
     wasOpen = std::exchange(isOpen_, false);
+    patience_.reset();
     last = std::move(call_);
   }
   const CallFailure failure = failureOf(status, wasOpen, tls_.trusted != nullptr);
@@ -166,6 +188,7 @@ void ReconnectingLink::call() {
   isCalling_ = true;
   call_ = std::make_shared<NodeCall>(*this, address_, tls_);
   call_->start();
+  if (opening_.hasHello()) awaitAnswer();
 }
 
 void ReconnectingLink::readOn() {

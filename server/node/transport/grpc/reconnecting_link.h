@@ -1,5 +1,7 @@
 #pragma once
 
+#include <grpcpp/alarm.h>
+
 #include <chrono>
 #include <condition_variable>
 #include <memory>
@@ -50,6 +52,9 @@ class ReconnectingLink final : public FrontendPort,
   void call();
   void readOn();
   void greetAgain();
+  /// To the hello: the node is called again if none comes. With the lock held.
+  void awaitAnswer();
+  void giveUp();
   // What they answer to may have ended before a worker read them: then the next call is waited for, and counts.
   void welcomed();
   void refused(const std::string& reason);
@@ -68,6 +73,7 @@ class ReconnectingLink final : public FrontendPort,
   Opening opening_;
   LinkStanding standing_;
   RetryTimer retry_;
+  std::unique_ptr<grpc::Alarm> patience_;  ///< while an answer is awaited
   bool isOpen_ = false;
   bool isCalling_ = false;  ///< until the call is gone
   bool isStopped_ = false;
