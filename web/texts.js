@@ -190,6 +190,7 @@ export const kLinkStates = Object.freeze({
   welcomed: 'connected',
   refused: 'refused',
   untrusted: 'not trusted',
+  silent: 'silent, calling again',
   lost: 'lost, connecting again',
 });
 

@@ -97,6 +97,11 @@ void FaultProxy::setHalfOpen(bool isHalfOpen) {
   isHalfOpen_ = isHalfOpen;
 }
 
+void FaultProxy::setDeaf(bool isDeaf) {
+  const std::lock_guard lock(mutex_);
+  isDeaf_ = isDeaf;
+}
+
 void FaultProxy::corrupt(std::size_t bytes) {
   const std::lock_guard lock(mutex_);
   for (Connection& connection : connections_) connection.toServer.corrupted = bytes;
@@ -115,17 +120,14 @@ void FaultProxy::run() {
 
 void FaultProxy::waitForBytes() {
   std::vector<pollfd> sockets{{listener_.get(), POLLIN, 0}};
-  bool isHalfOpen = false;
   {
+    // What nobody reads would end the wait at once.
     const std::lock_guard lock(mutex_);
-    isHalfOpen = isHalfOpen_;
     for (const Connection& connection : connections_) {
-      sockets.push_back({connection.server.get(), POLLIN, 0});
-      sockets.push_back({connection.node.get(), POLLIN, 0});
+      if (!isHalfOpen_ && !isDeaf_) sockets.push_back({connection.server.get(), POLLIN, 0});
+      if (!isHalfOpen_) sockets.push_back({connection.node.get(), POLLIN, 0});
     }
   }
-  // What nobody reads would end the wait at once.
-  if (isHalfOpen) sockets.resize(1);
   poll(sockets.data(), sockets.size(), kTickMilliseconds);
 }
 
@@ -141,7 +143,8 @@ void FaultProxy::accept() {
 }
 
 void FaultProxy::serve(Connection& connection) {
-  const bool isOpen = read(connection.server, connection.toNode) && read(connection.node, connection.toServer);
+  const bool isHeard = isDeaf_ || read(connection.server, connection.toNode);
+  const bool isOpen = isHeard && read(connection.node, connection.toServer);
   const bool isTaken = write(connection.node, connection.toNode) && write(connection.server, connection.toServer);
   connection.isOver = !isOpen || !isTaken;
 }

@@ -35,6 +35,8 @@ class FaultProxy {
   /// While half open, it takes connections and closes none, but forwards nothing: neither bytes nor the end of who
   /// ends.
   void setHalfOpen(bool isHalfOpen);
+  /// Half open one way: what goes to the node stays here, what comes from it is forwarded.
+  void setDeaf(bool isDeaf);
   /// Inverts so many of the next bytes to the server, of each connection that is there.
   void corrupt(std::size_t bytes);
 
@@ -73,6 +75,7 @@ class FaultProxy {
   std::mutex mutex_;
   std::chrono::milliseconds delay_{0};
   bool isHalfOpen_ = false;
+  bool isDeaf_ = false;
   std::vector<Connection> connections_;
   std::thread thread_;  ///< the last: it uses all of these
 };

@@ -200,6 +200,36 @@ TEST_F(FaultyLinks, ThatNeverAnswerAreNamed) {
   }
 }
 
+/// The node takes each connection, and never gets to hear the hello.
+TEST_F(FaultyLinks, ThatAreHalfOpenOneWayAreCalledSilentAndMadeAgain) {
+  serve();
+  ::testing::internal::CaptureStderr();
+  proxy_->setDeaf(true);
+  proxy_->cut();
+  EXPECT_TRUE(becomes(State::kSilent)) << report();
+  EXPECT_THAT(link().reason, HasSubstr("neither welcomes nor refuses"));
+  EXPECT_TRUE(goesOn());
+  const int calls = proxy_->accepted();
+  EXPECT_TRUE(eventually([&] { return proxy_->accepted() > calls; })) << "it is called again";
+  proxy_->setDeaf(false);
+  EXPECT_TRUE(becomes(State::kWelcomed)) << report();
+  const std::string log = ::testing::internal::GetCapturedStderr();
+  EXPECT_EQ(linesWith("is silent: ", log), 1U) << log;
+  EXPECT_EQ(linesWith("is back", log), 1U) << log;
+  expectTheSame();
+}
+
+TEST_F(FaultyLinks, ThatNeverBringAnAnswerToTheHelloAreNamed) {
+  proxy_ = std::make_unique<FaultProxy>(node_->port());
+  proxy_->setDeaf(true);
+  try {
+    stream::Host host(remoteWorld(kStones, types_, {proxy_->address()}), types_, {}, [](std::string_view, float) {});
+    FAIL() << "nobody has welcomed it";
+  } catch (const EnvironmentError& e) {
+    EXPECT_THAT(e.what(), HasSubstr(proxy_->address() + ": the node does not answer: it takes the connection"));
+  }
+}
+
 TEST_F(FaultyLinks, ThatSpoilBytesAreMadeAnew) {
   serve();
   ::testing::internal::CaptureStderr();

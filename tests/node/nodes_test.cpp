@@ -206,15 +206,16 @@ TEST_P(Nodes, ANodeThatWasRestartedIsAskedForDataAnew) {
   get();
   ASSERT_TRUE(eventually([&] { return brought == 1; }));
   const int before = transport.requests;
-  const auto welcomes = [&](std::uint64_t epoch) {
-    NodeWelcome welcome;
-    welcome.epoch = epoch;
-    welcome.objects.emplace_back().id = object;
-    process.receive(std::move(welcome));
+  NodeWelcome welcome;
+  welcome.epoch = backend.epoch() + 1;
+  welcome.objects.emplace_back().id = object;
+  process.receive(std::move(welcome));
+  // The renewal waits for a worker.
+  const auto isAsked = [&] {
     get();
+    return transport.requests == before + 1;
   };
-  welcomes(backend.epoch() + 1);
-  ASSERT_TRUE(eventually([&] { return transport.requests == before + 1; })) << "it is fetched anew";
+  ASSERT_TRUE(eventually(isAsked)) << "it is fetched anew";
   EXPECT_TRUE(eventually([&] { return process.shared().known({object, {}}) != nullptr; }));
 }
 

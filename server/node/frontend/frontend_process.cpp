@@ -88,7 +88,10 @@ void FrontendProcess::welcomed(const NodeWelcome& welcome) {
       isRestarted = std::exchange(last->second, welcome.epoch) != welcome.epoch || isRestarted;
     }
   }
-  if (isKnown) store_.renew([&](world::ObjectId id) { return served.contains(id); }, isRestarted);
+  if (!isKnown) return;
+  if (sharedReceiver_->push(Renewal{served, isRestarted}) == pipeline::PushResult::kAccepted) return;
+  // It must not be lost, whatever else is.
+  store_.renew([&](world::ObjectId id) { return served.contains(id); }, isRestarted);
 }
 
 void FrontendProcess::receive(Result result) {

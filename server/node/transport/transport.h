@@ -50,6 +50,7 @@ enum class LinkState : std::uint8_t {
   kWelcomed,
   kRefused,    ///< by the node, which is asked again
   kUntrusted,  ///< this process refuses the node, for its certificate or for want of one, and asks again
+  kSilent,     ///< the node has taken a connection, and neither welcomed nor refused; it is called again
   kLost,       ///< after a welcome; it is being connected again
 };
 struct LinkStatus {

@@ -20,9 +20,14 @@ SharedReceiver::SharedReceiver(FrontendProcess& frontend, pipeline::Executor& ex
       frontend_(frontend),
       timeline_(timeline) {}
 
-void SharedReceiver::process(std::span<Result> results, pipeline::Run&) {
+void SharedReceiver::process(std::span<SharedInput> inputs, pipeline::Run&) {
   pipeline::TimedParts times(timeline_, kReceiver, pipeline::Work::kAcrossUser, {});
-  for (Result& result : results) {
+  for (SharedInput& input : inputs) {
+    if (const auto* const renewal = std::get_if<Renewal>(&input)) {
+      frontend_.shared().renew([&](world::ObjectId id) { return renewal->of.contains(id); }, renewal->isRestarted);
+      continue;
+    }
+    auto& result = std::get<Result>(input);
     const FrontendType* const type = frontend_.typeOf(result.what.object);
     times.turnTo(type == nullptr ? std::string_view() : type->name());
     if (!take(result)) timeline_.count("shared data that nobody asked for");

@@ -1,21 +1,37 @@
 #pragma once
 
+#include <variant>
+
 #include "node/messages/result.h"
+#include "node/messages/served_objects.h"
 #include "pipeline/stage.h"
 
 namespace grove::node {
 
 class FrontendProcess;
 
+/// A link to a backend node is restored, see SharedStore::renew().
+struct Renewal {
+  ServedObjects of;
+  bool isRestarted = false;
+};
+using SharedInput = std::variant<Result, Renewal>;
+
+[[nodiscard]] inline pipeline::TraceTag traceTag(const SharedInput& input) {
+  const auto* const result = std::get_if<Result>(&input);
+  return result == nullptr ? pipeline::TraceTag() : traceTag(*result);
+}
+
 /// Takes shared data off the transport, undoes what the Compressor did to it, and puts it into the shared store: once,
-/// for all sessions. What nobody asked for is left as it is, and counted.
-class SharedReceiver final : public pipeline::Stage<Result> {
+/// for all sessions. What nobody asked for is left as it is, and counted. A renewal stands in the same queue, so that
+/// data from before it is not taken for newer.
+class SharedReceiver final : public pipeline::Stage<SharedInput> {
  public:
   /// `frontend` outlives it.
   SharedReceiver(FrontendProcess& frontend, pipeline::Executor& executor, pipeline::Timeline& timeline);
 
  protected:
-  void process(std::span<Result> results, pipeline::Run& run) override;
+  void process(std::span<SharedInput> inputs, pipeline::Run& run) override;
 
  private:
   /// False if nobody asked for it.

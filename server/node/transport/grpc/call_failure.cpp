@@ -27,6 +27,7 @@ CallFailure failureOf(const grpc::Status& status, bool wasOpen, bool isSecure) {
   using Kind = CallFailure::Kind;
   const std::string& text = status.error_message();
   if (status.error_code() == grpc::StatusCode::UNAUTHENTICATED) return {Kind::kRefused, text};
+  if (status.error_code() == grpc::StatusCode::DEADLINE_EXCEEDED) return {Kind::kSilent, text};
   if (!has(text, "failed to connect")) return {Kind::kNoAnswer, text};
   if (isSecure && has(text, "Tls handshake failed")) return {Kind::kUntrusted, handshakeReason(text)};
   const std::string reason = lastPartOf(text);

@@ -14,6 +14,7 @@ struct CallFailure {
     kMayWantTls,  ///< it closes connections in the clear
     kRefused,     ///< by the node
     kUntrusted,   ///< it does not speak TLS
+    kSilent,      ///< it has taken the connection, and this process has given it up
   };
   Kind kind = Kind::kNoAnswer;
   std::string reason;

@@ -21,6 +21,9 @@ void requireWelcome(const std::string& address, const GrpcFrontendEnd& end, Cloc
     case GrpcFrontendEnd::State::kUntrusted:
       throw EnvironmentError("the node is not trusted: " + status.reason, address,
                              "--link-tls-ca wants a certificate of it that names this address");
+    case GrpcFrontendEnd::State::kSilent:
+      throw EnvironmentError("the node does not answer: " + status.reason, address,
+                             "it hangs, or what listens there is no node: restart it");
     case GrpcFrontendEnd::State::kWelcomed:
       return;
     default:

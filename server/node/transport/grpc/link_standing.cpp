@@ -5,7 +5,8 @@
 namespace grove::node {
 
 void LinkStanding::welcomed() {
-  if (status_.state == LinkState::kLost) log::info("the node at " + address_ + " is back");
+  if (wasWelcomed_ && status_.state != LinkState::kWelcomed) log::info("the node at " + address_ + " is back");
+  wasWelcomed_ = true;
   status_ = {LinkState::kWelcomed, {}};
 }
 
@@ -27,10 +28,20 @@ void LinkStanding::failed(const CallFailure& failure) {
   using Kind = CallFailure::Kind;
   if (failure.kind == Kind::kRefused) return refused(failure.reason);
   if (failure.kind == Kind::kUntrusted) return mistrusted(failure.reason);
-  if (!isKeptAway()) lost(failure);
+  if (isKeptAway()) return;
+  if (failure.kind == Kind::kSilent && status_.state != LinkState::kWelcomed) return silent(failure.reason);
+  lost(failure);
+}
+
+void LinkStanding::silent(const std::string& reason) {
+  if (status_.state != LinkState::kSilent) log::warning("the node at " + address_ + " is silent: " + reason);
+  status_ = {LinkState::kSilent, reason};
 }
 
 void LinkStanding::lost(const CallFailure& failure) {
+  if (status_.state == LinkState::kSilent) {
+    status_.state = wasWelcomed_ ? LinkState::kLost : LinkState::kConnecting;
+  }
   const bool isNew = failure.reason != status_.reason;
   const bool mayWantTls = failure.kind == CallFailure::Kind::kMayWantTls;
   if (status_.state == LinkState::kWelcomed) {

@@ -15,7 +15,9 @@ class LinkStanding {
   explicit LinkStanding(std::string address) : address_(std::move(address)) {}
 
   [[nodiscard]] const LinkStatus& status() const noexcept { return status_; }
-  [[nodiscard]] bool isAnswered() const noexcept { return status_.state != LinkState::kConnecting; }
+  [[nodiscard]] bool isAnswered() const noexcept {
+    return status_.state != LinkState::kConnecting && status_.state != LinkState::kSilent;
+  }
   /// Whether nothing changes unless somebody changes his mind: the node, or whoever runs it.
   [[nodiscard]] bool isKeptAway() const noexcept {
     return status_.state == LinkState::kRefused || status_.state == LinkState::kUntrusted;
@@ -31,9 +33,11 @@ class LinkStanding {
 
  private:
   void lost(const CallFailure& failure);
+  void silent(const std::string& reason);
 
   const std::string address_;
   LinkStatus status_{.state = LinkState::kConnecting};
+  bool wasWelcomed_ = false;
 };
 
 }  // namespace grove::node

@@ -6,7 +6,6 @@
 #include "node/transport/grpc/link_credentials.h"
 #include "node/transport/grpc/link_limits.h"
 #include "node/transport/grpc/quiet_library.h"
-#include "node/transport/grpc/retry_timer.h"
 
 namespace grove::node {
 namespace {
@@ -24,10 +23,8 @@ std::shared_ptr<grpc::Channel> channelTo(const std::string& address, const LinkT
   arguments.SetInt(GRPC_ARG_KEEPALIVE_TIME_MS, kKeepAliveMilliseconds);
   arguments.SetInt(GRPC_ARG_KEEPALIVE_TIMEOUT_MS, kKeepAliveTimeoutMilliseconds);
   arguments.SetInt(GRPC_ARG_HTTP2_MAX_PINGS_WITHOUT_DATA, 0);
-  arguments.SetInt(GRPC_ARG_INITIAL_RECONNECT_BACKOFF_MS, RetryTimer::kFirstMilliseconds);
   // Not a pause, whatever its name: how long an attempt may take at least.
   arguments.SetInt(GRPC_ARG_MIN_RECONNECT_BACKOFF_MS, kConnectMilliseconds);
-  arguments.SetInt(GRPC_ARG_MAX_RECONNECT_BACKOFF_MS, RetryTimer::kLongestMilliseconds);
   // Each link has a connection of its own: none waits behind another's pictures.
   arguments.SetInt(GRPC_ARG_USE_LOCAL_SUBCHANNEL_POOL, 1);
   // A node is where its address says, whatever proxy the environment names for web pages.

@@ -18,6 +18,7 @@ class Opening {
     if (std::holds_alternative<std::shared_ptr<const WorldUpdate>>(message)) world_ = message;
     if (std::holds_alternative<Quality>(message)) quality_ = message;
   }
+  [[nodiscard]] bool hasHello() const noexcept { return hello_.has_value(); }
   /// Empty before the first hello.
   [[nodiscard]] std::vector<Packet> packets() const {
     std::vector<Packet> packets;

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "node/transport/grpc/node_channel.h"
+#include "node/transport/grpc/link_limits.h"
 
 namespace grove::node {
 
@@ -12,7 +12,7 @@ ReconnectingLink::ReconnectingLink(std::string address, pipeline::Executor& exec
                                    LinkTls tls)
     : address_(std::move(address)),
       tls_(std::move(tls)),
-      stub_(channelTo(address_, tls_)),
+      executor_(executor),
       incoming_(std::make_shared<PacketsToFrontend>(executor, timeline)),
       timeline_(timeline),
       standing_(address_) {}
@@ -31,6 +31,7 @@ void ReconnectingLink::stop() {
     const std::lock_guard lock(mutex_);
     isStopped_ = true;
     retry_.cancel();
+    patience_.reset();
     last = call_;
   }
   if (last) last->end();
@@ -47,6 +48,7 @@ pipeline::PushResult ReconnectingLink::send(const ToBackend& message) {
   {
     const std::lock_guard lock(mutex_);
     opening_.remember(message);
+    if (call_ && std::holds_alternative<NodeHello>(message)) awaitAnswer();
     if (!isOpen_) return pipeline::PushResult::kClosed;
     call = call_;
   }
@@ -85,6 +87,7 @@ void ReconnectingLink::receive(ToFrontend message) {
 void ReconnectingLink::welcomed() {
   const std::lock_guard lock(mutex_);
   if (!isOpen_) return;
+  patience_.reset();
   standing_.welcomed();
   retry_.reset();
   changed_.notify_all();
@@ -94,6 +97,7 @@ void ReconnectingLink::welcomed() {
 void ReconnectingLink::refused(const std::string& reason) {
   const std::lock_guard lock(mutex_);
   if (!isOpen_ || isStopped_) return;
+  patience_.reset();
   standing_.refused(reason);
   retry_.slowDown();
   changed_.notify_all();
@@ -104,6 +108,21 @@ void ReconnectingLink::greetAgain() {
   const std::lock_guard lock(mutex_);
   if (!isOpen_ || standing_.status().state != LinkState::kRefused) return;
   for (const Packet& packet : opening_.packets()) (void)call_->write(packet);
+  awaitAnswer();
+}
+
+void ReconnectingLink::awaitAnswer() {
+  patience_ = std::make_unique<grpc::Alarm>();
+  const auto until = std::chrono::system_clock::now() + std::chrono::milliseconds(kAnswerMilliseconds);
+  patience_->Set(until, [weak = weak_from_this()](bool isDue) {
+    const auto self = isDue ? weak.lock() : nullptr;
+    if (self) self->giveUp();
+  });
+}
+
+void ReconnectingLink::giveUp() {
+  const std::lock_guard lock(mutex_);
+  if (patience_ && call_) call_->giveUp("it takes the connection, and neither welcomes nor refuses");
 }
 
 void ReconnectingLink::opened(NodeCall& call) {
@@ -141,21 +160,17 @@ void ReconnectingLink::ended(const grpc::Status& status) {
   {
     const std::lock_guard lock(mutex_);
     wasOpen = std::exchange(isOpen_, false);
+    patience_.reset();
     last = std::move(call_);
   }
   const CallFailure failure = failureOf(status, wasOpen, tls_.trusted != nullptr);
-  // Before stop() goes on: a channel must not be destroyed on gRPC's thread, and the call holds it.
-  last.reset();
+  // Not here: this is one of gRPC's threads.
+  executor_.post([call = std::move(last)] {});
   const std::lock_guard lock(mutex_);
   isCalling_ = false;
   if (!isStopped_) {
     standing_.failed(failure);
-    if (standing_.isKeptAway()) {
-      retry_.slowDown();
-    } else if (!wasOpen) {
-      // A channel that does not connect makes pauses of its own.
-      retry_.reset();
-    }
+    if (standing_.isKeptAway()) retry_.slowDown();
     afterAPause(&ReconnectingLink::call);
   }
   changed_.notify_all();
@@ -171,8 +186,9 @@ void ReconnectingLink::call() {
   const std::lock_guard lock(mutex_);
   if (isStopped_) return;
   isCalling_ = true;
-  call_ = std::make_shared<NodeCall>(*this);
-  call_->start(stub_);
+  call_ = std::make_shared<NodeCall>(*this, address_, tls_);
+  call_->start();
+  if (opening_.hasHello()) awaitAnswer();
 }
 
 void ReconnectingLink::readOn() {

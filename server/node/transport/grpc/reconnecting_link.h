@@ -1,6 +1,6 @@
 #pragma once
 
-#include <grpcpp/generic/generic_stub.h>
+#include <grpcpp/alarm.h>
 
 #include <chrono>
 #include <condition_variable>
@@ -52,6 +52,9 @@ class ReconnectingLink final : public FrontendPort,
   void call();
   void readOn();
   void greetAgain();
+  /// To the hello: the node is called again if none comes. With the lock held.
+  void awaitAnswer();
+  void giveUp();
   // What they answer to may have ended before a worker read them: then the next call is waited for, and counts.
   void welcomed();
   void refused(const std::string& reason);
@@ -60,7 +63,7 @@ class ReconnectingLink final : public FrontendPort,
 
   const std::string address_;
   const LinkTls tls_;
-  grpc::GenericStub stub_;
+  pipeline::Executor& executor_;
   const std::shared_ptr<PacketsToFrontend> incoming_;
   pipeline::Timeline& timeline_;
   Connection<FrontendPort> frontend_;
@@ -70,6 +73,7 @@ class ReconnectingLink final : public FrontendPort,
   Opening opening_;
   LinkStanding standing_;
   RetryTimer retry_;
+  std::unique_ptr<grpc::Alarm> patience_;  ///< while an answer is awaited
   bool isOpen_ = false;
   bool isCalling_ = false;  ///< until the call is gone
   bool isStopped_ = false;

@@ -113,6 +113,8 @@ std::string_view nameOf(node::LinkState state) {
       return "refused";
     case node::LinkState::kUntrusted:
       return "untrusted";
+    case node::LinkState::kSilent:
+      return "silent";
     case node::LinkState::kLost:
       return "lost";
   }

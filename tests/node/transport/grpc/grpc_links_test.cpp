@@ -236,6 +236,41 @@ TEST(GrpcLinks, OneThatIsNotServedCostsTheOthersNothing) {
   EXPECT_EQ(asked, 2);
 }
 
+/// Takes what comes, and says nothing.
+class MuteEnd final : public BackendPort {
+ public:
+  explicit MuteEnd(std::shared_ptr<BackendEnd> link) : link_(std::move(link)) { link_->connect(*this); }
+  ~MuteEnd() override { link_->leaveBackend(); }
+  MuteEnd(const MuteEnd&) = delete;
+  MuteEnd& operator=(const MuteEnd&) = delete;
+  PushResult receive(ToBackend /*message*/) override { return PushResult::kAccepted; }
+
+ private:
+  const std::shared_ptr<BackendEnd> link_;
+};
+
+TEST(GrpcLinks, ANodeThatNeitherWelcomesNorRefusesIsCalledAgain) {
+  pipeline::Timeline timeline;
+  pipeline::WorkerPool workers{1};
+  std::atomic<int> calls{0};
+  const GrpcServer server(
+      "127.0.0.1:0",
+      [&](std::shared_ptr<BackendEnd> link) -> std::shared_ptr<void> {
+        if (++calls == 1) return std::make_shared<MuteEnd>(std::move(link));
+        return std::make_shared<NodeEnd>(std::move(link));
+      },
+      workers, timeline);
+  FrontendSide side("127.0.0.1:" + std::to_string(server.port()));
+  ASSERT_TRUE(side.link().waitUntilOpen(std::chrono::seconds(30)));
+  std::this_thread::sleep_for(std::chrono::milliseconds(kAnswerMilliseconds + 1000));
+  EXPECT_EQ(side.link().status().state, State::kConnecting) << "who has said nothing waits for no answer";
+  EXPECT_EQ(side.send(examples::hello()), PushResult::kAccepted);
+  EXPECT_TRUE(side.becomes(State::kSilent));
+  EXPECT_THAT(side.link().status().reason, ::testing::HasSubstr("neither welcomes nor refuses"));
+  EXPECT_TRUE(side.becomes(State::kWelcomed));
+  EXPECT_EQ(calls, 2);
+}
+
 TEST(GrpcLinks, EndWhileTheyConnect) {
   for (int i = 0; i < 10; ++i) {
     const NodeProcess node;
