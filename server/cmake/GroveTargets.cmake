@@ -102,12 +102,13 @@ function(grove_embed_web target web)
   target_sources(${target} PRIVATE "${out}")
 endfunction()
 
-# grove_test(NAME [CONCURRENT] SOURCES ... DEPS ...): one GoogleTest program, linked with the floors it tests only.
+# grove_test(NAME [CONCURRENT] [WAITS] SOURCES ... DEPS ...): one GoogleTest program, linked with the floors it tests only.
 # CONCURRENT: its threads meet, so it is built and run under the thread sanitizer, too. Those with a source named
 # *_kernels_test.cpp are what `kernel_tests` builds, and kernel_tests.txt in the build folder names them. SHARDS: so many
-# entries of ctest, name_1 and so on, each of which runs its share of the tests beside the others.
+# entries of ctest, name_1 and so on, each of which runs its share of the tests beside the others. WAITS: it leaves a core
+# idle for half of its time or more, so two such entries share one (`ctest -j` is told twice the cores, deploy/test).
 function(grove_test name)
-  cmake_parse_arguments(arg "CONCURRENT" "TIMEOUT;SHARDS" "SOURCES;DEPS" ${ARGN})
+  cmake_parse_arguments(arg "CONCURRENT;WAITS" "TIMEOUT;SHARDS" "SOURCES;DEPS" ${ARGN})
   if(NOT arg_TIMEOUT)
     set(arg_TIMEOUT 120)
   endif()
@@ -121,7 +122,12 @@ function(grove_test name)
   if(NOT arg_SHARDS)
     set(arg_SHARDS 1)
   endif()
-  set_target_properties(${name} PROPERTIES GROVE_SHARDS ${arg_SHARDS} GROVE_TIMEOUT ${arg_TIMEOUT})
+  set(half_cores 2)
+  if(arg_WAITS)
+    set(half_cores 1)
+  endif()
+  set_target_properties(${name} PROPERTIES GROVE_SHARDS ${arg_SHARDS} GROVE_TIMEOUT ${arg_TIMEOUT}
+    GROVE_HALF_CORES ${half_cores})
   if(arg_CONCURRENT)
     set_target_properties(${name} PROPERTIES GROVE_LABELS concurrent)
     add_dependencies(concurrent_tests ${name})
@@ -134,7 +140,10 @@ endfunction()
 function(grove_add_tests program name)
   get_target_property(shards ${program} GROVE_SHARDS)
   get_target_property(timeout ${program} GROVE_TIMEOUT)
+  get_target_property(half_cores ${program} GROVE_HALF_CORES)
   get_target_property(labels ${program} GROVE_LABELS)
+  # What takes a whole core starts first, else what waits would take half of it whenever that is free; then what may take long.
+  math(EXPR cost "10000 * ${half_cores} + ${timeout}")
   foreach(shard RANGE 1 ${shards})
     set(entry ${name})
     set(share)
@@ -145,11 +154,11 @@ function(grove_add_tests program name)
     endif()
     add_test(NAME ${entry} COMMAND ${program})
     # What is freed is given back soon, for there are tests of memory; undefined behaviour fails the test that shows it.
-    # What may take long starts first.
     set(environment "GROVE_CACHE=${CMAKE_BINARY_DIR}/cache" ASAN_OPTIONS=quarantine_size_mb=16
       UBSAN_OPTIONS=halt_on_error=1:print_stacktrace=1 "TSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/tests/tsan.supp"
       "LSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/tests/lsan.supp" ${share} ${ARGN})
-    set_tests_properties(${entry} PROPERTIES TIMEOUT ${timeout} COST ${timeout} ENVIRONMENT "${environment}")
+    set_tests_properties(${entry} PROPERTIES TIMEOUT ${timeout} COST ${cost} PROCESSORS ${half_cores}
+      ENVIRONMENT "${environment}")
     if(labels)
       set_tests_properties(${entry} PROPERTIES LABELS ${labels})
     endif()
