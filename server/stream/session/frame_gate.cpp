@@ -4,7 +4,7 @@
 
 namespace grove::stream {
 
-bool FrameGate::enter(std::function<void()> onTurn) {
+bool FrameGate::enter(OnTurn onTurn) {
   const std::lock_guard lock(mutex_);
   if (free_ > 0 && idle_ > 0) {
     --free_;
@@ -31,7 +31,7 @@ void FrameGate::workerIs(bool idle) {
 }
 
 void FrameGate::admitOne() {
-  std::function<void()> next;
+  OnTurn next;
   {
     const std::lock_guard lock(mutex_);
     if (free_ == 0 || idle_ == 0 || waiting_.empty()) return;
@@ -39,7 +39,7 @@ void FrameGate::admitOne() {
     next = std::move(waiting_.front());
     waiting_.pop_front();
   }
-  next();
+  if (!next()) leave();
 }
 
 }  // namespace grove::stream

@@ -14,9 +14,12 @@ class FrameGate {
   /// `places`: frames that are made at once at most.
   explicit FrameGate(int places) : free_(places) {}
 
-  /// True: the caller has a place. False: `onTurn` is called as soon as there is one, which it then has. It is called
-  /// by who leaves or has become idle, without a lock of the gate; each place must be given back by leave().
-  [[nodiscard]] bool enter(std::function<void()> onTurn);
+  /// Returns whether it takes the place.
+  using OnTurn = std::function<bool()>;
+
+  /// True: the caller has a place. False: `onTurn` is called as soon as there is one. It is called by who leaves or has
+  /// become idle, without a lock of the gate; each place that is taken must be given back by leave().
+  [[nodiscard]] bool enter(OnTurn onTurn);
   void leave();
 
   /// A worker has nothing to do, or something again.
@@ -28,7 +31,7 @@ class FrameGate {
   std::mutex mutex_;
   int free_;
   int idle_ = 0;  ///< workers
-  std::deque<std::function<void()>> waiting_;
+  std::deque<OnTurn> waiting_;
 };
 
 }  // namespace grove::stream

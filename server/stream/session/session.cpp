@@ -159,12 +159,10 @@ double Session::startIfDue(double now) {
     control_->waitsForServer(now);
     return now + period / 8;
   }
-  const auto onTurn = [weak = weak_from_this(), gate = host_.gate_] {
-    if (const auto self = weak.lock()) {
-      self->takeTurn();
-    } else {
-      gate->leave();
-    }
+  const auto onTurn = [weak = weak_from_this()] {
+    const auto self = weak.lock();
+    if (self) self->takeTurn();
+    return self != nullptr;
   };
   waits_ = !host_.gate_->enter(onTurn);
   if (waits_) {

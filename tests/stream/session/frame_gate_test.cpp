@@ -15,7 +15,12 @@ using ::testing::ElementsAre;
 TEST(FrameGate, LetsInWhileAWorkerIsIdleAndTheOthersInTheirOrder) {
   FrameGate gate(3);
   std::vector<int> turns;
-  const auto wait = [&](int who) { return !gate.enter([&turns, who] { turns.push_back(who); }); };
+  const auto wait = [&](int who) {
+    return !gate.enter([&turns, who] {
+      turns.push_back(who);
+      return true;
+    });
+  };
   EXPECT_TRUE(wait(0)) << "no worker is idle yet";
   gate.workerIs(true);
   EXPECT_THAT(turns, ElementsAre(0));
@@ -38,18 +43,41 @@ TEST(FrameGate, LetsInSoManyAtMost) {
   EXPECT_TRUE(gate.enter({}));
   EXPECT_TRUE(gate.enter({}));
   for (int i = 0; i < 3; ++i) {
-    EXPECT_FALSE(gate.enter([&turns, i] { turns.push_back(i); }));
+    EXPECT_FALSE(gate.enter([&turns, i] {
+      turns.push_back(i);
+      return true;
+    }));
   }
   gate.workerIs(true);
   EXPECT_TRUE(turns.empty());
   gate.leave();
   gate.leave();
   EXPECT_THAT(turns, ElementsAre(0, 1));
-  EXPECT_FALSE(gate.enter([&turns] { turns.push_back(3); })) << "no place was left by those who took their turns";
+  EXPECT_FALSE(gate.enter([&turns] {
+    turns.push_back(3);
+    return true;
+  })) << "no place was left by those who took their turns";
   for (int i = 0; i < 2; ++i) gate.leave();
   EXPECT_THAT(turns, ElementsAre(0, 1, 2, 3));
   for (int i = 0; i < 2; ++i) gate.leave();
   EXPECT_TRUE(gate.enter({}));
+}
+
+/// Fails if a session that has ended while it waited keeps a place.
+TEST(FrameGate, WhoDoesNotTakeHisTurnGivesItToTheNext) {
+  FrameGate gate(1);
+  gate.workerIs(true);
+  ASSERT_TRUE(gate.enter({}));
+  int turns = 0;
+  for (int i = 0; i < 2; ++i) {
+    EXPECT_FALSE(gate.enter([] { return false; }));
+  }
+  EXPECT_FALSE(gate.enter([&turns] { return ++turns > 0; }));
+  gate.leave();
+  EXPECT_EQ(turns, 1);
+  EXPECT_FALSE(gate.enter([] { return false; })) << "the third has the place";
+  gate.leave();
+  EXPECT_TRUE(gate.enter({})) << "and the last did not keep it";
 }
 
 /// Fails if a place is lost or doubled, or somebody waits for ever.
@@ -70,11 +98,12 @@ TEST(FrameGate, NeitherLosesNorDoublesPlacesUnderManyThreads) {
     ++done;
   };
   std::vector<std::jthread> threads;
+  threads.reserve(kThreads);
   for (int t = 0; t < kThreads; ++t) {
     threads.emplace_back([&] {
       for (int i = 0; i < kTurns; ++i) {
         std::atomic<bool> turn{false};
-        if (!gate.enter([&turn] { turn = true; })) {
+        if (!gate.enter([&turn] { return turn = true; })) {
           while (!turn) std::this_thread::yield();
         }
         work();
@@ -96,7 +125,7 @@ TEST(FrameGate, NeitherLosesNorDoublesPlacesUnderManyThreads) {
   EXPECT_EQ(done, kThreads * kTurns);
   EXPECT_LE(max, kPlaces);
   for (int i = 0; i < kPlaces; ++i) EXPECT_TRUE(gate.enter({}));
-  EXPECT_FALSE(gate.enter([] {}));
+  EXPECT_FALSE(gate.enter([] { return true; }));
 }
 
 }  // namespace
