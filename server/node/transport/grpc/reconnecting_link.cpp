@@ -122,7 +122,10 @@ void ReconnectingLink::awaitAnswer() {
 
 void ReconnectingLink::giveUp() {
   const std::lock_guard lock(mutex_);
-  if (patience_ && call_) call_->giveUp("it takes the connection, and neither welcomes nor refuses");
+  if (!patience_ || !call_) return;
+  // What the node has answered may wait for a worker.
+  if (!incoming_->idle()) return awaitAnswer();
+  call_->giveUp("it takes the connection, and neither welcomes nor refuses");
 }
 
 void ReconnectingLink::opened(NodeCall& call) {

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "node/transport/connection.h"
+#include "node/transport/grpc/library_hold.h"
 #include "node/transport/grpc/link_standing.h"
 #include "node/transport/grpc/node_call.h"
 #include "node/transport/grpc/opening.h"
@@ -61,6 +62,7 @@ class ReconnectingLink final : public FrontendPort,
   /// With the lock held.
   void afterAPause(void (ReconnectingLink::*what)());
 
+  const LibraryHold library_;
   const std::string address_;
   const LinkTls tls_;
   pipeline::Executor& executor_;

@@ -113,6 +113,20 @@ TEST_F(LateAnswers, AWelcomeIsNone) {
   EXPECT_EQ(side->link().status().state, State::kConnecting);
 }
 
+/// Or a process whose workers are busy would never have a link.
+TEST(GrpcLinks, AWelcomeThatWaitsForAWorkerCounts) {
+  NodeProcess node;
+  FrontendSide side(node.address());
+  side.isHeld = true;
+  (void)side.send(examples::hello());
+  ASSERT_TRUE(eventually([&] { return side.link().traffic().headers > 0; }));
+  std::this_thread::sleep_for(std::chrono::milliseconds(kAnswerMilliseconds + 1000));
+  EXPECT_EQ(side.link().status().state, State::kConnecting) << "it is not silent";
+  side.isHeld = false;
+  EXPECT_TRUE(side.becomes(State::kWelcomed));
+  EXPECT_EQ(node.end(1), nullptr) << "it was called once";
+}
+
 TEST(GrpcLinks, CarryBytesThatAreTheSame) {
   NodeProcess node;
   FrontendSide side(node.address());
