@@ -6,6 +6,7 @@ import { memoryWords, writeFigures } from './operator/figures_panel.js';
 import { frameCost } from './operator/frame_cost.js';
 import { History } from './operator/history.js';
 import { write } from './operator/live_table.js';
+import { linksOf } from './operator/links.js';
 import { memoryOf } from './operator/memory.js';
 import { Poll } from './operator/poll.js';
 import { Readings } from './operator/readings.js';
@@ -77,8 +78,9 @@ function show(statistics, amortization, now) {
   tables.types(amortization);
   tables.stages(readings.stages());
   tables.memory(memory);
-  tables.nodes(statistics.nodes ?? []);
-  element('nodes').hidden = !statistics.nodes?.length;
+  const links = linksOf(statistics);
+  tables.nodes(links);
+  element('nodes').hidden = links.length === 0;
   write(element('resident'), memoryWords(memory));
   element('types').hidden = amortization === null;
 }

@@ -37,6 +37,13 @@ const lists = ({ page }, names) =>
     names.join(),
   );
 
+test("the operator's page shows the link to the owner, its rates and its round trip", async () => {
+  const operator = await Visitor.arrive(browser, `${servers[0].operatorUrl}operator`);
+  const row = operator.page.getByRole('row', { name: /^the owner of this world connected . [\d.,]+ [\d.,]+ (< )?[\d.]+ .$/ });
+  await row.waitFor();
+  await operator.leave();
+});
+
 test('visitors of two servers are in one world, which outlives its owner', async () => {
   const ada = await arrive(servers[0], 'Ada');
   const bob = await arrive(servers[1], 'Bob');

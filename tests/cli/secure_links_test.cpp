@@ -48,6 +48,7 @@ TEST(SecureLinks, ShowTheWorldOfANodeAndOfAnOwner) {
       "nodes node $(listens node); starts world world --listen 127.0.0.1:0 $(listens node)\n"
       "serves a --nodes 127.0.0.1:$port --join 127.0.0.1:$(port_of listening world) $(links server)\n"
       "until_says nodes_of a welcomed; until_world a joined; visit a 1 2\n"
+      "until_says nodes_of a 'round_trip_ms\":[0-9]'; until_world a 'round_trip_ms\":[0-9]'\n"
       "openssl s_client -connect 127.0.0.1:$port </dev/null 2>/dev/null | sed -n 's/^subject=//p'; cat a.out >&2");
   EXPECT_EQ(outcome.output, "\"errors\":0\nCN = node\n");
 }

@@ -152,8 +152,10 @@ class FaultyLinks : public ::testing::Test {
 
 TEST_F(FaultyLinks, ThatAreSlowShowTheSamePicture) {
   serve();
+  EXPECT_TRUE(eventually([&] { return host_->nodeLinks().at(0).pace.received > 0.0; })) << report();
   proxy_->delay(80ms);
   expectTheSame();
+  EXPECT_TRUE(eventually([&] { return host_->nodeLinks().at(0).pace.roundTrip >= 0.16; })) << "the way there and back";
   EXPECT_TRUE(goesOn());
   EXPECT_EQ(link().state, State::kWelcomed);
   EXPECT_EQ(proxy_->accepted(), 1);

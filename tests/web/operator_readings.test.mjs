@@ -3,6 +3,7 @@ import { test } from 'node:test';
 
 import { amortizationOf } from '../../web/amortization.js';
 import { frameCost, total } from '../../web/operator/frame_cost.js';
+import { linksOf } from '../../web/operator/links.js';
 import { memoryOf } from '../../web/operator/memory.js';
 import { Readings } from '../../web/operator/readings.js';
 import { sample } from './statistics_sample.mjs';
@@ -100,6 +101,15 @@ test('in private mode a visitor has all of the work, and nothing to compare it w
   const cost = frameCost(amortizationOf({ amortization: { ...amortization, mode: 'private' } }));
   assert.equal(cost.now.shared, 14.5);
   assert.equal(cost.alone, null);
+});
+
+test('links are those to nodes, and to the owner of the world if that is another process', () => {
+  assert.deepEqual(linksOf(sample()), [], 'an older server tells nothing');
+  const node = { name: 'the node at a:1', state: 'welcomed', round_trip_ms: 0.4 };
+  assert.deepEqual(linksOf({ nodes: [node], world: { state: 'own', visitors: 1 } }), [node]);
+  const [first, owner] = linksOf({ nodes: [node], world: { state: 'lost', reason: 'gone', round_trip_ms: null } });
+  assert.deepEqual(first, node);
+  assert.deepEqual([owner.name, owner.state, owner.reason], ['the owner of this world', 'lost', 'gone']);
 });
 
 test('what a frame costs is not known without its parts', () => {

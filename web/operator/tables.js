@@ -1,4 +1,4 @@
-import { fixed, percent, share, whole } from '../figures.js';
+import { fixed, known, percent, share, whole } from '../figures.js';
 import { kLinkStates, kOperator } from '../texts.js';
 import { LiveTable, bar, text, work } from './live_table.js';
 
@@ -57,15 +57,20 @@ function memoryTable(body) {
   };
 }
 
+const kilobytes = (bytes) => (known(bytes) === null ? null : bytes / 1000);
+
 function nodesTable(body) {
   const table = new LiveTable(body, [
     text(({ name }) => name),
     (cell, { state, reason }) => {
       text(() => kLinkStates[state] ?? state)(cell);
       cell.title = reason;
-      cell.classList.toggle('bad', state !== 'here' && state !== 'welcomed');
+      cell.classList.toggle('bad', !['here', 'welcomed', 'joined'].includes(state));
     },
     text(({ objects }) => whole(objects)),
+    text(({ sent_bytes_per_s: rate }) => fixed(kilobytes(rate), 1)),
+    text(({ received_bytes_per_s: rate }) => fixed(kilobytes(rate), 1)),
+    text(({ round_trip_ms: time }) => fixed(time, 1)),
     text(({ received_mb: received }) => fixed(received, 1)),
   ]);
   return (nodes) => table.show(nodes.map((node) => ({ key: node.name, ...node })));

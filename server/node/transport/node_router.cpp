@@ -74,10 +74,13 @@ std::vector<NodeRouter::NodeLink> NodeRouter::links() const {
     const auto isOwn = [&](const auto& owned) {
       return owned.second == branch.get() && owned.first != world::kFirstPlayerObject;
     };
+    const auto welcome = welcomes_.find(branch.get());
     links.push_back({.name = branch->name(),
                      .objects = static_cast<std::size_t>(std::ranges::count_if(owners_, isOwn)),
                      .status = branch->end().status(),
-                     .traffic = branch->end().traffic()});
+                     .traffic = branch->end().traffic(),
+                     .pace = branch->end().pace(),
+                     .epoch = welcome == welcomes_.end() ? std::nullopt : std::optional(welcome->second.epoch)});
   }
   return links;
 }

@@ -41,6 +41,8 @@ class NodeRouter final : public FrontendEnd {
     std::size_t objects = 0;  ///< that it serves, its visitors not counted
     LinkStatus status;
     LinkTraffic traffic;
+    LinkPace pace = {};
+    std::optional<std::uint64_t> epoch = {};  ///< of its last welcome
   };
   [[nodiscard]] std::vector<NodeLink> links() const;
 

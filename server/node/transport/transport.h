@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -36,11 +37,19 @@ struct LinkTraffic {
   std::uint64_t pictures = 0;    ///< to the frontend process, packed
   std::uint64_t sharedData = 0;  ///< the same
   std::uint64_t headers = 0;     ///< to the frontend process, what stands beside them
+  [[nodiscard]] std::uint64_t toFrontend() const { return pictures + sharedData + headers; }
   /// Since an earlier reading.
   [[nodiscard]] LinkTraffic operator-(const LinkTraffic& before) const {
     return {toBackend - before.toBackend, pictures - before.pictures, sharedData - before.sharedData,
             headers - before.headers};
   }
+};
+
+/// How fast a link has been in the last seconds.
+struct LinkPace {
+  double sent = 0.0;                     ///< bytes a second, to the backend node
+  double received = 0.0;                 ///< from it
+  std::optional<double> roundTrip = {};  ///< seconds, the shortest; nothing while it is not known
 };
 
 /// How a link stands.
@@ -70,6 +79,8 @@ class FrontendEnd {
   /// What has travelled; nothing where messages go by reference.
   [[nodiscard]] virtual LinkTraffic traffic() const { return {}; }
   [[nodiscard]] virtual LinkStatus status() const { return {}; }
+  /// Nothing where messages do not leave the process.
+  [[nodiscard]] virtual LinkPace pace() const { return {}; }
 };
 
 /// A backend node's end of a link to a frontend process. Any thread.

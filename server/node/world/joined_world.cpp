@@ -50,10 +50,19 @@ void JoinedWorld::report(double now) {
 
 JoinedWorld::Status JoinedWorld::status(double now) const {
   const LinkStatus link = owner_.status();
-  if (link.state == LinkState::kRefused || link.state == LinkState::kUntrusted) return {State::kRefused, link.reason};
+  const LinkPace pace = owner_.pace();
+  const bool isKeptAway = link.state == LinkState::kRefused || link.state == LinkState::kUntrusted;
   const std::lock_guard lock(mutex_);
-  if (status_.state == State::kJoined && now - heard_ > kLostSeconds) return {State::kLost, link.reason};
-  return status_.state == State::kConnecting ? Status{State::kConnecting, link.reason} : status_;
+  Status status = status_;
+  status.pace = pace;
+  if (isKeptAway) {
+    status.state = State::kRefused;
+  } else if (status.state == State::kJoined && now - heard_ > kLostSeconds) {
+    status.state = State::kLost;
+  }
+  const bool isAway = status.state == State::kLost || status.state == State::kConnecting;
+  if (isKeptAway || isAway) status.reason = link.reason;
+  return status;
 }
 
 double JoinedWorld::worldSeconds(double now) const {

@@ -27,6 +27,7 @@ class JoinedWorld final : public FrontendPort {
   struct Status {
     State state = State::kConnecting;
     std::string reason;  ///< of a refusal, or why there is no link
+    LinkPace pace = {};  ///< of the link to the owner
   };
   /// Called after each update of the whole world, on a thread of the link; must not block.
   using Updated = std::function<void()>;

@@ -29,6 +29,7 @@ class Heard final : public BackendPort {
   }
   void welcome(const std::vector<world::ObjectId>& objects, bool visitors = false) {
     NodeWelcome welcome;
+    welcome.epoch = 7;
     for (const world::ObjectId id : objects) welcome.objects.emplace_back().id = id;
     if (visitors) welcome.visitors.emplace();
     link->send(ToFrontend(welcome));
@@ -101,6 +102,7 @@ TEST_F(Router, WhatANodeSaysOfAnotherOnesObjectIsDropped) {
 }
 
 TEST_F(Router, ReportsItsLinks) {
+  EXPECT_FALSE(router.links().at(0).epoch) << "before its welcome";
   a.welcome({1, 2});
   b.welcome({3}, true);
   const std::vector<NodeRouter::NodeLink> links = router.links();
@@ -109,6 +111,7 @@ TEST_F(Router, ReportsItsLinks) {
   EXPECT_EQ(links[0].objects, 2U);
   EXPECT_EQ(links[1].objects, 1U) << "visitors are not counted";
   EXPECT_EQ(links[0].status.state, LinkState::kHere);
+  EXPECT_EQ(links[0].epoch, 7U);
 }
 
 TEST_F(Router, EverythingElseGoesToAll) {

@@ -24,6 +24,8 @@ LinkTraffic GrpcFrontendEnd::traffic() const { return link_->traffic(); }
 
 GrpcFrontendEnd::Status GrpcFrontendEnd::status() const { return link_->status(); }
 
+LinkPace GrpcFrontendEnd::pace() const { return link_->pace(); }
+
 GrpcFrontendEnd::Status GrpcFrontendEnd::waitForAnswer(std::chrono::milliseconds max) const {
   return link_->waitForAnswer(max);
 }

@@ -35,6 +35,7 @@ class GrpcFrontendEnd final : public FrontendEnd {
   [[nodiscard]] LinkTraffic traffic() const override;
 
   [[nodiscard]] Status status() const override;
+  [[nodiscard]] LinkPace pace() const override;
   /// The status once the node has welcomed or refused, or after so long.
   [[nodiscard]] Status waitForAnswer(std::chrono::milliseconds max) const;
   /// Until what is sent goes on its way; false if that takes longer.

@@ -28,6 +28,8 @@ class NodeCall final : public PacketReactor<grpc::ClientBidiReactor<grpc::ByteBu
     virtual void opened(NodeCall& call) = 0;
     virtual void take(const grpc::ByteBuffer& message) = 0;
     [[nodiscard]] virtual bool wantsMore() const = 0;
+    /// The node has answered a probe.
+    virtual void answered(LinkProbe::Clock::duration roundTrip) = 0;
     /// The last thing that it does.
     virtual void ended(const grpc::Status& status) = 0;
   };
@@ -51,7 +53,7 @@ class NodeCall final : public PacketReactor<grpc::ClientBidiReactor<grpc::ByteBu
   [[nodiscard]] bool wantsMore() const override { return caller_.wantsMore(); }
   void hangUp() override;
 
-  void answered(LinkProbe::Clock::duration /*roundTrip*/) override {}
+  void answered(LinkProbe::Clock::duration roundTrip) override { caller_.answered(roundTrip); }
   void unanswered() override { giveUp("its connection brings no answers"); }
   void probed() override { RemoveHold(); }
 

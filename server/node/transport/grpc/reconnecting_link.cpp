@@ -63,6 +63,11 @@ LinkStatus ReconnectingLink::status() const {
   return standing_.status();
 }
 
+LinkPace ReconnectingLink::pace() const {
+  const std::lock_guard lock(mutex_);
+  return gauge_.pace();
+}
+
 LinkStatus ReconnectingLink::waitForAnswer(std::chrono::milliseconds max) const {
   std::unique_lock lock(mutex_);
   changed_.wait_for(lock, max, [this] { return standing_.isAnswered(); });
@@ -157,6 +162,11 @@ void ReconnectingLink::take(const grpc::ByteBuffer& message) {
   }
 }
 
+void ReconnectingLink::answered(LinkProbe::Clock::duration roundTrip) {
+  const std::lock_guard lock(mutex_);
+  if (isOpen_) gauge_.read(LinkProbe::Clock::now(), traffic_.read(), roundTrip);
+}
+
 void ReconnectingLink::ended(const grpc::Status& status) {
   std::shared_ptr<NodeCall> last;
   bool wasOpen = false;
@@ -164,6 +174,7 @@ void ReconnectingLink::ended(const grpc::Status& status) {
     const std::lock_guard lock(mutex_);
     wasOpen = std::exchange(isOpen_, false);
     patience_.reset();
+    gauge_.clear();
     last = std::move(call_);
   }
   const CallFailure failure = failureOf(status, wasOpen, tls_.trusted != nullptr);

@@ -14,6 +14,7 @@
 #include "node/transport/grpc/node_call.h"
 #include "node/transport/grpc/opening.h"
 #include "node/transport/grpc/retry_timer.h"
+#include "node/transport/link_gauge.h"
 #include "node/transport/packets_to_frontend.h"
 #include "node/transport/traffic_counters.h"
 
@@ -37,6 +38,7 @@ class ReconnectingLink final : public FrontendPort,
   [[nodiscard]] LinkTraffic traffic() const { return traffic_.read(); }
 
   [[nodiscard]] LinkStatus status() const;
+  [[nodiscard]] LinkPace pace() const;
   /// The status once the node has welcomed or refused, or after so long.
   [[nodiscard]] LinkStatus waitForAnswer(std::chrono::milliseconds max) const;
   /// False if it takes longer.
@@ -48,6 +50,7 @@ class ReconnectingLink final : public FrontendPort,
   void opened(NodeCall& call) override;
   void take(const grpc::ByteBuffer& message) override;
   [[nodiscard]] bool wantsMore() const override { return !incoming_->isHalfFull(); }
+  void answered(LinkProbe::Clock::duration roundTrip) override;
   void ended(const grpc::Status& status) override;
 
   void call();
@@ -74,6 +77,7 @@ class ReconnectingLink final : public FrontendPort,
   mutable std::condition_variable changed_;
   Opening opening_;
   LinkStanding standing_;
+  LinkGauge gauge_;
   RetryTimer retry_;
   std::unique_ptr<grpc::Alarm> patience_;  ///< while an answer is awaited
   bool isOpen_ = false;

@@ -94,10 +94,19 @@ std::string_view nameOf(node::JoinedWorld::State state) {
   return "";
 }
 
+/// What is not known is null.
+void addPace(Json& link, const node::LinkPace& pace) {
+  link["sent_bytes_per_s"] = pace.roundTrip ? Json(pace.sent) : Json();
+  link["received_bytes_per_s"] = pace.roundTrip ? Json(pace.received) : Json();
+  link["round_trip_ms"] = pace.roundTrip ? Json(*pace.roundTrip * 1000.0) : Json();
+}
+
 Json world(const StatisticsSources& sources) {
   Json world = {{"state", sources.joined ? nameOf(sources.joined->state) : "own"},
                 {"visitors", sources.visitorsOfWorld}};
-  if (sources.joined && !sources.joined->reason.empty()) world["reason"] = sources.joined->reason;
+  if (!sources.joined) return world;
+  if (!sources.joined->reason.empty()) world["reason"] = sources.joined->reason;
+  addPace(world, sources.joined->pace);
   return world;
 }
 
@@ -121,16 +130,22 @@ std::string_view nameOf(node::LinkState state) {
   return "";
 }
 
+/// As text: a number in JavaScript has 53 bits.
+Json epoch(const node::NodeRouter::NodeLink& link) {
+  if (!link.epoch) return nullptr;
+  return std::to_string(*link.epoch);
+}
+
 Json nodes(const StatisticsSources& sources) {
   Json nodes = Json::array();
   for (const node::NodeRouter::NodeLink& link : sources.nodes) {
-    const node::LinkTraffic& traffic = link.traffic;
-    nodes.push_back(
-        {{"name", link.name},
-         {"state", nameOf(link.status.state)},
-         {"reason", link.status.reason},
-         {"objects", link.objects},
-         {"received_mb", megabytes(static_cast<double>(traffic.pictures + traffic.sharedData + traffic.headers))}});
+    nodes.push_back({{"name", link.name},
+                     {"state", nameOf(link.status.state)},
+                     {"reason", link.status.reason},
+                     {"objects", link.objects},
+                     {"epoch", epoch(link)},
+                     {"received_mb", megabytes(static_cast<double>(link.traffic.toFrontend()))}});
+    addPace(nodes.back(), link.pace);
   }
   return nodes;
 }

@@ -28,12 +28,13 @@ struct StatisticsSources {
 };
 
 /// What `/statistics.json` answers. The server's version. The world: `state` ("own", or how the server stands with its
-/// owner: "connecting", "joined", "refused", "lost") and visitors of all servers that show it. The nodes that serve its
-/// objects, if there are several: state of the link ("here", "connecting", "welcomed", "refused", "untrusted",
-/// "silent", "lost"), objects, and MB that have come. Since the start: for each stage its work (across-user,
-/// per-user-backend or per-user-frontend), runs, failures and milliseconds of CPU and wall time, and the named
-/// counters. Of now: the bytes that are held and by what. Of the last seconds: `amortization`, what sharing saves (null
-/// if nobody was served).
+/// owner: "connecting", "joined", "refused", "lost"), visitors of all servers that show it, and the pace of the link to
+/// the owner. The nodes that serve its objects, if there are several: state of the link ("here", "connecting",
+/// "welcomed", "refused", "untrusted", "silent", "lost"), objects, epoch (null before a welcome), MB that have come,
+/// and the pace of the link. A pace is of the last five seconds, null without a link to another process: bytes a second
+/// each way, and the shortest round trip. Since the start: for each stage its work (across-user, per-user-backend or
+/// per-user-frontend), runs, failures and milliseconds of CPU and wall time, and the named counters. Of now: the bytes
+/// that are held and by what. Of the last seconds: `amortization`, what sharing saves (null if nobody was served).
 [[nodiscard]] std::string statisticsJson(const StatisticsSources& sources);
 
 /// What `/sharing.json` answers: of that only what sharing saves, for the overlay of every visitor.

@@ -251,6 +251,22 @@ TEST(GrpcLinks, OneThatIsNotServedCostsTheOthersNothing) {
   EXPECT_EQ(asked, 2);
 }
 
+TEST(GrpcLinks, TellTheirPaceWhileTheyStand) {
+  auto node = std::make_unique<NodeProcess>();
+  FrontendSide side(node->address());
+  ASSERT_TRUE(side.isWelcomed());
+  const auto travels = [&] {
+    (void)side.send(Quality{1});
+    node->end()->link().send(ToFrontend(examples::sharedData()));
+    const LinkPace pace = side.link().pace();
+    return pace.roundTrip && pace.sent > 0.0 && pace.received > 0.0;
+  };
+  EXPECT_TRUE(eventually(travels));
+  EXPECT_GT(side.link().pace().roundTrip, 0.0);
+  node.reset();
+  EXPECT_TRUE(eventually([&] { return !side.link().pace().roundTrip; })) << "of a link that is gone nothing is known";
+}
+
 /// Takes what comes, and says nothing.
 class MuteEnd final : public BackendPort {
  public:
