@@ -116,14 +116,15 @@ void join(const std::string& owner, const node::LinkTls& tls, stream::HostOption
   };
 }
 
-/// False, and a line on stderr, if what is to be shared could be in the clear though links are to be secure.
+/// A server that requires TLS on its links must not share its world without TLS. Returns false and prints one line on
+/// stderr if it would.
 bool canShareSecurely(const ServeOptions& options) {
   if (!options.share || options.links.authorities.empty() || !options.links.own.certificate.empty()) return true;
   std::fputs("grove: --share with --link-tls-ca wants --link-tls-cert and --link-tls-key, too\n", stderr);
   return false;
 }
 
-/// False, and a line on stderr, if one is not.
+/// Returns false and prints one line on stderr if one is not.
 bool areAddresses(const std::vector<std::string>& nodes) {
   const auto wrong = std::ranges::find_if(nodes, [](const std::string& node) { return !parseHostPort(node); });
   if (wrong == nodes.end()) return true;

@@ -106,7 +106,7 @@ endfunction()
 # CONCURRENT: its threads meet, so it is built and run under the thread sanitizer, too. Those with a source named
 # *_kernels_test.cpp are what `kernel_tests` builds, and kernel_tests.txt in the build folder names them. SHARDS: so many
 # entries of ctest, name_1 and so on, each of which runs its share of the tests beside the others. WAITS: it leaves a core
-# idle for half of its time or more, so two such entries share one (`ctest -j` is told twice the cores, deploy/test).
+# idle at least half of the time, so ctest runs two such entries on one core (deploy/test passes -j with twice the cores).
 function(grove_test name)
   cmake_parse_arguments(arg "CONCURRENT;WAITS" "TIMEOUT;SHARDS" "SOURCES;DEPS" ${ARGN})
   if(NOT arg_TIMEOUT)

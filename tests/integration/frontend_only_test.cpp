@@ -12,6 +12,7 @@
 #include "integration/node_program.h"
 #include "integration/picture.h"
 #include "integration/remote_world.h"
+#include "integration/stones.h"
 #include "objects/builtin_frontends.h"
 #include "stream/session/headless_session.h"
 #include "stream/session/host.h"
@@ -25,20 +26,6 @@ using ::testing::Contains;
 using ::testing::Each;
 using ::testing::HasSubstr;
 using ::testing::Not;
-
-constexpr const char* kStones = R"(name = 'stones'
-spawn = [0, 0, 6]
-[[object]]
-type = 'sky'
-[[object]]
-type = 'ground'
-[[object]]
-type = 'mesh'
-shape = 'rocks'
-position = [-1.5, 0, 1]
-[visitor]
-type = 'figure'
-)";
 
 /// What this program is linked with, directly or not: targets of the build, and libraries.
 std::vector<std::string> linked() {

@@ -15,6 +15,7 @@
 #include "integration/picture.h"
 #include "integration/remote_world.h"
 #include "integration/served_scene.h"
+#include "integration/stones.h"
 #include "stream/session/headless_session.h"
 
 namespace grove::integration {
@@ -23,26 +24,6 @@ namespace {
 using namespace std::chrono_literals;
 using ::testing::HasSubstr;
 using tests::eventually;
-
-constexpr const char* kStones = R"(name = 'stones'
-spawn = [0, 0, 6]
-[[object]]
-type = 'sky'
-[[object]]
-type = 'ground'
-[[object]]
-type = 'mesh'
-name = 'left'
-shape = 'rocks'
-position = [-1.5, 0, 1]
-[[object]]
-type = 'mesh'
-name = 'right'
-shape = 'stone'
-position = [1.5, 0, 2]
-[visitor]
-type = 'figure'
-)";
 
 /// A server whose world is in part in other processes.
 class RemoteNodes : public ::testing::Test {

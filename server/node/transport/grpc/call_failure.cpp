@@ -7,8 +7,7 @@ namespace {
 
 bool has(std::string_view text, std::string_view part) { return text.find(part) != std::string_view::npos; }
 
-/// What stands behind the last colon: of where it connected to and through which of its parts, the library says more
-/// than anybody wants to know.
+/// Returns the text after the last colon. Before it, gRPC names addresses and its own components.
 std::string lastPartOf(const std::string& text) {
   const std::size_t colon = text.rfind(": ");
   return colon == std::string::npos ? text : text.substr(colon + 2);

@@ -4,8 +4,9 @@
 
 namespace grove::node {
 
-/// Keeps gRPC's library, which else ends with the last of its objects: between two calls, on a thread that then waits
-/// for gRPC's own, of which one may be about to begin the next call.
+/// Keeps gRPC initialized. Without it, gRPC shuts down when its last object goes, for example between two calls, and the
+/// thread that released that object waits for gRPC's threads. One of these may wait for this thread to start the next
+/// call: a deadlock.
 class LibraryHold {
  public:
   LibraryHold() { grpc_init(); }
