@@ -37,6 +37,7 @@ struct Pose {
   [[nodiscard]] Vec3 forward() const noexcept;
   [[nodiscard]] Vec3 right() const noexcept;
   [[nodiscard]] Vec3 up() const noexcept;
+  friend bool operator==(const Pose&, const Pose&) = default;
 };
 
 inline constexpr float kMaxPitch = 1.5F;
@@ -65,6 +66,7 @@ struct Camera {
   [[nodiscard]] bool sees(const Bounds& bounds) const noexcept;
   /// Smallest rectangle of pixels that holds what of the box lies beyond the near plane, clipped to the image.
   [[nodiscard]] Rect screenRect(const Bounds& bounds) const noexcept;
+  friend bool operator==(const Camera&, const Camera&) = default;
 };
 
 /// "No surface": view depth of the sky.

@@ -61,11 +61,6 @@ std::vector<Label> labelsOf(const node::FinishedFrame& frame) {
   return labels;
 }
 
-bool isSameView(const world::Camera& a, const world::Camera& b) {
-  return a.pose.position == b.pose.position && a.pose.yaw == b.pose.yaw && a.pose.pitch == b.pose.pitch &&
-         a.width == b.width && a.height == b.height && a.verticalFov == b.verticalFov;
-}
-
 }  // namespace
 
 EncodeStage::EncodeStage(std::shared_ptr<StreamControl> control, PageLevel page, std::vector<world::Vec3> fires,
@@ -97,7 +92,7 @@ void EncodeStage::encodeNext(const node::FinishedFrame& frame) {
   Encoder* encoder = encoderOf(kind);
   if (encoder == nullptr) return;
   const world::Camera& camera = frame.view->camera;
-  const bool still = lastCamera_ && isSameView(camera, *lastCamera_);
+  const bool still = lastCamera_ == camera;
   const bool same = asPictures_ && isSame(frame, still);
   lastCamera_ = camera;
   const double pixels = static_cast<double>(frame.picture->width()) * frame.picture->height();

@@ -65,8 +65,7 @@ class Visitor {
   [[nodiscard]] std::span<const std::uint8_t> send(const world::Pose& pose, const raster::YuvImage& frame) {
     const double now = ++frames_ / kWalkFramesPerSecond;
     const double pixels = static_cast<double>(frame.width()) * frame.height();
-    const bool still =
-        frames_ > 1 && pose.position == pose_.position && pose.yaw == pose_.yaw && pose.pitch == pose_.pitch;
+    const bool still = frames_ > 1 && pose == pose_;
     const std::uint64_t hash = checksumOf(std::as_bytes(std::span(frame.bytes)));
     const bool same = still && hash == hash_;
     pose_ = pose;

@@ -51,11 +51,6 @@ constexpr int kGroupWidth = kCell * kCellGroup;
 int cellsAcross(const world::Rect& strip) { return (strip.width() + kGroupWidth - 1) / kGroupWidth * kCellGroup; }
 bool isWhole(const world::Rect& strip) { return strip.width() % kGroupWidth == 0 && strip.height() == kCell; }
 
-bool isSame(const world::Camera& a, const world::Camera& b) {
-  return a.pose.position == b.pose.position && a.pose.yaw == b.pose.yaw && a.pose.pitch == b.pose.pitch &&
-         a.width == b.width && a.height == b.height && a.verticalFov == b.verticalFov;
-}
-
 WarpSource sourceOf(const Backdrop& backdrop, const WarpCamera& warp) {
   const raster::SemiPlanarImage& image = backdrop.image();
   assert(image.width() >= 16 && image.height() >= 6);
@@ -71,7 +66,7 @@ BackdropWarp::BackdropWarp(const Backdrop& backdrop, const world::Camera& frame)
               backdrop.cellsAcross(), backdrop.cellsDown()},
       source_(sourceOf(backdrop, search_.warp)),
       frame_{0, 0, frame.width, frame.height},
-      isCopy_(isSame(backdrop.view().camera, frame) && world::overlap(backdrop.image().rect, frame_) == frame_) {}
+      isCopy_(backdrop.view().camera == frame && world::overlap(backdrop.image().rect, frame_) == frame_) {}
 
 void BackdropWarp::fill(int top, int bottom, const FreshParts& fresh, raster::YuvImage& picture,
                         raster::Image& layers) const {

@@ -33,7 +33,7 @@ void EyeMotion::see(const world::Camera& camera, double time) {
     yawRate_ = 0.0F;
     pitchRate_ = 0.0F;
   }
-  isAtRest_ = time_ >= 0.0 && pose.position == last_.position && pose.yaw == last_.yaw && pose.pitch == last_.pitch;
+  isAtRest_ = time_ >= 0.0 && pose == last_;
   last_ = pose;
   time_ = time;
 }
