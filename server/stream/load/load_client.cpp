@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "base/error.h"
 #include "base/log.h"
 #include "pipeline/clocks.h"
+#include "stream/load/input_clock.h"
 #include "stream/load/link/link_shaper.h"
 #include "stream/load/load_visitor.h"
 #include "stream/protocol/printable.h"
@@ -23,8 +25,7 @@ namespace {
 constexpr double kConnectSeconds = 10.0;
 constexpr double kWalkToStartSeconds = 30.0;
 constexpr double kCloseSeconds = 1.0;
-constexpr lws_usec_t kInputMicroseconds = 16'000;
-constexpr lws_usec_t kWatchMicroseconds = 20'000;
+constexpr std::chrono::milliseconds kInputPeriod{16};
 constexpr std::size_t kReceiveBytes = 256 * 1024;
 constexpr std::size_t kMaxMessageBytes = std::size_t{16} << 20U;
 
@@ -56,13 +57,6 @@ class LoadClients {
   struct ContextDeleter {
     void operator()(lws_context* context) const noexcept { lws_context_destroy(context); }
   };
-  struct Client;
-  /// Standard layout, so that the library's timer leads back to its client (none: the watch of the whole).
-  struct Timer {
-    lws_sorted_usec_list_t entry{};
-    LoadClients* clients = nullptr;
-    Client* client = nullptr;
-  };
   struct Client {
     Client(int index, const LoadPlan& plan, JpegDecoder& decoder) : visitor(index, plan, decoder) {}
     LoadVisitor visitor;
@@ -70,13 +64,13 @@ class LoadClients {
     bool ended = false;
     bool closing = false;
     std::vector<std::uint8_t> message;
-    Timer timer;
   };
 
   static int callback(lws* wsi, lws_callback_reasons reason, void* user, void* in, std::size_t length) noexcept;
-  static void onTimer(lws_sorted_usec_list_t* entry) noexcept;
   int handle(Client& client, lws* wsi, lws_callback_reasons reason, std::span<const std::uint8_t> bytes);
   void connect(Client& client, const LoadTarget& asked, const LoadTarget& to);
+  void pollInputClock();
+  void askForInputs();
   void receive(Client& client, lws* wsi, std::span<const std::uint8_t> piece);
   int write(Client& client, lws* wsi);
   void end(Client& client, const std::string& reason);
@@ -88,12 +82,13 @@ class LoadClients {
   std::optional<LinkShaper> shaper_;
   JpegDecoder decoder_;
   std::vector<std::unique_ptr<Client>> clients_;
-  Timer watch_;
+  InputClock inputClock_;
   TlsContext tls_;  ///< null if it is not wanted
   std::unique_ptr<lws_context, ContextDeleter> context_;
 };
 
-LoadClients::LoadClients(const LoadTarget& target, const LoadPlan& plan) : plan_(plan) {
+LoadClients::LoadClients(const LoadTarget& target, const LoadPlan& plan)
+    : plan_(plan), inputClock_(plan.sessions, kInputPeriod) {
   // The library wants to know all that a server may choose.
   static constexpr std::array<lws_protocols, 4> kProtocols = {
       lws_protocols{kSubProtocolWithVideo, &LoadClients::callback, 0, kReceiveBytes, 0, nullptr, 0},
@@ -106,7 +101,6 @@ LoadClients::LoadClients(const LoadTarget& target, const LoadPlan& plan) : plan_
     shaper_.emplace(LinkShaper::Place{here, "--shape"}, LinkShaper::Place{there, "URL"}, *plan.shape);
     to = {"127.0.0.1", shaper_->port()};
   }
-  const int sessions = plan.sessions;
   lws_set_log_level(LLL_ERR, &logLibraryLine);
   lws_context_creation_info info{};
   info.port = CONTEXT_PORT_NO_LISTEN;
@@ -118,20 +112,24 @@ LoadClients::LoadClients(const LoadTarget& target, const LoadPlan& plan) : plan_
     info.provided_client_ssl_ctx = tls_.get();
   }
   info.pt_serv_buf_size = kReceiveBytes;
-  info.fd_limit_per_thread = static_cast<unsigned>(sessions) + 16;
+  info.fd_limit_per_thread = static_cast<unsigned>(plan.sessions) + 16;
   context_.reset(lws_create_context(&info));
   if (!context_) throw EnvironmentError("cannot start websocket clients", "grove load", "");
-  watch_.clients = this;
-  for (int i = 0; i < sessions; ++i) {
+  pollInputClock();
+  for (int i = 0; i < plan.sessions; ++i) {
     Client& client = *clients_.emplace_back(std::make_unique<Client>(i, plan, decoder_));
-    client.timer.clients = this;
-    client.timer.client = &client;
     connect(client, target, to);
-    lws_sul_schedule(context_.get(), 0, &client.timer.entry, &LoadClients::onTimer,
-                     kInputMicroseconds * (i + 1) / sessions);
   }
-  // Without it the library sleeps past the end of the test when no message comes.
-  lws_sul_schedule(context_.get(), 0, &watch_.entry, &LoadClients::onTimer, kWatchMicroseconds);
+}
+
+/// It also wakes the library at the end of the test when no message comes.
+void LoadClients::pollInputClock() {
+  lws_sock_file_fd_type clock{};
+  clock.filefd = inputClock_.duplicate();
+  lws_vhost* vhost = lws_get_vhost_by_name(context_.get(), "default");
+  if (lws_adopt_descriptor_vhost(vhost, LWS_ADOPT_RAW_FILE_DESC, clock, kSubProtocol, nullptr) == nullptr) {
+    throw EnvironmentError("cannot poll the clock of inputs", "grove load", "");
+  }
 }
 
 /// `asked` is who is asked for, which the server looks at; `to` is where the connection goes.
@@ -204,9 +202,11 @@ void LoadClients::serveUntil(double deadline, Condition done) {
 int LoadClients::callback(lws* wsi, lws_callback_reasons reason, void* /*user*/, void* in,
                           std::size_t length) noexcept {
   auto* self = static_cast<LoadClients*>(lws_context_user(lws_get_context(wsi)));
+  if (self == nullptr) return 0;
   auto* client = static_cast<Client*>(lws_get_opaque_user_data(wsi));
-  if (self == nullptr || client == nullptr) return 0;
   try {
+    if (reason == LWS_CALLBACK_RAW_RX_FILE) self->askForInputs();
+    if (client == nullptr) return 0;
     return self->handle(*client, wsi, reason, {static_cast<const std::uint8_t*>(in), in == nullptr ? 0 : length});
   } catch (const std::exception& e) {
     log::error(std::string("websocket client: ") + e.what());
@@ -214,15 +214,13 @@ int LoadClients::callback(lws* wsi, lws_callback_reasons reason, void* /*user*/,
   }
 }
 
-void LoadClients::onTimer(lws_sorted_usec_list_t* entry) noexcept {
-  Timer* timer = reinterpret_cast<Timer*>(entry);
-  Client* client = timer->client;
-  if (client != nullptr && client->visitor.isLetIn() && !client->ended) {
-    client->visitor.inputDue();
-    lws_callback_on_writable(client->socket);
+void LoadClients::askForInputs() {
+  for (const int session : inputClock_.takeDue()) {
+    Client& client = *clients_[static_cast<std::size_t>(session)];
+    if (!client.visitor.isLetIn() || client.ended) continue;
+    client.visitor.inputDue();
+    lws_callback_on_writable(client.socket);
   }
-  const lws_usec_t period = client != nullptr ? kInputMicroseconds : kWatchMicroseconds;
-  lws_sul_schedule(timer->clients->context_.get(), 0, entry, &LoadClients::onTimer, period);
 }
 
 int LoadClients::handle(Client& client, lws* wsi, lws_callback_reasons reason, std::span<const std::uint8_t> bytes) {

@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include "pipeline/clocks.h"
+#include "sanitized.h"
 #include "stream/web_server/served_world.h"
 
 namespace grove::stream {
@@ -76,6 +78,21 @@ TEST_F(LoadClientTest, WalksToWhereItsWalkBeginsBeforeItCounts) {
   EXPECT_EQ(report.sessions, 2);
   EXPECT_THAT(report.errors, IsEmpty());
   EXPECT_LT(report.seconds, 5.0);
+}
+
+/// There are so many sessions that less than a millisecond lies between two inputs: clients that do not sleep through
+/// it poll all the time.
+TEST_F(LoadClientTest, SleepsBetweenInputs) {
+  if (kSanitized) GTEST_SKIP() << "a sanitizer's own time is counted, too";
+  LoadPlan still = plan(24, 1.0);
+  still.movement = Movement::kStand;
+  still.codecs = {kCodecJpeg};
+  const std::int64_t began = pipeline::threadCpuNanoseconds();
+  const LoadReport report = runLoadClients({"127.0.0.1", port()}, still);
+  const double used = static_cast<double>(pipeline::threadCpuNanoseconds() - began) * 1e-9;
+  EXPECT_EQ(report.sessions, kMaxVisitors);
+  EXPECT_LT(used, 0.15)
+      << "seconds of a core: 0.04 if it sleeps, 0.18 and more if it spins, even where cores are short";
 }
 
 TEST_F(LoadClientTest, CountsThoseThatFindNoPlace) {
