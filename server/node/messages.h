@@ -29,7 +29,7 @@ struct FrameList {
   world::Rect area;  ///< of the backdrop that it draws, in pixels of the camera of `eye`
   /// The frame whose backdrop it extends instead of drawing all of the area; nothing: it draws all.
   std::optional<FrameNumber> extended = std::nullopt;
-  std::shared_ptr<const View> eye = nullptr;  ///< that the extended backdrop was drawn from; null: `view`
+  std::shared_ptr<const View> eye = nullptr;  ///< that the backdrop is drawn from; null: `view`
   std::vector<world::Rect> drawn = {};        ///< parts of the area that it draws, for each of which it lists objects
 
   [[nodiscard]] bool drawsBackdrop() const { return backdrop == view->frame; }

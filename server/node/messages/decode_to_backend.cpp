@@ -37,6 +37,7 @@ std::shared_ptr<const View> decode(const v1::View& from, Checks& checks) {
   to.viewer = from.viewer();
   to.lastInput = from.last_input();
   to.camera = decode(from.camera(), checks);
+  if (from.has_backdrop_pose()) to.backdropPose = decode(from.backdrop_pose(), checks);
   to.borderPercent = static_cast<int>(from.border_percent());
   to.time = from.time();
   to.deadline = from.deadline();
@@ -103,7 +104,7 @@ Decoded<ToBackend> withView(const v1::Request& from, const ViewLookup& viewOf) {
   request.view = viewOf(from.session(), from.frame());
   if (!request.view && !from.shared()) return unknownView(from.session(), from.frame());
   if (!from.has_eye()) return decoded;
-  request.eye = viewOf(from.session(), from.eye());
+  request.eye = backdropEyeOf(viewOf(from.session(), from.eye()));
   if (!request.eye) return unknownView(from.session(), from.eye());
   return decoded;
 }

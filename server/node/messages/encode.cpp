@@ -97,6 +97,7 @@ void put(const std::shared_ptr<const View>& view, v1::ToBackend& envelope) {
   to.set_viewer(from.viewer);
   to.set_last_input(from.lastInput);
   put(from.camera, to.mutable_camera());
+  if (from.backdropPose) put(*from.backdropPose, to.mutable_backdrop_pose());
   to.set_border_percent(static_cast<std::uint32_t>(from.borderPercent));
   to.set_time(from.time);
   to.set_deadline(from.deadline);

@@ -13,7 +13,8 @@ namespace grove::node {
 struct Request {
   /// Whose frame wants it; null for shared data that is fetched anew because it has changed.
   std::shared_ptr<const View> view;
-  /// Of a picture: who sees the object, if the frame extends what an earlier view of its session saw; null: `view`.
+  /// Of a picture for a backdrop: what the backdrop looks at, see backdropEyeOf(); null: `view`. It may be that of an
+  /// earlier view of the session, whose backdrop the frame extends.
   std::shared_ptr<const View> eye = nullptr;
   ProcessId process = 0;   ///< who asks, if there is no view
   std::uint32_t slot = 0;  ///< place in the frame's list

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <limits>
+#include <memory>
+#include <optional>
 #include <vector>
 
 #include "node/messages/ids.h"
@@ -16,6 +18,8 @@ struct View {
   world::PlayerId viewer = 0;
   std::uint32_t lastInput = 0;  ///< number of the last input that the camera obeys
   world::Camera camera;
+  /// From where the backdrop that the frame draws is seen; nothing: from where the frame is.
+  std::optional<world::Pose> backdropPose = std::nullopt;
   int borderPercent = 0;  ///< of half the window, that the camera sees beyond it on each side
   double time = 0.0;      ///< seconds of the world's clock
   /// Seconds of the frontend process's own clock: until then the frame waits for its objects, and who gets a request
@@ -24,5 +28,13 @@ struct View {
   std::vector<world::Player> players;     ///< all visitors, the viewer too
   std::vector<world::PointLight> lights;  ///< the fire and the lanterns
 };
+
+/// What the backdrop that a frame draws looks at: the same from its own pose. Returns `view` itself if it has none.
+[[nodiscard]] inline std::shared_ptr<const View> backdropEyeOf(const std::shared_ptr<const View>& view) {
+  if (!view || !view->backdropPose) return view;
+  auto eye = std::make_shared<View>(*view);
+  eye->camera.pose = *view->backdropPose;
+  return eye;
+}
 
 }  // namespace grove::node

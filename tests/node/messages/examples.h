@@ -35,7 +35,9 @@ inline NodeHello hello() {
           .types = {{.id = 0, .name = "sky"}, {.id = 5, .name = "lightfield"}}};
 }
 
-inline WorldUpdate world() { return {.number = 17, .clock = 3.3, .sent = 4.4, .players = {player(), player()}, .gusts = {gust()}}; }
+inline WorldUpdate world() {
+  return {.number = 17, .clock = 3.3, .sent = 4.4, .players = {player(), player()}, .gusts = {gust()}};
+}
 
 inline world::PointLight light() { return {.position = {3.0F, 0.5F, -2.0F}, .colour = {1.5F, 0.75F, 0.25F}}; }
 
@@ -47,6 +49,7 @@ inline View view() {
   view.lastInput = 98;
   view.camera = {
       .pose = player().pose, .width = 640, .height = 360, .verticalFov = 1.1F, .nearDepth = 0.2F, .farDepth = 900.0F};
+  view.backdropPose = {.position = {1.0F, 2.0F, 3.5F}, .yaw = 0.5F, .pitch = -0.25F};
   view.borderPercent = 12;
   view.time = 4.4;
   view.players = {player()};

@@ -166,6 +166,8 @@ TEST(WireRefusals, Cameras) {
 TEST(WireRefusals, Views) {
   EXPECT_THAT(viewRefusal([](View& view) { view.session = 0; }), HasSubstr("session"));
   EXPECT_THAT(viewRefusal([](View& view) { view.frame = 0; }), HasSubstr("frame"));
+  EXPECT_THAT(viewRefusal([](View& view) { view.backdropPose->position.x = kNan; }), HasSubstr("vector"));
+  EXPECT_THAT(viewRefusal([](View& view) { view.backdropPose->pitch = 2.0F; }), HasSubstr("pitch"));
   EXPECT_THAT(viewRefusal([](View& view) { view.borderPercent = 101; }), HasSubstr("border"));
   EXPECT_THAT(viewRefusal([](View& view) { view.borderPercent = -1; }), HasSubstr("border"));
   EXPECT_THAT(viewRefusal([](View& view) { view.time = std::numeric_limits<double>::infinity(); }), HasSubstr("time"));

@@ -141,6 +141,7 @@ TEST(Wire, CarriesView) {
   EXPECT_EQ(got.camera.verticalFov, sent.camera.verticalFov);
   EXPECT_EQ(got.camera.nearDepth, sent.camera.nearDepth);
   EXPECT_EQ(got.camera.farDepth, sent.camera.farDepth);
+  EXPECT_EQ(got.backdropPose, sent.backdropPose);
   EXPECT_EQ(got.borderPercent, sent.borderPercent);
   EXPECT_EQ(got.time, sent.time);
   EXPECT_EQ(got.deadline, sent.deadline);
@@ -176,6 +177,8 @@ TEST(Wire, FindsTheViewThatAPictureIsOf) {
   ASSERT_TRUE(got.eye);
   EXPECT_EQ(got.eye->frame, examples::kFrame);
   EXPECT_EQ(&got.seenBy(), got.eye.get());
+  EXPECT_EQ(got.seenBy().camera.pose, *examples::view().backdropPose) << "who draws a backdrop sees it from there";
+  EXPECT_EQ(got.view->camera.pose, examples::view().camera.pose);
 }
 
 TEST(Wire, CarriesRequestForSharedDataWithoutView) {

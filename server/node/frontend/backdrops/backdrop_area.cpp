@@ -21,9 +21,12 @@ constexpr float kMaxExtended = 2.0F;
 /// Pixels, of rays that are almost parallel to the backdrop.
 constexpr float kFarOut = 1.0e6F;
 
+/// Pixels that rounding may add to an edge.
+constexpr float kRoundingError = 0.02F;
+
 /// Grows towards larger magnitudes, for areas have even edges.
-int evenUp(float value) { return 2 * static_cast<int>(std::ceil(0.5F * value)); }
-int evenDown(float value) { return 2 * static_cast<int>(std::floor(0.5F * value)); }
+int evenUp(float value) { return 2 * static_cast<int>(std::ceil(0.5F * (value - kRoundingError))); }
+int evenDown(float value) { return 2 * static_cast<int>(std::floor(0.5F * (value + kRoundingError))); }
 
 /// What is seen now and a border on the sides where more is seen later.
 world::Rect withBorder(const world::Rect& seen, const world::Rect& later) {
@@ -72,11 +75,10 @@ world::Rect seenPart(const world::Camera& backdrop, const world::Camera& frame, 
           evenUp(limited(box.bottom))};
 }
 
-std::optional<world::Rect> areaWithBorder(const world::Camera& camera, const world::Camera& later, float nearest) {
-  const world::Rect frame = areaOfFrame(camera);
-  const world::Rect seen = seenPart(camera, later, nearest);
-  if (seen.empty()) return std::nullopt;
-  const world::Rect area = withBorder(frame, seen);
+std::optional<world::Rect> areaWithBorder(const world::Rect& seen, const world::Rect& later,
+                                          const world::Camera& camera) {
+  if (later.empty()) return std::nullopt;
+  const world::Rect area = withBorder(seen, later);
   if (!isWithin(kMaxDrawn, area, camera)) return std::nullopt;
   return area;
 }

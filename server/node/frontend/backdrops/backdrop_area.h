@@ -11,10 +11,10 @@ namespace grove::node {
 /// `nearest` metres away. Empty if the frame looks elsewhere.
 [[nodiscard]] world::Rect seenPart(const world::Camera& backdrop, const world::Camera& frame, float nearest);
 
-/// Area of a backdrop: the frame, with a border for what the camera `later` sees outside the frame. Nothing if the
-/// border costs too much to draw.
-[[nodiscard]] std::optional<world::Rect> areaWithBorder(const world::Camera& camera, const world::Camera& later,
-                                                        float nearest);
+/// Area of a backdrop of `camera`: what the frame sees of it, with a border for what is seen `later`. Nothing if that
+/// costs too much to draw.
+[[nodiscard]] std::optional<world::Rect> areaWithBorder(const world::Rect& seen, const world::Rect& later,
+                                                        const world::Camera& camera);
 
 /// The cells that a rectangle overlaps. All areas consist of whole cells.
 [[nodiscard]] world::Rect wholeCells(const world::Rect& rect);

@@ -27,6 +27,16 @@ constexpr float kNearestInBorder = 3.0F;
 /// Pixels at the frame's edges, times the error factor, that the backdrop may lack while the eye moves; its outermost
 /// pixels are repeated there, which whoever stands still would see.
 constexpr float kMaxLacking = 8.0F;
+/// Seconds that a backdrop serves whatever its error, per error factor beyond 1: amid leaves each frame of a busy
+/// machine would draw one otherwise.
+constexpr float kMinSeconds = 0.1F;
+/// Share of those seconds, and of the permitted error, that the eye of a backdrop is ahead of the visitor's.
+constexpr float kLeadShare = 0.4F;
+constexpr float kLeadError = 0.7F;
+/// Metres. Who is behind the eye of a backdrop sees more at its edges: the border grows with the lead.
+constexpr float kMaxLead = 0.4F;
+/// In multiples of the permitted error.
+constexpr float kMinError = 1.0e-3F;
 /// Share of the permitted error up to which a backdrop is extended; one that is more wrong is drawn anew soon.
 constexpr float kMaxExtendedError = 0.7F;
 /// Seconds. Data that gets finer shows with this delay to a visitor who stands still: what was under way when the
@@ -79,7 +89,7 @@ std::shared_ptr<const FrameList> BackdropPlanner::plan(std::shared_ptr<const Fra
     return seen;
   }
   held_.clear();
-  adopt(listToDraw(seen->view));
+  adopt(listToDraw(*seen));
   return last_;
 }
 
@@ -96,21 +106,46 @@ std::shared_ptr<const FrameList> BackdropPlanner::listToWarp(const FrameList& se
   return list;
 }
 
-std::shared_ptr<const FrameList> BackdropPlanner::listToDraw(const std::shared_ptr<const View>& view) const {
+std::shared_ptr<const FrameList> BackdropPlanner::listToDraw(const FrameList& seen) const {
   auto list = std::make_shared<FrameList>();
-  list->view = view;
-  list->backdrop = view->frame;
-  list->area = areaFor(view->camera);
-  list->objects = objectsWithin(*view, list->area);
+  list->view = withBackdropPose(seen.view);
+  list->eye = backdropEyeOf(list->view);
+  list->backdrop = seen.view->frame;
+  list->area = areaFor(list->eye->camera, seen.view->camera);
   list->drawn = {list->area};
+  std::set<world::ObjectId> drawn;
+  for (VisibleObject& object : objectsAround(*list->eye, list->area)) {
+    object.rect = world::overlap(object.rect, list->area);
+    const bool isStillForBoth =
+        isStill(object, seen.view->camera.pose.position) && isStill(object, list->eye->camera.pose.position);
+    if (object.rect.empty() || !isStillForBoth) continue;
+    object.still = true;
+    drawn.insert(object.object.id);
+    list->objects.push_back(object);
+  }
+  std::ranges::copy_if(seen.objects, std::back_inserter(list->objects),
+                       [&](const VisibleObject& object) { return !drawn.contains(object.object.id); });
+  // Back to front: the farthest are left out.
+  const std::size_t tooMany = list->objects.size() - std::min(list->objects.size(), kMaxObjectsPerFrame);
+  list->objects.erase(list->objects.begin(), list->objects.begin() + static_cast<std::ptrdiff_t>(tooMany));
   return list;
+}
+
+std::shared_ptr<const View> BackdropPlanner::withBackdropPose(const std::shared_ptr<const View>& view) const {
+  const world::Vec3 ahead = lead(view->camera);
+  if (ahead == world::Vec3(0.0F)) return view;
+  auto posed = std::make_shared<View>(*view);
+  posed->backdropPose = view->camera.pose;
+  posed->backdropPose->position += ahead;
+  return posed;
 }
 
 std::shared_ptr<const FrameList> BackdropPlanner::listToExtend(const FrameList& seen) const {
   const auto backdrop = backdrops_->newest();
   const View& view = *seen.view;
   if (!backdrop || backdrop->origin().frame != last_->view->frame) return nullptr;
-  if (warpError(*backdrop, view.camera) > kMaxExtendedError * errorFactor_) return nullptr;
+  const double nextAge = view.time + motion_.secondsPerFrame() - last_->backdropEye()->time;
+  if (nextAge >= minSeconds() && warpError(*backdrop, view.camera) > kMaxExtendedError * errorFactor_) return nullptr;
   const world::Camera& camera = backdrop->view().camera;
   const world::Camera later = motion_.ahead(view.camera, kFramesAhead.front() * motion_.secondsPerFrame());
   const auto area = extendedArea(last_->area, seenPart(camera, view.camera, kNearestInBorder),
@@ -165,8 +200,7 @@ bool BackdropPlanner::serves(const View& view) const {
   if (!(age >= 0.0 && age <= maxAge) || !isSameSize(eye.camera, view.camera)) return false;
   // One that is still being drawn has no known error: it serves the next frame only.
   if (!isDrawn) return view.frame == last_->view->frame + 1;
-  // On a busy machine a backdrop serves some frames whatever its error: amid leaves each frame would draw one.
-  if (static_cast<float>(view.frame - eye.frame) < errorFactor_) return true;
+  if (age < minSeconds()) return true;
   return warpError(*backdrop, view.camera) <= errorFactor_ && lightError(*backdrop, view.lights) <= errorFactor_;
 }
 
@@ -178,12 +212,28 @@ bool BackdropPlanner::reaches(const world::Camera& camera) const {
          part.right <= area.right + lacking && part.bottom <= area.bottom + lacking;
 }
 
-world::Rect BackdropPlanner::areaFor(const world::Camera& camera) const {
+world::Vec3 BackdropPlanner::lead(const world::Camera& camera) const {
+  const auto backdrop = backdrops_->newest();
+  if (!backdrop || errorFactor_ <= 1.0F || motion_.isAtRest()) return world::Vec3(0.0F);
+  const world::Vec3 perFrame = motion_.secondsPerFrame() * motion_.velocity();
+  world::Camera moved = backdrop->view().camera;
+  moved.pose.position += perFrame;
+  const float error = kLeadError * std::min(errorFactor_ - 1.0F, 1.0F) * errorFactor_;
+  const float frames = error / std::max(warpError(*backdrop, moved), kMinError);
+  const float seconds = std::max(frames * motion_.secondsPerFrame(), kLeadShare * minSeconds());
+  const world::Vec3 way = seconds * motion_.velocity();
+  return way * (kMaxLead / std::max(glm::length(way), kMaxLead));
+}
+
+float BackdropPlanner::minSeconds() const { return kMinSeconds * (errorFactor_ - 1.0F); }
+
+world::Rect BackdropPlanner::areaFor(const world::Camera& eye, const world::Camera& camera) const {
+  const world::Rect seen = seenPart(eye, camera, kNearestInBorder);
   for (const float frames : kFramesAhead) {
     const world::Camera later = motion_.ahead(camera, frames * motion_.secondsPerFrame());
-    if (const auto area = areaWithBorder(camera, later, kNearestInBorder)) return *area;
+    if (const auto area = areaWithBorder(seen, seenPart(eye, later, kNearestInBorder), eye)) return *area;
   }
-  return areaOfFrame(camera);
+  return wholeCells(seen);
 }
 
 std::vector<VisibleObject> BackdropPlanner::objectsAround(const View& eye, const world::Rect& area) const {
@@ -194,18 +244,6 @@ std::vector<VisibleObject> BackdropPlanner::objectsAround(const View& eye, const
   wide.camera = withMargin(camera, across, down);
   std::vector<VisibleObject> objects = visibleObjects(layout_, wide);
   for (VisibleObject& object : objects) object.rect = object.rect.moved(-across, -down);
-  return objects;
-}
-
-std::vector<VisibleObject> BackdropPlanner::objectsWithin(const View& view, const world::Rect& area) const {
-  const world::Camera& camera = view.camera;
-  std::vector<VisibleObject> objects = objectsAround(view, area);
-  const world::Rect frame{0, 0, camera.width, camera.height};
-  for (VisibleObject& object : objects) {
-    object.still = isStill(object, camera.pose.position);
-    object.rect = world::overlap(object.rect, object.still ? area : frame);
-  }
-  std::erase_if(objects, [](const VisibleObject& object) { return object.rect.empty(); });
   return objects;
 }
 

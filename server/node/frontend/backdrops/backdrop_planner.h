@@ -32,18 +32,23 @@ class BackdropPlanner {
 
  private:
   [[nodiscard]] std::shared_ptr<const FrameList> listToWarp(const FrameList& seen) const;
-  [[nodiscard]] std::shared_ptr<const FrameList> listToDraw(const std::shared_ptr<const View>& view) const;
+  [[nodiscard]] std::shared_ptr<const FrameList> listToDraw(const FrameList& seen) const;
   /// Null if the last backdrop is not drawn yet, or if it would not serve for long.
   [[nodiscard]] std::shared_ptr<const FrameList> listToExtend(const FrameList& seen) const;
   /// Whether the last backdrop can show what a view sees of it.
   [[nodiscard]] bool serves(const View& view) const;
   /// Whether its area is all that a camera sees.
   [[nodiscard]] bool reaches(const world::Camera& camera) const;
-  [[nodiscard]] world::Rect areaFor(const world::Camera& camera) const;
+  /// Way, in metres, from a frame's eye to the eye that its backdrop is drawn from. On a busy machine that is ahead of
+  /// a moving visitor, so that the backdrop serves before and after he passes there.
+  [[nodiscard]] world::Vec3 lead(const world::Camera& camera) const;
+  [[nodiscard]] std::shared_ptr<const View> withBackdropPose(const std::shared_ptr<const View>& view) const;
+  /// Seconds that a backdrop serves whatever its error.
+  [[nodiscard]] float minSeconds() const;
+  /// Area of a backdrop with the camera `eye` that the frame of `camera` draws.
+  [[nodiscard]] world::Rect areaFor(const world::Camera& eye, const world::Camera& camera) const;
   /// Those in a backdrop's area, with their boxes in it, which may reach beyond it.
   [[nodiscard]] std::vector<VisibleObject> objectsAround(const View& eye, const world::Rect& area) const;
-  /// Still objects within the area, others within the frame.
-  [[nodiscard]] std::vector<VisibleObject> objectsWithin(const View& view, const world::Rect& area) const;
   /// Still objects in each of the parts that a list draws to extend the last backdrop.
   [[nodiscard]] std::vector<VisibleObject> objectsBeyond(const FrameList& list) const;
   /// It draws the newest backdrop.

@@ -15,6 +15,9 @@ class EyeMotion {
 
   [[nodiscard]] float secondsPerFrame() const noexcept { return secondsPerFrame_; }
 
+  /// Metres a second.
+  [[nodiscard]] world::Vec3 velocity() const noexcept { return velocity_; }
+
   /// Where the camera is after some seconds.
   [[nodiscard]] world::Camera ahead(world::Camera camera, float seconds) const;
 
@@ -22,8 +25,8 @@ class EyeMotion {
   world::Pose last_;
   double time_ = -1.0;
   float secondsPerFrame_ = 1.0F / 30.0F;
-  world::Vec3 velocity_{0.0F};  ///< metres a second
-  float yawRate_ = 0.0F;        ///< radians a second
+  world::Vec3 velocity_{0.0F};
+  float yawRate_ = 0.0F;  ///< radians a second
   float pitchRate_ = 0.0F;
   bool isAtRest_ = false;
 };

@@ -43,24 +43,34 @@ TEST(SeenPart, OfACameraThatLooksBackIsNothing) {
   EXPECT_TRUE(seenPart(kWindow, turnedBy(1.2F), 3.0F).empty());
 }
 
-TEST(AreaWithBorder, HoldsWhatIsSeenLaterInWholeCells) {
+const world::Rect kWindowFrame{0, 0, 1280, 720};
+
+TEST(SeenPart, OfTheCameraItselfIsItsFrame) {
+  for (const float yaw : {0.0F, 0.7F, 2.9F}) {
+    world::Camera camera = turnedBy(yaw, 0.3F);
+    camera.pose.position = {123.4F, 1.7F, -56.7F};
+    EXPECT_EQ(seenPart(camera, camera, 3.0F), kWindowFrame);
+  }
+}
+
+TEST(AreaWithBorder, HoldsWhatIsSeenNowAndLaterInWholeCells) {
   for (const world::Camera& later : {turnedBy(0.03F), turnedBy(-0.05F, 0.02F), turnedBy(0.0F, -0.04F)}) {
-    const auto area = areaWithBorder(kWindow, later, 3.0F);
-    ASSERT_TRUE(area);
     const world::Rect seen = seenPart(kWindow, later, 3.0F);
+    const auto area = areaWithBorder(kWindowFrame, seen, kWindow);
+    ASSERT_TRUE(area);
     EXPECT_EQ(world::overlap(*area, seen), seen);
-    EXPECT_EQ(world::overlap(*area, areaOfFrame(kWindow)), areaOfFrame(kWindow));
+    EXPECT_EQ(world::overlap(*area, kWindowFrame), kWindowFrame);
     for (const int edge : {area->left, area->top, area->right, area->bottom}) EXPECT_EQ(edge % Backdrop::kCell, 0);
   }
 }
 
 TEST(AreaWithBorder, IsTheFrameForACameraThatStandsStill) {
-  EXPECT_EQ(areaWithBorder(kWindow, kWindow, 3.0F), areaOfFrame(kWindow));
+  EXPECT_EQ(areaWithBorder(kWindowFrame, kWindowFrame, kWindow), kWindowFrame);
 }
 
 TEST(AreaWithBorder, IsNotGivenWhereItWouldCostTooMuch) {
-  EXPECT_FALSE(areaWithBorder(kWindow, turnedBy(0.5F), 3.0F));
-  EXPECT_FALSE(areaWithBorder(kWindow, turnedBy(3.0F), 3.0F));
+  EXPECT_FALSE(areaWithBorder(kWindowFrame, seenPart(kWindow, turnedBy(0.5F), 3.0F), kWindow));
+  EXPECT_FALSE(areaWithBorder(kWindowFrame, {}, kWindow)) << "what is seen later is elsewhere";
 }
 
 TEST(ExtendedArea, HoldsWhatIsSeenNowAndLaterAndWhatItHad) {
