@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "base/log.h"
+#include "node/load_shedding.h"
 #include "objects/fluid/backend/fluid_backend_type.h"
 #include "objects/fluid/backend/fluid_clock.h"
 #include "objects/fluid/backend/pace.h"
@@ -32,6 +33,10 @@ constexpr const char* kStage = "Simulation Tick";
 constexpr float kGrowSeconds = 3.0F;  // simulated before the first visitor
 constexpr std::size_t kKept = 15;     // snapshots that a frontend process half a second away knows
 constexpr int kIdleTicks = 60;        // two seconds without visitors, before it rests
+
+/// Error factor above which the simulation ticks half as often, in steps twice as long. Frontends move the particles on
+/// between two ticks, so that the smoke still moves in every frame.
+constexpr float kMaxFactorAtFullRate = 2.5F;
 
 /// Of a snapshot that nobody moves on: the world's clock goes on while the simulation rests.
 constexpr double kStandsStill = std::numeric_limits<double>::infinity();
@@ -57,6 +62,7 @@ class FluidBackend::Fire {
         sky_(services.scene.layout.sky),
         announce_(services.announce),
         timeline_(services.timeline),
+        workers_(services.workers),
         name_(object.name),
         settings_(settingsOf(object)),
         simulation_([this, place = object.transform.position](int cells) { return make(place, cells); },
@@ -72,7 +78,7 @@ class FluidBackend::Fire {
     simulation.takeOver(*grown);
     newest_ = simulation.snapshot(world_.now().value_or(kStandsStill));
     held_.set(simulation.bytes() + newest_->bytes());
-    startClock(services.workers);
+    startClock();
     awake_ = world_.whileVisited([this] { clock_->wake(); });
   }
 
@@ -97,10 +103,10 @@ class FluidBackend::Fire {
  private:
   /// From a worker: a thread begins with the priority of the one that starts it, and a world may be made by one whose
   /// priority is low.
-  void startClock(pipeline::Executor& workers) {
+  void startClock() {
     const auto start = std::make_shared<std::packaged_task<std::unique_ptr<FluidClock>()>>(
         [this] { return std::make_unique<FluidClock>(kTicksPerSecond, [this] { return tick(); }); });
-    workers.post([start] { (*start)(); });
+    workers_.post([start] { (*start)(); });
     clock_ = start->get_future().get();
   }
 
@@ -157,7 +163,13 @@ class FluidBackend::Fire {
     if (past_.size() > kKept) past_.erase(past_.begin());
   }
 
+  [[nodiscard]] int periodsPerTick() const {
+    return node::errorFactor(workers_.busyShare()) > kMaxFactorAtFullRate ? 2 : 1;
+  }
+
   FluidClock::Next tick() noexcept {
+    if (++periods_ < periodsPerTick()) return FluidClock::Next::kTick;
+    const int periods = std::exchange(periods_, 0);
     try {
       const pipeline::TimedRun timed(timeline_, kStage, pipeline::Work::kAcrossUser, {}, kTypeName, kTicksPerSecond);
       if (simulation_.update()) pace_.restart();
@@ -168,7 +180,7 @@ class FluidBackend::Fire {
       idleTicks_ = visitors.empty() ? idleTicks_ + 1 : 0;
       const bool rest = idleTicks_ >= kIdleTicks;
       FluidSimulation& simulation = simulation_.current();
-      simulation.step(FluidSimulation::kTick, gusts, visitors);
+      simulation.step(static_cast<float>(periods) * FluidSimulation::kTick, gusts, visitors);
       std::shared_ptr<const FluidSnapshot> next = simulation.snapshot(rest ? kStandsStill : now);
       {
         const std::lock_guard lock(mutex_);
@@ -178,7 +190,7 @@ class FluidBackend::Fire {
         keep(std::move(next));
       }
       announce_({{id_, {}}, static_cast<node::Version>(simulation.tick())});
-      keepPace(pipeline::threadCpuNanoseconds() - begin);
+      keepPace((pipeline::threadCpuNanoseconds() - begin) / periods);
       return rest ? FluidClock::Next::kSleep : FluidClock::Next::kTick;
     } catch (const std::exception& e) {
       timeline_.recordFailure(kStage, pipeline::Work::kAcrossUser);
@@ -193,6 +205,7 @@ class FluidBackend::Fire {
   const world::Sky& sky_;
   const std::function<void(const node::Announcement&)> announce_;
   pipeline::Timeline& timeline_;
+  pipeline::Executor& workers_;
   const std::string name_;
   const FluidSettings settings_;
   ScalableSimulation simulation_;
@@ -202,6 +215,7 @@ class FluidBackend::Fire {
   Pace pace_;
   node::WorldMirror::Cursor cursor_ = 0;
   bool isSlow_ = false;  ///< and that was reported
+  int periods_ = 0;      ///< of the clock since the newest tick
   int idleTicks_ = 0;    ///< without visitors
   std::mutex mutex_;
   std::shared_ptr<const FluidSnapshot> newest_;
