@@ -132,7 +132,7 @@ std::shared_ptr<const FrameList> BackdropPlanner::listToDraw(const FrameList& se
 }
 
 std::shared_ptr<const View> BackdropPlanner::withBackdropPose(const std::shared_ptr<const View>& view) const {
-  const world::Vec3 ahead = lead(view->camera);
+  const world::Vec3 ahead = lead();
   if (ahead == world::Vec3(0.0F)) return view;
   auto posed = std::make_shared<View>(*view);
   posed->backdropPose = view->camera.pose;
@@ -212,7 +212,7 @@ bool BackdropPlanner::reaches(const world::Camera& camera) const {
          part.right <= area.right + lacking && part.bottom <= area.bottom + lacking;
 }
 
-world::Vec3 BackdropPlanner::lead(const world::Camera& camera) const {
+world::Vec3 BackdropPlanner::lead() const {
   const auto backdrop = backdrops_->newest();
   if (!backdrop || errorFactor_ <= 1.0F || motion_.isAtRest()) return world::Vec3(0.0F);
   const world::Vec3 perFrame = motion_.secondsPerFrame() * motion_.velocity();

@@ -41,7 +41,7 @@ class BackdropPlanner {
   [[nodiscard]] bool reaches(const world::Camera& camera) const;
   /// Way, in metres, from a frame's eye to the eye that its backdrop is drawn from. On a busy machine that is ahead of
   /// a moving visitor, so that the backdrop serves before and after he passes there.
-  [[nodiscard]] world::Vec3 lead(const world::Camera& camera) const;
+  [[nodiscard]] world::Vec3 lead() const;
   [[nodiscard]] std::shared_ptr<const View> withBackdropPose(const std::shared_ptr<const View>& view) const;
   /// Seconds that a backdrop serves whatever its error.
   [[nodiscard]] float minSeconds() const;
