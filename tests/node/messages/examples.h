@@ -35,7 +35,9 @@ inline NodeHello hello() {
           .types = {{.id = 0, .name = "sky"}, {.id = 5, .name = "lightfield"}}};
 }
 
-inline WorldUpdate world() { return {.number = 17, .clock = 3.3, .sent = 4.4, .players = {player(), player()}, .gusts = {gust()}}; }
+inline WorldUpdate world() {
+  return {.number = 17, .clock = 3.3, .sent = 4.4, .players = {player(), player()}, .gusts = {gust()}};
+}
 
 inline world::PointLight light() { return {.position = {3.0F, 0.5F, -2.0F}, .colour = {1.5F, 0.75F, 0.25F}}; }
 
@@ -91,6 +93,20 @@ inline Result sharedData() {
           .packed = bulk()};
 }
 
+inline Request subscription() {
+  Request request = examples::request();
+  request.view = nullptr;
+  request.shared = true;
+  request.subscribe = true;
+  return request;
+}
+
+inline Result pushed() {
+  Result result = sharedData();
+  result.pushed = true;
+  return result;
+}
+
 inline Result failure() {
   return {.session = kSession,
           .frame = kFrame,
@@ -132,7 +148,10 @@ inline std::vector<ToBackend> toBackend() {
           request(),
           Cancel{.session = kSession, .frame = kFrame},
           Quality{.step = 2},
-          Forget{.session = kSession}};
+          Forget{.session = kSession},
+          subscription(),
+          Acknowledgement{.what = {.object = 4, .key = "map"}, .version = 7},
+          Unsubscribe{.what = {.object = 4, .key = "map"}}};
 }
 
 inline std::vector<ToFrontend> toFrontend() {
@@ -140,6 +159,7 @@ inline std::vector<ToFrontend> toFrontend() {
           NodeRefusal{"another scene"},
           picture(),
           sharedData(),
+          pushed(),
           failure(),
           nothing(),
           Announcement{.what = {.object = 4, .key = "map"}, .version = 2},
