@@ -19,6 +19,13 @@ inline constexpr int kMaxFramesInFlight = 8;
 /// Names that a frame shows, those of the nearest.
 inline constexpr std::size_t kMaxLabelsPerFrame = 24;
 
+/// Versions of subscribed data that a backend node sends before the first of them is acknowledged.
+inline constexpr std::size_t kMaxUnacknowledged = 8;
+
+/// A frontend process acknowledges so many versions at once.
+inline constexpr std::size_t kAcknowledgedAtOnce = 4;
+static_assert(kAcknowledgedAtOnce < kMaxUnacknowledged, "or both would wait");
+
 /// The finest step of across-user quality.
 inline constexpr int kMaxQuality = 2;
 

@@ -74,7 +74,7 @@ class TappedTransport final : public node::Transport {
   void leaveBackend() override { wire_.leaveBackend(); }
   void leaveFrontend() override { wire_.leaveFrontend(); }
   pipeline::PushResult send(node::ToBackend message) override { return wire_.send(std::move(message)); }
-  void send(node::ToFrontend message) override {
+  pipeline::PushResult send(node::ToFrontend message) override {
     if (const auto* result = std::get_if<node::Result>(&message)) {
       const auto* data = std::get_if<std::shared_ptr<const node::SharedData>>(&result->payload);
       if (data != nullptr) {
@@ -83,7 +83,7 @@ class TappedTransport final : public node::Transport {
         }
       }
     }
-    wire_.send(std::move(message));
+    return wire_.send(std::move(message));
   }
   void compress(node::Result& /*result*/, std::string_view /*subject*/) const override {}
 

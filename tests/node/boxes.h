@@ -34,7 +34,8 @@ class BoxModel final : public world::Model {
 /// What a box shows, for every visitor; four bytes when packed.
 class BoxColour final : public SharedData {
  public:
-  BoxColour(Version version, std::uint32_t colour) : SharedData(version), colour_(colour) {}
+  BoxColour(Version version, std::uint32_t colour, double cadence = 0.0)
+      : SharedData(version, cadence), colour_(colour) {}
   [[nodiscard]] std::uint32_t colour() const { return colour_; }
 
  private:
@@ -58,8 +59,9 @@ struct BoxControls {
   std::atomic<int> answered{0};
   std::atomic<Version> version{1};  ///< of the colours; each higher one is redder by one
   std::atomic<Version> known{0};    ///< in the request that was answered last
-  std::atomic<bool> hold{false};    ///< who is to answer waits
-  std::atomic<int> held{0};         ///< so many do
+  std::atomic<double> cadence{0.0};
+  std::atomic<bool> hold{false};  ///< who is to answer waits
+  std::atomic<int> held{0};       ///< so many do
   std::atomic<int> quality{0};
   std::atomic<SessionId> forgotten{0};  ///< the last one
   /// Of the backend that was made last.
@@ -93,7 +95,7 @@ class BoxBackend final : public BackendHalf {
       const Version version = controls_->version;
       const std::uint32_t colour = static_cast<const BoxModel&>(*object.model).colour() + (green_ << 8U) + version - 1;
       if (requests[i].shared) {
-        payloads[i] = std::make_shared<const BoxColour>(version, colour);
+        payloads[i] = std::make_shared<const BoxColour>(version, colour, controls_->cadence);
       } else {
         payloads[i] = picture(requests[i], object, colour);
       }
@@ -177,22 +179,23 @@ class SharedBoxFrontend final : public FrontendHalf {
   }
 };
 
-enum class BoxAsks : std::uint8_t { kPictures, kShared };
+/// `kClocked`: for shared data that comes from a clock.
+enum class BoxAsks : std::uint8_t { kPictures, kShared, kClocked };
 
 class BoxFrontendType final : public FrontendType {
  public:
   explicit BoxFrontendType(BoxAsks asks) : asks_(asks) {}
   [[nodiscard]] std::string_view name() const override { return "box"; }
   [[nodiscard]] std::unique_ptr<FrontendHalf> makeHalf(const FrontendTools&) const override {
-    if (asks_ == BoxAsks::kShared) return std::make_unique<SharedBoxFrontend>();
-    return std::make_unique<FrontendHalf>();
+    if (asks_ == BoxAsks::kPictures) return std::make_unique<FrontendHalf>();
+    return std::make_unique<SharedBoxFrontend>();
   }
   [[nodiscard]] std::shared_ptr<SharedData> unpack(const Key&, Version version, std::span<const std::byte> bytes,
                                                    const SharedData* /*known*/) const override {
     std::uint32_t colour = 0;
     if (bytes.size() != sizeof colour) throw PackingError("no colour");
     std::memcpy(&colour, bytes.data(), sizeof colour);
-    return std::make_shared<BoxColour>(version, colour);
+    return std::make_shared<BoxColour>(version, colour, asks_ == BoxAsks::kClocked ? 30.0 : 0.0);
   }
 
  private:

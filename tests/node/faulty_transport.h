@@ -25,14 +25,11 @@ class FaultyTransport final : public Transport {
   mutable std::atomic<Fault> next{Fault::kNone};  ///< happens there, once
   std::atomic<int> requests{0};                   ///< that were sent
 
+  /// In their order, and before any later one.
   void release() {
-    keepBack = false;
-    std::vector<ToFrontend> kept;
-    {
-      const std::lock_guard lock(mutex_);
-      kept.swap(kept_);
+    for (std::vector<ToFrontend> kept = take(); !kept.empty(); kept = take()) {
+      for (ToFrontend& message : kept) wire_->send(std::move(message));
     }
-    for (ToFrontend& message : kept) wire_->send(std::move(message));
   }
 
   /// How many results wait.
@@ -53,15 +50,14 @@ class FaultyTransport final : public Transport {
     }
     return wire_->send(std::move(message));
   }
-  void send(ToFrontend message) override {
+  pipeline::PushResult send(ToFrontend message) override {
     if (!std::holds_alternative<Result>(message)) return wire_->send(std::move(message));
     if (happens(Fault::kSendResult)) throw std::runtime_error("the wire is broken");
-    if (keepBack) {
-      const std::lock_guard lock(mutex_);
+    if (const std::lock_guard lock(mutex_); keepBack) {
       kept_.push_back(std::move(message));
-    } else {
-      wire_->send(std::move(message));
+      return pipeline::PushResult::kAccepted;
     }
+    return wire_->send(std::move(message));
   }
   void compress(Result& result, std::string_view subject) const override {
     if (happens(Fault::kCompress)) throw std::runtime_error("the wire is broken");
@@ -72,6 +68,12 @@ class FaultyTransport final : public Transport {
   }
 
  private:
+  /// What is kept; if that is nothing, results are kept back no more.
+  std::vector<ToFrontend> take() {
+    const std::lock_guard lock(mutex_);
+    if (kept_.empty()) keepBack = false;
+    return std::exchange(kept_, {});
+  }
   bool happens(Fault here) const {
     Fault expected = here;
     return next.compare_exchange_strong(expected, Fault::kNone);

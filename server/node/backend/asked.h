@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 
 #include "node/backend/peer.h"
@@ -8,16 +9,25 @@
 
 namespace grove::node {
 
+/// What the answer to a request is for a subscription of its peer.
+enum class Subscribed : std::uint8_t {
+  kNo,
+  kBegins,  ///< the first answer
+  kPushed,  ///< a later version, which the node itself has asked for
+};
+
 /// A request on its way through a backend node, with who asks.
 struct Asked {
   Request request;
   std::shared_ptr<Peer> peer;
+  Subscribed subscribed = Subscribed::kNo;
 };
 
 /// Its result, on the way back.
 struct Answered {
   Result result;
   std::shared_ptr<Peer> peer;
+  Subscribed subscribed = Subscribed::kNo;
 };
 
 inline pipeline::TraceTag traceTag(const Asked& asked) { return traceTag(asked.request); }

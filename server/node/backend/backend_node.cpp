@@ -27,6 +27,10 @@ class BackendNode::Reception final : public BackendPort {
  public:
   Reception(BackendNode& node, std::shared_ptr<BackendEnd> link)
       : node_(node), peer_(std::make_shared<Peer>(std::move(link))) {
+    peer_->subscriptions().connect([&node, weak = std::weak_ptr(peer_)](const SharedKey& what, Version known) {
+      auto peer = weak.lock();
+      return peer && node.push(std::move(peer), what, known);
+    });
     peer_->link().connect(*this);
   }
   ~Reception() override {
@@ -113,6 +117,10 @@ pipeline::PushResult BackendNode::receive(const std::shared_ptr<Peer>& peer, ToB
     adjustQuality();
   } else if (const auto* forgotten = std::get_if<Forget>(&message)) {
     forget(*peer, forgotten->session);
+  } else if (const auto* acknowledgement = std::get_if<Acknowledgement>(&message)) {
+    peer->subscriptions().acknowledged(acknowledgement->what, acknowledgement->version);
+  } else if (const auto* unsubscribe = std::get_if<Unsubscribe>(&message)) {
+    peer->subscriptions().end(unsubscribe->what);
   }
   return pipeline::PushResult::kAccepted;
 }
@@ -196,7 +204,24 @@ pipeline::PushResult BackendNode::take(Asked asked) {
   BackendPipeline* const pipeline = owner != owners_.end()                        ? owner->second
                                     : request.object >= world::kFirstPlayerObject ? visitors_
                                                                                   : nullptr;
-  return pipeline == nullptr ? pipeline::PushResult::kClosed : pipeline->push(std::move(asked));
+  if (pipeline == nullptr) return pipeline::PushResult::kClosed;
+  if (!request.subscribe) return pipeline->push(std::move(asked));
+  const std::shared_ptr<Peer> peer = asked.peer;
+  const SharedKey what{request.object, request.key};
+  if (peer->subscriptions().begin(what)) asked.subscribed = Subscribed::kBegins;
+  const pipeline::PushResult result = pipeline->push(std::move(asked));
+  if (result != pipeline::PushResult::kAccepted) peer->subscriptions().end(what);
+  return result;
+}
+
+bool BackendNode::push(std::shared_ptr<Peer> peer, const SharedKey& what, Version known) {
+  Request request;
+  request.process = peer->process().value_or(0);
+  request.object = what.object;
+  request.shared = true;
+  request.key = what.key;
+  request.known = known;
+  return take({std::move(request), std::move(peer), Subscribed::kPushed}) == pipeline::PushResult::kAccepted;
 }
 
 }  // namespace grove::node

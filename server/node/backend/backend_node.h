@@ -55,6 +55,8 @@ class BackendNode {
   [[nodiscard]] BackendServices services(Parallelism parallelism, const Progress& progress);
   pipeline::PushResult receive(const std::shared_ptr<Peer>& peer, ToBackend message);
   pipeline::PushResult take(Asked asked);
+  /// Has a version made that the peer has subscribed to.
+  [[nodiscard]] bool push(std::shared_ptr<Peer> peer, const SharedKey& what, Version known);
   /// Welcomes a frontend process if protocol, scene and types match, else refuses it. A second hello starts over.
   void greet(const std::shared_ptr<Peer>& peer, const NodeHello& hello);
   void dismiss(Peer& peer);

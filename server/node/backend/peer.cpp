@@ -30,6 +30,11 @@ std::optional<std::string> Peer::objectionTo(const ToBackend& message) const {
   return "frontend process " + std::to_string(*own) + " speaks of a session of process " + std::to_string(*subject);
 }
 
+void Peer::dismiss() {
+  process_ = std::optional<ProcessId>();
+  subscriptions_.clear();
+}
+
 void Peer::reportForeignWorld() {
   if (isForeignReported_.exchange(true)) return;
   log::info("frontend process " + std::to_string(process().value_or(0)) +

@@ -10,14 +10,15 @@
 
 #include "base/log.h"
 #include "node/backend/ended_frames.h"
+#include "node/backend/subscriptions.h"
 #include "node/transport/peer_clock.h"
 #include "node/transport/transport.h"
 
 namespace grove::node {
 
 /// A frontend process from a backend node's point of view: its link, its process number after the welcome, its clock,
-/// and its frames that have ended. Pending requests keep it alive after it has left; their results are dropped.
-/// Thread-safe.
+/// its frames that have ended, and what it has subscribed to. Pending requests keep it alive after it has left; their
+/// results are dropped. Thread-safe.
 class Peer {
  public:
   explicit Peer(std::shared_ptr<BackendEnd> link) : link_(std::move(link)) {}
@@ -27,7 +28,7 @@ class Peer {
   /// Its process number; nothing before the welcome and after a refusal.
   [[nodiscard]] std::optional<ProcessId> process() const noexcept { return process_; }
   void welcomeAs(ProcessId process) noexcept { process_ = process; }
-  void dismiss() noexcept { process_ = std::optional<ProcessId>(); }
+  void dismiss();
 
   /// Returns why a message other than a hello is refused: the peer is not welcomed, or the message names a session of
   /// another process. Nothing if it is accepted.
@@ -49,6 +50,8 @@ class Peer {
   /// Whether a frame has ended or its deadline has passed, by the peer's clock.
   [[nodiscard]] bool isOver(const View& view) const;
 
+  [[nodiscard]] Subscriptions& subscriptions() noexcept { return subscriptions_; }
+
   /// The quality step that it requests for across-user work.
   [[nodiscard]] int quality() const noexcept { return quality_; }
   void setQuality(int step) noexcept { quality_ = step; }
@@ -57,6 +60,7 @@ class Peer {
   const std::shared_ptr<BackendEnd> link_;
   std::atomic<std::optional<ProcessId>> process_{};
   std::atomic<int> quality_{0};
+  Subscriptions subscriptions_;
   log::Limited refusals_;
   std::atomic<bool> isForeignReported_{false};
   mutable std::mutex mutex_;

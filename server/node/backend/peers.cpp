@@ -23,7 +23,11 @@ bool Peers::empty() const {
 }
 
 void Peers::announce(const Announcement& announcement) const {
-  for (const auto& peer : all()) peer->link().send(ToFrontend(announcement));
+  for (const auto& peer : all()) {
+    if (!peer->subscriptions().published(announcement.what, announcement.version)) {
+      peer->link().send(ToFrontend(announcement));
+    }
+  }
 }
 
 std::optional<int> Peers::quality() const {

@@ -18,7 +18,8 @@ class Peers {
   void remove(Peer& peer);
   [[nodiscard]] bool empty() const;
 
-  /// Sends to all peers without holding the lock, since a receiver may call back.
+  /// Sends the new version to who has subscribed to it, and the announcement to all others. Holds no lock meanwhile,
+  /// since a receiver may call back.
   void announce(const Announcement& announcement) const;
   /// The highest quality step that any peer requests; nothing if there are no peers.
   [[nodiscard]] std::optional<int> quality() const;

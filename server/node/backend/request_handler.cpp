@@ -15,6 +15,11 @@ bool isOfItsKind(const Request& request, const Payload& payload) {
   return std::holds_alternative<std::shared_ptr<const SharedData>>(payload) == request.shared;
 }
 
+bool isClocked(const Payload& payload) {
+  const auto* const data = std::get_if<std::shared_ptr<const SharedData>>(&payload);
+  return data != nullptr && *data != nullptr && (*data)->isClocked();
+}
+
 }  // namespace
 
 RequestHandler::RequestHandler(const char* name, std::string_view subject, BackendHalf& half,
@@ -43,7 +48,8 @@ void RequestHandler::process(std::span<Asked> all, pipeline::Run& run) {
   if (firstEnded != all.end()) timeline_.count("requests of frames that had ended", all.end() - firstEnded);
   // Somebody else may wait for shared data, and asks again.
   for (auto ended = firstEnded; ended != all.end(); ++ended) {
-    compressor_.send(run, {resultOf(ended->request, Failure{"the frame has ended", true}), std::move(ended->peer)});
+    compressor_.send(run, {resultOf(ended->request, Failure{"the frame has ended", true}), std::move(ended->peer),
+                           ended->subscribed});
   }
   if (wanted.empty()) return;
   std::vector<Request> requests;
@@ -54,7 +60,13 @@ void RequestHandler::process(std::span<Asked> all, pipeline::Run& run) {
           [&](const std::string& reason) { answerOneByOne(requests, payloads, reason); });
   for (std::size_t i = 0; i < requests.size(); ++i) {
     if (!isOfItsKind(requests[i], payloads[i])) payloads[i] = Failure{"it was answered with data of another kind"};
-    compressor_.send(run, {resultOf(requests[i], std::move(payloads[i])), std::move(wanted[i].peer)});
+    if (wanted[i].subscribed == Subscribed::kBegins && !isClocked(payloads[i])) {
+      wanted[i].peer->subscriptions().end({requests[i].object, requests[i].key});
+      wanted[i].subscribed = Subscribed::kNo;
+    }
+    Result result = resultOf(requests[i], std::move(payloads[i]));
+    result.pushed = wanted[i].subscribed == Subscribed::kPushed;
+    compressor_.send(run, {std::move(result), std::move(wanted[i].peer), wanted[i].subscribed});
   }
 }
 

@@ -15,18 +15,30 @@ ResultSender::ResultSender(pipeline::Executor& executor, pipeline::Timeline& tim
             executor, timeline) {}
 
 void ResultSender::process(std::span<Answered> results, pipeline::Run&) {
-  for (Answered& answered : results) {
-    Result& result = answered.result;
-    BackendEnd& link = answered.peer->link();
-    Result instead = result;
-    instead.payload = Failure{};
-    instead.packed = nullptr;
-    attempt([&] { link.send(ToFrontend(std::move(result))); },
-            [&](const std::string& reason) {
-              instead.payload = Failure{reason};
-              link.send(ToFrontend(std::move(instead)));
-            });
+  for (Answered& answered : results) send(answered);
+}
+
+void ResultSender::send(Answered& answered) {
+  Result& result = answered.result;
+  BackendEnd& link = answered.peer->link();
+  Result instead = result;
+  instead.payload = Failure{};
+  instead.packed = nullptr;
+  const bool isData = !std::holds_alternative<Failure>(result.payload);
+  pipeline::PushResult sent = pipeline::PushResult::kRejected;
+  attempt([&] { sent = link.send(ToFrontend(std::move(result))); },
+          [&](const std::string& reason) {
+            instead.payload = Failure{reason};
+            link.send(ToFrontend(instead));
+          });
+  if (answered.subscribed == Subscribed::kNo) return;
+  Subscriptions& subscriptions = answered.peer->subscriptions();
+  if (isData && sent == pipeline::PushResult::kAccepted) {
+    return subscriptions.sent(instead.what, instead.version, instead.pushed);
   }
+  subscriptions.end(instead.what);
+  // An announcement is never lost, so the peer asks again.
+  if (isData) link.send(ToFrontend(Announcement{instead.what, instead.version}));
 }
 
 }  // namespace grove::node

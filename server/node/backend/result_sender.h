@@ -12,6 +12,9 @@ class ResultSender final : public pipeline::Stage<Answered> {
 
  protected:
   void process(std::span<Answered> results, pipeline::Run& run) override;
+
+ private:
+  void send(Answered& answered);
 };
 
 }  // namespace grove::node

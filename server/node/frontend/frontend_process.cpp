@@ -29,9 +29,9 @@ FrontendProcess::FrontendProcess(ProcessId id, const world::Layout& layout, cons
       transport_(transport),
       tools_(tools),
       store_(maxSharedBytes,
-             [this](Request request) {
-               request.process = id_;
-               return send(std::move(request)) == pipeline::PushResult::kAccepted;
+             [this](ToBackend message) {
+               if (auto* const request = std::get_if<Request>(&message)) request->process = id_;
+               return send(std::move(message)) == pipeline::PushResult::kAccepted;
              }),
       sharedReceiver_(std::make_shared<SharedReceiver>(*this, tools.workers, tools.timeline)) {
   transport_.connect(static_cast<FrontendPort&>(*this));
@@ -96,7 +96,10 @@ void FrontendProcess::welcomed(const NodeWelcome& welcome) {
 
 void FrontendProcess::receive(Result result) {
   if (result.shared) {
-    sharedReceiver_->push(std::move(result));
+    const Announcement lost{result.what, result.version};
+    const bool isPushed = result.pushed;
+    // No answer tells of a version that was pushed and is lost.
+    if (sharedReceiver_->push(std::move(result)) != pipeline::PushResult::kAccepted && isPushed) store_.announced(lost);
     return;
   }
   std::shared_ptr<pipeline::Inlet<Result>> receiver;

@@ -52,6 +52,7 @@ Request decode(const v1::Request& from, Checks& checks) {
   if (from.session() != 0 || from.frame() != 0 || !from.shared()) requireFrame(from.session(), from.frame(), checks);
   checks.require(std::isfinite(from.distance()) && from.distance() >= 0.0F, "its distance is out of range");
   checks.require(from.urgency() >= 0.0F, "its urgency is out of range");
+  checks.require(from.shared() || !from.subscribe(), "it subscribes to pictures");
   const auto process = static_cast<ProcessId>(from.session() >> 32U);
   return {.view = nullptr,
           .process = from.session() != 0 ? process : from.process(),
@@ -62,7 +63,8 @@ Request decode(const v1::Request& from, Checks& checks) {
           .rect = decode(from.rectangle(), checks),
           .distance = from.distance(),
           .urgency = from.urgency(),
-          .known = from.known()};
+          .known = from.known(),
+          .subscribe = from.subscribe()};
 }
 
 Cancel decode(const v1::Cancel& from, Checks& checks) {
@@ -80,6 +82,12 @@ Forget decode(const v1::Forget& from, Checks& checks) {
   checks.require(from.session() != 0, "it names no session");
   return {.session = from.session()};
 }
+
+Acknowledgement decode(const v1::Acknowledgement& from, Checks& checks) {
+  return {.what = decode(from.what(), checks), .version = from.version()};
+}
+
+Unsubscribe decode(const v1::Unsubscribe& from, Checks& checks) { return {.what = decode(from.what(), checks)}; }
 
 template <class From>
 Decoded<ToBackend> backendMessage(std::string_view name, const From& from) {
@@ -130,6 +138,10 @@ Decoded<ToBackend> decodeToBackend(std::string_view header, const ViewLookup& vi
       return backendMessage("quality", envelope.quality());
     case v1::ToBackend::kForget:
       return backendMessage("forget", envelope.forget());
+    case v1::ToBackend::kAcknowledgement:
+      return backendMessage("acknowledgement", envelope.acknowledgement());
+    case v1::ToBackend::kUnsubscribe:
+      return backendMessage("end of a subscription", envelope.unsubscribe());
     case v1::ToBackend::MESSAGE_NOT_SET:
       break;
   }

@@ -52,6 +52,8 @@ Result decode(const v1::Result& from, Checks& checks) {
   to.what = decode(from.what(), checks);
   to.shared = from.shared();
   to.version = from.version();
+  to.pushed = from.pushed();
+  checks.require(from.shared() || !from.pushed(), "it is a picture that is pushed");
   switch (from.payload_case()) {
     case v1::Result::kPicture:
     case v1::Result::kNothing:

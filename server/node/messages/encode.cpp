@@ -126,6 +126,7 @@ void put(const Request& from, v1::ToBackend& envelope) {
   to.set_distance(from.distance);
   to.set_urgency(from.urgency);
   to.set_known(from.known);
+  to.set_subscribe(from.subscribe);
 }
 
 void put(const Cancel& from, v1::ToBackend& envelope) {
@@ -139,6 +140,16 @@ void put(const Quality& from, v1::ToBackend& envelope) {
 }
 
 void put(const Forget& from, v1::ToBackend& envelope) { envelope.mutable_forget()->set_session(from.session); }
+
+void put(const Acknowledgement& from, v1::ToBackend& envelope) {
+  v1::Acknowledgement& to = *envelope.mutable_acknowledgement();
+  put(from.what, to.mutable_what());
+  to.set_version(from.version);
+}
+
+void put(const Unsubscribe& from, v1::ToBackend& envelope) {
+  put(from.what, envelope.mutable_unsubscribe()->mutable_what());
+}
 
 template <class Served>
 void putBounds(const world::Bounds& from, Served& to) {
@@ -179,6 +190,7 @@ void put(const Result& from, v1::ToFrontend& envelope) {
   put(from.what, to.mutable_what());
   to.set_shared(from.shared);
   to.set_version(from.version);
+  to.set_pushed(from.pushed);
   if (const auto* failure = std::get_if<Failure>(&from.payload)) {
     put(*failure, to.mutable_failure());
   } else if (from.packed && from.shared) {

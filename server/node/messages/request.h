@@ -29,6 +29,9 @@ struct Request {
   /// Of shared data: the version that the process has, to which the answer may come as a difference; 0: none, and
   /// where the answer goes by reference.
   Version known = 0;
+  /// Of shared data: each later version is sent, too, until an Unsubscribe or the end of the link. Only what a clock
+  /// changes is sent so, see SharedData.
+  bool subscribe = false;
 
   /// Whose camera and lights a picture is of.
   [[nodiscard]] const View& seenBy() const { return eye ? *eye : *view; }
@@ -48,6 +51,18 @@ struct Quality {
 /// A visitor has left: what was kept for him alone may go.
 struct Forget {
   SessionId session = 0;
+};
+
+/// This version of subscribed data has come, and those before it. A backend node sends only a few versions that are not
+/// acknowledged.
+struct Acknowledgement {
+  SharedKey what;
+  Version version = 0;
+};
+
+/// Nobody uses subscribed data any more: later versions are announced instead.
+struct Unsubscribe {
+  SharedKey what;
 };
 
 inline pipeline::TraceTag traceTag(const Request& request) {

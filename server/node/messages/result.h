@@ -30,6 +30,7 @@ struct Result {
   SharedKey what;  ///< the object; of shared data, its key
   bool shared = false;
   Version version = 0;  ///< of shared data
+  bool pushed = false;  ///< it was subscribed to: no request of its own asks for it
   Payload payload;
   /// The payload as bytes, between the Compressor and the Decompressor where nodes share no memory; then `payload` is
   /// a null picture.

@@ -39,6 +39,8 @@ class SharedData {
   [[nodiscard]] std::shared_ptr<const PackedBytes> packed(pipeline::Timeline& timeline, std::string_view subject) const;
 
   [[nodiscard]] Version version() const noexcept { return version_; }
+  /// Whether a clock changes it.
+  [[nodiscard]] bool isClocked() const noexcept { return cadence_ > 0.0; }
 
   /// Reports its memory as long as it lives, once, whoever shares it: by who made it, before it is shared. The ledger
   /// outlives the data.

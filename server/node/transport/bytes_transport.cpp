@@ -35,19 +35,16 @@ pipeline::PushResult BytesTransport::send(ToBackend message) {
   return toBackend_->send(std::move(packet));
 }
 
-void BytesTransport::send(ToFrontend message) {
+pipeline::PushResult BytesTransport::send(ToFrontend message) {
   Packet packet = encode(message);
   traffic_->countHeader(packet);
   traffic_->countBulk(message);
-  if (const auto control = controlNameOf(message)) {
-    (void)toFrontend_->sendControl(*control, std::move(packet));
-    return;
-  }
+  if (const auto control = controlNameOf(message)) return toFrontend_->sendControl(*control, std::move(packet));
   // The copy that a socket would make.
   if (packet.bulk) packet.bulk = std::make_shared<const PackedBytes>(*packet.bulk);
-  if (toFrontend_->send(std::move(packet)) != pipeline::PushResult::kAccepted) {
-    timeline_.count("messages that found their link full");
-  }
+  const pipeline::PushResult result = toFrontend_->send(std::move(packet));
+  if (result != pipeline::PushResult::kAccepted) timeline_.count("messages that found their link full");
+  return result;
 }
 
 void BytesTransport::compress(Result& result, std::string_view subject) const {

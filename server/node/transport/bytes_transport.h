@@ -28,7 +28,7 @@ class BytesTransport final : public Transport {
   void leaveBackend() override;
   void leaveFrontend() override;
   pipeline::PushResult send(ToBackend message) override;
-  void send(ToFrontend message) override;
+  pipeline::PushResult send(ToFrontend message) override;
   void compress(Result& result, std::string_view subject) const override;
   [[nodiscard]] LinkTraffic traffic() const override;
 

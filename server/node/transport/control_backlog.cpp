@@ -6,15 +6,19 @@ namespace grove::node {
 namespace {
 
 /// The names' order is that in which they are sent: a session's frames end before it is forgotten.
-struct ControlName {
+class ControlName {
+ public:
   using Name = std::optional<std::string>;
   Name operator()(const Cancel& cancel) const { return "cancel " + std::to_string(cancel.session); }
   Name operator()(const Forget& forget) const { return "forget " + std::to_string(forget.session); }
   Name operator()(const Quality& /*quality*/) const { return "quality"; }
-  Name operator()(const Announcement& announcement) const {
-    return std::to_string(announcement.what.object) + " " + announcement.what.key;
-  }
+  Name operator()(const Acknowledgement& acknowledgement) const { return "acknowledge " + of(acknowledgement.what); }
+  Name operator()(const Unsubscribe& unsubscribe) const { return "unsubscribe " + of(unsubscribe.what); }
+  Name operator()(const Announcement& announcement) const { return of(announcement.what); }
   Name operator()(const auto& /*other*/) const { return std::nullopt; }
+
+ private:
+  static std::string of(const SharedKey& what) { return std::to_string(what.object) + " " + what.key; }
 };
 
 }  // namespace

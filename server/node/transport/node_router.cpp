@@ -7,6 +7,17 @@
 #include "base/log.h"
 
 namespace grove::node {
+namespace {
+
+/// The object that a message is about; nothing if it is for all nodes.
+struct AboutObject {
+  std::optional<world::ObjectId> operator()(const Request& request) const { return request.object; }
+  std::optional<world::ObjectId> operator()(const Acknowledgement& received) const { return received.what.object; }
+  std::optional<world::ObjectId> operator()(const Unsubscribe& ended) const { return ended.what.object; }
+  std::optional<world::ObjectId> operator()(const auto& /*other*/) const { return std::nullopt; }
+};
+
+}  // namespace
 
 /// One node, as the router hears it.
 class NodeRouter::Branch final : public FrontendPort {
@@ -37,11 +48,11 @@ void NodeRouter::add(std::string name, std::shared_ptr<FrontendEnd> end) {
 }
 
 pipeline::PushResult NodeRouter::send(ToBackend message) {
-  if (auto* const request = std::get_if<Request>(&message)) {
+  if (const auto object = std::visit(AboutObject(), message)) {
     const Branch* owner = nullptr;
     {
       const std::shared_lock lock(mutex_);
-      const auto found = owners_.find(std::min(request->object, world::kFirstPlayerObject));
+      const auto found = owners_.find(std::min(*object, world::kFirstPlayerObject));
       if (found != owners_.end()) owner = found->second;
     }
     return owner == nullptr ? pipeline::PushResult::kClosed : owner->end().send(std::move(message));

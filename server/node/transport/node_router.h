@@ -15,8 +15,8 @@
 
 namespace grove::node {
 
-/// A frontend process's end of links to several backend nodes, each of which serves some of the objects. A request goes
-/// to the node that serves its object, everything else to all. Who serves what is what nodes said in their last
+/// A frontend process's end of links to several backend nodes, each of which serves some of the objects. What is about
+/// an object goes to the node that serves it, everything else to all. Who serves what is what nodes said in their last
 /// welcome; what a node sends of another one's object is dropped. Any thread, but for add().
 class NodeRouter final : public FrontendEnd {
  public:
@@ -30,8 +30,8 @@ class NodeRouter final : public FrontendEnd {
 
   void connect(FrontendPort& frontend) override { frontend_.connect(frontend); }
   void leaveFrontend() override { frontend_.leave(); }
-  /// A request is closed if nobody serves its object. Other messages are accepted if any node accepts them: one that is
-  /// away does not hold up the others.
+  /// A message about an object that nobody serves is closed. Other messages are accepted if any node accepts them: one
+  /// that is away does not hold up the others.
   pipeline::PushResult send(ToBackend message) override;
   [[nodiscard]] LinkTraffic traffic() const override;
 

@@ -10,9 +10,11 @@ pipeline::PushResult ReferenceTransport::send(ToBackend message) {
   });
 }
 
-void ReferenceTransport::send(ToFrontend message) {
-  frontend_.use([&](FrontendPort* port) {
-    if (port != nullptr) port->receive(std::move(message));
+pipeline::PushResult ReferenceTransport::send(ToFrontend message) {
+  return frontend_.use([&](FrontendPort* port) {
+    if (port == nullptr) return pipeline::PushResult::kClosed;
+    port->receive(std::move(message));
+    return pipeline::PushResult::kAccepted;
   });
 }
 

@@ -18,7 +18,7 @@ class ReferenceTransport final : public Transport {
   void leaveBackend() override { backend_.leave(); }
   void leaveFrontend() override { frontend_.leave(); }
   pipeline::PushResult send(ToBackend message) override;
-  void send(ToFrontend message) override;
+  pipeline::PushResult send(ToFrontend message) override;
   void compress(Result& /*result*/, std::string_view /*subject*/) const override {}
 
  private:

@@ -90,8 +90,8 @@ class BackendEnd {
   /// As FrontendEnd::connect().
   virtual void connect(BackendPort& backend) = 0;
   virtual void leaveBackend() = 0;
-  /// What cannot be sent is lost, and counted; announcements wait until they can.
-  virtual void send(ToFrontend message) = 0;
+  /// What is not accepted is lost, and counted; announcements wait until they can be sent.
+  virtual pipeline::PushResult send(ToFrontend message) = 0;
   /// Whether both ends share memory, so that what is shared travels whole, by reference.
   [[nodiscard]] virtual bool sharesMemory() const = 0;
   /// What the Compressor does to a result before it travels, see FrontendProcess::unpack(); `subject` is its type of

@@ -48,7 +48,7 @@ class Results final : public pipeline::Stage<Answered> {
 
  protected:
   void process(std::span<Answered> results, pipeline::Run&) override {
-    for (const auto& [result, peer] : results) {
+    for (const auto& [result, peer, subscribed] : results) {
       failed.emplace_back(result.session, std::holds_alternative<Failure>(result.payload));
     }
   }

@@ -94,6 +94,20 @@ inline Result sharedData() {
           .packed = bulk()};
 }
 
+inline Request subscription() {
+  Request request = examples::request();
+  request.view = nullptr;
+  request.shared = true;
+  request.subscribe = true;
+  return request;
+}
+
+inline Result pushed() {
+  Result result = sharedData();
+  result.pushed = true;
+  return result;
+}
+
 inline Result failure() {
   return {.session = kSession,
           .frame = kFrame,
@@ -135,7 +149,10 @@ inline std::vector<ToBackend> toBackend() {
           request(),
           Cancel{.session = kSession, .frame = kFrame},
           Quality{.step = 2},
-          Forget{.session = kSession}};
+          Forget{.session = kSession},
+          subscription(),
+          Acknowledgement{.what = {.object = 4, .key = "map"}, .version = 7},
+          Unsubscribe{.what = {.object = 4, .key = "map"}}};
 }
 
 inline std::vector<ToFrontend> toFrontend() {
@@ -143,6 +160,7 @@ inline std::vector<ToFrontend> toFrontend() {
           NodeRefusal{"another scene"},
           picture(),
           sharedData(),
+          pushed(),
           failure(),
           nothing(),
           Announcement{.what = {.object = 4, .key = "map"}, .version = 2},

@@ -43,6 +43,8 @@ bool isSound(const Request& request) {
 bool isSound(const Cancel& cancel) { return cancel.session != 0 && cancel.frame != 0; }
 bool isSound(const Quality& quality) { return quality.step >= 0 && quality.step <= kMaxQuality; }
 bool isSound(const Forget& forget) { return forget.session != 0; }
+bool isSound(const Acknowledgement& received) { return received.what.key.size() <= kMaxKeyBytes; }
+bool isSound(const Unsubscribe& ended) { return ended.what.key.size() <= kMaxKeyBytes; }
 bool isSound(const NodeWelcome& welcome) { return welcome.objects.size() <= kMaxServedObjects; }
 bool isSound(const NodeRefusal& refusal) { return refusal.reason.size() <= kMaxReasonBytes; }
 bool isSound(const Result& result) {

@@ -197,6 +197,7 @@ TEST(WireRefusals, Requests) {
   EXPECT_THAT(requestRefusal([](Request& request) { request.rect = {0, 2, 5, 1}; }), HasSubstr("rectangle"));
   EXPECT_THAT(requestRefusal([](Request& request) { request.distance = -1.0F; }), HasSubstr("distance"));
   EXPECT_THAT(requestRefusal([](Request& request) { request.distance = kInfinity; }), HasSubstr("distance"));
+  EXPECT_THAT(requestRefusal([](Request& request) { request.subscribe = true; }), HasSubstr("subscribes to pictures"));
   EXPECT_THAT(requestRefusal([](Request& request) { request.urgency = kNan; }), HasSubstr("urgency"));
   EXPECT_THAT(requestRefusal([](Request& request) { request.urgency = -1.0F; }), HasSubstr("urgency"));
 }

@@ -250,6 +250,19 @@ TEST(Wire, CarriesAnnouncement) {
   EXPECT_EQ(got.version, 2u);
 }
 
+TEST(Wire, CarriesSubscriptions) {
+  const Request request = afterTravel(examples::subscription());
+  EXPECT_TRUE(request.subscribe);
+  EXPECT_EQ(request.known, 4u);
+  EXPECT_FALSE(afterTravel(examples::request()).subscribe);
+  EXPECT_TRUE(afterTravel(examples::pushed()).pushed);
+  EXPECT_FALSE(afterTravel(examples::sharedData()).pushed);
+  const Acknowledgement acknowledged = afterTravel(Acknowledgement{.what = {.object = 4, .key = "map"}, .version = 7});
+  EXPECT_EQ(acknowledged.what, (SharedKey{4, "map"}));
+  EXPECT_EQ(acknowledged.version, 7u);
+  EXPECT_EQ(afterTravel(Unsubscribe{.what = {.object = 4, .key = "map"}}).what, (SharedKey{4, "map"}));
+}
+
 TEST(Wire, BytesOfHelloStayAsTheyAre) {
   EXPECT_EQ(hex(encode(ToBackend(examples::hello())).header),
             "0a2b08011205302e322e3019efcdab896745230120032a051203736b792a0e0805120a6c696768746669656c64");

@@ -87,12 +87,19 @@ TEST_P(FullLinks, ControlMessagesWaitBesideAFullLink) {
     EXPECT_EQ(transport->send(ToBackend(Cancel{makeId(1, 1), frame})), pipeline::PushResult::kAccepted);
   }
   EXPECT_EQ(transport->send(ToBackend(Forget{makeId(1, 1)})), pipeline::PushResult::kAccepted);
+  const SharedKey fire{.object = 4, .key = {}};
+  for (const Version version : {4U, 8U}) {
+    EXPECT_EQ(transport->send(ToBackend(Acknowledgement{fire, version})), pipeline::PushResult::kAccepted);
+  }
+  EXPECT_EQ(transport->send(ToBackend(Unsubscribe{fire})), pipeline::PushResult::kAccepted);
   held.release();
   EXPECT_TRUE(eventually([&] { return only<Forget>(held.messages()).size() == 1; }));
   EXPECT_TRUE(eventually([&] { return !only<Quality>(held.messages()).empty(); }));
   EXPECT_EQ(only<Quality>(held.messages()).back().step, 0) << "the newest counts";
   EXPECT_LT(only<Quality>(held.messages()).size(), 3U) << "older ones have no use";
   EXPECT_EQ(only<Cancel>(held.messages()).back().frame, 9U);
+  EXPECT_TRUE(eventually([&] { return only<Unsubscribe>(held.messages()).size() == 1; }));
+  EXPECT_EQ(only<Acknowledgement>(held.messages()).back().version, 8U);
   transport->leaveBackend();
   transport->connect(backend);
 }

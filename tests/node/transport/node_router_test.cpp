@@ -57,15 +57,17 @@ class Router : public ::testing::Test {
   NodeRouter router;
 };
 
-TEST_F(Router, ARequestGoesToWhoServesItsObject) {
+TEST_F(Router, WhatIsAboutAnObjectGoesToWhoServesIt) {
   a.welcome({1, 2});
   b.welcome({3}, true);
   EXPECT_EQ(ask(3), PushResult::kAccepted);
   EXPECT_EQ(ask(world::kFirstPlayerObject + 7), PushResult::kAccepted);
   EXPECT_EQ(ask(2), PushResult::kAccepted);
   EXPECT_EQ(ask(4), PushResult::kClosed) << "of nobody";
+  EXPECT_EQ(router.send(Acknowledgement{.what = {.object = 3, .key = {}}, .version = 1}), PushResult::kAccepted);
+  EXPECT_EQ(router.send(Unsubscribe{.what = {.object = 3, .key = {}}}), PushResult::kAccepted);
   EXPECT_EQ(a.messages.size(), 1U);
-  EXPECT_EQ(b.messages.size(), 2U);
+  EXPECT_EQ(b.messages.size(), 4U);
   EXPECT_EQ(router.served().objects, (std::set<world::ObjectId>{1, 2, 3}));
   EXPECT_TRUE(router.served().visitors);
   b.answer = PushResult::kRejected;

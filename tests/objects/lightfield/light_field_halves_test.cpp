@@ -159,7 +159,8 @@ class Wood {
   tests::BackendWorld world_;
   world::World players_;
   tests::BackendStand stand_;
-  node::SharedStore store_{std::size_t{256} << 20U, [this](const node::Request& request) { return fetch(request); }};
+  node::SharedStore store_{std::size_t{256} << 20U,
+                           [this](const node::ToBackend& message) { return fetch(std::get<node::Request>(message)); }};
   LightFieldBackend backend_{services(), 0, {}};
   node::FrontendTools tools_{stand_.workers, stand_.timeline, stand_.memory, stand_.images, world_.scene.layout.sky};
   std::vector<Visitor> visitors_;

@@ -35,8 +35,11 @@ void SharedReceiver::process(std::span<SharedInput> inputs, pipeline::Run&) {
 }
 
 bool SharedReceiver::take(Result& result) {
-  if (!frontend_.shared().awaits(result.what)) return false;
-  attempt([&] { frontend_.unpack(result); }, [&](const std::string& reason) { result.payload = Failure{reason}; });
+  if (frontend_.shared().awaits(result)) {
+    attempt([&] { frontend_.unpack(result); }, [&](const std::string& reason) { result.payload = Failure{reason}; });
+  } else if (!result.pushed) {
+    return false;
+  }
   return frontend_.shared().put(result);
 }
 

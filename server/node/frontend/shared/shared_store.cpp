@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "node/limits.h"
 #include "pipeline/clocks.h"
 
 namespace grove::node {
@@ -22,7 +23,7 @@ std::shared_ptr<const SharedData> SharedStore::find(const SharedKey& what) {
     const std::lock_guard lock(mutex_);
     found = use(what);
   }
-  if (found.isStale) fetchNewer(what, found.known);
+  if (found.newer) fetch(std::move(*found.newer));
   return found.data;
 }
 
@@ -36,9 +37,7 @@ SharedStore::Found SharedStore::use(const SharedKey& what) {
   Entry* const entry = what.key.empty() ? entryOf(what) : entries_.use(what);
   if (entry == nullptr) return {};
   entry->used = true;
-  const bool isStale = wantsNewer(what, *entry);
-  if (isStale) pending_[what].deadline = pipeline::wallSeconds() + kFetchSeconds;
-  return {entry->data, isStale, entry->known()};
+  return {entry->data, newerThan(what, *entry)};
 }
 
 SharedStore::Entry* SharedStore::entryOf(const SharedKey& what) {
@@ -47,26 +46,28 @@ SharedStore::Entry* SharedStore::entryOf(const SharedKey& what) {
   return found == objects_.end() ? nullptr : &found->second;
 }
 
-bool SharedStore::wantsNewer(const SharedKey& what, const Entry& entry) const {
-  if (!entry.used || !entry.isStale) return false;
-  const auto pending = pending_.find(what);
-  return pending == pending_.end() || pending->second.deadline < pipeline::wallSeconds();
-}
-
-void SharedStore::fetchNewer(const SharedKey& what, Version known) {
+std::optional<Request> SharedStore::newerThan(const SharedKey& what, const Entry& entry) {
+  if (!entry.used || !entry.isStale) return std::nullopt;
+  const double now = pipeline::wallSeconds();
+  const auto [underWay, isNew] = pending_.try_emplace(what);
+  Pending& pending = underWay->second;
+  if (!isNew && pending.deadline >= now) return std::nullopt;
+  pending.deadline = now + kFetchSeconds;
+  pending.subscribes = entry.data->isClocked();
   Request request;
-  request.known = known;
+  request.known = entry.known();
   request.object = what.object;
   request.shared = true;
   request.key = what.key;
-  fetch(std::move(request));
+  request.subscribe = pending.subscribes;
+  return request;
 }
 
 void SharedStore::fetch(Request request) {
   const SharedKey what{request.object, request.key};
   std::string reason = "the backend node is full";
   try {
-    if (fetch_(std::move(request))) return;
+    if (send_(std::move(request))) return;
   } catch (const std::exception& e) {
     reason = e.what();
   }
@@ -76,9 +77,9 @@ void SharedStore::fetch(Request request) {
 void SharedStore::get(const Request& request, Waiter waiter) {
   const SharedKey what{request.object, request.key};
   std::unique_lock lock(mutex_);
-  if (const Found found = use(what); found.data) {
+  if (Found found = use(what); found.data) {
     lock.unlock();
-    if (found.isStale) fetchNewer(what, found.known);
+    if (found.newer) fetch(std::move(*found.newer));
     waiter(found.data);
     return;
   }
@@ -109,12 +110,15 @@ std::vector<SharedStore::Waiting> SharedStore::takeWaiting(const SharedKey& what
   return pending.empty() ? std::vector<Waiting>() : std::move(pending.mapped().waiting);
 }
 
-bool SharedStore::awaits(const SharedKey& what) const {
+bool SharedStore::awaits(const Result& result) {
   const std::lock_guard lock(mutex_);
-  return pending_.contains(what);
+  if (!result.pushed) return pending_.contains(result.what);
+  const Entry* const entry = entryOf(result.what);
+  return entry != nullptr && entry->isSubscribed;
 }
 
 bool SharedStore::put(const Result& result) {
+  if (result.pushed) return putPushed(result);
   const SharedKey& what = result.what;
   const auto* const data = std::get_if<std::shared_ptr<const SharedData>>(&result.payload);
   std::vector<Entry> given;  // their memory is freed after the lock
@@ -125,12 +129,62 @@ bool SharedStore::put(const Result& result) {
     if (pending.empty()) return false;
     waiting = std::move(pending.mapped().waiting);
     if (data != nullptr && *data != nullptr) {
-      const bool isStale = pending.mapped().announced > (*data)->version();
-      keep(what, {*data, (*data)->bytes(), isStale, false, false}, given);
+      keep(what,
+           {.data = *data,
+            .bytes = (*data)->bytes(),
+            .isStale = pending.mapped().announced > (*data)->version(),
+            .isSubscribed = pending.mapped().subscribes},
+           given);
     }
   }
   for (const Waiting& each : waiting) each.waiter(result.payload);
   return true;
+}
+
+bool SharedStore::putPushed(const Result& result) {
+  const SharedKey& what = result.what;
+  const auto* const data = std::get_if<std::shared_ptr<const SharedData>>(&result.payload);
+  std::vector<Entry> given;  // their memory is freed after the lock
+  std::optional<ToBackend> reply;
+  bool isAwaited = false;
+  {
+    const std::lock_guard lock(mutex_);
+    Entry* const last = entryOf(what);
+    isAwaited = last != nullptr && last->isSubscribed;
+    if (!isAwaited) {
+      // Where it is being subscribed to again, this was sent before.
+      if (!pending_.contains(what)) reply = Unsubscribe{what};
+    } else if (data != nullptr && *data != nullptr) {
+      reply = keepPushed(what, *data, given);
+    } else {
+      last->isStale = true;
+      last->isSubscribed = false;
+    }
+  }
+  if (reply) (void)send_(std::move(*reply));
+  return isAwaited;
+}
+
+std::optional<ToBackend> SharedStore::keepPushed(const SharedKey& what, std::shared_ptr<const SharedData> data,
+                                                 std::vector<Entry>& given) {
+  const Version version = data->version();
+  const Entry& last = *entryOf(what);
+  const std::size_t pushed = last.pushed + 1;
+  const std::size_t unused = last.used ? 0 : last.unused + 1;
+  const bool isWanted = unused < kMaxUnused;
+  const std::size_t bytes = data->bytes();
+  // Later versions may come before the node hears that they are not wanted, and are not taken.
+  keep(what,
+       {.data = std::move(data),
+        .bytes = bytes,
+        .isStale = !isWanted,
+        .isSubscribed = isWanted,
+        .pushed = pushed,
+        .unused = unused},
+       given);
+  if (!isWanted) return Unsubscribe{what};
+  if (pushed % kAcknowledgedAtOnce == 0) return Acknowledgement{what, version};
+  return std::nullopt;
 }
 
 void SharedStore::keep(const SharedKey& what, Entry entry, std::vector<Entry>& given) {
@@ -158,6 +212,7 @@ void SharedStore::renew(const std::function<bool(world::ObjectId)>& isOfNode, bo
   const std::lock_guard lock(mutex_);
   const auto age = [&](Entry& entry) {
     entry.isStale = true;
+    entry.isSubscribed = false;
     entry.isForeign = entry.isForeign || restarted;
   };
   for (auto& [object, entry] : objects_) {
@@ -170,13 +225,13 @@ void SharedStore::renew(const std::function<bool(world::ObjectId)>& isOfNode, bo
   for (const SharedKey& what : keys) age(*entries_.find(what));
   // What is under way may have been lost with the link: who wants it next asks again.
   for (auto& [what, pending] : pending_) {
-    if (isOfNode(what.object)) pending = {0.0, 0, std::move(pending.waiting)};
+    if (isOfNode(what.object)) pending = {.waiting = std::move(pending.waiting)};
   }
 }
 
 void SharedStore::announced(const Announcement& announcement) {
   const SharedKey& what = announcement.what;
-  Version known = 0;
+  std::optional<Request> request;
   {
     const std::lock_guard lock(mutex_);
     // The last one counts, not the highest, which no later one could contradict.
@@ -185,13 +240,10 @@ void SharedStore::announced(const Announcement& announcement) {
     Entry* const entry = entryOf(what);
     if (entry == nullptr) return;
     entry->isStale = entry->isForeign || announcement.version != entry->data->version();
-    if (!wantsNewer(what, *entry)) return;
-    Pending& pending = pending_[what];
-    pending.deadline = pipeline::wallSeconds() + kFetchSeconds;
-    pending.announced = announcement.version;
-    known = entry->known();
+    request = newerThan(what, *entry);
+    if (request) pending_[what].announced = announcement.version;
   }
-  fetchNewer(what, known);
+  if (request) fetch(std::move(*request));
 }
 
 SharedStore::Statistics SharedStore::statistics() const {

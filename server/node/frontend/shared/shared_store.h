@@ -5,11 +5,11 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <vector>
 
 #include "base/lru_table.h"
-#include "node/messages/request.h"
-#include "node/messages/result.h"
+#include "node/messages/envelope.h"
 
 namespace grove::node {
 
@@ -20,15 +20,21 @@ namespace grove::node {
 /// However many want the same at once, it is requested once. A change that a backend node announces is fetched as soon
 /// as somebody has used what is there; until it comes, that is what is there. What comes takes its place, whatever its
 /// version: a version is what a backend node says, and a wrong one must not stay for ever.
+///
+/// What a clock changes is subscribed to when it is fetched for the second time: from then on the node pushes each
+/// version. The store unsubscribes when nobody has used the last kMaxUnused versions. If one cannot be unpacked, a
+/// version before it was lost, and the store subscribes again.
 class SharedStore {
  public:
-  /// Sends a request to the object's backend node; false, or a throw, if it is refused.
-  using Fetch = std::function<bool(Request)>;
+  static constexpr std::size_t kMaxUnused = 30;
+
+  /// Sends a message to the object's backend node; false, or a throw, if it is refused.
+  using Send = std::function<bool(ToBackend)>;
   /// Gets what was wanted, or a failure: once, on the thread that brings it, or at once; or when somebody else asks
   /// again for what has not come before the deadline of the waiter's frame. Must not block.
   using Waiter = std::function<void(const Payload&)>;
 
-  SharedStore(std::size_t maxBytes, Fetch fetch) : maxBytes_(maxBytes), fetch_(std::move(fetch)) {}
+  SharedStore(std::size_t maxBytes, Send send) : maxBytes_(maxBytes), send_(std::move(send)) {}
 
   /// Null if it is not there.
   [[nodiscard]] std::shared_ptr<const SharedData> find(const SharedKey& what);
@@ -40,10 +46,11 @@ class SharedStore {
   /// finds it under way for longer than a frame's deadline requests it again.
   void get(const Request& request, Waiter waiter);
 
-  /// Whether it is requested and has not come.
-  [[nodiscard]] bool awaits(const SharedKey& what) const;
+  /// Whether a backend node may send it: it is requested and has not come, or it is pushed and subscribed to.
+  [[nodiscard]] bool awaits(const Result& result);
 
-  /// What a backend node answered to a request of this store. False, and nothing changes, if none is under way.
+  /// What a backend node has sent. False, and nothing changes, if it is not awaited; what is pushed is unsubscribed
+  /// then.
   [[nodiscard]] bool put(const Result& result);
 
   /// A link to a backend node is restored, and announcements may have been lost: marks the data of its objects as
@@ -67,6 +74,9 @@ class SharedStore {
     bool isStale = false;    ///< another version was announced
     bool used = false;       ///< since it came
     bool isForeign = false;  ///< its version is of an earlier life of its node
+    bool isSubscribed = false;
+    std::size_t pushed = 0;  ///< versions since it was subscribed to
+    std::size_t unused = 0;  ///< of them, the last ones that nobody has used
     /// For the node, to which no version of an earlier life means anything.
     [[nodiscard]] Version known() const { return isForeign ? 0 : data->version(); }
   };
@@ -77,31 +87,35 @@ class SharedStore {
   struct Pending {
     double deadline = 0.0;
     Version announced = 0;  ///< meanwhile: what comes may have been made before that
+    bool subscribes = false;
     std::vector<Waiting> waiting;
   };
   struct Found {
     std::shared_ptr<const SharedData> data;
-    bool isStale = false;  ///< to be fetched anew by who found it
-    Version known = 0;
+    std::optional<Request> newer = {};  ///< to be sent by who found it
   };
   // These with mutex_ held.
   [[nodiscard]] Found use(const SharedKey& what);
   [[nodiscard]] Entry* entryOf(const SharedKey& what);
-  /// Whether the entry is to be fetched anew now.
-  [[nodiscard]] bool wantsNewer(const SharedKey& what, const Entry& entry) const;
+  /// The request for a newer version, which is under way then; nothing if it is not to be fetched now.
+  [[nodiscard]] std::optional<Request> newerThan(const SharedKey& what, const Entry& entry);
+  /// Keeps a version that follows the last one, and returns what the node is to be told.
+  [[nodiscard]] std::optional<ToBackend> keepPushed(const SharedKey& what, std::shared_ptr<const SharedData> data,
+                                                    std::vector<Entry>& given);
   /// `given` gets what it replaces.
   void keep(const SharedKey& what, Entry entry, std::vector<Entry>& given);
   void makeRoom(std::vector<Entry>& given);
   /// Those whose frames are over.
   [[nodiscard]] static std::vector<Waiting> takeLate(Pending& pending, double now);
 
-  void fetchNewer(const SharedKey& what, Version known);
+  /// Takes what is subscribed to.
+  [[nodiscard]] bool putPushed(const Result& result);
   /// Who waits for it gets a failure if it is refused.
   void fetch(Request request);
   [[nodiscard]] std::vector<Waiting> takeWaiting(const SharedKey& what);
 
   const std::size_t maxBytes_;
-  const Fetch fetch_;
+  const Send send_;
   mutable std::mutex mutex_;
   LruTable<SharedKey, Entry> entries_;        ///< under keys that are not empty
   std::map<world::ObjectId, Entry> objects_;  ///< their own data

@@ -93,10 +93,10 @@ class GrpcServer::Link final : public PacketReactor<grpc::ServerGenericBidiReact
   void leaveBackend() override { incoming_->leave(); }
   [[nodiscard]] bool sharesMemory() const override { return false; }
   void compress(Result& result, std::string_view subject) const override { packResult(result, timeline_, subject); }
-  void send(ToFrontend message) override {
-    if (write(encode(message), controlNameOf(message)) == pipeline::PushResult::kRejected) {
-      timeline_.count("messages that found their link full");
-    }
+  pipeline::PushResult send(ToFrontend message) override {
+    const pipeline::PushResult result = write(encode(message), controlNameOf(message));
+    if (result == pipeline::PushResult::kRejected) timeline_.count("messages that found their link full");
+    return result;
   }
 
   void OnCancel() override {

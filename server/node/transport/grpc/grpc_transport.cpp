@@ -61,6 +61,6 @@ void GrpcTransport::leaveBackend() {
 
 pipeline::PushResult GrpcTransport::send(ToBackend message) { return frontend_.send(std::move(message)); }
 
-void GrpcTransport::send(ToFrontend message) { backend()->send(std::move(message)); }
+pipeline::PushResult GrpcTransport::send(ToFrontend message) { return backend()->send(std::move(message)); }
 
 }  // namespace grove::node

@@ -23,7 +23,7 @@ class GrpcTransport final : public Transport {
   void leaveBackend() override;
   void leaveFrontend() override { frontend_.leaveFrontend(); }
   pipeline::PushResult send(ToBackend message) override;
-  void send(ToFrontend message) override;
+  pipeline::PushResult send(ToFrontend message) override;
   void compress(Result& result, std::string_view subject) const override { backend()->compress(result, subject); }
   [[nodiscard]] LinkTraffic traffic() const override { return frontend_.traffic(); }
 

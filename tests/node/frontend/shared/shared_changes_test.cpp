@@ -68,12 +68,12 @@ TEST_F(SharedChanges, AnnouncementsOfWhatNobodyWantsAreForgotten) {
 /// Would catch a peer who fills the store with what nobody wants, or changes what is there.
 TEST_F(SharedChanges, WhatNobodyAskedForIsRefused) {
   for (const SharedKey& what : {a, own}) {
-    EXPECT_FALSE(store.awaits(what));
+    EXPECT_FALSE(awaits(what));
     EXPECT_FALSE(store.put(resultOf(what, 1)));
     EXPECT_FALSE(store.put(failureOf(what)));
     EXPECT_FALSE(store.find(what));
     get(what);
-    EXPECT_TRUE(store.awaits(what));
+    EXPECT_TRUE(awaits(what));
     bring(what, 5);
     EXPECT_FALSE(store.put(resultOf(what, 6))) << "once";
     EXPECT_EQ(versionOf(what), 5U);
@@ -140,7 +140,7 @@ TEST_F(SharedChanges, AnAbsurdAnnouncementCostsTwoRequestsAndHidesNoLaterOne) {
     fetched.clear();
     store.announced({what, kHighest});
     for (int i = 0; i < 5; ++i) {
-      if (store.awaits(what)) bring(what, 5);
+      if (awaits(what)) bring(what, 5);
       (void)store.find(what);
     }
     EXPECT_EQ(fetched.size(), 2U);

@@ -18,7 +18,7 @@ namespace grove::node {
 /// Shared data of so many bytes.
 class Block final : public SharedData {
  public:
-  Block(Version version, std::size_t bytes) : SharedData(version), bytes_(bytes) {}
+  Block(Version version, std::size_t bytes, double cadence = 0.0) : SharedData(version, cadence), bytes_(bytes) {}
 
  private:
   [[nodiscard]] std::size_t ownBytes() const noexcept override { return bytes_; }
@@ -86,13 +86,23 @@ class SharedStoreTest : public ::testing::Test {
   bool full = false;
   bool broken = false;
   std::vector<SharedKey> fetched;
-  std::vector<Version> known;  ///< of those that no frame waits for
+  std::vector<Version> known;    ///< of those that no frame waits for
+  std::vector<bool> subscribes;  ///< the same
+  std::vector<ToBackend> told;   ///< besides
   std::vector<std::string> got;
-  SharedStore store{kMaxBytes, [this](const Request& request) {
+  bool awaits(const SharedKey& what) { return store.awaits(resultOf(what, 1)); }
+
+  SharedStore store{kMaxBytes, [this](const ToBackend& message) {
+                      if (!std::holds_alternative<Request>(message)) {
+                        told.push_back(message);
+                        return true;
+                      }
+                      const auto& request = std::get<Request>(message);
                       EXPECT_TRUE(request.shared);
                       if (broken) throw std::runtime_error("the wire is broken");
                       if (!full) fetched.push_back({request.object, request.key});
                       if (!request.view) known.push_back(request.known);
+                      if (!request.view) subscribes.push_back(request.subscribe);
                       return !full;
                     }};
   const SharedKey own{kObject, {}};

@@ -142,7 +142,8 @@ TEST(SharedStoreThreads, EverybodyGetsWhatHeAskedForOnce) {
   pipeline::WorkerPool backend(2);
   std::atomic<Version> version{1};
   std::atomic<SharedStore*> front{nullptr};
-  SharedStore store(3 * 400, [&](const Request& request) {
+  SharedStore store(3 * 400, [&](const ToBackend& message) {
+    const auto& request = std::get<Request>(message);
     backend.post(
         [&, what = SharedKey{request.object, request.key}] { (void)front.load()->put(resultOf(what, version)); });
     return true;

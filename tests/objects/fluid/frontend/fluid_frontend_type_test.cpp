@@ -52,7 +52,7 @@ class FluidFrontendTest : public ::testing::Test {
   pipeline::WorkerPool workers_{1};
   const world::Sky sky_;
   const std::unique_ptr<node::FrontendHalf> half_ = type_.makeHalf({workers_, timeline_, memory_, images_, sky_});
-  node::SharedStore store_{0, [](const node::Request&) { return true; }};
+  node::SharedStore store_{0, [](const node::ToBackend&) { return true; }};
   node::VisibleObject fire_;
   const node::View view_ = lookAt({0.0F, 1.7F, 6.0F}, {0.0F, 2.5F, 0.0F}, 320, 180);
 };

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "node/messages/shared_key.h"
+
+namespace grove::node {
+
+/// The shared data of which a peer gets each new version without a request. Of each key, one version is made at a time,
+/// and at most kMaxUnacknowledged versions are sent that the peer has not acknowledged. What is published meanwhile is
+/// skipped: when there is room again, the newest version is sent. So a slow link has no backlog. Thread-safe.
+class Subscriptions {
+ public:
+  static constexpr std::size_t kMax = 256;
+  /// A version that takes longer to make is lost. Then the subscription ends, so that the next version is announced.
+  static constexpr double kMaxSeconds = 1.0;
+
+  /// Has the newest version made and sent to the peer, which has version `known`; false if the node is full. Called
+  /// without a lock; must not block.
+  using Ask = std::function<bool(const SharedKey& what, Version known)>;
+
+  /// Before the first begin().
+  void connect(Ask ask) { ask_ = std::move(ask); }
+
+  /// The request that subscribes is about to be answered. Starts over if the peer subscribes already; false if it has
+  /// kMax subscriptions.
+  [[nodiscard]] bool begin(const SharedKey& what);
+  void end(const SharedKey& what);
+  void clear();
+
+  /// There is a new version. False if the peer has not subscribed to the key.
+  [[nodiscard]] bool published(const SharedKey& what, Version version);
+  /// The answer to the request that subscribed was sent, or a version that was `pushed` after it.
+  void sent(const SharedKey& what, Version version, bool pushed);
+  /// The peer has this version.
+  void acknowledged(const SharedKey& what, Version version);
+
+ private:
+  struct Subscription {
+    std::optional<Version> newest = {};  ///< that was published
+    std::optional<Version> sent = {};    ///< nothing before the first answer
+    Version acknowledged = 0;
+    std::optional<double> deadline = {};       ///< of the version that is being made
+    std::vector<Version> unacknowledged = {};  ///< pushed, the oldest first
+  };
+
+  /// Asks for the newest version if it is to be sent now. Unlocks.
+  void askIfDue(std::unique_lock<std::mutex> lock, const SharedKey& what, Subscription& subscription);
+
+  Ask ask_;
+  std::mutex mutex_;
+  std::map<SharedKey, Subscription> subscriptions_;
+};
+
+}  // namespace grove::node
