@@ -87,9 +87,9 @@ TEST_F(SubscribedData, ThatNobodyUsesIsUnsubscribedUntilSomebodyDoes) {
 /// Would catch a node whose later versions all change one that was lost.
 TEST_F(SubscribedData, IsSubscribedToAgainAfterOneThatCannotBeUnpacked) {
   ASSERT_NO_FATAL_FAILURE(subscribe(own));
-  Result broken = failureOf(own);
-  broken.pushed = true;
-  EXPECT_TRUE(store.put(broken));
+  Result failed = failureOf(own);
+  failed.pushed = true;
+  EXPECT_TRUE(store.put(failed));
   EXPECT_EQ(versionOf(own), 2U) << "shown meanwhile";
   EXPECT_THAT(known, ElementsAre(2U));
   EXPECT_THAT(subscribes, ElementsAre(true));
