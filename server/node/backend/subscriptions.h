@@ -21,22 +21,21 @@ class Subscriptions {
   /// A version that takes longer to make is lost. Then the subscription ends, so that the next version is announced.
   static constexpr double kMaxSeconds = 1.0;
 
-  /// Has the newest version made and sent to the peer, which has version `known`; false if the node is full. Called
-  /// without a lock; must not block.
+  /// Starts to make the newest version and to send it to the peer, as a change to version `known`. Returns false if the
+  /// node's queue is full. Called without a lock; must not block.
   using Ask = std::function<bool(const SharedKey& what, Version known)>;
 
   /// Before the first begin().
   void connect(Ask ask) { ask_ = std::move(ask); }
 
-  /// The request that subscribes is about to be answered. Starts over if the peer subscribes already; false if it has
-  /// kMax subscriptions.
+  /// Adds or restarts a subscription, before its request is answered. Returns false if the peer has kMax subscriptions.
   [[nodiscard]] bool begin(const SharedKey& what);
   void end(const SharedKey& what);
   void clear();
 
-  /// There is a new version. False if the peer has not subscribed to the key.
+  /// Handles a new version. Returns false if the peer has not subscribed to the key.
   [[nodiscard]] bool published(const SharedKey& what, Version version);
-  /// The answer to the request that subscribed was sent, or a version that was `pushed` after it.
+  /// Records that a version was sent: as the answer to the request that subscribed, or `pushed` after it.
   void sent(const SharedKey& what, Version version, bool pushed);
   /// The peer has this version.
   void acknowledged(const SharedKey& what, Version version);

@@ -98,7 +98,7 @@ void FrontendProcess::receive(Result result) {
   if (result.shared) {
     const Announcement lost{result.what, result.version};
     const bool isPushed = result.pushed;
-    // No answer tells of a version that was pushed and is lost.
+    // A pushed version that is lost has no request that could time out.
     if (sharedReceiver_->push(std::move(result)) != pipeline::PushResult::kAccepted && isPushed) store_.announced(lost);
     return;
   }

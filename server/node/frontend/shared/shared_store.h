@@ -49,8 +49,8 @@ class SharedStore {
   /// Whether a backend node may send it: it is requested and has not come, or it is pushed and subscribed to.
   [[nodiscard]] bool awaits(const Result& result);
 
-  /// What a backend node has sent. False, and nothing changes, if it is not awaited; what is pushed is unsubscribed
-  /// then.
+  /// Stores a result of a backend node. Returns false and stores nothing if the store does not expect it. If such a
+  /// result was pushed, unsubscribes from its key.
   [[nodiscard]] bool put(const Result& result);
 
   /// A link to a backend node is restored, and announcements may have been lost: marks the data of its objects as
@@ -97,9 +97,9 @@ class SharedStore {
   // These with mutex_ held.
   [[nodiscard]] Found use(const SharedKey& what);
   [[nodiscard]] Entry* entryOf(const SharedKey& what);
-  /// The request for a newer version, which is under way then; nothing if it is not to be fetched now.
+  /// Returns a request for a newer version and marks it as pending. Returns nothing if none is to be fetched now.
   [[nodiscard]] std::optional<Request> newerThan(const SharedKey& what, const Entry& entry);
-  /// Keeps a version that follows the last one, and returns what the node is to be told.
+  /// Stores a pushed version that follows the last one. Returns the message to send to the node, if any.
   [[nodiscard]] std::optional<ToBackend> keepPushed(const SharedKey& what, std::shared_ptr<const SharedData> data,
                                                     std::vector<Entry>& given);
   /// `given` gets what it replaces.
