@@ -93,7 +93,7 @@ world::Rect areaOfFrame(const world::Camera& camera) { return wholeCells({0, 0, 
 
 std::optional<world::Rect> extendedArea(const world::Rect& area, const world::Rect& seen, const world::Rect& later,
                                         const world::Camera& camera) {
-  if (later.empty()) return std::nullopt;
+  if (seen.empty() || later.empty()) return std::nullopt;
   const world::Rect wanted = withBorder(seen, later);
   const world::Rect both{std::min(area.left, wanted.left), std::min(area.top, wanted.top),
                          std::max(area.right, wanted.right), std::max(area.bottom, wanted.bottom)};

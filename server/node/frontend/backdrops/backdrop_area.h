@@ -23,7 +23,8 @@ namespace grove::node {
 [[nodiscard]] world::Rect areaOfFrame(const world::Camera& camera);
 
 /// Area of a backdrop that is extended: what a frame sees of it, in pixels of the backdrop's camera, with a border for
-/// what is seen `later`, and as much of its area as may be kept. Nothing if that would be too large.
+/// what is seen `later`, and as much of its area as may be kept. Nothing if that
+/// would be too large, or if the frame or what is seen later is elsewhere.
 [[nodiscard]] std::optional<world::Rect> extendedArea(const world::Rect& area, const world::Rect& seen,
                                                       const world::Rect& later, const world::Camera& camera);
 

@@ -94,6 +94,7 @@ TEST(ExtendedArea, GivesUpWhatIsOutOfSight) {
   EXPECT_LT(extended->right, 200);
   EXPECT_FALSE(extendedArea(area, {-3000, -600, 300, 1400}, {-3100, -600, 200, 1400}, kWindow)) << "it is too oblique";
   EXPECT_FALSE(extendedArea(area, {-1300, 0, 100, 720}, {}, kWindow)) << "soon it is out of sight";
+  EXPECT_FALSE(extendedArea(area, {}, {-1300, 0, 100, 720}, kWindow)) << "it is out of sight";
 }
 
 TEST(PartsBeyond, CoverTheRestOnce) {

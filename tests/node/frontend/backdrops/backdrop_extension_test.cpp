@@ -71,6 +71,16 @@ TEST_F(BackdropExtension, DoesNotExtendWhatIsSoonTooWrong) {
   EXPECT_FALSE(list->extended);
 }
 
+/// Fails if a frame shows a backdrop that it sees nothing of because the visitor, who turns on as fast, would be back
+/// where he began.
+TEST_F(BackdropExtension, DoesNotExtendWhatIsBehindTheVisitor) {
+  drawSome();
+  camera.pose.yaw += 2.05F;  // three times that is once round
+  const auto list = plan();
+  EXPECT_FALSE(list->extended);
+  EXPECT_FALSE(list->backdrop);
+}
+
 TEST_F(BackdropExtension, AnExtensionThatIsDroppedHasAllDrawn) {
   drawSome();
   camera.pose.yaw += 0.05F;
