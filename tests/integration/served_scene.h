@@ -39,9 +39,11 @@ struct ServedScene {
             },
             types.frontends, patient(options), [](std::string_view, float) {}) {}
 
-  /// Tests are about what a frame shows, not about how long a slow machine or a sanitizer takes for it.
+  /// Tests are about what a frame shows, not about how long a slow machine or a sanitizer takes for it, or what a busy
+  /// one leaves out.
   static stream::HostOptions patient(stream::HostOptions options) {
     options.deadlineSeconds = stream::HostOptions::kNoHurry;
+    options.load = pipeline::WorkerPool::Load::kIgnored;
     return options;
   }
   static node::TransportFactory transportOfProgram() {

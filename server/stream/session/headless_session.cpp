@@ -23,7 +23,7 @@ HeadlessSession::HeadlessSession(Host& host, const std::string& name, int width,
     if (session) static_cast<void>(session->acknowledge(ack));  // what was sent is not refused
   });
   if (const auto* refusal = std::get_if<Refusal>(&opened)) {
-    throw EnvironmentError(refusal->reason, "headless session", "raise HostOptions::mostVisitors");
+    throw EnvironmentError(refusal->reason, "headless session", "raise HostOptions::maxVisitors");
   }
   session_ = std::get<std::shared_ptr<Session>>(std::move(opened));
   const std::lock_guard lock(inbox_->mutex);

@@ -38,8 +38,7 @@ Host::Host(const node::WorldNodesFactory& makeNodes, const node::FrontendTypes& 
       entries_(workerCount()),
       gate_(std::make_shared<FrameGate>(std::max(workerCount(), options_.framesInFlight))),
       workers_(
-          workerCount(), "grove-worker", [gate = gate_](bool idle) { gate->workerIs(idle); },
-          pipeline::WorkerPool::Load::kMeasured),
+          workerCount(), "grove-worker", [gate = gate_](bool idle) { gate->workerIs(idle); }, options_.load),
       nodes_(makeNodes({workers_, timeline_, memory_, images_}, instancesOf(options_))),
       players_(world::World::makePlayers(nodes_->layout(), node::makeId(options_.process, 0))) {
   if (options_.privateWorlds) {

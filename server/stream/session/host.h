@@ -42,6 +42,8 @@ struct HostOptions {
   double deadlineSeconds = 0.5;
   /// Deadline of those who measure or compare frames, and would rather wait than leave anything out.
   static constexpr double kNoHurry = 60.0;
+  /// Whether pictures lose accuracy while the workers are busy. Those who compare pictures ignore the load.
+  pipeline::WorkerPool::Load load = pipeline::WorkerPool::Load::kMeasured;
   int maxVisitors = 16;
   /// In a full world, who has been hidden for so long gives up his place to a newcomer.
   double hiddenGraceSeconds = 12.0;
