@@ -51,7 +51,7 @@ inline View view() {
       .pose = player().pose, .width = 640, .height = 360, .verticalFov = 1.1F, .nearDepth = 0.2F, .farDepth = 900.0F};
   view.borderPercent = 12;
   view.time = 4.4;
-  view.players = {player()};
+  view.visitors = 3;
   view.lights = {light()};
   return view;
 }
@@ -62,6 +62,7 @@ inline Request request() {
           .slot = 6,
           .object = 1234,
           .shared = false,
+          .player = player(),
           .key = std::string("cell\0\xFF", 6),
           .rect = {-5, 10, 300, 200},
           .distance = 17.5F,
