@@ -61,6 +61,7 @@ struct BackendStand {
   request.view = list.view;
   request.slot = slot;
   request.object = visible.object.id;
+  request.player = list.view->shownBy(visible.object.id);
   request.rect = visible.rect;
   request.distance = visible.distance;
   return request;

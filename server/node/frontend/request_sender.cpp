@@ -11,6 +11,7 @@ Request requestOf(const FrameList& frame, std::uint32_t slot, const Ask& ask) {
   request.slot = slot;
   request.object = object.object.id;
   request.shared = ask.shared;
+  if (!ask.shared) request.player = frame.view->shownBy(request.object);
   request.key = ask.key;
   request.rect = ask.rect;
   request.distance = object.distance;

@@ -62,6 +62,7 @@ void SceneAnalyzer::process(std::span<FrameTicket> tickets, pipeline::Run& run) 
   for (const FrameTicket& ticket : tickets) {
     auto list = std::make_shared<FrameList>();
     View view = look_(ticket.frame);
+    view.visitors = view.players.size();
     view.deadline = pipeline::wallSeconds() + deadlineSeconds_;
     list->view = std::make_shared<const View>(std::move(view));
     list->objects = visibleObjects(layout_, *list->view);

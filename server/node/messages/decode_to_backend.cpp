@@ -1,5 +1,6 @@
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "node/limits.h"
@@ -29,6 +30,7 @@ std::shared_ptr<const View> decode(const v1::View& from, Checks& checks) {
   checks.require(from.border_percent() <= kMaxBorderPercent, "its border is out of range");
   checks.require(isTime(from.time()), "its time is out of range");
   checks.require(from.deadline() >= -kMaxSeconds, "its deadline is no time");
+  checks.require(from.visitors() <= kMaxPlayers, "it has too many visitors");
   checks.require(static_cast<std::size_t>(from.lights_size()) <= kMaxLights, "it has too many lights");
   auto shared = std::make_shared<View>();
   View& to = *shared;
@@ -41,7 +43,7 @@ std::shared_ptr<const View> decode(const v1::View& from, Checks& checks) {
   to.borderPercent = static_cast<int>(from.border_percent());
   to.time = from.time();
   to.deadline = from.deadline();
-  to.players = decodePlayers(from.players(), checks);
+  to.visitors = from.visitors();
   if (!checks.good()) return shared;
   to.lights.reserve(static_cast<std::size_t>(from.lights_size()));
   for (const v1::PointLight& light : from.lights()) to.lights.push_back(decode(light, checks));
@@ -59,6 +61,7 @@ Request decode(const v1::Request& from, Checks& checks) {
           .slot = from.slot(),
           .object = from.object(),
           .shared = from.shared(),
+          .player = from.has_player() ? std::optional(decode(from.player(), checks)) : std::nullopt,
           .key = decodeKey(from.key(), checks),
           .rect = decode(from.rectangle(), checks),
           .distance = from.distance(),

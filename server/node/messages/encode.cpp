@@ -101,7 +101,7 @@ void put(const std::shared_ptr<const View>& view, v1::ToBackend& envelope) {
   to.set_border_percent(static_cast<std::uint32_t>(from.borderPercent));
   to.set_time(from.time);
   to.set_deadline(from.deadline);
-  for (const world::Player& player : from.players) put(player, to.add_players());
+  to.set_visitors(static_cast<std::uint32_t>(from.visitors));
   for (const world::PointLight& light : from.lights) {
     v1::PointLight& added = *to.add_lights();
     put(light.position, added.mutable_position());
@@ -127,6 +127,7 @@ void put(const Request& from, v1::ToBackend& envelope) {
   to.set_urgency(from.urgency);
   to.set_known(from.known);
   to.set_subscribe(from.subscribe);
+  if (from.player) put(*from.player, to.mutable_player());
 }
 
 void put(const Cancel& from, v1::ToBackend& envelope) {

@@ -2,6 +2,7 @@
 
 #include <limits>
 #include <memory>
+#include <optional>
 
 #include "node/messages/shared_key.h"
 #include "node/messages/view.h"
@@ -20,6 +21,8 @@ struct Request {
   std::uint32_t slot = 0;  ///< place in the frame's list
   world::ObjectId object = 0;
   bool shared = false;  ///< data for everybody instead of a picture
+  /// Of a picture: the visitor whom it shows, as of the view's time; nothing if it shows none.
+  std::optional<world::Player> player = {};
   Key key;
   world::Rect
       rect;  ///< of a picture: the pixels that are wanted; in pixels of the camera unless the key says otherwise

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -25,8 +27,18 @@ struct View {
   /// Seconds of the frontend process's own clock: until then the frame waits for its objects, and who gets a request
   /// later leaves it unanswered.
   double deadline = std::numeric_limits<double>::infinity();
-  std::vector<world::Player> players;     ///< all visitors, the viewer too
+  /// All visitors, the viewer too. They stay within the frontend process: backend nodes get them in world updates, and
+  /// whom a picture shows with its request.
+  std::vector<world::Player> players;
+  std::size_t visitors = 0;               ///< how many those are
   std::vector<world::PointLight> lights;  ///< the fire and the lanterns
+
+  /// Whom an object shows; nothing if it shows no visitor.
+  [[nodiscard]] std::optional<world::Player> shownBy(world::ObjectId object) const {
+    if (object < world::kFirstPlayerObject) return std::nullopt;
+    const auto player = std::ranges::find(players, object - world::kFirstPlayerObject, &world::Player::id);
+    return player == players.end() ? std::nullopt : std::optional(*player);
+  }
 };
 
 /// What the backdrop that a frame draws looks at: the same from its own pose. Returns `view` itself if it has none.

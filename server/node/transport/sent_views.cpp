@@ -9,10 +9,7 @@ namespace {
 constexpr std::size_t kOverhead = 256;
 
 std::size_t bytesOf(const View& view) {
-  std::size_t bytes = sizeof(View) + kOverhead + view.players.capacity() * sizeof(world::Player) +
-                      view.lights.capacity() * sizeof(world::PointLight);
-  for (const world::Player& player : view.players) bytes += player.name.capacity();
-  return bytes;
+  return sizeof(View) + kOverhead + view.lights.capacity() * sizeof(world::PointLight);
 }
 
 /// The same view, in `sum` for as long as anybody holds it.

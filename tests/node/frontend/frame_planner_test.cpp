@@ -50,6 +50,25 @@ TEST_F(FramePlanning, ShowsAFrameWhenAllHaveAnsweredInAnyOrder) {
   EXPECT_EQ(dropped, 0);
 }
 
+/// Would catch visitors whom no backend node draws, since views do not bring them.
+TEST_F(FramePlanning, ARequestBringsTheVisitorWhomItsPictureShows) {
+  View view;
+  view.session = 1;
+  view.frame = 1;
+  for (const world::PlayerId id : {6U, 7U}) view.players.emplace_back().id = id;
+  auto list = std::make_shared<FrameList>(*listOf(1, 3));
+  list->objects[1].object.id = world::kFirstPlayerObject + 7;
+  list->objects[2].object.id = world::kFirstPlayerObject + 8;
+  list->view = std::make_shared<const View>(std::move(view));
+  begin(std::move(list));
+  const std::vector<Request> requests = backend.requests();
+  ASSERT_THAT(requests, SizeIs(3));
+  EXPECT_FALSE(requests[0].player);
+  ASSERT_TRUE(requests[1].player);
+  EXPECT_EQ(requests[1].player->id, 7U);
+  EXPECT_FALSE(requests[2].player) << "the frame does not know him";
+}
+
 TEST_F(FramePlanning, ShowsAFrameWithoutObjectsAtOnce) {
   begin(listOf(1, 0));
   EXPECT_THAT(shownNumbers(), ElementsAre(1));

@@ -5,6 +5,7 @@
 
 #include "node/boxes.h"
 #include "node/limits.h"
+#include "pipeline/worker_pool.h"
 #include "world/world.h"
 
 namespace grove::node {
@@ -24,6 +25,7 @@ View lookingAlong(float yaw) {
 
 std::vector<std::string> names(const std::vector<VisibleObject>& visible) {
   std::vector<std::string> result;
+  result.reserve(visible.size());
   for (const VisibleObject& v : visible) result.push_back(v.object.name);
   return result;
 }
@@ -118,6 +120,40 @@ TEST(SceneAnalyzer, KeepsTheNearestOfTooMany) {
   const auto visible = visibleObjects(layoutOf(scene), lookingAlong(0.0F));
   ASSERT_EQ(visible.size(), kMaxObjectsPerFrame);
   EXPECT_EQ(visible.back().object.name, "0");
+}
+
+/// In the Frame Planner's place.
+class ListShelf final : public pipeline::Stage<FramePlannerInput> {
+ public:
+  ListShelf(pipeline::Executor& executor, pipeline::Timeline& timeline)
+      : Stage({.name = "Lists"}, executor, timeline) {}
+  std::vector<std::shared_ptr<const FrameList>> lists;
+
+ protected:
+  void process(std::span<FramePlannerInput> inputs, pipeline::Run&) override {
+    for (FramePlannerInput& input : inputs) lists.push_back(std::get<std::shared_ptr<const FrameList>>(input));
+  }
+};
+
+TEST(SceneAnalyzer, SaysHowManyVisitorsThereAre) {
+  const world::Layout layout = layoutOf(kFourBoxes);
+  pipeline::Timeline timeline;
+  pipeline::WorkerPool workers(1);
+  const auto look = [](FrameNumber frame) {
+    View view = lookingAlong(0.0F);
+    view.frame = frame;
+    view.players.resize(3);
+    return view;
+  };
+  const auto shelf = std::make_shared<ListShelf>(workers, timeline);
+  const auto analyzer = std::make_shared<SceneAnalyzer>(
+      layout, look, 1.0, [] {}, workers, timeline);
+  analyzer->connect(shelf);
+  ASSERT_EQ(analyzer->push({.session = 1, .frame = 5}), pipeline::PushResult::kAccepted);
+  workers.drain();
+  ASSERT_EQ(shelf->lists.size(), 1U);
+  EXPECT_EQ(shelf->lists[0]->view->frame, 5U);
+  EXPECT_EQ(shelf->lists[0]->view->visitors, 3U);
 }
 
 }  // namespace

@@ -52,7 +52,7 @@ inline View view() {
   view.backdropPose = {.position = {1.0F, 2.0F, 3.5F}, .yaw = 0.5F, .pitch = -0.25F};
   view.borderPercent = 12;
   view.time = 4.4;
-  view.players = {player()};
+  view.visitors = 3;
   view.lights = {light()};
   return view;
 }
@@ -63,6 +63,7 @@ inline Request request() {
           .slot = 6,
           .object = 1234,
           .shared = false,
+          .player = player(),
           .key = std::string("cell\0\xFF", 6),
           .rect = {-5, 10, 300, 200},
           .distance = 17.5F,

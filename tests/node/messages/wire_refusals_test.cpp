@@ -108,7 +108,7 @@ TEST(WireRefusals, Names) {
 
 TEST(WireRefusals, Counts) {
   EXPECT_THAT(worldRefusal([](WorldUpdate& world) { world.players.resize(kMaxPlayers + 1); }), HasSubstr("players"));
-  EXPECT_THAT(viewRefusal([](View& view) { view.players.resize(kMaxPlayers + 1); }), HasSubstr("players"));
+  EXPECT_THAT(viewRefusal([](View& view) { view.visitors = kMaxPlayers + 1; }), HasSubstr("visitors"));
   EXPECT_THAT(worldRefusal([](WorldUpdate& world) { world.gusts.resize(kMaxGusts + 1); }), HasSubstr("gusts"));
   EXPECT_EQ(worldRefusal([](WorldUpdate& world) { world.gusts.resize(kMaxGusts, examples::gust()); }), "nothing wrong");
   EXPECT_THAT(refusalOf(examples::hello(), [](NodeHello& hello) { hello.types.resize(kMaxTypes + 1); }),
@@ -198,6 +198,7 @@ TEST(WireRefusals, Requests) {
   EXPECT_THAT(requestRefusal([](Request& request) { request.distance = -1.0F; }), HasSubstr("distance"));
   EXPECT_THAT(requestRefusal([](Request& request) { request.distance = kInfinity; }), HasSubstr("distance"));
   EXPECT_THAT(requestRefusal([](Request& request) { request.subscribe = true; }), HasSubstr("subscribes to pictures"));
+  EXPECT_THAT(requestRefusal([](Request& request) { request.player->pose.pitch = kNan; }), HasSubstr("pitch"));
   EXPECT_THAT(requestRefusal([](Request& request) { request.urgency = kNan; }), HasSubstr("urgency"));
   EXPECT_THAT(requestRefusal([](Request& request) { request.urgency = -1.0F; }), HasSubstr("urgency"));
 }

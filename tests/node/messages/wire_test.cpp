@@ -145,11 +145,18 @@ TEST(Wire, CarriesView) {
   EXPECT_EQ(got.borderPercent, sent.borderPercent);
   EXPECT_EQ(got.time, sent.time);
   EXPECT_EQ(got.deadline, sent.deadline);
-  ASSERT_EQ(got.players.size(), 1u);
-  expectSame(got.players[0], sent.players[0]);
+  EXPECT_EQ(got.visitors, 3u);
   ASSERT_EQ(got.lights.size(), 1u);
   EXPECT_EQ(got.lights[0].position, sent.lights[0].position);
   EXPECT_EQ(got.lights[0].colour, sent.lights[0].colour);
+}
+
+/// Would catch players who travel in the views of all visitors, as well as in the updates of the world.
+TEST(Wire, AViewTakesNoMoreBytesForMoreVisitors) {
+  View view = examples::view();
+  const std::size_t alone = encode(ToBackend(std::make_shared<const View>(view))).bytes();
+  view.players.assign(100, examples::player());
+  EXPECT_EQ(encode(ToBackend(std::make_shared<const View>(view))).bytes(), alone);
 }
 
 TEST(Wire, CarriesRequestAndFindsItsView) {
@@ -161,6 +168,8 @@ TEST(Wire, CarriesRequestAndFindsItsView) {
   EXPECT_EQ(got.process, sent.process);
   EXPECT_EQ(got.slot, sent.slot);
   EXPECT_EQ(got.object, sent.object);
+  ASSERT_TRUE(got.player);
+  expectSame(*got.player, *sent.player);
   EXPECT_FALSE(got.shared);
   EXPECT_EQ(got.key, sent.key);
   EXPECT_EQ(got.rect, sent.rect);
@@ -187,11 +196,13 @@ TEST(Wire, CarriesRequestForSharedDataWithoutView) {
   sent.process = 7;
   sent.shared = true;
   sent.urgency = 0.25F;
+  sent.player.reset();
   const Request got = afterTravel(sent);
   EXPECT_FALSE(got.view);
   EXPECT_TRUE(got.shared);
   EXPECT_EQ(got.process, 7u);
   EXPECT_EQ(got.urgency, 0.25F);
+  EXPECT_FALSE(got.player);
 }
 
 TEST(Wire, SharedDataIsWantedThoughItsViewIsUnknown) {
@@ -269,7 +280,9 @@ TEST(Wire, BytesOfHelloStayAsTheyAre) {
 }
 
 TEST(Wire, BytesOfRequestStayAsTheyAre) {
-  EXPECT_EQ(hex(encode(ToBackend(examples::request())).header),
+  Request request = examples::request();
+  request.player.reset();
+  EXPECT_EQ(hex(encode(ToBackend(request)).header),
             "22360908000000030000001029180621d204000000000000320663656c6c00ff3a0a0809101418d8042090034500008c414d0000e0"
             "3f5804");
 }

@@ -59,6 +59,7 @@ class Wood {
     view->viewer = id;
     view->time = now;
     view->players = players.all(now);
+    view->visitors = view->players.size();
     view->camera.pose = players.find(id, now)->pose;
     view->camera.width = 320;
     view->camera.height = 180;

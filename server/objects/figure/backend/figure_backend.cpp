@@ -1,6 +1,5 @@
 #include "objects/figure/backend/figure_backend.h"
 
-#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <numeric>
@@ -59,13 +58,11 @@ void FigureBackend::answer(std::span<const node::Request> requests, std::span<no
       payloads[i] = node::Failure{"figures answer with pictures"};
       continue;
     }
-    const node::View& view = *request.view;
     payloads[i] = std::shared_ptr<const raster::Image>();
-    const auto player = std::ranges::find(view.players, request.object - world::kFirstPlayerObject, &world::Player::id);
-    if (player == view.players.end()) continue;
-    const auto object = layout_.objectOf(*player);
-    if (!object) continue;
-    drawings.push_back(drawingOf(request, *player, *object));
+    if (!request.player) continue;
+    const auto object = layout_.objectOf(*request.player);
+    if (!object || object->id != request.object) continue;
+    drawings.push_back(drawingOf(request, *request.player, *object));
     places.push_back(object->transform.position);
     slots.push_back(i);
   }

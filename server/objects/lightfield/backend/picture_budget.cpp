@@ -14,7 +14,7 @@ constexpr double kForgotten = 60.0;
 }  // namespace
 
 double PictureBudget::share(const node::View& view) const {
-  return texelsPerSecond_ / static_cast<double>(std::max<std::size_t>(view.players.size(), 1));
+  return texelsPerSecond_ / static_cast<double>(std::max<std::size_t>(view.visitors, 1));
 }
 
 PictureBudget::Bucket& PictureBudget::filled(const node::View& view) {

@@ -18,7 +18,7 @@ node::View viewOf(node::SessionId session, node::FrameNumber frame, double time,
   view.session = session;
   view.frame = frame;
   view.time = time;
-  view.players.resize(visitors);
+  view.visitors = visitors;
   return view;
 }
 
