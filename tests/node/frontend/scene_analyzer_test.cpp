@@ -150,7 +150,7 @@ TEST(SceneAnalyzer, SaysHowManyVisitorsThereAre) {
       layout, look, 1.0, [] {}, workers, timeline);
   analyzer->connect(shelf);
   ASSERT_EQ(analyzer->push({.session = 1, .frame = 5}), pipeline::PushResult::kAccepted);
-  workers.drain();
+  for (int stage = 0; stage < 2; ++stage) workers.drain();
   ASSERT_EQ(shelf->lists.size(), 1U);
   EXPECT_EQ(shelf->lists[0]->view->frame, 5U);
   EXPECT_EQ(shelf->lists[0]->view->visitors, 3U);
