@@ -52,7 +52,8 @@ int runNode(const NodeOptions& options) {
   const node::LinkTls tls = options.links.read();
   StopOnSignal stop;
   stop.endWithin(kStopWhileNodePrepares);
-  const world::Scene scene = openScene(options.scene);
+  world::Scene scene = openScene(options.scene);
+  setViewError(scene, options.viewError);
   const gl::ShaderLibrary shaders;
   gl::Workers gl(options.gl, shaders);
   const node::ObjectTypes types = objects::builtinTypes();

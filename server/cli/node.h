@@ -15,6 +15,7 @@ struct NodeOptions {
   std::optional<std::string> scene;
   std::string listen = "127.0.0.1:8100";
   LinkOptions links;
+  std::optional<float> viewError;  ///< nothing: what the scene says
   gl::ContextKind gl = gl::ContextKind::kAuto;
 };
 

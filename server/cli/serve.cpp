@@ -132,10 +132,9 @@ bool areAddresses(const std::vector<std::string>& nodes) {
   return false;
 }
 
-/// What the command line says of the types of object.
-void applyTo(world::Scene& scene, const ServeOptions& options) {
-  const auto viewError = options.viewCacheMegabytes > 0 ? options.viewError : 0.0F;
-  if (viewError) world::setTypeOption(scene, "lightfield", "view_error", static_cast<double>(*viewError));
+/// Pictures that no server keeps are not worth sharing.
+std::optional<float> viewErrorOf(const ServeOptions& options) {
+  return options.viewCacheMegabytes > 0 ? options.viewError : 0.0F;
 }
 
 struct Listeners {
@@ -216,7 +215,10 @@ int runServe(const ServeOptions& options) {
   StopOnSignal stop(StopOnSignal::Hangup::kIsReported);
   stop.endWithin(kStopWhilePreparing);
   world::Scene scene = openScene(options.scene);
-  applyTo(scene, options);
+  setViewError(scene, viewErrorOf(options));
+  if (viewErrorOf(options) && !options.nodes.empty()) {
+    log::warning("--view-error and --view-cache 0 do not reach --nodes: start `grove node` with --view-error, too");
+  }
   std::optional<EndOnMemoryShortage> ending(std::in_place);
   std::optional<OpenWorld> shared;
   // The server goes before the host and the refiner before both, however this ends.

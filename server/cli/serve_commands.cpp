@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <map>
+#include <optional>
 #include <string>
 
 #include "cli/choose.h"
@@ -20,6 +21,14 @@ CLI::Option* addCertificate(CLI::App& command, TlsFiles& files, const std::strin
   certificate->needs(key);
   key->needs(certificate);
   return certificate;
+}
+
+void addViewError(CLI::App& command, std::optional<float>& viewError) {
+  command
+      .add_option("--view-error", viewError,
+                  "Pixels of parallax that a shared picture may have to mend; 0: visitors share none (default: as the "
+                  "scene says, or 16)")
+      ->check(CLI::Range(0.0, 64.0));
 }
 
 void addInternet(CLI::App& serve, ServeOptions& options) {
@@ -119,10 +128,7 @@ void addServe(CLI::App& app, ServeOptions& options) {
                    "MB of light-field pictures that visitors share; 0: none")
       ->check(CLI::Range(0, 1 << 20))
       ->capture_default_str();
-  serve
-      ->add_option("--view-error", options.viewError,
-                   "Pixels of parallax that a shared picture may have to mend (default: as the scene says, or 16)")
-      ->check(CLI::Range(0.25, 64.0));
+  addViewError(*serve, options.viewError);
   serve->add_option("--shader-dir", options.shaderDirectory, "Read shaders from here instead of the built-in ones");
 }
 
@@ -142,6 +148,7 @@ void addNode(CLI::App& app, NodeOptions& options) {
   node->add_option("--scene", options.scene, "Scene file, that of the servers (default: the grove, built in)");
   node->add_option("--listen", options.listen, "Address and port; port 0 is any free one")->capture_default_str();
   addListenerTls(*node, options.links);
+  addViewError(*node, options.viewError);
   const std::map<std::string, gl::ContextKind> kinds{
       {"auto", gl::ContextKind::kAuto}, {"egl", gl::ContextKind::kEgl}, {"osmesa", gl::ContextKind::kOsmesa}};
   choose(node->add_option("--gl", options.gl, "Where triangles are drawn"), kinds);

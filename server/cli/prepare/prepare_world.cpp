@@ -96,6 +96,10 @@ world::Scene openScene(const std::optional<std::string>& file) {
   return world::parseScene(grove.text(), grove.path);
 }
 
+void setViewError(world::Scene& scene, std::optional<float> viewError) {
+  if (viewError) world::setTypeOption(scene, "lightfield", "view_error", static_cast<double>(*viewError));
+}
+
 bool prepareWorld(const world::Scene& scene, const node::BackendTypes& types, Progress& progress,
                   const std::stop_token& stop) {
   const Preparations missing = missingOf(preparationsOf(scene, types));

@@ -20,6 +20,9 @@ using Preparations = std::vector<std::unique_ptr<node::Preparation>>;
 /// The scene of a file, or the grove, which is built in. Throws world::SceneError or EnvironmentError.
 [[nodiscard]] world::Scene openScene(const std::optional<std::string>& file);
 
+/// Replaces the scene's view error of light fields by that of `--view-error`, in pixels. Changes nothing without one.
+void setViewError(world::Scene& scene, std::optional<float> viewError);
+
 /// For those who measure or compare pictures: makes what the scene needs of these types that the cache folder does not
 /// have yet. Returns false if it was stopped; what was done by then is kept. Throws world::SceneError, EnvironmentError
 /// or ImportError.
