@@ -112,7 +112,7 @@ bool isAddress(std::string_view option, const std::optional<std::string>& text) 
 /// Has the host join the world of the process at this address.
 void join(const std::string& owner, const node::LinkTls& tls, stream::HostOptions& host) {
   host.linkToOwner = [owner, tls](pipeline::Executor& workers, pipeline::Timeline& timeline) {
-    return std::make_shared<node::GrpcFrontendEnd>(owner, workers, timeline, tls);
+    return std::make_shared<node::GrpcFrontendEnd>(owner, workers, timeline, tls, "owner");
   };
 }
 

@@ -21,8 +21,9 @@ TEST(JoinedServers, ShowOneWorldAndOutliveItsOwner) {
                                 "kill -KILL $pid_world; until_world a lost; until_world b lost\n"
                                 "owns_world $at; until_world a 'joined\",\"visitors\":3'; "
                                 "until_world b 'joined\",\"visitors\":3'\n"
-                                "wait $visit_a $visit_b; cat a.out b.out >&2; echo done");
-  EXPECT_EQ(outcome.output, "\"errors\":0\n\"errors\":0\ndone\n") << "no visitor noticed";
+                                "wait $visit_a $visit_b; cat a.out b.out >&2\n"
+                                "grep -o 'the owner at 127.0.0.1:[0-9]* is [a-z]*' a.out | sed 's/.* is //'");
+  EXPECT_EQ(outcome.output, "\"errors\":0\n\"errors\":0\nlost\nback\n") << "no visitor noticed";
 }
 
 TEST(JoinedServers, AServerSharesItsOwnWorld) {

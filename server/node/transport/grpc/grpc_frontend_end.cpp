@@ -7,8 +7,8 @@
 namespace grove::node {
 
 GrpcFrontendEnd::GrpcFrontendEnd(std::string address, pipeline::Executor& executor, pipeline::Timeline& timeline,
-                                 LinkTls tls)
-    : link_(std::make_shared<ReconnectingLink>(std::move(address), executor, timeline, std::move(tls))) {
+                                 LinkTls tls, const std::string& role)
+    : link_(std::make_shared<ReconnectingLink>(std::move(address), executor, timeline, std::move(tls), role)) {
   link_->start();
 }
 

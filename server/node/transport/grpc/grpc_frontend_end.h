@@ -22,8 +22,9 @@ class GrpcFrontendEnd final : public FrontendEnd {
   using Status = LinkStatus;
 
   /// To the node at HOST:PORT; over TLS, and only to a node whose certificate is trusted and names HOST, if `tls` says
-  /// whose are. Workers and timeline outlive it.
-  GrpcFrontendEnd(std::string address, pipeline::Executor& executor, pipeline::Timeline& timeline, LinkTls tls = {});
+  /// whose are. The log names the node by its `role` and address. Workers and timeline outlive it.
+  GrpcFrontendEnd(std::string address, pipeline::Executor& executor, pipeline::Timeline& timeline, LinkTls tls = {},
+                  const std::string& role = "node");
   /// Waits for the end of the stream, so not on one of gRPC's threads.
   ~GrpcFrontendEnd() override;
   GrpcFrontendEnd(const GrpcFrontendEnd&) = delete;

@@ -5,21 +5,21 @@
 namespace grove::node {
 
 void LinkStanding::welcomed() {
-  if (wasWelcomed_ && status_.state != LinkState::kWelcomed) log::info("the node at " + address_ + " is back");
+  if (wasWelcomed_ && status_.state != LinkState::kWelcomed) log::info(peer_ + " is back");
   wasWelcomed_ = true;
   status_ = {LinkState::kWelcomed, {}};
 }
 
 void LinkStanding::refused(const std::string& reason) {
   if (status_.state != LinkState::kRefused || status_.reason != reason) {
-    log::error("the node at " + address_ + " refuses this process: " + reason);
+    log::error(peer_ + " refuses this process: " + reason);
   }
   status_ = {LinkState::kRefused, reason};
 }
 
 void LinkStanding::mistrusted(const std::string& reason) {
   if (status_.state != LinkState::kUntrusted || status_.reason != reason) {
-    log::error("this process does not trust the node at " + address_ + ": " + reason);
+    log::error("this process does not trust " + peer_ + ": " + reason);
   }
   status_ = {LinkState::kUntrusted, reason};
 }
@@ -34,7 +34,7 @@ void LinkStanding::failed(const CallFailure& failure) {
 }
 
 void LinkStanding::silent(const std::string& reason) {
-  if (status_.state != LinkState::kSilent) log::warning("the node at " + address_ + " is silent: " + reason);
+  if (status_.state != LinkState::kSilent) log::warning(peer_ + " is silent: " + reason);
   status_ = {LinkState::kSilent, reason};
 }
 
@@ -45,10 +45,10 @@ void LinkStanding::lost(const CallFailure& failure) {
   const bool isNew = failure.reason != status_.reason;
   const bool mayWantTls = failure.kind == CallFailure::Kind::kMayWantTls;
   if (status_.state == LinkState::kWelcomed) {
-    log::warning("the node at " + address_ + " is lost: " + failure.reason);
+    log::warning(peer_ + " is lost: " + failure.reason);
     status_.state = LinkState::kLost;
   } else if (isNew && (status_.state == LinkState::kConnecting || mayWantTls)) {
-    log::warning("the node at " + address_ + " does not answer: " + failure.reason);
+    log::warning(peer_ + " does not answer: " + failure.reason);
   }
   status_.reason = failure.reason;
 }

@@ -8,25 +8,25 @@
 
 namespace grove::node {
 
-/// How the link to a node stands. Logs what changes, once. One thread at a time.
+/// How the link to a node or to the world's owner stands. Logs what changes, once. One thread at a time.
 class LinkStanding {
  public:
-  /// `address` of the node, for people.
-  explicit LinkStanding(std::string address) : address_(std::move(address)) {}
+  /// `peer` is the other end, as the log names it.
+  explicit LinkStanding(std::string peer) : peer_(std::move(peer)) {}
 
   [[nodiscard]] const LinkStatus& status() const noexcept { return status_; }
   [[nodiscard]] bool isAnswered() const noexcept {
     return status_.state != LinkState::kConnecting && status_.state != LinkState::kSilent;
   }
-  /// Whether nothing changes unless somebody changes his mind: the node, or whoever runs it.
+  /// Whether nothing changes unless somebody changes his mind: the peer, or whoever runs it.
   [[nodiscard]] bool isKeptAway() const noexcept {
     return status_.state == LinkState::kRefused || status_.state == LinkState::kUntrusted;
   }
 
   void welcomed();
-  /// By the node.
+  /// By the peer.
   void refused(const std::string& reason);
-  /// The node, by this process.
+  /// The peer, by this process.
   void mistrusted(const std::string& reason);
   /// A call has ended.
   void failed(const CallFailure& failure);
@@ -35,7 +35,7 @@ class LinkStanding {
   void lost(const CallFailure& failure);
   void silent(const std::string& reason);
 
-  const std::string address_;
+  const std::string peer_;
   LinkStatus status_{.state = LinkState::kConnecting};
   bool wasWelcomed_ = false;
 };

@@ -9,13 +9,13 @@
 namespace grove::node {
 
 ReconnectingLink::ReconnectingLink(std::string address, pipeline::Executor& executor, pipeline::Timeline& timeline,
-                                   LinkTls tls)
+                                   LinkTls tls, const std::string& role)
     : address_(std::move(address)),
       tls_(std::move(tls)),
       executor_(executor),
       incoming_(std::make_shared<PacketsToFrontend>(executor, timeline)),
       timeline_(timeline),
-      standing_(address_) {}
+      standing_("the " + role + " at " + address_) {}
 
 void ReconnectingLink::start() {
   incoming_->connect(*this);

@@ -26,7 +26,8 @@ class ReconnectingLink final : public FrontendPort,
                                public NodeCall::Caller,
                                public std::enable_shared_from_this<ReconnectingLink> {
  public:
-  ReconnectingLink(std::string address, pipeline::Executor& executor, pipeline::Timeline& timeline, LinkTls tls);
+  ReconnectingLink(std::string address, pipeline::Executor& executor, pipeline::Timeline& timeline, LinkTls tls,
+                   const std::string& role);
 
   void start();
   /// Waits for the end of the call; so not on one of gRPC's threads.
