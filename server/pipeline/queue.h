@@ -6,8 +6,11 @@
 #include <functional>
 #include <mutex>
 #include <optional>
+#include <type_traits>
 #include <utility>
 #include <vector>
+
+#include "pipeline/turns.h"
 
 namespace grove::pipeline {
 
@@ -19,7 +22,14 @@ enum class Overflow {
 
 enum class PushResult { kAccepted, kDroppedOldest, kRejected, kClosed };
 
-/// Bounded first-in-first-out list between threads, the arrow of Figure 4.2. Nothing in it blocks: a producer that must
+/// A type whose values wait in several lines, see Turns.
+template <class T>
+concept HasLines = requires(const T& value) {
+  lineOf(value);
+};
+
+/// Bounded first-in-first-out list between threads, the arrow of Figure 4.2; the lines of values that have lines are
+/// served in turn. Nothing in it blocks: a producer that must
 /// not lose values reserves room first, and is notified when there is room again.
 template <class T>
 class Queue {
@@ -30,7 +40,7 @@ class Queue {
   PushResult push(T value) {
     const std::lock_guard lock(mutex_);
     if (closed_) return PushResult::kClosed;
-    if (values_.size() + reserved_ < capacity_) {
+    if (hasRoom(value)) {
       values_.push_back(std::move(value));
       return PushResult::kAccepted;
     }
@@ -86,7 +96,7 @@ class Queue {
 
   /// Refuses all further values and drops those inside.
   void close() {
-    std::deque<T> dropped;
+    Values dropped;
     std::vector<std::function<void()>> wake;
     {
       const std::lock_guard lock(mutex_);
@@ -109,6 +119,15 @@ class Queue {
   [[nodiscard]] std::size_t capacity() const noexcept { return capacity_; }
 
  private:
+  using Values = std::conditional_t<HasLines<T>, Turns<T>, std::deque<T>>;
+
+  [[nodiscard]] bool hasRoom(const T& value) const {
+    if constexpr (HasLines<T>) {
+      if (!values_.admits(value, capacity_)) return false;
+    }
+    return values_.size() + reserved_ < capacity_;
+  }
+
   std::vector<std::function<void()>> releaseOne() {
     const std::lock_guard lock(mutex_);
     if (reserved_ == 0) return {};
@@ -123,7 +142,7 @@ class Queue {
   const std::size_t capacity_;
   const Overflow overflow_;
   mutable std::mutex mutex_;
-  std::deque<T> values_;
+  Values values_;
   std::size_t reserved_ = 0;
   bool closed_ = false;
   std::vector<std::function<void()>> waiting_;

@@ -30,6 +30,9 @@ struct Answered {
   Subscribed subscribed = Subscribed::kNo;
 };
 
+/// The frontend processes that ask are served in turn.
+inline std::uint64_t lineOf(const Asked& asked) { return asked.peer->process().value_or(0); }
+
 inline pipeline::TraceTag traceTag(const Asked& asked) { return traceTag(asked.request); }
 inline pipeline::TraceTag traceTag(const Answered& answered) { return traceTag(answered.result); }
 

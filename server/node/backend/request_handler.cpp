@@ -9,6 +9,10 @@
 namespace grove::node {
 namespace {
 
+/// Requests for so many runs of each thread wait here; all others wait in the Request Receiver, where frontend
+/// processes take turns.
+constexpr std::size_t kRunsAhead = 2;
+
 /// A half of somebody else's may mistake what it was asked for, and who waits for one kind cannot use the other.
 bool isOfItsKind(const Request& request, const Payload& payload) {
   if (std::holds_alternative<Failure>(payload)) return true;
@@ -27,7 +31,7 @@ RequestHandler::RequestHandler(const char* name, std::string_view subject, Backe
     : Stage({.name = name,
              .subject = subject,
              .work = pipeline::Work::kPerUserBackend,
-             .capacity = kBackendQueue,
+             .capacity = kRunsAhead * static_cast<std::size_t>(half.concurrency()) * half.maxAtOnce(),
              .concurrency = half.concurrency(),
              .maxBatch = half.maxAtOnce()},
             half.executor(), timeline),
