@@ -14,13 +14,13 @@ namespace grove::pipeline {
 template <class T>
 class Turns {
  public:
-  /// No value of a line is admitted that already has this share of a queue's capacity, so that a line that fills up
-  /// leaves room for the others.
-  static constexpr std::size_t kMaxShare = 2;
+  /// A queue holds so many full lines: one that is full leaves room for others.
+  static constexpr std::size_t kFullLines = 2;
 
+  /// Whether the line of a value is not full yet, in a queue of this capacity.
   [[nodiscard]] bool admits(const T& value, std::size_t capacity) const {
     const auto line = lines_.find(lineOf(value));
-    return line == lines_.end() || kMaxShare * line->second.size() < capacity;
+    return line == lines_.end() || kFullLines * line->second.size() < capacity;
   }
   [[nodiscard]] std::size_t size() const noexcept { return size_; }
   [[nodiscard]] bool empty() const noexcept { return size_ == 0; }
