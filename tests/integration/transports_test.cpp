@@ -14,7 +14,8 @@
 namespace grove::integration {
 namespace {
 
-constexpr std::array kYaws = {0.0F, 0.5F, -1.5708F};
+/// So far apart that none is shown by a backdrop of another: whether one is extended depends on how long frames take.
+constexpr std::array kYaws = {0.0F, 1.5708F, -1.5708F};
 
 /// What a visitor sees in each direction.
 std::vector<Picture> picturesOver(node::TransportKind kind, const std::string& scene) {
