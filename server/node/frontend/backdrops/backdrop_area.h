@@ -22,9 +22,9 @@ namespace grove::node {
 /// Area without a border.
 [[nodiscard]] world::Rect areaOfFrame(const world::Camera& camera);
 
-/// Area of a backdrop that is extended: what a frame sees of it, in pixels of the backdrop's camera, with a border for
-/// what is seen `later`, and as much of its area as may be kept. Nothing if that
-/// would be too large, or if the frame or what is seen later is elsewhere.
+/// Returns the area of an extended backdrop: what a frame sees of it, in pixels of the backdrop's camera, a border for
+/// what is seen `later`, and the present `area` if the result does not become too large. Returns nothing if the result
+/// is too large, or if `seen` or `later` is empty.
 [[nodiscard]] std::optional<world::Rect> extendedArea(const world::Rect& area, const world::Rect& seen,
                                                       const world::Rect& later, const world::Camera& camera);
 
