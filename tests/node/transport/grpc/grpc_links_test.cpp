@@ -71,62 +71,6 @@ TEST(GrpcLinks, ANodeThatComesBackHearsTheHelloTheNewestWorldAndTheQualityFirst)
   EXPECT_EQ(std::get<Quality>(messages[2]).step, 2);
 }
 
-TEST(GrpcLinks, OneThatIsRefusedGreetsAgain) {
-  NodeProcess node(0, "it shows another scene");
-  FrontendSide side(node.address());
-  (void)side.send(examples::hello());
-  ASSERT_TRUE(side.becomes(State::kRefused));
-  EXPECT_EQ(side.link().status().reason, "it shows another scene");
-  EXPECT_TRUE(eventually([&] { return node.end()->count() >= 2; })) << "the node may change its mind";
-}
-
-/// A stream that has ended while what it brought waited for a worker.
-class LateAnswers : public ::testing::Test {
- protected:
-  void hearTooLate(const std::string& refusal) {
-    auto node = std::make_unique<NodeProcess>(0, refusal);
-    port = node->port();
-    side = std::make_unique<FrontendSide>(node->address());
-    side->isHeld = true;
-    (void)side->send(examples::hello());
-    ASSERT_TRUE(eventually([&] { return side->link().traffic().headers > 0; }));
-    node.reset();
-    ASSERT_TRUE(eventually([&] { return !side->link().status().reason.empty(); })) << "why it has ended";
-    side->isHeld = false;
-    side->workers.drain();
-    ASSERT_EQ(side->count(), 1U);
-  }
-
-  int port = 0;
-  std::unique_ptr<FrontendSide> side;
-};
-
-/// The greeting that follows a refusal must not take the place of the next call.
-TEST_F(LateAnswers, ARefusalDoesNotEndTheAttempts) {
-  ASSERT_NO_FATAL_FAILURE(hearTooLate("it shows another scene"));
-  const NodeProcess node(port);
-  EXPECT_TRUE(side->becomes(State::kWelcomed));
-}
-
-TEST_F(LateAnswers, AWelcomeIsNone) {
-  ASSERT_NO_FATAL_FAILURE(hearTooLate(""));
-  EXPECT_EQ(side->link().status().state, State::kConnecting);
-}
-
-/// Or a process whose workers are busy would never have a link.
-TEST(GrpcLinks, AWelcomeThatWaitsForAWorkerCounts) {
-  NodeProcess node;
-  FrontendSide side(node.address());
-  side.isHeld = true;
-  (void)side.send(examples::hello());
-  ASSERT_TRUE(eventually([&] { return side.link().traffic().headers > 0; }));
-  std::this_thread::sleep_for(std::chrono::milliseconds(kAnswerMilliseconds + 1000));
-  EXPECT_EQ(side.link().status().state, State::kConnecting) << "it is not silent";
-  side.isHeld = false;
-  EXPECT_TRUE(side.becomes(State::kWelcomed));
-  EXPECT_EQ(node.end(1), nullptr) << "it was called once";
-}
-
 TEST(GrpcLinks, CarryBytesThatAreTheSame) {
   NodeProcess node;
   FrontendSide side(node.address());
@@ -265,41 +209,6 @@ TEST(GrpcLinks, TellTheirPaceWhileTheyStand) {
   EXPECT_GT(side.link().pace().roundTrip, 0.0);
   node.reset();
   EXPECT_TRUE(eventually([&] { return !side.link().pace().roundTrip; })) << "of a link that is gone nothing is known";
-}
-
-/// Takes what comes, and says nothing.
-class MuteEnd final : public BackendPort {
- public:
-  explicit MuteEnd(std::shared_ptr<BackendEnd> link) : link_(std::move(link)) { link_->connect(*this); }
-  ~MuteEnd() override { link_->leaveBackend(); }
-  MuteEnd(const MuteEnd&) = delete;
-  MuteEnd& operator=(const MuteEnd&) = delete;
-  PushResult receive(ToBackend /*message*/) override { return PushResult::kAccepted; }
-
- private:
-  const std::shared_ptr<BackendEnd> link_;
-};
-
-TEST(GrpcLinks, ANodeThatNeitherWelcomesNorRefusesIsCalledAgain) {
-  pipeline::Timeline timeline;
-  pipeline::WorkerPool workers{1};
-  std::atomic<int> calls{0};
-  const GrpcServer server(
-      "127.0.0.1:0",
-      [&](std::shared_ptr<BackendEnd> link) -> std::shared_ptr<void> {
-        if (++calls == 1) return std::make_shared<MuteEnd>(std::move(link));
-        return std::make_shared<NodeEnd>(std::move(link));
-      },
-      workers, timeline);
-  FrontendSide side("127.0.0.1:" + std::to_string(server.port()));
-  ASSERT_TRUE(side.link().waitUntilOpen(std::chrono::seconds(30)));
-  std::this_thread::sleep_for(std::chrono::milliseconds(kAnswerMilliseconds + 1000));
-  EXPECT_EQ(side.link().status().state, State::kConnecting) << "who has said nothing waits for no answer";
-  EXPECT_EQ(side.send(examples::hello()), PushResult::kAccepted);
-  EXPECT_TRUE(side.becomes(State::kSilent));
-  EXPECT_THAT(side.link().status().reason, ::testing::HasSubstr("neither welcomes nor refuses"));
-  EXPECT_TRUE(side.becomes(State::kWelcomed));
-  EXPECT_EQ(calls, 2);
 }
 
 TEST(GrpcLinks, EndWhileTheyConnect) {
