@@ -18,7 +18,7 @@ TEST(JoinedServers, ShowOneWorldAndOutliveItsOwner) {
                                 "owns_world 0; serves a --join 127.0.0.1:$at; serves b --join 127.0.0.1:$at\n"
                                 "visit a 2 25 & visit_a=$!; visit b 1 25 & visit_b=$!\n"
                                 "until_world a 'joined\",\"visitors\":3'; until_world b 'joined\",\"visitors\":3'\n"
-                                "kill -KILL $pid_world; until_world a lost; until_world b lost\n"
+                                "kills world; until_world a lost; until_world b lost\n"
                                 "owns_world $at; until_world a 'joined\",\"visitors\":3'; "
                                 "until_world b 'joined\",\"visitors\":3'\n"
                                 "wait $visit_a $visit_b; cat a.out b.out >&2\n"

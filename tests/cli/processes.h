@@ -8,14 +8,15 @@
 namespace grove::cli {
 
 /// What the scripts share: `owns_world` and `serves NAME OPTIONS` start processes of the small scene, whose output is
-/// in NAME.out, their number in $pid_NAME; `world_of NAME` and `nodes_of NAME` print what a server's report says of its
-/// world and its nodes.
+/// in NAME.out, their number in $pid_NAME; `kills NAME` returns when the port is free again; `world_of NAME` and
+/// `nodes_of NAME` print what a server's report says of its world and its nodes.
 inline std::string processesOf(const SmallScene& scene) {
   return "folder=$(mktemp -d); cd $folder; trap 'kill -KILL $(jobs -p) 2>/dev/null; rm -r $folder' EXIT\n"
          "starts() { local name=$1; shift; " GROVE_BINARY " \"$@\" --scene " +
          scene.path() +
          " >$name.out 2>&1 & eval pid_$name=$!\n"
-         "  until grep -qs '^listening' $name.out; do sleep 0.1; kill -0 $! || return; done; }\n"
+         "  until grep -qs '^listening' $name.out; do sleep 0.1; kill -0 $! || { echo $name ended; break; }; done; }\n"
+         "kills() { local pid=pid_$1; kill -KILL ${!pid}; wait ${!pid} 2>/dev/null; }\n"
          "port_of() { sed -n \"s/^$1.*:\\([0-9]*\\).*/\\1/p\" $2.out; }\n"
          "owns_world() { starts world world --listen 127.0.0.1:$1; at=$(port_of listening world); }\n"
          "serves() { local name=$1; shift; starts $name serve --listen 127.0.0.1:0 \"$@\"; }\n"

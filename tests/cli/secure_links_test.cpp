@@ -81,7 +81,7 @@ TEST(SecureLinks, ANodeThatIsNotToBeTrustedIsNamedWithTheReason) {
             "signed elsewhere ca DNS:elsewhere; signed client ca IP:127.0.0.1 -addext extendedKeyUsage=clientAuth\n"
             "signed stranger foreign IP:127.0.0.1\n"
             "for name in stranger elsewhere client; do nodes $name $(listens $name); fails $(links server)\n"
-            "  says $name 'hung up before its hello' | wc -l; kill -KILL $!; wait $! 2>/dev/null; done\n"
+            "  says $name 'hung up before its hello' | wc -l; kills $name; done\n"
             "soon late ca 3; nodes late $(listens late); sleep 3.5; fails $(links server)");
   EXPECT_THAT(outcome.output, HasSubstr("the node is not trusted: its certificate is signed by 'foreign', no authority "
                                         "of ca.pem"));
@@ -106,7 +106,7 @@ TEST(SecureLinks, AServerThatIsNotToBeTrustedIsToldTheReason) {
 TEST(SecureLinks, WhoIsInTheClearOnOneSideOnlyIsNamed) {
   const SmallScene scene;
   const Outcome outcome = shell(securedProcessesOf(scene) +
-                                "nodes plain; fails $(links server); kill -KILL $!; wait $! 2>/dev/null\n"
+                                "nodes plain; fails $(links server); kills plain\n"
                                 "nodes node $(listens node); fails; cat node.out");
   EXPECT_THAT(outcome.output, HasSubstr("the node is not trusted: it does not speak TLS"));
   EXPECT_THAT(outcome.output, HasSubstr("no node answers: it closes the connection at once"));
@@ -121,10 +121,10 @@ TEST(SecureLinks, ANodeThatComesBackWithAnotherCertificateDisturbsNobody) {
       shell(securedProcessesOf(scene) +
             "signed stranger foreign IP:127.0.0.1; nodes first $(listens node)\n"
             "serves a --nodes 127.0.0.1:$port $(links server); visit a 2 15 & visit=$!\n"
-            "sleep 1; kill -KILL $pid_first; until_says nodes_of a lost\n"
+            "sleep 1; kills first; until_says nodes_of a lost\n"
             "nodes second $(listens stranger); until_says nodes_of a \"untrusted\\\",\\\"reason\\\":\\\"its\"\n"
-            "kill -KILL $pid_second; nodes third $(listens node foreign)\n"
-            "until_says nodes_of a \"refused\\\",\\\"reason\\\":\\\"its\"; kill -KILL $pid_third\n"
+            "kills second; nodes third $(listens node foreign)\n"
+            "until_says nodes_of a \"refused\\\",\\\"reason\\\":\\\"its\"; kills third\n"
             "nodes fourth $(listens node); until_says nodes_of a welcomed; wait $visit; cat a.out >&2");
   EXPECT_EQ(outcome.output, "\"errors\":0\n");
 }
