@@ -120,6 +120,16 @@ class Filler {
   float high_;
 };
 
+/// Prefetches the pixels of a column, which begin rows that are far apart.
+HWY_INLINE void prefetch(Canvas& canvas, int column, int top, int bottom) {
+  const int x = std::clamp(column, canvas.rect.left, canvas.rect.right - 1) - canvas.rect.left;
+  for (int y = top; y < bottom; ++y) {
+    const std::ptrdiff_t at = (y - canvas.rect.top) * canvas.stride + x;
+    __builtin_prefetch(canvas.depth.data() + at, 1);
+    __builtin_prefetch(canvas.surface.data() + at, 1);
+  }
+}
+
 HWY_INLINE void drawTriangle(const Corner& a, const Corner& b, const Corner& c, Canvas& canvas) {
   const float abx = b.x - a.x;
   const float aby = b.y - a.y;
@@ -136,6 +146,7 @@ HWY_INLINE void drawTriangle(const Corner& a, const Corner& b, const Corner& c, 
   if (second.y < first.y) std::swap(first, second);
   const ScanConverter scan(first, second, third, canvas.rect);
   if (scan.top() >= scan.bottom()) return;
+  prefetch(canvas, static_cast<int>(first.x), scan.top(), std::min(scan.top() + kScanRows, scan.bottom()));
   const float perArea = 1.0F / twiceArea;
   const Planes atA = planesOf(a);
   const Planes ab = planesOf(b) - atA;

@@ -4,6 +4,8 @@
 #include <cassert>
 #include <utility>
 
+#include "base/prefetch.h"
+
 namespace grove::node {
 namespace {
 
@@ -14,15 +16,8 @@ static_assert(FreshParts::kStripWidth == kWarpPixels && FreshParts::kStripHeight
 constexpr int kSteps = 1;
 constexpr int kFirstSteps = 4;
 
-/// Prefetches memory that is written soon, so that stores do not wait for it.
-void fetchToWrite(const void* begin, std::ptrdiff_t bytes) {
-  constexpr std::ptrdiff_t kLine = 64;
-  for (std::ptrdiff_t i = 0; i < bytes; i += kLine) __builtin_prefetch(static_cast<const char*>(begin) + i, 1);
-}
-
-/// Prefetches the samples that the cells below a line of corners read. The hardware prefetcher does not follow rows
-/// that are this far apart.
-void fetchToRead(const WarpSource& source, const CornerLine& corners, int pixels) {
+/// Prefetches the samples that the first cells of a column read, below a line of corners. Those below prefetch theirs.
+void prefetchToRead(const WarpSource& source, const CornerLine& corners, int pixels) {
   constexpr int kLine = 64;
   const auto fetch = [&](const std::uint8_t* plane, int height, float x, float y, int lines) {
     const int column = static_cast<int>(std::clamp(x, 0.0F, static_cast<float>(source.width - 1)));
@@ -44,6 +39,13 @@ template <class Sample>
 void copyRows(const Sample* from, std::ptrdiff_t fromStride, int width, int height, Sample* to,
               std::ptrdiff_t toStride) {
   for (int row = 0; row < height; ++row) std::copy_n(from + row * fromStride, width, to + row * toStride);
+}
+
+void prefetchRows(const world::Rect& strip, raster::Image& layers) {
+  for (int y = strip.top; y < strip.bottom; ++y) {
+    prefetchToWrite(layers.colourRow(y) + strip.left, sizeof(std::uint32_t) * static_cast<std::size_t>(strip.width()));
+    prefetchToWrite(layers.depthRow(y) + strip.left, sizeof(float) * static_cast<std::size_t>(strip.width()));
+  }
 }
 
 constexpr int kGroupWidth = kCell * kCellGroup;
@@ -83,15 +85,16 @@ void BackdropWarp::fillColumn(const world::Rect& column, const FreshParts& fresh
   CornerLine* below = &second;
   std::ranges::fill(below->nearness, backdrop_.nearest());
   findCorners(search_, column.left, column.top, kFirstSteps, *below);
-  fetchToRead(source_, *below, column.width());
+  prefetchToRead(source_, *below, column.width());
   for (int top = column.top; top < column.bottom; top += kCell) {
     std::swap(above, below);
     std::ranges::copy(above->nearness, below->nearness);
     findCorners(search_, column.left, top + kCell, kSteps, *below);
-    fetchToRead(source_, *below, column.width());
     const world::Rect strip{column.left, top, column.right, std::min(top + kCell, column.bottom)};
+    const bool isFresh = fresh.isFresh(strip.left, strip.top);
+    if (isFresh) prefetchRows(strip, layers);
     warpColours(*above, *below, strip, picture);
-    if (!fresh.isFresh(strip.left, strip.top)) continue;
+    if (!isFresh) continue;
     raster::toRgba(picture, strip, layers);
     warpDepth(*above, *below, strip, layers);
   }
@@ -105,10 +108,10 @@ void BackdropWarp::warpColours(const CornerLine& above, const CornerLine& below,
   const WarpedPixels out{picture.y() + luma, picture.u() + chroma, picture.v() + chroma, picture.width()};
   const int cells = cellsAcross(strip);
   if (isWhole(strip)) {
-    for (int row = 0; row < kCell; ++row) fetchToWrite(out.y + row * out.stride, strip.width());
+    for (int row = 0; row < kCell; ++row) prefetchToWrite(out.y + row * out.stride, strip.width());
     for (int row = 0; row < kCell / 2; ++row) {
-      fetchToWrite(out.u + row * (out.stride / 2), strip.width() / 2);
-      fetchToWrite(out.v + row * (out.stride / 2), strip.width() / 2);
+      prefetchToWrite(out.u + row * (out.stride / 2), strip.width() / 2);
+      prefetchToWrite(out.v + row * (out.stride / 2), strip.width() / 2);
     }
     return warpCells(source_, above, below, cells, out);
   }

@@ -46,6 +46,8 @@ HWY_INLINE bool lookUpSquaresNear(const SquareGrid& grid, Ints column, Ints row,
   if (begin + grid.across + 2 * kLanes > std::ptrdiff_t{grid.across} * grid.down || lanes::any(outside != Ints(0))) {
     return false;
   }
+  // Of the cells below these, which are probably shown there.
+  __builtin_prefetch(grid.squares + begin + 5 * std::ptrdiff_t{grid.across});
   const auto rowAt = [&](const SquareNearness* from) {
     const hn::Rebind<SquareNearness, lanes::IntTag> tag;
     lanes::RowPart<lanes::IntTag> part(hn::PromoteTo(lanes::IntTag(), hn::LoadU(tag, from)),

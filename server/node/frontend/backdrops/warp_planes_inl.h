@@ -114,11 +114,16 @@ HWY_INLINE Words samplesOf(const std::uint8_t* plane, std::ptrdiff_t stride, con
   return hn::BitCast(WordTag(), rounded);
 }
 
-/// One row of cells' samples, byte by byte.
+/// One row of cells' samples, byte by byte. Prefetches what the cells below will probably read: pieces of lines are
+/// too short for the hardware prefetcher.
 template <int kSide>
 HWY_INLINE void warpRow(const std::uint8_t* plane, std::ptrdiff_t stride, const RowPlaces<kSide>& places, int count,
                         std::uint8_t* out) {
+  constexpr int kCellsPerCacheLine = 64 / 8;
   const hn::Rebind<std::uint8_t, WordTag> bytes;
+  for (int cell = 0; cell < count; cell += kCellsPerCacheLine) {
+    __builtin_prefetch(plane + places.block[cell] + (kSide + 1) * stride);
+  }
   for (int cell = 0; cell < count; cell += kCellsAtOnce) {
     hn::StoreU(hn::DemoteTo(bytes, samplesOf<kSide>(plane, stride, places, cell)), bytes, out + cell * 8);
   }
