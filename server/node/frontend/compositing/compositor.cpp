@@ -23,6 +23,14 @@ constexpr const char* kBackdrop = "backdrop";
 /// Rows that are put together at once: with their edges, about what fits into the cache of a core.
 constexpr int kBandHeight = 48;
 
+/// Adds the rows of a picture that may show anything. Its rectangle is that of its object's bounds, which is larger.
+void addRows(const raster::Image& picture, std::vector<world::Rect>& parts) {
+  for (int y = 0; y < picture.height(); ++y) {
+    const raster::Span span = picture.span(y);
+    parts.push_back(world::Rect{span.begin, y, span.end, y + 1}.moved(picture.rect.left, picture.rect.top));
+  }
+}
+
 std::vector<Label> nearestOf(std::vector<Label> labels) {
   // Ids decide between equal depths, so that names that overlap do not change places from frame to frame.
   std::ranges::sort(labels, {}, [](const Label& label) { return std::pair(label.depth, label.object); });
@@ -126,9 +134,8 @@ std::optional<BackdropWarp> Compositor::warpOf(const FrameList& list, const Back
 
 std::vector<world::Rect> Compositor::drawnParts(const Scene& scene) {
   std::vector<world::Rect> parts;
-  parts.reserve(2 * scene.size());
   for (const Placed& each : scene) {
-    if (each.picture != nullptr) parts.push_back(each.picture->rect);
+    if (each.picture != nullptr) addRows(*each.picture, parts);
     if (each.layer) parts.push_back(each.layer->reach(each.object.rect));
   }
   return parts;
