@@ -68,7 +68,7 @@ int runNode(const NodeOptions& options) {
   pipeline::MemoryLedger memory;
   raster::ImagePool images(memory);
   pipeline::WorkerPool workers(static_cast<int>(std::max(1U, std::thread::hardware_concurrency())));
-  node::BackendNode node(own, geometry, types.backends, {workers, gl, timeline, memory, images},
+  node::BackendNode node(own, geometry, geometry.obstacles(), types.backends, {workers, gl, timeline, memory, images},
                          node::Parallelism::kAllCores, report);
   progress.finish();
   stop.endWithin(kStopWhileNodeServes);

@@ -58,7 +58,7 @@ class FluidBackend::Fire {
   Fire(const node::BackendServices& services, const world::ModelledObject& object, double tickSeconds)
       : id_(object.id),
         world_(services.world),
-        geometry_(services.geometry),
+        obstacles_(services.obstacles),
         sky_(services.scene.layout.sky),
         announce_(services.announce),
         timeline_(services.timeline),
@@ -120,7 +120,7 @@ class FluidBackend::Fire {
   }
 
   [[nodiscard]] std::unique_ptr<FluidSimulation> make(world::Vec3 place, int cells) const {
-    return std::make_unique<FluidSimulation>(settings_, place, geometry_.solids(), geometry_.rays(), sky_, cells);
+    return std::make_unique<FluidSimulation>(settings_, place, obstacles_, sky_, cells);
   }
 
   [[nodiscard]] int cells() const noexcept { return cellsAt(settings_.grid, std::min<int>(quality_, maxQuality_)); }
@@ -201,7 +201,7 @@ class FluidBackend::Fire {
 
   const world::ObjectId id_;
   const node::WorldMirror& world_;
-  const world::WorldGeometry& geometry_;
+  const world::VoxelObstacles& obstacles_;
   const world::Sky& sky_;
   const std::function<void(const node::Announcement&)> announce_;
   pipeline::Timeline& timeline_;

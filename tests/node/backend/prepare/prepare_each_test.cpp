@@ -25,6 +25,7 @@ class PrepareEach : public ::testing::Test {
   BackendServices services(std::function<void(std::string_view, float)> progress) {
     return {.scene = scene_,
             .geometry = geometry_,
+            .obstacles = geometry_.obstacles(),
             .world = world_,
             .workers = workers_,
             .gl = gl_,
