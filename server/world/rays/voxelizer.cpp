@@ -22,6 +22,11 @@ void forEachCrossing(const RayScene& surfaces, Vec3 origin, Vec3 direction, floa
   }
 }
 
+/// The first cell of `n` whose centre lies behind a place on a ray, in cells from its low side; n: there is none.
+int firstBehind(float place, int n) {
+  return static_cast<int>(std::clamp(std::ceil(place - 0.5F), 0.0F, static_cast<float>(n)));
+}
+
 }  // namespace
 
 std::vector<std::uint8_t> voxelize(const RayScene& surfaces, const Cube& cube) {
@@ -58,8 +63,8 @@ std::vector<std::uint8_t> voxelize(const RayScene& surfaces, const Cube& cube) {
           if (winding == 0) {
             entered = position;
           } else if (winding + turn == 0) {
-            const int first = std::max(static_cast<int>(std::ceil(entered - 0.5F)), 0);
-            const int end = std::min(static_cast<int>(std::ceil(position - 0.5F)), n);
+            const int first = firstBehind(entered, n);
+            const int end = firstBehind(position, n);
             for (int k = first; k < end; ++k) ++votes[at(k)];
             const float middle = 0.5F * (entered + position);
             if (first >= end && middle >= 0.0F && middle < static_cast<float>(n))
@@ -68,7 +73,7 @@ std::vector<std::uint8_t> voxelize(const RayScene& surfaces, const Cube& cube) {
           winding += turn;
         });
         if (winding != 0) {
-          for (int k = std::max(static_cast<int>(std::ceil(entered - 0.5F)), 0); k < n; ++k) ++votes[at(k)];
+          for (int k = firstBehind(entered, n); k < n; ++k) ++votes[at(k)];
         }
       }
     }
