@@ -62,7 +62,7 @@ std::optional<node::RemoteObstacles> obstaclesAt(const std::optional<std::string
 
 /// Where it listens; nothing, and one line says so, if it has an address that is none.
 std::optional<stream::HostPort> addressesOf(const NodeOptions& options) {
-  const auto at = parseHostPort(options.listen);
+  auto at = parseHostPort(options.listen);
   if (!at) std::fprintf(stderr, "grove: --listen wants HOST:PORT, not '%s'\n", options.listen.c_str());
   if (!options.obstacles || parseHostPort(*options.obstacles)) return at;
   std::fprintf(stderr, "grove: --obstacles wants HOST:PORT, not '%s'\n", options.obstacles->c_str());

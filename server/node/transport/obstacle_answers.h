@@ -29,8 +29,8 @@ struct ObstacleQuestion {
   std::shared_ptr<ObstacleAsker> asker;
 };
 
-/// Answers other nodes' questions about obstacles, which take up to seconds of a worker each: one at a time, so that
-/// nobody who asks much takes more of the machine than one core. Questions beyond kMaxWaiting are refused.
+/// Answers other nodes' questions about obstacles, which take up to tenths of a second of a worker each. One at a time,
+/// so that nobody who asks much takes more of the machine than one core. Questions beyond kMaxWaiting are refused.
 class ObstacleAnswers final : public pipeline::Stage<ObstacleQuestion> {
  public:
   static constexpr std::size_t kMaxWaiting = 16;

@@ -5,7 +5,7 @@
 
 namespace grove::world {
 
-/// Obstacles whose surfaces are known: found by rays, so it takes up to seconds. Any thread.
+/// Obstacles whose surfaces are known: found by rays, so it takes up to tenths of a second. Any thread.
 class RayObstacles final : public VoxelObstacles {
  public:
   /// What stops smoke, and what stops light. Both outlive it.

@@ -13,7 +13,7 @@ inline constexpr const char* kLinkMethod = "/grove.node.v1.Node/Link";
 inline constexpr const char* kObstaclesMethod = "/grove.node.v1.Node/Obstacles";
 /// Such calls that a node serves at once, those that wait included.
 inline constexpr int kMaxObstacleCalls = 32;
-/// The longest that an answer may take: a cube of the finest cells takes seconds, and others may ask before.
+/// The longest that an answer may take: a node that is busy, and answers others before, may need seconds.
 inline constexpr int kObstacleMilliseconds = 20'000;
 /// Of one message. It fits into a queue that is not half full.
 inline constexpr std::size_t kMaxMessageBytes = kMaxWaitingBytes / 2;

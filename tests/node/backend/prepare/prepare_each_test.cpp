@@ -36,7 +36,7 @@ class PrepareEach : public ::testing::Test {
             .progress = std::move(progress)};
   }
 
-  const LoadedScene scene_;
+  const LoadedScene scene_{};
   const world::WorldGeometry geometry_{scene_.objects};
   const WorldMirror world_;
   pipeline::WorkerPool workers_{2};

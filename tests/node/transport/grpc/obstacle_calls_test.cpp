@@ -169,6 +169,7 @@ TEST(ObstacleCalls, ManyAtOnceAreAnsweredOneAfterTheOtherOrRefused) {
   node.obstacles.isHeld = true;
   const std::string question = encode(ObstacleRequest{.sceneHash = kScene, .cube = kCube});
   std::vector<std::future<CallEnd>> calls;
+  calls.reserve(2 * kMaxObstacleCalls);
   for (int i = 0; i < 2 * kMaxObstacleCalls; ++i) {
     calls.push_back(std::async(std::launch::async, [&] { return askRaw(node.address(), question); }));
   }
