@@ -63,6 +63,7 @@ class StoneObstacles final : public world::VoxelObstacles {
   [[nodiscard]] std::vector<std::uint8_t> sunlitCells(const world::Cube& cube, world::Vec3 towardsSun) const override {
     return stone_.sunlitCells(cube, towardsSun);
   }
+  [[nodiscard]] int working() const { return working_; }
   [[nodiscard]] int mostAtOnce() const { return mostAtOnce_; }
 
   std::atomic<bool> isHeld{false};
@@ -206,8 +207,7 @@ TEST(ObstacleCalls, WhoHasGivenUpIsNotAnswered) {
   EXPECT_LE(node->obstacles.answered, 1) << "the one that had begun";
   node->obstacles.isHeld = true;
   auto last = std::async(std::launch::async, [&, address = node->address()] { return askRaw(address, question); });
-  ASSERT_TRUE(eventually([&] { return node->obstacles.mostAtOnce() == 1; }));
-  std::this_thread::sleep_for(100ms);
+  EXPECT_TRUE(eventually([&] { return node->obstacles.working() == 1; }));
   node->obstacles.isHeld = false;
   node.reset();
   (void)last.get();
