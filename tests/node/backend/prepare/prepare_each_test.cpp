@@ -38,7 +38,7 @@ class PrepareEach : public ::testing::Test {
 
   const LoadedScene scene_{};
   const world::WorldGeometry geometry_{scene_.objects};
-  const WorldMirror world_;
+  const WorldMirror world_{};
   pipeline::WorkerPool workers_{2};
   gl::ShaderLibrary shaders_;
   gl::Workers gl_{gl::ContextKind::kAuto, shaders_, 1};
