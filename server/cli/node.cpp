@@ -19,8 +19,10 @@
 #include "node/backend/backend_node.h"
 #include "node/backend/prepare/share_of_scene.h"
 #include "node/transport/grpc/grpc_server.h"
+#include "node/transport/grpc/remote_obstacles.h"
 #include "objects/builtin.h"
 #include "pipeline/worker_pool.h"
+#include "world/scenes/scene_layout.h"
 
 namespace grove::cli {
 namespace {
@@ -31,54 +33,86 @@ using namespace std::chrono_literals;
 constexpr auto kStopWhileNodePrepares = 900ms;
 constexpr auto kStopWhileNodeServes = 4000ms;
 
-node::LoadedScene ownShare(const node::LoadedScene& scene, const std::vector<std::string>& names) {
+/// The longest that the node with the obstacles may take to answer.
+constexpr auto kObstaclePatience = 10s;
+
+node::ServedObjects ownObjects(const world::Layout& layout, const std::vector<std::string>& names) {
   std::string unknown;
-  const auto own = node::namedObjects(scene, names, unknown);
+  const auto own = node::namedObjects(layout, names, unknown);
   if (!own) {
     throw EnvironmentError("the scene has no object and no type '" + unknown + "'", "--objects",
                            "name objects or types of the scene");
   }
-  return node::shareOf(scene, *own);
+  return *own;
+}
+
+/// Obstacles that the node at this address tells, for objects that need no more than that; nothing without an address.
+std::optional<node::RemoteObstacles> obstaclesAt(const std::optional<std::string>& address, const world::Layout& layout,
+                                                 const node::ServedObjects& own, const node::BackendTypes& types,
+                                                 const node::LinkTls& tls) {
+  if (!address) return std::nullopt;
+  if (const node::BackendType* const type = node::typeThatNeedsAllModels(layout, own, types)) {
+    throw EnvironmentError("objects of the type '" + std::string(type->name()) + "' need the models of all others",
+                           "--obstacles", "a node that owns some is started without it");
+  }
+  std::optional<node::RemoteObstacles> obstacles(std::in_place, *address, layout.hash, tls);
+  obstacles->waitForNode(kObstaclePatience);
+  return obstacles;
+}
+
+/// Where it listens; nothing, and one line says so, if it has an address that is none.
+std::optional<stream::HostPort> addressesOf(const NodeOptions& options) {
+  auto at = parseHostPort(options.listen);
+  if (!at) std::fprintf(stderr, "grove: --listen wants HOST:PORT, not '%s'\n", options.listen.c_str());
+  if (!options.obstacles || parseHostPort(*options.obstacles)) return at;
+  std::fprintf(stderr, "grove: --obstacles wants HOST:PORT, not '%s'\n", options.obstacles->c_str());
+  return std::nullopt;
 }
 
 }  // namespace
 
 int runNode(const NodeOptions& options) {
-  const auto at = parseHostPort(options.listen);
-  if (!at) {
-    std::fprintf(stderr, "grove: --listen wants HOST:PORT, not '%s'\n", options.listen.c_str());
-    return 2;
-  }
+  const auto at = addressesOf(options);
+  if (!at) return 2;
   const node::LinkTls tls = options.links.read();
+  const node::LinkTls obstacleTls = options.obstacleLinks.read();
   StopOnSignal stop;
   stop.endWithin(kStopWhileNodePrepares);
   world::Scene scene = openScene(options.scene);
   setViewError(scene, options.viewError);
+  const node::ObjectTypes types = objects::builtinTypes();
+  const world::Layout layout = world::layoutOf(scene, types.backends.names());
+  const node::ServedObjects owned = ownObjects(layout, options.objects);
+  const auto remote = obstaclesAt(options.obstacles, layout, owned, types.backends, obstacleTls);
   const gl::ShaderLibrary shaders;
   gl::Workers gl(options.gl, shaders);
-  const node::ObjectTypes types = objects::builtinTypes();
   Progress progress;
   const auto report = [&](std::string_view label, float share) { progress.show(label, share); };
-  std::optional<Preparations> coarse = prepareFirstLook(scene, types.backends, report, stop.token());
+  const world::Scene shown = remote ? node::shareOf(scene, owned) : scene;
+  std::optional<Preparations> coarse = prepareFirstLook(shown, types.backends, report, stop.token());
   if (!coarse) return 0;
-  const node::LoadedScene whole = node::loadScene(scene, types.backends);
-  const node::LoadedScene own = ownShare(whole, options.objects);
-  const world::WorldGeometry geometry(whole.objects);
+  const node::LoadedScene loaded =
+      remote ? node::loadScene(scene, types.backends, owned) : node::loadScene(scene, types.backends);
+  const node::LoadedScene own = node::shareOf(loaded, owned);
+  const world::WorldGeometry geometry(loaded.objects);
+  const world::VoxelObstacles& obstacles = remote ? *remote : geometry.obstacles();
   pipeline::Timeline timeline;
   pipeline::MemoryLedger memory;
   raster::ImagePool images(memory);
   pipeline::WorkerPool workers(static_cast<int>(std::max(1U, std::thread::hardware_concurrency())));
-  node::BackendNode node(own, geometry, types.backends, {workers, gl, timeline, memory, images},
+  node::BackendNode node(own, geometry, obstacles, types.backends, {workers, gl, timeline, memory, images},
                          node::Parallelism::kAllCores, report);
   progress.finish();
   stop.endWithin(kStopWhileNodeServes);
+  const auto answers =
+      remote ? nullptr : std::make_shared<node::ObstacleAnswers>(obstacles, layout.hash, workers, timeline);
   const node::GrpcServer server(
       addressOf(*at, at->port), [&](std::shared_ptr<node::BackendEnd> link) { return node.accept(std::move(link)); },
-      workers, timeline, tls);
+      workers, timeline, tls, answers);
   std::optional<Refiner> refiner;
   if (!coarse->empty()) refiner.emplace(std::move(*coarse), [](const stream::Refining&) {});
-  log::info("world: " + own.layout.name + ", " + std::to_string(own.objects.size()) + " of " +
-            std::to_string(whole.objects.size()) + " objects");
+  log::info("world: " + layout.name + ", " + std::to_string(own.objects.size()) + " of " +
+            std::to_string(layout.objects.size()) + " objects");
   std::printf("listening on %s\n", addressOf(*at, server.port()).c_str());
   std::fflush(stdout);
   while (stop.waitFor(1000ms) != StopOnSignal::Event::kStop) continue;

@@ -49,19 +49,24 @@ void addInternet(CLI::App& serve, ServeOptions& options) {
       ->needs(certificate);
 }
 
+/// Of who links to other processes; the first of the options.
+CLI::Option* addLinkTls(CLI::App& command, LinkOptions& links) {
+  CLI::Option* authorities =
+      command
+          .add_option("--link-tls-ca", links.authorities,
+                      "Certificates of authorities, PEM: links by TLS, to processes that one of them has signed")
+          ->check(isNamedFile, "FILE");
+  addCertificate(command, links.own, "Certificate that is shown on links, and its issuers, PEM")->needs(authorities);
+  return authorities;
+}
+
 /// A world that several servers show.
 void addJoining(CLI::App& serve, ServeOptions& options) {
   CLI::Option* join = serve.add_option("--join", options.join, "Show the world that the process there owns");
   CLI::Option* share = serve.add_option("--share", options.share, "Let other servers join this one's world there");
   for (CLI::Option* option : {join, share}) option->type_name("HOST:PORT")->excludes("--private");
   join->excludes(share);
-  CLI::Option* authorities =
-      serve
-          .add_option("--link-tls-ca", options.links.authorities,
-                      "Certificates of authorities, PEM: links by TLS, to processes that one of them has signed")
-          ->check(isNamedFile, "FILE");
-  addCertificate(serve, options.links.own, "Certificate that is shown on links, and its issuers, PEM")
-      ->needs(authorities);
+  addLinkTls(serve, options.links);
 }
 
 /// Of who listens for the links of servers.
@@ -148,6 +153,12 @@ void addNode(CLI::App& app, NodeOptions& options) {
   node->add_option("--scene", options.scene, "Scene file, that of the servers (default: the grove, built in)");
   node->add_option("--listen", options.listen, "Address and port; port 0 is any free one")->capture_default_str();
   addListenerTls(*node, options.links);
+  CLI::Option* obstacles =
+      node->add_option("--obstacles", options.obstacles,
+                       "Node without this option that tells where smoke and sunlight pass: no models of others are "
+                       "loaded; for fluids and skies only")
+          ->type_name("HOST:PORT");
+  addLinkTls(*node, options.obstacleLinks)->needs(obstacles);
   addViewError(*node, options.viewError);
   const std::map<std::string, gl::ContextKind> kinds{
       {"auto", gl::ContextKind::kAuto}, {"egl", gl::ContextKind::kEgl}, {"osmesa", gl::ContextKind::kOsmesa}};

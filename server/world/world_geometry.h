@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "world/object.h"
+#include "world/rays/ray_obstacles.h"
 #include "world/rays/ray_scene.h"
 
 namespace grove::world {
@@ -23,6 +24,9 @@ class WorldGeometry {
   [[nodiscard]] const Triangles& shades() const noexcept { return shades_; }
   [[nodiscard]] const RayScene& rays() const noexcept { return rays_; }
 
+  /// Both, as voxels.
+  [[nodiscard]] const VoxelObstacles& obstacles() const noexcept { return obstacles_; }
+
   /// Memory that it takes.
   [[nodiscard]] std::size_t bytes() const noexcept { return solids_.bytes() + shades_.bytes() + rays_.bytes(); }
 
@@ -30,6 +34,7 @@ class WorldGeometry {
   const RayScene solids_;
   const Triangles shades_;
   const RayScene rays_;
+  const RayObstacles obstacles_{solids_, rays_};
 };
 
 }  // namespace grove::world

@@ -51,5 +51,27 @@ TEST(NodeCommand, AServerNamesANodeThatDoesNotAnswer) {
   EXPECT_THAT(outcome.output, HasSubstr("127.0.0.1:1: no node answers"));
 }
 
+TEST(NodeCommand, ObstaclesOfOthersWillNotDoForMeshes) {
+  const SmallScene scene;
+  const Outcome outcome =
+      grove("node --objects fluid,mesh --obstacles 127.0.0.1:1 --listen 127.0.0.1:0 --scene " + scene.path());
+  EXPECT_EQ(outcome.exit, 1);
+  EXPECT_THAT(outcome.output, HasSubstr("--obstacles: objects of the type 'mesh' need the models of all others"));
+  EXPECT_EQ(std::ranges::count(outcome.output, '\n'), 1);
+}
+
+TEST(NodeCommand, BadAddressesOfObstaclesAreRefused) {
+  const SmallScene scene;
+  const std::string node = "node --objects fluid --listen 127.0.0.1:0 --scene " + scene.path();
+  const Outcome nonsense = grove(node + " --obstacles nonsense");
+  EXPECT_EQ(nonsense.exit, 2);
+  EXPECT_THAT(nonsense.output, HasSubstr("--obstacles wants HOST:PORT, not 'nonsense'"));
+  EXPECT_EQ(grove(node + " --link-tls-ca ca.pem").exit, 2) << "there is no link";
+  const Outcome nobody = grove(node + " --obstacles 127.0.0.1:1");
+  EXPECT_EQ(nobody.exit, 1);
+  EXPECT_THAT(nobody.output, HasSubstr("127.0.0.1:1: no node tells the obstacles: Connection refused"));
+  EXPECT_EQ(std::ranges::count(nobody.output, '\n'), 1);
+}
+
 }  // namespace
 }  // namespace grove::cli

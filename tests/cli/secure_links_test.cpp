@@ -114,6 +114,27 @@ TEST(SecureLinks, WhoIsInTheClearOnOneSideOnlyIsNamed) {
   EXPECT_THAT(outcome.output, Not(HasSubstr("ended with 0")));
 }
 
+TEST(SecureLinks, ObstaclesAreToldOverThem) {
+  const SmallScene scene;
+  const Outcome outcome = shell(
+      securedProcessesOf(scene) +
+      "signed stranger foreign IP:127.0.0.1; starts stones node --objects mesh --listen 127.0.0.1:0 $(listens node)\n"
+      "fire='node --objects fluid --listen 127.0.0.1:0 --obstacles 127.0.0.1:'$(port_of listening stones)\n"
+      "starts good $fire $(links server); grep -c listening good.out\n"
+      "refused() { " GROVE_BINARY " $fire --scene " +
+      scene.path() +
+      " \"$@\" 2>&1 >/dev/null; echo ended with $?; }\n"
+      "refused $(links server foreign); refused $(links stranger); refused --link-tls-ca ca.pem; refused");
+  EXPECT_THAT(outcome.output, testing::StartsWith("1\n"));
+  EXPECT_THAT(outcome.output,
+              HasSubstr("the node with the obstacles is not trusted: its certificate is signed by 'ca', "
+                        "no authority of foreign.pem"));
+  EXPECT_THAT(outcome.output, HasSubstr("the node with the obstacles refuses: its certificate is signed by 'foreign'"));
+  EXPECT_THAT(outcome.output, HasSubstr("the node with the obstacles refuses: it shows no certificate"));
+  EXPECT_THAT(outcome.output, HasSubstr("no node tells the obstacles: it closes the connection at once"));
+  EXPECT_THAT(outcome.output, Not(HasSubstr("ended with 0")));
+}
+
 /// Visitors see the objects as they were, and the operator's page says why.
 TEST(SecureLinks, ANodeThatComesBackWithAnotherCertificateDisturbsNobody) {
   const SmallScene scene;

@@ -43,6 +43,7 @@ struct BackendStand {
   [[nodiscard]] node::BackendServices services(const BackendWorld& world) {
     return {.scene = world.scene,
             .geometry = world.geometry,
+            .obstacles = world.geometry.obstacles(),
             .world = world.mirror,
             .workers = workers,
             .gl = gl,

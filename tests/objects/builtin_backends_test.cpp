@@ -12,5 +12,14 @@ TEST(BuiltinBackends, AreThereForEveryType) {
               ::testing::UnorderedElementsAre("figure", "fluid", "ground", "lightfield", "mesh", "sky"));
 }
 
+TEST(BuiltinBackends, FluidsAndSkiesNeedNoModelsOfOthers) {
+  std::vector<std::string_view> content;
+  const node::BackendTypes types = builtinBackends();
+  for (const auto& type : types.all()) {
+    if (!type->needsAllModels()) content.push_back(type->name());
+  }
+  EXPECT_THAT(content, ::testing::UnorderedElementsAre("fluid", "sky"));
+}
+
 }  // namespace
 }  // namespace grove::objects

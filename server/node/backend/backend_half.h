@@ -70,6 +70,10 @@ class BackendType {
     return nullptr;
   }
 
+  /// Whether its half asks for the surfaces of all objects (BackendServices::geometry); else voxels will do, and a node
+  /// of this type needs no models of others.
+  [[nodiscard]] virtual bool needsAllModels() const { return true; }
+
   /// For the objects of the scene that have the type `self`.
   [[nodiscard]] virtual std::unique_ptr<BackendHalf> makeHalf(const BackendServices& services,
                                                               world::TypeIndex self) const = 0;

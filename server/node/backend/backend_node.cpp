@@ -47,9 +47,10 @@ class BackendNode::Reception final : public BackendPort {
   const std::shared_ptr<Peer> peer_;
 };
 
-BackendNode::BackendNode(const LoadedScene& scene, const world::WorldGeometry& geometry, const BackendTypes& types,
+BackendNode::BackendNode(const LoadedScene& scene, const world::WorldGeometry& geometry,
+                         const world::VoxelObstacles& obstacles, const BackendTypes& types,
                          const BackendMachine& machine, Parallelism parallelism, const Progress& progress)
-    : scene_(scene), geometry_(geometry), machine_(machine), epoch_(anyNumber()) {
+    : scene_(scene), geometry_(geometry), obstacles_(obstacles), machine_(machine), epoch_(anyNumber()) {
   const BackendServices services = this->services(parallelism, progress);
   std::set<world::TypeIndex> used;
   for (const world::ModelledObject& object : scene.objects) used.insert(object.type);
@@ -80,6 +81,7 @@ BackendNode::~BackendNode() {
 BackendServices BackendNode::services(Parallelism parallelism, const Progress& progress) {
   return {.scene = scene_,
           .geometry = geometry_,
+          .obstacles = obstacles_,
           .world = world_,
           .workers = machine_.workers,
           .gl = machine_.gl,

@@ -34,8 +34,9 @@ class BackendNode {
 
   /// Prepares the objects, which may take seconds; passes on what that throws. Must not run on a thread of the
   /// executors. `progress` is called from any thread and may throw to cancel. All other arguments outlive the node.
-  BackendNode(const LoadedScene& scene, const world::WorldGeometry& geometry, const BackendTypes& types,
-              const BackendMachine& machine, Parallelism parallelism, const Progress& progress);
+  BackendNode(const LoadedScene& scene, const world::WorldGeometry& geometry, const world::VoxelObstacles& obstacles,
+              const BackendTypes& types, const BackendMachine& machine, Parallelism parallelism,
+              const Progress& progress);
   /// Waits for runs in progress, so it must not run on a thread of the executors. All tokens of accept() must be gone.
   ~BackendNode();
   BackendNode(const BackendNode&) = delete;
@@ -68,6 +69,7 @@ class BackendNode {
 
   const LoadedScene& scene_;
   const world::WorldGeometry& geometry_;
+  const world::VoxelObstacles& obstacles_;
   const BackendMachine machine_;
   const std::uint64_t epoch_;
   WorldMirror world_;

@@ -49,8 +49,10 @@ struct LoadedScene {
 /// What a backend half may use of its node; nothing of any frontend. All of it outlives the half.
 struct BackendServices {
   const LoadedScene& scene;
-  /// What stops smoke and light, whatever type it is of.
+  /// What stops smoke and light, whatever type it is of: as surfaces, which are all there only where a type
+  /// needsAllModels(), and as voxels.
   const world::WorldGeometry& geometry;
+  const world::VoxelObstacles& obstacles;
   const WorldMirror& world;
   pipeline::Executor& workers;
   gl::Workers& gl;

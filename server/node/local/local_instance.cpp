@@ -27,7 +27,8 @@ LocalInstance::LocalInstance(const Ground& ground, std::shared_ptr<Transport> tr
       transport_(std::move(transport)),
       end_(endOf(ground_, transport_)),
       own_(ownOf(ground_)),
-      backend_(own_, ground_.geometry, ground_.types, ground_.machine, parallelism, progress),
+      backend_(own_, ground_.geometry, ground_.geometry.obstacles(), ground_.types, ground_.machine, parallelism,
+               progress),
       served_(backend_.accept(transport_)) {
   reportModels();
 }

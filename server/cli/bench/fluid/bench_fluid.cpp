@@ -14,6 +14,7 @@
 #include "objects/fluid/backend/solver/diagnostics.h"
 #include "pipeline/clocks.h"
 #include "world/geometry.h"
+#include "world/rays/ray_obstacles.h"
 #include "world/rays/ray_scene.h"
 
 namespace grove::cli {
@@ -160,10 +161,11 @@ nlohmann::ordered_json reportOf(const BenchFluidOptions& options, const FluidSim
 
 int runBenchFluid(const BenchFluidOptions& options) {
   const world::RayScene surfaces(obstacles());
+  const world::RayObstacles around(surfaces, surfaces);
   objects::fluid::FluidSettings settings;
   settings.grid = options.grid;
   settings.threads = options.threads;
-  FluidSimulation simulation(settings, Vec3(0.0F), surfaces, surfaces, world::Sky());
+  FluidSimulation simulation(settings, Vec3(0.0F), around, world::Sky());
   const auto playerAt = [](int step) {
     return walker(static_cast<double>(step) * static_cast<double>(FluidSimulation::kTick));
   };

@@ -12,7 +12,6 @@
 
 #include "measure/svg_plot.h"
 #include "models/plants/plants.h"
-#include "objects/fluid/backend/simulation/voxelizer.h"
 #include "objects/fluid/backend/solver/diagnostics.h"
 #include "objects/fluid/backend/solver/pressure/conjugate_gradients.h"
 #include "objects/fluid/backend/solver/pressure/multigrid.h"
@@ -21,6 +20,7 @@
 #include "objects/fluid/backend/solver/pressure/red_black.h"
 #include "pipeline/clocks.h"
 #include "world/rays/ray_scene.h"
+#include "world/rays/voxelizer.h"
 
 namespace grove::cli {
 namespace {
@@ -66,7 +66,7 @@ std::vector<std::uint8_t> tree(int n) {
     if (oak.materials[oak.materialOf[i]].solid) wood.indices.push_back(oak.triangles.indices[i]);
   }
   const float size = 1.1F * tallest;
-  return fluid::voxelize(world::RayScene(wood), {{-0.5F * size, 0.0F, -0.5F * size}, size, n});
+  return world::voxelize(world::RayScene(wood), {{-0.5F * size, 0.0F, -0.5F * size}, size, n});
 }
 
 std::vector<Case> cases(int n) {

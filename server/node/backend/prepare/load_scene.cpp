@@ -16,17 +16,22 @@ std::shared_ptr<const world::Model> modelOf(const world::ObjectDescription& desc
 }  // namespace
 
 LoadedScene loadScene(const world::Scene& scene, const BackendTypes& types) {
+  return loadScene(scene, types, restOf(world::layoutOf(scene, types.names()), {}));
+}
+
+LoadedScene loadScene(const world::Scene& scene, const BackendTypes& types, const ServedObjects& own) {
   LoadedScene loaded;
   loaded.layout = world::layoutOf(scene, types.names());
-  loaded.objects.reserve(scene.objects.size());
+  loaded.objects.reserve(own.objects.size());
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
-    auto model = modelOf(scene.objects[i], types);
     world::Object& object = loaded.layout.objects[i];
+    if (!own.contains(object.id)) continue;
+    auto model = modelOf(scene.objects[i], types);
     object.bounds = object.transform.apply(model->bounds());
     object.obstacleRadius = model->obstacleRadius().value_or(0.0F) * object.transform.scale;
     loaded.objects.push_back({object, std::move(model)});
   }
-  if (scene.visitor) {
+  if (own.visitors) {
     loaded.visitor = modelOf(*scene.visitor, types);
     loaded.layout.visitor->bounds = loaded.visitor->bounds();
     loaded.layout.visitor->hasOwnBody = loaded.visitor->hasOwnBody();

@@ -5,16 +5,24 @@
 #include <string>
 
 #include "node/backend/backend_services.h"
+#include "node/backend/prepare/load_scene.h"
 #include "node/messages/served_objects.h"
+#include "world/scenes/scene_file.h"
 
 namespace grove::node {
 
 /// What these names of objects and types mean in a scene: an object by its name, or all of a type, which may be that of
 /// the visitors. Nothing, and `unknown` is the name, if one means nothing.
-[[nodiscard]] std::optional<ServedObjects> namedObjects(const LoadedScene& scene, std::span<const std::string> names,
+[[nodiscard]] std::optional<ServedObjects> namedObjects(const world::Layout& layout, std::span<const std::string> names,
                                                         std::string& unknown);
 
 /// A scene for a node that owns these objects only; the layout stays whole.
 [[nodiscard]] LoadedScene shareOf(const LoadedScene& scene, const ServedObjects& own);
+/// What a scene file says of these objects, for what asks for no ids: those of the share are others.
+[[nodiscard]] world::Scene shareOf(const world::Scene& scene, const ServedObjects& own);
+
+/// The type of an object among these that needs the models of all objects; null: there is none.
+[[nodiscard]] const BackendType* typeThatNeedsAllModels(const world::Layout& layout, const ServedObjects& own,
+                                                        const BackendTypes& types);
 
 }  // namespace grove::node

@@ -16,6 +16,7 @@
 #include "base/error.h"
 #include "base/log.h"
 #include "node/transport/grpc/link_credentials.h"
+#include "node/transport/grpc/obstacle_call.h"
 #include "node/transport/grpc/packet_reactor.h"
 #include "node/transport/grpc/quiet_library.h"
 #include "node/transport/pack_result.h"
@@ -23,23 +24,24 @@
 
 namespace grove::node {
 
-/// Makes a link of each call.
+/// Makes a link of each call, or has it answered.
 class GrpcServer::Service final : public grpc::CallbackGenericService {
  public:
-  Service(Accept accept, pipeline::Executor& executor, pipeline::Timeline& timeline, LinkTls tls)
-      : accept_(std::move(accept)), executor_(executor), timeline_(timeline), tls_(std::move(tls)) {}
+  Service(Accept accept, pipeline::Executor& executor, pipeline::Timeline& timeline, LinkTls tls,
+          std::shared_ptr<ObstacleAnswers> obstacles)
+      : accept_(std::move(accept)),
+        executor_(executor),
+        timeline_(timeline),
+        tls_(std::move(tls)),
+        obstacles_(std::move(obstacles)) {}
 
   grpc::ServerGenericBidiReactor* CreateReactor(grpc::GenericCallbackServerContext* context) override;
 
   void waitUntilEmpty() {
     std::unique_lock lock(mutex_);
-    left_.wait(lock, [this] { return links_ == 0; });
+    left_.wait(lock, [this] { return links_ == 0 && questions_ == 0; });
   }
-  void leave() {
-    const std::lock_guard lock(mutex_);
-    --links_;
-    left_.notify_all();
-  }
+  void leave() { leave(links_); }
   /// A process has hung up before it said anything. In the clear that may be anybody.
   void leftUnheard(const std::string& process) {
     if (tls_.certificate.empty()) return;
@@ -48,21 +50,32 @@ class GrpcServer::Service final : public grpc::CallbackGenericService {
   }
 
  private:
-  [[nodiscard]] bool enter() {
+  [[nodiscard]] grpc::ServerGenericBidiReactor* makeLink(const std::string& process);
+  [[nodiscard]] grpc::ServerGenericBidiReactor* makeObstacleCall();
+
+  /// Counts a call of one kind, unless there are `max`.
+  [[nodiscard]] bool enter(int& calls, int max) {
     const std::lock_guard lock(mutex_);
-    if (links_ == kMaxLinks) return false;
-    ++links_;
+    if (calls == max) return false;
+    ++calls;
     return true;
+  }
+  void leave(int& calls) {
+    const std::lock_guard lock(mutex_);
+    --calls;
+    left_.notify_all();
   }
 
   const Accept accept_;
   pipeline::Executor& executor_;
   pipeline::Timeline& timeline_;
   const LinkTls tls_;
+  const std::shared_ptr<ObstacleAnswers> obstacles_;
   log::Limited strangers_;
   std::mutex mutex_;
   std::condition_variable left_;
   int links_ = 0;
+  int questions_ = 0;  ///< about obstacles
 };
 
 /// A stream as the backend node's end of a link. gRPC holds it while the call lasts, and the node for as long as there
@@ -144,14 +157,21 @@ class Refused final : public grpc::ServerGenericBidiReactor {
 }  // namespace
 
 grpc::ServerGenericBidiReactor* GrpcServer::Service::CreateReactor(grpc::GenericCallbackServerContext* context) {
-  if (context->method() != kLinkMethod) return grpc::CallbackGenericService::CreateReactor(context);
+  const bool isLink = context->method() == kLinkMethod;
+  if (!isLink && context->method() != kObstaclesMethod) return grpc::CallbackGenericService::CreateReactor(context);
   if (const auto complaint = complaintOf(*context->auth_context(), tls_, TlsAuthorities::Role::kClient, "")) {
     strangers_.error("refuses the process at " + context->peer() + ": " + *complaint);
     return new Refused({grpc::StatusCode::UNAUTHENTICATED, *complaint});
   }
-  if (!enter()) return new Refused({grpc::StatusCode::RESOURCE_EXHAUSTED, "this node has too many links"});
+  return isLink ? makeLink(context->peer()) : makeObstacleCall();
+}
+
+grpc::ServerGenericBidiReactor* GrpcServer::Service::makeLink(const std::string& process) {
+  if (!enter(links_, kMaxLinks)) {
+    return new Refused({grpc::StatusCode::RESOURCE_EXHAUSTED, "this node has too many links"});
+  }
   try {
-    const auto link = std::make_shared<Link>(*this, context->peer(), executor_, timeline_);
+    const auto link = std::make_shared<Link>(*this, process, executor_, timeline_);
     link->start(accept_);
     return link.get();
   } catch (const std::exception& e) {
@@ -161,17 +181,28 @@ grpc::ServerGenericBidiReactor* GrpcServer::Service::CreateReactor(grpc::Generic
   }
 }
 
+grpc::ServerGenericBidiReactor* GrpcServer::Service::makeObstacleCall() {
+  if (!obstacles_) return new Refused({grpc::StatusCode::UNIMPLEMENTED, "it has no models of other objects itself"});
+  if (!enter(questions_, kMaxObstacleCalls)) {
+    return new Refused({grpc::StatusCode::RESOURCE_EXHAUSTED, "too many ask about obstacles"});
+  }
+  const auto call = std::make_shared<ObstacleCall>(obstacles_, [this] { leave(questions_); });
+  call->start();
+  return call.get();
+}
+
 struct GrpcServer::Parts {
-  Parts(Accept accept, pipeline::Executor& executor, pipeline::Timeline& timeline, const LinkTls& tls)
-      : service(std::move(accept), executor, timeline, tls) {}
+  Parts(Accept accept, pipeline::Executor& executor, pipeline::Timeline& timeline, const LinkTls& tls,
+        std::shared_ptr<ObstacleAnswers> obstacles)
+      : service(std::move(accept), executor, timeline, tls, std::move(obstacles)) {}
   Service service;
   std::unique_ptr<grpc::Server> server;
   int port = 0;
 };
 
 GrpcServer::GrpcServer(const std::string& address, Accept accept, pipeline::Executor& executor,
-                       pipeline::Timeline& timeline, const LinkTls& tls)
-    : parts_(std::make_unique<Parts>(std::move(accept), executor, timeline, tls)) {
+                       pipeline::Timeline& timeline, const LinkTls& tls, std::shared_ptr<ObstacleAnswers> obstacles)
+    : parts_(std::make_unique<Parts>(std::move(accept), executor, timeline, tls, std::move(obstacles))) {
   tls.certificate.empty() ? silenceLibrary() : reportHandshakesOnly();
   grpc::EnableDefaultHealthCheckService(true);
   grpc::ServerBuilder builder;

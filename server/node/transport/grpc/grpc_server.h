@@ -5,6 +5,7 @@
 #include <string>
 
 #include "node/transport/grpc/link_tls.h"
+#include "node/transport/obstacle_answers.h"
 #include "node/transport/transport.h"
 #include "pipeline/executor.h"
 #include "pipeline/timeline.h"
@@ -12,7 +13,8 @@
 namespace grove::node {
 
 /// Listens for frontend processes over gRPC, and gives each link to who serves it. Beside it there is the standard
-/// health service, which answers everybody. At most kMaxLinks at a time; one that breaks costs the others nothing.
+/// health service, which answers everybody, and what answers other nodes' questions about obstacles. At most kMaxLinks
+/// at a time; one that breaks costs the others nothing.
 class GrpcServer {
  public:
   /// Serves the process at the other end until what it returns is destroyed, see BackendNode::accept(). On gRPC's
@@ -22,9 +24,9 @@ class GrpcServer {
 
   /// Listens at HOST:PORT; port 0 is any free one. Over TLS if there is a certificate, and then only for processes
   /// whose certificates are trusted, if `tls` says which are. Throws EnvironmentError if it cannot. Workers and
-  /// timeline outlive it.
+  /// timeline outlive it. `obstacles`: null if this process has no models.
   GrpcServer(const std::string& address, Accept accept, pipeline::Executor& executor, pipeline::Timeline& timeline,
-             const LinkTls& tls = {});
+             const LinkTls& tls = {}, std::shared_ptr<ObstacleAnswers> obstacles = nullptr);
   /// Ends all links, and waits until what accept() returned is destroyed; so not on one of the executor's threads.
   ~GrpcServer();
   GrpcServer(const GrpcServer&) = delete;

@@ -16,6 +16,12 @@ std::string propertyOf(const grpc::AuthContext& other, const char* name) {
   return values.empty() ? std::string() : std::string(values.front().data(), values.front().size());
 }
 
+/// Of HOST:PORT.
+std::string hostOf(const std::string& address) {
+  const std::string host = address.substr(0, address.rfind(':'));
+  return host.starts_with('[') && host.ends_with(']') ? host.substr(1, host.size() - 2) : host;
+}
+
 }  // namespace
 
 std::shared_ptr<grpc::ServerCredentials> serverCredentials(const LinkTls& tls) {
@@ -46,6 +52,11 @@ std::optional<std::string> complaintOf(const grpc::AuthContext& other, const Lin
   if (!tls.trusted) return std::nullopt;
   return tls.trusted->complaint(propertyOf(other, "x509_pem_cert"), propertyOf(other, "x509_pem_cert_chain"), role,
                                 host);
+}
+
+std::optional<std::string> complaintOfNode(const grpc::AuthContext& node, const LinkTls& tls,
+                                           const std::string& address) {
+  return complaintOf(node, tls, TlsAuthorities::Role::kServer, hostOf(address));
 }
 
 }  // namespace grove::node

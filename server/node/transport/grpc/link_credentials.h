@@ -22,5 +22,8 @@ namespace grove::node {
 /// certificate. `host`: see TlsAuthorities::complaint().
 [[nodiscard]] std::optional<std::string> complaintOf(const grpc::AuthContext& other, const LinkTls& tls,
                                                      TlsAuthorities::Role role, const std::string& host);
+/// The same of the node at HOST:PORT, whose certificate has to name HOST.
+[[nodiscard]] std::optional<std::string> complaintOfNode(const grpc::AuthContext& node, const LinkTls& tls,
+                                                         const std::string& address);
 
 }  // namespace grove::node

@@ -5,16 +5,6 @@
 #include "node/transport/grpc/node_channel.h"
 
 namespace grove::node {
-namespace {
-
-/// Of HOST:PORT.
-std::string hostOf(const std::string& address) {
-  const std::string host = address.substr(0, address.rfind(':'));
-  return host.starts_with('[') && host.ends_with(']') ? host.substr(1, host.size() - 2) : host;
-}
-
-}  // namespace
-
 NodeCall::NodeCall(Caller& caller, const std::string& address, const LinkTls& tls)
     : stub_(channelTo(address, tls)), caller_(caller), probe_(stub_, *this) {}
 
@@ -31,7 +21,7 @@ void NodeCall::open(const std::vector<Packet>& first) {
 }
 
 std::optional<std::string> NodeCall::complaint(const LinkTls& tls, const std::string& address) const {
-  return complaintOf(*context_.auth_context(), tls, TlsAuthorities::Role::kServer, hostOf(address));
+  return complaintOfNode(*context_.auth_context(), tls, address);
 }
 
 void NodeCall::OnReadInitialMetadataDone(bool ok) {

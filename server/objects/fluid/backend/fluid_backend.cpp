@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cassert>
+#include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <exception>
@@ -10,10 +11,12 @@
 #include <limits>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "base/error.h"
 #include "base/log.h"
 #include "node/load_shedding.h"
 #include "objects/fluid/backend/fluid_backend_type.h"
@@ -38,6 +41,11 @@ constexpr int kIdleTicks = 60;        // two seconds without visitors, before it
 /// between two ticks, so that the smoke still moves in every frame.
 constexpr float kMaxFactorAtFullRate = 2.5F;
 
+/// After this, a node that has not told its obstacles is asked again.
+constexpr std::chrono::seconds kObstaclePause{10};
+
+using Clock = std::chrono::steady_clock;
+
 /// Of a snapshot that nobody moves on: the world's clock goes on while the simulation rests.
 constexpr double kStandsStill = std::numeric_limits<double>::infinity();
 
@@ -58,7 +66,7 @@ class FluidBackend::Fire {
   Fire(const node::BackendServices& services, const world::ModelledObject& object, double tickSeconds)
       : id_(object.id),
         world_(services.world),
-        geometry_(services.geometry),
+        obstacles_(services.obstacles),
         sky_(services.scene.layout.sky),
         announce_(services.announce),
         timeline_(services.timeline),
@@ -120,10 +128,26 @@ class FluidBackend::Fire {
   }
 
   [[nodiscard]] std::unique_ptr<FluidSimulation> make(world::Vec3 place, int cells) const {
-    return std::make_unique<FluidSimulation>(settings_, place, geometry_.solids(), geometry_.rays(), sky_, cells);
+    return std::make_unique<FluidSimulation>(settings_, place, obstacles_, sky_, cells);
   }
 
   [[nodiscard]] int cells() const noexcept { return cellsAt(settings_.grid, std::min<int>(quality_, maxQuality_)); }
+
+  /// As ScalableSimulation::update(); but without its obstacles, the grid stays as it is until another one is wished,
+  /// or for kObstaclePause.
+  [[nodiscard]] bool updateSimulation() {
+    if (retry_ && Clock::now() >= *retry_) {
+      retry_.reset();
+      simulation_.setCells(cells());
+    }
+    try {
+      return simulation_.update();
+    } catch (const EnvironmentError& e) {
+      log::warning(name_ + ": its smoke keeps its grid: " + e.what());
+      retry_ = Clock::now() + kObstaclePause;
+      return false;
+    }
+  }
 
   /// Smoke in slow motion is worse than smoke on the scene's grid: a step is given up for good if its ticks need more
   /// than a core has time for. Waiting does not count, which another load brings and takes away. On the scene's own
@@ -172,7 +196,7 @@ class FluidBackend::Fire {
     const int periods = std::exchange(periods_, 0);
     try {
       const pipeline::TimedRun timed(timeline_, kStage, pipeline::Work::kAcrossUser, {}, kTypeName, kTicksPerSecond);
-      if (simulation_.update()) pace_.restart();
+      if (updateSimulation()) pace_.restart();
       const std::int64_t begin = pipeline::threadCpuNanoseconds();
       const double now = world_.now().value_or(kStandsStill);
       const std::vector<world::Player> visitors = world_.players();
@@ -201,7 +225,7 @@ class FluidBackend::Fire {
 
   const world::ObjectId id_;
   const node::WorldMirror& world_;
-  const world::WorldGeometry& geometry_;
+  const world::VoxelObstacles& obstacles_;
   const world::Sky& sky_;
   const std::function<void(const node::Announcement&)> announce_;
   pipeline::Timeline& timeline_;
@@ -214,9 +238,10 @@ class FluidBackend::Fire {
   std::atomic<int> maxQuality_ = node::kMaxQuality;  ///< that is done in time
   Pace pace_;
   node::WorldMirror::Cursor cursor_ = 0;
-  bool isSlow_ = false;  ///< and that was reported
-  int periods_ = 0;      ///< of the clock since the newest tick
-  int idleTicks_ = 0;    ///< without visitors
+  bool isSlow_ = false;                     ///< and that was reported
+  int periods_ = 0;                         ///< of the clock since the newest tick
+  std::optional<Clock::time_point> retry_;  ///< a change of the grid that has failed
+  int idleTicks_ = 0;                       ///< without visitors
   std::mutex mutex_;
   std::shared_ptr<const FluidSnapshot> newest_;
   std::vector<std::shared_ptr<const FluidSnapshot>> past_;  ///< before the newest, the oldest first

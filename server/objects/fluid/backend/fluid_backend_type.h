@@ -26,6 +26,7 @@ class FluidBackendType final : public node::BackendType {
  public:
   [[nodiscard]] std::string_view name() const override;
   [[nodiscard]] std::shared_ptr<const world::Model> model(const world::Parameters& parameters) const override;
+  [[nodiscard]] bool needsAllModels() const override { return false; }
   [[nodiscard]] std::unique_ptr<node::BackendHalf> makeHalf(const node::BackendServices& services,
                                                             world::TypeIndex self) const override;
 };

@@ -15,6 +15,7 @@ class SkyBackendType final : public node::BackendType {
 
   [[nodiscard]] std::string_view name() const override;
   [[nodiscard]] std::shared_ptr<const world::Model> model(const world::Parameters& parameters) const override;
+  [[nodiscard]] bool needsAllModels() const override { return false; }
   [[nodiscard]] std::unique_ptr<node::BackendHalf> makeHalf(const node::BackendServices& services,
                                                             world::TypeIndex self) const override;
 

@@ -109,5 +109,20 @@ TEST(LoadScene, WrongOptionsOfTypesNameTheirLine) {
   EXPECT_THAT(complaint("types = 1"), HasSubstr("t.toml:1"));
 }
 
+/// Would catch a node that opens files of objects which others own.
+TEST(LoadScene, OfSomeObjectsReadsThoseOnly) {
+  const world::Scene scene = world::parseScene(
+      "[[object]]\ntype='box'\nsize='wrong'\n[[object]]\ntype='box'\nsize=4\n[visitor]\ntype='box'\nred='wrong'\n",
+      "t.toml");
+  const LoadedScene loaded = loadScene(scene, testing::boxBackends(), {.objects = {2}, .visitors = false});
+  ASSERT_EQ(loaded.objects.size(), 1U);
+  EXPECT_EQ(loaded.objects[0].id, 2U);
+  EXPECT_FLOAT_EQ(loaded.objects[0].bounds.high.x, 2.0F);
+  EXPECT_EQ(loaded.visitor, nullptr);
+  EXPECT_EQ(loaded.layout.objects.size(), 2U);
+  EXPECT_TRUE(loaded.layout.visitor);
+  EXPECT_THROW((void)loadScene(scene, testing::boxBackends()), world::SceneError);
+}
+
 }  // namespace
 }  // namespace grove::node

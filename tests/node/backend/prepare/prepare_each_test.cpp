@@ -25,6 +25,7 @@ class PrepareEach : public ::testing::Test {
   BackendServices services(std::function<void(std::string_view, float)> progress) {
     return {.scene = scene_,
             .geometry = geometry_,
+            .obstacles = geometry_.obstacles(),
             .world = world_,
             .workers = workers_,
             .gl = gl_,
@@ -35,9 +36,9 @@ class PrepareEach : public ::testing::Test {
             .progress = std::move(progress)};
   }
 
-  const LoadedScene scene_;
+  const LoadedScene scene_{};
   const world::WorldGeometry geometry_{scene_.objects};
-  const WorldMirror world_;
+  const WorldMirror world_{};
   pipeline::WorkerPool workers_{2};
   gl::ShaderLibrary shaders_;
   gl::Workers gl_{gl::ContextKind::kAuto, shaders_, 1};

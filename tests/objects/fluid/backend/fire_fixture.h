@@ -33,6 +33,7 @@ class Fire : public ::testing::Test {
   node::BackendServices services() {
     return {.scene = scene_,
             .geometry = geometry_,
+            .obstacles = geometry_.obstacles(),
             .world = mirror_,
             .workers = workers_,
             .gl = gl_,

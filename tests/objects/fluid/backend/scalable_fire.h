@@ -7,6 +7,7 @@
 
 #include "objects/fluid/backend/scalable_simulation.h"
 #include "objects/fluid/backend/solver/diagnostics.h"
+#include "world/rays/ray_obstacles.h"
 
 namespace grove::objects::fluid {
 
@@ -19,8 +20,7 @@ class ScalableFire : public testing::Test {
     FluidSettings settings;
     settings.grid = kGrid;
     settings.size = 6.0F;
-    return std::make_unique<FluidSimulation>(settings, world::Vec3(1.0F, 0.0F, 2.0F), nothing_, nothing_, world::Sky(),
-                                             cells);
+    return std::make_unique<FluidSimulation>(settings, world::Vec3(1.0F, 0.0F, 2.0F), nothing_, world::Sky(), cells);
   }
   [[nodiscard]] ScalableSimulation scalable(int cells) const {
     return ScalableSimulation([this](int wanted) { return make(wanted); }, cells);
@@ -63,7 +63,8 @@ class ScalableFire : public testing::Test {
     return sums;
   }
 
-  const world::RayScene nothing_{world::Triangles{}};
+  const world::RayScene noSurfaces_{world::Triangles{}};
+  const world::RayObstacles nothing_{noSurfaces_, noSurfaces_};
 };
 
 }  // namespace grove::objects::fluid

@@ -23,13 +23,13 @@ constexpr float kBuoyancy = 16.0F;
 
 bool finite(world::Vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
-Cube cubeAt(const FluidSettings& settings, world::Vec3 position, int cells) {
+world::Cube cubeAt(const FluidSettings& settings, world::Vec3 position, int cells) {
   const float half = 0.5F * settings.size;
   return {position - world::Vec3(half, 0.0F, half), settings.size, cells};
 }
 
 /// Of a place in the cube's own coordinates.
-float distanceTo(const Cube& cube, world::Vec3 place) {
+float distanceTo(const world::Cube& cube, world::Vec3 place) {
   return glm::distance(place, glm::clamp(place, world::Vec3(0.0F), world::Vec3(cube.size)));
 }
 
@@ -64,21 +64,24 @@ Particles::Source particlesOf(const FluidSettings& settings) {
 }
 
 /// Seen from the coarse cells that light is computed in.
-std::vector<float> visibilityIn(const Cube& cube, int cells, world::Vec3 sun, const world::RayScene& surfaces) {
-  return sunVisibility(surfaces, {cube.low, cube.size, Shading::coarseCells(cells)}, sun);
+std::vector<float> visibilityIn(const world::Cube& cube, int cells, world::Vec3 sun,
+                                const world::VoxelObstacles& obstacles) {
+  const auto lit = obstacles.sunlitCells({cube.low, cube.size, Shading::coarseCells(cells)}, sun);
+  return {lit.begin(), lit.end()};
 }
 
 }  // namespace
 
-FluidSimulation::FluidSimulation(const FluidSettings& settings, world::Vec3 position, const world::RayScene& solids,
-                                 const world::RayScene& shades, const world::Sky& sky, std::optional<int> cells)
+FluidSimulation::FluidSimulation(const FluidSettings& settings, world::Vec3 position,
+                                 const world::VoxelObstacles& obstacles, const world::Sky& sky,
+                                 std::optional<int> cells)
     : settings_(settings),
       cube_(cubeAt(settings, position, cells.value_or(settings.grid))),
       source_(sourceOf(settings)),
       solver_(solverOf(settings, cube_.cells)),
       particles_(particlesOf(settings), settings.seed),
-      shading_(settings.grid, settings.size, sky.sun, visibilityIn(cube_, settings.grid, sky.sun, shades)) {
-  solver_.setStatic(voxelize(solids, cube_));
+      shading_(settings.grid, settings.size, sky.sun, visibilityIn(cube_, settings.grid, sky.sun, obstacles)) {
+  solver_.setStatic(obstacles.solidCells(cube_));
 }
 
 FluidState FluidSimulation::state() const {

@@ -11,13 +11,12 @@
 #include "objects/fluid/backend/simulation/fluid_state.h"
 #include "objects/fluid/backend/simulation/particles.h"
 #include "objects/fluid/backend/simulation/shading.h"
-#include "objects/fluid/backend/simulation/voxelizer.h"
 #include "objects/fluid/backend/solver/fluid_solver.h"
 #include "objects/fluid/common/snapshot.h"
 #include "world/edits.h"
 #include "world/players.h"
-#include "world/rays/ray_scene.h"
 #include "world/sky.h"
+#include "world/voxel_obstacles.h"
 
 namespace grove::objects::fluid {
 
@@ -44,10 +43,11 @@ class FluidSimulation {
   /// Gusts that count in one step: those that begin nearest to the cube. Each costs about as much as the wind.
   static constexpr std::size_t kMaxGusts = 32;
 
-  /// `solids`: what the smoke flows around; `shades`: what hides the sun of `sky`. Only read here. `cells`: per edge of
-  /// the air's grid, if other than the settings'. Light and particles stay as these say: they go with each other.
-  FluidSimulation(const FluidSettings& settings, world::Vec3 position, const world::RayScene& solids,
-                  const world::RayScene& shades, const world::Sky& sky, std::optional<int> cells = {});
+  /// `obstacles`: what the smoke flows around, and what hides the sun of `sky`. They are asked here only; passes on
+  /// what they throw. `cells`: per edge of the air's grid, if other than the settings'. Light and particles stay as
+  /// these say: they go with each other.
+  FluidSimulation(const FluidSettings& settings, world::Vec3 position, const world::VoxelObstacles& obstacles,
+                  const world::Sky& sky, std::optional<int> cells = {});
 
   /// A copy of its air, of its particles in their order, and of its time: megabytes.
   [[nodiscard]] FluidState state() const;
@@ -81,7 +81,7 @@ class FluidSimulation {
   [[nodiscard]] std::vector<Capsule> localCapsules(std::span<const world::Player> visitors) const;
 
   const FluidSettings settings_;
-  const Cube cube_;
+  const world::Cube cube_;
   const HeatSource source_;
   FluidSolver solver_;
   Particles particles_;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "objects/fluid/backend/solver/diagnostics.h"
+#include "world/rays/ray_obstacles.h"
 #include "world/sky.h"
 
 namespace grove::objects::fluid {
@@ -41,12 +42,13 @@ class FluidSimulationTest : public testing::Test {
     return true;
   }
 
-  const world::RayScene nothing_{world::Triangles{}};
+  const world::RayScene noSurfaces_{world::Triangles{}};
+  const world::RayObstacles nothing_{noSurfaces_, noSurfaces_};
 };
 
 TEST_F(FluidSimulationTest, SmokeRisesFromTheFireInWorldCoordinates) {
   const world::Vec3 position(10.0F, 2.0F, -5.0F);
-  FluidSimulation simulation(settings(), position, nothing_, nothing_, world::Sky());
+  FluidSimulation simulation(settings(), position, nothing_, world::Sky());
   run(simulation, 90);
   const auto snapshot = simulation.snapshot(12.5);
   EXPECT_EQ(snapshot->time, 12.5);
@@ -69,8 +71,8 @@ TEST_F(FluidSimulationTest, SmokeRisesFromTheFireInWorldCoordinates) {
 }
 
 TEST_F(FluidSimulationTest, EqualRunsAreEqual) {
-  FluidSimulation a(settings(), {}, nothing_, nothing_, world::Sky());
-  FluidSimulation b(settings(), {}, nothing_, nothing_, world::Sky());
+  FluidSimulation a(settings(), {}, nothing_, world::Sky());
+  FluidSimulation b(settings(), {}, nothing_, world::Sky());
   run(a, 40);
   run(b, 40);
   EXPECT_EQ(a.snapshot(0.0)->x, b.snapshot(0.0)->x);
@@ -79,10 +81,10 @@ TEST_F(FluidSimulationTest, EqualRunsAreEqual) {
 
 /// A copy of a world begins where the first one did.
 TEST_F(FluidSimulationTest, GoesOnFromAStateAsTheOneThatHadIt) {
-  FluidSimulation first(settings(), {}, nothing_, nothing_, world::Sky());
+  FluidSimulation first(settings(), {}, nothing_, world::Sky());
   run(first, 40);
   const FluidState state = first.state();
-  FluidSimulation second(settings(), {}, nothing_, nothing_, world::Sky());
+  FluidSimulation second(settings(), {}, nothing_, world::Sky());
   second.takeOver(state);
   EXPECT_EQ(second.tick(), 40U);
   EXPECT_EQ(second.snapshot(0.0)->x, first.snapshot(0.0)->x);
@@ -97,8 +99,8 @@ TEST_F(FluidSimulationTest, GoesOnFromAStateAsTheOneThatHadIt) {
 
 TEST_F(FluidSimulationTest, AGustMovesTheSmokeItsWay) {
   for (const world::Vec3 direction : {world::Vec3(1.0F, 0.0F, 0.0F), world::Vec3(0.0F, 0.0F, -1.0F)}) {
-    FluidSimulation calm(settings(), {}, nothing_, nothing_, world::Sky());
-    FluidSimulation blown(settings(), {}, nothing_, nothing_, world::Sky());
+    FluidSimulation calm(settings(), {}, nothing_, world::Sky());
+    FluidSimulation blown(settings(), {}, nothing_, world::Sky());
     run(calm, 60);
     run(blown, 60);
     const world::Gust gust{world::Vec3(0.0F, 0.6F, 0.0F) - 2.5F * direction, direction, 6.0F, 9.0F};
@@ -124,8 +126,8 @@ TEST_F(FluidSimulationTest, OnlySoManyGustsCountAndThoseTheNearest) {
   }
   std::ranges::reverse(near);
   std::ranges::reverse(all);
-  FluidSimulation few(settings(), {}, nothing_, nothing_, world::Sky());
-  FluidSimulation many(settings(), {}, nothing_, nothing_, world::Sky());
+  FluidSimulation few(settings(), {}, nothing_, world::Sky());
+  FluidSimulation many(settings(), {}, nothing_, world::Sky());
   run(few, 10);
   run(many, 10);
   for (int i = 0; i < 5; ++i) {
@@ -141,7 +143,7 @@ TEST_F(FluidSimulationTest, AVisitorWhoWalksPushesTheAirAndNoSmokeIsInside) {
   FluidSettings still = settings();
   still.wind = world::Vec3(0.0F);
   still.turbulence = 0.0F;
-  FluidSimulation simulation(still, {}, nothing_, nothing_, world::Sky());
+  FluidSimulation simulation(still, {}, nothing_, world::Sky());
   run(simulation, 60);
   world::Player player;
   player.velocity = {2.0F, 0.0F, 0.0F};
@@ -167,7 +169,7 @@ TEST_F(FluidSimulationTest, AVisitorWhoWalksPushesTheAirAndNoSmokeIsInside) {
 }
 
 TEST_F(FluidSimulationTest, BadInputIsRefusedOrClamped) {
-  FluidSimulation simulation(settings(), {}, nothing_, nothing_, world::Sky());
+  FluidSimulation simulation(settings(), {}, nothing_, world::Sky());
   run(simulation, 20);
   for (const float seconds : {kNan, -1.0F, 0.0F, std::numeric_limits<float>::infinity()}) {
     simulation.step(seconds, {}, {});
@@ -193,13 +195,14 @@ TEST_F(FluidSimulationTest, BadInputIsRefusedOrClamped) {
 }
 
 TEST_F(FluidSimulationTest, ReportsItsMemory) {
-  const world::RayScene nothing(world::Triangles{});
+  const world::RayScene noSurfaces(world::Triangles{});
+  const world::RayObstacles nothing(noSurfaces, noSurfaces);
   FluidSettings coarse = settings();
   FluidSettings fine = settings();
   coarse.grid = 16;
   fine.grid = 64;
-  const FluidSimulation small(coarse, world::Vec3(0.0F), nothing, nothing, world::Sky());
-  const FluidSimulation large(fine, world::Vec3(0.0F), nothing, nothing, world::Sky());
+  const FluidSimulation small(coarse, world::Vec3(0.0F), nothing, world::Sky());
+  const FluidSimulation large(fine, world::Vec3(0.0F), nothing, world::Sky());
   // Velocity and temperature, now and next, and what the pressure needs are more than a dozen fields.
   EXPECT_GT(large.bytes(), 12 * sizeof(float) * 64 * 64 * 64);
   EXPECT_LT(large.bytes(), 80 * sizeof(float) * 64 * 64 * 64);

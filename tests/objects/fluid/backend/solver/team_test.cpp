@@ -8,6 +8,7 @@
 #include "objects/fluid/backend/simulation/fluid_simulation.h"
 #include "objects/fluid/backend/solver/diagnostics.h"
 #include "sanitized.h"
+#include "world/rays/ray_obstacles.h"
 #include "world/sky.h"
 
 namespace grove::objects::fluid {
@@ -47,13 +48,14 @@ TEST_P(TeamOnAFire, DoesWhatOneThreadDoes) {
   world::Triangles wall;
   wall.positions = {{-2.0F, 0.0F, 0.6F}, {2.0F, 0.0F, 0.6F}, {2.0F, 2.0F, 0.6F}, {-2.0F, 2.0F, 0.6F}};
   wall.indices = {{0, 1, 2}, {0, 2, 3}};
-  const world::RayScene solids(wall);
+  const world::RayScene surfaces(wall);
+  const world::RayObstacles solids(surfaces, surfaces);
   FluidSettings settings;
   settings.grid = kSanitized ? 32 : 48;
   settings.size = 6.0F;
-  FluidSimulation alone(settings, {}, solids, solids, world::Sky());
+  FluidSimulation alone(settings, {}, solids, world::Sky());
   settings.threads = GetParam();
-  FluidSimulation together(settings, {}, solids, solids, world::Sky());
+  FluidSimulation together(settings, {}, solids, world::Sky());
   world::Player player;
   player.velocity = {0.0F, 0.0F, 1.5F};
   for (int i = 0; i < (kSanitized ? 15 : 40); ++i) {

@@ -1,10 +1,10 @@
-#include "objects/fluid/backend/simulation/voxelizer.h"
+#include "world/rays/voxelizer.h"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
-namespace grove::objects::fluid {
+namespace grove::world {
 
 namespace {
 
@@ -12,20 +12,24 @@ constexpr int kMaxHitsPerRay = 256;
 
 /// Visits the crossings of a ray with surfaces: called with the distance and +1 (enters) or -1 (leaves).
 template <class Visit>
-void forEachCrossing(const world::RayScene& surfaces, world::Vec3 origin, world::Vec3 direction, float far,
-                     const Visit& visit) {
+void forEachCrossing(const RayScene& surfaces, Vec3 origin, Vec3 direction, float far, const Visit& visit) {
   float near = 0.0F;
   for (int hits = 0; hits < kMaxHitsPerRay; ++hits) {
-    const std::optional<world::RayScene::Hit> hit = surfaces.intersect(origin, direction, near, far);
+    const std::optional<RayScene::Hit> hit = surfaces.intersect(origin, direction, near, far);
     if (!hit) return;
     visit(hit->distance, glm::dot(hit->normal, direction) < 0.0F ? 1 : -1);
     near = std::max(hit->distance + 1.0e-5F, std::nextafter(hit->distance, far));
   }
 }
 
+/// The first cell of `n` whose centre lies behind a place on a ray, in cells from its low side; n: there is none.
+int firstBehind(float place, int n) {
+  return static_cast<int>(std::clamp(std::ceil(place - 0.5F), 0.0F, static_cast<float>(n)));
+}
+
 }  // namespace
 
-std::vector<std::uint8_t> voxelize(const world::RayScene& surfaces, const Cube& cube) {
+std::vector<std::uint8_t> voxelize(const RayScene& surfaces, const Cube& cube) {
   const int n = cube.cells;
   const float cell = cube.cellSize();
   const auto index = [n](int x, int y, int z) { return (static_cast<std::size_t>(z) * n + y) * n + x; };
@@ -38,12 +42,12 @@ std::vector<std::uint8_t> voxelize(const world::RayScene& surfaces, const Cube& 
     const float before = 1000.0F;
     for (int j = 0; j < n; ++j) {
       for (int i = 0; i < n; ++i) {
-        world::Vec3 origin = cube.low;
+        Vec3 origin = cube.low;
         // A little off the centre: rays along edges that two triangles share, or along a face, are avoided.
         origin[s] += (static_cast<float>(i) + 0.5F) * cell + 1.3e-4F * cell;
         origin[t] += (static_cast<float>(j) + 0.5F) * cell + 2.1e-4F * cell;
         origin[a] -= before;
-        world::Vec3 direction(0.0F);
+        Vec3 direction(0.0F);
         direction[a] = 1.0F;
         const auto at = [&](int k) {
           int c[3];
@@ -59,8 +63,8 @@ std::vector<std::uint8_t> voxelize(const world::RayScene& surfaces, const Cube& 
           if (winding == 0) {
             entered = position;
           } else if (winding + turn == 0) {
-            const int first = std::max(static_cast<int>(std::ceil(entered - 0.5F)), 0);
-            const int end = std::min(static_cast<int>(std::ceil(position - 0.5F)), n);
+            const int first = firstBehind(entered, n);
+            const int end = firstBehind(position, n);
             for (int k = first; k < end; ++k) ++votes[at(k)];
             const float middle = 0.5F * (entered + position);
             if (first >= end && middle >= 0.0F && middle < static_cast<float>(n))
@@ -69,7 +73,7 @@ std::vector<std::uint8_t> voxelize(const world::RayScene& surfaces, const Cube& 
           winding += turn;
         });
         if (winding != 0) {
-          for (int k = std::max(static_cast<int>(std::ceil(entered - 0.5F)), 0); k < n; ++k) ++votes[at(k)];
+          for (int k = firstBehind(entered, n); k < n; ++k) ++votes[at(k)];
         }
       }
     }
@@ -78,20 +82,20 @@ std::vector<std::uint8_t> voxelize(const world::RayScene& surfaces, const Cube& 
   return votes;
 }
 
-std::vector<float> sunVisibility(const world::RayScene& surfaces, const Cube& cube, world::Vec3 towardsSun) {
+std::vector<std::uint8_t> sunVisibility(const RayScene& surfaces, const Cube& cube, Vec3 towardsSun) {
   const int n = cube.cells;
-  std::vector<float> visible;
+  std::vector<std::uint8_t> visible;
   visible.reserve(static_cast<std::size_t>(n) * n * n);
   for (int z = 0; z < n; ++z) {
     for (int y = 0; y < n; ++y) {
       for (int x = 0; x < n; ++x) {
-        const world::Vec3 cell(static_cast<float>(x), static_cast<float>(y), static_cast<float>(z));
-        const world::Vec3 centre = cube.low + (cell + 0.5F) * cube.cellSize();
-        visible.push_back(surfaces.occluded(centre, towardsSun) ? 0.0F : 1.0F);
+        const Vec3 cell(static_cast<float>(x), static_cast<float>(y), static_cast<float>(z));
+        const Vec3 centre = cube.low + (cell + 0.5F) * cube.cellSize();
+        visible.push_back(surfaces.occluded(centre, towardsSun) ? 0 : 1);
       }
     }
   }
   return visible;
 }
 
-}  // namespace grove::objects::fluid
+}  // namespace grove::world
