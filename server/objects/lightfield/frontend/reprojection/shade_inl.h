@@ -62,6 +62,7 @@ HWY_INLINE Neighbours neighbours(const Texels& texels, const std::uint32_t* colo
   }
   const std::uint32_t* const from = colour + std::ptrdiff_t{top} * texels.stride + left;
   const auto line = [&](int each) { return pairAt(from + std::ptrdiff_t{each} * texels.stride, right); };
+  if (HWY_LIKELY(all(down == 1))) return {line(1), line(2)};
   const Pair second = line(1);
   Neighbours found{line(0), second};
   const Pair third = line(2);
