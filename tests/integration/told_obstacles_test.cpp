@@ -42,6 +42,12 @@ void writeTree(const std::filesystem::path& file) {
   objects::lightfield::writeLightField(field, file);
 }
 
+std::ptrdiff_t timesIn(const std::string& text, const std::string& part) {
+  std::ptrdiff_t times = 0;
+  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++times;
+  return times;
+}
+
 /// A fire between a stone, a model from a glTF file and a light field, in a folder of its own.
 class ToldObstacles : public ::testing::Test {
  protected:
@@ -198,13 +204,15 @@ TEST_F(ToldObstacles, AFireKeepsItsGridUntilTheyAreToldAgain) {
   const std::int64_t before = fire.bytes();
   stones.reset();
   ::testing::internal::CaptureStderr();
+  const auto begin = std::chrono::steady_clock::now();
   fire.fire.setQuality(2);
   EXPECT_TRUE(ticksOn());
   EXPECT_TRUE(ticksOn());
   const std::string log = ::testing::internal::GetCapturedStderr();
   EXPECT_THAT(log, HasSubstr("its smoke keeps its grid: 127.0.0.1:" + std::to_string(port) +
                              ": no node tells the obstacles: Connection refused"));
-  EXPECT_EQ(std::ranges::count(log, '\n'), 1) << log;
+  const auto questions = 1 + (std::chrono::steady_clock::now() - begin) / 10s;
+  EXPECT_LE(timesIn(log, "its smoke keeps its grid"), questions) << log;
   EXPECT_LT(fire.bytes(), before * 3 / 2);
   stones = std::make_unique<NodeProgram>(file(), "mesh,lightfield", port);
   ASSERT_EQ(stones->port(), port);
