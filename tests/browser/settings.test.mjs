@@ -29,7 +29,7 @@ async function arrive(options, script) {
 
 async function enter(visitor) {
   await visitor.until('connection', 'open');
-  await visitor.frames(1);
+  await visitor.until('picture', 'shown');
 }
 
 const panelOf = (visitor) => visitor.page.locator('#settings');
