@@ -46,7 +46,8 @@ node::ServedObjects ownObjects(const world::Layout& layout, const std::vector<st
   return *own;
 }
 
-/// Obstacles that the node at this address tells, for objects that need no more than that; nothing without an address.
+/// Returns the client for obstacles of the node at `address`, or nothing without an address. Throws EnvironmentError if
+/// an own object needs all models, or if that node does not answer.
 std::optional<node::RemoteObstacles> obstaclesAt(const std::optional<std::string>& address, const world::Layout& layout,
                                                  const node::ServedObjects& own, const node::BackendTypes& types,
                                                  const node::LinkTls& tls) {

@@ -15,7 +15,7 @@ struct NodeOptions {
   std::optional<std::string> scene;
   std::string listen = "127.0.0.1:8100";
   LinkOptions links;
-  /// Address of the node that tells the obstacles of all objects; nothing: this one loads their models.
+  /// Address of the node that provides voxels of all obstacles. Without it, this node loads all models.
   std::optional<std::string> obstacles;
   LinkOptions obstacleLinks{{"", "", "--link-tls"}, ""};
   std::optional<float> viewError;  ///< nothing: what the scene says

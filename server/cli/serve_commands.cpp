@@ -155,8 +155,8 @@ void addNode(CLI::App& app, NodeOptions& options) {
   addListenerTls(*node, options.links);
   CLI::Option* obstacles =
       node->add_option("--obstacles", options.obstacles,
-                       "Node without this option that tells where smoke and sunlight pass: no models of others are "
-                       "loaded; for fluids and skies only")
+                       "Node that provides voxels of all obstacles, so that this one loads only the models of its own "
+                       "objects; for fluids and skies only")
           ->type_name("HOST:PORT");
   addLinkTls(*node, options.obstacleLinks)->needs(obstacles);
   addViewError(*node, options.viewError);

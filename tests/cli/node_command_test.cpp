@@ -69,7 +69,7 @@ TEST(NodeCommand, BadAddressesOfObstaclesAreRefused) {
   EXPECT_EQ(grove(node + " --link-tls-ca ca.pem").exit, 2) << "there is no link";
   const Outcome nobody = grove(node + " --obstacles 127.0.0.1:1");
   EXPECT_EQ(nobody.exit, 1);
-  EXPECT_THAT(nobody.output, HasSubstr("127.0.0.1:1: no node tells the obstacles: Connection refused"));
+  EXPECT_THAT(nobody.output, HasSubstr("127.0.0.1:1: no node provides obstacles: Connection refused"));
   EXPECT_EQ(std::ranges::count(nobody.output, '\n'), 1);
 }
 

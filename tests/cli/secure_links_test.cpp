@@ -131,7 +131,7 @@ TEST(SecureLinks, ObstaclesAreToldOverThem) {
                         "no authority of foreign.pem"));
   EXPECT_THAT(outcome.output, HasSubstr("the node with the obstacles refuses: its certificate is signed by 'foreign'"));
   EXPECT_THAT(outcome.output, HasSubstr("the node with the obstacles refuses: it shows no certificate"));
-  EXPECT_THAT(outcome.output, HasSubstr("no node tells the obstacles: it closes the connection at once"));
+  EXPECT_THAT(outcome.output, HasSubstr("no node provides obstacles: it closes the connection at once"));
   EXPECT_THAT(outcome.output, Not(HasSubstr("ended with 0")));
 }
 

@@ -210,7 +210,7 @@ TEST_F(ToldObstacles, AFireKeepsItsGridUntilTheyAreToldAgain) {
   EXPECT_TRUE(ticksOn());
   const std::string log = ::testing::internal::GetCapturedStderr();
   EXPECT_THAT(log, HasSubstr("its smoke keeps its grid: 127.0.0.1:" + std::to_string(port) +
-                             ": no node tells the obstacles: Connection refused"));
+                             ": no node provides obstacles: Connection refused"));
   const auto questions = 1 + (std::chrono::steady_clock::now() - begin) / 10s;
   EXPECT_LE(timesIn(log, "its smoke keeps its grid"), questions) << log;
   EXPECT_LT(fire.bytes(), before * 3 / 2);

@@ -18,7 +18,7 @@ namespace grove::node {
 
 /// A scene for a node that owns these objects only; the layout stays whole.
 [[nodiscard]] LoadedScene shareOf(const LoadedScene& scene, const ServedObjects& own);
-/// What a scene file says of these objects, for what asks for no ids: those of the share are others.
+/// Returns a scene file with these objects only. Ids count within a file, so they differ from those of the whole scene.
 [[nodiscard]] world::Scene shareOf(const world::Scene& scene, const ServedObjects& own);
 
 /// The type of an object among these that needs the models of all objects; null: there is none.

@@ -40,7 +40,7 @@ EnvironmentError errorOf(const CallEnd& end, const std::string& address, const L
     case grpc::StatusCode::FAILED_PRECONDITION:
       return {"the node with the obstacles refuses: " + text, address, "start both with one scene and one version"};
     case grpc::StatusCode::UNIMPLEMENTED:
-      return {"this node tells no obstacles" + (text.empty() ? "" : ": " + text), address,
+      return {"this node provides no obstacles" + (text.empty() ? "" : ": " + text), address,
               "name one that is started without --obstacles"};
     case grpc::StatusCode::DEADLINE_EXCEEDED:
       return {"the node with the obstacles does not answer in time", address, "it hangs, or has too much to do"};
@@ -56,7 +56,7 @@ EnvironmentError errorOf(const CallEnd& end, const std::string& address, const L
       return {"the node with the obstacles is not trusted: " + failure.reason, address,
               "without --link-tls-ca, links are in the clear"};
     default:
-      return {"no node tells the obstacles: " + failure.reason, address,
+      return {"no node provides obstacles: " + failure.reason, address,
               "start grove node there first, with --listen and without --obstacles"};
   }
 }

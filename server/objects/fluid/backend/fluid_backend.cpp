@@ -41,7 +41,7 @@ constexpr int kIdleTicks = 60;        // two seconds without visitors, before it
 /// between two ticks, so that the smoke still moves in every frame.
 constexpr float kMaxFactorAtFullRate = 2.5F;
 
-/// After this, a node that has not told its obstacles is asked again.
+/// Pause before obstacles are requested again from a node that did not answer.
 constexpr std::chrono::seconds kObstaclePause{10};
 
 using Clock = std::chrono::steady_clock;

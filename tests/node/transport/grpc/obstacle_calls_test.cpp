@@ -5,101 +5,32 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
 #include <future>
 #include <memory>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "base/error.h"
-#include "base/tls/certificates.h"
 #include "eventually.h"
 #include "node/transport/grpc/blocking_call.h"
-#include "node/transport/grpc/byte_message.h"
-#include "node/transport/grpc/grpc_server.h"
 #include "node/transport/grpc/library_hold.h"
 #include "node/transport/grpc/link_limits.h"
+#include "node/transport/grpc/obstacle_fixture.h"
 #include "node/transport/grpc/remote_obstacles.h"
-#include "pipeline/worker_pool.h"
-#include "world/rays/ray_obstacles.h"
 
 namespace grove::node {
 namespace {
 
 using namespace std::chrono_literals;
+using testing::errorOf;
 using ::testing::HasSubstr;
+using testing::kCube;
+using testing::kScene;
+using testing::TellingNode;
 using tests::eventually;
-
-constexpr std::uint64_t kScene = 77;
-constexpr world::Cube kCube{{-1.0F, 0.0F, -1.0F}, 2.0F, 20};
-
-/// A closed box, faces outwards.
-world::Triangles stone() {
-  world::Triangles box;
-  for (int i = 0; i < 8; ++i) {
-    box.positions.emplace_back((i & 1) != 0 ? 0.4F : -0.5F, (i & 2) != 0 ? 0.9F : 0.0F, (i & 4) != 0 ? 0.3F : -0.6F);
-  }
-  box.indices = {{0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}, {0, 1, 5}, {0, 5, 4},
-                 {2, 6, 7}, {2, 7, 3}, {0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}};
-  return box;
-}
-
-/// Those of a stone, counted. What is asked while they are held waits.
-class StoneObstacles final : public world::VoxelObstacles {
- public:
-  [[nodiscard]] std::vector<std::uint8_t> solidCells(const world::Cube& cube) const override {
-    const int among = ++working_;
-    mostAtOnce_ = std::max<int>(mostAtOnce_, among);
-    while (isHeld) std::this_thread::sleep_for(1ms);
-    auto cells = stone_.solidCells(cube);
-    ++answered;
-    --working_;
-    return cells;
-  }
-  [[nodiscard]] std::vector<std::uint8_t> sunlitCells(const world::Cube& cube, world::Vec3 towardsSun) const override {
-    return stone_.sunlitCells(cube, towardsSun);
-  }
-  [[nodiscard]] int working() const { return working_; }
-  [[nodiscard]] int mostAtOnce() const { return mostAtOnce_; }
-
-  std::atomic<bool> isHeld{false};
-  mutable std::atomic<int> answered{0};
-
- private:
-  const world::RayScene surface_{stone()};
-  const world::RayObstacles stone_{surface_, surface_};
-  mutable std::atomic<int> working_{0};
-  mutable std::atomic<int> mostAtOnce_{0};
-};
-
-/// A process that knows obstacles and listens.
-struct TellingNode {
-  explicit TellingNode(int port = 0, const LinkTls& tls = {}, bool tells = true)
-      : server(
-            "127.0.0.1:" + std::to_string(port), [](const auto&) { return nullptr; }, workers, timeline, tls,
-            tells ? answers : nullptr) {}
-  [[nodiscard]] std::string address() const { return "127.0.0.1:" + std::to_string(server.port()); }
-
-  pipeline::Timeline timeline;
-  StoneObstacles obstacles;
-  pipeline::WorkerPool workers{3};
-  const std::shared_ptr<ObstacleAnswers> answers =
-      std::make_shared<ObstacleAnswers>(obstacles, kScene, workers, timeline);
-  GrpcServer server;
-};
-
-std::string errorOf(const world::VoxelObstacles& obstacles, const world::Cube& cube = kCube) {
-  try {
-    (void)obstacles.solidCells(cube);
-    return "no error";
-  } catch (const EnvironmentError& e) {
-    return e.what();
-  }
-}
 
 CallEnd askRaw(const std::string& address, const std::string& question) {
   return ask({address, kObstaclesMethod, 30s}, question, {});
@@ -146,13 +77,13 @@ TEST(ObstacleCalls, BadQuestionsAreRefusedAndCostOthersNothing) {
 TEST(ObstacleCalls, ANodeWithoutModelsSaysSo) {
   const TellingNode node(0, {}, false);
   EXPECT_THAT(errorOf(RemoteObstacles(node.address(), kScene, {})),
-              HasSubstr("this node tells no obstacles: it has no models of other objects itself"));
+              HasSubstr("this node provides no obstacles: it has no models of other objects itself"));
 }
 
 TEST(ObstacleCalls, WaitForANodeThatComesLater) {
   const int port = TellingNode().server.port();
   const RemoteObstacles remote("127.0.0.1:" + std::to_string(port), kScene, {});
-  EXPECT_THAT(errorOf(remote), HasSubstr("no node tells the obstacles: Connection refused"));
+  EXPECT_THAT(errorOf(remote), HasSubstr("no node provides obstacles: Connection refused"));
   std::optional<TellingNode> node;
   std::thread late([&] {
     std::this_thread::sleep_for(700ms);
@@ -234,77 +165,6 @@ TEST(ObstacleCalls, ACallThatAsksNothingEnds) {
   call->Finish(&status, nullptr);
   wait();
   EXPECT_EQ(status.error_message(), "nothing was asked");
-}
-
-/// Says the same to whoever asks.
-class Liar final : public grpc::CallbackGenericService {
- public:
-  explicit Liar(std::string answer) : answer_(std::move(answer)) {
-    grpc::ServerBuilder builder;
-    builder.AddListeningPort("127.0.0.1:0", grpc::InsecureServerCredentials(), &port_);
-    builder.RegisterCallbackGenericService(this);
-    server_ = builder.BuildAndStart();
-  }
-  [[nodiscard]] std::string address() const { return "127.0.0.1:" + std::to_string(port_); }
-
- private:
-  class Lie final : public grpc::ServerGenericBidiReactor {
-   public:
-    explicit Lie(const std::string& answer) : answer_(messageOf(answer)) {
-      StartSendInitialMetadata();
-      StartRead(&question_);
-    }
-    void OnReadDone(bool /*ok*/) override { StartWriteAndFinish(&answer_, grpc::WriteOptions(), grpc::Status::OK); }
-    void OnDone() override { delete this; }
-
-   private:
-    grpc::ByteBuffer question_;
-    const grpc::ByteBuffer answer_;
-  };
-  grpc::ServerGenericBidiReactor* CreateReactor(grpc::GenericCallbackServerContext* /*context*/) override {
-    return new Lie(answer_);
-  }
-
-  const std::string answer_;
-  int port_ = 0;
-  std::unique_ptr<grpc::Server> server_;
-};
-
-TEST(ObstacleCalls, AnAnswerThatIsNoneOfThatCubeIsAnError) {
-  for (const int edge : {16, 24}) {
-    const CubeCells cells(static_cast<std::size_t>(edge) * edge * edge, 1);
-    const Liar liar(encodeCells(cells));
-    EXPECT_THAT(errorOf(RemoteObstacles(liar.address(), kScene, {})),
-                HasSubstr(liar.address() + ": the node with the obstacles is broken: answer about obstacles:"));
-  }
-  for (const std::string& bytes : {std::string(), std::string("lies"), std::string(kMaxHeaderBytes + 1, '\x0A')}) {
-    const Liar liar(bytes);
-    EXPECT_THAT(errorOf(RemoteObstacles(liar.address(), kScene, {})), HasSubstr("broken: answer about obstacles:"));
-  }
-  const Liar giant(std::string(kMaxMessageBytes + 1, 'x'));
-  EXPECT_THAT(errorOf(RemoteObstacles(giant.address(), kScene, {})), HasSubstr("larger"));
-}
-
-TEST(ObstacleCalls, OnlyATrustedNodeIsHeard) {
-  const TestFolder folder;
-  const TlsFiles own{folder.file("own.pem"), folder.file("own.key"), "--tls"};
-  const TlsFiles other{folder.file("other.pem"), folder.file("other.key"), "--tls"};
-  writePair(own);
-  writePair(other);
-  const TellingNode node(0, readLinkTls(own, ""));
-  const auto localhost = [](const TellingNode& at) { return "localhost:" + std::to_string(at.server.port()); };
-  const auto trusting = [](const TlsFiles& files) { return readLinkTls({"", "", "--link-tls"}, files.certificate); };
-  EXPECT_EQ(errorOf(RemoteObstacles(localhost(node), kScene, trusting(own))), "no error");
-  const int answered = node.obstacles.answered;
-  EXPECT_THAT(errorOf(RemoteObstacles(localhost(node), kScene, trusting(other))),
-              HasSubstr("the node with the obstacles is not trusted: its certificate"));
-  EXPECT_EQ(node.obstacles.answered, answered) << "it was asked nothing";
-  EXPECT_THAT(errorOf(RemoteObstacles(localhost(node), kScene, {})), HasSubstr("does it want TLS?"));
-  const TellingNode plain;
-  EXPECT_THAT(errorOf(RemoteObstacles(localhost(plain), kScene, trusting(own))), HasSubstr("does not speak TLS"));
-  const TellingNode wantsCertificates(0, readLinkTls(own, own.certificate));
-  EXPECT_THAT(errorOf(RemoteObstacles(localhost(wantsCertificates), kScene, trusting(own))),
-              HasSubstr("the node with the obstacles refuses: it shows no certificate"));
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <functional>
 #include <string>
 
+#include "node/transport/grpc/byte_message.h"
 #include "node/transport/grpc/link_limits.h"
 #include "node/transport/grpc/links_fixture.h"
 #include "node/transport/grpc/packet_frame.h"
@@ -15,16 +16,6 @@ namespace {
 using testing::FrontendSide;
 using testing::NodeProcess;
 using tests::eventually;
-
-grpc::ByteBuffer bufferOf(const std::string& bytes) {
-  const grpc::Slice slice(bytes);
-  return {&slice, 1};
-}
-
-std::string bytesOf(const grpc::ByteBuffer& buffer) {
-  grpc::Slice slice;
-  return buffer.DumpToSingleSlice(&slice).ok() ? std::string(slice.begin(), slice.end()) : "";
-}
 
 /// A client that says what it likes, one call at a time.
 class RawClient {
@@ -68,7 +59,7 @@ class RawClient {
   std::string unary(const std::string& method) {
     grpc::ClientContext context;
     grpc::CompletionQueue queue;
-    const grpc::ByteBuffer nothing = bufferOf("");
+    const grpc::ByteBuffer nothing = messageOf("");
     const auto call = stub_.PrepareUnaryCall(&context, method, nothing, &queue);
     grpc::ByteBuffer answer;
     grpc::Status status;
@@ -119,7 +110,7 @@ TEST_F(RawCalls, BytesThatAreNoPacketCostTheirMessageOnly) {
   using namespace std::string_literals;
   for (const std::string& bytes : {""s, "\1"s, "\1\0\0\0"s, "\2\0\0\0\0x"s, "\0\0\0\0\2"s, "\1\0\0\0\0xy"s,
                                    "\xFF\xFF\xFF\xFF\0x"s, "\1\0\0\0\0x"s}) {
-    messages.push_back(bufferOf(bytes));
+    messages.push_back(messageOf(bytes));
   }
   messages.push_back(frameOf(encode(ToBackend(examples::hello()))));
   const auto isHeard = [&] { return node.end(1) && node.end(1)->count() == 1; };
