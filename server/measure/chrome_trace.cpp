@@ -1,12 +1,13 @@
 #include "measure/chrome_trace.h"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string_view>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -40,25 +41,37 @@ const char* colourOf(pipeline::Work work) {
   return "";
 }
 
+/// An event and the process that it is shown in.
+struct Placed {
+  TimelineEvent event;
+  std::size_t process = 0;
+};
+
 /// By begin, and what is around before what is within.
-std::vector<TimelineEvent> inOrder(std::span<const TimelineEvent> events) {
-  std::vector<TimelineEvent> sorted(events.begin(), events.end());
-  std::ranges::stable_sort(
-      sorted, {}, [](const TimelineEvent& event) { return std::pair(event.beginNanoseconds, -event.wallNanoseconds); });
+std::vector<Placed> inOrder(std::span<const TraceSection> sections, std::size_t firstProcess) {
+  std::vector<Placed> sorted;
+  for (std::size_t i = 0; i < sections.size(); ++i) {
+    for (const TimelineEvent& event : sections[i].events) sorted.push_back({event, firstProcess + i});
+  }
+  std::ranges::stable_sort(sorted, {}, [](const Placed& placed) {
+    return std::pair(placed.event.beginNanoseconds, -placed.event.wallNanoseconds);
+  });
   return sorted;
 }
 
 /// Those of a frame that are not within others.
 class RunsOfFrames {
  public:
-  explicit RunsOfFrames(std::span<const TimelineEvent> sorted) : within_(sorted.size()) {
-    std::map<std::uint32_t, std::int64_t> busyUntil;
+  using Frame = std::array<std::uint32_t, 3>;  ///< process, session, number
+
+  explicit RunsOfFrames(std::span<const Placed> sorted) : within_(sorted.size()) {
+    std::map<std::pair<std::size_t, std::uint32_t>, std::int64_t> busyUntil;
     for (std::size_t i = 0; i < sorted.size(); ++i) {
-      const TimelineEvent& event = sorted[i];
-      std::int64_t& until = busyUntil[event.thread];
+      const TimelineEvent& event = sorted[i].event;
+      std::int64_t& until = busyUntil[{sorted[i].process, event.thread}];
       within_[i] = event.beginNanoseconds < until;
       until = std::max(until, event.beginNanoseconds + event.wallNanoseconds);
-      if (isStep(i, event)) ++steps_[keyOf(event)].second;
+      if (isStep(i, event)) ++steps_[frameOf(event)].second;
     }
   }
 
@@ -66,16 +79,14 @@ class RunsOfFrames {
   /// To be asked for each event once, in order.
   char phaseOf(std::size_t index, const TimelineEvent& event) {
     if (!isStep(index, event)) return 0;
-    auto& [done, all] = steps_.at(keyOf(event));
+    auto& [done, all] = steps_.at(frameOf(event));
     ++done;
     if (all == 1) return 0;
     if (done == 1) return 's';
     return done < all ? 't' : 'f';
   }
 
-  static std::uint64_t keyOf(const TimelineEvent& event) {
-    return std::uint64_t{event.tag.session} << 32U | event.tag.frame;
-  }
+  static Frame frameOf(const TimelineEvent& event) { return {event.tag.process, event.tag.session, event.tag.frame}; }
 
  private:
   [[nodiscard]] bool isStep(std::size_t index, const TimelineEvent& event) const {
@@ -83,56 +94,59 @@ class RunsOfFrames {
   }
 
   std::vector<bool> within_;
-  std::map<std::uint64_t, std::pair<std::size_t, std::size_t>> steps_;  ///< done and all
+  std::map<Frame, std::pair<std::size_t, std::size_t>> steps_;  ///< done and all
 };
 
 class Writer {
  public:
-  void write(const TraceSection& section, std::size_t index);
+  /// Sections of one clock, the first of which is process `firstProcess`.
+  void write(std::span<const TraceSection> sections, std::size_t firstProcess);
   std::string finish() { return std::move(text_) + "\n]}\n"; }
 
  private:
-  void open(char phase) {
+  void open(char phase, std::size_t process) {
     text_ += first_ ? "\n" : ",\n";
     first_ = false;
-    text_.append(R"({"ph":")").append(1, phase).append(R"(","pid":)").append(std::to_string(process_));
+    text_.append(R"({"ph":")").append(1, phase).append(R"(","pid":)").append(std::to_string(process));
   }
   void at(const TimelineEvent& event) {
     text_.append(R"(,"tid":)").append(std::to_string(event.thread));
     text_.append(R"(,"ts":)").append(thousandth(event.beginNanoseconds - origin_));
   }
-  void describeProcess(const std::string& name);
-  void describeThreads(std::span<const TimelineEvent> events);
-  void slice(const TimelineEvent& event);
-  void flow(char phase, const TimelineEvent& event);
+  void describeProcess(const std::string& name, std::size_t process);
+  void describeThreads(std::span<const TimelineEvent> events, std::size_t process);
+  void slice(const Placed& placed);
+  void flow(char phase, const Placed& placed);
 
   std::string text_ = R"({"displayTimeUnit":"ms","traceEvents":[)";
   bool first_ = true;
-  std::size_t process_ = 0;
+  std::size_t group_ = 0;  ///< the process of the group's first section: frames are of one group
   std::int64_t origin_ = 0;
 };
 
-void Writer::write(const TraceSection& section, std::size_t index) {
-  process_ = index + 1;
-  const std::vector<TimelineEvent> events = inOrder(section.events);
-  origin_ = events.empty() ? 0 : events.front().beginNanoseconds;
-  describeProcess(section.name);
-  describeThreads(events);
+void Writer::write(std::span<const TraceSection> sections, std::size_t firstProcess) {
+  group_ = firstProcess;
+  const std::vector<Placed> events = inOrder(sections, firstProcess);
+  origin_ = events.empty() ? 0 : events.front().event.beginNanoseconds;
+  for (std::size_t i = 0; i < sections.size(); ++i) {
+    describeProcess(sections[i].name, firstProcess + i);
+    describeThreads(sections[i].events, firstProcess + i);
+  }
   RunsOfFrames frames(events);
   for (std::size_t i = 0; i < events.size(); ++i) {
     slice(events[i]);
-    if (const char phase = frames.phaseOf(i, events[i]); phase != 0) flow(phase, events[i]);
+    if (const char phase = frames.phaseOf(i, events[i].event); phase != 0) flow(phase, events[i]);
   }
 }
 
-void Writer::describeProcess(const std::string& name) {
-  open('M');
+void Writer::describeProcess(const std::string& name, std::size_t process) {
+  open('M', process);
   text_.append(R"(,"name":"process_name","args":{"name":)").append(jsonText(name)).append("}}");
-  open('M');
-  text_.append(R"(,"name":"process_sort_index","args":{"sort_index":)").append(std::to_string(process_)).append("}}");
+  open('M', process);
+  text_.append(R"(,"name":"process_sort_index","args":{"sort_index":)").append(std::to_string(process)).append("}}");
 }
 
-void Writer::describeThreads(std::span<const TimelineEvent> events) {
+void Writer::describeThreads(std::span<const TimelineEvent> events, std::size_t process) {
   std::map<std::uint32_t, std::string_view> only;  // the stage, for a thread that runs one only
   for (const TimelineEvent& event : events) {
     const auto [found, isNew] = only.emplace(event.thread, event.stage);
@@ -141,17 +155,18 @@ void Writer::describeThreads(std::span<const TimelineEvent> events) {
   for (const auto& [thread, stage] : only) {
     std::string name = "thread " + std::to_string(thread);
     if (!stage.empty()) name.append(" (").append(stage).append(")");
-    open('M');
+    open('M', process);
     text_.append(R"(,"tid":)").append(std::to_string(thread));
     text_.append(R"(,"name":"thread_name","args":{"name":)").append(jsonText(name)).append("}}");
   }
 }
 
-void Writer::slice(const TimelineEvent& event) {
+void Writer::slice(const Placed& placed) {
+  const TimelineEvent& event = placed.event;
   const std::string_view work = toString(event.work);
   std::string name = event.stage;
   if (!event.subject.empty()) name.append(": ").append(event.subject);
-  open('X');
+  open('X', placed.process);
   at(event);
   text_.append(R"(,"dur":)").append(thousandth(event.wallNanoseconds));
   text_.append(R"(,"name":)").append(jsonText(name));
@@ -165,13 +180,12 @@ void Writer::slice(const TimelineEvent& event) {
   text_ += "}}";
 }
 
-void Writer::flow(char phase, const TimelineEvent& event) {
-  // Flows of one name are distinguished by number in the whole file. As text, since readers hold numbers in 53 bits.
-  const std::uint64_t number = std::uint64_t{process_ - 1} << 56U | RunsOfFrames::keyOf(event);
-  char id[32];
-  std::snprintf(id, sizeof id, "0x%llx", static_cast<unsigned long long>(number));
-  open(phase);
-  at(event);
+void Writer::flow(char phase, const Placed& placed) {
+  // Flows of one name are distinguished by this in the whole file.
+  std::string id = std::to_string(group_);
+  for (const std::uint32_t part : RunsOfFrames::frameOf(placed.event)) id.append(".").append(std::to_string(part));
+  open(phase, placed.process);
+  at(placed.event);
   text_.append(R"(,"name":"frame","cat":"frame","id":")").append(id).append("\"");
   // Without it, the arrow ends at the slice after the one that is around its end.
   if (phase == 'f') text_ += R"(,"bp":"e")";
@@ -180,9 +194,10 @@ void Writer::flow(char phase, const TimelineEvent& event) {
 
 }  // namespace
 
-std::string chromeTrace(std::span<const TraceSection> sections) {
+std::string chromeTrace(std::span<const TraceSection> sections, TraceClock clock) {
   Writer writer;
-  for (std::size_t i = 0; i < sections.size(); ++i) writer.write(sections[i], i);
+  const std::size_t together = clock == TraceClock::kOfAll ? sections.size() : 1;
+  for (std::size_t i = 0; i < sections.size(); i += together) writer.write(sections.subspan(i, together), i + 1);
   return writer.finish();
 }
 

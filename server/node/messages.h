@@ -64,11 +64,11 @@ struct FinishedFrame {
 };
 
 inline pipeline::TraceTag traceTag(const std::shared_ptr<const FrameList>& list) {
-  return {numberOf(list->view->session), list->view->frame};
+  return traceTag(list->view->session, list->view->frame);
 }
 inline pipeline::TraceTag traceTag(const CompleteFrame& frame) { return traceTag(frame.list); }
 inline pipeline::TraceTag traceTag(const FinishedFrame& frame) {
-  return {numberOf(frame.view->session), frame.view->frame};
+  return traceTag(frame.view->session, frame.view->frame);
 }
 
 }  // namespace grove::node

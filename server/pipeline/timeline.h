@@ -22,6 +22,7 @@ enum class Work : std::uint8_t { kAcrossUser, kPerUserBackend, kPerUserFrontend 
 struct TraceTag {
   std::uint32_t session = 0;
   std::uint32_t frame = 0;
+  std::uint32_t process = 0;  ///< the frontend process that the session belongs to; 0: not known
 };
 
 /// One run of one stage, or a part of it that is counted apart: by the type of object it serves, or because it is work

@@ -59,9 +59,9 @@ TEST(ChromeTrace, OfATinyTimelineIsThisText) {
 {"ph":"M","pid":1,"tid":2,"name":"thread_name","args":{"name":"thread 2 (Scene Analyzer)"}},
 {"ph":"M","pid":1,"tid":3,"name":"thread_name","args":{"name":"thread 3"}},
 {"ph":"X","pid":1,"tid":2,"ts":0.000,"dur":1.500,"name":"Scene Analyzer","cat":"per-user-frontend","cname":"thread_state_iowait","args":{"work":"per-user-frontend","cpu_ms":0.001,"session":1,"frame":7}},
-{"ph":"s","pid":1,"tid":2,"ts":0.000,"name":"frame","cat":"frame","id":"0x100000007"},
+{"ph":"s","pid":1,"tid":2,"ts":0.000,"name":"frame","cat":"frame","id":"1.0.1.7"},
 {"ph":"X","pid":1,"tid":3,"ts":2.000,"dur":2000.000,"name":"Compositor","cat":"per-user-frontend","cname":"thread_state_iowait","args":{"work":"per-user-frontend","cpu_ms":0.050,"session":1,"frame":7}},
-{"ph":"f","pid":1,"tid":3,"ts":2.000,"name":"frame","cat":"frame","id":"0x100000007","bp":"e"},
+{"ph":"f","pid":1,"tid":3,"ts":2.000,"name":"frame","cat":"frame","id":"1.0.1.7","bp":"e"},
 {"ph":"X","pid":1,"tid":3,"ts":2.100,"dur":1000.007,"name":"Compositor: fluid","cat":"per-user-frontend","cname":"thread_state_iowait","args":{"work":"per-user-frontend","cpu_ms":0.900,"session":1,"frame":7}},
 {"ph":"X","pid":1,"tid":3,"ts":3000.000,"dur":0.005,"name":"Simulation Tick","cat":"across-user","cname":"thread_state_running","args":{"work":"across-user","cpu_ms":0.000}}
 ]}
@@ -102,6 +102,30 @@ TEST(ChromeTrace, KeepsTheFramesOfSectionsApart) {
   }
   EXPECT_EQ(flows.size(), 2u);
   EXPECT_EQ(processes, (std::set<int>{1, 2}));
+}
+
+/// Would catch a node's events that lie at another time than what the server does for the same frame, frames that end
+/// at the border of a process, and frames of two servers that a node's arrows tie together.
+TEST(ChromeTrace, TiesAFrameAcrossSectionsOfOneClock) {
+  constexpr std::int64_t kMillisecond = 1'000'000;
+  const auto run = [](std::int64_t begin, std::uint32_t process) {
+    return TimelineEvent{.stage = "Renderer",
+                         .tag = {1, 7, process},
+                         .thread = 1,
+                         .beginNanoseconds = begin * kMillisecond,
+                         .wallNanoseconds = kMillisecond};
+  };
+  const std::vector<TimelineEvent> server{run(10, 5), run(16, 5)};
+  const std::vector<TimelineEvent> node{run(12, 5), run(14, 6)};
+  const std::vector<TraceSection> sections{{"server", server}, {"node", node}};
+  const auto document = nlohmann::json::parse(chromeTrace(sections, TraceClock::kOfAll));
+  EXPECT_EQ(traceFault(document), "");
+  std::vector<std::string> arrows;
+  for (const auto& event : document.at("traceEvents")) {
+    if (!event.contains("id")) continue;
+    arrows.push_back(event.at("ph").get<std::string>() + " " + event.at("pid").dump() + " " + event.at("ts").dump());
+  }
+  EXPECT_EQ(arrows, (std::vector<std::string>{"s 1 0.0", "t 2 2000.0", "f 1 6000.0"}));
 }
 
 TEST(ChromeTrace, OfACutTimelineHasNoFlowThatLeadsNowhere) {

@@ -17,7 +17,7 @@ struct FrameTicket {
   FrameNumber frame = 0;
 };
 
-inline pipeline::TraceTag traceTag(const FrameTicket& ticket) { return {numberOf(ticket.session), ticket.frame}; }
+inline pipeline::TraceTag traceTag(const FrameTicket& ticket) { return traceTag(ticket.session, ticket.frame); }
 
 /// The objects of the world whose bounds the camera sees, back to front by the distance of their farthest corners, so
 /// that what encloses others (the sky, the ground) comes before them; the nearest kMaxObjectsPerFrame of them. The

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "pipeline/timeline.h"
 #include "world/object.h"
 #include "world/players.h"
 
@@ -26,5 +27,8 @@ using ProcessId = std::uint32_t;
 }
 /// What tells the sessions of one process apart, for people and traces.
 [[nodiscard]] constexpr std::uint32_t numberOf(std::uint64_t id) noexcept { return static_cast<std::uint32_t>(id); }
+[[nodiscard]] constexpr pipeline::TraceTag traceTag(SessionId session, FrameNumber frame) noexcept {
+  return {numberOf(session), frame, processOf(session)};
+}
 
 }  // namespace grove::node

@@ -69,7 +69,7 @@ struct Unsubscribe {
 };
 
 inline pipeline::TraceTag traceTag(const Request& request) {
-  return request.view ? pipeline::TraceTag{numberOf(request.view->session), request.view->frame} : pipeline::TraceTag{};
+  return request.view ? traceTag(request.view->session, request.view->frame) : pipeline::TraceTag{};
 }
 
 }  // namespace grove::node

@@ -46,6 +46,6 @@ struct Announcement {
   Version version = 0;
 };
 
-inline pipeline::TraceTag traceTag(const Result& result) { return {numberOf(result.session), result.frame}; }
+inline pipeline::TraceTag traceTag(const Result& result) { return traceTag(result.session, result.frame); }
 
 }  // namespace grove::node
