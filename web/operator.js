@@ -7,9 +7,8 @@ import { frameCost } from './operator/frame_cost.js';
 import { History } from './operator/history.js';
 import { write } from './operator/live_table.js';
 import { linksOf } from './operator/links.js';
-import { memoryOf } from './operator/memory.js';
 import { Poll } from './operator/poll.js';
-import { Readings } from './operator/readings.js';
+import { Processes } from './operator/processes.js';
 import { situation } from './operator/situation.js';
 import { makeTables } from './operator/tables.js';
 import { kOperator, kOperatorPage } from './texts.js';
@@ -18,7 +17,7 @@ import { writeWords } from './words.js';
 const element = (id) => document.getElementById(id);
 writeWords(document, kOperatorPage);
 writeWords(element('chart').content, kOperatorPage);
-const readings = new Readings();
+const processes = new Processes();
 const history = new History();
 const tables = makeTables(document);
 const bars = new CostBars(element('frame'));
@@ -44,7 +43,7 @@ function answer(statistics) {
   const now = performance.now();
   const amortization = amortizationOf(statistics);
   heard = new Date().toLocaleTimeString();
-  readings.add(now, statistics);
+  processes.add(now, statistics);
   history.add(now, {
     visitors: known(statistics.visitors),
     cores: amortization?.cpuCores,
@@ -57,7 +56,7 @@ function answer(statistics) {
 
 /** What is shown stays, as what it is: the past. */
 function leaveLive(state) {
-  readings.clear();
+  processes.clear();
   enter(state);
 }
 
@@ -71,17 +70,18 @@ function enter(state, statistics = null) {
 }
 
 function show(statistics, amortization, now) {
-  const memory = memoryOf(statistics);
-  writeFigures(document, { statistics, amortization, cacheHits: readings.cacheHits() });
+  const memory = processes.memory();
+  writeFigures(document, { statistics, amortization, cacheHits: processes.cacheHits() });
   bars.show(amortization && frameCost(amortization), amortization?.isPrivate ?? false);
   drawCharts(history, now, amortization?.cores);
   tables.types(amortization);
-  tables.stages(readings.stages());
+  tables.stages(processes.stages());
   tables.memory(memory);
+  document.documentElement.classList.toggle('several', processes.areSeveral);
   const links = linksOf(statistics);
   tables.nodes(links);
   element('nodes').hidden = links.length === 0;
-  write(element('resident'), memoryWords(memory));
+  write(element('resident'), memoryWords(memory[0].memory));
   element('types').hidden = amortization === null;
 }
 

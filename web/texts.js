@@ -307,6 +307,7 @@ export const kOperatorPage = Object.freeze({
   receivedRate: 'kB/s from it',
   roundTrip: 'ms round trip',
   received: 'MB received',
+  usedMb: 'MB used',
   memory: 'Memory',
   holder: 'used by',
   for: 'for',
@@ -314,7 +315,9 @@ export const kOperatorPage = Object.freeze({
   ofProcess: 'of the process',
   charts: 'The last two minutes',
   stages: 'Stages',
-  aboutStages: 'What ran in the last five seconds, with its CPU time and share of it. Failures count since the start.',
+  aboutStages:
+    'What ran in the last five seconds, with its CPU time and its share of the CPU time of its process. Failures count ' +
+    'since the start.',
   stage: 'stage',
   runs: 'runs/s',
   perRun: 'ms per run',
@@ -365,6 +368,7 @@ export const kOperator = Object.freeze({
   chartEmpty: 'The last two minutes: nothing measured yet',
   chartRange: (least, most) => `The last two minutes: between ${least} and ${most}`,
   owner: 'the owner of this world',
+  here: 'this server',
   typesSum: 'all together',
   noType: 'no single type',
   aboutNoType: 'Camera, encoder and transport: what serves no single type',

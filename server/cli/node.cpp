@@ -16,6 +16,7 @@
 #include "cli/stop_on_signal.h"
 #include "gl/shader_library.h"
 #include "gl/workers.h"
+#include "measure/memory_use.h"
 #include "node/backend/backend_node.h"
 #include "node/backend/prepare/share_of_scene.h"
 #include "node/transport/grpc/grpc_server.h"
@@ -116,7 +117,7 @@ int runNode(const NodeOptions& options) {
             std::to_string(layout.objects.size()) + " objects");
   std::printf("listening on %s\n", addressOf(*at, server.port()).c_str());
   std::fflush(stdout);
-  while (stop.waitFor(1000ms) != StopOnSignal::Event::kStop) continue;
+  while (stop.waitFor(1000ms) != StopOnSignal::Event::kStop) node.report(measure::residentBytes());
   log::info("stopping");
   return 0;
 }

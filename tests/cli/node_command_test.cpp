@@ -2,15 +2,22 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
 #include <string>
 
+#include "cli/processes.h"
 #include "cli/program.h"
 #include "cli/small_scene.h"
+#include "measure/trace_faults.h"
 
 namespace grove::cli {
 namespace {
 
 using testing::HasSubstr;
+using testing::StartsWith;
 
 TEST(NodeCommand, PrintsWhereItListensAndStopsAtASignal) {
   const SmallScene scene;
@@ -42,6 +49,32 @@ TEST(NodeCommand, AServerPreparesNothingThatNodesServe) {
             "kill -TERM $server; wait $server; echo ended with $?; kill -TERM $node; wait $node\n"
             "grep -oE 'preparing|GL:|all in other processes' log; cd /; rm -r $folder");
   EXPECT_EQ(outcome.output, "ended with 0\nall in other processes\n");
+}
+
+/// Would catch an operator's page that shows a node's link, and nothing of what the node does.
+TEST(NodeCommand, AServersReportAndTraceShowWhatItsNodesDo) {
+  const SmallScene scene;
+  const Outcome outcome =
+      shell(processesOf(scene) +
+            "starts stones node --objects mesh --listen 127.0.0.1:0\n"
+            "serves a --nodes 127.0.0.1:$(port_of listening stones); visit a 1 8 >errors & visit=$!\n"
+            "until_says nodes_of a '\"Renderer\":{\"work\":\"per-user-backend\"' >&2\n"
+            "nodes_of a | grep -o '\"memory\":{\"resident_mb\":[1-9]' >memory\n"
+            "page_of a trace | sed '1,/^\\r$/d' >trace; wait $visit; cat errors memory trace");
+  EXPECT_THAT(outcome.output, StartsWith("\"errors\":0\n\"memory\":{\"resident_mb\":"));
+  const std::size_t begin = outcome.output.find("{\"displayTimeUnit\"");
+  ASSERT_NE(begin, std::string::npos) << outcome.output;
+  const auto trace = nlohmann::json::parse(outcome.output.substr(begin));
+  EXPECT_EQ(measure::traceFault(trace), "");
+  std::map<std::string, std::set<int>> framesProcesses;
+  std::string names;
+  for (const auto& event : trace.at("traceEvents")) {
+    if (event.contains("id")) framesProcesses[event.at("id")].insert(event.at("pid").get<int>());
+    if (event.at("name") == "process_name") names.append(event.at("args").at("name")).append("\n");
+  }
+  EXPECT_THAT(names, testing::MatchesRegex("stones\nnode .*127.0.0.1:[0-9]+\n"));
+  const auto isOfBoth = [](const auto& frame) { return frame.second.size() == 2; };
+  EXPECT_TRUE(std::ranges::any_of(framesProcesses, isOfBoth)) << "a frame leads to the node";
 }
 
 TEST(NodeCommand, AServerNamesANodeThatDoesNotAnswer) {

@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <fstream>
@@ -114,6 +115,36 @@ TEST_F(RemoteNodes, OneThatIsKilledAndRestartedDropsNobodyAndShowsWhatItShowedMe
   EXPECT_EQ(difference(before, settled(visitor)), 0.0);
   EXPECT_EQ(served->host.visitors(), 1U);
   EXPECT_EQ(remote->end(SIGTERM), 0) << "it stops cleanly with a link";
+}
+
+/// Would catch an operator who sees what his server does only, and a trace in which the node works before its request.
+TEST_F(RemoteNodes, ReportWhatTheyDoAndWhen) {
+  const auto remote = node("mesh,ground");
+  const auto served = serve({remote->address()});
+  stream::HeadlessSession visitor(served->host, "Ada", 320, 180);
+  (void)settled(visitor);
+  const auto report = [&] { return served->host.nodeLinks().at(0).report; };
+  ASSERT_TRUE(eventually([&] { return report() && report()->stages.contains("Renderer"); }));
+  EXPECT_GT(report()->stages.at("Renderer").cpuNanoseconds, 0);
+  EXPECT_GT(report()->residentBytes, 1'000'000U);
+  EXPECT_FALSE(report()->memory.empty());
+  const auto traces = served->host.nodeTraces(10s);
+  ASSERT_EQ(traces.size(), 1U);
+  const std::vector<pipeline::TimelineEvent> own = served->host.timeline().events();
+  int compared = 0;
+  for (const pipeline::TimelineEvent& there : node::eventsOf(*traces[0].trace, traces[0].aheadNanoseconds)) {
+    if (there.tag.session == 0) continue;
+    const auto isOfItsFrame = [&](const pipeline::TimelineEvent& here) {
+      return here.tag.process == there.tag.process && here.tag.session == there.tag.session &&
+             here.tag.frame == there.tag.frame;
+    };
+    const auto first = std::ranges::find_if(own, isOfItsFrame);
+    if (first == own.end()) continue;
+    ++compared;
+    constexpr std::int64_t kNear = 20'000'000;
+    EXPECT_GT(there.beginNanoseconds, first->beginNanoseconds - kNear) << there.stage;
+  }
+  EXPECT_GT(compared, 0);
 }
 
 TEST_F(RemoteNodes, OneThatDoesNotAnswerIsNamed) {

@@ -5,6 +5,7 @@ import { amortizationOf } from '../../web/amortization.js';
 import { frameCost, total } from '../../web/operator/frame_cost.js';
 import { linksOf } from '../../web/operator/links.js';
 import { memoryOf } from '../../web/operator/memory.js';
+import { Processes } from '../../web/operator/processes.js';
 import { Readings } from '../../web/operator/readings.js';
 import { sample } from './statistics_sample.mjs';
 
@@ -134,4 +135,29 @@ test('holders may tell of more than lies in memory; odd ones are left out; an ol
   assert.deepEqual([holders.length, rest], [1, null]);
   assert.equal(memoryOf({ memory: { resident_mb: 100 } }).rest, 100);
   for (const odd of [{}, null, { memory: null }, { memory: { resident_mb: -1 } }]) assert.equal(memoryOf(odd), null);
+});
+
+test('stages and memory of nodes stand below those of the server, with rates of their own', () => {
+  const node = (name, runs) => ({
+    name,
+    state: 'welcomed',
+    stages: { Renderer: { work: 'per-user-backend', runs, failures: 0, cpu_ms: runs, wall_ms: runs } },
+    memory: { resident_mb: 129, holders: [{ holder: 'view cache', type: 'lightfield', work: 'across-user', mb: 100 }] },
+  });
+  const processes = new Processes();
+  assert.equal(processes.areSeveral, false);
+  const away = { name: 'away', state: 'lost', stages: null, memory: null };
+  processes.add(0, { ...sample(), nodes: [node('a', 10), away] });
+  assert.equal(processes.areSeveral, true);
+  processes.add(1000, { ...later(sample(), 60, 150), nodes: [node('a', 40), node('b', 5)] });
+  const rows = processes.stages();
+  assert.deepEqual([rows[0].process, rows.at(-2).process, rows.at(-1).process], ['this server', 'a', 'b']);
+  assert.deepEqual([rows.at(-2).runsPerSecond, rows.at(-2).share], [30, 1], 'of the CPU time of its process');
+  assert.equal(rows.at(-1).runsPerSecond, null, 'first heard of');
+  const memory = processes.memory();
+  assert.deepEqual(memory.map(({ process, memory: of }) => [process, of.resident]), [['this server', 1439.2], ['a', 129], ['b', 129]]);
+  processes.add(2000, { ...later(sample(), 120, 300), nodes: [node('a', 3), away] });
+  const again = processes.stages().filter(({ process }) => process !== 'this server');
+  assert.deepEqual(again.map(({ process, runsPerSecond }) => [process, runsPerSecond]), [['a', null]], 'a has started anew');
+  assert.equal(processes.stages()[0].runsPerSecond, 60, 'which does not concern the server');
 });

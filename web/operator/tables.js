@@ -34,8 +34,20 @@ function stagesTable(body) {
       text(() => whole(failures))(cell);
       cell.classList.toggle('bad', failures > 0);
     },
+    process,
   ]);
-  return (stages) => table.show(stages.map((stage) => ({ key: stage.name, ...stage })));
+  return (stages) => table.show(stages.map((stage) => ({ key: `${stage.process} ${stage.name}`, ...stage })));
+}
+
+/** The rows of one process's memory, with what no holder names. */
+function memoryRows({ process, memory }) {
+  const holders = memory?.holders ?? [];
+  const rows = holders.map((entry) => ({ key: `${process} ${entry.name} ${entry.type} ${entry.work}`, process, ...entry }));
+  if (typeof memory?.rest === 'number') {
+    const name = holders.length > 0 ? kOperator.rest : kOperator.unlisted;
+    rows.push({ key: `${process} rest`, process, name, type: '', mb: memory.rest, share: memory.rest / memory.resident });
+  }
+  return rows;
 }
 
 function memoryTable(body) {
@@ -45,16 +57,15 @@ function memoryTable(body) {
     (cell, entry) => (entry.work ? work(cell, entry) : text(() => '')(cell)),
     text(({ mb }) => fixed(mb, 1)),
     bar(({ share }) => Math.min(1, share), ({ share }) => percent(share)),
+    process,
   ]);
-  return (memory) => {
-    const holders = memory?.holders ?? [];
-    const rows = holders.map((entry) => ({ key: `${entry.name} ${entry.type} ${entry.work}`, ...entry }));
-    if (typeof memory?.rest === 'number') {
-      const name = holders.length > 0 ? kOperator.rest : kOperator.unlisted;
-      rows.push({ key: 'rest', name, type: '', mb: memory.rest, share: memory.rest / memory.resident });
-    }
-    table.show(rows);
-  };
+  return (processes) => table.show(processes.flatMap(memoryRows));
+}
+
+/** Which process runs or holds it. Shown only where there are several. */
+function process(cell, { process: name }) {
+  cell.classList.add('process');
+  text(() => name)(cell);
 }
 
 const kilobytes = (bytes) => (known(bytes) === null ? null : bytes / 1000);
@@ -72,6 +83,7 @@ function nodesTable(body) {
     text(({ received_bytes_per_s: rate }) => fixed(kilobytes(rate), 1)),
     text(({ round_trip_ms: time }) => fixed(time, 1)),
     text(({ received_mb: received }) => fixed(received, 1)),
+    text(({ memory }) => fixed(memory?.resident_mb, 1)),
   ]);
   return (nodes) => table.show(nodes.map((node) => ({ key: node.name, ...node })));
 }

@@ -10,6 +10,7 @@
 
 #include "base/version.h"
 #include "gl/workers.h"
+#include "pipeline/clocks.h"
 
 namespace grove::node {
 
@@ -123,6 +124,8 @@ pipeline::PushResult BackendNode::receive(const std::shared_ptr<Peer>& peer, ToB
     peer->subscriptions().acknowledged(acknowledgement->what, acknowledgement->version);
   } else if (const auto* unsubscribe = std::get_if<Unsubscribe>(&message)) {
     peer->subscriptions().end(unsubscribe->what);
+  } else if (const auto* trace = std::get_if<TraceRequest>(&message)) {
+    sendTrace(*peer, *trace);
   }
   return pipeline::PushResult::kAccepted;
 }
@@ -163,6 +166,18 @@ pipeline::PushResult BackendNode::apply(Peer& peer, std::shared_ptr<const WorldU
 void BackendNode::forget(Peer& peer, SessionId session) {
   peer.forget(session);
   for (const auto& [type, pipeline] : pipelines_) pipeline->half().forget(session);
+}
+
+void BackendNode::report(std::uint64_t residentBytes) const {
+  peers_.send(NodeReport{.sent = pipeline::wallSeconds(),
+                         .residentBytes = residentBytes,
+                         .stages = machine_.timeline.totals(),
+                         .memory = machine_.memory.totals()});
+}
+
+void BackendNode::sendTrace(Peer& peer, const TraceRequest& request) const {
+  if (!peer.takeTrace(pipeline::wallSeconds())) return;
+  peer.link().send(std::make_shared<const NodeTrace>(traceOf(machine_.timeline, request.number)));
 }
 
 void BackendNode::adjustQuality() {

@@ -50,6 +50,10 @@ class BackendNode {
   /// sessions of other processes are refused. The link stays alive until its last result is made. Thread-safe.
   [[nodiscard]] std::shared_ptr<void> accept(std::shared_ptr<BackendEnd> link);
 
+  /// Reports stages and memory of this process, of which so much is resident, to all frontend processes. A process that
+  /// is one itself has no need of it. Thread-safe.
+  void report(std::uint64_t residentBytes) const;
+
  private:
   class Reception;
 
@@ -63,6 +67,7 @@ class BackendNode {
   void dismiss(Peer& peer);
   pipeline::PushResult apply(Peer& peer, std::shared_ptr<const WorldUpdate> update);
   void forget(Peer& peer, SessionId session);
+  void sendTrace(Peer& peer, const TraceRequest& request) const;
   void adjustQuality();
   [[nodiscard]] std::optional<std::string> objectionTo(const NodeHello& hello) const;
   [[nodiscard]] NodeWelcome welcome() const;

@@ -41,6 +41,14 @@ void Peer::reportForeignWorld() {
             ": the simulations follow what another one reports of the world");
 }
 
+bool Peer::takeTrace(double now) {
+  constexpr double kSecondsBetween = 1.0;
+  const std::lock_guard lock(mutex_);
+  if (traced_ && now < *traced_ + kSecondsBetween) return false;
+  traced_ = now;
+  return true;
+}
+
 void Peer::hearClock(double theirs) {
   const std::lock_guard lock(mutex_);
   clock_.hear(theirs, pipeline::wallSeconds());

@@ -39,6 +39,9 @@ class Peer {
   /// Logs once that its updates are refused, since the simulations follow another process.
   void reportForeignWorld();
 
+  /// Whether it may have a trace of the node's work at `now` (seconds): one a second.
+  [[nodiscard]] bool takeTrace(double now);
+
   /// Updates the estimate of the peer's clock, in seconds.
   void hearClock(double theirs);
   /// A frame begins.
@@ -66,6 +69,7 @@ class Peer {
   mutable std::mutex mutex_;
   PeerClock clock_;
   EndedFrames ended_;
+  std::optional<double> traced_;  ///< seconds
 };
 
 }  // namespace grove::node

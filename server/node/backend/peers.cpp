@@ -30,6 +30,10 @@ void Peers::announce(const Announcement& announcement) const {
   }
 }
 
+void Peers::send(const ToFrontend& message) const {
+  for (const auto& peer : all()) peer->link().send(message);
+}
+
 std::optional<int> Peers::quality() const {
   std::optional<int> best;
   for (const auto& peer : all()) best = std::max(best.value_or(0), peer->quality());

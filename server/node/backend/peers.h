@@ -21,6 +21,8 @@ class Peers {
   /// Sends the new version to who has subscribed to it, and the announcement to all others. Holds no lock meanwhile,
   /// since a receiver may call back.
   void announce(const Announcement& announcement) const;
+  /// Sends it to all.
+  void send(const ToFrontend& message) const;
   /// The highest quality step that any peer requests; nothing if there are no peers.
   [[nodiscard]] std::optional<int> quality() const;
 

@@ -20,6 +20,9 @@ class RemoteWorld final : public WorldNodes {
   [[nodiscard]] const world::Layout& layout() const override { return layout_; }
   [[nodiscard]] std::unique_ptr<InstanceNodes> make(Parallelism parallelism, const Progress& progress) override;
   [[nodiscard]] std::vector<NodeRouter::NodeLink> links() const override { return nodes_->links(); }
+  [[nodiscard]] std::vector<NodeRouter::NodeEvents> traces(std::chrono::milliseconds max) const override {
+    return nodes_->traces(max);
+  }
 
  private:
   const std::unique_ptr<NodeRouter> nodes_;

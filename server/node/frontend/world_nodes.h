@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -50,6 +51,10 @@ class WorldNodes {
   [[nodiscard]] virtual std::unique_ptr<InstanceNodes> make(Parallelism parallelism, const Progress& progress) = 0;
   /// The links to several nodes; empty if one node serves all. Any thread.
   [[nodiscard]] virtual std::vector<NodeRouter::NodeLink> links() const { return {}; }
+  /// See NodeRouter::traces().
+  [[nodiscard]] virtual std::vector<NodeRouter::NodeEvents> traces(std::chrono::milliseconds /*max*/) const {
+    return {};
+  }
 };
 
 /// How many instances of a world there will be.

@@ -38,6 +38,10 @@ std::vector<NodeRouter::NodeLink> LocalWorld::links() const {
   return others_ ? others_->links() : std::vector<NodeRouter::NodeLink>{};
 }
 
+std::vector<NodeRouter::NodeEvents> LocalWorld::traces(std::chrono::milliseconds max) const {
+  return others_ ? others_->traces(max) : std::vector<NodeRouter::NodeEvents>{};
+}
+
 WorldNodesFactory localWorld(LoadedScene scene, const BackendTypes& types, gl::Workers& gl,
                              TransportFactory makeTransport) {
   return [scene = std::move(scene), &types, &gl, makeTransport = std::move(makeTransport)](const Machine& machine,

@@ -23,6 +23,7 @@ class LocalWorld final : public WorldNodes {
   [[nodiscard]] const world::Layout& layout() const override { return scene_.layout; }
   [[nodiscard]] std::unique_ptr<InstanceNodes> make(Parallelism parallelism, const Progress& progress) override;
   [[nodiscard]] std::vector<NodeRouter::NodeLink> links() const override;
+  [[nodiscard]] std::vector<NodeRouter::NodeEvents> traces(std::chrono::milliseconds max) const override;
 
  private:
   const LoadedScene scene_;

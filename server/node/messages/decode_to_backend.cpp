@@ -92,6 +92,8 @@ Acknowledgement decode(const v1::Acknowledgement& from, Checks& checks) {
 
 Unsubscribe decode(const v1::Unsubscribe& from, Checks& checks) { return {.what = decode(from.what(), checks)}; }
 
+TraceRequest decode(const v1::TraceRequest& from, Checks& /*checks*/) { return {.number = from.number()}; }
+
 template <class From>
 Decoded<ToBackend> backendMessage(std::string_view name, const From& from) {
   Checks checks(name);
@@ -145,6 +147,8 @@ Decoded<ToBackend> decodeToBackend(std::string_view header, const ViewLookup& vi
       return backendMessage("acknowledgement", envelope.acknowledgement());
     case v1::ToBackend::kUnsubscribe:
       return backendMessage("end of a subscription", envelope.unsubscribe());
+    case v1::ToBackend::kTrace:
+      return backendMessage("request for a trace", envelope.trace());
     case v1::ToBackend::MESSAGE_NOT_SET:
       break;
   }

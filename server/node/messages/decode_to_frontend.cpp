@@ -2,6 +2,7 @@
 
 #include "node/messages/decode_parts.h"
 #include "node/messages/node.pb.h"
+#include "node/messages/report_wire.h"
 
 namespace grove::node {
 namespace {
@@ -111,6 +112,10 @@ Decoded<ToFrontend> decodeToFrontend(const Packet& packet) {
       return frontendMessage("announcement", envelope.announcement());
     case v1::ToFrontend::kWorld:
       return frontendMessage("world update", envelope.world());
+    case v1::ToFrontend::kReport:
+      return frontendMessage("report", envelope.report());
+    case v1::ToFrontend::kTrace:
+      return frontendMessage("trace", envelope.trace());
     case v1::ToFrontend::kResult:
     case v1::ToFrontend::MESSAGE_NOT_SET:
       break;

@@ -3,6 +3,7 @@
 
 #include "base/utf8.h"
 #include "node/messages/node.pb.h"
+#include "node/messages/report_wire.h"
 #include "node/messages/wire.h"
 
 namespace grove::node {
@@ -151,6 +152,8 @@ void put(const Acknowledgement& from, v1::ToBackend& envelope) {
 void put(const Unsubscribe& from, v1::ToBackend& envelope) {
   put(from.what, envelope.mutable_unsubscribe()->mutable_what());
 }
+
+void put(const TraceRequest& from, v1::ToBackend& envelope) { envelope.mutable_trace()->set_number(from.number); }
 
 template <class Served>
 void putBounds(const world::Bounds& from, Served& to) {

@@ -4,6 +4,7 @@
 #include <variant>
 
 #include "node/messages/hello.h"
+#include "node/messages/node_report.h"
 #include "node/messages/request.h"
 #include "node/messages/result.h"
 #include "node/messages/world_update.h"
@@ -12,9 +13,10 @@ namespace grove::node {
 
 /// What a frontend process sends. Its hello goes first, and a view before the requests that name it.
 using ToBackend = std::variant<NodeHello, std::shared_ptr<const WorldUpdate>, std::shared_ptr<const View>, Request,
-                               Cancel, Quality, Forget, Acknowledgement, Unsubscribe>;
+                               Cancel, Quality, Forget, Acknowledgement, Unsubscribe, TraceRequest>;
 
 /// What a backend node sends, or a world's owner, who answers a hello likewise and then sends updates only.
-using ToFrontend = std::variant<NodeWelcome, NodeRefusal, Result, Announcement, std::shared_ptr<const WorldUpdate>>;
+using ToFrontend = std::variant<NodeWelcome, NodeRefusal, Result, Announcement, std::shared_ptr<const WorldUpdate>,
+                                NodeReport, std::shared_ptr<const NodeTrace>>;
 
 }  // namespace grove::node

@@ -11,7 +11,7 @@
 namespace grove::node {
 
 /// Versions of the messages that this program understands.
-inline constexpr std::uint32_t kProtocol = 4;
+inline constexpr std::uint32_t kProtocol = 5;
 
 /// What both ends of a link call one type of object.
 struct TypeName {

@@ -1,10 +1,13 @@
 #include "node/transport/node_router.h"
 
 #include <algorithm>
+#include <cmath>
 #include <mutex>
 #include <utility>
 
 #include "base/log.h"
+#include "node/transport/reported_node.h"
+#include "pipeline/clocks.h"
 
 namespace grove::node {
 namespace {
@@ -33,11 +36,15 @@ class NodeRouter::Branch final : public FrontendPort {
   void receive(ToFrontend message) override { router_.receive(*this, std::move(message)); }
   [[nodiscard]] const std::string& name() const noexcept { return name_; }
   [[nodiscard]] FrontendEnd& end() const noexcept { return *end_; }
+  [[nodiscard]] ReportedNode& reported() noexcept { return reported_; }
+  /// Whether its node is in another process, which can be reached.
+  [[nodiscard]] bool isReachable() const { return end_->status().state == LinkState::kWelcomed; }
 
  private:
   NodeRouter& router_;
   const std::string name_;
   const std::shared_ptr<FrontendEnd> end_;
+  ReportedNode reported_;
 };
 
 NodeRouter::NodeRouter() = default;
@@ -91,9 +98,29 @@ std::vector<NodeRouter::NodeLink> NodeRouter::links() const {
                      .status = branch->end().status(),
                      .traffic = branch->end().traffic(),
                      .pace = branch->end().pace(),
-                     .epoch = welcome == welcomes_.end() ? std::nullopt : std::optional(welcome->second.epoch)});
+                     .epoch = welcome == welcomes_.end() ? std::nullopt : std::optional(welcome->second.epoch),
+                     .report = branch->isReachable() ? branch->reported().report() : std::nullopt});
   }
   return links;
+}
+
+std::vector<NodeRouter::NodeEvents> NodeRouter::traces(std::chrono::milliseconds max) {
+  const auto until = ReportedNode::Clock::now() + max;
+  std::vector<Branch*> asked;
+  for (const auto& branch : branches_) {
+    if (!branch->isReachable()) continue;
+    const TraceRequest request = branch->reported().expectTrace();
+    if (branch->end().send(request) == pipeline::PushResult::kAccepted) asked.push_back(branch.get());
+  }
+  std::vector<NodeEvents> events;
+  for (Branch* const branch : asked) {
+    auto trace = branch->reported().waitForTrace(until);
+    const std::optional<double> ahead = branch->reported().ahead();
+    if (!trace || !ahead) continue;
+    const double travelled = branch->end().pace().roundTrip.value_or(0.0) / 2.0;
+    events.push_back({branch->name(), std::move(trace), std::llround((*ahead + travelled) * 1.0e9)});
+  }
+  return events;
 }
 
 std::vector<NodeWelcome> NodeRouter::welcomes() const {
@@ -122,7 +149,13 @@ std::optional<std::string> NodeRouter::conflict() const {
   return conflict_;
 }
 
-void NodeRouter::receive(const Branch& from, ToFrontend message) {
+void NodeRouter::receive(Branch& from, ToFrontend message) {
+  if (auto* const report = std::get_if<NodeReport>(&message)) {
+    return from.reported().heard(std::move(*report), pipeline::wallSeconds());
+  }
+  if (auto* const trace = std::get_if<std::shared_ptr<const NodeTrace>>(&message)) {
+    return from.reported().heard(std::move(*trace));
+  }
   if (const auto* const welcome = std::get_if<NodeWelcome>(&message)) welcomed(from, *welcome);
   const auto* const result = std::get_if<Result>(&message);
   const auto* const announcement = std::get_if<Announcement>(&message);
@@ -141,7 +174,8 @@ bool NodeRouter::serves(const Branch& branch, world::ObjectId object) const {
   return owner != owners_.end() && owner->second == &branch;
 }
 
-void NodeRouter::welcomed(const Branch& from, const NodeWelcome& welcome) {
+void NodeRouter::welcomed(Branch& from, const NodeWelcome& welcome) {
+  from.reported().welcomed();
   const std::unique_lock lock(mutex_);
   std::erase_if(owners_, [&](const auto& owned) { return owned.second == &from; });
   for (const ServedObject& object : welcome.objects) own(from, object.id, object.name);

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <chrono>
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <optional>
@@ -43,8 +45,19 @@ class NodeRouter final : public FrontendEnd {
     LinkTraffic traffic;
     LinkPace pace = {};
     std::optional<std::uint64_t> epoch = {};  ///< of its last welcome
+    std::optional<NodeReport> report = {};    ///< its newest one; nothing of a node within this process, or if it is away
   };
   [[nodiscard]] std::vector<NodeLink> links() const;
+
+  /// What a node has just done.
+  struct NodeEvents {
+    std::string name;
+    std::shared_ptr<const NodeTrace> trace;
+    std::int64_t aheadNanoseconds = 0;  ///< the node's clock against this process's, within half a round trip
+  };
+  /// Requests traces of the nodes in other processes, and waits for them so long; those that have come. One thread at a
+  /// time.
+  [[nodiscard]] std::vector<NodeEvents> traces(std::chrono::milliseconds max);
 
   /// The last welcome of each node that has said one.
   [[nodiscard]] std::vector<NodeWelcome> welcomes() const;
@@ -56,9 +69,9 @@ class NodeRouter final : public FrontendEnd {
  private:
   class Branch;
 
-  void receive(const Branch& from, ToFrontend message);
+  void receive(Branch& from, ToFrontend message);
   [[nodiscard]] bool serves(const Branch& branch, world::ObjectId object) const;
-  void welcomed(const Branch& from, const NodeWelcome& welcome);
+  void welcomed(Branch& from, const NodeWelcome& welcome);
   /// With the lock held.
   void own(const Branch& branch, world::ObjectId id, const std::string& name);
 

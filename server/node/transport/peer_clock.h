@@ -5,9 +5,9 @@
 
 namespace grove::node {
 
-/// What the clock of a peer shows, known from the times that it reports: of the newest ones that counts which was under
-/// way for the shortest time. So it is behind by that, and follows a clock that drifts. A report that is far from all
-/// others counts only if the next one is like it, for then the clock began anew. Times are seconds.
+/// Estimates a peer's clock from the times that it reports. Uses the report with the shortest way of the newest 128, so
+/// the estimate is behind by that way, and follows a clock that drifts. Ignores a report that differs from the others by
+/// more than ten seconds, unless the next one confirms it: then the clock has started again. Times are seconds.
 class PeerClock {
  public:
   /// It reported `theirs`, which came when the clock here showed `ours`.

@@ -107,6 +107,10 @@ class Host {
   [[nodiscard]] node::LinkTraffic traffic() const { return shared_ ? shared_->traffic() : node::LinkTraffic{}; }
   /// The nodes that serve the world's objects; empty if this process serves all.
   [[nodiscard]] std::vector<node::NodeRouter::NodeLink> nodeLinks() const { return nodes_->links(); }
+  /// What those in other processes have just done, see NodeRouter::traces().
+  [[nodiscard]] std::vector<node::NodeRouter::NodeEvents> nodeTraces(std::chrono::milliseconds max) const {
+    return nodes_->traces(max);
+  }
   /// How this server stands with the world's owner; nothing if it is the owner.
   [[nodiscard]] std::optional<node::JoinedWorld::Status> joined() const;
   /// Visitors of other servers that show this world are out of reach.

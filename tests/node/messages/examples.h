@@ -143,6 +143,42 @@ inline NodeWelcome welcome() {
           .visitors = ServedVisitors{.bounds = {{-0.5F, 0.0F, -0.5F}, {0.5F, 2.0F, 0.5F}}, .hasOwnBody = true}};
 }
 
+inline NodeReport report() {
+  return {.sent = 5.5,
+          .residentBytes = 129'000'000,
+          .stages = {{"Renderer",
+                      {.work = pipeline::Work::kPerUserBackend,
+                       .runs = 40,
+                       .failures = 2,
+                       .wallNanoseconds = 7'000'000,
+                       .cpuNanoseconds = 6'500'000}},
+                     {"Simulation Tick", {.work = pipeline::Work::kAcrossUser, .runs = 30}}},
+          .memory = {{{"view cache", "lightfield"}, {.work = pipeline::Work::kAcrossUser, .bytes = 1'000'000}},
+                     {{"targets", ""}, {.work = pipeline::Work::kPerUserBackend, .bytes = 5}}}};
+}
+
+/// The second run begins before the first, as one that is recorded when it ends.
+inline NodeTrace trace() {
+  return {.number = 4,
+          .names = {"Renderer", "", "fluid", "Simulation Tick"},
+          .runs = {{.stage = 0,
+                    .subject = 2,
+                    .work = pipeline::Work::kPerUserBackend,
+                    .tag = {1, kFrame, 3},
+                    .thread = 2,
+                    .part = true,
+                    .beginNanoseconds = 5'000'000'000'000,
+                    .wallNanoseconds = 1'500'000,
+                    .cpuNanoseconds = 1'400'000},
+                   {.stage = 3,
+                    .subject = 1,
+                    .tag = {},
+                    .thread = 4,
+                    .beginNanoseconds = 4'999'990'000'000,
+                    .wallNanoseconds = 12'000'000,
+                    .cpuNanoseconds = 11'000'000}}};
+}
+
 inline std::vector<ToBackend> toBackend() {
   return {hello(),
           std::make_shared<const WorldUpdate>(world()),
@@ -153,7 +189,8 @@ inline std::vector<ToBackend> toBackend() {
           Forget{.session = kSession},
           subscription(),
           Acknowledgement{.what = {.object = 4, .key = "map"}, .version = 7},
-          Unsubscribe{.what = {.object = 4, .key = "map"}}};
+          Unsubscribe{.what = {.object = 4, .key = "map"}},
+          TraceRequest{.number = 4}};
 }
 
 inline std::vector<ToFrontend> toFrontend() {
@@ -165,7 +202,9 @@ inline std::vector<ToFrontend> toFrontend() {
           failure(),
           nothing(),
           Announcement{.what = {.object = 4, .key = "map"}, .version = 2},
-          std::make_shared<const WorldUpdate>(world())};
+          std::make_shared<const WorldUpdate>(world()),
+          report(),
+          std::make_shared<const NodeTrace>(trace())};
 }
 
 /// Knows the view of the examples only.

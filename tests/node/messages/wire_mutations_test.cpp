@@ -51,6 +51,14 @@ bool isSound(const Result& result) {
   const bool failed = std::holds_alternative<Failure>(result.payload);
   return result.what.key.size() <= kMaxKeyBytes && !(failed && result.packed) && (result.shared || result.frame != 0);
 }
+bool isSound(const TraceRequest& /*request*/) { return true; }
+bool isSound(const NodeReport& report) {
+  return std::abs(report.sent) <= kMaxSeconds && report.stages.size() <= kMaxReportedStages &&
+         report.memory.size() <= kMaxReportedHolders;
+}
+bool isSound(const std::shared_ptr<const NodeTrace>& trace) {
+  return trace->runs.size() <= kMaxTracedRuns && eventsOf(*trace, 0).size() == trace->runs.size();
+}
 bool isSound(const Announcement& announcement) { return announcement.what.key.size() <= kMaxKeyBytes; }
 
 /// What a header may take: mostly of parts that say nothing, two bytes of it each.

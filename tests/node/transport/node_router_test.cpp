@@ -3,12 +3,16 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "node/messages/examples.h"
+#include "node/transport/connection.h"
 #include "node/transport/reference_transport.h"
+#include "pipeline/clocks.h"
 
 namespace grove::node {
 namespace {
@@ -114,6 +118,88 @@ TEST_F(Router, ReportsItsLinks) {
   EXPECT_EQ(links[1].objects, 1U) << "visitors are not counted";
   EXPECT_EQ(links[0].status.state, LinkState::kHere);
   EXPECT_EQ(links[0].epoch, 7U);
+}
+
+/// The link to a node in another process, which answers requests for traces.
+class ReportingNode final : public FrontendEnd {
+ public:
+  void connect(FrontendPort& frontend) override { frontend_.connect(frontend); }
+  void leaveFrontend() override { frontend_.leave(); }
+  [[nodiscard]] LinkStatus status() const override { return {state, {}}; }
+  [[nodiscard]] LinkPace pace() const override { return {.roundTrip = 0.5}; }
+  PushResult send(ToBackend message) override {
+    const auto* const request = std::get_if<TraceRequest>(&message);
+    if (request == nullptr || !answers) return PushResult::kAccepted;
+    NodeTrace trace = examples::trace();
+    trace.number = request->number + wrongBy;
+    says(std::make_shared<const NodeTrace>(trace));
+    return PushResult::kAccepted;
+  }
+  void says(const ToFrontend& message) {
+    frontend_.use([&](FrontendPort* port) {
+      if (port != nullptr) port->receive(message);
+    });
+  }
+  /// Its clock is a hundred seconds ahead, and what it reports travels for a quarter of a second.
+  void report() {
+    NodeReport report = examples::report();
+    report.sent = pipeline::wallSeconds() + 100.0 - 0.25;
+    says(report);
+  }
+
+  LinkState state = LinkState::kWelcomed;
+  bool answers = true;
+  std::uint32_t wrongBy = 0;
+
+ private:
+  Connection<FrontendPort> frontend_;
+};
+
+class ReportingRouter : public ::testing::Test {
+ protected:
+  ReportingRouter() { router.add("far", node); }
+  std::optional<NodeReport> report() { return router.links().at(0).report; }
+  std::size_t traces() { return router.traces(std::chrono::milliseconds(1)).size(); }
+
+  const std::shared_ptr<ReportingNode> node = std::make_shared<ReportingNode>();
+  NodeRouter router;
+};
+
+TEST_F(ReportingRouter, KeepsTheNewestReportOfANodeThatIsThere) {
+  EXPECT_FALSE(report());
+  node->report();
+  ASSERT_TRUE(report());
+  EXPECT_EQ(report()->residentBytes, examples::report().residentBytes);
+  node->state = LinkState::kLost;
+  EXPECT_FALSE(report()) << "figures of the past";
+  node->state = LinkState::kWelcomed;
+  node->says(NodeWelcome{});
+  EXPECT_FALSE(report()) << "of the process that it was";
+}
+
+TEST_F(ReportingRouter, TracesComeWithTheClockOfTheirNode) {
+  EXPECT_EQ(traces(), 0U) << "of no known clock";
+  node->report();
+  const auto events = router.traces(std::chrono::seconds(10));
+  ASSERT_EQ(events.size(), 1U);
+  EXPECT_EQ(events[0].name, "far");
+  EXPECT_EQ(events[0].trace->runs.size(), 2U);
+  EXPECT_NEAR(static_cast<double>(events[0].aheadNanoseconds), 100.0e9, 0.05e9);
+}
+
+/// Would catch a report that hangs with a node, and a node that answers what nobody has requested.
+TEST_F(ReportingRouter, ATraceThatDoesNotComeIsLeftOut) {
+  node->report();
+  node->wrongBy = 1;
+  EXPECT_EQ(traces(), 0U);
+  node->wrongBy = 0;
+  node->answers = false;
+  EXPECT_EQ(traces(), 0U) << "not the last one again";
+  node->answers = true;
+  node->state = LinkState::kHere;
+  EXPECT_EQ(traces(), 0U) << "what this process does stands in its own trace";
+  node->state = LinkState::kWelcomed;
+  EXPECT_EQ(traces(), 1U);
 }
 
 TEST_F(Router, EverythingElseGoesToAll) {

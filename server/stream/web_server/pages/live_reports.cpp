@@ -15,6 +15,8 @@ namespace {
 
 /// Some seconds' worth.
 constexpr std::size_t kMaxTraced = 16'384;
+/// The trace is made without nodes that take longer.
+constexpr std::chrono::milliseconds kTracePatience{1000};
 constexpr double kFreshSeconds = 1.0;
 
 StatisticsSources sourcesOf(const Host& host) {
@@ -33,9 +35,15 @@ std::string statistics(const Host& host) { return statisticsJson(sourcesOf(host)
 std::string sharing(const Host& host) { return sharingJson(sourcesOf(host)); }
 
 std::string trace(const Host& host) {
-  const std::vector<pipeline::TimelineEvent> events = host.timeline().events(kMaxTraced);
-  const measure::TraceSection newest{host.layout().name, events};
-  return measure::chromeTrace({&newest, 1});
+  const std::vector<node::NodeRouter::NodeEvents> nodes = host.nodeTraces(kTracePatience);
+  std::vector<std::vector<pipeline::TimelineEvent>> events{host.timeline().events(kMaxTraced)};
+  events.reserve(nodes.size() + 1);
+  std::vector<measure::TraceSection> sections{{host.layout().name, events.front()}};
+  for (const node::NodeRouter::NodeEvents& node : nodes) {
+    events.push_back(node::eventsOf(*node.trace, node.aheadNanoseconds));
+    sections.push_back({"node " + node.name, events.back()});
+  }
+  return measure::chromeTrace(sections, measure::TraceClock::kOfAll);
 }
 
 struct Kind {

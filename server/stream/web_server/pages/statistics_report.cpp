@@ -1,5 +1,6 @@
 #include "stream/web_server/pages/statistics_report.h"
 
+#include <map>
 #include <nlohmann/json.hpp>
 #include <thread>
 
@@ -16,9 +17,9 @@ double milliseconds(std::int64_t nanoseconds) { return static_cast<double>(nanos
 
 double megabytes(double bytes) { return bytes / 1.0e6; }
 
-Json stages(const pipeline::Timeline& timeline) {
+Json stages(const std::map<std::string, pipeline::StageTotal>& totals) {
   Json stages = Json::object();
-  for (const auto& [name, total] : timeline.totals()) {
+  for (const auto& [name, total] : totals) {
     stages[name] = {{"work", pipeline::toString(total.work)},
                     {"runs", total.runs},
                     {"failures", total.failures},
@@ -28,18 +29,17 @@ Json stages(const pipeline::Timeline& timeline) {
   return stages;
 }
 
-Json memory(const pipeline::MemoryLedger& ledger) {
+Json memory(const std::map<pipeline::MemoryKey, pipeline::MemoryTotal>& totals, std::uint64_t residentBytes) {
   Json holders = Json::array();
   double reported = 0.0;
-  for (const auto& [key, total] : ledger.totals()) {
+  for (const auto& [key, total] : totals) {
     reported += static_cast<double>(total.bytes);
     holders.push_back({{"holder", key.holder},
                        {"type", key.subject},
                        {"work", pipeline::toString(total.work)},
                        {"mb", megabytes(static_cast<double>(total.bytes))}});
   }
-  const auto resident = static_cast<double>(measure::residentBytes());
-  return {{"resident_mb", megabytes(resident)}, {"told_mb", megabytes(reported)}, {"holders", holders}};
+  return {{"resident_mb", megabytes(static_cast<double>(residentBytes))}, {"told_mb", megabytes(reported)}, {"holders", holders}};
 }
 
 Json costs(const measure::FrameCost& cost, const measure::MemoryShare& share) {
@@ -146,6 +146,8 @@ Json nodes(const StatisticsSources& sources) {
                      {"epoch", epoch(link)},
                      {"received_mb", megabytes(static_cast<double>(link.traffic.toFrontend()))}});
     addPace(nodes.back(), link.pace);
+    nodes.back()["stages"] = link.report ? stages(link.report->stages) : Json();
+    nodes.back()["memory"] = link.report ? memory(link.report->memory, link.report->residentBytes) : Json();
   }
   return nodes;
 }
@@ -171,11 +173,11 @@ std::string statisticsJson(const StatisticsSources& sources) {
               {"visitors", sources.visitors},
               {"world", world(sources)},
               {"nodes", nodes(sources)},
-              {"stages", stages(sources.timeline)},
+              {"stages", stages(sources.timeline.totals())},
               {"counters", counters(sources.timeline)},
               {"quality",
                {{"step", sources.quality}, {"steps", measure::kQualitySteps}, {"automatic", sources.raisesQuality}}},
-              {"memory", memory(sources.memory)},
+              {"memory", memory(sources.memory.totals(), measure::residentBytes())},
               {"amortization", amortization(sources.meter)}}
              .dump() +
          "\n";

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <optional>
+
+#include "node/messages/node_report.h"
+#include "node/transport/peer_clock.h"
+
+namespace grove::node {
+
+/// What a backend node has reported of its own work, as a frontend process knows it. Thread-safe.
+class ReportedNode {
+ public:
+  using Clock = std::chrono::steady_clock;
+
+  /// `now` is seconds of this process's clock.
+  void heard(NodeReport report, double now);
+  /// Dropped unless it is the trace that is expected.
+  void heard(std::shared_ptr<const NodeTrace> trace);
+  /// The node may be another process: forgets the report and the clock.
+  void welcomed();
+
+  [[nodiscard]] std::optional<NodeReport> report() const;
+  /// Seconds that the node's clock is ahead of this process's, less the time that a report travels; nothing before the
+  /// first report.
+  [[nodiscard]] std::optional<double> ahead() const;
+
+  /// Returns a request whose answer is expected from now on; an earlier one's is not any more.
+  [[nodiscard]] TraceRequest expectTrace();
+  /// Null if it does not come until then.
+  [[nodiscard]] std::shared_ptr<const NodeTrace> waitForTrace(Clock::time_point until);
+
+ private:
+  mutable std::mutex mutex_;
+  std::condition_variable traced_;
+  std::optional<NodeReport> report_;
+  PeerClock clock_;
+  std::uint32_t expected_ = 0;  ///< number of the newest request
+  std::shared_ptr<const NodeTrace> trace_;
+};
+
+}  // namespace grove::node

@@ -1,0 +1,52 @@
+import { kOperator } from '../texts.js';
+import { memoryOf } from './memory.js';
+import { Readings } from './readings.js';
+
+/** Nodes in other processes that report their own work, as `/statistics.json` lists them. */
+const reportingNodes = ({ nodes }) => (nodes ?? []).filter(({ stages }) => stages);
+
+/** The newest answers of the server, of its own process and of each node that reports. Times in milliseconds. */
+export class Processes {
+  #server = new Readings();
+  #nodes = new Map();
+
+  add(time, statistics) {
+    this.#server.add(time, statistics);
+    const nodes = reportingNodes(statistics);
+    for (const name of this.#nodes.keys()) {
+      if (!nodes.some((node) => node.name === name)) this.#nodes.delete(name);
+    }
+    for (const node of nodes) {
+      if (!this.#nodes.has(node.name)) this.#nodes.set(node.name, new Readings());
+      this.#nodes.get(node.name).add(time, node);
+    }
+  }
+
+  /** For when the server was not asked for a while. */
+  clear() {
+    this.#server.clear();
+    this.#nodes.clear();
+  }
+
+  get areSeveral() {
+    return this.#nodes.size > 0;
+  }
+
+  /** Those of this server first, then node by node, each with its `process`; see `Readings.stages()`. */
+  stages() {
+    return this.#all().flatMap(([process, readings]) => readings.stages().map((stage) => ({ ...stage, process })));
+  }
+
+  /** The same of who holds memory: `{ process, memory }`, see `memoryOf()`. */
+  memory() {
+    return this.#all().map(([process, { newest }]) => ({ process, memory: memoryOf(newest) }));
+  }
+
+  cacheHits() {
+    return this.#server.cacheHits();
+  }
+
+  #all() {
+    return [[kOperator.here, this.#server], ...this.#nodes];
+  }
+}
