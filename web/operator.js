@@ -77,7 +77,6 @@ function show(statistics, amortization, now) {
   tables.types(amortization);
   tables.stages(processes.stages());
   tables.memory(memory);
-  document.documentElement.classList.toggle('several', processes.areSeveral);
   const links = linksOf(statistics);
   tables.nodes(links);
   element('nodes').hidden = links.length === 0;

@@ -298,15 +298,14 @@ export const kOperatorPage = Object.freeze({
   eachMb: 'MB each',
   nodes: 'Other processes',
   aboutNodes:
-    'Nodes that serve objects of this world, and its owner. Rates are of what goes to them and comes from them; the round trip ' +
-    'is the shortest of the last five seconds.',
+    'Nodes that serve objects of this world, and its owner. Their work and memory do not count in the figures of a visitor ' +
+    'or a frame. Rates are of what goes to them and comes from them; the round trip is the minimum of the last five seconds.',
   node: 'process',
   link: 'link',
   objects: 'objects',
   sentRate: 'kB/s to it',
   receivedRate: 'kB/s from it',
   roundTrip: 'ms round trip',
-  received: 'MB received',
   usedMb: 'MB used',
   memory: 'Memory',
   holder: 'used by',

@@ -18,6 +18,7 @@
 #include "gl/workers.h"
 #include "measure/memory_use.h"
 #include "node/backend/backend_node.h"
+#include "node/backend/prepare/model_memory.h"
 #include "node/backend/prepare/share_of_scene.h"
 #include "node/transport/grpc/grpc_server.h"
 #include "node/transport/grpc/remote_obstacles.h"
@@ -100,6 +101,8 @@ int runNode(const NodeOptions& options) {
   const world::VoxelObstacles& obstacles = remote ? *remote : geometry.obstacles();
   pipeline::Timeline timeline;
   pipeline::MemoryLedger memory;
+  const pipeline::HeldMemory geometryMemory(memory, "obstacles", "", pipeline::Work::kAcrossUser, geometry.bytes());
+  node::ModelMemory models(loaded, types.backends, memory);
   raster::ImagePool images(memory);
   pipeline::WorkerPool workers(static_cast<int>(std::max(1U, std::thread::hardware_concurrency())));
   node::BackendNode node(own, geometry, obstacles, types.backends, {workers, gl, timeline, memory, images},
@@ -117,7 +120,10 @@ int runNode(const NodeOptions& options) {
             std::to_string(layout.objects.size()) + " objects");
   std::printf("listening on %s\n", addressOf(*at, server.port()).c_str());
   std::fflush(stdout);
-  while (stop.waitFor(1000ms) != StopOnSignal::Event::kStop) node.report(measure::residentBytes());
+  while (stop.waitFor(1000ms) != StopOnSignal::Event::kStop) {
+    models.update();
+    node.report(measure::residentBytes());
+  }
   log::info("stopping");
   return 0;
 }

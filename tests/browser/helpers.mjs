@@ -105,18 +105,18 @@ export class Server {
   }
 }
 
-/** A running `grove world`, which ends with `kill()`, without a word to anybody. */
-export async function ownWorld(port, options) {
-  const owner = spawn(kBinary, ['world', '--listen', `127.0.0.1:${port}`, ...options], { cwd: kRoot });
-  const ended = new Promise((resolve) => owner.on('exit', resolve));
+/** A running `grove world` or `grove node`, which ends with `kill()`, without a word to anybody. */
+export async function startProcess(command, port, options) {
+  const process = spawn(kBinary, [command, '--listen', `127.0.0.1:${port}`, ...options], { cwd: kRoot });
+  const ended = new Promise((resolve) => process.on('exit', resolve));
   await new Promise((resolve, reject) => {
-    owner.stdout.once('data', resolve);
-    owner.on('error', reject);
-    owner.on('exit', (code) => reject(new Error(`grove world ended with ${code}`)));
+    process.stdout.once('data', resolve);
+    process.on('error', reject);
+    process.on('exit', (code) => reject(new Error(`grove ${command} ended with ${code}`)));
   });
   return {
     kill: async () => {
-      owner.kill('SIGKILL');
+      process.kill('SIGKILL');
       await ended;
     },
   };

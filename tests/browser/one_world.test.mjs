@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 
-import { Server, Visitor, freePort, launchBrowser, ownWorld } from './helpers.mjs';
+import { Server, Visitor, freePort, launchBrowser, startProcess } from './helpers.mjs';
 
 const kScene = ['--scene', 'tests/browser/clearing.toml'];
 
@@ -12,7 +12,7 @@ let browser;
 
 before(async () => {
   port = await freePort();
-  owner = await ownWorld(port, kScene);
+  owner = await startProcess('world', port, kScene);
   const options = [...kScene, '--join', `127.0.0.1:${port}`];
   servers = [await Server.start({ options }), await Server.start({ options })];
   browser = await launchBrowser();
@@ -52,7 +52,7 @@ test('visitors of two servers are in one world, which outlives its owner', async
   await owner.kill();
   for (const { page } of [ada, bob]) await page.locator('#people [data-lost]').waitFor({ state: 'visible' });
   await lists(ada, ['Ada (you)']); // ten seconds later others are gone
-  owner = await ownWorld(port, kScene);
+  owner = await startProcess('world', port, kScene);
   for (const { page } of [ada, bob]) await page.locator('#people [data-lost]').waitFor({ state: 'hidden' });
   await lists(ada, ['Ada (you)', 'Bob']);
   await lists(bob, ['Bob (you)', 'Ada']);

@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 
-import { Server, Visitor, coarseGrove, freePort, launchBrowser } from './helpers.mjs';
+import { Server, Visitor, coarseGrove, freePort, launchBrowser, startProcess } from './helpers.mjs';
 
 let browser;
 let server;
@@ -133,5 +133,31 @@ test('private mode is told as such', async () => {
     await ada.leave();
   } finally {
     await alone.end();
+  }
+});
+
+test('what a node does stands below its name, and goes with it', async () => {
+  const scene = ['--scene', 'tests/browser/clearing.toml'];
+  const port = await freePort();
+  const node = await startProcess('node', port, ['--objects', 'fluid', ...scene]);
+  const server = await Server.start({ options: ['--nodes', `127.0.0.1:${port}`, ...scene] });
+  try {
+    const operator = await open(server.operatorUrl, { viewport: { width: 360, height: 640 } });
+    const { page } = operator;
+    for (const id of ['stages', 'memory']) {
+      const names = page.locator(`#${id} tbody .group`);
+      await names.nth(1).waitFor();
+      assert.deepEqual(await names.allTextContents(), ['this server', `the node at 127.0.0.1:${port}`]);
+    }
+    await page.locator('#stages .group', { hasText: 'the node at' }).locator('~ tr', { hasText: 'Simulation Tick' }).waitFor();
+    await page.locator('#memory .group', { hasText: 'the node at' }).locator('~ tr', { hasText: 'simulations' }).waitFor();
+    assert.equal(await overflow(operator), 0);
+    await node.kill();
+    await page.locator('#stages .group').first().waitFor({ state: 'detached' });
+    await page.getByRole('row', { name: /the node at .* lost/ }).waitFor();
+    await operator.leave();
+  } finally {
+    await node.kill();
+    await server.end();
   }
 });

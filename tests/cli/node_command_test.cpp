@@ -72,7 +72,7 @@ TEST(NodeCommand, AServersReportAndTraceShowWhatItsNodesDo) {
     if (event.contains("id")) framesProcesses[event.at("id")].insert(event.at("pid").get<int>());
     if (event.at("name") == "process_name") names.append(event.at("args").at("name")).append("\n");
   }
-  EXPECT_THAT(names, testing::MatchesRegex("stones\nnode .*127.0.0.1:[0-9]+\n"));
+  EXPECT_THAT(names, testing::MatchesRegex("stones\nthe node at 127.0.0.1:[0-9]+\n"));
   const auto isOfBoth = [](const auto& frame) { return frame.second.size() == 2; };
   EXPECT_TRUE(std::ranges::any_of(framesProcesses, isOfBoth)) << "a frame leads to the node";
 }

@@ -144,20 +144,17 @@ test('stages and memory of nodes stand below those of the server, with rates of 
     stages: { Renderer: { work: 'per-user-backend', runs, failures: 0, cpu_ms: runs, wall_ms: runs } },
     memory: { resident_mb: 129, holders: [{ holder: 'view cache', type: 'lightfield', work: 'across-user', mb: 100 }] },
   });
-  const processes = new Processes();
-  assert.equal(processes.areSeveral, false);
   const away = { name: 'away', state: 'lost', stages: null, memory: null };
+  const processes = new Processes();
   processes.add(0, { ...sample(), nodes: [node('a', 10), away] });
-  assert.equal(processes.areSeveral, true);
   processes.add(1000, { ...later(sample(), 60, 150), nodes: [node('a', 40), node('b', 5)] });
-  const rows = processes.stages();
-  assert.deepEqual([rows[0].process, rows.at(-2).process, rows.at(-1).process], ['this server', 'a', 'b']);
-  assert.deepEqual([rows.at(-2).runsPerSecond, rows.at(-2).share], [30, 1], 'of the CPU time of its process');
-  assert.equal(rows.at(-1).runsPerSecond, null, 'first heard of');
-  const memory = processes.memory();
-  assert.deepEqual(memory.map(({ process, memory: of }) => [process, of.resident]), [['this server', 1439.2], ['a', 129], ['b', 129]]);
+  const rates = () => processes.stages().map(({ process, stages }) => [process, stages[0].runsPerSecond]);
+  assert.deepEqual(rates(), [['this server', 60], ['a', 30], ['b', null]]);
+  assert.equal(processes.stages()[1].stages[0].share, 1, 'of the CPU time of its process');
+  const resident = processes.memory().map(({ process, memory }) => [process, memory.resident]);
+  assert.deepEqual(resident, [['this server', 1439.2], ['a', 129], ['b', 129]]);
   processes.add(2000, { ...later(sample(), 120, 300), nodes: [node('a', 3), away] });
-  const again = processes.stages().filter(({ process }) => process !== 'this server');
-  assert.deepEqual(again.map(({ process, runsPerSecond }) => [process, runsPerSecond]), [['a', null]], 'a has started anew');
-  assert.equal(processes.stages()[0].runsPerSecond, 60, 'which does not concern the server');
+  assert.deepEqual(rates(), [['this server', 60], ['a', null]], 'a has started anew, which does not concern the server');
+  processes.clear();
+  assert.deepEqual(processes.stages(), [{ process: 'this server', stages: [] }]);
 });

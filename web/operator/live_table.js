@@ -17,7 +17,7 @@ export class LiveTable {
     this.#columns = columns;
   }
 
-  /** `entries` have a `key` each. */
+  /** `entries` have a `key` each; one with a `group` is the heading of those after it, across all columns. */
   show(entries) {
     const keys = new Set(entries.map(({ key }) => key));
     for (const [key, row] of this.#rows) {
@@ -26,16 +26,24 @@ export class LiveTable {
       this.#rows.delete(key);
     }
     entries.forEach((entry, index) => {
-      const row = this.#row(entry.key);
+      const row = this.#row(entry);
       if (this.#body.rows[index] !== row) this.#body.insertBefore(row, this.#body.rows[index] ?? null);
-      this.#columns.forEach((writeCell, column) => writeCell(row.cells[column], entry));
+      if (entry.group) write(row.cells[0], entry.group);
+      else this.#columns.forEach((writeCell, column) => writeCell(row.cells[column], entry));
     });
   }
 
-  #row(key) {
+  #row({ key, group }) {
     const row = this.#rows.get(key) ?? this.#body.ownerDocument.createElement('tr');
     if (this.#rows.has(key)) return row;
     this.#rows.set(key, row);
+    if (group) {
+      row.className = 'group';
+      const cell = row.appendChild(row.ownerDocument.createElement('th'));
+      cell.scope = 'rowgroup';
+      cell.colSpan = this.#columns.length;
+      return row;
+    }
     this.#columns.forEach((_, column) => {
       const cell = row.appendChild(row.ownerDocument.createElement(column === 0 ? 'th' : 'td'));
       if (column === 0) cell.scope = 'row';

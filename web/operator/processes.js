@@ -28,16 +28,12 @@ export class Processes {
     this.#nodes.clear();
   }
 
-  get areSeveral() {
-    return this.#nodes.size > 0;
-  }
-
-  /** Those of this server first, then node by node, each with its `process`; see `Readings.stages()`. */
+  /** Of this server first, then of each node: `{ process, stages }`, see `Readings.stages()`. */
   stages() {
-    return this.#all().flatMap(([process, readings]) => readings.stages().map((stage) => ({ ...stage, process })));
+    return this.#all().map(([process, readings]) => ({ process, stages: readings.stages() }));
   }
 
-  /** The same of who holds memory: `{ process, memory }`, see `memoryOf()`. */
+  /** The same of memory: `{ process, memory }`, see `memoryOf()`. */
   memory() {
     return this.#all().map(([process, { newest }]) => ({ process, memory: memoryOf(newest) }));
   }

@@ -34,18 +34,26 @@ function stagesTable(body) {
       text(() => whole(failures))(cell);
       cell.classList.toggle('bad', failures > 0);
     },
-    process,
   ]);
-  return (stages) => table.show(stages.map((stage) => ({ key: `${stage.process} ${stage.name}`, ...stage })));
+  const rows = ({ process, stages }) => stages.map((stage) => ({ key: `${process} ${stage.name}`, ...stage }));
+  return (processes) => table.show(inGroups(processes, rows));
+}
+
+/** Rows of each process, below its name if there are several. */
+function inGroups(processes, rows) {
+  return processes.flatMap((one) => {
+    const heading = processes.length > 1 ? [{ key: one.process, group: one.process }] : [];
+    return [...heading, ...rows(one)];
+  });
 }
 
 /** The rows of one process's memory, with what no holder names. */
 function memoryRows({ process, memory }) {
   const holders = memory?.holders ?? [];
-  const rows = holders.map((entry) => ({ key: `${process} ${entry.name} ${entry.type} ${entry.work}`, process, ...entry }));
+  const rows = holders.map((entry) => ({ key: `${process} ${entry.name} ${entry.type} ${entry.work}`, ...entry }));
   if (typeof memory?.rest === 'number') {
     const name = holders.length > 0 ? kOperator.rest : kOperator.unlisted;
-    rows.push({ key: `${process} rest`, process, name, type: '', mb: memory.rest, share: memory.rest / memory.resident });
+    rows.push({ key: `${process} rest`, name, type: '', mb: memory.rest, share: memory.rest / memory.resident });
   }
   return rows;
 }
@@ -57,15 +65,8 @@ function memoryTable(body) {
     (cell, entry) => (entry.work ? work(cell, entry) : text(() => '')(cell)),
     text(({ mb }) => fixed(mb, 1)),
     bar(({ share }) => Math.min(1, share), ({ share }) => percent(share)),
-    process,
   ]);
-  return (processes) => table.show(processes.flatMap(memoryRows));
-}
-
-/** Which process runs or holds it. Shown only where there are several. */
-function process(cell, { process: name }) {
-  cell.classList.add('process');
-  text(() => name)(cell);
+  return (processes) => table.show(inGroups(processes, memoryRows));
 }
 
 const kilobytes = (bytes) => (known(bytes) === null ? null : bytes / 1000);
@@ -82,7 +83,6 @@ function nodesTable(body) {
     text(({ sent_bytes_per_s: rate }) => fixed(kilobytes(rate), 1)),
     text(({ received_bytes_per_s: rate }) => fixed(kilobytes(rate), 1)),
     text(({ round_trip_ms: time }) => fixed(time, 1)),
-    text(({ received_mb: received }) => fixed(received, 1)),
     text(({ memory }) => fixed(memory?.resident_mb, 1)),
   ]);
   return (nodes) => table.show(nodes.map((node) => ({ key: node.name, ...node })));

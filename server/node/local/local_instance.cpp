@@ -1,6 +1,5 @@
 #include "node/local/local_instance.h"
 
-#include <set>
 #include <utility>
 
 #include "node/backend/prepare/share_of_scene.h"
@@ -24,25 +23,12 @@ FrontendEnd& endOf(const LocalInstance::Ground& ground, const std::shared_ptr<Tr
 LocalInstance::LocalInstance(const Ground& ground, std::shared_ptr<Transport> transport, Parallelism parallelism,
                              const BackendNode::Progress& progress)
     : ground_(ground),
+      models_(ground_.scene, ground_.types, ground_.machine.memory),
       transport_(std::move(transport)),
       end_(endOf(ground_, transport_)),
       own_(ownOf(ground_)),
       backend_(own_, ground_.geometry, ground_.geometry.obstacles(), ground_.types, ground_.machine, parallelism,
                progress),
-      served_(backend_.accept(transport_)) {
-  reportModels();
-}
-
-void LocalInstance::reportModels() {
-  std::map<world::TypeIndex, std::set<const world::Model*>> models;
-  for (const world::ModelledObject& object : ground_.scene.objects) models[object.type].insert(object.model.get());
-  for (const auto& [type, distinct] : models) {
-    std::size_t bytes = 0;
-    for (const world::Model* model : distinct) bytes += model->bytes();
-    const std::string_view name = ground_.types.find(ground_.scene.layout.types[type])->name();
-    models_.try_emplace(type, ground_.machine.memory, "models", name, pipeline::Work::kAcrossUser)
-        .first->second.set(bytes);
-  }
-}
+      served_(backend_.accept(transport_)) {}
 
 }  // namespace grove::node

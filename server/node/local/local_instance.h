@@ -1,12 +1,11 @@
 #pragma once
 
-#include <map>
 #include <memory>
 
 #include "node/backend/backend_node.h"
 #include "node/backend/prepare/load_scene.h"
+#include "node/backend/prepare/model_memory.h"
 #include "node/frontend/world_nodes.h"
-#include "pipeline/memory_ledger.h"
 
 namespace grove::node {
 
@@ -26,11 +25,11 @@ class LocalInstance final : public InstanceNodes {
                 const BackendNode::Progress& progress);
 
   [[nodiscard]] FrontendEnd& end() override { return end_; }
-  void reportModels() override;
+  void reportModels() override { models_.update(); }
 
  private:
   const Ground ground_;
-  std::map<world::TypeIndex, pipeline::HeldMemory> models_;
+  ModelMemory models_;
   const std::shared_ptr<Transport> transport_;
   FrontendEnd& end_;  ///< the transport, or the way to it and to the others
   const LoadedScene own_;

@@ -34,14 +34,22 @@ StatisticsSources sourcesOf(const Host& host) {
 std::string statistics(const Host& host) { return statisticsJson(sourcesOf(host)); }
 std::string sharing(const Host& host) { return sharingJson(sourcesOf(host)); }
 
+/// Those of a node, on this process's clock, that begin then or later.
+std::vector<pipeline::TimelineEvent> eventsSince(std::int64_t begin, const node::NodeRouter::NodeEvents& node) {
+  std::vector<pipeline::TimelineEvent> events = node::eventsOf(*node.trace, node.aheadNanoseconds);
+  std::erase_if(events, [=](const pipeline::TimelineEvent& event) { return event.beginNanoseconds < begin; });
+  return events;
+}
+
 std::string trace(const Host& host) {
   const std::vector<node::NodeRouter::NodeEvents> nodes = host.nodeTraces(kTracePatience);
   std::vector<std::vector<pipeline::TimelineEvent>> events{host.timeline().events(kMaxTraced)};
   events.reserve(nodes.size() + 1);
+  const std::int64_t begin = events.front().empty() ? 0 : events.front().front().beginNanoseconds;
   std::vector<measure::TraceSection> sections{{host.layout().name, events.front()}};
   for (const node::NodeRouter::NodeEvents& node : nodes) {
-    events.push_back(node::eventsOf(*node.trace, node.aheadNanoseconds));
-    sections.push_back({"node " + node.name, events.back()});
+    events.push_back(eventsSince(begin, node));
+    sections.push_back({node.name, events.back()});
   }
   return measure::chromeTrace(sections, measure::TraceClock::kOfAll);
 }
