@@ -52,7 +52,7 @@ TEST_P(NodeReports, AreOfItsStagesAndMemoryAndReachWhoIsWelcome) {
   EXPECT_EQ(reports[0].memory.at({"test", "box"}).bytes, 1000);
 }
 
-TEST_P(NodeReports, TracesAreOfTheNewestRunsAndOneASecond) {
+TEST_P(NodeReports, TracesAreOfTheNewestRunsAndFew) {
   ASSERT_EQ(operatorsServer.hello(9), "");
   draw();
   (void)operatorsServer.send(TraceRequest{.number = 5});

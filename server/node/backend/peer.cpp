@@ -42,7 +42,7 @@ void Peer::reportForeignWorld() {
 }
 
 bool Peer::takeTrace(double now) {
-  constexpr double kSecondsBetween = 1.0;
+  constexpr double kSecondsBetween = 0.5;
   const std::lock_guard lock(mutex_);
   if (traced_ && now < *traced_ + kSecondsBetween) return false;
   traced_ = now;

@@ -20,7 +20,7 @@ struct NodeReport {
   std::map<pipeline::MemoryKey, pipeline::MemoryTotal> memory;
 };
 
-/// Requests a NodeTrace. A node answers one a second for each frontend process, and ignores others.
+/// Requests a NodeTrace. A node answers at most two a second of each frontend process, and ignores others.
 struct TraceRequest {
   std::uint32_t number = 0;  ///< of the answer
 };

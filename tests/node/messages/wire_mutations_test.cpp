@@ -119,7 +119,9 @@ TEST(WireMutations, OfEachMessageAreRefusedOrSound) {
 TEST(WireMutations, AHeaderFullOfEmptyPartsTakesNoMoreThanItsShare) {
   const std::string update("\x12\xFC\xFF\x3F", 4);   // of the world, with almost a mebibyte of
   const std::string welcome("\x0A\xFC\xFF\x3F", 4);  // and the greeting
-  for (const std::string& begin : {update, welcome}) {
+  const std::string report("\x32\xFC\xFF\x3F", 4);
+  const std::string trace("\x3A\xFC\xFF\x3F", 4);
+  for (const std::string& begin : {update, welcome, report, trace}) {
     for (char part = '\x1A'; part <= '\x2A'; part += 8) {
       std::string header = begin;
       while (header.size() + 2 <= kMaxHeaderBytes) header.append({part, '\0'});
