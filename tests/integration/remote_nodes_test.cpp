@@ -141,8 +141,8 @@ TEST_F(RemoteNodes, ReportWhatTheyDoAndWhen) {
     const auto first = std::ranges::find_if(own, isOfItsFrame);
     if (first == own.end()) continue;
     ++compared;
-    constexpr std::int64_t kNear = 20'000'000;
-    EXPECT_GT(there.beginNanoseconds, first->beginNanoseconds - kNear) << there.stage;
+    constexpr std::int64_t kRoundTrip = 200'000'000;  // on a busy machine
+    EXPECT_GT(there.beginNanoseconds, first->beginNanoseconds - kRoundTrip) << there.stage;
   }
   EXPECT_GT(compared, 0);
 }

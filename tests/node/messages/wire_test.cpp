@@ -302,8 +302,8 @@ TEST(Wire, ATraceOfTheMostRunsIsNotTooLong) {
                      .tag = {0xFFFFFFFFU, 0xFFFFFFFFU, 0xFFFFFFFFU},
                      .thread = 0xFFFFFFFFU,
                      .beginNanoseconds = static_cast<std::int64_t>(i % 2) << 50U,
-                     .wallNanoseconds = std::int64_t{1} << 50U,
-                     .cpuNanoseconds = std::int64_t{1} << 50U});
+                     .wallNanoseconds = std::int64_t{1} << 46U,
+                     .cpuNanoseconds = std::int64_t{1} << 46U});
   }
   EXPECT_EQ(afterTravelByPointer(traceOf(timeline, 1)).runs.size(), kMaxTracedRuns);
 }
