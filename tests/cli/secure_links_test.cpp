@@ -64,14 +64,14 @@ TEST(SecureLinks, AskServersForNothingWithoutAuthorities) {
 
 TEST(SecureLinks, AServerSharesItsWorldByThem) {
   const SmallScene scene;
-  const Outcome outcome =
-      shell(securedProcessesOf(scene) +
-            "serves a --share 127.0.0.1:0 $(links node); at=$(port_of 'the world' a)\n"
-            "serves b --join 127.0.0.1:$at $(links server); visit a 1 5 & visit_a=$!\n"
-            "until_world b 'joined\",\"visitors\":1'; wait $visit_a\n"
-            "serves c --join 127.0.0.1:$at; until_says world_of c TLS\n"
-            "says a 'open a link by TLS' | grep -o 'open a link by TLS' | sort -u");
-  EXPECT_EQ(outcome.output, "\"errors\":0\nopen a link by TLS\n") << "who comes in the clear is heard by nobody, and told why";
+  const Outcome outcome = shell(securedProcessesOf(scene) +
+                                "serves a --share 127.0.0.1:0 $(links node); at=$(port_of 'the world' a)\n"
+                                "serves b --join 127.0.0.1:$at $(links server); visit a 1 5 & visit_a=$!\n"
+                                "until_world b 'joined\",\"visitors\":1'; wait $visit_a\n"
+                                "serves c --join 127.0.0.1:$at; until_says world_of c TLS\n"
+                                "says a 'open a link by TLS' | grep -o 'open a link by TLS' | sort -u");
+  EXPECT_EQ(outcome.output, "\"errors\":0\nopen a link by TLS\n")
+      << "who comes in the clear is heard by nobody, and told why";
 }
 
 /// Each has one line at the server, which does not start, and one at the node.

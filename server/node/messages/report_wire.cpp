@@ -26,12 +26,11 @@ pipeline::Work decodeWork(std::uint32_t from, Checks& checks) {
 
 void decodeStage(const v1::StageTotal& from, NodeReport& to, Checks& checks) {
   checks.require(isSpan(from.wall_ns()) && isSpan(from.cpu_ns()), "a stage's time is out of range");
-  to.stages.try_emplace(decodeName(from.name(), checks),
-                        pipeline::StageTotal{.work = decodeWork(from.work(), checks),
-                                             .runs = from.runs(),
-                                             .failures = from.failures(),
-                                             .wallNanoseconds = from.wall_ns(),
-                                             .cpuNanoseconds = from.cpu_ns()});
+  to.stages.try_emplace(decodeName(from.name(), checks), pipeline::StageTotal{.work = decodeWork(from.work(), checks),
+                                                                              .runs = from.runs(),
+                                                                              .failures = from.failures(),
+                                                                              .wallNanoseconds = from.wall_ns(),
+                                                                              .cpuNanoseconds = from.cpu_ns()});
 }
 
 void decodeHolder(const v1::MemoryTotal& from, NodeReport& to, Checks& checks) {

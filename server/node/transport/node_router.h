@@ -45,7 +45,7 @@ class NodeRouter final : public FrontendEnd {
     LinkTraffic traffic;
     LinkPace pace = {};
     std::optional<std::uint64_t> epoch = {};  ///< of its last welcome
-    std::optional<NodeReport> report = {};    ///< its newest one; nothing of a node within this process, or if it is away
+    std::optional<NodeReport> report = {};  ///< its newest one; nothing of a node within this process, or if it is away
   };
   [[nodiscard]] std::vector<NodeLink> links() const;
 

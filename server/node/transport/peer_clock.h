@@ -6,8 +6,8 @@
 namespace grove::node {
 
 /// Estimates a peer's clock from the times that it reports. Uses the report with the shortest way of the newest 128, so
-/// the estimate is behind by that way, and follows a clock that drifts. Ignores a report that differs from the others by
-/// more than ten seconds, unless the next one confirms it: then the clock has started again. Times are seconds.
+/// the estimate is behind by that way, and follows a clock that drifts. Ignores a report that differs from the others
+/// by more than ten seconds, unless the next one confirms it: then the clock has started again. Times are seconds.
 class PeerClock {
  public:
   /// It reported `theirs`, which came when the clock here showed `ours`.

@@ -35,9 +35,7 @@ using Spoil = std::function<void(Message&)>;
 template <class Message>
 std::string refusalOf(Message message, const std::type_identity_t<Spoil<Message>>& spoil) {
   spoil(message);
-  if constexpr (std::is_same_v<Message, NodeTrace>) {
-    return refusal(ToFrontend(std::shared_ptr<const Message>(std::make_shared<Message>(std::move(message)))));
-  } else if constexpr (std::is_same_v<Message, View> || std::is_same_v<Message, WorldUpdate>) {
+  if constexpr (std::is_same_v<Message, View> || std::is_same_v<Message, WorldUpdate>) {
     return refusal(ToBackend(std::shared_ptr<const Message>(std::make_shared<Message>(std::move(message)))));
   } else if constexpr (std::is_constructible_v<ToBackend, Message>) {
     return refusal(ToBackend(std::move(message)));
@@ -265,48 +263,6 @@ TEST(WireRefusals, Results) {
   EXPECT_THAT(refusalOf(examples::nothing(), [](Result& result) { result.shared = true; }), HasSubstr("picture"));
   EXPECT_THAT(refusalOf(examples::picture(), [](Result& result) { result.what.key.assign(kMaxKeyBytes + 1, 'k'); }),
               HasSubstr("key"));
-}
-
-TEST(WireRefusals, Reports) {
-  const auto spoilt = [](const Spoil<NodeReport>& spoil) { return refusalOf(examples::report(), spoil); };
-  EXPECT_THAT(spoilt([](NodeReport& report) { report.sent = kNan; }), HasSubstr("clock"));
-  EXPECT_THAT(spoilt([](NodeReport& report) { report.sent = 1.0e300; }), HasSubstr("clock"));
-  EXPECT_THAT(spoilt([](NodeReport& report) { report.stages["\xC3"] = {}; }), HasSubstr("UTF-8"));
-  EXPECT_THAT(spoilt([](NodeReport& report) { report.memory[{"view cache", "\xC3"}] = {}; }), HasSubstr("UTF-8"));
-  EXPECT_THAT(spoilt([](NodeReport& report) { report.stages["Renderer"].cpuNanoseconds = -1; }), HasSubstr("time"));
-  EXPECT_THAT(spoilt([](NodeReport& report) { report.stages["Renderer"].work = pipeline::Work{7}; }),
-              HasSubstr("work"));
-  EXPECT_THAT(spoilt([](NodeReport& report) {
-                for (std::size_t i = 0; i <= kMaxReportedStages; ++i) report.stages[std::to_string(i)] = {};
-              }),
-              HasSubstr("too many stages"));
-  EXPECT_THAT(spoilt([](NodeReport& report) {
-                for (std::size_t i = 0; i <= kMaxReportedHolders; ++i) report.memory[{std::to_string(i), ""}] = {};
-              }),
-              HasSubstr("too many holders"));
-}
-
-/// Would catch indices beyond the names, and times whose sum overflows.
-TEST(WireRefusals, Traces) {
-  const auto spoilt = [](const Spoil<NodeTrace>& spoil) { return refusalOf(examples::trace(), spoil); };
-  constexpr std::int64_t kForever = std::numeric_limits<std::int64_t>::max();
-  EXPECT_THAT(spoilt([](NodeTrace& trace) { trace.runs[1].stage = 4; }), HasSubstr("no name"));
-  EXPECT_THAT(spoilt([](NodeTrace& trace) { trace.runs[1].subject = 0xFFFFFFFFU; }), HasSubstr("no name"));
-  EXPECT_THAT(spoilt([](NodeTrace& trace) { trace.runs[0].wallNanoseconds = -1; }), HasSubstr("time"));
-  EXPECT_THAT(spoilt([](NodeTrace& trace) { trace.runs[0].beginNanoseconds = kForever; }), HasSubstr("begins"));
-  EXPECT_THAT(spoilt([](NodeTrace& trace) { trace.runs[1].work = pipeline::Work{3}; }), HasSubstr("work"));
-  EXPECT_THAT(spoilt([](NodeTrace& trace) { trace.names[1] = "\xC3"; }), HasSubstr("UTF-8"));
-  EXPECT_THAT(spoilt([](NodeTrace& trace) { trace.names.resize(kMaxTraceNames + 1); }), HasSubstr("too many names"));
-  EXPECT_THAT(spoilt([](NodeTrace& trace) { trace.runs.resize(kMaxTracedRuns + 1); }), HasSubstr("too many runs"));
-}
-
-TEST(WireRefusals, ATraceOfColumnsThatDiffer) {
-  std::string header = encode(ToFrontend(std::make_shared<const NodeTrace>(examples::trace()))).header;
-  const std::string parts("\x52\x02\x01\x00", 4);
-  const std::size_t column = header.find(parts);
-  ASSERT_NE(column, std::string::npos);
-  header[column] = '\x6A';  // a fourteenth field, which nobody knows, with the bytes of the tenth
-  EXPECT_THAT(reasonOf(decodeToFrontend({header, nullptr})), HasSubstr("incomplete"));
 }
 
 TEST(WireRefusals, BytesBesideWhatHasNone) {

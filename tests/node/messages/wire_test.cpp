@@ -255,59 +255,6 @@ TEST(Wire, ReasonsFromAnywhereBecomeText) {
   EXPECT_TRUE(reason.starts_with("bad ?aaa"));
 }
 
-TEST(Wire, CarriesReports) {
-  const NodeReport sent = examples::report();
-  const NodeReport got = afterTravel(sent);
-  EXPECT_EQ(got.sent, sent.sent);
-  EXPECT_EQ(got.residentBytes, sent.residentBytes);
-  ASSERT_EQ(got.stages.size(), 2U);
-  const pipeline::StageTotal& renderer = got.stages.at("Renderer");
-  EXPECT_EQ(renderer.work, pipeline::Work::kPerUserBackend);
-  EXPECT_EQ(renderer.runs, 40U);
-  EXPECT_EQ(renderer.failures, 2U);
-  EXPECT_EQ(renderer.wallNanoseconds, 7'000'000);
-  EXPECT_EQ(renderer.cpuNanoseconds, 6'500'000);
-  ASSERT_EQ(got.memory.size(), 2U);
-  EXPECT_EQ(got.memory.at({"view cache", "lightfield"}).bytes, 1'000'000);
-  EXPECT_EQ(got.memory.at({"targets", ""}).work, pipeline::Work::kPerUserBackend);
-}
-
-TEST(Wire, CarriesTraces) {
-  EXPECT_EQ(afterTravel(TraceRequest{.number = 77}).number, 77U);
-  const NodeTrace sent = examples::trace();
-  const NodeTrace got = afterTravelByPointer(sent);
-  EXPECT_EQ(got.number, sent.number);
-  const std::vector<pipeline::TimelineEvent> events = eventsOf(got, 1'000);
-  ASSERT_EQ(events.size(), 2U);
-  EXPECT_STREQ(events[0].stage, "Renderer");
-  EXPECT_EQ(events[0].subject, "fluid");
-  EXPECT_EQ(events[0].work, pipeline::Work::kPerUserBackend);
-  EXPECT_EQ(events[0].tag.process, 3U);
-  EXPECT_EQ(events[0].tag.session, 1U);
-  EXPECT_EQ(events[0].tag.frame, examples::kFrame);
-  EXPECT_EQ(events[0].thread, 2U);
-  EXPECT_TRUE(events[0].part);
-  EXPECT_EQ(events[0].beginNanoseconds, 4'999'999'999'000) << "on the other clock";
-  EXPECT_EQ(events[0].wallNanoseconds, 1'500'000);
-  EXPECT_EQ(events[0].cpuNanoseconds, 1'400'000);
-  EXPECT_STREQ(events[1].stage, "Simulation Tick");
-  EXPECT_EQ(events[1].beginNanoseconds, 4'999'989'999'000);
-}
-
-/// Would catch a full timeline that the link refuses for its size.
-TEST(Wire, ATraceOfTheMostRunsIsNotTooLong) {
-  pipeline::Timeline timeline;
-  for (std::size_t i = 0; i < 2 * kMaxTracedRuns; ++i) {
-    timeline.record({.stage = "Renderer",
-                     .tag = {0xFFFFFFFFU, 0xFFFFFFFFU, 0xFFFFFFFFU},
-                     .thread = 0xFFFFFFFFU,
-                     .beginNanoseconds = static_cast<std::int64_t>(i % 2) << 50U,
-                     .wallNanoseconds = std::int64_t{1} << 46U,
-                     .cpuNanoseconds = std::int64_t{1} << 46U});
-  }
-  EXPECT_EQ(afterTravelByPointer(traceOf(timeline, 1)).runs.size(), kMaxTracedRuns);
-}
-
 TEST(Wire, CarriesAnnouncement) {
   const Announcement got = afterTravel(Announcement{.what = {.object = 4, .key = "map"}, .version = 2});
   EXPECT_EQ(got.what, (SharedKey{4, "map"}));

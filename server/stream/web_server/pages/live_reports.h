@@ -16,9 +16,9 @@
 namespace grove::stream {
 
 /// What the server reports of itself, as JSON: `/statistics.json` and `/trace.json`, the newest stage runs as a Chrome
-/// trace, its nodes' below its own, to its operator, and `/sharing.json`, what sharing saves, to anybody. Made on a thread of its own, one at a
-/// time, each kind at most once a second however many ask. All who read one share it. Of the
-/// trace, which is large, there is no second one: as long as somebody reads it, others get the same.
+/// trace, its nodes' below its own, to its operator, and `/sharing.json`, what sharing saves, to anybody. Made on a
+/// thread of its own, one at a time, each kind at most once a second however many ask. All who read one share it. Of
+/// the trace, which is large, there is no second one: as long as somebody reads it, others get the same.
 class LiveReports {
  public:
   using Report = std::shared_ptr<const std::string>;

@@ -39,7 +39,9 @@ Json memory(const std::map<pipeline::MemoryKey, pipeline::MemoryTotal>& totals, 
                        {"work", pipeline::toString(total.work)},
                        {"mb", megabytes(static_cast<double>(total.bytes))}});
   }
-  return {{"resident_mb", megabytes(static_cast<double>(residentBytes))}, {"told_mb", megabytes(reported)}, {"holders", holders}};
+  return {{"resident_mb", megabytes(static_cast<double>(residentBytes))},
+          {"told_mb", megabytes(reported)},
+          {"holders", holders}};
 }
 
 Json costs(const measure::FrameCost& cost, const measure::MemoryShare& share) {

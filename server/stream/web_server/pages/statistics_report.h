@@ -32,10 +32,11 @@ struct StatisticsSources {
 /// the owner. The nodes that serve its objects, if there are several: state of the link ("here", "connecting",
 /// "welcomed", "refused", "untrusted", "silent", "lost"), objects, epoch (null before a welcome), MB that have come,
 /// the pace of the link, and the node's own stages and memory, as of this process below, at most a second old (null of
-/// a node within this process, or one that is away). A pace is of the last five seconds, null without a link to another process: bytes a second
-/// each way, and the shortest round trip. Since the start: for each stage its work (across-user, per-user-backend or
-/// per-user-frontend), runs, failures and milliseconds of CPU and wall time, and the named counters. Of now: the bytes
-/// that are held and by what. Of the last seconds: `amortization`, what sharing saves (null if nobody was served).
+/// a node within this process, or one that is away). A pace is of the last five seconds, null without a link to another
+/// process: bytes a second each way, and the shortest round trip. Since the start: for each stage its work
+/// (across-user, per-user-backend or per-user-frontend), runs, failures and milliseconds of CPU and wall time, and the
+/// named counters. Of now: the bytes that are held and by what. Of the last seconds: `amortization`, what sharing saves
+/// (null if nobody was served).
 [[nodiscard]] std::string statisticsJson(const StatisticsSources& sources);
 
 /// What `/sharing.json` answers: of that only what sharing saves, for the overlay of every visitor.
