@@ -39,15 +39,11 @@ TEST(NodeCommand, NamesWhatTheSceneDoesNotHave) {
 /// Would catch a server that makes models, GL or light though nodes serve all that it shows.
 TEST(NodeCommand, AServerPreparesNothingThatNodesServe) {
   const SmallScene scene;
-  const Outcome outcome =
-      shell("folder=$(mktemp -d); cd $folder; scene='--listen 127.0.0.1:0 --scene " + scene.path() + "'\n" +
-            "wait_for() { for try in {1..300}; do grep -qs \"$1\" $2 && break; sleep 0.1; done; }\n" GROVE_BINARY
-            " node --objects mesh,fluid $scene >node 2>/dev/null & node=$!\n"
-            "wait_for listening node\n" GROVE_BINARY
-            " serve --nodes $(sed 's/listening on //' node) $scene >served 2>log & server=$!\n"
-            "wait_for listening served\n"
-            "kill -TERM $server; wait $server; echo ended with $?; kill -TERM $node; wait $node\n"
-            "grep -oE 'preparing|GL:|all in other processes' log; cd /; rm -r $folder");
+  const Outcome outcome = shell(processesOf(scene) +
+                                "starts all node --objects mesh,fluid --listen 127.0.0.1:0\n"
+                                "serves a --nodes 127.0.0.1:$(port_of listening all)\n"
+                                "kill -TERM $pid_a; wait $pid_a; echo ended with $?\n"
+                                "grep -oE 'preparing|GL:|all in other processes' a.out");
   EXPECT_EQ(outcome.output, "ended with 0\nall in other processes\n");
 }
 

@@ -5,7 +5,7 @@ import { Readings } from './readings.js';
 /** Nodes in other processes that report their own work, as `/statistics.json` lists them. */
 const reportingNodes = ({ nodes }) => (nodes ?? []).filter(({ stages }) => stages);
 
-/** The newest answers of the server, of its own process and of each node that reports. Times in milliseconds. */
+/** The newest readings of the server's own process and of each node that reports. Times in milliseconds. */
 export class Processes {
   #server = new Readings();
   #nodes = new Map();

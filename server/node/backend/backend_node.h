@@ -50,8 +50,8 @@ class BackendNode {
   /// sessions of other processes are refused. The link stays alive until its last result is made. Thread-safe.
   [[nodiscard]] std::shared_ptr<void> accept(std::shared_ptr<BackendEnd> link);
 
-  /// Reports stages and memory of this process, of which so much is resident, to all frontend processes. A process that
-  /// is one itself has no need of it. Thread-safe.
+  /// Sends the stages and the memory of this process to all frontend processes. A server's own node does not need it:
+  /// it shares the server's timeline. Thread-safe.
   void report(std::uint64_t residentBytes) const;
 
  private:

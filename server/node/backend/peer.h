@@ -39,8 +39,8 @@ class Peer {
   /// Logs once that its updates are refused, since the simulations follow another process.
   void reportForeignWorld();
 
-  /// Whether it gets a trace of the node's work at `now` (seconds): at most two a second, for a server requests one a
-  /// second, and requests travel for different times.
+  /// Returns whether a request for a trace is answered at `now` (seconds): at most two a second are. A server requests
+  /// one a second, but requests do not all travel equally fast.
   [[nodiscard]] bool takeTrace(double now);
 
   /// Updates the estimate of the peer's clock, in seconds.

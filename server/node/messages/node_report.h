@@ -48,12 +48,14 @@ struct NodeTrace {
 inline constexpr std::size_t kMaxReportedStages = 256;
 inline constexpr std::size_t kMaxReportedHolders = 1024;
 inline constexpr std::size_t kMaxTraceNames = 1024;
-/// Some seconds' worth, and less than kMaxHeaderBytes.
+/// The events of some seconds. They fit into kMaxHeaderBytes.
 inline constexpr std::size_t kMaxTracedRuns = 16'384;
 
+/// Returns the newest kMaxTracedRuns events.
 [[nodiscard]] NodeTrace traceOf(const pipeline::Timeline& timeline, std::uint32_t number);
 
-/// The events on a clock that the node's is `ahead` nanoseconds of. They refer to the trace, which outlives them.
+/// Returns the events on this process's clock; the node's clock is `ahead` nanoseconds ahead of it. The trace outlives
+/// the events, which refer to its names.
 [[nodiscard]] std::vector<pipeline::TimelineEvent> eventsOf(const NodeTrace& trace, std::int64_t ahead);
 
 }  // namespace grove::node

@@ -62,7 +62,8 @@ TracedRun decodeRun(const v1::NodeTrace& from, int i, Checks& checks) {
           .cpuNanoseconds = from.cpu_ns(i)};
 }
 
-/// `after` the last one's, each within the range of a clock; so their sum is no overflow.
+/// Adds the difference `after` to the last run's begin. Both are within the range of a clock, so the sum does not
+/// overflow.
 std::int64_t decodeBegin(std::int64_t last, std::int64_t after, Checks& checks) {
   const auto isOnClock = [](std::int64_t time) { return std::abs(static_cast<double>(time)) <= kMaxNanoseconds; };
   const std::int64_t begin = isOnClock(after) ? last + after : 0;

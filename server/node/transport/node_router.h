@@ -45,17 +45,17 @@ class NodeRouter final : public FrontendEnd {
     LinkTraffic traffic;
     LinkPace pace = {};
     std::optional<std::uint64_t> epoch = {};  ///< of its last welcome
-    std::optional<NodeReport> report = {};  ///< its newest one; nothing of a node within this process, or if it is away
+    std::optional<NodeReport> report = {};    ///< the newest one; nothing if the node is in this process or away
   };
   [[nodiscard]] std::vector<NodeLink> links() const;
 
-  /// What a node has just done.
+  /// The newest events of one node.
   struct NodeEvents {
     std::string name;
     std::shared_ptr<const NodeTrace> trace;
     std::int64_t aheadNanoseconds = 0;  ///< the node's clock against this process's, within half a round trip
   };
-  /// Requests traces of the nodes in other processes, and waits for them so long; those that have come. One thread at a
+  /// Requests traces from the nodes in other processes, and returns those that arrive within `max`. One thread at a
   /// time.
   [[nodiscard]] std::vector<NodeEvents> traces(std::chrono::milliseconds max);
 

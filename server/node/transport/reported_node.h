@@ -19,9 +19,9 @@ class ReportedNode {
 
   /// `now` is seconds of this process's clock.
   void heard(NodeReport report, double now);
-  /// Dropped unless it is the trace that is expected.
+  /// Drops a trace that is not expected.
   void heard(std::shared_ptr<const NodeTrace> trace);
-  /// The node may be another process: forgets the report and the clock.
+  /// Forgets the report and the clock: the node may have restarted.
   void welcomed();
 
   [[nodiscard]] std::optional<NodeReport> report() const;
@@ -29,9 +29,9 @@ class ReportedNode {
   /// first report.
   [[nodiscard]] std::optional<double> ahead() const;
 
-  /// Returns a request whose answer is expected from now on; an earlier one's is not any more.
+  /// Returns a new request, whose answer is expected from now on. The answer to an earlier request is dropped.
   [[nodiscard]] TraceRequest expectTrace();
-  /// Null if it does not come until then.
+  /// Returns null if the trace does not arrive in time.
   [[nodiscard]] std::shared_ptr<const NodeTrace> waitForTrace(Clock::time_point until);
 
  private:

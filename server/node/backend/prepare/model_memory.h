@@ -13,7 +13,7 @@ class ModelMemory {
   /// All outlive it.
   ModelMemory(const LoadedScene& scene, const BackendTypes& types, pipeline::MemoryLedger& ledger);
 
-  /// Reports what it is now: it changes when a model gets a finer light field.
+  /// Reports the present sizes, which change when a model gets a finer light field.
   void update();
 
  private:

@@ -15,10 +15,10 @@
 
 namespace grove::stream {
 
-/// What the server reports of itself, as JSON: `/statistics.json` and `/trace.json`, the newest stage runs as a Chrome
-/// trace, its nodes' below its own, to its operator, and `/sharing.json`, what sharing saves, to anybody. Made on a
-/// thread of its own, one at a time, each kind at most once a second however many ask. All who read one share it. Of
-/// the trace, which is large, there is no second one: as long as somebody reads it, others get the same.
+/// Makes the server's reports, as JSON. `/statistics.json` and `/trace.json` are for the operator; the trace is a
+/// Chrome trace of the newest stage runs of the server and its nodes. `/sharing.json` reports what sharing saves and is
+/// for everybody. One thread makes all reports, each at most once a second; all readers share it. The trace is large,
+/// so there is one at a time: while a reader downloads it, other readers get the same trace.
 class LiveReports {
  public:
   using Report = std::shared_ptr<const std::string>;
