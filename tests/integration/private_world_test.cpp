@@ -158,8 +158,8 @@ TEST(PrivateWorlds, TickEachOnAClockOfItsOwn) {
   ASSERT_TRUE(b.frameAfter(0, kPatience));
   a.reset();  // takes his world along, and only his
   const Snapshot before = answers->of(2);
-  for (int i = 0; i < 100 && answers->of(2)->tick < before->tick + 5; ++i) {
-    ASSERT_TRUE(b.frameAfter(0, kPatience));
+  const auto end = std::chrono::steady_clock::now() + kPatience;
+  while (answers->of(2)->tick < before->tick + 5 && std::chrono::steady_clock::now() < end) {
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }
   EXPECT_GE(answers->of(2)->tick, before->tick + 5);

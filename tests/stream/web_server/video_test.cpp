@@ -32,6 +32,9 @@ class VideoPage {
   void say(const Message& message) {
     websocket_.send(encode(message));
   }
+  void acknowledge(const PictureHeader& picture) {
+    say(Presented{picture.frame, 5, static_cast<std::uint32_t>(pipeline::wallSeconds() * 1e6)});
+  }
   void turn() { say(world::Input{++input_, 0, 0.1F * static_cast<float>(input_), 0.0F}); }
   [[nodiscard]] std::uint32_t lastInput() const noexcept { return input_; }
 
@@ -52,8 +55,7 @@ class VideoPage {
       if (const auto* status = std::get_if<Status>(&parsed)) heard.statuses.push_back(*status);
       if (const auto* picture = std::get_if<PictureMessage>(&parsed)) {
         heard.pictures.push_back(picture->header);
-        const auto now = static_cast<std::uint32_t>(pipeline::wallSeconds() * 1e6);
-        say(Presented{picture->header.frame, 5, now});
+        acknowledge(picture->header);
         if (turning) turn();
       }
     }
@@ -182,7 +184,10 @@ TEST_F(VideoTest, AHiddenPageIsSentNothingUntilItIsSeenAgain) {
   while (const auto message = page.websocket().receive()) {
     if (message->opcode != RawWebsocket::kBinary) break;
     const ServerMessage parsed = parseServerMessage(message->bytes);
-    if (const auto* picture = std::get_if<PictureMessage>(&parsed)) underWay.push_back(picture->header.lastInput);
+    if (const auto* picture = std::get_if<PictureMessage>(&parsed)) {
+      underWay.push_back(picture->header.lastInput);
+      page.acknowledge(picture->header);
+    }
   }
   for (const std::uint32_t input : underWay) EXPECT_LT(input, page.lastInput()) << "was drawn after it was hidden";
   page.say(Limits{});
