@@ -11,7 +11,7 @@
 namespace grove::stream {
 namespace {
 
-using std::chrono_literals::operator""ms;
+using namespace std::chrono_literals;
 
 /// A page since v1.2, which turns on the spot so that there is something to send.
 class VideoPage {
