@@ -334,6 +334,7 @@ export const kOperator = Object.freeze({
   states: { asking: 'connecting', live: 'live', paused: 'paused', lost: 'no connection' },
   visitorsNote: 'connected now',
   fpsNote: 'per visitor, on average',
+  fpsSmaller: (share) => `per visitor; the machine is busy, so pictures have ${share} of the wanted width`,
   coresNote: (cores, more) => `of ${cores}; one more visitor takes ${more}`,
   coresUnknown: 'of this machine',
   work: 'work behind a frame',

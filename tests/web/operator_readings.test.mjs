@@ -2,6 +2,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
 import { amortizationOf } from '../../web/amortization.js';
+import { writeFigures } from '../../web/operator/figures_panel.js';
 import { frameCost, total } from '../../web/operator/frame_cost.js';
 import { linksOf } from '../../web/operator/links.js';
 import { memoryOf } from '../../web/operator/memory.js';
@@ -157,4 +158,21 @@ test('stages and memory of nodes stand below those of the server, with rates of 
   assert.deepEqual(rates(), [['this server', 60], ['a', null]], 'a has started anew, which does not concern the server');
   processes.clear();
   assert.deepEqual(processes.stages(), [{ process: 'this server', stages: [] }]);
+});
+
+test('an operator sees that the machine makes pictures smaller, and by how much', () => {
+  const notes = (statistics) => {
+    const elements = new Map();
+    const root = {
+      querySelector(selector) {
+        if (!elements.has(selector)) elements.set(selector, {});
+        return elements.get(selector);
+      },
+    };
+    writeFigures(root, { statistics, amortization: amortizationOf(statistics.amortization), cacheHits: null });
+    return elements.get('[data-note=fps]').textContent;
+  };
+  assert.doesNotMatch(notes(sample()), /machine/);
+  assert.doesNotMatch(notes({ ...sample(), picture_scale: 1 }), /machine/);
+  assert.match(notes({ ...sample(), picture_scale: 2 / 3 }), /machine is busy.*67 %/);
 });

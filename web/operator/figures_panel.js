@@ -6,7 +6,7 @@ import { write } from './live_table.js';
 /** The figure and the words under it, of `{ statistics, amortization }`; `amortization` may be `null`. */
 const kTiles = {
   visitors: ({ statistics }) => [whole(statistics.visitors), kOperator.visitorsNote],
-  fps: ({ amortization: told }) => [plain(told?.framesPerSecond), kOperator.fpsNote],
+  fps: ({ statistics, amortization: told }) => [plain(told?.framesPerSecond), pictures(statistics.picture_scale)],
   alpha: ({ amortization: told }) => [share(told?.alpha), shared(kOperator.work, told, told?.alpha)],
   beta: ({ amortization: told }) => [share(told?.beta), shared(kOperator.memory, told, told?.beta)],
   cores: ({ amortization: told }) => [
@@ -15,6 +15,10 @@ const kTiles = {
   ],
   fit: ({ amortization: told }) => [whole(told?.visitorsFit), room(told)],
 };
+
+function pictures(scale) {
+  return scale > 0 && scale < 1 ? kOperator.fpsSmaller(percent(scale)) : kOperator.fpsNote;
+}
 
 function shared(what, told, value) {
   if (told?.isPrivate) return kOperator.couldBeShared(what);

@@ -5,8 +5,8 @@
 
 namespace grove::stream {
 
-/// Decides what a server or browser that cannot keep up with a stream is spared: frames or pixels, as
-/// many steps at once as are needed, and less again, a step at a time, when it has time for a while. One thread at a
+/// Decides what a browser that cannot keep up with a stream is spared: frames or pixels, as many steps at once as are
+/// needed, and less again, a step at a time, when it has time for a while. One thread at a
 /// time; times are seconds that do not go back.
 class Relief {
  public:

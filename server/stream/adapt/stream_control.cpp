@@ -40,11 +40,16 @@ constexpr double kTrust = 1.3;
 
 }  // namespace
 
-StreamControl::StreamControl(const EncoderRegistry& encoders, PageLevel page, double framesPerSecond, int width,
-                             int height)
-    : encoders_(encoders), page_(page), serverFramesPerSecond_(framesPerSecond), width_(width), height_(height) {
+StreamControl::StreamControl(const EncoderRegistry& encoders, Governor& governor, PageLevel page,
+                             double framesPerSecond, int width, int height)
+    : encoders_(encoders),
+      page_(page),
+      serverFramesPerSecond_(framesPerSecond),
+      width_(width),
+      height_(height),
+      governed_(governor) {
   // Before the first frame nothing is known that would speak against the wish.
-  policy_.update(0.0, wish(), {.bitsPerSecond = std::numeric_limits<double>::infinity()});
+  policy_.update(0.0, wish(governed_.scale()), {.bitsPerSecond = std::numeric_limits<double>::infinity()});
 }
 
 void StreamControl::resize(int width, int height) {
@@ -91,15 +96,13 @@ double StreamControl::secondsUnacknowledged(double now) const {
   return link_.framesUnderWay() == 0 || limits_.hidden ? 0.0 : now - unacknowledgedSince_;
 }
 
-StreamWish StreamControl::wish() const {
+StreamWish StreamControl::wish(double scale) const {
   StreamWish wish;
-  double scale = 1.0;
-  if (limits_.lines > 0) scale = std::min(1.0, std::max<double>(kMinLines, limits_.lines) / height_);
+  if (limits_.lines > 0) scale = std::min(scale, std::max<double>(kMinLines, limits_.lines) / height_);
   wish.width = static_cast<int>(std::lround(width_ * scale));
   wish.height = static_cast<int>(std::lround(height_ * scale));
   wish.framesPerSecond = serverFramesPerSecond_;
-  if (limits_.framesPerSecond > 0)
-    wish.framesPerSecond = std::min<double>(limits_.framesPerSecond, serverFramesPerSecond_);
+  if (limits_.framesPerSecond > 0) wish.framesPerSecond = std::min(wish.framesPerSecond, 1.0 * limits_.framesPerSecond);
   return wish;
 }
 
@@ -112,10 +115,11 @@ double StreamControl::bitsPerSecond() const { return kUsable * std::min(link_.bi
 
 void StreamControl::plan(double now) {
   if (page_ == PageLevel::kBasic) {
-    policy_.update(now, wish(), {.bitsPerSecond = std::numeric_limits<double>::infinity()});
+    policy_.update(now, wish(1.0), {.bitsPerSecond = std::numeric_limits<double>::infinity()});
     return;
   }
-  policy_.update(now, work_.relieve(wish(), now),
+  const double scale = governed_.update(work_.pace(policy_.plan().framesPerSecond, now), now);
+  policy_.update(now, work_.relieve(wish(scale), now),
                  {.bitsPerSecond = bitsPerSecond(),
                   .bitsPerPixel = quantisers_.complexity(),
                   .framesPerSecond = work_.framesPerSecond(),
@@ -131,7 +135,7 @@ void StreamControl::planCodec(double now) {
       kJpegBitsPerPixel * plan.width * plan.height * std::min(plan.framesPerSecond, work_.framesPerSecond());
   const bool before = codecChoice_.savesWork();
   const bool savesWork = codecChoice_.update(
-      now, {.isWorkScarce = work_.shortOf() == LimitedBy::kMachine,
+      now, {.isWorkScarce = work_.shortOf() == LimitedBy::kMachine || governed_.scale() < 1.0,
             .isBrowserShort = work_.shortOf() == LimitedBy::kBrowser,
             .isStill = now - moved_ > kStillSeconds,
             .isLineScarce = plan.limitedBy == LimitedBy::kLine || work_.shortOf() == LimitedBy::kLine,
@@ -163,6 +167,7 @@ bool StreamControl::mayBegin(double now, int beingMade) {
   const std::lock_guard lock(mutex_);
   if (limits_.hidden) {
     work_.rest();
+    governed_.rest();
     return false;
   }
   link_.look(now);

@@ -8,6 +8,7 @@
 #include "stream/adapt/capture_request.h"
 #include "stream/adapt/codec_choice.h"
 #include "stream/adapt/frame_times.h"
+#include "stream/adapt/governor.h"
 #include "stream/adapt/link_estimator.h"
 #include "stream/adapt/stream_policy.h"
 #include "stream/adapt/work_control.h"
@@ -33,8 +34,9 @@ enum class PageLevel : std::uint8_t {
 /// seconds of pipeline::wallSeconds().
 class StreamControl {
  public:
-  /// `encoders` outlives it.
-  StreamControl(const EncoderRegistry& encoders, PageLevel page, double framesPerSecond, int width, int height);
+  /// `encoders` and `governor` outlive it.
+  StreamControl(const EncoderRegistry& encoders, Governor& governor, PageLevel page, double framesPerSecond, int width,
+                int height);
 
   // What the visitor says.
   void resize(int width, int height);
@@ -93,7 +95,8 @@ class StreamControl {
   [[nodiscard]] Status status() const;
 
  private:
-  [[nodiscard]] StreamWish wish() const;
+  /// What the visitor wants, of `scale` times his window's size.
+  [[nodiscard]] StreamWish wish(double scale) const;
   [[nodiscard]] double bitsPerSecond() const;
   /// That the visitor lets the stream take.
   [[nodiscard]] double wantedBitsPerSecond() const;
@@ -117,6 +120,7 @@ class StreamControl {
   LinkEstimator link_;
   StreamPolicy policy_;
   WorkControl work_;
+  Governor::Stream governed_;
   CodecChoice codecChoice_;
   double moved_ = 0.0;  ///< the camera, last
   FrameTimes times_;

@@ -53,16 +53,10 @@ Quantiser needed(const Rung& rung, const StreamWish& wish, const StreamMeans& me
   return 6.0 * std::log2(std::max(1e-9, means.bitsPerPixel * pixels / bits));
 }
 
-/// Times more than the machine can draw.
-double overload(const Rung& rung, const StreamWish& wish, const StreamMeans& means) {
-  const double pixels = static_cast<double>(wish.width) * wish.height * rung.scale * rung.scale;
-  return pixels * wish.framesPerSecond * rung.rate / means.pixelsPerSecond;
-}
-
 /// How far beyond what pleases a rung is, in steps of the quantiser; negative: within.
 double excess(const Rung& rung, const StreamWish& wish, const StreamMeans& means, double share) {
   const double bound = means.finest + share * (means.coarsest - means.finest);
-  return std::max(needed(rung, wish, means) - bound, 6.0 * std::log2(std::max(1e-9, overload(rung, wish, means))));
+  return needed(rung, wish, means) - bound;
 }
 
 }  // namespace
@@ -85,9 +79,6 @@ void StreamPolicy::step(double now, const StreamWish& wish, const StreamMeans& m
     if (tightSince_ < 0.0) tightSince_ = now;
     const bool isCertain = means.isTried && beyond >= kMuchTooTight;
     if (!isCertain && now - tightSince_ < (means.isTried ? kTightSeconds : kUntriedSeconds)) return;
-    limit_ = needed(kLadder[rung_], wish, means) > means.finest && overload(kLadder[rung_], wish, means) <= 1.0
-                 ? LimitedBy::kLine
-                 : LimitedBy::kMachine;
     while (rung_ + 1 < kLadder.size() && excess(kLadder[rung_], wish, means, kTight) > 0.0) ++rung_;
     tightSince_ = -1.0;
     return;
@@ -109,7 +100,7 @@ const StreamPlan& StreamPolicy::update(double now, const StreamWish& wish, const
   const auto scaled = [&](int side) { return static_cast<std::uint32_t>(std::lround(side * rung.scale)); };
   std::tie(plan_.width, plan_.height) = fitSize(scaled(wish.width), scaled(wish.height));
   plan_.framesPerSecond = std::max(1.0, wish.framesPerSecond * rung.rate);
-  plan_.limitedBy = rung_ == 0 ? LimitedBy::kNothing : limit_;
+  plan_.limitedBy = rung_ == 0 ? LimitedBy::kNothing : LimitedBy::kLine;
   return plan_;
 }
 

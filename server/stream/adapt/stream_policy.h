@@ -19,8 +19,6 @@ struct StreamWish {
 /// What it has to do with.
 struct StreamMeans {
   double bitsPerSecond = 3e6;  ///< that pictures may take
-  /// That the machine can draw and encode for this visitor; infinite where that is not what is scarce.
-  double pixelsPerSecond = std::numeric_limits<double>::infinity();
   /// Of an ordinary picture at quantiser 0, as QuantiserControl has it.
   double bitsPerPixel = 4.0;
   /// That server and browser manage at most, however good the line is.
@@ -41,7 +39,7 @@ struct StreamPlan {
 
 /// Decides size and rate of a visitor's pictures. The quantiser gives way first, which is not decided here: only when
 /// it would have to be coarser than pleases, pictures become smaller, then fewer, and again; and all of it comes back
-/// when there is room for a while. The line and the machine are two bounds of the same decision. One thread at a time.
+/// when there is room for a while. One thread at a time.
 class StreamPolicy {
  public:
   /// At `now`, seconds. To be asked a few times a second at least.
@@ -54,7 +52,6 @@ class StreamPolicy {
   std::size_t rung_ = 0;
   double tightSince_ = -1.0;  ///< negative: it is not
   double roomySince_ = -1.0;
-  LimitedBy limit_ = LimitedBy::kNothing;
   StreamPlan plan_;
 };
 

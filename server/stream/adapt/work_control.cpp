@@ -18,31 +18,31 @@ constexpr double kNearRoundTrip = 0.020;
 /// Server and browser may manage this much more than they did.
 constexpr double kGrowth = 1.25;
 constexpr double kShareOfLine = 0.15;
+constexpr double kShareOfOthers = 0.15;
 constexpr double kJudgedEvery = 0.5;
 /// A browser that cannot keep up shows fewer frames first, evenly spaced.
 constexpr std::array<Relief::Share, 5> kBrowserSteps = {
     {{1.0, 1.0}, {2.0 / 3.0, 1.0}, {2.0 / 3.0, 0.85}, {2.0 / 3.0, 2.0 / 3.0}, {0.5, 0.5}}};
 constexpr double kTooFewForBrowser = 0.7;
-/// What a full server draws is spread over more frames by drawing fewer pixels; it makes as many as it can anyway.
-constexpr std::array<Relief::Share, 3> kServerSteps = {{{1.0, 1.0}, {1.0, 0.85}, {1.0, 2.0 / 3.0}}};
-/// Of 30 frames a second: a server that makes a dozen is not yet spared.
-constexpr double kTooFewForServer = 0.4;
+/// More frames a second are welcome, but worth no smaller pictures.
 constexpr double kUsualFramesPerSecond = 30.0;
 
 }  // namespace
 
-WorkControl::WorkControl() : browser_(kBrowserSteps, kTooFewForBrowser), server_(kServerSteps, kTooFewForServer) {}
-
-LimitedBy WorkControl::relieved() const noexcept {
-  if (browser_.isGiven()) return LimitedBy::kBrowser;
-  return server_.isGiven() ? LimitedBy::kMachine : LimitedBy::kNothing;
-}
+WorkControl::WorkControl() : browser_(kBrowserSteps, kTooFewForBrowser) {}
 
 void WorkControl::held(double seconds) { held_ += kHoldCalming * (seconds - held_); }
 
 void WorkControl::waitsForPage(const LinkEstimator& link, double now) {
   const bool isNear = link.isApplicationLimited() && link.roundTrip() < kNearRoundTrip;
   shortage_.blocked(held_ > kBusyHold || isNear ? LimitedBy::kBrowser : LimitedBy::kLine, now);
+}
+
+std::optional<Governor::Pace> WorkControl::pace(double wanted, double now) const {
+  const double achieved = shortage_.framesPerSecond();
+  const double others = shortage_.share(LimitedBy::kLine, now) + shortage_.share(LimitedBy::kBrowser, now);
+  if (achieved <= 0.0 || others >= kShareOfOthers) return std::nullopt;
+  return Governor::Pace{std::min(wanted, kUsualFramesPerSecond), achieved, shortage_.share(LimitedBy::kMachine, now)};
 }
 
 StreamWish WorkControl::relieve(StreamWish wish, double now) {
@@ -55,12 +55,9 @@ StreamWish WorkControl::relieve(StreamWish wish, double now) {
   framesPerSecond_ = isKnown ? kGrowth * achieved + 1.0 : std::numeric_limits<double>::infinity();
   const Relief::Share& browser =
       browser_.update(now, shortage_.share(LimitedBy::kBrowser, now), achieved, wish.framesPerSecond);
-  const Relief::Share& server = server_.update(now, shortage_.share(LimitedBy::kMachine, now), achieved,
-                                               std::min(wish.framesPerSecond, kUsualFramesPerSecond));
-  const double scale = std::min(browser.scale, server.scale);
-  wish.framesPerSecond *= std::min(browser.rate, server.rate);
-  wish.width = static_cast<int>(std::lround(wish.width * scale));
-  wish.height = static_cast<int>(std::lround(wish.height * scale));
+  wish.framesPerSecond *= browser.rate;
+  wish.width = static_cast<int>(std::lround(wish.width * browser.scale));
+  wish.height = static_cast<int>(std::lround(wish.height * browser.scale));
   return wish;
 }
 

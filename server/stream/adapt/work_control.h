@@ -1,7 +1,9 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 
+#include "stream/adapt/governor.h"
 #include "stream/adapt/relief.h"
 #include "stream/adapt/shortage.h"
 #include "stream/adapt/stream_policy.h"
@@ -26,19 +28,19 @@ class WorkControl {
   double begins(double now) { return shortage_.began(now); }
   void rest() { shortage_.rest(); }
 
-  /// What remains of a wish with what server and browser are spared. To be asked a few times a second at least.
+  /// How the machine keeps up with `wanted` frames a second; nothing if line or browser keep frames back, too.
+  [[nodiscard]] std::optional<Governor::Pace> pace(double wanted, double now) const;
+  /// What remains of a wish with what the browser is spared. To be asked a few times a second at least.
   [[nodiscard]] StreamWish relieve(StreamWish wish, double now);
   /// Frames a second that server and browser manage at most; infinite where the line is what limits them.
   [[nodiscard]] double framesPerSecond() const noexcept { return framesPerSecond_; }
   /// Who is short, as judged twice a second; so it does not flicker.
   [[nodiscard]] LimitedBy shortOf() const noexcept { return shortOf_; }
-  /// Who is spared something, or nothing.
-  [[nodiscard]] LimitedBy relieved() const noexcept;
+  [[nodiscard]] bool sparesBrowser() const noexcept { return browser_.isGiven(); }
 
  private:
   Shortage shortage_;
   Relief browser_;
-  Relief server_;
   double held_ = 0.0;  ///< usually; seconds
   double framesPerSecond_ = std::numeric_limits<double>::infinity();
   LimitedBy shortOf_ = LimitedBy::kNothing;

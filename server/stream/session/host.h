@@ -22,6 +22,7 @@
 #include "pipeline/timeline.h"
 #include "pipeline/worker_pool.h"
 #include "raster/image.h"
+#include "stream/adapt/governor.h"
 #include "stream/encode/encoder_registry.h"
 #include "stream/protocol/protocol.h"
 #include "stream/session/entry_budget.h"
@@ -118,6 +119,9 @@ class Host {
   [[nodiscard]] pipeline::Executor& workers() noexcept { return workers_; }
   [[nodiscard]] const HostOptions& options() const noexcept { return options_; }
   [[nodiscard]] const EncoderRegistry& encoders() const noexcept { return encoders_; }
+  /// Of all visitors' pictures.
+  [[nodiscard]] Governor& governor() noexcept { return governor_; }
+  [[nodiscard]] const Governor& governor() const noexcept { return governor_; }
 
  private:
   friend class Session;
@@ -162,6 +166,7 @@ class Host {
   EntryBudget entries_;
   const std::shared_ptr<FrameGate> gate_;  ///< sessions that end may hold it last
   pipeline::WorkerPool workers_;
+  Governor governor_{[this] { return workers_.busyShare(); }};
   const std::unique_ptr<node::WorldNodes> nodes_;
   const std::shared_ptr<world::Players> players_;
   std::shared_ptr<WorldInstance> shared_;  ///< null in private mode

@@ -27,8 +27,8 @@ Session::Session(Host& host, node::SessionId id, world::PlayerId player, int wid
       player_(player),
       sink_(std::move(sink)),
       terms_(std::move(terms)),
-      control_(std::make_shared<StreamControl>(host.encoders(), terms_.page, host.options().framesPerSecond, width,
-                                               height)) {
+      control_(std::make_shared<StreamControl>(host.encoders(), host.governor(), terms_.page,
+                                               host.options().framesPerSecond, width, height)) {
   if (terms_.offer) control_->offer(terms_.offer->codecs);
   if (terms_.limits) limit(*terms_.limits);
 }

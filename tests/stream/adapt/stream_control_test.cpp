@@ -15,7 +15,7 @@ constexpr QuantiserRange kRange{.finest = 20.0, .usual = 25.0, .coarsest = 40.0}
 /// A visitor whose page decodes all there is, on a line that is always good.
 class Led {
  public:
-  Led() : encoders_(builtinEncoders(75)), control_(encoders_, PageLevel::kTimed, 30.0, 1280, 720) {
+  Led() : encoders_(builtinEncoders(75)), control_(encoders_, governor_, PageLevel::kTimed, 30.0, 1280, 720) {
     control_.offer({kCodecH264, kCodecJpeg});
   }
 
@@ -76,6 +76,7 @@ class Led {
   }
 
   const EncoderRegistry encoders_;
+  Governor governor_{[] { return 1.0; }};
   StreamControl control_;
   Delays delays_;
   std::deque<Report> reports_;
@@ -200,8 +201,8 @@ TEST(StreamControl, NamesWhoIsShort) {
   EXPECT_EQ(limitedAfter({.server = 0.010, .line = 0.001, .page = 0.090}), LimitedBy::kBrowser);
 }
 
-// Faults: pictures that get smaller for a server that still makes a fair number, or before they get fewer for a busy
-// browser; a full server that goes on drawing whole pictures, a few a second.
+// Faults: pictures that get smaller before they get fewer for a busy browser; a full server that loses frames and goes
+// on drawing whole pictures, or names somebody else as the reason.
 TEST(StreamControl, SparesABusyBrowserFramesAndAFullServerPixels) {
   Led led;
   led.delay({.line = 0.001, .page = 0.060});
@@ -209,12 +210,11 @@ TEST(StreamControl, SparesABusyBrowserFramesAndAFullServerPixels) {
   EXPECT_EQ(led.control().framesPerSecond(), 20.0);
   EXPECT_EQ(led.control().status().height, 720);
   Led other;
-  other.delay({.server = 0.030});
+  other.delay({.server = 0.001});
   for (double end = other.now() + 20.0; other.now() < end;) (void)other.frame(18'000);
   EXPECT_EQ(other.control().status().height, 720);
-  EXPECT_EQ(other.control().framesPerSecond(), 30.0);
-  other.delay({.server = 0.120});
-  for (double end = other.now() + 20.0; other.now() < end;) (void)other.frame(18'000);
+  other.delay({.server = 0.020});
+  for (double end = other.now() + 1.6; other.now() < end;) (void)other.frame(18'000);
   EXPECT_EQ(other.control().status().height, 480);
   EXPECT_EQ(other.control().framesPerSecond(), 30.0);
   EXPECT_EQ(other.control().status().limitedBy, LimitedBy::kMachine);
@@ -229,7 +229,6 @@ TEST(StreamControl, TakesTheCodecThatSavesWorkWhereWorkIsScarce) {
     led.delay({.server = 0.030, .line = 0.001});
     for (int i = 0; i < 300; ++i) (void)led.frame(led.control().kind().codec == kCodecJpeg ? 110'000 : 18'000);
     EXPECT_EQ(led.control().kind().codec, insists ? kCodecH264 : kCodecJpeg);
-    EXPECT_EQ(led.control().status().height, 720);
   }
 }
 

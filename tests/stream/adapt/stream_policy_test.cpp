@@ -103,21 +103,6 @@ TEST(StreamPolicy, DoesNotOscillate) {
   }
 }
 
-// Faults: a machine that is too slow and is not spared; its limit told as the line's.
-TEST(StreamPolicy, TakesTheMachineForASecondBound) {
-  StreamPolicy policy;
-  StreamMeans means = line(20e6);
-  const double whole = 1280.0 * 720.0 * 30.0;
-  means.pixelsPerSecond = 1.1 * whole;
-  EXPECT_EQ(steps(policy, 0.0, 3.0, means).back().limitedBy, LimitedBy::kNothing);
-  means.pixelsPerSecond = 0.5 * whole;
-  const StreamPlan plan = steps(policy, 3.0, 3.0, means).back();
-  EXPECT_LE(plan.width * plan.height * plan.framesPerSecond, means.pixelsPerSecond);
-  EXPECT_EQ(plan.limitedBy, LimitedBy::kMachine);
-  means.pixelsPerSecond = 4.0 * whole;
-  EXPECT_EQ(steps(policy, 6.0, 30.0, means).back(), (StreamPlan{1280, 720, 30.0, LimitedBy::kNothing}));
-}
-
 // Fault: a picture that is made larger than the visitor's window, or keeps its size when he changes it.
 TEST(StreamPolicy, ObeysTheVisitor) {
   StreamPolicy policy;

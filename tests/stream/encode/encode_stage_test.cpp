@@ -31,13 +31,14 @@ TEST(EncodeStage, MakesAFrameMessageOfAFrame) {
   view.players.resize(2);
 
   const EncoderRegistry encoders = builtinEncoders(80);
+  Governor governor([] { return 0.0; });
   pipeline::Timeline timeline;
   pipeline::MemoryLedger memory;
   std::promise<std::shared_ptr<const EncodedFrame>> promise;
   auto future = promise.get_future();
   pipeline::WorkerPool workers(1);
   const auto stage = std::make_shared<EncodeStage>(
-      std::make_shared<StreamControl>(encoders, PageLevel::kBasic, 30.0, 200, 120), PageLevel::kBasic,
+      std::make_shared<StreamControl>(encoders, governor, PageLevel::kBasic, 30.0, 200, 120), PageLevel::kBasic,
       std::vector<world::Vec3>{},
       EncodeStage::Outputs{
           .frame = [&](std::shared_ptr<const EncodedFrame> frame) { promise.set_value(std::move(frame)); }},
@@ -88,7 +89,7 @@ class Stream {
  public:
   explicit Stream(EncoderRegistry encoders = builtinEncoders(80), PageLevel page = PageLevel::kTimed)
       : encoders_(std::move(encoders)),
-        control_(std::make_shared<StreamControl>(encoders_, page, 30.0, 320, 180)),
+        control_(std::make_shared<StreamControl>(encoders_, governor_, page, 30.0, 320, 180)),
         stage_(std::make_shared<EncodeStage>(
             control_, page, std::vector<world::Vec3>{{0, 1.7F, 3}, {0, 1.7F, -30}},
             EncodeStage::Outputs{
@@ -144,6 +145,7 @@ class Stream {
   }
 
   const EncoderRegistry encoders_;
+  Governor governor_{[] { return 0.0; }};
   pipeline::Timeline timeline_;
   pipeline::MemoryLedger memory_;
   std::vector<std::shared_ptr<const EncodedFrame>> sent_;

@@ -1,9 +1,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <functional>
+#include <semaphore>
+#include <stop_token>
 #include <thread>
+#include <vector>
 
 #include "pipeline/clocks.h"
 #include "stream/web_server/served_world.h"
@@ -210,6 +214,55 @@ TEST_F(VideoTest, LimitsAreKept) {
   page.say(Limits{});
   ASSERT_TRUE(page.listenUntil(
       [](const VideoPage::Heard& heard) { return !heard.pictures.empty() && heard.pictures.back().height == 360; }));
+}
+
+/// Takes most of a host's processors.
+class OtherWork {
+ public:
+  explicit OtherWork(Host& host) {
+    for (int i = 0; i < host.workers().width(); ++i) {
+      threads_.emplace_back([&workers = host.workers()](const std::stop_token& stop) {
+        while (!stop.stop_requested()) {
+          std::binary_semaphore done(0);
+          workers.post([&] {
+            for (const double end = pipeline::wallSeconds() + 0.100; pipeline::wallSeconds() < end;) {
+            }
+            done.release();
+          });
+          done.acquire();
+          std::this_thread::sleep_for(5ms);
+        }
+      });
+    }
+  }
+
+ private:
+  std::vector<std::jthread> threads_;
+};
+
+// Faults: a busy machine whose visitors lose frames and keep their size; one visitor who pays for the other; a machine
+// that is taken for a slow line; pictures that stay small when the machine has time again.
+TEST_F(VideoTest, ABusyMachineShrinksEverybodysPicturesUntilItHasTime) {
+  VideoPage first(port(), {kCodecJpeg});
+  VideoPage second(port(), {kCodecJpeg});
+  const auto bothUntil = [&](const std::function<bool(const Status&)>& holds) {
+    const auto enough = [&](const VideoPage::Heard& heard) {
+      return !heard.statuses.empty() && holds(heard.statuses.back());
+    };
+    bool secondHeard = false;
+    std::jthread other([&] { secondHeard = second.listenUntil(enough); });
+    const bool firstHeard = first.listenUntil(enough);
+    other.join();
+    return firstHeard && secondHeard;
+  };
+  {
+    const OtherWork work(host_);
+    EXPECT_TRUE(bothUntil([](const Status& status) {
+      EXPECT_NE(status.limitedBy, LimitedBy::kLine);
+      return status.height == 180 && status.limitedBy == LimitedBy::kMachine;
+    }));
+  }
+  EXPECT_TRUE(bothUntil([](const Status& status) { return status.height > 180; }));
 }
 
 TEST_F(VideoTest, MessagesOfVideoAreRefusedFromOlderPages) {

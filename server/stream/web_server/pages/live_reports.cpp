@@ -28,7 +28,8 @@ StatisticsSources sourcesOf(const Host& host) {
           .joined = host.joined(),
           .nodes = host.nodeLinks(),
           .quality = host.quality(),
-          .raisesQuality = host.options().raiseQuality};
+          .raisesQuality = host.options().raiseQuality,
+          .pictureScale = host.governor().scale()};
 }
 
 std::string statistics(const Host& host) { return statisticsJson(sourcesOf(host)); }

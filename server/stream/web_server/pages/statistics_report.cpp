@@ -179,6 +179,7 @@ std::string statisticsJson(const StatisticsSources& sources) {
               {"counters", counters(sources.timeline)},
               {"quality",
                {{"step", sources.quality}, {"steps", measure::kQualitySteps}, {"automatic", sources.raisesQuality}}},
+              {"picture_scale", sources.pictureScale},
               {"memory", memory(sources.memory.totals(), measure::residentBytes())},
               {"amortization", amortization(sources.meter)}}
              .dump() +

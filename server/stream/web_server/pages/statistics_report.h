@@ -25,6 +25,7 @@ struct StatisticsSources {
   std::vector<node::NodeRouter::NodeLink> nodes = {};  ///< empty if this process serves all objects
   int quality = 0;                                     ///< see Host::quality()
   bool raisesQuality = false;
+  double pictureScale = 1.0;  ///< see Governor::scale()
 };
 
 /// What `/statistics.json` answers. The server's version. The world: `state` ("own", or how the server stands with its
@@ -35,8 +36,9 @@ struct StatisticsSources {
 /// a node within this process, or one that is away). A pace is of the last five seconds, null without a link to another
 /// process: bytes a second each way, and the shortest round trip. Since the start: for each stage its work
 /// (across-user, per-user-backend or per-user-frontend), runs, failures and milliseconds of CPU and wall time, and the
-/// named counters. Of now: the bytes that are held and by what. Of the last seconds: `amortization`, what sharing saves
-/// (null if nobody was served).
+/// named counters. Of now: `picture_scale`, the share of the wanted width and height that a busy machine gives each
+/// visitor; the bytes that are held and by what. Of the last seconds: `amortization`, what sharing saves (null if
+/// nobody was served).
 [[nodiscard]] std::string statisticsJson(const StatisticsSources& sources);
 
 /// What `/sharing.json` answers: of that only what sharing saves, for the overlay of every visitor.
