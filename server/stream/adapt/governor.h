@@ -52,7 +52,7 @@ class Governor {
 
  private:
   void assess(double now);
-  void shrink(double now, double achieved, double wanted);
+  void shrink(double now);
   void growIfThereIsRoom(double now);
 
   const BusyShare busyShare_;

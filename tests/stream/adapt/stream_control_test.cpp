@@ -214,7 +214,7 @@ TEST(StreamControl, SparesABusyBrowserFramesAndAFullServerPixels) {
   for (double end = other.now() + 20.0; other.now() < end;) (void)other.frame(18'000);
   EXPECT_EQ(other.control().status().height, 720);
   other.delay({.server = 0.020});
-  for (double end = other.now() + 1.6; other.now() < end;) (void)other.frame(18'000);
+  for (double end = other.now() + 3.2; other.now() < end;) (void)other.frame(18'000);
   EXPECT_EQ(other.control().status().height, 480);
   EXPECT_EQ(other.control().framesPerSecond(), 30.0);
   EXPECT_EQ(other.control().status().limitedBy, LimitedBy::kMachine);
