@@ -1,9 +1,11 @@
 #include "cli/load.h"
 
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "base/log.h"
 #include "cli/figures.h"
@@ -12,6 +14,19 @@
 
 namespace grove::cli {
 namespace {
+
+using stream::LimitedBy;
+
+constexpr std::array<std::pair<LimitedBy, const char*>, 5> kLimits = {{{LimitedBy::kNothing, "nothing"},
+                                                                       {LimitedBy::kLine, "line"},
+                                                                       {LimitedBy::kMachine, "machine"},
+                                                                       {LimitedBy::kVisitor, "visitor"},
+                                                                       {LimitedBy::kBrowser, "browser"}}};
+
+double limitedShare(const stream::LoadReport& report, LimitedBy limit) {
+  const auto found = report.limitedShare.find(limit);
+  return found == report.limitedShare.end() ? 0.0 : found->second;
+}
 
 void printJson(const stream::LoadReport& report, const LoadOptions& options) {
   nlohmann::ordered_json document = {
@@ -30,6 +45,7 @@ void printJson(const stream::LoadReport& report, const LoadOptions& options) {
       {"lines", {{"min", report.linesMin}, {"p50", report.linesP50}}},
       {"longest_gap_ms", rounded(report.longestGapMilliseconds, 2)},
   };
+  for (const auto& [limit, name] : kLimits) document["limited_by"][name] = rounded(limitedShare(report, limit), 3);
   if (options.shape) document["shape"] = *options.shape;
   std::printf("%s\n", document.dump().c_str());
 }
@@ -45,6 +61,8 @@ void printTable(const stream::LoadReport& report, const LoadOptions& options) {
   std::printf("longest gap     %8.1f (ms)\n", report.longestGapMilliseconds);
   std::printf("codec           %8s\n", report.codec.c_str());
   std::printf("lines           %8d least  %8d median\n", report.linesMin, report.linesP50);
+  std::printf("limited by      %7.0f%% line   %7.0f%% machine (of the time)\n",
+              100.0 * limitedShare(report, LimitedBy::kLine), 100.0 * limitedShare(report, LimitedBy::kMachine));
   std::printf("Mbit/s          %8.1f\n", report.mbitPerSecond);
   std::printf("dropped frames  %8llu\n", static_cast<unsigned long long>(report.dropped));
   std::printf("errors          %8zu\n", report.errors.size());

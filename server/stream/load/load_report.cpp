@@ -54,6 +54,9 @@ LoadReport summarise(const std::vector<VisitorStatistics>& letIn, double seconds
     report.longestGapMilliseconds = std::max(report.longestGapMilliseconds, visitor.longestGapSeconds * 1e3);
     bytes += visitor.bytes;
     fps.push_back(static_cast<float>(static_cast<double>(visitor.frames) / seconds));
+    for (const auto& [limit, limited] : visitor.limitedSeconds) {
+      report.limitedShare[limit] += limited / (seconds * static_cast<double>(letIn.size()));
+    }
     latency.insert(latency.end(), visitor.latencyMilliseconds.begin(), visitor.latencyMilliseconds.end());
     report.errors.insert(report.errors.end(), visitor.errors.begin(), visitor.errors.end());
   }

@@ -8,6 +8,8 @@
 #include <tuple>
 #include <vector>
 
+#include "stream/protocol/protocol.h"
+
 namespace grove::stream {
 
 /// What kind of picture is on a visitor's screen.
@@ -31,6 +33,7 @@ struct VisitorStatistics {
   /// obeys an input of which it was not known before, for where nothing changes no pictures are sent.
   double longestGapSeconds = 0.0;
   std::map<ShownPicture, std::uint64_t> shown;  ///< how many pictures of each kind came
+  std::map<LimitedBy, double> limitedSeconds;   ///< for how long the server named each limit, seconds
   std::optional<ShownPicture> screenAtFirst;    ///< what was there when counting began
   std::vector<std::string> errors;
 };
@@ -50,7 +53,8 @@ struct LoadReport {
   std::string codec = "jpeg";  ///< of most pictures: "jpeg" or "h264"
   int linesMin = 0;            ///< height of the pictures; of those that were there at first where no others came
   int linesP50 = 0;
-  double longestGapMilliseconds = 0.0;  ///< of any visitor, see VisitorStatistics
+  double longestGapMilliseconds = 0.0;       ///< of any visitor, see VisitorStatistics
+  std::map<LimitedBy, double> limitedShare;  ///< of all visitors' time, that the server named each limit
   std::vector<std::string> errors;
 };
 

@@ -47,9 +47,13 @@ void LoadVisitor::beginCounting(double now) {
   statistics_.errors = std::move(errors);
   statistics_.screenAtFirst = screen_;
   lived_ = now;
+  limitedSince_ = now;
 }
 
-void LoadVisitor::endCounting(double now) { lives(now); }
+void LoadVisitor::endCounting(double now) {
+  lives(now);
+  isLimitedBy(limit_, now);
+}
 
 void LoadVisitor::take(const Welcome& welcome) {
   welcome_ = welcome;
@@ -99,6 +103,7 @@ void LoadVisitor::takeStatus(const Status& status, double now) {
     fail("a status tells of input " + std::to_string(status.lastInput) + ", which was not sent");
     return;
   }
+  isLimitedBy(status.limitedBy, now);
   if (status.lastInput <= lastInputShown_) return;
   showsInput(status.lastInput, now);
   lives(now);
@@ -107,6 +112,11 @@ void LoadVisitor::takeStatus(const Status& status, double now) {
 void LoadVisitor::showsInput(std::uint32_t input, double now) {
   lastInputShown_ = std::max(lastInputShown_, input);
   latency_.shown(input, now, statistics_.latencyMilliseconds);
+}
+
+void LoadVisitor::isLimitedBy(LimitedBy limit, double now) {
+  statistics_.limitedSeconds[limit_] += now - std::exchange(limitedSince_, now);
+  limit_ = limit;
 }
 
 void LoadVisitor::lives(double now) {

@@ -56,6 +56,8 @@ class LoadVisitor {
   /// The screen shows that the server knows this input.
   void showsInput(std::uint32_t input, double now);
   void lives(double now);
+  /// From now on the server names this limit.
+  void isLimitedBy(LimitedBy limit, double now);
 
   const int index_;
   const LoadPlan& plan_;
@@ -75,6 +77,8 @@ class LoadVisitor {
   std::uint32_t lastInputShown_ = 0;
   std::optional<ShownPicture> screen_;
   double lived_ = 0.0;
+  LimitedBy limit_ = LimitedBy::kNothing;
+  double limitedSince_ = 0.0;
   VisitorStatistics statistics_;
 };
 

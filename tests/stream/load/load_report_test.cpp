@@ -24,6 +24,8 @@ TEST(LoadReport, PutsVisitorsTogether) {
   bob.longestGapSeconds = 1.5;
   bob.shown = {{{kCodecJpeg, 360}, 100}};
   bob.errors = {"it rains"};
+  ada.limitedSeconds = {{LimitedBy::kNothing, 6.0}, {LimitedBy::kLine, 4.0}};
+  bob.limitedSeconds = {{LimitedBy::kMachine, 10.0}};
 
   const LoadReport report = summarise({ada, bob}, 10.0, {"nobody there"});
   EXPECT_EQ(report.sessions, 2);
@@ -35,6 +37,9 @@ TEST(LoadReport, PutsVisitorsTogether) {
   EXPECT_EQ(report.latencyP99Milliseconds, 198.0);
   EXPECT_EQ(report.mbitPerSecond, 1.0);
   EXPECT_EQ(report.dropped, 2U);
+  EXPECT_THAT(report.limitedShare,
+              ElementsAre(testing::Pair(LimitedBy::kNothing, 0.3), testing::Pair(LimitedBy::kLine, 0.2),
+                          testing::Pair(LimitedBy::kMachine, 0.5)));
   EXPECT_EQ(report.codec, "h264");
   EXPECT_EQ(report.linesMin, 360);
   EXPECT_EQ(report.linesP50, 540);
