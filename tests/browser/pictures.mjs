@@ -1,4 +1,4 @@
-// Takes the README's pictures from the real page: `npm run pictures`.
+// Takes the documents' pictures from the real page: `npm run pictures`.
 import { mkdir } from 'node:fs/promises';
 import { fileURLToPath } from 'node:url';
 
