@@ -139,7 +139,7 @@ std::optional<float> viewErrorOf(const ServeOptions& options) {
 
 struct Listeners {
   stream::HostPort visitors;
-  stream::HostPort desk;  ///< of the operator
+  stream::HostPort operatorAddress;  ///< of the operator
 };
 
 /// Nothing, and a line on stderr, if they cannot be listened at.
@@ -203,7 +203,7 @@ void serveUntilStopped(StopOnSignal& stop, stream::TlsStore* tls) {
 int runServe(const ServeOptions& options) {
   const auto listeners = listenersOf(options);
   if (!listeners) return 2;
-  const auto& [visitors, desk] = *listeners;
+  const auto& [visitors, operatorAddress] = *listeners;
   const auto rules = entranceRules(options);
   if (!rules || !areAddresses(options.nodes)) return 2;
   if (!isAddress("--join", options.join) || !isAddress("--share", options.share)) return 2;
@@ -225,7 +225,7 @@ int runServe(const ServeOptions& options) {
   std::optional<WorldPreparation> world;
   std::optional<stream::Host> host;
   stream::WebsocketServer server(
-      {.visitors = visitors, .operators = desk, .rules = *rules, .tls = tls, .hsts = options.hsts});
+      {.visitors = visitors, .operators = operatorAddress, .rules = *rules, .tls = tls, .hsts = options.hsts});
   server.start();
   const std::string address = urlOf({visitors.host, server.port()}, tls != nullptr);
   WaitingRoom waiting(server, address);
@@ -264,8 +264,9 @@ int runServe(const ServeOptions& options) {
   if (!world->coarse().empty()) {
     refiner.emplace(std::move(world->coarse()), [&](const stream::Refining& refining) { host->report(refining); });
   }
-  const bool secureDesk = server.isSecure(stream::Audience::kOperator);
-  std::printf("operator's page at %s/operator\n", urlOf({desk.host, server.operatorPort()}, secureDesk).c_str());
+  const bool operatorUsesTls = server.isSecure(stream::Audience::kOperator);
+  std::printf("operator's page at %s/operator\n",
+              urlOf({operatorAddress.host, server.operatorPort()}, operatorUsesTls).c_str());
   std::printf("listening on %s\n", address.c_str());
   std::fflush(stdout);
   serveUntilStopped(stop, tls.get());

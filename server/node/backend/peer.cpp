@@ -51,7 +51,7 @@ bool Peer::takeTrace(double now) {
 
 void Peer::hearClock(double theirs) {
   const std::lock_guard lock(mutex_);
-  clock_.hear(theirs, pipeline::wallSeconds());
+  clock_.addReport(theirs, pipeline::wallSeconds());
 }
 
 void Peer::begin(const View& view) {

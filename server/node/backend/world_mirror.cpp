@@ -16,7 +16,7 @@ bool WorldMirror::apply(ProcessId from, std::shared_ptr<const WorldUpdate> updat
     if (newest_->number - update->number < kLate) return true;  // unsigned: of a higher one the difference is huge
     newest_ = std::move(update);
     ++count_;
-    clock_.hear(newest_->clock, pipeline::wallSeconds());
+    clock_.addReport(newest_->clock, pipeline::wallSeconds());
     if (!newest_->gusts.empty()) past_.push_back({count_, newest_->gusts});
     if (past_.size() > kKept) past_.erase(past_.begin());
     std::erase_if(wakes_, [](const auto& wake) { return wake.expired(); });

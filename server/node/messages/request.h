@@ -27,7 +27,8 @@ struct Request {
   world::Rect
       rect;  ///< of a picture: the pixels that are wanted; in pixels of the camera unless the key says otherwise
   float distance = 0.0F;  ///< metres from the eye to the farthest corner of the object's bounds
-  /// How wrong what the visitor would see without an answer is, in times of what is permitted; infinite: nothing.
+  /// Reprojection error of what the visitor sees without an answer, relative to the permitted one; infinite: the
+  /// visitor would see nothing.
   float urgency = std::numeric_limits<float>::infinity();
   /// Of shared data: the version that the process has, to which the answer may come as a difference; 0: none, and
   /// where the answer goes by reference.

@@ -5,7 +5,7 @@
 
 namespace grove::node {
 
-void PeerClock::hear(double theirs, double ours) {
+void PeerClock::addReport(double theirs, double ours) {
   const double ahead = theirs - ours;
   if (!ahead_.empty() && std::abs(ahead - offset_) > kJump) {
     const bool isAgain = doubted_ && std::abs(ahead - *doubted_) <= kJump;

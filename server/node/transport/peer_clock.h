@@ -11,7 +11,7 @@ namespace grove::node {
 class PeerClock {
  public:
   /// It reported `theirs`, which came when the clock here showed `ours`.
-  void hear(double theirs, double ours);
+  void addReport(double theirs, double ours);
 
   /// What it shows while the clock here shows `ours`; nothing if it reported nothing yet.
   [[nodiscard]] std::optional<double> at(double ours) const;

@@ -6,7 +6,7 @@ namespace grove::node {
 
 void ReportedNode::heard(NodeReport report, double now) {
   const std::lock_guard lock(mutex_);
-  clock_.hear(report.sent, now);
+  clock_.addReport(report.sent, now);
   report_ = std::move(report);
 }
 

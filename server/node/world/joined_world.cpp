@@ -85,7 +85,7 @@ void JoinedWorld::show(const WorldUpdate& update) {
   const std::lock_guard lock(mutex_);
   status_ = {State::kJoined, {}};
   heard_ = now;
-  clock_.hear(update.clock, now);
+  clock_.addReport(update.clock, now);
   std::vector<world::Player> others;
   std::ranges::copy_if(update.players, std::back_inserter(others),
                        [this](const world::Player& player) { return isOthers(player.id); });

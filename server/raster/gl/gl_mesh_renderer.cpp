@@ -44,9 +44,9 @@ world::Mat4 clipMatrix(const world::Camera& camera, const world::Rect& rect) {
 }  // namespace
 
 /// One worker's program, buffers and atlases.
-class GlMeshRenderer::Bench {
+class GlMeshRenderer::Target {
  public:
-  Bench(const gl::Workers::Local& local, const MeshMemory& memory)
+  Target(const gl::Workers::Local& local, const MeshMemory& memory)
       : api_(local.api),
         program_(local.api, local.shaders.load("mesh/mesh.vert"), local.shaders.load("mesh/mesh.frag")),
         toClip_(program_.uniform("toClip")),
@@ -178,16 +178,16 @@ class GlMeshRenderer::Bench {
 };
 
 GlMeshRenderer::GlMeshRenderer(gl::Workers& workers, ImagePool& images, const MeshMemory& memory)
-    : workers_(workers), images_(images), memory_(memory), benches_(static_cast<std::size_t>(workers.width())) {}
+    : workers_(workers), images_(images), memory_(memory), targets_(static_cast<std::size_t>(workers.width())) {}
 
 GlMeshRenderer::~GlMeshRenderer() {
-  workers_.runOnEach([this](gl::Workers::Local& local) { benches_[static_cast<std::size_t>(local.index)].reset(); });
+  workers_.runOnEach([this](gl::Workers::Local& local) { targets_[static_cast<std::size_t>(local.index)].reset(); });
 }
 
 void GlMeshRenderer::render(std::span<const Drawing> drawings, std::span<std::shared_ptr<Image>> images) {
   const gl::Workers::Local& local = gl::Workers::local();
-  std::unique_ptr<Bench>& bench = benches_[static_cast<std::size_t>(local.index)];
-  if (!bench) bench = std::make_unique<Bench>(local, memory_);
+  std::unique_ptr<Target>& target = targets_[static_cast<std::size_t>(local.index)];
+  if (!target) target = std::make_unique<Target>(local, memory_);
   std::vector<std::size_t> order;
   for (std::size_t i = 0; i < drawings.size(); ++i) {
     if (!drawings[i].rect.empty()) order.push_back(i);
@@ -195,7 +195,7 @@ void GlMeshRenderer::render(std::span<const Drawing> drawings, std::span<std::sh
   std::ranges::sort(
       order, [&](std::size_t a, std::size_t b) { return drawings[a].rect.height() > drawings[b].rect.height(); });
   for (std::size_t next = 0; next < order.size();)
-    next = bench->renderSome(drawings, order, next, texture_, images_, images);
+    next = target->renderSome(drawings, order, next, texture_, images_, images);
 }
 
 }  // namespace grove::raster

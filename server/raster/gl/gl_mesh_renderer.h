@@ -22,12 +22,12 @@ class GlMeshRenderer final : public MeshRenderer {
   void render(std::span<const Drawing> drawings, std::span<std::shared_ptr<Image>> images) override;
 
  private:
-  class Bench;
+  class Target;
   const DetailTexture texture_;
   gl::Workers& workers_;
   ImagePool& images_;
   const MeshMemory memory_;
-  std::vector<std::unique_ptr<Bench>> benches_;  // by worker, each used by its thread alone
+  std::vector<std::unique_ptr<Target>> targets_;  // by worker, each used by its thread alone
 };
 
 }  // namespace grove::raster

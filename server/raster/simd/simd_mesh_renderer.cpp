@@ -10,7 +10,7 @@
 namespace grove::raster {
 
 /// The memory of one thread's drawing at hand.
-struct SimdMeshRenderer::Bench {
+struct SimdMeshRenderer::Scratch {
   ScreenVertices vertices;
   CutTriangles cut;
   Canvas canvas;
@@ -26,11 +26,11 @@ SimdMeshRenderer::SimdMeshRenderer(ImagePool& images, const MeshMemory& memory)
 SimdMeshRenderer::~SimdMeshRenderer() = default;
 
 void SimdMeshRenderer::render(std::span<const Drawing> drawings, std::span<std::shared_ptr<Image>> images) {
-  std::unique_ptr<Bench> bench = takeBench();
+  std::unique_ptr<Scratch> scratch = takeScratch();
   for (std::size_t i = 0; i < drawings.size(); ++i) {
-    if (!drawings[i].rect.empty()) images[i] = renderOne(drawings[i], *bench);
+    if (!drawings[i].rect.empty()) images[i] = renderOne(drawings[i], *scratch);
   }
-  giveBack(std::move(bench));
+  giveBack(std::move(scratch));
 }
 
 const VertexArrays& SimdMeshRenderer::arraysOf(const LitSurface& object) {
@@ -40,35 +40,35 @@ const VertexArrays& SimdMeshRenderer::arraysOf(const LitSurface& object) {
   return it->second;
 }
 
-std::unique_ptr<SimdMeshRenderer::Bench> SimdMeshRenderer::takeBench() {
+std::unique_ptr<SimdMeshRenderer::Scratch> SimdMeshRenderer::takeScratch() {
   const std::lock_guard lock(mutex_);
-  if (benches_.empty()) return std::make_unique<Bench>();
-  std::unique_ptr<Bench> bench = std::move(benches_.back());
-  benches_.pop_back();
-  return bench;
+  if (unused_.empty()) return std::make_unique<Scratch>();
+  std::unique_ptr<Scratch> scratch = std::move(unused_.back());
+  unused_.pop_back();
+  return scratch;
 }
 
-void SimdMeshRenderer::giveBack(std::unique_ptr<Bench> bench) {
+void SimdMeshRenderer::giveBack(std::unique_ptr<Scratch> scratch) {
   const std::lock_guard lock(mutex_);
-  benches_.push_back(std::move(bench));
+  unused_.push_back(std::move(scratch));
   std::size_t sum = texture_.bytes() + arrayBytes_;
-  for (const auto& unused : benches_) sum += unused->bytes();
+  for (const auto& unused : unused_) sum += unused->bytes();
   held_.set(sum);
 }
 
-std::shared_ptr<Image> SimdMeshRenderer::renderOne(const Drawing& drawing, Bench& bench) {
+std::shared_ptr<Image> SimdMeshRenderer::renderOne(const Drawing& drawing, Scratch& scratch) {
   const Level& level = drawing.object->surface.levelFor(drawing.distance, drawing.camera->focal());
   const VertexArrays& arrays = arraysOf(*drawing.object);
   const float nearDepth = drawing.camera->nearDepth;
-  ScreenVertices& vertices = bench.vertices;
-  Canvas& canvas = bench.canvas;
+  ScreenVertices& vertices = scratch.vertices;
+  Canvas& canvas = scratch.canvas;
   vertices.light.resize(level.vertexCount);
   lightVertices(arrays, drawing, vertices.light);
   project(arrays, drawing, vertices);
   canvas.begin(drawing.rect);
   if (vertices.nearest < nearDepth) {
-    cut(level.triangles, vertices, arrays.lichen, nearDepth, bench.cut);
-    drawTriangles(bench.cut.triangles, bench.cut.corners, canvas);
+    cut(level.triangles, vertices, arrays.lichen, nearDepth, scratch.cut);
+    drawTriangles(scratch.cut.triangles, scratch.cut.corners, canvas);
   } else {
     drawTriangles(level.triangles, vertices.corners, canvas);
   }

@@ -22,17 +22,17 @@ class SimdMeshRenderer final : public MeshRenderer {
   void render(std::span<const Drawing> drawings, std::span<std::shared_ptr<Image>> images) override;
 
  private:
-  struct Bench;
+  struct Scratch;
   [[nodiscard]] const VertexArrays& arraysOf(const LitSurface& object);
-  [[nodiscard]] std::unique_ptr<Bench> takeBench();
-  void giveBack(std::unique_ptr<Bench> bench);
-  [[nodiscard]] std::shared_ptr<Image> renderOne(const Drawing& drawing, Bench& bench);
+  [[nodiscard]] std::unique_ptr<Scratch> takeScratch();
+  void giveBack(std::unique_ptr<Scratch> scratch);
+  [[nodiscard]] std::shared_ptr<Image> renderOne(const Drawing& drawing, Scratch& scratch);
 
   const DetailTexture texture_;
   ImagePool& images_;
   std::mutex mutex_;
   std::map<const LitSurface*, VertexArrays> arrays_;
-  std::vector<std::unique_ptr<Bench>> benches_;  // that nobody uses
+  std::vector<std::unique_ptr<Scratch>> unused_;  // that nobody uses
   std::size_t arrayBytes_ = 0;
   pipeline::HeldMemory held_;
 };

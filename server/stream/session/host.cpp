@@ -73,13 +73,13 @@ Host::~Host() {
 std::unique_ptr<WorldInstance> Host::makeInstance(node::Parallelism parallelism,
                                                   const node::WorldNodes::Progress& progress) {
   return std::make_unique<WorldInstance>(
-      WorldGround{.nodes = *nodes_,
-                  .players = players_,
-                  .types = types_,
-                  .machine = {workers_, timeline_, memory_, images_},
-                  .maxSharedBytes = options_.maxSharedBytes,
-                  .process = options_.process,
-                  .owner = options_.linkToOwner ? options_.linkToOwner(workers_, timeline_) : nullptr},
+      WorldSetup{.nodes = *nodes_,
+                 .players = players_,
+                 .types = types_,
+                 .machine = {workers_, timeline_, memory_, images_},
+                 .maxSharedBytes = options_.maxSharedBytes,
+                 .process = options_.process,
+                 .owner = options_.linkToOwner ? options_.linkToOwner(workers_, timeline_) : nullptr},
       parallelism, progress);
 }
 
@@ -201,7 +201,7 @@ void Host::remove(node::SessionId id) {
   clockWake_.notify_all();
 }
 
-void Host::forgetWhoLeft() {
+void Host::forgetClosedSessions() {
   // By now the runs in progress when they left have ended, and give nothing back any more.
   if (shared_) {
     for (const node::SessionId id : gone_) shared_->forget(id);
@@ -211,8 +211,8 @@ void Host::forgetWhoLeft() {
   gone_ = std::exchange(left_, {});
 }
 
-void Host::takeStock(int visitors) {
-  forgetWhoLeft();
+void Host::runPeriodicTasks(int visitors) {
+  forgetClosedSessions();
   if (line_) line_->reportToAll();
   meter_.sample(visitors);
   if (!options_.raiseQuality || !shared_) return;
@@ -252,7 +252,7 @@ void Host::runClock() {
     // Simulations wake, or rest, without delay.
     if (sessionsChanged && shared_) shared_->publish();
     if (now >= nextSample) {
-      takeStock(static_cast<int>(open.size()));
+      runPeriodicTasks(static_cast<int>(open.size()));
       nextSample = now + kSampleSeconds;
     }
     double next = std::min(nextSample, publishWorlds(open, now));

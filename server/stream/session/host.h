@@ -135,8 +135,8 @@ class Host {
   void preparePrivately(const std::shared_ptr<Session>& session, WaitingSink waiting);
   [[nodiscard]] std::unique_ptr<WorldInstance> makeInstance(node::Parallelism parallelism,
                                                             const node::WorldNodes::Progress& progress);
-  void takeStock(int visitors);
-  void forgetWhoLeft();
+  void runPeriodicTasks(int visitors);
+  void forgetClosedSessions();
   /// Publishes what is due of the worlds of these visitors; returns when the next is.
   double publishWorlds(const std::vector<std::shared_ptr<Session>>& open, double now);
   void runClock();

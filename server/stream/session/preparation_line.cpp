@@ -137,7 +137,7 @@ void PreparationLine::progressed(node::SessionId id, std::string_view step, floa
   if (!isFirst(id)) throw Unwanted{};
   const double now = pipeline::wallSeconds();
   const bool isNewStep = step != progress_.step();
-  if (!progress_.hear(step, share, now)) return;
+  if (!progress_.update(step, share, now)) return;
   if (!isNewStep && now - reported_ < kProgressSeconds) return;
   reported_ = now;
   report(0);

@@ -11,7 +11,7 @@ constexpr int kDone = 99;
 
 }  // namespace
 
-bool StepProgress::hear(std::string_view step, float share, double now) {
+bool StepProgress::update(std::string_view step, float share, double now) {
   const bool isOther = step != step_ && !step_.empty();
   if (isOther && percent_ < kDone && now - heard_ < kStepSeconds) return false;
   heard_ = now;

@@ -11,7 +11,7 @@ namespace grove::stream {
 class StepProgress {
  public:
   /// False if another step is being reported.
-  bool hear(std::string_view step, float share, double now);
+  bool update(std::string_view step, float share, double now);
   void clear() noexcept;
 
   [[nodiscard]] const std::string& step() const noexcept { return step_; }

@@ -12,18 +12,18 @@ constexpr double kUpdateSeconds = 1.0 / 30.0;
 
 }  // namespace
 
-WorldInstance::WorldInstance(const WorldGround& ground, node::Parallelism parallelism,
+WorldInstance::WorldInstance(const WorldSetup& setup, node::Parallelism parallelism,
                              const node::WorldNodes::Progress& progress)
-    : ground_(ground),
-      world_(ground_.nodes.layout(), ground_.players),
-      nodes_(ground_.nodes.make(parallelism, progress)),
-      frontend_(ground_.process, world_.layout(), ground_.types, nodes_->end(),
-                {ground_.machine.workers, ground_.machine.timeline, ground_.machine.memory, ground_.machine.images,
+    : setup_(setup),
+      world_(setup_.nodes.layout(), setup_.players),
+      nodes_(setup_.nodes.make(parallelism, progress)),
+      frontend_(setup_.process, world_.layout(), setup_.types, nodes_->end(),
+                {setup_.machine.workers, setup_.machine.timeline, setup_.machine.memory, setup_.machine.images,
                  world_.layout().sky},
-                ground_.maxSharedBytes),
-      joined_(ground_.owner ? std::make_unique<node::JoinedWorld>(ground_.process, world_, *ground_.owner,
-                                                                  [this] { tellBackend(); })
-                            : nullptr) {
+                setup_.maxSharedBytes),
+      joined_(setup_.owner ? std::make_unique<node::JoinedWorld>(setup_.process, world_, *setup_.owner,
+                                                                 [this] { tellBackend(); })
+                           : nullptr) {
   if (joined_) joined_->join();
 }
 

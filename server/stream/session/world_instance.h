@@ -16,7 +16,7 @@ namespace grove::stream {
 
 /// What all instances of a world stand on: who makes their backend nodes, the machine, and the roster of who is here.
 /// All of it outlives them.
-struct WorldGround {
+struct WorldSetup {
   node::WorldNodes& nodes;
   std::shared_ptr<world::Players> players;
   const node::FrontendTypes& types;
@@ -32,7 +32,7 @@ struct WorldGround {
 class WorldInstance {
  public:
   /// Has its nodes made, as WorldNodes::make().
-  WorldInstance(const WorldGround& ground, node::Parallelism parallelism, const node::WorldNodes::Progress& progress);
+  WorldInstance(const WorldSetup& setup, node::Parallelism parallelism, const node::WorldNodes::Progress& progress);
 
   /// Waits for the runs in progress, so not on one of the executors' threads.
   ~WorldInstance();
@@ -64,7 +64,7 @@ class WorldInstance {
  private:
   void tellBackend();
 
-  const WorldGround ground_;
+  const WorldSetup setup_;
   world::World world_;
   double nextUpdate_ = 0.0;
   std::mutex updateMutex_;

@@ -55,7 +55,7 @@ class Connection {
   [[nodiscard]] std::optional<Refusal> overdue(double now);
 
   /// The other end has answered a ping.
-  void hear() noexcept { pinged_.reset(); }
+  void ponged() noexcept { pinged_.reset(); }
   /// Whether a ping is to be sent, which is told once.
   [[nodiscard]] bool takePing() noexcept { return std::exchange(pingIsDue_, false); }
 

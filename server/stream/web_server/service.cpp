@@ -26,17 +26,17 @@ WebsocketServer::Service::Service(const ServerOptions& options)
       context_(&Service::callback, this, maxSockets_, options.tls),
       waker_(std::make_shared<Waker>(context_.get())),
       http_{HttpService(Audience::kVisitors, options.hsts), HttpService(Audience::kOperator, std::nullopt)} {
-  const HostPort desk = options.operators.value_or(HostPort{"127.0.0.1", 0});
+  const HostPort operatorAddress = options.operators.value_or(HostPort{"127.0.0.1", 0});
   try {
     port_ = context_.listen(Audience::kVisitors, options.visitors.host, options.visitors.port, "--listen");
-    operatorPort_ = context_.listen(Audience::kOperator, desk.host, desk.port, "--operator");
+    operatorPort_ = context_.listen(Audience::kOperator, operatorAddress.host, operatorAddress.port, "--operator");
   } catch (...) {
     // What it calls back when it goes uses members that would go before it.
     context_.close();
     throw;
   }
   entrance_.addName(options.visitors.host);
-  entrance_.addName(desk.host);
+  entrance_.addName(operatorAddress.host);
   timer_.service = this;
 }
 
@@ -60,7 +60,7 @@ void WebsocketServer::Service::stop() {
 
 void WebsocketServer::Service::report(std::string_view step, float share) {
   const std::lock_guard lock(preparationMutex_);
-  preparation_.hear(step, share, pipeline::wallSeconds());
+  preparation_.update(step, share, pipeline::wallSeconds());
 }
 
 void WebsocketServer::Service::run() {
@@ -125,7 +125,7 @@ int WebsocketServer::Service::handle(lws* wsi, lws_callback_reasons reason, void
     case LWS_CALLBACK_RECEIVE:
       return receive(wsi, {static_cast<const std::uint8_t*>(in), length});
     case LWS_CALLBACK_RECEIVE_PONG:
-      hear(wsi);
+      ponged(wsi);
       return 0;
     case LWS_CALLBACK_SERVER_WRITEABLE:
       return write(wsi);

@@ -90,7 +90,7 @@ class WebsocketServer::Service {
   [[nodiscard]] Waiting preparation() const;
   int receive(lws* wsi, std::span<const std::uint8_t> bytes);
   int write(lws* wsi);
-  void hear(lws* wsi);
+  void ponged(lws* wsi);
   void close(lws* wsi);
   void closeLater(lws* wsi, Socket& socket, Refusal why);
   void wakeWriters();

@@ -115,9 +115,9 @@ int WebsocketServer::Service::write(lws* wsi) {
   return 0;
 }
 
-void WebsocketServer::Service::hear(lws* wsi) {
+void WebsocketServer::Service::ponged(lws* wsi) {
   const auto found = sockets_.find(wsi);
-  if (found != sockets_.end() && found->second.connection) found->second.connection->hear();
+  if (found != sockets_.end() && found->second.connection) found->second.connection->ponged();
 }
 
 void WebsocketServer::Service::close(lws* wsi) {

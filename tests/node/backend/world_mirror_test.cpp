@@ -66,42 +66,42 @@ TEST(WorldMirror, KnowsTheClockOfTheWorldsOwner) {
 TEST(PeerClock, OfTimesThatItTellsTheOneThatTookLeastToComeCounts) {
   PeerClock clock;
   EXPECT_FALSE(clock.at(1.0));
-  clock.hear(100.0, 1.3);  // took 0.3
+  clock.addReport(100.0, 1.3);  // took 0.3
   EXPECT_NEAR(*clock.at(2.0), 100.7, 1e-9);
-  clock.hear(101.0, 2.1);
+  clock.addReport(101.0, 2.1);
   EXPECT_NEAR(*clock.at(3.0), 101.9, 1e-9);
-  clock.hear(102.0, 3.8);
+  clock.addReport(102.0, 3.8);
   EXPECT_NEAR(*clock.at(4.0), 102.9, 1e-9) << "a slow one tells nothing new";
 }
 
 TEST(PeerClock, FollowsAClockThatDriftsAwayAndOneThatBeginsAnew) {
   PeerClock clock;
-  for (int i = 0; i < 2000; ++i) clock.hear(0.9 * i, i);
+  for (int i = 0; i < 2000; ++i) clock.addReport(0.9 * i, i);
   EXPECT_NEAR(*clock.at(2000.0), 0.9 * 2000.0, 15.0);
-  for (int i = 2000; i < 2200; ++i) clock.hear(i - 2000, i);
+  for (int i = 2000; i < 2200; ++i) clock.addReport(i - 2000, i);
   EXPECT_NEAR(*clock.at(2200.0), 200.0, 1e-9);
 }
 
 /// Would catch one wrong report that lets every deadline pass.
 TEST(PeerClock, AReportFarFromAllOthersCountsOnlyIfTheNextOneIsLikeIt) {
   PeerClock clock;
-  clock.hear(100.0, 0.0);
+  clock.addReport(100.0, 0.0);
   for (const double wrong : {1.0e9, -1.0e9}) {
-    clock.hear(wrong, 1.0);
+    clock.addReport(wrong, 1.0);
     EXPECT_NEAR(*clock.at(2.0), 102.0, 1e-9);
-    clock.hear(103.0, 3.0);
+    clock.addReport(103.0, 3.0);
     EXPECT_NEAR(*clock.at(4.0), 104.0, 1e-9);
   }
-  clock.hear(500.0, 5.0);
-  clock.hear(501.0, 6.0);
+  clock.addReport(500.0, 5.0);
+  clock.addReport(501.0, 6.0);
   EXPECT_NEAR(*clock.at(7.0), 502.0, 1e-9) << "the peer began anew";
 }
 
 TEST(PeerClock, AWrongFirstReportIsSoonForgotten) {
   PeerClock clock;
-  clock.hear(1.0e9, 0.0);
-  clock.hear(101.0, 1.0);
-  clock.hear(102.0, 2.0);
+  clock.addReport(1.0e9, 0.0);
+  clock.addReport(101.0, 1.0);
+  clock.addReport(102.0, 2.0);
   EXPECT_NEAR(*clock.at(3.0), 103.0, 1e-9);
 }
 

@@ -89,14 +89,14 @@ void SharedStore::get(const Request& request, Waiter waiter) {
   pending.waiting.push_back({request.view->deadline, std::move(waiter)});
   if (!isNew && now <= pending.deadline) return;
   pending.deadline = request.view->deadline;
-  const std::vector<Waiting> late = takeLate(pending, now);
+  const std::vector<Waiting> late = takeOverdue(pending, now);
   lock.unlock();
   for (const Waiting& waiting : late) waiting.waiter(Failure{"the backend node did not answer in time", true});
   fetch(request);
 }
 
 /// A backend node that never answers must not let them grow without bound.
-std::vector<SharedStore::Waiting> SharedStore::takeLate(Pending& pending, double now) {
+std::vector<SharedStore::Waiting> SharedStore::takeOverdue(Pending& pending, double now) {
   std::vector<Waiting>& all = pending.waiting;
   const auto over = std::partition(all.begin(), all.end(), [now](const Waiting& w) { return now <= w.deadline; });
   std::vector<Waiting> late(std::make_move_iterator(over), std::make_move_iterator(all.end()));
@@ -121,7 +121,7 @@ bool SharedStore::put(const Result& result) {
   if (result.pushed) return putPushed(result);
   const SharedKey& what = result.what;
   const auto* const data = std::get_if<std::shared_ptr<const SharedData>>(&result.payload);
-  std::vector<Entry> given;  // their memory is freed after the lock
+  std::vector<Entry> discarded;  // their memory is freed after the lock
   std::vector<Waiting> waiting;
   {
     const std::lock_guard lock(mutex_);
@@ -134,7 +134,7 @@ bool SharedStore::put(const Result& result) {
             .bytes = (*data)->bytes(),
             .isStale = pending.mapped().announced > (*data)->version(),
             .isSubscribed = pending.mapped().subscribes},
-           given);
+           discarded);
     }
   }
   for (const Waiting& each : waiting) each.waiter(result.payload);
@@ -144,7 +144,7 @@ bool SharedStore::put(const Result& result) {
 bool SharedStore::putPushed(const Result& result) {
   const SharedKey& what = result.what;
   const auto* const data = std::get_if<std::shared_ptr<const SharedData>>(&result.payload);
-  std::vector<Entry> given;  // their memory is freed after the lock
+  std::vector<Entry> discarded;  // their memory is freed after the lock
   std::optional<ToBackend> reply;
   bool isAwaited = false;
   {
@@ -155,7 +155,7 @@ bool SharedStore::putPushed(const Result& result) {
       // Where it is being subscribed to again, this was sent before.
       if (!pending_.contains(what)) reply = Unsubscribe{what};
     } else if (data != nullptr && *data != nullptr) {
-      reply = keepPushed(what, *data, given);
+      reply = keepPushed(what, *data, discarded);
     } else {
       last->isStale = true;
       last->isSubscribed = false;
@@ -166,7 +166,7 @@ bool SharedStore::putPushed(const Result& result) {
 }
 
 std::optional<ToBackend> SharedStore::keepPushed(const SharedKey& what, std::shared_ptr<const SharedData> data,
-                                                 std::vector<Entry>& given) {
+                                                 std::vector<Entry>& discarded) {
   const Version version = data->version();
   const Entry& last = *entryOf(what);
   const std::size_t pushed = last.pushed + 1;
@@ -181,30 +181,30 @@ std::optional<ToBackend> SharedStore::keepPushed(const SharedKey& what, std::sha
         .isSubscribed = isWanted,
         .pushed = pushed,
         .unused = unused},
-       given);
+       discarded);
   if (!isWanted) return Unsubscribe{what};
   if (pushed % kAcknowledgedAtOnce == 0) return Acknowledgement{what, version};
   return std::nullopt;
 }
 
-void SharedStore::keep(const SharedKey& what, Entry entry, std::vector<Entry>& given) {
+void SharedStore::keep(const SharedKey& what, Entry entry, std::vector<Entry>& discarded) {
   if (what.key.empty()) {
-    given.push_back(std::exchange(objects_[what.object], std::move(entry)));
+    discarded.push_back(std::exchange(objects_[what.object], std::move(entry)));
     return;
   }
   bytes_ += entry.bytes;
   if (auto replaced = entries_.put(what, std::move(entry))) {
     bytes_ -= replaced->bytes;
-    given.push_back(std::move(*replaced));
+    discarded.push_back(std::move(*replaced));
   }
-  makeRoom(given);
+  makeRoom(discarded);
 }
 
-void SharedStore::makeRoom(std::vector<Entry>& given) {
+void SharedStore::makeRoom(std::vector<Entry>& discarded) {
   while (bytes_ > maxBytes_ && !entries_.empty()) {
     Entry oldest = entries_.takeOldest().value;
     bytes_ -= oldest.bytes;
-    given.push_back(std::move(oldest));
+    discarded.push_back(std::move(oldest));
   }
 }
 

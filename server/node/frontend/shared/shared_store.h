@@ -101,12 +101,12 @@ class SharedStore {
   [[nodiscard]] std::optional<Request> newerThan(const SharedKey& what, const Entry& entry);
   /// Stores a pushed version that follows the last one. Returns the message to send to the node, if any.
   [[nodiscard]] std::optional<ToBackend> keepPushed(const SharedKey& what, std::shared_ptr<const SharedData> data,
-                                                    std::vector<Entry>& given);
-  /// `given` gets what it replaces.
-  void keep(const SharedKey& what, Entry entry, std::vector<Entry>& given);
-  void makeRoom(std::vector<Entry>& given);
+                                                    std::vector<Entry>& discarded);
+  /// `discarded` gets what it replaces.
+  void keep(const SharedKey& what, Entry entry, std::vector<Entry>& discarded);
+  void makeRoom(std::vector<Entry>& discarded);
   /// Those whose frames are over.
-  [[nodiscard]] static std::vector<Waiting> takeLate(Pending& pending, double now);
+  [[nodiscard]] static std::vector<Waiting> takeOverdue(Pending& pending, double now);
 
   /// Takes what is subscribed to.
   [[nodiscard]] bool putPushed(const Result& result);

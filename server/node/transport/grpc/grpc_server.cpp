@@ -45,8 +45,8 @@ class GrpcServer::Service final : public grpc::CallbackGenericService {
   /// A process has hung up before it said anything. In the clear that may be anybody.
   void leftUnheard(const std::string& process) {
     if (tls_.certificate.empty()) return;
-    strangers_.warning("the process at " + process +
-                       " hung up before its hello: its log says why, if it does not trust " + "this one's certificate");
+    refusals_.warning("the process at " + process +
+                      " hung up before its hello: its log says why, if it does not trust " + "this one's certificate");
   }
 
  private:
@@ -71,7 +71,7 @@ class GrpcServer::Service final : public grpc::CallbackGenericService {
   pipeline::Timeline& timeline_;
   const LinkTls tls_;
   const std::shared_ptr<ObstacleAnswers> obstacles_;
-  log::Limited strangers_;
+  log::Limited refusals_;
   std::mutex mutex_;
   std::condition_variable left_;
   int links_ = 0;
@@ -160,7 +160,7 @@ grpc::ServerGenericBidiReactor* GrpcServer::Service::CreateReactor(grpc::Generic
   const bool isLink = context->method() == kLinkMethod;
   if (!isLink && context->method() != kObstaclesMethod) return grpc::CallbackGenericService::CreateReactor(context);
   if (const auto complaint = complaintOf(*context->auth_context(), tls_, TlsAuthorities::Role::kClient, "")) {
-    strangers_.error("refuses the process at " + context->peer() + ": " + *complaint);
+    refusals_.error("refuses the process at " + context->peer() + ": " + *complaint);
     return new Refused({grpc::StatusCode::UNAUTHENTICATED, *complaint});
   }
   return isLink ? makeLink(context->peer()) : makeObstacleCall();

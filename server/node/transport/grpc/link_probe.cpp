@@ -26,14 +26,14 @@ void LinkProbe::ask() {
       response_.Clear();
       asked_ = Clock::now();
       stub_.UnaryCall(&*context_, kHealthMethod, grpc::StubOptions(), &request_, &response_,
-                      [this](const grpc::Status& status) { hear(status); });
+                      [this](const grpc::Status& status) { answered(status); });
       return;
     }
   }
   listener_.probed();
 }
 
-void LinkProbe::hear(const grpc::Status& status) {
+void LinkProbe::answered(const grpc::Status& status) {
   if (status.ok()) listener_.answered(Clock::now() - asked_);
   if (status.error_code() == grpc::StatusCode::DEADLINE_EXCEEDED) listener_.unanswered();
   {

@@ -38,7 +38,7 @@ class LinkProbe {
 
  private:
   void ask();
-  void hear(const grpc::Status& status);
+  void answered(const grpc::Status& status);
 
   grpc::GenericStub& stub_;
   Listener& listener_;

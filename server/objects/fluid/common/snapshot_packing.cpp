@@ -62,7 +62,7 @@ struct FreeCompression {
   void operator()(ZSTD_CCtx* context) const noexcept { ZSTD_freeCCtx(context); }
 };
 
-/// One frame. What a plane has most is another thing than what the next one has, so each begins a block.
+/// One frame. Each plane begins a block, because the frequent bytes of one plane are rare in the next.
 void appendCompressed(node::PackedBytes& bytes, std::span<const std::uint8_t> mask,
                       std::span<const std::uint8_t> planes, std::size_t planeSize) {
   const std::unique_ptr<ZSTD_CCtx, FreeCompression> context(ZSTD_createCCtx());

@@ -11,7 +11,7 @@
 #include <hwy/highway.h>
 
 #include "base/simd/lanes_inl.h"
-#include "objects/fluid/common/some_inl.h"
+#include "objects/fluid/common/load_partial_inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace grove::objects::fluid::HWY_NAMESPACE {
@@ -97,7 +97,7 @@ struct Finish {
   HWY_INLINE void operator()(SmokeSprites& sprites, std::size_t i) const {
     const auto at = [i](const std::vector<float>& values) { return load(values.data() + i); };
     const Floats one(1.0F);
-    const Floats temperature = some(snapshot.temperature.data(), i, snapshot.temperature.size());
+    const Floats temperature = loadPartial(snapshot.temperature.data(), i, snapshot.temperature.size());
     const Floats hot = at(sprites.heat);
     const Floats life = at(sprites.life);
     const Floats chanceB = at(sprites.chanceB);

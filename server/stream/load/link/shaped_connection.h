@@ -12,7 +12,7 @@ namespace grove::stream {
 
 /// A connection whose bytes go over a line of its own, both ways, between two sockets that do not block. Reads no more
 /// than the line has room for, so who sends is held back by TCP. When one side closes, the other is closed behind the
-/// bytes that are on their way. One thread.
+/// bytes that are on their direction. One thread.
 class ShapedConnection {
  public:
   enum class Side : std::uint8_t { kClient, kServer };
@@ -27,7 +27,7 @@ class ShapedConnection {
   /// is since the connection began; `buffer` is room to work in.
   std::optional<LinkTime> serve(LinkTime now, std::span<std::uint8_t> buffer);
 
-  [[nodiscard]] bool isOver() const noexcept { return ways_[0].over && ways_[1].over; }
+  [[nodiscard]] bool isOver() const noexcept { return directions_[0].over && directions_[1].over; }
   [[nodiscard]] int socket(Side side) const noexcept { return end(side).socket.get(); }
 
  private:
@@ -36,7 +36,7 @@ class ShapedConnection {
     bool readable = false;
     bool writable = false;
   };
-  struct Way {
+  struct Direction {
     Side from;
     Side to;
     LinkLine line;
@@ -46,14 +46,14 @@ class ShapedConnection {
 
   [[nodiscard]] End& end(Side side) noexcept { return ends_[static_cast<std::size_t>(side)]; }
   [[nodiscard]] const End& end(Side side) const noexcept { return ends_[static_cast<std::size_t>(side)]; }
-  void read(Way& way, LinkTime now, std::span<std::uint8_t> buffer);
-  void write(Way& way, LinkTime now);
-  [[nodiscard]] std::optional<LinkTime> nextTime(const Way& way, LinkTime now, bool hasRoom) const;
+  void read(Direction& direction, LinkTime now, std::span<std::uint8_t> buffer);
+  void write(Direction& direction, LinkTime now);
+  [[nodiscard]] std::optional<LinkTime> nextTime(const Direction& direction, LinkTime now, bool hasRoom) const;
   /// The socket is of no use any more.
   void breakOff(Side side, LinkTime now);
 
   std::array<End, 2> ends_;
-  std::array<Way, 2> ways_;
+  std::array<Direction, 2> directions_;
 };
 
 }  // namespace grove::stream

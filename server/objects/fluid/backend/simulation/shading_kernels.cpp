@@ -14,7 +14,7 @@
 #include "base/simd/lanes_inl.h"
 #include "objects/fluid/backend/simulation/exponential_inl.h"
 #include "objects/fluid/backend/simulation/trilinear_inl.h"
-#include "objects/fluid/common/some_inl.h"
+#include "objects/fluid/common/load_partial_inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace grove::objects::fluid::HWY_NAMESPACE {
@@ -49,9 +49,9 @@ struct Corners {
   Ints index;
 
   HWY_INLINE Corners(const ParticlePlaces& places, std::size_t i, const LightCells& grid)
-      : x(some(places.x, i, places.count), grid),
-        y(some(places.y, i, places.count), grid),
-        z(some(places.z, i, places.count), grid),
+      : x(loadPartial(places.x, i, places.count), grid),
+        y(loadPartial(places.y, i, places.count), grid),
+        z(loadPartial(places.z, i, places.count), grid),
         index((z.low * Ints(grid.cells) + y.low) * Ints(grid.cells) + x.low) {}
 };
 
@@ -74,7 +74,7 @@ void depositSmoke(const ParticlePlaces& particles, const float* amounts, const L
   const Floats one(1.0F);
   for (std::size_t i = 0; i < particles.count; i += kStep) {
     const Corners corners(particles, i, grid);
-    const Floats amount = some(amounts, i, particles.count);
+    const Floats amount = loadPartial(amounts, i, particles.count);
     const Floats far = amount * corners.y.share;
     const Floats near = amount - far;
     alignas(64) std::int32_t index[kLanes];
@@ -111,7 +111,7 @@ void sweepSkyLight(const float* __restrict depth, int cells, float* __restrict a
   // The sky is wide: light that is stopped straight above still comes in from the sides.
   const auto count = static_cast<std::size_t>(stride * stride * stride);
   for (std::size_t i = 0; i < count; i += kStep) {
-    storeSome(exponential(Floats(-0.6F) * some(light, i, count)), light, i, count);
+    storeSome(exponential(Floats(-0.6F) * loadPartial(light, i, count)), light, i, count);
   }
 }
 

@@ -69,10 +69,10 @@ int roundedUp(int pixels) { return (pixels + kStep - 1) / kStep * kStep; }
 }  // namespace
 
 /// One worker's program, target and textures.
-class ShaderSampler::Bench {
+class ShaderSampler::Target {
  public:
-  Bench(const gl::Workers::Local& local, DepthCorrection correction, std::size_t maxBytes,
-        pipeline::MemoryLedger* memory)
+  Target(const gl::Workers::Local& local, DepthCorrection correction, std::size_t maxBytes,
+         pipeline::MemoryLedger* memory)
       : api_(local.api),
         correction_(correction),
         program_(local.api, local.shaders.load("lightfield/sample.vert"), local.shaders.load("lightfield/sample.frag")),
@@ -148,23 +148,23 @@ ShaderSampler::ShaderSampler(gl::Workers& workers, DepthCorrection correction, s
     : workers_(workers),
       correction_(correction),
       maxBytes_(maxBytes),
-      benches_(static_cast<std::size_t>(workers.width())) {}
+      targets_(static_cast<std::size_t>(workers.width())) {}
 
 ShaderSampler::ShaderSampler(gl::Workers& workers, pipeline::MemoryLedger& memory) : ShaderSampler(workers) {
   memory_ = &memory;
 }
 
 ShaderSampler::~ShaderSampler() {
-  workers_.runOnEach([this](gl::Workers::Local& local) { benches_[static_cast<std::size_t>(local.index)].reset(); });
+  workers_.runOnEach([this](gl::Workers::Local& local) { targets_[static_cast<std::size_t>(local.index)].reset(); });
 }
 
 void ShaderSampler::render(std::span<const SampleRequest> requests, std::span<raster::Image* const> images) {
   assert(requests.size() == images.size());
   const gl::Workers::Local& local = gl::Workers::local();
-  std::unique_ptr<Bench>& bench = benches_[static_cast<std::size_t>(local.index)];
-  if (!bench) bench = std::make_unique<Bench>(local, correction_, maxBytes_, memory_);
+  std::unique_ptr<Target>& target = targets_[static_cast<std::size_t>(local.index)];
+  if (!target) target = std::make_unique<Target>(local, correction_, maxBytes_, memory_);
   while (!requests.empty()) {
-    const std::size_t done = bench->renderSome(requests, images);
+    const std::size_t done = target->renderSome(requests, images);
     requests = requests.subspan(done);
     images = images.subspan(done);
   }

@@ -31,12 +31,12 @@ class ShaderSampler final : public Sampler {
   void render(std::span<const SampleRequest> requests, std::span<raster::Image* const> images) override;
 
  private:
-  class Bench;
+  class Target;
   gl::Workers& workers_;
   const DepthCorrection correction_;
   const std::size_t maxBytes_;
-  pipeline::MemoryLedger* memory_ = nullptr;     ///< null: nobody wants to know
-  std::vector<std::unique_ptr<Bench>> benches_;  // by worker, each used by its thread alone
+  pipeline::MemoryLedger* memory_ = nullptr;      ///< null: nobody wants to know
+  std::vector<std::unique_ptr<Target>> targets_;  // by worker, each used by its thread alone
 };
 
 }  // namespace grove::objects::lightfield

@@ -39,56 +39,56 @@ HWY_INLINE V mix(const Corners<V>& c, V fx, V fy, V fz) {
 
 /// Where the other values lie: below (x - 1, y - 1 or z - 1) in the lanes of a mask, else above.
 template <class D>
-struct Ways {
+struct OtherSides {
   hn::Mask<D> isBelowX, isBelowY, isBelowZ;
   std::ptrdiff_t x, y;  ///< to the other value of all lanes, where they agree
   std::ptrdiff_t stride;
 };
 
 template <bool kMixedX, class D>
-HWY_INLINE hn::Vec<D> otherX(D d, const Ways<D>& ways, const float* at) {
-  if constexpr (kMixedX) return hn::IfThenElse(ways.isBelowX, hn::LoadU(d, at - 1), hn::LoadU(d, at + 1));
-  return hn::LoadU(d, at + ways.x);
+HWY_INLINE hn::Vec<D> otherX(D d, const OtherSides<D>& sides, const float* at) {
+  if constexpr (kMixedX) return hn::IfThenElse(sides.isBelowX, hn::LoadU(d, at - 1), hn::LoadU(d, at + 1));
+  return hn::LoadU(d, at + sides.x);
 }
 
 template <bool kMixedY, class D>
-HWY_INLINE hn::Vec<D> otherY(D d, const Ways<D>& ways, const float* at) {
+HWY_INLINE hn::Vec<D> otherY(D d, const OtherSides<D>& sides, const float* at) {
   if constexpr (kMixedY) {
-    return hn::IfThenElse(ways.isBelowY, hn::LoadU(d, at - ways.stride), hn::LoadU(d, at + ways.stride));
+    return hn::IfThenElse(sides.isBelowY, hn::LoadU(d, at - sides.stride), hn::LoadU(d, at + sides.stride));
   }
-  return hn::LoadU(d, at + ways.y);
+  return hn::LoadU(d, at + sides.y);
 }
 
 template <bool kMixedX, bool kMixedY, class D>
-HWY_INLINE hn::Vec<D> otherXY(D d, const Ways<D>& ways, const float* at) {
+HWY_INLINE hn::Vec<D> otherXY(D d, const OtherSides<D>& sides, const float* at) {
   if constexpr (kMixedY) {
-    return hn::IfThenElse(ways.isBelowY, otherX<kMixedX>(d, ways, at - ways.stride),
-                          otherX<kMixedX>(d, ways, at + ways.stride));
+    return hn::IfThenElse(sides.isBelowY, otherX<kMixedX>(d, sides, at - sides.stride),
+                          otherX<kMixedX>(d, sides, at + sides.stride));
   }
-  return otherX<kMixedX>(d, ways, at + ways.y);
+  return otherX<kMixedX>(d, sides, at + sides.y);
 }
 
 /// In most vectors all lanes move the same way along an axis, and one load does instead of two and a choice.
 template <bool kMixedX, bool kMixedY, bool kMixedZ, class D>
-HWY_INLINE Corners<hn::Vec<D>> cornersAlong(D d, const Ways<D>& ways, const float* below, const float* here,
+HWY_INLINE Corners<hn::Vec<D>> cornersAlong(D d, const OtherSides<D>& sides, const float* below, const float* here,
                                             const float* above, const float* other) {
   Corners<hn::Vec<D>> c;
   c.hhh = hn::LoadU(d, here);
-  c.ohh = otherX<kMixedX>(d, ways, here);
-  c.hoh = otherY<kMixedY>(d, ways, here);
-  c.ooh = otherXY<kMixedX, kMixedY>(d, ways, here);
+  c.ohh = otherX<kMixedX>(d, sides, here);
+  c.hoh = otherY<kMixedY>(d, sides, here);
+  c.ooh = otherXY<kMixedX, kMixedY>(d, sides, here);
   if constexpr (kMixedZ) {
-    const hn::Mask<D> isBelow = ways.isBelowZ;
+    const hn::Mask<D> isBelow = sides.isBelowZ;
     c.hho = hn::IfThenElse(isBelow, hn::LoadU(d, below), hn::LoadU(d, above));
-    c.oho = hn::IfThenElse(isBelow, otherX<kMixedX>(d, ways, below), otherX<kMixedX>(d, ways, above));
-    c.hoo = hn::IfThenElse(isBelow, otherY<kMixedY>(d, ways, below), otherY<kMixedY>(d, ways, above));
+    c.oho = hn::IfThenElse(isBelow, otherX<kMixedX>(d, sides, below), otherX<kMixedX>(d, sides, above));
+    c.hoo = hn::IfThenElse(isBelow, otherY<kMixedY>(d, sides, below), otherY<kMixedY>(d, sides, above));
     c.ooo =
-        hn::IfThenElse(isBelow, otherXY<kMixedX, kMixedY>(d, ways, below), otherXY<kMixedX, kMixedY>(d, ways, above));
+        hn::IfThenElse(isBelow, otherXY<kMixedX, kMixedY>(d, sides, below), otherXY<kMixedX, kMixedY>(d, sides, above));
   } else {
     c.hho = hn::LoadU(d, other);
-    c.oho = otherX<kMixedX>(d, ways, other);
-    c.hoo = otherY<kMixedY>(d, ways, other);
-    c.ooo = otherXY<kMixedX, kMixedY>(d, ways, other);
+    c.oho = otherX<kMixedX>(d, sides, other);
+    c.hoo = otherY<kMixedY>(d, sides, other);
+    c.ooo = otherXY<kMixedX, kMixedY>(d, sides, other);
   }
   return c;
 }
@@ -97,14 +97,14 @@ template <class D, class V>
 HWY_INLINE Corners<V> cornersAt(D d, const SampledPlanes& planes, std::ptrdiff_t stride, std::ptrdiff_t at, V dx, V dy,
                                 V dz) {
   const V zero = hn::Zero(d);
-  const Ways<D> mixed{hn::Gt(dx, zero), hn::Gt(dy, zero), hn::Gt(dz, zero), 0, 0, stride};
+  const OtherSides<D> mixed{hn::Gt(dx, zero), hn::Gt(dy, zero), hn::Gt(dz, zero), 0, 0, stride};
   const bool lowX = hn::AllTrue(d, mixed.isBelowX);
   const bool lowY = hn::AllTrue(d, mixed.isBelowY);
   const bool lowZ = hn::AllTrue(d, mixed.isBelowZ);
   const int mixedX = lowX || hn::AllFalse(d, mixed.isBelowX) ? 0 : 1;
   const int mixedY = lowY || hn::AllFalse(d, mixed.isBelowY) ? 0 : 2;
   const int mixedZ = lowZ || hn::AllFalse(d, mixed.isBelowZ) ? 0 : 4;
-  const Ways<D> w{mixed.isBelowX, mixed.isBelowY, mixed.isBelowZ, lowX ? -1 : 1, lowY ? -stride : stride, stride};
+  const OtherSides<D> w{mixed.isBelowX, mixed.isBelowY, mixed.isBelowZ, lowX ? -1 : 1, lowY ? -stride : stride, stride};
   const float* below = planes.below + at;
   const float* here = planes.here + at;
   const float* above = planes.above + at;

@@ -1,10 +1,10 @@
 // The end of an array whose length is no multiple of the lanes. For kernels: included once per target.
 
-#if defined(GROVE_OBJECTS_FLUID_COMMON_SOME_INL_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef GROVE_OBJECTS_FLUID_COMMON_SOME_INL_H
-#undef GROVE_OBJECTS_FLUID_COMMON_SOME_INL_H
+#if defined(GROVE_OBJECTS_FLUID_COMMON_LOAD_PARTIAL_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef GROVE_OBJECTS_FLUID_COMMON_LOAD_PARTIAL_INL_H
+#undef GROVE_OBJECTS_FLUID_COMMON_LOAD_PARTIAL_INL_H
 #else
-#define GROVE_OBJECTS_FLUID_COMMON_SOME_INL_H
+#define GROVE_OBJECTS_FLUID_COMMON_LOAD_PARTIAL_INL_H
 #endif
 
 #include <hwy/highway.h>
@@ -17,8 +17,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace grove::objects::fluid::HWY_NAMESPACE {
 
-/// From the i-th value on, as many as there are, then zeros.
-HWY_INLINE simd::HWY_NAMESPACE::Floats some(const float* values, std::size_t i, std::size_t count) {
+/// Loads the values from the i-th on, and zeros beyond the end.
+HWY_INLINE simd::HWY_NAMESPACE::Floats loadPartial(const float* values, std::size_t i, std::size_t count) {
   using simd::HWY_NAMESPACE::kLanes;
   if (i + static_cast<std::size_t>(kLanes) <= count) return simd::HWY_NAMESPACE::load(values + i);
   alignas(64) float room[kLanes] = {};
