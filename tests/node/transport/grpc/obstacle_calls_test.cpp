@@ -135,6 +135,8 @@ TEST(ObstacleCalls, WhoHasGivenUpIsNotAnswered) {
     const CallEnd end = ask({node->address(), kObstaclesMethod, 300ms}, question, {});
     EXPECT_EQ(end.status.error_code(), grpc::StatusCode::DEADLINE_EXCEEDED);
   }
+  // The node learns of it later than the caller.
+  std::this_thread::sleep_for(1s);
   node->obstacles.isHeld = false;
   EXPECT_TRUE(eventually([&] { return node->answers->idle(); }));
   EXPECT_EQ(node->obstacles.answered, 1) << "the one that had begun";
