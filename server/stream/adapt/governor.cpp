@@ -28,26 +28,26 @@ constexpr double kTrialSeconds = 20.0;
 
 }  // namespace
 
-Governor::Stream::Stream(Governor& governor)
-    : governor_(governor), pace_([&] {
-        const std::lock_guard lock(governor.mutex_);
-        return governor.paces_.emplace(governor.paces_.end());
+Governor::Stream::Stream(std::shared_ptr<Governor> governor)
+    : governor_(std::move(governor)), pace_([this] {
+        const std::lock_guard lock(governor_->mutex_);
+        return governor_->paces_.emplace(governor_->paces_.end());
       }()) {}
 
 Governor::Stream::~Stream() {
-  const std::lock_guard lock(governor_.mutex_);
-  governor_.paces_.erase(pace_);
+  const std::lock_guard lock(governor_->mutex_);
+  governor_->paces_.erase(pace_);
 }
 
 double Governor::Stream::update(const std::optional<Pace>& pace, double now) {
-  const std::lock_guard lock(governor_.mutex_);
+  const std::lock_guard lock(governor_->mutex_);
   *pace_ = pace;
-  if (now - governor_.assessed_ >= kAssessedEvery) governor_.assess(now);
-  return kScales[governor_.step_];
+  if (now - governor_->assessed_ >= kAssessedEvery) governor_->assess(now);
+  return kScales[governor_->step_];
 }
 
 void Governor::Stream::rest() {
-  const std::lock_guard lock(governor_.mutex_);
+  const std::lock_guard lock(governor_->mutex_);
   pace_->reset();
 }
 

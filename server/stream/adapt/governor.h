@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <functional>
 #include <list>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <utility>
@@ -15,7 +16,7 @@ namespace grove::stream {
 /// times are seconds that do not go back.
 class Governor {
  public:
-  /// Returns the share of the workers that had work lately, 0 to 1.
+  /// Returns the share of the workers that had work lately, 0 to 1. Called within update() only.
   using BusyShare = std::function<double()>;
 
   explicit Governor(BusyShare busyShare) : busyShare_(std::move(busyShare)) {}
@@ -27,10 +28,10 @@ class Governor {
     double delayed = 0.0;    ///< share of the time in which a due frame waited for the machine
   };
 
-  /// One visitor's stream while it exists. The governor outlives it.
+  /// One visitor's stream while it exists.
   class Stream {
    public:
-    explicit Stream(Governor& governor);
+    explicit Stream(std::shared_ptr<Governor> governor);
     ~Stream();
     Stream(const Stream&) = delete;
     Stream& operator=(const Stream&) = delete;
@@ -41,10 +42,10 @@ class Governor {
     /// No frame is wanted.
     void rest();
     /// Of the wanted width and height.
-    [[nodiscard]] double scale() const { return governor_.scale(); }
+    [[nodiscard]] double scale() const { return governor_->scale(); }
 
    private:
-    Governor& governor_;
+    const std::shared_ptr<Governor> governor_;
     const std::list<std::optional<Pace>>::iterator pace_;
   };
 

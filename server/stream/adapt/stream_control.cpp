@@ -40,14 +40,14 @@ constexpr double kTrust = 1.3;
 
 }  // namespace
 
-StreamControl::StreamControl(const EncoderRegistry& encoders, Governor& governor, PageLevel page,
+StreamControl::StreamControl(const EncoderRegistry& encoders, std::shared_ptr<Governor> governor, PageLevel page,
                              double framesPerSecond, int width, int height)
     : encoders_(encoders),
       page_(page),
       serverFramesPerSecond_(framesPerSecond),
       width_(width),
       height_(height),
-      governed_(governor) {
+      governed_(std::move(governor)) {
   // Before the first frame nothing is known that would speak against the wish.
   policy_.update(0.0, wish(governed_.scale()), {.bitsPerSecond = std::numeric_limits<double>::infinity()});
 }

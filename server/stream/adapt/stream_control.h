@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <vector>
@@ -20,85 +21,85 @@
 
 namespace grove::stream {
 
-/// What a page understands, by its sub-protocol.
+/// What a page supports, by its sub-protocol.
 enum class PageLevel : std::uint8_t {
-  kBasic,     ///< before v1.2: pictures of the wanted size in JPEG of the usual quality; only how many are under way
-              ///< follows the line
+  kBasic,     ///< before v1.2: JPEG of the wanted size and the usual quality; only the number of frames in flight
+              ///< adapts to the line
   kAdaptive,  ///< v1.2
-  kTimed,     ///< v1.3: reports what the browser spends on frames
+  kTimed,     ///< v1.3: reports the browser's time for frames
   kNaming,    ///< v1.4: writes names over the picture
 };
 
-/// What leads one visitor's stream: codec, size, rate, quantiser, and how many frames are under way; from what he
-/// wants, what his line carries, what server and browser manage and what the pictures are like. Any thread; times are
-/// seconds of pipeline::wallSeconds().
+/// Controls one visitor's stream: codec, size, rate, quantiser, and the number of frames in flight. It follows the
+/// visitor's wish, the line's rate, the speed of server and browser, and the complexity of the pictures. Thread-safe;
+/// times are seconds of pipeline::wallSeconds().
 class StreamControl {
  public:
-  /// `encoders` and `governor` outlive it.
-  StreamControl(const EncoderRegistry& encoders, Governor& governor, PageLevel page, double framesPerSecond, int width,
-                int height);
+  /// `encoders` outlives it.
+  StreamControl(const EncoderRegistry& encoders, std::shared_ptr<Governor> governor, PageLevel page,
+                double framesPerSecond, int width, int height);
 
-  // What the visitor says.
+  // The visitor's messages.
   void resize(int width, int height);
   void offer(std::vector<std::uint8_t> codecs);
   void limit(const Limits& limits);
-  /// A frame cannot be decoded.
+  /// The page cannot decode a frame.
   void broken();
-  /// One frame is to be a capture, which goes by this number.
+  /// Requests one frame as a capture with this number.
   void capture(std::uint32_t number);
-  /// False: it was never sent.
+  /// Returns false if the frame was never sent.
   [[nodiscard]] bool acknowledged(std::uint32_t frame, const Arrival& arrival);
-  /// How long frames have been waiting to be acknowledged, seconds, since one was last; 0 if there is none.
+  /// Seconds since the last acknowledgement; 0 if no frame is unacknowledged.
   [[nodiscard]] double secondsUnacknowledged(double now) const;
 
-  // What a frame is to be.
+  // Before a frame.
   /// Returns whether a due frame may begin while `beingMade` others are in progress.
   [[nodiscard]] bool mayBegin(double now, int beingMade);
-  /// One that is due waits for the server.
+  /// A due frame waits for the server.
   void waitsForServer(double now);
   void begins(double now);
   [[nodiscard]] double framesPerSecond() const;
-  /// Nobody looks: no frame begins until that ends.
+  /// Returns whether the page is hidden: then no frame begins.
   [[nodiscard]] bool isHidden() const;
-  /// Gives the camera of this frame its size and angle; returns the border, percent.
+  /// Sets size and angle of this frame's camera; returns the border, percent.
   int aim(world::Camera& camera, std::uint32_t frame, double now);
-  /// The number of the capture that this frame is, if it is one; once.
+  /// Returns the capture's number if this frame is a capture; once.
   [[nodiscard]] std::optional<std::uint32_t> takeCapture(std::uint32_t frame);
 
-  // What becomes of its picture.
+  // Its picture.
   struct Choice {
     const EncoderKind* kind;
     EncodeOrder order;
-    double bytes;  ///< that it may take
+    double bytes;  ///< available to it
   };
-  /// Which encoder is to make it. One that failed is not chosen again.
+  /// Returns the encoder for it. One that failed is not chosen again.
   [[nodiscard]] const EncoderKind& kind() const;
   void failed(const EncoderKind& kind);
-  /// `still`: the camera stands where it stood in the picture before; `same`: no pixel is another.
+  /// `still`: the camera has not moved since the last picture; `same`: no pixel has changed.
   [[nodiscard]] Choice choose(const EncoderKind& kind, const QuantiserRange& range, double pixels, bool still,
                               bool same, double now);
   void encoded(const Choice& choice, bool independent, double pixels, std::size_t bytes);
-  /// What that took, seconds.
+  /// Records the seconds that a frame spent there.
   void took(FrameTimes::Place place, double seconds);
-  /// The page shows already what would be sent.
+  /// The page already shows what would be sent.
   void unchanged(std::uint32_t lastInput);
-  /// `allowed`: bytes that it might have taken.
+  /// `allowed`: bytes that were available to it.
   void sent(std::uint32_t frame, std::uint32_t lastInput, std::size_t bytes, double allowed, double now);
-  /// The socket has taken all of it at `now`; the thread that writes had come to it at `reached`.
+  /// The socket took all of it at `now`; the writing thread reached it at `reached`.
   void written(std::uint32_t frame, double reached, double now);
 
-  /// To be said now, if anything is; `visitors` are in the world.
+  /// Returns the status to send now, if any; `visitors`: number in the world.
   [[nodiscard]] std::optional<Status> takeStatus(double now, std::size_t visitors);
-  /// The same of where frames spend their time.
+  /// Returns the times to send now, if any.
   [[nodiscard]] std::optional<Times> takeTimes(double now);
-  /// For reports: of all that it keeps.
+  /// The present status, for reports.
   [[nodiscard]] Status status() const;
 
  private:
-  /// What the visitor wants, of `scale` times his window's size.
+  /// The visitor's wish, at `scale` times the window's size.
   [[nodiscard]] StreamWish wish(double scale) const;
   [[nodiscard]] double bitsPerSecond() const;
-  /// That the visitor lets the stream take.
+  /// The visitor's own limit.
   [[nodiscard]] double wantedBitsPerSecond() const;
   void took(FrameTimes::Place place, double seconds, const std::lock_guard<std::mutex>& held);
   [[nodiscard]] Status statusNow() const;
@@ -122,20 +123,20 @@ class StreamControl {
   WorkControl work_;
   Governor::Stream governed_;
   CodecChoice codecChoice_;
-  double moved_ = 0.0;  ///< the camera, last
+  double moved_ = 0.0;  ///< the camera moved last then
   FrameTimes times_;
   int borderSteps_ = 0;
   QuantiserControl quantisers_;
   QuantiserRange range_;
   Quantiser newestQuantiser_ = 30.0;
   bool wantsIndependent_ = true;
-  double independentMade_ = -1.0;  ///< when one was last asked for and made
+  double independentMade_ = -1.0;  ///< the last requested one
   CaptureRequest capture_;
   std::uint32_t newestSent_ = 0;
-  double unacknowledgedSince_ = 0.0;  ///< if there are any
-  std::uint32_t lastInput_ = 0;       ///< that the page's picture obeys
+  double unacknowledgedSince_ = 0.0;  ///< if any frame is
+  std::uint32_t lastInput_ = 0;       ///< shown by the page's picture
   std::uint32_t lastInputReported_ = 0;
-  double wordSince_ = 0.0;  ///< when anything was last sent
+  double wordSince_ = 0.0;  ///< when any message was last sent
   Status reported_;
 };
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <list>
+#include <memory>
 #include <optional>
 
 namespace grove::stream {
@@ -31,27 +32,27 @@ class Machine {
   int run(double seconds) {
     int changes = 0;
     for (const double end = now_ + seconds; now_ < end; now_ += 0.03) {
-      const double before = governor_.scale();
+      const double before = governor_->scale();
       const double can = pictures_ / std::pow(before, exponent_) / static_cast<double>(streams_.size());
       const double achieved = std::min(kFullRate, can);
       busy_ = achieved / can;
       for (Governor::Stream& stream : streams_) {
         stream.update(Governor::Pace{kFullRate, achieved, 1.0 - achieved / kFullRate}, now_);
       }
-      changes += governor_.scale() == before ? 0 : 1;
+      changes += governor_->scale() == before ? 0 : 1;
     }
     return changes;
   }
 
-  [[nodiscard]] double scale() const { return governor_.scale(); }
-  Governor& governor() { return governor_; }
+  [[nodiscard]] double scale() const { return governor_->scale(); }
+  const std::shared_ptr<Governor>& governor() { return governor_; }
   [[nodiscard]] double now() const { return now_; }
 
  private:
   double pictures_;
   const double exponent_;
   double busy_ = 0.0;
-  Governor governor_{[this] { return busy_; }};
+  const std::shared_ptr<Governor> governor_ = std::make_shared<Governor>([this] { return busy_; });
   std::list<Governor::Stream> streams_;
   double now_ = 100.0;
 };

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <deque>
+#include <memory>
 #include <vector>
 
 namespace grove::stream {
@@ -15,7 +16,9 @@ constexpr QuantiserRange kRange{.finest = 20.0, .usual = 25.0, .coarsest = 40.0}
 /// A visitor whose page decodes all there is, on a line that is always good.
 class Led {
  public:
-  Led() : encoders_(builtinEncoders(75)), control_(encoders_, governor_, PageLevel::kTimed, 30.0, 1280, 720) {
+  Led()
+      : encoders_(builtinEncoders(75)),
+        control_(encoders_, std::make_shared<Governor>([] { return 1.0; }), PageLevel::kTimed, 30.0, 1280, 720) {
     control_.offer({kCodecH264, kCodecJpeg});
   }
 
@@ -76,7 +79,6 @@ class Led {
   }
 
   const EncoderRegistry encoders_;
-  Governor governor_{[] { return 1.0; }};
   StreamControl control_;
   Delays delays_;
   std::deque<Report> reports_;

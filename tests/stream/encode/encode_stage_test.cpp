@@ -31,7 +31,7 @@ TEST(EncodeStage, MakesAFrameMessageOfAFrame) {
   view.players.resize(2);
 
   const EncoderRegistry encoders = builtinEncoders(80);
-  Governor governor([] { return 0.0; });
+  const auto governor = std::make_shared<Governor>([] { return 0.0; });
   pipeline::Timeline timeline;
   pipeline::MemoryLedger memory;
   std::promise<std::shared_ptr<const EncodedFrame>> promise;
@@ -89,7 +89,8 @@ class Stream {
  public:
   explicit Stream(EncoderRegistry encoders = builtinEncoders(80), PageLevel page = PageLevel::kTimed)
       : encoders_(std::move(encoders)),
-        control_(std::make_shared<StreamControl>(encoders_, governor_, page, 30.0, 320, 180)),
+        control_(std::make_shared<StreamControl>(encoders_, std::make_shared<Governor>([] { return 0.0; }), page, 30.0,
+                                                 320, 180)),
         stage_(std::make_shared<EncodeStage>(
             control_, page, std::vector<world::Vec3>{{0, 1.7F, 3}, {0, 1.7F, -30}},
             EncodeStage::Outputs{
@@ -145,7 +146,6 @@ class Stream {
   }
 
   const EncoderRegistry encoders_;
-  Governor governor_{[] { return 0.0; }};
   pipeline::Timeline timeline_;
   pipeline::MemoryLedger memory_;
   std::vector<std::shared_ptr<const EncodedFrame>> sent_;

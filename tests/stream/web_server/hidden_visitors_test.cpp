@@ -89,7 +89,7 @@ TEST_F(HiddenVisitors, ArePingedAndLeaveIfTheyDoNotAnswer) {
   EXPECT_FALSE(visitor->overdue(now_ + 10.1));
   EXPECT_TRUE(visitor->takePing());
   EXPECT_FALSE(visitor->takePing()) << "one";
-  visitor->hear();
+  visitor->ponged();
   EXPECT_FALSE(visitor->overdue(now_ + 20.5));
   EXPECT_TRUE(visitor->takePing());
   EXPECT_FALSE(visitor->overdue(now_ + 35.0));

@@ -54,7 +54,8 @@ class Visitor {
           int width, int height)
       : kind_(kind),
         setting_(setting),
-        control_(encoders, governor_, stream::PageLevel::kAdaptive, kWalkFramesPerSecond, width, height),
+        control_(encoders, std::make_shared<stream::Governor>([] { return 0.0; }), stream::PageLevel::kAdaptive,
+                 kWalkFramesPerSecond, width, height),
         encoder_(kind.make()) {
     stream::Limits limits;
     limits.kilobitsPerSecond = static_cast<std::uint32_t>(setting.kilobitsPerSecond);
@@ -98,7 +99,6 @@ class Visitor {
  private:
   const stream::EncoderKind& kind_;
   const EncodeSetting setting_;
-  stream::Governor governor_{[] { return 0.0; }};
   stream::StreamControl control_;
   const std::unique_ptr<stream::Encoder> encoder_;
   int frames_ = 0;
