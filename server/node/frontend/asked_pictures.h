@@ -11,21 +11,21 @@
 
 namespace grove::node {
 
-/// The pictures that the sessions of a frontend process wait for, so that a backend node can send no others, and none
-/// that are larger. Of each session those of the newest frames. Any thread.
+/// The pictures that the sessions of a frontend process have requested, for the newest frames of each session. A
+/// backend node can send no others, and no larger ones. Thread-safe.
 class AskedPictures {
  public:
-  /// Frames whose pictures are still of use.
+  /// Number of newest frames whose pictures are still useful.
   static constexpr std::size_t kFrames = 16;
 
-  /// A session asks from now on.
+  /// A session begins to send requests.
   void begin(SessionId session);
   void end(SessionId session);
 
-  /// The request has a view. One of a session that has ended is left out.
+  /// Adds a request, which has a view. Ignores requests of ended sessions.
   void add(const Request& request);
 
-  /// The rectangle that was asked for, once; nothing if nobody waits for this answer.
+  /// Returns the requested rectangle, once; empty if nobody waits for this answer.
   [[nodiscard]] std::optional<world::Rect> take(const Result& answer);
 
  private:

@@ -5,7 +5,7 @@
 
 namespace grove::node {
 
-/// Undoes what the Compressor did (section 4.2, step 9).
+/// Reverses the Compressor (section 4.2, step 9).
 class Decompressor final : public pipeline::Stage<Result> {
  public:
   /// `frontend` outlives it.

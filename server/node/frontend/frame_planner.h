@@ -14,37 +14,37 @@
 
 namespace grove::node {
 
-/// A look for frames that have waited too long for their results.
+/// A check for frames past their deadline.
 struct DeadlineCheck {};
 
 inline pipeline::TraceTag traceTag(const DeadlineCheck&) { return {}; }
 
-/// The backdrop that a frame shows has been sent to the Compositor. The planner's own note to itself: a run may send
-/// one frame for each input.
+/// The backdrop that a frame shows has been sent to the Compositor. The planner sends this to itself, because a run may
+/// send only one frame per input.
 struct BackdropSent {
   FrameNumber showing = 0;
 };
 
 inline pipeline::TraceTag traceTag(const BackdropSent&) { return {}; }
 
-/// A frame that begins, what came of something that it asked for, a look at the clock, or a frame that need not wait
-/// any more.
+/// A new frame, a result of a request, a check of deadlines, or a frame that no longer waits for its backdrop.
 using FramePlannerInput = std::variant<std::shared_ptr<const FrameList>, Result, DeadlineCheck, BackdropSent>;
 
 inline pipeline::TraceTag traceTag(const FramePlannerInput& input) {
   return std::visit([](const auto& held) { return traceTag(held); }, input);
 }
 
-/// Turns the Scene Analyzer's list into a frame that the Compositor can show: asks each object's frontend half what it
-/// needs, passes that to the Request Sender, and repeats this with each result until every object has its payload.
+/// Turns the Scene Analyzer's list into a frame that the Compositor can show: requests from each object's frontend half
+/// what it needs, passes that to the Request Sender, and repeats this with each result until every object has its
+/// payload.
 ///
-/// A frame that is complete only after a newer one was shown is dropped. One that is not complete by its deadline is
-/// shown with the last results of what is missing; what comes later still is the last result then. A request that is
-/// refused is a Failure at once, so that its frame is completed without it.
+/// Drops a frame that becomes complete after a newer one was shown. At its deadline, shows an incomplete frame with the
+/// last results of the missing objects; late results become the last results. A refused request is a Failure at once,
+/// so its frame is completed without it.
 class FramePlanner final : public pipeline::Stage<FramePlannerInput> {
  public:
-  /// `frameDropped` is called once for every frame that began and is not sent on. `frontend` outlives it. Without
-  /// `backdrops` every frame draws all that it sees.
+  /// Calls `frameDropped` once for every frame that began and is not sent on. `frontend` outlives it. Without
+  /// `backdrops`, every frame draws everything in view.
   FramePlanner(std::size_t capacity, FrontendProcess& frontend, std::shared_ptr<VisitorHalves> halves,
                std::unique_ptr<BackdropPlanner> backdrops, std::function<void()> frameDropped);
   void connect(std::shared_ptr<pipeline::Inlet<CompleteFrame>> compositor);
@@ -56,21 +56,21 @@ class FramePlanner final : public pipeline::Stage<FramePlannerInput> {
  private:
   void begin(const std::shared_ptr<const FrameList>& seen, pipeline::Run& run);
   void resume(Result result, pipeline::Run& run);
-  /// Ends one whose deadline has passed, filled in, and drops those before it: the newest, or the first that draws a
-  /// backdrop. If more are left, looks again.
+  /// Completes one frame past its deadline with last results, and drops earlier ones: the newest, or the first that
+  /// draws a backdrop. If more are left, checks again.
   void endOverdue(pipeline::Run& run);
 
-  /// Goes on with one object until it waits or has its payload.
+  /// Continues with one object until it waits or has its payload.
   void proceed(FrameRecord& frame, std::uint32_t slot, std::optional<Payload> answer);
   [[nodiscard]] Plan planOf(const FrameRecord& frame, std::uint32_t slot, const Payload* answer);
-  /// Nothing yet, if it is under way.
+  /// Empty if the result is still to come.
   [[nodiscard]] std::optional<Payload> request(const FrameRecord& frame, std::uint32_t slot);
   void take(FrameRecord& frame, std::uint32_t slot, Payload payload);
 
   void fillIn(FrameRecord& frame);
-  /// Ends it if nothing is missing, its backdrop included.
+  /// Ends it if nothing is missing, including its backdrop.
   void endIfComplete(FrameRecord& frame, pipeline::Run& run);
-  /// Shows a frame in the making, or drops it if a newer one was shown.
+  /// Shows a frame in progress, or drops it if a newer one was shown.
   void end(FrameRecord& frame, pipeline::Run& run);
   void drop(FrameRecord& frame);
 

@@ -9,49 +9,49 @@
 
 namespace grove::node {
 
-/// The frames of one visitor: requests x frames in flight (section 4.4), and beside those in the making some that have
-/// ended, for results that come late are of use as the last ones of their objects. Bounded by the frames in flight and
-/// kKept. Only the newest that was shown and the newest that drew a whole backdrop hold payloads after their end.
-/// Records stay where they are until open() forgets them. Used by one thread at a time.
+/// The frames of one visitor: requests x frames in flight (section 4.4). Besides frames in progress it keeps some ended
+/// ones, because late results are useful as the last results of their objects. Bounded by the frames in flight and
+/// kKept. Of the ended frames, only the newest shown one and the newest that drew a whole backdrop hold payloads.
+/// References to records stay valid until open() forgets them. Not thread-safe.
 class FrameRecords {
  public:
-  /// Whose results are still of use; frames in the making are kept even if they are more.
+  /// Number of frames whose results are still useful; more frames in progress are kept, too.
   static constexpr std::size_t kKept = 16;
 
   FrameRecords() = default;
   FrameRecords(const FrameRecords&) = delete;
   FrameRecords& operator=(const FrameRecords&) = delete;
 
-  /// A frame begins; its number is new. The oldest one that has ended may be forgotten.
+  /// A frame with a new number begins. May forget the oldest ended frame.
   FrameRecord& open(const std::shared_ptr<const FrameList>& list);
 
-  /// Null if it is unknown or forgotten.
+  /// Returns null if the frame is unknown or forgotten.
   [[nodiscard]] FrameRecord* find(FrameNumber frame);
 
-  /// Those in the making whose deadline has passed, oldest first.
+  /// Frames in progress past their deadline, oldest first.
   [[nodiscard]] std::vector<FrameRecord*> overdue(double now);
 
-  /// Whether a newer one was shown.
+  /// Returns whether a newer frame was shown.
   [[nodiscard]] bool overtaken(const FrameRecord& frame) const;
 
-  /// It is the newest shown from now on.
+  /// Marks it as the newest shown frame.
   void show(FrameRecord& frame);
 
-  /// See FrameRecord::fillIn(), with what the newest shown frame has, and the newest that drew a backdrop.
+  /// See FrameRecord::fillIn(), with the newest shown frame and the newest that drew a backdrop.
   std::vector<std::uint32_t> fillIn(FrameRecord& frame) { return frame.fillIn({newestShown_, newestDrawn_}); }
 
-  /// What an object of a frame that is in the making was shown with last; null if nothing.
+  /// Returns the last shown payload of an object of a frame in progress; null if none.
   [[nodiscard]] const Payload* lastOf(const FrameRecord& frame, std::uint32_t slot) const {
     return frame.lastOf(slot, {newestShown_, newestDrawn_});
   }
 
-  /// Those in the making that show the backdrop which this frame draws.
+  /// Frames in progress that show the backdrop which this frame draws.
   [[nodiscard]] std::vector<FrameRecord*> showingBackdropOf(const FrameRecord& frame);
-  /// Whether the frame that draws its backdrop is still in the making.
+  /// Returns whether the frame that draws its backdrop is still in progress.
   [[nodiscard]] bool waitsForBackdrop(const FrameRecord& frame);
 
-  /// What has come of a slot after its frame's end: true if it is the last result of its object now, see
-  /// FrameRecord::takeStale(). Of frames that were not shown it never is.
+  /// Handles a result of a slot after its frame's end. Returns true if it becomes the last result of its object, see
+  /// FrameRecord::takeStale(). Always false for frames that were not shown.
   bool keepStale(const FrameRecord& late, std::uint32_t slot, Payload payload);
 
   [[nodiscard]] std::size_t size() const noexcept { return frames_.size(); }
@@ -61,7 +61,7 @@ class FrameRecords {
 
   std::map<FrameNumber, FrameRecord> frames_;
   FrameRecord* newestShown_ = nullptr;
-  FrameRecord* newestDrawn_ = nullptr;  ///< a whole backdrop, of those that were shown
+  FrameRecord* newestDrawn_ = nullptr;  ///< of the shown frames, the newest that drew a whole backdrop
 };
 
 }  // namespace grove::node

@@ -5,19 +5,19 @@
 
 namespace grove::node {
 
-/// Counts the frames of one visitor that are being made, so that each that began ends once, be it shown, dropped, or
-/// cut off by the end of its frontend node. Any thread.
+/// Counts the frames of one visitor in progress, so that each frame ends exactly once: shown, dropped, or stopped by
+/// the end of its frontend node. Thread-safe.
 class FramesInFlight {
  public:
-  /// `ended` is called for each frame that ends, without a lock held; may be empty.
+  /// Calls `ended`, which may be empty, for each frame that ends, without a lock held.
   FramesInFlight(int max, std::function<void()> ended);
 
-  /// False if `max` are being made, or after close().
+  /// Returns false if `max` frames are in progress, or after close().
   [[nodiscard]] bool begin();
   void end();
-  /// Takes a begin() back, without a call of `ended`; false if close() has ended that frame already.
+  /// Reverts a begin() without a call of `ended`; returns false if close() has already ended that frame.
   [[nodiscard]] bool cancel();
-  /// Ends all; those that were under way do not end a second time.
+  /// Ends all frames; those in progress do not end a second time.
   void close();
   [[nodiscard]] int count() const;
   [[nodiscard]] bool full() const { return count() >= max_; }

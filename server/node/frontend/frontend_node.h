@@ -14,19 +14,19 @@
 
 namespace grove::node {
 
-/// How many frames of a visitor are made at once, and how long one waits for its results.
+/// How many frames of a visitor are in progress at once, and how long one waits for its results.
 struct FramePolicy {
   int framesInFlight = 1;        ///< 1 to kMaxFramesInFlight
-  double deadlineSeconds = 0.5;  ///< then it is shown with the last results of the objects that did not answer
-  bool backdrops = true;         ///< false: every object is drawn for every frame
+  double deadlineSeconds = 0.5;  ///< then the frame shows the last results of missing objects
+  bool backdrops = true;         ///< false: every frame draws every object
 };
 
-/// The left half of Figure 4.2: one visitor's pipeline from the camera to the composited frame. Any thread.
+/// The left half of Figure 4.2: one visitor's pipeline from the camera to the composited frame. Thread-safe.
 class FrontendNode {
  public:
-  /// `look` reads the camera, on a worker thread, when a frame's turn has come. Finished frames go to `next`.
-  /// `frameEnded` (may be empty) is called once for each frame that was requested: it is composited, or dropped. Any
-  /// thread; it may request frames, of other nodes too. `frontend` outlives the node.
+  /// Calls `look` for the camera, on a worker thread, when a frame's turn comes. Sends finished frames to `next`. Calls
+  /// `frameEnded` (may be empty) once for each requested frame, composited or dropped, on any thread; it may request
+  /// frames, also of other nodes. `frontend` outlives the node.
   FrontendNode(SessionId session, const FramePolicy& policy, SceneAnalyzer::Look look,
                std::shared_ptr<pipeline::Inlet<FinishedFrame>> next, std::function<void()> frameEnded,
                FrontendProcess& frontend);
@@ -34,17 +34,17 @@ class FrontendNode {
   FrontendNode(const FrontendNode&) = delete;
   FrontendNode& operator=(const FrontendNode&) = delete;
 
-  /// Starts a frame, unless `framesInFlight` are being made already: then false, and it does not end.
+  /// Starts a frame. Returns false, without a call of `frameEnded`, if `framesInFlight` are in progress.
   bool requestFrame();
 
-  /// Whether `framesInFlight` are being made.
+  /// Returns whether `framesInFlight` are in progress.
   [[nodiscard]] bool full() const { return inFlight_->full(); }
 
-  /// To be called every now and then, so that a frame whose results do not come ends by its deadline, or as long after
-  /// it as lies between two calls. Returns at once.
+  /// Checks for frames past their deadline, and ends them. Call regularly: a frame may end late by the time between two
+  /// calls. Returns at once.
   void checkDeadline();
 
-  /// Takes no more frames; runs in progress finish and their results are dropped.
+  /// Accepts no more frames; runs in progress finish, and their results are dropped.
   void close();
 
  private:

@@ -15,37 +15,37 @@
 
 namespace grove::node {
 
-/// What a frontend process says to each backend node first.
+/// The first message of a frontend process to each backend node.
 [[nodiscard]] NodeHello helloOf(ProcessId process, const world::Layout& layout);
 
-/// What the frontend nodes of a process have in common: the world's layout, the link to the backend node, the shared
-/// store, and where each session takes its results. Any thread.
+/// The common part of a process's frontend nodes: the world's layout, the link to the backend node, the shared store,
+/// and the result receiver of each session. Thread-safe.
 class FrontendProcess final : public FrontendPort {
  public:
-  /// Says hello to the backend node, among whose frontend processes `id` is distinct. All of it outlives the process.
+  /// Sends hello to the backend node; `id` is unique among its frontend processes. All arguments outlive the process.
   FrontendProcess(ProcessId id, const world::Layout& layout, const FrontendTypes& types, FrontendEnd& transport,
                   const FrontendTools& tools, std::size_t maxSharedBytes);
   ~FrontendProcess() override;
   FrontendProcess(const FrontendProcess&) = delete;
   FrontendProcess& operator=(const FrontendProcess&) = delete;
 
-  /// Pictures for `session` go to `receiver` for as long as it lives.
+  /// Sends pictures for `session` to `receiver` as long as it lives.
   void connect(SessionId session, std::weak_ptr<pipeline::Inlet<Result>> receiver);
   void disconnect(SessionId session);
 
   pipeline::PushResult send(ToBackend message) { return transport_.send(std::move(message)); }
-  /// Asks for a picture, so that its answer is let in.
+  /// Requests a picture, and expects its answer.
   pipeline::PushResult askForPicture(Request request);
   void receive(ToFrontend message) override;
 
-  /// Makes a result's payload of the bytes that it came as; one that came by reference stays as it is. Throws
-  /// PackingError, also for a picture that nobody asked for, or that is larger than what was asked for.
+  /// Unpacks a result's payload; leaves one that came by reference unchanged. Throws PackingError, also for a picture
+  /// that nobody requested or that is larger than requested.
   void unpack(Result& result);
 
   [[nodiscard]] const world::Layout& layout() const noexcept { return layout_; }
-  /// The type of an object of the world. Asserts that this process knows it.
+  /// Returns the type of an object of the world. Asserts that this process knows it.
   [[nodiscard]] const FrontendType& type(world::TypeIndex index) const;
-  /// Null if the world has no such object.
+  /// Returns null if the world has no such object.
   [[nodiscard]] const FrontendType* typeOf(world::ObjectId id) const;
   [[nodiscard]] SharedStore& shared() noexcept { return store_; }
   [[nodiscard]] const FrontendTools& tools() const noexcept { return tools_; }
@@ -63,7 +63,7 @@ class FrontendProcess final : public FrontendPort {
   SharedStore store_;
   const std::shared_ptr<SharedReceiver> sharedReceiver_;
   std::shared_mutex mutex_;
-  std::map<world::ObjectId, std::uint64_t> epochs_;  ///< of the nodes that have served them last
+  std::map<world::ObjectId, std::uint64_t> epochs_;  ///< of the nodes that served them last
   std::map<SessionId, std::weak_ptr<pipeline::Inlet<Result>>> sessions_;
 };
 

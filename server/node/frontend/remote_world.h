@@ -9,11 +9,11 @@
 
 namespace grove::node {
 
-/// A world all of whose objects nodes in other processes serve. This process knows of models only what the nodes'
-/// welcomes say. For one instance only.
+/// A world whose objects are all served by nodes in other processes. This process knows only those facts of the models
+/// that the nodes' welcomes contain. For one instance only.
 class RemoteWorld final : public WorldNodes {
  public:
-  /// `layout` is what the scene file says (world::layoutOf()). Asserts that the nodes serve all of it. Throws
+  /// `layout` is that of the scene file (world::layoutOf()). Asserts that the nodes serve all of it. Throws
   /// EnvironmentError if a node serves an object that is not in the file.
   RemoteWorld(world::Layout layout, std::unique_ptr<NodeRouter> nodes);
 

@@ -11,28 +11,26 @@
 
 namespace grove::node {
 
-/// Second box of Figure 4.2: sends a frame's view, then a request for each thing that it needs, to the backend node or
-/// to the shared store in front of it (section 4.2, step 2). No stage of its own, for it takes no time. Used by one
-/// thread at a time.
+/// Second box of Figure 4.2: sends a frame's view, then a request for each of its needs, to the backend node or to the
+/// shared store in front of it (section 4.2, step 2). Not a stage, because it takes no time. Not thread-safe.
 class RequestSender {
  public:
-  /// Takes what the shared store has got for a request, on the thread that brings it, or at once. Must not block.
+  /// Receives the shared store's answer to a request, on the thread that brings it, or at once. Must not block.
   using Bring = std::function<void(Result)>;
 
   /// `frontend` outlives it.
   explicit RequestSender(FrontendProcess& frontend) : frontend_(frontend) {}
-  /// To be called before the first request. What a backend node answers for one visitor takes another way, through the
-  /// Result Receiver.
+  /// Call before the first request. A backend node's answers for one visitor go through the Result Receiver instead.
   void connect(Bring bring) { bring_ = std::move(bring); }
 
-  /// Goes before the requests that name it.
+  /// Sends a view, before the requests that name it.
   void send(std::shared_ptr<const View> view) { frontend_.send(std::move(view)); }
 
-  /// Asks for what a slot of a frame needs. Nothing if it is under way, or a Failure at once if it is refused. May
+  /// Requests a need of a frame's slot. Returns nothing if the answer is to come, or a Failure if it is refused. May
   /// throw what the transport throws.
   [[nodiscard]] std::optional<Failure> send(const FrameList& frame, std::uint32_t slot, const Ask& ask);
 
-  /// What this frame and those before it have asked for need not be answered any more.
+  /// Cancels the requests of this frame and of earlier ones.
   void cancel(const View& view) { frontend_.send(Cancel{view.session, view.frame}); }
 
  private:

@@ -5,8 +5,8 @@
 
 namespace grove::node {
 
-/// Takes results off the transport (section 4.2, step 8). Holds as many as the frames in flight may ask for, so
-/// none is lost.
+/// Takes results off the transport (section 4.2, step 8). Holds as many as the frames in flight may request, so none is
+/// lost.
 class ResultReceiver final : public pipeline::Stage<Result> {
  public:
   ResultReceiver(std::size_t capacity, pipeline::Executor& executor, pipeline::Timeline& timeline);

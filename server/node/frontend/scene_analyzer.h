@@ -11,7 +11,7 @@
 
 namespace grove::node {
 
-/// The call for one more frame.
+/// A request for one more frame.
 struct FrameTicket {
   SessionId session = 0;
   FrameNumber frame = 0;
@@ -19,18 +19,17 @@ struct FrameTicket {
 
 inline pipeline::TraceTag traceTag(const FrameTicket& ticket) { return traceTag(ticket.session, ticket.frame); }
 
-/// The objects of the world whose bounds the camera sees, back to front by the distance of their farthest corners, so
-/// that what encloses others (the sky, the ground) comes before them; the nearest kMaxObjectsPerFrame of them. The
-/// viewer's own figure is left out.
+/// Returns the objects whose bounds the camera sees, back to front by the distance of their farthest corners, so that
+/// enclosing objects (the sky, the ground) come before the others; at most the nearest kMaxObjectsPerFrame. Skips the
+/// viewer's own figure.
 [[nodiscard]] std::vector<VisibleObject> visibleObjects(const world::Layout& layout, const View& view);
 
-/// First box of Figure 4.2: reads the camera, as late as possible, finds what it sees, and sends the sorted list on
-/// (section 4.2, step 1): to the Frame Planner, which has requests sent, and gives the Compositor the list with what
-/// came of them.
+/// First box of Figure 4.2: reads the camera, as late as possible, finds the visible objects, and sends the sorted list
+/// (section 4.2, step 1) to the Frame Planner.
 class SceneAnalyzer final : public pipeline::Stage<FrameTicket> {
  public:
   using Look = std::function<View(FrameNumber)>;
-  /// `frameFailed` is called for a ticket that came to nothing.
+  /// Calls `frameFailed` for a ticket without a frame.
   SceneAnalyzer(const world::Layout& layout, Look look, double deadlineSeconds, std::function<void()> frameFailed,
                 pipeline::Executor& executor, pipeline::Timeline& timeline);
   void connect(std::shared_ptr<pipeline::Inlet<FramePlannerInput>> framePlanner);

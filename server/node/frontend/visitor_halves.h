@@ -8,7 +8,7 @@
 
 namespace grove::node {
 
-/// One visitor's halves of all object types of his world. Any thread.
+/// One visitor's halves of all object types of the world. Thread-safe.
 class VisitorHalves {
  public:
   explicit VisitorHalves(const FrontendProcess& frontend);
@@ -16,7 +16,7 @@ class VisitorHalves {
   [[nodiscard]] FrontendHalf& of(world::TypeIndex type) const { return *halves_.at(type).half; }
   [[nodiscard]] std::string_view name(world::TypeIndex type) const { return halves_.at(type).name; }
 
-  /// Of the memory that they keep. One thread at a time.
+  /// Reports the memory that they keep. One thread at a time.
   void reportMemory();
 
  private:

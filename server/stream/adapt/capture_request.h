@@ -6,13 +6,13 @@
 
 namespace grove::stream {
 
-/// A visitor's wish for a capture, from the request until its frame is drawn: one at a time, the newest wins, and one a
-/// second at most. One thread at a time; times are seconds that do not go back.
+/// A visitor's requested screenshot, from the request until its frame is drawn. Keeps the newest request, and starts at
+/// most one capture a second. Not thread-safe; times are monotonic seconds.
 class CaptureRequest {
  public:
   void ask(std::uint32_t number) { wanted_ = number; }
 
-  /// Whether this frame, which begins, is to be the capture.
+  /// Returns whether the frame that begins becomes the capture.
   [[nodiscard]] bool begin(std::uint32_t frame, double now) {
     if (!wanted_ || now - began_ < kMinSecondsBetween) return false;
     made_ = {frame, *std::exchange(wanted_, std::nullopt)};
@@ -20,7 +20,7 @@ class CaptureRequest {
     return true;
   }
 
-  /// Returns the capture's number if this drawn frame is the capture; only once.
+  /// Returns the capture's number if this drawn frame is the capture; once.
   [[nodiscard]] std::optional<std::uint32_t> take(std::uint32_t frame) {
     if (!made_ || made_->first != frame) return std::nullopt;
     return std::exchange(made_, std::nullopt)->second;

@@ -2,23 +2,22 @@
 
 namespace grove::stream {
 
-/// Decides between a codec that saves bits (H.264) and one that saves the server work (JPEG): the second while the
-/// server is short of time, the view moves, and line and browser carry it. A view that stands still is almost free in
-/// H.264, and browsers without a graphics card take longer for a JPEG. One thread at a time; times are seconds that do
-/// not go back.
+/// Chooses between a codec that saves bits (H.264) and one that saves server time (JPEG). Chooses JPEG while the server
+/// is too slow, the view moves, and line and browser can carry it. A still view costs almost nothing in H.264, and
+/// browsers without a GPU take longer for a JPEG. Not thread-safe; times are monotonic seconds.
 class CodecChoice {
  public:
   struct Means {
-    bool isWorkScarce = false;            ///< frames wait for the server
-    bool isBrowserShort = false;          ///< frames wait for the browser
-    bool isStill = false;                 ///< the camera has been standing for a while
-    bool isLineScarce = false;            ///< pictures are smaller or fewer because of the line
-    double lineBitsPerSecond = 0.0;       ///< that the stream may take
-    double provenBitsPerSecond = 0.0;     ///< that the line is known to have carried of late
-    double workSaverBitsPerSecond = 0.0;  ///< that the codec that saves work would take
+    bool isWorkScarce = false;            ///< the server delays frames
+    bool isBrowserShort = false;          ///< the browser delays frames
+    bool isStill = false;                 ///< the camera has not moved for a while
+    bool isLineScarce = false;            ///< the line makes pictures smaller or fewer
+    double lineBitsPerSecond = 0.0;       ///< available to the stream
+    double provenBitsPerSecond = 0.0;     ///< the line has carried these lately
+    double workSaverBitsPerSecond = 0.0;  ///< the codec that saves time would need these
   };
 
-  /// Whether the codec that saves work is the better one. To be asked a few times a second at least.
+  /// Returns whether to use the codec that saves time. Call at least a few times a second.
   bool update(double now, const Means& means);
   [[nodiscard]] bool savesWork() const noexcept { return savesWork_; }
 
@@ -26,11 +25,11 @@ class CodecChoice {
   void change(bool savesWork, double now);
 
   bool savesWork_ = false;
-  bool failed_ = false;  ///< the line or the browser did not carry it
+  bool failed_ = false;  ///< the line or the browser could not carry it
   double changed_ = 0.0;
-  double reasonSince_ = -1.0;  ///< to change; negative: there is none
-  double failureRest_ = 30.0;  ///< until it is tried again
-  double workRest_ = 60.0;     ///< without scarcity until bits are saved again
+  double reasonSince_ = -1.0;  ///< there has been a reason to change; negative: none
+  double failureRest_ = 30.0;  ///< seconds until the next try
+  double workRest_ = 60.0;     ///< seconds with a fast enough server until bits are saved again
 };
 
 }  // namespace grove::stream

@@ -8,14 +8,15 @@
 
 namespace grove::stream {
 
-/// Where a visitor's frames spend their time before the page has them; medians of a second. One thread at a time.
+/// Collects where a visitor's frames spend their time until the page receives them; medians of a second. Not
+/// thread-safe.
 class FrameTimes {
  public:
   enum class Place : std::uint8_t { kQueue, kDrawing, kEncoder, kSocket, kLine };
 
   void add(Place place, double seconds) { samples_[static_cast<std::size_t>(place)].push_back(seconds); }
 
-  /// Once a second, if a frame was encoded in it.
+  /// Returns the medians once a second, if a frame was encoded in it.
   [[nodiscard]] std::optional<Times> take(double now);
 
  private:

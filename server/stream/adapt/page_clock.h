@@ -4,10 +4,10 @@
 
 namespace grove::stream {
 
-/// A page's clock, of which 32 bits of microseconds are reported: goes on over their end. One thread at a time.
+/// Extends a page's clock, reported as 32 bits of microseconds, beyond their overflow. Not thread-safe.
 class PageClock {
  public:
-  /// Seconds since a moment that stays the same.
+  /// Returns seconds since a fixed moment.
   [[nodiscard]] double seconds(std::uint32_t microseconds) {
     seconds_ += static_cast<double>(static_cast<std::int32_t>(microseconds - last_)) * 1e-6;
     last_ = microseconds;

@@ -7,11 +7,11 @@
 
 namespace grove::stream {
 
-/// Measures who keeps a visitor's frames back: the share of the last seconds in which a frame was due and could not
-/// begin, by who was not ready for it. One thread at a time; times are seconds that do not go back.
+/// Measures what delays a visitor's frames: the share of the last seconds in which a due frame could not begin, by
+/// cause. Not thread-safe; times are monotonic seconds.
 class Shortage {
  public:
-  /// A frame is due and may not begin because of `who`; to be called again while that lasts.
+  /// `who` delays a due frame. Call again while that lasts.
   void blocked(LimitedBy who, double now);
   /// A frame begins. Returns how long it waited for the server, seconds.
   double began(double now);
@@ -20,20 +20,20 @@ class Shortage {
 
   /// 0 to 1.
   [[nodiscard]] double share(LimitedBy who, double now) const;
-  /// Who keeps frames back most, or nothing if nobody does for a share that matters.
+  /// The main cause of delays, or kNothing if none matters.
   [[nodiscard]] LimitedBy main(double now) const;
-  /// Frames that begin a second; 0 until two have.
+  /// Frames that begin a second; 0 before the second frame.
   [[nodiscard]] double framesPerSecond() const noexcept { return period_ > 0.0 ? 1.0 / period_ : 0.0; }
 
  private:
   static constexpr std::size_t kCount = 5;  ///< values of LimitedBy
   void settle(double now);
 
-  std::array<double, kCount> seconds_{};  ///< blocked, fading
-  double settled_ = 0.0;                  ///< until when seconds_ counts
+  std::array<double, kCount> seconds_{};  ///< delayed, fading
+  double settled_ = 0.0;                  ///< seconds_ counts until then
   bool isWaiting_ = false;
   LimitedBy waitsFor_ = LimitedBy::kNothing;
-  double waitsForServer_ = 0.0;  ///< the frame that is due
+  double waitsForServer_ = 0.0;  ///< of the due frame
   double lastBegan_ = -1.0;
   double period_ = 0.0;
 };

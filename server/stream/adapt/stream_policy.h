@@ -9,26 +9,26 @@
 
 namespace grove::stream {
 
-/// What a stream could be at best.
+/// The best stream that a visitor wants.
 struct StreamWish {
   int width = 1280;  ///< of the window, pixels
   int height = 720;
   double framesPerSecond = 30.0;
 };
 
-/// What it has to do with.
+/// The means that the stream has.
 struct StreamMeans {
-  double bitsPerSecond = 3e6;  ///< that pictures may take
-  /// Of an ordinary picture at quantiser 0, as QuantiserControl has it.
+  double bitsPerSecond = 3e6;  ///< available to pictures
+  /// Of an ordinary picture at quantiser 0, see QuantiserControl.
   double bitsPerPixel = 4.0;
-  /// That server and browser manage at most, however good the line is.
+  /// Maximum of server and browser, however good the line is.
   double framesPerSecond = std::numeric_limits<double>::infinity();
   Quantiser finest = 18.0;  ///< of the encoder
   Quantiser coarsest = 40.0;
-  bool isTried = true;  ///< the line has been full before; else it is not known yet what it carries
+  bool isTried = true;  ///< the line has been full before; else its rate is not known yet
 };
 
-/// What it is.
+/// Size and rate of the stream.
 struct StreamPlan {
   int width = 1280;
   int height = 720;
@@ -37,12 +37,12 @@ struct StreamPlan {
   friend bool operator==(const StreamPlan&, const StreamPlan&) = default;
 };
 
-/// Decides size and rate of a visitor's pictures. The quantiser gives way first, which is not decided here: only when
-/// it would have to be coarser than pleases, pictures become smaller, then fewer, and again; and all of it comes back
-/// when there is room for a while. One thread at a time.
+/// Chooses size and rate of a visitor's pictures. The quantiser adapts first, elsewhere. Only when it would become too
+/// coarse, pictures become smaller, then fewer, and so on; and all of it comes back when there has been room for a
+/// while. Not thread-safe.
 class StreamPolicy {
  public:
-  /// At `now`, seconds. To be asked a few times a second at least.
+  /// `now`: monotonic seconds. Call at least a few times a second.
   const StreamPlan& update(double now, const StreamWish& wish, const StreamMeans& means);
   [[nodiscard]] const StreamPlan& plan() const noexcept { return plan_; }
 
@@ -55,7 +55,7 @@ class StreamPolicy {
   StreamPlan plan_;
 };
 
-/// The size that is streamed for a wanted one: within 160 x 90 to 1920 x 1080, even, of the same shape where possible.
+/// Returns the streamed size for a wanted one: within 160 x 90 to 1920 x 1080, even, of the same shape if possible.
 [[nodiscard]] std::pair<int, int> fitSize(std::uint32_t width, std::uint32_t height);
 
 }  // namespace grove::stream

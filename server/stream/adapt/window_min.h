@@ -5,7 +5,7 @@
 
 namespace grove::stream {
 
-/// The smallest value of the last five to ten seconds, in constant memory. One thread at a time.
+/// The minimum of the last five to ten seconds, in constant memory. Not thread-safe.
 class WindowMin {
  public:
   void add(double now, double value) {
@@ -17,7 +17,7 @@ class WindowMin {
     current_ = std::min(*current_, value);
   }
 
-  /// None before the first.
+  /// Empty before the first value.
   [[nodiscard]] std::optional<double> value() const {
     return previous_ && current_ ? std::min(*previous_, *current_) : current_;
   }

@@ -7,7 +7,7 @@
 
 namespace grove::stream {
 
-/// Types of H.264's units (ITU-T H.264, table 7-1) that a stream of Grove may have.
+/// Types of H.264 units (ITU-T H.264, table 7-1) that a stream of Grove may contain.
 enum class UnitType : std::uint8_t {
   kSlice = 1,
   kIndependentSlice = 5,  ///< IDR
@@ -17,7 +17,7 @@ enum class UnitType : std::uint8_t {
   kDelimiter = 9,
 };
 
-/// The types of the units of an Annex B byte stream, in their order; nothing if the bytes are none.
+/// Returns the types of the units of an Annex B byte stream, in order; empty if the bytes are no such stream.
 [[nodiscard]] std::optional<std::vector<UnitType>> unitTypes(std::span<const std::uint8_t> bytes);
 
 }  // namespace grove::stream

@@ -15,20 +15,19 @@
 
 namespace grove::stream {
 
-/// The last box of a visitor's pipeline: makes a Frame or Picture message of a composited frame and hands it on. Newest
-/// wins, before encoding: a frame that waits while an older one is encoded is replaced by the next. What the visitor's
-/// screen shows already is not encoded again.
+/// The last box of a visitor's pipeline: encodes a composited frame as a Frame or Picture message. Newest wins, before
+/// encoding: a frame that waits while an older one is encoded is replaced by the next. A picture that the visitor's
+/// screen already shows is not encoded again.
 class EncodeStage final : public pipeline::Stage<node::FinishedFrame> {
  public:
-  /// Where messages go; called on the executor's threads, must not block.
+  /// Receivers of messages; called on the executor's threads, must not block.
   struct Outputs {
     std::function<void(std::shared_ptr<const EncodedFrame>)> frame;
     std::function<void(std::vector<std::uint8_t>)> captured = {};  ///< a Captured message
   };
 
-  /// Messages are what this `page` understands: Frames, Pictures, or Pictures that tell what is heard (`fires`: where
-  /// they burn) and where names belong. Reports to `memory` the
-  /// encoder and the newest frame, which waits to be sent.
+  /// The `page` decides the messages: Frames, Pictures, or Pictures with the nearness of the fire (`fires`: positions)
+  /// and the places of names. Reports the encoder, and the newest frame that waits to be sent, to `memory`.
   EncodeStage(std::shared_ptr<StreamControl> control, PageLevel page, std::vector<world::Vec3> fires, Outputs outputs,
               pipeline::MemoryLedger& memory, pipeline::Executor& executor, pipeline::Timeline& timeline);
 
@@ -38,9 +37,9 @@ class EncodeStage final : public pipeline::Stage<node::FinishedFrame> {
  private:
   void encodeNext(const node::FinishedFrame& frame);
   void capture(const node::FinishedFrame& frame, std::uint32_t number);
-  /// The encoder that is wanted now, made anew if it is another than before; null if it cannot be had.
+  /// Returns the wanted encoder, made anew if it differs from the last one; null if it fails.
   [[nodiscard]] Encoder* encoderOf(const EncoderKind& kind);
-  /// Whether not one pixel differs from the last frame's.
+  /// Returns whether no pixel differs from the last frame's.
   [[nodiscard]] bool isSame(const node::FinishedFrame& frame, bool still);
   [[nodiscard]] std::shared_ptr<EncodedFrame> makeRoom(std::size_t labels) const;
 
@@ -49,7 +48,7 @@ class EncodeStage final : public pipeline::Stage<node::FinishedFrame> {
   const bool namesAndSounds_;
   const std::vector<world::Vec3> fires_;
   const Outputs outputs_;
-  std::string kind_;  ///< name of the encoder's
+  std::string kind_;  ///< name of the encoder's kind
   std::unique_ptr<Encoder> encoder_;
   std::size_t lastBytes_ = 0;
   std::optional<world::Camera> lastCamera_;

@@ -9,12 +9,12 @@
 
 namespace grove::stream {
 
-/// A Frame or Picture message ready to send: `headroom` free bytes (the websocket library wants them), then header and
+/// A Frame or Picture message ready to send: `headroom` free bytes, which the websocket library needs, then header and
 /// picture.
 struct EncodedFrame {
   static constexpr std::size_t kHeadroom = 32;
   PictureHeader header;
-  double allowedBytes = 0.0;  ///< that the picture might have taken
+  double allowedBytes = 0.0;  ///< available to the picture
   std::vector<std::uint8_t> bytes;
 
   [[nodiscard]] std::span<const std::uint8_t> message() const { return std::span(bytes).subspan(kHeadroom); }

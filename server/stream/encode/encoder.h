@@ -8,35 +8,35 @@
 
 namespace grove::stream {
 
-/// How coarse a picture's numbers are: H.264's scale, 0 to 51; six more double the step. All codecs are led on it, so
-/// that whoever leads them need not know which it is.
+/// Coarseness of a picture: H.264's scale, 0 to 51; six steps double it. The control of all codecs uses it, and so is
+/// independent of the codec.
 using Quantiser = double;
 
-/// What is wanted of the next picture.
+/// How to encode the next picture.
 struct EncodeOrder {
   Quantiser quantiser = 26.0;
-  bool independent = false;  ///< it must be decodable without those before it
+  bool independent = false;  ///< must be decodable without earlier ones
 };
 
-/// What makes sense of one encoder; orders are kept within `finest` and `coarsest`.
+/// Range of one encoder; orders stay within `finest` and `coarsest`.
 struct QuantiserRange {
-  Quantiser finest = 18.0;    ///< of a picture that stands still
-  Quantiser usual = 24.0;     ///< the finest of one that moves: nobody sees better
-  Quantiser coarsest = 40.0;  ///< that anybody would want to look at
+  Quantiser finest = 18.0;    ///< of a still picture
+  Quantiser usual = 24.0;     ///< the finest of a moving one; finer is invisible
+  Quantiser coarsest = 40.0;  ///< still acceptable
 };
 
-/// Makes the bytes of one visitor's pictures. One thread at a time.
+/// Encodes one visitor's pictures. Not thread-safe.
 class Encoder {
  public:
   virtual ~Encoder() = default;
-  /// As in PROTOCOL.md.
+  /// The codec's number in PROTOCOL.md.
   [[nodiscard]] virtual std::uint8_t codec() const noexcept = 0;
   [[nodiscard]] virtual QuantiserRange range() const noexcept = 0;
   /// Appends the encoded picture, whose size may differ from the last one's, to `out`. Returns whether it is
-  /// independent: if not, it needs the one that was encoded before it, so what was encoded must be sent. Throws
-  /// EnvironmentError if the library refuses.
+  /// independent; if not, it needs the previously encoded one, so every encoded picture must be sent. Throws
+  /// EnvironmentError if the library fails.
   virtual bool encode(const raster::YuvImage& picture, const EncodeOrder& order, std::vector<std::uint8_t>& out) = 0;
-  /// Memory that it keeps from picture to picture.
+  /// Memory that it keeps between pictures.
   [[nodiscard]] virtual std::size_t bytes() const noexcept = 0;
 };
 

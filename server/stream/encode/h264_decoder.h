@@ -10,15 +10,15 @@ class ISVCDecoder;
 
 namespace grove::stream {
 
-/// Reads H.264 as PROTOCOL.md says: access units as Annex B byte streams, each of which needs those before it unless it
-/// is independent. One a stream; one thread at a time.
+/// Decodes H.264 as in PROTOCOL.md: access units as Annex B byte streams, each of which needs the earlier ones unless
+/// it is independent. One per stream. Not thread-safe.
 class H264Decoder {
  public:
   /// Throws EnvironmentError if the library cannot start.
   H264Decoder();
 
-  /// The picture of the next access unit, of BT.601 in its full range; null if it is damaged or needs one that was
-  /// not decoded. The result stands until the next call.
+  /// Returns the picture of the next access unit, BT.601 full range; null if it is damaged or needs one that was not
+  /// decoded. The result is valid until the next call.
   [[nodiscard]] const DecodedPicture* decode(std::span<const std::uint8_t> accessUnit);
 
  private:

@@ -9,9 +9,9 @@ class ISVCEncoder;
 
 namespace grove::stream {
 
-/// H.264, Constrained Baseline, by OpenH264: each picture depends on the one before, none is held back or reordered,
-/// and independent ones come only when they are asked for. 6 to 9 ms of CPU for 1280 x 720 pixels of a walk, on
-/// the calling thread.
+/// H.264, Constrained Baseline, by OpenH264: each picture depends on the previous one, none is delayed or reordered,
+/// and independent ones are made on request only. 6 to 9 ms of CPU for 1280 x 720 pixels of a walk, on the calling
+/// thread.
 class H264Encoder final : public Encoder {
  public:
   /// Throws EnvironmentError if the library cannot start.
@@ -27,7 +27,7 @@ class H264Encoder final : public Encoder {
   struct Deleter {
     void operator()(ISVCEncoder* encoder) const noexcept;
   };
-  /// For pictures of this size, which begins with an independent one.
+  /// Prepares for pictures of this size; the first one is independent.
   void start(int width, int height, int quantiser);
   void setQuantiser(int quantiser);
 
@@ -38,7 +38,7 @@ class H264Encoder final : public Encoder {
   bool started_ = false;
 };
 
-/// Of the library that is linked, as in "2.3.1".
+/// Version of the linked library, for example "2.3.1".
 [[nodiscard]] std::string openH264Version();
 
 }  // namespace grove::stream

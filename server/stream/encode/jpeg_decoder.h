@@ -10,22 +10,22 @@
 
 namespace grove::stream {
 
-/// A picture as `grove load` and tests see it.
+/// A decoded picture, for `grove load` and tests.
 struct DecodedPicture {
   int width = 0;
   int height = 0;
   std::vector<std::uint32_t> colour;  ///< bytes R, G, B, A; rows from the top
 };
 
-/// Reads what JpegEncoder writes. One thread at a time.
+/// Decodes pictures of JpegEncoder. Not thread-safe.
 class JpegDecoder {
  public:
   JpegDecoder();
 
-  /// Width and height from the header alone; nothing if it is no JPEG header.
+  /// Returns width and height from the header; empty if it is no JPEG header.
   [[nodiscard]] std::optional<std::pair<int, int>> size(std::span<const std::uint8_t> jpeg);
 
-  /// The whole picture; nothing if any part of it is damaged. The result stands until the next call.
+  /// Returns the whole picture; null if any part of it is damaged. The result is valid until the next call.
   [[nodiscard]] const DecodedPicture* decode(std::span<const std::uint8_t> jpeg);
 
  private:

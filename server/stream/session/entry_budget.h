@@ -8,19 +8,19 @@
 
 namespace grove::stream {
 
-/// Limits what first frames may cost those who are in the world already: a newcomer's takes several times as long as
-/// any other, since nothing is drawn yet. One is made at a time, first come, first served, and paid from a bucket of
-/// seconds: some who come at once need not wait, and in the long run newcomers take a small share of the machine,
-/// however many come and go. Any thread; times are seconds that do not go back.
+/// Limits the cost of first frames for the visitors who are already in the world. A newcomer's first frame takes
+/// several times as long as any other, because nothing is drawn yet. First frames are made one at a time, first come,
+/// first served, and paid from a bucket of seconds: a few simultaneous newcomers do not wait, and in the long run
+/// newcomers take a small share of the machine, however many come and go. Thread-safe; times are monotonic seconds.
 class EntryBudget {
  public:
-  /// `cores`: that make frames.
+  /// `cores`: number that make frames.
   explicit EntryBudget(int cores);
 
-  /// Whether this session may begin its first frame, or has begun it. To be asked again and again; a session that no
-  /// longer asks keeps nobody waiting.
+  /// Returns whether this session may begin its first frame, or has begun it. Call repeatedly; a session that stops
+  /// calling delays nobody.
   [[nodiscard]] bool mayBegin(node::SessionId session, double now);
-  /// Its first frame is made, or it is gone.
+  /// The session's first frame is made, or the session has ended.
   void end(node::SessionId session, double now);
 
  private:
@@ -35,12 +35,12 @@ class EntryBudget {
   void fill(double now);
   void finish(double now);
 
-  const double rate_;  ///< seconds that the bucket gets in a second
+  const double rate_;  ///< seconds that the bucket gains per second
   std::mutex mutex_;
   std::deque<Waiter> waiting_;
   std::optional<Entry> entry_;
   double seconds_;       ///< in the bucket, or owed if negative
-  double filled_ = 0.0;  ///< when
+  double filled_ = 0.0;  ///< time of the last gain
 };
 
 }  // namespace grove::stream

@@ -6,23 +6,23 @@
 
 namespace grove::stream {
 
-/// Lets a frame begin when a worker has nothing to do, and the others wait for their turn, first come, first served. On
-/// a busy machine frames are then finished one after the other: were all begun at once, each would take as long as all
-/// of them, and show a camera that is as old. Any thread.
+/// Lets a frame begin when a worker is idle; others wait for their turn, first come, first served. So a busy machine
+/// finishes frames one after the other. If all began at once, each would take as long as all of them together, and show
+/// a camera as old as that. Thread-safe.
 class FrameGate {
  public:
-  /// `places`: frames that are made at once at most.
+  /// `places`: maximum number of frames in progress.
   explicit FrameGate(int places) : free_(places) {}
 
-  /// Returns whether it takes the place.
+  /// Returns whether the caller takes the place.
   using OnTurn = std::function<bool()>;
 
-  /// True: the caller has a place. False: `onTurn` is called as soon as there is one. It is called by who leaves or has
-  /// become idle, without a lock of the gate; each place that is taken must be given back by leave().
+  /// Returns true if the caller has a place. Otherwise calls `onTurn` as soon as there is one, on the thread that
+  /// leaves or becomes idle, without a lock of the gate. Each taken place must be returned by leave().
   [[nodiscard]] bool enter(OnTurn onTurn);
   void leave();
 
-  /// A worker has nothing to do, or something again.
+  /// A worker becomes idle, or busy again.
   void workerIs(bool idle);
 
  private:

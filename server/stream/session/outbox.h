@@ -13,12 +13,12 @@
 
 namespace grove::stream {
 
-/// What waits to be sent to one visitor: the newest frame that depends on no other, with those after it that do, and
-/// before the first one how long it takes; of reports about the stream and of captures the newest. No more frames wait
-/// than may be under way at once, so a slow visitor holds little memory and never sees old frames. Any thread.
+/// Messages that wait to be sent to one visitor: the newest independent frame with those after it that depend on it;
+/// before the first frame, the place in the queue; and the newest status, times and capture. At most as many frames
+/// wait as may be in flight, so a slow visitor holds little memory and never sees old frames. Thread-safe.
 class Outbox {
  public:
-  /// `wake` is called, on the thread that puts, when there is something to send; it must not block.
+  /// Calls `wake` on the putting thread when there is something to send; it must not block.
   explicit Outbox(std::function<void()> wake) : wake_(std::move(wake)) {}
 
   void put(std::shared_ptr<const EncodedFrame> frame) {
@@ -37,7 +37,7 @@ class Outbox {
   /// A Captured message.
   void putCaptured(std::vector<std::uint8_t> message) { replace(captured_, std::move(message)); }
 
-  /// To send before any frame.
+  /// To be sent before any frame.
   [[nodiscard]] std::optional<Waiting> takeWaiting() {
     const std::lock_guard lock(mutex_);
     return std::exchange(waiting_, std::nullopt);

@@ -17,43 +17,42 @@
 
 namespace grove::stream {
 
-/// Told how one's world gets on; called from any thread, must not block and not call the line.
+/// Receives the progress of one's world; called from any thread, must not block or call the line.
 using WaitingSink = std::function<void(const Waiting&)>;
 
-/// Who waits for a world of his own, in private mode, and the one thread that makes and takes apart these worlds, the
-/// first in line first. Nobody who is inside stalls for it: where there is one, a thread of low priority makes the next
-/// one's world, without the workers' help. Any thread.
+/// The queue for private worlds, and the thread that makes and destroys them, in order. Visitors inside do not stall:
+/// if there are any, a thread of low priority makes the next world, without the workers' help. Thread-safe.
 class PreparationLine {
  public:
-  /// Told a step and its share, from any thread.
+  /// Receives a step and its share, from any thread.
   using Progress = std::function<void(std::string_view, float)>;
-  /// Makes a world; where `progress` throws, it ends with that. One at a time.
+  /// Makes a world; ends with an exception that `progress` throws. One at a time.
   using Make = std::function<std::unique_ptr<WorldInstance>(node::Parallelism parallelism, const Progress& progress)>;
 
   struct Waiter {
     node::SessionId id = 0;
     WaitingSink report;  ///< may be empty
-    /// On a thread of the line's, once, and only if he has not left by then; null if his world could not be made.
+    /// Called once, on a thread of the line, unless the visitor has left; null if the world could not be made.
     std::function<void(std::shared_ptr<WorldInstance>)> enter;
   };
 
   explicit PreparationLine(Make make);
 
-  /// Sends all away and ends a world in the making at its next progress. Nobody holds a world any more.
+  /// Empties the queue, and ends a world in progress at its next report. All worlds have been returned before.
   ~PreparationLine();
   PreparationLine(const PreparationLine&) = delete;
   PreparationLine& operator=(const PreparationLine&) = delete;
 
   void join(Waiter waiter);
 
-  /// Gives up his place, if he has one: the others move up, and what was being made for him is dropped.
+  /// Removes a visitor's place, if any: the others move up, and a world in progress for that visitor is dropped.
   void leave(node::SessionId id);
 
-  /// Reports to everybody anew, so that no wait looks like a dead connection.
+  /// Reports to everybody again, so that no wait looks like a dead connection.
   void reportToAll();
 
  private:
-  /// What progress throws when nobody waits for the world any more.
+  /// Thrown by progress when nobody waits for the world any more.
   struct Unwanted {};
 
   void run();
@@ -73,9 +72,9 @@ class PreparationLine {
   std::condition_variable wake_;
   bool stopping_ = false;
   std::deque<Waiter> waiters_;
-  int inside_ = 0;         ///< worlds that somebody is in
-  StepProgress progress_;  ///< of the first one's world
-  double reported_ = 0.0;  ///< how it gets on
+  int inside_ = 0;         ///< occupied worlds
+  StepProgress progress_;  ///< of the first world in the queue
+  double reported_ = 0.0;  ///< time of the last report of progress
   std::vector<std::unique_ptr<WorldInstance>> unused_;
   std::thread thread_;  ///< last: uses the others
 };

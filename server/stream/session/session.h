@@ -25,16 +25,16 @@ class Host;
 class EncodeStage;
 class WorldInstance;
 
-/// Receives each new frame, on a worker thread; must not block. A newer frame replaces one that was not sent yet.
+/// Receives each new frame, on a worker thread; must not block. A newer frame replaces an unsent one.
 using FrameSink = std::function<void(std::shared_ptr<const EncodedFrame>)>;
-/// Gets how the stream stands, on the host's clock; must not block.
+/// Receives the state of the stream, on the host's clock thread; must not block.
 using StatusSink = std::function<void(const Status&)>;
 
 using TimesSink = std::function<void(const Times&)>;
-/// Gets Captured messages, on a worker thread; must not block.
+/// Receives Captured messages, on a worker thread; must not block.
 using CaptureSink = std::function<void(std::vector<std::uint8_t>)>;
 
-/// What a page understands, and what it said before Hello.
+/// What a page supports, and its messages before Hello.
 struct StreamTerms {
   PageLevel page = PageLevel::kBasic;
   StatusSink status;  ///< of pages since v1.2
@@ -44,8 +44,8 @@ struct StreamTerms {
   CaptureSink captured = {};
 };
 
-/// One visitor: a camera in the world, a frontend node that draws what it sees, and an encoder. Knows no sockets, so a
-/// websocket connection and a headless test use it alike. Any thread.
+/// One visitor: a camera in the world, a frontend node that draws its view, and an encoder. Independent of sockets, so
+/// a websocket connection and a headless test use it alike. Thread-safe.
 class Session : public std::enable_shared_from_this<Session> {
  public:
   /// Use Host::open().
@@ -57,10 +57,10 @@ class Session : public std::enable_shared_from_this<Session> {
 
   [[nodiscard]] Welcome welcome() const;
 
-  /// Takes over the newest controls; a refusal closes the connection.
+  /// Applies the newest controls; a refusal closes the connection.
   [[nodiscard]] std::optional<Refusal> input(const world::Input& input);
   [[nodiscard]] std::optional<Refusal> resize(const Resize& resize);
-  /// A frame was presented; starts the next one at once if it is due. A frame that was never sent is refused.
+  /// A frame was presented; starts the next one at once if it is due. Refuses a frame that was never sent.
   [[nodiscard]] std::optional<Refusal> acknowledge(const Ack& ack);
   [[nodiscard]] std::optional<Refusal> acknowledge(const Presented& presented);
   [[nodiscard]] std::optional<Refusal> acknowledge(const Painted& painted);
@@ -68,31 +68,31 @@ class Session : public std::enable_shared_from_this<Session> {
   void limit(const Limits& limits);
   void broken();
   void capture(const Capture& capture) { control_->capture(capture.number); }
-  /// The socket has taken all of this frame at `now`; the thread that writes had come to it at `reached`.
+  /// The socket took all of this frame at `now`; the writing thread reached it at `reached`.
   void written(std::uint32_t frame, double reached, double now) { control_->written(frame, reached, now); }
 
-  /// How long nobody has looked, seconds; 0 while somebody does.
+  /// Seconds for which the page has been hidden; 0 if it is visible.
   [[nodiscard]] double secondsHidden(double now) const;
 
-  /// Leaves the world because of this, which refusal() reports.
+  /// Leaves the world for this reason, which refusal() returns.
   void refuse(Refusal why);
-  /// Why he had to leave; none while he is here.
+  /// Why the visitor had to leave; empty before.
   [[nodiscard]] std::optional<Refusal> refusal() const;
 
-  /// Leaves the world; no frame reaches the sink after close() returned and the runs in progress ended.
+  /// Leaves the world. No frame reaches the sink after close() has returned and the runs in progress have ended.
   void close();
 
-  /// Starts a frame if one is due, fewer than `framesInFlight` are being made and the line has room for one, or waits
-  /// for its turn to. Returns when to ask again. Called by the host's frame clock.
+  /// Starts a frame, or queues for it, if one is due, fewer than `framesInFlight` are in progress and the line has
+  /// room. Returns when to call again. Called by the host's frame clock.
   double tick(double now);
 
-  /// How long frames have been waiting to be acknowledged, seconds, since one was last; 0 if there is none. To
-  /// acknowledge one a second time does not count.
+  /// Seconds since the last acknowledgement; 0 if no frame is unacknowledged. A repeated acknowledgement does not
+  /// count.
   [[nodiscard]] double secondsUnacknowledged(double now) const;
 
  private:
   friend class Host;
-  /// Starts to deliver frames of this world.
+  /// Starts the frames of this world.
   void begin(std::shared_ptr<WorldInstance> instance);
   [[nodiscard]] node::View look(node::FrameNumber frame);
   double startIfDue(double now);
@@ -100,12 +100,12 @@ class Session : public std::enable_shared_from_this<Session> {
   void takeTurn();
   [[nodiscard]] std::optional<Refusal> arrived(std::uint32_t frame, const Arrival& arrival);
   [[nodiscard]] Arrival arrivalOf(const Presented& presented);
-  /// With mutex_ held: whether one more frame would only wait for the visitor to acknowledge others.
+  /// With mutex_ held: returns whether one more frame would only wait for acknowledgements.
   [[nodiscard]] bool isBehind(double now) const;
-  /// With mutex_ held and a place in the gate: begins a frame if one still is due.
+  /// With mutex_ held and a place in the gate: begins a frame if one is still due.
   [[nodiscard]] bool startFrame(double now);
   void deliver(const std::shared_ptr<const EncodedFrame>& frame);
-  /// Reports to the world, if there is one, whether he blows.
+  /// Reports to the world, if there is one, whether the visitor blows.
   void reportBreath();
   [[nodiscard]] std::shared_ptr<WorldInstance> currentInstance() const;
 
@@ -119,15 +119,15 @@ class Session : public std::enable_shared_from_this<Session> {
   mutable std::mutex mutex_;
   bool closed_ = false;
   std::optional<Refusal> refusal_;
-  std::shared_ptr<WorldInstance> instance_;  ///< null until it is ready, and once closed
+  std::shared_ptr<WorldInstance> instance_;  ///< null before it is ready and after close()
   std::shared_ptr<EncodeStage> encoder_;
   std::unique_ptr<node::FrontendNode> node_;
   PageClock pageClock_;
   double nextDue_ = 0.0;
   double nextDeadlineCheck_ = 0.0;
-  bool waits_ = false;                 ///< for its turn
+  bool waits_ = false;                 ///< in the gate's queue
   bool entered_ = false;               ///< has been sent a frame
-  std::optional<double> hiddenSince_;  ///< until a frame is acknowledged that somebody sees
+  std::optional<double> hiddenSince_;  ///< until a visible page acknowledges a frame
 };
 
 }  // namespace grove::stream

@@ -6,11 +6,11 @@
 
 namespace grove::stream {
 
-/// How a preparation gets on, for people: of several steps at once, one is reported until it is done, or nothing was
-/// heard of it for a second. One thread at a time; times are seconds of pipeline::wallSeconds().
+/// The progress of a preparation, for display: of several parallel steps, shows one until it is done, or has sent no
+/// update for a second. Not thread-safe; times are seconds of pipeline::wallSeconds().
 class StepProgress {
  public:
-  /// False if another step is being reported.
+  /// Returns false if another step is shown.
   bool update(std::string_view step, float share, double now);
   void clear() noexcept;
 

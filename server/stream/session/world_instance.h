@@ -14,8 +14,8 @@
 
 namespace grove::stream {
 
-/// What all instances of a world stand on: who makes their backend nodes, the machine, and the roster of who is here.
-/// All of it outlives them.
+/// Inputs of all instances of a world: the factory of their backend nodes, the machine, and the list of visitors. All
+/// of it outlives them.
 struct WorldSetup {
   node::WorldNodes& nodes;
   std::shared_ptr<world::Players> players;
@@ -27,11 +27,11 @@ struct WorldSetup {
   std::shared_ptr<node::FrontendEnd> owner = {};
 };
 
-/// A world with the backend nodes that serve its objects, and the frontend process of those who are in it: all
-/// across-user state. There is one for everybody, or, in private mode, one for each visitor.
+/// A running world with the backend nodes that serve its objects and its frontend process: all across-user state. There
+/// is one for everybody or, in private mode, one for each visitor.
 class WorldInstance {
  public:
-  /// Has its nodes made, as WorldNodes::make().
+  /// Makes its nodes, see WorldNodes::make().
   WorldInstance(const WorldSetup& setup, node::Parallelism parallelism, const node::WorldNodes::Progress& progress);
 
   /// Waits for the runs in progress, so not on one of the executors' threads.
@@ -42,23 +42,23 @@ class WorldInstance {
   [[nodiscard]] world::World& world() noexcept { return world_; }
   [[nodiscard]] node::FrontendProcess& frontend() noexcept { return frontend_; }
 
-  /// Sends who is here and what they do to the backend node, or to the world's owner, whose answer then goes to the
-  /// backend node. One thread, that of publishIfDue().
+  /// Sends the visitors and their actions to the backend node, or to the world's owner, whose answer then goes to the
+  /// backend node. On the thread of publishIfDue() only.
   void publish();
-  /// The same if it was sent a thirtieth of a second ago, for as long as somebody is here. Returns when to ask again.
+  /// Publishes thirty times a second while there are visitors. Returns when to call again.
   double publishIfDue(double now);
-  /// Seconds of the world's clock, which is this process's unless another one owns the world. Any thread.
+  /// Seconds of the world's clock, which is this process's unless another one owns the world. Thread-safe.
   [[nodiscard]] double worldSeconds(double now) const;
-  /// How this process stands with the world's owner; nothing if it is the owner. Any thread.
+  /// State of the link to the world's owner; empty if this process is the owner. Thread-safe.
   [[nodiscard]] std::optional<node::JoinedWorld::Status> joined(double now) const;
 
-  /// Of all across-user work, see node::BackendHalf. Any thread.
+  /// Of all across-user work, see node::BackendHalf. Thread-safe.
   void setQuality(int step);
-  /// What travels between the frontend and the backend node.
+  /// Traffic between the frontend and the backend node.
   [[nodiscard]] node::LinkTraffic traffic() const { return nodes_->end().traffic(); }
-  /// A visitor has left. Any thread.
+  /// A visitor has left. Thread-safe.
   void forget(node::SessionId session);
-  /// As InstanceNodes::reportModels().
+  /// See InstanceNodes::reportModels().
   void reportModels() { nodes_->reportModels(); }
 
  private:

@@ -6,7 +6,7 @@
 
 namespace grove::node {
 
-/// For types whose objects are drawn from data of their own alone, under the empty key: its newest version.
+/// Base for types that draw an object from its own shared data only, under the empty key, in its newest version.
 class SharedDataFrontend : public FrontendHalf {
  public:
   [[nodiscard]] Plan plan(const VisibleObject& object, const View& view, const SharedOf& shared,

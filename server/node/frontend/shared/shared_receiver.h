@@ -22,9 +22,9 @@ using SharedInput = std::variant<Result, Renewal>;
   return result == nullptr ? pipeline::TraceTag() : traceTag(*result);
 }
 
-/// Takes shared data off the transport, undoes what the Compressor did to it, and puts it into the shared store: once,
-/// for all sessions. What nobody asked for is left as it is, and counted. A renewal stands in the same queue, so that
-/// data from before it is not taken for newer.
+/// Takes shared data off the transport, decompresses it, and puts it into the shared store, once for all sessions.
+/// Unrequested data is not decompressed, only counted. A renewal uses the same queue, so that older data is not taken
+/// for newer.
 class SharedReceiver final : public pipeline::Stage<SharedInput> {
  public:
   /// `frontend` outlives it.
@@ -34,7 +34,7 @@ class SharedReceiver final : public pipeline::Stage<SharedInput> {
   void process(std::span<SharedInput> inputs, pipeline::Run& run) override;
 
  private:
-  /// False if nobody asked for it.
+  /// Returns false if nobody requested it.
   [[nodiscard]] bool take(Result& result);
 
   FrontendProcess& frontend_;

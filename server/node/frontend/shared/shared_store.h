@@ -13,40 +13,40 @@
 
 namespace grove::node {
 
-/// What a frontend process keeps of the data that serves every visitor: at most `maxBytes` of it, the least recently
-/// used given up first; but an object's own data, under the empty key, stays, for there is one of each. What was given
-/// up lives on as long as somebody draws it. Any thread.
+/// Keeps a frontend process's shared data: at most `maxBytes`, least recently used dropped first. An object's own data,
+/// under the empty key, is never dropped, because there is one of each. Dropped data lives as long as somebody draws
+/// it. Thread-safe.
 ///
-/// However many want the same at once, it is requested once. A change that a backend node announces is fetched as soon
-/// as somebody has used what is there; until it comes, that is what is there. What comes takes its place, whatever its
-/// version: a version is what a backend node says, and a wrong one must not stay for ever.
+/// Sends one request however many visitors want the same data at once. Fetches an announced change as soon as somebody
+/// has used the present data; until it arrives, the present data remains. Arriving data replaces it whatever its
+/// version, because a wrong version of a backend node must not stay for ever.
 ///
-/// What a clock changes is subscribed to when it is fetched for the second time: from then on the node pushes each
-/// version. The store unsubscribes when nobody has used the last kMaxUnused versions. If one cannot be unpacked, a
-/// version before it was lost, and the store subscribes again.
+/// Subscribes to clocked data at its second fetch: then the node pushes each version. The store unsubscribes when
+/// nobody has used the last kMaxUnused versions. If a version cannot be unpacked, an earlier one was lost, and the
+/// store subscribes again.
 class SharedStore {
  public:
   static constexpr std::size_t kMaxUnused = 30;
 
-  /// Sends a message to the object's backend node; false, or a throw, if it is refused.
+  /// Sends a message to the object's backend node; returns false, or throws, if it is refused.
   using Send = std::function<bool(ToBackend)>;
-  /// Gets what was wanted, or a failure: once, on the thread that brings it, or at once; or when somebody else asks
-  /// again for what has not come before the deadline of the waiter's frame. Must not block.
+  /// Receives the wanted data, or a failure: once, on the thread that brings it, or at once; or when somebody requests
+  /// the data again after the deadline of the waiter's frame. Must not block.
   using Waiter = std::function<void(const Payload&)>;
 
   SharedStore(std::size_t maxBytes, Send send) : maxBytes_(maxBytes), send_(std::move(send)) {}
 
-  /// Null if it is not there.
+  /// Returns the data; null if it is missing.
   [[nodiscard]] std::shared_ptr<const SharedData> find(const SharedKey& what);
 
-  /// The same, without using it; null also if it is of an earlier life of its node.
+  /// The same, without marking it as used; null also if it is of an earlier epoch of its node.
   [[nodiscard]] std::shared_ptr<const SharedData> known(const SharedKey& what);
 
-  /// Gives `waiter` what the request, which has a view, names. It is requested unless it is there or under way; who
-  /// finds it under way for longer than a frame's deadline requests it again.
+  /// Passes the data that the request, which has a view, names to `waiter`. Requests it unless it is here or already
+  /// requested; requests it again after a frame's deadline.
   void get(const Request& request, Waiter waiter);
 
-  /// Whether a backend node may send it: it is requested and has not come, or it is pushed and subscribed to.
+  /// Returns whether the store expects it: it is requested, or it is pushed and subscribed to.
   [[nodiscard]] bool awaits(const Result& result);
 
   /// Stores a result of a backend node. Returns false and stores nothing if the store does not expect it. If such a
@@ -58,7 +58,7 @@ class SharedStore {
   /// its versions start again, so the fetch requests full data instead of a difference.
   void renew(const std::function<bool(world::ObjectId)>& isOfNode, bool restarted);
 
-  /// A backend node has another version.
+  /// A backend node announces another version.
   void announced(const Announcement& announcement);
 
   struct Statistics {
@@ -72,12 +72,12 @@ class SharedStore {
     std::shared_ptr<const SharedData> data;
     std::size_t bytes = 0;
     bool isStale = false;    ///< another version was announced
-    bool used = false;       ///< since it came
-    bool isForeign = false;  ///< its version is of an earlier life of its node
+    bool used = false;       ///< since it arrived
+    bool isForeign = false;  ///< its version is of an earlier epoch of its node
     bool isSubscribed = false;
-    std::size_t pushed = 0;  ///< versions since it was subscribed to
-    std::size_t unused = 0;  ///< of them, the last ones that nobody has used
-    /// For the node, to which no version of an earlier life means anything.
+    std::size_t pushed = 0;  ///< versions since the subscription
+    std::size_t unused = 0;  ///< of these, the newest ones that nobody has used
+    /// The version to name to the node, for which versions of an earlier epoch mean nothing.
     [[nodiscard]] Version known() const { return isForeign ? 0 : data->version(); }
   };
   struct Waiting {
@@ -86,13 +86,13 @@ class SharedStore {
   };
   struct Pending {
     double deadline = 0.0;
-    Version announced = 0;  ///< meanwhile: what comes may have been made before that
+    Version announced = 0;  ///< meanwhile: the arriving data may be older than that
     bool subscribes = false;
     std::vector<Waiting> waiting;
   };
   struct Found {
     std::shared_ptr<const SharedData> data;
-    std::optional<Request> newer = {};  ///< to be sent by who found it
+    std::optional<Request> newer = {};  ///< to be sent by the caller
   };
   // These with mutex_ held.
   [[nodiscard]] Found use(const SharedKey& what);
@@ -105,20 +105,20 @@ class SharedStore {
   /// `discarded` gets what it replaces.
   void keep(const SharedKey& what, Entry entry, std::vector<Entry>& discarded);
   void makeRoom(std::vector<Entry>& discarded);
-  /// Those whose frames are over.
+  /// Removes and returns those whose frames have ended.
   [[nodiscard]] static std::vector<Waiting> takeOverdue(Pending& pending, double now);
 
-  /// Takes what is subscribed to.
+  /// Handles pushed data.
   [[nodiscard]] bool putPushed(const Result& result);
-  /// Who waits for it gets a failure if it is refused.
+  /// If it is refused, its waiters get a failure.
   void fetch(Request request);
   [[nodiscard]] std::vector<Waiting> takeWaiting(const SharedKey& what);
 
   const std::size_t maxBytes_;
   const Send send_;
   mutable std::mutex mutex_;
-  LruTable<SharedKey, Entry> entries_;        ///< under keys that are not empty
-  std::map<world::ObjectId, Entry> objects_;  ///< their own data
+  LruTable<SharedKey, Entry> entries_;        ///< under non-empty keys
+  std::map<world::ObjectId, Entry> objects_;  ///< own data of objects
   std::map<SharedKey, Pending> pending_;
   std::size_t bytes_ = 0;  ///< of entries_
 };
