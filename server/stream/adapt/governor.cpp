@@ -37,6 +37,8 @@ Governor::Stream::Stream(std::shared_ptr<Governor> governor)
 Governor::Stream::~Stream() {
   const std::lock_guard lock(governor_->mutex_);
   governor_->paces_.erase(pace_);
+  // The next visitor finds an idle machine.
+  if (governor_->paces_.empty()) governor_->step_ = 0;
 }
 
 double Governor::Stream::update(const std::optional<Pace>& pace, double now) {

@@ -12,8 +12,8 @@ namespace grove::stream {
 
 /// Chooses the size of all visitors' pictures while the machine cannot hold their frame rate: 1, 5/6, 2/3 or 1/2 of the
 /// wanted width and height (720, 600, 480 or 360 lines). Pictures shrink before visitors lose frames, and grow again
-/// when the workers have room for it. Every visitor gets the same share, so nobody pays for the others. Any thread;
-/// times are seconds that do not go back.
+/// when the workers have room for it. Every visitor gets the same share, so nobody pays for the others.
+/// Thread-safe; times are monotonic seconds.
 class Governor {
  public:
   /// Returns the share of the workers that had work lately, 0 to 1. Called within update() only.
@@ -36,8 +36,8 @@ class Governor {
     Stream(const Stream&) = delete;
     Stream& operator=(const Stream&) = delete;
 
-    /// Reports the pace, or nothing if something else than the machine limits the stream; returns scale(). To be called
-    /// a few times a second at least while frames are wanted.
+    /// Reports the pace, or nothing if something else than the machine limits the stream; returns scale(). Call at
+    /// least a few times a second while frames are wanted.
     double update(const std::optional<Pace>& pace, double now);
     /// No frame is wanted.
     void rest();

@@ -105,6 +105,15 @@ TEST(Governor, GrowsPicturesWhenThereIsRoom) {
   EXPECT_EQ(machine.scale(), 1.0);
 }
 
+// Fault: small pictures for a visitor who comes after all others have left.
+TEST(Governor, BeginsAnewWhenEverybodyHasLeft) {
+  Machine machine(45.0, 4);
+  machine.run(5.0);
+  ASSERT_EQ(machine.scale(), 0.5);
+  machine.setVisitors(0);
+  EXPECT_EQ(machine.scale(), 1.0);
+}
+
 // Fault: a size that is tried again and again though it failed each time.
 TEST(Governor, TriesAFailedSizeEverMoreSeldom) {
   Machine machine(45.0, 4);
