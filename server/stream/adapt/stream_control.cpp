@@ -102,7 +102,8 @@ StreamWish StreamControl::wish(double scale) const {
   wish.width = static_cast<int>(std::lround(width_ * scale));
   wish.height = static_cast<int>(std::lround(height_ * scale));
   wish.framesPerSecond = serverFramesPerSecond_;
-  if (limits_.framesPerSecond > 0) wish.framesPerSecond = std::min(wish.framesPerSecond, 1.0 * limits_.framesPerSecond);
+  if (limits_.framesPerSecond > 0)
+    wish.framesPerSecond = std::min<double>(wish.framesPerSecond, limits_.framesPerSecond);
   return wish;
 }
 

@@ -125,7 +125,7 @@ class Host {
   friend class Session;
   /// Takes a place in the world and names it; a refusal if there is none.
   [[nodiscard]] std::variant<node::SessionId, Refusal> takePlace();
-  /// Evicts the visitor who has been hidden longest; returns false if nobody has been hidden for long enough.
+  /// Evicts the visitor with the longest hidden page. Returns false if no page has been hidden for hiddenGraceSeconds.
   bool evictHidden(double now);
   [[nodiscard]] std::vector<std::shared_ptr<Session>> openSessions() const;
   void remove(node::SessionId id);

@@ -42,8 +42,8 @@ class SharedStore {
   /// The same, without marking it as used; null also if it is of an earlier epoch of its node.
   [[nodiscard]] std::shared_ptr<const SharedData> known(const SharedKey& what);
 
-  /// Passes the data that the request, which has a view, names to `waiter`. Requests it unless it is here or already
-  /// requested; requests it again after a frame's deadline.
+  /// Passes the requested data to `waiter`. The request has a view. The store sends the request unless it has the data
+  /// or has already requested it, and sends it again after a frame's deadline.
   void get(const Request& request, Waiter waiter);
 
   /// Returns whether the store expects it: it is requested, or it is pushed and subscribed to.
