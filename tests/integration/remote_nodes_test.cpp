@@ -46,10 +46,11 @@ class RemoteNodes : public ::testing::Test {
   static Picture settled(stream::HeadlessSession& visitor) {
     return settledPicture(visitor, visitor.control(0, 0.0F, 0.0F), 60);
   }
+  /// The neighbour comes first: a picture from before may show no light of his lantern for seconds.
   static Picture shownByOneProcess() {
     const auto served = serve({});
-    stream::HeadlessSession visitor(served->host, "Ada", 320, 180);
     const stream::HeadlessSession neighbour(served->host, "Bob", 160, 90);
+    stream::HeadlessSession visitor(served->host, "Ada", 320, 180);
     return settled(visitor);
   }
   static std::string errorOf(const std::vector<std::string>& nodes) {
@@ -70,8 +71,8 @@ TEST_F(RemoteNodes, ShowThePictureThatOneProcessShows) {
   const auto stones = node("right,figure");
   const auto ground = node("ground,left");
   const auto served = serve({stones->address(), ground->address()});
-  stream::HeadlessSession visitor(served->host, "Ada", 320, 180);
   const stream::HeadlessSession neighbour(served->host, "Bob", 160, 90);
+  stream::HeadlessSession visitor(served->host, "Ada", 320, 180);
   EXPECT_EQ(difference(local, settled(visitor)), 0.0);
   EXPECT_GT(local.mean(), 1.0) << "of nothing";
   EXPECT_GT(served->host.traffic().sharedData, 0U) << "the ground came from elsewhere";
@@ -86,8 +87,8 @@ TEST_F(RemoteNodes, ThatServeAllShowTheSameToAServerWithoutModels) {
   const node::FrontendTypes types = objects::builtinTypes().frontends;
   stream::Host host(remoteWorld(kStones, types, {stones->address(), ground->address()}), types,
                     ServedScene::patient({}), {});
-  stream::HeadlessSession visitor(host, "Ada", 320, 180);
   const stream::HeadlessSession neighbour(host, "Bob", 160, 90);
+  stream::HeadlessSession visitor(host, "Ada", 320, 180);
   EXPECT_EQ(difference(local, settled(visitor)), 0.0);
   EXPECT_EQ(host.nodeLinks().size(), 2U);
 }
