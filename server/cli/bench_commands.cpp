@@ -5,7 +5,7 @@
 #include "cli/bench/fluid/bench_fluid_solvers.h"
 #include "cli/bench/link_report.h"
 #include "cli/bench/picture_size.h"
-#include "cli/choose.h"
+#include "cli/options/choose.h"
 #include "node/limits.h"
 
 namespace grove::cli {

@@ -9,7 +9,7 @@
 
 #include "base/error.h"
 #include "base/log.h"
-#include "cli/host_port.h"
+#include "cli/options/host_port.h"
 #include "cli/prepare/prepare_world.h"
 #include "cli/prepare/progress.h"
 #include "cli/prepare/refiner.h"
@@ -20,8 +20,8 @@
 #include "node/backend/backend_node.h"
 #include "node/backend/prepare/model_memory.h"
 #include "node/backend/prepare/share_of_scene.h"
+#include "node/transport/grpc/calls/remote_obstacles.h"
 #include "node/transport/grpc/grpc_server.h"
-#include "node/transport/grpc/remote_obstacles.h"
 #include "objects/builtin.h"
 #include "pipeline/worker_pool.h"
 #include "world/scenes/scene_layout.h"

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/link_options.h"
+#include "cli/options/link_options.h"
 #include "gl/context.h"
 
 namespace grove::cli {

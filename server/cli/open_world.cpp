@@ -3,7 +3,7 @@
 #include <memory>
 #include <utility>
 
-#include "cli/host_port.h"
+#include "cli/options/host_port.h"
 #include "node/transport/reference_transport.h"
 
 namespace grove::cli {

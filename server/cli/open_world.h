@@ -4,7 +4,7 @@
 #include <string>
 
 #include "node/transport/grpc/grpc_server.h"
-#include "node/transport/grpc/link_tls.h"
+#include "node/transport/grpc/tls/link_tls.h"
 #include "node/world/world_owner.h"
 #include "pipeline/timeline.h"
 #include "pipeline/worker_pool.h"

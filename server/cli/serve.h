@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "base/tls/tls_certificate.h"
-#include "cli/link_options.h"
+#include "cli/options/link_options.h"
 #include "gl/context.h"
 #include "stream/session/host.h"
 #include "stream/web_server/access/address_limits.h"

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "cli/choose.h"
+#include "cli/options/choose.h"
 
 namespace grove::cli {
 namespace {

@@ -4,8 +4,8 @@
 #include <cstdio>
 
 #include "base/log.h"
-#include "cli/host_port.h"
 #include "cli/open_world.h"
+#include "cli/options/host_port.h"
 #include "cli/prepare/prepare_world.h"
 #include "cli/stop_on_signal.h"
 

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "cli/link_options.h"
+#include "cli/options/link_options.h"
 
 namespace grove::cli {
 

@@ -5,8 +5,8 @@
 #include <string_view>
 
 #include "node/messages/obstacle_messages.h"
-#include "node/messages/picture_packing.h"
-#include "node/messages/wire.h"
+#include "node/messages/packing/picture_packing.h"
+#include "node/messages/wire/wire.h"
 #include "objects/builtin_frontends.h"
 
 namespace {

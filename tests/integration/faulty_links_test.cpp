@@ -18,7 +18,7 @@
 #include "integration/picture.h"
 #include "integration/remote_world.h"
 #include "integration/stones.h"
-#include "node/transport/grpc/link_tls.h"
+#include "node/transport/grpc/tls/link_tls.h"
 #include "objects/builtin_frontends.h"
 #include "running_time.h"
 #include "sanitized.h"

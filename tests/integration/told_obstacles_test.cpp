@@ -17,7 +17,7 @@
 #include "integration/remote_world.h"
 #include "integration/served_scene.h"
 #include "node/backend/prepare/load_scene.h"
-#include "node/transport/grpc/remote_obstacles.h"
+#include "node/transport/grpc/calls/remote_obstacles.h"
 #include "objects/fluid/backend/fluid_backend.h"
 #include "objects/fluid/common/snapshot.h"
 #include "objects/lightfield/backend/simd/thicket.h"

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "measure/picture_quality.h"
+#include "measure/pictures/picture_quality.h"
 
 namespace grove::tests {
 

@@ -5,7 +5,7 @@
 #include <thread>
 
 #include "eventually.h"
-#include "node/messages/picture_packing.h"
+#include "node/messages/packing/picture_packing.h"
 #include "node/nodes_fixture.h"
 #include "pipeline/clocks.h"
 

@@ -14,7 +14,7 @@
 #include "gl/workers.h"
 #include "node/frontend/world_nodes.h"
 #include "node/object_types.h"
-#include "node/transport/grpc/link_tls.h"
+#include "node/transport/grpc/tls/link_tls.h"
 #include "world/scenes/scene_file.h"
 
 namespace grove::cli {

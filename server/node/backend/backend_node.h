@@ -8,7 +8,7 @@
 #include <string>
 
 #include "node/backend/backend_pipeline.h"
-#include "node/backend/peers.h"
+#include "node/backend/peers/peers.h"
 #include "node/backend/prepare/load_scene.h"
 #include "node/backend/world_mirror.h"
 #include "node/parallelism.h"

@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-#include "node/backend/asked.h"
+#include "node/backend/peers/asked.h"
 #include "pipeline/outlet.h"
 
 namespace grove::node {

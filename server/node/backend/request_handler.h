@@ -2,8 +2,8 @@
 
 #include <string_view>
 
-#include "node/backend/asked.h"
 #include "node/backend/backend_half.h"
+#include "node/backend/peers/asked.h"
 #include "pipeline/outlet.h"
 
 namespace grove::node {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "node/backend/asked.h"
+#include "node/backend/peers/asked.h"
 #include "pipeline/stage.h"
 
 namespace grove::node {

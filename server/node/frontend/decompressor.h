@@ -1,6 +1,6 @@
 #pragma once
 
-#include "node/frontend/frame_planner.h"
+#include "node/frontend/frames/frame_planner.h"
 #include "pipeline/outlet.h"
 
 namespace grove::node {

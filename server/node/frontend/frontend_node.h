@@ -6,8 +6,8 @@
 
 #include "node/frontend/compositing/compositor.h"
 #include "node/frontend/decompressor.h"
-#include "node/frontend/frame_planner.h"
-#include "node/frontend/frames_in_flight.h"
+#include "node/frontend/frames/frame_planner.h"
+#include "node/frontend/frames/frames_in_flight.h"
 #include "node/frontend/frontend_process.h"
 #include "node/frontend/result_receiver.h"
 #include "node/frontend/scene_analyzer.h"

@@ -9,7 +9,7 @@
 
 #include "base/log.h"
 #include "base/version.h"
-#include "node/messages/picture_packing.h"
+#include "node/messages/packing/picture_packing.h"
 #include "node/messages/served_objects.h"
 
 namespace grove::node {

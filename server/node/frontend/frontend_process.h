@@ -5,7 +5,7 @@
 #include <memory>
 #include <shared_mutex>
 
-#include "node/frontend/asked_pictures.h"
+#include "node/frontend/frames/asked_pictures.h"
 #include "node/frontend/frontend_half.h"
 #include "node/frontend/frontend_types.h"
 #include "node/frontend/shared/shared_receiver.h"

@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "node/frontend/frame_planner.h"
+#include "node/frontend/frames/frame_planner.h"
 #include "node/messages.h"
 #include "pipeline/outlet.h"
 #include "world/layout.h"

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <cstddef>
 
-#include "node/messages/decode_parts.h"
 #include "node/messages/node.pb.h"
-#include "node/messages/packing.h"
+#include "node/messages/packing/packing.h"
+#include "node/messages/wire/decode_parts.h"
 
 namespace grove::node {
 namespace {

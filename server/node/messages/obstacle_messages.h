@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "node/messages/hello.h"
-#include "node/messages/wire.h"
+#include "node/messages/wire/wire.h"
 #include "world/voxel_obstacles.h"
 
 /// What a backend node asks of another one that has the models of all objects, as bytes by the schema node.proto: see

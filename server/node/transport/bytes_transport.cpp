@@ -2,9 +2,9 @@
 
 #include <utility>
 
-#include "node/transport/pack_result.h"
-#include "node/transport/packets_to_backend.h"
-#include "node/transport/packets_to_frontend.h"
+#include "node/transport/packets/pack_result.h"
+#include "node/transport/packets/packets_to_backend.h"
+#include "node/transport/packets/packets_to_frontend.h"
 #include "node/transport/traffic_counters.h"
 
 namespace grove::node {

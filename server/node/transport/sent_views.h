@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/lru_table.h"
-#include "node/messages/wire.h"
+#include "node/messages/wire/wire.h"
 
 namespace grove::node {
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <variant>
 
-#include "node/messages/wire.h"
+#include "node/messages/wire/wire.h"
 #include "node/transport/transport.h"
 
 namespace grove::node {

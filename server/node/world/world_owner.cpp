@@ -8,9 +8,9 @@
 
 #include "base/log.h"
 #include "base/version.h"
-#include "node/backend/peer.h"
+#include "node/backend/peers/peer.h"
 #include "node/backend/world_mirror.h"
-#include "node/messages/wire.h"
+#include "node/messages/wire/wire.h"
 #include "pipeline/clocks.h"
 
 namespace grove::node {

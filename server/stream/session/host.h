@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "measure/amortization_meter.h"
-#include "measure/quality_policy.h"
+#include "measure/pictures/quality_policy.h"
 #include "node/frontend/world_nodes.h"
 #include "node/transport/transport.h"
 #include "pipeline/memory_ledger.h"

@@ -15,7 +15,7 @@
 
 #include "eventually.h"
 #include "node/frontend/frame_lists.h"
-#include "node/frontend/frame_planner.h"
+#include "node/frontend/frames/frame_planner.h"
 #include "node/transport/reference_transport.h"
 #include "pipeline/worker_pool.h"
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "node/messages/wire.h"
+#include "node/messages/wire/wire.h"
 
 /// One of each message, with no field as it is by default.
 namespace grove::node::examples {

@@ -8,7 +8,7 @@
 #include "cli/bench/walk/walk_world.h"
 #include "cli/figures.h"
 #include "measure/percentile.h"
-#include "measure/picture_quality.h"
+#include "measure/pictures/picture_quality.h"
 #include "pipeline/clocks.h"
 #include "stream/adapt/stream_control.h"
 #include "stream/encode/h264_decoder.h"

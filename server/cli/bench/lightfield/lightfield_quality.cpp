@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "measure/picture_quality.h"
+#include "measure/pictures/picture_quality.h"
 #include "models/plants/plants.h"
 #include "node/frontend/compositing/composite.h"
 #include "objects/lightfield/backend/simd/simd_sampler.h"

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "cli/bench/walk/walk_visitor.h"
-#include "measure/flicker.h"
-#include "measure/picture_quality.h"
+#include "measure/pictures/flicker.h"
+#include "measure/pictures/picture_quality.h"
 
 namespace grove::cli {
 namespace {

@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-#include "node/transport/grpc/link_tls.h"
+#include "node/transport/grpc/tls/link_tls.h"
 #include "node/transport/node_router.h"
 #include "pipeline/executor.h"
 #include "pipeline/timeline.h"

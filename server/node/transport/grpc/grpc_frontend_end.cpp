@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "node/transport/grpc/reconnecting_link.h"
+#include "node/transport/grpc/reconnecting/reconnecting_link.h"
 
 namespace grove::node {
 

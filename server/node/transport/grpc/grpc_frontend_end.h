@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "node/transport/grpc/link_tls.h"
+#include "node/transport/grpc/tls/link_tls.h"
 #include "node/transport/transport.h"
 #include "pipeline/executor.h"
 #include "pipeline/timeline.h"

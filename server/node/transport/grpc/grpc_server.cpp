@@ -15,12 +15,12 @@
 
 #include "base/error.h"
 #include "base/log.h"
-#include "node/transport/grpc/link_credentials.h"
-#include "node/transport/grpc/obstacle_call.h"
+#include "node/transport/grpc/calls/obstacle_call.h"
 #include "node/transport/grpc/packet_reactor.h"
 #include "node/transport/grpc/quiet_library.h"
-#include "node/transport/pack_result.h"
-#include "node/transport/packets_to_backend.h"
+#include "node/transport/grpc/tls/link_credentials.h"
+#include "node/transport/packets/pack_result.h"
+#include "node/transport/packets/packets_to_backend.h"
 
 namespace grove::node {
 

@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-#include "node/transport/packets.h"
+#include "node/transport/packets/packets.h"
 
 /// What both ends of a gRPC link must agree on.
 namespace grove::node {

@@ -3,9 +3,9 @@
 #include <grpcpp/create_channel.h>
 #include <grpcpp/support/channel_arguments.h>
 
-#include "node/transport/grpc/link_credentials.h"
 #include "node/transport/grpc/link_limits.h"
 #include "node/transport/grpc/quiet_library.h"
+#include "node/transport/grpc/tls/link_credentials.h"
 
 namespace grove::node {
 namespace {

@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "node/transport/grpc/link_tls.h"
+#include "node/transport/grpc/tls/link_tls.h"
 
 namespace grove::node {
 

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <optional>
 
-#include "node/messages/wire.h"
+#include "node/messages/wire/wire.h"
 
 namespace grove::node {
 

@@ -3,7 +3,7 @@
 #include <bit>
 #include <vector>
 
-#include "node/messages/packing.h"
+#include "node/messages/packing/packing.h"
 
 namespace grove::objects::ground {
 namespace {

@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "node/messages/packing.h"
+#include "node/messages/packing/packing.h"
 #include "objects/lightfield/common/cached_view.h"
 #include "objects/lightfield/common/packed_camera.h"
 #include "objects/lightfield/common/view_cell.h"

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "node/messages/packing.h"
+#include "node/messages/packing/packing.h"
 #include "objects/lightfield/format/view_camera.h"
 
 /// Cameras and places in packed data.

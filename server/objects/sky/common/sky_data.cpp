@@ -1,6 +1,6 @@
 #include "objects/sky/common/sky_data.h"
 
-#include "node/messages/packing.h"
+#include "node/messages/packing/packing.h"
 
 namespace grove::objects::sky {
 namespace {

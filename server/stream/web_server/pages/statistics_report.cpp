@@ -6,7 +6,7 @@
 
 #include "base/version.h"
 #include "measure/memory_use.h"
-#include "measure/quality_policy.h"
+#include "measure/pictures/quality_policy.h"
 
 namespace grove::stream {
 namespace {

@@ -10,9 +10,9 @@
 #include "cli/bench/walk/walk_world.h"
 #include "cli/prepare/prepare_world.h"
 #include "gl/shader_library.h"
-#include "measure/block_jumps.h"
-#include "measure/dark_gaps.h"
-#include "measure/foreign_pixels.h"
+#include "measure/pictures/block_jumps.h"
+#include "measure/pictures/dark_gaps.h"
+#include "measure/pictures/foreign_pixels.h"
 #include "objects/builtin.h"
 #include "sanitized.h"
 

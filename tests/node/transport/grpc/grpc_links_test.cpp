@@ -6,7 +6,7 @@
 #include "base/error.h"
 #include "node/transport/grpc/link_limits.h"
 #include "node/transport/grpc/links_fixture.h"
-#include "node/transport/packets.h"
+#include "node/transport/packets/packets.h"
 
 namespace grove::node {
 namespace {

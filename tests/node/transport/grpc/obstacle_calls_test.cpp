@@ -15,11 +15,11 @@
 
 #include "base/error.h"
 #include "eventually.h"
-#include "node/transport/grpc/blocking_call.h"
+#include "node/transport/grpc/calls/blocking_call.h"
+#include "node/transport/grpc/calls/remote_obstacles.h"
 #include "node/transport/grpc/library_hold.h"
 #include "node/transport/grpc/link_limits.h"
 #include "node/transport/grpc/obstacle_fixture.h"
-#include "node/transport/grpc/remote_obstacles.h"
 
 namespace grove::node {
 namespace {

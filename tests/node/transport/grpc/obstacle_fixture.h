@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "base/error.h"
+#include "node/transport/grpc/calls/remote_obstacles.h"
 #include "node/transport/grpc/grpc_server.h"
-#include "node/transport/grpc/remote_obstacles.h"
 #include "pipeline/worker_pool.h"
 #include "world/rays/ray_obstacles.h"
 

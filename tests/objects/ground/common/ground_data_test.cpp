@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "node/messages/packing.h"
+#include "node/messages/packing/packing.h"
 #include "node/payload_mutations.h"
 
 namespace grove::objects::ground {

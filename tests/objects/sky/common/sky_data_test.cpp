@@ -6,7 +6,7 @@
 #include <random>
 #include <utility>
 
-#include "node/messages/packing.h"
+#include "node/messages/packing/packing.h"
 #include "node/payload_mutations.h"
 
 namespace grove::objects::sky {

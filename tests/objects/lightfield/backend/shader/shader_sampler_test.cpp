@@ -7,7 +7,7 @@
 #include <future>
 
 #include "base/error.h"
-#include "measure/picture_quality.h"
+#include "measure/pictures/picture_quality.h"
 #include "objects/lightfield/backend/shader/gl_field_cache.h"
 #include "objects/lightfield/backend/simd/simd_sampler.h"
 #include "objects/lightfield/backend/simd/thicket.h"

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <thread>
 
-#include "measure/picture_quality.h"
+#include "measure/pictures/picture_quality.h"
 #include "objects/lightfield/backend/simd/thicket.h"
 #include "world/camera.h"
 

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "node/backend/peers/peer.h"
+#include "node/messages/request.h"
+#include "node/messages/result.h"
+
+namespace grove::node {
+
+/// What the answer to a request is for a subscription of its peer.
+enum class Subscribed : std::uint8_t {
+  kNo,
+  kBegins,  ///< the first answer
+  kPushed,  ///< a later version, which the node itself has asked for
+};
+
+/// A request on its way through a backend node, with who asks.
+struct Asked {
+  Request request;
+  std::shared_ptr<Peer> peer;
+  Subscribed subscribed = Subscribed::kNo;
+};
+
+/// Its result, on the way back.
+struct Answered {
+  Result result;
+  std::shared_ptr<Peer> peer;
+  Subscribed subscribed = Subscribed::kNo;
+};
+
+/// The frontend processes that ask are served in turn.
+inline std::uint64_t lineOf(const Asked& asked) { return asked.peer->process().value_or(0); }
+
+inline pipeline::TraceTag traceTag(const Asked& asked) { return traceTag(asked.request); }
+inline pipeline::TraceTag traceTag(const Answered& answered) { return traceTag(answered.result); }
+
+}  // namespace grove::node

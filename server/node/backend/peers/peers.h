@@ -1,0 +1,36 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <vector>
+
+#include "node/backend/peers/peer.h"
+
+namespace grove::node {
+
+/// The welcomed frontend processes of a backend node, by process number. Thread-safe.
+class Peers {
+ public:
+  /// Welcomes a peer; false if another peer has this number.
+  [[nodiscard]] bool add(const std::shared_ptr<Peer>& peer, ProcessId process);
+  void remove(Peer& peer);
+  [[nodiscard]] bool empty() const;
+
+  /// Sends the new version to who has subscribed to it, and the announcement to all others. Holds no lock meanwhile,
+  /// since a receiver may call back.
+  void announce(const Announcement& announcement) const;
+  /// Sends it to all.
+  void send(const ToFrontend& message) const;
+  /// The highest quality step that any peer requests; nothing if there are no peers.
+  [[nodiscard]] std::optional<int> quality() const;
+
+ private:
+  [[nodiscard]] std::vector<std::shared_ptr<Peer>> all() const;
+
+  mutable std::mutex mutex_;
+  std::map<ProcessId, std::shared_ptr<Peer>> peers_;
+};
+
+}  // namespace grove::node

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <grpcpp/client_context.h>
+#include <grpcpp/generic/generic_stub.h>
+#include <grpcpp/support/client_callback.h>
+
+#include <atomic>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "node/transport/grpc/packet_reactor.h"
+#include "node/transport/grpc/reconnecting/link_probe.h"
+#include "node/transport/grpc/tls/link_tls.h"
+
+namespace grove::node {
+
+/// A frontend process's stream to a node, from its start to its end, on a connection of its own: what has broken one
+/// does not concern the next. Not to be destroyed on gRPC's threads, since that destroys a channel.
+class NodeCall final : public PacketReactor<grpc::ClientBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer>>,
+                       private LinkProbe::Listener {
+ public:
+  /// Who makes calls. On gRPC's threads.
+  class Caller {
+   public:
+    virtual ~Caller() = default;
+    /// The node has taken the call.
+    virtual void opened(NodeCall& call) = 0;
+    virtual void take(const grpc::ByteBuffer& message) = 0;
+    [[nodiscard]] virtual bool wantsMore() const = 0;
+    /// The node has answered a probe.
+    virtual void answered(LinkProbe::Clock::duration roundTrip) = 0;
+    /// The last thing that it does.
+    virtual void ended(const grpc::Status& status) = 0;
+  };
+
+  /// To the node at HOST:PORT. `caller` waits for ended().
+  NodeCall(Caller& caller, const std::string& address, const LinkTls& tls);
+
+  void start();
+  /// Takes packets from now on, after these, reads, and watches whether the node answers.
+  void open(const std::vector<Packet>& first);
+  /// Ends it, for this reason. Any thread.
+  void giveUp(const char* reason);
+  /// Why the node at HOST:PORT is not to be trusted; once it has taken the call.
+  [[nodiscard]] std::optional<std::string> complaint(const LinkTls& tls, const std::string& address) const;
+
+  void OnReadInitialMetadataDone(bool ok) override;
+  void OnDone(const grpc::Status& status) override;
+
+ private:
+  void take(const grpc::ByteBuffer& message) override { caller_.take(message); }
+  [[nodiscard]] bool wantsMore() const override { return caller_.wantsMore(); }
+  void hangUp() override;
+
+  void answered(LinkProbe::Clock::duration roundTrip) override { caller_.answered(roundTrip); }
+  void unanswered() override { giveUp("its connection brings no answers"); }
+  void probed() override { RemoveHold(); }
+
+  grpc::GenericStub stub_;
+  grpc::ClientContext context_;
+  Caller& caller_;
+  LinkProbe probe_;
+  std::atomic<const char*> whyGivenUp_{nullptr};
+};
+
+}  // namespace grove::node
