@@ -61,22 +61,34 @@ void BenchCommands::addAmortize() {
   BenchAmortizeOptions& options = amortize_;
   CLI::App* amortize = bench_->add_subcommand(
       "amortize", "What visitors save who share a world, against visitors with a world each (alpha, beta, cores)");
-  amortize
-      ->add_option("--users", options.users, "Numbers of visitors, as in 1,2,4,8 (without it: those, and --figure-5.6)")
-      ->delimiter(',')
-      ->check(CLI::Range(1, kMaxAmortizeUsers));
+  CLI::Option* users = amortize
+                           ->add_option("--users", options.users,
+                                        "Numbers of visitors, as in 1,2,4,8 (without it: those, and --figure-5.6)")
+                           ->delimiter(',')
+                           ->check(CLI::Range(1, kMaxAmortizeUsers));
   CLI::Option* seconds = amortize->add_option("--seconds", options.seconds, "How long to measure each, after a warm-up")
                              ->check(CLI::Range(0.1, 3600.0))
                              ->capture_default_str();
-  amortize->add_option("--frames", options.frames, "Frames of each visitor to measure instead")
-      ->check(CLI::Range(1, 1'000'000))
-      ->excludes(seconds);
-  amortize->add_flag("--figure-5.6", options.figure, "The paper's Figure 5.6, too: the fluid alone");
+  CLI::Option* frames = amortize->add_option("--frames", options.frames, "Frames of each visitor to measure instead")
+                            ->check(CLI::Range(1, 1'000'000))
+                            ->excludes(seconds);
+  CLI::Option* figure =
+      amortize->add_flag("--figure-5.6", options.figure, "The paper's Figure 5.6, too: the fluid alone");
+  CLI::Option* capacity =
+      amortize
+          ->add_flag(
+              "--capacity", capacity_.isWanted,
+              "Find how many visitors this machine serves at 30 frames per second and 100 ms (p99): one server for "
+              "all, and one for each")
+          ->excludes(users, frames, figure);
+  choose(amortize->add_option("--codec", capacity_.codec, "With --capacity: of the streams (default: jpeg)"),
+         std::map<std::string, std::uint8_t>{{"h264", stream::kCodecH264}, {"jpeg", stream::kCodecJpeg}})
+      ->needs(capacity);
   amortize->add_option("--scene", options.scene, "Scene file (default: the grove, built in)");
   addSize(amortize, options.size);
   addTransport(amortize, options.transport);
   amortize->add_flag("--json", options.json, "One JSON document on stdout");
-  amortize->add_option("--plot", options.plot, "SVG file to draw the curves into");
+  amortize->add_option("--plot", options.plot, "SVG file to draw the curves into")->excludes(capacity);
 }
 
 void BenchCommands::addEncode() {
@@ -154,6 +166,9 @@ void BenchCommands::addView() {
 }
 
 int BenchCommands::run() const {
+  if (capacity_.isWanted) {
+    return runBenchCapacity({amortize_.scene, capacity_.codec, amortize_.size, amortize_.seconds}, amortize_.json);
+  }
   if (bench_->got_subcommand("amortize")) return runBenchAmortize(amortize_);
   if (bench_->got_subcommand("encode")) return runBenchEncode(encode_);
   if (bench_->got_subcommand("lightfield")) return runBenchLightfield(lightfield_);

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include "cli/bench/amortize/bench_amortize.h"
+#include "cli/bench/capacity/bench_capacity.h"
 #include "cli/bench/encode/bench_encode.h"
 #include "cli/bench/fluid/bench_fluid.h"
 #include "cli/bench/lightfield/bench_lightfield.h"
@@ -24,6 +26,10 @@ class BenchCommands {
   [[nodiscard]] int run() const;
 
  private:
+  struct Capacity {
+    bool isWanted = false;
+    std::uint8_t codec = stream::kCodecJpeg;
+  };
   /// Without `solvers`, whole steps are measured.
   struct Fluid {
     BenchFluidOptions options;
@@ -40,6 +46,7 @@ class BenchCommands {
 
   CLI::App* bench_ = nullptr;
   BenchAmortizeOptions amortize_;
+  Capacity capacity_;
   BenchEncodeOptions encode_;
   Fluid fluid_;
   BenchLightfieldOptions lightfield_;

@@ -122,7 +122,7 @@ int runLoad(const LoadOptions& options) {
   }
   stream::LoadPlan plan = planOf(options);
   plan.shape = std::move(shape);
-  const stream::LoadReport report = stream::runLoadClients(*target, plan);
+  const stream::LoadReport report = summarise(stream::runLoadClients(*target, plan));
   if (report.sessions == 0) {
     const std::string reason = report.errors.empty() ? "no sessions were asked for" : report.errors.front();
     const bool judged = target->isSecure && !options.insecure;

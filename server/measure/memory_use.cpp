@@ -13,7 +13,7 @@ namespace grove::measure {
 namespace {
 
 /// The bytes behind a name such as `Rss:`, in a file of lines `NAME VALUE kB`.
-std::int64_t bytesOf(const char* file, const std::string& name) {
+std::int64_t bytesOf(const std::string& file, const std::string& name) {
   std::ifstream lines(file);
   for (std::string word; lines >> word;) {
     std::int64_t kilobytes = 0;
@@ -23,11 +23,16 @@ std::int64_t bytesOf(const char* file, const std::string& name) {
   throw EnvironmentError("does not tell " + name, file, "a Linux kernel of 4.14 or newer is needed");
 }
 
-constexpr const char* kMaps = "/proc/self/smaps_rollup";
+MemoryUse memoryOf(const std::string& process) {
+  const std::string file = "/proc/" + process + "/smaps_rollup";
+  return {bytesOf(file, "Rss:"), bytesOf(file, "Pss:")};
+}
 
 }  // namespace
 
-MemoryUse MemoryUse::read() { return {bytesOf(kMaps, "Rss:"), bytesOf(kMaps, "Pss:")}; }
+MemoryUse MemoryUse::read() { return memoryOf("self"); }
+
+MemoryUse MemoryUse::of(pid_t process) { return memoryOf(std::to_string(process)); }
 
 std::int64_t availableMemory() { return bytesOf("/proc/meminfo", "MemAvailable:"); }
 

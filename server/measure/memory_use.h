@@ -1,5 +1,7 @@
 #pragma once
 
+#include <sys/types.h>
+
 #include <cstddef>
 #include <cstdint>
 
@@ -12,6 +14,8 @@ struct MemoryUse {
 
   /// Throws EnvironmentError if the system does not report it.
   [[nodiscard]] static MemoryUse read();
+  /// Of another process of this user. Throws EnvironmentError if it does not exist.
+  [[nodiscard]] static MemoryUse of(pid_t process);
 };
 
 /// MemoryUse::resident alone, which takes microseconds where the rest takes milliseconds. 0 if the system does not

@@ -51,7 +51,7 @@ class LoadClients {
   LoadClients(const LoadClients&) = delete;
   LoadClients& operator=(const LoadClients&) = delete;
 
-  LoadReport run();
+  LoadOutcome run();
 
  private:
   struct ContextDeleter {
@@ -117,7 +117,7 @@ LoadClients::LoadClients(const LoadTarget& target, const LoadPlan& plan)
   if (!context_) throw EnvironmentError("cannot start websocket clients", "grove load", "");
   pollInputClock();
   for (int i = 0; i < plan.sessions; ++i) {
-    Client& client = *clients_.emplace_back(std::make_unique<Client>(i, plan, decoder_));
+    Client& client = *clients_.emplace_back(std::make_unique<Client>(plan.firstVisitor + i, plan, decoder_));
     connect(client, target, to);
   }
 }
@@ -152,7 +152,7 @@ void LoadClients::connect(Client& client, const LoadTarget& asked, const LoadTar
   if (lws_client_connect_via_info(&info) == nullptr) end(client, "cannot connect");
 }
 
-LoadReport LoadClients::run() {
+LoadOutcome LoadClients::run() {
   const auto all = [&](auto condition) {
     return [this, condition] {
       return std::ranges::all_of(clients_, [&](const auto& client) { return client->ended || condition(*client); });
@@ -165,31 +165,28 @@ LoadReport LoadClients::run() {
   }
   serveUntil(pipeline::wallSeconds() + kWalkToStartSeconds,
              all([](const Client& client) { return client.visitor.isInPlace(); }));
+  const auto nobodyLeft = all([](const Client&) { return false; });
+  serveUntil(plan_.countFrom, nobodyLeft);
   const double begin = pipeline::wallSeconds();
   for (const auto& client : clients_) {
     if (client->visitor.isLetIn()) client->visitor.beginCounting(begin);
   }
-  const auto nobodyLeft = all([](const Client&) { return false; });
   serveUntil(begin + plan_.seconds, nobodyLeft);
   const double ended = pipeline::wallSeconds();
-  const double counted = std::max(ended - begin, 1e-3);
-
-  std::vector<VisitorStatistics> letIn;
-  std::vector<std::string> errors;
+  LoadOutcome outcome{.letIn = {}, .seconds = std::max(ended - begin, 1e-3), .errors = {}};
   for (const auto& client : clients_) {
     if (client->visitor.isLetIn()) client->visitor.endCounting(ended);
     const VisitorStatistics& statistics = client->visitor.statistics();
     if (client->visitor.isLetIn()) {
-      letIn.push_back(statistics);
+      outcome.letIn.push_back(statistics);
     } else {
-      errors.insert(errors.end(), statistics.errors.begin(), statistics.errors.end());
+      outcome.errors.insert(outcome.errors.end(), statistics.errors.begin(), statistics.errors.end());
     }
     client->closing = true;
     if (!client->ended && client->socket != nullptr) lws_callback_on_writable(client->socket);
   }
-  LoadReport report = summarise(letIn, counted, std::move(errors));
   serveUntil(pipeline::wallSeconds() + kCloseSeconds, nobodyLeft);
-  return report;
+  return outcome;
 }
 
 template <class Condition>
@@ -294,6 +291,6 @@ void LoadClients::end(Client& client, const std::string& reason) {
 
 }  // namespace
 
-LoadReport runLoadClients(const LoadTarget& target, const LoadPlan& plan) { return LoadClients(target, plan).run(); }
+LoadOutcome runLoadClients(const LoadTarget& target, const LoadPlan& plan) { return LoadClients(target, plan).run(); }
 
 }  // namespace grove::stream

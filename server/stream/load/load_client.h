@@ -7,7 +7,7 @@
 namespace grove::stream {
 
 /// Runs the plan's sessions as real websocket clients on the calling thread until all that are let in have been counted
-/// for its seconds. Those that are not let in or are thrown out are errors in the report.
-[[nodiscard]] LoadReport runLoadClients(const LoadTarget& target, const LoadPlan& plan);
+/// for its seconds. Those that are not let in or are thrown out are errors in the outcome.
+[[nodiscard]] LoadOutcome runLoadClients(const LoadTarget& target, const LoadPlan& plan);
 
 }  // namespace grove::stream

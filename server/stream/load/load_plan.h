@@ -28,6 +28,8 @@ struct WalkToFollow {
 /// What a load test is.
 struct LoadPlan {
   int sessions = 1;
+  int firstVisitor = 0;                                         ///< number of the first session's visitor
+  double countFrom = 0.0;                                       ///< pipeline::wallSeconds(); counting begins no earlier
   double seconds = 10.0;                                        ///< that are counted
   int width = 1280;                                             ///< pixels, wanted
   int height = 720;                                             ///< pixels, wanted

@@ -40,11 +40,13 @@ void summarisePictures(const std::vector<VisitorStatistics>& visitors, LoadRepor
 
 }  // namespace
 
-LoadReport summarise(const std::vector<VisitorStatistics>& letIn, double seconds, std::vector<std::string> errors) {
+LoadReport summarise(const LoadOutcome& outcome) {
+  const std::vector<VisitorStatistics>& letIn = outcome.letIn;
+  const double seconds = outcome.seconds;
   LoadReport report;
   report.sessions = static_cast<int>(letIn.size());
   report.seconds = seconds;
-  report.errors = std::move(errors);
+  report.errors = outcome.errors;
   std::vector<float> fps;
   std::vector<float> latency;
   std::uint64_t bytes = 0;

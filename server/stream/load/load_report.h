@@ -38,6 +38,13 @@ struct VisitorStatistics {
   std::vector<std::string> errors;
 };
 
+/// What the visitors of a load test saw.
+struct LoadOutcome {
+  std::vector<VisitorStatistics> letIn;
+  double seconds = 0.0;             ///< that were counted
+  std::vector<std::string> errors;  ///< of visitors that were not let in
+};
+
 /// The figures of `grove load`, of all visitors together.
 struct LoadReport {
   int sessions = 0;  ///< that were let in
@@ -58,8 +65,6 @@ struct LoadReport {
   std::vector<std::string> errors;
 };
 
-/// `let in` are the statistics of those that were let in, during `seconds`; `errors` are of the others.
-[[nodiscard]] LoadReport summarise(const std::vector<VisitorStatistics>& letIn, double seconds,
-                                   std::vector<std::string> errors);
+[[nodiscard]] LoadReport summarise(const LoadOutcome& outcome);
 
 }  // namespace grove::stream

@@ -25,7 +25,7 @@ LoadPlan plan(int sessions, double seconds) {
 }
 
 TEST_F(LoadClientTest, MeasuresRealSessions) {
-  const LoadReport report = runLoadClients({"127.0.0.1", port()}, plan(2, 1.0));
+  const LoadReport report = summarise(runLoadClients({"127.0.0.1", port()}, plan(2, 1.0)));
   EXPECT_EQ(report.sessions, 2);
   EXPECT_THAT(report.errors, IsEmpty());
   EXPECT_GT(report.frames, 2U);
@@ -45,7 +45,7 @@ TEST_F(LoadClientTest, MeasuresRealSessions) {
 TEST_F(LoadClientTest, TakesTheCodecThatWasAskedFor) {
   LoadPlan asked = plan(1, 0.5);
   asked.codecs = {kCodecJpeg};
-  const LoadReport report = runLoadClients({"127.0.0.1", port()}, asked);
+  const LoadReport report = summarise(runLoadClients({"127.0.0.1", port()}, asked));
   EXPECT_THAT(report.errors, IsEmpty());
   EXPECT_EQ(report.codec, "jpeg");
 }
@@ -54,7 +54,7 @@ TEST_F(LoadClientTest, TakesTheCodecThatWasAskedFor) {
 TEST_F(LoadClientTest, MeasuresLatencyOfWhoStandsStill) {
   LoadPlan still = plan(1, 1.5);
   still.movement = Movement::kStand;
-  const LoadReport report = runLoadClients({"127.0.0.1", port()}, still);
+  const LoadReport report = summarise(runLoadClients({"127.0.0.1", port()}, still));
   EXPECT_THAT(report.errors, IsEmpty());
   EXPECT_GT(report.latencyP50Milliseconds, 0.0);
 }
@@ -62,7 +62,7 @@ TEST_F(LoadClientTest, MeasuresLatencyOfWhoStandsStill) {
 TEST_F(LoadClientTest, MeasuresOverAShapedLine) {
   LoadPlan shaped = plan(2, 1.0);
   shaped.shape = std::get<LinkProfile>(parseLinkProfile("3mbit,150ms,jitter=10ms"));
-  const LoadReport report = runLoadClients({"127.0.0.1", port()}, shaped);
+  const LoadReport report = summarise(runLoadClients({"127.0.0.1", port()}, shaped));
   EXPECT_EQ(report.sessions, 2);
   EXPECT_THAT(report.errors, IsEmpty());
   EXPECT_GT(report.frames, 2U);
@@ -74,7 +74,7 @@ TEST_F(LoadClientTest, MeasuresOverAShapedLine) {
 TEST_F(LoadClientTest, WalksToWhereItsWalkBeginsBeforeItCounts) {
   LoadPlan walking = plan(2, 0.5);
   walking.follow.emplace(WalkToFollow{world::parseWalk("0 5 -5 0 0\n4 2 -5 1 0\n", "test"), {}, 0.0F});
-  const LoadReport report = runLoadClients({"127.0.0.1", port()}, walking);
+  const LoadReport report = summarise(runLoadClients({"127.0.0.1", port()}, walking));
   EXPECT_EQ(report.sessions, 2);
   EXPECT_THAT(report.errors, IsEmpty());
   EXPECT_LT(report.seconds, 5.0);
@@ -88,7 +88,7 @@ TEST_F(LoadClientTest, SleepsBetweenInputs) {
   still.movement = Movement::kStand;
   still.codecs = {kCodecJpeg};
   const std::int64_t began = pipeline::threadCpuNanoseconds();
-  const LoadReport report = runLoadClients({"127.0.0.1", port()}, still);
+  const LoadReport report = summarise(runLoadClients({"127.0.0.1", port()}, still));
   const double used = static_cast<double>(pipeline::threadCpuNanoseconds() - began) * 1e-9;
   EXPECT_EQ(report.sessions, kMaxVisitors);
   EXPECT_LT(used, 0.15)
@@ -96,7 +96,7 @@ TEST_F(LoadClientTest, SleepsBetweenInputs) {
 }
 
 TEST_F(LoadClientTest, CountsThoseThatFindNoPlace) {
-  const LoadReport report = runLoadClients({"127.0.0.1", port()}, plan(kMaxVisitors + 2, 0.3));
+  const LoadReport report = summarise(runLoadClients({"127.0.0.1", port()}, plan(kMaxVisitors + 2, 0.3)));
   EXPECT_EQ(report.sessions, kMaxVisitors);
   EXPECT_EQ(report.errors.size(), 2U);
   EXPECT_THAT(report.errors, Contains(HasSubstr("4002")));
@@ -104,7 +104,7 @@ TEST_F(LoadClientTest, CountsThoseThatFindNoPlace) {
 
 TEST_F(LoadClientTest, SaysWhyNobodyCouldConnect) {
   server_.stop();
-  const LoadReport report = runLoadClients({"127.0.0.1", port()}, plan(2, 0.3));
+  const LoadReport report = summarise(runLoadClients({"127.0.0.1", port()}, plan(2, 0.3)));
   EXPECT_EQ(report.sessions, 0);
   ASSERT_EQ(report.errors.size(), 2U);
   EXPECT_FALSE(report.errors.front().empty());

@@ -27,7 +27,7 @@ TEST(LoadReport, PutsVisitorsTogether) {
   ada.limitedSeconds = {{LimitedBy::kNothing, 6.0}, {LimitedBy::kLine, 4.0}};
   bob.limitedSeconds = {{LimitedBy::kMachine, 10.0}};
 
-  const LoadReport report = summarise({ada, bob}, 10.0, {"nobody there"});
+  const LoadReport report = summarise({{ada, bob}, 10.0, {"nobody there"}});
   EXPECT_EQ(report.sessions, 2);
   EXPECT_EQ(report.frames, 400U);
   EXPECT_EQ(report.fpsMin, 10.0);
@@ -51,12 +51,12 @@ TEST(LoadReport, PutsVisitorsTogether) {
 TEST(LoadReport, TakesTheScreenAtFirstWhereNoPictureCame) {
   VisitorStatistics still;
   still.screenAtFirst = {kCodecH264, 720};
-  EXPECT_EQ(summarise({still}, 10.0, {}).codec, "h264");
-  EXPECT_EQ(summarise({still}, 10.0, {}).linesMin, 720);
+  EXPECT_EQ(summarise({{still}, 10.0, {}}).codec, "h264");
+  EXPECT_EQ(summarise({{still}, 10.0, {}}).linesMin, 720);
   still.shown = {{{kCodecJpeg, 360}, 1}};
-  EXPECT_EQ(summarise({still}, 10.0, {}).codec, "jpeg");
-  EXPECT_EQ(summarise({still}, 10.0, {}).linesP50, 360);
-  EXPECT_EQ(summarise({VisitorStatistics{}}, 10.0, {}).linesMin, 0);
+  EXPECT_EQ(summarise({{still}, 10.0, {}}).codec, "jpeg");
+  EXPECT_EQ(summarise({{still}, 10.0, {}}).linesP50, 360);
+  EXPECT_EQ(summarise({{VisitorStatistics{}}, 10.0, {}}).linesMin, 0);
 }
 
 }  // namespace

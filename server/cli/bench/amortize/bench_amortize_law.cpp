@@ -6,16 +6,15 @@
 namespace grove::cli {
 namespace {
 
+constexpr std::size_t kFewestPoints = 5;
+
 ModeFit fitOf(const std::vector<AmortizeRow>& rows, bool privateWorlds, int cores) {
   const auto ofMode = [&](const AmortizeRow& row) { return row.privateWorlds == privateWorlds; };
-  const bool enoughServed =
-      std::ranges::count_if(rows, [&](const AmortizeRow& row) { return ofMode(row) && !row.saturated(); }) >= 3;
   ModeFit fit;
   std::vector<std::pair<double, double>> points;
   for (const AmortizeRow& row : rows) {
-    if (!ofMode(row)) continue;
-    if (!row.saturated()) fit.capacity.served = std::max(fit.capacity.served, row.users);
-    if (enoughServed && row.saturated()) continue;
+    if (!ofMode(row) || row.saturated()) continue;
+    fit.capacity.served = std::max(fit.capacity.served, row.users);
     points.emplace_back(row.users, row.coresNeeded());
     fit.over.push_back(row.users);
   }
@@ -23,7 +22,7 @@ ModeFit fitOf(const std::vector<AmortizeRow>& rows, bool privateWorlds, int core
     if (!ofMode(row) || row.users <= fit.capacity.served) continue;
     fit.capacity.unserved = std::min(fit.capacity.unserved.value_or(row.users), row.users);
   }
-  fit.line = measure::linearFit(points);
+  if (points.size() >= kFewestPoints) fit.line = measure::linearFit(points);
   if (fit.line && fit.line->b.value > 0.0) {
     fit.capacity.fitted = std::max(0.0, (cores - fit.line->a.value) / fit.line->b.value);
   }

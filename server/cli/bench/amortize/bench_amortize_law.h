@@ -15,12 +15,11 @@ struct Capacity {
   std::optional<double> fitted;  ///< where the fitted line reaches the machine's cores; none without a rising line
 };
 
-/// Cores over visitors of one mode: CPU(N) = a + b N, of what serving at the nominal rate needs. Over the counts that
-/// the machine could serve if those are three or more, over all of them otherwise: where frames are few, more changes
-/// from one to the next, and each costs more than it would at the nominal rate.
+/// Cores over visitors of one mode: CPU(N) = a + b N, for serving at the nominal rate. Only over numbers of visitors
+/// that the machine served: a saturated one makes fewer frames, which differ more and cost more each.
 struct ModeFit {
-  std::optional<measure::LinearFit> line;
-  std::vector<int> over;  ///< numbers of visitors
+  std::optional<measure::LinearFit> line;  ///< none over fewer than five numbers
+  std::vector<int> over;                   ///< numbers of visitors that were served
   Capacity capacity;
 };
 

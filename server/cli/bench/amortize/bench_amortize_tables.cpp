@@ -79,7 +79,7 @@ void printFit(std::string& out, const char* mode, const ModeFit& fit) {
     for (const int users : fit.over) print(out, " %d", users);
     out += ";";
   } else {
-    print(out, " one number of visitors gives no line;");
+    print(out, " no line over fewer than five numbers of visitors that are served;");
   }
   print(out, " serves %d", capacity.served);
   if (capacity.unserved) {

@@ -1,7 +1,6 @@
 #include "cli/bench/encode/bench_encode.h"
 
 #include <cstdio>
-#include <fstream>
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -16,6 +15,7 @@
 #include "cli/prepare/progress.h"
 #include "cli/stop_on_signal.h"
 #include "gl/shader_library.h"
+#include "measure/processor.h"
 #include "objects/builtin.h"
 #include "stream/protocol/protocol.h"
 #include "stream/session/host.h"
@@ -29,16 +29,6 @@ using nlohmann::ordered_json;
 
 constexpr double kStandingSeconds = 10.0;
 constexpr int kStandingKilobits = 4000;
-
-/// As the system calls it; empty if it does not say.
-std::string processorName() {
-  std::ifstream file("/proc/cpuinfo");
-  for (std::string line; std::getline(file, line);) {
-    const std::size_t colon = line.find(": ");
-    if (line.starts_with("model name") && colon != std::string::npos) return line.substr(colon + 2);
-  }
-  return {};
-}
 
 struct TrialRow {
   std::string walk;
@@ -66,7 +56,7 @@ std::string settingName(const EncodeSetting& setting) {
 }
 
 void print(const EncodeReport& report) {
-  std::printf("%s, one core of %s\n", report.size.c_str(), processorName().c_str());
+  std::printf("%s, one core of %s\n", report.size.c_str(), measure::processorName().c_str());
   std::printf("%-7s %-20s %-18s %9s %9s %9s %9s %7s %7s\n", "codec", "walk", "setting", "quantiser", "CPU ms", "p99",
               "kbit/s", "SSIM", "lowest");
   for (const TrialRow& row : report.rows) {
@@ -80,7 +70,7 @@ void print(const EncodeReport& report) {
 
 ordered_json toJson(const EncodeReport& report) {
   ordered_json rows = ordered_json::array();
-  const std::string processor = processorName();
+  const std::string processor = measure::processorName();
   for (const TrialRow& row : report.rows) {
     const EncodeTrial& trial = row.trial;
     ordered_json wanted;

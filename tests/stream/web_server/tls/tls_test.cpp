@@ -170,11 +170,12 @@ TEST_F(Tls, NonsenseEndsItsOwnConnectionOnly) {
 }
 
 TEST_F(Tls, LoadClientsJudgeTheCertificate) {
-  const LoadReport strict =
-      runLoadClients({"127.0.0.1", secure_.port(), true}, LoadPlan{.seconds = 0.3, .width = 320, .height = 180});
+  const LoadReport strict = summarise(
+      runLoadClients({"127.0.0.1", secure_.port(), true}, LoadPlan{.seconds = 0.3, .width = 320, .height = 180}));
   EXPECT_EQ(strict.sessions, 0) << "nobody has signed it";
-  const LoadReport lax = runLoadClients({"127.0.0.1", secure_.port(), true, true},
-                                        LoadPlan{.sessions = 2, .seconds = 0.5, .width = 320, .height = 180});
+  const LoadReport lax =
+      summarise(runLoadClients({"127.0.0.1", secure_.port(), true, true},
+                               LoadPlan{.sessions = 2, .seconds = 0.5, .width = 320, .height = 180}));
   EXPECT_EQ(lax.sessions, 2);
   EXPECT_GT(lax.frames, 0U);
 }
