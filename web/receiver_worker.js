@@ -1,5 +1,5 @@
 // The worker that is the receiver's home: offers what it can do, and takes the canvas if the page accepts.
-import { Receiver } from './receiver.js';
+import { Receiver } from './stream/receiver.js';
 
 function canPaint() {
   try {

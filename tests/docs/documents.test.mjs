@@ -65,6 +65,16 @@ test('the README names each page of docs, and ARCHITECTURE each README of the so
   assert.deepEqual(pages.filter((page) => !isNamed(page)), []);
 });
 
+// Fault: a folder in which a newcomer finds nothing.
+test('no folder of the source holds more than 25 files', () => {
+  const files = execFileSync('git', ['ls-files', 'server', 'web'], { cwd: kRoot, encoding: 'utf8' }).trim().split('\n');
+  const counts = {};
+  for (const file of files.filter((path) => existsSync(join(kRoot, path)))) {
+    counts[dirname(file)] = (counts[dirname(file)] ?? 0) + 1;
+  }
+  assert.deepEqual(Object.entries(counts).filter(([, count]) => count > 25), []);
+});
+
 // Faults: a new option that the page lacks; one that is gone and still there.
 test('the page of options has those of grove serve, and no others', () => {
   const rows = read('docs/options.md').matchAll(/^\| (`--.*?) \|/gm);

@@ -1,4 +1,4 @@
-import { decodeServerMessage, encodeAck, encodeHello, encodeInput, encodeResize } from '../../web/protocol.js';
+import { decodeServerMessage, encodeAck, encodeHello, encodeInput, encodeResize } from '../../web/stream/protocol.js';
 import { now, within } from './time.mjs';
 import { Opcode, openWebSocket } from './websocket.mjs';
 

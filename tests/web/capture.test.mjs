@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
-import { Capture } from '../../web/capture.js';
+import { Capture } from '../../web/picture/capture.js';
 import { FakeClock } from './fake_clock.mjs';
 
 function setUp() {

@@ -1,8 +1,8 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
-import { Codecs } from '../../web/codecs.js';
-import { Codec } from '../../web/protocol.js';
+import { Codecs } from '../../web/stream/codecs.js';
+import { Codec } from '../../web/stream/protocol.js';
 
 const { jpeg, h264 } = Codec;
 

@@ -2,8 +2,8 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 
-import { Backoff } from '../../web/backoff.js';
-import { Connection } from '../../web/connection.js';
+import { Backoff } from '../../web/stream/backoff.js';
+import { Connection } from '../../web/stream/connection.js';
 import { FakeClock } from './fake_clock.mjs';
 
 const golden = JSON.parse(readFileSync(new URL('../stream/protocol/golden_messages.json', import.meta.url), 'utf8'));

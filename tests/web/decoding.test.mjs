@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
-import { Decoding } from '../../web/decoding.js';
+import { Decoding } from '../../web/picture/decoding.js';
 import { FakeClock } from './fake_clock.mjs';
 
 /** Decoders that do what the test tells them. */

@@ -1,9 +1,9 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
-import { Decoding } from '../../web/decoding.js';
-import { Display } from '../../web/display.js';
-import { JpegDecoder } from '../../web/jpeg_decoder.js';
+import { Decoding } from '../../web/picture/decoding.js';
+import { Display } from '../../web/picture/display.js';
+import { JpegDecoder } from '../../web/picture/jpeg_decoder.js';
 
 /** The page's way from picture to screen, with decoding and painting at the test's command. */
 function setUp() {

@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
-import { H264Decoder, codecName } from '../../web/h264_decoder.js';
+import { H264Decoder, codecName } from '../../web/picture/h264_decoder.js';
 import { FakeClock } from './fake_clock.mjs';
 
 const kDelimiter = [0, 0, 0, 1, 0x09, 0xf0];

@@ -7,7 +7,7 @@ import { listenToKeyboard } from '../../web/input/keyboard.js';
 import { InputSender } from '../../web/input/sender.js';
 import { stickAxis, stickKeys } from '../../web/input/stick.js';
 import { Turner } from '../../web/input/turner.js';
-import { Key } from '../../web/protocol.js';
+import { Key } from '../../web/stream/protocol.js';
 import { FakeClock } from './fake_clock.mjs';
 
 /** `focus` is what closest() tells of the focused element: the selectors that match it or what is around it. */

@@ -3,10 +3,10 @@ import { test } from 'node:test';
 
 import { actionOf, isBindable, kDefaultKeys, rebind, repairKeys } from '../../web/input/bindings.js';
 import { KeyLabels } from '../../web/input/key_labels.js';
-import { consequence } from '../../web/key_editor.js';
+import { consequence } from '../../web/panels/key_editor.js';
 import { kActions } from '../../web/texts.js';
-import { writeKeyHints } from '../../web/key_hints.js';
-import { Key } from '../../web/protocol.js';
+import { writeKeyHints } from '../../web/panels/key_hints.js';
+import { Key } from '../../web/stream/protocol.js';
 
 const codesOf = (keys) => Object.values(keys).flat().filter(Boolean);
 

@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
-import { LatencyTest } from '../../web/latency_test.js';
+import { LatencyTest } from '../../web/panels/latency_test.js';
 import { FakeClock } from './fake_clock.mjs';
 
 function setUp() {

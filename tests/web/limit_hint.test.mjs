@@ -1,8 +1,8 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
-import { LimitHint } from '../../web/limit_hint.js';
-import { LimitedBy } from '../../web/protocol.js';
+import { LimitHint } from '../../web/panels/limit_hint.js';
+import { LimitedBy } from '../../web/stream/protocol.js';
 import { FakeClock } from './fake_clock.mjs';
 
 function setUp() {

@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
-import { lookMatrix, turnOf, windowOf, windowPlace } from '../../web/look_geometry.js';
+import { lookMatrix, turnOf, windowOf, windowPlace } from '../../web/picture/look_geometry.js';
 
 const kPicture = { width: 704, height: 396, border: 10, yaw: 0.7, pitch: -0.3, tanHalfX: 1.1, tanHalfY: 0.61875 };
 

@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
-import { MemoryImages } from '../../web/memory_images.js';
+import { MemoryImages } from '../../web/picture/memory_images.js';
 
 function frame({ width = 4, height = 2, bytes = width * height * 4, copied = Promise.resolve() } = {}) {
   const made = { displayWidth: width, displayHeight: height, closed: false };

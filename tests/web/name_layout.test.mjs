@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
-import { coverPlace, liftsOf } from '../../web/name_layout.js';
+import { coverPlace, liftsOf } from '../../web/panels/name_layout.js';
 
 const box = (x, y, width = 60, height = 20) => ({ x, y, width, height });
 

@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
-import { Notice } from '../../web/notice.js';
+import { Notice } from '../../web/panels/notice.js';
 
 /** An element that counts how often its words were set: a live region reads them out each time. */
 class Part {

@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
-import { PaintBudget } from '../../web/paint_budget.js';
+import { PaintBudget } from '../../web/picture/paint_budget.js';
 
 const judge = (paints) => {
   const budget = new PaintBudget();

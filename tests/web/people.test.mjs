@@ -1,8 +1,8 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
-import { People } from '../../web/people.js';
-import { sharedLink } from '../../web/roster.js';
+import { People } from '../../web/panels/people.js';
+import { sharedLink } from '../../web/panels/roster.js';
 
 const person = (visitor, name) => ({ visitor, name, red: 255, green: 180, blue: 79 });
 

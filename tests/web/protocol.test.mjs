@@ -15,7 +15,7 @@ import {
   encodePainted,
   encodePresented,
   encodeResize,
-} from '../../web/protocol.js';
+} from '../../web/stream/protocol.js';
 
 const golden = JSON.parse(readFileSync(new URL('../stream/protocol/golden_messages.json', import.meta.url), 'utf8'));
 const bytesOf = (hex) => Uint8Array.from(Buffer.from(hex, 'hex')).buffer;

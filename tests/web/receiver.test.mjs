@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 
-import { Receiver } from '../../web/receiver.js';
+import { Receiver } from '../../web/stream/receiver.js';
 import { FakeClock } from './fake_clock.mjs';
 
 const golden = JSON.parse(readFileSync(new URL('../stream/protocol/golden_messages.json', import.meta.url), 'utf8'));

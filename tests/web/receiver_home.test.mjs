@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
-import { ReceiverHome } from '../../web/receiver_home.js';
+import { ReceiverHome } from '../../web/stream/receiver_home.js';
 
 /** A browser whose worker says this, or fails. */
 function setUp(answer) {

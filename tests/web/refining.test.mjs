@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
-import { Refining } from '../../web/refining.js';
+import { Refining } from '../../web/panels/refining.js';
 
 const said = (message) => {
   const element = { hidden: true, textContent: '' };

@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
-import { Screen } from '../../web/screen.js';
+import { Screen } from '../../web/picture/screen.js';
 
 const kPicture = { width: 704, height: 396, border: 10, yaw: 1, pitch: 0, tanHalfX: 1.1, tanHalfY: 0.61875 };
 

@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
-import { Screenshot, pictureName, saveFile, takePicture } from '../../web/screenshot.js';
+import { Screenshot, pictureName, saveFile, takePicture } from '../../web/picture/screenshot.js';
 
 test('the file is called after the moment', () => {
   assert.equal(pictureName(new Date(2026, 2, 1, 7, 4, 9)), 'grove-2026-03-01-070409.png');

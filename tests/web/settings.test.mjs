@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
 import { kDefaultKeys } from '../../web/input/bindings.js';
-import { Settings, kDefaults, streamPreferences } from '../../web/settings.js';
+import { Settings, kDefaults, streamPreferences } from '../../web/panels/settings.js';
 import { kChoices } from '../../web/texts.js';
 
 /** A browser's storage, in which `text` was left. */

@@ -1,10 +1,10 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
-import { h264Hindrance } from '../../web/browser_abilities.js';
-import { streamInWords } from '../../web/settings_panel.js';
-import { Telemetry } from '../../web/telemetry.js';
-import { Toast } from '../../web/toast.js';
+import { h264Hindrance } from '../../web/stream/browser_abilities.js';
+import { streamInWords } from '../../web/panels/settings_panel.js';
+import { Telemetry } from '../../web/stream/telemetry.js';
+import { Toast } from '../../web/panels/toast.js';
 import { FakeClock } from './fake_clock.mjs';
 
 test('the stream of now is told in one line, before the first frame too', () => {

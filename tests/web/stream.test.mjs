@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
-import { Stream } from '../../web/stream.js';
+import { Stream } from '../../web/stream/stream.js';
 
 function setUp({ adapts = true } = {}) {
   const log = [];

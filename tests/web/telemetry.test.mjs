@@ -1,8 +1,8 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
-import { LatencyMeter, SlidingWindow, median, quantile } from '../../web/meters.js';
-import { Telemetry } from '../../web/telemetry.js';
+import { LatencyMeter, SlidingWindow, median, quantile } from '../../web/stream/meters.js';
+import { Telemetry } from '../../web/stream/telemetry.js';
 
 test('the median is the middle, or between the two in the middle', () => {
   assert.equal(median([]), null);

@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
-import { fitStream } from '../../web/viewport.js';
+import { fitStream } from '../../web/picture/viewport.js';
 
 for (const [window, ratio, wanted, coarse = false] of [
   [[1280, 720], 1, [1280, 720]],

@@ -1,4 +1,4 @@
-import { Key } from '../protocol.js';
+import { Key } from '../stream/protocol.js';
 import { stickAxis, stickKeys } from './stick.js';
 
 /** Radians a second with the right stick at its full way. */

@@ -1,4 +1,4 @@
-import { Key } from '../protocol.js';
+import { Key } from '../stream/protocol.js';
 import { actionOf } from './bindings.js';
 
 /** Radians a second. */

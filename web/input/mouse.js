@@ -1,4 +1,4 @@
-import { Key } from '../protocol.js';
+import { Key } from '../stream/protocol.js';
 
 /** Radians a pixel of the mouse's way. */
 const kLookScale = 0.0023;

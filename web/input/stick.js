@@ -1,4 +1,4 @@
-import { Key } from '../protocol.js';
+import { Key } from '../stream/protocol.js';
 
 /** Shares of a stick's way: below the first it rests, above the second the visitor runs. */
 const kDeadZone = 0.25;

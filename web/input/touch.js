@@ -1,4 +1,4 @@
-import { Key } from '../protocol.js';
+import { Key } from '../stream/protocol.js';
 import { stickKeys } from './stick.js';
 
 /** Radians a CSS pixel of the finger's way. */

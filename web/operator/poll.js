@@ -1,4 +1,4 @@
-import { Backoff } from '../backoff.js';
+import { Backoff } from '../stream/backoff.js';
 
 const kInterval = 1000;
 /** A server that is silent for so long is gone. Milliseconds. */

@@ -1,6 +1,6 @@
 import { connect } from 'node:net';
 
-import { encodeHello, encodeLimits } from '../../../web/protocol.js';
+import { encodeHello, encodeLimits } from '../../../web/stream/protocol.js';
 import { kAttacker, kNewcomer } from '../addresses.mjs';
 import { atLeast, atMost, carriedOut, is, keepsHisRate, neverStops } from '../bounds.mjs';
 import { now, pause } from '../time.mjs';
@@ -58,7 +58,7 @@ const silent = {
 };
 
 const kHidden = 16;
-/** As web/connection.js knocks at a full world. */
+/** Knocks as web/stream/connection.js does at a full world. */
 const kKnockSeconds = 15;
 const kMostSeconds = 30;
 

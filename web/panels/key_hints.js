@@ -1,4 +1,4 @@
-import { kActions, kKeys } from './texts.js';
+import { kActions, kKeys } from '../texts.js';
 
 /** As aria-keyshortcuts has it: F3 O PageUp. */
 function shortcuts(codes, labels) {

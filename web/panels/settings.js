@@ -1,4 +1,4 @@
-import { kDefaultKeys, repairKeys } from './input/bindings.js';
+import { kDefaultKeys, repairKeys } from '../input/bindings.js';
 
 const kStorageKey = 'grove.settings';
 const kMaxNameLength = 32;

@@ -1,6 +1,6 @@
 import { H264Decoder } from './h264_decoder.js';
 import { JpegDecoder, decodeJpegToFrame } from './jpeg_decoder.js';
-import { Codec } from './protocol.js';
+import { Codec } from '../stream/protocol.js';
 
 /**
  * How to make a decoder for each codec. Every decoder has `push(picture)` and `close()`, after which it tells nothing

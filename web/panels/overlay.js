@@ -1,7 +1,7 @@
-import { perUser } from './amortization.js';
-import { kUnknown, known, milliseconds, percent, plain, visitors, whole } from './figures.js';
-import { LimitedBy } from './protocol.js';
-import { kRows, kStatistics } from './texts.js';
+import { perUser } from '../amortization.js';
+import { kUnknown, known, milliseconds, percent, plain, visitors, whole } from '../figures.js';
+import { LimitedBy } from '../stream/protocol.js';
+import { kRows, kStatistics } from '../texts.js';
 
 /** Readable numbers change a few times a second, not with every frame. Milliseconds. */
 const kInterval = 250;

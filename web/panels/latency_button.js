@@ -1,5 +1,5 @@
 import { LatencyTest } from './latency_test.js';
-import { kLatency } from './texts.js';
+import { kLatency } from '../texts.js';
 
 const kSeconds = 10;
 

@@ -1,4 +1,4 @@
-import { kSettings } from './texts.js';
+import { kSettings } from '../texts.js';
 
 /** Constrained Baseline, as the server's encoder writes it, level 4: 1080 lines at 30 frames a second. */
 const kH264 = 'avc1.42E028';

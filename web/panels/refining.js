@@ -1,4 +1,4 @@
-import { kHints } from './texts.js';
+import { kHints } from '../texts.js';
 
 /** A guess is no more exact than this (s). */
 const kRounding = 5;

@@ -1,4 +1,4 @@
-import { kPeople } from './texts.js';
+import { kPeople } from '../texts.js';
 
 /** The address to give to others: of this page, without what is one's own. */
 export function sharedLink({ href }) {

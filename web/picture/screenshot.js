@@ -1,4 +1,4 @@
-import { kPictures } from './texts.js';
+import { kPictures } from '../texts.js';
 
 /** Browsers still read from the address for a while after the click. Milliseconds. */
 const kAddressKeptFor = 60_000;

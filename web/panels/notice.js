@@ -1,4 +1,4 @@
-import { kStates, kWaiting } from './texts.js';
+import { kStates, kWaiting } from '../texts.js';
 
 /** The words in the middle of the page while there is no living picture. */
 export class Notice {

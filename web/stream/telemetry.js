@@ -1,4 +1,4 @@
-import { windowOf } from './look_geometry.js';
+import { windowOf } from '../picture/look_geometry.js';
 import { LatencyMeter, SlidingWindow, median } from './meters.js';
 import { kCodecNames } from './protocol.js';
 

@@ -1,4 +1,4 @@
-import { Codec } from './protocol.js';
+import { Codec } from '../stream/protocol.js';
 
 /** So many failures within this time (ms) are the codec's fault: fewer if it never worked at all. */
 const kFailures = 3;

@@ -1,5 +1,5 @@
-import { kUnknown } from './figures.js';
-import { kChoices, kSettings, kStatistics } from './texts.js';
+import { kUnknown } from '../figures.js';
+import { kChoices, kSettings, kStatistics } from '../texts.js';
 
 /** How often the words about the stream of now change. Milliseconds. */
 const kInterval = 500;

@@ -1,5 +1,5 @@
-import { isBindable, kSlots, rebind } from './input/bindings.js';
-import { kActions, kKeys } from './texts.js';
+import { isBindable, kSlots, rebind } from '../input/bindings.js';
+import { kActions, kKeys } from '../texts.js';
 
 /** What has changed between two states of the keys besides `action` itself, in words. */
 export function consequence(before, after, action, labels) {
@@ -19,7 +19,7 @@ export class KeyEditor {
   /**
    * @param {HTMLTableSectionElement} body takes the rows
    * @param {import('./settings.js').Settings} settings
-   * @param {import('./input/key_labels.js').KeyLabels} labels
+   * @param {import('../input/key_labels.js').KeyLabels} labels
    * @param {(text: string) => void} say for eyes and ears
    */
   constructor(body, settings, labels, say) {

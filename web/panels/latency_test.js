@@ -1,7 +1,7 @@
-import { windowOf } from './look_geometry.js';
-import { median, quantile } from './meters.js';
-import { kCodecNames } from './protocol.js';
-import { kLatency } from './texts.js';
+import { windowOf } from '../picture/look_geometry.js';
+import { median, quantile } from '../stream/meters.js';
+import { kCodecNames } from '../stream/protocol.js';
+import { kLatency } from '../texts.js';
 
 /** While it is measured, the controls' state is sent at least so often (ms), moved or not: more to measure. */
 const kInterval = 50;

@@ -1,6 +1,6 @@
 import { namesOf } from './codecs.js';
 import { kCodecNames } from './protocol.js';
-import { kStatistics } from './texts.js';
+import { kStatistics } from '../texts.js';
 
 /** What the visitor may choose; 0 is no limit. */
 export const kPreferences = Object.freeze({
@@ -29,9 +29,9 @@ export class Stream {
    * @param {object} parts
    * @param {import('./connection.js').Connection} parts.connection
    * @param {import('./codecs.js').Codecs} parts.codecs
-   * @param {(on: object) => import('./decoding.js').Decoding} parts.makeDecoding made with whom it tells
-   * @param {import('./display.js').Display} parts.display
-   * @param {import('./late_look.js').LateLook} parts.lateLook
+   * @param {(on: object) => import('../picture/decoding.js').Decoding} parts.makeDecoding made with whom it tells
+   * @param {import('../picture/display.js').Display} parts.display
+   * @param {import('../picture/late_look.js').LateLook} parts.lateLook
    * @param {{now: Function}} parts.clock milliseconds
    * @param {(words: string) => void} parts.onCodecFailed a codec is not offered any more, and why
    */

@@ -1,5 +1,5 @@
-import { LimitedBy } from './protocol.js';
-import { kHints } from './texts.js';
+import { LimitedBy } from '../stream/protocol.js';
+import { kHints } from '../texts.js';
 
 /** What falls short for a moment is not worth a word; nor is what recovers for a moment. Milliseconds. */
 const kUntilSaid = 2000;

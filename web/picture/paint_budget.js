@@ -1,4 +1,4 @@
-import { median } from './meters.js';
+import { median } from '../stream/meters.js';
 
 /** Half a frame of a screen of 60 a second: longer paints leave too little time for decoding. Milliseconds. */
 const kLongestPaint = 8;
