@@ -16,11 +16,10 @@
 
 namespace grove::node {
 
-/// A rendering node answers with pictures and what they are made of, a simulation node with its newest data (section
-/// 4.1).
+/// Rendering nodes return pictures and their parts; simulation nodes return their newest data (section 4.1).
 enum class NodeKind { kRendering, kSimulation };
 
-/// Owns all objects of one type and answers requests for them. The constructor may take its time (loading, baking); a
+/// Owns all objects of one type and serves requests for them. The constructor may load and bake for seconds; a
 /// simulation starts its own clock there and stops it in the destructor.
 class BackendHalf {
  public:
@@ -31,28 +30,29 @@ class BackendHalf {
 
   [[nodiscard]] virtual NodeKind kind() const = 0;
 
-  /// Where answer() runs, and how many of it at once.
+  /// The executor on which answer() runs; its width limits how many calls run at once.
   [[nodiscard]] virtual pipeline::Executor& executor() = 0;
   [[nodiscard]] virtual int concurrency() const { return 1; }
 
-  /// How many requests one call of answer() gets: few where each takes long, so that all threads have work.
+  /// The most requests per call of answer(): few if each takes long, so that all threads have work.
   [[nodiscard]] virtual std::size_t maxAtOnce() const { return kBackendBatch; }
 
-  /// How good its across-user work is to be: 0 as the scene says, each step above finer and dearer, at most
-  /// kMaxQuality. Any thread, returns at once; the change may take its time. Types that know only one quality ignore
+  /// Sets the quality of across-user work: 0 is the scene's, each step above is finer and more expensive, kMaxQuality
+  /// is the highest. Any thread; returns at once, and the change may take seconds. Types with a single quality ignore
   /// it.
   virtual void setQuality(int /*step*/) {}
 
-  /// A visitor has left: what was kept for him alone may go. Any thread; runs for him may still be in progress.
+  /// A visitor has left: releases what was kept for this session. Any thread; runs for the session may still be in
+  /// progress.
   virtual void forget(SessionId /*session*/) {}
 
-  /// Fills one payload per request. The requests are a batch of what is waiting and may be of many frames and sessions;
-  /// those for pictures have a view. After an exception the batch is answered again, one request at a time, and those
-  /// that throw again fail.
+  /// Fills one payload per request. The requests are a batch of those that wait and may belong to different frames and
+  /// sessions; requests for pictures have a view. After an exception the batch is processed again, one request at a
+  /// time, and the requests that throw again fail.
   virtual void answer(std::span<const Request> requests, std::span<Payload> payloads) = 0;
 };
 
-/// What a backend node knows of an object type.
+/// A backend node's view of an object type.
 class BackendType {
  public:
   virtual ~BackendType() = default;
@@ -63,22 +63,22 @@ class BackendType {
   /// Reads one object's own settings. Throws world::SceneError.
   [[nodiscard]] virtual std::shared_ptr<const world::Model> model(const world::Parameters& parameters) const = 0;
 
-  /// Reads what all objects of this type have in common, `[types.NAME]` in a scene file. Throws world::SceneError.
+  /// Reads the options that all objects of this type share, `[types.NAME]` in a scene file. Throws world::SceneError.
   /// Types without options refuse all keys.
   [[nodiscard]] virtual std::shared_ptr<const TypeOptions> options(const world::Parameters& parameters) const {
     parameters.finish();
     return nullptr;
   }
 
-  /// Whether its half asks for the surfaces of all objects (BackendServices::geometry); else voxels will do, and a node
-  /// of this type needs no models of others.
+  /// Whether the half needs the surfaces of all objects (BackendServices::geometry). If not, voxels suffice, and a node
+  /// of this type needs no models of other objects.
   [[nodiscard]] virtual bool needsAllModels() const { return true; }
 
-  /// For the objects of the scene that have the type `self`.
+  /// Makes the half for the scene's objects of type `self`.
   [[nodiscard]] virtual std::unique_ptr<BackendHalf> makeHalf(const BackendServices& services,
                                                               world::TypeIndex self) const = 0;
 
-  /// What the objects of this type need that takes long to make, each once. Throws world::SceneError.
+  /// Slow preparations for the objects of this type, each listed once. Throws world::SceneError.
   [[nodiscard]] virtual std::vector<std::unique_ptr<Preparation>> preparations(const world::Scene& /*scene*/) const {
     return {};
   }

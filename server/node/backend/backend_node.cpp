@@ -23,7 +23,7 @@ std::uint64_t anyNumber() {
 
 }  // namespace
 
-/// Hears one frontend process, for as long as the node serves it.
+/// Receives the messages of one frontend process while the node serves it.
 class BackendNode::Reception final : public BackendPort {
  public:
   Reception(BackendNode& node, std::shared_ptr<BackendEnd> link)
@@ -73,7 +73,7 @@ BackendNode::BackendNode(const LoadedScene& scene, const world::WorldGeometry& g
 BackendNode::~BackendNode() {
   assert(peers_.empty() && "they leave first");
   for (const auto& [type, pipeline] : pipelines_) pipeline->close();
-  // Runs in progress use the halves; with every queue closed, none can start after these.
+  // Runs in progress use the halves; the queues are closed, so no run starts after these.
   machine_.workers.drain();
   machine_.gl.drain();
   machine_.workers.drain();
@@ -148,7 +148,7 @@ void BackendNode::dismiss(Peer& peer) {
   if (!process) return;
   world_.leave(*process);
   peers_.remove(peer);
-  // A link may end before it says so of each.
+  // A link may end before it has reported the end of each session.
   for (const SessionId session : peer.sessions()) forget(peer, session);
   peer.setQuality(0);
   adjustQuality();
@@ -181,7 +181,7 @@ void BackendNode::sendTrace(Peer& peer, const TraceRequest& request) const {
 }
 
 void BackendNode::adjustQuality() {
-  // Held while halves announce what changes, which asks for no quality.
+  // Held while halves announce changes; announcements do not request a quality.
   const std::lock_guard lock(qualityMutex_);
   const std::optional<int> wanted = peers_.quality();
   if (!wanted || std::exchange(quality_, *wanted) == *wanted) return;
@@ -215,7 +215,7 @@ NodeWelcome BackendNode::welcome() const {
 
 pipeline::PushResult BackendNode::take(Asked asked) {
   Request& request = asked.request;
-  // Differences are for who unpacks them.
+  // Only receivers that unpack data use differences.
   if (asked.peer->link().sharesMemory()) request.known = 0;
   const auto owner = owners_.find(request.object);
   BackendPipeline* const pipeline = owner != owners_.end()                        ? owner->second

@@ -23,16 +23,16 @@ struct BackendMachine {
   pipeline::Timeline& timeline;
   pipeline::MemoryLedger& memory;
   raster::ImagePool& images;
-  BakedStore* baked = nullptr;  ///< null if there is one instance of the world only
+  BakedStore* baked = nullptr;  ///< null unless private mode makes more instances of the world
 };
 
-/// Owns the objects of a world, or some of them, and answers requests for them, with one pipeline for each object type.
-/// Knows frontend processes only by their messages.
+/// Owns all or some objects of a world and serves requests for them, with one pipeline for each object type. Messages
+/// are its only contact with frontend processes.
 class BackendNode {
  public:
   using Progress = std::function<void(std::string_view, float)>;
 
-  /// Prepares the objects, which may take seconds; passes on what that throws. Must not run on a thread of the
+  /// Prepares the objects, which may take seconds; rethrows what preparation throws. Must not run on a thread of the
   /// executors. `progress` is called from any thread and may throw to cancel. All other arguments outlive the node.
   BackendNode(const LoadedScene& scene, const world::WorldGeometry& geometry, const world::VoxelObstacles& obstacles,
               const BackendTypes& types, const BackendMachine& machine, Parallelism parallelism,
@@ -42,7 +42,7 @@ class BackendNode {
   BackendNode(const BackendNode&) = delete;
   BackendNode& operator=(const BackendNode&) = delete;
 
-  /// Distinct among the lives of a node.
+  /// Different in each run of a node.
   [[nodiscard]] std::uint64_t epoch() const noexcept { return epoch_; }
 
   /// Serves the frontend process at the other end of the link until the returned token is destroyed. The token's
@@ -60,7 +60,7 @@ class BackendNode {
   [[nodiscard]] BackendServices services(Parallelism parallelism, const Progress& progress);
   pipeline::PushResult receive(const std::shared_ptr<Peer>& peer, ToBackend message);
   pipeline::PushResult take(Asked asked);
-  /// Has a version made that the peer has subscribed to.
+  /// Starts to make a version for a peer's subscription.
   [[nodiscard]] bool push(std::shared_ptr<Peer> peer, const SharedKey& what, Version known);
   /// Welcomes a frontend process if protocol, scene and types match, else refuses it. A second hello starts over.
   void greet(const std::shared_ptr<Peer>& peer, const NodeHello& hello);
@@ -81,7 +81,7 @@ class BackendNode {
   Peers peers_;
   std::map<world::TypeIndex, std::unique_ptr<BackendPipeline>> pipelines_;
   std::map<world::ObjectId, BackendPipeline*> owners_;
-  BackendPipeline* visitors_ = nullptr;  ///< of the objects that show them
+  BackendPipeline* visitors_ = nullptr;  ///< serves the objects that show visitors
   std::mutex qualityMutex_;
   int quality_ = 0;  ///< of all halves
 };

@@ -24,7 +24,7 @@ class Workers;
 
 namespace grove::node {
 
-/// Options of one type, which knows what they are.
+/// Base class of a type's options.
 class TypeOptions {
  public:
   virtual ~TypeOptions() = default;
@@ -33,12 +33,12 @@ class TypeOptions {
 /// A scene with what its object types have loaded for it.
 struct LoadedScene {
   world::Layout layout;
-  std::vector<world::ModelledObject> objects;   ///< those of the layout
+  std::vector<world::ModelledObject> objects;   ///< of the layout
   std::shared_ptr<const world::Model> visitor;  ///< null: visitors are invisible
-  /// By the type's name; those of types of which the scene says nothing are not there.
+  /// By type name; types without an entry in the scene are missing.
   std::map<std::string, std::shared_ptr<const TypeOptions>, std::less<>> options;
 
-  /// The options that a type has read, or how they are if the scene says nothing.
+  /// Returns the options that a type has read, or the defaults if the scene has no entry.
   template <class Options>
   [[nodiscard]] Options optionsOf(std::string_view type) const {
     const auto found = options.find(type);
@@ -49,8 +49,7 @@ struct LoadedScene {
 /// What a backend half may use of its node; nothing of any frontend. All of it outlives the half.
 struct BackendServices {
   const LoadedScene& scene;
-  /// What stops smoke and light, whatever type it is of: as surfaces, which are all there only where a type
-  /// needsAllModels(), and as voxels.
+  /// Obstacles for smoke and light: as surfaces, complete only for types with needsAllModels(), and as voxels.
   const world::WorldGeometry& geometry;
   const world::VoxelObstacles& obstacles;
   const WorldMirror& world;
@@ -59,17 +58,17 @@ struct BackendServices {
   pipeline::Timeline& timeline;
   pipeline::MemoryLedger& memory;
   raster::ImagePool& images;
-  /// Says that there is newer shared data. Any thread.
+  /// Announces newer shared data. Any thread.
   std::function<void(const Announcement&)> announce;
-  /// Reports slow preparation: a label and a share of 0..1. It throws if the half is not wanted any more, so it is
-  /// called often.
+  /// Reports slow preparation: a label and a share of 0 to 1. Throws if the half is not needed any more, so call it
+  /// often.
   std::function<void(std::string_view, float)> progress;
-  /// Help to prepare, see prepareEach(); null if the constructing thread is to do all of it.
+  /// Threads that help to prepare, see prepareEach(); null if the constructing thread does all of it.
   pipeline::Executor* helpers = nullptr;
-  /// Where to look first for what takes long to bake; null if there will be no second instance of this world.
+  /// Baked data of an earlier instance of this world; null unless private mode makes more instances.
   BakedStore* baked = nullptr;
 
-  /// As BakedStore::copyOf(), wherever there is none. What is baked may depend on the world's layout and nothing else.
+  /// As BakedStore::copyOf(), with or without a store. Baked data may depend on the world's layout only.
   template <class Bytes, class Bake>
   [[nodiscard]] auto bakedOnce(const std::string& key, const Bytes& bytes, const Bake& bake) const {
     return baked == nullptr ? bake() : baked->copyOf<decltype(bake())>(key, bytes, bake);

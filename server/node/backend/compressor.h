@@ -7,7 +7,7 @@
 
 namespace grove::node {
 
-/// Makes results small for the wire, as the link of who asked wants it (section 4.2, step 6).
+/// Makes results small for the link on which they leave (section 4.2, step 6).
 class Compressor final : public pipeline::Stage<Answered> {
  public:
   Compressor(std::string_view subject, pipeline::Executor& executor, pipeline::Timeline& timeline);

@@ -7,8 +7,8 @@
 
 namespace grove::node {
 
-/// Where a type's objects are drawn: the GL workers if any of them is drawn by GL, else the workers of everything. One
-/// executor serves all of the type's objects, and GL is bound to threads of its own.
+/// Selects where a type's objects are drawn: on the GL workers if GL draws any of them, else on the general workers.
+/// One executor serves all objects of a type, because GL is bound to threads of its own.
 template <class IsByGl>
 [[nodiscard]] pipeline::Executor& drawingExecutor(const BackendServices& services, world::TypeIndex self,
                                                   const IsByGl& isByGl) {

@@ -9,11 +9,11 @@
 namespace grove::node {
 namespace {
 
-/// Requests for so many runs of each thread wait here; all others wait in the Request Receiver, where frontend
-/// processes take turns.
+/// Requests for this many runs per thread wait here; all others wait in the Request Receiver, where frontend processes
+/// take turns.
 constexpr std::size_t kRunsAhead = 2;
 
-/// A half of somebody else's may mistake what it was asked for, and who waits for one kind cannot use the other.
+/// Checks the kind: a half may be wrong, and a waiting frame cannot use the other kind.
 bool isOfItsKind(const Request& request, const Payload& payload) {
   if (std::holds_alternative<Failure>(payload)) return true;
   return std::holds_alternative<std::shared_ptr<const SharedData>>(payload) == request.shared;
@@ -50,7 +50,7 @@ void RequestHandler::process(std::span<Asked> all, pipeline::Run& run) {
   const auto firstEnded = std::stable_partition(all.begin(), all.end(), isWanted);
   const std::span<Asked> wanted(all.begin(), firstEnded);
   if (firstEnded != all.end()) timeline_.count("requests of frames that had ended", all.end() - firstEnded);
-  // Somebody else may wait for shared data, and asks again.
+  // Another requester may wait for shared data, and requests it again.
   for (auto ended = firstEnded; ended != all.end(); ++ended) {
     compressor_.send(run, {resultOf(ended->request, Failure{"the frame has ended", true}), std::move(ended->peer),
                            ended->subscribed});

@@ -8,9 +8,9 @@
 
 namespace grove::node {
 
-/// What Renderer and Simulator share: a batch of requests goes to the object type's backend half, and a result for each
-/// goes on, a Failure where the half threw. One request that throws costs the others of its batch nothing. A request
-/// whose frame has ended meanwhile fails at once, so that what is slow has no backlog.
+/// Common part of Renderer and Simulator: passes a batch of requests to the object type's backend half and the results
+/// on; a Failure where the half threw. One failing request does not affect the others of its batch. A request whose
+/// frame has ended fails at once, so a slow half has no backlog.
 class RequestHandler : public pipeline::Stage<Asked> {
  public:
   void connect(std::shared_ptr<pipeline::Inlet<Answered>> compressor);
@@ -21,7 +21,7 @@ class RequestHandler : public pipeline::Stage<Asked> {
   void process(std::span<Asked> all, pipeline::Run& run) final;
 
  private:
-  /// After the batch has thrown for `reason`: only those fail that throw alone, too.
+  /// Retries after the batch threw `reason`: only requests that throw again fail.
   void answerOneByOne(std::span<const Request> requests, std::span<Payload> payloads, const std::string& reason);
 
   pipeline::Timeline& timeline_;

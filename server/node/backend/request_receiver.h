@@ -5,8 +5,8 @@
 
 namespace grove::node {
 
-/// Takes requests off the transport and hands them to the Renderer or the Simulator (section 4.2, step 3). Requests
-/// wait here in a line for each frontend process, and the lines are served in turn.
+/// Takes requests from the transport and passes them to the Renderer or the Simulator (section 4.2, step 3). Each
+/// frontend process has a queue here, and the queues take turns.
 class RequestReceiver final : public pipeline::Stage<Asked> {
  public:
   RequestReceiver(pipeline::Executor& executor, pipeline::Timeline& timeline);

@@ -37,7 +37,7 @@ void ResultSender::send(Answered& answered) {
     return subscriptions.sent(instead.what, instead.version, instead.pushed);
   }
   subscriptions.end(instead.what);
-  // An announcement is never lost, so the peer asks again.
+  // Announcements are never lost, so the peer requests it again.
   if (isData) link.send(ToFrontend(Announcement{instead.what, instead.version}));
 }
 

@@ -5,7 +5,7 @@
 
 namespace grove::node {
 
-/// Sends each result to the frontend process that asked for it (section 4.2, step 7).
+/// Sends each result to the frontend process that requested it (section 4.2, step 7).
 class ResultSender final : public pipeline::Stage<Answered> {
  public:
   ResultSender(pipeline::Executor& executor, pipeline::Timeline& timeline);

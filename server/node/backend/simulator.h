@@ -4,8 +4,8 @@
 
 namespace grove::node {
 
-/// Answers with the simulation's newest data (section 4.2, step 5). The simulation itself ticks on its own clock,
-/// independent of requests.
+/// Returns the simulation's newest data (section 4.2, step 5). The simulation ticks on its own clock, independent of
+/// requests.
 class Simulator final : public RequestHandler {
  public:
   Simulator(std::string_view subject, BackendHalf& half, pipeline::Timeline& timeline)

@@ -13,7 +13,7 @@ bool WorldMirror::apply(ProcessId from, std::shared_ptr<const WorldUpdate> updat
     const std::lock_guard lock(mutex_);
     if (owner_.value_or(from) != from) return false;
     owner_ = from;
-    if (newest_->number - update->number < kLate) return true;  // unsigned: of a higher one the difference is huge
+    if (newest_->number - update->number < kLate) return true;  // unsigned: huge for a higher number
     newest_ = std::move(update);
     ++count_;
     clock_.addReport(newest_->clock, pipeline::wallSeconds());
@@ -51,7 +51,7 @@ std::vector<world::Player> WorldMirror::players() const {
 
 std::vector<world::Gust> WorldMirror::gusts(Cursor& cursor) const {
   const std::lock_guard lock(mutex_);
-  // What blows on blows at every tick, also between two updates.
+  // A gust blows at every tick, also between two updates.
   std::map<world::PlayerId, world::Gust> gusts;
   for (const world::Gust& gust : newest_->gusts) gusts[gust.visitor] = gust;
   for (auto past = past_.rbegin(); past != past_.rend() && past->number > cursor; ++past) {

@@ -7,9 +7,9 @@
 #include <optional>
 #include <vector>
 
-#include "node/transport/peer_clock.h"
 #include "node/messages/ids.h"
 #include "node/messages/world_update.h"
+#include "node/transport/peer_clock.h"
 
 namespace grove::node {
 
@@ -33,17 +33,17 @@ class WorldMirror {
   /// All players as of the newest update.
   [[nodiscard]] std::vector<world::Player> players() const;
 
-  /// The newest gust of each visitor in the updates after `cursor`, which is advanced past them.
+  /// Returns each visitor's newest gust in the updates after `cursor`, and advances the cursor.
   [[nodiscard]] std::vector<world::Gust> gusts(Cursor& cursor) const;
 
-  /// Calls `wake` at each update while somebody is there, until the token that it returns is gone. `wake` must not
-  /// block, nor use this.
+  /// Calls `wake` at each update while there are visitors, until the returned token is destroyed. `wake` must not block
+  /// or use this object.
   [[nodiscard]] std::shared_ptr<void> whileVisited(std::function<void()> wake) const;
 
  private:
-  /// So many updates of gusts are kept: two seconds.
+  /// Kept updates with gusts: two seconds.
   static constexpr std::size_t kKept = 64;
-  /// So far behind, an update is late.
+  /// An update that is this far behind is late.
   static constexpr std::uint64_t kLate = 64;
   struct Past {
     Cursor number = 0;

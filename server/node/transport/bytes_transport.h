@@ -11,9 +11,9 @@ class PacketsToBackend;
 class PacketsToFrontend;
 class TrafficCounters;
 
-/// Both ends in one process, but all that travels becomes bytes and is decoded and checked again, as a socket would
-/// carry it. Messages keep their order each way. Each way holds at most 4096 packets and 64 MiB; what does not fit is
-/// refused, or, of what a backend node sends, lost and counted.
+/// Both ends in one process, but every message is encoded, decoded and checked, as over a socket. Messages keep their
+/// order each way. Each way holds at most 4096 packets and 64 MiB; further messages are refused, or, if a backend node
+/// sends them, dropped and counted.
 class BytesTransport final : public Transport {
  public:
   /// Both outlive it.

@@ -5,8 +5,8 @@
 
 namespace grove::node {
 
-/// Who is connected to one end of a link. While he receives no lock is held, so that he may send meanwhile, to either
-/// end. Any thread.
+/// The receiver at one end of a link. No lock is held while it receives, so it may send meanwhile, to either end. Any
+/// thread.
 template <class Port>
 class Connection {
  public:
@@ -15,14 +15,15 @@ class Connection {
     port_ = &port;
   }
 
-  /// Waits for what he is receiving; nothing reaches him afterwards. Not from within his receive.
+  /// Waits for receive calls in progress; nothing reaches the receiver afterwards. Must not be called from within
+  /// receive.
   void leave() {
     std::unique_lock lock(mutex_);
     port_ = nullptr;
     idle_.wait(lock, [this] { return receiving_ == 0; });
   }
 
-  /// Calls `receive` with the port, which stays until that returns; with null if nobody is connected.
+  /// Calls `receive` with the port, which stays until that returns; with null if no receiver is connected.
   template <class Receive>
   decltype(auto) use(const Receive& receive) {
     const Use use(*this);

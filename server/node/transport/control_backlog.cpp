@@ -5,7 +5,7 @@
 namespace grove::node {
 namespace {
 
-/// The names' order is that in which they are sent: a session's frames end before it is forgotten.
+/// Sent in the order of their names: a session's frames end before the session does.
 class ControlName {
  public:
   using Name = std::optional<std::string>;

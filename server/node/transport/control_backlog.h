@@ -10,19 +10,19 @@
 namespace grove::node {
 
 /// Names a control message, which is never refused: of two with one name, only the newer one matters. Nothing for other
-/// messages, whose senders see that they are refused and send again, or do without.
+/// messages: if they are refused, their senders send again or do without.
 [[nodiscard]] std::optional<std::string> controlNameOf(const ToBackend& message);
 [[nodiscard]] std::optional<std::string> controlNameOf(const ToFrontend& message);
 
-/// Control messages that wait beside a full link: one for each name, so as many as there are sessions and data. One
+/// Control messages that wait beside a full link: one per name, so at most as many as there are sessions and data. One
 /// thread at a time.
 template <class Message>
 class ControlBacklog {
  public:
   [[nodiscard]] bool empty() const noexcept { return waiting_.empty(); }
-  /// Takes the place of an older one with this name.
+  /// Replaces an older message with this name.
   void put(const std::string& name, Message message) { waiting_.insert_or_assign(name, std::move(message)); }
-  /// Offers all to the link until `isTaken` of one is false.
+  /// Offers all to the link until `isTaken` returns false.
   template <class IsTaken>
   void offer(const IsTaken& isTaken) {
     while (!waiting_.empty() && isTaken(waiting_.begin()->second)) waiting_.erase(waiting_.begin());

@@ -8,14 +8,14 @@
 
 namespace grove::node {
 
-/// How fast a link is, from a reading a second. One thread at a time.
+/// Measures the pace of a link from one reading per second. One thread at a time.
 class LinkGauge {
  public:
   using Clock = std::chrono::steady_clock;
 
-  /// What has travelled by then, and how long an answer has just taken.
+  /// Adds a reading: the traffic so far and the newest round trip.
   void read(Clock::time_point now, const LinkTraffic& traffic, Clock::duration roundTrip);
-  /// The link has gone.
+  /// The link is closed.
   void clear() { readings_.clear(); }
   [[nodiscard]] LinkPace pace() const;
 

@@ -12,7 +12,7 @@
 namespace grove::node {
 namespace {
 
-/// The object that a message is about; nothing if it is for all nodes.
+/// The object that a message concerns; empty if it concerns all nodes.
 struct AboutObject {
   std::optional<world::ObjectId> operator()(const Request& request) const { return request.object; }
   std::optional<world::ObjectId> operator()(const Acknowledgement& received) const { return received.what.object; }
@@ -22,7 +22,7 @@ struct AboutObject {
 
 }  // namespace
 
-/// One node, as the router hears it.
+/// One node's messages to the router.
 class NodeRouter::Branch final : public FrontendPort {
  public:
   Branch(NodeRouter& router, std::string name, std::shared_ptr<FrontendEnd> end)
@@ -37,7 +37,7 @@ class NodeRouter::Branch final : public FrontendPort {
   [[nodiscard]] const std::string& name() const noexcept { return name_; }
   [[nodiscard]] FrontendEnd& end() const noexcept { return *end_; }
   [[nodiscard]] ReportedNode& reported() noexcept { return reported_; }
-  /// Whether its node is in another process, which can be reached.
+  /// Whether its node is in another process and welcomed this one.
   [[nodiscard]] bool isReachable() const { return end_->status().state == LinkState::kWelcomed; }
 
  private:

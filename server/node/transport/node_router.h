@@ -17,9 +17,9 @@
 
 namespace grove::node {
 
-/// A frontend process's end of links to several backend nodes, each of which serves some of the objects. What is about
-/// an object goes to the node that serves it, everything else to all. Who serves what is what nodes said in their last
-/// welcome; what a node sends of another one's object is dropped. Any thread, but for add().
+/// A frontend process's end of links to several backend nodes, each of which serves some of the objects. Sends messages
+/// about an object to the node that serves it, all others to all nodes. The nodes' last welcomes define which node
+/// serves which object; a node's messages about another node's object are dropped. Any thread, except for add().
 class NodeRouter final : public FrontendEnd {
  public:
   NodeRouter();
@@ -27,17 +27,17 @@ class NodeRouter final : public FrontendEnd {
   NodeRouter(const NodeRouter&) = delete;
   NodeRouter& operator=(const NodeRouter&) = delete;
 
-  /// `name` is for people. Before anything is sent, or while nothing is.
+  /// `name` is for log lines and the operator's page. Must be called before anything is sent, or while nothing is.
   void add(std::string name, std::shared_ptr<FrontendEnd> end);
 
   void connect(FrontendPort& frontend) override { frontend_.connect(frontend); }
   void leaveFrontend() override { frontend_.leave(); }
-  /// A message about an object that nobody serves is closed. Other messages are accepted if any node accepts them: one
-  /// that is away does not hold up the others.
+  /// A message about an object that no node serves is closed. Other messages are accepted if any node accepts them: a
+  /// node that is away does not block the others.
   pipeline::PushResult send(ToBackend message) override;
   [[nodiscard]] LinkTraffic traffic() const override;
 
-  /// One node and its link, for people.
+  /// One node and its link, for the operator's page.
   struct NodeLink {
     std::string name;
     std::size_t objects = 0;  ///< that it serves, its visitors not counted
@@ -45,7 +45,7 @@ class NodeRouter final : public FrontendEnd {
     LinkTraffic traffic;
     LinkPace pace = {};
     std::optional<std::uint64_t> epoch = {};  ///< of its last welcome
-    std::optional<NodeReport> report = {};    ///< the newest one; nothing if the node is in this process or away
+    std::optional<NodeReport> report = {};    ///< the newest; empty if the node is in this process or away
   };
   [[nodiscard]] std::vector<NodeLink> links() const;
 
@@ -59,11 +59,12 @@ class NodeRouter final : public FrontendEnd {
   /// time.
   [[nodiscard]] std::vector<NodeEvents> traces(std::chrono::milliseconds max);
 
-  /// The last welcome of each node that has said one.
+  /// The last welcome of each node.
   [[nodiscard]] std::vector<NodeWelcome> welcomes() const;
-  /// What all nodes serve.
+  /// The objects of all nodes.
   [[nodiscard]] ServedObjects served() const;
-  /// What is wrong if two nodes serve one object, one line for people. The first who said so serves it.
+  /// Describes in one line that two nodes serve one object; empty if none do. The node with the first welcome serves
+  /// it.
   [[nodiscard]] std::optional<std::string> conflict() const;
 
  private:
@@ -78,7 +79,7 @@ class NodeRouter final : public FrontendEnd {
   Connection<FrontendPort> frontend_;
   std::vector<std::unique_ptr<Branch>> branches_;
   mutable std::shared_mutex mutex_;
-  /// All objects that show visitors under kFirstPlayerObject.
+  /// All objects that show visitors are under kFirstPlayerObject.
   std::map<world::ObjectId, const Branch*> owners_;
   std::map<const Branch*, NodeWelcome> welcomes_;
   std::optional<std::string> conflict_;

@@ -14,12 +14,12 @@
 
 namespace grove::node {
 
-/// A node that waits for an answer. Any thread.
+/// A node that waits for obstacles. Any thread.
 class ObstacleAsker {
  public:
   virtual ~ObstacleAsker() = default;
   [[nodiscard]] virtual bool isWaiting() const = 0;
-  /// The encoded cells, or why there are none. Once.
+  /// Passes on the encoded cells, or the reason for having none. Called once.
   virtual void answer(const Decoded<std::string>& cells) = 0;
 };
 
@@ -29,13 +29,13 @@ struct ObstacleQuestion {
   std::shared_ptr<ObstacleAsker> asker;
 };
 
-/// Answers other nodes' questions about obstacles, which take up to tenths of a second of a worker each. One at a time,
-/// so that nobody who asks much takes more of the machine than one core. Questions beyond kMaxWaiting are refused.
+/// Computes obstacles for other nodes, which takes up to tenths of a second of a worker each. One request at a time, so
+/// that requests occupy at most one core. Requests beyond kMaxWaiting are refused.
 class ObstacleAnswers final : public pipeline::Stage<ObstacleQuestion> {
  public:
   static constexpr std::size_t kMaxWaiting = 16;
 
-  /// The obstacles of the scene with this hash, which outlive it, as workers and timeline do.
+  /// The obstacles of the scene with this hash. They, workers and timeline outlive it.
   ObstacleAnswers(const world::VoxelObstacles& obstacles, std::uint64_t sceneHash, pipeline::Executor& executor,
                   pipeline::Timeline& timeline);
 

@@ -10,7 +10,7 @@ namespace grove::node {
 /// by more than ten seconds, unless the next one confirms it: then the clock has restarted. Times are seconds.
 class PeerClock {
  public:
-  /// The peer's report of `theirs` came when this process's clock showed `ours`.
+  /// Adds a report: the peer's clock showed `theirs` when this process's showed `ours`.
   void addReport(double theirs, double ours);
 
   /// The peer's clock when this process's shows `ours`; empty before the first report.

@@ -7,7 +7,7 @@
 
 namespace grove::node {
 
-/// Both ends in one process: messages travel by reference, so there is nothing to compress and nothing to copy.
+/// Both ends in one process: messages travel by reference, without compression or copies.
 class ReferenceTransport final : public Transport {
  public:
   using Transport::connect;

@@ -12,16 +12,16 @@
 
 namespace grove::node {
 
-/// What a backend node has reported of its own work, as a frontend process knows it. Thread-safe.
+/// A backend node's reports of its own work, for a frontend process. Thread-safe.
 class ReportedNode {
  public:
   using Clock = std::chrono::steady_clock;
 
-  /// `now` is seconds of this process's clock.
+  /// `now`: seconds of this process's clock.
   void heard(NodeReport report, double now);
   /// Drops a trace that is not expected.
   void heard(std::shared_ptr<const NodeTrace> trace);
-  /// Forgets the report and the clock: the node may have restarted.
+  /// Drops the report and the clock: the node may have restarted.
   void welcomed();
 
   [[nodiscard]] std::optional<NodeReport> report() const;

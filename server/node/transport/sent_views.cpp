@@ -5,14 +5,14 @@
 namespace grove::node {
 namespace {
 
-/// What a session's own place takes, too.
+/// Includes the session's entry.
 constexpr std::size_t kOverhead = 256;
 
 std::size_t bytesOf(const View& view) {
   return sizeof(View) + kOverhead + view.lights.capacity() * sizeof(world::PointLight);
 }
 
-/// The same view, in `sum` for as long as anybody holds it.
+/// Returns the same view, counted in `sum` until its last holder releases it.
 std::shared_ptr<const View> counted(std::shared_ptr<const View> view, std::size_t bytes,
                                     std::shared_ptr<std::atomic<std::size_t>> sum) {
   const View* const seen = view.get();

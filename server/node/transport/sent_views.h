@@ -10,15 +10,15 @@
 
 namespace grove::node {
 
-/// The views that requests of one link may name: the newest of each session. All of them take at most kMaxBytes,
-/// whoever holds them; where that is not enough, those of the session that was silent longest are forgotten first. One
-/// thread at a time.
+/// The views that requests of one link may name: the newest of each session. They take at most kMaxBytes in total,
+/// including those that requests still hold; if that is not enough, the views of the session that was silent longest
+/// are dropped first. One thread at a time.
 class SentViews {
  public:
   static constexpr std::size_t kKept = 32;
   static constexpr std::size_t kMaxBytes = std::size_t{64} << 20U;
 
-  /// One for which there is no room, because requests under way hold the others, stays unknown.
+  /// A view without room, because requests in progress hold the others, stays unknown.
   void add(std::shared_ptr<const View> view);
   void forget(SessionId session) { sessions_.take(session); }
   /// Must not outlive this.
@@ -30,7 +30,7 @@ class SentViews {
   [[nodiscard]] std::shared_ptr<const View> find(SessionId session, FrameNumber frame);
   void forgetOldest();
 
-  /// Outlives this with views that requests under way hold.
+  /// Outlives this with views that requests in progress hold.
   const std::shared_ptr<std::atomic<std::size_t>> bytes_ = std::make_shared<std::atomic<std::size_t>>(0);
   LruTable<SessionId, std::vector<std::shared_ptr<const View>>> sessions_;  ///< the oldest view first
 };

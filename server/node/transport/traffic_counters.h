@@ -9,14 +9,14 @@
 
 namespace grove::node {
 
-/// Counts what travels on a link. Any thread.
+/// Counts the bytes on a link. Any thread.
 class TrafficCounters {
  public:
   /// A packet to the backend node.
   void countToBackend(const Packet& packet) { toBackend_ += packet.header.size(); }
   /// A packet's header to the frontend process.
   void countHeader(const Packet& packet) { headers_ += packet.header.size(); }
-  /// What travels beside it.
+  /// The bulk bytes beside a header.
   void countBulk(const ToFrontend& message) {
     const auto* const result = std::get_if<Result>(&message);
     if (result == nullptr || !result->packed) return;

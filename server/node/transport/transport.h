@@ -12,19 +12,19 @@
 #include "pipeline/queue.h"
 #include "pipeline/timeline.h"
 
-/// The wire between a frontend process and a backend node. It has two ends; what it does to messages in between is its
-/// own business.
+/// The connection between a frontend process and a backend node. It has two ends; how it carries messages between them
+/// is hidden.
 namespace grove::node {
 
-/// Where a backend node takes what one frontend process sends. Any thread; returns soon.
+/// Receives one frontend process's messages for a backend node. Any thread; returns soon.
 class BackendPort {
  public:
   virtual ~BackendPort() = default;
-  /// What is not accepted is as if it had not been sent.
+  /// Messages that are not accepted have no effect.
   virtual pipeline::PushResult receive(ToBackend message) = 0;
 };
 
-/// Where a frontend process takes what backend nodes send. Any thread; returns soon.
+/// Receives backend nodes' messages for a frontend process. Any thread; returns soon.
 class FrontendPort {
  public:
   virtual ~FrontendPort() = default;
@@ -35,8 +35,8 @@ class FrontendPort {
 struct LinkTraffic {
   std::uint64_t toBackend = 0;
   std::uint64_t pictures = 0;    ///< to the frontend process, packed
-  std::uint64_t sharedData = 0;  ///< the same
-  std::uint64_t headers = 0;     ///< to the frontend process, what stands beside them
+  std::uint64_t sharedData = 0;  ///< to the frontend process, packed
+  std::uint64_t headers = 0;     ///< to the frontend process, beside the bulk bytes
   [[nodiscard]] std::uint64_t toFrontend() const { return pictures + sharedData + headers; }
   /// Since an earlier reading.
   [[nodiscard]] LinkTraffic operator-(const LinkTraffic& before) const {
@@ -45,22 +45,22 @@ struct LinkTraffic {
   }
 };
 
-/// How fast a link has been in the last seconds.
+/// The pace of a link in the last seconds.
 struct LinkPace {
-  double sent = 0.0;                     ///< bytes a second, to the backend node
-  double received = 0.0;                 ///< from it
-  std::optional<double> roundTrip = {};  ///< seconds, the shortest; nothing while it is not known
+  double sent = 0.0;                     ///< bytes per second, to the backend node
+  double received = 0.0;                 ///< bytes per second, from it
+  std::optional<double> roundTrip = {};  ///< seconds, the shortest; empty while unknown
 };
 
-/// How a link stands.
+/// The state of a link.
 enum class LinkState : std::uint8_t {
   kHere,        ///< within this process
   kConnecting,  ///< no welcome so far
   kWelcomed,
-  kRefused,    ///< by the node, which is asked again
-  kUntrusted,  ///< this process refuses the node, for its certificate or for want of one, and asks again
-  kSilent,     ///< the node has taken a connection, and neither welcomed nor refused; it is called again
-  kLost,       ///< after a welcome; it is being connected again
+  kRefused,    ///< by the node; this process tries again
+  kUntrusted,  ///< this process rejects the node's certificate, or its lack of one, and tries again
+  kSilent,     ///< the node accepted a connection, and neither welcomed nor refused; this process tries again
+  kLost,       ///< after a welcome; this process connects again
 };
 struct LinkStatus {
   LinkState state = LinkState::kHere;
@@ -71,15 +71,15 @@ struct LinkStatus {
 class FrontendEnd {
  public:
   virtual ~FrontendEnd() = default;
-  /// The port is left before it goes; who leaves waits for what is being received.
+  /// The port is disconnected before it is destroyed; disconnecting waits for receive calls in progress.
   virtual void connect(FrontendPort& frontend) = 0;
   virtual void leaveFrontend() = 0;
-  /// Refused if the link or the backend node is full, but for control messages (controlNameOf()).
+  /// Refused if the link or the backend node is full, except for control messages (controlNameOf()).
   virtual pipeline::PushResult send(ToBackend message) = 0;
-  /// What has travelled; nothing where messages go by reference.
+  /// The traffic so far; zero where messages travel by reference.
   [[nodiscard]] virtual LinkTraffic traffic() const { return {}; }
   [[nodiscard]] virtual LinkStatus status() const { return {}; }
-  /// Nothing where messages do not leave the process.
+  /// Zero where messages do not leave the process.
   [[nodiscard]] virtual LinkPace pace() const { return {}; }
 };
 
@@ -90,12 +90,12 @@ class BackendEnd {
   /// As FrontendEnd::connect().
   virtual void connect(BackendPort& backend) = 0;
   virtual void leaveBackend() = 0;
-  /// What is not accepted is lost, and counted; announcements wait until they can be sent.
+  /// Messages that are not accepted are dropped and counted; announcements wait until they can be sent.
   virtual pipeline::PushResult send(ToFrontend message) = 0;
-  /// Whether both ends share memory, so that what is shared travels whole, by reference.
+  /// Whether both ends share memory, so that shared data travels complete, by reference.
   [[nodiscard]] virtual bool sharesMemory() const = 0;
-  /// What the Compressor does to a result before it travels, see FrontendProcess::unpack(); `subject` is its type of
-  /// object, and outlives the timeline. Throws PackingError.
+  /// Packs a result before it is sent, see FrontendProcess::unpack(). `subject`, its object type, outlives the
+  /// timeline. Throws PackingError.
   virtual void compress(Result& result, std::string_view subject) const = 0;
 };
 

@@ -6,11 +6,11 @@
 
 namespace grove::node {
 
-/// How a frontend process and a backend node are linked.
+/// The kinds of links between a frontend process and a backend node.
 enum class TransportKind : std::uint8_t {
   kReference,  ///< they share memory
-  kBytes,      ///< all that travels is encoded and decoded
-  kGrpc,       ///< the same, through gRPC and a socket of this machine
+  kBytes,      ///< every message is encoded and decoded
+  kGrpc,       ///< as kBytes, through gRPC and a local socket
 };
 
 [[nodiscard]] TransportFactory transportFactory(TransportKind kind);

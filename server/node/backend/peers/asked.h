@@ -9,14 +9,14 @@
 
 namespace grove::node {
 
-/// What the answer to a request is for a subscription of its peer.
+/// The role of a result in a subscription of its peer.
 enum class Subscribed : std::uint8_t {
   kNo,
   kBegins,  ///< the first answer
-  kPushed,  ///< a later version, which the node itself has asked for
+  kPushed,  ///< a later version, which the node itself requested
 };
 
-/// A request on its way through a backend node, with who asks.
+/// A request on its way through a backend node, with the requesting peer.
 struct Asked {
   Request request;
   std::shared_ptr<Peer> peer;
@@ -30,7 +30,7 @@ struct Answered {
   Subscribed subscribed = Subscribed::kNo;
 };
 
-/// The frontend processes that ask are served in turn.
+/// The queue of a request: frontend processes take turns.
 inline std::uint64_t lineOf(const Asked& asked) { return asked.peer->process().value_or(0); }
 
 inline pipeline::TraceTag traceTag(const Asked& asked) { return traceTag(asked.request); }

@@ -9,9 +9,9 @@
 
 namespace grove::node {
 
-/// Frames that a frontend process has ended before their requests were answered. Of more than kMaxSessions sessions,
-/// those that ended none for longest are forgotten; then what nobody waits for is answered, too. One thread
-/// at a time.
+/// Frames that a frontend process ended before their requests were answered. Keeps at most kMaxSessions sessions; it
+/// drops those that have ended no frame for the longest time, whose late requests are then answered although no frame
+/// waits for them. One thread at a time.
 class EndedFrames {
  public:
   static constexpr std::size_t kMaxSessions = 4096;
@@ -25,10 +25,10 @@ class EndedFrames {
     newest_.put(cancel.session, cancel.frame);
   }
 
-  /// Of a session that may have ended none yet.
+  /// Adds a session that may have ended no frame yet.
   void meet(SessionId session) { add({.session = session, .frame = 0}); }
 
-  /// That were met, or have ended frames.
+  /// Sessions added by meet() or by an ended frame.
   [[nodiscard]] std::vector<SessionId> sessions() const {
     std::vector<SessionId> sessions;
     sessions.reserve(newest_.size());

@@ -7,7 +7,7 @@
 namespace grove::node {
 namespace {
 
-/// Whose sessions a message is about; nothing if it is about none.
+/// The sessions that a message names; empty if it names none.
 struct Subject {
   std::optional<ProcessId> operator()(const std::shared_ptr<const View>& view) const {
     return processOf(view->session);

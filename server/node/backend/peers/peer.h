@@ -36,20 +36,20 @@ class Peer {
   /// Logs a refused message, at most once a second.
   void reproach(const std::string& objection) { refusals_.warning(objection); }
 
-  /// Logs once that its updates are refused, since the simulations follow another process.
+  /// Logs once that its updates are refused because the simulations follow another process.
   void reportForeignWorld();
 
-  /// Returns whether a request for a trace is answered at `now` (seconds): at most two a second are. A server requests
-  /// one a second, but requests do not all travel equally fast.
+  /// Returns whether a request for a trace at `now` (seconds) is served: at most two per second are. A server sends one
+  /// per second, but their travel times differ.
   [[nodiscard]] bool takeTrace(double now);
 
   /// Updates the estimate of the peer's clock, in seconds.
   void hearClock(double theirs);
-  /// A frame begins.
+  /// Records that a frame has begun.
   void begin(const View& view);
   void end(const Cancel& cancel);
   void forget(SessionId session);
-  /// The most recent sessions that it has named and not forgotten.
+  /// The most recent sessions that the peer has named and not removed.
   [[nodiscard]] std::vector<SessionId> sessions() const;
   /// Whether a frame has ended or its deadline has passed, by the peer's clock.
   [[nodiscard]] bool isOver(const View& view) const;

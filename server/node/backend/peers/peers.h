@@ -18,10 +18,10 @@ class Peers {
   void remove(Peer& peer);
   [[nodiscard]] bool empty() const;
 
-  /// Sends the new version to who has subscribed to it, and the announcement to all others. Holds no lock meanwhile,
-  /// since a receiver may call back.
+  /// Sends the new version to peers with a subscription, and the announcement to all others. Holds no lock meanwhile,
+  /// because a receiver may call back.
   void announce(const Announcement& announcement) const;
-  /// Sends it to all.
+  /// Sends a message to all peers.
   void send(const ToFrontend& message) const;
   /// The highest quality step that any peer requests; nothing if there are no peers.
   [[nodiscard]] std::optional<int> quality() const;

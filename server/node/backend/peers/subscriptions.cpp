@@ -9,7 +9,7 @@
 namespace grove::node {
 namespace {
 
-/// Also after the highest version, which 0 follows.
+/// Versions wrap around: 0 follows the highest.
 bool isNewer(Version version, Version than) { return static_cast<std::int32_t>(version - than) > 0; }
 
 }  // namespace
@@ -54,7 +54,7 @@ void Subscriptions::sent(const SharedKey& what, Version version, bool pushed) {
   if (pushed && !subscription.sent) return;
   subscription.sent = version;
   subscription.deadline.reset();
-  // The acknowledgement may come first, where the link takes no time.
+  // Over a link without delay, the acknowledgement may come first.
   if (pushed && subscription.acknowledged != version) subscription.unacknowledged.push_back(version);
   askIfDue(std::move(lock), what, subscription);
 }

@@ -12,20 +12,20 @@
 
 namespace grove::node {
 
-/// The shared data of which a peer gets each new version without a request. Of each key, one version is made at a time,
-/// and at most kMaxUnacknowledged versions are sent that the peer has not acknowledged. What is published meanwhile is
-/// skipped: when there is room again, the newest version is sent. So a slow link has no backlog. Thread-safe.
+/// The shared data of which a peer gets each new version without a request. Makes one version per key at a time, and
+/// sends at most kMaxUnacknowledged versions that the peer has not acknowledged. Versions published meanwhile are
+/// skipped: when there is room again, the newest is sent. So a slow link has no backlog. Thread-safe.
 class Subscriptions {
  public:
   static constexpr std::size_t kMax = 256;
-  /// A version that takes longer to make is lost. Then the subscription ends, so that the next version is announced.
+  /// A version that takes longer counts as lost. The subscription ends, so the next version is announced.
   static constexpr double kMaxSeconds = 1.0;
 
   /// Starts to make the newest version and to send it to the peer, as a change to version `known`. Returns false if the
   /// node's queue is full. Called without a lock; must not block.
   using Ask = std::function<bool(const SharedKey& what, Version known)>;
 
-  /// Before the first begin().
+  /// Must be called before the first begin().
   void connect(Ask ask) { ask_ = std::move(ask); }
 
   /// Adds or restarts a subscription, before its request is answered. Returns false if the peer has kMax subscriptions.
@@ -42,14 +42,14 @@ class Subscriptions {
 
  private:
   struct Subscription {
-    std::optional<Version> newest = {};  ///< that was published
+    std::optional<Version> newest = {};  ///< published
     std::optional<Version> sent = {};    ///< nothing before the first answer
     Version acknowledged = 0;
-    std::optional<double> deadline = {};       ///< of the version that is being made
+    std::optional<double> deadline = {};       ///< of the version in progress
     std::vector<Version> unacknowledged = {};  ///< pushed, the oldest first
   };
 
-  /// Asks for the newest version if it is to be sent now. Unlocks.
+  /// Requests the newest version if it is due. Unlocks.
   void askIfDue(std::unique_lock<std::mutex> lock, const SharedKey& what, Subscription& subscription);
 
   Ask ask_;

@@ -12,14 +12,15 @@
 
 namespace grove::node {
 
-/// What backend halves baked from a world's layout alone, for the next copy of the same world: in private mode only the
-/// first visitor's world is baked. Each still holds a copy of his own, as he would on a machine of his own. Any thread.
+/// Data that backend halves baked from a world's layout alone, for further copies of the same world: in private mode
+/// only the first visitor's world is baked. Each world still holds its own copy, as on a machine of its own. Any
+/// thread.
 class BakedStore {
  public:
   explicit BakedStore(pipeline::MemoryLedger& memory) : held_(memory, "baked", "", pipeline::Work::kAcrossUser) {}
 
-  /// A copy of what is kept under `key`, always of one type; if that is nothing, of what `bake` makes. `bytes` says
-  /// what keeping it takes.
+  /// Returns a copy of the data under `key`, always of one type; bakes the data first if there is none. `bytes` returns
+  /// its size.
   template <class Baked, class Bytes, class Bake>
   [[nodiscard]] Baked copyOf(const std::string& key, const Bytes& bytes, const Bake& bake) {
     if (const auto kept = find(key)) return *std::any_cast<Baked>(kept.get());

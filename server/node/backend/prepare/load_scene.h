@@ -9,10 +9,10 @@ namespace grove::node {
 
 using BackendTypes = TypeTable<BackendType>;
 
-/// Loads what a scene's objects are made of, by their types. Throws world::SceneError.
+/// Loads the models of a scene's objects. Throws world::SceneError.
 [[nodiscard]] LoadedScene loadScene(const world::Scene& scene, const BackendTypes& types);
 
-/// The same of these objects only. The layout is whole, but for what only models tell of the others.
+/// Loads the models of these objects only. The layout is complete, except for facts that only the other models provide.
 [[nodiscard]] LoadedScene loadScene(const world::Scene& scene, const BackendTypes& types, const ServedObjects& own);
 
 }  // namespace grove::node

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::chrono::milliseconds kReport{100};
 
-/// Parts that helpers take one after the other.
+/// Parts that helpers take in order.
 class Parts {
  public:
   Parts(std::size_t count, const std::function<void(std::size_t)>& work) : count_(count), work_(work) {}
@@ -38,16 +38,16 @@ class Parts {
   }
   void end() {
     const std::lock_guard lock(mutex_);
-    // With the lock held: who waits may take the parts away as soon as he knows.
+    // With the lock held: the waiting thread may destroy the parts as soon as it is notified.
     if (--helping_ == 0) allEnded_.notify_all();
   }
-  /// No further part is begun.
+  /// Stops further parts from starting.
   void fail(const std::exception_ptr& why) {
     next_ = count_;
     const std::lock_guard lock(mutex_);
     if (!failure_) failure_ = why;
   }
-  /// The share that is done, after a while, or nothing once nobody helps any more.
+  /// Returns the share that is done, at intervals; nothing when no helper works any more.
   [[nodiscard]] std::optional<float> wait() {
     std::unique_lock lock(mutex_);
     if (allEnded_.wait_for(lock, kReport, [this] { return helping_ == 0; })) return std::nullopt;

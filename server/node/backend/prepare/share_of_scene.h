@@ -11,17 +11,17 @@
 
 namespace grove::node {
 
-/// What these names of objects and types mean in a scene: an object by its name, or all of a type, which may be that of
-/// the visitors. Nothing, and `unknown` is the name, if one means nothing.
+/// Resolves names in a scene: each is an object's name, or a type, which stands for all its objects (and the visitors,
+/// if it is theirs). Returns nothing if a name is unknown, and sets `unknown` to it.
 [[nodiscard]] std::optional<ServedObjects> namedObjects(const world::Layout& layout, std::span<const std::string> names,
                                                         std::string& unknown);
 
-/// A scene for a node that owns these objects only; the layout stays whole.
+/// Returns a scene for a node that owns these objects only; the layout stays complete.
 [[nodiscard]] LoadedScene shareOf(const LoadedScene& scene, const ServedObjects& own);
 /// Returns a scene file with these objects only. Ids count within a file, so they differ from those of the whole scene.
 [[nodiscard]] world::Scene shareOf(const world::Scene& scene, const ServedObjects& own);
 
-/// The type of an object among these that needs the models of all objects; null: there is none.
+/// Returns a type among these objects that needs the models of all objects; null if there is none.
 [[nodiscard]] const BackendType* typeThatNeedsAllModels(const world::Layout& layout, const ServedObjects& own,
                                                         const BackendTypes& types);
 

@@ -7,13 +7,13 @@
 
 namespace grove::node {
 
-/// Bytes as one message of gRPC.
+/// Converts bytes to one gRPC message.
 [[nodiscard]] inline grpc::ByteBuffer messageOf(const std::string& text) {
   const grpc::Slice slice(text);
   return {&slice, 1};
 }
 
-/// And back; empty if the library cannot read it.
+/// Converts back; empty if the library cannot read it.
 [[nodiscard]] inline std::string bytesOf(const grpc::ByteBuffer& message) {
   std::string bytes;
   std::vector<grpc::Slice> slices;

@@ -12,9 +12,9 @@
 
 namespace grove::node {
 
-/// Links to the backend nodes at these addresses (HOST:PORT), each of which has welcomed who says `hello`. Throws
-/// EnvironmentError if one does not answer within `patience`, or refuses, or is not trusted, or if two serve one
-/// object. Workers and timeline outlive the links.
+/// Links to the backend nodes at these addresses (HOST:PORT); returns when each has welcomed `hello`. Throws
+/// EnvironmentError if a node does not respond within `patience`, refuses, or has a rejected certificate, or if two
+/// nodes serve one object. Workers and timeline outlive the links.
 [[nodiscard]] std::unique_ptr<NodeRouter> dialNodes(std::span<const std::string> addresses, const NodeHello& hello,
                                                     std::chrono::milliseconds patience, pipeline::Executor& executor,
                                                     pipeline::Timeline& timeline, const LinkTls& tls = {});

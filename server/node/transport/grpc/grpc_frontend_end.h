@@ -21,11 +21,11 @@ class GrpcFrontendEnd final : public FrontendEnd {
   using State = LinkState;
   using Status = LinkStatus;
 
-  /// To the node at HOST:PORT; over TLS, and only to a node whose certificate is trusted and names HOST, if `tls` says
-  /// whose are. The log names the node by its `role` and address. Workers and timeline outlive it.
+  /// Links to the node at HOST:PORT. With `tls.trusted`, over TLS and only to a node whose certificate is trusted and
+  /// names HOST. Log lines name the node by `role` and address. Workers and timeline outlive it.
   GrpcFrontendEnd(std::string address, pipeline::Executor& executor, pipeline::Timeline& timeline, LinkTls tls = {},
                   const std::string& role = "node");
-  /// Waits for the end of the stream, so not on one of gRPC's threads.
+  /// Waits for the end of the stream, so it must not run on gRPC's threads.
   ~GrpcFrontendEnd() override;
   GrpcFrontendEnd(const GrpcFrontendEnd&) = delete;
   GrpcFrontendEnd& operator=(const GrpcFrontendEnd&) = delete;
@@ -37,9 +37,9 @@ class GrpcFrontendEnd final : public FrontendEnd {
 
   [[nodiscard]] Status status() const override;
   [[nodiscard]] LinkPace pace() const override;
-  /// The status once the node has welcomed or refused, or after so long.
+  /// Waits, for at most `max`, until the node has welcomed or refused; returns the status.
   [[nodiscard]] Status waitForAnswer(std::chrono::milliseconds max) const;
-  /// Until what is sent goes on its way; false if that takes longer.
+  /// Waits until messages can be sent; false if that takes longer than `max`.
   [[nodiscard]] bool waitUntilOpen(std::chrono::milliseconds max) const;
 
  private:

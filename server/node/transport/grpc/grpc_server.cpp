@@ -24,7 +24,7 @@
 
 namespace grove::node {
 
-/// Makes a link of each call, or has it answered.
+/// Makes each call a link, or dispatches it.
 class GrpcServer::Service final : public grpc::CallbackGenericService {
  public:
   Service(Accept accept, pipeline::Executor& executor, pipeline::Timeline& timeline, LinkTls tls,
@@ -42,7 +42,7 @@ class GrpcServer::Service final : public grpc::CallbackGenericService {
     left_.wait(lock, [this] { return links_ == 0 && questions_ == 0; });
   }
   void leave() { leave(links_); }
-  /// A process has hung up before it said anything. In the clear that may be anybody.
+  /// A process has closed the connection before it sent anything. Without TLS that may be any program.
   void leftUnheard(const std::string& process) {
     if (tls_.certificate.empty()) return;
     refusals_.warning("the process at " + process +
@@ -53,7 +53,7 @@ class GrpcServer::Service final : public grpc::CallbackGenericService {
   [[nodiscard]] grpc::ServerGenericBidiReactor* makeLink(const std::string& process);
   [[nodiscard]] grpc::ServerGenericBidiReactor* makeObstacleCall();
 
-  /// Counts a call of one kind, unless there are `max`.
+  /// Counts a call of one kind; false if there are already `max`.
   [[nodiscard]] bool enter(int& calls, int max) {
     const std::lock_guard lock(mutex_);
     if (calls == max) return false;
@@ -78,8 +78,8 @@ class GrpcServer::Service final : public grpc::CallbackGenericService {
   int questions_ = 0;  ///< about obstacles
 };
 
-/// A stream as the backend node's end of a link. gRPC holds it while the call lasts, and the node for as long as there
-/// are results under way.
+/// A stream as the backend node's end of a link. gRPC owns it during the call, and the node while it makes results for
+/// it.
 class GrpcServer::Link final : public PacketReactor<grpc::ServerGenericBidiReactor>,
                                public BackendEnd,
                                public std::enable_shared_from_this<Link> {
@@ -90,7 +90,7 @@ class GrpcServer::Link final : public PacketReactor<grpc::ServerGenericBidiReact
         timeline_(timeline),
         incoming_(std::make_shared<PacketsToBackend>(executor, timeline, static_cast<BackendEnd&>(*this))) {}
 
-  /// Passes on what `accept` throws; then nothing has begun.
+  /// Rethrows exceptions of `accept`; then nothing has begun.
   void start(const Accept& accept) {
     incoming_->whenRoom([weak = weak_from_this()] {
       const auto self = weak.lock();
@@ -142,7 +142,7 @@ class GrpcServer::Link final : public PacketReactor<grpc::ServerGenericBidiReact
   std::atomic<bool> isHeard_{false};
   const std::shared_ptr<PacketsToBackend> incoming_;
   std::shared_ptr<void> served_;
-  std::shared_ptr<Link> self_;  ///< while the call lasts
+  std::shared_ptr<Link> self_;  ///< during the call
 };
 
 namespace {
@@ -210,7 +210,7 @@ GrpcServer::GrpcServer(const std::string& address, Accept accept, pipeline::Exec
   builder.RegisterCallbackGenericService(&parts_->service);
   builder.SetMaxReceiveMessageSize(static_cast<int>(kMaxMessageBytes));
   builder.SetMaxSendMessageSize(static_cast<int>(kMaxMessageBytes));
-  // Two nodes at one port would each get some of the links.
+  // Two nodes on one port would each get some of the links.
   builder.AddChannelArgument(GRPC_ARG_ALLOW_REUSEPORT, 0);
   builder.AddChannelArgument(GRPC_ARG_KEEPALIVE_TIME_MS, kKeepAliveMilliseconds);
   builder.AddChannelArgument(GRPC_ARG_KEEPALIVE_TIMEOUT_MS, kKeepAliveTimeoutMilliseconds);

@@ -11,10 +11,10 @@
 
 namespace grove::node {
 
-/// Both ends of a gRPC link in one process, with a socket of this machine between them: for benches and tests.
+/// Both ends of a gRPC link in one process, with a local socket between them, for benches and tests.
 class GrpcTransport final : public Transport {
  public:
-  /// Both outlive it. Throws EnvironmentError if the ends do not meet.
+  /// Both outlive it. Throws EnvironmentError if the ends cannot connect.
   GrpcTransport(pipeline::Executor& executor, pipeline::Timeline& timeline);
 
   [[nodiscard]] bool sharesMemory() const override { return false; }

@@ -10,7 +10,7 @@
 namespace grove::node {
 namespace {
 
-/// For a connection with its handshake: several round trips.
+/// For a connection and its handshake: several round trips.
 constexpr int kConnectMilliseconds = 3000;
 
 }  // namespace
@@ -23,11 +23,11 @@ std::shared_ptr<grpc::Channel> channelTo(const std::string& address, const LinkT
   arguments.SetInt(GRPC_ARG_KEEPALIVE_TIME_MS, kKeepAliveMilliseconds);
   arguments.SetInt(GRPC_ARG_KEEPALIVE_TIMEOUT_MS, kKeepAliveTimeoutMilliseconds);
   arguments.SetInt(GRPC_ARG_HTTP2_MAX_PINGS_WITHOUT_DATA, 0);
-  // Not a pause, whatever its name: how long an attempt may take at least.
+  // Despite its name, this is no pause but the shortest time before an attempt is given up.
   arguments.SetInt(GRPC_ARG_MIN_RECONNECT_BACKOFF_MS, kConnectMilliseconds);
-  // Each link has a connection of its own: none waits behind another's pictures.
+  // Each link has a connection of its own: none waits behind another link's pictures.
   arguments.SetInt(GRPC_ARG_USE_LOCAL_SUBCHANNEL_POOL, 1);
-  // A node is where its address says, whatever proxy the environment names for web pages.
+  // Connects to the node's address even if the environment names a proxy for web pages.
   arguments.SetInt(GRPC_ARG_ENABLE_HTTP_PROXY, 0);
   return grpc::CreateCustomChannel(address, channelCredentials(tls), arguments);
 }

@@ -9,7 +9,7 @@
 
 namespace grove::node {
 
-/// A channel to the node at HOST:PORT, with a connection of its own, which is made by the first call.
+/// Makes a channel to the node at HOST:PORT, with a connection of its own, which the first call opens.
 [[nodiscard]] std::shared_ptr<grpc::Channel> channelTo(const std::string& address, const LinkTls& tls);
 
 }  // namespace grove::node

@@ -14,7 +14,7 @@ namespace {
 
 grpc::Slice sliceOf(const std::shared_ptr<const PackedBytes>& bulk) {
   auto held = std::make_unique<std::shared_ptr<const PackedBytes>>(bulk);
-  // The library asks for bytes that it might change, and never does.
+  // The library takes a non-const pointer but never writes.
   void* const bytes = const_cast<std::byte*>(bulk->data());  // NOLINT(cppcoreguidelines-pro-type-const-cast)
   const auto release = [](void* holder) {
     const std::unique_ptr<std::shared_ptr<const PackedBytes>> last(
@@ -23,12 +23,12 @@ grpc::Slice sliceOf(const std::shared_ptr<const PackedBytes>& bulk) {
   return {bytes, bulk->size(), release, held.release()};
 }
 
-/// Reads slices one after the other as if they were one.
+/// Reads consecutive slices as if they were one.
 class SliceReader {
  public:
   explicit SliceReader(const std::vector<grpc::Slice>& slices) : slices_(slices) {}
 
-  /// False if so many bytes are not left.
+  /// Returns false if fewer bytes are left.
   bool read(void* to, std::size_t count) {
     auto* out = static_cast<std::byte*>(to);
     while (count > 0) {

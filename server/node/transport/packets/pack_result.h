@@ -7,8 +7,8 @@
 
 namespace grove::node {
 
-/// What the Compressor does to a result that travels as bytes, see BackendEnd::compress(): its payload becomes
-/// `packed`. Throws PackingError. Any thread.
+/// Packs a result for a link that carries bytes, see BackendEnd::compress(): its payload becomes `packed`. Throws
+/// PackingError. Any thread.
 void packResult(Result& result, pipeline::Timeline& timeline, std::string_view subject);
 
 }  // namespace grove::node

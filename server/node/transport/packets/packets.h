@@ -16,11 +16,11 @@
 
 namespace grove::node {
 
-/// Bytes that wait on one way of a link.
+/// Limit of the bytes that wait in one direction of a link.
 inline constexpr std::size_t kMaxWaitingBytes = std::size_t{64} << 20U;
 
-/// One way of a link of bytes: packets wait for a worker, which decodes them in their order and hands them to the port
-/// at the end. Without a port, they are dropped.
+/// One direction of a link that carries bytes: packets wait for a worker, which decodes them in order and passes them
+/// to the port at the end. Without a port, they are dropped.
 template <class Port>
 class Packets : public pipeline::Stage<Packet> {
  public:
@@ -29,17 +29,17 @@ class Packets : public pipeline::Stage<Packet> {
 
   /// Sets a callback for flow control: a worker calls `onRoom` after each run. Call it before the first send().
   void whenRoom(std::function<void()> onRoom) { onRoom_ = std::move(onRoom); }
-  /// Whether half of what may wait does.
+  /// Whether half of the permitted bytes or packets wait.
   [[nodiscard]] bool isHalfFull() const {
     return waiting_ > kMaxWaitingBytes / 2 || this->queued() > kBackendQueue / 2;
   }
 
   void connect(Port& port) { receiver_.connect(port); }
-  /// Waits for what is being received.
+  /// Waits for receive calls in progress.
   void leave() { receiver_.leave(); }
 
   [[nodiscard]] pipeline::PushResult send(Packet packet) { return enqueue(std::move(packet)); }
-  /// The same of a control message, which waits beside the link while it is full.
+  /// As send(), for a control message, which waits beside the link while it is full.
   [[nodiscard]] pipeline::PushResult sendControl(const std::string& name, Packet packet) {
     const std::lock_guard lock(backlogMutex_);
     if (backlog_.empty()) {
@@ -53,7 +53,7 @@ class Packets : public pipeline::Stage<Packet> {
   }
 
  protected:
-  /// Decodes a packet and hands it on.
+  /// Decodes a packet and passes it on.
   virtual void deliver(const Packet& packet, Port& port) = 0;
 
   void process(std::span<Packet> packets, pipeline::Run&) final {
@@ -70,7 +70,7 @@ class Packets : public pipeline::Stage<Packet> {
     if (onRoom_) onRoom_();
   }
 
-  /// A peer that sends it is broken; its other messages may be good.
+  /// The peer that sent it is broken; its other messages may be good.
   void refuse(const WireError& error) {
     timeline_.count("messages that were refused");
     refusals_.warning(error.reason);

@@ -6,10 +6,10 @@
 
 namespace grove::node {
 
-/// What a frontend process sends, on its way to a backend node.
+/// A frontend process's messages on their way to a backend node.
 class PacketsToBackend final : public Packets<BackendPort> {
  public:
-  /// `answers` takes the failures of requests that the node refuses, and outlives it.
+  /// `answers` gets the failures of requests that the node refuses, and outlives it.
   PacketsToBackend(pipeline::Executor& executor, pipeline::Timeline& timeline, BackendEnd& answers);
 
  protected:

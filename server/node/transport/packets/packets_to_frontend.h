@@ -5,7 +5,7 @@
 
 namespace grove::node {
 
-/// What a backend node sends, on its way to a frontend process.
+/// A backend node's messages on their way to a frontend process.
 class PacketsToFrontend final : public Packets<FrontendPort> {
  public:
   PacketsToFrontend(pipeline::Executor& executor, pipeline::Timeline& timeline);

@@ -13,7 +13,7 @@
 namespace grove::node {
 namespace {
 
-/// A queue for one operation at a time, each of which ends by the call's deadline.
+/// A queue for one operation at a time; each ends by the call's deadline.
 class Operations {
  public:
   Operations() = default;
@@ -22,7 +22,7 @@ class Operations {
   Operations& operator=(const Operations&) = delete;
 
   [[nodiscard]] grpc::CompletionQueue* queue() noexcept { return &queue_; }
-  /// Until the one that was begun has ended; whether it has done what it was to do.
+  /// Waits for the operation in progress; returns whether it succeeded.
   [[nodiscard]] bool wait() {
     void* tag = nullptr;
     bool ok = false;
@@ -47,7 +47,7 @@ CallEnd ask(const BlockingCall& call, const std::string& question, const LinkTls
   stream->StartCall(nullptr);
   bool ok = operations.wait();
   if (ok) {
-    // Before anything is said: what the node says of itself comes with it.
+    // Before anything is sent: the node's certificate arrives with its metadata.
     stream->ReadInitialMetadata(nullptr);
     ok = end.wasOpen = operations.wait();
   }

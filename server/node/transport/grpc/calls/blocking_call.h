@@ -10,22 +10,22 @@
 
 namespace grove::node {
 
-/// A question to a node: to HOST:PORT, of a method, with the longest that the answer may take.
+/// The target of a call: the node at HOST:PORT, the method, and the longest time for the response.
 struct BlockingCall {
   std::string address;
   const char* method = "";
   std::chrono::milliseconds deadline{0};
 };
 
-/// How a call has ended.
+/// The end of a call.
 struct CallEnd {
   grpc::Status status;
-  bool wasOpen = false;                  ///< the node had taken it
-  std::optional<std::string> complaint;  ///< why the node is not to be trusted; then nothing was said to it
-  std::string answer;                    ///< where the status is good
+  bool wasOpen = false;                  ///< the node had accepted the call
+  std::optional<std::string> complaint;  ///< why the node's certificate is rejected; then nothing was sent
+  std::string answer;                    ///< if the status is good
 };
 
-/// Makes a call of one message each way, on a connection of its own, and returns at its end. Not on gRPC's
+/// Makes a call of one message each way, on a connection of its own, and returns at its end. Must not run on gRPC's
 /// threads.
 [[nodiscard]] CallEnd ask(const BlockingCall& call, const std::string& question, const LinkTls& tls);
 

@@ -13,7 +13,7 @@ std::string lastPartOf(const std::string& text) {
   return colon == std::string::npos ? text : text.substr(colon + 2);
 }
 
-/// OpenSSL's words are behind "SSL routines::".
+/// OpenSSL's reason follows "SSL routines::".
 std::string handshakeReason(const std::string& text) {
   const std::size_t colons = text.rfind("::");
   const std::string reason = colons == std::string::npos ? lastPartOf(text) : text.substr(colons + 2);

@@ -7,20 +7,20 @@
 
 namespace grove::node {
 
-/// Why a call to a node has ended, in our words.
+/// The reason for the end of a call to a node.
 struct CallFailure {
   enum class Kind : std::uint8_t {
     kNoAnswer,
-    kMayWantTls,  ///< it closes connections in the clear
+    kMayWantTls,  ///< the node closes connections without TLS
     kRefused,     ///< by the node
-    kUntrusted,   ///< it does not speak TLS
-    kSilent,      ///< it has taken the connection, and this process has given it up
+    kUntrusted,   ///< the node does not speak TLS
+    kSilent,      ///< the node accepted the connection, and this process closed it
   };
   Kind kind = Kind::kNoAnswer;
   std::string reason;
 };
 
-/// `wasOpen`: the node had taken the call. `isSecure`: over TLS.
+/// `wasOpen`: the node had accepted the call. `isSecure`: over TLS.
 [[nodiscard]] CallFailure failureOf(const grpc::Status& status, bool wasOpen, bool isSecure);
 
 }  // namespace grove::node

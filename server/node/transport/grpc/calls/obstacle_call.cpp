@@ -11,7 +11,7 @@ namespace grove::node {
 
 void ObstacleCall::start() {
   self_ = shared_from_this();
-  // Who asks judges this node's certificate before it asks.
+  // The caller checks this node's certificate before it sends its request.
   StartSendInitialMetadata();
   const auto until = std::chrono::system_clock::now() + std::chrono::milliseconds(kAnswerMilliseconds);
   patience_.Set(until, [weak = weak_from_this()](bool isDue) {

@@ -15,17 +15,17 @@
 
 namespace grove::node {
 
-/// A call of a node that asks about obstacles: one message each way. The answer comes from a worker. Reactions run on
-/// gRPC's threads, and gRPC holds it while it lasts.
+/// A node's call for obstacles: one message each way. A worker computes the response. Reactions run on gRPC's threads;
+/// gRPC owns this object during the call.
 class ObstacleCall final : public grpc::ServerGenericBidiReactor,
                            public ObstacleAsker,
                            public std::enable_shared_from_this<ObstacleCall> {
  public:
-  /// `whenDone` is called at its end.
+  /// Calls `whenDone` at its end.
   ObstacleCall(std::shared_ptr<ObstacleAnswers> answers, std::function<void()> whenDone)
       : answers_(std::move(answers)), whenDone_(std::move(whenDone)) {}
 
-  /// Reads the question, for which it waits some seconds.
+  /// Reads the request; waits some seconds for it.
   void start();
 
   [[nodiscard]] bool isWaiting() const override;
@@ -37,7 +37,7 @@ class ObstacleCall final : public grpc::ServerGenericBidiReactor,
 
  private:
   void end(const grpc::Status& status);
-  /// True for the first who asks: he ends the call.
+  /// Returns true to the first caller, who then ends the call.
   [[nodiscard]] bool takeEnd();
   void giveUpUnasked();
 
@@ -49,7 +49,7 @@ class ObstacleCall final : public grpc::ServerGenericBidiReactor,
   grpc::ByteBuffer question_;
   grpc::ByteBuffer answer_;
   grpc::Alarm patience_;
-  std::shared_ptr<ObstacleCall> self_;  ///< while the call lasts
+  std::shared_ptr<ObstacleCall> self_;  ///< during the call
 };
 
 }  // namespace grove::node

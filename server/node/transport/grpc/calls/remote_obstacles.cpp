@@ -16,20 +16,20 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::milliseconds kPauseBetweenCalls{200};
 
-/// Nothing that a node with models needs time for.
+/// A request that costs a node with models no time.
 constexpr world::Cube kAnyCell{world::Vec3(0.0F), 1.0F, 1};
 
 CallFailure whyFailed(const CallEnd& end, const LinkTls& tls) {
   return node::failureOf(end.status, end.wasOpen, tls.trusted != nullptr);
 }
 
-/// Whether it may come yet: nobody listens there.
+/// Whether the node may still start: no process listens there.
 bool isAway(const CallEnd& end, const LinkTls& tls) {
   return end.status.error_code() == grpc::StatusCode::UNAVAILABLE &&
          whyFailed(end, tls).kind != CallFailure::Kind::kUntrusted;
 }
 
-/// Why there are no cells.
+/// The error for missing cells.
 EnvironmentError errorOf(const CallEnd& end, const std::string& address, const LinkTls& tls) {
   if (end.complaint) {
     return {"the node with the obstacles is not trusted: " + *end.complaint, address,

@@ -14,15 +14,15 @@ namespace grove::node {
 
 struct CallEnd;
 
-/// Obstacles of a scene whose models another node has. Each question is a call on a connection of its own, which blocks
-/// who asks until the answer is there, 20 seconds at most; so not on gRPC's threads. Any other thread.
+/// Obstacles of a scene whose models another node has. Each request is a call on a connection of its own and blocks its
+/// thread until the response arrives, for at most 20 seconds; so it must not run on gRPC's threads. Any other thread.
 class RemoteObstacles final : public world::VoxelObstacles {
  public:
-  /// Of the node at HOST:PORT, which shows the scene with this hash; over TLS as GrpcFrontendEnd.
+  /// For the node at HOST:PORT, which shows the scene with this hash; over TLS as GrpcFrontendEnd.
   RemoteObstacles(std::string address, std::uint64_t sceneHash, LinkTls tls);
 
-  /// Returns once the node answers. Throws EnvironmentError if it does not within `patience`, or refuses, or is not
-  /// trusted.
+  /// Waits for a response of the node. Throws EnvironmentError if none arrives within `patience`, or if the node
+  /// refuses or its certificate is rejected.
   void waitForNode(std::chrono::milliseconds patience) const;
 
   [[nodiscard]] std::vector<std::uint8_t> solidCells(const world::Cube& cube) const override;
