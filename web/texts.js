@@ -73,7 +73,7 @@ export const kRows = Object.freeze({
       fps: ['Frame rate'],
       latency: ['Latency', 'Time from your input until you see its effect'],
       quality: ['Picture quality', 'Compared with the best that this codec can do'],
-      limit: ['Limited by', 'What keeps the stream from being better'],
+      limit: ['Limited by', 'What limits frame rate and quality of the stream'],
     },
   },
   stream: {
@@ -84,7 +84,7 @@ export const kRows = Object.freeze({
       codec: ['Codec'],
       size: ['Picture size'],
       visitors: ['Visitors'],
-      shared: ['Shared views', 'Views of trees and grass that had already been made for somebody else'],
+      shared: ['Shared views', 'Views of trees and grass reused from another visitor'],
       server: ['Server time', 'Time from reading your input to sending the picture'],
       version: ['Grove version'],
     },
@@ -104,9 +104,9 @@ export const kRows = Object.freeze({
       queued: ['Waiting', 'Until the server has a free worker for the picture'],
       drawn: ['Rendering', 'From reading the camera to the finished picture'],
       encoded: ['Encoding', 'Until the codec has compressed it'],
-      socket: ['Sending', "Until the server's socket has taken it"],
+      socket: ['Sending', "Until the server's socket has accepted it"],
       line: ['Network', 'From the server to this page, including what waits on the way'],
-      decoded: ['Decoding', "From its arrival until this browser's decoder has it"],
+      decoded: ['Decoding', 'From its arrival until this browser has decoded it'],
       painted: ['Displaying', 'Time this browser takes to draw it'],
     },
   },
@@ -191,8 +191,8 @@ export const kLinkStates = Object.freeze({
   joined: 'connected',
   refused: 'refused',
   untrusted: 'not trusted',
-  silent: 'silent, calling again',
-  lost: 'lost, connecting again',
+  silent: 'silent, reconnecting',
+  lost: 'lost, reconnecting',
 });
 
 /** The list of visitors. */
@@ -202,7 +202,7 @@ export const kPeople = Object.freeze({
   lost: 'Visitors on other servers are out of reach',
   found: 'Visitors on other servers are back',
   copied: 'Link copied',
-  notCopied: (link) => `Your browser does not copy. The link is ${link}`,
+  notCopied: (link) => `This browser refuses to copy. The link is ${link}`,
 });
 
 /** Messages of the settings: changes, and unavailable choices. */
@@ -298,8 +298,8 @@ export const kOperatorPage = Object.freeze({
   eachMb: 'MB each',
   nodes: 'Other processes',
   aboutNodes:
-    'Nodes that serve objects of this world, and its owner. Their work and memory do not count in the figures of a visitor ' +
-    'or a frame. Rates are of what goes to them and comes from them; the round trip is the minimum of the last five seconds.',
+    'Nodes that serve objects of this world, and its owner. The figures of a visitor or a frame exclude their work and ' +
+    'memory. Rates are for both directions; the round trip is the minimum of the last five seconds.',
   node: 'process',
   link: 'link',
   objects: 'objects',
@@ -323,7 +323,7 @@ export const kOperatorPage = Object.freeze({
   cpu: 'CPU',
   failures: 'failures',
   more: 'Light fields and quality',
-  hits: 'Pictures of trees and grass that were already there',
+  hits: 'Pictures of trees and grass reused from the cache',
   quality: 'Quality of shared work',
   chartBegin: '2 min ago',
   chartEnd: 'now',
@@ -371,7 +371,7 @@ export const kOperator = Object.freeze({
   here: 'this server',
   typesSum: 'all together',
   noType: 'no single type',
-  aboutNoType: 'Camera, encoder and transport: what serves no single type',
+  aboutNoType: 'Camera, encoder and transport, which serve no single type',
   rest: 'everything else',
   unlisted: 'not listed',
 });
@@ -388,13 +388,13 @@ export const kSituations = Object.freeze({
   asking: { title: 'Connecting to the server\u2026', text: '' },
   lost: { title: 'The server cannot be reached', text: 'Trying again\u2026' },
   lastHeard: (time) => `These figures are from ${time}. `,
-  paused: { title: 'Paused', text: 'The server is not asked while nobody looks at this page.' },
+  paused: { title: 'Paused', text: 'This page requests nothing while it is hidden.' },
   older: {
     title: 'This server does not report what sharing saves',
-    text: 'It has another version than this page. Reload the page.',
+    text: 'Page and server have different versions. Reload the page.',
   },
   first: { title: 'A visitor has arrived', text: 'The first figures follow in a few seconds.' },
-  empty: { title: 'No visitors', text: 'What sharing saves is measured while somebody is connected.' },
+  empty: { title: 'No visitors', text: 'What sharing saves is measured while visitors are connected.' },
   connecting: {
     title: 'The owner of this world does not answer',
     text: 'This server shows the world with its own visitors only, and joins as soon as the owner answers.',
