@@ -14,7 +14,7 @@ export class Poll {
   #turn = 0;
 
   /**
-   * `ask()` promises an answer, for `on.answer(answer)`; without one, `on.lost()`. `timers` has the timers of `window`.
+   * `ask()` promises an answer. Calls `on.answer(answer)`, or without one `on.lost()`. `timers` has the timers of `window`.
    */
   constructor({ ask, on, timers, backoff = new Backoff() }) {
     this.#ask = ask;

@@ -73,7 +73,7 @@ export class Connection {
    * @param {object} parts
    * @param {() => WebSocket} parts.openSocket starts a new socket
    * @param {() => number[]} parts.offer the codecs to offer before Hello, best first
-   * @param {() => {name: string, width: number, height: number}} parts.hello the content of Hello, read for each connection
+   * @param {() => {name: string, width: number, height: number}} parts.hello Hello's content for each connection
    * @param {object} parts.on
    * @param {(state: string, reason: string) => void} parts.on.state on each change
    * @param {(message: object) => void} parts.on.welcome on each Welcome
@@ -86,8 +86,8 @@ export class Connection {
    * @param {(message: object) => void} [parts.on.times]
    * @param {(message: object) => void} [parts.on.people]
    * @param {import('./backoff.js').Backoff} parts.backoff
-   * @param {() => boolean} parts.mayRetry whether the page is visible: a hidden page neither expects messages nor retries.
-   *     The owner calls retry() and listen() when it becomes true
+   * @param {() => boolean} parts.mayRetry whether the page is visible: a hidden page neither expects messages nor
+   *     retries. The owner calls retry() and listen() when it becomes true
    * @param {{now: Function, setTimeout: Function, clearTimeout: Function}} parts.clock milliseconds
    */
   constructor({ openSocket, offer, hello, on, backoff, mayRetry, clock }) {
