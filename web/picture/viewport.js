@@ -3,7 +3,7 @@ const kMaxHeight = 1080;
 /** Phone screens are small and dense: more pixels would cost everybody time, and be invisible. */
 const kMaxLongSideInHand = 1280;
 const kMaxShortSideInHand = 720;
-/** CSS pixels: the short side of the largest phones is under 500, that of the smallest tablets over 700. */
+/** CSS pixels: the short side is under 500 on the largest phones, over 700 on the smallest tablets. */
 const kLargestPhone = 600;
 /** The protocol refuses a side below this. */
 const kMinSide = 16;

@@ -73,7 +73,7 @@ export class Connection {
    * @param {object} parts
    * @param {() => WebSocket} parts.openSocket starts a new socket
    * @param {() => number[]} parts.offer the codecs to offer before Hello, best first
-   * @param {() => {name: string, width: number, height: number}} parts.hello Hello's content for each connection
+   * @param {() => {name: string, width: number, height: number}} parts.hello the content of Hello, read each time
    * @param {object} parts.on
    * @param {(state: string, reason: string) => void} parts.on.state on each change
    * @param {(message: object) => void} parts.on.welcome on each Welcome
