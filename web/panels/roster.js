@@ -3,7 +3,7 @@ import { kPeople } from '../texts.js';
 /** The page's address for others, without the visitor's own name. */
 export function sharedLink({ href }) {
   const url = new URL(href);
-  url.searchParams.delete('name');
+  for (const own of ['name', 'latency']) url.searchParams.delete(own);
   url.hash = '';
   return url.href;
 }

@@ -69,6 +69,8 @@ function link(gl) {
  * the head shows at the screen's next frame instead of after a round trip.
  */
 export class LateLook {
+  /** Whether it has no copy of an image; a lost context loses its copy. */
+  isEmpty = true;
   #canvas;
   #gl;
   #onChange;
@@ -118,6 +120,7 @@ export class LateLook {
     }
     gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA, gl.RGBA, gl.UNSIGNED_BYTE, image);
     gl.uniform2f(this.#halfPixel, 0.5 / picture.width, 0.5 / picture.height);
+    this.isEmpty = false;
   }
 
   /** The copy, turned by these angles (radians), on a canvas that holds it until the end of this task. */
@@ -130,6 +133,7 @@ export class LateLook {
 
   #become(ready) {
     this.#ready = ready;
+    this.isEmpty = true;
     this.#onChange();
   }
 

@@ -90,7 +90,7 @@ export class Screen {
       else this.#context.drawImage(image, left, top, width, height, 0, 0, width, height);
       return;
     }
-    if (!this.#taken) this.#lateLook.take(image.imageData ?? image, picture);
+    if (!this.#taken || this.#lateLook.isEmpty) this.#lateLook.take(image.imageData ?? image, picture);
     this.#taken = true;
     this.#context.drawImage(this.#lateLook.turned(picture, turn), 0, 0);
   }
