@@ -3,7 +3,7 @@
 namespace grove::stream {
 namespace {
 
-/// A greeting with what belongs to it is three messages.
+/// Offer, Limits and Hello are three messages.
 constexpr std::size_t kMaxPieces = 16;
 constexpr std::size_t kMaxBytes = 4 * kLargestClientMessage;
 
@@ -33,7 +33,7 @@ std::optional<Refusal> EarlyVisitor::introduceTo(Connection& connection, double 
 }
 
 bool EarlyVisitor::wants(const Waiting& waiting, double now) const {
-  // Who has not greeted waits for nothing.
+  // A browser that has sent nothing is not waiting.
   if (!knowsWaiting_ || said_.empty()) return false;
   if (!reportedAt_) return true;
   const bool isOther = waiting.step != reported_.step || waiting.percent != reported_.percent;

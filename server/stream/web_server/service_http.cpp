@@ -12,7 +12,7 @@
 namespace grove::stream {
 namespace {
 
-/// Kept free of visitors for the operator.
+/// Reserved for the operator.
 constexpr std::size_t kOperatorSockets = 8;
 
 }  // namespace
@@ -98,7 +98,7 @@ void WebsocketServer::Service::giveBackAnswered(lws* wsi) {
 }
 
 int WebsocketServer::Service::confirmUpgrade(lws* wsi, std::string_view protocol) {
-  // Also refuses to turn into HTTP/2, where large writes make browsers hang up.
+  // Also refuses an upgrade to HTTP/2, where large writes make browsers close the connection.
   if (protocol != "websocket") return -1;
   const auto refuse = [&](unsigned status) { return lws_return_http_status(wsi, status, nullptr) < 0 ? -1 : 1; };
   const Audience audience = context_.audienceOf(wsi);

@@ -23,7 +23,7 @@ class LiveReports {
  public:
   using Report = std::shared_ptr<const std::string>;
 
-  /// `ready` is called on that thread whenever a report is there. `host` outlives this.
+  /// `ready` is called on that thread when a report is ready. `host` outlives this.
   LiveReports(const Host& host, std::function<void()> ready);
   ~LiveReports();
   LiveReports(const LiveReports&) = delete;
@@ -31,8 +31,9 @@ class LiveReports {
 
   [[nodiscard]] static bool has(std::string_view path, Audience audience) noexcept;
 
-  /// The report at a path that has() knows, if it was made less than a second before `asked` (of
-  /// pipeline::wallSeconds()) or is a trace that is being read; else none, and it is made. Any thread.
+  /// Returns the report at a path for which has() is true, if it was made less than a second before `asked` (of
+  /// pipeline::wallSeconds()) or is a trace that is being downloaded; otherwise null, and the report is made. Any
+  /// thread.
   [[nodiscard]] Report find(std::string_view path, double asked);
 
  private:
