@@ -27,14 +27,14 @@ std::vector<std::uint8_t> LoadVisitor::nextMessage(double now) {
 void LoadVisitor::receive(std::span<const std::uint8_t> message, double now) {
   const ServerMessage parsed = parseServerMessage(message);
   if (const auto* refusal = std::get_if<Refusal>(&parsed)) {
-    fail("a message of the server is wrong: " + refusal->reason);
+    fail("invalid message from the server: " + refusal->reason);
   } else if (const auto* welcome = std::get_if<Welcome>(&parsed)) {
     take(*welcome);
   } else if (const auto* frame = std::get_if<FrameMessage>(&parsed)) {
-    if (video_) fail("a Frame came where Pictures were agreed on");
+    if (video_) fail("a Frame arrived under a sub-protocol with Pictures");
     takePicture(PictureHeader{frame->header}, frame->picture, message.size(), now);
   } else if (const auto* picture = std::get_if<PictureMessage>(&parsed)) {
-    if (!video_) fail("a Picture came where Frames were agreed on");
+    if (!video_) fail("a Picture arrived under a sub-protocol with Frames");
     takePicture(picture->header, picture->picture, message.size(), now);
   } else if (const auto* status = std::get_if<Status>(&parsed)) {
     takeStatus(*status, now);
@@ -71,7 +71,7 @@ world::Input LoadVisitor::steer(double now) {
 void LoadVisitor::takePicture(const PictureHeader& header, std::span<const std::uint8_t> picture, std::size_t bytes,
                               double now) {
   const std::string name = "frame " + std::to_string(header.frame);
-  if (header.frame <= lastFrame_) fail(name + " came late or twice");
+  if (header.frame <= lastFrame_) fail(name + " arrived late or twice");
   if (header.lastInput < lastInputOfPicture_ || header.lastInput > lastInput_) {
     fail("a frame shows input " + std::to_string(header.lastInput) + " out of order");
   }
@@ -90,7 +90,7 @@ void LoadVisitor::takePicture(const PictureHeader& header, std::span<const std::
 
 void LoadVisitor::reply(const PictureHeader& header, double now) {
   if (!video_) {
-    replies_.assign(1, encode(Ack{header.frame}));  // for all before it, too
+    replies_.assign(1, encode(Ack{header.frame}));  // acknowledges all earlier ones, too
     return;
   }
   if (check_.takeBroken()) replies_.push_back(encode(Broken{header.frame}));
@@ -100,7 +100,7 @@ void LoadVisitor::reply(const PictureHeader& header, double now) {
 
 void LoadVisitor::takeStatus(const Status& status, double now) {
   if (status.lastInput > lastInput_) {
-    fail("a status tells of input " + std::to_string(status.lastInput) + ", which was not sent");
+    fail("a Status acknowledges input " + std::to_string(status.lastInput) + ", which was not sent");
     return;
   }
   isLimitedBy(status.limitedBy, now);
