@@ -68,8 +68,7 @@ class LoadVisitor {
   bool offerSent_ = false;
   bool helloSent_ = false;
   bool inputDue_ = false;
-  std::deque<std::vector<std::uint8_t>>
-      replies_;  ///< to pictures; bounded, because the server bounds the frames in flight
+  std::deque<std::vector<std::uint8_t>> replies_;  ///< to pictures; as bounded as the frames in flight
   std::optional<double> walksSince_;
   std::uint32_t lastInput_ = 0;
   InputLatency latency_;

@@ -147,9 +147,8 @@ inline constexpr std::size_t kLabelBytes = 10;
 /// Header of a Picture, which replaces Frame since v1.2.
 struct PictureHeader : FrameHeader {
   bool independent = true;  ///< can be decoded without earlier ones
-  std::uint8_t border =
-      0;             ///< percent of half the window's width and height by which the picture exceeds it on each side
-  float yaw = 0.0F;  ///< radians; where the camera looked
+  std::uint8_t border = 0;  ///< on each side, percent of half the window's width and height
+  float yaw = 0.0F;         ///< radians; where the camera looked
   float pitch = 0.0F;
   float tanHalfX = 1.0F;  ///< of the picture including its border
   float tanHalfY = 1.0F;

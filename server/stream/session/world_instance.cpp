@@ -33,7 +33,7 @@ void WorldInstance::publish() {
   const double now = pipeline::wallSeconds();
   nextUpdate_ = std::max(nextUpdate_ + kUpdateSeconds, now + kUpdateSeconds / 2);
   if (joined_) joined_->report(now);
-  // Else the owner's answer is passed on. Without an owner the world goes on by itself.
+  // A joined world passes on the owner's state instead. Without an owner the world continues alone.
   if (!joined_ || joined_->status(now).state != node::JoinedWorld::State::kJoined) tellBackend();
 }
 
@@ -47,7 +47,7 @@ void WorldInstance::tellBackend() {
   world::Edits::Cursor edits = edits_;
   update->gusts = world_.edits().during(edits, update->players);
   const auto sent = frontend_.send(std::shared_ptr<const node::WorldUpdate>(std::move(update)));
-  // What blew goes with the next one, if this one was not taken.
+  // If this update was not accepted, the next one carries its edits.
   if (sent == pipeline::PushResult::kAccepted) edits_ = edits;
 }
 
