@@ -145,7 +145,7 @@ TEST_F(VideoVisitorTest, FindsPicturesThatAreNotWhatTheySay) {
       HasSubstr("depends on a picture that was not sent"))
       << "the picture before it is a JPEG";
   EXPECT_THAT(faultOf({picture(1, jpegOf(frame(1, 0)), false, kCodecJpeg)}), HasSubstr("JPEG that depends"));
-  EXPECT_THAT(faultOf({frame(1, 0)}), HasSubstr("a Frame came"));
+  EXPECT_THAT(faultOf({frame(1, 0)}), HasSubstr("a Frame arrived"));
 }
 
 TEST_F(VideoVisitorTest, SizeChangesWithAnIndependentPictureOnly) {
@@ -185,7 +185,7 @@ TEST_F(VideoVisitorTest, TakesWhatElseTheServerTells) {
   video_.receive(encode(Waiting{}), 1.0);
   EXPECT_THAT(video_.statistics().errors, IsEmpty());
   visitor_.receive(h264(1, true), 1.0);
-  EXPECT_THAT(visitor_.statistics().errors, Contains(HasSubstr("a Picture came")));
+  EXPECT_THAT(visitor_.statistics().errors, Contains(HasSubstr("a Picture arrived")));
 }
 
 }  // namespace
