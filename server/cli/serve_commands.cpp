@@ -159,7 +159,7 @@ void addNode(CLI::App& app, NodeOptions& options) {
   addListenerTls(*node, options.links);
   CLI::Option* obstacles =
       node->add_option("--obstacles", options.obstacles,
-                       "Node that provides voxels of all obstacles, so that this one loads only the models of its own "
+                       "Node that provides voxels of all obstacles; this one then loads only the models of its own "
                        "objects; for fluids and skies only")
           ->type_name("HOST:PORT");
   addLinkTls(*node, options.obstacleLinks)->needs(obstacles);

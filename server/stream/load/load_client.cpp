@@ -70,7 +70,7 @@ class LoadClients {
   int handle(Client& client, lws* wsi, lws_callback_reasons reason, std::span<const std::uint8_t> bytes);
   void connect(Client& client, const LoadTarget& asked, const LoadTarget& to);
   void pollInputClock();
-  void askForInputs();
+  void requestInputs();
   void receive(Client& client, lws* wsi, std::span<const std::uint8_t> piece);
   int write(Client& client, lws* wsi);
   void end(Client& client, const std::string& reason);
@@ -202,7 +202,7 @@ int LoadClients::callback(lws* wsi, lws_callback_reasons reason, void* /*user*/,
   if (self == nullptr) return 0;
   auto* client = static_cast<Client*>(lws_get_opaque_user_data(wsi));
   try {
-    if (reason == LWS_CALLBACK_RAW_RX_FILE) self->askForInputs();
+    if (reason == LWS_CALLBACK_RAW_RX_FILE) self->requestInputs();
     if (client == nullptr) return 0;
     return self->handle(*client, wsi, reason, {static_cast<const std::uint8_t*>(in), in == nullptr ? 0 : length});
   } catch (const std::exception& e) {
@@ -211,7 +211,7 @@ int LoadClients::callback(lws* wsi, lws_callback_reasons reason, void* /*user*/,
   }
 }
 
-void LoadClients::askForInputs() {
+void LoadClients::requestInputs() {
   for (const int session : inputClock_.takeDue()) {
     Client& client = *clients_[static_cast<std::size_t>(session)];
     if (!client.visitor.isLetIn() || client.ended) continue;

@@ -46,12 +46,12 @@ void LoadVisitor::beginCounting(double now) {
   statistics_ = {};
   statistics_.errors = std::move(errors);
   statistics_.screenAtFirst = screen_;
-  lived_ = now;
+  lastUpdate_ = now;
   limitedSince_ = now;
 }
 
 void LoadVisitor::endCounting(double now) {
-  lives(now);
+  recordUpdate(now);
   isLimitedBy(limit_, now);
 }
 
@@ -80,7 +80,7 @@ void LoadVisitor::takePicture(const PictureHeader& header, std::span<const std::
   lastInputOfPicture_ = header.lastInput;
   screen_ = ShownPicture{header.codec, header.height};
   showsInput(header.lastInput, now);
-  lives(now);
+  recordUpdate(now);
   ++statistics_.frames;
   ++statistics_.shown[*screen_];
   statistics_.bytes += bytes;
@@ -106,7 +106,7 @@ void LoadVisitor::takeStatus(const Status& status, double now) {
   isLimitedBy(status.limitedBy, now);
   if (status.lastInput <= lastInputShown_) return;
   showsInput(status.lastInput, now);
-  lives(now);
+  recordUpdate(now);
 }
 
 void LoadVisitor::showsInput(std::uint32_t input, double now) {
@@ -119,9 +119,9 @@ void LoadVisitor::isLimitedBy(LimitedBy limit, double now) {
   limit_ = limit;
 }
 
-void LoadVisitor::lives(double now) {
-  statistics_.longestGapSeconds = std::max(statistics_.longestGapSeconds, now - lived_);
-  lived_ = now;
+void LoadVisitor::recordUpdate(double now) {
+  statistics_.longestGapSeconds = std::max(statistics_.longestGapSeconds, now - lastUpdate_);
+  lastUpdate_ = now;
 }
 
 }  // namespace grove::stream

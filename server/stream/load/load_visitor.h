@@ -55,7 +55,7 @@ class LoadVisitor {
   void reply(const PictureHeader& header, double now);
   /// The screen shows the effect of this input.
   void showsInput(std::uint32_t input, double now);
-  void lives(double now);
+  void recordUpdate(double now);
   /// The server names this limit from now on.
   void isLimitedBy(LimitedBy limit, double now);
 
@@ -76,7 +76,7 @@ class LoadVisitor {
   std::uint32_t lastInputOfPicture_ = 0;
   std::uint32_t lastInputShown_ = 0;
   std::optional<ShownPicture> screen_;
-  double lived_ = 0.0;
+  double lastUpdate_ = 0.0;
   LimitedBy limit_ = LimitedBy::kNothing;
   double limitedSince_ = 0.0;
   VisitorStatistics statistics_;

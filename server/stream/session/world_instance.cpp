@@ -21,9 +21,9 @@ WorldInstance::WorldInstance(const WorldSetup& setup, node::Parallelism parallel
                 {setup_.machine.workers, setup_.machine.timeline, setup_.machine.memory, setup_.machine.images,
                  world_.layout().sky},
                 setup_.maxSharedBytes),
-      joined_(setup_.owner ? std::make_unique<node::JoinedWorld>(setup_.process, world_, *setup_.owner,
-                                                                 [this] { tellBackend(); })
-                           : nullptr) {
+      joined_(setup_.owner
+                  ? std::make_unique<node::JoinedWorld>(setup_.process, world_, *setup_.owner, [this] { sendUpdate(); })
+                  : nullptr) {
   if (joined_) joined_->join();
 }
 
@@ -34,10 +34,10 @@ void WorldInstance::publish() {
   nextUpdate_ = std::max(nextUpdate_ + kUpdateSeconds, now + kUpdateSeconds / 2);
   if (joined_) joined_->report(now);
   // A joined world passes on the owner's state instead. Without an owner the world continues alone.
-  if (!joined_ || joined_->status(now).state != node::JoinedWorld::State::kJoined) tellBackend();
+  if (!joined_ || joined_->status(now).state != node::JoinedWorld::State::kJoined) sendUpdate();
 }
 
-void WorldInstance::tellBackend() {
+void WorldInstance::sendUpdate() {
   const std::lock_guard lock(updateMutex_);
   auto update = std::make_shared<node::WorldUpdate>();
   update->number = ++updates_;

@@ -77,17 +77,17 @@ bool Connection::isDead(double now) {
 }
 
 void Connection::watchPeople(double now) {
-  if (page_ < PageLevel::kNaming || now < peopleToldAt_ + kPeopleSeconds) return;
-  if (host_.players().changes() == peopleTold_ && host_.hasLostOthers() == othersToldLost_) return;
-  peopleToldAt_ = now;
+  if (page_ < PageLevel::kNaming || now < peopleReportedAt_ + kPeopleSeconds) return;
+  if (host_.players().changes() == peopleReported_ && host_.hasLostOthers() == othersReportedLost_) return;
+  peopleReportedAt_ = now;
   peopleAreDue_ = true;
 }
 
 People Connection::people() {
   // Read before the list: a visitor who arrives in between is sent twice, rather than never.
-  peopleTold_ = host_.players().changes();
+  peopleReported_ = host_.players().changes();
   People people{.othersAreLost = host_.hasLostOthers(), .people = {}};
-  othersToldLost_ = people.othersAreLost;
+  othersReportedLost_ = people.othersAreLost;
   for (const world::Player& player : host_.players().all(pipeline::wallSeconds())) {
     people.people.push_back({node::shortIdOf(player.id, host_.options().process), player.colour, player.name});
   }
@@ -101,7 +101,7 @@ std::vector<std::uint8_t> Connection::takeMessage() {
   if (const auto status = outbox_->takeStatus()) return encode(*status);
   if (const auto times = outbox_->takeTimes()) return encode(*times);
   if (auto captured = outbox_->takeCaptured()) return std::move(*captured);
-  if (!hasNewsOfRefining()) return {};
+  if (!hasRefiningToSend()) return {};
   const auto [number, refining] = host_.refining();
   const bool reportedNothing = std::exchange(refiningReported_, number) == 0;
   // A visitor who arrives when all is done has seen no coarser picture.

@@ -70,7 +70,7 @@ class Connection {
   [[nodiscard]] bool isInWorld() const noexcept { return session_ != nullptr; }
 
   [[nodiscard]] bool hasSomethingToSend() const {
-    return pingIsDue_ || peopleAreDue_ || !welcome_.empty() || !outbox_->empty() || hasNewsOfRefining();
+    return pingIsDue_ || peopleAreDue_ || !welcome_.empty() || !outbox_->empty() || hasRefiningToSend();
   }
   /// The writing thread has reached the outbox: a frame that still waits from now on waits for the socket.
   void reach(double now) {
@@ -98,7 +98,7 @@ class Connection {
   /// Checks whether the list of visitors has changed.
   void watchPeople(double now);
   [[nodiscard]] People people();
-  [[nodiscard]] bool hasNewsOfRefining() const {
+  [[nodiscard]] bool hasRefiningToSend() const {
     return page_ != PageLevel::kBasic && session_ && host_.knowsMoreThan(refiningReported_);
   }
 
@@ -120,13 +120,13 @@ class Connection {
   std::vector<std::uint8_t> message_;
   double secondBegan_;
   int piecesThisSecond_ = 0;
-  double heard_;                  ///< when the last message arrived
-  std::optional<double> pinged_;  ///< when the unanswered ping became due
-  std::uint64_t peopleTold_ = 0;  ///< version of the list last sent, see world::Players::changes(); 0: none
-  double peopleToldAt_ = 0.0;
+  double heard_;                      ///< when the last message arrived
+  std::optional<double> pinged_;      ///< when the unanswered ping became due
+  std::uint64_t peopleReported_ = 0;  ///< version of the list last sent, see world::Players::changes(); 0: none
+  double peopleReportedAt_ = 0.0;
   bool pingIsDue_ = false;
   bool peopleAreDue_ = false;
-  bool othersToldLost_ = false;
+  bool othersReportedLost_ = false;
 };
 
 }  // namespace grove::stream

@@ -21,9 +21,9 @@ class EarlyVisitor {
   [[nodiscard]] std::optional<Refusal> receive(const MessagePiece& piece);
 
   /// Passes all stored messages to the connection; returns a refusal as Connection::receive() does.
-  [[nodiscard]] std::optional<Refusal> introduceTo(Connection& connection, double now) const;
+  [[nodiscard]] std::optional<Refusal> replayTo(Connection& connection, double now) const;
 
-  [[nodiscard]] bool hasSpoken() const noexcept { return !said_.empty(); }
+  [[nodiscard]] bool hasSentMessages() const noexcept { return !pieces_.empty(); }
 
   /// Returns whether there is progress to report, or the last report is a second old: silence would look like a dead
   /// connection.
@@ -37,7 +37,7 @@ class EarlyVisitor {
   };
 
   const bool knowsWaiting_;
-  std::vector<Piece> said_;
+  std::vector<Piece> pieces_;
   std::size_t bytes_ = 0;
   Waiting reported_;
   std::optional<double> reportedAt_;

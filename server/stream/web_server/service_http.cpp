@@ -37,7 +37,7 @@ int WebsocketServer::Service::handleHttp(lws* wsi, lws_callback_reasons reason, 
 bool WebsocketServer::Service::letIn(lws* listener, const lws_filter_network_conn_args* peer) {
   const bool isOperators = context_.audienceOf(listener) == Audience::kOperator;
   const std::string address = numericAddress(peer->cli_addr);
-  if (!entrance_.letsIn(address)) return false;
+  if (!entrance_.allowsSocket(address)) return false;
   if (guests_.size() < (isOperators ? maxSockets_ : maxSockets_ - kOperatorSockets) || evictOne()) return true;
   entrance_.refuseFull(address, guests_.size());
   return false;
@@ -51,7 +51,7 @@ bool WebsocketServer::Service::evictOne() {
     if (const auto found = sockets_.find(wsi); found != sockets_.end()) {
       const auto& [connection, early, closing] = found->second;
       if (connection && connection->isInWorld()) continue;
-      isBusy = early && early->hasSpoken();
+      isBusy = early && early->hasSentMessages();
     }
     sockets.push_back(wsi);
     evictable.push_back({guest.owner, guest.accepted, isBusy});

@@ -37,7 +37,7 @@ void WebsocketServer::Service::admit() {
   for (auto& [wsi, socket] : sockets_) {
     if (socket.closing) continue;
     socket.connection = connect(wsi);
-    if (auto why = socket.early->introduceTo(*socket.connection, pipeline::wallSeconds())) {
+    if (auto why = socket.early->replayTo(*socket.connection, pipeline::wallSeconds())) {
       closeLater(wsi, socket, std::move(*why));
     }
     socket.early.reset();
@@ -91,15 +91,15 @@ int WebsocketServer::Service::write(lws* wsi) {
     lws_callback_on_writable(wsi);
     return 0;
   }
-  std::vector<std::uint8_t> words;
+  std::vector<std::uint8_t> buffer;
   if (connection) {
-    words = connection->takeMessage();
+    buffer = connection->takeMessage();
   } else if (const Waiting waiting = preparation(); early->wants(waiting, pipeline::wallSeconds())) {
-    words = early->take(waiting, pipeline::wallSeconds());
+    buffer = early->take(waiting, pipeline::wallSeconds());
   }
-  if (!words.empty()) {
-    words.insert(words.begin(), LWS_PRE, 0);
-    if (lws_write(wsi, words.data() + LWS_PRE, words.size() - LWS_PRE, LWS_WRITE_BINARY) < 0) return -1;
+  if (!buffer.empty()) {
+    buffer.insert(buffer.begin(), LWS_PRE, 0);
+    if (lws_write(wsi, buffer.data() + LWS_PRE, buffer.size() - LWS_PRE, LWS_WRITE_BINARY) < 0) return -1;
     lws_callback_on_writable(wsi);
     return 0;
   }

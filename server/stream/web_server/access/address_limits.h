@@ -31,7 +31,7 @@ class AddressLimits {
 
   /// Returns whether this numeric address may open one more socket. Failed attempts count, too, so that repeating them
   /// does not help. `now`: monotonic seconds; `cost`: in new sockets.
-  [[nodiscard]] bool welcomes(const std::string& address, double now, double cost = 1.0);
+  [[nodiscard]] bool allows(const std::string& address, double now, double cost = 1.0);
   /// Counts an open socket.
   [[nodiscard]] Ticket socket(const std::string& address);
   /// Takes a visitor's place; null if this address has all that it may.

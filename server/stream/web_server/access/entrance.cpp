@@ -20,8 +20,8 @@ PageReply textReply(int status, std::string_view text) {
 
 }  // namespace
 
-bool Entrance::letsIn(const std::string& address) {
-  if (isProxy(address) || limits_.welcomes(address, pipeline::wallSeconds())) return true;
+bool Entrance::allowsSocket(const std::string& address) {
+  if (isProxy(address) || limits_.allows(address, pipeline::wallSeconds())) return true;
   refuse(address, "its address has too many connections or opens them too fast");
   return false;
 }
@@ -54,7 +54,7 @@ std::optional<PageReply> Entrance::refuseRequest(lws* wsi, const RequestSource& 
   // RFC 9112, 3.2: a proxy might have read the other Host and taken this for another request.
   if (isRepeated(wsi, WSI_TOKEN_HOST)) return textReply(HTTP_STATUS_BAD_REQUEST, "more than one Host header\n");
   if (!isKnown(source)) return textReply(HTTP_STATUS_FORBIDDEN, "this server is not known by that name\n");
-  if (source.isForwarded && !isWelcome(source, AddressLimits::kRequest)) {
+  if (source.isForwarded && !isWithinLimits(source, AddressLimits::kRequest)) {
     return textReply(kTooManyRequests, "too many requests from this address\n");
   }
   if (!isSecure || stream::isSecure(wsi)) return std::nullopt;
@@ -75,7 +75,7 @@ std::optional<unsigned> Entrance::refuseUpgrade(lws* wsi, const RequestSource& s
                       "; to allow that page, start the server with --origin");
     return HTTP_STATUS_FORBIDDEN;
   }
-  if (source.isForwarded && !isWelcome(source, 1.0)) return kTooManyRequests;
+  if (source.isForwarded && !isWithinLimits(source, 1.0)) return kTooManyRequests;
   return std::nullopt;
 }
 
@@ -86,8 +86,8 @@ bool Entrance::isKnown(const RequestSource& source) {
   return false;
 }
 
-bool Entrance::isWelcome(const RequestSource& source, double cost) {
-  if (limits_.welcomes(source.address, pipeline::wallSeconds(), cost)) return true;
+bool Entrance::isWithinLimits(const RequestSource& source, double cost) {
+  if (limits_.allows(source.address, pipeline::wallSeconds(), cost)) return true;
   refuse(source.name, "its address has too many connections or opens them too fast");
   return false;
 }

@@ -47,7 +47,7 @@ class Entrance {
 
   /// Returns whether this numeric address may open one more socket. Proxies always may: all their visitors share one
   /// address, so the requests are limited instead.
-  [[nodiscard]] bool letsIn(const std::string& address);
+  [[nodiscard]] bool allowsSocket(const std::string& address);
   /// Logs a refusal because all sockets are in use and none can be evicted.
   void refuseFull(const std::string& address, std::size_t sockets);
   /// Logs that this socket was closed to make room for a new one.
@@ -67,7 +67,7 @@ class Entrance {
 
  private:
   [[nodiscard]] bool isKnown(const RequestSource& source);
-  [[nodiscard]] bool isWelcome(const RequestSource& source, double cost);
+  [[nodiscard]] bool isWithinLimits(const RequestSource& source, double cost);
   void refuse(const std::string& who, const std::string& why);
 
   Host* host_ = nullptr;  ///< null until the world is ready

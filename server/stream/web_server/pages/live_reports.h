@@ -16,9 +16,9 @@
 namespace grove::stream {
 
 /// Makes the server's reports, as JSON. `/statistics.json` and `/trace.json` are for the operator; the trace is a
-/// Chrome trace of the newest stage runs of the server and its nodes. `/sharing.json` reports what sharing saves and is
-/// for everybody. One thread makes all reports, each at most once a second; all readers share it. The trace is large,
-/// so there is one at a time: while a reader downloads it, other readers get the same trace.
+/// Chrome trace of the newest stage runs of the server and its nodes. `/sharing.json` reports what sharing saves, for
+/// all visitors. One thread makes all reports, each at most once a second; all readers share it. The trace is large, so
+/// there is one at a time: while a reader downloads it, other readers get the same trace.
 class LiveReports {
  public:
   using Report = std::shared_ptr<const std::string>;
