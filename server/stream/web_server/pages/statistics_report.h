@@ -32,12 +32,12 @@ struct StatisticsSources {
 /// owner: "connecting", "joined", "refused", "lost"), visitors of all servers that show it, and the pace of the link to
 /// the owner; the `nodes` that serve its objects, if there are several: state of the link ("here", "connecting",
 /// "welcomed", "refused", "untrusted", "silent", "lost"), objects, epoch (null before a welcome), MB received, the pace
-/// of the link, and the node's own stages and memory, at most a second old (null for a node within this process or a
-/// lost one). A pace covers the last five seconds and is null without a link to another process: bytes per second each
-/// way, and the minimum round trip. `picture_scale`: the share of the wanted width and height that a busy machine gives
-/// each visitor; `memory`: the bytes held, by holder. Since the start: each stage's work (across-user, per-user-backend
-/// or per-user-frontend), runs, failures and milliseconds of CPU and wall time, and the named counters. Over the last
-/// seconds: `amortization`, what sharing saves (null without visitors).
+/// of the link, and the node's own stages and memory, at most a second old (null for a node within this process or with
+/// a lost link). A pace covers the last five seconds and is null without a link to another process: bytes per second
+/// each way, and the minimum round trip. `picture_scale`: the share of the wanted width and height that a busy machine
+/// gives each visitor; `memory`: the bytes held, by holder. Since the start: each stage's work (across-user,
+/// per-user-backend or per-user-frontend), runs, failures and milliseconds of CPU and wall time, and the named
+/// counters. Over the last seconds: `amortization`, what sharing saves (null without visitors).
 [[nodiscard]] std::string statisticsJson(const StatisticsSources& sources);
 
 /// Contents of `/sharing.json`: only what sharing saves, for every visitor's overlay.
