@@ -21,7 +21,7 @@
 #include "cli/load.h"
 #include "cli/options/choose.h"
 #include "cli/options/shape.h"
-#include "cli/serve_commands.h"
+#include "cli/serve/serve_commands.h"
 #include "cli/version_report.h"
 #include "models/plants/plants.h"
 #include "node/limits.h"

@@ -13,8 +13,8 @@ const kSources = ['*.md', 'server/*.h', 'server/*.cpp', 'web/*.js', 'shaders/*',
 const kChecks = { passive: false, adverb: false, weasel: false, tooWordy: false, so: false, thereIs: false };
 
 const blank = (part) => part.replaceAll(/[^\n]/g, ' ');
-/** A word of the same length, so that the words beside it are no neighbours. */
-const word = (part) => 'x'.repeat(part.length);
+/** A word of the same length, so that the words beside it are no neighbours; `place` makes words differ. */
+const word = (part, place) => 'abcdefghijklmnopqrstuvwxyz'[place % 26].repeat(part.length);
 
 /** The paragraphs of a document as {line, text}; code is blank. */
 function paragraphsOf(text) {

@@ -1,4 +1,4 @@
-#include "cli/serve_commands.h"
+#include "cli/serve/serve_commands.h"
 
 #include <CLI/CLI.hpp>
 #include <map>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "cli/node.h"
-#include "cli/serve.h"
+#include "cli/serve/serve.h"
 #include "cli/world.h"
 
 namespace CLI {

@@ -1,0 +1,112 @@
+#include "cli/serve/checked_options.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/error.h"
+#include "cli/options/host_port.h"
+#include "stream/web_server/access/origin.h"
+
+namespace grove::cli {
+namespace {
+
+/// Returns the port after the visitors', which is easy to remember; if it is taken, any free one.
+stream::HostPort operatorsBeside(const stream::HostPort& visitors) {
+  stream::HostPort next{"127.0.0.1", visitors.port + 1};
+  try {
+    if (visitors.port != 0) {
+      (void)stream::findListenAddress(next.host, next.port, "--operator");
+      return next;
+    }
+  } catch (const EnvironmentError&) {  // taken, or there is none
+  }
+  return {next.host, 0};
+}
+
+/// Returns nothing, with a line on stderr, if an option is invalid.
+std::optional<stream::EntranceRules> entranceRules(const ServeOptions& options) {
+  const auto fail = [](const char* option, const char* wanted, const std::string& given) {
+    std::fprintf(stderr, "grove: %s wants %s, not '%s'\n", option, wanted, given.c_str());
+    return std::nullopt;
+  };
+  stream::EntranceRules rules;
+  rules.allowance.visitors = options.visitorsPerAddress;
+  for (const std::string& name : options.names) {
+    if (!stream::isHostName(name)) return fail("--name", "a host's name without port, like grove.example.org", name);
+    rules.names.push_back(name);
+  }
+  for (const std::string& text : options.origins) {
+    const auto origin = stream::parseOrigin(text);
+    if (!origin) return fail("--origin", "a page's origin, like https://example.org", text);
+    rules.origins.push_back(*origin);
+  }
+  for (const std::string& text : options.proxies) {
+    const auto range = stream::AddressRange::parse(text);
+    if (!range) return fail("--proxy", "an address, or ADDRESS/BITS", text);
+    rules.proxies.push_back(*range);
+  }
+  return rules;
+}
+
+/// Returns false, with a line on stderr, if an option is not an address.
+bool isAddress(std::string_view option, const std::optional<std::string>& text) {
+  if (!text || parseHostPort(*text)) return true;
+  std::fprintf(stderr, "grove: %.*s wants HOST:PORT, not '%s'\n", static_cast<int>(option.size()), option.data(),
+               text->c_str());
+  return false;
+}
+
+/// A server that requires TLS on its links must not share its world without TLS. Returns false and prints one line on
+/// stderr if it would.
+bool canShareSecurely(const ServeOptions& options) {
+  if (!options.share || options.links.authorities.empty() || !options.links.own.certificate.empty()) return true;
+  std::fputs("grove: --share with --link-tls-ca wants --link-tls-cert and --link-tls-key, too\n", stderr);
+  return false;
+}
+
+/// Returns false, with a line on stderr, if one is not an address.
+bool areAddresses(const std::vector<std::string>& nodes) {
+  const auto wrong = std::ranges::find_if(nodes, [](const std::string& node) { return !parseHostPort(node); });
+  if (wrong == nodes.end()) return true;
+  std::fprintf(stderr, "grove: --nodes wants HOST:PORT, not '%s'\n", wrong->c_str());
+  return false;
+}
+
+struct Listeners {
+  stream::HostPort visitors;
+  stream::HostPort operatorAddress;
+};
+
+/// Returns nothing, with a line on stderr, if the addresses are invalid.
+std::optional<Listeners> listenersOf(const ServeOptions& options) {
+  const auto visitors = parseHostPort(options.listen);
+  const auto operators = parseHostPort(options.operators.value_or(options.listen));
+  if (!visitors || !operators) {
+    std::fprintf(stderr, "grove: %s wants HOST:PORT, not '%s'\n", visitors ? "--operator" : "--listen",
+                 visitors ? options.operators->c_str() : options.listen.c_str());
+    return std::nullopt;
+  }
+  // libwebsockets distinguishes listeners by their ports.
+  if (options.operators && visitors->port != 0 && visitors->port == operators->port) {
+    std::fprintf(stderr, "grove: --listen and --operator need different ports, not both %d\n", visitors->port);
+    return std::nullopt;
+  }
+  return Listeners{*visitors, options.operators ? *operators : operatorsBeside(*visitors)};
+}
+
+}  // namespace
+
+std::optional<CheckedOptions> checkedOptions(const ServeOptions& options) {
+  const auto listeners = listenersOf(options);
+  if (!listeners) return std::nullopt;
+  const auto rules = entranceRules(options);
+  if (!rules || !areAddresses(options.nodes)) return std::nullopt;
+  if (!isAddress("--join", options.join) || !isAddress("--share", options.share)) return std::nullopt;
+  if (!canShareSecurely(options)) return std::nullopt;
+  return CheckedOptions{listeners->visitors, listeners->operatorAddress, *rules};
+}
+
+}  // namespace grove::cli
