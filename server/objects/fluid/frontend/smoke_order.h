@@ -8,7 +8,7 @@
 
 namespace grove::objects::fluid {
 
-/// Sorts sprites for one viewer: farthest first, a radix sort on view depth quantised to 16 bits between the nearest
+/// Sorts sprites for one viewer, farthest first: a radix sort on view depth quantised to 16 bits between the nearest
 /// and the farthest. Sprites within the same step keep their order. One thread at a time.
 class SmokeOrder {
  public:
