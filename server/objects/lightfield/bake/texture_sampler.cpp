@@ -26,8 +26,8 @@ int wrapped(int at, int count) noexcept {
   return rest < 0 ? rest + count : rest;
 }
 
-/// Beyond this many repetitions a coordinate has no useful fraction left; it also keeps the conversion to int defined,
-/// of what is no number, too (of which std::clamp() makes none).
+/// A coordinate with more repetitions has no useful fraction left. Also keeps the conversion to int defined, including
+/// for NaN (which std::clamp() does not change).
 float tamed(float uv) noexcept { return std::min(65536.0F, std::max(-65536.0F, uv)); }
 
 }  // namespace
@@ -39,7 +39,7 @@ TextureSampler::TextureSampler(const models::Texture& texture) {
   for (const std::uint32_t texel : texture.texels) {
     const float alpha = static_cast<float>(texel >> 24U) / 255.0F;
     const Vec3 colour(linear[texel & 0xFFU], linear[texel >> 8U & 0xFFU], linear[texel >> 16U & 0xFFU]);
-    // A trace of weight keeps the colour of what is wholly transparent.
+    // A small weight preserves the colour of wholly transparent texels.
     finest.texels.emplace_back(colour * std::max(alpha, 1.0e-3F), std::max(alpha, 1.0e-3F));
   }
   levels_.push_back(std::move(finest));
@@ -65,7 +65,7 @@ TextureSampler::TextureSampler(const models::Texture& texture) {
 }
 
 Vec3 TextureSampler::colour(Vec2 uv, float texels) const noexcept {
-  constexpr float kMaxTexels = 65536.0F;  // no texture is larger, and infinity has no logarithm to be rounded
+  constexpr float kMaxTexels = 65536.0F;  // no texture is larger, and infinity has no logarithm to round
   const int wanted = texels > 1.0F ? static_cast<int>(std::lround(std::log2(std::min(texels, kMaxTexels)))) : 0;
   const Level& level = levels_[static_cast<std::size_t>(std::min(wanted, static_cast<int>(levels_.size()) - 1))];
   const float x = tamed(uv.x) * static_cast<float>(level.width) - 0.5F;

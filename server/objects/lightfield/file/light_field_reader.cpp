@@ -19,7 +19,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "files are read in place");
 
-// Keeps products of lengths far from what a float cannot hold.
+// Keeps products of lengths well within the range of a float.
 constexpr float kLongest = 1.0e6F;
 constexpr float kShortest = 1.0e-4F;
 constexpr float kShortestVoxel = 1.0e-6F;
@@ -136,7 +136,7 @@ class Reader {
     return bytes_.subspan(section.offset, section.bytes);
   }
 
-  /// `bytes` lie at a multiple of alignof(T) in the file.
+  /// `bytes` start at a multiple of alignof(T) in the file.
   template <class T>
   [[nodiscard]] static std::span<const T> as(std::span<const std::byte> bytes) {
     return {reinterpret_cast<const T*>(bytes.data()), bytes.size() / sizeof(T)};
@@ -155,7 +155,7 @@ class Reader {
       field.bytes += colour.bytes;
     }
 
-    // A copy, for a reader finds its way by it: who writes into the mapped file must not lead it astray.
+    // A copy, because readers navigate by it: later writes to the mapped file must not corrupt it.
     const auto mapped = as<std::uint32_t>(bytesOf(header_.sections[kDirectory]));
     directory_ = std::make_shared<const std::vector<std::uint32_t>>(mapped.begin(), mapped.end());
     const std::span<const std::uint32_t> directory(*directory_);

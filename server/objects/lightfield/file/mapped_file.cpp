@@ -31,7 +31,7 @@ MappedFile::MappedFile(const std::filesystem::path& file)
 
 MappedFile::~MappedFile() {
   guard_.reset();
-  // munmap wants the pointer that mmap gave.
+  // munmap needs the pointer from mmap.
   if (!bytes_.empty()) munmap(const_cast<std::byte*>(bytes_.data()), bytes_.size());
 }
 

@@ -13,17 +13,17 @@
 /// a is the place of what is infinitely far, and b the way along which a pixel's ray runs through the picture.
 namespace grove::objects::lightfield {
 
-/// Rays that do not go where the picture's camera looks meet nothing.
+/// Rays away from the picture camera's direction hit nothing.
 inline constexpr float kMinForward = 1.0e-3F;
 
-/// From a visitor's pixels to texels of a view.
+/// Maps a visitor's pixels to texels of a view.
 struct ViewWarp {
   world::Vec3 k, kPerColumn, kPerRow;
   world::Vec3 m;
 
   ViewWarp(const CachedView& view, const ObjectCamera& camera);
 
-  /// The b of an a.
+  /// The b of a given a.
   [[nodiscard]] world::Vec2 way(world::Vec2 a) const { return world::Vec2(m) - a * m.z; }
 };
 
