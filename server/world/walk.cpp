@@ -18,7 +18,7 @@ constexpr double kMaxWalkMetres = 1e5;
 constexpr double kMaxYaw = 1e4;
 constexpr float kFullTurn = 6.2831853F;
 
-/// Reads line after line; throws WalkError at the first that will not do.
+/// Reads line by line; throws WalkError at the first invalid one.
 class WalkReader {
  public:
   explicit WalkReader(const std::string& fileName) : fileName_(fileName) {}
