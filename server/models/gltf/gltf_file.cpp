@@ -96,13 +96,13 @@ void checkExtensions(const GltfFile& file) {
   }
 }
 
-void nameWhatIsLeftOut(const GltfFile& file) {
+void logIgnoredFeatures(const GltfFile& file) {
   std::vector<std::string> names;
   std::ranges::copy_if(file.document.extensionsUsed, std::back_inserter(names),
                        [](const std::string& name) { return !isKnown(name); });
   if (!file.document.animations.empty()) names.emplace_back("animations");
   if (!file.document.skins.empty()) names.emplace_back("skins");
-  if (!names.empty()) log::warning(file.path.string() + ": is read without " + nameList(names));
+  if (!names.empty()) log::warning(file.path.string() + ": ignores " + nameList(names));
 }
 
 /// The JSON of a file, unchecked.
@@ -152,7 +152,7 @@ GltfFile loadGltfFile(const std::filesystem::path& path) {
   if (!loaded) file.fail(error.empty() ? "is not glTF 2.0" : firstLine(error));
   if (!warning.empty()) log::warning(path.string() + ": " + firstLine(warning));
   checkExtensions(file);
-  nameWhatIsLeftOut(file);
+  logIgnoredFeatures(file);
   return file;
 }
 

@@ -83,7 +83,7 @@ class Importer {
         if (modeOf(primitive) >= TINYGLTF_MODE_TRIANGLES) add(primitive, instance.matrix);
       }
     }
-    nameWhatIsLeftOut();
+    logIgnoredAlpha();
     if (model_.triangles.indices.empty()) file_.fail("has no triangles");
     stand();
     return std::move(model_);
@@ -125,7 +125,7 @@ class Importer {
     if (found == primitive.attributes.end()) return {};
     // Checked before reading: it may have millions of elements for three positions.
     if (count > 0 && file_.at(file_.document.accessors, found->second, "accessor").count != count) {
-      file_.fail(name + " has not as many elements as POSITION");
+      file_.fail(name + " and POSITION have different numbers of elements");
     }
     Elements elements = readElements(file_, found->second);
     if (elements.width < min || elements.width > max) file_.fail(name + " has vectors of the wrong length");
@@ -170,7 +170,7 @@ class Importer {
       std::vector<std::uint32_t> order = readIndices(file_, primitive.indices);
       const auto highest = std::ranges::max_element(order);
       if (highest != order.end() && *highest >= count) {
-        file_.fail("index " + std::to_string(*highest) + " is out of the " + std::to_string(count) + " vertices");
+        file_.fail("index " + std::to_string(*highest) + " is beyond the " + std::to_string(count) + " vertices");
       }
       return order;
     }
@@ -235,13 +235,13 @@ class Importer {
     return *untextured_[given];
   }
 
-  void nameWhatIsLeftOut() const {
+  void logIgnoredAlpha() const {
     const std::string file = file_.path.string() + ": ";
     if (!unseen_.empty()) {
-      log::warning(file + quoted(unseen_) + " is left out: its alpha is zero or below its cut-off");
+      log::warning(file + "ignores " + quoted(unseen_) + ": alpha is zero or below the cut-off");
     }
     if (!withoutColourAlpha_.empty()) {
-      log::warning(file + "is read without the alpha of the vertex colours of " + quoted(withoutColourAlpha_));
+      log::warning(file + "ignores the alpha of the vertex colours of " + quoted(withoutColourAlpha_));
     }
   }
 

@@ -41,11 +41,11 @@ Texture measure(const GltfFile& file, const Encoded& image) {
   Texture texture;
   int channels = 0;
   if (stbi_info_from_memory(image.bytes.data(), image.size(), &texture.width, &texture.height, &channels) == 0) {
-    file.fail(image.name + " is no image that can be read (PNG and JPEG can)");
+    file.fail(image.name + " is no readable image (PNG and JPEG are supported)");
   }
   if (texture.width > kMaxTextureSide || texture.height > kMaxTextureSide) {
     file.fail(image.name + " has " + std::to_string(texture.width) + " x " + std::to_string(texture.height) +
-              " texels; " + std::to_string(kMaxTextureSide) + " a side are the most");
+              " texels; the limit is " + std::to_string(kMaxTextureSide) + " per side");
   }
   return texture;
 }
@@ -89,7 +89,7 @@ class TextureShelf {
   int add(const tinygltf::Image& image, int source) {
     const std::string name = "image " + std::to_string(source) + (image.uri.empty() ? "" : " (" + image.uri + ")");
     if (image.bufferView < 0 && image.image.empty()) {
-      log::warning(file_.path.string() + ": " + name + " is absent; the base colour is used without it");
+      log::warning(file_.path.string() + ": " + name + " is missing; uses the base colour instead");
       return -1;
     }
     const Encoded encoded{image.bufferView < 0 ? std::span(image.image) : viewBytes(file_, image.bufferView), name};

@@ -55,7 +55,7 @@ void FigureBackend::answer(std::span<const node::Request> requests, std::span<no
   for (std::size_t i = 0; i < requests.size(); ++i) {
     const node::Request& request = requests[i];
     if (request.shared) {
-      payloads[i] = node::Failure{"figures answer with pictures"};
+      payloads[i] = node::Failure{"figures return only pictures"};
       continue;
     }
     payloads[i] = std::shared_ptr<const raster::Image>();

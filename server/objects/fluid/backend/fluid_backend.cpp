@@ -164,7 +164,7 @@ class FluidBackend::Fire {
     while (step > 0 && cellsAt(settings_.grid, step) >= now) --step;
     maxQuality_ = step;
     simulation_.setCells(cells());
-    log::info(name_ + ": " + std::to_string(now) + " cells to an edge are too many for this machine");
+    log::info(name_ + ": " + std::to_string(now) + " cells per edge are too many for this machine");
   }
 
   void reportSlowMotion(std::int64_t cpuNanoseconds) {
@@ -270,7 +270,7 @@ void FluidBackend::answer(std::span<const node::Request> requests, std::span<nod
   for (std::size_t i = 0; i < requests.size(); ++i) {
     const auto fire = fires_.find(requests[i].object);
     if (fire == fires_.end() || !requests[i].shared) {
-      payloads[i] = node::Failure{"fluids answer with shared data of fluids"};
+      payloads[i] = node::Failure{"fluids return only shared data of fluids"};
     } else {
       payloads[i] = std::shared_ptr<const node::SharedData>(fire->second->newest(requests[i].known));
     }

@@ -129,7 +129,7 @@ Header takeHeader(std::span<const std::byte> bytes) {
   if (header.count > kMaxPackedParticles || header.survivors > header.count) refuse("too many particles");
   constexpr std::int32_t kFar = 1 << 24;
   const bool isNear = std::ranges::all_of(header.low, [](std::int32_t low) { return low >= -kFar && low <= kFar; });
-  if (std::isnan(header.time) || !isNear) refuse("its numbers make no sense");
+  if (std::isnan(header.time) || !isNear) refuse("its numbers are invalid");
   return header;
 }
 
@@ -137,9 +137,9 @@ Header takeHeader(std::span<const std::byte> bytes) {
 SnapshotSteps baseOf(const Header& header, const FluidSnapshot* known) {
   if (header.baseCount == 0) return {};
   if (known == nullptr || known->tick != header.baseTick || known->count() != header.baseCount) {
-    refuse("it is the difference to a tick that is not here");
+    refuse("its base is missing");
   }
-  if (header.tick <= header.baseTick || header.tick - header.baseTick > kMaxTicks) refuse("its ticks make no sense");
+  if (header.tick <= header.baseTick || header.tick - header.baseTick > kMaxTicks) refuse("its ticks are invalid");
   return stepsOf(*known);
 }
 
@@ -180,7 +180,7 @@ std::shared_ptr<FluidSnapshot> unpackSnapshot(std::span<const std::byte> bytes, 
   const std::vector<std::uint8_t> planes =
       decompressed(bytes.subspan(sizeof header), mask + 2 * SnapshotSteps::kFields * header.count);
   const Survivors survivors = takeMask(std::span(planes).first(mask), base.count());
-  if (survivors.count != header.survivors) refuse("its particles make no sense");
+  if (survivors.count != header.survivors) refuse("its particles are invalid");
   SnapshotSteps steps;
   steps.resize(header.count);
   const auto ticks = base.count() == 0 ? 1 : static_cast<std::int32_t>(header.tick - header.baseTick);

@@ -106,7 +106,7 @@ class LightFieldPreparation final : public node::Preparation {
     try {
       return openLightField(file);
     } catch (const LightFieldError& e) {
-      if (std::exchange(damage_, e.what()) != e.what()) log::warning(damage_ + "; it is made anew");
+      if (std::exchange(damage_, e.what()) != e.what()) log::warning(damage_ + "; it is rebuilt");
       return std::nullopt;
     }
   }

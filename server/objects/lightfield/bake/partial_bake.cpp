@@ -130,7 +130,7 @@ void PartialBake::fail(const File& file) const {
     what +=
         ", " + std::to_string(all + bytes() / static_cast<std::uint64_t>(views()) * left) + " more bytes are needed";
   }
-  throw EnvironmentError(what, file.path.string(), "make room, then run the same command to go on");
+  throw EnvironmentError(what, file.path.string(), "free disk space, then run the same command to continue");
 }
 
 void PartialBake::write(const File& file, std::uint64_t offset, std::span<const std::byte> bytes) const {

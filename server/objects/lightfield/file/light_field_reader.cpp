@@ -103,10 +103,10 @@ class Reader {
     const auto one = [](const float& v) { return std::span(&v, 1); };
     require(sane({h.centre, h.target, h.boundsLow, h.boundsHigh, h.voxelLow, one(h.radius), one(h.extent),
                   one(h.sunAzimuth), one(h.voxelCell)}),
-            "has a length that is no sane number");
+            "has a length out of range");
     require(h.extent >= kShortest, "has an extent out of range");
     require(seesItsBall(geometry()), "has a radius out of range");
-    for (int axis = 0; axis < 3; ++axis) require(h.boundsLow[axis] <= h.boundsHigh[axis], "has bounds without inside");
+    for (int axis = 0; axis < 3; ++axis) require(h.boundsLow[axis] <= h.boundsHigh[axis], "has inverted bounds");
   }
 
   void checkSections() const {
@@ -210,7 +210,7 @@ class Reader {
       const auto depth = as<float>(rest.first(pixels * sizeof(float)));
       rest = rest.subspan(depth.size_bytes());
       require(std::ranges::all_of(depth, [](float d) { return d >= 0.0F && d <= world::kInfiniteDepth; }),
-              "has a held-out view with depths that are none");
+              "has a held-out view with invalid depths");
       field.heldOut.push_back({{camera[0], camera[1], camera[2], camera[3]},
                                static_cast<int>(header.size),
                                colour,

@@ -79,7 +79,7 @@ void allocate(const gl::TextureArray& texture, const Format& format, const Exten
   if (!fits || api.GetError() != GL_NO_ERROR) {
     throw EnvironmentError("a light field needs a texture of " + std::to_string(extent.width) + " x " +
                                std::to_string(extent.height) + " x " + std::to_string(extent.layers) +
-                               " texels, which this driver has not",
+                               " texels, which exceeds the limits of this driver",
                            "GL", "bake it smaller, or set renderer = \"simd\" for it in the scene file");
   }
   // Integer textures cannot be filtered; reading one with a filter returns nothing.

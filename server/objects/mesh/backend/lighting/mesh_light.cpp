@@ -95,7 +95,7 @@ std::optional<Light> kept(const std::filesystem::path& file, std::uint64_t key, 
   try {
     return readKeptLight(file, key, vertices);
   } catch (const std::exception& e) {
-    log::warning(std::string(e.what()) + "; it is made anew");
+    log::warning(std::string(e.what()) + "; it is rebuilt");
     return std::nullopt;
   }
 }
@@ -113,7 +113,7 @@ Light lightOf(const std::vector<PlacedMesh>& meshes, const node::BackendServices
   try {
     writeKeptLight(file, key, light);
   } catch (const std::exception& e) {
-    log::warning(std::string(e.what()) + "; the next start lights the meshes anew");
+    log::warning(std::string(e.what()) + "; the next start computes the light again");
   }
   return light;
 }

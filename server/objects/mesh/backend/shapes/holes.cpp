@@ -123,7 +123,7 @@ class Cutter {
   std::vector<std::uint32_t> made_;  ///< vertices of the triangle by their place
 };
 
-void nameWhatIsLeftOut(const Model& model, bool cut) {
+void logUnshownHoles(const Model& model, bool cut) {
   std::set<std::string> blended;
   std::set<std::string> uncut;
   for (const std::uint16_t used : std::set(model.materialOf.begin(), model.materialOf.end())) {
@@ -137,7 +137,7 @@ void nameWhatIsLeftOut(const Model& model, bool cut) {
                  "; a light field shows it");
   };
   name(blended, " is solid where it blends");
-  name(uncut, " is drawn without its holes, for they are too many");
+  name(uncut, " is drawn without its holes because there are too many");
 }
 
 }  // namespace
@@ -151,7 +151,7 @@ Model withHolesCut(Model model) {
     pieces += std::pow(static_cast<double>(wantedParts(model, i)), 2.0);
   }
   const bool cut = pierced.size() * kMinParts * kMinParts <= kMaxPieces;
-  nameWhatIsLeftOut(model, cut);
+  logUnshownHoles(model, cut);
   if (!cut || pierced.empty()) return model;
 
   const float share = static_cast<float>(std::min(1.0, std::sqrt(static_cast<double>(kMaxPieces) / pieces)));
