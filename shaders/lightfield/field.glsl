@@ -12,7 +12,7 @@ const int kBlocksInLayer = kBlocksAcross * kBlocksAcross;
 struct ViewCamera {  // format/view_camera.h
   vec4 eye;      // w: near depth
   vec4 right;    // w: focal, in image heights
-  vec4 down;  // w: metres per step of stored depth
+  vec4 down;     // w: metres per step of stored depth
   vec4 forward;
 };
 
