@@ -2,7 +2,7 @@ import { known } from './figures.js';
 
 const isObject = (value) => typeof value === 'object' && value !== null && !Array.isArray(value);
 
-/** A share of one, else `null`; there is no share of `wholes` that are all nothing. */
+/** `null` if `value` is no share (0..1), or if all `wholes` are 0. */
 function part(value, wholes) {
   const number = known(value);
   return number !== null && number <= 1 && wholes.some((whole) => whole !== 0) ? number : null;
@@ -22,9 +22,9 @@ function costs(told) {
 }
 
 /**
- * What sharing saves, of an answer of `/statistics.json` or `/sharing.json`; `null` if the server does not tell. Figures that it does not
- * tell, or that cannot be, are `null`. Times are milliseconds of CPU in one frame. `types` is a list with the costs of
- * each type of object; the one without a name serves no single type.
+ * The savings by sharing, from an answer of `/statistics.json` or `/sharing.json`; `null` if the server does not report
+ * them. Missing or impossible figures are `null`. Times are milliseconds of CPU in one frame. `types` lists the costs
+ * of each type of object; the entry without a name serves no single type.
  */
 export function amortizationOf(statistics) {
   const told = statistics?.amortization;
@@ -47,7 +47,7 @@ export function amortizationOf(statistics) {
   };
 }
 
-/** Milliseconds of one frame that are for one visitor only; `null` if not known. */
+/** Milliseconds of one frame that serve one visitor only; `null` if unknown. */
 export function perUser({ backend, frontend }) {
   return backend === null || frontend === null ? null : backend + frontend;
 }

@@ -1,21 +1,21 @@
 import { kStatistics } from './texts.js';
 
-/** What stands where a figure is not known. */
+/** Stands for an unknown figure. */
 export const kUnknown = '\u2013';
 
-/** A count, a time or a size as a server tells it; `null` for anything that cannot be one. */
+/** A server's count, time or size; `null` for any other value. */
 export function known(value) {
   return typeof value === 'number' && Number.isFinite(value) && value >= 0 ? value : null;
 }
 
-/** As many digits as somebody reads at a glance: 1,234, 48.2, 1.31, 0.02. */
+/** As many digits as a reader takes in at a glance: 1,234, 48.2, 1.31, 0.02. */
 export function plain(value) {
   if (known(value) === null) return kUnknown;
   if (value >= 99.95) return Math.round(value).toLocaleString('en');
   return fixed(value, value >= 9.995 ? 1 : 2);
 }
 
-/** With so many decimals, for columns; what would round to nothing says so. */
+/** For columns: a fixed number of decimals, and `< 0.01` instead of a value that rounds to zero. */
 export function fixed(value, decimals) {
   if (known(value) === null) return kUnknown;
   if (value === 0) return '0';
@@ -28,7 +28,7 @@ export function whole(value) {
   return known(value) === null ? kUnknown : Math.round(value).toLocaleString('en');
 }
 
-/** Share of one, as alpha and beta are told: 0.78. Not all and not nothing never look as if they were. */
+/** A share (0..1), such as alpha and beta: 0.78. Only 0 and 1 themselves look like 0 and 1. */
 export function share(value) {
   if (known(value) === null) return kUnknown;
   if (value > 0.99 && value < 1) return '> 0.99';
@@ -45,7 +45,7 @@ export function milliseconds(value) {
   return known(value) === null ? kUnknown : `${plain(value)} ms`;
 }
 
-/** Of decimal megabytes: 752 MB, 1.44 GB. */
+/** From decimal megabytes: 752 MB, 1.44 GB. */
 export function megabytes(value) {
   if (known(value) === null) return kUnknown;
   return value >= 999.5 ? `${plain(value / 1000)} GB` : `${plain(value)} MB`;

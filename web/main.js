@@ -74,17 +74,17 @@ const receiver = new ReceiverHome({
     preferences: streamPreferences(settings.values),
     stored: storedItems(() => window.sessionStorage),
   },
-  on: (event) => hearers[event.kind](event),
+  on: (event) => handlers[event.kind](event),
 });
 const people = new People();
 const nameTags = new NameTags(element('names'), people, window);
 const capture = new Capture({ send: (command) => receiver.send(command), clock });
-const hearers = {
+const handlers = {
   state: enter,
   welcome,
   waiting: (message) => notice.wait(message),
   refining: (message) => refining.show(message),
-  status: hear,
+  status: showStatus,
   presented,
   people: (message) => people.update(message),
   labels: (message) => nameTags.show(message),
@@ -150,7 +150,7 @@ function welcome({ visitor, red, green, blue, yaw, pitch, world }) {
   document.title = world && world !== 'Grove' ? `${world} \u00b7 Grove` : 'Grove';
 }
 
-function hear({ status, lines, limitedBy }) {
+function showStatus({ status, lines, limitedBy }) {
   limitHint.update(status, lines);
   root.dataset.limitedBy = limitedBy;
   root.dataset.visitors = status.visitors;
@@ -158,7 +158,7 @@ function hear({ status, lines, limitedBy }) {
 
 function presented({ picture, inputs, now, reading: figures }) {
   latency.presented(inputs, picture, now);
-  // An older server does not tell.
+  // Older servers do not send it.
   sound.approachFire(picture.fire ?? 0);
   if (root.dataset.connection === 'open') notice.hide();
   if (root.dataset.picture === 'none') {
@@ -169,12 +169,12 @@ function presented({ picture, inputs, now, reading: figures }) {
   publish(figures);
 }
 
-/** Where the browser keeps no storage for the page, it is gone after a reload. */
+/** Without the browser's storage, the value is lost on a reload. */
 function keep(key, value) {
   try {
     window.sessionStorage.setItem(key, value);
   } catch {
-    // Refused by the browser or its user.
+    // The browser or its user refuses storage.
   }
 }
 
@@ -182,7 +182,7 @@ async function disableH264() {
   panel.disable('codec', (await h264Hindrance(window)) || kSettings.codecFailed, 'h264');
 }
 
-/** What the page is doing, for whoever looks at it from outside. */
+/** The page's state as attributes, for tests and measurements. */
 function publish({ frames, latencyMs, width, height, visitors, codec }) {
   root.dataset.frames = frames;
   root.dataset.streamSize = `${width}x${height}`;
@@ -277,6 +277,6 @@ for (const [target, event] of [
 ]) {
   target.addEventListener(event, () => receiver.send({ kind: 'visibility', hidden: document.hidden }));
 }
-// Before the wait: it tells that the page has started.
+// Before the await: start_check.js takes `starting` for a failure.
 root.dataset.connection = 'connecting';
 root.dataset.receiver = await receiver.open();

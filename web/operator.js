@@ -22,7 +22,7 @@ const history = new History();
 const tables = makeTables(document);
 const bars = new CostBars(element('frame'));
 const drawCharts = makeCharts(element('charts').querySelector('div'), element('chart'));
-let heard = null;
+let answeredAt = null;
 
 const poll = new Poll({
   ask: () => fetch('/statistics.json', { cache: 'no-store' }).then(read),
@@ -35,14 +35,14 @@ const poll = new Poll({
 
 async function read(reply) {
   const statistics = reply.ok ? await reply.json() : null;
-  if (typeof statistics !== 'object' || statistics === null) throw new Error('these are no statistics');
+  if (typeof statistics !== 'object' || statistics === null) throw new Error('the answer has no statistics');
   return statistics;
 }
 
 function answer(statistics) {
   const now = performance.now();
   const amortization = amortizationOf(statistics);
-  heard = new Date().toLocaleTimeString();
+  answeredAt = new Date().toLocaleTimeString();
   processes.add(now, statistics);
   history.add(now, {
     visitors: known(statistics.visitors),
@@ -54,7 +54,7 @@ function answer(statistics) {
   enter('live', statistics);
 }
 
-/** What is shown stays, as what it is: the past. */
+/** Keeps the last figures, marked as old. */
 function leaveLive(state) {
   processes.clear();
   enter(state);
@@ -63,7 +63,7 @@ function leaveLive(state) {
 function enter(state, statistics = null) {
   document.documentElement.dataset.state = state;
   write(element('state'), kOperator.states[state]);
-  const words = situation(state, statistics, heard);
+  const words = situation(state, statistics, answeredAt);
   element('notice').classList.toggle('quiet', words === null);
   write(element('notice').querySelector('strong'), words?.title ?? '');
   write(element('notice').querySelector('span'), words?.text ?? '');

@@ -1,4 +1,4 @@
-// The worker that is the receiver's home: offers what it can do, and takes the canvas if the page accepts.
+// The receiver's worker: reports whether it can paint, and takes the canvas if the page accepts.
 import { Receiver } from './stream/receiver.js';
 
 function canPaint() {
@@ -12,7 +12,7 @@ function canPaint() {
 let receiver = null;
 
 function begin({ canvas, start }) {
-  // All times are told by the page's clock.
+  // All times use the page's clock.
   const ahead = performance.timeOrigin - start.timeOrigin;
   receiver = new Receiver({
     scope: self,

@@ -1,12 +1,12 @@
-/** Seconds of noise that repeat; long enough not to be heard as a rhythm. */
+/** Seconds until the noise repeats: too long to notice a rhythm. */
 const kLoopSeconds = 7;
-/** Seconds in which a loudness becomes another. */
+/** Time constant (s) of a change of loudness. */
 const kEase = 0.4;
 const kWindLoudness = 0.05;
 const kGustLoudness = 0.3;
 const kFireLoudness = 0.5;
 
-/** Noise whose neighbours are alike, as that of wind: white noise, summed up with a leak. */
+/** Low noise, like wind: white noise through a leaky integrator. */
 function wind(samples) {
   let value = 0;
   for (let i = 0; i < samples.length; i += 1) {
@@ -15,7 +15,7 @@ function wind(samples) {
   }
 }
 
-/** A murmur with crackles at random: each a burst of noise that dies away within milliseconds. */
+/** A murmur with random crackles: bursts of noise that decay within milliseconds. */
 function fire(samples, rate) {
   let murmur = 0;
   let crackle = 0;
@@ -27,7 +27,7 @@ function fire(samples, rate) {
   }
 }
 
-/** Plays the noise for ever, filtered, and gives the gain that makes it loud. */
+/** Plays the filtered noise in a loop. Returns its gain, which is 0 at first. */
 function play(context, output, fill, type, frequency) {
   const buffer = context.createBuffer(1, kLoopSeconds * context.sampleRate, context.sampleRate);
   fill(buffer.getChannelData(0), context.sampleRate);
@@ -39,8 +39,9 @@ function play(context, output, fill, type, frequency) {
 }
 
 /**
- * What the world sounds like: wind, the gust that one blows, and the fire, the louder the nearer. Made of noise, so that
- * no sound has to be loaded. Silent until the visitor's first click or key, as browsers ask for, and while nobody looks.
+ * The world's sounds: wind, the visitor's gust, and the fire, louder when nearer. Synthesised from noise, so the page
+ * loads no sound. Silent until the visitor's first click or key press, as browsers require, and while the page is
+ * hidden.
  */
 export class Sound {
   #document;
@@ -52,11 +53,11 @@ export class Sound {
   #gust = false;
   #nearness = 0;
 
-  /** `window` gives AudioContext; without it all is silent. */
+  /** Without AudioContext in `window`, there is no sound. */
   constructor(window) {
     this.#document = window.document;
     const begin = () => {
-      // Escape, for one, is no leave to make a sound.
+      // Some keys, such as Escape, do not permit sound.
       this.#isBegun ||= 'AudioContext' in window && (window.navigator.userActivation?.hasBeenActive ?? true);
       this.#apply();
     };
@@ -64,20 +65,20 @@ export class Sound {
     this.#document.addEventListener('visibilitychange', () => this.#apply());
   }
 
-  /** Whether the visitor wants to hear anything. */
+  /** Whether the visitor wants sound. */
   want(isWanted) {
     this.#isWanted = isWanted;
     this.#apply();
   }
 
-  /** Whether he blows. */
+  /** Whether the visitor blows. */
   blow(gust) {
     if (gust === this.#gust) return;
     this.#gust = gust;
     this.#mix();
   }
 
-  /** How near the fire is: 0 out of hearing, 1 beside it. */
+  /** `nearness` of the fire: 0 inaudible, 1 beside it. */
   approachFire(nearness) {
     if (nearness === this.#nearness) return;
     this.#nearness = nearness;

@@ -1,4 +1,4 @@
-// Runs before the modules, in browsers of any age: says why nothing comes when they cannot run.
+// Runs before the modules, in browsers of any age: explains why the page cannot start.
 window.addEventListener('load', function () {
   var root = document.documentElement;
   var words;

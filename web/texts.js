@@ -1,9 +1,9 @@
 /**
- * All words of the visitor's page and of the operator's, to be read, judged and changed in one place. Only what browsers
- * show before any module runs stands elsewhere: in the heads of the pages, `start_check.js` and `not_found.html`.
+ * All texts of the visitor's and the operator's page, to read and change them in one place. Only texts for browsers
+ * before the modules run are elsewhere: in the heads of the pages, `start_check.js` and `not_found.html`.
  */
 
-/** What the elements of index.html say, by their `data-words`: a text, or text, label and tip (see words.js). */
+/** Texts of index.html by `data-words`: a text, or text, label and tip (see words.js). */
 export const kPage = Object.freeze({
   world: { label: 'The world from where you stand' },
   hintStart: 'Click to look around.',
@@ -54,7 +54,7 @@ export const kPage = Object.freeze({
   reset: 'Reset to defaults',
 });
 
-/** The choices of the settings that have some, in their order: value and text. */
+/** Choices of settings, in order: value and text. */
 export const kChoices = Object.freeze({
   codec: [['auto', 'Automatic'], ['h264', 'H.264'], ['jpeg', 'JPEG']],
   kilobitsPerSecond: [
@@ -65,7 +65,7 @@ export const kChoices = Object.freeze({
   framesPerSecond: [[0, 'No limit'], [60, '60 frames/s'], [30, '30 frames/s'], [20, '20 frames/s'], [15, '15 frames/s']],
 });
 
-/** The rows of the statistics by list, in their order: name, and what it means where the name does not say it. */
+/** Rows of the statistics by list, in order: name, and an explanation where the name needs one. */
 export const kRows = Object.freeze({
   simple: {
     label: 'Stream in brief',
@@ -73,7 +73,7 @@ export const kRows = Object.freeze({
       fps: ['Frame rate'],
       latency: ['Latency', 'Time from your input until you see its effect'],
       quality: ['Picture quality', 'Compared with the best that this codec can do'],
-      limit: ['Limited by', 'What keeps the stream from being better'],
+      limit: ['Limited by', 'What limits frame rate and quality of the stream'],
     },
   },
   stream: {
@@ -84,7 +84,7 @@ export const kRows = Object.freeze({
       codec: ['Codec'],
       size: ['Picture size'],
       visitors: ['Visitors'],
-      shared: ['Shared views', 'Views of trees and grass that had already been made for somebody else'],
+      shared: ['Shared views', 'Views of trees and grass reused from another visitor'],
       server: ['Server time', 'Time from reading your input to sending the picture'],
       version: ['Grove version'],
     },
@@ -104,9 +104,9 @@ export const kRows = Object.freeze({
       queued: ['Waiting', 'Until the server has a free worker for the picture'],
       drawn: ['Rendering', 'From reading the camera to the finished picture'],
       encoded: ['Encoding', 'Until the codec has compressed it'],
-      socket: ['Sending', "Until the server's socket has taken it"],
+      socket: ['Sending', "Until the server's socket has accepted it"],
       line: ['Network', 'From the server to this page, including what waits on the way'],
-      decoded: ['Decoding', "From its arrival until this browser's decoder has it"],
+      decoded: ['Decoding', 'From its arrival until this browser has decoded it'],
       painted: ['Displaying', 'Time this browser takes to draw it'],
     },
   },
@@ -144,7 +144,7 @@ export const kLatency = Object.freeze({
   result: (p50, p95, p99, inputs) => `p50 ${p50}, p95 ${p95}, p99 ${p99} ms of ${inputs} inputs`,
 });
 
-/** At the edge of the picture: who keeps the stream from being better, and how the world gets finer. */
+/** At the edge of the picture: the stream's bottleneck, and the improving detail of the world. */
 export const kHints = Object.freeze({
   line: 'Slow connection',
   browser: 'Your browser is busy',
@@ -155,7 +155,7 @@ export const kHints = Object.freeze({
   secondsLeft: (seconds) => `, about ${seconds}\u00a0s left`,
 });
 
-/** In each state of the connection; `open` needs no words. Without a `text`, the server's reason is told. */
+/** For each state of the connection but `open`. Without a `text`, the notice shows the server's reason. */
 export const kStates = Object.freeze({
   connecting: { title: 'Grove', text: 'Entering the grove\u2026' },
   silent: { title: 'The server is not responding\u2026', text: 'The picture may be out of date.' },
@@ -183,7 +183,7 @@ export const kPictures = Object.freeze({
   failed: 'The picture could not be saved.',
 });
 
-/** How a link to a node stands. */
+/** States of a link to a node. */
 export const kLinkStates = Object.freeze({
   here: 'in this process',
   connecting: 'connecting',
@@ -191,21 +191,21 @@ export const kLinkStates = Object.freeze({
   joined: 'connected',
   refused: 'refused',
   untrusted: 'not trusted',
-  silent: 'silent, calling again',
-  lost: 'lost, connecting again',
+  silent: 'silent, reconnecting',
+  lost: 'lost, reconnecting',
 });
 
-/** Who is here. */
+/** The list of visitors. */
 export const kPeople = Object.freeze({
   here: (count) => (count === 1 ? 'You are alone here' : `${count} visitors`),
   self: ' (you)',
   lost: 'Visitors on other servers are out of reach',
   found: 'Visitors on other servers are back',
   copied: 'Link copied',
-  notCopied: (link) => `Your browser does not copy. The link is ${link}`,
+  notCopied: (link) => `This browser refuses to copy. The link is ${link}`,
 });
 
-/** What the settings say about what was done, and about what cannot be. */
+/** Messages of the settings: changes, and unavailable choices. */
 export const kSettings = Object.freeze({
   notKept: 'This browser does not store settings for this page: they last until you leave it.',
   reset: 'All settings are back to their defaults.',
@@ -243,7 +243,7 @@ export const kActions = Object.freeze({
 });
 
 export const kKeys = Object.freeze({
-  /** That have the same name on every layout. */
+  /** Keys with the same name on every layout. */
   names: {
     ArrowUp: 'up arrow',
     ArrowLeft: 'left arrow',
@@ -271,7 +271,7 @@ export const kKeys = Object.freeze({
   tip: (label, keys) => `${label} (${keys})`,
 });
 
-/** What the elements of operator.html say. */
+/** Texts of operator.html by `data-words`, as in kPage. */
 export const kOperatorPage = Object.freeze({
   purpose: 'What one shared world costs, and what sharing saves',
   elsewhere: { label: 'Elsewhere' },
@@ -298,8 +298,8 @@ export const kOperatorPage = Object.freeze({
   eachMb: 'MB each',
   nodes: 'Other processes',
   aboutNodes:
-    'Nodes that serve objects of this world, and its owner. Their work and memory do not count in the figures of a visitor ' +
-    'or a frame. Rates are of what goes to them and comes from them; the round trip is the minimum of the last five seconds.',
+    'Nodes that serve objects of this world, and its owner. The figures of a visitor or a frame exclude their work and ' +
+    'memory. Rates are for both directions; the round trip is the minimum of the last five seconds.',
   node: 'process',
   link: 'link',
   objects: 'objects',
@@ -323,7 +323,7 @@ export const kOperatorPage = Object.freeze({
   cpu: 'CPU',
   failures: 'failures',
   more: 'Light fields and quality',
-  hits: 'Pictures of trees and grass that were already there',
+  hits: 'Pictures of trees and grass reused from the cache',
   quality: 'Quality of shared work',
   chartBegin: '2 min ago',
   chartEnd: 'now',
@@ -371,30 +371,30 @@ export const kOperator = Object.freeze({
   here: 'this server',
   typesSum: 'all together',
   noType: 'no single type',
-  aboutNoType: 'Camera, encoder and transport: what serves no single type',
+  aboutNoType: 'Camera, encoder and transport, which serve no single type',
   rest: 'everything else',
   unlisted: 'not listed',
 });
 
-/** Whom the work or the memory is for. */
+/** Beneficiaries of work or memory. */
 export const kBeneficiaries = Object.freeze({
   'across-user': 'everybody',
   'per-user-backend': 'visitor, backend',
   'per-user-frontend': 'visitor, frontend',
 });
 
-/** What has to be said before the operator's figures can be read. */
+/** Notices above the operator's figures. */
 export const kSituations = Object.freeze({
   asking: { title: 'Connecting to the server\u2026', text: '' },
   lost: { title: 'The server cannot be reached', text: 'Trying again\u2026' },
   lastHeard: (time) => `These figures are from ${time}. `,
-  paused: { title: 'Paused', text: 'The server is not asked while nobody looks at this page.' },
+  paused: { title: 'Paused', text: 'This page requests nothing while it is hidden.' },
   older: {
     title: 'This server does not report what sharing saves',
-    text: 'It has another version than this page. Reload the page.',
+    text: 'Page and server have different versions. Reload the page.',
   },
   first: { title: 'A visitor has arrived', text: 'The first figures follow in a few seconds.' },
-  empty: { title: 'No visitors', text: 'What sharing saves is measured while somebody is connected.' },
+  empty: { title: 'No visitors', text: 'What sharing saves is measured while visitors are connected.' },
   connecting: {
     title: 'The owner of this world does not answer',
     text: 'This server shows the world with its own visitors only, and joins as soon as the owner answers.',

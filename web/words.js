@@ -1,4 +1,4 @@
-/** A text whose `{action}` becomes an element that names the action's keys (key_hints.js). */
+/** The text in parts: each `{action}` becomes an element for the action's keys (key_hints.js). */
 function parts(document, text) {
   return text.split(/\{(\w+)\}/).map((part, index) => {
     if (index % 2 === 0) return part;
@@ -9,8 +9,8 @@ function parts(document, text) {
 }
 
 /**
- * Writes the texts of texts.js into the elements that name one by `data-words`. An entry is a text, or an object of `text`,
- * `label` (for those who hear the page) and `tip` (under the mouse).
+ * Writes the texts of texts.js into elements with `data-words`. An entry is a text, or an object of `text`, `label`
+ * (for screen readers) and `tip` (the tooltip).
  */
 export function writeWords(root, words) {
   for (const element of root.querySelectorAll('[data-words]')) {

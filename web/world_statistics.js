@@ -2,7 +2,7 @@ import { amortizationOf } from './amortization.js';
 
 const kInterval = 1000;
 
-/** Share of the light fields' pictures that one visitor's view had made for another: 0..1, `null` before the first. */
+/** Share of light field pictures reused from another visitor's view: 0..1, `null` before the first. */
 export function sharedViews(before, now) {
   const grown = (name) => (now.counters?.[name] ?? 0) - (before?.counters?.[name] ?? 0);
   const hits = grown('view cache hits');
@@ -10,12 +10,12 @@ export function sharedViews(before, now) {
   return all > 0 ? hits / all : null;
 }
 
-/** The server's version, as in 0.2.0; `null` from a server that does not tell. */
+/** The server's version, such as 0.2.0; `null` if the server does not report it. */
 export function versionOf(statistics) {
   return typeof statistics?.version === 'string' ? statistics.version : null;
 }
 
-/** What the server reports of itself in `/sharing.json`, asked for once a second while somebody looks. */
+/** The server's `/sharing.json`, requested once a second while watched. */
 export class WorldStatistics {
   #fetch;
   #timers;
@@ -25,7 +25,7 @@ export class WorldStatistics {
   #shared = null;
   #amortization = null;
 
-  /** `fetch()` promises the statistics. `timers` is as `window`. */
+  /** `fetch()` promises the statistics. `timers` has the timers of `window`. */
   constructor(fetch, timers) {
     this.#fetch = fetch;
     this.#timers = timers;
@@ -52,7 +52,7 @@ export class WorldStatistics {
         this.#last = statistics;
       },
       () => {
-        this.#version = null; // the server is away: the page says so elsewhere
+        this.#version = null; // the notice reports the lost server
         this.#shared = null;
         this.#amortization = null;
         this.#last = null;

@@ -16,13 +16,18 @@ std::uint64_t framesOf(const Reading& reading) {
 
 int fit(double cores, double base, double visitor) {
   if (visitor <= 0.0) return 0;
-  return static_cast<int>(std::max(0.0, std::floor((cores - base) / visitor)));
+  return static_cast<int>(std::max(0.0, std::floor((Capacity::kUsableShare * cores - base) / visitor)));
 }
 
 }  // namespace
 
 int Capacity::visitorsFit(double cores) const noexcept { return fit(cores, base, visitor); }
 int Capacity::privateVisitorsFit(double cores) const noexcept { return fit(cores, 0.0, privateVisitor); }
+
+int correctedFit(int estimate, int now, bool areServed, bool areTooMany) noexcept {
+  if (areTooMany) return std::clamp(estimate, 0, std::max(0, now - 1));
+  return areServed ? std::max(estimate, now) : estimate;
+}
 
 Capacity capacityOf(const Amortization& measured, double nominalFramesPerSecond) {
   const FrameCost cost = sum(measured.costs);

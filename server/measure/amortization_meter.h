@@ -21,8 +21,13 @@ struct Amortization {
   std::map<std::string, MemoryShare> memory;
 };
 
-/// What serving costs and whom the machine can serve, from measured costs, in cores at the nominal frame rate.
+/// Costs of serving at the nominal frame rate, in cores, and how many visitors a machine of some cores serves with
+/// them.
 struct Capacity {
+  /// Visitors whose frames wait for a core get a latency above 100 ms (99th percentile) before all cores are busy: runs
+  /// of `grove bench amortize --capacity` serve up to this share of the cores, and fail at 86 %.
+  static constexpr double kUsableShare = 0.82;
+
   double base = 0.0;            ///< a: across-user work
   double unreported = 0.0;      ///< of one visitor: CPU that no stage accounts for
   double visitor = 0.0;         ///< b: of one more visitor
@@ -30,6 +35,9 @@ struct Capacity {
   [[nodiscard]] int visitorsFit(double cores) const noexcept;
   [[nodiscard]] int privateVisitorsFit(double cores) const noexcept;
 };
+/// Corrects an estimate of the visitors that a machine serves by those that it serves now: `now` of them at the nominal
+/// frame rate, or too many, so that it makes their pictures smaller.
+[[nodiscard]] int correctedFit(int estimate, int now, bool areServed, bool areTooMany) noexcept;
 /// CPU that no stage accounts for (sockets, clocks, drivers) is shared out to the visitors.
 [[nodiscard]] Capacity capacityOf(const Amortization& measured, double nominalFramesPerSecond);
 

@@ -114,7 +114,7 @@ async function listens(port, process) {
 
 for (const [name, proxy] of Object.entries(kProxies)) {
   test(`a visitor comes through ${name}`, async () => {
-    assert.ok(isInstalled(name), `${name} is not installed: deploy/packages-test.txt names it`);
+    assert.ok(isInstalled(name), `${name} is not installed: deploy/packages/test.txt names it`);
     const server = await Server.start({ options: ['--scene', kScene, '--proxy', '127.0.0.1'] });
     const port = await freePort();
     const file = join(folder, proxy.file);

@@ -70,9 +70,19 @@ TEST(AmortizationMeter, ReportsWhomAMachineCanServe) {
   EXPECT_NEAR(capacity.visitor, 0.15 + 0.03, 1e-9);
   EXPECT_NEAR(capacity.privateVisitor, 0.03 * (10.0 + 2.0) + 0.18, 1e-9)
       << "his tick, and a quarter of the pictures that four had made";
-  EXPECT_EQ(capacity.visitorsFit(2.0), 8);
-  EXPECT_EQ(capacity.privateVisitorsFit(2.0), 3);
+  EXPECT_EQ(capacity.visitorsFit(2.0 / Capacity::kUsableShare), 8);
+  EXPECT_EQ(capacity.privateVisitorsFit(2.0 / Capacity::kUsableShare), 3);
   EXPECT_EQ(capacity.visitorsFit(0.1), 0);
+}
+
+/// Would catch a promise that the present visitors refute.
+TEST(AmortizationMeter, PromisesNoMoreThanThePresentVisitorsShow) {
+  EXPECT_EQ(correctedFit(9, 4, false, true), 3) << "four have smaller pictures";
+  EXPECT_EQ(correctedFit(2, 4, false, true), 2);
+  EXPECT_EQ(correctedFit(5, 1, false, true), 0) << "one is too many";
+  EXPECT_EQ(correctedFit(3, 4, true, false), 4) << "four are served";
+  EXPECT_EQ(correctedFit(9, 4, true, false), 9);
+  EXPECT_EQ(correctedFit(9, 4, false, false), 9) << "they wait for something else";
 }
 
 }  // namespace

@@ -157,7 +157,7 @@ test('and while none come: the server goes on, for it does not wait for what is 
   clock.advance(250);
   assert.equal(log.at(-1), 'held 2');
   clock.advance(500);
-  assert.match(log.at(-1), /^HoldsBack at 2: the decoder keeps 1 pictures back/);
+  assert.match(log.at(-1), /^HoldsBack at 2: the decoder holds 1 pictures back/);
 });
 
 test('a decoder that is only slow stays', () => {

@@ -29,6 +29,22 @@ function setUp({ isReady = true } = {}) {
   return { log, painted, open, state, canvas, lateLook, screen, image };
 }
 
+// Fault: a still picture that turns black once WebGL was lost and restored.
+test('a copy that was lost with its context is made again', () => {
+  const { log, state, lateLook, screen, image } = setUp();
+  lateLook.isEmpty = false;
+  state.look = { yaw: 1.2, pitch: 0 };
+  screen.show(image('a'), kPicture);
+  state.look = { yaw: 1.3, pitch: 0 };
+  screen.turn();
+  const copies = () => log.filter((line) => line === 'take a').length;
+  assert.equal(copies(), 1);
+  lateLook.isEmpty = true;
+  state.look = { yaw: 1.2, pitch: 0 };
+  screen.turn();
+  assert.equal(copies(), 2);
+});
+
 test('who looks where the camera did sees the middle of the picture as it is', () => {
   const { log, canvas, screen, image } = setUp();
   screen.show(image('a'), kPicture);

@@ -1,6 +1,6 @@
 /**
- * Which keys do what: for each action two places on the keyboard (`KeyboardEvent.code`, so that the hand finds them on
- * every layout), '' where there is none. No key does two things.
+ * The keys of each action: two places on the keyboard (`KeyboardEvent.code`, the same place on every layout), '' for
+ * none. No key has two actions.
  */
 export const kDefaultKeys = Object.freeze({
   forward: ['KeyW', 'ArrowUp'],
@@ -23,7 +23,7 @@ export const kDefaultKeys = Object.freeze({
 
 export const kSlots = 2;
 
-/** The browser's and the system's own, those that move about the page, and those that never tell when they are let go. */
+/** Keys of the browser and the system, keys that navigate in the page, and keys without a keyup. */
 const kReserved =
   /^(Escape|Tab|Enter|NumpadEnter|(Control|Alt|Meta|OS)(Left|Right)|ContextMenu|CapsLock|F5|F11|F12)$/;
 const kCode = /^[A-Z][A-Za-z0-9]{1,30}$/;
@@ -32,12 +32,12 @@ export function isBindable(code) {
   return kCode.test(code) && !kReserved.test(code) && code !== 'Unidentified';
 }
 
-/** What the key does, or `undefined`. */
+/** The key's action, or `undefined`. */
 export function actionOf(keys, code) {
   return code ? Object.keys(keys).find((action) => keys[action].includes(code)) : undefined;
 }
 
-/** `code` now does `action`, in this of its slots. What `code` did before gets the slot's former key for it. */
+/** Binds `code` to this slot of `action`. The former action of `code` gets the slot's former key. */
 export function rebind(keys, action, slot, code) {
   const former = keys[action][slot];
   const next = Object.fromEntries(
@@ -47,14 +47,14 @@ export function rebind(keys, action, slot, code) {
   return next;
 }
 
-/** Keys as they were stored, perhaps by another version of the page: what cannot be is replaced, action by action. */
+/** Repairs stored keys, perhaps of another version of the page. Actions with invalid keys get their defaults. */
 export function repairKeys(stored) {
   const isList = (codes) => Array.isArray(codes) && codes.every((code) => code === '' || isBindable(code));
   const own = (action) => Object.hasOwn(Object(stored), action) && isList(stored[action]) && stored[action];
   const actions = Object.keys(kDefaultKeys);
   const taken = new Set();
   const keys = {};
-  // The visitor's own choice goes before a default of the same key.
+  // The visitor's choice has priority over a default with the same key.
   for (const action of [...actions.filter(own), ...actions.filter((name) => !own(name))]) {
     const codes = own(action) || kDefaultKeys[action];
     keys[action] = Array.from({ length: kSlots }, (_, slot) => {

@@ -3,7 +3,7 @@ import { Key } from '../stream/protocol.js';
 const kHolder = 'button';
 const kPressKeys = [' ', 'Enter'];
 
-/** Blows as long as the button is held, by finger, mouse or key. */
+/** Blows while the button is held, by finger, mouse or key. */
 export function listenToBlowButton(button, controls) {
   const press = () => controls.hold(kHolder, Key.blow);
   const release = () => controls.release(kHolder);

@@ -1,9 +1,9 @@
-/** As far up or down as a visitor can look, in radians; the server's limit too. */
+/** The max pitch, up or down, in radians; the server's limit, too. */
 export const kMaxPitch = 1.5;
 
 /**
- * The state of a visitor's controls, whatever moves them. Keys are held under the name of what holds them, so that two
- * ways to walk forward do not end each other; angles in radians, yaw growing to the left and pitch upwards.
+ * The state of the visitor's controls, from all input devices. Each holder of keys has a name, so that two ways to walk
+ * forward do not end each other. Angles are radians; yaw grows to the left, pitch upwards.
  */
 export class Controls {
   #held = new Map();
@@ -13,7 +13,7 @@ export class Controls {
   #steering = { sensitivity: 1, invertY: false };
   #listeners = [];
 
-  /** `listener()` is called after every change. */
+  /** Calls `listener()` after each change. */
   onChange(listener) {
     this.#listeners.push(listener);
   }
@@ -32,7 +32,7 @@ export class Controls {
     return this.#pitch;
   }
 
-  /** Sum of what turns the view by itself, in radians a second, or `null` if nothing does. */
+  /** The sum of all turns, in radians a second; `null` if there are none. */
   get turning() {
     if (this.#turns.size === 0) return null;
     const sum = { yaw: 0, pitch: 0 };
@@ -43,7 +43,7 @@ export class Controls {
     return sum;
   }
 
-  /** `holder` now holds the bits `key` of protocol.js's Key, instead of what it held before; 0 lets go. */
+  /** Sets the bits of Key (protocol.js) that `holder` holds; 0 releases them. */
   hold(holder, key) {
     if ((this.#held.get(holder) ?? 0) === key) return;
     if (key === 0) this.#held.delete(holder);
@@ -55,7 +55,7 @@ export class Controls {
     this.hold(holder, 0);
   }
 
-  /** `holder` turns the view at this rate from now on; two zeros end it. */
+  /** Sets the rate at which `holder` turns the view; two zeros end it. */
   turn(holder, yaw, pitch) {
     if (yaw === 0 && pitch === 0) {
       if (!this.#turns.delete(holder)) return;
@@ -72,17 +72,17 @@ export class Controls {
     this.#changed();
   }
 
-  /** How a hand's movements turn the view: `sensitivity` times as far, and up for down if `invertY`. */
+  /** Settings of steer() and steerAt(): turn `sensitivity` times as far, and up for down if `invertY`. */
   setSteering({ sensitivity, invertY }) {
     this.#steering = { sensitivity, invertY };
   }
 
-  /** Turns the view by the movement of a mouse or a finger that is worth these angles. */
+  /** Turns the view by a movement of mouse or finger; setSteering() scales it. */
   steer(yaw, pitch) {
     this.look(...this.#steered(yaw, pitch));
   }
 
-  /** As turn(), for a stick that a hand pushes. */
+  /** As turn(), for a stick. */
   steerAt(holder, yaw, pitch) {
     this.turn(holder, ...this.#steered(yaw, pitch));
   }
@@ -95,7 +95,7 @@ export class Controls {
   /** Turns the view to these angles. */
   face(yaw, pitch) {
     if (!Number.isFinite(yaw) || !Number.isFinite(pitch)) return;
-    // Within half a turn of 0, where 32-bit floats are fine.
+    // Within half a turn of 0, where 32-bit floats are precise.
     const wrapped = yaw - 2 * Math.PI * Math.round(yaw / (2 * Math.PI));
     const clamped = Math.min(kMaxPitch, Math.max(-kMaxPitch, pitch));
     if (wrapped === this.#yaw && clamped === this.#pitch) return;

@@ -1,13 +1,15 @@
 import { Key } from '../stream/protocol.js';
 import { stickAxis, stickKeys } from './stick.js';
 
-/** Radians a second with the right stick at its full way. */
+/** Radians a second at the right stick's full deflection. */
 const kTurnRate = 2.4;
 /** Of the standard layout: the lower face button and the right trigger. */
 const kBlowButtons = [0, 7];
 const kHolder = 'gamepad';
 
-/** Left stick walks, right stick looks, A or the right trigger blows. Read once a frame while one is plugged in. */
+/**
+ * Left stick walks, right stick looks, A or the right trigger blows. Polled once a frame while a gamepad is connected.
+ */
 export function listenToGamepads(window, controls) {
   let polling = false;
   const poll = () => {

@@ -2,7 +2,7 @@ import { kKeys } from '../texts.js';
 
 const kArrows = { ArrowUp: '\u2191', ArrowLeft: '\u2190', ArrowDown: '\u2193', ArrowRight: '\u2192' };
 
-/** What is printed on these keys where the layout is not known. */
+/** Labels of these keys if the layout is unknown. */
 const kMarks = {
   Backquote: '`', Minus: '-', Equal: '=', BracketLeft: '[', BracketRight: ']', Backslash: '\\', IntlBackslash: '<',
   Semicolon: ';', Quote: "'", Comma: ',', Period: '.', Slash: '/',
@@ -10,20 +10,20 @@ const kMarks = {
 
 const kWalking = ['forward', 'left', 'back', 'right'];
 
-/** What stands on the keys of this visitor's keyboard, as far as the browser tells or has shown. */
+/** The labels of the visitor's keys, from the keyboard's layout or from key presses. */
 export class KeyLabels {
   #marks = new Map();
 
-  /** Asks for the keyboard's layout; browsers that do not tell it show the keys' marks as they are pressed. */
+  /** Requests the keyboard's layout. In browsers without it, key presses show the labels. */
   async ask(navigator) {
     try {
       for (const [code, mark] of await navigator.keyboard.getLayoutMap()) this.#marks.set(code, mark);
     } catch {
-      // Unknown to this browser, or not told to this page.
+      // The browser has no such interface, or refuses it.
     }
   }
 
-  /** Takes a mark from a keyboard event. Returns whether it was news. */
+  /** Takes a label from a keyboard event. Returns whether it is new. */
   learn(event) {
     const { code, key } = event;
     const isMark = key?.length === 1 && key !== ' ' && !event.shiftKey && !event.getModifierState?.('AltGraph');

@@ -10,20 +10,20 @@ const kTurns = {
   lookDown: [0, -kTurnRate],
 };
 
-/** A focused button keeps the key that presses it, and a field that is typed into keeps all. */
+/** A focused button keeps the space bar; selects and text fields keep all keys. */
 function belongsToPage({ code, target }) {
   if (target.closest?.('select, input:not([type=checkbox], [type=range])')) return true;
   return code === 'Space' && Boolean(target.closest?.('button, input'));
 }
 
-/** Keys scroll a panel and move its sliders: nobody walks from within one. One that closes has the focus a moment longer. */
+/** Within a panel, keys scroll and move sliders instead of walking. A closing panel keeps the focus for a moment. */
 function isInPanel({ target }) {
   return Boolean(target.closest?.('dialog[open]'));
 }
 
 /**
- * Walks, turns and blows by keys, and runs `shortcuts`: functions by the action of bindings.js. `keys()` gives the
- * bindings of now. All keys are let go when the window loses the keyboard.
+ * Walks, turns and blows by keys, and runs `shortcuts`: functions by action (bindings.js). `keys()` returns the current
+ * bindings. Releases all keys when the window loses the keyboard.
  */
 export function listenToKeyboard(window, controls, keys, shortcuts) {
   window.addEventListener('keydown', (event) => {
@@ -42,7 +42,7 @@ export function listenToKeyboard(window, controls, keys, shortcuts) {
     event.preventDefault();
   });
   window.addEventListener('keyup', (event) => {
-    // macOS sends no keyup for what was held together with the command key.
+    // macOS sends no keyup for keys held together with the command key.
     if (event.key === 'Meta') controls.releaseAll();
     controls.release(event.code);
     controls.turn(event.code, 0, 0);

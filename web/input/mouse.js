@@ -1,14 +1,14 @@
 import { Key } from '../stream/protocol.js';
 
-/** Radians a pixel of the mouse's way. */
+/** Radians per pixel of mouse movement. */
 const kLookScale = 0.0023;
-/** A press that moved further than this (CSS pixels) was a drag and not a click. */
+/** A press with more movement (CSS pixels) is a drag, not a click. */
 const kClickSlack = 8;
 const kBlowHolder = 'mouse';
 
 /**
- * Asks for the pointer without the system's acceleration where that is known, else as it is. Resolves to whether it
- * was granted; older Safari returns nothing, and `pointerlockchange` tells.
+ * Requests the pointer, without the system's acceleration if the browser supports that. Resolves to whether the browser
+ * grants it. Older Safari returns nothing, so only `pointerlockchange` shows it.
  */
 async function lockPointer(canvas) {
   try {
@@ -26,8 +26,8 @@ async function lockPointer(canvas) {
 }
 
 /**
- * A click takes the pointer; the mouse then looks, and its held button blows. Dragging looks without the lock.
- * `onLock(state)` hears `locked`, `free` or `refused`.
+ * A click locks the pointer; then the mouse looks, and its held button blows. Dragging looks without the lock. Calls
+ * `onLock(state)` with `locked`, `free` or `refused`.
  */
 export function listenToMouse(canvas, controls, onLock) {
   const { ownerDocument: document } = canvas;

@@ -1,8 +1,8 @@
-/** Least and most time between two inputs, in milliseconds. */
+/** Min and max time between two inputs, in milliseconds. */
 const kShortestInterval = 8;
 const kLongestInterval = 1000;
 
-/** Sends the controls' whole state: soon after every change, and once a second anyhow. */
+/** Sends the state of all controls: soon after each change, and at least once a second. */
 export class InputSender {
   #controls;
   #send;
@@ -26,7 +26,7 @@ export class InputSender {
     controls.onChange(() => this.#changed());
   }
 
-  /** Begins a connection: numbers count from 1 again, and the server hears of the present state at once. */
+  /** For a new connection: numbers count from 1 again, and the current state is sent at once. */
   start() {
     this.#number = 0;
     this.#running = true;
@@ -39,7 +39,7 @@ export class InputSender {
     this.#due = Infinity;
   }
 
-  /** Sends the present state once more, though nothing changed. */
+  /** Sends the unchanged state again. */
   repeat() {
     if (this.#running) this.#now();
   }

@@ -1,12 +1,12 @@
 import { Key } from '../stream/protocol.js';
 
-/** Shares of a stick's way: below the first it rests, above the second the visitor runs. */
+/** Shares of full deflection: below the first the stick rests, above the second the visitor runs. */
 const kDeadZone = 0.25;
 const kRunZone = 0.92;
-/** The sine of half a sector of eight: beyond it, a direction takes part. */
+/** The sine of half a sector of eight: beyond it, a direction counts. */
 const kSector = Math.sin(Math.PI / 8);
 
-/** The keys that a stick pushed to (x, y) stands for; 1 is its full way, y grows downwards. */
+/** The keys for a stick at (x, y); 1 is full deflection, y grows downwards. */
 export function stickKeys(x, y) {
   const length = Math.hypot(x, y);
   if (length < kDeadZone) return 0;
@@ -18,7 +18,7 @@ export function stickKeys(x, y) {
   return keys;
 }
 
-/** Takes the dead zone out of one axis: 0 within it, then evenly up to 1 or -1. */
+/** Removes the dead zone from one axis: 0 within it, then linear up to 1 or -1. */
 export function stickAxis(value) {
   const beyond = Math.abs(value) - kDeadZone;
   return beyond <= 0 ? 0 : (Math.sign(value) * beyond) / (1 - kDeadZone);

@@ -1,9 +1,9 @@
 import { Key } from '../stream/protocol.js';
 import { stickKeys } from './stick.js';
 
-/** Radians a CSS pixel of the finger's way. */
+/** Radians per CSS pixel of finger movement. */
 const kLookScale = 0.0045;
-/** The stick's full way, in CSS pixels. */
+/** The stick's full deflection, in CSS pixels. */
 const kStickRadius = 56;
 /** A finger that rests this long (ms), within this far (CSS pixels), blows until it lifts. */
 const kLongPress = 450;
@@ -11,7 +11,7 @@ const kRestSlack = 10;
 const kWalkHolder = 'touch stick';
 const kBlowHolder = 'touch press';
 
-/** A finger on the left half: walks, and `stick` (an element around a knob) shows where it stands. */
+/** A finger on the left half walks. `stick` (an element around a knob) shows its position. */
 class WalkingFinger {
   #controls;
   #stick;
@@ -44,7 +44,7 @@ class WalkingFinger {
   }
 }
 
-/** A finger on the right half: looks, or blows if it rests first; then it aims. */
+/** A finger on the right half looks. After a rest it blows, and movements aim. */
 class LookingFinger {
   #controls;
   #x;
@@ -74,7 +74,7 @@ class LookingFinger {
   }
 }
 
-/** One finger of each kind at a time, so that a thumb each can walk and look. */
+/** One finger of each kind at a time: one thumb walks, the other looks. */
 export function listenToTouch(canvas, controls, stick) {
   const fingers = new Map();
   const has = (kind) => [...fingers.values()].some((finger) => finger instanceof kind);

@@ -1,7 +1,7 @@
 /** A long pause between two frames (a hidden page) must not spin the view. Seconds. */
 const kLongestStep = 0.1;
 
-/** Turns the view smoothly, frame by frame, while keys or sticks ask for it. */
+/** Turns the view smoothly, frame by frame, while keys or sticks turn it. */
 export class Turner {
   #controls;
   #requestFrame;

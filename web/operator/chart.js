@@ -1,7 +1,7 @@
 import { kOperator } from '../texts.js';
 import { kHistory } from './history.js';
 
-/** A line across readings that lie further apart would tell of a time that nobody measured. Milliseconds. */
+/** Max time between two connected readings: a longer line would show a time without readings. Milliseconds. */
 const kLongestGap = 3000;
 const kWidth = 240;
 const kHeight = 60;
@@ -12,7 +12,7 @@ export function roundUp(value) {
   return [1, 2, 5, 10].find((step) => step * power >= value * (1 - 1e-9)) * power;
 }
 
-/** Pieces without a gap, of points that are known. */
+/** The known points, divided at gaps. */
 function pieces(points) {
   const found = [];
   let last = null;
@@ -44,14 +44,14 @@ export class Chart {
   #least;
   #tell;
 
-  /** `figure` has the parts of the page's chart template; `least` is the least top of the scale; `tell` formats. */
+  /** `figure` has the parts of the page's chart template; `least` is the min top of the scale; `tell` formats. */
   constructor(figure, { least, tell }) {
     this.#figure = figure;
     this.#least = least;
     this.#tell = tell;
   }
 
-  /** `end` is now, on the points' clock; `least` is for a scale that is known only by now. */
+  /** `end` is now, by the points' clock; `least` replaces the constructor's, if only now known. */
   draw(points, end, least = this.#least) {
     const values = points.map(({ value }) => value).filter((value) => value !== null);
     const most = roundUpFrom(least, values);

@@ -9,7 +9,7 @@ const kCharts = [
   { name: 'fps', least: 30, tell: plain },
 ];
 
-/** Fills `place` with the charts; gives a function that draws them, of a History up to `end`. */
+/** Fills `place` with the charts. Returns a function that draws them from a History up to `end`. */
 export function makeCharts(place, template) {
   const charts = kCharts.map(({ name, least, tell }) => {
     const figure = template.content.cloneNode(true).firstElementChild;

@@ -4,7 +4,7 @@ import { total } from './frame_cost.js';
 import { verdict } from './figures_panel.js';
 import { write } from './live_table.js';
 
-/** The stacked bars of what a frame costs now and in private mode, on one scale. */
+/** Stacked bars of a frame's cost now and in private mode, on one scale. */
 export class CostBars {
   #section;
 
@@ -18,7 +18,7 @@ export class CostBars {
     }
   }
 
-  /** `cost` is of `frameCost`; `null` where it is not known. */
+  /** `cost` as frameCost() returns it; `null` if unknown. */
   show(cost, isPrivate) {
     const sums = { now: cost ? total(cost.now) : null, alone: cost?.alone ? total(cost.alone) : null };
     const most = Math.max(sums.now ?? 0, sums.alone ?? 0);

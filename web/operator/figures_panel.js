@@ -3,7 +3,7 @@ import { kOperator } from '../texts.js';
 import { versionOf } from '../world_statistics.js';
 import { write } from './live_table.js';
 
-/** The figure and the words under it, of `{ statistics, amortization }`; `amortization` may be `null`. */
+/** Figure and note of each tile, from `{ statistics, amortization }`; `amortization` may be `null`. */
 const kTiles = {
   visitors: ({ statistics }) => [whole(statistics.visitors), kOperator.visitorsNote],
   fps: ({ statistics, amortization: told }) => [plain(told?.framesPerSecond), pictures(statistics.picture_scale)],
@@ -52,14 +52,14 @@ export function writeFigures(root, now) {
   write(root.querySelector('[data-figure=quality]'), kQuality(now.statistics));
 }
 
-/** Where the memory is, in a sentence. */
+/** A sentence about the memory of a process. */
 export function memoryWords(memory) {
   if (memory === null) return kOperator.memoryUnknown;
   const used = megabytes(memory.resident);
   return memory.holders.length > 0 ? kOperator.memoryUseOf(used, megabytes(memory.told)) : kOperator.memoryUse(used);
 }
 
-/** What the bars mean, in a sentence; empty where they are not known. */
+/** The result of the bars in a sentence; '' if unknown. */
 export function verdict(cost, sums) {
   if (!cost?.alone || sums.now <= 0) return '';
   const times = sums.alone / sums.now;

@@ -1,10 +1,9 @@
 import { perUser } from '../amortization.js';
 
 /**
- * What one frame of one visitor costs, in milliseconds of CPU, part by part: his share of the work for everybody, his
- * own work on backends and on the frontend, and what no stage accounts for (sockets, clocks, drivers). Beside it what
- * the same frame costs at least if he has the world for himself. `null` if the server has not told enough; `alone` is
- * `null` if he is alone by `--private`.
+ * The cost of one frame of one visitor, in milliseconds of CPU: the visitor's share of the work for everybody, own work
+ * on backends and on the frontend, and the rest outside all stages (sockets, clocks, drivers). `alone` is the min cost
+ * of the same frame in a separate world; `null` with `--private`. `null` if the server has not reported enough.
  */
 export function frameCost(amortization) {
   const { isPrivate, visitors, acrossUser, backend, frontend, privateFrame } = amortization;

@@ -1,7 +1,7 @@
-/** How far back the charts go. Milliseconds. */
+/** The span of the charts. Milliseconds. */
 export const kHistory = 120_000;
 
-/** The last two minutes of some figures; a figure that was not known is `null`. Times in milliseconds. */
+/** The last two minutes of some figures; unknown figures are `null`. Times in milliseconds. */
 export class History {
   #points = [];
 
@@ -10,7 +10,7 @@ export class History {
     while (this.#points[0].time < time - kHistory) this.#points.shift();
   }
 
-  /** Of one figure, oldest first. */
+  /** The points of one figure, oldest first. */
   of(name) {
     return this.#points.map((point) => ({ time: point.time, value: point[name] ?? null }));
   }

@@ -1,11 +1,11 @@
 import { kBeneficiaries } from '../texts.js';
 
-/** Sets text only where it changes, so that a selection and a reader's place stay. */
+/** Sets only changed text, so that a selection and a screen reader's place stay. */
 export function write(element, text) {
   if (element.textContent !== text) element.textContent = text;
 }
 
-/** The body of a table whose rows come and go; a row that stays keeps its elements. */
+/** A table body with changing rows; a row that stays keeps its elements. */
 export class LiveTable {
   #body;
   #columns;
@@ -17,7 +17,7 @@ export class LiveTable {
     this.#columns = columns;
   }
 
-  /** `entries` have a `key` each; one with a `group` is the heading of those after it, across all columns. */
+  /** Each entry has a `key`; one with a `group` is a heading across all columns. */
   show(entries) {
     const keys = new Set(entries.map(({ key }) => key));
     for (const [key, row] of this.#rows) {
@@ -55,17 +55,17 @@ export class LiveTable {
 /** Writes a cell's text. */
 export const text = (tell) => (cell, entry) => write(cell, tell(entry));
 
-/** Writes a number, with a bar behind it that is as long as `share(entry)` of the cell. */
+/** Writes a number over a bar that fills `share(entry)` of the cell. */
 export const bar = (share, tell) => (cell, entry) => {
   cell.classList.add('bar');
   cell.style.setProperty('--share', `${(share(entry) ?? 0) * 100}%`);
   write(cell, tell(entry));
 };
 
-/** The part of a frame's cost, as its colour names it. */
+/** The parts of a frame's cost, for their colours in the style sheet. */
 const kParts = { 'across-user': 'shared', 'per-user-backend': 'backend', 'per-user-frontend': 'frontend' };
 
-/** Writes whom the work or the memory is for. */
+/** Writes the beneficiary of work or memory. */
 export const work = (cell, entry) => {
   cell.dataset.part = kParts[entry.work] ?? 'other';
   cell.classList.add('work');

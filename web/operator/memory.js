@@ -1,8 +1,8 @@
 import { known } from '../figures.js';
 
 /**
- * Who holds the server's memory, in decimal megabytes, the largest first; `rest` is what no holder tells of, `null`
- * where holders tell of more than lies in memory now. `null` if the server does not tell.
+ * The holders of the server's memory, in decimal megabytes, largest first. `rest` is the memory without a holder;
+ * `null` if the holders report more than is resident now. `null` if the server does not report its memory.
  */
 export function memoryOf(statistics) {
   const resident = known(statistics?.memory?.resident_mb);

@@ -1,10 +1,10 @@
 import { Backoff } from '../stream/backoff.js';
 
 const kInterval = 1000;
-/** A server that is silent for so long is gone. Milliseconds. */
+/** Without an answer for this long, the server counts as lost. Milliseconds. */
 const kPatience = 5000;
 
-/** Asks again and again while it runs: once a second, and with growing delays while there is no answer. */
+/** Requests an answer once a second, with growing delays while there is none. */
 export class Poll {
   #ask;
   #on;
@@ -13,7 +13,9 @@ export class Poll {
   #timer = null;
   #turn = 0;
 
-  /** `ask()` promises an answer; `on.answer(answer)` and `on.lost()` are called with it. `timers` is as `window`. */
+  /**
+   * `ask()` promises an answer. Calls `on.answer(answer)`, or without one `on.lost()`. `timers` has the timers of `window`.
+   */
   constructor({ ask, on, timers, backoff = new Backoff() }) {
     this.#ask = ask;
     this.#on = on;
@@ -27,7 +29,7 @@ export class Poll {
     this.#next();
   }
 
-  /** What is on its way is not listened to any more. */
+  /** Also discards a pending answer. */
   stop() {
     this.#turn += 1;
     this.#timers.clearTimeout(this.#timer);

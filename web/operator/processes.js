@@ -22,7 +22,7 @@ export class Processes {
     }
   }
 
-  /** For when the server was not asked for a while. */
+  /** To be called after a pause. */
   clear() {
     this.#server.clear();
     this.#nodes.clear();

@@ -1,29 +1,29 @@
 import { known } from '../figures.js';
 import { sharedViews } from '../world_statistics.js';
 
-/** What rates are told over: long enough to be steady, short enough to be live. Milliseconds. */
+/** The span of rates: long enough to be steady, short enough to be live. Milliseconds. */
 const kSpan = 5000;
 
 const stagesOf = ({ stages }) => Object.entries(stages ?? {}).filter(([, stage]) => known(stage?.runs) !== null);
 
-/** Whether sums since the start have become smaller: then it was another start. */
-function startedAnew(before, now) {
+/** Whether sums since the start have shrunk, because the process was restarted. */
+function isRestarted(before, now) {
   const shrank = ([name, stage]) => (now.stages?.[name]?.runs ?? 0) < stage.runs;
   const less = ([name, count]) => (now.counters?.[name] ?? 0) < count;
   return stagesOf(before).some(shrank) || Object.entries(before.counters ?? {}).some(less);
 }
 
-/** The newest answers of the server, and what has happened between them. Times in milliseconds. */
+/** The newest answers of the server, and their differences. Times in milliseconds. */
 export class Readings {
   #entries = [];
 
   add(time, statistics) {
-    if (this.#entries.length > 0 && startedAnew(this.newest, statistics)) this.clear();
+    if (this.#entries.length > 0 && isRestarted(this.newest, statistics)) this.clear();
     this.#entries.push({ time, statistics });
     while (this.#entries.length > 2 && this.#entries[1].time <= time - kSpan) this.#entries.shift();
   }
 
-  /** To be called when it was not asked for a while. */
+  /** To be called after a pause. */
   clear() {
     this.#entries = [];
   }
@@ -33,8 +33,8 @@ export class Readings {
   }
 
   /**
-   * Stages, those for everybody first. Rates are `null` before the second reading, and what needs a run is `null`
-   * where there was none; `share` is of the CPU of all stages; `failures` are since the start.
+   * The stages, those for everybody first. Rates are `null` before the second reading, costs per run also without a
+   * run. `share` is of the CPU of all stages; `failures` count since the start.
    */
   stages() {
     const first = this.#entries[0];
@@ -64,7 +64,7 @@ export class Readings {
       .sort((a, b) => order(a.work) - order(b.work) || a.name.localeCompare(b.name));
   }
 
-  /** Share of the light fields' pictures that had been made for another view; `null` if none was asked for. */
+  /** The share of light field pictures reused from another view; `null` if none was requested. */
   cacheHits() {
     return this.#entries.length < 2 ? null : sharedViews(this.#entries[0].statistics, this.newest);
   }

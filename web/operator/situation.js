@@ -1,6 +1,6 @@
 import { kSituations } from '../texts.js';
 
-/** How the server stands with the owner of its world, `null` if there is nothing to say. */
+/** A notice about the owner of the server's world, or `null`. */
 function ownerSituation(world) {
   if (world?.state === 'refused') return kSituations.refused(world.reason);
   if (world?.state === 'connecting') return kSituations.connecting;
@@ -8,14 +8,14 @@ function ownerSituation(world) {
 }
 
 /**
- * What has to be said before the figures can be read, `null` if they speak for themselves. `state` is `asking`, `live`,
- * `paused` or `lost`; `heard` is the time of day of the newest answer, or `null`.
+ * The notice above the figures, or `null`. `state` is `asking`, `live`, `paused` or `lost`; `answeredAt` is the time of
+ * day of the newest answer, or `null`.
  */
-export function situation(state, statistics, heard) {
-  if (state === 'asking') return heard ? null : kSituations.asking;
+export function situation(state, statistics, answeredAt) {
+  if (state === 'asking') return answeredAt ? null : kSituations.asking;
   if (state === 'lost') {
     const { title, text } = kSituations.lost;
-    return { title, text: `${heard ? kSituations.lastHeard(heard) : ''}${text}` };
+    return { title, text: `${answeredAt ? kSituations.lastHeard(answeredAt) : ''}${text}` };
   }
   if (state === 'paused') return kSituations.paused;
   const owner = ownerSituation(statistics.world);

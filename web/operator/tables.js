@@ -39,7 +39,7 @@ function stagesTable(body) {
   return (processes) => table.show(inGroups(processes, rows));
 }
 
-/** Rows of each process, below its name if there are several. */
+/** The rows of all processes, below their names if there are several. */
 function inGroups(processes, rows) {
   return processes.flatMap((one) => {
     const heading = processes.length > 1 ? [{ key: one.process, group: one.process }] : [];
@@ -47,7 +47,7 @@ function inGroups(processes, rows) {
   });
 }
 
-/** The rows of one process's memory, with what no holder names. */
+/** The rows of one process's memory, with the memory without a holder. */
 function memoryRows({ process, memory }) {
   const holders = memory?.holders ?? [];
   const rows = holders.map((entry) => ({ key: `${process} ${entry.name} ${entry.type} ${entry.work}`, ...entry }));
@@ -88,7 +88,7 @@ function nodesTable(body) {
   return (nodes) => table.show(nodes.map((node) => ({ key: node.name, ...node })));
 }
 
-/** The page's tables, each a function that shows what it is given. */
+/** The page's tables: functions that show their argument. */
 export function makeTables(root) {
   const body = (id) => root.querySelector(`#${id} tbody`);
   return {

@@ -1,14 +1,14 @@
-/** Browsers give the clipboard's interface to https and localhost only; the older way works everywhere else. */
+/** Browsers have the Clipboard API on https and localhost only; this older way works everywhere else. */
 function copyBySelection(document, text) {
   const field = Object.assign(document.createElement('textarea'), { value: text });
   document.body.append(field);
   field.select();
   const isCopied = document.execCommand('copy');
   field.remove();
-  if (!isCopied) throw new Error('the browser does not copy');
+  if (!isCopied) throw new Error('the browser refuses to copy');
 }
 
-/** Copies text for the visitor; rejects where the browser refuses. Only from within a click or a key. */
+/** Copies text; rejects if the browser refuses. Works only within a click or key press. */
 export async function copyText({ document, navigator }, text) {
   if (navigator.clipboard) await navigator.clipboard.writeText(text);
   else copyBySelection(document, text);

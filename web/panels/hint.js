@@ -1,9 +1,9 @@
-/** The hint leaves by itself after this long (ms) ... */
+/** The hint fades after this long (ms) ... */
 const kLongestTime = 12_000;
-/** ... and this soon after the visitor began to walk. */
+/** ... and this long after the visitor begins to walk. */
 const kAfterStart = 2500;
 
-/** The title and the few words on how to move; they fade once they are not needed. */
+/** The title and a short help for walking, which fade. */
 export class Hint {
   #element;
   #timer;

@@ -1,13 +1,13 @@
 import { isBindable, kSlots, rebind } from '../input/bindings.js';
 import { kActions, kKeys } from '../texts.js';
 
-/** What has changed between two states of the keys besides `action` itself, in words. */
+/** The text about another action whose keys have changed, too; '' if there is none. */
 export function consequence(before, after, action, labels) {
   const other = Object.keys(after).find((name) => name !== action && after[name].join() !== before[name].join());
   return other ? kKeys.also(kActions[other], labels.names(after[other])) : '';
 }
 
-/** The table of keys in the settings: a press on one of its buttons, then on a key, gives the action that key. */
+/** The table of keys in the settings: a click on one of its buttons, then a key, binds that key to the action. */
 export class KeyEditor {
   #settings;
   #labels;
@@ -20,7 +20,7 @@ export class KeyEditor {
    * @param {HTMLTableSectionElement} body takes the rows
    * @param {import('./settings.js').Settings} settings
    * @param {import('../input/key_labels.js').KeyLabels} labels
-   * @param {(text: string) => void} say for eyes and ears
+   * @param {(text: string) => void} say writes to a live region
    */
   constructor(body, settings, labels, say) {
     this.#settings = settings;
@@ -31,7 +31,7 @@ export class KeyEditor {
     this.write();
   }
 
-  /** Shows the keys as they are now. */
+  /** Shows the current keys. */
   write() {
     for (const [button, { action, slot }] of this.#buttons) {
       const code = this.#settings.values.keys[action][slot];
@@ -61,7 +61,7 @@ export class KeyEditor {
 
   #await(button) {
     this.#waiting = button;
-    // Safari gives no focus to a button that is clicked.
+    // Safari does not focus a clicked button.
     button.focus();
     button.classList.add('waiting');
     button.textContent = kKeys.wait;
@@ -94,7 +94,7 @@ export class KeyEditor {
     this.#stop(button);
   }
 
-  /** A space bar that was taken would also press the button, in Firefox even though its keydown was prevented. */
+  /** A bound space bar would also press the button: in Firefox, even after preventDefault() on its keydown. */
   #release(event) {
     if (event.code === this.#taken) event.preventDefault();
     this.#taken = '';

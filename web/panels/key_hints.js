@@ -1,6 +1,6 @@
 import { kActions, kKeys } from '../texts.js';
 
-/** As aria-keyshortcuts has it: F3 O PageUp. */
+/** In the format of aria-keyshortcuts: F3 O PageUp. */
 function shortcuts(codes, labels) {
   return codes
     .filter(Boolean)
@@ -9,8 +9,8 @@ function shortcuts(codes, labels) {
 }
 
 /**
- * Writes the keys of now wherever the page names them: elements with `data-keys`, an action or `walking`, and buttons
- * with `data-shortcut`, the action that they do.
+ * Writes the current keys into elements with `data-keys`, an action or `walking`, and into the tips of buttons with
+ * `data-shortcut`, their action.
  */
 export function writeKeyHints(document, keys, labels) {
   for (const element of document.querySelectorAll('[data-keys]')) {

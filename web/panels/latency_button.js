@@ -3,7 +3,7 @@ import { kLatency } from '../texts.js';
 
 const kSeconds = 10;
 
-/** Starts a latency test by button, key or address, tells how it went, and hands out its table. */
+/** Starts a latency test by button, key or address, shows its result, and saves its table. */
 export class LatencyButton {
   #button;
   #words;
@@ -11,8 +11,8 @@ export class LatencyButton {
   #test;
 
   /**
-   * `panel` has a button, a paragraph and a second button for the table, which `save(file)` hands to the visitor; `clock`
-   * and `sendInput` as LatencyTest.
+   * `panel` has a button, a paragraph and a second button for the table, which `save(file)` gives to the visitor.
+   * `clock` and `sendInput` as in LatencyTest.
    */
   constructor(panel, { clock, sendInput, save }) {
     this.#button = panel.querySelector('[data-latency=start]');

@@ -3,13 +3,13 @@ import { median, quantile } from '../stream/meters.js';
 import { kCodecNames } from '../stream/protocol.js';
 import { kLatency } from '../texts.js';
 
-/** While it is measured, the controls' state is sent at least so often (ms), moved or not: more to measure. */
+/** During a test, inputs are sent at least this often (ms), changed or not, for more samples. */
 const kInterval = 50;
 /** Longer than this (s), the table would only fill the memory. */
 const kLongestTest = 600;
 const kColumns = 'number,sent_ms,presented_ms,latency_ms,frame,width,height,codec';
 
-/** Records the way of every input to the screen for some seconds, for a table of its own. */
+/** Records the latency of every input for some seconds, in a table. */
 export class LatencyTest {
   #clock;
   #sendInput;
@@ -21,8 +21,8 @@ export class LatencyTest {
   /**
    * @param {object} parts
    * @param {object} parts.clock milliseconds
-   * @param {() => void} parts.sendInput sends the controls as they are
-   * @param {() => void} parts.onChange it has begun or ended
+   * @param {() => void} parts.sendInput sends the current controls
+   * @param {() => void} parts.onChange the test has begun or ended
    */
   constructor({ clock, sendInput, onChange }) {
     this.#clock = clock;
@@ -40,12 +40,12 @@ export class LatencyTest {
     this.#begin = this.#clock.now();
     this.#until = this.#begin + Math.min(seconds, kLongestTest) * 1000;
     this.#onChange();
-    this.#ask();
+    this.#sendRepeatedly();
   }
 
   /**
-   * `inputs` as LatencyMeter.presented() returns them, first shown by this picture. Its size in the table is the window's,
-   * as in the overlay: how wide a border is says nothing about what a visitor sees.
+   * `inputs` as LatencyMeter.presented() returns them. The size in the table is the window's, as in the overlay,
+   * because visitors do not see the border.
    */
   presented(inputs, picture, now) {
     if (!this.isRunning) return;
@@ -60,7 +60,7 @@ export class LatencyTest {
     }
   }
 
-  /** `p50 41, p95 58, p99 60 ms of 380 inputs`; `null` before anything was measured. */
+  /** `p50 41, p95 58, p99 60 ms of 380 inputs`; `null` without samples. */
   get words() {
     const values = this.#rows.map(({ latency }) => latency);
     if (values.length === 0) return null;
@@ -68,17 +68,17 @@ export class LatencyTest {
     return kLatency.result(...quantiles.map((value) => value.toFixed(0)), values.length);
   }
 
-  /** A header and a row for each input, as comma-separated values. */
+  /** Comma-separated values: a header, and a row for each input. */
   get csv() {
     return [kColumns, ...this.#rows.map(({ cells }) => cells.join(','))].join('\n') + '\n';
   }
 
-  #ask() {
+  #sendRepeatedly() {
     if (!this.isRunning) {
       this.#onChange();
       return;
     }
     this.#sendInput();
-    this.#clock.setTimeout(() => this.#ask(), kInterval);
+    this.#clock.setTimeout(() => this.#sendRepeatedly(), kInterval);
   }
 }

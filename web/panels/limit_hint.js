@@ -1,18 +1,18 @@
 import { LimitedBy } from '../stream/protocol.js';
 import { kHints } from '../texts.js';
 
-/** What falls short for a moment is not worth a word; nor is what recovers for a moment. Milliseconds. */
+/** The hint skips brief shortages and brief recoveries. Milliseconds. */
 const kUntilSaid = 2000;
 const kUntilGone = 3000;
 
-/** Who is short, as the hint begins; limits by choice need no words. */
+/** The start of the hint, by bottleneck; limits by choice need no hint. */
 const kShort = {
   [LimitedBy.line]: kHints.line,
   [LimitedBy.browser]: kHints.browser,
   [LimitedBy.machine]: kHints.machine,
 };
 
-/** A few words at the edge of the picture while line, browser or server keep the stream from being better. */
+/** A hint at the edge of the picture while line, browser or server limits the stream. */
 export class LimitHint {
   #element;
   #clock;
@@ -20,13 +20,13 @@ export class LimitHint {
   #timer;
   #words = '';
 
-  /** `clock` is as `window`. */
+  /** `clock` has the timers of `window`. */
   constructor(element, clock) {
     this.#element = element;
     this.#clock = clock;
   }
 
-  /** `status` as in the message Status; `lines`: how high the pictures are that the visitor sees. */
+  /** `status` as in the message Status; `lines`: the height of the visible pictures. */
   update({ limitedBy, framesPerSecond }, lines) {
     const isShort = limitedBy in kShort;
     if (isShort) this.#words = kHints.limited(kShort[limitedBy], lines, framesPerSecond);
@@ -37,7 +37,7 @@ export class LimitHint {
     this.#timer = this.#clock.setTimeout(() => this.#settle(), isShort ? kUntilSaid : kUntilGone);
   }
 
-  /** Nothing is known of the stream any more. */
+  /** For the end of a connection. */
   reset() {
     this.#clock.clearTimeout(this.#timer);
     this.#isShort = false;
@@ -49,7 +49,7 @@ export class LimitHint {
     this.#element.hidden = !this.#isShort;
   }
 
-  /** What stays the same is left alone, or it would be read out again. */
+  /** Writes only a changed text, because screen readers read out each write. */
   #write() {
     if (this.#element.textContent !== this.#words) this.#element.textContent = this.#words;
   }

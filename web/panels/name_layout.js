@@ -1,14 +1,14 @@
 /** Pixels between two names. */
 const kGap = 3;
-/** So many times its height a name is moved up at most; further away, nobody knows whose it is. */
+/** Names move up by at most this many times their height: further up, they fit no figure. */
 const kFurthest = 3;
 
 const overlaps = (a, b) =>
   Math.abs(a.x - b.x) * 2 < a.width + b.width + 2 * kGap && a.y - a.height < b.y + kGap && b.y - b.height < a.y + kGap;
 
 /**
- * How far to move each name upwards so that none overlaps another: pixels, `null` for one that finds no room. `boxes` are
- * in the order in which they may choose; `x` is the middle, `y` the lower edge.
+ * Pixels to move each name up so that no names overlap; `null` for a name without room. Earlier `boxes` have priority;
+ * `x` is the middle, `y` the lower edge.
  */
 export function liftsOf(boxes) {
   const taken = [];
@@ -23,7 +23,7 @@ export function liftsOf(boxes) {
   });
 }
 
-/** Where a share of a picture is that covers a window whatever its shape (`object-fit: cover`): pixels of the window. */
+/** The place, in pixels of a window, of a point (shares) in a picture that covers it (`object-fit: cover`). */
 export function coverPlace({ x, y }, picture, window) {
   const scale = Math.max(window.width / picture.width, window.height / picture.height);
   return {

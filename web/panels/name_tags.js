@@ -1,8 +1,8 @@
 import { coverPlace, liftsOf } from './name_layout.js';
 
 /**
- * Visitors' names over the picture, in the browser's fonts, which know every script: where the frame that is shown has
- * them, moved apart where they would overlap. They are text and nothing else.
+ * Visitors' names over the picture, in the browser's fonts, which cover every script. They follow the shown frame, and
+ * move apart if they would overlap. Names are plain text, never HTML.
  */
 export class NameTags {
   #element;
@@ -12,7 +12,7 @@ export class NameTags {
 
   /**
    * @param {HTMLElement} element covers the window
-   * @param {import('./people.js').People} people knows the names
+   * @param {import('./people.js').People} people
    * @param {Window} window
    */
   constructor(element, people, window) {
@@ -22,7 +22,9 @@ export class NameTags {
     window.addEventListener('resize', () => this.#forget());
   }
 
-  /** `labels`: visitor, place in the window (shares), opacity; the nearest first. Width and height: of the shown picture. */
+  /**
+   * `labels`: visitor, place in the window (shares) and opacity, nearest first. `width` and `height`: of the picture.
+   */
   show({ labels, width, height }) {
     this.#shown = { labels, width, height };
     const known = labels.filter(({ visitor }) => this.#people.find(visitor));
@@ -39,7 +41,7 @@ export class NameTags {
     known.forEach(({ visitor, opacity }, i) => this.#place(this.#tags.get(visitor), boxes[i], lifts[i], opacity));
   }
 
-  /** Fonts, sizes or names are others: every tag is made anew. */
+  /** Fonts, sizes or names have changed: makes every tag again. */
   #forget() {
     for (const [visitor, tag] of this.#tags) this.#remove(visitor, tag);
     this.show(this.#shown);
@@ -63,7 +65,7 @@ export class NameTags {
     this.#tags.delete(visitor);
   }
 
-  /** The lift has a transition of its own (style.css): the tag follows its figure at once. */
+  /** Only the lift has a transition (style.css), so that the tag follows its figure at once. */
   #place({ element, size }, box, lift, opacity) {
     element.style.transform = `translate(${box.x - size.width / 2}px, ${box.y - size.height}px)`;
     element.style.translate = `0 ${-(lift ?? 0)}px`;

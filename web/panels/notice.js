@@ -1,6 +1,6 @@
 import { kStates, kWaiting } from '../texts.js';
 
-/** The words in the middle of the page while there is no living picture. */
+/** The text in the middle of the page while there is no live picture. */
 export class Notice {
   #element;
   #title;
@@ -27,12 +27,12 @@ export class Notice {
     this.#element.hidden = false;
   }
 
-  /** How the wait for the world gets on, or, once one is in, for one of one's own; as in the message Waiting. */
+  /** Progress as in the message Waiting: for the world, or after Welcome (`isIn`) for a separate one. */
   wait({ place, percent, step, isIn }) {
     const title = isIn ? kWaiting.own : kWaiting.common;
     if (place === 1) this.#say(title, step ? `${capitalised(step)}\u2026` : kWaiting.moment);
     else this.#say(kWaiting.place(place), kWaiting.ahead(place - 1));
-    // Not among the words: a screen reader would say every percent of it.
+    // Not in the text: screen readers would read out every percent.
     this.#progress.hidden = place !== 1;
     this.#progress.value = percent;
     this.#button.hidden = true;
@@ -43,7 +43,7 @@ export class Notice {
     this.#element.hidden = true;
   }
 
-  /** What stays the same is left alone, or it would be read out again. */
+  /** Writes only changed texts, because screen readers read out each write. */
   #say(title, text) {
     if (this.#title.textContent !== title) this.#title.textContent = title;
     if (this.#text.textContent !== text) this.#text.textContent = text;

@@ -15,13 +15,13 @@ const kLimits = {
 };
 
 const ofStatus = (tell) => ({ status }) => status !== null && tell(status);
-/** A server before 1.3 does not tell its part of a picture's time. */
+/** Servers before 1.3 do not send Times. */
 const ofTimes = (part) => ({ times }) => times && milliseconds(times[part]);
 const ofSavings = (tell) => ({ amortization }) => amortization !== null && tell(amortization);
 const told = (value, tell) => known(value) !== null && tell(value);
 const atMost = (count) => (count === 0 ? kStatistics.noVisitors : kStatistics.atMost(whole(count)));
 
-/** What each row says about a reading; nothing where it is not known yet. */
+/** The text of each row, from a reading; falsy if unknown. */
 const kFigures = {
   fps: (reading) => kStatistics.framesPerSecond(reading.framesPerSecond),
   latency: (reading) => reading.latencyMs !== null && `${reading.latencyMs.toFixed(0)} ms`,
@@ -72,7 +72,7 @@ function addRows(list, { label, rows }) {
   }
 }
 
-/** The small panel of figures, the expert's below the simple ones; hidden until it is asked for. */
+/** The panel of statistics, with expert figures below the simple ones; hidden at first. */
 export class Overlay {
   #panel;
   #button;
@@ -81,8 +81,8 @@ export class Overlay {
   #timer;
 
   /**
-   * `panel` has a list with `data-rows` for each list in kRows; `read()` gives a reading of Telemetry and WorldStatistics,
-   * and `lateLook`, what becomes of that; `watch(shown)` is told when the panel appears and goes.
+   * `panel` has a list with `data-rows` for each list in kRows. `read()` returns a reading of Telemetry and
+   * WorldStatistics, with `lateLook`, its state. The overlay calls `watch(shown)` when it opens and closes.
    */
   constructor(panel, button, read, watch) {
     this.#panel = panel;
@@ -115,7 +115,7 @@ export class Overlay {
     }
     this.#list('line').hidden = reading.status === null;
     this.#list('savings').hidden = reading.amortization === null;
-    // A server that shares nothing, and an older one, have less to tell of this.
+    // Servers in private mode and older ones report fewer of these.
     for (const row of this.#list('savings').children) row.hidden = row.lastChild.textContent === kUnknown;
   }
 }

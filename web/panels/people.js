@@ -1,20 +1,20 @@
-/** Who is here, as the server told last. */
+/** The world's visitors, as in the newest message People. */
 export class People {
   #people = new Map();
   #listeners = [];
 
-  /** Oneself, by the server's number; `null` before the first welcome. */
+  /** The server's number of the page's visitor; `null` before the first Welcome. */
   self = null;
 
-  /** Visitors of other servers that show this world are out of reach. */
+  /** Visitors on other servers of this world are out of reach. */
   othersAreLost = false;
 
-  /** `listener()` hears of every change. */
+  /** Calls `listener()` after each change. */
   onChange(listener) {
     this.#listeners.push(listener);
   }
 
-  /** Takes over the message People. */
+  /** Applies the message People. */
   update({ othersAreLost, people }) {
     this.othersAreLost = othersAreLost;
     this.#people = new Map(
@@ -28,7 +28,7 @@ export class People {
     return this.#people.get(visitor);
   }
 
-  /** All of them, oneself first, the others in the order in which they came. */
+  /** All visitors: the page's own first, the others in order of arrival. */
   get all() {
     const isSelf = ({ visitor }) => visitor === this.self;
     const all = [...this.#people.values()];

@@ -1,10 +1,10 @@
 import { kHints } from '../texts.js';
 
-/** A guess is no more exact than this (s). */
+/** The precision of the estimate (s). */
 const kRounding = 5;
 const kLongestInSeconds = 90;
 
-/** The small line that says that the world gets finer while it is shown; no live region, for it changes each second. */
+/** A line about the improving detail of the world. No live region, because it changes each second. */
 export class Refining {
   #element;
 

@@ -1,14 +1,14 @@
 import { kPeople } from '../texts.js';
 
-/** The address to give to others: of this page, without what is one's own. */
+/** The page's address for others, without the visitor's own name. */
 export function sharedLink({ href }) {
   const url = new URL(href);
-  url.searchParams.delete('name');
+  for (const own of ['name', 'latency']) url.searchParams.delete(own);
   url.hash = '';
   return url.href;
 }
 
-/** The panel that lists who is here, and copies the link to this world. Hidden until it is asked for. */
+/** The panel that lists the visitors and copies the link to this world. Hidden at first. */
 export class Roster {
   #panel;
   #button;

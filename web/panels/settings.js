@@ -15,7 +15,7 @@ function name(value) {
   return [...value.replace(/\p{C}/gu, '').trim()].slice(0, kMaxNameLength).join('');
 }
 
-/** What a visitor gets who never changed anything. 0 is no limit. */
+/** The defaults; 0 is no limit. */
 export const kDefaults = Object.freeze({
   name: '',
   sensitivity: 1,
@@ -29,7 +29,7 @@ export const kDefaults = Object.freeze({
   keys: kDefaultKeys,
 });
 
-/** What becomes of any value for each setting: one that can be, or `undefined`. */
+/** For each setting: turns any value into a valid one, or `undefined`. */
 const kRepairs = {
   name,
   sensitivity,
@@ -43,7 +43,7 @@ const kRepairs = {
   keys: (value) => (value !== null && typeof value === 'object' ? repairKeys(value) : undefined),
 };
 
-/** The settings in `values` that can be, each put right; the others are left out. */
+/** The valid settings in `values`, repaired; omits all others. */
 function repaired(values) {
   const entries = Object.keys(kDefaults)
     .filter((key) => Object.hasOwn(Object(values), key))
@@ -53,14 +53,14 @@ function repaired(values) {
 
 const same = (a, b) => JSON.stringify(a) === JSON.stringify(b);
 
-/** A visitor's settings, kept by the browser where it keeps anything. */
+/** A visitor's settings, kept in the browser's storage if it provides any. */
 export class Settings {
   #storage;
   #values = kDefaults;
   #isKept = true;
   #listeners = [];
 
-  /** `storage()` gives the Storage; it may throw, as browsers do whose user forbids it. */
+  /** `storage()` returns the Storage. It may throw, as in browsers whose user forbids storage. */
   constructor(storage) {
     this.#storage = storage;
     this.#values = this.#read();
@@ -70,17 +70,17 @@ export class Settings {
     return this.#values;
   }
 
-  /** Whether they outlast the page. */
+  /** Whether the settings outlast the page. */
   get isKept() {
     return this.#isKept;
   }
 
-  /** `listener(values)` hears of every change. */
+  /** Calls `listener(values)` after each change. */
   onChange(listener) {
     this.#listeners.push(listener);
   }
 
-  /** Takes over some settings; what cannot be is left as it was. */
+  /** Changes some settings; invalid values have no effect. */
   change(values) {
     this.#become({ ...this.#values, ...repaired(values) });
     this.#write();
@@ -91,7 +91,7 @@ export class Settings {
     this.#write();
   }
 
-  /** Another page of this browser has changed them. */
+  /** For changes by another page of this browser. */
   reload() {
     this.#become(this.#read());
   }
@@ -110,7 +110,7 @@ export class Settings {
     }
   }
 
-  /** Only what differs from the defaults, so that better defaults reach those who never chose. */
+  /** Stores only differences from the defaults, so that better defaults reach visitors without a choice. */
   #write() {
     const chosen = Object.entries(this.#values).filter(([key, value]) => !same(value, kDefaults[key]));
     try {
@@ -122,7 +122,7 @@ export class Settings {
   }
 }
 
-/** The part of the settings that the server has to know. */
+/** The settings of the stream. */
 export function streamPreferences({ codec, framesPerSecond, kilobitsPerSecond, lines, lateLook }) {
   return { codec, framesPerSecond, kilobitsPerSecond, lines, lateLook };
 }

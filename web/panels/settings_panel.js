@@ -1,17 +1,17 @@
 import { kUnknown } from '../figures.js';
 import { kChoices, kSettings, kStatistics } from '../texts.js';
 
-/** How often the words about the stream of now change. Milliseconds. */
+/** Time between updates of the line about the stream. Milliseconds. */
 const kInterval = 500;
 
-/** The stream as it is now, from a reading of Telemetry. */
+/** The current stream, from a reading of Telemetry. */
 export function streamInWords({ codec, width, height, framesPerSecond, megabitsPerSecond }) {
   if (width === null) return kUnknown;
   const parts = [codec, `${width} \u00d7 ${height}`, kStatistics.framesPerSecond(framesPerSecond)];
   return [...parts, `${megabitsPerSecond.toFixed(1)} Mbit/s`].join(', ');
 }
 
-/** The value of a control in the type that the setting has. */
+/** The control's value in the setting's type. */
 function valueOf(control, setting) {
   if (control.type === 'checkbox') return control.checked;
   return typeof setting === 'number' ? Number(control.value) : control.value;
@@ -22,10 +22,7 @@ function addChoices(select) {
   select.append(...kChoices[select.dataset.setting].map(([value, text]) => option(value, text)));
 }
 
-/**
- * The visitor's settings, as a panel beside the world or, where there is no room beside it, over it. Changes are in
- * force at once.
- */
+/** The visitor's settings: a panel beside the world or, without room there, over it. Changes take effect at once. */
 export class SettingsPanel {
   #dialog;
   #button;
@@ -36,8 +33,9 @@ export class SettingsPanel {
 
   /**
    * @param {object} parts
-   * @param {HTMLDialogElement} parts.dialog has a control with `data-setting` for each setting but the keys; those with choices are filled here
-   * @param {HTMLButtonElement} parts.button opens and closes it; stays away where the browser knows no dialogs
+   * @param {HTMLDialogElement} parts.dialog has a control with `data-setting` for each setting but the keys; gets the
+   *     choices here
+   * @param {HTMLButtonElement} parts.button opens and closes it; hidden if the browser has no dialogs
    * @param {import('./settings.js').Settings} parts.settings
    * @param {() => object} parts.read a reading of Telemetry
    * @param {MediaQueryList} parts.narrow whether there is no room beside the world
@@ -66,12 +64,12 @@ export class SettingsPanel {
     else if (this.#dialog.show) this.#open();
   }
 
-  /** Words about what was done, for eyes and ears. */
+  /** Writes to the panel's live region. */
   say(text) {
     this.#dialog.querySelector('[role=status]').textContent = text;
   }
 
-  /** Shows a setting, or one `option` of it, as one that this browser cannot fulfil, and why. */
+  /** Disables a setting, or one `option` of it, because this browser cannot fulfil it; shows the reason. */
   disable(setting, reason, option = null) {
     const control = this.#control(setting);
     if (option === null) {
@@ -84,7 +82,7 @@ export class SettingsPanel {
     }
   }
 
-  /** Shows a setting as one that cannot be fulfilled for now, and why; '' if it can. */
+  /** Disables a setting for now, and shows the reason; '' enables it again. */
   explain(setting, reason) {
     const control = this.#control(setting);
     const words = this.#dialog.querySelector(`#${control.getAttribute('aria-describedby')}`);
@@ -97,7 +95,7 @@ export class SettingsPanel {
     return this.#dialog.querySelector(`[data-setting=${setting}]`);
   }
 
-  /** Only a modal dialog hears of Escape by itself; and who goes into the world has done with the panel. */
+  /** Browsers close only modal dialogs on Escape. A visitor who locks the pointer is done with the panel. */
   #listen(document) {
     document.addEventListener('keydown', (event) => {
       if (event.code === 'Escape' && this.#dialog.open) this.#dialog.close();
@@ -140,7 +138,7 @@ export class SettingsPanel {
     for (const control of this.#dialog.querySelectorAll('[data-setting]')) {
       const value = values[control.dataset.setting];
       if (control.type === 'checkbox') control.checked = value;
-      // What is being typed is put right once it is finished.
+      // Text is repaired after typing, not during it.
       else if (control.type !== 'text' || control !== control.ownerDocument.activeElement) control.value = value;
     }
     const times = values.sensitivity.toFixed(1);

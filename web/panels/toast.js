@@ -1,7 +1,7 @@
 /** Long enough to read a line (ms). */
 const kShownFor = 4000;
 
-/** A line that says what was just done, for eyes and ears, and goes by itself. `element` is a live region. */
+/** A line about the last action, which disappears by itself. `element` is a live region. */
 export class Toast {
   #element;
   #timers;

@@ -1,23 +1,23 @@
-/** A server that has not answered after so long (ms) does not answer. */
+/** After this long (ms) without an answer, the page takes the picture from the screen. */
 const kLongestWait = 3000;
 
 /**
- * Pictures for the visitor to keep: asked of the server, at the full wanted size and the finest quality, whatever the
- * stream is like; where that fails, what is on the screen.
+ * Pictures for screenshots: requested from the server, in the full wanted size and finest quality whatever the stream's
+ * are. If that fails, taken from the screen.
  */
 export class Capture {
   #send;
   #clock;
   #number = 0;
-  #asked = new Map();
+  #requests = new Map();
 
-  /** `send(command)` hands commands to the Receiver. `clock` is as `window`. */
+  /** `send(command)` passes commands to the Receiver. `clock` has the timers of `window`. */
   constructor({ send, clock }) {
     this.#send = send;
     this.#clock = clock;
   }
 
-  /** Promises a Blob: a JPEG of the server, or a PNG of the screen. */
+  /** Resolves to a Blob: a JPEG from the server, or a PNG of the screen. */
   async take() {
     const jpeg = await this.#ask('capture');
     if (jpeg) return new Blob([jpeg], { type: 'image/jpeg' });
@@ -26,10 +26,10 @@ export class Capture {
     return png;
   }
 
-  /** The receiver answers `number`; `picture` is `null` if there is none. A late answer finds nobody who asked. */
+  /** The receiver's answer to request `number`; `picture` may be `null`. Late answers have no effect. */
   answered({ number, picture }) {
-    const answer = this.#asked.get(number);
-    this.#asked.delete(number);
+    const answer = this.#requests.get(number);
+    this.#requests.delete(number);
     answer?.(picture);
   }
 
@@ -38,7 +38,7 @@ export class Capture {
     const number = this.#number;
     return new Promise((resolve) => {
       const timer = this.#clock.setTimeout(() => this.answered({ number, picture: null }), kLongestWait);
-      this.#asked.set(number, (picture) => {
+      this.#requests.set(number, (picture) => {
         this.#clock.clearTimeout(timer);
         resolve(picture);
       });

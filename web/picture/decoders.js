@@ -3,16 +3,17 @@ import { JpegDecoder, decodeJpegToFrame } from './jpeg_decoder.js';
 import { Codec } from '../stream/protocol.js';
 
 /**
- * How to make a decoder for each codec. Every decoder has `push(picture)` and `close()`, after which it tells nothing
- * more, and is made with what it calls:
+ * Makers of the decoders, by codec. A decoder has `push(picture)` and `close()`, after which it calls nothing. Its
+ * maker takes:
  *
- * - `onImage(image, picture)` hands over an ImageBitmap or a VideoFrame, to be closed by who takes it.
- * - `onFailure(error, picture)`: the picture, or the newest that was inside, cannot be decoded; make another decoder.
- *   `picture` is `null` if there was none.
- * - `onHeld(picture)`: all up to this one are inside for long; the server must not wait for their being shown.
+ * - `onImage(image, picture)`: passes on an ImageBitmap or a VideoFrame, which the callee closes.
+ * - `onFailure(error, picture)`: the picture, or the newest inside, cannot be decoded; make another decoder. `picture`
+ *   is `null` if there was none.
+ * - `onHeld(picture)`: all pictures up to this one are inside for long; the server must not wait until they are shown.
+ * - `software`: use no graphics card.
  *
- * `software` asks for a decoder that does not use the graphics card. To add a codec, add it here, to protocol.js and to
- * codecs.js. `paintsInSoftware`: so does the browser's canvas.
+ * `paintsInSoftware`: the browser paints canvases without a graphics card. To add a codec, add it here, to protocol.js
+ * and to codecs.js.
  */
 export function decoders(window, clock, paintsInSoftware = false) {
   const decode = paintsInSoftware && window.ImageDecoder ? decodeJpegToFrame : undefined;

@@ -1,18 +1,18 @@
 import { Codec } from '../stream/protocol.js';
 
-/** So many failures within this time (ms) are the codec's fault: fewer if it never worked at all. */
+/** This many failures within this time (ms) make a codec useless; fewer if it never worked. */
 const kFailures = 3;
 const kFailuresAtFirst = 2;
 const kFailureTime = 20_000;
 
-/** What a browser calls its taking back the decoder of a page that nobody looks at: nobody's fault. */
+/** The browser took the decoder back from a hidden page: the codec did not fail. */
 const kReclaimed = 'QuotaExceededError';
-/** The browser claims a codec and then refuses to make its decoder: trying again does not help. */
+/** The browser claims the codec, but refuses its decoder: retrying does not help. */
 const kRefused = 'NotSupportedError';
 
 /**
- * Turns pictures into images by the decoder of their codec, and gets over its failures: pictures that depend on one that
- * is missing are skipped until an independent one comes, which is asked for. What comes out never goes back in time.
+ * Turns pictures into images by the decoder of their codec, and recovers from its failures: skips pictures that depend
+ * on a missing one, and requests an independent one. Images never go back in time.
  */
 export class Decoding {
   #make;
@@ -29,12 +29,12 @@ export class Decoding {
 
   /**
    * @param {object} parts
-   * @param {object} parts.make as decoders.js
+   * @param {object} parts.make as decoders() returns it
    * @param {{now: Function}} parts.clock milliseconds
    * @param {object} parts.on
-   * @param {(image: ImageBitmap | VideoFrame, picture: object) => void} parts.on.image takes over the image
-   * @param {(picture: object) => void} parts.on.skipped this one and all before it will not be shown
-   * @param {(picture: object) => void} parts.on.broken it could not be decoded: an independent one is needed
+   * @param {(image: ImageBitmap | VideoFrame, picture: object) => void} parts.on.image owns the image
+   * @param {(picture: object) => void} parts.on.skipped it and all earlier ones will not be shown
+   * @param {(picture: object) => void} parts.on.broken cannot be decoded: an independent one is needed
    * @param {(codec: number, error: Error) => void} parts.on.useless the codec does not work in this browser
    */
   constructor({ make, clock, on }) {
@@ -43,7 +43,7 @@ export class Decoding {
     this.#on = on;
   }
 
-  /** Another connection, another count of frames: forgets all that is under way. */
+  /** For a new connection, which counts frames anew: drops all pending pictures. */
   reset() {
     this.#close();
     this.#codec = 0;
@@ -59,10 +59,10 @@ export class Decoding {
       this.#close();
       this.#codec = picture.codec;
     }
-    // Older servers send JPEG only and say nothing of it.
+    // Older servers send only JPEG, without this flag.
     if (picture.independent ?? true) this.#chain = 'whole';
     if (this.#chain !== 'whole') {
-      if (this.#chain === 'missing') this.#ask(picture);
+      if (this.#chain === 'missing') this.#request(picture);
       this.#on.skipped(picture);
       return;
     }
@@ -90,8 +90,8 @@ export class Decoding {
     this.#chain = 'missing';
   }
 
-  #ask(picture) {
-    this.#chain = 'asked';
+  #request(picture) {
+    this.#chain = 'requested';
     this.#on.broken(picture);
   }
 
@@ -112,7 +112,7 @@ export class Decoding {
       this.#useless.add(codec);
       this.#on.useless(codec, error);
     } else if (picture) {
-      this.#ask(picture);
+      this.#request(picture);
     }
     if (picture) this.#on.skipped(picture);
   }

@@ -1,6 +1,6 @@
 /**
- * Shows the newest picture at the next chance to paint. At most one waits; a newer one takes its place, and the
- * acknowledgement of the newer covers the older. Between pictures, the one on the screen is turned to the newest look.
+ * Paints the newest picture at the next opportunity. At most one waits; a newer one replaces it, and its
+ * acknowledgement covers the older. Between pictures, the one on the screen is turned to the newest look.
  */
 export class Display {
   #screen;
@@ -16,8 +16,8 @@ export class Display {
    * @param {import('./screen.js').Screen} parts.screen
    * @param {(callback: Function) => void} parts.schedule calls back when the screen can take a picture
    * @param {{now: Function}} parts.clock milliseconds
-   * @param {(paint: number) => void} parts.onTurned a turned picture was painted, in so many milliseconds
-   * @param {(picture: object, paint: number) => void} parts.onPresented painted in so many milliseconds
+   * @param {(paint: number) => void} parts.onTurned after painting a turned picture; `paint`: milliseconds
+   * @param {(picture: object, paint: number) => void} parts.onPresented after painting a new picture
    */
   constructor({ screen, schedule, clock, onTurned, onPresented }) {
     this.#screen = screen;
@@ -27,14 +27,14 @@ export class Display {
     this.#onPresented = onPresented;
   }
 
-  /** Takes over the image. */
+  /** Takes ownership of the image. */
   show(image, picture) {
     this.#waiting?.image.close();
     this.#waiting = { image, picture };
     this.#plan();
   }
 
-  /** The visitor looks elsewhere. */
+  /** For a changed look. */
   turn() {
     if (this.#screen.isBehind) this.#plan();
   }
@@ -63,7 +63,7 @@ export class Display {
     this.#onPresented(picture, this.#paint(() => this.#screen.show(image, picture)));
   }
 
-  /** Milliseconds that it took. */
+  /** Returns the milliseconds of painting. */
   #paint(draw) {
     const begin = this.#clock.now();
     draw();
@@ -73,13 +73,13 @@ export class Display {
   }
 }
 
-/** Slower than this (ms between paints) and an older server would take a hidden page for a dead one. */
+/** With more time (ms) between paints, older servers would drop a hidden page. */
 const kHiddenInterval = 1000;
 
 /**
- * Schedules paints: with the screen while the page is visible, else once a second, so that a page in the background
- * keeps its place in the world; a server of today sends it nothing, an older one next to nothing. `visibility` is a document or
- * a Visibility.
+ * Schedules paints: with the screen while the page is visible, else once a second, so that a hidden page keeps its
+ * place in the world. Current servers send it nothing, older ones almost nothing. `visibility` is a document or a
+ * Visibility.
  */
 export function paintScheduler(visibility) {
   return (callback) => {

@@ -1,4 +1,4 @@
-/** Fills the screen and back. Where the browser cannot (most phones), the button stays away. Older Safari: prefixed. */
+/** Toggles full screen. Hides the button if the browser has none (most phones). Older Safari has prefixed names. */
 export class Fullscreen {
   #document;
 
@@ -18,7 +18,7 @@ export class Fullscreen {
       if (this.#isOn) await (document.exitFullscreen ?? document.webkitExitFullscreen).call(document);
       else await (root.requestFullscreen ?? root.webkitRequestFullscreen)?.call(root);
     } catch {
-      // Refused by the browser or its user: the page stays as it is.
+      // The browser or its user refuses: the page stays as it is.
     }
   }
 

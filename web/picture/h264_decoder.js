@@ -1,17 +1,17 @@
 import { HoldWatch } from './hold_watch.js';
 
-/** More chunks than this before the decoder are a backlog that only grows old: half a second at 60 a second. */
+/** More chunks than this before the decoder only get stale: half a second at 60 a second. */
 const kLongestQueue = 30;
 const kSequenceParameters = 7;
 
-/** The decoder keeps pictures back until newer ones come: each is shown too late, and the last one never. */
+/** The decoder holds pictures back until newer ones come: each is shown late, and the last one never. */
 export class HoldsBack extends Error {
   name = 'HoldsBack';
 }
 
 /**
- * The codec's full name (profile, constraints and level, as in `avc1.42E01F`), out of the parameter sets that an
- * independent picture in Annex B begins with; `null` if it has none.
+ * The codec's full name (profile, constraints and level, such as `avc1.42E01F`), from the parameter sets at the start
+ * of an independent picture in Annex B; `null` without them.
  */
 export function codecName(bytes) {
   for (let i = 0; i + 6 < bytes.length; i += 1) {
@@ -24,8 +24,8 @@ export function codecName(bytes) {
 }
 
 /**
- * Decodes H.264 in Annex B by the browser's VideoDecoder. Pictures depend on those before them, so the first one pushed
- * must be independent, and after a failure nothing comes out any more. As in decoders.js.
+ * Decodes H.264 in Annex B by the browser's VideoDecoder; a decoder as in decoders.js. Pictures depend on earlier ones,
+ * so the first must be independent, and a failure ends all output.
  */
 export class H264Decoder {
   #EncodedVideoChunk;
@@ -35,13 +35,13 @@ export class H264Decoder {
   #watch;
   #configured = '';
   #inside = new Map();
-  #kept = [];
+  #deferred = [];
 
   /**
    * @param {object} parts
    * @param {{VideoDecoder: Function, EncodedVideoChunk: Function}} parts.window
    * @param {object} parts.clock
-   * @param {boolean} parts.software not by the graphics card, which may keep pictures back
+   * @param {boolean} parts.software without the graphics card, which may hold pictures back
    */
   constructor({ window, clock, software, onImage, onFailure, onHeld }) {
     this.#EncodedVideoChunk = window.EncodedVideoChunk;
@@ -55,14 +55,14 @@ export class H264Decoder {
       clock,
       on: {
         rest: () => this.#on?.held([...this.#inside.values()].at(-1)),
-        holds: () => this.#fail(new HoldsBack(`the decoder keeps ${this.#inside.size} pictures back`)),
-        tested: () => this.#giveKept(),
+        holds: () => this.#fail(new HoldsBack(`the decoder holds ${this.#inside.size} pictures back`)),
+        tested: () => this.#pushDeferred(),
       },
     });
   }
 
   push(picture) {
-    if (this.#watch.testing) this.#kept.push(picture);
+    if (this.#watch.testing) this.#deferred.push(picture);
     else this.#put(picture);
   }
 
@@ -87,7 +87,7 @@ export class H264Decoder {
     this.#watch.put(this.#inside.size);
   }
 
-  /** Anew for every other size: not every decoder takes one from the stream alone. */
+  /** Again for each new size: some decoders do not take it from the stream. */
   #configure({ picture, width, height }) {
     const codec = codecName(picture);
     if (!codec) throw new Error('an independent picture has no parameter sets');
@@ -109,19 +109,19 @@ export class H264Decoder {
       frame.close();
       return;
     }
-    // Without B pictures all come out in their order: what is older will not come any more.
+    // Without B pictures the order stays: older pictures will not come any more.
     for (const timestamp of this.#inside.keys()) if (timestamp <= frame.timestamp) this.#inside.delete(timestamp);
     this.#on.image(frame, picture);
     this.#watch.out(this.#inside.size, this.#inside.size - this.#decoder.decodeQueueSize);
   }
 
-  #giveKept() {
-    const kept = this.#kept;
-    this.#kept = [];
-    for (const picture of kept) this.push(picture);
+  #pushDeferred() {
+    const deferred = this.#deferred;
+    this.#deferred = [];
+    for (const picture of deferred) this.push(picture);
   }
 
   #fail(error) {
-    this.#on?.failure(error, [...this.#inside.values(), ...this.#kept].at(-1) ?? null);
+    this.#on?.failure(error, [...this.#inside.values(), ...this.#deferred].at(-1) ?? null);
   }
 }

@@ -1,17 +1,17 @@
-/** A decoder out of which nothing comes for so long (ms), though nothing else goes in, is keeping it back. */
+/** A rest: nothing goes in or comes out for this long (ms), though pictures are inside. */
 const kLongestRest = 250;
-/** So many rests in a row, without the decoder ever running empty, are no accident. */
+/** This many rests, without the decoder running empty in between, prove that it holds pictures back. */
 const kAccidents = 3;
-/** Before the first picture, it may still be made ready. */
+/** More rests before the first picture: the decoder may still be starting. */
 const kAccidentsAtFirst = 12;
-/** So many pictures in a row that came out only after a newer one had gone in ask for a closer look. */
+/** This many pictures in a row that came out only after a newer one went in start a test. */
 const kSuspicious = 30;
-/** Each look that finds nothing makes the next one so many times rarer: it costs a hitch. */
+/** Each test without a finding makes the next this many times rarer, because a test costs a hitch. */
 const kPatienceGrowth = 4;
 
 /**
- * Finds out whether a decoder keeps pictures back until newer ones push them out, as some hardware decoders do whatever
- * they are told. That is not the same as being slow: given nothing more, a slow one ends by handing out all it has.
+ * Detects whether a decoder holds pictures back until newer ones push them out, as some hardware decoders do whatever
+ * their configuration. A slow decoder differs: without more input, it outputs everything in the end.
  */
 export class HoldWatch {
   #clock;
@@ -27,15 +27,15 @@ export class HoldWatch {
   /**
    * @param {object} parts
    * @param {{setTimeout: Function, clearTimeout: Function}} parts.clock
-   * @param {{rest: Function, holds: Function, tested: Function}} parts.on `rest()`: nothing came out for a while;
-   *     `holds()`: it keeps pictures back for certain; `tested()`: it does not, and may be fed again
+   * @param {{rest: Function, holds: Function, tested: Function}} parts.on `rest()`: no output for a while;
+   *     `holds()`: it certainly holds pictures back; `tested()`: it does not, and may get input again
    */
   constructor({ clock, on }) {
     this.#clock = clock;
     this.#on = on;
   }
 
-  /** Whether the decoder must be given nothing for now, so that it shows whether it hands out what it has. */
+  /** Whether a test runs: the decoder must get no input, to show whether it outputs all it has. */
   get testing() {
     return this.#testing;
   }
@@ -46,7 +46,7 @@ export class HoldWatch {
     this.#rearm();
   }
 
-  /** One came out, and these many are still inside; of them, the decoder has begun `begun`. */
+  /** One came out; `inside` remain, of which the decoder has begun `begun`. */
   out(inside, begun) {
     this.#inside = inside;
     this.#accidents = kAccidents;

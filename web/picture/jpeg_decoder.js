@@ -3,7 +3,7 @@ function decodeJpeg(picture) {
   return createImageBitmap(new Blob([picture], { type: 'image/jpeg' }));
 }
 
-/** The same into a VideoFrame, which where the browser works in software takes a third of the time. */
+/** Decodes into a VideoFrame: in browsers without a graphics card, this takes a third of the time. */
 export async function decodeJpegToFrame(picture) {
   const decoder = new ImageDecoder({ type: 'image/jpeg', data: picture, colorSpaceConversion: 'none' });
   try {
@@ -13,7 +13,7 @@ export async function decodeJpegToFrame(picture) {
   }
 }
 
-/** Decodes JPEGs, each by itself: they may come out in another order than they went in. As in decoders.js. */
+/** Decodes JPEGs independently, so their order may change; a decoder as in decoders.js. */
 export class JpegDecoder {
   #decode;
   #onImage;

@@ -9,8 +9,8 @@ void main() {
   gl_Position = vec4(place, 0.0, 1.0);
 }`;
 
-// Beyond the picture its edge goes on, ever darker and, along the edge, ever more blurred: what is not known yet is not
-// shown as if it were.
+// Beyond the picture its edge continues, ever darker and, along the edge, more blurred: unknown areas must not look
+// real.
 const kFragmentShader = `
 precision highp float;
 uniform sampler2D picture;
@@ -32,7 +32,7 @@ void main() {
   gl_FragColor = vec4(colour, 1.0);
 }`;
 
-// Software WebGL turns a picture slower than the server sends the next one, on the processor that decodes it.
+// Software WebGL turns a picture more slowly than the server sends the next, on the processor that decodes it.
 const kContext = Object.freeze({
   alpha: false,
   antialias: false,
@@ -65,10 +65,12 @@ function link(gl) {
 }
 
 /**
- * Turns a picture to another direction, on a canvas of its own: turned, not moved, which needs no depth. So a turn of the
- * head shows at the next frame of the screen instead of after a round trip.
+ * Turns a picture to another direction, on its own canvas. It turns without moving, which needs no depth. So a turn of
+ * the head shows at the screen's next frame instead of after a round trip.
  */
 export class LateLook {
+  /** Whether it has no copy of an image; a lost context loses its copy. */
+  isEmpty = true;
   #canvas;
   #gl;
   #onChange;
@@ -77,14 +79,14 @@ export class LateLook {
   #ready;
   #isTooSlow = false;
 
-  /** `canvas` is one that nobody sees; `onChange()`: `isReady` has changed, as a graphics card may lose what it held. */
+  /** `canvas` is hidden. `onChange()`: `isReady` has changed, as a graphics card may lose its contexts. */
   constructor(canvas, onChange) {
     this.#canvas = canvas;
     this.#onChange = onChange;
     this.#gl = canvas.getContext('webgl', kContext);
     this.#ready = this.#prepare();
     canvas.addEventListener('webglcontextlost', (event) => {
-      event.preventDefault(); // or it never comes back
+      event.preventDefault(); // else the browser never restores the context
       this.#become(false);
     });
     canvas.addEventListener('webglcontextrestored', () => this.#become(this.#prepare()));
@@ -95,19 +97,19 @@ export class LateLook {
     return this.hindrance === '';
   }
 
-  /** Why it is not ready, in a few words, or ''. */
+  /** The reason why it is not ready, in a few words, or ''. */
   get hindrance() {
     if (this.#isTooSlow) return 'too slow';
     return this.#ready ? '' : 'no fast WebGL';
   }
 
-  /** Turning takes too long in this browser: it is not ready any more until the page is reloaded. */
+  /** Turning takes too long in this browser: not ready until the page is reloaded. */
   giveUp() {
     this.#isTooSlow = true;
     this.#onChange();
   }
 
-  /** Takes a copy of the image (ImageBitmap, VideoFrame or ImageData), and the size of its window. */
+  /** Copies the image (ImageBitmap, VideoFrame or ImageData); the canvas gets the size of its window. */
   take(image, picture) {
     const gl = this.#gl;
     const { width, height } = windowOf(picture);
@@ -118,9 +120,10 @@ export class LateLook {
     }
     gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA, gl.RGBA, gl.UNSIGNED_BYTE, image);
     gl.uniform2f(this.#halfPixel, 0.5 / picture.width, 0.5 / picture.height);
+    this.isEmpty = false;
   }
 
-  /** What was taken, turned by these angles (radians): a canvas that holds it until the end of this task. */
+  /** The copy, turned by these angles (radians), on a canvas that holds it until the end of this task. */
   turned(picture, turn) {
     const gl = this.#gl;
     gl.uniformMatrix3fv(this.#look, false, lookMatrix(picture, turn));
@@ -130,10 +133,11 @@ export class LateLook {
 
   #become(ready) {
     this.#ready = ready;
+    this.isEmpty = true;
     this.#onChange();
   }
 
-  /** Makes what a new or a restored context lacks; whether that went well. */
+  /** Sets up a new or restored context. Returns whether that worked. */
   #prepare() {
     const gl = this.#gl;
     const program = gl && !isSoftware(gl) && link(gl);

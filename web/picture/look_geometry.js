@@ -1,14 +1,16 @@
-/** Nearer than this (radians), two directions are the same: the stream carries 32-bit floats. */
+/** Directions closer than this (radians) are equal: the stream carries 32-bit floats. */
 const kSameAngle = 1e-5;
-/** Of half a picture's angle: turned further, there would be more invented than seen in the window. */
+/**
+ * The largest turn, as a share of half the picture's angle: beyond it, more of the window would be invented than seen.
+ */
 const kFurthestTurn = 0.8;
 
-/** For what a division leaves of a whole number. */
+/** Tolerance for the rounding of a division. */
 const kRounding = 1e-6;
 
 /**
- * The pixels of a picture that the window shows: its middle, without the border. What is cut off is even, so that the
- * pixels of the window fall on pixels of the picture, and rounded down, as the server rounds down the whole picture.
+ * The size of the window in a picture: its middle, without the border. The number of cut pixels is even, so that the
+ * window's pixels fall on the picture's, and rounded down, as the server rounds down the whole picture.
  */
 export function windowOf({ width, height, border = 0 }) {
   const inner = (side) => side - 2 * Math.floor((side - side / (1 + border / 100)) / 2 + kRounding);
@@ -28,7 +30,9 @@ function axes({ yaw, pitch }) {
 const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 const within = (value, limit) => Math.min(limit, Math.max(-limit, value));
 
-/** From the picture's direction to the look's, in radians, as far as the picture goes; zeros where they are the same. */
+/**
+ * The turn from the picture's direction to the look (radians), as far as the picture goes; zeros for equal directions.
+ */
 export function turnOf(picture, look) {
   const whole = 2 * Math.PI;
   const yaw = look.yaw - picture.yaw;
@@ -42,8 +46,8 @@ export function turnOf(picture, look) {
 }
 
 /**
- * Where a point of the picture, in shares of its width and height from the top left, is in the window, in shares of the
- * window's; `null` if it is beyond it. The way back of lookMatrix().
+ * The place in the window of a point in the picture, both as shares of width and height from the top left; `null`
+ * outside the window. The inverse of lookMatrix().
  */
 export function windowPlace(picture, turn, { x, y }) {
   const inner = windowOf(picture);
@@ -62,12 +66,12 @@ export function windowPlace(picture, turn, { x, y }) {
 }
 
 /**
- * The homography from the window to the picture, for a camera that only turns: of a point (x, y) of the window, each -1
- * to 1 and y upwards, `matrix * (x, y, 1)` is (s, t, q), and (s / q, t / q) the place in the picture: 0 to 1, t
+ * The homography from the window to the picture, for a camera that only turns. For a point (x, y) of the window, each
+ * -1 to 1 and y upwards, `matrix * (x, y, 1)` is (s, t, q), and (s / q, t / q) the place in the picture: 0 to 1, t
  * downwards. Nine numbers, column by column, as WebGL takes them.
  *
- * `picture` has width, height, border, yaw, pitch, tanHalfX and tanHalfY of the message Picture; without these, as in
- * the message Frame, and for no turn, the window is the picture's middle.
+ * `picture` has width, height, border, yaw, pitch, tanHalfX and tanHalfY of the message Picture. Without a camera, as
+ * in the message Frame, only no turn is possible: then the window is the picture's middle.
  */
 export function lookMatrix(picture, turn) {
   const inner = windowOf(picture);

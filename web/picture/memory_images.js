@@ -1,7 +1,7 @@
 /**
- * Copies decoded pictures into memory before they are painted. Where the browser paints in software, drawing a VideoFrame of
- * 720 lines takes some 17 ms, most of it to convert colours; the browser's own conversion into memory takes 1 ms, and to
- * put that onto a canvas next to nothing. With a graphics card the reverse holds.
+ * Copies decoded pictures into memory before painting. If the browser paints in software, drawing a VideoFrame of 720
+ * lines takes some 17 ms, mostly to convert colours; the browser's conversion into memory takes 1 ms, and painting the
+ * copy almost nothing. With a graphics card the reverse holds.
  */
 export class MemoryImages {
   #makeData;
@@ -15,12 +15,12 @@ export class MemoryImages {
     this.#makeData = makeData;
   }
 
-  /** Hands the image on to `show(image)`, as `{ imageData, close() }` if it is a VideoFrame that can be copied. */
+  /** Passes the image to `show(image)`, as `{ imageData, close() }` if it is a VideoFrame that can be copied. */
   async pass(image, show) {
     this.#passed += 1;
     const number = this.#passed;
     const copied = await this.#copy(image);
-    // A copy that was overtaken is old.
+    // A newer copy was faster.
     if (number < this.#shown) {
       copied.close();
       return;
@@ -34,7 +34,7 @@ export class MemoryImages {
     const { displayWidth: width, displayHeight: height } = image;
     const data = this.#take(width, height);
     try {
-      // A browser that does not convert would copy its planes as they are.
+      // A browser without the conversion would copy the planes unchanged.
       if (image.allocationSize({ format: 'RGBA' }) !== data.data.byteLength) throw new Error('no conversion');
       await image.copyTo(data.data, { format: 'RGBA' });
     } catch {
@@ -45,7 +45,7 @@ export class MemoryImages {
     return { imageData: data, close: () => this.#free.push(data) };
   }
 
-  /** Room of this size, if possible used before; that of other sizes is let go. */
+  /** A buffer of this size, reused if possible. Drops those of other sizes. */
   #take(width, height) {
     this.#free = this.#free.filter((data) => data.width === width && data.height === height);
     return this.#free.pop() ?? this.#makeData(width, height);

@@ -3,8 +3,8 @@ import { turnOf, windowOf } from './look_geometry.js';
 const kNoTurn = Object.freeze({ yaw: 0, pitch: 0 });
 
 /**
- * Where pictures are painted: as they are while the visitor looks where their camera did, else turned by late look, whose
- * cost is so paid only while somebody turns.
+ * Paints pictures: unchanged while the visitor looks in their camera's direction, else turned by late look. So late
+ * look costs time only during a turn.
  */
 export class Screen {
   #canvas;
@@ -18,11 +18,11 @@ export class Screen {
 
   /**
    * @param {object} parts
-   * @param {HTMLCanvasElement | OffscreenCanvas} parts.canvas takes each picture's size; the style sheet fits it into the window
+   * @param {HTMLCanvasElement | OffscreenCanvas} parts.canvas gets each picture's size; the style sheet fits it in
    * @param {import('./late_look.js').LateLook} parts.lateLook
-   * @param {() => {yaw: number, pitch: number} | null} parts.look the newest direction, in radians; `null` to leave
-   *     pictures as they are
-   * @param {(picture: object, turn: {yaw: number, pitch: number}) => void} parts.onPaint what is on the screen now
+   * @param {() => {yaw: number, pitch: number} | null} parts.look the newest direction, in radians; `null`: turn no
+   *     pictures
+   * @param {(picture: object, turn: {yaw: number, pitch: number}) => void} parts.onPaint after each paint
    */
   constructor({ canvas, lateLook, look, onPaint }) {
     this.#canvas = canvas;
@@ -32,21 +32,21 @@ export class Screen {
     this.#onPaint = onPaint;
   }
 
-  /** Shows a new picture and takes over its image. */
+  /** Shows a new picture, and takes ownership of its image. */
   show(image, picture) {
     this.freeze();
     this.#shown = { image, picture };
     this.#paint(this.#wanted());
   }
 
-  /** Whether the picture on the screen looks elsewhere than the visitor. */
+  /** Whether the direction on the screen differs from the visitor's. */
   get isBehind() {
     if (!this.#shown) return false;
     const { yaw, pitch } = this.#wanted();
     return yaw !== this.#turn.yaw || pitch !== this.#turn.pitch;
   }
 
-  /** Whether the picture on the screen is turned, which costs more than to paint it as it is. */
+  /** Whether the picture on the screen is turned, which costs more time. */
   get isTurned() {
     return this.#turn.yaw !== 0 || this.#turn.pitch !== 0;
   }
@@ -56,7 +56,7 @@ export class Screen {
     if (this.isBehind) this.#paint(this.#wanted());
   }
 
-  /** What is on the screen stays as it is until the next picture. */
+  /** Keeps the screen as it is until the next picture. */
   freeze() {
     this.#shown?.image.close();
     this.#shown = null;
@@ -79,7 +79,7 @@ export class Screen {
   #draw(turn) {
     const { image, picture } = this.#shown;
     const { width, height } = windowOf(picture);
-    // Setting the size clears the canvas, so it happens only when it changes and in one go with the drawing: no flash.
+    // Setting the size clears the canvas, so it happens only on a change, and together with drawing, to avoid a flash.
     if (this.#canvas.width !== width || this.#canvas.height !== height) {
       this.#canvas.width = width;
       this.#canvas.height = height;
@@ -90,7 +90,7 @@ export class Screen {
       else this.#context.drawImage(image, left, top, width, height, 0, 0, width, height);
       return;
     }
-    if (!this.#taken) this.#lateLook.take(image.imageData ?? image, picture);
+    if (!this.#taken || this.#lateLook.isEmpty) this.#lateLook.take(image.imageData ?? image, picture);
     this.#taken = true;
     this.#context.drawImage(this.#lateLook.turned(picture, turn), 0, 0);
   }

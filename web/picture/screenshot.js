@@ -1,27 +1,27 @@
 import { kPictures } from '../texts.js';
 
-/** Browsers still read from the address for a while after the click. Milliseconds. */
+/** Browsers read from the address for some time after the click. Milliseconds. */
 const kAddressKeptFor = 60_000;
 const kEndings = Object.freeze({ 'image/png': 'png', 'image/jpeg': 'jpg' });
 
-/** `grove-2026-03-01-174205.png`, by the visitor's clock; JPEGs, as the server sends them, end in `.jpg`. */
+/** `grove-2026-03-01-174205.png`, in the visitor's time. The server's JPEGs end in `.jpg`. */
 export function pictureName(date, type = 'image/png') {
   const two = (value) => String(value).padStart(2, '0');
   const day = [date.getFullYear(), two(date.getMonth() + 1), two(date.getDate())].join('-');
   return `grove-${day}-${two(date.getHours())}${two(date.getMinutes())}${two(date.getSeconds())}.${kEndings[type]}`;
 }
 
-/** What a 2D canvas shows, on the page or in a worker, as a PNG. */
+/** The content of a 2D canvas, on the page or in a worker, as a PNG. */
 export function takePicture(canvas) {
   if (canvas.convertToBlob) return canvas.convertToBlob({ type: 'image/png' });
   return new Promise((resolve, reject) => {
-    canvas.toBlob((blob) => (blob ? resolve(blob) : reject(new Error('the canvas gives no picture'))), 'image/png');
+    canvas.toBlob((blob) => (blob ? resolve(blob) : reject(new Error('the canvas has no picture'))), 'image/png');
   });
 }
 
 /**
- * Hands the file to the visitor: as a download, or where the browser has none, to share, or in a page of its own.
- * Resolves to what became of it, in words.
+ * Gives the file to the visitor: as a download, or in browsers without, shared or in a new page. Resolves to a text
+ * about the result.
  */
 export async function saveFile(window, file) {
   const { document, navigator, URL } = window;
@@ -42,7 +42,7 @@ export async function saveFile(window, file) {
   return kPictures.opened;
 }
 
-/** Keeps the present picture as a file, and says so. */
+/** Saves the current picture as a file, and reports it. */
 export class Screenshot {
   #take;
   #save;
@@ -50,8 +50,8 @@ export class Screenshot {
 
   /**
    * @param {object} parts
-   * @param {() => Promise<Blob>} parts.take the present picture
-   * @param {(file: File) => Promise<string>} parts.save says what became of it
+   * @param {() => Promise<Blob>} parts.take the current picture
+   * @param {(file: File) => Promise<string>} parts.save resolves to a text about the result
    * @param {(text: string) => void} parts.say
    */
   constructor({ take, save, say }) {
@@ -66,7 +66,7 @@ export class Screenshot {
       const { type } = picture;
       this.#say(await this.#save(new File([picture], pictureName(new Date(), type), { type })));
     } catch (error) {
-      // The visitor thought better of sharing it.
+      // The visitor cancelled sharing.
       if (error.name !== 'AbortError') this.#say(kPictures.failed);
     }
   }

@@ -1,18 +1,17 @@
 const kMaxWidth = 1920;
 const kMaxHeight = 1080;
-/** In the hand, a screen is so small and so dense that more pixels are seen by nobody, but paid for by all. */
+/** Phone screens are small and dense: more pixels would cost everybody time, and be invisible. */
 const kMaxLongSideInHand = 1280;
 const kMaxShortSideInHand = 720;
-/** CSS pixels: the short side of the largest phones is under 500, that of the smallest tablets over 700. */
+/** CSS pixels: the short side is under 500 on the largest phones, over 700 on the smallest tablets. */
 const kLargestPhone = 600;
 /** The protocol refuses a side below this. */
 const kMinSide = 16;
-/** A drag of the window's edge asks for one new size, not for fifty. */
+/** A drag of the window's edge must request one new size, not fifty. Milliseconds. */
 const kSettleTime = 200;
 
 /**
- * The frame to ask for, in pixels, for a window of CSS pixels: bounded, with the window's shape. `coarse`: it is pointed
- * at with fingers.
+ * The frame to request, in pixels, for a window in CSS pixels: bounded, in the window's shape. `coarse`: fingers point.
  */
 export function fitStream(width, height, pixelRatio, coarse) {
   const [long, short] = [Math.max(width, height, 1), Math.max(Math.min(width, height), 1)];
@@ -26,7 +25,7 @@ export function fitStream(width, height, pixelRatio, coarse) {
   return { width: side(width), height: side(height) };
 }
 
-/** Watches the window's size and pixel ratio; `onSize` hears of each new wanted size once it has settled. */
+/** Watches the window's size and pixel ratio. Calls `onSize` with each new wanted size after it has settled. */
 export class Viewport {
   #window;
   #onSize;
@@ -39,7 +38,6 @@ export class Viewport {
     this.#watchPixelRatio();
   }
 
-  /** The wanted size now. */
   get size() {
     const { innerWidth, innerHeight, devicePixelRatio } = this.#window;
     const coarse = this.#window.matchMedia('(pointer: coarse)').matches;

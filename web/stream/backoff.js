@@ -3,8 +3,8 @@ const kLongestDelay = 5000;
 const kSpread = 0.2;
 
 /**
- * Delays between attempts to reach the server, in milliseconds: each twice the one before, up to five seconds. They are
- * spread by a fifth so that many visitors do not return in the same instant.
+ * Delays (ms) between attempts to reach the server: each doubles the one before, up to five seconds. A random spread of
+ * a fifth keeps visitors from returning all at the same moment.
  */
 export class Backoff {
   #random;

@@ -1,9 +1,9 @@
 import { kSettings } from '../texts.js';
 
-/** Constrained Baseline, as the server's encoder writes it, level 4: 1080 lines at 30 frames a second. */
+/** The profile of the server's encoder, Constrained Baseline, at level 4: 1080 lines at 30 frames/s. */
 const kH264 = 'avc1.42E028';
 
-/** Why this browser cannot show H.264 here, or ''. */
+/** The reason why this browser cannot show H.264 here, or ''. */
 export async function h264Hindrance({ isSecureContext, VideoDecoder }) {
   if (!isSecureContext) return kSettings.insecure;
   if (!VideoDecoder) return kSettings.noWebCodecs;

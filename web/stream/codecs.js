@@ -1,11 +1,11 @@
 import { Codec, kCodecNames } from './protocol.js';
 
 const kMark = 'grove.failed-codecs';
-/** Constrained Baseline at the levels of 720 and 1080 lines; a browser that has one but not the other is of no use. */
+/** Constrained Baseline at the levels of 720 and 1080 lines; the page needs both. */
 const kH264Levels = ['avc1.42E01F', 'avc1.42E028'];
-/** Who takes longer to answer (ms) than a visitor waits gladly does without. */
-const kLongestQuestion = 1000;
-/** By what a visitor may ask for by name. */
+/** A browser that takes longer to answer (ms) gets JPEG, so that the visitor does not wait. */
+const kLongestAnswerTime = 1000;
+/** Codecs that a visitor can choose by name. */
 const kForced = Object.freeze({ h264: Codec.h264, jpeg: Codec.jpeg });
 
 async function claimsH264(VideoDecoder) {
@@ -17,34 +17,34 @@ async function claimsH264(VideoDecoder) {
 }
 
 /**
- * The codecs that this page can decode, the best first: what the browser claims, less what has failed in spite of it.
- * A failure is remembered as long as the tab lives, where the browser keeps storage for it.
+ * The codecs that this page can decode, best first: those that the browser claims, without those that failed. Failures
+ * are kept for the tab's life, if the browser provides storage.
  */
 export class Codecs {
   #window;
   #claimed = [];
   #failed = new Set();
 
-  /** Of `window`: `VideoDecoder`, which browsers have in secure contexts only, `sessionStorage` and `setTimeout`. */
+  /** `window` has `sessionStorage`, `setTimeout` and, in secure contexts only, `VideoDecoder`. */
   constructor(window) {
     this.#window = window;
     try {
       for (const codec of JSON.parse(window.sessionStorage.getItem(kMark) ?? '[]')) this.#failed.add(codec);
     } catch {
-      // No storage, or not what we wrote: nothing has failed so far.
+      // No storage, or foreign content: no codec has failed so far.
     }
   }
 
-  /** Asks the browser; until that resolves, the page can decode JPEG only. Never rejects. */
+  /** Queries the browser. Until it resolves, the page can decode JPEG only. Never rejects. */
   async ask() {
-    const late = new Promise((resolve) => this.#window.setTimeout(() => resolve(false), kLongestQuestion));
+    const late = new Promise((resolve) => this.#window.setTimeout(() => resolve(false), kLongestAnswerTime));
     const claims = await Promise.race([claimsH264(this.#window.VideoDecoder).catch(() => false), late]);
     this.#claimed = claims ? [Codec.h264] : [];
   }
 
   /**
-   * What to offer; `preference` is `auto`, `h264` or `jpeg`. The server may choose among what is offered, so a codec that
-   * is asked for stands alone. JPEG is offered where nothing else works: every browser has it.
+   * The codecs to offer; `preference` is `auto`, `h264` or `jpeg`. The server may choose any offered codec, so a
+   * preferred one is offered alone. JPEG is the fallback, because every browser has it.
    */
   offer(preference) {
     const usable = [...this.#claimed.filter((codec) => !this.#failed.has(codec)), Codec.jpeg];
@@ -53,18 +53,18 @@ export class Codecs {
     return wanted.length > 0 ? wanted : [Codec.jpeg];
   }
 
-  /** Leaves a codec that does not work out of every further offer. */
+  /** Excludes a failed codec from all later offers. */
   drop(codec) {
     this.#failed.add(codec);
     try {
       this.#window.sessionStorage.setItem(kMark, JSON.stringify([...this.#failed]));
     } catch {
-      // Then it is tried again after a reload.
+      // Then the page tries the codec again after a reload.
     }
   }
 }
 
-/** The codecs' names, as an offer is told to people. */
+/** For messages: `H.264, JPEG`. */
 export function namesOf(codecs) {
   return codecs.map((codec) => kCodecNames[codec]).join(', ');
 }

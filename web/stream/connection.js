@@ -15,18 +15,21 @@ import {
   kMeasuringProtocols,
 } from './protocol.js';
 
-/** After this long without a word from the server (ms), the connection counts as lost. */
+/** After this long without a message (ms), the connection counts as lost. */
 const kLongestSilence = 10_000;
-/** A server that adapts its stream says something twice a second; after this long (ms), the visitor is told. */
+/**
+ * Servers of 1.2 and later send something twice a second: after this long without a message (ms), the page shows a
+ * notice.
+ */
 const kShortSilence = 1500;
-/** A page that was itself held up for longer than this (ms) has words of the server before it, unread. */
-const kHeldUp = 250;
-/** When the server is full, the page knocks again after this long (ms). */
+/** A page that stalled for longer than this (ms) may have unread messages. */
+const kStall = 250;
+/** Delay (ms) until the next attempt if the server is full. */
 const kFullDelay = 15_000;
 
 const kOpenReadyState = 1;
 
-/** Who hears of which message. */
+/** The listener of each message. */
 const kListeners = Object.freeze({
   Waiting: 'waiting',
   Frame: 'picture',
@@ -39,11 +42,12 @@ const kListeners = Object.freeze({
 });
 
 /**
- * The page's one link to the server. Reaches it again by itself after a loss.
+ * The page's connection to the server. Reconnects by itself after a loss.
  *
- * States: `connecting` (the first time), `open` (welcomed), `silent` (still open, but the server says nothing), `lost`
- * (out of reach, trying again), `full` (trying again more slowly), `away` (the place went to another while nobody looked; trying again), `outdated` (the page speaks another version) and
- * `refused` (the server said why). The last two stay until retry().
+ * States: `connecting` (for the first time), `open` (welcomed), `silent` (open, but without messages), `lost`
+ * (unreachable; retries), `full` (retries more slowly), `away` (the place went to another visitor while the page was
+ * hidden; retries), `outdated` (page and server have different versions) and `refused` (with the server's reason). The
+ * last two stay until retry().
  */
 export class Connection {
   #openSocket;
@@ -68,23 +72,22 @@ export class Connection {
   /**
    * @param {object} parts
    * @param {() => WebSocket} parts.openSocket starts a new socket
-   * @param {() => number[]} parts.offer the codecs to offer before the hello, the best first
-   * @param {() => {name: string, width: number, height: number}} parts.hello what to say first, asked for each time
+   * @param {() => number[]} parts.offer the codecs to offer before Hello, best first
+   * @param {() => {name: string, width: number, height: number}} parts.hello the content of Hello, read each time
    * @param {object} parts.on
-   * @param {(state: string, reason: string) => void} parts.on.state on every change
-   * @param {(message: object) => void} parts.on.welcome when let in
-   * @param {(message: object) => void} parts.on.waiting as the wait for the first picture gets on; `isIn`:
-   *     after the welcome
-   * @param {(message: object) => void} parts.on.picture for each Frame or Picture, with the time of its arrival (ms) as
-   *     `arrived`
+   * @param {(state: string, reason: string) => void} parts.on.state on each change
+   * @param {(message: object) => void} parts.on.welcome on each Welcome
+   * @param {(message: object) => void} parts.on.waiting progress of the wait for the first picture; `isIn`:
+   *     after Welcome
+   * @param {(message: object) => void} parts.on.picture on each Frame or Picture; `arrived`: time of its arrival (ms)
    * @param {(message: object) => void} [parts.on.status]
    * @param {(message: object) => void} [parts.on.refining]
    * @param {(message: object) => void} [parts.on.captured]
    * @param {(message: object) => void} [parts.on.times]
    * @param {(message: object) => void} [parts.on.people]
    * @param {import('./backoff.js').Backoff} parts.backoff
-   * @param {() => boolean} parts.mayRetry whether anybody looks, so that silence means something and trying again is
-   *     worth it; once it turns true again, retry() and listen() will be called
+   * @param {() => boolean} parts.mayRetry whether the page is visible: a hidden page neither expects messages nor
+   *     retries. The owner calls retry() and listen() when it becomes true
    * @param {{now: Function, setTimeout: Function, clearTimeout: Function}} parts.clock milliseconds
    */
   constructor({ openSocket, offer, hello, on, backoff, mayRetry, clock }) {
@@ -101,12 +104,12 @@ export class Connection {
     return this.#state;
   }
 
-  /** Whether the server takes offers, limits and the like: it speaks 1.2 or later. */
+  /** Whether the server speaks 1.2 or later, with Offer, Limits and Broken. */
   get adapts() {
     return this.#greeted && this.#adapts;
   }
 
-  /** Whether the server takes Painted and Capture: it speaks 1.3 or later. */
+  /** Whether the server speaks 1.3 or later, with Painted and Capture. */
   get measures() {
     return this.#greeted && this.#measures;
   }
@@ -116,23 +119,23 @@ export class Connection {
     this.#connect();
   }
 
-  /** Tries again at once, unless a connection stands or is being made. */
+  /** Reconnects at once, unless a connection exists or is being made. */
   retry() {
     if (this.#socket) return;
     this.#clock.clearTimeout(this.#retryTimer);
     this.#connect();
   }
 
-  /** Begins to count the server's silence anew: while nobody looked, it had no reason to speak. */
+  /** Restarts the count of silence: the server sends nothing to a hidden page. */
   listen() {
-    if (this.#socket) this.#expectWord();
+    if (this.#socket) this.#watchSilence();
   }
 
   sendInput(input) {
     this.#send(encodeInput(input));
   }
 
-  /** Asks for frames of another size, unless the server knows that one as the last wanted. */
+  /** Requests frames of this size, unless the server already has the request. */
   sendResize({ width, height }) {
     if (!this.#greeted || (width === this.#size.width && height === this.#size.height)) return;
     this.#size = { width, height };
@@ -140,8 +143,8 @@ export class Connection {
   }
 
   /**
-   * Tells that the picture was presented or will never be; earlier ones are acknowledged with it. `decode` and `paint`
-   * are milliseconds, 0 for what has not happened.
+   * Acknowledges a picture, and with it all earlier ones: it was presented, or never will be. `decode` and `paint` are
+   * milliseconds, 0 for a step that did not happen.
    */
   acknowledge({ frame, arrived }, { decode = 0, paint = 0 } = {}) {
     if (!this.#greeted || frame <= this.#lastAcknowledged) return;
@@ -179,7 +182,7 @@ export class Connection {
     this.#greeted = false;
     this.#patience = kLongestSilence;
     this.#lastAcknowledged = 0;
-    this.#expectWord();
+    this.#watchSilence();
     socket.onopen = () => {
       this.#adapts = kAdaptiveProtocols.includes(socket.protocol);
       this.#measures = kMeasuringProtocols.includes(socket.protocol);
@@ -203,35 +206,35 @@ export class Connection {
         this.#enter('open');
       } else if (this.#greeted || message.message === 'Waiting') {
         if (message.message !== 'Waiting') this.#backoff.reset();
-        // From now on the server keeps speaking; while a world is made for a newcomer it may take its time.
+        // From now on the server sends regularly. Before, preparing the world may delay its messages.
         if (this.#adapts && ['Picture', 'Status'].includes(message.message)) this.#patience = kShortSilence;
         this.#on[kListeners[message.message]]?.({ ...message, arrived, isIn: this.#greeted });
       }
-      if (this.#socket) this.#expectWord();
+      if (this.#socket) this.#watchSilence();
     } catch (error) {
       if (error.name !== 'ProtocolError') throw error;
       this.#abandon(CloseCode.protocolError, error.message);
     }
   }
 
-  /** (Re)starts the watch for a server that vanished without closing, which TCP alone notices only after minutes. */
-  #expectWord(heard = this.#clock.now(), patience = this.#patience) {
+  /** (Re)starts the timer for a server that vanished without closing: TCP alone takes minutes to notice. */
+  #watchSilence(since = this.#clock.now(), patience = this.#patience) {
     this.#clock.clearTimeout(this.#silenceTimer);
-    const due = heard + patience;
+    const due = since + patience;
     this.#silenceTimer = this.#clock.setTimeout(() => {
-      if (!this.#mayRetry()) this.#expectWord();
-      else if (this.#clock.now() > due + kHeldUp) this.#expectWord(this.#clock.now() - patience + kHeldUp, patience);
-      else if (patience < kLongestSilence) this.#fallSilent(heard);
+      if (!this.#mayRetry()) this.#watchSilence();
+      else if (this.#clock.now() > due + kStall) this.#watchSilence(this.#clock.now() - patience + kStall, patience);
+      else if (patience < kLongestSilence) this.#fallSilent(since);
       else this.#abandon(1000, '');
     }, due - this.#clock.now());
   }
 
-  #fallSilent(heard) {
+  #fallSilent(since) {
     this.#enter('silent');
-    this.#expectWord(heard, kLongestSilence);
+    this.#watchSilence(since, kLongestSilence);
   }
 
-  /** Lets go of the socket without waiting for its closing handshake. */
+  /** Drops the socket without waiting for its closing handshake. */
   #abandon(code, reason) {
     const socket = this.#socket;
     socket.onopen = socket.onmessage = socket.onclose = null;

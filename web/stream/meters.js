@@ -1,4 +1,4 @@
-/** Values of the last `span` milliseconds. Times are milliseconds on any one clock. */
+/** Values of the last `span` milliseconds; all times are milliseconds by one clock. */
 export class SlidingWindow {
   #span;
   #entries = [];
@@ -34,7 +34,7 @@ export function median(values) {
   return sorted.length % 2 ? sorted[middle] : (sorted[middle - 1] + sorted[middle]) / 2;
 }
 
-/** The value that this share (0..1) of all stays at or below, as nearest rank; `null` of none. */
+/** The quantile at `share` (0..1) by nearest rank; `null` without values. */
 export function quantile(values, share) {
   return quantiles(values, [share])[0];
 }
@@ -44,13 +44,13 @@ function quantiles(values, shares) {
   return shares.map((share) => sorted[Math.max(0, Math.ceil(share * sorted.length) - 1)] ?? null);
 }
 
-/** Percentiles need more values than a second has. Milliseconds. */
+/** Percentiles need more values than one second has. Milliseconds. */
 const kLongSpan = 10_000;
 
-/** Inputs that may wait for their frame; the server shows them in order, so the oldest go first when it stalls. */
+/** Inputs that may wait for their frame. The server shows them in order, so the oldest are dropped if it stalls. */
 const kMaxWaiting = 512;
 
-/** Time from sending an input to presenting the first frame that shows it, in milliseconds. */
+/** The latency: milliseconds from sending an input to presenting the first frame that shows it. */
 export class LatencyMeter {
   #waiting = [];
   #received = 0;
@@ -63,12 +63,12 @@ export class LatencyMeter {
     if (this.#waiting.length > kMaxWaiting) this.#waiting.shift();
   }
 
-  /** A frame that shows all inputs up to this one is on its way to the screen. */
+  /** A frame that shows all inputs up to this one has arrived. */
   received(lastInput) {
     this.#received = lastInput;
   }
 
-  /** Returns the inputs that this frame is the first to show, as `{ number, time, latency }`. */
+  /** Returns the inputs that this frame shows first, as `{ number, time, latency }`. */
   presented(lastInput, now) {
     const shown = [];
     while (this.#waiting.length > 0 && this.#waiting[0].number <= lastInput) {
@@ -81,17 +81,17 @@ export class LatencyMeter {
     return shown;
   }
 
-  /** The server obeyed all inputs up to this one; those that no frame came for changed nothing and measure nothing. */
+  /** The server applied all inputs up to this one. Those without a frame changed nothing, so they are not measured. */
   obeyed(lastInput) {
     this.#waiting = this.#waiting.filter(({ number }) => number <= this.#received || number > lastInput);
   }
 
-  /** Median of the last second; if nothing was measured in it, the last measurement, and `null` before the first. */
+  /** Median of the last second; without values in it, the last value; `null` before the first. */
   read(now) {
     return median(this.#samples.values(now)) ?? this.#last;
   }
 
-  /** Of the last ten seconds; `null` each if nothing was measured in them. */
+  /** Of the last ten seconds; each `null` without values. */
   percentiles(now) {
     const [p50, p95, p99] = quantiles(this.#longSamples.values(now), [0.5, 0.95, 0.99]);
     return { p50, p95, p99 };

@@ -1,11 +1,11 @@
 /**
- * The messages of server/stream/protocol/PROTOCOL.md, version 1: what the page writes and what it reads. Little-endian
- * throughout. Reading never trusts the bytes: whatever breaks the protocol throws ProtocolError.
+ * The page's messages of server/stream/protocol/PROTOCOL.md, version 1, all little-endian. Decoding trusts no bytes: a
+ * violation of the protocol throws ProtocolError.
  */
 
 /**
- * What to ask for, the newest first: without 1.4 there are no labels and People, without 1.3 there is no Painted, Capture or Times, without 1.2 no choice of codec,
- * without 1.1 no Waiting.
+ * The versions to request, newest first. 1.1 adds Waiting; 1.2 the choice of codec; 1.3 Painted, Capture and Times; 1.4
+ * labels and People.
  */
 export const kMeasuringProtocols = Object.freeze(['grove.v1.4', 'grove.v1.3']);
 export const kAdaptiveProtocols = Object.freeze([...kMeasuringProtocols, 'grove.v1.2']);
@@ -15,14 +15,13 @@ const kVersion = 1;
 /** Bits of an input's `keys`. */
 export const Key = Object.freeze({ forward: 1, back: 2, left: 4, right: 8, run: 16, blow: 32 });
 
-/** Why the server closed a connection, as far as the page acts on it. */
+/** The server's reasons to close a connection, as far as the page acts on them. */
 export const CloseCode = Object.freeze({ protocolError: 4000, wrongVersion: 4001, full: 4002, flood: 4004, hidden: 4006 });
 
-/** Numbers of the picture codecs, and their names. */
 export const Codec = Object.freeze({ jpeg: 1, h264: 2 });
 export const kCodecNames = Object.freeze({ [Codec.jpeg]: 'JPEG', [Codec.h264]: 'H.264' });
 
-/** What keeps the stream from being all that one could want. */
+/** The stream's bottleneck. */
 export const LimitedBy = Object.freeze({ nothing: 0, line: 1, machine: 2, visitor: 3, browser: 4 });
 
 const Type = Object.freeze({
@@ -60,7 +59,7 @@ const kCapturedHeaderBytes = 12;
 const kTimesBytes = 12;
 const kPeopleBytes = 4;
 const kPersonBytes = 8;
-/** Tenths of milliseconds, as the 16 bits of a duration hold them. */
+/** The longest duration in 16 bits, in tenths of milliseconds. */
 const kLongestDuration = 0xffff;
 
 export class ProtocolError extends Error {
@@ -73,7 +72,7 @@ function message(type, bytes) {
   return view;
 }
 
-/** `width` and `height` are the wanted frame in pixels; a name longer than 64 bytes is cut between characters. */
+/** `width` and `height`: the wanted frame in pixels. A name of more than 64 bytes is cut between characters. */
 export function encodeHello({ name, width, height }) {
   const nameRoom = new Uint8Array(kMaxNameBytes);
   const { written } = new TextEncoder().encodeInto(name, nameRoom);
@@ -86,7 +85,7 @@ export function encodeHello({ name, width, height }) {
   return view.buffer;
 }
 
-/** The whole state of the controls; yaw and pitch in radians. */
+/** The state of all controls; yaw and pitch in radians. */
 export function encodeInput({ number, keys, yaw, pitch }) {
   const view = message(Type.input, 16);
   view.setUint8(1, keys);
@@ -109,12 +108,12 @@ export function encodeResize({ width, height }) {
   return view.buffer;
 }
 
-/** The codecs that this page can decode, the best first. */
+/** Codecs that this page can decode, best first. */
 export function encodeOffer({ codecs }) {
   return Uint8Array.of(Type.offer, codecs.length, ...codecs).buffer;
 }
 
-/** What the visitor wants at most; 0 is no limit. `hidden`: nobody looks; `border`: more than the window shows. */
+/** The visitor's limits; 0 is no limit. `hidden`: of the page; `border`: send more than the window shows. */
 export function encodeLimits({ hidden, border, framesPerSecond, kilobitsPerSecond, lines }) {
   const view = message(Type.limits, 12);
   view.setUint8(1, (hidden ? 1 : 0) | (border ? 2 : 0));
@@ -124,19 +123,18 @@ export function encodeLimits({ hidden, border, framesPerSecond, kilobitsPerSecon
   return view.buffer;
 }
 
-/** The frame cannot be decoded, and none that depends on it. */
+/** The page can decode neither this frame nor those that depend on it. */
 export function encodeBroken({ frame }) {
   const view = message(Type.broken, 8);
   view.setUint32(4, frame, true);
   return view.buffer;
 }
 
-/** Milliseconds as the protocol counts them. */
 function tenths(milliseconds) {
   return Math.min(kLongestDuration, Math.max(0, Math.round(milliseconds * 10)));
 }
 
-/** `held`: milliseconds from arrival until now; `arrived`: microseconds of the page's clock, of which 32 bits count. */
+/** `held`: milliseconds from arrival until now; `arrived`: microseconds by the page's clock, sent modulo 2^32. */
 export function encodePresented({ frame, held, arrived }) {
   const view = message(Type.presented, 12);
   view.setUint16(2, tenths(held), true);
@@ -145,7 +143,7 @@ export function encodePresented({ frame, held, arrived }) {
   return view.buffer;
 }
 
-/** Presented of 1.3: `decode` and `paint` are milliseconds, too; `paint` is 0 for a picture that was not painted. */
+/** Presented of 1.3: `decode` and `paint` are milliseconds, too; `paint` is 0 without painting. */
 export function encodePainted({ frame, held, arrived, decode, paint }) {
   const view = message(Type.painted, 16);
   view.setUint16(2, tenths(held), true);
@@ -156,7 +154,7 @@ export function encodePainted({ frame, held, arrived, decode, paint }) {
   return view.buffer;
 }
 
-/** Asks for one picture of the full wanted size at the finest quality. */
+/** Requests one picture of the full wanted size at the finest quality. */
 export function encodeCapture({ number }) {
   const view = message(Type.capture, 8);
   view.setUint32(4, number, true);
@@ -191,18 +189,18 @@ function decodeWelcome(view) {
 }
 
 function decodeWaiting(view) {
-  if (view.byteLength < kWaitingBytes) throw new ProtocolError('the waiting is cut short');
+  if (view.byteLength < kWaitingBytes) throw new ProtocolError('the message Waiting is cut short');
   if (view.byteLength !== kWaitingBytes + view.getUint32(4, true)) {
-    throw new ProtocolError('the waiting has a wrong length');
+    throw new ProtocolError('the message Waiting has a wrong length');
   }
   const waiting = {
     message: 'Waiting',
     percent: view.getUint8(1),
     place: view.getUint16(2, true),
-    step: decodeText(new Uint8Array(view.buffer, kWaitingBytes), 'what is waited for'),
+    step: decodeText(new Uint8Array(view.buffer, kWaitingBytes), 'the step of the message Waiting'),
   };
-  if (waiting.percent > 100) throw new ProtocolError('the waiting has more than 100 percent');
-  if (waiting.place === 0) throw new ProtocolError('the waiting has no place');
+  if (waiting.percent > 100) throw new ProtocolError('the message Waiting has more than 100 percent');
+  if (waiting.place === 0) throw new ProtocolError('the message Waiting has no place');
   return waiting;
 }
 
@@ -224,7 +222,7 @@ function decodeFrame(view) {
   return frame;
 }
 
-/** Where names belong in the picture, as shares of its width and height; the nearest first. */
+/** Places of names, as shares of the picture's width and height, nearest first. */
 function decodeLabels(view, count) {
   return Array.from({ length: count }, (_, index) => {
     const at = kPictureHeaderBytes + index * kLabelBytes;
@@ -266,7 +264,7 @@ function decodePicture(view) {
   if (picture.width === 0 || picture.height === 0) throw new ProtocolError('the picture has no size');
   const { yaw, pitch, tanHalfX, tanHalfY } = picture;
   if (![yaw, pitch, tanHalfX, tanHalfY].every(Number.isFinite) || tanHalfX <= 0 || tanHalfY <= 0) {
-    throw new ProtocolError("the picture's camera is none");
+    throw new ProtocolError("the picture's camera is invalid");
   }
   return picture;
 }
@@ -285,24 +283,24 @@ function decodeStatus(view) {
     kilobitsPerSecond: view.getUint32(12, true),
     lastInput: view.getUint32(16, true),
   };
-  if (status.limitedBy > LimitedBy.browser) throw new ProtocolError('the status is limited by nothing known');
+  if (status.limitedBy > LimitedBy.browser) throw new ProtocolError('the status has an unknown limit');
   if (status.quality > 100) throw new ProtocolError('the status has more than 100 percent');
   return status;
 }
 
 function decodeRefining(view) {
-  if (view.byteLength < kRefiningBytes) throw new ProtocolError('the refining is cut short');
+  if (view.byteLength < kRefiningBytes) throw new ProtocolError('the message Refining is cut short');
   if (view.byteLength !== kRefiningBytes + view.getUint32(4, true)) {
-    throw new ProtocolError('the refining has a wrong length');
+    throw new ProtocolError('the message Refining has a wrong length');
   }
   const seconds = view.getUint16(2, true);
   const refining = {
     message: 'Refining',
     percent: view.getUint8(1),
     secondsLeft: seconds === kUnknownSeconds ? null : seconds,
-    step: decodeText(new Uint8Array(view.buffer, kRefiningBytes), 'what is refined'),
+    step: decodeText(new Uint8Array(view.buffer, kRefiningBytes), 'the step of the message Refining'),
   };
-  if (refining.percent > 100) throw new ProtocolError('the refining has more than 100 percent');
+  if (refining.percent > 100) throw new ProtocolError('the message Refining has more than 100 percent');
   return refining;
 }
 
@@ -364,7 +362,7 @@ const kDecoders = Object.freeze({
   [Type.people]: decodePeople,
 });
 
-/** Reads one message of the server from an ArrayBuffer; a frame's `picture` is a view into it, not a copy. */
+/** Decodes one message from an ArrayBuffer; a frame's `picture` is a view into it, not a copy. */
 export function decodeServerMessage(data) {
   if (!(data instanceof ArrayBuffer)) throw new ProtocolError('the message is text');
   if (data.byteLength === 0) throw new ProtocolError('the message is empty');

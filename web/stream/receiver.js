@@ -16,14 +16,14 @@ import { Stream } from './stream.js';
 import { Telemetry } from './telemetry.js';
 import { Visibility } from './visibility.js';
 
-/** A still view has figures, too, that change. Milliseconds. */
+/** Some figures change even without new pictures. Milliseconds. */
 const kReadingInterval = 250;
 const kLimitNames = Object.fromEntries(Object.entries(LimitedBy).map(([name, number]) => [number, name]));
 
 /**
- * Receives, decodes and paints the stream, in a worker or on the main thread: the owner of socket and canvas. The page talks
- * to it by commands (`do()`), it answers by events (`emit()`); both are plain objects with a `kind`, so that they can be
- * posted. All times are milliseconds of the page's clock.
+ * Owns socket and canvas: receives, decodes and paints the stream, in a worker or on the main thread. The page sends
+ * commands (`do()`), the receiver emits events; both are plain objects with a `kind`, so that they can be posted. All
+ * times are milliseconds by the page's clock.
  */
 export class Receiver {
   #emit;
@@ -45,17 +45,17 @@ export class Receiver {
 
   /**
    * @param {object} parts
-   * @param {object} parts.scope the globals of its home: WebSocket, timers, VideoDecoder, EncodedVideoChunk
+   * @param {object} parts.scope the globals of worker or page: WebSocket, timers, VideoDecoder, EncodedVideoChunk
    * @param {object} parts.clock as in connection.js
-   * @param {HTMLCanvasElement | OffscreenCanvas} parts.canvas where pictures are painted
-   * @param {() => HTMLCanvasElement | OffscreenCanvas} parts.makeCanvas makes one that nobody sees
+   * @param {HTMLCanvasElement | OffscreenCanvas} parts.canvas
+   * @param {() => HTMLCanvasElement | OffscreenCanvas} parts.makeCanvas makes a hidden one
    * @param {(event: object, transfer?: object[]) => void} parts.emit
    * @param {object} parts.start
    * @param {string} parts.start.url of the server's socket
    * @param {{name: string, width: number, height: number}} parts.start.hello
    * @param {boolean} parts.start.hidden
    * @param {object} parts.start.preferences as Stream takes them
-   * @param {object} parts.start.stored what the page's sessionStorage holds
+   * @param {object} parts.start.stored the entries of the page's sessionStorage
    */
   constructor({ scope, clock, canvas, makeCanvas, emit, start }) {
     this.#emit = emit;
@@ -68,25 +68,7 @@ export class Receiver {
       setTimeout: clock.setTimeout,
       sessionStorage: new RemoteStorage(start.stored, (key, value) => emit({ kind: 'store', key, value })),
     });
-    this.#connection = new Connection({
-      openSocket: () => new scope.WebSocket(start.url, kSubProtocols),
-      offer: () => this.#stream.offer,
-      hello: () => this.#hello,
-      on: {
-        state: (state, reason) => emit({ kind: 'state', state, reason, visit: this.#visit }),
-        welcome: (message) => this.#welcome(message),
-        waiting: ({ place, percent, step, isIn }) => emit({ kind: 'waiting', place, percent, step, isIn }),
-        picture: (picture) => this.#receive(picture),
-        status: (status) => this.#hear(status),
-        refining: ({ percent, secondsLeft }) => emit({ kind: 'refining', percent, secondsLeft }),
-        captured: ({ number, picture }) => emit({ kind: 'captured', number, picture }, [picture.buffer]),
-        times: (times) => this.#telemetry.timesReceived(times),
-        people: ({ othersAreLost, people }) => emit({ kind: 'people', othersAreLost, people }),
-      },
-      backoff: new Backoff(),
-      mayRetry: () => !this.#visibility.hidden,
-      clock,
-    });
+    this.#connection = this.#makeConnection(() => new scope.WebSocket(start.url, kSubProtocols));
     const budget = new PaintBudget();
     this.#lateLook = new LateLook(makeCanvas(), () => this.#lateLookChanged());
     this.#screen = new Screen({
@@ -115,12 +97,39 @@ export class Receiver {
     });
     this.#stream.setPreferences(start.preferences);
     this.#stream.setHidden(start.hidden);
-    this.#commands = {
+    this.#commands = this.#makeCommands();
+  }
+
+  #makeConnection(openSocket) {
+    const emit = this.#emit;
+    return new Connection({
+      openSocket,
+      offer: () => this.#stream.offer,
+      hello: () => this.#hello,
+      on: {
+        state: (state, reason) => emit({ kind: 'state', state, reason, visit: this.#visit }),
+        welcome: (message) => this.#welcome(message),
+        waiting: ({ place, percent, step, isIn }) => emit({ kind: 'waiting', place, percent, step, isIn }),
+        picture: (picture) => this.#receive(picture),
+        status: (status) => this.#statusReceived(status),
+        refining: ({ percent, secondsLeft }) => emit({ kind: 'refining', percent, secondsLeft }),
+        captured: ({ number, picture }) => emit({ kind: 'captured', number, picture }, [picture.buffer]),
+        times: (times) => this.#telemetry.timesReceived(times),
+        people: ({ othersAreLost, people }) => emit({ kind: 'people', othersAreLost, people }),
+      },
+      backoff: new Backoff(),
+      mayRetry: () => !this.#visibility.hidden,
+      clock: this.#clock,
+    });
+  }
+
+  #makeCommands() {
+    return {
       input: (command) => this.#input(command),
       look: ({ yaw, pitch }) => this.#turn(yaw, pitch),
-      hello: ({ hello }) => this.#greet(hello),
+      hello: ({ hello }) => this.#setHello(hello),
       preferences: ({ preferences }) => this.#stream.setPreferences(preferences),
-      visibility: ({ hidden }) => this.#see(hidden),
+      visibility: ({ hidden }) => this.#setHidden(hidden),
       retry: () => this.#connection.retry(),
       capture: ({ number }) => this.#capture(number),
       picture: ({ number }) => this.#takePicture(number),
@@ -136,7 +145,7 @@ export class Receiver {
     return new Decoding({ make, clock: this.#clock, on: { ...on, image } });
   }
 
-  /** Asks what the browser can decode, then connects. */
+  /** Queries the browser's codecs, then connects. */
   async start() {
     this.#lateLookChanged();
     await this.#codecs.ask();
@@ -145,12 +154,11 @@ export class Receiver {
     this.#tellReading();
   }
 
-  /** Obeys one command. */
   do(command) {
     this.#commands[command.kind](command);
   }
 
-  /** Tells where the names of the picture on the screen belong in the window; once, if it has none. */
+  /** Emits the places of names in the window; for pictures without names, one empty list. */
   #label(picture, turn) {
     const { labels = [] } = picture;
     if (labels.length === 0 && this.#labelled === 0) return;
@@ -174,7 +182,7 @@ export class Receiver {
     this.#stream.receive(picture);
   }
 
-  #hear(status) {
+  #statusReceived(status) {
     this.#telemetry.statusReceived(status);
     const lines = this.#telemetry.read(this.#clock.now()).height ?? status.height;
     this.#emit({ kind: 'status', status, lines, limitedBy: kLimitNames[status.limitedBy] });
@@ -202,7 +210,7 @@ export class Receiver {
     this.#emit({ kind: 'lateLook', hindrance: this.#lateLook.hindrance });
   }
 
-  /** An input of a former connection has a number that means nothing to the server of this one. */
+  /** Skips inputs of a former connection: their numbers mean nothing to this one. */
   #input({ visit, input, now }) {
     if (visit !== this.#visit) return;
     this.#connection.sendInput(input);
@@ -214,12 +222,12 @@ export class Receiver {
     this.#display.turn();
   }
 
-  #greet(hello) {
+  #setHello(hello) {
     this.#hello = hello;
     this.#connection.sendResize(hello);
   }
 
-  #see(hidden) {
+  #setHidden(hidden) {
     this.#visibility.hidden = hidden;
     this.#stream.setHidden(hidden);
     if (hidden) return;

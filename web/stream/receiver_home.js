@@ -9,8 +9,8 @@ function workerOf(window) {
 }
 
 /**
- * Gives the receiver a home: a worker, where the browser paints from one, so that a busy page delays neither arrival nor
- * picture; else the main thread. Commands that come before it has moved in wait.
+ * Runs the receiver in a worker if the browser can paint from one, so that a busy page delays neither arrival nor
+ * painting; else on the main thread. Commands wait until open() has chosen.
  */
 export class ReceiverHome {
   #window;
@@ -27,7 +27,7 @@ export class ReceiverHome {
    * @param {object} parts.clock as in connection.js
    * @param {HTMLCanvasElement} parts.canvas
    * @param {object} parts.start as Receiver takes it
-   * @param {(event: object) => void} parts.on hears the receiver's events
+   * @param {(event: object) => void} parts.on called with each event of the receiver
    */
   constructor({ window, clock, canvas, start, on }) {
     this.#window = window;
@@ -37,10 +37,10 @@ export class ReceiverHome {
     this.#on = on;
   }
 
-  /** Resolves to where it lives: `worker` or `page`. */
+  /** Resolves to the receiver's place: `worker` or `page`. */
   async open() {
     const worker = this.#canvas.transferControlToOffscreen ? workerOf(this.#window) : null;
-    const isAble = worker !== null && (await this.#asksAble(worker));
+    const isAble = worker !== null && (await this.#canPaint(worker));
     if (isAble) this.#moveInto(worker);
     else this.#stay(worker);
     for (const command of this.#waiting.splice(0)) this.#deliver(command);
@@ -52,8 +52,8 @@ export class ReceiverHome {
     else this.#waiting.push(command);
   }
 
-  /** A browser without module workers tells it by an error. */
-  #asksAble(worker) {
+  /** A browser without module workers reports an error. */
+  #canPaint(worker) {
     return new Promise((resolve) => {
       worker.onmessage = ({ data }) => resolve(data.able);
       worker.onerror = () => resolve(false);

@@ -1,8 +1,8 @@
 const kMark = 'grove.reloaded';
 
 /**
- * A page that is older than its server reloads by itself, but once only: if that does not help, its visitor is asked.
- * Where the browser keeps no storage for the page, the visitor is asked at once.
+ * Reloads a page that is older than its server, but only once: afterwards, and without the browser's storage, the
+ * notice asks the visitor.
  */
 export class ReloadOnce {
   #window;
@@ -11,7 +11,7 @@ export class ReloadOnce {
     this.#window = window;
   }
 
-  /** Reloads, unless that was tried since the last settled(). */
+  /** Reloads, unless it did so since the last settled(). */
   attempt() {
     try {
       if (this.#window.sessionStorage.getItem(kMark)) return;

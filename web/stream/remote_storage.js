@@ -1,5 +1,6 @@
 /**
- * A Storage for a worker, which has none: reads from a copy of the page's entries and hands every write to `write(key, value)`.
+ * A Storage for workers, which have none: reads a copy of the page's entries and passes each write to `write(key,
+ * value)`.
  */
 export class RemoteStorage {
   #items;
@@ -20,7 +21,7 @@ export class RemoteStorage {
   }
 }
 
-/** A copy of the page's entries to begin with; empty where the browser keeps no storage for the page. */
+/** A copy of the page's entries; empty if the browser provides no storage. */
 export function storedItems(storage) {
   try {
     const kept = storage();

@@ -2,7 +2,7 @@ import { namesOf } from './codecs.js';
 import { kCodecNames } from './protocol.js';
 import { kStatistics } from '../texts.js';
 
-/** What the visitor may choose; 0 is no limit. */
+/** The visitor's choices; 0 is no limit. */
 export const kPreferences = Object.freeze({
   codec: 'auto',
   framesPerSecond: 0,
@@ -12,8 +12,8 @@ export const kPreferences = Object.freeze({
 });
 
 /**
- * The video stream's side of the page: agrees with the server on codec and limits, decodes what comes, and tells what
- * could not be decoded. All of it holds over reconnections.
+ * The page's side of the stream: negotiates codec and limits, decodes pictures, and reports those that it cannot
+ * decode. Choices and failed codecs outlast a reconnection.
  */
 export class Stream {
   #connection;
@@ -29,11 +29,11 @@ export class Stream {
    * @param {object} parts
    * @param {import('./connection.js').Connection} parts.connection
    * @param {import('./codecs.js').Codecs} parts.codecs
-   * @param {(on: object) => import('../picture/decoding.js').Decoding} parts.makeDecoding made with whom it tells
+   * @param {(on: object) => import('../picture/decoding.js').Decoding} parts.makeDecoding with its listeners
    * @param {import('../picture/display.js').Display} parts.display
    * @param {import('../picture/late_look.js').LateLook} parts.lateLook
    * @param {{now: Function}} parts.clock milliseconds
-   * @param {(words: string) => void} parts.onCodecFailed a codec is not offered any more, and why
+   * @param {(words: string) => void} parts.onCodecFailed a codec is no longer offered, with the reason
    */
   constructor({ connection, codecs, clock, makeDecoding, display, lateLook, onCodecFailed }) {
     this.#connection = connection;
@@ -48,24 +48,24 @@ export class Stream {
     });
   }
 
-  /** The codecs to offer now, the best first. */
+  /** The codecs to offer, best first. */
   get offer() {
     return this.#codecs.offer(this.#preferences.codec);
   }
 
-  /** Whether pictures are to be turned to the newest look. */
+  /** Whether late look turns pictures. */
   get turns() {
     return this.#preferences.lateLook && this.#lateLook.isReady;
   }
 
-  /** What becomes of late look, in a word. */
+  /** The state of late look, for the overlay. */
   get lateLookWord() {
     if (this.turns) return kStatistics.lateLookOn;
     return this.#preferences.lateLook ? kStatistics.lateLookHindered(this.#lateLook.hindrance) : kStatistics.lateLookOff;
   }
 
   /**
-   * Takes over what the visitor chose; what is left out stays as it is.
+   * Applies the visitor's choices; omitted ones stay.
    * @param {object} chosen
    * @param {'auto' | 'h264' | 'jpeg'} [chosen.codec]
    * @param {number} [chosen.framesPerSecond] at most; 0 is no limit, here and below
@@ -80,7 +80,7 @@ export class Stream {
     this.tellLimits();
   }
 
-  /** Whether nobody looks: then the server sends nothing. */
+  /** The server sends nothing to a hidden page. */
   setHidden(hidden) {
     this.#hidden = hidden;
     this.tellLimits();
@@ -97,7 +97,7 @@ export class Stream {
     this.#decoding.push(picture);
   }
 
-  /** Tells the server what it does not know yet; to be called when late look's `isReady` has changed. */
+  /** Sends changed limits. Also to be called when late look's `isReady` has changed. */
   tellLimits() {
     const { framesPerSecond, kilobitsPerSecond, lines } = this.#preferences;
     const limits = { hidden: this.#hidden, border: this.turns, framesPerSecond, kilobitsPerSecond, lines };

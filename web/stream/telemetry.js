@@ -2,7 +2,7 @@ import { windowOf } from '../picture/look_geometry.js';
 import { LatencyMeter, SlidingWindow, median } from './meters.js';
 import { kCodecNames } from './protocol.js';
 
-/** What the overlay tells: collected frame by frame, read a few times a second. Times in milliseconds. */
+/** The overlay's figures: collected with each frame, read a few times a second. Times in milliseconds. */
 export class Telemetry {
   #presented = new SlidingWindow();
   #received = new SlidingWindow();
@@ -30,12 +30,12 @@ export class Telemetry {
     this.#latency.obeyed(status.lastInput);
   }
 
-  /** Where the server and the line spend time, as in the message Times. */
+  /** The time that server and line take, from the message Times. */
   timesReceived(times) {
     this.#times = times;
   }
 
-  /** Returns the inputs that the frame is the first to show, as `{ number, time, latency }`. */
+  /** Returns the inputs that the frame shows first, as `{ number, time, latency }`. */
   framePresented(frame, now, paint = 0) {
     this.#frames += 1;
     this.#last = frame;
@@ -46,14 +46,14 @@ export class Telemetry {
     return this.#latency.presented(frame.lastInput, now);
   }
 
-  /** Another connection counts its inputs anew, and knows nothing of its line yet. */
+  /** For a new connection: it counts inputs anew, and its line is unknown. */
   reset() {
     this.#latency.reset();
     this.#status = null;
     this.#times = null;
   }
 
-  /** Figures that are not known yet are `null`. */
+  /** Unknown figures are `null`. */
   read(now) {
     const size = this.#last && windowOf(this.#last);
     return {
@@ -73,13 +73,13 @@ export class Telemetry {
     };
   }
 
-  /** Of the last ten seconds; apart from the reading, for it sorts them all. */
+  /** Of the last ten seconds; not part of read(), because it sorts them all. */
   latencyPercentiles(now) {
     return this.#latency.percentiles(now);
   }
 }
 
-/** The reading of a page to which nothing has come yet. */
+/** The reading before the first picture. */
 export const kNoReading = Object.freeze({
   ...new Telemetry().read(0),
   latencyPercentiles: { p50: null, p95: null, p99: null },

@@ -1,4 +1,4 @@
-/** Whether anybody looks at the page, where there is no document to ask: as `document`, it has `hidden` and the event. */
+/** The page's visibility in a worker: like `document`, it has `hidden` and `visibilitychange`. */
 export class Visibility extends EventTarget {
   #hidden;
 

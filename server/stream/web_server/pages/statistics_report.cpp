@@ -1,5 +1,6 @@
 #include "stream/web_server/pages/statistics_report.h"
 
+#include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <thread>
@@ -54,7 +55,20 @@ Json costs(const measure::FrameCost& cost, const measure::MemoryShare& share) {
           {"per_visitor_mb", megabytes(share.perUserBackend + share.perUserFrontend)}};
 }
 
-Json amortization(const measure::AmortizationMeter& meter) {
+/// Frames per second that count as the nominal rate.
+constexpr double kServedShare = 29.0 / 30.0;
+
+int visitorsFit(const measure::Amortization& measured, const measure::Capacity& capacity, double cores,
+                const StatisticsSources& sources) {
+  const measure::AmortizationMeter& meter = sources.meter;
+  const int estimate = meter.privateWorlds() ? capacity.privateVisitorsFit(cores) : capacity.visitorsFit(cores);
+  const bool areTooMany = sources.pictureScale < 1.0;
+  const bool areServed = measured.framesPerSecond >= kServedShare * meter.nominalFramesPerSecond();
+  return measure::correctedFit(estimate, static_cast<int>(std::lround(measured.visitors)), areServed, areTooMany);
+}
+
+Json amortization(const StatisticsSources& sources) {
+  const measure::AmortizationMeter& meter = sources.meter;
   const auto measured = meter.newest();
   if (!measured) return nullptr;
   const auto cores = static_cast<double>(std::max(1U, std::thread::hardware_concurrency()));
@@ -64,15 +78,14 @@ Json amortization(const measure::AmortizationMeter& meter) {
                  {"visitors", measured->visitors},
                  {"frames_per_second", measured->framesPerSecond}};
   report.update(costs(measure::sum(measured->costs), measure::sum(measured->memory)));
-  report.update(
-      Json{{"cpu_cores", measured->cpuCores},
-           {"cores", cores},
-           {"other_ms", capacity.unreported * 1000.0 / meter.nominalFramesPerSecond()},
-           {"private_frame_ms", capacity.privateVisitor * 1000.0 / meter.nominalFramesPerSecond()},
-           {"visitor_cores", meter.privateWorlds() ? capacity.privateVisitor : capacity.visitor},
-           {"visitors_fit", meter.privateWorlds() ? capacity.privateVisitorsFit(cores) : capacity.visitorsFit(cores)},
-           {"private_cores", capacity.privateVisitor * measured->visitors},
-           {"private_visitors_fit", capacity.privateVisitorsFit(cores)}});
+  report.update(Json{{"cpu_cores", measured->cpuCores},
+                     {"cores", cores},
+                     {"other_ms", capacity.unreported * 1000.0 / meter.nominalFramesPerSecond()},
+                     {"private_frame_ms", capacity.privateVisitor * 1000.0 / meter.nominalFramesPerSecond()},
+                     {"visitor_cores", meter.privateWorlds() ? capacity.privateVisitor : capacity.visitor},
+                     {"visitors_fit", visitorsFit(*measured, capacity, cores, sources)},
+                     {"private_cores", capacity.privateVisitor * measured->visitors},
+                     {"private_visitors_fit", capacity.privateVisitorsFit(cores)}});
   Json types = Json::object();
   for (const auto& [type, cost] : measured->costs) {
     const auto share = measured->memory.find(type);
@@ -163,9 +176,7 @@ Json counters(const pipeline::Timeline& timeline) {
 }  // namespace
 
 std::string sharingJson(const StatisticsSources& sources) {
-  return Json{{"version", version()},
-              {"counters", counters(sources.timeline)},
-              {"amortization", amortization(sources.meter)}}
+  return Json{{"version", version()}, {"counters", counters(sources.timeline)}, {"amortization", amortization(sources)}}
              .dump() +
          "\n";
 }
@@ -181,7 +192,7 @@ std::string statisticsJson(const StatisticsSources& sources) {
                {{"step", sources.quality}, {"steps", measure::kQualitySteps}, {"automatic", sources.raisesQuality}}},
               {"picture_scale", sources.pictureScale},
               {"memory", memory(sources.memory.totals(), measure::residentBytes())},
-              {"amortization", amortization(sources.meter)}}
+              {"amortization", amortization(sources)}}
              .dump() +
          "\n";
 }
