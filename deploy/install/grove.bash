@@ -1,4 +1,4 @@
-# Completion of grove(1) for bash. It asks the program itself (`grove COMMAND --help`), so it knows what is installed.
+# Completion of grove(1) for bash. Uses the installed program's own help (`grove COMMAND --help`).
 
 _grove() {
   local word current=$2 previous=$3 help option values
@@ -11,7 +11,7 @@ _grove() {
   help=$("${COMP_WORDS[0]}" "${command[@]}" --help 2>/dev/null) || return
 
   if [[ $previous == -* ]]; then
-    # The option's line: "  -o,--output TEXT ...", or "  --gl {auto,egl} ..." where only some values will do.
+    # The option's line: "  -o,--output TEXT ...", or "  --gl {auto,egl} ..." with a fixed set of values.
     option=$(grep -E -- "^  (-[a-z],)?${previous//./\\.}[ ,]" <<<"$help" | head -n 1)
     if [[ $option =~ ^\ \ [^\ ]+\ \{([^}]*)\} ]]; then
       values=${BASH_REMATCH[1]//,/ }

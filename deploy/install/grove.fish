@@ -1,4 +1,4 @@
-# Completion of grove(1) for fish. It asks the program itself (`grove COMMAND --help`), so it knows what is installed.
+# Completion of grove(1) for fish. Uses the installed program's own help (`grove COMMAND --help`).
 
 function __grove_help
     set -l command
