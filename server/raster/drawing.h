@@ -27,7 +27,7 @@ struct LitSurface {
   std::vector<world::Vec4> light;
   bool baked = true;
 
-  /// Memory that it takes.
+  /// Memory use.
   [[nodiscard]] std::size_t bytes() const noexcept { return surface.bytes() + pipeline::vectorBytes(light); }
 };
 
@@ -53,7 +53,7 @@ struct Drawing {
   Lamps lamps;
 };
 
-/// Where a renderer reports its memory, and for which object type.
+/// The ledger for a renderer's memory, and the object type that it is reported for.
 struct MeshMemory {
   pipeline::MemoryLedger& ledger;  ///< outlives the renderer
   std::string_view type;           ///< outlives the ledger

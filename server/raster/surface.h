@@ -44,7 +44,7 @@ struct Surface {
 
   [[nodiscard]] world::Bounds bounds() const;
 
-  /// Memory that it takes.
+  /// Memory use.
   [[nodiscard]] std::size_t bytes() const noexcept;
 
   /// The surface with the finest level only.

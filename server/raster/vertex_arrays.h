@@ -18,7 +18,7 @@ struct VertexArrays {
 
   explicit VertexArrays(const LitSurface& object);
 
-  /// Memory that they take.
+  /// Memory use.
   [[nodiscard]] std::size_t bytes() const noexcept {
     return pipeline::vectorBytes(runs, positionX, positionY, positionZ, normalX, normalY, normalZ, albedoR, albedoG,
                                  albedoB, emission, tint, lichen, sun, indirectR, indirectG, indirectB);

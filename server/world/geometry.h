@@ -50,7 +50,7 @@ struct Triangles {
 
   void append(const Triangles& other, const Mat4& matrix);
   [[nodiscard]] Bounds bounds() const;
-  /// Memory that they take.
+  /// Memory use.
   [[nodiscard]] std::size_t bytes() const noexcept { return pipeline::vectorBytes(positions, indices); }
 };
 

@@ -42,7 +42,7 @@ struct Player {
   std::string name;
   std::uint32_t colour = 0;  ///< 0x00BBGGRR
   Pose pose;                 ///< of the eye
-  Vec3 velocity{0.0F};       ///< metres a second
+  Vec3 velocity{0.0F};       ///< metres per second
   float stride = 0.0F;       ///< metres walked, for the gait
   std::uint32_t lastInput = 0;
   std::uint8_t keys = 0;

@@ -27,7 +27,7 @@ class WorldGeometry {
   /// Both as voxels.
   [[nodiscard]] const VoxelObstacles& obstacles() const noexcept { return obstacles_; }
 
-  /// Memory that it takes.
+  /// Memory use.
   [[nodiscard]] std::size_t bytes() const noexcept { return solids_.bytes() + shades_.bytes() + rays_.bytes(); }
 
  private:

@@ -23,7 +23,7 @@ class DetailTexture {
   /// are adjacent.
   [[nodiscard]] const std::uint32_t* squares() const noexcept { return squares_.data(); }
 
-  /// Memory that it takes.
+  /// Memory use.
   [[nodiscard]] std::size_t bytes() const noexcept { return pipeline::vectorBytes(squares_); }
 
  private:

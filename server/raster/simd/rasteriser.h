@@ -49,7 +49,7 @@ struct ScreenVertices {
   std::vector<Corner> corners;       ///< valid only beyond the near depth
   float nearest = 0.0F;              ///< least depth of all
 
-  /// Memory that they take.
+  /// Memory use.
   [[nodiscard]] std::size_t bytes() const noexcept { return pipeline::vectorBytes(u, v, depth, light, corners); }
 
   [[nodiscard]] ClipVertex clipVertex(std::size_t index, float lichen) const noexcept;
@@ -63,7 +63,7 @@ struct Canvas {
   std::vector<float> depth;  ///< near depth / view depth, 0 if empty
   std::vector<Span> spans;   ///< per row, the touched columns from the left
 
-  /// Memory that it takes.
+  /// Memory use.
   [[nodiscard]] std::size_t bytes() const noexcept { return pipeline::vectorBytes(surface, depth, spans); }
 
   /// Clears it for another rectangle; costs only the touched pixels.

@@ -15,7 +15,7 @@ struct PointCloud {
 
   explicit PointCloud(const Surface& surface);
 
-  /// Memory that it takes.
+  /// Memory use.
   [[nodiscard]] std::size_t bytes() const noexcept { return pipeline::vectorBytes(x, y, z); }
 };
 

@@ -24,7 +24,7 @@ struct FluidSnapshot final : node::SharedData {
   double time = 0.0;
   std::uint64_t tick;
   std::vector<float> x, y, z;
-  std::vector<float> velocityX, velocityY, velocityZ;  ///< metres a second
+  std::vector<float> velocityX, velocityY, velocityZ;  ///< metres per second
   std::vector<float> age;                              ///< seconds since injection
   std::vector<float> lifetime;                         ///< seconds; gone at age == lifetime
   std::vector<float> temperature;                      ///< 1 at the source, 0 = air; above about 0.5 it glows as flame

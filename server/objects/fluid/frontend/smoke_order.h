@@ -15,7 +15,7 @@ class SmokeOrder {
   /// Sorts `sprites`, indices into `depth` (metres), in place.
   void sortBackToFront(std::span<const float> depth, std::vector<std::uint32_t>& sprites);
 
-  /// Memory that it takes.
+  /// Memory use.
   [[nodiscard]] std::size_t bytes() const noexcept { return pipeline::vectorBytes(entries_, scratch_); }
 
  private:

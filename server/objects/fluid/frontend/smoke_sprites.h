@@ -45,7 +45,7 @@ struct SmokeSprites {
 
   void resize(std::size_t particles);
 
-  /// Memory that they take.
+  /// Memory use.
   [[nodiscard]] std::size_t bytes() const noexcept {
     return pipeline::vectorBytes(x, y, depth, radius, heat, life, fade, axisX, axisY, xx, xy, yy, halfWidth, halfHeight,
                                  shrink, red, green, blue, opacity, softness, rank, chanceA, chanceB, chanceC, seen);

@@ -30,7 +30,7 @@ class SmokeTarget {
   /// unchanged.
   void blendInto(raster::Image& frame, float nearest);
 
-  /// Memory that it takes.
+  /// Memory use.
   [[nodiscard]] std::size_t bytes() const noexcept {
     return pipeline::vectorBytes(blocks_, spans_, low_, high_, jumps_, kept_, line_, wide_);
   }

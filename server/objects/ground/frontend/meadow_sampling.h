@@ -5,7 +5,7 @@
 
 namespace grove::objects::ground {
 
-/// How a row samples the meadow's texture: `taps` samples along the ray (1, 2 or 4) of one level and, for a share of
+/// A row's sampling of the meadow's texture: `taps` samples along the ray (1, 2 or 4) of one level and, for a share of
 /// the pixels, of the next coarser level.
 struct MeadowSampling {
   int taps = 1;

@@ -62,7 +62,7 @@ class NearViews {
   /// The result has no picture if there is none.
   [[nodiscard]] NearView last(world::ObjectId object);
   void shown(world::ObjectId object, NearView view);
-  /// Memory that they take.
+  /// Memory use.
   [[nodiscard]] std::size_t bytes() const;
 
  private:

@@ -11,9 +11,9 @@ namespace grove::objects::fluid {
 
 namespace {
 
-constexpr float kStrongestGust = 15.0F;   // metres a second
+constexpr float kStrongestGust = 15.0F;   // metres per second
 constexpr float kLongestReach = 30.0F;    // metres
-constexpr float kFastestVisitor = 10.0F;  // metres a second
+constexpr float kFastestVisitor = 10.0F;  // metres per second
 constexpr float kBodyRadius = 0.3F;
 constexpr float kBodyHeight = 1.8F;
 /// Downward acceleration by the soot of one second of the fire in one cubic metre. Metres per second squared.

@@ -72,7 +72,7 @@ class FluidSimulation {
   /// CPU time of the last step's parts.
   [[nodiscard]] const std::array<std::int64_t, kPhases.size()>& phaseNanoseconds() const noexcept { return phases_; }
 
-  /// Memory that it takes.
+  /// Memory use.
   [[nodiscard]] std::size_t bytes() const noexcept { return solver_.bytes() + particles_.bytes() + shading_.bytes(); }
 
  private:

@@ -17,7 +17,7 @@ struct FluidState {
   double time = 0.0;  ///< simulated seconds
   std::uint64_t tick = 0;
 
-  /// Memory that it takes.
+  /// Memory use.
   [[nodiscard]] std::size_t bytes() const noexcept {
     return velocity.bytes() + temperature.heldBytes() + particles.bytes();
   }

@@ -20,7 +20,7 @@ class Particles {
   struct Source {
     world::Vec3 centre{0.0F};
     float radius = 0.35F;      ///< metres
-    float rate = 1800.0F;      ///< particles a second
+    float rate = 1800.0F;      ///< particles per second
     float minLifetime = 4.0F;  ///< seconds
     float maxLifetime = 7.0F;  ///< seconds
   };
@@ -43,13 +43,13 @@ class Particles {
   [[nodiscard]] std::size_t count() const noexcept { return x.size(); }
   /// Number of all particles ever injected.
   [[nodiscard]] std::uint64_t injected() const noexcept { return injected_; }
-  /// Memory that they take.
+  /// Memory use.
   [[nodiscard]] std::size_t bytes() const noexcept {
     return pipeline::vectorBytes(x, y, z, velocityX, velocityY, velocityZ, age, lifetime, temperature, cooling, dead_);
   }
 
   std::vector<float> x, y, z;
-  std::vector<float> velocityX, velocityY, velocityZ;  ///< metres a second
+  std::vector<float> velocityX, velocityY, velocityZ;  ///< metres per second
   std::vector<float> age, lifetime;                    ///< seconds
   std::vector<float> temperature;                      ///< 1 at the source, 0 = air
   std::vector<float> cooling;                          ///< per second

@@ -166,7 +166,7 @@ class Mover {
   HWY_INLINE Vectors speedAt(Vectors metres, Vectors from, Floats age) const {
     // Speed of the eddies relative to the air's, above the fire.
     constexpr float kTurbulence = 0.3F;
-    constexpr float kFastestEddy = 0.7F;  // metres a second
+    constexpr float kFastestEddy = 0.7F;  // metres per second
     constexpr float kGrow = 1.2F;         // seconds until they have full strength
     const Vectors halfway = sample(layout_, velocity_, from) * Floats(0.5F * seconds_ * perCell_);
     const Vectors air = sample(layout_, velocity_, clamp(from + halfway, Floats(0.0F), Floats(edge_)));

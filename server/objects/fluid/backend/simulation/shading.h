@@ -28,7 +28,7 @@ class Shading {
   void shade(const Particles& particles, const SolidGrid& solids, std::vector<float>& skyLight,
              std::vector<float>& sunLight);
 
-  /// Memory that it takes.
+  /// Memory use.
   [[nodiscard]] std::size_t bytes() const noexcept {
     return pipeline::vectorBytes(sunVisible_, depth_, sky_, sun_, amounts_, room_);
   }

@@ -59,7 +59,7 @@ class FluidSolver {
   [[nodiscard]] const SolidGrid& solids() const noexcept { return solids_; }
   [[nodiscard]] const PressureSolver& pressure() const noexcept { return pressure_; }
 
-  /// Memory that it takes.
+  /// Memory use.
   [[nodiscard]] std::size_t bytes() const noexcept {
     return solids_.bytes() + velocity_.bytes() + nextVelocity_.bytes() + heldBytes(temperature_, nextTemperature_) +
            advection_.bytes() + confinement_.bytes() + pressure_.bytes();

@@ -52,7 +52,7 @@ class Array {
     assert(size_ == other.size_);
     std::memcpy(data_, other.data_, size_ * sizeof(T));
   }
-  /// Memory that it takes.
+  /// Memory use.
   [[nodiscard]] std::size_t heldBytes() const noexcept { return wholeBytes(bytes()); }
   void clear() noexcept { std::memset(data_, 0, size_ * sizeof(T)); }
 
@@ -129,8 +129,8 @@ template <class... T>
   return (std::size_t{0} + ... + arrays.heldBytes());
 }
 
-/// Staggered velocity in metres a second (marker-and-cell, Harlow and Welch 1965): component a at the low face of axis
-/// a.
+/// Staggered velocity in metres per second (marker-and-cell, Harlow and Welch 1965): component a at the low face of
+/// axis a.
 struct Velocity {
   explicit Velocity(const Layout& layout) : x(layout.size()), y(layout.size()), z(layout.size()) {}
 

@@ -43,7 +43,7 @@ class SolidGrid {
   /// Bounds of the cells that have changed between solid and air since the last call; empty if none.
   [[nodiscard]] CellBox takeChanges() noexcept;
 
-  /// Memory that it takes.
+  /// Memory use.
   [[nodiscard]] std::size_t bytes() const noexcept {
     return heldBytes(staticAir_, air_) + pipeline::vectorBytes(wallFaces_[0], wallFaces_[1], wallFaces_[2], moving_);
   }

@@ -38,7 +38,7 @@ class Advection {
   /// is read once. Ghosts of `from` and `velocity` must be filled; ghosts of `to` stay unchanged.
   void advect(std::span<const Job> jobs, const Velocity& velocity, float seconds, float cellSize, AdvectionOrder order);
   static constexpr std::size_t kMaxJobs = 4;
-  /// Memory that it takes.
+  /// Memory use.
   [[nodiscard]] std::size_t bytes() const noexcept {
     std::size_t sum = 0;
     for (const Scratch& slab : scratch_) {

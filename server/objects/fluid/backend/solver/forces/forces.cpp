@@ -23,7 +23,7 @@ std::array<Wave, 3> whirls(int cells, float cellSize, float strength, double tim
   struct Octave {
     float length;  ///< metres
     float share;
-    float pace;  ///< radians a second
+    float pace;  ///< radians per second
   };
   constexpr Octave kOctaves[] = {{3.1F, 0.55F, 0.9F}, {1.3F, 0.45F, 2.1F}};
   for (std::size_t a = 0; a < 3; ++a) {

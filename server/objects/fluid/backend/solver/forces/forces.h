@@ -11,7 +11,7 @@ namespace grove::objects::fluid {
 
 /// The air around the fluid.
 struct Air {
-  world::Vec3 wind{0.0F};   ///< metres a second
+  world::Vec3 wind{0.0F};   ///< metres per second
   float response = 0.0F;    ///< share of the difference to the wind that vanishes per second
   float turbulence = 0.0F;  ///< metres per second, maximum of the wind's slowly changing whirls
   float buoyancy = 7.0F;    ///< metres per second squared at temperature 1

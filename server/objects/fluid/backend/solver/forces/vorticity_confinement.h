@@ -18,7 +18,7 @@ class VorticityConfinement {
   /// Adds the force times `seconds` to the faces between cells. The velocity's ghosts must be filled.
   void apply(float strength, float seconds, float cellSize, Velocity& velocity);
 
-  /// Memory that it takes.
+  /// Memory use.
   [[nodiscard]] std::size_t bytes() const noexcept {
     std::size_t sum = 0;
     for (const Field& slab : scratch_) sum += slab.heldBytes();

@@ -23,7 +23,7 @@ class ConjugateGradients {
   double solve(const rows::FineOperator& a, const Pockets& pockets, const Preconditioner& preconditioner,
                const Field& b, Field& x, double enough, int maxIterations, int& iterations);
 
-  /// Memory that it takes.
+  /// Memory use.
   [[nodiscard]] std::size_t bytes() const noexcept { return heldBytes(r_, z_, az_, p_, ap_); }
 
  private:

@@ -37,7 +37,7 @@ class FineSweep {
   /// next = x + correction, smoothed.
   Norms run(const rows::FineOperator& a, const Field& b, const Field& x, Field& next, const Coarse& coarse);
 
-  /// Memory that it takes.
+  /// Memory use.
   [[nodiscard]] std::size_t bytes() const noexcept {
     std::size_t sum = 0;
     for (const Sweep& w : sweeps_) sum += heldBytes(w.source, w.error[0], w.error[1], w.left, w.beside);

@@ -50,7 +50,7 @@ class Multigrid {
   /// Number of open faces of every air cell, 0 in solids: the diagonal of A.
   [[nodiscard]] const Array<std::uint8_t>& diagonal() const noexcept { return diagonal_; }
 
-  /// Memory that it takes.
+  /// Memory use.
   [[nodiscard]] std::size_t bytes() const noexcept;
 
  private:

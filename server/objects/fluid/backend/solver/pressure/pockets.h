@@ -21,7 +21,7 @@ class Pockets {
 
   [[nodiscard]] std::size_t count() const noexcept { return pockets_.size(); }
 
-  /// Memory that they take.
+  /// Memory use.
   [[nodiscard]] std::size_t bytes() const noexcept {
     std::size_t sum = 0;
     for (const auto& runs : pockets_) sum += pipeline::vectorBytes(runs);

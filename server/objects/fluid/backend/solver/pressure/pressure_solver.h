@@ -45,7 +45,7 @@ class PressureSolver {
   /// Forgets the last step's pressure.
   void forget() noexcept { x_.clear(); }
 
-  /// Memory that it takes.
+  /// Memory use.
   [[nodiscard]] std::size_t bytes() const noexcept {
     return multigrid_.bytes() + pockets_.bytes() + gradients_.bytes() + heldBytes(b_, x_, next_);
   }
