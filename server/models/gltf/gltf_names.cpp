@@ -35,7 +35,7 @@ std::string jsonOf(const std::filesystem::path& file) {
 }
 
 /// Parses only the lists that reference other files; the rest may be large.
-Json listsOf(const std::filesystem::path& file) {
+Json referencesOf(const std::filesystem::path& file) {
   const auto keep = [](int depth, Json::parse_event_t event, const Json& parsed) {
     return event != Json::parse_event_t::key || depth != 1 || parsed == "buffers" || parsed == "images";
   };
@@ -67,7 +67,7 @@ std::string decoded(std::string_view uri) {
 
 std::set<std::filesystem::path> filesNamedBy(const std::filesystem::path& gltf) {
   std::set<std::filesystem::path> files;
-  const Json document = listsOf(gltf);
+  const Json document = referencesOf(gltf);
   const auto add = [&](const std::string& uri) {
     if (uri.empty() || uri.starts_with("data:")) return;
     // The parser's search order: beside the file, then in the working directory.

@@ -10,7 +10,7 @@ namespace grove::raster {
 
 /// One frame's light in the coordinates of one bone, so that vertices need no transform. Directions are unit vectors.
 struct BoneLight {
-  float metre = 1.0F;  ///< in units of the bone's coordinates
+  float metre = 1.0F;  ///< metres per unit of the bone's coordinates
   world::Vec3 eye{0.0F};
 
   world::Vec3 sun{0.0F};

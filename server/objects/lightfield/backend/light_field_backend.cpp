@@ -22,8 +22,8 @@ constexpr std::size_t kMaxAtOnce = 4;
 /// Shares of the scene's permitted error, by quality.
 constexpr std::array<float, node::kMaxQuality + 1> kErrorShares{1.0F, 0.75F, 0.5F};
 
-/// Texels that a core samples per second, including shadows: 25 to 31 ns per texel were measured on a Xeon with AVX-512,
-/// for visitors who walk among trees in the default world.
+/// Texels that a core samples per second, including shadows: 25 to 31 ns per texel were measured on a Xeon with
+/// AVX-512, for visitors who walk among trees in the default world.
 constexpr double kTexelsPerCoreSecond = 34.0e6;
 
 /// Share of the machine for all visitors' new pictures.

@@ -128,7 +128,7 @@ namespace {
 
 /// Ends the inactive rays before tracing. Without native packets of sixteen, which only AVX-512 has, Embree traces them
 /// as a stream and ignores the mask.
-void endOthers(const ModelRays::Mask& mask, RTCRay16& rays) {
+void endInactive(const ModelRays::Mask& mask, RTCRay16& rays) {
   for (std::size_t i = 0; i < kPacket; ++i) {
     if (mask.lane[i] != 0) continue;
     rays.tnear[i] = 1.0F;
@@ -180,7 +180,7 @@ void ModelRays::intersect(const Mask& mask, RTCRayHit16& rays, Among among, Back
   Embree::Context context{{}, backs};
   // The flags stay "incoherent": amid leaves that is faster by a third even for primary rays.
   rtcInitIntersectContext(&context.embree);
-  endOthers(mask, rays.ray);
+  endInactive(mask, rays.ray);
   rtcIntersect16(mask.lane, embree_->scene(among), &context.embree, &rays);
   for (std::size_t i = 0; i < kPacket; ++i) {
     if (mask.lane[i] == 0 || rays.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID) continue;
@@ -191,7 +191,7 @@ void ModelRays::intersect(const Mask& mask, RTCRayHit16& rays, Among among, Back
 void ModelRays::occluded(const Mask& mask, RTCRay16& rays, Among among) const {
   Embree::Context context{{}, Backs::kMet};
   rtcInitIntersectContext(&context.embree);
-  endOthers(mask, rays);
+  endInactive(mask, rays);
   rtcOccluded16(mask.lane, embree_->scene(among), &context.embree, &rays);
 }
 

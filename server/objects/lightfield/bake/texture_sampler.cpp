@@ -28,7 +28,7 @@ int wrapped(int at, int count) noexcept {
 
 /// A coordinate with more repetitions has no useful fraction left. Also keeps the conversion to int defined, including
 /// for NaN (which std::clamp() does not change).
-float tamed(float uv) noexcept { return std::min(65536.0F, std::max(-65536.0F, uv)); }
+float boundedCoordinate(float uv) noexcept { return std::min(65536.0F, std::max(-65536.0F, uv)); }
 
 }  // namespace
 
@@ -68,8 +68,8 @@ Vec3 TextureSampler::colour(Vec2 uv, float texels) const noexcept {
   constexpr float kMaxTexels = 65536.0F;  // no texture is larger, and infinity has no logarithm to round
   const int wanted = texels > 1.0F ? static_cast<int>(std::lround(std::log2(std::min(texels, kMaxTexels)))) : 0;
   const Level& level = levels_[static_cast<std::size_t>(std::min(wanted, static_cast<int>(levels_.size()) - 1))];
-  const float x = tamed(uv.x) * static_cast<float>(level.width) - 0.5F;
-  const float y = tamed(uv.y) * static_cast<float>(level.height) - 0.5F;
+  const float x = boundedCoordinate(uv.x) * static_cast<float>(level.width) - 0.5F;
+  const float y = boundedCoordinate(uv.y) * static_cast<float>(level.height) - 0.5F;
   const float left = std::floor(x);
   const float top = std::floor(y);
   const int column = static_cast<int>(left);
@@ -87,8 +87,10 @@ Vec3 TextureSampler::colour(Vec2 uv, float texels) const noexcept {
 
 float TextureSampler::alpha(Vec2 uv) const noexcept {
   const Level& level = levels_.front();
-  const int column = wrapped(static_cast<int>(std::floor(tamed(uv.x) * static_cast<float>(level.width))), level.width);
-  const int row = wrapped(static_cast<int>(std::floor(tamed(uv.y) * static_cast<float>(level.height))), level.height);
+  const int column =
+      wrapped(static_cast<int>(std::floor(boundedCoordinate(uv.x) * static_cast<float>(level.width))), level.width);
+  const int row =
+      wrapped(static_cast<int>(std::floor(boundedCoordinate(uv.y) * static_cast<float>(level.height))), level.height);
   const float weight = level
                            .texels[static_cast<std::size_t>(row) * static_cast<std::size_t>(level.width) +
                                    static_cast<std::size_t>(column)]

@@ -74,7 +74,7 @@ class Strip {
   }
 
   /// Advances to the tiles that end above `line`.
-  void goDownTo(int line) {
+  void advanceTo(int line) {
     std::swap(above_, below_);
     setCorners(warp_, view_.range(), left_, line, *below_);
     placeTiles(*above_, *below_, view_.width(), view_.height(), tiles_);
@@ -134,7 +134,7 @@ void reproject(const CachedView& view, const ObjectCamera& camera, const Haze& h
     const int tiles = std::min(kStripTiles, (rect.right - stripLeft + kTileWidth - 1) / kTileWidth);
     Strip strip(view, warp, stripLeft, rect.top);
     for (int top = rect.top; top < rect.bottom; top += kTileHeight) {
-      strip.goDownTo(top + kTileHeight);
+      strip.advanceTo(top + kTileHeight);
       for (int i = 0; i < tiles; ++i) {
         const Reach reach = strip.reach(i);
         if (!reach.shows()) continue;
