@@ -1,4 +1,4 @@
-# Completion of grove(1) for bash. Uses the installed program's own help (`grove COMMAND --help`).
+# Completion of grove(1) for bash. It reads the help of the installed program (`grove COMMAND --help`).
 
 _grove() {
   local word current=$2 previous=$3 help option values
@@ -11,14 +11,14 @@ _grove() {
   help=$("${COMP_WORDS[0]}" "${command[@]}" --help 2>/dev/null) || return
 
   if [[ $previous == -* ]]; then
-    # The option's line: "  -o,--output TEXT ...", or "  --gl {auto,egl} ..." with a fixed set of values.
+    # The option's line: "  -o,--output TEXT ...", or "  --gl {auto,egl} ..." if the values are enumerated.
     option=$(grep -E -- "^  (-[a-z],)?${previous//./\\.}[ ,]" <<<"$help" | head -n 1)
     if [[ $option =~ ^\ \ [^\ ]+\ \{([^}]*)\} ]]; then
       values=${BASH_REMATCH[1]//,/ }
       mapfile -t COMPREPLY < <(compgen -W "$values" -- "$current")
       return
     fi
-    [[ $option =~ ^\ \ [^\ ]+\ [A-Z]{2} ]] && return # a value of its own: a number, or a file by the default completion
+    [[ $option =~ ^\ \ [^\ ]+\ [A-Z]{2} ]] && return # any value: a number, or a file by the default completion
   fi
   if [[ $current == -* ]]; then
     values=$(grep -oE -- '^  -[^ ]+' <<<"$help" | tr ',' '\n' | grep -oE -- '--[a-z][a-z0-9.-]*')

@@ -1,4 +1,4 @@
-# Completion of grove(1) for fish. Uses the installed program's own help (`grove COMMAND --help`).
+# Completion of grove(1) for fish. It reads the help of the installed program (`grove COMMAND --help`).
 
 function __grove_help
     set -l command

@@ -25,7 +25,7 @@ std::optional<unsigned long long> limit() noexcept {
   return space.rlim_cur >> 10U;
 }
 
-/// Into `text`, for there may be no memory for a string.
+/// Writes into `text`, because there may be no memory for a string.
 std::string_view describe(std::array<char, 128>& text) noexcept {
   const auto max = limit();
   const int length =
@@ -48,7 +48,7 @@ std::string memoryShortage() {
 }
 
 void requireAddressSpace(std::size_t bytes) {
-  // The kernel counts it, though it can hold nothing.
+  // The kernel counts this range although it can hold no data.
   void* const room = mmap(nullptr, bytes, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
   if (room == MAP_FAILED) {
     throw EnvironmentError("what comes next needs " + std::to_string(bytes >> 20U) + " MB of address space", kWhat,

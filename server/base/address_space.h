@@ -6,27 +6,26 @@
 
 namespace grove {
 
-/// "not enough memory", with the limit of the process's address space (ulimit -v) if it has one.
+/// Returns "not enough memory", with the limit of the process's address space (ulimit -v) if it has one.
 [[nodiscard]] std::string memoryShortage();
 
-/// Throws EnvironmentError if the process cannot take so many more bytes of address space: for what comes before code
-/// that crashes without them, as graphics drivers do. Takes none.
+/// Throws EnvironmentError if the process cannot get this much more address space. For use before code that crashes
+/// without it, such as graphics drivers. Allocates nothing.
 void requireAddressSpace(std::size_t bytes);
 
-/// What a thread's stack takes.
+/// Size of a thread's stack.
 [[nodiscard]] std::size_t stackBytes() noexcept;
 
-/// Lets freed blocks of a megabyte and more go back to the system at once. By default glibc soon keeps blocks of up to
-/// 32 MB, and a process where many come and go, as visitors with their pictures do, grows with every round of them. At
-/// the start.
+/// Returns freed blocks of a megabyte and more to the system at once. By default glibc soon keeps blocks of up to 32
+/// MB, so a process in which visitors and their pictures come and go keeps growing. Call it at the start.
 void returnFreedBlocks() noexcept;
 
-/// Where address space is limited, lets threads share their heaps, each of which would take 64 MB of it however little
-/// it holds. At the start, before there are threads.
+/// If address space is limited, lets threads share their heaps, each of which would take 64 MB of it. Call it at the
+/// start, before there are threads.
 void spareAddressSpace() noexcept;
 
-/// While it lives, the process ends with one line, and exit status 1, where there is no memory for a `new`: for work
-/// that loses nothing when it is cut off, on threads that could not report it otherwise. One at a time.
+/// During its life, the process ends with one line and exit status 1 if `new` finds no memory. For work that loses
+/// nothing when it is cut off, on threads that could not report it otherwise. One at a time.
 class EndOnMemoryShortage {
  public:
   EndOnMemoryShortage() noexcept;

@@ -8,19 +8,19 @@
 
 namespace grove {
 
-/// A file that appears whole or not at all: written beside its place under another name, then renamed. One thread.
+/// A file that appears completely or not at all: written beside its place under another name, then renamed. One thread.
 class AtomicFile {
  public:
-  /// Throws EnvironmentError, as all of it does, that names `file` and what the system says.
+  /// Throws EnvironmentError, as all members do, that names `file` and gives the system's reason.
   explicit AtomicFile(std::filesystem::path file);
-  /// Unless committed, removes what was written.
+  /// Removes what was written, unless committed.
   ~AtomicFile();
   AtomicFile(const AtomicFile&) = delete;
   AtomicFile& operator=(const AtomicFile&) = delete;
 
-  /// Bytes that were skipped are 0.
+  /// Skipped bytes are 0.
   void write(std::uint64_t offset, std::span<const std::byte> bytes);
-  /// Once, last: after this the file is on the disk under its name, also if the power fails.
+  /// Called once, last: afterwards the file is on the disk under its name, even after a power failure.
   void commit();
 
  private:

@@ -9,7 +9,7 @@
 
 namespace grove {
 
-/// XXH3, 64 bits, of bytes that come in pieces.
+/// XXH3, 64 bits, of bytes that arrive in pieces.
 class Checksum {
  public:
   Checksum();
@@ -18,7 +18,8 @@ class Checksum {
   Checksum& operator=(Checksum&&) noexcept;
 
   void add(std::span<const std::byte> bytes);
-  /// How many there are, and their bytes: two lists have one checksum only if they are cut at the same place.
+  /// Adds the number of elements and their bytes, so that two lists have one checksum only if they are divided at the
+  /// same place.
   template <class T>
   void add(const std::vector<T>& values) {
     static_assert(std::is_trivially_copyable_v<T>);

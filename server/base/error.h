@@ -5,7 +5,7 @@
 
 namespace grove {
 
-/// The environment failed us: what failed, where, and how to mend it. Programming mistakes assert instead, and an
+/// A failure of the environment: what failed, where, and how to mend it. Programming mistakes assert instead, and an
 /// expected failure is a return value.
 class EnvironmentError : public std::runtime_error {
  public:

@@ -11,8 +11,8 @@ void info(std::string_view message) noexcept;
 void warning(std::string_view message) noexcept;
 void error(std::string_view message) noexcept;
 
-/// For what may happen thousands of times a second: at most one line a second, which says how many were left out before
-/// it. Any thread.
+/// For events that may happen thousands of times a second: at most one line per second, with the number of suppressed
+/// ones. Any thread.
 class Limited {
  public:
   void info(std::string_view message) noexcept;

@@ -8,8 +8,8 @@
 
 namespace grove {
 
-/// Values by key in the order of their last use. Bounds nothing by itself: who owns it takes the oldest out as its own
-/// measure wants. One thread at a time.
+/// Values by key in the order of their last use. Has no limit of its own: its owner removes the oldest. One thread at a
+/// time.
 template <class Key, class Value>
 class LruTable {
  public:
@@ -18,7 +18,7 @@ class LruTable {
     Value value;
   };
 
-  /// Null if it is not there; else it is the one used last now.
+  /// Returns a value and makes it the most recently used; null if it is missing.
   [[nodiscard]] Value* use(const Key& key) {
     const auto place = places_.find(key);
     if (place == places_.end()) return nullptr;
@@ -26,7 +26,7 @@ class LruTable {
     return &place->second->value;
   }
 
-  /// Without using it.
+  /// Returns a value without using it; null if it is missing.
   [[nodiscard]] Value* find(const Key& key) {
     const auto place = places_.find(key);
     return place == places_.end() ? nullptr : &place->second->value;
@@ -37,7 +37,7 @@ class LruTable {
     return place == places_.end() ? nullptr : &place->second->value;
   }
 
-  /// Puts a value in as the one used last, and returns the one that was there.
+  /// Inserts a value as the most recently used, and returns the previous one.
   std::optional<Value> put(const Key& key, Value value) {
     if (Value* const known = use(key)) return std::exchange(*known, std::move(value));
     entries_.push_front({key, std::move(value)});
@@ -54,7 +54,7 @@ class LruTable {
     return value;
   }
 
-  /// The one that was used longest ago. There must be one.
+  /// Removes the least recently used. There must be one.
   Entry takeOldest() {
     Entry oldest = std::move(entries_.back());
     places_.erase(oldest.key);
@@ -64,7 +64,7 @@ class LruTable {
 
   [[nodiscard]] std::size_t size() const noexcept { return entries_.size(); }
   [[nodiscard]] bool empty() const noexcept { return entries_.empty(); }
-  /// The last used first.
+  /// Most recently used first.
   [[nodiscard]] const std::list<Entry>& entries() const noexcept { return entries_; }
 
  private:

@@ -14,7 +14,7 @@ namespace grove {
 
 struct MappedRangeGuard::Slot {
   std::atomic<std::uintptr_t> begin{0};  ///< 0: free
-  std::atomic<std::uintptr_t> end{0};    ///< 0: being filled or emptied
+  std::atomic<std::uintptr_t> end{0};    ///< 0: in transition
   std::atomic<bool> cut{false};
 };
 
@@ -23,7 +23,7 @@ namespace {
 using Slot = MappedRangeGuard::Slot;
 static_assert(std::atomic<std::uintptr_t>::is_always_lock_free && std::atomic<bool>::is_always_lock_free);
 
-// Static, for a signal handler is given nothing else: it is one for the whole process, and has no argument of its own.
+// Static, because a signal handler gets no argument of its own: one table for the whole process.
 constinit std::array<Slot, 1024> slots;
 constinit std::mutex filling;
 constinit bool installed = false;
@@ -31,14 +31,14 @@ constinit bool installed = false;
 struct sigaction previous {};
 std::uintptr_t pageBytes = 0;
 
-/// Puts zeros where the range cannot be read any more. Only what is safe in a signal handler.
+/// Replaces a range that can no longer be read by zeros. Uses only what is safe in a signal handler.
 bool mend(std::uintptr_t address) noexcept {
   for (Slot& slot : slots) {
     const std::uintptr_t begin = slot.begin.load();
     const std::uintptr_t end = slot.end.load();
-    // The second look: else the end could be that of another range, which took the slot in between.
+    // Compares a second time: the end could belong to another range that took the slot in between.
     if (begin == 0 || address < begin || address >= end || slot.begin.load() != begin) continue;
-    // What follows lies beyond the file's end, too. One mapping for all of it: their number is limited.
+    // The rest lies beyond the file's end, too. One mapping for all of it, because their number is limited.
     const std::uintptr_t from = address - (address - begin) % pageBytes;
     void* const place = reinterpret_cast<void*>(from);  // NOLINT(performance-no-int-to-ptr): an address is what it is
     if (mmap(place, end - from, PROT_READ, MAP_PRIVATE | MAP_ANONYMOUS | MAP_FIXED, -1, 0) == MAP_FAILED) return false;
@@ -50,7 +50,7 @@ bool mend(std::uintptr_t address) noexcept {
 
 void onBusError(int signal, siginfo_t* info, void* context) noexcept {
   const int error = errno;
-  const bool fault = info->si_code > 0;  // else somebody sent it
+  const bool fault = info->si_code > 0;  // else another process sent it
   if (fault && mend(reinterpret_cast<std::uintptr_t>(info->si_addr))) {
     errno = error;
     return;
@@ -64,12 +64,12 @@ void onBusError(int signal, siginfo_t* info, void* context) noexcept {
     return;
   }
   if (!fault && previous.sa_handler == SIG_IGN) return;
-  // Where it faults again when this returns, it ends with a core that shows the place.
+  // If it faults again when this returns, the process ends with a core dump that shows the place.
   std::signal(signal, SIG_DFL);
   if (!fault) raise(signal);
 }
 
-/// It stays: who installed a handler after us may call ours.
+/// Never uninstalled: a handler that was installed later may call ours.
 void install() noexcept {
   pageBytes = static_cast<std::uintptr_t>(sysconf(_SC_PAGESIZE));
   sigaction(SIGBUS, nullptr, &previous);

@@ -17,7 +17,7 @@ std::string lastError() { return std::generic_category().message(errno); }
 
 }  // namespace
 
-// Without O_NONBLOCK, opening a pipe would wait for somebody who writes to it.
+// Without O_NONBLOCK, opening a pipe would wait for a writer.
 PlainFile::PlainFile(std::filesystem::path file, std::string mend, std::uint64_t maxBytes)
     : file_(std::move(file)),
       mend_(std::move(mend)),

@@ -8,11 +8,11 @@
 
 namespace grove {
 
-/// A plain file that is open to be read. What is none is refused unread: a device may never end, a pipe never begin.
+/// A plain file, opened for reading. Refuses other kinds without reading: a device may never end, a pipe never begin.
 /// One thread.
 class PlainFile {
  public:
-  /// Throws EnvironmentError, as all of it does, that ends with `mend`; also for a file of more than `maxBytes`.
+  /// Throws EnvironmentError, as all members do, that ends with `mend`; also for a file of more than `maxBytes`.
   PlainFile(std::filesystem::path file, std::string mend, std::uint64_t maxBytes);
   ~PlainFile();
   PlainFile(const PlainFile&) = delete;
@@ -22,9 +22,9 @@ class PlainFile {
   /// Its length when it was opened.
   [[nodiscard]] std::uint64_t bytes() const noexcept { return bytes_; }
 
-  /// The next bytes; fewer than asked for only at the end.
+  /// Reads the next bytes; fewer than requested only at the end.
   [[nodiscard]] std::size_t read(std::span<char> to);
-  /// All that is left of bytes().
+  /// Reads the rest of bytes().
   [[nodiscard]] std::string readAll();
 
  private:

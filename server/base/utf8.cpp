@@ -11,7 +11,7 @@ bool isValid(std::string_view text) noexcept { return ::utf8::is_valid(text.begi
 Character firstCharacter(std::string_view text) noexcept {
   constexpr std::size_t kMaxBytes = 4;
   for (std::size_t bytes = 1; bytes <= std::min(kMaxBytes, text.size()); ++bytes) {
-    // The shortest beginning that is valid is one character.
+    // The shortest valid beginning is one character.
     if (!isValid(text.substr(0, bytes))) continue;
     const char* at = text.data();
     return {::utf8::unchecked::next(at), bytes};

@@ -24,7 +24,7 @@ std::string timeLeft(double seconds) {
   return text;
 }
 
-/// What is wrong with the options, or empty.
+/// Returns what is wrong with the options; empty if they are valid.
 std::string mistake(const BakeCommand& command) {
   if (command.model.has_value() == command.plant.has_value()) return "name either a MODEL.glb or a --plant";
   const auto names = models::plantNames();
@@ -33,11 +33,11 @@ std::string mistake(const BakeCommand& command) {
     for (const std::string_view name : names) text.append(" ").append(name);
     return text;
   }
-  // A rename would put a file in its place.
+  // Renaming the result would replace a device or a pipe by a file.
   std::error_code error;
   const auto there = std::filesystem::symlink_status(command.output, error);
   if (std::filesystem::exists(there) && !std::filesystem::is_regular_file(there)) {
-    return "-o " + command.output + " is there and is no file that could be replaced; choose another";
+    return "-o " + command.output + " exists and is not a regular file; choose another name";
   }
   return {};
 }

@@ -17,12 +17,12 @@ class App;
 
 namespace grove::cli {
 
-/// `grove bench` with its sub-commands and what they are asked for.
+/// `grove bench` with its sub-commands and their options.
 class BenchCommands {
  public:
-  /// This outlives the parsing.
+  /// This outlives parsing.
   void addTo(CLI::App& app);
-  /// The one that was asked for; returns its exit code.
+  /// Runs the selected sub-command; returns its exit code.
   [[nodiscard]] int run() const;
 
  private:

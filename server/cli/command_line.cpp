@@ -35,12 +35,12 @@ void addBake(CLI::App& app, BakeCommand& command) {
   using objects::lightfield::kMaxSize;
   using objects::lightfield::kMinSize;
   using objects::lightfield::ViewSphere;
-  CLI::App* bake = app.add_subcommand("bake", "Make a light field of a model or of a plant");
+  CLI::App* bake = app.add_subcommand("bake", "Bake a light field of a model or of a plant");
   bake->add_option("model", command.model, "glTF file, .glb or .gltf");
-  bake->add_option("--plant", command.plant, "A plant to grow instead")->type_name(oneOf(models::plantNames()));
-  bake->add_option("--seed", command.seed, "The plant's; another seed is another plant")->capture_default_str();
+  bake->add_option("--plant", command.plant, "Generate this plant instead")->type_name(oneOf(models::plantNames()));
+  bake->add_option("--seed", command.seed, "Seed of the plant; each seed is a different plant")->capture_default_str();
   const std::map<std::string, bool> details{{"small", false}, {"full", true}};
-  choose(bake->add_option("--detail", command.full, "The plant's; full is several million triangles"), details);
+  choose(bake->add_option("--detail", command.full, "Detail of the plant; full is several million triangles"), details);
   bake->add_option("--subdivision", command.options.subdivision, "Parts per edge of the octahedron of views")
       ->check(CLI::Range(1, ViewSphere::kMaxSubdivision))
       ->capture_default_str();
@@ -53,7 +53,7 @@ void addBake(CLI::App& app, BakeCommand& command) {
   bake->add_option("--size", command.options.size, "Texels per edge of a view")
       ->check(powerOfTwo, "POWER OF TWO")
       ->capture_default_str();
-  bake->add_option("--lightings", command.options.lightings, "Suns around the object, for objects that are turned")
+  bake->add_option("--lightings", command.options.lightings, "Directions of the sun, for rotated objects")
       ->check(CLI::Range(1, kMaxLightings))
       ->capture_default_str();
   bake->add_option("--samples", command.options.samples, "Samples per edge of a texel")
@@ -61,37 +61,43 @@ void addBake(CLI::App& app, BakeCommand& command) {
       ->capture_default_str();
   bake->add_option("--threads", command.options.threads, "Threads (default: one per core)")->check(CLI::Range(1, 1024));
   bake->add_option("-o,--output", command.output, "Light-field file to write")->required();
-  bake->add_flag("--json", command.json, "One JSON document on stdout");
+  bake->add_flag("--json", command.json, "Print one JSON document");
 }
 
 void addLoad(CLI::App& app, LoadOptions& options) {
-  CLI::App* load = app.add_subcommand("load", "Visit a running server with many websocket clients and measure");
-  load->add_option("url", options.url, "ws://HOST:PORT/, or wss://")->required();
+  CLI::App* load = app.add_subcommand("load", "Measure a running server with many websocket clients");
+  load->add_option("url", options.url, "ws://HOST:PORT/ or wss://HOST:PORT/")->required();
   load->add_option("--sessions", options.sessions, "Number of visitors")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
-  load->add_option("--seconds", options.seconds, "How long")->check(CLI::Range(0.1, 86400.0))->capture_default_str();
-  load->add_option("--width", options.width, "Pixels")->check(CLI::Range(16, 16384))->capture_default_str();
-  load->add_option("--height", options.height, "Pixels")->check(CLI::Range(16, 16384))->capture_default_str();
-  load->add_flag("--insecure", options.insecure, "With wss://: take any certificate");
+  load->add_option("--seconds", options.seconds, "Seconds to measure")
+      ->check(CLI::Range(0.1, 86400.0))
+      ->capture_default_str();
+  load->add_option("--width", options.width, "Width of a picture in pixels")
+      ->check(CLI::Range(16, 16384))
+      ->capture_default_str();
+  load->add_option("--height", options.height, "Height of a picture in pixels")
+      ->check(CLI::Range(16, 16384))
+      ->capture_default_str();
+  load->add_flag("--insecure", options.insecure, "With wss://: accept any certificate");
   constexpr std::array<std::string_view, 2> kCodecs = {"h264", "jpeg"};
-  load->add_option("--codec", options.codec, "The only one that is offered (default: h264, then jpeg)")
+  load->add_option("--codec", options.codec, "Offer only this codec (default: h264, then jpeg)")
       ->check(CLI::IsMember(std::vector<std::string>(kCodecs.begin(), kCodecs.end())).description(""))
       ->type_name(oneOf(kCodecs));
   CLI::Option* walk = load->add_option_function<std::string>(
                               "--walk", [&options](const std::string& file) { options.walkFile = file; },
-                              "Walk about (the default), or along a walk of the built-in world, as in tests/walks")
+                              "Stroll (the default), or follow a walk file of the built-in world, as in tests/walks")
                           ->type_name("[FILE]")
                           ->expected(0, 1);
-  CLI::Option* look = load->add_flag("--look", options.look, "Look about only")->excludes(walk);
-  load->add_flag("--stand", options.stand, "Stand still; inputs are sent all the same")->excludes(walk)->excludes(look);
-  load->add_option("--shape", options.shape, "A line for each visitor, as in 5mbit,80ms; see grove shape --help")
+  CLI::Option* look = load->add_flag("--look", options.look, "Only look around")->excludes(walk);
+  load->add_flag("--stand", options.stand, "Stand still; inputs are still sent")->excludes(walk)->excludes(look);
+  load->add_option("--shape", options.shape, "Shape each visitor's line, as in 5mbit,80ms; see grove shape --help")
       ->type_name("PROFILE");
-  load->add_flag("--json", options.json, "One JSON document on stdout");
+  load->add_flag("--json", options.json, "Print one JSON document");
 }
 
 void addShape(CLI::App& app, ShapeOptions& options) {
-  CLI::App* shape = app.add_subcommand("shape", "Show a server over a bad line: a proxy for browsers");
+  CLI::App* shape = app.add_subcommand("shape", "Imitate a bad line: a proxy between browsers and a server");
   shape
       ->add_option("profile", options.profile,
                    "RATE,RTT[,up=RATE][,jitter=TIME][,stall=TIME/TIME][,seed=N], as in 5mbit,80ms,jitter=10ms or "

@@ -83,13 +83,13 @@ stream::Movement movementOf(const LoadOptions& options) {
   return options.stand ? stream::Movement::kStand : stream::Movement::kStroll;
 }
 
-/// As if the world were the one that is built in: a client does not know where visitors arrive.
+/// Assumes the built-in world, because a client does not know where visitors arrive.
 stream::WalkToFollow walkToFollow(const std::string& file) {
   const world::Scene scene = openScene(std::nullopt);
   return {world::loadWalk(file), scene.spawn, scene.spawnYaw};
 }
 
-/// All but the line.
+/// Returns the plan without the line's shape.
 stream::LoadPlan planOf(const LoadOptions& options) {
   stream::LoadPlan plan;
   plan.sessions = options.sessions;
@@ -124,10 +124,10 @@ int runLoad(const LoadOptions& options) {
   plan.shape = std::move(shape);
   const stream::LoadReport report = summarise(stream::runLoadClients(*target, plan));
   if (report.sessions == 0) {
-    const std::string reason = report.errors.empty() ? "no sessions were asked for" : report.errors.front();
+    const std::string reason = report.errors.empty() ? "no sessions requested" : report.errors.front();
     const bool judged = target->isSecure && !options.insecure;
-    std::fprintf(stderr, "grove load: nobody was let in at %s: %s%s\n", options.url.c_str(), reason.c_str(),
-                 judged ? " (where its certificate is not one that this machine trusts: --insecure)" : "");
+    std::fprintf(stderr, "grove load: %s admitted no visitor: %s%s\n", options.url.c_str(), reason.c_str(),
+                 judged ? " (if this machine does not trust its certificate: --insecure)" : "");
     return 1;
   }
   logErrors(report);

@@ -12,8 +12,8 @@ struct LoadOptions {
   double seconds = 10.0;
   int width = 1280;                  ///< pixels
   int height = 720;                  ///< pixels
-  std::optional<std::string> codec;  ///< the only one that is offered; both if not given
-  bool insecure = false;             ///< take any certificate
+  std::optional<std::string> codec;  ///< the only offered codec; both if not given
+  bool insecure = false;             ///< accept any certificate
   bool look = false;
   bool stand = false;
   std::string walkFile;              ///< a walk to follow; empty: a stroll
@@ -22,7 +22,7 @@ struct LoadOptions {
 };
 
 /// Measures a running server with real websocket clients and prints the figures to stdout. Returns the exit status: 1
-/// if nobody was let in, 2 if the address or the line's profile is wrong. Throws world::WalkError.
+/// if no visitor was admitted, 2 if the address or the line's profile is invalid. Throws world::WalkError.
 int runLoad(const LoadOptions& options);
 
 }  // namespace grove::cli

@@ -35,7 +35,7 @@ using namespace std::chrono_literals;
 constexpr auto kStopWhileNodePrepares = 900ms;
 constexpr auto kStopWhileNodeServes = 4000ms;
 
-/// The longest that the node with the obstacles may take to answer.
+/// Timeout for the response of the node with the obstacles.
 constexpr auto kObstaclePatience = 10s;
 
 node::ServedObjects ownObjects(const world::Layout& layout, const std::vector<std::string>& names) {
@@ -48,22 +48,22 @@ node::ServedObjects ownObjects(const world::Layout& layout, const std::vector<st
   return *own;
 }
 
-/// Returns the client for obstacles of the node at `address`, or nothing without an address. Throws EnvironmentError if
-/// an own object needs all models, or if that node does not answer.
+/// Returns the client for obstacles of the node at `address`; nothing without an address. Throws EnvironmentError if an
+/// own object needs all models, or if that node does not respond.
 std::optional<node::RemoteObstacles> obstaclesAt(const std::optional<std::string>& address, const world::Layout& layout,
                                                  const node::ServedObjects& own, const node::BackendTypes& types,
                                                  const node::LinkTls& tls) {
   if (!address) return std::nullopt;
   if (const node::BackendType* const type = node::typeThatNeedsAllModels(layout, own, types)) {
     throw EnvironmentError("objects of the type '" + std::string(type->name()) + "' need the models of all others",
-                           "--obstacles", "a node that owns some is started without it");
+                           "--obstacles", "start a node with such objects without it");
   }
   std::optional<node::RemoteObstacles> obstacles(std::in_place, *address, layout.hash, tls);
   obstacles->waitForNode(kObstaclePatience);
   return obstacles;
 }
 
-/// Where it listens; nothing, and one line says so, if it has an address that is none.
+/// Returns the address to listen at; nothing, with a line on stderr, if an option is not an address.
 std::optional<stream::HostPort> addressesOf(const NodeOptions& options) {
   auto at = parseHostPort(options.listen);
   if (!at) std::fprintf(stderr, "grove: --listen wants HOST:PORT, not '%s'\n", options.listen.c_str());

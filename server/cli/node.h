@@ -11,14 +11,14 @@ namespace grove::cli {
 
 /// Options of `grove node`.
 struct NodeOptions {
-  std::vector<std::string> objects;  ///< names and types of those that it owns
+  std::vector<std::string> objects;  ///< names or types of its objects
   std::optional<std::string> scene;
   std::string listen = "127.0.0.1:8100";
   LinkOptions links;
   /// Address of the node that provides voxels of all obstacles. Without it, this node loads all models.
   std::optional<std::string> obstacles;
   LinkOptions obstacleLinks{{"", "", "--link-tls"}, ""};
-  std::optional<float> viewError;  ///< nothing: what the scene says
+  std::optional<float> viewError;  ///< none: the scene's
   gl::ContextKind gl = gl::ContextKind::kAuto;
 };
 

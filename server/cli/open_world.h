@@ -13,16 +13,16 @@
 
 namespace grove::cli {
 
-/// A world's owner that servers can join over gRPC, with a thread of its own for what they say. Any thread.
+/// A world's owner that servers can join over gRPC, with its own thread for their messages. Any thread.
 class OpenWorld {
  public:
-  /// Listens there; throws EnvironmentError if it cannot. The scene is used during the call only.
+  /// Listens at `at`; throws EnvironmentError if that fails. Uses the scene during the call only.
   OpenWorld(const world::Scene& scene, const stream::HostPort& at, const node::LinkTls& tls);
 
-  /// Where it listens, HOST:PORT.
+  /// The address that it listens at, HOST:PORT.
   [[nodiscard]] const std::string& address() const noexcept { return address_; }
 
-  /// A link of this process itself, without a socket. It goes before this does.
+  /// Returns a link within this process, without a socket. It must be destroyed before this.
   [[nodiscard]] std::shared_ptr<node::FrontendEnd> link();
 
  private:

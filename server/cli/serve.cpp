@@ -37,19 +37,19 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// What serving takes besides threads and shared pictures: frames, sockets, reports.
+/// Memory for serving besides threads and shared pictures: frames, sockets, reports.
 constexpr std::size_t kForServing = std::size_t{96} << 20U;
 
 constexpr auto kStopWhilePreparing = 900ms;
-/// Long enough for everybody to be notified, for visitors' worlds to be taken apart, and for one that is being made to
-/// be given up.
+/// Long enough to notify all visitors, to destroy private worlds and to cancel the preparation of one.
 constexpr auto kStopWhileServing = 4000ms;
 
 std::size_t sharedBytes(const ServeOptions& options) {
   return static_cast<std::size_t>(options.viewCacheMegabytes) << 20U;
 }
 
-/// What is needed once the world is ready; a crash of what takes no failed allocation is worse than no start.
+/// Memory needed once the world is ready. Checked at the start, because code that cannot handle a failed allocation
+/// would crash later.
 std::size_t spaceForServing(const world::Scene& scene, const ServeOptions& options) {
   const bool shared =
       std::ranges::any_of(scene.objects, [](const auto& object) { return object.type == "lightfield"; });
@@ -60,7 +60,7 @@ std::string urlOf(const stream::HostPort& at, bool isSecure) {
   return (isSecure ? "https://" : "http://") + addressOf(at, at.port);
 }
 
-/// The port next to the visitors' is easily remembered; if it is taken, any free one.
+/// Returns the port after the visitors', which is easy to remember; if it is taken, any free one.
 stream::HostPort operatorsBeside(const stream::HostPort& visitors) {
   stream::HostPort next{"127.0.0.1", visitors.port + 1};
   try {
@@ -73,7 +73,7 @@ stream::HostPort operatorsBeside(const stream::HostPort& visitors) {
   return {next.host, 0};
 }
 
-/// Nothing, and a line on stderr, if an option is wrong.
+/// Returns nothing, with a line on stderr, if an option is invalid.
 std::optional<stream::EntranceRules> entranceRules(const ServeOptions& options) {
   const auto fail = [](const char* option, const char* wanted, const std::string& given) {
     std::fprintf(stderr, "grove: %s wants %s, not '%s'\n", option, wanted, given.c_str());
@@ -98,10 +98,10 @@ std::optional<stream::EntranceRules> entranceRules(const ServeOptions& options) 
   return rules;
 }
 
-/// The number of a process among those that share nodes or a world: a new one in each of its lives.
+/// A process's number among those that share nodes or a world; a new one at each start.
 node::ProcessId randomProcess() { return std::max<node::ProcessId>(1, std::random_device{}() >> 1U); }
 
-/// False, and a line on stderr, if an option is no address.
+/// Returns false, with a line on stderr, if an option is not an address.
 bool isAddress(std::string_view option, const std::optional<std::string>& text) {
   if (!text || parseHostPort(*text)) return true;
   std::fprintf(stderr, "grove: %.*s wants HOST:PORT, not '%s'\n", static_cast<int>(option.size()), option.data(),
@@ -109,7 +109,7 @@ bool isAddress(std::string_view option, const std::optional<std::string>& text) 
   return false;
 }
 
-/// Has the host join the world of the process at this address.
+/// Lets the host join the world of the owner at this address.
 void join(const std::string& owner, const node::LinkTls& tls, stream::HostOptions& host) {
   host.linkToOwner = [owner, tls](pipeline::Executor& workers, pipeline::Timeline& timeline) {
     return std::make_shared<node::GrpcFrontendEnd>(owner, workers, timeline, tls, "owner");
@@ -124,7 +124,7 @@ bool canShareSecurely(const ServeOptions& options) {
   return false;
 }
 
-/// Returns false and prints one line on stderr if one is not.
+/// Returns false, with a line on stderr, if one is not an address.
 bool areAddresses(const std::vector<std::string>& nodes) {
   const auto wrong = std::ranges::find_if(nodes, [](const std::string& node) { return !parseHostPort(node); });
   if (wrong == nodes.end()) return true;
@@ -132,7 +132,7 @@ bool areAddresses(const std::vector<std::string>& nodes) {
   return false;
 }
 
-/// Pictures that no server keeps are not worth sharing.
+/// Without a cache of pictures, sharing them does not pay.
 std::optional<float> viewErrorOf(const ServeOptions& options) {
   return options.viewCacheMegabytes > 0 ? options.viewError : 0.0F;
 }
@@ -142,7 +142,7 @@ struct Listeners {
   stream::HostPort operatorAddress;  ///< of the operator
 };
 
-/// Nothing, and a line on stderr, if they cannot be listened at.
+/// Returns nothing, with a line on stderr, if the addresses are invalid.
 std::optional<Listeners> listenersOf(const ServeOptions& options) {
   const auto visitors = parseHostPort(options.listen);
   const auto operators = parseHostPort(options.operators.value_or(options.listen));
@@ -151,16 +151,16 @@ std::optional<Listeners> listenersOf(const ServeOptions& options) {
                  visitors ? options.operators->c_str() : options.listen.c_str());
     return std::nullopt;
   }
-  // The library tells listeners apart by their ports.
+  // libwebsockets distinguishes listeners by their ports.
   if (options.operators && visitors->port != 0 && visitors->port == operators->port) {
-    std::fprintf(stderr, "grove: --listen and --operator want ports of their own, not both %d\n", visitors->port);
+    std::fprintf(stderr, "grove: --listen and --operator need different ports, not both %d\n", visitors->port);
     return std::nullopt;
   }
   return Listeners{*visitors, options.operators ? *operators : operatorsBeside(*visitors)};
 }
 
-/// Where visitors wait, and what the terminal and they see of the preparation. Of what cannot be served, nothing is
-/// announced.
+/// Reports the preparation to the terminal and to waiting visitors. Does not announce the page before the first report,
+/// because a bad scene fails before that.
 class WaitingRoom {
  public:
   WaitingRoom(stream::WebsocketServer& server, std::string address) : server_(server), address_(std::move(address)) {}
@@ -190,7 +190,7 @@ void serveUntilStopped(StopOnSignal& stop, stream::TlsStore* tls) {
       if (tls != nullptr) {
         tls->reload();
       } else {
-        log::info("SIGHUP: there is no certificate to read anew");
+        log::info("SIGHUP: there is no certificate to reload");
       }
     } else if (tls != nullptr) {
       tls->look();
@@ -217,11 +217,11 @@ int runServe(const ServeOptions& options) {
   world::Scene scene = openScene(options.scene);
   setViewError(scene, viewErrorOf(options));
   if (viewErrorOf(options) && !options.nodes.empty()) {
-    log::warning("--view-error and --view-cache 0 do not reach --nodes: start `grove node` with --view-error, too");
+    log::warning("--view-error and --view-cache 0 do not apply to --nodes: start `grove node` with --view-error, too");
   }
   std::optional<EndOnMemoryShortage> ending(std::in_place);
   std::optional<OpenWorld> shared;
-  // The server goes before the host and the refiner before both, however this ends.
+  // Destruction order: refiner, server, host.
   std::optional<WorldPreparation> world;
   std::optional<stream::Host> host;
   stream::WebsocketServer server(
@@ -252,7 +252,7 @@ int runServe(const ServeOptions& options) {
     host.emplace([&](const auto& machine, auto instances) { return world->make(machine, instances); },
                  world->frontends(), hosting, report);
   } catch (const WorldPreparation::Stopped&) {
-    log::info("stopped; the next start goes on from here");
+    log::info("stopped; the next start continues from here");
     return 0;
   }
   waiting.close();

@@ -10,7 +10,7 @@ class App;
 
 namespace grove::cli {
 
-// Sub-commands of the processes that show a world, and what they are asked for. The options outlive the parsing.
+// Sub-commands of the processes that serve a world. The options outlive parsing.
 
 void addServe(CLI::App& app, ServeOptions& options);
 void addWorld(CLI::App& app, WorldOptions& options);

@@ -45,7 +45,7 @@ void StopOnSignal::watch(const std::stop_token& ended) {
     }
     const std::chrono::milliseconds patience(patience_);
     if (asked && patience.count() >= 0 && Clock::now() - *asked > patience) {
-      log::info("stopped in the midst of its work; the next start goes on from here");
+      log::info("stopped during work; the next start continues from here");
       std::_Exit(EXIT_SUCCESS);
     }
   }

@@ -19,7 +19,7 @@ class Context {
  public:
   /// kEgl takes a GPU if there is one, else Mesa's software GL; kAuto falls back to OSMesa. `ordinal` spreads contexts
   /// over independent software displays, because llvmpipe rasterises for one context of a display at a time; on a GPU
-  /// it does nothing. Throws EnvironmentError that lists what was tried and what to install.
+  /// it has no effect. Throws EnvironmentError that lists what was tried and what to install.
   explicit Context(ContextKind kind, int ordinal = 0);
   ~Context();
   Context(Context&&) noexcept = default;

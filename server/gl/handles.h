@@ -6,7 +6,7 @@
 
 namespace grove::gl {
 
-/// Owns one GL object. Lives and dies on the thread of its context, and before it.
+/// Owns one GL object. Made and destroyed on the thread of its context, before the context.
 template <class Traits>
 class Handle {
  public:

@@ -16,7 +16,7 @@ struct ShaderSource {
   std::vector<std::string> places;
 };
 
-/// Where shaders come from: compiled into the binary, or a directory for live editing (`--shader-dir`). Any thread.
+/// Source of shaders: compiled into the binary, or a directory for live editing (`--shader-dir`). Any thread.
 class ShaderLibrary {
  public:
   /// Throws EnvironmentError if there is no such directory.

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kDefaultCount = 2;
 
-// A task is given no argument, so what belongs to its thread is found by the thread.
+// A task gets no argument, so it finds its thread's data by the thread.
 thread_local Workers::Local* current = nullptr;
 
 }  // namespace
@@ -22,7 +22,7 @@ Workers::Workers(ContextKind kind, const ShaderLibrary& shaders, int count)
   setenv("LP_NUM_THREADS", "0", 0);
   threads_.reserve(ownTasks_.size());
   try {
-    // One after the other: drivers make a second context safely, but some make two at once badly.
+    // In order: drivers make a second context safely, but some fail when two are made at once.
     for (std::size_t index = 0; index < ownTasks_.size(); ++index) {
       std::promise<void> started;
       std::future<void> ready = started.get_future();

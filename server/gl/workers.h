@@ -19,7 +19,7 @@ namespace grove::gl {
 /// sessions. Tasks run first in, first out.
 class Workers final : public pipeline::Executor {
  public:
-  /// What a task finds on the thread that runs it.
+  /// The environment of a task, which depends on its thread.
   struct Local {
     Context& context;
     const Api& api;
@@ -27,19 +27,19 @@ class Workers final : public pipeline::Executor {
     int index;  ///< 0 to width() - 1
   };
 
-  /// `count` 0 lets the context decide: two on software GL and on a GPU alike. `shaders` outlives the workers. Throws
-  /// EnvironmentError if there is no GL. Asks llvmpipe, unless LP_NUM_THREADS is set, to rasterise on the thread
-  /// that draws: then its CPU time is that of the task.
+  /// `count` 0 lets the context decide: two, on software GL and on a GPU. `shaders` outlives the workers. Throws
+  /// EnvironmentError if there is no GL. Unless LP_NUM_THREADS is set, makes llvmpipe rasterise on the drawing thread:
+  /// then its CPU time is the task's.
   Workers(ContextKind kind, const ShaderLibrary& shaders, int count = 0);
 
-  /// Runs what is queued, then joins.
+  /// Runs the queued tasks, then joins.
   ~Workers() override;
   Workers(const Workers&) = delete;
   Workers& operator=(const Workers&) = delete;
 
   [[nodiscard]] int width() const noexcept override { return static_cast<int>(threads_.size()); }
 
-  /// Runs the task once on every worker and returns when all are done: to drop what they keep. Not from a worker.
+  /// Runs the task once on every worker and returns when all have ended. Must not be called from a worker.
   void runOnEach(const std::function<void(Local&)>& task);
 
   /// The environment of the calling thread, which must be one of the workers.

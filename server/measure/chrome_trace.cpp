@@ -20,7 +20,7 @@ std::string jsonText(std::string_view text) {
   return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
-/// The format's unit; three decimals keep every nanosecond.
+/// Formats nanoseconds in the format's unit, microseconds; three decimals keep every nanosecond.
 std::string thousandth(std::int64_t count) {
   char text[32];
   std::snprintf(text, sizeof text, "%lld.%03lld", static_cast<long long>(count / 1000),
@@ -28,7 +28,7 @@ std::string thousandth(std::int64_t count) {
   return text;
 }
 
-/// Names of colours that chrome://tracing knows; Perfetto colours by the name of a slice.
+/// Colour names of chrome://tracing; Perfetto colours by the name of a slice.
 const char* colourOf(pipeline::Work work) {
   switch (work) {
     case pipeline::Work::kAcrossUser:
@@ -41,13 +41,13 @@ const char* colourOf(pipeline::Work work) {
   return "";
 }
 
-/// An event and the process that it is shown in.
+/// An event and the process that shows it.
 struct Placed {
   TimelineEvent event;
   std::size_t process = 0;
 };
 
-/// By begin, and what is around before what is within.
+/// Sorts by begin, outer runs before the runs within them.
 std::vector<Placed> inOrder(std::span<const TraceSection> sections, std::size_t firstProcess) {
   std::vector<Placed> sorted;
   for (std::size_t i = 0; i < sections.size(); ++i) {
@@ -59,7 +59,7 @@ std::vector<Placed> inOrder(std::span<const TraceSection> sections, std::size_t 
   return sorted;
 }
 
-/// Those of a frame that are not within others.
+/// The runs of frames that are not within other runs.
 class RunsOfFrames {
  public:
   using Frame = std::array<std::uint32_t, 3>;  ///< process, session, number
@@ -75,8 +75,8 @@ class RunsOfFrames {
     }
   }
 
-  /// The phase of the flow event that this run is: its frame's start, a step, its finish; 0 if there is nothing to tie.
-  /// To be asked for each event once, in order.
+  /// Returns the phase of this run's flow event: its frame's start, step or finish; 0 if there is nothing to connect.
+  /// Call once per event, in order.
   char phaseOf(std::size_t index, const TimelineEvent& event) {
     if (!isStep(index, event)) return 0;
     auto& [done, all] = steps_.at(frameOf(event));
@@ -99,7 +99,7 @@ class RunsOfFrames {
 
 class Writer {
  public:
-  /// Sections of one clock, the first of which is process `firstProcess`.
+  /// Writes sections with one clock; the first is process `firstProcess`.
   void write(std::span<const TraceSection> sections, std::size_t firstProcess);
   std::string finish() { return std::move(text_) + "\n]}\n"; }
 
@@ -120,7 +120,7 @@ class Writer {
 
   std::string text_ = R"({"displayTimeUnit":"ms","traceEvents":[)";
   bool first_ = true;
-  std::size_t group_ = 0;  ///< the process of the group's first section: frames are of one group
+  std::size_t group_ = 0;  ///< the process of the group's first section: frames belong to one group
   std::int64_t origin_ = 0;
 };
 
@@ -147,7 +147,7 @@ void Writer::describeProcess(const std::string& name, std::size_t process) {
 }
 
 void Writer::describeThreads(std::span<const TimelineEvent> events, std::size_t process) {
-  std::map<std::uint32_t, std::string_view> only;  // the stage, for a thread that runs one only
+  std::map<std::uint32_t, std::string_view> only;  // by thread: its only stage; empty if it runs several
   for (const TimelineEvent& event : events) {
     const auto [found, isNew] = only.emplace(event.thread, event.stage);
     if (!isNew && found->second != event.stage) found->second = {};
@@ -181,13 +181,13 @@ void Writer::slice(const Placed& placed) {
 }
 
 void Writer::flow(char phase, const Placed& placed) {
-  // Flows of one name are distinguished by this in the whole file.
+  // The id distinguishes flows of one name in the whole file.
   std::string id = std::to_string(group_);
   for (const std::uint32_t part : RunsOfFrames::frameOf(placed.event)) id.append(".").append(std::to_string(part));
   open(phase, placed.process);
   at(placed.event);
   text_.append(R"(,"name":"frame","cat":"frame","id":")").append(id).append("\"");
-  // Without it, the arrow ends at the slice after the one that is around its end.
+  // Without it, the arrow ends at the slice after the enclosing one.
   if (phase == 'f') text_ += R"(,"bp":"e")";
   text_ += "}";
 }

@@ -6,7 +6,7 @@
 
 namespace grove::measure {
 
-/// A value with the interval that holds the true one with 95 % confidence.
+/// A value with its 95 % confidence interval.
 struct Estimate {
   double value = 0.0;
   double low = 0.0;
@@ -23,12 +23,12 @@ struct LinearFit {
   [[nodiscard]] double at(double x) const noexcept { return a.value + b.value * x; }
 };
 
-/// Least squares over (x, y). Nothing if there are fewer than two different x. Of two points the line is exact and says
-/// nothing about its error: the intervals are infinite.
+/// Fits a line by least squares. Returns nothing for fewer than two different x. A line through two points is exact and
+/// has no error estimate: the intervals are infinite.
 [[nodiscard]] std::optional<LinearFit> linearFit(std::span<const std::pair<double, double>> points);
 
-/// The t that a Student-distributed value with `degrees` (1 or more) degrees of freedom does not exceed in magnitude
-/// with probability `confidence`, within 0 and 1.
+/// Returns the t that a Student-distributed value with `degrees` (1 or more) degrees of freedom does not exceed in
+/// magnitude with probability `confidence`, between 0 and 1.
 [[nodiscard]] double studentQuantile(double confidence, int degrees);
 
 }  // namespace grove::measure

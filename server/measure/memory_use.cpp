@@ -12,7 +12,7 @@
 namespace grove::measure {
 namespace {
 
-/// The bytes behind a name such as `Rss:`, in a file of lines `NAME VALUE kB`.
+/// Returns the bytes of a field such as `Rss:` in a file of lines `NAME VALUE kB`.
 std::int64_t bytesOf(const std::string& file, const std::string& name) {
   std::ifstream lines(file);
   for (std::string word; lines >> word;) {
@@ -20,7 +20,7 @@ std::int64_t bytesOf(const std::string& file, const std::string& name) {
     if (word == name && lines >> kilobytes) return 1024 * kilobytes;
     lines.ignore(std::numeric_limits<std::streamsize>::max(), '\n');
   }
-  throw EnvironmentError("does not tell " + name, file, "a Linux kernel of 4.14 or newer is needed");
+  throw EnvironmentError("does not report " + name, file, "a Linux kernel of 4.14 or newer is needed");
 }
 
 MemoryUse memoryOf(const std::string& process) {

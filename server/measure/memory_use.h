@@ -7,10 +7,10 @@
 
 namespace grove::measure {
 
-/// What the process really holds of the machine's memory, in bytes.
+/// Physical memory of a process, bytes.
 struct MemoryUse {
-  std::int64_t resident = 0;      ///< mapped files included
-  std::int64_t proportional = 0;  ///< with its share only of what other processes have mapped, too
+  std::int64_t resident = 0;      ///< includes mapped files
+  std::int64_t proportional = 0;  ///< counts only its share of pages that other processes map, too
 
   /// Throws EnvironmentError if the system does not report it.
   [[nodiscard]] static MemoryUse read();
@@ -18,14 +18,14 @@ struct MemoryUse {
   [[nodiscard]] static MemoryUse of(pid_t process);
 };
 
-/// MemoryUse::resident alone, which takes microseconds where the rest takes milliseconds. 0 if the system does not
-/// tell.
+/// Returns MemoryUse::resident alone, in microseconds instead of milliseconds; 0 if the system does not report it.
 [[nodiscard]] std::size_t residentBytes();
 
-/// Bytes that programs may still take without swapping. Throws EnvironmentError if the system does not report it.
+/// Returns the bytes that programs can allocate without swapping. Throws EnvironmentError if the system does not report
+/// it.
 [[nodiscard]] std::int64_t availableMemory();
 
-/// Gives back to the system what was freed, so that what was held before does not count as held now.
+/// Returns freed memory to the system, so that earlier allocations do not count as held.
 void returnFreedMemory();
 
 }  // namespace grove::measure

@@ -7,7 +7,7 @@
 
 namespace grove::measure {
 
-/// The smallest value that at least this share of all is not above; 0 of nothing.
+/// Returns the smallest value that is at least as large as this share of all values; 0 without values.
 template <class Number>
 [[nodiscard]] double percentile(std::vector<Number> values, double share) {
   if (values.empty()) return 0.0;

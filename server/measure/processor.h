@@ -4,7 +4,7 @@
 
 namespace grove::measure {
 
-/// The processor's name as the system gives it; empty if it gives none.
+/// Returns the processor's name as the system reports it; empty if it reports none.
 [[nodiscard]] std::string processorName();
 
 }  // namespace grove::measure

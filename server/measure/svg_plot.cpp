@@ -18,10 +18,10 @@ constexpr double kRight = 20.0;
 constexpr double kTop = 48.0;
 constexpr double kBottom = 52.0;
 constexpr double kLegendRow = 18.0;
-constexpr double kLetter = 6.6;  ///< mean width, generously
+constexpr double kLetter = 6.6;  ///< mean width, an upper estimate
 constexpr double kMargin = 12.0;
 
-/// Okabe and Ito's colours, which most colour-blind people can tell apart.
+/// Okabe and Ito's colours, which most colour-blind people can distinguish.
 constexpr std::array<std::string_view, 8> kColours = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
                                                       "#8a6d00", "#56b4e9", "#e69f00", "#404040"};
 
@@ -31,7 +31,7 @@ std::string text(double value, std::chars_format format, int precision) {
   return {buffer.data(), end};
 }
 
-/// A coordinate.
+/// Formats a coordinate.
 std::string at(double value) { return text(value, std::chars_format::fixed, 1); }
 
 std::string escaped(std::string_view raw) {
@@ -67,7 +67,7 @@ std::string stroke(double x1, double y1, double x2, double y2, std::string_view 
          std::string(attributes) + "/>\n";
 }
 
-/// From values to pixels, and the values that are worth a line.
+/// Maps values to pixels, and selects the ticks.
 class Axis {
  public:
   Axis(double low, double high, bool logarithmic, double from, double to)
@@ -87,7 +87,7 @@ class Axis {
  private:
   [[nodiscard]] double scaled(double value) const { return logarithmic_ ? std::log10(value) : value; }
 
-  /// At 1, 2 or 5 times a power of ten, about five of them, from zero where that wastes little.
+  /// Places about five ticks at multiples of 1, 2 or 5 times a power of ten; begins at zero if that wastes little.
   void tickEvenly(double low, double high) {
     if (low >= 0.0 && low <= 0.6 * high) low = 0.0;
     if (high <= low) {
@@ -108,7 +108,7 @@ class Axis {
     for (double i = first; i <= last; ++i) ticks_.push_back(i * step);
   }
 
-  /// At powers of ten; at 2 and 5 times them, too, where those are few, and at every few of them where they are many.
+  /// Places ticks at powers of ten; with few decades also at 2 and 5 times them, with many only at every few.
   void tickByDecades(double low, double high) {
     const double decades = std::log10(high / low);
     const double every = std::max(1.0, std::ceil(decades / 6.0));
@@ -162,7 +162,7 @@ std::string mark(double x, double y, std::size_t shape, std::string_view colour)
   }
 }
 
-/// A series with the points that can be drawn, and how.
+/// A series with its drawable points and its style.
 struct Drawn {
   const Series& series;
   std::vector<std::pair<double, double>> points;
@@ -194,12 +194,12 @@ std::vector<Drawn> drawable(const Panel& panel) {
   return drawn;
 }
 
-/// Of UTF-8: bytes that go on with a letter do not count.
+/// Counts the letters of UTF-8: continuation bytes do not count.
 double letters(std::string_view words) {
   return static_cast<double>(std::ranges::count_if(words, [](char c) { return (c & 0xC0) != 0x80; }));
 }
 
-/// Writes the legend's entries in rows from `y` on; returns how many rows there are.
+/// Writes the legend's entries in rows from `y` on; returns the number of rows.
 int legend(std::string& out, const std::vector<Drawn>& series, double y) {
   constexpr double kSample = 24.0;
   double x = kLeft;

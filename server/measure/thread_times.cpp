@@ -13,7 +13,7 @@ ThreadTimes ThreadTimes::read() {
   ThreadTimes times;
   std::error_code error;
   for (std::filesystem::directory_iterator task(kTasks, error), end; !error && task != end; task.increment(error)) {
-    // The scheduler's own account; /proc/self/task/N/stat has it in hundredths of a second only.
+    // The scheduler's own counter; /proc/self/task/N/stat has only hundredths of a second.
     std::ifstream schedule(task->path() / "schedstat");
     std::ifstream name(task->path() / "comm");
     double nanoseconds = 0.0;
@@ -23,7 +23,7 @@ ThreadTimes ThreadTimes::read() {
     times.threads_.emplace(task->path().filename().string(), std::move(thread));
   }
   if (times.threads_.empty()) {
-    throw EnvironmentError("tells no times of threads", kTasks, "a Linux kernel with CONFIG_SCHED_INFO is needed");
+    throw EnvironmentError("reports no times of threads", kTasks, "a Linux kernel with CONFIG_SCHED_INFO is needed");
   }
   return times;
 }

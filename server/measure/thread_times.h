@@ -6,14 +6,15 @@
 
 namespace grove::measure {
 
-/// CPU that the process's threads have used so far, our own and those that libraries have started.
+/// CPU time of the process's threads so far, including those started by libraries.
 class ThreadTimes {
  public:
-  /// Of now. A thread that has ended is in it no longer. Throws EnvironmentError if the system does not report it.
+  /// Reads the current times. Threads that have ended are missing. Throws EnvironmentError if the system does not
+  /// report them.
   [[nodiscard]] static ThreadTimes read();
 
-  /// Seconds that threads whose names start with `prefix` have used since `before`. Those that ended in the meantime
-  /// are missing; "" is every thread.
+  /// Returns the seconds that threads whose names start with `prefix` have used since `before`, without threads that
+  /// have ended since; "" is every thread.
   [[nodiscard]] double secondsSince(const ThreadTimes& before, std::string_view prefix) const;
 
  private:
@@ -21,10 +22,10 @@ class ThreadTimes {
     std::string name;
     double seconds = 0.0;
   };
-  std::map<std::string, Thread> threads_;  ///< by their numbers
+  std::map<std::string, Thread> threads_;  ///< by thread id
 };
 
-/// What the software rasteriser's own threads are called.
+/// Name prefix of the software rasteriser's own threads.
 inline constexpr std::string_view kDriverThreads = "llvmpipe";
 
 }  // namespace grove::measure

@@ -10,11 +10,11 @@
 namespace grove::measure {
 namespace {
 
-/// More pages than Linux would forget one by one.
+/// More pages than Linux would flush one by one from the TLB.
 constexpr std::size_t kForgottenBytes = std::size_t{4} << 20U;
 
-/// A processor marks a page when it looks up where it lies, not when it remembers that. Linux unmarks pages without
-/// making processors forget them; it does make them when many pages become unreadable at once.
+/// A processor marks a page as accessed when it translates its address, but not when the translation is in the TLB.
+/// Linux clears marks without flushing the TLB; it does flush it when many pages become unreadable at once.
 bool forgetTranslations() {
   void* const pages =
       ::mmap(nullptr, kForgottenBytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_POPULATE, -1, 0);
@@ -29,8 +29,8 @@ bool unmarkPages() {
   return file.good();
 }
 
-/// Whether a mapping's marks say what this process did; `words` follow its addresses. Pages of the program and of its
-/// libraries (private mappings of files) also carry the marks of every other process that runs them.
+/// Returns whether a mapping's marks come from this process only; `words` follow its addresses. Pages of the program
+/// and of its libraries (private mappings of files) also carry the marks of every other process that runs them.
 bool isOwn(std::istringstream& words) {
   std::string permissions;
   std::string offset;

@@ -6,10 +6,10 @@
 
 namespace grove::measure {
 
-/// Bytes of memory that the process touches while `work` runs, on whichever thread: the pages that are read or written,
-/// times their size, without those of the program and its libraries. So it is an upper bound, in whole pages, which are
-/// 2 MiB where the kernel gave huge ones. What other threads do meanwhile counts too. Counting takes milliseconds and
-/// touches some pages itself, so the same of an empty `work` is to be subtracted. Nothing where the kernel cannot tell
+/// Returns the bytes of memory that the process touches while `work` runs, on any thread: the pages read or written,
+/// times their size, without those of the program and its libraries. It is an upper bound in whole pages, which are 2
+/// MiB if the kernel uses huge ones, and includes what other threads do meanwhile. Counting takes milliseconds and
+/// touches some pages itself, so subtract the result of an empty `work`. Returns nothing if the kernel cannot report it
 /// (Linux with CONFIG_PROC_PAGE_MONITOR can).
 [[nodiscard]] std::optional<std::int64_t> touchedBytes(const std::function<void()>& work);
 

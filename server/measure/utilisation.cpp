@@ -18,7 +18,7 @@ bool endsWithin(const TimelineEvent& event, const Window& window) {
   return endOf(event) >= window.beginNanoseconds && endOf(event) <= window.endNanoseconds;
 }
 
-/// Gathers the runs that one row is of.
+/// Gathers the runs of one row.
 class Gathered {
  public:
   void add(const TimelineEvent& event, const Window& window) {
@@ -33,7 +33,7 @@ class Gathered {
 
   [[nodiscard]] std::uint64_t runs() const noexcept { return runs_; }
 
-  /// `runs` are those that the parts belong to, if all were parts.
+  /// `runs`: number of runs that the parts belong to, used if there are only parts.
   [[nodiscard]] Use use(const Window& window, std::uint64_t runs) {
     const bool onlyParts = runs_ == 0;
     Use use;

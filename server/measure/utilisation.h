@@ -8,10 +8,10 @@
 
 #include "pipeline/timeline.h"
 
-/// How well the pipeline is used, of a timeline's events: section 4.3 and Figures 4.3 and 4.4.
+/// Utilisation of the pipeline, from a timeline's events: section 4.3 and Figures 4.3 and 4.4.
 namespace grove::measure {
 
-/// A while of the monotonic clock.
+/// An interval of the monotonic clock.
 struct Window {
   std::int64_t beginNanoseconds = 0;
   std::int64_t endNanoseconds = 0;
@@ -22,29 +22,28 @@ struct Window {
 };
 
 struct Use {
-  std::uint64_t runs = 0;  ///< that ended within the window
+  std::uint64_t runs = 0;  ///< ended within the window
   double wallMillisecondsPerRun = 0.0;
-  double cpuMillisecondsPerRun = 0.0;  ///< less what work of other stages within it has used
+  double cpuMillisecondsPerRun = 0.0;  ///< without other stages' runs within them
   double utilisation = 0.0;            ///< share of the window in which at least one run was active
 };
 
 struct StageUse {
   Use all;
-  bool servesFrames = false;  ///< of a session, and not a clock of its own
-  std::map<std::string, Use>
-      types;  ///< by type of object, where the stage says it; parts count by the run of the stage
+  bool servesFrames = false;         ///< runs for a session, not by its own clock
+  std::map<std::string, Use> types;  ///< by type of object, if the stage reports it; parts count per run of the stage
 };
 
-/// By name of stage.
+/// Returns the use of each stage, by its name.
 [[nodiscard]] std::map<std::string, StageUse> stageUse(std::span<const pipeline::TimelineEvent> events,
                                                        const Window& window);
 
-/// The stage with the highest utilisation of those that serve frames, "and should be either parallelized or optimized";
-/// empty if there is none.
+/// Returns the stage with the highest utilisation among those that serve frames, which "should be either parallelized
+/// or optimized"; empty if there is none.
 [[nodiscard]] std::string bottleneck(const std::map<std::string, StageUse>& stages);
 
-/// A frame that was delivered: from its first run's begin to the end of its encoding. By then the next one may be in
-/// flight, as the Compositor has done with this one.
+/// The span of a delivered frame, from its first run's begin to the end of its encoding. The next frame may be in
+/// flight by then, because the Compositor is done with this one.
 struct FrameSpan {
   pipeline::TraceTag tag;
   std::int64_t beginNanoseconds = 0;
@@ -55,12 +54,11 @@ struct FrameSpan {
   }
 };
 
-/// Those that ended within the window, by session and number; the events from before it say when they began.
+/// Returns the frames that ended within the window, by session and number; earlier events supply their begins.
 [[nodiscard]] std::vector<FrameSpan> deliveredFrames(std::span<const pipeline::TimelineEvent> events,
                                                      const Window& window);
 
-/// Mean number of delivered frames of one session that are in progress at a time: by Little's law, how many come in a
-/// second times how long one takes.
+/// Returns the mean number of frames in progress per session: by Little's law, the delivery rate times the latency.
 [[nodiscard]] double overlap(std::span<const FrameSpan> frames, const Window& window, int sessions);
 
 }  // namespace grove::measure

@@ -5,7 +5,7 @@
 /// The bounds of the queues of Figure 4.2.
 namespace grove::node {
 
-/// The nearest so many objects are drawn.
+/// Only the nearest objects are drawn, at most this many.
 inline constexpr std::size_t kMaxObjectsPerFrame = 1024;
 
 /// Requests and results that wait at one stage of a backend node, of all sessions together.
@@ -16,13 +16,13 @@ inline constexpr std::size_t kBackendBatch = 64;
 
 inline constexpr int kMaxFramesInFlight = 8;
 
-/// Names that a frame shows, those of the nearest.
+/// Only the nearest names are shown, at most this many.
 inline constexpr std::size_t kMaxLabelsPerFrame = 24;
 
 /// Versions of subscribed data that a backend node sends before the first of them is acknowledged.
 inline constexpr std::size_t kMaxUnacknowledged = 8;
 
-/// A frontend process acknowledges so many versions at once.
+/// Versions that a frontend process acknowledges at once.
 inline constexpr std::size_t kAcknowledgedAtOnce = 4;
 static_assert(kAcknowledgedAtOnce < kMaxUnacknowledged, "or both would wait");
 

@@ -4,9 +4,8 @@
 
 namespace grove::node {
 
-/// Load shedding: what the permitted errors of pictures are multiplied by, at this share of busy workers, so that
-/// visitors of a machine at its limit lose accuracy before they lose frames. 1 while there is time, kMaxErrorFactor at
-/// most.
+/// Load shedding: the factor for the permitted errors of pictures at this share of busy workers, so that visitors of a
+/// machine at its limit lose accuracy before they lose frames. From 1 while there is time to kMaxErrorFactor.
 inline constexpr float kMaxErrorFactor = 4.0F;
 
 [[nodiscard]] inline float errorFactor(double busyShare) {

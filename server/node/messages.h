@@ -8,7 +8,7 @@
 #include "node/messages/result.h"
 #include "raster/yuv_image.h"
 
-/// What travels along the arrows of a frontend node in Figure 4.2; what crosses to a backend node is in messages/.
+/// Messages between the stages of a frontend node in Figure 4.2; messages to and from a backend node are in messages/.
 namespace grove::node {
 
 /// An object that a frame needs.
@@ -16,39 +16,39 @@ struct VisibleObject {
   world::Object object;
   world::Rect rect;       ///< screen box
   float distance = 0.0F;  ///< metres from the eye to the farthest corner of its bounds, the key of the order
-  bool still = false;     ///< it is drawn into the frame's backdrop
+  bool still = false;     ///< drawn into the frame's backdrop
 };
 
 /// The Scene Analyzer's list, back to front; a request's slot is its index.
 struct FrameList {
   std::shared_ptr<const View> view;
   std::vector<VisibleObject> objects;
-  /// The frame that draws its backdrop: itself, or an earlier one if still objects are not in the list. Nothing: it has
+  /// The frame that draws its backdrop: itself, or an earlier one if still objects are not in the list. Empty if it has
   /// no backdrop.
   std::optional<FrameNumber> backdrop;
   world::Rect area;  ///< of the backdrop that it draws, in pixels of the camera of `eye`
-  /// The frame whose backdrop it extends instead of drawing all of the area; nothing: it draws all.
+  /// The frame whose backdrop it extends; empty if it draws the whole area.
   std::optional<FrameNumber> extended = std::nullopt;
-  std::shared_ptr<const View> eye = nullptr;  ///< that the backdrop is drawn from; null: `view`
-  std::vector<world::Rect> drawn = {};        ///< parts of the area that it draws, for each of which it lists objects
+  std::shared_ptr<const View> eye = nullptr;  ///< from which the backdrop is drawn; null: `view`
+  std::vector<world::Rect> drawn = {};  ///< parts of the area that it draws, each with its own objects in the list
 
   [[nodiscard]] bool drawsBackdrop() const { return backdrop == view->frame; }
-  /// Who sees the backdrop that it draws.
+  /// The view from which its backdrop is drawn.
   [[nodiscard]] const std::shared_ptr<const View>& backdropEye() const { return eye ? eye : view; }
-  /// Who sees one of its objects.
+  /// The view from which one of its objects is drawn.
   [[nodiscard]] const std::shared_ptr<const View>& eyeOf(const VisibleObject& object) const {
     return object.still ? backdropEye() : view;
   }
 };
 
-/// A frame with what each of its objects is to be shown with, in the order of its list.
+/// A frame with each object's payload, in the order of its list.
 struct CompleteFrame {
   std::shared_ptr<const FrameList> list;
   std::vector<Payload> payloads;
   bool stale = false;  ///< some payloads are of an earlier frame
 };
 
-/// Where the name of an object belongs in a frame. It is no part of the picture: who shows the frame writes it.
+/// The position of an object's name in a frame. Names are no part of the picture; the page writes them.
 struct Label {
   world::ObjectId object = 0;
   world::Vec2 place{0.0F};  ///< pixels of the camera, the middle of the name's lower edge; within the frame

@@ -5,7 +5,7 @@
 
 namespace grove::node {
 
-/// What a process knows that is both a frontend and a backend.
+/// The object types of a process that is both a frontend and a backend.
 struct ObjectTypes {
   BackendTypes backends;
   FrontendTypes frontends;

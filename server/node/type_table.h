@@ -8,7 +8,7 @@
 
 namespace grove::node {
 
-/// The object types that one side of this process knows, by name. Filled once at start, then only read.
+/// The object types that one side of this process has, by name. Filled once at start, then read-only.
 template <class Type>
 class TypeTable {
  public:
@@ -18,7 +18,7 @@ class TypeTable {
     types_.push_back(std::move(type));
   }
 
-  /// Null if it is not known.
+  /// Null if it is unknown.
   [[nodiscard]] const Type* find(std::string_view name) const {
     for (const auto& type : types_) {
       if (type->name() == name) return type.get();

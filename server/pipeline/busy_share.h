@@ -9,7 +9,7 @@ class BusyShare {
 
   explicit BusyShare(int workers) : workers_(workers) {}
 
-  /// One worker more has work from `now` on, in seconds of a clock that does not go back; or one less.
+  /// One more worker has work from `now` on, in seconds of a clock that does not go back; or one less.
   void begin(double now);
   void end(double now);
 

@@ -7,14 +7,14 @@ namespace grove::pipeline {
 /// Nanoseconds of the monotonic clock.
 [[nodiscard]] std::int64_t wallNanoseconds() noexcept;
 
-/// Seconds of the same clock. It is also the clock of the worlds that this process owns; of those that another owns, a
-/// node::WorldMirror knows it.
+/// Seconds of the same clock. It is also the clock of the worlds that this process owns; node::WorldMirror has the
+/// clocks of others.
 [[nodiscard]] inline double wallSeconds() noexcept { return static_cast<double>(wallNanoseconds()) * 1.0e-9; }
 
-/// Nanoseconds of CPU that the calling thread has used.
+/// CPU time of the calling thread, nanoseconds.
 [[nodiscard]] std::int64_t threadCpuNanoseconds() noexcept;
 
-/// Nanoseconds of CPU that the whole process has used.
+/// CPU time of the whole process, nanoseconds.
 [[nodiscard]] std::int64_t processCpuNanoseconds() noexcept;
 
 }  // namespace grove::pipeline

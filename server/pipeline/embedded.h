@@ -8,7 +8,7 @@
 namespace grove::embedded {
 
 struct File {
-  const char* path;  ///< relative to the folder it was embedded from
+  const char* path;  ///< relative to the folder from which it was embedded
   const unsigned char* bytes;
   std::size_t size;
 

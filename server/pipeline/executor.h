@@ -15,17 +15,17 @@ class Executor {
 
   /// Queues a task; any thread may call. Never blocks.
   void post(std::function<void()> task);
-  /// The same, ahead of all that are queued: for what somebody waits for who has begun already.
+  /// The same, ahead of all queued tasks: for work that has begun and on which someone waits.
   void postFirst(std::function<void()> task);
 
-  /// Waits until every task that was posted before has ended and what it held is destroyed. Holds up no other task, and
-  /// any number of threads may wait at once; not to be called from one of the executor's threads.
+  /// Waits until every task that was posted before has ended and its captures are destroyed. Delays no other task, and
+  /// any number of threads may wait at once; must not be called from one of the executor's threads.
   void drain();
 
-  /// Number of threads, hence the most tasks that run at once.
+  /// Number of threads, which limits the tasks that run at once.
   [[nodiscard]] virtual int width() const noexcept = 0;
 
-  /// Share of its threads that have had tasks lately, 0 to 1; see BusyShare. 0 where nobody counts. Any thread.
+  /// Share of its threads that had tasks lately, 0 to 1; see BusyShare. 0 if it is not measured. Any thread.
   [[nodiscard]] virtual double busyShare() const { return 0.0; }
 
  protected:

@@ -10,7 +10,7 @@
 
 namespace grove::pipeline {
 
-/// What memory is held for: the paper's m_i, m_b and m_f (section 5.3.1).
+/// The purpose of memory: the paper's m_i, m_b and m_f (section 5.3.1).
 struct MemoryKey {
   std::string holder;
   std::string subject;
@@ -22,8 +22,8 @@ struct MemoryTotal {
   std::int64_t bytes = 0;
 };
 
-/// Sums of the bytes that are held, by holder and by the type of object they serve. Holders report by HeldMemory,
-/// where they allocate. Any thread.
+/// Sums of allocated bytes, by holder and by the type of object that they serve. Holders report by HeldMemory, where
+/// they allocate. Any thread.
 class MemoryLedger {
  public:
   /// `holder` is a string literal; `subject` outlives the ledger, empty: no type of object.
@@ -36,7 +36,7 @@ class MemoryLedger {
   std::map<std::pair<std::string_view, std::string_view>, MemoryTotal> totals_;
 };
 
-/// Entry of one holder in a ledger, which it leaves when it is destroyed. The ledger outlives it. One thread at a time.
+/// Entry of one holder in a ledger, removed by its destructor. The ledger outlives it. One thread at a time.
 class HeldMemory {
  public:
   HeldMemory(MemoryLedger& ledger, const char* holder, std::string_view subject, Work work, std::size_t bytes = 0);
@@ -44,7 +44,7 @@ class HeldMemory {
   HeldMemory(const HeldMemory&) = delete;
   HeldMemory& operator=(const HeldMemory&) = delete;
 
-  /// So much is held now.
+  /// Sets the current size.
   void set(std::size_t bytes);
 
  private:

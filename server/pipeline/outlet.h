@@ -15,7 +15,7 @@ class Outlet final : public OutletBase {
  public:
   void connect(std::shared_ptr<Inlet<T>> to) { to_ = std::move(to); }
 
-  /// Sends within a run, into the room that was reserved for it.
+  /// Sends within a run, into the reserved room.
   PushResult send(Run& run, T value) {
     assert(to_);
     const bool reserved = run.use(*this);

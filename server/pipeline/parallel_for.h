@@ -9,8 +9,8 @@
 
 namespace grove::pipeline {
 
-/// Calls body(i) for each i below `count` on `threads` threads, the lower ones first. If calls throw, no new ones are
-/// started and the first exception is rethrown here.
+/// Calls body(i) for each i below `count` on `threads` threads, in ascending order. After an exception no call is
+/// started, and the first exception is rethrown here.
 template <class Body>
 void parallelFor(int threads, std::size_t count, const Body& body) {
   std::atomic<std::size_t> next{0};

@@ -14,10 +14,10 @@
 
 namespace grove::pipeline {
 
-/// What a full queue does with one more value.
+/// The behaviour of a full queue.
 enum class Overflow {
   kReject,      ///< the new value is refused; the producer decides
-  kDropOldest,  ///< newest wins: the oldest value goes
+  kDropOldest,  ///< newest wins: the oldest value is dropped
 };
 
 enum class PushResult { kAccepted, kDroppedOldest, kRejected, kClosed };
@@ -28,15 +28,15 @@ concept HasLines = requires(const T& value) {
   lineOf(value);
 };
 
-/// Bounded first-in-first-out list between threads, the arrow of Figure 4.2; the lines of values that have lines are
-/// served in turn. Nothing in it blocks: a producer that must
-/// not lose values reserves room first, and is notified when there is room again.
+/// Bounded first-in-first-out list between threads, the arrow of Figure 4.2; values that have lines are served line by
+/// line, in turn. Never blocks: a producer that must not lose values reserves room first, and is notified when there is
+/// room again.
 template <class T>
 class Queue {
  public:
   Queue(std::size_t capacity, Overflow overflow) : capacity_(capacity), overflow_(overflow) { assert(capacity > 0); }
 
-  /// Adds a value that was not reserved for, by the overflow policy.
+  /// Adds a value without a reservation, by the overflow policy.
   PushResult push(T value) {
     const std::lock_guard lock(mutex_);
     if (closed_) return PushResult::kClosed;
@@ -50,8 +50,8 @@ class Queue {
     return PushResult::kDroppedOldest;
   }
 
-  /// Takes one place. If there is none, `onRoom` (may be empty) is called once, from the thread that makes room. A
-  /// closed queue grants every reservation, and drops what is pushed, so that producers can finish.
+  /// Reserves one place. If there is none, `onRoom` (may be empty) is called once, on the thread that makes room. A
+  /// closed queue grants every reservation and drops pushed values, so that producers can finish.
   bool tryReserve(std::function<void()> onRoom) {
     const std::lock_guard lock(mutex_);
     if (!closed_ && overflow_ == Overflow::kReject && values_.size() + reserved_ >= capacity_) {
@@ -62,10 +62,10 @@ class Queue {
     return true;
   }
 
-  /// Gives a reserved place back unused.
+  /// Releases a reserved place.
   void cancelReservation() { notify(releaseOne()); }
 
-  /// Adds a value to a place that tryReserve() granted.
+  /// Adds a value to a reserved place.
   PushResult pushReserved(T value) {
     {
       const std::lock_guard lock(mutex_);
@@ -94,7 +94,7 @@ class Queue {
     return value;
   }
 
-  /// Refuses all further values and drops those inside.
+  /// Refuses all further values and drops the queued ones.
   void close() {
     Values dropped;
     std::vector<std::function<void()>> wake;

@@ -11,7 +11,7 @@
 namespace grove::pipeline {
 namespace {
 
-/// Outlives the call, for helpers that come when all is done.
+/// Outlives the call, for helpers that start when all parts are done.
 class Parts {
  public:
   Parts(std::size_t count, const std::function<void(const NextPart&)>& work) : count_(count), work_(work) {}
@@ -50,7 +50,7 @@ class Parts {
   }
 
   const std::size_t count_;
-  const std::function<void(const NextPart&)>& work_;  ///< gone once all parts are taken and done
+  const std::function<void(const NextPart&)>& work_;  ///< destroyed once all parts are done
   std::mutex mutex_;
   std::condition_variable ended_;
   std::size_t next_ = 0;

@@ -30,7 +30,7 @@ class Inlet {
   virtual PushResult pushReserved(T value) = 0;
 };
 
-/// What the stage runner needs to know of any outlet.
+/// The stage runner's view of an outlet.
 class OutletBase {
  public:
   virtual ~OutletBase() = default;
@@ -39,7 +39,7 @@ class OutletBase {
   virtual void cancel() = 0;
 };
 
-/// One run of a stage: holds the room that was reserved in its outlets, and gives back what was not used.
+/// One run of a stage: holds the reserved room in its outlets, and releases unused room.
 class Run {
  public:
   Run() = default;
@@ -53,7 +53,7 @@ class Run {
 
   void grant(OutletBase& outlet) { ++granted_[&outlet]; }
 
-  /// True if a place in this outlet was left, which is now used.
+  /// Uses a reserved place of this outlet; false if none is left.
   bool use(OutletBase& outlet) {
     const auto it = granted_.find(&outlet);
     if (it == granted_.end() || it->second == 0) return false;
@@ -65,16 +65,16 @@ class Run {
   std::map<OutletBase*, std::size_t> granted_;
 };
 
-/// How a stage runs.
+/// Options of a stage's runner.
 struct StageOptions {
   const char* name = "";          ///< a string literal; the paper's name of the box
-  std::string_view subject = {};  ///< the type of object it works for, for the timeline; empty: of any
+  std::string_view subject = {};  ///< the type of object that it serves, for the timeline; empty: all types
   Work work = Work::kAcrossUser;
   std::size_t capacity = 1;               ///< of its queue
   Overflow overflow = Overflow::kReject;  ///< of its queue
   int concurrency = 1;                    ///< runs at the same time; 1 keeps the order of items
   std::size_t maxBatch = 1;               ///< items given to one run
-  bool finishes = false;                  ///< its runs go first: they finish what those of others only begin
+  bool finishes = false;                  ///< its runs go first, because they finish what others begin
 };
 
 /// Tag of an item for the timeline; overload it beside the item's type.
@@ -83,11 +83,12 @@ TraceTag traceTag(const T&) {
   return {};
 }
 
-/// A box of Figure 4.2: takes items from its own bounded queue, runs them on an executor, hands results to its outlets.
+/// A box of Figure 4.2: takes items from its own bounded queue, runs them on an executor, and sends results to its
+/// outlets.
 ///
-/// A run is started only while every outlet has room, so a slow stage holds back those before it and no queue grows
-/// past its capacity. An exception ends with its run: it is logged, counted, and the item is given to recover().
-/// Stages are held by shared_ptr, each by those before it, so a run in progress never outlives its stage.
+/// A run starts only while every outlet has room, so a slow stage delays those before it and no queue grows past its
+/// capacity. An exception ends with its run: it is logged and counted, and the item goes to recover(). Stages are held
+/// by shared_ptr, each by those before it, so a run in progress never outlives its stage.
 template <class In>
 class Stage : public Inlet<In>, public std::enable_shared_from_this<Stage<In>> {
  public:
@@ -107,20 +108,20 @@ class Stage : public Inlet<In>, public std::enable_shared_from_this<Stage<In>> {
 
   [[nodiscard]] const char* name() const noexcept { return options_.name; }
   [[nodiscard]] std::size_t queued() const { return queue_.size(); }
-  /// Whether all that was pushed before has been worked off.
+  /// Whether all items that were pushed before are done.
   [[nodiscard]] bool idle() const {
     const std::lock_guard lock(mutex_);
     return posted_ == 0 && queue_.size() == 0;
   }
 
  protected:
-  /// The stage's work on up to maxBatch items. Runs on the executor. At most one value may go to each outlet per item.
+  /// Processes up to maxBatch items. Runs on the executor. At most one value may go to each outlet per item.
   virtual void process(std::span<In> items, Run& run) = 0;
 
-  /// Called for each item of a run that threw, to send on a failure in place of the result.
+  /// Called for each item of a run that threw, to send a failure instead of the result.
   virtual void recover(In& /*item*/, const std::string& /*reason*/, Run& /*run*/) {}
 
-  /// Does one item's part of a run, so that its exception costs no other item: it is logged and counted, and `failed`
+  /// Does one item's part of a run, so that its exception affects no other item: it is logged and counted, and `failed`
   /// gets the reason.
   template <class Part, class Failed>
   void attempt(const Part& part, const Failed& failed) {
@@ -146,8 +147,8 @@ class Stage : public Inlet<In>, public std::enable_shared_from_this<Stage<In>> {
     return result;
   }
 
-  /// Posts a run, or, if enough are posted or under way, lets the first of them to end do so: it may have looked for
-  /// room before there was any.
+  /// Posts a run. If enough runs are posted or in progress, the first of them to end posts it, because it may have
+  /// looked for room before there was any.
   void schedule() {
     {
       const std::lock_guard lock(mutex_);
@@ -188,7 +189,7 @@ class Stage : public Inlet<In>, public std::enable_shared_from_this<Stage<In>> {
     if (ready && queue_.size() > 0) schedule();
   }
 
-  /// Reserves room for up to maxBatch items in every outlet and returns for how many there was.
+  /// Reserves room for up to maxBatch items in every outlet and returns the number of items with room.
   std::size_t reserveOutlets(Run& run) {
     for (std::size_t places = 0; places < options_.maxBatch; ++places) {
       for (OutletBase* outlet : outlets_) {
@@ -224,7 +225,7 @@ class Stage : public Inlet<In>, public std::enable_shared_from_this<Stage<In>> {
   std::vector<OutletBase*> outlets_;
   mutable std::mutex mutex_;
   int posted_ = 0;
-  bool again_ = false;  // a run was wanted while enough were posted
+  bool again_ = false;  // a run was due while enough were posted
 };
 
 }  // namespace grove::pipeline

@@ -10,7 +10,7 @@
 namespace grove::pipeline {
 namespace {
 
-/// Copied under one lock, which every stage run takes: some microseconds.
+/// Events copied under one lock, which every stage run takes: some microseconds.
 constexpr std::size_t kEventsAtOnce = 256;
 
 std::uint32_t threadNumber() noexcept {
@@ -19,7 +19,7 @@ std::uint32_t threadNumber() noexcept {
   return mine;
 }
 
-/// The run that a new one on this thread is a part of.
+/// The run that contains a new one on this thread.
 TimedRun*& innermostRun() noexcept {
   thread_local TimedRun* innermost = nullptr;
   return innermost;

@@ -9,15 +9,14 @@
 namespace grove::pipeline {
 
 /// Values in lines. pop_front() serves the lines in turn, so that a long line does not delay the others; each line is
-/// first-in-first-out. The type of the values has a function lineOf(value) beside it that returns the number of a
-/// value's line. One thread at a time.
+/// first-in-first-out. lineOf(value), beside the type, returns the number of a value's line. One thread at a time.
 template <class T>
 class Turns {
  public:
-  /// A queue holds so many full lines: one that is full leaves room for others.
+  /// Lines that can be full in a queue: a full line leaves room for others.
   static constexpr std::size_t kFullLines = 2;
 
-  /// Whether the line of a value is not full yet, in a queue of this capacity.
+  /// Whether the line of a value has room, in a queue of this capacity.
   [[nodiscard]] bool admits(const T& value, std::size_t capacity) const {
     const auto line = lines_.find(lineOf(value));
     return line == lines_.end() || kFullLines * line->second.size() < capacity;

@@ -5,7 +5,7 @@
 
 namespace grove::pipeline {
 
-/// Memory that vectors keep for their elements, used or not.
+/// Allocated memory of vectors, used or not.
 template <class... T>
 [[nodiscard]] std::size_t vectorBytes(const std::vector<T>&... vectors) noexcept {
   return (std::size_t{0} + ... + (vectors.capacity() * sizeof(T)));

@@ -19,8 +19,8 @@ namespace grove::pipeline {
 /// job and wrong for the latency of many; they are also opaque to the thread sanitizer.
 class WorkerPool final : public Executor {
  public:
-  /// Told by a worker that it has nothing to do, before it sleeps, and that it has something again. Without a lock of
-  /// the pool; what it posts may be run by that worker at once.
+  /// Called by a worker without work, before it sleeps, and when it has work again. Called without a lock of the pool;
+  /// the same worker may run what it posts at once.
   using IdleListener = std::function<void(bool idle)>;
 
   enum class Load : std::uint8_t {
@@ -32,7 +32,7 @@ class WorkerPool final : public Executor {
   explicit WorkerPool(int threads, const std::string& name = "grove-worker", IdleListener idleListener = {},
                       Load load = Load::kIgnored);
 
-  /// Runs what is queued, then joins.
+  /// Runs the queued tasks, then joins.
   ~WorkerPool() override;
 
   WorkerPool(const WorkerPool&) = delete;
@@ -44,7 +44,7 @@ class WorkerPool final : public Executor {
  private:
   void enqueue(std::function<void()> task, Place place) override;
   void run();
-  /// Waits for a task, or for the end if there is none.
+  /// Waits for a task; returns an empty one at the end.
   [[nodiscard]] std::function<void()> next(bool hadTask);
   [[nodiscard]] bool hasTasks() const { return !first_.empty() || !tasks_.empty(); }
   void stop() noexcept;

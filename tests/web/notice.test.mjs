@@ -74,8 +74,8 @@ test('words that stay the same are not read out again', () => {
 
 test('says why there is no place, and that it tries again', () => {
   const { notice, text } = setUp();
-  notice.show('full', 'your address already has as many visitors as it may');
-  assert.match(text.textContent, /^Your address already has as many visitors as it may\. Trying again every 15 seconds/);
+  notice.show('full', 'your address already has the maximum number of visitors');
+  assert.match(text.textContent, /^Your address already has the maximum number of visitors\. Trying again every 15 seconds/);
 });
 
 test('neither the button of another state nor its bar stays', () => {

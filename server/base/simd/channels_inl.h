@@ -25,7 +25,7 @@ HWY_INLINE Channels twice(Ints value) { return channels(value | shiftLeft<16>(va
 
 /// 256ths, so that their high bytes are rounded wholes.
 HWY_INLINE Channels rounded(Channels sum) { return hn::Add(sum, hn::Set(ChannelTag(), std::uint16_t{128})); }
-/// Of 256ths, rounded.
+/// From 256ths, rounded.
 HWY_INLINE Channels whole(Channels sum) { return hn::ShiftRight<8>(rounded(sum)); }
 
 /// Weights of four neighbouring pixels in bilinear interpolation; they add up to 256.

@@ -1,5 +1,5 @@
-// As many pixels or cells at once as the target's registers hold, at most 16. For kernels: included once per target,
-// after <hwy/highway.h>. Only what is used is here; what a kernel needs besides, it takes from Highway by `.raw`.
+// Vectors as wide as the target's registers, at most 16 lanes. For kernels: included once per target, after
+// <hwy/highway.h>. Contains only what is used; a kernel gets the rest from Highway by `.raw`.
 
 #if defined(GROVE_BASE_SIMD_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef GROVE_BASE_SIMD_LANES_INL_H
@@ -86,7 +86,7 @@ HWY_INLINE Mask operator&(Mask a, Mask b) { return hn::And(a.raw, b.raw); }
 HWY_INLINE Mask operator|(Mask a, Mask b) { return hn::Or(a.raw, b.raw); }
 HWY_INLINE Mask& operator&=(Mask& a, Mask b) { return a = a & b; }
 HWY_INLINE Mask& operator|=(Mask& a, Mask b) { return a = a | b; }
-/// a, but where b is not.
+/// a and not b.
 HWY_INLINE Mask without(Mask a, Mask b) { return hn::AndNot(b.raw, a.raw); }
 HWY_INLINE bool any(Mask mask) { return !hn::AllFalse(FloatTag(), mask.raw); }
 HWY_INLINE bool all(Mask mask) { return hn::AllTrue(FloatTag(), mask.raw); }
@@ -112,7 +112,8 @@ HWY_INLINE Ints min(Ints a, Ints b) { return hn::Min(a.raw, b.raw); }
 HWY_INLINE Ints max(Ints a, Ints b) { return hn::Max(a.raw, b.raw); }
 
 HWY_INLINE Floats toFloats(Ints value) { return hn::ConvertTo(FloatTag(), value.raw); }
-/// Towards zero. What no int can hold becomes some int. (Highway 1.0 adds six instructions that make it the nearest.)
+/// Rounds towards zero. Values outside of int become some int. (Highway 1.0 adds six instructions that make it the
+/// nearest.)
 HWY_INLINE Ints truncate(Floats value) {
 #if HWY_TARGET == HWY_AVX3
   return hn::Vec<IntTag>{_mm512_cvttps_epi32(value.raw.raw)};

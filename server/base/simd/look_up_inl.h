@@ -1,6 +1,6 @@
 // Look-ups of memory by a vector of indices. For kernels: included once per target.
-// By plain loads, four lanes at a time: a gather instruction took as long as these, and takes longer on processors
-// where microcode guards it.
+// By plain loads, four lanes at a time: a gather instruction was as fast as these, and is slower on processors whose
+// microcode guards it.
 
 #if defined(GROVE_BASE_SIMD_LOOK_UP_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef GROVE_BASE_SIMD_LOOK_UP_INL_H
@@ -25,7 +25,7 @@ using QuadTag = hn::FixedTag<T, 4>;
 template <typename T>
 using Quad = hn::Vec<QuadTag<T>>;
 
-/// kLanes values, quad(first lane) of each four of them.
+/// kLanes values, four at a time from quad(first lane).
 template <typename T, typename MakeQuad>
 HWY_INLINE auto joinQuads(const MakeQuad& quad) {
 #if HWY_MAX_BYTES >= 64

@@ -1,7 +1,7 @@
 #pragma once
 
-/// Stands ahead of a loop whose iterations depend on none before them, which the compiler cannot see for itself: what
-/// they write overlaps nothing that later ones read.
+/// Goes before a loop without dependencies between its iterations, if the compiler cannot prove that: writes of an
+/// iteration overlap no reads of later ones.
 #if defined(__clang__)
 #define GROVE_INDEPENDENT_ITERATIONS _Pragma("clang loop vectorize(assume_safety)")
 #else

@@ -27,7 +27,8 @@ HWY_EXPORT(compiledTarget);
 namespace {
 
 std::vector<Target> detect() {
-  // The least target is what all of Grove is compiled for, even where Highway asks more of it than our kernels do.
+  // The least target is the one for which all of Grove is compiled, even where Highway requires more for it than our
+  // kernels do.
   Target left = (hwy::SupportedTargets() | HWY_STATIC_TARGET) & HWY_TARGETS;
   std::vector<Target> targets;
   for (; left != 0; left &= left - 1) targets.push_back(left & -left);
@@ -37,7 +38,7 @@ std::vector<Target> detect() {
 }  // namespace
 
 const std::vector<Target>& availableTargets() {
-  // Once, for Highway's look at the processor also undoes the choice.
+  // Once, because Highway's detection of the processor also undoes the choice.
   static const std::vector<Target> targets = detect();
   return targets;
 }

@@ -31,7 +31,7 @@ using CertificateHandle = std::unique_ptr<X509, FreeBy<&X509_free>>;
 using Chain = std::unique_ptr<STACK_OF(X509), FreeBy<&freeChain>>;
 using Judgement = std::unique_ptr<X509_STORE_CTX, FreeBy<&X509_STORE_CTX_free>>;
 
-/// The certificates in a text, until one cannot be read.
+/// Reads the certificates in a text, up to the first that cannot be read.
 Chain certificatesIn(std::string_view text) {
   Chain chain(sk_X509_new_null());
   const std::unique_ptr<BIO, FreeBy<&BIO_vfree>> bio(BIO_new_mem_buf(text.data(), static_cast<int>(text.size())));
@@ -42,7 +42,7 @@ Chain certificatesIn(std::string_view text) {
   return chain;
 }
 
-/// Whether the reading of certificates has ended because there was no other one.
+/// Whether reading ended because there was no further certificate.
 bool endedWell() {
   const bool isWhole = ERR_GET_REASON(ERR_peek_last_error()) == PEM_R_NO_START_LINE;
   ERR_clear_error();
@@ -63,7 +63,7 @@ std::string dateIn(const ASN1_TIME* time) {
   return ASN1_TIME_to_tm(time, &parts) == 1 ? dateOf(timegm(&parts)) : "a date that cannot be read";
 }
 
-/// OpenSSL's verdict in our words.
+/// OpenSSL's result in our words.
 std::string reasonOf(X509_STORE_CTX* judged, const std::string& file, const std::string& host) {
   const int error = X509_STORE_CTX_get_error(judged);
   const X509* const wrong = X509_STORE_CTX_get_current_cert(judged);
@@ -91,7 +91,7 @@ std::string reasonOf(X509_STORE_CTX* judged, const std::string& file, const std:
   }
 }
 
-/// False if the host is none that a certificate can name.
+/// Returns false if no certificate can name the host.
 bool require(X509_VERIFY_PARAM* rules, const std::string& host) {
   return X509_VERIFY_PARAM_set1_ip_asc(rules, host.c_str()) == 1 ||
          X509_VERIFY_PARAM_set1_host(rules, host.data(), host.size()) == 1;
@@ -131,7 +131,7 @@ std::optional<std::string> TlsAuthorities::complaint(std::string_view certificat
   if (!isPrepared) return "its certificate cannot be judged for lack of memory";
   X509_VERIFY_PARAM* const rules = X509_STORE_CTX_get0_param(judged.get());
   X509_VERIFY_PARAM_set_auth_level(rules, kAuthLevel);
-  // Who is in the file is trusted, though his certificate is signed by another one.
+  // Certificates in the file are trusted even if others have signed them.
   X509_VERIFY_PARAM_set_flags(rules, X509_V_FLAG_PARTIAL_CHAIN);
   if (!host.empty() && !require(rules, host)) return "its certificate cannot name " + host;
   const bool isTrusted = X509_verify_cert(judged.get()) == 1;

@@ -10,19 +10,19 @@
 
 namespace grove {
 
-/// Authorities that a process trusts, and what they say of another process's certificate. Immutable.
+/// Authorities that a process trusts; verifies other processes' certificates. Immutable.
 class TlsAuthorities {
  public:
-  /// What the other process is to be.
+  /// The role of the other process.
   enum class Role : std::uint8_t { kServer, kClient };
 
-  /// Reads certificates in PEM form. Throws EnvironmentError that names the option and the file, if there is none in it
-  /// or one cannot be read.
+  /// Reads certificates in PEM form. Throws EnvironmentError that names the option and the file if the file has none,
+  /// or if one cannot be read.
   TlsAuthorities(const std::string& option, const std::string& file);
 
-  /// Why the certificate is not to be trusted, in words that follow "the process": it is expired, none of the
-  /// authorities has signed it, it is for another purpose or for another host. Nothing: it is to be trusted. `chain`
-  /// has the certificates of its issuers. An empty `host` is not compared.
+  /// Returns the reason for rejecting a certificate, in words that follow "the process": it is expired, no authority
+  /// has signed it, or it is for another purpose or another host. Empty: it is accepted. `chain` has the certificates
+  /// of its issuers. An empty `host` is not compared.
   [[nodiscard]] std::optional<std::string> complaint(std::string_view certificate, std::string_view chain, Role role,
                                                      const std::string& host) const;
 

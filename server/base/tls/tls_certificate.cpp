@@ -24,7 +24,7 @@ struct FreeContext {
 };
 using Bio = std::unique_ptr<BIO, FreeBio>;
 
-/// A file's text, gone from memory when it is no longer needed.
+/// A file's text, erased from memory when it is no longer needed.
 class Secret {
  public:
   explicit Secret(std::string text) : text_(std::move(text)) {}
@@ -62,7 +62,7 @@ std::string certificateOption(const TlsFiles& files) { return files.option + "-c
 
 std::string keyOption(const TlsFiles& files) { return files.option + "-key " + files.key; }
 
-/// OpenSSL asks for the passphrase of a key that has one.
+/// OpenSSL calls this for a key with a passphrase.
 int notePassphrase(char* /*buffer*/, int /*size*/, int /*writing*/, void* asked) {
   *static_cast<bool*>(asked) = true;
   return -1;
@@ -102,7 +102,7 @@ void TlsCertificate::readCertificates(const TlsFiles& files) {
   while (X509* const issuer = PEM_read_bio_X509(bio.get(), nullptr, nullptr, nullptr)) {
     if (sk_X509_push(issuers_.get(), issuer) == 0) X509_free(issuer);
   }
-  // Behind the last certificate there is none, which is how it ends well.
+  // This error after the last certificate is the normal end.
   const bool isWhole = ERR_GET_REASON(ERR_peek_last_error()) == PEM_R_NO_START_LINE;
   ERR_clear_error();
   if (!isWhole)
@@ -145,7 +145,7 @@ void TlsCertificate::checkPair(const TlsFiles& files) const {
         "is not the key of the certificate in " + files.certificate, keyOption(files),
         "give the two that were made together; the server's own certificate comes first in its file");
   }
-  // Strength is judged by a context, with the rules of this machine.
+  // A context checks the strength, by this machine's rules.
   const std::unique_ptr<SSL_CTX, FreeContext> context(SSL_CTX_new(TLS_server_method()));
   if (SSL_CTX_use_cert_and_key(context.get(), certificate_.get(), key_.get(), issuers_.get(), 1) == 1) return;
   throw EnvironmentError("OpenSSL refuses the certificate: " + lastOpensslError(), certificateOption(files),

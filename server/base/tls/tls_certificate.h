@@ -9,25 +9,25 @@
 
 namespace grove {
 
-/// Where a process's certificate and key are, in PEM form.
+/// The files of a process's certificate and key, in PEM form.
 struct TlsFiles {
   std::string certificate;       ///< the process's own first, then those of its issuers
   std::string key;               ///< without a passphrase
   std::string option = "--tls";  ///< how the options that name them begin; errors do so, too
 };
 
-/// A certificate with its key, checked: it can be shown to others. Immutable.
+/// A certificate with its key, checked and ready for use. Immutable.
 class TlsCertificate {
  public:
-  /// Reads both files. Throws EnvironmentError that names option and file if one cannot be read, holds something else,
-  /// is not valid at `now`, or does not belong to the other, and of what OpenSSL takes to be too weak.
+  /// Reads both files. Throws EnvironmentError that names option and file if one cannot be read, has other contents, is
+  /// not valid at `now`, does not match the other, or is too weak for OpenSSL.
   TlsCertificate(const TlsFiles& files, std::time_t now);
   ~TlsCertificate();
   TlsCertificate(const TlsCertificate&) = delete;
   TlsCertificate& operator=(const TlsCertificate&) = delete;
 
-  /// The connection will show this one; in its handshake, from OpenSSL's certificate callback. Its context has none: of
-  /// another kind of key, that would stay beside this one.
+  /// Makes the connection use this certificate; called in its handshake, from OpenSSL's certificate callback. The
+  /// connection's context has none, because one with another kind of key would stay in use beside this one.
   [[nodiscard]] bool show(SSL* connection) const;
 
   /// The last second at which it is valid.

@@ -16,7 +16,7 @@ inline constexpr std::array kTransports = {node::TransportKind::kReference, node
   return kind == node::TransportKind::kBytes ? "bytes" : "reference";
 }
 
-/// What travelled in so many seconds, in Mbit/s for each visitor; by reference, nothing does.
+/// Traffic in Mbit/s per visitor; nothing is transferred by reference.
 [[nodiscard]] nlohmann::ordered_json linkJson(const node::LinkTraffic& traffic, double seconds, int users);
 
 }  // namespace grove::cli

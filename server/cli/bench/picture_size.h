@@ -13,7 +13,8 @@ struct PictureSize {
 /// "WIDTHxHEIGHT".
 [[nodiscard]] std::string nameOf(const PictureSize& size);
 
-/// Of "WIDTHxHEIGHT", a size that is streamed as it is: even numbers from 160x90 to 1920x1080. Nothing if it is none.
+/// Parses "WIDTHxHEIGHT", a size that is streamed unchanged: even numbers from 160x90 to 1920x1080. Returns nothing for
+/// other text.
 [[nodiscard]] std::optional<PictureSize> parsePictureSize(const std::string& text);
 
 }  // namespace grove::cli

@@ -18,10 +18,10 @@
 
 namespace grove::cli {
 
-/// Where the visitor of this number goes, who arrived with that yaw and has walked for so many seconds.
+/// Returns the controls of visitor `index`, who arrived with `yaw` and has walked for `seconds`.
 using Steering = std::function<world::Input(int index, float yaw, double seconds)>;
 
-/// One who walks about in a bench, in the same process as the server, and sees what comes.
+/// A walking visitor of a bench, in the server's process.
 class Walker {
  public:
   Walker(stream::Host& host, int index, const PictureSize& size, Steering steering);
@@ -33,11 +33,11 @@ class Walker {
   void beginCounting();
   /// Since then.
   [[nodiscard]] std::uint64_t framesCounted() const { return frames() - framesBefore_; }
-  /// Since then, from inputs to the frames that show them, in milliseconds.
+  /// Since then, from inputs to the frames that show them, milliseconds.
   [[nodiscard]] std::vector<float> latencies() const;
 
  private:
-  /// Outlives the walker for as long as a worker still delivers.
+  /// Outlives the walker while a worker still delivers.
   struct Seen {
     std::mutex mutex;
     stream::InputLatency latency;
@@ -58,7 +58,7 @@ using Walkers = std::vector<std::unique_ptr<Walker>>;
 
 inline constexpr std::chrono::milliseconds kInputPeriod{16};
 
-/// Everybody walks until `done`, in seconds since `begin`; false if it was stopped.
+/// All walk until `done`, in seconds since `begin`; returns false if it was stopped.
 template <class Condition>
 bool walkUntil(const Walkers& walkers, double begin, const std::stop_token& stop, Condition done) {
   while (!done()) {

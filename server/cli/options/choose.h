@@ -9,7 +9,7 @@
 
 namespace grove::cli {
 
-/// As help shows what may stand behind an option, and as shells complete it: "{auto,egl,osmesa}".
+/// Formats an option's values for help and for the shells' completion: "{auto,egl,osmesa}".
 inline std::string oneOf(std::span<const std::string_view> names) {
   std::string text;
   for (const std::string_view name : names) text.append(text.empty() ? "{" : ",").append(name);

@@ -7,10 +7,10 @@
 
 namespace grove::cli {
 
-/// Reads `HOST:PORT` with a port of 0 to 65535; `[::1]:80` for IPv6.
+/// Parses `HOST:PORT` with a port of 0 to 65535; `[::1]:80` for IPv6.
 [[nodiscard]] std::optional<stream::HostPort> parseHostPort(const std::string& text);
 
-/// The same text, with another port: `[::1]:8090` for IPv6.
+/// Formats the address with another port: `[::1]:8090` for IPv6.
 [[nodiscard]] std::string addressOf(const stream::HostPort& at, int port);
 
 }  // namespace grove::cli

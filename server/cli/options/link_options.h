@@ -7,12 +7,12 @@
 
 namespace grove::cli {
 
-/// Files that secure the links to other processes; empty names: there is none.
+/// TLS files for links to other processes; empty names: no file.
 struct LinkOptions {
   TlsFiles own;
   std::string authorities;
 
-  /// Throws EnvironmentError that names the option and the file that is wrong.
+  /// Reads the files. Throws EnvironmentError that names the option and the file.
   [[nodiscard]] node::LinkTls read() const { return node::readLinkTls(own, authorities); }
 };
 

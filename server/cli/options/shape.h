@@ -11,8 +11,8 @@ struct ShapeOptions {
   std::string target;                     ///< HOST:PORT
 };
 
-/// Lets whoever connects reach another address over a bad line, until it is interrupted. Returns the exit status: 2 if
-/// the profile or an address cannot be read.
+/// Forwards connections to another address over a bad line, until interrupted. Returns the exit status: 2 if the
+/// profile or an address is invalid.
 int runShape(const ShapeOptions& options);
 
 }  // namespace grove::cli

@@ -23,7 +23,7 @@ PreparationLock::PreparationLock(const std::filesystem::path& file)
     : file_(open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644)) {
   if (file_ < 0) {
     throw EnvironmentError(std::string("cannot write: ") + std::strerror(errno), file.parent_path().string(),
-                           "set GROVE_CACHE to a folder that can be written");
+                           "set GROVE_CACHE to a writable folder");
   }
 }
 

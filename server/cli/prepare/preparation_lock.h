@@ -6,19 +6,19 @@
 
 namespace grove::cli {
 
-/// Held while something is made for the cache folder, so that of several servers one makes it and the others need not.
+/// A lock file, held while something is made for the cache folder, so that only one of several servers makes it.
 class PreparationLock {
  public:
-  /// Takes nothing yet. Throws EnvironmentError if the file cannot be written.
+  /// Opens the file without locking it. Throws EnvironmentError if it cannot be written.
   explicit PreparationLock(const std::filesystem::path& file);
   ~PreparationLock();
   PreparationLock(const PreparationLock&) = delete;
   PreparationLock& operator=(const PreparationLock&) = delete;
 
-  /// Takes it if it is free.
+  /// Takes the lock if it is free.
   [[nodiscard]] bool take() const noexcept;
   void give() const noexcept;
-  /// Looks every 200 ms whether it is free, and calls `waiting` before. False if it was stopped.
+  /// Waits for the lock: checks every 200 ms, and calls `waiting` before each check. Returns false if it was stopped.
   [[nodiscard]] bool wait(const std::function<void()>& waiting, const std::stop_token& stop) const;
 
  private:

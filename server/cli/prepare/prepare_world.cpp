@@ -36,7 +36,7 @@ Preparations preparationsOf(const world::Scene& scene, const node::BackendTypes&
   return all;
 }
 
-/// Those that are not there as fine as the scene wants them; the others are shown.
+/// Shows what is there as fine as the scene wants it; returns the rest.
 Preparations missingOf(Preparations all) {
   std::vector<char> isThere(all.size());
   pipeline::parallelFor(threadsFor(all), all.size(), [&](std::size_t i) { isThere[i] = all[i]->show() ? 1 : 0; });
@@ -47,7 +47,7 @@ Preparations missingOf(Preparations all) {
   return missing;
 }
 
-/// The mean of what several threads have done.
+/// The mean progress of several threads.
 class MeanShare {
  public:
   MeanShare(std::string label, std::size_t count, const Report& report)
@@ -66,7 +66,7 @@ class MeanShare {
   const Report& report_;
 };
 
-/// Several at a time, for much of it is one thread's work. False if it was stopped.
+/// Makes several at a time, because much of the work is single-threaded. Returns false if it was stopped.
 bool showRoughly(const Preparations& missing, const std::optional<std::filesystem::path>& elsewhere,
                  const Report& report, const std::stop_token& stop) {
   const int together = threadsFor(missing);
@@ -80,7 +80,7 @@ bool showRoughly(const Preparations& missing, const std::optional<std::filesyste
   return !isStopped && !stop.stop_requested();
 }
 
-/// In the cache folder.
+/// Makes them in the cache folder.
 bool showRoughlyToKeep(const Preparations& missing, const Report& report, const std::stop_token& stop) {
   makeCacheFolder(cacheFolder());
   const PreparationLock lock(cacheFolder() / "rough.lock");

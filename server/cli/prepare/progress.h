@@ -11,7 +11,7 @@ namespace grove::cli {
 class Progress {
  public:
   Progress();
-  /// The note stands behind the bar, on a terminal only.
+  /// Shows the note behind the bar, on a terminal only.
   void show(std::string_view label, float share, std::string_view note = {});
   void finish();
 

@@ -25,16 +25,16 @@ using stream::Refining;
 using namespace std::chrono_literals;
 
 constexpr auto kBetweenNews = 1s;
-/// Between two looks for what other servers have made.
+/// Between two checks for parts made by other servers.
 constexpr auto kBetweenLooks = 1s;
-/// Before that a guess of the time that is left would be wild.
+/// Share from which on the remaining time can be estimated.
 constexpr float kMinShare = 0.02F;
 
-/// This thread and those that it starts run only where a core has nothing else to do.
+/// Lets this thread, and those that it starts, run only on idle cores.
 void runWhenIdle() {
   const sched_param none{};
   if (sched_setscheduler(0, SCHED_IDLE, &none) != 0 && nice(19) == -1) {
-    log::warning("the world gets finer at the priority of visitors' frames: the system refuses a lower one");
+    log::warning("the world is refined at the priority of visitors' frames: the system refuses a lower one");
   }
 }
 
@@ -54,7 +54,7 @@ std::string inSeconds(double seconds) {
 
 Refiner::Refiner(Preparations wanted, Report report)
     : left_(std::move(wanted)), costAll_(costOf(left_)), report_(std::move(report)) {
-  log::info("the world gets finer while it is shown: " + std::to_string(left_.size()) + " things are coarse so far");
+  log::info("refining the world while it is shown: " + std::to_string(left_.size()) + " parts are still coarse");
   thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
   pthread_setname_np(thread_.native_handle(), "grove-refine");
 }
@@ -75,7 +75,7 @@ void Refiner::run(const std::stop_token& stop) {
         wait(stop);
         continue;
       }
-      // It may have made the next one just before it gave the lock.
+      // The other server may have made the next one just before it released the lock.
       const bool isMade = left_.front()->show() || makeNext(stop);
       lock.give();
       if (!isMade) return;
@@ -107,7 +107,7 @@ bool Refiner::makeNext(const std::stop_token& stop) {
   node::Preparation& next = *left_.front();
   if (!next.make([this](std::string_view /*step*/, float share) { progressed(share); }, stop)) return false;
   if (next.show()) return true;
-  throw EnvironmentError("the " + std::string(next.kind()) + " cannot be read again", next.name(), "look at the disk");
+  throw EnvironmentError("the " + std::string(next.kind()) + " cannot be read again", next.name(), "check the disk");
 }
 
 void Refiner::wait(const std::stop_token& stop) {

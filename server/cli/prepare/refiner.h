@@ -12,24 +12,23 @@
 
 namespace grove::cli {
 
-/// Makes what a world that is shown already has only roughly, as fine as the scene wants it, in the time in which the
-/// cores have nothing else to do: on threads that run only then. One after the other; of several servers on one cache
-/// folder one makes each, and all show it. The log reports how it gets on. What cannot be made (a full disk) stays as
-/// it is, and says so once.
+/// Refines the coarse parts of a world that is already shown, on threads that run only on idle cores, one part after
+/// the other. Of several servers with one cache folder, one makes each part and all show it. The log reports the
+/// progress. A part that cannot be made (a full disk) stays coarse, which is logged once.
 class Refiner {
  public:
-  /// At each change, at most once a second, and at the end.
+  /// Called at each change, at most once a second, and at the end.
   using Report = std::function<void(const stream::Refining&)>;
 
-  /// `wanted` in the order to make them in, used on the refiner's own thread, as `report` is.
+  /// `wanted` is in the order to make it in. Both arguments are used on the refiner's own thread.
   Refiner(Preparations wanted, Report report);
 
-  /// Ends without waiting for the rest: what was begun goes on at the next start.
+  /// Ends without waiting for the rest; the next start continues what was begun.
   ~Refiner();
   Refiner(const Refiner&) = delete;
   Refiner& operator=(const Refiner&) = delete;
 
-  /// From now on nothing further is begun.
+  /// Begins nothing further.
   void requestStop() noexcept { thread_.request_stop(); }
 
  private:
@@ -37,13 +36,13 @@ class Refiner {
 
   void run(const std::stop_token& stop);
   void showWhatIsThere();
-  /// False if it was stopped.
+  /// Returns false if it was stopped.
   [[nodiscard]] bool makeNext(const std::stop_token& stop);
   static void wait(const std::stop_token& stop);
-  /// The share of the next one.
+  /// Sets the progress of the next part, 0 to 1.
   void progressed(float share);
   [[nodiscard]] double seconds() const;
-  /// Of all that was to do.
+  /// Share of all work.
   [[nodiscard]] float shareDone(float shareOfNext) const;
   [[nodiscard]] std::optional<double> secondsLeft(float shareDone) const;
 

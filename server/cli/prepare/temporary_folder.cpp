@@ -16,7 +16,7 @@ TemporaryFolder::TemporaryFolder() {
   std::string name = (parent / "grove-XXXXXX").string();
   if (error || mkdtemp(name.data()) == nullptr) {
     throw EnvironmentError("cannot make a folder: " + (error ? error.message() : std::strerror(errno)), parent.string(),
-                           "set GROVE_CACHE or TMPDIR to a folder that can be written");
+                           "set GROVE_CACHE or TMPDIR to a writable folder");
   }
   path_ = name;
 }

@@ -4,7 +4,7 @@
 
 namespace grove::cli {
 
-/// A folder of one's own that goes with what is in it. Files that are open or mapped live on.
+/// A temporary folder, deleted with its contents by the destructor. Open or mapped files stay usable.
 class TemporaryFolder {
  public:
   /// Throws EnvironmentError.

@@ -16,11 +16,11 @@
 namespace grove::cli {
 namespace {
 
-/// How long nodes of other processes may take to welcome this one.
+/// Timeout for the welcome from nodes of other processes.
 constexpr std::chrono::seconds kNodePatience{10};
 /// Measured: with less than 90 MB, Mesa's drivers crash.
 constexpr std::size_t kForGl = std::size_t{192} << 20U;
-/// Clocks, websocket, reports, and one for each type of object that is prepared.
+/// Clocks, websocket, reports, and one per type of prepared object.
 constexpr std::size_t kThreadsBesidesWorkers = 12;
 
 }  // namespace

@@ -19,30 +19,31 @@
 
 namespace grove::cli {
 
-/// Makes the nodes of a server's world: links to those in other processes, and prepares what they do not serve. Where
-/// they serve all, nothing is prepared: no GL, no models, no light fields. Outlives the nodes. One thread.
+/// Makes the nodes of a server's world: links to nodes in other processes, and prepares the objects that these do not
+/// serve. If they serve all, nothing is prepared: no GL, no models, no light fields. Outlives the nodes. Not
+/// thread-safe.
 class WorldPreparation {
  public:
   struct Options {
-    std::vector<std::string> nodes;  ///< addresses (HOST:PORT) of those in other processes
-    node::LinkTls tls;               ///< of the links to them
-    node::ProcessId process = 1;     ///< names this one to them
+    std::vector<std::string> nodes;  ///< addresses (HOST:PORT) of nodes in other processes
+    node::LinkTls tls;               ///< for the links to them
+    node::ProcessId process = 1;     ///< identifies this process to them
     gl::ContextKind gl = gl::ContextKind::kAuto;
     std::optional<std::string> shaderDirectory;
-    std::size_t spaceForServing = 0;  ///< bytes that serving takes besides
+    std::size_t spaceForServing = 0;  ///< bytes reserved for serving
   };
-  /// What make() throws when it is to stop.
+  /// Thrown by make() after a stop request.
   struct Stopped {};
 
-  /// Calls `report` with the name of a step and the share of it that is done, 0 to 1. Any thread.
+  /// Calls `report` with the name of a step and its progress, 0 to 1. Any thread.
   WorldPreparation(world::Scene scene, Options options, std::function<void(std::string_view, float)> report,
                    std::stop_token stop);
 
-  /// As node::WorldNodesFactory; once. Throws Stopped, EnvironmentError or world::SceneError.
+  /// See node::WorldNodesFactory; call once. Throws Stopped, EnvironmentError or world::SceneError.
   [[nodiscard]] std::unique_ptr<node::WorldNodes> make(const node::Machine& machine, node::Instances instances);
 
   [[nodiscard]] const node::FrontendTypes& frontends() const noexcept { return types_.frontends; }
-  /// What is coarse so far.
+  /// The parts that are still coarse.
   [[nodiscard]] Preparations& coarse() noexcept { return coarse_; }
 
  private:

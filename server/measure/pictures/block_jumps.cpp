@@ -33,7 +33,8 @@ class BlockPair {
   BlockPair(std::span<const std::uint8_t> now, std::span<const std::uint8_t> last, int width, int left, int top)
       : now_(now), last_(last), width_(width), left_(left), top_(top) {}
 
-  /// Sum of absolute differences from the block that lies there in the last picture; may stop once it exceeds `limit`.
+  /// Returns the sum of absolute differences from the shifted block of the last picture; may stop once it exceeds
+  /// `limit`.
   [[nodiscard]] int difference(Shift shift, int limit = std::numeric_limits<int>::max()) const {
     int sum = 0;
     for (int y = 0; y < kSize && sum <= limit; ++y) {
@@ -44,7 +45,7 @@ class BlockPair {
     return sum;
   }
 
-  /// The shift with the least difference: none, if others are only as good.
+  /// Returns the shift with the minimum difference and that difference; prefers no shift if others are only as good.
   [[nodiscard]] std::pair<Shift, int> best() const {
     Shift best;
     int least = difference(best);
@@ -57,7 +58,7 @@ class BlockPair {
     return {best, least};
   }
 
-  /// The least difference of the shift and its neighbours.
+  /// Returns the minimum difference over the shift and its neighbours.
   [[nodiscard]] int differenceAround(Shift shift) const {
     int least = std::numeric_limits<int>::max();
     for (int y = shift.y - 1; y <= shift.y + 1; ++y) {

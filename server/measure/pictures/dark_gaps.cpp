@@ -12,7 +12,7 @@ double lumaAt(const Picture& picture, std::size_t pixel) {
   return lumaOf(colour & 0xFFU, (colour >> 8U) & 0xFFU, (colour >> 16U) & 0xFFU);
 }
 
-/// Whether the picture is brighter than a dark gap everywhere around the pixel.
+/// Returns whether the picture is brighter than a dark gap everywhere around the pixel.
 bool isBrightAround(const Picture& picture, int x, int y) {
   const int right = std::min(x + kDarkGapReach, picture.width - 1);
   const int bottom = std::min(y + kDarkGapReach, picture.height() - 1);

@@ -6,7 +6,7 @@
 namespace grove::measure {
 namespace {
 
-/// Mean luma of the block whose upper left pixel that is.
+/// Returns the mean luma of the block with this upper left pixel.
 double blockLuma(const Picture& picture, int left, int top) {
   const int right = std::min(left + Flicker::kBlock, picture.width);
   const int bottom = std::min(top + Flicker::kBlock, picture.height());
@@ -23,7 +23,7 @@ double blockLuma(const Picture& picture, int left, int top) {
   return lumaOf(sums[0], sums[1], sums[2]) / ((right - left) * (bottom - top));
 }
 
-/// Whether the middle one stands out from both to the same side.
+/// Returns whether the middle value differs from both others in the same direction.
 bool jumps(double before, double middle, double after) {
   const double up = middle - std::max(before, after);
   const double down = std::min(before, after) - middle;

@@ -9,16 +9,16 @@
 
 namespace grove::measure {
 
-/// How much of a film jumps: the share of blocks of 16 x 16 pixels whose mean luma lies more than 8 of 255 above that
-/// of the same block in both neighbouring pictures, or as much below both. So what goes and comes back counts; what
-/// moves on or fades in any one direction does not. Each block counts once for each picture that has both neighbours;
-/// blocks at the right and the lower edge are what is left of them there.
+/// Measures flicker: the share of blocks of 16 x 16 pixels whose mean luma is more than 8 of 255 above that of the same
+/// block in both neighbouring pictures, or more than 8 below both. So content that appears and disappears counts;
+/// content that moves on or fades in one direction does not. Each block counts once for each picture that has both
+/// neighbours; blocks at the right and the lower edge may be smaller.
 class Flicker {
  public:
   static constexpr int kBlock = 16;
   static constexpr double kThreshold = 8.0;
 
-  /// The next picture, of the same size as those before.
+  /// Adds the next picture, of the same size as the previous ones.
   void add(const Picture& picture);
 
   /// 0 to 1; 0 before the third picture.
@@ -28,7 +28,7 @@ class Flicker {
   std::array<std::vector<double>, 3> means_;  ///< by block, of the last three pictures, the newest last
   std::size_t pictures_ = 0;
   std::uint64_t jumps_ = 0;
-  std::uint64_t blocks_ = 0;  ///< that had both neighbours
+  std::uint64_t blocks_ = 0;  ///< with both neighbours
 };
 
 }  // namespace grove::measure

@@ -9,7 +9,7 @@
 namespace grove::measure {
 namespace {
 
-/// Least and greatest of red, green and blue.
+/// Minimum and maximum of red, green and blue.
 struct ColourRange {
   std::array<int, 3> min{255, 255, 255};
   std::array<int, 3> max{0, 0, 0};
@@ -27,7 +27,7 @@ std::array<int, 3> channelsOf(std::uint32_t colour) {
           static_cast<int>((colour >> 16U) & 0xFFU)};
 }
 
-/// Of the pixels within kForeignReach along a line of `count` pixels that lie `stride` apart.
+/// Computes the ranges within kForeignReach along a line of `count` pixels that are `stride` apart.
 void widen(const ColourRange* from, ColourRange* to, int count, std::ptrdiff_t stride) {
   for (int i = 0; i < count; ++i) {
     ColourRange range;
@@ -37,7 +37,7 @@ void widen(const ColourRange* from, ColourRange* to, int count, std::ptrdiff_t s
   }
 }
 
-/// Of the square around each pixel.
+/// Returns the range of the square around each pixel.
 std::vector<ColourRange> rangesAround(const Picture& picture) {
   std::vector<ColourRange> ranges(picture.colour.size());
   std::ranges::transform(picture.colour, ranges.begin(), [](std::uint32_t colour) {

@@ -42,7 +42,7 @@ std::array<float, 2 * kReach + 1> gaussian() {
   return weights;
 }
 
-/// Along one direction: `step` from a pixel to the next one, `count` of them, `lines` lines that are `lineStep` apart.
+/// Blurs along one direction: `step` from a pixel to the next, `count` pixels, `lines` lines that are `lineStep` apart.
 Plane blurredAlong(const Plane& from, int count, int step, int lines, int lineStep) {
   const auto weights = gaussian();
   Plane to(from.size());

@@ -5,10 +5,10 @@
 namespace grove::measure {
 namespace {
 
-/// So many must share the bill of a step that nobody pays more than one alone for step 0.
+/// Returns the minimum number of visitors at a step: none pays more than a single visitor for step 0.
 double minVisitors(int step) { return QualityPolicy::kCosts[static_cast<std::size_t>(step)]; }
 
-/// A bill that was just met must not be refused for a rounding, or when one of many blinks.
+/// Tolerance of the minimum, so that rounding or one missing visitor does not change the step.
 constexpr double kGrace = 0.9;
 
 }  // namespace

@@ -4,36 +4,37 @@
 
 namespace grove::measure {
 
-/// How good across-user work is done: 0 is what the scene asks for, each step above costs more, once for all.
+/// Number of quality steps of across-user work: 0 is what the scene wants; each further step costs more, once for all
+/// visitors.
 inline constexpr int kQualitySteps = 3;
 
-/// What the machine and its visitors are at.
+/// Load of the machine.
 struct QualityLoad {
   double visitors = 0.0;
-  double cores = 1.0;            ///< that the machine has
-  double busyCores = 0.0;        ///< that the process uses
-  double acrossUserCores = 0.0;  ///< of them, for work that a clock drives
-  double frameShare = 1.0;       ///< frames that visitors get, of those that they should
+  double cores = 1.0;            ///< of the machine
+  double busyCores = 0.0;        ///< used by the process
+  double acrossUserCores = 0.0;  ///< of them, used by clock-driven work
+  double frameShare = 1.0;       ///< share of the wanted frames that visitors get
 };
 
-/// Spends on quality what sharing saves, and never more: at any step a visitor's share of the across-user bill is at
-/// most what he would pay alone for step 0. Goes up only after the room for it has been there for a while, goes down at
-/// the first signs of trouble, and does not come back at once. One thread.
+/// Spends on quality at most what sharing saves: at any step, a visitor's share of the across-user cost is at most what
+/// a single visitor would pay for step 0. Steps up only after there has been room for a while, steps down at the first
+/// signs of overload, and does not step up again at once. Not thread-safe.
 class QualityPolicy {
  public:
-  /// Takes a measurement, at `now` in seconds, and returns the step to be at.
+  /// Takes a measurement at `now` (seconds) and returns the new step.
   int update(double now, const QualityLoad& load);
 
   [[nodiscard]] int step() const noexcept { return step_; }
 
-  /// Costs of the steps, in step 0's: cells of grids with 64, 96 and 128 to an edge.
+  /// Costs of the steps relative to step 0: cells of grids with 64, 96 and 128 per edge.
   static constexpr std::array<double, kQualitySteps> kCosts{1.0, 3.375, 8.0};
-  static constexpr double kRoomyShare = 0.75;    ///< of the cores, to go up to
-  static constexpr double kCrowdedShare = 0.92;  ///< of the cores, to go down from
+  static constexpr double kRoomyShare = 0.75;    ///< of the cores: maximum after a step up
+  static constexpr double kCrowdedShare = 0.92;  ///< of the cores: above it, steps down
   static constexpr double kMinFrameShare = 0.9;
-  static constexpr double kPatience = 8.0;  ///< seconds of room before it goes up
-  static constexpr double kSettling = 3.0;  ///< seconds after a change in which measurements show the old step, too
-  static constexpr double kRegret = 45.0;   ///< seconds after a step down before it goes up
+  static constexpr double kPatience = 8.0;  ///< seconds of room before a step up
+  static constexpr double kSettling = 3.0;  ///< seconds after a change in which measurements include the old step
+  static constexpr double kRegret = 45.0;   ///< seconds after a step down before a step up
 
  private:
   [[nodiscard]] bool inTrouble(const QualityLoad& load) const;
@@ -42,7 +43,7 @@ class QualityPolicy {
 
   int step_ = 0;
   double changed_ = -kSettling;
-  double roomSince_ = -1.0;  ///< negative: there is none
+  double roomSince_ = -1.0;  ///< negative: no room
   double notBefore_ = 0.0;
 };
 

@@ -40,7 +40,7 @@ FrontendNode::FrontendNode(SessionId session, const FramePolicy& policy, SceneAn
   resultReceiver_->connect(decompressor_);
   decompressor_->connect(planner_);
   compositor_->connect(std::move(next));
-  // Last, for results may come at once: late ones of an earlier node of this session.
+  // Last, because results may come at once: late ones of an earlier node of this session.
   frontend_.connect(session_, resultReceiver_);
 }
 
@@ -49,7 +49,7 @@ FrontendNode::~FrontendNode() { close(); }
 bool FrontendNode::requestFrame() {
   if (!inFlight_->begin()) return false;
   if (analyzer_->push({session_, nextFrame_++}) == pipeline::PushResult::kAccepted) return true;
-  // One that close() has ended meanwhile was begun for the caller.
+  // A frame that close() has ended meanwhile counts as begun.
   return !inFlight_->cancel();
 }
 

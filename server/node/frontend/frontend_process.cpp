@@ -76,7 +76,7 @@ void FrontendProcess::receive(ToFrontend message) {
 void FrontendProcess::welcomed(const NodeWelcome& welcome) {
   const ServedObjects served = servedBy(welcome);
   std::set<world::ObjectId> named = served.objects;
-  // All that show visitors count as one.
+  // All objects that show visitors count as one.
   if (served.visitors) named.insert(world::kFirstPlayerObject);
   bool isKnown = false;
   bool isRestarted = false;
@@ -90,7 +90,7 @@ void FrontendProcess::welcomed(const NodeWelcome& welcome) {
   }
   if (!isKnown) return;
   if (sharedReceiver_->push(Renewal{served, isRestarted}) == pipeline::PushResult::kAccepted) return;
-  // It must not be lost, whatever else is.
+  // A renewal must not be lost.
   store_.renew([&](world::ObjectId id) { return served.contains(id); }, isRestarted);
 }
 
@@ -124,7 +124,7 @@ void FrontendProcess::unpack(Result& result) {
   if (type == nullptr) throw PackingError("shared data of no object");
   const std::shared_ptr<const SharedData> known = store_.known(result.what);
   const std::shared_ptr<SharedData> data = type->unpack(result.what.key, result.version, *bytes, known.get());
-  // One that came by reference is reported by who made it.
+  // Data that came by reference is reported by its maker.
   data->holdIn(tools_.memory, "shared store", type->name(), pipeline::Work::kAcrossUser);
   result.payload = std::shared_ptr<const SharedData>(data);
 }

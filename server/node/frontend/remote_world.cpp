@@ -16,7 +16,7 @@ namespace {
                          "start it with the scene and the version of this server");
 }
 
-/// Adds what a node's models tell.
+/// Adds the facts that only a node's models provide.
 void describe(world::Layout& layout, const NodeWelcome& welcome) {
   for (const ServedObject& served : welcome.objects) {
     const auto object = std::ranges::find(layout.objects, served.id, &world::Object::id);

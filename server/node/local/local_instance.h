@@ -12,7 +12,7 @@ namespace grove::node {
 /// One instance's backend node in this process, which owns the objects that no node of another process serves.
 class LocalInstance final : public InstanceNodes {
  public:
-  /// What all instances stand on, and outlives them.
+  /// The common parts of all instances, which outlive them.
   struct Ground {
     const LoadedScene& scene;
     const world::WorldGeometry& geometry;
@@ -31,10 +31,10 @@ class LocalInstance final : public InstanceNodes {
   const Ground ground_;
   ModelMemory models_;
   const std::shared_ptr<Transport> transport_;
-  FrontendEnd& end_;  ///< the transport, or the way to it and to the others
+  FrontendEnd& end_;  ///< the transport, or the router to it and to the other nodes
   const LoadedScene own_;
   BackendNode backend_;
-  const std::shared_ptr<void> served_;  ///< the frontend process by the backend node
+  const std::shared_ptr<void> served_;  ///< the backend node's token for the frontend process
 };
 
 }  // namespace grove::node

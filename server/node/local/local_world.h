@@ -10,8 +10,8 @@
 
 namespace grove::node {
 
-/// A world whose objects this process owns, but for those that nodes in other processes serve: each instance has a
-/// backend node of its own. What stops smoke and light is there once for all.
+/// A world whose objects this process owns, except for those that nodes in other processes serve. Each instance has a
+/// backend node of its own; all share the obstacles for smoke and light.
 class LocalWorld final : public WorldNodes {
  public:
   /// `makeTransport` makes the link between an instance's frontend process and its backend node; empty: they share
@@ -38,7 +38,7 @@ class LocalWorld final : public WorldNodes {
   BakedStore baked_;  ///< used if there are many instances
 };
 
-/// Makes a LocalWorld of these, all of whose objects are in this process.
+/// Makes a LocalWorld without nodes of other processes.
 [[nodiscard]] WorldNodesFactory localWorld(LoadedScene scene, const BackendTypes& types, gl::Workers& gl,
                                            TransportFactory makeTransport = {});
 

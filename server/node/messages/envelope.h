@@ -11,11 +11,11 @@
 
 namespace grove::node {
 
-/// What a frontend process sends. Its hello goes first, and a view before the requests that name it.
+/// Messages of a frontend process. Its hello goes first, and a view before the requests that name it.
 using ToBackend = std::variant<NodeHello, std::shared_ptr<const WorldUpdate>, std::shared_ptr<const View>, Request,
                                Cancel, Quality, Forget, Acknowledgement, Unsubscribe, TraceRequest>;
 
-/// What a backend node sends, or a world's owner, who answers a hello likewise and then sends updates only.
+/// Messages of a backend node, or of a world's owner, which welcomes or refuses and then sends updates only.
 using ToFrontend = std::variant<NodeWelcome, NodeRefusal, Result, Announcement, std::shared_ptr<const WorldUpdate>,
                                 NodeReport, std::shared_ptr<const NodeTrace>>;
 

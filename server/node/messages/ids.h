@@ -6,10 +6,10 @@
 #include "world/object.h"
 #include "world/players.h"
 
-/// Names of what messages are about. Those of sessions and players are distinct between frontend processes.
+/// Ids in messages. Ids of sessions and players differ between frontend processes.
 namespace grove::node {
 
-/// The frontend process's own number in the high half, see makeId(), a count from 1 in the low one.
+/// The frontend process's number in the high half, see makeId(), a count from 1 in the low one.
 using SessionId = std::uint64_t;
 using FrameNumber = std::uint32_t;
 using ProcessId = std::uint32_t;
@@ -17,15 +17,15 @@ using ProcessId = std::uint32_t;
 [[nodiscard]] constexpr std::uint64_t makeId(ProcessId process, std::uint32_t number) noexcept {
   return std::uint64_t{process} << 32U | number;
 }
-/// Whose an id is.
+/// The process that made an id.
 [[nodiscard]] constexpr ProcessId processOf(std::uint64_t id) noexcept { return static_cast<ProcessId>(id >> 32U); }
-/// A player in 32 bits, for the pages of process `own`: the count of its own ones, a hash of others.
+/// A player in 32 bits, for the pages of process `own`: the count for its own players, a hash for others.
 [[nodiscard]] constexpr std::uint32_t shortIdOf(world::PlayerId id, ProcessId own) noexcept {
   constexpr std::uint32_t kForeign = 1U << 31U;
   if (processOf(id) == own) return static_cast<std::uint32_t>(id);
   return kForeign | static_cast<std::uint32_t>(id * 0x9E3779B97F4A7C15U >> 33U);
 }
-/// What tells the sessions of one process apart, for people and traces.
+/// The count within its process, for log lines and traces.
 [[nodiscard]] constexpr std::uint32_t numberOf(std::uint64_t id) noexcept { return static_cast<std::uint32_t>(id); }
 [[nodiscard]] constexpr pipeline::TraceTag traceTag(SessionId session, FrameNumber frame) noexcept {
   return {numberOf(session), frame, processOf(session)};

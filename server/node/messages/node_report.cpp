@@ -5,7 +5,7 @@
 namespace grove::node {
 namespace {
 
-/// Numbers names in the order in which they come.
+/// Numbers names in the order of their first use.
 class Names {
  public:
   explicit Names(std::vector<std::string>& names) : names_(names) {}

@@ -9,7 +9,7 @@
 #include "pipeline/memory_ledger.h"
 #include "pipeline/timeline.h"
 
-/// What a backend node reports of its own work, for the operator of a server that shows its objects.
+/// A backend node's reports of its own work, for the operator of a server that shows its objects.
 namespace grove::node {
 
 /// Stage totals and memory of a node's process. A node sends one a second.
@@ -20,9 +20,9 @@ struct NodeReport {
   std::map<pipeline::MemoryKey, pipeline::MemoryTotal> memory;
 };
 
-/// Requests a NodeTrace. A node answers at most two a second of each frontend process, and ignores others.
+/// Requests a NodeTrace. A node answers at most two per second and frontend process, and ignores others.
 struct TraceRequest {
-  std::uint32_t number = 0;  ///< of the answer
+  std::uint32_t number = 0;  ///< repeated in the answer
 };
 
 /// One event of a node's timeline, with indices of names.

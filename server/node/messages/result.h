@@ -12,35 +12,35 @@
 
 namespace grove::node {
 
-/// A request that could not be answered; the frame is shown without the object.
+/// A request that failed; the frame is shown without the object.
 struct Failure {
   std::string reason;
-  bool notNow = false;  ///< nothing is wrong: there is no time for it at present
+  bool notNow = false;  ///< no error: there is no time for it at present
 };
 
-/// A picture for one visitor's camera (null if nothing shows; smaller than what was asked for where nothing shows
-/// beside it), shared data, or a failure.
+/// A picture for one visitor's camera (null if nothing is visible; smaller than requested if the rest is empty), shared
+/// data, or a failure.
 using Payload = std::variant<std::shared_ptr<const raster::Image>, std::shared_ptr<const SharedData>, Failure>;
 
-/// What a backend node answers.
+/// A backend node's response to a request.
 struct Result {
-  SessionId session = 0;  ///< 0 and frame 0: shared data that no frame asked for
+  SessionId session = 0;  ///< 0, with frame 0: shared data that no frame requested
   FrameNumber frame = 0;
   std::uint32_t slot = 0;
-  SharedKey what;  ///< the object; of shared data, its key
+  SharedKey what;  ///< the object; for shared data, its key
   bool shared = false;
   Version version = 0;  ///< of shared data
-  bool pushed = false;  ///< it was subscribed to: no request of its own asks for it
+  bool pushed = false;  ///< by a subscription, without a request
   Payload payload;
-  /// The payload as bytes, between the Compressor and the Decompressor where nodes share no memory; then `payload` is
-  /// a null picture.
+  /// The payload as bytes, between the Compressor and the Decompressor if nodes share no memory; then `payload` is a
+  /// null picture.
   std::shared_ptr<const PackedBytes> packed = nullptr;
 };
 
-/// The answer to a request.
+/// Makes the result of a request.
 [[nodiscard]] Result resultOf(const Request& request, Payload payload);
 
-/// Shared data has changed: there is a newer version than frontends have.
+/// Shared data has changed: there is a newer version.
 struct Announcement {
   SharedKey what;
   Version version = 0;

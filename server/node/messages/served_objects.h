@@ -7,7 +7,7 @@
 
 namespace grove::node {
 
-/// Which objects a backend node serves.
+/// The objects that a backend node serves.
 struct ServedObjects {
   std::set<world::ObjectId> objects;
   bool visitors = false;  ///< the objects that show visitors
@@ -24,7 +24,7 @@ struct ServedObjects {
   return served;
 }
 
-/// What of a world others do not serve.
+/// The objects of a world that others do not serve.
 [[nodiscard]] inline ServedObjects restOf(const world::Layout& layout, const ServedObjects& others) {
   ServedObjects rest{.objects = {}, .visitors = layout.visitor && !others.visitors};
   for (const world::Object& object : layout.objects) {

@@ -15,7 +15,7 @@
 
 namespace grove::node {
 
-/// Bytes that are no packed data of the type that was asked to unpack them, or that are damaged.
+/// Bytes that are damaged, or no packed data of the type that should unpack them.
 class PackingError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -23,27 +23,25 @@ class PackingError : public std::runtime_error {
 
 using PackedBytes = std::vector<std::byte>;
 
-/// What serves every visitor: a panorama, maps, a light field's picture for a view cell, a tick's snapshot. Immutable
-/// once shared. A type derives its own from this; in one process they travel by reference.
+/// Data for every visitor: a panorama, maps, a light field's picture for a view cell, a tick's snapshot. Immutable once
+/// shared. Object types derive their own data from this; within one process, data travels by reference.
 class SharedData {
  public:
-  /// `cadence` is how many versions a second a clock makes, whoever looks; 0: they are made because somebody does.
+  /// `cadence`: versions per second that a clock makes; 0 if versions are made on demand.
   explicit SharedData(Version version = 0, double cadence = 0.0) : version_(version), cadence_(cadence) {}
   virtual ~SharedData() = default;
   SharedData(const SharedData&) = delete;
   SharedData& operator=(const SharedData&) = delete;
 
-  /// The data as bytes, which the frontend half of the object's type unpacks: packed once, by the first call, whoever
-  /// asks and however often. That is across-user work, and goes into the caller's timeline as a run of its own for
-  /// `subject`, which outlives the timeline. Any thread.
+  /// Returns the data as bytes, which the frontend half of the object's type unpacks. Packs once, in the first call.
+  /// That is across-user work: the caller's timeline gets a run for `subject`, which outlives the timeline. Any thread.
   [[nodiscard]] std::shared_ptr<const PackedBytes> packed(pipeline::Timeline& timeline, std::string_view subject) const;
 
   [[nodiscard]] Version version() const noexcept { return version_; }
   /// Whether a clock changes it.
   [[nodiscard]] bool isClocked() const noexcept { return cadence_ > 0.0; }
 
-  /// Reports its memory as long as it lives, once, whoever shares it: by who made it, before it is shared. The ledger
-  /// outlives the data.
+  /// Reports its memory during its life. Called once, by its maker, before it is shared. The ledger outlives the data.
   void holdIn(pipeline::MemoryLedger& memory, const char* holder, std::string_view subject, pipeline::Work work);
 
   /// Memory that it takes, the packed form included.

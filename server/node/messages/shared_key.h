@@ -9,12 +9,12 @@
 
 namespace grove::node {
 
-/// Bytes by which an object type names one of the things that it answers with; only the type reads them. Empty: the
-/// object's own data, of which there is one.
+/// Bytes by which an object type names one of its shared data; only the type interprets them. Empty: the object's own
+/// data, of which there is one.
 using Key = std::string;
 inline constexpr std::size_t kMaxKeyBytes = 128;
 
-/// Names shared data among all of a world.
+/// Names shared data within a world.
 struct SharedKey {
   world::ObjectId object = 0;
   Key key;

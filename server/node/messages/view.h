@@ -13,27 +13,27 @@
 
 namespace grove::node {
 
-/// What one frame of one session looks at; made once by the Scene Analyzer, and sent once to each backend node.
+/// The view of one frame of one session: made once by the Scene Analyzer, and sent once to each backend node.
 struct View {
   SessionId session = 0;
   FrameNumber frame = 0;
   world::PlayerId viewer = 0;
-  std::uint32_t lastInput = 0;  ///< number of the last input that the camera obeys
+  std::uint32_t lastInput = 0;  ///< number of the last input that the camera includes
   world::Camera camera;
-  /// From where the backdrop that the frame draws is seen; nothing: from where the frame is.
+  /// The pose from which the frame's backdrop is drawn; empty: the frame's own.
   std::optional<world::Pose> backdropPose = std::nullopt;
-  int borderPercent = 0;  ///< of half the window, that the camera sees beyond it on each side
+  int borderPercent = 0;  ///< of half the window, which the camera sees in addition on each side
   double time = 0.0;      ///< seconds of the world's clock
-  /// Seconds of the frontend process's own clock: until then the frame waits for its objects, and who gets a request
-  /// later leaves it unanswered.
+  /// Seconds of the frontend process's own clock. The frame waits for its objects until then; later requests are not
+  /// served.
   double deadline = std::numeric_limits<double>::infinity();
-  /// All visitors, the viewer too. They stay within the frontend process: backend nodes get them in world updates, and
-  /// whom a picture shows with its request.
+  /// All visitors, including the viewer. They stay within the frontend process: backend nodes get them in world
+  /// updates, and the visitor that a picture shows in its request.
   std::vector<world::Player> players;
-  std::size_t visitors = 0;               ///< how many those are
+  std::size_t visitors = 0;               ///< number of these
   std::vector<world::PointLight> lights;  ///< the fire and the lanterns
 
-  /// Whom an object shows; nothing if it shows no visitor.
+  /// The visitor that an object shows; empty if it shows none.
   [[nodiscard]] std::optional<world::Player> shownBy(world::ObjectId object) const {
     if (object < world::kFirstPlayerObject) return std::nullopt;
     const auto player = std::ranges::find(players, object - world::kFirstPlayerObject, &world::Player::id);
@@ -41,7 +41,7 @@ struct View {
   }
 };
 
-/// What the backdrop that a frame draws looks at: the same from its own pose. Returns `view` itself if it has none.
+/// The view from which a frame's backdrop is drawn. Returns `view` itself if it has no pose of its own.
 [[nodiscard]] inline std::shared_ptr<const View> backdropEyeOf(const std::shared_ptr<const View>& view) {
   if (!view || !view->backdropPose) return view;
   auto eye = std::make_shared<View>(*view);

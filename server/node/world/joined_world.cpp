@@ -42,7 +42,7 @@ void JoinedWorld::report(double now) {
   world::Edits::Cursor edits = edits_;
   update->gusts = world_.edits().during(edits, update->players);
   std::erase_if(update->gusts, [this](const world::Gust& gust) { return isOthers(gust.visitor); });
-  // What blew goes with the next report, if this one was not taken.
+  // Gusts go with the next report if this one was refused.
   if (owner_.send(std::shared_ptr<const WorldUpdate>(std::move(update))) == pipeline::PushResult::kAccepted) {
     edits_ = edits;
   }

@@ -15,14 +15,14 @@
 namespace grove::node {
 
 /// A frontend process's part in a world that another process owns (WorldOwner): reports this process's visitors, and
-/// shows it those of the others. While the owner is lost, others stand still, then leave. Thread-safe.
+/// shows the others' visitors to them. While the owner is lost, others stand still, then leave. Thread-safe.
 class JoinedWorld final : public FrontendPort {
  public:
   enum class State : std::uint8_t {
-    kConnecting,  ///< nothing has come from the owner so far
+    kConnecting,  ///< nothing has arrived from the owner so far
     kJoined,
-    kRefused,  ///< by the owner, or this process does not trust it
-    kLost,     ///< nothing has come for a second
+    kRefused,  ///< by the owner, or this process rejects its certificate
+    kLost,     ///< nothing has arrived for a second
   };
   struct Status {
     State state = State::kConnecting;
@@ -38,14 +38,14 @@ class JoinedWorld final : public FrontendPort {
   JoinedWorld(const JoinedWorld&) = delete;
   JoinedWorld& operator=(const JoinedWorld&) = delete;
 
-  /// Says hello to the owner, whose updates come from then on.
+  /// Sends hello to the owner, which then sends updates.
   void join();
 
   /// Reports this process's visitors, thirty times a second. `now` is of this process's clock. One thread at a time.
   void report(double now);
 
   [[nodiscard]] Status status(double now) const;
-  /// Seconds of the world's clock: the owner's as far as it is known, else this process's.
+  /// Seconds of the world's clock: the owner's if it is known, else this process's.
   [[nodiscard]] double worldSeconds(double now) const;
 
   void receive(ToFrontend message) override;
@@ -60,13 +60,13 @@ class JoinedWorld final : public FrontendPort {
   world::World& world_;
   FrontendEnd& owner_;
   const Updated updated_;
-  std::uint64_t reports_ = 0;       ///< the reporting thread's
-  world::Edits::Cursor edits_ = 0;  ///< the same
+  std::uint64_t reports_ = 0;       ///< of the reporting thread
+  world::Edits::Cursor edits_ = 0;  ///< of the reporting thread
   mutable std::mutex mutex_;
   Status status_;
   PeerClock clock_;
-  double heard_ = 0.0;                 ///< of this process's clock: when the newest update came
-  std::set<world::PlayerId> blowing_;  ///< others
+  double heard_ = 0.0;                 ///< of this process's clock: when the newest update arrived
+  std::set<world::PlayerId> blowing_;  ///< other visitors
 };
 
 }  // namespace grove::node

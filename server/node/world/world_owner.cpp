@@ -24,11 +24,11 @@ struct WorldOwner::Member {
   explicit Member(std::shared_ptr<BackendEnd> link) : peer(std::move(link)) {}
 
   Peer peer;
-  WorldMirror reports;                ///< for its gusts
-  WorldMirror::Cursor published = 0;  ///< of them; the clock's
+  WorldMirror reports;                ///< with its gusts
+  WorldMirror::Cursor published = 0;  ///< of its gusts; used by the clock's thread
 };
 
-/// Hears one frontend process, for as long as the owner serves it.
+/// Receives the messages of one frontend process while the owner serves it.
 class WorldOwner::Reception final : public BackendPort {
  public:
   Reception(WorldOwner& owner, std::shared_ptr<BackendEnd> link)
@@ -49,7 +49,7 @@ class WorldOwner::Reception final : public BackendPort {
   const std::shared_ptr<Member> member_;
 };
 
-// Between two reports nobody walks far, so obstacles are left to the processes.
+// Nobody walks far between two reports, so obstacles are left to the processes.
 WorldOwner::WorldOwner(std::uint64_t sceneHash, float radius)
     : sceneHash_(sceneHash), players_({}, 0.0F, radius, {}), clock_([this] { runClock(); }) {}
 
@@ -133,7 +133,7 @@ void WorldOwner::dismiss(Member& member) {
   member.reports.leave(*process);
   players_.mirror(
       {}, [process](world::PlayerId id) { return processOf(id) == *process; }, 0.0);
-  // Nothing is being sent to it any more, so its link may go.
+  // No message is being sent to it any more, so its link may be destroyed.
   const std::lock_guard sending(sendMutex_);
 }
 

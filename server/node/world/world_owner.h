@@ -16,9 +16,9 @@
 
 namespace grove::node {
 
-/// Owns the players, gusts and time of a world that several frontend processes show; JoinedWorld is their end. Each
-/// process reports its own visitors. The owner merges the reports and sends the whole to all processes, thirty times a
-/// second while there are any. Thread-safe.
+/// Owns the players, gusts and time of a world that several frontend processes show; JoinedWorld is their counterpart.
+/// Each process reports its own visitors. The owner merges the reports and sends the whole to all processes, thirty
+/// times a second while there are any. Thread-safe.
 class WorldOwner {
  public:
   /// Welcomes only processes that show the scene with this hash. Visitors stay within `radius` metres of its origin.
@@ -52,7 +52,7 @@ class WorldOwner {
 
   const std::uint64_t sceneHash_;
   world::Players players_;
-  std::uint64_t updates_ = 0;  ///< the clock's
+  std::uint64_t updates_ = 0;  ///< of the clock's thread
   std::mutex sendMutex_;       ///< held while all are sent an update; taken before mutex_
   mutable std::mutex mutex_;
   std::condition_variable wake_;

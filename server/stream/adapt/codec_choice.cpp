@@ -5,8 +5,8 @@
 namespace grove::stream {
 namespace {
 
-/// A trial is worth it where the line has carried this much of what the codec would take: pictures that save bits prove
-/// no more.
+/// A trial begins only if the line has carried this share of the codec's bit rate; a larger share cannot be required,
+/// because pictures that save bits prove no more.
 constexpr double kPromising = 0.5;
 /// Headroom of the line over the bit rate, below which the trial ends.
 constexpr double kEase = 1.15;
@@ -14,7 +14,7 @@ constexpr double kReasonSeconds = 1.0;
 constexpr double kMaxFailureRest = 600.0;
 constexpr double kMaxWorkRest = 3600.0;
 constexpr double kRest = 2.0;
-/// A reason so soon after the change back means that the change back was a mistake.
+/// A reason this soon after the change back means that the change back was a mistake.
 constexpr double kMistakeSeconds = 20.0;
 
 }  // namespace

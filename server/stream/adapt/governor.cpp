@@ -8,22 +8,22 @@ namespace grove::stream {
 namespace {
 
 constexpr std::array<double, 4> kScales = {1.0, 5.0 / 6.0, 2.0 / 3.0, 0.5};
-/// Of the wanted frames a second: 28 of 30.
+/// Share of the wanted frames per second: 28 of 30.
 constexpr double kEnough = 0.93;
-/// Due frames that wait for less of the time than this are not what slows a stream down.
+/// Below this share of time with waiting frames, the server is not what slows a stream down.
 constexpr double kMinDelayed = 0.04;
-/// Pictures shrink when frames of so many seconds are missing: soon where half of them are, late where a tenth is.
+/// Pictures shrink when frames worth this many seconds are missing: early if half of them are, late if a tenth is.
 constexpr double kMissingSeconds = 0.25;
-/// A pace is that of the last frames: so long after a change, it is still that of the size before.
+/// The measured pace lags: this long after a change it still belongs to the previous size.
 constexpr double kSettlingSeconds = 0.7;
-/// Workers that are busy for a larger share than this have no room. Below it, pictures are more accurate than they have
-/// to be (node/load_shedding.h), so larger ones may cost no more.
+/// Workers that are busier than this have no room. Below it, pictures are more accurate than necessary
+/// (node/load_shedding.h), so larger ones may cost no more.
 constexpr double kRoom = 0.85;
 constexpr double kAssessedEvery = 0.25;
 constexpr double kBusyCalming = 0.1;
 constexpr double kFirstPatience = 5.0;
 constexpr double kLongestPatience = 160.0;
-/// Pictures that have to shrink so soon after they grew are given twice as long until the next try.
+/// If pictures must shrink this soon after they grew, the wait for the next try doubles.
 constexpr double kTrialSeconds = 20.0;
 
 }  // namespace

@@ -62,7 +62,7 @@ class Governor {
   std::size_t step_ = 0;
   double busy_ = 1.0;  ///< share of the workers, smoothed
   double assessed_ = 0.0;
-  double missing_ = 0.0;  ///< frames of so many seconds, since the machine last held the rate
+  double missing_ = 0.0;  ///< missing frames, in seconds, since the machine last held the rate
   double changed_ = 0.0;
   bool grew_ = false;      ///< with the last change
   double patience_ = 0.0;  ///< seconds until the pictures may grow

@@ -9,44 +9,44 @@ namespace grove::stream {
 namespace {
 
 constexpr double kBitsPerByte = 8.0;
-/// Queues, beside a frame's own passage, that let the rate grow, and that make it fall.
+/// Queue delays, without a frame's own transmission time, below which the rate grows and above which it falls.
 constexpr double kShortQueue = 0.012;
 constexpr double kLongQueue = 0.035;
-/// A queue lasts; one that is gone with the next frame was somebody's scheduler. Not so one as long as this.
+/// A queue persists; a delay that is gone with the next frame was caused by a scheduler, unless it is this long.
 constexpr double kCertainQueue = 0.080;
-/// So long after it should have come, a frame is overdue.
+/// A frame is overdue this long after its expected arrival.
 constexpr double kOverdue = 0.080;
 constexpr int kMaxOverdueFalls = 2;
 constexpr double kDeliverySeconds = 0.4;
-/// What frames have shown counts for so long.
+/// Evidence from frames expires after this.
 constexpr double kEvidenceSeconds = 1.0;
-/// Of these, so many and over so long a time must be late before a stream that is limited by the application falls.
+/// Minimum number and time span of late frames before an application-limited stream's rate falls.
 constexpr std::size_t kMinLate = 3;
 constexpr double kMinLateSeconds = 0.5;
 constexpr double kUseDecay = 0.8;
-/// Frames that arrive this much faster than the estimate, one after the other, were not delayed by the line.
+/// Consecutive frames that arrive this much faster than the estimate were not delayed by the line.
 constexpr double kBunched = 1.5;
-/// Of what was proven; the rest is for lines that carry a burst faster than what follows.
+/// Share of the proven rate; the rest is for lines that carry a burst faster than what follows.
 constexpr double kOfProven = 0.8;
 constexpr double kMinServiceSeconds = 0.001;
 constexpr double kMinSecondsBetweenFalls = 0.15;
-/// A fall goes to this much of what was delivered, but neither further nor less than this of what the rate was.
+/// A fall goes to this share of the delivered rate, within these shares of the previous rate.
 constexpr double kOfDelivered = 0.85;
 constexpr double kDeepestFall = 0.4;
 constexpr double kSmallestFall = 0.95;
-/// Growth a second before the line was ever full, and at most after that.
+/// Growth per second before the line was ever full, and the maximum after that.
 constexpr double kFirstGrowth = 6.0;
 constexpr double kMaxGrowth = 1.6;
-/// After a fall the rate goes back up to about what the line carried, stays near that, and tries ever more then: as
-/// CUBIC's window does (RFC 9438), of which this is the slope.
+/// After a fall the rate returns to about the line's last rate, stays near it, and then grows ever faster, as CUBIC's
+/// window does (RFC 9438); this is its slope.
 constexpr double kBackSeconds = 1.2;
 constexpr double kCurvature = 0.35;
-/// What has not been tried is not known: the rate stays within this of what is delivered.
+/// An untried rate is unknown: the rate stays within this multiple of the delivered rate.
 constexpr double kBeyondDelivered = 2.0;
 constexpr double kBeyondAtMin = 400e3;
 constexpr std::size_t kMinWindow = 2;
 constexpr std::size_t kMaxWindow = 24;
-/// More than the idle line's flight may be under way by this; it covers jitter, not queues.
+/// Data in flight may exceed what the idle line's round trip needs by this; it covers jitter, not queues.
 constexpr double kSlackSeconds = 0.040;
 constexpr double kBytesSlackSeconds = 0.080;
 
@@ -92,8 +92,8 @@ void LinkEstimator::take(const Frame& frame, const Arrival& arrival) {
   roundTrip_.add(now, flight - held);
   transit_.add(now, transit);
   usualFlight_ += (flight - usualFlight_) / 8.0;
-  // By the page's clock, so that the way back does not count; but that clock may jump, run fast or lie, and no frame
-  // has waited for longer than it took until its acknowledgement.
+  // By the page's clock, which excludes the way back. But that clock may jump, run fast or be forged, and no frame has
+  // waited longer than until its acknowledgement.
   queueing_ = std::min(transit - *transit_.value(), flight - *flight_.value());
 
   const double bits = kBitsPerByte * static_cast<double>(frame.bytes);
@@ -125,7 +125,7 @@ void LinkEstimator::look(double now) {
   if (underWay_.empty() || !flight_.value() || isApplicationLimited()) return;
   const Frame& oldest = underWay_.front();
   const double due = *flight_.value() + kLongQueue + kOverdue + passage(bytesUnderWay_);
-  // Nothing more is sent by now; how far it has to fall is seen when something arrives.
+  // Nothing more is being sent; the next arrival shows how far the rate must fall.
   if (now - oldest.sent > due && overdueFalls_ < kMaxOverdueFalls && fall(now, delivered(now))) ++overdueFalls_;
 }
 
@@ -177,7 +177,7 @@ void LinkEstimator::grow(double now) {
 }
 
 bool LinkEstimator::fall(double now, double carried) {
-  // What has been changed shows a round trip later.
+  // A change takes effect one round trip later.
   const double pause = std::max(kMinSecondsBetweenFalls, std::min(roundTrip() + queueing_, 1.0));
   if (kOfDelivered * carried >= rate_ || (lastFall_ && now - *lastFall_ < pause)) return false;
   const double wanted = std::clamp(kOfDelivered * carried, kDeepestFall * rate_, kSmallestFall * rate_);

@@ -27,7 +27,7 @@ struct Arrival {
 /// it guards against jitter of single packets, and a frame is many packets. An overdue frame counts like a queue, so
 /// the estimate reacts to a broken line before acknowledgements come.
 ///
-/// Not every delay is a queue: the schedulers of both machines delay frames, too. Three facts tell them apart:
+/// Not every delay is a queue: the schedulers of both machines delay frames, too. Three facts distinguish them:
 /// - Frames behind a bottleneck arrive spaced by their transmission time; after a hiccup they arrive together.
 /// - A frame that was acknowledged after T proves that the line carries its bytes in T.
 /// - An application-limited stream (Cardwell and others, "BBR: Congestion-Based Congestion Control", 2016) makes no
@@ -92,7 +92,7 @@ class LinkEstimator {
   [[nodiscard]] double delivered(double now) const;
   /// The line's rate if every frame of the last second was late; else infinity.
   [[nodiscard]] double carriedWhenAllAreLate() const;
-  /// Seconds that so many bytes take through the bottleneck at the present rate.
+  /// Returns the seconds that `bytes` take through the bottleneck at the present rate.
   [[nodiscard]] double passage(std::size_t bytes) const;
 
   std::deque<Frame> underWay_;

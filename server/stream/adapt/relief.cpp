@@ -5,14 +5,14 @@
 namespace grove::stream {
 namespace {
 
-/// Frames that are kept back for less of the time than this do no harm.
+/// Below this share of time with blocked frames, no relief is needed.
 constexpr double kStrained = 0.25;
 constexpr double kStrainedSeconds = 2.0;
-/// Frames that wait for less of the time than this: what more would be managed is not known.
+/// Below this share of time with blocked frames, spare capacity is unknown, so a step up may be tried.
 constexpr double kIdle = 0.1;
 constexpr double kMinPatience = 10.0;
 constexpr double kMaxPatience = 160.0;
-/// Who is strained so soon after a step up has been asked for too much, and is asked less often.
+/// Strain this soon after a step up means that the try failed; tries then become rarer.
 constexpr double kFailedTrySeconds = 8.0;
 
 }  // namespace

@@ -7,12 +7,12 @@
 namespace grove::stream {
 namespace {
 
-/// What happened fades to a third in this time.
+/// Time in which the weight of the past falls to a third.
 constexpr double kFadeSeconds = 1.5;
-/// Frames that wait for less than this share of the time are as good as on time.
+/// Frames that wait for a smaller share of the time count as punctual.
 constexpr double kShareThatMatters = 0.15;
 constexpr double kPeriodCalming = 0.1;
-/// A pause in which no frame was wanted is no period.
+/// Longer periods are pauses in which no frame was wanted.
 constexpr double kMaxPeriod = 1.0;
 
 std::size_t index(LimitedBy who) { return static_cast<std::size_t>(who); }

@@ -12,30 +12,30 @@
 namespace grove::stream {
 namespace {
 
-/// Of what the line carries; the rest is for what the estimate is wrong by.
+/// Usable share of the estimated rate; the rest covers errors of the estimate.
 constexpr double kUsable = 0.8;
-/// While the camera stands, the picture is refined within this, and smoke goes on in it.
+/// Rate for refining the picture, and for smoke, while the camera stands still.
 constexpr double kStillBitsPerSecond = 1.3e6;
-/// A picture gets finer step by step, so that no single one takes long.
+/// Refinement proceeds in steps, so that no single picture takes long.
 constexpr Quantiser kRefinement = 2.0;
 constexpr double kIndependentSeconds = 0.25;
-/// A view counts as still after this: who stops for a moment goes on walking.
+/// A view counts as still after this: a visitor who stops for a moment will walk on.
 constexpr double kStillSeconds = 2.0;
 /// Percent.
 constexpr int kBorderStep = 6;
 constexpr int kBorderSteps = 2;
 constexpr double kBorderHysteresis = 0.3;
-/// Coarser than usual by this, a picture does without its border.
+/// A picture that is coarser than usual by this has no border.
 constexpr Quantiser kBorderQuantisers = 6.0;
-/// Of the idle line: below the first, late look has nothing to hide; from the second on it gets the whole border.
+/// Of the idle line: below the first, late look has nothing to hide; from the second on it gets the full border.
 constexpr double kShortRoundTrip = 0.030;
 constexpr double kLongRoundTrip = 0.100;
-/// Nobody expects less of a limit than this.
+/// Smaller limits are raised to these.
 constexpr double kMinKilobits = 200.0;
 constexpr int kMinLines = 90;
-/// Of a walk through the grove, in JPEG of the usual quality.
+/// Measured on a walk through the grove, in JPEG of the usual quality.
 constexpr double kJpegBitsPerPixel = 1.1;
-/// A trial of JPEG begins with this much more than it takes.
+/// A trial of JPEG begins with this multiple of its bit rate.
 constexpr double kTrust = 1.3;
 
 }  // namespace
@@ -48,7 +48,7 @@ StreamControl::StreamControl(const EncoderRegistry& encoders, std::shared_ptr<Go
       width_(width),
       height_(height),
       governed_(std::move(governor)) {
-  // Before the first frame nothing is known that would speak against the wish.
+  // Before the first frame nothing speaks against the full wish.
   policy_.update(0.0, wish(governed_.scale()), {.bitsPerSecond = std::numeric_limits<double>::infinity()});
 }
 
@@ -65,7 +65,7 @@ void StreamControl::offer(std::vector<std::uint8_t> codecs) {
 
 void StreamControl::limit(const Limits& limits) {
   const std::lock_guard lock(mutex_);
-  // A page that nobody looked at may have lost its decoder meanwhile.
+  // A hidden page may have lost its decoder.
   if (limits_.hidden && !limits.hidden) wantsIndependent_ = true;
   limits_ = limits;
 }
@@ -155,7 +155,7 @@ void StreamControl::planBorder() {
   }
   const double share = (link_.roundTrip() - kShortRoundTrip) / (kLongRoundTrip - kShortRoundTrip);
   const double steps = kBorderSteps * std::clamp(share, 0.0, 1.0);
-  // Each change begins with an independent picture, so it is not made lightly.
+  // Each change begins with an independent picture, so changes need hysteresis.
   if (steps >= borderSteps_ + 1 || steps < borderSteps_ - kBorderHysteresis) borderSteps_ = static_cast<int>(steps);
 }
 
@@ -220,7 +220,7 @@ std::optional<std::uint32_t> StreamControl::takeCapture(std::uint32_t frame) {
 
 const EncoderKind& StreamControl::kind() const {
   const std::lock_guard lock(mutex_);
-  // A visitor who insists on a codec offers no other.
+  // A visitor who insists on a codec offers only that one.
   constexpr std::array<std::uint8_t, 1> kSavesWork{kCodecJpeg};
   if (codecChoice_.savesWork() && std::ranges::find(offer_, kCodecJpeg) != offer_.end()) {
     return encoders_.choose(kSavesWork);
@@ -254,7 +254,7 @@ StreamControl::Choice StreamControl::choose(const EncoderKind& kind, const Quant
   };
   const Quantiser moving = within(bitsPerSecond(), range.usual);
   choice.order.quantiser = moving;
-  // What depends on the last picture costs only what it makes better; others are made better when nothing moves at all.
+  // A dependent picture costs only its improvement; other codecs refine only when nothing moves at all.
   if (same || (still && kind.chained)) {
     const Quantiser finer = std::max(range.finest, newestQuantiser_ - kRefinement);
     choice.order.quantiser = std::min(moving, within(std::min(bitsPerSecond(), kStillBitsPerSecond), finer));

@@ -4,7 +4,7 @@
 #include "stream/adapt/stream_control.h"
 #include "stream/protocol/saturate.h"
 
-// What the page learns of its stream.
+// Status messages to the page.
 namespace grove::stream {
 namespace {
 
@@ -34,7 +34,7 @@ LimitedBy StreamControl::limitedBy() const {
   const LimitedBy who = work_.sparesBrowser()     ? LimitedBy::kBrowser
                         : governed_.scale() < 1.0 ? LimitedBy::kMachine
                                                   : work_.shortOf();
-  // An older page does not know a busy browser.
+  // Older pages do not understand kBrowser.
   if (who == LimitedBy::kBrowser && page_ < PageLevel::kTimed) return LimitedBy::kNothing;
   if (who != LimitedBy::kNothing) return who;
   const bool limits = limits_.lines > 0 || limits_.framesPerSecond > 0 || limits_.kilobitsPerSecond > 0;

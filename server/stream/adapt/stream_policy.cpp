@@ -17,8 +17,8 @@ struct Rung {
   double scale;  ///< of width and height
   double rate;   ///< of the wanted frames a second
 };
-/// Every one takes an eighth to a third less than the one before. 1280 x 720 at 30 goes down to 480 lines before frames
-/// become fewer, and stays there down to 20.
+/// Each rung takes an eighth to a third less than the previous one. 1280 x 720 at 30 frames goes down to 480 lines
+/// before frames become fewer, and stays there down to 20.
 constexpr std::array<Rung, 11> kLadder = {{{1.0, 1.0},
                                            {0.85, 1.0},
                                            {0.75, 1.0},
@@ -30,22 +30,22 @@ constexpr std::array<Rung, 11> kLadder = {{{1.0, 1.0},
                                            {1.0 / 3.0, 0.5},
                                            {1.0 / 3.0, 1.0 / 3.0},
                                            {0.25, 1.0 / 6.0}}};
-/// Of the way from the finest to the coarsest quantiser: beyond the first, something else gives way; below the second,
-/// there is room for the next better rung.
+/// Shares of the range from the finest to the coarsest quantiser: above the first, the stream steps down; below the
+/// second, there is room for the next better rung.
 constexpr double kTight = 0.80;
 constexpr double kRoomy = 0.66;
 constexpr double kTightSeconds = 0.15;
 constexpr double kRoomySeconds = 2.0;
-/// At the beginning, what seemed to be needed was a guess.
+/// At the beginning, the required rung was a guess.
 constexpr double kFirstRoomySeconds = 0.3;
-/// What a line carries that has never been full is not known yet: the estimate may grow tenfold in this time.
+/// The rate of a line that has never been full is unknown: the estimate may grow tenfold in this time.
 constexpr double kUntriedSeconds = 0.6;
-/// Far beyond, nothing is waited for, once the line is known.
+/// An excess this large takes effect at once, if the line's rate is known.
 constexpr double kMuchTooTight = 4.0;
-/// Smaller pictures have finer detail in each pixel: bits go with this power of the pixels.
+/// Smaller pictures have more detail per pixel: bits grow with this power of the pixels.
 constexpr double kDetail = 0.85;
 
-/// The quantiser that this rung would need.
+/// Returns the quantiser that this rung would need.
 Quantiser needed(const Rung& rung, const StreamWish& wish, const StreamMeans& means) {
   const double whole = static_cast<double>(wish.width) * wish.height;
   const double pixels = whole * std::pow(rung.scale * rung.scale, kDetail);
@@ -53,7 +53,7 @@ Quantiser needed(const Rung& rung, const StreamWish& wish, const StreamMeans& me
   return 6.0 * std::log2(std::max(1e-9, means.bitsPerPixel * pixels / bits));
 }
 
-/// How far beyond what pleases a rung is, in steps of the quantiser; negative: within.
+/// Returns how far a rung's quantiser exceeds the bound; negative: within.
 double excess(const Rung& rung, const StreamWish& wish, const StreamMeans& means, double share) {
   const double bound = means.finest + share * (means.coarsest - means.finest);
   return needed(rung, wish, means) - bound;

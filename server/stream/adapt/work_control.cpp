@@ -9,22 +9,22 @@
 namespace grove::stream {
 namespace {
 
-/// A page that usually takes longer than this from arrival to paint is busy: a frame of the screen and a decoder take
-/// half of it.
+/// A page that usually takes longer than this from arrival to paint is busy: a screen frame and a decoder take half of
+/// it.
 constexpr double kBusyHold = 0.040;
 constexpr double kHoldCalming = 0.1;
-/// Over a shorter line than this, what makes no queue of its own does not wait for the line.
+/// On a shorter line, an application-limited stream waits for the browser, not for the line.
 constexpr double kNearRoundTrip = 0.020;
-/// Server and browser may manage this much more than they did.
+/// Server and browser may achieve this multiple of what they did.
 constexpr double kGrowth = 1.25;
 constexpr double kShareOfLine = 0.15;
 constexpr double kShareOfOthers = 0.15;
 constexpr double kJudgedEvery = 0.5;
-/// A browser that cannot keep up shows fewer frames first, evenly spaced.
+/// An overloaded browser first shows fewer frames, evenly spaced.
 constexpr std::array<Relief::Share, 5> kBrowserSteps = {
     {{1.0, 1.0}, {2.0 / 3.0, 1.0}, {2.0 / 3.0, 0.85}, {2.0 / 3.0, 2.0 / 3.0}, {0.5, 0.5}}};
 constexpr double kTooFewForBrowser = 0.7;
-/// More frames a second are welcome, but worth no smaller pictures.
+/// Higher frame rates do not justify smaller pictures.
 constexpr double kUsualFramesPerSecond = 30.0;
 
 }  // namespace

@@ -16,7 +16,7 @@
 namespace grove::stream {
 namespace {
 
-/// Nobody sees what is finer, and files double.
+/// Higher qualities look the same, and files double.
 constexpr int kCaptureQuality = 95;
 
 PictureHeader describe(const node::FinishedFrame& frame) {
@@ -36,7 +36,7 @@ PictureHeader describe(const node::FinishedFrame& frame) {
   return header;
 }
 
-/// Loudness falls with the distance.
+/// Loudness falls with distance.
 std::uint8_t nearnessOf(const std::vector<world::Vec3>& fires, world::Vec3 ear) {
   constexpr float kBeside = 1.5F;  // metres
   float nearness = 0.0F;
@@ -110,7 +110,7 @@ void EncodeStage::encodeNext(const node::FinishedFrame& frame) {
   try {
     independent = encoder->encode(*frame.picture, choice.order, made->bytes);
   } catch (const EnvironmentError& e) {
-    // What it made of the pictures so far is not known; a new one begins anew, of another codec if there is one.
+    // The encoder's state is unknown; a new one starts with an independent picture, of another codec if there is one.
     log::error(e.what());
     encoder_.reset();
     control_->failed(kind);
@@ -181,7 +181,7 @@ bool EncodeStage::isSame(const node::FinishedFrame& frame, bool still) {
 std::shared_ptr<EncodedFrame> EncodeStage::makeRoom(std::size_t labels) const {
   auto frame = std::make_shared<EncodedFrame>();
   const std::size_t header = EncodedFrame::kHeadroom + (asPictures_ ? pictureHeaderBytes(labels) : kFrameHeaderBytes);
-  // Neighbouring frames are of like size: room for a little more than the last one saves growing.
+  // Neighbouring frames have similar sizes: a little more room than the last one avoids growing.
   frame->bytes.reserve(header + lastBytes_ + lastBytes_ / 8);
   frame->bytes.resize(header);
   return frame;

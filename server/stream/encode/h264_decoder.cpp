@@ -16,7 +16,7 @@ H264Decoder::H264Decoder() {
   SDecodingParam parameters{};
   parameters.sVideoProperty.size = sizeof parameters.sVideoProperty;
   parameters.sVideoProperty.eVideoBsType = VIDEO_BITSTREAM_AVC;
-  parameters.eEcActiveIdc = ERROR_CON_DISABLE;  // damage is to be reported, not painted over
+  parameters.eEcActiveIdc = ERROR_CON_DISABLE;  // reports damage instead of concealing it
   int level = WELS_LOG_QUIET;
   if (failed != 0 || decoder == nullptr || decoder->SetOption(DECODER_OPTION_TRACE_LEVEL, &level) != cmResultSuccess ||
       decoder->Initialize(&parameters) != cmResultSuccess) {
@@ -39,7 +39,7 @@ const DecodedPicture* H264Decoder::decode(std::span<const std::uint8_t> accessUn
   picture_.width = buffer.iWidth;
   picture_.height = buffer.iHeight;
   picture_.colour.resize(static_cast<std::size_t>(picture_.width) * static_cast<std::size_t>(picture_.height));
-  // The library calls this order by the number that the four bytes make.
+  // The library names byte orders as little-endian numbers, so ABGR is R, G, B, A in memory.
   const int failed = libyuv::J420ToABGR(planes[0], buffer.iStride[0], planes[1], buffer.iStride[1], planes[2],
                                         buffer.iStride[1], reinterpret_cast<std::uint8_t*>(picture_.colour.data()),
                                         4 * picture_.width, picture_.width, picture_.height);

@@ -14,7 +14,7 @@ namespace grove::stream {
 namespace {
 
 constexpr QuantiserRange kRange{.finest = 20.0, .usual = 25.0, .coarsest = 40.0};
-/// What the library keeps for a picture's pixel: the picture before, and what it works with.
+/// The library's memory per pixel: the previous picture and its scratch buffers.
 constexpr std::size_t kBytesPerPixel = 8;
 
 [[noreturn]] void fail(const char* what, int code) {
@@ -123,7 +123,7 @@ bool H264Encoder::encode(const raster::YuvImage& picture, const EncodeOrder& ord
   source.iPicHeight = height_;
   source.iStride[0] = width_;
   source.iStride[1] = source.iStride[2] = width_ / 2;
-  // The library's interface knows no const, but it only reads.
+  // The library only reads these, but its interface lacks const.
   source.pData[0] = const_cast<unsigned char*>(picture.y());
   source.pData[1] = const_cast<unsigned char*>(picture.u());
   source.pData[2] = const_cast<unsigned char*>(picture.v());

@@ -20,7 +20,7 @@ std::optional<std::pair<int, int>> JpegDecoder::size(std::span<const std::uint8_
   int colourSpace = 0;
   const int failed =
       tjDecompressHeader3(handle_.get(), jpeg.data(), jpeg.size(), &width, &height, &subsampling, &colourSpace);
-  // To the library, a header that ends early is a good one without a picture, but then it fails on the next picture.
+  // The library accepts a truncated header as valid, without a picture, and then fails on the next picture.
   if (failed != 0 || width <= 0 || height <= 0) {
     restart();
     return std::nullopt;

@@ -13,12 +13,12 @@
 namespace grove::stream {
 namespace {
 
-/// JPEG's tables times one are what this quantiser is to H.264, about; the library calls that quality 50.
+/// JPEG's unscaled tables (quality 50) correspond to about this quantiser of H.264.
 constexpr Quantiser kTablesTimesOne = 30.0;
 constexpr int kFinestQuality = 92;
 constexpr int kCoarsestQuality = 20;
 
-/// The library's quality for a factor of the tables, and back.
+/// Converts a factor of the tables to the library's quality, and back.
 int qualityOf(Quantiser quantiser) {
   const double factor = std::exp2((quantiser - kTablesTimesOne) / 6.0);
   const double quality = factor <= 1.0 ? 100.0 - 50.0 * factor : 50.0 / factor;

@@ -7,12 +7,12 @@ namespace grove::stream {
 namespace {
 
 constexpr double kStepsPerHalving = 6.0;
-/// An independent picture may take what so many others do: it comes seldom.
+/// An independent picture may take the bytes of this many others: it is rare.
 constexpr double kIndependentShare = 3.0;
-/// Of a debt, this much is saved on each picture, and no picture gets less than this of its share.
+/// Each picture saves this share of the debt, but no picture gets less than kMinShare of its share.
 constexpr double kRepayment = 0.2;
 constexpr double kMinShare = 0.4;
-/// Debts that the line has had time to work off are forgotten.
+/// Debts decay, because the line has had time to send them.
 constexpr double kDebtDecay = 0.9;
 constexpr double kCalming = 0.06;
 
@@ -36,7 +36,7 @@ void QuantiserControl::encoded(bool independent, double pixels, Quantiser quanti
     independent_ = now;
     return;
   }
-  // Upwards at once, downwards in two or three pictures: one that was cheap by chance shall not make the next dear.
+  // Rises at once, falls over two or three pictures: one cheap picture must not make the next one too large.
   dependent_ = now > dependent_ ? now : 0.5 * (now + dependent_);
   complexity_ = std::max(dependent_, complexity_ + kCalming * (dependent_ - complexity_));
 }

@@ -15,7 +15,7 @@ namespace {
 
 int checkedClock(int result) {
   if (result >= 0) return result;
-  throw EnvironmentError(std::generic_category().message(errno), "the clock of inputs",
+  throw EnvironmentError(std::generic_category().message(errno), "timer for inputs",
                          "allow more open files (ulimit -n)");
 }
 

@@ -32,18 +32,18 @@ constexpr std::size_t kMaxMessageBytes = std::size_t{16} << 20U;
 constexpr int kTakeAny =
     LCCSCF_ALLOW_SELFSIGNED | LCCSCF_ALLOW_EXPIRED | LCCSCF_ALLOW_INSECURE | LCCSCF_SKIP_SERVER_CERT_HOSTNAME_CHECK;
 
-/// Trusts what this machine does.
+/// Trusts the machine's certificate authorities.
 TlsContext makeTlsContext() {
   TlsContext context = makeClientTlsContext();
   if (SSL_CTX_set_default_verify_paths(context.get()) != 1) {
-    throw EnvironmentError("cannot read whom this machine trusts", "OpenSSL", "install ca-certificates");
+    throw EnvironmentError("cannot read the machine's certificate authorities", "OpenSSL", "install ca-certificates");
   }
   return context;
 }
 
 void logLibraryLine(int /*level*/, const char* line) { log::error(printable(line, 300)); }
 
-/// All clients of a load test and the library's context that they share.
+/// All clients of a load test and the libwebsockets context that they share.
 class LoadClients {
  public:
   LoadClients(const LoadTarget& target, const LoadPlan& plan);
@@ -70,7 +70,7 @@ class LoadClients {
   int handle(Client& client, lws* wsi, lws_callback_reasons reason, std::span<const std::uint8_t> bytes);
   void connect(Client& client, const LoadTarget& asked, const LoadTarget& to);
   void pollInputClock();
-  void askForInputs();
+  void requestInputs();
   void receive(Client& client, lws* wsi, std::span<const std::uint8_t> piece);
   int write(Client& client, lws* wsi);
   void end(Client& client, const std::string& reason);
@@ -83,13 +83,13 @@ class LoadClients {
   JpegDecoder decoder_;
   std::vector<std::unique_ptr<Client>> clients_;
   InputClock inputClock_;
-  TlsContext tls_;  ///< null if it is not wanted
+  TlsContext tls_;  ///< null without TLS
   std::unique_ptr<lws_context, ContextDeleter> context_;
 };
 
 LoadClients::LoadClients(const LoadTarget& target, const LoadPlan& plan)
     : plan_(plan), inputClock_(plan.sessions, kInputPeriod) {
-  // The library wants to know all that a server may choose.
+  // The library requires all sub-protocols that a server may choose.
   static constexpr std::array<lws_protocols, 4> kProtocols = {
       lws_protocols{kSubProtocolWithVideo, &LoadClients::callback, 0, kReceiveBytes, 0, nullptr, 0},
       lws_protocols{kSubProtocolWithWaiting, &LoadClients::callback, 0, kReceiveBytes, 0, nullptr, 0},
@@ -122,17 +122,17 @@ LoadClients::LoadClients(const LoadTarget& target, const LoadPlan& plan)
   }
 }
 
-/// It also wakes the library at the end of the test when no message comes.
+/// The clock also wakes the library at the end of the test when no message arrives.
 void LoadClients::pollInputClock() {
   lws_sock_file_fd_type clock{};
   clock.filefd = inputClock_.duplicate();
   lws_vhost* vhost = lws_get_vhost_by_name(context_.get(), "default");
   if (lws_adopt_descriptor_vhost(vhost, LWS_ADOPT_RAW_FILE_DESC, clock, kSubProtocol, nullptr) == nullptr) {
-    throw EnvironmentError("cannot poll the clock of inputs", "grove load", "");
+    throw EnvironmentError("cannot poll the timer for inputs", "grove load", "");
   }
 }
 
-/// `asked` is who is asked for, which the server looks at; `to` is where the connection goes.
+/// `asked` is the host named in the request, which the server checks; `to` is where the connection goes.
 void LoadClients::connect(Client& client, const LoadTarget& asked, const LoadTarget& to) {
   const std::string host = asked.host + ":" + std::to_string(asked.port);
   const std::string protocols = std::string(kSubProtocolWithVideo) + "," + kSubProtocolWithWaiting + "," + kSubProtocol;
@@ -148,7 +148,7 @@ void LoadClients::connect(Client& client, const LoadTarget& asked, const LoadTar
   info.ietf_version_or_minus_one = -1;
   info.opaque_user_data = &client;
   info.pwsi = &client.socket;
-  // A failure here has reported its reason through the callback already, if it has one.
+  // A failure may already have reported its reason through the callback.
   if (lws_client_connect_via_info(&info) == nullptr) end(client, "cannot connect");
 }
 
@@ -202,7 +202,7 @@ int LoadClients::callback(lws* wsi, lws_callback_reasons reason, void* /*user*/,
   if (self == nullptr) return 0;
   auto* client = static_cast<Client*>(lws_get_opaque_user_data(wsi));
   try {
-    if (reason == LWS_CALLBACK_RAW_RX_FILE) self->askForInputs();
+    if (reason == LWS_CALLBACK_RAW_RX_FILE) self->requestInputs();
     if (client == nullptr) return 0;
     return self->handle(*client, wsi, reason, {static_cast<const std::uint8_t*>(in), in == nullptr ? 0 : length});
   } catch (const std::exception& e) {
@@ -211,7 +211,7 @@ int LoadClients::callback(lws* wsi, lws_callback_reasons reason, void* /*user*/,
   }
 }
 
-void LoadClients::askForInputs() {
+void LoadClients::requestInputs() {
   for (const int session : inputClock_.takeDue()) {
     Client& client = *clients_[static_cast<std::size_t>(session)];
     if (!client.visitor.isLetIn() || client.ended) continue;
@@ -227,7 +227,7 @@ int LoadClients::handle(Client& client, lws* wsi, lws_callback_reasons reason, s
   };
   switch (reason) {
     case LWS_CALLBACK_CLIENT_FILTER_PRE_ESTABLISH:
-      // lws_get_protocol() gives the first that was asked for, whatever the server chose (libwebsockets issue 2795).
+      // lws_get_protocol() returns the first one requested, whatever the server chose (libwebsockets issue 2795).
       client.visitor.agreedOn(header(wsi, WSI_TOKEN_PROTOCOL));
       return 0;
     case LWS_CALLBACK_CLIENT_ESTABLISHED:

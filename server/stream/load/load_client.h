@@ -6,8 +6,8 @@
 
 namespace grove::stream {
 
-/// Runs the plan's sessions as real websocket clients on the calling thread until all that are let in have been counted
-/// for its seconds. Those that are not let in or are thrown out are errors in the outcome.
+/// Runs the plan's sessions as real websocket clients on the calling thread, until all admitted ones have been measured
+/// for the plan's seconds. Sessions that are refused or disconnected are errors in the outcome.
 [[nodiscard]] LoadOutcome runLoadClients(const LoadTarget& target, const LoadPlan& plan);
 
 }  // namespace grove::stream

@@ -10,33 +10,33 @@
 
 namespace grove::stream {
 
-/// What the visitors of a load test do with their keys and their heads.
+/// How the visitors of a load test move.
 enum class Movement : std::uint8_t {
-  kStroll,  ///< a few steps this way and that, looking about
-  kLook,    ///< looking about only
-  kStand,   ///< neither; inputs are sent all the same, so that latency is measured
+  kStroll,  ///< a few steps in changing directions, looking around
+  kLook,    ///< look around only
+  kStand,   ///< neither; inputs are still sent, to measure latency
 };
 
-/// A walk that visitors of a load test go along.
+/// A walk that the visitors of a load test follow.
 struct WalkToFollow {
   world::Walk walk;
-  /// Where visitors arrive in the world that the walk is made for.
+  /// Where visitors arrive in the walk's world.
   world::Vec3 spawn{0.0F};
   float spawnYaw = 0.0F;  ///< radians
 };
 
-/// What a load test is.
+/// What a load test does.
 struct LoadPlan {
   int sessions = 1;
-  int firstVisitor = 0;                                         ///< number of the first session's visitor
-  double countFrom = 0.0;                                       ///< pipeline::wallSeconds(); counting begins no earlier
-  double seconds = 10.0;                                        ///< that are counted
-  int width = 1280;                                             ///< pixels, wanted
-  int height = 720;                                             ///< pixels, wanted
-  std::vector<std::uint8_t> codecs = {kCodecH264, kCodecJpeg};  ///< that are offered, the best first
+  int firstVisitor = 0;    ///< index of the first session's visitor
+  double countFrom = 0.0;  ///< earliest begin of the measurement, pipeline::wallSeconds()
+  double seconds = 10.0;   ///< measured
+  int width = 1280;        ///< pixels, wanted
+  int height = 720;        ///< pixels, wanted
+  std::vector<std::uint8_t> codecs = {kCodecH264, kCodecJpeg};  ///< offered, the best first
   Movement movement = Movement::kStroll;
-  std::optional<WalkToFollow> follow = {};  ///< instead
-  std::optional<LinkProfile> shape = {};    ///< of the line that each visitor has for himself
+  std::optional<WalkToFollow> follow = {};  ///< replaces `movement`
+  std::optional<LinkProfile> shape = {};    ///< of each visitor's own line
 };
 
 }  // namespace grove::stream

@@ -8,7 +8,7 @@
 namespace grove::stream {
 namespace {
 
-/// The kinds of all pictures that were on the visitors' screens.
+/// Counts all pictures on the visitors' screens by kind.
 std::map<ShownPicture, std::uint64_t> allShown(const std::vector<VisitorStatistics>& visitors) {
   std::map<ShownPicture, std::uint64_t> all;
   for (const VisitorStatistics& visitor : visitors) {

@@ -12,7 +12,7 @@
 
 namespace grove::stream {
 
-/// What kind of picture is on a visitor's screen.
+/// Kind of the picture on a visitor's screen.
 struct ShownPicture {
   std::uint8_t codec = 0;
   int lines = 0;  ///< its height, pixels
@@ -22,32 +22,32 @@ struct ShownPicture {
   }
 };
 
-/// What one visitor of a load test saw.
+/// Measurements of one visitor of a load test.
 struct VisitorStatistics {
   std::uint64_t frames = 0;
   std::uint64_t bytes = 0;
   std::uint64_t dropped = 0;               ///< gaps in the frames' numbers
   std::vector<float> latencyMilliseconds;  ///< one per input: from sending it to the first frame that shows it, or the
-                                           ///< first Status that says that the screen obeys it
-  /// Between two signs of life, the beginning and the end included: pictures, and whatever Status says that the screen
-  /// obeys an input of which it was not known before, for where nothing changes no pictures are sent.
+                                           ///< first Status that acknowledges it
+  /// Longest time between two updates, including the measurement's begin and end: a picture, or a Status that
+  /// acknowledges a new input, because no pictures are sent where nothing changes.
   double longestGapSeconds = 0.0;
-  std::map<ShownPicture, std::uint64_t> shown;  ///< how many pictures of each kind came
-  std::map<LimitedBy, double> limitedSeconds;   ///< for how long the server named each limit, seconds
-  std::optional<ShownPicture> screenAtFirst;    ///< what was there when counting began
+  std::map<ShownPicture, std::uint64_t> shown;  ///< number of pictures of each kind
+  std::map<LimitedBy, double> limitedSeconds;   ///< seconds during which the server named each limit
+  std::optional<ShownPicture> screenAtFirst;    ///< the picture when the measurement began
   std::vector<std::string> errors;
 };
 
-/// What the visitors of a load test saw.
+/// Measurements of all visitors of a load test.
 struct LoadOutcome {
   std::vector<VisitorStatistics> letIn;
-  double seconds = 0.0;             ///< that were counted
-  std::vector<std::string> errors;  ///< of visitors that were not let in
+  double seconds = 0.0;             ///< measured
+  std::vector<std::string> errors;  ///< of visitors that were refused
 };
 
-/// The figures of `grove load`, of all visitors together.
+/// The figures of `grove load`, over all visitors.
 struct LoadReport {
-  int sessions = 0;  ///< that were let in
+  int sessions = 0;  ///< admitted
   double seconds = 0.0;
   std::uint64_t frames = 0;
   double fpsMin = 0.0;
@@ -58,10 +58,10 @@ struct LoadReport {
   double mbitPerSecond = 0.0;
   std::uint64_t dropped = 0;
   std::string codec = "jpeg";  ///< of most pictures: "jpeg" or "h264"
-  int linesMin = 0;            ///< height of the pictures; of those that were there at first where no others came
+  int linesMin = 0;            ///< height of the pictures; of the first ones for visitors who got no others
   int linesP50 = 0;
-  double longestGapMilliseconds = 0.0;       ///< of any visitor, see VisitorStatistics
-  std::map<LimitedBy, double> limitedShare;  ///< of all visitors' time, that the server named each limit
+  double longestGapMilliseconds = 0.0;       ///< maximum over visitors, see VisitorStatistics
+  std::map<LimitedBy, double> limitedShare;  ///< share of all visitors' time during which the server named each limit
   std::vector<std::string> errors;
 };
 

@@ -5,15 +5,15 @@
 
 namespace grove::stream {
 
-/// Where a load test goes.
+/// The server that a load test visits.
 struct LoadTarget {
   std::string host;
   int port = 80;
-  bool isSecure = false;             ///< by TLS; its certificate is checked
-  bool takesAnyCertificate = false;  ///< it is not
+  bool isSecure = false;             ///< TLS; the certificate is verified
+  bool takesAnyCertificate = false;  ///< skips the verification
 };
 
-/// Reads `ws[s]://HOST[:PORT][/]`; nothing if it is something else.
+/// Parses `ws[s]://HOST[:PORT][/]`; nothing if the text is something else.
 [[nodiscard]] std::optional<LoadTarget> parseLoadUrl(const std::string& url);
 
 }  // namespace grove::stream

@@ -27,14 +27,14 @@ std::vector<std::uint8_t> LoadVisitor::nextMessage(double now) {
 void LoadVisitor::receive(std::span<const std::uint8_t> message, double now) {
   const ServerMessage parsed = parseServerMessage(message);
   if (const auto* refusal = std::get_if<Refusal>(&parsed)) {
-    fail("a message of the server is wrong: " + refusal->reason);
+    fail("invalid message from the server: " + refusal->reason);
   } else if (const auto* welcome = std::get_if<Welcome>(&parsed)) {
     take(*welcome);
   } else if (const auto* frame = std::get_if<FrameMessage>(&parsed)) {
-    if (video_) fail("a Frame came where Pictures were agreed on");
+    if (video_) fail("a Frame arrived under a sub-protocol with Pictures");
     takePicture(PictureHeader{frame->header}, frame->picture, message.size(), now);
   } else if (const auto* picture = std::get_if<PictureMessage>(&parsed)) {
-    if (!video_) fail("a Picture came where Frames were agreed on");
+    if (!video_) fail("a Picture arrived under a sub-protocol with Frames");
     takePicture(picture->header, picture->picture, message.size(), now);
   } else if (const auto* status = std::get_if<Status>(&parsed)) {
     takeStatus(*status, now);
@@ -46,12 +46,12 @@ void LoadVisitor::beginCounting(double now) {
   statistics_ = {};
   statistics_.errors = std::move(errors);
   statistics_.screenAtFirst = screen_;
-  lived_ = now;
+  lastUpdate_ = now;
   limitedSince_ = now;
 }
 
 void LoadVisitor::endCounting(double now) {
-  lives(now);
+  recordUpdate(now);
   isLimitedBy(limit_, now);
 }
 
@@ -71,7 +71,7 @@ world::Input LoadVisitor::steer(double now) {
 void LoadVisitor::takePicture(const PictureHeader& header, std::span<const std::uint8_t> picture, std::size_t bytes,
                               double now) {
   const std::string name = "frame " + std::to_string(header.frame);
-  if (header.frame <= lastFrame_) fail(name + " came late or twice");
+  if (header.frame <= lastFrame_) fail(name + " arrived late or twice");
   if (header.lastInput < lastInputOfPicture_ || header.lastInput > lastInput_) {
     fail("a frame shows input " + std::to_string(header.lastInput) + " out of order");
   }
@@ -80,7 +80,7 @@ void LoadVisitor::takePicture(const PictureHeader& header, std::span<const std::
   lastInputOfPicture_ = header.lastInput;
   screen_ = ShownPicture{header.codec, header.height};
   showsInput(header.lastInput, now);
-  lives(now);
+  recordUpdate(now);
   ++statistics_.frames;
   ++statistics_.shown[*screen_];
   statistics_.bytes += bytes;
@@ -90,7 +90,7 @@ void LoadVisitor::takePicture(const PictureHeader& header, std::span<const std::
 
 void LoadVisitor::reply(const PictureHeader& header, double now) {
   if (!video_) {
-    replies_.assign(1, encode(Ack{header.frame}));  // for all before it, too
+    replies_.assign(1, encode(Ack{header.frame}));  // acknowledges all earlier ones, too
     return;
   }
   if (check_.takeBroken()) replies_.push_back(encode(Broken{header.frame}));
@@ -100,13 +100,13 @@ void LoadVisitor::reply(const PictureHeader& header, double now) {
 
 void LoadVisitor::takeStatus(const Status& status, double now) {
   if (status.lastInput > lastInput_) {
-    fail("a status tells of input " + std::to_string(status.lastInput) + ", which was not sent");
+    fail("a Status acknowledges input " + std::to_string(status.lastInput) + ", which was not sent");
     return;
   }
   isLimitedBy(status.limitedBy, now);
   if (status.lastInput <= lastInputShown_) return;
   showsInput(status.lastInput, now);
-  lives(now);
+  recordUpdate(now);
 }
 
 void LoadVisitor::showsInput(std::uint32_t input, double now) {
@@ -119,9 +119,9 @@ void LoadVisitor::isLimitedBy(LimitedBy limit, double now) {
   limit_ = limit;
 }
 
-void LoadVisitor::lives(double now) {
-  statistics_.longestGapSeconds = std::max(statistics_.longestGapSeconds, now - lived_);
-  lived_ = now;
+void LoadVisitor::recordUpdate(double now) {
+  statistics_.longestGapSeconds = std::max(statistics_.longestGapSeconds, now - lastUpdate_);
+  lastUpdate_ = now;
 }
 
 }  // namespace grove::stream

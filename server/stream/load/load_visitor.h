@@ -16,33 +16,33 @@
 
 namespace grove::stream {
 
-/// One visitor of a load test: walks, looks around, acknowledges each frame when it is there, and measures. Knows no
-/// sockets. One thread. Times are seconds of pipeline::wallSeconds().
+/// One visitor of a load test: walks, looks around, acknowledges each frame on arrival, and measures. Uses no sockets.
+/// Not thread-safe. Times are seconds of pipeline::wallSeconds().
 class LoadVisitor {
  public:
-  /// `index` makes visitors differ; `plan` outlives this; `decoder` may be shared by all of a thread.
+  /// `index` makes visitors differ; `plan` outlives this; visitors of one thread may share `decoder`.
   LoadVisitor(int index, const LoadPlan& plan, JpegDecoder& decoder);
 
-  /// What was agreed on, before anything else; grove.v1 if it is not said.
+  /// Sets the negotiated sub-protocol, before all other calls; grove.v1 if not called.
   void agreedOn(std::string_view subProtocol) { video_ = subProtocol == kSubProtocolWithVideo; }
 
-  /// Time for the next input; the page sends one per displayed frame at most.
+  /// The next input is due; the page sends at most one per displayed frame.
   void inputDue() { inputDue_ = true; }
 
-  /// The next message to send, empty if there is none. An input counts as sent at `now`.
+  /// Returns the next message to send; empty if there is none. An input counts as sent at `now`.
   [[nodiscard]] std::vector<std::uint8_t> nextMessage(double now);
   [[nodiscard]] bool hasMessage() const { return !helloSent_ || !replies_.empty() || (inputDue_ && isLetIn()); }
 
-  /// Takes a whole message of the server.
+  /// Handles a complete message of the server.
   void receive(std::span<const std::uint8_t> message, double now);
 
   void fail(std::string reason) { statistics_.errors.push_back(std::move(reason)); }
 
   [[nodiscard]] bool isLetIn() const noexcept { return welcome_.has_value(); }
-  /// Let in, and where his walk begins.
+  /// Admitted, and at the begin of the walk.
   [[nodiscard]] bool isInPlace() const { return steering_ && steering_->isInPlace(); }
 
-  /// What is counted begins here, errors excepted.
+  /// Begins the measurement; errors count always.
   void beginCounting(double now);
   void endCounting(double now);
   [[nodiscard]] const VisitorStatistics& statistics() const noexcept { return statistics_; }
@@ -53,10 +53,10 @@ class LoadVisitor {
   void takePicture(const PictureHeader& header, std::span<const std::uint8_t> picture, std::size_t bytes, double now);
   void takeStatus(const Status& status, double now);
   void reply(const PictureHeader& header, double now);
-  /// The screen shows that the server knows this input.
+  /// The screen shows the effect of this input.
   void showsInput(std::uint32_t input, double now);
-  void lives(double now);
-  /// From now on the server names this limit.
+  void recordUpdate(double now);
+  /// The server names this limit from now on.
   void isLimitedBy(LimitedBy limit, double now);
 
   const int index_;
@@ -68,7 +68,7 @@ class LoadVisitor {
   bool offerSent_ = false;
   bool helloSent_ = false;
   bool inputDue_ = false;
-  std::deque<std::vector<std::uint8_t>> replies_;  ///< to pictures; the server sends no more than it waits for
+  std::deque<std::vector<std::uint8_t>> replies_;  ///< to pictures; as bounded as the frames in flight
   std::optional<double> walksSince_;
   std::uint32_t lastInput_ = 0;
   InputLatency latency_;
@@ -76,7 +76,7 @@ class LoadVisitor {
   std::uint32_t lastInputOfPicture_ = 0;
   std::uint32_t lastInputShown_ = 0;
   std::optional<ShownPicture> screen_;
-  double lived_ = 0.0;
+  double lastUpdate_ = 0.0;
   LimitedBy limit_ = LimitedBy::kNothing;
   double limitedSince_ = 0.0;
   VisitorStatistics statistics_;

@@ -11,7 +11,7 @@ constexpr std::uint64_t kJpegsPerDecodedOne = 30;
 
 std::optional<std::string> faultOfUnits(bool independent, std::span<const std::uint8_t> picture) {
   const auto types = unitTypes(picture);
-  if (!types) return "is no byte stream";
+  if (!types) return "is not an Annex B byte stream";
   const auto has = [&](UnitType type) { return std::ranges::find(*types, type) != types->end(); };
   if (std::ranges::any_of(*types, [](UnitType type) {
         return type != UnitType::kSlice && (type < UnitType::kIndependentSlice || type > UnitType::kDelimiter);
@@ -40,9 +40,9 @@ std::optional<std::string> PictureCheck::checkJpeg(const PictureHeader& header, 
   chain_ = Chain::kNone;
   if (!header.independent) return "is a JPEG that depends on others";
   if (decoder_.size(picture) != std::pair<int, int>(header.width, header.height)) {
-    return "is not of the size that it should have";
+    return "does not have the announced size";
   }
-  // Not all visitors in the same frame.
+  // Spreads the decoding over frames.
   const bool decodeThis = (jpegs_++ + 7 * static_cast<std::uint64_t>(index_)) % kJpegsPerDecodedOne == 0;
   if (decodeThis && decoder_.decode(picture) == nullptr) return "is damaged";
   return std::nullopt;
@@ -52,7 +52,7 @@ std::optional<std::string> PictureCheck::checkH264(const PictureHeader& header, 
   const std::pair<int, int> size(header.width, header.height);
   if (!header.independent) {
     if (chain_ == Chain::kBroken) return std::nullopt;
-    if (chain_ == Chain::kNone) return breakChain("depends on a picture that there is none of");
+    if (chain_ == Chain::kNone) return breakChain("depends on a picture that was not sent");
     if (size != size_) return breakChain("depends on one of another size");
   }
   if (auto fault = faultOfUnits(header.independent, picture)) return breakChain(std::move(*fault));
@@ -60,7 +60,7 @@ std::optional<std::string> PictureCheck::checkH264(const PictureHeader& header, 
     if (!h264_) h264_.emplace();
     const DecodedPicture* decoded = h264_->decode(picture);
     if (decoded == nullptr) return breakChain("is damaged");
-    if (std::pair(decoded->width, decoded->height) != size) return breakChain("is not of the size that it should have");
+    if (std::pair(decoded->width, decoded->height) != size) return breakChain("does not have the announced size");
   }
   chain_ = Chain::kWhole;
   size_ = size;

@@ -10,19 +10,19 @@
 
 namespace grove::stream {
 
-/// Looks whether the pictures that one visitor gets are what PROTOCOL.md says. To decode takes as long as to encode,
-/// and would be measured with the server: of JPEG, one in thirty is decoded, of H.264 the whole chain, but the first
-/// visitor's only; else, headers are read. One thread.
+/// Checks that a visitor's pictures obey PROTOCOL.md. Decoding takes as long as encoding and would distort the
+/// measurement of the server, so only one JPEG in thirty is decoded, and the whole H.264 chain of the first visitor
+/// only; of other pictures, only headers are checked. Not thread-safe.
 class PictureCheck {
  public:
-  /// `decoder` may be shared by all of a thread.
+  /// Checks of one thread may share `decoder`.
   PictureCheck(int index, JpegDecoder& decoder) : index_(index), decoder_(decoder) {}
 
-  /// What is wrong with the next picture, in a few words; nothing if it is all right.
+  /// Returns what is wrong with the next picture in a few words; nothing if it is valid.
   [[nodiscard]] std::optional<std::string> check(const PictureHeader& header, std::span<const std::uint8_t> picture);
 
-  /// Whether the last picture could not be decoded, so that none that depends on it can: that is to be reported to the
-  /// server once. Those that come nevertheless were under way; nothing is wrong with them.
+  /// Returns whether the last picture could not be decoded, nor can any that depends on it; true once, to be reported
+  /// to the server. Dependent pictures that still arrive were in flight and are not errors.
   [[nodiscard]] bool takeBroken() { return std::exchange(reportBroken_, false); }
 
  private:
@@ -36,7 +36,7 @@ class PictureCheck {
 
   const int index_;
   JpegDecoder& decoder_;
-  std::optional<H264Decoder> h264_;  ///< of the first visitor, since his first such picture
+  std::optional<H264Decoder> h264_;  ///< of the first visitor, from the first such picture on
   std::uint64_t jpegs_ = 0;
   Chain chain_ = Chain::kNone;  ///< of H.264 pictures, up to the last one
   std::pair<int, int> size_{0, 0};

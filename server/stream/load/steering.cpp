@@ -5,7 +5,7 @@
 namespace grove::stream {
 namespace {
 
-/// Visitors on one walk are so far apart.
+/// Between consecutive visitors on a walk.
 constexpr double kSecondsApart = 2.3;
 
 }  // namespace

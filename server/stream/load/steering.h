@@ -12,10 +12,10 @@ class Steering {
   /// `index` makes visitors differ. `plan` outlives this.
   Steering(int index, const LoadPlan& plan, const Welcome& welcome);
 
-  /// So many seconds after he was let in. The input has no number yet.
+  /// Returns the controls at `seconds` after admission. The input has no number yet.
   [[nodiscard]] world::Input at(double seconds);
 
-  /// Whether he is where his walk begins.
+  /// Returns whether the visitor has reached the begin of the walk.
   [[nodiscard]] bool isInPlace() const { return !follower_ || follower_->isOnWalk(); }
 
  private:

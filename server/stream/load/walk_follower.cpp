@@ -10,7 +10,7 @@ namespace {
 
 using world::Vec3;
 
-/// How far ahead he looks for the keys that bring him nearest: about as long as a change of velocity takes.
+/// Look-ahead in which keys are compared: about as long as a change of velocity takes.
 constexpr float kAheadSeconds = 0.1F;
 constexpr float kNear = 0.15F;       // metres
 constexpr float kSlowWithin = 1.0F;  // metres
@@ -20,7 +20,7 @@ struct Motion {
   Vec3 velocity;
 };
 
-/// As world::Players has it, in one step: the velocity nears the wanted one exponentially.
+/// One step of the motion of world::Players: the velocity approaches the wanted one exponentially.
 Motion motion(Vec3 velocity, Vec3 wanted, float seconds) {
   const float share = 1.0F - std::exp(-world::kAcceleration * seconds);
   return {wanted * seconds + (velocity - wanted) * (share / world::kAcceleration),

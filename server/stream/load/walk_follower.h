@@ -4,21 +4,22 @@
 
 namespace grove::stream {
 
-/// Leads a visitor along a walk by his keys. Where he is, nobody reports: he reckons it from his own keys by the laws
-/// of world::Players, looks where the walk looks, and holds the keys that bring him nearest to where it will be. First
-/// he runs from where he arrived to where it begins, straight on; then he goes there and back again, for ever. Whatever
-/// stops him on his way, and a line that delivers his keys late and at once, leave him beside it. One thread.
+/// Steers a visitor along a walk by keys. The server does not report positions, so the follower computes its position
+/// from its own keys by the laws of world::Players, looks where the walk looks, and holds the keys that bring it
+/// nearest to the walk's next position. It first runs straight to the begin of the walk, then follows the walk back and
+/// forth without end. Obstacles, and a line that delays keys or delivers them in bursts, leave the visitor beside the
+/// walk. Not thread-safe.
 class WalkFollower {
  public:
-  /// `arrived` is where his eye is at first; he begins `offset` seconds into the walk. `plan` outlives this.
+  /// `arrived` is the eye's first position; the walk begins at `offset` seconds. `plan` outlives this.
   WalkFollower(const WalkToFollow& plan, world::Vec3 arrived, double offset);
 
-  /// The controls, so many seconds after he arrived; never back in time. The input has no number yet.
+  /// Returns the controls at `seconds` after arrival, which never decreases. The input has no number yet.
   [[nodiscard]] world::Input steer(double seconds);
 
-  /// Whether he has come to where the walk begins.
+  /// Returns whether the visitor has reached the begin of the walk.
   [[nodiscard]] bool isOnWalk() const noexcept { return beganAt_ >= 0.0; }
-  /// Where he reckons to be.
+  /// The computed position.
   [[nodiscard]] world::Vec3 position() const noexcept { return position_; }
 
  private:

@@ -6,7 +6,7 @@
 #include "stream/protocol/protocol.h"
 #include "stream/protocol/wire.h"
 
-// What pages say.
+// Messages from page to server.
 namespace grove::stream {
 namespace {
 
@@ -25,7 +25,7 @@ Refusal badSize(std::uint32_t width, std::uint32_t height) {
                        " pixels is out of range");
 }
 
-/// The three reserved bytes after a type.
+/// Reads the three reserved bytes after a type; returns whether they are zero.
 bool takeReserved(WireReader& reader) {
   const auto first = reader.take<std::uint8_t>();
   return reader.take<std::uint16_t>() == 0 && first == 0;

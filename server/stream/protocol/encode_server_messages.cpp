@@ -14,7 +14,7 @@ void putColour(WireWriter& writer, std::uint32_t colour) {
   for (const std::uint32_t shift : {0U, 8U, 16U}) writer.put(static_cast<std::uint8_t>(colour >> shift));
 }
 
-/// Writes one number after the other into room that is there.
+/// Writes one number after the other into a given buffer.
 class HeaderWriter {
  public:
   explicit HeaderWriter(std::span<std::uint8_t> out) : out_(out) {}

@@ -8,7 +8,6 @@
 #include "stream/protocol/protocol.h"
 #include "stream/protocol/wire.h"
 
-/// What the two directions of the protocol have in common.
 namespace grove::stream {
 
 enum class MessageType : std::uint8_t {

@@ -16,7 +16,7 @@ bool areFinite(std::initializer_list<float> values) {
   return std::ranges::all_of(values, [](float value) { return std::isfinite(value); });
 }
 
-/// Red, green, blue; 0x00BBGGRR.
+/// Reads red, green, blue; returns 0x00BBGGRR.
 std::uint32_t takeColour(WireReader& reader) {
   const std::uint32_t red = reader.take<std::uint8_t>();
   const std::uint32_t green = reader.take<std::uint8_t>();
@@ -107,7 +107,7 @@ ServerMessage parsePicture(WireReader reader) {
   if (!zero) return reservedBytes("Picture");
   const bool isCamera = areFinite({header.yaw, header.pitch, header.tanHalfX, header.tanHalfY}) &&
                         header.tanHalfX > 0.0F && header.tanHalfY > 0.0F;
-  if (!isCamera) return refuseMessage("the camera of a picture is none");
+  if (!isCamera) return refuseMessage("the camera of a picture is invalid");
   header.independent = (flags & kIndependentFlag) != 0;
   picture.picture = reader.rest();
   return picture;
@@ -125,7 +125,7 @@ ServerMessage parseStatus(WireReader reader) {
   status.kilobitsPerSecond = reader.take<std::uint32_t>();
   status.lastInput = reader.take<std::uint32_t>();
   if (reader.exhausted() || !reader.rest().empty()) return wrongLength("Status");
-  if (limitedBy > static_cast<std::uint8_t>(LimitedBy::kBrowser)) return refuseMessage("limited by nothing known");
+  if (limitedBy > static_cast<std::uint8_t>(LimitedBy::kBrowser)) return refuseMessage("unknown limit");
   if (status.quality > kAllPercent) return refuseMessage("more than 100 percent");
   status.limitedBy = static_cast<LimitedBy>(limitedBy);
   return status;

@@ -15,7 +15,7 @@ struct Range {
   std::uint32_t last;
 };
 
-/// Controls, and what Unicode calls default ignorable or shows as nothing.
+/// Control characters, and characters that Unicode calls default ignorable or that are blank.
 constexpr std::array kInvisible = {
     Range{0x0000, 0x001F},                             // C0
     Range{0x007F, 0x009F},                             // delete, C1
@@ -33,7 +33,7 @@ constexpr std::array kInvisible = {
     Range{0xE0000, 0xE0FFF},                           // tags, further variation selectors
 };
 
-/// What is drawn above, below or through the character before, as far as it can be stacked without end.
+/// Combining characters that can be stacked without limit.
 constexpr std::array kCombining = {
     Range{0x0300, 0x036F}, Range{0x0483, 0x0489}, Range{0x0591, 0x05BD}, Range{0x0610, 0x061A}, Range{0x064B, 0x065F},
     Range{0x06D6, 0x06DC}, Range{0x06DF, 0x06E4}, Range{0x0E34, 0x0E3A}, Range{0x0E47, 0x0E4E}, Range{0x0EB4, 0x0EBC},

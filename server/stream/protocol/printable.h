@@ -6,9 +6,9 @@
 
 namespace grove::stream {
 
-/// Text from outside made safe to show and to log: what is not UTF-8 becomes '?', control characters and those that
-/// turn the writing direction or have no width go, and blanks at both ends too. Cut to `maxBytes` between two
-/// characters.
+/// Makes text from outside safe to show and to log: replaces invalid UTF-8 by '?', and removes control characters,
+/// characters without width or that change the writing direction, and blanks at both ends. Cuts the text to `maxBytes`
+/// between two characters.
 [[nodiscard]] std::string printable(std::string_view text, std::size_t maxBytes);
 
 }  // namespace grove::stream

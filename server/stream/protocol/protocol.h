@@ -16,13 +16,13 @@ inline constexpr std::size_t kLargestClientMessage = 256;
 
 /// Sub-protocols of the websocket.
 inline constexpr const char* kSubProtocol = "grove.v1";
-/// The same, of pages that know Waiting.
+/// For pages that understand Waiting.
 inline constexpr const char* kSubProtocolWithWaiting = "grove.v1.1";
-/// The same, of pages that besides choose a codec, adapt to their line and know the messages below "since v1.2".
+/// For pages that also choose a codec, adapt to their line and understand the messages below "since v1.2".
 inline constexpr const char* kSubProtocolWithVideo = "grove.v1.2";
-/// The same, of pages that besides report where a frame's time goes and know the messages below "since v1.3".
+/// For pages that also report where a frame's time goes and understand the messages below "since v1.3".
 inline constexpr const char* kSubProtocolWithTimes = "grove.v1.3";
-/// The same, of pages that besides write names over the picture, make sounds and know what is "since v1.4".
+/// For pages that also write names over the picture, make sounds and understand what is "since v1.4".
 inline constexpr const char* kSubProtocolWithNames = "grove.v1.4";
 
 /// Close codes of PROTOCOL.md.
@@ -58,41 +58,41 @@ struct Resize {
   std::uint32_t height = 0;
 };
 
-/// Since v1.2: the codecs that the page can decode, the best first. Before Hello, and again when that changes.
+/// Since v1.2: the codecs that the page can decode, the best first. Sent before Hello, and again when that changes.
 struct Offer {
   std::vector<std::uint8_t> codecs;  ///< 1 to kMaxCodecs
 };
 
-/// Since v1.2: what the visitor wants at most; 0 is no limit.
+/// Since v1.2: the visitor's limits; 0 is no limit.
 struct Limits {
-  bool hidden = false;  ///< nobody looks: nothing is to be sent
+  bool hidden = false;  ///< the page is hidden: no pictures are sent
   bool border = false;  ///< pictures may be larger than the window, for late look
   std::uint8_t framesPerSecond = 0;
   std::uint32_t kilobitsPerSecond = 0;
   std::uint16_t lines = 0;  ///< height of the picture, pixels
 };
 
-/// Since v1.2: this frame cannot be decoded, and none that depends on it.
+/// Since v1.2: this frame cannot be decoded, nor can any that depends on it.
 struct Broken {
   std::uint32_t frame = 0;
 };
 
-/// Since v1.2: an Ack that says when the frame arrived.
+/// Since v1.2: an Ack with the time at which the frame arrived.
 struct Presented {
   std::uint32_t frame = 0;
-  std::uint16_t heldTenthsOfMilliseconds = 0;  ///< from arrival to here; the largest: that or more
+  std::uint16_t heldTenthsOfMilliseconds = 0;  ///< from arrival to this message; saturates
   std::uint32_t arrivedMicroseconds = 0;       ///< by the page's clock, modulo 2^32
 };
 
-/// Since v1.3: a Presented that reports what the browser spent on the frame.
+/// Since v1.3: a Presented with the time that the browser spent on the frame.
 struct Painted : Presented {
   std::uint16_t decodeTenthsOfMilliseconds = 0;  ///< from arrival until the image came out of the decoder
-  std::uint16_t paintTenthsOfMilliseconds = 0;   ///< that drawing took; 0 if it was skipped
+  std::uint16_t paintTenthsOfMilliseconds = 0;   ///< for drawing; 0 if it was skipped
 };
 
-/// Since v1.3: asks for one whole picture of the wanted size, as fine as JPEG gets.
+/// Since v1.3: requests one complete picture of the wanted size, in the best JPEG quality.
 struct Capture {
-  std::uint32_t number = 0;  ///< comes back with the answer
+  std::uint32_t number = 0;  ///< repeated in CapturedHeader
 };
 
 using ClientMessage =
@@ -109,11 +109,11 @@ struct Welcome {
   std::string world;
 };
 
-/// One's world is not ready; only where every visitor has his own.
+/// The visitor's world is not ready yet: it is private, or the server prepares the shared one.
 struct Waiting {
-  std::uint16_t place = 1;   ///< in line; 1: it is being made
+  std::uint16_t place = 1;   ///< in the queue; 1: the world is being made
   std::uint8_t percent = 0;  ///< of the step, 0 to 100
-  std::string step;          ///< what is being made; cut to 64 bytes, empty if nothing is yet
+  std::string step;          ///< name of the current step; cut to 64 bytes, empty before the first
 };
 
 inline constexpr std::uint8_t kCodecJpeg = 1;
@@ -132,11 +132,11 @@ struct FrameHeader {
   std::uint32_t serverMicroseconds = 0;
 };
 
-/// Since v1.4: where a visitor's name belongs in a picture. People has the name.
+/// Since v1.4: where another visitor's name belongs in a picture. People has the names.
 struct Label {
   std::uint32_t visitor = 0;
-  std::uint16_t x = 0;  ///< of the picture's width, 0 left, 65535 right: the middle of the name
-  std::uint16_t y = 0;  ///< of the picture's height, 0 top, 65535 bottom: the name's lower edge
+  std::uint16_t x = 0;  ///< middle of the name in the picture's width, 0 left, 65535 right
+  std::uint16_t y = 0;  ///< lower edge of the name in the picture's height, 0 top, 65535 bottom
   std::uint8_t opacity = 255;
 
   friend bool operator==(const Label&, const Label&) = default;
@@ -144,22 +144,22 @@ struct Label {
 inline constexpr std::size_t kMaxLabels = 24;
 inline constexpr std::size_t kLabelBytes = 10;
 
-/// Of a Picture, which is a Frame since v1.2.
+/// Header of a Picture, which replaces Frame since v1.2.
 struct PictureHeader : FrameHeader {
-  bool independent = true;  ///< can be decoded without those before it
-  std::uint8_t border = 0;  ///< so many percent beyond the window on each side, of half its width and height
+  bool independent = true;  ///< can be decoded without earlier ones
+  std::uint8_t border = 0;  ///< on each side, percent of half the window's width and height
   float yaw = 0.0F;         ///< radians; where the camera looked
   float pitch = 0.0F;
-  float tanHalfX = 1.0F;  ///< of the whole picture, border included
+  float tanHalfX = 1.0F;  ///< of the picture including its border
   float tanHalfY = 1.0F;
-  std::uint8_t fire = 0;           ///< since v1.4: how near the nearest fire is, 0 out of hearing to 255 beside it
+  std::uint8_t fire = 0;           ///< since v1.4: nearness of the nearest fire, 0 inaudible to 255 beside it
   std::vector<Label> labels = {};  ///< since v1.4: nearest first, at most kMaxLabels
 };
 [[nodiscard]] constexpr std::size_t pictureHeaderBytes(std::size_t labels) {
   return kPictureHeaderBytes + labels * kLabelBytes;
 }
 
-/// What keeps the stream from being all that the visitor could want.
+/// What limits the stream's quality.
 enum class LimitedBy : std::uint8_t {
   kNothing = 0,
   kLine = 1,
@@ -168,35 +168,35 @@ enum class LimitedBy : std::uint8_t {
   kBrowser = 4,  ///< since v1.3
 };
 
-/// Since v1.2: how the stream stands, at each change and twice a second when no picture is sent.
+/// Since v1.2: state of the stream, sent at each change, and twice a second while no picture is sent.
 struct Status {
   LimitedBy limitedBy = LimitedBy::kNothing;
-  std::uint8_t framesPerSecond = 0;  ///< aimed at
+  std::uint8_t framesPerSecond = 0;  ///< target
   std::uint8_t quality = 0;          ///< of the newest picture, percent of the best
   std::uint16_t width = 0;           ///< of the pictures
   std::uint16_t height = 0;
   std::uint16_t roundTripMilliseconds = 0;  ///< of the idle line
   std::uint16_t visitors = 0;               ///< in the world
-  std::uint32_t kilobitsPerSecond = 0;      ///< that the line is thought to carry; 0: not known yet
-  std::uint32_t lastInput = 0;              ///< the newest that would not change the picture on the screen
+  std::uint32_t kilobitsPerSecond = 0;      ///< estimated rate of the line; 0: not known yet
+  std::uint32_t lastInput = 0;              ///< newest input that the picture on the screen shows
 };
 
-/// Since v1.2: the world is shown, and gets better meanwhile.
+/// Since v1.2: the world is shown while it is being refined.
 struct Refining {
   static constexpr std::uint16_t kUnknownSeconds = 0xFFFF;
   std::uint8_t percent = 0;                     ///< 100: done
-  std::uint16_t secondsLeft = kUnknownSeconds;  ///< about
+  std::uint16_t secondsLeft = kUnknownSeconds;  ///< estimate
   std::string step;                             ///< what is being made; cut to 64 bytes
 };
 
-/// Since v1.3: where a frame's time goes before the page has it, medians of the last second; once a second while
-/// pictures are sent.
+/// Since v1.3: where frames spend their time before they reach the page, medians of the last second; sent once a second
+/// while pictures are sent.
 struct Times {
-  std::uint16_t queuedTenthsOfMilliseconds = 0;   ///< a due frame waits for a worker
+  std::uint16_t queuedTenthsOfMilliseconds = 0;   ///< from due to the begin of work on a worker
   std::uint16_t drawnTenthsOfMilliseconds = 0;    ///< from reading the camera to the finished picture
   std::uint16_t encodedTenthsOfMilliseconds = 0;  ///< from there to the encoded picture
   std::uint16_t socketTenthsOfMilliseconds = 0;   ///< from there until the socket has taken all of it
-  std::uint16_t lineTenthsOfMilliseconds = 0;     ///< from there to the page, as far as the clocks allow to say
+  std::uint16_t lineTenthsOfMilliseconds = 0;     ///< from there to the page, if the clocks allow an estimate
 };
 
 struct Person {
@@ -207,13 +207,13 @@ struct Person {
   friend bool operator==(const Person&, const Person&) = default;
 };
 
-/// Since v1.4: who is here, after Welcome and at each change, once a second at most.
+/// Since v1.4: the visitors in the world; sent after Welcome and at each change, at most once a second.
 struct People {
-  bool othersAreLost = false;  ///< visitors of other servers that show this world are out of reach
+  bool othersAreLost = false;  ///< visitors of other servers with this world are unreachable
   std::vector<Person> people;
 };
 
-/// Since v1.3: the answer to Capture; the picture follows it.
+/// Since v1.3: header of the response to Capture; the picture follows it.
 struct CapturedHeader {
   std::uint8_t codec = kCodecJpeg;
   std::uint16_t width = 0;
@@ -230,12 +230,12 @@ inline constexpr std::size_t kCapturedHeaderBytes = 12;
 [[nodiscard]] std::vector<std::uint8_t> encode(const People& people);
 /// Writes the header of a Frame message; the picture follows it.
 void encode(const FrameHeader& header, std::span<std::uint8_t, kFrameHeaderBytes> out);
-/// Writes the header of a Picture message into pictureHeaderBytes(); the picture follows it.
+/// Writes the header of a Picture message of pictureHeaderBytes(); the picture follows it.
 void encode(const PictureHeader& header, std::span<std::uint8_t> out);
 /// Writes the header of a Captured message; the picture follows it.
 void encode(const CapturedHeader& header, std::span<std::uint8_t, kCapturedHeaderBytes> out);
 
-/// The client's side, for `grove load` and tests.
+/// Client messages, for `grove load` and tests.
 [[nodiscard]] std::vector<std::uint8_t> encode(const Hello& hello);
 [[nodiscard]] std::vector<std::uint8_t> encode(const world::Input& input);
 [[nodiscard]] std::vector<std::uint8_t> encode(const Ack& ack);

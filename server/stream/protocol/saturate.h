@@ -5,7 +5,7 @@
 
 namespace grove::stream {
 
-/// The number nearest to a value that a field of a message holds.
+/// Clamps a value to the range of a message's field.
 template <class Number>
 [[nodiscard]] Number saturate(double value) {
   return static_cast<Number>(std::clamp(value, 0.0, static_cast<double>(std::numeric_limits<Number>::max())));

@@ -12,14 +12,14 @@
 
 namespace grove::stream {
 
-/// Types that travel as little-endian bytes.
+/// Types that are sent as little-endian bytes.
 template <class T>
 concept WireNumber = std::unsigned_integral<T> || std::same_as<T, float>;
 
 template <WireNumber T>
 using WireBits = std::conditional_t<std::same_as<T, float>, std::uint32_t, T>;
 
-/// Takes numbers off the front of a message. Past the end it yields zeros and says so in exhausted().
+/// Reads numbers from the front of a message. Past the end it returns zeros, and exhausted() is true.
 class WireReader {
  public:
   explicit WireReader(std::span<const std::uint8_t> bytes) : rest_(bytes) {}
@@ -60,7 +60,7 @@ class WireReader {
   bool exhausted_ = false;
 };
 
-/// The bytes of one number.
+/// Returns a number's little-endian bytes.
 template <WireNumber T>
 [[nodiscard]] std::array<std::uint8_t, sizeof(T)> toWire(T value) {
   const auto bits = std::bit_cast<WireBits<T>>(value);

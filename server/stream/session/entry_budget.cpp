@@ -5,14 +5,14 @@
 namespace grove::stream {
 namespace {
 
-/// Of all cores' time, what first frames take in the long run.
+/// Share of all cores' time that first frames take in the long run.
 constexpr double kShare = 1.0 / 12.0;
-/// Seconds that fit in the bucket: of a core, so those inside keep the others.
+/// Seconds of one core that fit in the bucket; visitors in the world keep the other cores.
 constexpr double kBurst = 0.5;
-/// A newcomer never waits longer than this for the one before, however slow the machine is.
+/// Maximum wait for the newcomer before, however slow the machine is.
 constexpr double kMaxRest = 1.0;
 constexpr double kMaxEntry = 2.0;
-/// Sessions ask several times in a frame's period.
+/// Sessions call several times per frame period.
 constexpr double kStaleSeconds = 0.25;
 
 }  // namespace

@@ -18,7 +18,7 @@ class EntryBudget {
   explicit EntryBudget(int cores);
 
   /// Returns whether this session may begin its first frame, or has begun it. Call repeatedly; a session that stops
-  /// calling delays nobody.
+  /// calling does not delay others.
   [[nodiscard]] bool mayBegin(node::SessionId session, double now);
   /// The session's first frame is made, or the session has ended.
   void end(node::SessionId session, double now);

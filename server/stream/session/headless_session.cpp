@@ -20,7 +20,7 @@ HeadlessSession::HeadlessSession(Host& host, const std::string& name, int width,
       session = inbox->session.lock();
     }
     inbox->arrived.notify_all();
-    if (session) static_cast<void>(session->acknowledge(ack));  // what was sent is not refused
+    if (session) static_cast<void>(session->acknowledge(ack));  // a frame that was sent is not refused
   });
   if (const auto* refusal = std::get_if<Refusal>(&opened)) {
     throw EnvironmentError(refusal->reason, "headless session", "raise HostOptions::maxVisitors");
@@ -28,7 +28,7 @@ HeadlessSession::HeadlessSession(Host& host, const std::string& name, int width,
   session_ = std::get<std::shared_ptr<Session>>(std::move(opened));
   const std::lock_guard lock(inbox_->mutex);
   inbox_->session = session_;
-  // What came before the session was known to the inbox is acknowledged here.
+  // Acknowledges the frame that arrived before the inbox had the session.
   if (inbox_->newest) static_cast<void>(session_->acknowledge(Ack{inbox_->newest->header.frame}));
 }
 

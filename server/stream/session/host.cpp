@@ -61,7 +61,7 @@ Host::~Host() {
   }
   clockWake_.notify_all();
   clock_.join();
-  // The newest first: who is first in line for a world leaves last, so that none is begun for those behind.
+  // Closes the newest first: the first in the queue for a world leaves last, so that no world is begun for the others.
   std::ranges::reverse(open);
   for (const auto& session : open) session->close();
   open.clear();
@@ -126,7 +126,7 @@ bool Host::evictHidden(double now) {
   return true;
 }
 
-/// Not to be let go of while mutex_ is held: a session that ends takes it.
+/// Do not release the result while mutex_ is held: a session that ends locks it.
 std::vector<std::shared_ptr<Session>> Host::openSessions() const {
   std::vector<std::shared_ptr<Session>> open;
   const std::lock_guard lock(mutex_);
@@ -157,7 +157,7 @@ void Host::preparePrivately(const std::shared_ptr<Session>& session, WaitingSink
         entering->refuse(noWorld);
       }
     } catch (const std::exception& e) {
-      log::error(std::string("cannot let a visitor into his world: ") + e.what());
+      log::error(std::string("cannot let a visitor into the private world: ") + e.what());
       entering->refuse(noWorld);
     }
   };
@@ -202,7 +202,7 @@ void Host::remove(node::SessionId id) {
 }
 
 void Host::forgetClosedSessions() {
-  // By now the runs in progress when they left have ended, and give nothing back any more.
+  // The runs that were in progress when they left have ended, and return nothing any more.
   if (shared_) {
     for (const node::SessionId id : gone_) shared_->forget(id);
   }
@@ -249,7 +249,7 @@ void Host::runClock() {
     const bool sessionsChanged = std::exchange(sessionsChanged_, false);
     lock.unlock();
     const double now = pipeline::wallSeconds();
-    // Simulations wake, or rest, without delay.
+    // Lets simulations wake or rest without delay.
     if (sessionsChanged && shared_) shared_->publish();
     if (now >= nextSample) {
       runPeriodicTasks(static_cast<int>(open.size()));

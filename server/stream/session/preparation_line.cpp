@@ -16,10 +16,10 @@
 namespace grove::stream {
 namespace {
 
-/// A third of the weight that those have who make frames: they go first, and still everybody gets in.
+/// A third of the scheduler's weight of threads that make frames: frames go first, but every newcomer gets in.
 constexpr int kNice = 5;
 
-/// Between two messages that differ by the percentage alone.
+/// Between two messages that differ only in the percentage.
 constexpr double kProgressSeconds = 0.25;
 
 }  // namespace
@@ -48,7 +48,7 @@ void PreparationLine::join(Waiter waiter) {
 }
 
 void PreparationLine::leave(node::SessionId id) {
-  Waiter gone;  // goes without the lock
+  Waiter gone;  // destroyed without the lock
   const std::lock_guard lock(mutex_);
   const auto place = std::ranges::find(waiters_, id, &Waiter::id);
   if (place == waiters_.end()) return;
@@ -88,16 +88,16 @@ void PreparationLine::run() {
 
 void PreparationLine::makeBesideOthers(node::SessionId id) {
   try {
-    // A thread of its own, for the priority is a thread's on Linux, and there is no way back.
+    // A separate thread, because on Linux priority belongs to a thread and cannot be raised again.
     std::thread([this, id] {
       errno = 0;
       if (nice(kNice) == -1 && errno != 0) {
-        log::warning("a world is made at the priority of those who are inside: the system refuses a lower one");
+        log::warning("a world is prepared at the priority of visitors' frames: the system refuses a lower one");
       }
       makeFor(id, node::Parallelism::kOneThread);
     }).join();
   } catch (const std::system_error& e) {
-    log::warning(std::string("no thread for a visitor's world: ") + e.what());
+    log::warning(std::string("no thread to prepare a visitor's world: ") + e.what());
     makeFor(id, node::Parallelism::kOneThread);
   }
 }
@@ -116,7 +116,7 @@ void PreparationLine::makeFor(node::SessionId id, node::Parallelism parallelism)
     waiter.enter(nullptr);
     return;
   }
-  // The last reference may go on any thread, a worker's too, and there one must not wait for the workers.
+  // Any thread may drop the last reference, also a worker, which must not wait for the workers.
   waiter.enter(
       {made.release(), [this](WorldInstance* instance) { takeApart(std::unique_ptr<WorldInstance>(instance)); }});
 }
@@ -127,7 +127,7 @@ std::unique_ptr<WorldInstance> PreparationLine::makeWhileWanted(node::SessionId 
   } catch (const Unwanted&) {
     return nullptr;
   } catch (const std::exception& e) {
-    log::error(std::string("cannot make a world for a visitor: ") + e.what());
+    log::error(std::string("cannot prepare a visitor's world: ") + e.what());
     return nullptr;
   }
 }

@@ -17,7 +17,7 @@
 
 namespace grove::stream {
 
-/// Receives the progress of one's world; called from any thread, must not block or call the line.
+/// Receives the progress of a visitor's world; called from any thread, must not block or call the line.
 using WaitingSink = std::function<void(const Waiting&)>;
 
 /// The queue for private worlds, and the thread that makes and destroys them, in order. Visitors inside do not stall:
@@ -48,11 +48,11 @@ class PreparationLine {
   /// Removes a visitor's place, if any: the others move up, and a world in progress for that visitor is dropped.
   void leave(node::SessionId id);
 
-  /// Reports to everybody again, so that no wait looks like a dead connection.
+  /// Reports to all waiting visitors again, so that no wait looks like a dead connection.
   void reportToAll();
 
  private:
-  /// Thrown by progress when nobody waits for the world any more.
+  /// Thrown by progress when no visitor waits for the world any more.
   struct Unwanted {};
 
   void run();

@@ -12,7 +12,7 @@
 namespace grove::stream {
 namespace {
 
-/// How often frames are looked at for their deadline: so many times in it, or every so many seconds.
+/// How often deadlines of frames are checked: this many times per deadline, and at least this often.
 constexpr double kChecksInADeadline = 4.0;
 constexpr double kMaxCheckSeconds = 0.1;
 
@@ -67,7 +67,7 @@ void Session::begin(std::shared_ptr<WorldInstance> instance) {
 }
 
 void Session::reportBreath() {
-  // Under the lock, so that who reports last has also looked last.
+  // Under the lock, so that the last report has the newest state.
   const std::lock_guard lock(mutex_);
   const auto player = host_.players().find(player_, pipeline::wallSeconds());
   if (!instance_ || !player) return;
@@ -105,7 +105,7 @@ std::optional<Refusal> Session::refusal() const {
 }
 
 void Session::close() {
-  std::shared_ptr<WorldInstance> instance;  // goes last: what the others do in their last runs is done to it
+  std::shared_ptr<WorldInstance> instance;  // destroyed last: the others' last runs use it
   std::shared_ptr<EncodeStage> encoder;
   std::unique_ptr<node::FrontendNode> node;
   {
@@ -153,7 +153,7 @@ double Session::startIfDue(double now) {
     control_->waitsForServer(now);
     return now + period / 8;
   }
-  // A frame that cannot start stays due: the acknowledgement or one of the next looks starts it.
+  // A frame that cannot start stays due: the acknowledgement or a later check starts it.
   if (isBehind(now)) return now + period / 8;
   if (node_->full()) {
     control_->waitsForServer(now);
@@ -170,7 +170,7 @@ double Session::startIfDue(double now) {
     return now + period;
   }
   if (startFrame(now)) return nextDue_;
-  // Whose turn it is then begins a frame of his own at once.
+  // The next session in turn then begins its frame at once.
   lock.unlock();
   host_.gate_->leave();
   return now + period / 8;

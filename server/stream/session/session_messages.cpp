@@ -4,12 +4,12 @@
 #include "stream/session/host.h"
 #include "stream/session/session.h"
 
-// What a visitor's page says.
+// Messages from the visitor's page.
 namespace grove::stream {
 namespace {
 
 constexpr double kTenthOfMillisecond = 1e-4;
-/// A browser that takes longer than this to decode or to paint a picture has its processor elsewhere.
+/// A browser that takes longer than this to decode or to paint a picture is busy with other work.
 constexpr double kBusySeconds = 0.025;
 
 }  // namespace
@@ -19,7 +19,7 @@ std::optional<Refusal> Session::input(const world::Input& input) {
   world::Players& players = host_.players();
   const auto before = players.find(player_, now);
   if (!players.apply(player_, input, now)) {
-    // Or he has left already, for a reason that refusal() reports.
+    // The visitor may have left already, for a reason that refusal() reports.
     if (!players.find(player_, now)) return std::nullopt;
     return Refusal{CloseCode::kProtocolError, "the direction of an input is not a number"};
   }

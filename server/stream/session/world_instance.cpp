@@ -21,9 +21,9 @@ WorldInstance::WorldInstance(const WorldSetup& setup, node::Parallelism parallel
                 {setup_.machine.workers, setup_.machine.timeline, setup_.machine.memory, setup_.machine.images,
                  world_.layout().sky},
                 setup_.maxSharedBytes),
-      joined_(setup_.owner ? std::make_unique<node::JoinedWorld>(setup_.process, world_, *setup_.owner,
-                                                                 [this] { tellBackend(); })
-                           : nullptr) {
+      joined_(setup_.owner
+                  ? std::make_unique<node::JoinedWorld>(setup_.process, world_, *setup_.owner, [this] { sendUpdate(); })
+                  : nullptr) {
   if (joined_) joined_->join();
 }
 
@@ -33,11 +33,11 @@ void WorldInstance::publish() {
   const double now = pipeline::wallSeconds();
   nextUpdate_ = std::max(nextUpdate_ + kUpdateSeconds, now + kUpdateSeconds / 2);
   if (joined_) joined_->report(now);
-  // Else the owner's answer is passed on. Without an owner the world goes on by itself.
-  if (!joined_ || joined_->status(now).state != node::JoinedWorld::State::kJoined) tellBackend();
+  // A joined world passes on the owner's state instead. Without an owner the world continues alone.
+  if (!joined_ || joined_->status(now).state != node::JoinedWorld::State::kJoined) sendUpdate();
 }
 
-void WorldInstance::tellBackend() {
+void WorldInstance::sendUpdate() {
   const std::lock_guard lock(updateMutex_);
   auto update = std::make_shared<node::WorldUpdate>();
   update->number = ++updates_;
@@ -47,7 +47,7 @@ void WorldInstance::tellBackend() {
   world::Edits::Cursor edits = edits_;
   update->gusts = world_.edits().during(edits, update->players);
   const auto sent = frontend_.send(std::shared_ptr<const node::WorldUpdate>(std::move(update)));
-  // What blew goes with the next one, if this one was not taken.
+  // If this update was not accepted, the next one carries its edits.
   if (sent == pipeline::PushResult::kAccepted) edits_ = edits;
 }
 

@@ -62,14 +62,14 @@ class WorldInstance {
   void reportModels() { nodes_->reportModels(); }
 
  private:
-  void tellBackend();
+  void sendUpdate();
 
   const WorldSetup setup_;
   world::World world_;
   double nextUpdate_ = 0.0;
   std::mutex updateMutex_;
   std::uint64_t updates_ = 0;
-  world::Edits::Cursor edits_ = 0;  ///< what the backend node knows of them
+  world::Edits::Cursor edits_ = 0;  ///< edits that the backend node has received
   const std::unique_ptr<node::InstanceNodes> nodes_;
   node::FrontendProcess frontend_;
   const std::unique_ptr<node::JoinedWorld> joined_;  ///< null if this process owns the world

@@ -4,7 +4,7 @@
 
 namespace grove::stream {
 
-/// Who a listener is for: everybody, or who runs the server.
+/// The users of a listener: visitors, or the operator of the server.
 enum class Audience : std::uint8_t { kVisitors, kOperator };
 
 }  // namespace grove::stream

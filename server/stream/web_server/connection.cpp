@@ -14,7 +14,7 @@ constexpr double kAcknowledgementSeconds = 25.0;
 constexpr double kPingSeconds = 10.0;
 constexpr double kAnswerSeconds = kAcknowledgementSeconds - kPingSeconds;
 constexpr int kMaxPiecesPerSecond = 500;
-/// However many come and go.
+/// Minimum time between two People messages.
 constexpr double kPeopleSeconds = 1.0;
 
 Refusal protocolError(std::string reason) { return {CloseCode::kProtocolError, std::move(reason)}; }
@@ -77,17 +77,17 @@ bool Connection::isDead(double now) {
 }
 
 void Connection::watchPeople(double now) {
-  if (page_ < PageLevel::kNaming || now < peopleToldAt_ + kPeopleSeconds) return;
-  if (host_.players().changes() == peopleTold_ && host_.hasLostOthers() == othersToldLost_) return;
-  peopleToldAt_ = now;
+  if (page_ < PageLevel::kNaming || now < peopleReportedAt_ + kPeopleSeconds) return;
+  if (host_.players().changes() == peopleReported_ && host_.hasLostOthers() == othersReportedLost_) return;
+  peopleReportedAt_ = now;
   peopleAreDue_ = true;
 }
 
 People Connection::people() {
-  // Read before the list: who comes in between is told again, rather than never.
-  peopleTold_ = host_.players().changes();
+  // Read before the list: a visitor who arrives in between is sent twice, rather than never.
+  peopleReported_ = host_.players().changes();
   People people{.othersAreLost = host_.hasLostOthers(), .people = {}};
-  othersToldLost_ = people.othersAreLost;
+  othersReportedLost_ = people.othersAreLost;
   for (const world::Player& player : host_.players().all(pipeline::wallSeconds())) {
     people.people.push_back({node::shortIdOf(player.id, host_.options().process), player.colour, player.name});
   }
@@ -101,10 +101,10 @@ std::vector<std::uint8_t> Connection::takeMessage() {
   if (const auto status = outbox_->takeStatus()) return encode(*status);
   if (const auto times = outbox_->takeTimes()) return encode(*times);
   if (auto captured = outbox_->takeCaptured()) return std::move(*captured);
-  if (!hasNewsOfRefining()) return {};
+  if (!hasRefiningToSend()) return {};
   const auto [number, refining] = host_.refining();
   const bool reportedNothing = std::exchange(refiningReported_, number) == 0;
-  // Who comes when all is done has not seen anything else.
+  // A visitor who arrives when all is done has seen no coarser picture.
   return reportedNothing && refining.percent == 100 ? std::vector<std::uint8_t>{} : encode(refining);
 }
 
@@ -124,7 +124,7 @@ void Connection::leave(const std::string& why) {
     session->close();
     door_.log.info(peer_ + " left: " + why);
   } else {
-    door_.log.warning(peer_ + " went without being a visitor: " + why);
+    door_.log.warning(peer_ + " left before becoming a visitor: " + why);
   }
 }
 
@@ -181,8 +181,8 @@ std::optional<Refusal> Connection::actOnStream(const ClientMessage& message) {
 std::optional<Refusal> Connection::greet(const Hello& hello) {
   if (session_) return protocolError("a second Hello");
   place_ = door_.takePlace();
-  if (!place_) return Refusal{CloseCode::kFull, "your address already has as many visitors as it may"};
-  // The sink may outlive this connection in a run that is in progress; it must not keep the frame then.
+  if (!place_) return Refusal{CloseCode::kFull, "your address already has the maximum number of visitors"};
+  // The sink may outlive this connection in a running stage; it must not keep the frame then.
   const auto send = [outbox = std::weak_ptr(outbox_)](std::shared_ptr<const EncodedFrame> frame) {
     if (const auto to = outbox.lock()) to->put(std::move(frame));
   };

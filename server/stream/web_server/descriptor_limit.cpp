@@ -13,15 +13,15 @@
 namespace grove::stream {
 namespace {
 
-/// For light fields and pipes that are opened later.
+/// Reserved for light fields and pipes that are opened later.
 constexpr std::size_t kSpare = 24;
-/// The operator's, and a visitor's with the page.
+/// Enough for the operator and one visitor with the page.
 constexpr std::size_t kMin = 16;
 
 std::size_t openDescriptors() {
   std::error_code error;
   const std::filesystem::directory_iterator all("/proc/self/fd", error);
-  // Without /proc: about as many as a server has that prepares its world.
+  // Without /proc: about what a server has open while it prepares its world.
   return error ? 40 : static_cast<std::size_t>(std::distance(begin(all), end(all)));
 }
 

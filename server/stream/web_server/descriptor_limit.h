@@ -4,11 +4,11 @@
 
 namespace grove::stream {
 
-/// So many sockets a server serves at once at most.
+/// Maximum number of sockets that a server serves at once.
 inline constexpr std::size_t kMaxSockets = 256;
 
-/// For how many of them there is room in the process's limit of open files, which is raised as far as it may be if that
-/// helps; some are kept back for files. Throws EnvironmentError if there is room for too few to serve anybody.
+/// Returns how many sockets fit in the process's limit of open files, which it raises if necessary and possible; some
+/// descriptors are reserved for files. Throws EnvironmentError if too few are left.
 [[nodiscard]] std::size_t socketsThatFit();
 
 }  // namespace grove::stream

@@ -3,7 +3,7 @@
 namespace grove::stream {
 namespace {
 
-/// A greeting with what belongs to it is three messages.
+/// Offer, Limits and Hello are three messages.
 constexpr std::size_t kMaxPieces = 16;
 constexpr std::size_t kMaxBytes = 4 * kLargestClientMessage;
 
@@ -14,27 +14,27 @@ constexpr double kSilenceSeconds = 1.0;
 
 std::optional<Refusal> EarlyVisitor::receive(const MessagePiece& piece) {
   bytes_ += piece.bytes.size();
-  if (said_.size() == kMaxPieces || bytes_ > kMaxBytes) {
+  if (pieces_.size() == kMaxPieces || bytes_ > kMaxBytes) {
     return Refusal{CloseCode::kFlood, "more than a greeting before the world is ready"};
   }
-  Piece said{{piece.bytes.begin(), piece.bytes.end()}, piece};
-  said.piece.bytes = {};
-  said_.push_back(std::move(said));
+  Piece stored{{piece.bytes.begin(), piece.bytes.end()}, piece};
+  stored.piece.bytes = {};
+  pieces_.push_back(std::move(stored));
   return std::nullopt;
 }
 
-std::optional<Refusal> EarlyVisitor::introduceTo(Connection& connection, double now) const {
-  for (const Piece& said : said_) {
-    MessagePiece piece = said.piece;
-    piece.bytes = said.bytes;
+std::optional<Refusal> EarlyVisitor::replayTo(Connection& connection, double now) const {
+  for (const Piece& stored : pieces_) {
+    MessagePiece piece = stored.piece;
+    piece.bytes = stored.bytes;
     if (auto why = connection.receive(piece, now)) return why;
   }
   return std::nullopt;
 }
 
 bool EarlyVisitor::wants(const Waiting& waiting, double now) const {
-  // Who has not greeted waits for nothing.
-  if (!knowsWaiting_ || said_.empty()) return false;
+  // A browser that has sent nothing is not waiting.
+  if (!knowsWaiting_ || pieces_.empty()) return false;
   if (!reportedAt_) return true;
   const bool isOther = waiting.step != reported_.step || waiting.percent != reported_.percent;
   return now - *reportedAt_ >= (isOther ? kChangeSeconds : kSilenceSeconds);

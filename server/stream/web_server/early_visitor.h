@@ -11,21 +11,21 @@
 
 namespace grove::stream {
 
-/// Who came before the world was ready: keeps what he said until there is a Connection to say it to, and tells him how
-/// the world gets on. On the server's one thread; times are seconds of pipeline::wallSeconds().
+/// A visitor who arrives before the world is ready: stores the visitor's messages until there is a Connection, and
+/// reports the progress of the preparation. On the server's one thread; times are seconds of pipeline::wallSeconds().
 class EarlyVisitor {
  public:
   explicit EarlyVisitor(std::string_view subProtocol) : knowsWaiting_(subProtocol != kSubProtocol) {}
 
-  /// A refusal if it is more than anybody has to say before he is greeted; the caller closes the socket.
+  /// Stores a message piece. Returns a refusal if it exceeds what a greeting needs; the caller closes the socket.
   [[nodiscard]] std::optional<Refusal> receive(const MessagePiece& piece);
 
-  /// Says it all to the connection; a refusal as of Connection::receive().
-  [[nodiscard]] std::optional<Refusal> introduceTo(Connection& connection, double now) const;
+  /// Passes all stored messages to the connection; returns a refusal as Connection::receive() does.
+  [[nodiscard]] std::optional<Refusal> replayTo(Connection& connection, double now) const;
 
-  [[nodiscard]] bool hasSpoken() const noexcept { return !said_.empty(); }
+  [[nodiscard]] bool hasSentMessages() const noexcept { return !pieces_.empty(); }
 
-  /// Whether there is something new to report, or nothing was reported for a second, which would look like a dead
+  /// Returns whether there is progress to report, or the last report is a second old: silence would look like a dead
   /// connection.
   [[nodiscard]] bool wants(const Waiting& waiting, double now) const;
   [[nodiscard]] std::vector<std::uint8_t> take(const Waiting& waiting, double now);
@@ -37,7 +37,7 @@ class EarlyVisitor {
   };
 
   const bool knowsWaiting_;
-  std::vector<Piece> said_;
+  std::vector<Piece> pieces_;
   std::size_t bytes_ = 0;
   Waiting reported_;
   std::optional<double> reportedAt_;

@@ -40,7 +40,7 @@ std::string mendFor(int code, const std::string& option) {
 void tryToBind(const addrinfo& address, const std::string& where, const std::string& option) {
   const Socket socket(address.ai_family);
   const int on = 1;
-  // As the server itself will: a port that only waits for old connections to fade is free.
+  // As the server itself does: a port with only old connections in TIME_WAIT is free.
   const bool bound = socket.get() >= 0 && setsockopt(socket.get(), SOL_SOCKET, SO_REUSEADDR, &on, sizeof on) == 0 &&
                      ::bind(socket.get(), address.ai_addr, address.ai_addrlen) == 0;
   if (bound) return;

@@ -1,6 +1,6 @@
 #include "stream/web_server/received_bytes.h"
 
-// Not <netinet/tcp.h>, whose tcp_info is an older one.
+// Not <netinet/tcp.h>, whose tcp_info is older.
 #include <linux/tcp.h>
 #include <netinet/in.h>
 #include <sys/socket.h>

@@ -15,8 +15,8 @@ namespace grove::stream {
 namespace {
 
 constexpr int kKeepAliveSeconds = 5;
-constexpr unsigned kSpareDescriptors = 16;  // listening sockets, the wake-up pipe and such
-// A frame goes to the kernel in one call; the library would cut it to 4 KiB and copy the rest.
+constexpr unsigned kSpareDescriptors = 16;  // listening sockets, the wake-up pipe
+// Writes a frame in one call; the library would split it into 4 KiB and copy the rest.
 constexpr std::size_t kMaxBytesAtOnce = std::size_t{16} << 20U;
 static_assert(EncodedFrame::kHeadroom >= LWS_PRE);
 
@@ -53,7 +53,7 @@ ServerContext::ServerContext(lws_callback_function* callback, void* user, std::s
     client_ = makeClientTlsContext();
     info_.provided_client_ssl_ctx = client_.get();
   }
-  // HTTP/2 would put the socket's frames into pieces of 16 KiB.
+  // HTTP/2 would split the socket's frames into pieces of 16 KiB.
   info_.alpn = "http/1.1";
   info_.user = user;
   info_.server_string = "grove";
@@ -76,7 +76,7 @@ int ServerContext::listen(Audience audience, const std::string& address, int por
   bool& secure = secure_[static_cast<std::size_t>(audience)];
   secure = tls_ && (audience == Audience::kVisitors || !isLoopback(kept));
   if (secure) {
-    // The library lets plain http through, and its callback answers that with another address.
+    // The library accepts plain http, and its callback redirects it.
     info.options |= LWS_SERVER_OPTION_CREATE_VHOST_SSL_CTX | LWS_SERVER_OPTION_ALLOW_NON_SSL_ON_SSL_PORT |
                     LWS_SERVER_OPTION_ALLOW_HTTP_ON_HTTPS_LISTENER;
   }

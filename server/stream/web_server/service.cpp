@@ -15,7 +15,7 @@ namespace grove::stream {
 namespace {
 
 constexpr double kStopSeconds = 1.0;
-/// Pings are answered by the library: until the next sweep as fast as they come.
+/// The library answers pings itself, so a flood of them lasts until the next sweep.
 constexpr lws_usec_t kSweepMicroseconds = 100'000;
 
 }  // namespace
@@ -31,7 +31,7 @@ WebsocketServer::Service::Service(const ServerOptions& options)
     port_ = context_.listen(Audience::kVisitors, options.visitors.host, options.visitors.port, "--listen");
     operatorPort_ = context_.listen(Audience::kOperator, operatorAddress.host, operatorAddress.port, "--operator");
   } catch (...) {
-    // What it calls back when it goes uses members that would go before it.
+    // Its destructor calls back into members that would be destroyed before it.
     context_.close();
     throw;
   }

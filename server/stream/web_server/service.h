@@ -27,7 +27,8 @@
 
 namespace grove::stream {
 
-/// The library's context and its thread. All but start(), stop() and port() runs on that thread.
+/// libwebsockets' context and its thread. All but start(), stop(), report(), open(Host&) and port() runs on that
+/// thread.
 class WebsocketServer::Service {
  public:
   explicit Service(const ServerOptions& options);
@@ -44,24 +45,24 @@ class WebsocketServer::Service {
   void open(Host& host);
 
  private:
-  /// Any socket that was let in.
+  /// Any accepted socket.
   struct Guest {
-    AddressLimits::Ticket ticket;  ///< of a proxy's: for whom it works at the moment
+    AddressLimits::Ticket ticket;  ///< of a proxy's socket: of the visitor whose request is in progress
     bool isProxy = false;
-    std::string owner;           ///< as of guestOf(); empty: a proxy's that is no websocket, or this machine's
-    bool hasAsked = false;       ///< it has sent a whole request
-    double accepted = 0.0;       ///< when
+    std::string owner;           ///< see guestOf(); empty: a proxy's that is not a websocket, or this machine's
+    bool hasAsked = false;       ///< has sent a whole request
+    double accepted = 0.0;       ///< time, seconds
     RequestSource source;        ///< of the request that became a websocket
-    double since = 0.0;          ///< when it had received
-    std::uint64_t received = 0;  ///< so many bytes
+    double since = 0.0;          ///< start of the current second of flood detection
+    std::uint64_t received = 0;  ///< bytes received before that
   };
-  /// One that has become a websocket.
+  /// A socket that has become a websocket.
   struct Socket {
-    std::unique_ptr<Connection> connection;  ///< null until the world is ready; then
-    std::optional<EarlyVisitor> early;       ///< this is nothing
+    std::unique_ptr<Connection> connection;  ///< null until the world is ready
+    std::optional<EarlyVisitor> early;       ///< only until then
     std::optional<Refusal> closing;
   };
-  /// Standard layout, so that the library's timer leads back to the service.
+  /// Standard layout, so that onTimer() can cast the library's entry to it.
   struct Timer {
     lws_sorted_usec_list_t entry{};
     Service* service = nullptr;
@@ -73,19 +74,19 @@ class WebsocketServer::Service {
   int handleHttp(lws* wsi, lws_callback_reasons reason, void* user, void* in, std::size_t length);
 
   [[nodiscard]] bool letIn(lws* listener, const lws_filter_network_conn_args* peer);
-  /// Closes a socket that asks for nothing, so that a newcomer has a place; false if there is none.
+  /// Closes an idle socket, so that a new one has a place; false if there is none.
   [[nodiscard]] bool evictOne();
   void instantiate(lws* wsi);
   int answer(lws* wsi);
   int resume(lws* wsi);
-  /// A socket of a proxy works for nobody between two requests.
+  /// Between two requests, a proxy's socket counts for no visitor.
   void giveBackAnswered(lws* wsi);
   int confirmUpgrade(lws* wsi, std::string_view protocol);
   [[nodiscard]] HttpService& http(lws* wsi) { return http_[static_cast<std::size_t>(context_.audienceOf(wsi))]; }
 
   void open(lws* wsi);
   [[nodiscard]] std::unique_ptr<Connection> connect(lws* wsi);
-  /// Once the world is ready.
+  /// Connects the visitors who wait; called once, when the world is ready.
   void admit();
   [[nodiscard]] Waiting preparation() const;
   int receive(lws* wsi, std::span<const std::uint8_t> bytes);
@@ -99,17 +100,17 @@ class WebsocketServer::Service {
   void run();
 
   std::atomic<Host*> ready_{nullptr};
-  Host* host_ = nullptr;  ///< null until who waits is let in
+  Host* host_ = nullptr;  ///< null until admit()
   mutable std::mutex preparationMutex_;
-  StepProgress preparation_;  ///< of the world
+  StepProgress preparation_;  ///< of the world's preparation
   Entrance entrance_;
   const std::size_t maxSockets_;
   std::map<lws*, Guest> guests_;
-  log::Limited visitorLog_;  ///< before the connections that use it
+  log::Limited visitorLog_;  ///< declared before the connections that use it
   std::map<lws*, Socket> sockets_;
   ServerContext context_;
   const std::shared_ptr<Waker> waker_;
-  std::optional<LiveReports> reports_;  ///< once the world is ready
+  std::optional<LiveReports> reports_;  ///< none until the world is ready
   std::array<HttpService, 2> http_;     ///< by audience
   int port_ = 0;
   int operatorPort_ = 0;

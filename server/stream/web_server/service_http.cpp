@@ -12,7 +12,7 @@
 namespace grove::stream {
 namespace {
 
-/// Kept free of visitors for the operator.
+/// Reserved for the operator.
 constexpr std::size_t kOperatorSockets = 8;
 
 }  // namespace
@@ -37,7 +37,7 @@ int WebsocketServer::Service::handleHttp(lws* wsi, lws_callback_reasons reason, 
 bool WebsocketServer::Service::letIn(lws* listener, const lws_filter_network_conn_args* peer) {
   const bool isOperators = context_.audienceOf(listener) == Audience::kOperator;
   const std::string address = numericAddress(peer->cli_addr);
-  if (!entrance_.letsIn(address)) return false;
+  if (!entrance_.allowsSocket(address)) return false;
   if (guests_.size() < (isOperators ? maxSockets_ : maxSockets_ - kOperatorSockets) || evictOne()) return true;
   entrance_.refuseFull(address, guests_.size());
   return false;
@@ -51,7 +51,7 @@ bool WebsocketServer::Service::evictOne() {
     if (const auto found = sockets_.find(wsi); found != sockets_.end()) {
       const auto& [connection, early, closing] = found->second;
       if (connection && connection->isInWorld()) continue;
-      isBusy = early && early->hasSpoken();
+      isBusy = early && early->hasSentMessages();
     }
     sockets.push_back(wsi);
     evictable.push_back({guest.owner, guest.accepted, isBusy});
@@ -98,7 +98,7 @@ void WebsocketServer::Service::giveBackAnswered(lws* wsi) {
 }
 
 int WebsocketServer::Service::confirmUpgrade(lws* wsi, std::string_view protocol) {
-  // Also refuses to turn into HTTP/2, where large writes make browsers hang up.
+  // Also refuses an upgrade to HTTP/2, where large writes make browsers close the connection.
   if (protocol != "websocket") return -1;
   const auto refuse = [&](unsigned status) { return lws_return_http_status(wsi, status, nullptr) < 0 ? -1 : 1; };
   const Audience audience = context_.audienceOf(wsi);

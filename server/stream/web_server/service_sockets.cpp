@@ -14,7 +14,7 @@ namespace grove::stream {
 namespace {
 
 constexpr int kCloseSeconds = 2;
-/// Of one socket, pings and requests and all: twenty times what a visitor at 60 frames a second sends.
+/// Bytes of one socket, including pings and requests: twenty times what a visitor at 60 frames a second sends.
 constexpr double kMaxReceivedPerSecond = 65'536.0;
 
 }  // namespace
@@ -37,7 +37,7 @@ void WebsocketServer::Service::admit() {
   for (auto& [wsi, socket] : sockets_) {
     if (socket.closing) continue;
     socket.connection = connect(wsi);
-    if (auto why = socket.early->introduceTo(*socket.connection, pipeline::wallSeconds())) {
+    if (auto why = socket.early->replayTo(*socket.connection, pipeline::wallSeconds())) {
       closeLater(wsi, socket, std::move(*why));
     }
     socket.early.reset();
@@ -91,15 +91,15 @@ int WebsocketServer::Service::write(lws* wsi) {
     lws_callback_on_writable(wsi);
     return 0;
   }
-  std::vector<std::uint8_t> words;
+  std::vector<std::uint8_t> buffer;
   if (connection) {
-    words = connection->takeMessage();
+    buffer = connection->takeMessage();
   } else if (const Waiting waiting = preparation(); early->wants(waiting, pipeline::wallSeconds())) {
-    words = early->take(waiting, pipeline::wallSeconds());
+    buffer = early->take(waiting, pipeline::wallSeconds());
   }
-  if (!words.empty()) {
-    words.insert(words.begin(), LWS_PRE, 0);
-    if (lws_write(wsi, words.data() + LWS_PRE, words.size() - LWS_PRE, LWS_WRITE_BINARY) < 0) return -1;
+  if (!buffer.empty()) {
+    buffer.insert(buffer.begin(), LWS_PRE, 0);
+    if (lws_write(wsi, buffer.data() + LWS_PRE, buffer.size() - LWS_PRE, LWS_WRITE_BINARY) < 0) return -1;
     lws_callback_on_writable(wsi);
     return 0;
   }
@@ -107,7 +107,7 @@ int WebsocketServer::Service::write(lws* wsi) {
   const std::shared_ptr<const EncodedFrame> frame = connection->takeFrame();
   if (!frame) return 0;
   const auto message = frame->message();
-  // The library writes into the headroom before the message, and only there.
+  // The library writes only into the headroom before the message.
   auto* bytes = const_cast<std::uint8_t*>(message.data());
   if (lws_write(wsi, bytes, message.size(), LWS_WRITE_BINARY) < 0) return -1;
   connection->written(*frame, pipeline::wallSeconds());
@@ -132,7 +132,7 @@ void WebsocketServer::Service::closeLater(lws* wsi, Socket& socket, Refusal why)
   if (socket.connection) socket.connection->end(why);
   socket.closing = std::move(why);
   lws_callback_on_writable(wsi);
-  // One who does not read never becomes writable.
+  // A socket whose browser does not read never becomes writable.
   lws_set_timeout(wsi, PENDING_TIMEOUT_CLOSE_SEND, kCloseSeconds);
 }
 
@@ -158,11 +158,11 @@ void WebsocketServer::Service::sweep() {
   for (lws* const wsi : floods) {
     const auto socket = sockets_.find(wsi);
     if (socket != sockets_.end()) {
-      // What comes until he is gone is left unread.
+      // Leaves unread what arrives before the close.
       lws_rx_flow_control(wsi, 0);
       closeLater(wsi, socket->second, {CloseCode::kFlood, "more than 64 KiB in a second"});
     } else {
-      // At once: the next of its requests would put any timeout off.
+      // At once, because its next request would extend any timeout.
       lws_set_timeout(wsi, PENDING_TIMEOUT_CLOSE_SEND, LWS_TO_KILL_SYNC);
     }
   }
@@ -170,13 +170,13 @@ void WebsocketServer::Service::sweep() {
     if (!socket.connection) continue;
     if (auto why = socket.connection->overdue(now)) closeLater(wsi, socket, std::move(*why));
   }
-  // What nobody wakes for: news of the world's preparation, and of what gets finer.
+  // Nothing wakes the thread for progress of the preparation and of refining.
   wakeWriters();
   entrance_.sweep(now);
 }
 
 bool WebsocketServer::Service::isFlood(lws* wsi, Guest& guest, double now) const {
-  // Requests of many visitors come on one socket of a proxy, and are counted.
+  // A proxy's socket carries requests of many visitors; these are limited by number.
   if (guest.isProxy && !sockets_.contains(wsi)) return false;
   const double seconds = now - guest.since;
   const std::uint64_t received = receivedBytes(lws_get_socket_fd(wsi));

@@ -6,7 +6,7 @@
 
 namespace grove::stream {
 
-/// The one way into the service thread; it may be called when the server is gone.
+/// Wakes the service thread; any thread may call it, even after the server is gone.
 class Waker {
  public:
   explicit Waker(lws_context* context) : context_(context) {}

@@ -17,7 +17,7 @@ std::optional<sockaddr_storage> peerOf(lws* wsi) {
   return address;
 }
 
-/// RFC 3986, 2.3: all but unreserved characters and those to `keep`.
+/// Encodes all but unreserved characters (RFC 3986, 2.3) and those in `keep`.
 std::string percentEncoded(std::string_view text, std::string_view keep) {
   constexpr std::string_view kDigits = "0123456789ABCDEF";
   std::string encoded;
@@ -63,7 +63,7 @@ std::string encodedTarget(lws* wsi) {
   std::array<char, 1024> argument{};
   char before = '?';
   for (int i = 0;; ++i) {
-    // The library has taken them apart at each '&', and decoded them.
+    // The library has split the query at each '&', and decoded the parts.
     const int length =
         lws_hdr_copy_fragment(wsi, argument.data(), static_cast<int>(argument.size()), WSI_TOKEN_HTTP_URI_ARGS, i);
     if (length < 0) return target;
@@ -86,7 +86,7 @@ std::string addressOfPeer(lws* wsi) {
 
 std::string nameOfPeer(lws* wsi) {
   const auto address = peerOf(wsi);
-  if (!address) return "somebody";
+  if (!address) return "an unknown peer";
   std::array<char, NI_MAXSERV> port{};
   const auto* generic = reinterpret_cast<const sockaddr*>(&*address);
   getnameinfo(generic, sizeof *address, nullptr, 0, port.data(), port.size(), NI_NUMERICSERV);

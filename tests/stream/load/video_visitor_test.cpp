@@ -134,18 +134,18 @@ TEST_F(VideoVisitorTest, FindsPicturesThatAreNotWhatTheySay) {
   const auto first = stream_.next(100, 128, 128, 1, true);
   const auto second = stream_.next(100, 128, 128, 2);
   EXPECT_EQ(faultOf({picture(1, first, true), picture(2, second, false)}), "");
-  EXPECT_THAT(faultOf({picture(1, second, false)}), HasSubstr("depends on a picture that there is none of"));
+  EXPECT_THAT(faultOf({picture(1, second, false)}), HasSubstr("depends on a picture that was not sent"));
   EXPECT_THAT(faultOf({picture(1, second, true)}), HasSubstr("its slices are not"));
   EXPECT_THAT(faultOf({picture(1, first, true), picture(2, first, false)}), HasSubstr("has independent slices"));
-  EXPECT_THAT(faultOf({picture(1, std::vector<std::uint8_t>{1, 2, 3}, true)}), HasSubstr("no byte stream"));
+  EXPECT_THAT(faultOf({picture(1, std::vector<std::uint8_t>{1, 2, 3}, true)}), HasSubstr("not an Annex B byte stream"));
   EXPECT_THAT(faultOf({picture(1, std::vector<std::uint8_t>{0, 0, 1, 0x65, 1}, true)}), HasSubstr("no parameters"));
   EXPECT_THAT(faultOf({picture(1, std::vector<std::uint8_t>{0, 0, 1, 0x62, 1}, true)}), HasSubstr("another kind"));
   EXPECT_THAT(
       faultOf({picture(1, first, true), picture(2, jpegOf(frame(1, 0)), true, kCodecJpeg), picture(3, second, false)}),
-      HasSubstr("depends on a picture that there is none of"))
+      HasSubstr("depends on a picture that was not sent"))
       << "the picture before it is a JPEG";
   EXPECT_THAT(faultOf({picture(1, jpegOf(frame(1, 0)), false, kCodecJpeg)}), HasSubstr("JPEG that depends"));
-  EXPECT_THAT(faultOf({frame(1, 0)}), HasSubstr("a Frame came"));
+  EXPECT_THAT(faultOf({frame(1, 0)}), HasSubstr("a Frame arrived"));
 }
 
 TEST_F(VideoVisitorTest, SizeChangesWithAnIndependentPictureOnly) {
@@ -185,7 +185,7 @@ TEST_F(VideoVisitorTest, TakesWhatElseTheServerTells) {
   video_.receive(encode(Waiting{}), 1.0);
   EXPECT_THAT(video_.statistics().errors, IsEmpty());
   visitor_.receive(h264(1, true), 1.0);
-  EXPECT_THAT(visitor_.statistics().errors, Contains(HasSubstr("a Picture came")));
+  EXPECT_THAT(visitor_.statistics().errors, Contains(HasSubstr("a Picture arrived")));
 }
 
 }  // namespace

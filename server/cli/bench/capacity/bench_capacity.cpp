@@ -25,7 +25,7 @@ constexpr int kMaxVisitors = 64;
 
 struct CapacityResult {
   int shared = 0;
-  int unshared = 0;  ///< in private mode
+  int unshared = 0;  ///< private visitors
   std::vector<CapacityTrial> trials;
 };
 
@@ -47,7 +47,7 @@ std::optional<int> search(const CapacityPlan& plan, bool privateWorlds, std::vec
   return findCapacity(serves, kMaxVisitors);
 }
 
-/// Trials must not begin with a bake.
+/// Bakes first, so that no trial begins with a bake.
 std::optional<CapacityResult> measureCapacity(const CapacityPlan& plan, const std::stop_token& stop) {
   Progress progress;
   const bool prepared = prepareWorld(openScene(plan.scene), objects::builtinBackends(), progress, stop);

@@ -7,8 +7,8 @@
 namespace grove::cli {
 namespace {
 
-/// Mean CPU per frame of the trials in which so many visitors were served in one world, times the visitors: what one
-/// frame of everybody costs.
+/// Returns the CPU of one frame of all visitors: the mean CPU per frame of the trials in which `visitors` were served
+/// in one world, times the visitors.
 double costOfAll(const std::vector<CapacityTrial>& trials, int visitors) {
   double sum = 0.0;
   int count = 0;

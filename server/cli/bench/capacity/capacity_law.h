@@ -17,7 +17,8 @@ struct CapacityLaw {
   [[nodiscard]] bool agrees(int measured) const { return privateMax >= measured && privateMin <= measured + 1; }
 };
 
-/// Of the trials with `shared` visitors and with one, both in one world; nothing if `shared` is less than two.
+/// Computes the law from the trials with `shared` visitors and with one, both in one world; nothing if `shared` is less
+/// than two.
 [[nodiscard]] std::optional<CapacityLaw> capacityLaw(const std::vector<CapacityTrial>& trials, int shared);
 
 }  // namespace grove::cli

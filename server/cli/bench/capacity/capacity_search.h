@@ -5,7 +5,7 @@
 
 namespace grove::cli {
 
-/// Runs one trial: whether the machine serves so many visitors; nothing if the search was stopped.
+/// Runs one trial and returns whether the machine serves `visitors`; nothing if the search was stopped.
 using ServesTrial = std::function<std::optional<bool>(int visitors)>;
 
 /// Returns the largest number of visitors, at most `max`, that the machine serves; nothing if the search was stopped.

@@ -17,11 +17,11 @@
 namespace grove::cli {
 namespace {
 
-constexpr double kFps = 29.0;                   ///< that half of the visitors get at least
+constexpr double kFps = 29.0;                   ///< minimum for the median visitor
 constexpr double kLatencyMilliseconds = 100.0;  ///< p99
 constexpr double kEntryInterval = 1.0;          ///< seconds from one visitor's entry to the next
 
-/// Waits until a time of pipeline::wallSeconds(); false if it was stopped.
+/// Waits until a time of pipeline::wallSeconds(); returns false if it was stopped.
 bool waitUntil(double time, const std::stop_token& stop) {
   std::mutex mutex;
   std::condition_variable_any changed;

@@ -16,7 +16,7 @@ struct CapacityPlan {
   std::optional<std::string> scene;
   std::uint8_t codec = stream::kCodecJpeg;
   PictureSize size{1280, 720};             ///< of each visitor's picture
-  double seconds = 10.0;                   ///< that are measured
+  double seconds = 10.0;                   ///< measured
   double warmUp = 6.0;                     ///< seconds from the last visitor's entry to the first frame that counts
   std::string program = "/proc/self/exe";  ///< `grove`
 };
@@ -29,14 +29,15 @@ struct CapacityTrial {
   double cpuCores = 0.0;   ///< of all servers
   std::int64_t bytes = 0;  ///< of all servers; a shared page counts once
 
-  /// 30 frames per second at a latency of 100 ms (design: capacity), nobody left out, no picture made smaller.
+  /// Returns whether every visitor got 30 frames per second at a latency of 100 ms (design: capacity), in pictures of
+  /// full size, without refused visitors.
   [[nodiscard]] bool isServed(const PictureSize& size) const;
-  /// Of the servers, for one frame of one visitor.
+  /// CPU of the servers per frame and visitor.
   [[nodiscard]] double cpuMillisecondsPerFrame() const;
 };
 
-/// Starts one server, or one per visitor, and lets so many visitors stroll about; they enter one after another.
-/// Visitors are websocket clients in this process. Returns nothing if it was stopped. Throws EnvironmentError.
+/// Starts one server, or one per visitor, and lets `visitors` stroll; they enter one after another. Visitors are
+/// websocket clients in this process. Returns nothing if it was stopped. Throws EnvironmentError.
 [[nodiscard]] std::optional<CapacityTrial> runCapacityTrial(const CapacityPlan& plan, int visitors, bool privateWorlds,
                                                             const std::stop_token& stop);
 

@@ -22,7 +22,7 @@ namespace {
 
 constexpr std::string_view kListening = "listening on http://127.0.0.1:";
 
-/// The child's part; only what a signal handler may call. A parent that is killed takes the server with it.
+/// Runs in the child: may call only what a signal handler may. A parent that is killed takes the server with it.
 [[noreturn]] void becomeServer(const char* program, int output, pid_t parent, char* const* arguments) {
   sigset_t none{};
   sigemptyset(&none);
@@ -84,10 +84,10 @@ double ServerProcess::cpuSeconds() const {
   const std::string path = "/proc/" + std::to_string(process_) + "/stat";
   std::ifstream file(path);
   const std::string text(std::istreambuf_iterator<char>(file), {});
-  const std::size_t name = text.rfind(')');  // which may hold blanks
+  const std::size_t name = text.rfind(')');  // the name may contain blanks
   if (name == std::string::npos) throw EnvironmentError("cannot be read", path, "the server has ended");
   std::istringstream fields(text.substr(name + 1));
-  constexpr int kFieldsBefore = 11;  // from the state on, see proc(5)
+  constexpr int kFieldsBefore = 11;  // fields to skip from the state on, see proc(5)
   std::string skipped;
   for (int i = 0; i < kFieldsBefore; ++i) fields >> skipped;
   std::int64_t user = 0;

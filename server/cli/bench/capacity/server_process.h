@@ -9,8 +9,8 @@
 
 namespace grove::cli {
 
-/// `grove serve` in a process of its own, on a free port of the loopback interface. It ends with this object or, at the
-/// latest, with this process. One thread.
+/// A `grove serve` process on a free port of the loopback interface. It ends with this object or, at the latest, with
+/// this process. Not thread-safe.
 class ServerProcess {
  public:
   /// Starts `program`, which is `grove`, with further options of `grove serve`. Throws EnvironmentError.

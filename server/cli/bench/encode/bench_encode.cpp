@@ -110,7 +110,8 @@ int runBenchEncode(const BenchEncodeOptions& options) {
     const node::LoadedScene loaded = node::loadScene(scene, types.backends);
     if (!walk) walk = roundWalk(loaded.layout);
     const stream::EncoderRegistry encoders = stream::builtinEncoders(stream::HostOptions().jpegQuality);
-    // Frames are drawn first and encoded when the world is gone, so that nothing else takes the processor's caches.
+    // Draws all frames first and encodes them after the world is destroyed, so that nothing else uses the processor's
+    // caches.
     std::optional<WalkWorld> world;
     world.emplace(loaded, types, gl, [&](std::string_view label, float share) { progress.show(label, share); });
     progress.show("drawing a walk", 0.0F);

@@ -7,7 +7,7 @@
 
 namespace grove::cli {
 
-/// `grove bench encode`.
+/// Options of `grove bench encode`.
 struct BenchEncodeOptions {
   std::optional<std::string> walk;  ///< file; default: around the fire
   PictureSize size{1280, 720};      ///< of each visitor's picture
@@ -15,10 +15,10 @@ struct BenchEncodeOptions {
   bool json = false;
 };
 
-/// Draws what a visitor sees on a walk through the grove, and where he stands before its fire, and encodes it in every
-/// codec, at fixed quantisers and as led for visitors: CPU, bits and how alike the pictures are to what was drawn. A
-/// signal ends it early; what was measured by then is printed. Returns the process's exit code: 0, or 2 with a line on
-/// stderr if an option is out of range. Throws world::WalkError and EnvironmentError.
+/// Draws what a visitor sees on a walk through the grove, and in front of its fire, and encodes it with every codec, at
+/// fixed quantisers and with the rate control of visitors. Measures CPU, bits and the similarity of the pictures to the
+/// drawn ones. A signal ends it early; measurements until then are printed. Returns the process's exit code: 0, or 2
+/// with a line on stderr if an option is out of range. Throws world::WalkError and EnvironmentError.
 int runBenchEncode(const BenchEncodeOptions& options);
 
 }  // namespace grove::cli

@@ -17,14 +17,14 @@
 namespace grove::cli {
 namespace {
 
-/// To measure how alike two pictures are takes ten times as long as to encode them.
+/// Comparing two pictures takes ten times as long as encoding one.
 constexpr std::size_t kFramesPerComparison = 10;
-/// Of a line that is better than the visitor asks for.
+/// Of a line that is faster than the visitor's limit, seconds.
 constexpr double kRoundTrip = 0.020;
 
 double asMilliseconds(std::int64_t nanoseconds) { return static_cast<double>(nanoseconds) * 1e-6; }
 
-/// What a page shows of a stream.
+/// Decodes a stream as a page does.
 class Screen {
  public:
   explicit Screen(std::uint8_t codec) : codec_(codec) {}
@@ -47,7 +47,7 @@ class Screen {
   const stream::DecodedPicture* shown_ = nullptr;
 };
 
-/// What stream::EncodeStage does with a frame, and how long it takes.
+/// Does what stream::EncodeStage does with a frame, and measures its time.
 class Visitor {
  public:
   Visitor(const stream::EncoderRegistry& encoders, const stream::EncoderKind& kind, const EncodeSetting& setting,
@@ -62,7 +62,7 @@ class Visitor {
     control_.limit(limits);
   }
 
-  /// The bytes to send, for a page that shows the frames before; none if nothing is.
+  /// Returns the bytes to send to a page that shows the previous frames; empty if nothing is sent.
   [[nodiscard]] std::span<const std::uint8_t> send(const world::Pose& pose, const raster::YuvImage& frame) {
     const double now = ++frames_ / kWalkFramesPerSecond;
     const double pixels = static_cast<double>(frame.width()) * frame.height();

@@ -9,28 +9,28 @@
 
 namespace grove::cli {
 
-/// How a trial's pictures are led.
+/// Rate control of a trial.
 struct EncodeSetting {
-  /// The same for all pictures; none: as for a visitor who asks for `kilobitsPerSecond`, of full size.
+  /// Fixed for all pictures; none: rate control for a visitor with a limit of `kilobitsPerSecond`, in full size.
   std::optional<stream::Quantiser> quantiser;
   int kilobitsPerSecond = 0;
 };
 
-/// What encoding a walk's frames with one encoder took, and what it looks like.
+/// Cost and quality of encoding a walk's frames with one encoder.
 struct EncodeTrial {
   std::string codec;
   EncodeSetting setting;
-  std::size_t pictures = 0;      ///< that were sent: nothing is, where not a pixel has changed and nothing gets finer
+  std::size_t pictures = 0;      ///< sent pictures; none is sent where no pixel has changed and no refinement is due
   double quantiser = 0.0;        ///< mean of the pictures
-  double cpuMilliseconds = 0.0;  ///< median of the pictures; of the thread
+  double cpuMilliseconds = 0.0;  ///< of the thread, median of the pictures
   double p99Milliseconds = 0.0;
   double kilobitsPerSecond = 0.0;
-  double ssim = 0.0;  ///< mean of every tenth frame: luma of what a page shows against luma of what was drawn
+  double ssim = 0.0;  ///< mean over every tenth frame: luma of the page's picture against luma of the drawn one
   double minSsim = 0.0;
 };
 
-/// Encodes the frames as a visitor's session does, thirty a second, and decodes them again. Returns early, of the
-/// frames by then, if it is to stop; there is one at least. Throws EnvironmentError if a library fails.
+/// Encodes the frames as a visitor's session does, 30 per second, and decodes them again. After a stop request, returns
+/// the results so far, of at least one frame. Throws EnvironmentError if a library fails.
 [[nodiscard]] EncodeTrial tryEncoder(const stream::EncoderRegistry& encoders, const stream::EncoderKind& kind,
                                      const EncodeSetting& setting, KeptFrames& frames, const std::stop_token& stop);
 

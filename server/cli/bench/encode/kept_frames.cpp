@@ -17,7 +17,7 @@ namespace {
   throw EnvironmentError(what, std::filesystem::temp_directory_path().string(), "set TMPDIR to a folder with room");
 }
 
-/// `transfer` is pread or pwrite, either of which may do a part only.
+/// `transfer` is pread or pwrite, which may transfer only a part.
 template <class Bytes, class Transfer>
 bool transferAll(const Transfer& transfer, int descriptor, Bytes* bytes, std::size_t size, std::size_t offset) {
   while (size > 0) {

@@ -10,8 +10,7 @@
 
 namespace grove::cli {
 
-/// The frames that one visitor saw, at 1.4 MB each of 1280 x 720 pixels in a file without a name, which goes with this.
-/// One thread at a time.
+/// The frames that one visitor saw, 1.4 MB each for 1280 x 720 pixels, in an unlinked temporary file. Not thread-safe.
 class KeptFrames {
  public:
   /// Throws EnvironmentError if there is no room for a temporary file.
@@ -24,7 +23,7 @@ class KeptFrames {
   [[nodiscard]] int width() const noexcept { return image_.width(); }
   [[nodiscard]] int height() const noexcept { return image_.height(); }
   [[nodiscard]] const world::Pose& pose(std::size_t index) const { return poses_[index]; }
-  /// In memory, as if it had just been drawn; stands until the next call. Throws EnvironmentError if it cannot be read.
+  /// Reads a frame into memory; valid until the next call. Throws EnvironmentError if it cannot be read.
   [[nodiscard]] const raster::YuvImage& read(std::size_t index);
 
  private:

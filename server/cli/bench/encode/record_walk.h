@@ -9,7 +9,7 @@
 
 namespace grove::cli {
 
-/// What he sees who goes along the walk, thirty frames a second. If it is to stop, returns what there is.
+/// Records the frames along the walk, 30 per second. After a stop request, returns the frames so far.
 [[nodiscard]] KeptFrames recordWalk(WalkWorld& world, const world::Walk& walk, double seconds, const PictureSize& size,
                                     const std::stop_token& stop);
 

@@ -26,7 +26,7 @@ using world::Vec3;
 
 constexpr int kWarmUpSteps = 90;
 
-/// Appends a convex or concave closed grid of quads: rows of points, each row a closed ring.
+/// Appends a closed grid of quads: rows of points, each row a closed ring.
 void appendRings(world::Triangles& out, const std::vector<std::vector<Vec3>>& rings) {
   for (std::size_t r = 0; r + 1 < rings.size(); ++r) {
     const std::size_t count = rings[r].size();
@@ -83,7 +83,7 @@ world::Triangles obstacles() {
   return triangles;
 }
 
-/// Somebody who walks in a circle around the fire.
+/// A visitor who walks in a circle around the fire.
 world::Player walker(double time) {
   const float angle = static_cast<float>(time) * 1.1F;
   world::Player player;
@@ -94,10 +94,10 @@ world::Player walker(double time) {
 
 constexpr double kMs = 1.0e-6;  // per nanosecond
 
-/// What steps take, in milliseconds, and how far their results are off.
+/// Times of steps in milliseconds, and errors of their results.
 struct Measured {
   std::vector<double> cpu;          ///< of all threads
-  std::vector<double> firstThread;  ///< of the one that steps
+  std::vector<double> firstThread;  ///< of the thread that calls step()
   std::vector<double> wall;
   std::array<std::vector<double>, FluidSimulation::kPhases.size()> phases;
   std::vector<double> snapshots;

@@ -30,8 +30,8 @@ using fluid::Field;
 using fluid::Layout;
 using fluid::SolidGrid;
 
-constexpr double kExact = 1.0e-6;            // relative residual: about what floats can tell
-constexpr double kMaxCpuMsPerCell = 6.0e-4;  // then a solver is given up
+constexpr double kExact = 1.0e-6;            // relative residual, about the accuracy of floats
+constexpr double kMaxCpuMsPerCell = 6.0e-4;  // time limit of a solver
 
 struct Point {
   int iterations = 0;
@@ -81,8 +81,8 @@ std::vector<Case> cases(int n) {
           {"one-cell wall", cellsWhere(n, wall)}};
 }
 
-/// A hot jet, a wind that meets the solids, and whirls of several sizes: minus its divergence is what pressure has to
-/// undo.
+/// Minus the divergence of a hot jet, a wind against the solids, and vortices of several sizes: the right-hand side of
+/// the pressure equation.
 Field rightHandSide(const SolidGrid& solids) {
   const Layout& layout = solids.layout();
   const int n = layout.cells;
@@ -113,7 +113,7 @@ Field rightHandSide(const SolidGrid& solids) {
   return b;
 }
 
-/// Every solver starts from nothing, solves for a number of iterations, and shows its pressure.
+/// A solver: starts from zero, runs a number of iterations, and returns its pressure.
 struct Solver {
   std::string name;
   std::function<void(int iterations)> solve;
@@ -134,7 +134,7 @@ class Solvers {
     solids_.setStatic(solid);
     b_ = rightHandSide(solids_);
     pockets_.find(solids_);
-    ours_.solve(solids_, b_, {0.5F, 1});  // takes the solids over, and out of b what no pressure can meet
+    ours_.solve(solids_, b_, {0.5F, 1});  // takes over the solids, and removes from b what no pressure can satisfy
     multigrid_.rebuild(solids_, fluid::CellBox::whole(n));
   }
 
@@ -187,7 +187,7 @@ class Solvers {
   Field b_;
 };
 
-/// Until the residual is as small as floats allow, or no longer falls, or it takes too long.
+/// Runs until the residual is as small as floats allow, stops falling, or takes too long.
 std::vector<Point> curve(const Solver& solver, const Solvers& solvers, double maxCpuMs) {
   constexpr int kRepeats = 3;
   std::vector<Point> points;

@@ -34,7 +34,7 @@ using world::Vec3;
 
 constexpr int kRepeats = 3;
 
-/// A small oak's light field in a file that goes when this goes.
+/// A small oak's light field in a temporary file, deleted by the destructor.
 class TemporaryOak {
  public:
   explicit TemporaryOak(int threads)
@@ -61,7 +61,7 @@ class TemporaryOak {
   std::filesystem::path path_;
 };
 
-/// Eyes all around, nearer than the sphere of views and farther, that frame the object as its views do: it fills the
+/// Cameras all around, inside and outside the sphere of views, that frame the object as its views do: it fills the
 /// picture.
 std::vector<lightfield::ObjectCamera> randomCameras(const LightField& field, int count, int size) {
   std::mt19937 random(1);
@@ -84,7 +84,7 @@ struct Speed {
   double cpuMsPerRequest = 0.0;
 };
 
-/// All cameras once, by all threads of the pool.
+/// Renders all cameras once, on all threads of the pool.
 Speed renderAll(const LightField& field, const std::vector<lightfield::ObjectCamera>& cameras, int size,
                 DepthCorrection correction, pipeline::WorkerPool& pool) {
   const auto coarser = std::bit_width(static_cast<unsigned>(field.size / size));
@@ -118,7 +118,7 @@ Speed renderAll(const LightField& field, const std::vector<lightfield::ObjectCam
   return speed;
 }
 
-/// Medians over repeats, after a first one that brings the file into memory.
+/// Returns medians over repeats, after a first one that loads the file into memory.
 Speed measure(const LightField& field, const std::vector<lightfield::ObjectCamera>& cameras, int size,
               DepthCorrection correction, pipeline::WorkerPool& pool) {
   (void)renderAll(field, cameras, size, correction, pool);

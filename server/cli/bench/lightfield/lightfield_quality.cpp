@@ -51,7 +51,8 @@ Pixels overSky(std::span<const std::uint32_t> picture) {
   return result;
 }
 
-/// Metres from a point inside a tile to its hexagon's border (corners at +-x), negative outside.
+/// Returns the distance in metres from a point inside a tile to its hexagon's border (corners at +-x); negative
+/// outside.
 float toBorder(Vec3 point) {
   const float apothem = models::kTileRadius * 0.8660254F;
   const float x = std::abs(point.x);
@@ -59,7 +60,7 @@ float toBorder(Vec3 point) {
   return apothem - std::max(z, 0.8660254F * x + 0.5F * z);
 }
 
-/// A picture of a tile amid its six neighbours, composited by depth as a frame is.
+/// Renders a tile among its six neighbours, composited by depth as in a frame.
 Pixels renderAmid(const LightField& field, const HeldOutView& view) {
   const float step = std::sqrt(3.0F) * models::kTileRadius;
   std::vector<Vec3> places{Vec3(0.0F)};
@@ -88,8 +89,7 @@ Pixels renderAmid(const LightField& field, const HeldOutView& view) {
   return {frame->colour.begin(), frame->colour.end()};
 }
 
-/// The pixels of a picture amid neighbours whose points lie at most so far from the tile's border, on either side, or
-/// so far within.
+/// Returns the mask of the pixels whose points lie `nearest` to `farthest` from the tile's border.
 Mask nearBorder(const HeldOutView& view, float nearest, float farthest) {
   Mask result(view.colour.size(), 0);
   for (std::size_t i = 0; i < result.size(); ++i) {
@@ -103,7 +103,7 @@ Mask nearBorder(const HeldOutView& view, float nearest, float farthest) {
   return result;
 }
 
-/// Mean square errors of several pictures, by their pixels.
+/// Pools mean square errors of several pictures, weighted by their pixels.
 class Pool {
  public:
   void add(const measure::Picture& a, const measure::Picture& b, const Mask& mask) {

@@ -4,14 +4,15 @@
 
 namespace grove::cli {
 
-/// How close a sampler comes to a light field's held-out views, inside the object's mask. Errors are pooled over all
+/// Quality of a sampler against a light field's held-out views, inside the object's mask. Errors are pooled over all
 /// views: the PSNR is that of the mean square error.
 struct LightfieldQuality {
   double psnr = 0.0;  ///< dB, of the premultiplied colours
-  double ssim = 0.0;  ///< mean of the views'
-  /// dB, laid over a bright sky: coverage counts in full, which the premultiplied colours of dark leaves hardly show.
+  double ssim = 0.0;  ///< mean over the views
+  /// dB, composited over a bright sky: the coverage then counts fully, which premultiplied colours of dark leaves
+  /// hardly show.
   double psnrOverSky = 0.0;
-  /// Of tiles amid their neighbours, dB: within a hand's breadth of the border between two, and inside.
+  /// Of tiles among their neighbours, dB: within 0.1 m of the border between two, and inside.
   double seamPsnr = 0.0;
   double insidePsnr = 0.0;
 };

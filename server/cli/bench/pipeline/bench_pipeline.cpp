@@ -36,21 +36,21 @@ namespace {
 using nlohmann::ordered_json;
 
 constexpr double kWarmUpSeconds = 2.0;
-/// More than any machine makes of a scene worth measuring, so that the frame clock is not the limit.
+/// More than any machine reaches with a relevant scene, so that the frame clock is not the limit.
 constexpr int kFramesPerSecond = 240;
 constexpr std::size_t kTimelineEvents = std::size_t{1} << 20U;
 
-/// Everybody walks on a circle of his own.
+/// Each visitor walks in a separate circle.
 world::Input circle(int index, float yaw, double seconds) {
   const double turn = 0.4 * seconds + 1.6 * static_cast<double>(index);
   return {.keys = world::kForward, .yaw = yaw + static_cast<float>(turn)};
 }
 
-/// What was measured with one number of frames in flight.
+/// Measurements with one number of frames in flight.
 struct Row {
   int framesInFlight = 0;
   measure::Window window;
-  std::vector<pipeline::TimelineEvent> events;  ///< those before the window, too
+  std::vector<pipeline::TimelineEvent> events;  ///< including those before the window
   std::vector<measure::FrameSpan> frames;
   std::map<std::string, measure::StageUse> stages;
   double framesPerSecond = 0.0;  ///< of a visitor
@@ -67,7 +67,7 @@ struct Row {
 Row evaluate(int framesInFlight, int users, const measure::Window& window,
              std::vector<pipeline::TimelineEvent> events) {
   Row row{framesInFlight, window, std::move(events), {}, {}, 0.0, 0.0, {}};
-  // Of more runs than are kept, the oldest are gone.
+  // The timeline has dropped the oldest runs.
   if (row.events.size() == kTimelineEvents) {
     row.window.beginNanoseconds = std::max(window.beginNanoseconds, row.events.front().beginNanoseconds);
   }
@@ -78,7 +78,7 @@ Row evaluate(int framesInFlight, int users, const measure::Window& window,
   return row;
 }
 
-/// Nothing if it was stopped before anything was measured.
+/// Returns nothing if it was stopped before it had a measurement.
 std::optional<Row> measureRow(const BenchPipelineOptions& options, int framesInFlight, stream::Host& host,
                               const std::stop_token& stop) {
   const Walkers walkers = makeWalkers(host, options.users, options.size, circle);
@@ -91,7 +91,7 @@ std::optional<Row> measureRow(const BenchPipelineOptions& options, int framesInF
   measure::Window window;
   window.beginNanoseconds = pipeline::wallNanoseconds();
   const node::LinkTraffic before = host.traffic();
-  (void)walkFor(options.seconds);  // what was measured until a signal counts
+  (void)walkFor(options.seconds);  // measurements until a signal count
   window.endNanoseconds = pipeline::wallNanoseconds();
   Row row = evaluate(framesInFlight, options.users, window, host.timeline().events());
   row.traffic = host.traffic() - before;
@@ -164,7 +164,7 @@ void report(const BenchPipelineOptions& options, const world::Scene& scene, cons
   std::printf("%s\n", document.dump(2).c_str());
 }
 
-/// The file that the trace goes to, opened before it costs anything.
+/// The trace's file, opened before the measurement, so that a bad path fails early.
 class TraceFile {
  public:
   explicit TraceFile(const std::string& path) : path_(path), file_(path, std::ios::binary) { check(); }

@@ -9,11 +9,11 @@
 
 namespace grove::cli {
 
-/// `grove bench pipeline`.
+/// Options of `grove bench pipeline`.
 struct BenchPipelineOptions {
   std::vector<int> framesInFlight = {1, 4};  ///< each 1 to node::kMaxFramesInFlight, each once
   int users = 1;
-  double seconds = 5.0;              ///< measured for each number, after a warm-up
+  double seconds = 5.0;              ///< measured for each number of frames in flight, after a warm-up
   std::optional<std::string> scene;  ///< file; default: the grove
   PictureSize size{1280, 720};       ///< of each visitor's picture
   node::TransportKind transport = node::TransportKind::kReference;
@@ -21,10 +21,10 @@ struct BenchPipelineOptions {
   std::optional<std::string> trace;  ///< file to write the measured runs to
 };
 
-/// Serves visitors who walk in circles, without sockets and as fast as the machine can, and prints how many frames each
-/// gets and how busy every stage is, for each number of frames in flight: Figures 4.3 and 4.4 of the paper. A signal
-/// ends it early; what was measured by then is printed. Returns the process's exit code: 0, or 2 with a line on stderr
-/// if an option is out of range. Throws world::SceneError and EnvironmentError.
+/// Serves visitors who walk in circles, without sockets and as fast as the machine can, and prints each visitor's frame
+/// rate and the utilisation of every stage, for each number of frames in flight: Figures 4.3 and 4.4 of the paper. A
+/// signal ends it early; measurements until then are printed. Returns the process's exit code: 0, or 2 with a line on
+/// stderr if an option is out of range. Throws world::SceneError and EnvironmentError.
 int runBenchPipeline(const BenchPipelineOptions& options);
 
 }  // namespace grove::cli

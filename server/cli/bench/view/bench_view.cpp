@@ -19,13 +19,13 @@ void measureInto(ViewReport& report, WalkWorld& world, const world::Walk& walk, 
   const double seconds = options.seconds;
   const PictureSize& size = options.size;
   if (options.stand) {
-    progress.show("drawing what visitors see who stand", 0.0F);
+    progress.show("drawing the view of standing visitors", 0.0F);
     report.standing = measureStandCost(world, walk, options.visitors, seconds, size, stop);
     return;
   }
-  progress.show("drawing a walk, thirty frames a second", 0.0F);
+  progress.show("drawing a walk at 30 frames per second", 0.0F);
   report.paced = measureViewCost(world, walk, seconds, size, Pace::kThirtyASecond, stop);
-  progress.show("drawing it as fast as it goes", 0.0F);
+  progress.show("drawing it as fast as possible", 0.0F);
   report.inLoop = measureViewCost(world, walk, seconds, size, Pace::kOneAfterOther, stop);
   progress.show("comparing it with drawing everything", 0.0F);
   report.quality = measureViewQuality(world, walk, seconds, size, stop);

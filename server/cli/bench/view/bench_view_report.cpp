@@ -19,7 +19,7 @@ Document orNull(std::optional<double> value, int digits) {
   return value ? Document(rounded(*value, digits)) : Document();
 }
 
-/// A member of what may not have been measured.
+/// Returns a member of a measurement that may be missing.
 template <class Measured, class Member>
 std::optional<double> partOf(const std::optional<Measured>& measured, Member member) {
   return measured ? std::optional<double>((*measured).*member) : std::nullopt;
@@ -50,7 +50,7 @@ std::optional<double> layerOf(const std::optional<ViewCost>& cost, const std::st
   return cost->layers.at(name);
 }
 
-/// The dearest first.
+/// Returns the layers, the most expensive first.
 template <class Cost>
 std::vector<std::string> layerNames(const std::optional<Cost>& cost) {
   std::vector<std::string> names;
@@ -83,7 +83,7 @@ std::string viewJson(const ViewReport& report) {
 }
 
 void printView(const ViewReport& report) {
-  std::printf("%s, %s: CPU of a frame that is one visitor's own, ms\n", report.walk.c_str(),
+  std::printf("%s, %s: CPU of one visitor's own work per frame, ms\n", report.walk.c_str(),
               nameOf(report.size).c_str());
   std::printf("%-20s %10s %10s\n", "", "30 fps", "in a loop");
   for (const std::string& name : layerNames(report.paced)) {
@@ -119,7 +119,7 @@ std::string standJson(const ViewReport& report) {
 
 void printStand(const ViewReport& report) {
   if (const auto& cost = report.standing) {
-    std::printf("%s, %s: CPU of a frame of each of %d who stand where it begins, ms\n", report.walk.c_str(),
+    std::printf("%s, %s: CPU per frame of each of %d visitors who stand where it begins, ms\n", report.walk.c_str(),
                 nameOf(report.size).c_str(), cost->visitors);
     for (const std::string& name : layerNames(cost)) std::printf("%-20s %10.3f\n", name.c_str(), cost->layers.at(name));
     std::printf("%-20s %10.3f\n", "the whole process", cost->milliseconds);

@@ -12,24 +12,24 @@
 
 namespace grove::cli {
 
-/// What `grove bench view` has measured, as far as it came.
+/// Measurements of `grove bench view`; those that were not reached are empty.
 struct ViewReport {
   std::string walk;
   PictureSize size;
-  std::optional<ViewCost> paced;  ///< at thirty frames a second
+  std::optional<ViewCost> paced;  ///< at 30 frames per second
   std::optional<ViewCost> inLoop;
   std::optional<ViewQuality> quality;
-  std::optional<std::int64_t> bytes;  ///< that a frame touches
-  std::optional<StandCost> standing;  ///< instead of all these
+  std::optional<std::int64_t> bytes;  ///< touched by a frame
+  std::optional<StandCost> standing;  ///< of standing visitors, instead of all above
   bool interrupted = false;
 };
 
-/// One document; null is what was not measured.
+/// Returns one JSON document; missing measurements are null.
 [[nodiscard]] std::string viewJson(const ViewReport& report);
-/// A table on stdout.
+/// Prints a table to stdout.
 void printView(const ViewReport& report);
 
-/// The same of visitors who stand.
+/// The same for standing visitors.
 [[nodiscard]] std::string standJson(const ViewReport& report);
 void printStand(const ViewReport& report);
 

@@ -7,7 +7,7 @@
 
 namespace grove::cli {
 
-/// JPEG in the quality that visitors get if nobody asks for another.
+/// JPEG in the default quality of visitors.
 [[nodiscard]] inline std::unique_ptr<stream::Encoder> jpegOfVisitors() {
   return std::make_unique<stream::JpegEncoder>(stream::HostOptions().jpegQuality);
 }

@@ -12,7 +12,7 @@
 namespace grove::cli {
 namespace {
 
-/// Turns before the measured ones: until every visitor has the pictures that he is to have.
+/// Warm-up turns, until every visitor has all backdrops.
 constexpr int kWarmUpTurns = 30;
 
 void riseAndRest(WalkWorld& world, const world::Walk& walk, const std::stop_token& stop) {

@@ -9,7 +9,7 @@ namespace grove::cli {
 
 std::optional<ViewCost> measureViewCost(WalkWorld& world, const world::Walk& walk, double seconds,
                                         const PictureSize& size, Pace pace, const std::stop_token& stop) {
-  // A frame's last runs may end after it has come.
+  // A frame's last runs may end after its arrival.
   const auto read = [&world] {
     world.workers().drain();
     return measure::Reading::of(world.timeline());

@@ -11,13 +11,12 @@
 
 namespace grove::cli {
 
-/// What the frames of one visitor cost.
+/// Cost of one visitor's frames.
 struct ViewCost {
   int frames = 0;
-  /// CPU of a frame, of the work that is done for him alone (c_b and c_f, and JPEG): what all visitors share is not in
-  /// it.
+  /// CPU per frame of the visitor's own work (c_b, c_f and JPEG), without shared work.
   double milliseconds = 0.0;
-  std::map<std::string, double> layers;  ///< of that, see layersOf()
+  std::map<std::string, double> layers;  ///< parts of it, see layersOf()
 };
 
 /// Draws the walk's frames and encodes them as JPEG. After a stop request, returns the cost of the frames drawn so far;

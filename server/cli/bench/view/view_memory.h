@@ -10,9 +10,9 @@
 
 namespace grove::cli {
 
-/// Bytes of memory that drawing and encoding one frame touches, an upper bound in whole pages, see
-/// measure::touchedBytes(): the median of some frames that are spread over the walk. Simulations are at rest meanwhile.
-/// Nothing where the kernel cannot tell, or if it is to stop.
+/// Returns the bytes of memory that drawing and encoding one frame touches, an upper bound in whole pages, see
+/// measure::touchedBytes(): the median of some frames spread over the walk, with simulations at rest. Returns nothing
+/// if the kernel cannot report it, or after a stop request.
 [[nodiscard]] std::optional<std::int64_t> measureViewMemory(WalkWorld& world, const world::Walk& walk, double seconds,
                                                             const PictureSize& size, const std::stop_token& stop);
 

@@ -11,7 +11,7 @@
 namespace grove::cli {
 namespace {
 
-/// Of who draws everything in every frame.
+/// The policy of a visitor for whom everything is drawn in every frame.
 node::FramePolicy referencePolicy() {
   node::FramePolicy policy = walkPolicy();
   policy.backdrops = false;

@@ -9,7 +9,7 @@
 
 namespace grove::cli {
 
-/// How a visitor's frames compare with frames of which everything is drawn.
+/// Compares a visitor's frames with frames in which everything is drawn.
 struct ViewQuality {
   double meanDecibels = 0.0;   ///< PSNR of the mean square error over all frames
   double worstDecibels = 0.0;  ///< PSNR of the worst frame
@@ -17,8 +17,8 @@ struct ViewQuality {
   double flickerReference = 0.0;
 };
 
-/// Two draw each frame of the walk at the same time, of the same moment. What moves between the two, such as smoke
-/// whose next state arrives, is noise of the measure. Nothing if it is to stop before the first frame.
+/// Two visitors draw each frame of the walk at the same moment. What changes between the two, such as smoke whose next
+/// state arrives, is noise of the measurement. Returns nothing if it is stopped before the first frame.
 [[nodiscard]] std::optional<ViewQuality> measureViewQuality(WalkWorld& world, const world::Walk& walk, double seconds,
                                                             const PictureSize& size, const std::stop_token& stop);
 

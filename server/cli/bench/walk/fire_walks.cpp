@@ -12,7 +12,7 @@ namespace {
 using world::Pose;
 using world::Vec3;
 
-/// Metres from the fire of one who stands before it, and of one who walks around it.
+/// Metres from the fire, for standing and for walking around it.
 constexpr float kStandingDistance = 5.0F;
 constexpr float kWalkingDistance = 7.0F;
 

@@ -5,12 +5,12 @@
 
 namespace grove::cli {
 
-/// Around the fire at a walk, looking about: at the fire, ahead, and over to the trees. What benches walk that are
-/// given no file; its name is kRoundWalkName.
+/// A walk around the fire, with views of the fire, ahead, and of the trees: the default walk of benches, named
+/// kRoundWalkName.
 [[nodiscard]] world::Walk roundWalk(const world::Layout& layout);
 inline constexpr const char* kRoundWalkName = "around the fire";
 
-/// Before the fire, without a step.
+/// Stands still in front of the fire.
 [[nodiscard]] world::Walk standingWalk(const world::Layout& layout);
 
 }  // namespace grove::cli

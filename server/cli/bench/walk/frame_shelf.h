@@ -14,8 +14,8 @@
 
 namespace grove::cli {
 
-/// Stands where a visitor's encoder would: the newest frame waits for whoever asked for it. Encodes it first if it is
-/// given something to do so, always with the encoder's usual quantiser; a stream would be led.
+/// Replaces a visitor's encode stage: keeps the newest frame for take(). Encodes it first if it has an encoder, always
+/// with the encoder's usual quantiser, without rate control.
 class FrameShelf final : public pipeline::Stage<node::FinishedFrame> {
  public:
   /// `encoder` may be null.

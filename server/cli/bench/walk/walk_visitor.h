@@ -11,11 +11,11 @@
 
 namespace grove::cli {
 
-/// How frames are made for who would rather wait than leave anything out: two at once, as the one before may still be
-/// ending when the next begins.
+/// Policy for complete frames, however long they take; two in flight, because the previous frame may still be ending
+/// when the next begins.
 [[nodiscard]] node::FramePolicy walkPolicy();
 
-/// One who sees what a WalkWorld shows, one frame at a time. The world outlives him. One thread, that of the world.
+/// A visitor of a WalkWorld, who sees one frame at a time. The world outlives this. On the world's thread.
 class WalkVisitor {
  public:
   struct Terms {
@@ -23,14 +23,14 @@ class WalkVisitor {
     PictureSize size;
     node::FramePolicy policy = walkPolicy();
   };
-  /// Without an encoder, his frames are not encoded.
+  /// Without an encoder, frames are not encoded.
   WalkVisitor(WalkWorld& world, const Terms& terms, std::unique_ptr<stream::Encoder> encoder = nullptr);
-  /// Waits for what is still in progress.
+  /// Waits for runs in progress.
   ~WalkVisitor();
   WalkVisitor(const WalkVisitor&) = delete;
   WalkVisitor& operator=(const WalkVisitor&) = delete;
 
-  /// A frame of this moment. To be followed by take().
+  /// Begins a frame of this moment. Call take() next.
   void begin(const Moment& moment);
   /// Waits for the frame. Throws EnvironmentError if it does not come within a minute.
   [[nodiscard]] node::FinishedFrame take();
@@ -46,7 +46,7 @@ class WalkVisitor {
   WalkWorld& world_;
   const node::SessionId session_;
   const PictureSize size_;
-  Moment moment_;  ///< set between two frames only: there is never one in progress then
+  Moment moment_;  ///< set only between two frames, when none is in progress
   const std::shared_ptr<FrameShelf> shelf_;
   node::FrontendNode node_;
 };

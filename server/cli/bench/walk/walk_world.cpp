@@ -12,10 +12,10 @@ namespace grove::cli {
 namespace {
 
 constexpr node::ProcessId kProcess = 1;
-/// Until smoke has risen and the first views of plants are there.
+/// Until smoke has risen and the first views of plants are made.
 constexpr double kSmokeRisesSeconds = 6.0;
 constexpr double kFurtherWarmUpSeconds = 1.0;
-/// A simulation goes on for two seconds when nobody is there any more.
+/// A simulation continues for two seconds after the last visitor.
 constexpr auto kUntilRest = std::chrono::milliseconds(2500);
 
 int workerCount() { return static_cast<int>(std::max(1U, std::thread::hardware_concurrency())); }
@@ -24,7 +24,7 @@ void sleepUntil(double time) {
   std::this_thread::sleep_for(std::chrono::duration<double>(time - pipeline::wallSeconds()));
 }
 
-/// Simulations tick while somebody is in the world.
+/// Keeps a visitor in the world, so that simulations tick.
 class Presence {
  public:
   Presence(world::Players& players, stream::WorldInstance& instance)
@@ -67,7 +67,7 @@ void WalkWorld::walk(const world::Walk& walk, double seconds, Pace pace, const L
   const auto count = static_cast<int>(seconds * kWalkFramesPerSecond);
   for (int i = -warmUpFrames; i < count && !stop.stop_requested(); ++i) {
     const double time = i / kWalkFramesPerSecond;
-    // A warm-up is over in its time, however few frames come of it.
+    // A warm-up ends on time, however few frames it had.
     if (i < 0 && pipeline::wallSeconds() > begin) continue;
     if (i < 0 || pace == Pace::kThirtyASecond) sleepUntil(begin + time);
     instance_.publishIfDue(pipeline::wallSeconds());

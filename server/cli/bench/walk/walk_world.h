@@ -24,41 +24,41 @@ namespace grove::cli {
 
 inline constexpr double kWalkFramesPerSecond = 30.0;
 
-/// What all who look at the same time from the same place see.
+/// Pose, time and lights that determine a frame.
 struct Moment {
   world::Pose pose;
   double time = 0.0;  ///< seconds of the world's clock
   std::vector<world::PointLight> lights;
 };
 
-/// How a walk's frames follow one another.
+/// Timing of a walk's frames.
 enum class Pace : std::uint8_t {
-  kThirtyASecond,  ///< one is begun each thirtieth of a second, or later where the one before takes longer
-  kOneAfterOther,  ///< as fast as they are made
+  kThirtyASecond,  ///< one begins every 1/30 s, or later if the previous one takes longer
+  kOneAfterOther,  ///< as fast as possible
 };
 
-/// The world that a bench walks through: the pipeline that serves, without a host and sessions. Its visitors are
-/// WalkVisitors. One thread, not one of the executors'.
+/// The world of a bench's walk: the pipeline of a server, without host and sessions. Its visitors are WalkVisitors. One
+/// thread, not one of the executors'.
 class WalkWorld {
  public:
-  /// Prepares the world, which may take seconds; throws what backends throw. The types outlive it.
+  /// Prepares the world, which may take seconds; throws what backends throw. The types outlive this.
   WalkWorld(node::LoadedScene scene, const node::ObjectTypes& types, gl::Workers& gl,
             const std::function<void(std::string_view, float)>& progress);
 
-  /// Is called with the moment that a frame shows.
+  /// Draws the frame of a moment.
   using Look = std::function<void(const Moment&)>;
 
-  /// Lets `warmUp` look and then `look`, once for each frame of the walk, there and back again: so many frames as make
-  /// `seconds` at thirty a second, whatever the pace. The warm-up is a second at the walk's beginning, and the first
-  /// one as long as smoke takes to rise. Simulations tick meanwhile. Between two frames smoke moves as far as it does
-  /// for visitors, if they come in time; where a frame takes longer, farther. If it is to stop, returns early.
+  /// Calls `warmUp` and then `look` once for each frame of the walk, back and forth: as many frames as `seconds` has at
+  /// 30 per second, whatever the pace. The warm-up takes a second at the walk's begin, and the first one until smoke
+  /// has risen. Simulations tick meanwhile. Between two frames smoke advances as for visitors if frames are on time,
+  /// and farther if a frame takes longer. Returns early after a stop request.
   void walk(const world::Walk& walk, double seconds, Pace pace, const Look& warmUp, const Look& look,
             const std::stop_token& stop);
 
-  /// Waits until simulations are at rest, as they are while nobody walks.
+  /// Waits until simulations are at rest, as in a world without visitors.
   static void awaitRest();
 
-  /// Now, seen from there.
+  /// Returns the current moment, seen from this pose.
   [[nodiscard]] Moment momentAt(const world::Pose& pose);
 
   [[nodiscard]] stream::WorldInstance& instance() noexcept { return instance_; }

@@ -22,8 +22,8 @@ constexpr float kMinDepth = 1.0e-3F;
 /// which keeps the silhouette straight. The error falls on the background, where pixels are missing anyway.
 constexpr float kSilhouette = 0.02F;
 
-/// Variance of the nearness within a cell where it changes linearly from the cell before to the cell after: that is not
-/// an error, for a warp stretches a cell between its corners.
+/// Variance of the nearness within a cell where it changes linearly from one neighbour cell to the other. This is no
+/// error, because a warp stretches a cell between its corners.
 float varianceOfRamp(float before, float after) {
   constexpr float kSide = Backdrop::kCell;
   if (std::abs(after - before) > kSilhouette) return 0.0F;

@@ -14,15 +14,14 @@ namespace grove::node {
 
 struct WarpCamera;
 
-/// Depths of a backdrop, measured band by band while it is composited. Several threads may measure different bands at
-/// once.
+/// Depths of a backdrop, measured band by band during compositing. Several threads may measure different bands at once.
 class BackdropDepths {
  public:
-  /// Of a backdrop of this area, which consists of whole cells.
+  /// For a backdrop of this area, which consists of whole cells.
   explicit BackdropDepths(const world::Rect& area);
-  /// A part of the area of whole cells.
+  /// Measures a part of the area that consists of whole cells.
   void measure(const raster::Image& part);
-  /// Takes over those of a part of whole cells that both areas have.
+  /// Copies a part of whole cells that both areas contain.
   void copy(const BackdropDepths& from, const world::Rect& part);
 
   [[nodiscard]] const std::vector<CellDepths>& cells() const noexcept { return cells_; }
@@ -38,14 +37,14 @@ class BackdropDepths {
   std::vector<SquareNearness> squares_;
 };
 
-/// What a visitor saw of all still objects in one frame: colours, and depths by cells and squares, with a border beyond
-/// the frame where his head turns to. BackdropWarp shows it from nearby eyes. Immutable, any thread.
+/// All still objects as a visitor saw them in one frame: colours, and depths by cells and squares, with a border beyond
+/// the frame on the side to which the head turns. BackdropWarp shows it from nearby eyes. Immutable, any thread.
 class Backdrop {
  public:
   struct Origin {
-    std::shared_ptr<const View> view;  ///< whose eye has drawn it
-    FrameNumber frame = 0;             ///< that has drawn or extended it
-    bool isFinal = true;               ///< nothing better is under way of what it shows
+    std::shared_ptr<const View> view;  ///< from whose eye it was drawn
+    FrameNumber frame = 0;             ///< that drew or extended it
+    bool isFinal = true;               ///< no better version of its objects is in progress
   };
   /// `image` is in pixels of the view's camera and may reach beyond its frame.
   Backdrop(std::shared_ptr<const raster::SemiPlanarImage> image, BackdropDepths depths, Origin origin);
@@ -64,11 +63,11 @@ class Backdrop {
   /// Largest 1 / depth; 0 if everything is infinitely far.
   [[nodiscard]] float nearest() const noexcept { return nearest_; }
 
-  /// Error of a warp, root mean square over the image. Each block counts with a limited error: what is more wrong than
-  /// that looks no worse, so a leaf before the eye does not decide for the whole picture.
+  /// Error of a warp, root mean square over the image. Each block's error is limited: beyond that limit it looks no
+  /// worse, so a leaf before the eye does not decide for the whole picture.
   struct Error {
-    float shift = 0.0F;  ///< pixels: a cell moves as a whole though its pixels differ in depth
-    float zoom = 0.0F;   ///< octaves by which the nearest of a block is shown too large or too small
+    float shift = 0.0F;  ///< pixels: a cell moves as a whole although its pixels differ in depth
+    float zoom = 0.0F;   ///< octaves by which the nearest surface of a block is shown too large or too small
   };
   [[nodiscard]] Error errorOf(const WarpCamera& warp) const;
 
@@ -79,7 +78,7 @@ class Backdrop {
     float covered = 0.0F;  ///< pixels that have a depth
     float mean = 0.0F;     ///< 1 / depth, of covered pixels
     float nearest = 0.0F;  ///< largest 1 / depth
-    float squares = 0.0F;  ///< sum over its pixels of the squared difference from the nearness they are warped by
+    float squares = 0.0F;  ///< sum over its pixels of the squared difference from the nearness of their cell
   };
   [[nodiscard]] const std::vector<Block>& blocks() const noexcept { return blocks_; }
 

@@ -11,10 +11,10 @@
 namespace grove::node {
 namespace {
 
-/// Border beyond what is expected to be seen: a share of that, and pixels.
+/// Border beyond the expected area: a share of that, and pixels.
 constexpr float kSpareShare = 1.15F;
 constexpr int kSpare = 2;
-/// Pixels of an area, in multiples of the frame's: of one that is drawn, and of one that is extended.
+/// Pixels of an area in multiples of the frame's: if it is drawn, and if it is extended.
 constexpr float kMaxDrawn = 1.3F;
 constexpr float kMaxExtended = 2.0F;
 
@@ -24,11 +24,11 @@ constexpr float kFarOut = 1.0e6F;
 /// Pixels that rounding may add to an edge.
 constexpr float kRoundingError = 0.02F;
 
-/// Grows towards larger magnitudes, for areas have even edges.
+/// Rounds away from zero to an even number, because areas have even edges.
 int evenUp(float value) { return 2 * static_cast<int>(std::ceil(0.5F * (value - kRoundingError))); }
 int evenDown(float value) { return 2 * static_cast<int>(std::floor(0.5F * (value + kRoundingError))); }
 
-/// What is seen now and a border on the sides where more is seen later.
+/// The part that is visible now, and a border on the sides where more becomes visible later.
 world::Rect withBorder(const world::Rect& seen, const world::Rect& later) {
   const auto border = [](int beyond) {
     return beyond > 0 ? static_cast<int>(std::ceil(kSpareShare * static_cast<float>(beyond))) + kSpare : 0;

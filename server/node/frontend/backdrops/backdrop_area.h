@@ -11,8 +11,8 @@ namespace grove::node {
 /// `nearest` metres away. Empty if the frame looks elsewhere.
 [[nodiscard]] world::Rect seenPart(const world::Camera& backdrop, const world::Camera& frame, float nearest);
 
-/// Area of a backdrop of `camera`: what the frame sees of it, with a border for what is seen `later`. Nothing if that
-/// costs too much to draw.
+/// Area of a backdrop of `camera`: the part that the frame sees, with a border for the part that is seen `later`. Empty
+/// if drawing it costs too much.
 [[nodiscard]] std::optional<world::Rect> areaWithBorder(const world::Rect& seen, const world::Rect& later,
                                                         const world::Camera& camera);
 
@@ -28,7 +28,7 @@ namespace grove::node {
 [[nodiscard]] std::optional<world::Rect> extendedArea(const world::Rect& area, const world::Rect& seen,
                                                       const world::Rect& later, const world::Camera& camera);
 
-/// What an area has beyond another: rectangles that do not overlap, none of them empty.
+/// Returns the parts of an area outside of another: rectangles without overlap, none of them empty.
 [[nodiscard]] std::vector<world::Rect> partsBeyond(const world::Rect& area, const world::Rect& other);
 
 }  // namespace grove::node

@@ -19,7 +19,7 @@ constexpr int kSide = 8;
 /// Anything at or beyond this depth counts as infinitely far.
 constexpr float kFarthestDepth = 1.0e29F;
 
-/// Sums of columns of pixels, which are added up by cell when all rows are in.
+/// Sums of columns of pixels, which are added by cell after the last row.
 struct ColumnSums {
   static constexpr int kColumns = 256;
   float count[kColumns];

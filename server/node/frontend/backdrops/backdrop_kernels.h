@@ -7,7 +7,7 @@
 
 namespace grove::node {
 
-/// Of the pixels of one cell that have a depth, i.e. all but the sky.
+/// Sums over the pixels of one cell that have a depth, i.e. all but the sky.
 struct CellDepths {
   float count;
   float nearness;  ///< sum of 1 / depth
@@ -37,7 +37,7 @@ inline constexpr int kCellGroup = 4;
 /// At least kWarpCells + 1, rounded up to whole vectors.
 inline constexpr int kCorners = 48;
 
-/// Where a line of corners of the frame's cells lies in the backdrop's image.
+/// Positions in the backdrop's image of a line of corners of the frame's cells.
 struct alignas(64) CornerLine {
   float x[kCorners];  ///< pixels from the image's left
   float y[kCorners];
@@ -45,7 +45,7 @@ struct alignas(64) CornerLine {
   float perForward[kCorners];  ///< 1 / k2, see WarpCamera; 0 where the backdrop's camera cannot see
 };
 
-/// A backdrop's depths as the search for corners reads them.
+/// A backdrop's depths in the form that the search for corners reads.
 struct CornerSearch {
   WarpCamera warp;
   world::Vec2 origin;     ///< left and top of the image, in pixels of its camera
@@ -54,11 +54,11 @@ struct CornerSearch {
   int down;
 };
 
-/// Kernel: finds a line of corners, one every eight pixels from `left` on. Starts from the nearness that each corner
-/// has in `corners` and repeats `steps` times: look where it lies with that nearness, take the nearness there.
+/// Kernel: finds a line of corners, one every eight pixels from `left` on. Starts with each corner's nearness in
+/// `corners` and repeats `steps` times: computes the position with that nearness, and reads the nearness there.
 void findCorners(const CornerSearch& search, int left, int line, int steps, CornerLine& corners);
 
-/// A backdrop's picture as a warp reads it: planes as in raster::SemiPlanarImage, at least 16 x 6 pixels.
+/// A backdrop's picture in the form that a warp reads: planes as in raster::SemiPlanarImage, at least 16 x 6 pixels.
 struct WarpSource {
   const std::uint8_t* y;
   const std::uint8_t* uv;
@@ -68,7 +68,7 @@ struct WarpSource {
   float m2;  ///< of the WarpCamera
 };
 
-/// Where a row of cells is written to: eight rows of luma, four of chroma.
+/// Destination of a row of cells: eight rows of luma, four of chroma.
 struct WarpedPixels {
   std::uint8_t* y;
   std::uint8_t* u;
@@ -76,12 +76,12 @@ struct WarpedPixels {
   std::ptrdiff_t stride;  ///< of luma; even
 };
 
-/// Kernel: warps the colours of `count` cells, whole groups of them, between two lines of corners, bilinear. Without
-/// motion they are those of the backdrop.
+/// Kernel: warps the colours of `count` cells, which are whole groups, between two lines of corners, bilinearly.
+/// Without motion, copies the colours of the backdrop.
 void warpCells(const WarpSource& source, const CornerLine& above, const CornerLine& below, int count,
                const WarpedPixels& out);
 
-/// Kernel: the depths of these cells, by squares of 2 x 2 pixels; eight rows that are `stride` apart.
+/// Kernel: warps the depths of these cells, by squares of 2 x 2 pixels; eight rows that are `stride` apart.
 void warpDepths(const WarpSource& source, const CornerLine& above, const CornerLine& below, int count, float* depth,
                 std::ptrdiff_t stride);
 

@@ -17,36 +17,35 @@
 namespace grove::node {
 namespace {
 
-/// Frames that a border is drawn for: the first that is not too wide.
+/// Frames for which a border is drawn: the first value whose border is not too wide.
 constexpr std::array<float, 2> kFramesAhead{2.0F, 1.0F};
-/// Metres, while there is time, and down to 0 at the largest error factor. Still objects nearer than this are drawn in
-/// every frame: they hide and reveal much of what is behind them.
+/// Metres; decreases to 0 at the largest error factor. Nearer still objects are drawn in every frame, because they hide
+/// and reveal much of the background.
 constexpr float kMinDistance = 2.0F;
-/// Metres. The border holds what is at least so far away.
+/// Metres. The border contains everything at this distance or beyond.
 constexpr float kNearestInBorder = 3.0F;
-/// Pixels at the frame's edges, times the error factor, that the backdrop may lack while the eye moves; its outermost
-/// pixels are repeated there, which whoever stands still would see.
+/// Pixels at the frame's edges, times the error factor, that may be missing while the eye moves. The outermost pixels
+/// are repeated there, which is visible when the eye stands still.
 constexpr float kMaxLacking = 8.0F;
-/// Seconds that a backdrop serves whatever its error, per error factor beyond 1: amid leaves each frame of a busy
-/// machine would draw one otherwise.
+/// Seconds for which a backdrop serves whatever its error, per error factor beyond 1. Otherwise each frame of a busy
+/// machine would draw a new one amid leaves.
 constexpr float kMinSeconds = 0.1F;
-/// Share of those seconds, and of the permitted error, that the eye of a backdrop is ahead of the visitor's.
+/// Shares of those seconds, and of the permitted error, by which a backdrop's eye is ahead of the visitor's.
 constexpr float kLeadShare = 0.4F;
 constexpr float kLeadError = 0.7F;
-/// Metres. Who is behind the eye of a backdrop sees more at its edges: the border grows with the lead.
+/// Metres. An eye behind the backdrop's eye sees more at the edges, so the border grows with the lead.
 constexpr float kMaxLead = 0.4F;
 /// In multiples of the permitted error.
 constexpr float kMinError = 1.0e-3F;
-/// Share of the permitted error up to which a backdrop is extended; one that is more wrong is drawn anew soon.
+/// Share of the permitted error up to which a backdrop is extended; above, it will soon be drawn anew.
 constexpr float kMaxExtendedError = 0.7F;
-/// Seconds. Data that gets finer shows with this delay to a visitor who stands still: what was under way when the
-/// backdrop was drawn, and what was begun since.
+/// Seconds. A visitor who stands still sees finer data with this delay.
 constexpr double kMaxAge = 0.5;
 constexpr double kMaxFinalAge = 3.0;
-/// Frames that draw everything after a backdrop that no other frame could show, while there is time.
+/// Frames that draw everything after a backdrop that no other frame could show, unless the machine is busy.
 constexpr int kPauseFrames = 2;
 
-/// The same camera with so many pixels more on each side.
+/// The same camera with more pixels on each side.
 world::Camera withMargin(world::Camera camera, int across, int down) {
   const int height = camera.height + 2 * down;
   const float growth = static_cast<float>(height) / static_cast<float>(camera.height);
@@ -125,7 +124,7 @@ std::shared_ptr<const FrameList> BackdropPlanner::listToDraw(const FrameList& se
   }
   std::ranges::copy_if(seen.objects, std::back_inserter(list->objects),
                        [&](const VisibleObject& object) { return !drawn.contains(object.object.id); });
-  // Back to front: the farthest are left out.
+  // Back to front: skips the farthest.
   const std::size_t tooMany = list->objects.size() - std::min(list->objects.size(), kMaxObjectsPerFrame);
   list->objects.erase(list->objects.begin(), list->objects.begin() + static_cast<std::ptrdiff_t>(tooMany));
   return list;
@@ -170,7 +169,7 @@ std::shared_ptr<const FrameList> BackdropPlanner::listToExtend(const FrameList& 
 std::vector<VisibleObject> BackdropPlanner::objectsBeyond(const FrameList& list) const {
   std::vector<VisibleObject> objects;
   for (VisibleObject& object : objectsAround(*list.eye, list.area)) {
-    // What was drawn in every frame so far still is, for the backdrop lacks it.
+    // Objects that were drawn in every frame so far still are, because the backdrop lacks them.
     const bool isHeld = held_.contains(object.object.id) || world::overlap(object.rect, last_->area).empty();
     if (!isHeld || !isStill(object, list.eye->camera.pose.position)) continue;
     object.still = true;
@@ -198,7 +197,7 @@ bool BackdropPlanner::serves(const View& view) const {
   const bool isDrawn = backdrop && backdrop->origin().frame == last_->view->frame;
   const double maxAge = isDrawn && backdrop->origin().isFinal ? kMaxFinalAge : kMaxAge;
   if (!(age >= 0.0 && age <= maxAge) || !isSameSize(eye.camera, view.camera)) return false;
-  // One that is still being drawn has no known error: it serves the next frame only.
+  // A backdrop in progress has no known error: it serves the next frame only.
   if (!isDrawn) return view.frame == last_->view->frame + 1;
   if (age < minSeconds()) return true;
   return warpError(*backdrop, view.camera) <= errorFactor_ && lightError(*backdrop, view.lights) <= errorFactor_;

@@ -12,22 +12,22 @@
 
 namespace grove::node {
 
-/// Decides for each frame of a visitor whether the still objects are drawn, as a backdrop for the frames to come, or
-/// shown by the last backdrop. Where the head turns beyond its border, only what is missing is drawn, by the eye that
-/// the backdrop was drawn from. Objects that move or are near the eye are drawn in every frame. One thread at a time.
+/// Decides for each frame of a visitor whether the still objects are drawn, as a backdrop for the next frames, or shown
+/// by the last backdrop. When the head turns beyond the border, only the missing part is drawn, from the eye of the
+/// backdrop. Objects that move or are near the eye are drawn in every frame. One thread at a time.
 class BackdropPlanner {
  public:
-  /// What permitted errors are multiplied by at present, see errorFactor().
+  /// Returns the current factor for permitted errors, see errorFactor().
   using ErrorFactor = std::function<float()>;
 
   /// `layout` outlives it.
   BackdropPlanner(const world::Layout& layout, std::shared_ptr<VisitorHalves> halves,
                   std::shared_ptr<BackdropStore> backdrops, ErrorFactor errorFactor);
 
-  /// The list of what a frame draws, from the list of what it sees.
+  /// Returns the list that a frame draws, from the list of the objects that it sees.
   [[nodiscard]] std::shared_ptr<const FrameList> plan(std::shared_ptr<const FrameList> seen);
 
-  /// A frame is never composited: if it was to draw a backdrop, the next frame does.
+  /// A frame is never composited: if it was to draw a backdrop, the next frame draws one.
   void drop(FrameNumber frame);
 
  private:
@@ -35,23 +35,23 @@ class BackdropPlanner {
   [[nodiscard]] std::shared_ptr<const FrameList> listToDraw(const FrameList& seen) const;
   /// Null if the last backdrop is not drawn yet, or if it would not serve for long.
   [[nodiscard]] std::shared_ptr<const FrameList> listToExtend(const FrameList& seen) const;
-  /// Whether the last backdrop can show what a view sees of it.
+  /// Whether the last backdrop can show the part that a view sees of it.
   [[nodiscard]] bool serves(const View& view) const;
-  /// Whether its area is all that a camera sees.
+  /// Whether its area contains everything that a camera sees.
   [[nodiscard]] bool reaches(const world::Camera& camera) const;
-  /// Way, in metres, from a frame's eye to the eye that its backdrop is drawn from. On a busy machine that is ahead of
-  /// a moving visitor, so that the backdrop serves before and after he passes there.
+  /// Vector, in metres, from a frame's eye to the eye of its backdrop. On a busy machine the backdrop is drawn ahead of
+  /// a moving visitor, so that it serves before and after the visitor passes there.
   [[nodiscard]] world::Vec3 lead() const;
   [[nodiscard]] std::shared_ptr<const View> withBackdropPose(const std::shared_ptr<const View>& view) const;
-  /// Seconds that a backdrop serves whatever its error.
+  /// Seconds for which a backdrop serves whatever its error.
   [[nodiscard]] float minSeconds() const;
   /// Area of a backdrop with the camera `eye` that the frame of `camera` draws.
   [[nodiscard]] world::Rect areaFor(const world::Camera& eye, const world::Camera& camera) const;
-  /// Those in a backdrop's area, with their boxes in it, which may reach beyond it.
+  /// Objects in a backdrop's area, with their boxes in it, which may extend beyond it.
   [[nodiscard]] std::vector<VisibleObject> objectsAround(const View& eye, const world::Rect& area) const;
   /// Still objects in each of the parts that a list draws to extend the last backdrop.
   [[nodiscard]] std::vector<VisibleObject> objectsBeyond(const FrameList& list) const;
-  /// It draws the newest backdrop.
+  /// Makes the list's backdrop the newest.
   void adopt(std::shared_ptr<const FrameList> list);
   [[nodiscard]] bool isStill(const VisibleObject& object, world::Vec3 eye) const;
 

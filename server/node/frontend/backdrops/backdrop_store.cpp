@@ -10,7 +10,7 @@ std::shared_ptr<const Backdrop> BackdropStore::newest() const {
 }
 
 void BackdropStore::put(std::shared_ptr<const Backdrop> backdrop) {
-  // The memory of the former one is freed after the lock.
+  // The previous backdrop's memory is freed after the lock.
   const std::lock_guard lock(mutex_);
   std::swap(newest_, backdrop);
 }

@@ -7,7 +7,7 @@
 
 namespace grove::node {
 
-/// A visitor's newest backdrop: the Compositor draws it, the BackdropPlanner judges it. Any thread.
+/// A visitor's newest backdrop: the Compositor draws it, the BackdropPlanner evaluates it. Any thread.
 class BackdropStore {
  public:
   /// Null before the first.

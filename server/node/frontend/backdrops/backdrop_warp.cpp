@@ -16,7 +16,8 @@ static_assert(FreshParts::kStripWidth == kWarpPixels && FreshParts::kStripHeight
 constexpr int kSteps = 1;
 constexpr int kFirstSteps = 4;
 
-/// Prefetches the samples that the first cells of a column read, below a line of corners. Those below prefetch theirs.
+/// Prefetches the samples that the first cells of a column read, below a line of corners. Later cells prefetch their
+/// own.
 void prefetchToRead(const WarpSource& source, const CornerLine& corners, int pixels) {
   constexpr int kLine = 64;
   const auto fetch = [&](const std::uint8_t* plane, int height, float x, float y, int lines) {

@@ -7,9 +7,9 @@
 
 namespace grove::node {
 
-/// Shows a backdrop in a frame. Corners of cells of 8 x 8 pixels look up where they lie in the backdrop by its depth,
-/// and the pixels between them are interpolated; see Backdrop::errorOf() for the error. Used for one frame; several
-/// threads may fill different rows at once.
+/// Shows a backdrop in a frame. Corners of cells of 8 x 8 pixels find their positions in the backdrop by its depth;
+/// pixels between them are interpolated. See Backdrop::errorOf() for the error. Used for one frame; several threads may
+/// fill different rows at once.
 class BackdropWarp {
  public:
   /// The backdrop outlives it.
@@ -32,7 +32,7 @@ class BackdropWarp {
   const CornerSearch search_;
   const WarpSource source_;
   const world::Rect frame_;
-  const bool isCopy_;  ///< its eye is where the frame's is
+  const bool isCopy_;  ///< the backdrop's eye equals the frame's
 };
 
 }  // namespace grove::node

@@ -7,7 +7,7 @@
 namespace grove::node {
 namespace {
 
-/// Seconds between frames beyond which the one says nothing about the next.
+/// Seconds. Frames farther apart do not predict each other.
 constexpr double kPause = 0.5;
 /// Metres a second; faster is a teleport.
 constexpr float kFastest = 20.0F;

@@ -4,13 +4,13 @@
 
 namespace grove::node {
 
-/// How a visitor's eye moves and turns, estimated from his last frames. One thread at a time.
+/// Motion and rotation of a visitor's eye, estimated from the last frames. One thread at a time.
 class EyeMotion {
  public:
-  /// A frame is seen from here at `time`, seconds of the world's clock.
+  /// Adds a frame's camera at `time`, seconds of the world's clock.
   void see(const world::Camera& camera, double time);
 
-  /// Whether the newest frame is seen from where the one before was.
+  /// Whether the newest frame has the same eye as the one before.
   [[nodiscard]] bool isAtRest() const noexcept { return isAtRest_; }
 
   [[nodiscard]] float secondsPerFrame() const noexcept { return secondsPerFrame_; }
@@ -18,7 +18,7 @@ class EyeMotion {
   /// Metres a second.
   [[nodiscard]] world::Vec3 velocity() const noexcept { return velocity_; }
 
-  /// Where the camera is after some seconds.
+  /// Predicts the camera after some seconds.
   [[nodiscard]] world::Camera ahead(world::Camera camera, float seconds) const;
 
  private:

@@ -6,12 +6,11 @@
 namespace grove::node {
 namespace {
 
-/// Radiance that a white surface reflects, root mean square over the picture: some three levels of 255 of what is
-/// there.
+/// Radiance reflected by a white surface, root mean square over the picture: about three levels of 255 of it.
 constexpr float kPermittedRadiance = 0.04F;
-/// Square metres: what is nearer to a lamp than its size is not lit without limit.
+/// Square metres. Limits the light on surfaces that are nearer to a lamp than its size.
 constexpr float kLampSize = 0.6F;
-/// Of both lists; what one lacks is dark.
+/// Missing lights of the shorter list are dark.
 constexpr world::PointLight kNoLight{};
 
 struct Change {

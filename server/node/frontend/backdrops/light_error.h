@@ -4,7 +4,7 @@
 
 namespace grove::node {
 
-/// How wrong the light of a backdrop is because lights have flickered, moved, come or gone since: a multiple of the
+/// Error of a backdrop's light, because lights have flickered, moved, appeared or gone since: a multiple of the
 /// permitted error.
 [[nodiscard]] float lightError(const Backdrop& backdrop, const std::vector<world::PointLight>& now);
 

@@ -1,4 +1,4 @@
-// Where the samples of a backdrop's cells lie. For kernels: included once per target.
+// Positions of the samples of a backdrop's cells. For kernels: included once per target.
 
 #if defined(GROVE_NODE_FRONTEND_BACKDROPS_WARP_PLACES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef GROVE_NODE_FRONTEND_BACKDROPS_WARP_PLACES_INL_H
@@ -38,12 +38,12 @@ struct RowCorners {
   }
 };
 
-/// Places within a block are in steps of a sample, as 16-bit integers.
+/// Positions within a block are in steps of a sample, as 16-bit integers.
 inline constexpr int kPlaceBits = 11;
 inline constexpr int kPlaceSteps = 1 << kPlaceBits;
 
-/// Where one row of samples lies that cells have, `kSide` samples each: of each cell the block of 16 bytes that holds
-/// them, where in it its first sample lies, and the way from sample to sample.
+/// Positions of one row of samples of the cells, `kSide` samples each. For each cell: the block of 16 bytes that holds
+/// them, the first sample's position in it, and the step from sample to sample.
 template <int kSide>
 struct RowPlaces {
   static constexpr int kBytes = 8 / kSide;  ///< of a sample: 1 of luma, 2 of both chroma
@@ -57,8 +57,8 @@ struct RowPlaces {
   std::int16_t yStep[kWords];
   std::int32_t block[kWarpCells];  ///< bytes from the plane's begin
 
-  /// Of a plane of `width` x `height` samples. Returns which cells are stretched beyond what a block and the two below
-  /// it hold, bit by bit.
+  /// Fills in the positions in a plane of `width` x `height` samples. Returns a bit for each cell that is stretched
+  /// beyond a block and the two below it.
   HWY_INLINE std::uint32_t find(const RowCorners& corners, int width, int height) {
     std::uint32_t stretched = 0;
     for (int i = 0; i < kWarpCells; i += kLanes) {
@@ -104,7 +104,7 @@ struct RowPlaces {
       const hn::Rebind<std::int16_t, lanes::IntTag> words;
       constexpr float kSteps = kPlaceSteps;
       hn::StoreU(hn::DemoteTo(words, hn::NearestInt((step * kSteps).raw)), words, steps);
-      // Saturates: the image's edges are repeated beyond them.
+      // Saturates: the image repeats its edges.
       hn::StoreU(hn::DemoteTo(words, lanes::truncate(place * kSteps).raw), words, places);
     }
   };

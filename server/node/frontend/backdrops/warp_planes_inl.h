@@ -64,7 +64,7 @@ HWY_INLINE Words word(int value) { return hn::Set(WordTag(), static_cast<std::in
 /// Numbers of a row's words: 0 to 7, in each cell.
 HWY_INLINE Words placeInCell() { return hn::And(hn::Iota(WordTag(), 0), word(7)); }
 
-/// Gives all words of a cell's row what the cell has in an array.
+/// Gives all words of a cell's row the cell's value in an array.
 HWY_INLINE Words spread(const std::int16_t* ofCells) {
   alignas(64) static constexpr std::uint8_t kBytes[64] = {0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1,  //
                                                           2, 3, 2, 3, 2, 3, 2, 3, 2, 3, 2, 3, 2, 3, 2, 3,  //
@@ -73,7 +73,7 @@ HWY_INLINE Words spread(const std::int16_t* ofCells) {
   return hn::TableLookupBytes(hn::LoadDup128(WordTag(), ofCells), hn::BitCast(WordTag(), hn::Load(ByteTag(), kBytes)));
 }
 
-/// Where samples lie in their blocks.
+/// Positions of the samples in their blocks.
 template <int kSide>
 HWY_INLINE Words placesOf(const std::int16_t* begin, const std::int16_t* step, int count) {
   const Words number = hn::ShiftRight < kSide == 8 ? 0 : 1 > (placeInCell());
@@ -88,7 +88,7 @@ HWY_INLINE Words samplesOf(const std::uint8_t* plane, std::ptrdiff_t stride, con
   constexpr int kBytes = RowPlaces<kSide>::kBytes;
   const Words x = placesOf<kSide>(places.x + first, places.xStep + first, RowPlaces<kSide>::kBlock - 1);
   const Words y = placesOf<kSide>(places.y + first, places.yStep + first, 2);
-  // Bytes of the sample and of the next one, and their weights, which add up to 128.
+  // Bytes of the sample and of the next one, and their weights, whose sum is 128.
   const Words chroma = kBytes == 1 ? hn::Zero(WordTag()) : hn::Mul(hn::And(placeInCell(), word(1)), word(257));
   const Words begin = hn::Add(chroma, word(256 * kBytes));
   const Words bytes = hn::Add(hn::Mul(hn::ShiftRight<kPlaceBits>(x), word(257 * kBytes)), begin);
@@ -114,8 +114,8 @@ HWY_INLINE Words samplesOf(const std::uint8_t* plane, std::ptrdiff_t stride, con
   return hn::BitCast(WordTag(), rounded);
 }
 
-/// One row of cells' samples, byte by byte. Prefetches what the cells below will probably read: pieces of lines are
-/// too short for the hardware prefetcher.
+/// One row of cells' samples, byte by byte. Prefetches what the cells below will probably read, because pieces of lines
+/// are too short for the hardware prefetcher.
 template <int kSide>
 HWY_INLINE void warpRow(const std::uint8_t* plane, std::ptrdiff_t stride, const RowPlaces<kSide>& places, int count,
                         std::uint8_t* out) {
@@ -129,12 +129,11 @@ HWY_INLINE void warpRow(const std::uint8_t* plane, std::ptrdiff_t stride, const 
   }
 }
 
-/// Colours of whole groups of cells. Returns the cells that are stretched too much, bit by bit, and hold no colours
-/// yet.
+/// Colours of whole groups of cells. Returns a bit for each cell that is stretched too much and has no colours yet.
 HWY_INLINE std::uint32_t warpGroups(WarpSource source, const CornerLine& above, const CornerLine& below, int count,
                                     WarpedPixels out) {
   std::uint32_t stretched = 0;
-  // All places first: a load that spans two recent stores would wait for both (no store forwarding).
+  // Finds all positions first: a load that spans two recent stores would wait for both (no store forwarding).
   RowPlaces<8> luma[8];
   for (int row = 0; row < 8; ++row) {
     const RowCorners corners(above, below, (static_cast<float>(row) + 0.5F) / 8.0F);

@@ -1,4 +1,4 @@
-// Cells of a warped backdrop between whose corners lies too much for a register. For kernels: included once per target.
+// Cells of a warped backdrop that are stretched too much for a register. For kernels: included once per target.
 
 #if defined(GROVE_NODE_FRONTEND_BACKDROPS_WARP_STRETCHED_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef GROVE_NODE_FRONTEND_BACKDROPS_WARP_STRETCHED_INL_H
@@ -18,19 +18,19 @@
 HWY_BEFORE_NAMESPACE();
 namespace grove::node::HWY_NAMESPACE {
 
-/// Bilinear look-ups of one cell's samples in a plane, with weights in 128ths. Compilers vectorise all loops but the
+/// Bilinear look-ups of one cell's samples in a plane, with weights in 128ths. Compilers vectorise all loops except the
 /// one that loads.
 template <int kSide>
 class StretchedSamples {
  public:
-  /// `kBytes` apart are neighbours: 1 byte of luma, 2 of chroma.
+  /// Distance of neighbours: 1 byte of luma, 2 of chroma.
   static constexpr int kBytes = 8 / kSide;
 
   HWY_INLINE StretchedSamples(const CornerLine& above, const CornerLine& below, int cell, int width, int height)
       : stride_(std::ptrdiff_t{width} * kBytes) {
     constexpr float kScale = kSide / 8.0F;
     constexpr float kStep = 1.0F / kSide;
-    // Before the last one, so that there is a next one.
+    // Before the last sample, so that there is a next one.
     const float maxColumn = static_cast<float>(width) - 1.01F;
     const float maxLine = static_cast<float>(height) - 1.01F;
     const auto mixed = [](float a, float b, float share) { return a + share * (b - a); };

@@ -31,11 +31,10 @@ class FrameBuilder {
   /// within the rows that are put together.
   void lay(const world::Rect& rect, const std::uint32_t* colour, const float* depth, std::ptrdiff_t stride);
 
-  /// Whether nothing of a layer that is nowhere nearer than `depth` would show in `rect`.
+  /// Whether `rect` would show nothing of a layer that is at `depth` or beyond.
   [[nodiscard]] bool hides(const world::Rect& rect, float depth) const;
 
-  /// Ends what the layers have begun: the frame holds their picture only now. The depth of a pixel is that of what
-  /// covers it for half and more.
+  /// Completes the frame's picture. The depth of a pixel is that of the surface that covers at least half of it.
   void finish();
 
  private:

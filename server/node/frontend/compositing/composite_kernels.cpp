@@ -68,7 +68,7 @@ HWY_INLINE void layPixels(Tag tag, LayerPixels layer, FramePixels frame, std::pt
   hn::StoreU(hn::IfThenElse(partly, joined, before), tag, frame.edge + to);
 }
 
-/// Pixels that cover all, where there are no edges.
+/// Opaque pixels, in a frame without edges.
 template <class Tag>
 HWY_INLINE void layOpaquePixels(Tag tag, LayerPixels layer, FramePixels frame, std::ptrdiff_t at, std::ptrdiff_t to) {
   const hn::Rebind<float, Tag> depthTag;

@@ -17,10 +17,10 @@ namespace grove::node {
 namespace {
 
 constexpr const char* kCompositor = "Compositor";
-/// Part of a frame's time.
+/// Name in the timeline of a part of the frame's time.
 constexpr const char* kBackdrop = "backdrop";
 
-/// Rows that are put together at once: with their edges, about what fits into the cache of a core.
+/// Rows that are composited at once: with their edges, they fit approximately into a core's cache.
 constexpr int kBandHeight = 48;
 
 /// Adds the rows of a picture that may show anything. Its rectangle is that of its object's bounds, which is larger.
@@ -58,7 +58,7 @@ void Compositor::connect(std::shared_ptr<pipeline::Inlet<FinishedFrame>> next) {
 
 void Compositor::process(std::span<CompleteFrame> frames, pipeline::Run& run) {
   for (const CompleteFrame& frame : frames) {
-    // One that cannot be shown ends, too.
+    // A frame that cannot be shown ends, too.
     attempt([&] { next_.send(run, composite(frame)); }, [](const std::string&) {});
     frameDone_();
   }
@@ -160,8 +160,8 @@ Compositor::Scene Compositor::sceneOf(const CompleteFrame& frame, bool still, co
 
 void Compositor::compose(Scene& scene, pipeline::TraceTag tag, const world::Rect& area, const BandSteps& steps) {
   makeParts(scene, tag);
-  // What covers all of its pixels comes first, which is cheapest where nothing lies yet; then the others, the nearest
-  // first, so that what they hide need not be laid.
+  // Opaque objects come first, which is cheapest on an empty frame; then the others, the nearest first, so that hidden
+  // parts are skipped.
   std::vector<Placed*> order;
   order.reserve(scene.size());
   for (Placed& each : scene) order.push_back(&each);

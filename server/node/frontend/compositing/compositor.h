@@ -18,11 +18,10 @@ namespace grove::node {
 
 /// Last box of Figure 4.2: composites the pictures and layers of a frame's objects by depth, then lets the layers draw,
 /// back to front (section 4.2, step 10), and collects the labels of visible objects. Still objects come first: they are
-/// drawn into a backdrop, or the last backdrop is warped. Shows every frame that it gets, in the order in which they
-/// come.
+/// drawn into a backdrop, or the last backdrop is warped. Shows all frames, in order.
 class Compositor final : public pipeline::Stage<CompleteFrame> {
  public:
-  /// `frameDone` is called once for every frame that came, be it sent on or not. `frontend` outlives it.
+  /// Calls `frameDone` once for every frame, whether it is sent on or not. `frontend` outlives it.
   Compositor(std::size_t capacity, FrontendProcess& frontend, std::shared_ptr<VisitorHalves> halves,
              std::shared_ptr<BackdropStore> backdrops, std::function<void()> frameDone);
   void connect(std::shared_ptr<pipeline::Inlet<FinishedFrame>> next);
@@ -32,22 +31,22 @@ class Compositor final : public pipeline::Stage<CompleteFrame> {
 
  private:
   [[nodiscard]] FinishedFrame composite(const CompleteFrame& frame);
-  /// Something to lay over an image.
+  /// An object's picture and layer.
   struct Placed {
     const VisibleObject& object;
     const raster::Image* picture;  ///< null: none
-    std::unique_ptr<Layer> layer;  ///< null: the picture is all of it
+    std::unique_ptr<Layer> layer;  ///< null: the picture shows all of it
     [[nodiscard]] bool opaque() const { return layer ? layer->opaque() : picture->opaque; }
     [[nodiscard]] bool isFinal() const { return !layer || layer->isFinal(); }
   };
   /// Back to front.
   using Scene = std::vector<Placed>;
-  /// The objects that are still or not within an area.
+  /// The objects that are still, or those that are not, within an area.
   [[nodiscard]] Scene sceneOf(const CompleteFrame& frame, bool still, const world::Rect& area);
   void drawBackdrop(const CompleteFrame& frame);
-  /// The frame's backdrop as its camera sees it, nothing if it has none. Throws if it could not be drawn.
+  /// Returns the frame's backdrop as its camera sees it; nothing if it has none. Throws if it could not be drawn.
   [[nodiscard]] static std::optional<BackdropWarp> warpOf(const FrameList& list, const Backdrop* backdrop);
-  /// Where a scene lies over its backdrop.
+  /// Returns the rectangles in which a scene covers its backdrop.
   [[nodiscard]] static std::vector<world::Rect> drawnParts(const Scene& scene);
   /// Callbacks for each band: a rectangle of some rows, as wide as the composited area.
   struct BandSteps {
@@ -57,7 +56,7 @@ class Compositor final : public pipeline::Stage<CompleteFrame> {
     std::function<void(const raster::Image& band)> end = nullptr;
   };
   void compose(Scene& scene, pipeline::TraceTag tag, const world::Rect& area, const BandSteps& steps);
-  /// What the layers are to have before they can be laid.
+  /// Makes the parts that layers need before lay().
   void makeParts(Scene& scene, pipeline::TraceTag tag);
   [[nodiscard]] pipeline::TimedParts timesOf(pipeline::TraceTag tag);
 

@@ -7,8 +7,8 @@
 
 namespace grove::node {
 
-/// The parts of a frame over which something is drawn anew: whole strips, each of which is composited as RGBA with
-/// depth. Elsewhere the frame is its warped backdrop.
+/// The parts of a frame in which something is drawn over the backdrop: whole strips, each of which is composited as
+/// RGBA with depth. Elsewhere the frame is its warped backdrop.
 class FreshParts {
  public:
   /// Pixels of a strip's sides; those at the frame's right and bottom may be smaller.
@@ -18,7 +18,7 @@ class FreshParts {
   /// Marks all strips that overlap one of `drawn`.
   FreshParts(const world::Rect& frame, const std::vector<world::Rect>& drawn);
 
-  /// Whether the strip that begins at `left` and `top` is one.
+  /// Whether the strip at `left` and `top` is fresh.
   [[nodiscard]] bool isFresh(int left, int top) const;
   /// For each row of the frame, the columns from its first to its last fresh strip.
   [[nodiscard]] std::vector<raster::Span> spans() const;

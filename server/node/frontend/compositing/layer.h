@@ -9,31 +9,30 @@
 
 namespace grove::node {
 
-/// What one object adds to one frame of one visitor, besides a picture that its backend sent. Made when the frame is
-/// put together, gone with it.
+/// An object's contribution to one frame of one visitor, besides a picture from its backend. Exists during compositing.
 class Layer {
  public:
   virtual ~Layer() = default;
 
-  /// Promises that all that it lays is opaque; such layers come first, which is cheapest.
+  /// Whether everything that it lays is opaque; such layers come first, which is cheapest.
   [[nodiscard]] virtual bool opaque() const { return false; }
 
-  /// Whether the object looks the same to a later frame with the same eye and lights: nothing better is under way.
+  /// Whether the object looks the same to a later frame with the same eye and lights: no better version is in progress.
   [[nodiscard]] virtual bool isFinal() const { return true; }
 
-  /// What is to be made before it can be laid comes in so many parts; several threads make them at once, each others.
+  /// Number of parts to make before lay(); several threads make different parts at once.
   [[nodiscard]] virtual std::size_t parts() const { return 0; }
   virtual void makePart(std::size_t /*part*/) {}
 
-  /// Lays what shows in some rows of the frame over them, see FrameBuilder::clip(); the nearest layer first. What is
-  /// hidden already may be left out, see FrameBuilder::hides(). Several threads do so at once, each for other rows.
+  /// Lays the visible parts over some rows of the frame, see FrameBuilder::clip(); the nearest layer first. May skip
+  /// hidden parts, see FrameBuilder::hides(). Several threads call it at once, for different rows.
   virtual void lay(FrameBuilder& /*rows*/) {}
 
-  /// Called by one thread when all layers are in place, back to front, to draw what cannot be laid. `frame` is the
-  /// whole frame, of which only what reach() says may be read or changed; depth is read only.
+  /// Draws what cannot be laid. Called by one thread when all layers are in place, back to front. `frame` is the whole
+  /// frame; only reach() may be read or changed, and depth is read-only.
   virtual void draw(raster::Image& /*frame*/) {}
 
-  /// The object's name, unless it has none or something hides it. Called after draw(), of the same frame.
+  /// The object's name, unless it has none or is hidden. Called after draw() of the same frame.
   [[nodiscard]] virtual std::optional<Label> label(const raster::Image& /*frame*/) const { return std::nullopt; }
 
   /// Returns a rectangle that contains all pixels that the layer lays, draws or reads. `rect` is the object's. May

@@ -25,7 +25,7 @@ class AskedPictures {
   /// Adds a request, which has a view. Ignores requests of ended sessions.
   void add(const Request& request);
 
-  /// Returns the requested rectangle, once; empty if nobody waits for this answer.
+  /// Returns the requested rectangle, once; empty if no session waits for this result.
   [[nodiscard]] std::optional<world::Rect> take(const Result& answer);
 
  private:

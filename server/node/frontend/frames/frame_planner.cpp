@@ -10,10 +10,10 @@ namespace {
 
 constexpr const char* kFramePlanner = "Frame Planner";
 
-/// An object that asks for more in one frame is broken.
+/// An object that requests more in one frame is broken.
 constexpr int kMaxRounds = 6;
 
-/// A backend node may send less than was asked for, but nothing else.
+/// A backend node may send less than requested, but nothing else.
 bool isWithin(const world::Rect& inner, const world::Rect& outer) {
   return inner.left >= outer.left && inner.top >= outer.top && inner.right <= outer.right &&
          inner.bottom <= outer.bottom;
@@ -61,7 +61,7 @@ void FramePlanner::process(std::span<FramePlannerInput> inputs, pipeline::Run& r
 }
 
 void FramePlanner::recover(FramePlannerInput& input, const std::string&, pipeline::Run&) {
-  // One that has a record ends by its deadline.
+  // A frame with a record ends by its deadline.
   const auto* const list = std::get_if<std::shared_ptr<const FrameList>>(&input);
   if (list == nullptr || frames_.find((*list)->view->frame) != nullptr) return;
   if (backdrops_) backdrops_->drop((*list)->view->frame);
@@ -89,7 +89,7 @@ void FramePlanner::resume(Result result, pipeline::Run& run) {
 void FramePlanner::endOverdue(pipeline::Run& run) {
   const std::vector<FrameRecord*> overdue = frames_.overdue(pipeline::wallSeconds());
   for (FrameRecord* const frame : overdue) {
-    // The newest would follow at once; but it may show the backdrop of an older one.
+    // The newest frame would follow at once, but it may show the backdrop of an older one.
     if (frame != overdue.back() && !frame->list()->drawsBackdrop()) {
       drop(*frame);
       continue;
@@ -144,7 +144,7 @@ std::optional<Payload> FramePlanner::request(const FrameRecord& frame, std::uint
 }
 
 void FramePlanner::take(FrameRecord& frame, std::uint32_t slot, Payload payload) {
-  // Of a backend node that is full or away, what it answered last is shown.
+  // If a backend node is full or away, its last result is shown.
   const auto* const failure = std::get_if<Failure>(&payload);
   const Payload* const last = failure != nullptr && failure->notNow ? frames_.lastOf(frame, slot) : nullptr;
   if (last != nullptr) {

@@ -34,7 +34,7 @@ class SharedReceiver final : public pipeline::Stage<SharedInput> {
   void process(std::span<SharedInput> inputs, pipeline::Run& run) override;
 
  private:
-  /// Returns false if nobody requested it.
+  /// Returns false if it was not requested.
   [[nodiscard]] bool take(Result& result);
 
   FrontendProcess& frontend_;

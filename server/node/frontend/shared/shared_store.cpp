@@ -12,7 +12,7 @@
 namespace grove::node {
 namespace {
 
-/// For what is fetched without a frame that waits for it.
+/// Deadline of a fetch for which no frame waits.
 constexpr double kFetchSeconds = 1.0;
 
 }  // namespace
@@ -95,7 +95,7 @@ void SharedStore::get(const Request& request, Waiter waiter) {
   fetch(request);
 }
 
-/// A backend node that never answers must not let them grow without bound.
+/// Requests to a backend node that does not respond must not accumulate.
 std::vector<SharedStore::Waiting> SharedStore::takeOverdue(Pending& pending, double now) {
   std::vector<Waiting>& all = pending.waiting;
   const auto over = std::partition(all.begin(), all.end(), [now](const Waiting& w) { return now <= w.deadline; });
@@ -152,7 +152,7 @@ bool SharedStore::putPushed(const Result& result) {
     Entry* const last = entryOf(what);
     isAwaited = last != nullptr && last->isSubscribed;
     if (!isAwaited) {
-      // Where it is being subscribed to again, this was sent before.
+      // If it is being subscribed to again, this was sent before.
       if (!pending_.contains(what)) reply = Unsubscribe{what};
     } else if (data != nullptr && *data != nullptr) {
       reply = keepPushed(what, *data, discarded);
@@ -173,7 +173,7 @@ std::optional<ToBackend> SharedStore::keepPushed(const SharedKey& what, std::sha
   const std::size_t unused = last.used ? 0 : last.unused + 1;
   const bool isWanted = unused < kMaxUnused;
   const std::size_t bytes = data->bytes();
-  // Later versions may come before the node hears that they are not wanted, and are not taken.
+  // Later versions may arrive before the node receives the Unsubscribe; they are dropped.
   keep(what,
        {.data = std::move(data),
         .bytes = bytes,
@@ -223,7 +223,7 @@ void SharedStore::renew(const std::function<bool(world::ObjectId)>& isOfNode, bo
     if (isOfNode(what.object)) keys.push_back(what);
   }
   for (const SharedKey& what : keys) age(*entries_.find(what));
-  // What is under way may have been lost with the link: who wants it next asks again.
+  // Pending requests may have been lost with the link: the next use sends them again.
   for (auto& [what, pending] : pending_) {
     if (isOfNode(what.object)) pending = {.waiting = std::move(pending.waiting)};
   }
@@ -234,7 +234,7 @@ void SharedStore::announced(const Announcement& announcement) {
   std::optional<Request> request;
   {
     const std::lock_guard lock(mutex_);
-    // The last one counts, not the highest, which no later one could contradict.
+    // Uses the last one, not the highest, which no later one could correct.
     const auto underWay = pending_.find(what);
     if (underWay != pending_.end()) underWay->second.announced = announcement.version;
     Entry* const entry = entryOf(what);

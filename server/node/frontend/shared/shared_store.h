@@ -14,24 +14,24 @@
 namespace grove::node {
 
 /// Keeps a frontend process's shared data: at most `maxBytes`, least recently used dropped first. An object's own data,
-/// under the empty key, is never dropped, because there is one of each. Dropped data lives as long as somebody draws
-/// it. Thread-safe.
+/// under the empty key, is never dropped, because there is one of each. Dropped data lives until its last use ends.
+/// Thread-safe.
 ///
-/// Sends one request however many visitors want the same data at once. Fetches an announced change as soon as somebody
-/// has used the present data; until it arrives, the present data remains. Arriving data replaces it whatever its
+/// Sends one request however many visitors want the same data at once. Fetches an announced change as soon as the
+/// present data has been used; until it arrives, the present data remains. Arriving data replaces it whatever its
 /// version, because a wrong version of a backend node must not stay for ever.
 ///
-/// Subscribes to clocked data at its second fetch: then the node pushes each version. The store unsubscribes when
-/// nobody has used the last kMaxUnused versions. If a version cannot be unpacked, an earlier one was lost, and the
-/// store subscribes again.
+/// Subscribes to clocked data at its second fetch: then the node pushes each version. The store unsubscribes when the
+/// last kMaxUnused versions were not used. If a version cannot be unpacked, an earlier one was lost, and the store
+/// subscribes again.
 class SharedStore {
  public:
   static constexpr std::size_t kMaxUnused = 30;
 
   /// Sends a message to the object's backend node; returns false, or throws, if it is refused.
   using Send = std::function<bool(ToBackend)>;
-  /// Receives the wanted data, or a failure: once, on the thread that brings it, or at once; or when somebody requests
-  /// the data again after the deadline of the waiter's frame. Must not block.
+  /// Receives the data or a failure, once: at once, or on the thread that receives it, or when the data is requested
+  /// again after the deadline of the waiter's frame. Must not block.
   using Waiter = std::function<void(const Payload&)>;
 
   SharedStore(std::size_t maxBytes, Send send) : maxBytes_(maxBytes), send_(std::move(send)) {}
@@ -76,8 +76,8 @@ class SharedStore {
     bool isForeign = false;  ///< its version is of an earlier epoch of its node
     bool isSubscribed = false;
     std::size_t pushed = 0;  ///< versions since the subscription
-    std::size_t unused = 0;  ///< of these, the newest ones that nobody has used
-    /// The version to name to the node, for which versions of an earlier epoch mean nothing.
+    std::size_t unused = 0;  ///< of these, the newest that were not used
+    /// The version to name to the node, which does not know versions of an earlier epoch.
     [[nodiscard]] Version known() const { return isForeign ? 0 : data->version(); }
   };
   struct Waiting {
@@ -86,7 +86,7 @@ class SharedStore {
   };
   struct Pending {
     double deadline = 0.0;
-    Version announced = 0;  ///< meanwhile: the arriving data may be older than that
+    Version announced = 0;  ///< meanwhile; the arriving data may be older
     bool subscribes = false;
     std::vector<Waiting> waiting;
   };

@@ -12,10 +12,10 @@
 namespace grove::node {
 namespace {
 
-/// Marks a plane that is stored as it is.
+/// Marks a plane that is stored uncompressed.
 constexpr std::uint32_t kStored = std::numeric_limits<std::uint32_t>::max();
 
-/// So that four planes stay in a core's own cache, and need no memory of their own.
+/// Four planes stay in a core's own cache, and need no memory of their own.
 constexpr std::size_t kWordsAtOnce = 8192;
 
 }  // namespace

@@ -13,7 +13,7 @@
 
 #include "node/messages/shared_data.h"
 
-/// How object types pack their payloads: little-endian numbers, and planes of them that LZ4 makes smaller.
+/// Packing of object types' payloads: little-endian numbers, and planes of numbers compressed by LZ4.
 namespace grove::node {
 
 static_assert(std::endian::native == std::endian::little, "numbers are copied as they are");
@@ -21,13 +21,13 @@ static_assert(std::endian::native == std::endian::little, "numbers are copied as
 template <class T>
 concept PackedNumber = std::integral<T> || std::floating_point<T>;
 
-/// LZ4 makes nothing smaller than by this factor.
+/// LZ4's highest ratio of compression.
 inline constexpr std::size_t kMaxRatio = 255;
 
-/// Bytes with no meaning of their own, that LZ4 makes smaller; stored as they are where it does not.
+/// Appends bytes compressed by LZ4, or as they are if that is not smaller.
 void appendCompressed(PackedBytes& to, std::span<const std::byte> plane);
 
-/// The inverse, which takes them off the front. Throws PackingError unless they fill `plane` exactly.
+/// The inverse; removes the bytes from the front. Throws PackingError unless they fill `plane` exactly.
 void takeCompressed(std::span<const std::byte>& from, std::span<std::byte> plane);
 
 /// Words as four planes of bytes, some thousands at a time.
@@ -36,7 +36,7 @@ void takePlanes(std::span<const std::byte>& from, std::span<std::uint32_t> words
 
 class PackWriter {
  public:
-  /// `bytes` are what it is to hold, if nothing gets smaller.
+  /// `bytes`: expected size, if nothing gets smaller.
   explicit PackWriter(std::size_t bytes = 0) { bytes_.reserve(bytes); }
 
   template <PackedNumber T>
@@ -47,14 +47,14 @@ class PackWriter {
     return *this;
   }
 
-  /// Numbers of four bytes, as four planes: neighbours have bytes of one kind in common.
+  /// Numbers of four bytes, as four planes, because neighbours share their high bytes.
   template <class T>
   requires(sizeof(T) == 4 && std::is_trivially_copyable_v<T>) PackWriter& putPlanes(std::span<const T> values) {
     appendPlanes(bytes_, {reinterpret_cast<const std::uint32_t*>(values.data()), values.size()});
     return *this;
   }
 
-  /// Bytes that LZ4 may make smaller.
+  /// Bytes, compressed by LZ4 if that makes them smaller.
   PackWriter& putBytes(std::span<const std::byte> plane) {
     appendCompressed(bytes_, plane);
     return *this;
@@ -66,7 +66,7 @@ class PackWriter {
   PackedBytes bytes_;
 };
 
-/// Takes off the front what a PackWriter has put. Throws PackingError at the first byte that is missing.
+/// Reads what a PackWriter has written, from the front. Throws PackingError if bytes are missing.
 class PackReader {
  public:
   /// `what` names the data in the error's text.
@@ -95,8 +95,8 @@ class PackReader {
     return value;
   }
 
-  /// Planes of so many bytes can be there: to be asked before memory is allocated for them, because a size of a few
-  /// digits asks for any amount.
+  /// Checks that planes of this many bytes can be there, before memory is allocated for them: a small message can claim
+  /// any size.
   void expect(std::size_t bytes) const {
     if (rest_.size() < bytes / kMaxRatio) fail("is too short for its size");
   }
@@ -108,7 +108,7 @@ class PackReader {
 
   void takeBytes(std::span<std::byte> plane) { takeCompressed(rest_, plane); }
 
-  /// Nothing is to be left.
+  /// Checks that nothing is left.
   void finish() const {
     if (!rest_.empty()) fail("has more bytes than it says");
   }

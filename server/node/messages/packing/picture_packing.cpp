@@ -24,7 +24,7 @@ struct Piece {
 struct Tiles {
   int across = 0;
   int down = 0;
-  std::vector<std::uint8_t> covered;  ///< by tile, row by row: 1 if anything shows
+  std::vector<std::uint8_t> covered;  ///< by tile, row by row: 1 if it shows anything
 };
 
 int tilesAlong(int pixels) { return (pixels + kTile - 1) / kTile; }
@@ -80,7 +80,7 @@ std::size_t pixelsOf(const std::vector<Piece>& pieces) {
   return pixels;
 }
 
-/// Rows where nothing shows may have a span that ends before it begins.
+/// Empty rows may have a span that ends before it begins.
 std::uint32_t joined(raster::Span span) {
   if (span.begin >= span.end) return 0;
   return static_cast<std::uint32_t>(span.begin) | static_cast<std::uint32_t>(span.end) << 16U;
@@ -115,8 +115,8 @@ Tiles takeTiles(PackReader& reader, const world::Rect& rect) {
   return tiles;
 }
 
-/// What the pieces have of a plane of the picture, one after the other. Beside the rows' spans is whatever the memory
-/// held before, which is nobody's business: `elsewhere` instead.
+/// A plane's values in the pieces, in order. Outside of the rows' spans, the memory is undefined: writes `elsewhere`
+/// instead.
 template <class Pixel>
 std::vector<Pixel> gathered(const std::vector<Piece>& pieces, const raster::Image& picture,
                             std::span<const Pixel> plane, Pixel elsewhere) {
@@ -164,7 +164,7 @@ void takePlane(PackReader& reader, const std::vector<Piece>& pieces, std::span<P
   }
 }
 
-/// Within `asked`, if it has any pixels.
+/// Reads a rectangle; one with pixels must lie within `asked`.
 world::Rect takeRect(PackReader& reader, const world::Rect& asked) {
   world::Rect rect;
   rect.left = reader.takeWithin(-kMaxEdge, kMaxEdge);

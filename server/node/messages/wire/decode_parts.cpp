@@ -10,7 +10,7 @@
 namespace grove::node {
 namespace {
 
-// Directions are computed in float from two angles.
+// Directions are computed from two angles, in float.
 constexpr float kUnitTolerance = 1e-3F;
 constexpr std::uint32_t kMaxKeys = 255;
 

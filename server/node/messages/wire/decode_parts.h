@@ -16,7 +16,7 @@
 #include "world/light.h"
 #include "world/players.h"
 
-/// What messages of both directions are made of, from the schema's types, with every value checked.
+/// Decoders for parts of messages in both directions, from the schema's types, with every value checked.
 namespace grove::node {
 
 namespace v1 {
@@ -31,13 +31,13 @@ class Vector;
 class WorldUpdate;
 }  // namespace v1
 
-/// The first thing that is wrong with one message.
+/// The first error in one message.
 class Checks {
  public:
-  /// `message` names it for people, and lives as long as the checks.
+  /// `message` is its name in error texts, and outlives the checks.
   explicit Checks(std::string_view message) : message_(message) {}
 
-  /// `what` lives as long as the checks, and says what is not so if `good` is false.
+  /// If `good` is false, `what` describes the error; it outlives the checks.
   void require(bool good, std::string_view what) {
     if (!good && wrong_.empty()) wrong_ = what;
   }
@@ -52,7 +52,7 @@ class Checks {
   std::string_view wrong_;
 };
 
-/// Parses a header; false, and `checks` says why, if it is none of this schema.
+/// Parses a header; returns false, with the reason in `checks`, if it does not match this schema.
 template <class Envelope>
 bool parse(std::string_view header, Envelope& envelope, Checks& checks) {
   checks.require(header.size() <= kMaxHeaderBytes, "it is too long");
@@ -86,10 +86,10 @@ template <class Repeated>
 }
 [[nodiscard]] std::shared_ptr<const WorldUpdate> decode(const v1::WorldUpdate& from, Checks& checks);
 
-/// Whether it is a time of any clock; false for what is not finite, too.
+/// Whether it can be a time of a clock; false for infinity and NaN.
 [[nodiscard]] bool isTime(double seconds);
 
-/// Those of a frame: both given.
+/// Requires both numbers of a frame.
 void requireFrame(SessionId session, FrameNumber frame, Checks& checks);
 
 }  // namespace grove::node

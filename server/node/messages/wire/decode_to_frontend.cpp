@@ -44,7 +44,7 @@ NodeWelcome decode(const v1::NodeWelcome& from, Checks& checks) {
 NodeRefusal decode(const v1::NodeRefusal& from, Checks& checks) { return {decodeReason(from.reason(), checks)}; }
 
 Result decode(const v1::Result& from, Checks& checks) {
-  // Shared data may be what no frame asked for.
+  // Shared data may have no frame.
   if (!from.shared() || from.frame() != 0) requireFrame(from.session(), from.frame(), checks);
   Result to;
   to.session = from.session();

@@ -14,7 +14,7 @@ using google::protobuf::FieldDescriptor;
 using google::protobuf::internal::WireFormatLite;
 using google::protobuf::io::CodedInputStream;
 
-/// Reads up to the innermost limit. As deep as the schema is, which has no type within itself.
+/// Reads up to the innermost limit. Recursion is as deep as the schema, in which no type contains itself.
 bool partsAreNested(CodedInputStream& bytes, const Descriptor& type) {
   while (const std::uint32_t tag = bytes.ReadTag()) {
     if (WireFormatLite::GetTagWireType(tag) != WireFormatLite::WIRETYPE_LENGTH_DELIMITED) {

@@ -8,9 +8,8 @@ class Descriptor;
 
 namespace grove::node {
 
-/// Whether each part of a header, which is to be a message of this type, lies within the part that holds it. The
-/// library sets aside as much memory as a text says that it is long, tens of megabytes, before it finds that it is not
-/// there.
+/// Whether each part of a header of this type lies within its parent. Without this check, the library allocates as much
+/// memory as the claimed length of a text, tens of megabytes, before it finds that the bytes are missing.
 [[nodiscard]] bool isNested(std::string_view header, const google::protobuf::Descriptor& type);
 
 }  // namespace grove::node

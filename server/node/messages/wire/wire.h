@@ -9,17 +9,17 @@
 
 #include "node/messages/envelope.h"
 
-/// The messages between frontend and backend nodes as bytes, by the schema node.proto. What is encoded here and decoded
-/// there is equal. Any thread.
+/// Encodes and decodes the messages between frontend and backend nodes, by the schema node.proto. Decoding returns what
+/// was encoded. Any thread.
 namespace grove::node {
 
 inline constexpr std::size_t kMaxHeaderBytes = std::size_t{1} << 20U;
 inline constexpr std::size_t kMaxNameBytes = 256;
 inline constexpr std::size_t kMaxReasonBytes = 1024;
 inline constexpr std::size_t kMaxPlayers = 4096;
-/// Of as many visitors as a world can have, and the breaths that world::Edits keeps.
+/// As many as visitors of a world, and the breaths that world::Edits keeps.
 inline constexpr std::size_t kMaxGusts = 1024 + 256;
-/// Metres a second, and metres: a storm.
+/// Metres per second, and metres: a storm.
 inline constexpr float kMaxGustSpeed = 100.0F;
 inline constexpr float kMaxGustReach = 100.0F;
 inline constexpr std::size_t kMaxLights = 4096;
@@ -42,13 +42,13 @@ struct Packet {
   [[nodiscard]] std::size_t bytes() const noexcept { return header.size() + (bulk ? bulk->size() : 0); }
 };
 
-/// What decode functions refuse is a programming mistake to encode; but for the reasons of failures and refusals, which
-/// come from anywhere: of those, the first kMaxReasonBytes travel, with '?' for bytes that are no UTF-8.
+/// Encoding a message that decoding would refuse is a programming mistake, except for the reasons of failures and
+/// refusals, which may be any text: their first kMaxReasonBytes are sent, with '?' for bytes that are not UTF-8.
 [[nodiscard]] Packet encode(const ToBackend& message);
 /// A result's bulk is its `packed`; its payload is a Failure or null.
 [[nodiscard]] Packet encode(const ToFrontend& message);
 
-/// Why bytes are no message, one line for people.
+/// Why bytes are no valid message, in one line.
 struct WireError {
   std::string reason;
 };
@@ -59,11 +59,11 @@ using Decoded = std::variant<Message, WireError>;
 /// The view of a session's frame; null if it is unknown.
 using ViewLookup = std::function<std::shared_ptr<const View>(SessionId, FrameNumber)>;
 
-/// A request's view is looked up. That of a picture has to be known; shared data is for everybody, so without its view
-/// it is still wanted.
+/// Looks up a request's view. A picture's view must be known; shared data is for all visitors, so it is wanted without
+/// its view, too.
 [[nodiscard]] Decoded<ToBackend> decodeToBackend(std::string_view header, const ViewLookup& viewOf);
 
-/// A result's bytes become its `packed`; they are what unpacks them to judge.
+/// A result's bytes become its `packed`; unpacking checks them later.
 [[nodiscard]] Decoded<ToFrontend> decodeToFrontend(const Packet& packet);
 
 }  // namespace grove::node

@@ -17,9 +17,9 @@
 
 namespace grove::node {
 
-/// One stream of packets each way, on gRPC's reactor of a client or of a server. What is to be written waits in a
-/// queue of at most kMaxWaitingBytes and kBackendQueue packets. While the packets that were read wait, no more are
-/// read, so that who sends faster than this process receives finds his own queue full. Reactions run on gRPC's threads.
+/// One stream of packets each way, on gRPC's reactor of a client or of a server. Outgoing packets wait in a queue of at
+/// most kMaxWaitingBytes and kBackendQueue packets. While received packets wait, no more are read, so a sender that is
+/// faster than this process fills its own queue. Reactions run on gRPC's threads.
 template <class Reactor>
 class PacketReactor : public Reactor {
  public:
@@ -33,18 +33,18 @@ class PacketReactor : public Reactor {
       const pipeline::PushResult result = enqueue(message);
       if (!control || result != pipeline::PushResult::kRejected) return result;
     }
-    // A write that ends makes room for it.
+    // The end of a write makes room for it.
     backlog_.put(*control, message);
     return pipeline::PushResult::kAccepted;
   }
 
-  /// Reads on if it has stopped because too much waits. Any thread.
+  /// Continues to read if reading has stopped because too much waits. Any thread.
   void readOn() {
     const std::lock_guard lock(mutex_);
     if (!isOver_ && std::exchange(isPaused_, false)) this->StartRead(&read_);
   }
 
-  /// Ends the stream, if it has not ended. Any thread.
+  /// Ends the stream, unless it has ended. Any thread.
   void end() {
     {
       const std::lock_guard lock(mutex_);
@@ -77,7 +77,7 @@ class PacketReactor : public Reactor {
   }
 
  protected:
-  /// Takes packets from now on, after these, and reads.
+  /// Accepts packets from now on, after these, and starts to read.
   void open(const std::vector<Packet>& first) {
     const std::lock_guard lock(mutex_);
     if (isOver_) return;
@@ -87,18 +87,18 @@ class PacketReactor : public Reactor {
   }
 
  private:
-  /// What has come, whatever it is.
+  /// Handles a received message, valid or not.
   virtual void take(const grpc::ByteBuffer& message) = 0;
-  /// Whether there is room for another message. Asked with the reactor's lock held.
+  /// Whether there is room for another message. Called with the reactor's lock held.
   [[nodiscard]] virtual bool wantsMore() const = 0;
-  /// Ends the call: after this, no operation is started.
+  /// Ends the call: afterwards, no operation is started.
   virtual void hangUp() = 0;
 
   bool takeSafely() {
     try {
       take(read_);
       return true;
-    } catch (...) {  // no memory
+    } catch (...) {  // out of memory
       return false;
     }
   }
@@ -118,7 +118,7 @@ class PacketReactor : public Reactor {
   std::mutex mutex_;
   bool isOpen_ = false;                   ///< packets may be written
   bool isOver_ = false;                   ///< no operation may be started
-  bool isPaused_ = false;                 ///< nothing is read
+  bool isPaused_ = false;                 ///< reading has stopped
   std::deque<grpc::ByteBuffer> waiting_;  ///< the first is being written
   std::size_t waitingBytes_ = 0;
   ControlBacklog<grpc::ByteBuffer> backlog_;

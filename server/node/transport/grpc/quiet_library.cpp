@@ -11,7 +11,7 @@ namespace grove::node {
 namespace {
 
 void tellHandshakes(gpr_log_func_args* line) {
-  // The library calls back without a context, so the limit cannot live in one.
+  // The library's callback has no context, so the limit is static.
   static log::Limited handshakes;
   const std::string_view text = line->message;
   const std::size_t reason = text.rfind("::");

@@ -2,11 +2,11 @@
 
 namespace grove::node {
 
-/// Keeps gRPC from writing to stderr in a form of its own: what it has to say is in the states and errors of the links.
+/// Keeps gRPC from writing to stderr in its own format: links report their states and errors.
 void silenceLibrary();
 
-/// The same, but TLS handshakes that fail are told of in a line, once a second at most: to a process that listens, the
-/// library tells them in no other way.
+/// The same, but logs failed TLS handshakes, one line per second at most: the library reports them to a listening
+/// process in no other way.
 void reportHandshakesOnly();
 
 }  // namespace grove::node

@@ -6,7 +6,7 @@
 
 namespace grove::stream {
 
-/// A file descriptor that is closed when this goes; negative: none.
+/// Owns a file descriptor; negative: none.
 class Descriptor {
  public:
   Descriptor() = default;

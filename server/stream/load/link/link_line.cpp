@@ -14,7 +14,7 @@ constexpr LinkTime kJitterPeriod = std::chrono::milliseconds(10);
 
 double seconds(LinkTime time) { return std::chrono::duration<double>(time).count(); }
 
-/// A well mixed number of any other (Steele, Lea and Flood: Fast splittable pseudorandom number generators, 2014).
+/// Hashes a number (Steele, Lea and Flood: Fast splittable pseudorandom number generators, 2014).
 std::uint64_t mixed(std::uint64_t value) {
   value += 0x9E3779B97F4A7C15U;
   value = (value ^ (value >> 30U)) * 0xBF58476D1CE4E5B9U;

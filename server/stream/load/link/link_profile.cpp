@@ -22,7 +22,7 @@ constexpr LinkTime kMaxWhen = std::chrono::hours(1);
 constexpr LinkTime kMinPeriod = std::chrono::milliseconds(10);
 constexpr std::size_t kMaxSteps = 1000;
 
-/// A number and one of the units; nothing if it is something else.
+/// Parses a number with a unit; nothing if the text is something else.
 std::optional<double> quantity(std::string_view text, std::span<const Unit> units) {
   double number = 0.0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -34,8 +34,8 @@ std::optional<double> quantity(std::string_view text, std::span<const Unit> unit
   return std::nullopt;
 }
 
-/// What stands before the separator, which is taken off the text with it; all of the text, which is null then, if there
-/// is none.
+/// Removes and returns the text before the separator, and removes the separator. Without a separator returns all, and
+/// `text` becomes null.
 std::string_view takeUntil(std::string_view& text, char separator) {
   const std::size_t at = text.find(separator);
   const std::string_view part = text.substr(0, at);
@@ -43,7 +43,7 @@ std::string_view takeUntil(std::string_view& text, char separator) {
   return part;
 }
 
-/// Reads part after part; the first fault is kept, and what is read after it means nothing.
+/// Reads part after part. Keeps the first error; parts read after it are meaningless.
 class ProfileReader {
  public:
   ParsedLinkProfile read(std::string_view text) {
@@ -72,7 +72,7 @@ class ProfileReader {
       const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), profile_.seed);
       if (error != std::errc{} || end != text.data() + text.size()) fail("a seed is a whole number", text);
     } else {
-      fail("it has up, jitter, stall and seed behind the round-trip time, but not", all);
+      fail("the options after the round-trip time are up, jitter, stall and seed, not", all);
     }
   }
 
@@ -85,9 +85,9 @@ class ProfileReader {
       const LinkTime from =
           step.data() == nullptr ? LinkTime{0} : time(step, "the time of a rate", LinkTime{0}, kMaxWhen);
       if (result.empty() ? from.count() != 0 : from <= result.back().from) {
-        fail("rates begin at 0s and go on in the order of time, unlike", all);
+        fail("rates begin at 0s and are sorted by time, unlike", all);
       }
-      if (result.size() == kMaxSteps) fail("1000 rates are enough, and this is one more:", all);
+      if (result.size() == kMaxSteps) fail("more than 1000 rates:", all);
       result.push_back({from, rate});
     } while (text.data() != nullptr && fault_.empty());
     return result;

@@ -9,33 +9,33 @@
 
 namespace grove::stream {
 
-/// Times of a link, since the connection began.
+/// Time since the connection began, or a duration.
 using LinkTime = std::chrono::nanoseconds;
 
-/// So much a link carries from a time on.
+/// A rate that holds from a time on.
 struct RateStep {
   LinkTime from{0};
   double bitsPerSecond = 0.0;
 };
 
-/// What a line over the internet is like: what a connection through a LinkShaper gets.
+/// Properties of an internet connection that a LinkShaper imitates.
 struct LinkProfile {
-  std::vector<RateStep> downstream;  ///< to who connected; one at least, the first at 0, in the order of time
-  std::vector<RateStep> upstream;    ///< the other way, likewise
-  LinkTime roundTrip{0};             ///< of the idle link; half of it each way
-  LinkTime jitter{0};                ///< each way: up to so much more delay, drawn anew every 10 ms; never reorders
-  LinkTime stall{0};                 ///< so long nothing leaves at the end of each ...
-  LinkTime stallEvery{0};            ///< ... of such times; 0: never
+  std::vector<RateStep> downstream;  ///< to the client; at least one, the first at 0, sorted by time
+  std::vector<RateStep> upstream;    ///< to the server, likewise
+  LinkTime roundTrip{0};             ///< of the idle link; half in each direction
+  LinkTime jitter{0};                ///< maximum additional delay per direction, redrawn every 10 ms; never reorders
+  LinkTime stall{0};                 ///< at the end of each stallEvery, nothing leaves for this long
+  LinkTime stallEvery{0};            ///< period of the stalls; 0: none
   std::uint64_t seed = 1;            ///< of the jitter
 };
 
-/// The profile, or in a few words why the text is none.
+/// The profile, or a short error.
 using ParsedLinkProfile = std::variant<LinkProfile, std::string>;
 
-/// Reads `RATE,RTT[,up=RATE][,jitter=TIME][,stall=TIME/TIME][,seed=N]`, as in `5mbit,80ms,stall=1s/10s`. A rate is a
-/// number and `kbit`, `mbit` or `gbit`, 1 kbit to 10 gbit; it may change: `5mbit@0s/500kbit@10s`. A time is a number
-/// and `ms` or `s`, 10 s at most, an hour where it says when or how often. Upstream gets the rate of downstream if not
-/// told otherwise.
+/// Parses `RATE,RTT[,up=RATE][,jitter=TIME][,stall=TIME/TIME][,seed=N]`, as in `5mbit,80ms,stall=1s/10s`. A rate is a
+/// number and `kbit`, `mbit` or `gbit`, 1 kbit to 10 gbit; it may change over time: `5mbit@0s/500kbit@10s`. A time is a
+/// number and `ms` or `s`, at most 10 s, or at most an hour for the time of a rate and the period of stalls. The
+/// upstream rate defaults to the downstream rate.
 [[nodiscard]] ParsedLinkProfile parseLinkProfile(std::string_view text);
 
 }  // namespace grove::stream

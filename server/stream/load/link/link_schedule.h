@@ -6,13 +6,13 @@
 
 namespace grove::stream {
 
-/// When bits have left one end of a link, whose rate changes with time and which stands still now and then. Immutable.
+/// Computes when bits leave one end of a link whose rate changes with time and which stalls periodically. Immutable.
 class LinkSchedule {
  public:
   /// As in LinkProfile.
   LinkSchedule(std::vector<RateStep> rates, LinkTime stall, LinkTime stallEvery);
 
-  /// When the last of so many bits has left, if the first can from `start` on.
+  /// Returns when the last of `bits` has left, if the first can leave from `start` on.
   [[nodiscard]] LinkTime finish(LinkTime start, double bits) const;
 
   [[nodiscard]] double rateAt(LinkTime time) const;
@@ -20,7 +20,7 @@ class LinkSchedule {
 
  private:
   [[nodiscard]] std::vector<RateStep>::const_iterator stepAt(LinkTime time) const;
-  /// The next time at which it moves, which is now or the end of a stall.
+  /// Returns `time`, or the end of the stall at that time.
   [[nodiscard]] LinkTime moving(LinkTime time) const;
   [[nodiscard]] LinkTime nextStall(LinkTime moving) const;
 

@@ -18,7 +18,7 @@
 namespace grove::stream {
 namespace {
 
-// Events carry twice the id of a connection, and one more if it is the server's side. These are of none.
+// The tag of an event is twice the connection's id, plus one for the server's side. These tags belong to no connection.
 constexpr std::uint64_t kListenerId = 0;
 constexpr std::uint64_t kStopTag = 2;
 constexpr std::uint64_t kTimerTag = 3;
@@ -36,7 +36,7 @@ double maxRate(const LinkProfile& profile) {
 }
 
 Descriptor checked(int descriptor) {
-  if (descriptor < 0) throw EnvironmentError("cannot be had: too many files are open", "a shaped link", "ulimit -n");
+  if (descriptor < 0) throw EnvironmentError("cannot be opened: too many open files", "shaped link", "raise ulimit -n");
   return Descriptor(descriptor);
 }
 
@@ -101,7 +101,7 @@ void LinkShaper::waitFor(std::vector<Id>& ids) {
       mayAccept_ = true;
       ids.push_back(kListenerId);
     } else if (const auto line = lines_.find(tag / 2); tag != kTimerTag && line != lines_.end()) {
-      // What broke is found by reading and writing.
+      // Reading and writing detect a broken connection.
       const bool broke = (event.events & (EPOLLERR | EPOLLHUP)) != 0;
       line->second.connection.wake(static_cast<ShapedConnection::Side>(tag % 2),
                                    broke || (event.events & (EPOLLIN | EPOLLRDHUP)) != 0,
@@ -121,7 +121,7 @@ void LinkShaper::acceptAll(LinkTime time) {
   for (;;) {
     Descriptor client = acceptFrom(listener_);
     if (!client) {
-      // Out of descriptors, most likely; the listener will not report again who waits already.
+      // Most likely out of descriptors; edge-triggered epoll does not report waiting connections again.
       const bool none = errno == EAGAIN || errno == EWOULDBLOCK;
       if (!none) times_.emplace(errno == ECONNABORTED || errno == EINTR ? time : time + kAcceptAgain, kListenerId);
       return;
@@ -141,7 +141,7 @@ void LinkShaper::acceptAll(LinkTime time) {
 
 void LinkShaper::serve(Id id, LinkTime time) {
   const auto found = lines_.find(id);
-  if (found == lines_.end()) return;  // it was twice among those to be served, and ended
+  if (found == lines_.end()) return;  // was listed twice, and has ended
   Line& line = found->second;
   if (line.next) times_.erase({*line.next, id});
   line.next = line.connection.serve(time - line.began, buffer_);
@@ -168,7 +168,7 @@ void LinkShaper::watch(int descriptor, std::uint64_t tag, std::uint32_t events) 
   event.events = events;
   event.data.u64 = tag;
   if (epoll_ctl(epoll_.get(), EPOLL_CTL_ADD, descriptor, &event) != 0) {
-    throw EnvironmentError(std::generic_category().message(errno), "a shaped link", "");
+    throw EnvironmentError(std::generic_category().message(errno), "shaped link", "");
   }
 }
 

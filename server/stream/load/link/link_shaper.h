@@ -14,20 +14,20 @@
 
 namespace grove::stream {
 
-/// A bad line for programs that know nothing of it: whoever connects to its port is connected to another address, by a
-/// link of his own with this profile, which begins when he connects. Only the bytes of the connection are shaped: its
-/// handshake is not, and packet headers weigh nothing; loss is a delay, as TCP makes of it (jitter, stalls). One thread
-/// for all connections, which sleeps until bytes come or are due.
+/// A TCP proxy that imitates a bad line: each connection to its port is forwarded to another address over a link with
+/// this profile, whose time begins with the connection. Only the connection's bytes are shaped: its handshake is not,
+/// and packet headers do not count; loss appears as delay, as TCP makes it (jitter, stalls). One thread serves all
+/// connections; it sleeps until bytes arrive or are due.
 class LinkShaper {
  public:
-  /// An address, and the option (as in "--to") that is named when it will not do.
+  /// An address, and the option (as in "--to") that errors name.
   struct Place {
     HostPort address;
     std::string option;
   };
   /// Listens at once; port 0 is any free one. Throws EnvironmentError.
   LinkShaper(const Place& listen, const Place& target, LinkProfile profile);
-  /// Breaks all connections off.
+  /// Closes all connections.
   ~LinkShaper();
   LinkShaper(const LinkShaper&) = delete;
   LinkShaper& operator=(const LinkShaper&) = delete;
@@ -39,11 +39,11 @@ class LinkShaper {
   struct Line {
     ShapedConnection connection;
     LinkTime began;
-    std::optional<LinkTime> next;  ///< as it stands in times_
+    std::optional<LinkTime> next;  ///< its entry in times_
   };
 
   void run() noexcept;
-  /// Waits for events or the next due time; the connections that have to be served.
+  /// Waits for events or the next due time; appends the connections to serve to `ids`.
   void waitFor(std::vector<Id>& ids);
   void acceptAll(LinkTime now);
   void serve(Id id, LinkTime now);
@@ -62,7 +62,7 @@ class LinkShaper {
   bool mayAccept_ = false;
   Id nextId_;
   std::map<Id, Line> lines_;
-  std::set<std::pair<LinkTime, Id>> times_;  ///< when which is to be served
+  std::set<std::pair<LinkTime, Id>> times_;  ///< when each connection is due
   std::vector<std::uint8_t> buffer_;
   std::thread thread_;
 };

@@ -23,7 +23,7 @@ bool set(const Descriptor& socket, int level, int option, int value) {
   return setsockopt(socket.get(), level, option, &value, sizeof value) == 0;
 }
 
-/// Before it listens or connects: the size of segments and the scale of the window are agreed on in the handshake.
+/// Call before listening or connecting: the handshake fixes the segment size and the window scale.
 void makeSmall(const Descriptor& socket, int bufferBytes) {
   set(socket, SOL_SOCKET, SO_RCVBUF, bufferBytes);
   set(socket, SOL_SOCKET, SO_SNDBUF, bufferBytes);
@@ -68,7 +68,7 @@ Descriptor listenAt(const SocketAddress& address, int bufferBytes) {
   if (socket) makeSmall(socket, bufferBytes);
   if (!socket || !set(socket, SOL_SOCKET, SO_REUSEADDR, 1) ||
       ::bind(socket.get(), pointerTo(address), address.length) != 0 || ::listen(socket.get(), kBacklog) != 0) {
-    throw EnvironmentError(std::generic_category().message(errno), "the socket of a shaped link", "");
+    throw EnvironmentError(std::generic_category().message(errno), "socket of a shaped link", "");
   }
   return socket;
 }
@@ -89,7 +89,7 @@ int portOf(const Descriptor& socket) {
   sockaddr_storage address{};
   socklen_t length = sizeof address;
   getsockname(socket.get(), reinterpret_cast<sockaddr*>(&address), &length);
-  // The port stands at the same place for both families.
+  // Both address families have the port at the same place.
   return ntohs(reinterpret_cast<const sockaddr_in*>(&address)->sin_port);
 }
 

@@ -8,9 +8,9 @@
 #include "stream/load/link/descriptor.h"
 #include "stream/web_server/listen_address.h"
 
-// The sockets at both ends of a shaped link. Their buffers are small, for what a kernel holds is hidden from the queue
-// of the link; and their segments are those of an Ethernet: over loopback's own of 64 KiB, the other program's kernel
-// would take megabytes before it says that the line is full.
+// The sockets at both ends of a shaped link. Their buffers are small, because the link's queue does not include what
+// the kernel holds. Their segments have Ethernet's size: with loopback's 64 KiB, the peer's kernel would accept
+// megabytes before it reports a full line.
 namespace grove::stream {
 
 struct SocketAddress {
@@ -18,20 +18,20 @@ struct SocketAddress {
   socklen_t length = 0;
 };
 
-/// Throws EnvironmentError that says how to mend it with `option`.
+/// Throws EnvironmentError with advice on how to set `option`.
 [[nodiscard]] SocketAddress resolve(const HostPort& where, const std::string& option);
 
-/// Bytes of a socket's buffer for a link of so many bits a second: 5 ms, 16 KiB at least and 4 MiB at most. The kernel
-/// takes twice that, half of it for its own.
+/// Returns the size of a socket's buffer for a link of this rate: 5 ms of bytes, 16 KiB to 4 MiB. The kernel allocates
+/// twice that, half of it for its own use.
 [[nodiscard]] int socketBufferBytes(double bitsPerSecond);
 
-/// A socket that listens, whose accepted sockets have such buffers. Throws EnvironmentError.
+/// Returns a listening socket whose accepted sockets have such buffers. Throws EnvironmentError.
 [[nodiscard]] Descriptor listenAt(const SocketAddress& address, int bufferBytes);
 
-/// The next connection, if there is one; none and errno if not.
+/// Returns the next connection; none, with errno set, if there is none.
 [[nodiscard]] Descriptor acceptFrom(const Descriptor& listener);
 
-/// A socket that begins to connect; none if it cannot even begin.
+/// Returns a socket that has begun to connect; none if that fails at once.
 [[nodiscard]] Descriptor connectTo(const SocketAddress& address, int bufferBytes);
 
 [[nodiscard]] int portOf(const Descriptor& socket);

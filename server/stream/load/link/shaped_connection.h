@@ -10,21 +10,21 @@
 
 namespace grove::stream {
 
-/// A connection whose bytes go over a line of its own, both ways, between two sockets that do not block. Reads no more
-/// than the line has room for, so who sends is held back by TCP. When one side closes, the other is closed behind the
-/// bytes that are on their direction. One thread.
+/// Forwards bytes between two non-blocking sockets over one LinkLine per direction. Reads only what the line has room
+/// for, so that TCP holds the sender back. When one side closes, the other is closed behind the bytes in transit. Not
+/// thread-safe.
 class ShapedConnection {
  public:
   enum class Side : std::uint8_t { kClient, kServer };
 
-  /// The server's socket may be still connecting. `seed` makes the jitter of connections differ.
+  /// The server's socket may still be connecting. `seed` makes the jitter of connections differ.
   ShapedConnection(Descriptor client, Descriptor server, const LinkProfile& profile, std::uint64_t seed);
 
-  /// The socket of this side may have something to read, or room to write, since the last serve().
+  /// This side's socket may have become readable or writable since the last serve().
   void wake(Side side, bool readable, bool writable);
 
-  /// Moves what can be moved now. Returns the time at which there will be more to do, if time alone brings it. `now`
-  /// is since the connection began; `buffer` is room to work in.
+  /// Moves the bytes that can be moved now. Returns the next time at which there is work without a socket event, if
+  /// any. `now` is the time since the connection began; `buffer` is a scratch buffer.
   std::optional<LinkTime> serve(LinkTime now, std::span<std::uint8_t> buffer);
 
   [[nodiscard]] bool isOver() const noexcept { return directions_[0].over && directions_[1].over; }
@@ -41,7 +41,7 @@ class ShapedConnection {
     Side to;
     LinkLine line;
     bool readAll = false;
-    bool over = false;  ///< nothing will be written any more
+    bool over = false;  ///< nothing more will be written
   };
 
   [[nodiscard]] End& end(Side side) noexcept { return ends_[static_cast<std::size_t>(side)]; }
@@ -49,7 +49,7 @@ class ShapedConnection {
   void read(Direction& direction, LinkTime now, std::span<std::uint8_t> buffer);
   void write(Direction& direction, LinkTime now);
   [[nodiscard]] std::optional<LinkTime> nextTime(const Direction& direction, LinkTime now, bool hasRoom) const;
-  /// The socket is of no use any more.
+  /// The socket is broken.
   void breakOff(Side side, LinkTime now);
 
   std::array<End, 2> ends_;

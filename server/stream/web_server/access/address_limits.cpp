@@ -25,7 +25,7 @@ std::string guestOf(const std::string& address) {
   return text.data();
 }
 
-bool AddressLimits::welcomes(const std::string& address, double now, double cost) {
+bool AddressLimits::allows(const std::string& address, double now, double cost) {
   const auto guest = this->guest(address);
   if (!guest) return true;
   refill(*guest, now);

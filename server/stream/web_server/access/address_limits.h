@@ -7,42 +7,43 @@
 
 namespace grove::stream {
 
-/// What one address may take.
+/// What one address may take of the server.
 struct AddressAllowance {
   int sockets = 48;             ///< at once; a browser that opens the page takes up to seven
   int visitors = 8;             ///< in the world at once
   double socketsPerSecond = 8;  ///< on average
-  double burst = 64;            ///< so many new sockets at once, after a while without
+  double burst = 64;            ///< new sockets at once after a pause
 };
 
-/// Keeps who has one address from taking what there is for all: counts sockets, new sockets a second, and visitors, by
-/// address. Of IPv6 addresses the first 64 bits count, for whoever has one has all others of these. 127.0.0.1 and
-/// ::1 are not limited: a proxy on this machine that all visitors come through has one of these. One thread.
+/// Limits sockets, new sockets per second and visitors by address, so that one address cannot take what is there for
+/// all. An IPv6 address counts by its first 64 bits, because its owner has all addresses of that prefix. 127.0.0.1 and
+/// ::1 are not limited: they are the address of a local proxy, through which all visitors come. Not thread-safe.
 class AddressLimits {
  public:
-  /// What somebody took; it is given back when the last copy goes.
+  /// A socket or a place; the last copy returns it.
   using Ticket = std::shared_ptr<void>;
 
   explicit AddressLimits(const AddressAllowance& allowance) : allowance_(allowance) {}
 
-  /// What a request costs that a proxy passes on, who opens sockets as he likes, of what a new socket does.
+  /// Cost, in new sockets, of a request that a proxy forwards: the number of the proxy's sockets says nothing about its
+  /// visitors.
   static constexpr double kRequest = 0.125;
 
-  /// Whether one more socket of this numeric address is welcome. Counts it as tried, so that who goes on trying does
-  /// not get in sooner. `now` in seconds, which do not go back; `cost` in new sockets.
-  [[nodiscard]] bool welcomes(const std::string& address, double now, double cost = 1.0);
-  /// A socket that was welcome is there.
+  /// Returns whether this numeric address may open one more socket. Failed attempts count, too, so that repeating them
+  /// does not help. `now`: monotonic seconds; `cost`: in new sockets.
+  [[nodiscard]] bool allows(const std::string& address, double now, double cost = 1.0);
+  /// Counts an open socket.
   [[nodiscard]] Ticket socket(const std::string& address);
-  /// A visitor's place; null if this address has as many as it may.
+  /// Takes a visitor's place; null if this address has all that it may.
   [[nodiscard]] Ticket visitor(const std::string& address);
-  /// Forgets addresses that have nothing and have been quiet.
+  /// Removes addresses without sockets and visitors whose burst is full again.
   void sweep(double now);
 
  private:
   struct Guest {
     int sockets = 0;
     int visitors = 0;
-    double burst = 0.0;  ///< what is left of it
+    double burst = 0.0;  ///< new sockets still allowed at once
     double since = 0.0;
   };
   std::shared_ptr<Guest> guest(const std::string& address);
@@ -52,7 +53,8 @@ class AddressLimits {
   std::map<std::string, std::shared_ptr<Guest>> guests_;
 };
 
-/// The part of a numeric address that stands for one guest: all of IPv4, 64 bits of IPv6; empty for 127.0.0.1 and ::1.
+/// Returns the part of a numeric address that the limits count by: all of IPv4, 64 bits of IPv6; empty for 127.0.0.1
+/// and ::1.
 [[nodiscard]] std::string guestOf(const std::string& address);
 
 }  // namespace grove::stream

@@ -22,7 +22,7 @@ std::optional<int> parseBits(std::string_view text, int max) {
 }  // namespace
 
 std::optional<in6_addr> parseAddress(std::string_view text) {
-  // Longer ones are none; and what comes from outside may be of any length, and hold zeros.
+  // The text comes from outside: it may be long and contain zeros.
   if (text.size() > INET6_ADDRSTRLEN + 16 || text.find('\0') != std::string_view::npos) return std::nullopt;
   in6_addr six{};
   if (inet_pton(AF_INET6, std::string(text.substr(0, text.find('%'))).c_str(), &six) == 1) return six;

@@ -15,50 +15,50 @@
 
 namespace grove::stream {
 
-/// Who may come in.
+/// Rules for sockets and requests.
 struct EntranceRules {
-  /// Who asks for another name than an address, localhost or one of these is refused.
+  /// Host names of this server. Requests for another name are refused, except for addresses and localhost.
   std::vector<std::string> names = {};
-  /// Pages of these may open a socket, besides the server's own; as parseOrigin() gives them.
+  /// Origins whose pages may open a websocket, besides the server's own; as parseOrigin() returns them.
   std::vector<std::string> origins = {};
-  /// What these say of whom they pass on is believed.
+  /// Proxies whose X-Forwarded headers are trusted.
   std::vector<AddressRange> proxies = {};
   AddressAllowance allowance = {};
 };
 
-/// From where a request has come, as far as that is known.
+/// Where a request comes from.
 struct RequestSource {
   std::string address;           ///< the visitor's, numeric
-  std::string name;              ///< of the other end, for the log
-  std::string host;              ///< that was asked for
-  std::optional<bool> isSecure;  ///< whether the browser came by https
-  bool isForwarded = false;      ///< by a proxy that is known
+  std::string name;              ///< of the peer, for the log
+  std::string host;              ///< requested host
+  std::optional<bool> isSecure;  ///< the browser uses https; none: unknown
+  bool isForwarded = false;      ///< by a trusted proxy
 };
 
-/// Judges sockets and requests by the rules, and logs whom it refuses. On the library's thread only.
+/// Accepts or refuses sockets and requests by the rules, and logs refusals. Called on libwebsockets' thread only.
 class Entrance {
  public:
   explicit Entrance(EntranceRules rules) : rules_(std::move(rules)), limits_(rules_.allowance) {}
 
-  /// From now on there is a world, whose statistics count whom it refuses; it outlives the entrance.
+  /// From now on refusals count in the world's statistics; `host` outlives this.
   void open(Host& host) noexcept { host_ = &host; }
 
   void addName(std::string name) { rules_.names.push_back(std::move(name)); }
 
-  /// Whether one more socket from this numeric address is welcome. All visitors of a proxy have its address, so proxies
-  /// are judged by their requests.
-  [[nodiscard]] bool letsIn(const std::string& address);
-  /// It was welcome, but there is no place, and no socket that could be evicted.
+  /// Returns whether this numeric address may open one more socket. Proxies always may: all their visitors share one
+  /// address, so the requests are limited instead.
+  [[nodiscard]] bool allowsSocket(const std::string& address);
+  /// Logs a refusal because all sockets are in use and none can be evicted.
   void refuseFull(const std::string& address, std::size_t sockets);
-  /// This socket was closed to make room for another.
+  /// Logs that this socket was closed to make room for a new one.
   void reportEvicted(const std::string& name);
 
   [[nodiscard]] bool isProxy(const std::string& address) const;
   [[nodiscard]] RequestSource sourceOf(lws* wsi) const;
 
-  /// What to answer instead of what the request asks for, if it is to be refused. `isSecure`: the listener wants TLS.
+  /// Returns the reply that refuses this request; nothing if the request is allowed. `isSecure`: the listener uses TLS.
   [[nodiscard]] std::optional<PageReply> refuseRequest(lws* wsi, const RequestSource& source, bool isSecure);
-  /// The http status with which an upgrade to a websocket is refused, if it is.
+  /// Returns the http status that refuses an upgrade to a websocket; nothing if the upgrade is allowed.
   [[nodiscard]] std::optional<unsigned> refuseUpgrade(lws* wsi, const RequestSource& source, bool isSecure);
 
   [[nodiscard]] AddressLimits::Ticket socket(const std::string& address) { return limits_.socket(address); }
@@ -67,7 +67,7 @@ class Entrance {
 
  private:
   [[nodiscard]] bool isKnown(const RequestSource& source);
-  [[nodiscard]] bool isWelcome(const RequestSource& source, double cost);
+  [[nodiscard]] bool isWithinLimits(const RequestSource& source, double cost);
   void refuse(const std::string& who, const std::string& why);
 
   Host* host_ = nullptr;  ///< null until the world is ready

@@ -13,7 +13,6 @@ std::optional<std::size_t> chooseEvicted(std::span<const Evictable> sockets) {
   for (const Evictable& socket : sockets) {
     if (socket.isBusy == allAreBusy && !socket.owner.empty()) ++held[socket.owner];
   }
-  // The smallest goes.
   const auto rank = [&](const Evictable& socket) {
     const int others = socket.owner.empty() || socket.isBusy != allAreBusy ? 1 : held[socket.owner];
     return std::tuple(socket.isBusy, -others, socket.since);

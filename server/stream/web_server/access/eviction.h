@@ -6,16 +6,16 @@
 
 namespace grove::stream {
 
-/// A socket that may be closed for a newcomer: nobody in the world has it.
+/// A socket that may be closed to make room for a new one: no visitor in the world uses it.
 struct Evictable {
-  std::string_view owner;  ///< as of guestOf(); empty: a proxy's or this machine's, whose sockets are many guests'
+  std::string_view owner;  ///< see guestOf(); empty: a proxy or this machine, which have sockets for many visitors
   double since = 0.0;      ///< when it was accepted, seconds
-  bool isBusy = false;     ///< it has sent a request that is being answered, or waits for the world
+  bool isBusy = false;     ///< its request is being answered, or it waits for the world
 };
 
-/// Which socket to close when places are short: an index, none if there is none. Busy ones go last. Of the others the
-/// owner who has most loses the oldest: silent sockets go by the hundred, while a newcomer, who is silent for a round
-/// trip, has a few.
+/// Returns the index of the socket to close when places are short; nothing without sockets. Takes busy sockets last.
+/// Otherwise takes the oldest socket of the owner with the most: an attacker has hundreds of silent sockets, whereas a
+/// new visitor, silent for one round trip, has a few.
 [[nodiscard]] std::optional<std::size_t> chooseEvicted(std::span<const Evictable> sockets);
 
 }  // namespace grove::stream

@@ -7,7 +7,7 @@ namespace grove::stream {
 namespace {
 
 constexpr int kFullWeight = 1000;
-/// Of what a client takes without having said so.
+/// For identity when the header does not mention it.
 constexpr int kLeastWeight = 1;
 
 char lowered(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
@@ -22,14 +22,14 @@ std::string_view withoutSpaces(std::string_view text) {
   return text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
-/// Takes what stands before the first separator off the text.
+/// Removes and returns the text before the first separator.
 std::string_view takeUntil(char separator, std::string_view& text) {
   const std::string_view taken = text.substr(0, text.find(separator));
   text.remove_prefix(std::min(text.size(), taken.size() + 1));
   return withoutSpaces(taken);
 }
 
-/// "q=" and 0 to 1 with at most three decimals (RFC 9110, 12.4.2), in thousandths.
+/// Parses "q=" and 0 to 1 with at most three decimals (RFC 9110, 12.4.2), into thousandths.
 std::optional<int> parseWeight(std::string_view text) {
   if (text.size() < 3 || text.size() > 7 || lowered(text[0]) != 'q' || text[1] != '=') return std::nullopt;
   text.remove_prefix(2);

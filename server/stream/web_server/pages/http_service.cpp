@@ -29,7 +29,7 @@ bool HttpService::writeHeaders(lws* wsi, const PageReply& reply) const {
                                      reply.body.size(), &at, end) == 0 &&
          (reply.etag.empty() || add(WSI_TOKEN_HTTP_ETAG, reply.etag)) &&
          (reply.location.empty() || add(WSI_TOKEN_HTTP_LOCATION, reply.location)) &&
-         // Not by plain http, where anybody could have written it (RFC 6797, 7.2).
+         // Not by plain http, where an attacker could have written it (RFC 6797, 7.2).
          (hsts_.empty() || !isSecure(wsi) || add(WSI_TOKEN_HTTP_STRICT_TRANSPORT_SECURITY, hsts_)) &&
          (reply.coding.empty() || add(WSI_TOKEN_HTTP_CONTENT_ENCODING, reply.coding)) &&
          (!reply.variesByCoding || add(WSI_TOKEN_HTTP_VARY, "accept-encoding")) &&
@@ -47,7 +47,7 @@ int HttpService::answer(lws* wsi, std::optional<PageReply> refusal) {
   Answer answer;
   answer.reply = pages_.answer(
       {method, path, header(wsi, WSI_TOKEN_HTTP_IF_NONE_MATCH), header(wsi, WSI_TOKEN_HTTP_ACCEPT_ENCODING)});
-  // Without reading the body of a request one cannot find the next one.
+  // The body of such a request is not read, so the next request cannot be found.
   answer.isLast = method == "another";
   if (refusal) {
     answer.reply = std::move(*refusal);

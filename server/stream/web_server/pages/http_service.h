@@ -12,39 +12,39 @@
 
 namespace grove::stream {
 
-/// A request or an answer over HTTP that stands still for so long is given up.
+/// Timeout of an HTTP request or response without progress, seconds.
 inline constexpr int kHttpSeconds = 10;
 
-/// Answers the http requests of one listener: pages, and reports once they are made. On the library's thread only; each
-/// call returns what its callback has to.
+/// Serves the http requests of one listener: pages, and reports once there is a world. On libwebsockets' thread only;
+/// each method returns what the library's callback must return.
 class HttpService {
  public:
-  /// `hsts`: seconds for which browsers shall come by https only; none: they are not asked to.
+  /// `hsts`: max-age of Strict-Transport-Security, seconds; none: no such header.
   HttpService(Audience audience, std::optional<int> hsts);
 
-  /// From now on there are reports; they outlive it.
+  /// From now on reports can be served; `reports` outlives this.
   void open(LiveReports& reports) noexcept { reports_ = &reports; }
 
-  /// A request has come. `refusal` is answered instead, if there is one.
+  /// Handles a request; sends `refusal` instead if there is one.
   int answer(lws* wsi, std::optional<PageReply> refusal);
-  /// There is room for more of an answer.
+  /// The socket is writable: sends more of a response.
   int resume(lws* wsi);
-  /// A report is there: who waits for one is served.
+  /// A report is ready: resumes the requests that wait for one.
   void wakeWaiting();
-  /// Whether an answer is on its way.
+  /// Returns whether a response is in progress.
   [[nodiscard]] bool isAnswering(lws* wsi) const { return answers_.contains(wsi); }
-  /// The socket is gone.
+  /// The socket is closed.
   void forget(lws* wsi) { answers_.erase(wsi); }
 
  private:
   struct Answer {
     PageReply reply;
     bool begun = false;
-    std::string waitsFor;        ///< path of a report; empty: for nothing
-    double asked = 0.0;          ///< when it was
+    std::string waitsFor;        ///< path of the report it waits for; empty: none
+    double asked = 0.0;          ///< time of the request, of pipeline::wallSeconds()
     LiveReports::Report report;  ///< owns the reply's body
-    std::string_view rest = {};  ///< of the body
-    bool isLast = false;         ///< of this socket
+    std::string_view rest = {};  ///< of the body, not yet sent
+    bool isLast = false;         ///< close the socket after this response
   };
   [[nodiscard]] bool writeHeaders(lws* wsi, const PageReply& reply) const;
   int begin(lws* wsi, Answer& answer);
@@ -53,7 +53,7 @@ class HttpService {
   const Audience audience_;
   const WebPages pages_;
   LiveReports* reports_ = nullptr;  ///< null until the world is ready
-  const std::string hsts_;          ///< a header's value; empty: there is none
+  const std::string hsts_;          ///< value of the header; empty: no header
   std::map<lws*, Answer> answers_;
 };
 

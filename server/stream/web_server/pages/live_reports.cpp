@@ -13,9 +13,9 @@
 namespace grove::stream {
 namespace {
 
-/// Some seconds' worth.
+/// A few seconds of events.
 constexpr std::size_t kMaxTraced = 16'384;
-/// The trace is made without nodes that take longer.
+/// The trace omits nodes that take longer to respond.
 constexpr std::chrono::milliseconds kTracePatience{1000};
 constexpr double kFreshSeconds = 1.0;
 
@@ -35,7 +35,7 @@ StatisticsSources sourcesOf(const Host& host) {
 std::string statistics(const Host& host) { return statisticsJson(sourcesOf(host)); }
 std::string sharing(const Host& host) { return sharingJson(sourcesOf(host)); }
 
-/// Those of a node, on this process's clock, that begin then or later.
+/// A node's events from `begin` on, on this process's clock.
 std::vector<pipeline::TimelineEvent> eventsSince(std::int64_t begin, const node::NodeRouter::NodeEvents& node) {
   std::vector<pipeline::TimelineEvent> events = node::eventsOf(*node.trace, node.aheadNanoseconds);
   std::erase_if(events, [=](const pipeline::TimelineEvent& event) { return event.beginNanoseconds < begin; });
@@ -59,7 +59,7 @@ struct Kind {
   std::string_view path;
   Audience audience;
   std::string (*make)(const Host&);
-  bool large = false;  ///< a second one while somebody reads the first is too much
+  bool large = false;  ///< no second copy is made while the first is being downloaded
 };
 
 constexpr std::array kKindsByPath = {

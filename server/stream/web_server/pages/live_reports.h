@@ -16,14 +16,14 @@
 namespace grove::stream {
 
 /// Makes the server's reports, as JSON. `/statistics.json` and `/trace.json` are for the operator; the trace is a
-/// Chrome trace of the newest stage runs of the server and its nodes. `/sharing.json` reports what sharing saves and is
-/// for everybody. One thread makes all reports, each at most once a second; all readers share it. The trace is large,
-/// so there is one at a time: while a reader downloads it, other readers get the same trace.
+/// Chrome trace of the newest stage runs of the server and its nodes. `/sharing.json` reports what sharing saves, for
+/// all visitors. One thread makes all reports, each at most once a second; all readers share it. The trace is large, so
+/// there is one at a time: while a reader downloads it, other readers get the same trace.
 class LiveReports {
  public:
   using Report = std::shared_ptr<const std::string>;
 
-  /// `ready` is called on that thread whenever a report is there. `host` outlives this.
+  /// `ready` is called on that thread when a report is ready. `host` outlives this.
   LiveReports(const Host& host, std::function<void()> ready);
   ~LiveReports();
   LiveReports(const LiveReports&) = delete;
@@ -31,8 +31,9 @@ class LiveReports {
 
   [[nodiscard]] static bool has(std::string_view path, Audience audience) noexcept;
 
-  /// The report at a path that has() knows, if it was made less than a second before `asked` (of
-  /// pipeline::wallSeconds()) or is a trace that is being read; else none, and it is made. Any thread.
+  /// Returns the report at a path for which has() is true, if it was made less than a second before `asked` (of
+  /// pipeline::wallSeconds()) or is a trace that is being downloaded; otherwise null, and the report is made. Any
+  /// thread.
   [[nodiscard]] Report find(std::string_view path, double asked);
 
  private:

@@ -109,7 +109,7 @@ std::string_view nameOf(node::JoinedWorld::State state) {
   return "";
 }
 
-/// What is not known is null.
+/// Unknown values are null.
 void addPace(Json& link, const node::LinkPace& pace) {
   link["sent_bytes_per_s"] = pace.roundTrip ? Json(pace.sent) : Json();
   link["received_bytes_per_s"] = pace.roundTrip ? Json(pace.received) : Json();
@@ -145,7 +145,7 @@ std::string_view nameOf(node::LinkState state) {
   return "";
 }
 
-/// As text: a number in JavaScript has 53 bits.
+/// As text, because a number in JavaScript has 53 bits.
 Json epoch(const node::NodeRouter::NodeLink& link) {
   if (!link.epoch) return nullptr;
   return std::to_string(*link.epoch);

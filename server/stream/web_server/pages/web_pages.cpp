@@ -21,11 +21,10 @@ constexpr std::array kTypes = {
 
 constexpr std::string_view kIdentity = "identity";
 constexpr std::array kCodings = {Pair{".gz", "gzip"}, Pair{".br", "br"}};
-/// Where addresses change with what is there.
+/// Paths below this change with their content.
 constexpr std::string_view kHashed = "/v/";
 constexpr std::string_view kNotFound = "/not_found.html";
 
-/// Some have a name of their own.
 std::string_view fileOf(std::string_view path, Audience audience) {
   if (path == "/") return audience == Audience::kOperator ? "/operator.html" : "/index.html";
   if (path == "/operator") return "/operator.html";
@@ -39,7 +38,7 @@ std::string_view typeOf(std::string_view path) {
   return "application/octet-stream";
 }
 
-/// FNV-1a: the tag only has to change with the file.
+/// FNV-1a suffices: the tag only has to change with the file.
 std::string tagOf(std::string_view body) {
   std::uint64_t hash = 0xCBF29CE484222325U;
   for (const char c : body) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001B3U;
@@ -48,7 +47,7 @@ std::string tagOf(std::string_view body) {
   return text.data();
 }
 
-/// The file's name as the page has it, and its content coding.
+/// The file's name without the suffix of a coding, and its content coding.
 Pair codingOf(std::string_view file) {
   for (const auto& [suffix, coding] : kCodings) {
     if (file.ends_with(suffix)) return {file.substr(0, file.size() - suffix.size()), coding};
@@ -58,7 +57,7 @@ Pair codingOf(std::string_view file) {
 
 bool isOperators(std::string_view file) { return file.substr(file.rfind('/') + 1).starts_with("operator"); }
 
-/// Whether the header If-None-Match names the tag, be it among others or as a weak one.
+/// Returns whether If-None-Match names the tag, in a list or as a weak one.
 bool isNamed(std::string_view ifNoneMatch, std::string_view tag) {
   return ifNoneMatch == "*" || ifNoneMatch.find(tag) != std::string_view::npos;
 }
@@ -103,7 +102,7 @@ PageReply WebPages::answer(const PageRequest& request) const {
 }
 
 PageReply WebPages::represent(const Page& page, std::string_view acceptEncoding) {
-  // Whoever takes none of them, not even identity, is better off with a page than with a refusal.
+  // A client that accepts none of them, not even identity, gets a page rather than a refusal.
   const Representation* best = &page.representations.back();
   int weight = 0;
   for (const Representation& one : page.representations) {

@@ -12,7 +12,7 @@
 
 namespace grove::stream {
 
-/// What is asked for: headers are empty if the request has none of the name.
+/// A request; headers that it lacks are empty.
 struct PageRequest {
   std::string_view method;  ///< "GET", "HEAD" or anything else
   std::string_view path;    ///< without query
@@ -20,22 +20,22 @@ struct PageRequest {
   std::string_view acceptEncoding = {};
 };
 
-/// What to answer an http request with.
+/// The reply to an http request.
 struct PageReply {
   int status = 200;
   std::string_view type = "text/plain; charset=utf-8";
   std::string_view etag;  ///< empty: none
-  std::string_view body;  ///< its length is announced even if it is not sent
+  std::string_view body;  ///< its length is sent even if the body is not (HEAD)
   bool sendBody = true;
-  std::string location = {};     ///< where to ask instead; empty: nowhere else
+  std::string location = {};     ///< redirects there; empty: no redirect
   std::string_view coding = {};  ///< of the body; empty: none
-  bool variesByCoding = false;   ///< whether another Accept-Encoding may get another body
-  bool isForGood = false;        ///< at this address there will never be anything else
+  bool variesByCoding = false;   ///< another Accept-Encoding may get another body
+  bool isForGood = false;        ///< immutable: the content of this path never changes
 };
 
-/// The page's files, which lie in the program: only their exact names exist, so no path leads elsewhere. The operator's
-/// are for the operator only. Each is there as it is and compressed (server/cmake/web.cmake): `main.js`, `main.js.gz`
-/// and `main.js.br` are one page, and a client gets the smallest of those that it takes most gladly.
+/// The page's files, embedded in the program: only their exact names exist, so no path leads elsewhere. Some are for
+/// the operator only. Each file exists uncompressed and compressed (server/cmake/web.cmake): `main.js`, `main.js.gz`
+/// and `main.js.br` are one page, and a client gets the smallest of the codings that it prefers most.
 class WebPages {
  public:
   WebPages(std::span<const embedded::File> files, Audience audience);

@@ -13,13 +13,13 @@ struct FreeTlsContext {
 };
 using TlsContext = std::unique_ptr<SSL_CTX, FreeTlsContext>;
 
-/// A client's context of OpenSSL, which trusts nobody. libwebsockets 4.1.6 makes one for each listener and client that
-/// gets none, with all authorities of the machine in it, and never frees it. Throws EnvironmentError.
+/// An OpenSSL client context that trusts no authority. libwebsockets 4.1.6 otherwise creates one for each listener and
+/// client, with all authorities of the machine in it, and never frees it. Throws EnvironmentError.
 [[nodiscard]] TlsContext makeClientTlsContext();
 
-/// Prepares OpenSSL's context of a listener: TLS 1.2 and newer with the ciphers that Mozilla's "intermediate" list
-/// takes, and in each handshake the store's certificate of that moment. `store` outlives the context and its
-/// connections. Throws EnvironmentError.
+/// Configures a listener's OpenSSL context: TLS 1.2 and newer with the ciphers of Mozilla's "intermediate" list; each
+/// handshake uses the store's current certificate. `store` outlives the context and its connections. Throws
+/// EnvironmentError.
 void prepareListener(SSL_CTX* context, const TlsStore& store);
 
 }  // namespace grove::stream

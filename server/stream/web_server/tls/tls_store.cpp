@@ -63,7 +63,7 @@ void TlsStore::warnOfExpiry() {
   if (now < nextWarning_ || expires - now > kWarnBefore) return;
   nextWarning_ = now + kDay;
   log::warning("--tls-cert " + files_.certificate + ": the certificate " + (now > expires ? "expired" : "expires") +
-               " on " + dateOf(expires) + " (renew it; the files are read anew when they change)");
+               " on " + dateOf(expires) + " (renew it; changed files are reloaded)");
 }
 
 }  // namespace grove::stream

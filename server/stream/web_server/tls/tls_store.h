@@ -10,28 +10,28 @@
 
 namespace grove::stream {
 
-/// The certificate that a running server shows, made anew from its files when they change: connections that are there
-/// go on with the one they began with. A bad new pair is reported, and the one before stays.
+/// A running server's certificate, reloaded from its files when they change; open connections keep the one they began
+/// with. An invalid new pair is reported, and the old one stays.
 class TlsStore {
  public:
-  /// Throws what TlsCertificate throws. A certificate that expires soon is warned of, now and once a day.
+  /// Throws what TlsCertificate throws. Warns of a certificate that expires soon, now and once a day.
   explicit TlsStore(TlsFiles files);
 
   /// Any thread.
   [[nodiscard]] std::shared_ptr<const TlsCertificate> current() const;
 
-  /// Reads the files now. One thread, as look().
+  /// Reads the files now. Same thread as look().
   void reload();
-  /// To be called about once a second: reads the files once they have changed and then stayed the same from one call to
-  /// the next, for a certificate and its key are not replaced at the same moment.
+  /// Call about once a second. Reads the files once they have changed and then stayed the same from one call to the
+  /// next, because a certificate and its key are not replaced at the same moment.
   void look();
 
  private:
-  /// What tells a file from what it was before, behind all symbolic links.
+  /// Identifies a version of a file, after following symbolic links.
   struct Stamp {
     std::uint64_t device = 0;
     std::uint64_t inode = 0;
-    std::int64_t bytes = -1;  ///< negative: there is none
+    std::int64_t bytes = -1;  ///< negative: no file
     std::int64_t seconds = 0;
     std::int64_t nanoseconds = 0;
     bool operator==(const Stamp&) const = default;
@@ -42,8 +42,8 @@ class TlsStore {
   void warnOfExpiry();
 
   const TlsFiles files_;
-  Stamps read_;  ///< of the files as they were read last, whatever came of it
-  Stamps seen_;  ///< at the last look
+  Stamps read_;  ///< of the last attempt to read the files, successful or not
+  Stamps seen_;  ///< at the last look()
   std::time_t nextWarning_ = 0;
   mutable std::mutex mutex_;
   std::shared_ptr<const TlsCertificate> current_;

@@ -13,21 +13,21 @@ TEST(AddressLimits, CountSocketsWhileTheyAreThere) {
   AddressLimits limits(kAllowance);
   std::vector<AddressLimits::Ticket> tickets;
   for (int i = 0; i < 3; ++i) {
-    ASSERT_TRUE(limits.welcomes("192.0.2.1", 10.0 * i));
+    ASSERT_TRUE(limits.allows("192.0.2.1", 10.0 * i));
     tickets.push_back(limits.socket("192.0.2.1"));
   }
-  EXPECT_FALSE(limits.welcomes("192.0.2.1", 50.0));
-  EXPECT_TRUE(limits.welcomes("192.0.2.2", 50.0));
+  EXPECT_FALSE(limits.allows("192.0.2.1", 50.0));
+  EXPECT_TRUE(limits.allows("192.0.2.2", 50.0));
   tickets.pop_back();
-  EXPECT_TRUE(limits.welcomes("192.0.2.1", 60.0));
+  EXPECT_TRUE(limits.allows("192.0.2.1", 60.0));
 }
 
 TEST(AddressLimits, CountNewSocketsASecond) {
   AddressLimits limits(kAllowance);
   int welcome = 0;
-  for (int i = 0; i < 1000; ++i) welcome += limits.welcomes("192.0.2.1", 100.0 + 0.001 * i) ? 1 : 0;
+  for (int i = 0; i < 1000; ++i) welcome += limits.allows("192.0.2.1", 100.0 + 0.001 * i) ? 1 : 0;
   EXPECT_EQ(welcome, 5) << "the burst; who goes on trying gets no more";
-  EXPECT_TRUE(limits.welcomes("192.0.2.1", 103.0)) << "who stops for a while is welcome again";
+  EXPECT_TRUE(limits.allows("192.0.2.1", 103.0)) << "who stops for a while is welcome again";
 }
 
 TEST(AddressLimits, CountVisitors) {
@@ -53,7 +53,7 @@ TEST(AddressLimits, DoNotLimitThisMachine) {
   AddressLimits limits(kAllowance);
   std::vector<AddressLimits::Ticket> tickets;
   for (int i = 0; i < 100; ++i) {
-    ASSERT_TRUE(limits.welcomes("127.0.0.1", 1.0));
+    ASSERT_TRUE(limits.allows("127.0.0.1", 1.0));
     tickets.push_back(limits.socket("127.0.0.1"));
     tickets.push_back(limits.visitor("127.0.0.1"));
     ASSERT_TRUE(tickets.back());

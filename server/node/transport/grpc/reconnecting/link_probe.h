@@ -11,14 +11,14 @@
 
 namespace grove::node {
 
-/// Asks a node for a sign of life once a second, over the connection of a call, and measures the round trip. The
-/// standard health service answers. Keep-alive is not enough: it asks only where no byte comes, and a connection can
-/// bring bytes that make no message.
+/// Sends a node a request once a second, over the connection of a call, and measures the round trip. The standard
+/// health service responds. Keep-alive is not enough: it sends pings only when no bytes come, and a connection can
+/// carry bytes that form no message.
 class LinkProbe {
  public:
   using Clock = std::chrono::steady_clock;
 
-  /// On gRPC's threads.
+  /// Called on gRPC's threads.
   class Listener {
    public:
     virtual ~Listener() = default;
@@ -31,9 +31,9 @@ class LinkProbe {
   /// Both outlive it.
   LinkProbe(grpc::GenericStub& stub, Listener& listener) : stub_(stub), listener_(listener) {}
 
-  /// Once; after stop() it ends at once.
+  /// Called once; after stop(), the probe ends at once.
   void start() { ask(); }
-  /// Ends it soon. Any thread.
+  /// Makes it end soon. Any thread.
   void stop();
 
  private:

@@ -8,25 +8,25 @@
 
 namespace grove::node {
 
-/// How the link to a node or to the world's owner stands. Logs what changes, once. One thread at a time.
+/// The state of the link to a node or to the world's owner. Logs each change once. One thread at a time.
 class LinkStanding {
  public:
-  /// `peer` is the other end, as the log names it.
+  /// `peer`: the other end's name in log lines.
   explicit LinkStanding(std::string peer) : peer_(std::move(peer)) {}
 
   [[nodiscard]] const LinkStatus& status() const noexcept { return status_; }
   [[nodiscard]] bool isAnswered() const noexcept {
     return status_.state != LinkState::kConnecting && status_.state != LinkState::kSilent;
   }
-  /// Whether nothing changes unless somebody changes his mind: the peer, or whoever runs it.
+  /// Whether only a person can change the state: whoever runs this process or the peer.
   [[nodiscard]] bool isKeptAway() const noexcept {
     return status_.state == LinkState::kRefused || status_.state == LinkState::kUntrusted;
   }
 
   void welcomed();
-  /// By the peer.
+  /// The peer refuses this process.
   void refused(const std::string& reason);
-  /// The peer, by this process.
+  /// This process rejects the peer's certificate.
   void mistrusted(const std::string& reason);
   /// A call has ended.
   void failed(const CallFailure& failure);

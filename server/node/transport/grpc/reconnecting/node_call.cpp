@@ -10,7 +10,7 @@ NodeCall::NodeCall(Caller& caller, const std::string& address, const LinkTls& tl
 
 void NodeCall::start() {
   stub_.PrepareBidiStreamingCall(&context_, kLinkMethod, grpc::StubOptions(), this);
-  AddHold();  // others write, until hangUp()
+  AddHold();  // other threads write, until hangUp()
   StartCall();
 }
 

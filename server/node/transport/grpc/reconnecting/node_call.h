@@ -15,34 +15,34 @@
 
 namespace grove::node {
 
-/// A frontend process's stream to a node, from its start to its end, on a connection of its own: what has broken one
-/// does not concern the next. Not to be destroyed on gRPC's threads, since that destroys a channel.
+/// A frontend process's stream to a node, from its start to its end, on a connection of its own, so that a broken
+/// connection does not affect the next call. Must not be destroyed on gRPC's threads, because that destroys a channel.
 class NodeCall final : public PacketReactor<grpc::ClientBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer>>,
                        private LinkProbe::Listener {
  public:
-  /// Who makes calls. On gRPC's threads.
+  /// Makes calls. Called on gRPC's threads.
   class Caller {
    public:
     virtual ~Caller() = default;
-    /// The node has taken the call.
+    /// The node has accepted the call.
     virtual void opened(NodeCall& call) = 0;
     virtual void take(const grpc::ByteBuffer& message) = 0;
     [[nodiscard]] virtual bool wantsMore() const = 0;
     /// The node has answered a probe.
     virtual void answered(LinkProbe::Clock::duration roundTrip) = 0;
-    /// The last thing that it does.
+    /// The call's last use of the caller.
     virtual void ended(const grpc::Status& status) = 0;
   };
 
-  /// To the node at HOST:PORT. `caller` waits for ended().
+  /// Calls the node at HOST:PORT. `caller` waits for ended().
   NodeCall(Caller& caller, const std::string& address, const LinkTls& tls);
 
   void start();
-  /// Takes packets from now on, after these, reads, and watches whether the node answers.
+  /// Accepts packets from now on, after these, reads, and watches whether the node responds.
   void open(const std::vector<Packet>& first);
-  /// Ends it, for this reason. Any thread.
+  /// Ends the call for this reason. Any thread.
   void giveUp(const char* reason);
-  /// Why the node at HOST:PORT is not to be trusted; once it has taken the call.
+  /// Why the certificate of the node at HOST:PORT is rejected; called once the node has accepted the call.
   [[nodiscard]] std::optional<std::string> complaint(const LinkTls& tls, const std::string& address) const;
 
   void OnReadInitialMetadataDone(bool ok) override;

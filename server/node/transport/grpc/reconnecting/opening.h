@@ -9,8 +9,8 @@
 
 namespace grove::node {
 
-/// What a new stream to a backend node begins with: the last hello, and after it the newest world update and quality.
-/// One thread at a time.
+/// The first messages of a new stream to a backend node: the last hello, then the newest world update and quality. One
+/// thread at a time.
 class Opening {
  public:
   void remember(const ToBackend& message) {

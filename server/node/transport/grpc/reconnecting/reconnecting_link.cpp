@@ -84,7 +84,7 @@ void ReconnectingLink::receive(ToFrontend message) {
   frontend_.use([&](FrontendPort* port) {
     if (port != nullptr) port->receive(message);
   });
-  // Last, for who waits for the answer takes it for heard.
+  // Last, because waiting threads take the response for received.
   if (std::holds_alternative<NodeWelcome>(message)) welcomed();
   if (const auto* refusal = std::get_if<NodeRefusal>(&message)) refused(refusal->reason);
 }
@@ -98,7 +98,7 @@ void ReconnectingLink::welcomed() {
   changed_.notify_all();
 }
 
-/// The node may change its mind: when one with this process's number leaves.
+/// The node may accept later: when a process with this process's number leaves.
 void ReconnectingLink::refused(const std::string& reason) {
   const std::lock_guard lock(mutex_);
   if (!isOpen_ || isStopped_) return;
@@ -128,7 +128,7 @@ void ReconnectingLink::awaitAnswer() {
 void ReconnectingLink::giveUp() {
   const std::lock_guard lock(mutex_);
   if (!patience_ || !call_) return;
-  // What the node has answered may wait for a worker.
+  // The node's response may wait for a worker.
   if (!incoming_->idle()) return awaitAnswer();
   call_->giveUp("it takes the connection, and neither welcomes nor refuses");
 }

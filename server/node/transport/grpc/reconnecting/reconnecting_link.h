@@ -20,8 +20,8 @@
 
 namespace grove::node {
 
-/// Makes one call to a node after the other. Hears what comes before the frontend process does, for the node's welcome
-/// or refusal says how the link stands. Any thread.
+/// Makes successive calls to a node. Receives messages before the frontend process does, because the node's welcome or
+/// refusal determines the state of the link. Any thread.
 class ReconnectingLink final : public FrontendPort,
                                public NodeCall::Caller,
                                public std::enable_shared_from_this<ReconnectingLink> {
@@ -30,19 +30,19 @@ class ReconnectingLink final : public FrontendPort,
                    const std::string& role);
 
   void start();
-  /// Waits for the end of the call; so not on one of gRPC's threads.
+  /// Waits for the end of the call; so it must not run on one of gRPC's threads.
   void stop();
 
-  /// Closed while no call is open.
+  /// Returns kClosed while no call is open.
   pipeline::PushResult send(const ToBackend& message);
   [[nodiscard]] Connection<FrontendPort>& frontend() noexcept { return frontend_; }
   [[nodiscard]] LinkTraffic traffic() const { return traffic_.read(); }
 
   [[nodiscard]] LinkStatus status() const;
   [[nodiscard]] LinkPace pace() const;
-  /// The status once the node has welcomed or refused, or after so long.
+  /// Waits, for at most `max`, until the node has welcomed or refused; returns the status.
   [[nodiscard]] LinkStatus waitForAnswer(std::chrono::milliseconds max) const;
-  /// False if it takes longer.
+  /// Returns false if it takes longer.
   [[nodiscard]] bool waitUntilOpen(std::chrono::milliseconds max) const;
 
  private:
@@ -57,10 +57,10 @@ class ReconnectingLink final : public FrontendPort,
   void call();
   void readOn();
   void greetAgain();
-  /// To the hello: the node is called again if none comes. With the lock held.
+  /// Waits for the response to the hello: calls the node again if none comes. With the lock held.
   void awaitAnswer();
   void giveUp();
-  // What they answer to may have ended before a worker read them: then the next call is waited for, and counts.
+  // The call of the response may have ended before a worker read it: then the next call counts.
   void welcomed();
   void refused(const std::string& reason);
   /// With the lock held.
@@ -80,11 +80,11 @@ class ReconnectingLink final : public FrontendPort,
   LinkStanding standing_;
   LinkGauge gauge_;
   RetryTimer retry_;
-  std::unique_ptr<grpc::Alarm> patience_;  ///< while an answer is awaited
+  std::unique_ptr<grpc::Alarm> patience_;  ///< while a response is awaited
   bool isOpen_ = false;
-  bool isCalling_ = false;  ///< until the call is gone
+  bool isCalling_ = false;  ///< until the call is destroyed
   bool isStopped_ = false;
-  std::shared_ptr<NodeCall> call_;  ///< null between two
+  std::shared_ptr<NodeCall> call_;  ///< null between two calls
 };
 
 }  // namespace grove::node

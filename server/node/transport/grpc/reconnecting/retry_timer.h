@@ -15,14 +15,14 @@ class RetryTimer {
   static constexpr int kFirstMilliseconds = 100;
   static constexpr int kLongestMilliseconds = 1000;
 
-  /// Calls `retry` after the next pause, on one of gRPC's threads, in place of what was waiting to be called.
+  /// Calls `retry` after the next pause, on one of gRPC's threads, instead of an earlier `retry` that has not begun.
   void set(std::function<void()> retry);
-  /// Nothing is called, but what is being called already.
+  /// Cancels a `retry` that has not begun.
   void cancel() { alarm_.reset(); }
 
-  /// The next pause is the shortest.
+  /// Makes the next pause the shortest.
   void reset() noexcept { pauseMilliseconds_ = kFirstMilliseconds; }
-  /// The next pause is the longest.
+  /// Makes the next pause the longest.
   void slowDown() noexcept { pauseMilliseconds_ = kLongestMilliseconds; }
 
  private:

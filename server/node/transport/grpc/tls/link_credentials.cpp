@@ -16,7 +16,7 @@ std::string propertyOf(const grpc::AuthContext& other, const char* name) {
   return values.empty() ? std::string() : std::string(values.front().data(), values.front().size());
 }
 
-/// Of HOST:PORT.
+/// The host of HOST:PORT.
 std::string hostOf(const std::string& address) {
   const std::string host = address.substr(0, address.rfind(':'));
   return host.starts_with('[') && host.ends_with(']') ? host.substr(1, host.size() - 2) : host;
@@ -37,7 +37,7 @@ std::shared_ptr<grpc::ChannelCredentials> channelCredentials(const LinkTls& tls)
   tls_api::TlsChannelCredentialsOptions options;
   options.set_verify_server_certs(false);
   options.set_check_call_host(false);
-  // Left to complaintOf().
+  // complaintOf() verifies instead.
   options.set_certificate_verifier(std::make_shared<tls_api::NoOpCertificateVerifier>());
   if (!tls.certificate.empty()) {
     const std::vector<tls_api::IdentityKeyCertPair> own{{tls.key, tls.certificate}};

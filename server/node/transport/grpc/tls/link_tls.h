@@ -8,17 +8,17 @@
 
 namespace grove::node {
 
-/// What secures the gRPC links of a process. By default nothing does: they are in the clear.
+/// TLS settings of a process's gRPC links. The default is no TLS.
 struct LinkTls {
-  std::string certificate;  ///< PEM, shown to others with those of its issuers; empty: none is shown
+  std::string certificate;  ///< PEM, followed by those of its issuers; empty: none
   std::string key;          ///< PEM
-  /// Who signs the certificates of others. Null: a process that listens asks for none, one that connects does so in the
-  /// clear.
+  /// The authorities that sign other processes' certificates. Null: a listening process requires no certificate, and a
+  /// connecting one uses no TLS.
   std::shared_ptr<const TlsAuthorities> trusted;
 };
 
-/// Reads and judges the files, each of which may be named by an empty text: then there is none. Throws EnvironmentError
-/// that names the option (`own.option`, then -cert, -key or -ca) and the file.
+/// Reads and checks the files; an empty name means no file. Throws EnvironmentError that names the option
+/// (`own.option`, then -cert, -key or -ca) and the file.
 [[nodiscard]] LinkTls readLinkTls(const TlsFiles& own, const std::string& authorities);
 
 }  // namespace grove::node
