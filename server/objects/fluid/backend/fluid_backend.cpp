@@ -150,7 +150,7 @@ class FluidBackend::Fire {
     }
   }
 
-  /// Smoke in slow motion is worse than smoke on the scene's grid: a quality step is abandoned for good if its ticks
+  /// Smoke in slow motion is worse than smoke on the scene's grid: a quality step is disabled permanently if its ticks
   /// need more CPU time than a core has. Waiting does not count, because it depends on other load. Slow motion on the
   /// scene's own grid can only be reported.
   void keepPace(std::int64_t cpuNanoseconds) {
