@@ -13,7 +13,7 @@ namespace grove::measure {
 
 /// What sharing saved in the last seconds.
 struct Amortization {
-  double seconds = 0.0;          ///< the while that this is about
+  double seconds = 0.0;          ///< measured period
   double visitors = 0.0;         ///< mean
   double framesPerSecond = 0.0;  ///< of one visitor
   double cpuCores = 0.0;         ///< of the whole process

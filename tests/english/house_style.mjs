@@ -1,11 +1,9 @@
 /** Phrases that make readers stop, with what to write instead. */
 const kPhrases = [
   ['whoever', 'name the person'],
-  ['nobody', 'no visitor, no client'],
   ['once more', 'again'],
   ['by and by', 'gradually'],
   ['the while', 'the period'],
-  ['that of', 'repeat the noun'],
   ['so many', 'give the number a name'],
   ['to be had', 'available'],
   ['at hand', 'available'],

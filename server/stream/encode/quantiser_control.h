@@ -10,7 +10,7 @@ namespace grove::stream {
 /// steps halve it), and from the bytes overspent so far. Not thread-safe.
 class QuantiserControl {
  public:
-  /// Returns the quantiser for a picture of so many pixels and `bytes`. Not limited to any encoder's range.
+  /// Returns the quantiser for a picture of these pixels and bytes. Not limited to any encoder's range.
   [[nodiscard]] Quantiser choose(bool independent, double pixels, double bytes) const;
 
   /// Reports the result.

@@ -8,7 +8,7 @@
 
 namespace grove::stream {
 
-/// Returns the controls, so many seconds after the start, of a measured visitor: a few steps back and forth around the
+/// Returns the controls, `seconds` after the start, of a measured visitor: a few steps back and forth around the
 /// place of arrival, looking along `yaw` (radians) on average. `index` makes visitors differ; two measurements get the
 /// same walks. The input has no number yet.
 [[nodiscard]] world::Input stroll(int index, float yaw, double seconds);

@@ -18,7 +18,7 @@ struct FigureColumn {
 /// What a tick of the paper's own simulation took on its GPU, rounded, in milliseconds: c_i of Figure 5.6.
 inline constexpr double kPapersTick = 60.0;
 
-/// The figure's four columns with the default world's fluid, and once more with the grid whose tick takes nearest to
+/// The figure's four columns with the default world's fluid, and again with the grid whose tick takes nearest to
 /// the paper's here (128 at most). Only the columns that were measured before it was stopped. Throws EnvironmentError.
 [[nodiscard]] std::vector<FigureColumn> runFigure(const gl::ShaderLibrary& shaders, PictureSize size,
                                                   const std::stop_token& stop);

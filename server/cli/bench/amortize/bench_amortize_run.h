@@ -14,12 +14,12 @@
 
 namespace grove::cli {
 
-/// One measurement of `grove bench amortize`: so many visitors walk about in one scene.
+/// One measurement of `grove bench amortize`: some visitors walk about in one scene.
 struct AmortizeRun {
   int users = 1;
   bool privateWorlds = false;  ///< the control: a world for each
   double seconds = 5.0;        ///< measured, after a warm-up
-  int frames = 0;              ///< instead of seconds, unless 0: until every visitor got so many
+  int frames = 0;              ///< instead of seconds, unless 0: until every visitor has this number
   PictureSize size{1280, 720};
   node::TransportKind transport = node::TransportKind::kReference;
 };
@@ -47,7 +47,7 @@ struct AmortizeRow {
   double driverCores = 0.0;   ///< of the rest, what the GL driver's own threads have used
 
   [[nodiscard]] double fps() const { return frames / seconds / users; }
-  /// The machine is too slow. A frame of everybody may be cut off at the ends of the while.
+  /// Whether the machine is too slow. The period may cut off one frame of each visitor.
   [[nodiscard]] bool saturated() const { return (frames + users) / seconds / users < kServedFps; }
   [[nodiscard]] int copies() const { return privateWorlds ? users : 1; }
   /// What neither stages nor the driver's threads account for: clocks, queues, sockets, the bench itself.
