@@ -1,8 +1,9 @@
-# Shared by run and test: installs what is missing and builds. Sourced, with the repository's root as the directory.
+# Shared by the scripts here: installs missing packages and builds. Sourced, with the repository's root as the working
+# directory.
 
 say() { printf '\033[1m== %s\033[0m\n' "$*" >&2; }
 
-# need_packages FILE...: installs the Debian packages listed in the files that are not there yet.
+# need_packages FILE...: installs the missing ones of the Debian packages listed in the files.
 need_packages() {
   local missing=() package
   for package in $(sed 's/#.*//' "$@"); do
@@ -20,8 +21,8 @@ install_packages() {
   "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive sh -c "$install_without_starting" sh "$@" >&2
 }
 
-# Debian starts each service that it installs: here that would be web servers on port 80, which only the tests need. Its own
-# way to refuse is a policy-rc.d that returns 101; the machine's own, if there is one, stays.
+# Debian starts each service that it installs: here web servers on port 80, which only the tests need. A policy-rc.d
+# that returns 101 prevents this; an existing one of the machine stays.
 install_without_starting='
 policy=/usr/sbin/policy-rc.d
 if [ ! -e $policy ]; then
@@ -33,7 +34,7 @@ fi
 apt-get install -y --no-install-recommends "$@"
 '
 
-# need_node: Node.js 18 or newer with npm, from wherever it came.
+# need_node: Node.js 18 or newer with npm, from any source.
 need_node() {
   if ! command -v node >/dev/null || ! command -v npm >/dev/null; then install_packages nodejs npm; fi
 }
@@ -47,8 +48,8 @@ build() {
   cmake --build --preset "$preset" >&2
 }
 
-# changed_sources COUNT: the sources that changed last, newest first: those not committed yet, then by the history. For a
-# header, the source of its name. Asks for no base, so it works in any clone. Without those that only the fuzz preset builds.
+# changed_sources COUNT: the last changed sources, newest first: uncommitted ones, then by the history. For a header,
+# the source of its name. Needs no base, so it works in any clone. Skips sources that only the fuzz preset builds.
 changed_sources() {
   local files=('server/*.cpp' 'server/*.h' 'tests/*.cpp' 'tests/*.h' ':!tests/fuzz') file
   { git diff --name-only HEAD -- "${files[@]}"; git log --format= --name-only -- "${files[@]}"; } |

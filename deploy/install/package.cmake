@@ -1,6 +1,6 @@
 # The Debian package, made by `deploy/package`, which installs to /usr.
 set(GROVE_PACKAGE_MAINTAINER "The Grove authors <grove@grove.invalid>" CACHE STRING
-  "Who answers for the Debian package: a name and an address")
+  "Maintainer of the Debian package: a name and an address")
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_CONTACT "${GROVE_PACKAGE_MAINTAINER}")
 set(CPACK_PACKAGE_DIRECTORY "${CMAKE_BINARY_DIR}/package")
@@ -21,11 +21,11 @@ light fields are computed once and shared; only the view is made per visitor,
 with or without a GPU.
 
 The package has a systemd service, which is not started by itself.")
-# Linked libraries are found by what the program needs; Mesa loads its drivers itself.
+# The program's needs determine its linked libraries; Mesa loads its drivers itself.
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "adduser, init-system-helpers (>= 1.54~), libegl-mesa0 | libegl-vendor, libgl1-mesa-dri")
 
-# What dpkg must not overwrite when somebody has changed it.
+# Files that dpkg must not overwrite after local changes.
 file(CONFIGURE OUTPUT debian/conffiles @ONLY CONTENT
   "@CMAKE_INSTALL_FULL_SYSCONFDIR@/grove/grove.conf\n@CMAKE_INSTALL_FULL_SYSCONFDIR@/grove/scene.toml\n")
 set(CPACK_DEBIAN_PACKAGE_CONTROL_EXTRA "${CMAKE_CURRENT_BINARY_DIR}/debian/conffiles"
@@ -33,7 +33,7 @@ set(CPACK_DEBIAN_PACKAGE_CONTROL_EXTRA "${CMAKE_CURRENT_BINARY_DIR}/debian/conff
   "${CMAKE_CURRENT_SOURCE_DIR}/debian/postrm")
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 
-# Debian wants a changelog of the package beside that of the program.
+# Debian requires a package changelog beside the program's.
 if(CMAKE_INSTALL_PREFIX STREQUAL "/usr")
   execute_process(COMMAND ${CMAKE_COMMAND} -E env LC_ALL=C date --utc --rfc-email --date=${GROVE_RELEASE_DATE}
     OUTPUT_VARIABLE date OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)

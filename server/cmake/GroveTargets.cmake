@@ -1,40 +1,41 @@
-# Helpers that every folder's CMakeLists.txt uses: one target a folder, one test program a folder.
+# Helpers for the CMakeLists.txt of all folders: one target per folder, one test program per folder.
 include(CheckCXXCompilerFlag)
 
 find_package(Threads REQUIRED)
 
 add_library(grove_options INTERFACE)
 target_compile_options(grove_options INTERFACE -Wall -Wextra -Wshadow -Wnon-virtual-dtor -Wold-style-cast)
-# GCC 12 sees overlaps and overflows in std::string's operator+ that are not there (GCC bug 105651).
+# GCC 12 warns falsely about overlaps and overflows in std::string's operator+ (GCC bug 105651).
 target_compile_options(grove_options INTERFACE "$<$<CXX_COMPILER_ID:GNU>:-Wno-restrict;-Wno-stringop-overflow>")
 if(GROVE_WERROR)
   target_compile_options(grove_options INTERFACE -Werror)
 endif()
-# The least processor that Grove runs on. What needs more is a kernel, chosen at run time (base/simd/target.h).
+# The oldest processor that Grove runs on. Code that needs more is a kernel, chosen at run time (base/simd/target.h).
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
   target_compile_options(grove_options INTERFACE -march=x86-64-v2)
-  # A lesser processor is told so by the loader, instead of stopping at some instruction.
+  # On older processors the loader reports this, instead of a crash at some instruction.
   target_link_options(grove_options INTERFACE LINKER:-z,x86-64-v2)
 elseif(CMAKE_SYSTEM_PROCESSOR MATCHES "aarch64|arm64")
   target_compile_options(grove_options INTERFACE -march=armv8-a)
 endif()
-# What is no kernel computes the same on every processor: ARM, too, has fused arithmetic that compilers take by themselves.
+# All code except kernels computes the same on every processor: on ARM, compilers contract to fused arithmetic by
+# default.
 target_compile_options(grove_options INTERFACE -ffp-contract=off)
 if(GROVE_SANITIZE)
-  # GCC's own manual: sanitizers make some warnings see what is not there.
+  # GCC's manual: sanitizers cause some false warnings.
   target_compile_options(grove_options INTERFACE
     "$<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized;-Wno-array-bounds>")
   target_compile_options(grove_options INTERFACE -fsanitize=${GROVE_SANITIZE} -fno-omit-frame-pointer)
   target_link_options(grove_options INTERFACE -fsanitize=${GROVE_SANITIZE})
   if(GROVE_SANITIZE MATCHES "undefined")
-    # Checks at every access through a pointer, which take half of the time to compile. The address sanitizer sees null and
-    # what is too small, and every processor that Grove runs on loads unaligned.
+    # Checks at every pointer access, which take half of the compile time. The address sanitizer detects null pointers
+    # and undersized objects, and every processor that Grove runs on supports unaligned loads.
     target_compile_options(grove_options INTERFACE -fno-sanitize=null,alignment,vptr,object-size)
   endif()
 endif()
 
-# Kernels are fast arithmetic: no errno, no traps, reassociation allowed; on AVX-512 the compiler, too, uses all of it.
-# A sanitizer's checks keep loops from being vectorised, so there -O3 would only cost time.
+# Kernels use fast arithmetic: no errno, no traps, reassociation allowed; on AVX-512 the compiler uses full-width
+# vectors. A sanitizer's checks prevent vectorisation, so there -O3 would only cost time.
 add_library(grove_kernels INTERFACE)
 target_compile_options(grove_kernels INTERFACE -ffast-math -ffp-contract=fast)
 if(NOT GROVE_SANITIZE)
@@ -45,15 +46,15 @@ if(GROVE_HAS_PREFER_512)
   target_compile_options(grove_kernels INTERFACE -mprefer-vector-width=512)
 endif()
 
-# Exact kernels compute what is written, the same on every target: nothing is rearranged, and products and sums are
-# fused only where a kernel says so.
+# Exact kernels compute the same on every target: no rearrangement, and products and sums are fused only where a kernel
+# does so explicitly.
 add_library(grove_exact_kernels INTERFACE)
 target_compile_options(grove_exact_kernels INTERFACE -O3)
 
-# grove_library(NAME SOURCES ... HEADERS ... [KERNELS ...] [EXACT_KERNELS ...] DEPS ...)
-# A floor of server/, or a part of one. KERNELS and EXACT_KERNELS name the sources that hold kernels.
-# Every header must stand alone: `all_verify_interface_header_sets` compiles each by itself.
-# precompiled.h belongs to `base`, and every floor uses it; kernels, with their own options, cannot.
+# grove_library(NAME SOURCES ... HEADERS ... [KERNELS ...] [EXACT_KERNELS ...] DEPS ...): a floor of server/, or a part
+# of one. KERNELS and EXACT_KERNELS name the sources that contain kernels. Every header must be self-contained:
+# `all_verify_interface_header_sets` compiles each one alone. precompiled.h belongs to `base`, and every floor uses it;
+# kernels cannot, because their options differ.
 function(grove_library name)
   cmake_parse_arguments(arg "" "" "SOURCES;HEADERS;KERNELS;EXACT_KERNELS;DEPS" ${ARGN})
   add_library(${name} STATIC ${arg_SOURCES} ${arg_KERNELS} ${arg_EXACT_KERNELS})
@@ -86,8 +87,8 @@ function(grove_embed target symbol base)
   target_sources(${target} PRIVATE "${out}")
 endfunction()
 
-# grove_embed_web(TARGET WEB_DIR SOURCES...)
-# The same as `grove::embedded::web()`, of the pages that are made from those sources (web.cmake).
+# grove_embed_web(TARGET WEB_DIR SOURCES...): the same as `grove::embedded::web()`, for the pages made from these
+# sources (web.cmake).
 function(grove_embed_web target web)
   find_program(GROVE_ESBUILD esbuild REQUIRED)
   find_program(GROVE_GZIP gzip REQUIRED)
@@ -102,11 +103,11 @@ function(grove_embed_web target web)
   target_sources(${target} PRIVATE "${out}")
 endfunction()
 
-# grove_test(NAME [CONCURRENT] [WAITS] SOURCES ... DEPS ...): one GoogleTest program, linked with the floors it tests only.
-# CONCURRENT: its threads meet, so it is built and run under the thread sanitizer, too. Those with a source named
-# *_kernels_test.cpp are what `kernel_tests` builds, and kernel_tests.txt in the build folder names them. SHARDS: so many
-# entries of ctest, name_1 and so on, each of which runs its share of the tests beside the others. WAITS: it leaves a core
-# idle at least half of the time, so ctest runs two such entries on one core (deploy/test passes -j with twice the cores).
+# grove_test(NAME [CONCURRENT] [WAITS] SOURCES ... DEPS ...): one GoogleTest program, linked only with the floors that
+# it tests. CONCURRENT: it also runs under the thread sanitizer. `kernel_tests` builds the programs that have a source
+# named *_kernels_test.cpp, and kernel_tests.txt in the build folder lists them. SHARDS: number of ctest entries, name_1
+# and so on, each of which runs its share of the tests in parallel. WAITS: it leaves a core idle at least half of the
+# time, so ctest runs two such entries per core (deploy/test passes -j with twice the cores).
 function(grove_test name)
   cmake_parse_arguments(arg "CONCURRENT;WAITS" "TIMEOUT;SHARDS" "SOURCES;DEPS" ${ARGN})
   if(NOT arg_TIMEOUT)
@@ -135,14 +136,14 @@ function(grove_test name)
   grove_add_tests(${name} ${name})
 endfunction()
 
-# grove_add_tests(PROGRAM NAME [ENVIRONMENT...])
-# The entries of a test program, with what is in its environment besides.
+# grove_add_tests(PROGRAM NAME [ENVIRONMENT...]): a test program's ctest entries, with additional environment variables.
 function(grove_add_tests program name)
   get_target_property(shards ${program} GROVE_SHARDS)
   get_target_property(timeout ${program} GROVE_TIMEOUT)
   get_target_property(half_cores ${program} GROVE_HALF_CORES)
   get_target_property(labels ${program} GROVE_LABELS)
-  # What takes a whole core starts first, else what waits would take half of it whenever that is free; then what may take long.
+  # Entries that take a whole core start first, otherwise waiting ones would take half of each free core; then the slow
+  # ones.
   math(EXPR cost "10000 * ${half_cores} + ${timeout}")
   foreach(shard RANGE 1 ${shards})
     set(entry ${name})
@@ -153,7 +154,8 @@ function(grove_add_tests program name)
       set(share GTEST_TOTAL_SHARDS=${shards} GTEST_SHARD_INDEX=${index})
     endif()
     add_test(NAME ${entry} COMMAND ${program})
-    # What is freed is given back soon, for there are tests of memory; undefined behaviour fails the test that shows it.
+    # A small quarantine returns freed memory soon, because some tests measure memory; undefined behaviour fails its
+    # test.
     set(environment "GROVE_CACHE=${CMAKE_BINARY_DIR}/cache" ASAN_OPTIONS=quarantine_size_mb=16
       UBSAN_OPTIONS=halt_on_error=1:print_stacktrace=1 "TSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/tests/tsan.supp"
       "LSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/tests/lsan.supp" ${share} ${ARGN})
@@ -165,8 +167,8 @@ function(grove_add_tests program name)
   endforeach()
 endfunction()
 
-# grove_test_over_wires(NAME)
-# The same program once more over each transport that makes bytes of what travels. The thread sanitizer cannot see into gRPC.
+# grove_test_over_wires(NAME): runs the same program over each transport that serializes its data. The thread sanitizer
+# cannot see into gRPC.
 function(grove_test_over_wires name)
   grove_add_tests(${name} ${name}_over_bytes GROVE_TEST_TRANSPORT=bytes)
   if(NOT GROVE_SANITIZE MATCHES thread)
@@ -174,7 +176,7 @@ function(grove_test_over_wires name)
   endif()
 endfunction()
 
-# grove_linked(TARGET OUT): all that a target is linked with, directly or not, of what has been defined so far.
+# grove_linked(TARGET OUT): all direct and indirect libraries of a target, as defined so far.
 function(grove_linked target out)
   set(linked)
   set(next ${target})

@@ -1,5 +1,5 @@
 # Cross-compiles for 64-bit ARM with Debian's g++-aarch64-linux-gnu, against the sysroot that deploy/checks/sysroot
-# unpacks. Test programs, and whatever CMake runs, run under qemu-user.
+# unpacks. Test programs, and all programs that CMake runs, use qemu-user.
 set(CMAKE_SYSTEM_NAME Linux)
 set(CMAKE_SYSTEM_PROCESSOR aarch64)
 set(CMAKE_C_COMPILER aarch64-linux-gnu-gcc)

@@ -1,4 +1,4 @@
-# Writes a C++ file that holds FILES (paths relative to BASE become their names). See grove_embed.
+# Writes a C++ file that contains FILES (paths relative to BASE become their names). See grove_embed.
 set(body "#include \"pipeline/embedded.h\"\n\nnamespace grove::embedded {\nnamespace {\n")
 set(table "")
 set(i 0)

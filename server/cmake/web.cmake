@@ -1,6 +1,6 @@
-# Makes the pages as they travel from the sources in WEB, in the folder BASE, and embeds them (embed.cmake): scripts are
-# bundled, so that a visit takes a few requests, and all is compressed once, here. What the pages refer to lies under v/HASH:
-# a browser keeps it for good, and a changed file has another address.
+# Builds the served pages from the sources in WEB in the folder BASE, and embeds them (embed.cmake). Scripts are
+# bundled, so that a visit takes few requests, and all files are compressed once, here. Files that the pages refer to
+# are under v/HASH: browsers cache them forever, and a changed file has another address.
 file(REMOVE_RECURSE "${BASE}")
 set(parts "${BASE}/parts")
 
@@ -11,11 +11,11 @@ function(bundle)
 endfunction()
 
 bundle(--splitting main.js receiver_worker.js)
-# By itself: visitors are not served a part of it.
+# Bundled separately: visitors do not load it.
 bundle(operator.js)
 file(GLOB styles RELATIVE "${WEB}" "${WEB}/*.css")
 bundle(${styles})
-# As it is: browsers read it that know less than the rest asks for.
+# Not transformed: old browsers must be able to run it.
 file(COPY "${WEB}/start_check.js" "${WEB}/icon.svg" DESTINATION "${parts}")
 
 file(GLOB files "${parts}/*")

@@ -17,7 +17,8 @@ struct Texture {
   int height = 0;
   std::vector<std::uint32_t> texels;
 
-  /// The nearest texel, repeated; the first of a row or column for what is not finite. For a texture that has any.
+  /// The nearest texel, repeated; the first of a row or column for coordinates that are not finite. The texture must
+  /// not be empty.
   [[nodiscard]] std::uint32_t at(world::Vec2 uv) const {
     const auto index = [](float along, int size) {
       const float place = (along - std::floor(along)) * static_cast<float>(size);
@@ -27,22 +28,23 @@ struct Texture {
   }
 };
 
-/// How a surface answers light: diffuse on the side that is lit, and through a leaf to the other side.
+/// Optical properties of a surface: diffuse reflection on the lit side, and diffuse transmission to the other side of
+/// leaves.
 struct Material {
   std::string name;
-  /// Share of light that comes back from the lit side and, of light from behind, that comes through: diffuse, linear.
-  /// Vertex colour and texture multiply both alike.
+  /// Shares of light that the lit side reflects and that passes through from behind: diffuse, linear. Vertex colour and
+  /// texture multiply both.
   world::Vec3 albedo{0.5F};
   world::Vec3 transmittance{0.0F};
-  bool twoSided = true;      ///< else who looks at its back sees through it; it shades all the same
-  bool solid = false;        ///< keeps smoke out (wood, stone); else leaves
+  bool twoSided = true;      ///< else viewers see through its back; it casts shade all the same
+  bool solid = false;        ///< blocks smoke (wood, stone); else leaves
   int texture = -1;          ///< index into Model::textures, -1: none
   float alphaCutoff = 0.0F;  ///< texels with less alpha are holes; 0: no holes
-  /// Each ray has a cut-off of its own by chance, 0 to alphaCutoff: part of them pass. Without a texture, alpha is 1.
+  /// Each ray has a random cut-off, 0 to alphaCutoff, so that part of the rays pass. Without a texture, alpha is 1.
   bool blended = false;
 };
 
-/// What is baked: triangles in metres, Y up, standing on y = 0 around the origin.
+/// The input of a bake: triangles in metres, Y up, standing on y = 0 around the origin.
 struct Model {
   std::string name;
   world::Triangles triangles;

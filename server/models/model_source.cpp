@@ -19,7 +19,7 @@
 namespace grove::models {
 namespace {
 
-/// Of the bytes of some files.
+/// Total size and checksum of some files.
 struct Fingerprint {
   std::uint64_t bytes = 0;
   unsigned long sum = 0;
@@ -34,7 +34,7 @@ void add(const std::filesystem::path& path, Fingerprint& print) {
   }
 }
 
-/// Size and check sum of a glTF file and those that it names: a name for the bytes.
+/// Size and checksum of a glTF file and its referenced files: a name for the bytes.
 std::string nameOfBytes(const std::filesystem::path& path) {
   Fingerprint print;
   add(path, print);
@@ -42,7 +42,7 @@ std::string nameOfBytes(const std::filesystem::path& path) {
     try {
       add(named, print);
     } catch (const EnvironmentError&) {
-      continue;  // the import reports it, or does without
+      continue;  // the import reports it, or works without it
     }
   }
   std::array<char, 32> text{};
@@ -50,7 +50,7 @@ std::string nameOfBytes(const std::filesystem::path& path) {
   return text.data();
 }
 
-/// What a function makes of the file that a scene names; what it throws is reported with the scene's line and key.
+/// Returns the function's result for a file that the scene names; reports its exceptions with the scene's line and key.
 template <class Make>
 auto ofNamedFile(const world::Parameters& parameters, const Make& make) {
   try {

@@ -11,9 +11,9 @@
 
 namespace grove::models {
 
-/// What an object of a scene file is made of.
+/// The model of a scene file's object.
 ///
-/// Keys: plant and seed (a plant of ours), or model (a glTF file, relative to the scene's).
+/// Keys: plant and seed (a generated plant), or model (a glTF file, relative to the scene's).
 struct ModelSource {
   std::string plant;
   std::uint32_t seed = 1;
@@ -22,17 +22,17 @@ struct ModelSource {
   [[nodiscard]] bool empty() const { return plant.empty() && file.empty(); }
 };
 
-/// Throws world::SceneError; what it reads may be empty.
+/// Throws world::SceneError; the result may be empty.
 [[nodiscard]] ModelSource readModelSource(const world::Parameters& parameters);
 
-/// Throws world::SceneError if the file cannot be imported; `parameters` are those that it was read from.
+/// Throws world::SceneError if the file cannot be imported; `parameters` are those that the source was read from.
 [[nodiscard]] Model loadModel(const ModelSource& source, Detail detail, const world::Parameters& parameters);
 
-/// Names for files made from models. A model is read once, however many objects of a scene are made of it. One thread.
+/// Names for files made from models. Reads each model once, however many objects of a scene use it. One thread.
 class FileNames {
  public:
-  /// A name that changes when the model, or a file that it names, does; not while this lives. Throws world::SceneError
-  /// if the model cannot be read.
+  /// A name that changes if the model or a file that it references changes; constant during this object's life. Throws
+  /// world::SceneError if the model cannot be read.
   [[nodiscard]] std::string of(const ModelSource& source, const world::Parameters& parameters);
 
  private:

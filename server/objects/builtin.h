@@ -5,7 +5,7 @@
 
 namespace grove::objects {
 
-/// What a process knows of the object types of this folder that is both a frontend and a backend.
+/// Returns all object types of this folder for a process that is both a frontend and a backend.
 [[nodiscard]] node::ObjectTypes builtinTypes();
 
 }  // namespace grove::objects

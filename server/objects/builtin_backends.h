@@ -4,7 +4,7 @@
 
 namespace grove::objects {
 
-/// What a backend node knows of the object types of this folder.
+/// Returns the backend sides of all object types of this folder.
 [[nodiscard]] node::BackendTypes builtinBackends();
 
 }  // namespace grove::objects

@@ -4,7 +4,7 @@
 
 namespace grove::objects {
 
-/// What a frontend process knows of the object types of this folder.
+/// Returns the frontend sides of all object types of this folder.
 [[nodiscard]] node::FrontendTypes builtinFrontends();
 
 }  // namespace grove::objects

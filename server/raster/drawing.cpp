@@ -7,7 +7,7 @@
 namespace grove::raster {
 namespace {
 
-/// A lamp that adds less than this to a white surface cannot be seen.
+/// A lamp that adds less than this to a white surface is invisible.
 constexpr float kFaintest = 0.002F;
 
 float strongest(const world::PointLight& light, const world::Bounds& bounds) {

@@ -19,19 +19,19 @@ namespace grove::raster {
 inline constexpr std::size_t kMaxBones = 4;
 inline constexpr std::size_t kMaxLamps = 8;
 
-/// A surface with the light that reaches each vertex: across-user, made once.
+/// A surface with the light at each vertex: across-user, made once.
 struct LitSurface {
   Surface surface;
-  /// Per vertex: x the share of the sun it sees, yzw the indirect light that a white surface would reflect there
-  /// (`baked`), or the share of Sky::ambient() that it sees (not `baked`, for what moves).
+  /// Per vertex: x is the visible share of the sun; yzw is the indirect light that a white surface would reflect there
+  /// (`baked`), or the visible share of Sky::ambient() (not `baked`, for moving surfaces).
   std::vector<world::Vec4> light;
   bool baked = true;
 
-  /// Memory that it takes.
+  /// Memory use.
   [[nodiscard]] std::size_t bytes() const noexcept { return surface.bytes() + pipeline::vectorBytes(light); }
 };
 
-/// The point lights that matter most to an object.
+/// The point lights with the largest effect on an object.
 struct Lamps {
   int count = 0;
   std::array<world::Vec3, kMaxLamps> position{};
@@ -42,18 +42,18 @@ struct Lamps {
 
 /// One object in one frame, for a MeshRenderer.
 struct Drawing {
-  const LitSurface* object = nullptr;  ///< must outlive the renderer, which keeps what it derives from it
+  const LitSurface* object = nullptr;  ///< outlives the renderer, which keeps data derived from it
   const world::Camera* camera = nullptr;
   const world::Sky* sky = nullptr;
-  world::Rect rect;                            ///< pixels of the camera's image that are wanted
+  world::Rect rect;                            ///< requested pixels of the camera's image
   float distance = 0.0F;                       ///< from the eye in the object's own metres, for the level of detail
-  std::array<world::Mat4, kMaxBones> bones{};  ///< object to world, rigid but for an even scale
+  std::array<world::Mat4, kMaxBones> bones{};  ///< object to world; rigid apart from a uniform scale
   world::Vec3 tint{1.0F};
-  float sunShare = 1.0F;  ///< scales the share of the sun of all vertices
+  float sunShare = 1.0F;  ///< scales the sun's share of all vertices
   Lamps lamps;
 };
 
-/// To whom a renderer reports what it keeps, and for which type of object.
+/// The ledger for a renderer's memory, and the object type that it is reported for.
 struct MeshMemory {
   pipeline::MemoryLedger& ledger;  ///< outlives the renderer
   std::string_view type;           ///< outlives the ledger
@@ -63,13 +63,13 @@ struct MeshMemory {
   }
 };
 
-/// Draws triangles to colour and depth. The implementations give the same picture.
+/// Draws triangles to colour and depth. All implementations draw the same picture.
 class MeshRenderer {
  public:
   virtual ~MeshRenderer() = default;
 
-  /// Makes one image per drawing, of its rectangle; null where the rectangle is empty. The drawings may be of many
-  /// frames and sessions.
+  /// Makes one image per drawing with its rectangle; null if the rectangle is empty. The drawings may belong to
+  /// different frames and sessions.
   virtual void render(std::span<const Drawing> drawings, std::span<std::shared_ptr<Image>> images) = 0;
 };
 

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t kPixelBytes = sizeof(std::uint32_t) + sizeof(float);
 
-// Sizes are rounded up so that a moving object's slightly different rectangles share memory.
+// Sizes are rounded up so that a moving object's slightly different rectangles reuse memory.
 std::size_t roundedPixels(std::size_t pixels) {
   const std::size_t granule = std::max<std::size_t>(1024, std::bit_ceil(pixels) / 8);
   return (pixels + granule - 1) / granule * granule;
@@ -20,11 +20,11 @@ std::size_t pixelsOf(const world::Rect& rect) {
   return rect.empty() ? 0 : static_cast<std::size_t>(rect.width()) * static_cast<std::size_t>(rect.height());
 }
 
-/// Those of all pages of memory in which something may show.
+/// Pixels of all memory pages that may contain covered pixels.
 std::size_t touchedPixels(const Image& image) {
   constexpr std::size_t kPage = 4096 / sizeof(std::uint32_t);
   std::size_t pages = 0;
-  std::size_t next = 0;  // the first page that is not counted yet
+  std::size_t next = 0;  // first uncounted page
   for (int row = 0; row < image.height(); ++row) {
     const Span span = image.span(row);
     if (span.begin >= span.end) continue;
@@ -42,7 +42,7 @@ std::size_t touchedPixels(const Image& image) {
 struct ImagePool::Store {
   struct Memory {
     std::unique_ptr<std::uint32_t[]> words;  // colour, then depth
-    std::size_t touched = 0;                 // most pixels that an image touched so far: the process holds no others
+    std::size_t touched = 0;                 // most pixels that any image has touched: only their pages are resident
   };
 
   explicit Store(std::size_t max) : maxBytes(max) {}
@@ -51,8 +51,8 @@ struct ImagePool::Store {
   std::mutex mutex;
   std::multimap<std::size_t, Memory> unused;  // by pixels
   std::size_t unusedBytes = 0;
-  std::size_t allBytes = 0;                    // touched by images that have ended
-  std::unique_ptr<pipeline::HeldMemory> held;  // while there is a ledger
+  std::size_t allBytes = 0;                    // touched by released images
+  std::unique_ptr<pipeline::HeldMemory> held;  // null without a ledger
 
   Memory take(std::size_t pixels) {
     Memory memory = takeUnused(pixels);
@@ -64,14 +64,14 @@ struct ImagePool::Store {
     const std::lock_guard lock(mutex);
     const auto [oldest, end] = unused.equal_range(pixels);
     if (oldest == end) return {};
-    const auto it = std::prev(end);  // caches may hold some of it
+    const auto it = std::prev(end);  // caches may contain part of it
     Memory memory = std::move(it->second);
     unused.erase(it);
     unusedBytes -= pixels * kPixelBytes;
     return memory;
   }
 
-  /// `touched`: pixels that the image has touched, known only now.
+  /// `touched`: pixels that the image has touched, known only at its end.
   void give(std::size_t pixels, Memory memory, std::size_t touched) {
     const std::lock_guard lock(mutex);
     if (touched > memory.touched) {
@@ -89,7 +89,7 @@ struct ImagePool::Store {
   }
 
   void freeUnused() {
-    std::multimap<std::size_t, Memory> freed;  // after the lock
+    std::multimap<std::size_t, Memory> freed;  // freed after the lock
     const std::lock_guard lock(mutex);
     freed.swap(unused);
     unusedBytes = 0;
@@ -97,7 +97,7 @@ struct ImagePool::Store {
     report();
   }
 
-  /// Only what is allocated and freed, so a frame that reuses memory reports nothing.
+  /// The total changes only on allocation and release, so frames that reuse memory report nothing.
   void report() {
     if (held) held->set(allBytes);
   }
@@ -114,7 +114,7 @@ ImagePool::~ImagePool() {
   store_->held.reset();
 }
 
-/// Memory that is in use.
+/// Memory in use.
 struct ImagePool::Held {
   std::size_t pixels = 0;
   std::size_t used = 0;  ///< of the pixels

@@ -18,14 +18,14 @@ struct Span {
   int end = 0;
 };
 
-/// Pixels in memory of somebody else: who may not change the plane may not change its pixels either.
+/// A view of pixels owned elsewhere. A const plane gives const pixels.
 template <class Pixel>
 class Plane {
  public:
   Plane() = default;
   Plane(std::span<Pixel> pixels) noexcept : pixels_(pixels.data()), count_(pixels.size()) {}
   Plane(std::vector<Pixel>& pixels) noexcept : Plane(std::span(pixels)) {}
-  // A copy could be changed though the plane may not.
+  // Not copyable: a copy of a const plane would give mutable pixels.
   Plane(const Plane&) = delete;
   Plane& operator=(const Plane&) = delete;
   Plane(Plane&&) noexcept = default;
@@ -52,13 +52,13 @@ class Plane {
 /// Colour and depth of a rectangle of a frame, rows from the top, in memory.
 ///
 /// Colour is RGBA8 (bytes R, G, B, A), display-encoded and premultiplied by A = coverage. Depth is view depth in
-/// metres, kInfiniteDepth where there is nothing.
+/// metres, kInfiniteDepth if empty.
 struct Image {
   world::Rect rect;
   Plane<std::uint32_t> colour;
   Plane<float> depth;
-  bool opaque = false;  ///< promises that every pixel's A is 255, which makes compositing cheaper
-  /// By row, what may show anything; pixels outside of it are never read. Empty: all of every row.
+  bool opaque = false;  ///< guarantees that every pixel's A is 255, which makes compositing cheaper
+  /// Per row, the columns that may be covered; other pixels are never read. Empty: whole rows.
   std::vector<Span> spans;
 
   [[nodiscard]] int width() const noexcept { return rect.width(); }
@@ -74,31 +74,31 @@ struct Image {
   [[nodiscard]] const float* depthRow(int row) const noexcept { return depth.data() + std::ptrdiff_t{row} * width(); }
 };
 
-/// Hands out images and takes their memory back when the last reference goes, so that no frame allocates or clears.
-/// Keeps at most `maxBytes` of unused memory. Any thread; images may outlive the pool, and then the ledger.
+/// Lends images and reuses their memory after the last reference is dropped, so that frames neither allocate nor clear.
+/// Keeps at most `maxBytes` of unused memory. Any thread; images may outlive the pool, and then also the ledger.
 class ImagePool {
  public:
   static constexpr std::size_t kUsualBytes = std::size_t{256} << 20U;
 
   explicit ImagePool(std::size_t maxBytes = kUsualBytes);
-  /// Reports all memory of its images, in use or not, as per-user. Counts touched pages, from the first release of an
-  /// image on.
+  /// Reports all memory of its images, used or unused, as per-user. Counts touched pages, starting with the first
+  /// released image.
   explicit ImagePool(pipeline::MemoryLedger& memory, std::size_t maxBytes = kUsualBytes);
   ~ImagePool();
   ImagePool(const ImagePool&) = delete;
   ImagePool& operator=(const ImagePool&) = delete;
 
-  /// The contents are whatever was there before.
+  /// The contents are undefined.
   [[nodiscard]] std::shared_ptr<Image> acquire(const world::Rect& rect);
 
-  /// Memory for another kind of picture, held as long as `owner` is.
+  /// Memory for other kinds of pictures, held as long as `owner`.
   struct Bytes {
     std::span<std::uint8_t> bytes;
     std::shared_ptr<void> owner;
   };
   [[nodiscard]] Bytes acquireBytes(std::size_t size);
 
-  /// For when fewer will be wanted from now on.
+  /// Frees unused memory; for when demand falls.
   void freeUnused();
 
   [[nodiscard]] std::size_t unusedBytes() const;

@@ -11,7 +11,7 @@ class Workers;
 
 namespace grove::raster {
 
-/// What draws an object: `renderer = "auto" | "gl" | "simd" | "embree"`.
+/// The renderer of an object: `renderer = "auto" | "gl" | "simd" | "embree"`.
 enum class RendererKind {
   kAuto,  ///< GL on a GPU, SIMD where GL is software
   kGl,
@@ -19,11 +19,11 @@ enum class RendererKind {
   kEmbree,
 };
 
-/// `kind` is one that gl::resolved() gave. `gl` and `images` outlive the renderer.
+/// `kind` is a result of gl::resolved(). `gl` and `images` outlive the renderer.
 [[nodiscard]] std::unique_ptr<MeshRenderer> makeRenderer(RendererKind kind, gl::Workers& gl, ImagePool& images,
                                                          const MeshMemory& memory);
 
-/// Where a renderer of a resolved kind runs.
+/// The executor of a renderer of a resolved kind.
 [[nodiscard]] pipeline::Executor& executorFor(RendererKind kind, gl::Workers& gl, pipeline::Executor& workers) noexcept;
 
 }  // namespace grove::raster

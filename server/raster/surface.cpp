@@ -13,7 +13,7 @@ using world::Vec3;
 
 constexpr float kEdgePixels = 16.0F;
 
-/// The triangulated surface of a cube, before it is deformed. Halving keeps the vertices and adds to their end.
+/// The triangulated surface of a cube before its deformation. Halving keeps the vertices and appends new ones.
 struct Lattice {
   std::vector<Vec3> points;
   std::vector<Triangle> triangles;
@@ -47,7 +47,7 @@ struct Lattice {
             };
             std::array<std::uint32_t, 4> q = {at(0, 0), at(1, 0), at(1, 1), at(0, 1)};
             if (!high) std::swap(q[1], q[3]);
-            // Alternating diagonals show less.
+            // Alternating diagonals are less visible.
             if ((i + j) % 2 == 0) {
               triangles.push_back({q[0], q[1], q[2]});
               triangles.push_back({q[0], q[2], q[3]});

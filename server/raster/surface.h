@@ -11,12 +11,12 @@ namespace grove::raster {
 
 /// A corner of a triangle.
 struct Vertex {
-  world::Vec3 position{0.0F};  ///< metres, of the object
-  float bone = 0.0F;           ///< which of the drawing's matrices moves it
+  world::Vec3 position{0.0F};  ///< metres, object coordinates
+  float bone = 0.0F;           ///< index into the drawing's matrices
   world::Vec3 normal{0.0F};    ///< unit
   world::Vec3 albedo{0.5F};    ///< linear
-  float lichen = 0.0F;         ///< how much of it is overgrown, 0..1
-  float emission = 0.0F;       ///< radiance that it gives off, times albedo
+  float lichen = 0.0F;         ///< share that is overgrown, 0..1
+  float emission = 0.0F;       ///< emitted radiance, relative to albedo
   float tint = 0.0F;           ///< share of the drawing's tint
 };
 
@@ -26,38 +26,38 @@ using Triangle = std::array<std::uint32_t, 3>;
 struct Level {
   std::vector<Triangle> triangles;
   float edge = 0.0F;            ///< metres, a typical edge
-  std::size_t vertexCount = 0;  ///< none of its corners has this index or a higher one
+  std::size_t vertexCount = 0;  ///< all of its corners have smaller indices
 };
 
-/// A closed, coloured surface. All levels share the vertices of the finest, with the finest's normals, so that light
-/// baked per vertex serves them all.
+/// A closed, coloured surface. All levels share the vertices and normals of the finest, so that light baked per vertex
+/// serves them all.
 struct Surface {
   std::vector<Vertex> vertices;
   std::vector<Level> levels;  ///< coarse to fine, at least one
-  bool weathered = false;     ///< shows the procedural detail of rock
+  bool weathered = false;     ///< has the procedural detail of rock
 
-  /// Adds a copy of `other`, moved. Both have the same number of levels, or one of them is empty.
+  /// Adds a transformed copy of `other`. Both have the same number of levels, or one of them is empty.
   void append(const Surface& other, const world::Mat4& matrix);
 
-  /// Sets all normals from the finest triangles, weighted by area.
+  /// Computes all normals from the finest triangles, weighted by area.
   void computeNormals();
 
   [[nodiscard]] world::Bounds bounds() const;
 
-  /// Memory that it takes.
+  /// Memory use.
   [[nodiscard]] std::size_t bytes() const noexcept;
 
-  /// The finest level alone.
+  /// The surface with the finest level only.
   [[nodiscard]] world::Triangles triangles() const;
 
   /// The coarsest level whose edges stay short on the screen, for an object at `distance` metres.
   [[nodiscard]] const Level& levelFor(float distance, float focalPixels) const noexcept;
 };
 
-/// Puts a vertex where the point of the cube [-1,1]^3's surface belongs.
+/// Maps a point on the surface of the cube [-1,1]^3 to a vertex.
 using Deform = std::function<Vertex(world::Vec3)>;
 
-/// A box of `cells` quads along each axis, every one halved `halvings` times, deformed: `halvings` + 1 levels.
+/// A deformed box of `cells` quads along each axis, each halved `halvings` times: `halvings` + 1 levels.
 [[nodiscard]] Surface makeDeformedBox(std::array<int, 3> cells, int halvings, const Deform& deform);
 
 }  // namespace grove::raster

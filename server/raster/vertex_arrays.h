@@ -7,9 +7,9 @@
 
 namespace grove::raster {
 
-/// The vertices of a lit surface in the layout that vectorised loops want: an array for each member.
+/// The vertices of a lit surface in the layout for vectorised loops: one array per member.
 struct VertexArrays {
-  /// Neighbours in the arrays that follow the same bone.
+  /// Adjacent vertices that follow the same bone.
   struct Run {
     std::size_t begin;
     std::size_t end;
@@ -18,7 +18,7 @@ struct VertexArrays {
 
   explicit VertexArrays(const LitSurface& object);
 
-  /// Memory that they take.
+  /// Memory use.
   [[nodiscard]] std::size_t bytes() const noexcept {
     return pipeline::vectorBytes(runs, positionX, positionY, positionZ, normalX, normalY, normalZ, albedoR, albedoG,
                                  albedoB, emission, tint, lichen, sun, indirectR, indirectG, indirectB);

@@ -15,7 +15,7 @@ namespace {
 
 [[maybe_unused]] bool holds(const world::Rect& rect, const world::Rect& part) { return overlap(rect, part) == part; }
 
-/// Either kind has 12 bits a pixel.
+/// Both kinds have 12 bits per pixel.
 template <class Planes>
 std::shared_ptr<Planes> acquirePlanes(ImagePool& pool, const world::Rect& rect) {
   assert(isEven(rect));
@@ -42,7 +42,7 @@ std::shared_ptr<SemiPlanarImage> acquireSemiPlanar(ImagePool& pool, const world:
   return acquirePlanes<SemiPlanarImage>(pool, rect);
 }
 
-// The library names orders of colours by the word, not by the bytes: R, G, B, A in memory is its ABGR.
+// The library names colour orders by word, not by bytes: R, G, B, A in memory is its ABGR.
 
 void toYuv(const Image& from, const world::Rect& part, YuvImage& to) {
   assert(isEven(part) && holds(from.rect, part) && holds(to.rect, part));

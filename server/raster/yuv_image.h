@@ -9,8 +9,8 @@
 
 namespace grove::raster {
 
-// Colours as encoders take them: luma, and chroma of half its width and height, rows from the top. BT.601 in its full
-// range, as JPEG has it (JFIF 1.02). Edges of rectangles are even.
+// Colours for encoders: luma, and chroma at half width and height, rows from the top. BT.601 full range, as in JPEG
+// (JFIF 1.02). Edges of rectangles are even.
 
 /// A rectangle of a frame in three planes.
 struct YuvImage {
@@ -26,7 +26,7 @@ struct YuvImage {
   [[nodiscard]] const std::uint8_t* u() const noexcept { return y() + lumaBytes(); }
   [[nodiscard]] const std::uint8_t* v() const noexcept { return u() + lumaBytes() / 4; }
 
-  /// Of a pixel's sample in the planes; both coordinates are even.
+  /// Offset of a pixel's sample in the planes; both coordinates are even.
   [[nodiscard]] std::ptrdiff_t lumaAt(int x, int y) const noexcept {
     return std::ptrdiff_t{y - rect.top} * width() + (x - rect.left);
   }
@@ -40,7 +40,7 @@ struct YuvImage {
   }
 };
 
-/// A rectangle of a frame in two planes, whose chroma is looked up at once.
+/// A rectangle of a frame in two planes; U and V of a pixel are adjacent.
 struct SemiPlanarImage {
   world::Rect rect;
   Plane<std::uint8_t> bytes;  ///< Y, then U and V in turn, without gaps
@@ -52,7 +52,7 @@ struct SemiPlanarImage {
   [[nodiscard]] const std::uint8_t* y() const noexcept { return bytes.data(); }
   [[nodiscard]] const std::uint8_t* uv() const noexcept { return y() + std::ptrdiff_t{width()} * height(); }
 
-  /// Of a pixel's luma, or of its pair of U and V; both coordinates are even.
+  /// Offset of a pixel's luma, or of its pair of U and V; both coordinates are even.
   [[nodiscard]] std::ptrdiff_t lumaAt(int x, int y) const noexcept {
     return std::ptrdiff_t{y - rect.top} * width() + (x - rect.left);
   }
@@ -61,7 +61,7 @@ struct SemiPlanarImage {
   }
 };
 
-/// Memory from the pool; the contents are whatever was there before.
+/// Memory from the pool; the contents are undefined.
 [[nodiscard]] std::shared_ptr<YuvImage> acquireYuv(ImagePool& pool, const world::Rect& rect);
 [[nodiscard]] std::shared_ptr<SemiPlanarImage> acquireSemiPlanar(ImagePool& pool, const world::Rect& rect);
 
@@ -69,15 +69,15 @@ struct SemiPlanarImage {
 void toYuv(const Image& from, const world::Rect& part, YuvImage& to);
 /// Converts all colours of `from`, which lies within `to`.
 void toSemiPlanar(const Image& from, SemiPlanarImage& to);
-/// Copies a part that both have.
+/// Copies a part that both contain.
 void copyPart(const SemiPlanarImage& from, const world::Rect& part, SemiPlanarImage& to);
 void copyPart(const SemiPlanarImage& from, const world::Rect& part, YuvImage& to);
 
-/// Converts colours within `part`, which lies within both, to opaque ones. Chroma is repeated, so that toYuv() returns
-/// what was there before, to a rounding.
+/// Converts colours within `part`, which lies within both, to opaque ones. Repeats chroma, so that toYuv() restores the
+/// original values up to rounding.
 void toRgba(const YuvImage& from, const world::Rect& part, Image& to);
 
-/// All of its colours, opaque.
+/// Converts all colours to opaque ones.
 [[nodiscard]] std::vector<std::uint32_t> rgbaOf(const YuvImage& image);
 
 }  // namespace grove::raster

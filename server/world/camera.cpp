@@ -8,7 +8,7 @@
 namespace grove::world {
 namespace {
 
-/// Pairs of Bounds::corners().
+/// Pairs of indices into Bounds::corners().
 constexpr std::array<std::pair<std::size_t, std::size_t>, 12> kBoxEdges{
     {{0, 1}, {2, 3}, {4, 5}, {6, 7}, {0, 2}, {1, 3}, {4, 6}, {5, 7}, {0, 4}, {1, 5}, {2, 6}, {3, 7}}};
 
@@ -78,7 +78,7 @@ Rect Camera::screenRect(const Bounds& bounds) const noexcept {
     top = std::min(top, p.y);
     bottom = std::max(bottom, p.y);
   };
-  // What is left of a box before the near plane has its corners there, and those where its edges meet the plane.
+  // The box's part beyond the near plane has the corners there and the intersections of its edges with the plane.
   const std::array<Vec3, 8> corners = bounds.corners();
   std::array<float, 8> beyond;
   for (std::size_t i = 0; i < corners.size(); ++i) {

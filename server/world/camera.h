@@ -28,7 +28,8 @@ struct Rect {
   return {std::max(a.left, b.left), std::max(a.top, b.top), std::min(a.right, b.right), std::min(a.bottom, b.bottom)};
 }
 
-/// Where an eye is and looks. Yaw 0 looks along -Z and grows counter-clockwise seen from above; pitch grows upwards.
+/// Position and direction of an eye. Yaw 0 looks along -Z and grows counter-clockwise seen from above; pitch grows
+/// upwards.
 struct Pose {
   Vec3 position{0.0F, 1.7F, 0.0F};
   float yaw = 0.0F;    ///< radians
@@ -60,16 +61,16 @@ struct Camera {
   [[nodiscard]] Vec3 ray(float x, float y) const noexcept;
   [[nodiscard]] Mat4 view() const;
   [[nodiscard]] Mat4 projection() const;
-  /// x and y in pixels, z in view depth; x and y mean nothing where z <= 0.
+  /// x and y in pixels, z is view depth; x and y are undefined if z <= 0.
   [[nodiscard]] Vec3 project(Vec3 point) const noexcept;
-  /// False only if the box is certainly outside of the view.
+  /// False only if the box is certainly outside the view.
   [[nodiscard]] bool sees(const Bounds& bounds) const noexcept;
-  /// Smallest rectangle of pixels that holds what of the box lies beyond the near plane, clipped to the image.
+  /// The smallest rectangle of pixels around the box's part beyond the near plane, clipped to the image.
   [[nodiscard]] Rect screenRect(const Bounds& bounds) const noexcept;
   friend bool operator==(const Camera&, const Camera&) = default;
 };
 
-/// "No surface": view depth of the sky.
+/// View depth of pixels without a surface, the sky's.
 inline constexpr float kInfiniteDepth = 1.0e30F;
 
 }  // namespace grove::world

@@ -27,13 +27,13 @@ struct Bounds {
   [[nodiscard]] Vec3 centre() const noexcept { return (low + high) * 0.5F; }
   [[nodiscard]] Vec3 size() const noexcept { return high - low; }
   [[nodiscard]] std::array<Vec3, 8> corners() const noexcept;
-  /// Of a point; 0 inside.
+  /// Distance of a point; 0 inside.
   [[nodiscard]] float distance(Vec3 point) const noexcept { return glm::distance(point, glm::clamp(point, low, high)); }
   void add(Vec3 point) noexcept;
   void add(const Bounds& other) noexcept;
 };
 
-/// Where an object stands: turned about Y, scaled evenly.
+/// Placement of an object: rotated about Y, scaled uniformly.
 struct Transform {
   Vec3 position{0.0F};
   float yaw = 0.0F;  ///< radians, counter-clockwise seen from above
@@ -43,14 +43,14 @@ struct Transform {
   [[nodiscard]] Bounds apply(const Bounds& bounds) const;
 };
 
-/// Indexed triangles in metres. Closed surfaces where they are to be voxelised.
+/// Indexed triangles in metres. Must be closed for voxelising.
 struct Triangles {
   std::vector<Vec3> positions;
   std::vector<std::array<std::uint32_t, 3>> indices;
 
   void append(const Triangles& other, const Mat4& matrix);
   [[nodiscard]] Bounds bounds() const;
-  /// Memory that they take.
+  /// Memory use.
   [[nodiscard]] std::size_t bytes() const noexcept { return pipeline::vectorBytes(positions, indices); }
 };
 

@@ -34,7 +34,7 @@ std::vector<PointLight> Layout::lightsAt(double now, const std::vector<Player>& 
   all.reserve(lights.size() + players.size());
   for (const FlickeringLight& flickering : lights) {
     PointLight light = flickering.light;
-    // Frequencies without a common period never repeat visibly.
+    // Frequencies without a common period: no visible repetition.
     const auto t = static_cast<float>(std::fmod(now, 3600.0));
     const float wave =
         0.45F * std::sin(9.1F * t) + 0.3F * std::sin(14.7F * t + 1.3F) + 0.25F * std::sin(23.9F * t + 0.7F);

@@ -15,7 +15,7 @@ namespace grove::world {
   return x ^ (x >> 16U);
 }
 
-/// 0..1 from a point of an integer lattice.
+/// 0..1 for a point of an integer lattice.
 [[nodiscard]] inline float hashUnit(std::int32_t x, std::int32_t y, std::int32_t z = 0) noexcept {
   const std::uint32_t key = static_cast<std::uint32_t>(x) * 0x8DA6B343U ^ static_cast<std::uint32_t>(y) * 0xD8163841U ^
                             static_cast<std::uint32_t>(z) * 0xCB1AB31FU;
@@ -50,7 +50,7 @@ namespace grove::world {
   return glm::mix(top, bottom, s.y);
 }
 
-/// Fractal sum of `octaves` noises in 0..1, each twice as fine and half as strong as the one before.
+/// Fractal sum of `octaves` noises in 0..1, each twice as fine and half as strong as the previous one.
 template <class Point>
 [[nodiscard]] float fractalNoise(Point p, int octaves) noexcept {
   float sum = 0.0F;

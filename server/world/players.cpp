@@ -11,7 +11,7 @@ constexpr float kPlayerRadius = 0.35F;
 constexpr float kStepSeconds = 1.0F / 60.0F;
 constexpr double kMaxSecondsAtOnce = 1.0;
 
-// Warm and cold lantern colours that stay apart from each other and from the grass; 0x00BBGGRR.
+// Warm and cold lantern colours that contrast with each other and with the grass; 0x00BBGGRR.
 constexpr std::array<std::uint32_t, 8> kColours = {0x4FB4FF, 0xFFC46A, 0x7CE38B, 0xC98BFF,
                                                    0x6D6BFF, 0xF2F06B, 0xB0FFE2, 0xE8A0F5};
 
@@ -119,7 +119,7 @@ void Players::step(Player& player, float seconds) const {
   player.stride += glm::length(player.pose.position - before);
 }
 
-// Nobody arrives inside another.
+// Arriving visitors do not overlap.
 Vec3 placeOfArrival(PlayerId id, Vec3 spawn, float spawnYaw) {
   const auto place = static_cast<float>((id - 1) % 8);
   const float side = (std::fmod(place, 2.0F) == 0.0F ? 1.0F : -1.0F) * std::ceil(place / 2.0F) * 1.1F;

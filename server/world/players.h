@@ -18,7 +18,7 @@ namespace grove::world {
 
 using PlayerId = std::uint64_t;
 
-/// Keys that a visitor holds, bits of Input::keys.
+/// Keys that a visitor presses, bits of Input::keys.
 enum Key : std::uint8_t {
   kForward = 1,
   kBack = 2,
@@ -28,55 +28,55 @@ enum Key : std::uint8_t {
   kBlow = 32,
 };
 
-/// The newest state of a visitor's controls; absolute, so a lost one does no harm.
+/// The newest state of a visitor's controls; absolute, so that losing one is harmless.
 struct Input {
-  std::uint32_t number = 0;  ///< counts up; a frame names the last one it shows
+  std::uint32_t number = 0;  ///< increases; a frame names the newest input that it shows
   std::uint8_t keys = 0;     ///< bits of Key
   float yaw = 0.0F;          ///< radians
   float pitch = 0.0F;        ///< radians
 };
 
-/// A visitor as all others see it.
+/// A visitor's public state.
 struct Player {
   PlayerId id = 0;
   std::string name;
   std::uint32_t colour = 0;  ///< 0x00BBGGRR
   Pose pose;                 ///< of the eye
-  Vec3 velocity{0.0F};       ///< metres a second
+  Vec3 velocity{0.0F};       ///< metres per second
   float stride = 0.0F;       ///< metres walked, for the gait
   std::uint32_t lastInput = 0;
   std::uint8_t keys = 0;
 };
 
-/// An upright cylinder that nobody walks through.
+/// An upright cylinder that blocks visitors.
 struct Obstacle {
   Vec2 centre{0.0F};  ///< x and z
   float radius = 0.0F;
 };
 
-/// Everybody in the world. Positions advance lazily and exactly: whoever looks, at whatever time, sees every player
-/// where the held keys have brought it by then, so there is no tick to wait for. Any thread.
+/// All visitors of the world. Positions advance lazily and exactly: a query at any time returns each player where the
+/// pressed keys have moved them by then, so there is no tick to wait for. Any thread.
 class Players {
  public:
-  /// Visitors arrive around `spawn` and stay within `radius` metres of the origin. Ids count from `base` + 1, where the
-  /// low 32 bits of `base` are 0.
+  /// Visitors arrive around `spawn` and stay within `radius` metres of the origin. Ids count from `base` + 1; the low
+  /// 32 bits of `base` are 0.
   Players(Vec3 spawn, float spawnYaw, float radius, std::vector<Obstacle> obstacles, PlayerId base = 0);
 
-  /// `now` is in seconds of the monotonic clock, everywhere in this class.
+  /// `now` is the monotonic clock in seconds, everywhere in this class.
   PlayerId join(const std::string& name, double now);
   void leave(PlayerId id);
 
-  /// Takes over the controls. NaN or infinite angles are refused (false), older numbers are ignored.
+  /// Applies a visitor's controls. Rejects NaN or infinite angles (returns false) and ignores older numbers.
   bool apply(PlayerId id, const Input& input, double now);
 
-  /// Takes over visitors of other processes as they were reported at `now`. Those that the list lacks have left, if
-  /// `isReported` is true of their id.
+  /// Copies the visitors of other processes as reported at `now`. Visitors missing from the list have left, if
+  /// `isReported` is true for their id.
   void mirror(std::span<const Player> reported, const std::function<bool(PlayerId)>& isReported, double now);
 
   [[nodiscard]] std::optional<Player> find(PlayerId id, double now);
   [[nodiscard]] std::vector<Player> all(double now);
   [[nodiscard]] std::size_t count() const;
-  /// How often somebody has come or gone.
+  /// Number of arrivals and departures.
   [[nodiscard]] std::uint64_t changes() const noexcept { return changes_; }
 
  private:
@@ -100,13 +100,13 @@ class Players {
 inline constexpr float kEyeHeight = 1.7F;
 inline constexpr float kWalkSpeed = 2.2F;
 inline constexpr float kRunSpeed = 5.0F;
-/// Per second, of the difference to the wanted velocity.
+/// Share per second of the difference to the wanted velocity.
 inline constexpr float kAcceleration = 12.0F;
 
-/// Where a visitor's eye is when he arrives: side by side with others, alternately left and right of the first.
+/// Position of an arriving visitor's eye: side by side with others, alternately left and right of the first.
 [[nodiscard]] Vec3 placeOfArrival(PlayerId id, Vec3 spawn, float spawnYaw);
 
-/// The velocity, metres a second, that these keys make for, looking there.
+/// The velocity in metres per second for these keys and this viewing direction.
 [[nodiscard]] Vec3 wantedVelocity(std::uint8_t keys, float yaw);
 
 }  // namespace grove::world

@@ -10,8 +10,8 @@
 
 namespace grove::world {
 
-/// At most `max` of the lights, the strongest first, and of these only what is stronger than `faintest`; `strength`
-/// says how strong a light is, in any unit.
+/// Returns at most `max` of the lights, strongest first, without those not stronger than `faintest`; `strength` returns
+/// a light's strength in any unit.
 template <class Strength>
 [[nodiscard]] std::vector<PointLight> strongestLights(std::span<const PointLight> lights, std::size_t max,
                                                       float faintest, const Strength& strength) {

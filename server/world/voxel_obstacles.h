@@ -16,16 +16,16 @@ struct Cube {
   [[nodiscard]] float cellSize() const noexcept { return size / static_cast<float>(cells); }
 };
 
-/// What stops smoke and light in a world, as cells of a cube: all that a simulation of air needs of other objects. It
-/// comes from their models, or from a node that has these. One byte for each cell, 0 or 1, x fastest. Any thread;
-/// throws EnvironmentError where another node is asked and does not answer.
+/// The cells of a cube that block smoke and light in a world: the only data about other objects that a simulation of
+/// air needs. Computed from models, or requested from a node that has them. One byte per cell, 0 or 1, x fastest. Any
+/// thread; throws EnvironmentError if a remote node does not respond.
 class VoxelObstacles {
  public:
   virtual ~VoxelObstacles() = default;
 
-  /// 1: the cell stops smoke.
+  /// 1: the cell blocks smoke.
   [[nodiscard]] virtual std::vector<std::uint8_t> solidCells(const Cube& cube) const = 0;
-  /// 1: the sun, which stands in that direction (a unit vector), shines on the cell's centre.
+  /// 1: sunlight from the direction `towardsSun` (a unit vector) reaches the cell's centre.
   [[nodiscard]] virtual std::vector<std::uint8_t> sunlitCells(const Cube& cube, Vec3 towardsSun) const = 0;
 };
 

@@ -18,7 +18,7 @@ constexpr double kMaxWalkMetres = 1e5;
 constexpr double kMaxYaw = 1e4;
 constexpr float kFullTurn = 6.2831853F;
 
-/// Reads line after line; throws WalkError at the first that will not do.
+/// Reads line by line; throws WalkError at the first invalid one.
 class WalkReader {
  public:
   explicit WalkReader(const std::string& fileName) : fileName_(fileName) {}
@@ -45,7 +45,7 @@ class WalkReader {
     const std::size_t z = hasHeight ? 3 : 2;
     Walk::Step step;
     step.seconds = within(numbers[0], 0.0, kMaxSeconds, "seconds");
-    if (!steps_.empty() && step.seconds <= steps_.back().seconds) fail("a time that is not after the one before");
+    if (!steps_.empty() && step.seconds <= steps_.back().seconds) fail("a time not later than the previous one");
     step.pose.position.x = metres(numbers[1], "x");
     step.pose.position.y = hasHeight ? metres(numbers[2], "y") : kEyeHeight;
     step.pose.position.z = metres(numbers[z], "z");

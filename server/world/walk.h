@@ -10,28 +10,28 @@
 
 namespace grove::world {
 
-/// A file of a walk that cannot be used; what() reads `FILE:LINE: reason`.
+/// An unusable walk file; what() reads `FILE:LINE: reason`.
 class WalkError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// Where somebody's eye was, and where he looked, at each time of a walk. Immutable.
+/// Position and direction of an eye over the time of a walk. Immutable.
 class Walk {
  public:
   struct Step {
     double seconds = 0.0;
     Pose pose;
   };
-  /// One step at least, in the order of time, the first at 0 or later.
+  /// At least one step, in order of time, the first at 0 or later.
   explicit Walk(std::vector<Step> steps);
 
-  /// Between two steps, on the straight line between them, turning the short way round; before the first and after the
-  /// last one, there.
+  /// Interpolates linearly between two steps and turns the shorter way; returns the first or last pose outside their
+  /// times.
   [[nodiscard]] Pose at(double seconds) const;
-  /// There and back again, for ever.
+  /// Goes there and back, repeatedly.
   [[nodiscard]] Pose thereAndBack(double seconds) const;
-  /// Of the last step.
+  /// Time of the last step.
   [[nodiscard]] double seconds() const noexcept { return steps_.back().seconds; }
 
  private:
@@ -39,8 +39,8 @@ class Walk {
 };
 
 /// Reads a walk: lines of `seconds x z yaw pitch`, or `seconds x y z yaw pitch`, metres and radians as in Pose; without
-/// y, the eye is where that of a visitor is. `#` begins a comment. Throws WalkError (bad file) or EnvironmentError (no
-/// such file, no plain one, or more than 16 MiB).
+/// y, the eye is at a visitor's height. `#` begins a comment. Throws WalkError (bad file) or EnvironmentError (no such
+/// file, not a regular file, or more than 16 MiB).
 [[nodiscard]] Walk loadWalk(const std::filesystem::path& file);
 
 /// The same from text; `fileName` is for messages.

@@ -8,11 +8,10 @@
 
 namespace grove::world {
 
-/// Everything that all visitors share, across-user by definition: what is where, who is here, and what they do to it.
-/// Any thread.
+/// The state that all visitors share, across-user by definition: layout, visitors and their edits. Any thread.
 class World {
  public:
-  /// Where several instances of a world share the roster: that. Null: one of its own.
+  /// `players`: shared by several instances of a world; null makes a new one.
   explicit World(Layout layout, std::shared_ptr<Players> players = nullptr);
 
   /// An empty roster for worlds of this layout; `base` as in Players.

@@ -10,24 +10,24 @@
 
 namespace grove::world {
 
-/// What stops smoke and light in a world, in its coordinates. Immutable after construction: all copies of a world share
-/// it, and any number of threads.
+/// The surfaces that block smoke and light in a world, in world coordinates. Immutable after construction; shared by
+/// all instances of the world and any number of threads.
 class WorldGeometry {
  public:
-  /// `progress`: as RayScene's, once for each of the two.
+  /// `progress`: see RayScene; runs once for each of the two.
   explicit WorldGeometry(const std::vector<ModelledObject>& objects, const std::function<void(float)>& progress = {});
 
-  /// What stops smoke.
+  /// Surfaces that block smoke.
   [[nodiscard]] const RayScene& solids() const noexcept { return solids_; }
 
-  /// What stops light.
+  /// Surfaces that block light.
   [[nodiscard]] const Triangles& shades() const noexcept { return shades_; }
   [[nodiscard]] const RayScene& rays() const noexcept { return rays_; }
 
-  /// Both, as voxels.
+  /// Both as voxels.
   [[nodiscard]] const VoxelObstacles& obstacles() const noexcept { return obstacles_; }
 
-  /// Memory that it takes.
+  /// Memory use.
   [[nodiscard]] std::size_t bytes() const noexcept { return solids_.bytes() + shades_.bytes() + rays_.bytes(); }
 
  private:

@@ -1,11 +1,11 @@
 #include "lightfield/lens.glsl"
 
-// A texel hides a pixel's point if it is nearer by more, in texels' widths there.
+// A texel hides a pixel's point if it is nearer by more than this, in widths of a texel there.
 const float kAgreement = 7.0;
 
-// Interpolates one view's four texels around a point. Texels nearer than the point hide it and are left out; farther
-// ones and empty ones are what shows beside it, which gives smooth silhouettes. `plain` is without regard to depth.
-// Adds premultiplied colour to `sum` and what counted to `total`.
+// Interpolates one view's four texels around a point. Skips texels nearer than the point, which hide it; farther and
+// empty texels are visible beside it, which smooths silhouettes. `plain` ignores depth. Adds premultiplied colour to
+// `sum` and the weights that counted to `total`.
 void addView(int view, float viewWeight, vec3 point, bool plain, inout vec4 sum, inout float total) {
   Lens lens = lensOf(view);
   vec3 p = point - lens.eye;

@@ -1,4 +1,4 @@
-// A light field in textures, as server/objects/lightfield/backend/shader/gl_light_field.h puts it there.
+// A light field in the textures of server/objects/lightfield/backend/shader/gl_light_field.h.
 
 const int kBlock = 16;          // format/light_field.h
 const int kBlockStride = 17;
@@ -12,7 +12,7 @@ const int kBlocksInLayer = kBlocksAcross * kBlocksAcross;
 struct ViewCamera {  // format/view_camera.h
   vec4 eye;      // w: near depth
   vec4 right;    // w: focal, in image heights
-  vec4 down;     // w: metres of one step of stored depth
+  vec4 down;     // w: metres per step of stored depth
   vec4 forward;
 };
 
@@ -21,7 +21,7 @@ layout(binding = 0) uniform usampler2DArray directory;
 layout(binding = 1) uniform usampler2DArray depths;
 layout(binding = 2) uniform sampler2DArray colours;
 
-// Where a block lies in the arrays of depth and colour; z < 0 if it is not kept.
+// Position of a block in the arrays of depth and colour; z < 0 if it is not stored.
 ivec3 placeOfBlock(int entry) {
   ivec3 at = ivec3(entry % kDirectoryWidth, entry / kDirectoryWidth % kDirectoryWidth,
                    entry / (kDirectoryWidth * kDirectoryWidth));

@@ -3,8 +3,8 @@
 
 const float kMinViewDepth = 1.0e-3;
 
-// A view's camera at the request's level: for p = point - eye, z = dot(forward, p) is its view depth and
-// dot(column, p) / z + middle its column of texels, texel centres being whole numbers.
+// A view's camera at the request's level: for p = point - eye, the view depth is z = dot(forward, p) and the texel
+// column is dot(column, p) / z + middle; texel centres are at whole numbers.
 struct Lens {
   int firstEntry;
   vec3 eye;
@@ -12,7 +12,7 @@ struct Lens {
   vec3 row;
   vec3 forward;
   float middle;
-  float nearDepth;       // metres, of stored depth 0
+  float nearDepth;       // view depth of stored depth 0, metres
   float depthStep;
   float metresPerTexel;  // at one metre
 };
@@ -25,10 +25,10 @@ Lens lensOf(int view) {
               1.0 / scale);
 }
 
-// The four texels around a place in a view: always in one block, thanks to its apron.
+// The four texels around a position in a view: always in one block, thanks to its apron.
 struct Texels {
-  ivec3 place;  // of the upper left one; z < 0 if the block is not kept
-  vec2 within;  // place between the four, 0 to 1
+  ivec3 place;  // of the upper left one; z < 0 if the block is not stored
+  vec2 within;  // position between the four, 0 to 1
   vec4 weight;  // bilinear; upper left, upper right, lower left, lower right
   uvec4 depth;
 };

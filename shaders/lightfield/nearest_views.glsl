@@ -10,8 +10,8 @@ int viewAt(ivec2 point) {
 
 bool onLattice(ivec2 point) { return abs(point.x) + abs(point.y) <= subdivision; }
 
-// Where the ray's line enters the sphere of views, behind the eye if need be and moved up to the rim, as a place in the
-// lattice of views.
+// The ray's intersection with the sphere of views, behind the eye if necessary and moved up to the rim, as a position
+// in the lattice of views.
 vec2 latticePlace(vec3 ray) {
   vec3 outwards = eye.xyz - centre.xyz;
   float square = dot(ray, ray);
@@ -43,7 +43,7 @@ Nearest nearestViews(vec2 place) {
                  weight / dot(weight, vec4(1.0)));
 }
 
-// The two views to look for the surface in, the nearest first; -1 is none.
+// The two views in which to search for the surface, the nearest first; -1 is none.
 ivec2 closestTwo(vec2 place) {
   ivec2 near = ivec2(floor(place + 0.5));
   vec2 d = place - vec2(near);
@@ -53,7 +53,7 @@ ivec2 closestTwo(vec2 place) {
   ivec2 better = preferX ? alongX : alongY;
   ivec2 other = preferX ? alongY : alongX;
   ivec2 next = onLattice(better) ? better : other;
-  // Between two points of the rim the nearest whole numbers may lie beyond it.
+  // Between two points of the rim, the nearest whole numbers may lie beyond it.
   ivec2 first = onLattice(near) ? near : next;
   ivec2 second = onLattice(near) ? next : other;
   return ivec2(onLattice(first) ? viewAt(first) : -1, onLattice(second) ? viewAt(second) : -1);

@@ -1,4 +1,4 @@
-// One picture to make: Request in server/objects/lightfield/backend/shader/shader_sampler.cpp.
+// A picture to make: Request in server/objects/lightfield/backend/shader/shader_sampler.cpp.
 
 layout(std140, binding = 0) uniform Request {
   vec4 eye;
@@ -11,9 +11,9 @@ layout(std140, binding = 0) uniform Request {
   vec4 target;
   vec4 haze;        // a: amount
   int subdivision;
-  int size;         // texels an edge at the level
+  int size;         // texels per edge at the level
   int firstEntry;   // of the level in the directory
-  int blocksAcross; // a view of the level
+  int blocksAcross; // per view at the level
   int top;          // of the tile
-  int corrected;    // by depth
+  int corrected;    // use depth
 };

@@ -1,6 +1,6 @@
 #version 450 core
-// One pixel of a light field (the paper's section 5.1): the same steps as
-// server/objects/lightfield/backend/simd/simd_sampler.h, and the tests hold the two together.
+// One pixel of a light field (the paper's section 5.1), by the steps of
+// server/objects/lightfield/backend/simd/simd_sampler.h; tests compare both.
 
 #include "lightfield/request.glsl"
 #include "lightfield/nearest_views.glsl"
@@ -9,10 +9,10 @@
 
 layout(location = 0) out vec4 colour;
 
-// Nothing closer to the eye is shown, metres.
+// Distance below which nothing is shown, metres.
 const float kNear = 0.02;
 
-// Depths between which the ray is within the object's bounds.
+// The range of depths where the ray is within the object's bounds.
 vec2 cutByBounds(vec3 ray) {
   vec3 inverse = 1.0 / mix(vec3(1.0e-12), ray, greaterThan(abs(ray), vec3(1.0e-12)));
   vec3 a = (low.xyz - eye.xyz) * inverse;
@@ -22,7 +22,7 @@ vec2 cutByBounds(vec3 ray) {
   return vec2(max(max(max(enter.x, enter.y), enter.z), kNear), min(min(leave.x, leave.y), leave.z));
 }
 
-// Without depth, everything is taken to be on the plane through the object's middle that faces the eye.
+// Without depth, all points are assumed to lie on the plane through the object's middle that faces the eye.
 float meetPlane(vec3 ray) {
   vec3 ahead = target.xyz - eye.xyz;
   float advance = dot(ahead, ray);

@@ -1,25 +1,25 @@
 #include "lightfield/lens.glsl"
 
-// A walk has at most so many steps; farther ones are longer than a texel.
+// Limit of a march's steps; longer rays have steps longer than a texel.
 const int kMaxSteps = 128;
-// How far before and behind a step's middle a texel is still met: a share of the step more than its half, and so many
-// texels' widths.
+// Tolerance of a hit before and behind a step's middle: half a step plus this share of a step, and this many widths of
+// a texel.
 const float kSlack = 0.25;
 const float kThickness = 0.75;
-// A surface is met where it has this share of the bilinear footprint, its outline thus being a smooth one.
+// A surface is hit where it covers this share of the bilinear footprint, which makes its outline smooth.
 const float kEnough = 0.35;
-// A ray that meets nothing, but is hidden for a larger share of its way, is taken to end behind what hides it.
+// A ray without a hit that is hidden for a larger share of its way ends behind the texels that hide it.
 const float kMostlyHidden = 0.75;
 
-// What is known of where a ray ends.
+// The end of a ray.
 struct Surface {
   float depth;
   bool found;
-  bool guessed;  // no view may show it
+  bool guessed;  // possibly visible in no view
 };
 
-// The part of a ray within the object's bounds as a view sees it: a segment of steps of about a texel each. Places on it
-// run from 0 to 1, and 1 / view depth is linear in them.
+// The part of a ray within the object's bounds in a view: a segment of steps of about a texel each. Places on it run
+// from 0 to 1, and 1 / view depth is linear in them.
 struct RaySegment {
   vec2 begin;  // texels
   vec2 span;
@@ -29,14 +29,15 @@ struct RaySegment {
   float slack;  // places
 };
 
-// What a ray meets in one step: share of the footprint and place, and the share of what it passes behind.
+// The result of one step: share of the footprint that is hit and its place, and share of the texels that the ray passes
+// behind.
 struct Meeting {
   float share;
   float place;
   float behind;
 };
 
-// Each of four texels is met where the ray has its depth, and by as much as the ray there lies within its square.
+// Each of the four texels counts with its bilinear weight for the ray's point at the texel's depth.
 Meeting meetTexels(Lens lens, RaySegment segment, float middle) {
   Texels texels = texelsAround(lens, segment.begin + middle * segment.span);
   vec4 inverse = 1.0 / (lens.nearDepth + vec4(texels.depth) * lens.depthStep);
@@ -53,8 +54,8 @@ Meeting meetTexels(Lens lens, RaySegment segment, float middle) {
   return Meeting(met, middle + dot(share, away) / max(met, 1.0e-6), dot(behind, kAll));
 }
 
-// Walks along the ray between two depths as a view sees it. Returns true if the ray passed behind something and met
-// nothing: another view may see more.
+// Marches along the ray between two depths in a view. Returns true if the ray passed behind something without a hit:
+// another view may show more.
 bool lookForSurface(int view, vec3 ray, float from, float to, inout Surface result) {
   Lens lens = lensOf(view);
   vec3 origin = eye.xyz - lens.eye;
@@ -72,9 +73,9 @@ bool lookForSurface(int view, vec3 ray, float from, float to, inout Surface resu
   float texel = -lens.metresPerTexel * segment.inverseBegin / segment.inverseSpan;
   segment.slack = (0.5 + kSlack) / float(segment.steps) + kThickness * texel;
 
-  int hidden = 0;  // steps behind something
+  int hidden = 0;  // steps behind other texels
   float hiddenAt = 0.0;
-  float grazed = 0.0;  // the largest share of a surface that was not enough
+  float grazed = 0.0;  // largest share of a surface below the threshold
   float grazedAt = 0.0;
   bool found = false;
   float foundAt = 0.0;

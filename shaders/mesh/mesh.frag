@@ -1,5 +1,5 @@
 #version 450 core
-// No more than triangles are good for: server/raster/shading/detail.h finishes the picture.
+// Only interpolates: server/raster/shading/detail.h finishes the picture.
 
 in vec4 shone;
 in float overgrown;

@@ -1,5 +1,5 @@
 #version 450 core
-// Light comes ready from the CPU (server/raster/shading/vertex_light.h), whose vectors are wider than software GL's.
+// The CPU computes the light (server/raster/shading/vertex_light.h): its vectors are wider than software GL's.
 
 layout(location = 0) in vec4 position;  // w: index of its bone
 layout(location = 1) in vec4 light;     // display-encoded; a: weight of the relief

@@ -49,9 +49,9 @@ TEST(Serve, MakesACachedLightFieldAnewThatIsDamaged) {
   file.close();
   const Outcome again = serveUntilItListens(folder);
   EXPECT_EQ(again.exit, 0);
-  EXPECT_THAT(again.output, HasSubstr("made anew"));
+  EXPECT_THAT(again.output, HasSubstr("is rebuilt"));
   EXPECT_THAT(again.output, HasSubstr("listening"));
-  EXPECT_THAT(serveUntilItListens(folder).output, Not(HasSubstr("made anew")));
+  EXPECT_THAT(serveUntilItListens(folder).output, Not(HasSubstr("is rebuilt")));
   std::filesystem::remove_all(folder);
 }
 

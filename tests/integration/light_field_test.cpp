@@ -150,9 +150,9 @@ TEST_F(LightFields, AFileThatBecomesShorterCostsItsObjectOnly) {
   const Picture cut = pictureAfter(visitor, 0, 0.001F);
   (void)pictureAfter(visitor, 0, 0.002F);
   const std::string said = testing::internal::GetCapturedStderr();
-  const auto line = said.find("shortened.glf: became shorter");
+  const auto line = said.find("shortened.glf: was truncated");
   ASSERT_NE(line, std::string::npos) << said;
-  EXPECT_EQ(said.find("became shorter", line + 20), std::string::npos) << "said twice";
+  EXPECT_EQ(said.find("was truncated", line + 20), std::string::npos) << "said twice";
   const auto half = [](const Picture& picture, int from) {
     double sum = 0.0;
     for (int y = 0; y < 180; ++y) {

@@ -58,7 +58,7 @@ float numberOf(int componentType, const unsigned char* bytes, bool normalized) {
   }
 }
 
-/// A run of equally spaced elements within a buffer view, known to lie inside.
+/// A run of equally spaced elements, validated to lie inside a buffer view.
 struct Run {
   const unsigned char* first = nullptr;
   std::size_t stride = 0;
@@ -86,7 +86,7 @@ std::vector<std::uint32_t> integersIn(const GltfFile& file, const Run& run, int 
   return values;
 }
 
-/// Puts in the elements that a sparse accessor gives one by one.
+/// Replaces the elements that a sparse accessor lists.
 void replaceSparse(const GltfFile& file, const tinygltf::Accessor& accessor, Elements& elements) {
   const auto& sparse = accessor.sparse;
   if (sparse.count < 0 || sparse.indices.byteOffset < 0 || sparse.values.byteOffset < 0) {

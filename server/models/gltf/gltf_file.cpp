@@ -17,7 +17,7 @@
 namespace grove::models {
 namespace {
 
-/// How many bytes may still be read.
+/// Number of bytes that may still be read.
 using Budget = std::uint64_t;
 
 constexpr int kMaxNested = 64;
@@ -43,21 +43,21 @@ bool readWhole(std::vector<unsigned char>* bytes, std::string* error, const std:
   return static_cast<bool>(in.read(static_cast<char*>(static_cast<void*>(bytes->data())), size));
 }
 
-/// Leaves decoding to those who know the limits. The pointer into a buffer view has not been checked.
+/// Leaves decoding to readMaterials(), which checks the limits. The pointer into a buffer view is not validated.
 bool keepEncoded(tinygltf::Image* image, int, std::string*, std::string*, int, int, const unsigned char* bytes,
                  int size, void*) {
   if (image->bufferView < 0) image->image.assign(bytes, bytes + size);
   return true;
 }
 
-/// Only the first line: the rest repeats it.
+/// The rest of the text repeats the first line.
 std::string firstLine(const std::string& text) { return text.substr(0, text.find('\n')); }
 
 bool has(const std::vector<std::string>& names, std::string_view name) {
   return std::ranges::find(names, name) != names.end();
 }
 
-/// Whether the file cannot be read without an extension, whatever it says itself: a compressed mesh has no other
+/// Whether the file cannot be read without an extension, even if it does not require it: a compressed mesh has no other
 /// positions.
 bool needs(const tinygltf::Model& document, const std::string& extension) {
   if (has(document.extensionsRequired, extension)) return true;
@@ -72,7 +72,7 @@ bool needs(const tinygltf::Model& document, const std::string& extension) {
   return false;
 }
 
-/// What these compress is not where the parser looks for it, so it stumbles, over something that it does not name.
+/// The parser does not find compressed data, and fails with an unrelated message.
 void refuseCompression(const GltfFile& file, bool parsed) {
   for (const char* const name : {"KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_meshopt_compression"}) {
     if (needs(file.document, name) || (!parsed && has(file.document.extensionsUsed, name))) {
@@ -88,7 +88,7 @@ bool isKnown(std::string_view extension) {
   return std::ranges::find(kKnown, extension) != kKnown.end();
 }
 
-/// Extensions without which the file says that it cannot be read.
+/// Rejects required extensions that are not supported.
 void checkExtensions(const GltfFile& file) {
   for (const std::string& name : file.document.extensionsRequired) {
     if (!isKnown(name))
@@ -96,16 +96,16 @@ void checkExtensions(const GltfFile& file) {
   }
 }
 
-void nameWhatIsLeftOut(const GltfFile& file) {
+void logIgnoredFeatures(const GltfFile& file) {
   std::vector<std::string> names;
   std::ranges::copy_if(file.document.extensionsUsed, std::back_inserter(names),
                        [](const std::string& name) { return !isKnown(name); });
   if (!file.document.animations.empty()) names.emplace_back("animations");
   if (!file.document.skins.empty()) names.emplace_back("skins");
-  if (!names.empty()) log::warning(file.path.string() + ": is read without " + nameList(names));
+  if (!names.empty()) log::warning(file.path.string() + ": ignores " + nameList(names));
 }
 
-/// The JSON of a file; nothing in it has been checked.
+/// The JSON of a file, unchecked.
 std::string_view jsonOf(std::span<const unsigned char> bytes) {
   const std::string_view text(static_cast<const char*>(static_cast<const void*>(bytes.data())), bytes.size());
   constexpr std::size_t kHeaders = 20;  // of a binary file and of its first chunk
@@ -152,7 +152,7 @@ GltfFile loadGltfFile(const std::filesystem::path& path) {
   if (!loaded) file.fail(error.empty() ? "is not glTF 2.0" : firstLine(error));
   if (!warning.empty()) log::warning(path.string() + ": " + firstLine(warning));
   checkExtensions(file);
-  nameWhatIsLeftOut(file);
+  logIgnoredFeatures(file);
   return file;
 }
 

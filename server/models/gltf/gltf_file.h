@@ -7,8 +7,8 @@
 
 namespace grove::models {
 
-/// A parsed glTF file: what its JSON says and its buffers' bytes; nothing in it has been checked. Images hold their
-/// encoded bytes, or none where they lie in a buffer view or their file is absent.
+/// A parsed glTF file: its JSON and its buffers' bytes, unchecked. Images hold their encoded bytes, or none if they are
+/// in a buffer view or their file is missing.
 struct GltfFile {
   std::filesystem::path path;
   tinygltf::Model document;
@@ -16,7 +16,7 @@ struct GltfFile {
   /// Throws ImportError.
   [[noreturn]] void fail(const std::string& reason) const;
 
-  /// The element that the file refers to by a number. Throws ImportError if there is none.
+  /// The element with this index. Throws ImportError if there is none.
   template <class T>
   [[nodiscard]] const T& at(const std::vector<T>& list, int index, const char* what) const {
     if (index < 0 || static_cast<std::size_t>(index) >= list.size()) {
@@ -29,7 +29,7 @@ struct GltfFile {
   [[noreturn]] void failFor(const char* what, int index) const;
 };
 
-/// Reads the file and the files that it names. Throws ImportError.
+/// Reads the file and its referenced files. Throws ImportError.
 [[nodiscard]] GltfFile loadGltfFile(const std::filesystem::path& path);
 
 }  // namespace grove::models

@@ -26,7 +26,7 @@ using world::Vec2;
 using world::Vec3;
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// Triangles of a list, strip or fan of vertices, without those that a strip repeats a vertex in.
+/// Triangles of a list, strip or fan of vertices, without a strip's degenerate ones.
 std::vector<Triangle> trianglesOf(const std::vector<std::uint32_t>& order, int mode) {
   std::vector<Triangle> triangles;
   const std::size_t step = mode == TINYGLTF_MODE_TRIANGLES ? 3 : 1;
@@ -40,7 +40,7 @@ std::vector<Triangle> trianglesOf(const std::vector<std::uint32_t>& order, int m
   return triangles;
 }
 
-/// Unit normals of vertices from the triangles around them, larger ones counting more.
+/// Unit normals of vertices from the adjacent triangles, weighted by area.
 std::vector<Vec3> meanNormals(const std::vector<Vec3>& positions, const std::vector<Triangle>& triangles) {
   std::vector<Vec3> normals(positions.size(), Vec3(0.0F));
   for (const auto& [a, b, c] : triangles) {
@@ -83,14 +83,14 @@ class Importer {
         if (modeOf(primitive) >= TINYGLTF_MODE_TRIANGLES) add(primitive, instance.matrix);
       }
     }
-    nameWhatIsLeftOut();
+    logIgnoredAlpha();
     if (model_.triangles.indices.empty()) file_.fail("has no triangles");
     stand();
     return std::move(model_);
   }
 
  private:
-  /// Refuses what is too large before memory or time is taken for it: a small file may put one mesh in many places.
+  /// Rejects oversized models before they take memory or time: a small file may repeat a mesh many times.
   void checkSize(const std::vector<MeshInstance>& instances) const {
     std::size_t visits = 0;
     std::size_t corners = 0;
@@ -105,7 +105,7 @@ class Importer {
     }
   }
 
-  /// At most as many as the triangles or the vertices, whichever are more, take memory for.
+  /// Upper bound of the numbers of vertices and of triangle corners.
   [[nodiscard]] std::size_t cornersOf(const tinygltf::Primitive& primitive) const {
     const auto positions = primitive.attributes.find("POSITION");
     if (positions == primitive.attributes.end()) return 0;
@@ -118,14 +118,14 @@ class Importer {
     return std::max(vertices, modeOf(primitive) == TINYGLTF_MODE_TRIANGLES ? order : 3 * order);
   }
 
-  /// An attribute with as many elements as there are positions, of one of the widths.
+  /// An attribute with one element per position and an allowed width.
   std::optional<Elements> attribute(const tinygltf::Primitive& primitive, const std::string& name, std::size_t count,
                                     std::size_t min, std::size_t max) const {
     const auto found = primitive.attributes.find(name);
     if (found == primitive.attributes.end()) return {};
-    // Before it is read: it may have millions of elements where there are three positions.
+    // Checked before reading: it may have millions of elements for three positions.
     if (count > 0 && file_.at(file_.document.accessors, found->second, "accessor").count != count) {
-      file_.fail(name + " has not as many elements as POSITION");
+      file_.fail(name + " and POSITION have different numbers of elements");
     }
     Elements elements = readElements(file_, found->second);
     if (elements.width < min || elements.width > max) file_.fail(name + " has vectors of the wrong length");
@@ -155,7 +155,7 @@ class Importer {
     const std::uint16_t material = materialFor(primitive, addUvs(primitive, given, count));
     const auto first = static_cast<std::uint32_t>(model_.triangles.positions.size());
     model_.triangles.positions.insert(model_.triangles.positions.end(), placed.begin(), placed.end());
-    // A mirrored mesh turns its triangles' other side out.
+    // A mirrored mesh turns its triangles inside out.
     const bool mirrored = glm::determinant(glm::mat3(matrix)) < 0.0F;
     for (auto [a, b, c] : triangles) {
       if (mirrored) std::swap(b, c);
@@ -164,13 +164,13 @@ class Importer {
     model_.materialOf.insert(model_.materialOf.end(), triangles.size(), material);
   }
 
-  /// Which vertices make up the triangles, in order.
+  /// The vertices of the triangles, in order.
   std::vector<std::uint32_t> orderOf(const tinygltf::Primitive& primitive, std::size_t count) const {
     if (primitive.indices >= 0) {
       std::vector<std::uint32_t> order = readIndices(file_, primitive.indices);
       const auto highest = std::ranges::max_element(order);
       if (highest != order.end() && *highest >= count) {
-        file_.fail("index " + std::to_string(*highest) + " is out of the " + std::to_string(count) + " vertices");
+        file_.fail("index " + std::to_string(*highest) + " is beyond the " + std::to_string(count) + " vertices");
       }
       return order;
     }
@@ -206,7 +206,7 @@ class Importer {
     if (losesAlpha) withoutColourAlpha_.insert(material->name);
   }
 
-  /// Returns whether there are any.
+  /// Returns whether the primitive has UVs.
   bool addUvs(const tinygltf::Primitive& primitive, const tinygltf::Material* material, std::size_t count) {
     const TexturePlacement placement =
         material == nullptr ? TexturePlacement() : placementOf(file_, material->pbrMetallicRoughness.baseColorTexture);
@@ -222,7 +222,7 @@ class Importer {
     return uvs.has_value();
   }
 
-  /// The primitive's material; without its texture where nothing says how the texture lies.
+  /// The primitive's material, without its texture if the primitive has no UVs.
   std::uint16_t materialFor(const tinygltf::Primitive& primitive, bool hasUvs) {
     const std::size_t given =
         primitive.material < 0 ? untextured_.size() - 1 : static_cast<std::size_t>(primitive.material);
@@ -235,13 +235,13 @@ class Importer {
     return *untextured_[given];
   }
 
-  void nameWhatIsLeftOut() const {
+  void logIgnoredAlpha() const {
     const std::string file = file_.path.string() + ": ";
     if (!unseen_.empty()) {
-      log::warning(file + quoted(unseen_) + " is left out: its alpha is zero or below its cut-off");
+      log::warning(file + "ignores " + quoted(unseen_) + ": alpha is zero or below the cut-off");
     }
     if (!withoutColourAlpha_.empty()) {
-      log::warning(file + "is read without the alpha of the vertex colours of " + quoted(withoutColourAlpha_));
+      log::warning(file + "ignores the alpha of the vertex colours of " + quoted(withoutColourAlpha_));
     }
   }
 
@@ -264,8 +264,8 @@ class Importer {
 
   const GltfFile file_;
   Model model_;
-  std::vector<std::optional<std::uint16_t>> untextured_;  ///< for each of the file's materials its copy, once needed
-  std::set<std::string> unseen_;                          ///< materials of which alpha leaves nothing
+  std::vector<std::optional<std::uint16_t>> untextured_;  ///< untextured copies of the file's materials, made on demand
+  std::set<std::string> unseen_;                          ///< materials that alpha makes invisible
   std::set<std::string> withoutColourAlpha_;
 };
 

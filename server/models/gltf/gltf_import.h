@@ -10,35 +10,35 @@
 
 namespace grove::models {
 
-/// A model file that cannot be used: `FILE: reason`.
+/// An unusable model file; what() reads `FILE: reason`.
 class ImportError : public EnvironmentError {
  public:
   ImportError(const std::filesystem::path& file, const std::string& reason)
       : EnvironmentError(reason, file.string(), "") {}
 };
 
-/// To be raised when the same file gives another model than before, so that cached light fields of it are baked anew.
+/// Increment if the same file gives another model than before, so that cached light fields of it are baked again.
 inline constexpr int kImportVersion = 3;
 
-/// What a model file may hold at most.
+/// Limits of a model file.
 inline constexpr std::size_t kMaxTriangles = 50'000'000;
-inline constexpr std::size_t kMaxPrimitives = 5'000'000;  ///< each where a node puts it
-inline constexpr float kMinMetres = 0.001F;  ///< along its longest edge; a light-field file holds what lies between
+inline constexpr std::size_t kMaxPrimitives = 5'000'000;  ///< counted once per node that uses it
+inline constexpr float kMinMetres = 0.001F;  ///< along the longest edge; a light-field file supports this range
 inline constexpr float kMaxMetres = 100'000.0F;
 inline constexpr int kMaxTextureSide = 16384;                         ///< texels
 inline constexpr std::uint64_t kMaxTexels = std::uint64_t{1} << 29U;  ///< of all textures: 2 GiB
-inline constexpr float kMaxUv = 1.0e6F;                               ///< beyond, a float holds no fraction to speak of
-inline constexpr std::uint64_t kMaxBytes = std::uint64_t{4} << 30U;   ///< with all files it names
+inline constexpr float kMaxUv = 1.0e6F;                               ///< beyond, a float has no useful fraction
+inline constexpr std::uint64_t kMaxBytes = std::uint64_t{4} << 30U;   ///< including all referenced files
 
 /// Reads a glTF 2.0 model (.glb or .gltf): all triangles of its default scene, moved to stand on y = 0 around the
 /// origin.
 ///
-/// Kept: node transforms, vertex colours, base colours with their textures (KHR_texture_transform), holes (alpha MASK
-/// and BLEND), single sides, KHR_materials_transmission and KHR_materials_diffuse_transmission; a double-sided surface
-/// with holes is taken for leaves, that let light through. Normals that are missing are computed. Left out: skins and
-/// morphs (the model is baked as it stands), metal and gloss (light fields are diffuse), the alpha of vertex colours,
-/// and surfaces whose alpha leaves nothing of them. Names in the log extensions that it leaves out, and such alphas and
-/// surfaces, and a texture file that is absent: then it goes on with the base colour. Throws ImportError. Any thread.
+/// Supported: node transforms, vertex colours, base colours with their textures (KHR_texture_transform), holes (alpha
+/// MASK and BLEND), single-sided surfaces, KHR_materials_transmission and KHR_materials_diffuse_transmission;
+/// double-sided surfaces with holes count as leaves, which transmit light. Missing normals are computed. Ignored: skins
+/// and morphs (the model is baked in its rest pose), metal and gloss (light fields are diffuse), the alpha of vertex
+/// colours, and invisible surfaces by their alpha. Logs ignored extensions, ignored vertex alphas and invisible
+/// surfaces, and missing texture files, which it replaces by the base colour. Throws ImportError. Any thread.
 [[nodiscard]] Model importGltf(const std::filesystem::path& file);
 
 }  // namespace grove::models

@@ -22,9 +22,10 @@ namespace {
 
 using world::Vec3;
 
-constexpr float kThroughLeaf = 0.35F;  // share of a leaf's light that comes through, where a file only says "leaf"
+// share of a leaf's light that passes through, where a file specifies only "leaf"
+constexpr float kThroughLeaf = 0.35F;
 
-/// An image that has not been decoded.
+/// An encoded image.
 struct Encoded {
   std::span<const unsigned char> bytes;
   std::string name;  ///< for messages
@@ -40,11 +41,11 @@ Texture measure(const GltfFile& file, const Encoded& image) {
   Texture texture;
   int channels = 0;
   if (stbi_info_from_memory(image.bytes.data(), image.size(), &texture.width, &texture.height, &channels) == 0) {
-    file.fail(image.name + " is no image that can be read (PNG and JPEG can)");
+    file.fail(image.name + " is no readable image (PNG and JPEG are supported)");
   }
   if (texture.width > kMaxTextureSide || texture.height > kMaxTextureSide) {
     file.fail(image.name + " has " + std::to_string(texture.width) + " x " + std::to_string(texture.height) +
-              " texels; " + std::to_string(kMaxTextureSide) + " a side are the most");
+              " texels; the limit is " + std::to_string(kMaxTextureSide) + " per side");
   }
   return texture;
 }
@@ -59,13 +60,12 @@ void decode(const GltfFile& file, const Encoded& image, Texture& texture) {
   std::memcpy(texture.texels.data(), texels.get(), texture.texels.size() * sizeof(std::uint32_t));
 }
 
-/// Measures each image when it is first asked for, and decodes all once it is known that they are not too large
-/// together.
+/// Measures each image on first use, and decodes all after their total size is checked.
 class TextureShelf {
  public:
   TextureShelf(const GltfFile& file, std::vector<Texture>& textures) : file_(file), textures_(textures) {}
 
-  /// Index into the textures, or -1 where there is none or its file is absent.
+  /// Index into the textures; -1 if there is none or its file is missing.
   int indexOf(int texture) {
     if (texture < 0) return -1;
     const int source = file_.at(file_.document.textures, texture, "texture").source;
@@ -81,7 +81,7 @@ class TextureShelf {
   }
 
  private:
-  /// Buffer view, file and, where it has none of these, the number of an image: several may share their bytes.
+  /// Buffer view, file and, if it has neither, the image's number: several images may share their bytes.
   using Key = std::tuple<int, std::string, int>;
 
   static bool hasPlace(const tinygltf::Image& image) { return image.bufferView >= 0 || !image.uri.empty(); }
@@ -89,7 +89,7 @@ class TextureShelf {
   int add(const tinygltf::Image& image, int source) {
     const std::string name = "image " + std::to_string(source) + (image.uri.empty() ? "" : " (" + image.uri + ")");
     if (image.bufferView < 0 && image.image.empty()) {
-      log::warning(file_.path.string() + ": " + name + " is absent; the base colour is used without it");
+      log::warning(file_.path.string() + ": " + name + " is missing; uses the base colour instead");
       return -1;
     }
     const Encoded encoded{image.bufferView < 0 ? std::span(image.image) : viewBytes(file_, image.bufferView), name};
@@ -104,12 +104,12 @@ class TextureShelf {
 
   const GltfFile& file_;
   std::vector<Texture>& textures_;
-  std::vector<Encoded> encoded_;  ///< for each texture
+  std::vector<Encoded> encoded_;  ///< one per texture
   std::map<Key, int> known_;
   std::uint64_t texels_ = 0;
 };
 
-/// A number of a material's extension, 0 where it is not there.
+/// A number of a material's extension; 0 if it is missing.
 float extensionNumber(const tinygltf::Material& material, const char* extension, const char* key) {
   const auto found = material.extensions.find(extension);
   if (found == material.extensions.end() || !found->second.IsObject() || !found->second.Has(key)) return 0.0F;
@@ -132,7 +132,7 @@ Material materialOf(const GltfFile& file, const tinygltf::Material& given, Textu
   material.texture = shelf.indexOf(given.pbrMetallicRoughness.baseColorTexture.index);
   float through = std::max(extensionNumber(given, "KHR_materials_transmission", "transmissionFactor"),
                            extensionNumber(given, "KHR_materials_diffuse_transmission", "diffuseTransmissionFactor"));
-  // The texture's alpha times the factor's is what the cut-off is for.
+  // The cut-off applies to the product of the texture's alpha and the factor's.
   const float alpha = std::max(alphaOf(given), 1.0e-3F);
   if (given.alphaMode == "BLEND") {
     material.blended = true;
@@ -169,7 +169,7 @@ Material withoutTexture(Material material) {
   material.texture = -1;
   material.blended = material.blended && material.alphaCutoff > 1.0F;
   if (!material.blended) material.alphaCutoff = 0.0F;
-  material.solid = material.solid && !material.blended;  // as glass by KHR_materials_transmission
+  material.solid = material.solid && !material.blended;  // for example glass by KHR_materials_transmission
   return material;
 }
 

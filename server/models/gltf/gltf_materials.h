@@ -7,15 +7,15 @@
 
 namespace grove::models {
 
-/// The file's materials in their order, and last the one for surfaces without. Textures that a material uses are
-/// decoded into `textures`, each once. Throws ImportError for images that are broken, or too large alone or together.
+/// The file's materials in order, followed by one for surfaces without a material. Decodes each used texture once into
+/// `textures`. Throws ImportError for images that are broken, or too large alone or together.
 [[nodiscard]] std::vector<Material> readMaterials(const GltfFile& file, std::vector<Texture>& textures);
 
-/// Whether alpha leaves nothing of a surface, whatever its texture: below the cut-off or, of what blends, none. Of a
-/// material that readMaterials() accepts.
+/// Whether alpha makes a surface invisible, whatever its texture: it is below the cut-off or, for blended materials,
+/// zero. For materials that readMaterials() accepts.
 [[nodiscard]] bool isUnseen(const tinygltf::Material& material);
 
-/// The material where nothing says how its texture lies.
+/// The material without its texture, for surfaces without texture coordinates.
 [[nodiscard]] Material withoutTexture(Material material);
 
 }  // namespace grove::models

@@ -21,7 +21,7 @@ static_assert(std::endian::native == std::endian::little, "glTF is little-endian
 
 using Json = nlohmann::json;
 
-/// A .gltf file is its JSON; a .glb file has it first, behind two headers that end with its length and type.
+/// A .gltf file is JSON; a .glb file begins with two headers, which end with the JSON's length and type.
 std::string jsonOf(const std::filesystem::path& file) {
   PlainFile plain(file, "name a glTF file", kMaxBytes);
   std::array<char, 20> start{};
@@ -34,8 +34,8 @@ std::string jsonOf(const std::filesystem::path& file) {
   return json;
 }
 
-/// Of what only names other files, without the rest: that may be large.
-Json listsOf(const std::filesystem::path& file) {
+/// Parses only the lists that reference other files; the rest may be large.
+Json referencesOf(const std::filesystem::path& file) {
   const auto keep = [](int depth, Json::parse_event_t event, const Json& parsed) {
     return event != Json::parse_event_t::key || depth != 1 || parsed == "buffers" || parsed == "images";
   };
@@ -49,7 +49,7 @@ unsigned hexDigit(char c) {
   return 0;
 }
 
-/// As the parser does it: "my%20bark.png" is "my bark.png".
+/// Decodes like the parser: "my%20bark.png" is "my bark.png".
 std::string decoded(std::string_view uri) {
   std::string name;
   for (std::size_t i = 0; i < uri.size(); ++i) {
@@ -67,10 +67,10 @@ std::string decoded(std::string_view uri) {
 
 std::set<std::filesystem::path> filesNamedBy(const std::filesystem::path& gltf) {
   std::set<std::filesystem::path> files;
-  const Json document = listsOf(gltf);
+  const Json document = referencesOf(gltf);
   const auto add = [&](const std::string& uri) {
     if (uri.empty() || uri.starts_with("data:")) return;
-    // Where the parser looks: beside the file, then in the working directory.
+    // The parser's search order: beside the file, then in the working directory.
     for (std::string file : {gltf.parent_path().string(), std::string(".")}) {
       if (!file.empty()) file += '/';
       file += decoded(uri);

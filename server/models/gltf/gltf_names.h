@@ -5,8 +5,8 @@
 
 namespace grove::models {
 
-/// The files that a glTF file names for its buffers and images, where importGltf() finds them; without those that are
-/// absent, and none if the file is no glTF. Reads the JSON alone. Throws EnvironmentError where it cannot.
+/// The existing files that a glTF file references for buffers and images, where importGltf() finds them; none if the
+/// file is no glTF. Reads only the JSON. Throws EnvironmentError if the file cannot be read.
 [[nodiscard]] std::set<std::filesystem::path> filesNamedBy(const std::filesystem::path& gltf);
 
 }  // namespace grove::models

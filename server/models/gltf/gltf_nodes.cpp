@@ -10,7 +10,7 @@ namespace {
 using world::Mat4;
 using world::Vec3;
 
-/// Numbers of a node's property, or what they are if it does not say.
+/// A node's numeric property, or the default if it is missing.
 template <std::size_t N>
 std::array<float, N> numbersOr(const GltfFile& file, const std::vector<double>& given, std::array<float, N> otherwise) {
   if (given.empty()) return otherwise;

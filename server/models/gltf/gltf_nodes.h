@@ -7,14 +7,14 @@
 
 namespace grove::models {
 
-/// A mesh where a node puts it.
+/// A mesh with its node's transform.
 struct MeshInstance {
   int mesh = 0;
   world::Mat4 matrix{1.0F};
 };
 
-/// All meshes of the default scene (without scenes: of all nodes that are no children). Throws ImportError for nodes
-/// that are missing, or reached twice: then they are no tree.
+/// All meshes of the default scene (without scenes: of all root nodes). Throws ImportError for missing nodes, and for
+/// nodes that are reached twice, because then they form no tree.
 [[nodiscard]] std::vector<MeshInstance> meshInstances(const GltfFile& file);
 
 }  // namespace grove::models

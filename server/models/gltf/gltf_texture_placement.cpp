@@ -35,8 +35,8 @@ TexturePlacement placementOf(const GltfFile& file, const tinygltf::TextureInfo& 
   if (transform.Has("texCoord")) {
     placement.uvSet = static_cast<int>(std::clamp(finite(file, transform.Get("texCoord")), 0.0F, 1000.0F));
   }
-  // Counter-clockwise as one sees an image, whose v points down. The listing in the extension's text turns the other
-  // way, against its words and everybody's practice (github.com/KhronosGroup/glTF/issues/1563).
+  // Counter-clockwise in an image, whose v points down. The listing in the extension's text rotates the other way,
+  // against its words and common practice (github.com/KhronosGroup/glTF/issues/1563).
   const float c = std::cos(turn);
   const float s = std::sin(turn);
   placement.matrix =

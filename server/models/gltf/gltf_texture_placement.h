@@ -5,7 +5,7 @@
 
 namespace grove::models {
 
-/// How a texture lies on a surface: by which UVs, and what KHR_texture_transform makes of them.
+/// The placement of a texture on a surface: its UV set and its KHR_texture_transform.
 struct TexturePlacement {
   int uvSet = 0;
   glm::mat3 matrix{1.0F};
@@ -13,7 +13,7 @@ struct TexturePlacement {
   [[nodiscard]] world::Vec2 apply(world::Vec2 uv) const { return {matrix * world::Vec3(uv, 1.0F)}; }
 };
 
-/// Throws ImportError for a transform whose numbers are no finite floats.
+/// Throws ImportError for a transform with numbers that are not finite floats.
 [[nodiscard]] TexturePlacement placementOf(const GltfFile& file, const tinygltf::TextureInfo& texture);
 
 }  // namespace grove::models

@@ -4,9 +4,9 @@
 
 namespace grove::models {
 
-/// Whether more than `most` brackets of a JSON text are open anywhere. The glTF parser follows them by recursion:
-/// enough of them end the program. This scan does not recurse. In what follows the JSON (a binary file's buffer), it
-/// stops where the outermost bracket was closed.
+/// Whether more than `max` brackets of a JSON text are open at once. The glTF parser follows them by recursion, and
+/// enough of them crash the program. This scan does not recurse. It stops where the outermost bracket closes, before a
+/// binary file's buffer.
 [[nodiscard]] bool nestsDeeper(std::string_view json, int max) noexcept;
 
 }  // namespace grove::models

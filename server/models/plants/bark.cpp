@@ -25,7 +25,7 @@ float moss(const BarkPlace& place) {
   return glm::smoothstep(0.45F, 0.75F, 0.8F * blotches(place, 0.12F) + 0.45F * foot + 0.15F * shade - 0.1F);
 }
 
-/// Relief and furrows fade away on thin limbs.
+/// Relief and furrows fade on thin limbs.
 float oldness(const BarkPlace& place) { return glm::smoothstep(0.015F, 0.12F, place.radius); }
 
 }  // namespace

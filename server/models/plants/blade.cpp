@@ -13,7 +13,7 @@ using world::Vec3;
 
 constexpr float kPi = std::numbers::pi_v<float>;
 
-/// Half the width at a share of the length, as a share of half the greatest width.
+/// Half the width at a share of the length, relative to half the greatest width.
 float halfWidth(Outline outline, float at) {
   switch (outline) {
     case Outline::kGrass:

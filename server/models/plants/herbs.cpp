@@ -45,7 +45,7 @@ void Herbs::grass(Vec3 root, float thriving, Random random) {
   blade.material = grass_;
   blade.root = root - Vec3(0, 0.01F, 0);
   blade.along = glm::normalize(Vec3(0, 1, 0) + out * random.range(0.05F, 0.45F));
-  blade.face = Vec3(0, 1, 0) - out;  // bends away from it: outwards and down
+  blade.face = Vec3(0, 1, 0) - out;  // bends away from `face`: outwards and down
   blade.length = glm::mix(0.13F, 0.34F, thriving) * random.range(0.6F, 1.15F);
   blade.width = random.range(0.0080F, 0.0130F);
   blade.bend = random.range(0.25F, 1.5F);

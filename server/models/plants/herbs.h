@@ -6,15 +6,16 @@
 
 namespace grove::models {
 
-/// Draws the small plants and things of the tiles. Each is drawn at a place on the ground from its own random numbers.
+/// Draws the small plants and objects of the tiles. Each stands at a place on the ground and has its own random
+/// numbers.
 class Herbs {
  public:
-  /// Adds the materials; the same ones, in the same order, for every tile.
+  /// Adds the materials, the same ones in the same order for every tile.
   Herbs(MeshWriter& mesh, Detail detail);
 
-  /// A blade of grass; thriving 0 to 1 says how tall and how green.
+  /// A blade of grass; `thriving` 0 to 1 makes it taller and greener.
   void grass(world::Vec3 root, float thriving, Random random);
-  /// A tall culm with a loose seed head.
+  /// A tall stalk with a loose seed head.
   void panicle(world::Vec3 root, Random random);
   void poppy(world::Vec3 root, Random random);
   void daisy(world::Vec3 root, Random random);
@@ -32,7 +33,7 @@ class Herbs {
     world::Vec3 place{0.0F};
     world::Vec3 up{0.0F, 1.0F, 0.0F};
   };
-  /// A stalk with a few leaves; where it ends a head sits.
+  /// A stalk with a few leaves; returns the place for its head.
   Head stalk(world::Vec3 root, float height, int leaves, Random& random);
   struct Petals {
     int count = 5;
@@ -43,7 +44,7 @@ class Herbs {
     std::uint16_t material = 0;
   };
   void petals(const Head& head, const Petals& petals, Random& random);
-  /// A little dome.
+  /// A small dome.
   void heart(const Head& head, float radius, std::uint16_t material);
   [[nodiscard]] int rows(int full) const noexcept { return detail_ == Detail::kFull ? full : 2; }
 

@@ -27,7 +27,7 @@ Limb::Point curve(const std::vector<Limb::Point>& points, float at) {
   return {position, glm::mix(p1.radius, p2.radius, t)};
 }
 
-/// Points along the curve as close together as the detail asks for.
+/// Resamples the curve with the detail's spacing.
 std::vector<Limb::Point> resample(const std::vector<Limb::Point>& points, Detail detail) {
   std::vector<Limb::Point> fine{points.front()};
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {

@@ -23,24 +23,24 @@ struct Limb {
   [[nodiscard]] world::Vec3 directionAt(float share) const;
 };
 
-/// How a limb grows from its root.
+/// Parameters of a limb's growth from its root.
 struct Growth {
   world::Vec3 root{0.0F};
   world::Vec3 direction{0.0F, 1.0F, 0.0F};  ///< unit
   float length = 1.0F;
   float rootRadius = 0.01F;
   float tipRadius = 0.002F;
-  float sag = 0.0F;     ///< pull downwards (upwards if negative) per metre, at the tip; little at the root
-  float rise = 0.0F;    ///< pull upwards in the last third, per metre
+  float sag = 0.0F;     ///< downward pull (upward if negative) per metre at the tip; little at the root
+  float rise = 0.0F;    ///< upward pull in the last third, per metre
   float wander = 0.1F;  ///< radians of random turn per step
   int steps = 8;
 };
 [[nodiscard]] Limb grow(const Growth& growth, Random& random);
 
-/// What bark looks like at a place on a limb.
+/// A place on a limb, the input of bark functions.
 struct BarkPlace {
   world::Vec3 position{0.0F};  ///< on the smooth tube
-  world::Vec3 onLimb{0.0F};    ///< around and along (y) the limb in metres: noise over it has no seam
+  world::Vec3 onLimb{0.0F};    ///< around and along (y) the limb in metres: noise of it has no seam
   world::Vec3 normal{0.0F};    ///< unit
   float radius = 0.0F;
 };

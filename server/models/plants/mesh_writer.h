@@ -17,10 +17,10 @@ class MeshWriter {
   std::uint32_t vertex(world::Vec3 position, world::Vec3 colour);
   void triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint16_t material);
 
-  /// Gives all vertices since the last surface the mean normal of their triangles.
+  /// Gives all vertices since the last surface the mean normals of their triangles.
   void finishSurface();
 
-  /// Where the model ends now; finished surfaces after a mark can be taken back.
+  /// The current end of the model; surfaces finished after a mark can be removed.
   struct Mark {
     std::size_t vertices = 0;
     std::size_t triangles = 0;
@@ -28,7 +28,7 @@ class MeshWriter {
   [[nodiscard]] Mark mark() const;
   void takeBack(Mark mark);
 
-  /// Repeats all since the mark, turned about the Y axis by radians counter-clockwise seen from above.
+  /// Repeats everything since the mark, rotated about the Y axis by radians counter-clockwise seen from above.
   void repeatTurned(Mark from, Mark to, float radians);
 
   [[nodiscard]] const Model& model() const noexcept { return model_; }
@@ -37,13 +37,13 @@ class MeshWriter {
   Model& model_;
 };
 
-/// Unit vector along v, or `otherwise` where v is too short to have a direction.
+/// Unit vector along v, or `otherwise` if v is too short to have a direction.
 [[nodiscard]] world::Vec3 unitOr(world::Vec3 v, world::Vec3 otherwise) noexcept;
 
-/// A unit vector at right angles to a unit vector.
+/// A unit vector perpendicular to a unit vector.
 [[nodiscard]] world::Vec3 anyNormalTo(world::Vec3 direction) noexcept;
 
-/// v turned about a unit axis.
+/// v rotated about a unit axis.
 [[nodiscard]] world::Vec3 turned(world::Vec3 v, world::Vec3 axis, float radians) noexcept;
 
 }  // namespace grove::models

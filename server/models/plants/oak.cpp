@@ -16,14 +16,14 @@ const Vec3 kCrown{0.0F, 4.0F, 0.0F};  // centre
 const Vec3 kReach{3.9F, 3.15F, 3.9F};
 constexpr int kClumps = 92;
 constexpr int kAttractorsPerClump = 130;
-constexpr float kLeader = 2.6F;  // metres up to which the trunk goes on between them
+constexpr float kLeader = 2.6F;  // metres up to which the trunk continues between them
 
-/// Where branches want to go: rounded clumps on an uneven dome, empty between them.
+/// Attractors of the branches: rounded clumps on an uneven dome with gaps.
 std::vector<Vec3> crownAttractors(Random& random) {
   std::vector<Vec3> attractors;
   const Vec3 lobes = random.direction() * 5.0F;
   for (int i = 0; i < kClumps; ++i) {
-    // Even over the sphere by the golden angle, without the underside.
+    // Evenly over the sphere by the golden angle, without the underside.
     const float y = glm::mix(-0.62F, 1.0F, (static_cast<float>(i) + random.unit()) / kClumps);
     const float turn = 2.399963F * static_cast<float>(i) + 0.5F * random.around();
     const float flat = std::sqrt(std::max(0.0F, 1.0F - y * y));
@@ -40,7 +40,7 @@ std::vector<Vec3> crownAttractors(Random& random) {
   return attractors;
 }
 
-/// Bends the limbs to and fro, as oaks do.
+/// Makes the limbs crooked, like an oak's.
 void gnarl(Skeleton& skeleton) {
   for (SkeletonNode& node : skeleton) {
     const Vec3 at = node.position * 0.9F;

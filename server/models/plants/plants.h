@@ -8,18 +8,19 @@
 
 namespace grove::models {
 
-/// How many triangles: small for light fields of few texels, full for several million.
+/// Number of triangles: small for light fields with few texels, full for several million.
 enum class Detail { kSmall, kFull };
 
-/// Names that makePlant() knows: trees and hexagonal tiles of grass.
+/// The names that makePlant() accepts: trees and hexagonal tiles of grass.
 [[nodiscard]] std::span<const std::string_view> plantNames();
 
-/// Whether a plant is a tile; tiles are hexagons of circumradius kTileRadius with corners at +-x, identical along their
+/// Whether a plant is a tile. Tiles are hexagons of circumradius kTileRadius with corners at +-x, identical along their
 /// six edges, so that any two fit at any edge and in any of six rotations.
 [[nodiscard]] bool isTile(std::string_view name);
 inline constexpr float kTileRadius = 2.0F;
 
-/// Goes up when the same name, seed and detail begin to give other bytes, so that what was made of them is made anew.
+/// Increment if the same name, seed and detail give other bytes than before, so that results made from them are
+/// rebuilt.
 inline constexpr int kPlantsVersion = 3;
 
 /// The same name, seed and detail give the same bytes. Asserts that the name is known.

@@ -11,12 +11,12 @@ namespace grove::models {
 
 inline constexpr float kTurn = 2.0F * std::numbers::pi_v<float>;
 
-/// Random numbers that are the same with every standard library: a counter, scrambled.
+/// Random numbers that are the same with every standard library: a hashed counter.
 class Random {
  public:
   explicit Random(std::uint32_t seed) : state_(world::hash(seed ^ 0x9E3779B9U)) {}
 
-  /// 0 up to, not including, 1.
+  /// From 0 up to, not including, 1.
   float unit() { return static_cast<float>(next() >> 8U) * (1.0F / 16777216.0F); }
   float range(float low, float high) { return low + (high - low) * unit(); }
   /// Between -1 and 1, more often near 0.
@@ -35,7 +35,7 @@ class Random {
   /// A point in the unit ball.
   world::Vec3 inBall() { return direction() * std::cbrt(unit()); }
 
-  /// Another sequence, as if seeded anew: what one part draws does not move the others.
+  /// An independent sequence with a new seed: draws of one part do not affect the others.
   Random fork() { return Random(next()); }
 
  private:

@@ -15,7 +15,7 @@ struct Attractor {
   float distance = 1.0e30F;
 };
 
-/// For each node the child that carries on its limb, -1 at ends.
+/// For each node, the child that continues its limb, -1 at ends.
 std::vector<int> thickestChildren(const Skeleton& skeleton) {
   std::vector<int> thickest(skeleton.size(), -1);
   for (std::size_t i = 0; i < skeleton.size(); ++i) {
@@ -31,7 +31,7 @@ std::vector<int> thickestChildren(const Skeleton& skeleton) {
 void colonise(Skeleton& skeleton, std::vector<Vec3> positions, const Colonisation& how, Random& random) {
   std::vector<Attractor> attractors;
   for (const Vec3 position : positions) attractors.push_back({position});
-  // A node that two attractors pull apart would grow the same child for ever.
+  // A node between two opposing attractors would grow the same child forever.
   std::vector<int> children(skeleton.size(), 0);
   std::size_t known = 0;
   while (known < skeleton.size() && !attractors.empty()) {

@@ -6,7 +6,7 @@
 
 namespace grove::models {
 
-/// A branching skeleton; a node's parent comes before it.
+/// A branching skeleton; parents come before their children.
 struct SkeletonNode {
   world::Vec3 position{0.0F};
   int parent = -1;
@@ -14,24 +14,24 @@ struct SkeletonNode {
 };
 using Skeleton = std::vector<SkeletonNode>;
 
-/// How branches compete for space: A. Runions, B. Lane, P. Prusinkiewicz, "Modeling Trees with a Space Colonization
-/// Algorithm" (2007).
+/// Parameters of the branches' competition for space: A. Runions, B. Lane, P. Prusinkiewicz, "Modeling Trees with a
+/// Space Colonization Algorithm" (2007).
 struct Colonisation {
   float step = 0.1F;     ///< metres between nodes
-  float reached = 0.2F;  ///< metres: an attractor this close to a node is used up
-  float sight = 10.0F;   ///< metres: how far an attractor draws nodes
+  float reached = 0.2F;  ///< metres: attractors this close to a node are removed
+  float sight = 10.0F;   ///< metres: range of an attractor
   float tropism = 0.0F;  ///< upward pull as a share of the attractors'
   float wander = 0.1F;
 };
 void colonise(Skeleton& skeleton, std::vector<world::Vec3> attractors, const Colonisation& how, Random& random);
 
-/// Radii by the pipe model: radius^exponent is the sum of the children's; ends have tipRadius.
+/// Radii by the pipe model: radius^exponent is the sum over the children; ends have tipRadius.
 void thicken(Skeleton& skeleton, float tipRadius, float exponent);
 
-/// Takes the steps' corners out of the branches.
+/// Smooths the corners that the growth steps leave in branches.
 void smooth(Skeleton& skeleton);
 
-/// One limb from each fork on along the thickest child, the trunk's first.
+/// One limb per fork, along the thickest children; the trunk's first.
 [[nodiscard]] std::vector<Limb> limbsOf(const Skeleton& skeleton);
 
 }  // namespace grove::models

@@ -17,7 +17,7 @@ using world::Vec3;
 constexpr double kSine60 = 0.5 * std::numbers::sqrt3;
 constexpr int kWaves = 24;
 
-/// Share of the tile's own in what lies here; none where the common plants stand.
+/// Weight of the tile's own soil at a place; 0 among the common plants.
 float ownShare(Vec2 place) { return glm::smoothstep(kCommonDepth, kCommonDepth + 0.5F, insideTile(place)); }
 
 }  // namespace
@@ -31,8 +31,8 @@ float insideTile(Vec2 place) noexcept {
 
 TilingField::TilingField(std::uint32_t seed, float shortest, float longest) {
   Random random(seed);
-  // Tiles' centres form a lattice; waves whose vectors are in its reciprocal lattice repeat from tile to tile, and
-  // cosines of a vector turned by 60 and 120 degrees added together do not change when turned.
+  // The tiles' centres form a lattice. Waves with vectors in its reciprocal lattice repeat from tile to tile, and the
+  // sum of a wave's cosines with its vector rotated by 0, 60 and 120 degrees is invariant under these rotations.
   const double base = 4.0 * std::numbers::pi / (3.0 * static_cast<double>(kTileRadius));
   const double low = 2.0 * std::numbers::pi / static_cast<double>(longest);
   const double high = 2.0 * std::numbers::pi / static_cast<double>(shortest);
@@ -43,7 +43,7 @@ TilingField::TilingField(std::uint32_t seed, float shortest, float longest) {
     const double x = base * (m + 0.5 * n);
     const double y = base * kSine60 * n;
     const double length = std::hypot(x, y);
-    const bool keep = random.unit() * length < low;  // as many waves in every octave's band
+    const bool keep = random.unit() * length < low;  // equally many waves per octave
     if (length < low || length > high || !keep) continue;
     const double weight = std::sqrt(2.0 / (3.0 * kWaves)) * (random.chance(0.5F) ? 1.0 : -1.0);
     waves_.push_back({x, y, weight});
@@ -53,7 +53,7 @@ TilingField::TilingField(std::uint32_t seed, float shortest, float longest) {
 }
 
 float TilingField::at(Vec2 place) const {
-  // In double: neighbours see the same place at other coordinates and must not differ by rounding.
+  // In double: neighbours evaluate the same place in other coordinates and must not differ by rounding.
   const auto x = static_cast<double>(place.x);
   const auto y = static_cast<double>(place.y);
   double sum = 0.0;
@@ -65,7 +65,7 @@ Soil::Soil(Random own)
     : own_(own.direction() * 50.0F), relief_(11, 0.35F, 1.5F), vigour_(12, 0.3F, 1.2F), grain_(13, 0.06F, 0.5F) {}
 
 float Soil::height(Vec2 place) const {
-  // Never below the edges, or the ground that the tile lies on would show.
+  // Never below the edges, otherwise the ground under the tile would show.
   const float hills = world::fractalNoise(Vec3(place.x, 0.0F, place.y) * 1.3F + own_, 3);
   return 0.005F * std::clamp(relief_.at(place), -2.0F, 2.0F) + 0.11F * hills * ownShare(place);
 }
@@ -82,7 +82,7 @@ Vec3 Soil::colour(Vec2 place) const {
 }
 
 void Soil::draw(MeshWriter& mesh, std::uint16_t material, Detail detail) const {
-  // A triangular lattice: it fits the hexagon, looks the same from all edges and goes on into the neighbours'.
+  // A triangular lattice fits the hexagon, is the same at all edges and continues into the neighbours'.
   const int rings = detail == Detail::kFull ? 256 : 64;
   const float step = kTileRadius / static_cast<float>(rings);
   const auto sine = static_cast<float>(kSine60);

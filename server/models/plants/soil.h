@@ -8,15 +8,15 @@
 
 namespace grove::models {
 
-/// Metres from the nearest edge of a tile around the origin; negative outside.
+/// Distance in metres from the nearest edge of a tile around the origin; negative outside.
 [[nodiscard]] float insideTile(world::Vec2 place) noexcept;
 
-/// A smooth random field over the whole plane with the symmetry of the tiling: unchanged by turning a tile by 60
-/// degrees and by stepping from tile to tile (wallpaper group p6). So any tile may evaluate it in its own coordinates
-/// and finds at its edges what its neighbour finds there. Values have mean 0 and deviation 1.
+/// A smooth random field over the whole plane with the symmetry of the tiling: invariant under rotating a tile by 60
+/// degrees and moving it from tile to tile (wallpaper group p6). So each tile evaluates it in its own coordinates and
+/// agrees with its neighbours at the edges. Values have mean 0 and deviation 1.
 class TilingField {
  public:
-  /// Waves are between the two lengths in metres.
+  /// Wavelengths are between `shortest` and `longest`, metres.
   TilingField(std::uint32_t seed, float shortest, float longest);
   [[nodiscard]] float at(world::Vec2 place) const;
 
@@ -29,7 +29,7 @@ class TilingField {
   std::vector<Wave> waves_;
 };
 
-/// The ground of one tile: the common fields near the edges, the tile's own further inside.
+/// The ground of one tile: the common fields near the edges, the tile's own farther inside.
 class Soil {
  public:
   /// @param own noise of this tile alone
@@ -37,7 +37,7 @@ class Soil {
 
   /// Metres.
   [[nodiscard]] float height(world::Vec2 place) const;
-  /// How well plants grow, 0 to 1.
+  /// Fertility, 0 to 1.
   [[nodiscard]] float thriving(world::Vec2 place) const;
 
   /// Draws the hexagon and its skirt.

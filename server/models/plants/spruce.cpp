@@ -55,7 +55,7 @@ class Spruce {
   void bough(const Limb& trunk, float y, float turn) {
     const float share = std::clamp((y - kLowest) / (kSpruceHeight - kLowest), 0.0F, 1.0F);
     const Limb::Point root = trunk.at((y + 0.12F) / kSpruceHeight);
-    const float skirt = glm::smoothstep(-0.12F, 0.12F, share);  // the lowest boughs have too little light
+    const float skirt = glm::smoothstep(-0.12F, 0.12F, share);  // the lowest boughs get too little light
     const float length =
         (0.16F + 1.9F * std::pow(1.0F - share, 0.9F) * (0.72F + 0.28F * skirt)) * random_.range(0.78F, 1.12F);
     const float steep = glm::mix(-0.12F, 0.75F, share * share);
@@ -121,7 +121,7 @@ class Spruce {
     needlesAlong(twig, 0.0F, tint);
   }
 
-  /// Needles around a twig, slanting forward; fewer and broader ones at small detail cover the same area.
+  /// Needles around a twig, slanting forward; small detail has fewer and broader ones that cover the same area.
   void needlesAlong(const Limb& twig, float from, float tint) {
     const bool full = detail_ == Detail::kFull;
     const float length = glm::distance(twig.points.front().position, twig.tip().position) * (1.0F - from);

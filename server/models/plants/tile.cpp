@@ -27,10 +27,10 @@ class Gardener {
     sowCommonWedges();
   }
 
-  /// How likely each of the places that scatter() tries is to bear the plant.
+  /// Distribution of scatter()'s plants.
   enum class Spread { kEven, kClusters };
 
-  /// Grass where all tiles do not have their own, thinner where other plants want light.
+  /// Grass beyond the common strip, thinner where other plants need light.
   void sowGrass(float density) {
     const auto tufts = static_cast<int>(kTuftsPerSquareMetre * kArea);
     for (int i = 0; i < tufts; ++i) {
@@ -59,7 +59,7 @@ class Gardener {
   }
 
  private:
-  /// 1 near the edges, where only common plants grow; 0 further inside, where only the tile's own do.
+  /// 1 near the edges, where only common plants grow; 0 farther inside, where only the tile's own plants grow.
   static float commonShare(Vec2 place) {
     return 1.0F - glm::smoothstep(kEdgeStrip + 0.03F, kCommonDepth, insideTile(place));
   }
@@ -73,7 +73,7 @@ class Gardener {
     }
   }
 
-  /// Blades that stand together and share a mood.
+  /// A tuft of similar blades.
   void tuft(Vec2 place, Random& random) {
     const float thriving = std::clamp(soil_.thriving(place) + 0.15F * random.around(), 0.0F, 1.0F);
     const float size = random.range(0.015F, 0.05F);
@@ -84,8 +84,8 @@ class Gardener {
     }
   }
 
-  /// The plants that stand near an edge in every tile: sown once, for the edge whose normal is at 30 degrees, and
-  /// repeated at the others.
+  /// Plants near an edge, the same in every tile: sown once, for the edge whose normal is at 30 degrees, and repeated
+  /// at the others.
   void sowCommonWedges() {
     const MeshWriter::Mark before = mesh_.mark();
     Random common(2024);
@@ -107,7 +107,7 @@ class Gardener {
       mesh_.repeatTurned(before, after, std::numbers::pi_v<float> / 3.0F * static_cast<float>(edge));
   }
 
-  /// Takes back what has grown since if it leans into the strip that all tiles share.
+  /// Removes the plants since the mark if they lean into the strip that all tiles share.
   void keepFromEdge(MeshWriter::Mark before) {
     const auto& positions = mesh_.model().triangles.positions;
     const bool leansOver =

@@ -4,21 +4,21 @@
 #include "models/plants/plants.h"
 #include "models/plants/random.h"
 
-/// What makePlant() grows tiles with.
+/// Grows tiles for makePlant().
 ///
-/// Tiles fit at any edge and in any rotation because what lies near an edge does not depend on the tile: the soil there
-/// is one field over the whole plane, with the symmetry of the tiling, that every tile evaluates; and the plants there
-/// are one and the same wedge, six times. All that belongs to a tile alone keeps away from the edges.
+/// Tiles fit at any edge and in any rotation, because everything near an edge is independent of the tile: the soil
+/// there is one field over the whole plane, with the symmetry of the tiling, and the plants there are copies of one
+/// wedge, six times. Everything that belongs to a single tile keeps away from the edges.
 namespace grove::models {
 
-/// Metres from an edge within which, and beyond which, everything is the same in all tiles.
+/// Distance in metres on either side of an edge within which all tiles are the same.
 inline constexpr float kEdgeStrip = 0.12F;
 
-/// Metres from an edge to the innermost plant that all tiles have.
+/// Distance in metres from an edge to the innermost plant that all tiles share.
 inline constexpr float kCommonDepth = 0.45F;
 
-/// Metres that the soil goes on beyond the edges, where it lies exactly on the neighbour's: a texel that the edge parts
-/// never shows what is behind.
+/// Metres by which the soil extends beyond the edges, exactly on the neighbour's soil: a texel across the edge never
+/// shows the background.
 inline constexpr float kSkirt = 0.04F;
 
 void growMeadow(MeshWriter& mesh, Random& random, Detail detail);

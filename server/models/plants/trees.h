@@ -4,8 +4,8 @@
 #include "models/plants/plants.h"
 #include "models/plants/random.h"
 
-/// What makePlant() grows trees with; each stands at the origin. Twigs and leaves stay where they are at every detail:
-/// only the triangles they are made of differ.
+/// Grows trees for makePlant(), each at the origin. Twigs and leaves have the same places at every detail; only their
+/// triangles differ.
 namespace grove::models {
 
 void growOak(MeshWriter& mesh, Random& random, Detail detail);

@@ -12,7 +12,7 @@ using world::Vec3;
 
 namespace {
 
-/// What the rasteriser interpolates and shaders/mesh/mesh.frag packs.
+/// The values that the rasteriser interpolates and shaders/mesh/mesh.frag packs.
 struct LitCorner {
   world::Vec4 light;
   float lichen;
@@ -57,7 +57,7 @@ std::shared_ptr<Image> EmbreeMeshRenderer::renderOne(const Drawing& drawing) {
   const world::RayScene& rays = raysOf(surface, level);
   std::vector<std::uint32_t> light(level.vertexCount);
   lightVertices(VertexArrays(*drawing.object), drawing, light);
-  // Rays keep their parameter in the object's coordinates, so it stays the view depth.
+  // Rays keep their parameter in object coordinates, so it remains the view depth.
   const world::Mat4 toObject = glm::inverse(drawing.bones[0]);
   const Vec3 origin(toObject * world::Vec4(camera.pose.position, 1.0F));
   const std::shared_ptr<Image> image = images_.acquire(drawing.rect);

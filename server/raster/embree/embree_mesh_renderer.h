@@ -10,8 +10,8 @@
 
 namespace grove::raster {
 
-/// Casts one ray a pixel at the same triangles. Slow and exact: the reference for faster renderers. Any thread. Draws
-/// rigid surfaces only: all vertices follow the first bone.
+/// Traces one ray per pixel against the same triangles. Slow and exact: the reference for faster renderers. Any thread.
+/// Draws only rigid surfaces: all vertices follow the first bone.
 class EmbreeMeshRenderer final : public MeshRenderer {
  public:
   /// `images` outlives the renderer.

@@ -15,17 +15,16 @@
 namespace grove::raster {
 namespace {
 
-// Small enough for the cache that software GL draws in; larger ones are for larger tiles only.
+// Fits the cache in which software GL draws; atlases grow only for larger tiles.
 constexpr int kAtlasWidth = 1024;
 constexpr int kAtlasHeight = 384;
-constexpr int kAtlasStep = 64;  // pixels: no more is cleared than is needed
+constexpr int kAtlasStep = 64;  // pixels: clears no more than needed
 constexpr std::size_t kMaxAtlases = 16;
 
 int roundedUp(int pixels, int step) { return (pixels + step - 1) / step * step; }
 
-/// World to clip space of a tile. Window y grows downwards, so that rows are read back from the top, and depth is
-/// near / view depth: reversed, without a far end, and evenly precise in floats (Reed 2015, "Depth Precision
-/// Visualized").
+/// World to clip space of a tile. Window y grows downwards, so that rows are read back from the top. Depth is near /
+/// view depth: reversed, without a far plane, and evenly precise in floats (Reed 2015, "Depth Precision Visualized").
 world::Mat4 clipMatrix(const world::Camera& camera, const world::Rect& rect) {
   const float focal = camera.focal();
   const auto width = static_cast<float>(rect.width());
@@ -53,7 +52,7 @@ class GlMeshRenderer::Target {
         lightBuffer_(local.api),
         held_(memory.held("buffers")) {}
 
-  /// Draws from `order[first]` on as many as one atlas holds; returns the next that is left.
+  /// Draws `order[first]` and the following ones that fit one atlas; returns the index of the next.
   std::size_t renderSome(std::span<const Drawing> drawings, std::span<const std::size_t> order, std::size_t first,
                          const DetailTexture& texture, ImagePool& pool, std::span<std::shared_ptr<Image>> images) {
     const Drawing& tallest = drawings[order[first]];
@@ -102,7 +101,7 @@ class GlMeshRenderer::Target {
     constexpr float kFarthest = 0.0F;
     atlas.bind();
     api_.Disable(GL_SCISSOR_TEST);
-    // Depth alone says where something is, so the colour keeps what earlier batches drew.
+    // Depth alone marks covered pixels, so colour needs no clearing.
     api_.ClearNamedFramebufferfv(atlas.name(), GL_DEPTH, 0, &kFarthest);
     api_.Enable(GL_SCISSOR_TEST);
     api_.ClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
@@ -110,7 +109,7 @@ class GlMeshRenderer::Target {
     api_.DepthFunc(GL_GREATER);
     api_.Enable(GL_CULL_FACE);
     api_.CullFace(GL_BACK);
-    api_.FrontFace(GL_CW);  // the picture is upside down to GL
+    api_.FrontFace(GL_CW);  // GL draws the picture upside down
     program_.use();
   }
 
@@ -123,7 +122,8 @@ class GlMeshRenderer::Target {
     return drawing.object->surface.levelFor(drawing.distance, drawing.camera->focal());
   }
 
-  /// Lights the vertices of all drawings at once: an upload each would be dear. Returns where each begins, in bytes.
+  /// Lights the vertices of all drawings at once, because one upload per drawing would be expensive. Returns each
+  /// drawing's offset in bytes.
   [[nodiscard]] std::vector<std::size_t> light(std::span<const Drawing> drawings, std::span<const std::size_t> batch) {
     std::vector<std::size_t> starts;
     std::size_t total = 0;
@@ -153,7 +153,7 @@ class GlMeshRenderer::Target {
     surfaceOf(*drawing.object).draw(levelOf(drawing), lightBuffer_, firstLight);
   }
 
-  /// Valid until the next.
+  /// Valid until the next call.
   [[nodiscard]] Fragments readBack(const world::Rect& tile) {
     const int width = tile.width();
     const int height = tile.height();

@@ -9,16 +9,17 @@
 
 namespace grove::raster {
 
-/// Rasterises with GL. A batch is drawn as tiles of one atlas, whoever they are for, then read back and finished:
-/// GL interpolates light and depth over triangles, and what needs many operations a pixel is left to wider loops.
+/// Rasterises with GL. Draws a batch as tiles of one atlas, independent of their sessions, then reads it back and
+/// finishes it on the CPU: GL interpolates light and depth over triangles, and the vectorised loops do the expensive
+/// work per pixel.
 class GlMeshRenderer final : public MeshRenderer {
  public:
-  /// All outlive the renderer.
+  /// All arguments outlive the renderer.
   GlMeshRenderer(gl::Workers& workers, ImagePool& images, const MeshMemory& memory);
-  /// Not on a worker: waits for each to drop its buffers.
+  /// Not on a worker: waits until each has dropped its buffers.
   ~GlMeshRenderer() override;
 
-  /// On a worker. What a worker needs is made at its first call; throws EnvironmentError if that fails.
+  /// On a worker. Creates the worker's resources on its first call; throws EnvironmentError if that fails.
   void render(std::span<const Drawing> drawings, std::span<std::shared_ptr<Image>> images) override;
 
  private:
@@ -27,7 +28,7 @@ class GlMeshRenderer final : public MeshRenderer {
   gl::Workers& workers_;
   ImagePool& images_;
   const MeshMemory memory_;
-  std::vector<std::unique_ptr<Target>> targets_;  // by worker, each used by its thread alone
+  std::vector<std::unique_ptr<Target>> targets_;  // one per worker, used only by its thread
 };
 
 }  // namespace grove::raster

@@ -13,12 +13,12 @@ class GlSurface {
  public:
   GlSurface(const gl::Api& api, const LitSurface& object);
 
-  /// Draws one of the surface's levels with the program in use. `light` holds from `firstByte` on what lightVertices()
-  /// gave for the level's vertices.
+  /// Draws one of the surface's levels with the current program. `light` holds the result of lightVertices() for the
+  /// level's vertices from `firstByte` on.
   void draw(const Level& level, const gl::Buffer& light, std::size_t firstByte) const;
 
   [[nodiscard]] const VertexArrays& arrays() const noexcept { return arrays_; }
-  /// Memory that it takes, the buffers' included.
+  /// Memory use, including the buffers.
   [[nodiscard]] std::size_t bytes() const noexcept { return arrays_.bytes() + bufferBytes_; }
 
  private:

@@ -6,15 +6,15 @@
 
 namespace grove::raster {
 
-/// Places rectangles in rows of an atlas. Best given in order of falling height.
+/// Places rectangles in rows of an atlas. Works best in order of falling height.
 class TilePacker {
  public:
   TilePacker(int width, int height) : width_(width), height_(height) {}
 
-  /// None if it does not fit any more.
+  /// Nothing if it does not fit.
   [[nodiscard]] std::optional<world::Rect> place(int width, int height);
 
-  /// Where the lowest of them ends.
+  /// Bottom of the lowest rectangle.
   [[nodiscard]] int bottom() const noexcept { return rowTop_ + rowHeight_; }
 
  private:

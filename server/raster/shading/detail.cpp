@@ -7,15 +7,15 @@ namespace {
 
 using world::Vec3;
 
-/// Metres of a texel, coarse to fine.
+/// Metres per texel, coarse to fine.
 constexpr std::array<float, kDetailScales> kTexel = {0.034F, 0.0071F, 0.0016F};
-/// How much a full height changes the logarithm of the brightness, by stain and by a unit of slope.
+/// Change of the logarithm of the brightness by a full height, as stain and per unit of slope.
 constexpr std::array<float, kDetailScales> kStain = {0.40F, 0.55F, 0.50F};
 constexpr std::array<float, kDetailScales> kSlope = {1.05F, 1.10F, 0.90F};
-/// Light of the open sky brings out relief from above wherever the sun does not.
+/// The open sky lights relief from above where the sun does not.
 constexpr float kSkyRelief = 0.50F;
 
-/// Where a scale is looked up: turned out of the axes, where value noise would show its cells, and in texels.
+/// Rotation and scale of a look-up: off the axes, where value noise would show its cells, and in texels.
 glm::mat3 turnOf(std::size_t scale) {
   const glm::mat3 turn(0.36F, 0.48F, -0.80F, -0.80F, 0.60F, 0.00F, 0.48F, 0.64F, 0.60F);
   return (scale == 1 ? glm::transpose(turn) : turn) / kTexel[scale];

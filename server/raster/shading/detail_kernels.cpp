@@ -20,12 +20,12 @@ using world::Vec3;
 
 static_assert(kLanes <= static_cast<int>(kFragmentRoom));
 
-/// Smaller features are left out.
+/// Smaller features are skipped.
 constexpr float kMinPixels = 0.9F;
-/// Added to a float of 0..2^22, leaves its nearest whole number in the lowest bits.
+/// Added to a float of 0..2^22, it leaves the nearest whole number in the lowest bits.
 constexpr float kWholeBits = 8388608.0F;
 
-/// A point in many lanes.
+/// A point per lane.
 struct Place {
   Floats x;
   Floats y;
@@ -42,13 +42,13 @@ HWY_INLINE Floats byteOf(Ints packed) {
 }
 
 /// Brightens a display-encoded channel by a factor exp(change) of its light: the display curve is steepest in its
-/// middle. Whole numbers below bits that mean nothing.
+/// middle. The result's low bits are the whole number; the upper bits are undefined.
 HWY_INLINE Ints graded(Floats channel, Floats change) {
   const Floats more = channel * (Floats(285.0F) - channel) * (0.55F / 285.0F);
   return bitsOf(clamp(mulAdd(more, change, channel), 0.0F, 255.0F) + kWholeBits);
 }
 
-/// Pixels of many rows together, for what is before the camera is narrow and vectors are wide.
+/// Batches pixels of many rows, because drawings are narrow and vectors are wide.
 class Weathering {
  public:
   Weathering(const DetailView& view, const std::uint32_t* squares, Image& image)
@@ -66,9 +66,9 @@ class Weathering {
     }
   }
 
-  /// Writes what has been added since the last.
+  /// Writes the pixels added since the last flush.
   void flush() {
-    // The last vector may go beyond what was ever written.
+    // The last vector may extend beyond initialised pixels.
     store(Floats(0.0F), reversed_ + count_);
     Floats nearest;
     for (int i = 0; i < count_; i += kLanes) {
@@ -97,7 +97,7 @@ class Weathering {
   }
 
  private:
-  /// Pixels of one row that lie side by side in the block.
+  /// Adjacent pixels of one row in the block.
   struct Piece {
     int row;
     int column;
@@ -105,9 +105,9 @@ class Weathering {
   };
   static constexpr int kBlock = 256;
   static constexpr int kPieces = 32;
-  static constexpr int kRoom = kBlock + static_cast<int>(kFragmentRoom);  // whole vectors are written anywhere
+  static constexpr int kRoom = kBlock + static_cast<int>(kFragmentRoom);  // whole vectors are written at any place
 
-  /// Adds pixels to the block, in whole vectors: what is too much is overwritten by the next.
+  /// Adds pixels to the block in whole vectors; the next call overwrites the excess.
   HWY_INLINE void take(int row, int column, int count, const std::uint32_t* surface, const float* reversed) {
     const Vec3 left =
         view_.corner + view_.downwards * static_cast<float>(row) + view_.alongRow * static_cast<float>(column);
@@ -118,7 +118,7 @@ class Weathering {
       const Floats depth = load(reversed + i);
       store(load(surface + i), surface_ + to);
       store(depth, reversed_ + to);
-      // Empty pixels are taken for near ones, lest they be looked up beyond all numbers.
+      // Empty pixels are treated as near ones, so that look-ups stay within integer range.
       const Floats metres = near / select(depth > 0.0F, depth, 1.0F);
       store(metres, depth_ + to);
       const Floats along = toFloats(upwards() + i);
@@ -128,12 +128,12 @@ class Weathering {
     }
   }
 
-  /// Finds the cells of a scale and the places within them.
+  /// Computes the cells of a scale and the positions within them.
   HWY_INLINE void locate(const DetailScale& scale) {
     constexpr auto kBits = static_cast<int>(DetailTexture::kBits);
     constexpr std::int32_t kWrap = DetailTexture::kSize - 1;
     static_assert(DetailTexture::kLine == DetailTexture::kSize + 1);
-    // Whole numbers of both signs show in the lowest bits of a sum with this.
+    // A sum with this has signed whole numbers in its lowest bits.
     constexpr float kSignedBits = 12582912.0F;
     for (int i = 0; i < count_; i += kLanes) {
       const Place place{load(x_ + i), load(y_ + i), load(z_ + i)};
@@ -158,7 +158,7 @@ class Weathering {
     for (int i = 0; i < count; ++i) std::memcpy(pairs_ + 2 * i, squares + at_[i], 2 * sizeof(std::uint32_t));
   }
 
-  /// Adds one scale: trilinear interpolation, with the gradient.
+  /// Adds one scale: trilinear interpolation with gradient.
   HWY_INLINE void addScale(const DetailScale& scale) {
     const hn::RebindToUnsigned<IntTag> bits;
     const float pixels = scale.pixels / view_.nearDepth;
@@ -197,10 +197,10 @@ class Weathering {
     }
   }
 
-  /// How much the sun brings out slopes.
+  /// The surface's relief by sunlight.
   static HWY_INLINE Floats reliefOf(Ints surface) { return toFloats(shiftRight<28>(surface)) * (kMaxRelief / 15.0F); }
 
-  /// Turns surface into colour and leaves out the depth of what is empty.
+  /// Turns surface into colour and skips the depth of empty pixels.
   HWY_INLINE void grade(int i) {
     const Ints packed = load(surface_ + i);
     const Floats lichen = toFloats(shiftRight<24>(packed) & 0xF) * (1.0F / 15.0F);
@@ -227,17 +227,17 @@ class Weathering {
   HWY_ALIGN std::uint32_t surface_[kRoom];
   HWY_ALIGN float reversed_[kRoom];
   HWY_ALIGN float depth_[kRoom];
-  // In the object's coordinates.
+  // In object coordinates.
   HWY_ALIGN float x_[kRoom];
   HWY_ALIGN float y_[kRoom];
   HWY_ALIGN float z_[kRoom];
-  // Where a scale is looked up, and what is there: two neighbours for each pixel.
+  // Indices and results of a scale's look-ups: two neighbours per pixel.
   HWY_ALIGN std::int32_t at_[kRoom];
   HWY_ALIGN float u_[kRoom];
   HWY_ALIGN float v_[kRoom];
   HWY_ALIGN float w_[kRoom];
   HWY_ALIGN std::uint32_t pairs_[2 * kRoom];
-  // What the scales add up to: the height, and how much the slope brightens.
+  // Sums over the scales: the height, and the brightening by slope.
   HWY_ALIGN float stain_[kRoom];
   HWY_ALIGN float slope_[kRoom];
 };

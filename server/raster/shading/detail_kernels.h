@@ -12,23 +12,23 @@ inline constexpr std::size_t kDetailScales = 3;
 
 /// One scale of the procedural detail, in the object's coordinates.
 struct DetailScale {
-  /// Rows of the matrix that turns a place into texels.
+  /// Rows of the matrix from object coordinates to texels.
   world::Vec3 texelX{0.0F};
   world::Vec3 texelY{0.0F};
   world::Vec3 texelZ{0.0F};
-  /// How much a slope of one step of height (0..255) a texel changes the logarithm of the brightness: by a unit of
-  /// relief, and wherever it is.
+  /// Change of the logarithm of the brightness by a slope of one step of height (0..255) per texel: per unit of relief,
+  /// and constant.
   world::Vec3 sun{0.0F};
   world::Vec3 up{0.0F};
-  float stain = 0.0F;   ///< how much a step of height does
-  float pixels = 0.0F;  ///< that the smallest features have at one metre
+  float stain = 0.0F;   ///< the same by one step of height
+  float pixels = 0.0F;  ///< size of the smallest features at one metre
 };
 
-/// How a drawing's pixels are found on the object.
+/// Maps a drawing's pixels to object coordinates.
 struct DetailView {
   float nearDepth = 0.0F;
-  /// The pixel (column, row) of the rectangle shows eye + depth * (corner + column * alongRow + row * downwards), in
-  /// the object's coordinates.
+  /// The pixel (column, row) of the rectangle shows the point eye + depth * (corner + column * alongRow + row *
+  /// downwards) in object coordinates.
   world::Vec3 eye{0.0F};
   world::Vec3 corner{0.0F};
   world::Vec3 alongRow{0.0F};
@@ -36,10 +36,10 @@ struct DetailView {
   std::array<DetailScale, kDetailScales> scales{};
 };
 
-/// As finish() says, of rock: `squares` is a DetailTexture's. The image has its spans already.
+/// finish() for rock: `squares` is a DetailTexture's. The image already has its spans.
 void finishWeathered(const Fragments& fragments, const DetailView& view, const std::uint32_t* squares, Image& image);
 
-/// As finish() says, of what shows no detail.
+/// finish() for surfaces without detail.
 void finishPlain(const Fragments& fragments, float nearDepth, Image& image);
 
 }  // namespace grove::raster

@@ -13,7 +13,7 @@ constexpr std::uint32_t kWrap = kSize - 1;
 
 std::size_t indexOf(std::uint32_t x, std::uint32_t y, std::uint32_t z) { return (z * kSize + y) * kSize + x; }
 
-/// Value noise that repeats after `cells` smooth cells, which fill the cube.
+/// Value noise with a period of `cells` smooth cells, which fill the cube.
 class RepeatingNoise {
  public:
   RepeatingNoise(std::uint32_t cells, std::uint32_t seed) : cells_(cells) {

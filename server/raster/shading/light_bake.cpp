@@ -15,10 +15,10 @@ using world::Vec4;
 
 constexpr std::uint32_t kSunRays = 8;
 constexpr std::uint32_t kSkyRays = 64;
-constexpr float kSunRadius = 0.035F;  // of its direction: wider than the real sun, as haze makes it
-constexpr float kAway = 0.015F;       // metres off the surface, against hitting it
-constexpr float kReach = 15.0F;       // metres beyond which nothing darkens the sky
-constexpr float kContact = 0.6F;      // metres below which the ground is in the object's own shade
+constexpr float kSunRadius = 0.035F;  // of its direction: wider than the real sun, as through haze
+constexpr float kAway = 0.015F;       // metres, offset of ray origins from the surface against self-intersection
+constexpr float kReach = 15.0F;       // metres beyond which nothing occludes the sky
+constexpr float kContact = 0.6F;      // metres below which the object itself shades the ground
 const Vec3 kRockBounce{0.075F, 0.062F, 0.048F};
 
 /// Orthonormal basis around a unit vector (Duff et al. 2017, "Building an Orthonormal Basis, Revisited").
@@ -42,7 +42,7 @@ float radicalInverse(std::uint32_t bits) {
 using SkyDirections = std::array<Vec3, kSkyRays>;
 using SunDirections = std::array<Vec3, kSunRays>;
 
-/// Around +z, denser by their cosine to it.
+/// Cosine-weighted around +z.
 SkyDirections skyDirections() {
   SkyDirections directions;
   for (std::uint32_t i = 0; i < kSkyRays; ++i) {
@@ -54,7 +54,7 @@ SkyDirections skyDirections() {
   return directions;
 }
 
-/// A spiral over the disc.
+/// A spiral over the sun's disc.
 SunDirections sunDirections(Vec3 sun) {
   SunDirections directions;
   const glm::mat3 basis = basisAround(sun);
@@ -77,7 +77,7 @@ float sunAt(Vec3 point, const Obstacles& obstacles, const SunDirections& directi
   return static_cast<float>(seen) / static_cast<float>(kSunRays);
 }
 
-/// Indirect light, with the sky weakened by what covers it and its colour taken from the open side.
+/// Indirect light, weakened by the sky's occlusion and coloured by the open directions.
 Vec3 indirectAt(Vec3 origin, Vec3 normal, const world::Sky& sky, const Obstacles& obstacles,
                 const SkyDirections& directions) {
   const glm::mat3 basis = basisAround(normal);
@@ -117,7 +117,7 @@ void bakeLight(const Surface& surface, const world::Mat4& toWorld, const world::
     const Vertex& vertex = surface.vertices[begin + i];
     const Vec3 normal = glm::normalize(turn * vertex.normal);
     Vec3 origin = Vec3(toWorld * Vec4(vertex.position, 1.0F)) + normal * kAway;
-    // A vertex below the ground lends its light to the triangles that come out of it.
+    // Triangles that cross the ground use the light of their vertices below it.
     origin.y = std::max(origin.y, 2.0F * kAway);
     const bool towardsSun = glm::dot(normal, sky.sun) > -0.2F;
     light[i] =

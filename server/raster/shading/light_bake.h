@@ -9,18 +9,18 @@
 
 namespace grove::raster {
 
-/// What darkens a surface, in world coordinates.
+/// Occluders of a surface, in world coordinates.
 struct Obstacles {
   const world::RayScene& world;
-  const world::RayScene* own = nullptr;  ///< the surface itself, if it is not among the world's; else null
+  const world::RayScene* own = nullptr;  ///< the surface itself, if it is not part of the world's; else null
 };
 
-/// The light of sun, sky and ground at the surface's vertices from `begin` on, as many as `light` has, behind all
-/// obstacles and above the ground y = 0; see LitSurface. About 70 rays a vertex.
+/// Computes the light of sun, sky and ground at the surface's vertices from `begin` on, as many as `light` has, with
+/// all obstacles and above the ground y = 0; see LitSurface. About 70 rays per vertex.
 void bakeLight(const Surface& surface, const world::Mat4& toWorld, const world::Sky& sky, const Obstacles& obstacles,
                std::size_t begin, std::span<world::Vec4> light);
 
-/// The share of the sun, which is in the direction `sun`, that reaches a point: 0..1.
+/// The share of the sun in the direction `sun` that reaches a point: 0..1.
 [[nodiscard]] float sunAt(world::Vec3 point, world::Vec3 sun, const world::RayScene& solids);
 
 }  // namespace grove::raster

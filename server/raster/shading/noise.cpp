@@ -41,7 +41,7 @@ float fractalNoise(Vec3 p, int octaves) noexcept {
   for (int i = 0; i < octaves; ++i) {
     sum += (valueNoise(p) - 0.5F) * strength;
     strength *= 0.5F;
-    // Turned a little, so that the octaves' lattices do not line up.
+    // Rotated a little, so that the octaves' lattices do not line up.
     p = Vec3(0.8F * p.x - 0.6F * p.z, p.y, 0.6F * p.x + 0.8F * p.z) * 2.03F + Vec3(17.1F, 3.7F, 29.3F);
   }
   return sum;

@@ -2,8 +2,8 @@
 
 #include "world/geometry.h"
 
-/// Deterministic noise on integer hashes, equal on every machine: like world/noise.h, with a hash of half the work for
-/// surfaces of millions of vertices. Stones would have other shapes with that one.
+/// Deterministic noise on integer hashes, equal on every machine. Like world/noise.h, but its hash is twice as fast,
+/// for surfaces of millions of vertices. The other noise would change the stones' shapes.
 namespace grove::raster {
 
 /// Trilinear value noise in 0..1 with smooth cells of size one.

@@ -22,7 +22,7 @@ BoneLight lightOf(const Drawing& drawing, const world::Mat4& bone) {
   light.sunShare = drawing.sunShare;
   light.baked = drawing.object->baked;
   light.up = turn * Vec3(0, 1, 0);
-  // The ambient light is a polynomial of two cosines; three directions give its coefficients.
+  // Ambient light is a polynomial of two cosines; three directions give its coefficients.
   const Vec3 level = sky.sun * Vec3(1, 0, 1);
   const Vec3 sunwards = glm::normalize(level);
   light.towardsGlow = (light.sun - light.up * sky.sun.y) / glm::length(level);
@@ -34,9 +34,9 @@ BoneLight lightOf(const Drawing& drawing, const world::Mat4& bone) {
     light.lampPosition[i] = Vec3(toBone * world::Vec4(drawing.lamps.position[i], 1.0F));
     light.lampColour[i] = drawing.lamps.colour[i];
   }
-  // An exponential in the distance, by how much a thousand metres let through.
+  // Exponential in the distance, from the transmittance of a thousand metres.
   light.clearing = std::log(1.0F - world::hazeAmount(1000.0F)) / 1000.0F * light.metre;
-  // The glow of the haze is a polynomial of the cosine to the sun; two directions give its coefficients.
+  // The haze's glow is a polynomial of the cosine to the sun; two directions give its coefficients.
   light.haze = sky.hazeColour(-sky.sun);
   light.hazeGlow = (sky.hazeColour(sky.sun) - light.haze) / 0.66F;
   light.tintChange = drawing.tint - 1.0F;

@@ -18,7 +18,7 @@ using world::Vec3;
 
 constexpr std::size_t kBlock = 256;
 
-/// Irradiance, as a white surface reflects it, without the sun's.
+/// Irradiance without the sun's, as a white surface reflects it.
 struct Indirect {
   float r[kBlock];
   float g[kBlock];
@@ -80,7 +80,7 @@ HWY_INLINE void addAmbient(const VertexArrays& v, std::size_t first, std::size_t
   }
 }
 
-/// To 3e-6, for what is not positive. Without branches and calls, so that it vectorises everywhere.
+/// Accurate to 3e-6, for x <= 0. Without branches and calls, so that it vectorises everywhere.
 HWY_INLINE float exponential(float x) {
   const float doublings = std::max(x * 1.44269504F, -126.0F);
   const float whole = std::floor(doublings + 0.5F);
@@ -90,7 +90,7 @@ HWY_INLINE float exponential(float x) {
   return rest * std::bit_cast<float>((static_cast<std::int32_t>(whole) + 127) << 23);
 }
 
-/// world::toDisplay() in bytes, with the power 1 / 2.4 as a sum of roots, to 0.3 / 255 (I. Taylor, "sRGB
+/// world::toDisplay() in bytes, with the power 1 / 2.4 as a sum of roots, accurate to 0.3 / 255 (I. Taylor, "sRGB
 /// Approximations for HLSL").
 HWY_INLINE float displayed(float linear) {
   const float x = std::max(linear, 0.0F) * 0.85F;

@@ -10,7 +10,7 @@
 
 namespace grove::raster {
 
-/// Triangles with corners of their own, each as three neighbours.
+/// Triangles with unshared corners, three consecutive ones each.
 struct CutTriangles {
   std::vector<Corner> corners;
   std::vector<Triangle> triangles;
@@ -26,7 +26,7 @@ struct CutTriangles {
   }
 };
 
-/// Cuts off what lies before the near depth.
+/// Clips the parts nearer than the near depth.
 void cut(std::span<const Triangle> triangles, const ScreenVertices& vertices, const std::vector<float>& lichen,
          float nearDepth, CutTriangles& out);
 

@@ -3,7 +3,8 @@
 namespace grove::raster {
 namespace {
 
-/// Where an edge crosses the depth. Always from its far end, so that both triangles of the edge find the same point.
+/// The intersection of an edge with the near depth, always computed from its far end, so that both triangles of the
+/// edge get the same point.
 ClipVertex crossing(const ClipVertex& beyond, const ClipVertex& before, float nearDepth) noexcept {
   const float share = (nearDepth - beyond.depth) / (before.depth - beyond.depth);
   const auto mixed = [share](float from, float to) { return from + (to - from) * share; };

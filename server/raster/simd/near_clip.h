@@ -7,7 +7,7 @@
 
 namespace grove::raster {
 
-/// The part of a triangle that lies beyond a depth: a polygon of three or four corners, or of none.
+/// The part of a triangle beyond a depth: a polygon with three, four or no corners.
 class NearClip {
  public:
   NearClip(const std::array<ClipVertex, 3>& triangle, float nearDepth) noexcept;

@@ -4,9 +4,9 @@
 
 namespace grove::raster {
 
-/// What turns a point (x, y, z, 1) of an object into its place on the screen, by scalar products.
+/// Projects a point (x, y, z, 1) of an object to the screen by dot products.
 struct Projection {
-  /// `toWorld` moves the object's points.
+  /// `toWorld` transforms the object's points.
   Projection(const world::Camera& camera, const world::Mat4& toWorld);
 
   world::Vec4 u;      ///< pixels from the left, times depth

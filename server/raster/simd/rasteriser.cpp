@@ -26,7 +26,7 @@ void Canvas::begin(const world::Rect& to) {
   constexpr auto kRoom = static_cast<int>(kFragmentRoom);
   stride = (to.width() + 2 * kRoom - 2) / kRoom * kRoom;
   const std::size_t pixels = static_cast<std::size_t>(stride) * static_cast<std::size_t>(to.height());
-  // Where the depth says that nothing is, the surface is whatever was there before.
+  // The surface of empty pixels is undefined, so it needs no clearing.
   if (surface.size() < pixels) surface.resize(pixels);
   if (depth.size() < pixels) depth.resize(pixels);
   spans.assign(static_cast<std::size_t>(to.height()), {to.width(), 0});

@@ -11,7 +11,7 @@
 
 namespace grove::raster {
 
-/// A vertex before the division by its view depth: pixels times depth, and what is interpolated, all linear in space.
+/// A vertex before the division by its view depth: pixels times depth and the interpolated values, all linear in space.
 struct ClipVertex {
   float u;
   float v;
@@ -23,57 +23,57 @@ struct ClipVertex {
 struct Corner {
   float x;  ///< pixels of the frame, in steps of kSubPixel
   float y;
-  /// Near depth / view depth, and the shade times that: all of them linear on the screen.
+  /// Near depth / view depth, and the shade times that: all linear on the screen.
   std::array<float, 6> planes;
 };
 
-/// Vertices are put on this grid, so that differences of coordinates are exact.
+/// Vertices are snapped to this grid, so that differences of coordinates are exact.
 inline constexpr float kSubPixel = 1.0F / 256.0F;
 
-/// Relief (0..15) of a unit of lightVertices()'s A.
+/// Relief (0..15) per unit of lightVertices()'s A.
 inline constexpr float kReliefOfByte = 15.0F / 255.0F;
 
-// Both the kernels and the clipping make corners, which must agree where they meet.
+// Kernels and clipping both make corners, which must agree where they meet.
 
 inline float onGrid(float pixels) { return std::floor(pixels * (1.0F / kSubPixel) + 0.5F) * kSubPixel; }
 
-/// Through a signed number, which vectors convert at once.
+/// Converts through a signed number, which vectors convert in one instruction.
 inline float byteOf(std::uint32_t packed, unsigned shift) {
   return static_cast<float>(static_cast<std::int32_t>((packed >> shift) & 0xFFU));
 }
 
-/// The vertices of one drawing. Reused from drawing to drawing, so that none allocates.
+/// The vertices of one drawing. Reused across drawings, so that none allocates.
 struct ScreenVertices {
   std::vector<float> u, v, depth;
-  std::vector<std::uint32_t> light;  ///< as of lightVertices()
-  std::vector<Corner> corners;       ///< only those beyond the near depth mean anything
+  std::vector<std::uint32_t> light;  ///< from lightVertices()
+  std::vector<Corner> corners;       ///< valid only beyond the near depth
   float nearest = 0.0F;              ///< least depth of all
 
-  /// Memory that they take.
+  /// Memory use.
   [[nodiscard]] std::size_t bytes() const noexcept { return pipeline::vectorBytes(u, v, depth, light, corners); }
 
   [[nodiscard]] ClipVertex clipVertex(std::size_t index, float lichen) const noexcept;
 };
 
-/// What triangles are drawn to: fragments as detail.h finishes them, in rows with room beyond their end.
+/// The render target of triangles: fragments for detail.h, in rows with room beyond their end.
 struct Canvas {
   world::Rect rect;
   std::ptrdiff_t stride = 0;  ///< pixels
   std::vector<std::uint32_t> surface;
-  std::vector<float> depth;  ///< near depth / view depth, 0 where nothing is
-  std::vector<Span> spans;   ///< by row, the columns from the left that have been drawn to
+  std::vector<float> depth;  ///< near depth / view depth, 0 if empty
+  std::vector<Span> spans;   ///< per row, the touched columns from the left
 
-  /// Memory that it takes.
+  /// Memory use.
   [[nodiscard]] std::size_t bytes() const noexcept { return pipeline::vectorBytes(surface, depth, spans); }
 
-  /// Empties it for another rectangle; only what was drawn to costs anything.
+  /// Clears it for another rectangle; costs only the touched pixels.
   void begin(const world::Rect& to);
 };
 
-/// Fills `vertices` with the first `light.size()` of the drawing, which vertices.light must hold the light of.
+/// Fills the first `light.size()` of the drawing's vertices; vertices.light must hold their light.
 void project(const VertexArrays& arrays, const Drawing& drawing, ScreenVertices& vertices);
 
-/// A clipped vertex, whose depth is at least the near depth.
+/// A clipped vertex; its depth is at least the near depth.
 [[nodiscard]] Corner projected(const ClipVertex& vertex, float nearDepth) noexcept;
 
 }  // namespace grove::raster

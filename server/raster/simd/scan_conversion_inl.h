@@ -1,6 +1,6 @@
-// Which pixels a triangle covers: those whose centre is inside, or on its left or upper edge. For exact kernels
-// (GroveTargets.cmake) alone: an edge is cut with a row the same way for both of its triangles, so that they leave no
-// gap, which holds only as long as no two places round differently.
+// Computes the pixels that a triangle covers: those with centres inside, or on its left or upper edge. Only for exact
+// kernels (GroveTargets.cmake): both triangles of an edge intersect it with a row in the same way, so that there are no
+// gaps, which requires that all code rounds equally.
 
 #if defined(GROVE_RASTER_SIMD_SCAN_CONVERSION_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef GROVE_RASTER_SIMD_SCAN_CONVERSION_INL_H
@@ -26,10 +26,10 @@ struct ScreenPoint {
   float y;
 };
 
-/// Rows that are converted together.
+/// Rows per conversion.
 constexpr int kScanRows = 16;
 
-/// By row, the columns from `begin` to before `end`; none if `end` is not larger.
+/// By row, the columns from `begin` to before `end`; none if end <= begin.
 struct ScanRows {
   HWY_ALIGN std::int32_t begin[kScanRows];
   HWY_ALIGN std::int32_t end[kScanRows];
@@ -45,7 +45,7 @@ struct ScanEdge {
 
 class ScanConverter {
  public:
-  /// For the triangle's part within `limits`. The corners come from top to bottom.
+  /// For the triangle's part within `limits`. The corners are sorted from top to bottom.
   HWY_INLINE ScanConverter(ScreenPoint first, ScreenPoint second, ScreenPoint third, const world::Rect& limits)
       : long_(first, third),
         upper_(first, second),
@@ -66,7 +66,7 @@ class ScanConverter {
   [[nodiscard]] HWY_INLINE int top() const { return top_; }
   [[nodiscard]] HWY_INLINE int bottom() const { return bottom_; }
 
-  /// `count` rows, at most kScanRows, from `first` on; what it writes beyond them means nothing.
+  /// Converts `count` rows, at most kScanRows, from `first` on; entries beyond them are undefined.
   HWY_INLINE void convert(int first, int count, ScanRows& rows) const {
     std::int32_t* straight = longIsLeft_ ? rows.begin : rows.end;
     std::int32_t* bent = longIsLeft_ ? rows.end : rows.begin;
@@ -83,7 +83,7 @@ class ScanConverter {
   }
 
  private:
-  /// The first column whose middle is not before where an edge crosses the middle of a row.
+  /// The first column whose centre is not before the edge's intersection with the centre of a row.
   HWY_INLINE Ints columns(Floats y, Floats x, Floats top, Floats slope) const {
     return truncate(Floats(hn::Ceil(clamp(x + (y - top) * slope - 0.5F, low_, high_).raw)));
   }

@@ -7,7 +7,7 @@
 namespace grove::raster {
 namespace {
 
-/// Pixels from a value that may lie far outside of the image.
+/// Clamps a value that may lie far outside the image.
 int clampedPixel(float value, int low, int high) {
   return static_cast<int>(std::clamp(value, static_cast<float>(low), static_cast<float>(high)));
 }
@@ -27,7 +27,7 @@ world::Rect screenBox(const PointCloud& points, const world::Mat4& toWorld, cons
   const auto [left, right, top, bottom, nearest] =
       extentOf({points.x.data(), points.y.data(), points.z.data(), points.x.size()}, Projection(camera, toWorld));
   if (nearest < camera.nearDepth) return max;
-  // Approximate division may be off by a hair.
+  // Tolerance for approximate division.
   constexpr float kSlack = 0.01F;
   return {clampedPixel(left - kSlack, max.left, max.right), clampedPixel(top - kSlack, max.top, max.bottom),
           clampedPixel(right + kSlack + 1.0F, max.left, max.right),

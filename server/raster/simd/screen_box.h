@@ -7,7 +7,7 @@
 
 namespace grove::raster {
 
-/// All points of a surface in the layout that the vectorised search below wants.
+/// All points of a surface in the layout of the vectorised search below.
 struct PointCloud {
   std::vector<float> x;
   std::vector<float> y;
@@ -15,13 +15,13 @@ struct PointCloud {
 
   explicit PointCloud(const Surface& surface);
 
-  /// Memory that it takes.
+  /// Memory use.
   [[nodiscard]] std::size_t bytes() const noexcept { return pipeline::vectorBytes(x, y, z); }
 };
 
-/// Smallest rectangle of pixels that holds the points, within `most`, which is returned if one of them is not before
-/// the camera. Much tighter than the box of a leaning or turned object, and every pixel less is one less to clear and
-/// copy.
+/// The smallest rectangle of pixels around the points, within `max`; returns `max` if a point is not in front of the
+/// camera. Much tighter than the projected bounding box of a leaning or rotated object, which saves clearing and
+/// copying pixels.
 [[nodiscard]] world::Rect screenBox(const PointCloud& points, const world::Mat4& toWorld, const world::Camera& camera,
                                     const world::Rect& max);
 

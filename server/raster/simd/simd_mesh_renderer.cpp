@@ -9,7 +9,7 @@
 
 namespace grove::raster {
 
-/// The memory of one thread's drawing at hand.
+/// Scratch buffers of one thread.
 struct SimdMeshRenderer::Scratch {
   ScreenVertices vertices;
   CutTriangles cut;

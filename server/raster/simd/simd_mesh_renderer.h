@@ -11,8 +11,8 @@
 
 namespace grove::raster {
 
-/// Rasterises with the CPU's vectors: several times cheaper than software GL, whose way through shaders, tiles and
-/// read-back is made for more than small untextured triangles. Any thread, any number of them at once.
+/// Rasterises with the CPU's vectors: several times cheaper than software GL, whose shaders, tiles and read-back are
+/// made for more than small untextured triangles. Any thread, any number at once.
 class SimdMeshRenderer final : public MeshRenderer {
  public:
   /// `images` outlives the renderer.
@@ -32,7 +32,7 @@ class SimdMeshRenderer final : public MeshRenderer {
   ImagePool& images_;
   std::mutex mutex_;
   std::map<const LitSurface*, VertexArrays> arrays_;
-  std::vector<std::unique_ptr<Scratch>> unused_;  // that nobody uses
+  std::vector<std::unique_ptr<Scratch>> unused_;  // not in use
   std::size_t arrayBytes_ = 0;
   pipeline::HeldMemory held_;
 };

@@ -13,7 +13,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace grove::raster::HWY_NAMESPACE {
 
-/// All that a Corner holds: x, y, then what is linear on the screen.
+/// All values of a Corner: x, y, then the values that are linear on the screen.
 constexpr std::size_t kPlanes = sizeof(Corner) / sizeof(float);
 constexpr std::size_t kFirstPlane = 2;
 using PlaneTag = hn::CappedTag<float, kPlanes>;
@@ -21,7 +21,7 @@ constexpr std::size_t kPlaneLanes = hn::MaxLanes(PlaneTag());
 constexpr std::size_t kParts = kPlanes / kPlaneLanes;
 static_assert(kParts * kPlaneLanes == kPlanes);
 
-/// All planes at one pixel, or how they change from pixel to pixel.
+/// All planes at one pixel, or their change per pixel.
 struct Planes {
   hn::Vec<PlaneTag> part[kParts];
 };
@@ -59,7 +59,7 @@ HWY_INLINE void store(const Planes& planes, float* to) {
   for (std::size_t i = 0; i < kParts; ++i) hn::Store(planes.part[i], PlaneTag(), to + i * kPlaneLanes);
 }
 
-/// Most rows of most triangles are narrower than the widest vectors, which then cost more than they bring.
+/// Most rows of most triangles are narrower than the widest vectors, which then cost more than they gain.
 using PixelTag = hn::CappedTag<float, 8>;
 using PixelBits = hn::RebindToSigned<PixelTag>;
 using Pixels = hn::Vec<PixelTag>;
@@ -69,7 +69,7 @@ HWY_INLINE Pixels held(Pixels value, float low, float high) {
   return hn::Min(hn::Max(value, hn::Set(PixelTag(), low)), hn::Set(PixelTag(), high));
 }
 
-/// To 16 bits at the worst.
+/// Accurate to at least 16 bits.
 HWY_INLINE Pixels reciprocal(Pixels value) {
   const Pixels guess = hn::ApproximateReciprocal(value);
   return hn::Mul(guess, hn::NegMulAdd(value, guess, hn::Set(PixelTag(), 2.0F)));
@@ -80,7 +80,7 @@ static_assert(kPixelLanes <= static_cast<int>(kFragmentRoom));
 /// Draws one triangle's pixels.
 class Filler {
  public:
-  /// Depths are held within a range.
+  /// Depths are clamped to a range.
   HWY_INLINE Filler(const Planes& alongX, float low, float high) : low_(low), high_(high) {
     const PixelTag tag;
     HWY_ALIGN float slope[kPlanes];
@@ -90,17 +90,17 @@ class Filler {
     }
   }
 
-  /// The first `count` pixels of a vector; `at` holds the planes at the first.
+  /// The first `count` pixels of a vector; `at` holds the planes at the first pixel.
   HWY_INLINE void fill(const float* at, int count, std::uint32_t* surface, float* depth) const {
     const PixelTag tag;
     const PixelBits bits;
     const auto plane = [&](std::size_t k) { return hn::Add(lanes_[k], hn::Set(tag, at[k])); };
-    // A sliver's planes are too steep for floats, so what they give is held within the triangle's range.
+    // A sliver's planes are too steep for floats, so their values are clamped to the triangle's range.
     const Pixels reversed = held(plane(2), low_, high_);
     const Pixels before = hn::LoadU(tag, depth);
     const auto shown = hn::And(hn::Gt(reversed, before), hn::FirstN(tag, static_cast<std::size_t>(count)));
     const Pixels scale = reciprocal(reversed);
-    // Rounded, below bits that mean nothing: a sum with 2^23 has the whole number in its lowest bits.
+    // Rounds: a sum with 2^23 has the whole number in its lowest bits; the upper bits are undefined.
     const auto shade = [&](std::size_t k, float top) {
       return hn::BitCast(bits, hn::Add(held(hn::Mul(plane(k), scale), 0.0F, top), hn::Set(tag, 8388608.0F)));
     };
@@ -115,12 +115,12 @@ class Filler {
   }
 
  private:
-  Pixels lanes_[kPlanes];  // what the planes add from the first pixel of a vector to each
+  Pixels lanes_[kPlanes];  // the planes' change from the first pixel of a vector to each
   float low_;
   float high_;
 };
 
-/// Prefetches the pixels of a column, which begin rows that are far apart.
+/// Prefetches the pixels of a column, whose rows are far apart.
 HWY_INLINE void prefetch(Canvas& canvas, int column, int top, int bottom) {
   const int x = std::clamp(column, canvas.rect.left, canvas.rect.right - 1) - canvas.rect.left;
   for (int y = top; y < bottom; ++y) {

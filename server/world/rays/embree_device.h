@@ -4,11 +4,12 @@
 
 namespace grove::world {
 
-/// A device of one thread: the same triangles always give the same tree. Throws EnvironmentError, or std::bad_alloc.
+/// Creates a device with one thread: the same triangles always give the same tree. Throws EnvironmentError, or
+/// std::bad_alloc.
 [[nodiscard]] RTCDevice newEmbreeDevice();
 
-/// Embree reports what it has no memory for by null, or by an error that one must ask for, and goes on. Both throw
-/// std::bad_alloc instead.
+/// Embree reports a lack of memory by null or by a device error, and continues. Both functions throw std::bad_alloc
+/// instead.
 [[nodiscard]] void* requireBuffer(void* buffer);
 void requireBuilt(RTCDevice device);
 

@@ -5,10 +5,10 @@
 
 namespace grove::world {
 
-/// Obstacles whose surfaces are known: found by rays, so it takes up to tenths of a second. Any thread.
+/// Obstacles computed from surfaces by tracing rays, which takes up to tenths of a second. Any thread.
 class RayObstacles final : public VoxelObstacles {
  public:
-  /// What stops smoke, and what stops light. Both outlive it.
+  /// Surfaces that block smoke, and surfaces that block light. Both outlive it.
   RayObstacles(const RayScene& solids, const RayScene& shades) : solids_(solids), shades_(shades) {}
 
   [[nodiscard]] std::vector<std::uint8_t> solidCells(const Cube& cube) const override {

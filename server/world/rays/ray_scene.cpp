@@ -29,7 +29,7 @@ struct RayScene::Handles {
 
 namespace {
 
-/// Embree's memory monitor: `bytes` are less than zero where it frees.
+/// Embree's memory monitor: negative `bytes` are freed memory.
 bool addBytes(void* sum, ssize_t bytes, bool /*post*/) {
   static_cast<std::atomic<std::int64_t>*>(sum)->fetch_add(bytes, std::memory_order_relaxed);
   return true;
@@ -39,7 +39,7 @@ bool addBytes(void* sum, ssize_t bytes, bool /*post*/) {
 
 namespace {
 
-/// What Embree reports while it builds. Its callbacks know no exceptions, so what is thrown waits until it is back.
+/// Embree's progress reports during a build. Its callbacks must not throw, so exceptions are rethrown after the build.
 class Build {
  public:
   explicit Build(const std::function<void(float)>& progress) : progress_(progress) {}
@@ -69,7 +69,7 @@ class Build {
   std::exception_ptr thrown_;
 };
 
-/// Undoes the hits of backs.
+/// Rejects hits of backs.
 void passBacks(const RTCFilterFunctionNArguments* args) {
   for (unsigned i = 0; i < args->N; ++i) {
     if (args->valid[i] == 0) continue;

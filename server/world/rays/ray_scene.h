@@ -10,13 +10,14 @@
 
 namespace grove::world {
 
-/// Triangles that rays can be shot at (Embree). Immutable after construction; any number of threads may trace.
+/// Triangles for ray tracing (Embree). Immutable after construction; any number of threads may trace.
 class RayScene {
  public:
-  /// Whether rays meet the backs of triangles, whose corners wind clockwise for who looks at them. Shadows do always.
+  /// Whether rays hit the backs of triangles, from which their corners appear clockwise. Shadow rays always do.
   enum class Backs : std::uint8_t { kMet, kPassed };
 
-  /// `progress` gets shares of 0..1 while it is built, from any thread, one at a time; what it throws ends that.
+  /// Calls `progress` with shares of 0..1 during construction, from any thread, one at a time; its exceptions abort the
+  /// construction.
   explicit RayScene(const Triangles& triangles, const std::function<void(float)>& progress = {},
                     Backs backs = Backs::kMet);
   ~RayScene();
@@ -32,7 +33,7 @@ class RayScene {
   };
 
   [[nodiscard]] std::optional<Hit> intersect(Vec3 origin, Vec3 direction, float near = 0.0F, float far = 1.0e30F) const;
-  /// Memory that Embree holds for it.
+  /// Embree's memory for it.
   [[nodiscard]] std::size_t bytes() const noexcept;
 
   [[nodiscard]] bool occluded(Vec3 origin, Vec3 direction, float near = 0.0F, float far = 1.0e30F) const;

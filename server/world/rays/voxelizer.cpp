@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kMaxHitsPerRay = 256;
 
-/// Visits the crossings of a ray with surfaces: called with the distance and +1 (enters) or -1 (leaves).
+/// Calls `visit` for each crossing of a ray with surfaces: with the distance and +1 (enters) or -1 (leaves).
 template <class Visit>
 void forEachCrossing(const RayScene& surfaces, Vec3 origin, Vec3 direction, float far, const Visit& visit) {
   float near = 0.0F;
@@ -22,7 +22,7 @@ void forEachCrossing(const RayScene& surfaces, Vec3 origin, Vec3 direction, floa
   }
 }
 
-/// The first cell of `n` whose centre lies behind a place on a ray, in cells from its low side; n: there is none.
+/// The first cell of `n` with its centre behind a place on a ray, in cells from its low side; n if there is none.
 int firstBehind(float place, int n) {
   return static_cast<int>(std::clamp(std::ceil(place - 0.5F), 0.0F, static_cast<float>(n)));
 }
@@ -38,12 +38,12 @@ std::vector<std::uint8_t> voxelize(const RayScene& surfaces, const Cube& cube) {
   for (int a = 0; a < 3; ++a) {
     const int s = (a + 1) % 3;
     const int t = (a + 2) % 3;
-    // Rays start outside of everything, so the count of entries begins with the true number.
+    // Rays start outside everything, so that the count of entries begins correctly.
     const float before = 1000.0F;
     for (int j = 0; j < n; ++j) {
       for (int i = 0; i < n; ++i) {
         Vec3 origin = cube.low;
-        // A little off the centre: rays along edges that two triangles share, or along a face, are avoided.
+        // A small offset from the centre avoids rays along shared edges and along faces.
         origin[s] += (static_cast<float>(i) + 0.5F) * cell + 1.3e-4F * cell;
         origin[t] += (static_cast<float>(j) + 0.5F) * cell + 2.1e-4F * cell;
         origin[a] -= before;

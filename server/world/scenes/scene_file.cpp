@@ -17,10 +17,10 @@
 
 namespace grove::world {
 
-/// A parsed TOML table that remembers which keys were asked for.
+/// A parsed TOML table that tracks which keys have been read.
 class Parameters::Table {
  public:
-  /// `values` is shared with the whole file's tree, because copies of a table forget their lines.
+  /// `values` shares ownership of the whole file's tree, because copies of a table lose their lines.
   Table(std::shared_ptr<const toml::table> values, std::string fileName, std::string owner)
       : values_(std::move(values)), fileName_(std::move(fileName)), owner_(std::move(owner)) {}
 
@@ -30,7 +30,7 @@ class Parameters::Table {
     return given != nullptr ? given : values_->get(key);
   }
 
-  /// A whole number is given as one, which serves where either kind is wanted.
+  /// Stores whole numbers as integers, which getters of both kinds accept.
   void give(std::string_view key, double value) {
     if (value == std::floor(value)) {
       given_.insert_or_assign(key, static_cast<std::int64_t>(value));
@@ -60,7 +60,7 @@ class Parameters::Table {
  private:
   std::shared_ptr<const toml::table> values_;
   std::string fileName_;
-  toml::table given_;  // whatever the values say
+  toml::table given_;  // override the values
   std::string owner_;  // "" or "object 'name': ", for messages
   mutable std::set<std::string, std::less<>> known_;
 };
@@ -74,7 +74,7 @@ constexpr double kMaxMetres = 1000.0;
 
 std::string inQuotes(std::string_view text) { return std::string("'").append(text).append("'"); }
 
-/// A whole number may be one that no double is equal to.
+/// Rounds integers that no double represents exactly.
 std::optional<double> numberIn(const toml::node& node) {
   if (const auto whole = node.is_integer() ? node.value<std::int64_t>() : std::nullopt) {
     return static_cast<double>(*whole);

@@ -15,14 +15,14 @@
 
 namespace grove::world {
 
-/// A scene file that cannot be used; what() reads `FILE:LINE: reason`.
+/// An unusable scene file; what() reads `FILE:LINE: reason`.
 class SceneError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// The settings of one object that only its type understands. Each getter marks its key as known; finish() then refuses
-/// the rest, so a misspelt key is an error with a line and not a silent default.
+/// The type-specific settings of one object. Each getter marks its key as known; finish() then rejects the others, so
+/// that a misspelt key is an error with a line number and not a silent default.
 class Parameters {
  public:
   class Table;  ///< hides the parser
@@ -31,19 +31,19 @@ class Parameters {
   [[nodiscard]] double number(std::string_view key, double fallback, double low, double high) const;
   [[nodiscard]] int integer(std::string_view key, int fallback, int low, int high) const;
   [[nodiscard]] std::string text(std::string_view key, std::string_view fallback) const;
-  /// The text must be one of the choices; the first is the default.
+  /// The value must be one of the choices; the first is the default.
   [[nodiscard]] std::string choice(std::string_view key, const std::vector<std::string>& choices) const;
   [[nodiscard]] Vec3 vector(std::string_view key, Vec3 fallback) const;
-  /// A file, relative to the scene file's folder; empty if the key was not given.
+  /// A file, relative to the scene file's folder; empty if the key is missing.
   [[nodiscard]] std::filesystem::path path(std::string_view key) const;
 
-  /// Throws SceneError if a key was given that no getter asked for.
+  /// Throws SceneError if the file has a key that no getter has read.
   void finish() const;
 
-  /// The same, but for one key, which has this value whatever the file says.
+  /// Returns a copy in which one key has this value, regardless of the file.
   [[nodiscard]] Parameters with(std::string_view key, double value) const;
 
-  /// Throws SceneError at the key's line, or at the object's if it was not given.
+  /// Throws SceneError with the key's line, or the object's if the key is missing.
   [[noreturn]] void fail(std::string_view key, const std::string& reason) const;
 
  private:
@@ -70,20 +70,20 @@ struct Scene {
   std::uint64_t hash = 0;         ///< of the text
   Vec3 spawn{0.0F, 0.0F, 10.0F};  ///< where visitors arrive, on the ground
   float spawnYaw = 0.0F;          ///< radians
-  float radius = 30.0F;           ///< metres from the origin that visitors can walk
+  float radius = 30.0F;           ///< metres from the origin, limit of visitors' movement
   std::vector<ObjectDescription> objects;
-  std::optional<ObjectDescription> visitor;  ///< `[visitor]`: how visitors look to each other
+  std::optional<ObjectDescription> visitor;  ///< `[visitor]`: the look of visitors to each other
   std::vector<LightDescription> lights;
-  /// `[types.NAME]`: what all objects of a type have in common.
+  /// `[types.NAME]`: the options that all objects of a type share.
   std::map<std::string, Parameters, std::less<>> typeOptions;
   Sky sky;
 };
 
-/// Sets one of a type's options, whatever the file says.
+/// Sets one of a type's options, regardless of the file.
 void setTypeOption(Scene& scene, std::string_view type, std::string_view key, double value);
 
-/// Reads a scene. Throws SceneError (bad file) or EnvironmentError (no such file, no plain
-/// one, or more than 16 MiB).
+/// Reads a scene. Throws SceneError (bad file) or EnvironmentError (no such file, not a regular file, or more than 16
+/// MiB).
 [[nodiscard]] Scene loadScene(const std::filesystem::path& file);
 
 /// The same from text; `fileName` is for messages.

@@ -6,8 +6,8 @@
 namespace grove::world {
 namespace {
 
-/// The end of the string that begins with a quote. One that nobody closes ends with its line, or with the text if it
-/// may have several: the parser refuses it.
+/// The end of the string that begins with a quote. An unclosed string ends with its line, or with the text if it may
+/// span lines: the parser rejects it.
 std::size_t endOfString(std::string_view text, std::size_t begin) {
   const char quote = text[begin];
   const std::string three(3, quote);

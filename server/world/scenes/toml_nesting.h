@@ -6,10 +6,11 @@
 
 namespace grove::world {
 
-/// The first line of a TOML file on which more than `most` brackets are open, or a name has more than `most` dots.
+/// Returns the first line of a TOML file on which more than `max` brackets are open, or a name has more than `max`
+/// dots.
 ///
-/// The parser makes a table of every part of a dotted name, and takes tables apart by recursion: a long enough name
-/// ends the program. This scan does not recurse, and a text that passes has no value deeper than about most * most.
+/// The parser makes a table of every part of a dotted name, and destroys tables by recursion: a long enough name
+/// crashes the program. This scan does not recurse, and a text that passes has no value deeper than about max * max.
 [[nodiscard]] std::optional<std::size_t> lineNestedDeeper(std::string_view text, int max);
 
 }  // namespace grove::world

@@ -88,7 +88,7 @@ TEST_F(RefinerTest, WhatIsKilledLeavesNothingDamaged) {
   (void)serve("listening on", "sleep 0.3; kill -KILL $server");
   // On a fast machine, nothing is left to be made.
   if (countFine() < 2) {
-    EXPECT_THAT(serve(kAllFine).output, Not(HasSubstr("made anew")));
+    EXPECT_THAT(serve(kAllFine).output, Not(HasSubstr("is rebuilt")));
   }
   EXPECT_EQ(countFine(), 2);
 }
@@ -100,7 +100,7 @@ TEST_F(RefinerTest, MakesADamagedOneAnew) {
   }
   const Outcome outcome = serve(kAllFine);
   EXPECT_EQ(outcome.exit, 0) << outcome.output;
-  EXPECT_THAT(outcome.output, AllOf(HasSubstr("made anew"), HasSubstr("listening")));
+  EXPECT_THAT(outcome.output, AllOf(HasSubstr("is rebuilt"), HasSubstr("listening")));
   EXPECT_EQ(countFine(), 2);
 }
 

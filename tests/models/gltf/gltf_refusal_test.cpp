@@ -91,7 +91,7 @@ TEST_F(GltfImport, RefusesAnImageBeyondItsBuffer) {
 TEST_F(GltfImport, RefusesAnIndexWithoutVertex) {
   const int order = writer.accessor(std::vector<std::uint16_t>{0, 1, 3}, "SCALAR", kU16);
   writer.triangle()["indices"] = order;
-  expectRefused("index 3 is out of the 3 vertices");
+  expectRefused("index 3 is beyond the 3 vertices");
 }
 
 TEST_F(GltfImport, RefusesPositionsThatAreNotFinite) {
@@ -113,7 +113,7 @@ TEST_F(GltfImport, ComparesCountsBeforeItReads) {
   Json& attributes = writer.json["meshes"][0]["primitives"][0]["attributes"];
   for (const char* const name : {"NORMAL", "COLOR_0", "TEXCOORD_0"}) {
     attributes[name] = positions + 1;
-    expectRefused(std::string(name) + " has not as many elements as POSITION");
+    expectRefused(std::string(name) + " and POSITION have different numbers of elements");
     attributes.erase(name);
   }
 }

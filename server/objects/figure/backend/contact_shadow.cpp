@@ -11,13 +11,13 @@ namespace {
 using world::Vec3;
 
 constexpr float kDarkest = 0.6F;  // opacity in the middle
-/// Metres above the ground: what stands in the shadow is blades of grass.
+/// Metres above the ground: the shadow falls on blades of grass.
 constexpr float kPlane = 0.1F;
 
-/// Black of that opacity.
+/// Black with this opacity.
 std::uint32_t shade(float opacity) { return static_cast<std::uint32_t>(std::lround(255.0F * opacity)) << 24U; }
 
-/// Makes a row's span hold the columns from `begin` to before `end`, empty where it is new.
+/// Extends a row's span to the columns from `begin` to before `end`; fills the new ones with transparent pixels.
 void widen(raster::Image& picture, int row, int begin, int end) {
   if (picture.spans.empty()) return;
   raster::Span& span = picture.spans[static_cast<std::size_t>(row)];
@@ -31,15 +31,15 @@ void widen(raster::Image& picture, int row, int begin, int end) {
   span = wide;
 }
 
-/// Where a row of pixels crosses the shadow. The camera does not roll, so the plane has one depth along the row.
+/// The intersection of a row of pixels with the shadow. The camera does not roll, so depth is constant along the row.
 struct Crossing {
   float depth;      ///< metres
-  float middle;     ///< column that is nearest to the place
-  float pixel;      ///< metres along the row
-  float remaining;  ///< what the row's distance from the place leaves of the radius, squared
+  float middle;     ///< column nearest to the place
+  float pixel;      ///< metres per pixel along the row
+  float remaining;  ///< squared radius minus the row's squared distance from the place
 };
 
-/// The columns that the shadow covers.
+/// Columns that the shadow covers.
 struct Columns {
   int begin;
   int end;

@@ -5,11 +5,11 @@
 
 namespace grove::objects::figure {
 
-/// Metres around a place that its shadow reaches.
+/// Radius of the shadow around a place. Metres.
 inline constexpr float kShadowRadius = 0.42F;
 
-/// Lays a soft round shadow on the ground around `place`, behind what the picture shows already. `picture` is of that
-/// camera; what would be beyond its rectangle is left out.
+/// Draws a soft round shadow on the ground around `place`, behind the picture's existing contents. `picture` belongs to
+/// `camera`; the shadow is clipped to its rectangle.
 void layContactShadow(world::Vec3 place, const world::Camera& camera, raster::Image& picture);
 
 }  // namespace grove::objects::figure

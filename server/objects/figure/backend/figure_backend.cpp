@@ -16,7 +16,7 @@ namespace {
 
 constexpr float kChestHeight = 1.2F;
 
-/// A display colour 0x00BBGGRR as linear light.
+/// Converts a display colour 0x00BBGGRR to linear light.
 world::Vec3 linear(std::uint32_t colour) {
   const auto channel = [&](unsigned shift) {
     return std::pow(static_cast<float>((colour >> shift) & 0xFFU) / 255.0F, 2.2F);
@@ -55,7 +55,7 @@ void FigureBackend::answer(std::span<const node::Request> requests, std::span<no
   for (std::size_t i = 0; i < requests.size(); ++i) {
     const node::Request& request = requests[i];
     if (request.shared) {
-      payloads[i] = node::Failure{"figures answer with pictures"};
+      payloads[i] = node::Failure{"figures return only pictures"};
       continue;
     }
     payloads[i] = std::shared_ptr<const raster::Image>();

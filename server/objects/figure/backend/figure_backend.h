@@ -15,8 +15,8 @@ class FigureBackend final : public node::BackendHalf {
   [[nodiscard]] node::NodeKind kind() const override { return node::NodeKind::kRendering; }
   [[nodiscard]] pipeline::Executor& executor() override { return executor_; }
   [[nodiscard]] int concurrency() const override { return executor_.width(); }
-  /// Who asks for himself gets what he sees of his own body. On the executor; safe to call from several of its threads
-  /// at once. A visitor who has left meanwhile gives a null image.
+  /// A request for the visitor's own figure returns the parts of it that they see, their boots. On the executor;
+  /// several of its threads may call it at once. Returns a null image for a visitor who has left meanwhile.
   void answer(std::span<const node::Request> requests, std::span<node::Payload> payloads) override;
 
  private:

@@ -4,7 +4,7 @@
 
 namespace grove::objects::figure {
 
-/// Object type "figure": how visitors look to each other.
+/// Object type "figure": the visitors as they look to each other.
 class FigureBackendType final : public node::BackendType {
  public:
   [[nodiscard]] std::string_view name() const override;

@@ -5,10 +5,10 @@
 
 namespace grove::objects::figure {
 
-/// How visitors look to each other; `[visitor] type = "figure"` has no settings of its own.
+/// The look of visitors to each other; `[visitor] type = "figure"` has no settings of its own.
 class FigureModel final : public world::Model {
  public:
-  /// Room for every step of the walk.
+  /// Encloses every pose of the walk.
   [[nodiscard]] world::Bounds bounds() const override {
     return {world::Vec3(-0.5F, 0, -0.6F), world::Vec3(0.5F, 1.98F, 0.6F)};
   }

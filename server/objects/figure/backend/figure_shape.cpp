@@ -8,13 +8,13 @@
 namespace grove::objects::figure {
 namespace {
 
-/// What of the light reaches a part.
+/// Shares of sun and sky that reach a part.
 struct Openness {
   float sun = 1.0F;
   float sky = 0.9F;
 };
 
-// Metres. Who looks at his own feet sees his boots: legs would hide them from above.
+// Metres. Visitors see only the boots of their own legs: whole legs would hide the boots from above.
 constexpr float kLegs = 0.66F;
 constexpr float kOwnLegs = 0.34F;
 
@@ -40,7 +40,7 @@ void addLegs(raster::LitSurface& to, float length) {
 
 raster::LitSurface finished(raster::LitSurface figure) {
   figure.baked = false;
-  // Limbs and lantern are thin and show their corners sooner than the typical edge suggests.
+  // Limbs and lantern are thin: their corners show sooner than the typical edge suggests.
   for (raster::Level& level : figure.surface.levels) level.edge *= 2.0F;
   return figure;
 }

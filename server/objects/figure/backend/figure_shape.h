@@ -6,14 +6,14 @@
 
 namespace grove::objects::figure {
 
-/// What each bone moves.
+/// Groups of vertices that move together.
 enum Bone : std::uint8_t { kBody, kLeftLeg, kRightLeg, kArm };
 
-/// A hooded visitor with a lantern, kFigureHeight tall, feet at the origin, looking along -Z. Cloak and lantern take
-/// the drawing's tint.
+/// Makes a hooded visitor with a lantern, kFigureHeight tall, feet at the origin, facing -Z. Cloak and lantern take the
+/// drawing's tint.
 [[nodiscard]] raster::LitSurface makeFigure(float breadth);
 
-/// What a visitor sees of himself: his boots.
+/// Makes the visible part of a visitor's own figure: the boots.
 [[nodiscard]] raster::LitSurface makeOwnFigure();
 
 }  // namespace grove::objects::figure

@@ -12,9 +12,9 @@ using world::Mat4;
 using world::Vec3;
 
 constexpr float kStrideMetres = 1.5F;  // two steps
-constexpr float kSwing = 0.34F;        // radians of a leg at full speed
+constexpr float kSwing = 0.34F;        // amplitude of a leg at full speed, radians
 
-/// Turns about a sideways axis at a height.
+/// Rotates about a sideways axis at this height.
 Mat4 swung(const Mat4& body, float height, float angle) {
   const Vec3 pivot(0.0F, height, 0.0F);
   return glm::translate(glm::rotate(glm::translate(body, pivot), angle, Vec3(1, 0, 0)), -pivot);

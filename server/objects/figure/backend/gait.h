@@ -8,8 +8,8 @@
 
 namespace grove::objects::figure {
 
-/// Where each bone of a walking visitor is, in the world. The legs swing by the way walked, so feet do not slide, and
-/// come to rest with the visitor.
+/// Returns the world transforms of a visitor's bones. The distance walked drives the legs, so feet do not slide; the
+/// legs come to rest with the visitor.
 [[nodiscard]] std::array<world::Mat4, raster::kMaxBones> bonesOf(const world::Player& player,
                                                                  const world::Transform& transform);
 

@@ -18,12 +18,12 @@ const Vec3 kDark{0.010F, 0.009F, 0.009F};
 constexpr float kHem = 0.24F;   // metres above the ground
 constexpr float kNeck = 1.46F;  // the same
 
-/// How far the cloth stands out, -1.5 to 1.5.
+/// Depth of the folds at an angle, -1.5 to 1.5.
 float folds(float angle) {
   return std::cos(7.0F * angle + 1.1F * std::sin(2.0F * angle)) + 0.5F * std::cos(4.0F * angle + 2.0F);
 }
 
-/// How far the cloak is open at a place of its front: 1 in the middle, 0 from its edges on.
+/// Openness of the cloak's front at a place: 1 in the middle, 0 beyond its edges.
 float opening(float along, float angle) {
   const float halfWidth = profile({{0.0F, 0.50F}, {0.6F, 0.34F}, {0.85F, 0.22F}, {1.0F, 0.1F}}, along);
   return 1.0F - glm::smoothstep(0.75F * halfWidth, halfWidth, std::abs(angle));
@@ -75,7 +75,7 @@ Surface makeHood() {
       [](float along, float) {
         const float across = profile({{0.0F, 0.10F}, {0.35F, 0.132F}, {0.65F, 0.112F}, {1.0F, 0.012F}}, along);
         const float deep = profile({{0.0F, 0.10F}, {0.35F, 0.150F}, {0.65F, 0.135F}, {1.0F, 0.014F}}, along);
-        // The point hangs back.
+        // The point hangs backwards.
         const float back = profile({{0.0F, 0.0F}, {0.4F, -0.02F}, {0.7F, 0.03F}, {1.0F, 0.15F}}, along);
         return levelRing(Vec3(0.0F, 1.40F + 0.42F * along, back), across, deep);
       },
@@ -101,7 +101,7 @@ Surface makeFace() {
         const float eyes =
             std::exp(-std::pow((along - 0.62F) / 0.07F, 2.0F) - std::pow((std::abs(angle) - 0.5F) / 0.22F, 2.0F));
         vertex.position.z -= 0.022F * nose;
-        // The brow lies in the hood's shadow.
+        // The hood shades the brow.
         const float shadow = 1.0F - 0.75F * glm::smoothstep(0.45F, 0.8F, along);
         vertex.albedo = kSkin * shadow * (1.0F - 0.8F * eyes);
       });

@@ -2,16 +2,16 @@
 
 #include "raster/surface.h"
 
-/// What a figure wears, feet at the origin, looking along -Z. Cloth takes the drawing's tint.
+/// A figure's clothes, feet at the origin, facing -Z. Cloth takes the drawing's tint.
 namespace grove::objects::figure {
 
-/// From neck to calf, in folds, open in front over a belted tunic.
+/// From neck to calf, with folds, open in front over a belted tunic.
 [[nodiscard]] raster::Surface makeCloak();
-/// The short cape over the shoulders, in points.
+/// A short cape over the shoulders with a pointed hem.
 [[nodiscard]] raster::Surface makeMantle();
 /// Pointed, with a deep opening.
 [[nodiscard]] raster::Surface makeHood();
-/// What one sees of the face inside the hood.
+/// The part of the face that the hood shows.
 [[nodiscard]] raster::Surface makeFace();
 
 }  // namespace grove::objects::figure

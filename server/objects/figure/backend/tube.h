@@ -7,16 +7,16 @@
 
 #include "raster/surface.h"
 
-/// What figures are made of: closed tubes.
+/// Closed tubes, of which figures are built.
 namespace grove::objects::figure {
 
-/// A value along a tube: straight between these places, smoothed.
+/// A value at a place along a tube. Values between knots are interpolated smoothly.
 struct Knot {
   float along = 0.0F;
   float value = 0.0F;
 };
 
-/// `knots` by place, at least one.
+/// `knots` are sorted by place, at least one.
 [[nodiscard]] inline float profile(std::initializer_list<Knot> knots, float along) {
   const auto* const next = std::ranges::find_if(knots, [&](const Knot& knot) { return knot.along >= along; });
   if (next == knots.begin()) return next->value;
@@ -32,19 +32,19 @@ struct Ring {
   world::Vec3 back{0.0F, 0.0F, 0.1F};
 };
 
-/// A level cross-section.
+/// A horizontal cross-section.
 [[nodiscard]] inline Ring levelRing(world::Vec3 centre, float radiusX, float radiusZ) {
   return {centre, {radiusX, 0.0F, 0.0F}, {0.0F, 0.0F, radiusZ}};
 }
 
-/// One that stands square on a limb that goes along `way`, which is not sideways.
+/// A cross-section perpendicular to a limb with the direction `way`, which is not sideways.
 [[nodiscard]] inline Ring squareRing(world::Vec3 centre, world::Vec3 way, float radius) {
   const world::Vec3 back = glm::normalize(glm::cross(world::Vec3(1, 0, 0), way));
   const world::Vec3 right = glm::normalize(glm::cross(way, back));
   return {centre, right * radius, back * radius};
 }
 
-/// A closed tube of three levels of detail: `ring` and `paint` are asked for a share 0..1 of its length and an angle, 0
+/// Makes a closed tube with three levels of detail. `ring` and `paint` get a share 0..1 of the length and an angle, 0
 /// in front and positive to the right. The coarsest level has 8 `around` corners around it.
 template <class RingAt, class Paint>
 [[nodiscard]] raster::Surface makeTube(int around, int segments, const RingAt& ring, const Paint& paint) {

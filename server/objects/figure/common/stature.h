@@ -6,17 +6,17 @@
 
 namespace grove::objects::figure {
 
-/// How a visitor is built.
+/// A visitor's build.
 struct Stature {
-  float height = 1.0F;   ///< what the figure is to be scaled by
-  float breadth = 1.0F;  ///< of body and cloak, in times of the usual
+  float height = 1.0F;   ///< scale of the whole figure
+  float breadth = 1.0F;  ///< of body and cloak, relative to the usual
 };
 inline constexpr std::array<Stature, 3> kStatures{Stature{1.0F, 1.0F}, Stature{1.05F, 0.93F}, Stature{0.92F, 1.1F}};
 
-/// Which of kStatures a visitor has.
+/// Index of a visitor's build in kStatures.
 [[nodiscard]] constexpr std::size_t statureOf(world::PlayerId player) { return player % kStatures.size(); }
 
-/// From the ground to the tip of the hood of a figure of the usual height. Metres.
+/// Height of the unscaled figure, to the tip of the hood. Metres.
 inline constexpr float kFigureHeight = 1.82F;
 
 }  // namespace grove::objects::figure

@@ -13,9 +13,9 @@ constexpr float kHeadWidth = 0.3F;   // metres
 constexpr float kHeadHeight = 0.4F;  // metres, with the hood
 constexpr float kFadeFrom = 18.0F;   // metres
 constexpr float kFadeTo = 25.0F;     // metres
-/// What is nearer than the figure's middle by this is not the figure itself. Metres.
+/// Depths less than this in front of the figure's middle belong to the figure itself. Metres.
 constexpr float kOwnDepth = 0.5F;
-/// Rows and columns of pixels that are looked at.
+/// Rows and columns of the grid of tested pixels.
 constexpr int kLooks = 6;
 
 class LabelLayer final : public node::Layer {
@@ -38,13 +38,12 @@ float scaleOf(const world::Object& object) {
   return object.transform.scale * kStatures[statureOf(object.id - world::kFirstPlayerObject)].height;
 }
 
-/// A point of a figure's axis, so many metres above its feet, as Camera::project() has it.
+/// Projects the point of a figure's axis `height` metres above its feet, as Camera::project() does.
 world::Vec3 projected(const world::Object& object, const world::Camera& camera, float height) {
   return camera.project(object.transform.position + world::Vec3(0.0F, height * scaleOf(object), 0.0F));
 }
 
-/// The share of a grid of pixels in `rect` that shows nothing nearer than `depth`; pixels beyond the frame show
-/// nothing.
+/// The share of a grid of pixels in `rect` with nothing nearer than `depth`. Pixels beyond the frame count as hidden.
 float seenShare(const world::Rect& rect, float depth, const raster::Image& frame) {
   int seen = 0;
   for (int row = 0; row < kLooks; ++row) {
@@ -69,11 +68,11 @@ std::unique_ptr<node::Layer> FigureLabels::layer(const node::VisibleObject& obje
 std::optional<world::Rect> headOf(const world::Object& object, const world::Camera& camera) {
   const world::Vec3 top = projected(object, camera, kFigureHeight);
   if (top.z < camera.nearDepth || top.z >= kFadeTo) return std::nullopt;
-  const float pixels = camera.focal() * scaleOf(object) / top.z;  // of a metre
+  const float pixels = camera.focal() * scaleOf(object) / top.z;  // per metre
   const float half = 0.5F * kHeadWidth * pixels;
   const auto whole = [](float value) { return static_cast<int>(std::lround(std::clamp(value, -1e6F, 1e6F))); };
   const world::Rect head{whole(top.x - half), whole(top.y), whole(top.x + half), whole(top.y + kHeadHeight * pixels)};
-  // Far away, a head is still some pixels.
+  // A distant head still covers at least one pixel.
   return world::Rect{head.left, head.top, std::max(head.right, head.left + 1), std::max(head.bottom, head.top + 1)};
 }
 

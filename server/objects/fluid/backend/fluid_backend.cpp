@@ -34,19 +34,20 @@ static_assert(Particles::kMax <= kMaxPackedParticles, "what a fire has can trave
 
 constexpr const char* kStage = "Simulation Tick";
 constexpr float kGrowSeconds = 3.0F;  // simulated before the first visitor
-constexpr std::size_t kKept = 15;     // snapshots that a frontend process half a second away knows
-constexpr int kIdleTicks = 60;        // two seconds without visitors, before it rests
+// kept as bases for differences; covers a frontend process with a delay of half a second
+constexpr std::size_t kKept = 15;
+constexpr int kIdleTicks = 60;  // two seconds without visitors before the simulation sleeps
 
-/// Error factor above which the simulation ticks half as often, in steps twice as long. Frontends move the particles on
-/// between two ticks, so that the smoke still moves in every frame.
+/// Error factor above which the simulation ticks half as often, in steps twice as long. Frontends extrapolate the
+/// particles between ticks, so the smoke still moves in every frame.
 constexpr float kMaxFactorAtFullRate = 2.5F;
 
-/// Pause before obstacles are requested again from a node that did not answer.
+/// Pause after a node did not return its obstacles.
 constexpr std::chrono::seconds kObstaclePause{10};
 
 using Clock = std::chrono::steady_clock;
 
-/// Of a snapshot that nobody moves on: the world's clock goes on while the simulation rests.
+/// Time of a snapshot that frontends must not extrapolate: the world clock continues while the simulation sleeps.
 constexpr double kStandsStill = std::numeric_limits<double>::infinity();
 
 FluidSettings settingsOf(const world::ModelledObject& object) {
@@ -77,7 +78,7 @@ class FluidBackend::Fire {
                     settings_.grid),
         held_(services.memory, "simulations", "fluid", pipeline::Work::kAcrossUser),
         pace_(tickSeconds) {
-    // Seen from here on: gusts from before the fire existed do not count.
+    // Advances the cursor: gusts before the fire exists do not count.
     static_cast<void>(world_.gusts(cursor_));
     FluidSimulation& simulation = simulation_.current();
     const auto grown = services.bakedOnce(
@@ -90,7 +91,7 @@ class FluidBackend::Fire {
     awake_ = world_.whileVisited([this] { clock_->wake(); });
   }
 
-  /// The newest snapshot, for who knows the one of tick `known`. Any thread.
+  /// The newest snapshot, or its differences to the receiver's snapshot of tick `known`. Any thread.
   [[nodiscard]] std::shared_ptr<const node::SharedData> newest(node::Version known) {
     const std::lock_guard lock(mutex_);
     if (known == 0) return newest_;
@@ -109,8 +110,8 @@ class FluidBackend::Fire {
   }
 
  private:
-  /// From a worker: a thread begins with the priority of the one that starts it, and a world may be made by one whose
-  /// priority is low.
+  /// A thread inherits the priority of its creator, and a world may be made on a thread of low priority; so a worker
+  /// creates the clock.
   void startClock() {
     const auto start = std::make_shared<std::packaged_task<std::unique_ptr<FluidClock>()>>(
         [this] { return std::make_unique<FluidClock>(kTicksPerSecond, [this] { return tick(); }); });
@@ -133,8 +134,8 @@ class FluidBackend::Fire {
 
   [[nodiscard]] int cells() const noexcept { return cellsAt(settings_.grid, std::min<int>(quality_, maxQuality_)); }
 
-  /// As ScalableSimulation::update(); but without its obstacles, the grid stays as it is until another one is wished,
-  /// or for kObstaclePause.
+  /// Calls ScalableSimulation::update(). If the obstacles fail, keeps the grid until the next request or for
+  /// kObstaclePause.
   [[nodiscard]] bool updateSimulation() {
     if (retry_ && Clock::now() >= *retry_) {
       retry_.reset();
@@ -149,9 +150,9 @@ class FluidBackend::Fire {
     }
   }
 
-  /// Smoke in slow motion is worse than smoke on the scene's grid: a step is given up for good if its ticks need more
-  /// than a core has time for. Waiting does not count, which another load brings and takes away. On the scene's own
-  /// grid it can only be reported.
+  /// Smoke in slow motion is worse than smoke on the scene's grid: a quality step is disabled permanently if its ticks
+  /// need more CPU time than a core has. Waiting does not count, because it depends on other load. Slow motion on the
+  /// scene's own grid can only be reported.
   void keepPace(std::int64_t cpuNanoseconds) {
     if (!pace_.tooSlow(static_cast<double>(cpuNanoseconds) * 1.0e-9)) return;
     const int now = simulation_.current().solver().layout().cells;
@@ -163,7 +164,7 @@ class FluidBackend::Fire {
     while (step > 0 && cellsAt(settings_.grid, step) >= now) --step;
     maxQuality_ = step;
     simulation_.setCells(cells());
-    log::info(name_ + ": " + std::to_string(now) + " cells to an edge are too many for this machine");
+    log::info(name_ + ": " + std::to_string(now) + " cells per edge are too many for this machine");
   }
 
   void reportSlowMotion(std::int64_t cpuNanoseconds) {
@@ -176,7 +177,7 @@ class FluidBackend::Fire {
                  "; give it a smaller grid, or more threads");
   }
 
-  /// For those who know it and are sent differences, as long as there are any. With mutex_ held.
+  /// Keeps bases for receivers of differences, as long as there are any. With mutex_ held.
   void keep(std::shared_ptr<const FluidSnapshot> snapshot) {
     if (ticksToKeep_ == 0) {
       past_.clear();
@@ -209,7 +210,7 @@ class FluidBackend::Fire {
       {
         const std::lock_guard lock(mutex_);
         newest_.swap(next);
-        // As large as the last one, of which somebody may have had the packed form.
+        // Estimates with the previous snapshot's size, which includes its packed form if it was requested.
         held_.set(simulation.bytes() + (1 + past_.size()) * next->bytes());
         keep(std::move(next));
       }
@@ -234,21 +235,21 @@ class FluidBackend::Fire {
   const FluidSettings settings_;
   ScalableSimulation simulation_;
   pipeline::HeldMemory held_;
-  std::atomic<int> quality_ = 0;                     ///< as wished
-  std::atomic<int> maxQuality_ = node::kMaxQuality;  ///< that is done in time
+  std::atomic<int> quality_ = 0;                     ///< as requested
+  std::atomic<int> maxQuality_ = node::kMaxQuality;  ///< highest step that is fast enough
   Pace pace_;
   node::WorldMirror::Cursor cursor_ = 0;
-  bool isSlow_ = false;                     ///< and that was reported
+  bool isSlow_ = false;                     ///< and reported
   int periods_ = 0;                         ///< of the clock since the newest tick
-  std::optional<Clock::time_point> retry_;  ///< a change of the grid that has failed
+  std::optional<Clock::time_point> retry_;  ///< when to retry a failed change of the grid
   int idleTicks_ = 0;                       ///< without visitors
   std::mutex mutex_;
   std::shared_ptr<const FluidSnapshot> newest_;
-  std::vector<std::shared_ptr<const FluidSnapshot>> past_;  ///< before the newest, the oldest first
-  std::size_t ticksToKeep_ = 0;                             ///< since somebody asked for differences
-  std::shared_ptr<const SnapshotChange> change_;            ///< that was asked for last
-  std::unique_ptr<FluidClock> clock_;                       ///< stops before what it uses goes
-  std::shared_ptr<void> awake_;                             ///< while somebody is there; last, since it uses the clock
+  std::vector<std::shared_ptr<const FluidSnapshot>> past_;  ///< before the newest, oldest first
+  std::size_t ticksToKeep_ = 0;                             ///< counts down after a request for differences
+  std::shared_ptr<const SnapshotChange> change_;            ///< last requested one
+  std::unique_ptr<FluidClock> clock_;                       ///< stops before the members that it uses are destroyed
+  std::shared_ptr<void> awake_;  ///< held while visitors are present; last, since it uses the clock
 };
 
 FluidBackend::FluidBackend(const node::BackendServices& services, world::TypeIndex self, double tickSeconds)
@@ -269,7 +270,7 @@ void FluidBackend::answer(std::span<const node::Request> requests, std::span<nod
   for (std::size_t i = 0; i < requests.size(); ++i) {
     const auto fire = fires_.find(requests[i].object);
     if (fire == fires_.end() || !requests[i].shared) {
-      payloads[i] = node::Failure{"fluids answer with shared data of fluids"};
+      payloads[i] = node::Failure{"fluids return only shared data of fluids"};
     } else {
       payloads[i] = std::shared_ptr<const node::SharedData>(fire->second->newest(requests[i].known));
     }

@@ -30,7 +30,7 @@ std::shared_ptr<const world::Model> FluidBackendType::model(const world::Paramet
   number("turbulence", settings.turbulence, 0.0, 20.0);
   number("flicker", settings.flicker, 0.0, 1.0);
   settings.wind = parameters.vector("wind", settings.wind);
-  if (!(glm::length(settings.wind) <= 20.0F)) parameters.fail("wind", "'wind' must be at most 20 metres a second");
+  if (!(glm::length(settings.wind) <= 20.0F)) parameters.fail("wind", "'wind' must be at most 20 metres per second");
   parameters.finish();
   return std::make_shared<FluidModel>(settings);
 }

@@ -8,7 +8,7 @@
 
 namespace grove::objects::fluid {
 
-/// A fire and its smoke: a cube of air that stands on the object's position.
+/// A fire and its smoke in a cube of air that stands on the object's position.
 class FluidModel final : public world::Model {
  public:
   explicit FluidModel(const FluidSettings& settings) : settings_(settings) {}
@@ -20,8 +20,8 @@ class FluidModel final : public world::Model {
   const FluidSettings settings_;
 };
 
-/// `type = "fluid"`: grid (cells per edge, a multiple of 8), size (metres), radius (metres, of the fire), rate
-/// (particles a second), wind (metres a second), turbulence (metres a second), flicker (0..1).
+/// `type = "fluid"`: grid (cells per edge, a multiple of 8), size (metres), radius (of the fire, metres), rate
+/// (particles per second), wind (metres per second), turbulence (metres per second), flicker (0..1).
 class FluidBackendType final : public node::BackendType {
  public:
   [[nodiscard]] std::string_view name() const override;

@@ -7,24 +7,24 @@
 
 namespace grove::objects::fluid {
 
-/// A thread of its own that ticks at a steady rate until it is destroyed, or sleeps while there is nobody to tick for.
-/// A tick that comes late is followed by at most one without a pause; what was missed beyond that is skipped.
+/// A thread that ticks at a steady rate until destruction, or sleeps while there are no visitors. After a late tick, at
+/// most one tick follows without a pause; further missed ticks are skipped.
 class FluidClock {
  public:
-  /// Whether there is more to do: after kSleep no tick comes until wake().
+  /// kSleep: no tick until wake().
   enum class Next { kTick, kSleep };
 
   /// `tick` runs on the clock's thread and must not throw.
   FluidClock(double ticksPerSecond, std::function<Next()> tick);
 
-  /// Stops after the tick in progress.
+  /// Waits for the tick in progress and stops.
   ~FluidClock();
 
   FluidClock(const FluidClock&) = delete;
   FluidClock& operator=(const FluidClock&) = delete;
 
-  /// Ends the sleep with a tick at once. Called during a tick, it keeps the clock from falling asleep after it. Any
-  /// thread; costs next to nothing while the clock is awake.
+  /// Ends the sleep with an immediate tick. Called during a tick, it prevents the sleep after that tick. Any thread;
+  /// almost free while the clock is awake.
   void wake();
 
  private:

@@ -2,14 +2,14 @@
 
 namespace grove::objects::fluid {
 
-/// Reports whether ticks that must each be done within a period can be: by their mean, since one may wait for another.
-/// One thread.
+/// Detects ticks that take longer than their period. Compares the mean of kTicks ticks, since a tick may wait for
+/// another one. One thread.
 class Pace {
  public:
   /// `period` in seconds.
   explicit Pace(double period) noexcept : max_(kShare * period) {}
 
-  /// Takes what the thread needed for a tick; true if the last kTicks together took too long.
+  /// Adds the time of one tick; returns true if the last kTicks together took too long.
   [[nodiscard]] bool tooSlow(double seconds) noexcept {
     sum_ += seconds;
     if (++ticks_ < kTicks) return false;
@@ -17,7 +17,7 @@ class Pace {
     restart();
     return slow;
   }
-  /// For ticks that are of another kind from here on.
+  /// Call this when the cost of a tick changes.
   void restart() noexcept {
     sum_ = 0.0;
     ticks_ = 0;

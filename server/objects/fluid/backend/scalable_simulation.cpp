@@ -35,7 +35,7 @@ bool ScalableSimulation::update() {
         changed = true;
       }
     } catch (...) {
-      // Unless there is a new wish already.
+      // Drops the failed request unless there is a newer one.
       if (preparedCells_ == wanted) wanted_.compare_exchange_strong(wanted, current_->solver().layout().cells);
       throw;
     }

@@ -9,33 +9,34 @@
 
 namespace grove::objects::fluid {
 
-/// Cells per edge at a quality step: one and a half and two times as many at the first and the second, at most 128. The
-/// particles stay as they are: each visitor pays for drawing and sending them, so more of them would not be paid for by
-/// sharing. So does the light that they get: cells with less than a particle in each would make it flicker.
+/// Cells per edge at a quality step: 1.5 times as many at step 1 and twice as many at step 2, at most 128. The number
+/// of particles stays: each visitor pays for drawing and sending them, and sharing saves nothing of that. The grid of
+/// their light stays too: with less than one particle per cell it would flicker.
 [[nodiscard]] int cellsAt(int grid, int quality);
 
-/// A simulation that goes over to a grid with other cells while it runs, without a jump: the new one is made on a
-/// thread of its own, and then takes over the state of the old one between two ticks.
+/// A simulation that changes to another grid while it runs, without a jump: another thread makes the new simulation,
+/// which then takes over the old one's state between two ticks.
 class ScalableSimulation {
  public:
-  /// Makes a simulation with so many cells per edge. Called in the constructor and then on other threads, never twice
-  /// at once.
+  /// Makes a simulation with this many cells per edge. Called in the constructor and later on other threads, never
+  /// concurrently.
   using Make = std::function<std::unique_ptr<FluidSimulation>(int cells)>;
 
   ScalableSimulation(Make make, int cells);
-  /// Waits for one that is being made.
+  /// Waits until a simulation in preparation is complete.
   ~ScalableSimulation() = default;
   ScalableSimulation(const ScalableSimulation&) = delete;
   ScalableSimulation& operator=(const ScalableSimulation&) = delete;
 
-  /// What it is to go over to; the last wish counts. Any thread.
+  /// Requests a grid; the last request counts. Any thread.
   void setCells(int cells) noexcept { wanted_ = cells; }
 
-  /// Between ticks, on their thread: goes over if the new simulation is ready, has it made if there is none. True if
-  /// current() is another one now. If making fails, stays as it is until the next wish, and throws what making threw.
+  /// Between ticks, on their thread: swaps in the new simulation if it is ready, or starts its preparation. Returns
+  /// true if current() has changed. If the preparation fails, keeps the current simulation until the next request, and
+  /// rethrows the error.
   bool update();
 
-  /// The one to step. One thread.
+  /// The simulation to step. One thread.
   [[nodiscard]] FluidSimulation& current() noexcept { return *current_; }
 
  private:

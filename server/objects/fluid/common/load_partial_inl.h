@@ -1,4 +1,4 @@
-// The end of an array whose length is no multiple of the lanes. For kernels: included once per target.
+// Loads at the end of an array whose length is no multiple of the lanes. For kernels: included once per target.
 
 #if defined(GROVE_OBJECTS_FLUID_COMMON_LOAD_PARTIAL_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef GROVE_OBJECTS_FLUID_COMMON_LOAD_PARTIAL_INL_H
@@ -17,7 +17,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace grove::objects::fluid::HWY_NAMESPACE {
 
-/// Loads the values from the i-th on, and zeros beyond the end.
+/// Loads the values from index i on, and zeros beyond the end.
 HWY_INLINE simd::HWY_NAMESPACE::Floats loadPartial(const float* values, std::size_t i, std::size_t count) {
   using simd::HWY_NAMESPACE::kLanes;
   if (i + static_cast<std::size_t>(kLanes) <= count) return simd::HWY_NAMESPACE::load(values + i);

@@ -13,26 +13,25 @@ inline constexpr const char* kTypeName = "fluid";
 
 inline constexpr double kTicksPerSecond = 30.0;
 
-/// What the fluid publishes once per tick for all visitors (section 5.2.1). World coordinates, metres. One entry per
-/// particle in every array; the order is the same from tick to tick for as long as a particle lives.
+/// The fluid's data for all visitors, published once per tick (section 5.2.1). World coordinates, metres. Every array
+/// has one entry per particle; living particles keep their order from tick to tick.
 struct FluidSnapshot final : node::SharedData {
   explicit FluidSnapshot(std::uint64_t ofTick = 0)
       : SharedData(static_cast<node::Version>(ofTick), kTicksPerSecond), tick(ofTick) {}
 
-  /// Seconds of the world's clock when the tick was computed; infinite while the simulation rests, when nobody moves
-  /// the particles on.
+  /// World clock in seconds when the tick was computed; infinite while the simulation sleeps, so that frontends do not
+  /// extrapolate.
   double time = 0.0;
   std::uint64_t tick;
   std::vector<float> x, y, z;
-  std::vector<float> velocityX, velocityY, velocityZ;  ///< metres a second
+  std::vector<float> velocityX, velocityY, velocityZ;  ///< metres per second
   std::vector<float> age;                              ///< seconds since injection
   std::vector<float> lifetime;                         ///< seconds; gone at age == lifetime
   std::vector<float> temperature;                      ///< 1 at the source, 0 = air; above about 0.5 it glows as flame
-  std::vector<float> skyLight;                         ///< 0..1, what the particles above leave of the sky's light
-  std::vector<float> sunLight;  ///< 0..1, what the particles and stones towards the sun leave of its light
+  std::vector<float> skyLight;  ///< 0..1, share of the sky's light that the particles above let through
+  std::vector<float> sunLight;  ///< 0..1, share of the sun's light that particles and solids let through
 
-  /// A lifetime is known in so many parts of a second, on either side of a wire: what a particle's look has by chance
-  /// is drawn from it.
+  /// Steps per second of a lifetime, on both sides of a connection: frontends derive a particle's random looks from it.
   static constexpr float kLifetimeSteps = 4096.0F;
 
   [[nodiscard]] std::size_t count() const noexcept { return x.size(); }

@@ -8,7 +8,7 @@ namespace {
 
 using Steps = SnapshotSteps;
 
-/// 0, -1, 1, -2, 2 ..., modulo 65536.
+/// Maps 0, -1, 1, -2, 2 ... to 0, 1, 2, 3, 4 ..., modulo 65536.
 std::uint32_t folded(std::int32_t difference) {
   const std::int32_t signedStep = static_cast<std::int16_t>(difference);
   return static_cast<std::uint32_t>(signedStep * 2 ^ signedStep >> 15) & 0xFFFFU;
@@ -16,19 +16,18 @@ std::uint32_t folded(std::int32_t difference) {
 
 std::uint32_t unfolded(std::uint32_t number) { return number >> 1U ^ (0U - (number & 1U)); }
 
-/// The lowest value of a field, by which it is known modulo 65536.
+/// The lower bound of a field, which makes values modulo 65536 unique.
 std::int32_t lowOf(std::size_t field, const DifferenceFrame& frame) {
   if (field >= Steps::kPosition && field < Steps::kAge) return frame.low[field - Steps::kPosition];
   return field < Steps::kPosition ? -32768 : 0;
 }
 
-/// Metres in 128ths that a particle moves in so many ticks, at the mean of two velocities in quarters.
+/// Movement in 128ths of a metre over `ticks`, at the mean of two velocities in quarters of a metre per second.
 std::int32_t moved(std::int32_t before, std::int32_t after, std::int32_t ticks) {
   return (before + after) * 16 * ticks / 30;
 }
 
-/// Calls use(i, expected) for each particle in its order; the velocities of `steps` are known when its places are
-/// asked.
+/// Calls use(i, expected) for each particle in order. The velocities of `steps` must be known before the positions.
 template <class Use>
 void alongField(std::size_t field, const DifferenceFrame& frame, const Steps& steps, Use use) {
   const std::vector<std::int32_t>& base = frame.base.fields[field];

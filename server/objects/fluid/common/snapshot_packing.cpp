@@ -43,9 +43,9 @@ struct Header {
 };
 static_assert(sizeof(Header) == 64);
 
-constexpr std::size_t kUnchecked = 16;  // bytes before those that the checksum covers
+constexpr std::size_t kUnchecked = 16;  // bytes before the checksummed part
 
-/// A base that is older is as good as none.
+/// An older base is useless.
 constexpr std::uint64_t kMaxTicks = 256;
 
 std::uint64_t checksumOf(std::span<const std::byte> bytes) {
@@ -55,14 +55,14 @@ std::uint64_t checksumOf(std::span<const std::byte> bytes) {
 
 [[noreturn]] void refuse(const std::string& reason) { throw node::PackingError("packed smoke: " + reason); }
 
-/// Differences are nearly random, but some much more frequent: entropy coding is all that pays.
+/// Differences are nearly random, but some are much more frequent: only entropy coding pays.
 constexpr int kLevel = 1;
 
 struct FreeCompression {
   void operator()(ZSTD_CCtx* context) const noexcept { ZSTD_freeCCtx(context); }
 };
 
-/// One frame. Each plane begins a block, because the frequent bytes of one plane are rare in the next.
+/// One frame. Each plane begins a block, because the frequent bytes differ from plane to plane.
 void appendCompressed(node::PackedBytes& bytes, std::span<const std::uint8_t> mask,
                       std::span<const std::uint8_t> planes, std::size_t planeSize) {
   const std::unique_ptr<ZSTD_CCtx, FreeCompression> context(ZSTD_createCCtx());
@@ -84,7 +84,7 @@ void appendCompressed(node::PackedBytes& bytes, std::span<const std::uint8_t> ma
 }
 
 std::vector<std::uint8_t> decompressed(std::span<const std::byte> bytes, std::size_t size) {
-  // The least that one block of a frame takes, and the most that it holds.
+  // Smallest size of a block in a frame, and the most bytes that it holds.
   constexpr std::size_t kMinBlock = 3;
   constexpr std::size_t kMaxBlock = 128 << 10;
   if (size > bytes.size() / kMinBlock * kMaxBlock) refuse("it is damaged");
@@ -129,17 +129,17 @@ Header takeHeader(std::span<const std::byte> bytes) {
   if (header.count > kMaxPackedParticles || header.survivors > header.count) refuse("too many particles");
   constexpr std::int32_t kFar = 1 << 24;
   const bool isNear = std::ranges::all_of(header.low, [](std::int32_t low) { return low >= -kFar && low <= kFar; });
-  if (std::isnan(header.time) || !isNear) refuse("its numbers make no sense");
+  if (std::isnan(header.time) || !isNear) refuse("its numbers are invalid");
   return header;
 }
 
-/// Throws unless it is the one that the header names.
+/// Throws unless `known` is the base that the header names.
 SnapshotSteps baseOf(const Header& header, const FluidSnapshot* known) {
   if (header.baseCount == 0) return {};
   if (known == nullptr || known->tick != header.baseTick || known->count() != header.baseCount) {
-    refuse("it is the difference to a tick that is not here");
+    refuse("its base is missing");
   }
-  if (header.tick <= header.baseTick || header.tick - header.baseTick > kMaxTicks) refuse("its ticks make no sense");
+  if (header.tick <= header.baseTick || header.tick - header.baseTick > kMaxTicks) refuse("its ticks are invalid");
   return stepsOf(*known);
 }
 
@@ -180,7 +180,7 @@ std::shared_ptr<FluidSnapshot> unpackSnapshot(std::span<const std::byte> bytes, 
   const std::vector<std::uint8_t> planes =
       decompressed(bytes.subspan(sizeof header), mask + 2 * SnapshotSteps::kFields * header.count);
   const Survivors survivors = takeMask(std::span(planes).first(mask), base.count());
-  if (survivors.count != header.survivors) refuse("its particles make no sense");
+  if (survivors.count != header.survivors) refuse("its particles are invalid");
   SnapshotSteps steps;
   steps.resize(header.count);
   const auto ticks = base.count() == 0 ? 1 : static_cast<std::int32_t>(header.tick - header.baseTick);

@@ -7,8 +7,8 @@
 
 #include "objects/fluid/common/snapshot.h"
 
-/// A snapshot as bytes, for frontend nodes on other machines: its steps (snapshot_steps.h), as differences to what an
-/// earlier snapshot, the base, leads one to expect. All numbers little-endian.
+/// A snapshot as bytes, for frontend nodes on other machines: its steps (snapshot_steps.h) as differences to a
+/// prediction from an earlier snapshot, the base. All numbers are little-endian.
 ///
 ///     offset  size  what
 ///          0     4  "GFSP"
@@ -24,29 +24,29 @@
 ///         52    12  the lowest x, y, z, steps, three signed numbers
 ///         64     -  frames of Zstandard
 ///
-/// They hold a bit for each particle of the base, lowest bits first: whether it lives. Then, for each field, a
-/// plane of the low bytes and one of the high bytes of a difference for each particle: first those that live, in the
-/// base's order, then the new ones. Differences are modulo 65536, and folded: 0, -1, 1, -2, ...
+/// The frames hold one bit per particle of the base, lowest bits first: whether it lives. Then, for each field, a plane
+/// of low bytes and a plane of high bytes of one difference per particle: first the living ones in the base's order,
+/// then the new ones. Differences are modulo 65536, and folded: 0, -1, 1, -2, ...
 ///
-/// Of what lives, a velocity is expected to stay, a place to move by the mean of the two velocities, an age to grow by
-/// the ticks between; all else to stay. Of a new particle, everything is expected to be as of the new one before it.
-/// That takes about 11 bits for each particle and tick, where the numbers as they are take 128. The base is known by
-/// its steps, so errors do not add up.
+/// Prediction for a living particle: its velocity stays, its position moves by the mean of both velocities, its age
+/// grows by the ticks between, and the rest stays. Prediction for a new particle: the values of the previous new one.
+/// This takes about 11 bits per particle and tick instead of 128. The base is known by its steps, so errors do not
+/// accumulate.
 namespace grove::objects::fluid {
 
-/// As many as a fire may have, and some more.
+/// Most particles of a packed snapshot; more than a fire may have.
 inline constexpr std::size_t kMaxPackedParticles = 1 << 14;
 
-/// The differences to `base`, which is null if the reader knows none. Any thread.
+/// Packs the differences to `base`, or everything if `base` is null. Any thread.
 [[nodiscard]] node::PackedBytes packSnapshot(const FluidSnapshot& snapshot, const FluidSnapshot* base = nullptr);
 
-/// Positions return within a 256th of a metre, velocities within an eighth of a metre a second; ages, lifetimes,
-/// temperatures and light within half a step. Throws node::PackingError unless the bytes are what packSnapshot() made,
-/// with the base that is `known`, or with none.
+/// Positions are accurate to a 256th of a metre, velocities to an eighth of a metre per second; ages, lifetimes,
+/// temperatures and light to half a step. Throws node::PackingError unless packSnapshot() made the bytes with the base
+/// `known`, or without a base.
 [[nodiscard]] std::shared_ptr<FluidSnapshot> unpackSnapshot(std::span<const std::byte> bytes,
                                                             const FluidSnapshot* known = nullptr);
 
-/// A snapshot for those who have an earlier one: only what it is as bytes differs.
+/// A snapshot for receivers that have an earlier one. Only its packed form differs.
 class SnapshotChange final : public node::SharedData {
  public:
   SnapshotChange(std::shared_ptr<const FluidSnapshot> snapshot, std::shared_ptr<const FluidSnapshot> base)
@@ -57,7 +57,7 @@ class SnapshotChange final : public node::SharedData {
   }
 
  private:
-  /// The snapshots are reported by who made them.
+  /// The snapshots' owner reports their memory.
   [[nodiscard]] std::size_t ownBytes() const noexcept override { return 0; }
   [[nodiscard]] node::PackedBytes pack() const override { return packSnapshot(*snapshot_, base_.get()); }
 

@@ -7,7 +7,7 @@ namespace {
 
 struct Scale {
   std::vector<float> FluidSnapshot::*values;
-  float steps;  ///< in one unit of the values
+  float steps;  ///< per unit of the values
   float low;    ///< in steps
   float high;
 };

@@ -9,11 +9,11 @@
 
 namespace grove::objects::fluid {
 
-/// A snapshot in whole steps, which is what travels: plain loops over particles. The steps of a snapshot depend on
-/// nothing else, and those of what restore() makes of them are the same again.
+/// A snapshot in integer steps, the form that is sent: plain loops over particles. The steps depend only on the
+/// snapshot, and the steps of restore()'s result are the same again.
 struct SnapshotSteps {
-  /// By field, in the order of kFields; one entry per particle.
-  static constexpr std::size_t kVelocity = 0;  ///< x, y, z; quarters of a metre a second
+  /// Indexed by field, in the order of kFields; one entry per particle.
+  static constexpr std::size_t kVelocity = 0;  ///< x, y, z; quarters of a metre per second
   static constexpr std::size_t kPosition = 3;  ///< x, y, z; 128ths of a metre
   static constexpr std::size_t kAge = 6;       ///< 1920ths of a second
   static constexpr std::size_t kLifetime = 7;  ///< FluidSnapshot::kLifetimeSteps

@@ -56,9 +56,9 @@ std::unique_ptr<node::FrontendHalf> FluidFrontendType::makeHalf(const node::Fron
 std::shared_ptr<node::SharedData> FluidFrontendType::unpack(const node::Key& key, node::Version version,
                                                             std::span<const std::byte> bytes,
                                                             const node::SharedData* known) const {
-  if (!key.empty()) throw node::PackingError("packed smoke: it has no keys");
+  if (!key.empty()) throw node::PackingError("packed smoke: its key is not empty");
   std::shared_ptr<FluidSnapshot> snapshot = unpackSnapshot(bytes, dynamic_cast<const FluidSnapshot*>(known));
-  if (snapshot->version() != version) throw node::PackingError("packed smoke: it is of another tick");
+  if (snapshot->version() != version) throw node::PackingError("packed smoke: it has another tick");
   return snapshot;
 }
 

@@ -4,7 +4,7 @@
 
 namespace grove::objects::fluid {
 
-/// Draws every visitor the newest smoke into his finished frame.
+/// Draws the newest smoke into each visitor's finished frame.
 class FluidFrontendType final : public node::FrontendType {
  public:
   [[nodiscard]] std::string_view name() const override;

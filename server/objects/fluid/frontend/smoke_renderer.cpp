@@ -5,7 +5,8 @@
 namespace grove::objects::fluid {
 namespace {
 
-/// Longest time in seconds over which particles are moved on beyond their snapshot; a late tick then stands still.
+/// Longest extrapolation of particles beyond their snapshot, in seconds; if a tick is later than that, the smoke stands
+/// still.
 constexpr double kLongestLead = 0.1;
 
 }  // namespace
@@ -25,7 +26,7 @@ world::Rect SmokeRenderer::prepare(const FluidSnapshot& snapshot, const node::Vi
 
   box_ = collectVisible(camera, sprites_, order_);
   if (box_.empty()) return box_;
-  // The target's pixels are larger than the frame's, and depend on their neighbours.
+  // The target's pixels are larger than the frame's and depend on their neighbours.
   const int margin = 2 * detail_.scale;
   return {box_.left - margin, box_.top - margin, box_.right + margin, box_.bottom + margin};
 }

@@ -15,17 +15,19 @@
 namespace grove::objects::fluid {
 
 /// Draws a FluidSnapshot into a finished frame: the per-user half of section 5.2.2. The paper sorts particles on the
-/// backend along six directions and lets viewers flicker between them; here each frame sorts for its own viewer.
-/// Allocates nothing once its buffers have grown. One per session and fluid, used by one thread at a time.
+/// backend along six directions, which makes smoke flicker when a viewer changes direction; here each frame sorts for
+/// its own viewer. Allocates nothing once its buffers have grown. One per session and fluid, used by one thread at a
+/// time.
 class SmokeRenderer {
  public:
-  /// One to two milliseconds of a core that has AVX2, twice as long without.
+  /// Default budget: one to two milliseconds of a core with AVX2, twice as long without.
   static constexpr float kUsualBudget = 125'000.0F;
 
   /// `budget` bounds the cost of a frame, see chooseDetail().
   explicit SmokeRenderer(const world::Sky& sky, float budget = kUsualBudget) : budget_(budget), shading_(sky) {}
 
-  /// Prepares the next draw(). Returns a rectangle around all that draw() reads and changes, empty if no smoke shows.
+  /// Prepares the next draw(). Returns the bounds of all pixels that draw() reads and changes; empty if no smoke is
+  /// visible.
   [[nodiscard]] world::Rect prepare(const FluidSnapshot& snapshot, const node::View& view);
   void draw(raster::Image& frame);
 
@@ -33,7 +35,7 @@ class SmokeRenderer {
     return sizeof(*this) + sprites_.bytes() + sorter_.bytes() + target_.bytes() + pipeline::vectorBytes(order_);
   }
 
-  /// Of the last frame that was drawn.
+  /// Detail of the last drawn frame.
   [[nodiscard]] const SmokeDetail& detail() const noexcept { return detail_; }
 
  private:
@@ -44,7 +46,7 @@ class SmokeRenderer {
   SmokeOrder sorter_;
   SmokeTarget target_;
   std::vector<std::uint32_t> order_;
-  world::Rect box_;  ///< what prepare() returned
+  world::Rect box_;  ///< result of prepare()
 };
 
 }  // namespace grove::objects::fluid

@@ -11,13 +11,13 @@
 
 namespace grove::objects::fluid {
 
-/// Gives sprites their colour and opacity: sun, sky, fire and lanterns scattered by the smoke, flames by their own
-/// light. Computed in linear radiance, then display-encoded through a table. One per session.
+/// Computes the sprites' colour and opacity: smoke scatters the light of sun, sky, fire and lanterns; flames emit their
+/// own. Works in linear radiance, then display-encodes through a table. One per session.
 class SmokeShading {
  public:
   explicit SmokeShading(const world::Sky& sky);
 
-  /// `time` in seconds lets the flames flicker.
+  /// `time` in seconds drives the flames' flicker.
   void shade(const FluidSnapshot& snapshot, const world::Camera& camera, std::span<const world::PointLight> lights,
              const SmokeDetail& detail, double time, SmokeSprites& sprites) const;
 

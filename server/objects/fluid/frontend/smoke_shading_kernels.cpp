@@ -42,7 +42,7 @@ void scatterSunAndSky(const FluidSnapshot& snapshot, world::Vec3 eye, world::Vec
     const float dy = py[i] - eye.y;
     const float dz = pz[i] - eye.z;
     const float cosine = (dx * sun.x + dy * sun.y + dz * sun.z) / std::sqrt(dx * dx + dy * dy + dz * dz + 1e-6F);
-    // Most light goes on forwards; many scatterings in dense smoke make the rest even.
+    // Most light scatters forwards; multiple scattering in dense smoke makes the rest even.
     const float bright = sunLight[i] * (0.26F + 0.15F * phase(cosine, 0.55F));
     const float dim = 0.25F + 0.75F * skyLight[i];
     red[i] = sunColour.r * bright + sky.r * dim;
@@ -66,7 +66,7 @@ void addPointLight(const FluidSnapshot& snapshot, const world::PointLight& light
     const float dx = px[i] - from.x;
     const float dy = py[i] - from.y;
     const float dz = pz[i] - from.z;
-    // The flame is a body of half a metre, no point, and the smoke dims its own light with distance.
+    // The flame is a body of half a metre, not a point, and smoke dims its light with distance.
     const float square = dx * dx + dy * dy + dz * dz;
     const float reach = 0.14F / ((0.3F + square) * (1.0F + 0.15F * square));
     red[i] += colour.r * reach;
@@ -75,7 +75,7 @@ void addPointLight(const FluidSnapshot& snapshot, const world::PointLight& light
   }
 }
 
-/// Entries of the table for linear radiances, loaded one by one (base/simd/look_up_inl.h says why).
+/// Looks up display values of linear radiances, one by one (base/simd/look_up_inl.h explains why).
 HWY_INLINE Floats encode(const float* display, Floats linear) {
   const Floats root = sqrt(clamp(linear * Floats(1.0F / kBrightestSmoke), Floats(0.0F), Floats(1.0F)));
   alignas(64) std::int32_t at[kLanes];
@@ -103,14 +103,14 @@ struct Finish {
     const Floats chanceB = at(sprites.chanceB);
     const Floats chanceC = at(sprites.chanceC);
     const Floats visible = at(sprites.fade) * at(sprites.shrink);
-    // Soot first, pale later.
+    // Young smoke is sooty, old smoke pale.
     const Floats albedo = (Floats(0.28F) + Floats(0.40F) * sqrt(life)) * (Floats(0.85F) + Floats(0.3F) * chanceC);
     const Floats rest = one - life;
-    // Hot gas is clear: what rises from the flames turns into smoke only above them.
+    // Hot gas is clear: smoke becomes visible only above the flames.
     const Floats clear = one - Floats(0.75F) * saturate((temperature - Floats(0.1F)) * Floats(3.0F));
     const Floats thick = Floats(0.17F) * clear * saturate(life * Floats(12.0F)) * rest * sqrt(rest) *
                          (Floats(0.55F) + Floats(0.9F) * chanceB);
-    // Sprites at the edge of the kept share come and go softly; the kept ones stand for the others too.
+    // Sprites at the edge of the kept share fade in and out; the kept ones replace the dropped ones.
     const Floats chosen = kept >= 1.0F ? one : saturate((Floats(kept * 1.05F) - at(sprites.rank)) * Floats(20.0F));
     const float denser = 1.0F / kept;
     const Floats dense = min(Floats(0.85F), thick * Floats(denser) / (one + Floats(0.5F * (denser - 1.0F)) * thick));
@@ -119,7 +119,7 @@ struct Finish {
     Floats green = smoke * encode(display, albedo * at(sprites.green) * Floats(1.01F));
     Floats blue = smoke * encode(display, albedo * at(sprites.blue) * Floats(1.06F));
     Floats opacity = smoke;
-    // Few are flames, and those are together.
+    // Flames are few and close together.
     if (any(hot > Floats(0.0F))) {
       const Floats beat = Floats(time) * (Floats(2.0F) + Floats(2.0F) * chanceC) + Floats(7.0F) * chanceB;
       const Floats turn = beat - floor(beat);
@@ -131,7 +131,7 @@ struct Finish {
       red += flame * encode(display, power);
       green += flame * encode(display, power * (Floats(0.05F) + Floats(0.23F) * glow));
       blue += flame * encode(display, power * (Floats(0.006F) + Floats(0.05F) * glow * glow * glow));
-      // Flame adds light and hides only some of what is behind it.
+      // Flame adds light and hides only part of the background.
       opacity += Floats(0.6F) * flame;
     }
     store(red, sprites.red.data() + i);

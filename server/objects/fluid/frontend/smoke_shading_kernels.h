@@ -5,23 +5,23 @@
 #include "objects/fluid/frontend/smoke_sprites.h"
 #include "world/light.h"
 
-/// The loops of SmokeShading over all sprites.
+/// Kernels of SmokeShading over all sprites.
 namespace grove::objects::fluid {
 
-/// A table of toDisplay(): entry i is that of kBrightestSmoke * (i / kDisplaySteps)^2, so that the dark end, where eyes
+/// A table of toDisplay(): entry i is the value at kBrightestSmoke * (i / kDisplaySteps)^2. The dark end, where eyes
 /// see steps, has more entries.
 inline constexpr std::size_t kDisplaySteps = 1024;
 inline constexpr float kBrightestSmoke = 9.0F;
 
-/// Sets each sprite's colour to the linear radiance that the smoke scatters towards `eye`, of the sun (`sun` is the
-/// unit vector towards it) and of the sky.
+/// Sets each sprite's colour to the linear radiance of the sun (`sun` is the unit vector towards it) and the sky that
+/// the smoke scatters towards `eye`.
 void scatterSunAndSky(const FluidSnapshot& snapshot, world::Vec3 eye, world::Vec3 sun, world::Vec3 sunColour,
                       world::Vec3 sky, SmokeSprites& sprites);
 
-/// Adds what it scatters of a fire's or a lantern's light.
+/// Adds the scattered light of a fire or a lantern.
 void addPointLight(const FluidSnapshot& snapshot, const world::PointLight& light, SmokeSprites& sprites);
 
-/// Adds the flames' own light at `time` seconds, encodes colours by means of the table `display`, and sets opacity and
+/// Adds the flames' own light at `time` seconds, encodes colours through the table `display`, and sets opacity and
 /// softness. `kept` is SmokeDetail::kept.
 void finishSprites(const FluidSnapshot& snapshot, float kept, float time, const float* display, SmokeSprites& sprites);
 

@@ -28,12 +28,12 @@ HWY_INLINE std::uint32_t hash(std::uint32_t seed) {
   return seed;
 }
 
-/// Up to 1, of the lowest 16 bits.
+/// The lowest 16 bits as a share below 1.
 HWY_INLINE float share(std::uint32_t bits) {
   return static_cast<float>(static_cast<int>(bits & 0xFFFFU)) * (1.0F / 65536.0F);
 }
 
-/// A particle's place in the arrays changes when older ones die; its lifetime, drawn at random, never does.
+/// The index of a particle changes when older ones die; its random lifetime never does, so it seeds the random numbers.
 void drawLots(const FluidSnapshot& snapshot, SmokeSprites& sprites) {
   const float* const lifetime = snapshot.lifetime.data();
   float* const rank = sprites.rank.data();
@@ -115,10 +115,10 @@ void projectSprites(const FluidSnapshot& snapshot, const SmokeLens& lens, float 
     life[i] = saturate(spent);
     heat[i] = hot;
     radius[i] = size;
-    // Whoever stands in the smoke sees haze, not the huge discs right before the eye.
+    // Sprites close to the eye fade: inside the smoke, visitors see haze instead of huge discs.
     fade[i] = saturate((along - nearDepth - 0.1F) / (0.2F + 1.2F * size)) * (spent < 1.0F ? 1.0F : 0.0F);
 
-    // Perspective: what comes closer moves outwards on the screen too.
+    // Perspective: approaching particles also move outwards on the screen.
     const float speedAlong = vx[i] * forward.x + vy[i] * forward.y + vz[i] * forward.z;
     const float speedX = vx[i] * right.x + vy[i] * right.y + vz[i] * right.z - u * speedAlong;
     const float speedY = -(vx[i] * up.x + vy[i] * up.y + vz[i] * up.z) - v * speedAlong;
@@ -186,7 +186,7 @@ SpriteBlocks estimateBlocks(const SmokeSprites& sprites, float width, float heig
     const float rows = std::min(y[i] + halfHeight[i], height) - std::max(y[i] - halfHeight[i], 0.0F);
     const bool seen = columns > 0.0F && rows > 0.0F && fade[i] > 0.0F;
     const float blocks = seen ? (rows / scale) * (0.7F * columns / (16.0F * scale) + 0.8F) : 0.0F;
-    // Not std::min, whose references GCC does not vectorise as a reduction.
+    // Not std::min: GCC does not vectorise its references as a reduction.
     const float thisLeft = seen ? x[i] - halfWidth[i] : width;
     const float thisTop = seen ? y[i] - halfHeight[i] : height;
     const float thisRight = seen ? x[i] + halfWidth[i] : 0.0F;
@@ -222,7 +222,7 @@ SpriteBounds markSeen(float width, float height, float nearDepth, float farDepth
     const float thisBottom = y[i] + halfHeight[i];
     const bool shows = (depth[i] >= nearDepth) & (depth[i] <= farDepth) & (opacity[i] >= kMinOpacity) &
                        (thisRight > 0.0F) & (thisBottom > 0.0F) & (thisLeft < width) & (thisTop < height);
-    // See estimateBlocks() for why this is no std::min.
+    // Not std::min, see estimateBlocks().
     const float leftHere = shows ? thisLeft : width;
     const float topHere = shows ? thisTop : height;
     const float rightHere = shows ? thisRight : 0.0F;

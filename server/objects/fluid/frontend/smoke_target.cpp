@@ -6,7 +6,7 @@ namespace grove::objects::fluid {
 
 void SmokeTarget::begin(const raster::Image& frame, const world::Rect& box, int scale, float farthest) {
   farthest_ = farthest;
-  // One empty pixel around, so that the smoke ends softly; at the frame's edge it is cut.
+  // One empty pixel around the smoke, so that it fades softly; the frame's edge clips it.
   world::Rect rect;
   rect.left = std::max(box.left / scale - 1, 0);
   rect.top = std::max(box.top / scale - 1, 0);
@@ -17,7 +17,7 @@ void SmokeTarget::begin(const raster::Image& frame, const world::Rect& box, int 
   const std::size_t needed = columns * static_cast<std::size_t>(rect.height());
   if (blocks_.size() < needed) blocks_.resize(needed);
   spans_.assign(columns, SmokeSpan{rect.height(), 0});
-  // One more pixel before and a whole block after, so that no loop over a row has to look out for its ends.
+  // One more pixel before and a whole block after, so that loops over a row need no bounds checks.
   const std::size_t row = std::max(columns * static_cast<std::size_t>(scale), columns + 2) * SmokeBlock::kWidth;
   if (low_.size() < row) low_.resize(row);
   if (high_.size() < row) high_.resize(row);

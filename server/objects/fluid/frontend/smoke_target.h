@@ -13,24 +13,24 @@
 
 namespace grove::objects::fluid {
 
-/// What smoke is drawn into: a part of the frame at half or quarter resolution, premultiplied, with the scene's depth.
+/// The smoke's render target: a part of the frame at half or quarter resolution, premultiplied, with the scene's depth.
 /// Memory only grows. One thread at a time.
 class SmokeTarget {
  public:
-  /// Makes an empty target for the pixels `box` of the frame. Depths are cut off at `farthest` metres, behind all
-  /// smoke. A pixel takes the nearest and its neighbours the farthest depth of the frame's pixels under it, as on a
-  /// chequerboard, so that both sides of every silhouette are known.
+  /// Clears the target for the frame's pixels `box`. Clamps depths to `farthest` metres, behind all smoke. Target
+  /// pixels alternate, as on a chequerboard, between the nearest and the farthest depth of the frame's pixels under
+  /// them, so that both sides of every silhouette are known.
   void begin(const raster::Image& frame, const world::Rect& box, int scale, float farthest);
 
-  /// Draws sprites in the given order, each over those before.
+  /// Draws sprites in the given order, each over the previous ones.
   void draw(const SmokeSprites& sprites, std::span<const std::uint32_t> order);
 
-  /// Blends the smoke into the frame. Where the scene's depth jumps, a pixel takes its smoke from those neighbours
-  /// that are as far away as itself (joint bilateral upsampling, Kopf et al. 2007). Nothing changes where the frame is
-  /// nearer than `nearest` metres.
+  /// Blends the smoke into the frame. Where the scene's depth jumps, a pixel takes its smoke from neighbours at a
+  /// similar depth (joint bilateral upsampling, Kopf et al. 2007). Frame pixels nearer than `nearest` metres stay
+  /// unchanged.
   void blendInto(raster::Image& frame, float nearest);
 
-  /// Memory that it takes.
+  /// Memory use.
   [[nodiscard]] std::size_t bytes() const noexcept {
     return pipeline::vectorBytes(blocks_, spans_, low_, high_, jumps_, kept_, line_, wide_);
   }

@@ -18,10 +18,10 @@ using namespace simd::HWY_NAMESPACE;
 constexpr int kWidth = SmokeBlock::kWidth;
 static_assert(kWidth % kLanes == 0);
 
-/// As good as nothing shows through; smaller numbers become denormal, which costs a hundred times as much.
+/// Almost nothing of the background is visible; smaller numbers become denormal, which costs a hundred times as much.
 constexpr float kOpaque = 1e-12F;
 
-/// Nearest and farthest depth over `rows` rows of the frame from `depth` on.
+/// Nearest and farthest depth over `rows` rows of the frame, starting at `depth`.
 HWY_INLINE void reduceRows(const float* depth, int stride, int rows, int width, float farthest, float* __restrict low,
                            float* __restrict high) {
   for (int x = 0; x < width; ++x) low[x] = high[x] = std::min(depth[x], farthest);
@@ -59,7 +59,7 @@ HWY_INLINE Floats maxOfEach(const float* row) {
   }
 }
 
-/// Row `y` of the target's depths; pixels for which x + y is odd take the nearest.
+/// Row `y` of the target's depths; pixels with odd x + y take the nearest.
 template <int Scale>
 HWY_INLINE void reduceColumns(const float* low, const float* high, int y, const SmokePixels& pixels) {
   const Mask takesNearest = ((upwards() + Ints(pixels.rect.top + y + pixels.rect.left)) & Ints(1)) == Ints(1);
@@ -102,9 +102,9 @@ struct Ellipse {
   float red, green, blue, opacity;
 };
 
-/// Draws rows top..bottom of kLanes columns of pixels, which begin at `lane` of these blocks and at `from` of the
-/// target. Down the columns, not along the rows: a sprite is one to four blocks wide, and so short a loop costs more in
-/// mispredicted ends than in work.
+/// Draws rows top..bottom of kLanes columns of pixels, which begin at `lane` of these blocks and at column `from` of
+/// the target. Goes down the columns, not along the rows: a sprite is one to four blocks wide, and such short loops
+/// cost more in branch mispredictions than in work.
 HWY_INLINE void drawColumns(const Ellipse& e, float from, int lane, int top, int bottom, SmokeBlock* column) {
   const Floats dx = toFloats(upwards()) + Floats(from - e.x);
   const Floats constant = Floats(1.0F) - Floats(e.xx) * dx * dx;
@@ -153,15 +153,15 @@ HWY_INLINE void drawSprite(const SmokeSprites& sprites, std::uint32_t sprite, co
   const float right = std::min(e.x + halfWidth, widest);
   if (left > right) return;
 
-  // At dx from the middle the ellipse reaches from -slant dx - reach to -slant dx + reach, reach^2 = span - narrowing
-  // dx^2. Both ends are extreme at -+extreme.
+  // At dx from the centre the ellipse extends from -slant dx - reach to -slant dx + reach, reach^2 = span - narrowing
+  // dx^2. Both ends have their extremes at -+extreme.
   const float span = 1.0F / e.yy;
   const float slant = e.xy * span;
   const float narrowing = (e.xx - e.xy * slant) * span;
   const float extreme = slant * std::sqrt(span / (narrowing * (narrowing + slant * slant)));
   const auto reach = [&](float dx) { return std::sqrt(std::max(0.0F, span - narrowing * dx * dx)); };
 
-  // Narrower registers follow the ellipse more closely, which makes up for some of their width.
+  // Narrower registers follow the ellipse more closely, which makes up for part of their width.
   for (int x = static_cast<int>(left) / kLanes * kLanes; x <= static_cast<int>(right); x += kLanes) {
     const auto from = static_cast<float>(x);
     const float low = from - e.x;

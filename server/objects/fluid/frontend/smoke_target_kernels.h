@@ -8,42 +8,41 @@
 #include "raster/image.h"
 #include "world/camera.h"
 
-/// The loops of SmokeTarget over pixels.
+/// Kernels of SmokeTarget over pixels.
 namespace grove::objects::fluid {
 
-/// Sixteen neighbours in a row of the target: a whole number of vector registers a channel, and next to each other in
-/// memory.
+/// Sixteen adjacent pixels of a target row: a whole number of vector registers per channel, contiguous in memory.
 struct alignas(64) SmokeBlock {
   static constexpr int kWidth = 16;
   float red[kWidth];
   float green[kWidth];
   float blue[kWidth];
-  float clear[kWidth];  ///< share of the background that shows through
+  float clear[kWidth];  ///< share of the background that remains visible
   float depth[kWidth];  ///< of the scene, metres
 };
 
-/// Rows of a column of blocks that were drawn into; empty if end <= begin.
+/// Touched rows of a column of blocks; empty if end <= begin.
 struct SmokeSpan {
   int begin = 0;
   int end = 0;
 };
 
-/// Where a SmokeTarget's pixels are. Blocks lie column by column, because sprites are drawn down the columns.
+/// Pixels of a SmokeTarget. Blocks are stored column by column, because sprites are drawn down the columns.
 struct SmokePixels {
   [[nodiscard]] SmokeBlock* column(int b) const noexcept { return blocks + std::ptrdiff_t{b} * rect.height(); }
 
-  world::Rect rect;  ///< in pixels of the target, which counts from the frame's corner
+  world::Rect rect;  ///< in target pixels from the frame's corner
   int scale = 2;
   int blocksPerRow = 0;
   SmokeBlock* blocks = nullptr;
-  SmokeSpan* spans = nullptr;  ///< of each column
+  SmokeSpan* spans = nullptr;  ///< one per column
 };
 
-/// Empties the pixels and gives them the depth of the frame, see SmokeTarget::begin(). `low` and `high` are room for a
-/// row of the target's blocks at the frame's width.
+/// Clears the pixels and sets their depth from the frame, see SmokeTarget::begin(). `low` and `high` are scratch rows
+/// of the target's blocks at the frame's width.
 void clearPixels(const raster::Image& frame, float farthest, float* low, float* high, const SmokePixels& pixels);
 
-/// Draws sprites in the given order, each over those before; widens the columns' spans.
+/// Draws sprites in the given order, each over the previous ones; extends the columns' spans.
 void drawSprites(const SmokeSprites& sprites, std::span<const std::uint32_t> order, const SmokePixels& pixels);
 
 }  // namespace grove::objects::fluid

@@ -19,13 +19,13 @@ using namespace simd::HWY_NAMESPACE;
 constexpr int kWidth = SmokeBlock::kWidth;
 static_assert(kWidth % kLanes == 0);
 
-/// Distance of a frame's pixel from the middle of the target's pixel that it lies in, in target pixels.
+/// Distance of a frame pixel from the centre of its target pixel, in target pixels.
 template <int Scale>
 constexpr float offset(int phase) {
   return (static_cast<float>(phase) + 0.5F) / static_cast<float>(Scale) - 0.5F;
 }
 
-/// Widens a row by Scale with linear interpolation, in whole vectors; in[-1] and the value after the last exist.
+/// Widens a row by Scale with linear interpolation, in whole vectors; in[-1] and the value after the last must exist.
 template <int Scale>
 HWY_INLINE void widen(const float* in, int count, float* out) {
   for (int x = 0; x < count; x += kLanes) {
@@ -44,7 +44,7 @@ HWY_INLINE void widen(const float* in, int count, float* out) {
   }
 }
 
-/// One pixel of the frame under smoke whose colour is given in 255ths.
+/// One pixel of the frame under smoke; the smoke's colour is in 255ths.
 HWY_INLINE std::uint32_t under(std::uint32_t pixel, float red, float green, float blue, float clear) {
   const auto old = static_cast<std::int32_t>(pixel);
   const auto mix = [clear](std::int32_t byte, float add) {
@@ -56,8 +56,8 @@ HWY_INLINE std::uint32_t under(std::uint32_t pixel, float red, float green, floa
   return static_cast<std::uint32_t>((old & ~0xFFFFFF) | r | g << 8 | b << 16);
 }
 
-/// Blends smoke into a row of the frame that lies between two widened rows, `share` of the way from one to the other.
-/// Channels follow each other at `stride`.
+/// Blends smoke into a row of the frame between two widened rows, `share` of the way from one to the other. Channels
+/// are `stride` apart.
 HWY_INLINE void blend(const float* __restrict one, const float* __restrict other, std::ptrdiff_t stride, float share,
                       int count, std::uint32_t* __restrict colour) {
   for (int x = 0; x < count; ++x) {
@@ -69,7 +69,7 @@ HWY_INLINE void blend(const float* __restrict one, const float* __restrict other
   }
 }
 
-/// A target that is being blended into a frame.
+/// Blends one target into a frame.
 template <int Scale>
 class Upsampling {
  public:
@@ -82,7 +82,7 @@ class Upsampling {
     wideRows_.fill(-1);
   }
 
-  /// Pixels first..last of the target's row `y`, over Scale rows of the frame.
+  /// Blends pixels first..last of the target's row `y` over Scale rows of the frame.
   void blendRow(int y, int first, int last, raster::Image& frame) {
     const int jumps = findJumps(y, first, last);
     const int left = (pixels_.rect.left + first) * Scale;
@@ -95,7 +95,7 @@ class Upsampling {
       const int otherY = std::clamp(at < 0.0F ? y - 1 : y + 1, 0, pixels_.rect.height() - 1);
       const float share = std::fabs(at);
       std::uint32_t* const colour = frame.colourRow(frameY) + left;
-      // Where depth jumps, blending starts again from the frame's own colours.
+      // At depth jumps, blending restarts from the frame's own colours.
       for (int j = 0; j < jumps; ++j) {
         const int from = (room_.jumps[j] - first) * Scale;
         for (int i = 0; i < Scale; ++i) room_.kept[j * Scale + i] = colour[std::min(from + i, width - 1)];
@@ -113,8 +113,8 @@ class Upsampling {
  private:
   [[nodiscard]] const SmokeBlock& block(int b, int y) const { return pixels_.column(b)[y]; }
 
-  /// The target's row `y` at the frame's width: red, green, blue (0..255), clear (0..1). Valid until two other rows
-  /// have been asked for.
+  /// The target's row `y` at the frame's width: red, green, blue (0..255), clear (0..1). Valid until two other rows are
+  /// requested.
   const float* widened(int y) {
     const int slot = y % kWideRows;
     float* const row = room_.wide + slot * 4 * wideStride_;
@@ -137,7 +137,7 @@ class Upsampling {
     return row;
   }
 
-  /// The target's pixels first..last of a row around which depth jumps, into the room; how many.
+  /// Writes the target's pixels first..last at depth jumps of a row to the scratch buffer; returns their number.
   int findJumps(int y, int first, int last) const {
     float* const low = room_.low + kWidth;
     float* const high = room_.high + kWidth;
@@ -159,7 +159,7 @@ class Upsampling {
     for (int x = first; x < last; x += kLanes) {
       const Floats nearest = min(load(low + x), min(load(low + x - 1), load(low + x + 1)));
       const Floats farthest = max(load(high + x), max(load(high + x - 1), load(high + x + 1)));
-      // Less than this the ground shows too, which rises within a few pixels.
+      // Smaller jumps also occur on plain ground, which rises within a few pixels.
       Mask jumping = farthest > mulAdd(Floats(1.08F), nearest, Floats(0.5F));
       jumping &= upwards() < Ints(last - x);
       if (!any(jumping)) continue;
@@ -178,7 +178,7 @@ class Upsampling {
     float clear = 0.0F;
   };
 
-  /// Adds the target's pixel at (x, y), the less the farther its depth is from `depth`.
+  /// Adds the target's pixel at (x, y), with a weight that falls with its difference from `depth`.
   void addSample(int x, int y, float weight, float depth, Sample& sum) const {
     const SmokeBlock& from = block(x / kWidth, y);
     const int lane = x % kWidth;
@@ -191,7 +191,7 @@ class Upsampling {
     sum.clear += w * from.clear[lane];
   }
 
-  /// Those `columns` of the frame's pixels that lie in the target's pixel x of row y, `share` of the way to `otherY`.
+  /// Blends `columns` of the frame's pixels in the target's pixel x of row y, `share` of the way to `otherY`.
   void blendJump(int x, int y, int otherY, float share, int columns, const float* depth, const std::uint32_t* kept,
                  std::uint32_t* colour) const {
     for (int i = 0; i < columns; ++i) {

@@ -4,19 +4,19 @@
 
 #include "objects/fluid/frontend/smoke_target_kernels.h"
 
-/// Bringing smoke from its target into the frame.
+/// Upsamples smoke from its target into the frame.
 namespace grove::objects::fluid {
 
-/// Widened rows that are kept.
+/// Number of cached widened rows.
 inline constexpr int kWideRows = 3;
 
-/// Memory for rows. Widths are those of the target's blocks; padded: by a block on either side.
+/// Scratch rows. Widths are those of the target's blocks; padded: one more block on either side.
 struct UpsampleRoom {
   float* low;           ///< nearest depths, padded
   float* high;          ///< farthest depths, padded
   float* line;          ///< one channel of a row, padded
   float* wide;          ///< kWideRows rows of four channels at the frame's width
-  std::int32_t* jumps;  ///< pixels around which depth jumps, padded
+  std::int32_t* jumps;  ///< pixels at depth jumps, padded
   std::uint32_t* kept;  ///< the frame's pixels there, at the frame's width
 };
 

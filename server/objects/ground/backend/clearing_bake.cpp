@@ -13,29 +13,29 @@ namespace {
 using world::Vec2;
 using world::Vec3;
 
-constexpr float kSunRadius = 0.013F;     // radians; softer than the real one, as through haze
-constexpr int kSunRays = 24;             // a texel in penumbra
-constexpr int kSkyRays = 32;             // a cell near solids
-constexpr float kOcclusionReach = 3.0F;  // metres around things within which they darken the sky
+constexpr float kSunRadius = 0.013F;     // radians; larger than the real one, as through haze
+constexpr int kSunRays = 24;             // per texel in penumbra
+constexpr int kSkyRays = 32;             // per cell near solids
+constexpr float kOcclusionReach = 3.0F;  // metres around objects in which they occlude the sky
 constexpr float kStart = 0.03F;          // metres above the ground
-// What lies under a stone is never seen, but lends its values to the grass at the stone's foot: no deep darkness, and
-// sunlight only close to the side that the sun shines on, or a bright seam would part the stone from its shadow.
+// Ground under a stone is invisible, but grass at the stone's foot uses its values. Limits darkness there, and lets
+// sunlight in only close to the sunlit side; otherwise a bright seam would separate the stone from its shadow.
 constexpr float kMinSky = 0.45F;
 constexpr float kStoneMargin = 0.13F;   // metres
 constexpr float kTallestSolid = 12.0F;  // metres
 constexpr int kCell = 4;                // texels between probes of sun and sky
 
-// Foliage that is lower covers the ground.
+// Foliage below this height covers the ground.
 constexpr float kLowFoliage = 0.7F;   // metres
-constexpr int kCoverRays = 16;        // a cell near things
-constexpr float kCoverSpread = 0.4F;  // of a sky ray's way to the side
-// Grass reaches as far as the edge of the plants, where half of the rays are hidden, or bare earth would frame them.
+constexpr int kCoverRays = 16;        // per cell near objects
+constexpr float kCoverSpread = 0.4F;  // sideways share of a sky ray's direction
+// Grass extends to the edge of the plants, where half of the rays are hidden; otherwise bare earth would frame them.
 constexpr float kEdgeCover = 0.5F;
 constexpr float kWholeCover = 0.8F;
-// Gaps between the plants that cover the ground are about as bright as they are.
+// Gaps between the plants are about as bright as the plants.
 constexpr float kMinSunUnderCover = 0.4F;
 
-/// Ray directions to the sun's disc, spread by the golden angle.
+/// Ray directions to the sun's disc, distributed by the golden angle.
 Vec3 towardsSun(Vec3 sun, int ray) {
   const Vec3 side = glm::normalize(glm::cross(sun, Vec3(0, 1, 0)));
   const Vec3 up = glm::cross(side, sun);
@@ -44,7 +44,7 @@ Vec3 towardsSun(Vec3 sun, int ray) {
   return sun + side * (radius * std::cos(angle)) + up * (radius * std::sin(angle));
 }
 
-/// Directions over the sky with a density of the cosine to the zenith.
+/// Directions over the sky, cosine-weighted around the zenith.
 Vec3 towardsSky(int ray) {
   const float square = (static_cast<float>(ray) + 0.5F) / kSkyRays;
   const float angle = 2.399963F * static_cast<float>(ray);
@@ -64,7 +64,7 @@ class Grid {
   }
   void set(int x, int y, float value) { values_[index(x, y)] = value; }
 
-  /// At a position in cells, whose centres are at +0.5.
+  /// Interpolates at a position in cells, whose centres are at +0.5.
   [[nodiscard]] float smooth(float x, float y) const {
     const float left = std::floor(x - 0.5F);
     const float top = std::floor(y - 0.5F);
@@ -74,7 +74,7 @@ class Grid {
     return glm::mix(glm::mix(at(i, j), at(i + 1, j), fx), glm::mix(at(i, j + 1), at(i + 1, j + 1), fx), y - 0.5F - top);
   }
 
-  /// Whether all values from (x-1, y-1) to (x+1, y+1) are the same.
+  /// Whether all values from (x-1, y-1) to (x+1, y+1) are equal.
   [[nodiscard]] bool even(int x, int y) const {
     for (int j = y - 1; j <= y + 1; ++j) {
       for (int i = x - 1; i <= x + 1; ++i) {
@@ -158,7 +158,7 @@ class Baker {
     return static_cast<float>(free) / kSkyRays;
   }
 
-  /// How much of the ground around a point low foliage hides from above.
+  /// Share of the ground around a point that low foliage hides from above.
   [[nodiscard]] float cover(Vec3 point) const {
     if (solids_.occluded(point, Vec3(0, 1, 0), 0.0F, kTallestSolid)) return 0.0F;
     int hidden = 0;
@@ -191,7 +191,7 @@ class Baker {
     return std::fabs(glm::dot(at, Vec2(-way.y, way.x)) - winding) + 0.02F * std::max(0.0F, along - 12.0F);
   }
 
-  /// `grass`: how much of it may grow.
+  /// `grass`: share of the grass that may grow.
   [[nodiscard]] std::uint32_t ground(Vec3 point, float sun, float sky, float grass) const {
     const Vec2 at(point.x, point.z);
     const float salt = static_cast<float>(options_.seed % 1000) * 2.3F;
@@ -202,7 +202,7 @@ class Baker {
     const float hearth = glm::smoothstep(options_.hearth * 0.62F, options_.hearth * 1.35F, glm::length(at) + ragged);
     const float path = glm::smoothstep(0.25F, 0.85F, fromPath(at) + 0.75F * ragged);
     const float trodden = std::min(hearth, 0.25F + 0.75F * path);
-    // Nobody mows or treads close to the stones.
+    // Grass close to the stones is neither mown nor trodden.
     const float sheltered = 1.0F + 0.9F * (1.0F - sky);
     const float height = (0.42F + 0.50F * glm::smoothstep(0.3F, 0.7F, broad * 0.5F + fine * 0.5F)) * sheltered;
     return packTexel(sun, sky, dry, grass * std::min(1.0F, height) * glm::smoothstep(0.18F, 0.9F, trodden));
@@ -216,7 +216,7 @@ class Baker {
   Grid sun_;
   Grid sky_;
   Grid cover_;
-  Grid near_;  // 0 near things
+  Grid near_;  // 0 near objects
 };
 
 }  // namespace

@@ -9,23 +9,23 @@
 namespace grove::objects::ground {
 
 struct ClearingOptions {
-  int size = 2048;                        ///< texels a side, a power of two
+  int size = 2048;                        ///< texels per side, a power of two
   float metres = 160.0F;                  ///< side of the square
-  float hearth = 2.6F;                    ///< metres of trodden earth around the fire at the origin
-  world::Vec3 pathTo{0.0F, 0.0F, 10.0F};  ///< a worn path leads from the fire through here
+  float hearth = 2.6F;                    ///< radius of the trodden earth around the fire at the origin, metres
+  world::Vec3 pathTo{0.0F, 0.0F, 10.0F};  ///< a worn path leads from the fire through this point
   int seed = 1;
 };
 
-/// What stands on the ground. All of it outlives the bake.
+/// The objects on the ground. All members outlive the bake.
 struct Standing {
-  const world::Triangles& shades;  ///< what stops light
-  const world::RayScene& rays;     ///< the same
-  const world::RayScene& solids;   ///< of that, what is no foliage
+  const world::Triangles& shades;  ///< everything that blocks light
+  const world::RayScene& rays;     ///< the same as a ray scene
+  const world::RayScene& solids;   ///< the same without foliage
 };
 
-/// Bakes the light that reaches the ground from a sun in the direction `sun`, a unit vector, and from the sky: soft
-/// shadows of a sun disc, and occlusion of the sky near things' feet. No grass grows under low foliage, which has its
-/// own. `progress` gets shares of 0..1.
+/// Bakes the light on the ground from the sky and from a sun in the direction `sun`, a unit vector: soft shadows of a
+/// sun disc, and sky occlusion near objects. No grass grows under low foliage, which covers the ground itself.
+/// `progress` gets shares of 0..1.
 [[nodiscard]] Clearing bakeClearing(const ClearingOptions& options, world::Vec3 sun, const Standing& standing,
                                     const std::function<void(float)>& progress);
 

@@ -10,7 +10,7 @@
 namespace grove::objects::ground {
 namespace {
 
-constexpr float kReach = 600.0F;  // metres that the bounds reach; the haze hides the rest
+constexpr float kReach = 600.0F;  // metres, extent of the bounds; haze hides the rest
 constexpr float kMeadowMetres = 5.0F;
 
 class GroundModel final : public world::Model {

@@ -4,7 +4,7 @@
 
 namespace grove::objects::ground {
 
-/// Texels of the baked maps; smaller ones bake faster.
+/// Texels per side of the baked maps; smaller maps bake faster.
 struct MapSizes {
   int clearing = 2048;
   int meadow = 1024;
@@ -12,8 +12,8 @@ struct MapSizes {
 
 /// The ground, y = 0: a meadow to the horizon, with trodden earth around the fire at the origin and a path.
 ///
-/// Scene file: `type = "ground"`, `hearth` (metres of trodden earth, 0 to 20), `path` (a point that the worn path leads
-/// to, metres), `seed` (integer, 0 to 1,000,000).
+/// Scene file: `type = "ground"`, `hearth` (radius of the trodden earth, metres, 0 to 20), `path` (a point on the worn
+/// path, metres), `seed` (integer, 0 to 1,000,000).
 class GroundBackendType final : public node::BackendType {
  public:
   explicit GroundBackendType(MapSizes sizes = {}) : sizes_(sizes) {}

@@ -20,7 +20,7 @@ constexpr float kBladesPerSquareMetre = 4200.0F;
 constexpr float kFlowersPerSquareMetre = 12.0F;
 constexpr float kCloversPerSquareMetre = 90.0F;
 
-/// A height field with colours on a torus; what is drawn higher wins.
+/// A height field with colours on a torus; the highest plot wins.
 class Patch {
  public:
   explicit Patch(int size) : size_(size), texels_(static_cast<std::size_t>(size) * static_cast<std::size_t>(size)) {}
@@ -62,7 +62,7 @@ class Gardener {
   float texels(float metres) const { return metres / metres_ * size_; }
   Vec2 place() { return {unit() * size_, unit() * size_}; }
 
-  /// Noise that tiles: a torus in 3-D would need four dimensions, so two periodic sums stand in.
+  /// Noise that tiles. A torus embedded in 3-D would need four dimensions, so this averages two periodic noises.
   float clumps(Vec2 at, float waves, float salt) const {
     const float turn = 2.0F * std::numbers::pi_v<float> / size_;
     const Vec3 ring(std::cos(at.x * turn), std::sin(at.x * turn), 0.0F);
@@ -82,7 +82,7 @@ class Gardener {
     }
   }
 
-  /// How well grass grows, 0 to 1.
+  /// Density of the grass, 0 to 1.
   float tuftAt(Vec2 at) const {
     return glm::smoothstep(0.25F, 0.75F, 0.6F * clumps(at, 9.0F, 3.0F) + 0.4F * clumps(at, 27.0F, 8.0F));
   }
@@ -101,7 +101,7 @@ class Gardener {
     for (float step = 0.0F; step <= steps; ++step) {
       const float share = step / steps;
       const Vec2 at = root + way * (lean * share * share);
-      // Tips are thin and catch the light.
+      // Tips are thin and bright.
       patch_.plot(at.x, at.y, colour * (0.62F + 0.58F * share), tall * (0.55F + 0.45F * share));
     }
   }
@@ -121,7 +121,7 @@ class Gardener {
     const Vec3 colour = kind < 0.45F  ? Vec3(1.99F, 1.9F, 1.99F)
                         : kind < 0.8F ? Vec3(1.99F, 1.6F, 0.35F)
                                       : Vec3(1.5F, 0.9F, 1.99F);
-    // No higher than the grass around it: what stands out is drawn in its colour down to the ground.
+    // Not higher than the grass around it: a protruding flower would be drawn in its colour down to the ground.
     disc(middle, texels(0.004F + 0.004F * unit()), colour, 0.24F + 0.56F * tuftAt(middle));
   }
 

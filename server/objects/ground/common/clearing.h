@@ -4,9 +4,9 @@
 
 namespace grove::objects::ground {
 
-/// What the ground is and what light reaches it, on a square around the origin. Channels of 0..255: how much of the sun
-/// is seen, how much of the sky is seen, how dry the grass is, how high the grass stands (0: trodden earth).
-/// Beyond the square, the texels at its edge go on.
+/// The ground and the light on it, on a square around the origin. Channels of 0..255: visible share of the sun, visible
+/// share of the sky, dryness of the grass, height of the grass (0: trodden earth). Beyond the square, the texels at its
+/// edge repeat.
 struct Clearing {
   Pyramid pyramid;
   float metres;  ///< side of the square

@@ -11,7 +11,7 @@ namespace {
 constexpr int kMaxSize = 1 << 12;
 constexpr float kMaxMetres = 1.0e5F;
 
-/// All levels: those of a map that is in blocks do not follow from the finest.
+/// Writes all levels: in a map that is in blocks, the coarser levels cannot be computed from the finest.
 void putPyramid(node::PackWriter& writer, const Pyramid& pyramid) {
   writer.put(pyramid.size());
   writer.putPlanes(pyramid.texels());

@@ -11,7 +11,7 @@ namespace grove::objects::ground {
 
 inline constexpr const char* kTypeName = "ground";
 
-/// All that the ground is, shared by all visitors, under the empty key.
+/// The ground's data, shared by all visitors, under the empty key.
 class GroundData final : public node::SharedData {
  public:
   explicit GroundData(GroundMaps maps) : maps_(std::move(maps)) {}

@@ -5,7 +5,7 @@
 
 namespace grove::objects::ground {
 
-/// What is baked once and shared by all visitors.
+/// Maps that are baked once and shared by all visitors.
 struct GroundMaps {
   Clearing clearing;
   Meadow meadow;

@@ -4,19 +4,19 @@
 
 namespace grove::objects::ground {
 
-/// A patch of meadow seen from above that tiles without a seam.
+/// A seamless tile of meadow seen from above.
 ///
-/// Colour is the root of a factor on the clearing's albedo, in steps of kMeadowStep; alpha is the height of what grows
-/// there (255 = kTallest).
+/// Colour is the square root of a factor on the clearing's albedo, in steps of kMeadowStep; alpha is the height of the
+/// plants (255 = kTallest).
 struct Meadow {
-  Pyramid pyramid;  ///< in blocks
+  Pyramid pyramid;  ///< see Pyramid::inBlocks()
   float metres;     ///< side of the tile
-  float tallest;    ///< metres, of what grows there
+  float tallest;    ///< metres, of the plants in this tile
 };
 
 inline constexpr float kMeadowStep = 1.41421356F / 255.0F;
 
-/// Height that no grass exceeds, in metres.
+/// Upper bound of the grass's height, in metres.
 inline constexpr float kTallest = 0.24F;
 
 }  // namespace grove::objects::ground

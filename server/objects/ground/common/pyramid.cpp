@@ -32,7 +32,7 @@ void halve(const std::uint32_t* fine, std::size_t size, std::uint32_t* coarse) {
 Pyramid::Pyramid(int size) : size_(size) {
   assert(std::has_single_bit(static_cast<unsigned>(size)) && size >= 2 && size < (1 << kMaxLevels));
   levels_.reserve(static_cast<std::size_t>(std::bit_width(static_cast<unsigned>(size))));
-  // A level and all coarser ones lie after the finer ones.
+  // Finer levels come first.
   for (int at = size; at > 0; at /= 2) levels_.push_back(texelsOf(size) - texelsOf(at));
   texels_.resize(texelsOf(size));
 }

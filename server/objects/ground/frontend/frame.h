@@ -4,14 +4,14 @@
 
 namespace grove::objects::ground {
 
-inline constexpr int kTile = 160;  ///< columns that are worked on together
+inline constexpr int kTile = 160;  ///< columns per strip
 
-/// How far the meadow reaches, in metres; there the forest of the sky's panorama begins.
+/// Distance of the meadow's far edge, in metres; the forest of the sky's panorama begins there.
 inline constexpr float kFarthest = 140.0F;
 
-/// What the rows of a frame have in common. A camera never rolls, so all pixels of a row meet the plane at one depth,
-/// and their points lie on a line. A pixel's ray is `ahead * forwards + side * sidewards` in the plane and `rise`
-/// upwards, for one metre of view depth.
+/// Values that the rows of a frame share. The camera never rolls, so all pixels of a row meet the plane at one depth,
+/// on a line. For one metre of view depth, a pixel's ray goes `ahead * forward + side * sideways` in the plane and
+/// `rise` upwards.
 struct Frame {
   float eyeX = 0.0F, eyeY = 0.0F, eyeZ = 0.0F;
   float forwardX = 0.0F, forwardZ = 0.0F;         ///< unit, horizontal
@@ -25,18 +25,18 @@ struct Frame {
 /// `camera`'s eye must be above the ground.
 [[nodiscard]] Frame frameOf(const world::Camera& camera);
 
-/// One row of pixels' centres on the plane.
+/// The points on the plane at the centres of a row of pixels.
 struct Row {
   int row = 0;
   float depth = 0.0F;
   float ahead = 0.0F;
   float rise = 0.0F;
-  float pixelsPerMetre = 0.0F;  ///< of something that stands on this row's ground
+  float pixelsPerMetre = 0.0F;  ///< of something upright on this row's ground
   float across = 0.0F;          ///< metres between neighbouring pixels
   float along = 0.0F;           ///< metres between this row and the next
 };
 
-/// Rows above the meadow's far edge are taken to lie slightly beyond it.
+/// Rows above the meadow's far edge lie slightly beyond it.
 [[nodiscard]] Row rowAt(const Frame& frame, int row) noexcept;
 
 }  // namespace grove::objects::ground

@@ -4,7 +4,7 @@
 
 namespace grove::objects::ground {
 
-/// Grows every visitor the grass that he sees.
+/// Grows the grass in each visitor's view.
 class GroundFrontendType final : public node::FrontendType {
  public:
   [[nodiscard]] std::string_view name() const override;

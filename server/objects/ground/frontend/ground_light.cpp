@@ -12,7 +12,7 @@ ToneTable::ToneTable() : levels{} {
   }
 }
 
-// hazeColour() is a constant and a glow that grows with the sun's cosine: both are read off its one definition.
+// hazeColour() is a constant plus a glow that grows with the sun's cosine; both are read from hazeColour() itself.
 GroundLight::GroundLight(const world::Sky& sky)
     : sun(sky.sun),
       sunColour(sky.sunColour),

@@ -6,7 +6,7 @@
 
 namespace grove::objects::ground {
 
-/// world::toDisplay() in steps of 1/kScale, as 0..255, not rounded.
+/// A table of world::toDisplay() in steps of 1/kScale, as 0..255, not rounded.
 struct ToneTable {
   static constexpr int kEntries = 4096;
   static constexpr float kScale = 1024.0F;
@@ -14,14 +14,14 @@ struct ToneTable {
   ToneTable();
 };
 
-/// A world's sky and air as the loops need them.
+/// A world's sky and air in the form that the loops need.
 struct GroundLight {
   world::Vec3 sun;  ///< unit vector towards it
   world::Vec3 sunColour;
-  world::Vec3 ambient;            ///< what level ground reflects of the sky
+  world::Vec3 ambient;            ///< sky light that level ground reflects
   world::Vec3 hazeAside;          ///< haze away from the sun
-  world::Vec3 hazeGlow;           ///< what it gains towards the sun
-  float logTransmittance = 0.0F;  ///< of one metre of air
+  world::Vec3 hazeGlow;           ///< haze added towards the sun
+  float logTransmittance = 0.0F;  ///< per metre of air
   ToneTable tone;
   explicit GroundLight(const world::Sky& sky);
 };

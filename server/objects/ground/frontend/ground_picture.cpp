@@ -21,13 +21,14 @@ int levelFor(float texels, const Pyramid& pyramid) {
   return std::clamp(static_cast<int>(std::floor(std::log2(std::max(texels, 1.0F)) + 0.5F)), 0, pyramid.levels() - 2);
 }
 
-/// Rows from this one to the next that light and soil are sampled at: fewer where the ground is seen at a flat angle.
+/// Rows between samples of light and soil; fewer where the ground is seen at a flat angle.
 int rowStep(const Frame& frame, int row) {
   const float along = rowAt(frame, row & ~(kMaxRowStep - 1)).along;
   return along < 0.10F ? kMaxRowStep : along < 0.6F ? 2 : 1;
 }
 
-/// Rows nearer to the eye whose grass can reach up to this row, which are about as many as of its neighbour.
+/// Number of nearer rows whose grass can reach up to this row. The search starts at the neighbour row's reach, which is
+/// similar.
 int reachOf(const Frame& frame, float tallest, int row, int ofNeighbour) {
   const auto reaches = [&](int rows) {
     return rowAt(frame, row + rows).pixelsPerMetre * tallest + 0.5F >= static_cast<float>(rows);
@@ -46,14 +47,14 @@ std::vector<world::PointLight> nearestLights(std::span<const world::PointLight> 
 
 }  // namespace
 
-/// What the strips of a row have in common.
+/// Values that the strips of a row share.
 struct GroundPicture::RowPlan {
   Row row;
   int reach = 0;  // rows nearer to the eye whose grass can be seen in this one
   MeadowSampling sampling;
 };
 
-/// Works on one strip from its nearest row up, because a row looks for its grass in the rows below.
+/// Works on one strip from its nearest row up, because a row searches for its grass in the rows below.
 class GroundPicture::StripPainter {
  public:
   StripPainter(const GroundPicture& picture, raster::Image& image, int firstColumn)
@@ -91,7 +92,7 @@ class GroundPicture::StripPainter {
     out.row = row;
   }
 
-  /// Between the two sampled rows around `row`.
+  /// Interpolates between the two sampled rows around `row`.
   SoilBetween soilAt(int row) {
     const int step = rowStep(frame_, row);
     const int top = row & ~(step - 1);
@@ -107,7 +108,7 @@ class GroundPicture::StripPainter {
     return {far_->soil, step_, row - top};
   }
 
-  /// Straight into the image, or by way of a buffer where the image holds only a part of the tile.
+  /// Shades directly into the image, or through a buffer if the image holds only a part of the tile.
   void shade(const Row& row, const SoilBetween& soil) {
     const world::Rect rect = image_.rect;
     const int y = row.row - rect.top;
@@ -131,7 +132,7 @@ class GroundPicture::StripPainter {
   SoilRow* near_ = &sampled_[0];
   SoilRow* far_ = &sampled_[1];
   SampledSoil samples_;
-  FineSoil step_{};  // from the farther to the nearer row
+  FineSoil step_{};  // difference per row from the farther to the nearer sampled row
   GrassRows grass_;
   alignas(64) std::array<std::uint32_t, kTile> colour_;
   alignas(64) std::array<float, kTile> depth_;

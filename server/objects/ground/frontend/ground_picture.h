@@ -14,23 +14,24 @@
 
 namespace grove::objects::ground {
 
-/// What a camera sees of the ground within `rect`, cropped to the rows below the horizon. Depth is that of the plane,
-/// or nearer where a blade of grass stands before it. Of the lights the nearest eight count.
+/// A camera's view of the ground within `rect`, cropped to the rows below the horizon. Depth is the plane's, or less
+/// where a blade of grass stands in front of it. Only the nearest eight lights count.
 class GroundPicture {
  public:
-  /// `maps` and `light` outlive it.
+  /// `maps` and `light` outlive the picture.
   GroundPicture(const GroundMaps& maps, const GroundLight& light, const world::Camera& camera, world::Rect rect,
                 std::span<const world::PointLight> lights, raster::ImagePool& images);
   ~GroundPicture();
   GroundPicture(const GroundPicture&) = delete;
   GroundPicture& operator=(const GroundPicture&) = delete;
 
-  /// Strips of the picture, side by side; none if nothing is below the horizon or the eye not above the ground.
+  /// Number of strips of the picture, side by side; 0 if nothing is below the horizon or the eye is not above the
+  /// ground.
   [[nodiscard]] std::size_t parts() const noexcept { return parts_; }
-  /// Several threads may paint at once, each others.
+  /// Paints one strip. Several threads may paint different strips at once.
   void paint(std::size_t part);
 
-  /// Null if nothing of the ground shows; whole when all parts are painted.
+  /// Null if no ground is visible; complete after all parts are painted.
   [[nodiscard]] std::shared_ptr<const raster::Image> image() const noexcept { return image_; }
 
  private:
@@ -42,7 +43,7 @@ class GroundPicture {
   Frame frame_;
   std::vector<world::PointLight> lights_;
   std::shared_ptr<raster::Image> image_;
-  std::vector<RowPlan> plans_;  ///< from the nearest up
+  std::vector<RowPlan> plans_;  ///< nearest row first
   int firstColumn_ = 0;
   std::size_t parts_ = 0;
 };

@@ -21,22 +21,22 @@ using lanes::Ints;
 using lanes::kLanes;
 using lanes::Mask;
 
-/// The meadow lies turned against the axes, so that its tiles do not line up with the path.
+/// The meadow is rotated against the axes, so that its tiles do not line up with the path.
 constexpr double kTurnCosine = 0.81915;
 constexpr double kTurnSine = 0.57358;
 
-/// Pixels after which the pattern of the two levels repeats.
+/// Period of the pattern of two levels, in pixels.
 constexpr int kPattern = 16;
 
-/// Two neighbouring levels of a pyramid that repeats. Pixels alternate between the two in a fixed pattern, the more of
-/// them coarser the larger the sampling's share is, so that no line shows where the level changes. Coordinates are
-/// fractions of the tile of 2^-32, which wrap around by themselves.
+/// Two adjacent levels of a repeating pyramid. Pixels choose between the two in a fixed pattern, the coarser one in
+/// proportion to `sampling.coarser`, so that no line shows where the level changes. Coordinates are in 2^-32 of the
+/// tile and wrap around by overflow.
 struct TiledLevels {
-  int bits;                                               // the finer level has 2^bits texels a side
-  alignas(64) std::array<std::int32_t, kPattern> coarse;  // 1 where the coarser one is sampled
-  alignas(64) std::array<std::int32_t, kPattern> begins;  // where each pixel's level begins
+  int bits;                                               // the finer level has 2^bits texels per side
+  alignas(64) std::array<std::int32_t, kPattern> coarse;  // 1 where the coarser level is sampled
+  alignas(64) std::array<std::int32_t, kPattern> begins;  // offset of each pixel's level
 
-  /// `turn` is any number that differs between neighbouring rows and taps.
+  /// `turn` is any number that differs between adjacent rows and taps.
   HWY_INLINE TiledLevels(const Pyramid& pyramid, const MeadowSampling& sampling, int turn)
       : bits(std::countr_zero(static_cast<unsigned>(pyramid.size())) - sampling.level) {
     const auto next = static_cast<std::int32_t>(pyramid.level(sampling.level + 1) - pyramid.level(sampling.level));
@@ -48,7 +48,7 @@ struct TiledLevels {
     }
   }
 
-  /// Of pixels from the `i`th of the pattern on. See Pyramid::inBlocks().
+  /// Texel indices of one vector of pixels, `i` pixels into the pattern. See Pyramid::inBlocks().
   HWY_INLINE Ints index(Ints x, Ints y, int i) const {
     static_assert(Pyramid::kBlock == 4);
     const Mask coarser = lanes::load(coarse.data() + i) > Ints(0);
@@ -65,7 +65,7 @@ struct TiledLevels {
   }
 };
 
-/// Where a row's pixels lie in the meadow: at the tile's first column, and per column.
+/// A row's position in the meadow: at the tile's first column, and the step per column.
 struct TexelLine {
   std::uint32_t x, y, stepX, stepY;
 
@@ -87,7 +87,7 @@ struct TexelLine {
 
 HWY_INLINE Ints wrapping(std::uint32_t turns) { return static_cast<std::int32_t>(turns); }
 
-/// Where each pixel's texel lies.
+/// Computes each pixel's texel index.
 HWY_INLINE void placeLine(const TiledLevels& levels, const TexelLine& line, std::int32_t* HWY_RESTRICT at) {
   Ints x = wrapping(line.x) + lanes::upwards() * wrapping(line.stepX);
   Ints y = wrapping(line.y) + lanes::upwards() * wrapping(line.stepY);
@@ -104,7 +104,7 @@ HWY_INLINE void placeLine(const TiledLevels& levels, const TexelLine& line, std:
 
 using TexelRow = std::array<std::uint32_t, kTile>;
 
-/// Samples of a row, one set after the other.
+/// A row's samples, tap by tap.
 struct Taps {
   const Frame& frame;
   const Row& row;
@@ -113,7 +113,7 @@ struct Taps {
   const MeadowSampling& sampling;
 
   HWY_INLINE void sample(int tap, std::uint32_t* HWY_RESTRICT out) const {
-    // Along a pixel's ray; the first is the farthest.
+    // Along the pixel's ray; the first tap is the farthest.
     const float share = (static_cast<float>(tap) + 0.5F) / static_cast<float>(sampling.taps) - 0.5F;
     const double depth =
         static_cast<double>(row.depth) - static_cast<double>(share * row.depth * row.depth * frame.inverseStep);
@@ -124,7 +124,7 @@ struct Taps {
   }
 };
 
-/// Means of the colours; heights stay those of `into`, or tufts would shrink where they are far.
+/// Averages the colours. Keeps the heights of `into`; averaged heights would shrink distant tufts.
 HWY_INLINE void average(std::uint32_t* HWY_RESTRICT into, const std::uint32_t* HWY_RESTRICT other) {
   const PixelTag tag;
   const Pixels height = hn::Set(tag, 0xFF000000U);
@@ -151,13 +151,13 @@ void sampleMeadow(const Taps& taps, std::uint32_t* HWY_RESTRICT texels) {
   average(texels, second.data());
 }
 
-/// The screen row that each pixel's grass reaches; returns the highest.
+/// Computes the screen row that each pixel's grass reaches; returns the highest.
 std::int16_t reachUp(const Row& row, const SoilBetween& soil, const std::uint32_t* HWY_RESTRICT texels,
                      std::int16_t* HWY_RESTRICT tops) {
   const HalfTag tag;
   const UnsignedHalfTag unsignedTag;
   const PixelTag pixelTag;
-  // Pixels that the tallest grass rises above its root, in steps of 1/256; higher ones would not be searched anyway.
+  // Height in pixels of the tallest grass, in steps of 1/256. Limited: the search would not find taller grass.
   const UnsignedHalves tallest =
       unsignedHalves(static_cast<int>(std::min(row.pixelsPerMetre * kTallest, 254.0F) * (65536.0F / 255.0F)));
   const Halves base = halves(row.row);

@@ -5,7 +5,7 @@
 
 namespace grove::objects::ground {
 
-/// Kernel: stores what grows in this row, and what it reaches up to.
+/// Kernel: stores the plants at this row's pixels and the screen rows of their tops.
 void growGrass(const Frame& frame, const Row& row, int firstColumn, const Meadow& meadow,
                const MeadowSampling& sampling, const SoilBetween& soil, GrassRows& grass);
 

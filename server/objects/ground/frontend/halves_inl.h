@@ -1,4 +1,4 @@
-// 16-bit numbers, as many as the target's registers hold. For kernels: included once per target.
+// Full vectors of 16-bit numbers. For kernels: included once per target.
 
 #if defined(GROVE_OBJECTS_GROUND_FRONTEND_HALVES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef GROVE_OBJECTS_GROUND_FRONTEND_HALVES_INL_H
@@ -23,7 +23,7 @@ using HalfTag = hn::ScalableTag<std::int16_t>;
 using UnsignedHalfTag = hn::RebindToUnsigned<HalfTag>;
 using Halves = hn::Vec<HalfTag>;
 using UnsignedHalves = hn::Vec<UnsignedHalfTag>;
-/// Pixels, half as many.
+/// Vectors of pixels, with half as many lanes.
 using PixelTag = hn::Repartition<std::uint32_t, HalfTag>;
 using Pixels = hn::Vec<PixelTag>;
 
@@ -36,14 +36,14 @@ HWY_INLINE UnsignedHalves unsignedHalves(int value) {
   return hn::Set(UnsignedHalfTag(), static_cast<std::uint16_t>(value));
 }
 
-/// `kCount` texels, loaded one by one: measured no slower than a gather on AVX3, and faster on AVX2.
+/// Looks up `kCount` texels one by one: measured no slower than a gather on AVX3, and faster on AVX2.
 template <std::size_t kCount>
 HWY_INLINE void lookUp(const std::uint32_t* HWY_RESTRICT texels, const std::int32_t* HWY_RESTRICT at,
                        std::uint32_t* HWY_RESTRICT out) {
   for (std::size_t i = 0; i < kCount; ++i) out[i] = texels[at[i]];
 }
 
-/// Grass's height in columns from `first` on, which begin a vector.
+/// Height of the grass in one vector of columns from `first` on, a multiple of the vector's length.
 HWY_INLINE Halves grassAt(const SoilBetween& soil, std::size_t first) {
   const HalfTag tag;
   const Halves step = hn::Load(tag, soil.step.grass.data() + first);

@@ -6,7 +6,8 @@
 namespace grove::objects::ground {
 namespace {
 
-/// Far grass is sampled by so many levels coarser than what a pixel covers, or it would sparkle when the eye moves.
+/// Distant grass uses up to this many levels coarser than the pixel's footprint; otherwise it sparkles when the eye
+/// moves.
 constexpr float kSoftness = 0.5F;
 
 }  // namespace

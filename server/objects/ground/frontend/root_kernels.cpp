@@ -19,17 +19,17 @@ namespace lanes = grove::simd::HWY_NAMESPACE;
 using lanes::Floats;
 using lanes::Ints;
 
-/// How much of the root of albedo shows of blades that stand some rows nearer than where they are seen.
+/// Visible share of the square root of albedo for blades some rows nearer than the pixel that shows them.
 struct Shares {
-  float tops;        // where blades are shorter than a pixel only their tops are seen
-  float heightStep;  // stalks that a row is high
+  float tops;        // where blades are shorter than a pixel, only their tops are visible
+  float heightStep;  // stalk heights per row
 
   explicit Shares(const Row& row)
       : tops(std::clamp(1.5F - 0.5F * row.pixelsPerMetre * (0.35F * kTallest), 0.0F, 1.0F)),
         heightStep(1.0F / (std::max(1e-3F, row.pixelsPerMetre) * (0.62F * kTallest))) {}
 
   HWY_INLINE Floats reliefAt(Ints above) const {
-    // Deep in the grass it is dark; the curve is the root of 0.30 + 1.05 * stalk.
+    // Grass is dark deep inside; the curve approximates the square root of 0.30 + 1.05 * stalk.
     const Floats stalk = lanes::sqrt(lanes::min(1.0F, (lanes::toFloats(above) + 0.5F) * heightStep));
     return stalk * (Floats(0.86F) - stalk * 0.25F) + 0.548F;
   }
@@ -37,7 +37,7 @@ struct Shares {
 
 using Roots = std::array<std::int32_t, kRootRows>;
 
-/// Of blades up to `reach` rows nearer.
+/// For blades up to `reach` rows nearer.
 HWY_INLINE void fillRoots(const Shares& shares, int reach, Roots& roots) {
   for (int first = 0; first <= reach; first += lanes::kLanes) {
     const Ints above = lanes::upwards() + Ints(first);
@@ -49,7 +49,7 @@ HWY_INLINE void fillRoots(const Shares& shares, int reach, Roots& roots) {
   }
 }
 
-/// What shows where no blade stands before it: the bare earth is not darkened.
+/// The result for pixels without a blade in front: bare earth is not darkened.
 HWY_INLINE void startRoots(const Shares& shares, const SoilBetween& soil, GrassRows& grass) {
   const float relief = hn::GetLane(shares.reliefAt(0).raw);
   const Halves tops = halves(static_cast<int>(shares.tops * 32767.0F));
@@ -65,7 +65,7 @@ HWY_INLINE void startRoots(const Shares& shares, const SoilBetween& soil, GrassR
   }
 }
 
-/// Rows to look for blades in, so many at once that the roots stay in registers meanwhile.
+/// Rows searched per pass; this many keep the roots in registers.
 constexpr std::size_t kTogether = 4;
 using TopRows = std::array<const std::int16_t*, kTogether>;
 
@@ -111,7 +111,7 @@ void findRoots(const Row& at, int reach, const SoilBetween& soil, GrassRows& gra
     }
   }
   if (count == 0) return;
-  // A row that is searched again changes nothing.
+  // Searching a row twice changes nothing.
   std::fill(tops.begin() + static_cast<std::ptrdiff_t>(count), tops.end(), tops[count - 1]);
   std::fill(found.begin() + static_cast<std::ptrdiff_t>(count), found.end(), found[count - 1]);
   search(tops, found, row, grass.roots.data());

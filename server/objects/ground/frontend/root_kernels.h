@@ -4,7 +4,7 @@
 
 namespace grove::objects::ground {
 
-/// Kernel: finds the blade of each pixel of a row among the `reach` nearer rows, fewer than kRootRows - 1.
+/// Kernel: finds each pixel's blade among the `reach` nearer rows; `reach` is less than kRootRows - 1.
 void findRoots(const Row& row, int reach, const SoilBetween& soil, GrassRows& grass);
 
 }  // namespace grove::objects::ground

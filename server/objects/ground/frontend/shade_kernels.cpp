@@ -17,7 +17,7 @@ struct Curve {
   const FineSoil::Channels& first;
   const FineSoil::Channels& step;
 
-  /// 0..255 of numbers from the `i`th on, where the roots of albedo are `root`.
+  /// Displayed values 0..255 of one vector from `i` on, for square roots of albedo `root`.
   HWY_INLINE UnsignedHalves shown(std::size_t i, Halves steps, UnsignedHalves root) const {
     const HalfTag tag;
     const auto at = [&](const FineSoil::Line& from, const FineSoil::Line& by) {
@@ -32,7 +32,7 @@ struct Curve {
   }
 };
 
-/// Where each pixel's texel lies among those of the rows; and its depth.
+/// Computes each pixel's texel index in the rows of grass, and its depth.
 HWY_INLINE void place(const Frame& frame, const Row& row, const GrassRows& grass, std::int32_t* HWY_RESTRICT at,
                       float* HWY_RESTRICT depth) {
   const hn::Repartition<std::int32_t, HalfTag> indexTag;
@@ -73,7 +73,7 @@ void shadeRow(const Frame& frame, const Row& row, const SoilBetween& soil, const
   for (std::size_t i = 0; i < kTile; i += kPixels) {
     const UnsignedHalves texel = hn::BitCast(tag, hn::Load(pixelTag, grown.data() + i));
     const Pixels root = hn::PromoteTo(pixelTag, hn::Load(rootTag, grass.roots.data() + i));
-    // Of both halves, how much shows.
+    // The visible share in both halves of each pixel.
     const Pixels whole = hn::AndNot(hn::Set(pixelTag, kRootMask), root);
     const UnsignedHalves share = hn::BitCast(tag, hn::Or(whole, hn::ShiftLeft<16>(whole)));
     const UnsignedHalves lowRoot = hn::MulHigh(hn::ShiftLeft<7>(hn::And(texel, lowByte)), share);

@@ -6,8 +6,8 @@
 
 namespace grove::objects::ground {
 
-/// Kernel: colours and depths of a row of the tile, whose roots are found: what grows in the light that the soil gets,
-/// darker between the stalks than at the tips. `colour` and `depth` have room for kTile pixels.
+/// Kernel: writes colours and depths of a row of the tile after findRoots(). Plants get the soil's light, darker
+/// between the stalks than at the tips. `colour` and `depth` have room for kTile pixels.
 void shadeRow(const Frame& frame, const Row& row, const SoilBetween& soil, const GrassRows& grass,
               std::uint32_t* colour, float* depth);
 

@@ -30,21 +30,22 @@ constexpr Albedo kLush{0.105F, 0.172F, 0.045F};
 constexpr Albedo kDry{0.215F, 0.208F, 0.076F};
 constexpr Albedo kEarth{0.250F, 0.165F, 0.100F};
 
-/// Mist lies on the far meadow, so that it has no visible end: none up to kMistBegins, and most of it at kFarthest.
+/// Mist covers the far meadow, so that it has no visible end: none up to kMistBegins, and most of it at kFarthest.
 constexpr float kMistBegins = 28.0F;
 constexpr float kMist = 0.80F;
 
-/// Where the parabola meets the tone curve: roots of albedo, relative to the soil's, from shaded stalks to lit tips.
+/// Nodes where the parabola meets the tone curve: square roots of albedo relative to the soil's, from shaded stalks to
+/// lit tips.
 constexpr float kDark = 0.40F;
 constexpr float kMiddle = 0.85F;
 constexpr float kBright = 1.40F;
 
-/// What the samples of a row have in common: the point of the first sample and what a metre of `side` adds, and light.
+/// Values that the samples of a row share: the first sample's point, the change per metre of `side`, and the light.
 struct SoilRow {
   float x, z, sideX, sideZ, firstSide, sideStep;
-  float towards, towardsSide, inverseSunFlat;  // of the sun
-  float lengthSquare;                          // of the ray without its side
-  float clear;                                 // of mist
+  float towards, towardsSide, inverseSunFlat;  // the sun's direction
+  float lengthSquare;                          // of the ray without its sideways part
+  float clear;                                 // share without mist
   float logTransmittance;                      // along a ray of length 1
 };
 
@@ -76,7 +77,7 @@ struct Colours {
   Floats r, g, b;
 };
 
-/// The light of lamps on the points at x, z.
+/// Light of the lamps at the points x, z.
 HWY_INLINE Colours lampLight(std::span<const world::PointLight> lights, Floats x, Floats z) {
   Colours sum;
   for (const world::PointLight& lamp : lights) {
@@ -84,7 +85,7 @@ HWY_INLINE Colours lampLight(std::span<const world::PointLight> lights, Floats x
     const Floats dx = Floats(lamp.position.x) - x;
     const Floats dz = Floats(lamp.position.z) - z;
     const Floats away = dx * dx + dz * dz + (up * up + 0.05F);
-    // Grass stands up and catches light that the plane would not.
+    // Upright grass catches light that the plane would not.
     const Floats strength = (Floats(0.35F) + Floats(0.65F * up) / lanes::sqrt(away)) / away;
     sum.r += Floats(lamp.colour.r) * strength;
     sum.g += Floats(lamp.colour.g) * strength;
@@ -93,12 +94,12 @@ HWY_INLINE Colours lampLight(std::span<const world::PointLight> lights, Floats x
   return sum;
 }
 
-/// Four texels around a place and its share of them.
+/// Four texels around a place, and the weights of the right and lower ones.
 struct Corners {
   Ints topLeft, topRight, bottomLeft, bottomRight;
   Floats right, down;
 
-  /// 0..1.
+  /// One channel, interpolated, as 0..1.
   template <int kShift>
   HWY_INLINE Floats channel() const {
     const auto of = [](Ints texel) { return lanes::toFloats(lanes::shiftRight<kShift>(texel) & Ints(0xFF)); };
@@ -117,7 +118,7 @@ HWY_INLINE Corners cornersAt(const Texels& level, Floats x, Floats z) {
   const Floats row = lanes::clamp(z * level.perMetre + middle, 0.0F, last);
   const Ints left = lanes::truncate(column);
   const Ints top = lanes::truncate(row);
-  // Loads one by one: there are few, and no two samples share them.
+  // Single loads: there are few, and no two samples share them.
   HWY_ALIGN std::int32_t at[kLanes];
   HWY_ALIGN std::uint32_t texels[4][kLanes];
   lanes::store(top * Ints(level.size) + left, at);
@@ -132,7 +133,7 @@ HWY_INLINE Corners cornersAt(const Texels& level, Floats x, Floats z) {
           lanes::load(texels[3]), column - lanes::toFloats(left), row - lanes::toFloats(top)};
 }
 
-/// What is displayed of blades whose root of albedo is `root`.
+/// Displayed value of blades with the square root of albedo `root`.
 HWY_INLINE Floats shown(Floats radiance, Floats haze, float root, const float* HWY_RESTRICT levels) {
   const Floats entry = (haze + radiance * (root * root)) * ToneTable::kScale;
   HWY_ALIGN std::int32_t at[kLanes];
@@ -142,7 +143,7 @@ HWY_INLINE Floats shown(Floats radiance, Floats haze, float root, const float* H
   return lanes::load(level);
 }
 
-/// Turns radiance and haze into the parabola of what is displayed.
+/// Fits the parabola of the displayed value to radiance and haze.
 HWY_INLINE void develop(Floats radiance, Floats haze, const float* HWY_RESTRICT levels, SampledSoil::Channel& out,
                         int first) {
   const Floats dark = shown(radiance, haze, kDark, levels);
@@ -177,7 +178,7 @@ HWY_INLINE void sampleAt(const SoilRow& row, const Texels& level, const GroundLi
   const Floats c8 = c4 * c4;
   const Floats c16 = c8 * c8;
   const Floats cover = lanes::min(1.0F, grass * 4.0F);
-  // Blades let the light through towards the eye when it looks into the sun, and shine dully when it looks away.
+  // Blades transmit light when seen against the sun, and reflect it dully when seen with the sun behind the eye.
   const Floats away = Floats(0.5F) - ray * (0.5F * row.inverseSunFlat);
   const Floats direct = lit * (cover * (away * 0.42F + c4 * 1.05F + c16 * 0.85F + 0.14F) + 0.26F);
   const Floats shade = open * open * (Floats(1.0F) - cover * 0.15F);

@@ -9,20 +9,20 @@
 #include "objects/ground/frontend/ground_light.h"
 #include "world/light.h"
 
-/// Kernel over light and soil, which change slowly: they are sampled every kCoarse columns and every few rows, with all
-/// that the air and the tone curve do to them.
+/// Kernel for light and soil, which vary slowly: they are sampled every kCoarse columns and every few rows, including
+/// air and tone curve.
 namespace grove::objects::ground {
 
 inline constexpr int kCoarse = 8;  ///< columns between samples
 inline constexpr int kCoarseSamples = kTile / kCoarse + 1;
-/// Whole vectors of floats on every target.
+/// A whole number of vectors of floats on every target.
 inline constexpr int kCoarsePadded = (kCoarseSamples + 15) / 16 * 16;
 
 using SoilSamples = std::array<float, kCoarsePadded>;
 
-/// Along a row of a tile. What is displayed of a blade whose albedo is `q * q` times the soil's is, as 0..255 and with
-/// half a step to round by, `(square * q + slope) * q + base` of each channel: the tone curve as a parabola in the root
-/// of albedo, in which it is nearly straight.
+/// Samples along a row of a tile. The displayed value of a blade whose albedo is `q * q` times the soil's is `(square *
+/// q + slope) * q + base` for each channel, as 0..255 plus half a step for rounding. This parabola approximates the
+/// tone curve over the square root of albedo, where it is nearly straight.
 struct SampledSoil {
   struct Channel {
     alignas(64) SoilSamples base{};

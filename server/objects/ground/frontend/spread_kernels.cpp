@@ -18,7 +18,7 @@ using lanes::Ints;
 
 struct Scale {
   float factor;
-  float min, max;  // so that no sum of products leaves 16 bits
+  float min, max;  // limits, so that no sum of products exceeds 16 bits
 };
 constexpr Scale kBase{kSoilSteps, -12000.0F, 12000.0F};
 constexpr Scale kSlope{1.0F / kSlopeStep, -8000.0F, 24000.0F};
@@ -33,9 +33,9 @@ HWY_INLINE Ints scaled(Floats value, Scale scale) {
 /// Samples as pairs of 16-bit numbers.
 using Pairs = std::array<std::uint32_t, kCoarsePadded>;
 
-/// Columns of two channels, each straight between two of its tile's samples.
+/// Interpolates the columns of two channels linearly between the tile's samples.
 HWY_INLINE void spreadPairs(const Pairs& pairs, FineSoil::Line& out) {
-  // The columns between two samples, or as many of them as a vector holds.
+  // The columns between two samples, or a vector's worth if that is fewer.
   const hn::CappedTag<std::uint32_t, kCoarse> pairTag;
   const hn::Repartition<std::int16_t, decltype(pairTag)> halfTag;
   constexpr std::size_t kColumns = hn::MaxLanes(pairTag);
@@ -60,7 +60,7 @@ void spread(const float* HWY_RESTRICT low, const float* HWY_RESTRICT high, Scale
   spreadPairs(pairs, out);
 }
 
-/// The other channel is the same everywhere.
+/// The other channel is constant.
 void spread(const float* HWY_RESTRICT low, float high, Scale scale, FineSoil::Line& out) {
   alignas(64) Pairs pairs;
   const Ints upper = lanes::shiftLeft<16>(scaled(high, scale));

@@ -19,17 +19,17 @@ namespace {
 /// A picture takes milliseconds: small batches keep all threads at work on one frame.
 constexpr std::size_t kMaxAtOnce = 4;
 
-/// Of the scene's permitted error, by quality.
+/// Shares of the scene's permitted error, by quality.
 constexpr std::array<float, node::kMaxQuality + 1> kErrorShares{1.0F, 0.75F, 0.5F};
 
-/// What a core samples in a second, shadows and all: 25 to 31 ns a texel were measured on a Xeon with AVX-512, for
-/// visitors who walk among trees in the default world.
+/// Texels that a core samples per second, including shadows: 25 to 31 ns per texel were measured on a Xeon with
+/// AVX-512, for visitors who walk among trees in the default world.
 constexpr double kTexelsPerCoreSecond = 34.0e6;
 
-/// What all visitors' new pictures may take of the machine.
+/// Share of the machine for all visitors' new pictures.
 constexpr double kShareOfCores = 1.0 / 4.0;
 
-/// Of a picture that anybody may ask for.
+/// Largest picture of a request.
 constexpr std::int64_t kMaxTexels = std::int64_t{1} << 26U;
 
 const node::Failure kNoTime{"no time for a new picture", true};
@@ -84,7 +84,7 @@ node::Payload LightFieldBackend::answerOne(const node::Request& request) {
 }
 
 node::Payload LightFieldBackend::info(const LightFieldModel& model) const {
-  // Before the rest: what changes meanwhile is announced again.
+  // Read before the rest: later changes are announced again.
   const node::Version version = infoVersion_;
   const std::shared_ptr<const FieldVersion> shown = model.shown();
   const FieldInfo::Parts parts{shown->field.geometry, shown->field.size, shown->number, maxError_};

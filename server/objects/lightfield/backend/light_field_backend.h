@@ -11,12 +11,12 @@
 
 namespace grove::objects::lightfield {
 
-/// The rendering node of all light fields. Answers with what a light field is, with the picture of a cell of eyes that
-/// all visitors share, or with one for a single visitor's camera; and that there is no time for it, if visitors
-/// together have asked for more pictures than the machine makes.
+/// The rendering node of all light fields. Returns a light field's description, the picture of a cell of eyes that all
+/// visitors share, or a picture for one visitor's camera. Refuses pictures when all visitors together have spent the
+/// machine's budget.
 class LightFieldBackend final : public node::BackendHalf {
  public:
-  /// Takes its time, as ObjectPictures does.
+  /// Slow, like ObjectPictures' constructor.
   LightFieldBackend(const node::BackendServices& services, world::TypeIndex self, const LightFieldOptions& options);
   ~LightFieldBackend() override;
 
@@ -24,12 +24,12 @@ class LightFieldBackend final : public node::BackendHalf {
   [[nodiscard]] pipeline::Executor& executor() override { return pictures_.executor(); }
   [[nodiscard]] int concurrency() const override { return pictures_.executor().width(); }
   [[nodiscard]] std::size_t maxAtOnce() const override;
-  /// Each step permits pictures less error. Those of other steps are shown on as long as they serve.
+  /// Each step permits pictures less error. Pictures of other steps stay in use as long as they are good enough.
   void setQuality(int step) override;
-  /// On the executor; safe to call from several of its threads at once.
+  /// On the executor; several of its threads may call it at once.
   void answer(std::span<const node::Request> requests, std::span<node::Payload> payloads) override;
 
-  /// What the new pictures of all visitors together may have where so many cores make them.
+  /// Budget for the new pictures of all visitors together on this many cores.
   [[nodiscard]] static double texelsPerSecond(int cores) noexcept;
 
  private:
@@ -38,7 +38,7 @@ class LightFieldBackend final : public node::BackendHalf {
   [[nodiscard]] node::Payload sharedPicture(const node::Request& request, const ObjectPictures::Entry& entry);
   [[nodiscard]] node::Payload ownPicture(const node::Request& request, const ObjectPictures::Entry& entry);
   [[nodiscard]] node::Payload framePicture(const node::Request& request, const ObjectPictures::Entry& entry);
-  /// Whether the picture is to be made; takes its texels from the budget.
+  /// Whether to make the picture; takes its texels from the budget.
   [[nodiscard]] bool mayMake(const node::Request& request, const Shot& shot, bool mustBeMade);
   void announceInfo();
 
@@ -50,7 +50,7 @@ class LightFieldBackend final : public node::BackendHalf {
   std::atomic<node::Version> infoVersion_{1};
   ObjectPictures pictures_;
   PictureBudget budget_;
-  std::vector<std::shared_ptr<const void>> listeners_;  ///< to the models, the last to come and the first to go
+  std::vector<std::shared_ptr<const void>> listeners_;  ///< to the models; constructed last, destroyed first
 };
 
 }  // namespace grove::objects::lightfield

@@ -21,7 +21,7 @@ SamplerKind samplerNamed(const std::string& name) {
   return SamplerKind::kAuto;
 }
 
-/// The key of the scene file that says which light field it is.
+/// The key of the scene file that names the light field.
 const char* keyOf(const LightFieldSource& source) {
   return !source.model.plant.empty() ? "plant" : !source.model.file.empty() ? "model" : "file";
 }

@@ -15,8 +15,8 @@
 
 namespace grove::objects::lightfield {
 
-/// `type = "lightfield"`: pictures of an object from all around, made by `grove bake` (section 5.1). Keys as in
-/// LightFieldSource and SamplerKind, options as in LightFieldOptions. Any thread.
+/// `type = "lightfield"`: pictures of an object from all directions, made by `grove bake` (section 5.1). For keys see
+/// LightFieldSource and SamplerKind, for options LightFieldOptions. Any thread.
 class LightFieldBackendType final : public node::BackendType {
  public:
   [[nodiscard]] std::string_view name() const override;
@@ -26,19 +26,20 @@ class LightFieldBackendType final : public node::BackendType {
                                                             world::TypeIndex self) const override;
   [[nodiscard]] std::vector<std::unique_ptr<node::Preparation>> preparations(const world::Scene& scene) const override;
 
-  /// Of this file, objects show that from now on, in worlds that live, too: it, or something rough until it is made.
+  /// Objects with this file show `field` from now on, also in running worlds: the final one, or a rough one until that
+  /// is made.
   void show(const std::filesystem::path& file, const LightField& field) const;
-  /// What is shown of a file so far; nothing if nobody has opened it.
+  /// The light field that this file currently shows; nothing if the file has not been opened.
   [[nodiscard]] std::optional<LightField> shown(const std::filesystem::path& file) const;
 
  private:
   [[nodiscard]] LightField open(const std::filesystem::path& file) const;
 
   mutable std::mutex mutex_;
-  /// That are open already, by the file: that one, or something to show until it is made.
+  /// Open light fields by file: the final one, or a rough one until that is made.
   mutable std::map<std::filesystem::path, LightField> known_;
   mutable models::FileNames names_;
-  /// So that a forest of one tree is one copy in memory.
+  /// Shares models, so that a forest of one tree is one copy in memory.
   mutable std::map<std::pair<std::string, SamplerKind>, std::weak_ptr<LightFieldModel>> models_;
 };
 

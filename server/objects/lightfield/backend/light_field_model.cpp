@@ -29,7 +29,7 @@ std::shared_ptr<const FieldVersion> LightFieldModel::shown() const {
 void LightFieldModel::show(LightField finer) {
   auto next = std::make_shared<FieldVersion>();
   next->field = std::move(finer);
-  const std::shared_ptr<const FieldVersion> last = shown();  // goes without the lock
+  const std::shared_ptr<const FieldVersion> last = shown();  // freed without the lock
   next->number = last->number + 1;
   {
     const std::lock_guard lock(mutex_);

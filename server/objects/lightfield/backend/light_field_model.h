@@ -12,21 +12,21 @@
 
 namespace grove::objects::lightfield {
 
-/// What computes the pictures: `renderer = "auto" | "gl" | "simd"`.
+/// The renderer of the pictures: `renderer = "auto" | "gl" | "simd"`.
 enum class SamplerKind {
   kAuto,  ///< GL on a GPU, SIMD where GL is software
   kGl,
   kSimd,
 };
 
-/// A light field that a model showed or shows; a later one is finer. Immutable.
+/// A light field that a model shows or showed; later versions are finer. Immutable.
 struct FieldVersion {
   LightField field;
   int number = 0;  ///< from 0
 };
 
-/// A light field and what its voxels are to the world; one for all objects of the scene that show the same file. The
-/// light field may give way to a finer one of the same thing while the world lives; the rest stays. Any thread.
+/// A light field and the shapes of its voxels, shared by all objects of the scene with the same file. A finer light
+/// field of the same thing may replace it in a running world; the shapes stay. Any thread.
 class LightFieldModel final : public world::Model {
  public:
   LightFieldModel(LightField field, SamplerKind sampler);
@@ -37,17 +37,18 @@ class LightFieldModel final : public world::Model {
   [[nodiscard]] std::optional<float> obstacleRadius() const override { return trunkRadius_; }
   [[nodiscard]] std::size_t bytes() const override { return shown()->field.bytes + solid_.bytes() + shade_.bytes(); }
 
-  /// The newest one, for as long as it is held.
+  /// The newest version; it stays valid as long as the pointer is held.
   [[nodiscard]] std::shared_ptr<const FieldVersion> shown() const;
-  /// From now on this one, of the same model in the same place. Pictures that are being made of the last one still are.
+  /// Shows this light field from now on; it has the same model at the same place. Pictures in progress keep the old
+  /// one.
   void show(LightField finer);
-  /// Calls `report` each time that it shows another one, until the token that this returns is gone.
+  /// Calls `report` after each change of the light field until the returned token is destroyed.
   [[nodiscard]] std::shared_ptr<const void> whenShown(std::function<void()> report) const;
   [[nodiscard]] SamplerKind sampler() const noexcept { return sampler_; }
 
  private:
   mutable std::mutex mutex_;
-  std::shared_ptr<const FieldVersion> shown_;  ///< under mutex_
+  std::shared_ptr<const FieldVersion> shown_;  ///< guarded by mutex_
   mutable std::mutex listenersMutex_;
   mutable std::list<std::function<void()>> listeners_;
   const SamplerKind sampler_;

@@ -4,9 +4,9 @@
 
 namespace grove::objects::lightfield {
 
-/// Of the pictures that light fields are shown with: `view_error` (0 to 64) in a scene's `[types.lightfield]`.
+/// Options of the pictures of light fields: `view_error` (0 to 64) in a scene's `[types.lightfield]`.
 struct LightFieldOptions final : node::TypeOptions {
-  float maxError = 16.0F;  ///< pixels of parallax that reprojection may have to mend; 0: every picture is made anew
+  float maxError = 16.0F;  ///< pixels of parallax that reprojection may fill in; 0: makes every picture anew
 };
 
 }  // namespace grove::objects::lightfield

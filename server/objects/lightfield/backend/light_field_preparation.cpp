@@ -20,12 +20,12 @@
 namespace grove::objects::lightfield {
 namespace {
 
-/// Of rough light fields: a tree is drawn with the pixels of a thumb nail from all around. Measured: all six of the
-/// default world take 4 seconds of two cores.
+/// Rough light fields draw a tree with the pixels of a thumbnail, from all directions. Measured: all six of the default
+/// world take 4 seconds of two cores.
 constexpr int kRoughSubdivision = 4;
 constexpr int kRoughSize = 128;
 
-/// Of the time that one takes: the rest are views and the file.
+/// Shares of a bake's time; the rest is the file.
 constexpr float kLightShare = 0.6F;
 constexpr float kViewsShare = 0.35F;
 
@@ -35,7 +35,7 @@ float shareOf(const bake::BakeProgress& progress) {
   return progress.step == "file" ? kLightShare + kViewsShare : 0.0F;
 }
 
-/// One that is baked when it is first needed.
+/// A light field that is baked when first needed.
 class LightFieldPreparation final : public node::Preparation {
  public:
   LightFieldPreparation(LightFieldSource source, const world::Parameters& parameters, const world::Sky& sky,
@@ -49,7 +49,7 @@ class LightFieldPreparation final : public node::Preparation {
     return source_.model.plant.empty() ? source_.model.file.filename().string() : source_.model.plant;
   }
 
-  /// Measured: light is found for every sun apart, the rest of the work is once for all.
+  /// Measured: light is computed separately for every sun, the rest of the work once for all.
   [[nodiscard]] float cost() const override {
     return static_cast<float>(source_.lightings + 3) * static_cast<float>(source_.size * source_.size);
   }
@@ -88,7 +88,7 @@ class LightFieldPreparation final : public node::Preparation {
       if (stop.stop_requested() || !bake(rough, file, progress, stop)) return false;
       field = opened(file);
     }
-    // Should it not even open now, the type of object says so.
+    // If opening fails, the object type reports it.
     if (field) type_.show(source_.file, *field);
     return true;
   }
@@ -96,17 +96,17 @@ class LightFieldPreparation final : public node::Preparation {
  private:
   struct Place {
     float scale = 1.0F;
-    float distance = 0.0F;  ///< metres from where visitors arrive
+    float distance = 0.0F;  ///< metres from the visitors' spawn point
   };
 
-  /// What is in a file; nothing if it is not there, or is damaged, or of another version of the format.
+  /// Opens a file; returns nothing if it is missing, damaged, or of another version of the format.
   [[nodiscard]] std::optional<LightField> opened(const std::filesystem::path& file) {
     std::error_code ignored;
     if (!std::filesystem::exists(file, ignored)) return std::nullopt;
     try {
       return openLightField(file);
     } catch (const LightFieldError& e) {
-      if (std::exchange(damage_, e.what()) != e.what()) log::warning(damage_ + "; it is made anew");
+      if (std::exchange(damage_, e.what()) != e.what()) log::warning(damage_ + "; it is rebuilt");
       return std::nullopt;
     }
   }
@@ -117,7 +117,7 @@ class LightFieldPreparation final : public node::Preparation {
     options.subdivision = source_.subdivision;
     options.size = source_.size;
     options.lightings = source_.lightings;
-    options.truthSamples = options.samples;  // nobody measures these
+    options.truthSamples = options.samples;  // the held-out views are not used
     options.tile = !source_.model.plant.empty() && models::isTile(source_.model.plant);
     return options;
   }
@@ -145,7 +145,7 @@ class LightFieldPreparation final : public node::Preparation {
   const world::Sky sky_;
   const LightFieldBackendType& type_;
   std::vector<Place> places_;
-  std::string damage_;  ///< that the log reports already
+  std::string damage_;  ///< already logged
 };
 
 }  // namespace

@@ -10,8 +10,8 @@ namespace grove::objects::lightfield {
 
 class LightFieldBackendType;
 
-/// The light fields that objects of the scene show by plant or model, which are baked when they are first needed. Both
-/// outlive them. Throws world::SceneError.
+/// Returns the bakes of light fields that the scene's objects name by plant or model; they run when first needed. Both
+/// arguments outlive the result. Throws world::SceneError.
 [[nodiscard]] std::vector<std::unique_ptr<node::Preparation>> lightFieldPreparations(const world::Scene& scene,
                                                                                      const LightFieldBackendType& type);
 

@@ -13,7 +13,7 @@ LightFieldSource readSource(const world::Parameters& parameters, models::FileNam
   source.file = parameters.path("file");
   source.model = models::readModelSource(parameters);
   if (source.model.empty() == source.file.empty()) {
-    parameters.fail("file", "a light field wants one of 'file', 'plant' and 'model'");
+    parameters.fail("file", "a light field needs one of 'file', 'plant' and 'model'");
   }
   if (source.model.empty()) return source;
   source.subdivision = parameters.integer("subdivision", source.subdivision, 1, ViewSphere::kMaxSubdivision);

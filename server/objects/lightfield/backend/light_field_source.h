@@ -7,10 +7,10 @@
 
 namespace grove::objects::lightfield {
 
-/// Which light field an object of a scene file shows.
+/// The light field of a scene file's object.
 ///
-/// Keys: file (one that `grove bake` made); or those of models::ModelSource and subdivision, size and lightings (one
-/// that is baked when it is first needed, and kept in the cache folder).
+/// Keys: file (made by `grove bake`); or the keys of models::ModelSource plus subdivision, size and lightings (baked
+/// when first needed and stored in the cache folder).
 struct LightFieldSource {
   std::filesystem::path file;
   models::ModelSource model;  ///< empty if the scene names the file
@@ -19,7 +19,7 @@ struct LightFieldSource {
   int lightings = 6;
 };
 
-/// Throws world::SceneError. `names` is shared by a scene's objects.
+/// Throws world::SceneError. A scene's objects share `names`.
 [[nodiscard]] LightFieldSource readSource(const world::Parameters& parameters, models::FileNames& names);
 
 }  // namespace grove::objects::lightfield

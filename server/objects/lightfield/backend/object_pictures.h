@@ -13,20 +13,20 @@
 
 namespace grove::objects::lightfield {
 
-/// Makes pictures of all objects that show light fields, as they stand in the world: in its shadows, and in the haze
-/// before them where that is wanted. Any thread, on executor().
+/// Makes pictures of all light-field objects as they stand in the world: with its shadows and, if requested, with the
+/// haze in front of them. Any thread, on executor().
 class ObjectPictures {
  public:
-  /// Finds the shadows on its objects on the services' workers and waits for them, so not on one of those.
+  /// Computes the shadows on its objects on the services' workers and waits for them; do not call it on one of them.
   ObjectPictures(const node::BackendServices& services, world::TypeIndex self);
   ~ObjectPictures();
   ObjectPictures(const ObjectPictures&) = delete;
   ObjectPictures& operator=(const ObjectPictures&) = delete;
 
-  /// The GL workers if any object is sampled by GL, else the workers of everything.
+  /// The GL workers if GL samples any object, else the shared workers.
   [[nodiscard]] pipeline::Executor& executor() const noexcept { return executor_; }
 
-  /// One object of the world, as it stands there.
+  /// One object at its place in the world.
   struct Entry {
     const LightFieldModel* model = nullptr;
     Sampler* sampler = nullptr;
@@ -34,12 +34,12 @@ class ObjectPictures {
     world::Transform transform;
     SunGrid sun;
   };
-  /// Throws std::out_of_range for an object of which nothing is known.
+  /// Throws std::out_of_range for an unknown object.
   [[nodiscard]] const Entry& of(world::ObjectId object) const { return entries_.at(object); }
   [[nodiscard]] const world::Sky& sky() const noexcept { return sky_; }
   [[nodiscard]] const std::map<world::ObjectId, Entry>& all() const noexcept { return entries_; }
 
-  /// The shared picture of a cell.
+  /// Makes the shared picture of a cell.
   [[nodiscard]] static Shot shotOf(const LightField& field, const ViewCell& cell);
 
   [[nodiscard]] std::shared_ptr<raster::Image> make(const Entry& entry, const LightField& field, const Shot& shot,

@@ -5,10 +5,10 @@
 namespace grove::objects::lightfield {
 namespace {
 
-/// Of a full bucket, what stays for pictures whose error is more than just too large.
+/// Share of a full bucket that is reserved for pictures whose error is far too large.
 constexpr double kReserve = 0.5;
 
-/// Seconds after which a bucket is taken for one that nobody uses.
+/// Seconds after which a bucket counts as unused.
 constexpr double kForgotten = 60.0;
 
 }  // namespace
@@ -27,7 +27,7 @@ PictureBudget::Bucket& PictureBudget::filled(const node::View& view) {
     return buckets_.emplace(view.session, Bucket{tokens, now}).first->second;
   }
   Bucket& bucket = found->second;
-  // A frame may overtake another.
+  // Frames may overtake each other.
   const double passed = std::max(std::min(view.time, now) - bucket.time, 0.0);
   bucket.time += passed;
   const double tokens = bucket.tokens + passed * share(view) / static_cast<double>(errorFactor_());

@@ -13,37 +13,37 @@
 
 namespace grove::objects::lightfield {
 
-/// Keeps visitors from asking for more new pictures than the machine has time for. Pictures age with the metres that a
-/// visitor walks, so a machine that is late, and shows him farther on in every frame, would have more of them to make
-/// for each, and be later still. So all visitors together have so many texels a second of the world's clock, and make
-/// do with the pictures they have when those are spent.
+/// Limits the rate of new pictures to the machine's speed. Pictures age with the distance that a visitor walks: a slow
+/// machine shows the visitor farther on in every frame, would need more new pictures per frame, and would fall behind
+/// further. So all visitors together get a number of texels per second of the world clock, and keep their old pictures
+/// when those are spent.
 ///
-/// A bucket of tokens for each visitor, which all fill alike, and a shared one for what overflows them. The bucket of
-/// one who comes while others are here is empty, so that his first frame does not hold up theirs. A picture is made if
-/// the visitor's bucket has any tokens or the shared one has enough; what it takes may leave his bucket in debt. So in
-/// t seconds all take at most t + 2 kBurst seconds' worth, a picture each, and what they must borrow, whatever the
-/// times of their views. Any thread.
+/// Each visitor has a token bucket; all fill at the same rate and overflow into a shared bucket. A new visitor's bucket
+/// is empty if others are present, so that the first frame does not delay theirs. A picture is made if the visitor's
+/// bucket has enough tokens or the shared one does; its cost may leave the visitor's bucket in debt. So in t seconds
+/// all visitors together take at most t + 2 kBurst seconds' worth, plus one picture each, plus what they borrow,
+/// independent of the times of their views. Any thread.
 class PictureBudget {
  public:
-  static constexpr double kBurst = 0.25;     ///< seconds' worth that fit in a bucket: a frame of a late machine
-  static constexpr int kMaxNewPictures = 2;  ///< in one frame, but for those whose error exceeds kUrgentError
+  static constexpr double kBurst = 0.25;     ///< capacity of a bucket in seconds' worth: one frame of a slow machine
+  static constexpr int kMaxNewPictures = 2;  ///< per frame; pictures with an error above kUrgentError are exempt
   static constexpr float kUrgentError = 3.0F;
 
-  /// By how much fewer the texels are at present, see node::errorFactor(). Any thread.
+  /// Factor by which the rate is reduced at present, see node::errorFactor(). Any thread.
   using ErrorFactor = std::function<float()>;
 
-  /// What the world's clock shows at present, as far as is known here: a view's time is what somebody else says. Any
-  /// thread.
+  /// Returns this process's estimate of the world clock; the time of a view comes from another process. Any thread.
   using Clock = std::function<std::optional<double>()>;
 
   PictureBudget(double texelsPerSecond, ErrorFactor errorFactor, Clock clock)
       : texelsPerSecond_(texelsPerSecond), errorFactor_(std::move(errorFactor)), clock_(std::move(clock)) {}
 
-  /// Whether to make a picture of so many texels in this frame; takes them. `error` is that of what is there instead,
-  /// in times of what is permitted; infinite if there is nothing. The larger it is, the emptier the bucket may be.
+  /// Whether to make a picture of this many texels in this frame; takes the tokens if so. `error` is the error of the
+  /// present picture relative to the permitted error, or infinite without a picture. The larger it is, the emptier the
+  /// bucket may be.
   [[nodiscard]] bool take(const node::View& view, std::int64_t texels, float error);
 
-  /// Takes them though there may be none left: of a picture that must be made.
+  /// Takes tokens for a picture that must be made, even if none are left.
   void borrow(const node::View& view, std::int64_t texels);
 
  private:
@@ -53,12 +53,12 @@ class PictureBudget {
   };
   struct Bucket {
     double tokens = 0.0;
-    double time = 0.0;  ///< of the world's clock, up to which it was filled
+    double time = 0.0;  ///< of the world clock, up to which it was filled
     std::array<Made, node::kMaxFramesInFlight> made{};
   };
   [[nodiscard]] double share(const node::View& view) const;
   [[nodiscard]] Bucket& filled(const node::View& view);
-  /// Of frames in flight the requests come in turns.
+  /// Requests of different frames in flight may alternate.
   [[nodiscard]] static int& madeIn(Bucket& bucket, node::FrameNumber frame);
   void spend(Bucket& bucket, std::int64_t texels);
 

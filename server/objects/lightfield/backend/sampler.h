@@ -8,7 +8,7 @@
 
 namespace grove::objects::lightfield {
 
-/// One picture to make of a light field.
+/// A picture of a light field to make.
 struct SampleRequest {
   const LightField* field = nullptr;
   int lighting = 0;
@@ -17,19 +17,19 @@ struct SampleRequest {
   Haze haze;
 };
 
-/// The rendering node's stage for light fields (section 5.1): for each pixel of `image.rect` the ray meets the sphere
-/// of views, and the texels of the four nearest views that show the same point as the ray (found by their depth) are
-/// interpolated, 4 views x 4 texels for colour and depth.
+/// The rendering node's stage for light fields (section 5.1): each pixel of `image.rect` has a ray that meets the
+/// sphere of views. The sampler finds, by depth, the texels of the four nearest views that show the same point as the
+/// ray, and interpolates 4 views x 4 texels of colour and depth.
 ///
-/// Fills all of the image's colour and depth (kInfiniteDepth where there is nothing).
+/// Fills the whole image with colour and depth (kInfiniteDepth where nothing is visible).
 class Sampler {
  public:
   virtual ~Sampler() = default;
   virtual void render(std::span<const SampleRequest> requests, std::span<raster::Image* const> images) = 0;
 };
 
-/// The uncorrected blend of the paper's Figure 5.4, left: as render(), but without using depth; it is there to measure
-/// what depth gains.
+/// The uncorrected blend of the paper's Figure 5.4, left: like render(), but without depth. Used to measure the gain
+/// from depth.
 enum class DepthCorrection { kOn, kOff };
 
 }  // namespace grove::objects::lightfield

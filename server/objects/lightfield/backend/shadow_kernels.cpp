@@ -11,13 +11,13 @@
 HWY_BEFORE_NAMESPACE();
 namespace grove::objects::lightfield::HWY_NAMESPACE {
 
-/// What is left of the display-encoded colour where the sun does not shine: the sky's blue light.
+/// Factor of the display-encoded colour in shade: the sky's blue light remains.
 constexpr float kShade[3] = {0.50F, 0.62F, 0.78F};
 
-/// a at 0, b at 1.
+/// Linear interpolation: a at 0, b at 1.
 HWY_INLINE Floats between(Floats a, Floats b, Floats at) { return mulAdd(at, b - a, a); }
 
-/// Where in a grid's samples a point is along one axis.
+/// Position of a point among a grid's samples along one axis.
 struct GridPlace {
   Ints sample;
   Floats beyond;

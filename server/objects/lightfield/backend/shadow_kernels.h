@@ -6,8 +6,8 @@
 
 namespace grove::objects::lightfield {
 
-/// Darkens what the sun does not reach: colour * (shade + (1 - shade) * share of the sun), the shade being the sky's
-/// blue light and the share trilinear. Not for a `whole` grid.
+/// Darkens shaded pixels: colour * (shade + (1 - shade) * share of the sun). The shade is the sky's blue light, the
+/// share is trilinear. Not for a `whole` grid.
 void shadePart(const SunGrid& sun, const ObjectCamera& camera, const PicturePart& part);
 
 }  // namespace grove::objects::lightfield

@@ -6,9 +6,9 @@
 
 namespace grove::objects::lightfield {
 
-/// Gives a picture what its light field cannot know: the shadows that others cast on this object. It has the picture's
-/// colours alone, not the surface behind them, so it scales what is there. Vectorised; any thread. `camera` is the one
-/// that the image was made with.
+/// Adds the shadows of other objects to a picture of this object, which its light field cannot contain. Scales the
+/// picture's colours, because the surface colours behind them are unknown. `camera` is the image's camera. Vectorised;
+/// any thread.
 void castShadows(const SunGrid& sun, const ObjectCamera& camera, raster::Image& image);
 
 }  // namespace grove::objects::lightfield

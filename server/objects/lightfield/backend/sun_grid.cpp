@@ -11,9 +11,9 @@ using world::Vec3;
 constexpr float kFinest = 0.3F;  // metres between samples
 constexpr int kMaxCells = 20;    // along an edge
 constexpr int kSunRays = 4;
-constexpr float kSunRadius = 0.035F;  // of its direction, as the meshes' light has it
+constexpr float kSunRadius = 0.035F;  // of its direction, same as in the meshes' light
 
-/// How far a ray from inside of the box goes until it leaves it.
+/// Distance from a point inside the box to its surface along a ray.
 float exitOf(const world::Bounds& box, Vec3 origin, Vec3 direction) {
   float exit = 1.0e30F;
   for (int axis = 0; axis < 3; ++axis) {

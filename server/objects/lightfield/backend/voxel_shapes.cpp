@@ -12,7 +12,7 @@ using world::Triangles;
 using world::Vec3;
 
 constexpr float kChestHeight = 1.0F;  // metres
-constexpr float kLeafCard = 0.8F;     // of a cell's edge: the rest of the light comes through
+constexpr float kLeafCard = 0.8F;     // share of a cell's edge: the rest of the light passes
 
 struct Cell {
   int x = 0;
@@ -44,7 +44,7 @@ Vec3 centreOf(const VoxelGrid& voxels, Cell at) {
          (Vec3(static_cast<float>(at.x), static_cast<float>(at.y), static_cast<float>(at.z)) + 0.5F) * voxels.cell;
 }
 
-/// The parallelogram centre +- a +- b; its front is where a x b points.
+/// The parallelogram centre +- a +- b; a x b points to its front.
 void addQuad(Triangles& to, Vec3 centre, Vec3 a, Vec3 b) {
   const auto first = static_cast<std::uint32_t>(to.positions.size());
   for (const Vec3 corner : {centre - a - b, centre + a - b, centre + a + b, centre - a + b}) {

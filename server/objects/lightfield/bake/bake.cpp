@@ -48,17 +48,17 @@ namespace {
 
 constexpr int kVoxelsAlongEdge = 64;
 // In texels of a view.
-constexpr float kPatch = 2.0F;  // that share a light point
+constexpr float kPatch = 2.0F;  // patch of one light point
 constexpr LongestEdge kLongest{3.0F, 8.0F};
 constexpr float kAwayFromSurface = 0.15F;
 constexpr float kThinnest = 4.0F;
-// Of the light of a rough bake.
+// Light of a rough bake.
 constexpr float kRoughPatch = 4.0F;
 constexpr int kRoughDirections = 16;
 constexpr int kRoughSunRays = 2;
 constexpr std::size_t kRoughHeldOut = 2;
 
-/// Two rings of a tile's neighbours.
+/// The centres of two rings of neighbouring tiles.
 std::vector<Vec3> tilesAround() {
   const Vec3 along(1.5F * models::kTileRadius, 0.0F, 0.5F * std::sqrt(3.0F) * models::kTileRadius);
   const Vec3 across(0.0F, 0.0F, std::sqrt(3.0F) * models::kTileRadius);
@@ -72,7 +72,7 @@ std::vector<Vec3> tilesAround() {
   return offsets;
 }
 
-/// The box by which rays are cut: a plane's has a thickness, too, or no ray would be within it anywhere.
+/// The box that clips rays: flat models get a thickness, because no ray would be inside a plane.
 world::Bounds boundsOfView(const world::Triangles& triangles, float texel) {
   world::Bounds bounds = triangles.bounds();
   const Vec3 missing = glm::max(Vec3(kThinnest * texel) - bounds.size(), Vec3(0.0F));
@@ -83,7 +83,8 @@ world::Bounds boundsOfView(const world::Triangles& triangles, float texel) {
 
 int levelsOf(int size) { return std::bit_width(static_cast<unsigned>(size / kMinSize)); }
 
-/// Deletes what a process that was killed while it wrote the finished file has left: up to the whole file's bytes.
+/// Deletes the partial output of a process that was killed while it wrote the finished file, up to the whole file's
+/// size.
 void removeLeftovers(const std::filesystem::path& file) {
   const std::string prefix = file.filename().string() + ".partial-";
   const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
@@ -93,7 +94,7 @@ void removeLeftovers(const std::filesystem::path& file) {
   }
 }
 
-/// One run of bakeLightField(): the model as it is lit and seen, and what comes of it.
+/// One run of bakeLightField(): the lit and visible model, and the result.
 class Job {
  public:
   Job(const models::Model& model, const BakeOptions& options, std::filesystem::path file, const ProgressCall& progress,
@@ -114,7 +115,7 @@ class Job {
         lightings_(options.sky, options.lightings),
         shape_{sphere_.views(), options.size, levelsOf(options.size), options.lightings, bakeKeyOf(model, options)},
         partial_(file_.string() + ".partial", shape_) {
-    // Nobody else writes this file now: the partial bake is locked.
+    // The lock on the partial bake excludes other writers of this file.
     removeLeftovers(file_);
     if (options.tile) rays_.surround(tilesAround());
   }
@@ -136,7 +137,7 @@ class Job {
   const std::stop_token stop_;
   const ViewSphere sphere_;
   const ViewGeometry geometry_;
-  const float texel_;  ///< metres an edge, in the middle of a view
+  const float texel_;  ///< metres per texel edge in the middle of a view
   const models::Model& original_;
   const models::Model model_;
   const std::vector<TextureSampler> textures_;
@@ -155,7 +156,7 @@ std::vector<Picture> Job::renderHeldOut(const ViewRenderer& renderer, const std:
   return pictures;
 }
 
-/// The held-out views show about how much the others will take.
+/// Estimates the space of the other views from the held-out ones.
 void Job::checkRoom(const std::vector<Picture>& samples) const {
   std::uint64_t blocks = 0;
   for (const Picture& picture : samples) {
@@ -166,7 +167,7 @@ void Job::checkRoom(const std::vector<Picture>& samples) const {
   }
   const auto views = static_cast<std::uint64_t>(shape_.views);
   const std::uint64_t all = views * PartialBake::bytesOfView(shape_, blocks / samples.size());
-  // Views wait in the partial bake until all of them are copied into the file.
+  // The partial bake keeps all views until they are copied into the file.
   const std::uint64_t needed = 2 * all - std::min(all, partial_.bytes());
   std::error_code error;
   const std::filesystem::space_info space = std::filesystem::space(file_.string() + ".partial", error);
@@ -199,7 +200,7 @@ void Job::renderViews(const ViewRenderer& renderer, const BakeStep& step) {
     try {
       make(takenUp + static_cast<int>(i));
     } catch (...) {
-      // Nobody must wait for a view that does not come.
+      // Wakes the threads that wait for the failed view.
       const std::lock_guard lock(mutex);
       broken = true;
       appended.notify_all();
@@ -250,7 +251,7 @@ std::optional<BakeReport> Job::run() {
   const BakeStep views("views", progress_);
   const ViewRenderer renderer(model_, textures_, rays_, points, light, options_.samples);
   std::vector<ObjectCamera> cameras = planHeldOut(geometry_, options_.subdivision, options_.size);
-  // They show how much room the others take; nobody measures a rough one by them.
+  // Held-out views are also needed to estimate space; a rough bake needs no more of them.
   if (options_.rough) cameras.resize(kRoughHeldOut);
   const ViewRenderer truth(model_, textures_, rays_, points, light, options_.truthSamples);
   const std::vector<Picture> heldOut = renderHeldOut(truth, cameras, ModelRays::Among::kModel);

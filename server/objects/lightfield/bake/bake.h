@@ -14,24 +14,24 @@ namespace grove::bake {
 
 struct BakeOptions {
   int subdivision = 16;  ///< of the sphere of views, 1 to ViewSphere::kMaxSubdivision
-  int size = 256;        ///< texels an edge of a view, a power of two, kMinSize to kMaxSize
+  int size = 256;        ///< texels per edge of a view, a power of two, kMinSize to kMaxSize
   int lightings = 6;     ///< 1 to kMaxLightings
   int samples = 2;       ///< per edge of a pixel, 1 to 16
-  /// Of the held-out views, which are what the others are measured against: with few samples, their own noise would
-  /// count as error of the light field. 1 to 16.
+  /// Samples of the held-out views, the reference for the others: with few samples, their noise would count as error of
+  /// the light field. 1 to 16.
   int truthSamples = 6;
-  world::Sky sky = {};  ///< of the world that it is for
+  world::Sky sky = {};  ///< of the target world
   int threads = 0;      ///< 0: one per core
   bool tile = false;    ///< the model stands amid copies of itself, see models::isTile()
-  /// Light of a quarter of the rays that neighbouring leaves share, and two held-out views. For what is shown until
-  /// something better is made.
+  /// Bakes light with a quarter of the rays, which neighbouring leaves share, and only two held-out views: a preview
+  /// until the final bake.
   bool rough = false;
 };
 
 struct BakeProgress {
   std::string_view step;
   float share = 0.0F;        ///< of the step
-  double secondsLeft = 0.0;  ///< of the step; 0 if it is not known yet
+  double secondsLeft = 0.0;  ///< of the step; 0 if unknown
 };
 
 struct BakeReport {
@@ -42,18 +42,18 @@ struct BakeReport {
   std::uint64_t bytes = 0;  ///< of the file
   double lightSeconds = 0.0;
   double viewSeconds = 0.0;
-  double seconds = 0.0;  ///< in all
+  double seconds = 0.0;  ///< in total
 };
 
-/// Makes the light field of a model (section 5.1.1): its light, its views with colour and depth, voxels, and held-out
-/// views. Blocks; uses `threads` threads. `progress` is called from any of them, one at a time.
+/// Makes the light field of a model (section 5.1.1): light, views with colour and depth, voxels, and held-out views.
+/// Blocks; uses `threads` threads. Any of them calls `progress`, one at a time.
 ///
-/// Finished views wait in the folder FILE.partial, and memory does not grow with their number. A bake that was stopped
-/// (then nothing is returned), killed or out of disk goes on from there when it is repeated with the same model and
-/// options; the file that comes out is the same, byte for byte. The file appears whole or not at all.
+/// Finished views are stored in the folder FILE.partial, so memory does not grow with their number. A bake that was
+/// stopped (then it returns nothing), killed or out of disk space continues from there when it is repeated with the
+/// same model and options; the resulting file is the same, byte for byte. The file appears complete or not at all.
 ///
-/// Throws EnvironmentError: no such folder, no permission, too little room on the disk (looked at before views are
-/// made), another process bakes the same file, or the model has no triangles.
+/// Throws EnvironmentError: no such folder, no permission, not enough disk space (checked before views are made),
+/// another process bakes the same file, or the model has no triangles.
 [[nodiscard]] std::optional<BakeReport> bakeLightField(const models::Model& model, const BakeOptions& options,
                                                        const std::filesystem::path& file,
                                                        const std::function<void(const BakeProgress&)>& progress,

@@ -7,8 +7,8 @@
 namespace grove::bake {
 namespace {
 
-/// To be raised when the same model and options give other views than before, so that old partial bakes are not mixed
-/// with new ones.
+/// Increment if the same model and options give other views than before, so that old partial bakes are not mixed with
+/// new ones.
 constexpr std::uint64_t kBakeVersion = 3;
 
 }  // namespace

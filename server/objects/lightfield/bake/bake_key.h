@@ -6,7 +6,7 @@
 
 namespace grove::bake {
 
-/// Of all that a bake's views depend on, so that a partial bake is only taken up for what it was begun for.
+/// Hash of all inputs of a bake's views, so that a partial bake is only continued with the same inputs.
 [[nodiscard]] std::uint64_t bakeKeyOf(const models::Model& model, const BakeOptions& options);
 
 }  // namespace grove::bake

@@ -11,7 +11,7 @@ namespace grove::bake {
 
 using ProgressCall = std::function<void(const BakeProgress&)>;
 
-/// Reports the progress of one step with the time that is left, guessed from the time so far.
+/// Reports the progress of one step and estimates the remaining time from the elapsed time.
 class BakeStep {
  public:
   BakeStep(std::string_view name, const ProgressCall& progress)

@@ -5,7 +5,8 @@
 
 namespace grove::bake {
 
-/// A picture as a light field keeps it: depth in steps between the camera's nearest and farthest. Any thread.
+/// Converts a picture to a light field's representation: depth in steps between the camera's nearest and farthest. Any
+/// thread.
 [[nodiscard]] objects::lightfield::DenseView toDense(Picture picture, const objects::lightfield::ViewCamera& camera);
 
 }  // namespace grove::bake

@@ -15,7 +15,7 @@ using world::Vec2;
 using world::Vec3;
 
 struct ModelRays::Embree {
-  /// What filters know of the rays; Embree hands on a pointer to its first member.
+  /// Data for the filter functions; Embree passes a pointer to the first member.
   struct Context {
     RTCIntersectContext embree;
     Backs backs;
@@ -27,9 +27,9 @@ struct ModelRays::Embree {
 
   const models::Model* source = nullptr;
   const std::vector<TextureSampler>* textures = nullptr;
-  std::vector<std::uint32_t> solid;     ///< triangles that every ray meets
-  std::vector<std::uint32_t> oneSided;  ///< that rays of eyes pass from behind
-  std::vector<std::uint32_t> pierced;   ///< with holes
+  std::vector<std::uint32_t> solid;     ///< triangles that every ray hits
+  std::vector<std::uint32_t> oneSided;  ///< triangles that view rays pass from behind
+  std::vector<std::uint32_t> pierced;   ///< triangles with holes
 
   Embree() = default;
   Embree(const Embree&) = delete;
@@ -53,13 +53,13 @@ struct ModelRays::Embree {
     return material.texture >= 0 && !model.uvs.empty();
   }
 
-  /// 0..1; the same for the same place, so that a bake can be repeated.
+  /// A pseudo-random number 0..1, the same for the same place, so that a bake is repeatable.
   [[nodiscard]] static float chance(std::uint32_t triangle, float u, float v) {
     const std::uint32_t place = world::hash(std::bit_cast<std::uint32_t>(u)) ^ std::bit_cast<std::uint32_t>(v);
     return static_cast<float>(world::hash(world::hash(place) ^ triangle) >> 8U) * (1.0F / 16777216.0F);
   }
 
-  /// Undoes hits of one geometry.
+  /// Rejects hits of one geometry.
   template <class Undone>
   static void filter(const RTCFilterFunctionNArguments* args, const std::vector<std::uint32_t>& triangles,
                      const Undone& undone) {
@@ -126,9 +126,9 @@ struct ModelRays::Embree {
 
 namespace {
 
-/// Ends the rays that are not alive before they begin. Where Embree has no packets of sixteen, which is everywhere but
-/// on AVX-512, it traces them as a stream and overlooks the mask.
-void endOthers(const ModelRays::Mask& mask, RTCRay16& rays) {
+/// Ends the inactive rays before tracing. Without native packets of sixteen, which only AVX-512 has, Embree traces them
+/// as a stream and ignores the mask.
+void endInactive(const ModelRays::Mask& mask, RTCRay16& rays) {
   for (std::size_t i = 0; i < kPacket; ++i) {
     if (mask.lane[i] != 0) continue;
     rays.tnear[i] = 1.0F;
@@ -140,7 +140,7 @@ void endOthers(const ModelRays::Mask& mask, RTCRay16& rays) {
 
 ModelRays::ModelRays(const models::Model& model, const std::vector<TextureSampler>& textures)
     : embree_(std::make_unique<Embree>()) {
-  // The same tree always, so that equally near hits have the same winner.
+  // Always the same tree, so that the same one of several equally near hits wins.
   embree_->device = world::newEmbreeDevice();
   embree_->source = &model;
   embree_->textures = &textures;
@@ -178,9 +178,9 @@ void ModelRays::surround(const std::vector<Vec3>& offsets) {
 
 void ModelRays::intersect(const Mask& mask, RTCRayHit16& rays, Among among, Backs backs) const {
   Embree::Context context{{}, backs};
-  // Its flags stay "incoherent": amid leaves that is faster by a third even for primary rays.
+  // The flags stay "incoherent": amid leaves that is faster by a third even for primary rays.
   rtcInitIntersectContext(&context.embree);
-  endOthers(mask, rays.ray);
+  endInactive(mask, rays.ray);
   rtcIntersect16(mask.lane, embree_->scene(among), &context.embree, &rays);
   for (std::size_t i = 0; i < kPacket; ++i) {
     if (mask.lane[i] == 0 || rays.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID) continue;
@@ -191,7 +191,7 @@ void ModelRays::intersect(const Mask& mask, RTCRayHit16& rays, Among among, Back
 void ModelRays::occluded(const Mask& mask, RTCRay16& rays, Among among) const {
   Embree::Context context{{}, Backs::kMet};
   rtcInitIntersectContext(&context.embree);
-  endOthers(mask, rays);
+  endInactive(mask, rays);
   rtcOccluded16(mask.lane, embree_->scene(among), &context.embree, &rays);
 }
 

@@ -12,8 +12,8 @@ namespace grove::bake {
 
 inline constexpr std::size_t kPacket = 16;
 
-/// Rays at a model, sixteen at a time, with the holes of its textures. Immutable after construction; any number of
-/// threads may trace.
+/// Traces rays against a model, sixteen at a time, with the holes of its textures. Immutable after construction; any
+/// number of threads may trace.
 class ModelRays {
  public:
   /// Keeps references to both. Throws EnvironmentError.
@@ -22,21 +22,22 @@ class ModelRays {
   ModelRays(const ModelRays&) = delete;
   ModelRays& operator=(const ModelRays&) = delete;
 
-  /// Surrounds the model with copies of itself at these offsets (metres), for rays that ask for them. Once.
+  /// Surrounds the model with copies of itself at these offsets (metres), for rays that request them. Call at most
+  /// once.
   void surround(const std::vector<world::Vec3>& offsets);
 
-  /// Which rays of a packet are alive.
+  /// Active rays of a packet.
   struct alignas(64) Mask {
     std::int32_t lane[kPacket]{};
   };
   enum class Among { kModel, kSurroundings };
-  /// Whether rays meet the backs of surfaces that have one side: those of light do, those of eyes do not.
+  /// Whether rays hit the backs of one-sided surfaces: light rays do, view rays do not.
   enum class Backs { kMet, kPassed };
 
-  /// Nearest hits; hit.geomID stays RTC_INVALID_GEOMETRY_ID where there is none, else hit.primID is the model's
-  /// triangle and hit.Ng points to the side that its corners wind counter-clockwise around.
+  /// Nearest hits. hit.geomID stays RTC_INVALID_GEOMETRY_ID without a hit; else hit.primID is the model's triangle and
+  /// hit.Ng points to the side from which its corners appear counter-clockwise.
   void intersect(const Mask& mask, RTCRayHit16& rays, Among among, Backs backs) const;
-  /// tfar becomes negative where something is hit. Of rays that are not alive, tnear and tfar hold nothing afterwards.
+  /// tfar becomes negative on a hit. tnear and tfar of inactive rays are undefined afterwards.
   void occluded(const Mask& mask, RTCRay16& rays, Among among) const;
 
  private:

@@ -28,7 +28,7 @@ using objects::lightfield::PackedView;
 
 namespace {
 
-/// Head of the journal.
+/// Header of the journal.
 struct JournalHead {
   std::array<char, 8> magic{'G', 'r', 'o', 'v', 'e', 'J', '1', '\n'};
   std::uint64_t key = 0;
@@ -38,7 +38,7 @@ struct JournalHead {
   std::int32_t lightings = 0;
 };
 
-/// Head of a view's record; its table follows.
+/// Header of a view's record; its table follows.
 struct RecordHead {
   std::uint64_t ownChecksum = 0;   ///< of the rest of the record
   std::uint64_t dataChecksum = 0;  ///< of its blocks in all sections
@@ -57,7 +57,7 @@ std::size_t tableEntries(const PartialBake::Shape& shape) {
   return entries;
 }
 
-/// What LightField::storage keeps.
+/// Owner of the memory behind LightField::storage.
 struct Storage {
   std::vector<std::vector<std::uint32_t>> blocks;
   std::vector<std::unique_ptr<MappedFile>> sections;
@@ -130,7 +130,7 @@ void PartialBake::fail(const File& file) const {
     what +=
         ", " + std::to_string(all + bytes() / static_cast<std::uint64_t>(views()) * left) + " more bytes are needed";
   }
-  throw EnvironmentError(what, file.path.string(), "make room, then run the same command to go on");
+  throw EnvironmentError(what, file.path.string(), "free disk space, then run the same command to continue");
 }
 
 void PartialBake::write(const File& file, std::uint64_t offset, std::span<const std::byte> bytes) const {
@@ -179,7 +179,7 @@ void PartialBake::takeUp() {
       blocks_ += record.blocks;
     }
   }
-  // What is not known to be whole goes.
+  // Removes everything that is not known to be complete.
   const auto cut = [&](const File& file, std::uint64_t bytes) {
     if (ftruncate(file.descriptor, static_cast<off_t>(bytes)) != 0) fail(file);
   };
@@ -247,7 +247,7 @@ void PartialBake::fill(LightField& field) const {
 }
 
 void PartialBake::remove() {
-  std::error_code ignored;  // what is left does no harm: the next bake takes it up or cuts it
+  std::error_code ignored;  // leftovers are harmless: the next bake uses or truncates them
   std::filesystem::remove_all(folder_, ignored);
 }
 

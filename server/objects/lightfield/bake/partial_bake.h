@@ -11,10 +11,10 @@
 
 namespace grove::bake {
 
-/// The finished views of a bake that goes on, in a folder beside its file: the sections of the light field to be, to
-/// which views are appended in their order, and a journal that says which bytes are whole. The folder outlives its
-/// process, so that a bake that was killed goes on where it stopped. One thread at a time; one process at a time, which
-/// a lock ensures. Throws EnvironmentError: no permission, disk full, another process is at it.
+/// The finished views of a bake in progress, in a folder beside its file: the sections of the future light field, to
+/// which views are appended in order, and a journal of the bytes that are complete. The folder outlives its process, so
+/// that a killed bake continues where it stopped. One thread at a time; a lock permits one process at a time. Throws
+/// EnvironmentError: no permission, disk full, or another process holds the lock.
 class PartialBake {
  public:
   struct Shape {
@@ -22,28 +22,28 @@ class PartialBake {
     int size = 0;
     int levels = 1;
     int lightings = 1;
-    std::uint64_t key = 0;  ///< of all that decides over the views' bytes
+    std::uint64_t key = 0;  ///< of all inputs that determine the views' bytes
   };
 
-  /// Takes up the views that the folder has if they are of the same shape, else begins anew.
+  /// Continues with the folder's views if they have the same shape, else starts over.
   PartialBake(std::filesystem::path folder, const Shape& shape);
   ~PartialBake();
   PartialBake(const PartialBake&) = delete;
   PartialBake& operator=(const PartialBake&) = delete;
 
-  /// Number of finished views, which is the next one's place.
+  /// Number of finished views, also the index of the next one.
   [[nodiscard]] int views() const noexcept { return static_cast<int>(blockCounts_.size()); }
-  /// What they take on the disk.
+  /// Disk space in use.
   [[nodiscard]] std::uint64_t bytes() const noexcept;
   void append(const objects::lightfield::PackedView& view);
 
-  /// Sets the field's blocks, depth, colour and storage. All views must be there, and nothing may be appended later.
+  /// Sets the field's blocks, depth, colour and storage. All views must be present, and no view may be appended later.
   void fill(objects::lightfield::LightField& field) const;
 
-  /// Deletes the folder, last of all.
+  /// Deletes the folder; call last.
   void remove();
 
-  /// Of a view with so many blocks.
+  /// Disk space of a view with this many blocks.
   [[nodiscard]] static std::uint64_t bytesOfView(const Shape& shape, std::uint64_t blocks) noexcept;
 
  private:

@@ -19,7 +19,7 @@ class Refiner {
     std::vector<Triangle>& indices = model_.triangles.indices;
     const std::size_t count = indices.size();
     for (std::size_t i = 0; i < count; ++i) {
-      // The pieces of triangle i: one stays in its place, the others go to the end.
+      // The pieces of triangle i: the first replaces it, the others are appended.
       bool first = true;
       const float longest = model_.materials[model_.materialOf[i]].solid ? longest_.solid : longest_.leaves;
       todo.assign(1, indices[i]);
@@ -43,8 +43,8 @@ class Refiner {
   }
 
  private:
-  /// The longest edge, from corner e to corner e + 1; 3 if none is longer than the square root of `most`. Both
-  /// triangles at an edge decide alike.
+  /// The longest edge, from corner e to corner e + 1; 3 if no squared length exceeds `max`. Both triangles at an edge
+  /// decide alike.
   [[nodiscard]] std::size_t longEdge(const Triangle& triangle, float max) const {
     std::size_t longest = 3;
     for (std::size_t e = 0; e < 3; ++e) {
@@ -78,7 +78,8 @@ class Refiner {
   std::unordered_map<std::uint64_t, std::uint32_t> middles_;
 };
 
-/// Those with two sides alone: where there is one, the winding says which, whatever the normals are made to shade like.
+/// Only triangles with two sides: the winding of one-sided triangles defines their side, whatever their shading normals
+/// are.
 void windAroundNormals(models::Model& model) {
   const std::vector<Vec3>& p = model.triangles.positions;
   for (std::size_t i = 0; i < model.triangles.indices.size(); ++i) {

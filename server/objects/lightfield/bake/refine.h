@@ -4,14 +4,14 @@
 
 namespace grove::bake {
 
-/// The longest edge that a triangle may have, metres.
+/// Largest permitted edge of a triangle, metres.
 struct LongestEdge {
   float solid = 0.1F;   ///< of solid materials
-  float leaves = 0.3F;  ///< of others: shadows on what is small and thin cannot be distinguished
+  float leaves = 0.3F;  ///< of others: shadows on small and thin parts cannot be distinguished
 };
 
-/// The same surface as a model whose edges are no longer than wanted, so that light that is kept at vertices can follow
-/// shadows; triangles with two sides are ordered so that they wind counter-clockwise around their vertices' normals.
+/// Returns the same surface with edges no longer than `longest`, so that light at vertices can follow shadows.
+/// Triangles with two sides wind counter-clockwise around their vertices' normals.
 [[nodiscard]] models::Model refined(models::Model model, const LongestEdge& longest);
 
 }  // namespace grove::bake

@@ -26,9 +26,9 @@ int wrapped(int at, int count) noexcept {
   return rest < 0 ? rest + count : rest;
 }
 
-/// Beyond this many repetitions a coordinate has no useful fraction left; it also keeps the conversion to int defined,
-/// of what is no number, too (of which std::clamp() makes none).
-float tamed(float uv) noexcept { return std::min(65536.0F, std::max(-65536.0F, uv)); }
+/// A coordinate with more repetitions has no useful fraction left. Also keeps the conversion to int defined, including
+/// for NaN (which std::clamp() does not change).
+float boundedCoordinate(float uv) noexcept { return std::min(65536.0F, std::max(-65536.0F, uv)); }
 
 }  // namespace
 
@@ -39,7 +39,7 @@ TextureSampler::TextureSampler(const models::Texture& texture) {
   for (const std::uint32_t texel : texture.texels) {
     const float alpha = static_cast<float>(texel >> 24U) / 255.0F;
     const Vec3 colour(linear[texel & 0xFFU], linear[texel >> 8U & 0xFFU], linear[texel >> 16U & 0xFFU]);
-    // A trace of weight keeps the colour of what is wholly transparent.
+    // A small weight preserves the colour of wholly transparent texels.
     finest.texels.emplace_back(colour * std::max(alpha, 1.0e-3F), std::max(alpha, 1.0e-3F));
   }
   levels_.push_back(std::move(finest));
@@ -65,11 +65,11 @@ TextureSampler::TextureSampler(const models::Texture& texture) {
 }
 
 Vec3 TextureSampler::colour(Vec2 uv, float texels) const noexcept {
-  constexpr float kMaxTexels = 65536.0F;  // no texture is larger, and infinity has no logarithm to be rounded
+  constexpr float kMaxTexels = 65536.0F;  // no texture is larger, and infinity has no logarithm to round
   const int wanted = texels > 1.0F ? static_cast<int>(std::lround(std::log2(std::min(texels, kMaxTexels)))) : 0;
   const Level& level = levels_[static_cast<std::size_t>(std::min(wanted, static_cast<int>(levels_.size()) - 1))];
-  const float x = tamed(uv.x) * static_cast<float>(level.width) - 0.5F;
-  const float y = tamed(uv.y) * static_cast<float>(level.height) - 0.5F;
+  const float x = boundedCoordinate(uv.x) * static_cast<float>(level.width) - 0.5F;
+  const float y = boundedCoordinate(uv.y) * static_cast<float>(level.height) - 0.5F;
   const float left = std::floor(x);
   const float top = std::floor(y);
   const int column = static_cast<int>(left);
@@ -87,8 +87,10 @@ Vec3 TextureSampler::colour(Vec2 uv, float texels) const noexcept {
 
 float TextureSampler::alpha(Vec2 uv) const noexcept {
   const Level& level = levels_.front();
-  const int column = wrapped(static_cast<int>(std::floor(tamed(uv.x) * static_cast<float>(level.width))), level.width);
-  const int row = wrapped(static_cast<int>(std::floor(tamed(uv.y) * static_cast<float>(level.height))), level.height);
+  const int column =
+      wrapped(static_cast<int>(std::floor(boundedCoordinate(uv.x) * static_cast<float>(level.width))), level.width);
+  const int row =
+      wrapped(static_cast<int>(std::floor(boundedCoordinate(uv.y) * static_cast<float>(level.height))), level.height);
   const float weight = level
                            .texels[static_cast<std::size_t>(row) * static_cast<std::size_t>(level.width) +
                                    static_cast<std::size_t>(column)]

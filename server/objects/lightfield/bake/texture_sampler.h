@@ -7,16 +7,16 @@
 
 namespace grove::bake {
 
-/// A texture as rays read it: repeated, with a mip pyramid in linear colour. Immutable; any thread.
+/// A texture for rays: repeated, with a mip pyramid in linear colour. Immutable; any thread.
 class TextureSampler {
  public:
   explicit TextureSampler(const models::Texture& texture);
 
-  /// Bilinear, linear colour; `texels` is how many of the finest level's texels the look-up should cover.
+  /// Bilinear, linear colour; `texels` is the look-up's footprint in texels of the finest level.
   [[nodiscard]] world::Vec3 colour(world::Vec2 uv, float texels) const noexcept;
-  /// Of the nearest texel, 0..1.
+  /// Alpha of the nearest texel, 0..1.
   [[nodiscard]] float alpha(world::Vec2 uv) const noexcept;
-  /// Mean over what is not transparent.
+  /// Mean of the non-transparent texels.
   [[nodiscard]] world::Vec3 mean() const noexcept { return mean_; }
   /// Geometric mean of width and height.
   [[nodiscard]] float size() const noexcept { return size_; }

@@ -18,7 +18,7 @@ namespace {
 constexpr int kOnSphere = 16;
 constexpr int kOffSphere = 8;
 
-/// The points that are farthest in each of many directions: the ball around them is nearly the ball around all.
+/// The farthest points in many directions: their ball is nearly the ball around all points.
 std::vector<Vec3> outermost(const std::vector<Vec3>& points) {
   std::vector<Vec3> result;
   for (const Vec3 direction : evenDirections(160)) {
@@ -36,7 +36,8 @@ std::vector<Vec3> outermost(const std::vector<Vec3>& points) {
   return result;
 }
 
-/// Step by step towards the farthest point (M. Badoiu and K. Clarkson, "Smaller core-sets for balls", 2003).
+/// Moves towards the farthest point in shrinking steps (M. Badoiu and K. Clarkson, "Smaller core-sets for balls",
+/// 2003).
 Vec3 centreOfBall(const std::vector<Vec3>& points) {
   constexpr int kSteps = 2000;
   Vec3 centre = points.front();
@@ -67,7 +68,7 @@ Vec3 latticeDirection(float i, float j, float n) {
   return glm::normalize(Vec3(u, std::max(0.0F, 1.0F - std::abs(u) - std::abs(v)), v));
 }
 
-/// The middle of the cell of the views' lattice that holds a direction.
+/// The middle of a direction's cell in the views' lattice.
 Vec3 amidViews(Vec3 direction, int subdivision) {
   const auto n = static_cast<float>(subdivision);
   const float sum = std::abs(direction.x) + direction.y + std::abs(direction.z);
@@ -75,7 +76,7 @@ Vec3 amidViews(Vec3 direction, int subdivision) {
   const float j = std::abs(direction.z) / sum * n;
   const float left = std::min(std::floor(i), n - 1.0F);
   const float top = std::min(std::floor(j), n - 1.0F - left);
-  // At the rim half a cell is left, a triangle.
+  // Cells at the rim are triangles, half a cell.
   const float inner = left + top + 2.0F > n ? 1.0F / 3.0F : 0.5F;
   return latticeDirection(std::copysign(left + inner, direction.x), std::copysign(top + inner, direction.z), n);
 }
@@ -87,14 +88,14 @@ ViewGeometry planViews(const world::Triangles& triangles) {
   ViewGeometry geometry;
   geometry.centre = {bounds.centre().x, 0.0F, bounds.centre().z};
   geometry.target = centreOfBall(outermost(triangles.positions));
-  // A little room, so that the outermost pixels are whole.
+  // A margin, so that the outermost pixels are complete.
   geometry.extent = std::max(farthestFrom(geometry.target, triangles.positions) * 1.01F, 1.0e-3F);
   geometry.radius = 2.0F * std::max(farthestFrom(geometry.centre, triangles.positions), 1.0e-3F);
   return geometry;
 }
 
 std::vector<ObjectCamera> planHeldOut(const ViewGeometry& geometry, int subdivision, int size) {
-  // The spiral's upper half goes from the top to the horizon.
+  // The spiral's upper half, from the top to the horizon.
   const std::vector<Vec3> around = evenDirections(2 * kOnSphere);
   std::vector<ObjectCamera> cameras;
   for (int i = 0; i < kOnSphere; ++i) {

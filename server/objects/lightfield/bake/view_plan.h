@@ -7,17 +7,17 @@
 
 namespace grove::bake {
 
-/// From where an object is seen: around the place on the ground below its middle, framing the smallest ball around it,
-/// from far enough away that every camera is outside of that ball.
+/// Chooses the view geometry of an object: around the point on the ground below its middle, framing its smallest
+/// enclosing ball, from far enough away that every camera is outside that ball.
 [[nodiscard]] objects::lightfield::ViewGeometry planViews(const world::Triangles& triangles);
 
-/// Cameras that are none of the views', to measure quality with: sixteen on the sphere of views, each amid the views
-/// around it, from the horizon to the zenith; eight nearer or farther than it.
+/// Held-out cameras for measuring quality: sixteen on the sphere of views, each between views, from the horizon to the
+/// zenith; eight nearer or farther than it.
 [[nodiscard]] std::vector<objects::lightfield::ObjectCamera> planHeldOut(
     const objects::lightfield::ViewGeometry& geometry, int subdivision, int size);
 
-/// Cameras for a tile amid copies of itself, to measure the seams with: each looks at the middle of an edge, from where
-/// visitors see it.
+/// Cameras for measuring the seams of a tile amid copies of itself: each looks at the middle of an edge from a
+/// visitor's position.
 [[nodiscard]] std::vector<objects::lightfield::ObjectCamera> planSeams(
     const objects::lightfield::ViewGeometry& geometry, int size);
 

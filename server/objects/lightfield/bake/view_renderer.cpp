@@ -23,7 +23,7 @@ namespace {
 constexpr int kBlockEdge = 4;  // of a packet in samples, and of a block in pixels
 constexpr std::size_t kMaxFloats = 3 * kMaxLightings;
 
-// The table of display values has 256 entries an octave, for linear values from 2^-14 to 2^6.
+// The table of display values has 256 entries per octave, for linear values from 2^-14 to 2^6.
 constexpr std::uint32_t kDropped = 15;
 constexpr std::uint32_t kFirst = (127U - 14U) << (23U - kDropped);
 constexpr std::uint32_t kEntries = 20U << (23U - kDropped);
@@ -43,7 +43,7 @@ std::uint32_t displayIndex(float linear) {
   return std::clamp(bits, kFirst, kFirst + kEntries - 1U) - kFirst;
 }
 
-/// Mean of the largest group of depths without a gap; sorts them.
+/// Mean of the largest group of depths without a gap; sorts `depths`.
 float depthOf(std::span<float> depths, float gap) {
   std::sort(depths.begin(), depths.end());
   std::size_t bestFirst = 0;
@@ -64,13 +64,13 @@ float depthOf(std::span<float> depths, float gap) {
 
 }  // namespace
 
-/// What the samples of a block of pixels found.
+/// The samples' results for a block of pixels.
 struct ViewRenderer::Gathered {
   explicit Gathered(std::size_t samples) : depths(kPacket * samples) {}
 
   std::array<std::array<float, kMaxFloats>, kPacket> colour;  ///< sums over a pixel's covered samples, 0..255
   std::array<std::size_t, kPacket> covered;
-  std::vector<float> depths;  ///< [pixel][sample], as many as are covered
+  std::vector<float> depths;  ///< [pixel][sample], covered samples only
 };
 
 ViewRenderer::ViewRenderer(const models::Model& model, const std::vector<TextureSampler>& textures,
@@ -152,7 +152,7 @@ void ViewRenderer::gather(const ObjectCamera& camera, int left, int top, ModelRa
   const float part = 1.0F / static_cast<float>(samples_);
   for (auto& colour : block.colour) colour.fill(0.0F);
   block.covered.fill(0);
-  // The block's samples are a square of samples_ x samples_ packets, each a square of neighbours.
+  // The block's samples form a square of samples_ x samples_ packets, each a square of adjacent samples.
   for (int packet = 0; packet < samples_ * samples_; ++packet) {
     std::array<std::size_t, kPacket> pixels;
     ModelRays::Mask mask;
@@ -163,7 +163,7 @@ void ViewRenderer::gather(const ObjectCamera& camera, int left, int top, ModelRa
       const int x = column / samples_;
       const int y = row / samples_;
       pixels[lane] = static_cast<std::size_t>(y) * kBlockEdge + static_cast<std::size_t>(x);
-      // Rows and columns of a pixel's samples are sheared, so that no two samples share either.
+      // Rows and columns of a pixel's samples are sheared, so that no two samples share a row or a column.
       const auto i = static_cast<float>(column % samples_);
       const auto j = static_cast<float>(row % samples_);
       const Vec3 ray = camera.ray(static_cast<float>(left + x) + (i + (j + 0.5F) * part) * part,
@@ -202,7 +202,7 @@ Picture ViewRenderer::render(const ObjectCamera& camera, int size, ModelRays::Am
   const std::size_t lightings = light_.stride() / 3;
   const auto samples = static_cast<std::size_t>(samples_) * static_cast<std::size_t>(samples_);
   const float perPixel = glm::length(camera.perColumn);
-  constexpr float kGap = 4.0F;  // pixels' widths in depth that a steep surface may have between samples
+  constexpr float kGap = 4.0F;  // depth gap within a steep surface between samples, in pixel widths
   Picture picture{size, {}, std::vector<float>(pixels, world::kInfiniteDepth)};
   picture.colour.assign(lightings, std::vector<std::uint32_t>(pixels, 0U));
   Gathered block(samples);

@@ -10,19 +10,19 @@
 
 namespace grove::bake {
 
-/// A picture as it was rendered, rows from the top.
+/// A rendered picture, rows from the top.
 struct Picture {
   int size = 0;
   std::vector<std::vector<std::uint32_t>> colour;  ///< by lighting; as in LightField
   std::vector<float> depth;                        ///< view depth, world::kInfiniteDepth where nothing is
 };
 
-/// Takes pictures of a lit model with samples x samples primary rays a pixel. Immutable; any number of threads.
+/// Renders pictures of a lit model with samples x samples primary rays per pixel. Immutable; any number of threads.
 ///
 /// A pixel's colour is the mean of its samples *as displayed*, weighted by coverage: light-field samplers and mips
-/// interpolate displayed colours, so what they make of a pixel's neighbours in place, angle and size tends to the same
-/// mean. Its depth is that of the surface that most of the covered samples hit (the nearest, if several have as many):
-/// never a mix of two surfaces, which would be a place where nothing is.
+/// interpolate displayed colours, so that their interpolation between pixels, angles and sizes tends to the same mean.
+/// Its depth is the depth of the surface that most covered samples hit (the nearest, if several have as many), never a
+/// mix of two surfaces, which would lie in empty space.
 class ViewRenderer {
  public:
   /// Keeps references to all of them.
@@ -46,7 +46,7 @@ class ViewRenderer {
   const SurfaceLight& light_;
   const int samples_;
   std::vector<float> display_;         ///< world::toDisplay() * 255 by the leading bits of a float
-  std::vector<float> texelsPerMetre_;  ///< of a triangle's texture; empty if there are no textures
+  std::vector<float> texelsPerMetre_;  ///< of a triangle's texture; empty without textures
 };
 
 }  // namespace grove::bake

@@ -15,10 +15,10 @@ using world::Vec3;
 
 namespace {
 
-constexpr int kRays = 3;            // per cell's edge and axis
-constexpr int kMaxCrossings = 512;  // of one ray
+constexpr int kRays = 3;            // per cell edge and axis
+constexpr int kMaxCrossings = 512;  // per ray
 constexpr float kWood = 0.3F;       // share of a cell's volume
-constexpr float kLeaves = 0.1F;     // area per face of a cell
+constexpr float kLeaves = 0.1F;     // area relative to a cell's face
 
 std::size_t cellIndex(const VoxelGrid& grid, const std::array<int, 3>& at) {
   return (static_cast<std::size_t>(at[2]) * static_cast<std::size_t>(grid.height) + static_cast<std::size_t>(at[1])) *
@@ -36,7 +36,7 @@ struct Span {
   float end;
 };
 
-/// Where a ray is inside of bodies, or nothing if it enters one that it never leaves.
+/// The spans of a ray inside bodies, or nothing if it never leaves one of them.
 std::optional<std::vector<Span>> insideAlong(const world::RayScene& bodies, Vec3 origin, Vec3 direction) {
   std::vector<Span> spans;
   int winding = 0;
@@ -54,7 +54,7 @@ std::optional<std::vector<Span>> insideAlong(const world::RayScene& bodies, Vec3
   return std::nullopt;
 }
 
-/// Adds the share of each cell that is inside of bodies, as rays along one axis see it, and how many rays saw it.
+/// Adds the share of each cell inside bodies along rays of one axis, and the number of rays per cell.
 void fillAlong(const world::RayScene& bodies, const VoxelGrid& grid, int axis, std::vector<float>& filled,
                std::vector<float>& rays) {
   const std::array<int, 3> counts{grid.width, grid.height, grid.depth};
@@ -66,7 +66,7 @@ void fillAlong(const world::RayScene& bodies, const VoxelGrid& grid, int axis, s
   for (int j = 0; j < counts[t] * kRays; ++j) {
     for (int i = 0; i < counts[s] * kRays; ++i) {
       Vec3 origin = grid.low;
-      // Off the middle by odd amounts, away from edges that triangles share.
+      // Odd offsets from the middle avoid edges that triangles share.
       origin[axisOf(s)] += (static_cast<float>(i) + 0.5013F) / static_cast<float>(kRays) * grid.cell;
       origin[axisOf(t)] += (static_cast<float>(j) + 0.4979F) / static_cast<float>(kRays) * grid.cell;
       origin[axis] -= kBefore * grid.cell;
@@ -90,7 +90,7 @@ void fillAlong(const world::RayScene& bodies, const VoxelGrid& grid, int axis, s
   }
 }
 
-/// Adds a triangle's area to the cells that it crosses, in pieces that are smaller than half a cell.
+/// Adds a triangle's area to its cells, in pieces smaller than half a cell.
 void addArea(const VoxelGrid& grid, Vec3 a, Vec3 b, Vec3 c, std::vector<float>& areas) {
   const float longest = std::max({glm::length(b - a), glm::length(c - b), glm::length(a - c)});
   const int parts = std::clamp(static_cast<int>(std::ceil(2.0F * longest / grid.cell)), 1, 4096);
@@ -100,7 +100,7 @@ void addArea(const VoxelGrid& grid, Vec3 a, Vec3 b, Vec3 c, std::vector<float>& 
   const Vec3 along = (c - a) / static_cast<float>(parts);
   for (int row = 0; row < parts; ++row) {
     for (int i = 0; i < 2 * (parts - row) - 1; ++i) {
-      // Pieces alternate between one that points as the triangle does and one that is turned round.
+      // Pieces alternate between upright and inverted triangles.
       const int pair = i / 2;
       const float inset = i % 2 == 0 ? 1.0F / 3.0F : 2.0F / 3.0F;
       const Vec3 middle = a + across * (static_cast<float>(pair) + inset) + along * (static_cast<float>(row) + inset);

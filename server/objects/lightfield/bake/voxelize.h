@@ -9,13 +9,13 @@
 namespace grove::bake {
 
 struct Voxels {
-  objects::lightfield::VoxelGrid grid;  ///< its cells are not set: they are `cells`
+  objects::lightfield::VoxelGrid grid;  ///< without cells, which are in `cells`
   std::vector<std::uint8_t> cells;
 };
 
-/// Cells of a grid around the model, `longest` along its longest edge. Wood is where bodies of solid material fill a
-/// good part of the cell (rays count where they enter and leave them, so a mere sheet is no body); leaves are where
-/// other triangles have a fair area.
+/// Voxels of a grid around the model, `longest` cells along its longest edge. A cell is wood if bodies of solid
+/// material fill a good part of it (by the rays' entries and exits, so a mere sheet is no body), and leaves if other
+/// triangles in it have enough area.
 [[nodiscard]] Voxels voxelize(const models::Model& model, int longest);
 
 }  // namespace grove::bake

@@ -10,7 +10,7 @@
 namespace grove::objects::lightfield {
 namespace {
 
-/// What an image shows, in its own rows and columns.
+/// The covered part of an image, in its own rows and columns.
 struct Covered {
   world::Rect part;
   float nearest = world::kInfiniteDepth;
@@ -41,7 +41,7 @@ CachedView::CachedView(const raster::Image& image, const ObjectCamera& camera) :
   width_ = part.width() + 2 * kBorder;
   height_ = part.height() + 2 * kBorder;
   allocate();
-  // A power of two: it can be taken away and added again with little rounding.
+  // A power of two: subtracting and adding it causes little rounding.
   softness_ = std::bit_cast<float>((std::bit_cast<std::uint32_t>(1.0F / nearest) & 0x7F800000U) + 0x00800000U);
   copy(image);
   spread();
@@ -60,7 +60,7 @@ std::size_t CachedView::ownBytes() const noexcept {
          ranges_.capacity() * sizeof(Range);
 }
 
-/// Colour and 1 / depth, 0 where there is nothing. Not a kernel, for 1 / depth is to be exact.
+/// Copies colour and 1 / depth, 0 where empty. Not a kernel, because 1 / depth must be exact.
 void CachedView::copy(const raster::Image& image) {
   for (int y = 0; y < height_; ++y) {
     std::uint32_t* const colour = colour_.get() + std::ptrdiff_t{y} * width_;

@@ -11,37 +11,36 @@
 
 namespace grove::objects::lightfield {
 
-/// A picture of an object that many eyes near its own share, without haze: the covered part of an image, made ready for
+/// A picture of an object that many nearby eyes share, without haze: the covered part of an image, prepared for
 /// reproject(). Immutable, any thread.
 class CachedView final : public node::SharedData {
  public:
-  /// Copies what shows of `image`, whose rectangle is in pixels of `camera`.
+  /// Copies the covered part of `image`, whose rectangle is in pixels of `camera`.
   CachedView(const raster::Image& image, const ObjectCamera& camera);
   /// The inverse of pack(). Throws node::PackingError.
   [[nodiscard]] static std::shared_ptr<CachedView> unpack(std::span<const std::byte> bytes);
 
   [[nodiscard]] const ObjectCamera& camera() const noexcept { return camera_; }
   [[nodiscard]] bool empty() const noexcept { return width_ == 0; }
-  /// All texels: those of the picture and kBorder more on each side that show nothing. Texel (0, 0) is the camera's
-  /// pixel (left(), top()).
+  /// All texels: the picture's plus kBorder empty ones on each side. Texel (0, 0) is the camera's pixel (left(),
+  /// top()).
   static constexpr int kBorder = 2;
   [[nodiscard]] int left() const noexcept { return left_; }
   [[nodiscard]] int top() const noexcept { return top_; }
   [[nodiscard]] int width() const noexcept { return width_; }
   [[nodiscard]] int height() const noexcept { return height_; }
 
-  /// As raster::Image's. As many as padding() more may be read, so that vectors of texels can be read from wherever one
-  /// lies.
+  /// Colour as in raster::Image. padding() more values are readable, so that a vector of texels can be read from any
+  /// texel.
   [[nodiscard]] const std::uint32_t* colour() const noexcept { return colour_.get(); }
-  /// Nearness of every texel: 1 / depth if it is covered by half; that less softness() if it is covered by less, or is
-  /// empty beside a covered one, whose depth it then has; and -softness() where there is nothing. So the nearest of
-  /// several texels is the largest, but all that hide what is behind come before those that do not.
-  /// Padded as the colours are.
+  /// Nearness of every texel. Covered by at least half: 1 / depth. Covered by less, or empty beside a covered texel,
+  /// whose depth it then takes: 1 / depth - softness(). Else: -softness(). So the largest value is the nearest texel,
+  /// but all texels that hide the background come before those that do not. Padded like the colours.
   [[nodiscard]] const float* nearness() const noexcept { return nearness_.get(); }
   [[nodiscard]] std::size_t padding() const noexcept { return static_cast<std::size_t>(width_) + 32; }
   [[nodiscard]] float softness() const noexcept { return softness_; }
 
-  /// The least and the greatest 1 / depth in squares of kSquare x kSquare texels; greatest is 0 if all are empty.
+  /// Min and max of 1 / depth in squares of kSquare x kSquare texels; max is 0 if all are empty.
   struct Range {
     float min = 0.0F;
     float max = 0.0F;
@@ -53,7 +52,7 @@ class CachedView final : public node::SharedData {
     return ranges_[static_cast<std::size_t>(row) * static_cast<std::size_t>(squaresAcross()) +
                    static_cast<std::size_t>(column)];
   }
-  /// Of the whole view.
+  /// Range of the whole view.
   [[nodiscard]] const Range& range() const noexcept { return whole_; }
 
  private:

@@ -31,7 +31,7 @@ std::shared_ptr<CachedView> CachedView::unpack(std::span<const std::byte> bytes)
   view->width_ = reader.takeWithin(0, kMaxEdge);
   view->height_ = reader.takeWithin(0, kMaxEdge);
   view->softness_ = reader.takeFinite(0.0F, 1.0e6F);
-  if (view->empty() != (view->height_ == 0)) reader.fail("has columns or rows alone");
+  if (view->empty() != (view->height_ == 0)) reader.fail("has columns without rows or rows without columns");
   reader.expect(view->texels() * (sizeof(std::uint32_t) + sizeof(float)));
   if (!view->empty()) view->allocate();
   reader.takePlanes(std::span<std::uint32_t>(view->colour_.get(), view->texels()));
@@ -39,7 +39,7 @@ std::shared_ptr<CachedView> CachedView::unpack(std::span<const std::byte> bytes)
   reader.takePlanes(nearness);
   reader.finish();
   for (const float each : nearness) {
-    if (!std::isfinite(each)) reader.fail("is nowhere");
+    if (!std::isfinite(each)) reader.fail("has depths that are not finite");
   }
   if (!view->empty()) view->measure();
   return view;

@@ -1,4 +1,4 @@
-// What changes the pixels of a picture by where they lie. For kernels: included once per target.
+// Changes the pixels of a picture depending on their points in space. For kernels: included once per target.
 
 #if defined(GROVE_OBJECTS_LIGHTFIELD_COMMON_CHANGE_PIXELS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef GROVE_OBJECTS_LIGHTFIELD_COMMON_CHANGE_PIXELS_INL_H
@@ -23,8 +23,8 @@ using world::Vec3;
 
 constexpr auto kCoverage = static_cast<std::int32_t>(0xFF000000U);
 
-/// Calls change(colour, depth, pixels from the row's first) and stores what it returns, for as many neighbouring
-/// pixels at a time as there are lanes; beyond the ends of rows there are pixels that show nothing.
+/// Calls change(colour, depth, index of the first pixel in its row) for a vector of adjacent pixels at a time and
+/// stores the result. Beyond the ends of rows it passes empty pixels.
 template <typename Change>
 HWY_INLINE void changeRow(std::uint32_t* colour, const float* depth, int width, const Change& change) {
   int x = 0;
@@ -44,7 +44,7 @@ HWY_INLINE void changeRow(std::uint32_t* colour, const float* depth, int width, 
   for (int i = x; i < width; ++i) colour[i] = someColour[i - x];
 }
 
-/// The same with all rows and points: change(colour, x, y, z) in object coordinates.
+/// The same for all rows, with points: change(colour, x, y, z) in object coordinates.
 template <typename Change>
 HWY_INLINE void changePart(const ObjectCamera& camera, const PicturePart& part, const Change& change) {
   for (int row = 0; row < part.rect.height(); ++row) {

@@ -10,14 +10,14 @@ namespace grove::objects::lightfield {
 
 inline constexpr const char* kTypeName = "lightfield";
 
-/// What a frontend half knows of a light field, under the empty key: enough to know which pictures of it to show.
+/// A frontend half's description of a light field, under the empty key: enough to choose pictures.
 class FieldInfo final : public node::SharedData {
  public:
   struct Parts {
     ViewGeometry geometry;
-    int viewSize = 0;       ///< texels an edge of one of its views
-    int number = 0;         ///< counts the light fields that the object has shown; a later one is finer
-    float maxError = 0.0F;  ///< pixels of parallax that reprojection may have to mend; 0: every picture is made anew
+    int viewSize = 0;       ///< texels per edge of a view
+    int number = 0;         ///< version of the light field that the object shows; later ones are finer
+    float maxError = 0.0F;  ///< pixels of parallax that reprojection may fill in; 0: makes every picture anew
   };
   FieldInfo(const Parts& parts, node::Version version) : SharedData(version), parts_(parts) {}
   /// The inverse of pack(). Throws node::PackingError.

@@ -4,7 +4,7 @@
 
 namespace grove::objects::lightfield {
 
-/// What the air adds on the way, the same for a whole object; display-encoded like the colours it is mixed into.
+/// The air between eye and object, constant over an object; display-encoded like the colours that it is mixed into.
 struct Haze {
   std::array<float, 3> colour{};  ///< 0..1
   float amount = 0.0F;            ///< result = colour * (1 - amount) + haze.colour * coverage * amount

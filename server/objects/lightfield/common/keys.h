@@ -3,18 +3,18 @@
 #include "node/messages/shared_key.h"
 #include "objects/lightfield/common/view_cell.h"
 
-/// The keys under which a light field answers.
+/// The keys of a light field's data.
 namespace grove::objects::lightfield {
 
-/// Of the shared picture of a cell.
+/// Key of a cell's shared picture.
 [[nodiscard]] node::Key keyOf(const CellId& id);
 /// Throws node::PackingError.
 [[nodiscard]] CellId cellIdOf(const node::Key& key);
 
-/// Of a visitor's own picture from a camera that is not his frame's.
+/// Key of a visitor's own picture from a camera other than the frame's.
 struct OwnPicture {
   ObjectCamera camera;
-  bool mustBeMade = false;  ///< even if there is no time left for it
+  bool mustBeMade = false;  ///< even if the budget is spent
 };
 [[nodiscard]] node::Key keyOf(const OwnPicture& picture);
 /// Throws node::PackingError.

@@ -1,4 +1,4 @@
-// The lower and the upper of two numbers. For kernels: included once per target.
+// Min and max of two numbers. For kernels: included once per target.
 
 #if defined(GROVE_OBJECTS_LIGHTFIELD_COMMON_LOWER_UPPER_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef GROVE_OBJECTS_LIGHTFIELD_COMMON_LOWER_UPPER_INL_H
@@ -12,7 +12,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace grove::objects::lightfield::HWY_NAMESPACE {
 
-// By value: of references the compiler makes pointers, which it then looks up one by one.
+// By value: references become pointers, which the compiler loads one by one.
 HWY_INLINE float lower(float a, float b) { return a < b ? a : b; }
 HWY_INLINE float upper(float a, float b) { return a > b ? a : b; }
 

@@ -11,16 +11,16 @@ using world::Vec3;
 
 namespace {
 
-/// Metres of view depth; what is nearer may be anywhere in the picture.
+/// View depth in metres; nearer points may be anywhere in the picture.
 constexpr float kMinAhead = 0.05F;
 
-/// The object's metres across a pixel at a distance in the object's metres.
+/// Width of a pixel at a distance, both in the object's metres.
 float pixelAt(const ObjectCamera& camera, float distance) {
   const Vec3 axis = glm::normalize(glm::cross(camera.perColumn, camera.perRow));
   return distance * glm::length(camera.perRow) / std::abs(glm::dot(camera.corner, axis));
 }
 
-/// The object's metres across a texel in the middle of a typical view.
+/// Width of a texel in the middle of a typical view, in the object's metres.
 float texelOf(const ViewGeometry& geometry, int viewSize) {
   const ViewCamera view = viewCamera(geometry, {0.0F, 1.0F, 0.0F});
   return glm::distance(view.eye, geometry.target) / (view.focal * static_cast<float>(viewSize));
@@ -35,7 +35,7 @@ ObjectCamera objectCamera(const world::Camera& camera, const world::Transform& t
   result.eye = Vec3(toObject * world::Vec4(camera.pose.position, 1.0F));
   const Vec3 corner = camera.ray(0.0F, 0.0F);
   result.corner = turn * corner;
-  // Over the whole image, because the difference of two pixels' rays has few digits.
+  // Computed over the whole image, because the difference of two pixels' rays has few digits.
   const auto width = static_cast<float>(camera.width);
   const auto height = static_cast<float>(camera.height);
   result.perColumn = turn * ((camera.ray(width, 0.0F) - corner) / width);

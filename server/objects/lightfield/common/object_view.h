@@ -6,7 +6,7 @@
 #include "world/camera.h"
 #include "world/sky.h"
 
-/// From a frame's view of the world to a light field's own coordinates.
+/// Converts a frame's camera to a light field's object coordinates.
 namespace grove::objects::lightfield {
 
 [[nodiscard]] ObjectCamera objectCamera(const world::Camera& camera, const world::Transform& transform);
@@ -14,17 +14,17 @@ namespace grove::objects::lightfield {
 /// The air between the eye and the middle of an object.
 [[nodiscard]] Haze hazeBefore(const world::Bounds& worldBounds, const world::Sky& sky, const world::Camera& camera);
 
-/// The level of the mip pyramid whose texels are about as large as the frame's pixels at the object.
+/// The mip level whose texels are about as large as the frame's pixels at the object.
 [[nodiscard]] int levelFor(const LightField& field, const ObjectCamera& camera);
 
 /// The same camera with pixels `times` as wide and high.
 [[nodiscard]] ObjectCamera coarser(const ObjectCamera& camera, float times);
 
-/// The part of `whole` that may show a box: all of it if some of the box is beside or behind the eye.
+/// The part of `whole` that may show a box; all of it if part of the box is beside or behind the eye.
 [[nodiscard]] world::Rect boxOf(const world::Bounds& bounds, const ObjectCamera& camera, const world::Rect& whole);
 
-/// How many pixels wide the finest texels are in the middle of the object's far half, at least 1: a picture of it with
-/// one sample for so many pixels shows all but a little of what the texels have. What is farther is mostly hidden.
+/// Width in pixels of the finest texels in the middle of the object's far half, at least 1. A picture with one sample
+/// per this many pixels shows nearly all detail of the texels; farther parts are mostly hidden.
 [[nodiscard]] float magnification(const ViewGeometry& geometry, int viewSize, const ObjectCamera& camera);
 
 }  // namespace grove::objects::lightfield

@@ -5,7 +5,7 @@
 #include "node/messages/packing/packing.h"
 #include "objects/lightfield/format/view_camera.h"
 
-/// Cameras and places in packed data.
+/// Cameras and positions in packed data.
 namespace grove::objects::lightfield {
 
 inline void putVec3(node::PackWriter& writer, world::Vec3 value) { writer.put(value.x).put(value.y).put(value.z); }

@@ -4,21 +4,21 @@
 
 namespace grove::objects::lightfield {
 
-/// What pictures that are not what they should be count as, in times of the permitted error.
+/// Errors of imperfect pictures relative to the permitted error.
 
-/// Of few texels, for want of time: at least so much.
+/// Minimum error of a coarse picture, made with few texels because the budget was spent.
 inline constexpr float kCoarseError = 4.0F;
 
-/// Of a former light field: at least so much, so little that it is replaced when there is time.
+/// Minimum error of a picture of a former light field; small, so that it is replaced when the budget permits.
 inline constexpr float kOutdatedError = 1.5F;
 
-/// Of a former light field: a picture with a larger error is no longer mixed into the one that replaces it.
+/// Largest error of a picture of a former light field for which it is still cross-faded with its replacement.
 inline constexpr float kMaxFadingError = 4.0F;
 
-/// Of a picture that is missing or does not cover what is seen.
+/// Error of a picture that is missing or does not cover the visible part.
 inline constexpr float kNever = std::numeric_limits<float>::infinity();
 
-/// Times the width of the pixels of a coarse picture.
+/// Pixel width of a coarse picture relative to a fine one.
 inline constexpr float kCoarse = 4.0F;
 
 }  // namespace grove::objects::lightfield

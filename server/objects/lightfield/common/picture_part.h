@@ -7,10 +7,10 @@
 
 namespace grove::objects::lightfield {
 
-/// Metres: for pixels that show nothing.
+/// Depth of empty pixels, metres.
 inline constexpr float kRelightFarthest = 1.0e4F;
 
-/// A part of a picture as a raster::Image has it, rows `stride` pixels apart; `rect` is in pixels of `camera`.
+/// A part of a raster::Image, rows `stride` pixels apart; `rect` is in pixels of `camera`.
 struct PicturePart {
   std::uint32_t* colour = nullptr;
   const float* depth = nullptr;

@@ -9,34 +9,33 @@
 namespace grove::objects::lightfield {
 namespace {
 
-// Focal lengths are rounded up, so that visitors with windows of almost the same size share.
+// Focal lengths are rounded up, so that visitors with windows of similar sizes share pictures.
 constexpr float kFocalsPerOctave = 4.0F;
-// A picture is sharper than the farthest eye of its shell needs by at most this step.
+// A picture is at most this step sharper than the farthest eye of its shell needs.
 constexpr float kShellsPerOctave = 8.0F;
-// Steps by which an eye may be farther than the eye of a picture: the pixels that are left out then begin to flicker.
+// Steps by which an eye may be farther than a picture's own eye: beyond that, skipped texels begin to flicker.
 constexpr float kFarther = 2.0F;
-// Of the error, for eyes that are too near or too far. Going to and fro costs little, so the rest is left for going
-// around, which makes the cell about as long as it is wide.
+// Share of the error for eyes that are too near or too far. Moving to and fro costs little error, so most of it is left
+// for moving around, which makes the cell about as long as it is wide.
 constexpr float kRadialShare = 0.25F;
-// Eyes of people go around an object more than above it.
+// People move around an object more than above it.
 constexpr float kAspect = 2.0F;
-// Chord of the widest cell, in distances: what is far away changes its light with the direction, too.
+// Chord of the widest cell, relative to the distance: even a distant object's light changes with the direction.
 constexpr float kWidest = 0.25F;
-// Eyes that are so near to the ball, in radii, have no cell.
+// Eyes nearer to the ball than this, in radii, have no cell.
 constexpr float kOutside = 1.05F;
-// How far an eye may at most be from that of a picture it is shown for want of time: much of what shows is then
-// missing.
+// Limits of an eye's distance from the eye of a stale picture: beyond them too much is missing.
 constexpr float kMinCosine = 0.5F;
 constexpr float kMaxOctaves = 1.0F;
 constexpr float kErrorsPerPixel = 64.0F;
 constexpr float kMaxLayers = 1.0e6F;
 constexpr float kPi = std::numbers::pi_v<float>;
-// Of any id: far more than eyes have.
+// Limits of ids: far beyond those of real eyes.
 constexpr std::int32_t kMaxErrors = 1 << 16;
 constexpr std::int32_t kMaxFocals = 80;
 constexpr std::int32_t kMaxShells = 256;
 
-/// How far eyes between two distances may be from the axis of their cell.
+/// Permitted distance of eyes between two distances from the axis of their cell.
 ///
 /// Let the ball have radius R around the origin, c be the cell's eye at distance D, and e = c + d another eye, whose
 /// offset d has the length `radial` along the axis through c and `side` across it. Points p and q on one ray from c
@@ -47,7 +46,7 @@ constexpr std::int32_t kMaxShells = 256;
 /// where x0 and x1 are the ends of the chord. x0 x1 is the power of F, |F|^2 - R^2, and |F| >= |e| - h. Since
 /// L <= 2R and L sin a <= R^2 / D (largest at D sin a = R / sqrt 2), and sin a <= R / D wherever there is a chord,
 ///     angle <= (2 R side + radial R^2 / D) / ((|e| - side - radial R / D)^2 - R^2).
-/// This is the error over the focal length, as reprojectionError() has it; the function solves for `side`.
+/// This is the error over the focal length, as in reprojectionError(); the function solves for `side`.
 float permittedSide(float ball, float nearest, float axis, float radial, float angle) {
   const float clear = nearest - radial * ball / axis;
   const float c = clear * clear - ball * ball - radial * ball * ball / (axis * angle);
@@ -55,15 +54,15 @@ float permittedSide(float ball, float nearest, float axis, float radial, float a
   return c > 0.0F && clear > 0.0F ? c / (b + std::sqrt(b * b - c)) : 0.0F;
 }
 
-/// What all cells of one layer have in common.
+/// Values that all cells of one layer share.
 struct Layer {
   float sharp = 0.0F;      ///< focal length
-  float low = 0.0F;        ///< distance at which its shell begins
+  float low = 0.0F;        ///< smallest distance of its shell
   float thickness = 0.0F;  ///< of the shell
-  float layers = 0.0F;     ///< of the shell
+  float layers = 0.0F;     ///< in the shell
   float nearest = 0.0F;    ///< distance
   float axis = 0.0F;       ///< distance of the cells' own eyes
-  float radial = 0.0F;     ///< how far eyes may be from theirs, along the axis
+  float radial = 0.0F;     ///< permitted distance of an eye from the cell's own, along the axis
   float side = 0.0F;       ///< and across it
   float halfBand = 0.0F;   ///< radians
   float bands = 0.0F;
@@ -83,7 +82,7 @@ std::optional<Layer> shellOf(float ball, const CellId& id) {
   return layer;
 }
 
-/// The rest of it; nothing if an eye in one of its cells could hardly move.
+/// The complete layer; nothing if an eye in one of its cells could hardly move.
 std::optional<Layer> layerOf(float ball, const CellId& id) {
   std::optional<Layer> layer = shellOf(ball, id);
   if (!layer) return std::nullopt;
@@ -112,7 +111,7 @@ std::optional<Layer> layerOf(float ball, const CellId& id) {
 
 float bandBegin(const Layer& layer, float band) { return (band / layer.bands - 0.5F) * kPi; }
 
-/// Of a band of elevations.
+/// Number of columns in a band of elevations.
 float columnsOf(const Layer& layer, float band) {
   const float lowest = bandBegin(layer, band);
   const float highest = bandBegin(layer, band + 1.0F);
@@ -120,7 +119,7 @@ float columnsOf(const Layer& layer, float band) {
   return std::max(1.0F, std::ceil(kPi * widest / (kAspect * layer.halfBand)));
 }
 
-/// The cell in its layer, with its own eye.
+/// A layer's cell with its own eye.
 std::optional<ViewCell> cellIn(const Layer& layer, const ViewGeometry& geometry, const CellId& id) {
   ViewCell cell;
   cell.id = id;
@@ -133,7 +132,7 @@ std::optional<ViewCell> cellIn(const Layer& layer, const ViewGeometry& geometry,
   aimed.centre = geometry.target;
   aimed.radius = layer.axis;
   const ViewCamera camera = viewCamera(aimed, direction);
-  // A point of the ball is farther from the cell's eye than from another one by at most what lies between the eyes.
+  // A point's distances from the cell's eye and from another eye differ by at most the distance between the eyes.
   const float size =
       std::ceil(layer.sharp / camera.focal * (1.0F + (layer.side + layer.radial) / (layer.nearest - geometry.extent)));
   if (!(size <= static_cast<float>(kMaxCellSize))) return std::nullopt;
@@ -158,7 +157,7 @@ float reprojectionError(const ViewGeometry& geometry, world::Vec3 own, world::Ve
   const float along = glm::dot(eye - own, from) / axis;
   const float side = glm::length(eye - own - along * from / axis);
   const float radial = std::abs(along);
-  // So far aside that the proof says nothing any more, the angle is large all the same.
+  // So far aside that the proof no longer holds; the angle is still large.
   const float clear = std::max(distance - side - radial * ball / axis, kOutside * ball);
   const float angle = (2.0F * ball * side + radial * ball * ball / axis) / (clear * clear - ball * ball);
   return std::max({angle * focal / errorPixels, nearer, -nearer / kFarther, side / (kWidest * axis)});

@@ -7,7 +7,7 @@
 
 namespace grove::objects::lightfield {
 
-/// Names one cell of eyes around an object; means something only among cells of one object.
+/// Identifies a cell of eyes around an object; unique among the cells of one object.
 struct CellId {
   std::int32_t focal = 0;  ///< step of the focal length
   std::int32_t shell = 0;  ///< step of the distance
@@ -15,39 +15,39 @@ struct CellId {
   std::int32_t band = 0;   ///< of elevations, from straight below
   std::int32_t column = 0;
   std::int32_t error = 0;    ///< permitted, in 1 / 64 of a pixel
-  std::int32_t version = 0;  ///< of the light field that the picture is made of
-  bool coarse = false;       ///< a picture of few texels, for want of time
+  std::int32_t version = 0;  ///< of the picture's light field
+  bool coarse = false;       ///< a picture of few texels, made when the budget was spent
   friend bool operator==(const CellId&, const CellId&) = default;
 };
 
-/// A set of neighbouring eyes that one picture of an object serves, reprojected by its depth: those between two
-/// distances from the middle of the object's ball, between two elevations and between two azimuths.
+/// A set of nearby eyes that one picture of an object serves by reprojection: the eyes between two distances from the
+/// centre of the object's ball, between two elevations and between two azimuths.
 ///
-/// The error: two points of the ball that hide one another from the cell's own eye may stand apart for another eye, and
-/// what shows between them then is not in the picture. For every eye in the cell they stand apart by less than the
-/// permitted error. What is in the picture is put where it belongs, with no error but rounding.
+/// The error: two points of the ball that coincide for the cell's own eye may stand apart for another eye, and the
+/// picture lacks what is visible between them. For every eye in the cell they stand apart by less than the permitted
+/// error. The picture's own points are reprojected exactly, apart from rounding.
 ///
-/// Pixels are those in the middle of a frame, 1 / focal of a radian each, whichever way the visitor looks.
+/// Pixels are those in the middle of a frame, 1 / focal of a radian each, independent of the viewing direction.
 struct ViewCell {
   CellId id;
   ObjectCamera camera;  ///< of the cell's own eye, for an image of size x size pixels that encloses the ball
-  int size = 0;         ///< at least one texel to a pixel for every eye in the cell
-  float reach = 0.0F;   ///< metres that an eye in the midst can at least go aside before it leaves
+  int size = 0;         ///< at least one texel per pixel for every eye in the cell
+  float reach = 0.0F;   ///< metres that an eye in the middle can move sideways at least before it leaves the cell
 };
 
-/// The cell of an eye (object coordinates) in a frame with this focal length in pixels. Nothing if a picture would not
-/// be used again: if the eye is in or near the ball, could not move by kMinReach, or needs more than kMaxCellSize
-/// pixels. The error is rounded to 1 / 64 of a pixel.
+/// The cell of an eye (object coordinates) in a frame with this focal length in pixels. Nothing if a picture could not
+/// be reused: the eye is in or near the ball, could not move by kMinReach, or needs more than kMaxCellSize pixels. The
+/// error is rounded to 1 / 64 of a pixel.
 [[nodiscard]] std::optional<ViewCell> viewCell(const ViewGeometry& geometry, world::Vec3 eye, float focal,
                                                float errorPixels);
 
-/// The same cell by its id alone; nothing if no eye has such a cell.
+/// The same cell from its id alone; nothing for an invalid id.
 [[nodiscard]] std::optional<ViewCell> viewCell(const ViewGeometry& geometry, const CellId& id);
 
-/// The reprojection error of a picture that was made from `own`, for `eye` (object coordinates), which need be in no
-/// cell of it, in a frame of this focal length: in times of what is permitted, which is an error of `errorPixels`, and
-/// to be an eighth of an octave nearer than `own` (the picture is then so much less sharp) or two farther. Beyond 1 it
-/// is an estimate, and infinite where too little of the object is in the picture.
+/// The reprojection error of a picture made from `own`, for `eye` (object coordinates; it may be in another cell), in a
+/// frame of this focal length. The result is relative to the permitted error: `errorPixels` of parallax, an eye nearer
+/// than `own` by an eighth of an octave (the picture is then that much less sharp), or farther by two eighths. Above 1
+/// it is an estimate, and it is infinite if too little of the object is in the picture.
 [[nodiscard]] float reprojectionError(const ViewGeometry& geometry, world::Vec3 own, world::Vec3 eye, float focal,
                                       float errorPixels);
 

@@ -27,7 +27,7 @@ class SectionWriter {
     end_ += bytes.size();
   }
 
-  /// Ends the section that was added to and begins the next.
+  /// Ends the current section and begins the next.
   [[nodiscard]] Section finish() {
     const Section section{start_, end_ - start_, checksum_.value()};
     start_ = end_ = aligned(end_);

@@ -19,7 +19,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "files are read in place");
 
-// Keeps products of lengths far from what a float cannot hold.
+// Keeps products of lengths well within the range of a float.
 constexpr float kLongest = 1.0e6F;
 constexpr float kShortest = 1.0e-4F;
 constexpr float kShortestVoxel = 1.0e-6F;
@@ -103,10 +103,10 @@ class Reader {
     const auto one = [](const float& v) { return std::span(&v, 1); };
     require(sane({h.centre, h.target, h.boundsLow, h.boundsHigh, h.voxelLow, one(h.radius), one(h.extent),
                   one(h.sunAzimuth), one(h.voxelCell)}),
-            "has a length that is no sane number");
+            "has a length out of range");
     require(h.extent >= kShortest, "has an extent out of range");
     require(seesItsBall(geometry()), "has a radius out of range");
-    for (int axis = 0; axis < 3; ++axis) require(h.boundsLow[axis] <= h.boundsHigh[axis], "has bounds without inside");
+    for (int axis = 0; axis < 3; ++axis) require(h.boundsLow[axis] <= h.boundsHigh[axis], "has inverted bounds");
   }
 
   void checkSections() const {
@@ -136,7 +136,7 @@ class Reader {
     return bytes_.subspan(section.offset, section.bytes);
   }
 
-  /// `bytes` lie at a multiple of alignof(T) in the file.
+  /// `bytes` start at a multiple of alignof(T) in the file.
   template <class T>
   [[nodiscard]] static std::span<const T> as(std::span<const std::byte> bytes) {
     return {reinterpret_cast<const T*>(bytes.data()), bytes.size() / sizeof(T)};
@@ -155,7 +155,7 @@ class Reader {
       field.bytes += colour.bytes;
     }
 
-    // A copy, for a reader finds its way by it: who writes into the mapped file must not lead it astray.
+    // A copy, because readers navigate by it: later writes to the mapped file must not corrupt it.
     const auto mapped = as<std::uint32_t>(bytesOf(header_.sections[kDirectory]));
     directory_ = std::make_shared<const std::vector<std::uint32_t>>(mapped.begin(), mapped.end());
     const std::span<const std::uint32_t> directory(*directory_);
@@ -210,7 +210,7 @@ class Reader {
       const auto depth = as<float>(rest.first(pixels * sizeof(float)));
       rest = rest.subspan(depth.size_bytes());
       require(std::ranges::all_of(depth, [](float d) { return d >= 0.0F && d <= world::kInfiniteDepth; }),
-              "has a held-out view with depths that are none");
+              "has a held-out view with invalid depths");
       field.heldOut.push_back({{camera[0], camera[1], camera[2], camera[3]},
                                static_cast<int>(header.size),
                                colour,

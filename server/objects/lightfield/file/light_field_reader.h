@@ -9,8 +9,8 @@
 
 namespace grove::objects::lightfield {
 
-/// The light field in the bytes of a file, which `storage` keeps alive; they start at a multiple of 8. Trusts nothing:
-/// see openLightField(). Throws LightFieldError that begins with `name`.
+/// Reads the light field from the bytes of a file, which `storage` keeps alive; they start at a multiple of 8.
+/// Validates everything, see openLightField(). Throws LightFieldError that begins with `name`.
 [[nodiscard]] LightField readLightField(std::span<const std::byte> bytes, const std::string& name,
                                         std::shared_ptr<const void> storage);
 

@@ -15,8 +15,8 @@ namespace grove::objects::lightfield {
 
 MappedFile::MappedFile(const std::filesystem::path& file)
     : cutMessage_(file.string() +
-                  ": became shorter while it was served, or its disk fails: parts of it are missing until it is put "
-                  "back and the server started anew") {
+                  ": was truncated while it was in use, or its disk fails: parts of it are missing until it is "
+                  "restored and the server restarted") {
   const PlainFile opened(file, "light fields are made by `grove bake`", std::numeric_limits<std::uint64_t>::max());
   const auto size = static_cast<std::size_t>(opened.bytes());
   if (size == 0) return;
@@ -31,7 +31,7 @@ MappedFile::MappedFile(const std::filesystem::path& file)
 
 MappedFile::~MappedFile() {
   guard_.reset();
-  // munmap wants the pointer that mmap gave.
+  // munmap needs the pointer from mmap.
   if (!bytes_.empty()) munmap(const_cast<std::byte*>(bytes_.data()), bytes_.size());
 }
 

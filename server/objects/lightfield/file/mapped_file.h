@@ -11,12 +11,11 @@
 
 namespace grove::objects::lightfield {
 
-/// A file's bytes, mapped read-only: pages are read when they are touched and shared by all processes. Writers that
-/// replace the file (AtomicFile) are no harm. One that writes into it changes the bytes, and what is cut off reads as
-/// zeros from then on.
+/// A file's bytes, mapped read-only: pages are read on first access and shared by all processes. Replacing the file
+/// (AtomicFile) is safe. Writing into the file changes the bytes, and truncated parts then read as zeros.
 class MappedFile {
  public:
-  /// Throws EnvironmentError if the file cannot be opened or is no plain file.
+  /// Throws EnvironmentError if the file cannot be opened or is no regular file.
   explicit MappedFile(const std::filesystem::path& file);
   ~MappedFile();
   MappedFile(const MappedFile&) = delete;
@@ -24,7 +23,7 @@ class MappedFile {
 
   [[nodiscard]] std::span<const std::byte> bytes() const noexcept { return bytes_; }
 
-  /// Once something that was cut off has been read, says so in the log, once. Any thread; costs nothing otherwise.
+  /// Logs once if a truncated part has been read. Any thread; free otherwise.
   void reportIfCut() const noexcept {
     if (guard_ && guard_->cut()) reportOnce();
   }

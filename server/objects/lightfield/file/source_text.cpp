@@ -9,7 +9,7 @@
 namespace grove::objects::lightfield {
 namespace {
 
-/// Bytes of the visible character that `text` begins with; 0 if it begins with none.
+/// Length in bytes of the visible character at the start of `text`; 0 if there is none.
 std::size_t characterLength(std::string_view text) noexcept {
   const auto first = static_cast<unsigned char>(text.front());
   if (first < 0x80U) return first >= 0x20U && first != 0x7FU ? 1 : 0;

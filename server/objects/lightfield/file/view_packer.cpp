@@ -10,8 +10,8 @@ namespace {
 
 constexpr float kClusterTexels = 4.0F;
 
-/// What four texels show from afar: the surface in front, if they lie on both sides of an edge. A mean of both would
-/// lie where nothing is. `reach` is how deep a surface may be, in steps of depth.
+/// The depth of four texels at half resolution: the front surface if they lie on both sides of an edge, because a mean
+/// of both would lie in empty space. `reach` is the largest depth of a surface, in steps of depth.
 std::uint16_t frontDepth(const std::array<std::uint16_t, 4>& children, float reach) {
   const std::uint16_t front = *std::ranges::min_element(children);
   if (front == kNoDepth) return kNoDepth;
@@ -37,7 +37,7 @@ std::uint32_t meanColour(const std::array<std::uint32_t, 4>& children) {
   return ((even >> 2U) & kEvenBytes) | (((odd >> 2U) & kEvenBytes) << 8U);
 }
 
-/// Calls f(texel of the half, its four children) for a picture of `half` squared texels and one twice its size.
+/// Calls f(texel of the half, its four children) for a picture of `half` squared texels and one of twice its size.
 template <class T, class F>
 void forEachQuad(const std::vector<T>& fine, int half, F f) {
   const auto across = static_cast<std::size_t>(half);
@@ -65,7 +65,7 @@ DenseView halved(const DenseView& fine) {
   return coarse;
 }
 
-/// Copies a block with its apron out of a square picture; beyond the picture's border there is nothing.
+/// Copies a block with its apron from a square picture; texels beyond the border are `nothing`.
 template <class T>
 std::array<T, kBlockTexels> cut(const std::vector<T>& picture, int size, int row, int column, T nothing) {
   std::array<T, kBlockTexels> block;
@@ -101,7 +101,7 @@ void packLevel(const DenseView& view, PackedView& into) {
   }
 }
 
-/// Memory of a field that was put together here.
+/// Memory of a field assembled here.
 struct Store {
   std::vector<std::vector<std::uint32_t>> blocks;
   std::vector<std::uint16_t> depth;

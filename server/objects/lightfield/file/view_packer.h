@@ -7,7 +7,7 @@
 
 namespace grove::objects::lightfield {
 
-/// One view as it was rendered, rows from the top, encoded as LightField says.
+/// One rendered view, rows from the top, encoded as LightField describes.
 struct DenseView {
   int size = 0;
   std::vector<std::uint16_t> depth;                ///< size * size
@@ -25,12 +25,12 @@ struct PackedView {
 
 [[nodiscard]] PackedView packView(const DenseView& view, int levels);
 
-/// Puts a light field together in memory, for small ones and for tests; `grove bake` streams into a file instead.
+/// Assembles a light field in memory, for small ones and for tests; `grove bake` streams into a file instead.
 class LightFieldBuilder {
  public:
   /// `shape` has everything but blocks, depth, colour, bytes and storage.
   LightFieldBuilder(LightField shape, int lightings);
-  /// Each view once, in any order.
+  /// Add each view once, in any order.
   void set(int view, PackedView packed);
   [[nodiscard]] LightField build() &&;
 

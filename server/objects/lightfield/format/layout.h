@@ -5,7 +5,7 @@
 
 #include "objects/lightfield/format/light_field.h"
 
-/// The bytes of a light-field file, little-endian; FORMAT.md says the same in words.
+/// The bytes of a light-field file, little-endian; FORMAT.md describes them in words.
 namespace grove::objects::lightfield {
 
 inline constexpr std::array<char, 8> kMagic{'G', 'r', 'o', 'v', 'e', 'L', 'F', '\n'};
@@ -18,7 +18,7 @@ struct Section {
   std::uint64_t checksum = 0;  ///< XXH3, 64 bits
 };
 
-/// Sections by their place in Header::sections; colour k is at kColour + k.
+/// Indices into Header::sections; colour k is at kColour + k.
 enum SectionIndex : std::uint32_t { kDirectory, kDepth, kVoxels, kHeldOut, kColour };
 
 struct Header {
@@ -44,11 +44,11 @@ struct Header {
   float voxelCell = 0.0F;
   float voxelLow[3]{};
   char source[128]{};                           ///< UTF-8, zero-terminated
-  Section sections[kColour + kMaxLightings]{};  ///< those of lightings that there are not are all 0
+  Section sections[kColour + kMaxLightings]{};  ///< sections of unused lightings are all 0
 };
 static_assert(sizeof(Header) == 752, "no padding");
 
-/// Before each held-out view's size * size colours and size * size depths.
+/// Followed by each held-out view's size * size colours and size * size depths.
 struct HeldOutHeader {
   float eye[3]{};
   float corner[3]{};

@@ -6,7 +6,7 @@
 namespace grove::objects::lightfield {
 
 int LightField::lightingFor(float yaw, world::Vec3 sun) const noexcept {
-  // Turning an object by yaw turns the sun by -yaw for it.
+  // Rotating an object by yaw rotates the sun by -yaw relative to it.
   const float azimuth = std::atan2(sun.x, sun.z) - yaw - sunAzimuth;
   const float steps = azimuth / glm::two_pi<float>() * static_cast<float>(lightings());
   const int nearest = static_cast<int>(std::lround(steps)) % lightings();

@@ -15,12 +15,12 @@ ViewCamera viewCamera(const ViewGeometry& geometry, world::Vec3 direction) noexc
   const world::Vec3 towards = geometry.target - camera.eye;
   const float distance = glm::length(towards);
   camera.forward = towards / distance;
-  // Straight down there is no "up": any fixed choice will do, since every view is projected into by itself.
+  // Straight down there is no "up"; any fixed choice works, since every view is projected into separately.
   const world::Vec3 across = glm::cross(camera.forward, world::Vec3(0.0F, 1.0F, 0.0F));
   const float length = glm::length(across);
   camera.right = length > 1.0e-4F ? across / length : world::Vec3(1.0F, 0.0F, 0.0F);
   camera.down = glm::cross(camera.forward, camera.right);
-  // The cone that touches the ball.
+  // The cone tangent to the ball.
   const float sine = std::min(geometry.extent / distance, 0.999F);
   camera.focal = 0.5F * std::sqrt(1.0F - sine * sine) / sine;
   camera.nearDepth = distance - geometry.extent;

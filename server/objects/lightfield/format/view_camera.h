@@ -4,8 +4,8 @@
 
 namespace grove::objects::lightfield {
 
-/// Object coordinates, metres. Views are taken from the upper half of the sphere around `centre` (on the ground), and
-/// each frames the ball around `target` that encloses the object, so every view uses its texels well.
+/// Object coordinates, metres. Views lie on the upper half of the sphere around `centre` (on the ground). Each frames
+/// the ball around `target` that encloses the object, so that views use their texels well.
 struct ViewGeometry {
   world::Vec3 centre{0.0F};
   float radius = 2.0F;
@@ -13,7 +13,7 @@ struct ViewGeometry {
   float extent = 1.0F;  ///< radius of the enclosing ball
 };
 
-/// Whether every view's camera stands outside of the ball that it looks at.
+/// Whether every view's camera is outside the ball that it frames.
 [[nodiscard]] bool seesItsBall(const ViewGeometry& geometry) noexcept;
 
 /// The pinhole camera of one view.
@@ -23,16 +23,15 @@ struct ViewCamera {
   world::Vec3 down{0.0F, 0.0F, 1.0F};
   world::Vec3 forward{0.0F, -1.0F, 0.0F};
   float focal = 1.0F;      ///< in image heights: x = 0.5 + focal * dot(right, p) / dot(forward, p), from 0 to 1
-  float nearDepth = 0.0F;  ///< view depths between which everything lies
+  float nearDepth = 0.0F;  ///< view depths that enclose everything
   float farDepth = 1.0F;
 };
 
-/// The camera in `direction` (unit, from the centre).
+/// The camera in `direction` (unit vector from the centre).
 [[nodiscard]] ViewCamera viewCamera(const ViewGeometry& geometry, world::Vec3 direction) noexcept;
 
-/// Any camera in the coordinates of an object: a pixel's ray is `corner + x * perColumn + y * perRow` (pixel centres at
-/// +0.5), and `eye + depth * ray` is its point, where depth is the world's view depth in metres also if the object is
-/// scaled.
+/// Any camera in object coordinates: a pixel's ray is `corner + x * perColumn + y * perRow` (pixel centres at +0.5),
+/// and its points are `eye + depth * ray`; depth is the world's view depth in metres even if the object is scaled.
 struct ObjectCamera {
   world::Vec3 eye{0.0F};
   world::Vec3 corner{0.0F};

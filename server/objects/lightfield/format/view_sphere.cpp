@@ -38,8 +38,8 @@ world::Vec3 ViewSphere::direction(int view) const noexcept {
 ViewSphere::Nearest ViewSphere::nearest(world::Vec3 direction) const noexcept {
   const world::Vec3 d(direction.x, std::max(direction.y, 0.0F), direction.z);
   const float sum = std::max(std::abs(d.x) + d.y + std::abs(d.z), 1.0e-20F);
-  // The four quarters of the lattice are mirrors of each other; in this one the cell at (i, j) has i + j < n, so that
-  // at most its far corner is missing.
+  // The four quarters of the lattice are mirror images. In this one the cell at (i, j) has i + j < n, so at most its
+  // far corner is missing.
   const float u = std::abs(d.x) / sum * static_cast<float>(n_);
   const float v = std::abs(d.z) / sum * static_cast<float>(n_);
   const int i = std::min(static_cast<int>(u), n_ - 1);

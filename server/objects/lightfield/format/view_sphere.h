@@ -6,9 +6,9 @@
 
 namespace grove::objects::lightfield {
 
-/// Where the views of a light field are taken from: the vertices of a subdivided octahedron's upper hemisphere
-/// (Figure 5.2), as directions from the centre. Unfolded, they are the lattice points |i| + |j| <= subdivision, so that
-/// the nearest ones are found without a search.
+/// The positions of a light field's views: the vertices of a subdivided octahedron's upper hemisphere (Figure 5.2), as
+/// directions from the centre. Unfolded, they are the lattice points |i| + |j| <= subdivision, so that the nearest ones
+/// are found without a search.
 class ViewSphere {
  public:
   static constexpr int kMaxSubdivision = 128;
@@ -32,9 +32,9 @@ class ViewSphere {
   /// Unit vector from the centre, y >= 0.
   [[nodiscard]] world::Vec3 direction(int view) const noexcept;
 
-  /// The corners of the lattice cell that holds a direction and their bilinear weights, which add up to 1. At the rim
-  /// the last corner may be missing: its weight is 0, the others' grow evenly, and its view is one of theirs.
-  /// Directions below the rim are moved up to it.
+  /// The corners of a direction's lattice cell and their bilinear weights, whose sum is 1. At the rim the last corner
+  /// may be missing: its weight is 0, the others grow evenly, and its view repeats one of theirs. Directions below the
+  /// rim are moved up to it.
   struct Nearest {
     std::array<int, 4> view{};
     std::array<float, 4> weight{};

@@ -11,28 +11,28 @@
 
 namespace grove::objects::lightfield {
 
-/// Remembers which shared picture of each object a visitor was shown last: going on with it as long as it serves takes
-/// fewer new ones, and when there is no time for those it is all there is. Any thread.
+/// The last shared picture of each object that a visitor was shown. Reusing it as long as it is good enough saves new
+/// pictures, and when the budget is spent it is the only choice. Any thread.
 class LastViews {
  public:
-  /// The cell whose picture the visitor was shown last.
+  /// The cell of the last shown picture.
   [[nodiscard]] std::optional<CellId> last(world::ObjectId object) const;
 
-  /// What the visitor is shown at a time of the world's clock. If it is of a finer light field than `former`, that
-  /// gives way to it within CrossFade::kSeconds; null: there is nothing to give way.
+  /// Records the picture shown at a time of the world clock. If it belongs to a finer light field than `former`, starts
+  /// a cross-fade of CrossFade::kSeconds from `former`; null: no cross-fade.
   void shown(world::ObjectId object, const CellId& cell, double time, std::shared_ptr<const CachedView> former);
 
-  /// What gives way to the newest picture.
+  /// The cross-fade to the newest picture.
   [[nodiscard]] CrossFade fade(world::ObjectId object, double time) const;
 
-  /// What gave way is to be seen no more.
+  /// Ends the cross-fade immediately.
   void endFade(world::ObjectId object);
 
  private:
   struct Entry {
     CellId cell;
     std::shared_ptr<const CachedView> former;  ///< of the former light field
-    double since = 0.0;                        ///< when `cell` was first of another light field
+    double since = 0.0;                        ///< first time with a cell of the new light field
   };
   mutable std::mutex mutex_;
   std::map<world::ObjectId, Entry> entries_;

@@ -11,10 +11,10 @@
 namespace grove::objects::lightfield {
 namespace {
 
-/// From here on it is cheaper to sample one pixel a texel, and to enlarge the picture here.
+/// From this magnification on it is cheaper to sample one pixel per texel and to enlarge the picture here.
 constexpr float kMinMagnification = 1.3F;
 
-/// A picture with depth, moved to where this visitor's eye sees it.
+/// A picture with depth, reprojected to this visitor's eye.
 class ReprojectedLayer final : public node::Layer {
  public:
   ReprojectedLayer(const node::VisibleObject& object, const node::View& view, std::shared_ptr<const CachedView> picture,
@@ -60,7 +60,7 @@ class ReprojectedLayer final : public node::Layer {
   const LampLight light_;
 };
 
-/// Whether a picture is coarse because there was no time for a better one.
+/// Whether a picture is coarse because the budget was spent.
 bool isCoarse(const node::Reply& reply) {
   if (reply.ask.key.empty()) return false;
   return reply.ask.shared ? cellIdOf(reply.ask.key).coarse : ownPictureOf(reply.ask.key).mustBeMade;

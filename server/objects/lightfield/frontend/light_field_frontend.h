@@ -10,8 +10,8 @@
 
 namespace grove::objects::lightfield {
 
-/// One visitor's view of all light fields. What is far enough is shown with a picture that all share, moved by its
-/// depth to where this eye sees it; what is near, with a picture of his own, and with that again as long as it serves.
+/// One visitor's view of all light fields. Distant objects use shared pictures, reprojected by depth to this visitor's
+/// eye. Near objects use the visitor's own pictures, reused as long as they are good enough.
 class LightFieldFrontend final : public node::FrontendHalf {
  public:
   explicit LightFieldFrontend(const node::FrontendTools& tools);
@@ -25,13 +25,13 @@ class LightFieldFrontend final : public node::FrontendHalf {
   }
   [[nodiscard]] std::size_t bytes() const override { return own_.bytes(); }
 
-  /// What gives way to an object's picture in a frame of that time.
+  /// The cross-fade of an object's picture in a frame at that time.
   [[nodiscard]] CrossFade fade(world::ObjectId object, const CachedView& picture, double time);
 
  private:
   [[nodiscard]] node::Plan begin(const Sight& sight);
   [[nodiscard]] node::Plan resume(const Sight& sight, const node::Reply& reply);
-  /// Remembers whether an object is shown with a picture that is to be replaced.
+  /// Records whether an object is shown with a picture that should be replaced.
   void remember(world::ObjectId object, bool isProvisional);
   [[nodiscard]] bool isProvisional(world::ObjectId object) const;
 

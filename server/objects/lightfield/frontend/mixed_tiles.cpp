@@ -11,7 +11,7 @@ namespace {
 constexpr std::uint32_t kWhole = 256;
 /// Two of a colour's four bytes.
 constexpr std::uint32_t kEven = 0x00FF00FFU;
-/// Rounding one picture down and the other up, two like colours give that colour, and no sum is more than a byte.
+/// One picture is rounded down and the other up: two equal colours give the same colour, and no sum overflows a byte.
 constexpr std::uint32_t kDown = 0;
 constexpr std::uint32_t kUp = kEven;
 

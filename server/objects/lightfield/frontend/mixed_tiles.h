@@ -9,18 +9,18 @@
 
 namespace grove::objects::lightfield {
 
-/// Two pictures of one object, tile by tile, while one gives way to the other.
+/// Mixes two pictures of one object tile by tile during a cross-fade.
 class MixedTiles {
  public:
-  /// `share`: of the picture that comes, 0 to 1.
+  /// `share`: of the newer picture, 0 to 1.
   explicit MixedTiles(float share);
 
-  /// What reproject() hands the tiles of each picture to, in turn, with the same rectangle. Where both show something,
-  /// the depth is that of the picture that comes.
+  /// Receivers for the tiles that reproject() makes of each picture, one after the other with the same rectangle. Where
+  /// both are covered, the depth is the newer picture's.
   void addLeaving(const world::Rect& part, const WarpTile& tile);
   void addComing(const world::Rect& part, const WarpTile& tile);
 
-  /// Calls lay(part, colour, depth) with each tile that either shows something in; it may change the colours.
+  /// Calls lay(part, colour, depth) for each tile that either picture covers; it may change the colours.
   void forEach(const std::function<void(const world::Rect&, std::uint32_t*, const float*)>& lay);
 
  private:

@@ -6,15 +6,15 @@
 namespace grove::objects::lightfield {
 namespace {
 
-/// Pixels beyond the edges of the frame, at least and at most.
+/// Smallest and largest margin in pixels beyond the frame's edges.
 constexpr world::Vec2 kMin{32.0F, 24.0F};
 constexpr world::Vec2 kMax{256.0F, 160.0F};
-/// Texels beside an object that ends within the frame, so that the picture shows that it ends.
+/// Empty texels beside an object that ends within the frame, which prove that it ends there.
 constexpr float kClear = kClearTexels + 1.0F;
-/// Width of the turn that a margin is for, in times of the turn since the last picture.
+/// Angle that a margin covers, relative to the turn since the last picture.
 constexpr float kTimesLastTurn = 2.0F;
 
-/// By how many pixels a frame reaches beyond that of the last picture, because the head has turned.
+/// Pixels by which the frame exceeds the last picture's because the head has turned.
 Sides turnSince(const NearView& last, const ObjectCamera& camera, world::Vec2 frame) {
   Sides beyond;
   if (!last.picture) return beyond;

@@ -43,7 +43,7 @@ Sides edgeNearness(const CachedView& picture, const world::Rect& sampled) {
   constexpr int kBorder = CachedView::kBorder;
   const int across = picture.squaresAcross();
   const int down = picture.squaresDown();
-  // The last square of a row or column may be of a texel only.
+  // The last square of a row or column may be one texel wide.
   const int wide = std::min(2, across);
   const int high = std::min(2, down);
   return {edge(picture.left() + kBorder - sampled.left, {0, 0, wide, down}),
@@ -56,7 +56,7 @@ float reprojectionError(const NearView& view, const ObjectCamera& camera, const 
   const ObjectCamera& own = view.picture->camera();
   const world::Vec3 moved = camera.eye - own.eye;
   const glm::mat3 toPixels = glm::inverse(glm::mat3(own.perColumn, own.perRow, own.corner));
-  // Whether the picture shows what a pixel may see, which is infinitely far or at `nearness`.
+  // Whether the picture contains everything that a pixel may see between `nearness` and infinity.
   const auto within = [&](int x, int y, float nearness, const auto& isInside) {
     const world::Vec3 ray = camera.ray(static_cast<float>(x), static_cast<float>(y));
     const auto inside = [&](float w) {

@@ -12,7 +12,7 @@
 
 namespace grove::objects::lightfield {
 
-/// A value for each side of a rectangle.
+/// One value per side of a rectangle.
 struct Sides {
   float left = 0.0F;
   float top = 0.0F;
@@ -20,49 +20,49 @@ struct Sides {
   float bottom = 0.0F;
 };
 
-/// Empty texels between an object and an edge of its picture that show that the object ends there.
+/// Empty texels between an object and its picture's edge that prove that the object ends there.
 inline constexpr int kClearTexels = CachedView::kSquare;
 /// edgeNearness() where the object ends within the picture.
 inline constexpr float kObjectEnds = -1.0F;
 
-/// Largest 1 / depth along each edge of a picture that was made for the pixels `sampled` of its camera.
+/// Max of 1 / depth along each edge of a picture of the pixels `sampled` of its camera.
 [[nodiscard]] Sides edgeNearness(const CachedView& picture, const world::Rect& sampled);
 
-/// A visitor's own picture of an object that is too near to share, made for one frame and good for some more.
+/// A visitor's own picture of an object that is too near for a shared one; made for one frame and reused in the next.
 struct NearView {
   std::shared_ptr<const CachedView> picture = nullptr;
-  world::Rect sampled = {};                          ///< pixels of the picture's camera; beyond, nothing is known
+  world::Rect sampled = {};                          ///< pixels of the picture's camera; unknown outside
   float roughness = 0.0F;                            ///< of the picture
   Sides edges = {};                                  ///< see edgeNearness()
-  bool coarse = false;                               ///< of few texels, for want of time
-  int version = 0;                                   ///< of the light field that it shows
-  std::shared_ptr<const CachedView> from = nullptr;  ///< the last one of a former light field
-  double since = 0.0;                                ///< when the first of this light field was shown
+  bool coarse = false;                               ///< made with few texels because the budget was spent
+  int version = 0;                                   ///< of its light field
+  std::shared_ptr<const CachedView> from = nullptr;  ///< last picture of a former light field
+  double since = 0.0;                                ///< when the first picture of this light field was shown
 };
 
-/// How much neighbouring texels differ in 1 / depth, per metre: the root of the mean square over the picture. An eye
-/// that goes d metres aside, or pixels of one metre's distance, uncovers strips beside edges that are about
-/// d * roughness wide.
+/// Variation of 1 / depth between adjacent texels, per metre: the root mean square over the picture. An eye that moves
+/// d metres sideways uncovers strips beside edges that are about d * roughness wide, in units of pixels at one metre's
+/// distance.
 [[nodiscard]] float roughness(const CachedView& picture);
 
-/// How wide the strips are, in times of `errorPixels` pixels of the frame's camera, at which the picture shows the
-/// object. Infinite if the picture lacks something in the pixels `rect` of that camera. Assumes that what lies beyond
-/// an edge is not nearer than what the edge shows. A head that only turns uncovers nothing.
+/// Width of the strips relative to `errorPixels` pixels of the frame's camera. Infinite if the picture lacks a part of
+/// the pixels `rect` of that camera. Assumes that the unknown part beyond an edge is not nearer than the edge. Turning
+/// the head uncovers nothing.
 [[nodiscard]] float reprojectionError(const NearView& view, const ObjectCamera& camera, const world::Rect& rect,
                                       float errorPixels);
 
-/// The picture without the one that it replaced, if that has faded away.
+/// The view without the picture that it replaced, if that has faded out.
 [[nodiscard]] NearView unlessFaded(NearView view, double now);
 
-/// A visitor's last pictures of what is near to him. Keeps the kMax used last. Any thread.
+/// A visitor's last pictures of near objects. Keeps the kMax most recently used. Any thread.
 class NearViews {
  public:
   static constexpr std::size_t kMax = 64;
 
-  /// Without a picture if there is none.
+  /// The result has no picture if there is none.
   [[nodiscard]] NearView last(world::ObjectId object);
   void shown(world::ObjectId object, NearView view);
-  /// Memory that they take.
+  /// Memory use.
   [[nodiscard]] std::size_t bytes() const;
 
  private:

@@ -14,7 +14,7 @@ namespace {
 /// picture is a mean, that of a far one a maximum, and near objects cover more of the screen.
 constexpr float kNearShare = 0.15F;
 
-/// `times`: how wide a texel is, in pixels.
+/// `times`: width of a texel, in pixels.
 Shot shotOf(const Sight& sight, const NearView& last, float times) {
   const Shot whole{sight.camera, withMargins(sight.object.rect, sight.view.camera, sight.camera, last, times)};
   return whole.coarser(times);
@@ -28,7 +28,7 @@ node::Plan planOf(std::shared_ptr<const CachedView> picture) {
   return node::Payload(std::shared_ptr<const node::SharedData>(std::move(picture)));
 }
 
-/// Nothing is kept from frame to frame.
+/// Whether no picture is kept from frame to frame.
 bool isForOneFrame(const Sight& sight) { return sight.field.maxError <= 0.0F; }
 
 }  // namespace

@@ -9,21 +9,21 @@
 
 namespace grove::objects::lightfield {
 
-/// Chooses for one visitor which of his own pictures he is shown of what is too near to share one: the last as long as
-/// it serves, else a new one. While there is no time for new ones the last is shown however large its error is, or if
-/// there is none, one with a sixteenth of the texels.
+/// Chooses one visitor's own pictures of objects that are too near for shared ones: the last one as long as it is good
+/// enough, else a new one. While the budget is spent, uses the last one regardless of its error, or if there is none, a
+/// coarse one with a sixteenth of the texels.
 class OwnViews {
  public:
   explicit OwnViews(pipeline::Timeline& timeline) : timeline_(timeline) {}
 
-  /// `times`: how wide a texel of the picture may be, in pixels.
+  /// `times`: permitted width of the picture's texels, in pixels.
   [[nodiscard]] node::Plan begin(const Sight& sight, float times);
-  /// After what begin() or this asked for.
+  /// Continues after the reply to a request of begin() or resume().
   [[nodiscard]] node::Plan resume(const Sight& sight, const node::Reply& reply);
 
-  /// Whether the last one shows another light field, or was the first of this one a moment ago.
+  /// Whether the last picture shows another light field, or its cross-fade is in progress.
   [[nodiscard]] bool isFading(const Sight& sight);
-  /// What gives way to this picture; nothing if it is not the last one.
+  /// The cross-fade to this picture; none if it is not the last one.
   [[nodiscard]] CrossFade fade(world::ObjectId object, const CachedView& picture, double time);
 
   [[nodiscard]] std::size_t bytes() const { return near_.bytes(); }

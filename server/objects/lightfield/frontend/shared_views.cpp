@@ -10,12 +10,12 @@
 namespace grove::objects::lightfield {
 namespace {
 
-/// Metres. Hardly two visitors are in one cell that is smaller, and one who walks leaves it after two frames; what he
-/// sees of the object with a picture of his own is less than all of it.
+/// Metres. Two visitors rarely share a smaller cell, and a walking visitor leaves it after two frames; their own
+/// picture contains less than the whole object.
 constexpr float kMinSharedReach = 0.13F;
 
-/// Where a picture for a visitor who walks is made from, in reaches of his own cell; the first that serves him is
-/// taken.
+/// Positions ahead of a walking visitor for a new picture, in reaches of the current cell; the first that serves the
+/// current eye is used.
 constexpr std::array<float, 3> kStepsAhead{1.8F, 1.2F, 0.6F};
 
 float errorFor(const Sight& sight, world::Vec3 own) {
@@ -55,7 +55,7 @@ SharedViews::Last SharedViews::lastOf(const Sight& sight, std::int32_t focal) co
 node::Plan SharedViews::begin(const Sight& sight, const ViewCell& cell) {
   const CrossFade fade = last_.fade(sight.id(), sight.view.time);
   if (fade.from && errorFor(sight, fade.from->camera().eye) > kMaxFadingError) last_.endFade(sight.id());
-  // Going on with the last picture as long as it serves takes fewer of them than changing it at the border of its cell.
+  // Reusing the last picture as long as it is good enough needs fewer pictures than changing at each cell's border.
   Last last = lastOf(sight, cell.id.focal);
   if (last.error <= 1.0F) return show(sight, "view cache hits", last.cell, std::move(last.picture));
   const world::Vec3 step = cell.reach * sight.heading();

@@ -11,18 +11,18 @@
 
 namespace grove::objects::lightfield {
 
-/// Chooses for one visitor which of the pictures that all share he is shown: the last one as long as it serves, else
-/// that of a cell on his way or of his own. While there is no time for new ones the last is shown however large its
-/// error is, or if there is none, one with a sixteenth of the texels.
+/// Chooses one visitor's shared pictures: the last one as long as it is good enough, else one of a cell ahead or of the
+/// current cell. While the budget is spent, uses the last one regardless of its error, or if there is none, a coarse
+/// one with a sixteenth of the texels.
 class SharedViews {
  public:
   explicit SharedViews(pipeline::Timeline& timeline) : timeline_(timeline) {}
 
-  /// The cell of the eye; nothing if it is too near to share a picture.
+  /// The cell of the eye; nothing if it is too near for a shared picture.
   [[nodiscard]] static std::optional<ViewCell> cellOf(const Sight& sight);
 
   [[nodiscard]] node::Plan begin(const Sight& sight, const ViewCell& cell);
-  /// After what begin() or this asked for.
+  /// Continues after the reply to a request of begin() or resume().
   [[nodiscard]] node::Plan resume(const Sight& sight, const node::Reply& reply);
 
   [[nodiscard]] CrossFade fade(world::ObjectId object, double time) const { return last_.fade(object, time); }
@@ -31,7 +31,7 @@ class SharedViews {
   struct Last {
     CellId cell;
     std::shared_ptr<const CachedView> picture;  ///< null if there is none
-    float error = 0.0F;                         ///< in times of what is permitted; infinite if there is none
+    float error = 0.0F;                         ///< relative to the permitted error; infinite without a picture
   };
   [[nodiscard]] Last lastOf(const Sight& sight, std::int32_t focal) const;
   [[nodiscard]] node::Plan show(const Sight& sight, const char* counter, const CellId& cell,

@@ -7,7 +7,7 @@
 namespace grove::objects::lightfield {
 namespace {
 
-/// Metres a second.
+/// Metres per second.
 constexpr float kStanding = 0.05F;
 
 }  // namespace

@@ -5,7 +5,7 @@
 
 namespace grove::objects::lightfield {
 
-/// What one frame sees of one light field. Refers to what it is made of.
+/// One frame's view of one light field. Keeps references to its arguments.
 struct Sight {
   const node::VisibleObject& object;
   const node::View& view;
@@ -16,14 +16,14 @@ struct Sight {
 
   [[nodiscard]] world::ObjectId id() const { return object.object.id; }
   [[nodiscard]] float focal() const { return view.camera.focal(); }
-  /// Which way the viewer goes, in the object's coordinates; zero if he stands.
+  /// The viewer's direction of movement in object coordinates; zero while standing.
   [[nodiscard]] world::Vec3 heading() const;
 };
 
 [[nodiscard]] Sight sightOf(const node::VisibleObject& object, const node::View& view, const node::SharedOf& shared,
                             const FieldInfo& field);
 
-/// Whether the answer is that there is no time.
+/// Whether the reply means that the budget is spent.
 [[nodiscard]] bool isNotNow(const node::Payload& payload);
 
 }  // namespace grove::objects::lightfield

@@ -74,7 +74,7 @@ void MeshBackend::answerWith(raster::RendererKind kind, std::span<const node::Re
     const node::Request& request = requests[i];
     const auto it = entries_.find(request.object);
     if (it == entries_.end() || request.shared) {
-      payloads[i] = node::Failure{"meshes answer with pictures of meshes"};
+      payloads[i] = node::Failure{"meshes return only pictures of meshes"};
       continue;
     }
     const Entry& entry = it->second;

@@ -10,18 +10,18 @@
 
 namespace grove::objects::mesh {
 
-/// The rendering node of all meshes: bakes their light once for everybody, then draws views of them.
+/// The rendering node of all meshes: bakes their light once for all visitors, then draws views of them.
 class MeshBackend final : public node::BackendHalf {
  public:
-  /// Bakes on the services' workers and waits for them, so not on one of those.
+  /// Bakes on the services' workers and waits for them; do not call it on one of them.
   MeshBackend(const node::BackendServices& services, world::TypeIndex self);
   ~MeshBackend() override;
 
   [[nodiscard]] node::NodeKind kind() const override { return node::NodeKind::kRendering; }
-  /// The GL workers if any object is drawn by GL, else the workers of everything.
+  /// The GL workers if GL draws any object, else the shared workers.
   [[nodiscard]] pipeline::Executor& executor() override { return executor_; }
   [[nodiscard]] int concurrency() const override { return executor_.width(); }
-  /// On the executor; safe to call from several of its threads at once.
+  /// On the executor; several of its threads may call it at once.
   void answer(std::span<const node::Request> requests, std::span<node::Payload> payloads) override;
 
  private:

@@ -13,7 +13,7 @@
 namespace grove::objects::mesh {
 namespace {
 
-/// Sizes that are natural for a shape.
+/// Default sizes of a shape.
 Size usualSize(const std::string& shape) {
   if (shape == "lintel") return {0.6F, 3.0F, 0.8F};
   if (shape == "rocks") return {0.5F, 2.4F, 2.0F};
@@ -35,7 +35,7 @@ std::optional<float> obstacleOf(const std::string& shape, const Size& size) {
   return 0.25F * (size.width + size.depth);
 }
 
-/// Of the upright cylinder that holds what a visitor's chest would touch; none if nothing is that high.
+/// Radius of the upright cylinder around everything at a visitor's chest height; nothing if no part is that high.
 std::optional<float> trunkRadius(const world::Triangles& solid) {
   std::optional<float> radius;
   for (const auto& triangle : solid.indices) {
@@ -62,7 +62,7 @@ MeshModel::MeshModel(const world::Parameters& parameters)
   if (source.plant.empty() && source.file.empty()) {
     makeShape(parameters);
   } else {
-    // What a light field would want to know besides.
+    // Further keys of a light field.
     for (const char* key : {"subdivision", "size", "lightings"}) (void)parameters.integer(key, 1, 1, 1024);
     makeModel(models::loadModel(source, models::Detail::kSmall, parameters));
   }

@@ -13,14 +13,14 @@ namespace grove::objects::mesh {
 /// One mesh of the scene file.
 ///
 /// Keys: shape (stone, lintel, rocks, logs), seed, height, width, depth (metres), renderer; or, as for a light field,
-/// plant and seed, or model (a glTF file). The light field's own keys are accepted and mean nothing here, so that
-/// changing an object's type is changing one word.
+/// plant and seed, or model (a glTF file). Accepts and ignores the light field's own keys, so that changing an object's
+/// type means changing one word.
 class MeshModel final : public world::Model {
  public:
   /// Throws world::SceneError.
   explicit MeshModel(const world::Parameters& parameters);
 
-  /// A closed surface of one's own; nobody is kept from walking through it.
+  /// A custom closed surface; it does not block visitors.
   MeshModel(raster::Surface surface, raster::RendererKind renderer);
 
   [[nodiscard]] world::Bounds bounds() const override { return bounds_; }
@@ -42,7 +42,7 @@ class MeshModel final : public world::Model {
   raster::RendererKind renderer_ = raster::RendererKind::kAuto;
   raster::Surface surface_;
   std::optional<world::Triangles> solid_;
-  std::optional<world::Triangles> shade_;  ///< if more than the solid
+  std::optional<world::Triangles> shade_;  ///< if it has more than the solid
   world::Bounds bounds_;
   std::optional<float> obstacleRadius_;
 };

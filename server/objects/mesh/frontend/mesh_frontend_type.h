@@ -4,7 +4,7 @@
 
 namespace grove::objects::mesh {
 
-/// Meshes are pictures, and compositing them is all there is to do.
+/// Meshes are pictures; the frontend only composites them.
 class MeshFrontendType final : public node::FrontendType {
  public:
   [[nodiscard]] std::string_view name() const override;

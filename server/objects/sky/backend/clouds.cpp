@@ -11,14 +11,14 @@ namespace {
 using world::Vec2;
 using world::Vec3;
 
-/// A layer of clouds is a flat sheet that the view ray crosses far away: `flatness` keeps it from racing to infinity
-/// at the horizon, as the round earth does.
+/// A layer of clouds is a flat sheet that the view ray crosses far away. `flatness` bounds that distance at the
+/// horizon, as the earth's curvature does.
 struct Layer {
   float flatness;
   Vec2 scale;       // features per unit of the sheet, along and across the wind
   float threshold;  // noise above which there is cloud
   float softness;
-  float depth;  // how fast light fades inside
+  float depth;  // rate at which light fades inside
   float max;    // cover of the thickest part
 };
 

@@ -14,12 +14,12 @@ using world::Vec2;
 using world::Vec3;
 
 struct Ridge {
-  float base;      // tangent of elevation that the land reaches everywhere
-  float relief;    // what hills add
-  float features;  // hills around the circle, roughly
-  float treeTop;   // height of a tree; 0: too far to tell trees
+  float base;      // lowest tangent of elevation
+  float relief;    // added by hills
+  float features;  // approximate number of hills around the circle
+  float treeTop;   // height of a tree; 0: too distant for single trees
   int trees;       // around the circle
-  float distance;  // metres, for the haze
+  float distance;  // metres, for haze
   Vec3 albedo;
 };
 
@@ -37,13 +37,13 @@ constexpr float kMistFloor = -0.012F;
 constexpr float kMistTop = 0.022F;
 constexpr float kMist = 0.72F;
 
-/// Noise around the circle without a seam.
+/// Seamless noise around the circle.
 float around(float heading, float features, float seed) {
   const float radius = features * 0.5F * std::numbers::inv_pi_v<float> * 2.0F;
   return world::fractalNoise(Vec3(std::cos(heading) * radius, std::sin(heading) * radius, seed), 4);
 }
 
-/// One tree's outline: 0..1 at `x` in -1..1 across it. Firs are cones with ragged boughs, the others round crowns.
+/// Outline of one tree: 0..1 at `x` in -1..1 across it. Firs are cones with ragged boughs, the others round crowns.
 float outline(float x, bool fir, std::int32_t key) {
   const float away = std::fabs(x);
   if (away >= 1.0F) return 0.0F;
@@ -53,7 +53,7 @@ float outline(float x, bool fir, std::int32_t key) {
   return std::sqrt(1.0F - away * away) * (0.66F + 0.34F * ragged);
 }
 
-/// Tangent that the tops of a line of trees add to the land.
+/// Tangent that a line of trees adds to the land.
 float treesAt(float heading, const Ridge& ridge, std::int32_t salt) {
   const float place = heading * 0.5F * std::numbers::inv_pi_v<float> * static_cast<float>(ridge.trees);
   const auto cell = static_cast<std::int32_t>(std::floor(place));
@@ -90,7 +90,7 @@ Skyline skylineAt(float heading, float seed) {
 Vec3 landscapeOver(const world::Sky& sky, Vec3 behind, const Skyline& skyline, Vec3 direction, float heading,
                    float tangent, float texel, float seed) {
   const Vec3 haze = sky.hazeColour(direction);
-  // What faces the viewer is lit where the sun stands behind the viewer's back.
+  // Surfaces face the viewer, so they are lit if the sun is behind the viewer.
   const Vec3 sun = sky.sun;
   const float facing =
       0.5F - 0.5F * glm::dot(glm::normalize(Vec2(direction.x, direction.z)), glm::normalize(Vec2(sun.x, sun.z)));
@@ -105,7 +105,7 @@ Vec3 landscapeOver(const world::Sky& sky, Vec3 behind, const Skyline& skyline, V
         Vec3(std::cos(heading) * grain * 2.0F, std::sin(heading) * grain * 2.0F, tangent * grain * 2.2F + seed), 3);
     const Vec3 light = sky.ambient(Vec3(0.0F, 0.35F, 0.0F)) + sky.sunColour * (0.85F * facing * facing);
     const Vec3 surface = ridge.albedo * light * (0.35F + 1.3F * leaves);
-    // Mist gathers in the hollows, and lies on the meadow's far end, which the ground's renderer hides in it too.
+    // Mist fills the hollows and the meadow's far end, where the ground's renderer applies the same mist.
     const float hollow =
         0.12F * std::exp(-std::max(0.0F, tangent) / (0.004F + 0.22F * std::max(0.0F, skyline.tops[i])));
     const float mist = std::max(hollow, kMist * glm::smoothstep(kMistTop, kMistFloor, tangent));

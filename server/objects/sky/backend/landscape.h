@@ -6,18 +6,18 @@
 
 namespace grove::objects::sky {
 
-/// Hills and lines of trees around the clearing, too far to move when a visitor walks.
+/// Hills and lines of trees around the clearing, too distant for visible parallax.
 inline constexpr int kRidges = 6;
 
-/// How high each ridge stands at one heading, far to near: tangents of elevation.
+/// The height of each ridge at one heading, farthest first: tangents of elevation.
 struct Skyline {
   std::array<float, kRidges> tops{};
 };
 
 [[nodiscard]] Skyline skylineAt(float heading, float seed);
 
-/// Radiance of the landscape in front of `behind`. `direction` is a unit vector whose elevation has the tangent
-/// `tangent`; edges are as soft as `texel`, the tangents' step between texels.
+/// Radiance of the landscape in front of `behind`. `direction` is a unit vector with tangent of elevation `tangent`;
+/// edges are as soft as `texel`, the tangent's step between texels.
 [[nodiscard]] world::Vec3 landscapeOver(const world::Sky& sky, world::Vec3 behind, const Skyline& skyline,
                                         world::Vec3 direction, float heading, float tangent, float texel, float seed);
 

@@ -14,8 +14,8 @@ namespace {
 
 using world::Vec3;
 
-constexpr float kSunRadius = 0.0105F;        // radians, twice the real one: what a camera's lens makes of it
-constexpr float kLandscapeTangent = 0.125F;  // nothing of it stands higher
+constexpr float kSunRadius = 0.0105F;        // radians, twice the real one, as seen through a camera's lens
+constexpr float kLandscapeTangent = 0.125F;  // upper bound of the landscape
 
 Vec3 sunAt(Vec3 sun, Vec3 direction) {
   const float angle = std::acos(std::clamp(glm::dot(direction, sun), -1.0F, 1.0F));
@@ -50,13 +50,13 @@ Panorama bakePanorama(PanoramaSize size, int seed, const world::Sky& sky, const 
       const Vec3 direction = Panorama::direction(heading, tangent);
       const CloudSample clouds = cloudsAt(sky, direction, salt);
       const Vec3 sun = sunAt(sky.sun, direction);
-      // Thin cloud lets the disc through, thick cloud keeps its glow.
+      // Thin cloud shows the disc, thick cloud keeps its glow.
       Vec3 colour =
           (sky.radiance(direction) + sun) * (1.0F - clouds.cover) + clouds.light + sun * (0.10F * clouds.cover);
       if (tangent < kLandscapeTangent) {
         const Skyline& skyline = skylines[static_cast<std::size_t>(column)];
         colour = landscapeOver(sky, colour, skyline, direction, heading, tangent, step, salt);
-        // The lens spreads the sun's glow over what stands before it.
+        // The lens spreads the sun's glow over the landscape in front of it.
         colour += Vec3(0.50F, 0.26F, 0.09F) * std::pow(std::max(0.0F, glm::dot(direction, sky.sun)), 40.0F) *
                   (1.0F - glm::smoothstep(0.0F, kLandscapeTangent, tangent));
       }

@@ -7,8 +7,8 @@
 
 namespace grove::objects::sky {
 
-/// Paints sky, sun, clouds and distant landscape; seconds of work at full size. `progress` gets shares of 0..1.
-/// Dithered by half a step, so that smooth skies do not band.
+/// Paints sky, sun, clouds and distant landscape; takes seconds at full size. `progress` gets shares of 0..1. Dithers
+/// by half a step, so that smooth skies do not band.
 [[nodiscard]] Panorama bakePanorama(PanoramaSize size, int seed, const world::Sky& sky,
                                     const std::function<void(float)>& progress);
 

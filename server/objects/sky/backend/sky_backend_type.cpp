@@ -9,7 +9,7 @@
 namespace grove::objects::sky {
 namespace {
 
-constexpr float kReach = 900.0F;  // metres; nothing depends on it but that no frame is without sky
+constexpr float kReach = 900.0F;  // metres; large enough that every frame has sky
 
 class SkyModel final : public world::Model {
  public:

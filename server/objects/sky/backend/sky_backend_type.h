@@ -7,7 +7,7 @@ namespace grove::objects::sky {
 
 /// The sky with the landscape at the horizon: a panorama that is painted once and shown behind everything.
 ///
-/// Scene file: `type = "sky"`, `seed` (integer, 0 to 1,000,000): another seed is another evening.
+/// Scene file: `type = "sky"`, `seed` (integer, 0 to 1,000,000): each seed is a different evening.
 class SkyBackendType final : public node::BackendType {
  public:
   /// Smaller panoramas bake faster.

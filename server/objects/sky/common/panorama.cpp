@@ -16,7 +16,7 @@ world::Vec3 channels(std::uint32_t rgba) {
   return {channel(0), channel(8), channel(16)};
 }
 
-/// Means around the places of the smaller map's texels.
+/// Averages the texels around each texel of the smaller map.
 Panorama softened(const Panorama& sharp) {
   const PanoramaSize size{std::max(4, sharp.width() / kSoftColumns), std::max(2, sharp.height() / kSoftRows)};
   Panorama soft(size);
@@ -60,7 +60,7 @@ float Panorama::heading(int column) const noexcept {
 }
 
 float Panorama::tangent(int row) const noexcept {
-  // The last row is the zenith, whose tangent is infinite; one that is far beyond the row before serves as well.
+  // The last row is the zenith, whose tangent is infinite; a tangent far beyond the previous row's replaces it.
   const float s = std::min(static_cast<float>(row) / static_cast<float>(size_.height - 1), 0.9999F);
   return kSpread * s / (1.0F - s) - kBelow;
 }

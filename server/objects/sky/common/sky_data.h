@@ -11,7 +11,7 @@ namespace grove::objects::sky {
 
 inline constexpr const char* kTypeName = "sky";
 
-/// All that a sky is, shared by all visitors, under the empty key.
+/// The sky's data, shared by all visitors, under the empty key.
 class SkyData final : public node::SharedData {
  public:
   explicit SkyData(SkyMaps maps) : maps_(std::move(maps)) {}

@@ -25,7 +25,8 @@ using lanes::Floats;
 using lanes::Ints;
 using lanes::kLanes;
 
-/// Turns (1 = full circle) from `ahead` to `side`; error below 2e-6. Odd minimax polynomial on 0..1, then octants.
+/// Returns the angle from `ahead` to `side` in turns (1 = full circle); error below 2e-6. Odd minimax polynomial on
+/// 0..1, then octants.
 HWY_INLINE Floats turnsOf(Floats side, Floats ahead) {
   const Floats a = lanes::abs(side);
   const Floats b = lanes::abs(ahead);
@@ -41,18 +42,18 @@ HWY_INLINE Floats turnsOf(Floats side, Floats ahead) {
   return lanes::select(side < Floats(0.0F), -angle, angle);
 }
 
-constexpr int kKnot = 16;      // samples between those whose place is worked out
-constexpr int kChunk = 256;    // samples that are worked on together
+constexpr int kKnot = 16;      // samples between exactly computed ones
+constexpr int kChunk = 256;    // samples per batch
 constexpr float kBend = 0.6F;  // texels that a row's path through the panorama may bend between knots
 static_assert(kKnot % kLanes == 0);
 
-/// Places in the panorama, in texels. Columns may lie up to a turn beyond the width.
+/// Positions in the panorama, in texels. Columns may exceed the width by up to a turn.
 struct Places {
   alignas(64) std::array<float, kChunk + kKnot> x;
   alignas(64) std::array<float, kChunk + kKnot> y;
 };
 
-/// The first `count` of the samples from `first` on, `apart` from each other. Rounded up to whole vectors.
+/// Computes the positions of `count` samples from `first` on, `apart` from each other. Rounds up to whole vectors.
 HWY_INLINE void aim(const Panorama& panorama, const RowOfRays& row, int first, int apart, int count, Places& out) {
   const auto width = static_cast<float>(panorama.width());
   const auto height = static_cast<float>(panorama.height() - 1);
@@ -70,7 +71,7 @@ HWY_INLINE void aim(const Panorama& panorama, const RowOfRays& row, int first, i
   }
 }
 
-/// Straight from each knot to the next.
+/// Interpolates linearly from each knot to the next.
 HWY_INLINE void joinKnots(const Places& knots, Places& out) {
   for (int knot = 0; knot < kChunk / kKnot; ++knot) {
     const auto at = static_cast<std::size_t>(knot);
@@ -86,9 +87,9 @@ HWY_INLINE void joinKnots(const Places& knots, Places& out) {
   }
 }
 
-/// Whether a row's path may be joined from knots: the heading bends most where the ray is nearest to the zenith.
+/// Whether knots suffice for a row's path: the heading bends most where the ray is nearest to the zenith.
 bool nearlyStraight(const Panorama& panorama, const RowOfRays& row) {
-  constexpr float kMaxBend = 0.65F / 8.0F;  // of the arc tangent, by the square of a step
+  constexpr float kMaxBend = 0.65F / 8.0F;  // of the arc tangent, per squared step
   const float step = kKnot * row.sideStep;
   const float texels = static_cast<float>(panorama.width()) * 0.5F * std::numbers::inv_pi_v<float>;
   return row.ahead > 0.0F && kMaxBend * step * step * texels < kBend * row.ahead * row.ahead;
@@ -99,7 +100,7 @@ using HalfTag = hn::Repartition<std::uint16_t, PixelTag>;
 using Pixels = hn::Vec<PixelTag>;
 using Halves = hn::Vec<HalfTag>;
 
-/// Of each pixel's channels 0..256 parts of `b` and the rest of `a`, in both halves of `weight`.
+/// Mixes each channel: `weight` 256ths of `b` and the rest of `a`. Both halves of `weight` hold the weight.
 HWY_INLINE Pixels mixTexels(Pixels a, Pixels b, Halves weight) {
   const HalfTag tag;
   const auto mixed = [&](Halves from, Halves to) {
@@ -114,18 +115,18 @@ HWY_INLINE Pixels mixTexels(Pixels a, Pixels b, Halves weight) {
   return hn::BitCast(PixelTag(), hn::Or(low, high));
 }
 
-/// 256ths in both halves of each pixel.
+/// The fraction in 256ths, in both halves of each pixel.
 HWY_INLINE Halves weightOf(Ints place) {
   const Ints rest = place & Ints(255);
   return hn::BitCast(HalfTag(), (rest | lanes::shiftLeft<16>(rest)).raw);
 }
 
-/// The four texels around each of a vector of places.
+/// The four texels around each position of a vector.
 struct Corners {
   Pixels left, right, leftAbove, rightAbove;
 };
 
-/// By loads one by one of two neighbours each.
+/// Single loads of two adjacent texels each.
 HWY_INLINE Corners pick(const std::uint32_t* texels, int stride, Ints at) {
   HWY_ALIGN std::int32_t index[kLanes];
   HWY_ALIGN std::uint32_t low[2 * kLanes];
@@ -146,7 +147,7 @@ struct Map {
   const std::uint32_t* texels;
   int stride;
   int width;
-  int last;  // row, in 256ths
+  int last;  // last row, in 256ths
 
   explicit Map(const Panorama& panorama)
       : texels(panorama.texels()),
@@ -168,7 +169,7 @@ struct Map {
   }
 };
 
-/// The places from `begin` to before `end`, by whole vectors, of which only what is asked for is stored.
+/// Looks up the positions from `begin` to before `end` by whole vectors; stores only the requested ones.
 HWY_INLINE void lookUp(const Map& map, const Places& places, int begin, int end, std::uint32_t* HWY_RESTRICT colour) {
   const PixelTag tag;
   for (int i = begin / kLanes * kLanes; i < end; i += kLanes) {
@@ -202,7 +203,7 @@ void sampleRow(const Panorama& panorama, const RowOfRays& rays, int first, int c
   }
 }
 
-/// The same as mixTexels(), of one pixel, for loops that the compiler vectorises.
+/// mixTexels() for one pixel, for loops that the compiler vectorises.
 HWY_INLINE std::uint32_t mixTexel(std::uint32_t a, std::uint32_t b, std::uint32_t weight) {
   constexpr std::uint32_t kEven = 0x00FF00FFU;
   const auto mixed = [&](std::uint32_t from, std::uint32_t to) {

@@ -4,7 +4,7 @@
 
 namespace grove::objects::sky {
 
-/// Shows every visitor the part of the panorama that he looks at, behind everything.
+/// Shows each visitor their part of the panorama, behind everything.
 class SkyFrontendType final : public node::FrontendType {
  public:
   [[nodiscard]] std::string_view name() const override;

@@ -11,17 +11,17 @@
 namespace grove::objects::sky {
 namespace {
 
-/// Rows that sink by more than this per metre of depth are covered by the ground, which hides its own far end in haze.
+/// The ground covers rows that sink by more than this per metre of depth; its far end is hidden in haze.
 constexpr float kLowestRise = -0.02F;
 
-/// Above this tangent of elevation there is only soft sky, for which every fourth pixel of every second row is enough:
-/// clouds are drawn out along the horizon. Near the sun it takes every second pixel.
+/// Above this tangent of elevation there is only soft sky. Every fourth pixel of every second row suffices: clouds are
+/// stretched along the horizon. Near the sun, every second pixel is needed.
 constexpr float kSoftTangent = 0.105F;
 constexpr int kSoftStep = 4;
 constexpr int kSunStep = 2;
-constexpr float kSunReach = 0.035F;  // radians from the sun's middle
+constexpr float kSunReach = 0.035F;  // radians from the sun's centre
 
-/// Samples rows of one camera.
+/// Samples rows of one camera's view.
 class SkyRows {
  public:
   SkyRows(const world::Camera& camera, world::Vec3 sun)
@@ -33,27 +33,27 @@ class SkyRows {
         tanHalfY_(camera.tanHalfY()),
         sideStep_(2.0F * tanHalfX_ / static_cast<float>(camera.width)) {}
 
-  /// Whether all of a row is above the landscape.
+  /// Whether a whole row is above the landscape.
   [[nodiscard]] bool soft(int row) const {
     const RowOfRays rays = at(row, 1);
     return rays.up > kSoftTangent * std::hypot(rays.ahead, tanHalfX_);
   }
 
-  /// Whether the sun's disc may be in a row.
+  /// Whether a row may show the sun's disc.
   [[nodiscard]] bool sunny(int row) const {
-    // A row is a plane through the eye, and the sun is as far from it as their angle.
+    // A row is a plane through the eye; the sun's distance from it is the angle between them.
     const float v = slope(row);
     const float off = glm::dot(sun_, camera_.pose.up()) - v * glm::dot(sun_, camera_.pose.forward());
     return std::fabs(off) < kSunReach * std::hypot(1.0F, v);
   }
 
-  /// `count` pixels of a row, `step` apart, from the `first` of these on.
+  /// Samples `count` pixels of a row, `step` apart, starting with number `first`.
   void sample(const Panorama& panorama, int row, int step, int first, int count, std::uint32_t* colour) const {
     sampleRow(panorama, at(row, step), first, count, colour);
   }
 
  private:
-  /// Upwards for one metre of view depth.
+  /// Rise per metre of view depth.
   [[nodiscard]] float slope(int row) const {
     const float y = (static_cast<float>(row) + 0.5F) / static_cast<float>(camera_.height);
     return (1.0F - 2.0F * y) * tanHalfY_;
@@ -74,7 +74,7 @@ class SkyRows {
   const float sideStep_;
 };
 
-/// Samples of every `step`-th pixel of every second row of the frame, whatever part of it is asked for.
+/// Samples every `step`-th pixel of every second row of the frame; the result is independent of the requested part.
 class SoftRows {
  public:
   SoftRows(const SkyRows& rows, const Panorama& panorama, world::Rect rect, int step)

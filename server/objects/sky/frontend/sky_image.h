@@ -8,9 +8,9 @@
 
 namespace grove::objects::sky {
 
-/// What a camera sees of the sky within `rect`, cropped to the rows that the ground does not certainly cover; null
-/// if none is left. Depth is kInfiniteDepth. `sun`: the unit vector towards it, around which more is sampled. Any
-/// thread.
+/// Renders a camera's view of the sky within `rect`, cropped to the rows that the ground may leave visible; null if
+/// there are none. Depth is kInfiniteDepth. `sun` is the unit vector towards the sun; pixels around it are sampled more
+/// densely. Any thread.
 [[nodiscard]] std::shared_ptr<const raster::Image> skyImage(const SkyMaps& maps, world::Vec3 sun,
                                                             const world::Camera& camera, world::Rect rect,
                                                             raster::ImagePool& images);

@@ -27,7 +27,7 @@ TEST(FluidBackendType, BadSettingsNameFileLineObjectAndKey) {
   EXPECT_THAT(errorOf("grid = 20\n"),
               AllOf(StartsWith("test.toml:4: object 'fire': 'grid'"), HasSubstr("must be a multiple of 8")));
   EXPECT_THAT(errorOf("\nwind = [0, 0, 21]\n"),
-              AllOf(StartsWith("test.toml:5: object 'fire': 'wind'"), HasSubstr("at most 20 metres a second")));
+              AllOf(StartsWith("test.toml:5: object 'fire': 'wind'"), HasSubstr("at most 20 metres per second")));
 }
 
 }  // namespace

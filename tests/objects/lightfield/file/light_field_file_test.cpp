@@ -102,7 +102,7 @@ TEST_F(LightFieldFile, SaysOnceThatItBecameShorter) {
   std::filesystem::resize_file(file_, 4096);
   EXPECT_EQ(said(), "");
   EXPECT_EQ(opened.colour.back().back(), 0U);
-  EXPECT_THAT(said(), HasSubstr(file_.string() + ": became shorter while it was served"));
+  EXPECT_THAT(said(), HasSubstr(file_.string() + ": was truncated while it was in use"));
   EXPECT_EQ(said(), "");
 }
 

@@ -1,4 +1,4 @@
-// e to the power of each lane. For kernels: included once per target.
+// The exponential function. For kernels: included once per target.
 
 #if defined(GROVE_OBJECTS_FLUID_BACKEND_SIMULATION_EXPONENTIAL_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef GROVE_OBJECTS_FLUID_BACKEND_SIMULATION_EXPONENTIAL_INL_H

@@ -11,14 +11,14 @@ namespace grove::objects::fluid {
 
 namespace {
 
-constexpr float kStrongestGust = 15.0F;   // metres a second
+constexpr float kStrongestGust = 15.0F;   // metres per second
 constexpr float kLongestReach = 30.0F;    // metres
-constexpr float kFastestVisitor = 10.0F;  // metres a second
+constexpr float kFastestVisitor = 10.0F;  // metres per second
 constexpr float kBodyRadius = 0.3F;
 constexpr float kBodyHeight = 1.8F;
-/// Pull of the soot that the fire sends up in a second, metres per second squared when it is in one cubic metre.
+/// Downward acceleration by the soot of one second of the fire in one cubic metre. Metres per second squared.
 constexpr float kSootWeight = 0.1F;
-/// Metres per second squared at the temperature of flames, which are about three times as hot as the air around them.
+/// Metres per second squared at the temperature of flames, about three times the surrounding air's.
 constexpr float kBuoyancy = 16.0F;
 
 bool finite(world::Vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
@@ -28,12 +28,12 @@ world::Cube cubeAt(const FluidSettings& settings, world::Vec3 position, int cell
   return {position - world::Vec3(half, 0.0F, half), settings.size, cells};
 }
 
-/// Of a place in the cube's own coordinates.
+/// `place` is in the cube's own coordinates.
 float distanceTo(const world::Cube& cube, world::Vec3 place) {
   return glm::distance(place, glm::clamp(place, world::Vec3(0.0F), world::Vec3(cube.size)));
 }
 
-/// On the ground in the middle.
+/// In the middle of the cube's floor.
 HeatSource sourceOf(const FluidSettings& settings) {
   const float half = 0.5F * settings.size;
   const float cell = settings.size / static_cast<float>(settings.grid);
@@ -63,7 +63,7 @@ Particles::Source particlesOf(const FluidSettings& settings) {
   return result;
 }
 
-/// Seen from the coarse cells that light is computed in.
+/// Sun visibility at the coarse cells of the light's grid.
 std::vector<float> visibilityIn(const world::Cube& cube, int cells, world::Vec3 sun,
                                 const world::VoxelObstacles& obstacles) {
   const auto lit = obstacles.sunlitCells({cube.low, cube.size, Shading::coarseCells(cells)}, sun);
@@ -113,7 +113,7 @@ void FluidSimulation::step(float seconds, std::span<const world::Gust> gusts, st
   timed([&] { solver_.advect(dt); });
   timed([&] {
     solver_.force(dt, &source_, localGusts(gusts), time_);
-    // The same smoke weighs the same, however many particles show it and however large the cells are.
+    // The total weight does not depend on the number of particles or the size of cells.
     const float each = kSootWeight / std::max(settings_.rate, 1.0F) / (cell * cell * cell);
     particles_.weighDown(solver_.layout(), each, dt, cell, solver_.velocity());
   });

@@ -8,16 +8,16 @@
 
 namespace grove::objects::fluid {
 
-/// How far a fire has come: what another simulation of it goes on from, whatever its cells.
+/// The state of a fire, from which another simulation with any number of cells can continue.
 struct FluidState {
   Layout layout;
-  Velocity velocity;  ///< with its ghosts
-  Field temperature;  ///< with its ghosts
+  Velocity velocity;  ///< including ghosts
+  Field temperature;  ///< including ghosts
   Particles particles;
   double time = 0.0;  ///< simulated seconds
   std::uint64_t tick = 0;
 
-  /// Memory that it takes.
+  /// Memory use.
   [[nodiscard]] std::size_t bytes() const noexcept {
     return velocity.bytes() + temperature.heldBytes() + particles.bytes();
   }

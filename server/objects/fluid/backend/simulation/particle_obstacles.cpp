@@ -7,7 +7,7 @@ namespace grove::objects::fluid {
 
 bool pushOut(const SolidGrid& solids, world::Vec3& at) {
   constexpr int kReach = 2;
-  constexpr float kInside = 0.02F;  // share of a cell that a particle keeps from the wall
+  constexpr float kInside = 0.02F;  // distance from the wall, as a share of a cell
   const world::Vec3 own = glm::floor(at);
   float nearest = 1.0e9F;
   world::Vec3 best = at;

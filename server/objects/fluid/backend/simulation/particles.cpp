@@ -72,7 +72,7 @@ void Particles::advance(const SolidGrid& solids, const Velocity& velocity, float
 void Particles::removeDead() {
   if (dead_.empty()) return;
   forEachArray([&](std::vector<float>& values) {
-    // The runs between the dead move down.
+    // Closes the gaps: moves the runs between the dead down.
     auto to = values.begin() + dead_.front();
     for (std::size_t i = 0; i < dead_.size(); ++i) {
       const auto end = i + 1 < dead_.size() ? values.begin() + dead_[i + 1] : values.end();

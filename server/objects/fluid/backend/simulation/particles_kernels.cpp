@@ -30,7 +30,7 @@ HWY_INLINE Vectors clamp(Vectors v, Floats low, Floats high) {
   return {clamp(v.x, low, high), clamp(v.y, low, high), clamp(v.z, low, high)};
 }
 
-/// One bit a lane.
+/// One bit per lane.
 HWY_INLINE std::uint32_t bitsOf(Mask mask) {
   std::uint8_t bytes[8] = {};
   hn::StoreMaskBits(FloatTag(), mask.raw, bytes);
@@ -42,7 +42,7 @@ HWY_INLINE Ints indexOf(const Layout& layout, Ints x, Ints y, Ints z) {
   return lead + x + y * Ints(layout.stride) + z * Ints(layout.plane);
 }
 
-/// A staggered component, a trilinear sample between the points of its grid; `p` in cells from the lowest of them.
+/// Samples a staggered component trilinearly; `p` is in cells from the grid's lowest point.
 HWY_INLINE Floats sample(const Layout& layout, const Field& field, Vectors p) {
   const Vectors low{floor(p.x), floor(p.y), floor(p.z)};
   return sampleTrilinear(field.data(), layout.stride, layout.plane,
@@ -50,7 +50,7 @@ HWY_INLINE Floats sample(const Layout& layout, const Field& field, Vectors p) {
                          p.z - low.z);
 }
 
-/// `at` in cells, within the cube.
+/// `at` is in cells, within the cube.
 HWY_INLINE Vectors sample(const Layout& layout, const Velocity& velocity, Vectors at) {
   const Floats half(0.5F);
   const Vectors off{at.x - half, at.y - half, at.z - half};
@@ -58,7 +58,7 @@ HWY_INLINE Vectors sample(const Layout& layout, const Velocity& velocity, Vector
           sample(layout, velocity.z, {off.x, off.y, at.z})};
 }
 
-/// Like a sine of period 1, and a tenth of its price.
+/// Approximates a sine of period 1 at a tenth of its cost.
 HWY_INLINE Floats swing(Floats t) {
   const Floats f = t - floor(t + Floats(0.5F));
   return Floats(16.0F) * f * (Floats(0.5F) - abs(f));
@@ -73,8 +73,8 @@ HWY_INLINE Vectors octave(Vectors at, float perMetre) {
   return {swing(c) + swing(b + quarter), swing(a) + swing(c + quarter), swing(b) + swing(a + quarter)};
 }
 
-/// Whirls too small for the grid: two octaves of Arnold-Beltrami-Childress flow, each component about -1 to 1. They
-/// ride with the smoke: `at.y`, where a place along the column's axis would stand, says when a particle was born.
+/// Whirls smaller than the grid's cells: two octaves of Arnold-Beltrami-Childress flow, each component about -1 to 1.
+/// They move with the smoke: `at.y`, the coordinate along the column's axis, encodes the particle's time of birth.
 HWY_INLINE Vectors eddies(Vectors at) {
   constexpr float kWide = 1.25F;  // periods a metre
   constexpr float kFine = 3.25F;
@@ -82,7 +82,7 @@ HWY_INLINE Vectors eddies(Vectors at) {
   return octave(at, kWide) * Floats(0.5F * (1.0F - kFineShare)) + octave(at, kFine) * Floats(0.5F * kFineShare);
 }
 
-/// Of kLanes particles, in cells.
+/// Positions of kLanes particles, in cells.
 struct Places {
   alignas(64) float x[kLanes];
   alignas(64) float y[kLanes];
@@ -115,7 +115,7 @@ class Mover {
         perCell_(1.0F / around.cellSize),
         edge_(static_cast<float>(layout_.cells) - 1.0e-3F) {}
 
-  /// The kLanes particles from `i` on; which of them have died, a bit each.
+  /// Moves kLanes particles from `i` on; returns the deaths, one bit each.
   HWY_INLINE std::uint32_t move(const ParticleArrays& particles, std::size_t i) const {
     const Floats age = load(particles.age + i) + Floats(seconds_);
     store(age, particles.age + i);
@@ -136,7 +136,7 @@ class Mover {
   }
 
  private:
-  /// Those that are in no cell of air, a bit each.
+  /// Particles outside cells of air, one bit each.
   HWY_INLINE std::uint32_t blocked(Vectors at) const {
     alignas(64) std::int32_t cells[kLanes];
     store(indexOf(layout_, truncate(at.x), truncate(at.y), truncate(at.z)), cells);
@@ -145,7 +145,7 @@ class Mover {
     return bits;
   }
 
-  /// Out of solids that have moved over them; those that find no way out die.
+  /// Moves particles out of solids that have moved over them; those without a way out die.
   HWY_INLINE Vectors free(Vectors at, std::uint32_t& dead) const {
     std::uint32_t caught = blocked(at) & ~dead;
     if (caught == 0) return at;
@@ -162,12 +162,12 @@ class Mover {
     return places.all();
   }
 
-  /// The air's halfway along, and the eddies on top.
+  /// The air's velocity at the midpoint, plus the eddies.
   HWY_INLINE Vectors speedAt(Vectors metres, Vectors from, Floats age) const {
-    // Share of the air's speed that the eddies have, once the smoke has left the fire.
+    // Speed of the eddies relative to the air's, above the fire.
     constexpr float kTurbulence = 0.3F;
-    constexpr float kFastestEddy = 0.7F;  // metres a second
-    constexpr float kGrow = 1.2F;         // seconds until they are fully there
+    constexpr float kFastestEddy = 0.7F;  // metres per second
+    constexpr float kGrow = 1.2F;         // seconds until they have full strength
     const Vectors halfway = sample(layout_, velocity_, from) * Floats(0.5F * seconds_ * perCell_);
     const Vectors air = sample(layout_, velocity_, clamp(from + halfway, Floats(0.0F), Floats(edge_)));
     const Floats fastness = sqrt(air.x * air.x + air.y * air.y + air.z * air.z);
@@ -177,7 +177,7 @@ class Mover {
     return air + eddies({metres.x, puff, metres.z}) * whirl;
   }
 
-  /// As travel() does; those that leave the cube die.
+  /// Moves as travel() does; particles that leave the cube die.
   HWY_INLINE Vectors moved(Vectors from, Vectors way, std::uint32_t& dead) const {
     const Vectors to = from + way;
     const Floats zero(0.0F);
@@ -186,7 +186,7 @@ class Mover {
         bitsOf((to.x >= zero) & (to.y >= zero) & (to.z >= zero) & (to.x < cells) & (to.y < cells) & (to.z < cells));
     const std::uint32_t brief = bitsOf(max(abs(way.x), max(abs(way.y), abs(way.z))) <= Floats(kLongestPiece));
     const std::uint32_t stopped = blocked(clamp(to, zero, Floats(edge_)));
-    // What goes through the air in one piece has arrived.
+    // Short moves through air are complete.
     std::uint32_t left = (~brief | (within & stopped)) & ~dead & ((1U << static_cast<unsigned>(kLanes)) - 1U);
     dead |= brief & ~within;
     if (left == 0) return to;
@@ -212,7 +212,7 @@ class Mover {
   const float edge_;
 };
 
-/// The last few particles, and copies of one of them up to a whole vector.
+/// The last few particles, padded to a whole vector with copies of one of them.
 class Rest {
  public:
   Rest(const ParticleArrays& all, std::size_t first, int count)

@@ -6,13 +6,13 @@
 #include "objects/fluid/backend/solver/grid.h"
 #include "objects/fluid/backend/solver/solid_grid.h"
 
-/// The loop over all particles.
+/// Kernel over all particles.
 namespace grove::objects::fluid {
 
-/// Metres of the smoke's column that pass in a second, as the eddies see it.
+/// Speed of the smoke's column in the coordinates of the eddies, metres per second.
 inline constexpr float kEddyPace = 0.9F;
 
-/// See Particles.
+/// Members are those of Particles.
 struct ParticleArrays {
   float* x;
   float* y;
@@ -26,16 +26,16 @@ struct ParticleArrays {
   float* cooling;
 };
 
-/// What particles move in.
+/// The velocity and solids around the particles.
 struct Surroundings {
   const SolidGrid& solids;
   const Velocity& velocity;
   float cellSize;  ///< metres
 };
 
-/// Moves particles on by `seconds`, see Particles::advance(). `newest` is the place along the column, in metres, of a
-/// particle that is born now. Returns how many have died and writes which, in order, to `dead`, which has room for all;
-/// their places and velocities mean nothing afterwards.
+/// Moves particles by `seconds`, see Particles::advance(). `newest` is the position along the column, in metres, of a
+/// particle that is born now. Returns the number of deaths and writes their indices in ascending order to `dead`, which
+/// has room for all particles; positions and velocities of dead particles are undefined.
 std::size_t moveParticles(const ParticleArrays& particles, std::size_t count, const Surroundings& around, float seconds,
                           float newest, std::uint32_t* dead);
 

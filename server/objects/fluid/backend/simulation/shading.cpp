@@ -11,7 +11,7 @@ namespace grove::objects::fluid {
 
 namespace {
 
-/// Cross-section of a particle for light, square metres: a puff of about 0.25 m that is thin.
+/// Optical cross-section of a particle, square metres: a thin puff of about 0.25 m.
 constexpr float kCrossSection = 0.012F;
 
 }  // namespace
@@ -72,7 +72,7 @@ void Shading::openCells(const SolidGrid& solids) {
 void Shading::sweepSun() {
   const world::Vec3 size = glm::abs(towardsSun_);
   const int a = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-  // Along x, if that lies within the planes, where neighbours are next to each other in memory.
+  // Uses x as the inner axis if it lies within the planes: neighbours along x are contiguous in memory.
   const int s = a == 0 ? 1 : 0;
   const int t = 3 - a - s;
   const bool up = towardsSun_[a] > 0.0F;

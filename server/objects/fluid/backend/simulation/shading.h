@@ -11,30 +11,31 @@
 
 namespace grove::objects::fluid {
 
-/// How much of the sky's and of the sun's light reaches each particle (section 5.2.1: shaded by the particles above).
-/// Smoke is counted into cells twice as wide as the fluid's; light then sweeps through them a plane at a time,
-/// downwards for the sky, and sheared along the sun's direction for the sun. One thread.
+/// Computes the share of the sky's and the sun's light that reaches each particle (section 5.2.1: shaded by the
+/// particles above). Accumulates smoke in cells twice as wide as the fluid's, then sweeps light through them plane by
+/// plane: downwards for the sky, and sheared along the sun's direction for the sun. One thread.
 class Shading {
  public:
-  /// `cells`: of the fluid's grid that the light goes with; what solids it meets may be on a finer one. `sunVisible`:
-  /// what the world's solids leave of the sun at the coarse cells' centres (x fastest), empty = all.
+  /// `cells`: cells per edge of the fluid's grid that belongs to the light; solids may be on a finer grid.
+  /// `sunVisible`: the share of the sun that the world's solids leave visible at the coarse cells' centres (x fastest);
+  /// empty = all.
   Shading(int cells, float size, world::Vec3 towardsSun, std::vector<float> sunVisible);
 
-  /// Cells along the edge of a grid of `cells` that light is computed in.
+  /// Cells per edge of the light's grid for a fluid's grid of `cells`.
   [[nodiscard]] static int coarseCells(int cells) noexcept { return cells / 2; }
 
-  /// Light at each particle, 0..1. `solids` adds the shadows of whatever moves.
+  /// Light at each particle, 0..1. `solids` adds the shadows of moving bodies.
   void shade(const Particles& particles, const SolidGrid& solids, std::vector<float>& skyLight,
              std::vector<float>& sunLight);
 
-  /// Memory that it takes.
+  /// Memory use.
   [[nodiscard]] std::size_t bytes() const noexcept {
     return pipeline::vectorBytes(sunVisible_, depth_, sky_, sun_, amounts_, room_);
   }
 
  private:
   void deposit(const Particles& particles);
-  /// Sets sun_ to 1 in cells of light that are open and to 0 in solid ones.
+  /// Sets sun_ to 1 in open cells of light and to 0 in solid ones.
   void openCells(const SolidGrid& solids);
   void sweepSun();
   [[nodiscard]] std::size_t at(int x, int y, int z) const noexcept {
@@ -43,7 +44,7 @@ class Shading {
            static_cast<std::size_t>(x);
   }
 
-  /// Cells of a fluid's grid, along any axis, whose being solid counts for a cell of light.
+  /// The two fluid cells along an axis that decide whether a cell of light is solid.
   struct Inside {
     int low = 0;
     int high = 0;

@@ -30,7 +30,7 @@ HWY_INLINE void storeSome(Floats value, float* values, std::size_t i, std::size_
   std::copy(room, room + (count - i), values + i);
 }
 
-/// The low one of the two cells around a place, along one axis, and the share of the other one.
+/// The lower of the two cells around a position along one axis, and the weight of the upper one.
 struct Between {
   Ints low;
   Floats share;
@@ -43,7 +43,7 @@ struct Between {
   }
 };
 
-/// The eight cells around each of kLanes places.
+/// The eight cells around each of kLanes positions.
 struct Corners {
   Between x, y, z;
   Ints index;
@@ -108,14 +108,14 @@ void sweepSkyLight(const float* __restrict depth, int cells, float* __restrict a
       }
     }
   }
-  // The sky is wide: light that is stopped straight above still comes in from the sides.
+  // The sky is wide: light that is blocked straight above still comes in from the sides.
   const auto count = static_cast<std::size_t>(stride * stride * stride);
   for (std::size_t i = 0; i < count; i += kStep) {
     storeSome(exponential(Floats(-0.6F) * loadPartial(light, i, count)), light, i, count);
   }
 }
 
-/// Light that comes from the plane before, which is `behind` with a border of one cell, bilinear between its cells.
+/// Propagates light from the previous plane, `behind`, which has a border of one cell; bilinear between its cells.
 HWY_INLINE void sweepRow(const float* __restrict behind, const float* __restrict nextBehind, float shareI, float shareJ,
                          const float* __restrict depth, float path, int cells, float* __restrict light,
                          float* __restrict through) {
@@ -127,7 +127,7 @@ HWY_INLINE void sweepRow(const float* __restrict behind, const float* __restrict
   }
 }
 
-/// The same for cells that are `step` apart.
+/// The same for cells with an offset of `step`.
 HWY_INLINE void sweepRow(const float* __restrict behind, const float* __restrict nextBehind, float shareI, float shareJ,
                          const float* __restrict depth, float path, int cells, std::ptrdiff_t step,
                          float* __restrict light, float* __restrict through) {
@@ -139,7 +139,7 @@ HWY_INLINE void sweepRow(const float* __restrict behind, const float* __restrict
 
 void sweepSunLight(const float* depth, int cells, const SunSweep& sweep, float* room, float* light) {
   const std::ptrdiff_t width = cells + 2;
-  // Where light comes from, as a cell and the share of the next one.
+  // Origin of the light as a cell and the weight of the next one.
   const std::ptrdiff_t offI = sweep.shift[0] < 0.0F ? -1 : 0;
   const std::ptrdiff_t offJ = sweep.shift[1] < 0.0F ? -1 : 0;
   const float shareI = sweep.shift[0] - static_cast<float>(offI);

@@ -1,4 +1,4 @@
-// Trilinear samples of a field at kLanes places at once. For kernels: included once per target.
+// Trilinear samples of a field at kLanes positions at once. For kernels: included once per target.
 
 #if defined(GROVE_OBJECTS_FLUID_BACKEND_SIMULATION_TRILINEAR_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef GROVE_OBJECTS_FLUID_BACKEND_SIMULATION_TRILINEAR_INL_H
@@ -19,7 +19,7 @@ namespace grove::objects::fluid::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Two neighbours of each of two rows.
+/// Pairs of adjacent values from two rows.
 using SquareTag = hn::FixedTag<float, 4>;
 using PairTag = hn::FixedTag<float, 2>;
 
@@ -27,9 +27,9 @@ HWY_INLINE hn::Vec<SquareTag> loadSquare(const float* row, const float* nextRow)
   return hn::Combine(SquareTag(), hn::LoadU(PairTag(), nextRow), hn::LoadU(PairTag(), row));
 }
 
-/// The values at `corner` (indices into the field) and their neighbours upwards, mixed by the shares 0..1 of the
-/// upper ones. No gathers: they fetch the eight values of a place one by one on all processors, while these are four
-/// loads of two.
+/// Interpolates between the values at `corner` (indices into the field) and their upper neighbours with the shares
+/// 0..1. Uses four loads of two values instead of gathers, which on all processors fetch the eight values of a position
+/// one by one.
 HWY_INLINE simd::HWY_NAMESPACE::Floats sampleTrilinear(const float* field, std::ptrdiff_t stride, std::ptrdiff_t plane,
                                                        simd::HWY_NAMESPACE::Ints corner,
                                                        simd::HWY_NAMESPACE::Floats shareX,

@@ -10,7 +10,7 @@ namespace grove::objects::fluid {
 
 namespace {
 
-constexpr int kMinPlanes = 8;  // for a thread: it computes some of its neighbours' as well
+constexpr int kMinPlanes = 8;  // per thread: each also computes some of its neighbours' planes
 
 }  // namespace
 

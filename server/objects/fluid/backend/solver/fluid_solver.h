@@ -14,8 +14,8 @@
 
 namespace grove::objects::fluid {
 
-/// Stable fluids (Stam 1999) on a staggered grid: the air's velocity and temperature in a cube, around solids. Knows no
-/// particles and no world. Used by one thread.
+/// Stable fluids (Stam 1999) on a staggered grid: velocity and temperature of the air in a cube, around solids.
+/// Independent of particles and world. Used by one thread.
 class FluidSolver {
  public:
   struct Settings {
@@ -26,26 +26,26 @@ class FluidSolver {
     float confinement = 0.12F;  ///< strength of vorticity confinement
     AdvectionOrder order = AdvectionOrder::kMacCormack;
     PressureSolver::Options pressure;
-    int threads = 1;  ///< that share the work; the results do not depend on them
+    int threads = 1;  ///< threads that share the work; the results do not depend on them
   };
 
   explicit FluidSolver(const Settings& settings);
 
-  /// Sets the solids that stand still, as SolidGrid::setStatic(), and prepares for them.
+  /// Sets the static solids, see SolidGrid::setStatic(), and prepares the pressure solver for them.
   void setStatic(std::span<const std::uint8_t> solid);
 
-  /// Goes on with velocity and temperature of the same cube, whatever its cells, as they are after a tick. The next
-  /// project() removes what divergence this brings.
+  /// Continues with the velocity and temperature of another grid of the same cube, as they are after a tick. The next
+  /// project() removes the divergence of the resampled velocity.
   void takeOver(const Layout& layout, const Velocity& velocity, const Field& temperature);
 
-  // A tick is the following, in this order.
+  // A tick calls these functions in this order.
 
-  /// Carries velocity and temperature along.
+  /// Advects velocity and temperature.
   void advect(float seconds);
-  /// Buoyancy, wind, cooling, the heat source and gusts (in the fluid's own coordinates).
+  /// Applies buoyancy, wind, cooling, the heat source and gusts (in the fluid's own coordinates).
   void force(float seconds, const HeatSource* source, std::span<const world::Gust> gusts, double time);
   void confine(float seconds);
-  /// Takes the solids into account and removes divergence.
+  /// Applies the solids and removes divergence.
   PressureSolver::SolveResult project();
 
   [[nodiscard]] const Settings& settings() const noexcept { return settings_; }
@@ -59,7 +59,7 @@ class FluidSolver {
   [[nodiscard]] const SolidGrid& solids() const noexcept { return solids_; }
   [[nodiscard]] const PressureSolver& pressure() const noexcept { return pressure_; }
 
-  /// Memory that it takes.
+  /// Memory use.
   [[nodiscard]] std::size_t bytes() const noexcept {
     return solids_.bytes() + velocity_.bytes() + nextVelocity_.bytes() + heldBytes(temperature_, nextTemperature_) +
            advection_.bytes() + confinement_.bytes() + pressure_.bytes();

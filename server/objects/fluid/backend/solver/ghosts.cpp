@@ -6,7 +6,7 @@ namespace grove::objects::fluid {
 
 namespace {
 
-/// The ghosts below 0 and above the last of an axis: as the nearest value, or 0.
+/// Ghosts below 0 and above the last value of an axis: the nearest value or 0.
 struct Outside {
   bool lowIsZero = false;
   bool highIsZero = false;
@@ -14,7 +14,7 @@ struct Outside {
   int ghostsAbove = 0;  ///< 1 or 2
 };
 
-/// Ghosts at both ends of every row.
+/// Fills the ghosts at both ends of every row.
 void fillRowEnds(const Layout& layout, Field& field, const Outside& outside) {
   const int last = layout.cells + 1;
   for (int z = -1; z <= last; ++z) {
@@ -28,7 +28,7 @@ void fillRowEnds(const Layout& layout, Field& field, const Outside& outside) {
   }
 }
 
-/// Ghosts of the other axes are rows as a whole.
+/// Ghosts of the other axes are whole rows.
 void fillRows(const Layout& layout, Field& field, int axis, const Outside& outside) {
   const int last = layout.cells + 1;
   const auto length = static_cast<std::size_t>(last + 2);

@@ -4,10 +4,10 @@
 
 namespace grove::objects::fluid {
 
-/// Fills the ghosts: what lies outside of a cell or face at the border equals it; a velocity across a closed side is 0.
+/// Fills the ghosts: each equals the nearest cell or face at the border; a velocity across a closed side is 0.
 void fillVelocityGhosts(const Layout& layout, const Sides& sides, Velocity& velocity);
 
-/// Ghosts of a field of cell centres: outside of open sides there is fresh air (0), at walls the nearest value.
+/// Fills the ghosts of a field at cell centres: fresh air (0) outside open sides, the nearest value at walls.
 void fillCentreGhosts(const Layout& layout, const Sides& sides, Field& field);
 
 }  // namespace grove::objects::fluid

@@ -13,8 +13,8 @@
 
 namespace grove::objects::fluid {
 
-/// How the cells of a cube lie in memory: x fastest, then y (up), then z; one ghost layer below index 0 and two above
-/// the last cell, so that cell centres (0..n-1) and faces (0..n) of every direction share one layout. Face i is the low
+/// Memory layout of a cube's cells: x fastest, then y (up), then z. One ghost layer below index 0 and two above the
+/// last cell, so that cell centres (0..n-1) and faces (0..n) of every direction share one layout. Face i is the low
 /// face of cell i.
 struct Layout {
   explicit Layout(int cellsPerEdge)
@@ -26,17 +26,17 @@ struct Layout {
   [[nodiscard]] std::size_t size() const noexcept {
     return static_cast<std::size_t>(2 * kLead + std::ptrdiff_t{plane} * (cells + 3));
   }
-  /// Distance in memory to the next cell along an axis.
+  /// Offset of the next cell along an axis.
   [[nodiscard]] std::ptrdiff_t step(int axis) const noexcept { return axis == 0 ? 1 : axis == 1 ? stride : plane; }
 
   static constexpr int kLead = 16;
 
   int cells;
-  int stride;  ///< between rows; the ghosts of x lie in the gap
+  int stride;  ///< between rows; the ghosts in x lie in the gap
   int plane;   ///< between planes of constant z
 };
 
-/// One value a cell or face in a Layout, zero at first, aligned for vectors. Move-only: copies are megabytes.
+/// One value per cell or face of a Layout, initially zero, aligned for vectors. Move-only: copies are megabytes.
 template <class T>
 class Array {
  public:
@@ -52,7 +52,7 @@ class Array {
     assert(size_ == other.size_);
     std::memcpy(data_, other.data_, size_ * sizeof(T));
   }
-  /// Memory that it takes.
+  /// Memory use.
   [[nodiscard]] std::size_t heldBytes() const noexcept { return wholeBytes(bytes()); }
   void clear() noexcept { std::memset(data_, 0, size_ * sizeof(T)); }
 
@@ -61,7 +61,7 @@ class Array {
   static constexpr std::size_t kSmallPage = 4096;
   static constexpr std::size_t kVector = 64;
   struct Free {
-    std::size_t mapped = 0;  ///< 0: of the heap
+    std::size_t mapped = 0;  ///< 0: on the heap
     void operator()(void* p) const noexcept {
       if (mapped > 0) {
         static_cast<void>(::munmap(p, mapped));
@@ -78,7 +78,7 @@ class Array {
     return (value + to - 1) / to * to;
   }
 
-  /// That are touched, which is less than what is mapped.
+  /// Bytes that are used, less than the mapped size.
   [[nodiscard]] static std::size_t wholeBytes(std::size_t bytes) noexcept {
     return isLarge(bytes) ? roundUp(bytes + kSmallPage, kHugePage) : roundUp(bytes, kVector);
   }
@@ -92,22 +92,23 @@ class Array {
     return block;
   }
 
-  /// From the system, not from the heap, which would keep what is given back. A stencil touches a dozen pages at a
-  /// time; in huge ones, their addresses are found without a walk.
+  /// Mapped by the system, because the heap would keep freed memory. A stencil touches a dozen pages at a time; huge
+  /// pages avoid page walks.
   static Block map(std::size_t bytes) {
     const std::size_t whole = wholeBytes(bytes) + kHugePage;
     void* const memory = ::mmap(nullptr, whole, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
     if (memory == MAP_FAILED) throw std::bad_alloc();
     Block block(memory, Free{whole});
-    // Only advice: without huge pages it is a little slower.
+    // Only a hint: without huge pages it is a little slower.
     static_cast<void>(::madvise(memory, whole, MADV_HUGEPAGE));
-    // All of the pages: what is held is then the same whether the system has huge ones to give or not.
+    // Touches all pages: memory use is then the same with and without huge pages.
     const auto address = reinterpret_cast<std::uintptr_t>(memory);
     std::memset(static_cast<char*>(memory) + (roundUp(address, kHugePage) - address), 0, wholeBytes(bytes));
     return block;
   }
 
-  /// Equal places of different arrays must differ in their low address bits: else loads wait for unrelated stores.
+  /// Equal indices of different arrays must differ in their low address bits: otherwise loads wait for unrelated
+  /// stores.
   static T* place(void* block, std::size_t bytes) noexcept {
     const auto address = reinterpret_cast<std::uintptr_t>(block);
     if (!isLarge(bytes)) return static_cast<T*>(block);
@@ -128,8 +129,8 @@ template <class... T>
   return (std::size_t{0} + ... + arrays.heldBytes());
 }
 
-/// Staggered velocity in metres a second (marker-and-cell, Harlow and Welch 1965): component a at the low face of axis
-/// a.
+/// Staggered velocity in metres per second (marker-and-cell, Harlow and Welch 1965): component a at the low face of
+/// axis a.
 struct Velocity {
   explicit Velocity(const Layout& layout) : x(layout.size()), y(layout.size()), z(layout.size()) {}
 
@@ -141,7 +142,7 @@ struct Velocity {
   Field x, y, z;
 };
 
-/// Which of the cube's sides are open to the air (pressure 0, anything may flow); the others are walls.
+/// The open sides of the cube (pressure 0, free flow); the others are walls.
 struct Sides {
   bool lowX = true, highX = true;
   bool lowY = false, highY = true;
@@ -156,14 +157,14 @@ struct Sides {
   }
 };
 
-/// Half-open box of cells.
+/// A half-open box of cells.
 struct CellBox {
   int low[3] = {0, 0, 0};
   int high[3] = {0, 0, 0};
 
   [[nodiscard]] static CellBox whole(int cells) noexcept { return {{0, 0, 0}, {cells, cells, cells}}; }
   [[nodiscard]] bool empty() const noexcept { return high[0] <= low[0] || high[1] <= low[1] || high[2] <= low[2]; }
-  /// Smallest box that holds both.
+  /// The smallest box that contains both.
   void add(const CellBox& other) noexcept {
     if (other.empty()) return;
     if (empty()) {
@@ -175,7 +176,7 @@ struct CellBox {
       high[a] = high[a] > other.high[a] ? high[a] : other.high[a];
     }
   }
-  /// Grown by one cell everywhere, within the cube.
+  /// The box grown by one cell on all sides, within the cube.
   [[nodiscard]] CellBox grown(int cells) const noexcept {
     CellBox box = *this;
     for (int a = 0; a < 3; ++a) {

@@ -19,30 +19,31 @@ struct Capsule {
   world::Vec3 velocity{0.0F};
 };
 
-/// Which cells are solid and how the solids move. One thread.
+/// Solid cells and their motion. One thread.
 class SolidGrid {
  public:
   SolidGrid(const Layout& layout, const Sides& sides);
 
-  /// `solid` holds one byte a cell, x fastest, without ghosts (cells^3); non-zero is solid. Replaces all static solids.
+  /// `solid` holds one byte per cell, x fastest, without ghosts (cells^3); non-zero is solid. Replaces all static
+  /// solids.
   void setStatic(std::span<const std::uint8_t> solid);
 
   /// Replaces the moving solids. `cellSize` is in metres.
   void setMovers(std::span<const Capsule> movers, float cellSize);
 
-  /// Gives all faces of solids and walls the velocity of the solid, so that nothing flows through.
+  /// Sets all faces of solids and walls to the solid's velocity, so that nothing flows through.
   void enforce(Velocity& velocity) const;
 
-  /// 1 where air may be: fluid cells and, outside, the ghosts of open sides; 0 in solids and behind walls.
+  /// 1 in air: fluid cells and the ghosts outside open sides; 0 in solids and behind walls.
   [[nodiscard]] const Array<std::uint8_t>& air() const noexcept { return air_; }
   [[nodiscard]] const Layout& layout() const noexcept { return layout_; }
   [[nodiscard]] const Sides& sides() const noexcept { return sides_; }
   [[nodiscard]] int solidCells() const noexcept { return staticCells_ + static_cast<int>(moving_.size()); }
 
-  /// Cells that became solid or air since the last call; empty if none.
+  /// Bounds of the cells that have changed between solid and air since the last call; empty if none.
   [[nodiscard]] CellBox takeChanges() noexcept;
 
-  /// Memory that it takes.
+  /// Memory use.
   [[nodiscard]] std::size_t bytes() const noexcept {
     return heldBytes(staticAir_, air_) + pipeline::vectorBytes(wallFaces_[0], wallFaces_[1], wallFaces_[2], moving_);
   }

@@ -7,8 +7,8 @@
 
 namespace grove::objects::fluid {
 
-/// Threads that share the work on one grid: each takes a slab of z-planes. What they compute does not depend on how
-/// many they are. Waiting, they sleep. Used by one thread, which does a part itself; a team of one has no threads.
+/// Threads that share the work on one grid: each takes a slab of z-planes. The results do not depend on their number.
+/// Idle threads sleep. Used by one thread, which does a part itself; a team of one has no threads.
 class Team {
  public:
   explicit Team(int width);
@@ -18,7 +18,7 @@ class Team {
 
   [[nodiscard]] int width() const noexcept { return width_; }
 
-  /// Calls work(0) to work(width - 1) side by side and waits for all. They must not throw.
+  /// Calls work(0) to work(width - 1) in parallel and waits for all. They must not throw.
   void run(const std::function<void(int)>& work);
 
  private:
@@ -32,12 +32,12 @@ class Team {
   std::vector<std::thread> threads_;
 };
 
-/// Planes from `first` to ahead of `end`, both even.
+/// Planes from `first` to before `end`, both even.
 struct Slab {
   int first = 0;
   int end = 0;
 
-  /// One of `parts` about equal ones.
+  /// One of `parts` slabs of about equal size.
   [[nodiscard]] static Slab of(int part, int parts, int cells) noexcept {
     const int pairs = cells / 2;
     return {2 * (pairs * part / parts), 2 * (pairs * (part + 1) / parts)};

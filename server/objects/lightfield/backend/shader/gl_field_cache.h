@@ -8,13 +8,13 @@
 
 namespace grove::objects::lightfield {
 
-/// The light fields that one GL context holds as textures. Those that were not drawn for longest are dropped when there
-/// is no room, and those that nobody uses any more when there is a new one.
+/// Light fields as textures of one GL context. Evicts the least recently drawn ones when space runs out, and unused
+/// ones when a new one arrives.
 class GlFieldCache {
  public:
   GlFieldCache(const gl::Api& api, std::size_t maxBytes) : api_(api), maxBytes_(maxBytes) {}
 
-  /// Binds a field's textures, uploading what is missing. Throws EnvironmentError if the field alone is too big for the
+  /// Binds a field's textures and uploads missing ones. Throws EnvironmentError if the field alone is too large for the
   /// driver or the budget.
   void bind(const LightField& field, int lighting);
 

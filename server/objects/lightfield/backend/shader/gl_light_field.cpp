@@ -10,7 +10,7 @@
 namespace grove::objects::lightfield {
 namespace {
 
-// As in shaders/lightfield/field.glsl.
+// Same as in shaders/lightfield/field.glsl.
 constexpr std::size_t kDirectoryWidth = 2048;
 constexpr std::size_t kBlocksAcross = 120;
 constexpr std::size_t kBlocksInLayer = kBlocksAcross * kBlocksAcross;
@@ -44,7 +44,7 @@ struct Extent3 {
 
 std::size_t divided(std::size_t whole, std::size_t part) { return (whole + part - 1) / part; }
 
-/// A single layer is no taller than it must be.
+/// A single layer has only as many rows as needed.
 Extent3 extentOfBlocks(const LightField& field) {
   const std::size_t blocks = std::max<std::size_t>(field.depth.size() / kBlockTexels, 1);
   const std::size_t rows = std::min(divided(blocks, kBlocksAcross), kBlocksAcross);
@@ -79,15 +79,15 @@ void allocate(const gl::TextureArray& texture, const Format& format, const Exten
   if (!fits || api.GetError() != GL_NO_ERROR) {
     throw EnvironmentError("a light field needs a texture of " + std::to_string(extent.width) + " x " +
                                std::to_string(extent.height) + " x " + std::to_string(extent.layers) +
-                               " texels, which this driver has not",
+                               " texels, which exceeds the limits of this driver",
                            "GL", "bake it smaller, or set renderer = \"simd\" for it in the scene file");
   }
-  // Whole numbers cannot be filtered, and a texture that asks for it reads as nothing.
+  // Integer textures cannot be filtered; reading one with a filter returns nothing.
   api.TextureParameteri(texture.name(), GL_TEXTURE_MIN_FILTER, GL_NEAREST);
   api.TextureParameteri(texture.name(), GL_TEXTURE_MAG_FILTER, GL_NEAREST);
 }
 
-/// Uploads layer after layer; `fill(layer, texels)` lays a layer out.
+/// Uploads layer by layer; `fill(layer, texels)` fills a layer.
 template <class T, class Fill>
 void upload(const gl::TextureArray& texture, const Format& format, const Extent3& extent, Fill fill) {
   allocate(texture, format, extent);

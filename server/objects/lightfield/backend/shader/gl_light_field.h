@@ -10,25 +10,25 @@
 
 namespace grove::objects::lightfield {
 
-/// One light field as textures of one GL context: the directory, depth and colour as arrays of blocks, the views'
-/// cameras in a buffer. Colour is uploaded when its lighting is first used. shaders/lightfield/field.glsl reads it.
+/// One light field as textures of one GL context: the directory, depth and colour as arrays of blocks, and the views'
+/// cameras in a buffer. A lighting's colour is uploaded on first use. shaders/lightfield/field.glsl reads them.
 class GlLightField {
  public:
-  /// Throws EnvironmentError if the field is larger than the driver's textures may be.
+  /// Throws EnvironmentError if the field exceeds the driver's texture limits.
   GlLightField(const gl::Api& api, const LightField& field);
 
-  /// Uploads what is missing and binds what the shaders read.
+  /// Uploads missing data and binds everything for the shaders.
   void bind(const LightField& field, int lighting);
 
-  /// Graphics memory in use, and what a lighting that is not there would add.
+  /// Graphics memory in use, and the additional memory of a lighting that is not loaded yet.
   [[nodiscard]] std::size_t bytes() const noexcept { return bytes_; }
   [[nodiscard]] std::size_t missingBytes(int lighting) const noexcept;
-  /// Of the directory, the cameras and depth.
+  /// Memory of the directory, the cameras and depth.
   [[nodiscard]] static std::size_t minBytes(const LightField& field) noexcept;
 
-  /// False if `field` is another one, perhaps at the same address.
+  /// Returns false if `field` is another light field, possibly at the same address.
   [[nodiscard]] bool isOf(const LightField& field) const noexcept;
-  /// True if the field itself is no more.
+  /// Returns true if the light field has been freed.
   [[nodiscard]] bool isAbandoned() const noexcept { return storage_.expired(); }
 
  private:

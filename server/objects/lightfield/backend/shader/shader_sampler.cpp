@@ -12,12 +12,12 @@ namespace grove::objects::lightfield {
 namespace {
 
 constexpr GLuint kRequestBinding = 0;
-// Rows of a target before another round is begun; a picture that is taller gets a target of its own.
+// Rows of a target before the next round; a taller picture gets its own target.
 constexpr int kMaxRows = 4096;
-constexpr int kStep = 256;      // pixels: targets grow by so much
-constexpr float kNear = 0.02F;  // as in sample.frag
+constexpr int kStep = 256;      // pixels: targets grow in these steps
+constexpr float kNear = 0.02F;  // same as in sample.frag
 
-/// As in shaders/lightfield/request.glsl.
+/// Same as in shaders/lightfield/request.glsl.
 struct Request {
   world::Vec4 eye;
   world::Vec4 corner;
@@ -82,7 +82,7 @@ class ShaderSampler::Target {
     if (memory != nullptr) held_.emplace(*memory, "textures", "lightfield", pipeline::Work::kAcrossUser);
   }
 
-  /// Makes pictures until the target is full; returns how many.
+  /// Renders pictures until the target is full; returns their number.
   std::size_t renderSome(std::span<const SampleRequest> requests, std::span<raster::Image* const> images) {
     std::size_t count = 0;
     int width = 1;

@@ -10,11 +10,11 @@
 
 namespace grove::objects::lightfield {
 
-/// The Sampler for GPUs: shaders/lightfield/sample.frag, one triangle a picture. It makes the same pictures as
-/// SimdSampler, whose header says how.
+/// The Sampler for GPUs: shaders/lightfield/sample.frag, one triangle per picture. Makes the same pictures as
+/// SimdSampler, whose header describes the method.
 ///
-/// The pictures of a call are drawn one below the other into one target and read back at the end. Every GL worker keeps
-/// the light fields that it has drawn as textures, `maxBytes` of them at most.
+/// Draws the pictures of a call one below the other into one target and reads it back at the end. Every GL worker keeps
+/// the light fields that it has drawn as textures of at most `maxBytes`.
 class ShaderSampler final : public Sampler {
  public:
   static constexpr std::size_t kDefaultBytes = std::size_t{4} << 30U;
@@ -22,12 +22,12 @@ class ShaderSampler final : public Sampler {
   /// The workers outlive the sampler.
   explicit ShaderSampler(gl::Workers& workers, DepthCorrection correction = DepthCorrection::kOn,
                          std::size_t maxBytes = kDefaultBytes);
-  /// Reports to `memory`, which outlives the sampler, of the textures and targets.
+  /// Reports the textures and targets to `memory`, which outlives the sampler.
   ShaderSampler(gl::Workers& workers, pipeline::MemoryLedger& memory);
-  /// Not on a worker: waits for each to drop its textures.
+  /// Not on a worker: waits until each has dropped its textures.
   ~ShaderSampler() override;
 
-  /// On a worker. Throws EnvironmentError if a light field is too big for the driver or for `maxBytes`.
+  /// On a worker. Throws EnvironmentError if a light field is too large for the driver or for `maxBytes`.
   void render(std::span<const SampleRequest> requests, std::span<raster::Image* const> images) override;
 
  private:
@@ -35,8 +35,8 @@ class ShaderSampler final : public Sampler {
   gl::Workers& workers_;
   const DepthCorrection correction_;
   const std::size_t maxBytes_;
-  pipeline::MemoryLedger* memory_ = nullptr;      ///< null: nobody wants to know
-  std::vector<std::unique_ptr<Target>> targets_;  // by worker, each used by its thread alone
+  pipeline::MemoryLedger* memory_ = nullptr;      ///< null: no reports
+  std::vector<std::unique_ptr<Target>> targets_;  // one per worker, used only by its thread
 };
 
 }  // namespace grove::objects::lightfield

@@ -19,18 +19,18 @@
 HWY_BEFORE_NAMESPACE();
 namespace grove::objects::lightfield::simd::HWY_NAMESPACE {
 
-/// Sums over the views; premultiplied bytes and their weight.
+/// Sums over the views: premultiplied bytes and their weight.
 struct Blended {
   Plane<Floats> red, green, blue, coverage, weight;
 };
 
-/// Interpolates the four nearest views of each pixel where they see its point, 4 texels of colour and depth each.
+/// Interpolates each pixel's four nearest views where they see its point, 4 texels of colour and depth each.
 class Blend {
  public:
   Blend(const LightField& field, int level, int lighting, Lenses& lenses)
       : field_(field), level_(level), lighting_(lighting), lenses_(lenses) {}
 
-  /// Only where the tile's found is set. Where guessed is set too, without regard to depth.
+  /// Only pixels with found set. Ignores depth for pixels with guessed set.
   [[nodiscard]] const Blended& run(const Tile& tile) {
     sum_ = {};
     Extent alongU;
@@ -52,7 +52,7 @@ class Blend {
   }
 
  private:
-  /// A texel hides a pixel's point if it is nearer by more, in texels' widths there.
+  /// A texel hides a pixel's point if it is nearer by more than this, in widths of a texel there.
   static constexpr float kAgreement = 7.0F;
   static constexpr float kMinViewDepth = 1.0e-3F;
 
@@ -61,7 +61,7 @@ class Blend {
     return toFloats(shiftRight<kShift>(texel) & 0xFF);
   }
 
-  /// Adds one view, which lies at `point` in the lattice.
+  /// Adds the view at `point` in the lattice.
   void add(const Tile& tile, ViewSphere::Point point) {
     Plane<Floats> viewWeight;
     Mask anyWeight;
@@ -100,17 +100,17 @@ class Blend {
     for (std::size_t g = 0; g < kGroups; ++g) {
       const Mask mask = viewWeight[g] > 0.0F;
       if (!any(mask)) continue;
-      // Pixels that do not take part have no place in the view.
+      // Inactive pixels have no position in the view.
       const Floats x = select(mask, across[g], static_cast<float>(box.left));
       const Floats y = select(mask, down[g], static_cast<float>(box.top));
-      // Nearer texels hide the point; farther ones and empty ones are what shows beside it.
+      // Nearer texels hide the point; farther and empty texels are visible beside it.
       const Floats nearest =
           (away[g] - kAgreement * lens.metresPerTexel * away[g] - lens.nearDepth) * (1.0F / lens.depthStep);
       addTexels(g, x, y, select(tile.guessed[g], 0.0F, nearest), viewWeight[g]);
     }
   }
 
-  /// Adds a group's four texels around (x, y), but those whose stored depth is below `limit`.
+  /// Adds a group's four texels around (x, y), except those with a stored depth below `limit`.
   void addTexels(std::size_t g, Floats x, Floats y, Floats limit, Floats viewWeight) {
     const std::uint16_t* const depths = window_.depth.data() - window_.layout.origin;
     const std::uint32_t* const colours = window_.colour.data() - window_.layout.origin;

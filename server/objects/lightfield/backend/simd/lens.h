@@ -7,8 +7,8 @@
 
 namespace grove::objects::lightfield::simd {
 
-/// A view's camera at one level, as the loops want it: for p = point - eye, z = dot(forward, p) is its view depth and
-/// dot(column, p) / z + middle its column of texels, texel centres being whole numbers.
+/// A view's camera at one level, in the form that the loops need: for p = point - eye, the view depth is z =
+/// dot(forward, p) and the texel column is dot(column, p) / z + middle; texel centres are at whole numbers.
 struct Lens {
   int view = -1;
   world::Vec3 eye{0.0F};
@@ -16,8 +16,8 @@ struct Lens {
   world::Vec3 row{0.0F};
   world::Vec3 forward{0.0F};
   float middle = 0.0F;
-  float nearDepth = 0.0F;       ///< metres, of stored depth 0
-  float depthStep = 0.0F;       ///< metres of one step of stored depth
+  float nearDepth = 0.0F;       ///< view depth of stored depth 0, metres
+  float depthStep = 0.0F;       ///< metres per step of stored depth
   float metresPerTexel = 0.0F;  ///< at one metre
 };
 
@@ -37,7 +37,7 @@ inline Lens makeLens(const LightField& field, int level, int view) {
   return lens;
 }
 
-/// The lenses of a request, made when they are first needed. Not for use by several threads.
+/// A request's lenses, computed on first use. Not thread-safe.
 class Lenses {
  public:
   Lenses(const LightField& field, int level) : field_(field), level_(level) {}

@@ -1,4 +1,4 @@
-// Walks along rays as a view sees them. For kernels: included once per target.
+// Marches along rays in a view's texels. For kernels: included once per target.
 
 #if defined(GROVE_OBJECTS_LIGHTFIELD_BACKEND_SIMD_WALK_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef GROVE_OBJECTS_LIGHTFIELD_BACKEND_SIMD_WALK_INL_H
@@ -16,19 +16,19 @@
 HWY_BEFORE_NAMESPACE();
 namespace grove::objects::lightfield::simd::HWY_NAMESPACE {
 
-/// How far from a texel's depth a ray may pass and still meet it, in texels' widths there, and in steps of the walk.
+/// Largest distance between a ray and a texel's depth for a hit, in widths of a texel there and in steps of the march.
 constexpr float kThickness = 0.75F;
 constexpr float kSlack = 1.25F;
-/// A surface is met where it has this share of the bilinear footprint, its outline thus being a smooth one.
+/// A surface is hit where it covers this share of the bilinear footprint, which makes its outline smooth.
 constexpr float kEnough = 0.35F;
 
-/// The part of a ray that is walked, as a view sees it: a line of texels, from place 0 to place 1. A point on it is at
-/// the place (1 / its view depth - inverseFrom) * perPlace.
+/// The marched part of a ray as a line of texels in the view, from place 0 to place 1. A point on it has the place (1 /
+/// its view depth - inverseFrom) * perPlace.
 struct RaySegment {
-  Floats x, y;         ///< texels at place 0
-  Floats byX, byY;     ///< from there to place 1
+  Floats x, y;         ///< texel coordinates at place 0
+  Floats byX, byY;     ///< difference to place 1
   Floats inverseFrom;  ///< 1 / view depth at place 0
-  Floats inverseBy;    ///< from there to place 1
+  Floats inverseBy;    ///< difference to place 1
   Floats perPlace;     ///< 1 / inverseBy
   Floats thickness;    ///< kThickness in places
 
@@ -50,20 +50,19 @@ struct RaySegment {
   }
 };
 
-/// What comes of a march; where, as places of the segment.
+/// The result of a march; positions are places of the segment.
 struct MarchResult {
   Mask found;
   Floats foundAt;
-  Floats hidden;  ///< share of the segment that lies behind something
+  Floats hidden;  ///< share of the segment behind other texels
   Floats hiddenAt;
   Floats hiddenTo;
-  Floats grazed;  ///< the largest share of a surface that was not enough
+  Floats grazed;  ///< largest share of a surface below the threshold
   Floats grazedAt;
-  Floats texel;  ///< length in places
+  Floats texel;  ///< length of a texel in places
 };
 
-/// A segment as a walk over the lines of texels that it crosses: along the axis of which it covers more, with one step
-/// for each line.
+/// A segment as a march over the lines of texels that it crosses: along the dominant axis, one step per line.
 struct Walk {
   Floats minAlong;
   Floats maxAlong;
@@ -76,7 +75,7 @@ struct Walk {
   Floats alongBy;
   Floats across0;
   Floats acrossBy;
-  Floats sign;  ///< of a step
+  Floats sign;  ///< direction of a step
   Floats first;
   Floats steps;
   Floats placePerTexel;
@@ -118,12 +117,12 @@ inline MarchResult marchAlong(const RaySegment& segment, const NearnessWindow& w
   march.texel = abs(walk.placePerTexel);
   const Floats slack = kSlack * march.texel + segment.thickness;
   const Floats reach = 0.5F + slack;
-  // Places times what was met there; divided by what was met when the walk is over.
+  // Sum of places weighted by coverage; divided by the coverage after the march.
   Floats foundPlaces;
   Floats foundMet = 1.0F;
   Floats grazedPlaces;
   Floats hiddenSteps;
-  // A surface is met partly at one step and partly at the next one.
+  // A surface's coverage is split between one step and the next.
   Floats metBefore;
   Floats placesBefore;
   Mask walking = rays;
@@ -143,7 +142,7 @@ inline MarchResult marchAlong(const RaySegment& segment, const NearnessWindow& w
     Floats places;
     Floats behind;
     for (std::size_t i = 0; i < 2; ++i) {
-      // Where the ray is at this texel's depth, and how much of the texel it meets there.
+      // The place where the ray is at this texel's depth, and the texel's weight there.
       const Floats place = mulAdd(nearness[i], segment.perPlace, placeOfZero);
       const Floats awayAlong = abs(mulAdd(place, walk.alongBy, walk.along0 - along));
       const Floats awayAcross = abs(mulAdd(place, walk.acrossBy, walk.across0 - line - static_cast<float>(i)));

@@ -15,10 +15,10 @@ namespace grove::objects::lightfield::simd::HWY_NAMESPACE {
 
 using world::Vec3;
 
-/// Nothing closer to the eye is shown, metres.
+/// Distance below which nothing is shown, metres.
 constexpr float kNear = 0.02F;
 
-/// Makes the tiles of one picture.
+/// Renders the tiles of one picture.
 class Picture {
  public:
   Picture(const SampleRequest& request, DepthCorrection correction, raster::Image& image)
@@ -50,7 +50,7 @@ class Picture {
   }
 
  private:
-  /// Sets the tile's rays up; false if none meets the object's bounds.
+  /// Sets up the tile's rays; returns false if none hits the object's bounds.
   bool aim(int left, int top) {
     const Vec3 eye = request_.camera.eye;
     const Vec3 corner = request_.camera.ray(static_cast<float>(image_.rect.left + left) + 0.5F,
@@ -108,7 +108,7 @@ class Picture {
     to = min(to, max(a, b));
   }
 
-  /// Without depth, everything is taken to be on the plane through the object's middle.
+  /// Without depth, all points are assumed to lie on the plane through the object's middle.
   void meetPlane() {
     const Vec3 ahead = field_.geometry.target - tile_.eye;
     const float distance = glm::dot(ahead, ahead);

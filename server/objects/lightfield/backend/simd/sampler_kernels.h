@@ -4,7 +4,7 @@
 
 namespace grove::objects::lightfield::simd {
 
-/// Makes one picture of a light field, as SimdSampler has it.
+/// Makes one picture of a light field, see SimdSampler.
 void renderPicture(const SampleRequest& request, DepthCorrection correction, raster::Image& image);
 
 }  // namespace grove::objects::lightfield::simd

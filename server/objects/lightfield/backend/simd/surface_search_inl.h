@@ -1,4 +1,4 @@
-// Finds what pixels show. For kernels: included once per target.
+// Finds the surface point of each pixel. For kernels: included once per target.
 
 #if defined(GROVE_OBJECTS_LIGHTFIELD_BACKEND_SIMD_SURFACE_SEARCH_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef GROVE_OBJECTS_LIGHTFIELD_BACKEND_SIMD_SURFACE_SEARCH_INL_H
@@ -16,13 +16,13 @@
 HWY_BEFORE_NAMESPACE();
 namespace grove::objects::lightfield::simd::HWY_NAMESPACE {
 
-/// A pixel's two heaviest views, as numbers of the lattice's points.
+/// A pixel's two heaviest views, as numbers of lattice points.
 struct Choice {
   Plane<Ints> first;
   Plane<Ints> second;
 };
 
-/// Lattice points are numbered row by row of a square that holds the lattice; -1 is none.
+/// Lattice points are numbered row by row in a square that encloses the lattice; -1 is none.
 class Lattice {
  public:
   explicit Lattice(int n) : n_(n) {}
@@ -45,7 +45,7 @@ inline Choice choose(const Tile& tile, const Lattice& lattice) {
   for (std::size_t g = 0; g < kGroups; ++g) {
     const Floats u = tile.u[g];
     const Floats v = tile.v[g];
-    // Of rays that go nowhere the coordinates may be infinite.
+    // Rays without a hit may have infinite coordinates.
     const Ints i = floorToInts(clamp(u + 0.5F, -kFarOut, kFarOut));
     const Ints j = floorToInts(clamp(v + 0.5F, -kFarOut, kFarOut));
     const Floats du = u - toFloats(i);
@@ -57,7 +57,7 @@ inline Choice choose(const Tile& tile, const Lattice& lattice) {
     const Ints other = select(preferU, alongV, alongU);
     const Ints near = lattice.number(i, j);
     const Ints next = select(better > -1, better, other);
-    // Between two points of the rim the nearest whole numbers may lie beyond it.
+    // Between two points of the rim, the nearest whole numbers may lie beyond it.
     choice.first[g] = select(near > -1, near, next);
     choice.second[g] = select(near > -1, next, other);
   }
@@ -70,7 +70,7 @@ inline bool anyOf(const Plane<Mask>& mask) {
   return any(seen);
 }
 
-/// Finds the point of the object that each pixel shows, by walking along its ray as a nearby view sees it.
+/// Finds the object's point for each pixel by marching along its ray in a nearby view.
 class SurfaceSearch {
  public:
   SurfaceSearch(const LightField& field, int level, Lenses& lenses) : field_(field), level_(level), lenses_(lenses) {}
@@ -91,7 +91,7 @@ class SurfaceSearch {
       Plane<Mask> mask;
       for (std::size_t g = 0; g < kGroups; ++g) left[g] = open[g] & ((*numbers)[g] > -1);
       while (anyOf(left)) {
-        // The largest number that is left is the next view.
+        // The largest remaining number is the next view.
         Ints largest = -1;
         for (std::size_t g = 0; g < kGroups; ++g) largest = max(largest, select(left[g], (*numbers)[g], Ints(-1)));
         const std::int32_t number = maxOf(largest);
@@ -112,14 +112,14 @@ class SurfaceSearch {
   }
 
  private:
-  /// Closer points to a view's eye are not looked for, metres.
+  /// Points closer to a view's eye are ignored, metres.
   static constexpr float kMinViewDepth = 1.0e-3F;
-  /// A ray that meets nothing, but is hidden for a larger share of its way, is taken to end behind what hides it.
+  /// A ray without a hit that is hidden for a larger share of its way ends behind the texels that hide it.
   static constexpr float kMostlyHidden = 0.35F;
-  /// How far beyond the ends of the hidden part the next view looks, in texels.
+  /// Texels that the next view searches beyond both ends of the hidden part.
   static constexpr float kMargin = 3.0F;
 
-  /// The texels of a view that the masked rays can meet.
+  /// The texels of a view that the masked rays can hit.
   [[nodiscard]] TexelBox boxOf(const Tile& tile, const Lens& lens, const Plane<Mask>& mask) const {
     const auto last = static_cast<float>((field_.size >> level_) - 2);
     Extent across;
@@ -137,8 +137,8 @@ class SurfaceSearch {
             static_cast<int>(down.high()) + 1};
   }
 
-  /// Walks in `view` with the masked pixels; what is found there is taken out of the mask, and what is certainly not
-  /// there too. Left are rays that passed behind something.
+  /// Marches the masked pixels in `view`. Removes pixels with a hit or a certain miss from the mask; the rest are rays
+  /// that passed behind something.
   void walk(Tile& tile, int view, Plane<Mask>& mask) {
     const Lens& lens = lenses_.of(view);
     const TexelBox box = boxOf(tile, lens, mask);
@@ -151,7 +151,7 @@ class SurfaceSearch {
     }
   }
 
-  /// The same with one group; returns what is left.
+  /// The same for one group; returns the remaining mask.
   [[nodiscard]] Mask walkGroup(Tile& tile, std::size_t g, const Lens& lens, const TexelBox& box, Mask mask) {
     const float low = window_.nearest;
     const float high = window_.farthest;
@@ -167,7 +167,7 @@ class SurfaceSearch {
 
     const Mask nothing = without(mask, march.found);
     const Mask hidden = nothing & (march.hidden > 0.0F);
-    // A ray that begins behind all that this view sees is hidden from it, too.
+    // A ray that begins behind everything that this view sees is also hidden from it.
     const Mask open = hidden | (nothing & (tile.from[g] > to));
     const Mask grazes = nothing & (march.grazed > 0.0F);
     const Mask settled = march.found | without(grazes, open);
@@ -180,7 +180,7 @@ class SurfaceSearch {
     tile.depth[g] = select(settled | guesses, rayDepth(place), tile.depth[g]);
     tile.found[g] |= settled;
     tile.guessed[g] |= guesses;
-    // Elsewhere on its way the ray is seen to meet nothing.
+    // The rest of its way certainly has no hit.
     const Floats nextFrom = rayDepth(march.hiddenAt - kMargin * march.texel);
     const Floats nextTo = rayDepth(march.hiddenTo + kMargin * march.texel);
     tile.from[g] = select(hidden, nextFrom, tile.from[g]);

@@ -1,4 +1,4 @@
-// Copies the parts of views that tiles look at together. For kernels: included once per target.
+// Copies the parts of views that a tile reads. For kernels: included once per target.
 
 #if defined(GROVE_OBJECTS_LIGHTFIELD_BACKEND_SIMD_TEXEL_WINDOW_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef GROVE_OBJECTS_LIGHTFIELD_BACKEND_SIMD_TEXEL_WINDOW_INL_H
@@ -81,7 +81,7 @@ inline void loadWindow(const LightField& field, int level, int view, int lightin
   });
 }
 
-/// False if nothing in the box is covered.
+/// Returns false if no texel in the box is covered.
 inline bool loadWindow(const LightField& field, int level, const Lens& lens, const TexelBox& box,
                        NearnessWindow& window) {
   const hn::CappedTag<float, kBlock> floats;

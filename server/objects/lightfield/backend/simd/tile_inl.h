@@ -1,4 +1,4 @@
-// The pixels that are worked on together. For kernels: included once per target.
+// Tiles of pixels, the unit of the loops. For kernels: included once per target.
 
 #if defined(GROVE_OBJECTS_LIGHTFIELD_BACKEND_SIMD_TILE_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef GROVE_OBJECTS_LIGHTFIELD_BACKEND_SIMD_TILE_INL_H
@@ -22,31 +22,31 @@ using namespace grove::simd::HWY_NAMESPACE;
 constexpr int kTileWidth = 16;
 constexpr int kTileHeight = 16;
 constexpr int kGroups = kTileWidth * kTileHeight / kLanes;
-/// A vector's pixels are a block and not a row: the closer they are, the more alike are their walks.
+/// A vector's pixels form a block, not a row: close pixels have similar marches.
 constexpr int kGroupWidth = 4;
 constexpr int kGroupHeight = kLanes / kGroupWidth;
 
-/// Where a group's first pixel is in its tile.
+/// Position of a group's first pixel in its tile.
 HWY_INLINE int groupColumn(int group) { return group % (kTileWidth / kGroupWidth) * kGroupWidth; }
 HWY_INLINE int groupRow(int group) { return group / (kTileWidth / kGroupWidth) * kGroupHeight; }
 
-/// One value for each pixel of a tile, group by group; a group's lanes are its pixels row by row.
+/// One value per pixel of a tile, group by group; a group's lanes are its pixels row by row.
 template <typename Lanes>
 using Plane = std::array<Lanes, kGroups>;
 
-/// Pixels that are worked on together, for neighbours look at the same few views and at neighbouring texels there. The
-/// point at depth t is eye + t * ray.
+/// Pixels that are processed together, because neighbours use the same few views and adjacent texels. The point at
+/// depth t is eye + t * ray.
 struct Tile {
   world::Vec3 eye{0.0F};
   Plane<Floats> rayX, rayY, rayZ;
   Plane<Floats> from, to;  ///< depths where the ray is within the object's bounds; to <= from: nowhere
-  Plane<Floats> u, v;      ///< where the ray enters the sphere of views, in its lattice
-  Plane<Floats> depth;     ///< of the surface, where `found`
+  Plane<Floats> u, v;      ///< the ray's intersection with the sphere of views, in its lattice
+  Plane<Floats> depth;     ///< of the surface, if `found`
   Plane<Mask> found;
-  Plane<Mask> guessed;  ///< found, but no view may show it
+  Plane<Mask> guessed;  ///< found, but possibly visible in no view
 };
 
-/// Where a ray's points are seen by a view: the point at depth t has view depth z0 + t * z1, and so on.
+/// A ray's points in a view: the point at depth t has view depth z0 + t * z1, and so on.
 struct Sight {
   float x0, y0, z0;
   Floats x1, y1, z1;
@@ -65,7 +65,7 @@ struct Sight {
   }
 };
 
-/// The smallest and the largest of what it is given.
+/// Accumulates min and max.
 class Extent {
  public:
   void add(Floats value, Mask mask) {

@@ -13,7 +13,7 @@ using world::Vec3;
 
 namespace {
 
-/// Sets of vertices that are joined by triangles, also where a seam of normals or UVs has doubled a vertex.
+/// Sets of vertices that triangles connect, also across seams of normals or UVs that duplicate vertices.
 class Pieces {
  public:
   explicit Pieces(const world::Triangles& triangles) : parent_(triangles.positions.size()) {
@@ -50,8 +50,8 @@ class Pieces {
   std::vector<std::uint32_t> parent_;
 };
 
-/// Equal for normals that may share light: one number for those that are near the piece's own, so that a bent leaf is
-/// not cut by chance, and else one for each of 24 directions: the face of a cube and a quarter of it.
+/// Returns equal numbers for normals that may share light: one number for all normals near the piece's own, so that a
+/// bent leaf is not divided arbitrarily, and else one for each of 24 directions: a face of a cube and a quarter of it.
 std::uint32_t facing(Vec3 normal, Vec3 ofPiece) {
   constexpr float kNear = 0.8F;
   constexpr std::uint32_t kOwn = 31;
@@ -77,7 +77,7 @@ std::uint64_t morton(Vec3 unit) {
   return code;
 }
 
-/// What makes vertices share a point.
+/// Vertices with equal keys share a point.
 struct Key {
   std::uint64_t order = 0;  ///< of the piece, along a space-filling curve
   std::uint64_t patch = 0;  ///< cell and facing within the piece
@@ -92,7 +92,7 @@ struct Key {
   }
 };
 
-/// By vertex: a number that those of one connected piece share.
+/// By vertex: the number of its connected piece.
 std::vector<std::uint32_t> piecesOf(const models::Model& model) {
   Pieces pieces(model.triangles);
   std::vector<std::uint32_t> result(model.triangles.positions.size());
@@ -100,7 +100,7 @@ std::vector<std::uint32_t> piecesOf(const models::Model& model) {
   return result;
 }
 
-/// By vertex: 1 for what is solid, 0 for leaves.
+/// By vertex: 1 for solid parts, 0 for leaves.
 std::vector<std::uint32_t> kindsOf(const models::Model& model) {
   std::vector<std::uint32_t> result(model.triangles.positions.size(), 0);
   for (std::size_t i = 0; i < model.triangles.indices.size(); ++i) {
@@ -119,7 +119,7 @@ std::vector<Key> makeKeys(const models::Model& model, float cell, PointsOf of) {
   Bounds all;
   for (std::uint32_t v = 0; v < positions.size(); ++v) {
     extents[pieces[v]].add(positions[v]);
-    // Leaves of all pieces have no direction of their own.
+    // The group of all leaves has no direction of its own.
     if (byPiece) normals[pieces[v]] += model.normals[v];
     all.add(positions[v]);
   }
@@ -134,7 +134,7 @@ std::vector<Key> makeKeys(const models::Model& model, float cell, PointsOf of) {
     key.patch = facing(model.normals[v], normals[piece]) >> (byPiece ? 0U : 2U);
     Vec3 middle(0.0F);
     for (int a = 0; a < 3; ++a) {
-      // Whole cells of about the wanted size, so that a small piece is not cut by chance.
+      // A whole number of cells of about the wanted size, so that a small piece is not divided arbitrarily.
       const float cells = std::clamp(std::round(extent.size()[a] / cell), 1.0F, 65535.0F);
       const float share = (positions[v][a] - extent.low[a]) / std::max(extent.size()[a], 1.0e-20F);
       const float index = std::min(std::floor(share * cells), cells - 1.0F);
@@ -173,7 +173,7 @@ LightPoints chooseLightPoints(const models::Model& model, const std::vector<Text
     first = end;
   }
 
-  // The point itself must be on the surface: the vertex or the middle of a triangle that is nearest to the mean.
+  // The point must lie on the surface: takes the vertex or triangle centre nearest to the mean.
   std::vector<float> nearest(result.points.size(), std::numeric_limits<float>::infinity());
   const auto offer = [&](std::uint32_t point, Vec3 position) {
     const Vec3 away = position - means[point];

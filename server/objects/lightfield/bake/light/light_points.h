@@ -8,13 +8,13 @@
 
 namespace grove::bake {
 
-/// A place where light is computed for the patch of surface around it.
+/// A point that represents the patch of surface around it in light computations.
 struct LightPoint {
   world::Vec3 position{0.0F};
   world::Vec3 normal{0.0F, 1.0F, 0.0F};
   world::Vec3 albedo{0.0F};         ///< mean of the patch, linear
-  world::Vec3 transmittance{0.0F};  ///< likewise
-  bool bothSides = false;           ///< else the back is lit as the front, for nobody but grazing rays sees it
+  world::Vec3 transmittance{0.0F};  ///< mean of the patch, linear
+  bool bothSides = false;           ///< else the back is lit like the front, because only grazing rays see it
 };
 
 struct LightPoints {
@@ -22,14 +22,14 @@ struct LightPoints {
   std::vector<std::uint32_t> ofVertex;  ///< index into points
 };
 
-/// Which vertices may share a point.
+/// Condition for vertices to share a point.
 enum class PointsOf {
-  kPiece,  ///< those of one connected piece: a leaf that is smaller than a texel has one point
-  kCell,   ///< those of all leaves, or of all that is solid, in a cell: far fewer points where leaves are many
+  kPiece,  ///< same connected piece: a leaf smaller than a texel has one point
+  kCell,   ///< same cell, leaves and solid apart: far fewer points for dense leaves
 };
 
-/// Chooses the light points of a model: vertices that may, are within `cell` metres of each other and face alike share
-/// one.
+/// Chooses a model's light points: vertices share one if `of` permits it, they are within `cell` metres of each
+/// other and their normals are similar.
 [[nodiscard]] LightPoints chooseLightPoints(const models::Model& model, const std::vector<TextureSampler>& textures,
                                             float cell, PointsOf of = PointsOf::kPiece);
 

@@ -9,10 +9,10 @@
 
 namespace grove::bake {
 
-/// The ground y = 0 around an object, which throws light up into it and lies in its shade: a square of light points.
+/// The ground y = 0 around an object, which reflects light onto it and lies in its shade: a square of light points.
 class Meadow {
  public:
-  /// Around everything that `points` cover.
+  /// Covers everything around `points`.
   Meadow(const std::vector<LightPoint>& points, world::Vec3 albedo) : albedo_(albedo) {
     world::Bounds bounds;
     for (const LightPoint& point : points) bounds.add(point.position);
@@ -34,7 +34,7 @@ class Meadow {
     return point;
   }
 
-  /// Where a ray that goes down meets it; nothing where it is out of the object's influence.
+  /// Index of the light point that a downward ray hits; nothing outside the square.
   [[nodiscard]] std::optional<std::size_t> hit(world::Vec3 origin, world::Vec3 direction) const {
     const float distance = std::max(0.0F, origin.y) / -direction.y;
     const float scale = static_cast<float>(kCells) / edge_;

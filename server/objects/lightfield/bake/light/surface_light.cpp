@@ -20,17 +20,17 @@ using world::Vec3;
 
 namespace {
 
-constexpr float kSunRadius = 0.035F;  // of its direction: wider than the real sun, as haze makes it
+constexpr float kSunRadius = 0.035F;  // of its direction: wider than the real sun, as through haze
 constexpr int kBounces = 2;
 constexpr std::size_t kPacketsPerTask = 8;
 
-/// What a ray from a point found: a side of a point (2 * point, + 1 for the back), or one of these.
+/// The hit of a ray from a point: a side of a point (2 * point, + 1 for the back), or one of these.
 using Found = std::uint32_t;
 constexpr Found kOpen = 0xFFFFFFFFU;     // sky or far meadow
 constexpr Found kNotSent = 0xFFFFFFFEU;  // behind a surface with one side
 constexpr Found kFirstOther = kNotSent;
 
-/// One run of lightSurfaces(). A task is a run of points; it writes nothing but what belongs to them.
+/// One run of lightSurfaces(). A task handles a range of points and writes only their data.
 class Computation {
  public:
   Computation(const models::Model& model, const LightPoints& points, const ModelRays& rays, const Lightings& lightings,
@@ -52,14 +52,14 @@ class Computation {
   [[nodiscard]] SurfaceLight run(const std::function<void(float)>& progress, const std::stop_token& stop);
 
  private:
-  using Packet = std::array<const LightPoint*, kPacket>;  ///< null where the points ended
+  using Packet = std::array<const LightPoint*, kPacket>;  ///< null beyond the last point
 
   [[nodiscard]] Packet packet(std::size_t first) const {
     Packet packet{};
     for (std::size_t i = 0; i < kPacket && first + i < points_.size(); ++i) packet[i] = &points_[first + i];
     return packet;
   }
-  /// Whether a point looks into a direction; its back does so only if it has one.
+  /// Whether a point sends a ray in a direction; the back only sends rays if it exists.
   [[nodiscard]] static bool sends(const LightPoint* point, Vec3 direction) {
     return point != nullptr && (point->bothSides || glm::dot(point->normal, direction) > 0.0F);
   }
@@ -71,7 +71,7 @@ class Computation {
   void addBounces(std::size_t index, const SurfaceLight& sent, SurfaceLight& light) const;
   void send(std::size_t index, const SurfaceLight& light, SurfaceLight& sent) const;
   [[nodiscard]] Found pointAt(const RTCRayHit16& rays, std::size_t lane) const;
-  /// Calls visit(side, direction, weight), where the weights of a side add up to 1.
+  /// Calls visit(side, direction, weight); the weights of a side add up to 1.
   template <class Visit>
   void forEachDirection(const LightPoint& point, const Visit& visit) const;
 
@@ -91,7 +91,7 @@ class Computation {
 void Computation::place(RTCRay16& ray, std::size_t lane, const LightPoint& point, Vec3 direction) const {
   const float side = glm::dot(point.normal, direction);
   Vec3 origin = point.position + point.normal * std::copysign(settings_.away, side);
-  // What is below the meadow lends its light to what comes out of it.
+  // Points below the meadow start at its surface: their light is used for parts above it.
   if (!settings_.grounded) origin.y = std::max(origin.y, settings_.away);
   ray.org_x[lane] = origin.x;
   ray.org_y[lane] = origin.y;
@@ -133,7 +133,7 @@ void Computation::addSun(std::size_t first, SurfaceLight& light) const {
     ModelRays::Mask mask;
     for (std::size_t lane = 0; lane < kPacket; ++lane) mask.lane[lane] = sends(packet[lane], sun) ? -1 : 0;
     trace(0, mask);
-    // Half of the rays show for most points that they are wholly in the sun or in shade.
+    // For most points, half of the rays suffice to show that they are wholly in the sun or in shade.
     for (std::size_t lane = 0; lane < kPacket; ++lane) {
       const bool partly = seen[lane] > 0 && seen[lane] < settings_.sunRays / 2;
       if (!partly) {
@@ -241,8 +241,8 @@ void Computation::addBounces(std::size_t index, const SurfaceLight& sent, Surfac
   });
 }
 
-/// What a point sends to each side of the light that reaches it. The sky's light has the open meadow in it already, so
-/// the meadow sends what it has more or less than that: less in the object's shade.
+/// The light that a point sends from each side. The sky's light already includes the open meadow, so the meadow only
+/// sends its difference to that: less in the object's shade.
 void Computation::send(std::size_t index, const SurfaceLight& light, SurfaceLight& sent) const {
   const LightPoint& point = points_[index];
   const std::span<const float> from = light.at(index);

@@ -33,21 +33,21 @@ class SurfaceLight {
 
 struct LightSettings {
   int threads = 1;
-  float away = 0.01F;     ///< metres off the surface that rays start, against hitting it
-  bool grounded = false;  ///< the model has ground of its own; else a meadow lies at y = 0
-  int directions = 64;    ///< that each point looks into, over the whole sphere; about half are before a surface
+  float away = 0.01F;     ///< offset of ray origins from the surface in metres, against self-intersection
+  bool grounded = false;  ///< the model has its own ground; else a meadow lies at y = 0
+  int directions = 64;    ///< per point, over the whole sphere; about half are in front of a surface
   int sunRays = 8;        ///< even; towards each lighting's sun
 };
 
-/// Light of the sun (a small disc) and of the sky through the model's gaps, from the meadow below, through leaves, and
-/// two bounces between surfaces. Where nothing is in the way a surface gets what ambient() and the sun say.
+/// Computes the light of the sun (a small disc) and of the sky through the model's gaps, from the meadow below, through
+/// leaves, and two bounces between surfaces. Unoccluded surfaces get exactly ambient() plus the sun.
 ///
-/// Surroundings of the model take no light: what others take of the sun is found where an object stands, and tiles show
-/// their sides where their group ends.
+/// A tile's surrounding copies block no light: shadows of other objects are computed where an object stands, and tiles
+/// show their sides where their group ends.
 ///
-/// All points look into the same directions: that leaves no noise, and neighbours' rays make coherent packets. The
+/// All points use the same directions: this avoids noise, and rays of neighbouring points form coherent packets. The
 /// result does not depend on the number of threads, and is incomplete if `stop` was requested. `progress` gets the
-/// share done, from any thread but one at a time.
+/// completed share, from any thread, one at a time.
 [[nodiscard]] SurfaceLight lightSurfaces(const models::Model& model, const LightPoints& points, const ModelRays& rays,
                                          const Lightings& lightings, const LightSettings& settings,
                                          const std::function<void(float)>& progress, const std::stop_token& stop);

@@ -10,7 +10,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace grove::objects::lightfield::HWY_NAMESPACE {
 
-constexpr float kLampSize = 0.6F;  // keeps what touches a lamp from burning out, square metres
+constexpr float kLampSize = 0.6F;  // square metres; limits the brightness close to a lamp
 
 void lightPart(std::span<const world::PointLight> lamps, const ObjectCamera& camera, const PicturePart& part) {
   changePart(camera, part, [&](Ints pixels, Floats x, Floats y, Floats z) {

@@ -8,11 +8,11 @@
 
 namespace grove::objects::lightfield {
 
-/// Adds the lamps' light: colour + colour * gain, at most the coverage, where the gain of a lamp at a distance d is
-/// its colour * (1 - (d / kLampReach)^2)^2 / (d^2 + a lamp's size).
+/// Adds the lamps' light: colour + colour * gain, clamped to the coverage. The gain of a lamp at a distance d is its
+/// colour * (1 - (d / kLampReach)^2)^2 / (d^2 + the lamp's size).
 void lightPart(std::span<const world::PointLight> lamps, const ObjectCamera& camera, const PicturePart& part);
 
-/// Depths of what a part shows; farthest is 0 if that is nothing.
+/// Depth range of a part; farthest is 0 if the part is empty.
 struct DepthRange {
   float nearest = kRelightFarthest;
   float farthest = 0.0F;

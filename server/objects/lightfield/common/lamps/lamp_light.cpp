@@ -10,13 +10,13 @@ namespace {
 
 using world::Vec3;
 
-constexpr float kLampGain = 1.6F;  // of a surface that shows as mid grey, in display-encoded colour
+constexpr float kLampGain = 1.6F;  // for a surface that is mid grey in display-encoded colour
 
-/// Columns and rows that lamps are chosen for together.
+/// Columns and rows of the parts that share a choice of lamps.
 constexpr int kPartWidth = 32;
 constexpr int kPartHeight = 16;
 
-/// The box around what a part of a picture shows; upside down if that is nothing.
+/// The bounds of a part's visible points; inverted if the part is empty.
 world::Bounds boundsOf(const ObjectCamera& camera, const PicturePart& part) {
   const DepthRange range = depthRange(part);
   world::Bounds bounds{Vec3(kRelightFarthest), Vec3(-kRelightFarthest)};

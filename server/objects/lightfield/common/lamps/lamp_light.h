@@ -11,15 +11,15 @@
 
 namespace grove::objects::lightfield {
 
-/// Adds the light of fires and lanterns to a picture, scaling what is there. Keeps `camera`, not the lamps.
+/// Adds the light of fires and lanterns to a picture by scaling its colours. Keeps `camera`, not the lamps.
 class LampLight {
  public:
   LampLight(std::span<const world::PointLight> lamps, const ObjectCamera& camera);
 
-  /// To a part of the picture whose rows are `stride` pixels apart. The smaller the part, the fewer lamps reach it.
+  /// Lights a part of the picture whose rows are `stride` pixels apart. Smaller parts have fewer lamps in reach.
   void addTo(const world::Rect& part, std::uint32_t* colour, const float* depth, std::ptrdiff_t stride) const;
 
-  /// To all of it.
+  /// Lights the whole picture.
   void addTo(raster::Image& image) const;
 
  private:

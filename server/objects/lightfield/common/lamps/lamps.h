@@ -10,10 +10,10 @@ namespace grove::objects::lightfield {
 
 inline constexpr std::size_t kMaxLamps = 4;
 
-/// Metres at which a lamp is no longer seen.
+/// Distance in metres at which a lamp's light ends.
 inline constexpr float kLampReach = 7.0F;
 
-/// The point lights that matter most to an object, in its own coordinates and metres.
+/// The point lights with the largest effect on an object, in its own coordinates and metres.
 [[nodiscard]] std::vector<world::PointLight> chooseLamps(std::span<const world::PointLight> lights,
                                                          const world::Bounds& worldBounds, const world::Mat4& toObject);
 

@@ -10,8 +10,8 @@
 namespace grove::objects::lightfield {
 namespace {
 
-/// By how many texels a ray that meets a texel moves for one unit of nearness, at most. It is at s with nearness w
-/// where b = (m - s m2) / (1 - m2 w), which is largest at a corner of the picture.
+/// Upper bound of the texels that a ray moves per unit of nearness where it hits a texel. The ray is at s with nearness
+/// w where b = (m - s m2) / (1 - m2 w), which is largest at a corner of the picture.
 float maxTexelsPerNearness(const CachedView& view, const ViewWarp& warp) {
   const CachedView::Range& whole = view.range();
   const float scale = 1.0F - std::max(warp.m.z * whole.min, warp.m.z * whole.max);
@@ -24,7 +24,7 @@ float maxTexelsPerNearness(const CachedView& view, const ViewWarp& warp) {
   return fastest / std::max(scale, kMinForward);
 }
 
-/// The texels that rays pass.
+/// Bounds of the texels that rays pass.
 struct Passed {
   world::Vec2 low{1.0e9F};
   world::Vec2 high{-1.0e9F};
@@ -35,7 +35,7 @@ struct Passed {
   }
 };
 
-/// Of the squares that rays pass at nearnesses up to `most`.
+/// The range of the squares that rays pass at nearnesses up to `max`.
 CachedView::Range rangeOf(const CachedView& view, const Passed& passed, float max) {
   constexpr float kSquare = CachedView::kSquare;
   const int firstColumn = static_cast<int>(std::max(passed.low.x - 1.0F, 0.0F) / kSquare);
@@ -55,7 +55,7 @@ CachedView::Range rangeOf(const CachedView& view, const Passed& passed, float ma
   return range;
 }
 
-/// No ray of this part of the frame meets what is nearer.
+/// Lower bound of the depth at which a ray of this part of the frame hits a texel.
 float minDepth(const ViewWarp& warp, const Reach& reach, const world::Rect& part) {
   const auto forward = [&](int x, int y) {
     return warp.k.z + static_cast<float>(x) * warp.kPerColumn.z + static_cast<float>(y) * warp.kPerRow.z;
@@ -73,8 +73,8 @@ class Strip {
     setCorners(warp, view.range(), left, top, *below_);
   }
 
-  /// Goes on to the tiles that end above `line`.
-  void goDownTo(int line) {
+  /// Advances to the tiles that end above `line`.
+  void advanceTo(int line) {
     std::swap(above_, below_);
     setCorners(warp_, view_.range(), left_, line, *below_);
     placeTiles(*above_, *below_, view_.width(), view_.height(), tiles_);
@@ -82,7 +82,7 @@ class Strip {
 
   [[nodiscard]] Reach reach(int tile) const {
     if (tiles_.misses[tile] != 0) return {};
-    // Some of its rays go nowhere and their ends say nothing.
+    // Some of its rays have no position in the picture, so its corners give no bounds.
     if (tiles_.whole[tile] != 0) return {view_.range(), maxSpeed_};
     const CachedView::Range& whole = view_.range();
     Passed passed;
@@ -94,7 +94,7 @@ class Strip {
     }
     Reach reach{rangeOf(view_, passed, whole.max)};
     if (!reach.shows()) return reach;
-    // What is left of the range is often so little that the rays pass much less.
+    // The rest of the range is often so small that the rays pass far fewer texels.
     Passed less;
     float speed = 1.0e-20F;
     for (const CornerLine* line : {above_, below_}) {
@@ -134,7 +134,7 @@ void reproject(const CachedView& view, const ObjectCamera& camera, const Haze& h
     const int tiles = std::min(kStripTiles, (rect.right - stripLeft + kTileWidth - 1) / kTileWidth);
     Strip strip(view, warp, stripLeft, rect.top);
     for (int top = rect.top; top < rect.bottom; top += kTileHeight) {
-      strip.goDownTo(top + kTileHeight);
+      strip.advanceTo(top + kTileHeight);
       for (int i = 0; i < tiles; ++i) {
         const Reach reach = strip.reach(i);
         if (!reach.shows()) continue;

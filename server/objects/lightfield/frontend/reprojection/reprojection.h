@@ -9,19 +9,19 @@
 
 namespace grove::objects::lightfield {
 
-/// Takes the pixels of a part of the frame: colour and depth of the tile's first rows and columns, which it may change.
+/// Receives the pixels of a part of the frame: colour and depth of the tile's first rows and columns; may change them.
 using LayTile = std::function<void(const world::Rect& part, WarpTile& tile)>;
 
-/// Whether nothing that is nowhere nearer than `depth` would show in this part of the frame.
+/// Returns whether everything at `depth` or farther is hidden in this part of the frame.
 using HidesTile = std::function<bool(const world::Rect& part, float depth)>;
 
-/// Draws a cached view for an eye of its cell, through the haze: what every visitor pays in every frame. Goes over
-/// `rect`, in pixels of `camera`, and hands on what shows anything, while it is in the processor's nearest cache. Parts
-/// that `hides` says are hidden are left out.
+/// Draws a cached view for an eye of its cell, through haze: the per-visitor cost of every frame. Iterates over `rect`,
+/// in pixels of `camera`, and passes covered tiles on while they are in the processor's nearest cache. Skips the parts
+/// for which `hides` returns true.
 ///
-/// Each pixel's ray is followed through the picture, along which it moves by a few texels at most, and meets the
-/// nearest texel that lies on it. Where it passes behind an edge and meets none, it shows the farthest texel that it
-/// passed: what lies behind the edge goes on. Vectorised. Any thread.
+/// Follows each pixel's ray through the picture, along which it moves by a few texels at most, to the nearest texel on
+/// it. A ray that passes behind an edge without a hit takes the farthest texel that it passed: the surface behind the
+/// edge continues. Vectorised. Any thread.
 void reproject(const CachedView& view, const ObjectCamera& camera, const Haze& haze, const world::Rect& rect,
                const LayTile& lay, const HidesTile& hides);
 

@@ -4,26 +4,26 @@
 
 #include "objects/lightfield/common/cached_view.h"
 
-/// What the loops of reproject() work on.
+/// Data of the loops of reproject().
 ///
 /// A texel of the picture at s (both coordinates) with nearness w = 1 / depth is the point c + (C s) / w of the
 /// picture's camera with eye c and matrix C of columns perColumn, perRow, corner; a visitor's ray is e + t r. With
 /// k = inverse(C) r and m = inverse(C) (e - c), they meet where s = a + b w, for
 ///     a = (k0, k1) / k2,   b = (m0, m1) - a m2,   and then   t = (1 / w - m2) / k2.
-/// a is the place of what is infinitely far, and b the way along which a pixel's ray runs through the picture.
+/// a is the position of an infinitely distant point, and b the direction of a pixel's ray through the picture.
 namespace grove::objects::lightfield {
 
-/// Rays that do not go where the picture's camera looks meet nothing.
+/// Rays away from the picture camera's direction hit nothing.
 inline constexpr float kMinForward = 1.0e-3F;
 
-/// From a visitor's pixels to texels of a view.
+/// Maps a visitor's pixels to texels of a view.
 struct ViewWarp {
   world::Vec3 k, kPerColumn, kPerRow;
   world::Vec3 m;
 
   ViewWarp(const CachedView& view, const ObjectCamera& camera);
 
-  /// The b of an a.
+  /// The b of a given a.
   [[nodiscard]] world::Vec2 way(world::Vec2 a) const { return world::Vec2(m) - a * m.z; }
 };
 

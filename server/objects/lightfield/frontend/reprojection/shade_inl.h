@@ -19,14 +19,14 @@
 HWY_BEFORE_NAMESPACE();
 namespace grove::objects::lightfield::HWY_NAMESPACE {
 
-/// Steps to a share of 256.
+/// Steps of a share: 256.
 constexpr float kShares = 256.0F;
 constexpr float kRounding = 0.5F;
 
 HWY_INLINE Ints share(Floats part) { return truncate(mulAdd(part, kShares, kRounding)); }
 HWY_INLINE Channels eachOf(std::uint32_t value) { return channels(static_cast<std::int32_t>(value)); }
 
-/// The air as shade() mixes it in.
+/// The haze in the form that shade() needs.
 struct Air {
   Channels clear;
   Channels even;
@@ -43,10 +43,10 @@ struct Air {
 };
 
 #if GROVE_SIMD_PERMUTES
-/// Neighbouring pixels mostly show neighbouring texels: two registers of each of four rows hold all of them.
+/// Adjacent pixels mostly use adjacent texels: two registers of each of four rows contain all of them.
 HWY_INLINE Neighbours neighbours(const Texels& texels, const std::uint32_t* colour, Ints column, Ints row) {
   constexpr int kMarginAcross = 4;
-  constexpr int kRows = 3;  // and one more below
+  constexpr int kRows = 3;  // plus one below
   const auto ends = [](Ints places, int margin, int most) {
     const int first = hn::GetLane(places.raw);
     const int last = hn::ExtractLane(places.raw, kLanes - 1);
@@ -77,7 +77,7 @@ HWY_INLINE Neighbours neighbours(const Texels& texels, const std::uint32_t* colo
 }
 #endif
 
-/// As many neighbouring pixels as there are lanes; true where one shows anything.
+/// Shades a vector of adjacent pixels; true where one is covered.
 HWY_INLINE Mask shadePixels(const Texels& texels, const std::uint32_t* colour, const Air& air, WarpTile& tile,
                             int first) {
   const Floats w = load(tile.place + first);
@@ -103,7 +103,7 @@ HWY_INLINE Mask shadePixels(const Texels& texels, const std::uint32_t* colour, c
   return there;
 }
 
-/// Bilinear colour through the haze, and depth. False if nothing shows.
+/// Bilinear colour through haze, and depth. Returns false if no pixel is covered.
 HWY_INLINE bool shade(const Texels& texels, const std::uint32_t* colour, const Haze& haze, WarpTile& tile) {
   const Air air(haze);
   Mask shows;

@@ -35,7 +35,7 @@ void setCorners(const ViewWarp& warp, const CachedView::Range& range, int left, 
   }
 }
 
-/// Of the four corners of tile i.
+/// Min over the four corners of tile i.
 HWY_INLINE float lowest(const float* __restrict above, const float* __restrict below, int i) {
   return lower(lower(above[i], above[i + 1]), lower(below[i], below[i + 1]));
 }

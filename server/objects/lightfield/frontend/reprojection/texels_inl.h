@@ -20,13 +20,13 @@ namespace grove::objects::lightfield::HWY_NAMESPACE {
 
 using namespace grove::simd::HWY_NAMESPACE;
 
-/// The texel that is left of and above those of neighbouring pixels, or at one of them.
+/// Left and top bounds of the texels of adjacent pixels, or one of those texels.
 struct Corner {
   int column;
   int row;
 };
 
-/// A view's texels as the loops need them.
+/// A view's texels in the form that the loops need.
 struct Texels {
   const float* nearness;
   int stride;
@@ -46,19 +46,19 @@ struct Texels {
         limitY(static_cast<float>(view.height()) - 1.001F),
         m(warp.m) {}
 
-  /// 1 / depth of what CachedView::nearness() says.
+  /// Converts values of CachedView::nearness() to 1 / depth.
   HWY_INLINE Floats nearnessOf(Floats ranked) const { return select(ranked < 0.0F, ranked + softness, ranked); }
 
-  /// CachedView::nearness() of these texels; fast where they are near the corner.
+  /// CachedView::nearness() of these texels; fast if they are near the corner.
   HWY_INLINE Floats rankedNear(const Corner& corner, Ints column, Ints row) const;
 };
 
-/// As many neighbouring rays of a row of a tile as there are lanes.
+/// A vector of adjacent rays in a row of a tile.
 struct Rays {
   Floats a0;
   Floats a1;
-  float cornerA0;  ///< of the ray at either end that is farther to the left
-  float cornerA1;  ///< of the one that is farther up
+  float cornerA0;  ///< the smaller a0 of the first and the last ray
+  float cornerA1;  ///< the smaller a1 of the first and the last ray
 
   HWY_INLINE Rays(const WarpTile& tile, int first)
       : a0(load(tile.a0 + first)),
@@ -66,9 +66,9 @@ struct Rays {
         cornerA0(lower(tile.a0 + first)),
         cornerA1(lower(tile.a1 + first)) {}
 
-  /// CachedView::nearness() where the rays are at nearness `w`.
+  /// CachedView::nearness() at the rays' positions for nearness `w`.
   HWY_INLINE Floats ranked(const Texels& texels, float w) const { return at(texels, w, cornerAt(texels, w)); }
-  /// The same for a `w` of each ray, somewhere from `least` to `greatest`.
+  /// The same with one `w` per ray, each between `least` and `greatest`.
   HWY_INLINE Floats ranked(const Texels& texels, Floats w, float min, float max) const {
     const Corner a = cornerAt(texels, min);
     const Corner b = cornerAt(texels, max);
@@ -95,12 +95,12 @@ struct Rays {
 };
 
 #if GROVE_SIMD_PERMUTES
-/// Neighbouring pixels look at neighbouring texels: most are among two registers of each of a few rows.
+/// Adjacent pixels use adjacent texels: most are in two registers of each of a few rows.
 HWY_INLINE Floats Texels::rankedNear(const Corner& corner, Ints column, Ints row) const {
   constexpr int kRows = kLanes == 16 ? 3 : 2;
   const Ints right = column - corner.column;
   const Ints down = row - corner.row;
-  // Shifted with their signs.
+  // Arithmetic shifts.
   const Ints outside = hn::Or(hn::ShiftRight<(kLanes == 16 ? 5 : 4)>(right.raw), hn::ShiftRight<2>(down.raw));
   if (HWY_UNLIKELY(any((outside != 0) | (down > kRows - 1)))) return lookUp(nearness, row * stride + column);
   const auto among = [&](int line) {

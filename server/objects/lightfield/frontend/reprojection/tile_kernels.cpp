@@ -14,14 +14,14 @@
 HWY_BEFORE_NAMESPACE();
 namespace grove::objects::lightfield::HWY_NAMESPACE {
 
-/// A tile's rays are looked at in steps of a texel, or of two where that takes more than kFineSteps: finer ones gain
-/// 0.1 dB there. Within the default view error no more than kMaxSteps are needed; stale pictures would need 32 and more,
-/// for hardly better pixels.
+/// A tile's rays are sampled in steps of one texel, or of two where that takes more than kFineSteps: finer steps gain
+/// 0.1 dB there. Within the default view error no more than kMaxSteps are needed; stale pictures would need 32 and
+/// more, for hardly better pixels.
 constexpr float kFineSteps = 4.0F;
 constexpr float kMaxSteps = 8.0F;
-/// Rays that move by less, in texels, do not leave theirs.
+/// Rays that move by less than this, in texels, stay in their texel.
 constexpr float kStill = 0.5F;
-/// How many texels beside a ray's texel its point may lie, beyond half a step.
+/// Permitted distance of a ray's point from the texel's centre beyond half a step, in texels.
 constexpr float kSlack = 0.4F;
 constexpr float kNothing = -1.0e30F;
 
@@ -40,7 +40,7 @@ HWY_INLINE void beginTile(const ViewWarp& warp, int left, int top, WarpTile& til
   }
 }
 
-/// What rays that stay in their texels show.
+/// Results of rays that stay in their texels.
 HWY_INLINE void glance(const Texels& texels, float w, WarpTile& tile) {
   for (int i = 0; i < kTilePixels; i += kLanes) {
     const Floats near = texels.nearnessOf(Rays(tile, i).ranked(texels, w));
@@ -49,15 +49,15 @@ HWY_INLINE void glance(const Texels& texels, float w, WarpTile& tile) {
   }
 }
 
-/// What rays have met so far, texels as CachedView::nearness().
+/// Texels that rays have hit so far, as in CachedView::nearness().
 struct Met {
-  Floats best = kNothing;  ///< the best texel that lies on it, or kNothing
-  Floats bestPlace;        ///< the w where that was
+  Floats best = kNothing;  ///< the best texel on the ray, or kNothing
+  Floats bestPlace;        ///< the w of that texel
   Floats far = -kNothing;  ///< 1 / depth of the farthest texel passed
   Floats farPlace;
 
-  /// The rays pass texels of these ranks at nearness `w`. Those that have met one that hides what is behind it meet no
-  /// other, whatever becomes of their neighbours.
+  /// The rays pass texels of these ranks at nearness `w`. A ray that has hit a texel that hides the background gets no
+  /// further hit, independent of the adjacent rays.
   HWY_INLINE void pass(const Texels& texels, Floats ranked, float w, float permitted) {
     const Floats near = texels.nearnessOf(ranked);
     const Floats lying = select(without(abs(near - w) <= permitted, best >= 0.0F), ranked, kNothing);
@@ -68,10 +68,9 @@ struct Met {
   }
 };
 
-/// Decides what each ray shows. The best texel lies on the ray to half a step; the one at the place that belongs to its
-/// depth is better if it is of the same surface. If that is farther away, the surface ends between both, and the colour
-/// there is that of its edge. If it is nearer, it hides what the ray meets, of which the texel found is all that is
-/// known.
+/// Decides the texel of each ray. The best texel lies on the ray to half a step; the texel at the place of its depth is
+/// better if it belongs to the same surface. If that texel is farther away, the surface ends between both, and the
+/// edge's colour is used. If it is nearer, it hides the ray's point, of which only the found texel is known.
 HWY_INLINE void settle(const Texels& texels, const Reach& reach, float permitted, const Rays& rays, const Met& met,
                        int i, WarpTile& tile) {
   const Mask lies = met.best > 0.5F * kNothing;
@@ -85,7 +84,7 @@ HWY_INLINE void settle(const Texels& texels, const Reach& reach, float permitted
   store(select(lies, select(same, near, found), met.far), tile.near + i);
 }
 
-/// Finds what each ray meets.
+/// Finds the texel that each ray hits.
 HWY_INLINE void searchTile(const Texels& texels, const Reach& reach, WarpTile& tile) {
   const float range = reach.range.max - reach.range.min;
   const float way = range * reach.texelsPerNearness;

@@ -6,16 +6,16 @@
 
 namespace grove::objects::lightfield {
 
-/// What the rays of a tile can meet.
+/// The texels that a tile's rays can hit.
 struct Reach {
   CachedView::Range range;         ///< nearnesses; greatest is 0 if there are none
-  float texelsPerNearness = 1.0F;  ///< how far a ray moves in the picture for one unit of nearness, at most
+  float texelsPerNearness = 1.0F;  ///< upper bound of a ray's movement in the picture per unit of nearness
 
   [[nodiscard]] bool shows() const noexcept { return range.max > 0.0F; }
 };
 
-/// Fills the tile whose first pixel is (left, top): finds what its rays meet within `reach`, and sets bilinear colour
-/// through the haze, and depth. False if nothing shows.
+/// Fills the tile whose first pixel is (left, top): finds the texels that its rays hit within `reach`, and sets
+/// bilinear colour through haze, and depth. Returns false if no pixel is covered.
 [[nodiscard]] bool warpTile(const CachedView& view, const ViewWarp& warp, const Haze& haze, const Reach& reach,
                             int left, int top, WarpTile& tile);
 

@@ -31,21 +31,21 @@ constexpr std::array<char, 8> kMagic{'G', 'r', 'o', 'v', 'e', 'M', 'L', '\n'};
 constexpr std::uint32_t kFormatVersion = 1;
 constexpr const char* kMend = "set GROVE_CACHE to a folder that can be written";
 
-/// Before the numbers of vertices, 64 bits each, and the light, four floats a vertex.
+/// Followed by the numbers of vertices, 64 bits each, and the light, four floats per vertex.
 struct Header {
   std::array<char, 8> magic = kMagic;
   std::uint32_t version = kFormatVersion;
   std::uint32_t meshes = 0;
   std::uint64_t key = 0;
-  std::uint64_t checksum = 0;  ///< of all that follows the header
+  std::uint64_t checksum = 0;  ///< of everything after the header
 };
 static_assert(sizeof(Header) == 32);
 
 constexpr std::size_t kMaxKept = 8;
-constexpr std::chrono::hours kOldest{1};  // of a file that is being written
+constexpr std::chrono::hours kOldest{1};  // age of a partial file that may still be in progress
 
-/// Light has a new name whenever an object moves, and a process that is ended while it writes leaves what it wrote.
-/// Keeps `newest` and those that were used last. What cannot be removed stays.
+/// Light has a new name whenever an object moves, and a process that dies while it writes leaves a partial file. Keeps
+/// `newest` and the most recently used files; ignores errors.
 void removeFormer(const std::filesystem::path& newest) {
   using Time = std::filesystem::file_time_type;
   const Time now = Time::clock::now();
@@ -107,7 +107,7 @@ std::vector<std::vector<Vec4>> readKeptLight(const std::filesystem::path& file, 
   require(checksum.value() == header.checksum, "is damaged (its checksum is wrong)");
   const auto sane = [](const Vec4& v) { return std::isfinite(v.x + v.y + v.z + v.w); };
   for (const auto& mesh : light) require(std::ranges::all_of(mesh, sane), "has light that is no number");
-  // So that it is seen to be in use.
+  // Marks the file as used.
   std::error_code ignored;
   std::filesystem::last_write_time(file, std::filesystem::file_time_type::clock::now(), ignored);
   return light;

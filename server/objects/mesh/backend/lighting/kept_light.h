@@ -10,22 +10,23 @@
 
 namespace grove::objects::mesh {
 
-/// A file that is no usable light of these meshes; what() reads `FILE: reason`.
+/// An unusable light file; what() reads `FILE: reason`.
 class KeptLightError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// Where the light of a world's meshes is kept whose key (a check sum of all that it depends on) is this.
+/// Returns the cache file of the meshes' light with this key, a checksum of all its inputs.
 [[nodiscard]] std::filesystem::path keptLightFile(std::uint64_t key);
 
-/// The light of each vertex of each mesh, as writeKeptLight() got it; the meshes have so many vertices. Trusts nothing.
-/// Throws KeptLightError, or EnvironmentError if there is no such file. Who reads a file keeps it longer.
+/// Reads the light of each vertex of each mesh as writeKeptLight() stored it; `vertices` are the expected counts per
+/// mesh. Validates everything. Marks the file as used. Throws KeptLightError, or EnvironmentError if there is no such
+/// file.
 [[nodiscard]] std::vector<std::vector<world::Vec4>> readKeptLight(const std::filesystem::path& file, std::uint64_t key,
                                                                   std::span<const std::size_t> vertices);
 
-/// In one piece, see AtomicFile; makes the folder, and leaves in it no more than the eight files that were used last
-/// and what somebody may still be writing. Throws EnvironmentError.
+/// Writes the file atomically, see AtomicFile; makes the folder. Of the older files keeps the most recently used, eight
+/// with this one, and those that may still be being written. Throws EnvironmentError.
 void writeKeptLight(const std::filesystem::path& file, std::uint64_t key,
                     const std::vector<std::vector<world::Vec4>>& light);
 

@@ -19,12 +19,12 @@ namespace {
 
 using Light = std::vector<std::vector<world::Vec4>>;
 
-/// Raised by who changes what raster::bakeLight() makes of the same world.
+/// Increment if raster::bakeLight() returns other values for the same world.
 constexpr std::uint64_t kBakeVersion = 1;
-/// Milliseconds of work, so that all workers have some until the end, and progress is seen.
+/// Milliseconds of work, so that all workers stay busy until the end, and progress is visible.
 constexpr std::size_t kVerticesPerTask = 1024;
 
-/// Of all that the light depends on.
+/// A hash of all inputs of the light.
 std::uint64_t keyOf(const std::vector<PlacedMesh>& meshes, const node::BackendServices& services) {
   const world::WorldGeometry& geometry = services.geometry;
   const world::Sky& sky = services.scene.layout.sky;
@@ -85,7 +85,7 @@ Light bake(const std::vector<PlacedMesh>& meshes, const node::BackendServices& s
   return light;
 }
 
-/// Nothing if there is none; one that is no good is reported.
+/// Reads the cached light; returns nothing if there is none and warns about unusable files.
 std::optional<Light> kept(const std::filesystem::path& file, std::uint64_t key, const std::vector<PlacedMesh>& meshes) {
   std::error_code error;
   if (!std::filesystem::exists(file, error)) return std::nullopt;
@@ -95,7 +95,7 @@ std::optional<Light> kept(const std::filesystem::path& file, std::uint64_t key, 
   try {
     return readKeptLight(file, key, vertices);
   } catch (const std::exception& e) {
-    log::warning(std::string(e.what()) + "; it is made anew");
+    log::warning(std::string(e.what()) + "; it is rebuilt");
     return std::nullopt;
   }
 }
@@ -113,7 +113,7 @@ Light lightOf(const std::vector<PlacedMesh>& meshes, const node::BackendServices
   try {
     writeKeptLight(file, key, light);
   } catch (const std::exception& e) {
-    log::warning(std::string(e.what()) + "; the next start lights the meshes anew");
+    log::warning(std::string(e.what()) + "; the next start computes the light again");
   }
   return light;
 }

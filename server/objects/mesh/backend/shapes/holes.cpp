@@ -23,8 +23,8 @@ using world::Vec3;
 
 constexpr float kTexelsAPiece = 2.0F;
 constexpr int kMaxParts = 64;    // along a triangle's edge
-constexpr int kMinParts = 4;     // with fewer, a leaf is cut to no shape
-constexpr float kFaint = 0.1F;   // alpha of what blends from which there is something to see
+constexpr int kMinParts = 4;     // with fewer, a leaf loses its shape
+constexpr float kFaint = 0.1F;   // alpha above which blended parts are visible
 constexpr float kEnough = 0.5F;  // of a piece's samples
 
 bool isPierced(const Model& model, std::size_t triangle) {
@@ -36,7 +36,7 @@ const models::Texture& textureOf(const Model& model, std::size_t triangle) {
   return model.textures[static_cast<std::size_t>(model.materials[model.materialOf[triangle]].texture)];
 }
 
-/// Parts of the triangle's edges with which a piece has kTexelsAPiece.
+/// Parts of the triangle's edges that give a piece kTexelsAPiece.
 float wantedParts(const Model& model, std::size_t triangle) {
   const models::Texture& texture = textureOf(model, triangle);
   const Vec2 size(texture.width, texture.height);
@@ -48,7 +48,7 @@ float wantedParts(const Model& model, std::size_t triangle) {
   return std::clamp(std::ceil(parts), static_cast<float>(kMinParts), static_cast<float>(kMaxParts));
 }
 
-/// Cuts one triangle after the other and puts the pieces into the model.
+/// Cuts triangles and adds the pieces to the model.
 class Cutter {
  public:
   explicit Cutter(Model& model) : model_(model) {}
@@ -72,21 +72,21 @@ class Cutter {
   }
 
  private:
-  /// A point of the triangle in parts from its first corner towards the other two.
+  /// A point of the triangle, in parts from its first corner towards the other two.
   struct Place {
     int column = 0;
     int row = 0;
   };
   static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
-  /// What a value of the corners is at shares of the way to the second and the third.
+  /// Interpolates a corner value with shares towards the second and the third corner.
   template <class T>
   [[nodiscard]] T mixed(const std::vector<T>& values, float second, float third) const {
     return values[corners_[0]] * (1.0F - second - third) + values[corners_[1]] * second + values[corners_[2]] * third;
   }
 
   void keep(const std::array<Place, 3>& piece, const models::Texture& texture, float min) {
-    // At its middle and half way from there to its corners.
+    // Samples the centre and the points halfway from it to the corners.
     Vec2 middle(0.0F);
     for (const Place& place : piece) middle += Vec2(place.column, place.row) / 3.0F;
     const auto isSeen = [&](Vec2 place) {
@@ -123,7 +123,7 @@ class Cutter {
   std::vector<std::uint32_t> made_;  ///< vertices of the triangle by their place
 };
 
-void nameWhatIsLeftOut(const Model& model, bool cut) {
+void logUnshownHoles(const Model& model, bool cut) {
   std::set<std::string> blended;
   std::set<std::string> uncut;
   for (const std::uint16_t used : std::set(model.materialOf.begin(), model.materialOf.end())) {
@@ -137,7 +137,7 @@ void nameWhatIsLeftOut(const Model& model, bool cut) {
                  "; a light field shows it");
   };
   name(blended, " is solid where it blends");
-  name(uncut, " is drawn without its holes, for they are too many");
+  name(uncut, " is drawn without its holes because there are too many");
 }
 
 }  // namespace
@@ -151,7 +151,7 @@ Model withHolesCut(Model model) {
     pieces += std::pow(static_cast<double>(wantedParts(model, i)), 2.0);
   }
   const bool cut = pierced.size() * kMinParts * kMinParts <= kMaxPieces;
-  nameWhatIsLeftOut(model, cut);
+  logUnshownHoles(model, cut);
   if (!cut || pierced.empty()) return model;
 
   const float share = static_cast<float>(std::min(1.0, std::sqrt(static_cast<double>(kMaxPieces) / pieces)));

@@ -4,14 +4,14 @@
 
 namespace grove::objects::mesh {
 
-/// Triangles that cutting may add to a model, or thereabouts: half of what an oak has.
+/// Approximate limit of the triangles that cutting adds to a model: half as many as an oak has.
 inline constexpr std::size_t kMaxPieces = 60'000;
 
-/// The model without what its textures make transparent, as a light field shows it: a triangle with holes becomes
-/// pieces of a few texels, and those without enough to see are left out.
+/// Returns the model without its transparent parts, as a light field shows it: a triangle with holes becomes pieces of
+/// a few texels, and mostly transparent pieces are dropped.
 ///
-/// What cannot be shown is named in the log: materials that blend (what is left of them is solid) and those with more
-/// triangles than can be cut.
+/// Logs the limits: materials that blend (their remaining pieces are opaque) and materials with too many triangles to
+/// cut.
 [[nodiscard]] models::Model withHolesCut(models::Model model);
 
 }  // namespace grove::objects::mesh

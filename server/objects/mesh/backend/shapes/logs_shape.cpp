@@ -29,7 +29,7 @@ raster::Surface makeLog(float length, float radius, std::uint32_t seed) {
     vertex.position = Vec3(p.x * wide, p.y + 0.03F * bark, p.z * wide);
     const float burnt = glm::clamp(2.2F * along - 0.2F + 0.6F * bark, 0.0F, 1.0F);
     vertex.albedo = glm::mix(Vec3(0.19F, 0.12F, 0.07F), Vec3(0.025F, 0.022F, 0.021F), burnt);
-    // The heart of the fire is where the logs lean on each other.
+    // The fire is hottest where the logs lean on each other.
     const float ember = glm::clamp((along - 0.55F) * 3.0F, 0.0F, 1.0F) * glm::clamp(5.0F * bark - 0.2F, 0.0F, 1.0F);
     if (ember > 0.0F) {
       vertex.albedo = glm::mix(vertex.albedo, Vec3(1.0F, 0.26F, 0.04F), ember);

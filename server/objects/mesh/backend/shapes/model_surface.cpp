@@ -17,7 +17,7 @@ Vec3 colourOf(std::uint32_t texel) {
 }
 
 Vec3 albedoOf(const models::Model& model, const models::Material& material, std::uint32_t vertex) {
-  // A leaf shows what comes through it, too: a mesh's light knows one side only.
+  // A leaf also shows transmitted light: a mesh's light covers one side only.
   Vec3 albedo = material.albedo + 0.5F * material.transmittance;
   if (!model.colours.empty()) albedo *= model.colours[vertex];
   if (material.texture >= 0 && !model.uvs.empty()) {

@@ -5,11 +5,11 @@
 
 namespace grove::objects::mesh {
 
-/// A plant or an imported model as a surface of one level. What is seen from both sides gets two sides; textures colour
-/// its vertices; holes have been cut out before (withHolesCut()).
+/// Converts a plant or an imported model to a surface of one level. Double-sided parts get two sides; textures become
+/// vertex colours; withHolesCut() has cut the holes before.
 [[nodiscard]] raster::Surface surfaceOf(const models::Model& model);
 
-/// The part that keeps smoke out; empty if it has none.
+/// The part that blocks smoke; empty if there is none.
 [[nodiscard]] world::Triangles solidOf(const models::Model& model);
 
 }  // namespace grove::objects::mesh

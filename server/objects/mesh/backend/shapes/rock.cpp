@@ -21,11 +21,11 @@ class Rock {
     offset_ = Vec3(random(1), random(2), random(3)) * 200.0F;
     for (std::uint32_t i = 0; i < kPlanes; ++i) {
       const float around = (static_cast<float>(i) + 0.7F * random(10 + i)) * 6.2832F / static_cast<float>(kPlanes);
-      // Steep faces; slanting ones only near the top, or the rock would end in a point.
+      // Steep faces; slanting ones only near the top, otherwise the rock would end in a point.
       const float up = 0.42F * random(30 + i);
       Plane& plane = planes_[i];
       plane.normal = glm::normalize(Vec3(std::cos(around), up, std::sin(around)));
-      // How far the superellipsoid reaches that way, less what broke off.
+      // Extent of the superellipsoid in that direction, less the broken part.
       const Vec3 reach = glm::abs(plane.normal) * form.half;
       const float dual = form.roundness / (form.roundness - 1.0F);
       const Vec3 power = glm::pow(reach, Vec3(dual));
@@ -63,7 +63,7 @@ class Rock {
     float distance = 0.0F;
   };
 
-  /// Metres outwards: bulges, ridges of broken layers, pits, and furrows that the rain washed.
+  /// Metres outwards: bulges, ridges of broken layers, pits, and furrows washed by rain.
   [[nodiscard]] float weathering(Vec3 q) const {
     const float thin = std::min({form_.half.x, form_.half.y, form_.half.z});
     const float bulge = raster::fractalNoise(q * (0.55F / thin), 3) * 0.34F * thin;

@@ -4,7 +4,7 @@
 
 #include "raster/surface.h"
 
-/// The generated shapes. Deterministic: a seed gives the same triangles on every machine.
+/// Generated shapes. Deterministic: a seed gives the same triangles on every machine.
 namespace grove::objects::mesh {
 
 /// Metres.
@@ -14,17 +14,17 @@ struct Size {
   float depth = 0.7F;
 };
 
-/// A weathered megalith: a tapered, leaning slab with broken edges, stained and overgrown. Stands on y = 0 and reaches
+/// A weathered megalith: a tapered, leaning slab with broken edges, stained and overgrown. Stands on y = 0 and extends
 /// a little below it.
 [[nodiscard]] raster::Surface makeStandingStone(const Size& size, std::uint32_t seed);
 
-/// The same rock lying flat, as across two standing stones: `width` is its length. Its lower side is y = 0.
+/// The same rock lying flat, as across two standing stones: `width` is its length. Its underside is at y = 0.
 [[nodiscard]] raster::Surface makeLintel(const Size& size, std::uint32_t seed);
 
-/// Boulders strewn over `width` x `depth`, the largest `height` high.
+/// Boulders scattered over `width` x `depth`, the largest `height` high.
 [[nodiscard]] raster::Surface makeRocks(const Size& size, std::uint32_t seed);
 
-/// A camp fire's crossed charred logs in a ring of stones, `width` across; `height` is that of the logs' tips.
+/// A camp fire's crossed charred logs in a ring of stones, `width` across; `height` is the height of the logs' tips.
 [[nodiscard]] raster::Surface makeLogs(const Size& size, std::uint32_t seed);
 
 }  // namespace grove::objects::mesh

@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kStoneHalvings = 3;
 
-/// Quads of such a size that a stone ends with two to five thousand triangles.
+/// Size of quads for which a stone ends with two to five thousand triangles.
 float cellFor(const Size& s) {
   const float area = 2.0F * (s.height * s.width + s.height * s.depth + s.width * s.depth);
   return std::sqrt(area / 36.0F);
@@ -41,7 +41,7 @@ raster::Surface makeLintel(const Size& size, std::uint32_t seed) {
   form.roundness = 6.0F;
   form.breaks = 0.5F;
   form.roughness = 0.8F;
-  // Nothing of it touches the soil.
+  // The lintel does not touch the soil.
   form.buried = -2.0F;
   form.seed = seed;
   raster::Surface lintel;

@@ -108,7 +108,7 @@ TEST_F(MeshLight, ThatIsDamagedIsMadeAnewAndTold) {
         }}) {
     damage(file);
     EXPECT_EQ(light(largeBall(), world), first);
-    EXPECT_THAT(said_, testing::AllOf(testing::HasSubstr(file.string()), testing::HasSubstr("; it is made anew")));
+    EXPECT_THAT(said_, testing::AllOf(testing::HasSubstr(file.string()), testing::HasSubstr("; it is rebuilt")));
     EXPECT_EQ(std::ranges::count(said_, '\n'), 1);
     EXPECT_GT(reported_, 0);
     EXPECT_EQ(light(largeBall(), world), first);
@@ -120,7 +120,7 @@ TEST_F(MeshLight, ThatCannotBeKeptIsToldAndServed) {
   std::ofstream(cache_.path() / "mesh-light") << "a file where the folder should be";
   const tests::BackendWorld world = worldOf(largeBall());
   EXPECT_EQ(light(largeBall(), world).front().size(), largeBall().vertices.size());
-  EXPECT_THAT(said_, testing::HasSubstr("the next start lights the meshes anew"));
+  EXPECT_THAT(said_, testing::HasSubstr("the next start computes the light again"));
 }
 
 /// What is no obstacle of the world shades itself as if it were one.

@@ -17,8 +17,8 @@ constexpr int kSparsePlanes = 4;
 
 float mix(float from, float to, float share) { return from + share * (to - from); }
 
-/// The value of a field at a position in cells from the first value, however far, held within the ghosts. `counts` are
-/// the values along each axis.
+/// Samples a field at a position in cells from the first value, clamped to the ghosts. `counts` are the numbers of
+/// values along each axis.
 float sampleFar(const Layout& layout, const float* field, const world::Vec3& position, const int (&counts)[3]) {
   int low[3];
   float share[3];
@@ -38,10 +38,10 @@ float sampleFar(const Layout& layout, const float* field, const world::Vec3& pos
 
 }  // namespace
 
-/// Both passes over one field, a plane at a time.
+/// Both passes over one field, plane by plane.
 class Advection::Wave {
  public:
-  /// Planes must go forward in order, from `first` on.
+  /// Planes must pass forward() in order, from `first` on.
   Wave(const Layout& layout, const Job& job, const Velocity& velocity, float scale, Field& scratch, int first)
       : layout_(layout),
         place_(job.place),
@@ -58,7 +58,7 @@ class Advection::Wave {
 
   [[nodiscard]] int planes() const noexcept { return counts_[2]; }
 
-  /// Semi-Lagrangian values of a plane.
+  /// Computes the semi-Lagrangian values of a plane.
   void forward(int z) {
     const Moves moved = takeMoves(z);
     if (isSparse()) findFilled(z + 1);
@@ -75,7 +75,7 @@ class Advection::Wave {
     fillGhosts(samples.value);
   }
 
-  /// MacCormack's correction of a plane whose neighbours went forward.
+  /// Applies MacCormack's correction to a plane after forward() of the adjacent planes.
   void correct(int z) {
     const RowRange range = range_[static_cast<std::size_t>(z % 2)];
     correctSamples(extent(range), {forth(z - 1), forth(z), forth(z + 1)}, moves(z), plane(in_, z), low(z), high(z),
@@ -85,7 +85,7 @@ class Advection::Wave {
     }
   }
 
-  /// Takes a plane as it went forward.
+  /// Stores a plane's semi-Lagrangian values without correction.
   void keep(int z) {
     for (int y = 0; y < counts_[1]; ++y) {
       std::copy_n(forth(z) + std::ptrdiff_t{layout_.stride} * y, counts_[0], to_ + layout_.index(0, y, z));
@@ -93,7 +93,7 @@ class Advection::Wave {
   }
 
  private:
-  // Three planes of first-pass values, two of everything else, as only the planes around the wave are needed.
+  // Three planes of first-pass values, two of everything else: only the planes around the sweep are needed.
   [[nodiscard]] float* scratchPlane(int number) const noexcept {
     return scratch_ + std::ptrdiff_t{layout_.plane} * number + layout_.index(0, 0, -1);
   }
@@ -111,7 +111,7 @@ class Advection::Wave {
   }
   [[nodiscard]] PlaneExtent extent() const noexcept { return extent({0, counts_[1]}); }
 
-  /// Where the component along the place's own axis is known, it is read where it lies.
+  /// The component along the values' own axis is read in place; the others are averaged.
   [[nodiscard]] const float* move(int axis, int z) const noexcept {
     return place_ == static_cast<Place>(axis) ? plane(velocity_.axis(axis).data(), z) : mean(axis, z);
   }
@@ -133,7 +133,7 @@ class Advection::Wave {
     return moves(z);
   }
 
-  /// Most rows of a temperature are all zero, and so is what comes out of them; air is never still.
+  /// Most rows of a temperature are all zero and stay zero; air always moves.
   [[nodiscard]] bool isSparse() const noexcept { return place_ == Place::kCentre; }
 
   void findFilled(int z) {
@@ -188,11 +188,11 @@ class Advection::Wave {
   const float* in_;
   float* to_;
   const Velocity& velocity_;
-  const float scale_;  ///< metres a second to cells over the step
+  const float scale_;  ///< metres per second to cells per step
   float* scratch_;
   const int counts_[3];
-  std::array<RowRange, 2> range_{};               ///< of rows that may not be all zero
-  std::array<RowRange, kSparsePlanes> filled_{};  ///< of sparse ones, in the planes around the wave
+  std::array<RowRange, 2> range_{};               ///< rows that may contain non-zero values
+  std::array<RowRange, kSparsePlanes> filled_{};  ///< of sparse fields, in the planes around the sweep
 };
 
 Advection::Advection(const Layout& layout, std::shared_ptr<Team> team) : layout_(layout), team_(std::move(team)) {
@@ -214,12 +214,12 @@ void Advection::advect(std::span<const Job> jobs, const Velocity& velocity, floa
 void Advection::advect(const Slab& slab, Scratch& scratch, std::span<const Job> jobs, const Velocity& velocity,
                        float scale, AdvectionOrder order) const {
   const int n = layout_.cells;
-  const int begin = std::max(slab.first - 1, 0);  // corrections look one plane aside
+  const int begin = std::max(slab.first - 1, 0);  // corrections need one adjacent plane
   std::vector<Wave> waves;
   waves.reserve(jobs.size());
   for (std::size_t i = 0; i < jobs.size(); ++i)
     waves.emplace_back(layout_, jobs[i], velocity, scale, scratch[i], begin);
-  // The faces above the last cell are the last slab's.
+  // The last slab includes the faces above the last cell.
   const int end = slab.end < n ? slab.end : n + 1;
   for (int z = begin; z <= end; ++z) {
     for (Wave& wave : waves) {

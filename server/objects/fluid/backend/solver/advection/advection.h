@@ -13,32 +13,32 @@ namespace grove::objects::fluid {
 
 enum class AdvectionOrder {
   kSemiLagrangian,  ///< Stam 1999: stable, diffusive
-  kMacCormack,      ///< Selle et al. 2008: corrected by the error of the way back, clamped to the eight samples
+  kMacCormack,      ///< Selle et al. 2008: corrected by the error of the reverse step, clamped to the eight samples
 };
 
-/// Where a field's values lie: on the faces of an axis, or in the middle of the cells.
+/// Location of a field's values: on the faces of an axis, or at cell centres.
 enum class Place { kFaceX = 0, kFaceY = 1, kFaceZ = 2, kCentre = 3 };
 
-/// Carries fields along a velocity. Unconditionally stable: no value leaves the range of its neighbours. Values that
-/// move by less than a cell, almost all of them, need no gathers: their samples lie among known neighbours. What moves
-/// farther is sampled wherever it ends, without MacCormack's correction. A team carries one slab each. Used by one
-/// thread; keeps scratch memory.
+/// Carries fields along a velocity. Unconditionally stable: each value stays within the range of the samples it was
+/// interpolated from. Values that move by less than a cell, almost all of them, need no gathers because their samples
+/// are adjacent. Values that move farther are sampled at their origin without MacCormack's correction. Each thread of a
+/// team works on one slab. Used by one thread; keeps scratch memory.
 class Advection {
  public:
   explicit Advection(const Layout& layout, std::shared_ptr<Team> team = std::make_shared<Team>(1));
 
-  /// A field to carry, and where its new values go.
+  /// A field to carry, and the field for its new values.
   struct Job {
     Place place;
     const Field* from;
     Field* to;
   };
 
-  /// `seconds` over `cellSize` metres. At most kMaxJobs, done plane by plane side by side, since what they share is
-  /// then read once. Ghosts of `from` and `velocity` must be filled; those of `to` are left alone.
+  /// Advects over `seconds`; `cellSize` is in metres. At most kMaxJobs, interleaved plane by plane, so that shared data
+  /// is read once. Ghosts of `from` and `velocity` must be filled; ghosts of `to` stay unchanged.
   void advect(std::span<const Job> jobs, const Velocity& velocity, float seconds, float cellSize, AdvectionOrder order);
   static constexpr std::size_t kMaxJobs = 4;
-  /// Memory that it takes.
+  /// Memory use.
   [[nodiscard]] std::size_t bytes() const noexcept {
     std::size_t sum = 0;
     for (const Scratch& slab : scratch_) {
@@ -49,14 +49,14 @@ class Advection {
 
  private:
   class Wave;
-  /// Planes between the passes of what goes through one slab.
+  /// Scratch planes between the passes over one slab.
   using Scratch = std::array<Field, kMaxJobs>;
   void advect(const Slab& slab, Scratch& scratch, std::span<const Job> jobs, const Velocity& velocity, float scale,
               AdvectionOrder order) const;
 
   const Layout layout_;
   std::shared_ptr<Team> team_;
-  std::vector<Scratch> scratch_;  ///< one for each of the team
+  std::vector<Scratch> scratch_;  ///< one per thread of the team
 };
 
 }  // namespace grove::objects::fluid

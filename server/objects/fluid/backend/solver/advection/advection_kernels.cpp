@@ -15,7 +15,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 namespace lanes = simd::HWY_NAMESPACE;
 
 using FullTag = lanes::FloatTag;
-/// For the ends of rows, so that a row of 65 faces does not cost as much as one of 80.
+/// Smaller vectors for the ends of rows, so that a row of 65 faces does not cost as much as one of 80.
 using EndTag = hn::CappedTag<float, 4>;
 
 /// The eight values around i - move. Names: h = here, o = the other one in the direction of the move; axes in the order
@@ -37,11 +37,11 @@ HWY_INLINE V mix(const Corners<V>& c, V fx, V fy, V fz) {
   return mix(h, o, fz);
 }
 
-/// Where the other values lie: below (x - 1, y - 1 or z - 1) in the lanes of a mask, else above.
+/// Location of the other values: below (x - 1, y - 1 or z - 1) in the lanes of a mask, else above.
 template <class D>
 struct OtherSides {
   hn::Mask<D> isBelowX, isBelowY, isBelowZ;
-  std::ptrdiff_t x, y;  ///< to the other value of all lanes, where they agree
+  std::ptrdiff_t x, y;  ///< offset of the other value, where all lanes agree
   std::ptrdiff_t stride;
 };
 
@@ -68,7 +68,7 @@ HWY_INLINE hn::Vec<D> otherXY(D d, const OtherSides<D>& sides, const float* at) 
   return otherX<kMixedX>(d, sides, at + sides.y);
 }
 
-/// In most vectors all lanes move the same way along an axis, and one load does instead of two and a choice.
+/// In most vectors all lanes move the same way along an axis; then one load replaces two and a select.
 template <bool kMixedX, bool kMixedY, bool kMixedZ, class D>
 HWY_INLINE Corners<hn::Vec<D>> cornersAlong(D d, const OtherSides<D>& sides, const float* below, const float* here,
                                             const float* above, const float* other) {
@@ -147,7 +147,7 @@ HWY_INLINE void sampleAt(D d, std::ptrdiff_t at, std::ptrdiff_t stride, const Sa
   hn::StoreU(hn::Max(highH, highO), d, samples.high + at);
 }
 
-/// `out` is where the first of the values goes.
+/// `out` points to the first of the values.
 template <class D>
 HWY_INLINE void correctAt(D d, std::ptrdiff_t at, std::ptrdiff_t stride, const SampledPlanes& forth, const Moves& moves,
                           const float* in, const float* low, const float* high, float* out) {
@@ -232,7 +232,7 @@ RowRange filledRows(const PlaneExtent& extent, const float* values) {
   RowRange range{extent.endRow, extent.firstRow - 1};
   for (int y = extent.firstRow; y < extent.endRow; ++y) {
     const float* row = values + extent.stride * y;
-    // Counted, as a search that may stop early does not vectorise.
+    // Counts, because a search with an early exit does not vectorise.
     int some = 0;
     for (int i = 0; i < extent.columns; ++i) some |= row[i] != 0.0F ? 1 : 0;
     if (some != 0) range = {y < range.first ? y : range.first, y + 1};

@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t kMaxValues = 129;  // along an axis: the faces of the finest grid
 constexpr std::size_t kMaxKnown = 131;   // with ghosts
 
-/// Between which values of the one grid those of the other lie, along an axis.
+/// For each value of the target grid along an axis, the two values of the source grid around it.
 struct Axis {
   Axis(int fromCells, int toCells, bool onFaces) : count(toCells + (onFaces ? 1 : 0)) {
     const double middle = onFaces ? 0.0 : 0.5;
@@ -26,7 +26,7 @@ struct Axis {
 
   int count;
   std::array<std::int32_t, kMaxValues> base{};
-  std::array<float, kMaxValues> share{};  ///< of the value above
+  std::array<float, kMaxValues> share{};  ///< weight of the upper value
 };
 
 }  // namespace

@@ -5,8 +5,8 @@
 
 namespace grove::objects::fluid {
 
-/// Carries a field over to a grid of the same cube with other cells, trilinearly between the places where its values
-/// lie: exact for what is linear in space. Ghosts of `from` must be filled; those of `to` are left alone.
+/// Resamples a field to another grid of the same cube, trilinearly between the values' locations: exact for linear
+/// functions. Ghosts of `from` must be filled; ghosts of `to` stay unchanged.
 void resample(const Layout& fromLayout, const Field& from, Place place, const Layout& toLayout, Field& to);
 
 }  // namespace grove::objects::fluid

@@ -18,7 +18,7 @@ using lanes::load;
 using lanes::mulAdd;
 using lanes::store;
 
-// Rows are worked on in whole vectors where what lies behind them is room that nobody reads.
+// Rows are processed in whole vectors where the padding after them is never read.
 
 void averageToCentres(const ConfinementPlane& plane, const float* faces, std::ptrdiff_t up, float* centres) {
   for (int y = -1; y <= plane.cells; ++y) {

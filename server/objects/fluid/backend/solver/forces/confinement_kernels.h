@@ -2,8 +2,8 @@
 
 #include <cstddef>
 
-/// What VorticityConfinement does to a plane of cells. Pointers are to the first cell of a plane's row 0; all planes
-/// lie as those of a Layout do.
+/// Passes of VorticityConfinement over a plane of cells. Pointers are to the first cell of a plane's row 0; all planes
+/// have the strides of a Layout.
 namespace grove::objects::fluid {
 
 struct ConfinementPlane {
@@ -11,10 +11,10 @@ struct ConfinementPlane {
   std::ptrdiff_t stride = 0;  ///< between rows
 };
 
-/// The velocity in the middle of cells from its components' faces, ghosts included; `up` is the way to the next face.
+/// Averages a component from faces to cell centres, ghosts included; `up` is the offset of the next face.
 void averageToCentres(const ConfinementPlane& plane, const float* faces, std::ptrdiff_t up, float* centres);
 
-/// The velocity in the middle of cells: w is not needed from the planes around.
+/// The velocity at cell centres. The curl needs no w of the adjacent planes.
 struct CentreVelocities {
   const float* u;
   const float* v;
@@ -24,16 +24,16 @@ struct CentreVelocities {
   const float* uAbove;
   const float* vAbove;
 };
-/// Twice the cell size times the vorticity, and its length.
+/// 2 * cell size * vorticity, and its length.
 struct Vorticity {
   float* x;
   float* y;
   float* z;
-  float* length;  ///< also in the ghosts beside the cells: the nearest
+  float* length;  ///< also filled in the ghosts beside the cells, with the nearest value
 };
 void takeCurl(const ConfinementPlane& plane, const CentreVelocities& centres, const Vorticity& out);
 
-/// What the force is made of.
+/// Inputs of the force.
 struct ConstVorticity {
   const float* x;
   const float* y;
@@ -47,7 +47,7 @@ struct ForcePlanes {
   float* y;
   float* z;
 };
-/// out = gain * N x vorticity; N is the gradient of the length over its own length and `tiny`.
+/// out = gain * N x vorticity; N is the gradient of the length divided by its own length plus `tiny`.
 void takeConfinement(const ConfinementPlane& plane, const ConstVorticity& vorticity, float gain, float tiny,
                      const ForcePlanes& out);
 
@@ -57,7 +57,8 @@ struct ForcesAtCells {
   const float* z;
   const float* zBelow;  ///< null: there is no plane below
 };
-/// Adds the forces' means to the faces between cells: the plane's own, and those to the plane below.
+/// Adds the mean of adjacent cells' forces to the faces between them: the plane's own faces and those to the plane
+/// below.
 void addToFaces(const ConfinementPlane& plane, const ForcesAtCells& forces, float* u, float* v, float* w);
 
 }  // namespace grove::objects::fluid

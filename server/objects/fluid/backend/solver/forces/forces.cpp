@@ -11,19 +11,19 @@ namespace {
 
 constexpr int kLongestEdge = 130;
 
-/// The wind's whirls as a function of one coordinate, at the cells' middles.
+/// The wind's whirls as a function of one coordinate, at the cell centres.
 struct Wave {
   alignas(64) std::array<float, kLongestEdge> sine{};
   alignas(64) std::array<float, kLongestEdge> cosine{};
 };
 
-/// Sines over each axis for the ABC flow: u = sin z + cos y, v = sin x + cos z, w = sin y + cos x.
+/// Sines along each axis for the ABC flow: u = sin z + cos y, v = sin x + cos z, w = sin y + cos x.
 std::array<Wave, 3> whirls(int cells, float cellSize, float strength, double time) {
   std::array<Wave, 3> waves;
   struct Octave {
     float length;  ///< metres
     float share;
-    float pace;  ///< radians a second
+    float pace;  ///< radians per second
   };
   constexpr Octave kOctaves[] = {{3.1F, 0.55F, 0.9F}, {1.3F, 0.45F, 2.1F}};
   for (std::size_t a = 0; a < 3; ++a) {

@@ -41,7 +41,7 @@ HWY_INLINE void blowRow(float firstX, float cellSize, float directionX, float al
                         float fullTarget, float* __restrict faces, int n) {
   constexpr float kMouth = 0.25F;   // radius at the origin, metres
   constexpr float kSpread = 0.22F;  // growth of the radius per metre
-  constexpr float kGain = 0.4F;     // share of the difference that one tick makes up
+  constexpr float kGain = 0.4F;     // share of the difference that one tick applies
   for (int x = 0; x < n; ++x) {
     const float px = static_cast<float>(x) * cellSize + firstX;
     const float along = px * directionX + alongYz;
@@ -54,7 +54,7 @@ HWY_INLINE void blowRow(float firstX, float cellSize, float directionX, float al
     const float strength = along > 0.0F ? kGain * inside : 0.0F;
     const float target = fullTarget * (left > 0.0F ? left : 0.0F);
     const float lacking = target - faces[x];
-    // Never slows down what already moves faster that way.
+    // Never slows down air that already moves faster in that direction.
     faces[x] += lacking * target > 0.0F ? strength * lacking : 0.0F;
   }
 }
@@ -71,9 +71,10 @@ void blowPlane(const Layout& layout, int z, int axis, const GustCone& gust, floa
 }
 
 HWY_INLINE void coolRow(float seconds, float* __restrict t, int n) {
-  constexpr float kRadiation = 1.6F;   // per second at temperature 1, falls with its cube
-  constexpr float kMixing = 0.28F;     // per second
-  constexpr float kNothing = 1.0e-6F;  // less would fade into denormal numbers, which halve the speed of a step
+  constexpr float kRadiation = 1.6F;  // per second at temperature 1, falls with its cube
+  constexpr float kMixing = 0.28F;    // per second
+  // smaller values would fade into denormal numbers, which halve the speed of a step
+  constexpr float kNothing = 1.0e-6F;
   for (int i = 0; i < n; ++i) {
     const float loss = seconds * (kMixing + kRadiation * t[i] * t[i] * t[i]);
     const float cooled = t[i] / (1.0F + loss);

@@ -12,8 +12,8 @@ namespace {
 constexpr int kCentrePlanes = 3;
 constexpr int kVorticityPlanes = 3;
 constexpr int kForcePlanes = 2;
-/// Planes of centres that a slab's wave needs while the neighbours' waves change what they are made of: those around
-/// it, and its own last one, whose upper faces are a neighbour's.
+/// Planes of centres that a slab saves before adjacent slabs change their inputs: the planes around the slab, and its
+/// last one, whose upper faces belong to the next slab.
 constexpr int kBelow = 3;
 constexpr int kAbove = 3;
 constexpr int kReach = 2;
@@ -36,7 +36,7 @@ void VorticityConfinement::apply(float strength, float seconds, float cellSize, 
   team_->run([&](int part) { apply(slab(part), scratch(part), strength, seconds, cellSize, velocity); });
 }
 
-/// A plane of centres, from a component's faces.
+/// Averages a component's faces to a plane of centres.
 void VorticityConfinement::average(int axis, int z, const Velocity& velocity, float* centres) const {
   averageToCentres({layout_.cells, layout_.stride}, velocity.axis(axis).data() + layout_.index(0, 0, z),
                    layout_.step(axis), centres + layout_.stride);
@@ -89,7 +89,8 @@ void VorticityConfinement::apply(const Slab& slab, Field& scratch, float strengt
               cells(centre(1, z - 1)), cells(centre(0, z + 1)), cells(centre(1, z + 1))},
              {cells(vorticity(0, z)), cells(vorticity(1, z)), cells(vorticity(2, z)), cells(vorticity(3, z))});
   };
-  // The vorticity above is 2 * cellSize times the true one; strength * cellSize * seconds * true vorticity remains.
+  // The kernel's vorticity is 2 * cellSize times the true one, so the force is strength * cellSize * seconds * true
+  // vorticity.
   const float gain = 0.5F * strength * seconds;
   const float tiny = 1.0e-4F * cellSize;
   const auto confine = [&](int z) {

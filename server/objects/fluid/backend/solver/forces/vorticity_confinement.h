@@ -8,9 +8,9 @@
 
 namespace grove::objects::fluid {
 
-/// Gives back the small whirls that the grid wears down (Fedkiw, Stam and Jensen 2001): a force `strength` * cell size
-/// * (N x vorticity), N pointing to where there is more of it. A team does one slab each. Used by one thread; keeps
-/// scratch memory.
+/// Restores the small whirls that numerical diffusion removes (Fedkiw, Stam and Jensen 2001): a force `strength` * cell
+/// size * (N x vorticity), where N points to stronger vorticity. Each thread of a team works on one slab. Used by one
+/// thread; keeps scratch memory.
 class VorticityConfinement {
  public:
   explicit VorticityConfinement(const Layout& layout, std::shared_ptr<Team> team);
@@ -18,7 +18,7 @@ class VorticityConfinement {
   /// Adds the force times `seconds` to the faces between cells. The velocity's ghosts must be filled.
   void apply(float strength, float seconds, float cellSize, Velocity& velocity);
 
-  /// Memory that it takes.
+  /// Memory use.
   [[nodiscard]] std::size_t bytes() const noexcept {
     std::size_t sum = 0;
     for (const Field& slab : scratch_) sum += slab.heldBytes();
@@ -33,7 +33,7 @@ class VorticityConfinement {
 
   const Layout layout_;
   const std::shared_ptr<Team> team_;
-  std::vector<Field> scratch_;  ///< planes around the wave, one for each of the team
+  std::vector<Field> scratch_;  ///< planes around the sweep, one field per thread of the team
 };
 
 }  // namespace grove::objects::fluid

@@ -8,22 +8,22 @@
 
 namespace grove::objects::fluid {
 
-/// Preconditioned conjugate gradients for the pressure equation, in Chronopoulos and Gear's form: one reduction an
+/// Preconditioned conjugate gradients for the pressure equation, in Chronopoulos and Gear's form: one reduction per
 /// iteration. One thread; keeps its vectors.
 class ConjugateGradients {
  public:
   explicit ConjugateGradients(const Layout& layout);
 
-  /// result = M residual, operatorResult = A result, and their products. M must be symmetric and positive.
+  /// result = M residual, operatorResult = A result, and their dot products. M must be symmetric positive definite.
   using Preconditioner =
       std::function<Multigrid::Products(const Field& residual, Field& result, Field& operatorResult)>;
 
-  /// Improves `x`, counting `iterations` up to `maxIterations`, until the squared residual is at most `enough`.
-  /// Returns it, by the method's own recurrence.
+  /// Improves `x`, counting `iterations` up to `maxIterations`, until the squared residual is at most `enough`. Returns
+  /// the squared residual as the method's own recurrence computes it.
   double solve(const rows::FineOperator& a, const Pockets& pockets, const Preconditioner& preconditioner,
                const Field& b, Field& x, double enough, int maxIterations, int& iterations);
 
-  /// Memory that it takes.
+  /// Memory use.
   [[nodiscard]] std::size_t bytes() const noexcept { return heldBytes(r_, z_, az_, p_, ap_); }
 
  private:
@@ -31,7 +31,7 @@ class ConjugateGradients {
   Field r_, z_, az_, p_, ap_;
 };
 
-/// The diagonal of A as a preconditioner.
+/// Jacobi preconditioner: the diagonal of A.
 Multigrid::Products applyDiagonal(const Layout& layout, const rows::FineOperator& a, const Field& residual,
                                   Field& result, Field& operatorResult);
 

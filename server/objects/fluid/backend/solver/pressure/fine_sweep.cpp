@@ -9,7 +9,7 @@ FineSweep::Sweep::Sweep(const Layout& layout, const KeptPlane& kept, const Slab&
     : slab(own),
       source(static_cast<std::size_t>(kept.size) * (kPlanes + 1) + 2 * Layout::kLead),
       error{Field(source.size()), Field(source.size())},
-      // Restriction reads rows in twice as long pieces.
+      // Restriction reads rows in vectors twice as long.
       left(static_cast<std::size_t>(kept.size) * (kLeftPlanes + 1) + 4 * Layout::kLead),
       beside(static_cast<std::size_t>(layout.plane) * (kPlanes + 1) + 2 * Layout::kLead) {}
 
@@ -38,14 +38,14 @@ void FineSweep::run(Sweep& sweep, const rows::FineOperator& a, const Field& b, c
   const int first = sweep.slab.first;
   const int end = sweep.slab.end;
   const auto isOwn = [first, end](int plane) { return plane >= first && plane < end; };
-  // Beyond the cube are the ghosts of `next`.
+  // Beyond the cube it uses the ghosts of `next`.
   const auto unknown = [&](int z) {
     if (isOwn(z) || z < 0 || z >= n) return next.data() + layout_.index(0, 0, z);
     return sweep.beside.data() + layout_.plane * std::ptrdiff_t{z % kPlanes} + layout_.index(0, 0, -1);
   };
   Field& smoothed = sweep.error[(kFineStages - 1) % 2];
 
-  // Each step needs one plane more on either side than the one after it.
+  // Each stage needs one more plane on either side than the next stage.
   const auto within = [&](int plane, int beyond) {
     return plane >= std::max(first - beyond, 0) && plane < std::min(end + beyond, n);
   };

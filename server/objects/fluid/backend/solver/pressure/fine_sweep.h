@@ -13,11 +13,11 @@
 
 namespace grove::objects::fluid {
 
-/// The finest level's part of a multigrid cycle, as one sweep over z-planes: add the coarse correction, take the
-/// residual, smooth it away, and hand what is left to the coarser level. What the smoother adds to the solution is
-/// computed apart from it (iterative refinement), as small numbers, and so keeps its digits. Each stage of the smoother
-/// follows one plane behind the one before, its planes still in the cache. A team sends one sweep through each slab,
-/// which computes the planes around its slab that it depends on as well. Used by one thread.
+/// The finest level's part of a multigrid cycle as one sweep over z-planes: adds the coarse correction, computes the
+/// residual, smooths, and restricts the remaining residual to the coarser level. The smoother's update is computed
+/// apart from the solution (iterative refinement): it is small and so keeps its digits. Each stage of the smoother
+/// follows one plane behind the previous one, while its planes are in the cache. Each thread of a team sweeps one slab
+/// and also computes the adjacent planes that the slab depends on. Used by one thread.
 class FineSweep {
  public:
   FineSweep(const Layout& layout, std::shared_ptr<Team> team);
@@ -25,19 +25,19 @@ class FineSweep {
   struct Coarse {
     const Layout& layout;
     rows::CoarseOperator a;
-    const float* correction;  ///< null for none
+    const float* correction;  ///< null: none
     float* b;                 ///< out: the restricted residual
   };
   struct Norms {
-    double before = 0.0;  ///< squared residual ahead of smoothing
-    double after = 0.0;   ///< and behind it
+    double before = 0.0;  ///< squared residual before smoothing
+    double after = 0.0;   ///< squared residual after smoothing
     double b = 0.0;       ///< squared right-hand side
   };
 
   /// next = x + correction, smoothed.
   Norms run(const rows::FineOperator& a, const Field& b, const Field& x, Field& next, const Coarse& coarse);
 
-  /// Memory that it takes.
+  /// Memory use.
   [[nodiscard]] std::size_t bytes() const noexcept {
     std::size_t sum = 0;
     for (const Sweep& w : sweeps_) sum += heldBytes(w.source, w.error[0], w.error[1], w.left, w.beside);
@@ -45,22 +45,22 @@ class FineSweep {
   }
 
  private:
-  /// The planes around the sweep of something that is not kept; those outside of the cube are zero.
+  /// Planes around the sweep of a temporary field; planes outside the cube are zero.
   static constexpr int kPlanes = kFineStages + 3;
   static constexpr int kLeftPlanes = 4;
-  /// What a sweep through one slab keeps.
+  /// Buffers of the sweep through one slab.
   struct Sweep {
     Sweep(const Layout& layout, const KeptPlane& kept, const Slab& own);
 
     Slab slab;
-    Field source;                ///< residual that is smoothed away
-    std::array<Field, 2> error;  ///< iterates of even and of odd stages
-    Field left;                  ///< residual behind the smoother
-    Field beside;                ///< planes of `next` that belong to the neighbours
+    Field source;                ///< residual that the smoother reduces
+    std::array<Field, 2> error;  ///< iterates of even and odd stages
+    Field left;                  ///< residual after smoothing
+    Field beside;                ///< planes of `next` that belong to the adjacent slabs
   };
   void run(Sweep& sweep, const rows::FineOperator& a, const Field& b, const Field& x, Field& next,
            const Coarse& coarse);
-  /// Row 0 of a plane in a ring of `planes` kept ones and, behind them, the zero one.
+  /// Row 0 of a plane in a ring of `planes` kept planes, followed by the zero plane.
   [[nodiscard]] float* kept(Field& ring, int z, int planes = kPlanes) const noexcept {
     const int slot = z < 0 || z >= layout_.cells ? planes : z % planes;
     return ring.data() + Layout::kLead + std::ptrdiff_t{kept_.size} * slot + kept_.row(0);
@@ -72,8 +72,8 @@ class FineSweep {
   const Layout layout_;
   const KeptPlane kept_;
   std::shared_ptr<Team> team_;
-  std::vector<Sweep> sweeps_;  ///< one for each of the team
-  std::vector<Norms> norms_;   ///< of each plane
+  std::vector<Sweep> sweeps_;  ///< one per thread of the team
+  std::vector<Norms> norms_;   ///< one per plane
 };
 
 }  // namespace grove::objects::fluid

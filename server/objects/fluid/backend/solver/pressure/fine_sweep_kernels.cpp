@@ -14,11 +14,11 @@
 
 namespace grove::objects::fluid {
 
-/// Eigenvalues of Jacobi below are left to the coarser level: a little lower than for few stages.
+/// The coarser level handles eigenvalues of Jacobi below this, a little lower than for few stages.
 constexpr auto kChebyshev = rows::chebyshevStages<kFineStages>(0.15F);
 
-/// All steps go through a plane side by side, a few rows at a time, so that what one writes is in the nearest cache
-/// when the next one reads it. None of them reads further rows of a plane that is written in the same step.
+/// All parts advance through their planes together, a few rows at a time, so that a part's output is still in the
+/// nearest cache when the next part reads it. No part reads further rows of a plane that the same step writes.
 constexpr int kRowsAtATime = 8;
 
 }  // namespace grove::objects::fluid
@@ -44,7 +44,7 @@ struct RowRange {
   int end;
 };
 
-/// The six neighbours' sum, going up a column of rows that lie as a KeptPlane's do: each row is loaded once.
+/// The sum of the six neighbours, going up a column of rows with the layout of a KeptPlane: each row is loaded once.
 class KeptColumn {
  public:
   HWY_INLINE KeptColumn(const PlanesAround& planes, int stride, int x, std::ptrdiff_t at)
@@ -74,7 +74,7 @@ class KeptColumn {
 
  private:
   static constexpr pr::lanes::FloatTag lanes_{};
-  const float* const below_;  // by value, as what is written could be where a reference leads
+  const float* const below_;  // by value, because a reference could alias the output
   const float* const row_;
   const float* const above_;
   const std::ptrdiff_t stride_;
@@ -118,7 +118,7 @@ HWY_INLINE void takeResidual(const FineStep& step, const RowRange range, Floats&
   }
 }
 
-/// kSecond: there is no iterate before the current one.
+/// kSecond: there is no previous iterate.
 template <bool kSecond>
 HWY_INLINE void smooth(const FineStep& step, const rows::ChebyshevStage& stage, const FineStep::Smooth& p,
                        const RowRange range) {

@@ -6,14 +6,14 @@
 
 #include "objects/fluid/backend/solver/pressure/pressure_operator.h"
 
-/// What FineSweep does to a plane at a time. Pointers are to the first cell of a plane's row 0.
+/// FineSweep's work on one plane at a time. Pointers are to the first cell of a plane's row 0.
 namespace grove::objects::fluid {
 
 /// Stages of the finest level's smoother: a Chebyshev polynomial of Jacobi.
 inline constexpr int kFineStages = 10;
 
-/// How the planes lie that the sweep keeps: rows of whole vectors, what is behind the last cell being zero, without
-/// ghosts in x; a row of zeros below and one above.
+/// Layout of the planes that the sweep keeps ("kept planes"): rows of whole vectors, zero beyond the last cell, without
+/// ghosts in x; one row of zeros below and one above.
 struct KeptPlane {
   explicit constexpr KeptPlane(int cells) noexcept : stride(rows::wholeVectors(cells)), size(stride * (cells + 2)) {}
   [[nodiscard]] constexpr std::ptrdiff_t row(int y) const noexcept { return std::ptrdiff_t{stride} * (y + 1); }
@@ -29,20 +29,20 @@ struct PlanesAround {
   const float* above = nullptr;
 };
 
-/// What happens as the sweep moves on by one plane, each to another plane, one behind the other. A step that has
-/// nothing to do has a null where it would write to. Planes are those of a Layout, or as said.
+/// The work of one step of the sweep. Each part works on another plane, one behind the other. A part without work has a
+/// null output. Planes have the strides of a Layout unless stated otherwise.
 struct FineStep {
   int cells = 0;
   std::ptrdiff_t stride = 0;  ///< between rows of a Layout
 
-  /// out = x + the correction by the coarser level's `coarse`, unless that is null.
+  /// out = x + the interpolated correction of the coarser level's `coarse`, unless that is null.
   struct Correct {
     const float* x = nullptr;
     float* out = nullptr;
     rows::FineOperator a{};
-    const float* coarse = nullptr;  ///< the coarse plane that holds this one
+    const float* coarse = nullptr;  ///< the coarse plane that contains this one
     rows::CoarseOperator weights{};
-    bool highZ = false;  ///< whether it is the upper one of the two in there
+    bool highZ = false;  ///< whether this is the upper one of the coarse plane's two fine planes
   } correct;
 
   /// source (kept) = b - A x; smoothed = the first stage of the smoother, from zero.
@@ -54,8 +54,8 @@ struct FineStep {
     float* smoothed = nullptr;
   } residual;
 
-  /// A stage of the smoother, which replaces the iterate before the current one, in `out`, by the next. All planes are
-  /// kept ones. The first is not used.
+  /// A stage of the smoother. Replaces the previous iterate, in `out`, by the next one. All planes are kept planes. The
+  /// first entry is unused.
   struct Smooth {
     const std::uint8_t* sixtieths = nullptr;
     const float* source = nullptr;
@@ -70,7 +70,7 @@ struct FineStep {
     float* out = nullptr;
   } add;
 
-  /// out = source - A error, all kept.
+  /// out = source - A error, all kept planes.
   struct Left {
     rows::FineOperator a{};
     const float* source = nullptr;
@@ -87,14 +87,14 @@ struct FineSums {
 };
 FineSums runFineStep(const FineStep& step);
 
-/// The right-hand side of a coarse plane from what is left of the residual on the fine planes 2K-1..2K+2 (kept).
+/// Computes a coarse plane's right-hand side from the remaining residual on the fine planes 2K-1..2K+2 (kept planes).
 struct RestrictedPlane {
   std::array<const float*, 4> left{};
   int keptStride = 0;
   rows::CoarseOperator weights{};
   float* out = nullptr;
   std::ptrdiff_t stride = 0;  ///< between coarse rows
-  int cells = 0;              ///< coarse ones
+  int cells = 0;              ///< coarse cells per edge
 };
 void restrictFine(const RestrictedPlane& plane);
 

@@ -31,8 +31,8 @@ struct Multigrid::Level {
             inverse.data(),    layout.step(1),    layout.step(2)};
   }
 
-  /// The weights of the faces across an axis of the cells in a box, from what `open` says of the four faces of the next
-  /// finer level that each is made of.
+  /// Computes the weights of a box's faces across an axis from `open`, the weights of the four faces of the next finer
+  /// level that each of them covers.
   template <class Open>
   void weighFaces(int axis, const CellBox& box, const Layout& fine, float fineOpenSide, const Open& open) {
     const std::ptrdiff_t s = fine.step((axis + 1) % 3);
@@ -67,7 +67,7 @@ struct Multigrid::Level {
   }
 
   Layout layout;
-  float openSide;  ///< weight of an open side's face: its pressure is 0 half a *finest* cell outside of the cube
+  float openSide;  ///< weight of an open side's face: its pressure is 0 half a *finest* cell outside the cube
   Field weights[3];
   Field diagonal;
   Field inverse;

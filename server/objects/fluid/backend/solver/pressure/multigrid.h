@@ -15,24 +15,24 @@ namespace grove::objects::fluid {
 /// parallel multigrid Poisson solver for fluids simulation on large grids"), with four differences:
 ///
 /// - Coarse faces carry the open share of their fine faces instead of a whole-cell type, so walls of one cell stay
-/// walls.
-/// - Interpolation is linear along each axis, weighted with that share, hence never reaches through a closed face and
-///   meets an open side's pressure exactly; restriction is its transpose.
-/// - The smoother is a Chebyshev polynomial of Jacobi (Adams et al. 2003), which needs no colours and no order.
+///   walls.
+/// - Interpolation is linear along each axis and weighted with that share. It never reaches through a closed face and
+///   meets an open side's pressure exactly. Restriction is its transpose.
+/// - The smoother is a Chebyshev polynomial of Jacobi (Adams et al. 2003), which is independent of colours and order.
 /// - Smoothing, residual, restriction and operator run as sweeps over z-planes: each level is read once on the way down
 ///   and once on the way up.
 ///
 /// The equation in a cell is sum over open faces of (p - p of the neighbour) = right-hand side. Used by one thread;
-/// cycle() by its team.
+/// cycle() runs on its team.
 class Multigrid {
  public:
-  /// `cells` must be even; it is halved for as long as it stays whole.
+  /// `cells` must be even. Each level halves it, while it stays even.
   explicit Multigrid(const Layout& layout, std::shared_ptr<Team> team = std::make_shared<Team>(1));
   ~Multigrid();
   Multigrid(const Multigrid&) = delete;
   Multigrid& operator=(const Multigrid&) = delete;
 
-  /// Takes over the solids within the box of changed cells.
+  /// Updates the solids within the box of changed cells.
   void rebuild(const SolidGrid& solids, const CellBox& changed);
 
   using Products = MultigridProducts;
@@ -40,8 +40,8 @@ class Multigrid {
   /// result = M residual; operatorResult = A result. Ghosts and solids of `residual` must be zero, and stay so.
   Products apply(const Field& residual, Field& result, Field& operatorResult);
 
-  /// One step of multigrid by itself: next = x, corrected. The first one of a solve has nothing to correct with yet: it
-  /// smooths, and finds what the next ones need.
+  /// One multigrid step on its own: next = x, corrected. The first step of a solve has no correction yet: it smooths
+  /// and restricts the residual for the following steps.
   FineSweep::Norms cycle(const Field& b, const Field& x, Field& next, bool first);
 
   [[nodiscard]] rows::FineOperator finest() const noexcept {
@@ -50,7 +50,7 @@ class Multigrid {
   /// Number of open faces of every air cell, 0 in solids: the diagonal of A.
   [[nodiscard]] const Array<std::uint8_t>& diagonal() const noexcept { return diagonal_; }
 
-  /// Memory that it takes.
+  /// Memory use.
   [[nodiscard]] std::size_t bytes() const noexcept;
 
  private:
@@ -60,8 +60,8 @@ class Multigrid {
 
   const Layout layout_;
   Array<std::uint8_t> diagonal_;
-  Array<std::uint8_t> sixtieths_;               ///< 60 over the diagonal
-  std::vector<std::unique_ptr<Level>> levels_;  ///< coarser and coarser; the finest is not among them
+  Array<std::uint8_t> sixtieths_;               ///< 60 / diagonal
+  std::vector<std::unique_ptr<Level>> levels_;  ///< coarser and coarser; without the finest
   FineSweep fine_;
   Field odd_;       ///< planes of the finest level's smoother
   Field residual_;  ///< planes of the finest level's residual

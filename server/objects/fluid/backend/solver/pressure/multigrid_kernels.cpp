@@ -27,7 +27,7 @@ namespace grove::objects::fluid::HWY_NAMESPACE {
 
 namespace pr = rows::HWY_NAMESPACE;
 
-/// The planes around the sweep of something that is not kept; those outside of the cube are zero.
+/// Planes around the sweep of a temporary field; planes outside the cube are zero.
 struct Ring {
   const Layout& layout;
   float* memory;
@@ -39,7 +39,7 @@ struct Ring {
   HWY_INLINE pr::Around3 around(int y, int z) const { return {row(y, z - 1), row(y, z), row(y, z + 1)}; }
 };
 
-/// Stage `k` (from 0) of the smoother on a plane.
+/// Applies stage `k` (from 0) of the smoother to a plane.
 template <class Operator>
 HWY_INLINE void smoothPlane(const MultigridLevel<Operator>& level, int k, int plane, bool fromZero) {
   const Layout& layout = level.layout;
@@ -60,7 +60,7 @@ HWY_INLINE void smoothPlane(const MultigridLevel<Operator>& level, int k, int pl
   }
 }
 
-/// Each stage follows one plane behind the one before, so that its planes are still in the cache.
+/// Each stage follows one plane behind the previous one, while its planes are in the cache.
 template <class Operator>
 HWY_INLINE void descend(const MultigridLevel<Operator>& level, const Layout& coarseLayout,
                         const rows::CoarseOperator& coarse, float* coarseB) {
@@ -90,7 +90,7 @@ HWY_INLINE void descend(const MultigridLevel<Operator>& level, const Layout& coa
   }
 }
 
-/// `finish` is called for each plane when it and its neighbours are done.
+/// Calls `finish` for each plane after it and its neighbours are done.
 template <class Operator, class Finish>
 HWY_INLINE void ascend(const MultigridLevel<Operator>& level, const Layout& coarseLayout,
                        const rows::CoarseOperator& coarse, const float* coarseZ, const Finish& finish) {

@@ -8,40 +8,40 @@
 /// The passes of a V-cycle (Multigrid) over one level, each a sweep over z-planes.
 namespace grove::objects::fluid {
 
-/// A level, with A of its own kind. Ghosts and solids of `b` and `z` are zero and stay so.
+/// One level with its kind of operator A. Ghosts and solids of `b` and `z` are zero and stay so.
 template <class Operator>
 struct MultigridLevel {
   const Layout& layout;
   Operator a;
   const float* b;
   float* z;
-  float* odd;       ///< room for planes of the smoother's first and third iterate, the others being in z
-  float* residual;  ///< room for planes between smoothing and restriction
+  float* odd;       ///< scratch planes for the smoother's first and third iterate; the others are in z
+  float* residual;  ///< scratch planes between smoothing and restriction
 };
 using FineLevel = MultigridLevel<rows::FineOperator>;
 using CoarseLevel = MultigridLevel<rows::CoarseOperator>;
 
-/// Values that `odd` and `residual` take each, zero at first.
+/// Sizes of `odd` and `residual` in values, initially zero.
 [[nodiscard]] std::size_t multigridRoom(const Layout& layout) noexcept;
 
-/// Down one level: smooths z from zero, and hands the residual to the coarser level's right-hand side `coarseB`.
+/// Down one level: smooths z from zero and restricts the residual to the coarser level's right-hand side `coarseB`.
 void descendFine(const FineLevel& level, const Layout& coarseLayout, const rows::CoarseOperator& coarse,
                  float* coarseB);
 void descendCoarse(const CoarseLevel& level, const Layout& coarseLayout, const rows::CoarseOperator& coarse,
                    float* coarseB);
 
-/// z.Az and b.z.
+/// Dot products z.Az and b.z.
 struct MultigridProducts {
   double residualDotResult = 0.0;
   double resultDotOperator = 0.0;
 };
-/// Up one level: adds the coarse correction to z and smooths. The finest level's also takes A z.
+/// Up one level: adds the coarse correction to z and smooths. For the finest level also computes A z.
 MultigridProducts ascendFine(const FineLevel& level, const Layout& coarseLayout, const rows::CoarseOperator& coarse,
                              const float* coarseZ, float* az);
 void ascendCoarse(const CoarseLevel& level, const Layout& coarseLayout, const rows::CoarseOperator& coarse,
                   const float* coarseZ);
 
-/// The coarsest level: so few cells that the same smoother, repeated, solves them.
+/// The coarsest level has so few cells that repeating the smoother solves it.
 void smoothCoarsest(const CoarseLevel& level);
 
 }  // namespace grove::objects::fluid

@@ -30,11 +30,11 @@ class Sets {
 
 struct LabelledRun {
   int begin = 0;  ///< first cell
-  int end = 0;    ///< behind the last
+  int end = 0;    ///< after the last cell
   int label = 0;
 };
 
-/// Joins runs of two neighbouring rows that overlap.
+/// Joins overlapping runs of two adjacent rows.
 void joinRows(const LabelledRun* a, const LabelledRun* aEnd, const LabelledRun* b, const LabelledRun* bEnd,
               Sets& sets) {
   while (a != aEnd && b != bEnd) {

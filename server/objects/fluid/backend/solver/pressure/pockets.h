@@ -9,19 +9,19 @@
 
 namespace grove::objects::fluid {
 
-/// The connected parts of the air that touch no open side. In each of them the pressure is known but for a constant:
-/// the null space of the pressure equation, which has to be projected out of its right-hand side. One thread.
+/// The connected parts of the air without an open side. In each of them the pressure is defined up to a constant: the
+/// null space of the pressure equation, which must be projected out of its right-hand side. One thread.
 class Pockets {
  public:
-  /// Finds them anew (union-find over runs of air along x).
+  /// Recomputes the pockets (union-find over runs of air along x).
   void find(const SolidGrid& solids);
 
-  /// Takes each pocket's mean away from it.
+  /// Subtracts each pocket's mean.
   void removeMeans(Field& values) const;
 
   [[nodiscard]] std::size_t count() const noexcept { return pockets_.size(); }
 
-  /// Memory that they take.
+  /// Memory use.
   [[nodiscard]] std::size_t bytes() const noexcept {
     std::size_t sum = 0;
     for (const auto& runs : pockets_) sum += pipeline::vectorBytes(runs);

@@ -6,26 +6,26 @@
 
 #include "objects/fluid/backend/solver/grid.h"
 
-/// What the inner loops of the multigrid work on. `s` and `p` are the distances to the next row and plane.
+/// Data of the multigrid's inner loops. `s` and `p` are the offsets of the next row and plane.
 namespace grove::objects::fluid::rows {
 
 /// Cells of the longest row.
 inline constexpr int kLongestRow = 128;
 
-/// Rows are worked on in whole vectors: behind a row lie ghosts, whose diagonal, inverse and values are zero.
+/// Loops process whole vectors: ghosts follow each row, and their diagonal, inverse and values are zero.
 [[nodiscard]] constexpr int wholeVectors(int n) noexcept { return (n + 15) & ~15; }
 
-/// The finest level: all open faces weigh 1. Because the unknown is zero in solids and behind walls, neighbours need no
-/// mask: the diagonal alone says how many of them count.
+/// The finest level: all open faces have weight 1. The unknown is zero in solids and behind walls, so neighbours need
+/// no mask: the diagonal alone holds the number of open faces.
 struct FineOperator {
   const std::uint8_t* diagonal;
   const std::uint8_t* sixtieths;
   std::ptrdiff_t s;
 
-  /// 60 over the diagonal is whole for all of 1 to 6, so that the inverse fits a byte too.
+  /// 60 / diagonal is an integer for 1 to 6, so the inverse also fits a byte.
   static constexpr int kSixty = 60;
 
-  /// At another cell.
+  /// The operator at an offset.
   [[nodiscard]] FineOperator from(std::ptrdiff_t at) const noexcept { return {diagonal + at, sixtieths + at, s}; }
 };
 
@@ -38,22 +38,22 @@ struct CoarseOperator {
   const float* inverseDiagonal;
   std::ptrdiff_t s, p;
 
-  /// At another cell.
+  /// The operator at an offset.
   [[nodiscard]] CoarseOperator from(std::ptrdiff_t at) const noexcept {
     return {x + at, y + at, z + at, diagonal + at, inverseDiagonal + at, s, p};
   }
 };
 
-/// Weights of one stage of the Chebyshev iteration on Jacobi (Saad 2003, algorithm 12.1), its update written out.
+/// Weights of one stage of the Chebyshev iteration on Jacobi (Saad 2003, algorithm 12.1), in expanded form.
 struct ChebyshevStage {
   float own;       ///< weight of the current iterate
-  float previous;  ///< weight of the one before
+  float previous;  ///< weight of the previous iterate
   float jacobi;    ///< weight of (b + neighbours) / diagonal
 };
 
-/// Polynomial over the part of the spectrum of Jacobi, from `low` to 2 (no eigenvalue is larger, as the operator is
-/// diagonally dominant), that the coarser level cannot see. For the same work it took a quarter fewer iterations than
-/// red-black sweeps; and it is symmetric whatever the order of the cells.
+/// Polynomial over the part of Jacobi's spectrum that the coarser level cannot reduce, from `low` to 2 (the upper
+/// bound, because the operator is diagonally dominant). For equal work it took a quarter fewer iterations than
+/// red-black sweeps, and it is symmetric for any order of the cells.
 template <std::size_t kStages>
 constexpr std::array<ChebyshevStage, kStages> chebyshevStages(float low) {
   const float centre = 0.5F * (2.0F + low);

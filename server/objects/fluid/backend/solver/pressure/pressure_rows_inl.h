@@ -67,7 +67,7 @@ HWY_INLINE void smoothFromZero(const Operator& a, const ChebyshevStage& stage, c
   for (int i = 0; i < n; i += kLanes) store(jacobi * load(b + i) * inverse(a, i), out + i);
 }
 
-/// A stage whose previous iterate does not count.
+/// A stage without a previous iterate.
 template <class Operator>
 HWY_INLINE void smoothFirst(const Operator& a, const ChebyshevStage& stage, const float* b, const Around3& z,
                             float* out, int n) {
@@ -79,7 +79,7 @@ HWY_INLINE void smoothFirst(const Operator& a, const ChebyshevStage& stage, cons
   }
 }
 
-/// A stage that replaces the previous iterate in `out` by the next.
+/// A stage that replaces the previous iterate, in `out`, by the next one.
 template <class Operator>
 HWY_INLINE void smooth(const Operator& a, const ChebyshevStage& stage, const float* b, const Around3& z, float* out,
                        int n) {
@@ -103,7 +103,7 @@ HWY_INLINE void residual(const Operator& a, const float* b, const Around3& z, fl
   for (int i = 0; i < n; i += kLanes) store(residualAt(a, b, z, i), out + i);
 }
 
-/// out = A z, and adds up r.z and z.Az.
+/// out = A z; also adds to r.z and z.Az.
 template <class Operator>
 HWY_INLINE void applyOperator(const Operator& a, const float* r, const Around3& z, float* out, int n, Floats& rz,
                               Floats& zaz) {
@@ -117,8 +117,8 @@ HWY_INLINE void applyOperator(const Operator& a, const float* r, const Around3& 
   }
 }
 
-/// Linear interpolation of a coarse row to the fine row on the (highY, highZ) side of it: out = z + that where there is
-/// air. `weights` are at the coarse row, `fine` at the fine one.
+/// Interpolates a coarse row linearly to the fine row on its (highY, highZ) side: out = z + result in air cells.
+/// `weights` point to the coarse row, `fine` to the fine row.
 template <class Operator>
 HWY_INLINE void interpolate(const float* coarse, const CoarseOperator& weights, bool highY, bool highZ,
                             const Operator& fine, const float* z, float* out, int coarseCells) {
@@ -147,14 +147,14 @@ struct Around {
   const float* row[4][4];
 };
 
-/// Transpose of interpolate(). `weights` and `out` are at the coarse row. Beyond their ends, fine rows may hold
-/// anything.
+/// Transpose of interpolate(). `weights` and `out` point to the coarse row. Fine rows may contain any values beyond
+/// their ends.
 HWY_INLINE void restrictRow(const Around& fine, const CoarseOperator& weights, float* out, int coarseCells) {
-  // Sums over the four fine rows of the coarse row, and what crosses its four sides, each still at fine resolution in
-  // x, but cells with even and with odd x apart.
+  // Sums over the coarse row's four fine rows, and over the rows across its four sides. Both are still at fine
+  // resolution in x, with even and odd x apart.
   constexpr int kLead = 16;
   constexpr int kRoom = kLongestRow / 2 + 2 * kLead;
-  // One half would be consistent. A tenth more was measured to save one iteration of four amid obstacles; twice that
+  // 0.5 would be consistent. A tenth more was measured to save one of four iterations amid obstacles; twice that excess
   // is worse again.
   constexpr float kScale = 0.55F;
   const lanes::FloatTag tag;

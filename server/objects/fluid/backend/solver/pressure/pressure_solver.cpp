@@ -55,8 +55,8 @@ FineSweep::Norms PressureSolver::cycle(bool first) {
 
 PressureSolver::SolveResult PressureSolver::iterate(double squaredB, const Options& options) {
   constexpr double kNothing = 1.0e-30;
-  constexpr double kCertainly = 0.9;  // the cycle knows the residual that it leaves to a few hundredths only
-  constexpr double kSlow = 0.04;      // of the squared residual is more than a cycle leaves in common scenes
+  constexpr double kCertainly = 0.9;  // margin: the cycle's estimate of its residual is accurate to a few hundredths
+  constexpr double kSlow = 0.04;      // share of the squared residual; a cycle leaves less than this in common scenes
   SolveResult result;
   if (!(squaredB > kNothing)) {
     x_.clear();
@@ -65,7 +65,7 @@ PressureSolver::SolveResult PressureSolver::iterate(double squaredB, const Optio
   pockets_.removeMeans(b_);
   FineSweep::Norms norms = cycle(true);
   if (norms.before > norms.b) {
-    // The last pressure is worse than none, as after a jump of the scene.
+    // The last pressure is worse than zero, as after a jump of the scene.
     x_.clear();
     norms = cycle(true);
   }

@@ -11,9 +11,9 @@
 
 namespace grove::objects::fluid {
 
-/// Makes a velocity free of divergence: solves the pressure equation by multigrid, from the last step's pressure. Where
-/// plain cycles converge slowly, as amid rubble finer than the coarse cells, conjugate gradients
-/// preconditioned with a V-cycle go on. Used by one thread.
+/// Makes a velocity free of divergence: solves the pressure equation by multigrid, starting from the last step's
+/// pressure. Where plain cycles converge slowly, as amid rubble finer than the coarse cells, conjugate gradients
+/// preconditioned with a V-cycle continue. Used by one thread.
 class PressureSolver {
  public:
   struct Options {
@@ -27,15 +27,15 @@ class PressureSolver {
 
   explicit PressureSolver(const Layout& layout, std::shared_ptr<Team> team = std::make_shared<Team>(1));
 
-  /// Takes note of what changed in the solids, as project() does first: takes long where all is new.
+  /// Applies the changes of the solids, as project() does first; slow if all solids are new.
   void prepare(SolidGrid& solids);
 
-  /// The projection of Stam 1999: afterwards the net flow out of every air cell is zero to the tolerance. The
-  /// velocity's faces at solids must hold the solids' velocity (SolidGrid::enforce()), and do so afterwards.
+  /// The projection of Stam 1999: afterwards the net flow out of every air cell is zero to the tolerance. Before and
+  /// after, the velocity's faces at solids hold the solids' velocity (SolidGrid::enforce()).
   SolveResult project(SolidGrid& solids, Velocity& velocity, const Options& options);
 
-  /// Solves for a right-hand side of one's own: sum over open faces of (p - p of the neighbour) = b. `b` is changed
-  /// where it cannot be met: zero in solids, each pocket's mean taken away.
+  /// Solves for another right-hand side: sum over open faces of (p - p of the neighbour) = b. Makes `b` solvable: zero
+  /// in solids, each pocket's mean subtracted.
   SolveResult solve(SolidGrid& solids, Field& b, const Options& options);
 
   /// Metres a second: pressure * time step / (density * cell size). Zero in solids.
@@ -45,7 +45,7 @@ class PressureSolver {
   /// Forgets the last step's pressure.
   void forget() noexcept { x_.clear(); }
 
-  /// Memory that it takes.
+  /// Memory use.
   [[nodiscard]] std::size_t bytes() const noexcept {
     return multigrid_.bytes() + pockets_.bytes() + gradients_.bytes() + heldBytes(b_, x_, next_);
   }

@@ -9,7 +9,7 @@ namespace grove::objects::fluid {
 
 namespace {
 
-/// The sum over all planes of what `plane` returns.
+/// Sums the results of `plane` over all planes.
 template <class Plane>
 double sumOverPlanes(const Layout& layout, const Plane& plane) {
   double sum = 0.0;
@@ -22,7 +22,7 @@ double sumOverPlanes(const Layout& layout, const Plane& plane) {
 double negativeDivergence(const Layout& layout, const Velocity& velocity, const Array<std::uint8_t>& diagonal,
                           Field& out, Team& team) {
   const ConstVelocityPointers faces{velocity.x.data(), velocity.y.data(), velocity.z.data()};
-  // Of each plane, so that the order of their sum is fixed.
+  // One sum per plane, so that the order of summation is fixed.
   std::vector<double> squared(static_cast<std::size_t>(layout.cells));
   team.run([&](int part) {
     const Slab slab = Slab::of(part, team.width(), layout.cells);

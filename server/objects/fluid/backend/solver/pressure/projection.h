@@ -6,10 +6,10 @@
 #include "objects/fluid/backend/solver/pressure/pressure_operator.h"
 #include "objects/fluid/backend/solver/team.h"
 
-/// The vector passes around the pressure solve. Ghosts of all fields but the velocity's are zero and stay so.
+/// Vector passes around the pressure solve. Ghosts of all fields except the velocity are zero and stay so.
 namespace grove::objects::fluid {
 
-/// out = minus the sum of the flow out of each air cell, in metres a second; zero in solids. Returns out.out.
+/// out = minus the net flow out of each air cell, in metres per second; zero in solids. Returns out.out.
 double negativeDivergence(const Layout& layout, const Velocity& velocity, const Array<std::uint8_t>& diagonal,
                           Field& out, Team& team);
 

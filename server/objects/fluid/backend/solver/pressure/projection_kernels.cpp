@@ -18,7 +18,7 @@ using pr::mulAdd;
 using pr::onlyWhere;
 using pr::store;
 
-// Rows of cells are worked on in whole vectors: what lies behind them is zero, and so is what comes out.
+// Rows of cells are processed in whole vectors: the padding after them is zero and stays zero.
 
 double divergencePlane(const Layout& layout, int z, const ConstVelocityPointers& velocity, const std::uint8_t* diagonal,
                        float* out) {
@@ -116,8 +116,8 @@ void relaxPlane(const Layout& layout, int z, const rows::FineOperator& a, const 
   for (int y = 0; y < layout.cells; ++y) {
     const std::ptrdiff_t at = layout.index(0, y, z);
     const pr::lanes::Mask own = ((pr::lanes::upwards() + ((y + z + colour) & 1)) & 1) == 0;
-    // Cells of the other colour stay as they are. Written to a row aside first: loads that overlap the store just
-    // before them would wait for it.
+    // Cells of the other colour stay unchanged. Writes to a scratch row first: loads that overlap a preceding store
+    // would wait for it.
     alignas(64) float solvedRow[rows::kLongestRow];
     for (int i = 0; i < layout.cells; i += kLanes) {
       const Floats before = load(x + at + i);

@@ -6,8 +6,8 @@
 #include "objects/fluid/backend/solver/pressure/multigrid_kernels.h"
 #include "objects/fluid/backend/solver/pressure/pressure_operator.h"
 
-/// The passes around the pressure solve, and those of simpler solvers, each over the plane `z`; pointers are to whole
-/// fields of a Layout. Ghosts of all fields but the velocity's are zero and stay so.
+/// Passes around the pressure solve and of the simpler solvers, each over the plane `z`; pointers are to whole fields
+/// of a Layout. Ghosts of all fields except the velocity are zero and stay so.
 namespace grove::objects::fluid {
 
 struct ConstVelocityPointers {
@@ -21,12 +21,12 @@ struct VelocityPointers {
   float* z;
 };
 
-/// out = minus the flow out of each air cell; zero in solids. Returns out.out.
+/// out = minus the net flow out of each air cell; zero in solids. Returns out.out.
 double divergencePlane(const Layout& layout, int z, const ConstVelocityPointers& velocity, const std::uint8_t* diagonal,
                        float* out);
 
-/// velocity -= gradient of the pressure, at every face from the low ones of the plane's cells on; z may be the number
-/// of cells.
+/// velocity -= gradient of the pressure, at the low faces of the plane's cells and above; z may equal the number of
+/// cells.
 void subtractGradientPlane(const Layout& layout, int z, const float* pressure, const VelocityPointers& velocity);
 
 /// values = 0 where the diagonal is 0.
@@ -36,7 +36,7 @@ void maskPlane(const Layout& layout, int z, const std::uint8_t* diagonal, float*
 double residualPlane(const Layout& layout, int z, const rows::FineOperator& a, const float* b, const float* x,
                      float* r);
 
-/// What conjugate gradients keep.
+/// Vectors of conjugate gradients.
 struct GradientPointers {
   const float* z;
   const float* az;
@@ -48,14 +48,14 @@ struct GradientPointers {
 /// p = z + beta p, ap = az + beta ap, x += alpha p, r -= alpha ap. Returns r.r.
 double advancePlane(const Layout& layout, int z, float alpha, float beta, const GradientPointers& fields);
 
-/// out = r over the diagonal.
+/// out = r / diagonal.
 void divideByDiagonalPlane(const Layout& layout, int z, const rows::FineOperator& a, const float* r, float* out);
 
 /// out = A x.
 MultigridProducts applyOperatorPlane(const Layout& layout, int z, const rows::FineOperator& a, const float* r,
                                      const float* x, float* out);
 
-/// Over-relaxes the cells of one colour, those for which x + y + z + colour is even, by the factor `relax`.
+/// Over-relaxes the cells of one colour, those with even x + y + z + colour, by the factor `relax`.
 void relaxPlane(const Layout& layout, int z, const rows::FineOperator& a, const float* b, int colour, float relax,
                 float* x);
 
