@@ -24,10 +24,11 @@ function paragraphsOf(text) {
 
 /** Comments as {line, text}: those on lines of their own that follow each other are one, those behind code one each. */
 function commentsOf(text) {
-  const withoutStrings = text.replaceAll(/"(?:\\.|[^"\\\n])*"/g, blank).replaceAll(/`[^`\n]*`/g, word);
+  const withoutStrings = text.replaceAll(/"(?:\\.|[^"\\\n])*"/g, word).replaceAll(/`[^`\n]*`/g, word);
   const lines = withoutStrings.split('\n').map((line) => {
     const [, code, comment] = line.match(/^(.*?)(?:\/\/+<?|\/\*\*?|^\s*\*(?!\/))(.*)$/) ?? [];
-    if (comment === undefined || /^\s*(namespace|NOLINT)\b/.test(comment)) return null;
+    const isTable = /^ {4}/.test(comment ?? '');
+    if (comment === undefined || isTable || /^\s*(namespace|NOLINT)\b/.test(comment)) return null;
     return { alone: code.trim() === '', text: comment.replace(/\*\/\s*$/, '') };
   });
   const alone = blocksOf(lines.map((line) => (line?.alone ? line.text : null)));
