@@ -107,26 +107,48 @@ void addShape(CLI::App& app, ShapeOptions& options) {
   shape->add_option("--to", options.target, "Address and port of the server")->required();
 }
 
+/// All commands of the program, with their options.
+class Commands {
+ public:
+  explicit Commands(CLI::App& app) : app_(app) {
+    addServe(app, serve_);
+    addBake(app, bake_);
+    bench_.addTo(app);
+    addLoad(app, load_);
+    addNode(app, node_);
+    addShape(app, shape_);
+    addWorld(app, world_);
+  }
+
+  /// Runs the parsed command; returns the process's exit code.
+  [[nodiscard]] int run() const {
+    if (app_.got_subcommand("serve")) return runServe(serve_);
+    if (app_.got_subcommand("node")) return runNode(node_);
+    if (app_.got_subcommand("bake")) return runBake(bake_);
+    if (app_.got_subcommand("load")) return runLoad(load_);
+    if (app_.got_subcommand("shape")) return runShape(shape_);
+    if (app_.got_subcommand("world")) return runWorld(world_);
+    return bench_.run();
+  }
+
+ private:
+  const CLI::App& app_;
+  ServeOptions serve_;
+  BakeCommand bake_;
+  BenchCommands bench_;
+  LoadOptions load_;
+  NodeOptions node_;
+  ShapeOptions shape_;
+  WorldOptions world_;
+};
+
 }  // namespace
 
 int run(int argc, char** argv) {
-  ServeOptions serve;
-  BakeCommand bake;
-  BenchCommands bench;
-  LoadOptions load;
-  NodeOptions node;
-  ShapeOptions shape;
-  WorldOptions world;
   CLI::App app("Grove: one living world, a camera for every browser", "grove");
   app.require_subcommand(1);
   app.set_version_flag("--version", std::string(version()), "Print version, SIMD target, GL and codecs, and exit");
-  addServe(app, serve);
-  addBake(app, bake);
-  bench.addTo(app);
-  addLoad(app, load);
-  addNode(app, node);
-  addShape(app, shape);
-  addWorld(app, world);
+  Commands commands(app);
   bool versionAsked = false;
   try {
     app.parse(argc, argv);
@@ -146,13 +168,7 @@ int run(int argc, char** argv) {
       std::fputs(versionReport().c_str(), stdout);
       return 0;
     }
-    if (app.got_subcommand("serve")) return runServe(serve);
-    if (app.got_subcommand("node")) return runNode(node);
-    if (app.got_subcommand("bake")) return runBake(bake);
-    if (app.got_subcommand("load")) return runLoad(load);
-    if (app.got_subcommand("shape")) return runShape(shape);
-    if (app.got_subcommand("world")) return runWorld(world);
-    return bench.run();
+    return commands.run();
   } catch (const std::bad_alloc&) {
     log::error(memoryShortage());
     return 1;

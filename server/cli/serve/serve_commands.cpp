@@ -82,6 +82,25 @@ void addListenerTls(CLI::App& command, LinkOptions& links) {
       ->needs(certificate);
 }
 
+void addLimits(CLI::App& serve, ServeOptions& options) {
+  serve.add_option("--fps", options.host.framesPerSecond, "Frames per second for each visitor")
+      ->check(CLI::Range(1, 120))
+      ->capture_default_str();
+  serve
+      .add_option_function<int>(
+          "--frame-deadline", [&options](int milliseconds) { options.host.deadlineSeconds = milliseconds / 1000.0; },
+          "Milliseconds that a frame waits for its objects; later ones show their last state")
+      ->type_name("INT")
+      ->check(CLI::Range(10, 60'000))
+      ->default_str("500");
+  serve.add_option("--max-visitors", options.host.maxVisitors, "Maximum number of visitors")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  serve.add_option("--visitors-per-address", options.visitorsPerAddress, "Maximum number of visitors from one address")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+}
+
 }  // namespace
 
 void addServe(CLI::App& app, ServeOptions& options) {
@@ -112,22 +131,7 @@ void addServe(CLI::App& app, ServeOptions& options) {
   addJoining(*serve, options);
   serve->add_flag("--raise-quality", options.host.raiseQuality,
                   "Refine shared work (grid of the fluid, light fields) while enough visitors share its cost");
-  serve->add_option("--fps", options.host.framesPerSecond, "Frames per second for each visitor")
-      ->check(CLI::Range(1, 120))
-      ->capture_default_str();
-  serve
-      ->add_option_function<int>(
-          "--frame-deadline", [&options](int milliseconds) { options.host.deadlineSeconds = milliseconds / 1000.0; },
-          "Milliseconds that a frame waits for its objects; later ones show their last state")
-      ->type_name("INT")
-      ->check(CLI::Range(10, 60'000))
-      ->default_str("500");
-  serve->add_option("--max-visitors", options.host.maxVisitors, "Maximum number of visitors")
-      ->check(CLI::Range(1, 1024))
-      ->capture_default_str();
-  serve->add_option("--visitors-per-address", options.visitorsPerAddress, "Maximum number of visitors from one address")
-      ->check(CLI::Range(1, 1024))
-      ->capture_default_str();
+  addLimits(*serve, options);
   serve->add_option("--jpeg-quality", options.host.jpegQuality, "Quality of JPEG, 1 to 100")
       ->check(CLI::Range(1, 100))
       ->capture_default_str();

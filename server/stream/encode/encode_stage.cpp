@@ -124,18 +124,22 @@ void EncodeStage::encodeNext(const node::FinishedFrame& frame) {
   made->header = describe(frame);
   made->header.codec = encoder->codec();
   made->header.independent = independent;
-  if (namesAndSounds_) {
-    made->header.fire = nearnessOf(fires_, frame.view->camera.pose.position);
-    made->header.labels = labelsOf(frame);
-  }
-  const std::span room = std::span(made->bytes).subspan<EncodedFrame::kHeadroom>();
-  if (asPictures_) {
-    encode(made->header, room.first(pictureHeaderBytes(made->header.labels.size())));
-  } else {
-    encode(static_cast<const FrameHeader&>(made->header), room.first<kFrameHeaderBytes>());
-  }
+  writeHeader(frame, *made);
   held_.set(encoder->bytes() + made->bytes.capacity());
   outputs_.frame(made);
+}
+
+void EncodeStage::writeHeader(const node::FinishedFrame& frame, EncodedFrame& made) const {
+  if (namesAndSounds_) {
+    made.header.fire = nearnessOf(fires_, frame.view->camera.pose.position);
+    made.header.labels = labelsOf(frame);
+  }
+  const std::span room = std::span(made.bytes).subspan<EncodedFrame::kHeadroom>();
+  if (asPictures_) {
+    encode(made.header, room.first(pictureHeaderBytes(made.header.labels.size())));
+  } else {
+    encode(static_cast<const FrameHeader&>(made.header), room.first<kFrameHeaderBytes>());
+  }
 }
 
 void EncodeStage::capture(const node::FinishedFrame& frame, std::uint32_t number) {

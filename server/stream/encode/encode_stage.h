@@ -36,6 +36,8 @@ class EncodeStage final : public pipeline::Stage<node::FinishedFrame> {
 
  private:
   void encodeNext(const node::FinishedFrame& frame);
+  /// Fills in names and sounds, and writes the header before the picture.
+  void writeHeader(const node::FinishedFrame& frame, EncodedFrame& made) const;
   void capture(const node::FinishedFrame& frame, std::uint32_t number);
   /// Returns the wanted encoder, made anew if it differs from the last one; null if it fails.
   [[nodiscard]] Encoder* encoderOf(const EncoderKind& kind);

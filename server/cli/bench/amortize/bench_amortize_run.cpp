@@ -76,6 +76,21 @@ bool everybodySees(const Walkers& walkers, const AmortizeRun& run, const std::st
   return false;
 }
 
+/// Frames and latencies of the walkers.
+void addWalkers(AmortizeRow& row, const Walkers& walkers) {
+  std::uint64_t min = walkers.front()->framesCounted();
+  std::vector<float> latencies;
+  for (const auto& walker : walkers) {
+    row.frames += static_cast<double>(walker->framesCounted());
+    min = std::min(min, walker->framesCounted());
+    const auto more = walker->latencies();
+    latencies.insert(latencies.end(), more.begin(), more.end());
+  }
+  row.fpsMin = static_cast<double>(min) / row.seconds;
+  row.latencyP50 = measure::percentile(latencies, 0.5);
+  row.latencyP99 = measure::percentile(std::move(latencies), 0.99);
+}
+
 double stageSeconds(const measure::Reading& before, const measure::Reading& after) {
   std::int64_t nanoseconds = 0;
   for (const auto& [key, total] : after.costs) nanoseconds += total.cpuNanoseconds;
@@ -122,22 +137,8 @@ std::optional<AmortizeRow> runAmortize(const world::Scene& scene, const gl::Shad
   row.privateWorlds = run.privateWorlds;
   row.seconds = after.seconds - before.seconds;
   row.traffic = served.host.traffic() - trafficBefore;
-  std::uint64_t min = walkers.front()->framesCounted();
-  std::vector<float> latencies;
-  for (const auto& walker : walkers) {
-    row.frames += static_cast<double>(walker->framesCounted());
-    min = std::min(min, walker->framesCounted());
-    const auto more = walker->latencies();
-    latencies.insert(latencies.end(), more.begin(), more.end());
-  }
-  row.fpsMin = static_cast<double>(min) / row.seconds;
-  row.latencyP50 = measure::percentile(latencies, 0.5);
-  row.latencyP99 = measure::percentile(std::move(latencies), 0.99);
-  measure::Served who;
-  who.visitors = run.users;
-  who.frames = row.frames;
-  who.copies = row.copies();
-  who.framesPerSecond = kNominalFps;
+  addWalkers(row, walkers);
+  const measure::Served who{static_cast<double>(run.users), row.frames, row.copies(), kNominalFps};
   row.costs = measure::frameCosts(before, after, who);
   row.memory = measure::memoryShares(served.host.memory(), run.users, row.copies());
   for (const auto& [key, total] : served.host.memory().totals()) row.reportedBytes += static_cast<double>(total.bytes);
