@@ -131,7 +131,7 @@ TEST_F(GltfImport, RefusesASparseAccessorThatReplacesMoreThanItHas) {
 TEST_F(GltfImport, RefusesTexturesThatAreBroken) {
   addTexturedTriangle();
   useTexture({{"bufferView", writer.view(std::vector<std::uint8_t>{1, 2, 3, 4})}, {"mimeType", "image/png"}});
-  expectRefused("image 0 is no image");
+  expectRefused("image 0 is no readable image");
 }
 
 TEST_F(GltfImport, RefusesNodesInACycle) {
