@@ -53,12 +53,12 @@ TEST(ObstacleCalls, TellWhatTheOtherNodeKnows) {
 TEST(ObstacleCalls, AnotherSceneOrVersionIsRefused) {
   const TellingNode node;
   EXPECT_THAT(errorOf(RemoteObstacles(node.address(), kScene + 1, {})),
-              HasSubstr(node.address() + ": the node with the obstacles refuses: it shows another scene"));
+              HasSubstr(node.address() + ": the node with the obstacles refuses: the scenes differ"));
   const CallEnd end =
       askRaw(node.address(), encode(ObstacleRequest{.protocol = kProtocol + 1, .sceneHash = kScene, .cube = kCube}));
   EXPECT_EQ(end.status.error_code(), grpc::StatusCode::FAILED_PRECONDITION);
-  EXPECT_EQ(end.status.error_message(),
-            "it speaks protocol " + std::to_string(kProtocol) + ", who asks " + std::to_string(kProtocol + 1));
+  EXPECT_EQ(end.status.error_message(), "the protocols differ: the request has " + std::to_string(kProtocol + 1) +
+                                            ", the node " + std::to_string(kProtocol));
   EXPECT_EQ(node.obstacles.answered, 0);
 }
 
