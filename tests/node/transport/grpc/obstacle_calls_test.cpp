@@ -77,7 +77,7 @@ TEST(ObstacleCalls, BadQuestionsAreRefusedAndCostOthersNothing) {
 TEST(ObstacleCalls, ANodeWithoutModelsSaysSo) {
   const TellingNode node(0, {}, false);
   EXPECT_THAT(errorOf(RemoteObstacles(node.address(), kScene, {})),
-              HasSubstr("this node provides no obstacles: it has no models of other objects itself"));
+              HasSubstr("this node provides no obstacles: it has no models of other objects"));
 }
 
 TEST(ObstacleCalls, WaitForANodeThatComesLater) {
@@ -166,7 +166,7 @@ TEST(ObstacleCalls, ACallThatAsksNothingEnds) {
   grpc::Status status;
   call->Finish(&status, nullptr);
   wait();
-  EXPECT_EQ(status.error_message(), "nothing was asked");
+  EXPECT_EQ(status.error_message(), "the call has no request");
 }
 
 }  // namespace

@@ -83,7 +83,7 @@ TEST(UntrustedObstacles, OnlyATrustedNodeIsHeard) {
   EXPECT_THAT(errorOf(RemoteObstacles(localhost(node), kScene, trusting(other))),
               HasSubstr("the node with the obstacles is not trusted: its certificate"));
   EXPECT_EQ(node.obstacles.answered, answered) << "it was asked nothing";
-  EXPECT_THAT(errorOf(RemoteObstacles(localhost(node), kScene, {})), HasSubstr("does it want TLS?"));
+  EXPECT_THAT(errorOf(RemoteObstacles(localhost(node), kScene, {})), HasSubstr("does it require TLS?"));
   const TellingNode plain;
   EXPECT_THAT(errorOf(RemoteObstacles(localhost(plain), kScene, trusting(own))), HasSubstr("does not speak TLS"));
   const TellingNode wantsCertificates(0, readLinkTls(own, own.certificate));

@@ -18,7 +18,7 @@ class LinkStanding {
   [[nodiscard]] bool isAnswered() const noexcept {
     return status_.state != LinkState::kConnecting && status_.state != LinkState::kSilent;
   }
-  /// Whether only a person can change the state: whoever runs this process or the peer.
+  /// Whether only an operator can change the state, of this process or of the peer.
   [[nodiscard]] bool isKeptAway() const noexcept {
     return status_.state == LinkState::kRefused || status_.state == LinkState::kUntrusted;
   }
