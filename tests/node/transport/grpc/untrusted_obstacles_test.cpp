@@ -59,11 +59,11 @@ TEST(UntrustedObstacles, AnAnswerThatIsNoneOfThatCubeIsAnError) {
     const CubeCells cells(static_cast<std::size_t>(edge) * edge * edge, 1);
     const Liar liar(encodeCells(cells));
     EXPECT_THAT(errorOf(RemoteObstacles(liar.address(), kScene, {})),
-                HasSubstr(liar.address() + ": the node with the obstacles is broken: answer about obstacles:"));
+                HasSubstr(liar.address() + ": the node with the obstacles is broken: response with obstacles:"));
   }
   for (const std::string& bytes : {std::string(), std::string("lies"), std::string(kMaxHeaderBytes + 1, '\x0A')}) {
     const Liar liar(bytes);
-    EXPECT_THAT(errorOf(RemoteObstacles(liar.address(), kScene, {})), HasSubstr("broken: answer about obstacles:"));
+    EXPECT_THAT(errorOf(RemoteObstacles(liar.address(), kScene, {})), HasSubstr("broken: response with obstacles:"));
   }
   const Liar giant(std::string(kMaxMessageBytes + 1, 'x'));
   EXPECT_THAT(errorOf(RemoteObstacles(giant.address(), kScene, {})), HasSubstr("larger"));
