@@ -174,7 +174,7 @@ TEST(SecureLinks, WrongFilesAreNamed) {
             "echo ended with $?");
   EXPECT_THAT(outcome.output, AllOf(HasSubstr("--link-tls-ca: none.pem: cannot open it: No such file"),
                                     HasSubstr("--link-tls-cert: none.pem: cannot open it: No such file"),
-                                    HasSubstr("--link-tls-ca ca.key: holds no certificate"),
+                                    HasSubstr("--link-tls-ca ca.key: has no readable certificate"),
                                     HasSubstr("--tls-key server.key: is not the key of the certificate in node.pem"),
                                     Not(HasSubstr("with 0"))));
 }
