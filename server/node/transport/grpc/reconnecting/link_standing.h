@@ -18,7 +18,7 @@ class LinkStanding {
   [[nodiscard]] bool isAnswered() const noexcept {
     return status_.state != LinkState::kConnecting && status_.state != LinkState::kSilent;
   }
-  /// Whether only an operator can change the state, of this process or of the peer.
+  /// Whether only the operator of this process or of the peer can change the state.
   [[nodiscard]] bool isKeptAway() const noexcept {
     return status_.state == LinkState::kRefused || status_.state == LinkState::kUntrusted;
   }
