@@ -30,7 +30,7 @@ std::string_view describe(std::array<char, 128>& text) noexcept {
   const auto max = limit();
   const int length =
       max ? std::snprintf(text.data(), text.size(), "%s: raise the limit (ulimit -v), which is %llu kB", kWhat, *max)
-          : std::snprintf(text.data(), text.size(), "%s: this machine has no more for this process", kWhat);
+          : std::snprintf(text.data(), text.size(), "%s: this machine has none left for this process", kWhat);
   return {text.data(), static_cast<std::size_t>(length)};
 }
 
@@ -51,9 +51,9 @@ void requireAddressSpace(std::size_t bytes) {
   // The kernel counts this range although it can hold no data.
   void* const room = mmap(nullptr, bytes, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
   if (room == MAP_FAILED) {
-    throw EnvironmentError("what comes next needs " + std::to_string(bytes >> 20U) + " MB of address space", kWhat,
+    throw EnvironmentError("the next step needs " + std::to_string(bytes >> 20U) + " MB of address space", kWhat,
                            limit() ? "raise the limit (ulimit -v), which is " + std::to_string(*limit()) + " kB"
-                                   : "free some, or take a larger machine");
+                                   : "free some, or use a larger machine");
   }
   munmap(room, bytes);
 }

@@ -5,7 +5,7 @@
 
 namespace grove {
 
-/// A failure of the environment: what failed, where, and how to mend it. Programming mistakes assert instead, and an
+/// A failure of the environment: what failed, where, and how to fix it. Programming mistakes assert instead, and an
 /// expected failure is a return value.
 class EnvironmentError : public std::runtime_error {
  public:

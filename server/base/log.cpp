@@ -43,7 +43,7 @@ void Limited::write(void (*line)(std::string_view) noexcept, std::string_view me
   }
   if (leftOut > 0) {
     char text[512];
-    const int length = std::snprintf(text, sizeof text, "%.*s (before it %llu like it were left out)",
+    const int length = std::snprintf(text, sizeof text, "%.*s (%llu similar lines suppressed before)",
                                      static_cast<int>(std::min<std::size_t>(message.size(), 440)), message.data(),
                                      static_cast<unsigned long long>(leftOut));
     line({text, static_cast<std::size_t>(std::max(0, length))});

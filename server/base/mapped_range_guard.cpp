@@ -40,7 +40,7 @@ bool mend(std::uintptr_t address) noexcept {
     if (begin == 0 || address < begin || address >= end || slot.begin.load() != begin) continue;
     // The rest lies beyond the file's end, too. One mapping for all of it, because their number is limited.
     const std::uintptr_t from = address - (address - begin) % pageBytes;
-    void* const place = reinterpret_cast<void*>(from);  // NOLINT(performance-no-int-to-ptr): an address is what it is
+    void* const place = reinterpret_cast<void*>(from);  // NOLINT(performance-no-int-to-ptr): it is an address
     if (mmap(place, end - from, PROT_READ, MAP_PRIVATE | MAP_ANONYMOUS | MAP_FIXED, -1, 0) == MAP_FAILED) return false;
     slot.cut.store(true);
     return true;

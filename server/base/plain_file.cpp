@@ -29,7 +29,7 @@ PlainFile::PlainFile(std::filesystem::path file, std::string mend, std::uint64_t
   if (plain && bytes_ <= maxBytes) return;
   close(descriptor_);
   if (!plain) fail("is no plain file");
-  fail("has " + std::to_string(bytes_) + " bytes, and " + std::to_string(maxBytes) + " are the most that are read");
+  fail("has " + std::to_string(bytes_) + " bytes; the maximum is " + std::to_string(maxBytes));
 }
 
 PlainFile::~PlainFile() { close(descriptor_); }

@@ -13,7 +13,7 @@ Framebuffer::Framebuffer(const Api& api, int width, int height)
   api.NamedFramebufferTexture(framebuffer_.name(), GL_COLOR_ATTACHMENT0, colour_.name(), 0);
   api.NamedFramebufferTexture(framebuffer_.name(), GL_DEPTH_ATTACHMENT, depth_.name(), 0);
   if (api.CheckNamedFramebufferStatus(framebuffer_.name(), GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
-    throw EnvironmentError("no framebuffer of " + std::to_string(width) + "x" + std::to_string(height), "GL",
+    throw EnvironmentError("cannot make a framebuffer of " + std::to_string(width) + "x" + std::to_string(height), "GL",
                            "more graphics memory may be needed");
   }
 }

@@ -8,7 +8,7 @@
 namespace grove::gl {
 namespace {
 
-/// OSMesa wants a colour buffer of its own even if all drawing goes to framebuffer objects: one pixel will do.
+/// OSMesa wants a colour buffer of its own even if all drawing goes to framebuffer objects: one pixel suffices.
 class OsmesaContext final : public NativeContext {
  public:
   explicit OsmesaContext(OSMesaContext context) : context_(context) {}

@@ -4,7 +4,7 @@
 
 namespace grove::gl {
 
-/// What kAuto means on this machine, GL on a GPU and SIMD where GL is software; every other kind is itself.
+/// Resolves kAuto: GL on a GPU, SIMD where GL is software. Returns every other kind unchanged.
 template <class Kind>
 [[nodiscard]] Kind resolved(Kind kind, const Workers& workers) noexcept {
   if (kind != Kind::kAuto) return kind;

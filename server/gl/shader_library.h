@@ -11,7 +11,7 @@ namespace grove::gl {
 /// A shader with its includes in place.
 struct ShaderSource {
   std::string text;
-  /// Where each line came from, as in "mesh/mesh.vert:7". Not left to `#line`: Mesa forgets its file within
+  /// Where each line came from, as in "mesh/mesh.vert:7". `#line` does not suffice: Mesa loses its file within
   /// expressions.
   std::vector<std::string> places;
 };

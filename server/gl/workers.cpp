@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kDefaultCount = 2;
 
-// A task gets no argument, so it finds its thread's data by the thread.
+// Thread-local, because tasks have no arguments.
 thread_local Workers::Local* current = nullptr;
 
 }  // namespace

@@ -8,10 +8,10 @@ namespace grove::node {
 /// Only the nearest objects are drawn, at most this many.
 inline constexpr std::size_t kMaxObjectsPerFrame = 1024;
 
-/// Requests and results that wait at one stage of a backend node, of all sessions together.
+/// Requests or results of all sessions that wait at one stage of a backend node.
 inline constexpr std::size_t kBackendQueue = 4096;
 
-/// Requests that one run of a backend stage answers.
+/// Requests per run of a backend stage.
 inline constexpr std::size_t kBackendBatch = 64;
 
 inline constexpr int kMaxFramesInFlight = 8;
@@ -24,7 +24,7 @@ inline constexpr std::size_t kMaxUnacknowledged = 8;
 
 /// Versions that a frontend process acknowledges at once.
 inline constexpr std::size_t kAcknowledgedAtOnce = 4;
-static_assert(kAcknowledgedAtOnce < kMaxUnacknowledged, "or both would wait");
+static_assert(kAcknowledgedAtOnce < kMaxUnacknowledged, "otherwise node and frontend process wait for each other");
 
 /// The finest step of across-user quality.
 inline constexpr int kMaxQuality = 2;

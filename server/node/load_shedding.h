@@ -5,7 +5,7 @@
 namespace grove::node {
 
 /// Load shedding: the factor for the permitted errors of pictures at this share of busy workers, so that visitors of a
-/// machine at its limit lose accuracy before they lose frames. From 1 while there is time to kMaxErrorFactor.
+/// machine at its limit lose accuracy before they lose frames. From 1 (up to 75 % busy) to kMaxErrorFactor (from 95 %).
 inline constexpr float kMaxErrorFactor = 4.0F;
 
 [[nodiscard]] inline float errorFactor(double busyShare) {

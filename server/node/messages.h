@@ -15,7 +15,7 @@ namespace grove::node {
 struct VisibleObject {
   world::Object object;
   world::Rect rect;       ///< screen box
-  float distance = 0.0F;  ///< metres from the eye to the farthest corner of its bounds, the key of the order
+  float distance = 0.0F;  ///< metres from the eye to the farthest corner of its bounds; the sort key
   bool still = false;     ///< drawn into the frame's backdrop
 };
 
@@ -45,10 +45,10 @@ struct FrameList {
 struct CompleteFrame {
   std::shared_ptr<const FrameList> list;
   std::vector<Payload> payloads;
-  bool stale = false;  ///< some payloads are of an earlier frame
+  bool stale = false;  ///< some payloads are from an earlier frame
 };
 
-/// The position of an object's name in a frame. Names are no part of the picture; the page writes them.
+/// The position of an object's name in a frame. Names are not part of the picture; the page draws them.
 struct Label {
   world::ObjectId object = 0;
   world::Vec2 place{0.0F};  ///< pixels of the camera, the middle of the name's lower edge; within the frame

@@ -9,7 +9,7 @@ class BusyShare {
 
   explicit BusyShare(int workers) : workers_(workers) {}
 
-  /// One more worker has work from `now` on, in seconds of a clock that does not go back; or one less.
+  /// From `now` on (seconds of a monotonic clock), one more or one less worker has work.
   void begin(double now);
   void end(double now);
 

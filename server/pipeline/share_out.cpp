@@ -66,7 +66,7 @@ void shareOut(Executor& helpers, std::size_t parts, const std::function<void(con
   try {
     for (std::size_t helper = 1; helper < wanted; ++helper) helpers.postFirst([shared] { shared->help(); });
   } catch (...) {
-    log::warning("no memory to ask others for help");
+    log::warning("not enough memory to use helper threads");
   }
   shared->help();
   shared->wait();

@@ -25,8 +25,8 @@ struct TraceTag {
   std::uint32_t process = 0;  ///< the session's frontend process; 0: unknown
 };
 
-/// One run of one stage, or a part of it that is counted apart, because it serves another type of object or is work of
-/// another kind.
+/// One run of one stage, or a part of it that is counted separately, because it serves another type of object or is
+/// work of another kind.
 struct TimelineEvent {
   const char* stage = "";         ///< a string literal
   std::string_view subject = {};  ///< the type of object that it served; empty: none. Outlives the timeline

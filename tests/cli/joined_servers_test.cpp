@@ -43,7 +43,7 @@ TEST(JoinedServers, SayWhyTheyAreAlone) {
                            "until grep -qs '^listening' world.out; do sleep 0.1; done; at=$(port_of listening world)\n"
                            "serves b --join 127.0.0.1:$at; until_world b refused; world_of b; visit b 1 1");
   EXPECT_THAT(outcome.output, HasSubstr("connecting")) << "nobody is there";
-  EXPECT_THAT(outcome.output, HasSubstr("it shows another scene"));
+  EXPECT_THAT(outcome.output, HasSubstr("the scenes differ"));
   EXPECT_THAT(outcome.output, Not(HasSubstr("never")));
   EXPECT_THAT(outcome.output, HasSubstr("\"errors\":0")) << "its own visitors see it nevertheless";
 }

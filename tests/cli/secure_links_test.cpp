@@ -82,7 +82,7 @@ TEST(SecureLinks, ANodeThatIsNotToBeTrustedIsNamedWithTheReason) {
             "signed elsewhere ca DNS:elsewhere; signed client ca IP:127.0.0.1 -addext extendedKeyUsage=clientAuth\n"
             "signed stranger foreign IP:127.0.0.1\n"
             "for name in stranger elsewhere client; do nodes $name $(listens $name); fails $(links server)\n"
-            "  says $name 'hung up before its hello' | wc -l; kills $name; done\n"
+            "  says $name 'closed the connection before its hello' | wc -l; kills $name; done\n"
             "soon late ca 3; nodes late $(listens late); sleep 3.5; fails $(links server)");
   EXPECT_THAT(outcome.output, HasSubstr("the node is not trusted: its certificate is signed by 'foreign', no authority "
                                         "of ca.pem"));
@@ -174,7 +174,7 @@ TEST(SecureLinks, WrongFilesAreNamed) {
             "echo ended with $?");
   EXPECT_THAT(outcome.output, AllOf(HasSubstr("--link-tls-ca: none.pem: cannot open it: No such file"),
                                     HasSubstr("--link-tls-cert: none.pem: cannot open it: No such file"),
-                                    HasSubstr("--link-tls-ca ca.key: holds no certificate"),
+                                    HasSubstr("--link-tls-ca ca.key: has no readable certificate"),
                                     HasSubstr("--tls-key server.key: is not the key of the certificate in node.pem"),
                                     Not(HasSubstr("with 0"))));
 }

@@ -214,7 +214,8 @@ TEST_F(FaultyLinks, ThatAreHalfOpenOneWayAreCalledSilentAndMadeAgain) {
 TEST_F(FaultyLinks, ThatNeverBringAnAnswerToTheHelloAreNamed) {
   proxy_ = std::make_unique<FaultProxy>(node_->port());
   proxy_->setDeaf(true);
-  EXPECT_THAT(whyNoHostBegins(), HasSubstr(proxy_->address() + ": the node does not answer: it takes the connection"));
+  EXPECT_THAT(whyNoHostBegins(),
+              HasSubstr(proxy_->address() + ": the node does not respond: it accepts the connection"));
 }
 
 TEST_F(FaultyLinks, ThatSpoilBytesAreMadeAnew) {

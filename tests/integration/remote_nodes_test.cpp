@@ -166,8 +166,7 @@ TEST_F(RemoteNodes, OneWithAnotherSceneIsNamed) {
   std::ofstream(file, std::ios::app) << "# another\n";
   const auto changed = node("mesh");
   EXPECT_EQ(errorOf({other->address()}), "");
-  EXPECT_THAT(errorOf({changed->address()}),
-              HasSubstr(changed->address() + ": the node refuses: it shows another scene"));
+  EXPECT_THAT(errorOf({changed->address()}), HasSubstr(changed->address() + ": the node refuses: the scenes differ"));
 }
 
 TEST_F(RemoteNodes, ServeTwoServers) {

@@ -75,11 +75,11 @@ TEST_F(Greeting, WelcomesWhoKnowsTheSceneAndTellsWhatItServes) {
 TEST_F(Greeting, RefusesAnotherProtocolSceneOrType) {
   NodeHello hello = good;
   hello.protocol = kProtocol + 1;
-  EXPECT_EQ(refusalOf(hello),
-            "it speaks protocol " + std::to_string(kProtocol + 1) + ", this node " + std::to_string(kProtocol));
+  EXPECT_EQ(refusalOf(hello), "the protocols differ: the frontend process has " + std::to_string(kProtocol + 1) +
+                                  ", this node " + std::to_string(kProtocol));
   hello = good;
   ++hello.sceneHash;
-  EXPECT_EQ(refusalOf(hello), "it shows another scene");
+  EXPECT_EQ(refusalOf(hello), "the scenes differ");
   hello = good;
   hello.types.push_back({.id = 1, .name = "dragon"});
   EXPECT_EQ(refusalOf(hello), "this node has no objects of the type dragon");

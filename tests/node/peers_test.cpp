@@ -49,7 +49,7 @@ TEST_P(TwoPeers, OneThatIsRefusedDoesNotDisturbTheOther) {
   Process a(node, first(), 1);
   EXPECT_EQ(a.red(), 90U);
   Stranger b(node, second());
-  EXPECT_EQ(b.hello(2, node.scene.layout.hash + 1), "it shows another scene");
+  EXPECT_EQ(b.hello(2, node.scene.layout.hash + 1), "the scenes differ");
   EXPECT_EQ(a.red(), 90U);
   EXPECT_EQ(b.hello(1), "another frontend process has the number 1");
   EXPECT_EQ(a.red(), 90U);

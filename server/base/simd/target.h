@@ -20,7 +20,7 @@ using Target = std::int64_t;
 /// The target in use.
 [[nodiscard]] Target currentTarget();
 
-/// "avx2", for example, and the inverse.
+/// A target's name, as in "avx2", and the inverse.
 [[nodiscard]] std::string nameOf(Target target);
 [[nodiscard]] std::optional<Target> availableTarget(std::string_view name);
 

@@ -15,7 +15,7 @@ namespace grove {
 namespace {
 
 constexpr std::uint64_t kMaxAuthoritiesBytes = std::uint64_t{4} << 20U;
-constexpr const char* kAuthoritiesMend = "certificates of authorities in PEM form are wanted";
+constexpr const char* kAuthoritiesMend = "certificates of authorities in PEM form are required";
 /// As OpenSSL's security level of Debian: RSA keys of 2048 bits, SHA-256.
 constexpr int kAuthLevel = 2;
 
@@ -52,7 +52,7 @@ bool endedWell() {
 std::string textOf(const X509_NAME* name) {
   std::array<char, 256> text{};
   const int length = X509_NAME_get_text_by_NID(name, NID_commonName, text.data(), static_cast<int>(text.size()));
-  if (length <= 0) return "somebody without a name";
+  if (length <= 0) return "an unnamed issuer";
   std::string quoted = "'";
   quoted.append(text.data(), static_cast<std::size_t>(length));
   return quoted + "'";
@@ -60,10 +60,10 @@ std::string textOf(const X509_NAME* name) {
 
 std::string dateIn(const ASN1_TIME* time) {
   std::tm parts{};
-  return ASN1_TIME_to_tm(time, &parts) == 1 ? dateOf(timegm(&parts)) : "a date that cannot be read";
+  return ASN1_TIME_to_tm(time, &parts) == 1 ? dateOf(timegm(&parts)) : "an unreadable date";
 }
 
-/// OpenSSL's result in our words.
+/// OpenSSL's result as a reason in our words.
 std::string reasonOf(X509_STORE_CTX* judged, const std::string& file, const std::string& host) {
   const int error = X509_STORE_CTX_get_error(judged);
   const X509* const wrong = X509_STORE_CTX_get_current_cert(judged);
@@ -110,7 +110,7 @@ TlsAuthorities::TlsAuthorities(const std::string& option, const std::string& fil
   const Chain authorities = certificatesIn(text);
   const bool isWhole = endedWell();
   if (sk_X509_num(authorities.get()) == 0) {
-    throw EnvironmentError("holds no certificate that can be read", option + " " + file, kAuthoritiesMend);
+    throw EnvironmentError("has no readable certificate", option + " " + file, kAuthoritiesMend);
   }
   if (!isWhole) throw EnvironmentError("a certificate is damaged", option + " " + file, kAuthoritiesMend);
   for (int i = 0; i < sk_X509_num(authorities.get()); ++i) {
@@ -128,7 +128,7 @@ std::optional<std::string> TlsAuthorities::complaint(std::string_view certificat
   const bool isPrepared =
       X509_STORE_CTX_init(judged.get(), store_.get(), sk_X509_value(own.get(), 0), issuers.get()) == 1 &&
       X509_STORE_CTX_set_default(judged.get(), role == Role::kServer ? "ssl_server" : "ssl_client") == 1;
-  if (!isPrepared) return "its certificate cannot be judged for lack of memory";
+  if (!isPrepared) return "there is not enough memory to verify its certificate";
   X509_VERIFY_PARAM* const rules = X509_STORE_CTX_get0_param(judged.get());
   X509_VERIFY_PARAM_set_auth_level(rules, kAuthLevel);
   // Certificates in the file are trusted even if others have signed them.

@@ -13,8 +13,9 @@ namespace grove {
 namespace {
 
 constexpr std::uint64_t kMaxCertificateBytes = std::uint64_t{1} << 20U;
-constexpr std::string_view kCertificateMend = "a certificate in PEM form, followed by those of its issuers, is wanted";
-constexpr std::string_view kKeyMend = "the certificate's key in PEM form is wanted";
+constexpr std::string_view kCertificateMend =
+    "a certificate in PEM form, followed by those of its issuers, is required";
+constexpr std::string_view kKeyMend = "the certificate's key in PEM form is required";
 
 struct FreeBio {
   void operator()(BIO* bio) const noexcept { BIO_free(bio); }
@@ -50,7 +51,7 @@ std::string lastOpensslError() {
   const unsigned long code = ERR_peek_last_error();
   const char* const reason = code == 0 ? nullptr : ERR_reason_error_string(code);
   ERR_clear_error();
-  return reason == nullptr ? "for no reason that it tells" : reason;
+  return reason == nullptr ? "without a reason" : reason;
 }
 
 std::time_t timeOf(const ASN1_TIME* time) {
@@ -95,7 +96,7 @@ void TlsCertificate::readCertificates(const TlsFiles& files) {
   if (!certificate_) {
     ERR_clear_error();
     const bool isPem = text.text().find("-----BEGIN ") != std::string_view::npos;
-    throw EnvironmentError(isPem ? "holds no certificate that can be read" : "is not in PEM form", where,
+    throw EnvironmentError(isPem ? "has no readable certificate" : "is not in PEM form", where,
                            std::string(kCertificateMend) + ": openssl x509 -in FILE -text shows one");
   }
   issuers_.reset(sk_X509_new_null());
@@ -106,7 +107,7 @@ void TlsCertificate::readCertificates(const TlsFiles& files) {
   const bool isWhole = ERR_GET_REASON(ERR_peek_last_error()) == PEM_R_NO_START_LINE;
   ERR_clear_error();
   if (!isWhole)
-    throw EnvironmentError("a certificate behind the first is damaged", where, std::string(kCertificateMend));
+    throw EnvironmentError("a certificate after the first is damaged", where, std::string(kCertificateMend));
 }
 
 void TlsCertificate::readKey(const TlsFiles& files) {
@@ -118,11 +119,11 @@ void TlsCertificate::readKey(const TlsFiles& files) {
   ERR_clear_error();
   const std::string where = keyOption(files);
   if (hasPassphrase) {
-    throw EnvironmentError("the key has a passphrase, which nobody would be there to type", where,
+    throw EnvironmentError("the key has a passphrase, which this program cannot request", where,
                            "openssl pkey -in FILE -out NEW writes it without one");
   }
   const bool isPem = text.text().find("-----BEGIN ") != std::string_view::npos;
-  throw EnvironmentError(isPem ? "holds no key that can be read" : "is not in PEM form", where, std::string(kKeyMend));
+  throw EnvironmentError(isPem ? "has no readable key" : "is not in PEM form", where, std::string(kKeyMend));
 }
 
 void TlsCertificate::checkDates(const TlsFiles& files, std::time_t now) {
@@ -131,7 +132,7 @@ void TlsCertificate::checkDates(const TlsFiles& files, std::time_t now) {
   const std::string where = certificateOption(files);
   if (now < begins) {
     throw EnvironmentError("the certificate is not valid before " + dateOf(begins), where,
-                           "wait, or set this machine's clock, which says " + dateOf(now));
+                           "wait, or set this machine's clock, which shows " + dateOf(now));
   }
   if (now > expires_) {
     throw EnvironmentError("the certificate expired on " + dateOf(expires_), where, "renew it");
@@ -141,9 +142,8 @@ void TlsCertificate::checkDates(const TlsFiles& files, std::time_t now) {
 void TlsCertificate::checkPair(const TlsFiles& files) const {
   if (X509_check_private_key(certificate_.get(), key_.get()) != 1) {
     ERR_clear_error();
-    throw EnvironmentError(
-        "is not the key of the certificate in " + files.certificate, keyOption(files),
-        "give the two that were made together; the server's own certificate comes first in its file");
+    throw EnvironmentError("is not the key of the certificate in " + files.certificate, keyOption(files),
+                           "use a pair that was made together; the server's own certificate comes first in its file");
   }
   // A context checks the strength, by this machine's rules.
   const std::unique_ptr<SSL_CTX, FreeContext> context(SSL_CTX_new(TLS_server_method()));

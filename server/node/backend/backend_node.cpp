@@ -71,9 +71,9 @@ BackendNode::BackendNode(const LoadedScene& scene, const world::WorldGeometry& g
 }
 
 BackendNode::~BackendNode() {
-  assert(peers_.empty() && "they leave first");
+  assert(peers_.empty() && "peers leave before the node is destroyed");
   for (const auto& [type, pipeline] : pipelines_) pipeline->close();
-  // Runs in progress use the halves; the queues are closed, so no run starts after these.
+  // Runs in progress use the halves. The queues are closed, so no further run starts.
   machine_.workers.drain();
   machine_.gl.drain();
   machine_.workers.drain();
@@ -106,7 +106,7 @@ pipeline::PushResult BackendNode::receive(const std::shared_ptr<Peer>& peer, ToB
   }
   if (const auto objection = peer->objectionTo(message)) {
     machine_.timeline.count("messages that were refused");
-    peer->reproach(*objection);
+    peer->logRefusal(*objection);
     return pipeline::PushResult::kClosed;
   }
   if (auto* request = std::get_if<Request>(&message)) return take({std::move(*request), peer});
@@ -155,7 +155,7 @@ void BackendNode::dismiss(Peer& peer) {
 }
 
 pipeline::PushResult BackendNode::apply(Peer& peer, std::shared_ptr<const WorldUpdate> update) {
-  peer.hearClock(update->sent);
+  peer.addClockReport(update->sent);
   const std::optional<ProcessId> process = peer.process();
   if (process && world_.apply(*process, std::move(update))) return pipeline::PushResult::kAccepted;
   machine_.timeline.count("updates by who does not own the world");
@@ -181,7 +181,7 @@ void BackendNode::sendTrace(Peer& peer, const TraceRequest& request) const {
 }
 
 void BackendNode::adjustQuality() {
-  // Held while halves announce changes; announcements do not request a quality.
+  // Held while halves announce changes. No deadlock, because announcements do not change the quality.
   const std::lock_guard lock(qualityMutex_);
   const std::optional<int> wanted = peers_.quality();
   if (!wanted || std::exchange(quality_, *wanted) == *wanted) return;
@@ -190,9 +190,10 @@ void BackendNode::adjustQuality() {
 
 std::optional<std::string> BackendNode::objectionTo(const NodeHello& hello) const {
   if (hello.protocol != kProtocol) {
-    return "it speaks protocol " + std::to_string(hello.protocol) + ", this node " + std::to_string(kProtocol);
+    return "the protocols differ: the frontend process has " + std::to_string(hello.protocol) + ", this node " +
+           std::to_string(kProtocol);
   }
-  if (hello.sceneHash != scene_.layout.hash) return "it shows another scene";
+  if (hello.sceneHash != scene_.layout.hash) return "the scenes differ";
   for (const TypeName& type : hello.types) {
     if (type.id >= scene_.layout.types.size() || scene_.layout.types[type.id] != type.name) {
       return "this node has no objects of the type " + type.name;
@@ -213,7 +214,7 @@ NodeWelcome BackendNode::welcome() const {
   return welcome;
 }
 
-pipeline::PushResult BackendNode::take(Asked asked) {
+pipeline::PushResult BackendNode::take(PeerRequest asked) {
   Request& request = asked.request;
   // Only receivers that unpack data use differences.
   if (asked.peer->link().sharesMemory()) request.known = 0;

@@ -59,7 +59,7 @@ class BackendNode {
 
   [[nodiscard]] BackendServices services(Parallelism parallelism, const Progress& progress);
   pipeline::PushResult receive(const std::shared_ptr<Peer>& peer, ToBackend message);
-  pipeline::PushResult take(Asked asked);
+  pipeline::PushResult take(PeerRequest asked);
   /// Starts to make a version for a peer's subscription.
   [[nodiscard]] bool push(std::shared_ptr<Peer> peer, const SharedKey& what, Version known);
   /// Welcomes a frontend process if protocol, scene and types match, else refuses it. A second hello starts over.
@@ -81,7 +81,7 @@ class BackendNode {
   Peers peers_;
   std::map<world::TypeIndex, std::unique_ptr<BackendPipeline>> pipelines_;
   std::map<world::ObjectId, BackendPipeline*> owners_;
-  BackendPipeline* visitors_ = nullptr;  ///< serves the objects that show visitors
+  BackendPipeline* visitors_ = nullptr;  ///< serves the visitors' objects
   std::mutex qualityMutex_;
   int quality_ = 0;  ///< of all halves
 };

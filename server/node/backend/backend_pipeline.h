@@ -18,7 +18,7 @@ class BackendPipeline {
   BackendPipeline(const BackendPipeline&) = delete;
   BackendPipeline& operator=(const BackendPipeline&) = delete;
 
-  pipeline::PushResult push(Asked asked) { return receiver_->push(std::move(asked)); }
+  pipeline::PushResult push(PeerRequest asked) { return receiver_->push(std::move(asked)); }
   [[nodiscard]] BackendHalf& half() noexcept { return *half_; }
 
   /// Takes no more requests; runs in progress finish. The executors must be joined before it is destroyed.

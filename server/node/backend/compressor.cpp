@@ -16,13 +16,13 @@ Compressor::Compressor(std::string_view subject, pipeline::Executor& executor, p
             executor, timeline),
       subject_(subject) {}
 
-void Compressor::connect(std::shared_ptr<pipeline::Inlet<Answered>> next) {
+void Compressor::connect(std::shared_ptr<pipeline::Inlet<PeerResult>> next) {
   next_.connect(std::move(next));
   addOutlet(next_);
 }
 
-void Compressor::process(std::span<Answered> results, pipeline::Run& run) {
-  for (Answered& answered : results) {
+void Compressor::process(std::span<PeerResult> results, pipeline::Run& run) {
+  for (PeerResult& answered : results) {
     attempt([&] { answered.peer->link().compress(answered.result, subject_); },
             [&](const std::string& reason) { answered.result.payload = Failure{reason}; });
     next_.send(run, std::move(answered));

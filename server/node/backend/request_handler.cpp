@@ -13,7 +13,7 @@ namespace {
 /// take turns.
 constexpr std::size_t kRunsAhead = 2;
 
-/// Checks the kind: a half may be wrong, and a waiting frame cannot use the other kind.
+/// Checks the kind: a half may have a bug, and a waiting frame cannot use the other kind.
 bool isOfItsKind(const Request& request, const Payload& payload) {
   if (std::holds_alternative<Failure>(payload)) return true;
   return std::holds_alternative<std::shared_ptr<const SharedData>>(payload) == request.shared;
@@ -38,19 +38,19 @@ RequestHandler::RequestHandler(const char* name, std::string_view subject, Backe
       timeline_(timeline),
       half_(half) {}
 
-void RequestHandler::connect(std::shared_ptr<pipeline::Inlet<Answered>> compressor) {
+void RequestHandler::connect(std::shared_ptr<pipeline::Inlet<PeerResult>> compressor) {
   compressor_.connect(std::move(compressor));
   addOutlet(compressor_);
 }
 
-void RequestHandler::process(std::span<Asked> all, pipeline::Run& run) {
-  const auto isWanted = [](const Asked& asked) {
+void RequestHandler::process(std::span<PeerRequest> all, pipeline::Run& run) {
+  const auto isWanted = [](const PeerRequest& asked) {
     return asked.request.view == nullptr || !asked.peer->isOver(*asked.request.view);
   };
   const auto firstEnded = std::stable_partition(all.begin(), all.end(), isWanted);
-  const std::span<Asked> wanted(all.begin(), firstEnded);
+  const std::span<PeerRequest> wanted(all.begin(), firstEnded);
   if (firstEnded != all.end()) timeline_.count("requests of frames that had ended", all.end() - firstEnded);
-  // Another requester may wait for shared data, and requests it again.
+  // Shared data may have other waiting frames; they request it again.
   for (auto ended = firstEnded; ended != all.end(); ++ended) {
     compressor_.send(run, {resultOf(ended->request, Failure{"the frame has ended", true}), std::move(ended->peer),
                            ended->subscribed});
@@ -58,12 +58,12 @@ void RequestHandler::process(std::span<Asked> all, pipeline::Run& run) {
   if (wanted.empty()) return;
   std::vector<Request> requests;
   requests.reserve(wanted.size());
-  for (Asked& asked : wanted) requests.push_back(std::move(asked.request));
+  for (PeerRequest& asked : wanted) requests.push_back(std::move(asked.request));
   std::vector<Payload> payloads(requests.size());
   attempt([&] { half_.answer(requests, payloads); },
           [&](const std::string& reason) { answerOneByOne(requests, payloads, reason); });
   for (std::size_t i = 0; i < requests.size(); ++i) {
-    if (!isOfItsKind(requests[i], payloads[i])) payloads[i] = Failure{"it was answered with data of another kind"};
+    if (!isOfItsKind(requests[i], payloads[i])) payloads[i] = Failure{"the payload is of the wrong kind"};
     if (wanted[i].subscribed == Subscribed::kBegins && !isClocked(payloads[i])) {
       wanted[i].peer->subscriptions().end({requests[i].object, requests[i].key});
       wanted[i].subscribed = Subscribed::kNo;

@@ -13,13 +13,13 @@ RequestReceiver::RequestReceiver(pipeline::Executor& executor, pipeline::Timelin
              .maxBatch = kBackendBatch},
             executor, timeline) {}
 
-void RequestReceiver::connect(std::shared_ptr<pipeline::Inlet<Asked>> handler) {
+void RequestReceiver::connect(std::shared_ptr<pipeline::Inlet<PeerRequest>> handler) {
   handler_.connect(std::move(handler));
   addOutlet(handler_);
 }
 
-void RequestReceiver::process(std::span<Asked> requests, pipeline::Run& run) {
-  for (Asked& request : requests) handler_.send(run, std::move(request));
+void RequestReceiver::process(std::span<PeerRequest> requests, pipeline::Run& run) {
+  for (PeerRequest& request : requests) handler_.send(run, std::move(request));
 }
 
 }  // namespace grove::node

@@ -14,11 +14,11 @@ ResultSender::ResultSender(pipeline::Executor& executor, pipeline::Timeline& tim
              .finishes = true},
             executor, timeline) {}
 
-void ResultSender::process(std::span<Answered> results, pipeline::Run&) {
-  for (Answered& answered : results) send(answered);
+void ResultSender::process(std::span<PeerResult> results, pipeline::Run&) {
+  for (PeerResult& answered : results) send(answered);
 }
 
-void ResultSender::send(Answered& answered) {
+void ResultSender::send(PeerResult& answered) {
   Result& result = answered.result;
   BackendEnd& link = answered.peer->link();
   Result instead = result;

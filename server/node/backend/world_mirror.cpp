@@ -51,7 +51,7 @@ std::vector<world::Player> WorldMirror::players() const {
 
 std::vector<world::Gust> WorldMirror::gusts(Cursor& cursor) const {
   const std::lock_guard lock(mutex_);
-  // A gust blows at every tick, also between two updates.
+  // A gust acts at every tick, also between two updates.
   std::map<world::PlayerId, world::Gust> gusts;
   for (const world::Gust& gust : newest_->gusts) gusts[gust.visitor] = gust;
   for (auto past = past_.rbegin(); past != past_.rend() && past->number > cursor; ++past) {

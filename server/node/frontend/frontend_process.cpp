@@ -56,7 +56,7 @@ void FrontendProcess::disconnect(SessionId session) {
   pictures_.end(session);
 }
 
-pipeline::PushResult FrontendProcess::askForPicture(Request request) {
+pipeline::PushResult FrontendProcess::requestPicture(Request request) {
   pictures_.add(request);
   return send(std::move(request));
 }
@@ -67,7 +67,7 @@ void FrontendProcess::receive(ToFrontend message) {
   } else if (const auto* welcome = std::get_if<NodeWelcome>(&message)) {
     welcomed(*welcome);
   } else if (const auto* refusal = std::get_if<NodeRefusal>(&message)) {
-    log::error("a backend node refuses this frontend: " + refusal->reason);
+    log::error("a backend node refuses this frontend process: " + refusal->reason);
   } else if (auto* result = std::get_if<Result>(&message)) {
     receive(std::move(*result));
   }
@@ -98,7 +98,7 @@ void FrontendProcess::receive(Result result) {
   if (result.shared) {
     const Announcement lost{result.what, result.version};
     const bool isPushed = result.pushed;
-    // A pushed version that is lost has no request that could time out.
+    // A lost pushed version has no request that could time out.
     if (sharedReceiver_->push(std::move(result)) != pipeline::PushResult::kAccepted && isPushed) store_.announced(lost);
     return;
   }
@@ -116,15 +116,15 @@ void FrontendProcess::unpack(Result& result) {
   if (!result.packed) return;
   const std::shared_ptr<const PackedBytes> bytes = std::exchange(result.packed, nullptr);
   if (!result.shared) {
-    if (!asked) throw PackingError("a picture that nobody asked for");
+    if (!asked) throw PackingError("a picture was not requested");
     result.payload = unpackPicture(*bytes, *asked, tools_.images);
     return;
   }
   const FrontendType* const type = typeOf(result.what.object);
-  if (type == nullptr) throw PackingError("shared data of no object");
+  if (type == nullptr) throw PackingError("shared data has no object");
   const std::shared_ptr<const SharedData> known = store_.known(result.what);
   const std::shared_ptr<SharedData> data = type->unpack(result.what.key, result.version, *bytes, known.get());
-  // Data that came by reference is reported by its maker.
+  // For data that came by reference, its maker reports the memory.
   data->holdIn(tools_.memory, "shared store", type->name(), pipeline::Work::kAcrossUser);
   result.payload = std::shared_ptr<const SharedData>(data);
 }
@@ -137,7 +137,7 @@ const FrontendType* FrontendProcess::typeOf(world::ObjectId id) const {
 
 const FrontendType& FrontendProcess::type(world::TypeIndex index) const {
   const FrontendType* const type = types_.find(layout_.types[index]);
-  assert(type != nullptr && "the frontend knows the types of the world");
+  assert(type != nullptr && "the process has all types of the world");
   return *type;
 }
 

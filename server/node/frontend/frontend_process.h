@@ -35,7 +35,7 @@ class FrontendProcess final : public FrontendPort {
 
   pipeline::PushResult send(ToBackend message) { return transport_.send(std::move(message)); }
   /// Requests a picture, and expects its answer.
-  pipeline::PushResult askForPicture(Request request);
+  pipeline::PushResult requestPicture(Request request);
   void receive(ToFrontend message) override;
 
   /// Unpacks a result's payload; leaves one that came by reference unchanged. Throws PackingError, also for a picture

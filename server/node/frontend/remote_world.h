@@ -9,7 +9,7 @@
 
 namespace grove::node {
 
-/// A world whose objects are all served by nodes in other processes. This process knows only those facts of the models
+/// A world whose objects are all served by nodes in other processes. This process has only those facts of the models
 /// that the nodes' welcomes contain. For one instance only.
 class RemoteWorld final : public WorldNodes {
  public:

@@ -27,7 +27,7 @@ std::optional<Failure> RequestSender::send(const FrameList& frame, std::uint32_t
     frontend_.shared().get(request, waiterFor(request));
     return std::nullopt;
   }
-  if (frontend_.askForPicture(std::move(request)) == pipeline::PushResult::kAccepted) return std::nullopt;
+  if (frontend_.requestPicture(std::move(request)) == pipeline::PushResult::kAccepted) return std::nullopt;
   return Failure{"the backend node is full", true};
 }
 

@@ -63,7 +63,7 @@ enum class Instances : std::uint8_t {
   kMany,  ///< baked data of one is kept for the next
 };
 
-/// Makes the nodes of a world on a machine. May take seconds; throws what they throw.
+/// Makes the nodes of a world on a machine. May take seconds; throws what preparations throw.
 using WorldNodesFactory = std::function<std::unique_ptr<WorldNodes>(const Machine&, Instances)>;
 
 }  // namespace grove::node

@@ -46,7 +46,7 @@ std::string encode(const ObstacleRequest& request) {
 
 Decoded<ObstacleRequest> decodeObstacleRequest(std::string_view bytes) {
   v1::ObstacleRequest from;
-  Checks checks("question about obstacles");
+  Checks checks("request for obstacles");
   if (!parse(bytes, from, checks)) return checks.error();
   checks.require(from.cells() >= 1 && from.cells() <= static_cast<std::uint32_t>(kMaxCubeCells),
                  "its number of cells is out of range");
@@ -56,7 +56,8 @@ Decoded<ObstacleRequest> decodeObstacleRequest(std::string_view bytes) {
   checks.require(farthest(to.cube.low) <= kMaxCubePlace, "its cube is too far away");
   if (from.has_towards_sun()) {
     to.towardsSun = decode(from.towards_sun(), checks);
-    checks.require(std::abs(glm::length(*to.towardsSun) - 1.0F) <= kSunTolerance, "its sun has no direction");
+    checks.require(std::abs(glm::length(*to.towardsSun) - 1.0F) <= kSunTolerance,
+                   "its direction of the sun is not a unit vector");
   }
   if (!checks.good()) return checks.error();
   to.cube.size = from.size();
@@ -79,7 +80,7 @@ std::string encodeCells(std::span<const std::uint8_t> cells) {
 Decoded<CubeCells> decodeCells(std::string_view bytes, int cellsPerEdge) {
   assert(cellsPerEdge >= 1 && cellsPerEdge <= kMaxCubeCells);
   v1::ObstacleAnswer from;
-  Checks checks("answer about obstacles");
+  Checks checks("response with obstacles");
   if (!parse(bytes, from, checks)) return checks.error();
   const std::size_t count = cellsOf(cellsPerEdge);
   PackedBytes bits;
@@ -90,7 +91,7 @@ Decoded<CubeCells> decodeCells(std::string_view bytes, int cellsPerEdge) {
     reader.takeBytes(bits);
     reader.finish();
   } catch (const PackingError& e) {
-    return WireError{std::string("answer about obstacles: ") + e.what()};
+    return WireError{std::string("response with obstacles: ") + e.what()};
   }
   CubeCells cells(count);
   for (std::size_t i = 0; i < cells.size(); ++i) {

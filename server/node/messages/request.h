@@ -46,7 +46,7 @@ struct Cancel {
   FrameNumber frame = 0;  ///< and all before it
 };
 
-/// The wanted quality of across-user work, 0 to kMaxQuality. Of several frontend processes, the highest counts.
+/// The requested quality of across-user work, 0 to kMaxQuality. Nodes use the highest of several frontend processes.
 struct Quality {
   int step = 0;
 };

@@ -15,7 +15,7 @@ namespace grove::node {
 /// A request that failed; the frame is shown without the object.
 struct Failure {
   std::string reason;
-  bool notNow = false;  ///< no error: there is no time for it at present
+  bool notNow = false;  ///< temporary, for lack of time or room: not an error
 };
 
 /// A picture for one visitor's camera (null if nothing is visible; smaller than requested if the rest is empty), shared

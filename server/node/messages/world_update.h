@@ -9,8 +9,8 @@
 namespace grove::node {
 
 /// Visitors and their actions at one moment, thirty times a second while there are visitors. A frontend process sends
-/// it to its backend nodes (WorldMirror decides whose counts). If several frontend processes show one world, each sends
-/// its own visitors to the world's owner, which responds with all visitors (WorldOwner).
+/// it to its backend nodes (WorldMirror accepts those of one process). If several frontend processes show one world,
+/// each sends its own visitors to the world's owner, which responds with all visitors (WorldOwner).
 struct WorldUpdate {
   std::uint64_t number = 0;  ///< counts up from 1
   double clock = 0.0;        ///< seconds of the world's clock

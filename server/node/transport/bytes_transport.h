@@ -12,8 +12,8 @@ class PacketsToFrontend;
 class TrafficCounters;
 
 /// Both ends in one process, but every message is encoded, decoded and checked, as over a socket. Messages keep their
-/// order each way. Each way holds at most 4096 packets and 64 MiB; further messages are refused, or, if a backend node
-/// sends them, dropped and counted.
+/// order in each direction. A direction holds at most 4096 packets and 64 MiB; further messages are refused, or, from a
+/// backend node, dropped and counted.
 class BytesTransport final : public Transport {
  public:
   /// Both outlive it.

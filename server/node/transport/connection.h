@@ -23,7 +23,7 @@ class Connection {
     idle_.wait(lock, [this] { return receiving_ == 0; });
   }
 
-  /// Calls `receive` with the port, which stays until that returns; with null if no receiver is connected.
+  /// Calls `receive` with the port, which lives until that returns, or with null if no receiver is connected.
   template <class Receive>
   decltype(auto) use(const Receive& receive) {
     const Use use(*this);

@@ -10,12 +10,12 @@
 namespace grove::node {
 
 /// Names a control message, which is never refused: of two with one name, only the newer one matters. Nothing for other
-/// messages: if they are refused, their senders send again or do without.
+/// messages: if they are refused, their senders retry or skip them.
 [[nodiscard]] std::optional<std::string> controlNameOf(const ToBackend& message);
 [[nodiscard]] std::optional<std::string> controlNameOf(const ToFrontend& message);
 
-/// Control messages that wait beside a full link: one per name, so at most as many as there are sessions and data. One
-/// thread at a time.
+/// Control messages that wait beside a full link: one per name, so at most a few per session and key. One thread
+/// at a time.
 template <class Message>
 class ControlBacklog {
  public:

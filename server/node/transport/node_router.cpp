@@ -151,17 +151,17 @@ std::optional<std::string> NodeRouter::conflict() const {
 
 void NodeRouter::receive(Branch& from, ToFrontend message) {
   if (auto* const report = std::get_if<NodeReport>(&message)) {
-    return from.reported().heard(std::move(*report), pipeline::wallSeconds());
+    return from.reported().add(std::move(*report), pipeline::wallSeconds());
   }
   if (auto* const trace = std::get_if<std::shared_ptr<const NodeTrace>>(&message)) {
-    return from.reported().heard(std::move(*trace));
+    return from.reported().add(std::move(*trace));
   }
   if (const auto* const welcome = std::get_if<NodeWelcome>(&message)) welcomed(from, *welcome);
   const auto* const result = std::get_if<Result>(&message);
   const auto* const announcement = std::get_if<Announcement>(&message);
   if ((result != nullptr && !serves(from, result->what.object)) ||
       (announcement != nullptr && !serves(from, announcement->what.object))) {
-    return foreign_.warning(from.name() + " speaks of an object that it does not serve");
+    return foreign_.warning(from.name() + " names an object that it does not serve");
   }
   frontend_.use([&](FrontendPort* port) {
     if (port != nullptr) port->receive(std::move(message));
@@ -188,7 +188,7 @@ void NodeRouter::own(const Branch& branch, world::ObjectId id, const std::string
   if (isNew) return;
   conflict_ = "object " + std::to_string(id) + " " + name + " is served by " + owner->second->name() + " and by " +
               branch.name();
-  log::error(*conflict_ + ": the first one goes on to serve it");
+  log::error(*conflict_ + ": the first one continues to serve it");
 }
 
 }  // namespace grove::node

@@ -27,25 +27,25 @@ class NodeRouter final : public FrontendEnd {
   NodeRouter(const NodeRouter&) = delete;
   NodeRouter& operator=(const NodeRouter&) = delete;
 
-  /// `name` is for log lines and the operator's page. Must be called before anything is sent, or while nothing is.
+  /// `name` is for log lines and the operator's page. Must not be called while anything is sent.
   void add(std::string name, std::shared_ptr<FrontendEnd> end);
 
   void connect(FrontendPort& frontend) override { frontend_.connect(frontend); }
   void leaveFrontend() override { frontend_.leave(); }
-  /// A message about an object that no node serves is closed. Other messages are accepted if any node accepts them: a
-  /// node that is away does not block the others.
+  /// Returns kClosed for a message about an object that no node serves. Accepts other messages if any node does, so a
+  /// node whose link is down does not block the others.
   pipeline::PushResult send(ToBackend message) override;
   [[nodiscard]] LinkTraffic traffic() const override;
 
   /// One node and its link, for the operator's page.
   struct NodeLink {
     std::string name;
-    std::size_t objects = 0;  ///< that it serves, its visitors not counted
+    std::size_t objects = 0;  ///< that it serves, without its visitors
     LinkStatus status;
     LinkTraffic traffic;
     LinkPace pace = {};
     std::optional<std::uint64_t> epoch = {};  ///< of its last welcome
-    std::optional<NodeReport> report = {};    ///< the newest; empty if the node is in this process or away
+    std::optional<NodeReport> report = {};    ///< the newest; empty if the node is in this process or its link is down
   };
   [[nodiscard]] std::vector<NodeLink> links() const;
 
@@ -53,7 +53,7 @@ class NodeRouter final : public FrontendEnd {
   struct NodeEvents {
     std::string name;
     std::shared_ptr<const NodeTrace> trace;
-    std::int64_t aheadNanoseconds = 0;  ///< the node's clock against this process's, within half a round trip
+    std::int64_t aheadNanoseconds = 0;  ///< the node's clock minus this process's, accurate to half a round trip
   };
   /// Requests traces from the nodes in other processes, and returns those that arrive within `max`. One thread at a
   /// time.

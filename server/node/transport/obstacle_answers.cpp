@@ -26,10 +26,10 @@ Decoded<std::string> ObstacleAnswers::answerTo(const std::string& bytes) const {
   if (const auto* error = std::get_if<WireError>(&decoded)) return *error;
   const auto& request = std::get<ObstacleRequest>(decoded);
   if (request.protocol != kProtocol) {
-    return WireError{"it speaks protocol " + std::to_string(kProtocol) + ", who asks " +
-                     std::to_string(request.protocol)};
+    return WireError{"the protocols differ: the request has " + std::to_string(request.protocol) + ", the node " +
+                     std::to_string(kProtocol)};
   }
-  if (request.sceneHash != sceneHash_) return WireError{"it shows another scene"};
+  if (request.sceneHash != sceneHash_) return WireError{"the scenes differ"};
   return encodeCells(request.towardsSun ? obstacles_.sunlitCells(request.cube, *request.towardsSun)
                                         : obstacles_.solidCells(request.cube));
 }

@@ -29,8 +29,8 @@ struct ObstacleQuestion {
   std::shared_ptr<ObstacleAsker> asker;
 };
 
-/// Computes obstacles for other nodes, which takes up to tenths of a second of a worker each. One request at a time, so
-/// that requests occupy at most one core. Requests beyond kMaxWaiting are refused.
+/// Computes obstacles for other nodes: up to tenths of a second of a worker per request. One request at a time, so that
+/// they occupy at most one core. Refuses requests beyond kMaxWaiting.
 class ObstacleAnswers final : public pipeline::Stage<ObstacleQuestion> {
  public:
   static constexpr std::size_t kMaxWaiting = 16;

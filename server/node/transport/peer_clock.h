@@ -21,8 +21,8 @@ class PeerClock {
   static constexpr std::size_t kKept = 128;
   /// Seconds; longer than any delay of a report.
   static constexpr double kJump = 10.0;
-  std::deque<double> ahead_;       ///< theirs less ours
-  double offset_ = 0.0;            ///< the greatest of them
+  std::deque<double> ahead_;       ///< `theirs` minus `ours`
+  double offset_ = 0.0;            ///< the maximum of them
   std::optional<double> doubted_;  ///< the last report, if it jumped
 };
 

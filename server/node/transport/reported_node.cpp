@@ -4,13 +4,13 @@
 
 namespace grove::node {
 
-void ReportedNode::heard(NodeReport report, double now) {
+void ReportedNode::add(NodeReport report, double now) {
   const std::lock_guard lock(mutex_);
   clock_.addReport(report.sent, now);
   report_ = std::move(report);
 }
 
-void ReportedNode::heard(std::shared_ptr<const NodeTrace> trace) {
+void ReportedNode::add(std::shared_ptr<const NodeTrace> trace) {
   const std::lock_guard lock(mutex_);
   if (expected_ == 0 || trace->number != expected_) return;
   trace_ = std::move(trace);

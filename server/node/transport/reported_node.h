@@ -18,9 +18,9 @@ class ReportedNode {
   using Clock = std::chrono::steady_clock;
 
   /// `now`: seconds of this process's clock.
-  void heard(NodeReport report, double now);
+  void add(NodeReport report, double now);
   /// Drops a trace that is not expected.
-  void heard(std::shared_ptr<const NodeTrace> trace);
+  void add(std::shared_ptr<const NodeTrace> trace);
   /// Drops the report and the clock: the node may have restarted.
   void welcomed();
 

@@ -11,8 +11,8 @@
 namespace grove::node {
 
 /// The views that requests of one link may name: the newest of each session. They take at most kMaxBytes in total,
-/// including those that requests still hold; if that is not enough, the views of the session that was silent longest
-/// are dropped first. One thread at a time.
+/// including those that requests still hold. If that is not enough, drops the views of the least recently used session
+/// first. One thread at a time.
 class SentViews {
  public:
   static constexpr std::size_t kKept = 32;

@@ -12,8 +12,7 @@
 #include "pipeline/queue.h"
 #include "pipeline/timeline.h"
 
-/// The connection between a frontend process and a backend node. It has two ends; how it carries messages between them
-/// is hidden.
+/// The connection between a frontend process and a backend node. It has two ends and hides how it carries messages.
 namespace grove::node {
 
 /// Receives one frontend process's messages for a backend node. Any thread; returns soon.
@@ -58,7 +57,7 @@ enum class LinkState : std::uint8_t {
   kConnecting,  ///< no welcome so far
   kWelcomed,
   kRefused,    ///< by the node; this process tries again
-  kUntrusted,  ///< this process rejects the node's certificate, or its lack of one, and tries again
+  kUntrusted,  ///< this process rejects the node's certificate, or the node has none; tries again
   kSilent,     ///< the node accepted a connection, and neither welcomed nor refused; this process tries again
   kLost,       ///< after a welcome; this process connects again
 };

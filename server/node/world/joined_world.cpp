@@ -12,7 +12,7 @@
 namespace grove::node {
 namespace {
 
-/// Seconds without an update after which the owner counts as lost, and others as gone.
+/// Seconds without an update after which the owner counts as lost, and its visitors as gone.
 constexpr double kLostSeconds = 1.0;
 constexpr double kGoneSeconds = 10.0;
 
@@ -42,7 +42,7 @@ void JoinedWorld::report(double now) {
   world::Edits::Cursor edits = edits_;
   update->gusts = world_.edits().during(edits, update->players);
   std::erase_if(update->gusts, [this](const world::Gust& gust) { return isOthers(gust.visitor); });
-  // Gusts go with the next report if this one was refused.
+  // If this report is refused, the next one has its gusts.
   if (owner_.send(std::shared_ptr<const WorldUpdate>(std::move(update))) == pipeline::PushResult::kAccepted) {
     edits_ = edits;
   }
@@ -57,7 +57,7 @@ JoinedWorld::Status JoinedWorld::status(double now) const {
   status.pace = pace;
   if (isKeptAway) {
     status.state = State::kRefused;
-  } else if (status.state == State::kJoined && now - heard_ > kLostSeconds) {
+  } else if (status.state == State::kJoined && now - lastUpdate_ > kLostSeconds) {
     status.state = State::kLost;
   }
   const bool isAway = status.state == State::kLost || status.state == State::kConnecting;
@@ -84,7 +84,7 @@ void JoinedWorld::show(const WorldUpdate& update) {
   const double now = pipeline::wallSeconds();
   const std::lock_guard lock(mutex_);
   status_ = {State::kJoined, {}};
-  heard_ = now;
+  lastUpdate_ = now;
   clock_.addReport(update.clock, now);
   std::vector<world::Player> others;
   std::ranges::copy_if(update.players, std::back_inserter(others),
@@ -110,8 +110,8 @@ void JoinedWorld::showGusts(const WorldUpdate& update) {
 
 void JoinedWorld::parkOthers(double now) {
   const std::lock_guard lock(mutex_);
-  if (status_.state != State::kJoined || now - heard_ <= kLostSeconds) return;
-  const bool areGone = now - heard_ > kGoneSeconds;
+  if (status_.state != State::kJoined || now - lastUpdate_ <= kLostSeconds) return;
+  const bool areGone = now - lastUpdate_ > kGoneSeconds;
   for (const world::PlayerId id : std::exchange(blowing_, {})) world_.edits().stopBlowing(id);
   std::vector<world::Player> others = areGone ? std::vector<world::Player>() : world_.players().all(now);
   std::erase_if(others, [this](const world::Player& player) { return !isOthers(player.id); });

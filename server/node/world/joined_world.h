@@ -60,13 +60,13 @@ class JoinedWorld final : public FrontendPort {
   world::World& world_;
   FrontendEnd& owner_;
   const Updated updated_;
-  std::uint64_t reports_ = 0;       ///< of the reporting thread
-  world::Edits::Cursor edits_ = 0;  ///< of the reporting thread
+  std::uint64_t reports_ = 0;       ///< reporting thread only
+  world::Edits::Cursor edits_ = 0;  ///< reporting thread only
   mutable std::mutex mutex_;
   Status status_;
   PeerClock clock_;
-  double heard_ = 0.0;                 ///< of this process's clock: when the newest update arrived
-  std::set<world::PlayerId> blowing_;  ///< other visitors
+  double lastUpdate_ = 0.0;            ///< arrival of the newest update, by this process's clock
+  std::set<world::PlayerId> blowing_;  ///< other processes' visitors
 };
 
 }  // namespace grove::node

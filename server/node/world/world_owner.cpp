@@ -24,8 +24,8 @@ struct WorldOwner::Member {
   explicit Member(std::shared_ptr<BackendEnd> link) : peer(std::move(link)) {}
 
   Peer peer;
-  WorldMirror reports;                ///< with its gusts
-  WorldMirror::Cursor published = 0;  ///< of its gusts; used by the clock's thread
+  WorldMirror reports;                ///< used for its gusts
+  WorldMirror::Cursor published = 0;  ///< up to which its gusts are published; clock thread only
 };
 
 /// Receives the messages of one frontend process while the owner serves it.
@@ -49,14 +49,14 @@ class WorldOwner::Reception final : public BackendPort {
   const std::shared_ptr<Member> member_;
 };
 
-// Nobody walks far between two reports, so obstacles are left to the processes.
+// Without obstacles: visitors move little between two reports, and frontend processes check obstacles.
 WorldOwner::WorldOwner(std::uint64_t sceneHash, float radius)
     : sceneHash_(sceneHash), players_({}, 0.0F, radius, {}), clock_([this] { runClock(); }) {}
 
 WorldOwner::~WorldOwner() {
   {
     const std::lock_guard lock(mutex_);
-    assert(members_.empty() && "they leave first");
+    assert(members_.empty() && "members leave before the owner is destroyed");
     stopping_ = true;
   }
   wake_.notify_all();
@@ -75,11 +75,11 @@ pipeline::PushResult WorldOwner::receive(const std::shared_ptr<Member>& member, 
     return pipeline::PushResult::kAccepted;
   }
   auto* const report = std::get_if<std::shared_ptr<const WorldUpdate>>(&message);
-  const std::optional<std::string> objection = report == nullptr
-                                                   ? "a frontend process asks the world's owner for more than the world"
-                                                   : takeReport(*member, std::move(*report));
+  const std::optional<std::string> objection =
+      report == nullptr ? "a frontend process sent the world's owner a message for backend nodes"
+                        : takeReport(*member, std::move(*report));
   if (!objection) return pipeline::PushResult::kAccepted;
-  member->peer.reproach(*objection);
+  member->peer.logRefusal(*objection);
   return pipeline::PushResult::kClosed;
 }
 
@@ -97,9 +97,10 @@ void WorldOwner::greet(const std::shared_ptr<Member>& member, const NodeHello& h
 
 std::optional<std::string> WorldOwner::admit(const std::shared_ptr<Member>& member, const NodeHello& hello) {
   if (hello.protocol != kProtocol) {
-    return "it speaks protocol " + std::to_string(hello.protocol) + ", the world's owner " + std::to_string(kProtocol);
+    return "the protocols differ: the frontend process has " + std::to_string(hello.protocol) + ", the world's owner " +
+           std::to_string(kProtocol);
   }
-  if (hello.sceneHash != sceneHash_) return "it shows another scene";
+  if (hello.sceneHash != sceneHash_) return "the scenes differ";
   const std::lock_guard lock(mutex_);
   if (!members_.try_emplace(hello.process, member).second) {
     return "another frontend process has the number " + std::to_string(hello.process);
@@ -110,11 +111,11 @@ std::optional<std::string> WorldOwner::admit(const std::shared_ptr<Member>& memb
 
 std::optional<std::string> WorldOwner::takeReport(Member& member, std::shared_ptr<const WorldUpdate> report) {
   const std::optional<ProcessId> process = member.peer.process();
-  if (!process) return "a frontend process that is not welcome says more than hello";
+  if (!process) return "a frontend process sent a message before its welcome";
   const auto isItsOwn = [process](world::PlayerId id) { return processOf(id) == *process; };
   if (!std::ranges::all_of(report->players, isItsOwn, &world::Player::id) ||
       !std::ranges::all_of(report->gusts, isItsOwn, &world::Gust::visitor)) {
-    return "frontend process " + std::to_string(*process) + " reports visitors of another one";
+    return "frontend process " + std::to_string(*process) + " reports visitors of another frontend process";
   }
   players_.mirror(report->players, isItsOwn, pipeline::wallSeconds());
   member.reports.apply(*process, std::move(report));
@@ -133,7 +134,7 @@ void WorldOwner::dismiss(Member& member) {
   member.reports.leave(*process);
   players_.mirror(
       {}, [process](world::PlayerId id) { return processOf(id) == *process; }, 0.0);
-  // No message is being sent to it any more, so its link may be destroyed.
+  // Waits for a publish() in progress, so that the link may be destroyed.
   const std::lock_guard sending(sendMutex_);
 }
 

@@ -52,8 +52,8 @@ class WorldOwner {
 
   const std::uint64_t sceneHash_;
   world::Players players_;
-  std::uint64_t updates_ = 0;  ///< of the clock's thread
-  std::mutex sendMutex_;       ///< held while all are sent an update; taken before mutex_
+  std::uint64_t updates_ = 0;  ///< clock thread only
+  std::mutex sendMutex_;       ///< held while an update is sent to all; locked before mutex_
   mutable std::mutex mutex_;
   std::condition_variable wake_;
   bool stopping_ = false;

@@ -74,10 +74,10 @@ TEST_F(TlsAuthoritiesTest, SayWhatIsWrong) {
 TEST_F(TlsAuthoritiesTest, NameAFileThatIsNoneOfAuthorities) {
   const std::string whole = made();
   for (const std::string& text : {std::string(), std::string("nonsense"), whole.substr(0, whole.size() / 2)}) {
-    EXPECT_THAT(errorOf(text), AllOf(HasSubstr("--tls-ca " + file_), HasSubstr("holds no certificate")));
+    EXPECT_THAT(errorOf(text), AllOf(HasSubstr("--tls-ca " + file_), HasSubstr("has no readable certificate")));
   }
   EXPECT_THAT(errorOf(whole + whole.substr(0, whole.size() / 2)), HasSubstr("a certificate is damaged"));
-  EXPECT_THAT(errorOf(readFile(folder_.file("made.key"))), HasSubstr("holds no certificate"));
+  EXPECT_THAT(errorOf(readFile(folder_.file("made.key"))), HasSubstr("has no readable certificate"));
   try {
     const TlsAuthorities missing("--tls-ca", folder_.file("no.pem"));
     FAIL() << "there is no such file";

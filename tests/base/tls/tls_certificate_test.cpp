@@ -75,12 +75,13 @@ TEST_F(TlsCertificateTest, NamesWhatIsNoCertificateAndNoKey) {
     EXPECT_THAT(complaint({good_.certificate, text}), AllOf(HasSubstr("--tls-key"), HasSubstr("not in PEM form")));
   }
   EXPECT_THAT(complaint({good_.key, good_.key}), AllOf(HasSubstr("--tls-cert"), HasSubstr("no certificate")));
-  EXPECT_THAT(complaint({good_.certificate, good_.certificate}), AllOf(HasSubstr("--tls-key"), HasSubstr("no key")));
+  EXPECT_THAT(complaint({good_.certificate, good_.certificate}),
+              AllOf(HasSubstr("--tls-key"), HasSubstr("no readable key")));
   const std::string whole = readFile(good_.certificate);
   writeFile(text, whole.substr(0, whole.size() / 2));
-  EXPECT_THAT(complaint({text, good_.key}), HasSubstr("no certificate that can be read"));
+  EXPECT_THAT(complaint({text, good_.key}), HasSubstr("no readable certificate"));
   writeFile(text, whole + whole.substr(0, whole.size() / 2));
-  EXPECT_THAT(complaint({text, good_.key}), HasSubstr("behind the first is damaged"));
+  EXPECT_THAT(complaint({text, good_.key}), HasSubstr("after the first is damaged"));
 }
 
 TEST_F(TlsCertificateTest, ReportsTheDateThatItIsNotValidAt) {

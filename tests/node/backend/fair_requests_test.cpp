@@ -26,15 +26,15 @@ class Silent final : public BackendHalf {
   pipeline::Executor& workers_;
 };
 
-class Answers final : public pipeline::Stage<Answered> {
+class Answers final : public pipeline::Stage<PeerResult> {
  public:
   Answers(pipeline::Executor& executor, pipeline::Timeline& timeline)
       : Stage({.name = "Answers", .capacity = kBackendQueue}, executor, timeline) {}
   std::vector<const Peer*> peers;
 
  protected:
-  void process(std::span<Answered> answers, pipeline::Run&) override {
-    for (const Answered& answer : answers) peers.push_back(answer.peer.get());
+  void process(std::span<PeerResult> answers, pipeline::Run&) override {
+    for (const PeerResult& answer : answers) peers.push_back(answer.peer.get());
   }
 };
 

@@ -40,14 +40,14 @@ class Fussy final : public BackendHalf {
   const SessionId refused_;
 };
 
-class Results final : public pipeline::Stage<Answered> {
+class Results final : public pipeline::Stage<PeerResult> {
  public:
   Results(pipeline::Executor& executor, pipeline::Timeline& timeline)
       : Stage({.name = "Results", .capacity = 16}, executor, timeline) {}
   std::vector<std::pair<SessionId, bool>> failed;  ///< whether it did
 
  protected:
-  void process(std::span<Answered> results, pipeline::Run&) override {
+  void process(std::span<PeerResult> results, pipeline::Run&) override {
     for (const auto& [result, peer, subscribed] : results) {
       failed.emplace_back(result.session, std::holds_alternative<Failure>(result.payload));
     }
@@ -124,7 +124,7 @@ TEST(RequestHandler, LeavesRequestsOfFramesThatHaveEnded) {
   peer->end({.session = 4, .frame = 1});
   // By the clock of who asks, which shows something else than the clock here.
   const double now = 5.0;
-  peer->hearClock(now);
+  peer->addClockReport(now);
   const auto results = answerTogether(
       {requestOf(1, now - 0.1), requestOf(2, now + 3600.0), requestOf(3, now - 0.1), requestOf(4), Request()}, half,
       workers, timeline, peer);

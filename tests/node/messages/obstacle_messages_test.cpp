@@ -81,7 +81,7 @@ TEST(ObstacleMessages, QuestionsWithBadNumbersAreRefused) {
   EXPECT_EQ(questionRefusal([](ObstacleRequest& request) { request.cube.cells = kMaxCubeCells; }), "nothing wrong");
   for (const int cells : {0, -1, kMaxCubeCells + 1, std::numeric_limits<int>::max()}) {
     EXPECT_EQ(questionRefusal([&](ObstacleRequest& request) { request.cube.cells = cells; }),
-              "question about obstacles: its number of cells is out of range");
+              "request for obstacles: its number of cells is out of range");
   }
   for (const float size : {0.0F, -1.0F, 1.0e-3F, kMaxCubeSize * 1.01F, kInfinity, kNan}) {
     EXPECT_THAT(questionRefusal([&](ObstacleRequest& request) { request.cube.size = size; }), HasSubstr("cube's size"));
@@ -101,11 +101,11 @@ TEST(ObstacleMessages, QuestionsWithBadNumbersAreRefused) {
 TEST(ObstacleMessages, AnswersOfAnotherSizeAreRefused) {
   const std::string bytes = encodeCells(exampleCells(24));
   EXPECT_EQ(cellsRefusal(bytes, 24), "nothing wrong");
-  EXPECT_EQ(cellsRefusal(bytes, 16), "answer about obstacles: a plane is damaged") << "too large";
-  EXPECT_EQ(cellsRefusal(bytes, 32), "answer about obstacles: a plane is damaged") << "too small";
-  EXPECT_EQ(cellsRefusal(bytes, kMaxCubeCells), "answer about obstacles: its plane is too short for its size");
-  EXPECT_EQ(cellsRefusal("", 24), "answer about obstacles: its plane is too short for its size");
-  EXPECT_EQ(cellsRefusal(std::string(kMaxHeaderBytes + 1, 'x'), 24), "answer about obstacles: it is too long");
+  EXPECT_EQ(cellsRefusal(bytes, 16), "response with obstacles: a plane is damaged") << "too large";
+  EXPECT_EQ(cellsRefusal(bytes, 32), "response with obstacles: a plane is damaged") << "too small";
+  EXPECT_EQ(cellsRefusal(bytes, kMaxCubeCells), "response with obstacles: its plane is too short for its size");
+  EXPECT_EQ(cellsRefusal("", 24), "response with obstacles: its plane is too short for its size");
+  EXPECT_EQ(cellsRefusal(std::string(kMaxHeaderBytes + 1, 'x'), 24), "response with obstacles: it is too long");
 }
 
 /// Beside what the library keeps of the schema.

@@ -111,9 +111,8 @@ TEST_P(SharedWorld, RefusesOtherScenesProtocolsAndNumbersThatAreTaken) {
   Server a(workers_, owner_, GetParam(), 1);
   ASSERT_TRUE(tests::eventually([&] { return owner_.processes() == 1; }));
   StrangeServer b(workers_, owner_, GetParam());
-  EXPECT_THAT(b.hello({.build = "any", .sceneHash = 78, .process = 2, .types = {}}), HasSubstr("another scene"));
-  EXPECT_THAT(b.hello({.protocol = 9, .build = "any", .sceneHash = 77, .process = 2, .types = {}}),
-              HasSubstr("protocol 9"));
+  EXPECT_THAT(b.hello({.build = "any", .sceneHash = 78, .process = 2, .types = {}}), HasSubstr("scenes differ"));
+  EXPECT_THAT(b.hello({.protocol = 9, .build = "any", .sceneHash = 77, .process = 2, .types = {}}), HasSubstr("has 9"));
   EXPECT_THAT(b.hello({.build = "any", .sceneHash = 77, .process = 1, .types = {}}), HasSubstr("number 1"));
   EXPECT_EQ(owner_.processes(), 1U);
   EXPECT_EQ(b.updates(), 0) << "who is not welcome learns nothing of the world";

@@ -9,9 +9,9 @@
 
 namespace grove::node {
 
-/// Frames that a frontend process ended before their requests were answered. Keeps at most kMaxSessions sessions; it
-/// drops those that have ended no frame for the longest time, whose late requests are then answered although no frame
-/// waits for them. One thread at a time.
+/// Frames that a frontend process ended before their requests were answered. Keeps at most kMaxSessions sessions and
+/// drops those that have ended no frame for the longest time: their late requests are then served although no frame
+/// waits. One thread at a time.
 class EndedFrames {
  public:
   static constexpr std::size_t kMaxSessions = 4096;
@@ -26,9 +26,9 @@ class EndedFrames {
   }
 
   /// Adds a session that may have ended no frame yet.
-  void meet(SessionId session) { add({.session = session, .frame = 0}); }
+  void addSession(SessionId session) { add({.session = session, .frame = 0}); }
 
-  /// Sessions added by meet() or by an ended frame.
+  /// Sessions added by addSession() or by an ended frame.
   [[nodiscard]] std::vector<SessionId> sessions() const {
     std::vector<SessionId> sessions;
     sessions.reserve(newest_.size());

@@ -24,10 +24,10 @@ struct Subject {
 
 std::optional<std::string> Peer::objectionTo(const ToBackend& message) const {
   const std::optional<ProcessId> own = process_;
-  if (!own) return "a frontend process that is not welcome says more than hello";
+  if (!own) return "a frontend process sent a message before its welcome";
   const std::optional<ProcessId> subject = std::visit(Subject(), message);
   if (!subject || *subject == *own) return std::nullopt;
-  return "frontend process " + std::to_string(*own) + " speaks of a session of process " + std::to_string(*subject);
+  return "frontend process " + std::to_string(*own) + " names a session of process " + std::to_string(*subject);
 }
 
 void Peer::dismiss() {
@@ -38,7 +38,7 @@ void Peer::dismiss() {
 void Peer::reportForeignWorld() {
   if (isForeignReported_.exchange(true)) return;
   log::info("frontend process " + std::to_string(process().value_or(0)) +
-            ": the simulations follow what another one reports of the world");
+            ": its world updates are refused, because another frontend process owns the world");
 }
 
 bool Peer::takeTrace(double now) {
@@ -49,14 +49,14 @@ bool Peer::takeTrace(double now) {
   return true;
 }
 
-void Peer::hearClock(double theirs) {
+void Peer::addClockReport(double theirs) {
   const std::lock_guard lock(mutex_);
   clock_.addReport(theirs, pipeline::wallSeconds());
 }
 
 void Peer::begin(const View& view) {
   const std::lock_guard lock(mutex_);
-  ended_.meet(view.session);
+  ended_.addSession(view.session);
 }
 
 void Peer::end(const Cancel& cancel) {

@@ -34,7 +34,7 @@ class Peer {
   /// another process. Nothing if it is accepted.
   [[nodiscard]] std::optional<std::string> objectionTo(const ToBackend& message) const;
   /// Logs a refused message, at most once a second.
-  void reproach(const std::string& objection) { refusals_.warning(objection); }
+  void logRefusal(const std::string& objection) { refusals_.warning(objection); }
 
   /// Logs once that its updates are refused because the simulations follow another process.
   void reportForeignWorld();
@@ -44,7 +44,7 @@ class Peer {
   [[nodiscard]] bool takeTrace(double now);
 
   /// Updates the estimate of the peer's clock, in seconds.
-  void hearClock(double theirs);
+  void addClockReport(double theirs);
   /// Records that a frame has begun.
   void begin(const View& view);
   void end(const Cancel& cancel);

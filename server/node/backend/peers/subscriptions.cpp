@@ -50,11 +50,11 @@ void Subscriptions::sent(const SharedKey& what, Version version, bool pushed) {
   const auto found = subscriptions_.find(what);
   if (found == subscriptions_.end()) return;
   Subscription& subscription = found->second;
-  // It belongs to an earlier subscription to this key.
+  // This version belongs to an earlier subscription to the key.
   if (pushed && !subscription.sent) return;
   subscription.sent = version;
   subscription.deadline.reset();
-  // Over a link without delay, the acknowledgement may come first.
+  // Over a link without delay, the acknowledgement may arrive first.
   if (pushed && subscription.acknowledged != version) subscription.unacknowledged.push_back(version);
   askIfDue(std::move(lock), what, subscription);
 }

@@ -64,7 +64,7 @@ class Backdrop {
   [[nodiscard]] float nearest() const noexcept { return nearest_; }
 
   /// Error of a warp, root mean square over the image. Each block's error is limited: beyond that limit it looks no
-  /// worse, so a leaf before the eye does not decide for the whole picture.
+  /// worse, so a leaf close to the eye does not dominate the whole picture.
   struct Error {
     float shift = 0.0F;  ///< pixels: a cell moves as a whole although its pixels differ in depth
     float zoom = 0.0F;   ///< octaves by which the nearest surface of a block is shown too large or too small

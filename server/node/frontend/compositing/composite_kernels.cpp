@@ -11,7 +11,7 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Each channel times that of `shares` / 255, rounded.
+/// Each channel times the same channel of `shares` / 255, rounded.
 template <class Tag, class V>
 HWY_INLINE V scaled(Tag tag, V colour, V shares) {
   const hn::Repartition<std::uint16_t, Tag> halfTag;  // two channels of a pixel at a time
@@ -89,7 +89,7 @@ HWY_INLINE void layEdgePixels(Tag tag, const FramePixels& frame, std::ptrdiff_t 
   if (hn::AllFalse(depthTag, hasEdge)) return;
   const auto edge = hn::LoadU(tag, frame.edge + at);
   const auto coverage = hn::BitCast(hn::RebindToSigned<Tag>(), edge);
-  // The highest bit of a pixel is that of its coverage.
+  // The highest bit of a pixel is the highest bit of its coverage.
   const auto half = hn::MaskFromVec(hn::BitCast(depthTag, hn::BroadcastSignBit(coverage)));
   const auto depth = hn::LoadU(depthTag, frame.depth + at);
   hn::StoreU(hn::IfThenElse(hn::And(hasEdge, half), edgeDepth, depth), depthTag, frame.depth + at);

@@ -113,7 +113,7 @@ void FramePlanner::proceed(FrameRecord& frame, std::uint32_t slot, std::optional
 }
 
 Plan FramePlanner::planOf(const FrameRecord& frame, std::uint32_t slot, const Payload* answer) {
-  if (frame.rounds(slot) >= kMaxRounds) return Payload(Failure{"the object asks without end"});
+  if (frame.rounds(slot) >= kMaxRounds) return Payload(Failure{"the object makes too many requests"});
   const VisibleObject& object = frame.object(slot);
   Plan plan = Payload(Failure{});
   attempt(
@@ -127,7 +127,7 @@ Plan FramePlanner::planOf(const FrameRecord& frame, std::uint32_t slot, const Pa
           const Reply reply{ask, *answer};
           plan = half.plan(object, eye, shared, &reply);
         } else {
-          plan = Payload(Failure{"the picture is larger than what was asked for"});
+          plan = Payload(Failure{"the picture is larger than requested"});
         }
       },
       [&](const std::string& reason) { plan = Payload(Failure{reason}); });

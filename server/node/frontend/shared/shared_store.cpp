@@ -91,7 +91,7 @@ void SharedStore::get(const Request& request, Waiter waiter) {
   pending.deadline = request.view->deadline;
   const std::vector<Waiting> late = takeOverdue(pending, now);
   lock.unlock();
-  for (const Waiting& waiting : late) waiting.waiter(Failure{"the backend node did not answer in time", true});
+  for (const Waiting& waiting : late) waiting.waiter(Failure{"the backend node did not respond in time", true});
   fetch(request);
 }
 
@@ -152,7 +152,7 @@ bool SharedStore::putPushed(const Result& result) {
     Entry* const last = entryOf(what);
     isAwaited = last != nullptr && last->isSubscribed;
     if (!isAwaited) {
-      // If it is being subscribed to again, this was sent before.
+      // During a renewed subscription, this version was sent before it.
       if (!pending_.contains(what)) reply = Unsubscribe{what};
     } else if (data != nullptr && *data != nullptr) {
       reply = keepPushed(what, *data, discarded);

@@ -39,11 +39,11 @@ void appendCompressed(PackedBytes& to, std::span<const std::byte> plane) {
 
 void takeCompressed(std::span<const std::byte>& from, std::span<std::byte> plane) {
   std::uint32_t length = 0;
-  if (from.size() < sizeof length) throw PackingError("a plane ends too soon");
+  if (from.size() < sizeof length) throw PackingError("a plane is truncated");
   std::memcpy(&length, from.data(), sizeof length);
   from = from.subspan(sizeof length);
   const std::size_t stored = length == kStored ? plane.size() : length;
-  if (from.size() < stored) throw PackingError("a plane ends too soon");
+  if (from.size() < stored) throw PackingError("a plane is truncated");
   if (length == kStored) {
     std::ranges::copy(from.first(stored), plane.begin());
   } else {

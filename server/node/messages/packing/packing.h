@@ -74,7 +74,7 @@ class PackReader {
 
   template <PackedNumber T>
   [[nodiscard]] T take() {
-    if (rest_.size() < sizeof(T)) fail("ends too soon");
+    if (rest_.size() < sizeof(T)) fail("is truncated");
     T value;
     std::memcpy(&value, rest_.data(), sizeof(T));
     rest_ = rest_.subspan(sizeof(T));
@@ -95,7 +95,7 @@ class PackReader {
     return value;
   }
 
-  /// Checks that planes of this many bytes can be there, before memory is allocated for them: a small message can claim
+  /// Checks that enough bytes are left for planes of this size, before memory is allocated: a small message can claim
   /// any size.
   void expect(std::size_t bytes) const {
     if (rest_.size() < bytes / kMaxRatio) fail("is too short for its size");
@@ -110,7 +110,7 @@ class PackReader {
 
   /// Checks that nothing is left.
   void finish() const {
-    if (!rest_.empty()) fail("has more bytes than it says");
+    if (!rest_.empty()) fail("has bytes left over");
   }
 
   [[noreturn]] void fail(const char* reason) const { throw PackingError(what_ + " " + reason); }

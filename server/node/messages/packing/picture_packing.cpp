@@ -24,7 +24,7 @@ struct Piece {
 struct Tiles {
   int across = 0;
   int down = 0;
-  std::vector<std::uint8_t> covered;  ///< by tile, row by row: 1 if it shows anything
+  std::vector<std::uint8_t> covered;  ///< by tile, row by row: 1 if any pixel is visible
 };
 
 int tilesAlong(int pixels) { return (pixels + kTile - 1) / kTile; }
@@ -58,7 +58,7 @@ Tiles coveredTiles(const raster::Image& picture) {
   return tiles;
 }
 
-/// The covered tiles' rows, neighbouring tiles joined.
+/// The rows of the covered tiles, with neighbouring tiles merged.
 std::vector<Piece> piecesOf(const Tiles& tiles, int width, int height) {
   std::vector<Piece> pieces;
   for (int row = 0; row < height; ++row) {
@@ -102,7 +102,7 @@ std::vector<raster::Span> takeSpans(PackReader& reader, const world::Rect& rect)
   spans.reserve(rows);
   for (const std::uint32_t both : packed) {
     const raster::Span span{static_cast<int>(both & 0xFFFFU), static_cast<int>(both >> 16U)};
-    if (span.begin > span.end || span.end > rect.width()) reader.fail("has a span beyond its edge");
+    if (span.begin > span.end || span.end > rect.width()) reader.fail("has a span out of range");
     spans.push_back(span);
   }
   return spans;
@@ -172,7 +172,7 @@ world::Rect takeRect(PackReader& reader, const world::Rect& asked) {
   rect.right = reader.takeWithin(rect.left, kMaxEdge);
   rect.bottom = reader.takeWithin(rect.top, kMaxEdge);
   if (rect.empty()) return {rect.left, rect.top, rect.left, rect.top};
-  if (world::overlap(rect, asked) != rect) reader.fail("is larger than what was asked for");
+  if (world::overlap(rect, asked) != rect) reader.fail("is larger than requested");
   const auto pixels = static_cast<std::size_t>(rect.width()) * static_cast<std::size_t>(rect.height());
   if (pixels > kMaxPicturePixels) reader.fail("is too large");
   return rect;
@@ -182,7 +182,7 @@ world::Rect takeRect(PackReader& reader, const world::Rect& asked) {
 
 PackedBytes packPicture(const raster::Image& picture) {
   const world::Rect& rect = picture.rect;
-  if (picture.colour.size() > kMaxPicturePixels) throw PackingError("a picture is too large to travel");
+  if (picture.colour.size() > kMaxPicturePixels) throw PackingError("a picture is too large to pack");
   const Tiles tiles = coveredTiles(picture);
   const std::vector<Piece> pieces = piecesOf(tiles, rect.width(), rect.height());
   PackWriter writer(64 + tiles.covered.size() + picture.spans.size() * sizeof(raster::Span) +
@@ -215,10 +215,9 @@ std::shared_ptr<const raster::Image> unpackPicture(std::span<const std::byte> by
   takePlane(reader, pieces, depth, rect.width(), world::kInfiniteDepth);
   reader.finish();
   if (opaque && !std::ranges::all_of(colour, [](std::uint32_t pixel) { return pixel >= kCoverage; })) {
-    reader.fail("is not opaque as it says");
+    reader.fail("is marked opaque, but has transparent pixels");
   }
-  if (std::ranges::any_of(depth, [](float metres) { return !(metres >= 0.0F); }))
-    reader.fail("has a depth that is none");
+  if (std::ranges::any_of(depth, [](float metres) { return !(metres >= 0.0F); })) reader.fail("has an invalid depth");
   return picture;
 }
 

@@ -68,7 +68,7 @@ world::Camera decode(const v1::Camera& from, Checks& checks) {
 world::Rect decode(const v1::Rectangle& from, Checks& checks) {
   const bool inRange = isEdge(from.left()) && isEdge(from.top()) && isEdge(from.right()) && isEdge(from.bottom());
   checks.require(inRange, "its rectangle is out of range");
-  checks.require(from.left() <= from.right() && from.top() <= from.bottom(), "its rectangle is inside out");
+  checks.require(from.left() <= from.right() && from.top() <= from.bottom(), "its rectangle is inverted");
   const auto along = [](std::int32_t begin, std::int32_t end) { return std::int64_t{end} - begin; };
   const std::int64_t pixels = along(from.left(), from.right()) * along(from.top(), from.bottom());
   checks.require(!inRange || pixels <= std::int64_t{kMaxPicturePixels}, "its rectangle is too large");
@@ -90,7 +90,7 @@ world::Player decode(const v1::Player& from, Checks& checks) {
 
 world::Gust decode(const v1::Gust& from, Checks& checks) {
   const world::Vec3 direction = decode(from.direction(), checks);
-  checks.require(std::abs(glm::length(direction) - 1.0F) <= kUnitTolerance, "a gust's direction is not of length 1");
+  checks.require(std::abs(glm::length(direction) - 1.0F) <= kUnitTolerance, "a gust's direction is not a unit vector");
   const bool isBlown = from.speed() >= 0.0F && from.speed() <= kMaxGustSpeed;
   checks.require(isBlown && from.reach() >= 0.0F && from.reach() <= kMaxGustReach,
                  "a gust's speed or reach is out of range");

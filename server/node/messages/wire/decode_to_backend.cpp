@@ -29,7 +29,7 @@ std::shared_ptr<const View> decode(const v1::View& from, Checks& checks) {
   requireFrame(from.session(), from.frame(), checks);
   checks.require(from.border_percent() <= kMaxBorderPercent, "its border is out of range");
   checks.require(isTime(from.time()), "its time is out of range");
-  checks.require(from.deadline() >= -kMaxSeconds, "its deadline is no time");
+  checks.require(from.deadline() >= -kMaxSeconds, "its deadline is out of range");
   checks.require(from.visitors() <= kMaxPlayers, "it has too many visitors");
   checks.require(static_cast<std::size_t>(from.lights_size()) <= kMaxLights, "it has too many lights");
   auto shared = std::make_shared<View>();

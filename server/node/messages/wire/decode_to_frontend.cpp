@@ -10,7 +10,7 @@ namespace {
 world::Bounds decode(const v1::Bounds& from, Checks& checks) {
   const world::Bounds to{decode(from.low(), checks), decode(from.high(), checks)};
   const bool ordered = to.low.x <= to.high.x && to.low.y <= to.high.y && to.low.z <= to.high.z;
-  checks.require(ordered, "an object's bounds are inside out");
+  checks.require(ordered, "an object's bounds are inverted");
   return to;
 }
 
@@ -54,14 +54,14 @@ Result decode(const v1::Result& from, Checks& checks) {
   to.shared = from.shared();
   to.version = from.version();
   to.pushed = from.pushed();
-  checks.require(from.shared() || !from.pushed(), "it is a picture that is pushed");
+  checks.require(from.shared() || !from.pushed(), "it pushes a picture");
   switch (from.payload_case()) {
     case v1::Result::kPicture:
     case v1::Result::kNothing:
-      checks.require(!from.shared(), "it answers for shared data with a picture");
+      checks.require(!from.shared(), "it has a picture instead of shared data");
       break;
     case v1::Result::kData:
-      checks.require(from.shared(), "it answers for a picture with shared data");
+      checks.require(from.shared(), "it has shared data instead of a picture");
       break;
     case v1::Result::kFailure:
       to.payload = Failure{decodeReason(from.failure().reason(), checks), from.failure().not_now()};
@@ -87,7 +87,7 @@ Decoded<ToFrontend> frontendMessage(std::string_view name, const From& from) {
 
 Decoded<ToFrontend> withBulk(const v1::Result& from, std::shared_ptr<const PackedBytes> bulk) {
   if ((from.has_picture() || from.has_data()) != (bulk != nullptr)) {
-    return WireError{bulk ? "result: bytes come with it that it has no place for" : "result: its bytes are missing"};
+    return WireError{bulk ? "result: it has unexpected bulk bytes" : "result: its bulk bytes are missing"};
   }
   Decoded<ToFrontend> decoded = frontendMessage("result", from);
   if (auto* message = std::get_if<ToFrontend>(&decoded)) std::get<Result>(*message).packed = std::move(bulk);
@@ -101,7 +101,7 @@ Decoded<ToFrontend> decodeToFrontend(const Packet& packet) {
   Checks checks("message to a frontend");
   if (!parse(packet.header, envelope, checks)) return checks.error();
   if (envelope.has_result()) return withBulk(envelope.result(), packet.bulk);
-  checks.require(!packet.bulk, "bytes come with it that it has no place for");
+  checks.require(!packet.bulk, "it has unexpected bulk bytes");
   if (!checks.good()) return checks.error();
   switch (envelope.message_case()) {
     case v1::ToFrontend::kWelcome:

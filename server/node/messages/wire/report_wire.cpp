@@ -67,7 +67,7 @@ TracedRun decodeRun(const v1::NodeTrace& from, int i, Checks& checks) {
 std::int64_t decodeBegin(std::int64_t last, std::int64_t after, Checks& checks) {
   const auto isOnClock = [](std::int64_t time) { return std::abs(static_cast<double>(time)) <= kMaxNanoseconds; };
   const std::int64_t begin = isOnClock(after) ? last + after : 0;
-  checks.require(isOnClock(after) && isOnClock(begin), "a run begins at no time");
+  checks.require(isOnClock(after) && isOnClock(begin), "a run begins out of range");
   return begin;
 }
 

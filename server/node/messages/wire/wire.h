@@ -59,8 +59,7 @@ using Decoded = std::variant<Message, WireError>;
 /// The view of a session's frame; null if it is unknown.
 using ViewLookup = std::function<std::shared_ptr<const View>(SessionId, FrameNumber)>;
 
-/// Looks up a request's view. A picture's view must be known; shared data is for all visitors, so it is wanted without
-/// its view, too.
+/// Looks up a request's view. A picture's view must be known; shared data is for all visitors, so it needs no view.
 [[nodiscard]] Decoded<ToBackend> decodeToBackend(std::string_view header, const ViewLookup& viewOf);
 
 /// A result's bytes become its `packed`; unpacking checks them later.

@@ -16,14 +16,15 @@ void requireWelcome(const std::string& address, const GrpcFrontendEnd& end, Cloc
   const GrpcFrontendEnd::Status status = end.waitForAnswer(std::max(left, std::chrono::milliseconds(0)));
   switch (status.state) {
     case GrpcFrontendEnd::State::kRefused:
-      throw EnvironmentError("the node refuses: " + status.reason, address,
-                             "it wants its own scene and version, and with --tls-ca a certificate that it trusts");
+      throw EnvironmentError(
+          "the node refuses: " + status.reason, address,
+          "scene and version must be the same; with --tls-ca it requires a certificate that it trusts");
     case GrpcFrontendEnd::State::kUntrusted:
       throw EnvironmentError("the node is not trusted: " + status.reason, address,
-                             "--link-tls-ca wants a certificate of it that names this address");
+                             "--link-tls-ca requires a certificate that names this address");
     case GrpcFrontendEnd::State::kSilent:
-      throw EnvironmentError("the node does not answer: " + status.reason, address,
-                             "it hangs, or what listens there is no node: restart it");
+      throw EnvironmentError("the node does not respond: " + status.reason, address,
+                             "it hangs, or another program listens there: restart it");
     case GrpcFrontendEnd::State::kWelcomed:
       return;
     default:
@@ -47,7 +48,7 @@ std::unique_ptr<NodeRouter> dialNodes(std::span<const std::string> addresses, co
   const Clock::time_point deadline = Clock::now() + patience;
   for (std::size_t i = 0; i < ends.size(); ++i) requireWelcome(addresses[i], *ends[i], deadline);
   if (const auto conflict = router->conflict()) {
-    throw EnvironmentError(*conflict, "--nodes", "start each node with objects of its own");
+    throw EnvironmentError(*conflict, "--nodes", "start each node with different objects");
   }
   return router;
 }

@@ -24,7 +24,7 @@
 
 namespace grove::node {
 
-/// Makes each call a link, or dispatches it.
+/// Makes links of stream calls, and dispatches other calls.
 class GrpcServer::Service final : public grpc::CallbackGenericService {
  public:
   Service(Accept accept, pipeline::Executor& executor, pipeline::Timeline& timeline, LinkTls tls,
@@ -39,21 +39,22 @@ class GrpcServer::Service final : public grpc::CallbackGenericService {
 
   void waitUntilEmpty() {
     std::unique_lock lock(mutex_);
-    left_.wait(lock, [this] { return links_ == 0 && questions_ == 0; });
+    left_.wait(lock, [this] { return links_ == 0 && obstacleCalls_ == 0; });
   }
   void leave() { leave(links_); }
   /// A process has closed the connection before it sent anything. Without TLS that may be any program.
-  void leftUnheard(const std::string& process) {
+  void closedBeforeHello(const std::string& process) {
     if (tls_.certificate.empty()) return;
-    refusals_.warning("the process at " + process +
-                      " hung up before its hello: its log says why, if it does not trust " + "this one's certificate");
+    refusals_.warning(
+        "the process at " + process +
+        " closed the connection before its hello; if it rejects this process's certificate, its log has the reason");
   }
 
  private:
   [[nodiscard]] grpc::ServerGenericBidiReactor* makeLink(const std::string& process);
   [[nodiscard]] grpc::ServerGenericBidiReactor* makeObstacleCall();
 
-  /// Counts a call of one kind; false if there are already `max`.
+  /// Counts a call of one kind. Returns false if there are already `max`.
   [[nodiscard]] bool enter(int& calls, int max) {
     const std::lock_guard lock(mutex_);
     if (calls == max) return false;
@@ -75,11 +76,11 @@ class GrpcServer::Service final : public grpc::CallbackGenericService {
   std::mutex mutex_;
   std::condition_variable left_;
   int links_ = 0;
-  int questions_ = 0;  ///< about obstacles
+  int obstacleCalls_ = 0;
 };
 
-/// A stream as the backend node's end of a link. gRPC owns it during the call, and the node while it makes results for
-/// it.
+/// A stream as the backend node's end of a link. Owned by gRPC during the call, and by the node until its last result
+/// is made.
 class GrpcServer::Link final : public PacketReactor<grpc::ServerGenericBidiReactor>,
                                public BackendEnd,
                                public std::enable_shared_from_this<Link> {
@@ -90,7 +91,7 @@ class GrpcServer::Link final : public PacketReactor<grpc::ServerGenericBidiReact
         timeline_(timeline),
         incoming_(std::make_shared<PacketsToBackend>(executor, timeline, static_cast<BackendEnd&>(*this))) {}
 
-  /// Rethrows exceptions of `accept`; then nothing has begun.
+  /// Rethrows exceptions of `accept`, before the call has begun.
   void start(const Accept& accept) {
     incoming_->whenRoom([weak = weak_from_this()] {
       const auto self = weak.lock();
@@ -113,7 +114,7 @@ class GrpcServer::Link final : public PacketReactor<grpc::ServerGenericBidiReact
   }
 
   void OnCancel() override {
-    if (!isHeard_) service_.leftUnheard(process_);
+    if (!hasReceived_) service_.closedBeforeHello(process_);
     end();
   }
   void OnDone() override {
@@ -125,7 +126,7 @@ class GrpcServer::Link final : public PacketReactor<grpc::ServerGenericBidiReact
 
  private:
   void take(const grpc::ByteBuffer& message) override {
-    isHeard_ = true;
+    hasReceived_ = true;
     std::optional<Packet> packet = packetOf(message);
     if (!packet) {
       timeline_.count("messages that were refused");
@@ -139,7 +140,7 @@ class GrpcServer::Link final : public PacketReactor<grpc::ServerGenericBidiReact
   Service& service_;
   const std::string process_;  ///< at the other end, as gRPC names it
   pipeline::Timeline& timeline_;
-  std::atomic<bool> isHeard_{false};
+  std::atomic<bool> hasReceived_{false};
   const std::shared_ptr<PacketsToBackend> incoming_;
   std::shared_ptr<void> served_;
   std::shared_ptr<Link> self_;  ///< during the call
@@ -182,11 +183,11 @@ grpc::ServerGenericBidiReactor* GrpcServer::Service::makeLink(const std::string&
 }
 
 grpc::ServerGenericBidiReactor* GrpcServer::Service::makeObstacleCall() {
-  if (!obstacles_) return new Refused({grpc::StatusCode::UNIMPLEMENTED, "it has no models of other objects itself"});
-  if (!enter(questions_, kMaxObstacleCalls)) {
-    return new Refused({grpc::StatusCode::RESOURCE_EXHAUSTED, "too many ask about obstacles"});
+  if (!obstacles_) return new Refused({grpc::StatusCode::UNIMPLEMENTED, "it has no models of other objects"});
+  if (!enter(obstacleCalls_, kMaxObstacleCalls)) {
+    return new Refused({grpc::StatusCode::RESOURCE_EXHAUSTED, "too many requests for obstacles"});
   }
-  const auto call = std::make_shared<ObstacleCall>(obstacles_, [this] { leave(questions_); });
+  const auto call = std::make_shared<ObstacleCall>(obstacles_, [this] { leave(obstacleCalls_); });
   call->start();
   return call.get();
 }
@@ -219,7 +220,7 @@ GrpcServer::GrpcServer(const std::string& address, Accept accept, pipeline::Exec
   builder.AddChannelArgument(GRPC_ARG_HTTP2_MAX_PINGS_WITHOUT_DATA, 0);
   parts_->server = builder.BuildAndStart();
   if (!parts_->server || parts_->port == 0) {
-    throw EnvironmentError("cannot listen there", address, "name an address of this machine with a port that is free");
+    throw EnvironmentError("cannot listen", address, "name an address of this machine and a free port");
   }
 }
 

@@ -26,8 +26,8 @@ GrpcTransport::GrpcTransport(pipeline::Executor& executor, pipeline::Timeline& t
   const bool isAccepted = accepted_.wait_for(lock, kPatience, [this] { return backend_ != nullptr; });
   lock.unlock();
   if (!isAccepted || !frontend_.waitUntilOpen(kPatience)) {
-    throw EnvironmentError("no connection within this machine", "127.0.0.1:" + std::to_string(server_.port()),
-                           "let this program use the loopback interface");
+    throw EnvironmentError("cannot connect within this machine", "127.0.0.1:" + std::to_string(server_.port()),
+                           "allow this program to use the loopback interface");
   }
 }
 

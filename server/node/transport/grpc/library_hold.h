@@ -4,9 +4,9 @@
 
 namespace grove::node {
 
-/// Keeps gRPC initialized. Without it, gRPC shuts down when its last object goes, for example between two calls, and the
-/// thread that released that object waits for gRPC's threads. One of these may wait for this thread to start the next
-/// call: a deadlock.
+/// Keeps gRPC initialized. Without it, gRPC shuts down when its last object is destroyed, for example between two
+/// calls, and the thread that destroyed it waits for gRPC's threads. One of these may wait for that thread to start the
+/// next call: a deadlock.
 class LibraryHold {
  public:
   LibraryHold() { grpc_init(); }

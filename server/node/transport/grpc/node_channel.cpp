@@ -23,11 +23,11 @@ std::shared_ptr<grpc::Channel> channelTo(const std::string& address, const LinkT
   arguments.SetInt(GRPC_ARG_KEEPALIVE_TIME_MS, kKeepAliveMilliseconds);
   arguments.SetInt(GRPC_ARG_KEEPALIVE_TIMEOUT_MS, kKeepAliveTimeoutMilliseconds);
   arguments.SetInt(GRPC_ARG_HTTP2_MAX_PINGS_WITHOUT_DATA, 0);
-  // Despite its name, this is no pause but the shortest time before an attempt is given up.
+  // Despite its name, this is not a pause but the minimum time before an attempt is given up.
   arguments.SetInt(GRPC_ARG_MIN_RECONNECT_BACKOFF_MS, kConnectMilliseconds);
-  // Each link has a connection of its own: none waits behind another link's pictures.
+  // One connection per link, so that no link waits behind the pictures of another.
   arguments.SetInt(GRPC_ARG_USE_LOCAL_SUBCHANNEL_POOL, 1);
-  // Connects to the node's address even if the environment names a proxy for web pages.
+  // Connects directly even if the environment names an HTTP proxy.
   arguments.SetInt(GRPC_ARG_ENABLE_HTTP_PROXY, 0);
   return grpc::CreateCustomChannel(address, channelCredentials(tls), arguments);
 }

@@ -47,7 +47,7 @@ class Packets : public pipeline::Stage<Packet> {
       if (result != pipeline::PushResult::kRejected) return result;
     }
     backlog_.put(name, std::move(packet));
-    // A run may have ended in between, and there may be no other.
+    // The run that would have offered it may have ended in between.
     offerBacklog();
     return pipeline::PushResult::kAccepted;
   }
@@ -70,7 +70,7 @@ class Packets : public pipeline::Stage<Packet> {
     if (onRoom_) onRoom_();
   }
 
-  /// The peer that sent it is broken; its other messages may be good.
+  /// Refuses only this message: others of the same peer may be valid.
   void refuse(const WireError& error) {
     timeline_.count("messages that were refused");
     refusals_.warning(error.reason);

@@ -26,8 +26,8 @@ TEST(EndedFrames, AreThoseUpToTheNewestOfTheSession) {
 TEST(EndedFrames, AreNoneOfASessionThatIsOnlyMet) {
   EndedFrames ended;
   ended.add({.session = 1, .frame = 5});
-  ended.meet(1);
-  ended.meet(2);
+  ended.addSession(1);
+  ended.addSession(2);
   EXPECT_TRUE(ended.contain(frameOf(1, 5)));
   EXPECT_FALSE(ended.contain(frameOf(2, 1)));
   EXPECT_EQ(ended.sessions(), (std::vector<SessionId>{2, 1})) << "the newest first";

@@ -106,7 +106,7 @@ TEST_F(FramePlanning, ALargerPictureThanWasAskedForIsAFailure) {
   begin(listOf(1, 1));
   answer(1, 0, picture(1, {0, 0, 9, 8}));
   ASSERT_THAT(shownNumbers(), ElementsAre(1));
-  EXPECT_EQ(reasonOf(newestPayloads()[0]), "the picture is larger than what was asked for");
+  EXPECT_EQ(reasonOf(newestPayloads()[0]), "the picture is larger than requested");
 }
 
 TEST_F(FramePlanning, AnObjectThatAsksWithoutEndFails) {
@@ -118,7 +118,7 @@ TEST_F(FramePlanning, AnObjectThatAsksWithoutEndFails) {
   }
   EXPECT_THAT(backend.requests(), SizeIs(6));
   ASSERT_THAT(shownNumbers(), ElementsAre(1));
-  EXPECT_EQ(reasonOf(newestPayloads()[0]), "the object asks without end");
+  EXPECT_EQ(reasonOf(newestPayloads()[0]), "the object makes too many requests");
 }
 
 TEST_F(FramePlanning, AnObjectThatAsksWithoutEndFailsThoughItIsRefused) {
@@ -126,7 +126,7 @@ TEST_F(FramePlanning, AnObjectThatAsksWithoutEndFailsThoughItIsRefused) {
   backend.full = true;
   begin(listOf(1, 1));
   ASSERT_THAT(shownNumbers(), ElementsAre(1));
-  EXPECT_EQ(reasonOf(newestPayloads()[0]), "the object asks without end");
+  EXPECT_EQ(reasonOf(newestPayloads()[0]), "the object makes too many requests");
 }
 
 TEST_F(FramePlanning, APlanThatThrowsCostsItsObject) {

@@ -124,7 +124,7 @@ TEST_F(SharedStoreTest, WhatDoesNotComeInTimeIsRequestedAgain) {
   get(a);
   EXPECT_EQ(fetched.size(), 2U);
   bring(a, 1);
-  EXPECT_THAT(got, ElementsAre("the backend node did not answer in time", "version 1", "version 1"));
+  EXPECT_THAT(got, ElementsAre("the backend node did not respond in time", "version 1", "version 1"));
 }
 
 /// Would catch waiters that pile up, thirty a second for each visitor.

@@ -19,11 +19,11 @@ using tests::eventually;
 using State = GrpcFrontendEnd::State;
 
 TEST(GrpcGreetings, OneThatIsRefusedGreetsAgain) {
-  NodeProcess node(0, "it shows another scene");
+  NodeProcess node(0, "the scenes differ");
   FrontendSide side(node.address());
   (void)side.send(examples::hello());
   ASSERT_TRUE(side.becomes(State::kRefused));
-  EXPECT_EQ(side.link().status().reason, "it shows another scene");
+  EXPECT_EQ(side.link().status().reason, "the scenes differ");
   EXPECT_TRUE(eventually([&] { return node.end()->count() >= 2; })) << "the node may change its mind";
 }
 
@@ -50,7 +50,7 @@ class LateAnswers : public ::testing::Test {
 
 /// The greeting that follows a refusal must not take the place of the next call.
 TEST_F(LateAnswers, ARefusalDoesNotEndTheAttempts) {
-  ASSERT_NO_FATAL_FAILURE(hearTooLate("it shows another scene"));
+  ASSERT_NO_FATAL_FAILURE(hearTooLate("the scenes differ"));
   const NodeProcess node(port);
   EXPECT_TRUE(side->becomes(State::kWelcomed));
 }

@@ -53,12 +53,12 @@ TEST(ObstacleCalls, TellWhatTheOtherNodeKnows) {
 TEST(ObstacleCalls, AnotherSceneOrVersionIsRefused) {
   const TellingNode node;
   EXPECT_THAT(errorOf(RemoteObstacles(node.address(), kScene + 1, {})),
-              HasSubstr(node.address() + ": the node with the obstacles refuses: it shows another scene"));
+              HasSubstr(node.address() + ": the node with the obstacles refuses: the scenes differ"));
   const CallEnd end =
       askRaw(node.address(), encode(ObstacleRequest{.protocol = kProtocol + 1, .sceneHash = kScene, .cube = kCube}));
   EXPECT_EQ(end.status.error_code(), grpc::StatusCode::FAILED_PRECONDITION);
-  EXPECT_EQ(end.status.error_message(),
-            "it speaks protocol " + std::to_string(kProtocol) + ", who asks " + std::to_string(kProtocol + 1));
+  EXPECT_EQ(end.status.error_message(), "the protocols differ: the request has " + std::to_string(kProtocol + 1) +
+                                            ", the node " + std::to_string(kProtocol));
   EXPECT_EQ(node.obstacles.answered, 0);
 }
 
@@ -77,7 +77,7 @@ TEST(ObstacleCalls, BadQuestionsAreRefusedAndCostOthersNothing) {
 TEST(ObstacleCalls, ANodeWithoutModelsSaysSo) {
   const TellingNode node(0, {}, false);
   EXPECT_THAT(errorOf(RemoteObstacles(node.address(), kScene, {})),
-              HasSubstr("this node provides no obstacles: it has no models of other objects itself"));
+              HasSubstr("this node provides no obstacles: it has no models of other objects"));
 }
 
 TEST(ObstacleCalls, WaitForANodeThatComesLater) {
@@ -166,7 +166,7 @@ TEST(ObstacleCalls, ACallThatAsksNothingEnds) {
   grpc::Status status;
   call->Finish(&status, nullptr);
   wait();
-  EXPECT_EQ(status.error_message(), "nothing was asked");
+  EXPECT_EQ(status.error_message(), "the call has no request");
 }
 
 }  // namespace

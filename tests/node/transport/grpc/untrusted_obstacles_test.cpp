@@ -59,11 +59,11 @@ TEST(UntrustedObstacles, AnAnswerThatIsNoneOfThatCubeIsAnError) {
     const CubeCells cells(static_cast<std::size_t>(edge) * edge * edge, 1);
     const Liar liar(encodeCells(cells));
     EXPECT_THAT(errorOf(RemoteObstacles(liar.address(), kScene, {})),
-                HasSubstr(liar.address() + ": the node with the obstacles is broken: answer about obstacles:"));
+                HasSubstr(liar.address() + ": the node with the obstacles is broken: response with obstacles:"));
   }
   for (const std::string& bytes : {std::string(), std::string("lies"), std::string(kMaxHeaderBytes + 1, '\x0A')}) {
     const Liar liar(bytes);
-    EXPECT_THAT(errorOf(RemoteObstacles(liar.address(), kScene, {})), HasSubstr("broken: answer about obstacles:"));
+    EXPECT_THAT(errorOf(RemoteObstacles(liar.address(), kScene, {})), HasSubstr("broken: response with obstacles:"));
   }
   const Liar giant(std::string(kMaxMessageBytes + 1, 'x'));
   EXPECT_THAT(errorOf(RemoteObstacles(giant.address(), kScene, {})), HasSubstr("larger"));
@@ -83,7 +83,7 @@ TEST(UntrustedObstacles, OnlyATrustedNodeIsHeard) {
   EXPECT_THAT(errorOf(RemoteObstacles(localhost(node), kScene, trusting(other))),
               HasSubstr("the node with the obstacles is not trusted: its certificate"));
   EXPECT_EQ(node.obstacles.answered, answered) << "it was asked nothing";
-  EXPECT_THAT(errorOf(RemoteObstacles(localhost(node), kScene, {})), HasSubstr("does it want TLS?"));
+  EXPECT_THAT(errorOf(RemoteObstacles(localhost(node), kScene, {})), HasSubstr("does it require TLS?"));
   const TellingNode plain;
   EXPECT_THAT(errorOf(RemoteObstacles(localhost(plain), kScene, trusting(own))), HasSubstr("does not speak TLS"));
   const TellingNode wantsCertificates(0, readLinkTls(own, own.certificate));

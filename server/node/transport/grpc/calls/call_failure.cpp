@@ -32,7 +32,7 @@ CallFailure failureOf(const grpc::Status& status, bool wasOpen, bool isSecure) {
   const std::string reason = lastPartOf(text);
   const bool isClosed = reason == "Socket closed" || reason == "Connection reset by peer";
   if (!isSecure && !wasOpen && isClosed) {
-    return {Kind::kMayWantTls, "it closes the connection at once (does it want TLS?)"};
+    return {Kind::kMayWantTls, "it closes the connection at once (does it require TLS?)"};
   }
   return {Kind::kNoAnswer, reason};
 }

@@ -36,7 +36,7 @@ void ObstacleCall::answer(const Decoded<std::string>& cells) {
 }
 
 void ObstacleCall::OnReadDone(bool ok) {
-  if (!ok) return end({grpc::StatusCode::INVALID_ARGUMENT, "nothing was asked"});
+  if (!ok) return end({grpc::StatusCode::INVALID_ARGUMENT, "the call has no request"});
   {
     const std::lock_guard lock(mutex_);
     isAsked_ = true;
@@ -44,7 +44,7 @@ void ObstacleCall::OnReadDone(bool ok) {
   const auto result = answers_->push({bytesOf(question_), shared_from_this()});
   question_.Clear();
   if (result != pipeline::PushResult::kAccepted) {
-    end({grpc::StatusCode::RESOURCE_EXHAUSTED, "too many ask about obstacles"});
+    end({grpc::StatusCode::RESOURCE_EXHAUSTED, "too many requests for obstacles"});
   }
 }
 
@@ -67,7 +67,7 @@ void ObstacleCall::giveUpUnasked() {
     const std::lock_guard lock(mutex_);
     return isAsked_;
   }();
-  if (!isAsked) end({grpc::StatusCode::DEADLINE_EXCEEDED, "nothing was asked"});
+  if (!isAsked) end({grpc::StatusCode::DEADLINE_EXCEEDED, "the call has no request"});
 }
 
 }  // namespace grove::node

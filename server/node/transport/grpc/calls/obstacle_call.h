@@ -37,7 +37,7 @@ class ObstacleCall final : public grpc::ServerGenericBidiReactor,
 
  private:
   void end(const grpc::Status& status);
-  /// Returns true to the first caller, who then ends the call.
+  /// Returns true to the first caller, which then ends the call.
   [[nodiscard]] bool takeEnd();
   void giveUpUnasked();
 

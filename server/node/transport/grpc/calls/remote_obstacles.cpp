@@ -16,7 +16,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::milliseconds kPauseBetweenCalls{200};
 
-/// A request that costs a node with models no time.
+/// The cheapest request.
 constexpr world::Cube kAnyCell{world::Vec3(0.0F), 1.0F, 1};
 
 CallFailure whyFailed(const CallEnd& end, const LinkTls& tls) {
@@ -29,21 +29,21 @@ bool isAway(const CallEnd& end, const LinkTls& tls) {
          whyFailed(end, tls).kind != CallFailure::Kind::kUntrusted;
 }
 
-/// The error for missing cells.
+/// The reason for missing cells, and what to do.
 EnvironmentError errorOf(const CallEnd& end, const std::string& address, const LinkTls& tls) {
   if (end.complaint) {
     return {"the node with the obstacles is not trusted: " + *end.complaint, address,
-            "--link-tls-ca wants a certificate of it that names this address"};
+            "--link-tls-ca requires a certificate that names this address"};
   }
   const std::string& text = end.status.error_message();
   switch (end.status.error_code()) {
     case grpc::StatusCode::FAILED_PRECONDITION:
-      return {"the node with the obstacles refuses: " + text, address, "start both with one scene and one version"};
+      return {"the node with the obstacles refuses: " + text, address, "start both with the same scene and version"};
     case grpc::StatusCode::UNIMPLEMENTED:
       return {"this node provides no obstacles" + (text.empty() ? "" : ": " + text), address,
               "name one that is started without --obstacles"};
     case grpc::StatusCode::DEADLINE_EXCEEDED:
-      return {"the node with the obstacles does not answer in time", address, "it hangs, or has too much to do"};
+      return {"the node with the obstacles does not respond in time", address, "it hangs or is overloaded"};
     default:
       break;
   }
@@ -51,10 +51,10 @@ EnvironmentError errorOf(const CallEnd& end, const std::string& address, const L
   switch (failure.kind) {
     case CallFailure::Kind::kRefused:
       return {"the node with the obstacles refuses: " + failure.reason, address,
-              "with --tls-ca it wants a certificate that it trusts"};
+              "with --tls-ca it requires a certificate that it trusts"};
     case CallFailure::Kind::kUntrusted:
       return {"the node with the obstacles is not trusted: " + failure.reason, address,
-              "without --link-tls-ca, links are in the clear"};
+              "without --link-tls-ca, links are not encrypted"};
     default:
       return {"no node provides obstacles: " + failure.reason, address,
               "start grove node there first, with --listen and without --obstacles"};

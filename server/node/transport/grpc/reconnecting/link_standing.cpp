@@ -48,7 +48,7 @@ void LinkStanding::lost(const CallFailure& failure) {
     log::warning(peer_ + " is lost: " + failure.reason);
     status_.state = LinkState::kLost;
   } else if (isNew && (status_.state == LinkState::kConnecting || mayWantTls)) {
-    log::warning(peer_ + " does not answer: " + failure.reason);
+    log::warning(peer_ + " does not respond: " + failure.reason);
   }
   status_.reason = failure.reason;
 }

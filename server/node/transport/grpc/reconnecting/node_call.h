@@ -28,7 +28,7 @@ class NodeCall final : public PacketReactor<grpc::ClientBidiReactor<grpc::ByteBu
     virtual void opened(NodeCall& call) = 0;
     virtual void take(const grpc::ByteBuffer& message) = 0;
     [[nodiscard]] virtual bool wantsMore() const = 0;
-    /// The node has answered a probe.
+    /// The node has responded to a probe.
     virtual void answered(LinkProbe::Clock::duration roundTrip) = 0;
     /// The call's last use of the caller.
     virtual void ended(const grpc::Status& status) = 0;
@@ -54,7 +54,7 @@ class NodeCall final : public PacketReactor<grpc::ClientBidiReactor<grpc::ByteBu
   void hangUp() override;
 
   void answered(LinkProbe::Clock::duration roundTrip) override { caller_.answered(roundTrip); }
-  void unanswered() override { giveUp("its connection brings no answers"); }
+  void unanswered() override { giveUp("its connection delivers no responses"); }
   void probed() override { RemoveHold(); }
 
   grpc::GenericStub stub_;

@@ -84,7 +84,7 @@ void ReconnectingLink::receive(ToFrontend message) {
   frontend_.use([&](FrontendPort* port) {
     if (port != nullptr) port->receive(message);
   });
-  // Last, because waiting threads take the response for received.
+  // Last, because waiting threads then rely on the frontend having received the response.
   if (std::holds_alternative<NodeWelcome>(message)) welcomed();
   if (const auto* refusal = std::get_if<NodeRefusal>(&message)) refused(refusal->reason);
 }
@@ -98,7 +98,7 @@ void ReconnectingLink::welcomed() {
   changed_.notify_all();
 }
 
-/// The node may accept later: when a process with this process's number leaves.
+/// Retries: the node may accept later, for example when another process with the same number leaves.
 void ReconnectingLink::refused(const std::string& reason) {
   const std::lock_guard lock(mutex_);
   if (!isOpen_ || isStopped_) return;
@@ -128,9 +128,9 @@ void ReconnectingLink::awaitAnswer() {
 void ReconnectingLink::giveUp() {
   const std::lock_guard lock(mutex_);
   if (!patience_ || !call_) return;
-  // The node's response may wait for a worker.
+  // The response may have arrived, and wait for a worker.
   if (!incoming_->idle()) return awaitAnswer();
-  call_->giveUp("it takes the connection, and neither welcomes nor refuses");
+  call_->giveUp("it accepts the connection, but neither welcomes nor refuses");
 }
 
 void ReconnectingLink::opened(NodeCall& call) {
@@ -178,7 +178,7 @@ void ReconnectingLink::ended(const grpc::Status& status) {
     last = std::move(call_);
   }
   const CallFailure failure = failureOf(status, wasOpen, tls_.trusted != nullptr);
-  // Not here: this is one of gRPC's threads.
+  // Destroyed by a worker: this is one of gRPC's threads, see NodeCall.
   executor_.post([call = std::move(last)] {});
   const std::lock_guard lock(mutex_);
   isCalling_ = false;

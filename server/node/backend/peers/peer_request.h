@@ -17,23 +17,23 @@ enum class Subscribed : std::uint8_t {
 };
 
 /// A request on its way through a backend node, with the requesting peer.
-struct Asked {
+struct PeerRequest {
   Request request;
   std::shared_ptr<Peer> peer;
   Subscribed subscribed = Subscribed::kNo;
 };
 
 /// Its result, on the way back.
-struct Answered {
+struct PeerResult {
   Result result;
   std::shared_ptr<Peer> peer;
   Subscribed subscribed = Subscribed::kNo;
 };
 
 /// The queue of a request: frontend processes take turns.
-inline std::uint64_t lineOf(const Asked& asked) { return asked.peer->process().value_or(0); }
+inline std::uint64_t lineOf(const PeerRequest& asked) { return asked.peer->process().value_or(0); }
 
-inline pipeline::TraceTag traceTag(const Asked& asked) { return traceTag(asked.request); }
-inline pipeline::TraceTag traceTag(const Answered& answered) { return traceTag(answered.result); }
+inline pipeline::TraceTag traceTag(const PeerRequest& asked) { return traceTag(asked.request); }
+inline pipeline::TraceTag traceTag(const PeerResult& answered) { return traceTag(answered.result); }
 
 }  // namespace grove::node
