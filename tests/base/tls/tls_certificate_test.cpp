@@ -74,7 +74,7 @@ TEST_F(TlsCertificateTest, NamesWhatIsNoCertificateAndNoKey) {
     EXPECT_THAT(complaint({text, good_.key}), AllOf(HasSubstr("--tls-cert"), HasSubstr("not in PEM form")));
     EXPECT_THAT(complaint({good_.certificate, text}), AllOf(HasSubstr("--tls-key"), HasSubstr("not in PEM form")));
   }
-  EXPECT_THAT(complaint({good_.key, good_.key}), AllOf(HasSubstr("--tls-cert"), HasSubstr("no certificate")));
+  EXPECT_THAT(complaint({good_.key, good_.key}), AllOf(HasSubstr("--tls-cert"), HasSubstr("no readable certificate")));
   EXPECT_THAT(complaint({good_.certificate, good_.certificate}),
               AllOf(HasSubstr("--tls-key"), HasSubstr("no readable key")));
   const std::string whole = readFile(good_.certificate);
