@@ -24,7 +24,7 @@ std::string timeLeft(double seconds) {
   return text;
 }
 
-/// Returns what is wrong with the options; empty if they are valid.
+/// Returns an error message for invalid options; an empty text if they are valid.
 std::string mistake(const BakeCommand& command) {
   if (command.model.has_value() == command.plant.has_value()) return "name either a MODEL.glb or a --plant";
   const auto names = models::plantNames();

@@ -1,5 +1,5 @@
 // Vectors as wide as the target's registers, at most 16 lanes. For kernels: included once per target, after
-// <hwy/highway.h>. Contains only what is used; a kernel gets the rest from Highway by `.raw`.
+// <hwy/highway.h>. Wraps only operations in use; kernels reach the others of Highway through `.raw`.
 
 #if defined(GROVE_BASE_SIMD_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef GROVE_BASE_SIMD_LANES_INL_H

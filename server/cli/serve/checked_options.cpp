@@ -13,7 +13,8 @@
 namespace grove::cli {
 namespace {
 
-/// Returns the port after the visitors', which is easy to remember; if it is taken, any free one.
+/// Returns the loopback address with the next port after the visitors' port, or with any free port if that one is in
+/// use.
 stream::HostPort operatorsBeside(const stream::HostPort& visitors) {
   stream::HostPort next{"127.0.0.1", visitors.port + 1};
   try {

@@ -18,7 +18,7 @@ class PictureCheck {
   /// Checks of one thread may share `decoder`.
   PictureCheck(int index, JpegDecoder& decoder) : index_(index), decoder_(decoder) {}
 
-  /// Returns what is wrong with the next picture in a few words; nothing if it is valid.
+  /// Checks the next picture. Returns a short error message, or nothing if the picture is valid.
   [[nodiscard]] std::optional<std::string> check(const PictureHeader& header, std::span<const std::uint8_t> picture);
 
   /// Returns whether the last picture could not be decoded, nor can any that depends on it; true once, to be reported

@@ -31,9 +31,8 @@ class LiveReports {
 
   [[nodiscard]] static bool has(std::string_view path, Audience audience) noexcept;
 
-  /// Returns the report at a path for which has() is true, if it was made less than a second before `asked` (of
-  /// pipeline::wallSeconds()) or is a trace that is being downloaded; otherwise null, and the report is made. Any
-  /// thread.
+  /// Returns the report at `path`, which has() must know. Returns null and starts to make the report if the last one is
+  /// more than a second older than `asked` (of pipeline::wallSeconds()), unless it is a trace in transfer. Any thread.
   [[nodiscard]] Report find(std::string_view path, double asked);
 
  private:
