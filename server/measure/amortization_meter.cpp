@@ -24,6 +24,13 @@ int fit(double cores, double base, double visitor) {
 int Capacity::visitorsFit(double cores) const noexcept { return fit(cores, base, visitor); }
 int Capacity::privateVisitorsFit(double cores) const noexcept { return fit(cores, 0.0, privateVisitor); }
 
+Capacity atFullSize(Capacity measured, double scale) noexcept {
+  const double more = measured.visitor * (1.0 / (scale * scale) - 1.0);
+  measured.visitor += more;
+  measured.privateVisitor += more;
+  return measured;
+}
+
 int correctedFit(int estimate, int now, bool areServed, bool areTooMany) noexcept {
   if (areTooMany) return std::clamp(estimate, 0, std::max(0, now - 1));
   return areServed ? std::max(estimate, now) : estimate;

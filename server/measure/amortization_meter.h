@@ -35,6 +35,9 @@ struct Capacity {
   [[nodiscard]] int visitorsFit(double cores) const noexcept;
   [[nodiscard]] int privateVisitorsFit(double cores) const noexcept;
 };
+/// Converts costs that were measured with pictures of `scale` times the wanted width and height to whole ones. A
+/// visitor's own cost grows by the pixels at most.
+[[nodiscard]] Capacity atFullSize(Capacity measured, double scale) noexcept;
 /// Corrects an estimate of the visitors that a machine serves by those that it serves now: `now` of them at the nominal
 /// frame rate, or too many, so that it makes their pictures smaller.
 [[nodiscard]] int correctedFit(int estimate, int now, bool areServed, bool areTooMany) noexcept;

@@ -75,6 +75,15 @@ TEST(AmortizationMeter, ReportsWhomAMachineCanServe) {
   EXPECT_EQ(capacity.visitorsFit(0.1), 0);
 }
 
+/// Would catch a promise of whole pictures by what small ones cost.
+TEST(AmortizationMeter, CountsSmallerPicturesAsWholeOnes) {
+  const Capacity half = atFullSize({.base = 0.5, .visitor = 0.1, .privateVisitor = 0.3}, 0.5);
+  EXPECT_NEAR(half.base, 0.5, 1e-9);
+  EXPECT_NEAR(half.visitor, 0.4, 1e-9);
+  EXPECT_NEAR(half.privateVisitor, 0.6, 1e-9);
+  EXPECT_NEAR(atFullSize(half, 1.0).visitor, 0.4, 1e-9);
+}
+
 /// Would catch a promise that the present visitors refute.
 TEST(AmortizationMeter, PromisesNoMoreThanThePresentVisitorsShow) {
   EXPECT_EQ(correctedFit(9, 4, false, true), 3) << "four have smaller pictures";

@@ -57,13 +57,18 @@ Json costs(const measure::FrameCost& cost, const measure::MemoryShare& share) {
 
 /// Frames per second that count as the nominal rate.
 constexpr double kServedShare = 29.0 / 30.0;
+/// Share of the cores that this process uses at least where its visitors are too many. With less, smaller pictures are
+/// of a load that has gone, or of other programs.
+constexpr double kBusyShare = 0.75;
 
-int visitorsFit(const measure::Amortization& measured, const measure::Capacity& capacity, double cores,
+/// `whole`: with pictures of the wanted size.
+int visitorsFit(const measure::Amortization& measured, const measure::Capacity& whole, double cores,
                 const StatisticsSources& sources) {
   const measure::AmortizationMeter& meter = sources.meter;
-  const int estimate = meter.privateWorlds() ? capacity.privateVisitorsFit(cores) : capacity.visitorsFit(cores);
-  const bool areTooMany = sources.pictureScale < 1.0;
-  const bool areServed = measured.framesPerSecond >= kServedShare * meter.nominalFramesPerSecond();
+  const int estimate = meter.privateWorlds() ? whole.privateVisitorsFit(cores) : whole.visitorsFit(cores);
+  const bool areSmaller = sources.pictureScale < 1.0;
+  const bool areTooMany = areSmaller && measured.cpuCores >= kBusyShare * cores;
+  const bool areServed = !areSmaller && measured.framesPerSecond >= kServedShare * meter.nominalFramesPerSecond();
   return measure::correctedFit(estimate, static_cast<int>(std::lround(measured.visitors)), areServed, areTooMany);
 }
 
@@ -73,6 +78,7 @@ Json amortization(const StatisticsSources& sources) {
   if (!measured) return nullptr;
   const auto cores = static_cast<double>(std::max(1U, std::thread::hardware_concurrency()));
   const measure::Capacity capacity = measure::capacityOf(*measured, meter.nominalFramesPerSecond());
+  const measure::Capacity whole = measure::atFullSize(capacity, sources.pictureScale);
   Json report = {{"mode", meter.privateWorlds() ? "private" : "shared"},
                  {"seconds", measured->seconds},
                  {"visitors", measured->visitors},
@@ -83,9 +89,9 @@ Json amortization(const StatisticsSources& sources) {
                      {"other_ms", capacity.unreported * 1000.0 / meter.nominalFramesPerSecond()},
                      {"private_frame_ms", capacity.privateVisitor * 1000.0 / meter.nominalFramesPerSecond()},
                      {"visitor_cores", meter.privateWorlds() ? capacity.privateVisitor : capacity.visitor},
-                     {"visitors_fit", visitorsFit(*measured, capacity, cores, sources)},
+                     {"visitors_fit", visitorsFit(*measured, whole, cores, sources)},
                      {"private_cores", capacity.privateVisitor * measured->visitors},
-                     {"private_visitors_fit", capacity.privateVisitorsFit(cores)}});
+                     {"private_visitors_fit", whole.privateVisitorsFit(cores)}});
   Json types = Json::object();
   for (const auto& [type, cost] : measured->costs) {
     const auto share = measured->memory.find(type);
