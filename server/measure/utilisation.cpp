@@ -75,8 +75,8 @@ struct GatheredStage {
 std::map<std::string, StageUse> stageUse(std::span<const TimelineEvent> events, const Window& window) {
   std::map<std::string_view, GatheredStage> gathered;
   for (const TimelineEvent& event : events) {
-    if (endOf(event) < window.beginNanoseconds || event.beginNanoseconds > window.endNanoseconds) continue;
     GatheredStage& stage = gathered[event.stage];
+    if (endOf(event) < window.beginNanoseconds || event.beginNanoseconds > window.endNanoseconds) continue;
     stage.all.add(event, window);
     stage.servesFrames |= event.tag.session != 0;
     if (!event.subject.empty()) stage.types[event.subject].add(event, window);

@@ -34,7 +34,7 @@ struct StageUse {
   std::map<std::string, Use> types;  ///< by type of object, if the stage reports it; parts count per run of the stage
 };
 
-/// Returns the use of each stage, by its name.
+/// Returns the use of each stage, by its name; without runs if its events are all outside of the window.
 [[nodiscard]] std::map<std::string, StageUse> stageUse(std::span<const pipeline::TimelineEvent> events,
                                                        const Window& window);
 

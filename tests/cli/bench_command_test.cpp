@@ -10,6 +10,7 @@
 #include "cli/program.h"
 #include "cli/small_scene.h"
 #include "measure/trace_faults.h"
+#include "sanitized.h"
 
 namespace grove::cli {
 namespace {
@@ -30,10 +31,10 @@ TEST(BenchCommand, FluidPrintsOneDocumentOfTheContract) {
 TEST(BenchCommand, PipelinePrintsARowForEachNumberOfFramesInFlight) {
   const SmallScene scene;
   const auto traceFile = std::filesystem::temp_directory_path() / ("grove_trace_" + std::to_string(getpid()) + ".json");
-  const Outcome outcome =
-      grove("bench pipeline --frames-in-flight 3,1 --users 2 --seconds 0.5 --size 320x180 --scene " + scene.path() +
-                " --json --trace " + traceFile.string(),
-            false);
+  const Outcome outcome = grove("bench pipeline --frames-in-flight 3,1 --users 2 --size 320x180 --seconds " +
+                                    std::string(kSanitized ? "3" : "0.5") + " --scene " + scene.path() +
+                                    " --json --trace " + traceFile.string(),
+                                false);
   ASSERT_EQ(outcome.exit, 0);
   const auto report = nlohmann::json::parse(outcome.output);
   EXPECT_EQ(report.at("scene"), "stones");

@@ -54,6 +54,16 @@ TEST(Utilisation, IsCutAtTheWindow) {
   EXPECT_DOUBLE_EQ(use.cpuMillisecondsPerRun, 4.0);
 }
 
+// Fault: a stage that was idle during the window is missing in a report.
+TEST(Utilisation, AnIdleStageHasNoRuns) {
+  const std::vector<TimelineEvent> events{run("Renderer", {1, 1}, 10, 20, 4), run("Encoder", {1, 1}, 120, 130)};
+  const auto stages = stageUse(events, kWindow);
+  ASSERT_TRUE(stages.contains("Renderer"));
+  EXPECT_EQ(stages.at("Renderer").all.runs, 0u);
+  EXPECT_DOUBLE_EQ(stages.at("Renderer").all.utilisation, 0.0);
+  EXPECT_EQ(bottleneck(stages), "Encoder");
+}
+
 TEST(Utilisation, PartsBelongToTheirStageAndCountByItsRun) {
   const std::vector<TimelineEvent> events{
       part("Compositor", "fluid", 110, 120, 10), part("Compositor", "mesh", 120, 124, 2),
