@@ -31,7 +31,6 @@ export function amortizationOf(statistics) {
   if (!isObject(told)) return null;
   const types = Object.entries(isObject(told.types) ? told.types : {}).filter(([, type]) => isObject(type));
   return {
-    isPrivate: told.mode === 'private',
     visitors: known(told.visitors),
     framesPerSecond: known(told.frames_per_second),
     ...costs(told),

@@ -72,7 +72,7 @@ function enter(state, statistics = null) {
 function show(statistics, amortization, now) {
   const memory = processes.memory();
   writeFigures(document, { statistics, amortization, cacheHits: processes.cacheHits() });
-  bars.show(amortization && frameCost(amortization), amortization?.isPrivate ?? false);
+  bars.show(amortization && frameCost(amortization));
   drawCharts(history, now, amortization?.cores);
   tables.types(amortization);
   tables.stages(processes.stages());

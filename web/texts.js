@@ -113,7 +113,6 @@ export const kRows = Object.freeze({
   savings: {
     label: 'What sharing one world saves',
     rows: {
-      mode: ['Sharing', 'This server makes a separate world for every visitor, for comparison'],
       alpha: ['Shared work \u03b1', 'Share of the computing behind a picture that is done once for all visitors'],
       beta: ['Shared memory \u03b2', 'Share of the memory behind a picture that is held once for all visitors'],
       everybody: ['For everybody', 'Computing time per frame that serves all visitors: fire, smoke, pictures of trees'],
@@ -131,7 +130,6 @@ export const kStatistics = Object.freeze({
   atMost: (count) => `at most ${count}`,
   cores: (count) => `${count} cores`,
   framesPerSecond: (count) => `${count} frames/s`,
-  sharingOff: 'off',
   lateLookOn: 'on',
   lateLookOff: 'off',
   lateLookHindered: (hindrance) => `off: ${hindrance}`,
@@ -168,12 +166,8 @@ export const kStates = Object.freeze({
 
 export const kWaiting = Object.freeze({
   noReason: 'No reason was given.',
-  own: 'Your world is being prepared',
-  common: 'The world is being prepared',
+  title: 'The world is being prepared',
   moment: 'One moment\u2026',
-  place: (place) => `Place ${place} in line`,
-  ahead: (count) =>
-    `Every visitor gets a separate world here. ${count === 1 ? 'One visitor is' : `${count} visitors are`} ahead of you.`,
 });
 
 export const kPictures = Object.freeze({
@@ -339,11 +333,9 @@ export const kOperator = Object.freeze({
   coresUnknown: 'of this machine',
   work: 'work behind a frame',
   memory: 'memory for one visitor',
-  couldBeShared: (what) => `of the ${what} could be shared`,
   isShared: (what) => `part of the ${what} that is shared`,
   sharedPart: (part, what) => `${part} of the ${what} is shared`,
   fit: 'at the full frame rate',
-  fitPrivate: 'each with a separate world',
   fitNone: 'not even one gets the full frame rate',
   fitNoneAlone: 'in private mode, not even one',
   fitAlone: (count) => `in private mode, at most ${count}`,
@@ -356,12 +348,9 @@ export const kOperator = Object.freeze({
   verdict: (cost, times) => `With a separate world, each visitor would cost at least ${cost} per frame: ${times}.`,
   timesAsMuch: (times) => `${times} times as much`,
   aboutAsMuch: 'about as much',
-  parts: { shared: 'work that could be shared', backend: 'own work, backends', frontend: 'own work, frontend', other: 'everything else' },
-  sharedWork: 'part of the shared work',
+  parts: { shared: 'part of the shared work', backend: 'own work, backends', frontend: 'own work, frontend', other: 'everything else' },
   aboutFrame: 'CPU time behind each picture. Work for all visitors is done once and split among them.',
-  aboutFrameAlone: 'CPU time behind each picture. Each visitor pays for everything.',
   barNow: 'now, shared',
-  barNowAlone: 'now, in private mode',
   barAlone: 'in private mode, at least',
   barUnknown: 'not known',
   charts: { visitors: 'Visitors', cores: 'CPU cores in use', alpha: 'Shared work \u03b1', fps: 'Frames per second' },
@@ -407,8 +396,4 @@ export const kSituations = Object.freeze({
     title: 'The owner of this world refuses this server',
     text: `${reason}. This server shows the world with its own visitors only.`,
   }),
-  private: {
-    title: 'Private mode',
-    text: 'Every visitor has a separate world and nothing is shared: this is what serving costs without sharing.',
-  },
 });

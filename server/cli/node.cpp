@@ -105,8 +105,7 @@ int runNode(const NodeOptions& options) {
   node::ModelMemory models(loaded, types.backends, memory);
   raster::ImagePool images(memory);
   pipeline::WorkerPool workers(static_cast<int>(std::max(1U, std::thread::hardware_concurrency())));
-  node::BackendNode node(own, geometry, obstacles, types.backends, {workers, gl, timeline, memory, images},
-                         node::Parallelism::kAllCores, report);
+  node::BackendNode node(own, geometry, obstacles, types.backends, {workers, gl, timeline, memory, images}, report);
   progress.finish();
   stop.endWithin(kStopWhileNodeServes);
   const auto answers =

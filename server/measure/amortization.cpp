@@ -56,7 +56,6 @@ Reading Reading::of(const pipeline::Timeline& timeline) {
 std::map<std::string, FrameCost> frameCosts(const Reading& before, const Reading& after, const Served& served) {
   const double frames = std::max(1.0, served.frames);
   const double framesOfOne = frames / std::max(1.0, served.visitors);
-  const double copies = std::max(1, served.copies);
   std::map<std::string, FrameCost> costs;
   for (const auto& [key, total] : after.costs) {
     pipeline::StageTotal past;
@@ -69,8 +68,8 @@ std::map<std::string, FrameCost> frameCosts(const Reading& before, const Reading
         if (total.cadence > 0.0) {
           cost.acrossUser += runs > 0.0 ? cpu / runs * total.cadence / served.framesPerSecond : 0.0;
         } else {
-          cost.acrossUser += cpu / framesOfOne / copies;
-          cost.onDemand += cpu / framesOfOne / copies;
+          cost.acrossUser += cpu / framesOfOne;
+          cost.onDemand += cpu / framesOfOne;
         }
         break;
       case pipeline::Work::kPerUserBackend:
@@ -90,14 +89,14 @@ FrameCost sum(const std::map<std::string, FrameCost>& costs) {
   return all;
 }
 
-std::map<std::string, MemoryShare> memoryShares(const pipeline::MemoryLedger& ledger, int visitors, int copies) {
+std::map<std::string, MemoryShare> memoryShares(const pipeline::MemoryLedger& ledger, int visitors) {
   std::map<std::string, MemoryShare> shares;
   for (const auto& [key, total] : ledger.totals()) {
     const auto bytes = static_cast<double>(total.bytes);
     MemoryShare& share = shares[key.subject];
     switch (total.work) {
       case pipeline::Work::kAcrossUser:
-        share.acrossUser += bytes / std::max(1, copies);
+        share.acrossUser += bytes;
         break;
       case pipeline::Work::kPerUserBackend:
         share.perUserBackend += bytes / std::max(1, visitors);

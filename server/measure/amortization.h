@@ -46,20 +46,19 @@ struct Reading {
 struct Served {
   double visitors = 0.0;          ///< mean
   double frames = 0.0;            ///< of all visitors together
-  int copies = 1;                 ///< of the across-user state: one if it is shared
   double framesPerSecond = 30.0;  ///< that each visitor is meant to get
 };
 
 /// Costs of a frame by type of object; "" is what serves no single type (camera, encoder, transport).
 ///
 /// Work on a clock of its own counts by the run, as many of them as fall into a frame's time at their nominal rate;
-/// other work of across-user kind by what was done while a visitor got one frame. Both per copy of the state, so shared
-/// and private mode can be compared even where the machine is too slow for the nominal rate.
+/// other work of across-user kind by what was done while a visitor got one frame. So shared and private mode can be
+/// compared even where the machine is too slow for the nominal rate.
 [[nodiscard]] std::map<std::string, FrameCost> frameCosts(const Reading& before, const Reading& after,
                                                           const Served& served);
 [[nodiscard]] FrameCost sum(const std::map<std::string, FrameCost>& costs);
 
-/// Bytes of a ledger: of one copy of what is shared, and of one visitor.
+/// Bytes of a ledger: of what is shared, and of one visitor.
 struct MemoryShare {
   double acrossUser = 0.0;       ///< m_i
   double perUserBackend = 0.0;   ///< m_b
@@ -67,8 +66,7 @@ struct MemoryShare {
   [[nodiscard]] double beta() const noexcept { return acrossUserShare(acrossUser, perUserBackend, perUserFrontend); }
   MemoryShare& operator+=(const MemoryShare& more) noexcept;
 };
-[[nodiscard]] std::map<std::string, MemoryShare> memoryShares(const pipeline::MemoryLedger& ledger, int visitors,
-                                                              int copies);
+[[nodiscard]] std::map<std::string, MemoryShare> memoryShares(const pipeline::MemoryLedger& ledger, int visitors);
 [[nodiscard]] MemoryShare sum(const std::map<std::string, MemoryShare>& shares);
 
 }  // namespace grove::measure

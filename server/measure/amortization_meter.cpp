@@ -55,8 +55,8 @@ Capacity capacityOf(const Amortization& measured, double nominalFramesPerSecond)
 }
 
 AmortizationMeter::AmortizationMeter(const pipeline::Timeline& timeline, const pipeline::MemoryLedger& memory,
-                                     double nominalFramesPerSecond, bool privateWorlds)
-    : timeline_(timeline), memory_(memory), nominal_(nominalFramesPerSecond), privateWorlds_(privateWorlds) {}
+                                     double nominalFramesPerSecond)
+    : timeline_(timeline), memory_(memory), nominal_(nominalFramesPerSecond) {}
 
 void AmortizationMeter::sample(int visitors) {
   Sample sample{Reading::of(timeline_), 0, visitors};
@@ -79,11 +79,9 @@ std::optional<Amortization> AmortizationMeter::newest() const {
   if (frames <= 0.0 || measured.visitors <= 0.0 || measured.seconds <= 0.0) return std::nullopt;
   measured.framesPerSecond = frames / measured.visitors / measured.seconds;
   measured.cpuCores = (last.reading.processSeconds - first.reading.processSeconds) / measured.seconds;
-  const int copies = privateWorlds_ ? std::max(1, last.visitors) : 1;
-  measured.costs =
-      frameCosts(first.reading, last.reading,
-                 {.visitors = measured.visitors, .frames = frames, .copies = copies, .framesPerSecond = nominal_});
-  measured.memory = memoryShares(memory_, std::max(1, last.visitors), copies);
+  measured.costs = frameCosts(first.reading, last.reading,
+                              {.visitors = measured.visitors, .frames = frames, .framesPerSecond = nominal_});
+  measured.memory = memoryShares(memory_, std::max(1, last.visitors));
   return measured;
 }
 

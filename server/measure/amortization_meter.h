@@ -47,9 +47,8 @@ struct Capacity {
 /// Keeps an eye on a timeline and a ledger, which outlive it. Any thread.
 class AmortizationMeter {
  public:
-  /// In private mode every visitor has a copy of what is across-user.
   AmortizationMeter(const pipeline::Timeline& timeline, const pipeline::MemoryLedger& memory,
-                    double nominalFramesPerSecond, bool privateWorlds);
+                    double nominalFramesPerSecond);
 
   /// To be called about once a second.
   void sample(int visitors);
@@ -58,7 +57,6 @@ class AmortizationMeter {
   [[nodiscard]] std::optional<Amortization> newest() const;
 
   [[nodiscard]] double nominalFramesPerSecond() const noexcept { return nominal_; }
-  [[nodiscard]] bool privateWorlds() const noexcept { return privateWorlds_; }
 
  private:
   struct Sample {
@@ -70,7 +68,6 @@ class AmortizationMeter {
   const pipeline::Timeline& timeline_;
   const pipeline::MemoryLedger& memory_;
   const double nominal_;
-  const bool privateWorlds_;
   mutable std::mutex mutex_;
   std::deque<Sample> samples_;
 };

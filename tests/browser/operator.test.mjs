@@ -119,23 +119,6 @@ test('a server that dies leaves its last words in grey, and is found again', asy
   await operator.leave(/Failed to load resource/);
 });
 
-test('private mode is told as such', async () => {
-  const alone = await Server.start({ options: ['--private', '--scene', 'tests/browser/clearing.toml'] });
-  try {
-    const ada = await Visitor.arrive(browser, alone.url);
-    await ada.until('connection', 'open');
-    await ada.frames(2);
-    const operator = await open(alone.operatorUrl);
-    await operator.page.getByRole('status').getByText('Private mode').waitFor();
-    await operator.page.getByText('now, in private mode').waitFor();
-    assert.ok(await operator.page.locator('[data-cost=alone]').isHidden());
-    await operator.leave();
-    await ada.leave();
-  } finally {
-    await alone.end();
-  }
-});
-
 test('what a node does stands below its name, and goes with it', async () => {
   const scene = ['--scene', 'tests/browser/clearing.toml'];
   const port = await freePort();

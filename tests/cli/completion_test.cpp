@@ -48,8 +48,8 @@ TEST(BashCompletion, LeavesFilesAndNumbersToTheShell) {
 }
 
 TEST(BashCompletion, GoesOnBehindValuesAndFlags) {
-  EXPECT_THAT(offered("serve --fps 30", "--priv"), ContainerEq(std::set<std::string>{"--private"}));
-  EXPECT_THAT(offered("serve --private", "--sc"), ContainerEq(std::set<std::string>{"--scene"}));
+  EXPECT_THAT(offered("serve --fps 30", "--rais"), ContainerEq(std::set<std::string>{"--raise-quality"}));
+  EXPECT_THAT(offered("serve --raise-quality", "--sc"), ContainerEq(std::set<std::string>{"--scene"}));
 }
 
 }  // namespace

@@ -151,25 +151,5 @@ TEST_F(Memory, OnlyWhatIsPerUserGrowsWithVisitorsAndGoesWithThem) {
   EXPECT_NEAR(reported(host, Work::kAcrossUser), shared, 0.02 * shared);
 }
 
-TEST_F(Memory, PrivateWorldsHoldACopyForEachVisitor) {
-  stream::HostOptions options;
-  options.privateWorlds = true;
-  ServedScene served(scene(), options);
-  const auto of = [&](const char* holder, const char* type) {
-    return static_cast<double>(served.host.memory().totals().at({holder, type}).bytes);
-  };
-  Visitors visitors;
-  enter(served, visitors);
-  const double one = of("simulations", "fluid");
-  const double field = of("models", "lightfield");
-  EXPECT_GT(one, 0.0);
-  enter(served, visitors);
-  EXPECT_NEAR(of("simulations", "fluid"), 2.0 * one, 0.05 * one);
-  EXPECT_EQ(of("models", "lightfield"), 2.0 * field);
-  visitors.pop_back();
-  waitFor([&] { return of("simulations", "fluid") < 1.5 * one; });
-  EXPECT_NEAR(of("simulations", "fluid"), one, 0.05 * one);
-}
-
 }  // namespace
 }  // namespace grove::integration

@@ -18,7 +18,7 @@ namespace grove::integration {
 inline node::WorldNodesFactory remoteWorld(const std::string& scene, const node::FrontendTypes& types,
                                            const std::vector<std::string>& nodes, node::ProcessId process = 1,
                                            const node::LinkTls& tls = {}) {
-  return [=, &types](const node::Machine& machine, node::Instances) {
+  return [=, &types](const node::Machine& machine, const node::WorldNodes::Progress&) {
     world::Layout layout = world::layoutOf(world::parseScene(scene, "test.toml"), types.names());
     auto links = node::dialNodes(nodes, node::helloOf(process, layout), std::chrono::seconds(10), machine.workers,
                                  machine.timeline, tls);

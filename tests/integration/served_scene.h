@@ -28,14 +28,14 @@ struct ServedScene {
                        node::TransportFactory transport = transportOfProgram(),
                        const std::vector<std::string>& nodes = {})
       : host(
-            [&](const node::Machine& machine, node::Instances instances) {
+            [&](const node::Machine& machine, const node::WorldNodes::Progress& progress) {
               node::LoadedScene loaded = node::loadScene(world::parseScene(scene, "test.toml"), types.backends);
               auto others = nodes.empty()
                                 ? nullptr
                                 : node::dialNodes(nodes, node::helloOf(options.process, loaded.layout),
                                                   std::chrono::seconds(10), machine.workers, machine.timeline);
-              return std::make_unique<node::LocalWorld>(std::move(loaded), types.backends, gl, machine, instances,
-                                                        std::move(transport), std::move(others));
+              return std::make_unique<node::LocalWorld>(std::move(loaded), types.backends, gl, machine, progress,
+                                                        transport, std::move(others));
             },
             types.frontends, patient(options), [](std::string_view, float) {}) {}
 

@@ -22,7 +22,7 @@ void record(pipeline::Timeline& timeline, const char* stage, Work work, int runs
 TEST(AmortizationMeter, ReportsNothingWhileNobodyIsServed) {
   const pipeline::Timeline timeline;
   const pipeline::MemoryLedger memory;
-  AmortizationMeter meter(timeline, memory, 30.0, false);
+  AmortizationMeter meter(timeline, memory, 30.0);
   EXPECT_FALSE(meter.newest());
   meter.sample(0);
   meter.sample(0);
@@ -32,7 +32,7 @@ TEST(AmortizationMeter, ReportsNothingWhileNobodyIsServed) {
 TEST(AmortizationMeter, ReportsOfTheLastSamplesOnly) {
   pipeline::Timeline timeline;
   const pipeline::MemoryLedger memory;
-  AmortizationMeter meter(timeline, memory, 30.0, false);
+  AmortizationMeter meter(timeline, memory, 30.0);
   meter.sample(1);
   record(timeline, "Encoder", Work::kPerUserFrontend, 100, 50.0);  // long ago
   for (int i = 0; i < 6; ++i) {

@@ -84,28 +84,16 @@ TEST(Amortization, ReportsCostsOfAFrameByTypeOfObject) {
   EXPECT_NEAR(alpha0(all), 16.0 / 25.0, 1e-9);
 }
 
-TEST(Amortization, CountsOneOfManyCopies) {
-  using pipeline::Work;
-  pipeline::Timeline timeline;
-  const Reading before = Reading::of(timeline);
-  record(timeline, "Simulation Tick", "fluid", Work::kAcrossUser, 120, 10.0, 30.0);
-  record(timeline, "Shared View", "lightfield", Work::kAcrossUser, 120, 3.0);
-  const auto costs = frameCosts(before, Reading::of(timeline), {.visitors = 4, .frames = 120.0, .copies = 4});
-  EXPECT_NEAR(costs.at("fluid").acrossUser, 10.0, 1e-9);
-  EXPECT_NEAR(costs.at("lightfield").acrossUser, 3.0, 1e-9);
-}
-
-TEST(Amortization, SharesMemoryAmongCopiesAndVisitors) {
+TEST(Amortization, SharesMemoryAmongVisitors) {
   using pipeline::Work;
   pipeline::MemoryLedger ledger;
   const pipeline::HeldMemory state(ledger, "fluid state", "fluid", Work::kAcrossUser, 4000);
   const pipeline::HeldMemory targets(ledger, "targets", "fluid", Work::kPerUserBackend, 200);
   const pipeline::HeldMemory images(ledger, "images", "", Work::kPerUserFrontend, 800);
-  const auto shared = memoryShares(ledger, 2, 1);
+  const auto shared = memoryShares(ledger, 2);
   EXPECT_EQ(shared.at("fluid").acrossUser, 4000.0);
   EXPECT_EQ(shared.at("fluid").perUserBackend, 100.0);
   EXPECT_NEAR(sum(shared).beta(), 4000.0 / 4500.0, 1e-12);
-  EXPECT_EQ(memoryShares(ledger, 2, 2).at("fluid").acrossUser, 2000.0);
 }
 
 }  // namespace

@@ -44,9 +44,7 @@ class Greeting : public ::testing::Test {
                 types);
   const world::WorldGeometry geometry{scene.objects};
   const std::shared_ptr<ReferenceTransport> transport = std::make_shared<ReferenceTransport>();
-  BackendNode backend{
-      scene, geometry, geometry.obstacles(), types, {workers, gl, timeline, memory, images}, Parallelism::kAllCores,
-      {}};
+  BackendNode backend{scene, geometry, geometry.obstacles(), types, {workers, gl, timeline, memory, images}, {}};
   const std::shared_ptr<void> served = backend.accept(transport);
   Replies replies;
   const NodeHello good{
@@ -60,10 +58,9 @@ TEST_F(Greeting, WelcomesWhoKnowsTheSceneAndTellsWhatItServes) {
   EXPECT_EQ(welcome.sceneHash, scene.layout.hash);
   EXPECT_FALSE(welcome.visitors) << "the scene shows none";
   const std::uint64_t epoch = welcome.epoch;
-  EXPECT_NE(BackendNode(scene, geometry, geometry.obstacles(), types, {workers, gl, timeline, memory, images},
-                        Parallelism::kAllCores, {})
-                .epoch(),
-            epoch)
+  EXPECT_NE(
+      BackendNode(scene, geometry, geometry.obstacles(), types, {workers, gl, timeline, memory, images}, {}).epoch(),
+      epoch)
       << "another life";
   ASSERT_EQ(welcome.objects.size(), 1u);
   EXPECT_EQ(welcome.objects[0].id, scene.objects[0].id);

@@ -112,9 +112,7 @@ position = [0, 1.7, -4]
   const std::shared_ptr<FaultyTransport> link =
       std::make_shared<FaultyTransport>(transportFactory(GetParam())(workers, timeline));
   FaultyTransport& transport = *link;
-  BackendNode backend{
-      scene, geometry, geometry.obstacles(), backends, {workers, gl, timeline, memory, images}, Parallelism::kAllCores,
-      {}};
+  BackendNode backend{scene, geometry, geometry.obstacles(), backends, {workers, gl, timeline, memory, images}, {}};
   const std::shared_ptr<void> served = backend.accept(link);
   const world::Layout layout = scene.layout;
   pipeline::MemoryLedger frontendMemory;

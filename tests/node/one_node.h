@@ -30,9 +30,7 @@ class OneNode {
   gl::Workers gl{gl::ContextKind::kAuto, shaders, 1};
   pipeline::WorkerPool nodeWorkers{2};
   pipeline::WorkerPool workers{2};
-  BackendNode backend{
-      scene, geometry, geometry.obstacles(), types, {nodeWorkers, gl, timeline, memory, images}, Parallelism::kAllCores,
-      {}};
+  BackendNode backend{scene, geometry, geometry.obstacles(), types, {nodeWorkers, gl, timeline, memory, images}, {}};
 
   std::int64_t refused() { return timeline.counters()["messages that were refused"]; }
 };

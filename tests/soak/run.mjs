@@ -1,14 +1,14 @@
 import { parseArgs } from 'node:util';
 
 import { framesInFlight } from './frames_in_flight.mjs';
-import { privateStops } from './private_stops.mjs';
+import { stopServers } from './stops.mjs';
 
 /**
  * Real servers for as long as rare faults need to show. Exit status: 0 if there was none, 1 if there was, 2 for a mistake.
  *
  *   node run.mjs [--stops N] [--minutes N] [stops] [frames]
  */
-const kParts = { stops: privateStops, frames: framesInFlight };
+const kParts = { stops: stopServers, frames: framesInFlight };
 
 function readCommandLine() {
   try {

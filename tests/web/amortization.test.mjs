@@ -6,7 +6,6 @@ import { sample } from './statistics_sample.mjs';
 
 test('reads what the server tells', () => {
   const told = amortizationOf(sample());
-  assert.equal(told.isPrivate, false);
   assert.deepEqual([told.visitors, told.acrossUser, told.cpuCores, told.cores], [3, 14.5, 1.31, 2]);
   assert.deepEqual([told.visitorsFit, told.privateVisitorsFit], [5, 2]);
   assert.equal(perUser(told), 8.5);
@@ -36,8 +35,4 @@ test('there is no share of nothing', () => {
   const none = { ...sample().amortization, across_user_mb: 0, per_visitor_mb: 0, beta: 0, alpha: 0 };
   const told = amortizationOf({ amortization: none });
   assert.deepEqual([told.alpha, told.beta], [0, null], 'where no memory is told of, nothing is known of sharing it');
-});
-
-test('private mode is told as such', () => {
-  assert.equal(amortizationOf({ amortization: { ...sample().amortization, mode: 'private' } }).isPrivate, true);
 });

@@ -58,7 +58,7 @@ function setUp({ mayRetry = () => true, protocol = 'grove.v1.1' } = {}) {
     on: {
       state: (state, reason) => states.push(reason ? `${state}: ${reason}` : state),
       welcome: () => {},
-      waiting: ({ place, percent, step, isIn }) => waits.push([place, percent, step, isIn]),
+      waiting: ({ percent, step }) => waits.push([percent, step]),
       refining: ({ percent, secondsLeft }) => refining.push([percent, secondsLeft]),
       picture: (picture) => frames.push(picture.frame),
       status: ({ limitedBy }) => frames.push(`limited by ${limitedBy}`),
@@ -190,23 +190,6 @@ test('a server that falls silent counts as lost', () => {
   assert.equal(sockets[0].closedWith, 1000);
 });
 
-test('who waits in line is not lost as long as he is told so', () => {
-  const { clock, sockets, states, frames, waits, letIn } = setUp();
-  letIn();
-  for (let i = 0; i < 5; i += 1) {
-    clock.advance(9_000);
-    sockets[0].receive(bytesOf(i < 3 ? 'waiting behind others' : 'waiting'));
-  }
-  assert.deepEqual(states, ['connecting', 'open']);
-  assert.deepEqual(waits, [
-    ...Array(3).fill([515, 0, '', true]),
-    ...Array(2).fill([1, 40, 'painting the sky', true]),
-  ]);
-  assert.deepEqual(frames, [], 'nothing to show or to acknowledge');
-  clock.advance(10_000);
-  assert.deepEqual(states, ['connecting', 'open', 'lost'], 'the server fell silent');
-});
-
 test('who comes before the world is ready is told how it gets on, and is let in without knocking again', () => {
   const { clock, sockets, states, waits, letIn } = setUp();
   sockets[0].open();
@@ -214,7 +197,7 @@ test('who comes before the world is ready is told how it gets on, and is let in 
     clock.advance(9_000);
     sockets[0].receive(bytesOf('waiting'));
   }
-  assert.deepEqual(waits, Array(3).fill([1, 40, 'painting the sky', false]));
+  assert.deepEqual(waits, Array(3).fill([40, 'painting the sky']));
   assert.deepEqual(states, ['connecting']);
   letIn();
   assert.deepEqual(states, ['connecting', 'open']);

@@ -40,33 +40,22 @@ function setUp() {
   };
 }
 
-test('says how many are before', () => {
-  const { notice, title, text, progress } = setUp();
-  notice.wait({ place: 3, percent: 0, step: '', isIn: true });
-  assert.equal(title.textContent, 'Place 3 in line');
-  assert.match(text.textContent, /2 visitors are ahead of you\.$/);
-  assert.equal(progress.hidden, true);
-  notice.wait({ place: 2, percent: 0, step: '', isIn: true });
-  assert.equal(title.textContent, 'Place 2 in line');
-  assert.match(text.textContent, /One visitor is ahead of you\.$/);
-});
-
 test('says what is being made, and shows how much of it', () => {
   const { notice, element, title, text, progress } = setUp();
   notice.hide();
-  notice.wait({ place: 1, percent: 40, step: 'painting the sky', isIn: true });
+  notice.wait({ percent: 40, step: 'painting the sky' });
   assert.equal(element.hidden, false);
-  assert.equal(title.textContent, 'Your world is being prepared');
+  assert.equal(title.textContent, 'The world is being prepared');
   assert.equal(text.textContent, 'Painting the sky\u2026');
   assert.equal(progress.hidden, false);
   assert.equal(progress.value, 40);
-  notice.wait({ place: 1, percent: 0, step: '', isIn: true });
+  notice.wait({ percent: 0, step: '' });
   assert.equal(text.textContent, 'One moment\u2026');
 });
 
 test('words that stay the same are not read out again', () => {
   const { notice, title, text, progress } = setUp();
-  for (const percent of [10, 20, 30]) notice.wait({ place: 1, percent, step: 'painting the sky', isIn: true });
+  for (const percent of [10, 20, 30]) notice.wait({ percent, step: 'painting the sky' });
   assert.equal(progress.value, 30);
   assert.equal(title.spoken, 1);
   assert.equal(text.spoken, 1);
@@ -82,18 +71,10 @@ test('neither the button of another state nor its bar stays', () => {
   const { notice, progress, button } = setUp();
   notice.show('full', '');
   assert.equal(button.hidden, false);
-  notice.wait({ place: 1, percent: 40, step: '', isIn: true });
+  notice.wait({ percent: 40, step: '' });
   assert.equal(button.hidden, true);
   notice.show('lost', '');
   assert.equal(progress.hidden, true);
-});
-
-test('the world that is still being made for everybody is nobody\'s own', () => {
-  const { notice, title, text, progress } = setUp();
-  notice.wait({ place: 1, percent: 12, step: 'sketching the light fields', isIn: false });
-  assert.equal(title.textContent, 'The world is being prepared');
-  assert.equal(text.textContent, 'Sketching the light fields\u2026');
-  assert.deepEqual([progress.hidden, progress.value], [false, 12]);
 });
 
 test('says that the place was given away, and why', () => {

@@ -13,7 +13,6 @@ test('says what has to be known before the figures can be read', () => {
   assert.equal(title(sample()), undefined);
   assert.equal(title({ ...sample(), amortization: null, visitors: 0 }), 'No visitors');
   assert.equal(title({ ...sample(), amortization: null, visitors: 1 }), 'A visitor has arrived');
-  assert.equal(title({ ...sample(), amortization: { ...sample().amortization, mode: 'private' } }), 'Private mode');
   const joined = (state, reason) => title({ ...sample(), world: { state, visitors: 3, reason } });
   assert.equal(joined('joined'), undefined);
   assert.match(joined('lost'), /owner of this world is lost/);

@@ -98,13 +98,6 @@ test('a frame costs a share of the work for everybody, and its own', () => {
   assert.equal(cost.alone.frontend, 5.5);
 });
 
-test('in private mode a visitor has all of the work, and nothing to compare it with', () => {
-  const { amortization } = sample();
-  const cost = frameCost(amortizationOf({ amortization: { ...amortization, mode: 'private' } }));
-  assert.equal(cost.now.shared, 14.5);
-  assert.equal(cost.alone, null);
-});
-
 test('links are those to nodes, and to the owner of the world if that is another process', () => {
   assert.deepEqual(linksOf(sample()), [], 'an older server tells nothing');
   const node = { name: 'the node at a:1', state: 'welcomed', round_trip_ms: 0.4 };

@@ -19,17 +19,17 @@ export class CostBars {
   }
 
   /** `cost` as frameCost() returns it; `null` if unknown. */
-  show(cost, isPrivate) {
+  show(cost) {
     const sums = { now: cost ? total(cost.now) : null, alone: cost?.alone ? total(cost.alone) : null };
     const most = Math.max(sums.now ?? 0, sums.alone ?? 0);
-    this.#bar('now', isPrivate ? kOperator.barNowAlone : kOperator.barNow, cost?.now, sums.now, most);
+    this.#bar('now', kOperator.barNow, cost?.now, sums.now, most);
     this.#bar('alone', kOperator.barAlone, cost?.alone, sums.alone, most);
     for (const [part, name] of Object.entries(kOperator.parts)) {
       const entry = this.#section.querySelector(`.legend [data-part=${part}]`);
-      write(entry.querySelector('span'), part === 'shared' && !isPrivate ? kOperator.sharedWork : name);
+      write(entry.querySelector('span'), name);
       write(entry.querySelector('b'), milliseconds(cost?.now[part]));
     }
-    write(this.#section.querySelector('#frame-words'), isPrivate ? kOperator.aboutFrameAlone : kOperator.aboutFrame);
+    write(this.#section.querySelector('#frame-words'), kOperator.aboutFrame);
     write(this.#section.querySelector('#verdict'), verdict(cost, sums));
   }
 

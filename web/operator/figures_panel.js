@@ -21,13 +21,11 @@ function pictures(scale) {
 }
 
 function shared(what, told, value) {
-  if (told?.isPrivate) return kOperator.couldBeShared(what);
   return (value ?? null) === null ? kOperator.isShared(what) : kOperator.sharedPart(percent(value), what);
 }
 
 function room(told) {
   if (!told || told.privateVisitorsFit === null) return kOperator.fit;
-  if (told.isPrivate) return kOperator.fitPrivate;
   if (told.visitorsFit === 0) return kOperator.fitNone;
   if (told.privateVisitorsFit === 0) return kOperator.fitNoneAlone;
   const times = told.visitorsFit / told.privateVisitorsFit;

@@ -23,5 +23,5 @@ export function situation(state, statistics, answeredAt) {
   const { amortization } = statistics;
   if (amortization === undefined) return kSituations.older;
   if (amortization === null) return statistics.visitors > 0 ? kSituations.first : kSituations.empty;
-  return amortization.mode === 'private' ? kSituations.private : null;
+  return null;
 }

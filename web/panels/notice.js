@@ -27,13 +27,11 @@ export class Notice {
     this.#element.hidden = false;
   }
 
-  /** Progress as in the message Waiting: for the world, or after Welcome (`isIn`) for a separate one. */
-  wait({ place, percent, step, isIn }) {
-    const title = isIn ? kWaiting.own : kWaiting.common;
-    if (place === 1) this.#say(title, step ? `${capitalised(step)}\u2026` : kWaiting.moment);
-    else this.#say(kWaiting.place(place), kWaiting.ahead(place - 1));
+  /** Progress as in the message Waiting. */
+  wait({ percent, step }) {
+    this.#say(kWaiting.title, step ? `${capitalised(step)}\u2026` : kWaiting.moment);
     // Not in the text: screen readers would read out every percent.
-    this.#progress.hidden = place !== 1;
+    this.#progress.hidden = false;
     this.#progress.value = percent;
     this.#button.hidden = true;
     this.#element.hidden = false;

@@ -51,14 +51,13 @@ const kFigures = {
   decoded: ({ decodeMs }) => milliseconds(decodeMs),
   painted: ({ paintMs }) => milliseconds(paintMs),
 
-  mode: ofSavings(({ isPrivate }) => isPrivate && kStatistics.sharingOff),
   alpha: ofSavings(({ alpha }) => told(alpha, percent)),
   beta: ofSavings(({ beta }) => told(beta, percent)),
   everybody: ofSavings(({ acrossUser }) => told(acrossUser, milliseconds)),
   visitor: ofSavings((amortization) => told(perUser(amortization), milliseconds)),
   cost: ofSavings(({ visitorCores }) => told(visitorCores, (cores) => kStatistics.cores(plain(cores)))),
   fit: ofSavings(({ visitorsFit }) => told(visitorsFit, visitors)),
-  private: ofSavings(({ isPrivate, privateVisitorsFit }) => !isPrivate && told(privateVisitorsFit, atMost)),
+  private: ofSavings(({ privateVisitorsFit }) => told(privateVisitorsFit, atMost)),
 };
 
 function addRows(list, { label, rows }) {
@@ -115,7 +114,7 @@ export class Overlay {
     }
     this.#list('line').hidden = reading.status === null;
     this.#list('savings').hidden = reading.amortization === null;
-    // Servers in private mode and older ones report fewer of these.
+    // Older servers report fewer of these.
     for (const row of this.#list('savings').children) row.hidden = row.lastChild.textContent === kUnknown;
   }
 }

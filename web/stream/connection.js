@@ -77,8 +77,7 @@ export class Connection {
    * @param {object} parts.on
    * @param {(state: string, reason: string) => void} parts.on.state on each change
    * @param {(message: object) => void} parts.on.welcome on each Welcome
-   * @param {(message: object) => void} parts.on.waiting progress of the wait for the first picture; `isIn`:
-   *     after Welcome
+   * @param {(message: object) => void} parts.on.waiting progress of the world's preparation, before Welcome
    * @param {(message: object) => void} parts.on.picture on each Frame or Picture; `arrived`: time of its arrival (ms)
    * @param {(message: object) => void} [parts.on.status]
    * @param {(message: object) => void} [parts.on.refining]
@@ -208,7 +207,7 @@ export class Connection {
         if (message.message !== 'Waiting') this.#backoff.reset();
         // From now on the server sends regularly. Before, preparing the world may delay its messages.
         if (this.#adapts && ['Picture', 'Status'].includes(message.message)) this.#patience = kShortSilence;
-        this.#on[kListeners[message.message]]?.({ ...message, arrived, isIn: this.#greeted });
+        this.#on[kListeners[message.message]]?.({ ...message, arrived });
       }
       if (this.#socket) this.#watchSilence();
     } catch (error) {

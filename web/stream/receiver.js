@@ -109,7 +109,7 @@ export class Receiver {
       on: {
         state: (state, reason) => emit({ kind: 'state', state, reason, visit: this.#visit }),
         welcome: (message) => this.#welcome(message),
-        waiting: ({ place, percent, step, isIn }) => emit({ kind: 'waiting', place, percent, step, isIn }),
+        waiting: ({ percent, step }) => emit({ kind: 'waiting', percent, step }),
         picture: (picture) => this.#receive(picture),
         status: (status) => this.#statusReceived(status),
         refining: ({ percent, secondsLeft }) => emit({ kind: 'refining', percent, secondsLeft }),

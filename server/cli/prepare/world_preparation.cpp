@@ -34,19 +34,20 @@ WorldPreparation::WorldPreparation(world::Scene scene, Options options,
       types_(objects::builtinTypes()),
       shaders_(options_.shaderDirectory) {}
 
-std::unique_ptr<node::WorldNodes> WorldPreparation::make(const node::Machine& machine, node::Instances instances) {
+std::unique_ptr<node::WorldNodes> WorldPreparation::make(const node::Machine& machine,
+                                                         const node::WorldNodes::Progress& progress) {
   world::Layout layout = world::layoutOf(scene_, types_.frontends.names());
-  if (options_.nodes.empty()) return prepareLocally(machine, instances, nullptr);
+  if (options_.nodes.empty()) return prepareLocally(machine, progress, nullptr);
   auto others = node::dialNodes(options_.nodes, node::helloOf(options_.process, layout), kNodePatience, machine.workers,
                                 machine.timeline, options_.tls);
-  if (!node::restOf(layout, others->served()).empty()) return prepareLocally(machine, instances, std::move(others));
+  if (!node::restOf(layout, others->served()).empty()) return prepareLocally(machine, progress, std::move(others));
   log::info("world: " + layout.name + ", " + std::to_string(layout.objects.size()) +
             " objects, all in other processes");
   return std::make_unique<node::RemoteWorld>(std::move(layout), std::move(others));
 }
 
 std::unique_ptr<node::WorldNodes> WorldPreparation::prepareLocally(const node::Machine& machine,
-                                                                   node::Instances instances,
+                                                                   const node::WorldNodes::Progress& progress,
                                                                    std::unique_ptr<node::NodeRouter> others) {
   requireAddressSpace(kForGl);
   gl_.emplace(options_.gl, shaders_);
@@ -57,7 +58,7 @@ std::unique_ptr<node::WorldNodes> WorldPreparation::prepareLocally(const node::M
   log::info("GL: " + gl_->description() + ", " + std::to_string(gl_->width()) + " workers");
   log::info("world: " + loaded.layout.name + ", " + std::to_string(loaded.objects.size()) + " objects");
   requireAddressSpace(options_.spaceForServing + kThreadsBesidesWorkers * stackBytes());
-  return std::make_unique<node::LocalWorld>(std::move(loaded), types_.backends, *gl_, machine, instances,
+  return std::make_unique<node::LocalWorld>(std::move(loaded), types_.backends, *gl_, machine, progress,
                                             node::TransportFactory(), std::move(others));
 }
 

@@ -40,7 +40,8 @@ class WorldPreparation {
                    std::stop_token stop);
 
   /// See node::WorldNodesFactory; call once. Throws Stopped, EnvironmentError or world::SceneError.
-  [[nodiscard]] std::unique_ptr<node::WorldNodes> make(const node::Machine& machine, node::Instances instances);
+  [[nodiscard]] std::unique_ptr<node::WorldNodes> make(const node::Machine& machine,
+                                                       const node::WorldNodes::Progress& progress);
 
   [[nodiscard]] const node::FrontendTypes& frontends() const noexcept { return types_.frontends; }
   /// The parts that are still coarse.
@@ -48,7 +49,7 @@ class WorldPreparation {
 
  private:
   [[nodiscard]] std::unique_ptr<node::WorldNodes> prepareLocally(const node::Machine& machine,
-                                                                 node::Instances instances,
+                                                                 const node::WorldNodes::Progress& progress,
                                                                  std::unique_ptr<node::NodeRouter> others);
 
   const world::Scene scene_;

@@ -137,7 +137,7 @@ class Serving {
                                              .spaceForServing = space},
                    report, stop);
     try {
-      host_.emplace([&](const auto& machine, auto instances) { return world_->make(machine, instances); },
+      host_.emplace([&](const auto& machine, const auto& progress) { return world_->make(machine, progress); },
                     world_->frontends(), hosting, report);
     } catch (const WorldPreparation::Stopped&) {
       return false;

@@ -67,7 +67,7 @@ void addJoining(CLI::App& serve, ServeOptions& options) {
   CLI::Option* join = serve.add_option("--join", options.join, "Show the world that the process at this address owns");
   CLI::Option* share =
       serve.add_option("--share", options.share, "Let other servers join this server's world at this address");
-  for (CLI::Option* option : {join, share}) option->type_name("HOST:PORT")->excludes("--private");
+  for (CLI::Option* option : {join, share}) option->type_name("HOST:PORT");
   join->excludes(share);
   addLinkTls(serve, options.links);
 }
@@ -120,14 +120,11 @@ void addServe(CLI::App& app, ServeOptions& options) {
   serve->add_option("--frames-in-flight", options.host.framesInFlight, "Frames of a visitor in flight")
       ->check(CLI::Range(1, 8))
       ->capture_default_str();
-  serve->add_flag("--private", options.host.privateWorlds,
-                  "Give each visitor private copies of everything: the cost of serving without sharing");
   serve
       ->add_option("--nodes", options.nodes,
                    "Nodes (grove node) that serve some of the objects, comma-separated; this server serves the rest")
       ->type_name("HOST:PORT")
-      ->delimiter(',')
-      ->excludes("--private");
+      ->delimiter(',');
   addJoining(*serve, options);
   serve->add_flag("--raise-quality", options.host.raiseQuality,
                   "Refine shared work (grid of the fluid, light fields) while enough visitors share its cost");

@@ -50,17 +50,16 @@ class BackendNode::Reception final : public BackendPort {
 
 BackendNode::BackendNode(const LoadedScene& scene, const world::WorldGeometry& geometry,
                          const world::VoxelObstacles& obstacles, const BackendTypes& types,
-                         const BackendMachine& machine, Parallelism parallelism, const Progress& progress)
+                         const BackendMachine& machine, const Progress& progress)
     : scene_(scene), geometry_(geometry), obstacles_(obstacles), machine_(machine), epoch_(anyNumber()) {
-  const BackendServices services = this->services(parallelism, progress);
+  const BackendServices services = this->services(progress);
   std::set<world::TypeIndex> used;
   for (const world::ModelledObject& object : scene.objects) used.insert(object.type);
   if (scene.visitor) used.insert(scene.layout.visitor->object.type);
-  const auto policy = parallelism == Parallelism::kAllCores ? std::launch::async : std::launch::deferred;
   std::vector<std::pair<world::TypeIndex, std::future<std::unique_ptr<BackendPipeline>>>> prepared;
   prepared.reserve(used.size());
   for (const world::TypeIndex type : used) {
-    prepared.emplace_back(type, std::async(policy, [&, type] {
+    prepared.emplace_back(type, std::async(std::launch::async, [&, type] {
                             return std::make_unique<BackendPipeline>(*types.find(scene.layout.types[type]), type,
                                                                      services);
                           }));
@@ -79,7 +78,7 @@ BackendNode::~BackendNode() {
   machine_.workers.drain();
 }
 
-BackendServices BackendNode::services(Parallelism parallelism, const Progress& progress) {
+BackendServices BackendNode::services(const Progress& progress) {
   return {.scene = scene_,
           .geometry = geometry_,
           .obstacles = obstacles_,
@@ -90,9 +89,7 @@ BackendServices BackendNode::services(Parallelism parallelism, const Progress& p
           .memory = machine_.memory,
           .images = machine_.images,
           .announce = [this](const Announcement& announcement) { peers_.announce(announcement); },
-          .progress = progress,
-          .helpers = parallelism == Parallelism::kAllCores ? &machine_.workers : nullptr,
-          .baked = machine_.baked};
+          .progress = progress};
 }
 
 std::shared_ptr<void> BackendNode::accept(std::shared_ptr<BackendEnd> link) {

@@ -11,7 +11,6 @@
 #include "node/backend/peers/peers.h"
 #include "node/backend/prepare/load_scene.h"
 #include "node/backend/world_mirror.h"
-#include "node/parallelism.h"
 #include "node/transport/transport.h"
 
 namespace grove::node {
@@ -23,7 +22,6 @@ struct BackendMachine {
   pipeline::Timeline& timeline;
   pipeline::MemoryLedger& memory;
   raster::ImagePool& images;
-  BakedStore* baked = nullptr;  ///< null unless private mode makes more instances of the world
 };
 
 /// Owns all or some objects of a world and serves requests for them, with one pipeline for each object type. Messages
@@ -35,8 +33,7 @@ class BackendNode {
   /// Prepares the objects, which may take seconds; rethrows what preparation throws. Must not run on a thread of the
   /// executors. `progress` is called from any thread and may throw to cancel. All other arguments outlive the node.
   BackendNode(const LoadedScene& scene, const world::WorldGeometry& geometry, const world::VoxelObstacles& obstacles,
-              const BackendTypes& types, const BackendMachine& machine, Parallelism parallelism,
-              const Progress& progress);
+              const BackendTypes& types, const BackendMachine& machine, const Progress& progress);
   /// Waits for runs in progress, so it must not run on a thread of the executors. All tokens of accept() must be gone.
   ~BackendNode();
   BackendNode(const BackendNode&) = delete;
@@ -57,7 +54,7 @@ class BackendNode {
  private:
   class Reception;
 
-  [[nodiscard]] BackendServices services(Parallelism parallelism, const Progress& progress);
+  [[nodiscard]] BackendServices services(const Progress& progress);
   pipeline::PushResult receive(const std::shared_ptr<Peer>& peer, ToBackend message);
   pipeline::PushResult take(PeerRequest asked);
   /// Starts to make a version for a peer's subscription.

@@ -8,7 +8,6 @@
 #include <string_view>
 #include <vector>
 
-#include "node/backend/prepare/baked_store.h"
 #include "node/backend/world_mirror.h"
 #include "node/messages/result.h"
 #include "pipeline/executor.h"
@@ -63,16 +62,6 @@ struct BackendServices {
   /// Reports slow preparation: a label and a share of 0 to 1. Throws if the half is not needed any more, so call it
   /// often.
   std::function<void(std::string_view, float)> progress;
-  /// Threads that help to prepare, see prepareEach(); null if the constructing thread does all of it.
-  pipeline::Executor* helpers = nullptr;
-  /// Baked data of an earlier instance of this world; null unless private mode makes more instances.
-  BakedStore* baked = nullptr;
-
-  /// As BakedStore::copyOf(), with or without a store. Baked data may depend on the world's layout only.
-  template <class Bytes, class Bake>
-  [[nodiscard]] auto bakedOnce(const std::string& key, const Bytes& bytes, const Bake& bake) const {
-    return baked == nullptr ? bake() : baked->copyOf<decltype(bake())>(key, bytes, bake);
-  }
 };
 
 }  // namespace grove::node

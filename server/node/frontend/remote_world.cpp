@@ -37,24 +37,11 @@ world::Layout described(world::Layout layout, const std::vector<NodeWelcome>& we
   return layout;
 }
 
-class RemoteInstance final : public InstanceNodes {
- public:
-  explicit RemoteInstance(NodeRouter& nodes) : nodes_(nodes) {}
-  [[nodiscard]] FrontendEnd& end() override { return nodes_; }
-
- private:
-  NodeRouter& nodes_;
-};
-
 }  // namespace
 
 RemoteWorld::RemoteWorld(world::Layout layout, std::unique_ptr<NodeRouter> nodes)
     : nodes_(std::move(nodes)), layout_(described(std::move(layout), nodes_->welcomes())) {
   assert(restOf(layout_, nodes_->served()).empty());
-}
-
-std::unique_ptr<InstanceNodes> RemoteWorld::make(Parallelism /*parallelism*/, const Progress& /*progress*/) {
-  return std::make_unique<RemoteInstance>(*nodes_);
 }
 
 }  // namespace grove::node

@@ -10,7 +10,7 @@
 namespace grove::node {
 
 /// A world whose objects are all served by nodes in other processes. This process has only those facts of the models
-/// that the nodes' welcomes contain. For one instance only.
+/// that the nodes' welcomes contain.
 class RemoteWorld final : public WorldNodes {
  public:
   /// `layout` is that of the scene file (world::layoutOf()). Asserts that the nodes serve all of it. Throws
@@ -18,7 +18,7 @@ class RemoteWorld final : public WorldNodes {
   RemoteWorld(world::Layout layout, std::unique_ptr<NodeRouter> nodes);
 
   [[nodiscard]] const world::Layout& layout() const override { return layout_; }
-  [[nodiscard]] std::unique_ptr<InstanceNodes> make(Parallelism parallelism, const Progress& progress) override;
+  [[nodiscard]] FrontendEnd& end() override { return *nodes_; }
   [[nodiscard]] std::vector<NodeRouter::NodeLink> links() const override { return nodes_->links(); }
   [[nodiscard]] std::vector<NodeRouter::NodeEvents> traces(std::chrono::milliseconds max) const override {
     return nodes_->traces(max);

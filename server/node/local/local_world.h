@@ -3,39 +3,40 @@
 #include <memory>
 
 #include "node/backend/backend_node.h"
-#include "node/backend/prepare/baked_store.h"
 #include "node/backend/prepare/load_scene.h"
+#include "node/backend/prepare/model_memory.h"
 #include "node/frontend/world_nodes.h"
 #include "pipeline/memory_ledger.h"
 
 namespace grove::node {
 
-/// A world whose objects this process owns, except for those that nodes in other processes serve. Each instance has a
-/// backend node of its own; all share the obstacles for smoke and light.
+/// A world whose objects this process owns, except for those that nodes in other processes serve.
 class LocalWorld final : public WorldNodes {
  public:
-  /// `makeTransport` makes the link between an instance's frontend process and its backend node; empty: they share
-  /// memory. `others` are nodes of other processes, for one instance only; null if there are none. Types and GL workers
-  /// outlive the world.
-  LocalWorld(LoadedScene scene, const BackendTypes& types, gl::Workers& gl, const Machine& machine, Instances instances,
-             TransportFactory makeTransport = {}, std::unique_ptr<NodeRouter> others = nullptr);
+  /// Prepares the objects, as BackendNode. `makeTransport` makes the link between the frontend process and the backend
+  /// node; empty: they share memory. `others` are nodes of other processes; null if there are none. Types and GL
+  /// workers outlive the world.
+  LocalWorld(LoadedScene scene, const BackendTypes& types, gl::Workers& gl, const Machine& machine,
+             const Progress& progress, const TransportFactory& makeTransport = {},
+             std::unique_ptr<NodeRouter> others = nullptr);
 
   [[nodiscard]] const world::Layout& layout() const override { return scene_.layout; }
-  [[nodiscard]] std::unique_ptr<InstanceNodes> make(Parallelism parallelism, const Progress& progress) override;
+  [[nodiscard]] FrontendEnd& end() override { return end_; }
+  void reportModels() override { models_.update(); }
   [[nodiscard]] std::vector<NodeRouter::NodeLink> links() const override;
   [[nodiscard]] std::vector<NodeRouter::NodeEvents> traces(std::chrono::milliseconds max) const override;
 
  private:
   const LoadedScene scene_;
-  const BackendTypes& types_;
-  gl::Workers& gl_;
-  const Machine machine_;
-  const Instances instances_;
-  const TransportFactory makeTransport_;
   const std::unique_ptr<NodeRouter> others_;
-  std::unique_ptr<const world::WorldGeometry> geometry_;  ///< of all instances; made with the first
-  pipeline::HeldMemory geometryMemory_;
-  BakedStore baked_;  ///< used if there are many instances
+  const world::WorldGeometry geometry_;
+  const pipeline::HeldMemory geometryMemory_;
+  ModelMemory models_;
+  const std::shared_ptr<Transport> transport_;
+  FrontendEnd& end_;  ///< the transport, or the router to it and to the other nodes
+  const LoadedScene own_;
+  BackendNode backend_;
+  const std::shared_ptr<void> served_;  ///< the backend node's token for the frontend process
 };
 
 /// Makes a LocalWorld without nodes of other processes.

@@ -18,10 +18,6 @@ constexpr double kSampleSeconds = 1.0;
 
 int workerCount() { return static_cast<int>(std::max(1U, std::thread::hardware_concurrency())); }
 
-node::Instances instancesOf(const HostOptions& options) {
-  return options.privateWorlds ? node::Instances::kMany : node::Instances::kOne;
-}
-
 static_assert(node::kMaxQuality == measure::kQualitySteps - 1);
 
 }  // namespace
@@ -33,22 +29,23 @@ Host::Host(const node::WorldNodesFactory& makeNodes, const node::FrontendTypes& 
       encoders_(builtinEncoders(options.jpegQuality)),
       timeline_(options.timelineEvents),
       timelineMemory_(memory_, "timeline", "", pipeline::Work::kAcrossUser, timeline_.bytes()),
-      meter_(timeline_, memory_, options_.framesPerSecond, options_.privateWorlds),
+      meter_(timeline_, memory_, options_.framesPerSecond),
       images_(memory_),
       entries_(workerCount()),
       gate_(std::make_shared<FrameGate>(std::max(workerCount(), options_.framesInFlight))),
       workers_(
           workerCount(), "grove-worker", [gate = gate_](bool idle) { gate->workerIs(idle); }, options_.load),
-      nodes_(makeNodes({workers_, timeline_, memory_, images_}, instancesOf(options_))),
-      players_(world::World::makePlayers(nodes_->layout(), node::makeId(options_.process, 0))) {
-  if (options_.privateWorlds) {
-    line_ = std::make_unique<PreparationLine>(
-        [this](node::Parallelism parallelism, const auto& report) { return makeInstance(parallelism, report); });
-  } else {
-    shared_ = makeInstance(node::Parallelism::kAllCores, progress);
-  }
-  clock_ = std::thread([this] { runClock(); });
-}
+      nodes_(makeNodes({workers_, timeline_, memory_, images_}, progress)),
+      players_(world::World::makePlayers(nodes_->layout(), node::makeId(options_.process, 0))),
+      world_(std::make_shared<WorldInstance>(
+          WorldSetup{.nodes = *nodes_,
+                     .players = players_,
+                     .types = types_,
+                     .machine = {workers_, timeline_, memory_, images_},
+                     .maxSharedBytes = options_.maxSharedBytes,
+                     .process = options_.process,
+                     .owner = options_.linkToOwner ? options_.linkToOwner(workers_, timeline_) : nullptr})),
+      clock_([this] { runClock(); }) {}
 
 Host::~Host() {
   std::vector<std::shared_ptr<Session>> open;
@@ -61,30 +58,13 @@ Host::~Host() {
   }
   clockWake_.notify_all();
   clock_.join();
-  // Closes the newest first: the first in the queue for a world leaves last, so that no world is begun for the others.
-  std::ranges::reverse(open);
   for (const auto& session : open) session->close();
   open.clear();
   workers_.drain();
-  line_.reset();
-  shared_.reset();
+  world_.reset();
 }
 
-std::unique_ptr<WorldInstance> Host::makeInstance(node::Parallelism parallelism,
-                                                  const node::WorldNodes::Progress& progress) {
-  return std::make_unique<WorldInstance>(
-      WorldSetup{.nodes = *nodes_,
-                 .players = players_,
-                 .types = types_,
-                 .machine = {workers_, timeline_, memory_, images_},
-                 .maxSharedBytes = options_.maxSharedBytes,
-                 .process = options_.process,
-                 .owner = options_.linkToOwner ? options_.linkToOwner(workers_, timeline_) : nullptr},
-      parallelism, progress);
-}
-
-std::variant<std::shared_ptr<Session>, Refusal> Host::open(const Hello& hello, FrameSink sink, WaitingSink waiting,
-                                                           StreamTerms terms) {
+std::variant<std::shared_ptr<Session>, Refusal> Host::open(const Hello& hello, FrameSink sink, StreamTerms terms) {
   const auto [width, height] = fitSize(hello.width, hello.height);
   auto place = takePlace();
   if (std::holds_alternative<Refusal>(place) && evictHidden(pipeline::wallSeconds())) place = takePlace();
@@ -97,11 +77,12 @@ std::variant<std::shared_ptr<Session>, Refusal> Host::open(const Hello& hello, F
     const std::lock_guard lock(mutex_);
     sessions_[id] = session;
   }
-  if (options_.privateWorlds) {
-    preparePrivately(session, std::move(waiting));
-  } else {
-    begin(session, shared_);
+  session->begin(world_);
+  {
+    const std::lock_guard lock(mutex_);
+    sessionsChanged_ = true;
   }
+  clockWake_.notify_all();
   return session;
 }
 
@@ -136,36 +117,8 @@ std::vector<std::shared_ptr<Session>> Host::openSessions() const {
   return open;
 }
 
-void Host::begin(const std::shared_ptr<Session>& session, std::shared_ptr<WorldInstance> instance) {
-  session->begin(std::move(instance));
-  {
-    const std::lock_guard lock(mutex_);
-    sessionsChanged_ = true;
-  }
-  clockWake_.notify_all();
-}
-
-void Host::preparePrivately(const std::shared_ptr<Session>& session, WaitingSink waiting) {
-  const Refusal noWorld{CloseCode::kFull, "a world of your own cannot be made at the moment"};
-  const auto enter = [this, noWorld, weak = std::weak_ptr(session)](std::shared_ptr<WorldInstance> instance) {
-    const auto entering = weak.lock();
-    if (!entering) return;
-    try {
-      if (instance) {
-        begin(entering, std::move(instance));
-      } else {
-        entering->refuse(noWorld);
-      }
-    } catch (const std::exception& e) {
-      log::error(std::string("cannot let a visitor into the private world: ") + e.what());
-      entering->refuse(noWorld);
-    }
-  };
-  line_->join({session->id_, std::move(waiting), enter});
-}
-
 void Host::report(const Refining& refining) {
-  if (shared_) shared_->reportModels();
+  nodes_->reportModels();
   const std::lock_guard lock(mutex_);
   refining_ = refining;
   ++newsNumber_;
@@ -176,9 +129,7 @@ Host::RefiningNews Host::refining() const {
   return {newsNumber_, refining_};
 }
 
-std::optional<node::JoinedWorld::Status> Host::joined() const {
-  return shared_ ? shared_->joined(pipeline::wallSeconds()) : std::nullopt;
-}
+std::optional<node::JoinedWorld::Status> Host::joined() const { return world_->joined(pipeline::wallSeconds()); }
 
 bool Host::hasLostOthers() const {
   const auto status = joined();
@@ -191,7 +142,6 @@ std::size_t Host::visitors() const {
 }
 
 void Host::remove(node::SessionId id) {
-  if (line_) line_->leave(id);
   {
     const std::lock_guard lock(mutex_);
     if (sessions_.erase(id) == 0) return;
@@ -203,9 +153,7 @@ void Host::remove(node::SessionId id) {
 
 void Host::forgetClosedSessions() {
   // The runs that were in progress when they left have ended, and return nothing any more.
-  if (shared_) {
-    for (const node::SessionId id : gone_) shared_->forget(id);
-  }
+  for (const node::SessionId id : gone_) world_->forget(id);
   if (!gone_.empty()) images_.freeUnused();
   const std::lock_guard lock(mutex_);
   gone_ = std::exchange(left_, {});
@@ -213,9 +161,8 @@ void Host::forgetClosedSessions() {
 
 void Host::runPeriodicTasks(int visitors) {
   forgetClosedSessions();
-  if (line_) line_->reportToAll();
   meter_.sample(visitors);
-  if (!options_.raiseQuality || !shared_) return;
+  if (!options_.raiseQuality) return;
   measure::QualityLoad load{.cores = static_cast<double>(workers_.width())};
   if (const auto measured = meter_.newest()) {
     const measure::FrameCost cost = measure::sum(measured->costs);
@@ -227,15 +174,7 @@ void Host::runPeriodicTasks(int visitors) {
   const int step = policy_.update(pipeline::wallSeconds(), load);
   if (step == quality_.exchange(step)) return;
   log::info("quality of shared work: step " + std::to_string(step) + " of " + std::to_string(node::kMaxQuality));
-  shared_->setQuality(step);
-}
-
-double Host::publishWorlds(const std::vector<std::shared_ptr<Session>>& open, double now) {
-  double next = std::numeric_limits<double>::infinity();
-  for (const auto& session : open) {
-    if (const auto instance = session->currentInstance()) next = std::min(next, instance->publishIfDue(now));
-  }
-  return next;
+  world_->setQuality(step);
 }
 
 void Host::runClock() {
@@ -250,12 +189,13 @@ void Host::runClock() {
     lock.unlock();
     const double now = pipeline::wallSeconds();
     // Lets simulations wake or rest without delay.
-    if (sessionsChanged && shared_) shared_->publish();
+    if (sessionsChanged) world_->publish();
     if (now >= nextSample) {
       runPeriodicTasks(static_cast<int>(open.size()));
       nextSample = now + kSampleSeconds;
     }
-    double next = std::min(nextSample, publishWorlds(open, now));
+    double next = nextSample;
+    if (!open.empty()) next = std::min(next, world_->publishIfDue(now));
     for (const auto& session : open) next = std::min(next, session->tick(now));
     open.clear();
     lock.lock();

@@ -27,7 +27,6 @@
 #include "stream/protocol/protocol.h"
 #include "stream/session/entry_budget.h"
 #include "stream/session/frame_gate.h"
-#include "stream/session/preparation_line.h"
 #include "stream/session/session.h"
 #include "stream/session/world_instance.h"
 #include "world/world.h"
@@ -49,22 +48,19 @@ struct HostOptions {
   /// In a full world, a visitor who has been hidden for longer loses the place to a newcomer.
   double hiddenGraceSeconds = 12.0;
   int jpegQuality = 75;
-  /// The control experiment, one console per player: every visitor gets a copy of everything that backend nodes hold,
-  /// simulations with clocks of their own, and views that nobody shares.
-  bool privateWorlds = false;
-  /// Raises the quality of across-user work while visitors share its cost; not in private mode, where none do.
+  /// Raises the quality of across-user work while visitors share its cost.
   bool raiseQuality = false;
   std::size_t timelineEvents = std::size_t{1} << 16U;  ///< number of newest stage runs that are kept
-  /// Maximum size of the shared data of a world instance, besides each object's own.
+  /// Maximum size of the shared data, besides each object's own.
   std::size_t maxSharedBytes = std::size_t{256} << 20U;
   /// Distinct among the frontend processes of a backend node, and among those that show the same world.
   node::ProcessId process = 1;
-  /// Makes the link to the process that owns the world; empty if this one does. Not in private mode.
+  /// Makes the link to the process that owns the world; empty if this one does.
   std::function<std::shared_ptr<node::FrontendEnd>(pipeline::Executor&, pipeline::Timeline&)> linkToOwner = {};
 };
 
-/// One running world and all its visitors: owns the world with the links to its backend nodes (in private mode, every
-/// visitor's), the workers, the frame clock and the sessions. Independent of sockets. Thread-safe unless noted.
+/// One running world and all its visitors: owns the world with the links to its backend nodes, the workers, the frame
+/// clock and the sessions. Independent of sockets. Thread-safe unless noted.
 class Host {
  public:
   /// Makes and prepares the world's nodes, which may take seconds; throws what that throws. Calls `progress` from any
@@ -75,10 +71,9 @@ class Host {
   Host(const Host&) = delete;
   Host& operator=(const Host&) = delete;
 
-  /// Opens a session, or returns the reason for a refusal. In private mode the first frame comes when the visitor's
-  /// world is ready; until then `waiting` gets the place in the queue at each change and once a second.
+  /// Opens a session, or returns the reason for a refusal.
   [[nodiscard]] std::variant<std::shared_ptr<Session>, Refusal> open(const Hello& hello, FrameSink sink,
-                                                                     WaitingSink waiting = {}, StreamTerms terms = {});
+                                                                     StreamTerms terms = {});
 
   /// Reports the progress of finer light fields to all visitors, present and future. One thread at a time.
   void report(const Refining& refining);
@@ -103,8 +98,8 @@ class Host {
   /// Has a new reading about once a second.
   [[nodiscard]] const measure::AmortizationMeter& meter() const noexcept { return meter_; }
   [[nodiscard]] const pipeline::MemoryLedger& memory() const noexcept { return memory_; }
-  /// Of the link to the backend node that all visitors share; empty in private mode.
-  [[nodiscard]] node::LinkTraffic traffic() const { return shared_ ? shared_->traffic() : node::LinkTraffic{}; }
+  /// Of the link to the backend node.
+  [[nodiscard]] node::LinkTraffic traffic() const { return world_->traffic(); }
   /// The nodes that serve the world's objects; empty if this process serves all.
   [[nodiscard]] std::vector<node::NodeRouter::NodeLink> nodeLinks() const { return nodes_->links(); }
   /// Events of nodes in other processes, see NodeRouter::traces().
@@ -129,14 +124,8 @@ class Host {
   bool evictHidden(double now);
   [[nodiscard]] std::vector<std::shared_ptr<Session>> openSessions() const;
   void remove(node::SessionId id);
-  void begin(const std::shared_ptr<Session>& session, std::shared_ptr<WorldInstance> instance);
-  void preparePrivately(const std::shared_ptr<Session>& session, WaitingSink waiting);
-  [[nodiscard]] std::unique_ptr<WorldInstance> makeInstance(node::Parallelism parallelism,
-                                                            const node::WorldNodes::Progress& progress);
   void runPeriodicTasks(int visitors);
   void forgetClosedSessions();
-  /// Publishes the due updates of these visitors' worlds; returns when the next is due.
-  double publishWorlds(const std::vector<std::shared_ptr<Session>>& open, double now);
   void runClock();
 
   const node::FrontendTypes& types_;
@@ -168,8 +157,7 @@ class Host {
   const std::shared_ptr<Governor> governor_ = std::make_shared<Governor>([this] { return workers_.busyShare(); });
   const std::unique_ptr<node::WorldNodes> nodes_;
   const std::shared_ptr<world::Players> players_;
-  std::shared_ptr<WorldInstance> shared_;  ///< null in private mode
-  std::unique_ptr<PreparationLine> line_;  ///< null outside of private mode
+  std::shared_ptr<WorldInstance> world_;  ///< null only in the destructor, after the last session
   std::thread clock_;
 };
 

@@ -13,8 +13,8 @@
 
 namespace grove::stream {
 
-/// Messages that wait to be sent to one visitor: the newest independent frame with those after it that depend on it;
-/// before the first frame, the place in the queue; and the newest status, times and capture. At most as many frames
+/// Messages that wait to be sent to one visitor: the newest independent frame with those after it that depend on it,
+/// and the newest status, times and capture. At most as many frames
 /// wait as may be in flight, so a slow visitor holds little memory and never sees old frames. Thread-safe.
 class Outbox {
  public:
@@ -31,17 +31,10 @@ class Outbox {
     wake_();
   }
 
-  void put(const Waiting& waiting) { replace(waiting_, waiting); }
   void put(const Status& status) { replace(status_, status); }
   void put(const Times& times) { replace(times_, times); }
   /// A Captured message.
   void putCaptured(std::vector<std::uint8_t> message) { replace(captured_, std::move(message)); }
-
-  /// To be sent before any frame.
-  [[nodiscard]] std::optional<Waiting> takeWaiting() {
-    const std::lock_guard lock(mutex_);
-    return std::exchange(waiting_, std::nullopt);
-  }
 
   [[nodiscard]] std::optional<Status> takeStatus() {
     const std::lock_guard lock(mutex_);
@@ -74,7 +67,7 @@ class Outbox {
 
   [[nodiscard]] bool empty() const {
     const std::lock_guard lock(mutex_);
-    return frames_.empty() && !waiting_ && !status_ && !times_ && !captured_;
+    return frames_.empty() && !status_ && !times_ && !captured_;
   }
 
  private:
@@ -90,7 +83,6 @@ class Outbox {
   const std::function<void()> wake_;
   mutable std::mutex mutex_;
   std::deque<std::shared_ptr<const EncodedFrame>> frames_;
-  std::optional<Waiting> waiting_;
   std::optional<Status> status_;
   std::optional<Times> times_;
   std::optional<std::vector<std::uint8_t>> captured_;

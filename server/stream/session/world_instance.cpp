@@ -12,12 +12,10 @@ constexpr double kUpdateSeconds = 1.0 / 30.0;
 
 }  // namespace
 
-WorldInstance::WorldInstance(const WorldSetup& setup, node::Parallelism parallelism,
-                             const node::WorldNodes::Progress& progress)
+WorldInstance::WorldInstance(const WorldSetup& setup)
     : setup_(setup),
       world_(setup_.nodes.layout(), setup_.players),
-      nodes_(setup_.nodes.make(parallelism, progress)),
-      frontend_(setup_.process, world_.layout(), setup_.types, nodes_->end(),
+      frontend_(setup_.process, world_.layout(), setup_.types, setup_.nodes.end(),
                 {setup_.machine.workers, setup_.machine.timeline, setup_.machine.memory, setup_.machine.images,
                  world_.layout().sky},
                 setup_.maxSharedBytes),

@@ -14,25 +14,22 @@
 
 namespace grove::stream {
 
-/// Inputs of all instances of a world: the factory of their backend nodes, the machine, and the list of visitors. All
-/// of it outlives them.
+/// Inputs of a running world: its backend nodes, the machine, and the list of visitors. All of it outlives the world.
 struct WorldSetup {
   node::WorldNodes& nodes;
   std::shared_ptr<world::Players> players;
   const node::FrontendTypes& types;
   node::Machine machine;
-  std::size_t maxSharedBytes;  ///< of the data that an instance shares among its visitors
+  std::size_t maxSharedBytes;  ///< of the data that visitors share
   node::ProcessId process;     ///< names this one among the frontend processes of its backend nodes
   /// The link to the process that owns the world; null if this one does.
   std::shared_ptr<node::FrontendEnd> owner = {};
 };
 
-/// A running world with the backend nodes that serve its objects and its frontend process: all across-user state. There
-/// is one for everybody or, in private mode, one for each visitor.
+/// A running world and its frontend process: all across-user state.
 class WorldInstance {
  public:
-  /// Makes its nodes, see WorldNodes::make().
-  WorldInstance(const WorldSetup& setup, node::Parallelism parallelism, const node::WorldNodes::Progress& progress);
+  explicit WorldInstance(const WorldSetup& setup);
 
   /// Waits for the runs in progress, so not on one of the executors' threads.
   ~WorldInstance();
@@ -55,11 +52,9 @@ class WorldInstance {
   /// Of all across-user work, see node::BackendHalf. Thread-safe.
   void setQuality(int step);
   /// Traffic between the frontend and the backend node.
-  [[nodiscard]] node::LinkTraffic traffic() const { return nodes_->end().traffic(); }
+  [[nodiscard]] node::LinkTraffic traffic() const { return setup_.nodes.end().traffic(); }
   /// A visitor has left. Thread-safe.
   void forget(node::SessionId session);
-  /// See InstanceNodes::reportModels().
-  void reportModels() { nodes_->reportModels(); }
 
  private:
   void sendUpdate();
@@ -70,7 +65,6 @@ class WorldInstance {
   std::mutex updateMutex_;
   std::uint64_t updates_ = 0;
   world::Edits::Cursor edits_ = 0;  ///< edits that the backend node has received
-  const std::unique_ptr<node::InstanceNodes> nodes_;
   node::FrontendProcess frontend_;
   const std::unique_ptr<node::JoinedWorld> joined_;  ///< null if this process owns the world
 };

@@ -35,7 +35,6 @@ Connection::Connection(Host& host, std::string peer, double now, std::function<v
       outbox_(std::make_shared<Outbox>(std::move(wake))),
       door_(std::move(door)),
       page_(levelOf(subProtocol)),
-      knowsWaiting_(page_ != PageLevel::kBasic || subProtocol == kSubProtocolWithWaiting),
       secondBegan_(now),
       heard_(now) {
   message_.reserve(kLargestClientMessage);
@@ -97,7 +96,6 @@ People Connection::people() {
 std::vector<std::uint8_t> Connection::takeMessage() {
   if (!welcome_.empty()) return std::exchange(welcome_, {});
   if (std::exchange(peopleAreDue_, false)) return encode(people());
-  if (const auto waiting = outbox_->takeWaiting()) return encode(*waiting);
   if (const auto status = outbox_->takeStatus()) return encode(*status);
   if (const auto times = outbox_->takeTimes()) return encode(*times);
   if (auto captured = outbox_->takeCaptured()) return std::move(*captured);
@@ -186,13 +184,7 @@ std::optional<Refusal> Connection::greet(const Hello& hello) {
   const auto send = [outbox = std::weak_ptr(outbox_)](std::shared_ptr<const EncodedFrame> frame) {
     if (const auto to = outbox.lock()) to->put(std::move(frame));
   };
-  WaitingSink report;
-  if (knowsWaiting_) {
-    report = [outbox = std::weak_ptr(outbox_)](const Waiting& waiting) {
-      if (const auto to = outbox.lock()) to->put(waiting);
-    };
-  }
-  auto opened = host_.open(hello, send, std::move(report), terms());
+  auto opened = host_.open(hello, send, terms());
   if (auto* refusal = std::get_if<Refusal>(&opened)) return std::move(*refusal);
   session_ = std::get<std::shared_ptr<Session>>(std::move(opened));
   const Welcome welcome = session_->welcome();

@@ -76,8 +76,8 @@ class Connection {
   void reach(double now) {
     if (!reached_ && outbox_->hasFrame()) reached_ = now;
   }
-  /// Returns the next message to send before any frame: Welcome, People, Waiting, Status, Times, a capture or Refining.
-  /// Empty if there is none.
+  /// Returns the next message to send before any frame: Welcome, People, Status, Times, a capture or Refining. Empty if
+  /// there is none.
   [[nodiscard]] std::vector<std::uint8_t> takeMessage();
   [[nodiscard]] std::shared_ptr<const EncodedFrame> takeFrame() { return outbox_->take(); }
   /// The frame has been written to the socket.
@@ -108,7 +108,6 @@ class Connection {
   const std::shared_ptr<Outbox> outbox_;
   const Door door_;
   const PageLevel page_;
-  const bool knowsWaiting_;
   std::optional<double> reached_;  ///< when the writing thread reached the oldest frame that waits
   std::optional<Offer> offer_;     ///< received before Hello
   std::optional<Limits> limits_;   ///< received before Hello

@@ -106,9 +106,8 @@ TEST(WorldInstance, SetsTheQualityOfItsBackend) {
   raster::ImagePool images;
   pipeline::WorkerPool workers(2);
   const node::Machine machine{workers, timeline, memory, images};
-  node::LocalWorld nodes(watchedScene(types), types.backends, gl, machine, node::Instances::kOne);
-  WorldInstance instance({nodes, world::World::makePlayers(nodes.layout()), types.frontends, machine, 0, 1},
-                         node::Parallelism::kOneThread, {});
+  node::LocalWorld nodes(watchedScene(types), types.backends, gl, machine, {});
+  WorldInstance instance({nodes, world::World::makePlayers(nodes.layout()), types.frontends, machine, 0, 1});
   instance.setQuality(2);
   EXPECT_EQ(sight.quality, 2);
 }

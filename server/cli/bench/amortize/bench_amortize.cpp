@@ -9,9 +9,10 @@
 
 #include "base/error.h"
 #include "cli/bench/amortize/bench_amortize_report.h"
+#include "cli/bench/amortize/row_processes.h"
+#include "cli/bench/amortize/task_process.h"
 #include "cli/prepare/prepare_world.h"
 #include "cli/prepare/progress.h"
-#include "cli/stop_on_signal.h"
 #include "objects/builtin_backends.h"
 
 namespace grove::cli {
@@ -71,14 +72,13 @@ Plan planOf(const BenchAmortizeOptions& options) {
   return plan;
 }
 
-void measureRows(AmortizeResult& result, const Plan& plan, const world::Scene& scene, const gl::ShaderLibrary& shaders,
-                 const std::stop_token& stop) {
+void measureRows(AmortizeResult& result, const Plan& plan, const world::Scene& scene, Interruption& interruption) {
   for (const int users : plan.users) {
     for (const bool privateWorlds : {false, true}) {
       AmortizeRun run = plan.run;
       run.users = users;
       run.privateWorlds = privateWorlds;
-      const auto row = runAmortize(scene, shaders, run, stop);
+      const auto row = measureRow(scene, run, interruption);
       if (!row) return;
       result.rows.push_back(*row);
       if (result.rows.size() == 1) refuseWhatDoesNotFit(*row, plan.users.back());
@@ -86,30 +86,36 @@ void measureRows(AmortizeResult& result, const Plan& plan, const world::Scene& s
   }
 }
 
-AmortizeResult measureAll(const Plan& plan, const world::Scene& scene, const std::stop_token& stop) {
+/// Makes what the scene needs, in a process of its own: this one must stay without threads. Returns false after a
+/// signal.
+bool prepare(const world::Scene& scene, Interruption& interruption) {
+  TaskProcess process([&scene](const TaskProcess::Parent&, const std::stop_token& stop) -> std::optional<std::string> {
+    Progress progress;
+    const bool isDone = prepareWorld(scene, objects::builtinBackends(), progress, stop);
+    progress.finish();
+    return isDone ? std::optional<std::string>("") : std::nullopt;
+  });
+  return process.awaitResult(interruption).has_value();
+}
+
+AmortizeResult measureAll(const Plan& plan, const world::Scene& scene, Interruption& interruption) {
   AmortizeResult result;
   result.transport = plan.run.transport;
   result.cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  const gl::ShaderLibrary shaders;
-  Progress progress;
-  const bool prepared = prepareWorld(scene, objects::builtinBackends(), progress, stop);
-  progress.finish();
-  if (prepared) measureRows(result, plan, scene, shaders, stop);
-  if (plan.figure && !stop.stop_requested()) {
-    result.figure = runFigure(shaders, plan.run.size, stop);
-  }
-  result.interrupted = stop.stop_requested();
+  if (prepare(scene, interruption)) measureRows(result, plan, scene, interruption);
+  if (plan.figure && !interruption.hasCome()) result.figure = runFigure(plan.run.size, interruption);
+  result.interrupted = interruption.hasCome();
   return result;
 }
 
 }  // namespace
 
 int runBenchAmortize(const BenchAmortizeOptions& options) {
-  const StopOnSignal stop;
   try {
+    Interruption interruption;
     const Plan plan = planOf(options);
     std::ofstream plot = plotFile(options);
-    const AmortizeResult result = measureAll(plan, openScene(options.scene), stop.token());
+    const AmortizeResult result = measureAll(plan, openScene(options.scene), interruption);
     if (plot.is_open()) plot << amortizePlot(result);
     const std::string text = options.json ? amortizeJson(result) : amortizeTables(result);
     std::fputs(text.c_str(), stdout);

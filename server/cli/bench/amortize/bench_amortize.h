@@ -27,7 +27,8 @@ inline constexpr int kMaxAmortizeUsers = 1024;
 
 /// Serves visitors that share a world and visitors who have one each, and prints what sharing saves. Returns the
 /// process's exit code: 0, also if a signal ended it early, or 2 with a line on stderr for bad options or if the
-/// visitors do not fit into memory. Throws EnvironmentError or world::SceneError.
+/// visitors do not fit into memory. The process must have no other threads. Throws EnvironmentError, world::SceneError
+/// or as measureRow().
 int runBenchAmortize(const BenchAmortizeOptions& options);
 
 }  // namespace grove::cli

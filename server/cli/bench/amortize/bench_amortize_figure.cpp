@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/log.h"
+#include "cli/bench/amortize/row_processes.h"
 
 namespace grove::cli {
 namespace {
@@ -36,15 +37,14 @@ grid = )" + std::to_string(grid) +
 }
 
 /// c_i with one visitor; nothing if it was stopped.
-std::optional<double> tickOf(int grid, const gl::ShaderLibrary& shaders, const std::stop_token& stop) {
-  const auto row = runAmortize(fluidAlone(grid), shaders, {.frames = 30, .size = {160, 90}}, stop);
+std::optional<double> tickOf(int grid, Interruption& interruption) {
+  const auto row = measureRow(fluidAlone(grid), {.frames = 30, .size = {160, 90}}, interruption);
   return row ? std::optional(row->cost().acrossUser) : std::nullopt;
 }
 
 /// The grid whose tick takes as long as the paper's, found step by step as a tick's time grows about with the number of
 /// cells, but faster where caches overflow; nothing if it was stopped.
-std::optional<int> gridForPapersTick(double tickOfDefault, const gl::ShaderLibrary& shaders,
-                                     const std::stop_token& stop) {
+std::optional<int> gridForPapersTick(double tickOfDefault, Interruption& interruption) {
   constexpr int kSteps = 3;
   const auto error = [](double milliseconds) { return std::abs(std::log(milliseconds / kPapersTick)); };
   int grid = kDefaultGrid;
@@ -57,7 +57,7 @@ std::optional<int> gridForPapersTick(double tickOfDefault, const gl::ShaderLibra
     if (next == grid) break;
     grid = next;
     log::info("Figure 5.6: trying grid " + std::to_string(grid));
-    const auto measured = tickOf(grid, shaders, stop);
+    const auto measured = tickOf(grid, interruption);
     if (!measured) return std::nullopt;
     tick = std::max(0.1, *measured);
     nearest = std::min(nearest, {error(tick), grid});
@@ -66,15 +66,14 @@ std::optional<int> gridForPapersTick(double tickOfDefault, const gl::ShaderLibra
 }
 
 /// The four columns with a grid; false if it was stopped before the last.
-bool measureColumns(std::vector<FigureColumn>& figure, int grid, AmortizeRun run, const gl::ShaderLibrary& shaders,
-                    const std::stop_token& stop) {
+bool measureColumns(std::vector<FigureColumn>& figure, int grid, AmortizeRun run, Interruption& interruption) {
   constexpr std::array<std::pair<int, int>, 4> kColumns = {{{1, 100}, {4, 100}, {1, 500}, {4, 500}}};
   const world::Scene scene = fluidAlone(grid);
   for (const auto& [frontends, frames] : kColumns) {
     log::info("Figure 5.6: grid " + std::to_string(grid) + ", " + std::to_string(frames) + " frames");
     run.users = frontends;
     run.frames = frames;
-    const auto row = runAmortize(scene, shaders, run, stop);
+    const auto row = measureRow(scene, run, interruption);
     if (!row) return false;
     const auto cost = row->costs.find("fluid");
     figure.push_back({grid, frontends, frames, cost != row->costs.end() ? cost->second : measure::FrameCost()});
@@ -84,14 +83,14 @@ bool measureColumns(std::vector<FigureColumn>& figure, int grid, AmortizeRun run
 
 }  // namespace
 
-std::vector<FigureColumn> runFigure(const gl::ShaderLibrary& shaders, PictureSize size, const std::stop_token& stop) {
+std::vector<FigureColumn> runFigure(PictureSize size, Interruption& interruption) {
   std::vector<FigureColumn> figure;
   // The paper counts what packing takes, and what comes before it.
   AmortizeRun run{.size = size};
   run.transport = node::TransportKind::kBytes;
-  if (!measureColumns(figure, kDefaultGrid, run, shaders, stop)) return figure;
-  const auto grid = gridForPapersTick(figure.front().cost.acrossUser, shaders, stop);
-  if (grid && *grid != kDefaultGrid) measureColumns(figure, *grid, run, shaders, stop);
+  if (!measureColumns(figure, kDefaultGrid, run, interruption)) return figure;
+  const auto grid = gridForPapersTick(figure.front().cost.acrossUser, interruption);
+  if (grid && *grid != kDefaultGrid) measureColumns(figure, *grid, run, interruption);
   return figure;
 }
 

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <stop_token>
 #include <vector>
 
 #include "cli/bench/amortize/bench_amortize_run.h"
+#include "cli/bench/amortize/interruption.h"
 
 namespace grove::cli {
 
@@ -19,8 +19,7 @@ struct FigureColumn {
 inline constexpr double kPapersTick = 60.0;
 
 /// The figure's four columns with the default world's fluid, and again with the grid whose tick takes nearest to
-/// the paper's here (128 at most). Only the columns that were measured before it was stopped. Throws EnvironmentError.
-[[nodiscard]] std::vector<FigureColumn> runFigure(const gl::ShaderLibrary& shaders, PictureSize size,
-                                                  const std::stop_token& stop);
+/// the paper's here (128 at most). Only the columns that were measured before it was stopped. Throws as measureRow().
+[[nodiscard]] std::vector<FigureColumn> runFigure(PictureSize size, Interruption& interruption);
 
 }  // namespace grove::cli

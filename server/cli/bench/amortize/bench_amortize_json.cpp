@@ -51,7 +51,7 @@ Json rowJson(const AmortizeRow& row) {
                {"saturated", row.saturated()},
                {"cores_needed", number(row.coresNeeded())},
                {"unaccounted_cores", {{"driver", number(row.driverCores)}, {"other", number(row.otherCores())}}},
-               {"latency_ms", {{"p50", number(row.latencyP50)}, {"p99", number(row.latencyP99)}}},
+               {"latency_ms", {{"p50", number(row.latency(0.5))}, {"p99", number(row.latency(0.99))}}},
                {"seconds", number(row.seconds)},
                {"frames", row.frames}});
   json["memory"] = memoryJson(memory);

@@ -6,10 +6,8 @@
 #include <vector>
 
 #include "base/error.h"
-#include "base/log.h"
 #include "cli/bench/walkers.h"
 #include "gl/workers.h"
-#include "measure/percentile.h"
 #include "measure/thread_times.h"
 #include "node/local/local_world.h"
 #include "node/object_types.h"
@@ -23,12 +21,7 @@ namespace {
 using std::chrono::milliseconds;
 
 constexpr double kMaxWarmUp = 4.0;   ///< seconds
-constexpr double kPatience = 180.0;  ///< seconds without a further world getting ready
-
-std::string described(const AmortizeRun& run) {
-  return std::to_string(run.users) + (run.users == 1 ? " visitor, " : " visitors, ") +
-         (run.privateWorlds ? "private" : "shared");
-}
+constexpr double kPatience = 180.0;  ///< seconds until everybody sees a frame
 
 /// How worlds are served in a measurement.
 stream::HostOptions hostOptions(const AmortizeRun& run) {
@@ -36,40 +29,30 @@ stream::HostOptions hostOptions(const AmortizeRun& run) {
   options.deadlineSeconds = stream::HostOptions::kNoHurry;
   options.framesPerSecond = static_cast<int>(kNominalFps);
   options.maxVisitors = run.users;
-  options.privateWorlds = run.privateWorlds;
   return options;
 }
 
 /// Everything of a server but its sockets.
 struct ServedWorld {
-  ServedWorld(const world::Scene& scene, const gl::ShaderLibrary& shaders, const AmortizeRun& run)
+  ServedWorld(const world::Scene& scene, const AmortizeRun& run)
       : gl(gl::ContextKind::kAuto, shaders),
         host(node::localWorld(node::loadScene(scene, types.backends), types.backends, gl,
                               node::transportFactory(run.transport)),
              types.frontends, hostOptions(run), [](std::string_view, float) {}) {}
 
   const node::ObjectTypes types = objects::builtinTypes();
+  const gl::ShaderLibrary shaders;
   gl::Workers gl;
   stream::Host host;
 };
 
-/// Waits for the first frame of everybody; false if it was stopped. In private mode every world takes seconds.
-bool everybodySees(const Walkers& walkers, const AmortizeRun& run, const std::stop_token& stop) {
-  std::ptrdiff_t reported = 0;
-  double since = pipeline::wallSeconds();
+/// Waits for the first frame of everybody; false if it was stopped.
+bool everybodySees(const Walkers& walkers, const std::stop_token& stop) {
+  const double since = pipeline::wallSeconds();
   while (!stop.stop_requested()) {
-    const auto ready = std::ranges::count_if(walkers, [](const auto& walker) { return walker->frames() > 0; });
-    if (ready == std::ssize(walkers)) return true;
-    if (ready != reported) {
-      reported = ready;
-      since = pipeline::wallSeconds();
-      if (run.privateWorlds) {
-        log::info(described(run) + ": " + std::to_string(ready) + " of " + std::to_string(run.users) +
-                  " worlds are ready");
-      }
-    }
+    if (std::ranges::all_of(walkers, [](const auto& walker) { return walker->frames() > 0; })) return true;
     if (pipeline::wallSeconds() - since > kPatience) {
-      throw EnvironmentError("a visitor gets no frame", described(run), "the log may tell why");
+      throw EnvironmentError("a visitor gets no frame", "grove bench amortize", "the log may have the reason");
     }
     std::this_thread::sleep_for(milliseconds(20));
   }
@@ -79,16 +62,13 @@ bool everybodySees(const Walkers& walkers, const AmortizeRun& run, const std::st
 /// Frames and latencies of the walkers.
 void addWalkers(AmortizeRow& row, const Walkers& walkers) {
   std::uint64_t min = walkers.front()->framesCounted();
-  std::vector<float> latencies;
   for (const auto& walker : walkers) {
     row.frames += static_cast<double>(walker->framesCounted());
     min = std::min(min, walker->framesCounted());
     const auto more = walker->latencies();
-    latencies.insert(latencies.end(), more.begin(), more.end());
+    row.latencies.insert(row.latencies.end(), more.begin(), more.end());
   }
   row.fpsMin = static_cast<double>(min) / row.seconds;
-  row.latencyP50 = measure::percentile(latencies, 0.5);
-  row.latencyP99 = measure::percentile(std::move(latencies), 0.99);
 }
 
 double stageSeconds(const measure::Reading& before, const measure::Reading& after) {
@@ -100,25 +80,19 @@ double stageSeconds(const measure::Reading& before, const measure::Reading& afte
 
 }  // namespace
 
-double AmortizeRow::coresNeeded() const {
-  const measure::FrameCost all = cost();
-  const double reported = (copies() * all.acrossUser + users * all.perUser()) * 1e-3 * kNominalFps;
-  return reported + (cpuCores - stageCores) * kNominalFps / std::max(1e-3, fps());
-}
-
-std::optional<AmortizeRow> runAmortize(const world::Scene& scene, const gl::ShaderLibrary& shaders,
-                                       const AmortizeRun& run, const std::stop_token& stop) {
-  log::info(described(run) + ": preparing");
-  measure::returnFreedMemory();
-  ServedWorld served(scene, shaders, run);
-  const Walkers walkers = makeWalkers(served.host, run.users, run.size, stream::stroll);
-  if (!everybodySees(walkers, run, stop)) return std::nullopt;
+std::optional<AmortizeRow> runAmortize(const world::Scene& scene, const AmortizeRun& run,
+                                       const std::function<bool()>& arrive, const std::stop_token& stop) {
+  ServedWorld served(scene, run);
+  const auto stroll = [&run](int index, float yaw, double seconds) {
+    return stream::stroll(run.firstVisitor + index, yaw, seconds);
+  };
+  const Walkers walkers = makeWalkers(served.host, run.users, run.size, stroll);
+  if (!everybodySees(walkers, stop) || !arrive()) return std::nullopt;
 
   const double begin = pipeline::wallSeconds();
   const double warm = begin + std::min(kMaxWarmUp, 2.0 * run.seconds);
   if (!walkUntil(walkers, begin, stop, [&] { return pipeline::wallSeconds() >= warm; })) return std::nullopt;
 
-  log::info(described(run) + ": measuring");
   for (const auto& walker : walkers) walker->beginCounting();
   const measure::ThreadTimes threadsBefore = measure::ThreadTimes::read();
   const node::LinkTraffic trafficBefore = served.host.traffic();
@@ -134,13 +108,12 @@ std::optional<AmortizeRow> runAmortize(const world::Scene& scene, const gl::Shad
 
   AmortizeRow row;
   row.users = run.users;
-  row.privateWorlds = run.privateWorlds;
   row.seconds = after.seconds - before.seconds;
   row.traffic = served.host.traffic() - trafficBefore;
   addWalkers(row, walkers);
-  const measure::Served who{static_cast<double>(run.users), row.frames, row.copies(), kNominalFps};
+  const measure::Served who{static_cast<double>(run.users), row.frames, kNominalFps};
   row.costs = measure::frameCosts(before, after, who);
-  row.memory = measure::memoryShares(served.host.memory(), run.users, row.copies());
+  row.memory = measure::memoryShares(served.host.memory(), run.users);
   for (const auto& [key, total] : served.host.memory().totals()) row.reportedBytes += static_cast<double>(total.bytes);
   row.process = measure::MemoryUse::read();
   row.cpuCores = (after.processSeconds - before.processSeconds) / row.seconds;

@@ -39,7 +39,7 @@ void printRows(std::string& out, const std::vector<AmortizeRow>& rows) {
     print(out, "%8d %-7s %6.2f %6.2f %6.2f %6.2f  %5.3f  %5.3f %5.3f | %6.2f %7.0f | %5.2f  %5.2f %5.2f %6.2f%s\n",
           row.users, row.privateWorlds ? "private" : "shared", cost.acrossUser, cost.backend, cost.backendCompressed(),
           cost.frontend, measure::alpha0(cost), measure::alpha1(cost), measure::sum(row.memory).beta(), row.fps(),
-          row.latencyP99, row.cpuCores, row.driverCores, row.otherCores(), row.coresNeeded(),
+          row.latency(0.99), row.cpuCores, row.driverCores, row.otherCores(), row.coresNeeded(),
           row.saturated() ? "*" : "");
   }
 }

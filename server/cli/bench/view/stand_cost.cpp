@@ -53,7 +53,7 @@ std::optional<StandCost> measureStandCost(WalkWorld& world, const world::Walk& w
                          {.visitors = static_cast<double>(visitors),
                           .frames = static_cast<double>(cost.frames),
                           .framesPerSecond = kWalkFramesPerSecond});
-  const measure::MemoryShare memory = sum(measure::memoryShares(world.memory(), visitors, 1));
+  const measure::MemoryShare memory = sum(measure::memoryShares(world.memory(), visitors));
   cost.visitorBytes = memory.perUserBackend + memory.perUserFrontend;
   return cost;
 }

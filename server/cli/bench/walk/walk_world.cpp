@@ -48,15 +48,14 @@ WalkWorld::WalkWorld(node::LoadedScene scene, const node::ObjectTypes& types, gl
                      const std::function<void(std::string_view, float)>& progress)
     : images_(memory_),
       workers_(workerCount(), "grove-worker"),
-      nodes_(std::move(scene), types.backends, gl, {workers_, timeline_, memory_, images_}, node::Instances::kOne),
+      nodes_(std::move(scene), types.backends, gl, {workers_, timeline_, memory_, images_}, progress),
       players_(world::World::makePlayers(nodes_.layout())),
       instance_({.nodes = nodes_,
                  .players = players_,
                  .types = types.frontends,
                  .machine = {workers_, timeline_, memory_, images_},
                  .maxSharedBytes = stream::HostOptions().maxSharedBytes,
-                 .process = kProcess},
-                node::Parallelism::kAllCores, progress) {}
+                 .process = kProcess}) {}
 
 void WalkWorld::walk(const world::Walk& walk, double seconds, Pace pace, const Look& warmUp, const Look& look,
                      const std::stop_token& stop) {

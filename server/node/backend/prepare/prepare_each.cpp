@@ -68,15 +68,17 @@ class Parts {
   std::exception_ptr failure_;
 };
 
-void prepareWithHelp(const BackendServices& services, std::string_view label, std::size_t count,
-                     const std::function<void(std::size_t)>& work) {
+}  // namespace
+
+void prepareEach(const BackendServices& services, std::string_view label, std::size_t count,
+                 const std::function<void(std::size_t)>& work) {
   Parts parts(count, work);
-  const std::size_t helpers = std::min(count, static_cast<std::size_t>(services.helpers->width()));
+  const std::size_t helpers = std::min(count, static_cast<std::size_t>(services.workers.width()));
   try {
     for (std::size_t i = 0; i < helpers; ++i) {
       parts.begin();
       try {
-        services.helpers->post([&parts] { parts.help(); });
+        services.workers.post([&parts] { parts.help(); });
       } catch (...) {
         parts.end();
         throw;
@@ -90,20 +92,6 @@ void prepareWithHelp(const BackendServices& services, std::string_view label, st
     while (parts.wait()) continue;
   }
   parts.rethrow();
-}
-
-}  // namespace
-
-void prepareEach(const BackendServices& services, std::string_view label, std::size_t count,
-                 const std::function<void(std::size_t)>& work) {
-  if (services.helpers != nullptr) {
-    prepareWithHelp(services, label, count, work);
-  } else {
-    for (std::size_t i = 0; i < count; ++i) {
-      if (services.progress) services.progress(label, static_cast<float>(i) / static_cast<float>(count));
-      work(i);
-    }
-  }
   if (services.progress && count > 0) services.progress(label, 1.0F);
 }
 

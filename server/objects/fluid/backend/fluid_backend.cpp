@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstdint>
 #include <exception>
-#include <future>
 #include <limits>
 #include <memory>
 #include <mutex>
@@ -81,13 +80,10 @@ class FluidBackend::Fire {
     // Advances the cursor: gusts before the fire exists do not count.
     static_cast<void>(world_.gusts(cursor_));
     FluidSimulation& simulation = simulation_.current();
-    const auto grown = services.bakedOnce(
-        "fluid " + std::to_string(object.id), [](const auto& state) { return state->bytes(); },
-        [&] { return grow(simulation, services.progress); });
-    simulation.takeOver(*grown);
+    grow(simulation, services.progress);
     newest_ = simulation.snapshot(world_.now().value_or(kStandsStill));
     held_.set(simulation.bytes() + newest_->bytes());
-    startClock();
+    clock_ = std::make_unique<FluidClock>(kTicksPerSecond, [this] { return tick(); });
     awake_ = world_.whileVisited([this] { clock_->wake(); });
   }
 
@@ -110,22 +106,12 @@ class FluidBackend::Fire {
   }
 
  private:
-  /// A thread inherits the priority of its creator, and a world may be made on a thread of low priority; so a worker
-  /// creates the clock.
-  void startClock() {
-    const auto start = std::make_shared<std::packaged_task<std::unique_ptr<FluidClock>()>>(
-        [this] { return std::make_unique<FluidClock>(kTicksPerSecond, [this] { return tick(); }); });
-    workers_.post([start] { (*start)(); });
-    clock_ = start->get_future().get();
-  }
-
-  [[nodiscard]] std::shared_ptr<const FluidState> grow(FluidSimulation& simulation, const auto& progress) const {
+  void grow(FluidSimulation& simulation, const auto& progress) const {
     const int ticks = static_cast<int>(kGrowSeconds / FluidSimulation::kTick);
     for (int i = 0; i < ticks; ++i) {
       simulation.step(FluidSimulation::kTick, {}, {});
       if (progress && i % 10 == 0) progress("fluid " + name_, static_cast<float>(i) / static_cast<float>(ticks));
     }
-    return std::make_shared<const FluidState>(simulation.state());
   }
 
   [[nodiscard]] std::unique_ptr<FluidSimulation> make(world::Vec3 place, int cells) const {

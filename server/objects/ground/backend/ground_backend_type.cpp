@@ -1,7 +1,6 @@
 #include "objects/ground/backend/ground_backend_type.h"
 
 #include <map>
-#include <string>
 
 #include "objects/ground/backend/clearing_bake.h"
 #include "objects/ground/backend/meadow_bake.h"
@@ -34,19 +33,13 @@ GroundMaps bake(const node::BackendServices& services, const GroundModel& model,
           bakeMeadow(sizes.meadow, kMeadowMetres, options.seed)};
 }
 
-std::size_t bytesOf(const GroundMaps& maps) {
-  return sizeof maps + maps.clearing.pyramid.bytes() + maps.meadow.pyramid.bytes();
-}
-
 class GroundBackend final : public node::BackendHalf {
  public:
   GroundBackend(const node::BackendServices& services, world::TypeIndex self, MapSizes sizes)
       : executor_(services.workers) {
     for (const world::ModelledObject& object : services.scene.objects) {
       if (object.type != self) continue;
-      const auto make = [&] { return bake(services, static_cast<const GroundModel&>(*object.model), sizes); };
-      auto data =
-          std::make_shared<GroundData>(services.bakedOnce("ground " + std::to_string(object.id), bytesOf, make));
+      auto data = std::make_shared<GroundData>(bake(services, static_cast<const GroundModel&>(*object.model), sizes));
       data->holdIn(services.memory, "maps", kTypeName, pipeline::Work::kAcrossUser);
       grounds_.emplace(object.id, std::move(data));
     }

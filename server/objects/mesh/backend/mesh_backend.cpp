@@ -48,12 +48,7 @@ MeshBackend::MeshBackend(const node::BackendServices& services, world::TypeIndex
     meshes.push_back({&entry.lit.surface, entry.toWorld, modelOf(object).shade() != nullptr});
     lights.push_back(&entry.lit.light);
   }
-  const auto bytesOf = [](const std::vector<std::vector<world::Vec4>>& all) {
-    std::size_t sum = 0;
-    for (const auto& light : all) sum += pipeline::vectorBytes(light);
-    return sum;
-  };
-  auto light = services.bakedOnce("light of the meshes", bytesOf, [&] { return lightOf(meshes, services); });
+  auto light = lightOf(meshes, services);
   for (std::size_t i = 0; i < lights.size(); ++i) *lights[i] = std::move(light[i]);
   std::size_t bytes = 0;
   for (const auto& [id, entry] : entries_) bytes += entry.lit.bytes() + entry.points.bytes();

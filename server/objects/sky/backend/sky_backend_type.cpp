@@ -1,7 +1,6 @@
 #include "objects/sky/backend/sky_backend_type.h"
 
 #include <map>
-#include <string>
 
 #include "objects/sky/backend/panorama_bake.h"
 #include "objects/sky/common/sky_data.h"
@@ -21,8 +20,6 @@ class SkyModel final : public world::Model {
  private:
   const int seed_;
 };
-
-std::size_t bytesOf(const SkyMaps& maps) { return maps.sharp.bytes() + maps.soft.bytes(); }
 
 class SkyBackend final : public node::BackendHalf {
  public:
@@ -49,8 +46,7 @@ class SkyBackend final : public node::BackendHalf {
   [[nodiscard]] static std::shared_ptr<const SkyData> paint(const node::BackendServices& services, PanoramaSize size,
                                                             int seed) {
     const auto progress = [&](float share) { services.progress("painting the sky", share); };
-    const auto bake = [&] { return SkyMaps(bakePanorama(size, seed, services.scene.layout.sky, progress)); };
-    auto data = std::make_shared<SkyData>(services.bakedOnce("sky " + std::to_string(seed), bytesOf, bake));
+    auto data = std::make_shared<SkyData>(SkyMaps(bakePanorama(size, seed, services.scene.layout.sky, progress)));
     data->holdIn(services.memory, "maps", kTypeName, pipeline::Work::kAcrossUser);
     return data;
   }

@@ -65,11 +65,11 @@ constexpr double kBusyShare = 0.75;
 int visitorsFit(const measure::Amortization& measured, const measure::Capacity& whole, double cores,
                 const StatisticsSources& sources) {
   const measure::AmortizationMeter& meter = sources.meter;
-  const int estimate = meter.privateWorlds() ? whole.privateVisitorsFit(cores) : whole.visitorsFit(cores);
   const bool areSmaller = sources.pictureScale < 1.0;
   const bool areTooMany = areSmaller && measured.cpuCores >= kBusyShare * cores;
   const bool areServed = !areSmaller && measured.framesPerSecond >= kServedShare * meter.nominalFramesPerSecond();
-  return measure::correctedFit(estimate, static_cast<int>(std::lround(measured.visitors)), areServed, areTooMany);
+  return measure::correctedFit(whole.visitorsFit(cores), static_cast<int>(std::lround(measured.visitors)), areServed,
+                               areTooMany);
 }
 
 Json amortization(const StatisticsSources& sources) {
@@ -79,8 +79,7 @@ Json amortization(const StatisticsSources& sources) {
   const auto cores = static_cast<double>(std::max(1U, std::thread::hardware_concurrency()));
   const measure::Capacity capacity = measure::capacityOf(*measured, meter.nominalFramesPerSecond());
   const measure::Capacity whole = measure::atFullSize(capacity, sources.pictureScale);
-  Json report = {{"mode", meter.privateWorlds() ? "private" : "shared"},
-                 {"seconds", measured->seconds},
+  Json report = {{"seconds", measured->seconds},
                  {"visitors", measured->visitors},
                  {"frames_per_second", measured->framesPerSecond}};
   report.update(costs(measure::sum(measured->costs), measure::sum(measured->memory)));
@@ -88,7 +87,7 @@ Json amortization(const StatisticsSources& sources) {
                      {"cores", cores},
                      {"other_ms", capacity.unreported * 1000.0 / meter.nominalFramesPerSecond()},
                      {"private_frame_ms", capacity.privateVisitor * 1000.0 / meter.nominalFramesPerSecond()},
-                     {"visitor_cores", meter.privateWorlds() ? capacity.privateVisitor : capacity.visitor},
+                     {"visitor_cores", capacity.visitor},
                      {"visitors_fit", visitorsFit(*measured, whole, cores, sources)},
                      {"private_cores", capacity.privateVisitor * measured->visitors},
                      {"private_visitors_fit", whole.privateVisitorsFit(cores)}});

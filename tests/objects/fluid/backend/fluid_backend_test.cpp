@@ -28,37 +28,6 @@ class FluidBackendTest : public Fire {
   FluidBackendTest() : Fire(16) {}
 };
 
-/// Where worlds of their own are made for several visitors.
-class FluidOfManyWorlds : public Fire {
- protected:
-  FluidOfManyWorlds() : Fire(16) {}
-
-  std::shared_ptr<const FluidSnapshot> startOfAnother() {
-    steps_ = 0;
-    node::BackendServices services = this->services();
-    services.announce = [](const node::Announcement&) {};
-    services.progress = [this](std::string_view, float) { ++steps_; };
-    services.baked = &store_;
-    FluidBackend another(services, 0);
-    return askFrom(another);
-  }
-
-  node::BakedStore store_{memory_};
-  int steps_ = 0;
-};
-
-TEST_F(FluidOfManyWorlds, SmokeRisesOnceForAll) {
-  const auto first = startOfAnother();
-  EXPECT_GT(steps_, 0) << "before anybody enters";
-  const auto second = startOfAnother();
-  EXPECT_EQ(steps_, 0);
-  for (const auto& start : {first, second}) {
-    ASSERT_TRUE(start);
-    EXPECT_GT(start->tick, 85U) << "three seconds";
-    EXPECT_GT(start->x.size(), 100U);
-  }
-}
-
 /// On a machine that no tick is short enough for.
 class SlowFluidBackendTest : public Fire {
  protected:

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 
 #include "objects/fluid/backend/simulation/particles.h"
@@ -16,11 +15,6 @@ struct FluidState {
   Particles particles;
   double time = 0.0;  ///< simulated seconds
   std::uint64_t tick = 0;
-
-  /// Memory use.
-  [[nodiscard]] std::size_t bytes() const noexcept {
-    return velocity.bytes() + temperature.heldBytes() + particles.bytes();
-  }
 };
 
 }  // namespace grove::objects::fluid

@@ -2,15 +2,15 @@ import { Server } from '../hostile/server.mjs';
 import { now, pause } from '../hostile/time.mjs';
 import { Visitor } from '../hostile/visitor.mjs';
 
-/** Servers of private worlds that are stopped at any moment: while worlds are waited for, made, walked in and left. */
+/** Servers that are stopped at any moment: while visitors enter, walk and leave. */
 
 const kVisitors = 3;
 /** A stop comes so long after the first visitor, at most. Seconds. */
 const kLongestVisit = 1.5;
-/** Visitors leave about when the stop comes: worlds that are taken apart by two threads are what hung. Seconds. */
+/** Visitors leave about when the stop comes: sessions that end on two threads at once have hung. Seconds. */
 const kAbout = 0.03;
 const kPatience = 5;
-const kOptions = ['--private', '--scene', 'tests/browser/clearing.toml'];
+const kOptions = ['--scene', 'tests/browser/clearing.toml'];
 
 /** Comes, and leaves at this time; whether he got in by then does not matter. */
 async function visit(port, index, leaveAt) {
@@ -34,7 +34,7 @@ async function stopOnce() {
   return { seconds, end: server.end };
 }
 
-export async function privateStops({ stops }) {
+export async function stopServers({ stops }) {
   const faults = [];
   const took = [];
   const began = now();
