@@ -50,7 +50,10 @@ test('quick commands run', () => {
 // Fault: a rule that excuses commands that no page shows any more.
 test('each rule for commands that cannot be judged is needed', () => {
   const needed = new Set(kCommands.map(({ command }) => unjudgedBy(command)));
-  assert.deepEqual(kUnjudged.filter((rule) => !needed.has(rule)), []);
+  assert.deepEqual(
+    kUnjudged.filter((rule) => !needed.has(rule)),
+    [],
+  );
 });
 
 // Fault: a judge that finds nothing, with which every page is right.
@@ -66,7 +69,10 @@ test('the judges find what is wrong', () => {
     'build/release/grove bench view --walk tests/walks/none.walk',
     'deploy/rum',
     'deploy/run --listn 0.0.0.0:80',
+    'deploy/tables --listen 0.0.0.0:80',
+    'deploy/packages/build.txt',
     'deploy/test everything',
+    'deploy/test pack',
     'deploy/test soak showers',
     'deploy/common.sh now',
     'cmake --preset fast',
@@ -81,5 +87,8 @@ test('the judges find what is wrong', () => {
     'node tests/none.mjs',
     'make all',
   ];
-  assert.deepEqual(wrong.filter((command) => faultOf(command, true) === null), []);
+  assert.deepEqual(
+    wrong.filter((command) => faultOf(command, true) === null),
+    [],
+  );
 });

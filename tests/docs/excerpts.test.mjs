@@ -10,9 +10,15 @@ const kPage = 'docs/extending.md';
 
 const read = (file) => readFileSync(join(kRoot, file), 'utf8');
 const filesLike = (...patterns) =>
-  execFileSync('git', ['ls-files', ...patterns], { cwd: kRoot, encoding: 'utf8' }).trim().split('\n');
+  execFileSync('git', ['ls-files', ...patterns], { cwd: kRoot, encoding: 'utf8' })
+    .trim()
+    .split('\n');
 /** Without indentation and empty lines at the end, as an excerpt may be indented otherwise than its source. */
-const linesOf = (text) => text.trimEnd().split('\n').map((line) => line.trim());
+const linesOf = (text) =>
+  text
+    .trimEnd()
+    .split('\n')
+    .map((line) => line.trim());
 
 /** The blocks of code of the page, commands excepted: named file, line and text. */
 function excerpts() {
@@ -57,5 +63,8 @@ test('the code of the tutorial stands in the files that it names', () => {
 // Fault: an example that was taken out of the build, and rots.
 test('tests compile or run each file of the tutorial', () => {
   const files = new Set(excerpts().map(({ file }) => file));
-  assert.deepEqual([...files].filter((file) => !isTested(file)), []);
+  assert.deepEqual(
+    [...files].filter((file) => !isTested(file)),
+    [],
+  );
 });

@@ -26,7 +26,10 @@ test('the decoder has the form that the page takes', async () => {
     makeImage: (planes) => ({ planes: [...planes], close: () => (closed += 1) }),
   });
   await decoder.push(picture());
-  assert.deepEqual(images.map(({ planes }) => planes), [golden.planes]);
+  assert.deepEqual(
+    images.map(({ planes }) => planes),
+    [golden.planes],
+  );
   const damaged = picture({ picture: bytes.slice(0, 10) });
   await decoder.push(damaged);
   assert.deepEqual(failures, [damaged]);

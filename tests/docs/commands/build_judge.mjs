@@ -1,19 +1,23 @@
-import { exists, files, isExecutable, read } from './repository.mjs';
+import { exists, files, read } from './repository.mjs';
 
 const kPresets = JSON.parse(read('CMakePresets.json'));
 const kLists = files.filter((file) => file.endsWith('CMakeLists.txt'));
 const kTargets = new Set(['all', 'all_verify_interface_header_sets']);
 const kTests = new Map();
 for (const list of kLists) {
-  for (const [, name] of read(list).matchAll(/\b(?:grove_library|add_library|add_executable|add_custom_target)\((\w+)/g)) {
+  for (const [, name] of read(list).matchAll(
+    /\b(?:grove_library|add_library|add_executable|add_custom_target)\((\w+)/g,
+  )) {
     kTargets.add(name);
   }
-  for (const [, name] of read(list).matchAll(/\bgrove_test\((\w+)/g)) kTests.set(name, list.replace('/CMakeLists.txt', ''));
+  for (const [, name] of read(list).matchAll(/\bgrove_test\((\w+)/g))
+    kTests.set(name, list.replace('/CMakeLists.txt', ''));
 }
 
 const valueOf = (words, option) => (words.includes(option) ? words[words.indexOf(option) + 1] : undefined);
 const hasPreset = (kind, name) => kPresets[kind].some((preset) => preset.name === name && !preset.hidden);
-const faultOfPreset = (kind, name) => (name && !hasPreset(kind, name) ? `CMakePresets.json has no ${kind} ${name}` : null);
+const faultOfPreset = (kind, name) =>
+  name && !hasPreset(kind, name) ? `CMakePresets.json has no ${kind} ${name}` : null;
 /** A build folder is named after its preset. */
 const faultOfFolder = (folder) =>
   folder && !folder.startsWith('-') ? faultOfPreset('configurePresets', folder.replace(/^build\//, '')) : null;
@@ -25,12 +29,18 @@ function faultOfTarget(name) {
 export function faultOfCmake(words) {
   const folder = valueOf(words, '--build') ?? valueOf(words, '--install');
   const kind = words[0] === '--build' ? 'buildPresets' : 'configurePresets';
-  const unknown = words.filter((word) => /^-/.test(word) && !/^(-D\w+=\w+|--(build|install|preset|target))$/.test(word));
+  const unknown = words.filter(
+    (word) => /^-/.test(word) && !/^(-D\w+=\w+|--(build|install|preset|target))$/.test(word),
+  );
   if (unknown.length > 0) return `cmake's ${unknown[0]} is not known to this test`;
   const switches = words.filter((word) => /^-DGROVE_/.test(word)).map((word) => word.match(/^-D(\w+)/)[1]);
   const missing = switches.find((name) => !new RegExp(`\\b${name}\\b`).test(read('CMakeLists.txt')));
   if (missing) return `CMakeLists.txt has no ${missing}`;
-  return faultOfPreset(kind, valueOf(words, '--preset')) ?? faultOfFolder(folder) ?? faultOfTarget(valueOf(words, '--target'));
+  return (
+    faultOfPreset(kind, valueOf(words, '--preset')) ??
+    faultOfFolder(folder) ??
+    faultOfTarget(valueOf(words, '--target'))
+  );
 }
 
 export function faultOfCtest(words) {
@@ -57,31 +67,11 @@ export function faultOfNpm(words) {
   if (!exists(`${folder}/package.json`)) return `${folder} has no package.json`;
   const script = words[0] === 'run' ? words[1] : words[0];
   if (script === 'ci') return null;
-  return script in (JSON.parse(read(`${folder}/package.json`)).scripts ?? {}) ? null : `${folder} has no script ${script}`;
+  const { scripts = {} } = JSON.parse(read(`${folder}/package.json`));
+  return script in scripts ? null : `${folder} has no script ${script}`;
 }
 
 export function faultOfNode(words) {
   const missing = words.filter((word) => !word.startsWith('-') && !exists(word));
   return missing.length > 0 ? `${missing[0]} does not exist` : null;
-}
-
-/** The comment at the head of a script, which describes its use. */
-function usageOf(script) {
-  return read(script).split('\n').slice(1).join('\n').match(/^(#.*\n)*/)[0];
-}
-
-const isWordOf = (usage, word) => new RegExp(`(^|[\\s\`,])${word.replaceAll('.', '\\.')}(?=[\\s\`,.:]|$)`, 'm').test(usage);
-
-/** Scripts of deploy/. Options that their usage does not name are those of `grove serve`. */
-export function faultOfScript(script, words, faultOfGrove) {
-  if (!exists(script)) return `${script} does not exist`;
-  if (words.length > 0 && !isExecutable(script)) return `${script} is not executable`;
-  if (words.length === 0) return null;
-  if (words[0].startsWith('-') && !usageOf(script).includes(words[0].split('=')[0])) return faultOfGrove(['serve', ...words]);
-  if (/^[A-Z]+$/.test(words[0]) || words[0].startsWith('-')) return null;
-  if (!usageOf(script).includes(`${script} ${words[0]}`)) return `${script} does not know ${words[0]}`;
-  const below = `deploy/checks/${words[0]}`;
-  const usage = usageOf(script) + (exists(below) ? usageOf(below) : '');
-  const unknown = words.slice(1).find((word) => !isWordOf(usage, word));
-  return unknown ? `${script} ${words[0]} does not know ${unknown}` : null;
 }

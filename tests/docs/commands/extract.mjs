@@ -1,7 +1,8 @@
 import { read } from './repository.mjs';
 
 /** Programs that make inline code a command; other inline code is a name. */
-const kPrograms = /^(?:[A-Z_]+=\S* )*(?:sudo )?(?:grove|build\/release\/grove|build\/\w+\/tests\/\S+|deploy\/\S+|\.ci\/\S+|cmake|ctest|npm|node|npx|apt|systemctl|journalctl|man|openssl)(?= |$)/;
+const kPrograms =
+  /^(?:[A-Z_]+=\S* )*(?:sudo )?(?:grove|build\/release\/grove|build\/\w+\/tests\/\S+|deploy\/\S+|\.ci\/\S+|cmake|ctest|npm|node|npx|apt|systemctl|journalctl|man|openssl)(?= |$)/;
 const kShellWords = /^(?:for .*|do|done|then|fi|if .*)$/;
 
 /** The simple commands of a line of shell, without comments, assignments, redirections and `sudo`. */
@@ -11,7 +12,13 @@ function commandsOfLine(line) {
     .replaceAll(/\$\([^()]*\)/g, 'SUBSTITUTED')
     .replace(/(^|\s)#.*$/, '')
     .split(/&&|\|\||[;&]|(?<!\\)\|/)
-    .map((part) => part.trim().replace(/^do /, '').replace(/^(?:[A-Z_]+=\S* )+/, '').replace(/^sudo /, ''));
+    .map((part) =>
+      part
+        .trim()
+        .replace(/^do /, '')
+        .replace(/^(?:[A-Z_]+=\S* )+/, '')
+        .replace(/^sudo /, ''),
+    );
   return [...inner, ...outer.filter((command) => command !== '' && !kShellWords.test(command))];
 }
 
@@ -28,9 +35,16 @@ function fenced(page, text) {
   });
 }
 
+/** A fenced block with nothing but its comments. */
+const commentsOf = (block) =>
+  block
+    .split('\n')
+    .map((line) => line.match(/\s# .*$/)?.[0] ?? '')
+    .join('\n');
+
 /** Inline code of prose, as {page, line, code}. */
 function inlineCode(page, text) {
-  const prose = text.replaceAll(/^ *```.*?^ *```/gms, (block) => block.replaceAll(/[^\n]/g, ''));
+  const prose = text.replaceAll(/^ *```.*?^ *```/gms, commentsOf);
   return [...prose.matchAll(/`([^`]+)`/g)].map(({ 1: code, index }) => ({
     page,
     line: prose.slice(0, index).split('\n').length,
@@ -67,6 +81,8 @@ export function optionsOfCommandsOf(page) {
 /** Options that a page names without their command. */
 export function loneOptionsOf(page) {
   return inlineCode(page, read(page)).flatMap(({ line, code }) =>
-    code.startsWith('--') ? [...code.matchAll(/(?:^| )(--[\w.-]+…?)/g)].map(([, option]) => ({ page, line, option })) : [],
+    code.startsWith('--')
+      ? [...code.matchAll(/(?:^| )(--[\w.-]+…?)/g)].map(([, option]) => ({ page, line, option }))
+      : [],
   );
 }

@@ -15,7 +15,12 @@ export function helpOf(command) {
     for (const [, short, long, about] of text.matchAll(/^ {2}(?:(-\w),)?(--[\w.-]+)(.*)$/gm)) {
       const [, values] = about.match(/^ \{([^}]*)\}/) ?? [];
       const names = [short, long].filter(Boolean);
-      const option = { names, values: values?.split(','), isFlag: !/^ [A-Z{[]/.test(about), isRequired: about.includes(' REQUIRED') };
+      const option = {
+        names,
+        values: values?.split(','),
+        isFlag: !/^ [A-Z{[]/.test(about),
+        isRequired: about.includes(' REQUIRED'),
+      };
       for (const name of names) options.set(name, option);
     }
     const [, commands = ''] = text.split(/^Subcommands:$/m);

@@ -21,8 +21,7 @@ function faultOfOption(command, words, at) {
   if (!isIn(options, name) && !below.some((known) => isIn(known, name))) return `${command.join(' ')} has no ${name}`;
   const value = joined ?? words[at + 1];
   const { values } = options.get(name) ?? {};
-  const isWrong =
-    values && value && !isOption(value) && !isPlaceholder(value) && !values.includes(value);
+  const isWrong = values && value && !isOption(value) && !isPlaceholder(value) && !values.includes(value);
   return isWrong ? `${name} of ${command.join(' ')} cannot be ${value}` : null;
 }
 
@@ -30,7 +29,9 @@ function faultOfOption(command, words, at) {
 function missingOf(command, rest, places) {
   const { options, commands, positionals } = helpOf(command);
   if (commands.length > 0 && rest.length === 0) return `grove ${command.join(' ')} needs a sub-command`;
-  const option = [...options.values()].find(({ names, isRequired }) => isRequired && !names.some((name) => rest.includes(name)));
+  const option = [...options.values()].find(
+    ({ names, isRequired }) => isRequired && !names.some((name) => rest.includes(name)),
+  );
   if (option) return `grove ${command.join(' ')} needs ${option.names.at(-1)}`;
   const given = positionals.length - places;
   const place = positionals.find(({ isRequired }, i) => isRequired && i >= given);

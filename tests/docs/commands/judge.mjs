@@ -1,13 +1,7 @@
-import {
-  faultOfCmake,
-  faultOfCtest,
-  faultOfNode,
-  faultOfNpm,
-  faultOfScript,
-  faultOfTestProgram,
-} from './build_judge.mjs';
+import { faultOfCmake, faultOfCtest, faultOfNode, faultOfNpm, faultOfTestProgram } from './build_judge.mjs';
 import { faultOfGrove } from './grove_judge.mjs';
 import { exists } from './repository.mjs';
+import { faultOfScript } from './script_judge.mjs';
 
 /** Commands that nothing here can judge, each with the reason. */
 export const kUnjudged = [
@@ -45,7 +39,7 @@ export function faultOf(command, typed = false) {
   if (missing) return `${missing} does not exist`;
   if (unjudgedBy(command)) return null;
   if (kBuiltins[program]) return kBuiltins[program](words, typed);
-  if (/^(deploy|\.ci)\//.test(program)) return faultOfScript(program, words, faultOfGrove);
+  if (/^(deploy|\.ci)\//.test(program)) return faultOfScript(program, words, typed);
   if (/^build\/\w+\/tests\//.test(program)) return faultOfTestProgram(program, words);
   return `nobody knows how to judge ${program}`;
 }

@@ -19,6 +19,9 @@ export const files = [...kModes.keys()];
 export const isExecutable = (file) => kModes.get(file) === '100755';
 /** Whether git has this file, or files in this folder or of this pattern. */
 export function exists(path) {
-  const pattern = path.replace(/\/$/, '').replaceAll(/[.+()[\]]/g, '\\$&').replaceAll('*', '[^/]*');
+  const pattern = path
+    .replace(/\/$/, '')
+    .replaceAll(/[.+()[\]]/g, '\\$&')
+    .replaceAll('*', '[^/]*');
   return files.some((file) => new RegExp(`^${pattern}(/|$)`).test(file));
 }
