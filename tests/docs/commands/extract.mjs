@@ -5,6 +5,17 @@ const kPrograms =
   /^(?:[A-Z_]+=\S* )*(?:sudo )?(?:grove|build\/release\/grove|build\/\w+\/tests\/\S+|deploy\/\S+|\.ci\/\S+|cmake|ctest|npm|node|npx|apt|systemctl|journalctl|man|openssl)(?= |$)/;
 const kShellWords = /^(?:for .*|do|done|then|fi|if .*)$/;
 
+/**
+ * What a page says of the present program. Of the history: the next version only, without what it removes, because
+ * earlier versions had options of their own.
+ */
+function presentOf(page) {
+  const text = read(page);
+  if (page !== 'CHANGELOG.md') return text;
+  const [next] = text.split(/^(?=## \[\d)/m);
+  return next.replace(/^### Removed$.*?(?=^### |(?![^]))/ms, (part) => part.replaceAll(/[^\n]/g, ''));
+}
+
 /** The simple commands of a line of shell, without comments, assignments, redirections and `sudo`. */
 function commandsOfLine(line) {
   const inner = [...line.matchAll(/\$\(([^()]*)\)/g)].flatMap(([, part]) => commandsOfLine(part));
@@ -54,7 +65,7 @@ function inlineCode(page, text) {
 
 /** All commands of a page. */
 export function commandsOf(page) {
-  const text = read(page);
+  const text = presentOf(page);
   const inline = inlineCode(page, text).filter(({ code }) => kPrograms.test(code));
   return [
     ...fenced(page, text),
@@ -69,7 +80,7 @@ export function commandsOf(page) {
 
 /** Options with their command behind them, as in "`--view-error PX` of `grove node`", as commands. */
 export function optionsOfCommandsOf(page) {
-  const text = read(page);
+  const text = presentOf(page);
   return [...text.matchAll(/`(--[\w.-]+…?)[^`]*`\s+of\s+`(grove[a-z ]*)`/g)].map(({ 1: option, 2: grove, index }) => ({
     page,
     line: text.slice(0, index).split('\n').length,
@@ -80,7 +91,7 @@ export function optionsOfCommandsOf(page) {
 
 /** Options that a page names without their command. */
 export function loneOptionsOf(page) {
-  return inlineCode(page, read(page)).flatMap(({ line, code }) =>
+  return inlineCode(page, presentOf(page)).flatMap(({ line, code }) =>
     code.startsWith('--')
       ? [...code.matchAll(/(?:^| )(--[\w.-]+…?)/g)].map(([, option]) => ({ page, line, option }))
       : [],
