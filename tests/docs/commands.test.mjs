@@ -5,7 +5,7 @@ import { commandsOf, loneOptionsOf, optionsOfCommandsOf } from './commands/extra
 import { kBinary } from './commands/grove_help.mjs';
 import { faultOfLoneOption } from './commands/grove_judge.mjs';
 import { faultOf, kUnjudged, unjudgedBy } from './commands/judge.mjs';
-import { files } from './commands/repository.mjs';
+import { files, read } from './commands/repository.mjs';
 
 const kPages = files.filter((file) => file.endsWith('.md'));
 const kCommands = kPages.flatMap((page) => [...commandsOf(page), ...optionsOfCommandsOf(page)]);
@@ -25,6 +25,18 @@ test('what the commands of all documents name exists', () => {
   });
   assert.deepEqual(faults, []);
   assert.ok(kCommands.length > 150, `${kCommands.length} commands`);
+});
+
+// Fault: commands in a block whose language is written otherwise, so that nothing here reads them.
+test('blocks of documents have a language that the tests know', () => {
+  const known = ['', 'sh', 'ini', 'cpp', 'cmake', 'js'];
+  const faults = kPages.flatMap((page) => {
+    const blocks = [...read(page).matchAll(/^ *```(\w*).*\n(.*?)^ *```$/gms)];
+    const isFault = ([, language, text]) =>
+      !known.includes(language) || (language === '' && /^\s*\$ |^grove /m.test(text));
+    return blocks.filter(isFault).map(([block]) => `${page}: ${block.split('\n')[0]}`);
+  });
+  assert.deepEqual(faults, []);
 });
 
 // Fault: an option in prose that no command has.
