@@ -46,7 +46,9 @@ double AmortizeRow::coresNeeded() const {
 }
 
 AmortizeRow together(const std::vector<AmortizeRow>& visitors) {
-  AmortizeRow all{.users = static_cast<int>(visitors.size()), .privateWorlds = true};
+  AmortizeRow all;
+  all.users = static_cast<int>(visitors.size());
+  all.privateWorlds = true;
   const double each = 1.0 / all.users;
   all.fpsMin = visitors.front().fpsMin;
   for (const AmortizeRow& one : visitors) {

@@ -5,22 +5,25 @@
 #include <unistd.h>
 
 #include <array>
+#include <ctime>
 
 #include "base/error.h"
 
 namespace grove::cli {
 
 Interruption::Interruption() {
-  sigset_t signals{};
-  sigemptyset(&signals);
-  sigaddset(&signals, SIGINT);
-  sigaddset(&signals, SIGTERM);
-  descriptor_ = signalfd(-1, &signals, SFD_CLOEXEC);
+  sigemptyset(&signals_);
+  sigaddset(&signals_, SIGINT);
+  sigaddset(&signals_, SIGTERM);
+  descriptor_ = signalfd(-1, &signals_, SFD_CLOEXEC);
   if (descriptor_ < 0) throw EnvironmentError("cannot wait for signals", "signalfd", "raise ulimit -n");
-  sigprocmask(SIG_BLOCK, &signals, &former_);
+  sigprocmask(SIG_BLOCK, &signals_, &former_);
 }
 
 Interruption::~Interruption() {
+  // One Ctrl-C may be two signals: to the process, and to its group.
+  constexpr timespec kNow{0, 0};
+  while (sigtimedwait(&signals_, nullptr, &kNow) > 0) continue;
   close(descriptor_);
   sigprocmask(SIG_SETMASK, &former_, nullptr);
 }

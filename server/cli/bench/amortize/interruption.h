@@ -21,7 +21,8 @@ class Interruption {
   void reportStopped() noexcept { hasCome_ = true; }
 
  private:
-  sigset_t former_{};
+  sigset_t signals_{};
+  sigset_t former_{};  ///< mask
   int descriptor_ = -1;
   bool hasCome_ = false;
 };

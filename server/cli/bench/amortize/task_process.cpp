@@ -57,11 +57,6 @@ std::byte receiveOrder(int link) {
 
 }  // namespace
 
-struct TaskProcess::Message {
-  Kind kind = Kind::kFailed;
-  std::string text;
-};
-
 bool TaskProcess::Parent::arrive() const {
   return sendMessage(link_, Kind::kArrived, {}) && receiveOrder(link_) == kProceed;
 }
@@ -104,18 +99,18 @@ void TaskProcess::become(int link, pid_t parent, const Task& task) {
   _exit(0);
 }
 
-std::optional<TaskProcess::Message> TaskProcess::await(Interruption& interruption) const {
+std::optional<std::string> TaskProcess::await(Interruption& interruption) const {
   if (!interruption.awaitReadable(link_)) return std::nullopt;
   Header header;
-  Message message;
+  std::string text;
   bool isWhole = receiveAll(link_, std::as_writable_bytes(std::span(&header, 1)));
   if (isWhole) {
-    message = {header.kind, std::string(header.bytes, ' ')};
-    isWhole = receiveAll(link_, std::as_writable_bytes(std::span(message.text)));
+    text.resize(header.bytes);
+    isWhole = receiveAll(link_, std::as_writable_bytes(std::span(text)));
   }
   if (!isWhole) throw EnvironmentError("a process has ended early", "grove bench amortize", "is there memory enough?");
-  if (message.kind == Kind::kFailed) throw std::runtime_error(message.text);
-  if (message.kind != Kind::kStopped) return message;
+  if (header.kind == Kind::kFailed) throw std::runtime_error(text);
+  if (header.kind != Kind::kStopped) return text;
   interruption.reportStopped();
   return std::nullopt;
 }
@@ -124,10 +119,6 @@ bool TaskProcess::awaitArrival(Interruption& interruption) { return await(interr
 
 void TaskProcess::proceed() const { (void)sendAll(link_, {&kProceed, 1}); }
 
-std::optional<std::string> TaskProcess::awaitResult(Interruption& interruption) {
-  std::optional<Message> message = await(interruption);
-  if (!message) return std::nullopt;
-  return std::move(message->text);
-}
+std::optional<std::string> TaskProcess::awaitResult(Interruption& interruption) { return await(interruption); }
 
 }  // namespace grove::cli

@@ -42,8 +42,8 @@ class TaskProcess {
 
  private:
   [[noreturn]] static void become(int link, pid_t parent, const Task& task);
-  struct Message;
-  [[nodiscard]] std::optional<Message> await(Interruption& interruption) const;
+  /// Returns the text of the next message.
+  [[nodiscard]] std::optional<std::string> await(Interruption& interruption) const;
 
   pid_t process_ = 0;
   int link_ = -1;

@@ -6,7 +6,12 @@ namespace grove::cli {
 namespace {
 
 AmortizeRow rowOf(double frames, double acrossUser, float latency) {
-  AmortizeRow row{.users = 1, .seconds = 10.0, .frames = frames, .fpsMin = frames / 10.0, .latencies = {latency}};
+  AmortizeRow row;
+  row.users = 1;
+  row.seconds = 10.0;
+  row.frames = frames;
+  row.fpsMin = frames / 10.0;
+  row.latencies = {latency};
   row.costs["fluid"] = {.acrossUser = acrossUser, .onDemand = 1.0, .backend = 0.5, .compressor = 0.25, .frontend = 4.0};
   row.memory["fluid"] = {.acrossUser = 8e6, .perUserBackend = 1e6, .perUserFrontend = 2e6};
   row.reportedBytes = 11e6;

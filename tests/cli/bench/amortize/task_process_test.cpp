@@ -91,6 +91,7 @@ TEST(TaskProcess, EndsAfterASignal) {
     return std::nullopt;
   });
   raise(SIGTERM);
+  raise(SIGINT);  // stays pending, and must not end this process later
   EXPECT_FALSE(process.awaitResult(interruption));
   EXPECT_TRUE(interruption.hasCome());
 }
