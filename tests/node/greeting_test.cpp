@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <future>
+
 #include "node/nodes_fixture.h"
 #include "node/transport/reference_transport.h"
 
@@ -97,6 +100,52 @@ TEST_F(Greeting, AnswersNobodyWhoWasNotWelcomed) {
   EXPECT_EQ(transport->send(ToBackend(request)), pipeline::PushResult::kClosed);
   (void)refusalOf(good);
   EXPECT_EQ(transport->send(ToBackend(request)), pipeline::PushResult::kAccepted);
+}
+
+/// A link over which a frontend process subscribes to nothing, and on which each message takes until it may end.
+class SlowLink final : public Transport {
+ public:
+  using Transport::connect;
+  using Transport::send;
+  [[nodiscard]] bool sharesMemory() const override { return true; }
+  void connect(BackendPort& backend) override { wire_.connect(backend); }
+  void connect(FrontendPort& frontend) override { wire_.connect(frontend); }
+  void leaveBackend() override { wire_.leaveBackend(); }
+  void leaveFrontend() override { wire_.leaveFrontend(); }
+  pipeline::PushResult send(ToBackend message) override { return wire_.send(std::move(message)); }
+  pipeline::PushResult send(ToFrontend message) override {
+    if (std::holds_alternative<Announcement>(message)) {
+      begun.set_value();
+      mayEnd.get_future().wait();
+    }
+    return wire_.send(std::move(message));
+  }
+  void compress(Result& /*result*/, std::string_view /*subject*/) const override {}
+
+  std::promise<void> begun;
+  std::promise<void> mayEnd;
+
+ private:
+  ReferenceTransport wire_;
+};
+
+// Fault: a clock announces a version while the node is destroyed, and reads objects that are gone.
+TEST_F(Greeting, ANodeWaitsForAnnouncementsBeforeItIsDestroyed) {
+  const auto controls = std::make_shared<testing::BoxControls>();
+  const BackendTypes announcing = testing::boxBackends(controls);
+  auto node =
+      std::make_unique<BackendNode>(scene, geometry, geometry.obstacles(), announcing,
+                                    BackendMachine{workers, gl, timeline, memory, images}, BackendNode::Progress());
+  const auto link = std::make_shared<SlowLink>();
+  auto token = node->accept(link);
+  (void)link->send(ToBackend(good));
+  const auto clock = std::async(std::launch::async, [&] { controls->announce({{scene.objects[0].id, {}}, 1}); });
+  link->begun.get_future().wait();
+  token.reset();
+  const auto destroyed = std::async(std::launch::async, [&] { node.reset(); });
+  EXPECT_EQ(destroyed.wait_for(std::chrono::milliseconds(100)), std::future_status::timeout);
+  link->mayEnd.set_value();
+  EXPECT_EQ(destroyed.wait_for(std::chrono::seconds(30)), std::future_status::ready);
 }
 
 }  // namespace

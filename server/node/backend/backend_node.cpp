@@ -71,6 +71,7 @@ BackendNode::BackendNode(const LoadedScene& scene, const world::WorldGeometry& g
 
 BackendNode::~BackendNode() {
   assert(peers_.empty() && "peers leave before the node is destroyed");
+  peers_.awaitAnnouncements();  // by clocks of the halves: later ones reach nobody
   for (const auto& [type, pipeline] : pipelines_) pipeline->close();
   // Runs in progress use the halves. The queues are closed, so no further run starts.
   machine_.workers.drain();

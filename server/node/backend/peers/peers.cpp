@@ -22,12 +22,36 @@ bool Peers::empty() const {
   return peers_.empty();
 }
 
-void Peers::announce(const Announcement& announcement) const {
+class Peers::Announcing {
+ public:
+  explicit Announcing(Peers& peers) : peers_(peers) {
+    const std::lock_guard lock(peers_.mutex_);
+    ++peers_.announcing_;
+  }
+  ~Announcing() {
+    const std::lock_guard lock(peers_.mutex_);
+    // With the lock held: the waiting thread may destroy the peers as soon as it is notified.
+    if (--peers_.announcing_ == 0) peers_.announced_.notify_all();
+  }
+  Announcing(const Announcing&) = delete;
+  Announcing& operator=(const Announcing&) = delete;
+
+ private:
+  Peers& peers_;
+};
+
+void Peers::announce(const Announcement& announcement) {
+  const Announcing inProgress(*this);
   for (const auto& peer : all()) {
     if (!peer->subscriptions().published(announcement.what, announcement.version)) {
       peer->link().send(ToFrontend(announcement));
     }
   }
+}
+
+void Peers::awaitAnnouncements() {
+  std::unique_lock lock(mutex_);
+  announced_.wait(lock, [this] { return announcing_ == 0; });
 }
 
 void Peers::send(const ToFrontend& message) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <condition_variable>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -20,17 +21,22 @@ class Peers {
 
   /// Sends the new version to peers with a subscription, and the announcement to all others. Holds no lock meanwhile,
   /// because a receiver may call back.
-  void announce(const Announcement& announcement) const;
+  void announce(const Announcement& announcement);
+  /// Waits for announcements in progress, which may still reach peers that have left meanwhile.
+  void awaitAnnouncements();
   /// Sends a message to all peers.
   void send(const ToFrontend& message) const;
   /// The highest quality step that any peer requests; nothing if there are no peers.
   [[nodiscard]] std::optional<int> quality() const;
 
  private:
+  class Announcing;
   [[nodiscard]] std::vector<std::shared_ptr<Peer>> all() const;
 
   mutable std::mutex mutex_;
   std::map<ProcessId, std::shared_ptr<Peer>> peers_;
+  int announcing_ = 0;
+  std::condition_variable announced_;
 };
 
 }  // namespace grove::node
