@@ -4,6 +4,7 @@
 
 #include "cli/bench/fluid/bench_fluid_solvers.h"
 #include "cli/bench/link_report.h"
+#include "cli/bench/machine/bench_machine.h"
 #include "cli/bench/picture_size.h"
 #include "cli/options/choose.h"
 #include "node/limits.h"
@@ -54,6 +55,7 @@ void BenchCommands::addTo(CLI::App& app) {
   addEncode();
   addFluid();
   addLightfield();
+  addMachine();
   addPipeline();
   addView();
 }
@@ -135,6 +137,13 @@ void BenchCommands::addLightfield() {
   field->add_flag("--json", options.json, "Print one JSON document");
 }
 
+void BenchCommands::addMachine() {
+  CLI::App* machine = bench_->add_subcommand(
+      "machine",
+      "Measure one core with a fixed mix of kernels: a score by which figures of different processors compare");
+  machine->add_flag("--json", machineJson_, "Print one JSON document");
+}
+
 void BenchCommands::addPipeline() {
   BenchPipelineOptions& options = pipeline_;
   CLI::App* pipeline =
@@ -177,6 +186,7 @@ int BenchCommands::run() const {
   if (bench_->got_subcommand("amortize")) return runBenchAmortize(amortize_);
   if (bench_->got_subcommand("encode")) return runBenchEncode(encode_);
   if (bench_->got_subcommand("lightfield")) return runBenchLightfield(lightfield_);
+  if (bench_->got_subcommand("machine")) return runBenchMachine(machineJson_);
   if (bench_->got_subcommand("pipeline")) return runBenchPipeline(pipeline_);
   if (bench_->got_subcommand("view")) return runBenchView(view_);
   if (!fluid_.solvers) return runBenchFluid(fluid_.options);

@@ -41,6 +41,7 @@ class BenchCommands {
   void addEncode();
   void addFluid();
   void addLightfield();
+  void addMachine();
   void addPipeline();
   void addView();
 
@@ -50,6 +51,7 @@ class BenchCommands {
   BenchEncodeOptions encode_;
   Fluid fluid_;
   BenchLightfieldOptions lightfield_;
+  bool machineJson_ = false;
   BenchPipelineOptions pipeline_;
   BenchViewOptions view_;
 };
