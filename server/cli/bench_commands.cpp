@@ -32,9 +32,7 @@ void addSize(CLI::App* bench, PictureSize& size) {
 
 void addWalk(CLI::App* bench, std::optional<std::string>& walk, double& seconds) {
   bench->add_option("--walk", walk, "File of the walk (default: around the fire)");
-  bench->add_option("--seconds", seconds, "Seconds of the walk, at 30 frames per second")
-      ->check(CLI::Range(0.1, 600.0))
-      ->capture_default_str();
+  addNumber(*bench, "--seconds", seconds, 0.1, 600.0, "Seconds of the walk, at 30 frames per second");
 }
 
 /// Accepts multiples of `step`.
@@ -69,10 +67,8 @@ void BenchCommands::addAmortize() {
           ->add_option("--users", options.users, "Numbers of visitors to compare (default: 1,2,4,8 and --figure-5.6)")
           ->delimiter(',')
           ->check(CLI::Range(1, kMaxAmortizeUsers));
-  CLI::Option* seconds =
-      amortize->add_option("--seconds", options.seconds, "Seconds to measure each number, after a warm-up")
-          ->check(CLI::Range(0.1, 3600.0))
-          ->capture_default_str();
+  CLI::Option* seconds = addNumber(*amortize, "--seconds", options.seconds, 0.1, 3600.0,
+                                   "Seconds to measure each number, after a warm-up");
   CLI::Option* frames =
       amortize->add_option("--frames", options.frames, "Measure this many frames of each visitor instead")
           ->check(CLI::Range(1, 1'000'000))
@@ -112,10 +108,8 @@ void BenchCommands::addFluid() {
       ->check(CLI::Range(16, 128))
       ->check(multipleOf(8))
       ->capture_default_str();
-  fluid->add_option("--steps", options.steps, "Steps to measure")->check(CLI::Range(1, 100'000))->capture_default_str();
-  fluid->add_option("--threads", options.threads, "Threads per step")
-      ->check(CLI::Range(1, BenchFluidOptions::kMaxThreads))
-      ->capture_default_str();
+  addNumber(*fluid, "--steps", options.steps, 1, 100'000, "Steps to measure");
+  addNumber(*fluid, "--threads", options.threads, 1, BenchFluidOptions::kMaxThreads, "Threads per step");
   fluid->add_flag("--json", options.json, "Print one JSON document");
   CLI::Option* solvers =
       fluid->add_flag("--solvers", fluid_.solvers, "Compare pressure solvers instead: residual against CPU time");
@@ -126,12 +120,8 @@ void BenchCommands::addLightfield() {
   BenchLightfieldOptions& options = lightfield_;
   CLI::App* field =
       bench_->add_subcommand("lightfield", "Measure speed and quality of pictures rendered from a light field");
-  field->add_option("--size", options.size, "Pixels per edge of a picture")
-      ->check(CLI::Range(16, 4096))
-      ->capture_default_str();
-  field->add_option("--requests", options.requests, "Pictures to render in each of three repeats")
-      ->check(CLI::Range(1, 100'000))
-      ->capture_default_str();
+  addNumber(*field, "--size", options.size, 16, 4096, "Pixels per edge of a picture");
+  addNumber(*field, "--requests", options.requests, 1, 100'000, "Pictures to render in each of three repeats");
   field->add_option("--file", options.file, "Light field (default: a small oak, baked first)");
   field->add_option("--threads", options.threads, "Threads (default: one per core)")->check(CLI::Range(1, 1024));
   field->add_flag("--json", options.json, "Print one JSON document");
@@ -152,10 +142,8 @@ void BenchCommands::addPipeline() {
       ->delimiter(',')
       ->check(CLI::Range(1, node::kMaxFramesInFlight))
       ->capture_default_str();
-  pipeline->add_option("--users", options.users, "Visitors")->check(CLI::Range(1, 1024))->capture_default_str();
-  pipeline->add_option("--seconds", options.seconds, "Seconds to measure each number of frames in flight")
-      ->check(CLI::Range(0.1, 60.0))
-      ->capture_default_str();
+  addNumber(*pipeline, "--users", options.users, 1, 1024, "Visitors");
+  addNumber(*pipeline, "--seconds", options.seconds, 0.1, 60.0, "Seconds to measure each number of frames in flight");
   pipeline->add_option("--scene", options.scene, "Scene file (default: the grove, built in)");
   addSize(pipeline, options.size);
   addTransport(pipeline, options.transport);
@@ -172,9 +160,7 @@ void BenchCommands::addView() {
   addSize(view, options.size);
   CLI::Option* stand =
       view->add_flag("--stand", options.stand, "Measure standing visitors where the walk begins, in a world at rest");
-  view->add_option("--visitors", options.visitors, "With --stand: number of visitors")
-      ->check(CLI::Range(1, kMaxStandingVisitors))
-      ->capture_default_str()
+  addNumber(*view, "--visitors", options.visitors, 1, kMaxStandingVisitors, "With --stand: number of visitors")
       ->needs(stand);
   view->add_flag("--json", options.json, "Print one JSON document");
 }

@@ -41,9 +41,8 @@ void addBake(CLI::App& app, BakeCommand& command) {
   bake->add_option("--seed", command.seed, "Seed of the plant; each seed is a different plant")->capture_default_str();
   const std::map<std::string, bool> details{{"small", false}, {"full", true}};
   choose(bake->add_option("--detail", command.full, "Detail of the plant; full is several million triangles"), details);
-  bake->add_option("--subdivision", command.options.subdivision, "Parts per edge of the octahedron of views")
-      ->check(CLI::Range(1, ViewSphere::kMaxSubdivision))
-      ->capture_default_str();
+  addNumber(*bake, "--subdivision", command.options.subdivision, 1, ViewSphere::kMaxSubdivision,
+            "Parts per edge of the octahedron of views");
   const auto powerOfTwo = [](const std::string& text) -> std::string {
     for (int size = kMinSize; size <= kMaxSize; size *= 2) {
       if (text == std::to_string(size)) return {};
@@ -53,12 +52,9 @@ void addBake(CLI::App& app, BakeCommand& command) {
   bake->add_option("--size", command.options.size, "Texels per edge of a view")
       ->check(powerOfTwo, "POWER OF TWO")
       ->capture_default_str();
-  bake->add_option("--lightings", command.options.lightings, "Directions of the sun, for rotated objects")
-      ->check(CLI::Range(1, kMaxLightings))
-      ->capture_default_str();
-  bake->add_option("--samples", command.options.samples, "Samples per edge of a texel")
-      ->check(CLI::Range(1, 16))
-      ->capture_default_str();
+  addNumber(*bake, "--lightings", command.options.lightings, 1, kMaxLightings,
+            "Directions of the sun, for rotated objects");
+  addNumber(*bake, "--samples", command.options.samples, 1, 16, "Samples per edge of a texel");
   bake->add_option("--threads", command.options.threads, "Threads (default: one per core)")->check(CLI::Range(1, 1024));
   bake->add_option("-o,--output", command.output, "Light-field file to write")->required();
   bake->add_flag("--json", command.json, "Print one JSON document");
@@ -67,18 +63,10 @@ void addBake(CLI::App& app, BakeCommand& command) {
 void addLoad(CLI::App& app, LoadOptions& options) {
   CLI::App* load = app.add_subcommand("load", "Measure a running server with many websocket clients");
   load->add_option("url", options.url, "ws://HOST:PORT/ or wss://HOST:PORT/")->required();
-  load->add_option("--sessions", options.sessions, "Number of visitors")
-      ->check(CLI::Range(1, 1024))
-      ->capture_default_str();
-  load->add_option("--seconds", options.seconds, "Seconds to measure")
-      ->check(CLI::Range(0.1, 86400.0))
-      ->capture_default_str();
-  load->add_option("--width", options.width, "Width of a picture in pixels")
-      ->check(CLI::Range(16, 16384))
-      ->capture_default_str();
-  load->add_option("--height", options.height, "Height of a picture in pixels")
-      ->check(CLI::Range(16, 16384))
-      ->capture_default_str();
+  addNumber(*load, "--sessions", options.sessions, 1, 1024, "Number of visitors");
+  addNumber(*load, "--seconds", options.seconds, 0.1, 86400.0, "Seconds to measure");
+  addNumber(*load, "--width", options.width, 16, 16384, "Width of a picture in pixels");
+  addNumber(*load, "--height", options.height, 16, 16384, "Height of a picture in pixels");
   load->add_flag("--insecure", options.insecure, "With wss://: accept any certificate");
   constexpr std::array<std::string_view, 2> kCodecs = {"h264", "jpeg"};
   load->add_option("--codec", options.codec, "Offer only this codec (default: h264, then jpeg)")

@@ -1,10 +1,8 @@
 #include "cli/node.h"
 
-#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <memory>
-#include <thread>
 #include <utility>
 
 #include "base/error.h"
@@ -65,11 +63,17 @@ std::optional<node::RemoteObstacles> obstaclesAt(const std::optional<std::string
 
 /// Returns the address to listen at; nothing, with a line on stderr, if an option is not an address.
 std::optional<stream::HostPort> addressesOf(const NodeOptions& options) {
-  auto at = parseHostPort(options.listen);
-  if (!at) std::fprintf(stderr, "grove: --listen wants HOST:PORT, not '%s'\n", options.listen.c_str());
-  if (!options.obstacles || parseHostPort(*options.obstacles)) return at;
-  std::fprintf(stderr, "grove: --obstacles wants HOST:PORT, not '%s'\n", options.obstacles->c_str());
+  auto at = parseHostPort(options.listen, "--listen");
+  if (!options.obstacles || parseHostPort(*options.obstacles, "--obstacles")) return at;
   return std::nullopt;
+}
+
+void reportUntilStopped(node::BackendNode& node, node::ModelMemory& models, StopOnSignal& stop) {
+  while (stop.waitFor(1000ms) != StopOnSignal::Event::kStop) {
+    models.update();
+    node.report(measure::residentBytes());
+  }
+  log::info("stopping");
 }
 
 }  // namespace
@@ -104,7 +108,7 @@ int runNode(const NodeOptions& options) {
   const pipeline::HeldMemory geometryMemory(memory, "obstacles", "", pipeline::Work::kAcrossUser, geometry.bytes());
   node::ModelMemory models(loaded, types.backends, memory);
   raster::ImagePool images(memory);
-  pipeline::WorkerPool workers(static_cast<int>(std::max(1U, std::thread::hardware_concurrency())));
+  pipeline::WorkerPool workers(pipeline::coreCount());
   node::BackendNode node(own, geometry, obstacles, types.backends, {workers, gl, timeline, memory, images}, report);
   progress.finish();
   stop.endWithin(kStopWhileNodeServes);
@@ -119,11 +123,7 @@ int runNode(const NodeOptions& options) {
             std::to_string(layout.objects.size()) + " objects");
   std::printf("listening on %s\n", addressOf(*at, server.port()).c_str());
   std::fflush(stdout);
-  while (stop.waitFor(1000ms) != StopOnSignal::Event::kStop) {
-    models.update();
-    node.report(measure::residentBytes());
-  }
-  log::info("stopping");
+  reportUntilStopped(node, models, stop);
   return 0;
 }
 

@@ -14,11 +14,8 @@ namespace grove::cli {
 using namespace std::chrono_literals;
 
 int runWorld(const WorldOptions& options) {
-  const auto at = parseHostPort(options.listen);
-  if (!at) {
-    std::fprintf(stderr, "grove: --listen wants HOST:PORT, not '%s'\n", options.listen.c_str());
-    return 2;
-  }
+  const auto at = parseHostPort(options.listen, "--listen");
+  if (!at) return 2;
   StopOnSignal stop;
   const OpenWorld world(openScene(options.scene), *at, options.links.read());
   std::printf("listening on %s\n", world.address().c_str());

@@ -23,7 +23,7 @@ class Framebuffer {
   }
 
  private:
-  Handle<FramebufferTraits> framebuffer_;
+  FramebufferName framebuffer_;
   Texture colour_;
   Texture depth_;
   int width_;

@@ -31,49 +31,15 @@ class Handle {
   GLuint name_;
 };
 
-struct BufferTraits {
+/// Objects that GL makes and deletes in arrays, here of one; some kinds have a target.
+template <auto Create, auto Delete, GLenum... Target>
+struct ArrayTraits {
   static GLuint create(const Api& api) {
     GLuint name = 0;
-    api.CreateBuffers(1, &name);
+    (api.*Create)(Target..., 1, &name);
     return name;
   }
-  static void destroy(const Api& api, GLuint name) { api.DeleteBuffers(1, &name); }
-};
-
-struct Texture2dTraits {
-  static GLuint create(const Api& api) {
-    GLuint name = 0;
-    api.CreateTextures(GL_TEXTURE_2D, 1, &name);
-    return name;
-  }
-  static void destroy(const Api& api, GLuint name) { api.DeleteTextures(1, &name); }
-};
-
-struct Texture2dArrayTraits {
-  static GLuint create(const Api& api) {
-    GLuint name = 0;
-    api.CreateTextures(GL_TEXTURE_2D_ARRAY, 1, &name);
-    return name;
-  }
-  static void destroy(const Api& api, GLuint name) { api.DeleteTextures(1, &name); }
-};
-
-struct FramebufferTraits {
-  static GLuint create(const Api& api) {
-    GLuint name = 0;
-    api.CreateFramebuffers(1, &name);
-    return name;
-  }
-  static void destroy(const Api& api, GLuint name) { api.DeleteFramebuffers(1, &name); }
-};
-
-struct VertexArrayTraits {
-  static GLuint create(const Api& api) {
-    GLuint name = 0;
-    api.CreateVertexArrays(1, &name);
-    return name;
-  }
-  static void destroy(const Api& api, GLuint name) { api.DeleteVertexArrays(1, &name); }
+  static void destroy(const Api& api, GLuint name) { (api.*Delete)(1, &name); }
 };
 
 struct ProgramTraits {
@@ -81,9 +47,10 @@ struct ProgramTraits {
   static void destroy(const Api& api, GLuint name) { api.DeleteProgram(name); }
 };
 
-using Buffer = Handle<BufferTraits>;
-using Texture = Handle<Texture2dTraits>;
-using TextureArray = Handle<Texture2dArrayTraits>;
-using VertexArray = Handle<VertexArrayTraits>;
+using Buffer = Handle<ArrayTraits<&Api::CreateBuffers, &Api::DeleteBuffers>>;
+using Texture = Handle<ArrayTraits<&Api::CreateTextures, &Api::DeleteTextures, GL_TEXTURE_2D>>;
+using TextureArray = Handle<ArrayTraits<&Api::CreateTextures, &Api::DeleteTextures, GL_TEXTURE_2D_ARRAY>>;
+using FramebufferName = Handle<ArrayTraits<&Api::CreateFramebuffers, &Api::DeleteFramebuffers>>;
+using VertexArray = Handle<ArrayTraits<&Api::CreateVertexArrays, &Api::DeleteVertexArrays>>;
 
 }  // namespace grove::gl

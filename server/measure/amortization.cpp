@@ -1,7 +1,6 @@
 #include "measure/amortization.h"
 
 #include <algorithm>
-#include <limits>
 #include <string_view>
 
 #include "pipeline/clocks.h"
@@ -43,10 +42,6 @@ double alpha1(const FrameCost& cost) noexcept {
 }
 
 double privateVisitors(double shared, double alpha) noexcept { return shared * (1.0 - alpha) + alpha; }
-
-double sharedVisitors(double unshared, double alpha) noexcept {
-  return alpha < 1.0 ? (unshared - alpha) / (1.0 - alpha) : std::numeric_limits<double>::infinity();
-}
 
 Reading Reading::of(const pipeline::Timeline& timeline) {
   return {timeline.costs(), static_cast<double>(pipeline::wallNanoseconds()) * 1.0e-9,

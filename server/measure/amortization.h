@@ -29,9 +29,8 @@ struct FrameCost {
 [[nodiscard]] double alpha1(const FrameCost& cost) noexcept;  ///< with it
 
 /// The paper's law M = N (1 - alpha) + alpha: how many visitors an architecture without sharing serves with what serves
-/// `shared` visitors here, and the other way round (infinite for alpha = 1).
+/// `shared` visitors here.
 [[nodiscard]] double privateVisitors(double shared, double alpha) noexcept;
-[[nodiscard]] double sharedVisitors(double unshared, double alpha) noexcept;
 
 /// What is needed to know the costs of a while from totals that only grow.
 struct Reading {

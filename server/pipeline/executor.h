@@ -1,12 +1,19 @@
 #pragma once
 
+#include <algorithm>
 #include <condition_variable>
 #include <cstdint>
 #include <functional>
 #include <mutex>
 #include <set>
+#include <thread>
 
 namespace grove::pipeline {
+
+/// Of this machine, at least 1.
+[[nodiscard]] inline int coreCount() noexcept {
+  return static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+}
 
 /// Runs tasks on threads of its own, which end before the executor does. A task must not throw.
 class Executor {

@@ -12,50 +12,41 @@ namespace grove::raster {
 // Colours for encoders: luma, and chroma at half width and height, rows from the top. BT.601 full range, as in JPEG
 // (JFIF 1.02). Edges of rectangles are even.
 
-/// A rectangle of a frame in three planes.
-struct YuvImage {
+/// What the two kinds of planes share.
+struct LumaImage {
   world::Rect rect;
-  Plane<std::uint8_t> bytes;  ///< Y, then U, then V, without gaps
+  Plane<std::uint8_t> bytes;  ///< Y, then the chroma, without gaps
 
   [[nodiscard]] int width() const noexcept { return rect.width(); }
   [[nodiscard]] int height() const noexcept { return rect.height(); }
+  [[nodiscard]] std::size_t lumaBytes() const noexcept {
+    return static_cast<std::size_t>(width()) * static_cast<std::size_t>(height());
+  }
   [[nodiscard]] std::uint8_t* y() noexcept { return bytes.data(); }
-  [[nodiscard]] std::uint8_t* u() noexcept { return y() + lumaBytes(); }
-  [[nodiscard]] std::uint8_t* v() noexcept { return u() + lumaBytes() / 4; }
   [[nodiscard]] const std::uint8_t* y() const noexcept { return bytes.data(); }
-  [[nodiscard]] const std::uint8_t* u() const noexcept { return y() + lumaBytes(); }
-  [[nodiscard]] const std::uint8_t* v() const noexcept { return u() + lumaBytes() / 4; }
-
-  /// Offset of a pixel's sample in the planes; both coordinates are even.
+  /// Offset of a pixel's luma; both coordinates are even.
   [[nodiscard]] std::ptrdiff_t lumaAt(int x, int y) const noexcept {
     return std::ptrdiff_t{y - rect.top} * width() + (x - rect.left);
   }
+};
+
+/// A rectangle of a frame in three planes: Y, U, V.
+struct YuvImage : LumaImage {
+  [[nodiscard]] std::uint8_t* u() noexcept { return y() + lumaBytes(); }
+  [[nodiscard]] std::uint8_t* v() noexcept { return u() + lumaBytes() / 4; }
+  [[nodiscard]] const std::uint8_t* u() const noexcept { return y() + lumaBytes(); }
+  [[nodiscard]] const std::uint8_t* v() const noexcept { return u() + lumaBytes() / 4; }
+  /// Offset of a pixel's U and V; both coordinates are even.
   [[nodiscard]] std::ptrdiff_t chromaAt(int x, int y) const noexcept {
     return std::ptrdiff_t{(y - rect.top) / 2} * (width() / 2) + (x - rect.left) / 2;
-  }
-
- private:
-  [[nodiscard]] std::size_t lumaBytes() const noexcept {
-    return static_cast<std::size_t>(width()) * static_cast<std::size_t>(height());
   }
 };
 
 /// A rectangle of a frame in two planes; U and V of a pixel are adjacent.
-struct SemiPlanarImage {
-  world::Rect rect;
-  Plane<std::uint8_t> bytes;  ///< Y, then U and V in turn, without gaps
-
-  [[nodiscard]] int width() const noexcept { return rect.width(); }
-  [[nodiscard]] int height() const noexcept { return rect.height(); }
-  [[nodiscard]] std::uint8_t* y() noexcept { return bytes.data(); }
-  [[nodiscard]] std::uint8_t* uv() noexcept { return y() + std::ptrdiff_t{width()} * height(); }
-  [[nodiscard]] const std::uint8_t* y() const noexcept { return bytes.data(); }
-  [[nodiscard]] const std::uint8_t* uv() const noexcept { return y() + std::ptrdiff_t{width()} * height(); }
-
-  /// Offset of a pixel's luma, or of its pair of U and V; both coordinates are even.
-  [[nodiscard]] std::ptrdiff_t lumaAt(int x, int y) const noexcept {
-    return std::ptrdiff_t{y - rect.top} * width() + (x - rect.left);
-  }
+struct SemiPlanarImage : LumaImage {
+  [[nodiscard]] std::uint8_t* uv() noexcept { return y() + lumaBytes(); }
+  [[nodiscard]] const std::uint8_t* uv() const noexcept { return y() + lumaBytes(); }
+  /// Offset of a pixel's pair of U and V; both coordinates are even.
   [[nodiscard]] std::ptrdiff_t chromaAt(int x, int y) const noexcept {
     return std::ptrdiff_t{(y - rect.top) / 2} * width() + (x - rect.left);
   }

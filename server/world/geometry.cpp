@@ -1,5 +1,7 @@
 #include "world/geometry.h"
 
+#include <cmath>
+
 namespace grove::world {
 
 std::array<Vec3, 8> Bounds::corners() const noexcept {
@@ -43,6 +45,13 @@ Bounds Triangles::bounds() const {
   Bounds result;
   for (const Vec3 p : positions) result.add(p);
   return result;
+}
+
+glm::mat3 basisAround(Vec3 n) noexcept {
+  const float sign = std::copysign(1.0F, n.z);
+  const float a = -1.0F / (sign + n.z);
+  const float b = n.x * n.y * a;
+  return {Vec3(1.0F + sign * n.x * n.x * a, sign * b, -sign * n.x), Vec3(b, sign + n.y * n.y * a, -n.y), n};
 }
 
 }  // namespace grove::world

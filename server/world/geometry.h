@@ -54,4 +54,8 @@ struct Triangles {
   [[nodiscard]] std::size_t bytes() const noexcept { return pipeline::vectorBytes(positions, indices); }
 };
 
+/// Orthonormal basis with the unit vector as its last column (Duff et al. 2017, "Building an Orthonormal Basis,
+/// Revisited").
+[[nodiscard]] glm::mat3 basisAround(Vec3 direction) noexcept;
+
 }  // namespace grove::world

@@ -22,6 +22,13 @@ namespace grove::world {
   return static_cast<float>(hash(key) >> 8U) * (1.0F / 16777216.0F);
 }
 
+/// Between four points of a lattice's plane `z`, by a smooth share of the way to the next ones.
+[[nodiscard]] inline float noiseInPlane(std::int32_t x, std::int32_t y, std::int32_t z, Vec2 share) noexcept {
+  const float top = glm::mix(hashUnit(x, y, z), hashUnit(x + 1, y, z), share.x);
+  const float bottom = glm::mix(hashUnit(x, y + 1, z), hashUnit(x + 1, y + 1, z), share.x);
+  return glm::mix(top, bottom, share.y);
+}
+
 /// Value noise in 0..1 with features of about one unit.
 [[nodiscard]] inline float noise(Vec3 p) noexcept {
   const Vec3 floor = glm::floor(p);
@@ -30,24 +37,15 @@ namespace grove::world {
   const auto x = static_cast<std::int32_t>(floor.x);
   const auto y = static_cast<std::int32_t>(floor.y);
   const auto z = static_cast<std::int32_t>(floor.z);
-  const auto plane = [&](std::int32_t at) {
-    const float top = glm::mix(hashUnit(x, y, at), hashUnit(x + 1, y, at), s.x);
-    const float bottom = glm::mix(hashUnit(x, y + 1, at), hashUnit(x + 1, y + 1, at), s.x);
-    return glm::mix(top, bottom, s.y);
-  };
-  return glm::mix(plane(z), plane(z + 1), s.z);
+  return glm::mix(noiseInPlane(x, y, z, s), noiseInPlane(x, y, z + 1, s), s.z);
 }
 
 /// The same in the plane.
 [[nodiscard]] inline float noise(Vec2 p) noexcept {
   const Vec2 floor = glm::floor(p);
   const Vec2 f = p - floor;
-  const Vec2 s = f * f * (3.0F - 2.0F * f);
-  const auto x = static_cast<std::int32_t>(floor.x);
-  const auto y = static_cast<std::int32_t>(floor.y);
-  const float top = glm::mix(hashUnit(x, y), hashUnit(x + 1, y), s.x);
-  const float bottom = glm::mix(hashUnit(x, y + 1), hashUnit(x + 1, y + 1), s.x);
-  return glm::mix(top, bottom, s.y);
+  return noiseInPlane(static_cast<std::int32_t>(floor.x), static_cast<std::int32_t>(floor.y), 0,
+                      f * f * (3.0F - 2.0F * f));
 }
 
 /// Fractal sum of `octaves` noises in 0..1, each twice as fine and half as strong as the previous one.

@@ -18,7 +18,7 @@ class Handles : public testing::Test {
   Context context{ContextKind::kAuto};
 };
 
-using Kinds = testing::Types<Buffer, Texture, VertexArray, Handle<FramebufferTraits>, Handle<ProgramTraits>>;
+using Kinds = testing::Types<Buffer, Texture, VertexArray, FramebufferName, Handle<ProgramTraits>>;
 TYPED_TEST_SUITE(Handles, Kinds);
 
 TYPED_TEST(Handles, MoveEmptiesTheSource) {

@@ -22,8 +22,6 @@ namespace grove::simd::HWY_NAMESPACE {
 /// Four lanes of `T`.
 template <typename T>
 using QuadTag = hn::FixedTag<T, 4>;
-template <typename T>
-using Quad = hn::Vec<QuadTag<T>>;
 
 /// kLanes values, four at a time from quad(first lane).
 template <typename T, typename MakeQuad>

@@ -27,7 +27,6 @@ struct FreeBy {
   }
 };
 void freeChain(STACK_OF(X509) * chain) { sk_X509_pop_free(chain, X509_free); }
-using CertificateHandle = std::unique_ptr<X509, FreeBy<&X509_free>>;
 using Chain = std::unique_ptr<STACK_OF(X509), FreeBy<&freeChain>>;
 using Judgement = std::unique_ptr<X509_STORE_CTX, FreeBy<&X509_STORE_CTX_free>>;
 

@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 namespace grove::cli {
@@ -22,6 +23,13 @@ CLI::Option* choose(CLI::Option* option, const std::map<std::string, Value>& val
   names.reserve(values.size());
   for (const auto& [name, value] : values) names.push_back(name);
   return option->transform(CLI::Transformer(values).description(""))->type_name(oneOf(names));
+}
+
+/// An option from `low` to `high`, whose help shows its default.
+template <class Number>
+CLI::Option* addNumber(CLI::App& app, const char* name, Number& value, std::type_identity_t<Number> low,
+                       std::type_identity_t<Number> high, const char* help) {
+  return app.add_option(name, value, help)->check(CLI::Range(low, high))->capture_default_str();
 }
 
 }  // namespace grove::cli

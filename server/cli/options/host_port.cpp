@@ -1,6 +1,7 @@
 #include "cli/options/host_port.h"
 
 #include <charconv>
+#include <cstdio>
 
 namespace grove::cli {
 
@@ -21,6 +22,12 @@ std::optional<stream::HostPort> parseHostPort(const std::string& text) {
     return std::nullopt;
   }
   return result.host.empty() ? std::nullopt : std::optional(result);
+}
+
+std::optional<stream::HostPort> parseHostPort(const std::string& text, const char* option) {
+  auto result = parseHostPort(text);
+  if (!result) std::fprintf(stderr, "grove: %s wants HOST:PORT, not '%s'\n", option, text.c_str());
+  return result;
 }
 
 std::string addressOf(const stream::HostPort& at, int port) {

@@ -8,7 +8,6 @@
 #include <mutex>
 #include <numeric>
 #include <string>
-#include <thread>
 #include <utility>
 
 #include "base/cache_folder.h"
@@ -17,6 +16,7 @@
 #include "cli/prepare/preparation_lock.h"
 #include "cli/prepare/temporary_folder.h"
 #include "pipeline/embedded.h"
+#include "pipeline/executor.h"
 #include "pipeline/parallel_for.h"
 
 namespace grove::cli {
@@ -26,9 +26,9 @@ using Report = std::function<void(std::string_view, float)>;
 
 constexpr const char* kWaiting = "waiting for another server that prepares its world";
 
-int cores() { return static_cast<int>(std::max(1U, std::thread::hardware_concurrency())); }
-
-int threadsFor(const Preparations& preparations) { return std::min(cores(), static_cast<int>(preparations.size())); }
+int threadsFor(const Preparations& preparations) {
+  return std::min(pipeline::coreCount(), static_cast<int>(preparations.size()));
+}
 
 Preparations preparationsOf(const world::Scene& scene, const node::BackendTypes& types) {
   Preparations all;
@@ -74,7 +74,7 @@ bool showRoughly(const Preparations& missing, const std::optional<std::filesyste
   std::atomic<bool> isStopped{false};
   pipeline::parallelFor(together, missing.size(), [&](std::size_t i) {
     const auto progress = [&](std::string_view /*step*/, float done) { share.set(i, done); };
-    if (!missing[i]->showRoughly(elsewhere, cores() / together, progress, stop)) isStopped = true;
+    if (!missing[i]->showRoughly(elsewhere, pipeline::coreCount() / together, progress, stop)) isStopped = true;
     share.set(i, 1.0F);
   });
   return !isStopped && !stop.stop_requested();

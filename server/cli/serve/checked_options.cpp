@@ -53,11 +53,8 @@ std::optional<stream::EntranceRules> entranceRules(const ServeOptions& options) 
 }
 
 /// Returns false, with a line on stderr, if an option is not an address.
-bool isAddress(std::string_view option, const std::optional<std::string>& text) {
-  if (!text || parseHostPort(*text)) return true;
-  std::fprintf(stderr, "grove: %.*s wants HOST:PORT, not '%s'\n", static_cast<int>(option.size()), option.data(),
-               text->c_str());
-  return false;
+bool isAddress(const char* option, const std::optional<std::string>& text) {
+  return !text || parseHostPort(*text, option);
 }
 
 /// A server that requires TLS on its links must not share its world without TLS. Returns false and prints one line on
@@ -68,14 +65,6 @@ bool canShareSecurely(const ServeOptions& options) {
   return false;
 }
 
-/// Returns false, with a line on stderr, if one is not an address.
-bool areAddresses(const std::vector<std::string>& nodes) {
-  const auto wrong = std::ranges::find_if(nodes, [](const std::string& node) { return !parseHostPort(node); });
-  if (wrong == nodes.end()) return true;
-  std::fprintf(stderr, "grove: --nodes wants HOST:PORT, not '%s'\n", wrong->c_str());
-  return false;
-}
-
 struct Listeners {
   stream::HostPort visitors;
   stream::HostPort operatorAddress;
@@ -83,13 +72,10 @@ struct Listeners {
 
 /// Returns nothing, with a line on stderr, if the addresses are invalid.
 std::optional<Listeners> listenersOf(const ServeOptions& options) {
-  const auto visitors = parseHostPort(options.listen);
-  const auto operators = parseHostPort(options.operators.value_or(options.listen));
-  if (!visitors || !operators) {
-    std::fprintf(stderr, "grove: %s wants HOST:PORT, not '%s'\n", visitors ? "--operator" : "--listen",
-                 visitors ? options.operators->c_str() : options.listen.c_str());
-    return std::nullopt;
-  }
+  const auto visitors = parseHostPort(options.listen, "--listen");
+  if (!visitors) return std::nullopt;
+  const auto operators = options.operators ? parseHostPort(*options.operators, "--operator") : visitors;
+  if (!operators) return std::nullopt;
   // libwebsockets distinguishes listeners by their ports.
   if (options.operators && visitors->port != 0 && visitors->port == operators->port) {
     std::fprintf(stderr, "grove: --listen and --operator need different ports, not both %d\n", visitors->port);
@@ -104,7 +90,8 @@ std::optional<CheckedOptions> checkedOptions(const ServeOptions& options) {
   const auto listeners = listenersOf(options);
   if (!listeners) return std::nullopt;
   const auto rules = entranceRules(options);
-  if (!rules || !areAddresses(options.nodes)) return std::nullopt;
+  const auto isNode = [](const std::string& node) { return isAddress("--nodes", node); };
+  if (!rules || !std::ranges::all_of(options.nodes, isNode)) return std::nullopt;
   if (!isAddress("--join", options.join) || !isAddress("--share", options.share)) return std::nullopt;
   if (!canShareSecurely(options)) return std::nullopt;
   return CheckedOptions{listeners->visitors, listeners->operatorAddress, *rules};

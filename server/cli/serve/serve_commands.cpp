@@ -83,9 +83,7 @@ void addListenerTls(CLI::App& command, LinkOptions& links) {
 }
 
 void addLimits(CLI::App& serve, ServeOptions& options) {
-  serve.add_option("--fps", options.host.framesPerSecond, "Frames per second for each visitor")
-      ->check(CLI::Range(1, 120))
-      ->capture_default_str();
+  addNumber(serve, "--fps", options.host.framesPerSecond, 1, 120, "Frames per second for each visitor");
   serve
       .add_option_function<int>(
           "--frame-deadline", [&options](int milliseconds) { options.host.deadlineSeconds = milliseconds / 1000.0; },
@@ -93,12 +91,15 @@ void addLimits(CLI::App& serve, ServeOptions& options) {
       ->type_name("INT")
       ->check(CLI::Range(10, 60'000))
       ->default_str("500");
-  serve.add_option("--max-visitors", options.host.maxVisitors, "Maximum number of visitors")
-      ->check(CLI::Range(1, 1024))
-      ->capture_default_str();
-  serve.add_option("--visitors-per-address", options.visitorsPerAddress, "Maximum number of visitors from one address")
-      ->check(CLI::Range(1, 1024))
-      ->capture_default_str();
+  addNumber(serve, "--max-visitors", options.host.maxVisitors, 1, 1024, "Maximum number of visitors");
+  addNumber(serve, "--visitors-per-address", options.visitorsPerAddress, 1, 1024,
+            "Maximum number of visitors from one address");
+}
+
+void addGl(CLI::App& app, gl::ContextKind& kind) {
+  const std::map<std::string, gl::ContextKind> kinds{
+      {"auto", gl::ContextKind::kAuto}, {"egl", gl::ContextKind::kEgl}, {"osmesa", gl::ContextKind::kOsmesa}};
+  choose(app.add_option("--gl", kind, "GL context that draws triangles"), kinds);
 }
 
 }  // namespace
@@ -114,12 +115,8 @@ void addServe(CLI::App& app, ServeOptions& options) {
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   addInternet(*serve, options);
-  const std::map<std::string, gl::ContextKind> kinds{
-      {"auto", gl::ContextKind::kAuto}, {"egl", gl::ContextKind::kEgl}, {"osmesa", gl::ContextKind::kOsmesa}};
-  choose(serve->add_option("--gl", options.gl, "GL context that draws triangles"), kinds);
-  serve->add_option("--frames-in-flight", options.host.framesInFlight, "Frames of a visitor in flight")
-      ->check(CLI::Range(1, 8))
-      ->capture_default_str();
+  addGl(*serve, options.gl);
+  addNumber(*serve, "--frames-in-flight", options.host.framesInFlight, 1, 8, "Frames of a visitor in flight");
   serve
       ->add_option("--nodes", options.nodes,
                    "Nodes (grove node) that serve some of the objects, comma-separated; this server serves the rest")
@@ -129,9 +126,7 @@ void addServe(CLI::App& app, ServeOptions& options) {
   serve->add_flag("--raise-quality", options.host.raiseQuality,
                   "Refine shared work (grid of the fluid, light fields) while enough visitors share its cost");
   addLimits(*serve, options);
-  serve->add_option("--jpeg-quality", options.host.jpegQuality, "Quality of JPEG, 1 to 100")
-      ->check(CLI::Range(1, 100))
-      ->capture_default_str();
+  addNumber(*serve, "--jpeg-quality", options.host.jpegQuality, 1, 100, "Quality of JPEG, 1 to 100");
   serve
       ->add_option("--view-cache", options.viewCacheMegabytes,
                    "MB for light-field pictures that visitors share; 0: none")
@@ -165,9 +160,7 @@ void addNode(CLI::App& app, NodeOptions& options) {
           ->type_name("HOST:PORT");
   addLinkTls(*node, options.obstacleLinks)->needs(obstacles);
   addViewError(*node, options.viewError);
-  const std::map<std::string, gl::ContextKind> kinds{
-      {"auto", gl::ContextKind::kAuto}, {"egl", gl::ContextKind::kEgl}, {"osmesa", gl::ContextKind::kOsmesa}};
-  choose(node->add_option("--gl", options.gl, "GL context that draws triangles"), kinds);
+  addGl(*node, options.gl);
 }
 
 }  // namespace grove::cli

@@ -21,14 +21,6 @@ constexpr float kReach = 15.0F;       // metres beyond which nothing occludes th
 constexpr float kContact = 0.6F;      // metres below which the object itself shades the ground
 const Vec3 kRockBounce{0.075F, 0.062F, 0.048F};
 
-/// Orthonormal basis around a unit vector (Duff et al. 2017, "Building an Orthonormal Basis, Revisited").
-glm::mat3 basisAround(Vec3 n) {
-  const float sign = std::copysign(1.0F, n.z);
-  const float a = -1.0F / (sign + n.z);
-  const float b = n.x * n.y * a;
-  return {Vec3(1.0F + sign * n.x * n.x * a, sign * b, -sign * n.x), Vec3(b, sign + n.y * n.y * a, -n.y), n};
-}
-
 /// Second coordinate of the Hammersley points.
 float radicalInverse(std::uint32_t bits) {
   bits = (bits << 16U) | (bits >> 16U);
@@ -57,7 +49,7 @@ SkyDirections skyDirections() {
 /// A spiral over the sun's disc.
 SunDirections sunDirections(Vec3 sun) {
   SunDirections directions;
-  const glm::mat3 basis = basisAround(sun);
+  const glm::mat3 basis = world::basisAround(sun);
   for (std::uint32_t i = 0; i < kSunRays; ++i) {
     const float radius = kSunRadius * std::sqrt((static_cast<float>(i) + 0.5F) / static_cast<float>(kSunRays));
     const float around = 2.3999632F * static_cast<float>(i);
@@ -80,7 +72,7 @@ float sunAt(Vec3 point, const Obstacles& obstacles, const SunDirections& directi
 /// Indirect light, weakened by the sky's occlusion and coloured by the open directions.
 Vec3 indirectAt(Vec3 origin, Vec3 normal, const world::Sky& sky, const Obstacles& obstacles,
                 const SkyDirections& directions) {
-  const glm::mat3 basis = basisAround(normal);
+  const glm::mat3 basis = world::basisAround(normal);
   float open = 0.0F;
   Vec3 openSide(0.0F);
   for (const Vec3 around : directions) {

@@ -106,6 +106,14 @@ HWY_INLINE std::uint32_t toByte(float value) {
   return static_cast<std::uint32_t>(static_cast<std::int32_t>(value + 0.5F));
 }
 
+/// By the cosine between a view and the sun.
+HWY_INLINE float glowOfHaze(float sunwards) {
+  const float power2 = sunwards * sunwards;
+  const float power4 = power2 * power2;
+  const float power8 = power4 * power4;
+  return 0.36F * power4 + 0.30F * power8 * power8;
+}
+
 HWY_INLINE void sendToEye(const VertexArrays& v, std::size_t first, std::size_t count, const BoneLight& light,
                           const Indirect& indirect, std::uint32_t* __restrict out) {
   const Vec3 sunColour = light.sunColour;
@@ -142,10 +150,7 @@ HWY_INLINE void sendToEye(const VertexArrays& v, std::size_t first, std::size_t 
     const float cleared = exponential(clearing * length);
     const float hazy = 1.0F - cleared;
     const float sunwards = std::max(0.0F, (x * sun.x + y * sun.y + z * sun.z) / length);
-    const float power2 = sunwards * sunwards;
-    const float power4 = power2 * power2;
-    const float power8 = power4 * power4;
-    const float glowing = 0.36F * power4 + 0.30F * power8 * power8;
+    const float glowing = glowOfHaze(sunwards);
     const float shown = emission[i];
     const auto channel = [&](float albedo, float tintBy, float lit, float air, float glowOf) {
       return displayed(albedo * (1.0F + tintBy * tinted[i]) * (lit + shown) * cleared +

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "stream/protocol/protocol.h"
-#include "stream/protocol/wire.h"
 
 namespace grove::stream {
 
@@ -31,8 +30,6 @@ enum class MessageType : std::uint8_t {
   kTimes = 0x88,
   kPeople = 0x89,
 };
-
-[[nodiscard]] constexpr std::uint8_t toByte(MessageType type) { return static_cast<std::uint8_t>(type); }
 
 [[nodiscard]] inline Refusal refuseMessage(std::string reason) {
   return {CloseCode::kProtocolError, std::move(reason)};

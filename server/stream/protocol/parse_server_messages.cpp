@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "stream/protocol/fields.h"
 #include "stream/protocol/message_type.h"
 #include "stream/protocol/printable.h"
 #include "stream/protocol/protocol.h"
@@ -41,70 +42,53 @@ ServerMessage parseWelcome(WireReader reader) {
   return welcome;
 }
 
+/// Reads the end of a message, the name of a step that is `percent` done.
+std::optional<Refusal> parseStep(WireReader reader, std::string_view message, std::uint8_t percent, std::string& step) {
+  const auto stepBytes = reader.take<std::uint32_t>();
+  if (reader.exhausted() || reader.rest().size() != stepBytes) return wrongLength(message);
+  if (percent > kAllPercent) return refuseMessage("more than 100 percent");
+  if (stepBytes > kMaxStepBytes) return refuseMessage("the step is longer than 64 bytes");
+  step = printable(reader.restAsText(), kMaxStepBytes);
+  return std::nullopt;
+}
+
 ServerMessage parseWaiting(WireReader reader) {
   Waiting waiting;
-  waiting.percent = reader.take<std::uint8_t>();
-  waiting.place = reader.take<std::uint16_t>();
-  const auto stepBytes = reader.take<std::uint32_t>();
-  if (reader.exhausted() || reader.rest().size() != stepBytes) return wrongLength("Waiting");
-  if (waiting.percent > kAllPercent) return refuseMessage("more than 100 percent");
+  into(reader)(waiting.percent, waiting.place);
+  if (auto refusal = parseStep(reader, "Waiting", waiting.percent, waiting.step)) return *std::move(refusal);
   if (waiting.place == 0) return refuseMessage("a place before the first");
-  if (stepBytes > kMaxStepBytes) return refuseMessage("the step is longer than 64 bytes");
-  waiting.step = printable(reader.restAsText(), kMaxStepBytes);
   return waiting;
 }
 
-ServerMessage parseFrame(WireReader reader) {
-  FrameMessage frame;
-  frame.header.codec = reader.take<std::uint8_t>();
-  frame.header.width = reader.take<std::uint16_t>();
-  frame.header.height = reader.take<std::uint16_t>();
-  frame.header.visitors = reader.take<std::uint16_t>();
-  frame.header.frame = reader.take<std::uint32_t>();
-  frame.header.lastInput = reader.take<std::uint32_t>();
-  frame.header.serverMicroseconds = reader.take<std::uint32_t>();
-  if (reader.exhausted()) return wrongLength("Frame");
-  if (frame.header.codec != kCodecJpeg) return refuseMessage("unknown codec " + std::to_string(frame.header.codec));
-  frame.picture = reader.rest();
-  return frame;
+ServerMessage parseRefining(WireReader reader) {
+  Refining refining;
+  into(reader)(refining.percent, refining.secondsLeft);
+  if (auto refusal = parseStep(reader, "Refining", refining.percent, refining.step)) return *std::move(refusal);
+  return refining;
 }
 
-Label takeLabel(WireReader& reader, bool& zero) {
-  Label label;
-  label.visitor = reader.take<std::uint32_t>();
-  label.x = reader.take<std::uint16_t>();
-  label.y = reader.take<std::uint16_t>();
-  label.opacity = reader.take<std::uint8_t>();
-  zero = reader.take<std::uint8_t>() == 0 && zero;
-  return label;
+Refusal unknownCodec(std::uint8_t codec) { return refuseMessage("unknown codec " + std::to_string(codec)); }
+
+ServerMessage parseFrame(WireReader reader) {
+  FrameMessage frame;
+  fields(frame.header, into(reader));
+  if (reader.exhausted()) return wrongLength("Frame");
+  if (frame.header.codec != kCodecJpeg) return unknownCodec(frame.header.codec);
+  frame.picture = reader.rest();
+  return frame;
 }
 
 ServerMessage parsePicture(WireReader reader) {
   PictureMessage picture;
   PictureHeader& header = picture.header;
-  header.codec = reader.take<std::uint8_t>();
-  const auto flags = reader.take<std::uint8_t>();
-  header.border = reader.take<std::uint8_t>();
-  header.width = reader.take<std::uint16_t>();
-  header.height = reader.take<std::uint16_t>();
-  header.visitors = reader.take<std::uint16_t>();
-  const auto labels = reader.take<std::uint8_t>();
-  header.fire = reader.take<std::uint8_t>();
-  bool zero = (flags & ~kIndependentFlag) == 0;
-  header.frame = reader.take<std::uint32_t>();
-  header.lastInput = reader.take<std::uint32_t>();
-  header.serverMicroseconds = reader.take<std::uint32_t>();
-  header.yaw = reader.take<float>();
-  header.pitch = reader.take<float>();
-  header.tanHalfX = reader.take<float>();
-  header.tanHalfY = reader.take<float>();
+  std::uint8_t flags = 0;
+  std::uint8_t labels = 0;
+  fields(header, flags, labels, into(reader));
   if (labels > kMaxLabels) return refuseMessage("more labels than a picture has");
-  for (int i = 0; i < labels; ++i) header.labels.push_back(takeLabel(reader, zero));
+  for (int i = 0; i < labels; ++i) fields(header.labels.emplace_back(), into(reader));
   if (reader.exhausted()) return wrongLength("Picture");
-  if (header.codec != kCodecJpeg && header.codec != kCodecH264) {
-    return refuseMessage("unknown codec " + std::to_string(header.codec));
-  }
-  if (!zero) return reservedBytes("Picture");
+  if (header.codec != kCodecJpeg && header.codec != kCodecH264) return unknownCodec(header.codec);
+  if (!reader.zeros() || (flags & ~kIndependentFlag) != 0) return reservedBytes("Picture");
   const bool isCamera = areFinite({header.yaw, header.pitch, header.tanHalfX, header.tanHalfY}) &&
                         header.tanHalfX > 0.0F && header.tanHalfY > 0.0F;
   if (!isCamera) return refuseMessage("the camera of a picture is invalid");
@@ -115,60 +99,25 @@ ServerMessage parsePicture(WireReader reader) {
 
 ServerMessage parseStatus(WireReader reader) {
   Status status;
-  const auto limitedBy = reader.take<std::uint8_t>();
-  status.framesPerSecond = reader.take<std::uint8_t>();
-  status.quality = reader.take<std::uint8_t>();
-  status.width = reader.take<std::uint16_t>();
-  status.height = reader.take<std::uint16_t>();
-  status.roundTripMilliseconds = reader.take<std::uint16_t>();
-  status.visitors = reader.take<std::uint16_t>();
-  status.kilobitsPerSecond = reader.take<std::uint32_t>();
-  status.lastInput = reader.take<std::uint32_t>();
-  if (reader.exhausted() || !reader.rest().empty()) return wrongLength("Status");
-  if (limitedBy > static_cast<std::uint8_t>(LimitedBy::kBrowser)) return refuseMessage("unknown limit");
+  if (auto refusal = parseFields(reader, "Status", status)) return *std::move(refusal);
+  if (status.limitedBy > LimitedBy::kBrowser) return refuseMessage("unknown limit");
   if (status.quality > kAllPercent) return refuseMessage("more than 100 percent");
-  status.limitedBy = static_cast<LimitedBy>(limitedBy);
   return status;
-}
-
-ServerMessage parseRefining(WireReader reader) {
-  Refining refining;
-  refining.percent = reader.take<std::uint8_t>();
-  refining.secondsLeft = reader.take<std::uint16_t>();
-  const auto stepBytes = reader.take<std::uint32_t>();
-  if (reader.exhausted() || reader.rest().size() != stepBytes) return wrongLength("Refining");
-  if (refining.percent > kAllPercent) return refuseMessage("more than 100 percent");
-  if (stepBytes > kMaxStepBytes) return refuseMessage("the step is longer than 64 bytes");
-  refining.step = printable(reader.restAsText(), kMaxStepBytes);
-  return refining;
 }
 
 ServerMessage parseCaptured(WireReader reader) {
   CapturedMessage captured;
-  captured.header.codec = reader.take<std::uint8_t>();
-  captured.header.width = reader.take<std::uint16_t>();
-  captured.header.height = reader.take<std::uint16_t>();
-  const bool zero = reader.take<std::uint16_t>() == 0;
-  captured.header.number = reader.take<std::uint32_t>();
+  fields(captured.header, into(reader));
   if (reader.exhausted()) return wrongLength("Captured");
-  if (captured.header.codec != kCodecJpeg) {
-    return refuseMessage("unknown codec " + std::to_string(captured.header.codec));
-  }
-  if (!zero) return reservedBytes("Captured");
+  if (captured.header.codec != kCodecJpeg) return unknownCodec(captured.header.codec);
+  if (!reader.zeros()) return reservedBytes("Captured");
   captured.picture = reader.rest();
   return captured;
 }
 
 ServerMessage parseTimes(WireReader reader) {
-  const bool zero = reader.take<std::uint8_t>() == 0;
   Times times;
-  times.queuedTenthsOfMilliseconds = reader.take<std::uint16_t>();
-  times.drawnTenthsOfMilliseconds = reader.take<std::uint16_t>();
-  times.encodedTenthsOfMilliseconds = reader.take<std::uint16_t>();
-  times.socketTenthsOfMilliseconds = reader.take<std::uint16_t>();
-  times.lineTenthsOfMilliseconds = reader.take<std::uint16_t>();
-  if (reader.exhausted() || !reader.rest().empty()) return wrongLength("Times");
-  if (!zero) return reservedBytes("Times");
+  if (auto refusal = parseFields(reader, "Times", times)) return *std::move(refusal);
   return times;
 }
 
@@ -186,7 +135,7 @@ ServerMessage parsePeople(WireReader reader) {
     person.name = printable(reader.takeText(nameBytes), kMaxPersonNameBytes);
     people.people.push_back(std::move(person));
   }
-  if (reader.exhausted() || !reader.rest().empty()) return wrongLength("People");
+  if (!reader.whole()) return wrongLength("People");
   if (flags > 1) return reservedBytes("People");
   return people;
 }

@@ -14,10 +14,15 @@ namespace grove::stream {
 
 /// Types that are sent as little-endian bytes.
 template <class T>
-concept WireNumber = std::unsigned_integral<T> || std::same_as<T, float>;
+concept WireNumber = std::unsigned_integral<T> || std::same_as<T, float> || std::is_enum_v<T>;
 
 template <WireNumber T>
-using WireBits = std::conditional_t<std::same_as<T, float>, std::uint32_t, T>;
+using WireBits =
+    std::conditional_t<sizeof(T) == 1, std::uint8_t, std::conditional_t<sizeof(T) == 2, std::uint16_t, std::uint32_t>>;
+
+/// Bytes of a message that must be zero.
+template <std::size_t N>
+struct Reserved {};
 
 /// Reads numbers from the front of a message. Past the end it returns zeros, and exhausted() is true.
 class WireReader {
@@ -39,6 +44,15 @@ class WireReader {
     return std::bit_cast<T>(bits);
   }
 
+  template <WireNumber T>
+  void read(T& value) {
+    value = take<T>();
+  }
+  template <std::size_t N>
+  void read(Reserved<N> /*bytes*/) {
+    for (std::size_t i = 0; i < N; ++i) zeros_ = take<std::uint8_t>() == 0 && zeros_;
+  }
+
   std::string_view takeText(std::size_t bytes) {
     if (rest_.size() < bytes) {
       exhausted_ = true;
@@ -54,27 +68,29 @@ class WireReader {
     return {reinterpret_cast<const char*>(rest_.data()), rest_.size()};
   }
   [[nodiscard]] bool exhausted() const noexcept { return exhausted_; }
+  /// Whether it was all read, and no more.
+  [[nodiscard]] bool whole() const noexcept { return !exhausted_ && rest_.empty(); }
+  /// Whether all reserved bytes so far were zero.
+  [[nodiscard]] bool zeros() const noexcept { return zeros_; }
 
  private:
   std::span<const std::uint8_t> rest_;
   bool exhausted_ = false;
+  bool zeros_ = true;
 };
-
-/// Returns a number's little-endian bytes.
-template <WireNumber T>
-[[nodiscard]] std::array<std::uint8_t, sizeof(T)> toWire(T value) {
-  const auto bits = std::bit_cast<WireBits<T>>(value);
-  std::array<std::uint8_t, sizeof(T)> bytes{};
-  for (std::size_t i = 0; i < sizeof(T); ++i) bytes[i] = static_cast<std::uint8_t>(bits >> (8 * i));
-  return bytes;
-}
 
 /// Appends numbers to a message.
 class WireWriter {
  public:
   template <WireNumber T>
   WireWriter& put(T value) {
-    for (const std::uint8_t byte : toWire(value)) bytes_.push_back(byte);
+    const auto bits = std::bit_cast<WireBits<T>>(value);
+    for (std::size_t i = 0; i < sizeof(T); ++i) bytes_.push_back(static_cast<std::uint8_t>(bits >> (8 * i)));
+    return *this;
+  }
+  template <std::size_t N>
+  WireWriter& put(Reserved<N> /*bytes*/) {
+    bytes_.insert(bytes_.end(), N, 0);
     return *this;
   }
   WireWriter& put(std::string_view text) {

@@ -16,8 +16,6 @@ namespace {
 
 constexpr double kSampleSeconds = 1.0;
 
-int workerCount() { return static_cast<int>(std::max(1U, std::thread::hardware_concurrency())); }
-
 static_assert(node::kMaxQuality == measure::kQualitySteps - 1);
 
 }  // namespace
@@ -31,10 +29,10 @@ Host::Host(const node::WorldNodesFactory& makeNodes, const node::FrontendTypes& 
       timelineMemory_(memory_, "timeline", "", pipeline::Work::kAcrossUser, timeline_.bytes()),
       meter_(timeline_, memory_, options_.framesPerSecond),
       images_(memory_),
-      entries_(workerCount()),
-      gate_(std::make_shared<FrameGate>(std::max(workerCount(), options_.framesInFlight))),
+      entries_(pipeline::coreCount()),
+      gate_(std::make_shared<FrameGate>(std::max(pipeline::coreCount(), options_.framesInFlight))),
       workers_(
-          workerCount(), "grove-worker", [gate = gate_](bool idle) { gate->workerIs(idle); }, options_.load),
+          pipeline::coreCount(), "grove-worker", [gate = gate_](bool idle) { gate->workerIs(idle); }, options_.load),
       nodes_(makeNodes({workers_, timeline_, memory_, images_}, progress)),
       players_(world::World::makePlayers(nodes_->layout(), node::makeId(options_.process, 0))),
       world_(std::make_shared<WorldInstance>(

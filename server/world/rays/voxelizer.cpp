@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace grove::world {
 
@@ -27,59 +28,73 @@ int firstBehind(float place, int n) {
   return static_cast<int>(std::clamp(std::ceil(place - 0.5F), 0.0F, static_cast<float>(n)));
 }
 
+/// Votes of the rays along the three axes on which cells lie inside, and cells that hold a part of less than a cell.
+struct Votes {
+  std::vector<std::uint8_t> inside;
+  std::vector<std::uint8_t> thin;
+};
+
+/// Votes along a ray from `before` metres in front of a row of `n` cells; at(i) is the index of its cell i.
+template <class At>
+void voteAlong(const RayScene& surfaces, Vec3 origin, Vec3 direction, float before, const Cube& cube, const At& at,
+               Votes& votes) {
+  const int n = cube.cells;
+  int winding = 0;
+  float entered = 0.0F;
+  forEachCrossing(surfaces, origin, direction, before + cube.size, [&](float distance, int turn) {
+    const float position = (distance - before) / cube.cellSize();  // in cells from the cube's low side
+    if (winding == 0) {
+      entered = position;
+    } else if (winding + turn == 0) {
+      const int first = firstBehind(entered, n);
+      const int end = firstBehind(position, n);
+      for (int i = first; i < end; ++i) ++votes.inside[at(i)];
+      const float middle = 0.5F * (entered + position);
+      if (first >= end && middle >= 0.0F && middle < static_cast<float>(n)) {
+        votes.thin[at(static_cast<int>(middle))] = 1;
+      }
+    }
+    winding += turn;
+  });
+  if (winding == 0) return;
+  for (int i = firstBehind(entered, n); i < n; ++i) ++votes.inside[at(i)];
+}
+
 }  // namespace
 
 std::vector<std::uint8_t> voxelize(const RayScene& surfaces, const Cube& cube) {
+  // Rays start outside everything, so that the count of entries begins correctly.
+  constexpr float kBefore = 1000.0F;
   const int n = cube.cells;
   const float cell = cube.cellSize();
-  const auto index = [n](int x, int y, int z) { return (static_cast<std::size_t>(z) * n + y) * n + x; };
-  std::vector<std::uint8_t> votes(static_cast<std::size_t>(n) * n * n, 0);
-  std::vector<std::uint8_t> thin(votes.size(), 0);
+  const std::size_t all = static_cast<std::size_t>(n) * n * n;
+  Votes votes{std::vector<std::uint8_t>(all, 0), std::vector<std::uint8_t>(all, 0)};
   for (int a = 0; a < 3; ++a) {
     const int s = (a + 1) % 3;
     const int t = (a + 2) % 3;
-    // Rays start outside everything, so that the count of entries begins correctly.
-    const float before = 1000.0F;
     for (int j = 0; j < n; ++j) {
       for (int i = 0; i < n; ++i) {
         Vec3 origin = cube.low;
         // A small offset from the centre avoids rays along shared edges and along faces.
         origin[s] += (static_cast<float>(i) + 0.5F) * cell + 1.3e-4F * cell;
         origin[t] += (static_cast<float>(j) + 0.5F) * cell + 2.1e-4F * cell;
-        origin[a] -= before;
+        origin[a] -= kBefore;
         Vec3 direction(0.0F);
         direction[a] = 1.0F;
         const auto at = [&](int k) {
-          int c[3];
-          c[a] = k;
-          c[s] = i;
-          c[t] = j;
-          return index(c[0], c[1], c[2]);
+          std::size_t c[3];
+          c[a] = static_cast<std::size_t>(k);
+          c[s] = static_cast<std::size_t>(i);
+          c[t] = static_cast<std::size_t>(j);
+          return (c[2] * n + c[1]) * n + c[0];
         };
-        int winding = 0;
-        float entered = 0.0F;
-        forEachCrossing(surfaces, origin, direction, before + cube.size, [&](float distance, int turn) {
-          const float position = (distance - before) / cell;  // in cells from the cube's low side
-          if (winding == 0) {
-            entered = position;
-          } else if (winding + turn == 0) {
-            const int first = firstBehind(entered, n);
-            const int end = firstBehind(position, n);
-            for (int k = first; k < end; ++k) ++votes[at(k)];
-            const float middle = 0.5F * (entered + position);
-            if (first >= end && middle >= 0.0F && middle < static_cast<float>(n))
-              thin[at(static_cast<int>(middle))] = 1;
-          }
-          winding += turn;
-        });
-        if (winding != 0) {
-          for (int k = firstBehind(entered, n); k < n; ++k) ++votes[at(k)];
-        }
+        voteAlong(surfaces, origin, direction, kBefore, cube, at, votes);
       }
     }
   }
-  for (std::size_t i = 0; i < votes.size(); ++i) votes[i] = votes[i] >= 2 || thin[i] != 0 ? 1 : 0;
-  return votes;
+  std::ranges::transform(votes.inside, votes.thin, votes.inside.begin(),
+                         [](int inside, int thin) { return static_cast<std::uint8_t>(inside >= 2 || thin != 0); });
+  return std::move(votes.inside);
 }
 
 std::vector<std::uint8_t> sunVisibility(const RayScene& surfaces, const Cube& cube, Vec3 towardsSun) {

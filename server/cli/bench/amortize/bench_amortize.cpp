@@ -4,7 +4,6 @@
 #include <cstdio>
 #include <fstream>
 #include <stdexcept>
-#include <thread>
 #include <utility>
 
 #include "base/error.h"
@@ -14,6 +13,7 @@
 #include "cli/prepare/prepare_world.h"
 #include "cli/prepare/progress.h"
 #include "objects/builtin_backends.h"
+#include "pipeline/executor.h"
 
 namespace grove::cli {
 namespace {
@@ -101,7 +101,7 @@ bool prepare(const world::Scene& scene, Interruption& interruption) {
 AmortizeResult measureAll(const Plan& plan, const world::Scene& scene, Interruption& interruption) {
   AmortizeResult result;
   result.transport = plan.run.transport;
-  result.cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  result.cores = pipeline::coreCount();
   if (prepare(scene, interruption)) measureRows(result, plan, scene, interruption);
   if (plan.figure && !interruption.hasCome()) result.figure = runFigure(plan.run.size, interruption);
   result.interrupted = interruption.hasCome();

@@ -7,9 +7,11 @@
 #include <vector>
 
 #include "cli/bench/encode/encode_trial.h"
-#include "cli/bench/encode/record_walk.h"
+#include "cli/bench/encode/kept_frames.h"
 #include "cli/bench/picture_size.h"
 #include "cli/bench/walk/fire_walks.h"
+#include "cli/bench/walk/walk_visitor.h"
+#include "cli/bench/walk/walk_world.h"
 #include "cli/figures.h"
 #include "cli/prepare/prepare_world.h"
 #include "cli/prepare/progress.h"
@@ -90,6 +92,17 @@ ordered_json toJson(const EncodeReport& report) {
                     {"ssim_min", rounded(trial.minSsim, 4)}});
   }
   return {{"interrupted", report.interrupted}, {"rows", std::move(rows)}};
+}
+
+/// Records the frames along the walk, 30 per second. After a stop request, returns the frames so far.
+KeptFrames recordWalk(WalkWorld& world, const world::Walk& walk, double seconds, const PictureSize& size,
+                      const std::stop_token& stop) {
+  KeptFrames frames(size.width, size.height);
+  WalkVisitor visitor(world, {.size = size});
+  world.walk(
+      walk, seconds, Pace::kThirtyASecond, [&](const Moment& moment) { static_cast<void>(visitor.draw(moment)); },
+      [&](const Moment& moment) { frames.add(moment.pose, *visitor.draw(moment).picture); }, stop);
+  return frames;
 }
 
 }  // namespace

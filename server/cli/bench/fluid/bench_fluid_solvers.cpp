@@ -47,11 +47,7 @@ struct Case {
 std::vector<std::uint8_t> cellsWhere(int n, const std::function<bool(int, int, int)>& isSolid) {
   std::vector<std::uint8_t> solid;
   solid.reserve(static_cast<std::size_t>(n) * n * n);
-  for (int z = 0; z < n; ++z) {
-    for (int y = 0; y < n; ++y) {
-      for (int x = 0; x < n; ++x) solid.push_back(isSolid(x, y, z) ? 1 : 0);
-    }
-  }
+  fluid::CellBox::whole(n).forEach([&](int x, int y, int z) { solid.push_back(isSolid(x, y, z) ? 1 : 0); });
   return solid;
 }
 
@@ -87,20 +83,16 @@ Field rightHandSide(const SolidGrid& solids) {
   const Layout& layout = solids.layout();
   const int n = layout.cells;
   fluid::Velocity velocity(layout);
-  for (int z = 0; z < n; ++z) {
-    for (int y = 0; y < n; ++y) {
-      for (int x = 0; x < n; ++x) {
-        const float fx = static_cast<float>(x) / static_cast<float>(n);
-        const float fy = static_cast<float>(y) / static_cast<float>(n);
-        const float fz = static_cast<float>(z) / static_cast<float>(n);
-        const float aside = (fx - 0.45F) * (fx - 0.45F) + (fz - 0.55F) * (fz - 0.55F);
-        const std::ptrdiff_t i = layout.index(x, y, z);
-        velocity.x[i] = 0.5F + 0.3F * std::sin(19.0F * fx + 11.0F * fy);
-        velocity.y[i] = 3.0F * std::exp(-150.0F * aside) * (1.0F - fy) + 0.2F * std::sin(31.0F * fy - 7.0F * fz);
-        velocity.z[i] = -0.3F + 0.3F * std::sin(47.0F * fz + 5.0F * fx);
-      }
-    }
-  }
+  fluid::CellBox::whole(n).forEach([&](int x, int y, int z) {
+    const float fx = static_cast<float>(x) / static_cast<float>(n);
+    const float fy = static_cast<float>(y) / static_cast<float>(n);
+    const float fz = static_cast<float>(z) / static_cast<float>(n);
+    const float aside = (fx - 0.45F) * (fx - 0.45F) + (fz - 0.55F) * (fz - 0.55F);
+    const std::ptrdiff_t i = layout.index(x, y, z);
+    velocity.x[i] = 0.5F + 0.3F * std::sin(19.0F * fx + 11.0F * fy);
+    velocity.y[i] = 3.0F * std::exp(-150.0F * aside) * (1.0F - fy) + 0.2F * std::sin(31.0F * fy - 7.0F * fz);
+    velocity.z[i] = -0.3F + 0.3F * std::sin(47.0F * fz + 5.0F * fx);
+  });
   solids.enforce(velocity);
   fluid::Array<std::uint8_t> air(layout.size());
   for (std::size_t i = 0; i < layout.size(); ++i) {

@@ -10,7 +10,6 @@
 #include <nlohmann/json.hpp>
 #include <random>
 #include <stop_token>
-#include <thread>
 #include <vector>
 
 #include "cli/bench/lightfield/lightfield_quality.h"
@@ -135,8 +134,7 @@ Speed measure(const LightField& field, const std::vector<lightfield::ObjectCamer
 }  // namespace
 
 int runBenchLightfield(const BenchLightfieldOptions& options) {
-  const int threads =
-      options.threads > 0 ? options.threads : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  const int threads = options.threads > 0 ? options.threads : pipeline::coreCount();
   std::optional<TemporaryOak> oak;
   if (!options.file) oak.emplace(threads);
   const std::filesystem::path file = options.file ? std::filesystem::path(*options.file) : oak->path();

@@ -9,7 +9,8 @@ namespace grove::cli {
 /// A piece of Grove's work with fixed input, on one thread.
 struct MachineKernel {
   std::string name;
-  double referenceMilliseconds = 0.0;  ///< CPU time on the reference core, geometric mean of hot and cold
+  double referenceMilliseconds =
+      0.0;  ///< CPU time on the reference core (EPYC, Zen 3, AVX2), geometric mean of hot and cold
   std::function<void()> run;
 };
 

@@ -26,7 +26,6 @@
 #include "node/object_types.h"
 #include "objects/builtin.h"
 #include "pipeline/clocks.h"
-#include "pipeline/embedded.h"
 #include "stream/session/host.h"
 #include "world/scenes/scene_file.h"
 
@@ -208,9 +207,7 @@ int runBenchPipeline(const BenchPipelineOptions& options) {
   if (options.trace) trace.emplace(*options.trace);
 
   const StopOnSignal stop;
-  const embedded::File& grove = embedded::scenes().front();
-  const world::Scene scene =
-      options.scene ? world::loadScene(*options.scene) : world::parseScene(grove.text(), grove.path);
+  const world::Scene scene = openScene(options.scene);
   const gl::ShaderLibrary shaders;
   gl::Workers gl(gl::ContextKind::kAuto, shaders);
   Progress progress;

@@ -18,8 +18,6 @@ constexpr double kFurtherWarmUpSeconds = 1.0;
 /// A simulation continues for two seconds after the last visitor.
 constexpr auto kUntilRest = std::chrono::milliseconds(2500);
 
-int workerCount() { return static_cast<int>(std::max(1U, std::thread::hardware_concurrency())); }
-
 void sleepUntil(double time) {
   std::this_thread::sleep_for(std::chrono::duration<double>(time - pipeline::wallSeconds()));
 }
@@ -47,7 +45,7 @@ class Presence {
 WalkWorld::WalkWorld(node::LoadedScene scene, const node::ObjectTypes& types, gl::Workers& gl,
                      const std::function<void(std::string_view, float)>& progress)
     : images_(memory_),
-      workers_(workerCount(), "grove-worker"),
+      workers_(pipeline::coreCount(), "grove-worker"),
       nodes_(std::move(scene), types.backends, gl, {workers_, timeline_, memory_, images_}, progress),
       players_(world::World::makePlayers(nodes_.layout())),
       instance_({.nodes = nodes_,

@@ -89,8 +89,6 @@ world::Rect wholeCells(const world::Rect& rect) {
           -floorTo(-rect.bottom, kCell)};
 }
 
-world::Rect areaOfFrame(const world::Camera& camera) { return wholeCells({0, 0, camera.width, camera.height}); }
-
 std::optional<world::Rect> extendedArea(const world::Rect& area, const world::Rect& seen, const world::Rect& later,
                                         const world::Camera& camera) {
   if (seen.empty() || later.empty()) return std::nullopt;

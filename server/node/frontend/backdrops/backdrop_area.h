@@ -19,9 +19,6 @@ namespace grove::node {
 /// The cells that a rectangle overlaps. All areas consist of whole cells.
 [[nodiscard]] world::Rect wholeCells(const world::Rect& rect);
 
-/// Area without a border.
-[[nodiscard]] world::Rect areaOfFrame(const world::Camera& camera);
-
 /// Returns the area of an extended backdrop: what a frame sees of it, in pixels of the backdrop's camera, a border for
 /// what is seen `later`, and the present `area` if the result does not become too large. Returns nothing if the result
 /// is too large, or if `seen` or `later` is empty.

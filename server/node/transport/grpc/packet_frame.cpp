@@ -1,11 +1,11 @@
 #include "node/transport/grpc/packet_frame.h"
 
-#include <algorithm>
+#include <google/protobuf/io/coded_stream.h>
+#include <grpcpp/support/proto_buffer_reader.h>
+
 #include <array>
 #include <cstdint>
-#include <cstring>
 #include <memory>
-#include <span>
 #include <utility>
 #include <vector>
 
@@ -23,34 +23,6 @@ grpc::Slice sliceOf(const std::shared_ptr<const PackedBytes>& bulk) {
   return {bytes, bulk->size(), release, held.release()};
 }
 
-/// Reads consecutive slices as if they were one.
-class SliceReader {
- public:
-  explicit SliceReader(const std::vector<grpc::Slice>& slices) : slices_(slices) {}
-
-  /// Returns false if fewer bytes are left.
-  bool read(void* to, std::size_t count) {
-    auto* out = static_cast<std::byte*>(to);
-    while (count > 0) {
-      if (slice_ == slices_.size()) return false;
-      const std::size_t part = std::min(count, slices_[slice_].size() - offset_);
-      if (part > 0) std::memcpy(out, slices_[slice_].begin() + offset_, part);
-      out += part;
-      count -= part;
-      offset_ += part;
-      if (offset_ < slices_[slice_].size()) continue;
-      ++slice_;
-      offset_ = 0;
-    }
-    return true;
-  }
-
- private:
-  const std::vector<grpc::Slice>& slices_;
-  std::size_t slice_ = 0;
-  std::size_t offset_ = 0;
-};
-
 }  // namespace
 
 grpc::ByteBuffer frameOf(const Packet& packet) {
@@ -66,11 +38,13 @@ grpc::ByteBuffer frameOf(const Packet& packet) {
 }
 
 std::optional<Packet> packetOf(const grpc::ByteBuffer& message) {
-  std::vector<grpc::Slice> slices;
-  if (!message.Dump(&slices).ok()) return std::nullopt;
-  SliceReader reader(slices);
+  // A second reference to the same slices, because the library's reader wants a message that is not const.
+  grpc::ByteBuffer same = message;
+  grpc::ProtoBufferReader slices(&same);
+  google::protobuf::io::CodedInputStream reader(&slices);
+  const auto read = [&](void* to, std::size_t count) { return reader.ReadRaw(to, static_cast<int>(count)); };
   std::array<unsigned char, kFramePrefixBytes> prefix{};
-  if (!reader.read(prefix.data(), prefix.size())) return std::nullopt;
+  if (!read(prefix.data(), prefix.size())) return std::nullopt;
   std::size_t length = 0;
   for (std::size_t i = 0; i < 4; ++i) length |= std::size_t{prefix[i]} << (8 * i);
   const std::size_t left = message.Length() - kFramePrefixBytes;
@@ -78,10 +52,10 @@ std::optional<Packet> packetOf(const grpc::ByteBuffer& message) {
     return std::nullopt;
   }
   Packet packet{std::string(length, '\0'), nullptr};
-  if (!reader.read(packet.header.data(), length)) return std::nullopt;
+  if (!read(packet.header.data(), length)) return std::nullopt;
   if (prefix[4] == 0) return packet;
   PackedBytes bulk(left - length);
-  if (!reader.read(bulk.data(), bulk.size())) return std::nullopt;
+  if (!read(bulk.data(), bulk.size())) return std::nullopt;
   packet.bulk = std::make_shared<const PackedBytes>(std::move(bulk));
   return packet;
 }

@@ -4,11 +4,19 @@
 #include "objects/figure/frontend/figure_labels.h"
 
 namespace grove::objects::figure {
+namespace {
 
-std::string_view FigureFrontendType::name() const { return kTypeName; }
+class FigureFrontendType final : public node::FrontendType {
+ public:
+  [[nodiscard]] std::string_view name() const override { return kTypeName; }
 
-std::unique_ptr<node::FrontendHalf> FigureFrontendType::makeHalf(const node::FrontendTools& /*tools*/) const {
-  return std::make_unique<FigureLabels>();
-}
+  [[nodiscard]] std::unique_ptr<node::FrontendHalf> makeHalf(const node::FrontendTools& /*tools*/) const override {
+    return std::make_unique<FigureLabels>();
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<node::FrontendType> frontendType() { return std::make_unique<FigureFrontendType>(); }
 
 }  // namespace grove::objects::figure

@@ -1,13 +1,11 @@
 #pragma once
 
+#include <memory>
+
 #include "node/frontend/frontend_half.h"
 
 namespace grove::objects::figure {
 
-class FigureFrontendType final : public node::FrontendType {
- public:
-  [[nodiscard]] std::string_view name() const override;
-  [[nodiscard]] std::unique_ptr<node::FrontendHalf> makeHalf(const node::FrontendTools& tools) const override;
-};
+[[nodiscard]] std::unique_ptr<node::FrontendType> frontendType();
 
 }  // namespace grove::objects::figure

@@ -45,21 +45,26 @@ class FluidFrontend final : public node::SharedDataFrontend {
   std::map<world::ObjectId, SmokeRenderer> renderers_;
 };
 
+class FluidFrontendType final : public node::FrontendType {
+ public:
+  [[nodiscard]] std::string_view name() const override { return kTypeName; }
+
+  [[nodiscard]] std::unique_ptr<node::FrontendHalf> makeHalf(const node::FrontendTools& tools) const override {
+    return std::make_unique<FluidFrontend>(tools);
+  }
+
+  [[nodiscard]] std::shared_ptr<node::SharedData> unpack(const node::Key& key, node::Version version,
+                                                         std::span<const std::byte> bytes,
+                                                         const node::SharedData* known) const override {
+    if (!key.empty()) throw node::PackingError("packed smoke: its key is not empty");
+    std::shared_ptr<FluidSnapshot> snapshot = unpackSnapshot(bytes, dynamic_cast<const FluidSnapshot*>(known));
+    if (snapshot->version() != version) throw node::PackingError("packed smoke: it has another tick");
+    return snapshot;
+  }
+};
+
 }  // namespace
 
-std::string_view FluidFrontendType::name() const { return kTypeName; }
-
-std::unique_ptr<node::FrontendHalf> FluidFrontendType::makeHalf(const node::FrontendTools& tools) const {
-  return std::make_unique<FluidFrontend>(tools);
-}
-
-std::shared_ptr<node::SharedData> FluidFrontendType::unpack(const node::Key& key, node::Version version,
-                                                            std::span<const std::byte> bytes,
-                                                            const node::SharedData* known) const {
-  if (!key.empty()) throw node::PackingError("packed smoke: its key is not empty");
-  std::shared_ptr<FluidSnapshot> snapshot = unpackSnapshot(bytes, dynamic_cast<const FluidSnapshot*>(known));
-  if (snapshot->version() != version) throw node::PackingError("packed smoke: it has another tick");
-  return snapshot;
-}
+std::unique_ptr<node::FrontendType> frontendType() { return std::make_unique<FluidFrontendType>(); }
 
 }  // namespace grove::objects::fluid

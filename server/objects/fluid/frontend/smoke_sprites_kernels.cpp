@@ -60,17 +60,18 @@ HWY_INLINE float smooth(float low, float high, float value) {
   return t * t * (3.0F - 2.0F * t);
 }
 
+/// Radius in metres.
+HWY_INLINE float sizeOf(float spent, float hot, float chance) {
+  const float grown = std::sqrt(saturate(spent));
+  const float smoke = (0.07F + 0.30F * grown) * (0.6F + 0.8F * chance);
+  const float flame = (0.055F + 0.085F * saturate(4.0F * spent)) * (0.6F + 0.8F * chance);
+  return smoke + (flame - smoke) * hot;
+}
+
 void projectSprites(const FluidSnapshot& snapshot, const SmokeLens& lens, float lead, SmokeSprites& sprites) {
   drawLots(snapshot, sprites);
-  const Vec3 eye = lens.eye;
-  const Vec3 right = lens.right;
-  const Vec3 up = lens.up;
-  const Vec3 forward = lens.forward;
-  const float focal = lens.focal;
-  const float middleX = lens.middleX;
-  const float middleY = lens.middleY;
-  const float nearDepth = lens.nearDepth;
-
+  // A copy, which the loop's stores cannot change.
+  const auto [eye, right, up, forward, focal, middleX, middleY, nearDepth] = lens;
   const float* const px = snapshot.x.data();
   const float* const py = snapshot.y.data();
   const float* const pz = snapshot.z.data();
@@ -108,10 +109,7 @@ void projectSprites(const FluidSnapshot& snapshot, const SmokeLens& lens, float 
 
     const float spent = (age[i] + lead) / std::max(lifetime[i], 1e-3F);
     const float hot = smooth(0.28F, 0.58F, temperature[i]);
-    const float grown = std::sqrt(saturate(spent));
-    const float smoke = (0.07F + 0.30F * grown) * (0.6F + 0.8F * chanceA[i]);
-    const float flame = (0.055F + 0.085F * saturate(4.0F * spent)) * (0.6F + 0.8F * chanceA[i]);
-    const float size = smoke + (flame - smoke) * hot;
+    const float size = sizeOf(spent, hot, chanceA[i]);
     life[i] = saturate(spent);
     heat[i] = hot;
     radius[i] = size;

@@ -50,18 +50,23 @@ class GroundFrontend final : public node::SharedDataFrontend {
   raster::ImagePool& images_;
 };
 
+class GroundFrontendType final : public node::FrontendType {
+ public:
+  [[nodiscard]] std::string_view name() const override { return kTypeName; }
+
+  [[nodiscard]] std::unique_ptr<node::FrontendHalf> makeHalf(const node::FrontendTools& tools) const override {
+    return std::make_unique<GroundFrontend>(tools);
+  }
+
+  [[nodiscard]] std::shared_ptr<node::SharedData> unpack(const node::Key& /*key*/, node::Version /*version*/,
+                                                         std::span<const std::byte> bytes,
+                                                         const node::SharedData* /*known*/) const override {
+    return GroundData::unpack(bytes);
+  }
+};
+
 }  // namespace
 
-std::string_view GroundFrontendType::name() const { return kTypeName; }
-
-std::unique_ptr<node::FrontendHalf> GroundFrontendType::makeHalf(const node::FrontendTools& tools) const {
-  return std::make_unique<GroundFrontend>(tools);
-}
-
-std::shared_ptr<node::SharedData> GroundFrontendType::unpack(const node::Key& /*key*/, node::Version /*version*/,
-                                                             std::span<const std::byte> bytes,
-                                                             const node::SharedData* /*known*/) const {
-  return GroundData::unpack(bytes);
-}
+std::unique_ptr<node::FrontendType> frontendType() { return std::make_unique<GroundFrontendType>(); }
 
 }  // namespace grove::objects::ground

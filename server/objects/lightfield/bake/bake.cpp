@@ -8,7 +8,6 @@
 #include <mutex>
 #include <string>
 #include <system_error>
-#include <thread>
 #include <vector>
 
 #include "base/error.h"
@@ -27,6 +26,7 @@
 #include "objects/lightfield/bake/voxelize.h"
 #include "objects/lightfield/file/light_field_file.h"
 #include "objects/lightfield/file/view_packer.h"
+#include "pipeline/executor.h"
 #include "pipeline/parallel_for.h"
 #include "world/camera.h"
 
@@ -100,8 +100,7 @@ class Job {
   Job(const models::Model& model, const BakeOptions& options, std::filesystem::path file, const ProgressCall& progress,
       const std::stop_token& stop)
       : options_(options),
-        threads_(options.threads > 0 ? options.threads
-                                     : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()))),
+        threads_(options.threads > 0 ? options.threads : pipeline::coreCount()),
         file_(std::move(file)),
         progress_(progress),
         stop_(stop),
@@ -128,6 +127,7 @@ class Job {
                                                    ModelRays::Among among) const;
   void checkRoom(const std::vector<Picture>& samples) const;
   void renderViews(const ViewRenderer& renderer, const BakeStep& step);
+  [[nodiscard]] LightSettings lightSettings() const;
   void writeFile(std::vector<HeldOutView> heldOut);
 
   const BakeOptions options_;
@@ -226,6 +226,15 @@ void Job::writeFile(std::vector<HeldOutView> heldOut) {
   writeLightField(field, file_);
 }
 
+LightSettings Job::lightSettings() const {
+  LightSettings settings{.threads = threads_, .away = kAwayFromSurface * texel_, .grounded = options_.tile};
+  if (options_.rough) {
+    settings.directions = kRoughDirections;
+    settings.sunRays = kRoughSunRays;
+  }
+  return settings;
+}
+
 std::optional<BakeReport> Job::run() {
   const BakeStep all("preparing", progress_);
   BakeReport report;
@@ -238,13 +247,8 @@ std::optional<BakeReport> Job::run() {
   report.lightPoints = points.points.size();
 
   const BakeStep lighting("light", progress_);
-  LightSettings settings{.threads = threads_, .away = kAwayFromSurface * texel_, .grounded = options_.tile};
-  if (options_.rough) {
-    settings.directions = kRoughDirections;
-    settings.sunRays = kRoughSunRays;
-  }
   const SurfaceLight light = lightSurfaces(
-      model_, points, rays_, lightings_, settings, [&](float share) { lighting.show(share); }, stop_);
+      model_, points, rays_, lightings_, lightSettings(), [&](float share) { lighting.show(share); }, stop_);
   report.lightSeconds = lighting.seconds();
   if (stop_.stop_requested()) return std::nullopt;
 
@@ -266,12 +270,13 @@ std::optional<BakeReport> Job::run() {
 
   const BakeStep writing("file", progress_);
   std::vector<HeldOutView> kept;
-  for (std::size_t i = 0; i < cameras.size(); ++i) {
-    kept.push_back({cameras[i], options_.size, heldOut[i].colour.front(), heldOut[i].depth, false});
-  }
-  for (std::size_t i = 0; i < seamCameras.size(); ++i) {
-    kept.push_back({seamCameras[i], options_.size, seams[i].colour.front(), seams[i].depth, true});
-  }
+  const auto keep = [&](const std::vector<ObjectCamera>& from, const std::vector<Picture>& pictures, bool seam) {
+    for (std::size_t i = 0; i < from.size(); ++i) {
+      kept.push_back({from[i], options_.size, pictures[i].colour.front(), pictures[i].depth, seam});
+    }
+  };
+  keep(cameras, heldOut, false);
+  keep(seamCameras, seams, true);
   writeFile(std::move(kept));
   partial_.remove();
   report.bytes = std::filesystem::file_size(file_);

@@ -19,11 +19,4 @@ std::vector<Vec3> evenDirections(int count) {
   return directions;
 }
 
-glm::mat3 basisAround(Vec3 n) noexcept {
-  const float sign = std::copysign(1.0F, n.z);
-  const float a = -1.0F / (sign + n.z);
-  const float b = n.x * n.y * a;
-  return {Vec3(1.0F + sign * n.x * n.x * a, sign * b, -sign * n.x), Vec3(b, sign + n.y * n.y * a, -n.y), n};
-}
-
 }  // namespace grove::bake

@@ -5,18 +5,26 @@
 #include "objects/lightfield/frontend/light_field_frontend.h"
 
 namespace grove::objects::lightfield {
+namespace {
 
-std::string_view LightFieldFrontendType::name() const { return kTypeName; }
+class LightFieldFrontendType final : public node::FrontendType {
+ public:
+  [[nodiscard]] std::string_view name() const override { return kTypeName; }
 
-std::unique_ptr<node::FrontendHalf> LightFieldFrontendType::makeHalf(const node::FrontendTools& tools) const {
-  return std::make_unique<LightFieldFrontend>(tools);
-}
+  [[nodiscard]] std::unique_ptr<node::FrontendHalf> makeHalf(const node::FrontendTools& tools) const override {
+    return std::make_unique<LightFieldFrontend>(tools);
+  }
 
-std::shared_ptr<node::SharedData> LightFieldFrontendType::unpack(const node::Key& key, node::Version version,
-                                                                 std::span<const std::byte> bytes,
-                                                                 const node::SharedData* /*known*/) const {
-  if (key.empty()) return FieldInfo::unpack(bytes, version);
-  return CachedView::unpack(bytes);
-}
+  [[nodiscard]] std::shared_ptr<node::SharedData> unpack(const node::Key& key, node::Version version,
+                                                         std::span<const std::byte> bytes,
+                                                         const node::SharedData* /*known*/) const override {
+    if (key.empty()) return FieldInfo::unpack(bytes, version);
+    return CachedView::unpack(bytes);
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<node::FrontendType> frontendType() { return std::make_unique<LightFieldFrontendType>(); }
 
 }  // namespace grove::objects::lightfield

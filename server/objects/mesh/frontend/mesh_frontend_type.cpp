@@ -12,12 +12,17 @@ class MeshFrontend final : public node::FrontendHalf {
   }
 };
 
+class MeshFrontendType final : public node::FrontendType {
+ public:
+  [[nodiscard]] std::string_view name() const override { return kTypeName; }
+
+  [[nodiscard]] std::unique_ptr<node::FrontendHalf> makeHalf(const node::FrontendTools& /*tools*/) const override {
+    return std::make_unique<MeshFrontend>();
+  }
+};
+
 }  // namespace
 
-std::string_view MeshFrontendType::name() const { return kTypeName; }
-
-std::unique_ptr<node::FrontendHalf> MeshFrontendType::makeHalf(const node::FrontendTools& /*tools*/) const {
-  return std::make_unique<MeshFrontend>();
-}
+std::unique_ptr<node::FrontendType> frontendType() { return std::make_unique<MeshFrontendType>(); }
 
 }  // namespace grove::objects::mesh

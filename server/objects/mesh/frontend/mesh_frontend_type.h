@@ -1,14 +1,12 @@
 #pragma once
 
+#include <memory>
+
 #include "node/frontend/frontend_half.h"
 
 namespace grove::objects::mesh {
 
 /// Meshes are pictures; the frontend only composites them.
-class MeshFrontendType final : public node::FrontendType {
- public:
-  [[nodiscard]] std::string_view name() const override;
-  [[nodiscard]] std::unique_ptr<node::FrontendHalf> makeHalf(const node::FrontendTools& tools) const override;
-};
+[[nodiscard]] std::unique_ptr<node::FrontendType> frontendType();
 
 }  // namespace grove::objects::mesh

@@ -48,18 +48,23 @@ class SkyFrontend final : public node::SharedDataFrontend {
   const node::FrontendTools tools_;
 };
 
+class SkyFrontendType final : public node::FrontendType {
+ public:
+  [[nodiscard]] std::string_view name() const override { return kTypeName; }
+
+  [[nodiscard]] std::unique_ptr<node::FrontendHalf> makeHalf(const node::FrontendTools& tools) const override {
+    return std::make_unique<SkyFrontend>(tools);
+  }
+
+  [[nodiscard]] std::shared_ptr<node::SharedData> unpack(const node::Key& /*key*/, node::Version /*version*/,
+                                                         std::span<const std::byte> bytes,
+                                                         const node::SharedData* /*known*/) const override {
+    return SkyData::unpack(bytes);
+  }
+};
+
 }  // namespace
 
-std::string_view SkyFrontendType::name() const { return kTypeName; }
-
-std::unique_ptr<node::FrontendHalf> SkyFrontendType::makeHalf(const node::FrontendTools& tools) const {
-  return std::make_unique<SkyFrontend>(tools);
-}
-
-std::shared_ptr<node::SharedData> SkyFrontendType::unpack(const node::Key& /*key*/, node::Version /*version*/,
-                                                          std::span<const std::byte> bytes,
-                                                          const node::SharedData* /*known*/) const {
-  return SkyData::unpack(bytes);
-}
+std::unique_ptr<node::FrontendType> frontendType() { return std::make_unique<SkyFrontendType>(); }
 
 }  // namespace grove::objects::sky

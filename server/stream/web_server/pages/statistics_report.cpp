@@ -3,11 +3,11 @@
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <thread>
 
 #include "base/version.h"
 #include "measure/memory_use.h"
 #include "measure/pictures/quality_policy.h"
+#include "pipeline/executor.h"
 
 namespace grove::stream {
 namespace {
@@ -76,7 +76,7 @@ Json amortization(const StatisticsSources& sources) {
   const measure::AmortizationMeter& meter = sources.meter;
   const auto measured = meter.newest();
   if (!measured) return nullptr;
-  const auto cores = static_cast<double>(std::max(1U, std::thread::hardware_concurrency()));
+  const auto cores = static_cast<double>(pipeline::coreCount());
   const measure::Capacity capacity = measure::capacityOf(*measured, meter.nominalFramesPerSecond());
   const measure::Capacity whole = measure::atFullSize(capacity, sources.pictureScale);
   Json report = {{"seconds", measured->seconds},

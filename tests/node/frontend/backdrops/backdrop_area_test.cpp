@@ -113,9 +113,7 @@ TEST(PartsBeyond, CoverTheRestOnce) {
   }
 }
 
-TEST(AreaOfFrame, ConsistsOfWholeCells) {
-  EXPECT_EQ(areaOfFrame(testing::cameraOf(431, 243)), (world::Rect{0, 0, 432, 248}));
-}
+TEST(WholeCells, CoverTheRectangle) { EXPECT_EQ(wholeCells({0, 0, 431, 243}), (world::Rect{0, 0, 432, 248})); }
 
 }  // namespace
 }  // namespace grove::node

@@ -6,7 +6,7 @@
 #include <thread>
 
 #include "objects/fluid/backend/scalable_simulation.h"
-#include "objects/fluid/backend/solver/diagnostics.h"
+#include "objects/fluid/backend/solver/kinetic_energy.h"
 #include "world/rays/ray_obstacles.h"
 
 namespace grove::objects::fluid {

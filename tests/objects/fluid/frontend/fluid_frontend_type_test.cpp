@@ -45,13 +45,13 @@ class FluidFrontendTest : public ::testing::Test {
     layer->draw(frame.image);
   }
 
-  const FluidFrontendType type_;
+  const std::unique_ptr<node::FrontendType> type_ = frontendType();
   pipeline::Timeline timeline_;
   pipeline::MemoryLedger memory_;
   raster::ImagePool images_;
   pipeline::WorkerPool workers_{1};
   const world::Sky sky_;
-  const std::unique_ptr<node::FrontendHalf> half_ = type_.makeHalf({workers_, timeline_, memory_, images_, sky_});
+  const std::unique_ptr<node::FrontendHalf> half_ = type_->makeHalf({workers_, timeline_, memory_, images_, sky_});
   node::SharedStore store_{0, [](const node::ToBackend&) { return true; }};
   node::VisibleObject fire_;
   const node::View view_ = lookAt({0.0F, 1.7F, 6.0F}, {0.0F, 2.5F, 0.0F}, 320, 180);
@@ -94,11 +94,11 @@ TEST_F(FluidFrontendTest, NothingShowsWithoutASnapshot) {
 }
 
 TEST_F(FluidFrontendTest, UnpacksTheVersionThatWasAnnounced) {
-  const auto packed = std::make_shared<const FluidSnapshot>(375)->packed(timeline_, type_.name());
-  EXPECT_EQ(type_.unpack({}, 375, *packed, nullptr)->version(), 375U);
-  EXPECT_THROW(static_cast<void>(type_.unpack({}, 376, *packed, nullptr)), node::PackingError);
-  EXPECT_THROW(static_cast<void>(type_.unpack("other", 375, *packed, nullptr)), node::PackingError);
-  EXPECT_THROW(static_cast<void>(type_.unpack({}, 375, {}, nullptr)), node::PackingError);
+  const auto packed = std::make_shared<const FluidSnapshot>(375)->packed(timeline_, type_->name());
+  EXPECT_EQ(type_->unpack({}, 375, *packed, nullptr)->version(), 375U);
+  EXPECT_THROW(static_cast<void>(type_->unpack({}, 376, *packed, nullptr)), node::PackingError);
+  EXPECT_THROW(static_cast<void>(type_->unpack("other", 375, *packed, nullptr)), node::PackingError);
+  EXPECT_THROW(static_cast<void>(type_->unpack({}, 375, {}, nullptr)), node::PackingError);
 }
 
 }  // namespace

@@ -10,14 +10,10 @@ namespace {
 template <class Visit>
 void forEachAirCell(const SolidGrid& solids, const Visit& visit) {
   const Layout& layout = solids.layout();
-  for (int z = 0; z < layout.cells; ++z) {
-    for (int y = 0; y < layout.cells; ++y) {
-      for (int x = 0; x < layout.cells; ++x) {
-        const std::ptrdiff_t i = layout.index(x, y, z);
-        if (solids.air()[i] != 0) visit(i);
-      }
-    }
-  }
+  CellBox::whole(layout.cells).forEach([&](int x, int y, int z) {
+    const std::ptrdiff_t i = layout.index(x, y, z);
+    if (solids.air()[i] != 0) visit(i);
+  });
 }
 
 template <class Visit>
@@ -59,21 +55,6 @@ double largestNetFlow(const SolidGrid& solids, const Velocity& velocity) {
     largest = std::max(largest, std::fabs(flow));
   });
   return largest;
-}
-
-double kineticEnergy(const Layout& layout, const Velocity& velocity) {
-  double sum = 0.0;
-  for (int a = 0; a < 3; ++a) {
-    for (int z = 0; z < layout.cells; ++z) {
-      for (int y = 0; y < layout.cells; ++y) {
-        for (int x = 0; x < layout.cells; ++x) {
-          const double v = static_cast<double>(velocity.axis(a)[layout.index(x, y, z)]);
-          sum += 0.5 * v * v;
-        }
-      }
-    }
-  }
-  return sum;
 }
 
 }  // namespace grove::objects::fluid

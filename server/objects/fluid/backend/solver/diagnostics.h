@@ -14,7 +14,4 @@ namespace grove::objects::fluid {
 /// cells whose faces are all closed, because the solver cannot change their flow.
 [[nodiscard]] double largestNetFlow(const SolidGrid& solids, const Velocity& velocity);
 
-/// Half the sum of the squared face velocities, in cells * (metres per second) squared.
-[[nodiscard]] double kineticEnergy(const Layout& layout, const Velocity& velocity);
-
 }  // namespace grove::objects::fluid

@@ -48,7 +48,7 @@ void FluidSolver::advect(float seconds) {
                                  {Place::kFaceY, &velocity_.y, &nextVelocity_.y},
                                  {Place::kFaceZ, &velocity_.z, &nextVelocity_.z},
                                  {Place::kCentre, &temperature_, &nextTemperature_}};
-  advection_.advect(jobs, velocity_, seconds, cellSize(), settings_.order);
+  advection_.advect(jobs, velocity_, seconds, cellSize());
   std::swap(velocity_, nextVelocity_);
   std::swap(temperature_, nextTemperature_);
 }

@@ -24,7 +24,6 @@ class FluidSolver {
     Sides sides;
     Air air;
     float confinement = 0.12F;  ///< strength of vorticity confinement
-    AdvectionOrder order = AdvectionOrder::kMacCormack;
     PressureSolver::Options pressure;
     int threads = 1;  ///< threads that share the work; the results do not depend on them
   };

@@ -185,6 +185,15 @@ struct CellBox {
     }
     return box;
   }
+  /// Calls visit(x, y, z) for its cells as they lie in memory.
+  template <class Visit>
+  void forEach(const Visit& visit) const {
+    for (int z = low[2]; z < high[2]; ++z) {
+      for (int y = low[1]; y < high[1]; ++y) {
+        for (int x = low[0]; x < high[0]; ++x) visit(x, y, z);
+      }
+    }
+  }
 };
 
 }  // namespace grove::objects::fluid

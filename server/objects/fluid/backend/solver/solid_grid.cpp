@@ -15,15 +15,11 @@ void SolidGrid::setStatic(std::span<const std::uint8_t> solid) {
   assert(solid.size() == static_cast<std::size_t>(n) * n * n);
   staticAir_.clear();
   staticCells_ = 0;
-  for (int z = 0; z < n; ++z) {
-    for (int y = 0; y < n; ++y) {
-      for (int x = 0; x < n; ++x) {
-        const bool isSolid = solid[(static_cast<std::size_t>(z) * n + y) * n + x] != 0;
-        staticAir_[layout_.index(x, y, z)] = isSolid ? 0 : 1;
-        staticCells_ += isSolid ? 1 : 0;
-      }
-    }
-  }
+  CellBox::whole(n).forEach([&](int x, int y, int z) {
+    const bool isSolid = solid[(static_cast<std::size_t>(z) * n + y) * n + x] != 0;
+    staticAir_[layout_.index(x, y, z)] = isSolid ? 0 : 1;
+    staticCells_ += isSolid ? 1 : 0;
+  });
   // Only ghosts that share a face with a cell matter, so edges and corners may stay closed.
   for (int a = 0; a < 3; ++a) {
     for (const bool high : {false, true}) {
@@ -47,20 +43,15 @@ void SolidGrid::setStatic(std::span<const std::uint8_t> solid) {
 }
 
 void SolidGrid::collectWallFaces() {
-  const int n = layout_.cells;
   for (int a = 0; a < 3; ++a) {
-    wallFaces_[static_cast<std::size_t>(a)].clear();
-    const std::ptrdiff_t step = layout_.step(a);
-    for (int z = 0; z < n + (a == 2 ? 1 : 0); ++z) {
-      for (int y = 0; y < n + (a == 1 ? 1 : 0); ++y) {
-        for (int x = 0; x < n + (a == 0 ? 1 : 0); ++x) {
-          const std::ptrdiff_t i = layout_.index(x, y, z);
-          if (staticAir_[i] == 0 || staticAir_[i - step] == 0) {
-            wallFaces_[static_cast<std::size_t>(a)].push_back(static_cast<std::int32_t>(i));
-          }
-        }
-      }
-    }
+    std::vector<std::int32_t>& wallFaces = wallFaces_[static_cast<std::size_t>(a)];
+    wallFaces.clear();
+    CellBox faces = CellBox::whole(layout_.cells);
+    ++faces.high[a];
+    faces.forEach([&](int x, int y, int z) {
+      const std::ptrdiff_t i = layout_.index(x, y, z);
+      if (staticAir_[i] == 0 || staticAir_[i - layout_.step(a)] == 0) wallFaces.push_back(static_cast<std::int32_t>(i));
+    });
   }
 }
 
@@ -84,21 +75,16 @@ void SolidGrid::setMovers(std::span<const Capsule> movers, float cellSize) {
     if (box.empty()) continue;
     const float bottom = mover.foot.y + mover.radius;
     const float top = std::max(mover.foot.y + mover.height - mover.radius, bottom);
-    for (int z = box.low[2]; z < box.high[2]; ++z) {
-      for (int y = box.low[1]; y < box.high[1]; ++y) {
-        for (int x = box.low[0]; x < box.high[0]; ++x) {
-          const std::ptrdiff_t i = layout_.index(x, y, z);
-          if (air_[i] == 0) continue;
-          const world::Vec3 centre =
-              (world::Vec3(static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)) + 0.5F) * cellSize;
-          const world::Vec3 axis(mover.foot.x, std::clamp(centre.y, bottom, top), mover.foot.z);
-          const world::Vec3 away = centre - axis;
-          if (glm::dot(away, away) > mover.radius * mover.radius) continue;
-          air_[i] = 0;
-          moving_.push_back({i, mover.velocity});
-        }
-      }
-    }
+    box.forEach([&](int x, int y, int z) {
+      const std::ptrdiff_t i = layout_.index(x, y, z);
+      if (air_[i] == 0) return;
+      const world::Vec3 centre = (world::Vec3(x, y, z) + 0.5F) * cellSize;
+      const world::Vec3 axis(mover.foot.x, std::clamp(centre.y, bottom, top), mover.foot.z);
+      const world::Vec3 away = centre - axis;
+      if (glm::dot(away, away) > mover.radius * mover.radius) return;
+      air_[i] = 0;
+      moving_.push_back({i, mover.velocity});
+    });
     movingBox_.add(box);
   }
   changed_.add(movingBox_);

@@ -109,14 +109,47 @@ HWY_INLINE Walk walkOf(const RaySegment& segment, float stride, const TexelBox& 
   return walk;
 }
 
+/// What a ray meets of the two texels beside its place on a line.
+struct Meeting {
+  Floats here;    ///< place of the segment
+  Floats met;     ///< sum of the texels' shares
+  Floats places;  ///< sum of their places, weighted by the shares
+  Floats behind;  ///< share of the place that lies behind them
+};
+
+HWY_INLINE Meeting meetLine(const RaySegment& segment, const Walk& walk, const float* texels, Floats slack, float k) {
+  const Floats placeOfZero = -segment.inverseFrom * segment.perPlace;
+  const Floats reach = 0.5F + slack;
+  const Floats along = clamp(walk.first + walk.sign * k, walk.minAlong, walk.maxAlong);
+  Meeting meeting;
+  meeting.here = clamp((along - walk.along0) * walk.placePerTexel, 0.0F, 1.0F);
+  const Floats across = clamp(walk.across0 + meeting.here * walk.acrossBy, walk.minAcross, walk.maxAcross);
+  const Floats line = toFloats(truncate(across));
+  const Floats beside = across - line;
+  const Ints at = truncate(along * walk.alongStride + line * walk.acrossStride);
+  const Floats nearness[2] = {lookUp(texels, at), lookUp(texels, at + walk.acrossStep)};
+  const Floats weight[2] = {1.0F - beside, beside};
+  const Floats hiding = meeting.here - slack;
+  for (std::size_t i = 0; i < 2; ++i) {
+    // The place where the ray is at this texel's depth, and the texel's weight there.
+    const Floats place = mulAdd(nearness[i], segment.perPlace, placeOfZero);
+    const Floats awayAlong = abs(mulAdd(place, walk.alongBy, walk.along0 - along));
+    const Floats awayAcross = abs(mulAdd(place, walk.acrossBy, walk.across0 - line - static_cast<float>(i)));
+    const Floats share = max(1.0F - awayAlong, 0.0F) * max(1.0F - awayAcross, 0.0F);
+    const Floats counted = onlyWhere(abs(place - 0.5F) <= reach, share);
+    meeting.met += counted;
+    meeting.places = mulAdd(counted, place, meeting.places);
+    meeting.behind += onlyWhere(place < hiding, weight[i]);
+  }
+  return meeting;
+}
+
 inline MarchResult marchAlong(const RaySegment& segment, const NearnessWindow& window, const TexelBox& box, Mask rays) {
   const float* const texels = window.nearness.data() - window.layout.origin;
   const Walk walk = walkOf(segment, static_cast<float>(window.layout.stride), box);
-  const Floats placeOfZero = -segment.inverseFrom * segment.perPlace;
   MarchResult march;
   march.texel = abs(walk.placePerTexel);
   const Floats slack = kSlack * march.texel + segment.thickness;
-  const Floats reach = 0.5F + slack;
   // Sum of places weighted by coverage; divided by the coverage after the march.
   Floats foundPlaces;
   Floats foundMet = 1.0F;
@@ -129,41 +162,19 @@ inline MarchResult marchAlong(const RaySegment& segment, const NearnessWindow& w
   Mask found;
   const float maxSteps = maxOf(onlyWhere(rays, walk.steps));
   for (float k = 0.0F; k < maxSteps && any(walking); k += 1.0F) {
-    const Floats along = clamp(walk.first + walk.sign * k, walk.minAlong, walk.maxAlong);
-    const Floats here = clamp((along - walk.along0) * walk.placePerTexel, 0.0F, 1.0F);
-    const Floats across = clamp(walk.across0 + here * walk.acrossBy, walk.minAcross, walk.maxAcross);
-    const Floats line = toFloats(truncate(across));
-    const Floats beside = across - line;
-    const Ints at = truncate(along * walk.alongStride + line * walk.acrossStride);
-    const Floats nearness[2] = {lookUp(texels, at), lookUp(texels, at + walk.acrossStep)};
-    const Floats weight[2] = {1.0F - beside, beside};
-    const Floats hiding = here - slack;
-    Floats met;
-    Floats places;
-    Floats behind;
-    for (std::size_t i = 0; i < 2; ++i) {
-      // The place where the ray is at this texel's depth, and the texel's weight there.
-      const Floats place = mulAdd(nearness[i], segment.perPlace, placeOfZero);
-      const Floats awayAlong = abs(mulAdd(place, walk.alongBy, walk.along0 - along));
-      const Floats awayAcross = abs(mulAdd(place, walk.acrossBy, walk.across0 - line - static_cast<float>(i)));
-      const Floats share = max(1.0F - awayAlong, 0.0F) * max(1.0F - awayAcross, 0.0F);
-      const Floats counted = onlyWhere(abs(place - 0.5F) <= reach, share);
-      met += counted;
-      places = mulAdd(counted, place, places);
-      behind += onlyWhere(place < hiding, weight[i]);
-    }
-    const Floats total = met + metBefore;
-    const Floats totalPlaces = places + placesBefore;
-    metBefore = met;
-    placesBefore = places;
+    const Meeting meeting = meetLine(segment, walk, texels, slack, k);
+    const Floats total = meeting.met + metBefore;
+    const Floats totalPlaces = meeting.places + placesBefore;
+    metBefore = meeting.met;
+    placesBefore = meeting.places;
     const Mask ends = walking & (total > kEnough);
     foundPlaces = select(ends, totalPlaces, foundPlaces);
     foundMet = select(ends, total, foundMet);
     found |= ends;
     walking = without(walking, ends);
-    const Mask hides = walking & (behind > 0.5F);
-    march.hiddenAt = select(hides & (hiddenSteps < 0.5F), here, march.hiddenAt);
-    march.hiddenTo = select(hides, here, march.hiddenTo);
+    const Mask hides = walking & (meeting.behind > 0.5F);
+    march.hiddenAt = select(hides & (hiddenSteps < 0.5F), meeting.here, march.hiddenAt);
+    march.hiddenTo = select(hides, meeting.here, march.hiddenTo);
     hiddenSteps += onlyWhere(hides, Floats(1.0F));
     const Mask grazes = walking & (total > march.grazed);
     grazedPlaces = select(grazes, totalPlaces, grazedPlaces);

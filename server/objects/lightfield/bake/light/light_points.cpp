@@ -147,15 +147,11 @@ std::vector<Key> makeKeys(const models::Model& model, float cell, PointsOf of) {
   return keys;
 }
 
-}  // namespace
-
-LightPoints chooseLightPoints(const models::Model& model, const std::vector<TextureSampler>& textures, float cell,
-                              PointsOf of) {
+/// Makes the points of all vertices, without a position; `means` are the mean positions of their vertices.
+LightPoints groupVertices(const models::Model& model, const std::vector<Key>& keys, std::vector<Vec3>& means) {
   const std::vector<Vec3>& positions = model.triangles.positions;
   LightPoints result;
   result.ofVertex.resize(positions.size());
-  std::vector<Vec3> means;
-  const std::vector<Key> keys = makeKeys(model, cell, of);
   for (std::size_t first = 0; first < keys.size();) {
     std::size_t end = first;
     Vec3 position(0.0F);
@@ -172,26 +168,36 @@ LightPoints chooseLightPoints(const models::Model& model, const std::vector<Text
     result.points.push_back(point);
     first = end;
   }
+  return result;
+}
 
-  // The point must lie on the surface: takes the vertex or triangle centre nearest to the mean.
-  std::vector<float> nearest(result.points.size(), std::numeric_limits<float>::infinity());
-  const auto offer = [&](std::uint32_t point, Vec3 position) {
+/// Puts each point on the surface: at the vertex or triangle centre nearest to the mean.
+void putOnSurface(const world::Triangles& triangles, const std::vector<Vec3>& means, LightPoints& points) {
+  const std::vector<Vec3>& positions = triangles.positions;
+  std::vector<float> nearest(points.points.size(), std::numeric_limits<float>::infinity());
+  const auto offer = [&](std::uint32_t vertex, Vec3 position) {
+    const std::uint32_t point = points.ofVertex[vertex];
     const Vec3 away = position - means[point];
     const float squared = glm::dot(away, away);
     if (squared >= nearest[point]) return;
     nearest[point] = squared;
-    result.points[point].position = position;
+    points.points[point].position = position;
   };
-  for (std::uint32_t v = 0; v < positions.size(); ++v) offer(result.ofVertex[v], positions[v]);
-  std::vector<float> corners(result.points.size(), 0.0F);
-  for (std::size_t i = 0; i < model.triangles.indices.size(); ++i) {
-    const auto [a, b, c] = model.triangles.indices[i];
-    const models::Material& material = model.materials[model.materialOf[i]];
+  for (std::uint32_t v = 0; v < positions.size(); ++v) offer(v, positions[v]);
+  for (const auto& [a, b, c] : triangles.indices) {
     const Vec3 middle = (positions[a] + positions[b] + positions[c]) / 3.0F;
-    for (const std::uint32_t vertex : {a, b, c}) {
-      const std::uint32_t at = result.ofVertex[vertex];
-      offer(at, middle);
-      LightPoint& point = result.points[at];
+    for (const std::uint32_t vertex : {a, b, c}) offer(vertex, middle);
+  }
+}
+
+/// Gives each point the mean of the materials at its corners of triangles.
+void takeMaterials(const models::Model& model, const std::vector<TextureSampler>& textures, LightPoints& points) {
+  std::vector<float> corners(points.points.size(), 0.0F);
+  for (std::size_t i = 0; i < model.triangles.indices.size(); ++i) {
+    const models::Material& material = model.materials[model.materialOf[i]];
+    for (const std::uint32_t vertex : model.triangles.indices[i]) {
+      const std::uint32_t at = points.ofVertex[vertex];
+      LightPoint& point = points.points[at];
       Vec3 tint = model.colours.empty() ? Vec3(1.0F) : model.colours[vertex];
       if (material.texture >= 0) tint *= textures[static_cast<std::size_t>(material.texture)].mean();
       point.albedo += material.albedo * tint;
@@ -200,12 +206,22 @@ LightPoints chooseLightPoints(const models::Model& model, const std::vector<Text
       corners[at] += 1.0F;
     }
   }
-  for (std::size_t i = 0; i < result.points.size(); ++i) {
+  for (std::size_t i = 0; i < points.points.size(); ++i) {
     const float share = 1.0F / std::max(corners[i], 1.0F);
-    result.points[i].albedo *= share;
-    result.points[i].transmittance *= share;
+    points.points[i].albedo *= share;
+    points.points[i].transmittance *= share;
   }
-  return result;
+}
+
+}  // namespace
+
+LightPoints chooseLightPoints(const models::Model& model, const std::vector<TextureSampler>& textures, float cell,
+                              PointsOf of) {
+  std::vector<Vec3> means;
+  LightPoints points = groupVertices(model, makeKeys(model, cell, of), means);
+  putOnSurface(model.triangles, means, points);
+  takeMaterials(model, textures, points);
+  return points;
 }
 
 }  // namespace grove::bake

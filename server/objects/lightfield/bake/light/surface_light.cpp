@@ -111,7 +111,7 @@ void Computation::addSun(std::size_t first, SurfaceLight& light) const {
   const Packet packet = this->packet(first);
   for (int k = 0; k < lightings_.count(); ++k) {
     const Vec3 sun = lightings_.sun(k);
-    const glm::mat3 basis = basisAround(sun);
+    const glm::mat3 basis = world::basisAround(sun);
     std::array<int, kPacket> seen{};
     const auto trace = [&](int begin, const ModelRays::Mask& wanted) {
       // Every other ray of a spiral over the disc.

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "objects/fluid/backend/solver/diagnostics.h"
+#include "objects/fluid/backend/solver/kinetic_energy.h"
 #include "world/rays/ray_obstacles.h"
 #include "world/sky.h"
 

@@ -85,13 +85,6 @@ class Advection::Wave {
     }
   }
 
-  /// Stores a plane's semi-Lagrangian values without correction.
-  void keep(int z) {
-    for (int y = 0; y < counts_[1]; ++y) {
-      std::copy_n(forth(z) + std::ptrdiff_t{layout_.stride} * y, counts_[0], to_ + layout_.index(0, y, z));
-    }
-  }
-
  private:
   // Three planes of first-pass values, two of everything else: only the planes around the sweep are needed.
   [[nodiscard]] float* scratchPlane(int number) const noexcept {
@@ -202,17 +195,16 @@ Advection::Advection(const Layout& layout, std::shared_ptr<Team> team) : layout_
   for (int part = 0; part < team_->width(); ++part) scratch_.push_back({planes(), planes(), planes(), planes()});
 }
 
-void Advection::advect(std::span<const Job> jobs, const Velocity& velocity, float seconds, float cellSize,
-                       AdvectionOrder order) {
+void Advection::advect(std::span<const Job> jobs, const Velocity& velocity, float seconds, float cellSize) {
   assert(jobs.size() <= kMaxJobs);
   team_->run([&](int part) {
     advect(Slab::of(part, team_->width(), layout_.cells), scratch_[static_cast<std::size_t>(part)], jobs, velocity,
-           seconds / cellSize, order);
+           seconds / cellSize);
   });
 }
 
 void Advection::advect(const Slab& slab, Scratch& scratch, std::span<const Job> jobs, const Velocity& velocity,
-                       float scale, AdvectionOrder order) const {
+                       float scale) const {
   const int n = layout_.cells;
   const int begin = std::max(slab.first - 1, 0);  // corrections need one adjacent plane
   std::vector<Wave> waves;
@@ -225,11 +217,7 @@ void Advection::advect(const Slab& slab, Scratch& scratch, std::span<const Job> 
     for (Wave& wave : waves) {
       const auto isOwn = [&](int plane) { return plane >= slab.first && plane < std::min(end, wave.planes()); };
       if (z < wave.planes()) wave.forward(z);
-      if (order == AdvectionOrder::kMacCormack) {
-        if (isOwn(z - 1)) wave.correct(z - 1);
-      } else if (isOwn(z)) {
-        wave.keep(z);
-      }
+      if (isOwn(z - 1)) wave.correct(z - 1);
     }
   }
 }

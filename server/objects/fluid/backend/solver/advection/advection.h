@@ -11,18 +11,14 @@
 
 namespace grove::objects::fluid {
 
-enum class AdvectionOrder {
-  kSemiLagrangian,  ///< Stam 1999: stable, diffusive
-  kMacCormack,      ///< Selle et al. 2008: corrected by the error of the reverse step, clamped to the eight samples
-};
-
 /// Location of a field's values: on the faces of an axis, or at cell centres.
 enum class Place { kFaceX = 0, kFaceY = 1, kFaceZ = 2, kCentre = 3 };
 
-/// Carries fields along a velocity. Unconditionally stable: each value stays within the range of the samples it was
-/// interpolated from. Values that move by less than a cell, almost all of them, need no gathers because their samples
-/// are adjacent. Values that move farther are sampled at their origin without MacCormack's correction. Each thread of a
-/// team works on one slab. Used by one thread; keeps scratch memory.
+/// Carries fields along a velocity by MacCormack's method (Selle et al. 2008): a semi-Lagrangian step, corrected by the
+/// error of the reverse step and clamped to the eight samples. Unconditionally stable: each value stays within the
+/// range of the samples it was interpolated from. Values that move by less than a cell, almost all of them, need no
+/// gathers because their samples are adjacent. Values that move farther are sampled at their origin without
+/// MacCormack's correction. Each thread of a team works on one slab. Used by one thread; keeps scratch memory.
 class Advection {
  public:
   explicit Advection(const Layout& layout, std::shared_ptr<Team> team = std::make_shared<Team>(1));
@@ -36,7 +32,7 @@ class Advection {
 
   /// Advects over `seconds`; `cellSize` is in metres. At most kMaxJobs, interleaved plane by plane, so that shared data
   /// is read once. Ghosts of `from` and `velocity` must be filled; ghosts of `to` stay unchanged.
-  void advect(std::span<const Job> jobs, const Velocity& velocity, float seconds, float cellSize, AdvectionOrder order);
+  void advect(std::span<const Job> jobs, const Velocity& velocity, float seconds, float cellSize);
   static constexpr std::size_t kMaxJobs = 4;
   /// Memory use.
   [[nodiscard]] std::size_t bytes() const noexcept {
@@ -51,8 +47,8 @@ class Advection {
   class Wave;
   /// Scratch planes between the passes over one slab.
   using Scratch = std::array<Field, kMaxJobs>;
-  void advect(const Slab& slab, Scratch& scratch, std::span<const Job> jobs, const Velocity& velocity, float scale,
-              AdvectionOrder order) const;
+  void advect(const Slab& slab, Scratch& scratch, std::span<const Job> jobs, const Velocity& velocity,
+              float scale) const;
 
   const Layout layout_;
   std::shared_ptr<Team> team_;

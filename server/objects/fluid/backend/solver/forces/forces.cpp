@@ -79,27 +79,23 @@ void cool(const Layout& layout, float seconds, Field& temperature) {
 
 void heat(const Layout& layout, const HeatSource& source, double time, float seconds, float cellSize,
           Field& temperature) {
-  const int n = layout.cells;
   const float share = 1.0F - std::exp(-12.0F * seconds);
   const float reach = source.radius + cellSize;
-  const auto first = [&](float centre) { return std::max(static_cast<int>((centre - reach) / cellSize), 0); };
-  const auto end = [&](float centre) { return std::min(static_cast<int>((centre + reach) / cellSize) + 1, n); };
-  const float phase = static_cast<float>(std::fmod(time, 1000.0));
-  for (int z = first(source.centre.z); z < end(source.centre.z); ++z) {
-    for (int y = first(source.centre.y); y < end(source.centre.y); ++y) {
-      for (int x = first(source.centre.x); x < end(source.centre.x); ++x) {
-        const world::Vec3 centre =
-            (world::Vec3(static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)) + 0.5F) * cellSize;
-        const world::Vec3 away = centre - source.centre;
-        const float distance = std::sqrt(glm::dot(away, away)) / source.radius;
-        const float inside = std::clamp(1.5F - 1.5F * distance, 0.0F, 1.0F);
-        const float wobble = std::sin(7.0F * phase + 9.0F * away.x) * std::sin(5.3F * phase - 8.0F * away.z + 1.3F);
-        const float target = inside * (1.0F - source.flicker * (0.5F + 0.5F * wobble));
-        float& t = temperature[layout.index(x, y, z)];
-        t += share * std::max(target - t, 0.0F);
-      }
-    }
+  CellBox box;
+  for (int a = 0; a < 3; ++a) {
+    box.low[a] = std::max(static_cast<int>((source.centre[a] - reach) / cellSize), 0);
+    box.high[a] = std::min(static_cast<int>((source.centre[a] + reach) / cellSize) + 1, layout.cells);
   }
+  const float phase = static_cast<float>(std::fmod(time, 1000.0));
+  box.forEach([&](int x, int y, int z) {
+    const world::Vec3 away = (world::Vec3(x, y, z) + 0.5F) * cellSize - source.centre;
+    const float distance = std::sqrt(glm::dot(away, away)) / source.radius;
+    const float inside = std::clamp(1.5F - 1.5F * distance, 0.0F, 1.0F);
+    const float wobble = std::sin(7.0F * phase + 9.0F * away.x) * std::sin(5.3F * phase - 8.0F * away.z + 1.3F);
+    const float target = inside * (1.0F - source.flicker * (0.5F + 0.5F * wobble));
+    float& t = temperature[layout.index(x, y, z)];
+    t += share * std::max(target - t, 0.0F);
+  });
 }
 
 }  // namespace grove::objects::fluid

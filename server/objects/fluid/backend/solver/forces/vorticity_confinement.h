@@ -29,7 +29,7 @@ class VorticityConfinement {
   void average(int axis, int z, const Velocity& velocity, float* centres) const;
   [[nodiscard]] float* beside(Field& scratch, const Slab& slab, int axis, int z) const;
   void keepBeside(const Slab& slab, Field& scratch, const Velocity& velocity) const;
-  void apply(const Slab& slab, Field& scratch, float strength, float seconds, float cellSize, Velocity& velocity) const;
+  struct Pass;
 
   const Layout layout_;
   const std::shared_ptr<Team> team_;

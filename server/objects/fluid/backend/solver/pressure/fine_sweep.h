@@ -58,8 +58,7 @@ class FineSweep {
     Field left;                  ///< residual after smoothing
     Field beside;                ///< planes of `next` that belong to the adjacent slabs
   };
-  void run(Sweep& sweep, const rows::FineOperator& a, const Field& b, const Field& x, Field& next,
-           const Coarse& coarse);
+  struct Pass;
   /// Row 0 of a plane in a ring of `planes` kept planes, followed by the zero plane.
   [[nodiscard]] float* kept(Field& ring, int z, int planes = kPlanes) const noexcept {
     const int slot = z < 0 || z >= layout_.cells ? planes : z % planes;

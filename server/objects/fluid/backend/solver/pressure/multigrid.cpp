@@ -53,17 +53,13 @@ struct Multigrid::Level {
   }
 
   void sumWeights(const CellBox& box) {
-    for (int cz = box.low[2]; cz < box.high[2]; ++cz) {
-      for (int cy = box.low[1]; cy < box.high[1]; ++cy) {
-        for (int cx = box.low[0]; cx < box.high[0]; ++cx) {
-          const std::ptrdiff_t i = layout.index(cx, cy, cz);
-          float sum = 0.0F;
-          for (int a = 0; a < 3; ++a) sum += weights[a][i] + weights[a][i + layout.step(a)];
-          diagonal[i] = sum;
-          inverse[i] = sum > 0.0F ? 1.0F / sum : 0.0F;
-        }
-      }
-    }
+    box.forEach([&](int cx, int cy, int cz) {
+      const std::ptrdiff_t i = layout.index(cx, cy, cz);
+      float sum = 0.0F;
+      for (int a = 0; a < 3; ++a) sum += weights[a][i] + weights[a][i + layout.step(a)];
+      diagonal[i] = sum;
+      inverse[i] = sum > 0.0F ? 1.0F / sum : 0.0F;
+    });
   }
 
   Layout layout;
@@ -131,18 +127,14 @@ void Multigrid::rebuild(const SolidGrid& solids, const CellBox& changed) {
 }
 
 void Multigrid::countFaces(const Array<std::uint8_t>& air, const CellBox& box) {
-  for (int z = box.low[2]; z < box.high[2]; ++z) {
-    for (int y = box.low[1]; y < box.high[1]; ++y) {
-      for (int x = box.low[0]; x < box.high[0]; ++x) {
-        const std::ptrdiff_t i = layout_.index(x, y, z);
-        int faces = 0;
-        for (int a = 0; a < 3; ++a) faces += air[i - layout_.step(a)] + air[i + layout_.step(a)];
-        if (air[i] == 0) faces = 0;
-        diagonal_[i] = static_cast<std::uint8_t>(faces);
-        sixtieths_[i] = static_cast<std::uint8_t>(faces > 0 ? rows::FineOperator::kSixty / faces : 0);
-      }
-    }
-  }
+  box.forEach([&](int x, int y, int z) {
+    const std::ptrdiff_t i = layout_.index(x, y, z);
+    int faces = 0;
+    for (int a = 0; a < 3; ++a) faces += air[i - layout_.step(a)] + air[i + layout_.step(a)];
+    if (air[i] == 0) faces = 0;
+    diagonal_[i] = static_cast<std::uint8_t>(faces);
+    sixtieths_[i] = static_cast<std::uint8_t>(faces > 0 ? rows::FineOperator::kSixty / faces : 0);
+  });
 }
 
 void Multigrid::solveBelow(std::size_t index) {

@@ -2,6 +2,7 @@
 
 #include <cstring>
 #include <numeric>
+#include <span>
 
 namespace grove::objects::fluid {
 
@@ -35,9 +36,10 @@ struct LabelledRun {
 };
 
 /// Joins overlapping runs of two adjacent rows.
-void joinRows(const LabelledRun* a, const LabelledRun* aEnd, const LabelledRun* b, const LabelledRun* bEnd,
-              Sets& sets) {
-  while (a != aEnd && b != bEnd) {
+void joinRows(std::span<const LabelledRun> first, std::span<const LabelledRun> second, Sets& sets) {
+  auto a = first.begin();
+  auto b = second.begin();
+  while (a != first.end() && b != second.end()) {
     if (a->begin < b->end && b->begin < a->end) sets.join(a->label, b->label);
     if (a->end < b->end) {
       ++a;
@@ -47,60 +49,78 @@ void joinRows(const LabelledRun* a, const LabelledRun* aEnd, const LabelledRun* 
   }
 }
 
-}  // namespace
-
-void Pockets::find(const SolidGrid& solids) {
-  const Layout& layout = solids.layout();
-  const Sides& sides = solids.sides();
-  const Array<std::uint8_t>& air = solids.air();
-  const int n = layout.cells;
-  Sets sets;
-  const int outside = sets.add();
-  std::vector<LabelledRun> runs;
-  std::vector<std::size_t> firstOfRow{0};
-  for (int z = 0; z < n; ++z) {
-    for (int y = 0; y < n; ++y) {
-      const std::uint8_t* row = air.data() + layout.index(0, y, z);
-      for (int x = 0; x < n;) {
-        if (row[x] == 0) {
-          ++x;
-          continue;
-        }
-        const void* wall = std::memchr(row + x, 0, static_cast<std::size_t>(n - x));
-        const int end = wall == nullptr ? n : static_cast<int>(static_cast<const std::uint8_t*>(wall) - row);
-        runs.push_back({x, end, sets.add()});
-        const bool open = (x == 0 && sides.lowX) || (end == n && sides.highX) || (y == 0 && sides.lowY) ||
-                          (y == n - 1 && sides.highY) || (z == 0 && sides.lowZ) || (z == n - 1 && sides.highZ);
-        if (open) sets.join(runs.back().label, outside);
-        x = end;
+/// All runs of air along x, joined where they touch.
+class LabelledRuns {
+ public:
+  explicit LabelledRuns(const SolidGrid& solids) {
+    const int n = solids.layout().cells;
+    for (int z = 0; z < n; ++z) {
+      for (int y = 0; y < n; ++y) {
+        addRow(solids, y, z);
+        if (y > 0) joinLast(1);
+        if (z > 0) joinLast(static_cast<std::size_t>(n));
       }
-      firstOfRow.push_back(runs.size());
-      const std::size_t row0 = firstOfRow.size() - 2;
-      const auto join = [&](std::size_t other) {
-        joinRows(runs.data() + firstOfRow[row0], runs.data() + runs.size(), runs.data() + firstOfRow[other],
-                 runs.data() + firstOfRow[other + 1], sets);
-      };
-      if (y > 0) join(row0 - 1);
-      if (z > 0) join(row0 - static_cast<std::size_t>(n));
     }
   }
 
+  [[nodiscard]] std::size_t count() const noexcept { return runs_.size(); }
+  [[nodiscard]] std::span<const LabelledRun> row(std::size_t number) const {
+    return std::span(runs_).subspan(firstOfRow_[number], firstOfRow_[number + 1] - firstOfRow_[number]);
+  }
+  [[nodiscard]] bool isOpen(const LabelledRun& run) { return rootOf(run) == sets_.root(outside_); }
+  [[nodiscard]] int rootOf(const LabelledRun& run) { return sets_.root(run.label); }
+
+ private:
+  void addRow(const SolidGrid& solids, int y, int z) {
+    const Sides& sides = solids.sides();
+    const int n = solids.layout().cells;
+    const std::uint8_t* row = solids.air().data() + solids.layout().index(0, y, z);
+    for (int x = 0; x < n;) {
+      if (row[x] == 0) {
+        ++x;
+        continue;
+      }
+      const void* wall = std::memchr(row + x, 0, static_cast<std::size_t>(n - x));
+      const int end = wall == nullptr ? n : static_cast<int>(static_cast<const std::uint8_t*>(wall) - row);
+      runs_.push_back({x, end, sets_.add()});
+      const bool open = (x == 0 && sides.lowX) || (end == n && sides.highX) || (y == 0 && sides.lowY) ||
+                        (y == n - 1 && sides.highY) || (z == 0 && sides.lowZ) || (z == n - 1 && sides.highZ);
+      if (open) sets_.join(runs_.back().label, outside_);
+      x = end;
+    }
+    firstOfRow_.push_back(runs_.size());
+  }
+
+  /// Joins the last row with the one `back` rows before it.
+  void joinLast(std::size_t back) {
+    const std::size_t last = firstOfRow_.size() - 2;
+    joinRows(row(last), row(last - back), sets_);
+  }
+
+  Sets sets_;
+  const int outside_ = sets_.add();
+  std::vector<LabelledRun> runs_;
+  std::vector<std::size_t> firstOfRow_{0};
+};
+
+}  // namespace
+
+void Pockets::find(const SolidGrid& solids) {
+  const auto n = static_cast<std::size_t>(solids.layout().cells);
+  LabelledRuns runs(solids);
   pockets_.clear();
-  const int open = sets.root(outside);
-  std::vector<int> pocketOf(runs.size() + 1, -1);
-  for (std::size_t row = 0; row + 1 < firstOfRow.size(); ++row) {
-    const int y = static_cast<int>(row) % n;
-    const int z = static_cast<int>(row) / n;
-    for (std::size_t i = firstOfRow[row]; i < firstOfRow[row + 1]; ++i) {
-      const int root = sets.root(runs[i].label);
-      if (root == open) continue;
-      int& pocket = pocketOf[static_cast<std::size_t>(root)];
+  std::vector<int> pocketOf(runs.count() + 1, -1);
+  for (std::size_t row = 0; row < n * n; ++row) {
+    for (const LabelledRun& run : runs.row(row)) {
+      if (runs.isOpen(run)) continue;
+      int& pocket = pocketOf[static_cast<std::size_t>(runs.rootOf(run))];
       if (pocket < 0) {
         pocket = static_cast<int>(pockets_.size());
         pockets_.emplace_back();
       }
       pockets_[static_cast<std::size_t>(pocket)].push_back(
-          {layout.index(runs[i].begin, y, z), runs[i].end - runs[i].begin});
+          {solids.layout().index(run.begin, static_cast<int>(row % n), static_cast<int>(row / n)),
+           run.end - run.begin});
     }
   }
 }

@@ -147,33 +147,28 @@ struct Around {
   const float* row[4][4];
 };
 
-/// Transpose of interpolate(). `weights` and `out` point to the coarse row. Fine rows may contain any values beyond
-/// their ends.
-HWY_INLINE void restrictRow(const Around& fine, const CoarseOperator& weights, float* out, int coarseCells) {
-  // Sums over the coarse row's four fine rows, and over the rows across its four sides. Both are still at fine
-  // resolution in x, with even and odd x apart.
-  constexpr int kLead = 16;
-  constexpr int kRoom = kLongestRow / 2 + 2 * kLead;
-  // 0.5 would be consistent. A tenth more was measured to save one of four iterations amid obstacles; twice that excess
-  // is worse again.
-  constexpr float kScale = 0.55F;
-  const lanes::FloatTag tag;
-  alignas(64) float evenSums[kRoom];
-  alignas(64) float oddSums[kRoom];
+/// Sums over a coarse row's four fine rows, at even and odd x, and over the rows across its four sides.
+struct SumsOfRows {
+  static constexpr int kLead = 16;
+  static constexpr int kRoom = kLongestRow / 2 + 2 * kLead;
+  alignas(64) float even[kRoom];
+  alignas(64) float odd[kRoom];
   alignas(64) float acrossY[kRoom];
   alignas(64) float acrossZ[kRoom];
-  float* const even = evenSums + kLead;
-  float* const odd = oddSums + kLead;
+};
+
+HWY_INLINE void sumRows(const Around& fine, const CoarseOperator& weights, int coarseCells, SumsOfRows& sums) {
+  const lanes::FloatTag tag;
   const auto& r = fine.row;
   for (int i = 0; i < coarseCells; i += kLanes) {
+    const std::ptrdiff_t at = 2 * static_cast<std::ptrdiff_t>(i);
     const auto pair = [&](const float* row, Floats& first, Floats& second) HWY_ATTR {
-      const Floats low = load(row + 2 * static_cast<std::ptrdiff_t>(i));
-      const Floats high = load(row + 2 * static_cast<std::ptrdiff_t>(i) + kLanes);
+      const Floats low = load(row + at);
+      const Floats high = load(row + at + kLanes);
       first = hn::ConcatEven(tag, high.raw, low.raw);
       second = hn::ConcatOdd(tag, high.raw, low.raw);
     };
     const auto total = [&](const float* row, const float* other) HWY_ATTR {
-      const std::ptrdiff_t at = 2 * static_cast<std::ptrdiff_t>(i);
       const Floats low = load(row + at) + load(other + at);
       const Floats high = load(row + at + kLanes) + load(other + at + kLanes);
       return Floats(hn::ConcatEven(tag, high.raw, low.raw)) + Floats(hn::ConcatOdd(tag, high.raw, low.raw));
@@ -184,17 +179,29 @@ HWY_INLINE void restrictRow(const Around& fine, const CoarseOperator& weights, f
     pair(r[1][2], evens[1], odds[1]);
     pair(r[2][1], evens[2], odds[2]);
     pair(r[2][2], evens[3], odds[3]);
-    store((evens[0] + evens[1]) + (evens[2] + evens[3]), even + i);
-    store((odds[0] + odds[1]) + (odds[2] + odds[3]), odd + i);
+    store((evens[0] + evens[1]) + (evens[2] + evens[3]), sums.even + SumsOfRows::kLead + i);
+    store((odds[0] + odds[1]) + (odds[2] + odds[3]), sums.odd + SumsOfRows::kLead + i);
     Floats own[4];
     for (int k = 0; k < 4; ++k) own[k] = evens[k] + odds[k];
     const Floats lowY = total(r[1][0], r[2][0]) - (own[0] + own[2]);
     const Floats highY = total(r[1][3], r[2][3]) - (own[1] + own[3]);
     const Floats lowZ = total(r[0][1], r[0][2]) - (own[0] + own[1]);
     const Floats highZ = total(r[3][1], r[3][2]) - (own[2] + own[3]);
-    store(mulAdd(load(weights.y + i), lowY, load(weights.y + i + weights.s) * highY), acrossY + i);
-    store(mulAdd(load(weights.z + i), lowZ, load(weights.z + i + weights.p) * highZ), acrossZ + i);
+    store(mulAdd(load(weights.y + i), lowY, load(weights.y + i + weights.s) * highY), sums.acrossY + i);
+    store(mulAdd(load(weights.z + i), lowZ, load(weights.z + i + weights.p) * highZ), sums.acrossZ + i);
   }
+}
+
+/// Transpose of interpolate(). `weights` and `out` point to the coarse row. Fine rows may contain any values beyond
+/// their ends.
+HWY_INLINE void restrictRow(const Around& fine, const CoarseOperator& weights, float* out, int coarseCells) {
+  // 0.5 would be consistent. A tenth more was measured to save one of four iterations amid obstacles; twice that excess
+  // is worse again.
+  constexpr float kScale = 0.55F;
+  SumsOfRows sums;
+  sumRows(fine, weights, coarseCells, sums);
+  float* const even = sums.even + SumsOfRows::kLead;
+  float* const odd = sums.odd + SumsOfRows::kLead;
   odd[-1] = 0.0F;
   even[coarseCells] = 0.0F;
   for (int i = 0; i < coarseCells; i += kLanes) {
@@ -202,7 +209,7 @@ HWY_INLINE void restrictRow(const Around& fine, const CoarseOperator& weights, f
     const Floats odds = load(odd + i);
     const Floats x =
         mulAdd(load(weights.x + i), load(odd + i - 1) - evens, load(weights.x + i + 1) * (load(even + i + 1) - odds));
-    const Floats across = (x + load(acrossY + i)) + load(acrossZ + i);
+    const Floats across = (x + load(sums.acrossY + i)) + load(sums.acrossZ + i);
     const Floats sum = Floats(kScale) * mulAdd(Floats(0.25F), across, evens + odds);
     store(onlyWhere(load(weights.diagonal + i) > Floats(0.0F), sum), out + i);
   }
