@@ -40,6 +40,8 @@ std::vector<KernelTime> timesOf(const std::vector<MachineKernel>& kernels, int r
     kernel.run();
     std::vector<double> hot;
     std::vector<double> cold;
+    hot.reserve(static_cast<std::size_t>(runs));
+    cold.reserve(static_cast<std::size_t>(runs));
     for (int i = 0; i < runs; ++i) hot.push_back(timeOf(kernel));
     for (int i = 0; i < runs; ++i) {
       other.pass();
