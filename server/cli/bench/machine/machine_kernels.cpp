@@ -43,7 +43,7 @@ MachineKernel fluidStep() {
   };
   const auto fire = std::make_shared<Fire>();
   for (int i = 0; i < kGrowingSteps; ++i) fire->simulation.step(FluidSimulation::kTick, {}, {});
-  return {"fluid", 18.5, [fire] { fire->simulation.step(FluidSimulation::kTick, {}, {}); }};
+  return {"fluid", 14.0, [fire] { fire->simulation.step(FluidSimulation::kTick, {}, {}); }};
 }
 
 /// A ball with bumps of all sizes.
@@ -81,7 +81,7 @@ MachineKernel triangles() {
     raster::SimdMeshRenderer renderer{images, {memory, "mesh"}};
   };
   const auto stone = std::make_shared<Stone>();
-  return {"triangles", 6.0, [stone] {
+  return {"triangles", 4.8, [stone] {
             std::shared_ptr<raster::Image> image;
             stone->renderer.render({&stone->drawing, 1}, {&image, 1});
           }};
@@ -123,7 +123,7 @@ MachineKernel backdropWarp() {
     const node::FreshParts fresh{kFrame, std::vector<world::Rect>{}};
   };
   const auto frame = std::make_shared<Frame>();
-  return {"warp", 1.7, [frame] {
+  return {"warp", 1.33, [frame] {
             node::BackdropWarp(*frame->backdrop, frame->camera)
                 .fill(kFrame.top, kFrame.bottom, frame->fresh, *frame->picture, *frame->layers);
           }};
@@ -136,7 +136,7 @@ MachineKernel colours() {
     const std::shared_ptr<raster::YuvImage> picture = raster::acquireYuv(images, kFrame);
   };
   const auto conversion = std::make_shared<Conversion>();
-  return {"colours", 0.42, [conversion] { raster::toYuv(*conversion->image, kFrame, *conversion->picture); }};
+  return {"colours", 0.34, [conversion] { raster::toYuv(*conversion->image, kFrame, *conversion->picture); }};
 }
 
 MachineKernel jpeg() {
@@ -148,7 +148,7 @@ MachineKernel jpeg() {
     std::vector<std::uint8_t> bytes;
   };
   const auto encoding = std::make_shared<Encoding>();
-  return {"jpeg", 3.7, [encoding] {
+  return {"jpeg", 2.8, [encoding] {
             encoding->bytes.clear();
             encoding->encoder.encode(*encoding->picture, {}, encoding->bytes);
           }};
