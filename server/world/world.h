@@ -11,7 +11,7 @@ namespace grove::world {
 /// The state that all visitors share, across-user by definition: layout, visitors and their edits. Any thread.
 class World {
  public:
-  /// `players`: shared by several instances of a world; null makes a new one.
+  /// `players` may be shared with others; null makes an empty roster.
   explicit World(Layout layout, std::shared_ptr<Players> players = nullptr);
 
   /// An empty roster for worlds of this layout; `base` as in Players.

@@ -1,3 +1,5 @@
+import { IndependentDecoder } from '../../web/picture/independent_decoder.js';
+
 /** BT.601 full range, as raster/yuv_image.h has it. */
 const kColours = { primaries: 'smpte170m', transfer: 'smpte170m', matrix: 'smpte170m', fullRange: true };
 
@@ -19,32 +21,8 @@ function toVideoFrame(planes, { width, height }) {
   });
 }
 
-/** A decoder as web/picture/decoders.js describes it. */
-export class DeflateDecoder {
-  #onImage;
-  #onFailure;
-  #makeImage;
-  #closed = false;
-
-  constructor({ onImage, onFailure, makeImage = toVideoFrame }) {
-    this.#onImage = onImage;
-    this.#onFailure = onFailure;
-    this.#makeImage = makeImage;
-  }
-
-  async push(picture) {
-    let image;
-    try {
-      image = this.#makeImage(await planesOf(picture.picture), picture);
-    } catch (error) {
-      if (!this.#closed) this.#onFailure(error, picture);
-      return;
-    }
-    if (this.#closed) image.close();
-    else this.#onImage(image, picture);
-  }
-
-  close() {
-    this.#closed = true;
-  }
+/** Makes a decoder as web/picture/decoders.js describes it. */
+export function deflateDecoder({ makeImage = toVideoFrame, ...parts }) {
+  const decode = async (picture) => makeImage(await planesOf(picture.picture), picture);
+  return new IndependentDecoder({ ...parts, decode });
 }

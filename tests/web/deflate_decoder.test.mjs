@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 
-import { DeflateDecoder, planesOf } from './deflate_decoder.mjs';
+import { deflateDecoder, planesOf } from './deflate_decoder.mjs';
 
 const kDeflate = 3;
 const golden = JSON.parse(readFileSync(new URL('../stream/encode/deflate_picture.json', import.meta.url), 'utf8'));
@@ -20,7 +20,7 @@ test('the decoder has the form that the page takes', async () => {
   const images = [];
   const failures = [];
   let closed = 0;
-  const decoder = new DeflateDecoder({
+  const decoder = deflateDecoder({
     onImage: (image) => images.push(image),
     onFailure: (error, failed) => failures.push(failed),
     makeImage: (planes) => ({ planes: [...planes], close: () => (closed += 1) }),

@@ -3,7 +3,7 @@ import { test } from 'node:test';
 
 import { Decoding } from '../../web/picture/decoding.js';
 import { Display } from '../../web/picture/display.js';
-import { JpegDecoder } from '../../web/picture/jpeg_decoder.js';
+import { IndependentDecoder } from '../../web/picture/independent_decoder.js';
 
 /** The page's way from picture to screen, with decoding and painting at the test's command. */
 function setUp() {
@@ -31,9 +31,9 @@ function setUp() {
     onTurned: () => log.push('turned'),
     onPresented: (picture) => log.push(`presented ${picture.frame}`),
   });
-  const decode = (name) => new Promise((resolve, reject) => decodes.set(name, { resolve, reject }));
+  const decode = ({ picture: name }) => new Promise((resolve, reject) => decodes.set(name, { resolve, reject }));
   const decoding = new Decoding({
-    make: { 1: (parts) => new JpegDecoder({ ...parts, decode }) },
+    make: { 1: (parts) => new IndependentDecoder({ ...parts, decode }) },
     clock: { now: () => 0 },
     on: {
       image: (image, picture) => display.show(image, picture),

@@ -14,11 +14,11 @@ const kLimits = {
   [LimitedBy.visitor]: kStatistics.limits.visitor,
 };
 
-const ofStatus = (tell) => ({ status }) => status !== null && tell(status);
+const ofStatus = (textOf) => ({ status }) => status !== null && textOf(status);
 /** Servers before 1.3 do not send Times. */
 const ofTimes = (part) => ({ times }) => times && milliseconds(times[part]);
-const ofSavings = (tell) => ({ amortization }) => amortization !== null && tell(amortization);
-const told = (value, tell) => known(value) !== null && tell(value);
+const ofSharing = (textOf) => ({ amortization }) => amortization !== null && textOf(amortization);
+const ifKnown = (value, textOf) => known(value) !== null && textOf(value);
 const atMost = (count) => (count === 0 ? kStatistics.noVisitors : kStatistics.atMost(whole(count)));
 
 /** The text of each row, from a reading; falsy if unknown. */
@@ -51,13 +51,13 @@ const kFigures = {
   decoded: ({ decodeMs }) => milliseconds(decodeMs),
   painted: ({ paintMs }) => milliseconds(paintMs),
 
-  alpha: ofSavings(({ alpha }) => told(alpha, percent)),
-  beta: ofSavings(({ beta }) => told(beta, percent)),
-  everybody: ofSavings(({ acrossUser }) => told(acrossUser, milliseconds)),
-  visitor: ofSavings((amortization) => told(perUser(amortization), milliseconds)),
-  cost: ofSavings(({ visitorCores }) => told(visitorCores, (cores) => kStatistics.cores(plain(cores)))),
-  fit: ofSavings(({ visitorsFit }) => told(visitorsFit, visitors)),
-  private: ofSavings(({ privateVisitorsFit }) => told(privateVisitorsFit, atMost)),
+  alpha: ofSharing(({ alpha }) => ifKnown(alpha, percent)),
+  beta: ofSharing(({ beta }) => ifKnown(beta, percent)),
+  everybody: ofSharing(({ acrossUser }) => ifKnown(acrossUser, milliseconds)),
+  visitor: ofSharing((amortization) => ifKnown(perUser(amortization), milliseconds)),
+  cost: ofSharing(({ visitorCores }) => ifKnown(visitorCores, (cores) => kStatistics.cores(plain(cores)))),
+  fit: ofSharing(({ visitorsFit }) => ifKnown(visitorsFit, visitors)),
+  private: ofSharing(({ privateVisitorsFit }) => ifKnown(privateVisitorsFit, atMost)),
 };
 
 function addRows(list, { label, rows }) {

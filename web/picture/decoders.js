@@ -1,5 +1,5 @@
 import { H264Decoder } from './h264_decoder.js';
-import { JpegDecoder, decodeJpegToFrame } from './jpeg_decoder.js';
+import { IndependentDecoder, decodeJpeg, decodeJpegToFrame } from './independent_decoder.js';
 import { Codec } from '../stream/protocol.js';
 
 /**
@@ -16,9 +16,9 @@ import { Codec } from '../stream/protocol.js';
  * and to codecs.js.
  */
 export function decoders(window, clock, paintsInSoftware = false) {
-  const decode = paintsInSoftware && window.ImageDecoder ? decodeJpegToFrame : undefined;
+  const decode = paintsInSoftware && window.ImageDecoder ? decodeJpegToFrame : decodeJpeg;
   return {
-    [Codec.jpeg]: (parts) => new JpegDecoder({ decode, ...parts }),
+    [Codec.jpeg]: (parts) => new IndependentDecoder({ decode, ...parts }),
     [Codec.h264]: (parts) => new H264Decoder({ window, clock, ...parts }),
   };
 }

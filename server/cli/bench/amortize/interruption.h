@@ -17,7 +17,7 @@ class Interruption {
   /// Returns true when the descriptor is readable, and false if a signal comes before, or has come already.
   [[nodiscard]] bool awaitReadable(int descriptor);
   [[nodiscard]] bool hasCome() const noexcept { return hasCome_; }
-  /// A process of this bench was told to stop: a signal to all of them may reach that one first.
+  /// Records a signal that another process of the bench has received: a signal to the group may arrive there first.
   void reportStopped() noexcept { hasCome_ = true; }
 
  private:

@@ -1,10 +1,10 @@
 /** Decodes a JPEG away from the main thread. */
-function decodeJpeg(picture) {
+export function decodeJpeg({ picture }) {
   return createImageBitmap(new Blob([picture], { type: 'image/jpeg' }));
 }
 
 /** Decodes into a VideoFrame: in browsers without a graphics card, this takes a third of the time. */
-export async function decodeJpegToFrame(picture) {
+export async function decodeJpegToFrame({ picture }) {
   const decoder = new ImageDecoder({ type: 'image/jpeg', data: picture, colorSpaceConversion: 'none' });
   try {
     return (await decoder.decode()).image;
@@ -13,14 +13,17 @@ export async function decodeJpegToFrame(picture) {
   }
 }
 
-/** Decodes JPEGs independently, so their order may change; a decoder as in decoders.js. */
-export class JpegDecoder {
+/**
+ * Decodes pictures that depend on no other, so their order may change; a decoder as in decoders.js. `decode(picture)`
+ * resolves to an image.
+ */
+export class IndependentDecoder {
   #decode;
   #onImage;
   #onFailure;
   #closed = false;
 
-  constructor({ onImage, onFailure, decode = decodeJpeg }) {
+  constructor({ onImage, onFailure, decode }) {
     this.#decode = decode;
     this.#onImage = onImage;
     this.#onFailure = onFailure;
@@ -29,7 +32,7 @@ export class JpegDecoder {
   async push(picture) {
     let image;
     try {
-      image = await this.#decode(picture.picture);
+      image = await this.#decode(picture);
     } catch (error) {
       if (!this.#closed) this.#onFailure(error, picture);
       return;
