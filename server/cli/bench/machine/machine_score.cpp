@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 
 #include "cli/figures.h"
 #include "pipeline/clocks.h"
@@ -13,6 +14,7 @@ namespace {
 /// More than the caches of any processor here; a core's share of a large one is at most 32 MiB.
 constexpr std::size_t kOtherBytes = std::size_t{128} << 20U;
 constexpr std::size_t kLine = 64;
+constexpr double kMaxSeconds = 2.0;
 
 /// Memory that passes through the caches between two cold runs.
 class OtherMemory {
@@ -31,6 +33,18 @@ double timeOf(const MachineKernel& kernel) {
   return static_cast<double>(pipeline::threadCpuNanoseconds() - begin) * 1e-6;
 }
 
+/// Returns the median of at most `runs`; a slow machine or a build with sanitizers makes fewer. Calls `prepare` before
+/// each.
+double medianTime(const MachineKernel& kernel, int runs, const std::function<void()>& prepare) {
+  const double end = pipeline::wallSeconds() + kMaxSeconds;
+  std::vector<double> times;
+  do {
+    prepare();
+    times.push_back(timeOf(kernel));
+  } while (times.size() < static_cast<std::size_t>(runs) && pipeline::wallSeconds() < end);
+  return median(times);
+}
+
 }  // namespace
 
 std::vector<KernelTime> timesOf(const std::vector<MachineKernel>& kernels, int runs) {
@@ -38,16 +52,9 @@ std::vector<KernelTime> timesOf(const std::vector<MachineKernel>& kernels, int r
   std::vector<KernelTime> times;
   for (const MachineKernel& kernel : kernels) {
     kernel.run();
-    std::vector<double> hot;
-    std::vector<double> cold;
-    hot.reserve(static_cast<std::size_t>(runs));
-    cold.reserve(static_cast<std::size_t>(runs));
-    for (int i = 0; i < runs; ++i) hot.push_back(timeOf(kernel));
-    for (int i = 0; i < runs; ++i) {
-      other.pass();
-      cold.push_back(timeOf(kernel));
-    }
-    times.push_back({kernel.name, kernel.referenceMilliseconds, median(hot), median(cold)});
+    const double hot = medianTime(kernel, runs, [] {});
+    const double cold = medianTime(kernel, runs, [&] { other.pass(); });
+    times.push_back({kernel.name, kernel.referenceMilliseconds, hot, cold});
   }
   return times;
 }

@@ -24,7 +24,7 @@ struct MachineScore {
   double all = 0.0;  ///< geometric mean of both
 };
 
-/// Measures on the calling thread, `runs` times each, at least once.
+/// Measures on the calling thread: at most `runs` times each, hot and cold, and no longer than two seconds each.
 [[nodiscard]] std::vector<KernelTime> timesOf(const std::vector<MachineKernel>& kernels, int runs);
 
 [[nodiscard]] MachineScore scoreOf(const std::vector<KernelTime>& times);
