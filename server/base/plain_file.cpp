@@ -28,7 +28,7 @@ PlainFile::PlainFile(std::filesystem::path file, std::string mend, std::uint64_t
   bytes_ = static_cast<std::uint64_t>(status.st_size);
   if (plain && bytes_ <= maxBytes) return;
   close(descriptor_);
-  if (!plain) fail("is no plain file");
+  if (!plain) fail("is not a regular file");
   fail("has " + std::to_string(bytes_) + " bytes; the maximum is " + std::to_string(maxBytes));
 }
 

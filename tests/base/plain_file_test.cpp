@@ -53,7 +53,7 @@ TEST_F(PlainFileTest, RefusesWhatMightNeverEndOrBegin) {
   ASSERT_EQ(mkfifo((folder_ / "fifo").c_str(), 0600), 0);
   for (const std::filesystem::path& file : {std::filesystem::path("/dev/zero"), folder_, folder_ / "fifo"}) {
     EXPECT_THAT(complaint(file),
-                AllOf(StartsWith(file.string() + ": "), HasSubstr("is no plain file"), HasSubstr("name another")));
+                AllOf(StartsWith(file.string() + ": "), HasSubstr("is not a regular file"), HasSubstr("name another")));
   }
 }
 

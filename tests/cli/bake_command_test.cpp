@@ -84,7 +84,7 @@ TEST_F(BakeCommand, FailuresExitOneWithOneLine) {
   EXPECT_EQ(lines(absent.output), 1) << absent.output;
   const Outcome endless = grove("bake /dev/zero -o " + path("out.glf"));
   EXPECT_EQ(endless.exit, 1);
-  EXPECT_THAT(endless.output, testing::AllOf(HasSubstr("/dev/zero: is no plain file"), HasSubstr(".glb")));
+  EXPECT_THAT(endless.output, testing::AllOf(HasSubstr("/dev/zero: is not a regular file"), HasSubstr(".glb")));
   EXPECT_EQ(lines(endless.output), 1) << endless.output;
   std::ofstream(path("broken.glb")) << "glTF and then nothing";
   EXPECT_EQ(grove("bake " + path("broken.glb") + " -o " + path("out.glf")).exit, 1);

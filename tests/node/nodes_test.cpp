@@ -97,7 +97,7 @@ TEST_P(Nodes, ALostResultCostsAFrameItsDeadlineAndShowsTheLastOneOfItsObject) {
   EXPECT_EQ(timeline.totals().at("Frame Planner").failures, 2u);
   EXPECT_TRUE(eventually([&] { return !node->full(); })) << "its place is free again";
   transport.release();
-  EXPECT_TRUE(eventually([&] { return timeline.counters()["results that were not waited for"] == 2; }));
+  EXPECT_TRUE(eventually([&] { return timeline.counters()["late results"] == 2; }));
 }
 
 TEST_P(Nodes, WhatNeverAnsweredIsLeftOutAfterTheDeadline) {
@@ -127,7 +127,7 @@ TEST_P(Nodes, AnObjectThatIsAlwaysLateShowsWhatItAnsweredLast) {
   ASSERT_TRUE(showWithoutResults(1));
   ASSERT_TRUE(eventually([&] { return transport.kept() == 2; }));
   transport.release();
-  ASSERT_TRUE(eventually([&] { return timeline.counters()["results that the next frame may show"] == 2; }));
+  ASSERT_TRUE(eventually([&] { return timeline.counters()["late results kept for the next frame"] == 2; }));
   ASSERT_TRUE(showWithoutResults(2));
   EXPECT_EQ(screen->waitFor(2)->colourRow(90)[160] & 0xFFU, 90U) << "the near box came too late for frame 1";
   EXPECT_EQ(screen->waitFor(2)->colourRow(90)[154] & 0xFFU, 200U);

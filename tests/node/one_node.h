@@ -32,7 +32,7 @@ class OneNode {
   pipeline::WorkerPool workers{2};
   BackendNode backend{scene, geometry, geometry.obstacles(), types, {nodeWorkers, gl, timeline, memory, images}, {}};
 
-  std::int64_t refused() { return timeline.counters()["messages that were refused"]; }
+  std::int64_t refused() { return timeline.counters()["refused messages"]; }
 };
 
 /// A frontend process with one visitor before the box.

@@ -166,7 +166,7 @@ TEST_P(TwoPeers, TheClockOfOneEndsNoFramesOfTheOther) {
   a.settle();
   EXPECT_GE(node.controls->world->now().value_or(0.0), 1.0e8);
   EXPECT_EQ(b.red(), 90U);
-  EXPECT_EQ(node.timeline.counters()["requests of frames that had ended"], 0);
+  EXPECT_EQ(node.timeline.counters()["requests of ended frames"], 0);
 }
 
 TEST_P(TwoPeers, TheBestQualityThatAnybodyWantsCounts) {

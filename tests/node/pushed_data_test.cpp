@@ -55,7 +55,7 @@ TEST_P(PushedData, IsShownWithoutFurtherRequests) {
     EXPECT_EQ(controls->known, transport.sharesMemory() ? 0U : version - 1) << "what the process has";
   }
   EXPECT_EQ(transport.requests, 4);
-  EXPECT_EQ(timeline.counters()["shared data that nobody asked for"], 0);
+  EXPECT_EQ(timeline.counters()["unrequested shared data"], 0);
 }
 
 /// Would catch versions that queue on a slow link, and a last one that never comes.

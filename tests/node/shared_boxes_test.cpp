@@ -150,7 +150,7 @@ TEST_P(SharedBoxes, WhatNobodyAskedForIsCountedAndNotKept) {
     result.packed = made->packed(timeline, "box");
     process.receive(ToFrontend(std::move(result)));
   }
-  EXPECT_TRUE(eventually([&] { return timeline.counters()["shared data that nobody asked for"] == 2; }));
+  EXPECT_TRUE(eventually([&] { return timeline.counters()["unrequested shared data"] == 2; }));
   EXPECT_EQ(process.shared().statistics().entries, 0U);
 }
 

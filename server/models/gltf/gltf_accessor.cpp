@@ -129,7 +129,7 @@ std::span<const unsigned char> viewBytes(const GltfFile& file, int view) {
 Elements readElements(const GltfFile& file, int index) {
   const tinygltf::Accessor& accessor = checked(file, index);
   const int width = accessor.type == TINYGLTF_TYPE_SCALAR ? 1 : accessor.type;
-  if (width < 1 || width > 4) file.fail("accessor " + std::to_string(index) + " is no list of scalars or vectors");
+  if (width < 1 || width > 4) file.fail("accessor " + std::to_string(index) + " is not a list of scalars or vectors");
   Elements elements{{}, static_cast<std::size_t>(width)};
   elements.values.resize(accessor.count * elements.width, 0.0F);
   if (accessor.bufferView >= 0) {

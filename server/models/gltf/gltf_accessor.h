@@ -21,7 +21,7 @@ struct Elements {
 };
 
 /// Reads an accessor of any component type, normalised or not, sparse or not. Throws ImportError if it exceeds its
-/// buffer, is no list of scalars or vectors, or contains numbers that are not finite.
+/// buffer, is not a list of scalars or vectors, or contains numbers that are not finite.
 [[nodiscard]] Elements readElements(const GltfFile& file, int accessor);
 
 /// Reads an accessor of unsigned integers. Throws ImportError like readElements().

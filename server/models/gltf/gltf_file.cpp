@@ -125,7 +125,7 @@ GltfFile loadGltfFile(const std::filesystem::path& path) {
   std::error_code failed;
   const auto status = std::filesystem::status(path, failed);
   if (!std::filesystem::exists(status)) file.fail("there is no such file");
-  if (!std::filesystem::is_regular_file(status)) file.fail("is no plain file; name a .glb or .gltf file");
+  if (!std::filesystem::is_regular_file(status)) file.fail("is not a regular file; name a .glb or .gltf file");
   Budget budget = kMaxBytes - 1;
   std::vector<unsigned char> bytes;
   std::string error;

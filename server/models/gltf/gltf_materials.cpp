@@ -41,7 +41,7 @@ Texture measure(const GltfFile& file, const Encoded& image) {
   Texture texture;
   int channels = 0;
   if (stbi_info_from_memory(image.bytes.data(), image.size(), &texture.width, &texture.height, &channels) == 0) {
-    file.fail(image.name + " is no readable image (PNG and JPEG are supported)");
+    file.fail(image.name + " is not a readable image (PNG and JPEG are supported)");
   }
   if (texture.width > kMaxTextureSide || texture.height > kMaxTextureSide) {
     file.fail(image.name + " has " + std::to_string(texture.width) + " x " + std::to_string(texture.height) +

@@ -18,7 +18,7 @@ float finite(const GltfFile& file, const tinygltf::Value& value) {
 Vec2 pairOr(const GltfFile& file, const tinygltf::Value& transform, const std::string& key, Vec2 otherwise) {
   if (!transform.Has(key)) return otherwise;
   const tinygltf::Value& pair = transform.Get(key);
-  if (!pair.IsArray() || pair.ArrayLen() != 2) file.fail("has a KHR_texture_transform whose " + key + " is no pair");
+  if (!pair.IsArray() || pair.ArrayLen() != 2) file.fail("has a KHR_texture_transform whose " + key + " is not a pair");
   return {finite(file, pair.Get(0)), finite(file, pair.Get(1))};
 }
 

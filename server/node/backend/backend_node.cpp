@@ -103,7 +103,7 @@ pipeline::PushResult BackendNode::receive(const std::shared_ptr<Peer>& peer, ToB
     return pipeline::PushResult::kAccepted;
   }
   if (const auto objection = peer->objectionTo(message)) {
-    machine_.timeline.count("messages that were refused");
+    machine_.timeline.count("refused messages");
     peer->logRefusal(*objection);
     return pipeline::PushResult::kClosed;
   }
@@ -156,7 +156,7 @@ pipeline::PushResult BackendNode::apply(Peer& peer, std::shared_ptr<const WorldU
   peer.addClockReport(update->sent);
   const std::optional<ProcessId> process = peer.process();
   if (process && world_.apply(*process, std::move(update))) return pipeline::PushResult::kAccepted;
-  machine_.timeline.count("updates by who does not own the world");
+  machine_.timeline.count("world updates from a process that does not own it");
   peer.reportForeignWorld();
   return pipeline::PushResult::kClosed;
 }

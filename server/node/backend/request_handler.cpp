@@ -49,7 +49,7 @@ void RequestHandler::process(std::span<PeerRequest> all, pipeline::Run& run) {
   };
   const auto firstEnded = std::stable_partition(all.begin(), all.end(), isWanted);
   const std::span<PeerRequest> wanted(all.begin(), firstEnded);
-  if (firstEnded != all.end()) timeline_.count("requests of frames that had ended", all.end() - firstEnded);
+  if (firstEnded != all.end()) timeline_.count("requests of ended frames", all.end() - firstEnded);
   // Shared data may have other waiting frames; they request it again.
   for (auto ended = firstEnded; ended != all.end(); ++ended) {
     compressor_.send(run, {resultOf(ended->request, Failure{"the frame has ended", true}), std::move(ended->peer),

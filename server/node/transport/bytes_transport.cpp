@@ -43,7 +43,7 @@ pipeline::PushResult BytesTransport::send(ToFrontend message) {
   // The copy that a socket would make.
   if (packet.bulk) packet.bulk = std::make_shared<const PackedBytes>(*packet.bulk);
   const pipeline::PushResult result = toFrontend_->send(std::move(packet));
-  if (result != pipeline::PushResult::kAccepted) timeline_.count("messages that found their link full");
+  if (result != pipeline::PushResult::kAccepted) timeline_.count("messages rejected by a full link");
   return result;
 }
 

@@ -26,8 +26,8 @@ TEST_F(GltfImport, RefusesWhatIsNoGltf) {
     EXPECT_THAT(message, testing::Not(HasSubstr("\n")));
   }
   EXPECT_THAT(refusal(folder_ / "none.gltf"), HasSubstr("there is no such file"));
-  EXPECT_THAT(refusal(folder_), HasSubstr("is no plain file"));
-  EXPECT_THAT(refusal("/dev/zero"), HasSubstr("is no plain file"));
+  EXPECT_THAT(refusal(folder_), HasSubstr("is not a regular file"));
+  EXPECT_THAT(refusal("/dev/zero"), HasSubstr("is not a regular file"));
 }
 
 TEST_F(GltfImport, RefusesABinaryFileCutAnywhere) {
@@ -131,7 +131,7 @@ TEST_F(GltfImport, RefusesASparseAccessorThatReplacesMoreThanItHas) {
 TEST_F(GltfImport, RefusesTexturesThatAreBroken) {
   addTexturedTriangle();
   useTexture({{"bufferView", writer.view(std::vector<std::uint8_t>{1, 2, 3, 4})}, {"mimeType", "image/png"}});
-  expectRefused("image 0 is no readable image");
+  expectRefused("image 0 is not a readable image");
 }
 
 TEST_F(GltfImport, RefusesNodesInACycle) {

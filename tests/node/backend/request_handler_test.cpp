@@ -131,7 +131,7 @@ TEST(RequestHandler, LeavesRequestsOfFramesThatHaveEnded) {
   EXPECT_THAT(half.batches, ElementsAre(2U));
   EXPECT_THAT(results->failed, UnorderedElementsAre(std::pair(1U, true), std::pair(2U, false), std::pair(3U, true),
                                                     std::pair(4U, true), std::pair(0U, false)));
-  EXPECT_EQ(timeline.counters()["requests of frames that had ended"], 3);
+  EXPECT_EQ(timeline.counters()["requests of ended frames"], 3);
 }
 
 }  // namespace

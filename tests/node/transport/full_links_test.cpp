@@ -111,7 +111,7 @@ TEST_P(FullLinks, AnnouncementsWaitBesideAFullLink) {
     (void)transport->send(ToBackend(examples::hello()));  // a stream begins with it
     ASSERT_TRUE(eventually([&] { return backend.count() > 0; }));
   }
-  const auto full = [&] { return timeline.counters()["messages that found their link full"] > 0; };
+  const auto full = [&] { return timeline.counters()["messages rejected by a full link"] > 0; };
   for (int sent = 0; sent < 1'000'000 && !full(); ++sent) transport->send(ToFrontend(examples::failure()));
   ASSERT_TRUE(full());
   for (const Version version : {2U, 3U}) {

@@ -137,7 +137,7 @@ TEST_F(BytesTransportTest, ARequestThatTheNodeRefusesFails) {
 
 TEST_F(BytesTransportTest, ARequestWithoutItsViewIsRefused) {
   (void)transport.send(ToBackend(examples::request()));
-  EXPECT_TRUE(eventually([&] { return timeline.counters()["messages that were refused"] == 1; }));
+  EXPECT_TRUE(eventually([&] { return timeline.counters()["refused messages"] == 1; }));
   EXPECT_EQ(backend.count(), 0u);
 }
 
@@ -146,7 +146,7 @@ TEST_F(BytesTransportTest, AViewThatTheNodeRefusesIsNotKept) {
   backend.answer = pipeline::PushResult::kClosed;
   (void)transport.send(ToBackend(examples::request().view));
   (void)transport.send(ToBackend(examples::request()));
-  EXPECT_TRUE(eventually([&] { return timeline.counters()["messages that were refused"] == 1; }));
+  EXPECT_TRUE(eventually([&] { return timeline.counters()["refused messages"] == 1; }));
   EXPECT_EQ(backend.count(), 1U);
 }
 

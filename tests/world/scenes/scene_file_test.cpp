@@ -134,7 +134,7 @@ TEST(SceneFile, WhatIsNoPlainFileIsRefusedUnread) {
       (void)loadScene(file);
       ADD_FAILURE() << file;
     } catch (const EnvironmentError& e) {
-      EXPECT_THAT(e.what(), AllOf(StartsWith(file.string()), HasSubstr("is no plain file"), HasSubstr("--scene")));
+      EXPECT_THAT(e.what(), AllOf(StartsWith(file.string()), HasSubstr("is not a regular file"), HasSubstr("--scene")));
     }
   }
   std::filesystem::remove(fifo);

@@ -79,7 +79,7 @@ void FramePlanner::begin(const std::shared_ptr<const FrameList>& seen, pipeline:
 void FramePlanner::resume(Result result, pipeline::Run& run) {
   FrameRecord* const frame = frames_.find(result.frame);
   if (frame == nullptr || frame->asked(result.slot) == nullptr) {
-    timeline_.count("results that nobody asked for");
+    timeline_.count("unrequested results");
     return;
   }
   proceed(*frame, result.slot, std::move(result.payload));
@@ -152,8 +152,8 @@ void FramePlanner::take(FrameRecord& frame, std::uint32_t slot, Payload payload)
     frame.markStale();
   }
   if (frame.answer(slot, payload)) return;
-  timeline_.count("results that were not waited for");
-  if (frames_.keepStale(frame, slot, std::move(payload))) timeline_.count("results that the next frame may show");
+  timeline_.count("late results");
+  if (frames_.keepStale(frame, slot, std::move(payload))) timeline_.count("late results kept for the next frame");
 }
 
 void FramePlanner::fillIn(FrameRecord& frame) {

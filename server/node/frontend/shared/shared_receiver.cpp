@@ -30,7 +30,7 @@ void SharedReceiver::process(std::span<SharedInput> inputs, pipeline::Run&) {
     auto& result = std::get<Result>(input);
     const FrontendType* const type = frontend_.typeOf(result.what.object);
     times.turnTo(type == nullptr ? std::string_view() : type->name());
-    if (!take(result)) timeline_.count("shared data that nobody asked for");
+    if (!take(result)) timeline_.count("unrequested shared data");
   }
 }
 

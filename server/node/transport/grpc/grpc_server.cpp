@@ -109,7 +109,7 @@ class GrpcServer::Link final : public PacketReactor<grpc::ServerGenericBidiReact
   void compress(Result& result, std::string_view subject) const override { packResult(result, timeline_, subject); }
   pipeline::PushResult send(ToFrontend message) override {
     const pipeline::PushResult result = write(encode(message), controlNameOf(message));
-    if (result == pipeline::PushResult::kRejected) timeline_.count("messages that found their link full");
+    if (result == pipeline::PushResult::kRejected) timeline_.count("messages rejected by a full link");
     return result;
   }
 
@@ -129,9 +129,9 @@ class GrpcServer::Link final : public PacketReactor<grpc::ServerGenericBidiReact
     hasReceived_ = true;
     std::optional<Packet> packet = packetOf(message);
     if (!packet) {
-      timeline_.count("messages that were refused");
+      timeline_.count("refused messages");
     } else if (incoming_->send(std::move(*packet)) == pipeline::PushResult::kRejected) {
-      timeline_.count("messages that found their link full");
+      timeline_.count("messages rejected by a full link");
     }
   }
   [[nodiscard]] bool wantsMore() const override { return !incoming_->isHalfFull(); }

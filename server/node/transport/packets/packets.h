@@ -72,7 +72,7 @@ class Packets : public pipeline::Stage<Packet> {
 
   /// Refuses only this message: others of the same peer may be valid.
   void refuse(const WireError& error) {
-    timeline_.count("messages that were refused");
+    timeline_.count("refused messages");
     refusals_.warning(error.reason);
   }
 

@@ -19,7 +19,7 @@ void putPyramid(node::PackWriter& writer, const Pyramid& pyramid) {
 
 Pyramid takePyramid(node::PackReader& reader) {
   const int size = reader.takeWithin(2, kMaxSize);
-  if (!std::has_single_bit(static_cast<unsigned>(size))) reader.fail("has a size that is no power of two");
+  if (!std::has_single_bit(static_cast<unsigned>(size))) reader.fail("has a size that is not a power of two");
   reader.expect(Pyramid::texelsOf(size) * sizeof(std::uint32_t));
   Pyramid pyramid(size);
   reader.takePlanes(pyramid.texels());

@@ -57,7 +57,7 @@ class Reader {
   void readHeader() {
     constexpr std::size_t kVersionEnd = offsetof(Header, version) + sizeof(Header::version);
     const bool ours = bytes_.size() >= kMagic.size() && std::memcmp(bytes_.data(), kMagic.data(), kMagic.size()) == 0;
-    require(ours, "is no light-field file");
+    require(ours, "is not a light-field file");
     require(bytes_.size() >= kVersionEnd, "is truncated");
     std::memcpy(&header_.version, bytes_.data() + offsetof(Header, version), sizeof header_.version);
     if (header_.version > kFormatVersion) {
@@ -90,7 +90,7 @@ class Reader {
             "has a number of mip levels out of range");
     require(header_.lightings >= 1 && header_.lightings <= kMaxLightings, "has a number of lightings out of range");
     checkLengths();
-    require(isSourceText(header_.source), "has a source that is no line of UTF-8");
+    require(isSourceText(header_.source), "has a source that is not a line of UTF-8");
   }
 
   void checkLengths() const {

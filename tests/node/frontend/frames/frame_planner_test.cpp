@@ -20,9 +20,9 @@ using testing::picture;
 using testing::reasonOf;
 using ::testing::SizeIs;
 
-constexpr const char* kUnasked = "results that nobody asked for";
-constexpr const char* kLate = "results that were not waited for";
-constexpr const char* kOfUse = "results that the next frame may show";
+constexpr const char* kUnasked = "unrequested results";
+constexpr const char* kLate = "late results";
+constexpr const char* kOfUse = "late results kept for the next frame";
 
 Ask pictureOf(const VisibleObject& object, const char* key = "") {
   return {.shared = false, .key = key, .rect = object.rect};

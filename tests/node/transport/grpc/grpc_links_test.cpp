@@ -127,7 +127,7 @@ TEST(GrpcLinks, OneThatDoesNotReceiveFillsItsOwnLinkOnly) {
   constexpr std::size_t kMessage = std::size_t{4} << 20U;
   result.packed = std::make_shared<const PackedBytes>(kMessage);
   std::size_t sent = 0;
-  while (node.timeline.counters()["messages that found their link full"] == 0 && sent < 1000) {
+  while (node.timeline.counters()["messages rejected by a full link"] == 0 && sent < 1000) {
     its->link().send(ToFrontend(result));
     ++sent;
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
@@ -164,7 +164,7 @@ TEST(GrpcLinks, AMessageThatIsTooLargeIsNotSent) {
   Result result = examples::sharedData();
   result.packed = std::make_shared<const PackedBytes>(kMaxMessageBytes);
   node.end()->link().send(ToFrontend(result));
-  EXPECT_EQ(node.timeline.counters()["messages that found their link full"], 1);
+  EXPECT_EQ(node.timeline.counters()["messages rejected by a full link"], 1);
   node.end()->link().send(ToFrontend(examples::sharedData()));
   EXPECT_TRUE(eventually([&] { return side.count() == 2; })) << "the link stands";
 }

@@ -83,7 +83,7 @@ class RawCalls : public ::testing::Test {
     EXPECT_EQ(side.send(Quality{1}), pipeline::PushResult::kAccepted);
     EXPECT_TRUE(eventually([&] { return node.end()->count() == before + 1; })) << "the neighbour's link stands";
   }
-  std::int64_t refused() { return node.timeline.counters()["messages that were refused"]; }
+  std::int64_t refused() { return node.timeline.counters()["refused messages"]; }
 
   NodeProcess node;
   FrontendSide side{node.address()};

@@ -36,10 +36,10 @@ TEST(LightFieldSource, WhatIsNoPlainFileIsRefusedWithLineAndKey) {
   ASSERT_EQ(mkfifo(fifo.c_str(), 0600), 0);
   for (const std::string& file : {std::string("/dev/zero"), std::string("/tmp"), fifo}) {
     EXPECT_THAT(errorOf("\nmodel = '" + file + "'\n"),
-                AllOf(StartsWith("test.toml:5: object 'it': 'model': " + file), HasSubstr("is no plain file"),
+                AllOf(StartsWith("test.toml:5: object 'it': 'model': " + file), HasSubstr("is not a regular file"),
                       HasSubstr("name a glTF file")));
     EXPECT_THAT(errorOf("file = '" + file + "'\n"), AllOf(StartsWith("test.toml:4: object 'it': 'file': " + file),
-                                                          HasSubstr("is no plain file"), HasSubstr("grove bake")));
+                                                          HasSubstr("is not a regular file"), HasSubstr("grove bake")));
   }
 }
 

@@ -56,8 +56,8 @@ class LightFieldRefusals : public testing::Test {
 
 TEST_F(LightFieldRefusals, SaysWhatIsWrong) {
   std::vector<std::byte> bytes = bytesOf(file_);
-  EXPECT_THAT(complaint({}), HasSubstr("is no light-field file"));
-  EXPECT_THAT(complaint(std::vector<std::byte>(5000)), HasSubstr("is no light-field file"));
+  EXPECT_THAT(complaint({}), HasSubstr("is not a light-field file"));
+  EXPECT_THAT(complaint(std::vector<std::byte>(5000)), HasSubstr("is not a light-field file"));
   EXPECT_THAT(complaint({bytes.begin(), bytes.begin() + 10}), HasSubstr("is truncated"));
   EXPECT_THAT(complaint({bytes.begin(), bytes.begin() + 100}), HasSubstr("is truncated"));
   EXPECT_THAT(complaint({bytes.begin(), bytes.end() - 1}), HasSubstr("is truncated"));
@@ -119,10 +119,10 @@ TEST_F(LightFieldRefusals, ChecksEveryFieldOfTheHeader) {
       {[](Header& h) { h.voxelCells[0] = 4; }, "voxels of the wrong length"},
       {[](Header& h) { h.voxelCells[0] = 0x80000003U; }, "number of voxels"},
       {[](Header& h) { h.voxelCell = 0.0F; }, "voxels without size"},
-      {[](Header& h) { std::memset(h.source, 'x', sizeof h.source); }, "no line of UTF-8"},
-      {[](Header& h) { h.source[0] = '\xC3'; }, "no line of UTF-8"},
-      {[](Header& h) { h.source[0] = '\x1b'; }, "no line of UTF-8"},
-      {[](Header& h) { h.source[127] = 'x'; }, "no line of UTF-8"},
+      {[](Header& h) { std::memset(h.source, 'x', sizeof h.source); }, "not a line of UTF-8"},
+      {[](Header& h) { h.source[0] = '\xC3'; }, "not a line of UTF-8"},
+      {[](Header& h) { h.source[0] = '\x1b'; }, "not a line of UTF-8"},
+      {[](Header& h) { h.source[127] = 'x'; }, "not a line of UTF-8"},
       {[](Header& h) { ++h.sections[kDepth].offset; }, "not aligned"},
       {[](Header& h) { h.sections[kDepth].offset = 0; }, "overlap"},
       {[](Header& h) { h.sections[kDepth].offset = h.sections[kColour].offset; }, "overlap"},

@@ -153,12 +153,12 @@ void ReconnectingLink::opened(NodeCall& call) {
 void ReconnectingLink::take(const grpc::ByteBuffer& message) {
   std::optional<Packet> packet = packetOf(message);
   if (!packet) {
-    timeline_.count("messages that were refused");
+    timeline_.count("refused messages");
     return;
   }
   traffic_.countHeader(*packet);
   if (incoming_->send(std::move(*packet)) == pipeline::PushResult::kRejected) {
-    timeline_.count("messages that found their link full");
+    timeline_.count("messages rejected by a full link");
   }
 }
 

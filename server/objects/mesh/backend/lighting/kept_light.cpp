@@ -86,7 +86,7 @@ std::vector<std::vector<Vec4>> readKeptLight(const std::filesystem::path& file, 
   std::array<Header, 1> start;
   read(start);
   const Header& header = start.front();
-  require(header.magic == kMagic, "is no light of meshes");
+  require(header.magic == kMagic, "is not a file of mesh light");
   require(header.version == kFormatVersion, "is of another format version");
   require(header.key == key && header.meshes == vertices.size(), "is the light of other meshes");
   std::uint64_t expected = sizeof(Header) + vertices.size() * sizeof(std::uint64_t);
@@ -106,7 +106,7 @@ std::vector<std::vector<Vec4>> readKeptLight(const std::filesystem::path& file, 
   }
   require(checksum.value() == header.checksum, "is damaged (its checksum is wrong)");
   const auto sane = [](const Vec4& v) { return std::isfinite(v.x + v.y + v.z + v.w); };
-  for (const auto& mesh : light) require(std::ranges::all_of(mesh, sane), "has light that is no number");
+  for (const auto& mesh : light) require(std::ranges::all_of(mesh, sane), "has light that is not a number");
   // Marks the file as used.
   std::error_code ignored;
   std::filesystem::last_write_time(file, std::filesystem::file_time_type::clock::now(), ignored);

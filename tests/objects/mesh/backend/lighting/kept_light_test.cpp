@@ -61,7 +61,7 @@ TEST_F(KeptLight, RoundTripsUnderANameOfItsKey) {
 TEST_F(KeptLight, SaysWhatIsWrong) {
   EXPECT_EQ(complaint(bytes_), "");
   EXPECT_THAT(complaint(""), HasSubstr("is truncated"));
-  EXPECT_THAT(complaint(std::string(bytes_.size(), 'x')), HasSubstr("is no light of meshes"));
+  EXPECT_THAT(complaint(std::string(bytes_.size(), 'x')), HasSubstr("is not a file of mesh light"));
   EXPECT_THAT(complaint(bytes_ + "x"), HasSubstr("has bytes after its end"));
   EXPECT_THAT(complaint(bytes_, kKey + 1), HasSubstr("other meshes"));
   EXPECT_THAT(complaint(bytes_, kKey, {3, 5}), HasSubstr("other meshes"));
