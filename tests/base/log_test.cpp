@@ -13,7 +13,7 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-TEST(LimitedLog, WritesALineASecondAndCountsTheOthers) {
+TEST(LimitedLog, WritesOneLinePerSecondAndCounts) {
   Limited limited;
   testing::internal::CaptureStderr();
   for (int i = 0; i < 1000; ++i) limited.warning("flooded " + std::to_string(i));

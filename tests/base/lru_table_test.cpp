@@ -28,7 +28,7 @@ Table abc() {
   return table;
 }
 
-TEST(LruTable, WhatIsUsedIsTheLastUsed) {
+TEST(LruTable, UseMovesToTheFront) {
   Table table = abc();
   EXPECT_THAT(keys(table), ElementsAre("c", "b", "a"));
   ASSERT_NE(table.use("a"), nullptr);
@@ -62,7 +62,7 @@ TEST(LruTable, GivesTheOldestUntilItIsEmpty) {
   EXPECT_THAT(taken, ElementsAre("b", "c", "a"));
 }
 
-TEST(LruTable, TakesByKeyWhatMayOnlyBeMoved) {
+TEST(LruTable, TakesMoveOnlyValues) {
   LruTable<int, std::unique_ptr<int>> table;
   table.put(1, std::make_unique<int>(7));
   EXPECT_FALSE(table.take(2).has_value());

@@ -49,7 +49,7 @@ class Mapping {
   std::byte* address_;
 };
 
-TEST(MappedRangeGuard, ZerosTakeThePlaceOfWhatWasCutOff) {
+TEST(MappedRangeGuard, TruncatedPagesReadAsZero) {
   const Mapping mapping(8);
   const MappedRangeGuard guard(mapping.bytes());
   EXPECT_EQ(mapping.at(6 * kPage), 7);
@@ -64,7 +64,7 @@ TEST(MappedRangeGuard, ZerosTakeThePlaceOfWhatWasCutOff) {
   EXPECT_EQ(mapping.at(2 * kPage + 99), 7) << "what is still there is still read";
 }
 
-TEST(MappedRangeGuard, ManyThreadsMayFindItAtOnce) {
+TEST(MappedRangeGuard, ConcurrentFaults) {
   const Mapping mapping(64);
   const MappedRangeGuard guard(mapping.bytes());
   mapping.shorten(0);
@@ -78,7 +78,7 @@ TEST(MappedRangeGuard, ManyThreadsMayFindItAtOnce) {
   EXPECT_TRUE(guard.cut());
 }
 
-TEST(MappedRangeGuard, EachRangeKnowsOfItselfOnly) {
+TEST(MappedRangeGuard, RangesAreIndependent) {
   const Mapping first(4);
   const Mapping second(4);
   const MappedRangeGuard one(first.bytes());
@@ -89,7 +89,7 @@ TEST(MappedRangeGuard, EachRangeKnowsOfItselfOnly) {
   EXPECT_TRUE(two.cut());
 }
 
-TEST(MappedRangeGuard, MoreRangesThanItHasRoomForAreNotGuardedAndDoNoHarm) {
+TEST(MappedRangeGuard, ExcessRangesAreUnguarded) {
   const Mapping mapping(1);
   std::vector<std::unique_ptr<MappedRangeGuard>> guards;
   guards.reserve(1100);
@@ -122,7 +122,7 @@ TEST(MappedRangeGuardDeathTest, AnyOtherFaultEndsTheProcess) {
   }
 }
 
-TEST(MappedRangeGuardDeathTest, ASignalThatSomebodySendsIsNoFault) {
+TEST(MappedRangeGuardDeathTest, SentSignalsAreNoFaults) {
   GTEST_FLAG_SET(death_test_style, "threadsafe");
   const Mapping guarded(1);
   const MappedRangeGuard guard(guarded.bytes());
@@ -135,7 +135,7 @@ TEST(MappedRangeGuardDeathTest, ASignalThatSomebodySendsIsNoFault) {
 
 volatile std::sig_atomic_t handled = 0;
 
-TEST(MappedRangeGuardDeathTest, AFormerHandlerIsCalledForWhatIsNotOurs) {
+TEST(MappedRangeGuardDeathTest, OtherFaultsGoToTheFormerHandler) {
   GTEST_FLAG_SET(death_test_style, "threadsafe");
   const auto run = [] {
     std::signal(SIGBUS, [](int) { handled = handled + 1; });

@@ -5,7 +5,7 @@
 namespace grove {
 namespace {
 
-TEST(NameList, HasNoMoreThanALineHolds) {
+TEST(NameList, FitsOneLine) {
   EXPECT_EQ(nameList({}), "");
   EXPECT_EQ(nameList({"a"}), "a");
   EXPECT_EQ(nameList({"a", "b"}), "a, b");

@@ -39,7 +39,7 @@ class PlainFileTest : public testing::Test {
   std::filesystem::path folder_;
 };
 
-TEST_F(PlainFileTest, IsReadInPiecesAndToItsEnd) {
+TEST_F(PlainFileTest, ReadsInPiecesToTheEnd) {
   PlainFile file(folder_ / "five", "", 5);
   EXPECT_EQ(file.bytes(), 5U);
   std::array<char, 2> two{};
@@ -49,7 +49,7 @@ TEST_F(PlainFileTest, IsReadInPiecesAndToItsEnd) {
   EXPECT_EQ(file.read(two), 0U);
 }
 
-TEST_F(PlainFileTest, RefusesWhatMightNeverEndOrBegin) {
+TEST_F(PlainFileTest, RefusesPipesAndDevices) {
   ASSERT_EQ(mkfifo((folder_ / "fifo").c_str(), 0600), 0);
   for (const std::filesystem::path& file : {std::filesystem::path("/dev/zero"), folder_, folder_ / "fifo"}) {
     EXPECT_THAT(complaint(file),
@@ -57,7 +57,7 @@ TEST_F(PlainFileTest, RefusesWhatMightNeverEndOrBegin) {
   }
 }
 
-TEST_F(PlainFileTest, RefusesWhatIsNotThereOrTooLarge) {
+TEST_F(PlainFileTest, RefusesMissingAndOversizedFiles) {
   EXPECT_THAT(complaint(folder_ / "six"), AllOf(HasSubstr("No such file"), HasSubstr("name another")));
   EXPECT_EQ(complaint(folder_ / "five", 5), "");
   EXPECT_THAT(complaint(folder_ / "five", 4), AllOf(HasSubstr("has 5 bytes"), HasSubstr("maximum is 4")));

@@ -68,7 +68,7 @@ function keepWords() {
   }).observe(document, { subtree: true, childList: true, characterData: true });
 }
 
-test('who comes in the first second sees how the world gets on, then the world, then that it gets finer', async () => {
+test('an early visitor sees progress, the world, and its refinement', async () => {
   await untilThePageIsThere();
   assert.ok(!isReady, 'the page is there before the world');
   const visitor = await Visitor.arrive(browser, url, {}, keepWords);

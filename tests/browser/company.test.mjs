@@ -50,7 +50,7 @@ async function turnTo(visitor, yaw) {
   assert.fail(`the view does not reach yaw ${yaw}`);
 }
 
-test('two visitors look from two places, and neither picture stands still', async () => {
+test('two visitors have different, moving pictures', async () => {
   const ada = await arrive('Ada');
   const bob = await arrive('Bob');
   for (const visitor of [ada, bob]) {

@@ -43,7 +43,7 @@ async function visit(port) {
   await visitor.leave();
 }
 
-test('a page by https streams by wss from the same port', async () => {
+test('an https page streams by wss from the same port', async () => {
   const server = await Server.start({ options: ['--scene', kScene, '--tls-cert', certificate, '--tls-key', key] });
   try {
     assert.match(server.url, /^https:/);

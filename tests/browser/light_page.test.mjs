@@ -92,7 +92,7 @@ function checkWeight() {
   }
 }
 
-test('the whole page takes 60 KB and a few requests', async () => {
+test('the page takes at most 60 KB and few requests', async () => {
   const ada = await arrive();
   checkWeight();
   assert.ok(line.requests.every((request) => /^accept-encoding: .*\bbr\b/im.test(request)), line.requests[0]);
@@ -100,7 +100,7 @@ test('the whole page takes 60 KB and a few requests', async () => {
 });
 
 /** As by plain http from another machine, for which browsers ask without Brotli. */
-test('it does so with gzip, too', async () => {
+test('also with gzip', async () => {
   const ada = await arrive({ extraHTTPHeaders: { 'Accept-Encoding': 'gzip' } });
   checkWeight();
   assert.match(line.requests[0], /^accept-encoding: gzip\r/im);
@@ -118,7 +118,7 @@ test('a reload takes almost nothing from the network', async () => {
   await ada.leave();
 });
 
-test('a missing page looks like the others and leads home', async () => {
+test('the page for a missing address links home', async () => {
   const ada = await Visitor.arrive(browser, `${server.url}no/such/page`);
   await ada.page.getByRole('heading', { name: 'There is no such page' }).waitFor();
   const ground = await ada.page.evaluate(() => getComputedStyle(document.documentElement).backgroundColor);

@@ -83,7 +83,7 @@ function topOfDifference(a, b) {
 }
 
 // Faults: boxes for letters that the server has no glyphs of; a name beside its figure, or at another frame's place.
-test('a name of any script stands above the head of its figure, as text', async () => {
+test('names of any script appear above their figures, as text', async () => {
   const ada = await arrive('Ada');
   const alone = await pixels(ada);
   assert.deepEqual(await tags(ada), [], 'one does not read his own name');

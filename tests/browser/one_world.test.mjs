@@ -44,7 +44,7 @@ test("the operator's page shows the link to the owner, its rates and its round t
   await operator.leave();
 });
 
-test('visitors of two servers are in one world, which outlives its owner', async () => {
+test('visitors of two servers share a world that outlives its owner', async () => {
   const ada = await arrive(servers[0], 'Ada');
   const bob = await arrive(servers[1], 'Bob');
   await lists(ada, ['Ada (you)', 'Bob']);

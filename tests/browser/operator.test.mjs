@@ -27,7 +27,7 @@ const figures = (operator) =>
 const overflow = (operator) =>
   operator.page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
 
-test('while nobody is here it says so, and tells what is known', async () => {
+test('without visitors it says so and shows what is known', async () => {
   const operator = await open(server.operatorUrl);
   await operator.until('state', 'live');
   await operator.page.getByText('No visitors').waitFor();
@@ -38,7 +38,7 @@ test('while nobody is here it says so, and tells what is known', async () => {
   await operator.leave();
 });
 
-test('figures appear once a visitor is there, finite and with units', async () => {
+test('figures appear with the first visitor, finite and with units', async () => {
   const operator = await open(server.operatorUrl, { viewport: { width: 1400, height: 900 } });
   await operator.until('state', 'live');
   const ada = await Visitor.arrive(browser, server.url);
@@ -96,7 +96,7 @@ test('headings, tables and regions have names', async () => {
   await operator.leave();
 });
 
-test('a server that dies leaves its last words in grey, and is found again', async () => {
+test('a dead server leaves grey figures, and is found again', async () => {
   const [port, operatorPort] = [await freePort(), await freePort()];
   const options = ['--operator', `127.0.0.1:${operatorPort}`, '--scene', coarseGrove()];
   let mortal = await Server.start({ port, options });
@@ -119,7 +119,7 @@ test('a server that dies leaves its last words in grey, and is found again', asy
   await operator.leave(/Failed to load resource/);
 });
 
-test('what a node does stands below its name, and goes with it', async () => {
+test('the figures of a node appear and disappear with it', async () => {
   const scene = ['--scene', 'tests/browser/clearing.toml'];
   const port = await freePort();
   const node = await startProcess('node', port, ['--objects', 'fluid', ...scene]);

@@ -44,7 +44,7 @@ test('a dense screen gets more pixels, up to a bound', async () => {
   await dense.leave();
 });
 
-test('the overlay tells finite figures, by key and by button', async () => {
+test('the overlay shows finite figures, by key and by button', async () => {
   const ada = await arrive();
   const overlay = ada.page.locator('#overlay');
   assert.ok(await overlay.isHidden());
@@ -73,7 +73,7 @@ test('the overlay tells finite figures, by key and by button', async () => {
   await ada.leave();
 });
 
-test('the overlay tells what sharing saves, with explanations', async () => {
+test('the overlay shows what sharing saves, with explanations', async () => {
   const ada = await arrive();
   await ada.page.keyboard.press('o');
   await ada.page.getByText('All statistics').click();
@@ -90,7 +90,7 @@ test('the overlay tells what sharing saves, with explanations', async () => {
   await ada.leave();
 });
 
-test('the overlay begins with four plain figures, and shows all to who asks', async () => {
+test('the overlay starts with four figures and expands', async () => {
   const ada = await arrive();
   await ada.page.keyboard.press('o');
   const terms = () => ada.page.locator('#overlay dt').filter({ visible: true }).allTextContents();
@@ -103,7 +103,7 @@ test('the overlay begins with four plain figures, and shows all to who asks', as
   await ada.leave();
 });
 
-test('buttons tell their keys under the mouse', async () => {
+test('buttons have tooltips with their keys', async () => {
   const ada = await arrive();
   const tips = await ada.page.$$eval('#tools button', (all) => all.map((button) => button.title));
   assert.deepEqual(tips, ['Statistics (O or F3)', 'Visitors (V)', 'Screenshot (C)', 'Settings (P)', 'Full screen (F)']);
@@ -122,7 +122,7 @@ test('every button has a name, and the keyboard reaches it', async () => {
   await ada.leave();
 });
 
-test('a server that dies and returns is found again', async () => {
+test('reconnects after a restart of the server', async () => {
   const port = await freePort();
   const options = ['--scene', coarseGrove()];
   let mortal = await Server.start({ port, options });
@@ -146,7 +146,7 @@ test('a server that dies and returns is found again', async () => {
   await ada.leave(/WebSocket connection to .* failed/);
 });
 
-test('a full server says so', async () => {
+test('a full server is explained', async () => {
   // The scene that is served if none is named; its fine light fields would take minutes.
   const small = await Server.start({ options: ['--max-visitors', '1'], coarse: true });
   try {

@@ -24,7 +24,7 @@ async function arrive(name, options, script) {
 
 const rows = ({ page }) => page.locator('#people li').allTextContents();
 
-test('the list of visitors follows who comes and goes, as text', async () => {
+test('the list of visitors follows arrivals and departures', async () => {
   const ada = await arrive('Ada');
   assert.equal(await ada.page.locator('#people-button').getAttribute('title'), 'Visitors (V)');
   await ada.page.keyboard.press('v');
@@ -58,7 +58,7 @@ for (const [where, script] of [
   });
 }
 
-test('who refuses the clipboard is shown the link', async () => {
+test('without clipboard access the link is shown', async () => {
   const ada = await arrive('Ada', {}, () => {
     Object.defineProperty(navigator, 'clipboard', { value: { writeText: () => Promise.reject(new Error('refused')) } });
   });

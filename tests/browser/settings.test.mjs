@@ -115,7 +115,7 @@ test('the panel frees the pointer, and a click into the world closes it', async 
   await ada.leave();
 });
 
-test('what is chosen outlasts the page, and can be reset', async () => {
+test('choices survive a reload and can be reset', async () => {
   const ada = await arrive({}, keepInputs);
   const field = (label) => ada.page.getByLabel(label, { exact: true });
   await ada.page.keyboard.press('p');
@@ -142,7 +142,7 @@ test('what is chosen outlasts the page, and can be reset', async () => {
   await ada.leave();
 });
 
-test('a chosen key walks, the former one does something else, and the hint tells it', async () => {
+test('a chosen key walks, the former one does not, and the hint shows it', async () => {
   const ada = await arrive({}, keepInputs);
   assert.equal(await sentWhile(ada, 'KeyW'), kForward);
   await ada.page.keyboard.press('p');
@@ -214,7 +214,7 @@ test('a screenshot is a JPEG of the full window however small the stream is, by 
   await ada.leave();
 });
 
-test('every control has a name for those who hear the page', async () => {
+test('every control has an accessible name', async () => {
   const ada = await arrive();
   await ada.page.keyboard.press('p');
   await panelOf(ada).waitFor({ state: 'visible' });
@@ -296,7 +296,7 @@ for (const [width, height] of [[360, 640], [390, 844], [844, 390]]) {
   });
 }
 
-test('what the browser cannot do is shown with the reason', async () => {
+test('unsupported features are shown with the reason', async () => {
   const poor = await arrive({}, () => {
     delete window.Worker;
     delete window.VideoDecoder;
@@ -313,7 +313,7 @@ test('what the browser cannot do is shown with the reason', async () => {
   await poor.leave();
 });
 
-test('a page that cannot start says why', async () => {
+test('a page that cannot start explains it', async () => {
   const tell = async (prepare, words) => {
     const context = await browser.newContext();
     const page = await context.newPage();

@@ -67,7 +67,7 @@ test('there is no sound before the first click, then wind and fire, until it is 
   await ada.leave();
 });
 
-test('who has switched it off hears nothing, whatever is clicked', async () => {
+test('switched off, there is no sound', async () => {
   const ada = await Visitor.arrive(browser, server.url, {}, () => {
     localStorage.setItem('grove.settings', JSON.stringify({ sound: false }));
     window.AudioContext = class {
@@ -83,7 +83,7 @@ test('who has switched it off hears nothing, whatever is clicked', async () => {
   await ada.leave();
 });
 
-test('the fire is louder nearby, and a gust than the wind', async () => {
+test('the fire is louder nearby, and a gust is louder than wind', async () => {
   const ada = await arrive();
   await ada.page.mouse.click(320, 180);
   await ada.page.waitForTimeout(2500);

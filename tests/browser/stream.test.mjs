@@ -129,7 +129,7 @@ test('on localhost the stream is H.264', async () => {
   assert.equal((await ada.state()).codec, 'H.264');
 });
 
-test('a worker receives and paints; a browser without one does it on the page', async () => {
+test('paints in a worker, or on the page without one', async () => {
   const ada = await arrive();
   assert.equal((await ada.state()).receiver, 'worker');
   const bob = await arrive({ script: () => delete window.Worker });
@@ -137,7 +137,7 @@ test('a worker receives and paints; a browser without one does it on the page', 
   for (const visitor of [ada, bob]) assert.ok(statistics(await visitor.picture()).deviation > 10);
 });
 
-test('without a decoder, as on plain http, it is JPEG', async () => {
+test('without a decoder, as on plain http, the stream is JPEG', async () => {
   const ada = await arrive({
     script: () => {
       delete window.Worker;
@@ -147,7 +147,7 @@ test('without a decoder, as on plain http, it is JPEG', async () => {
   assert.equal((await ada.state()).codec, 'JPEG');
 });
 
-test('a browser that claims a codec which it has not gets JPEG, and is not asked again', async () => {
+test('a browser with a broken codec gets JPEG', async () => {
   const ada = await arrive({ script: lyingDecoder, expected: kNoH264 });
   assert.equal((await ada.state()).codec, 'JPEG');
   assert.equal(ada.complaints.length, 1);
@@ -156,13 +156,13 @@ test('a browser that claims a codec which it has not gets JPEG, and is not asked
   assert.equal(ada.complaints.length, 1);
 });
 
-test('a decoder that keeps pictures back is given up', async () => {
+test('gives up a decoder that holds pictures back', async () => {
   const ada = await arrive({ script: withholdingDecoder, expected: kNoH264 });
   await ada.until('codec', 'JPEG');
   await ada.frames(3);
 });
 
-test('a decoder that fails in the midst is replaced, one that fails for good is given up', async () => {
+test('replaces a failing decoder, and gives up a broken one', async () => {
   const ada = await arrive({ script: breakableDecoder, expected: kNoH264 });
   await ada.page.evaluate(() => window.decoders.at(-1).break());
   await ada.frames(5);
@@ -177,7 +177,7 @@ test('a decoder that fails in the midst is replaced, one that fails for good is 
   assert.match(ada.complaints[0], /^H\.264 does not work here \(bad bits\); offering JPEG$/);
 });
 
-test('a page that nobody looks at gets nothing, and a picture as soon as somebody does', async () => {
+test('a hidden page gets nothing, and a picture once visible', async () => {
   let received = 0;
   const ada = new Visitor();
   ada.context = await browser.newContext({ viewport: { width: 640, height: 360 } });
@@ -202,7 +202,7 @@ test('a page that nobody looks at gets nothing, and a picture as soon as somebod
   await ada.frames(3);
 });
 
-test('the newest picture turns with the look before the next one comes', async () => {
+test('the last picture turns with the view before the next arrives', async () => {
   const ada = await arrive({ script: keepWebGl });
   server.signal('SIGSTOP');
   try {
@@ -229,7 +229,7 @@ test('the newest picture turns with the look before the next one comes', async (
   await ada.until('connection', 'open');
 });
 
-test('a graphics card that loses what it held takes nothing from the screen', async () => {
+test('a lost graphics context keeps the picture', async () => {
   const ada = await arrive({ script: keepWebGl });
   await ada.page.keyboard.press('o');
   const lateLook = (word) =>
@@ -247,7 +247,7 @@ test('a graphics card that loses what it held takes nothing from the screen', as
   assert.ok(statistics(await ada.picture()).deviation > 10);
 });
 
-test('a server that says nothing is told of within three seconds, and no more once it speaks', async () => {
+test('reports a silent server within three seconds, until it speaks', async () => {
   const ada = await arrive();
   const notice = ada.page.getByRole('heading', { name: 'The server is not responding' });
   server.signal('SIGSTOP');
@@ -261,7 +261,7 @@ test('a server that says nothing is told of within three seconds, and no more on
   assert.equal((await ada.state()).connection, 'open');
 });
 
-test('a phone asks for no more than it can show', async () => {
+test('a phone requests no more pixels than it has', async () => {
   const phone = { viewport: { width: 844, height: 390 }, deviceScaleFactor: 3, isMobile: true, hasTouch: true };
   const ada = await arrive({ options: phone });
   const [width, height] = (await ada.state()).streamSize.split('x').map(Number);
@@ -269,7 +269,7 @@ test('a phone asks for no more than it can show', async () => {
   assert.ok(Math.abs(height / width - 390 / 844) < 0.01, `${width} x ${height}`);
 });
 
-test('latency is measured and handed out as a table', async () => {
+test('latency is measured and exported as a table', async () => {
   const ada = await arrive({ query: '?latency=1' });
   await ada.page.keyboard.press('o');
   await ada.page.getByText('All statistics').click();

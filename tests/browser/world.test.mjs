@@ -61,7 +61,7 @@ test('a grove of light fields stands around the clearing', async () => {
   assert.equal(stages.Renderer.failures, 0);
 });
 
-test('walking changes what one sees, by letters and by arrows', async () => {
+test('letters and arrows walk', async () => {
   const ada = await arrive('Ada');
   const idle = await idleDifference(ada);
   for (const [key, back] of [['KeyW', 'KeyS'], ['ArrowUp', 'ArrowDown']]) {
@@ -78,7 +78,7 @@ test('walking changes what one sees, by letters and by arrows', async () => {
   }
 });
 
-test('a click takes the pointer and the mouse looks', async () => {
+test('a click locks the pointer and the mouse turns the view', async () => {
   const ada = await arrive('Ada');
   await ada.page.mouse.click(320, 180);
   await ada.until('pointer', 'locked');
@@ -92,7 +92,7 @@ test('a click takes the pointer and the mouse looks', async () => {
   await ada.until('pointer', 'free');
 });
 
-test('a finger on the right looks around, one on the left walks', async () => {
+test('the right finger turns, the left one walks', async () => {
   const ada = await arrive('Ada', { viewport: { width: 640, height: 360 }, hasTouch: true, isMobile: true });
   const idle = await idleDifference(ada);
   const touch = await ada.context.newCDPSession(ada.page);

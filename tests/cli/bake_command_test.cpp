@@ -61,7 +61,7 @@ TEST_F(BakeCommand, BadOptionsExitTwoWithOneLine) {
   EXPECT_THAT(groveHere("bake --plant baobab" + out).output, testing::AllOf(HasSubstr("baobab"), HasSubstr("oak")));
 }
 
-TEST_F(BakeCommand, ReplacesNothingButFiles) {
+TEST_F(BakeCommand, ReplacesOnlyRegularFiles) {
   std::filesystem::create_directory(folder_ / "folder");
   std::ofstream(path("kept.glf")) << "kept";
   std::filesystem::create_symlink(path("kept.glf"), path("link"));
@@ -94,7 +94,7 @@ TEST_F(BakeCommand, FailuresExitOneWithOneLine) {
   EXPECT_EQ(lines(folder.output), 1) << folder.output;
 }
 
-TEST_F(BakeCommand, PrintsOneDocumentOfTheContract) {
+TEST_F(BakeCommand, PrintsItsDocument) {
   const Outcome outcome = grove(
       "bake " + path("model.gltf") + " --subdivision 2 --size 32 --lightings 1 --json -o " + path("out.glf"), false);
   EXPECT_EQ(outcome.exit, 0);
@@ -106,7 +106,7 @@ TEST_F(BakeCommand, PrintsOneDocumentOfTheContract) {
   EXPECT_TRUE(std::filesystem::exists(path("out.glf")));
 }
 
-TEST_F(BakeCommand, AKilledBakeGoesOnWhereItStopped) {
+TEST_F(BakeCommand, KilledBakeResumes) {
   const std::string file = path("killed.glf");
   const std::string journal = file + ".partial/journal";
   const std::string options = " --subdivision 6 --size 256 --lightings 2 --samples 3 --threads 1 --json -o ";

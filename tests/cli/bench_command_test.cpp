@@ -18,7 +18,7 @@ namespace {
 using testing::HasSubstr;
 using testing::StartsWith;
 
-TEST(BenchCommand, FluidPrintsOneDocumentOfTheContract) {
+TEST(BenchCommand, FluidPrintsItsDocument) {
   const Outcome outcome = grove("bench fluid --grid 16 --steps 3 --threads 1 --json", false);
   EXPECT_EQ(outcome.exit, 0);
   EXPECT_THAT(outcome.output, StartsWith("{"));
@@ -28,7 +28,7 @@ TEST(BenchCommand, FluidPrintsOneDocumentOfTheContract) {
   }
 }
 
-TEST(BenchCommand, PipelinePrintsARowForEachNumberOfFramesInFlight) {
+TEST(BenchCommand, PipelinePrintsARowPerFramesInFlight) {
   const SmallScene scene;
   const auto traceFile = std::filesystem::temp_directory_path() / ("grove_trace_" + std::to_string(getpid()) + ".json");
   const Outcome outcome = grove("bench pipeline --frames-in-flight 3,1 --users 2 --size 320x180 --seconds " +
@@ -72,7 +72,7 @@ TEST(BenchCommand, PipelinePrintsARowForEachNumberOfFramesInFlight) {
   EXPECT_EQ(trace.at("traceEvents").at(0).at("args").at("name"), "3 frames in flight");
 }
 
-TEST(BenchCommand, AnInterruptedOnePrintsWhatItHas) {
+TEST(BenchCommand, InterruptedPipelinePrintsFinishedRows) {
   const SmallScene scene;
   const Outcome outcome =
       groveStoppedAfter(5.0, "bench pipeline --seconds 60 --size 160x90 --json --scene " + scene.path());

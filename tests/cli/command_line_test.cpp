@@ -18,7 +18,7 @@ using testing::HasSubstr;
 
 std::ptrdiff_t lines(const std::string& text) { return std::ranges::count(text, '\n'); }
 
-TEST(CommandLine, HelpEverywhere) {
+TEST(CommandLine, EveryCommandHasHelp) {
   for (const char* command : {"--help", "serve --help", "load --help", "node --help", "bench --help",
                               "bench fluid --help", "bench amortize --help", "bench encode --help",
                               "bench pipeline --help", "bench view --help", "shape --help", "world --help"}) {
@@ -159,7 +159,7 @@ TEST(CommandLine, FailuresExitOneWithOneLine) {
   EXPECT_EQ(lines(unknown.output), 1) << unknown.output;
 }
 
-TEST(CommandLine, APortInUseIsToldBeforeTheWorldIsPrepared) {
+TEST(CommandLine, ReportsAPortInUseBeforePreparation) {
   const int taken = socket(AF_INET, SOCK_STREAM, 0);
   sockaddr_in address{};
   address.sin_family = AF_INET;
@@ -176,14 +176,14 @@ TEST(CommandLine, APortInUseIsToldBeforeTheWorldIsPrepared) {
   EXPECT_EQ(lines(outcome.output), 1) << outcome.output;
 }
 
-TEST(CommandLine, ALowLimitOfOpenFilesIsToldInOneLine) {
+TEST(CommandLine, ReportsALowOpenFileLimit) {
   const Outcome outcome = shell("ulimit -n 24; " GROVE_BINARY " serve --listen 127.0.0.1:0 2>&1");
   EXPECT_EQ(outcome.exit, 1);
   EXPECT_THAT(outcome.output, HasSubstr("24 open files"));
   EXPECT_EQ(lines(outcome.output), 1) << outcome.output;
 }
 
-TEST(CommandLine, AMalformedSceneNamesItsLine) {
+TEST(CommandLine, NamesTheLineOfAMalformedScene) {
   const auto file = std::filesystem::temp_directory_path() / "grove_malformed_scene.toml";
   std::ofstream(file) << "name = 'x'\n[[object]]\ntype = 'mesh'\nshape = 'stone'\nheigth = 3\n";
   const Outcome outcome = grove("serve --scene " + file.string() + " --listen 127.0.0.1:0");
@@ -193,7 +193,7 @@ TEST(CommandLine, AMalformedSceneNamesItsLine) {
   EXPECT_EQ(lines(outcome.output), 1) << outcome.output;
 }
 
-TEST(CommandLine, WithoutGlTheReasonAndTheRemedyAreNamed) {
+TEST(CommandLine, WithoutGlNamesReasonAndRemedy) {
   const Outcome outcome = shell("__EGL_VENDOR_LIBRARY_DIRS=/nonexistent timeout 60 " GROVE_BINARY
                                 " serve --gl egl --listen 127.0.0.1:0 2>&1 >/dev/null");
   EXPECT_EQ(outcome.exit, 1) << outcome.output;

@@ -34,20 +34,20 @@ TEST(BashCompletion, OffersEveryCommandAndEveryOption) {
   }
 }
 
-TEST(BashCompletion, OffersTheValuesThatAnOptionKnows) {
+TEST(BashCompletion, OffersOptionValues) {
   EXPECT_THAT(offered("serve --gl", ""), ContainerEq(std::set<std::string>{"auto", "egl", "osmesa"}));
   EXPECT_THAT(offered("bake --json --plant", "b"), ContainerEq(std::set<std::string>{"birch"}));
   EXPECT_THAT(offered("bake model.gltf --detail", ""), ContainerEq(std::set<std::string>{"full", "small"}));
 }
 
-TEST(BashCompletion, LeavesFilesAndNumbersToTheShell) {
+TEST(BashCompletion, LeavesFilesToTheShell) {
   EXPECT_THAT(offered("serve --scene", ""), IsEmpty());
   EXPECT_THAT(offered("serve --fps", ""), IsEmpty());
   EXPECT_THAT(offered("bake -o", ""), IsEmpty());
   EXPECT_THAT(offered("bake", "mod"), IsEmpty());
 }
 
-TEST(BashCompletion, GoesOnBehindValuesAndFlags) {
+TEST(BashCompletion, ContinuesAfterValuesAndFlags) {
   EXPECT_THAT(offered("serve --fps 30", "--rais"), ContainerEq(std::set<std::string>{"--raise-quality"}));
   EXPECT_THAT(offered("serve --raise-quality", "--sc"), ContainerEq(std::set<std::string>{"--scene"}));
 }

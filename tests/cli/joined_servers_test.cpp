@@ -12,7 +12,7 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-TEST(JoinedServers, ShowOneWorldAndOutliveItsOwner) {
+TEST(JoinedServers, ShareOneWorldAndOutliveItsOwner) {
   const SmallScene scene;
   const Outcome outcome = shell(processesOf(scene) +
                                 "owns_world 0; serves a --join 127.0.0.1:$at; serves b --join 127.0.0.1:$at\n"
@@ -26,7 +26,7 @@ TEST(JoinedServers, ShowOneWorldAndOutliveItsOwner) {
   EXPECT_EQ(outcome.output, "\"errors\":0\n\"errors\":0\nlost\nback\n") << "no visitor noticed";
 }
 
-TEST(JoinedServers, AServerSharesItsOwnWorld) {
+TEST(JoinedServers, ServerMayOwnTheWorld) {
   const SmallScene scene;
   const Outcome outcome = shell(processesOf(scene) +
                                 "serves a --share 127.0.0.1:0; at=$(port_of 'the world' a)\n"
@@ -35,7 +35,7 @@ TEST(JoinedServers, AServerSharesItsOwnWorld) {
   EXPECT_EQ(outcome.output, "\"errors\":0\ndone\n");
 }
 
-TEST(JoinedServers, SayWhyTheyAreAlone) {
+TEST(JoinedServers, ReportWhyTheyAreAlone) {
   const SmallScene scene;
   const Outcome outcome = shell(
       processesOf(scene) + "serves a --join 127.0.0.1:1; world_of a\n" GROVE_BINARY

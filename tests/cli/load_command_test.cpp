@@ -23,7 +23,7 @@ Outcome whileServed(const std::string& script) {
                script + "\nstatus=$?; kill -INT $server; wait $server; exit $status");
 }
 
-TEST(LoadCommand, LoadPrintsOneDocumentOfTheContract) {
+TEST(LoadCommand, LoadPrintsItsDocument) {
   const Outcome outcome = whileServed(GROVE_BINARY
                                       " load ws://127.0.0.1:$port/ --sessions 2 --seconds 1 --width 320 --height 180"
                                       " --codec jpeg --look --shape 20mbit,20ms,jitter=2ms --json 2>/dev/null");

@@ -19,7 +19,7 @@ namespace {
 using testing::HasSubstr;
 using testing::StartsWith;
 
-TEST(NodeCommand, PrintsWhereItListensAndStopsAtASignal) {
+TEST(NodeCommand, PrintsItsAddressAndStopsOnSignal) {
   const SmallScene scene;
   const Outcome outcome =
       shell("out=$(mktemp); " GROVE_BINARY " node --objects mesh --listen 127.0.0.1:0 --scene " + scene.path() +
@@ -29,7 +29,7 @@ TEST(NodeCommand, PrintsWhereItListensAndStopsAtASignal) {
   EXPECT_EQ(outcome.output, "ended with 0\nlistening on 127.0.0.1:PORT\n");
 }
 
-TEST(NodeCommand, NamesWhatTheSceneDoesNotHave) {
+TEST(NodeCommand, NamesUnknownObjects) {
   const SmallScene scene;
   const Outcome outcome = grove("node --objects mesh,dragon --listen 127.0.0.1:0 --scene " + scene.path());
   EXPECT_EQ(outcome.exit, 1);
@@ -37,7 +37,7 @@ TEST(NodeCommand, NamesWhatTheSceneDoesNotHave) {
 }
 
 /// Would catch a server that makes models, GL or light though nodes serve all that it shows.
-TEST(NodeCommand, AServerPreparesNothingThatNodesServe) {
+TEST(NodeCommand, ServerSkipsObjectsOfNodes) {
   const SmallScene scene;
   const Outcome outcome = shell(processesOf(scene) +
                                 "starts all node --objects mesh,fluid --listen 127.0.0.1:0\n"
@@ -48,7 +48,7 @@ TEST(NodeCommand, AServerPreparesNothingThatNodesServe) {
 }
 
 /// Would catch an operator's page that shows a node's link, and nothing of what the node does.
-TEST(NodeCommand, AServersReportAndTraceShowWhatItsNodesDo) {
+TEST(NodeCommand, ReportAndTraceIncludeNodes) {
   const SmallScene scene;
   const Outcome outcome =
       shell(processesOf(scene) +
@@ -73,14 +73,14 @@ TEST(NodeCommand, AServersReportAndTraceShowWhatItsNodesDo) {
   EXPECT_TRUE(std::ranges::any_of(framesProcesses, isOfBoth)) << "a frame leads to the node";
 }
 
-TEST(NodeCommand, AServerNamesANodeThatDoesNotAnswer) {
+TEST(NodeCommand, NamesAnUnreachableNode) {
   const SmallScene scene;
   const Outcome outcome = grove("serve --nodes 127.0.0.1:1 --listen 127.0.0.1:0 --scene " + scene.path());
   EXPECT_EQ(outcome.exit, 1);
   EXPECT_THAT(outcome.output, HasSubstr("127.0.0.1:1: no node answers"));
 }
 
-TEST(NodeCommand, ObstaclesOfOthersWillNotDoForMeshes) {
+TEST(NodeCommand, MeshesNeedTheirOwnModels) {
   const SmallScene scene;
   const Outcome outcome =
       grove("node --objects fluid,mesh --obstacles 127.0.0.1:1 --listen 127.0.0.1:0 --scene " + scene.path());
@@ -89,7 +89,7 @@ TEST(NodeCommand, ObstaclesOfOthersWillNotDoForMeshes) {
   EXPECT_EQ(std::ranges::count(outcome.output, '\n'), 1);
 }
 
-TEST(NodeCommand, BadAddressesOfObstaclesAreRefused) {
+TEST(NodeCommand, RefusesBadObstacleAddresses) {
   const SmallScene scene;
   const std::string node = "node --objects fluid --listen 127.0.0.1:0 --scene " + scene.path();
   const Outcome nonsense = grove(node + " --obstacles nonsense");

@@ -41,7 +41,7 @@ std::string securedProcessesOf(const SmallScene& scene) {
          "authority ca; authority foreign; signed node ca IP:127.0.0.1; signed server ca DNS:server\n";
 }
 
-TEST(SecureLinks, ShowTheWorldOfANodeAndOfAnOwner) {
+TEST(SecureLinks, ServeNodeAndOwner) {
   const SmallScene scene;
   const Outcome outcome = shell(
       securedProcessesOf(scene) +
@@ -53,7 +53,7 @@ TEST(SecureLinks, ShowTheWorldOfANodeAndOfAnOwner) {
   EXPECT_EQ(outcome.output, "\"errors\":0\nCN = node\n");
 }
 
-TEST(SecureLinks, AskServersForNothingWithoutAuthorities) {
+TEST(SecureLinks, NodesWithoutAuthoritiesAcceptAnyServer) {
   const SmallScene scene;
   const Outcome outcome = shell(securedProcessesOf(scene) +
                                 "nodes node --tls-cert node.pem --tls-key node.key\n"
@@ -62,7 +62,7 @@ TEST(SecureLinks, AskServersForNothingWithoutAuthorities) {
   EXPECT_EQ(outcome.output, "done\n");
 }
 
-TEST(SecureLinks, AServerSharesItsWorldByThem) {
+TEST(SecureLinks, CarryASharedWorld) {
   const SmallScene scene;
   const Outcome outcome = shell(securedProcessesOf(scene) +
                                 "serves a --share 127.0.0.1:0 $(links node); at=$(port_of 'the world' a)\n"
@@ -75,7 +75,7 @@ TEST(SecureLinks, AServerSharesItsWorldByThem) {
 }
 
 /// Each has one line at the server, which does not start, and one at the node.
-TEST(SecureLinks, ANodeThatIsNotToBeTrustedIsNamedWithTheReason) {
+TEST(SecureLinks, UntrustedNodeIsReported) {
   const SmallScene scene;
   const Outcome outcome =
       shell(securedProcessesOf(scene) +
@@ -92,7 +92,7 @@ TEST(SecureLinks, ANodeThatIsNotToBeTrustedIsNamedWithTheReason) {
   EXPECT_THAT(outcome.output, AllOf(HasSubstr("ended with 1\n1\n"), Not(HasSubstr("never")), Not(HasSubstr("with 0"))));
 }
 
-TEST(SecureLinks, AServerThatIsNotToBeTrustedIsToldTheReason) {
+TEST(SecureLinks, UntrustedServerIsToldTheReason) {
   const SmallScene scene;
   const Outcome outcome = shell(securedProcessesOf(scene) +
                                 "signed stranger foreign DNS:server; nodes node $(listens node)\n"
@@ -104,7 +104,7 @@ TEST(SecureLinks, AServerThatIsNotToBeTrustedIsToldTheReason) {
   EXPECT_THAT(outcome.output, Not(HasSubstr("ended with 0")));
 }
 
-TEST(SecureLinks, WhoIsInTheClearOnOneSideOnlyIsNamed) {
+TEST(SecureLinks, MixedTlsAndPlainIsReported) {
   const SmallScene scene;
   const Outcome outcome = shell(securedProcessesOf(scene) +
                                 "nodes plain; fails $(links server); kills plain\n"
@@ -115,7 +115,7 @@ TEST(SecureLinks, WhoIsInTheClearOnOneSideOnlyIsNamed) {
   EXPECT_THAT(outcome.output, Not(HasSubstr("ended with 0")));
 }
 
-TEST(SecureLinks, ObstaclesAreToldOverThem) {
+TEST(SecureLinks, CarryObstacles) {
   const SmallScene scene;
   const Outcome outcome = shell(
       securedProcessesOf(scene) +
@@ -137,7 +137,7 @@ TEST(SecureLinks, ObstaclesAreToldOverThem) {
 }
 
 /// Visitors see the objects as they were, and the operator's page says why.
-TEST(SecureLinks, ANodeThatComesBackWithAnotherCertificateDisturbsNobody) {
+TEST(SecureLinks, CertificateChangeDisturbsNobody) {
   const SmallScene scene;
   const Outcome outcome =
       shell(securedProcessesOf(scene) +
@@ -151,7 +151,7 @@ TEST(SecureLinks, ANodeThatComesBackWithAnotherCertificateDisturbsNobody) {
   EXPECT_EQ(outcome.output, "\"errors\":0\n");
 }
 
-TEST(SecureLinks, AnOwnerThatRefusesIsReported) {
+TEST(SecureLinks, RefusingOwnerIsReported) {
   const SmallScene scene;
   const Outcome outcome = shell(securedProcessesOf(scene) +
                                 "starts world world --listen 127.0.0.1:0 $(listens node)\n"
@@ -164,7 +164,7 @@ TEST(SecureLinks, AnOwnerThatRefusesIsReported) {
   EXPECT_THAT(outcome.output, AllOf(HasSubstr("\"errors\":0"), Not(HasSubstr("never"))));
 }
 
-TEST(SecureLinks, WrongFilesAreNamed) {
+TEST(SecureLinks, BadFilesAreReported) {
   const SmallScene scene;
   const Outcome outcome =
       shell(securedProcessesOf(scene) +

@@ -33,7 +33,7 @@ Outcome serveUntilItListens(const std::filesystem::path& folder, const std::stri
                at + "/out; exit $status");
 }
 
-TEST(Serve, MakesACachedLightFieldAnewThatIsDamaged) {
+TEST(Serve, ReplacesADamagedCachedLightField) {
   const std::filesystem::path folder = temporaryFolder();
   std::ofstream(folder / "scene.toml") << "name = 'a fern'\n[[object]]\ntype = 'lightfield'\nplant = 'fern'\n"
                                           "subdivision = 2\nsize = 32\nlightings = 1\n";
@@ -55,7 +55,7 @@ TEST(Serve, MakesACachedLightFieldAnewThatIsDamaged) {
   std::filesystem::remove_all(folder);
 }
 
-TEST(Serve, NamesTheLineOfAModelThatCannotBeImported) {
+TEST(Serve, NamesTheLineOfABadModel) {
   const std::filesystem::path folder = temporaryFolder();
   std::ofstream(folder / "broken.glb") << "glTF and then nothing";
   const std::string message = "scene.toml:4: object 'it': 'model': ";
@@ -73,7 +73,7 @@ TEST(Serve, NamesTheLineOfAModelThatCannotBeImported) {
 }
 
 /// From where nothing fits to where all does: a line that says what to do, or a server, but never a crash.
-TEST(Serve, SaysThatItsAddressSpaceIsTooSmall) {
+TEST(Serve, ReportsASmallAddressSpace) {
   if constexpr (kSanitized) GTEST_SKIP() << "a sanitizer's shadow alone is larger than any limit";
   const std::filesystem::path folder = temporaryFolder();
   std::ofstream(folder / "scene.toml") << "name = 'a fern, a stone, a fire'\n[[object]]\ntype = 'lightfield'\n"
@@ -107,7 +107,7 @@ std::string serveAStone(const std::filesystem::path& folder, const std::string& 
          "port=$(sed -n 's/^listening on .*:\\([0-9]*\\)$/\\1/p' out)\n";
 }
 
-TEST(Serve, ReadsTheCertificateAnewOnASignalAndWhenItChanges) {
+TEST(Serve, ReloadsTheCertificate) {
   const std::filesystem::path folder = temporaryFolder();
   const Outcome outcome = shell(serveAStone(folder, "--tls-cert cert.pem --tls-key key.pem") +
                                 "shown() { openssl s_client -connect 127.0.0.1:$port </dev/null 2>/dev/null | sed -n "
@@ -123,7 +123,7 @@ TEST(Serve, ReadsTheCertificateAnewOnASignalAndWhenItChanges) {
   std::filesystem::remove_all(folder);
 }
 
-TEST(Serve, GoesOnAfterAHangupWithoutACertificate) {
+TEST(Serve, SurvivesAHangup) {
   const std::filesystem::path folder = temporaryFolder();
   const Outcome outcome = shell(serveAStone(folder, "") +
                                 "kill -HUP $server; until_says SIGHUP\n"
@@ -146,7 +146,7 @@ TEST(Serve, EndsWhenItsTerminalIsGone) {
 }
 
 /// A fire on the finest grid takes many seconds to grow before anybody is let in.
-TEST(Serve, EndsAtASignalWhileItPrepares) {
+TEST(Serve, StopsOnASignalDuringPreparation) {
   const std::filesystem::path folder = temporaryFolder();
   std::ofstream(folder / "slow.toml") << "name = 'slow'\n[[object]]\ntype = 'fluid'\ngrid = 128\n";
   const std::string at = folder.string();

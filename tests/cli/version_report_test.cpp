@@ -21,7 +21,7 @@ std::vector<std::string> linesOf(const std::string& text) {
   return lines;
 }
 
-TEST(VersionReport, ReportsOneFactALine) {
+TEST(VersionReport, PrintsOneFactPerLine) {
   const Outcome outcome = grove("--version", false);
   EXPECT_EQ(outcome.exit, 0);
   const auto lines = linesOf(outcome.output);
@@ -33,7 +33,7 @@ TEST(VersionReport, ReportsOneFactALine) {
   EXPECT_THAT(lines[3], MatchesRegex("codecs: h264 \\(OpenH264 [0-9.]+\\), jpeg \\(libjpeg-turbo [0-9.]+\\)"));
 }
 
-TEST(VersionReport, ReportsTheSimdTargetThatIsForced) {
+TEST(VersionReport, ReportsTheForcedSimdTarget) {
   const std::string min = linesOf(grove("--version", false).output).at(1);
   const std::string name = min.substr(min.find_last_of(", ") + 1);
   const std::string target = name.substr(0, name.find(')'));

@@ -37,7 +37,7 @@ TEST(Context, EglAndOsmesaDrawTheSamePicture) {
     ASSERT_NEAR(egl.depth[i], osmesa.depth[i], 1.0e-5F) << "pixel " << i;
 }
 
-TEST(Context, DepthTestKeepsWhatIsNearer) {
+TEST(Context, DepthTestKeepsTheNearest) {
   const TrianglePicture drawn = picture(ContextKind::kEgl);
   const auto reds = std::ranges::count(drawn.colour, std::uint8_t{255});
   EXPECT_GT(reds, 400);
@@ -64,7 +64,7 @@ TEST(Context, DescribesItself) {
   });
 }
 
-TEST(Context, AMovedContextStillDraws) {
+TEST(Context, MovedContextStillDraws) {
   onThread([] {
     Context first(ContextKind::kAuto);
     const Context second(std::move(first));

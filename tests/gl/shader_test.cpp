@@ -58,7 +58,7 @@ TEST(ShaderLibrary, MissingDirectory) {
   EXPECT_THAT(errorOf([] { const ShaderLibrary library("/no/such/place"); }), HasSubstr("/no/such/place"));
 }
 
-TEST(ShaderLibrary, MissingFileNamesWhoWantsIt) {
+TEST(ShaderLibrary, MissingFileNamesItsIncluder) {
   const ShaderDirectory directory;
   directory.write("a.frag", "#version 450 core\n#include \"common/gone.glsl\"\n");
   const ShaderLibrary library(directory.path());

@@ -145,7 +145,7 @@ class FaultyLinks : public ::testing::Test {
   Picture aside_;  ///< the same
 };
 
-TEST_F(FaultyLinks, ThatAreSlowShowTheSamePicture) {
+TEST_F(FaultyLinks, SlowLinkShowsTheSamePicture) {
   serve();
   EXPECT_TRUE(eventually([&] { return host_->nodeLinks().at(0).pace.received > 0.0; })) << report();
   proxy_->delay(80ms);
@@ -156,7 +156,7 @@ TEST_F(FaultyLinks, ThatAreSlowShowTheSamePicture) {
   EXPECT_EQ(proxy_->accepted(), 1);
 }
 
-TEST_F(FaultyLinks, ThatAreCutAreMade) {
+TEST_F(FaultyLinks, CutLinkReconnects) {
   serve();
   ::testing::internal::CaptureStderr();
   proxy_->cut();
@@ -170,7 +170,7 @@ TEST_F(FaultyLinks, ThatAreCutAreMade) {
 }
 
 /// The worst of them: to a socket it looks like a node that has nothing to say.
-TEST_F(FaultyLinks, ThatAreHalfOpenAreNoticedAndMade) {
+TEST_F(FaultyLinks, HalfOpenLinkReconnects) {
   serve();
   proxy_->setHalfOpen(true);
   (void)visitor_->control(0, 0.0F, 0.0F);
@@ -186,14 +186,14 @@ TEST_F(FaultyLinks, ThatAreHalfOpenAreNoticedAndMade) {
   EXPECT_EQ(host_->visitors(), 1U);
 }
 
-TEST_F(FaultyLinks, ThatNeverAnswerAreNamed) {
+TEST_F(FaultyLinks, SilentNodeIsReported) {
   proxy_ = std::make_unique<FaultProxy>(node_->port());
   proxy_->setHalfOpen(true);
   EXPECT_THAT(whyNoHostBegins(), HasSubstr(proxy_->address() + ": no node answers: "));
 }
 
 /// The node takes each connection, and never gets to hear the hello.
-TEST_F(FaultyLinks, ThatAreHalfOpenOneWayAreCalledSilentAndMadeAgain) {
+TEST_F(FaultyLinks, OneWayLinkReconnects) {
   serve();
   ::testing::internal::CaptureStderr();
   proxy_->setDeaf(true);
@@ -211,14 +211,14 @@ TEST_F(FaultyLinks, ThatAreHalfOpenOneWayAreCalledSilentAndMadeAgain) {
   expectTheSame();
 }
 
-TEST_F(FaultyLinks, ThatNeverBringAnAnswerToTheHelloAreNamed) {
+TEST_F(FaultyLinks, MissingWelcomeIsReported) {
   proxy_ = std::make_unique<FaultProxy>(node_->port());
   proxy_->setDeaf(true);
   EXPECT_THAT(whyNoHostBegins(),
               HasSubstr(proxy_->address() + ": the node does not respond: it accepts the connection"));
 }
 
-TEST_F(FaultyLinks, ThatSpoilBytesAreMadeAnew) {
+TEST_F(FaultyLinks, CorruptedLinkReconnects) {
   serve();
   ::testing::internal::CaptureStderr();
   // More than a frame of HTTP/2 holds, so the header of one is among them.
@@ -232,7 +232,7 @@ TEST_F(FaultyLinks, ThatSpoilBytesAreMadeAnew) {
   expectTheSame();
 }
 
-TEST_F(FaultyLinks, ByTlsASingleWrongByteIsNoticed) {
+TEST_F(FaultyLinks, TlsDetectsASingleWrongByte) {
   const TlsFiles files{folder_.file("cert.pem"), folder_.file("cert.key")};
   writePair(files);
   startNode(0, {"--tls-cert", files.certificate, "--tls-key", files.key});
@@ -249,7 +249,7 @@ TEST_F(FaultyLinks, ByTlsASingleWrongByteIsNoticed) {
 }
 
 /// The visitor turns while the node is away, so only the node that has come back can show what he sees then.
-TEST_F(FaultyLinks, ObjectsOfANodeThatWasKilledAreBackTwoSecondsAfterItsWelcome) {
+TEST_F(FaultyLinks, ObjectsReturnTwoSecondsAfterARestart) {
   serve();
   (void)settled(0.0F);
   const int port = node_->port();

@@ -65,7 +65,7 @@ int maxInFlight(const std::vector<TimelineEvent>& events) {
   return max;
 }
 
-TEST(FramesInFlight, OneIsFinishedBeforeTheNextBegins) {
+TEST(FramesInFlight, OneAtATime) {
   ServedScene served(kSmallFire, inFlight(1));
   stream::HeadlessSession visitor(served.host, "a", 640, 360);
   ASSERT_TRUE(visitor.frameAfter(100, kPatience));
@@ -86,7 +86,7 @@ TEST(FramesInFlight, FourOverlap) {
   EXPECT_LE(max, 4);
 }
 
-TEST(FramesInFlight, TheTraceOfARealServerIsSound) {
+TEST(FramesInFlight, TraceOfARealServerIsSound) {
   ServedScene served(kSmallFire, inFlight(4));
   stream::HeadlessSession a(served.host, "a", 320, 180);
   stream::HeadlessSession b(served.host, "b", 320, 180);
@@ -102,7 +102,7 @@ TEST(FramesInFlight, TheTraceOfARealServerIsSound) {
   EXPECT_TRUE(std::ranges::any_of(entries, [](const auto& entry) { return entry.at("name") == "Compositor: fluid"; }));
 }
 
-TEST(FramesInFlight, TheTimelineKeepsAsManyRunsAsAskedFor) {
+TEST(FramesInFlight, TimelineKeepsTheRequestedRuns) {
   stream::HostOptions options = inFlight(1);
   options.timelineEvents = 64;
   ServedScene served(kSmallFire, options);

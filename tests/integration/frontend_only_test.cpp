@@ -34,7 +34,7 @@ std::vector<std::string> linked() {
 }
 
 /// Would catch a frontend that needs a backend again, be it for one header.
-TEST(FrontendOnly, LinksNoBackendAndNothingThatOnlyBackendsNeed) {
+TEST(FrontendOnly, LinksNoBackend) {
   EXPECT_THAT(linked(), AllOf(Contains("stream_session"), Contains("node_transport_grpc"),
                               Contains("lightfield_frontend"), Contains("mesh_frontend"), Contains("PkgConfig::GRPC")));
   for (const char* const part :
@@ -46,7 +46,7 @@ TEST(FrontendOnly, LinksNoBackendAndNothingThatOnlyBackendsNeed) {
   }
 }
 
-TEST(FrontendOnly, ShowsAWorldThatNodesServe) {
+TEST(FrontendOnly, ShowsAWorldOfRemoteNodes) {
   const std::filesystem::path file =
       std::filesystem::temp_directory_path() / ("grove_frontend_only_" + std::to_string(getpid()) + ".toml");
   std::ofstream(file) << kStones;

@@ -44,7 +44,7 @@ class HeadlessSessions : public ::testing::Test {
   ServedScene served{kScene};
 };
 
-TEST_F(HeadlessSessions, TwoCamerasSeeOneWorldFromDifferentPlaces) {
+TEST_F(HeadlessSessions, TwoCamerasSeeOneWorld) {
   HeadlessSession a(served.host, "a", 320, 180);
   HeadlessSession b(served.host, "b", 320, 180);
   const Picture ahead = pictureAfter(a, 0, 0.0F);
@@ -56,7 +56,7 @@ TEST_F(HeadlessSessions, TwoCamerasSeeOneWorldFromDifferentPlaces) {
   EXPECT_GT(difference(ahead, beside), 1.0);
 }
 
-TEST_F(HeadlessSessions, FramesComeInTheAskedSizeAndFollowResizes) {
+TEST_F(HeadlessSessions, FramesFollowResizes) {
   HeadlessSession a(served.host, "a", 320, 180);
   EXPECT_EQ(pictureAfter(a, 0, 0.0F).width, 320);
   ASSERT_FALSE(a.session().resize({640, 360}).has_value());
@@ -78,7 +78,7 @@ TEST_F(HeadlessSessions, WalkingChangesTheView) {
   EXPECT_GT(difference(before, pictureAfter(a, 0, 0.0F)), 2.0);
 }
 
-TEST_F(HeadlessSessions, AGustByOneIsSeenByTheOther) {
+TEST_F(HeadlessSessions, GustsAreSeenByOthers) {
   HeadlessSession blower(served.host, "blower", 160, 90);
   HeadlessSession witness(served.host, "witness", 320, 180);
   // The blower walks to the east of the fire and blows westwards, to the left of who looks north.
@@ -108,7 +108,7 @@ TEST_F(HeadlessSessions, VisitorsSeeEachOther) {
   EXPECT_GT(difference(alone, together), 5.0);
 }
 
-TEST_F(HeadlessSessions, AVisitorWhoNeverAcknowledgesGetsTwoFrames) {
+TEST_F(HeadlessSessions, WithoutAcknowledgementsTwoFramesAreSent) {
   const auto frames = std::make_shared<std::atomic<int>>(0);  // a run in progress may outlast this function
   auto opened = served.host.open({"silent", 160, 90},
                                  [frames](const std::shared_ptr<const stream::EncodedFrame>&) { ++*frames; });
@@ -122,7 +122,7 @@ TEST_F(HeadlessSessions, AVisitorWhoNeverAcknowledgesGetsTwoFrames) {
   silent->close();
 }
 
-TEST_F(HeadlessSessions, WhoLeavesFreesItsPlace) {
+TEST_F(HeadlessSessions, LeavingFreesAPlace) {
   for (int i = 0; i < 40; ++i) {
     const HeadlessSession visitor(served.host, "", 160, 90);
     EXPECT_EQ(served.host.visitors(), 1u);

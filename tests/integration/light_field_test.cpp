@@ -60,7 +60,7 @@ Picture pictureDrawn(HeadlessSession& visitor, float yaw) {
   return pictureAfter(visitor, 0, yaw);
 }
 
-TEST_F(LightFields, AreSeenWhereTheyStand) {
+TEST_F(LightFields, AppearAtTheirPosition) {
   ServedScene served(scene("", 25.0));
   HeadlessSession visitor(served.host, "Ada", 320, 180);
   const Picture ahead = pictureAfter(visitor, 0, 0.0F);
@@ -71,7 +71,7 @@ TEST_F(LightFields, AreSeenWhereTheyStand) {
   EXPECT_LT(pictureAfter(visitor, 0, 3.0F).mean(), 1.0);
 }
 
-TEST_F(LightFields, WoodStopsSmokeAndLeavesOnlyLight) {
+TEST_F(LightFields, OnlyWoodStopsSmoke) {
   const node::LoadedScene loaded =
       node::loadScene(world::parseScene(scene("", 25.0), "test.toml"), objects::builtinBackends());
   const world::WorldGeometry geometry(loaded.objects);
@@ -104,7 +104,7 @@ TEST_F(LightFields, BothRenderersGiveTheSamePicture) {
   EXPECT_LT(difference(bySimd, byGl), 0.05 * bySimd.mean());
 }
 
-TEST_F(LightFields, VisitorsSharePicturesOfWhatIsFar) {
+TEST_F(LightFields, VisitorsShareFarPictures) {
   ServedScene served(scene("", 60.0));
   HeadlessSession ada(served.host, "Ada", 320, 180);
   (void)pictureAfter(ada, 0, 0.0F);
@@ -119,7 +119,7 @@ TEST_F(LightFields, VisitorsSharePicturesOfWhatIsFar) {
   EXPECT_GT(counted(served, "view cache hits"), hits);
 }
 
-TEST_F(LightFields, SharedPicturesLookLikeOnesOwn) {
+TEST_F(LightFields, SharedPicturesMatchPrivateOnes) {
   ServedScene shared(scene("", 40.0));
   ServedScene own(withoutSharing(scene("", 40.0)));
   HeadlessSession a(shared.host, "Ada", 640, 360);
@@ -133,7 +133,7 @@ TEST_F(LightFields, SharedPicturesLookLikeOnesOwn) {
   EXPECT_EQ(counted(own, "view cache misses"), 0);
 }
 
-TEST_F(LightFields, AFileThatBecomesShorterCostsItsObjectOnly) {
+TEST_F(LightFields, TruncatedFileCostsOnlyItsObject) {
   const std::filesystem::path file = *folder_ / "shortened.glf";
   std::filesystem::copy_file(*folder_ / "thicket.glf", file);
   ServedScene served(
@@ -164,7 +164,7 @@ TEST_F(LightFields, AFileThatBecomesShorterCostsItsObjectOnly) {
   EXPECT_NEAR(half(cut, 160), half(whole, 160), 0.05 * half(whole, 160));
 }
 
-TEST_F(LightFields, SmokeIsHiddenBehindAndHidesWhatIsBehindIt) {
+TEST_F(LightFields, SmokeAndTreesHideEachOther) {
   // The same smoke, before and behind the thicket, in a wind that blows nowhere.
   const auto withSmoke = [&](double z) {
     return scene("[[object]]\ntype = 'fluid'\ngrid = 32\nsize = 8\nwind = [0, 0, 0]\nposition = [0, 0, " +
@@ -191,7 +191,7 @@ TEST_F(LightFields, SmokeIsHiddenBehindAndHidesWhatIsBehindIt) {
       << "alone " << alone << ", smoke before " << covered << ", smoke behind " << covering;
 }
 
-TEST(FlatLightField, APlaneIsSeenLikeABody) {
+TEST(FlatLightField, PlaneRendersLikeABody) {
   models::Model model;
   bake::addQuad(model, {-2, 0, 0}, {4, 0, 0}, {0, 4, 0}, bake::addMaterial(model, bake::whiteStone()));
   const objects::lightfield::TemporaryFolder folder;

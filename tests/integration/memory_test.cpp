@@ -122,7 +122,7 @@ double toldShare(const std::string& scene) {
   return share;
 }
 
-TEST_F(Memory, WhatIsReportedIsWhatTheProcessHolds) {
+TEST_F(Memory, ReportMatchesTheProcess) {
   GTEST_FLAG_SET(death_test_style, "threadsafe");
   const auto check = [] {
     const double share = toldShare(scene());
@@ -132,7 +132,7 @@ TEST_F(Memory, WhatIsReportedIsWhatTheProcessHolds) {
   EXPECT_EXIT(check(), testing::ExitedWithCode(0), "");
 }
 
-TEST_F(Memory, OnlyWhatIsPerUserGrowsWithVisitorsAndGoesWithThem) {
+TEST_F(Memory, OnlyPerUserMemoryFollowsVisitors) {
   ServedScene served(scene());
   const stream::Host& host = served.host;
   const auto perUser = [&] { return reported(host, Work::kPerUserFrontend) + reported(host, Work::kPerUserBackend); };

@@ -66,7 +66,7 @@ class RemoteNodes : public ::testing::Test {
       std::filesystem::temp_directory_path() / ("grove_remote_nodes_" + std::to_string(getpid()) + ".toml");
 };
 
-TEST_F(RemoteNodes, ShowThePictureThatOneProcessShows) {
+TEST_F(RemoteNodes, ShowTheSamePictureAsOneProcess) {
   const Picture local = shownByOneProcess();
   const auto stones = node("right,figure");
   const auto ground = node("ground,left");
@@ -80,7 +80,7 @@ TEST_F(RemoteNodes, ShowThePictureThatOneProcessShows) {
 }
 
 /// Would catch whatever a server without models knows otherwise than one that has them.
-TEST_F(RemoteNodes, ThatServeAllShowTheSameToAServerWithoutModels) {
+TEST_F(RemoteNodes, ServeAServerWithoutModels) {
   const Picture local = shownByOneProcess();
   const auto stones = node("right,figure,sky");
   const auto ground = node("ground,left");
@@ -93,7 +93,7 @@ TEST_F(RemoteNodes, ThatServeAllShowTheSameToAServerWithoutModels) {
   EXPECT_EQ(host.nodeLinks().size(), 2U);
 }
 
-TEST_F(RemoteNodes, OneThatIsKilledAndRestartedDropsNobodyAndShowsWhatItShowedMeanwhile) {
+TEST_F(RemoteNodes, RestartDropsNobodyAndKeepsTheLastPicture) {
   auto remote = node("mesh,ground");
   const int port = remote->port();
   const auto served = serve({remote->address()});
@@ -119,7 +119,7 @@ TEST_F(RemoteNodes, OneThatIsKilledAndRestartedDropsNobodyAndShowsWhatItShowedMe
 }
 
 /// Would catch an operator who sees what his server does only, and a trace in which the node works before its request.
-TEST_F(RemoteNodes, ReportWhatTheyDoAndWhen) {
+TEST_F(RemoteNodes, ReportStagesAndTrace) {
   const auto remote = node("mesh,ground");
   const auto served = serve({remote->address()});
   stream::HeadlessSession visitor(served->host, "Ada", 320, 180);
@@ -148,11 +148,11 @@ TEST_F(RemoteNodes, ReportWhatTheyDoAndWhen) {
   EXPECT_GT(compared, 0);
 }
 
-TEST_F(RemoteNodes, OneThatDoesNotAnswerIsNamed) {
+TEST_F(RemoteNodes, UnreachableNodeIsReported) {
   EXPECT_THAT(errorOf({"127.0.0.1:1"}), HasSubstr("127.0.0.1:1: no node answers"));
 }
 
-TEST_F(RemoteNodes, AnObjectOfTwoNodesIsNamed) {
+TEST_F(RemoteNodes, DuplicateObjectIsReported) {
   const auto a = node("mesh");
   const auto b = node("left");
   const std::string error = errorOf({a->address(), b->address()});
@@ -161,7 +161,7 @@ TEST_F(RemoteNodes, AnObjectOfTwoNodesIsNamed) {
   EXPECT_THAT(error, HasSubstr(b->address()));
 }
 
-TEST_F(RemoteNodes, OneWithAnotherSceneIsNamed) {
+TEST_F(RemoteNodes, OtherSceneIsReported) {
   const auto other = node("mesh");
   std::ofstream(file, std::ios::app) << "# another\n";
   const auto changed = node("mesh");

@@ -34,7 +34,7 @@ std::int64_t picturesToShare(const std::vector<std::string>& options) {
 }
 
 /// Would catch a node whose option reaches no light field, or no server.
-TEST(RemoteViewError, IsThatOfTheNode) {
+TEST(RemoteViewError, ComesFromTheNode) {
   EXPECT_GT(picturesToShare({}), 0);
   EXPECT_EQ(picturesToShare({"--view-error", "0"}), 0);
 }

@@ -42,7 +42,7 @@ std::string coarseBuiltInScene() {
   }
 }
 
-TEST(BuiltInScene, PreparesItselfAndHasWhatTheReadmePromises) {
+TEST(BuiltInScene, MatchesTheReadme) {
   const objects::lightfield::TemporaryFolder folder;
   ASSERT_EQ(setenv("GROVE_CACHE", folder.path().c_str(), 1), 0);
   const world::Scene scene = world::parseScene(coarseBuiltInScene(), "grove.toml");
@@ -73,7 +73,7 @@ TEST(BuiltInScene, PreparesItselfAndHasWhatTheReadmePromises) {
   EXPECT_EQ(std::filesystem::last_write_time(file), time);
 }
 
-TEST(BuiltInScene, AStoppedPreparationLeavesNothingHalfDone) {
+TEST(BuiltInScene, StoppedPreparationLeavesNoPartialFiles) {
   const objects::lightfield::TemporaryFolder folder;
   ASSERT_EQ(setenv("GROVE_CACHE", folder.path().c_str(), 1), 0);
   std::stop_source stop;
@@ -86,7 +86,7 @@ TEST(BuiltInScene, AStoppedPreparationLeavesNothingHalfDone) {
   }
 }
 
-TEST(Scene, MistakesInATypesOwnSettingsNameLineAndReason) {
+TEST(Scene, TypeSettingErrorsNameLineAndReason) {
   EXPECT_THAT(complaintAbout("[[object]]\ntype = 'mesh'\nshape = 'cube'\n"),
               AllOf(HasSubstr("scene.toml:3"), HasSubstr("cube")));
   EXPECT_THAT(complaintAbout("[[object]]\ntype = 'mesh'\nrenderer = 'vulkan'\n"), HasSubstr("scene.toml:3"));

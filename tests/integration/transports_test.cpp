@@ -84,7 +84,7 @@ TEST(Transports, ShowTheSameLightFieldsFarAndNear) {
   expectTheSamePictures("[[object]]\ntype = 'sky'\n" + thicket("[0, 0, -20]") + thicket("[-1, 0, 0]"));
 }
 
-TEST(Transports, ShowSmokeThatRisesAlike) {
+TEST(Transports, ShowTheSameSmoke) {
   const std::string smoke =
       "name = 'smoke'\nspawn = [0, 0, 6]\n[[object]]\ntype = 'fluid'\nsize = 8\nradius = 0.3\nrate = 2300\n";
   const Comparison comparison = compareTransports(smoke + (kSanitized ? "grid = 16\n" : ""));

@@ -19,7 +19,7 @@ void record(pipeline::Timeline& timeline, const char* stage, Work work, int runs
   }
 }
 
-TEST(AmortizationMeter, ReportsNothingWhileNobodyIsServed) {
+TEST(AmortizationMeter, ReportsNothingWithoutVisitors) {
   const pipeline::Timeline timeline;
   const pipeline::MemoryLedger memory;
   AmortizationMeter meter(timeline, memory, 30.0);
@@ -29,7 +29,7 @@ TEST(AmortizationMeter, ReportsNothingWhileNobodyIsServed) {
   EXPECT_FALSE(meter.newest());
 }
 
-TEST(AmortizationMeter, ReportsOfTheLastSamplesOnly) {
+TEST(AmortizationMeter, ReportsOnlyRecentSamples) {
   pipeline::Timeline timeline;
   const pipeline::MemoryLedger memory;
   AmortizationMeter meter(timeline, memory, 30.0);
@@ -48,7 +48,7 @@ TEST(AmortizationMeter, ReportsOfTheLastSamplesOnly) {
   EXPECT_NEAR(sum(measured->costs).acrossUser, 6.0, 1e-9);
 }
 
-TEST(AmortizationMeter, KnowsThatClocksDoNotWaitForSlowFrames) {
+TEST(AmortizationMeter, ClocksDoNotWaitForSlowFrames) {
   Amortization measured;
   measured.visitors = 2.0;
   measured.framesPerSecond = 3.0;
@@ -57,7 +57,7 @@ TEST(AmortizationMeter, KnowsThatClocksDoNotWaitForSlowFrames) {
   EXPECT_NEAR(capacityOf(measured, 30.0).visitor, 0.15, 1e-9) << "all of its CPU is accounted for";
 }
 
-TEST(AmortizationMeter, ReportsWhomAMachineCanServe) {
+TEST(AmortizationMeter, ReportsCapacity) {
   Amortization measured;
   measured.visitors = 4.0;
   measured.framesPerSecond = 30.0;
@@ -76,7 +76,7 @@ TEST(AmortizationMeter, ReportsWhomAMachineCanServe) {
 }
 
 /// Would catch a promise of whole pictures by what small ones cost.
-TEST(AmortizationMeter, CountsSmallerPicturesAsWholeOnes) {
+TEST(AmortizationMeter, ScalesCostOfSmallerPictures) {
   const Capacity half = atFullSize({.base = 0.5, .visitor = 0.1, .privateVisitor = 0.3}, 0.5);
   EXPECT_NEAR(half.base, 0.5, 1e-9);
   EXPECT_NEAR(half.visitor, 0.4, 1e-9);
@@ -85,7 +85,7 @@ TEST(AmortizationMeter, CountsSmallerPicturesAsWholeOnes) {
 }
 
 /// Would catch a promise that the present visitors refute.
-TEST(AmortizationMeter, PromisesNoMoreThanThePresentVisitorsShow) {
+TEST(AmortizationMeter, CapacityIsBoundedByMeasuredLoad) {
   EXPECT_EQ(correctedFit(9, 4, false, true), 3) << "four have smaller pictures";
   EXPECT_EQ(correctedFit(2, 4, false, true), 2);
   EXPECT_EQ(correctedFit(5, 1, false, true), 0) << "one is too many";

@@ -20,7 +20,7 @@ constexpr std::array<Column, 4> kFigure56 = {{
     {63.94, 2.72, 59.32, 9.69, 0.84, 0.48},
 }};
 
-TEST(Amortization, GivesThePapersFigure56) {
+TEST(Amortization, MatchesFigure56OfThePaper) {
   for (const Column& column : kFigure56) {
     const FrameCost cost{column.ci, 0.0, column.cb0, column.cb1 - column.cb0, column.cf};
     EXPECT_NEAR(cost.backendCompressed(), column.cb1, 1e-12);
@@ -29,16 +29,16 @@ TEST(Amortization, GivesThePapersFigure56) {
   }
 }
 
-TEST(Amortization, GivesThePapersBetas) {
+TEST(Amortization, MatchesBetaOfThePaper) {
   const double lightField = 3.0e9;
   EXPECT_NEAR(acrossUserShare(lightField, 32.0e6, 2.0e6), 0.989, 0.0005);
   const double fluid = 64.0 * 64.0 * 64.0 * 12.0 + 5000.0 * 24.0;
   EXPECT_NEAR(acrossUserShare(fluid, 0.0, 5000.0 * 24.0), 0.965, 0.0005);
 }
 
-TEST(Amortization, OfNothingIsNothing) { EXPECT_EQ(acrossUserShare(0.0, 0.0, 0.0), 0.0); }
+TEST(Amortization, EmptyInputGivesZero) { EXPECT_EQ(acrossUserShare(0.0, 0.0, 0.0), 0.0); }
 
-TEST(Amortization, LawGivesVisitorsWithoutSharing) {
+TEST(Amortization, LawPredictsPrivateVisitors) {
   EXPECT_DOUBLE_EQ(privateVisitors(10.0, 0.9), 1.9);
   EXPECT_DOUBLE_EQ(privateVisitors(7.0, 0.0), 7.0) << "nothing is shared, nothing is saved";
   EXPECT_DOUBLE_EQ(privateVisitors(1.0, 0.7), 1.0) << "one visitor shares with nobody";
@@ -57,7 +57,7 @@ void record(pipeline::Timeline& timeline, const char* stage, const char* subject
   }
 }
 
-TEST(Amortization, ReportsCostsOfAFrameByTypeOfObject) {
+TEST(Amortization, ReportsFrameCostPerObjectType) {
   using pipeline::Work;
   pipeline::Timeline timeline;
   record(timeline, "Simulation Tick", "fluid", Work::kAcrossUser, 100, 99.0, 30.0);  // before: does not count
@@ -82,7 +82,7 @@ TEST(Amortization, ReportsCostsOfAFrameByTypeOfObject) {
   EXPECT_NEAR(alpha0(all), 16.0 / 25.0, 1e-9);
 }
 
-TEST(Amortization, SharesMemoryAmongVisitors) {
+TEST(Amortization, DividesSharedMemoryAmongVisitors) {
   using pipeline::Work;
   pipeline::MemoryLedger ledger;
   const pipeline::HeldMemory state(ledger, "fluid state", "fluid", Work::kAcrossUser, 4000);

@@ -50,7 +50,7 @@ std::vector<TimelineEvent> tinyTimeline() {
            .cpuNanoseconds = 0}};
 }
 
-TEST(ChromeTrace, OfATinyTimelineIsThisText) {
+TEST(ChromeTrace, MatchesGoldenText) {
   const auto events = tinyTimeline();
   const TraceSection section{"one \"frame\"", events};
   const std::string expected = R"json({"displayTimeUnit":"ms","traceEvents":[
@@ -69,13 +69,13 @@ TEST(ChromeTrace, OfATinyTimelineIsThisText) {
   EXPECT_EQ(chromeTrace({&section, 1}), expected);
 }
 
-TEST(ChromeTrace, OfNothingIsADocument) {
+TEST(ChromeTrace, EmptyTimelineIsValid) {
   EXPECT_TRUE(nlohmann::json::parse(chromeTrace({})).at("traceEvents").empty());
   const TraceSection nothing{"nothing", {}};
   EXPECT_EQ(nlohmann::json::parse(chromeTrace({&nothing, 1})).at("traceEvents").size(), 2u);
 }
 
-TEST(ChromeTrace, NestsRunsThatWereTimedWithinOneAnother) {
+TEST(ChromeTrace, NestsRuns) {
   Timeline timeline;
   for (std::uint32_t frame = 1; frame <= 20; ++frame) {
     const TimedRun outer(timeline, "Renderer", Work::kPerUserBackend, {1, frame}, "lightfield");
@@ -89,7 +89,7 @@ TEST(ChromeTrace, NestsRunsThatWereTimedWithinOneAnother) {
   EXPECT_EQ(traceFault(nlohmann::json::parse(chromeTrace({&section, 1}))), "");
 }
 
-TEST(ChromeTrace, KeepsTheFramesOfSectionsApart) {
+TEST(ChromeTrace, SeparatesSections) {
   const auto events = tinyTimeline();
   const std::vector<TraceSection> sections{{"a", events}, {"b", events}};
   const auto document = nlohmann::json::parse(chromeTrace(sections));
@@ -106,7 +106,7 @@ TEST(ChromeTrace, KeepsTheFramesOfSectionsApart) {
 
 /// Would catch a node's events that lie at another time than what the server does for the same frame, frames that end
 /// at the border of a process, and frames of two servers that a node's arrows tie together.
-TEST(ChromeTrace, TiesAFrameAcrossSectionsOfOneClock) {
+TEST(ChromeTrace, ConnectsAFrameAcrossSections) {
   constexpr std::int64_t kMillisecond = 1'000'000;
   const auto run = [](std::int64_t begin, std::uint32_t process) {
     return TimelineEvent{.stage = "Renderer",
@@ -128,7 +128,7 @@ TEST(ChromeTrace, TiesAFrameAcrossSectionsOfOneClock) {
   EXPECT_EQ(arrows, (std::vector<std::string>{"s 1 0.0", "t 2 2000.0", "f 1 6000.0"}));
 }
 
-TEST(ChromeTrace, OfACutTimelineHasNoFlowThatLeadsNowhere) {
+TEST(ChromeTrace, TruncatedTimelineHasNoDanglingFlow) {
   auto events = tinyTimeline();
   events.erase(events.begin());
   const TraceSection section{"cut", events};
@@ -137,7 +137,7 @@ TEST(ChromeTrace, OfACutTimelineHasNoFlowThatLeadsNowhere) {
   for (const auto& event : document.at("traceEvents")) EXPECT_FALSE(event.contains("id")) << event;
 }
 
-TEST(TraceFault, SeesWhatIsWrong) {
+TEST(TraceFault, DetectsFaults) {
   auto events = tinyTimeline();
   events[3].beginNanoseconds = events[2].beginNanoseconds + 1'500'000;
   events[3].wallNanoseconds = 1'000'000;

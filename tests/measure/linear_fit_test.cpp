@@ -11,7 +11,7 @@ namespace {
 
 using Points = std::vector<std::pair<double, double>>;
 
-TEST(StudentQuantile, IsThatOfTheTables) {
+TEST(StudentQuantile, MatchesTables) {
   EXPECT_NEAR(studentQuantile(0.95, 1), 12.7062, 5e-5);
   EXPECT_NEAR(studentQuantile(0.95, 2), 4.30265, 5e-6);
   EXPECT_NEAR(studentQuantile(0.95, 3), 3.18245, 5e-6);
@@ -57,7 +57,7 @@ TEST(LinearFit, GivesTheErrorsOfAnscombesFirstSet) {
   EXPECT_NEAR(fit->residual, 1.2366, 1e-4);
 }
 
-TEST(LinearFit, OfTwoPointsKnowsNoError) {
+TEST(LinearFit, TwoPointsHaveNoError) {
   const auto fit = linearFit(Points{{1.0, 1.0}, {3.0, 5.0}});
   ASSERT_TRUE(fit);
   EXPECT_DOUBLE_EQ(fit->a.value, -1.0);
@@ -72,7 +72,7 @@ TEST(LinearFit, NeedsTwoDifferentX) {
   EXPECT_FALSE(linearFit(Points{{0.1, 1.0}, {0.1, 2.0}, {0.1, 3.0}}));
 }
 
-TEST(LinearFit, ExplainsWhatDoesNotVary) {
+TEST(LinearFit, ConstantData) {
   const auto fit = linearFit(Points{{1.0, 4.0}, {2.0, 4.0}, {3.0, 4.0}});
   ASSERT_TRUE(fit);
   EXPECT_DOUBLE_EQ(fit->b.value, 0.0);

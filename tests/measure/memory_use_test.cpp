@@ -9,7 +9,7 @@
 namespace grove::measure {
 namespace {
 
-TEST(MemoryUse, GrowsByWhatIsTouchedAndShrinksByWhatIsFreed) {
+TEST(MemoryUse, FollowsTouchedAndFreedMemory) {
   constexpr std::int64_t kBytes = 64 << 20;
   const MemoryUse before = MemoryUse::read();
   {
@@ -29,7 +29,7 @@ TEST(MemoryUse, GrowsByWhatIsTouchedAndShrinksByWhatIsFreed) {
   EXPECT_GT(availableMemory(), 0);
 }
 
-TEST(MemoryUse, ResidentBytesGrowWithWhatIsTouched) {
+TEST(MemoryUse, ResidentBytesFollowTouchedMemory) {
   const std::size_t before = residentBytes();
   ASSERT_GT(before, 0u);
   const std::vector<char> touched(64U << 20U, 1);

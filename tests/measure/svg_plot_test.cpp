@@ -95,7 +95,7 @@ Panel panelOf(std::vector<Series> series) {
   return {.title = "t", .xLabel = "x", .yLabel = "y", .series = std::move(series)};
 }
 
-TEST(SvgPlot, IsWellFormedWhateverTheTextsAre) {
+TEST(SvgPlot, EscapesTexts) {
   Panel panel = panelOf({{.name = "<b>\"5\" & 6</b>\n\x01", .points = {{1.0, 2.0}, {2.0, 3.0}}}});
   panel.title = "a < b && c > d";
   const std::string svg = svgPlot(std::vector{panel, panel, panel}, 2);
@@ -104,7 +104,7 @@ TEST(SvgPlot, IsWellFormedWhateverTheTextsAre) {
   EXPECT_THAT(svg, Not(HasSubstr("\x01")));
 }
 
-TEST(SvgPlot, LeavesOutWhatIsNoNumber) {
+TEST(SvgPlot, SkipsNotANumber) {
   const std::string svg = svgPlot(
       std::vector{panelOf({{.name = "s", .points = {{1.0, 1.0}, {2.0, kNan}, {kInfinite, 1.0}, {3.0, 2.0}}}})}, 1);
   EXPECT_EQ(XmlReader(svg).problem(), std::nullopt);
@@ -113,7 +113,7 @@ TEST(SvgPlot, LeavesOutWhatIsNoNumber) {
   EXPECT_THAT(svg, Not(HasSubstr("inf")));
 }
 
-TEST(SvgPlot, LeavesOutWhatHasNoLogarithm) {
+TEST(SvgPlot, SkipsNonPositiveOnLogAxes) {
   Panel panel = panelOf({{.name = "s", .points = {{1.0, 1e-4}, {2.0, 0.0}, {-1.0, 1.0}, {100.0, 1e-1}}}});
   panel.logX = panel.logY = true;
   const std::string svg = svgPlot(std::vector{panel}, 1);
@@ -130,7 +130,7 @@ TEST(SvgPlot, TicksAreRoundNumbersAroundThePoints) {
     EXPECT_EQ(count(svg, tick), tick[1] == '1' ? 1u : 2u) << tick;
 }
 
-TEST(SvgPlot, AFitTakesTheColourOfItsPoints) {
+TEST(SvgPlot, FitHasTheColourOfItsPoints) {
   const std::string svg =
       svgPlot(std::vector{panelOf({{.name = "a", .points = {{1.0, 1.0}, {2.0, 2.0}}, .line = false},
                                    {.name = "a, fitted", .points = {{0.0, 0.0}, {3.0, 3.0}}, .marks = false},
@@ -142,7 +142,7 @@ TEST(SvgPlot, AFitTakesTheColourOfItsPoints) {
   EXPECT_EQ(count(svg, "<polygon"), 3u) << "b";
 }
 
-TEST(SvgPlot, DrawsOnePointManyEqualOnesAndNone) {
+TEST(SvgPlot, DrawsDegenerateData) {
   for (const bool logarithmic : {false, true}) {
     for (const auto& points : std::vector<std::vector<std::pair<double, double>>>{
              {{3.0, 7.0}}, {{3.0, 7.0}, {3.0, 7.0}}, {{10.0, 10.0}}, {{5.0, 0.0}}, {{5.0, -2.0}}, {}}) {

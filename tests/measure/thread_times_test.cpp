@@ -12,7 +12,7 @@
 namespace grove::measure {
 namespace {
 
-TEST(ThreadTimes, ReportsWhatAThreadOfThatNameUsed) {
+TEST(ThreadTimes, SumsByThreadName) {
   constexpr double kBurnt = 0.05;
   std::latch burnt(1);
   std::latch read(1);

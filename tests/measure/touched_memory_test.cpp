@@ -12,7 +12,7 @@
 namespace grove::measure {
 namespace {
 
-TEST(TouchedMemory, CountsWhatIsReadOrWrittenAndNothingElse) {
+TEST(TouchedMemory, CountsReadsAndWrites) {
   if (kSanitized) GTEST_SKIP() << "sanitizers touch memory of their own";
   constexpr std::int64_t kTouched = 16 << 20;
   std::vector<char> held(4 * kTouched, 1);

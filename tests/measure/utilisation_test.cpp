@@ -64,7 +64,7 @@ TEST(Utilisation, AnIdleStageHasNoRuns) {
   EXPECT_EQ(bottleneck(stages), "Encoder");
 }
 
-TEST(Utilisation, PartsBelongToTheirStageAndCountByItsRun) {
+TEST(Utilisation, PartsCountWithTheirStage) {
   const std::vector<TimelineEvent> events{
       part("Compositor", "fluid", 110, 120, 10), part("Compositor", "mesh", 120, 124, 2),
       part("Compositor", "mesh", 126, 128, 2),   run("Compositor", {1, 1}, 110, 130, 6),
@@ -83,14 +83,14 @@ TEST(Utilisation, PartsBelongToTheirStageAndCountByItsRun) {
   EXPECT_DOUBLE_EQ(stage.types.at("fluid").utilisation, 0.1);
 }
 
-TEST(Utilisation, TheBottleneckIsTheBusiestStageThatServesFrames) {
+TEST(Utilisation, BottleneckIsTheBusiestFrameStage) {
   const std::vector<TimelineEvent> events{run("Simulation Tick", {}, 100, 200), run("Renderer", {1, 1}, 100, 160),
                                           run("Encoder", {1, 1}, 160, 180)};
   EXPECT_EQ(bottleneck(stageUse(events, kWindow)), "Renderer");
   EXPECT_EQ(bottleneck({}), "");
 }
 
-TEST(DeliveredFrames, LastFromTheirFirstRunToTheirEncoding) {
+TEST(DeliveredFrames, LatencyIsFromFirstRunToEncoding) {
   const std::vector<TimelineEvent> events{
       run("Scene Analyzer", {1, 1}, 80, 81),   run("Encoder", {1, 1}, 95, 99),    // before
       run("Scene Analyzer", {1, 2}, 90, 91),   run("Encoder", {1, 2}, 100, 120),  // began before

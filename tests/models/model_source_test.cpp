@@ -35,7 +35,7 @@ class ModelSourceName : public testing::Test {
   GltfWriter writer;
 };
 
-TEST_F(ModelSourceName, ChangesWithTheBufferThatTheFileNames) {
+TEST_F(ModelSourceName, ChangesWithItsBuffers) {
   writer.triangle();
   writer.write(folder_ / "model.gltf");
   const std::string before = name("model.gltf");
@@ -45,7 +45,7 @@ TEST_F(ModelSourceName, ChangesWithTheBufferThatTheFileNames) {
   EXPECT_NE(name("model.gltf"), before);
 }
 
-TEST_F(ModelSourceName, ChangesWithTheImagesThatTheFileNames) {
+TEST_F(ModelSourceName, ChangesWithItsImages) {
   writer.triangle();
   writer.json["images"] = {{{"uri", "my%20bark.png"}}, {{"uri", "leaf.png"}}};
   writer.write(folder_ / "model.gltf");
@@ -64,7 +64,7 @@ TEST_F(ModelSourceName, ChangesWithTheImagesThatTheFileNames) {
   }
 }
 
-TEST_F(ModelSourceName, StaysWhereAFileBesideIsNoneOfIts) {
+TEST_F(ModelSourceName, IgnoresOtherFiles) {
   writer.triangle();
   writer.json["images"] = {{{"uri", "data:image/png;base64,AAAA"}}};
   writer.json["extras"]["images"] = {{{"uri", "other.png"}}};
@@ -75,7 +75,7 @@ TEST_F(ModelSourceName, StaysWhereAFileBesideIsNoneOfIts) {
   EXPECT_EQ(name("model.gltf"), before);
 }
 
-TEST_F(ModelSourceName, IsMadeOnceForAllObjects) {
+TEST_F(ModelSourceName, IsComputedOncePerModel) {
   FileNames names;
   save("one.glb", "one");
   save("two.glb", "two");
@@ -85,7 +85,7 @@ TEST_F(ModelSourceName, IsMadeOnceForAllObjects) {
   EXPECT_EQ(name("one.glb", names), before) << "it is not read again";
 }
 
-TEST_F(ModelSourceName, IsGivenToWhatIsNoGltf) {
+TEST_F(ModelSourceName, WorksForOtherFiles) {
   save("model.glb", std::string("glTF\2\0\0\0\xFF\xFF\xFF\xFF\xFF\xFF\xFF\xFFJSON{\"buffers\":", 31));
   save("model.gltf",
        R"({"buffers": {"uri": 5}, "images": [[], 3, {"uri": {}}, {"uri": "%"}, {"uri": "."}, {"uri": ""}]})");

@@ -54,7 +54,7 @@ class Greeting : public ::testing::Test {
       .build = "any", .sceneHash = scene.layout.hash, .process = 9, .types = {{.id = 0, .name = "box"}}};
 };
 
-TEST_F(Greeting, WelcomesWhoKnowsTheSceneAndTellsWhatItServes) {
+TEST_F(Greeting, WelcomesTheSameSceneAndListsItsObjects) {
   EXPECT_EQ(refusalOf(good), "");
   const auto& welcome = std::get<NodeWelcome>(replies.messages[0]);
   EXPECT_EQ(welcome.protocol, kProtocol);
@@ -88,7 +88,7 @@ TEST_F(Greeting, RefusesAnotherProtocolSceneOrType) {
   EXPECT_EQ(refusalOf(hello), "this node has no objects of the type dragon");
 }
 
-TEST_F(Greeting, AnswersNobodyWhoWasNotWelcomed) {
+TEST_F(Greeting, AnswersOnlyWelcomedPeers) {
   Request request;
   request.process = good.process;
   request.object = scene.objects[0].id;
@@ -130,7 +130,7 @@ class SlowLink final : public Transport {
 };
 
 // Fault: a clock announces a version while the node is destroyed, and reads objects that are gone.
-TEST_F(Greeting, ANodeWaitsForAnnouncementsBeforeItIsDestroyed) {
+TEST_F(Greeting, DestructionWaitsForAnnouncements) {
   const auto controls = std::make_shared<testing::BoxControls>();
   const BackendTypes announcing = testing::boxBackends(controls);
   auto node =

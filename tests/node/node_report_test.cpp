@@ -33,10 +33,10 @@ class NodeReports : public ::testing::TestWithParam<TransportKind> {
   }
 
   OneNode node;
-  Stranger operatorsServer{node, GetParam()};
+  RawPeer operatorsServer{node, GetParam()};
 };
 
-TEST_P(NodeReports, AreOfItsStagesAndMemoryAndReachWhoIsWelcome) {
+TEST_P(NodeReports, ReachWelcomedPeers) {
   node.backend.report(77);
   EXPECT_TRUE(heard<NodeReport>().empty()) << "before the welcome";
   ASSERT_EQ(operatorsServer.hello(9), "");
@@ -52,7 +52,7 @@ TEST_P(NodeReports, AreOfItsStagesAndMemoryAndReachWhoIsWelcome) {
   EXPECT_EQ(reports[0].memory.at({"test", "box"}).bytes, 1000);
 }
 
-TEST_P(NodeReports, TracesAreOfTheNewestRunsAndFew) {
+TEST_P(NodeReports, TracesAreBoundedAndNewest) {
   ASSERT_EQ(operatorsServer.hello(9), "");
   draw();
   (void)operatorsServer.send(TraceRequest{.number = 5});
@@ -68,7 +68,7 @@ TEST_P(NodeReports, TracesAreOfTheNewestRunsAndFew) {
   EXPECT_EQ(drawn->tag.frame, 1U);
 }
 
-TEST_P(NodeReports, AreNotForWhoIsNotWelcome) {
+TEST_P(NodeReports, AreRefusedToOthers) {
   (void)operatorsServer.send(TraceRequest{.number = 5});
   EXPECT_TRUE(heard<std::shared_ptr<const NodeTrace>>().empty());
   EXPECT_EQ(node.refused(), 1);

@@ -17,7 +17,7 @@ using testing::Nodes;
 using testing::Screen;
 using tests::eventually;
 
-TEST_P(Nodes, AFrameGoesAllTheWay) {
+TEST_P(Nodes, FrameCompletes) {
   const auto screen = std::make_shared<Screen>(workers, timeline);
   const auto node = frontend(1, 0.0F, screen);
   ASSERT_TRUE(node->requestFrame());
@@ -33,7 +33,7 @@ TEST_P(Nodes, AFrameGoesAllTheWay) {
   }
 }
 
-TEST_P(Nodes, APictureThatNobodyAskedForIsNotUnpacked) {
+TEST_P(Nodes, UnrequestedPicturesAreNotUnpacked) {
   Result result;
   result.session = 1;
   result.frame = 1;
@@ -41,7 +41,7 @@ TEST_P(Nodes, APictureThatNobodyAskedForIsNotUnpacked) {
   EXPECT_THROW(process.unpack(result), PackingError);
 }
 
-TEST_P(Nodes, ManyFramesInFlightComeOutInOrderAndNeverOld) {
+TEST_P(Nodes, FramesInFlightStayInOrder) {
   const auto screen = std::make_shared<Screen>(workers, timeline);
   const auto node = frontend(1, 0.0F, screen, 4);
   FrameNumber asked = 0;
@@ -61,7 +61,7 @@ TEST_P(Nodes, ManyFramesInFlightComeOutInOrderAndNeverOld) {
   EXPECT_TRUE(eventually([&] { return ended == 200; })) << ended;
 }
 
-TEST_P(Nodes, NeverMoreFramesThanMayBeInFlight) {
+TEST_P(Nodes, FramesInFlightAreBounded) {
   for (const int max : {1, 3}) {
     const auto screen = std::make_shared<Screen>(workers, timeline);
     transport.keepBack = true;
@@ -78,7 +78,7 @@ TEST_P(Nodes, NeverMoreFramesThanMayBeInFlight) {
   }
 }
 
-TEST_P(Nodes, ALostResultCostsAFrameItsDeadlineAndShowsTheLastOneOfItsObject) {
+TEST_P(Nodes, LostResultShowsTheLastOne) {
   deadlineSeconds = 0.2;
   const auto screen = std::make_shared<Screen>(workers, timeline);
   const auto node = frontend(1, 0.0F, screen, 1);
@@ -100,7 +100,7 @@ TEST_P(Nodes, ALostResultCostsAFrameItsDeadlineAndShowsTheLastOneOfItsObject) {
   EXPECT_TRUE(eventually([&] { return timeline.counters()["late results"] == 2; }));
 }
 
-TEST_P(Nodes, WhatNeverAnsweredIsLeftOutAfterTheDeadline) {
+TEST_P(Nodes, SkipsObjectsWithoutAnswerAfterTheDeadline) {
   deadlineSeconds = 0.05;
   const auto screen = std::make_shared<Screen>(workers, timeline);
   const auto node = frontend(1, 0.0F, screen, 1);
@@ -113,7 +113,7 @@ TEST_P(Nodes, WhatNeverAnsweredIsLeftOutAfterTheDeadline) {
   EXPECT_EQ(screen->waitFor(1)->colourRow(90)[160], 0xFF000000U);
 }
 
-TEST_P(Nodes, AnObjectThatIsAlwaysLateShowsWhatItAnsweredLast) {
+TEST_P(Nodes, LateObjectShowsItsLastAnswer) {
   deadlineSeconds = 0.05;
   const auto screen = std::make_shared<Screen>(workers, timeline);
   const auto node = frontend(1, 0.0F, screen, 1);
@@ -133,7 +133,7 @@ TEST_P(Nodes, AnObjectThatIsAlwaysLateShowsWhatItAnsweredLast) {
   EXPECT_EQ(screen->waitFor(2)->colourRow(90)[154] & 0xFFU, 200U);
 }
 
-TEST_P(Nodes, EveryFrameThatBeganEndsOnceWhenTheNodeClosesUnderIt) {
+TEST_P(Nodes, ClosingNodeEndsEveryFrameOnce) {
   for (int i = 0; i < 50; ++i) {
     ended = 0;
     const auto screen = std::make_shared<Screen>(workers, timeline);
@@ -149,7 +149,7 @@ TEST_P(Nodes, EveryFrameThatBeganEndsOnceWhenTheNodeClosesUnderIt) {
   }
 }
 
-TEST_P(Nodes, AThrowAnywhereOnTheWayCostsOneObjectInOneFrame) {
+TEST_P(Nodes, ExceptionCostsOneObjectInOneFrame) {
   using Fault = testing::FaultyTransport::Fault;
   std::uint32_t number = 1;
   for (const Fault fault : {Fault::kSendRequest, Fault::kCompress, Fault::kSendResult, Fault::kDecompress}) {
@@ -172,7 +172,7 @@ TEST_P(Nodes, AThrowAnywhereOnTheWayCostsOneObjectInOneFrame) {
   }
 }
 
-TEST_P(Nodes, AnObjectThatCannotBeAskedForNowIsShownAsItWas) {
+TEST_P(Nodes, UnreachableObjectShowsItsLastAnswer) {
   using Fault = testing::FaultyTransport::Fault;
   const auto screen = std::make_shared<Screen>(workers, timeline);
   const auto node = frontend(1, 0.0F, screen, 1);
@@ -188,7 +188,7 @@ TEST_P(Nodes, AnObjectThatCannotBeAskedForNowIsShownAsItWas) {
 }
 
 /// Or what it answers is taken for a difference to data of its earlier life.
-TEST_P(Nodes, ANodeThatWasRestartedIsAskedForDataAnew) {
+TEST_P(Nodes, RestartedNodeIsRequestedAgain) {
   const world::ObjectId object = scene.objects[0].id;
   std::atomic<int> brought = 0;
   const auto get = [&] {
@@ -219,7 +219,7 @@ TEST_P(Nodes, ANodeThatWasRestartedIsAskedForDataAnew) {
   EXPECT_TRUE(eventually([&] { return process.shared().known({object, {}}) != nullptr; }));
 }
 
-TEST_P(Nodes, AFailingBackendCostsItsObjectsNotTheFrame) {
+TEST_P(Nodes, FailingBackendCostsOnlyItsObjects) {
   const auto screen = std::make_shared<Screen>(workers, timeline);
   const auto node = frontend(1, 0.0F, screen);
   controls->fail = true;

@@ -87,18 +87,18 @@ class Process {
 };
 
 /// A frontend process whose words the test chooses.
-class Stranger final : public FrontendPort {
+class RawPeer final : public FrontendPort {
  public:
-  Stranger(OneNode& node, TransportKind kind)
+  RawPeer(OneNode& node, TransportKind kind)
       : node_(node), link_(transportFactory(kind)(node.workers, node.timeline)), served_(node.backend.accept(link_)) {
     link_->connect(static_cast<FrontendPort&>(*this));
   }
-  ~Stranger() override {
+  ~RawPeer() override {
     link_->leaveFrontend();
     node_.workers.drain();
   }
-  Stranger(const Stranger&) = delete;
-  Stranger& operator=(const Stranger&) = delete;
+  RawPeer(const RawPeer&) = delete;
+  RawPeer& operator=(const RawPeer&) = delete;
 
   void receive(ToFrontend message) override {
     const std::lock_guard lock(mutex_);

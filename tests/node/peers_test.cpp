@@ -45,10 +45,10 @@ TEST_P(TwoPeers, BothGetSharedDataAndHearOfItsChanges) {
   EXPECT_TRUE(eventually([&] { return b.red() == 100U; }));
 }
 
-TEST_P(TwoPeers, OneThatIsRefusedDoesNotDisturbTheOther) {
+TEST_P(TwoPeers, RefusedPeerDoesNotDisturbTheOther) {
   Process a(node, first(), 1);
   EXPECT_EQ(a.red(), 90U);
-  Stranger b(node, second());
+  RawPeer b(node, second());
   EXPECT_EQ(b.hello(2, node.scene.layout.hash + 1), "the scenes differ");
   EXPECT_EQ(a.red(), 90U);
   EXPECT_EQ(b.hello(1), "another frontend process has the number 1");
@@ -59,7 +59,7 @@ TEST_P(TwoPeers, OneThatIsRefusedDoesNotDisturbTheOther) {
   EXPECT_EQ(b.hello(2), "") << "with better words it is welcome";
 }
 
-TEST_P(TwoPeers, OneThatLeavesWithRequestsUnderWayCostsTheOtherNothing) {
+TEST_P(TwoPeers, LeavingPeerCostsTheOtherNothing) {
   Process a(node, first(), 1);
   EXPECT_EQ(a.red(), 90U);
   std::weak_ptr<Transport> link;
@@ -80,10 +80,10 @@ TEST_P(TwoPeers, OneThatLeavesWithRequestsUnderWayCostsTheOtherNothing) {
   EXPECT_EQ(again.red(), 90U) << "its number is free";
 }
 
-TEST_P(TwoPeers, NobodySpeaksOfAnothersSessions) {
+TEST_P(TwoPeers, PeersCannotUseForeignSessions) {
   Process a(node, first(), 1);
   EXPECT_EQ(a.red(), 90U);
-  Stranger b(node, second());
+  RawPeer b(node, second());
   ASSERT_EQ(b.hello(2), "");
   (void)b.send(Cancel{makeId(1, 1), 1000});
   (void)b.send(Forget{makeId(1, 1)});
@@ -103,9 +103,9 @@ TEST_P(TwoPeers, NobodySpeaksOfAnothersSessions) {
   EXPECT_EQ(node.controls->forgotten, makeId(2, 1)) << "of its own it may";
 }
 
-TEST_P(TwoPeers, OnlyAHelloIsHeardBeforeTheWelcomeAndAfterARefusal) {
+TEST_P(TwoPeers, OnlyHelloIsAcceptedBeforeWelcome) {
   Process a(node, first(), 1);
-  Stranger b(node, second());
+  RawPeer b(node, second());
   const auto saysAll = [&] {
     const std::int64_t before = node.refused();
     (void)b.send(updateOf(1, makeId(2, 1)));
@@ -131,16 +131,16 @@ TEST_P(TwoPeers, OnlyAHelloIsHeardBeforeTheWelcomeAndAfterARefusal) {
   EXPECT_EQ(node.controls->answered, 1) << "nor had it ended the frame";
 }
 
-TEST_P(TwoPeers, TheFirstWhoReportsOwnsTheWorldUntilItLeaves) {
+TEST_P(TwoPeers, FirstReporterOwnsTheWorldUntilItLeaves) {
   const auto players = [&] {
     std::vector<world::PlayerId> ids;
     for (const world::Player& player : node.controls->world->players()) ids.push_back(player.id);
     return ids;
   };
-  Stranger a(node, first());
+  RawPeer a(node, first());
   ASSERT_EQ(a.hello(1), "");
   {
-    Stranger b(node, second());
+    RawPeer b(node, second());
     ASSERT_EQ(b.hello(2), "");
     (void)b.send(updateOf(~std::uint64_t{0} / 2, makeId(2, 1)));
     b.settle();
@@ -155,8 +155,8 @@ TEST_P(TwoPeers, TheFirstWhoReportsOwnsTheWorldUntilItLeaves) {
 }
 
 /// Or a process on a machine that began earlier would see its neighbours' frames given up.
-TEST_P(TwoPeers, TheClockOfOneEndsNoFramesOfTheOther) {
-  Stranger a(node, first());
+TEST_P(TwoPeers, ClocksArePerPeer) {
+  RawPeer a(node, first());
   ASSERT_EQ(a.hello(1), "");
   Process b(node, second(), 2);
   auto update = std::make_shared<WorldUpdate>();
@@ -169,7 +169,7 @@ TEST_P(TwoPeers, TheClockOfOneEndsNoFramesOfTheOther) {
   EXPECT_EQ(node.timeline.counters()["requests of ended frames"], 0);
 }
 
-TEST_P(TwoPeers, TheBestQualityThatAnybodyWantsCounts) {
+TEST_P(TwoPeers, HighestRequestedQualityCounts) {
   Process a(node, first(), 1);
   {
     Process b(node, second(), 2);

@@ -47,7 +47,7 @@ class PushedData : public testing::Nodes {
   }
 };
 
-TEST_P(PushedData, IsShownWithoutFurtherRequests) {
+TEST_P(PushedData, NeedsNoFurtherRequests) {
   ASSERT_NO_FATAL_FAILURE(subscribe());
   for (Version version = 3; version < 30; ++version) {
     tick();
@@ -59,7 +59,7 @@ TEST_P(PushedData, IsShownWithoutFurtherRequests) {
 }
 
 /// Would catch versions that queue on a slow link, and a last one that never comes.
-TEST_P(PushedData, ASlowLinkSkipsVersions) {
+TEST_P(PushedData, SlowLinksSkipVersions) {
   ASSERT_NO_FATAL_FAILURE(subscribe());
   transport.keepBack = true;
   for (int i = 0; i < 50; ++i) {
@@ -75,7 +75,7 @@ TEST_P(PushedData, ASlowLinkSkipsVersions) {
 }
 
 /// Would catch a process that shows old data for ever, because all that follows changes what it has not got.
-TEST_P(PushedData, AThrowAnywhereOnTheWayCostsNoLaterVersion) {
+TEST_P(PushedData, ExceptionsCostNoLaterVersion) {
   using Fault = testing::FaultyTransport::Fault;
   ASSERT_NO_FATAL_FAILURE(subscribe());
   Version version = 2;
@@ -101,9 +101,9 @@ TEST_P(PushedData, AThrowAnywhereOnTheWayCostsNoLaterVersion) {
 INSTANTIATE_TEST_SUITE_P(OverEach, PushedData, testing::kAllTransports, testing::transportName);
 
 /// A frontend process that subscribes with words of its own.
-class SubscribingStranger : public ::testing::TestWithParam<TransportKind> {
+class SubscribingRawPeer : public ::testing::TestWithParam<TransportKind> {
  protected:
-  SubscribingStranger() { node.controls->cadence = 30.0; }
+  SubscribingRawPeer() { node.controls->cadence = 30.0; }
 
   [[nodiscard]] Request subscription(world::ObjectId object) const {
     Request request;
@@ -115,67 +115,67 @@ class SubscribingStranger : public ::testing::TestWithParam<TransportKind> {
   }
   void tick() {
     node.controls->announce({{box(), {}}, ++node.controls->version});
-    stranger.settle();
+    rawPeer.settle();
   }
   [[nodiscard]] world::ObjectId box() const { return node.scene.objects[0].id; }
 
   OneNode node;
-  Stranger stranger{node, GetParam()};
+  RawPeer rawPeer{node, GetParam()};
 };
 
-TEST_P(SubscribingStranger, GetsAFailureForWhatThereIsNotAndIsServedOn) {
-  ASSERT_EQ(stranger.hello(2), "");
-  (void)stranger.send(subscription(99));
-  stranger.settle();
-  const auto said = stranger.messages();
+TEST_P(SubscribingRawPeer, UnknownKeyFailsAndServiceContinues) {
+  ASSERT_EQ(rawPeer.hello(2), "");
+  (void)rawPeer.send(subscription(99));
+  rawPeer.settle();
+  const auto said = rawPeer.messages();
   if (GetParam() == TransportKind::kBytes) {
     ASSERT_EQ(said.size(), 1U);
     EXPECT_TRUE(std::holds_alternative<Failure>(std::get<Result>(said[0]).payload));
   }
   node.controls->fail = true;
-  (void)stranger.send(subscription(box()));
-  stranger.settle();
+  (void)rawPeer.send(subscription(box()));
+  rawPeer.settle();
   node.controls->fail = false;
-  EXPECT_TRUE(std::holds_alternative<Failure>(std::get<Result>(stranger.messages().at(0)).payload));
+  EXPECT_TRUE(std::holds_alternative<Failure>(std::get<Result>(rawPeer.messages().at(0)).payload));
   tick();
-  EXPECT_TRUE(std::holds_alternative<Announcement>(stranger.messages().at(0))) << "it has not subscribed";
-  (void)stranger.send(subscription(box()));
-  stranger.settle();
-  EXPECT_FALSE(std::get<Result>(stranger.messages().at(0)).pushed);
+  EXPECT_TRUE(std::holds_alternative<Announcement>(rawPeer.messages().at(0))) << "it has not subscribed";
+  (void)rawPeer.send(subscription(box()));
+  rawPeer.settle();
+  EXPECT_FALSE(std::get<Result>(rawPeer.messages().at(0)).pushed);
   tick();
-  EXPECT_TRUE(std::get<Result>(stranger.messages().at(0)).pushed);
+  EXPECT_TRUE(std::get<Result>(rawPeer.messages().at(0)).pushed);
 }
 
-TEST_P(SubscribingStranger, GetsNothingMoreAfterItsEndOrANewHello) {
+TEST_P(SubscribingRawPeer, GetsNothingAfterItsEndOrANewHello) {
   for (const bool unsubscribes : {true, false}) {
-    ASSERT_EQ(stranger.hello(2), "");
-    (void)stranger.send(subscription(box()));
-    stranger.settle();
-    stranger.messages();
+    ASSERT_EQ(rawPeer.hello(2), "");
+    (void)rawPeer.send(subscription(box()));
+    rawPeer.settle();
+    rawPeer.messages();
     if (unsubscribes) {
-      (void)stranger.send(Unsubscribe{.what = {box(), {}}});
-      stranger.settle();
+      (void)rawPeer.send(Unsubscribe{.what = {box(), {}}});
+      rawPeer.settle();
     } else {
-      ASSERT_EQ(stranger.hello(2), "");
+      ASSERT_EQ(rawPeer.hello(2), "");
     }
     tick();
-    const auto said = stranger.messages();
+    const auto said = rawPeer.messages();
     ASSERT_EQ(said.size(), 1U);
     EXPECT_TRUE(std::holds_alternative<Announcement>(said[0]));
   }
 }
 
-TEST_P(SubscribingStranger, IsAnnouncedWhatNoClockChanges) {
+TEST_P(SubscribingRawPeer, UnclockedDataIsAnnounced) {
   node.controls->cadence = 0.0;
-  ASSERT_EQ(stranger.hello(2), "");
-  (void)stranger.send(subscription(box()));
-  stranger.settle();
-  stranger.messages();
+  ASSERT_EQ(rawPeer.hello(2), "");
+  (void)rawPeer.send(subscription(box()));
+  rawPeer.settle();
+  rawPeer.messages();
   tick();
-  EXPECT_TRUE(std::holds_alternative<Announcement>(stranger.messages().at(0)));
+  EXPECT_TRUE(std::holds_alternative<Announcement>(rawPeer.messages().at(0)));
 }
 
-INSTANTIATE_TEST_SUITE_P(OverBoth, SubscribingStranger, testing::kBothInMemory, testing::transportName);
+INSTANTIATE_TEST_SUITE_P(OverBoth, SubscribingRawPeer, testing::kBothInMemory, testing::transportName);
 
 }  // namespace
 }  // namespace grove::node

@@ -52,7 +52,7 @@ TEST_P(SharedBoxes, AreRequestedOnceForAllFramesOfAllVisitors) {
   EXPECT_EQ(process.shared().statistics().entries, 2U);
 }
 
-TEST_P(SharedBoxes, AChangeIsShownSoonAfterItIsAnnounced) {
+TEST_P(SharedBoxes, AnnouncedChangesAreShownSoon) {
   const auto screen = std::make_shared<Screen>(workers, timeline);
   const auto node = frontend(1, 0.0F, screen);
   FrameNumber frame = 0;
@@ -64,7 +64,7 @@ TEST_P(SharedBoxes, AChangeIsShownSoonAfterItIsAnnounced) {
 }
 
 /// Or a half would answer with differences where nobody unpacks them.
-TEST_P(SharedBoxes, OnlyWhereBytesTravelDoesABackendHearWhatIsKnown) {
+TEST_P(SharedBoxes, KnownVersionsAreSentOnlyOverTheWire) {
   const auto screen = std::make_shared<Screen>(workers, timeline);
   const auto node = frontend(1, 0.0F, screen);
   for (FrameNumber frame = 1; frame <= 2; ++frame) {
@@ -77,7 +77,7 @@ TEST_P(SharedBoxes, OnlyWhereBytesTravelDoesABackendHearWhatIsKnown) {
   EXPECT_EQ(controls->known, transport.sharesMemory() ? 0U : 1U);
 }
 
-TEST_P(SharedBoxes, AFailureCostsTheirPlaceInAFrame) {
+TEST_P(SharedBoxes, FailureLeavesThemOut) {
   const auto screen = std::make_shared<Screen>(workers, timeline);
   const auto node = frontend(1, 0.0F, screen);
   controls->fail = true;
@@ -88,7 +88,7 @@ TEST_P(SharedBoxes, AFailureCostsTheirPlaceInAFrame) {
   EXPECT_EQ(nearRed(*screen, 2), 90U);
 }
 
-TEST_P(SharedBoxes, AThrowAnywhereOnTheWayCostsOneObjectInOneFrame) {
+TEST_P(SharedBoxes, ExceptionCostsOneObjectInOneFrame) {
   using Fault = testing::FaultyTransport::Fault;
   for (const Fault fault : {Fault::kSendRequest, Fault::kCompress, Fault::kSendResult, Fault::kDecompress}) {
     // A process of its own has nothing yet.
@@ -121,7 +121,7 @@ TEST_P(SharedBoxes, AThrowAnywhereOnTheWayCostsOneObjectInOneFrame) {
   }
 }
 
-TEST_P(SharedBoxes, ComeByBytesAsTheyWere) {
+TEST_P(SharedBoxes, RoundTripAsBytes) {
   const auto made = std::make_shared<const testing::BoxColour>(7, 0xFF123456U);
   Result result;
   result.what = {scene.layout.objects[0].id, {}};
@@ -139,7 +139,7 @@ TEST_P(SharedBoxes, ComeByBytesAsTheyWere) {
 }
 
 /// Would catch a backend node that fills a process's memory.
-TEST_P(SharedBoxes, WhatNobodyAskedForIsCountedAndNotKept) {
+TEST_P(SharedBoxes, UnrequestedDataIsCountedAndDropped) {
   const auto made = std::make_shared<const testing::BoxColour>(7, 0xFF123456U);
   for (const Key& key : {Key(), Key("other")}) {
     Result result;

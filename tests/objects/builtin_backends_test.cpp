@@ -7,12 +7,12 @@
 namespace grove::objects {
 namespace {
 
-TEST(BuiltinBackends, AreThereForEveryType) {
+TEST(BuiltinBackends, ExistForEveryType) {
   EXPECT_THAT(builtinBackends().names(),
               ::testing::UnorderedElementsAre("figure", "fluid", "ground", "lightfield", "mesh", "sky"));
 }
 
-TEST(BuiltinBackends, FluidsAndSkiesNeedNoModelsOfOthers) {
+TEST(BuiltinBackends, FluidsAndSkiesNeedNoForeignModels) {
   std::vector<std::string_view> content;
   const node::BackendTypes types = builtinBackends();
   for (const auto& type : types.all()) {

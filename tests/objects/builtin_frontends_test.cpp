@@ -15,12 +15,12 @@
 namespace grove::objects {
 namespace {
 
-TEST(BuiltinFrontends, AreThereForEveryType) {
+TEST(BuiltinFrontends, ExistForEveryType) {
   EXPECT_THAT(builtinFrontends().names(),
               ::testing::UnorderedElementsAre("figure", "fluid", "ground", "lightfield", "mesh", "sky"));
 }
 
-TEST(BuiltinFrontends, MakeTheirHalvesWithoutABackend) {
+TEST(BuiltinFrontends, WorkWithoutABackend) {
   pipeline::WorkerPool workers(1);
   pipeline::Timeline timeline;
   pipeline::MemoryLedger memory;

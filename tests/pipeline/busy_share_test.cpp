@@ -11,7 +11,7 @@
 namespace grove::pipeline {
 namespace {
 
-TEST(BusyShare, NearsTheShareOfWorkersThatHaveWork) {
+TEST(BusyShare, ApproachesTheShareOfBusyWorkers) {
   BusyShare share(4);
   EXPECT_EQ(share.at(7.0), 0.0);
   share.begin(10.0);
@@ -25,7 +25,7 @@ TEST(BusyShare, NearsTheShareOfWorkersThatHaveWork) {
 }
 
 /// Fails if it depends on how work is cut into tasks.
-TEST(BusyShare, OfWorkerThatIsBusyEveryOtherMomentIsAHalf) {
+TEST(BusyShare, AlternatingWorkerIsHalfBusy) {
   BusyShare share(1);
   for (int i = 0; i < 10000; ++i) {
     share.begin(1e-3 * i);
@@ -34,7 +34,7 @@ TEST(BusyShare, OfWorkerThatIsBusyEveryOtherMomentIsAHalf) {
   EXPECT_NEAR(share.at(10.0), 0.5, 2e-3);
 }
 
-TEST(BusyShare, OfAPoolIsThatOfItsThreads) {
+TEST(BusyShare, PoolEqualsItsThreads) {
   WorkerPool pool(2, "pool", {}, WorkerPool::Load::kMeasured);
   EXPECT_EQ(pool.busyShare(), 0.0);
   const double least = 0.25;

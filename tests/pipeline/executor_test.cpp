@@ -17,7 +17,7 @@ namespace grove::pipeline {
 namespace {
 
 // A private world that is torn down and the host that ends drain the same workers.
-TEST(Executor, ManyThreadsDrainAtOnce) {
+TEST(Executor, ConcurrentDrains) {
   WorkerPool pool(2);
   for (int round = 0; round < 2000; ++round) {
     std::atomic<int> done = 0;
@@ -32,7 +32,7 @@ TEST(Executor, ManyThreadsDrainAtOnce) {
   }
 }
 
-TEST(Executor, DrainWaitsUntilWhatATaskHeldIsDestroyed) {
+TEST(Executor, DrainWaitsForDestructorsOfTasks) {
   WorkerPool pool(2);
   for (int round = 0; round < 2000; ++round) {
     auto held = std::make_shared<int>(round);
@@ -43,7 +43,7 @@ TEST(Executor, DrainWaitsUntilWhatATaskHeldIsDestroyed) {
   }
 }
 
-TEST(Executor, DrainHoldsUpNoOtherTask) {
+TEST(Executor, DrainDoesNotBlockOtherTasks) {
   WorkerPool pool(2);
   std::promise<void> release;
   std::latch started(1);
@@ -63,7 +63,7 @@ TEST(Executor, DrainHoldsUpNoOtherTask) {
   drained.get();
 }
 
-TEST(Executor, PostFirstGoesAheadOfWhatWaits) {
+TEST(Executor, PostFirstGoesToTheFront) {
   WorkerPool pool(1);
   std::promise<void> release;
   pool.post([released = release.get_future().share()] { released.wait(); });
@@ -77,7 +77,7 @@ TEST(Executor, PostFirstGoesAheadOfWhatWaits) {
 }
 
 /// Fails if a frame that begins when a worker is idle would wait for ever.
-TEST(WorkerPool, ReportsThatAWorkerIsIdleBeforeItSleepsAndRunsWhatIsPostedThen) {
+TEST(WorkerPool, ReportsIdleWorkersBeforeTheySleep) {
   WorkerPool* pool = nullptr;
   std::latch made(1);
   std::atomic<int> idle = 0;

@@ -5,7 +5,7 @@
 namespace grove::pipeline {
 namespace {
 
-TEST(MemoryLedger, SumsWhatIsHeldByHolderAndSubject) {
+TEST(MemoryLedger, SumsByHolderAndSubject) {
   MemoryLedger ledger;
   const HeldMemory fields(ledger, "light fields", "lightfield", Work::kAcrossUser, 700);
   HeldMemory mine(ledger, "images", "", Work::kPerUserFrontend, 30);

@@ -55,7 +55,7 @@ TEST(Queue, ClosingDropsValuesAndWakesWaiters) {
   EXPECT_EQ(queue.pushReserved(value), PushResult::kClosed);
 }
 
-TEST(Queue, ManyProducersLoseNothingThatWasAccepted) {
+TEST(Queue, ManyProducersLoseNothing) {
   constexpr int kProducers = 4;
   constexpr int kEach = 5000;
   Queue<int> queue(64, Overflow::kReject);

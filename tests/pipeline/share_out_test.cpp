@@ -15,7 +15,7 @@
 namespace grove::pipeline {
 namespace {
 
-TEST(ShareOut, EachPartIsDoneOnce) {
+TEST(ShareOut, RunsEachPartOnce) {
   WorkerPool pool(3);
   for (const std::size_t parts : {0U, 1U, 2U, 100U}) {
     std::vector<std::atomic<int>> done(parts);
@@ -42,7 +42,7 @@ TEST(ShareOut, HelpersTakePartsWhileTheCallerDoes) {
 }
 
 /// Fails if it waits for helpers that have not begun: all of them wait here themselves.
-TEST(ShareOut, EndsOnTheHelpersOwnThreadsThoughNobodyHasTime) {
+TEST(ShareOut, CompletesWithoutFreeHelpers) {
   WorkerPool pool(2);
   std::latch all(2);
   std::atomic<int> done = 0;
@@ -59,7 +59,7 @@ TEST(ShareOut, EndsOnTheHelpersOwnThreadsThoughNobodyHasTime) {
 }
 
 /// Those that begin late must not touch what is gone by then.
-TEST(ShareOut, AHelperThatComesLateDoesNothing) {
+TEST(ShareOut, LateHelpersDoNothing) {
   WorkerPool pool(2);
   for (int round = 0; round < 2000; ++round) {
     const auto work = std::make_unique<std::function<void(const NextPart&)>>([](const NextPart& next) {
@@ -69,7 +69,7 @@ TEST(ShareOut, AHelperThatComesLateDoesNothing) {
   }
 }
 
-TEST(ShareOut, AnExceptionEndsItAfterThePartsThatHaveBegun) {
+TEST(ShareOut, ExceptionStopsAfterStartedParts) {
   WorkerPool pool(2);
   std::atomic<int> done = 0;
   const auto run = [&] {

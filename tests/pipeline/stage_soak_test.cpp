@@ -59,7 +59,7 @@ class Count final : public Stage<int> {
 
 class Bursts : public testing::TestWithParam<int> {};
 
-TEST_P(Bursts, LargerThanTheOutletComeThroughWhole) {
+TEST_P(Bursts, LargerThanTheOutletArriveComplete) {
   const char* const reported = std::getenv("GROVE_BURSTS");
   const int bursts = reported ? std::stoi(reported) : 200;
   Timeline timeline;

@@ -122,7 +122,7 @@ TEST(Stage, SerialStagesKeepTheOrder) {
   EXPECT_EQ(collect->values(), expected);
 }
 
-TEST(Stage, AFullSuccessorHoldsBackItsPredecessors) {
+TEST(Stage, FullSuccessorAppliesBackPressure) {
   Timeline timeline;
   WorkerPool pool(3);
   const auto add = std::make_shared<AddOne>(named("add", 4), pool, timeline);
@@ -142,7 +142,7 @@ TEST(Stage, AFullSuccessorHoldsBackItsPredecessors) {
 }
 
 // The run that found no room is still under way when it is told of some.
-TEST(Stage, RoomThatComesWhileARunLooksForItIsNotForgotten) {
+TEST(Stage, ConcurrentRoomIsNotMissed) {
   Timeline timeline;
   WorkerPool pool(1);
   const auto add = std::make_shared<AddOne>(named("add", 4), pool, timeline);
@@ -152,7 +152,7 @@ TEST(Stage, RoomThatComesWhileARunLooksForItIsNotForgotten) {
   EXPECT_TRUE(eventually([&] { return next->got == 2; }));
 }
 
-TEST(Stage, AnExceptionEndsItsRunOnly) {
+TEST(Stage, ExceptionEndsOnlyItsRun) {
   Timeline timeline;
   WorkerPool pool(2);
   const auto add = std::make_shared<AddOne>(named("add", 8), pool, timeline);
@@ -166,7 +166,7 @@ TEST(Stage, AnExceptionEndsItsRunOnly) {
   EXPECT_EQ(timeline.totals().at("add").failures, 1u);
 }
 
-TEST(Stage, AConcurrentStageRunsInParallel) {
+TEST(Stage, ConcurrentStagesRunInParallel) {
   Timeline timeline;
   WorkerPool pool(2);
   StageOptions options = named("meet", 4);
@@ -177,7 +177,7 @@ TEST(Stage, AConcurrentStageRunsInParallel) {
   EXPECT_TRUE(eventually([&] { return meet->met == 2; }));
 }
 
-TEST(Stage, BatchesWhatHasQueuedUp) {
+TEST(Stage, BatchesQueuedInput) {
   Timeline timeline;
   WorkerPool pool(1);
   StageOptions options = named("collect", 16);
@@ -190,7 +190,7 @@ TEST(Stage, BatchesWhatHasQueuedUp) {
   EXPECT_LE(collect->largestBatch, 8u);
 }
 
-TEST(Stage, ABatchNeverOutgrowsItsOutlet) {
+TEST(Stage, BatchFitsTheOutlet) {
   Timeline timeline;
   WorkerPool pool(2);
   StageOptions options = named("add", 16);
@@ -204,7 +204,7 @@ TEST(Stage, ABatchNeverOutgrowsItsOutlet) {
   EXPECT_LE(collect->maxQueued, 3u);
 }
 
-TEST(Stage, CloseDropsWhatIsQueuedAndEndsCleanly) {
+TEST(Stage, CloseDropsTheQueue) {
   Timeline timeline;
   std::weak_ptr<AddOne> wasAdd;
   std::shared_ptr<Collect> collect;
@@ -226,7 +226,7 @@ TEST(Stage, CloseDropsWhatIsQueuedAndEndsCleanly) {
 }
 
 /// Or the frames that have begun wait behind those that have not.
-TEST(Stage, OneThatFinishesGoesFirst) {
+TEST(Stage, FinishersGoFirst) {
   Timeline timeline;
   WorkerPool pool(1);
   StageOptions last = named("last", 16);
@@ -245,7 +245,7 @@ TEST(Stage, OneThatFinishesGoesFirst) {
   EXPECT_STREQ(events[1].stage, "first");
 }
 
-TEST(Stage, IsIdleOnceAllThatWasPushedIsDone) {
+TEST(Stage, IsIdleWhenDone) {
   Timeline timeline;
   WorkerPool pool(2);
   const auto collect = std::make_shared<Collect>(named("collect", 4), pool, timeline);
@@ -258,7 +258,7 @@ TEST(Stage, IsIdleOnceAllThatWasPushedIsDone) {
   }
 }
 
-TEST(Stage, EveryRunLeavesATaggedEvent) {
+TEST(Stage, EveryRunIsRecorded) {
   Timeline timeline;
   {
     WorkerPool pool(1);

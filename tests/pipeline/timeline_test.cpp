@@ -28,7 +28,7 @@ TEST(Timeline, KeepsTheNewestEventsAndAllTotals) {
   EXPECT_EQ(timeline.totals().at("stage").cpuNanoseconds, 50);
 }
 
-TEST(Timeline, GivesTheNewestEventsInOrderWhileOthersRecord) {
+TEST(Timeline, ReadsEventsInOrderDuringRecording) {
   Timeline timeline(1000);
   std::atomic<bool> done = false;
   std::thread recorder([&] {
@@ -61,7 +61,7 @@ void useCpu(std::int64_t nanoseconds) {
   }
 }
 
-TEST(Timeline, CountsEveryNanosecondOfNestedRunsOnce) {
+TEST(Timeline, NestedRunsCountOnce) {
   constexpr std::int64_t kPiece = 2'000'000;
   Timeline timeline;
   const std::int64_t begin = threadCpuNanoseconds();
@@ -90,7 +90,7 @@ TEST(Timeline, CountsEveryNanosecondOfNestedRunsOnce) {
   EXPECT_EQ(costs.at({"Shared View", "lightfield"}).work, Work::kAcrossUser);
 }
 
-TEST(Timeline, PartsThatComeInTurnsAreOneEventASubject) {
+TEST(Timeline, InterleavedPartsAreOneEventPerSubject) {
   constexpr std::int64_t kPiece = 2'000'000;
   Timeline timeline;
   const std::int64_t begin = threadCpuNanoseconds();
@@ -132,7 +132,7 @@ TEST(Timeline, PartsThatComeInTurnsAreOneEventASubject) {
   EXPECT_NE(events[2].thread, events[0].thread);
 }
 
-TEST(Timeline, KeepsNestedRunsOfOtherTimelinesApart) {
+TEST(Timeline, SeparatesNestedRunsOfOtherTimelines) {
   Timeline one;
   Timeline two;
   {
@@ -143,7 +143,7 @@ TEST(Timeline, KeepsNestedRunsOfOtherTimelinesApart) {
   EXPECT_EQ(two.totals().size(), 1u);
 }
 
-TEST(Timeline, CountsWhatIsNoTime) {
+TEST(Timeline, HasCounters) {
   Timeline timeline;
   timeline.count("hits");
   timeline.count("hits", 4);
@@ -151,7 +151,7 @@ TEST(Timeline, CountsWhatIsNoTime) {
   EXPECT_EQ(timeline.counters(), (std::map<std::string, std::int64_t>{{"hits", 5}, {"misses", 1}}));
 }
 
-TEST(Timeline, NamesOfWorkAreThePapersTerms) {
+TEST(Timeline, WorkHasThePapersTerms) {
   EXPECT_EQ(toString(Work::kAcrossUser), "across-user");
   EXPECT_EQ(toString(Work::kPerUserBackend), "per-user-backend");
   EXPECT_EQ(toString(Work::kPerUserFrontend), "per-user-frontend");

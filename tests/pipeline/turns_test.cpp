@@ -33,7 +33,7 @@ TEST(Turns, ServeEachLineInOrder) {
   EXPECT_THAT(numbersFrom(queue), ElementsAre(70, 90, 1, 71, 91, 72, 73));
 }
 
-TEST(Turns, GoOnWhereTheyWereWhenALineComesBack) {
+TEST(Turns, ResumeWhenALineReturns) {
   Queue<Guest> queue(100, Overflow::kReject);
   for (int i = 0; i < 3; ++i) queue.push({7, 70 + i});
   EXPECT_EQ(queue.pop()->number, 70);
@@ -45,7 +45,7 @@ TEST(Turns, GoOnWhereTheyWereWhenALineComesBack) {
 }
 
 /// Fails if one line can keep the others out.
-TEST(Turns, ALineTakesHalfOfAQueueAtMost) {
+TEST(Turns, OneLineTakesHalfOfAQueueAtMost) {
   Queue<Guest> queue(8, Overflow::kReject);
   for (int i = 0; i < 4; ++i) EXPECT_EQ(queue.push({1, i}), PushResult::kAccepted);
   EXPECT_EQ(queue.push({1, 4}), PushResult::kRejected);

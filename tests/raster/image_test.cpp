@@ -5,7 +5,7 @@
 namespace grove::raster {
 namespace {
 
-TEST(ImagePool, GivesRowsOfTheAskedSize) {
+TEST(ImagePool, RowsHaveTheRequestedSize) {
   ImagePool pool;
   const auto image = pool.acquire({10, 20, 110, 70});
   EXPECT_EQ(image->width(), 100);
@@ -22,7 +22,7 @@ TEST(ImagePool, ReusesMemory) {
   EXPECT_EQ(pool.acquire({5, 5, 645, 365})->colour.data(), before);
 }
 
-TEST(ImagePool, KeepsNoMoreThanItsBound) {
+TEST(ImagePool, IsBounded) {
   ImagePool pool(1 << 20);
   { const auto a = pool.acquire({0, 0, 1280, 720}); }
   EXPECT_EQ(pool.unusedBytes(), 0u);
@@ -38,7 +38,7 @@ TEST(ImagePool, ImagesMayOutliveIt) {
   EXPECT_EQ(image->colour[63], 7u);
 }
 
-TEST(ImagePool, ReportsWhatItHoldsUsedOrNot) {
+TEST(ImagePool, ReportsUsedAndFreeBytes) {
   pipeline::MemoryLedger memory;
   const auto reported = [&] { return memory.totals().at({"images", ""}).bytes; };
   std::shared_ptr<Image> outlives;
@@ -79,7 +79,7 @@ TEST(ImagePool, ReportsTheTouchedPagesOfASparseImage) {
   EXPECT_EQ(reported(), 1024 * 100 * 8) << "all of it was touched";
 }
 
-TEST(ImagePool, AnEmptyRectangleIsNoError) {
+TEST(ImagePool, AcceptsAnEmptyRectangle) {
   ImagePool pool;
   EXPECT_TRUE(pool.acquire({5, 5, 5, 9})->colour.empty());
 }

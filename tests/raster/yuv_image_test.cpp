@@ -22,7 +22,7 @@ int channel(std::uint32_t colour, unsigned shift) { return static_cast<int>(colo
 
 /// JFIF 1.02: Y = 0.299 R + 0.587 G + 0.114 B, Cb and Cr around 128, all in 0 to 255. Fails for the limited range,
 /// another matrix, and planes or channels that are swapped.
-TEST(YuvImage, IsWhatJpegCallsIt) {
+TEST(YuvImage, UsesJpegColours) {
   ImagePool pool;
   struct Case {
     std::uint32_t rgba;
@@ -48,7 +48,7 @@ TEST(YuvImage, IsWhatJpegCallsIt) {
 }
 
 /// What is composited over a part of a frame must not change the pixels around it.
-TEST(YuvImage, ComesBackFromRgbaAsItWas) {
+TEST(YuvImage, RoundTripsThroughRgba) {
   ImagePool pool;
   const auto yuv = acquireYuv(pool, kArea);
   for (int y = kArea.top; y < kArea.bottom; ++y) {
@@ -67,7 +67,7 @@ TEST(YuvImage, ComesBackFromRgbaAsItWas) {
   for (std::size_t i = 0; i < yuv->bytes.size(); ++i) ASSERT_NEAR(back->bytes[i], yuv->bytes[i], 2) << i;
 }
 
-TEST(YuvImage, ConvertsTheAskedPartOnly) {
+TEST(YuvImage, ConvertsOnlyTheRequestedPart) {
   ImagePool pool;
   constexpr world::Rect kPart{0, 4, 10, 8};
   const auto yuv = acquireYuv(pool, kArea);
@@ -83,7 +83,7 @@ TEST(YuvImage, ConvertsTheAskedPartOnly) {
 }
 
 /// Bands are converted by themselves.
-TEST(YuvImage, SemiPlanarBandsLandWhereTheyBelong) {
+TEST(YuvImage, SemiPlanarBands) {
   ImagePool pool;
   const auto whole = acquireSemiPlanar(pool, kArea);
   std::ranges::fill(whole->bytes, std::uint8_t{7});
@@ -102,7 +102,7 @@ std::shared_ptr<SemiPlanarImage> counting(ImagePool& pool, const world::Rect& re
   return image;
 }
 
-TEST(YuvImage, SemiPlanarPartsLandWhereTheyBelong) {
+TEST(YuvImage, SemiPlanarParts) {
   ImagePool pool;
   constexpr world::Rect kPart{8, 6, 16, 10};
   const auto whole = acquireSemiPlanar(pool, kArea);
@@ -117,7 +117,7 @@ TEST(YuvImage, SemiPlanarPartsLandWhereTheyBelong) {
   }
 }
 
-TEST(YuvImage, CopiesTheAskedPartOnly) {
+TEST(YuvImage, CopiesOnlyTheRequestedPart) {
   ImagePool pool;
   constexpr world::Rect kPart{0, 4, 20, 12};
   const auto from = counting(pool, kArea);

@@ -22,7 +22,7 @@ test("the server's picture is a JPEG", async () => {
   assert.deepEqual([type, size], ['image/jpeg', 2]);
 });
 
-test('a server that cannot or does not answer leaves what is on the screen', async () => {
+test('an unreachable server leaves the screen unchanged', async () => {
   for (const refuse of [({ capture }) => capture.answered({ number: 1, picture: null }), ({ clock }) => clock.advance(3000)]) {
     const parts = setUp();
     const taken = parts.capture.take();
@@ -35,7 +35,7 @@ test('a server that cannot or does not answer leaves what is on the screen', asy
   }
 });
 
-test('no picture at all is a failure', async () => {
+test('a missing picture is a failure', async () => {
   const { capture } = setUp();
   const taken = capture.take();
   capture.answered({ number: 1, picture: null });

@@ -26,7 +26,7 @@ async function offered(window, preference = 'auto') {
   return codecs.offer(preference);
 }
 
-test('offers what the browser decodes, the best first', async () => {
+test('offers decodable codecs, the best first', async () => {
   assert.deepEqual(await offered(windowWith(async () => ({ supported: true }))), [h264, jpeg]);
 });
 
@@ -43,13 +43,13 @@ for (const [what, answer] of [
 }
 
 // Fault: a server that takes JPEG, to save work, for a visitor who chose H.264.
-test('a codec asked for by name is offered alone', async () => {
+test('offers only a codec that is requested by name', async () => {
   const window = windowWith(async () => ({ supported: true }));
   assert.deepEqual(await offered(window, 'h264'), [h264]);
   assert.deepEqual(await offered(window, 'jpeg'), [jpeg]);
 });
 
-test('a codec that failed is not offered again in this tab, reloaded or not', async () => {
+test('does not offer a failed codec again in this tab, even after a reload', async () => {
   const window = windowWith(async () => ({ supported: true }));
   const codecs = new Codecs(window);
   await codecs.ask();
@@ -59,7 +59,7 @@ test('a codec that failed is not offered again in this tab, reloaded or not', as
   assert.deepEqual(await offered(window), [jpeg]);
 });
 
-test('without storage, or with nonsense in it, it goes on', async () => {
+test('works without storage and with malformed storage', async () => {
   const supported = async () => ({ supported: true });
   const none = windowWith(supported, undefined);
   const codecs = new Codecs(none);

@@ -75,7 +75,7 @@ function setUp({ mayRetry = () => true, protocol = 'grove.v1.1' } = {}) {
   return { clock, sockets, states, frames, waits, refining, connection, letIn };
 }
 
-test('says hello first and nothing else before the welcome', () => {
+test('sends only hello before the welcome', () => {
   const { sockets, connection } = setUp();
   connection.sendResize({ width: 100, height: 100 });
   sockets[0].open();
@@ -84,7 +84,7 @@ test('says hello first and nothing else before the welcome', () => {
   assert.deepEqual(sockets[0].sent, [golden.find((entry) => entry.name === 'hello').hex]);
 });
 
-test('hands on frames and acknowledges each once, in order', () => {
+test('delivers frames and acknowledges each once, in order', () => {
   const { sockets, states, frames, connection, letIn } = setUp();
   letIn();
   sockets[0].receive(bytesOf('frame'));
@@ -97,7 +97,7 @@ test('hands on frames and acknowledges each once, in order', () => {
   assert.deepEqual(states, ['connecting', 'open']);
 });
 
-test('asks for a size once', () => {
+test('requests a size once', () => {
   const { sockets, connection, letIn } = setUp();
   letIn();
   connection.sendResize({ width: 1280, height: 720 });
@@ -106,7 +106,7 @@ test('asks for a size once', () => {
   assert.deepEqual(sockets[0].sent.slice(1), ['040000008007000038040000']);
 });
 
-test('comes back with growing delays, and begins anew after a frame', () => {
+test('reconnects with growing delays, reset by a frame', () => {
   const { clock, sockets, states, letIn } = setUp();
   letIn();
   sockets[0].end(1006);
@@ -128,7 +128,7 @@ test('comes back with growing delays, and begins anew after a frame', () => {
   assert.deepEqual(states, ['connecting', 'open', 'lost', 'open', 'lost']);
 });
 
-test('acknowledgements of a former connection do not reach the next', () => {
+test('does not send acknowledgements of a former connection', () => {
   const { clock, sockets, connection, letIn } = setUp();
   letIn();
   connection.acknowledge({ frame: 900, arrived: 0 });
@@ -140,7 +140,7 @@ test('acknowledgements of a former connection do not reach the next', () => {
   assert.deepEqual(sockets[1].sent.slice(1), ['0300000001000000']);
 });
 
-test('a full server is tried again later', () => {
+test('retries a full server later', () => {
   const { clock, sockets, states, connection } = setUp();
   sockets[0].open();
   sockets[0].end(4002, 'there is no room');
@@ -160,7 +160,7 @@ test('a full server is tried again later', () => {
 });
 
 for (const [code, state] of [[4000, 'refused: too odd'], [4004, 'refused: too odd'], [4001, 'outdated: too odd']]) {
-  test(`close code ${code} is told and not tried again`, () => {
+  test(`close code ${code} is reported and not retried`, () => {
     const { clock, sockets, states } = setUp();
     sockets[0].open();
     sockets[0].end(code, 'too odd');
@@ -170,7 +170,7 @@ for (const [code, state] of [[4000, 'refused: too odd'], [4004, 'refused: too od
   });
 }
 
-test('bad bytes from the server end the connection with the reason', () => {
+test('malformed bytes end the connection with the reason', () => {
   const { sockets, states, letIn } = setUp();
   letIn();
   sockets[0].receive(new Uint8Array([0x55]).buffer);
@@ -190,7 +190,7 @@ test('a server that falls silent counts as lost', () => {
   assert.equal(sockets[0].closedWith, 1000);
 });
 
-test('who comes before the world is ready is told how it gets on, and is let in without knocking again', () => {
+test('early visitors get progress and enter on the same connection', () => {
   const { clock, sockets, states, waits, letIn } = setUp();
   sockets[0].open();
   for (let i = 0; i < 3; i += 1) {
@@ -204,7 +204,7 @@ test('who comes before the world is ready is told how it gets on, and is let in 
   assert.equal(sockets.length, 1);
 });
 
-test('what gets finer is told apart from frames, and only to one who is in', () => {
+test('refinement is reported apart from frames, after the welcome', () => {
   const { sockets, frames, refining, letIn } = setUp();
   sockets[0].open();
   sockets[0].receive(bytesOf('refining'));
@@ -215,7 +215,7 @@ test('what gets finer is told apart from frames, and only to one who is in', () 
   assert.deepEqual(frames, []);
 });
 
-test('a hidden page waits to be looked at before it returns', () => {
+test('a hidden page reconnects when visible', () => {
   let visible = false;
   const { clock, sockets, connection, letIn } = setUp({ mayRetry: () => visible });
   letIn();
@@ -229,7 +229,7 @@ test('a hidden page waits to be looked at before it returns', () => {
   assert.equal(sockets.length, 2);
 });
 
-test('who lost the place while hidden is told why, and comes back when shown', () => {
+test('a place lost while hidden is explained and restored when visible', () => {
   let visible = false;
   const { clock, sockets, states, connection, letIn } = setUp({ mayRetry: () => visible });
   letIn();
@@ -242,7 +242,7 @@ test('who lost the place while hidden is told why, and comes back when shown', (
   assert.deepEqual(states, ['connecting', 'open', 'away: your place went to a newcomer', 'open']);
 });
 
-test('delays are spread, but never beyond five seconds', () => {
+test('delays are jittered and at most five seconds', () => {
   const early = new Backoff(() => 0);
   const late = new Backoff(() => 1);
   assert.equal(early.next(), 450);
@@ -252,13 +252,13 @@ test('delays are spread, but never beyond five seconds', () => {
   assert.equal(late.next(), 550);
 });
 
-test('offers codecs before the hello, to a server that has a choice', () => {
+test('offers codecs before the hello to servers that choose', () => {
   const { sockets } = setUp({ protocol: 'grove.v1.2' });
   sockets[0].open();
   assert.deepEqual(sockets[0].sent, ['05020201', golden.find((entry) => entry.name === 'hello').hex]);
 });
 
-test('an older server hears nothing of offers, limits and the like', () => {
+test('sends no newer messages to an older server', () => {
   const { sockets, connection, letIn } = setUp();
   letIn();
   const limits = { hidden: true, border: false, framesPerSecond: 0, kilobitsPerSecond: 0, lines: 0 };
@@ -268,7 +268,7 @@ test('an older server hears nothing of offers, limits and the like', () => {
   assert.equal(sockets[0].sent.length, 1);
 });
 
-test('tells when a picture came and how long it took to the screen', () => {
+test('reports arrival and display time of pictures', () => {
   const { clock, sockets, connection, letIn } = setUp({ protocol: 'grove.v1.2' });
   letIn();
   clock.advance(1000);
@@ -279,7 +279,7 @@ test('tells when a picture came and how long it took to the screen', () => {
   assert.deepEqual(sockets[0].sent.slice(2), ['0800550009000000' + '0c210f00']);
 });
 
-test('a server that promised to speak and does not is told of, until it speaks again or is lost', () => {
+test('reports a silent server until it speaks or is lost', () => {
   const { clock, sockets, states, letIn } = setUp({ protocol: 'grove.v1.2' });
   letIn();
   clock.advance(9_000);
@@ -298,7 +298,7 @@ test('a server that promised to speak and does not is told of, until it speaks a
   assert.deepEqual(states.slice(5), ['lost']);
 });
 
-test('an older server may be silent for longer', () => {
+test('older servers may be silent longer', () => {
   const { clock, sockets, states, letIn } = setUp();
   letIn();
   sockets[0].receive(bytesOf('frame'));
@@ -306,7 +306,7 @@ test('an older server may be silent for longer', () => {
   assert.deepEqual(states, ['connecting', 'open']);
 });
 
-test('silence means nothing while nobody looks, nor just after', () => {
+test('ignores silence while hidden and shortly after', () => {
   let visible = true;
   const { clock, sockets, states, connection, letIn } = setUp({ protocol: 'grove.v1.2', mayRetry: () => visible });
   letIn();
@@ -321,7 +321,7 @@ test('silence means nothing while nobody looks, nor just after', () => {
   assert.deepEqual(states.slice(2), ['silent']);
 });
 
-test('a page that was itself held up reads what came before it judges', () => {
+test('a stalled page reads pending messages first', () => {
   const { clock, sockets, states, letIn } = setUp({ protocol: 'grove.v1.2' });
   letIn();
   sockets[0].receive(bytesOf('picture'));
@@ -334,7 +334,7 @@ test('a page that was itself held up reads what came before it judges', () => {
   assert.deepEqual(states.slice(2), ['silent']);
 });
 
-test('a server of 1.3 hears how long decoding and painting took, one of 1.2 does not', () => {
+test('reports decoding and painting times to 1.3 and not to 1.2', () => {
   for (const [protocol, type] of [['grove.v1.4', '09'], ['grove.v1.3', '09'], ['grove.v1.2', '08']]) {
     const { sockets, clock, connection, letIn } = setUp({ protocol });
     letIn();
@@ -346,7 +346,7 @@ test('a server of 1.3 hears how long decoding and painting took, one of 1.2 does
   }
 });
 
-test('a capture is asked for only of a server that knows it', () => {
+test('requests a capture only from servers that support it', () => {
   for (const [protocol, count] of [['grove.v1.4', 1], ['grove.v1.3', 1], ['grove.v1.2', 0]]) {
     const { sockets, connection, letIn } = setUp({ protocol });
     letIn();

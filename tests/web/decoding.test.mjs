@@ -45,7 +45,7 @@ function setUp({ refuses = () => {} } = {}) {
 
 const named = (name) => Object.assign(new Error(name), { name });
 
-test('after a failure, what depends on it is skipped until an independent picture comes', () => {
+test('after a failure, skips dependent pictures until an independent one', () => {
   const { log, made, push } = setUp();
   push(2, true);
   const second = push(2, false);
@@ -59,7 +59,7 @@ test('after a failure, what depends on it is skipped until an independent pictur
   assert.deepEqual(made[1].pushed, [5, 6]);
 });
 
-test('a stream that begins in its midst is asked to begin anew', () => {
+test('requests an independent picture if the stream starts with a dependent one', () => {
   const { log, made, push } = setUp();
   push(2, false);
   push(2, false);
@@ -67,7 +67,7 @@ test('a stream that begins in its midst is asked to begin anew', () => {
   assert.equal(made.length, 0);
 });
 
-test('another codec gets another decoder, and the former one is let go', () => {
+test('a new codec gets a new decoder, and the former one is closed', () => {
   const { log, made, push } = setUp();
   push(2, true);
   push(1, true);
@@ -76,7 +76,7 @@ test('another codec gets another decoder, and the former one is let go', () => {
   assert.deepEqual(log, []);
 });
 
-test('a codec that fails again and again is given up, one that fails now and then is not', () => {
+test('gives up a codec that fails repeatedly, not one that fails occasionally', () => {
   const { clock, log, decodeOne, failOne, push } = setUp();
   push(2, true);
   decodeOne(2);
@@ -91,20 +91,20 @@ test('a codec that fails again and again is given up, one that fails now and the
   assert.equal(log.at(-1), 'skipped 9', 'what is still on its way is acknowledged');
 });
 
-test('a codec that never worked is given up sooner', () => {
+test('gives up a codec sooner if it never worked', () => {
   const { log, failOne } = setUp();
   failOne(2);
   failOne(2);
   assert.equal(log.at(-2), 'useless 2: bad bits');
 });
 
-test('a browser that refuses a codec it claimed is not asked twice', () => {
+test('does not retry a codec that the browser refuses', () => {
   const { log, failOne } = setUp();
   failOne(2, named('NotSupportedError'));
   assert.deepEqual(log, ['useless 2: NotSupportedError', 'skipped 1']);
 });
 
-test('a browser that cannot even make the decoder counts as one that fails', () => {
+test('a decoder that cannot be created counts as failed', () => {
   const { log, push } = setUp({
     refuses: (codec) => {
       if (codec === 2) throw new TypeError('no such thing');
@@ -115,7 +115,7 @@ test('a browser that cannot even make the decoder counts as one that fails', () 
   assert.deepEqual(log, ['broken 1', 'skipped 1', 'useless 2: no such thing', 'skipped 2']);
 });
 
-test('a decoder that the browser took back from a page in the background is no failure', () => {
+test('a decoder reclaimed from a background page is not a failure', () => {
   const { log, decodeOne, made, push } = setUp();
   push(2, true);
   for (let i = 0; i < 5; i += 1) {
@@ -127,7 +127,7 @@ test('a decoder that the browser took back from a page in the background is no f
   assert.equal(log.at(-2), 'broken 7');
 });
 
-test('a decoder that holds pictures back is replaced by software, and that by another codec', () => {
+test('replaces a decoder that holds pictures back by software, then by another codec', () => {
   const { log, made, push, failOne } = setUp();
   push(2, true);
   assert.equal(made[0].software, false);

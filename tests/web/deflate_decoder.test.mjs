@@ -10,13 +10,13 @@ const bytes = Uint8Array.from(Buffer.from(golden.bytes, 'hex'));
 const picture = (fields) => ({ codec: kDeflate, independent: true, width: 4, height: 2, picture: bytes, ...fields });
 
 // Fault: a decoder that reads other bytes than the encoder in C++ writes; both tests have this picture.
-test('pictures of DeflateEncoder become the planes that they were', async () => {
+test('decodes pictures of DeflateEncoder', async () => {
   assert.deepEqual([...(await planesOf(bytes))], golden.planes);
   await assert.rejects(planesOf(bytes.slice(0, 10)));
 });
 
 // Faults: a decoder that is none for the page, because it calls nothing, or after its end.
-test('the decoder has the form that the page takes', async () => {
+test('the decoder has the interface of the page', async () => {
   const images = [];
   const failures = [];
   let closed = 0;

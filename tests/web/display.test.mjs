@@ -74,7 +74,7 @@ test('paints pictures in their order', async () => {
   assert.equal(open.size, 0);
 });
 
-test('a picture decoded late never replaces a newer one', async () => {
+test('a late picture never replaces a newer one', async () => {
   const { log, open, push, finish, vsync } = setUp();
   push(1);
   push(2);
@@ -85,7 +85,7 @@ test('a picture decoded late never replaces a newer one', async () => {
   assert.equal(open.size, 0, 'the late bitmap is closed');
 });
 
-test('the newest wins between two paints', async () => {
+test('paints the newest picture', async () => {
   const { log, open, push, finish, vsync } = setUp();
   for (const frame of [1, 2, 3]) {
     push(frame);
@@ -96,7 +96,7 @@ test('the newest wins between two paints', async () => {
   assert.equal(open.size, 0);
 });
 
-test('a broken picture is told and the next one shows', async () => {
+test('reports a broken picture and shows the next one', async () => {
   const { log, push, finish, fail, vsync } = setUp();
   push(1);
   await fail('p1');
@@ -106,7 +106,7 @@ test('a broken picture is told and the next one shows', async () => {
   assert.deepEqual(log, ['broken 1', 'skipped 1', 'paint p2', 'presented 2']);
 });
 
-test('JPEG is kept however often it fails', async () => {
+test('keeps JPEG despite failures', async () => {
   const { log, push, fail } = setUp();
   for (let frame = 1; frame <= 20; frame += 1) {
     push(frame);
@@ -115,7 +115,7 @@ test('JPEG is kept however often it fails', async () => {
   assert.equal(log.at(-1), 'skipped 20');
 });
 
-test('a new connection starts its count anew, and the former one shows nothing more', async () => {
+test('a new connection resets the count and hides pictures of the former one', async () => {
   const { log, open, display, decoding, push, finish, fail, vsync } = setUp();
   push(70);
   await finish('p70');
@@ -134,7 +134,7 @@ test('a new connection starts its count anew, and the former one shows nothing m
   assert.equal(open.size, 0);
 });
 
-test('between pictures, one paint turns the picture to the newest look, and only if it looks elsewhere', async () => {
+test('between pictures, turns the last one to the newest view, once per change', async () => {
   const { log, screen, display, push, finish, vsync } = setUp();
   display.turn();
   vsync();
@@ -151,7 +151,7 @@ test('between pictures, one paint turns the picture to the newest look, and only
   assert.deepEqual(log, ['turn', 'paint p1', 'presented 1'], 'a new picture is painted turned at once');
 });
 
-test('a paint is timed by the clock around it, and told as turned only if it is', async () => {
+test('times each paint, and marks turned ones', async () => {
   let now = 0;
   let paint = null;
   const told = [];

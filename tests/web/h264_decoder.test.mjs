@@ -74,14 +74,14 @@ function setUp({ held = 0 } = {}) {
   return { clock, log, frames, browser, decoder, push };
 }
 
-test('the name of the codec comes out of the stream', () => {
+test('reads the codec name from the stream', () => {
   assert.equal(codecName(kIndependent), 'avc1.42C01F');
   assert.equal(codecName(kDependent), null);
   for (let length = 0; length < kIndependent.length; length += 1) codecName(kIndependent.subarray(0, length));
   assert.equal(codecName(Uint8Array.of(0, 0, 1, 0x67, 0x42, 0xc0)), null, 'cut short');
 });
 
-test('decodes independent and dependent pictures, and configures anew for another size', () => {
+test('decodes independent and dependent pictures, and reconfigures for another size', () => {
   const { log, browser, push, frames } = setUp();
   push(kIndependent);
   push();
@@ -103,13 +103,13 @@ test('decodes independent and dependent pictures, and configures anew for anothe
   assert.equal(frames.open, 0);
 });
 
-test('an independent picture without parameter sets is a failure', () => {
+test('refuses an independent picture without parameter sets', () => {
   const { log, push } = setUp();
   push(Uint8Array.of(0, 0, 0, 1, 0x65, 0x88));
   assert.deepEqual(log, ['Error at 1: an independent picture has no parameter sets']);
 });
 
-test('an error in the midst is told with the newest picture that is lost by it', () => {
+test('an error reports the newest lost picture', () => {
   const { log, browser, push } = setUp();
   push(kIndependent);
   push();
@@ -117,7 +117,7 @@ test('an error in the midst is told with the newest picture that is lost by it',
   assert.equal(log.at(-1), 'Error at 2: bad bits');
 });
 
-test('a closed decoder tells nothing more, and what it still hands out is closed', () => {
+test('a closed decoder reports nothing and closes late pictures', () => {
   const { clock, log, frames, browser, decoder, push } = setUp();
   push(kIndependent);
   decoder.close();
@@ -128,14 +128,14 @@ test('a closed decoder tells nothing more, and what it still hands out is closed
   assert.equal(frames.open, 0);
 });
 
-test('what piles up before a decoder is thrown away instead of shown late', () => {
+test('drops pictures that queue up before a decoder', () => {
   const { log, push } = setUp();
   push(kIndependent);
   for (let i = 0; i < 30; i += 1) push();
   assert.equal(log.at(-1), 'Error at 31: the decoder does not keep up');
 });
 
-test('a decoder that keeps pictures back is found out while pictures come, within two seconds', () => {
+test('detects a decoder that holds pictures back within two seconds', () => {
   const { clock, log, browser, push } = setUp({ held: 1 });
   push(kIndependent);
   browser.work();
@@ -149,7 +149,7 @@ test('a decoder that keeps pictures back is found out while pictures come, withi
   assert.ok(clock.now() < 2000, `after ${clock.now()} ms`);
 });
 
-test('and while none come: the server goes on, for it does not wait for what is inside', () => {
+test('detects it without new pictures, too', () => {
   const { clock, log, browser, push } = setUp({ held: 1 });
   push(kIndependent);
   push();
@@ -160,7 +160,7 @@ test('and while none come: the server goes on, for it does not wait for what is 
   assert.match(log.at(-1), /^HoldsBack at 2: the decoder holds 1 pictures back/);
 });
 
-test('a decoder that is only slow stays', () => {
+test('keeps a slow decoder', () => {
   const { clock, log, browser, push } = setUp();
   push(kIndependent);
   push();
@@ -188,7 +188,7 @@ test('a decoder that is only slow stays', () => {
   assert.ok(!log.some((line) => /HoldsBack|Error/.test(line)), log.slice(-3).join());
 });
 
-test('a decoder that takes its time before the first picture is given it', () => {
+test('allows a slow first picture', () => {
   const { clock, log, browser, push } = setUp();
   push(kIndependent);
   clock.advance(2_900);
@@ -197,7 +197,7 @@ test('a decoder that takes its time before the first picture is given it', () =>
   assert.ok(!log.some((line) => line.startsWith('HoldsBack')));
 });
 
-test('a rest now and then is forgiven', () => {
+test('tolerates occasional pauses', () => {
   const { clock, log, browser, push } = setUp();
   push(kIndependent);
   browser.work();

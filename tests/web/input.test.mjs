@@ -25,7 +25,7 @@ function keyboard({ shortcuts = {}, keys = kDefaultKeys, focus = [] } = {}) {
   return { window, controls, press: fire.bind(null, 'keydown'), lift: fire.bind(null, 'keyup') };
 }
 
-test('keys combine and let go one by one', () => {
+test('keys combine and are released one by one', () => {
   const { controls, press, lift } = keyboard();
   press('KeyW');
   press('KeyA');
@@ -37,7 +37,7 @@ test('keys combine and let go one by one', () => {
   assert.equal(controls.keys, Key.forward | Key.run | Key.blow);
 });
 
-test('two keys of one meaning do not end each other', () => {
+test('two keys of one action are independent', () => {
   const { controls, press, lift } = keyboard();
   press('KeyW');
   press('ArrowUp');
@@ -47,7 +47,7 @@ test('two keys of one meaning do not end each other', () => {
   assert.equal(controls.keys, 0);
 });
 
-test('blur lets go of everything', () => {
+test('blur releases everything', () => {
   const { window, controls, press } = keyboard();
   press('KeyD');
   press('KeyQ');
@@ -57,7 +57,7 @@ test('blur lets go of everything', () => {
   assert.equal(controls.turning, null);
 });
 
-test('a page that goes into hiding lets go of everything', () => {
+test('hiding the page releases everything', () => {
   const { window, controls, press } = keyboard();
   press('KeyS');
   window.document.hidden = true;
@@ -74,7 +74,7 @@ test("the browser's own shortcuts stay the browser's", () => {
   assert.equal(press('Tab').defaultPrevented, false);
 });
 
-test('shortcuts run once a press, by each of their keys', () => {
+test('shortcuts run once per press, with each of their keys', () => {
   let toggled = 0;
   const { press } = keyboard({ shortcuts: { figures: () => (toggled += 1) } });
   press('KeyO');
@@ -83,7 +83,7 @@ test('shortcuts run once a press, by each of their keys', () => {
   assert.equal(toggled, 2);
 });
 
-test('chosen keys walk and turn, and the former ones no more', () => {
+test('chosen keys replace the former ones', () => {
   const keys = { ...kDefaultKeys, forward: ['KeyZ', ''], turnLeft: ['KeyJ', ''] };
   const { controls, press } = keyboard({ keys });
   assert.equal(press('KeyW').defaultPrevented, false);
@@ -95,7 +95,7 @@ test('chosen keys walk and turn, and the former ones no more', () => {
   assert.ok(controls.turning.yaw > 0);
 });
 
-test('who types, presses a button or is in a panel walks nowhere', () => {
+test('typing, buttons and panels do not move the visitor', () => {
   let opened = 0;
   const within = (...focus) => keyboard({ focus, shortcuts: { settings: () => (opened += 1) } });
   const typing = within('select', 'dialog[open]');
@@ -112,7 +112,7 @@ test('who types, presses a button or is in a panel walks nowhere', () => {
   assert.equal(button.controls.keys, Key.forward);
 });
 
-test('sensitivity and inversion change what a hand does, and not what keys do', () => {
+test('sensitivity and inversion affect the mouse and not the keys', () => {
   const controls = new Controls();
   controls.setSteering({ sensitivity: 2, invertY: true });
   controls.steer(0.1, 0.2);
@@ -150,7 +150,7 @@ function sending() {
   return { clock, controls, sender, sent };
 }
 
-test('inputs tell the whole state, count up from 1 and come at least once a second', () => {
+test('inputs contain the whole state, count up from 1 and are sent at least once per second', () => {
   const { clock, controls, sender, sent } = sending();
   controls.face(0.5, -0.25);
   assert.equal(sent.length, 0, 'nothing is sent before the start');
@@ -162,7 +162,7 @@ test('inputs tell the whole state, count up from 1 and come at least once a seco
   assert.deepEqual(sent.at(-1), { number: 5, keys: 1, yaw: 0.5, pitch: -0.25, now: 3008 });
 });
 
-test('many changes are sent as one, at most every 8 ms, the last one always', () => {
+test('merges changes within 8 ms and always sends the last one', () => {
   const { clock, controls, sender, sent } = sending();
   sender.start();
   for (let i = 0; i < 100; i += 1) {
@@ -176,7 +176,7 @@ test('many changes are sent as one, at most every 8 ms, the last one always', ()
   for (let i = 1; i < sent.length; i += 1) assert.ok(sent[i].now - sent[i - 1].now >= 8);
 });
 
-test('a stopped sender is silent, and begins at 1 when started again', () => {
+test('a stopped sender is silent, and restarts at 1', () => {
   const { clock, controls, sender, sent } = sending();
   sender.start();
   controls.look(1, 0);
@@ -190,7 +190,7 @@ test('a stopped sender is silent, and begins at 1 when started again', () => {
   assert.equal(sent.at(-1).number, 2);
 });
 
-test('a stick walks in eight directions, rests in the middle and runs at its edge', () => {
+test('the stick has eight directions, rests in the centre and runs at its edge', () => {
   assert.equal(stickKeys(0.1, -0.1), 0);
   assert.equal(stickKeys(0, -0.6), Key.forward);
   assert.equal(stickKeys(0.5, 0.5), Key.right | Key.back);
@@ -200,7 +200,7 @@ test('a stick walks in eight directions, rests in the middle and runs at its edg
   assert.equal(stickAxis(-1), -1);
 });
 
-test('turning follows time, not the number of frames', () => {
+test('turning depends on time, not on the number of frames', () => {
   const controls = new Controls();
   const frames = [];
   new Turner(controls, (callback) => frames.push(callback));

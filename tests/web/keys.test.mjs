@@ -10,7 +10,7 @@ import { Key } from '../../web/stream/protocol.js';
 
 const codesOf = (keys) => Object.values(keys).flat().filter(Boolean);
 
-test('the defaults are sound: no key twice, all bindable, every control has one and a name', () => {
+test('the default keys are unique, bindable, complete and named', () => {
   const codes = codesOf(kDefaultKeys);
   assert.equal(new Set(codes).size, codes.length);
   assert.ok(codes.every(isBindable));
@@ -19,20 +19,20 @@ test('the defaults are sound: no key twice, all bindable, every control has one 
   assert.deepEqual(repairKeys(kDefaultKeys), kDefaultKeys);
 });
 
-test('a key tells its action', () => {
+test('finds the action of a key', () => {
   assert.equal(actionOf(kDefaultKeys, 'ArrowUp'), 'forward');
   assert.equal(actionOf(kDefaultKeys, 'KeyM'), undefined);
   assert.equal(actionOf(kDefaultKeys, ''), undefined, 'a key without a code is not the missing second key');
 });
 
-test('keys that belong to the browser are not bound', () => {
+test('refuses keys of the browser', () => {
   for (const code of ['Escape', 'Tab', 'Enter', 'MetaLeft', 'ControlRight', 'F5', '', 'Unidentified', undefined]) {
     assert.equal(isBindable(code), false, code);
   }
   for (const code of ['KeyZ', 'Comma', 'Numpad8', 'F9', 'IntlBackslash']) assert.ok(isBindable(code), code);
 });
 
-test('a key that has another meaning changes places', () => {
+test('a key in use swaps with its former action', () => {
   const keys = rebind(kDefaultKeys, 'forward', 0, 'KeyS');
   assert.deepEqual([keys.forward, keys.back], [['KeyS', 'ArrowUp'], ['KeyW', 'ArrowDown']]);
   assert.equal(consequence(kDefaultKeys, keys, 'forward', new KeyLabels()), ' Walk back now has W or down arrow.');
@@ -41,14 +41,14 @@ test('a key that has another meaning changes places', () => {
   assert.deepEqual(rebind(kDefaultKeys, 'forward', 0, 'KeyW'), kDefaultKeys);
 });
 
-test('a key that goes to an empty place is missing where it was', () => {
+test('a moved key leaves its former action', () => {
   const keys = rebind(kDefaultKeys, 'blow', 1, 'KeyF');
   assert.deepEqual([keys.blow, keys.fullscreen], [['Space', 'KeyF'], ['', '']]);
   assert.equal(consequence(kDefaultKeys, keys, 'blow', new KeyLabels()), ' Full screen now has no key.');
   assert.deepEqual(kDefaultKeys.blow, ['Space', ''], 'the defaults stay');
 });
 
-test('broken keys are mended action by action', () => {
+test('repairs malformed keys per action', () => {
   const broken = { back: 'KeyS', left: ['Escape', ''], right: [7], run: null };
   const keys = repairKeys({ forward: ['KeyZ'], other: ['KeyX'], ...broken });
   assert.deepEqual(keys.forward, ['KeyZ', '']);
@@ -64,7 +64,7 @@ test("of a key that is there twice, the visitor's own choice stays", () => {
   assert.equal(new Set(codes).size, codes.length);
 });
 
-test('keys are called what stands on them', async () => {
+test('names keys by their caps', async () => {
   const labels = new KeyLabels();
   const codes = ['KeyW', 'Digit1', 'Space', 'ArrowLeft', 'F3', 'Numpad7', 'NumpadAdd', 'Comma', 'ShiftLeft', 'IntlRo'];
   const names = ['W', '1', 'space', 'left arrow', 'F3', 'numpad 7', 'numpad add', ',', 'left shift', 'intl ro'];
@@ -76,7 +76,7 @@ test('keys are called what stands on them', async () => {
   assert.equal(labels.label('KeyW'), 'Z', 'a browser that does not tell leaves them as they are');
 });
 
-test('a layout that is not told is learnt from the keys that are pressed', () => {
+test('learns an unknown layout from pressed keys', () => {
   const labels = new KeyLabels();
   assert.equal(labels.learn({ code: 'KeyW', key: 'w' }), false, 'no news');
   assert.equal(labels.learn({ code: 'KeyW', key: 'z' }), true);
@@ -87,7 +87,7 @@ test('a layout that is not told is learnt from the keys that are pressed', () =>
   assert.equal(labels.walking(kDefaultKeys), 'ZASD or arrows');
 });
 
-test('the keys to walk with are told in a word where they have one', () => {
+test('names well-known groups of walking keys', () => {
   const labels = new KeyLabels();
   assert.equal(labels.walking(kDefaultKeys), 'WASD or arrows');
   const pad = { forward: ['Numpad8', ''], left: ['KeyA', ''], back: ['KeyS', ''], right: ['KeyD', ''] };
@@ -97,7 +97,7 @@ test('the keys to walk with are told in a word where they have one', () => {
   assert.equal(labels.names(['ShiftLeft', 'ShiftRight']), 'shift');
 });
 
-test('hints and buttons name the keys of now', () => {
+test('hints and buttons name the present keys', () => {
   const hint = { dataset: { keys: 'walking' } };
   const blow = { dataset: { keys: 'blow' } };
   const set = {};

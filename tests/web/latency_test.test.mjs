@@ -17,7 +17,7 @@ function setUp() {
 
 const kPicture = { frame: 7, width: 1280, height: 720, codec: 2 };
 
-test('sends inputs for as long as it runs, moved or not', () => {
+test('sends inputs while it runs, changed or not', () => {
   const { clock, log, latency } = setUp();
   clock.advance(1000);
   latency.start(0.2);
@@ -26,7 +26,7 @@ test('sends inputs for as long as it runs, moved or not', () => {
   assert.deepEqual(log, ['begun', 1000, 1050, 1100, 1150, 'ended']);
 });
 
-test('ends, whatever the address asks for', () => {
+test('ends for any query string', () => {
   const { clock, log, latency } = setUp();
   latency.start(1e9);
   clock.advance(600_000);

@@ -13,7 +13,7 @@ function setUp() {
   return { clock, element, hint, limited };
 }
 
-test('a line that stays slow is named, with what becomes of the stream', () => {
+test('names a slow line and its effect on the stream', () => {
   const { clock, element, limited } = setUp();
   limited(LimitedBy.line);
   clock.advance(1000);
@@ -27,7 +27,7 @@ test('a line that stays slow is named, with what becomes of the stream', () => {
   assert.equal(element.textContent, 'Slow connection: 360 lines, 15 frames/s');
 });
 
-test('neither a short lapse nor a short recovery is worth a word', () => {
+test('ignores short lapses and recoveries', () => {
   const { clock, element, limited } = setUp();
   limited(LimitedBy.line);
   clock.advance(1500);
@@ -46,7 +46,7 @@ test('neither a short lapse nor a short recovery is worth a word', () => {
   assert.equal(element.hidden, true, 'a limit by choice is no slow line');
 });
 
-test('a lost connection takes the words with it', () => {
+test('a lost connection removes the notice', () => {
   const { clock, element, hint, limited } = setUp();
   limited(LimitedBy.line);
   clock.advance(1000);
@@ -55,7 +55,7 @@ test('a lost connection takes the words with it', () => {
   assert.equal(element.hidden, true);
 });
 
-test('browser and server are named as the line is', () => {
+test('names browser and server alike', () => {
   for (const [limit, words] of [
     [LimitedBy.browser, 'Your browser is busy: 480 lines, 20 frames/s'],
     [LimitedBy.machine, 'The server is busy: 480 lines, 20 frames/s'],
@@ -68,7 +68,7 @@ test('browser and server are named as the line is', () => {
   }
 });
 
-test('when another falls short, the words change without a pause', () => {
+test('the notice changes at once with the bottleneck', () => {
   const { clock, element, limited } = setUp();
   limited(LimitedBy.line);
   clock.advance(2000);

@@ -35,7 +35,7 @@ test('the window is the middle of the picture, pixel on pixel', () => {
   }
 });
 
-test('at rest, the window shows the middle', () => {
+test('at rest, the window shows the centre', () => {
   const matrix = lookMatrix(kPicture, { yaw: 0, pitch: 0 });
   near(placeOf(matrix, [0, 0]), [0.5, 0.5]);
   near(placeOf(matrix, [-1, 1]), [32 / 704, 18 / 396]);
@@ -43,13 +43,13 @@ test('at rest, the window shows the middle', () => {
   near(placeOf(lookMatrix({ width: 640, height: 360 }, { yaw: 0, pitch: 0 }), [-1, 1]), [0, 0]);
 });
 
-test('a small turn is near to none', () => {
+test('a small turn is nearly the identity', () => {
   const still = lookMatrix(kPicture, { yaw: 0, pitch: 0 });
   const turned = lookMatrix(kPicture, { yaw: 1e-7, pitch: 1e-7 });
   for (const corner of [[-1, -1], [1, -1], [0.3, 0.9]]) near(placeOf(turned, corner), placeOf(still, corner), 1e-6);
 });
 
-test('the middle of the window is where the new look meets the picture', () => {
+test('the centre of the window is the new view direction', () => {
   // To the left by 0.2 on a level look: tan(0.2) of the picture's plane, to its left.
   const level = { ...kPicture, pitch: 0 };
   near(placeOf(lookMatrix(level, { yaw: 0.2, pitch: 0 }), [0, 0]), [0.5 - Math.tan(0.2) / 1.1 / 2, 0.5]);
@@ -58,7 +58,7 @@ test('the middle of the window is where the new look meets the picture', () => {
   near(placeOf(up, [0, 0]), [0.5, 0.5 - Math.tan(0.1) / 0.61875 / 2]);
 });
 
-test('a point of the world stays where it is while the look turns', () => {
+test('a point of the world keeps its place while the view turns', () => {
   // As server/world/camera.cpp: forward, right and up of a pose, and the ray through a point of the image.
   const axes = (yaw, pitch) => {
     const forward = [-Math.sin(yaw) * Math.cos(pitch), Math.sin(pitch), -Math.cos(yaw) * Math.cos(pitch)];
@@ -83,7 +83,7 @@ test('a point of the world stays where it is while the look turns', () => {
   }
 });
 
-test('a place of the picture in the window is where the window shows it', () => {
+test('picture and window coordinates agree', () => {
   for (const turn of [{ yaw: 0, pitch: 0 }, { yaw: -0.25, pitch: 0.17 }, { yaw: 0.3, pitch: 0 }]) {
     const matrix = lookMatrix(kPicture, turn);
     for (const [x, y] of [[0, 0], [-0.9, 0.8], [0.4, -0.95]]) {
@@ -98,13 +98,13 @@ test('a place of the picture in the window is where the window shows it', () => 
   assert.equal(windowPlace({ ...kPicture, pitch: 0 }, behind, { x: 0.5, y: 0.5 }), null, 'behind');
 });
 
-test('turns the short way round, and no further than the picture goes', () => {
+test('turns the short way, within the picture', () => {
   const picture = { ...kPicture, yaw: 3.1 };
   near(Object.values(turnOf(picture, { yaw: -3.1, pitch: -0.3 })), [2 * Math.PI - 6.2, 0]);
   const far = turnOf(picture, { yaw: 1, pitch: 1.5 });
   near(Object.values(far), [-0.8 * Math.atan(1.1), 0.8 * Math.atan(0.61875)]);
 });
 
-test('rounding to 32 bits is no turn', () => {
+test('rounding to 32 bits does not turn the view', () => {
   assert.deepEqual(turnOf(kPicture, { yaw: Math.fround(0.7), pitch: -0.3 }), { yaw: 0, pitch: 0 });
 });

@@ -27,7 +27,7 @@ test('a frame is copied into memory and closed', async () => {
 });
 
 // Fault: memory of the size of a picture for each frame, which the browser has to collect thirty times a second.
-test('memory is used again once its picture is closed', async () => {
+test('reuses the memory of closed pictures', async () => {
   const images = new MemoryImages(makeData);
   const shown = [];
   for (let i = 0; i < 3; i += 1) {
@@ -41,7 +41,7 @@ test('memory is used again once its picture is closed', async () => {
 });
 
 // Fault: raw planes of a browser that cannot convert, shown as if they were colours.
-test('a frame that the browser does not convert goes on as it is', async () => {
+test('passes on frames that the browser cannot convert', async () => {
   const images = new MemoryImages(makeData);
   const source = frame({ bytes: 12 });
   let shown;
@@ -54,7 +54,7 @@ test('a frame that the browser does not convert goes on as it is', async () => {
 });
 
 // Fault: a picture that goes back in time, because its copy took longer than the next one's.
-test('a copy that is overtaken is not shown', async () => {
+test('does not show an outdated copy', async () => {
   const images = new MemoryImages(makeData);
   let finish;
   const slow = images.pass(frame({ copied: new Promise((resolve) => (finish = resolve)) }), () => shown.push('slow'));

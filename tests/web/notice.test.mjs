@@ -40,7 +40,7 @@ function setUp() {
   };
 }
 
-test('says what is being made, and shows how much of it', () => {
+test('shows step and progress', () => {
   const { notice, element, title, text, progress } = setUp();
   notice.hide();
   notice.wait({ percent: 40, step: 'painting the sky' });
@@ -53,7 +53,7 @@ test('says what is being made, and shows how much of it', () => {
   assert.equal(text.textContent, 'One moment\u2026');
 });
 
-test('words that stay the same are not read out again', () => {
+test('screen readers hear changed words only', () => {
   const { notice, title, text, progress } = setUp();
   for (const percent of [10, 20, 30]) notice.wait({ percent, step: 'painting the sky' });
   assert.equal(progress.value, 30);
@@ -61,13 +61,13 @@ test('words that stay the same are not read out again', () => {
   assert.equal(text.spoken, 1);
 });
 
-test('says why there is no place, and that it tries again', () => {
+test('explains a full server and that it retries', () => {
   const { notice, text } = setUp();
   notice.show('full', 'your address already has the maximum number of visitors');
   assert.match(text.textContent, /^Your address already has the maximum number of visitors\. Trying again every 15 seconds/);
 });
 
-test('neither the button of another state nor its bar stays', () => {
+test('hides buttons and bars of other states', () => {
   const { notice, progress, button } = setUp();
   notice.show('full', '');
   assert.equal(button.hidden, false);
@@ -77,7 +77,7 @@ test('neither the button of another state nor its bar stays', () => {
   assert.equal(progress.hidden, true);
 });
 
-test('says that the place was given away, and why', () => {
+test('explains a lost place', () => {
   const { notice, title, text } = setUp();
   notice.show('away', 'your place went to a newcomer while this page was hidden');
   assert.equal(title.textContent, 'Your place went to another visitor');

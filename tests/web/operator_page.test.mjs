@@ -8,7 +8,7 @@ import { situation } from '../../web/operator/situation.js';
 import { FakeClock } from './fake_clock.mjs';
 import { sample } from './statistics_sample.mjs';
 
-test('says what has to be known before the figures can be read', () => {
+test('lists the conditions before the figures', () => {
   const title = (statistics) => situation('live', statistics, '12:00')?.title;
   assert.equal(title(sample()), undefined);
   assert.equal(title({ ...sample(), amortization: null, visitors: 0 }), 'No visitors');
@@ -21,7 +21,7 @@ test('says what has to be known before the figures can be read', () => {
   assert.equal(title({ visitors: 2, stages: {}, counters: {} }), 'This server does not report what sharing saves');
 });
 
-test('says that figures are not of now, and of when', () => {
+test('marks old figures with their time', () => {
   const lost = situation('lost', null, '12:00:01');
   assert.match(`${lost.title}. ${lost.text}`, /cannot be reached.*figures are from 12:00:01.*Trying again/s);
   assert.doesNotMatch(situation('lost', null, null).text, /figures are from/);
@@ -30,7 +30,7 @@ test('says that figures are not of now, and of when', () => {
   assert.equal(situation('asking', null, '12:00'), null, 'a moment later it is live');
 });
 
-test('history forgets what is older than two minutes', () => {
+test('history covers two minutes', () => {
   const history = new History();
   for (let second = 0; second <= 200; second += 1) history.add(second * 1000, { visitors: second, alpha: undefined });
   const points = history.of('visitors');
@@ -39,11 +39,11 @@ test('history forgets what is older than two minutes', () => {
   assert.equal(history.of('alpha')[0].value, null);
 });
 
-test('scales end at round numbers', () => {
+test('axes end at round numbers', () => {
   assert.deepEqual([0.3, 1, 3, 5, 5.1, 12, 99, 101].map(roundUp), [0.5, 1, 5, 5, 10, 20, 100, 200]);
 });
 
-test('a line ends at the right, and has gaps where nothing was known or asked', () => {
+test('a line ends at the right and has gaps for unknown values', () => {
   const at = (second, value) => ({ time: second * 1000, value });
   const { line, area } = paths([at(0, 0), at(60, 2), at(61, 4), at(62, null), at(63, 1), at(120, 9)], 120_000, 4);
   assert.equal(line, 'M0.0 60.0h.1M120.0 30.0L122.0 0.0M126.0 45.0h.1M240.0 0.0h.1');
@@ -64,7 +64,7 @@ function polled(ask) {
   return { poll, said, pass };
 }
 
-test('asks once a second, and later when there is no answer', async () => {
+test('polls once per second, and slower without answers', async () => {
   let asked = 0;
   let alive = true;
   const { poll, said, pass } = polled(async () => {
@@ -86,7 +86,7 @@ test('asks once a second, and later when there is no answer', async () => {
   assert.deepEqual(said, [1, 2, 'lost', 4, 5]);
 });
 
-test('a silent server is gone, and its late answer is not listened to', async () => {
+test('a silent server counts as gone, and its late answer is ignored', async () => {
   const answers = [];
   const { poll, said, pass } = polled(() => new Promise((resolve) => answers.push(resolve)));
   poll.start();
@@ -101,7 +101,7 @@ test('a silent server is gone, and its late answer is not listened to', async ()
   assert.deepEqual(said, ['lost', 'again']);
 });
 
-test('while it is stopped nothing is asked or heard', async () => {
+test('a stopped poller neither asks nor listens', async () => {
   const answers = [];
   const { poll, said, pass } = polled(() => new Promise((resolve) => answers.push(resolve)));
   poll.start();

@@ -21,7 +21,7 @@ function later(statistics, runs, cpu) {
 
 const stage = (readings, name) => readings.stages().find((entry) => entry.name === name);
 
-test('one reading tells no rates, two do', () => {
+test('rates need two readings', () => {
   const readings = new Readings();
   assert.deepEqual(readings.stages(), []);
   assert.equal(readings.newest, null);
@@ -46,7 +46,7 @@ test('rates are of the last five seconds', () => {
   assert.equal(stage(readings, 'Renderer').runsPerSecond, 10);
 });
 
-test('a stage that did not run has no cost of a run, and a new one counts from nothing', () => {
+test('an idle stage has no cost per run, and a new one counts from zero', () => {
   const readings = new Readings();
   const { Encoder: encoder, ...others } = sample().stages;
   readings.add(0, { ...sample(), stages: others });
@@ -56,7 +56,7 @@ test('a stage that did not run has no cost of a run, and a new one counts from n
   assert.equal(stage(readings, 'Encoder').runsPerSecond, encoder.runs);
 });
 
-test('a server that started anew is not compared with what was before', () => {
+test('does not compare readings across a restart of the server', () => {
   for (const forget of [(s) => (s.stages.Encoder.runs = 4), (s) => delete s.stages.Encoder, (s) => (s.counters = {})]) {
     const readings = new Readings();
     readings.add(0, sample());
@@ -68,7 +68,7 @@ test('a server that started anew is not compared with what was before', () => {
   }
 });
 
-test('stages for everybody come first, and what cannot be one is left out', () => {
+test('across-user stages come first, and malformed ones are skipped', () => {
   const readings = new Readings();
   const strange = { runs: 2, work: 'night work', cpu_ms: 'much' };
   const odd = { Broken: null, Empty: {}, Negative: { runs: -3 }, Strange: strange };
@@ -80,7 +80,7 @@ test('stages for everybody come first, and what cannot be one is left out', () =
   assert.deepEqual(readings.stages(), []);
 });
 
-test('hits of the cache are those between the readings', () => {
+test('cache hits are those between two readings', () => {
   const readings = new Readings();
   readings.add(0, sample());
   const next = sample();
@@ -90,7 +90,7 @@ test('hits of the cache are those between the readings', () => {
   assert.equal(readings.cacheHits(), 0.9);
 });
 
-test('a frame costs a share of the work for everybody, and its own', () => {
+test('the cost of a frame includes its share of across-user work', () => {
   const cost = frameCost(amortizationOf(sample()));
   assert.equal(cost.now.shared, 14.5 / 3);
   assert.equal(cost.now.other, 0.7);
@@ -98,7 +98,7 @@ test('a frame costs a share of the work for everybody, and its own', () => {
   assert.equal(cost.alone.frontend, 5.5);
 });
 
-test('links are those to nodes, and to the owner of the world if that is another process', () => {
+test('links lead to nodes, and to the owner of the world in another process', () => {
   assert.deepEqual(linksOf(sample()), [], 'an older server tells nothing');
   const node = { name: 'the node at a:1', state: 'welcomed', round_trip_ms: 0.4 };
   assert.deepEqual(linksOf({ nodes: [node], world: { state: 'own', visitors: 1 } }), [node]);
@@ -107,7 +107,7 @@ test('links are those to nodes, and to the owner of the world if that is another
   assert.deepEqual([owner.name, owner.state, owner.reason], ['the owner of this world', 'lost', 'gone']);
 });
 
-test('what a frame costs is not known without its parts', () => {
+test('the cost of a frame is unknown without its parts', () => {
   for (const odd of [{ c_b_ms: null }, { c_i_ms: -1 }, { visitors: 0 }]) {
     assert.equal(frameCost(amortizationOf({ amortization: { ...sample().amortization, ...odd } })), null);
   }
@@ -116,14 +116,14 @@ test('what a frame costs is not known without its parts', () => {
   assert.deepEqual([less.now.other, less.alone], [0, null]);
 });
 
-test('memory is told by holders, the largest first, with what has no name', () => {
+test('memory is listed by holder, the largest first, with the unnamed rest', () => {
   const { resident, holders, told, rest } = memoryOf(sample());
   assert.deepEqual(holders.map(({ name }) => name), ['light fields', 'view cache', 'targets']);
   assert.equal(holders[0].share, 752.1 / resident);
   assert.ok(Math.abs(told + rest - resident) < 1e-9);
 });
 
-test('holders may tell of more than lies in memory; odd ones are left out; an older server tells nothing', () => {
+test('holders may exceed resident memory, malformed ones are skipped, and older servers have none', () => {
   const memory = { resident_mb: 100, holders: [{ holder: 'files', mb: 130 }, { holder: 'odd', mb: -4 }, null] };
   const { holders, rest } = memoryOf({ memory });
   assert.deepEqual([holders.length, rest], [1, null]);
@@ -131,7 +131,7 @@ test('holders may tell of more than lies in memory; odd ones are left out; an ol
   for (const odd of [{}, null, { memory: null }, { memory: { resident_mb: -1 } }]) assert.equal(memoryOf(odd), null);
 });
 
-test('stages and memory of nodes stand below those of the server, with rates of their own', () => {
+test('nodes have their own stages, memory and rates', () => {
   const node = (name, runs) => ({
     name,
     state: 'welcomed',
@@ -153,7 +153,7 @@ test('stages and memory of nodes stand below those of the server, with rates of 
   assert.deepEqual(processes.stages(), [{ process: 'this server', stages: [] }]);
 });
 
-test('an operator sees that the machine makes pictures smaller, and by how much', () => {
+test('the operator sees by how much the machine shrinks pictures', () => {
   const notes = (statistics) => {
     const elements = new Map();
     const root = {

@@ -8,7 +8,7 @@ const judge = (paints) => {
   return paints.map((paint) => budget.isExceededBy(paint)).indexOf(true);
 };
 
-test('a dozen slow paints are too many, a slow one among quick ones is none', () => {
+test('twelve slow paints count, a single one does not', () => {
   assert.equal(judge(Array(12).fill(9)), 11, 'not before there are a dozen');
   assert.equal(judge(Array(40).fill(8)), -1, 'what is just quick enough stays');
   assert.equal(judge([...Array(30).fill(1), 500, 500, 500, ...Array(30).fill(1)]), -1);

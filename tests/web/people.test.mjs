@@ -6,7 +6,7 @@ import { sharedLink } from '../../web/panels/roster.js';
 
 const person = (visitor, name) => ({ visitor, name, red: 255, green: 180, blue: 79 });
 
-test('a list of people is theirs until the next, oneself first', () => {
+test('keeps the last list of visitors, oneself first', () => {
   const people = new People();
   let changes = 0;
   people.onChange(() => (changes += 1));

@@ -55,7 +55,7 @@ for (const { name, fields, hex } of golden) {
   }
 }
 
-test('a name that is too long is cut between characters', () => {
+test('truncates a long name between characters', () => {
   const bytes = new Uint8Array(encodeHello({ name: '\u{1F525}'.repeat(20), width: 640, height: 360 }));
   assert.equal(bytes.length, 12 + 64);
   const cut = new Uint8Array(encodeHello({ name: 'x' + '\u{1F525}'.repeat(20), width: 640, height: 360 }));
@@ -63,7 +63,7 @@ test('a name that is too long is cut between characters', () => {
   assert.equal(cut[2], 61);
 });
 
-test('no cut of a server message is taken for a whole one', () => {
+test('refuses every truncated server message', () => {
   const { hex } = find('Welcome');
   for (let length = 0; length < hex.length; length += 2) {
     assert.throws(() => decodeServerMessage(bytesOf(hex.slice(0, length))), ProtocolError, `welcome of ${length / 2}`);

@@ -54,7 +54,7 @@ async function setUp({ protocol = 'grove.v1.3', hidden = false } = {}) {
 }
 
 // Fault: an input of a lost connection, which the server of the next one takes for one of its own.
-test('inputs reach the connection they were made for, and no other', async () => {
+test('inputs reach only their own connection', async () => {
   const { receiver, clock, sockets, of } = await setUp();
   sockets[0].greet();
   const { visit } = of('state').at(-1);
@@ -70,7 +70,7 @@ test('inputs reach the connection they were made for, and no other', async () =>
 });
 
 // Fault: a page that waits for ever for a picture from a server that does not know the request.
-test('a capture is asked of a server that takes it, else there is none at once', async () => {
+test('without support, a capture fails at once', async () => {
   const able = await setUp();
   able.sockets[0].greet();
   able.receiver.do({ kind: 'capture', number: 7 });
@@ -83,7 +83,7 @@ test('a capture is asked of a server that takes it, else there is none at once',
 });
 
 // Fault: names that nobody learns.
-test('who is here is told to the page', async () => {
+test('the page gets the roster', async () => {
   const { sockets, of } = await setUp({ protocol: 'grove.v1.4' });
   sockets[0].greet();
   sockets[0].onmessage({ data: Uint8Array.from(Buffer.from(hexOf('people'), 'hex')).buffer });
@@ -92,7 +92,7 @@ test('who is here is told to the page', async () => {
 });
 
 // Fault: a window that grew while the server prepared keeps the size of its greeting.
-test('the newest size is told once the server has greeted', async () => {
+test('sends the newest size after the welcome', async () => {
   const { receiver, sockets } = await setUp();
   sockets[0].open();
   receiver.do({ kind: 'hello', hello: { ...kHello, width: 1920, height: 1080 } });
@@ -102,7 +102,7 @@ test('the newest size is told once the server has greeted', async () => {
 });
 
 // Faults: a hidden page that goes on trying; one that is looked at again and waits for its next turn.
-test('a lost connection is tried again at once when somebody looks', async () => {
+test('reconnects at once when the page becomes visible', async () => {
   const { receiver, clock, sockets } = await setUp();
   sockets[0].greet();
   receiver.do({ kind: 'visibility', hidden: true });

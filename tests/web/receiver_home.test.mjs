@@ -33,7 +33,7 @@ function setUp(answer) {
   return { posted, events, home: new ReceiverHome({ window, clock, canvas, start, on: (event) => events.push(event.kind) }) };
 }
 
-test('what is sent before the worker has the canvas comes after it', async () => {
+test('messages wait until the worker has the canvas', async () => {
   const { posted, home } = setUp({ kind: 'able', able: true });
   home.send({ kind: 'look' });
   assert.equal(await home.open(), 'worker');

@@ -30,7 +30,7 @@ function setUp({ isReady = true } = {}) {
 }
 
 // Fault: a still picture that turns black once WebGL was lost and restored.
-test('a copy that was lost with its context is made again', () => {
+test('copies again after a lost context', () => {
   const { log, state, lateLook, screen, image } = setUp();
   lateLook.isEmpty = false;
   state.look = { yaw: 1.2, pitch: 0 };
@@ -45,7 +45,7 @@ test('a copy that was lost with its context is made again', () => {
   assert.equal(copies(), 2);
 });
 
-test('who looks where the camera did sees the middle of the picture as it is', () => {
+test('an unchanged view shows the centre of the picture', () => {
   const { log, canvas, screen, image } = setUp();
   screen.show(image('a'), kPicture);
   assert.deepEqual(log, ['a 32 18 640 360 0 0 640 360']);
@@ -55,7 +55,7 @@ test('who looks where the camera did sees the middle of the picture as it is', (
   assert.equal(log.length, 1, 'nothing is painted twice');
 });
 
-test('who looks elsewhere sees it turned, copied to the graphics card once', () => {
+test('a changed view turns the picture, which is uploaded once', () => {
   const { log, state, screen, image } = setUp();
   screen.show(image('a'), kPicture);
   state.look = { yaw: 1.2, pitch: 0 };
@@ -73,7 +73,7 @@ test('who looks elsewhere sees it turned, copied to the graphics card once', () 
 });
 
 // Fault: names that stay behind while the picture turns.
-test('every paint is told of, with its turn', () => {
+test('reports every paint with its turn', () => {
   const { painted, state, screen, image } = setUp();
   screen.show(image('a'), kPicture);
   state.look = { yaw: 1.25, pitch: 0 };
@@ -82,7 +82,7 @@ test('every paint is told of, with its turn', () => {
   assert.deepEqual(painted, [[kPicture, 0], [kPicture, 0.25]]);
 });
 
-test('one image at most stays open, and none after a freeze', () => {
+test('keeps one image open at most, and none after a freeze', () => {
   const { open, state, screen, image } = setUp();
   screen.show(image('a'), kPicture);
   screen.show(image('b'), kPicture);
@@ -99,7 +99,7 @@ for (const [what, options, look, picture] of [
   ['switched off', {}, null, kPicture],
   ['with an older server', {}, { yaw: 2, pitch: 0 }, { width: 704, height: 396 }],
 ]) {
-  test(`${what}, pictures stay as they are`, () => {
+  test(`${what}, pictures stay unchanged`, () => {
     const { log, state, screen, image } = setUp(options);
     state.look = look;
     screen.show(image('a'), picture);
@@ -109,7 +109,7 @@ for (const [what, options, look, picture] of [
   });
 }
 
-test('a graphics card lost while a picture is turned leaves it as it is', () => {
+test('a context lost during a turn leaves the picture', () => {
   const { log, state, lateLook, screen, image } = setUp();
   state.look = { yaw: 1.2, pitch: 0 };
   screen.show(image('a'), kPicture);

@@ -3,7 +3,7 @@ import { test } from 'node:test';
 
 import { Screenshot, pictureName, saveFile, takePicture } from '../../web/picture/screenshot.js';
 
-test('the file is called after the moment', () => {
+test('the file name contains the time', () => {
   assert.equal(pictureName(new Date(2026, 2, 1, 7, 4, 9)), 'grove-2026-03-01-070409.png');
   assert.equal(pictureName(new Date(2026, 2, 1, 7, 4, 9), 'image/jpeg'), 'grove-2026-03-01-070409.jpg');
 });
@@ -47,7 +47,7 @@ async function shoot(take, save) {
   return said;
 }
 
-test('what became of the picture is said; who changed his mind knows it himself', async () => {
+test('reports the outcome, except a cancellation', async () => {
   const take = async () => new Blob(['x'], { type: 'image/png' });
   assert.deepEqual(await shoot(take, async ({ type }) => `as ${type}`), ['as image/png']);
   const fail = () => Promise.reject(new Error('no picture'));

@@ -20,29 +20,29 @@ function storage(text = null) {
 
 const left = (values) => new Settings(() => storage(JSON.stringify(values))).values;
 
-test('who never chose has the defaults', () => {
+test('defaults', () => {
   assert.deepEqual(new Settings(() => storage()).values, kDefaults);
 });
 
-test('what was chosen is there the next time, and nothing else is kept', () => {
+test('stores choices and nothing else', () => {
   const kept = storage();
   new Settings(() => kept).change({ codec: 'jpeg', sensitivity: 1.5, name: 'Ada' });
   assert.deepEqual(JSON.parse(kept.text), { codec: 'jpeg', sensitivity: 1.5, name: 'Ada' });
   assert.deepEqual(new Settings(() => kept).values, { ...kDefaults, codec: 'jpeg', sensitivity: 1.5, name: 'Ada' });
 });
 
-test('a value that cannot be costs its own setting only', () => {
+test('a malformed value resets only its setting', () => {
   const bad = { codec: 'mpeg2', framesPerSecond: '30', lateLook: 1, keys: 7, old: 3 };
   assert.deepEqual(left({ ...bad, lines: 720, invertY: true }), { ...kDefaults, lines: 720, invertY: true });
 });
 
-test('what was left is no settings at all', () => {
+test('malformed storage gives the defaults', () => {
   for (const text of ['', 'null', '7', '"x"', '[]', '{', '{"__proto__": {"codec": "jpeg"}}']) {
     assert.deepEqual(new Settings(() => storage(text)).values, kDefaults, text);
   }
 });
 
-test('sensitivity is bounded and a number', () => {
+test('sensitivity is a bounded number', () => {
   assert.equal(left({ sensitivity: 99 }).sensitivity, 4);
   assert.equal(left({ sensitivity: 0 }).sensitivity, 0.2);
   for (const bad of ['2', null, true]) assert.equal(left({ sensitivity: bad }).sensitivity, 1);
@@ -51,7 +51,7 @@ test('sensitivity is bounded and a number', () => {
   assert.equal(settings.values.sensitivity, 1);
 });
 
-test('a name has no controls, no edges of nothing and an end', () => {
+test('names are trimmed, printable and bounded', () => {
   assert.equal(left({ name: '  A\u0000d\na\u202e ' }).name, 'Ada');
   assert.equal([...left({ name: '\u{1f332}'.repeat(99) }).name].length, 32);
   assert.equal(left({ name: 7 }).name, '');
@@ -71,7 +71,7 @@ test('without storage settings last as long as the page, which says so', () => {
   }
 });
 
-test('changes are told once, and no change is not told', () => {
+test('reports each change once', () => {
   const settings = new Settings(() => storage());
   const told = [];
   settings.onChange((values) => told.push(values.lines));
@@ -82,7 +82,7 @@ test('changes are told once, and no change is not told', () => {
   assert.deepEqual(told, [720, 0]);
 });
 
-test('a change on another page of the browser is taken over', () => {
+test('adopts changes of other pages', () => {
   const shared = storage();
   const [here, there] = [new Settings(() => shared), new Settings(() => shared)];
   there.change({ codec: 'h264' });
@@ -91,19 +91,19 @@ test('a change on another page of the browser is taken over', () => {
   assert.deepEqual([here.values.codec, here.values.lines], ['h264', 360]);
 });
 
-test('values cannot be changed behind the back', () => {
+test('values are immutable', () => {
   const settings = new Settings(() => storage('{"lines": 720}'));
   assert.throws(() => (settings.values.lines = 1), TypeError);
   settings.change({ lines: 480 });
   assert.throws(() => (settings.values.lines = 1), TypeError);
 });
 
-test('the server hears of the stream and of nothing else', () => {
+test('sends only stream settings to the server', () => {
   const names = ['codec', 'framesPerSecond', 'kilobitsPerSecond', 'lines', 'lateLook'];
   assert.deepEqual(Object.keys(streamPreferences(kDefaults)), names);
 });
 
-test('every choice that the panel offers is one that the settings take', () => {
+test('the settings accept every choice of the panel', () => {
   for (const [setting, choices] of Object.entries(kChoices)) {
     for (const [value] of choices) {
       assert.equal(left({ [setting]: value, keys: kDefaultKeys })[setting], value, `${setting} ${value}`);

@@ -7,7 +7,7 @@ import { Telemetry } from '../../web/stream/telemetry.js';
 import { Toast } from '../../web/panels/toast.js';
 import { FakeClock } from './fake_clock.mjs';
 
-test('the stream of now is told in one line, before the first frame too', () => {
+test('describes the stream in one line, also before the first frame', () => {
   const telemetry = new Telemetry();
   assert.equal(streamInWords(telemetry.read(0)), '\u2013');
   const frame = { codec: 1, width: 1280, height: 720, picture: new Uint8Array(125_000), serverMicroseconds: 1000 };
@@ -16,7 +16,7 @@ test('the stream of now is told in one line, before the first frame too', () => 
   assert.equal(streamInWords(telemetry.read(20)), 'JPEG, 1280 \u00d7 720, 1 frames/s, 1.0 Mbit/s');
 });
 
-test('says why a browser shows no H.264', async () => {
+test('explains a browser without H.264', async () => {
   const answering = (answer) => ({ isSecureContext: true, VideoDecoder: { isConfigSupported: answer } });
   assert.equal(await h264Hindrance({ isSecureContext: false }), 'needs https or localhost');
   assert.match(await h264Hindrance({ isSecureContext: true }), /no WebCodecs/);
@@ -25,7 +25,7 @@ test('says why a browser shows no H.264', async () => {
   assert.equal(await h264Hindrance(answering(async () => ({ supported: true }))), '');
 });
 
-test('a toast goes by itself, and a new one stays its own time', () => {
+test('a toast disappears, and a new one has its full time', () => {
   const clock = new FakeClock();
   const element = {};
   const toast = new Toast(element, clock);

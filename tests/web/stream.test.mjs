@@ -37,7 +37,7 @@ function setUp({ adapts = true } = {}) {
 
 const kFree = { hidden: false, border: true, framesPerSecond: 0, kilobitsPerSecond: 0, lines: 0 };
 
-test('tells its limits when a connection begins, and then only what has changed', () => {
+test('sends its limits on connection, then only changes', () => {
   const { log, stream, lateLook } = setUp();
   stream.begin();
   stream.tellLimits();
@@ -55,7 +55,7 @@ test('tells its limits when a connection begins, and then only what has changed'
   assert.deepEqual(log.splice(0), ['reset', { ...chosen, border: false }], 'the next server knows nothing yet');
 });
 
-test('a hidden page tells so as soon as it is let in', () => {
+test('a hidden page reports it after the welcome', () => {
   const { log, connection, stream } = setUp({ adapts: false });
   stream.setHidden(true);
   assert.deepEqual(log, []);
@@ -64,7 +64,7 @@ test('a hidden page tells so as soon as it is let in', () => {
   assert.deepEqual(log, ['reset', { ...kFree, hidden: true }]);
 });
 
-test('another codec is offered when it is chosen', () => {
+test('offers a chosen codec', () => {
   const { log, stream } = setUp();
   assert.deepEqual(stream.offer, [2, 1]);
   stream.setPreferences({ codec: 'jpeg' });
@@ -73,14 +73,14 @@ test('another codec is offered when it is chosen', () => {
   assert.deepEqual(stream.offer, [1]);
 });
 
-test('a codec that does not work is left out of a new offer, and somebody is told', () => {
+test('a failing codec is removed from the offer and reported', () => {
   const { log, reports, decoding } = setUp();
   decoding.on.useless(2, new Error('bad bits'));
   assert.deepEqual(log, ['offer 1']);
   assert.deepEqual(reports, ['H.264 does not work here (bad bits); offering JPEG']);
 });
 
-test('what breaks and what is skipped is told to the server', () => {
+test('reports broken and skipped pictures to the server', () => {
   const { log, stream, decoding } = setUp();
   stream.receive({ frame: 3 });
   decoding.on.broken({ frame: 3 });
@@ -88,7 +88,7 @@ test('what breaks and what is skipped is told to the server', () => {
   assert.deepEqual(log, ['push 3', 'broken 3', 'ack 3']);
 });
 
-test('says what becomes of late look', () => {
+test('reports the state of late look', () => {
   const { stream, lateLook } = setUp();
   assert.equal(stream.lateLookWord, 'on');
   stream.setPreferences({ lateLook: false });
@@ -99,7 +99,7 @@ test('says what becomes of late look', () => {
   assert.equal(stream.turns, false);
 });
 
-test('decoding is measured from arrival, not from when the decoder got it', () => {
+test('decoding time starts at arrival', () => {
   const { log, decoding } = setUp();
   decoding.on.image({}, { frame: 3, arrived: 25.5 });
   assert.deepEqual(log, ['show 3 decoded in 4.5']);

@@ -4,7 +4,7 @@ import { test } from 'node:test';
 import { LatencyMeter, SlidingWindow, median, quantile } from '../../web/stream/meters.js';
 import { Telemetry } from '../../web/stream/telemetry.js';
 
-test('the median is the middle, or between the two in the middle', () => {
+test('median of odd and even counts', () => {
   assert.equal(median([]), null);
   assert.equal(median([9, 1, 5]), 5);
   assert.equal(median([1, 2, 10, 4]), 3);
@@ -19,7 +19,7 @@ test('a window forgets what is older than its span', () => {
   assert.deepEqual(window.values(500), []);
 });
 
-test('latency ends with the first frame that shows the input or a later one', () => {
+test('latency ends with the first frame that includes the input', () => {
   const meter = new LatencyMeter();
   assert.equal(meter.read(0), null);
   meter.sent(1, 100);
@@ -45,14 +45,14 @@ test('latency is the median of the last second, or the last measurement', () => 
   assert.equal(meter.read(9000), null);
 });
 
-test('a stalled server does not make the meter grow', () => {
+test('the meter is bounded during a stall', () => {
   const meter = new LatencyMeter();
   for (let number = 1; number <= 2000; number += 1) meter.sent(number, number);
   meter.presented(2000, 2000);
   assert.ok(meter.read(2000) <= 512);
 });
 
-test('a reading tells the last second', () => {
+test('a reading covers the last second', () => {
   const telemetry = new Telemetry();
   assert.deepEqual(telemetry.read(0), {
     frames: 0,
@@ -93,7 +93,7 @@ test('a reading tells the last second', () => {
   assert.deepEqual([reading.codec, reading.width, reading.visitors], ['JPEG', 1280, 3]);
 });
 
-test('percentiles are those of the last ten seconds, as nearest rank', () => {
+test('percentiles cover ten seconds, by nearest rank', () => {
   assert.equal(quantile([], 0.5), null);
   assert.equal(quantile([3], 0.99), 3);
   const meter = new LatencyMeter();
@@ -107,7 +107,7 @@ test('percentiles are those of the last ten seconds, as nearest rank', () => {
   assert.deepEqual(meter.percentiles(99_000), { p50: null, p95: null, p99: null });
 });
 
-test('an input that changed nothing one could see measures nothing', () => {
+test('inputs without visible effect are not measured', () => {
   const meter = new LatencyMeter();
   meter.sent(1, 100);
   meter.sent(2, 110);
@@ -118,7 +118,7 @@ test('an input that changed nothing one could see measures nothing', () => {
   assert.deepEqual(meter.presented(3, 900), [{ number: 3, time: 120, latency: 780 }]);
 });
 
-test('a reading tells the size of the window, not of the border around it', () => {
+test('a reading has the size of the window without its border', () => {
   const telemetry = new Telemetry();
   const picture = { codec: 2, width: 704, height: 396, border: 10, lastInput: 0, serverMicroseconds: 0, visitors: 1 };
   telemetry.framePresented(picture, 0);
@@ -126,7 +126,7 @@ test('a reading tells the size of the window, not of the border around it', () =
   assert.deepEqual([width, height, codec], [640, 360, 'H.264']);
 });
 
-test('who comes while nothing moves is counted', () => {
+test('counts arrivals in a still world', () => {
   const telemetry = new Telemetry();
   const picture = { codec: 2, width: 704, height: 396, border: 0, lastInput: 0, serverMicroseconds: 0, visitors: 1 };
   telemetry.framePresented(picture, 0);

@@ -9,24 +9,24 @@ const counted = (hits, misses, near) => ({
   counters: { 'view cache hits': hits, 'view cache misses': misses, 'views too near to share': near },
 });
 
-test('the share is of what was asked for since the last answer', () => {
+test('the share covers requests since the last answer', () => {
   assert.equal(sharedViews(null, counted(3, 1, 0)), 0.75);
   assert.equal(sharedViews(counted(3, 1, 0), counted(4, 1, 1)), 0.5);
 });
 
-test('nothing asked for is not known, and neither is a server without light fields', () => {
+test('the share is unknown without requests and without light fields', () => {
   assert.equal(sharedViews(counted(3, 1, 0), counted(3, 1, 0)), null);
   assert.equal(sharedViews(null, { counters: {} }), null);
   assert.equal(sharedViews({}, {}), null);
 });
 
-test('an older server does not tell its version', () => {
+test('an older server reports no version', () => {
   assert.equal(versionOf(sample()), '1.2.3');
   assert.equal(versionOf({ visitors: 0 }), null);
   assert.equal(versionOf({ version: 2 }), null);
 });
 
-test('asks once a second while it is watched, and forgets what a lost server said', async () => {
+test('polls once per second while visible, and forgets a lost server', async () => {
   const clock = new FakeClock();
   let asked = 0;
   let alive = true;

@@ -37,7 +37,7 @@ TEST(Camera, MatricesAgreeWithProject) {
   EXPECT_NEAR(clip.w, 7.0F, 1e-4F);
 }
 
-TEST(Camera, SeesWhatIsInFrontOnly) {
+TEST(Camera, SeesOnlyTheFront) {
   const Camera camera = lookingAlong(0);
   const Bounds ahead{{-1, 0, -11}, {1, 2, -9}};
   const Bounds behind{{-1, 0, 9}, {1, 2, 11}};
@@ -50,7 +50,7 @@ TEST(Camera, SeesWhatIsInFrontOnly) {
   EXPECT_FALSE(camera.sees(Bounds{}));
 }
 
-TEST(Camera, ScreenRectHoldsEveryCorner) {
+TEST(Camera, ScreenRectContainsEveryCorner) {
   const Camera camera = lookingAlong(0.1F);
   const Bounds box{{-2, 0, -12}, {1, 3, -9}};
   const Rect rect = camera.screenRect(box);
@@ -84,7 +84,7 @@ TEST(Camera, ScreenRectOfGrassAtTheFeetIsTheLowerPart) {
 }
 
 /// Points of the box beyond the near plane, wherever the eye is.
-TEST(Camera, ScreenRectHoldsAllThatShows) {
+TEST(Camera, ScreenRectContainsAllVisiblePoints) {
   std::mt19937 random(3);
   std::uniform_real_distribution<float> place(-2.0F, 2.0F);
   for (int i = 0; i < 2000; ++i) {

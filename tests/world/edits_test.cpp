@@ -13,7 +13,7 @@ Player visitor(PlayerId id) {
   return player;
 }
 
-TEST(Edits, WhoBlowsDoesAtEveryTickUntilHeStops) {
+TEST(Edits, GustsBlowEveryTickUntilReleased) {
   Edits edits;
   Edits::Cursor cursor = 0;
   std::vector<Player> visitors{visitor(1), visitor(2)};
@@ -30,7 +30,7 @@ TEST(Edits, WhoBlowsDoesAtEveryTickUntilHeStops) {
   EXPECT_TRUE(edits.during(cursor, visitors).empty());
 }
 
-TEST(Edits, AClickBetweenTwoTicksBlowsOnceForEachReader) {
+TEST(Edits, ShortClickBlowsOncePerReader) {
   Edits edits;
   Edits::Cursor a = 0;
   Edits::Cursor b = 0;
@@ -42,7 +42,7 @@ TEST(Edits, AClickBetweenTwoTicksBlowsOnceForEachReader) {
   EXPECT_EQ(edits.during(b, visitors).size(), 1U);
 }
 
-TEST(Edits, WhoPressesManyTimesBetweenTwoTicksBlowsOnce) {
+TEST(Edits, ManyClicksWithinATickBlowOnce) {
   Edits edits;
   Edits::Cursor cursor = 0;
   std::vector<Player> visitors{visitor(1), visitor(2)};
@@ -59,14 +59,14 @@ TEST(Edits, WhoPressesManyTimesBetweenTwoTicksBlowsOnce) {
   EXPECT_EQ(gusts[1].visitor, 2U);
 }
 
-TEST(Edits, WhoHasLeftBlowsNoMore) {
+TEST(Edits, LeavingEndsAGust) {
   Edits edits;
   Edits::Cursor cursor = 0;
   edits.startBlowing(visitor(1));
   EXPECT_TRUE(edits.during(cursor, {}).empty());
 }
 
-TEST(Edits, KeepsTheNewestWhenNobodyReads) {
+TEST(Edits, KeepsTheNewestWithoutReaders) {
   Edits edits;
   for (PlayerId id = 1; id <= 1000; ++id) {
     edits.startBlowing(visitor(id));

@@ -5,7 +5,7 @@
 namespace grove::world {
 namespace {
 
-TEST(Transform, TurnsCounterClockwiseSeenFromAbove) {
+TEST(Transform, YawIsCounterClockwise) {
   Transform transform;
   transform.yaw = glm::half_pi<float>();
   transform.position = {10, 0, 0};
@@ -14,7 +14,7 @@ TEST(Transform, TurnsCounterClockwiseSeenFromAbove) {
   EXPECT_NEAR(p.z, 0.0F, 1e-5F);
 }
 
-TEST(Transform, BoundsHoldTheTurnedBox) {
+TEST(Transform, BoundsContainTheTurnedBox) {
   Transform transform;
   transform.yaw = glm::quarter_pi<float>();
   transform.scale = 2.0F;

@@ -7,7 +7,7 @@
 namespace grove::world {
 namespace {
 
-TEST(Layout, ShowsAVisitorByTheTemplateWhereHeStands) {
+TEST(Layout, PlacesVisitorsByTheTemplate) {
   Layout layout;
   Player player;
   player.id = 7;
@@ -28,7 +28,7 @@ TEST(Layout, ShowsAVisitorByTheTemplateWhereHeStands) {
   EXPECT_FLOAT_EQ(object->bounds.centre().x, 3.0F);
 }
 
-TEST(Layout, LightsAreThoseOfTheSceneAndALanternEach) {
+TEST(Layout, LightsAreSceneLightsAndLanterns) {
   Layout layout;
   layout.lights = {{{{0.0F, 1.0F, 0.0F}, {2.0F, 1.0F, 0.5F}}, 0.0F}, {{{5.0F, 1.0F, 0.0F}, Vec3(1.0F)}, 1.0F}};
   std::vector<Player> players(1);

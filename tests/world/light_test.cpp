@@ -5,7 +5,7 @@
 namespace grove::world {
 namespace {
 
-TEST(Light, DisplayCurveGrowsFromBlackToWhite) {
+TEST(Light, DisplayCurveIsMonotonic) {
   EXPECT_NEAR(toDisplay(0.0F), 0.0F, 0.01F);
   float before = 0.0F;
   float x = 0.01F;

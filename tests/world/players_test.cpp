@@ -11,7 +11,7 @@ namespace {
 
 Players inTheOpen() { return {Vec3(0, 0, 0), 0.0F, 30.0F, {}}; }
 
-TEST(Players, NumbersVisitorsFromItsBase) {
+TEST(Players, IdsStartAtTheBase) {
   constexpr PlayerId kBase = PlayerId{7} << 32U;
   Players players(Vec3(0, 0, 0), 0.0F, 12.0F, {}, kBase);
   const PlayerId first = players.join("first", 0.0);
@@ -31,7 +31,7 @@ TEST(Players, WalkWhereTheyLook) {
   EXPECT_GT(later.stride, 1.0F);
 }
 
-TEST(Players, ResultDoesNotDependOnWhoLooksWhen) {
+TEST(Players, DoNotDependOnTheObserver) {
   Players often = inTheOpen();
   Players seldom = inTheOpen();
   const PlayerId a = often.join("a", 0.0);
@@ -44,7 +44,7 @@ TEST(Players, ResultDoesNotDependOnWhoLooksWhen) {
   EXPECT_NEAR(glm::distance(p, q), 0.0F, 0.05F);
 }
 
-TEST(Players, StayOutOfStonesAndInsideTheWorld) {
+TEST(Players, StayOutsideOfStonesAndWithinTheWorld) {
   Players players(Vec3(0, 0, 0), 0.0F, 12.0F, {{{0.1F, -5.0F}, 1.0F}});
   const PlayerId id = players.join("a", 0.0);
   ASSERT_TRUE(players.apply(id, {1, kForward | kRun, 0.0F, 0.0F}, 0.0));
@@ -55,7 +55,7 @@ TEST(Players, StayOutOfStonesAndInsideTheWorld) {
   }
 }
 
-TEST(Players, RefusesWhatIsNoDirection) {
+TEST(Players, RefuseNonFiniteDirections) {
   Players players = inTheOpen();
   const PlayerId id = players.join("a", 0.0);
   EXPECT_FALSE(players.apply(id, {1, 0, std::numeric_limits<float>::quiet_NaN(), 0.0F}, 0.0));
@@ -90,7 +90,7 @@ TEST(Players, ArriveApartAndLeave) {
   EXPECT_EQ(players.changes(), 3u) << "he had gone";
 }
 
-TEST(Players, ShowOthersAsTheirProcessReportsThem) {
+TEST(Players, ShowRemotePlayersAsReported) {
   constexpr PlayerId kOther = PlayerId{7} << 32U;
   const auto isOther = [](PlayerId id) { return id > kOther; };
   Players players = inTheOpen();

@@ -5,7 +5,7 @@
 namespace grove::world {
 namespace {
 
-TEST(Sky, TheSunStandsLowAboveTheHorizon) {
+TEST(Sky, SunIsLow) {
   const Vec3 sun = Sky().sun;
   EXPECT_NEAR(glm::length(sun), 1.0F, 1e-5F);
   EXPECT_GT(sun.y, 0.05F);
@@ -13,7 +13,7 @@ TEST(Sky, TheSunStandsLowAboveTheHorizon) {
 }
 
 /// Fails if a part of the light keeps the sun of another world.
-TEST(Sky, AllOfItTurnsWithItsSun) {
+TEST(Sky, TurnsWithTheSun) {
   const Sky evening;
   Sky opposite;
   opposite.sun *= Vec3(-1, 1, -1);
@@ -27,7 +27,7 @@ TEST(Sky, AllOfItTurnsWithItsSun) {
   }
 }
 
-TEST(Sky, TheSkyMeetsTheHazeAtTheHorizon) {
+TEST(Sky, MeetsTheHazeAtTheHorizon) {
   const Sky light;
   EXPECT_EQ(light.radiance({1, 0, 0}), light.hazeColour({1, 0, 0}));
   EXPECT_GT(light.hazeColour(light.sun).r, 2.0F * light.hazeColour(-light.sun).r);

@@ -18,7 +18,7 @@ std::vector<float> redOf(const std::vector<PointLight>& lights) {
   return values;
 }
 
-TEST(StrongestLights, AreFewAndInOrder) {
+TEST(StrongestLights, AreBoundedAndSorted) {
   std::vector<PointLight> lights;
   for (const float strength : {2.0F, 5.0F, 1.0F, 4.0F, 3.0F}) lights.push_back({Vec3(0.0F), Vec3(strength)});
   EXPECT_THAT(redOf(strongestLights(lights, 3, 0.0F, red)), ElementsAre(5.0F, 4.0F, 3.0F));

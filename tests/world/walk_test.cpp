@@ -15,7 +15,7 @@ namespace {
 using testing::HasSubstr;
 using testing::StartsWith;
 
-TEST(Walk, IsReadLineByLine) {
+TEST(Walk, ParsesLines) {
   const Walk walk = parseWalk(
       "# a walk\n"
       "0 1 2 0.5 -0.25   # begins here\r\n"
@@ -30,7 +30,7 @@ TEST(Walk, IsReadLineByLine) {
   EXPECT_EQ(walk.at(2.5).position, Vec3(1, 1.2F, 4)) << "six numbers: with the height";
 }
 
-TEST(Walk, GoesStraightBetweenItsSteps) {
+TEST(Walk, InterpolatesLinearly) {
   const Walk walk = parseWalk("1 0 0 0 0\n3 4 -2 1 0.5\n4 4 -2 1 0.5\n", "a.walk");
   EXPECT_EQ(walk.at(0.0).position, Vec3(0, kEyeHeight, 0)) << "before it begins, it waits";
   const Pose middle = walk.at(1.5);
@@ -42,14 +42,14 @@ TEST(Walk, GoesStraightBetweenItsSteps) {
 }
 
 /// Or somebody who looks past the south would whirl around.
-TEST(Walk, TurnsTheShortWayRound) {
+TEST(Walk, TurnsTheShortWay) {
   const Walk walk = parseWalk("0 0 0 3.0 0\n1 0 0 -3.0 0\n2 0 0 9.0 0\n", "a.walk");
   EXPECT_NEAR(std::remainder(walk.at(0.5).yaw - 3.14159F, 6.2831853F), 0.0F, 1e-4F);
   EXPECT_NEAR(walk.at(0.25).yaw, 3.0F + 0.25F * 0.28319F, 1e-4F);
   EXPECT_NEAR(std::remainder(walk.at(1.5).yaw + 3.14159F, 6.2831853F), 0.0F, 0.2F);
 }
 
-TEST(Walk, GoesThereAndBack) {
+TEST(Walk, ReversesAtItsEnd) {
   const Walk walk = parseWalk("0 0 0 0 0\n10 10 0 0 0\n", "a.walk");
   for (const auto& [seconds, x] :
        {std::pair(0.0, 0.0F), {4.0, 4.0F}, {10.0, 10.0F}, {13.0, 7.0F}, {20.0, 0.0F}, {21.0, 1.0F}}) {
@@ -58,7 +58,7 @@ TEST(Walk, GoesThereAndBack) {
   EXPECT_EQ(parseWalk("0 3 0 0 0", "a.walk").thereAndBack(7.0).position.x, 3.0F);
 }
 
-TEST(Walk, RefusesWhatIsNone) {
+TEST(Walk, RefusesMalformedFiles) {
   const auto reason = [](const std::string& text) -> std::string {
     try {
       (void)parseWalk(text, "b.walk");
@@ -85,7 +85,7 @@ TEST(Walk, RefusesWhatIsNone) {
 }
 
 /// The walks that are measured on must be such as a visitor could make: within the built-in world, and through nothing.
-TEST(Walk, OfTheTestsAreWalkable) {
+TEST(Walk, TestWalksAreWalkable) {
   const Scene scene = parseScene(embedded::scenes().front().text(), "grove.toml");
   for (const char* name : {"clearing", "under_trees", "edge", "crowd"}) {
     const Walk walk = loadWalk(std::filesystem::path(GROVE_WALKS) / (std::string(name) + ".walk"));

@@ -114,13 +114,13 @@ HWY_EXPORT(testInts);
 HWY_EXPORT(testMasks);
 
 /// Each fails if an operation does something else on some target.
-TEST(LanesKernels, FloatsAreWhatAPlainLoopGives) {
+TEST(LanesKernels, FloatsMatchScalar) {
   tests::onEachTarget([] { HWY_DYNAMIC_DISPATCH(testFloats)(); });
 }
-TEST(LanesKernels, IntsAreWhatAPlainLoopGives) {
+TEST(LanesKernels, IntsMatchScalar) {
   tests::onEachTarget([] { HWY_DYNAMIC_DISPATCH(testInts)(); });
 }
-TEST(LanesKernels, MasksAreWhatAPlainLoopGives) {
+TEST(LanesKernels, MasksMatchScalar) {
   tests::onEachTarget([] { HWY_DYNAMIC_DISPATCH(testMasks)(); });
 }
 

@@ -27,7 +27,7 @@ class Wanted {
 };
 
 /// Fails if kernels run as another target than the one that was chosen.
-TEST(Target, KernelsRunAsTheOneInUse) {
+TEST(Target, KernelsUseTheCurrentTarget) {
   std::vector<Target> used;
   tests::onEachTarget([&] { used.push_back(currentTarget()); });
   EXPECT_EQ(used, availableTargets());
@@ -42,7 +42,7 @@ TEST(Target, EnvironmentForcesALowerOne) {
 }
 
 /// Fails if a name that is none runs silently as something else.
-TEST(Target, SaysWhichThereAre) {
+TEST(Target, ListsTargets) {
   const Target before = currentTarget();
   const Wanted wanted("avx9");
   try {

@@ -43,7 +43,7 @@ class TlsAuthoritiesTest : public testing::Test {
   const std::string file_ = folder_.file("authorities.pem");
 };
 
-TEST_F(TlsAuthoritiesTest, TrustWhomTheyKnow) {
+TEST_F(TlsAuthoritiesTest, TrustTheirCertificates) {
   const std::string one = made();
   const std::string other = made();
   const std::string stranger = made({.name = "stranger"});
@@ -58,7 +58,7 @@ TEST_F(TlsAuthoritiesTest, TrustWhomTheyKnow) {
   }
 }
 
-TEST_F(TlsAuthoritiesTest, SayWhatIsWrong) {
+TEST_F(TlsAuthoritiesTest, ErrorsNameTheReason) {
   EXPECT_THAT(complaint({.beginsIn = -7200, .expiresIn = -60}), Optional(HasSubstr("its certificate expired on 2")));
   EXPECT_THAT(complaint({.beginsIn = 3600}), Optional(HasSubstr("is not valid before 2")));
   EXPECT_THAT(complaint({.name = "elsewhere"}), Optional(std::string("its certificate does not name localhost")));
@@ -71,7 +71,7 @@ TEST_F(TlsAuthoritiesTest, SayWhatIsWrong) {
   }
 }
 
-TEST_F(TlsAuthoritiesTest, NameAFileThatIsNoneOfAuthorities) {
+TEST_F(TlsAuthoritiesTest, NameABadFile) {
   const std::string whole = made();
   for (const std::string& text : {std::string(), std::string("nonsense"), whole.substr(0, whole.size() / 2)}) {
     EXPECT_THAT(errorOf(text), AllOf(HasSubstr("--tls-ca " + file_), HasSubstr("has no readable certificate")));

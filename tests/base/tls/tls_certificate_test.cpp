@@ -35,7 +35,7 @@ class TlsCertificateTest : public testing::Test {
   const TlsFiles other_{folder_.file("other.pem"), folder_.file("other.key")};
 };
 
-TEST_F(TlsCertificateTest, IsTakenWithItsKey) {
+TEST_F(TlsCertificateTest, LoadsWithItsKey) {
   EXPECT_EQ(complaint(good_), "");
   writePair(other_, {.rsaBits = 2048});
   EXPECT_EQ(complaint(other_), "");
@@ -43,14 +43,14 @@ TEST_F(TlsCertificateTest, IsTakenWithItsKey) {
   EXPECT_EQ(complaint(good_), "") << "its issuer's behind it";
 }
 
-TEST_F(TlsCertificateTest, NamesAFileThatIsNotThere) {
+TEST_F(TlsCertificateTest, NamesAMissingFile) {
   EXPECT_THAT(complaint({folder_.file("no.pem"), good_.key}),
               AllOf(HasSubstr("--tls-cert"), HasSubstr("no.pem"), HasSubstr("No such file"), HasSubstr("PEM")));
   EXPECT_THAT(complaint({good_.certificate, folder_.file("no.key")}),
               AllOf(HasSubstr("--tls-key"), HasSubstr("no.key"), HasSubstr("No such file"), HasSubstr("PEM")));
 }
 
-TEST_F(TlsCertificateTest, NamesAFileThatCannotBeRead) {
+TEST_F(TlsCertificateTest, NamesAnUnreadableFile) {
   EXPECT_THAT(complaint({folder_.file("."), good_.key}), AllOf(HasSubstr("--tls-cert"), HasSubstr("no plain file")));
   const std::string pipe = folder_.file("pipe");
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
@@ -67,7 +67,7 @@ TEST_F(TlsCertificateTest, NamesAFileThatCannotBeRead) {
   EXPECT_THAT(found, AllOf(HasSubstr("--tls-key"), HasSubstr("Permission denied")));
 }
 
-TEST_F(TlsCertificateTest, NamesWhatIsNoCertificateAndNoKey) {
+TEST_F(TlsCertificateTest, NamesMalformedFiles) {
   const std::string text = folder_.file("text");
   for (const std::string content : {"", "nonsense\n", "\x30\x82\x01\x0A"}) {
     writeFile(text, content);
@@ -84,7 +84,7 @@ TEST_F(TlsCertificateTest, NamesWhatIsNoCertificateAndNoKey) {
   EXPECT_THAT(complaint({text, good_.key}), HasSubstr("after the first is damaged"));
 }
 
-TEST_F(TlsCertificateTest, ReportsTheDateThatItIsNotValidAt) {
+TEST_F(TlsCertificateTest, ReportsItsValidity) {
   const std::time_t now = std::time(nullptr);
   writePair(other_, {.beginsIn = -7200, .expiresIn = -3600});
   EXPECT_THAT(complaint(other_),
@@ -95,7 +95,7 @@ TEST_F(TlsCertificateTest, ReportsTheDateThatItIsNotValidAt) {
               AllOf(HasSubstr("not valid before " + dateOf(now + 86'400).substr(0, 10)), HasSubstr("clock")));
 }
 
-TEST_F(TlsCertificateTest, NamesAKeyOfAnotherOne) {
+TEST_F(TlsCertificateTest, NamesAMismatchedKey) {
   for (const int bits : {0, 2048}) {
     writePair(other_, {.rsaBits = bits});
     EXPECT_THAT(complaint({good_.certificate, other_.key}),
@@ -103,12 +103,12 @@ TEST_F(TlsCertificateTest, NamesAKeyOfAnotherOne) {
   }
 }
 
-TEST_F(TlsCertificateTest, NamesAKeyWithAPassphrase) {
+TEST_F(TlsCertificateTest, NamesAnEncryptedKey) {
   writePair(other_, {.passphrase = "sesame"});
   EXPECT_THAT(complaint(other_), AllOf(HasSubstr("--tls-key"), HasSubstr("passphrase"), HasSubstr("openssl pkey")));
 }
 
-TEST_F(TlsCertificateTest, NamesAKeyThatBrowsersWouldNotTake) {
+TEST_F(TlsCertificateTest, NamesAWeakKey) {
   writePair(other_, {.rsaBits = 512});
   EXPECT_THAT(complaint(other_), AllOf(HasSubstr("too small"), HasSubstr("2048")));
 }

@@ -89,7 +89,7 @@ class PrepareWorld : public testing::Test {
   Progress progress_;
 };
 
-TEST_F(PrepareWorld, MakesWhatATypeSaysThatIsNotThere) {
+TEST_F(PrepareWorld, PreparesMissingParts) {
   ASSERT_TRUE(prepareWorld(scene_, types_, progress_, {}));
   EXPECT_THAT(done_, ElementsAre("made 1", "made 2"));
   std::filesystem::remove(folder_.path() / "1");
@@ -97,7 +97,7 @@ TEST_F(PrepareWorld, MakesWhatATypeSaysThatIsNotThere) {
   EXPECT_THAT(done_, ElementsAre("made 1", "made 2", "made 1"));
 }
 
-TEST_F(PrepareWorld, ShowsRoughlyFirstAndLeavesTheRestByWeight) {
+TEST_F(PrepareWorld, PreparesCoarseFirstAndRefinesByWeight) {
   const auto left = firstLook();
   ASSERT_TRUE(left);
   ASSERT_EQ(left->size(), 2U);
@@ -108,7 +108,7 @@ TEST_F(PrepareWorld, ShowsRoughlyFirstAndLeavesTheRestByWeight) {
   EXPECT_EQ(firstLook()->size(), 1U);
 }
 
-TEST_F(PrepareWorld, LeavesNothingToBeMadeWhereNothingCanBeKept) {
+TEST_F(PrepareWorld, SkipsRefinementWithoutCache) {
   std::ofstream(folder_.path() / "file") << "in the way";
   setenv("GROVE_CACHE", (folder_.path() / "file").c_str(), 1);
   const auto left = firstLook();
@@ -116,7 +116,7 @@ TEST_F(PrepareWorld, LeavesNothingToBeMadeWhereNothingCanBeKept) {
   EXPECT_THAT(*left, IsEmpty());
 }
 
-TEST_F(PrepareWorld, EndsWhenItIsStopped) {
+TEST_F(PrepareWorld, StopsOnRequest) {
   std::stop_source stop;
   stop.request_stop();
   EXPECT_FALSE(firstLook(stop.get_token()));

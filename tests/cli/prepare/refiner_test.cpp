@@ -61,7 +61,7 @@ class RefinerTest : public testing::Test {
   std::filesystem::path folder_;
 };
 
-TEST_F(RefinerTest, ServesSomethingCoarseFirstAndMakesItFine) {
+TEST_F(RefinerTest, ServesCoarseFirstAndRefines) {
   const Outcome outcome = serve(kAllFine);
   EXPECT_EQ(outcome.exit, 0) << outcome.output;
   const std::size_t listening = outcome.output.find("listening on");
@@ -76,7 +76,7 @@ TEST_F(RefinerTest, ServesSomethingCoarseFirstAndMakesItFine) {
   EXPECT_THAT(again.output, AllOf(HasSubstr("listening"), Not(HasSubstr("sketching")), Not(HasSubstr("finer"))));
 }
 
-TEST_F(RefinerTest, ASignalEndsItAndTheNextStartGoesOn) {
+TEST_F(RefinerTest, ResumesAfterASignal) {
   const Outcome outcome = serve("listening on");
   EXPECT_EQ(outcome.exit, 0) << outcome.output;
   EXPECT_LT(countFine(), 2) << outcome.output;
@@ -84,7 +84,7 @@ TEST_F(RefinerTest, ASignalEndsItAndTheNextStartGoesOn) {
   EXPECT_EQ(countFine(), 2);
 }
 
-TEST_F(RefinerTest, WhatIsKilledLeavesNothingDamaged) {
+TEST_F(RefinerTest, KillLeavesNothingDamaged) {
   (void)serve("listening on", "sleep 0.3; kill -KILL $server");
   // On a fast machine, nothing is left to be made.
   if (countFine() < 2) {
@@ -93,7 +93,7 @@ TEST_F(RefinerTest, WhatIsKilledLeavesNothingDamaged) {
   EXPECT_EQ(countFine(), 2);
 }
 
-TEST_F(RefinerTest, MakesADamagedOneAnew) {
+TEST_F(RefinerTest, ReplacesDamagedFiles) {
   (void)serve(kAllFine);
   for (const auto& entry : std::filesystem::directory_iterator(folder_ / "cache" / "light-fields")) {
     if (entry.path().extension() == ".glf") std::filesystem::resize_file(entry.path(), entry.file_size() / 2);
@@ -104,7 +104,7 @@ TEST_F(RefinerTest, MakesADamagedOneAnew) {
   EXPECT_EQ(countFine(), 2);
 }
 
-TEST_F(RefinerTest, OfTwoServersEachShowsWhatEitherMakes) {
+TEST_F(RefinerTest, TwoServersShareResults) {
   const std::string other = GROVE_BINARY
       " serve --listen 127.0.0.1:0 --scene scene.toml >other 2>&1 & second=$!\n"
       "until grep -qs 'as fine as' other; do sleep 0.1; [ -e other ] && kill -0 $second || break; done\n"
@@ -119,7 +119,7 @@ TEST_F(RefinerTest, OfTwoServersEachShowsWhatEitherMakes) {
   EXPECT_EQ(countFine(), 2);
 }
 
-TEST_F(RefinerTest, WhereNothingCanBeKeptTheWorldStaysCoarse) {
+TEST_F(RefinerTest, StaysCoarseWithoutCache) {
   // A file where the folder should be: no permission keeps root out.
   std::ofstream(folder_ / "cache") << "in the way";
   const Outcome outcome = serve("listening on");

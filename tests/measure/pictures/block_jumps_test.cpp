@@ -47,18 +47,18 @@ std::size_t jumpsOf(int blockX, int blockY) {
   return jumps.jumps();
 }
 
-TEST(BlockJumps, CountsABlockThatMovesOtherwise) {
+TEST(BlockJumps, CountsAnInconsistentBlock) {
   EXPECT_EQ(jumpsOf(8, 1), 1u);
   EXPECT_EQ(jumpsOf(-9, -7), 1u);
   EXPECT_EQ(jumpsOf(2, 4), 1u);
 }
 
-TEST(BlockJumps, APixelMoreOrLessIsNone) {
+TEST(BlockJumps, ToleratesOnePixel) {
   EXPECT_EQ(jumpsOf(2, 1), 0u);
   EXPECT_EQ(jumpsOf(3, 0), 0u);
 }
 
-TEST(BlockJumps, WhatAppearsDoesNotJump) { EXPECT_EQ(jumpsOf(1000, 0), 0u) << "there was nothing like it before"; }
+TEST(BlockJumps, NewContentDoesNotJump) { EXPECT_EQ(jumpsOf(1000, 0), 0u) << "there was nothing like it before"; }
 
 TEST(BlockJumps, FlatBlocksDoNotJump) {
   const std::vector<std::uint32_t> flat(std::size_t{kJumpsWidth} * kJumpsHeight, 0xFF404040U);

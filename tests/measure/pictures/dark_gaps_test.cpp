@@ -14,7 +14,7 @@ using tests::GrassFilm;
 constexpr std::uint32_t kGapBlack = 0xFF050505U;
 constexpr std::uint32_t kGapShade = 0xFF0E0E0EU;  // above kNearBlack, within kDarkGapContrast of it
 
-TEST(DarkGaps, CountsWhatTheReferenceDoesNotHaveNearby) {
+TEST(DarkGaps, CountsPixelsWithoutADarkReferenceNearby) {
   GrassFilm shown;
   const GrassFilm reference;
   shown.set(0, 0, kGapBlack);
@@ -23,7 +23,7 @@ TEST(DarkGaps, CountsWhatTheReferenceDoesNotHaveNearby) {
   EXPECT_EQ(darkGaps(shown.picture(), reference.picture()), 3u);
 }
 
-TEST(DarkGaps, WhatMovedALittleIsNone) {
+TEST(DarkGaps, ToleratesSmallMotion) {
   GrassFilm shown;
   GrassFilm reference;
   shown.set(20, 15, kGapBlack);
@@ -34,7 +34,7 @@ TEST(DarkGaps, WhatMovedALittleIsNone) {
   EXPECT_EQ(darkGaps(shown.picture(), reference.picture()), 1u) << "too far away";
 }
 
-TEST(DarkGaps, ShadeThatIsALittleDarkerIsNone) {
+TEST(DarkGaps, ToleratesSlightlyDarkerShade) {
   GrassFilm shown;
   GrassFilm reference;
   shown.set(20, 15, kGapBlack);

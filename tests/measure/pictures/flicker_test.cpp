@@ -30,33 +30,33 @@ double flickerOf(int pictures, const std::function<int(int)>& level) {
   return flicker.share();
 }
 
-TEST(Flicker, ABlockThatJumpsOutAndBackCountsOnce) {
+TEST(Flicker, CountsAJumpOutAndBackOnce) {
   EXPECT_DOUBLE_EQ(flickerOf(10, [](int t) { return t == 4 ? 120 : 100; }), 1.0 / (kFilmBlocks * 8.0));
   EXPECT_DOUBLE_EQ(flickerOf(10, [](int t) { return t == 4 ? 80 : 100; }), 1.0 / (kFilmBlocks * 8.0));
 }
 
-TEST(Flicker, ABlockThatAlternatesCountsInEveryPictureWithBothNeighbours) {
+TEST(Flicker, CountsAlternationInEveryPicture) {
   EXPECT_DOUBLE_EQ(flickerOf(10, [](int t) { return t % 2 == 0 ? 100 : 120; }), 1.0 / kFilmBlocks);
 }
 
-TEST(Flicker, ABlockThatFadesSteadilyDoesNotCount) {
+TEST(Flicker, IgnoresSteadyFades) {
   EXPECT_EQ(flickerOf(10, [](int t) { return 20 * t; }), 0.0);
 }
 
-TEST(Flicker, ABlockThatJumpsAndStaysDoesNotCount) {
+TEST(Flicker, IgnoresLastingJumps) {
   EXPECT_EQ(flickerOf(10, [](int t) { return t < 4 ? 100 : 200; }), 0.0);
 }
 
-TEST(Flicker, ABlockThatStaysDoesNotCount) {
+TEST(Flicker, IgnoresStillBlocks) {
   EXPECT_EQ(flickerOf(10, [](int) { return 100; }), 0.0);
 }
 
-TEST(Flicker, TheThresholdItselfDoesNotCount) {
+TEST(Flicker, IgnoresTheThresholdItself) {
   EXPECT_EQ(flickerOf(3, [](int t) { return t == 1 ? 108 : 100; }), 0.0);
   EXPECT_GT(flickerOf(3, [](int t) { return t == 1 ? 109 : 100; }), 0.0);
 }
 
-TEST(Flicker, NothingCountsBeforeTheThirdPicture) {
+TEST(Flicker, NeedsThreePictures) {
   EXPECT_EQ(flickerOf(2, [](int t) { return 200 * t; }), 0.0);
 }
 

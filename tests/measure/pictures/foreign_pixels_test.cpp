@@ -15,7 +15,7 @@ constexpr std::uint32_t kForeignSoil = 0xFF205890U;
 constexpr std::uint32_t kForeignLikeGrass = 0xFF206060U;  // kForeignContrast redder
 constexpr std::uint32_t kForeignBetween = 0xFF205C68U;
 
-TEST(ForeignPixels, CountsColoursThatTheReferenceDoesNotHaveNearby) {
+TEST(ForeignPixels, CountsColoursAbsentFromTheReference) {
   GrassFilm shown;
   const GrassFilm reference;
   shown.set(0, 0, kForeignSoil);
@@ -24,7 +24,7 @@ TEST(ForeignPixels, CountsColoursThatTheReferenceDoesNotHaveNearby) {
   EXPECT_EQ(foreignPixels(shown.picture(), reference.picture()), 3u);
 }
 
-TEST(ForeignPixels, WhatMovedALittleIsNone) {
+TEST(ForeignPixels, ToleratesSmallMotion) {
   GrassFilm shown;
   GrassFilm reference;
   shown.set(20, 15, kForeignSoil);
@@ -35,7 +35,7 @@ TEST(ForeignPixels, WhatMovedALittleIsNone) {
   EXPECT_EQ(foreignPixels(shown.picture(), reference.picture()), 1u) << "too far away";
 }
 
-TEST(ForeignPixels, MixturesAndLikeColoursAreNone) {
+TEST(ForeignPixels, ToleratesMixturesAndSimilarColours) {
   GrassFilm shown;
   GrassFilm reference;
   shown.set(5, 5, kForeignLikeGrass);

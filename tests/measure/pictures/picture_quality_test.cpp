@@ -36,7 +36,7 @@ TEST(PictureQuality, EqualPicturesAreEqual) {
   EXPECT_NEAR(structuralSimilarity(picture(a), picture(a), all), 1.0, 1e-6);
 }
 
-TEST(PictureQuality, AConstantErrorHasItsSquareAsTheMean) {
+TEST(PictureQuality, ConstantErrorHasItsSquareAsMean) {
   const Pixels a(400, grey(100));
   const Pixels b(400, grey(110));
   const Mask all(a.size(), 1);
@@ -44,7 +44,7 @@ TEST(PictureQuality, AConstantErrorHasItsSquareAsTheMean) {
   EXPECT_NEAR(decibels(100.0), 28.1308, 1e-3);
 }
 
-TEST(PictureQuality, OfFlatPicturesOnlyTheLumaTermIsLeft) {
+TEST(PictureQuality, FlatPicturesHaveOnlyTheLumaTerm) {
   const Pixels a(std::size_t{kWidth} * 30, grey(100));
   const Pixels b(std::size_t{kWidth} * 30, grey(150));
   const double c1 = 6.5025;
@@ -52,7 +52,7 @@ TEST(PictureQuality, OfFlatPicturesOnlyTheLumaTermIsLeft) {
               (2.0 * 100 * 150 + c1) / (100.0 * 100 + 150 * 150 + c1), 2e-3);
 }
 
-TEST(PictureQuality, UnrelatedNoiseHasNoStructureInCommon) {
+TEST(PictureQuality, UnrelatedNoiseHasNoCommonStructure) {
   const Pixels a = noise(100, 1);
   const Pixels b = noise(100, 2);
   EXPECT_NEAR(structuralSimilarity(picture(a), picture(b), Mask(a.size(), 1)), 0.0, 0.1);

@@ -18,12 +18,12 @@ class QualityPolicies : public ::testing::Test {
 
 constexpr QualityLoad kRoom{.visitors = 4, .cores = 8, .busyCores = 1.0, .acrossUserCores = 0.15};
 
-TEST_F(QualityPolicies, GoesUpWhenVisitorsShareTheBill) {
+TEST_F(QualityPolicies, RisesWithVisitors) {
   EXPECT_EQ(after(5, kRoom), 0) << "room must last";
   EXPECT_EQ(after(10, kRoom), 1);
 }
 
-TEST_F(QualityPolicies, DoesNotSpendWhatIsNotSaved) {
+TEST_F(QualityPolicies, DoesNotRiseWithoutSavings) {
   QualityLoad few = kRoom;
   few.visitors = 3;  // step 1 costs 3.375 times as much
   EXPECT_EQ(after(100, few), 0);
@@ -34,13 +34,13 @@ TEST_F(QualityPolicies, DoesNotSpendWhatIsNotSaved) {
   EXPECT_EQ(after(100, many), 2) << "there is no step 3";
 }
 
-TEST_F(QualityPolicies, KeepsOffABusyMachine) {
+TEST_F(QualityPolicies, DoesNotRiseOnABusyMachine) {
   QualityLoad busy = kRoom;
   busy.busyCores = 5.8;  // 0.36 more would pass three quarters of eight
   EXPECT_EQ(after(100, busy), 0);
 }
 
-TEST_F(QualityPolicies, GoesDownAtOnceAndDoesNotComeBackSoon) {
+TEST_F(QualityPolicies, FallsImmediatelyAndRisesLate) {
   ASSERT_EQ(after(30, kRoom), 1);
   QualityLoad slow = kRoom;
   slow.frameShare = 0.7;
@@ -49,7 +49,7 @@ TEST_F(QualityPolicies, GoesDownAtOnceAndDoesNotComeBackSoon) {
   EXPECT_EQ(after(30, kRoom), 1);
 }
 
-TEST_F(QualityPolicies, GoesDownStepByStepAsVisitorsLeave) {
+TEST_F(QualityPolicies, FallsStepwiseAsVisitorsLeave) {
   QualityLoad many = kRoom;
   many.visitors = 12;
   ASSERT_EQ(after(100, many), 2);
@@ -61,7 +61,7 @@ TEST_F(QualityPolicies, GoesDownStepByStepAsVisitorsLeave) {
   EXPECT_EQ(after(1, few), 0);
 }
 
-TEST_F(QualityPolicies, DoesNotSwingWhereLoadIsBetweenItsBounds) {
+TEST_F(QualityPolicies, DoesNotOscillateBetweenBounds) {
   ASSERT_EQ(after(30, kRoom), 1);
   QualityLoad between = kRoom;
   between.busyCores = 7.0;
@@ -75,7 +75,7 @@ TEST_F(QualityPolicies, DoesNotSwingWhereLoadIsBetweenItsBounds) {
   EXPECT_EQ(changes, 0);
 }
 
-TEST_F(QualityPolicies, WaitsForAChangeToShow) {
+TEST_F(QualityPolicies, WaitsForTheEffectOfAChange) {
   ASSERT_EQ(after(10, kRoom), 1);
   QualityLoad peak = kRoom;
   peak.busyCores = 7.9;  // of the change itself

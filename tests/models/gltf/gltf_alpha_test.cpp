@@ -41,7 +41,7 @@ class GltfAlpha : public GltfImport {
   Model model;
 };
 
-TEST_F(GltfAlpha, WhatTheCutOffLeavesNothingOfIsLeftOutAndNamed) {
+TEST_F(GltfAlpha, ReportsFullyCutOffPrimitives) {
   for (const bool textured : {true, false}) {
     writer = GltfWriter();
     useAlpha("MASK", 0.4, textured);
@@ -51,26 +51,26 @@ TEST_F(GltfAlpha, WhatTheCutOffLeavesNothingOfIsLeftOutAndNamed) {
   }
 }
 
-TEST_F(GltfAlpha, WhatBlendsWithNothingIsLeftOutAndNamed) {
+TEST_F(GltfAlpha, ReportsFullyTransparentPrimitives) {
   useAlpha("BLEND", 0.0, false);
   EXPECT_THAT(reported(), HasSubstr("ignores 'm'"));
   EXPECT_EQ(model.triangles.indices.size(), 1U);
 }
 
-TEST_F(GltfAlpha, WhatTheCutOffLeavesIsWhole) {
+TEST_F(GltfAlpha, OpaqueAboveTheCutOff) {
   useAlpha("MASK", 0.5, false);
   EXPECT_EQ(reported(), "");
   EXPECT_EQ(model.triangles.indices.size(), 2U);
   EXPECT_EQ(model.materials[0].alphaCutoff, 0.0F);
 }
 
-TEST_F(GltfAlpha, AModelOfWhichNothingIsSeenIsRefused) {
+TEST_F(GltfAlpha, RefusesAnInvisibleModel) {
   useAlpha("MASK", 0.1, false);
   writer.json["meshes"][0]["primitives"].erase(1);
   expectRefused("has no triangles");
 }
 
-TEST_F(GltfAlpha, WhatBlendsWithoutATextureBlends) {
+TEST_F(GltfAlpha, BlendsWithoutTexture) {
   useAlpha("BLEND", 0.25, false);
   EXPECT_EQ(reported(), "");
   EXPECT_TRUE(model.materials[0].blended);
@@ -78,14 +78,14 @@ TEST_F(GltfAlpha, WhatBlendsWithoutATextureBlends) {
   EXPECT_FALSE(model.materials[0].solid);
 }
 
-TEST_F(GltfAlpha, WhatBlendsWithAnAlphaOfOneDoesNot) {
+TEST_F(GltfAlpha, AlphaOneIsOpaque) {
   useAlpha("BLEND", 1.0, false);
   EXPECT_EQ(reported(), "");
   EXPECT_FALSE(model.materials[0].blended);
   EXPECT_EQ(model.materials[0].alphaCutoff, 0.0F);
 }
 
-TEST_F(GltfAlpha, OfWhatBlendsByATextureWithoutUvsTheFactorIsLeft) {
+TEST_F(GltfAlpha, WithoutUvsUsesTheAlphaFactor) {
   for (const double factor : {0.5, 1.0}) {
     writer = GltfWriter();
     useAlpha("BLEND", factor, true);
@@ -98,7 +98,7 @@ TEST_F(GltfAlpha, OfWhatBlendsByATextureWithoutUvsTheFactorIsLeft) {
   }
 }
 
-TEST_F(GltfAlpha, OfVertexColoursIsNamedWhereItWouldBeSeen) {
+TEST_F(GltfAlpha, ReportsVisibleVertexAlpha) {
   useAlpha("MASK", 1.0, true);
   useColours({1.0F, 0.4F, 1.0F});
   const std::string line = reported();
@@ -106,7 +106,7 @@ TEST_F(GltfAlpha, OfVertexColoursIsNamedWhereItWouldBeSeen) {
   EXPECT_EQ(std::ranges::count(line, '\n'), 1);
 }
 
-TEST_F(GltfAlpha, OfVertexColoursIsNotNamedWhereItChangesNothing) {
+TEST_F(GltfAlpha, IgnoresInvisibleVertexAlpha) {
   useAlpha("BLEND", 1.0, true);
   useColours({1.0F, 1.0F, 1.0F});
   EXPECT_EQ(reported(), "");

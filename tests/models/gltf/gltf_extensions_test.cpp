@@ -10,13 +10,13 @@ namespace {
 
 using testing::HasSubstr;
 
-TEST_F(GltfImport, RefusesUnknownExtensionsThatAreRequired) {
+TEST_F(GltfImport, RefusesUnknownRequiredExtensions) {
   writer.triangle();
   writer.json["extensionsRequired"] = {"KHR_texture_basisu"};
   expectRefused("needs the extension KHR_texture_basisu, which Grove does not know; export it without");
 }
 
-TEST_F(GltfImport, NamesTheCompressionThatItCannotRead) {
+TEST_F(GltfImport, NamesUnsupportedCompression) {
   const auto reason = [](std::string extension) {
     return "is compressed by " + extension.append(", which Grove cannot read; export it without compression");
   };
@@ -37,7 +37,7 @@ TEST_F(GltfImport, NamesTheCompressionThatItCannotRead) {
   EXPECT_THAT(refusal(file), HasSubstr(reason("EXT_meshopt_compression")));
 }
 
-TEST_F(GltfImport, ReadsACompressedMeshByItsFallback) {
+TEST_F(GltfImport, ReadsTheFallbackOfACompressedMesh) {
   auto& primitive = writer.triangle();
   primitive["extensions"]["KHR_draco_mesh_compression"] = {{"bufferView", 0}, {"attributes", {{"POSITION", 0}}}};
   writer.json["extensionsUsed"] = {"KHR_draco_mesh_compression"};
@@ -46,7 +46,7 @@ TEST_F(GltfImport, ReadsACompressedMeshByItsFallback) {
   expectRefused("is compressed by KHR_draco_mesh_compression");
 }
 
-TEST_F(GltfImport, NamesWhatItLeavesOutInOneLine) {
+TEST_F(GltfImport, NamesSkippedFeaturesInOneLine) {
   writer.triangle();
   writer.json["extensionsUsed"] = {"KHR_materials_clearcoat", "KHR_materials_unlit", "KHR_materials_sheen"};
   writer.json["skins"] = {{{"joints", {0}}}};

@@ -14,7 +14,7 @@ using testing::HasSubstr;
 using world::Vec2;
 using world::Vec3;
 
-TEST_F(GltfImport, ReadsTheTriangleOfABareFile) {
+TEST_F(GltfImport, ReadsAMinimalFile) {
   writer.triangle();
   const Model model = import();
   EXPECT_EQ(model.name, "model");
@@ -27,7 +27,7 @@ TEST_F(GltfImport, ReadsTheTriangleOfABareFile) {
   EXPECT_TRUE(model.materials[0].solid);
 }
 
-TEST_F(GltfImport, ReadsTheSameFromABinaryFile) {
+TEST_F(GltfImport, ReadsABinaryFile) {
   writer.triangle();
   const Model text = import();
   const Model binary = importGltf(writer.writeBinary(folder_ / "model.glb"));
@@ -105,7 +105,7 @@ TEST_F(GltfImport, ReplacesTheElementsOfSparseAccessors) {
   EXPECT_FLOAT_EQ(import().triangles.bounds().high.y, 3.0F);
 }
 
-TEST_F(GltfImport, ReadsTexturesAndTakesDoubleSidedHolesForLeaves) {
+TEST_F(GltfImport, DoubleSidedCutOutsAreLeaves) {
   addTexturedTriangle();
   const int image = writer.view(targa(2, 1, {10, 20, 30, 255, 40, 50, 60, 0}));
   useTexture({{"bufferView", image}, {"mimeType", "image/x-tga"}});
@@ -126,7 +126,7 @@ TEST_F(GltfImport, ReadsTexturesAndTakesDoubleSidedHolesForLeaves) {
   EXPECT_LE(leaf.transmittance.g + leaf.albedo.g, 1.0F);
 }
 
-TEST_F(GltfImport, ReadsTexturesFromFilesBeside) {
+TEST_F(GltfImport, ReadsTextureFiles) {
   addTexturedTriangle();
   const auto image = targa(1, 1, {1, 2, 3, 255});
   GltfWriter::save(folder_ / "my skin.tga", std::string(image.begin(), image.end()));
@@ -134,7 +134,7 @@ TEST_F(GltfImport, ReadsTexturesFromFilesBeside) {
   EXPECT_EQ(import().textures.size(), 1U);
 }
 
-TEST_F(GltfImport, DecodesOnceWhatSeveralImagesName) {
+TEST_F(GltfImport, DecodesRepeatedImagesOnce) {
   addTexturedTriangle();
   const auto image = targa(1, 1, {1, 2, 3, 255});
   GltfWriter::save(folder_ / "skin.tga", std::string(image.begin(), image.end()));
@@ -154,7 +154,7 @@ TEST_F(GltfImport, DecodesOnceWhatSeveralImagesName) {
   EXPECT_EQ(model.materials[2].texture, model.materials[3].texture);
 }
 
-TEST_F(GltfImport, GoesOnWithTheBaseColourWhereATextureFileIsAbsent) {
+TEST_F(GltfImport, MissingTextureFallsBackToBaseColour) {
   addTexturedTriangle();
   useTexture({{"uri", "nowhere.png"}});
   writer.json["materials"][0]["pbrMetallicRoughness"]["baseColorFactor"] = {0.1, 0.2, 0.3, 1.0};
@@ -166,7 +166,7 @@ TEST_F(GltfImport, GoesOnWithTheBaseColourWhereATextureFileIsAbsent) {
   EXPECT_FLOAT_EQ(material.albedo.b, 0.3F);
 }
 
-TEST_F(GltfImport, IgnoresTheTextureWhereThereAreNoUvs) {
+TEST_F(GltfImport, IgnoresTexturesWithoutUvs) {
   writer.triangle()["material"] = 0;
   useTexture({{"bufferView", writer.view(targa(1, 1, {1, 2, 3, 255}))}, {"mimeType", "image/x-tga"}});
   const Model model = import();

@@ -15,7 +15,7 @@ namespace {
 using testing::HasSubstr;
 using testing::StartsWith;
 
-TEST_F(GltfImport, RefusesWhatIsNoGltf) {
+TEST_F(GltfImport, RefusesOtherFiles) {
   GltfWriter::save(folder_ / "a.gltf", "{\"asset\": ");
   GltfWriter::save(folder_ / "b.glb", "glTF\2");
   GltfWriter::save(folder_ / "c.gltf", "");
@@ -30,7 +30,7 @@ TEST_F(GltfImport, RefusesWhatIsNoGltf) {
   EXPECT_THAT(refusal("/dev/zero"), HasSubstr("is not a regular file"));
 }
 
-TEST_F(GltfImport, RefusesABinaryFileCutAnywhere) {
+TEST_F(GltfImport, RefusesTruncatedBinaryFiles) {
   writer.triangle();
   const auto file = writer.writeBinary(folder_ / "model.glb");
   const auto size = std::filesystem::file_size(file);
@@ -118,7 +118,7 @@ TEST_F(GltfImport, ComparesCountsBeforeItReads) {
   }
 }
 
-TEST_F(GltfImport, RefusesASparseAccessorThatReplacesMoreThanItHas) {
+TEST_F(GltfImport, RefusesAnOversizedSparseAccessor) {
   writer.triangle();
   const int where = writer.view(std::vector<std::uint16_t>{2, 2, 2, 2});
   const int values = writer.view(std::vector<float>(12, 1.0F));
@@ -128,7 +128,7 @@ TEST_F(GltfImport, RefusesASparseAccessorThatReplacesMoreThanItHas) {
   expectRefused("a sparse accessor replaces more elements than it has");
 }
 
-TEST_F(GltfImport, RefusesTexturesThatAreBroken) {
+TEST_F(GltfImport, RefusesBrokenTextures) {
   addTexturedTriangle();
   useTexture({{"bufferView", writer.view(std::vector<std::uint8_t>{1, 2, 3, 4})}, {"mimeType", "image/png"}});
   expectRefused("image 0 is not a readable image");
@@ -143,7 +143,7 @@ TEST_F(GltfImport, RefusesNodesInACycle) {
   expectRefused("cycle");
 }
 
-TEST_F(GltfImport, RefusesReferencesToWhatIsNotThere) {
+TEST_F(GltfImport, RefusesDanglingReferences) {
   writer.triangle()["material"] = 7;
   expectRefused("there is no material 7");
   writer.json["meshes"][0]["primitives"][0].erase("material");

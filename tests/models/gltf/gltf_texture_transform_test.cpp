@@ -32,7 +32,7 @@ TEST_F(GltfImport, TransformsTheUvs) {
   EXPECT_NEAR(turned[1].y, -2.0F, 1.0e-5F);
 }
 
-TEST_F(GltfImport, TakesTheUvsThatATextureTransformNames) {
+TEST_F(GltfImport, UsesUvsNamedByATextureTransform) {
   addTexturedTriangle();
   useTexture({{"bufferView", writer.view(targa(1, 1, {1, 2, 3, 255}))}, {"mimeType", "image/x-tga"}});
   const int others = writer.accessor(std::vector<float>{0, 0, 0.25F, 0, 0, 0.75F}, "VEC2", kFloat);
@@ -43,7 +43,7 @@ TEST_F(GltfImport, TakesTheUvsThatATextureTransformNames) {
   EXPECT_THAT(import().uvs, testing::ElementsAre(Vec2(0, 0), Vec2(1, 0), Vec2(0, 3)));
 }
 
-TEST_F(GltfImport, RefusesATextureTransformWithoutSense) {
+TEST_F(GltfImport, RefusesAMalformedTextureTransform) {
   addTexturedTriangle();
   useTexture({{"bufferView", writer.view(targa(1, 1, {1, 2, 3, 255}))}, {"mimeType", "image/x-tga"}});
   auto& texture = writer.json["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"];
@@ -56,7 +56,7 @@ TEST_F(GltfImport, RefusesATextureTransformWithoutSense) {
   expectRefused("UVs beyond 1000000");
 }
 
-TEST_F(GltfImport, WhatBlendsIsThereByChance) {
+TEST_F(GltfImport, BlendingBecomesStochasticCoverage) {
   addTexturedTriangle();
   useTexture({{"bufferView", writer.view(targa(1, 1, {1, 2, 3, 60}))}, {"mimeType", "image/x-tga"}});
   writer.json["materials"][0]["alphaMode"] = "BLEND";

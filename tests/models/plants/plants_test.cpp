@@ -54,20 +54,20 @@ void expectSound(const Model& model) {
 
 class Plants : public testing::TestWithParam<std::string> {};
 
-TEST_P(Plants, AreSoundAndSmallEnoughForSmallLightFields) {
+TEST_P(Plants, AreValidAndFitSmallLightFields) {
   const Model model = makePlant(GetParam(), 7, Detail::kSmall);
   expectSound(model);
   EXPECT_GE(model.triangles.indices.size(), 150'000U);
   EXPECT_LE(model.triangles.indices.size(), 500'000U);
 }
 
-TEST_P(Plants, AreTheSameBytesForTheSameSeedAndOthersForAnother) {
+TEST_P(Plants, AreDeterministicBySeed) {
   const Model model = makePlant(GetParam(), 7, Detail::kSmall);
   EXPECT_TRUE(sameBytes(model, makePlant(GetParam(), 7, Detail::kSmall)));
   EXPECT_FALSE(sameBytes(model, makePlant(GetParam(), 8, Detail::kSmall)));
 }
 
-TEST_P(Plants, HaveSeveralMillionTrianglesInTheSameSpaceInFull) {
+TEST_P(Plants, FullDetailHasMillionsOfTriangles) {
   if (kSanitized) GTEST_SKIP() << "millions of triangles of all plants take minutes; small ones run the same code";
   const Model model = makePlant(GetParam(), 7, Detail::kFull);
   expectSound(model);
@@ -79,7 +79,7 @@ TEST_P(Plants, HaveSeveralMillionTrianglesInTheSameSpaceInFull) {
   EXPECT_LT(glm::distance(small.high, full.high), 0.12F);
 }
 
-TEST_P(Plants, StandOnTheGroundInTheMiddle) {
+TEST_P(Plants, StandOnTheGroundAtTheCentre) {
   const Bounds bounds = makePlant(GetParam(), 7, Detail::kSmall).triangles.bounds();
   EXPECT_LE(bounds.low.y, 0.0F);
   EXPECT_GE(bounds.low.y, -0.25F);
@@ -95,7 +95,7 @@ TEST_P(Plants, StandOnTheGroundInTheMiddle) {
   }
 }
 
-TEST_P(Plants, HaveLeavesThatLetLightThroughAndTreesSolidWood) {
+TEST_P(Plants, HaveTranslucentLeavesAndSolidWood) {
   const Model model = makePlant(GetParam(), 7, Detail::kSmall);
   std::vector<std::size_t> uses(model.materials.size(), 0);
   for (const auto material : model.materialOf) ++uses[material];
@@ -128,7 +128,7 @@ TEST(PlantNames, AreThreeTreesAndThreeTiles) {
   EXPECT_EQ(std::ranges::count_if(plantNames(), isTile), 3);
 }
 
-TEST(Random, IsEvenAndItsForksDiffer) {
+TEST(Random, IsUniformAndItsForksDiffer) {
   Random random(1);
   float sum = 0.0F;
   for (int i = 0; i < 10'000; ++i) {

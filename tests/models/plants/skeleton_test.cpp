@@ -14,7 +14,7 @@ using world::Vec3;
 
 Skeleton fork() { return {{Vec3(0, 0, 0)}, {Vec3(0, 1, 0), 0}, {Vec3(1, 2, 0), 1}, {Vec3(-1, 2, 0), 1}}; }
 
-TEST(Skeleton, GrowsToAllAttractorsThatItSees) {
+TEST(Skeleton, ReachesAllVisibleAttractors) {
   const std::vector<Vec3> attractors{Vec3(1, 2, 0), Vec3(-1, 2, 0.5F), Vec3(0, 3, -1), Vec3(0, 60, 0)};
   const Colonisation how{.step = 0.1F, .reached = 0.2F, .sight = 10.0F};
   Skeleton skeleton{{Vec3(0.0F)}};
@@ -40,7 +40,7 @@ TEST(Skeleton, ThickensByThePipeModel) {
   EXPECT_FLOAT_EQ(skeleton[0].radius, skeleton[1].radius);
 }
 
-TEST(Skeleton, FallsIntoALimbForTheTrunkAndOneForEachFork) {
+TEST(Skeleton, HasALimbPerFork) {
   Skeleton skeleton = fork();
   thicken(skeleton, 0.1F, 2.0F);
   const std::vector<Limb> limbs = limbsOf(skeleton);

@@ -75,7 +75,7 @@ std::size_t unmatched(const std::vector<StripVertex>& strip, const std::vector<S
   }));
 }
 
-TEST(Tile, IsTheSameAlongAllEdgesForAllKindsAndSeeds) {
+TEST(Tile, EdgesMatchForAllKindsAndSeeds) {
   const std::vector<StripVertex> reference = stripOf(makePlant("meadow", 1, Detail::kSmall), 0);
   ASSERT_GT(reference.size(), 5'000U);
   for (const char* const name : {"meadow", "flowers", "fern"}) {
@@ -88,7 +88,7 @@ TEST(Tile, IsTheSameAlongAllEdgesForAllKindsAndSeeds) {
   }
 }
 
-TEST(Tile, DiffersInsideFromKindToKindAndSeedToSeed) {
+TEST(Tile, InteriorDiffersByKindAndSeed) {
   const auto inside = [](const Model& tile) {
     std::vector<float> heights;
     for (const Vec3 p : tile.triangles.positions) {
@@ -115,7 +115,7 @@ world::Triangles soilOf(const Model& tile, Vec2 to, int turns) {
   return soil;
 }
 
-TEST(Tile, SoilLeavesNoGapAndNoStepAtTheEdgeOfTwo) {
+TEST(Tile, SoilIsContinuousAcrossEdges) {
   const Model meadow = makePlant("meadow", 1, Detail::kSmall);
   const Model fern = makePlant("fern", 5, Detail::kSmall);
   for (int turns = 0; turns < 6; ++turns) {
@@ -134,7 +134,7 @@ TEST(Tile, SoilLeavesNoGapAndNoStepAtTheEdgeOfTwo) {
   }
 }
 
-TEST(TilingField, RepeatsFromTileToTileAndTurns) {
+TEST(TilingField, RepeatsAcrossTiles) {
   const TilingField field(4, 0.1F, 1.0F);
   const Vec2 place(0.37F, -0.81F);
   const float value = field.at(place);

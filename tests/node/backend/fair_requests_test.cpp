@@ -45,7 +45,7 @@ std::shared_ptr<Peer> peerOf(ProcessId process) {
 }
 
 /// Fails if a server whose requests fill a node's queue keeps those of another one waiting, or out.
-TEST(FairRequests, AServerThatAsksForMuchDelaysNoOther) {
+TEST(FairRequests, HeavyServerDelaysNoOther) {
   pipeline::Timeline timeline;
   pipeline::WorkerPool workers(1);
   Silent half(workers);

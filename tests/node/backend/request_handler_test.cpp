@@ -80,7 +80,7 @@ std::shared_ptr<Results> answerTogether(const std::vector<Request>& requests, Ba
   return results;
 }
 
-TEST(RequestHandler, OneRequestThatThrowsCostsTheOthersOfItsBatchNothing) {
+TEST(RequestHandler, ExceptionCostsOnlyItsRequest) {
   pipeline::Timeline timeline;
   pipeline::WorkerPool workers(1);
   Fussy half(workers, 2);
@@ -105,7 +105,7 @@ class OnlyPictures final : public BackendHalf {
 };
 
 /// Or who waits for shared data would take a picture for it.
-TEST(RequestHandler, APayloadOfAnotherKindIsAFailure) {
+TEST(RequestHandler, WrongPayloadKindFails) {
   pipeline::Timeline timeline;
   pipeline::WorkerPool workers(1);
   OnlyPictures half(workers);
@@ -116,7 +116,7 @@ TEST(RequestHandler, APayloadOfAnotherKindIsAFailure) {
 }
 
 /// Or who is slower than the deadline would fall behind for ever. Shared data somebody else may wait for, who is told.
-TEST(RequestHandler, LeavesRequestsOfFramesThatHaveEnded) {
+TEST(RequestHandler, SkipsRequestsOfEndedFrames) {
   pipeline::Timeline timeline;
   pipeline::WorkerPool workers(1);
   Fussy half(workers, 0);

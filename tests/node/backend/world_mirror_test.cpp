@@ -44,14 +44,14 @@ std::vector<float> speeds(const WorldMirror& mirror, WorldMirror::Cursor& cursor
   return speeds;
 }
 
-TEST(WorldMirror, KnowsNobodyAtFirst) {
+TEST(WorldMirror, StartsEmpty) {
   const WorldMirror mirror;
   WorldMirror::Cursor cursor = 0;
   EXPECT_THAT(ids(mirror), IsEmpty());
   EXPECT_THAT(speeds(mirror, cursor), IsEmpty());
 }
 
-TEST(WorldMirror, KnowsTheClockOfTheWorldsOwner) {
+TEST(WorldMirror, FollowsTheOwnersClock) {
   WorldMirror mirror;
   EXPECT_FALSE(mirror.now());
   const auto timed = std::make_shared<WorldUpdate>();
@@ -63,7 +63,7 @@ TEST(WorldMirror, KnowsTheClockOfTheWorldsOwner) {
   EXPECT_LT(*mirror.now(), 7010.0);
 }
 
-TEST(PeerClock, OfTimesThatItTellsTheOneThatTookLeastToComeCounts) {
+TEST(PeerClock, UsesTheSampleWithTheSmallestRoundTrip) {
   PeerClock clock;
   EXPECT_FALSE(clock.at(1.0));
   clock.addReport(100.0, 1.3);  // took 0.3
@@ -74,7 +74,7 @@ TEST(PeerClock, OfTimesThatItTellsTheOneThatTookLeastToComeCounts) {
   EXPECT_NEAR(*clock.at(4.0), 102.9, 1e-9) << "a slow one tells nothing new";
 }
 
-TEST(PeerClock, FollowsAClockThatDriftsAwayAndOneThatBeginsAnew) {
+TEST(PeerClock, FollowsDriftAndRestart) {
   PeerClock clock;
   for (int i = 0; i < 2000; ++i) clock.addReport(0.9 * i, i);
   EXPECT_NEAR(*clock.at(2000.0), 0.9 * 2000.0, 15.0);
@@ -83,7 +83,7 @@ TEST(PeerClock, FollowsAClockThatDriftsAwayAndOneThatBeginsAnew) {
 }
 
 /// Would catch one wrong report that lets every deadline pass.
-TEST(PeerClock, AReportFarFromAllOthersCountsOnlyIfTheNextOneIsLikeIt) {
+TEST(PeerClock, OutliersNeedConfirmation) {
   PeerClock clock;
   clock.addReport(100.0, 0.0);
   for (const double wrong : {1.0e9, -1.0e9}) {
@@ -97,7 +97,7 @@ TEST(PeerClock, AReportFarFromAllOthersCountsOnlyIfTheNextOneIsLikeIt) {
   EXPECT_NEAR(*clock.at(7.0), 502.0, 1e-9) << "the peer began anew";
 }
 
-TEST(PeerClock, AWrongFirstReportIsSoonForgotten) {
+TEST(PeerClock, WrongFirstSampleIsForgotten) {
   PeerClock clock;
   clock.addReport(1.0e9, 0.0);
   clock.addReport(101.0, 1.0);
@@ -105,7 +105,7 @@ TEST(PeerClock, AWrongFirstReportIsSoonForgotten) {
   EXPECT_NEAR(*clock.at(3.0), 103.0, 1e-9);
 }
 
-TEST(WorldMirror, TheNewestUpdateCountsInWhateverOrderTheyCome) {
+TEST(WorldMirror, NewestUpdateWinsInAnyOrder) {
   WorldMirror mirror;
   mirror.apply(kOwner, update(2, {7, 8}));
   mirror.apply(kOwner, update(1, {7}));
@@ -115,7 +115,7 @@ TEST(WorldMirror, TheNewestUpdateCountsInWhateverOrderTheyCome) {
 }
 
 /// Or one number that is nonsense would keep all players where they were, for ever.
-TEST(WorldMirror, GoesOnAfterAnyNumber) {
+TEST(WorldMirror, SequenceNumbersWrapAround) {
   for (const std::uint64_t nonsense : {~std::uint64_t{0}, std::uint64_t{1} << 63U, std::uint64_t{1} << 32U}) {
     WorldMirror mirror;
     WorldMirror::Cursor cursor = 0;
@@ -130,7 +130,7 @@ TEST(WorldMirror, GoesOnAfterAnyNumber) {
 }
 
 /// Two clocks and two lists of players would take turns in one simulation.
-TEST(WorldMirror, BelongsToTheFirstWhoReportsUntilHeLeaves) {
+TEST(WorldMirror, BelongsToTheFirstReporter) {
   WorldMirror mirror;
   WorldMirror::Cursor cursor = 0;
   EXPECT_TRUE(mirror.apply(1, update(100, {7}, {gustOf(7, 1.0F)})));
@@ -148,7 +148,7 @@ TEST(WorldMirror, BelongsToTheFirstWhoReportsUntilHeLeaves) {
   EXPECT_THAT(speeds(mirror, cursor), ElementsAre(2.0F)) << "its count begins where it likes";
 }
 
-TEST(WorldMirror, WhatBlowsOnBlowsAtEveryTick) {
+TEST(WorldMirror, HeldGustsBlowEveryTick) {
   WorldMirror mirror;
   WorldMirror::Cursor cursor = 0;
   mirror.apply(kOwner, update(1, {1}, {gustOf(1, 2.0F)}));
@@ -157,7 +157,7 @@ TEST(WorldMirror, WhatBlowsOnBlowsAtEveryTick) {
   EXPECT_THAT(speeds(mirror, cursor), IsEmpty());
 }
 
-TEST(WorldMirror, ASlowSimulationMissesNoGustAndGetsNoneTwice) {
+TEST(WorldMirror, SlowSimulationGetsEachGustOnce) {
   WorldMirror mirror;
   WorldMirror::Cursor slow = 0;
   WorldMirror::Cursor other = 0;
@@ -170,7 +170,7 @@ TEST(WorldMirror, ASlowSimulationMissesNoGustAndGetsNoneTwice) {
   EXPECT_THAT(speeds(mirror, other), UnorderedElementsAre(3.0F, 5.0F)) << "each reads for itself";
 }
 
-TEST(WorldMirror, KeepsTheGustsOfALimitedPast) {
+TEST(WorldMirror, KeepsALimitedPast) {
   WorldMirror mirror;
   mirror.apply(kOwner, update(1, {1}, {gustOf(1, 1.0F)}));
   for (std::uint64_t number = 2; number < 200; ++number) mirror.apply(kOwner, update(number, {1}, {gustOf(2, 2.0F)}));
@@ -178,7 +178,7 @@ TEST(WorldMirror, KeepsTheGustsOfALimitedPast) {
   EXPECT_THAT(speeds(mirror, cursor), ElementsAre(2.0F));
 }
 
-TEST(WorldMirror, WakesWhileSomebodyIsThereAndTheTokenIsHeld) {
+TEST(WorldMirror, WakesOnlyWithVisitorsAndToken) {
   WorldMirror mirror;
   int woken = 0;
   auto token = mirror.whileVisited([&] { ++woken; });

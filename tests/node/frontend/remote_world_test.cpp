@@ -64,7 +64,7 @@ class RemoteWorldTest : public ::testing::Test {
 };
 
 /// Would catch objects that nobody sees, trees that one walks through, and bodies that nobody has.
-TEST_F(RemoteWorldTest, HasTheLayoutOfItsFileAndOfAllNodes) {
+TEST_F(RemoteWorldTest, LayoutCombinesFileAndNodes) {
   const RemoteWorld world = worldOf(
       welcomeOf({oak}), welcomeOf({sapling}, ServedVisitors{.bounds = {{-1, 0, -1}, {1, 2, 1}}, .hasOwnBody = true}));
   const world::Layout& layout = world.layout();
@@ -84,7 +84,7 @@ TEST_F(RemoteWorldTest, HasTheLayoutOfItsFileAndOfAllNodes) {
 }
 
 /// Would catch a node that is one of another world though it shows the same text.
-TEST_F(RemoteWorldTest, NamesWhatItsFileDoesNotHave) {
+TEST_F(RemoteWorldTest, NamesObjectsAbsentFromItsFile) {
   const NodeWelcome rest = welcomeOf({sapling}, ServedVisitors{});
   ServedObject wrong = oak;
   wrong.id = 3;

@@ -49,20 +49,20 @@ name = "middle"
 position = [-1, 1, -20]
 )";
 
-TEST(SceneAnalyzer, SendsWhatTheCameraSeesBackToFront) {
+TEST(SceneAnalyzer, SendsVisibleObjectsBackToFront) {
   const world::Layout layout = layoutOf(kFourBoxes);
   EXPECT_THAT(names(visibleObjects(layout, lookingAlong(0.0F))), ElementsAre("far", "middle", "near"));
   EXPECT_THAT(names(visibleObjects(layout, lookingAlong(3.14159F))), ElementsAre("behind"));
 }
 
-TEST(SceneAnalyzer, OrderFollowsTheViewerAcrossTheScene) {
+TEST(SceneAnalyzer, OrderFollowsTheViewer) {
   const world::Layout layout = layoutOf(kFourBoxes);
   View view = lookingAlong(3.14159F);
   view.camera.pose.position.z = -60.0F;
   EXPECT_THAT(names(visibleObjects(layout, view)), ElementsAre("behind", "near", "middle", "far"));
 }
 
-TEST(SceneAnalyzer, WhatEnclosesOthersComesBeforeThem) {
+TEST(SceneAnalyzer, EnclosingObjectsComeFirst) {
   const world::Layout layout = layoutOf(kFourBoxes + "[[object]]\ntype='box'\nname='sky'\nsize=100\nscale=3\n");
   EXPECT_THAT(names(visibleObjects(layout, lookingAlong(0.0F))), ElementsAre("sky", "far", "middle", "near"));
 }
@@ -94,7 +94,7 @@ TEST(SceneAnalyzer, ShowsOtherVisitorsButNotTheViewer) {
   EXPECT_GE(visible[0].object.id, world::kFirstPlayerObject);
 }
 
-TEST(SceneAnalyzer, ShowsTheViewerWhoLooksDownWhatHasAnOwnBody) {
+TEST(SceneAnalyzer, ShowsTheOwnBodyWhenLookingDown) {
   world::Layout layout = layoutOf("[visitor]\ntype='box'");
   world::World world(layout);
   View view = lookingAlong(0.0F);
@@ -135,7 +135,7 @@ class ListShelf final : public pipeline::Stage<FramePlannerInput> {
   }
 };
 
-TEST(SceneAnalyzer, SaysHowManyVisitorsThereAre) {
+TEST(SceneAnalyzer, ReportsTheNumberOfVisitors) {
   const world::Layout layout = layoutOf(kFourBoxes);
   pipeline::Timeline timeline;
   pipeline::WorkerPool workers(1);

@@ -47,7 +47,7 @@ std::string cellsRefusal(std::string_view bytes, int edge) {
   return error == nullptr ? "nothing wrong" : error->reason;
 }
 
-TEST(ObstacleMessages, QuestionsArriveAsTheyWereAsked) {
+TEST(ObstacleMessages, RequestsRoundTrip) {
   for (const auto& sun : {exampleQuestion().towardsSun, std::optional<world::Vec3>()}) {
     ObstacleRequest asked = exampleQuestion();
     asked.towardsSun = sun;
@@ -63,7 +63,7 @@ TEST(ObstacleMessages, QuestionsArriveAsTheyWereAsked) {
   }
 }
 
-TEST(ObstacleMessages, CellsArriveAsTheyWereToldInABitEachAtMost) {
+TEST(ObstacleMessages, CellsRoundTripInOneBitEach) {
   for (const int edge : {1, 3, 8, 32, kMaxCubeCells}) {
     const CubeCells cells = exampleCells(edge);
     const std::string bytes = encodeCells(cells);
@@ -74,7 +74,7 @@ TEST(ObstacleMessages, CellsArriveAsTheyWereToldInABitEachAtMost) {
   }
 }
 
-TEST(ObstacleMessages, QuestionsWithBadNumbersAreRefused) {
+TEST(ObstacleMessages, RefuseRequestsWithBadNumbers) {
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
   constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
   EXPECT_EQ(questionRefusal([](ObstacleRequest&) {}), "nothing wrong");
@@ -98,7 +98,7 @@ TEST(ObstacleMessages, QuestionsWithBadNumbersAreRefused) {
   EXPECT_TRUE(std::holds_alternative<WireError>(decodeObstacleRequest("")));
 }
 
-TEST(ObstacleMessages, AnswersOfAnotherSizeAreRefused) {
+TEST(ObstacleMessages, RefuseAnswersOfOtherSizes) {
   const std::string bytes = encodeCells(exampleCells(24));
   EXPECT_EQ(cellsRefusal(bytes, 24), "nothing wrong");
   EXPECT_EQ(cellsRefusal(bytes, 16), "response with obstacles: a plane is damaged") << "too large";
@@ -111,7 +111,7 @@ TEST(ObstacleMessages, AnswersOfAnotherSizeAreRefused) {
 /// Beside what the library keeps of the schema.
 constexpr std::size_t kAlwaysTaken = 4096;
 
-TEST(ObstacleMessages, MutationsOfAQuestionAreRefusedOrSound) {
+TEST(ObstacleMessages, MutatedRequestsAreRefusedOrValid) {
   const std::string whole = encode(exampleQuestion());
   std::mt19937 random(5);
   (void)decodeObstacleRequest({});
@@ -132,7 +132,7 @@ TEST(ObstacleMessages, MutationsOfAQuestionAreRefusedOrSound) {
   EXPECT_LT(understood, tests::kMutations);
 }
 
-TEST(ObstacleMessages, MutationsOfAnAnswerAreRefusedOrOfTheRightSize) {
+TEST(ObstacleMessages, MutatedAnswersAreRefusedOrValid) {
   constexpr int kEdge = 12;
   const std::string whole = encodeCells(exampleCells(kEdge));
   std::mt19937 random(6);

@@ -73,7 +73,7 @@ class FullLinks : public Transports {};
 
 /// Would catch a quality that stays as it was, or a visitor who is never forgotten, because a link was full for a
 /// moment.
-TEST_P(FullLinks, ControlMessagesWaitBesideAFullLink) {
+TEST_P(FullLinks, ControlMessagesWaitForRoom) {
   HeldBackend held;
   transport->connect(held);
   const auto view = std::get<std::shared_ptr<const View>>(examples::toBackend()[2]);
@@ -104,7 +104,7 @@ TEST_P(FullLinks, ControlMessagesWaitBesideAFullLink) {
   transport->connect(backend);
 }
 
-TEST_P(FullLinks, AnnouncementsWaitBesideAFullLink) {
+TEST_P(FullLinks, AnnouncementsWaitForRoom) {
   HeldFrontend held;
   transport->connect(held);
   if (GetParam() == TransportKind::kGrpc) {

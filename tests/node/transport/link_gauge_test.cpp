@@ -17,7 +17,7 @@ class LinkGaugeTest : public ::testing::Test {
   LinkGauge gauge;
 };
 
-TEST_F(LinkGaugeTest, KnowsNothingBeforeTheFirstReadingAndNoRatesBeforeTheSecond) {
+TEST_F(LinkGaugeTest, NeedsTwoReadingsForRates) {
   EXPECT_FALSE(gauge.pace().roundTrip);
   readAt(10, 5000, 9000);
   EXPECT_DOUBLE_EQ(gauge.pace().roundTrip.value_or(0.0), 0.002);
@@ -25,7 +25,7 @@ TEST_F(LinkGaugeTest, KnowsNothingBeforeTheFirstReadingAndNoRatesBeforeTheSecond
   EXPECT_EQ(gauge.pace().received, 0.0);
 }
 
-TEST_F(LinkGaugeTest, RatesAreBytesASecondOfTheLastFive) {
+TEST_F(LinkGaugeTest, RatesAreOfTheLastFiveSeconds) {
   for (int second = 0; second <= 20; ++second) {
     const std::uint64_t fast = 1000 * static_cast<std::uint64_t>(second);
     const std::uint64_t slow = second <= 10 ? 10 * fast : 100'000 + 4 * (fast - 10'000);
@@ -35,7 +35,7 @@ TEST_F(LinkGaugeTest, RatesAreBytesASecondOfTheLastFive) {
   EXPECT_DOUBLE_EQ(gauge.pace().received, 4000.0) << "not the ten thousand of the seconds before";
 }
 
-TEST_F(LinkGaugeTest, ReadingsThatComeLateMakeNoHigherRate) {
+TEST_F(LinkGaugeTest, LateReadingsDoNotRaiseRates) {
   readAt(0, 0, 0);
   readAt(1, 100, 0);
   readAt(4, 400, 0);
@@ -43,7 +43,7 @@ TEST_F(LinkGaugeTest, ReadingsThatComeLateMakeNoHigherRate) {
 }
 
 /// Or one answer that waited for a busy processor would show as a slow network.
-TEST_F(LinkGaugeTest, TheRoundTripIsTheShortestOfTheLastReadings) {
+TEST_F(LinkGaugeTest, RoundTripIsTheRecentMinimum) {
   readAt(0, 0, 0, 1ms);
   for (int second = 1; second <= 5; ++second) readAt(second, 0, 0, second == 3 ? 20ms : 90ms);
   EXPECT_DOUBLE_EQ(gauge.pace().roundTrip.value_or(0.0), 0.001);
@@ -51,7 +51,7 @@ TEST_F(LinkGaugeTest, TheRoundTripIsTheShortestOfTheLastReadings) {
   EXPECT_DOUBLE_EQ(gauge.pace().roundTrip.value_or(0.0), 0.020) << "the first one is too old";
 }
 
-TEST_F(LinkGaugeTest, ForgetsALinkThatHasGone) {
+TEST_F(LinkGaugeTest, ForgetsClosedLinks) {
   readAt(0, 0, 0);
   readAt(1, 1000, 1000);
   gauge.clear();

@@ -61,7 +61,7 @@ class Router : public ::testing::Test {
   NodeRouter router;
 };
 
-TEST_F(Router, WhatIsAboutAnObjectGoesToWhoServesIt) {
+TEST_F(Router, RoutesByObject) {
   a.welcome({1, 2});
   b.welcome({3}, true);
   EXPECT_EQ(ask(3), PushResult::kAccepted);
@@ -86,7 +86,7 @@ class HeardByFrontend final : public FrontendPort {
 };
 
 /// Would catch a node that shows its own pictures in place of another one's.
-TEST_F(Router, WhatANodeSaysOfAnotherOnesObjectIsDropped) {
+TEST_F(Router, DropsMessagesAboutForeignObjects) {
   HeardByFrontend screen;
   router.connect(screen);
   a.welcome({1, 2});
@@ -165,7 +165,7 @@ class ReportingRouter : public ::testing::Test {
   NodeRouter router;
 };
 
-TEST_F(ReportingRouter, KeepsTheNewestReportOfANodeThatIsThere) {
+TEST_F(ReportingRouter, KeepsTheNewestReportOfEachNode) {
   EXPECT_FALSE(report());
   node->report();
   ASSERT_TRUE(report());
@@ -177,7 +177,7 @@ TEST_F(ReportingRouter, KeepsTheNewestReportOfANodeThatIsThere) {
   EXPECT_FALSE(report()) << "of the process that it was";
 }
 
-TEST_F(ReportingRouter, TracesComeWithTheClockOfTheirNode) {
+TEST_F(ReportingRouter, TracesHaveTheirNodesClock) {
   EXPECT_EQ(traces(), 0U) << "of no known clock";
   node->report();
   const auto events = router.traces(std::chrono::seconds(10));
@@ -188,7 +188,7 @@ TEST_F(ReportingRouter, TracesComeWithTheClockOfTheirNode) {
 }
 
 /// Would catch a report that hangs with a node, and a node that answers what nobody has requested.
-TEST_F(ReportingRouter, ATraceThatDoesNotComeIsLeftOut) {
+TEST_F(ReportingRouter, MissingTracesAreSkipped) {
   node->report();
   node->wrongBy = 1;
   EXPECT_EQ(traces(), 0U);
@@ -202,7 +202,7 @@ TEST_F(ReportingRouter, ATraceThatDoesNotComeIsLeftOut) {
   EXPECT_EQ(traces(), 1U);
 }
 
-TEST_F(Router, EverythingElseGoesToAll) {
+TEST_F(Router, BroadcastsTheRest) {
   b.answer = PushResult::kClosed;
   EXPECT_EQ(router.send(examples::hello()), PushResult::kAccepted) << "one that is away holds up nobody";
   b.answer = PushResult::kAccepted;
@@ -223,7 +223,7 @@ TEST_F(Router, TheLastWelcomeCounts) {
   EXPECT_FALSE(router.conflict());
 }
 
-TEST_F(Router, AnObjectOfTwoStaysWithTheFirstAndIsNamed) {
+TEST_F(Router, DuplicateObjectStaysWithTheFirst) {
   a.welcome({1});
   b.welcome({1, 2});
   EXPECT_THAT(router.conflict().value_or(""), HasSubstr("is served by a and by b"));

@@ -35,7 +35,7 @@ std::shared_ptr<const View> largeView(SessionId session, FrameNumber frame = 1) 
   return view;
 }
 
-TEST(SentViews, ForgetWhoWasSilentLongest) {
+TEST(SentViews, ForgetTheLongestSilent) {
   SentViews views;
   const ViewLookup find = views.lookup();
   for (SessionId session = 1; session <= 10; ++session) views.add(largeView(session));
@@ -47,7 +47,7 @@ TEST(SentViews, ForgetWhoWasSilentLongest) {
 }
 
 /// Or who sends views without end, and requests that hold them, takes all memory.
-TEST(SentViews, WhatRequestsHoldCountsAsLongAsTheyDo) {
+TEST(SentViews, HeldViewsCountWhileHeld) {
   SentViews views;
   const ViewLookup find = views.lookup();
   std::vector<std::shared_ptr<const View>> held;
@@ -61,7 +61,7 @@ TEST(SentViews, WhatRequestsHoldCountsAsLongAsTheyDo) {
   EXPECT_TRUE(find(101, 1));
 }
 
-TEST(SentViews, AnEndlessNumberOfSessionsTakesLimitedMemory) {
+TEST(SentViews, MemoryIsBounded) {
   SentViews views;
   auto view = std::make_shared<View>();
   view->frame = 1;

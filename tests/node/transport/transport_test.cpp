@@ -41,7 +41,7 @@ TEST_P(Transports, CarryEveryMessageInOrder) {
   }
 }
 
-TEST_P(Transports, WhoHasLeftGetsNothing) {
+TEST_P(Transports, DepartedPeersGetNothing) {
   transport->leaveBackend();
   transport->leaveFrontend();
   (void)transport->send(ToBackend(Quality{1}));
@@ -81,7 +81,7 @@ class AnsweringFrontend final : public FrontendPort {
 
 /// For the thread sanitizer: whoever holds a lock of one end while he sends to the other waits for one who does it the
 /// other way round, as soon as somebody leaves.
-TEST_P(Transports, WhoReceivesMaySendWhileTheOtherDoes) {
+TEST_P(Transports, BothEndsMaySendConcurrently) {
   constexpr int kMessages = 200;
   AnsweringBackend answeringBackend(*transport);
   AnsweringFrontend answeringFrontend(*transport);
@@ -121,7 +121,7 @@ class BytesTransportTest : public ::testing::Test {
   BytesTransport transport{workers, timeline};
 };
 
-TEST_F(BytesTransportTest, ARequestThatTheNodeRefusesFails) {
+TEST_F(BytesTransportTest, RefusedRequestsFail) {
   const Request request = examples::request();
   ASSERT_EQ(transport.send(ToBackend(request.view)), pipeline::PushResult::kAccepted);
   ASSERT_TRUE(eventually([&] { return backend.count() == 1; }));
@@ -135,14 +135,14 @@ TEST_F(BytesTransportTest, ARequestThatTheNodeRefusesFails) {
   EXPECT_TRUE(std::get<Failure>(result.payload).notNow);
 }
 
-TEST_F(BytesTransportTest, ARequestWithoutItsViewIsRefused) {
+TEST_F(BytesTransportTest, RefusesARequestWithoutItsView) {
   (void)transport.send(ToBackend(examples::request()));
   EXPECT_TRUE(eventually([&] { return timeline.counters()["refused messages"] == 1; }));
   EXPECT_EQ(backend.count(), 0u);
 }
 
 /// Or who is not welcome at a node could fill its memory all the same.
-TEST_F(BytesTransportTest, AViewThatTheNodeRefusesIsNotKept) {
+TEST_F(BytesTransportTest, DoesNotKeepRefusedViews) {
   backend.answer = pipeline::PushResult::kClosed;
   (void)transport.send(ToBackend(examples::request().view));
   (void)transport.send(ToBackend(examples::request()));
@@ -150,7 +150,7 @@ TEST_F(BytesTransportTest, AViewThatTheNodeRefusesIsNotKept) {
   EXPECT_EQ(backend.count(), 1U);
 }
 
-TEST_F(BytesTransportTest, CountsWhatTravels) {
+TEST_F(BytesTransportTest, CountsBytes) {
   transport.send(ToFrontend(examples::picture()));
   transport.send(ToFrontend(examples::sharedData()));
   (void)transport.send(ToBackend(Quality{2}));
@@ -173,7 +173,7 @@ class SlowBackend final : public BackendPort {
   std::atomic<int> received{0};
 };
 
-TEST_F(BytesTransportTest, RefusesWhatDoesNotFit) {
+TEST_F(BytesTransportTest, RefusesOversizedMessages) {
   SlowBackend slow;
   transport.connect(slow);
   const ToBackend view = examples::toBackend()[2];

@@ -18,7 +18,7 @@ class SharedWorld : public ::testing::TestWithParam<TransportKind> {
   WorldOwner owner_{testing::meadow().hash, testing::meadow().radius};
 };
 
-TEST_P(SharedWorld, VisitorsOfTwoServersSeeEachOtherComeAndGo) {
+TEST_P(SharedWorld, VisitorsOfTwoServersSeeEachOther) {
   Server a(workers_, owner_, GetParam(), 1);
   Server b(workers_, owner_, GetParam(), 2);
   const world::PlayerId ann = a.players().join("Ann", pipeline::wallSeconds());
@@ -33,7 +33,7 @@ TEST_P(SharedWorld, VisitorsOfTwoServersSeeEachOtherComeAndGo) {
 }
 
 /// Would catch one whose process stops reporting but stays on everybody's screen.
-TEST_P(SharedWorld, AServersVisitorsLeaveWithIt) {
+TEST_P(SharedWorld, VisitorsLeaveWithTheirServer) {
   Server b(workers_, owner_, GetParam(), 2);
   {
     Server a(workers_, owner_, GetParam(), 1);
@@ -45,7 +45,7 @@ TEST_P(SharedWorld, AServersVisitorsLeaveWithIt) {
 }
 
 /// Between two updates others walk on, and each update finds them where they are: no stutter.
-TEST_P(SharedWorld, AVisitorIsWhereHisOwnServerHasHim) {
+TEST_P(SharedWorld, OwnServerDecidesPositions) {
   Server a(workers_, owner_, GetParam(), 1);
   Server b(workers_, owner_, GetParam(), 2);
   const world::PlayerId ann = a.players().join("Ann", pipeline::wallSeconds());
@@ -58,7 +58,7 @@ TEST_P(SharedWorld, AVisitorIsWhereHisOwnServerHasHim) {
   EXPECT_NEAR(here, there, 0.25F * world::kWalkSpeed) << "a quarter of a second of walking";
 }
 
-TEST_P(SharedWorld, ABreathIsFeltOnTheOtherServerThoughItEndsBetweenTwoReports) {
+TEST_P(SharedWorld, ShortGustReachesTheOtherServer) {
   Server a(workers_, owner_, GetParam(), 1);
   Server b(workers_, owner_, GetParam(), 2);
   const world::PlayerId ann = a.players().join("Ann", pipeline::wallSeconds());
@@ -75,14 +75,14 @@ TEST_P(SharedWorld, ABreathIsFeltOnTheOtherServerThoughItEndsBetweenTwoReports) 
   EXPECT_TRUE(a.reportsUntil([&] { return felt().empty(); })) << "it ends";
 }
 
-TEST_P(SharedWorld, TheOwnersClockIsTheWorlds) {
+TEST_P(SharedWorld, OwnerSetsTheClock) {
   Server a(workers_, owner_, GetParam(), 1);
   ASSERT_TRUE(tests::eventually([&] { return a.updates() > 3; }));
   const double now = pipeline::wallSeconds();
   EXPECT_NEAR(a.joined().worldSeconds(now), now, 0.5) << "they run on one machine here";
 }
 
-TEST_P(SharedWorld, WithoutItsOwnerOthersStandStillThenLeaveAndComeBackWithIt) {
+TEST_P(SharedWorld, LostOwnerFreezesThenRemovesRemoteVisitors) {
   using State = JoinedWorld::State;
   Server a(workers_, owner_, GetParam(), 1);
   world::PlayerId bob = 0;
@@ -107,7 +107,7 @@ TEST_P(SharedWorld, WithoutItsOwnerOthersStandStillThenLeaveAndComeBackWithIt) {
   EXPECT_TRUE(a.players().find(ann, lost + 11.0)) << "its own visitors stay";
 }
 
-TEST_P(SharedWorld, RefusesOtherScenesProtocolsAndNumbersThatAreTaken) {
+TEST_P(SharedWorld, RefusesOtherScenesProtocolsAndTakenNumbers) {
   Server a(workers_, owner_, GetParam(), 1);
   ASSERT_TRUE(tests::eventually([&] { return owner_.processes() == 1; }));
   StrangeServer b(workers_, owner_, GetParam());
@@ -119,7 +119,7 @@ TEST_P(SharedWorld, RefusesOtherScenesProtocolsAndNumbersThatAreTaken) {
   EXPECT_EQ(b.hello({.build = "any", .sceneHash = 77, .process = 2, .types = {}}), "welcome");
 }
 
-TEST_P(SharedWorld, AServerReportsItsOwnVisitorsOnlyAndAfterItsWelcome) {
+TEST_P(SharedWorld, ServersReportOnlyTheirVisitorsAfterWelcome) {
   Server a(workers_, owner_, GetParam(), 1);
   const world::PlayerId ann = a.players().join("Ann", pipeline::wallSeconds());
   ASSERT_TRUE(a.reportsUntil([&] { return owner_.visitors() == 1; }));

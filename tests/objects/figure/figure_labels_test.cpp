@@ -52,7 +52,7 @@ TEST_F(LabelTest, StandsAboveTheHead) {
   EXPECT_GT(smaller->place.y, label->place.y + 2.0F);
 }
 
-TEST_F(LabelTest, IsSeenAsFarAsTheHeadIs) {
+TEST_F(LabelTest, IsVisibleIfTheHeadIs) {
   const world::Object ada = visitor(1, {0, 0, -6});
   EXPECT_FALSE(labelIn(ada, 3.0F, 3.0F, 0)) << "behind a wall";
   const auto half = labelIn(ada, world::kInfiniteDepth, 3.0F, 160);
@@ -64,7 +64,7 @@ TEST_F(LabelTest, IsSeenAsFarAsTheHeadIs) {
 }
 
 /// Fails if a name is hidden by depths that were never written.
-TEST_F(LabelTest, ReadsDepthWithinItsRectangleOnly) {
+TEST_F(LabelTest, ReadsDepthOnlyWithinItsRectangle) {
   const world::Object ada = visitor(1, {0, 0, -6});
   const auto list = look({ada}, {});
   const world::Rect reads = labels_.layer(list->objects[0], {}, *list->view)->reach({});
@@ -79,7 +79,7 @@ TEST_F(LabelTest, ReadsDepthWithinItsRectangleOnly) {
   EXPECT_FLOAT_EQ(label->opacity, 1.0F);
 }
 
-TEST_F(LabelTest, NobodyReadsHisOwnName) {
+TEST_F(LabelTest, OwnNameIsNotShown) {
   const auto list = look({visitor(1, {0, 0, -4})}, {});
   node::View view = *list->view;
   EXPECT_NE(labels_.layer(list->objects[0], {}, view), nullptr);
@@ -103,7 +103,7 @@ TEST_F(LabelTest, StaysWithinTheFrame) {
   EXPECT_FALSE(labelOfOne(visitor(1, {20, 0, -4}))) << "beside the frame";
 }
 
-TEST_F(LabelTest, WhoHasNoNameHasNoLabel) {
+TEST_F(LabelTest, NoNameNoLabel) {
   world::Object nobody = visitor(1, {0, 0, -6});
   nobody.name.clear();
   EXPECT_FALSE(labelOfOne(nobody));

@@ -84,7 +84,7 @@ std::pair<double, double> redAndBlue(const Picture& image) {
   return sums;
 }
 
-TEST_F(FigureTest, ShowsItsVisitorsColour) {
+TEST_F(FigureTest, ShowsTheVisitorsColour) {
   world::Player red = playerAt(4, {1, 0, -4});
   red.colour = 0x002020FF;
   world::Player blue = playerAt(9, {-1, 0, -4});
@@ -97,7 +97,7 @@ TEST_F(FigureTest, ShowsItsVisitorsColour) {
   EXPECT_GT(redRed, 1.5 * redBlue);
 }
 
-TEST_F(FigureTest, StandsWhereItIs) {
+TEST_F(FigureTest, StandsAtItsPosition) {
   const world::Player player = playerAt(1, {0, 0, -4});
   const auto payloads = ask(look({visitor(1, {0, 0, -4})}, {player}));
   const Picture image(payloads[0]);
@@ -118,7 +118,7 @@ std::pair<std::size_t, std::size_t> solidAndShade(const Picture& image) {
   return counts;
 }
 
-TEST_F(FigureTest, ThrowsASoftShadowOnTheGroundAroundItsFeet) {
+TEST_F(FigureTest, CastsASoftShadow) {
   const Vec3 place(0, 0, -4);
   const auto list = look({visitor(1, place)}, {playerAt(1, place)});
   const Picture image(ask(list)[0]);
@@ -137,7 +137,7 @@ TEST_F(FigureTest, ThrowsASoftShadowOnTheGroundAroundItsFeet) {
 }
 
 /// Where the eye is nearest to a shadow, part of it lies behind the near plane and its rectangle is the whole frame.
-TEST_F(FigureTest, AShadowUnderTheEyeTouchesOnlyItsOwnPixels) {
+TEST_F(FigureTest, OwnShadowTouchesOnlyItsPixels) {
   const Vec3 place(0.1F, 0, -0.3F);
   auto view = std::make_shared<node::View>(*look({visitor(1, place)}, {playerAt(1, place)})->view);
   world::Camera& camera = view->camera;
@@ -176,7 +176,7 @@ TEST_F(FigureTest, VisitorsDifferInStature) {
   EXPECT_EQ(sizes.size(), kStatures.size()) << "the fourth is like the first";
 }
 
-TEST_F(FigureTest, OneSeesOfOneselfOnlyBootsAndShadow) {
+TEST_F(FigureTest, OwnBodyShowsOnlyBootsAndShadow) {
   const Vec3 place(0, 0, 0);
   const auto list = look({visitor(1, place)}, {playerAt(1, place)});
   auto view = std::make_shared<node::View>(*list->view);
@@ -213,7 +213,7 @@ TEST_F(FigureTest, LooksTheSameByEitherRenderer) {
   EXPECT_LT(apart, covered / 50);
 }
 
-TEST_F(FigureTest, WhoHasLeftIsNotShown) {
+TEST_F(FigureTest, DoesNotShowVisitorsWhoLeft) {
   const auto payloads = ask(look({visitor(1, {0, 0, -4})}, {}));
   EXPECT_EQ(std::get<std::shared_ptr<const raster::Image>>(payloads[0]), nullptr);
 }

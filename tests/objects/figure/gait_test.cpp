@@ -9,7 +9,7 @@
 namespace grove::objects::figure {
 namespace {
 
-TEST(Gait, LegsSwingAgainstEachOtherAndRestWhenStanding) {
+TEST(Gait, LegsAlternateAndRest) {
   world::Player player;
   player.stride = 0.375F;
   const auto foot = [&](Bone leg) {

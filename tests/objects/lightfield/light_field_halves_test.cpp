@@ -201,7 +201,7 @@ bool showsAll(const std::vector<Shown>& shown) {
                               [](const Shown& each) { return std::holds_alternative<node::Failure>(each.payload); });
 }
 
-TEST_F(LightFieldHalves, ALoneVisitorIsNeverHeldBack) {
+TEST_F(LightFieldHalves, LoneVisitorIsNeverThrottled) {
   Wood wood(*field_, 1);
   for (node::FrameNumber frame = 1; frame <= 120; ++frame) (void)wood.look(0, frame, frame / 30.0);
   EXPECT_EQ(wood.counted("coarse views"), 0);
@@ -209,7 +209,7 @@ TEST_F(LightFieldHalves, ALoneVisitorIsNeverHeldBack) {
   EXPECT_GT(wood.counted("view cache misses"), 20);
 }
 
-TEST_F(LightFieldHalves, AFinerLightFieldComesWithoutAJump) {
+TEST_F(LightFieldHalves, RefinementDoesNotJump) {
   Wood wood(*field_, 1);
   node::FrameNumber frame = 1;
   double now = 0.0;
@@ -245,7 +245,7 @@ TEST_F(LightFieldHalves, AFinerLightFieldComesWithoutAJump) {
 }
 
 /// For the thread sanitizer, too: requests in progress hold on to what they began with.
-TEST_F(LightFieldHalves, LightFieldsChangeWhileFramesAreMade) {
+TEST_F(LightFieldHalves, LightFieldsMayChangeDuringFrames) {
   Wood wood(*field_, 2);
   const LightField finer = Thicket().bake(2, 64, 2);
   std::atomic<bool> done{false};
@@ -265,7 +265,7 @@ TEST_F(LightFieldHalves, LightFieldsChangeWhileFramesAreMade) {
   }
 }
 
-TEST_F(LightFieldHalves, ACrowdOnALateMachineSeesEverythingWithinTheBudget) {
+TEST_F(LightFieldHalves, OverloadedCrowdStaysWithinTheBudget) {
   // Pictures of this light field are small; so many share the budget that those who look get few.
   constexpr int kVisitors = 800;
   constexpr std::size_t kLooking = 8;

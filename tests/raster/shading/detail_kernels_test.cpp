@@ -81,7 +81,7 @@ class PatchyWall {
 };
 
 /// Fails if a target looks up, interpolates or grades otherwise, or mixes up the pixels of its vectors.
-TEST_F(DetailKernels, EveryTargetShowsThePlainFormula) {
+TEST_F(DetailKernels, MatchesTheFormulaOnEveryTarget) {
   camera_.pose.yaw = 0.7F;
   camera_.pose.pitch = -0.2F;
   tests::onEachTarget([&] {
@@ -121,7 +121,7 @@ TEST_F(DetailKernels, EveryTargetShowsThePlainFormula) {
 }
 
 /// Fails if a target leaves the end of a row out, or goes beyond it.
-TEST_F(DetailKernels, EveryTargetKeepsToItsSpans) {
+TEST_F(DetailKernels, EveryTargetStaysWithinItsSpans) {
   const PatchyWall wall(camera_.nearDepth, 1.0F);
   tests::onEachTarget([&] {
     for (const bool weathered : {true, false}) {
@@ -155,7 +155,7 @@ constexpr std::size_t kWidest = 16;  // lanes
 }
 
 /// Fails if a target asks lanes that hold no pixel how near the nearest one is.
-TEST_F(DetailKernels, EveryTargetLooksAtPixelsAlone) {
+TEST_F(DetailKernels, PixelsAreIndependentOnEveryTarget) {
   for (std::size_t near = 0; near < kWidest; ++near) {
     // Far from the camera but for one pixel, which alone shows the finest scales.
     const std::vector<std::uint32_t> surface(kPixels + kFragmentRoom, kGrey | 0xF0000000U);
@@ -178,7 +178,7 @@ TEST_F(DetailKernels, EveryTargetLooksAtPixelsAlone) {
 }
 
 /// Fails if what has no detail is changed otherwise than by its depth's unit.
-TEST_F(DetailKernels, EveryTargetPassesOnWhatIsPlain) {
+TEST_F(DetailKernels, EveryTargetLeavesPlainPixels) {
   object_.surface.weathered = false;
   const PatchyWall wall(camera_.nearDepth, 3.0F);
   tests::onEachTarget([&] {

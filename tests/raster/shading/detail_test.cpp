@@ -12,7 +12,7 @@ using world::Vec3;
 
 using DetailTest = WallTest;
 
-TEST_F(DetailTest, DepthIsInMetresAndHolesStayOpen) {
+TEST_F(DetailTest, DepthIsInMetresAndHolesStay) {
   for (const bool weathered : {true, false}) {
     object_.surface.weathered = weathered;
     const auto image = wallAt(4.0F);
@@ -37,14 +37,14 @@ TEST_F(DetailTest, OnlyRockIsWeathered) {
   EXPECT_EQ(image->colour.back(), 0xFF606060U);
 }
 
-TEST_F(DetailTest, FadesBeforeItIsTooFineForThePixels) { EXPECT_LT(contrast(*wallAt(60.0F)), 0.5); }
+TEST_F(DetailTest, FadesBeforeAliasing) { EXPECT_LT(contrast(*wallAt(60.0F)), 0.5); }
 
-TEST_F(DetailTest, TheSunBringsOutRelief) {
+TEST_F(DetailTest, SunShowsRelief) {
   constexpr std::uint32_t kRelief = 0xF0;
   EXPECT_GT(contrast(*wallAt(0.5F, kRelief)), 1.5 * contrast(*wallAt(0.5F)));
 }
 
-TEST_F(DetailTest, StaysOnTheObjectWhenTheObjectMoves) {
+TEST_F(DetailTest, MovesWithTheObject) {
   const auto here = wallAt(0.5F);
   const Vec3 moved(3.0F, -1.0F, 7.0F);
   drawing_.bones[0] = world::Transform{moved, 0.0F, 1.0F}.matrix();
@@ -59,7 +59,7 @@ TEST_F(DetailTest, StaysOnTheObjectWhenTheObjectMoves) {
   EXPECT_LT(apart, kPixels / 100);
 }
 
-TEST_F(DetailTest, SpansLeaveOutPixelsAndChangeNone) {
+TEST_F(DetailTest, SpansOnlySkipPixels) {
   const auto whole = wallAt(1.0F, 0x84);
   for (int row = 0; row < kHeight; ++row) {
     const int begin = (row * 37) % kWidth;

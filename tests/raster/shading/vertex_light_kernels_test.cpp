@@ -96,7 +96,7 @@ glm::dvec4 plainLight(const Vertex& vertex, const world::Vec4& seen, const BoneL
 }
 
 /// Fails if a target leaves a term or a vertex out. Rounding is half a step, the display curve 0.3 and more.
-TEST(VertexLightKernels, EveryTargetLightsAsThePlainFormula) {
+TEST(VertexLightKernels, MatchesTheFormulaOnEveryTarget) {
   const LitSurface object = scattered();
   const VertexArrays arrays(object);
   tests::onEachTarget([&] {

@@ -57,7 +57,7 @@ TEST_F(VertexLightTest, BakedLightIsReflected) {
   expectShown(vertex().albedo * Vec3(0.9F, 0.5F, 0.2F), "baked");
 }
 
-TEST_F(VertexLightTest, WhatMovesIsInTheWorldsAmbientLightHoweverItIsTurned) {
+TEST_F(VertexLightTest, MovingObjectsUseWorldAmbientLight) {
   object_.baked = false;
   object_.light = {Vec4(0.0F, 1.0F, 1.0F, 1.0F)};
   vertex().albedo = Vec3(1.0F);
@@ -73,7 +73,7 @@ TEST_F(VertexLightTest, WhatMovesIsInTheWorldsAmbientLightHoweverItIsTurned) {
   }
 }
 
-TEST_F(VertexLightTest, TheSunCountsAsFarAsItIsSeen) {
+TEST_F(VertexLightTest, SunIsScaledByVisibility) {
   vertex().normal = world::Sky().sun;
   object_.light = {Vec4(0.6F, 0.1F, 0.1F, 0.1F)};
   drawing_.sunShare = 0.5F;
@@ -84,7 +84,7 @@ TEST_F(VertexLightTest, TheSunCountsAsFarAsItIsSeen) {
   EXPECT_EQ(lit() >> 24U, 0U);
 }
 
-TEST_F(VertexLightTest, ALampFallsOffWithTheSquareOfMetres) {
+TEST_F(VertexLightTest, LampsFallOffQuadratically) {
   drawing_.lamps.count = 1;
   drawing_.lamps.colour[0] = Vec3(4.0F, 2.0F, 1.0F);
   for (const float scale : {1.0F, 2.0F}) {
@@ -96,7 +96,7 @@ TEST_F(VertexLightTest, ALampFallsOffWithTheSquareOfMetres) {
   }
 }
 
-TEST_F(VertexLightTest, HazeIsTheWorlds) {
+TEST_F(VertexLightTest, HazeMatchesTheWorld) {
   object_.light = {Vec4(0.0F, 1.0F, 1.0F, 1.0F)};
   for (const Vec3 direction : {Vec3(1, 0, 0), world::Sky().sun, glm::normalize(Vec3(-1, 0.1F, -1))}) {
     for (const float metres : {3.0F, 60.0F, 500.0F}) {
@@ -107,14 +107,14 @@ TEST_F(VertexLightTest, HazeIsTheWorlds) {
   }
 }
 
-TEST_F(VertexLightTest, EmissionAndTintArePaint) {
+TEST_F(VertexLightTest, AlbedoAndTintScaleEmission) {
   vertex().emission = 0.7F;
   vertex().tint = 0.5F;
   drawing_.tint = Vec3(2.0F, 1.0F, 0.0F);
   expectShown(Vec3(0.4F * 1.5F, 0.3F, 0.2F * 0.5F) * 0.7F, "glow");
 }
 
-TEST_F(VertexLightTest, EveryToneIsDisplayedAsTheWorldDoes) {
+TEST_F(VertexLightTest, TonesUseTheWorldsDisplayCurve) {
   vertex().albedo = Vec3(1.0F);
   for (const float radiance : {0.0F, 0.0008F, 0.004F, 0.03F, 0.2F, 0.7F, 1.6F, 9.0F}) {
     object_.light = {Vec4(0.0F, Vec3(radiance))};

@@ -41,7 +41,7 @@ class ProjectionKernels : public testing::Test {
   std::vector<float> x_, y_, z_;
 };
 
-TEST_F(ProjectionKernels, EveryTargetProjectsAsTheCameraDoes) {
+TEST_F(ProjectionKernels, MatchesTheCameraOnEveryTarget) {
   tests::onEachTarget([&] {
     for (const std::size_t count : {1U, 3U, 16U, 33U, 100U}) {
       scatter(count);
@@ -64,7 +64,7 @@ TEST_F(ProjectionKernels, EveryTargetProjectsAsTheCameraDoes) {
   });
 }
 
-TEST_F(ProjectionKernels, EveryTargetFindsTheExtent) {
+TEST_F(ProjectionKernels, ExtentMatchesScalarOnEveryTarget) {
   tests::onEachTarget([&] {
     for (const std::size_t count : {1U, 3U, 16U, 33U, 100U}) {
       scatter(count);
@@ -86,7 +86,7 @@ TEST_F(ProjectionKernels, EveryTargetFindsTheExtent) {
 }
 
 /// Fails if a target mixes up planes or vertices. A place may round to the next step of the grid.
-TEST_F(ProjectionKernels, EveryTargetMakesTheCornersOfItsVertices) {
+TEST_F(ProjectionKernels, CornersMatchScalarOnEveryTarget) {
   constexpr float kNear = 0.1F;
   tests::onEachTarget([&] {
     std::mt19937 random(9);

@@ -26,7 +26,7 @@ void drawTriangle(const Corner& a, const Corner& b, const Corner& c, Canvas& can
   drawTriangles(std::vector<Triangle>{{0, 1, 2}}, std::vector<Corner>{a, b, c}, canvas);
 }
 
-TEST(Rasteriser, AConvexBodyHasNoHolesFromAnySide) {
+TEST(Rasteriser, ConvexBodiesHaveNoHoles) {
   const Surface ball = makeDeformedBox({5, 5, 5}, 1, [](Vec3 cube) {
     Vertex vertex;
     vertex.position = glm::normalize(cube);
@@ -71,7 +71,7 @@ TEST(Rasteriser, AConvexBodyHasNoHolesFromAnySide) {
   }
 }
 
-TEST(Rasteriser, OnlyFrontsShowAndTheNearerWins) {
+TEST(Rasteriser, CullsBackFacesAndTestsDepth) {
   Canvas canvas;
   canvas.begin(kAll);
   const auto far = [](float x, float y) { return cornerAt(x, y, 0.25F); };
@@ -83,7 +83,7 @@ TEST(Rasteriser, OnlyFrontsShowAndTheNearerWins) {
   EXPECT_EQ(canvas.depth[static_cast<std::size_t>(20 * canvas.stride + 150)], 0.25F);
 }
 
-TEST(Rasteriser, SpansHoldWhatIsDrawnAndACanvasIsEmptyAgain) {
+TEST(Rasteriser, SpansBoundTheDrawingAndAreReset) {
   Canvas canvas;
   canvas.begin(kAll);
   drawTriangle(cornerAt(30, 10), cornerAt(30, 90), cornerAt(110, 10), canvas);
@@ -104,7 +104,7 @@ TEST(Rasteriser, SpansHoldWhatIsDrawnAndACanvasIsEmptyAgain) {
   EXPECT_EQ(covered(canvas), 0U);
 }
 
-TEST(Rasteriser, ShadesAreInterpolatedInSpace) {
+TEST(Rasteriser, InterpolationIsPerspectiveCorrect) {
   Canvas canvas;
   canvas.begin(kAll);
   // A floor that recedes from depth 1 to 4: half way on the screen is a fifth of the way in space.
@@ -116,7 +116,7 @@ TEST(Rasteriser, ShadesAreInterpolatedInSpace) {
   EXPECT_NEAR(static_cast<double>(middle), 50.0, 2.0);
 }
 
-TEST(NearClip, KeepsWhatIsBeyond) {
+TEST(NearClip, KeepsTheFarSide) {
   const auto vertex = [](float depth) { return ClipVertex{depth, 0, depth, {depth, 0, 0, 0, 0}}; };
   EXPECT_EQ(NearClip({vertex(1), vertex(2), vertex(3)}, 0.5F).polygon().size(), 3U);
   EXPECT_EQ(NearClip({vertex(-1), vertex(2), vertex(3)}, 0.5F).polygon().size(), 4U);

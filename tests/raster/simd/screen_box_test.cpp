@@ -8,7 +8,7 @@
 namespace grove::raster {
 namespace {
 
-TEST(ScreenBox, HoldsEveryPointAndIsNoLargerThanTheBounds) {
+TEST(ScreenBox, ContainsEveryPointTightly) {
   const Surface stone = makeBox({1.2F, 3.0F, 0.7F}, world::Vec3(0.5F));
   const PointCloud points(stone);
   world::Transform place;
@@ -27,7 +27,7 @@ TEST(ScreenBox, HoldsEveryPointAndIsNoLargerThanTheBounds) {
   EXPECT_LT(box.width() * box.height(), max.width() * max.height());
 }
 
-TEST(ScreenBox, IsEverythingIfAPointIsBehindTheEye) {
+TEST(ScreenBox, IsTheWholeScreenForPointsBehindTheEye) {
   const PointCloud points(makeBox({1.2F, 3.0F, 0.7F}, world::Vec3(0.5F)));
   const world::Rect max{10, 20, 300, 400};
   EXPECT_EQ(screenBox(points, world::Mat4(1.0F), world::Camera(), max), max);

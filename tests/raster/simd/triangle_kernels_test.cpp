@@ -81,7 +81,7 @@ Span plainSpan(const std::array<Corner, 3>& corners, int row) {
 
 float onGrid(float pixels) { return std::floor(pixels / kSubPixel) * kSubPixel; }
 
-TEST(TriangleKernels, APixelBelongsToTheTriangleThatHoldsItsCentre) {
+TEST(TriangleKernels, PixelsBelongByTheirCentre) {
   tests::onEachTarget([] {
     Hits hits;
     hits.add({halfDeepAt(10, 10), halfDeepAt(20, 10), halfDeepAt(10, 20)});
@@ -100,7 +100,7 @@ TEST(TriangleKernels, APixelBelongsToTheTriangleThatHoldsItsCentre) {
 
 /// Fails if a target fuses or rearranges the arithmetic of an edge, or leaves rows or columns out: each must be cut as
 /// it is here, to the last bit.
-TEST(TriangleKernels, EveryTargetCutsEdgesExactlyAlike) {
+TEST(TriangleKernels, EdgesAreIdenticalOnEveryTarget) {
   tests::onEachTarget([] {
     std::mt19937 random(3);
     std::uniform_real_distribution<float> anywhere(-40.0F, kTargetSize + 40.0F);
@@ -143,7 +143,7 @@ TEST(TriangleKernels, EveryTargetCutsEdgesExactlyAlike) {
   });
 }
 
-TEST(TriangleKernels, AFanAroundAPointCoversEachPixelOnce) {
+TEST(TriangleKernels, FanCoversEachPixelOnce) {
   tests::onEachTarget([] {
     for (int turn = 0; turn < 40; ++turn) {
       Hits hits;
@@ -169,7 +169,7 @@ TEST(TriangleKernels, AFanAroundAPointCoversEachPixelOnce) {
 }
 
 /// Fails if a target interpolates a plane otherwise or packs it elsewhere; bytes may be off by one where they round.
-TEST(TriangleKernels, EveryTargetInterpolatesShadesInSpace) {
+TEST(TriangleKernels, InterpolationIsPerspectiveCorrectOnEveryTarget) {
   tests::onEachTarget([] {
     constexpr world::Rect kRect{7, 5, 7 + 61, 5 + 45};
     const std::array<ClipVertex, 3> vertices = {ClipVertex{9.0F, 6.0F, 1.0F, {250, 10, 90, 15, 0}},

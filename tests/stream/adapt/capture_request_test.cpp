@@ -6,7 +6,7 @@ namespace grove::stream {
 namespace {
 
 // Faults: a frame that is nobody's capture; a capture that is handed out twice, or of another frame.
-TEST(CaptureRequest, GoesWithOneFrame) {
+TEST(CaptureRequest, BelongsToOneFrame) {
   CaptureRequest request;
   EXPECT_FALSE(request.begin(1, 10.0));
   request.ask(7);
@@ -18,7 +18,7 @@ TEST(CaptureRequest, GoesWithOneFrame) {
 }
 
 // Fault: a visitor who asks for captures all the time, and gets one in every frame.
-TEST(CaptureRequest, AnswersOneASecondTheNewest) {
+TEST(CaptureRequest, AnswersTheNewestOncePerSecond) {
   CaptureRequest request;
   int answers = 0;
   for (std::uint32_t frame = 1; frame <= 300; ++frame) {

@@ -38,14 +38,14 @@ struct ChosenStream {
 };
 
 // Faults: work that is saved where it is not scarce; bits that are spent where the line has none to spare.
-TEST(CodecChoice, SavesWorkOnlyWhereItIsScarceAndTheLineHasBitsToSpare) {
+TEST(CodecChoice, SavesCpuOnlyIfScarceAndTheLineIsFast) {
   EXPECT_FALSE((ChosenStream{}.run(60.0, {200e6, false})));
   EXPECT_FALSE((ChosenStream{}.run(60.0, {6e6, true})));
   EXPECT_TRUE((ChosenStream{}.run(5.0, {200e6, true})));
 }
 
 // Faults: 25 Mbit/s for a view that stands still; a browser that needs longer for a JPEG and gets it all the same.
-TEST(CodecChoice, SavesBitsWhereAViewIsStillOrTheBrowserIsShort) {
+TEST(CodecChoice, SavesBitsForStillViewsAndSlowBrowsers) {
   ChosenStream still;
   ASSERT_TRUE(still.run(5.0, {200e6, true}));
   EXPECT_FALSE(still.run(0.3, {200e6, true, false, true}));
@@ -58,7 +58,7 @@ TEST(CodecChoice, SavesBitsWhereAViewIsStillOrTheBrowserIsShort) {
 }
 
 // Fault: a moment's shortage that changes the codec.
-TEST(CodecChoice, WaitsAMoment) {
+TEST(CodecChoice, WaitsBeforeAChange) {
   ChosenStream stream;
   for (int i = 0; i < 50; ++i) {
     stream.run(0.5, {200e6, true});
@@ -69,7 +69,7 @@ TEST(CodecChoice, WaitsAMoment) {
 
 // Faults: a line that gets worse and goes on getting JPEG; one that is tried again and again though it never carries
 // it.
-TEST(CodecChoice, GoesBackWhenTheLineDoesNotCarryIt) {
+TEST(CodecChoice, GoesBackOnASlowLine) {
   ChosenStream stream;
   ASSERT_TRUE(stream.run(5.0, {200e6, true}));
   EXPECT_FALSE(stream.run(3.0, {8e6, true}));
@@ -80,7 +80,7 @@ TEST(CodecChoice, GoesBackWhenTheLineDoesNotCarryIt) {
 
 // Fault: one shortage, after which bits are wasted for ever; work that is scarce again each time bits are saved, and a
 // codec that changes every minute for it.
-TEST(CodecChoice, SavesBitsAgainAfterAWhileButNotAgainAndAgain) {
+TEST(CodecChoice, RetriesWithBackoff) {
   ChosenStream stream;
   ASSERT_TRUE(stream.run(5.0, {200e6, true}));
   EXPECT_FALSE(stream.run(70.0, {200e6, false}));

@@ -22,7 +22,7 @@ TEST(FrameTimes, ReportsMediansOncePerSecond) {
 }
 
 // Fault: a time that does not fit its field and comes out small.
-TEST(FrameTimes, SaturatesWhatIsTooLong) {
+TEST(FrameTimes, Saturates) {
   FrameTimes times;
   times.add(FrameTimes::Place::kEncoder, 60.0);
   EXPECT_EQ(times.take(10.0)->encodedTenthsOfMilliseconds, 0xFFFF);

@@ -58,7 +58,7 @@ class Machine {
 };
 
 // Fault: smaller pictures on a machine that holds the rate, or nearly.
-TEST(Governor, LeavesPicturesWholeWhileTheRateHolds) {
+TEST(Governor, KeepsFullSizeWhileTheRateHolds) {
   for (const double pictures : {500.0, 130.0, 114.0}) {
     Machine machine(pictures, 4);
     EXPECT_EQ(machine.run(60.0), 0) << pictures;
@@ -82,7 +82,7 @@ TEST(Governor, ShrinksPicturesAsFarAsNeeded) {
 }
 
 // Fault: a machine whose pictures cost almost the same at any size, or go by their pixels, and sizes that never settle.
-TEST(Governor, SettlesWhateverPicturesCost) {
+TEST(Governor, SettlesForAnyCost) {
   for (const double exponent : {0.7, 1.0, 2.0}) {
     for (const double pictures : {110.0, 90.0, 60.0, 40.0}) {
       Machine machine(pictures, 4, exponent);
@@ -93,7 +93,7 @@ TEST(Governor, SettlesWhateverPicturesCost) {
 }
 
 // Faults: pictures that stay small when others have left; that grow where it fails.
-TEST(Governor, GrowsPicturesWhenThereIsRoom) {
+TEST(Governor, GrowsPicturesWithSpareTime) {
   Machine machine(45.0, 4);
   machine.run(5.0);
   ASSERT_EQ(machine.scale(), 0.5);
@@ -106,7 +106,7 @@ TEST(Governor, GrowsPicturesWhenThereIsRoom) {
 }
 
 // Fault: small pictures for a visitor who comes after all others have left.
-TEST(Governor, BeginsAnewWhenEverybodyHasLeft) {
+TEST(Governor, ResetsWhenEverybodyHasLeft) {
   Machine machine(45.0, 4);
   machine.run(5.0);
   ASSERT_EQ(machine.scale(), 0.5);
@@ -115,7 +115,7 @@ TEST(Governor, BeginsAnewWhenEverybodyHasLeft) {
 }
 
 // Fault: a size that is tried again and again though it failed each time.
-TEST(Governor, TriesAFailedSizeEverMoreSeldom) {
+TEST(Governor, BacksOffAfterFailedSizes) {
   Machine machine(45.0, 4);
   machine.run(5.0);
   int tries = 0;
@@ -130,7 +130,7 @@ TEST(Governor, TriesAFailedSizeEverMoreSeldom) {
 
 // Faults: a slow line or browser, or a page that nobody sees, for which the machine is taken to be slow; the pace of a
 // visitor who has left, which counts for ever.
-TEST(Governor, CountsOnlyStreamsThatTheMachineLimits) {
+TEST(Governor, CountsOnlyMachineLimitedStreams) {
   Machine machine(500.0, 2);
   const Governor::Pace slow{kFullRate, 5.0, 0.9};
   {

@@ -14,7 +14,7 @@ Bottleneck steady(double bitsPerSecond, double roundTrip) {
 }
 
 // Faults: growth that is too slow or stops below the line's rate; no fall before frames queue.
-TEST(LinkEstimator, FindsWhatTheLineCarriesAndKeepsItsQueueShort) {
+TEST(LinkEstimator, FindsTheRateAndKeepsTheQueueShort) {
   for (const double rate : {2e6, 5e6, 20e6}) {
     for (const double roundTrip : {0.005, 0.020, 0.050}) {
       SimulatedStream stream(steady(rate, roundTrip));
@@ -29,7 +29,7 @@ TEST(LinkEstimator, FindsWhatTheLineCarriesAndKeepsItsQueueShort) {
 }
 
 // Faults: a first guess that fills a slow line's queue for seconds.
-TEST(LinkEstimator, StartsOnASlowLineWithoutFlooding) {
+TEST(LinkEstimator, StartDoesNotFloodASlowLine) {
   SimulatedStream stream(steady(0.6e6, 0.020));
   stream.runUntil(10.0);
   EXPECT_LT(stream.queued(0.0, 10.0, 1.0), 1.0);
@@ -38,7 +38,7 @@ TEST(LinkEstimator, StartsOnASlowLineWithoutFlooding) {
 }
 
 // Fault: a window of frames under way that does not grow with the round trip, so that frames become fewer.
-TEST(LinkEstimator, LetsAsManyFramesBeUnderWayAsALongWayTakes) {
+TEST(LinkEstimator, AllowsMoreFramesOnLongRoundTrips) {
   for (const double roundTrip : {0.080, 0.150, 0.250}) {
     SimulatedStream stream(steady(20e6, roundTrip));
     stream.setBest(6e6);
@@ -49,7 +49,7 @@ TEST(LinkEstimator, LetsAsManyFramesBeUnderWayAsALongWayTakes) {
 
 // Faults: a fall that waits for acknowledgements that do not come; a window that lets frames queue meanwhile; growth
 // that has not forgotten the bad time when it is over.
-TEST(LinkEstimator, FollowsALineThatBreaksDownToATenthAndComesBack) {
+TEST(LinkEstimator, FollowsATenfoldDropAndRecovery) {
   constexpr double kFall = 8.0;
   constexpr double kReturn = 14.0;
   for (const double rate : {5e6, 10e6, 20e6}) {
@@ -71,7 +71,7 @@ TEST(LinkEstimator, FollowsALineThatBreaksDownToATenthAndComesBack) {
 }
 
 // Faults: frames that are sent into a line that carries nothing; a rate that a stall has ruined for long.
-TEST(LinkEstimator, OutlivesStallsOfASecond) {
+TEST(LinkEstimator, SurvivesStallsOfASecond) {
   Bottleneck line;
   line.bitsPerSecond = [](double now) { return now > 6.0 && std::fmod(now, 6.0) < 1.0 ? 1e-3 : 5e6; };
   SimulatedStream stream(line);
@@ -84,7 +84,7 @@ TEST(LinkEstimator, OutlivesStallsOfASecond) {
 }
 
 // Fault: jitter that is taken for a queue, each time anew.
-TEST(LinkEstimator, IsNotMisledByJitter) {
+TEST(LinkEstimator, IgnoresJitter) {
   for (const double rate : {5e6, 20e6}) {
     for (const double jitter : {0.005, 0.010, 0.020}) {
       Bottleneck line = steady(rate, 0.030);
@@ -110,7 +110,7 @@ double minEstimate(SimulatedStream& stream, double from, double to) {
 
 // Fault: a busy processor's hiccups that are taken for a queue of the line, until little is sent over a line that
 // carries a hundred times as much.
-TEST(LinkEstimator, IsNotMisledByHiccupsOfAProcessor) {
+TEST(LinkEstimator, IgnoresProcessorStalls) {
   for (const double best : {0.3e6, 5e6, 28e6}) {
     for (const double roundTrip : {0.001, 0.030, 0.150}) {
       Bottleneck line = steady(500e6, roundTrip);
@@ -123,7 +123,7 @@ TEST(LinkEstimator, IsNotMisledByHiccupsOfAProcessor) {
 }
 
 // Fault: a stream that takes little because little moves, whose estimate falls below what the line has carried before.
-TEST(LinkEstimator, LearnsNothingBadFromAStreamThatTakesLittle) {
+TEST(LinkEstimator, SmallStreamsDoNotLowerTheEstimate) {
   Bottleneck line = steady(20e6, 0.020);
   line.noticed = [](double arrival) { return arrival < 10.0 ? arrival : noticedBetweenHiccups(arrival); };
   SimulatedStream stream(line);
@@ -134,7 +134,7 @@ TEST(LinkEstimator, LearnsNothingBadFromAStreamThatTakesLittle) {
 }
 
 // Fault: a line that gets slower than a stream that took little of it, and is never found out.
-TEST(LinkEstimator, FindsOutThatALineGotSlowerThanAStreamThatTookLittleOfIt) {
+TEST(LinkEstimator, DetectsASlowdownWithASmallStream) {
   for (const double roundTrip : {0.005, 0.080}) {
     Bottleneck line;
     line.roundTrip = roundTrip;
@@ -152,7 +152,7 @@ TEST(LinkEstimator, FindsOutThatALineGotSlowerThanAStreamThatTookLittleOfIt) {
 }
 
 // Fault: a browser that decodes slowly, and so notices arrivals late, whose line is thought to be slow for it.
-TEST(LinkEstimator, DoesNotTakeABusyBrowserForALine) {
+TEST(LinkEstimator, SeparatesBrowserFromLine) {
   Bottleneck line = steady(100e6, 0.001);
   line.noticed = [](double arrival) { return std::fmod(arrival, 0.2) < 0.02 ? arrival : arrival + 0.050; };
   SimulatedStream stream(line);
@@ -165,7 +165,7 @@ TEST(LinkEstimator, DoesNotTakeABusyBrowserForALine) {
 }
 
 // Faults: an acknowledgement that counts twice; frames that stay under way for ever because later ones came first.
-TEST(LinkEstimator, TakesAcknowledgementsTwiceAndNotAtAll) {
+TEST(LinkEstimator, ToleratesDuplicateAndMissingAcknowledgements) {
   for (const SimulatedStream::Mischief& mischief :
        {SimulatedStream::Mischief([](std::uint32_t, Arrival&) { return 2; }),
         SimulatedStream::Mischief([](std::uint32_t frame, Arrival&) { return frame % 3 == 0 ? 0 : 1; })}) {
@@ -196,7 +196,7 @@ TEST(LinkEstimator, IgnoresAcknowledgementsOutOfOrder) {
 }
 
 // Faults: frames sent on and on to somebody who never says that they come; a rate that falls to nothing for it.
-TEST(LinkEstimator, StopsWhenNothingIsAcknowledged) {
+TEST(LinkEstimator, StopsWithoutAcknowledgements) {
   SimulatedStream stream(steady(5e6, 0.020));
   stream.play([](std::uint32_t frame, Arrival&) { return frame > 100 ? 0 : 1; });
   stream.runUntil(20.0);
@@ -207,7 +207,7 @@ TEST(LinkEstimator, StopsWhenNothingIsAcknowledged) {
 
 // Faults: a jump of the page's clock that looks like a queue of that length for as long as the smallest transit is
 // kept; a clock of which nonsense comes that starves the stream, or lets it flood the line.
-TEST(LinkEstimator, CannotBeHarmedByAPagesClock) {
+TEST(LinkEstimator, ToleratesAnyPageClock) {
   using Clock = void (*)(std::uint32_t frame, Arrival & arrival);
   const std::pair<const char*, Clock> clocks[] = {
       {"jumps on", [](std::uint32_t frame, Arrival& a) { *a.pageSeconds += frame > 250 ? 1.0 : 0.0; }},

@@ -32,14 +32,14 @@ struct Browser {
 };
 
 // Fault: relief for a browser that keeps up, or nearly: fewer frames than it can paint.
-TEST(Relief, LeavesABrowserAloneThatNearlyKeepsUp) {
+TEST(Relief, ToleratesNearlyFastBrowsers) {
   for (const double capacity : {40.0, 30.0, 22.0}) {
     EXPECT_EQ(Browser{capacity}.run(60.0), Relief::Share{}) << capacity;
   }
 }
 
 // Fault: pictures that get smaller before they get fewer; no relief at all.
-TEST(Relief, SparesFramesFirstAndThenPixels) {
+TEST(Relief, ReducesRateBeforeSize) {
   const Relief::Share slow = Browser{18.0}.run(8.0);
   EXPECT_LT(slow.rate, 1.0);
   EXPECT_EQ(slow.scale, 1.0);
@@ -49,7 +49,7 @@ TEST(Relief, SparesFramesFirstAndThenPixels) {
 }
 
 // Faults: relief that stays when the browser has time again; a try at every chance, each of which is seen.
-TEST(Relief, EndsWhenItIsNotNeededAndIsTriedEverMoreSeldom) {
+TEST(Relief, EndsAndBacksOff) {
   Browser browser{14.0};
   browser.run(10.0);
   browser.changes = 0;
@@ -60,14 +60,14 @@ TEST(Relief, EndsWhenItIsNotNeededAndIsTriedEverMoreSeldom) {
 }
 
 // Fault: relief a step at a time, for a browser that needs all of it: seconds with a few large frames.
-TEST(Relief, GivesAtOnceWhatIsNeeded) {
+TEST(Relief, ReducesAsMuchAsNeeded) {
   Browser browser{6.0};
   EXPECT_LT(browser.run(3.0).scale, 0.85);
   EXPECT_EQ(browser.changes, 1);
 }
 
 // Fault: larger pictures for a browser that paints just enough small ones: a stream that goes up and down for ever.
-TEST(Relief, StaysWhereLessWouldNotSuffice) {
+TEST(Relief, StaysWhileNeeded) {
   Browser browser{6.0};
   browser.run(3.0);
   browser.changes = 0;

@@ -20,7 +20,7 @@ double run(Shortage& shortage, double from, double seconds, LimitedBy who, doubl
 }
 
 // Faults: time that is counted for somebody else, or that keeps no relation to what passed.
-TEST(Shortage, MeasuresTheShareOfTheTimeThatFramesWaitForEach) {
+TEST(Shortage, MeasuresShareOfWaits) {
   for (const LimitedBy who : {LimitedBy::kLine, LimitedBy::kMachine, LimitedBy::kBrowser}) {
     Shortage shortage;
     const double now = run(shortage, 10.0, 12.0, who, 0.4 / 30.0);
@@ -35,7 +35,7 @@ TEST(Shortage, MeasuresTheShareOfTheTimeThatFramesWaitForEach) {
 }
 
 // Fault: somebody is blamed for a stream that is as good as it could be.
-TEST(Shortage, BlamesNobodyForShortWaits) {
+TEST(Shortage, IgnoresShortWaits) {
   Shortage shortage;
   EXPECT_EQ(shortage.main(run(shortage, 10.0, 12.0, LimitedBy::kMachine, 0.1 / 30.0)), LimitedBy::kNothing);
 }
@@ -51,7 +51,7 @@ TEST(Shortage, FadesAndGrowsWithoutAFrame) {
 }
 
 // Fault: a frame's wait for the server that holds what it waited for the line, or for what came before.
-TEST(Shortage, ReturnsWhatAFrameWaitedForTheServer) {
+TEST(Shortage, ReturnsWaitForTheServer) {
   Shortage shortage;
   shortage.blocked(LimitedBy::kLine, 1.0);
   shortage.blocked(LimitedBy::kMachine, 1.010);

@@ -88,7 +88,7 @@ class Led {
 };
 
 // Fault: somebody who says again and again that he cannot decode, and gets as many pictures of several times the size.
-TEST(StreamControl, MakesFewIndependentPicturesHoweverOftenTheyAreAskedFor) {
+TEST(StreamControl, LimitsIndependentPictures) {
   Led led;
   (void)led.frame(10'000);
   int independent = 0;
@@ -117,7 +117,7 @@ TEST(StreamControl, BeginsWithAnIndependentPicture) {
 }
 
 // Faults: an encoder that failed and is asked again, or no other one; an offer that is not obeyed.
-TEST(StreamControl, DoesWithoutWhatFailed) {
+TEST(StreamControl, AvoidsFailedEncoders) {
   Led led;
   EXPECT_EQ(led.control().kind().codec, kCodecH264);
   led.control().failed(led.control().kind());
@@ -127,7 +127,7 @@ TEST(StreamControl, DoesWithoutWhatFailed) {
 }
 
 // Faults: a picture that stands still and stays as coarse as one that moves; one that gets finest all at once.
-TEST(StreamControl, RefinesWhatStandsStill) {
+TEST(StreamControl, RefinesStillViews) {
   Led led;
   Quantiser quantiser = 0.0;
   for (int i = 0; i < 60; ++i) quantiser = led.frame(12'000).order.quantiser;
@@ -143,7 +143,7 @@ TEST(StreamControl, RefinesWhatStandsStill) {
 }
 
 // Fault: what the page shows already is told neither by a picture nor by a status.
-TEST(StreamControl, ReportsOfInputsThatChangeNothing) {
+TEST(StreamControl, AcknowledgesInputsWithoutEffect) {
   Led led;
   (void)led.frame(10'000);
   (void)led.control().takeStatus(led.now(), 1);
@@ -156,7 +156,7 @@ TEST(StreamControl, ReportsOfInputsThatChangeNothing) {
 }
 
 // Fault: who looks at a still view is not told that others have come or gone.
-TEST(StreamControl, ReportsWhenSomebodyComesOrGoes) {
+TEST(StreamControl, ReportsRosterChanges) {
   Led led;
   (void)led.frame(10'000);
   (void)led.control().takeStatus(led.now(), 1);
@@ -167,7 +167,7 @@ TEST(StreamControl, ReportsWhenSomebodyComesOrGoes) {
 }
 
 // Faults: a limit that is exceeded; one of nothing at all, that stops the stream.
-TEST(StreamControl, ObeysAVisitorsLimits) {
+TEST(StreamControl, RespectsVisitorLimits) {
   Led led;
   Limits limits;
   limits.kilobitsPerSecond = 1000;
@@ -195,7 +195,7 @@ LimitedBy limitedAfter(const Led::Delays& delays) {
 }
 
 // Faults: the line that is blamed for a busy server or browser; nobody who is blamed; somebody who is, for nothing.
-TEST(StreamControl, NamesWhoIsShort) {
+TEST(StreamControl, NamesTheBottleneck) {
   EXPECT_EQ(limitedAfter({}), LimitedBy::kNothing);
   EXPECT_EQ(limitedAfter({.line = 0.075}), LimitedBy::kNothing) << "a long way is not a slow line";
   EXPECT_EQ(limitedAfter({.server = 0.030}), LimitedBy::kMachine);
@@ -205,7 +205,7 @@ TEST(StreamControl, NamesWhoIsShort) {
 
 // Faults: pictures that get smaller before they get fewer for a busy browser; a full server that loses frames and goes
 // on drawing whole pictures, or names somebody else as the reason.
-TEST(StreamControl, SparesABusyBrowserFramesAndAFullServerPixels) {
+TEST(StreamControl, BusyBrowserGetsFewerFramesFullServerFewerPixels) {
   Led led;
   led.delay({.line = 0.001, .page = 0.060});
   for (double end = led.now() + 8.0; led.now() < end;) (void)led.frame(18'000);
@@ -224,7 +224,7 @@ TEST(StreamControl, SparesABusyBrowserFramesAndAFullServerPixels) {
 
 // Faults: H.264 for a server that has no time for it, over a line that could carry anything; JPEG for a visitor who
 // insists on H.264.
-TEST(StreamControl, TakesTheCodecThatSavesWorkWhereWorkIsScarce) {
+TEST(StreamControl, ChoosesTheCheapCodecUnderLoad) {
   for (const bool insists : {false, true}) {
     Led led;
     if (insists) led.control().offer({kCodecH264});
@@ -235,7 +235,7 @@ TEST(StreamControl, TakesTheCodecThatSavesWorkWhereWorkIsScarce) {
 }
 
 // Fault: a frame that was never sent, whose acknowledgement counts.
-TEST(StreamControl, RefusesAcknowledgementsOfWhatWasNeverSent) {
+TEST(StreamControl, RefusesAcknowledgementsOfUnsentFrames) {
   Led led;
   (void)led.frame(10'000);
   EXPECT_FALSE(led.control().acknowledged(2, {.acknowledged = led.now()}));

@@ -28,7 +28,7 @@ std::vector<StreamPlan> steps(StreamPolicy& policy, double from, double seconds,
 }
 
 // Faults: pictures that become smaller while a coarser quantiser would do; a limit that is told where there is none.
-TEST(StreamPolicy, LetsTheQuantiserGiveWayFirst) {
+TEST(StreamPolicy, RaisesTheQuantiserFirst) {
   StreamPolicy policy;
   for (const double rate : {20e6, 6e6, 3e6, 2.2e6}) {
     const StreamPlan plan = steps(policy, 0.0, 5.0, line(rate)).back();
@@ -37,7 +37,7 @@ TEST(StreamPolicy, LetsTheQuantiserGiveWayFirst) {
 }
 
 // Faults: frames that become fewer before pictures have become smaller; pictures that grow as the line gets worse.
-TEST(StreamPolicy, ThenMakesPicturesSmallerAndThenFewer) {
+TEST(StreamPolicy, ThenReducesSizeAndThenRate) {
   StreamPlan last{1280, 720, 30.0};
   double now = 0.0;
   StreamPolicy policy;
@@ -56,7 +56,7 @@ TEST(StreamPolicy, ThenMakesPicturesSmallerAndThenFewer) {
 }
 
 // Fault: a step at a time down to what a line that has broken down still carries.
-TEST(StreamPolicy, GoesAllTheWayAtOnceWhenFarTooMuchIsSent) {
+TEST(StreamPolicy, ReactsFullyToStrongOverload) {
   StreamPolicy policy;
   (void)steps(policy, 0.0, 2.0, line(5e6));
   const auto plans = steps(policy, 2.0, 0.5, line(0.3e6));
@@ -65,7 +65,7 @@ TEST(StreamPolicy, GoesAllTheWayAtOnceWhenFarTooMuchIsSent) {
 }
 
 // Fault: one dear picture, or one bad guess of the line's, that changes the size.
-TEST(StreamPolicy, WaitsAMoment) {
+TEST(StreamPolicy, WaitsBeforeAChange) {
   StreamPolicy policy;
   (void)steps(policy, 0.0, 2.0, line(5e6));
   (void)policy.update(2.0, kWish, line(1.4e6));
@@ -74,7 +74,7 @@ TEST(StreamPolicy, WaitsAMoment) {
 }
 
 // Faults: no way back; all the way back at once, into the same trouble; a way back that begins at the first good sign.
-TEST(StreamPolicy, ComesBackStepByStepWhenThereIsRoomForAWhile) {
+TEST(StreamPolicy, RecoversStepwise) {
   StreamPolicy policy;
   (void)steps(policy, 0.0, 3.0, line(0.5e6));
   const StreamPlan low = policy.plan();
@@ -104,7 +104,7 @@ TEST(StreamPolicy, DoesNotOscillate) {
 }
 
 // Fault: a picture that is made larger than the visitor's window, or keeps its size when he changes it.
-TEST(StreamPolicy, ObeysTheVisitor) {
+TEST(StreamPolicy, RespectsVisitorLimits) {
   StreamPolicy policy;
   (void)steps(policy, 0.0, 3.0, line(0.8e6));
   const StreamWish small{640, 360, 15.0};

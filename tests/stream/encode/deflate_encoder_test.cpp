@@ -35,7 +35,7 @@ Samples encoded(const raster::YuvImage& picture, Quantiser quantiser) {
 }
 
 // Faults: an encoder whose finest pictures lose something; one that errs by more than the step that it was ordered.
-TEST(DeflateEncoder, LosesNoMoreThanItsQuantiserSays) {
+TEST(DeflateEncoder, ErrorIsBoundedByItsQuantiser) {
   const TestPicture picture(64, 48);
   const QuantiserRange range = DeflateEncoder().range();
   for (const auto& [quantiser, most] : {std::pair(range.finest, 0), std::pair(range.coarsest, 15)}) {
@@ -49,7 +49,7 @@ TEST(DeflateEncoder, LosesNoMoreThanItsQuantiserSays) {
 }
 
 // Fault: a quantiser without effect, with which no line could be kept to.
-TEST(DeflateEncoder, TakesFewerBytesWhenCoarser) {
+TEST(DeflateEncoder, CoarserIsSmaller) {
   Samples planes(64 * 48 * 3 / 2);
   std::minstd_rand grain;
   for (std::uint8_t& sample : planes) sample = static_cast<std::uint8_t>(100 + grain() % 64);
@@ -62,7 +62,7 @@ TEST(DeflateEncoder, TakesFewerBytesWhenCoarser) {
 }
 
 // Fault: a decoder in JavaScript that reads other bytes than the encoder writes; both read this picture.
-TEST(DeflateEncoder, WritesWhatThePagesDecoderReads) {
+TEST(DeflateEncoder, DecodesInThePage) {
   std::ifstream file(GROVE_DEFLATE_PICTURE);
   const auto golden = nlohmann::json::parse(file);
   auto planes = golden.at("planes").get<Samples>();
@@ -102,7 +102,7 @@ std::shared_ptr<const EncodedFrame> throughTheStage(std::shared_ptr<const raster
 
 // Faults: an encoder that is registered and never chosen; a picture that is not the one that was drawn; a page of
 // before that gets pictures which it cannot read.
-TEST(DeflateEncoder, IsChosenByThePagesThatOfferIt) {
+TEST(DeflateEncoder, IsChosenIfOffered) {
   const TestPicture picture(320, 180);
   const auto yuv = tests::yuvOf(picture.image);
   const auto sent = throughTheStage(yuv, {kCodecDeflate, kCodecJpeg});

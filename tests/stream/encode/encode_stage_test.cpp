@@ -18,7 +18,7 @@
 namespace grove::stream {
 namespace {
 
-TEST(EncodeStage, MakesAFrameMessageOfAFrame) {
+TEST(EncodeStage, EncodesAFrameMessage) {
   std::vector<std::uint32_t> pixels(200 * 120, 0xFF4080C0U);
   raster::Image image;
   image.rect = {0, 0, 200, 120};
@@ -167,7 +167,7 @@ std::vector<std::uint32_t> grain(std::uint32_t seed) {
 
 // Faults: a picture that stands still and is sent thirty times a second; one that never gets as fine as it could; an
 // input that changed nothing and is never told of.
-TEST(EncodeStage, SendsWhatIsShownAlreadyOnlyToRefineIt) {
+TEST(EncodeStage, ResendsAStillFrameOnlyToRefine) {
   Stream stream;
   const std::vector<std::uint32_t> pixels = grain(1);
   ASSERT_NE(stream.push(pixels), nullptr);
@@ -186,7 +186,7 @@ TEST(EncodeStage, SendsWhatIsShownAlreadyOnlyToRefineIt) {
 }
 
 // Fault: a page that has lost its decoder while nothing moves, and waits for a picture for ever.
-TEST(EncodeStage, SendsAnIndependentPictureOfWhatStandsStill) {
+TEST(EncodeStage, SendsIndependentPicturesOfStillViews) {
   Stream stream;
   const std::vector<std::uint32_t> pixels = grain(1);
   for (int i = 0; i < 40; ++i) (void)stream.push(pixels);
@@ -203,7 +203,7 @@ TEST(EncodeStage, SendsAnIndependentPictureOfWhatStandsStill) {
 
 // Faults: a name at another place than the visitor; a header that runs into the picture; bytes that older pages take
 // for a part of the picture.
-TEST(EncodeStage, TellsPagesThatWriteNamesWhereTheyBelongAndWhatIsHeard) {
+TEST(EncodeStage, SendsLabelsAndSoundsToNewPages) {
   for (const PageLevel page : {PageLevel::kTimed, PageLevel::kNaming}) {
     Stream stream(builtinEncoders(80), page);
     stream.labels = {{.object = world::kFirstPlayerObject + 7, .place = {160.0F, 180.0F}, .opacity = 1.0F},
@@ -224,7 +224,7 @@ TEST(EncodeStage, TellsPagesThatWriteNamesWhereTheyBelongAndWhatIsHeard) {
 }
 
 // Fault: a frame that was dropped once it was encoded, which those after it need.
-TEST(EncodeStage, DropsFramesBeforeTheyAreEncodedOnly) {
+TEST(EncodeStage, DropsFramesOnlyBeforeEncoding) {
   Stream stream;
   for (std::uint32_t i = 0; i < 60; ++i) {
     stream.rush(grain(i));
@@ -244,7 +244,7 @@ TEST(EncodeStage, DropsFramesBeforeTheyAreEncodedOnly) {
 
 // Faults: an encoder that fails and takes the stream with it, at its start or in the midst of it; half of a picture
 // that is sent.
-TEST(EncodeStage, GoesOnInJpegWhenAnEncoderFails) {
+TEST(EncodeStage, FallsBackToJpeg) {
   for (const int at : {0, 1, 3}) {
     EncoderRegistry encoders = builtinEncoders(80);
     encoders.add({kCodecH264, true, "failing", "test", [at] { return std::make_unique<FailingEncoder>(at); }});

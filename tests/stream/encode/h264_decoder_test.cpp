@@ -45,7 +45,7 @@ void expectColour(const DecodedPicture* picture, Colour wanted) {
 }
 
 /// By ITU-R BT.601: full red, green and blue, and grey, in 0 to 255.
-TEST(H264Decoder, GivesTheColoursOfItsStandard) {
+TEST(H264Decoder, ConvertsColoursByTheStandard) {
   H264Stream stream(kWidth, kHeight);
   H264Decoder decoder;
   expectColour(decoder.decode(stream.next(76, 85, 255, 1, true)), {255, 0, 0});
@@ -55,7 +55,7 @@ TEST(H264Decoder, GivesTheColoursOfItsStandard) {
   expectColour(decoder.decode(stream.next(220, 128, 128, 1, true)), {220, 220, 220});
 }
 
-TEST(H264Decoder, ReadsWhatTheServerWrites) {
+TEST(H264Decoder, DecodesTheServersStream) {
   std::vector<std::uint32_t> pixels(std::size_t{kWidth} * kHeight, 0xFF2080E0U);  // 0xAABBGGRR
   raster::Image image;
   image.rect = {0, 0, kWidth, kHeight};
@@ -80,7 +80,7 @@ TEST(H264Decoder, DecodesAChain) {
   }
 }
 
-TEST(H264Decoder, TakesAnotherSizeWithAnIndependentPicture) {
+TEST(H264Decoder, ResizesWithAnIndependentPicture) {
   H264Decoder decoder;
   H264Stream small(kWidth, kHeight);
   H264Stream large(160, 90);
@@ -92,7 +92,7 @@ TEST(H264Decoder, TakesAnotherSizeWithAnIndependentPicture) {
   EXPECT_NE(decoder.decode(large.next(100, 128, 128, 2)), nullptr);
 }
 
-TEST(H264Decoder, ReportsWhatItCannotDecode) {
+TEST(H264Decoder, ReportsUnsupportedStreams) {
   H264Stream stream(kWidth, kHeight);
   const std::vector<std::uint8_t> independent = stream.next(100, 128, 128, 1);
   const std::vector<std::uint8_t> second = stream.next(100, 128, 128, 2);
@@ -116,7 +116,7 @@ TEST(H264Decoder, ReportsWhatItCannotDecode) {
   EXPECT_NE(decoder.decode(stream.next(100, 128, 128, 5, true)), nullptr);
 }
 
-TEST(AnnexB, ReportsTheTypesOfItsUnits) {
+TEST(AnnexB, ReadsNalUnitTypes) {
   H264Stream stream(kWidth, kHeight);
   const auto first = unitTypes(stream.next(100, 128, 128, 1));
   ASSERT_TRUE(first);
@@ -133,7 +133,7 @@ TEST(AnnexB, ReportsTheTypesOfItsUnits) {
       << "three zeros, two zeros, and zeros within a unit";
 }
 
-TEST(AnnexB, RefusesWhatIsNone) {
+TEST(AnnexB, RefusesOtherData) {
   using Bytes = std::vector<std::uint8_t>;
   for (const Bytes& bad : {Bytes{}, Bytes{0, 0}, Bytes{0, 0, 1}, Bytes{7, 0, 0, 1, 0x41}, Bytes{0, 0, 1, 0xC1},
                            Bytes{0, 0, 1, 0x41, 0, 0, 1}, Bytes{0xFF, 0xD8, 0xFF}, Bytes(100, 0)}) {

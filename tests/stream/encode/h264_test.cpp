@@ -33,7 +33,7 @@ Bytes encodeOne(Encoder& encoder, const TestPicture& picture, const EncodeOrder&
 
 // Faults: planes swapped or of the wrong size, the wrong matrix or range, rows that do not fit, in any kind of encoder;
 // a stream that only its own library can read.
-TEST(Encoders, MakeWhatOthersDecode) {
+TEST(Encoders, AreDecodedByReferenceDecoders) {
   const EncoderRegistry encoders = builtinEncoders(80);
   for (const EncoderKind& kind : encoders.kinds()) {
     for (const auto& [width, height] : {std::pair(1280, 720), std::pair(160, 90), std::pair(1082, 606)}) {
@@ -53,7 +53,7 @@ TEST(Encoders, MakeWhatOthersDecode) {
 }
 
 // Fault: our own decoder, which measurements go by, that shows other colours than others do.
-TEST(H264Decoder, ShowsWhatWasDrawn) {
+TEST(H264Decoder, RoundTripsAPicture) {
   H264Encoder encoder;
   H264Decoder decoder;
   for (int i = 0; i < 5; ++i) {
@@ -88,7 +88,7 @@ TEST(H264Encoder, IsConstrainedBaselineWithoutDelay) {
 
 // Faults: an independent picture that a page cannot begin with, since it does not say its parameters; one that comes
 // although nobody asked; a dependent picture that repeats the parameters.
-TEST(H264Encoder, MakesIndependentPicturesWhenTheyAreAskedForOnly) {
+TEST(H264Encoder, MakesIndependentPicturesOnlyOnRequest) {
   H264Encoder encoder;
   for (int i = 0; i < 40; ++i) {
     bool independent = false;
@@ -149,7 +149,7 @@ TEST(H264Encoder, ChangesItsSizeWithinTheStream) {
 }
 
 // Fault: a decoder that shows nonsense, or what it guesses, when a picture of the chain is missing or damaged.
-TEST(H264Decoder, ReportsWhatCannotBeDecoded) {
+TEST(H264Decoder, ReportsDamagedStreams) {
   H264Encoder encoder;
   const Bytes first = encodeOne(encoder, TestPicture(320, 180, 0), {24.0, false});
   const Bytes second = encodeOne(encoder, TestPicture(320, 180, 1), {24.0, false});
@@ -163,7 +163,7 @@ TEST(H264Decoder, ReportsWhatCannotBeDecoded) {
 }
 
 // Fault: orders beyond the encoder's range that reach the library.
-TEST(Encoders, KeepOrdersWithinTheirRange) {
+TEST(Encoders, ClampTheirSettings) {
   const EncoderRegistry encoders = builtinEncoders(80);
   for (const EncoderKind& kind : encoders.kinds()) {
     const QuantiserRange range = kind.make()->range();

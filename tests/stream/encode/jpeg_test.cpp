@@ -42,7 +42,7 @@ TEST(JpegEncoder, KeepsThePictureAtAnyEvenSize) {
   }
 }
 
-TEST(JpegEncoder, AppendsAndLeavesWhatWasThere) {
+TEST(JpegEncoder, Appends) {
   JpegEncoder encoder(80);
   const Picture picture(64, 48);
   std::vector<std::uint8_t> bytes = {1, 2, 3};

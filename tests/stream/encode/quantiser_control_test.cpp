@@ -49,7 +49,7 @@ Outcome run(QuantiserControl& control, ModelEncoder& encoder, int begin, int end
 
 // Faults: a model of bits that is off for an encoder whose steps halve them faster or more slowly; a debt that is
 // never paid or never forgiven.
-TEST(QuantiserControl, SpendsWhatItMay) {
+TEST(QuantiserControl, UsesItsBudget) {
   for (const double stepsPerHalving : {4.5, 6.0, 7.5}) {
     for (const double complexity : {0.03, 0.15, 0.5}) {
       for (const double wanted : {8'000.0, 16'000.0}) {
@@ -68,7 +68,7 @@ TEST(QuantiserControl, SpendsWhatItMay) {
 }
 
 // Fault: an average of the last pictures, with which what begins to move takes five times its share for a while.
-TEST(QuantiserControl, FollowsAJumpInOnePicture) {
+TEST(QuantiserControl, FollowsAJumpWithinOnePicture) {
   QuantiserControl control;
   ModelEncoder encoder(6.0);
   constexpr double kBytesWanted = 12'000.0;
@@ -82,7 +82,7 @@ TEST(QuantiserControl, FollowsAJumpInOnePicture) {
 }
 
 // Fault: one picture that was cheap by chance, after which the next one takes several times its share.
-TEST(QuantiserControl, DoesNotTrustOneCheapPicture) {
+TEST(QuantiserControl, IgnoresOneCheapPicture) {
   QuantiserControl control;
   ModelEncoder encoder(6.0);
   constexpr double kBytesWanted = 12'000.0;
@@ -92,7 +92,7 @@ TEST(QuantiserControl, DoesNotTrustOneCheapPicture) {
 }
 
 // Fault: independent pictures, which take several times the bits, that spoil what is known of the others.
-TEST(QuantiserControl, KeepsIndependentPicturesApart) {
+TEST(QuantiserControl, TreatsIndependentPicturesSeparately) {
   QuantiserControl control;
   ModelEncoder encoder(6.0);
   constexpr double kBytesWanted = 12'000.0;
@@ -108,7 +108,7 @@ TEST(QuantiserControl, KeepsIndependentPicturesApart) {
 }
 
 // Fault: pictures without a byte, or of none that are wanted, from which no number comes.
-TEST(QuantiserControl, StaysFiniteAtTheEdges) {
+TEST(QuantiserControl, StaysFiniteAtExtremes) {
   QuantiserControl control;
   for (int i = 0; i < 50; ++i) control.encoded(false, kModelPixels, 20.0, 0.0, 0.0);
   EXPECT_TRUE(std::isfinite(control.choose(false, kModelPixels, 0.0)));

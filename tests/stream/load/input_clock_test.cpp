@@ -39,7 +39,7 @@ TEST(InputClock, IsNotReadableBetweenTurns) {
   EXPECT_THAT(clock.takeDue(), IsEmpty());
 }
 
-TEST(InputClock, NamesOnceWhoHasMissedSome) {
+TEST(InputClock, ReportsLaggingSessionsOnce) {
   InputClock clock(5, 10ms);
   std::this_thread::sleep_for(100ms);
   std::vector<int> due = clock.takeDue();

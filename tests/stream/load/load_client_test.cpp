@@ -42,7 +42,7 @@ TEST_F(LoadClientTest, MeasuresRealSessions) {
   EXPECT_TRUE(becomesEmpty());
 }
 
-TEST_F(LoadClientTest, TakesTheCodecThatWasAskedFor) {
+TEST_F(LoadClientTest, UsesTheRequestedCodec) {
   LoadPlan asked = plan(1, 0.5);
   asked.codecs = {kCodecJpeg};
   const LoadReport report = summarise(runLoadClients({"127.0.0.1", port()}, asked));
@@ -51,7 +51,7 @@ TEST_F(LoadClientTest, TakesTheCodecThatWasAskedFor) {
 }
 
 /// Who stands still gets pictures, or word that none are needed.
-TEST_F(LoadClientTest, MeasuresLatencyOfWhoStandsStill) {
+TEST_F(LoadClientTest, MeasuresLatencyWhileStanding) {
   LoadPlan still = plan(1, 1.5);
   still.movement = Movement::kStand;
   const LoadReport report = summarise(runLoadClients({"127.0.0.1", port()}, still));
@@ -71,7 +71,7 @@ TEST_F(LoadClientTest, MeasuresOverAShapedLine) {
   EXPECT_TRUE(becomesEmpty());
 }
 
-TEST_F(LoadClientTest, WalksToWhereItsWalkBeginsBeforeItCounts) {
+TEST_F(LoadClientTest, WalksToTheStartBeforeMeasuring) {
   LoadPlan walking = plan(2, 0.5);
   walking.follow.emplace(WalkToFollow{world::parseWalk("0 5 -5 0 0\n4 2 -5 1 0\n", "test"), {}, 0.0F});
   const LoadReport report = summarise(runLoadClients({"127.0.0.1", port()}, walking));
@@ -95,14 +95,14 @@ TEST_F(LoadClientTest, SleepsBetweenInputs) {
       << "seconds of a core: 0.04 if it sleeps, 0.18 and more if it spins, even where cores are short";
 }
 
-TEST_F(LoadClientTest, CountsThoseThatFindNoPlace) {
+TEST_F(LoadClientTest, CountsRefusedSessions) {
   const LoadReport report = summarise(runLoadClients({"127.0.0.1", port()}, plan(kMaxVisitors + 2, 0.3)));
   EXPECT_EQ(report.sessions, kMaxVisitors);
   EXPECT_EQ(report.errors.size(), 2U);
   EXPECT_THAT(report.errors, Contains(HasSubstr("4002")));
 }
 
-TEST_F(LoadClientTest, SaysWhyNobodyCouldConnect) {
+TEST_F(LoadClientTest, ReportsWhyNoSessionConnected) {
   server_.stop();
   const LoadReport report = summarise(runLoadClients({"127.0.0.1", port()}, plan(2, 0.3)));
   EXPECT_EQ(report.sessions, 0);

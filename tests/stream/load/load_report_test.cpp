@@ -9,7 +9,7 @@ namespace {
 
 using testing::ElementsAre;
 
-TEST(LoadReport, PutsVisitorsTogether) {
+TEST(LoadReport, MergesVisitors) {
   VisitorStatistics ada;
   ada.frames = 300;
   ada.bytes = 1'000'000;
@@ -48,7 +48,7 @@ TEST(LoadReport, PutsVisitorsTogether) {
 }
 
 /// Who stands still may get no picture at all while it is counted.
-TEST(LoadReport, TakesTheScreenAtFirstWhereNoPictureCame) {
+TEST(LoadReport, UsesTheScreenSizeWithoutPictures) {
   VisitorStatistics still;
   still.screenAtFirst = {kCodecH264, 720};
   EXPECT_EQ(summarise({{still}, 10.0, {}}).codec, "h264");

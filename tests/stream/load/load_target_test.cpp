@@ -5,7 +5,7 @@
 namespace grove::stream {
 namespace {
 
-TEST(LoadUrl, IsReadOrRefused) {
+TEST(LoadUrl, ParsesOrRefuses) {
   const auto target = parseLoadUrl("ws://127.0.0.1:8099/");
   ASSERT_TRUE(target);
   EXPECT_EQ(target->host, "127.0.0.1");

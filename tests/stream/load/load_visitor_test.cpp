@@ -11,7 +11,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-TEST_F(LoadVisitorTest, MeasuresFromEachInputToTheFirstFrameThatShowsIt) {
+TEST_F(LoadVisitorTest, LatencyIsFromInputToItsFrame) {
   sendInput(1.000);
   sendInput(1.016);
   visitor_.receive(frame(1, 0), 1.020);
@@ -26,7 +26,7 @@ TEST_F(LoadVisitorTest, MeasuresFromEachInputToTheFirstFrameThatShowsIt) {
 }
 
 /// Or one measurement would walk among trees and the next one on the meadow.
-TEST_F(LoadVisitorTest, WalksTheSameWayWheneverItBegins) {
+TEST_F(LoadVisitorTest, WalkDoesNotDependOnTheStartTime) {
   const auto steps = [&](double begin) {
     LoadVisitor visitor(0, plan_, decoder_);
     (void)visitor.nextMessage(begin);
@@ -71,7 +71,7 @@ TEST_F(LoadVisitorTest, ReportsBadFrames) {
                                                         HasSubstr("input 9"), HasSubstr("unknown message type 153")));
 }
 
-TEST_F(LoadVisitorTest, LooksOrStandsIfToldSo) {
+TEST_F(LoadVisitorTest, LooksOrStandsOnRequest) {
   const auto inputs = [&](Movement movement) {
     LoadPlan plan = smallPlan();
     plan.movement = movement;

@@ -99,7 +99,7 @@ TEST_F(VideoVisitorTest, AcceptsAChainThatSkipsNumbers) {
   EXPECT_EQ(video_.statistics().shown.at({kCodecH264, 48}), 12U);
 }
 
-TEST_F(VideoVisitorTest, FindsAGapByDecodingAndAsksForAnew) {
+TEST_F(VideoVisitorTest, RequestsAnIndependentPictureAfterAGap) {
   video_.receive(h264(1, true), 1.0);
   (void)h264(2, false);  // never comes
   video_.receive(h264(3, false), 1.1);
@@ -120,7 +120,7 @@ TEST_F(VideoVisitorTest, FindsAGapByDecodingAndAsksForAnew) {
 }
 
 /// Those who do not decode look at what kind of pictures they get.
-TEST_F(VideoVisitorTest, FindsPicturesThatAreNotWhatTheySay) {
+TEST_F(VideoVisitorTest, DetectsMislabelledPictures) {
   const auto faultOf = [&](const std::vector<std::vector<std::uint8_t>>& messages) {
     LoadVisitor visitor(1, plan_, decoder_);
     visitor.agreedOn(kSubProtocolWithVideo);
@@ -148,7 +148,7 @@ TEST_F(VideoVisitorTest, FindsPicturesThatAreNotWhatTheySay) {
   EXPECT_THAT(faultOf({frame(1, 0)}), HasSubstr("a Frame arrived"));
 }
 
-TEST_F(VideoVisitorTest, SizeChangesWithAnIndependentPictureOnly) {
+TEST_F(VideoVisitorTest, SizeChangesOnlyWithAnIndependentPicture) {
   auto message = h264(2, false);
   message[6] = 40;  // the height
   second_.receive(h264(1, true), 1.0);
@@ -156,7 +156,7 @@ TEST_F(VideoVisitorTest, SizeChangesWithAnIndependentPictureOnly) {
   EXPECT_THAT(second_.statistics().errors, ElementsAre(HasSubstr("another size")));
 }
 
-TEST_F(VideoVisitorTest, TakesAStatusForASignThatTheScreenObeys) {
+TEST_F(VideoVisitorTest, StatusConfirmsTheScreen) {
   const auto input = [&](double now) {
     video_.inputDue();
     (void)video_.nextMessage(now);
@@ -180,7 +180,7 @@ TEST_F(VideoVisitorTest, TakesAStatusForASignThatTheScreenObeys) {
   EXPECT_THAT(seen.errors, ElementsAre(HasSubstr("input 3, which was not sent")));
 }
 
-TEST_F(VideoVisitorTest, TakesWhatElseTheServerTells) {
+TEST_F(VideoVisitorTest, AcceptsOtherServerMessages) {
   video_.receive(encode(Refining{}), 1.0);
   video_.receive(encode(Waiting{}), 1.0);
   EXPECT_THAT(video_.statistics().errors, IsEmpty());

@@ -42,7 +42,7 @@ Course follow(const WalkToFollow& plan, double offset, double seconds, int arriv
   return course;
 }
 
-TEST(WalkFollower, GoesAlongEveryWalkOfTheTests) {
+TEST(WalkFollower, FollowsEveryTestWalk) {
   for (const char* name : {"clearing", "under_trees", "edge", "crowd"}) {
     const WalkToFollow plan{world::loadWalk(std::filesystem::path(GROVE_WALKS) / (std::string(name) + ".walk")),
                             Vec3(4.6F, 0.0F, 10.4F), 0.42F};
@@ -55,12 +55,12 @@ TEST(WalkFollower, GoesAlongEveryWalkOfTheTests) {
 }
 
 /// Visitors arrive side by side; each has to find the same beginning.
-TEST(WalkFollower, BeginsAtItsPlaceWhereverHeArrives) {
+TEST(WalkFollower, StartsFromAnyArrival) {
   const WalkToFollow plan{world::parseWalk("0 0 0 0 0\n4 4 0 1.57 0\n", "test"), Vec3(3, 0, 5), 1.0F};
   for (int before = 0; before < 9; ++before) EXPECT_LT(follow(plan, 0.0, 12.0, before).strays, 0.25F) << before;
 }
 
-TEST(WalkFollower, BeginsWithinTheWalkIfToldSo) {
+TEST(WalkFollower, StartsWithinTheWalk) {
   const WalkToFollow plan{world::parseWalk("0 0 0 0 0\n10 10 0 1.57 0\n", "test"), Vec3(3, 0, 5), 0.0F};
   EXPECT_LT(follow(plan, 7.0, 30.0).strays, 0.25F);
 }

@@ -210,7 +210,7 @@ bool isFromServer(const Json& fields) {
   return kMessages.contains(fields["message"]);
 }
 
-TEST(GoldenMessages, AreReadAsTheirFields) {
+TEST(GoldenMessages, DecodeToTheirFields) {
   for (const Json& entry : golden()) {
     const Bytes bytes = fromHex(entry["hex"]);
     const auto fields = [](const auto& message) { return fieldsOf(message); };
@@ -220,7 +220,7 @@ TEST(GoldenMessages, AreReadAsTheirFields) {
   }
 }
 
-TEST(GoldenMessages, AreWrittenToTheByte) {
+TEST(GoldenMessages, EncodeToTheirBytes) {
   for (const Json& entry : golden()) {
     const Bytes bytes = fromHex(entry["hex"]);
     const auto again = [](const auto& message) { return encodeAgain(message); };

@@ -10,7 +10,7 @@ TEST(Printable, KeepsGoodText) {
   EXPECT_EQ(printable("", 64), "");
 }
 
-TEST(Printable, ReplacesWhatIsNotUtf8) {
+TEST(Printable, ReplacesInvalidUtf8) {
   EXPECT_EQ(printable("a\xFF"
                       "b\x80",
                       64),
@@ -21,7 +21,7 @@ TEST(Printable, ReplacesWhatIsNotUtf8) {
   EXPECT_EQ(printable("cut \xF0\x9F\x94", 64), "cut ???");  // cut short
 }
 
-TEST(Printable, DropsWhatCannotBeSeen) {
+TEST(Printable, DropsInvisibleCharacters) {
   EXPECT_EQ(printable("a\r\n\x1B[31mb\x7F", 64), "a[31mb");
   EXPECT_EQ(printable("\u202Eevil\u202C\u200B\uFEFF\u0085", 64), "evil");
   EXPECT_EQ(printable("  Ada \n ", 64), "Ada");
@@ -45,7 +45,7 @@ TEST(Printable, LimitsStacksOfAccents) {
   EXPECT_EQ(printable("\u0301Ada", 64), "Ada") << "nothing carries it";
 }
 
-TEST(Printable, CutsBetweenCharacters) {
+TEST(Printable, TruncatesBetweenCharacters) {
   EXPECT_EQ(printable("ab🔥", 5), "ab");
   EXPECT_EQ(printable("ab🔥", 6), "ab🔥");
 }

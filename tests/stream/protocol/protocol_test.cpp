@@ -17,7 +17,7 @@ CloseCode codeOf(const ClientMessage& message) {
   return refusal == nullptr ? CloseCode{} : refusal->code;
 }
 
-TEST(Protocol, RefusesEveryOtherLength) {
+TEST(Protocol, RefusesOtherLengths) {
   const std::vector<Bytes> messages = {encode(Hello{"Ada", 1280, 720}),
                                        encode(world::Input{1, 2, 0.5F, 0.25F}),
                                        encode(Ack{3}),
@@ -44,14 +44,14 @@ TEST(Protocol, RefusesUnknownTypesAndReservedBytes) {
   EXPECT_EQ(codeOf(parseClientMessage(Bytes(kLargestClientMessage + 1, 1))), CloseCode::kProtocolError);
 }
 
-TEST(Protocol, ReportsAnotherVersionByItsCodeWhateverFollows) {
+TEST(Protocol, ReportsOtherVersionsByCode) {
   EXPECT_EQ(codeOf(parseClientMessage(Bytes{0x01, 2})), CloseCode::kWrongVersion);
   Bytes hello = encode(Hello{"Ada", 1280, 720});
   hello[1] = 200;
   EXPECT_EQ(codeOf(parseClientMessage(hello)), CloseCode::kWrongVersion);
 }
 
-TEST(Protocol, RefusesAnglesThatAreNoNumbers) {
+TEST(Protocol, RefusesNotANumberAngles) {
   constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
   for (const float bad : {kNan, kInfinity, -kInfinity}) {
@@ -60,7 +60,7 @@ TEST(Protocol, RefusesAnglesThatAreNoNumbers) {
   }
 }
 
-TEST(Protocol, RefusesSizesOutOfRangeWithTheSizeInTheReason) {
+TEST(Protocol, RefusesSizesOutOfRange) {
   for (const std::uint32_t bad : {0U, 15U, 16385U, 100000U, 0xFFFFFFFFU}) {
     EXPECT_EQ(codeOf(parseClientMessage(encode(Resize{bad, 720}))), CloseCode::kProtocolError);
     EXPECT_EQ(codeOf(parseClientMessage(encode(Resize{1280, bad}))), CloseCode::kProtocolError);
@@ -71,7 +71,7 @@ TEST(Protocol, RefusesSizesOutOfRangeWithTheSizeInTheReason) {
   EXPECT_TRUE(std::holds_alternative<Resize>(parseClientMessage(encode(Resize{16, 16384}))));
 }
 
-TEST(Protocol, RefusesANameThatIsTooLong) {
+TEST(Protocol, RefusesLongNames) {
   Bytes hello = encode(Hello{std::string(64, 'a'), 1280, 720});
   EXPECT_EQ(std::get<Hello>(parseClientMessage(hello)).name.size(), 64U);
   hello[2] = 65;
@@ -79,7 +79,7 @@ TEST(Protocol, RefusesANameThatIsTooLong) {
   EXPECT_EQ(codeOf(parseClientMessage(hello)), CloseCode::kProtocolError);
 }
 
-TEST(Protocol, CleansTheNameThatAClientSends) {
+TEST(Protocol, SanitizesNames) {
   Bytes hello = encode(Hello{"Ada12", 1280, 720});
   hello[12] = '\n';
   hello[13] = 0xFF;
@@ -90,7 +90,7 @@ TEST(Protocol, DropsUnknownKeys) {
   EXPECT_EQ(std::get<world::Input>(parseClientMessage(encode(world::Input{1, 0xFF, 0, 0}))).keys, 0x3F);
 }
 
-TEST(Protocol, ReadsOrRefusesRandomBytes) {
+TEST(Protocol, RandomBytesAreReadOrRefused) {
   std::mt19937 random(4);
   std::uniform_int_distribution<int> byte(0, 255);
   std::uniform_int_distribution<std::size_t> length(0, kLargestClientMessage + 8);
@@ -131,18 +131,18 @@ TEST(Protocol, ReadsOrRefusesRandomBytes) {
   EXPECT_GT(refused, 50'000U);
 }
 
-TEST(Protocol, RefusesAWaitThatCannotBe) {
+TEST(Protocol, RefusesImpossibleWaits) {
   EXPECT_TRUE(std::holds_alternative<Refusal>(parseServerMessage(encode(Waiting{0, 0, ""}))));
   EXPECT_TRUE(std::holds_alternative<Refusal>(parseServerMessage(encode(Waiting{1, 101, ""}))));
 }
 
-TEST(Protocol, CutsTheNameOfAStep) {
+TEST(Protocol, TruncatesStepNames) {
   const ServerMessage read = parseServerMessage(encode(Waiting{1, 0, std::string(100, 'a')}));
   ASSERT_TRUE(std::holds_alternative<Waiting>(read));
   EXPECT_EQ(std::get<Waiting>(read).step, std::string(64, 'a'));
 }
 
-TEST(Protocol, RefusesLabelsThatCannotBe) {
+TEST(Protocol, RefusesImpossibleLabels) {
   PictureHeader header;
   header.labels.resize(kMaxLabels);
   const std::size_t most = pictureHeaderBytes(kMaxLabels);
@@ -159,7 +159,7 @@ TEST(Protocol, RefusesLabelsThatCannotBe) {
   EXPECT_TRUE(std::holds_alternative<Refusal>(parseServerMessage(more)));
 }
 
-TEST(Protocol, RefusesPeopleThatCannotBe) {
+TEST(Protocol, RefusesImpossibleRosters) {
   const Bytes people = encode(People{false, {{1, 0x4FB4FF, "Ada"}, {2, 0, "日本"}}});
   ASSERT_TRUE(std::holds_alternative<People>(parseServerMessage(people)));
   for (std::size_t length = 0; length < people.size(); ++length) {
@@ -179,7 +179,7 @@ TEST(Protocol, RefusesPeopleThatCannotBe) {
   EXPECT_EQ(std::get<People>(cleaned).people[0].name, "ab?" + std::string(61, 'c'));
 }
 
-TEST(Protocol, RefusesServerMessagesThatAreCutShort) {
+TEST(Protocol, RefusesTruncatedServerMessages) {
   Welcome welcome;
   welcome.world = "The clearing";
   const Bytes bytes = encode(welcome);

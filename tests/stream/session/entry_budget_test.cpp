@@ -10,7 +10,7 @@ namespace {
 constexpr double kLook = 0.004;
 
 // Fault: first frames that take as much time as they like, so that those inside get half their frames.
-TEST(EntryBudget, GivesFirstFramesAShareOfTheTime) {
+TEST(EntryBudget, FirstFramesGetAShareOfTime) {
   EntryBudget budget(2);
   constexpr double kFrame = 0.080;
   double busy = 0.0;
@@ -31,7 +31,7 @@ TEST(EntryBudget, GivesFirstFramesAShareOfTheTime) {
 
 // Faults: a newcomer who is overtaken by those after him; one who has left, is hidden or never finishes, and keeps all
 // others waiting.
-TEST(EntryBudget, IsFirstComeFirstServedAmongThoseWhoAsk) {
+TEST(EntryBudget, IsFirstComeFirstServed) {
   EntryBudget budget(2);
   EXPECT_TRUE(budget.mayBegin(1, 10.0));
   for (const node::SessionId session : {2U, 3U, 4U, 5U}) EXPECT_FALSE(budget.mayBegin(session, 10.0));
@@ -51,7 +51,7 @@ TEST(EntryBudget, IsFirstComeFirstServedAmongThoseWhoAsk) {
 }
 
 // Fault: a slow machine on which the next newcomer waits for ever.
-TEST(EntryBudget, LetsNobodyWaitLongForTheOneBefore) {
+TEST(EntryBudget, BoundsTheWaitForThePredecessor) {
   EntryBudget budget(2);
   EXPECT_TRUE(budget.mayBegin(1, 10.0));
   budget.end(1, 11.5);
@@ -60,7 +60,7 @@ TEST(EntryBudget, LetsNobodyWaitLongForTheOneBefore) {
 }
 
 // Fault: newcomers who come together to a quiet world wait for seconds.
-TEST(EntryBudget, LetsSomeInAtOnce) {
+TEST(EntryBudget, AdmitsTheFirstImmediately) {
   EntryBudget budget(2);
   double now = 10.0;
   for (node::SessionId session = 1; session <= 6; ++session) {
@@ -75,7 +75,7 @@ TEST(EntryBudget, LetsSomeInAtOnce) {
 }
 
 // Fault: those who come, leave and come again take the machine from those who stay.
-TEST(EntryBudget, GivesNoMoreToACrowdThatComesAndGoes) {
+TEST(EntryBudget, ReconnectingCrowdsGetNoMore) {
   EntryBudget budget(2);
   constexpr double kFrame = 0.050;
   double busy = 0.0;

@@ -12,7 +12,7 @@ namespace {
 
 using ::testing::ElementsAre;
 
-TEST(FrameGate, LetsInWhileAWorkerIsIdleAndTheOthersInTheirOrder) {
+TEST(FrameGate, AdmitsIdleCapacityThenInOrder) {
   FrameGate gate(3);
   std::vector<int> turns;
   const auto wait = [&](int who) {
@@ -36,7 +36,7 @@ TEST(FrameGate, LetsInWhileAWorkerIsIdleAndTheOthersInTheirOrder) {
   EXPECT_THAT(turns, ElementsAre(0, 2, 3)) << "one for each that becomes idle";
 }
 
-TEST(FrameGate, LetsInSoManyAtMost) {
+TEST(FrameGate, LimitsFramesInProgress) {
   FrameGate gate(2);
   gate.workerIs(true);
   std::vector<int> turns;
@@ -64,7 +64,7 @@ TEST(FrameGate, LetsInSoManyAtMost) {
 }
 
 /// Fails if a session that has ended while it waited keeps a place.
-TEST(FrameGate, WhoDoesNotTakeHisTurnGivesItToTheNext) {
+TEST(FrameGate, UnusedTurnsGoToTheNext) {
   FrameGate gate(1);
   gate.workerIs(true);
   ASSERT_TRUE(gate.enter({}));
@@ -81,7 +81,7 @@ TEST(FrameGate, WhoDoesNotTakeHisTurnGivesItToTheNext) {
 }
 
 /// Fails if a place is lost or doubled, or somebody waits for ever.
-TEST(FrameGate, NeitherLosesNorDoublesPlacesUnderManyThreads) {
+TEST(FrameGate, PlacesStayConsistentUnderManyThreads) {
   constexpr int kPlaces = 3;
   constexpr int kThreads = 8;
   constexpr int kTurns = 2000;

@@ -69,7 +69,7 @@ class JoinedHosts : public ::testing::Test {
   testing::Sight unused_;
 };
 
-TEST_F(JoinedHosts, BackendNodesOfBothKnowTheVisitorsOfBoth) {
+TEST_F(JoinedHosts, BackendsKnowVisitorsOfBothHosts) {
   JoinedHost a(1, owner_, gl_);
   JoinedHost b(2, owner_, gl_);
   const HeadlessSession ann(a.host(), "Ann", 160, 90);
@@ -85,7 +85,7 @@ TEST_F(JoinedHosts, BackendNodesOfBothKnowTheVisitorsOfBoth) {
   EXPECT_TRUE(eventually([&] { return b.known() == std::vector<std::string>{"Ann"}; })) << "from his own server, too";
 }
 
-TEST_F(JoinedHosts, AGustOnOneServerReachesTheSimulationsOfTheOther) {
+TEST_F(JoinedHosts, GustsReachSimulationsOfTheOther) {
   JoinedHost a(1, owner_, gl_);
   JoinedHost b(2, owner_, gl_);
   HeadlessSession ann(a.host(), "Ann", 160, 90);
@@ -99,7 +99,7 @@ TEST_F(JoinedHosts, AGustOnOneServerReachesTheSimulationsOfTheOther) {
 }
 
 /// Would catch a server that freezes, or drops its visitors, with the owner.
-TEST_F(JoinedHosts, AServerGoesOnByItselfWhileTheOwnerIsLost) {
+TEST_F(JoinedHosts, ContinuesWithoutTheOwner) {
   JoinedHost a(1, owner_, gl_);
   HeadlessSession ann(a.host(), "Ann", 160, 90);
   ASSERT_TRUE(eventually([&] { return a.known().size() == 1; }));

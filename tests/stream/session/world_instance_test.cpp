@@ -43,7 +43,7 @@ class WorldInstanceTest : public ::testing::Test {
       }};
 };
 
-TEST_F(WorldInstanceTest, ReportsItsBackendWhoIsThere) {
+TEST_F(WorldInstanceTest, ReportsVisitorsToItsBackend) {
   ASSERT_NE(sight_.world, nullptr);
   EXPECT_THAT(sight_.names(), IsEmpty());
   {
@@ -63,7 +63,7 @@ TEST_F(WorldInstanceTest, ReportsItsBackendWhoIsThere) {
   EXPECT_EQ(sight_.wakes, rest) << "nobody is there";
 }
 
-TEST_F(WorldInstanceTest, ReportsItsBackendWhatBlows) {
+TEST_F(WorldInstanceTest, ReportsGustsToItsBackend) {
   HeadlessSession ada(host_, "Ada", 160, 90);
   node::WorldMirror::Cursor cursor = 0;
   ASSERT_TRUE(eventually([&] { return !sight_.names().empty(); }));
@@ -78,7 +78,7 @@ TEST_F(WorldInstanceTest, ReportsItsBackendWhatBlows) {
   EXPECT_TRUE(eventually([&] { return sight_.world->gusts(cursor).size() == 1; }));
 }
 
-TEST_F(WorldInstanceTest, ReportsItsBackendWhoHasLeft) {
+TEST_F(WorldInstanceTest, ReportsDeparturesToItsBackend) {
   { const HeadlessSession ada(host_, "Ada", 160, 90); }
   const auto forgotten = [&] {
     const std::lock_guard lock(sight_.mutex);
@@ -88,7 +88,7 @@ TEST_F(WorldInstanceTest, ReportsItsBackendWhoHasLeft) {
   EXPECT_THAT(forgotten(), ElementsAre(node::makeId(1, 1)));
 }
 
-TEST_F(WorldInstanceTest, PagesSeeTheLowHalfOfIds) {
+TEST_F(WorldInstanceTest, PagesSeeLowIds) {
   HeadlessSession ada(host_, "", 160, 90);
   ASSERT_TRUE(ada.frameAfter(0, kPatience));
   EXPECT_EQ(ada.welcome().visitor, 1U);

@@ -59,7 +59,7 @@ TEST_F(BadInput, Garbage) {
   expectRefused(answerTo({0x02, 0x00}), CloseCode::kProtocolError, "Input has the wrong length");
 }
 
-TEST_F(BadInput, BytesThatAreNoWebsocket) {
+TEST_F(BadInput, NotAWebsocket) {
   GoodClient bad(port());
   EXPECT_TRUE(bad.receiveFrames(1));
   bad.websocket().socket().send(std::string(5000, '\xFF'));
@@ -72,7 +72,7 @@ TEST_F(BadInput, OversizedMessages) {
   expectRefused(answerTo(Bytes(60'000, 2)), CloseCode::kProtocolError, "more than 256 bytes");
 }
 
-TEST_F(BadInput, OversizedMessageInFragments) {
+TEST_F(BadInput, OversizedFragmentedMessage) {
   GoodClient bad(port());
   EXPECT_TRUE(bad.receiveFrames(1));
   bad.websocket().send(Bytes(200, 2), RawWebsocket::kBinary, false);
@@ -91,13 +91,13 @@ TEST_F(BadInput, MessagesOutOfOrder) {
   expectRefused(answerTo(encode(Hello{"again", 320, 180})), CloseCode::kProtocolError, "second Hello");
 }
 
-TEST_F(BadInput, AnotherVersion) {
+TEST_F(BadInput, OtherProtocolVersion) {
   RawWebsocket old(port());
   old.send(Bytes{0x01, 0x00, 0x00});
   expectRefused(old.receiveClose(), CloseCode::kWrongVersion, "version 0");
 }
 
-TEST_F(BadInput, CameraThatIsNotANumber) {
+TEST_F(BadInput, NotANumberCamera) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   expectRefused(answerTo(encode(world::Input{1, 0, nan, 0})), CloseCode::kProtocolError, "not numbers");
 }
@@ -107,7 +107,7 @@ TEST_F(BadInput, ImpossibleSizes) {
   expectRefused(answerTo(encode(Resize{100'000, 720})), CloseCode::kProtocolError, "100000 x 720");
 }
 
-TEST_F(BadInput, OlderInputsAndStrangeAcknowledgementsAreIgnored) {
+TEST_F(BadInput, IgnoresOldInputsAndUnknownAcknowledgements) {
   RawWebsocket& websocket = good_->websocket();
   websocket.send(encode(world::Input{50, 0, 0.5F, 0}));
   websocket.send(encode(world::Input{7, world::kForward, 1.0F, 0}));
@@ -164,7 +164,7 @@ TEST_F(BadInput, FloodOfRequests) {
   EXPECT_TRUE(good_->receiveFrames(3));
 }
 
-TEST_F(BadInput, OpensAndNeverReads) {
+TEST_F(BadInput, ClientThatNeverReads) {
   RawWebsocket deaf(port(), "", 4096);
   deaf.send(encode(Hello{"deaf", 1920, 1080}));
   // It guesses the number of each frame that was made for it, though it reads none.
@@ -179,7 +179,7 @@ TEST_F(BadInput, OpensAndNeverReads) {
   EXPECT_TRUE(good_->receiveFrames(10));
 }
 
-TEST_F(BadInput, DisconnectsInTheMiddleOfAMessage) {
+TEST_F(BadInput, DisconnectWithinAMessage) {
   GoodClient bad(port());
   EXPECT_TRUE(bad.receiveFrames(1));
   bad.websocket().socket().send("\x82\x90\x01");
@@ -188,7 +188,7 @@ TEST_F(BadInput, DisconnectsInTheMiddleOfAMessage) {
   early.websocket().socket().reset();
 }
 
-TEST_F(BadInput, MoreVisitorsThanPlaces) {
+TEST_F(BadInput, TooManyVisitors) {
   std::vector<std::unique_ptr<GoodClient>> others;
   for (int i = 1; i < kMaxVisitors; ++i) {
     others.push_back(std::make_unique<GoodClient>(port()));
@@ -198,7 +198,7 @@ TEST_F(BadInput, MoreVisitorsThanPlaces) {
   expectRefused(tooMany.websocket().receiveClose(), CloseCode::kFull, "full");
 }
 
-TEST_F(BadInput, PageOfAnotherSite) {
+TEST_F(BadInput, OtherOrigin) {
   const std::string own = std::string("Origin: http://127.0.0.1:") + std::to_string(port()) + "\r\n";
   EXPECT_EQ(RawWebsocket(port(), own).status(), 101);
   EXPECT_EQ(RawWebsocket(port(), "Origin: http://evil.example\r\n").status(), 403);
@@ -206,7 +206,7 @@ TEST_F(BadInput, PageOfAnotherSite) {
   EXPECT_EQ(RawWebsocket(port(), "Origin: null\r\n").status(), 403);
 }
 
-TEST_F(BadInput, MoreConnectionsThanAllowed) {
+TEST_F(BadInput, TooManyConnections) {
   std::vector<std::unique_ptr<RawSocket>> sockets;
   sockets.reserve(300);
   for (int i = 0; i < 300; ++i) sockets.push_back(std::make_unique<RawSocket>(port()));

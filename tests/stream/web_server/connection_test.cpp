@@ -50,7 +50,7 @@ TEST_F(ConnectionTest, EndsWithoutAcknowledgements) {
   EXPECT_EQ(host_.visitors(), 0U);
 }
 
-TEST_F(ConnectionTest, ToAcknowledgeAFrameAgainKeepsNoPlace) {
+TEST_F(ConnectionTest, RepeatedAcknowledgementsDoNotKeepAPlace) {
   const std::uint32_t frame = enter();
   ASSERT_FALSE(connection_.receive(whole(encode(Ack{frame})), now_));
   while (!connection_.hasSomethingToSend()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
@@ -60,7 +60,7 @@ TEST_F(ConnectionTest, ToAcknowledgeAFrameAgainKeepsNoPlace) {
   EXPECT_TRUE(connection_.overdue(next + 25.0));
 }
 
-TEST_F(ConnectionTest, WhoAcknowledgesWhatWasNotSentIsRefused) {
+TEST_F(ConnectionTest, RefusesAcknowledgementsOfUnsentFrames) {
   enter();
   const auto refusal = connection_.receive(whole(encode(Ack{0xFFFFFFFFU})), now_);
   ASSERT_TRUE(refusal);
@@ -68,7 +68,7 @@ TEST_F(ConnectionTest, WhoAcknowledgesWhatWasNotSentIsRefused) {
   EXPECT_EQ(host_.visitors(), 0U);
 }
 
-TEST_F(ConnectionTest, CountsMessagesBySecond) {
+TEST_F(ConnectionTest, LimitsMessagesPerSecond) {
   ASSERT_FALSE(connection_.receive(whole(encode(Hello{"Ada", 320, 180})), now_));
   const auto ack = encode(Ack{0});
   for (int second = 0; second < 3; ++second) {
@@ -91,7 +91,7 @@ TEST_F(ConnectionTest, FramesAfterTheEndAreHarmless) {
   EXPECT_TRUE(becomesEmpty());
 }
 
-TEST(Outbox, KeepsTheNewestFrameOnly) {
+TEST(Outbox, KeepsOnlyTheNewestFrame) {
   int woken = 0;
   Outbox outbox([&] { ++woken; });
   EXPECT_TRUE(outbox.empty());
@@ -115,7 +115,7 @@ std::vector<int> percentsToldTo(Connection& connection) {
   return percents;
 }
 
-TEST_F(ConnectionTest, ReportsWhatGetsFinerToThoseWhoKnowItAndAreIn) {
+TEST_F(ConnectionTest, ReportsRefinementToAdmittedNewPages) {
   const auto connect = [&](const char* subProtocol) {
     return std::make_unique<Connection>(
         host_, "a test", now_, [] {}, door_, subProtocol);
@@ -156,7 +156,7 @@ std::optional<std::vector<std::string>> namesToldTo(Connection& connection) {
 
 // Faults: pages that wait for ever to learn who is here, or are told with every one of a hundred who come at once;
 // older pages that get a message they do not know.
-TEST_F(ConnectionTest, TellsWhoIsHereOnceASecondAtMost) {
+TEST_F(ConnectionTest, SendsTheRosterOncePerSecondAtMost) {
   using Names = std::vector<std::string>;
   const auto connect = [&](const char* subProtocol, const char* name) {
     auto connection = std::make_unique<Connection>(

@@ -50,7 +50,7 @@ class EarlyVisitorTest : public testing::Test {
   WebsocketServer server_{{.visitors = {"127.0.0.1", 0}, .operators = {}}};
 };
 
-TEST_F(EarlyVisitorTest, GetsThePageAtOnceAndReportsLater) {
+TEST_F(EarlyVisitorTest, PageIsServedDuringPreparation) {
   EXPECT_EQ(request(server_.port(), "GET", "/").status, 200);
   EXPECT_EQ(request(server_.port(), "GET", "/sharing.json").status, 503);
   EXPECT_EQ(request(server_.operatorPort(), "GET", "/statistics.json").status, 503);
@@ -62,7 +62,7 @@ TEST_F(EarlyVisitorTest, GetsThePageAtOnceAndReportsLater) {
   EXPECT_EQ(request(server_.port(), "GET", "/sharing.json").status, 200);
 }
 
-TEST_F(EarlyVisitorTest, IsToldHowTheWorldGetsOnAndLetInOnTheSameSocket) {
+TEST_F(EarlyVisitorTest, SeesProgressAndEntersOnTheSameSocket) {
   RawWebsocket websocket(server_.port(), kAsksForWaiting);
   ASSERT_EQ(websocket.status(), 101);
   server_.report("growing trees", 0.25F);
@@ -90,7 +90,7 @@ TEST_F(EarlyVisitorTest, IsToldHowTheWorldGetsOnAndLetInOnTheSameSocket) {
   EXPECT_EQ(std::get<FrameMessage>(frame).header.width, 640);
 }
 
-TEST_F(EarlyVisitorTest, AnOlderPageWaitsInSilence) {
+TEST_F(EarlyVisitorTest, OlderPagesGetNoProgress) {
   RawWebsocket websocket(server_.port());
   websocket.send(encode(Hello{"Ada", 320, 180}));
   server_.report("growing trees", 0.25F);
@@ -100,7 +100,7 @@ TEST_F(EarlyVisitorTest, AnOlderPageWaitsInSilence) {
   EXPECT_TRUE(std::holds_alternative<Welcome>(parseServerMessage(first->bytes)));
 }
 
-TEST_F(EarlyVisitorTest, WhoSaysMoreThanAGreetingIsClosed) {
+TEST_F(EarlyVisitorTest, ClosesClientsThatSendMoreThanHello) {
   RawWebsocket websocket(server_.port(), kAsksForWaiting);
   websocket.send(encode(Hello{"Ada", 320, 180}));
   for (int i = 0; i < 20; ++i) websocket.send(encode(Ack{1}));
@@ -110,7 +110,7 @@ TEST_F(EarlyVisitorTest, WhoSaysMoreThanAGreetingIsClosed) {
   EXPECT_EQ(request(server_.port(), "GET", "/").status, 200);
 }
 
-TEST_F(EarlyVisitorTest, WhatIsWrongWithAGreetingIsSaidWhenTheWorldIsThere) {
+TEST_F(EarlyVisitorTest, ReportsABadHelloAfterPreparation) {
   RawWebsocket first(server_.port(), kAsksForWaiting);
   first.send(encode(Ack{1}));
   RawWebsocket second(server_.port(), kAsksForWaiting);
@@ -130,7 +130,7 @@ TEST_F(EarlyVisitorTest, WhatIsWrongWithAGreetingIsSaidWhenTheWorldIsThere) {
   EXPECT_EQ(isSecondIn ? thirdClose->code : bytes[0] << 8U | bytes[1], static_cast<int>(CloseCode::kFull));
 }
 
-TEST_F(EarlyVisitorTest, WhoGoesBeforeTheWorldIsThereIsForgotten) {
+TEST_F(EarlyVisitorTest, ForgetsVisitorsWhoLeaveEarly) {
   {
     RawWebsocket gone(server_.port(), kAsksForWaiting);
     gone.send(encode(Hello{"Ada", 320, 180}));
@@ -147,7 +147,7 @@ TEST_F(EarlyVisitorTest, WhoGoesBeforeTheWorldIsThereIsForgotten) {
   EXPECT_TRUE(std::holds_alternative<Welcome>(afterWaiting(next, bytes)));
 }
 
-TEST_F(EarlyVisitorTest, IsClosedWhenTheServerStopsBeforeItHasAWorld) {
+TEST_F(EarlyVisitorTest, ClosesWhenTheServerStopsDuringPreparation) {
   RawWebsocket websocket(server_.port(), kAsksForWaiting);
   websocket.send(encode(Hello{"Ada", 320, 180}));
   ASSERT_TRUE(websocket.receive());

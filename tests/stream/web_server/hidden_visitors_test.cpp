@@ -36,7 +36,7 @@ class HiddenVisitors : public ServedWorld {
 };
 
 /// Sixteen of them kept everybody else out for as long as they liked.
-TEST_F(HiddenVisitors, GiveWayToNewcomersWhoHasBeenHiddenLongestFirst) {
+TEST_F(HiddenVisitors, YieldToNewcomersLongestHiddenFirst) {
   const auto host = makeHost(0.0);
   const auto first = connect(*host);
   const auto second = connect(*host);
@@ -53,7 +53,7 @@ TEST_F(HiddenVisitors, GiveWayToNewcomersWhoHasBeenHiddenLongestFirst) {
   EXPECT_EQ(why->code, CloseCode::kHidden);
 }
 
-TEST_F(HiddenVisitors, KeepTheirPlacesForAWhile) {
+TEST_F(HiddenVisitors, KeepTheirPlacesForAPeriod) {
   const auto host = makeHost(1e6);
   const auto first = connect(*host);
   const auto second = connect(*host);
@@ -66,7 +66,7 @@ TEST_F(HiddenVisitors, KeepTheirPlacesForAWhile) {
   EXPECT_FALSE(first->overdue(now_));
 }
 
-TEST_F(HiddenVisitors, WhoLookAgainKeepTheirPlaces) {
+TEST_F(HiddenVisitors, KeepTheirPlacesWhenVisibleAgain) {
   const auto host = makeHost(0.0);
   const auto first = connect(*host);
   const auto second = connect(*host);
@@ -79,7 +79,7 @@ TEST_F(HiddenVisitors, WhoLookAgainKeepTheirPlaces) {
   EXPECT_EQ(refusal->code, CloseCode::kFull);
 }
 
-TEST_F(HiddenVisitors, ArePingedAndLeaveIfTheyDoNotAnswer) {
+TEST_F(HiddenVisitors, LeaveWithoutPong) {
   const auto host = makeHost(0.0);
   const auto visitor = connect(*host);
   ASSERT_FALSE(enter(*visitor));

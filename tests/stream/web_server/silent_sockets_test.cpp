@@ -31,7 +31,7 @@ class SilentSockets : public ServedWorld {
 };
 
 /// Without eviction they hold every place for ten seconds, and take it again.
-TEST_F(SilentSockets, GiveWayToNewcomers) {
+TEST_F(SilentSockets, YieldToNewcomers) {
   for (const char* bytes : {"", "GET / HTTP/1.1\r\nX-", "GET / HTTP/1.1\r\nHost: localhost\r\n"}) {
     crowd(3 * kForVisitors, bytes);
     for (int i = 0; i < 10; ++i) {
@@ -44,7 +44,7 @@ TEST_F(SilentSockets, GiveWayToNewcomers) {
 }
 
 /// A websocket that never says Hello holds its place for ten seconds, too.
-TEST_F(SilentSockets, OfWebsocketsGiveWay) {
+TEST_F(SilentSockets, SilentWebsocketsYield) {
   std::deque<RawWebsocket> upgraded;
   for (int i = 0; i < 2 * kForVisitors; ++i) {
     upgraded.push_back(come(address(i).c_str()));
@@ -55,7 +55,7 @@ TEST_F(SilentSockets, OfWebsocketsGiveWay) {
 }
 
 /// One that was answered and sends the next request byte by byte is no better than one that was never asked.
-TEST_F(SilentSockets, ThatHaveAskedOnceGiveWay) {
+TEST_F(SilentSockets, IdleHttpSocketsYield) {
   for (int i = 0; i < 2 * kForVisitors; ++i) {
     silent_.emplace_back(crowded_.port(), 0, address(i).c_str());
     silent_.back().send("GET /healthz HTTP/1.1\r\nHost: localhost\r\n\r\n");

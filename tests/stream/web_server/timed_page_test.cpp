@@ -58,7 +58,7 @@ class TimedPageTest : public ServedWorld {};
 
 // Faults: a capture of the stream's size or quality instead of the window's; a wrong number; a picture that no decoder
 // takes; a stream that ends with it.
-TEST_F(TimedPageTest, GetsACaptureOfTheWholeWindowHoweverSmallTheStreamIs) {
+TEST_F(TimedPageTest, CaptureHasTheWindowSize) {
   TimedPage page(port());
   Limits limits;
   limits.lines = 180;
@@ -91,7 +91,7 @@ TEST_F(TimedPageTest, GetsACaptureOfTheWholeWindowHoweverSmallTheStreamIs) {
 }
 
 // Fault: times that are never sent, or all nothing.
-TEST_F(TimedPageTest, LearnsWhereFramesSpendTheirTime) {
+TEST_F(TimedPageTest, GetsFrameTimes) {
   TimedPage page(port());
   const auto times = page.listen<Times>([](const ServerMessage& message) -> std::optional<Times> {
     const auto* found = std::get_if<Times>(&message);
@@ -102,7 +102,7 @@ TEST_F(TimedPageTest, LearnsWhereFramesSpendTheirTime) {
 }
 
 // Fault: a page of v1.2 that uses what it did not agree on, and gets it.
-TEST_F(TimedPageTest, OlderPagesMayNotSpeakAsNewerOnes) {
+TEST_F(TimedPageTest, OlderPagesMayNotUseNewMessages) {
   RawWebsocket websocket(port(), "Sec-WebSocket-Protocol: grove.v1.2\r\n");
   websocket.send(encode(Hello{"Ada", 640, 360}));
   websocket.send(encode(Capture{1}));

@@ -78,7 +78,7 @@ auto pictures(std::size_t count) {
 
 class VideoTest : public ServedWorld {};
 
-TEST_F(VideoTest, TheFirstCodecOfAnOfferThatTheServerHasIsSent) {
+TEST_F(VideoTest, UsesTheFirstSupportedCodec) {
   VideoPage page(port(), {200, kCodecH264, kCodecJpeg});
   ASSERT_TRUE(page.listenUntil([](const VideoPage::Heard& heard) {
     if (heard.pictures.size() < 5) return false;
@@ -96,7 +96,7 @@ TEST_F(VideoTest, TheFirstCodecOfAnOfferThatTheServerHasIsSent) {
   }
 }
 
-TEST_F(VideoTest, AnotherOfferChangesTheCodecWithinTheStream) {
+TEST_F(VideoTest, NewOfferChangesTheCodec) {
   VideoPage page(port(), {kCodecH264});
   ASSERT_TRUE(page.listenUntil(pictures(3)));
   page.say(Offer{{kCodecJpeg}});
@@ -112,7 +112,7 @@ TEST_F(VideoTest, AnotherOfferChangesTheCodecWithinTheStream) {
   }));
 }
 
-TEST_F(VideoTest, ABrokenPictureIsFollowedByAnIndependentOne) {
+TEST_F(VideoTest, BrokenPictureCausesAnIndependentOne) {
   VideoPage page(port(), {kCodecH264});
   ASSERT_TRUE(page.listenUntil(pictures(3)));
   page.say(Broken{1});
@@ -120,7 +120,7 @@ TEST_F(VideoTest, ABrokenPictureIsFollowedByAnIndependentOne) {
       [](const VideoPage::Heard& heard) { return !heard.pictures.empty() && heard.pictures.back().independent; }));
 }
 
-TEST_F(VideoTest, AFloodOfRequestsMakesFewIndependentPictures) {
+TEST_F(VideoTest, RequestFloodMakesFewIndependentPictures) {
   VideoPage page(port(), {kCodecH264});
   ASSERT_TRUE(page.listenUntil(pictures(3)));
   const double begin = pipeline::wallSeconds();
@@ -134,7 +134,7 @@ TEST_F(VideoTest, AFloodOfRequestsMakesFewIndependentPictures) {
   EXPECT_LE(independent, 2 + (pipeline::wallSeconds() - begin) / 0.25);
 }
 
-TEST_F(VideoTest, PicturesTellTheirCamera) {
+TEST_F(VideoTest, PicturesCarryTheirCamera) {
   VideoPage page(port(), {kCodecJpeg});
   ASSERT_TRUE(page.listenUntil(pictures(2)));
   page.say(world::Input{1000, 0, 0.75F, -0.25F});
@@ -150,7 +150,7 @@ TEST_F(VideoTest, PicturesTellTheirCamera) {
       false));
 }
 
-TEST_F(VideoTest, WhatDoesNotChangeIsNotSentAgainButTheStreamIsToldOf) {
+TEST_F(VideoTest, StillViewsAreNotResent) {
   VideoPage page(port(), {kCodecH264});
   ASSERT_TRUE(page.listenUntil(pictures(1), false));
   // While it is refined, pictures come; then none, and word of the stream twice a second.
@@ -175,7 +175,7 @@ TEST_F(VideoTest, WhatDoesNotChangeIsNotSentAgainButTheStreamIsToldOf) {
       false));
 }
 
-TEST_F(VideoTest, AHiddenPageIsSentNothingUntilItIsSeenAgain) {
+TEST_F(VideoTest, HiddenPagesGetNothing) {
   VideoPage page(port(), {kCodecH264});
   ASSERT_TRUE(page.listenUntil(pictures(3)));
   page.say(Limits{.hidden = true});
@@ -202,7 +202,7 @@ TEST_F(VideoTest, AHiddenPageIsSentNothingUntilItIsSeenAgain) {
   }));
 }
 
-TEST_F(VideoTest, LimitsAreKept) {
+TEST_F(VideoTest, RespectsLimits) {
   VideoPage page(port(), {kCodecJpeg}, Limits{.framesPerSecond = 10, .lines = 180});
   ASSERT_TRUE(page.listenUntil([](const VideoPage::Heard& heard) {
     for (const PictureHeader& each : heard.pictures) EXPECT_EQ(each.height, 180);
@@ -242,7 +242,7 @@ class OtherWork {
 
 // Faults: a busy machine whose visitors lose frames and keep their size; one visitor who pays for the other; a machine
 // that is taken for a slow line; pictures that stay small when the machine has time again.
-TEST_F(VideoTest, ABusyMachineShrinksEverybodysPicturesUntilItHasTime) {
+TEST_F(VideoTest, BusyMachineShrinksPicturesTemporarily) {
   VideoPage first(port(), {kCodecJpeg});
   VideoPage second(port(), {kCodecJpeg});
   const auto bothUntil = [&](const std::function<bool(const Status&)>& holds) {
@@ -265,7 +265,7 @@ TEST_F(VideoTest, ABusyMachineShrinksEverybodysPicturesUntilItHasTime) {
   EXPECT_TRUE(bothUntil([](const Status& status) { return status.height > 180; }));
 }
 
-TEST_F(VideoTest, MessagesOfVideoAreRefusedFromOlderPages) {
+TEST_F(VideoTest, RefusesVideoMessagesOfOlderPages) {
   for (const auto& message : {encode(Offer{{kCodecH264}}), encode(Limits{}), encode(Broken{1}), encode(Presented{})}) {
     GoodClient old(port());
     ASSERT_TRUE(old.receiveFrames(1));
@@ -276,7 +276,7 @@ TEST_F(VideoTest, MessagesOfVideoAreRefusedFromOlderPages) {
   }
 }
 
-TEST_F(VideoTest, AFrameThatWasNeverSentCannotBePresented) {
+TEST_F(VideoTest, RefusesPresentationOfUnsentFrames) {
   VideoPage page(port(), {kCodecH264});
   ASSERT_TRUE(page.listenUntil(pictures(1)));
   page.say(Presented{4'000'000'000U, 0, 0});

@@ -70,7 +70,7 @@ TEST_F(WebsocketServerTest, ChangesTheSize) {
   EXPECT_EQ(client.lastFrame().height, 480);
 }
 
-TEST_F(WebsocketServerTest, SaysGoodbyeWhenItStops) {
+TEST_F(WebsocketServerTest, SendsGoodbyeOnStop) {
   GoodClient client(port());
   ASSERT_TRUE(client.receiveFrames(1));
   RawWebsocket silent(port());
@@ -82,13 +82,13 @@ TEST_F(WebsocketServerTest, SaysGoodbyeWhenItStops) {
   EXPECT_THROW(RawSocket{port()}, std::runtime_error);
 }
 
-TEST_F(WebsocketServerTest, NamesAPortThatIsTaken) {
+TEST_F(WebsocketServerTest, NamesAPortInUse) {
   EXPECT_THAT([&] { serverAt("127.0.0.1", port()); }, ThrowsMessage<EnvironmentError>(HasSubstr("in use")));
   GoodClient client(port());
   EXPECT_TRUE(client.receiveFrames(1));
 }
 
-TEST_F(WebsocketServerTest, NamesAnAddressThatIsNotHere) {
+TEST_F(WebsocketServerTest, NamesAForeignAddress) {
   EXPECT_THROW(serverAt("192.0.2.1", 0), EnvironmentError);
   EXPECT_THROW(serverAt("no-such-host.invalid", 0), EnvironmentError);
   EXPECT_THROW(serverAt("127.0.0.1", 70'000), EnvironmentError);
@@ -102,7 +102,7 @@ TEST_F(WebsocketServerTest, ListensOnAllAddressesAndByName) {
   }
 }
 
-TEST_F(WebsocketServerTest, NamesAnOperatorsPortThatIsTaken) {
+TEST_F(WebsocketServerTest, NamesAnOperatorPortInUse) {
   EXPECT_THAT(
       [&] {
         WebsocketServer(host_, {.visitors = {"127.0.0.1", 0}, .operators = HostPort{"127.0.0.1", port()}});
@@ -132,7 +132,7 @@ class OneAddress : public ServedWorld {
        .rules = {.allowance = {.sockets = 6, .visitors = 2, .socketsPerSecond = 20, .burst = 30}}}};
 };
 
-TEST_F(OneAddress, MayHaveSoManyVisitors) {
+TEST_F(OneAddress, VisitorsAreLimited) {
   auto one = std::make_unique<RawWebsocket>(visitor());
   RawWebsocket two = visitor();
   ASSERT_TRUE(isWelcomed(*one));
@@ -150,7 +150,7 @@ TEST_F(OneAddress, MayHaveSoManyVisitors) {
   })) << "who leaves makes room";
 }
 
-TEST_F(OneAddress, MayHaveSoManySockets) {
+TEST_F(OneAddress, SocketsAreLimited) {
   std::vector<RawSocket> idle;
   idle.reserve(6);
   for (int i = 0; i < 6; ++i) idle.emplace_back(limited_.port(), 0, kElsewhere);
@@ -162,7 +162,7 @@ TEST_F(OneAddress, MayHaveSoManySockets) {
   EXPECT_EQ(host_.timeline().counters().at("refused connections"), 1);
 }
 
-TEST_F(OneAddress, MayNotComeAgainAndAgain) {
+TEST_F(OneAddress, ReconnectsAreLimited) {
   int answered = 0;
   const auto begin = std::chrono::steady_clock::now();
   for (int i = 0; i < 100; ++i) {

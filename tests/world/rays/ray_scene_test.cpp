@@ -28,7 +28,7 @@ TEST(RayScene, OcclusionObeysTheInterval) {
   EXPECT_FALSE(scene.occluded({0, 3, 0}, {0, -1, 0}, 3.5F));
 }
 
-TEST(RayScene, IsNotBuiltToItsEndWhereProgressThrows) {
+TEST(RayScene, StopsBuildingWhenProgressThrows) {
   Triangles many;
   for (int i = 0; i < 20'000; ++i) many.append(floorSquare(), glm::translate(Mat4(1.0F), Vec3(i, i % 7, i % 13)));
   int reported = 0;
@@ -59,7 +59,7 @@ TEST(RayScene, ReportsItsMemory) {
   EXPECT_LT(all, 20 * many.bytes());
 }
 
-TEST(RayScene, NothingIsAValidScene) {
+TEST(RayScene, EmptySceneIsValid) {
   const RayScene scene(Triangles{});
   EXPECT_FALSE(scene.occluded({0, 0, 0}, {0, 1, 0}));
 }

@@ -32,7 +32,7 @@ TEST(Voxelizer, ABoxHasItsVolumeWithinOneLayerOfCells) {
   EXPECT_LT(static_cast<float>(cells), volume(size));
 }
 
-TEST(Voxelizer, BodiesThatOverlapUnite) {
+TEST(Voxelizer, OverlappingBodiesUnite) {
   Triangles both = box({-1.0F, 0.0F, -1.0F}, {0.5F, 1.0F, 1.0F});
   both.append(box({-0.5F, 0.0F, -1.0F}, {1.0F, 1.0F, 1.0F}), Mat4(1.0F));
   EXPECT_EQ(count(voxelize(RayScene(both), kCube)), 16 * 8 * 16);
@@ -44,14 +44,14 @@ TEST(Voxelizer, AWallThinnerThanACellIsClosed) {
   EXPECT_EQ(count(voxelize(scene, kCube)), 32 * 32);
 }
 
-TEST(Voxelizer, AGroundPlaneIsNoBody) {
+TEST(Voxelizer, GroundPlaneIsNoBody) {
   Triangles plane;
   plane.positions = {{-9.0F, 0.5F, -9.0F}, {9.0F, 0.5F, -9.0F}, {9.0F, 0.5F, 9.0F}, {-9.0F, 0.5F, 9.0F}};
   plane.indices = {{0, 2, 1}, {0, 3, 2}};
   EXPECT_EQ(count(voxelize(RayScene(plane), kCube)), 0);
 }
 
-TEST(Voxelizer, NothingIsNothing) { EXPECT_EQ(count(voxelize(RayScene(Triangles{}), kCube)), 0); }
+TEST(Voxelizer, EmptyInput) { EXPECT_EQ(count(voxelize(RayScene(Triangles{}), kCube)), 0); }
 
 TEST(SunVisibility, IsDarkBehindABody) {
   const RayScene scene(box({0.5F, 0.0F, -3.0F}, {1.0F, 5.0F, 3.0F}));

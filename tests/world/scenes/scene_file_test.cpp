@@ -33,7 +33,7 @@ std::string complaintAbout(const std::string& text) {
   return "";
 }
 
-TEST(SceneFile, ReadsAllThereIs) {
+TEST(SceneFile, ReadsEveryKey) {
   const Scene scene = parseScene(R"(
 name = "clearing"
 spawn = [1.0, 0, 9]
@@ -67,7 +67,7 @@ height = 3.5
   EXPECT_NO_THROW(stone.parameters.finish());
 }
 
-TEST(SceneFile, EveryMistakeNamesItsLineAndReason) {
+TEST(SceneFile, ErrorsNameLineAndReason) {
   EXPECT_THAT(complaintAbout("name = \n"), StartsWith("test.toml:1: "));
   EXPECT_THAT(complaintAbout("\n\nnaem = 'x'\n"), AllOf(StartsWith("test.toml:3: "), HasSubstr("unknown key 'naem'")));
   EXPECT_THAT(complaintAbout("radius = 'wide'\n"), AllOf(StartsWith("test.toml:1: "), HasSubstr("must be a number")));
@@ -82,7 +82,7 @@ TEST(SceneFile, EveryMistakeNamesItsLineAndReason) {
   EXPECT_THAT(complaintAbout("[[light]]\nflicker = 2\n"), AllOf(StartsWith("test.toml:2: "), HasSubstr("flicker")));
 }
 
-TEST(SceneFile, ATypesOwnKeysAreCheckedToo) {
+TEST(SceneFile, ChecksKeysOfTypes) {
   EXPECT_EQ(complaintAbout("[[object]]\ntype = 'mesh'\nheight = 2\n"), "");
   EXPECT_THAT(complaintAbout("[[object]]\ntype = 'mesh'\nheight = 99\n"),
               AllOf(StartsWith("test.toml:3: "), HasSubstr("height")));
@@ -100,7 +100,7 @@ TEST(SceneFile, ATypesOwnKeysAreCheckedToo) {
   EXPECT_THAT(complaintAbout("[[object]]\ntype = 'mesh'\nhieght = 2\n"), HasSubstr("unknown key 'hieght'"));
 }
 
-TEST(SceneFile, AMissingFileSaysHowToMend) {
+TEST(SceneFile, MissingFileNamesTheRemedy) {
   try {
     (void)loadScene("no/such/scene.toml");
     FAIL();
@@ -115,7 +115,7 @@ std::string repeated(int count, const std::string& text) {
   return all;
 }
 
-TEST(SceneFile, WhatIsNestedSoDeepThatTheParserWouldOverflowTheStackIsRefused) {
+TEST(SceneFile, RefusesDeepNesting) {
   constexpr int kDeep = 50'000;
   const std::string name = "a" + repeated(kDeep, ".a");
   for (const std::string& scene : {name + " = 1\n", "[" + name + "]\n", "[[" + name + "]]\n",
@@ -125,7 +125,7 @@ TEST(SceneFile, WhatIsNestedSoDeepThatTheParserWouldOverflowTheStackIsRefused) {
   }
 }
 
-TEST(SceneFile, WhatIsNoPlainFileIsRefusedUnread) {
+TEST(SceneFile, RefusesIrregularFiles) {
   const std::filesystem::path fifo =
       std::filesystem::path(testing::TempDir()) / ("grove_scene_fifo_" + std::to_string(getpid()));
   ASSERT_EQ(mkfifo(fifo.c_str(), 0600), 0);

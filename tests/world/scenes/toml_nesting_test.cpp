@@ -13,7 +13,7 @@ std::string times(int count, const std::string& text) {
   return all;
 }
 
-TEST(TomlNesting, NamesTheLineOfTooManyBracketsOrDots) {
+TEST(TomlNesting, NamesTheLineOfDeepNesting) {
   for (const char* const deep : {"x = [[[[1]]]]", "x = {a = {a = {a = {a = 1}}}}", "a.a.a.a.a = 1", "[a.a.a.a.a]",
                                  "[[a.a.a.a]]\n[a.a.a.a.a]", "a . a . 'a' . \"a\" . a = 1", "x = [\n[[[1]]]]"}) {
     EXPECT_TRUE(lineNestedDeeper(deep, 3).has_value()) << deep;
@@ -23,7 +23,7 @@ TEST(TomlNesting, NamesTheLineOfTooManyBracketsOrDots) {
   }
 }
 
-TEST(TomlNesting, TakesWhatLiesSideBySide) {
+TEST(TomlNesting, AcceptsWideTables) {
   for (const std::string& flat :
        {times(9, "[[object]]\n"), "x = [" + times(9, "1.5, ") + "]", times(9, "a.b.c = 1.5\n"),
         std::string("x = [[[1]]]"), std::string("[a.b.c.d]\nx = [[1.5], [2.5]]")}) {
@@ -31,7 +31,7 @@ TEST(TomlNesting, TakesWhatLiesSideBySide) {
   }
 }
 
-TEST(TomlNesting, StringsAndCommentsNestNothing) {
+TEST(TomlNesting, IgnoresStringsAndComments) {
   for (const std::string& quiet :
        {std::string("# [[[[[ ....."), std::string("x = '[[[[[ .....'"), std::string("x = \"\\\"[[[[[ .....\""),
         std::string("x = '''\n[[[[[ .....''\n'''"), std::string("x = \"\"\"\\\"\"\"\\\"[[[[[\n.....\"\"\"")}) {
@@ -39,7 +39,7 @@ TEST(TomlNesting, StringsAndCommentsNestNothing) {
   }
 }
 
-TEST(TomlNesting, NothingHidesBehindTheEndOfAString) {
+TEST(TomlNesting, SeesCodeAfterStrings) {
   for (const std::string& text :
        {std::string("''"), std::string("\"\""), std::string("'a'"), std::string("'a\\'"), std::string("\"\\\\\""),
         std::string("''''''"), std::string("'''a''''"), std::string("\"\"\"a\"\"\"\"\""), std::string("'''\n'\n'''")}) {

@@ -24,7 +24,7 @@ AmortizeRow rowOf(double frames, double acrossUser, float latency) {
 }
 
 // Fault: a figure is lost on its way from the process that has measured it.
-TEST(AmortizeRow, ComesOutAsItWentIn) {
+TEST(AmortizeRow, RoundTrips) {
   const AmortizeRow sent = rowOf(300.0, 20.0, 31.5F);
   const AmortizeRow received = unpackRow(pack(sent));
   EXPECT_EQ(received.latencies, sent.latencies);
@@ -39,7 +39,7 @@ TEST(AmortizeRow, ComesOutAsItWentIn) {
 }
 
 // Fault: private mode counts one copy of what each visitor has, or the mean of what all use.
-TEST(AmortizeRow, OfPrivateVisitorsAddsUpWhatAllUseAndHasOneCopysCost) {
+TEST(AmortizeRow, PrivateVisitorsAddUp) {
   const AmortizeRow all = together({rowOf(300.0, 20.0, 30.0F), rowOf(240.0, 24.0, 50.0F)});
   EXPECT_EQ(all.users, 2);
   EXPECT_TRUE(all.privateWorlds);

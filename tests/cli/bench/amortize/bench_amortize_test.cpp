@@ -57,7 +57,7 @@ TEST(BenchAmortize, BadOptionsExitTwoWithOneLine) {
   }
 }
 
-TEST(BenchAmortize, APlotThatCannotBeWrittenIsToldFirst) {
+TEST(BenchAmortize, ReportsAnUnwritablePlotFirst) {
   const Outcome outcome = groveHere("bench amortize --users 1 --plot no/such/folder/plot.svg");
   EXPECT_EQ(outcome.exit, 1);
   EXPECT_THAT(outcome.output, HasSubstr("no/such/folder"));
@@ -84,7 +84,7 @@ void expectAcrossUserWorkIsTheFluids(const json& row) {
   EXPECT_NEAR(sum, row["c_i_ms"].get<double>(), 1e-3 * sum);
 }
 
-TEST(BenchAmortize, PrintsTheDocumentOfTheContractAndDraws) {
+TEST(BenchAmortize, PrintsItsDocumentAndPlot) {
   const TemporaryFile scene("grove_bench_amortize.toml", kSmallScene);
   const TemporaryFile plot("grove_bench_amortize.svg");
   const Outcome outcome = grove("bench amortize --users 2,1 --seconds 0.5 --size 160x90 --json --scene " +
@@ -121,7 +121,7 @@ TEST(BenchAmortize, PrintsTheDocumentOfTheContractAndDraws) {
   EXPECT_THAT(plot.text(), HasSubstr("</svg>"));
 }
 
-TEST(BenchAmortize, ASignalEndsItWithWhatThereIs) {
+TEST(BenchAmortize, SignalPrintsFinishedRows) {
   const TemporaryFile scene("grove_bench_amortize_signal.toml", kSmallScene);
   const Outcome outcome = groveStoppedAfter(
       4.0, "bench amortize --users 1,2 --frames 45 --size 160x90 --json --figure-5.6 --scene " + scene.path.string());
@@ -143,7 +143,7 @@ AmortizeRow row(int users, bool privateWorlds, double fps) {
   return row;
 }
 
-TEST(AmortizeLaw, HoldsForCostsThatObeyIt) {
+TEST(AmortizeLaw, HoldsForConstructedCosts) {
   std::vector<AmortizeRow> rows;
   for (const int users : {1, 2, 3, 4, 6, 8}) {
     for (const bool mode : {false, true}) rows.push_back(row(users, mode, mode && users > 6 ? 20.0 : 30.0));
@@ -164,7 +164,7 @@ TEST(AmortizeLaw, HoldsForCostsThatObeyIt) {
 }
 
 /// Would catch a line through saturated points, or through too few.
-TEST(AmortizeLaw, FitsFiveOrMoreNumbersThatWereServed) {
+TEST(AmortizeLaw, FitsAtLeastFiveUnsaturatedRows) {
   std::vector<AmortizeRow> rows = {row(1, false, 30.0), row(2, false, 30.0), row(3, false, 30.0),
                                    row(4, false, 30.0), row(5, false, 30.0), row(8, false, 9.0)};
   rows.back().costs["lightfield"].backend = 10.0;  // frames that are far apart differ more
@@ -176,14 +176,14 @@ TEST(AmortizeLaw, FitsFiveOrMoreNumbersThatWereServed) {
   EXPECT_EQ(amortizeLaw(rows, 2).shared.capacity.unserved, 8);
 }
 
-TEST(AmortizeLaw, CountsWhatNoStageTells) {
+TEST(AmortizeLaw, CountsCpuOutsideOfStages) {
   AmortizeRow slow = row(4, false, 15.0);
   slow.cpuCores = 1.0;
   slow.stageCores = 0.8;
   EXPECT_NEAR(slow.coresNeeded(), 0.6 + 4 * 0.15 + 2.0 * 0.2, 1e-9) << "twice as much at twice the frames";
 }
 
-TEST(AmortizeLaw, PrintsNoLineThroughOneNumberOfVisitors) {
+TEST(AmortizeLaw, NoFitThroughOneRow) {
   const AmortizeLaw law = amortizeLaw({row(2, false, 30.0), row(2, true, 30.0)}, 2);
   EXPECT_FALSE(law.shared.line);
   EXPECT_FALSE(law.alphaFit);
@@ -193,7 +193,7 @@ TEST(AmortizeLaw, PrintsNoLineThroughOneNumberOfVisitors) {
   EXPECT_TRUE(json::parse(amortizeJson(result))["fit"]["shared"]["b"].is_null());
 }
 
-TEST(AmortizeReport, ShowsThePapersFigure) {
+TEST(AmortizeReport, ShowsFigure56) {
   AmortizeResult result;
   const measure::FrameCost cost{.acrossUser = 63.94, .backend = 2.72, .compressor = 56.60, .frontend = 9.69};
   result.figure.push_back({.grid = 64, .frontends = 4, .frames = 500, .cost = cost});

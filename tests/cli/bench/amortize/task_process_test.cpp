@@ -26,7 +26,7 @@ TEST(TaskProcess, SendsAResultOfAnySize) {
 }
 
 // Fault: processes that are to measure the same seconds do not wait for the slowest one.
-TEST(TaskProcess, GoesOnWhenAllHaveArrived) {
+TEST(TaskProcess, BarrierReleasesAll) {
   using Clock = std::chrono::steady_clock;  // is the same for all processes of a machine
   Interruption interruption;
   std::deque<TaskProcess> processes;

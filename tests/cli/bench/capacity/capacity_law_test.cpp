@@ -20,7 +20,7 @@ CapacityTrial trial(int visitors, bool privateWorlds, double cpuCores) {
 /// A world of 0.4 cores, and 0.2 for each visitor.
 double cores(int visitors) { return 0.4 + 0.2 * visitors; }
 
-TEST(CapacityLaw, GivesTheAcrossUserShareOfKnownCosts) {
+TEST(CapacityLaw, RecoversAlphaOfKnownCosts) {
   const std::vector<CapacityTrial> trials{trial(1, false, cores(1)),       trial(1, true, 9.0),
                                           trial(4, false, cores(4)),       trial(8, false, cores(8) - 0.1),
                                           trial(8, false, cores(8) + 0.1), trial(9, false, 2.0)};
@@ -35,13 +35,13 @@ TEST(CapacityLaw, GivesTheAcrossUserShareOfKnownCosts) {
   EXPECT_FALSE(law->agrees(4));
 }
 
-TEST(CapacityLaw, NeedsTwoWhoShare) {
+TEST(CapacityLaw, NeedsTwoSharedVisitors) {
   EXPECT_FALSE(capacityLaw({trial(1, false, cores(1))}, 1));
   EXPECT_FALSE(capacityLaw({}, 0));
 }
 
 /// Would catch a capacity that counts smaller pictures, or visitors who were not let in.
-TEST(CapacityTrial, IsServedWithinAllLimitsOnly) {
+TEST(CapacityTrial, NeedsAllLimits) {
   const PictureSize size{1280, 720};
   const CapacityTrial good = trial(4, false, 1.0);
   EXPECT_TRUE(good.isServed(size));

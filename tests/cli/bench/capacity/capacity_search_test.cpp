@@ -22,7 +22,7 @@ TEST(CapacitySearch, FindsAndConfirmsAKnownCapacity) {
   }
 }
 
-TEST(CapacitySearch, IsNotMisledByOneTrial) {
+TEST(CapacitySearch, ToleratesOneWrongTrial) {
   for (const int wrong : {1, 2, 3, 4, 5, 6, 7, 8}) {
     int lies = 1;
     const auto serves = [&](int visitors) -> std::optional<bool> {
@@ -33,7 +33,7 @@ TEST(CapacitySearch, IsNotMisledByOneTrial) {
   }
 }
 
-TEST(CapacitySearch, EndsWhenItIsStopped) {
+TEST(CapacitySearch, StopsOnRequest) {
   for (int allowed = 0; allowed < 6; ++allowed) {
     int left = allowed;
     const auto serves = [&](int visitors) { return left-- > 0 ? std::optional(visitors <= 3) : std::nullopt; };

@@ -44,20 +44,20 @@ TEST_F(RealServers, ServeTheSameVisitorsInBothModes) {
   EXPECT_GT(static_cast<double>(unshared->bytes), 1.2 * static_cast<double>(shared->bytes)) << "two processes";
 }
 
-TEST_F(RealServers, AreNotStartedForNothing) {
+TEST_F(RealServers, DoNotStartAfterAStop) {
   std::stop_source stop;
   stop.request_stop();
   EXPECT_FALSE(runCapacityTrial(plan(), 1, false, stop.get_token()));
 }
 
-TEST_F(RealServers, ThatEndAtOnceAreNamed) {
+TEST_F(RealServers, EarlyExitIsReported) {
   CapacityPlan wrong = plan();
   wrong.scene = "no/such/scene.toml";
   EXPECT_THROW((void)runCapacityTrial(wrong, 1, false, {}), EnvironmentError);
 }
 
 /// Would catch a server that outlives the bench.
-TEST_F(RealServers, EndWithTheirObject) {
+TEST_F(RealServers, EndWithTheirOwner) {
   double before = 0.0;
   {
     ServerProcess server(GROVE_BINARY, {"--scene", *plan().scene});

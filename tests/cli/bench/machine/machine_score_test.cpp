@@ -46,7 +46,7 @@ TEST(MachineScore, TheMixTakesTime) {
   }
 }
 
-TEST(BenchMachine, PrintsTheDocumentOfTheContract) {
+TEST(BenchMachine, PrintsItsDocument) {
   const Outcome outcome = grove("bench machine --json", false);
   ASSERT_EQ(outcome.exit, 0);
   const auto document = nlohmann::json::parse(outcome.output);

@@ -23,7 +23,7 @@ pipeline::StageTotal totalOf(Work work, int milliseconds) {
   return {.work = work, .runs = 10, .cpuNanoseconds = std::int64_t{1'000'000} * milliseconds};
 }
 
-TEST(BenchView, LayersAddUpToWhatAVisitorsFrameCosts) {
+TEST(BenchView, LayersAddUpToTheFrame) {
   measure::Reading before;
   before.costs[{"Renderer", "mesh"}] = totalOf(Work::kPerUserBackend, 7);
   measure::Reading after;
@@ -49,7 +49,7 @@ TEST(BenchView, LayersAddUpToWhatAVisitorsFrameCosts) {
   EXPECT_DOUBLE_EQ(all, sum(measure::frameCosts(before, after, kOneVisitor)).perUser());
 }
 
-TEST(BenchView, WhatWasNotMeasuredIsNull) {
+TEST(BenchView, UnmeasuredFieldsAreNull) {
   ViewReport report;
   report.walk = "nowhere";
   report.size = {320, 180};
@@ -65,7 +65,7 @@ TEST(BenchView, WhatWasNotMeasuredIsNull) {
   EXPECT_EQ(document.at("interrupted"), true);
 }
 
-TEST(BenchView, PrintsOneDocumentOfTheContract) {
+TEST(BenchView, PrintsItsDocument) {
   const SmallScene scene;
   const Outcome outcome =
       grove("bench view --seconds 1 --size 320x180 --json --walk " GROVE_WALKS "/clearing.walk --scene " + scene.path(),
@@ -95,7 +95,7 @@ TEST(BenchView, PrintsOneDocumentOfTheContract) {
   }
 }
 
-TEST(BenchView, AnInterruptedOnePrintsWhatItHas) {
+TEST(BenchView, InterruptedRunPrintsWhatItMeasured) {
   const SmallScene scene;
   const Outcome outcome =
       groveStoppedAfter(5.0, "bench view --seconds 60 --size 160x90 --json --scene " + scene.path());
@@ -105,7 +105,7 @@ TEST(BenchView, AnInterruptedOnePrintsWhatItHas) {
   EXPECT_TRUE(report.at("bytes_per_frame").is_null());
 }
 
-TEST(BenchView, TellsWhatEachOfManyCostsWhoStand) {
+TEST(BenchView, ReportsMarginalCostOfStandingVisitors) {
   const SmallScene scene;
   const Outcome outcome =
       grove("bench view --stand --visitors 3 --seconds 0.5 --size 320x180 --json --scene " + scene.path(), false);
@@ -121,7 +121,7 @@ TEST(BenchView, TellsWhatEachOfManyCostsWhoStand) {
   EXPECT_GT(report.at("bytes_per_visitor"), 320 * 180 * 4) << "a frame's own pixels, and more";
 }
 
-TEST(BenchView, AWalkThatIsNotThereIsToldBeforeAnythingElse) {
+TEST(BenchView, ReportsAMissingWalkFirst) {
   const Outcome outcome = grove("bench view --walk no/such.walk --scene no/such/file.toml");
   EXPECT_EQ(outcome.exit, 1);
   EXPECT_THAT(outcome.output, HasSubstr("no/such.walk"));

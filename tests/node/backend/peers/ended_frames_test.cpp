@@ -12,7 +12,7 @@ View frameOf(SessionId session, FrameNumber frame) {
   return view;
 }
 
-TEST(EndedFrames, AreThoseUpToTheNewestOfTheSession) {
+TEST(EndedFrames, IncludeAllUpToTheNewest) {
   EndedFrames ended;
   ended.add({.session = 1, .frame = 5});
   ended.add({.session = 1, .frame = 3});
@@ -23,7 +23,7 @@ TEST(EndedFrames, AreThoseUpToTheNewestOfTheSession) {
   EXPECT_FALSE(ended.contain(frameOf(1, 5)));
 }
 
-TEST(EndedFrames, AreNoneOfASessionThatIsOnlyMet) {
+TEST(EndedFrames, AreEmptyForANewSession) {
   EndedFrames ended;
   ended.add({.session = 1, .frame = 5});
   ended.addSession(1);
@@ -36,7 +36,7 @@ TEST(EndedFrames, AreNoneOfASessionThatIsOnlyMet) {
 }
 
 /// Or who ends frames of sessions without end takes all memory.
-TEST(EndedFrames, AreKeptOfALimitedNumberOfSessions) {
+TEST(EndedFrames, LimitTheNumberOfSessions) {
   EndedFrames ended;
   for (SessionId session = 1; session <= EndedFrames::kMaxSessions; ++session) ended.add({session, 1});
   ended.add({1, 2});

@@ -37,7 +37,7 @@ class SubscriptionsTest : public ::testing::Test {
   Subscriptions subscriptions;
 };
 
-TEST_F(SubscriptionsTest, EachVersionGoesToWhoHasTheLast) {
+TEST_F(SubscriptionsTest, EachVersionGoesToUpToDatePeers) {
   EXPECT_FALSE(subscriptions.published(fire, 1)) << "it is to be announced";
   ASSERT_TRUE(subscriptions.begin(fire));
   subscriptions.sent(fire, 2, false);
@@ -52,7 +52,7 @@ TEST_F(SubscriptionsTest, EachVersionGoesToWhoHasTheLast) {
 }
 
 /// Would catch versions that are made one upon the other, or one that is forgotten because it came in between.
-TEST_F(SubscriptionsTest, WhatIsPublishedWhileOneIsMadeIsSentAfterIt) {
+TEST_F(SubscriptionsTest, PublishedDuringPackingIsSentNext) {
   ASSERT_TRUE(subscriptions.begin(fire));
   EXPECT_TRUE(subscriptions.published(fire, 2)) << "the first answer is being made";
   EXPECT_THAT(asked, IsEmpty());
@@ -68,7 +68,7 @@ TEST_F(SubscriptionsTest, WhatIsPublishedWhileOneIsMadeIsSentAfterIt) {
 }
 
 /// Would catch versions that queue on a slow link.
-TEST_F(SubscriptionsTest, APeerThatAcknowledgesNothingGetsNoMore) {
+TEST_F(SubscriptionsTest, PeerWithoutAcknowledgementsGetsNoMore) {
   ASSERT_TRUE(subscriptions.begin(fire));
   subscriptions.sent(fire, 1, false);
   for (Version version = 2; version < 2 + kMaxUnacknowledged; ++version) {
@@ -81,7 +81,7 @@ TEST_F(SubscriptionsTest, APeerThatAcknowledgesNothingGetsNoMore) {
   EXPECT_THAT(asked, ElementsAre(1U + kMaxUnacknowledged)) << "the newest, as a change to the last one that went";
 }
 
-TEST_F(SubscriptionsTest, AnAcknowledgementMayComeBeforeItsVersionIsKnownToBeSent) {
+TEST_F(SubscriptionsTest, EarlyAcknowledgementsCount) {
   ASSERT_TRUE(subscriptions.begin(fire));
   subscriptions.sent(fire, 1, false);
   for (Version version = 2; version < 100; ++version) {
@@ -94,7 +94,7 @@ TEST_F(SubscriptionsTest, AnAcknowledgementMayComeBeforeItsVersionIsKnownToBeSen
 }
 
 /// Would catch a change to a version that the peer does not have.
-TEST_F(SubscriptionsTest, ASecondRequestStartsOver) {
+TEST_F(SubscriptionsTest, SecondRequestStartsOver) {
   ASSERT_TRUE(subscriptions.begin(fire));
   subscriptions.sent(fire, 8, false);
   push(9);
@@ -107,7 +107,7 @@ TEST_F(SubscriptionsTest, ASecondRequestStartsOver) {
   EXPECT_THAT(asked, ElementsAre(10U));
 }
 
-TEST_F(SubscriptionsTest, AFullNodeIsAskedAgain) {
+TEST_F(SubscriptionsTest, FullNodeIsRetried) {
   ASSERT_TRUE(subscriptions.begin(fire));
   subscriptions.sent(fire, 1, false);
   full = true;
@@ -117,7 +117,7 @@ TEST_F(SubscriptionsTest, AFullNodeIsAskedAgain) {
   EXPECT_THAT(asked, ElementsAre(1U));
 }
 
-TEST_F(SubscriptionsTest, AfterTheHighestVersionTheyGoOn) {
+TEST_F(SubscriptionsTest, VersionsWrapAround) {
   constexpr Version kHighest = std::numeric_limits<Version>::max();
   ASSERT_TRUE(subscriptions.begin(fire));
   subscriptions.sent(fire, kHighest, false);
@@ -126,7 +126,7 @@ TEST_F(SubscriptionsTest, AfterTheHighestVersionTheyGoOn) {
 }
 
 /// Would catch a peer that takes the node's memory.
-TEST_F(SubscriptionsTest, APeerHasOnlySoMany) {
+TEST_F(SubscriptionsTest, ArePerPeerLimited) {
   for (std::size_t i = 0; i < Subscriptions::kMax; ++i) EXPECT_TRUE(subscriptions.begin({7, std::to_string(i)}));
   EXPECT_FALSE(subscriptions.begin(fire));
   EXPECT_FALSE(subscriptions.published(fire, 1)) << "its changes are announced";

@@ -36,7 +36,7 @@ TEST(LoadScene, MakesObjectsWithBoundsInTheWorld) {
   EXPECT_FLOAT_EQ(obstacles[0].radius, 1.5F);
 }
 
-TEST(LoadScene, LayoutHasWhatEveryNodeKnows) {
+TEST(LoadScene, LayoutIsTheSameOnEveryNode) {
   const LoadedScene scene = load(R"(
 name = "a yard"
 radius = 12
@@ -81,7 +81,7 @@ TEST(LoadScene, UnknownTypesAndKeysNameLineAndChoices) {
   EXPECT_THROW((void)load("[[object]]\ntype='box'\nsise=2"), world::SceneError);
 }
 
-TEST(LoadScene, ATypesOptionsAreThoseOfTheSceneOrOfItsOverride) {
+TEST(LoadScene, OverridesReplaceTypeOptions) {
   const auto greenOf = [](const LoadedScene& scene) { return scene.optionsOf<testing::BoxOptions>("box").green; };
   EXPECT_EQ(greenOf(load("[[object]]\ntype='box'")), 0U);
   EXPECT_EQ(greenOf(load("[types.box]\ngreen = 7")), 7U);
@@ -92,7 +92,7 @@ TEST(LoadScene, ATypesOptionsAreThoseOfTheSceneOrOfItsOverride) {
   }
 }
 
-TEST(LoadScene, WrongOptionsOfTypesNameTheirLine) {
+TEST(LoadScene, BadTypeOptionsNameTheirLine) {
   const auto complaint = [](const std::string& text) -> std::string {
     try {
       (void)load(text);
@@ -110,7 +110,7 @@ TEST(LoadScene, WrongOptionsOfTypesNameTheirLine) {
 }
 
 /// Would catch a node that opens files of objects which others own.
-TEST(LoadScene, OfSomeObjectsReadsThoseOnly) {
+TEST(LoadScene, LoadsOnlyTheRequestedObjects) {
   const world::Scene scene = world::parseScene(
       "[[object]]\ntype='box'\nsize='wrong'\n[[object]]\ntype='box'\nsize=4\n[visitor]\ntype='box'\nred='wrong'\n",
       "t.toml");

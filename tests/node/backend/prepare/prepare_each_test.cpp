@@ -50,7 +50,7 @@ class PrepareEach : public ::testing::Test {
 };
 
 // Fault: a preparation whose world is not wanted any more goes on to its last part.
-TEST_F(PrepareEach, EndsEarlyWhereProgressThrows) {
+TEST_F(PrepareEach, StopsWhenProgressThrows) {
   std::atomic<int> done = 0;
   const auto progress = [](std::string_view label, float) {
     EXPECT_EQ(label, "parts");
@@ -64,7 +64,7 @@ TEST_F(PrepareEach, EndsEarlyWhereProgressThrows) {
   EXPECT_LT(done, 10'000);
 }
 
-TEST_F(PrepareEach, IsDoneWhenTheHelpersAre) {
+TEST_F(PrepareEach, WaitsForHelpers) {
   std::array<std::atomic<int>, 64> done{};
   std::atomic<bool> here = false;
   const std::thread::id self = std::this_thread::get_id();
@@ -76,7 +76,7 @@ TEST_F(PrepareEach, IsDoneWhenTheHelpersAre) {
   EXPECT_TRUE(std::ranges::all_of(done, [](const auto& times) { return times == 1; }));
 }
 
-TEST_F(PrepareEach, RethrowsHereWhatAHelperThrows) {
+TEST_F(PrepareEach, RethrowsExceptionsOfHelpers) {
   std::atomic<int> done = 0;
   std::atomic<bool> throws = false;
   const auto all = [&] {
@@ -111,7 +111,7 @@ class Short final : public pipeline::Executor {
   pipeline::WorkerPool pool_{1};
 };
 
-TEST_F(PrepareEach, WaitsForWhatWasPostedIfTheRestCannotBe) {
+TEST_F(PrepareEach, WaitsForPostedTasksWhenPostingFails) {
   Short executor;
   EXPECT_THROW(prepareEach(services({}, executor), "parts", 1000, [](std::size_t) {}), std::bad_alloc);
 }

@@ -21,7 +21,7 @@ std::optional<ServedObjects> named(const LoadedScene& scene, const std::vector<s
   return namedObjects(scene.layout, names, unknown);
 }
 
-TEST(ShareOfScene, NamesMeanObjectsOrAllOfATypeAndItsVisitors) {
+TEST(ShareOfScene, SelectsByObjectOrType) {
   const LoadedScene scene = threeBoxes();
   EXPECT_EQ(named(scene, {"a"})->objects, (std::set<world::ObjectId>{1, 3}));
   EXPECT_FALSE(named(scene, {"a"})->visitors);
@@ -47,7 +47,7 @@ TEST(ShareOfScene, KeepsTheIdsAndTheWholeLayout) {
   EXPECT_TRUE(restOf(scene.layout, *named(scene, {"box"})).empty());
 }
 
-TEST(ShareOfScene, AFilesShareHasTheDescriptionsOfItsObjects) {
+TEST(ShareOfScene, ContainsTheDescriptionsOfItsObjects) {
   const world::Scene scene = world::parseScene(
       "name = \"yard\"\n[[object]]\ntype = \"box\"\nname = \"a\"\n[[object]]\ntype = \"box\"\nname = \"b\"\n"
       "[visitor]\ntype = \"box\"\n",

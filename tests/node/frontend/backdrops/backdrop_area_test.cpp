@@ -19,11 +19,9 @@ world::Camera turnedBy(float yaw, float pitch = 0.0F) {
   return camera;
 }
 
-TEST(SeenPart, OfTheSameCameraIsTheFrame) {
-  EXPECT_EQ(seenPart(kWindow, kWindow, 3.0F), (world::Rect{0, 0, 1280, 720}));
-}
+TEST(SeenPart, SameCameraSeesTheFrame) { EXPECT_EQ(seenPart(kWindow, kWindow, 3.0F), (world::Rect{0, 0, 1280, 720})); }
 
-TEST(SeenPart, ReachesAsFarAsTheTurnedCameraSees) {
+TEST(SeenPart, ReachesTheTurnedFrame) {
   // Yaw grows to the left.
   const world::Rect part = seenPart(kWindow, turnedBy(0.05F), 3.0F);
   const float edge = std::atan(kWindow.tanHalfX()) + 0.05F;
@@ -31,21 +29,21 @@ TEST(SeenPart, ReachesAsFarAsTheTurnedCameraSees) {
   EXPECT_LT(part.right, 1280);
 }
 
-TEST(SeenPart, TakesWhatIsNearIntoAccount) {
+TEST(SeenPart, AccountsForNearContent) {
   world::Camera aside = kWindow;
   aside.pose.position.x += 0.3F;
   const float shift = kWindow.focal() * 0.3F / 3.0F;
   EXPECT_NEAR(static_cast<float>(seenPart(kWindow, aside, 3.0F).right), 1280.0F + shift, 2.0F);
 }
 
-TEST(SeenPart, OfACameraThatLooksBackIsNothing) {
+TEST(SeenPart, CameraThatLooksBackSeesNothing) {
   EXPECT_TRUE(seenPart(kWindow, turnedBy(3.1F), 3.0F).empty());
   EXPECT_TRUE(seenPart(kWindow, turnedBy(1.2F), 3.0F).empty());
 }
 
 const world::Rect kWindowFrame{0, 0, 1280, 720};
 
-TEST(SeenPart, OfTheCameraItselfIsItsFrame) {
+TEST(SeenPart, OwnCameraSeesItsFrame) {
   for (const float yaw : {0.0F, 0.7F, 2.9F}) {
     world::Camera camera = turnedBy(yaw, 0.3F);
     camera.pose.position = {123.4F, 1.7F, -56.7F};
@@ -53,7 +51,7 @@ TEST(SeenPart, OfTheCameraItselfIsItsFrame) {
   }
 }
 
-TEST(AreaWithBorder, HoldsWhatIsSeenNowAndLaterInWholeCells) {
+TEST(AreaWithBorder, ContainsPresentAndLaterFrameInWholeCells) {
   for (const world::Camera& later : {turnedBy(0.03F), turnedBy(-0.05F, 0.02F), turnedBy(0.0F, -0.04F)}) {
     const world::Rect seen = seenPart(kWindow, later, 3.0F);
     const auto area = areaWithBorder(kWindowFrame, seen, kWindow);
@@ -64,16 +62,16 @@ TEST(AreaWithBorder, HoldsWhatIsSeenNowAndLaterInWholeCells) {
   }
 }
 
-TEST(AreaWithBorder, IsTheFrameForACameraThatStandsStill) {
+TEST(AreaWithBorder, EqualsTheFrameForAStillCamera) {
   EXPECT_EQ(areaWithBorder(kWindowFrame, kWindowFrame, kWindow), kWindowFrame);
 }
 
-TEST(AreaWithBorder, IsNotGivenWhereItWouldCostTooMuch) {
+TEST(AreaWithBorder, IsEmptyAboveTheCostLimit) {
   EXPECT_FALSE(areaWithBorder(kWindowFrame, seenPart(kWindow, turnedBy(0.5F), 3.0F), kWindow));
   EXPECT_FALSE(areaWithBorder(kWindowFrame, {}, kWindow)) << "what is seen later is elsewhere";
 }
 
-TEST(ExtendedArea, HoldsWhatIsSeenNowAndLaterAndWhatItHad) {
+TEST(ExtendedArea, ContainsOldAndNewArea) {
   const world::Rect area{0, 0, 1280, 720};
   const auto extended = extendedArea(area, {-40, -12, 1200, 700}, {-100, -20, 1150, 690}, kWindow);
   ASSERT_TRUE(extended);
@@ -86,7 +84,7 @@ TEST(ExtendedArea, HoldsWhatIsSeenNowAndLaterAndWhatItHad) {
 }
 
 /// Fails if the picture of someone who turns round and round grows without end.
-TEST(ExtendedArea, GivesUpWhatIsOutOfSight) {
+TEST(ExtendedArea, DropsInvisibleArea) {
   const world::Rect area{-1200, 0, 1280, 720};
   const auto extended = extendedArea(area, {-1300, 0, 100, 720}, {-1400, 0, 50, 720}, kWindow);
   ASSERT_TRUE(extended);
@@ -97,7 +95,7 @@ TEST(ExtendedArea, GivesUpWhatIsOutOfSight) {
   EXPECT_FALSE(extendedArea(area, {}, {-1300, 0, 100, 720}, kWindow)) << "it is out of sight";
 }
 
-TEST(PartsBeyond, CoverTheRestOnce) {
+TEST(PartsBeyond, CoverTheRemainderOnce) {
   const world::Rect area{-16, -8, 40, 32};
   for (const world::Rect& other : {world::Rect{0, 0, 24, 16}, world::Rect{-64, 0, 24, 64}, world::Rect{-16, -8, 32, 24},
                                    world::Rect{100, 0, 140, 40}, area}) {

@@ -20,7 +20,7 @@ using ::testing::UnorderedElementsAre;
 using BackdropExtension = testing::BackdropPlannerStand;
 
 /// Fails if who looks around has everything drawn anew whenever the border is used up.
-TEST_F(BackdropExtension, DrawsOnlyWhatIsMissingWhereTheHeadTurnsOn) {
+TEST_F(BackdropExtension, DrawsOnlyMissingPartsOnHeadTurns) {
   drawSome();
   const auto base = backdrops->newest();
   camera.pose.yaw += 0.05F;
@@ -49,7 +49,7 @@ TEST_F(BackdropExtension, DrawsOnlyWhatIsMissingWhereTheHeadTurnsOn) {
 }
 
 /// Fails if an object shows twice, or in a part of the backdrop only.
-TEST_F(BackdropExtension, WhatTheBackdropLacksIsDrawnInEveryFrameThoughItIsExtended) {
+TEST_F(BackdropExtension, MissingPartsAreDrawnDuringAnExtension) {
   drawSome();
   layout.objects.push_back(testing::objectOf(9, {{-12.0F, 1.0F, -13.0F}, {-9.0F, 3.0F, -12.0F}}));
   camera.pose.yaw += 0.05F;
@@ -62,7 +62,7 @@ TEST_F(BackdropExtension, WhatTheBackdropLacksIsDrawnInEveryFrameThoughItIsExten
   EXPECT_THAT(idsOf(*plan()), UnorderedElementsAre(kFire, 9U));
 }
 
-TEST_F(BackdropExtension, DoesNotExtendWhatIsSoonTooWrong) {
+TEST_F(BackdropExtension, DoesNotExtendNearTheErrorBound) {
   drawSome();
   camera.pose.yaw += 0.05F;
   camera.pose.position.z -= 1.1F;  // of 20 metres, of which 1.3 are permitted
@@ -73,7 +73,7 @@ TEST_F(BackdropExtension, DoesNotExtendWhatIsSoonTooWrong) {
 
 /// Fails if a frame shows a backdrop that it sees nothing of because the visitor, who turns on as fast, would be back
 /// where he began.
-TEST_F(BackdropExtension, DoesNotExtendWhatIsBehindTheVisitor) {
+TEST_F(BackdropExtension, DoesNotExtendBehindTheVisitor) {
   drawSome();
   camera.pose.yaw += 2.05F;  // three times that is once round
   const auto list = plan();
@@ -81,7 +81,7 @@ TEST_F(BackdropExtension, DoesNotExtendWhatIsBehindTheVisitor) {
   EXPECT_FALSE(list->backdrop);
 }
 
-TEST_F(BackdropExtension, AnExtensionThatIsDroppedHasAllDrawn) {
+TEST_F(BackdropExtension, DroppedExtensionCausesAFullRedraw) {
   drawSome();
   camera.pose.yaw += 0.05F;
   const auto list = plan();
@@ -93,7 +93,7 @@ TEST_F(BackdropExtension, AnExtensionThatIsDroppedHasAllDrawn) {
 }
 
 /// Fails if a visitor who spins has a picture that grows without end, or is left with one that he has turned away from.
-TEST_F(BackdropExtension, TurningRoundDrawsAllNowAndThen) {
+TEST_F(BackdropExtension, FullTurnRedrawsSometimes) {
   for (world::ObjectId id = 10; id < 40; ++id) {
     const float angle = 0.21F * static_cast<float>(id);
     const world::Vec3 centre(20.0F * std::sin(angle), 1.7F, 20.0F * std::cos(angle));

@@ -18,7 +18,7 @@ using ::testing::UnorderedElementsAre;
 
 using BackdropPlannerTest = testing::BackdropPlannerStand;
 
-TEST_F(BackdropPlannerTest, DrawsOnceAndThenOnlyWhatMoves) {
+TEST_F(BackdropPlannerTest, DrawsOnceThenOnlyMovingObjects) {
   const auto first = plan();
   EXPECT_TRUE(first->drawsBackdrop());
   EXPECT_THAT(idsOf(*first), UnorderedElementsAre(kHill, kFire));
@@ -31,7 +31,7 @@ TEST_F(BackdropPlannerTest, DrawsOnceAndThenOnlyWhatMoves) {
   }
 }
 
-TEST_F(BackdropPlannerTest, DrawsAgainWhenItIsOld) {
+TEST_F(BackdropPlannerTest, RedrawsAfterMaximumAge) {
   const auto drawnIn = [&](int frames) {
     int drawn = 0;
     for (int i = 0; i < frames; ++i) {
@@ -51,21 +51,21 @@ TEST_F(BackdropPlannerTest, DrawsAgainWhenItIsOld) {
   EXPECT_EQ(drawnIn(90), 5) << "each half second and a frame, as long as something better is under way";
 }
 
-TEST_F(BackdropPlannerTest, DrawsAgainAfterACut) {
+TEST_F(BackdropPlannerTest, RedrawsAfterACut) {
   draw(*plan());
   EXPECT_FALSE(plan()->drawsBackdrop());
   camera.pose.position.x += 10.0F;
   EXPECT_TRUE(plan()->drawsBackdrop()) << "a teleport";
 }
 
-TEST_F(BackdropPlannerTest, DrawsAgainInAnotherSize) {
+TEST_F(BackdropPlannerTest, RedrawsAfterResize) {
   draw(*plan());
   EXPECT_FALSE(plan()->drawsBackdrop());
   camera.width = 480;
   EXPECT_TRUE(plan()->drawsBackdrop());
 }
 
-TEST_F(BackdropPlannerTest, DrawsAgainWhenTheLightChanges) {
+TEST_F(BackdropPlannerTest, RedrawsAfterLightChange) {
   lights = {kFarLamp};
   draw(*plan());
   lights[0].colour *= 1.1F;
@@ -74,7 +74,7 @@ TEST_F(BackdropPlannerTest, DrawsAgainWhenTheLightChanges) {
   EXPECT_TRUE(plan()->drawsBackdrop());
 }
 
-TEST_F(BackdropPlannerTest, DrawsABorderWhereTheHeadTurnsAndWhatIsInIt) {
+TEST_F(BackdropPlannerTest, DrawsABorderTowardsHeadTurns) {
   drawSome();
   camera.pose.yaw += 0.05F;
   planned.drop(plan()->view->frame);
@@ -91,34 +91,34 @@ TEST_F(BackdropPlannerTest, DrawsABorderWhereTheHeadTurnsAndWhatIsInIt) {
   EXPECT_FALSE(plan()->drawsBackdrop()) << "the border serves the next frame";
 }
 
-TEST_F(BackdropPlannerTest, WhatIsNearIsDrawnInEveryFrame) {
+TEST_F(BackdropPlannerTest, NearObjectsAreDrawnEveryFrame) {
   distance = 0.5F;
   const auto list = plan();
   EXPECT_FALSE(list->backdrop) << "nothing is left for a backdrop";
   EXPECT_THAT(idsOf(*list), UnorderedElementsAre(kHill, kFire));
 }
 
-TEST_F(BackdropPlannerTest, WhatComesIntoSightIsDrawnUntilABackdropHoldsIt) {
+TEST_F(BackdropPlannerTest, NewlyVisibleObjectsAreDrawnUntilTheNextBackdrop) {
   draw(*plan());
   layout.objects.push_back(testing::objectOf(9, {{2.0F, 1.0F, -21.0F}, {3.0F, 2.0F, -20.0F}}));
   EXPECT_THAT(idsOf(*plan()), UnorderedElementsAre(kFire, 9U));
 }
 
-TEST_F(BackdropPlannerTest, AFrameThatIsDroppedLeavesItToTheNext) {
+TEST_F(BackdropPlannerTest, NextFrameRedrawsAfterADrop) {
   const auto first = plan();
   ASSERT_TRUE(first->drawsBackdrop());
   planned.drop(first->view->frame);
   EXPECT_TRUE(plan()->drawsBackdrop());
 }
 
-TEST_F(BackdropPlannerTest, OneThatIsStillBeingDrawnServesTheNextFrameOnly) {
+TEST_F(BackdropPlannerTest, UnfinishedBackdropServesOnlyTheNextFrame) {
   EXPECT_TRUE(plan()->drawsBackdrop());
   EXPECT_FALSE(plan()->drawsBackdrop());
   EXPECT_TRUE(plan()->drawsBackdrop()) << "the first was never drawn";
 }
 
 /// Fails if each frame pays for a border that no other frame uses.
-TEST_F(BackdropPlannerTest, PausesWhereBackdropsServeNoOtherFrame) {
+TEST_F(BackdropPlannerTest, PausesWhereBackdropsServeOneFrame) {
   int drawn = 0;
   for (int i = 0; i < 60; ++i) {
     camera.pose.yaw += 1.0F;
@@ -131,7 +131,7 @@ TEST_F(BackdropPlannerTest, PausesWhereBackdropsServeNoOtherFrame) {
 }
 
 /// Fails if a machine at its limit keeps to an accuracy that it has no time for.
-TEST_F(BackdropPlannerTest, ABusyMachineShowsBackdropsWithLargerErrors) {
+TEST_F(BackdropPlannerTest, BusyMachineAllowsLargerErrors) {
   lights = {kFarLamp};
   factor = 4.0F;
   draw(*plan());
@@ -148,7 +148,7 @@ TEST_F(BackdropPlannerTest, ABusyMachineShowsBackdropsWithLargerErrors) {
   EXPECT_TRUE(plan()->drawsBackdrop());
 }
 
-TEST_F(BackdropPlannerTest, WhoStopsTurningLacksNothingAtTheEdges) {
+TEST_F(BackdropPlannerTest, StoppedTurnHasCompleteEdges) {
   drawSome();
   factor = 4.0F;
   camera.pose.yaw -= 0.03F;  // about 16 pixels, of 32 that may be missing
@@ -156,7 +156,7 @@ TEST_F(BackdropPlannerTest, WhoStopsTurningLacksNothingAtTheEdges) {
   EXPECT_TRUE(plan()->drawsBackdrop()) << "he would look at repeated pixels";
 }
 
-TEST_F(BackdropPlannerTest, ABusyMachineDrawsNearerObjectsIntoBackdrops) {
+TEST_F(BackdropPlannerTest, BusyMachinePutsNearerObjectsIntoBackdrops) {
   distance = 1.0F;
   EXPECT_FALSE(plan()->backdrop);
   factor = 4.0F;

@@ -42,13 +42,13 @@ std::shared_ptr<const Backdrop> fence(float near, float far) {
   return drawn(image);
 }
 
-TEST(Backdrop, AWallIsWarpedWithoutError) {
+TEST(Backdrop, WallHasNoError) {
   const auto backdrop = backdropOf(plainWall, kCamera, kWhole);
   EXPECT_NEAR(backdrop->errorOf(WarpCamera(kCamera, movedBy({0.5F, 0.2F, 0.1F}))).shift, 0.0F, 0.05F);
   EXPECT_FLOAT_EQ(backdrop->nearest(), 0.2F);
 }
 
-TEST(Backdrop, TheErrorIsTheShiftOfWhatIsBehindAgainstWhatIsInFront) {
+TEST(Backdrop, ErrorIsTheParallaxBetweenFrontAndBack) {
   tests::onEachTarget([] {
     const auto backdrop = fence(2.0F, 10.0F);
     constexpr float kStep = 0.1F;
@@ -59,7 +59,7 @@ TEST(Backdrop, TheErrorIsTheShiftOfWhatIsBehindAgainstWhatIsInFront) {
   });
 }
 
-TEST(Backdrop, TheSkyHasNoError) {
+TEST(Backdrop, SkyHasNoError) {
   const auto image = testing::paint(plainWall, kCamera, kWhole);
   for (float& depth : image->depth) depth = world::kInfiniteDepth;
   const auto backdrop = drawn(image);
@@ -68,7 +68,7 @@ TEST(Backdrop, TheSkyHasNoError) {
 }
 
 /// Fails if a few pixels right before the eye, whose errors have no limit, make every backdrop useless.
-TEST(Backdrop, ALeafBeforeTheEyeDoesNotDecideForTheWholePicture) {
+TEST(Backdrop, OneNearLeafDoesNotDecideTheError) {
   const auto image = testing::paint(plainWall, kCamera, kWhole);
   for (int y = 64; y < 128; ++y) {
     for (int x = 64; x < 128; x += 2) image->depthRow(y)[x] = 0.1F;
@@ -80,7 +80,7 @@ TEST(Backdrop, ALeafBeforeTheEyeDoesNotDecideForTheWholePicture) {
   EXPECT_LT(error.zoom, 0.3F);
 }
 
-TEST(WarpError, GrowsWithTheStepAndWithWhatComesNearer) {
+TEST(WarpError, GrowsWithStepAndNearness) {
   const auto backdrop = fence(2.0F, 10.0F);
   EXPECT_EQ(warpError(*backdrop, kCamera), 0.0F);
   EXPECT_LT(warpError(*backdrop, movedBy({0.005F, 0.0F, 0.0F})), 1.0F);
@@ -91,7 +91,7 @@ TEST(WarpError, GrowsWithTheStepAndWithWhatComesNearer) {
 }
 
 /// Fails if cells or squares of another part are taken, or land elsewhere.
-TEST(BackdropDepths, PartsThatAreCopiedAndMeasuredMakeTheWhole) {
+TEST(BackdropDepths, CopiedAndMeasuredPartsEqualTheWhole) {
   const auto slope = [](const world::Camera&, world::Vec3 ray) { return Pixel{0, 6.0F + 2.0F * ray.x + ray.y}; };
   const world::Rect area{-8, -16, 72, 48};
   const world::Rect kept{0, -8, 48, 48};
@@ -117,7 +117,7 @@ TEST(BackdropDepths, PartsThatAreCopiedAndMeasuredMakeTheWhole) {
 /// A lamp so far away that a wall of 5 metres is lit evenly.
 world::PointLight farLamp(float radiance) { return {{0.0F, 0.0F, 1000.0F}, world::Vec3(radiance * 1005.0F * 1005.0F)}; }
 
-TEST(LightError, IsWhatLightsHaveChangedOnWhatIsSeen) {
+TEST(LightError, IsTheChangeOnVisibleSurfaces) {
   const auto image = testing::paint(plainWall, kCamera, kWhole);
   const auto wall = drawn(image, {farLamp(0.1F)});
   EXPECT_EQ(lightError(*wall, {farLamp(0.1F)}), 0.0F);
@@ -132,7 +132,7 @@ TEST(LightError, IsWhatLightsHaveChangedOnWhatIsSeen) {
 }
 
 /// Fails if a fire on the other side of the world, or the sky before it, has a visitor's scenery drawn anew.
-TEST(LightError, CountsOnlyWhatIsLit) {
+TEST(LightError, CountsOnlyLitSurfaces) {
   const auto image = testing::paint(plainWall, kCamera, kWhole);
   const world::PointLight fire{{0.0F, 1.0F, -4.0F}, {2.6F, 1.0F, 0.3F}};
   world::PointLight far = fire;

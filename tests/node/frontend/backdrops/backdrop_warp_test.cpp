@@ -77,7 +77,7 @@ class BackdropWarpTest : public ::testing::Test {
   raster::ImagePool pool;
 };
 
-TEST_F(BackdropWarpTest, CopiesForTheSameCamera) {
+TEST_F(BackdropWarpTest, SameCameraCopies) {
   const world::Camera camera = cameraOf(432, 242);
   const auto backdrop = backdropOf(wallAt, camera, {-10, -4, 440, 250});
   tests::onEachTarget([&] {
@@ -87,7 +87,7 @@ TEST_F(BackdropWarpTest, CopiesForTheSameCamera) {
   });
 }
 
-TEST_F(BackdropWarpTest, ShowsWhatATurnedCameraSees) {
+TEST_F(BackdropWarpTest, TurnedCamera) {
   const world::Camera before = cameraOf(640, 360);
   const auto backdrop = backdropOf(skyAt, before, {-60, -40, 700, 400});
   world::Camera after = before;
@@ -100,7 +100,7 @@ TEST_F(BackdropWarpTest, ShowsWhatATurnedCameraSees) {
   });
 }
 
-TEST_F(BackdropWarpTest, ShowsWhatAMovedCameraSees) {
+TEST_F(BackdropWarpTest, MovedCamera) {
   const world::Camera before = cameraOf(640, 360);
   const auto backdrop = backdropOf(wallAt, before, {-40, -40, 680, 400});
   world::Camera after = before;
@@ -116,7 +116,7 @@ TEST_F(BackdropWarpTest, ShowsWhatAMovedCameraSees) {
 }
 
 /// Fails under the address sanitizer if a look-up of the last square reads what lies behind it.
-TEST_F(BackdropWarpTest, ShowsTheLastPixelsOfItsImage) {
+TEST_F(BackdropWarpTest, ShowsItsLastPixels) {
   const world::Camera before = cameraOf(640, 360);
   const auto backdrop = backdropOf(skyAt, before, {0, 0, 640, 360});
   world::Camera after = before;
@@ -129,7 +129,7 @@ TEST_F(BackdropWarpTest, ShowsTheLastPixelsOfItsImage) {
 }
 
 /// Fails if a row of cells writes beyond its end, into the next row or the next strip.
-TEST_F(BackdropWarpTest, FillsFramesOfAnyEvenSize) {
+TEST_F(BackdropWarpTest, FillsAnyEvenSize) {
   for (const int width : {34, 250, 264, 432, 530}) {
     const world::Camera before = cameraOf(width, 130);
     const auto backdrop = backdropOf(wallAt, before, {-20, -20, width + 20, 152});
@@ -143,7 +143,7 @@ TEST_F(BackdropWarpTest, FillsFramesOfAnyEvenSize) {
 }
 
 /// A backdrop may lack a strip at the frame's edges: its outermost samples are repeated there.
-TEST_F(BackdropWarpTest, RepeatsItsEdgesBeyondThem) {
+TEST_F(BackdropWarpTest, RepeatsEdgesOutside) {
   const Painter framed = [](const world::Camera& camera, world::Vec3 ray) {
     const bool outermost = std::abs(ray.x) > 0.98F * camera.tanHalfX();
     return Pixel{outermost ? 0xFFC8C8C8U : 0xFF3C3C3CU, 20.0F};
@@ -167,7 +167,7 @@ TEST_F(BackdropWarpTest, RepeatsItsEdgesBeyondThem) {
 }
 
 /// Cells that are stretched too much for the kernels' blocks are warped sample by sample; fails if the two differ.
-TEST_F(BackdropWarpTest, ShowsWhatIsMadeMuchLargerOrSmaller) {
+TEST_F(BackdropWarpTest, StrongScaling) {
   const world::Camera before = cameraOf(640, 360);
   const auto backdrop = backdropOf(wallAt, before, {0, 0, 640, 360});
   world::Camera after = before;
@@ -184,7 +184,7 @@ TEST_F(BackdropWarpTest, ShowsWhatIsMadeMuchLargerOrSmaller) {
   });
 }
 
-TEST_F(BackdropWarpTest, PreparesOnlyWhatIsDrawnOver) {
+TEST_F(BackdropWarpTest, PreparesOnlyOverdrawnParts) {
   const world::Camera before = cameraOf(640, 360);
   const auto backdrop = backdropOf(wallAt, before, {-20, -20, 660, 380});
   world::Camera after = before;
@@ -198,7 +198,7 @@ TEST_F(BackdropWarpTest, PreparesOnlyWhatIsDrawnOver) {
 }
 
 /// Fails if the corner cells of an outline are stretched between what is in front and what is behind.
-TEST_F(BackdropWarpTest, KeepsTheOutlineOfAPostStraight) {
+TEST_F(BackdropWarpTest, PostOutlineStaysStraight) {
   const Painter post = [](const world::Camera& camera, world::Vec3 ray) {
     const world::Vec3 point = camera.pose.position + 2.0F * ray;
     return std::abs(point.x) < 0.3F ? Pixel{0xFFFFFFFFU, 2.0F} : Pixel{0xFF000000U, 40.0F};

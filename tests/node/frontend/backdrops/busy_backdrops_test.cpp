@@ -40,7 +40,7 @@ class BusyBackdrops : public testing::BackdropPlannerStand {
 };
 
 /// Fails if a visitor amid leaves, where every backdrop is wrong at once, has one drawn in each frame.
-TEST_F(BusyBackdrops, ServeForSomeTimeWhateverTheirError) {
+TEST_F(BusyBackdrops, ServeAMinimumTime) {
   wall = 0.5F;
   draw(*plan());
   for (int i = 0; i < 9; ++i) EXPECT_FALSE(planStep()->drawsBackdrop()) << i;
@@ -48,7 +48,7 @@ TEST_F(BusyBackdrops, ServeForSomeTimeWhateverTheirError) {
 }
 
 /// Fails if a backdrop is right at first and then only gets worse: drawn from ahead, it serves for a longer way.
-TEST_F(BusyBackdrops, AreDrawnFromAheadOfWhoWalks) {
+TEST_F(BusyBackdrops, AreDrawnAheadOfWalkers) {
   wall = 5.0F;
   const auto list = nextDrawn();
   ASSERT_TRUE(list);
@@ -64,7 +64,7 @@ TEST_F(BusyBackdrops, AreDrawnFromAheadOfWhoWalks) {
 }
 
 /// Fails if what is farther is drawn from farther ahead than any border can hold, or what is near from as far.
-TEST_F(BusyBackdrops, AreDrawnFromAsFarAheadAsTheErrorPermits) {
+TEST_F(BusyBackdrops, LookAheadIsBoundedByTheError) {
   wall = 100.0F;
   const auto far = nextDrawn();
   ASSERT_TRUE(far);
@@ -76,7 +76,7 @@ TEST_F(BusyBackdrops, AreDrawnFromAsFarAheadAsTheErrorPermits) {
   EXPECT_LT(metresAhead(*near), 0.3F);
 }
 
-TEST_F(BusyBackdrops, ShowObjectsFromTheirEyeAndWhatMovesFromTheVisitors) {
+TEST_F(BusyBackdrops, StaticFromBackdropEyeMovingFromVisitorEye) {
   const auto list = nextDrawn();
   ASSERT_TRUE(list);
   EXPECT_THAT(idsOf(*list), ::testing::IsSupersetOf({kHill, kFire}));
@@ -90,7 +90,7 @@ TEST_F(BusyBackdrops, ShowObjectsFromTheirEyeAndWhatMovesFromTheVisitors) {
 }
 
 /// Fails if what is near, which each frame draws, is drawn into the backdrop from ahead, or not at all.
-TEST_F(BusyBackdrops, LeaveWhatIsNearToEachFrame) {
+TEST_F(BusyBackdrops, LeaveNearObjectsToEachFrame) {
   factor = 3.0F;
   wall = 1.0F;
   stillness = [](const VisibleObject& object) -> std::optional<float> {
@@ -104,7 +104,7 @@ TEST_F(BusyBackdrops, LeaveWhatIsNearToEachFrame) {
   }
 }
 
-TEST_F(BusyBackdrops, AreDrawnFromTheVisitorsEyeWhileThereIsTimeOrHeRests) {
+TEST_F(BusyBackdrops, UseTheVisitorsEyeWhenIdleOrResting) {
   wall = 2.0F;
   factor = 1.0F;
   const auto list = nextDrawn();
@@ -121,7 +121,7 @@ TEST_F(BusyBackdrops, AreDrawnFromTheVisitorsEyeWhileThereIsTimeOrHeRests) {
 }
 
 /// Fails if who runs and turns at once has everything drawn anew for the border's sake.
-TEST_F(BusyBackdrops, AreExtendedWhateverTheirErrorWhileTheyServe) {
+TEST_F(BusyBackdrops, AreExtendedWhileInUse) {
   factor = 3.0F;
   wall = 0.6F;
   ASSERT_TRUE(nextDrawn());
@@ -136,7 +136,7 @@ TEST_F(BusyBackdrops, AreExtendedWhateverTheirErrorWhileTheyServe) {
   EXPECT_TRUE(list->extended);
 }
 
-TEST_F(BusyBackdrops, NeverListMoreThanAFrameMayHold) {
+TEST_F(BusyBackdrops, RespectTheObjectLimit) {
   for (world::ObjectId id = 100; id < 100 + 2 * kMaxObjectsPerFrame; ++id) {
     layout.objects.push_back(testing::objectOf(id, {{-1.0F, 1.0F, -31.0F}, {1.0F, 3.0F, -30.0F}}));
   }

@@ -11,7 +11,7 @@ constexpr double kFrameSeconds = 1.0 / 30.0;
 
 world::Camera at(float x, float yaw) { return {.pose = {.position = {x, 1.7F, 0.0F}, .yaw = yaw}}; }
 
-TEST(EyeMotion, GoesOnAsBefore) {
+TEST(EyeMotion, Extrapolates) {
   EyeMotion motion;
   for (int i = 0; i < 20; ++i) {
     motion.see(at(0.05F * static_cast<float>(i), 0.02F * static_cast<float>(i)), i * kFrameSeconds);
@@ -30,7 +30,7 @@ TEST(EyeMotion, TurnsTheShortWay) {
   EXPECT_NEAR(motion.ahead(at(0.0F, 0.0F), 1.0F / 30.0F).pose.yaw, turned, 1e-3F);
 }
 
-TEST(EyeMotion, DoesNotFollowATeleportNorAPause) {
+TEST(EyeMotion, IgnoresTeleportsAndPauses) {
   EyeMotion motion;
   motion.see(at(0.0F, 0.0F), 0.0);
   motion.see(at(20.0F, 0.0F), kFrameSeconds);
@@ -41,7 +41,7 @@ TEST(EyeMotion, DoesNotFollowATeleportNorAPause) {
   EXPECT_EQ(motion.ahead(at(20.5F, 0.9F), 1.0F).pose.yaw, 0.9F);
 }
 
-TEST(EyeMotion, DoesNotLookBeyondTheZenith) {
+TEST(EyeMotion, StopsAtTheZenith) {
   EyeMotion motion;
   world::Camera camera;
   for (int i = 0; i < 3; ++i) {

@@ -53,7 +53,7 @@ TEST_F(PlannedBackdrops, AFrameWaitsForItsBackdrop) {
   EXPECT_EQ(dropped, 0);
 }
 
-TEST_F(PlannedBackdrops, AnOverdueFrameThatDrawsABackdropIsShownBeforeThoseThatWait) {
+TEST_F(PlannedBackdrops, OverdueBackdropIsShownBeforeItsDependents) {
   beginFrame(1, 0.0);
   beginFrame(2, 0.0);
   checkDeadline();
@@ -62,7 +62,7 @@ TEST_F(PlannedBackdrops, AnOverdueFrameThatDrawsABackdropIsShownBeforeThoseThatW
 }
 
 /// Fails if what is drawn next has no last results, because the frames in between had none of still objects.
-TEST_F(PlannedBackdrops, AnOverdueBackdropHasTheResultsOfTheLast) {
+TEST_F(PlannedBackdrops, OverdueBackdropUsesLastResults) {
   beginFrame(1);
   answer(1, 0, picture(5, kMiddle));
   beginFrame(2);
@@ -74,7 +74,7 @@ TEST_F(PlannedBackdrops, AnOverdueBackdropHasTheResultsOfTheLast) {
 
 /// Fails if what is added to a backdrop is asked for as the frame sees it, or what is shown over it as the backdrop
 /// does.
-TEST_F(PlannedBackdrops, WhatExtendsABackdropIsSeenByItsEye) {
+TEST_F(PlannedBackdrops, ExtensionsUseTheBackdropEye) {
   auto list = std::make_shared<FrameList>(*listOf(2, 2));
   list->backdrop = 2;
   list->eye = listOf(1, 0)->view;
@@ -91,7 +91,7 @@ TEST_F(PlannedBackdrops, WhatExtendsABackdropIsSeenByItsEye) {
   unplanned->close();
 }
 
-TEST_F(PlannedBackdrops, LateResultsOfABackdropAreTheLastOfTheNext) {
+TEST_F(PlannedBackdrops, LateBackdropResultsServeTheNext) {
   beginFrame(1, 0.0);
   checkDeadline();
   beginFrame(2);

@@ -105,14 +105,14 @@ void expectLaid(int width, std::mt19937& random) {
 }
 
 /// Fails if a target blends, compares or rounds otherwise, or leaves a row's end out or goes beyond it.
-TEST(CompositeKernels, EveryTargetLaysRowsAsAPlainLoopDoes) {
+TEST(CompositeKernels, RowsMatchScalarOnEveryTarget) {
   tests::onEachTarget([] {
     std::mt19937 random(5);
     for (const int width : {1, 3, 15, 16, 17, 31, 64, 333}) expectLaid(width, random);
   });
 }
 
-TEST(CompositeKernels, EveryTargetLaysOpaqueRowsAsAPlainLoopDoes) {
+TEST(CompositeKernels, OpaqueRowsMatchScalarOnEveryTarget) {
   tests::onEachTarget([] {
     std::mt19937 random(6);
     for (const int width : {1, 17, 333}) {
@@ -127,7 +127,7 @@ TEST(CompositeKernels, EveryTargetLaysOpaqueRowsAsAPlainLoopDoes) {
   });
 }
 
-TEST(CompositeKernels, EveryTargetLaysEdgesAsAPlainLoopDoes) {
+TEST(CompositeKernels, EdgesMatchScalarOnEveryTarget) {
   tests::onEachTarget([] {
     std::mt19937 random(7);
     for (const int width : {1, 17, 333}) {
@@ -145,7 +145,7 @@ TEST(CompositeKernels, EveryTargetLaysEdgesAsAPlainLoopDoes) {
 }
 
 /// Fails if a target leaves out a row or its end, or takes an equal depth for a nearer one.
-TEST(CompositeKernels, EveryTargetFindsTheOneDepthThatIsNotNearer) {
+TEST(CompositeKernels, EveryTargetFindsTheOneFartherDepth) {
   tests::onEachTarget([] {
     constexpr std::ptrdiff_t kStride = 40;
     for (const int width : {1, 7, 16, 33}) {

@@ -35,7 +35,7 @@ class Composite : public ::testing::Test {
   FrameBuilder builder;
 };
 
-TEST_F(Composite, OutsideOfItsSpansALayerIsNotRead) {
+TEST_F(Composite, ReadsALayerOnlyWithinItsSpans) {
   lay({0, 0, 64, 32}, 0xFF0000FFU, 5.0F);
   const auto layer = pool.acquire({10, 4, 30, 8});
   std::ranges::fill(layer->colour, 0xFF00FF00U);
@@ -51,7 +51,7 @@ TEST_F(Composite, OutsideOfItsSpansALayerIsNotRead) {
 }
 
 /// Fails if rows are mixed up, laid twice or left out where bands meet.
-TEST_F(Composite, BandsOfRowsMakeTheSameFrameAsOneOfAll) {
+TEST_F(Composite, BandsMakeTheSameFrame) {
   std::vector<std::shared_ptr<raster::Image>> layers;
   for (const world::Rect& rect : {world::Rect{0, 0, 64, 32}, {10, 4, 30, 29}, {0, 8, 64, 16}, {3, 15, 60, 17}}) {
     const auto layer = layers.emplace_back(pool.acquire(rect));
@@ -77,7 +77,7 @@ TEST_F(Composite, BandsOfRowsMakeTheSameFrameAsOneOfAll) {
   EXPECT_TRUE(std::ranges::equal(frame->depth, other->depth));
 }
 
-TEST_F(Composite, APartOfALayerIsLaidAsTheWhole) {
+TEST_F(Composite, PartOfALayerEqualsTheWhole) {
   lay({0, 0, 64, 32}, 0xFF6432C8U, 5.0F);
   const auto layer = pool.acquire({10, 4, 30, 12});
   for (std::size_t i = 0; i < layer->colour.size(); ++i) {
@@ -113,7 +113,7 @@ TEST_F(Composite, NearerWinsInAnyOrder) {
   EXPECT_FLOAT_EQ(frame->depthRow(10)[30], 2.0F);
 }
 
-TEST_F(Composite, StaysInsideItsRectangle) {
+TEST_F(Composite, StaysWithinItsRectangle) {
   lay({10, 8, 20, 16}, 0xFFFFFFFFU, 1.0F);
   builder.finish();
   EXPECT_EQ(at(9, 8), 0xFF000000U);
@@ -140,7 +140,7 @@ TEST_F(Composite, CoverageBlendsExactly) {
 
 /// Fails if an edge of little coverage is painted over by what lies behind it, or one of much coverage keeps out of it
 /// what should shine through.
-TEST_F(Composite, WhatLiesBehindAnEdgeIsSeenThroughItInAnyOrder) {
+TEST_F(Composite, EdgesShowTheBackgroundInAnyOrder) {
   struct Layer {
     std::uint32_t colour;
     float depth;
@@ -169,7 +169,7 @@ TEST_F(Composite, WhatLiesBehindAnEdgeIsSeenThroughItInAnyOrder) {
 }
 
 /// Fails if what shows through an edge or beside a layer would be left out, or what is hidden would not.
-TEST_F(Composite, OnlyWhatCoversAllHides) {
+TEST_F(Composite, OnlyOpaquePixelsHide) {
   const world::Rect part{8, 4, 24, 12};
   EXPECT_FALSE(builder.hides(part, 9.0F));
   lay({0, 0, 64, 32}, 0xFF0000FFU, 50.0F);
@@ -184,7 +184,7 @@ TEST_F(Composite, OnlyWhatCoversAllHides) {
   EXPECT_FALSE(builder.hides({8, 4, 24, 13}, 9.0F));
 }
 
-TEST_F(Composite, TwoEdgesAreMixedInTheOrderOfTheirDepths) {
+TEST_F(Composite, TwoEdgesBlendByDepth) {
   const auto mixed = [&](std::uint32_t over, std::uint32_t under) {
     return (over & 0xFFU) + (under & 0xFFU) * (255.0 - (over >> 24U)) / 255.0;
   };
@@ -199,14 +199,14 @@ TEST_F(Composite, TwoEdgesAreMixedInTheOrderOfTheirDepths) {
   EXPECT_FLOAT_EQ(frame->depthRow(5)[5], 3.0F) << "together they cover for half and more";
 }
 
-TEST_F(Composite, WhatIsNotCoveredChangesNothing) {
+TEST_F(Composite, UncoveredPixelsChangeNothing) {
   lay({0, 0, 64, 32}, 0xFF123456U, 9.0F);
   lay({0, 0, 64, 32}, 0U, 1.0F);
   EXPECT_EQ(at(5, 5), 0xFF123456U);
   EXPECT_FLOAT_EQ(frame->depthRow(5)[5], 9.0F);
 }
 
-TEST_F(Composite, AnOpaqueLayerIsLaidAsAnyOther) {
+TEST_F(Composite, OpaqueLayerEqualsOthers) {
   lay({0, 0, 64, 20}, 0xFF445566U, world::kInfiniteDepth, true);
   lay({0, 10, 64, 32}, 0xFF778899U, 7.0F, true);
   builder.finish();
@@ -218,13 +218,13 @@ TEST_F(Composite, AnOpaqueLayerIsLaidAsAnyOther) {
   EXPECT_EQ(at(5, 30), 0xFF778899U) << "farther than what is there";
 }
 
-TEST_F(Composite, FormerContentsNeverShow) {
+TEST_F(Composite, OldContentsNeverShow) {
   builder.finish();
   EXPECT_TRUE(std::ranges::all_of(frame->colour, [](std::uint32_t c) { return c == 0xFF000000U; }));
   EXPECT_TRUE(std::ranges::all_of(frame->depth, [](float d) { return d == world::kInfiniteDepth; }));
 }
 
-TEST_F(Composite, SkyFillsWhereNothingIs) {
+TEST_F(Composite, SkyFillsTheRest) {
   lay({0, 0, 64, 32}, 0xFFAABBCCU, world::kInfiniteDepth);
   EXPECT_EQ(at(0, 0), 0xFFAABBCCU);
 }

@@ -138,7 +138,7 @@ class CompositorTest : public ::testing::Test {
       std::make_shared<Compositor>(1, process, std::make_shared<VisitorHalves>(process), backdrops, [this] { ++done; });
 };
 
-TEST_F(CompositorTest, EndsEveryFrameOnceThoughItThrows) {
+TEST_F(CompositorTest, EndsEveryFrameOnceDespiteExceptions) {
   for (FrameNumber frame = 1; frame <= 3; ++frame) {
     broken = frame == 2;
     show({listOf(frame, 1), {picture(5)}});
@@ -209,7 +209,7 @@ class CompositorBackdrops : public CompositorTest {
   }
 };
 
-TEST_F(CompositorBackdrops, StillObjectsAreShownAgainAndOthersLaidOverThemByDepth) {
+TEST_F(CompositorBackdrops, ReusesStillObjectsAndDrawsOthersByDepth) {
   show(frameOf(1, 2.0F, true));
   ASSERT_TRUE(backdrops->newest());
   EXPECT_EQ(backdrops->newest()->image().rect, (world::Rect{-8, -8, 336, 184}));
@@ -224,7 +224,7 @@ TEST_F(CompositorBackdrops, StillObjectsAreShownAgainAndOthersLaidOverThemByDept
 }
 
 /// Fails if smoke and names are hidden by depths that were never written.
-TEST_F(CompositorBackdrops, LayersReadDepthsOutsideOfTheirBoxes) {
+TEST_F(CompositorBackdrops, LayersMayReadDepthOutsideOfTheirBoxes) {
   for (const FrameNumber frame : {1U, 2U}) {
     depthSeen = 0.0F;
     show(frameOf(frame, 2.0F, frame == 1));
@@ -233,7 +233,7 @@ TEST_F(CompositorBackdrops, LayersReadDepthsOutsideOfTheirBoxes) {
 }
 
 /// Fails if what a backdrop had is lost, drawn anew or moved, and if its eye becomes that of the frame.
-TEST_F(CompositorBackdrops, AnExtendedBackdropHasItsOldPixelsAndNewOnes) {
+TEST_F(CompositorBackdrops, ExtensionKeepsOldPixels) {
   show(frameOf(1, 2.0F, true));
   const auto before = backdrops->newest();
   show(extendedBy(2));
@@ -255,7 +255,7 @@ TEST_F(CompositorBackdrops, AnExtendedBackdropHasItsOldPixelsAndNewOnes) {
   EXPECT_EQ(at(319, 179), kStill) << "the frame itself sees what it saw";
 }
 
-TEST_F(CompositorBackdrops, AFrameThatExtendsABackdropWhichIsGoneIsNotShown) {
+TEST_F(CompositorBackdrops, DropsAnExtensionOfAMissingBackdrop) {
   show(frameOf(1, 2.0F, true));
   const CompleteFrame late = extendedBy(3);
   show(extendedBy(2));
@@ -264,7 +264,7 @@ TEST_F(CompositorBackdrops, AFrameThatExtendsABackdropWhichIsGoneIsNotShown) {
   EXPECT_EQ(backdrops->newest()->origin().frame, 2U);
 }
 
-TEST_F(CompositorBackdrops, ABackdropIsFinalIfNothingBetterIsUnderWay) {
+TEST_F(CompositorBackdrops, IsFinalIfNothingBetterIsPending) {
   show(frameOf(1, 2.0F, true));
   EXPECT_TRUE(backdrops->newest()->origin().isFinal);
   show(extendedBy(2));
@@ -281,7 +281,7 @@ TEST_F(CompositorBackdrops, ABackdropIsFinalIfNothingBetterIsUnderWay) {
   EXPECT_FALSE(backdrops->newest()->origin().isFinal);
 }
 
-TEST_F(CompositorBackdrops, AFrameWithoutABackdropToShowIsNotShown) {
+TEST_F(CompositorBackdrops, DropsAFrameWithoutBackdrop) {
   show(frameOf(2, 2.0F, false));
   EXPECT_THAT(shown->numbers(), ::testing::IsEmpty());
   EXPECT_EQ(done, 1);

@@ -11,7 +11,7 @@ using world::Rect;
 
 constexpr Rect kFrame{0, 0, 600, 20};
 
-TEST(FreshParts, AreTheStripsThatSomethingIsDrawnOver) {
+TEST(FreshParts, AreTheOverdrawnStrips) {
   const FreshParts fresh(kFrame, {{10, 9, 11, 10}});
   EXPECT_FALSE(fresh.isFresh(0, 0));
   EXPECT_TRUE(fresh.isFresh(0, 8));
@@ -26,14 +26,14 @@ TEST(FreshParts, AreTheStripsThatSomethingIsDrawnOver) {
   EXPECT_GE(spans[16].begin, spans[16].end);
 }
 
-TEST(FreshParts, NeighboursAreOneAndTheLastAreCutOff) {
+TEST(FreshParts, MergeNeighboursAndClip) {
   EXPECT_THAT(FreshParts(kFrame, {{255, 0, 257, 8}, {520, 17, 521, 18}}).strips(),
               ElementsAre(Rect{0, 0, 512, 8}, Rect{512, 16, 600, 20}));
   EXPECT_THAT(FreshParts(kFrame, {kFrame}).strips(),
               ElementsAre(Rect{0, 0, 600, 8}, Rect{0, 8, 600, 16}, Rect{0, 16, 600, 20}));
 }
 
-TEST(FreshParts, NothingBeyondTheFrame) {
+TEST(FreshParts, StayWithinTheFrame) {
   EXPECT_THAT(FreshParts(kFrame, {{-50, -10, 0, 30}, {600, 0, 700, 20}, {100, 5, 100, 9}, {}}).strips(), IsEmpty());
   EXPECT_THAT(FreshParts(kFrame, {{-50, -10, 1, 1}}).strips(), ElementsAre(Rect{0, 0, 256, 8}));
 }

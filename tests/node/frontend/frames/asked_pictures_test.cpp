@@ -28,7 +28,7 @@ Result answering(SessionId session, FrameNumber frame, std::uint32_t slot) {
   return result;
 }
 
-TEST(AskedPictures, AnAnswerIsLetInOnce) {
+TEST(AskedPictures, AcceptsEachAnswerOnce) {
   AskedPictures asked;
   asked.begin(1);
   asked.add(asking(1, 7, 3));
@@ -40,7 +40,7 @@ TEST(AskedPictures, AnAnswerIsLetInOnce) {
 }
 
 /// Would catch a backend node that never answers and so has requests pile up.
-TEST(AskedPictures, OnlyTheNewestFramesAreKept) {
+TEST(AskedPictures, KeepsOnlyTheNewestFrames) {
   AskedPictures asked;
   asked.begin(1);
   for (FrameNumber frame = 1; frame <= AskedPictures::kFrames + 1; ++frame) asked.add(asking(1, frame, 0));
@@ -48,7 +48,7 @@ TEST(AskedPictures, OnlyTheNewestFramesAreKept) {
   EXPECT_TRUE(asked.take(answering(1, 2, 0)));
 }
 
-TEST(AskedPictures, WhoHasLeftWaitsForNothing) {
+TEST(AskedPictures, ForgetsSessionsThatLeft) {
   AskedPictures asked;
   asked.begin(1);
   asked.add(asking(1, 1, 0));

@@ -36,7 +36,7 @@ class FramePlanning : public testing::PlannerStand {
   }
 };
 
-TEST_F(FramePlanning, ShowsAFrameWhenAllHaveAnsweredInAnyOrder) {
+TEST_F(FramePlanning, ShowsAFrameAfterAllAnswersInAnyOrder) {
   begin(listOf(1, 3));
   ASSERT_THAT(backend.requests(), SizeIs(3));
   EXPECT_EQ(backend.requests()[1].object, 2U);
@@ -51,7 +51,7 @@ TEST_F(FramePlanning, ShowsAFrameWhenAllHaveAnsweredInAnyOrder) {
 }
 
 /// Would catch visitors whom no backend node draws, since views do not bring them.
-TEST_F(FramePlanning, ARequestBringsTheVisitorWhomItsPictureShows) {
+TEST_F(FramePlanning, RequestsCarryTheShownVisitor) {
   View view;
   view.session = 1;
   view.frame = 1;
@@ -69,12 +69,12 @@ TEST_F(FramePlanning, ARequestBringsTheVisitorWhomItsPictureShows) {
   EXPECT_FALSE(requests[2].player) << "the frame does not know him";
 }
 
-TEST_F(FramePlanning, ShowsAFrameWithoutObjectsAtOnce) {
+TEST_F(FramePlanning, ShowsAnEmptyFrameImmediately) {
   begin(listOf(1, 0));
   EXPECT_THAT(shownNumbers(), ElementsAre(1));
 }
 
-TEST_F(FramePlanning, CountsResultsThatNobodyAskedFor) {
+TEST_F(FramePlanning, CountsUnrequestedResults) {
   begin(listOf(1, 2));
   answer(2, 0, picture(1));
   answer(1, 2, picture(1));
@@ -85,7 +85,7 @@ TEST_F(FramePlanning, CountsResultsThatNobodyAskedFor) {
   EXPECT_EQ(colourOf(newestPayloads()[0]), 1U);
 }
 
-TEST_F(FramePlanning, DropsAFrameThatIsCompleteAfterANewerOne) {
+TEST_F(FramePlanning, DropsFramesOlderThanTheShown) {
   begin(listOf(1, 1));
   begin(listOf(2, 1));
   answer(2, 0, picture(2));
@@ -94,7 +94,7 @@ TEST_F(FramePlanning, DropsAFrameThatIsCompleteAfterANewerOne) {
   EXPECT_EQ(dropped, 1);
 }
 
-TEST_F(FramePlanning, ARefusedRequestIsAFailureAtOnce) {
+TEST_F(FramePlanning, RefusedRequestFailsImmediately) {
   backend.full = true;
   begin(listOf(1, 1));
   ASSERT_THAT(shownNumbers(), ElementsAre(1));
@@ -102,14 +102,14 @@ TEST_F(FramePlanning, ARefusedRequestIsAFailureAtOnce) {
   EXPECT_TRUE(std::get<Failure>(newestPayloads()[0]).notNow);
 }
 
-TEST_F(FramePlanning, ALargerPictureThanWasAskedForIsAFailure) {
+TEST_F(FramePlanning, OversizedPictureFails) {
   begin(listOf(1, 1));
   answer(1, 0, picture(1, {0, 0, 9, 8}));
   ASSERT_THAT(shownNumbers(), ElementsAre(1));
   EXPECT_EQ(reasonOf(newestPayloads()[0]), "the picture is larger than requested");
 }
 
-TEST_F(FramePlanning, AnObjectThatAsksWithoutEndFails) {
+TEST_F(FramePlanning, EndlessRequestsFail) {
   script = [](const VisibleObject& object, const Reply*) { return pictureOf(object); };
   begin(listOf(1, 1));
   for (int i = 0; i < 6; ++i) {
@@ -121,7 +121,7 @@ TEST_F(FramePlanning, AnObjectThatAsksWithoutEndFails) {
   EXPECT_EQ(reasonOf(newestPayloads()[0]), "the object makes too many requests");
 }
 
-TEST_F(FramePlanning, AnObjectThatAsksWithoutEndFailsThoughItIsRefused) {
+TEST_F(FramePlanning, EndlessRequestsFailEvenIfRefused) {
   script = [](const VisibleObject& object, const Reply*) { return pictureOf(object); };
   backend.full = true;
   begin(listOf(1, 1));
@@ -129,7 +129,7 @@ TEST_F(FramePlanning, AnObjectThatAsksWithoutEndFailsThoughItIsRefused) {
   EXPECT_EQ(reasonOf(newestPayloads()[0]), "the object makes too many requests");
 }
 
-TEST_F(FramePlanning, APlanThatThrowsCostsItsObject) {
+TEST_F(FramePlanning, ThrowingPlanCostsItsObject) {
   script = [](const VisibleObject& object, const Reply*) -> Plan {
     if (object.object.id == 1) throw std::runtime_error("the half is broken");
     return picture(2);
@@ -140,7 +140,7 @@ TEST_F(FramePlanning, APlanThatThrowsCostsItsObject) {
   EXPECT_EQ(colourOf(newestPayloads()[1]), 2U);
 }
 
-TEST_F(FramePlanning, WhatTheSharedStoreBringsComesBack) {
+TEST_F(FramePlanning, SharedDataReturnsToThePlan) {
   script = [](const VisibleObject&, const Reply* reply) -> Plan {
     if (reply != nullptr) return reply->payload;
     return Ask{.shared = true, .key = "k", .rect = {}};
@@ -155,7 +155,7 @@ TEST_F(FramePlanning, WhatTheSharedStoreBringsComesBack) {
   EXPECT_EQ(reasonOf(newestPayloads()[1]), "none");
 }
 
-TEST_F(FramePlanning, AnOverdueFrameIsShownWithWhatHasCome) {
+TEST_F(FramePlanning, ShowsAnOverdueFramePartially) {
   beginLate(1, 2);
   answer(1, 1, picture(5));
   EXPECT_THAT(shownNumbers(), IsEmpty());
@@ -169,14 +169,14 @@ TEST_F(FramePlanning, AnOverdueFrameIsShownWithWhatHasCome) {
   EXPECT_THAT(shownNumbers(), ElementsAre(1)) << "it has ended";
 }
 
-TEST_F(FramePlanning, AFrameThatHasTimeIsLeftAlone) {
+TEST_F(FramePlanning, LeavesFramesBeforeTheirDeadline) {
   begin(listOf(1, 1, {.deadline = pipeline::wallSeconds() + 1000.0}));
   checkDeadline();
   EXPECT_THAT(shownNumbers(), IsEmpty());
   EXPECT_THAT(backend.cancelled(), IsEmpty());
 }
 
-TEST_F(FramePlanning, OfSeveralOverdueFramesTheNewestIsShown) {
+TEST_F(FramePlanning, ShowsTheNewestOverdueFrame) {
   beginLate(1, 1);
   beginLate(2, 1);
   beginLate(3, 1);
@@ -186,7 +186,7 @@ TEST_F(FramePlanning, OfSeveralOverdueFramesTheNewestIsShown) {
   EXPECT_THAT(backend.cancelled(), ElementsAre(3));
 }
 
-TEST_F(FramePlanning, AnOverdueFrameIsDroppedAfterANewerOne) {
+TEST_F(FramePlanning, DropsOverdueFramesOlderThanTheShown) {
   beginLate(1, 1);
   begin(listOf(2, 1));
   answer(2, 0, picture(2));
@@ -196,7 +196,7 @@ TEST_F(FramePlanning, AnOverdueFrameIsDroppedAfterANewerOne) {
   EXPECT_THAT(backend.cancelled(), ElementsAre(1));
 }
 
-TEST_F(FramePlanning, WhatIsMissingIsShownAsItWasLast) {
+TEST_F(FramePlanning, MissingResultsUseTheLastOnes) {
   begin(listOf(1, 1));
   answer(1, 0, picture(5));
   beginLate(2, 1);
@@ -210,7 +210,7 @@ TEST_F(FramePlanning, WhatIsMissingIsShownAsItWasLast) {
   EXPECT_EQ(reasonOf(newestPayloads()[0]), "no result in time") << "but not in another size";
 }
 
-TEST_F(FramePlanning, WhatComesAfterTheDeadlineIsShownNext) {
+TEST_F(FramePlanning, LateResultsAreShownNext) {
   beginLate(1, 2);
   checkDeadline();
   answer(1, 0, picture(5));
@@ -225,7 +225,7 @@ TEST_F(FramePlanning, WhatComesAfterTheDeadlineIsShownNext) {
   EXPECT_EQ(reasonOf(newestPayloads()[1]), "no result in time");
 }
 
-TEST_F(FramePlanning, WhatComesAfterTheDeadlineIsOfNoUseOnceTheObjectHasAnswered) {
+TEST_F(FramePlanning, LateResultsAreDroppedAfterNewerAnswers) {
   beginLate(1, 1);
   checkDeadline();
   begin(listOf(2, 1));
@@ -238,7 +238,7 @@ TEST_F(FramePlanning, WhatComesAfterTheDeadlineIsOfNoUseOnceTheObjectHasAnswered
   EXPECT_EQ(colourOf(newestPayloads()[0]), 6U);
 }
 
-TEST_F(FramePlanning, WhatComesAfterTheDeadlineIsPlannedOnWith) {
+TEST_F(FramePlanning, LateResultsContinueTheirPlan) {
   script = [](const VisibleObject& object, const Reply* reply) -> Plan {
     if (reply != nullptr && reply->ask.key == "second") return reply->payload;
     return pictureOf(object, reply == nullptr ? "first" : "second");
@@ -253,7 +253,7 @@ TEST_F(FramePlanning, WhatComesAfterTheDeadlineIsPlannedOnWith) {
   EXPECT_EQ(counted(kOfUse), 1U);
 }
 
-TEST_F(FramePlanning, FramesThatEndedLongAgoAreForgotten) {
+TEST_F(FramePlanning, ForgetsOldFrames) {
   beginLate(1, 1);
   checkDeadline();
   for (FrameNumber number = 2; number < 2 + FrameRecords::kKept; ++number) begin(listOf(number, 0));
@@ -261,7 +261,7 @@ TEST_F(FramePlanning, FramesThatEndedLongAgoAreForgotten) {
   EXPECT_EQ(counted(kUnasked), 1U);
 }
 
-TEST_F(FramePlanning, WaitsForRoomBehindIt) {
+TEST_F(FramePlanning, WaitsForTheNextStage) {
   begin(listOf(1, 1));
   shown->hold();
   Result result;

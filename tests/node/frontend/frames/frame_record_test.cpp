@@ -27,7 +27,7 @@ FrameRecord shownWithoutSecond(FrameNumber number, std::uint32_t colour, int wid
   return record;
 }
 
-TEST(FrameRecord, IsCompleteWithAnAnswerForEachSlotInAnyOrder) {
+TEST(FrameRecord, IsCompleteAfterAllSlotsInAnyOrder) {
   FrameRecord record(listOf(1, 3));
   EXPECT_TRUE(answers(record, 2, failure("c")));
   EXPECT_TRUE(answers(record, 0, failure("a")));
@@ -42,7 +42,7 @@ TEST(FrameRecord, IsCompleteWithAnAnswerForEachSlotInAnyOrder) {
   EXPECT_EQ(reasonOf(frame.payloads[2]), "c");
 }
 
-TEST(FrameRecord, SaysWhetherItShowsWhatAnEarlierOneHad) {
+TEST(FrameRecord, ReportsStaleContent) {
   FrameRecord before(listOf(1, 2));
   answers(before, 0, picture(1));
   answers(before, 1, picture(2));
@@ -54,7 +54,7 @@ TEST(FrameRecord, SaysWhetherItShowsWhatAnEarlierOneHad) {
   EXPECT_TRUE(record.toShow().stale);
 }
 
-TEST(FrameRecord, WithoutObjectsIsCompleteAtOnce) { EXPECT_TRUE(FrameRecord(listOf(1, 0)).complete()); }
+TEST(FrameRecord, IsCompleteWithoutObjects) { EXPECT_TRUE(FrameRecord(listOf(1, 0)).complete()); }
 
 TEST(FrameRecord, RefusesSecondAnswersAndUnknownSlots) {
   FrameRecord record(listOf(7, 2));
@@ -66,7 +66,7 @@ TEST(FrameRecord, RefusesSecondAnswersAndUnknownSlots) {
   EXPECT_EQ(reasonOf(record.toShow().payloads[0]), "first");
 }
 
-TEST(FrameRecord, LeavesARefusedPayloadAsItIs) {
+TEST(FrameRecord, KeepsARefusedPayload) {
   FrameRecord record(listOf(1, 1));
   record.drop();
   Payload payload = failure("late");
@@ -74,7 +74,7 @@ TEST(FrameRecord, LeavesARefusedPayloadAsItIs) {
   EXPECT_EQ(reasonOf(payload), "late");
 }
 
-TEST(FrameRecord, KnowsWhatEachSlotWaitsFor) {
+TEST(FrameRecord, TracksPendingSlots) {
   FrameRecord record(listOf(1, 2));
   EXPECT_EQ(record.asked(0), nullptr);
   EXPECT_EQ(record.asked(2), nullptr) << "there is no such slot";
@@ -88,7 +88,7 @@ TEST(FrameRecord, KnowsWhatEachSlotWaitsFor) {
   EXPECT_EQ(record.asked(0), nullptr);
 }
 
-TEST(FrameRecord, IsOverdueFromItsDeadlineToItsEnd) {
+TEST(FrameRecord, IsOverdueBetweenDeadlineAndEnd) {
   FrameRecord record(listOf(1, 1, {.deadline = 10.5}));
   EXPECT_FALSE(record.overdue(10.49));
   EXPECT_TRUE(record.overdue(10.5));
@@ -96,7 +96,7 @@ TEST(FrameRecord, IsOverdueFromItsDeadlineToItsEnd) {
   EXPECT_FALSE(record.overdue(11.0));
 }
 
-TEST(FrameRecord, FillsInWhatTheLastOneHadOfTheSameObject) {
+TEST(FrameRecord, FillsInFromTheLastFrame) {
   const FrameRecord last = shownWithoutSecond(1, 5);
   FrameRecord record(listOf(2, 3));
   ASSERT_TRUE(answers(record, 2, picture(9)));
@@ -107,21 +107,21 @@ TEST(FrameRecord, FillsInWhatTheLastOneHadOfTheSameObject) {
   EXPECT_EQ(colourOf(frame.payloads[2]), 9U) << "its own";
 }
 
-TEST(FrameRecord, FillsInPicturesOfItsOwnSizeOnly) {
+TEST(FrameRecord, FillsInOnlyPicturesOfItsSize) {
   const FrameRecord last = shownWithoutSecond(1, 5, 640);
   FrameRecord record(listOf(2, 1));
   EXPECT_THAT(record.fillIn({&last}), ElementsAre(0U));
   EXPECT_EQ(reasonOf(record.toShow().payloads[0]), "no result in time");
 }
 
-TEST(FrameRecord, HasNothingToFillInWhenItIsComplete) {
+TEST(FrameRecord, FillsInNothingWhenComplete) {
   FrameRecord record(listOf(1, 1));
   answers(record, 0, failure("broken"));
   EXPECT_THAT(record.fillIn({}), IsEmpty());
   EXPECT_EQ(reasonOf(record.toShow().payloads[0]), "broken");
 }
 
-TEST(FrameRecord, TakesAStaleResultForWhatItWasShownWithout) {
+TEST(FrameRecord, AcceptsALateResultForAMissingSlot) {
   const FrameRecord late = shownWithoutSecond(1, 5);
   FrameRecord shown = shownWithoutSecond(2, 6);
   EXPECT_FALSE(shown.takeStale(late, 1, failure("late and broken")));
@@ -134,13 +134,13 @@ TEST(FrameRecord, TakesAStaleResultForWhatItWasShownWithout) {
   EXPECT_EQ(colourOf(next.toShow().payloads[1]), 8U);
 }
 
-TEST(FrameRecord, TakesNoStaleResultOfAnotherSizeOrObject) {
+TEST(FrameRecord, RefusesLateResultsOfOtherSizesOrObjects) {
   FrameRecord shown = shownWithoutSecond(2, 6);
   EXPECT_FALSE(shown.takeStale(shownWithoutSecond(1, 5, 640), 1, picture(7)));
   EXPECT_FALSE(shown.takeStale(FrameRecord(listOf(1, 3)), 2, picture(7)));
 }
 
-TEST(FrameRecord, GivesUpItsPayloadsWhenItIsDropped) {
+TEST(FrameRecord, ReleasesPayloadsWhenDropped) {
   FrameRecord record(listOf(1, 1));
   answers(record, 0, picture(5));
   record.drop();

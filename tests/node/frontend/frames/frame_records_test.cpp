@@ -20,7 +20,7 @@ FrameRecord& openShown(FrameRecords& frames, FrameNumber number) {
   return frame;
 }
 
-TEST(FrameRecords, HoldFramesOfAnyOrder) {
+TEST(FrameRecords, AcceptFramesInAnyOrder) {
   FrameRecords frames;
   FrameRecord& second = frames.open(listOf(2, 1));
   FrameRecord& first = frames.open(listOf(1, 1));
@@ -29,7 +29,7 @@ TEST(FrameRecords, HoldFramesOfAnyOrder) {
   EXPECT_EQ(frames.find(3), nullptr);
 }
 
-TEST(FrameRecords, ForgetTheOldestThatHaveEnded) {
+TEST(FrameRecords, ForgetTheOldestEnded) {
   FrameRecords frames;
   for (FrameNumber number = 1; number <= 100; ++number) openShown(frames, number);
   EXPECT_EQ(frames.size(), FrameRecords::kKept);
@@ -37,7 +37,7 @@ TEST(FrameRecords, ForgetTheOldestThatHaveEnded) {
   EXPECT_NE(frames.find(101 - FrameRecords::kKept), nullptr);
 }
 
-TEST(FrameRecords, ForgetNoneInTheMakingNorTheNewestShown) {
+TEST(FrameRecords, KeepUnfinishedAndNewestShown) {
   FrameRecords frames;
   openShown(frames, 1);
   frames.open(listOf(2, 1));
@@ -47,7 +47,7 @@ TEST(FrameRecords, ForgetNoneInTheMakingNorTheNewestShown) {
   EXPECT_NE(frames.find(2), nullptr);
 }
 
-TEST(FrameRecords, TellWhichAreOverdueOldestFirst) {
+TEST(FrameRecords, ListOverdueOldestFirst) {
   FrameRecords frames;
   FrameRecord& second = frames.open(listOf(2, 1, {.deadline = 10.8}));
   FrameRecord& first = frames.open(listOf(1, 1, {.deadline = 10.5}));
@@ -58,7 +58,7 @@ TEST(FrameRecords, TellWhichAreOverdueOldestFirst) {
   EXPECT_THAT(frames.overdue(10.8), ElementsAre(&second));
 }
 
-TEST(FrameRecords, AFrameIsOvertakenByANewerOneThatWasShown) {
+TEST(FrameRecords, NewerShownFramesOvertake) {
   FrameRecords frames;
   FrameRecord& first = frames.open(listOf(1, 1));
   FrameRecord& second = frames.open(listOf(2, 1));
@@ -68,7 +68,7 @@ TEST(FrameRecords, AFrameIsOvertakenByANewerOneThatWasShown) {
   EXPECT_FALSE(frames.overtaken(frames.open(listOf(3, 1))));
 }
 
-TEST(FrameRecords, OnlyTheNewestShownHoldsPayloads) {
+TEST(FrameRecords, OnlyTheNewestShownKeepsPayloads) {
   FrameRecords frames;
   FrameRecord& first = frames.open(listOf(1, 1));
   Payload payload = picture(5);
@@ -82,7 +82,7 @@ TEST(FrameRecords, OnlyTheNewestShownHoldsPayloads) {
   EXPECT_EQ(colourOf(filled.toShow().payloads[0]), 5U);
 }
 
-TEST(FrameRecords, KeepStaleResultsOfFramesThatWereShownWithoutThem) {
+TEST(FrameRecords, KeepLateResults) {
   FrameRecords frames;
   FrameRecord& dropped = frames.open(listOf(1, 1));
   EXPECT_FALSE(frames.keepStale(dropped, 0, picture(4))) << "nothing was shown yet";
@@ -96,7 +96,7 @@ TEST(FrameRecords, KeepStaleResultsOfFramesThatWereShownWithoutThem) {
   EXPECT_EQ(colourOf(next.toShow().payloads[0]), 5U);
 }
 
-TEST(FrameRecords, KeepNoStaleResultOfAnObjectThatHasAnsweredSince) {
+TEST(FrameRecords, DropLateResultsAfterNewerAnswers) {
   FrameRecords frames;
   FrameRecord& late = openShown(frames, 1);
   FrameRecord& newest = frames.open(listOf(2, 1));

@@ -39,7 +39,7 @@ class LateSharedData : public testing::PlannerStand {
 };
 
 /// Would catch data of an earlier life that is taken for the node's own, and never fetched again.
-TEST_F(LateSharedData, OfAnEarlierLifeIsFetchedAgainAsAWhole) {
+TEST_F(LateSharedData, FromAnEarlierEpochIsFetchedWhole) {
   ASSERT_NO_FATAL_FAILURE(bringBeforeWelcome(1, 2));
   const std::vector<Request> requests = backend.requests();
   ASSERT_EQ(requests.size(), 2U);
@@ -48,7 +48,7 @@ TEST_F(LateSharedData, OfAnEarlierLifeIsFetchedAgainAsAWhole) {
 }
 
 /// Would catch data whose change was announced while the link was lost.
-TEST_F(LateSharedData, FromBeforeALostLinkIsFetchedAgain) {
+TEST_F(LateSharedData, FromALostLinkIsFetchedAgain) {
   ASSERT_NO_FATAL_FAILURE(bringBeforeWelcome(1, 1));
   const std::vector<Request> requests = backend.requests();
   ASSERT_EQ(requests.size(), 2U);

@@ -15,7 +15,7 @@ using ::testing::IsEmpty;
 /// What announcements and versions do to a shared store.
 class SharedChanges : public SharedStoreTest {};
 
-TEST_F(SharedChanges, AnAnnouncedChangeIsFetchedOnceItIsUsed) {
+TEST_F(SharedChanges, AnnouncedChangesAreFetchedOnUse) {
   for (const SharedKey& what : {own, a}) {
     fetched.clear();
     bring(what, 1);
@@ -34,7 +34,7 @@ TEST_F(SharedChanges, AnAnnouncedChangeIsFetchedOnceItIsUsed) {
   }
 }
 
-TEST_F(SharedChanges, AChangeBeyondWhatIsUnderWayIsFetchedToo) {
+TEST_F(SharedChanges, ChangesDuringAFetchAreFetchedToo) {
   for (const SharedKey& what : {own, a}) {
     fetched.clear();
     bring(what, 1);
@@ -48,7 +48,7 @@ TEST_F(SharedChanges, AChangeBeyondWhatIsUnderWayIsFetchedToo) {
   }
 }
 
-TEST_F(SharedChanges, AnAnnouncementMayOvertakeTheAnswerThatItMakesOld) {
+TEST_F(SharedChanges, AnnouncementMayOvertakeAnAnswer) {
   for (const SharedKey& what : {own, a}) {
     fetched.clear();
     get(what);
@@ -59,14 +59,14 @@ TEST_F(SharedChanges, AnAnnouncementMayOvertakeTheAnswerThatItMakesOld) {
   }
 }
 
-TEST_F(SharedChanges, AnnouncementsOfWhatNobodyWantsAreForgotten) {
+TEST_F(SharedChanges, UnwantedAnnouncementsAreForgotten) {
   store.announced({a, 7});
   EXPECT_THAT(fetched, IsEmpty());
   EXPECT_EQ(store.statistics().entries, 0U);
 }
 
 /// Would catch a peer who fills the store with what nobody wants, or changes what is there.
-TEST_F(SharedChanges, WhatNobodyAskedForIsRefused) {
+TEST_F(SharedChanges, RefusesUnrequestedData) {
   for (const SharedKey& what : {a, own}) {
     EXPECT_FALSE(awaits(what));
     EXPECT_FALSE(store.put(resultOf(what, 1)));
@@ -81,7 +81,7 @@ TEST_F(SharedChanges, WhatNobodyAskedForIsRefused) {
 }
 
 /// Or a node that has restarted would answer with differences to data that it does not have.
-TEST_F(SharedChanges, AfterARestartEverythingOfTheNodeIsFetchedWithoutAKnownVersion) {
+TEST_F(SharedChanges, AfterARestartAllIsFetchedWhole) {
   const SharedKey elsewhere{kObject + 1, {}};
   for (const SharedKey& what : {own, a, elsewhere}) bring(what, 900);
   const auto isOfNode = [](world::ObjectId id) { return id == kObject; };
@@ -101,7 +101,7 @@ TEST_F(SharedChanges, AfterARestartEverythingOfTheNodeIsFetchedWithoutAKnownVers
   EXPECT_THAT(known, ElementsAre(0U, 0U, 3U, 900U)) << "from then on its versions count";
 }
 
-TEST_F(SharedChanges, WhatAnEarlierLifeAnnouncedIsForgottenByARestart) {
+TEST_F(SharedChanges, RestartForgetsAnnouncements) {
   get(a);
   store.announced({a, 900});
   store.renew([](world::ObjectId) { return true; }, true);
@@ -121,7 +121,7 @@ TEST_F(SharedChanges, AfterALostLinkDataIsFetchedAsDifferences) {
 }
 
 /// Would catch a version that is higher than any to come, which nothing ever replaced.
-TEST_F(SharedChanges, NoVersionStaysForEver) {
+TEST_F(SharedChanges, NoVersionStaysForever) {
   constexpr Version kHighest = std::numeric_limits<Version>::max();
   for (const SharedKey& what : {own, a}) {
     bring(what, kHighest);
@@ -132,7 +132,7 @@ TEST_F(SharedChanges, NoVersionStaysForEver) {
   }
 }
 
-TEST_F(SharedChanges, AnAbsurdAnnouncementCostsTwoRequestsAndHidesNoLaterOne) {
+TEST_F(SharedChanges, ExtremeAnnouncementCostsTwoRequests) {
   constexpr Version kHighest = std::numeric_limits<Version>::max();
   for (const SharedKey& what : {own, a}) {
     bring(what, 5);

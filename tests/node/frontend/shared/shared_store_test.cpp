@@ -20,7 +20,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
-TEST_F(SharedStoreTest, WhatManyWaitForIsRequestedOnce) {
+TEST_F(SharedStoreTest, RequestsOnceForManyWaiters) {
   for (int i = 0; i < 3; ++i) get(a);
   get(own);
   EXPECT_THAT(fetched, ElementsAre(a, own));
@@ -34,7 +34,7 @@ TEST_F(SharedStoreTest, WhatManyWaitForIsRequestedOnce) {
   EXPECT_EQ(got.size(), 5U);
 }
 
-TEST_F(SharedStoreTest, ObjectsWithLikeKeysAreToldApart) {
+TEST_F(SharedStoreTest, EqualKeysOfDifferentObjectsDiffer) {
   const SharedKey other{kObject + 1, "a"};
   get(a);
   get(other);
@@ -44,7 +44,7 @@ TEST_F(SharedStoreTest, ObjectsWithLikeKeysAreToldApart) {
   EXPECT_EQ(versionOf(a), 0U);
 }
 
-TEST_F(SharedStoreTest, GivesUpWhatWasUsedLongestAgoButNoObjectsOwnData) {
+TEST_F(SharedStoreTest, EvictsLeastRecentlyUsedViews) {
   bring(own, 1);
   bring(a, 1);
   bring(b, 1);
@@ -59,7 +59,7 @@ TEST_F(SharedStoreTest, GivesUpWhatWasUsedLongestAgoButNoObjectsOwnData) {
   EXPECT_EQ(store.statistics().bytes, 1200U);
 }
 
-TEST_F(SharedStoreTest, WhatIsGivenUpLivesWhileItIsDrawn) {
+TEST_F(SharedStoreTest, EvictedDataLivesWhileInUse) {
   bring(a, 1);
   const std::shared_ptr<const SharedData> drawn = store.find(a);
   const std::weak_ptr<const SharedData> left = [&] {
@@ -77,7 +77,7 @@ TEST_F(SharedStoreTest, WhatIsGivenUpLivesWhileItIsDrawn) {
   EXPECT_THAT(fetched, ElementsAre(a)) << "it is requested anew";
 }
 
-TEST_F(SharedStoreTest, WhatIsLargerThanAllRoomStillReachesWhoWaits) {
+TEST_F(SharedStoreTest, OversizedDataReachesItsWaiters) {
   get(a);
   EXPECT_TRUE(store.put(resultOf(a, 1, 2 * kMaxBytes)));
   EXPECT_THAT(got, ElementsAre("version 1"));
@@ -85,7 +85,7 @@ TEST_F(SharedStoreTest, WhatIsLargerThanAllRoomStillReachesWhoWaits) {
   EXPECT_EQ(store.statistics().bytes, 0U);
 }
 
-TEST_F(SharedStoreTest, AFailureIsToldAndTriedAgain) {
+TEST_F(SharedStoreTest, FailureIsReportedAndRetried) {
   get(a);
   get(a);
   EXPECT_TRUE(store.put(failureOf(a)));
@@ -96,7 +96,7 @@ TEST_F(SharedStoreTest, AFailureIsToldAndTriedAgain) {
   EXPECT_EQ(got.back(), "version 1");
 }
 
-TEST_F(SharedStoreTest, AFailedChangeLeavesWhatIsThereAndIsTriedAgain) {
+TEST_F(SharedStoreTest, FailedChangeKeepsOldDataAndIsRetried) {
   bring(a, 1);
   (void)store.find(a);
   store.announced({a, 2});
@@ -105,7 +105,7 @@ TEST_F(SharedStoreTest, AFailedChangeLeavesWhatIsThereAndIsTriedAgain) {
   EXPECT_EQ(fetched.size(), 2U);
 }
 
-TEST_F(SharedStoreTest, ARefusedRequestFailsAtOnceForAllWhoWait) {
+TEST_F(SharedStoreTest, RefusedRequestFailsForAllWaiters) {
   full = true;
   get(a);
   EXPECT_THAT(got, ElementsAre("the backend node is full"));
@@ -118,7 +118,7 @@ TEST_F(SharedStoreTest, ARefusedRequestFailsAtOnceForAllWhoWait) {
   EXPECT_THAT(fetched, ElementsAre(a));
 }
 
-TEST_F(SharedStoreTest, WhatDoesNotComeInTimeIsRequestedAgain) {
+TEST_F(SharedStoreTest, LateDataIsRequestedAgain) {
   get(a, -1.0);
   get(a);
   get(a);
@@ -128,14 +128,14 @@ TEST_F(SharedStoreTest, WhatDoesNotComeInTimeIsRequestedAgain) {
 }
 
 /// Would catch waiters that pile up, thirty a second for each visitor.
-TEST_F(SharedStoreTest, WhoWaitsForABackendThatNeverAnswersIsNotKept) {
+TEST_F(SharedStoreTest, WaitersOfASilentBackendAreReleased) {
   for (int frame = 0; frame < 100; ++frame) get(a, -1.0);
   EXPECT_GE(got.size(), 99U);
 }
 
 /// A backend that answers on threads of its own, a store with room for a few, and many who use it: what they get is
 /// what they asked for, and everybody gets it once.
-TEST(SharedStoreThreads, EverybodyGetsWhatHeAskedForOnce) {
+TEST(SharedStoreThreads, EveryWaiterIsAnsweredOnce) {
   constexpr int kThreads = 4;
   constexpr int kRounds = 500;
   constexpr int kKeys = 6;

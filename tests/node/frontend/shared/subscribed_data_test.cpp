@@ -45,7 +45,7 @@ class SubscribedData : public SharedStoreTest {
   std::size_t unsubscribed() const { return told.size() - acknowledged(); }
 };
 
-TEST_F(SubscribedData, ComesWithoutRequests) {
+TEST_F(SubscribedData, ArrivesWithoutRequests) {
   for (const SharedKey& what : {own, a}) {
     told.clear();
     ASSERT_NO_FATAL_FAILURE(subscribe(what));
@@ -63,7 +63,7 @@ TEST_F(SubscribedData, ComesWithoutRequests) {
   }
 }
 
-TEST_F(SubscribedData, IsOnlyWhatAClockChanges) {
+TEST_F(SubscribedData, IsOnlyClockedData) {
   bring(own, 1);
   (void)store.find(own);
   store.announced({own, 2});
@@ -71,7 +71,7 @@ TEST_F(SubscribedData, IsOnlyWhatAClockChanges) {
 }
 
 /// Would catch a node that sends on what no visitor sees, and visitors who never see it again.
-TEST_F(SubscribedData, ThatNobodyUsesIsUnsubscribedUntilSomebodyDoes) {
+TEST_F(SubscribedData, UnusedDataIsUnsubscribed) {
   ASSERT_NO_FATAL_FAILURE(subscribe(own));
   (void)store.find(own);
   Version version = 3;
@@ -85,7 +85,7 @@ TEST_F(SubscribedData, ThatNobodyUsesIsUnsubscribedUntilSomebodyDoes) {
 }
 
 /// Would catch a node whose later versions all change one that was lost.
-TEST_F(SubscribedData, IsSubscribedToAgainAfterOneThatCannotBeUnpacked) {
+TEST_F(SubscribedData, ResubscribesAfterBadData) {
   ASSERT_NO_FATAL_FAILURE(subscribe(own));
   Result failed = failureOf(own);
   failed.pushed = true;
@@ -100,7 +100,7 @@ TEST_F(SubscribedData, IsSubscribedToAgainAfterOneThatCannotBeUnpacked) {
   EXPECT_EQ(versionOf(own), 7U);
 }
 
-TEST_F(SubscribedData, IsSubscribedToAgainAfterARestart) {
+TEST_F(SubscribedData, ResubscribesAfterARestart) {
   ASSERT_NO_FATAL_FAILURE(subscribe(own));
   store.renew([](world::ObjectId) { return true; }, true);
   EXPECT_EQ(versionOf(own), 2U);
@@ -109,7 +109,7 @@ TEST_F(SubscribedData, IsSubscribedToAgainAfterARestart) {
 }
 
 /// Would catch a node that fills the store with what nobody wants.
-TEST_F(SubscribedData, IsNotTakenWithoutASubscription) {
+TEST_F(SubscribedData, IsRefusedWithoutSubscription) {
   EXPECT_FALSE(store.awaits(pushed(a, 1)));
   EXPECT_FALSE(store.put(pushed(a, 1)));
   EXPECT_FALSE(store.find(a));

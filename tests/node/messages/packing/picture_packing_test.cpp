@@ -90,7 +90,7 @@ TEST_F(PicturePacking, OfNothing) {
   expectItTravels(*clear);
 }
 
-TEST_F(PicturePacking, WithSpansReadsNothingBesideThem) {
+TEST_F(PicturePacking, ReadsOnlyItsSpans) {
   const auto image = disc(images, {0, 0, 50, 50});
   for (int y = 0; y < 50; ++y) image->spans.push_back({std::min(y, 30), 40});
   image->spans[9] = {50, 0};  // as renderers leave a row that they did not touch
@@ -108,7 +108,7 @@ TEST_F(PicturePacking, Opaque) {
   expectItTravels(*image);
 }
 
-TEST_F(PicturePacking, ClearsWhatThePoolHeldBefore) {
+TEST_F(PicturePacking, ClearsReusedMemory) {
   {
     const auto dirty = images.acquire({0, 0, 64, 64});
     std::ranges::fill(dirty->colour, 0xFFFFFFFFU);
@@ -124,7 +124,7 @@ TEST_F(PicturePacking, ClearsWhatThePoolHeldBefore) {
   expectSame(*image, *unpackPicture(bytes, kAll, images));
 }
 
-TEST_F(PicturePacking, RefusesWhatIsTooLarge) {
+TEST_F(PicturePacking, RefusesOversized) {
   PackedBytes bytes = packPicture(*disc(images, {0, 0, 8, 8}));
   const std::int32_t far = 16000;
   std::memcpy(bytes.data() + 8, &far, sizeof far);
@@ -133,7 +133,7 @@ TEST_F(PicturePacking, RefusesWhatIsTooLarge) {
 }
 
 /// Would catch a peer who has much memory held for few bytes.
-TEST_F(PicturePacking, RefusesMoreThanWasAskedForBeforeItTakesMemory) {
+TEST_F(PicturePacking, RefusesOversizedBeforeAllocation) {
   const auto clear = images.acquire({0, 0, 4096, 2048});
   clear->opaque = false;
   clear->spans.clear();
@@ -149,7 +149,7 @@ TEST_F(PicturePacking, RefusesMoreThanWasAskedForBeforeItTakesMemory) {
   EXPECT_TRUE(unpackPicture(bytes, {0, 0, 4096, 2048}, reported));
 }
 
-TEST_F(PicturePacking, RefusesCoveredTilesThatItsBytesCannotHold) {
+TEST_F(PicturePacking, RefusesMissingTileBytes) {
   const auto opaque = images.acquire({0, 0, 4096, 2048});
   opaque->opaque = true;
   opaque->spans.clear();
@@ -163,7 +163,7 @@ TEST_F(PicturePacking, RefusesCoveredTilesThatItsBytesCannotHold) {
   EXPECT_EQ(heldBytes(ledger), 0);
 }
 
-TEST_F(PicturePacking, RefusesDamageAndMakesSenseOfTheRest) {
+TEST_F(PicturePacking, DamagedBytesAreRefusedOrValid) {
   constexpr world::Rect kAsked{-20, -20, 60, 60};
   // Those of what was asked for, rounded up by the pool, and of tiles beside their bytes.
   const tests::MemoryBound bound{.perByte = 600, .always = 200'000};

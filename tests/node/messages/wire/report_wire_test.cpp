@@ -78,7 +78,7 @@ TEST(ReportWire, CarriesTraces) {
 }
 
 /// Would catch a full timeline that the link refuses for its size.
-TEST(ReportWire, ATraceOfTheMostRunsIsNotTooLong) {
+TEST(ReportWire, LargestTraceFits) {
   pipeline::Timeline timeline;
   for (std::size_t i = 0; i < 2 * kMaxTracedRuns; ++i) {
     timeline.record({.stage = "Renderer",
@@ -129,7 +129,7 @@ TEST(ReportWire, RefusesBadTraces) {
   EXPECT_THAT(spoilt([](NodeTrace& trace) { trace.runs.resize(kMaxTracedRuns + 1); }), HasSubstr("too many runs"));
 }
 
-TEST(ReportWire, RefusesATraceOfColumnsThatDiffer) {
+TEST(ReportWire, RefusesColumnsOfDifferentLengths) {
   std::string header = encode(ToFrontend(std::make_shared<const NodeTrace>(examples::trace()))).header;
   const std::string parts("\x52\x02\x01\x00", 4);
   const std::size_t column = header.find(parts);

@@ -100,7 +100,7 @@ std::vector<std::string> headers() {
   return headers;
 }
 
-TEST(WireMutations, OfEachMessageAreRefusedOrSound) {
+TEST(WireMutations, AreRefusedOrValid) {
   const std::vector<std::string> all = headers();
   Decoding decoding;
   std::mt19937 random(12);
@@ -116,7 +116,7 @@ TEST(WireMutations, OfEachMessageAreRefusedOrSound) {
 }
 
 /// Would catch a header that says so much with nothing in it that it takes gigabytes.
-TEST(WireMutations, AHeaderFullOfEmptyPartsTakesNoMoreThanItsShare) {
+TEST(WireMutations, EmptyPartsTakeLimitedMemory) {
   const std::string update("\x12\xFC\xFF\x3F", 4);   // of the world, with almost a mebibyte of
   const std::string welcome("\x0A\xFC\xFF\x3F", 4);  // and the greeting
   const std::string report("\x32\xFC\xFF\x3F", 4);

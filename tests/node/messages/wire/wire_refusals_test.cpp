@@ -51,12 +51,12 @@ std::string cameraRefusal(const Spoil<world::Camera>& spoil) {
 std::string requestRefusal(const Spoil<Request>& spoil) { return refusalOf(examples::request(), spoil); }
 std::string worldRefusal(const Spoil<WorldUpdate>& spoil) { return refusalOf(examples::world(), spoil); }
 
-TEST(WireRefusals, NothingIsWrongWithTheExamples) {
+TEST(WireRefusals, ExamplesAreValid) {
   for (const ToBackend& message : examples::toBackend()) EXPECT_EQ(refusal(message), "nothing wrong");
   for (const ToFrontend& message : examples::toFrontend()) EXPECT_EQ(refusal(message), "nothing wrong");
 }
 
-TEST(WireRefusals, WhatIsNoMessage) {
+TEST(WireRefusals, NotAMessage) {
   const auto toBackend = [](std::string_view header) {
     return reasonOf(decodeToBackend(header, examples::knownView()));
   };
@@ -71,7 +71,7 @@ TEST(WireRefusals, WhatIsNoMessage) {
 
 /// Would catch 13 bytes that have memory of 50 MB set aside: a hello, in it a type, in it a name, each far longer than
 /// what is there.
-TEST(WireRefusals, PartsLongerThanWhatHoldsThem) {
+TEST(WireRefusals, OversizedParts) {
   const std::string whole("\x0A\x04\x2A\x02\x12\x00", 6);
   EXPECT_EQ(reasonOf(decodeToBackend(whole, examples::knownView())), "nothing wrong");
   for (const char* const header :
@@ -265,7 +265,7 @@ TEST(WireRefusals, Results) {
               HasSubstr("key"));
 }
 
-TEST(WireRefusals, BytesBesideWhatHasNone) {
+TEST(WireRefusals, UnexpectedBulk) {
   for (const ToFrontend& message : examples::toFrontend()) {
     Packet packet = encode(message);
     packet.bulk = packet.bulk ? nullptr : examples::bulk();

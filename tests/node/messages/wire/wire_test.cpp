@@ -60,7 +60,7 @@ void expectSame(const world::Player& a, const world::Player& b) {
 }
 
 /// Would catch two visitors of one world whom a page takes for one.
-TEST(Ids, PagesTellVisitorsOfOtherProcessesFromTheirOwn) {
+TEST(Ids, VisitorsOfOtherProcessesDiffer) {
   EXPECT_EQ(shortIdOf(makeId(7, 3), 7), 3U);
   EXPECT_NE(shortIdOf(makeId(8, 3), 7), 3U);
   EXPECT_NE(shortIdOf(makeId(8, 3), 7), shortIdOf(makeId(8, 4), 7));
@@ -152,7 +152,7 @@ TEST(Wire, CarriesView) {
 }
 
 /// Would catch players who travel in the views of all visitors, as well as in the updates of the world.
-TEST(Wire, AViewTakesNoMoreBytesForMoreVisitors) {
+TEST(Wire, ViewSizeDoesNotDependOnVisitors) {
   View view = examples::view();
   const std::size_t alone = encode(ToBackend(std::make_shared<const View>(view))).bytes();
   view.players.assign(100, examples::player());
@@ -178,7 +178,7 @@ TEST(Wire, CarriesRequestAndFindsItsView) {
   EXPECT_EQ(got.known, sent.known);
 }
 
-TEST(Wire, FindsTheViewThatAPictureIsOf) {
+TEST(Wire, FindsTheViewOfAPicture) {
   Request sent = examples::request();
   EXPECT_FALSE(afterTravel(sent).eye);
   sent.eye = sent.view;
@@ -205,7 +205,7 @@ TEST(Wire, CarriesRequestForSharedDataWithoutView) {
   EXPECT_FALSE(got.player);
 }
 
-TEST(Wire, SharedDataIsWantedThoughItsViewIsUnknown) {
+TEST(Wire, SharedDataNeedsNoView) {
   Request sent = examples::request();
   sent.shared = true;
   const auto decoded = decodeToBackend(encode(sent).header, [](SessionId, FrameNumber) { return nullptr; });
@@ -247,7 +247,7 @@ TEST(Wire, CarriesFailuresAndNothing) {
   EXPECT_FALSE(std::get<std::shared_ptr<const raster::Image>>(nothing.payload));
 }
 
-TEST(Wire, ReasonsFromAnywhereBecomeText) {
+TEST(Wire, ReasonsAreSanitized) {
   Result sent = examples::failure();
   sent.payload = Failure{"bad \xFF" + std::string(2000, 'a'), false};
   const std::string reason = std::get<Failure>(afterTravel(sent).payload).reason;
@@ -274,12 +274,12 @@ TEST(Wire, CarriesSubscriptions) {
   EXPECT_EQ(afterTravel(Unsubscribe{.what = {.object = 4, .key = "map"}}).what, (SharedKey{4, "map"}));
 }
 
-TEST(Wire, BytesOfHelloStayAsTheyAre) {
+TEST(Wire, HelloIsGolden) {
   EXPECT_EQ(hex(encode(ToBackend(examples::hello())).header),
             "0a2b08011205302e322e3019efcdab896745230120032a051203736b792a0e0805120a6c696768746669656c64");
 }
 
-TEST(Wire, BytesOfRequestStayAsTheyAre) {
+TEST(Wire, RequestIsGolden) {
   Request request = examples::request();
   request.player.reset();
   EXPECT_EQ(hex(encode(ToBackend(request)).header),

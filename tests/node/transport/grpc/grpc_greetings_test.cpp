@@ -18,7 +18,7 @@ using testing::NodeProcess;
 using tests::eventually;
 using State = GrpcFrontendEnd::State;
 
-TEST(GrpcGreetings, OneThatIsRefusedGreetsAgain) {
+TEST(GrpcGreetings, RefusedPeerGreetsAgain) {
   NodeProcess node(0, "the scenes differ");
   FrontendSide side(node.address());
   (void)side.send(examples::hello());
@@ -49,19 +49,19 @@ class LateAnswers : public ::testing::Test {
 };
 
 /// The greeting that follows a refusal must not take the place of the next call.
-TEST_F(LateAnswers, ARefusalDoesNotEndTheAttempts) {
+TEST_F(LateAnswers, RefusalDoesNotEndRetries) {
   ASSERT_NO_FATAL_FAILURE(hearTooLate("the scenes differ"));
   const NodeProcess node(port);
   EXPECT_TRUE(side->becomes(State::kWelcomed));
 }
 
-TEST_F(LateAnswers, AWelcomeIsNone) {
+TEST_F(LateAnswers, WelcomeIsNotLate) {
   ASSERT_NO_FATAL_FAILURE(hearTooLate(""));
   EXPECT_EQ(side->link().status().state, State::kConnecting);
 }
 
 /// Or a process whose workers are busy would never have a link.
-TEST(GrpcGreetings, AWelcomeThatWaitsForAWorkerCounts) {
+TEST(GrpcGreetings, DelayedWelcomeCounts) {
   NodeProcess node;
   FrontendSide side(node.address());
   side.isHeld = true;
@@ -87,7 +87,7 @@ class MuteEnd final : public BackendPort {
   const std::shared_ptr<BackendEnd> link_;
 };
 
-TEST(GrpcGreetings, ANodeThatNeitherWelcomesNorRefusesIsCalledAgain) {
+TEST(GrpcGreetings, SilentNodeIsCalledAgain) {
   pipeline::Timeline timeline;
   pipeline::WorkerPool workers{1};
   std::atomic<int> calls{0};

@@ -18,7 +18,7 @@ using testing::NodeProcess;
 using tests::eventually;
 using State = GrpcFrontendEnd::State;
 
-TEST(GrpcLinks, WelcomeOneAfterAnother) {
+TEST(GrpcLinks, WelcomeInTurn) {
   NodeProcess node;
   FrontendSide a(node.address());
   FrontendSide b(node.address());
@@ -30,7 +30,7 @@ TEST(GrpcLinks, WelcomeOneAfterAnother) {
   EXPECT_EQ(node.end(0)->count() + node.end(1)->count(), 3U) << "each has a stream of its own";
 }
 
-TEST(GrpcLinks, RefuseToSendWhileThereIsNoNode) {
+TEST(GrpcLinks, RefuseToSendWithoutNode) {
   int port = 0;
   {
     const NodeProcess gone;
@@ -45,7 +45,7 @@ TEST(GrpcLinks, RefuseToSendWhileThereIsNoNode) {
   EXPECT_TRUE(side.becomes(State::kWelcomed)) << "what was said before is said to the first who hears";
 }
 
-TEST(GrpcLinks, ANodeThatComesBackHearsTheHelloTheNewestWorldAndTheQualityFirst) {
+TEST(GrpcLinks, ReconnectedNodeGetsHelloWorldAndQualityFirst) {
   auto node = std::make_unique<NodeProcess>();
   const int port = node->port();
   FrontendSide side(node->address());
@@ -71,7 +71,7 @@ TEST(GrpcLinks, ANodeThatComesBackHearsTheHelloTheNewestWorldAndTheQualityFirst)
   EXPECT_EQ(std::get<Quality>(messages[2]).step, 2);
 }
 
-TEST(GrpcLinks, CarryBytesThatAreTheSame) {
+TEST(GrpcLinks, CarryBytesUnchanged) {
   NodeProcess node;
   FrontendSide side(node.address());
   ASSERT_TRUE(side.isWelcomed());
@@ -100,7 +100,7 @@ TEST(GrpcLinks, CarryBytesThatAreTheSame) {
   side.link().leaveFrontend();
 }
 
-TEST(GrpcLinks, AResultIsHeldAndNotCopiedUntilItIsSent) {
+TEST(GrpcLinks, ResultsAreNotCopied) {
   NodeProcess node;
   FrontendSide side(node.address());
   ASSERT_TRUE(side.isWelcomed());
@@ -113,7 +113,7 @@ TEST(GrpcLinks, AResultIsHeldAndNotCopiedUntilItIsSent) {
   EXPECT_TRUE(eventually([&] { return side.count() == 2; }));
 }
 
-TEST(GrpcLinks, OneThatDoesNotReceiveFillsItsOwnLinkOnly) {
+TEST(GrpcLinks, StuckPeerFillsOnlyItsOwnLink) {
   NodeProcess node;
   FrontendSide slow(node.address());
   FrontendSide other(node.address());
@@ -141,7 +141,7 @@ TEST(GrpcLinks, OneThatDoesNotReceiveFillsItsOwnLinkOnly) {
   EXPECT_TRUE(eventually([&] { return slow.count() == sent; })) << "all but the one that was counted arrives";
 }
 
-TEST(GrpcLinks, ANodeThatDoesNotReceiveRefusesInTime) {
+TEST(GrpcLinks, StuckNodeRefusesInTime) {
   NodeProcess node;
   FrontendSide side(node.address());
   ASSERT_TRUE(side.isWelcomed());
@@ -157,7 +157,7 @@ TEST(GrpcLinks, ANodeThatDoesNotReceiveRefusesInTime) {
       << "what was accepted arrives";
 }
 
-TEST(GrpcLinks, AMessageThatIsTooLargeIsNotSent) {
+TEST(GrpcLinks, OversizedMessagesAreNotSent) {
   NodeProcess node;
   FrontendSide side(node.address());
   ASSERT_TRUE(side.isWelcomed());
@@ -169,7 +169,7 @@ TEST(GrpcLinks, AMessageThatIsTooLargeIsNotSent) {
   EXPECT_TRUE(eventually([&] { return side.count() == 2; })) << "the link stands";
 }
 
-TEST(GrpcLinks, APortInUseIsOneClearError) {
+TEST(GrpcLinks, PortInUseIsOneClearError) {
   const NodeProcess node;
   try {
     const NodeProcess second(node.port());
@@ -179,7 +179,7 @@ TEST(GrpcLinks, APortInUseIsOneClearError) {
   }
 }
 
-TEST(GrpcLinks, OneThatIsNotServedCostsTheOthersNothing) {
+TEST(GrpcLinks, UnservedLinkCostsOthersNothing) {
   pipeline::Timeline timeline;
   pipeline::WorkerPool workers{1};
   std::atomic<int> asked{0};
@@ -195,7 +195,7 @@ TEST(GrpcLinks, OneThatIsNotServedCostsTheOthersNothing) {
   EXPECT_EQ(asked, 2);
 }
 
-TEST(GrpcLinks, TellTheirPaceWhileTheyStand) {
+TEST(GrpcLinks, ReportTheirPace) {
   auto node = std::make_unique<NodeProcess>();
   FrontendSide side(node->address());
   ASSERT_TRUE(side.isWelcomed());
@@ -211,7 +211,7 @@ TEST(GrpcLinks, TellTheirPaceWhileTheyStand) {
   EXPECT_TRUE(eventually([&] { return !side.link().pace().roundTrip; })) << "of a link that is gone nothing is known";
 }
 
-TEST(GrpcLinks, EndWhileTheyConnect) {
+TEST(GrpcLinks, CloseDuringConnect) {
   for (int i = 0; i < 10; ++i) {
     const NodeProcess node;
     FrontendSide there(node.address());

@@ -36,7 +36,7 @@ CallEnd askRaw(const std::string& address, const std::string& question) {
   return ask({address, kObstaclesMethod, 30s}, question, {});
 }
 
-TEST(ObstacleCalls, TellWhatTheOtherNodeKnows) {
+TEST(ObstacleCalls, ReturnCellsOfTheOtherNode) {
   const TellingNode node;
   const RemoteObstacles remote(node.address(), kScene, {});
   remote.waitForNode(0ms);
@@ -50,7 +50,7 @@ TEST(ObstacleCalls, TellWhatTheOtherNodeKnows) {
   EXPECT_GT(std::ranges::count(remote.sunlitCells(kCube, sun), 0), 100);
 }
 
-TEST(ObstacleCalls, AnotherSceneOrVersionIsRefused) {
+TEST(ObstacleCalls, RefuseOtherScenesAndVersions) {
   const TellingNode node;
   EXPECT_THAT(errorOf(RemoteObstacles(node.address(), kScene + 1, {})),
               HasSubstr(node.address() + ": the node with the obstacles refuses: the scenes differ"));
@@ -62,7 +62,7 @@ TEST(ObstacleCalls, AnotherSceneOrVersionIsRefused) {
   EXPECT_EQ(node.obstacles.answered, 0);
 }
 
-TEST(ObstacleCalls, BadQuestionsAreRefusedAndCostOthersNothing) {
+TEST(ObstacleCalls, BadRequestsCostOthersNothing) {
   const TellingNode node;
   for (const std::string& question :
        {std::string(), std::string("no message"), std::string(kMaxHeaderBytes + 1, 'x'),
@@ -74,13 +74,13 @@ TEST(ObstacleCalls, BadQuestionsAreRefusedAndCostOthersNothing) {
   EXPECT_EQ(errorOf(RemoteObstacles(node.address(), kScene, {})), "no error");
 }
 
-TEST(ObstacleCalls, ANodeWithoutModelsSaysSo) {
+TEST(ObstacleCalls, NodeWithoutModelsReportsIt) {
   const TellingNode node(0, {}, false);
   EXPECT_THAT(errorOf(RemoteObstacles(node.address(), kScene, {})),
               HasSubstr("this node provides no obstacles: it has no models of other objects"));
 }
 
-TEST(ObstacleCalls, WaitForANodeThatComesLater) {
+TEST(ObstacleCalls, WaitForALateNode) {
   const int port = TellingNode().server.port();
   const RemoteObstacles remote("127.0.0.1:" + std::to_string(port), kScene, {});
   EXPECT_THAT(errorOf(remote), HasSubstr("no node provides obstacles: Connection refused"));
@@ -98,7 +98,7 @@ TEST(ObstacleCalls, WaitForANodeThatComesLater) {
 }
 
 /// Fails if peers can take more than one core, or if what they ask has no bound.
-TEST(ObstacleCalls, ManyAtOnceAreAnsweredOneAfterTheOtherOrRefused) {
+TEST(ObstacleCalls, ConcurrentCallsAreSerializedOrRefused) {
   TellingNode node;
   node.obstacles.isHeld = true;
   const std::string question = encode(ObstacleRequest{.sceneHash = kScene, .cube = kCube});
@@ -127,7 +127,7 @@ TEST(ObstacleCalls, ManyAtOnceAreAnsweredOneAfterTheOtherOrRefused) {
 }
 
 /// Would catch an answer that is computed for nobody, and a server that waits for it at its end.
-TEST(ObstacleCalls, WhoHasGivenUpIsNotAnswered) {
+TEST(ObstacleCalls, CancelledCallsAreNotAnswered) {
   auto node = std::make_unique<TellingNode>();
   node->obstacles.isHeld = true;
   const std::string question = encode(ObstacleRequest{.sceneHash = kScene, .cube = kCube});
@@ -148,7 +148,7 @@ TEST(ObstacleCalls, WhoHasGivenUpIsNotAnswered) {
   (void)last.get();
 }
 
-TEST(ObstacleCalls, ACallThatAsksNothingEnds) {
+TEST(ObstacleCalls, EmptyCallEnds) {
   const TellingNode node;
   const LibraryHold library;
   grpc::GenericStub stub(grpc::CreateChannel(node.address(), grpc::InsecureChannelCredentials()));

@@ -94,18 +94,18 @@ TEST_F(RawCalls, AnUnknownMethodIsRefused) {
   EXPECT_EQ(client.stream("/grove.node.v1.Node/Other", {}).error_code(), grpc::StatusCode::UNIMPLEMENTED);
 }
 
-TEST_F(RawCalls, TheStandardHealthServiceSaysThatTheNodeServes) {
+TEST_F(RawCalls, HealthServiceReportsServing) {
   EXPECT_EQ(client.unary("/grpc.health.v1.Health/Check"), "\x08\x01") << "status = SERVING";
 }
 
-TEST_F(RawCalls, AMessageThatIsTooLargeEndsItsStreamOnly) {
+TEST_F(RawCalls, OversizedMessageEndsOnlyItsStream) {
   const grpc::ByteBuffer giant = frameOf({std::string(kMaxMessageBytes + 1, 'x'), nullptr});
   const grpc::Status status = client.stream(kLinkMethod, {giant});
   EXPECT_TRUE(eventually([&] { return node.end(1) == nullptr; }));
   EXPECT_EQ(refused(), 0) << "it did not even arrive";
 }
 
-TEST_F(RawCalls, BytesThatAreNoPacketCostTheirMessageOnly) {
+TEST_F(RawCalls, MalformedPacketCostsOnlyItself) {
   std::vector<grpc::ByteBuffer> messages;
   using namespace std::string_literals;
   for (const std::string& bytes : {""s, "\1"s, "\1\0\0\0"s, "\2\0\0\0\0x"s, "\0\0\0\0\2"s, "\1\0\0\0\0xy"s,
@@ -118,7 +118,7 @@ TEST_F(RawCalls, BytesThatAreNoPacketCostTheirMessageOnly) {
   EXPECT_EQ(refused(), 8);
 }
 
-TEST_F(RawCalls, MoreLinksThanMayBeAreRefused) {
+TEST_F(RawCalls, LinksAreLimited) {
   std::vector<std::unique_ptr<FrontendSide>> sides;
   for (int i = 1; i < GrpcServer::kMaxLinks; ++i) {
     sides.push_back(std::make_unique<FrontendSide>(node.address()));
@@ -129,7 +129,7 @@ TEST_F(RawCalls, MoreLinksThanMayBeAreRefused) {
   EXPECT_TRUE(eventually([&] { return client.stream(kLinkMethod, {}).ok(); })) << "a place is free again";
 }
 
-TEST(PacketFrames, AreReadAsTheyWereWritten) {
+TEST(PacketFrames, RoundTrip) {
   for (const Packet& packet :
        {Packet{"", nullptr}, Packet{"header", nullptr}, Packet{"header", std::make_shared<const PackedBytes>()},
         Packet{"", std::make_shared<const PackedBytes>(3, std::byte{9})}, Packet{"header", examples::bulk()}}) {
@@ -143,7 +143,7 @@ TEST(PacketFrames, AreReadAsTheyWereWritten) {
   }
 }
 
-TEST(PacketFrames, HoldTheBulkInsteadOfACopy) {
+TEST(PacketFrames, ReferenceTheBulkWithoutCopy) {
   auto bulk = std::make_shared<const PackedBytes>(100'000);
   std::vector<grpc::Slice> slices;
   grpc::ByteBuffer frame = frameOf({"header", bulk});

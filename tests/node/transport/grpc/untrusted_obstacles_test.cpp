@@ -54,7 +54,7 @@ class Liar final : public grpc::CallbackGenericService {
   std::unique_ptr<grpc::Server> server_;
 };
 
-TEST(UntrustedObstacles, AnAnswerThatIsNoneOfThatCubeIsAnError) {
+TEST(UntrustedObstacles, MismatchedAnswerIsAnError) {
   for (const int edge : {16, 24}) {
     const CubeCells cells(static_cast<std::size_t>(edge) * edge * edge, 1);
     const Liar liar(encodeCells(cells));
@@ -69,7 +69,7 @@ TEST(UntrustedObstacles, AnAnswerThatIsNoneOfThatCubeIsAnError) {
   EXPECT_THAT(errorOf(RemoteObstacles(giant.address(), kScene, {})), HasSubstr("larger"));
 }
 
-TEST(UntrustedObstacles, OnlyATrustedNodeIsHeard) {
+TEST(UntrustedObstacles, RequiresATrustedNode) {
   const TestFolder folder;
   const TlsFiles own{folder.file("own.pem"), folder.file("own.key"), "--tls"};
   const TlsFiles other{folder.file("other.pem"), folder.file("other.key"), "--tls"};

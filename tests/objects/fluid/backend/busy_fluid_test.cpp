@@ -37,7 +37,7 @@ class BusyWorker {
 };
 
 /// Fails if a machine at its limit simulates as often as others, or if its smoke moves in slow motion.
-TEST_F(BusyFluid, TicksHalfAsOftenInStepsTwiceAsLong) {
+TEST_F(BusyFluid, HalvesItsRateAndDoublesItsStep) {
   report(1);
   const auto ageOf = [](const FluidSnapshot& snapshot, float lifetime) -> std::optional<float> {
     const auto found = std::ranges::find(snapshot.lifetime, lifetime);

@@ -41,7 +41,7 @@ TEST_F(SlowFluidBackendTest, ReportsSlowMotion) {
       << "a tick is counted as a run when it has ended";
 }
 
-TEST_F(FluidBackendTest, RestsWithoutVisitorsAndGoesOnWhereItWas) {
+TEST_F(FluidBackendTest, PausesWithoutVisitorsAndResumes) {
   ASSERT_TRUE(eventually([&] { return ticks() >= 60; }));
   std::this_thread::sleep_for(300ms);
   EXPECT_EQ(ticks(), 60U) << "two seconds";
@@ -86,7 +86,7 @@ TEST_F(FluidBackendTest, RestsWithoutVisitorsAndGoesOnWhereItWas) {
   EXPECT_TRUE(eventually([&] { return std::isinf(ask()->time); })) << "all have left";
 }
 
-TEST_F(FluidBackendTest, AnnouncesWhatItThenAnswersWith) {
+TEST_F(FluidBackendTest, AnnouncesTheVersionItAnswersWith) {
   report(1);
   for (int i = 0; i < 5; ++i) {
     const node::Version before = announced_;
@@ -107,7 +107,7 @@ class RemoteFluidBackendTest : public Fire {
   node::PackedBytes packed(const node::SharedData& data) { return *data.packed(timeline_, "fluid"); }
 };
 
-TEST_F(RemoteFluidBackendTest, WhoKnowsARecentTickGetsDifferencesToIt) {
+TEST_F(RemoteFluidBackendTest, SendsDifferencesToRecentTicks) {
   report(1);
   bool isFound = false;
   for (int i = 0; i < 50 && !isFound; ++i) {
@@ -132,7 +132,7 @@ TEST_F(RemoteFluidBackendTest, WhoKnowsARecentTickGetsDifferencesToIt) {
   EXPECT_TRUE(isFound);
 }
 
-TEST_F(RemoteFluidBackendTest, WhoKnowsNothingRecentGetsTheWhole) {
+TEST_F(RemoteFluidBackendTest, SendsTheWholeOtherwise) {
   report(1);
   const node::Version first = ask()->version();
   ASSERT_TRUE(eventually([&] { return announced_ > first + 40; }));
@@ -142,7 +142,7 @@ TEST_F(RemoteFluidBackendTest, WhoKnowsNothingRecentGetsTheWhole) {
 }
 
 /// Or a world in one process would hold half a second of smoke for nobody.
-TEST_F(RemoteFluidBackendTest, KeepsNothingWhileNobodyAsksForDifferences) {
+TEST_F(RemoteFluidBackendTest, KeepsNoHistoryWithoutNeed) {
   report(1);
   for (int i = 0; i < 2; ++i) {
     const auto known = ask();

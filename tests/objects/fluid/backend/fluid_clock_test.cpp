@@ -39,7 +39,7 @@ TEST(FluidClock, StopsWhileItWaits) {
   EXPECT_EQ(ticks, 1);
 }
 
-TEST(FluidClock, SleepsUntilItIsWokenAndIsThenNotInAHurry) {
+TEST(FluidClock, WakesWithoutCatchingUp) {
   std::atomic<int> ticks = 0;
   FluidClock clock(1000.0, [&] {
     ++ticks;
@@ -54,7 +54,7 @@ TEST(FluidClock, SleepsUntilItIsWokenAndIsThenNotInAHurry) {
   while (ticks < 6) std::this_thread::yield();
 }
 
-TEST(FluidClock, WakingDuringATickIsNotLost) {
+TEST(FluidClock, KeepsWakeUpsDuringATick) {
   std::atomic<int> ticks = 0;
   std::atomic<bool> woken = false;
   FluidClock clock(1000.0, [&] {

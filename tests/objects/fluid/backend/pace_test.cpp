@@ -20,7 +20,7 @@ TEST(PaceTest, OnlyTheMeanOfManyTicksCounts) {
   EXPECT_TRUE(pace.tooSlow(0.08));
 }
 
-TEST(PaceTest, StartsAnewForTicksOfAnotherKind) {
+TEST(PaceTest, ResetsForOtherTicks) {
   Pace pace(0.03);
   EXPECT_EQ(slowAmong(pace, Pace::kTicks - 1, 0.08), 0);
   pace.restart();

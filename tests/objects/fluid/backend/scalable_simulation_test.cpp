@@ -17,7 +17,7 @@ namespace {
 
 using ScalableSimulationTest = ScalableFire;
 
-TEST(CellsAtTest, StepsAreOneAndAHalfAndTwoTimesAsFine) {
+TEST(CellsAtTest, StepsAreOneAndAHalfAndTwo) {
   EXPECT_EQ(cellsAt(64, 0), 64);
   EXPECT_EQ(cellsAt(64, 1), 96);
   EXPECT_EQ(cellsAt(64, 2), 128);
@@ -26,7 +26,7 @@ TEST(CellsAtTest, StepsAreOneAndAHalfAndTwoTimesAsFine) {
   EXPECT_EQ(cellsAt(128, 2), 128) << "the finest there is";
 }
 
-TEST_F(ScalableSimulationTest, StateIsTakenOver) {
+TEST_F(ScalableSimulationTest, StateIsTransferred) {
   struct Change {
     int from;
     int to;
@@ -59,7 +59,7 @@ TEST_F(ScalableSimulationTest, StateIsTakenOver) {
   }
 }
 
-TEST_F(ScalableSimulationTest, ThePlumeGoesOnRisingAsItDid) {
+TEST_F(ScalableSimulationTest, PlumeKeepsRising) {
   std::vector<std::pair<int, int>> cases{{32, 48}, {48, 32}};
   if (!kSanitized) cases.emplace_back(32, 64);
   for (const auto& [from, to] : cases) {
@@ -90,7 +90,7 @@ TEST_F(ScalableSimulationTest, ThePlumeGoesOnRisingAsItDid) {
   }
 }
 
-TEST_F(ScalableSimulationTest, GustsBlowOnTheNewGrid) {
+TEST_F(ScalableSimulationTest, GustsActOnTheNewGrid) {
   auto calm = scalable(32);
   auto blown = scalable(32);
   for (ScalableSimulation* each : {&calm, &blown}) {
@@ -132,7 +132,7 @@ TEST_F(ScalableSimulationTest, GoingUpAndDownTenTimesLeaksNothing) {
   EXPECT_LE(heldMegabytes(), before + 20);
 }
 
-TEST_F(ScalableSimulationTest, WhatCannotBeMadeLeavesEverythingAsItIs) {
+TEST_F(ScalableSimulationTest, FailedResizeChangesNothing) {
   int made = 0;
   ScalableSimulation simulation(
       [&](int cells) {

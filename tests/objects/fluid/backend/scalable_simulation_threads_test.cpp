@@ -13,7 +13,7 @@ namespace {
 
 using ScalableSimulationThreadsTest = ScalableFire;
 
-TEST_F(ScalableSimulationThreadsTest, TheNewestWishWins) {
+TEST_F(ScalableSimulationThreadsTest, NewestRequestWins) {
   auto simulation = scalable(16);
   run(simulation.current(), 5);
   simulation.setCells(64);
@@ -33,7 +33,7 @@ TEST_F(ScalableSimulationThreadsTest, TheNewestWishWins) {
   EXPECT_EQ(simulation.current().solver().layout().cells, 24);
 }
 
-TEST_F(ScalableSimulationThreadsTest, WishesFromManyThreadsWhileItTicks) {
+TEST_F(ScalableSimulationThreadsTest, ConcurrentRequests) {
   auto simulation = scalable(16);
   std::atomic<bool> done = false;
   std::vector<std::thread> visitors;

@@ -64,7 +64,7 @@ void expectSameSteps(const FluidSnapshot& a, const FluidSnapshot& b) {
   }
 }
 
-TEST(SnapshotPacking, HeaderStaysAsItIs) {
+TEST(SnapshotPacking, HeaderIsGolden) {
   const Bytes bytes = packSnapshot(*three());
   const auto at = [&](std::size_t offset, auto value) {
     std::memcpy(&value, bytes.data() + offset, sizeof value);
@@ -82,7 +82,7 @@ TEST(SnapshotPacking, HeaderStaysAsItIs) {
   EXPECT_EQ(at(64, std::uint32_t{}), 0xFD2FB528U) << "Zstandard's";
 }
 
-TEST(SnapshotPacking, ComesBackWithinHalfAStep) {
+TEST(SnapshotPacking, ErrorIsBelowHalfAStep) {
   const auto before = makePlume(8000);
   const auto after = unpackSnapshot(packSnapshot(*before));
   EXPECT_EQ(after->tick, before->tick);
@@ -100,7 +100,7 @@ TEST(SnapshotPacking, ComesBackWithinHalfAStep) {
   expectSameSteps(*before, *after);
 }
 
-TEST(SnapshotPacking, DifferencesGiveTheSameAsAWhole) {
+TEST(SnapshotPacking, DifferencesEqualTheWhole) {
   auto sent = makePlume(8000);
   auto known = unpackSnapshot(packSnapshot(*sent));
   for (std::uint64_t tick = 1; tick <= 100; ++tick) {
@@ -113,7 +113,7 @@ TEST(SnapshotPacking, DifferencesGiveTheSameAsAWhole) {
   }
 }
 
-TEST(SnapshotPacking, DifferencesToWhatIsSeveralTicksOld) {
+TEST(SnapshotPacking, DifferencesToOldTicks) {
   const auto base = makePlume(2000);
   auto sent = base;
   for (std::uint64_t tick = 1; tick <= 5; ++tick) sent = aTickAfter(*sent, tick);
@@ -121,7 +121,7 @@ TEST(SnapshotPacking, DifferencesToWhatIsSeveralTicksOld) {
   expectSameSteps(*sent, *unpackSnapshot(packSnapshot(*sent, base.get()), known.get()));
 }
 
-TEST(SnapshotPacking, DifferencesToAnythingElseAreStillRight) {
+TEST(SnapshotPacking, DifferencesToOtherStatesAreCorrect) {
   const auto base = three();
   auto sent = makePlume(500);
   const auto later = std::make_shared<FluidSnapshot>(380);
@@ -133,7 +133,7 @@ TEST(SnapshotPacking, DifferencesToAnythingElseAreStillRight) {
   expectSameSteps(*later, *unpackSnapshot(packSnapshot(*later, base.get()), known.get()));
 }
 
-TEST(SnapshotPacking, ADifferenceToWhatIsNotHereIsRefused) {
+TEST(SnapshotPacking, RefusesDifferencesToUnknownTicks) {
   const auto base = makePlume(500);
   const auto next = aTickAfter(*base, 7);
   const Bytes change = packSnapshot(*next, base.get());
@@ -143,14 +143,14 @@ TEST(SnapshotPacking, ADifferenceToWhatIsNotHereIsRefused) {
   EXPECT_THROW(static_cast<void>(unpackSnapshot(change, fewer.get())), node::PackingError);
 }
 
-TEST(SnapshotPacking, FarAndFastParticlesStayWhereTheyAre) {
+TEST(SnapshotPacking, FarAndFastParticlesAreExact) {
   FluidSnapshot snapshot(3);
   add(snapshot, {.at = {-3000.0F, 5.0F, 2900.0F}, .velocity = {-40.0F, 90.0F, 0.0F}});
   add(snapshot, {.at = {-2990.0F, 6.0F, 2800.0F}, .velocity = {0.1F, -0.1F, 3000.0F}});
   expectSameSteps(snapshot, *unpackSnapshot(packSnapshot(snapshot)));
 }
 
-TEST(SnapshotPacking, NoParticlesOneParticleAndASimulationThatRests) {
+TEST(SnapshotPacking, EmptySingleAndRestingParticles) {
   FluidSnapshot snapshot(~std::uint64_t{0});
   snapshot.time = std::numeric_limits<double>::infinity();
   const auto none = unpackSnapshot(packSnapshot(snapshot));
@@ -165,7 +165,7 @@ TEST(SnapshotPacking, NoParticlesOneParticleAndASimulationThatRests) {
   EXPECT_EQ(one->temperature, (std::vector<float>{1.0F}));
 }
 
-TEST(SnapshotPacking, DamageOfAnyKindIsRefused) {
+TEST(SnapshotPacking, RefusesDamage) {
   const Bytes whole = packSnapshot(*makePlume(300));
   std::mt19937 random(5);
   for (int i = 0; i < 3000; ++i) {
@@ -204,12 +204,12 @@ void expectFinite(const FluidSnapshot& snapshot) {
 /// For as many particles as there may be.
 constexpr tests::MemoryBound kMost{.perByte = 0, .always = 200 * kMaxPackedParticles};
 
-TEST(SnapshotPacking, ForgedBytesAreRefusedOrHarmless) {
+TEST(SnapshotPacking, ForgedBytesAreRefusedOrValid) {
   tests::expectMutationsAreRefusedOrSmall(
       packSnapshot(*three()), kMost, [](const Bytes& bytes) { expectFinite(*unpackSnapshot(bytes)); }, repairChecksum);
 }
 
-TEST(SnapshotPacking, ForgedDifferencesAreRefusedOrHarmless) {
+TEST(SnapshotPacking, ForgedDifferencesAreRefusedOrValid) {
   const auto base = makePlume(40);
   const auto known = unpackSnapshot(packSnapshot(*base));
   tests::expectMutationsAreRefusedOrSmall(
@@ -218,7 +218,7 @@ TEST(SnapshotPacking, ForgedDifferencesAreRefusedOrHarmless) {
 }
 
 /// Would catch a header that has memory taken for particles that do not follow.
-TEST(SnapshotPacking, ACountWithoutParticlesTakesNoMemory) {
+TEST(SnapshotPacking, CountWithoutParticlesTakesNoMemory) {
   Bytes bytes = packSnapshot(*three());
   bytes.resize(64);
   for (const std::uint32_t count : {std::uint32_t{kMaxPackedParticles}, std::uint32_t{kMaxPackedParticles + 1}}) {
@@ -230,7 +230,7 @@ TEST(SnapshotPacking, ACountWithoutParticlesTakesNoMemory) {
   }
 }
 
-TEST(SnapshotPacking, LooksTheSameAfterTheWire) {
+TEST(SnapshotPacking, RendersTheSameAfterPacking) {
   const auto snapshot = makePlume(4000);
   const node::View view = lookAt({0.0F, 1.7F, 6.0F}, {0.0F, 2.5F, 0.0F}, 640, 360);
   const Frame clean(640, 360, kGrey, world::kInfiniteDepth);

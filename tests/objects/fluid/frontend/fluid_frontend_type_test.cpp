@@ -57,7 +57,7 @@ class FluidFrontendTest : public ::testing::Test {
   const node::View view_ = lookAt({0.0F, 1.7F, 6.0F}, {0.0F, 2.5F, 0.0F}, 320, 180);
 };
 
-TEST_F(FluidFrontendTest, AsksOnceAndThenTakesTheNewestThatIsThere) {
+TEST_F(FluidFrontendTest, RequestsOnceAndUsesTheNewestVersion) {
   const auto ask = plan();
   ASSERT_TRUE(std::holds_alternative<node::Ask>(ask));
   EXPECT_TRUE(std::get<node::Ask>(ask).shared);
@@ -75,7 +75,7 @@ TEST_F(FluidFrontendTest, AsksOnceAndThenTakesTheNewestThatIsThere) {
   }
 }
 
-TEST_F(FluidFrontendTest, DrawsWhatTheRendererDraws) {
+TEST_F(FluidFrontendTest, MatchesTheRenderer) {
   const auto snapshot = makePlume(2000);
   Frame expected = empty();
   SmokeRenderer renderer{world::Sky()};
@@ -87,13 +87,13 @@ TEST_F(FluidFrontendTest, DrawsWhatTheRendererDraws) {
   EXPECT_GT(half_->bytes(), 2000U * sizeof(float)) << "what the renderer keeps";
 }
 
-TEST_F(FluidFrontendTest, NothingShowsWithoutASnapshot) {
+TEST_F(FluidFrontendTest, EmptyWithoutSnapshot) {
   EXPECT_EQ(half_->layer(fire_, node::Failure{"no fluid"}, view_), nullptr);
   EXPECT_EQ(half_->layer(fire_, std::shared_ptr<const node::SharedData>(), view_), nullptr);
   EXPECT_EQ(half_->layer(fire_, std::shared_ptr<const raster::Image>(), view_), nullptr);
 }
 
-TEST_F(FluidFrontendTest, UnpacksTheVersionThatWasAnnounced) {
+TEST_F(FluidFrontendTest, UnpacksTheAnnouncedVersion) {
   const auto packed = std::make_shared<const FluidSnapshot>(375)->packed(timeline_, type_->name());
   EXPECT_EQ(type_->unpack({}, 375, *packed, nullptr)->version(), 375U);
   EXPECT_THROW(static_cast<void>(type_->unpack({}, 376, *packed, nullptr)), node::PackingError);

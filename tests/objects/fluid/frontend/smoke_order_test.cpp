@@ -30,7 +30,7 @@ TEST(SmokeOrder, EqualDepthsKeepTheirOrder) {
   EXPECT_EQ(sprites, (std::vector<std::uint32_t>{1, 3, 0, 2, 4}));
 }
 
-TEST(SmokeOrder, OnlyTheGivenOnes) {
+TEST(SmokeOrder, SortsOnlyTheGivenOnes) {
   const std::vector<float> depth{1.0F, 9.0F, 3.0F, 4.0F};
   std::vector<std::uint32_t> sprites{0, 3, 2};
   SmokeOrder().sortBackToFront(depth, sprites);

@@ -33,7 +33,7 @@ TEST(SmokeRenderer, NearerSmokeHidesFartherSmokeFromEverySide) {
   EXPECT_GT(litInFront, darkInFront + 40);
 }
 
-TEST(SmokeRenderer, TurningNeverJumps) {
+TEST(SmokeRenderer, TurningIsContinuous) {
   const auto snapshot = makePlume(3000);
   SmokeRenderer renderer{world::Sky()};
   Frame before(160, 90, kGrey, world::kInfiniteDepth);
@@ -56,7 +56,7 @@ TEST(SmokeRenderer, TurningNeverJumps) {
   EXPECT_LT(max, 3.0 * sum / 720.0) << "a step differs by " << max << ", the mean one by " << sum / 720.0;
 }
 
-TEST(SmokeRenderer, HiddenBehindASurfaceAndSeenBeforeIt) {
+TEST(SmokeRenderer, RespectsDepth) {
   const auto snapshot = makePlume(500);
   const node::View view = lookAt({0.0F, 1.7F, 8.0F}, {0.0F, 2.0F, 0.0F}, 320, 180);
   for (const float budget : {kNoBudget, 1000.0F}) {
@@ -88,7 +88,7 @@ TEST(SmokeRenderer, SilhouettesStayCrisp) {
   }
 }
 
-TEST(SmokeRenderer, StretchedAlongTheVelocity) {
+TEST(SmokeRenderer, StretchesAlongTheVelocity) {
   const auto moments = [](world::Vec3 velocity) {
     auto snapshot = std::make_shared<FluidSnapshot>();
     for (int i = 0; i < 10; ++i) add(*snapshot, {.at = {0.0F, 1.7F, 0.0F}, .velocity = velocity});
@@ -116,7 +116,7 @@ TEST(SmokeRenderer, StretchedAlongTheVelocity) {
   EXPECT_LT(risingRight.z, -0.3F * risingRight.x) << "rows count downwards";
 }
 
-TEST(SmokeRenderer, NothingToDraw) {
+TEST(SmokeRenderer, EmptyInput) {
   SmokeRenderer renderer{world::Sky()};
   const node::View view = lookAt({0.0F, 1.7F, 8.0F}, {0.0F, 2.0F, 0.0F}, 64, 36);
   Frame frame(64, 36, kGrey, world::kInfiniteDepth);
@@ -125,7 +125,7 @@ TEST(SmokeRenderer, NothingToDraw) {
   EXPECT_EQ(std::ranges::count(frame.colours, kGrey), 64 * 36) << "smoke behind the camera shows";
 }
 
-TEST(SmokeRenderer, AnyFrameSizeFromInsideOfThePlume) {
+TEST(SmokeRenderer, AnySizeFromInsideThePlume) {
   const auto snapshot = makePlume(4000);
   for (const auto& [width, height] : {std::pair{161, 91}, {16, 16}, {1, 1}, {3, 200}, {17, 5}, {641, 361}}) {
     for (const float budget : {kNoBudget, 1.0F, SmokeRenderer::kUsualBudget}) {
@@ -140,7 +140,7 @@ TEST(SmokeRenderer, AnyFrameSizeFromInsideOfThePlume) {
   }
 }
 
-TEST(SmokeRenderer, CoarserDetailGivesNearlyTheSamePicture) {
+TEST(SmokeRenderer, CoarserDetailIsSimilar) {
   const auto snapshot = makePlume(8000);
   const node::View view = lookAt({0.0F, 1.7F, 8.0F}, {0.0F, 2.5F, 0.0F}, 1280, 720);
   const auto picture = [&](float budget, Frame& frame) {
@@ -161,7 +161,7 @@ TEST(SmokeRenderer, CoarserDetailGivesNearlyTheSamePicture) {
   EXPECT_LT(meanDifference(finest, coarse), 0.15 * smoke);
 }
 
-TEST(SmokeRenderer, MovesOnBetweenTicks) {
+TEST(SmokeRenderer, MovesBetweenTicks) {
   auto snapshot = std::make_shared<FluidSnapshot>();
   add(*snapshot, {.at = {0.0F, 1.7F, 0.0F}, .velocity = {2.0F, 0.0F, 0.0F}});
   snapshot->time = 10.0;

@@ -26,7 +26,7 @@ world::Vec3 scattered(const FluidSnapshot& snapshot, std::size_t i, world::Vec3 
 
 /// Fails if a target lights, encodes or thins sprites otherwise. A colour may come from the neighbouring entry of the
 /// table, which differs by half a 255th in the dark.
-TEST(SmokeShadingKernels, EveryTargetShadesAsAPlainLoopDoes) {
+TEST(SmokeShadingKernels, MatchesScalarOnEveryTarget) {
   constexpr float kTime = 12.25F;
   std::vector<float> display(kDisplaySteps + 1);
   for (std::size_t i = 0; i <= kDisplaySteps; ++i) {

@@ -81,7 +81,7 @@ void expectShaped(const world::Camera& eye, const SmokeSprites& sprites, float m
 }
 
 /// Fails if a target projects, shapes or draws lots otherwise, at the ends of the arrays too.
-TEST(SmokeSpritesKernels, EveryTargetPlacesSpritesAsAPlainLoopDoes) {
+TEST(SmokeSpritesKernels, PlacementMatchesScalarOnEveryTarget) {
   const SmokeLens lens(camera());
   for (const int count : {1, 3, 16, 17, 333}) {
     const auto snapshot = makePlume(count);
@@ -99,7 +99,7 @@ TEST(SmokeSpritesKernels, EveryTargetPlacesSpritesAsAPlainLoopDoes) {
 }
 
 /// Fails if a target counts blocks, marks sprites or bounds them otherwise; some are beyond the frame's edges.
-TEST(SmokeSpritesKernels, EveryTargetSumsUpAsAPlainLoopDoes) {
+TEST(SmokeSpritesKernels, SumsMatchScalarOnEveryTarget) {
   constexpr float kWidth = 150.0F;
   constexpr float kHeight = 90.0F;
   for (const int count : {1, 3, 16, 17, 333}) {

@@ -72,7 +72,7 @@ const std::array kCases{Case{83, 47, 2, {3, 1, 42, 24}}, Case{83, 47, 4, {0, 0, 
                         Case{131, 33, 2, {0, 2, 66, 17}}, Case{33, 9, 2, {16, 4, 17, 5}},
                         Case{140, 61, 4, {1, 3, 35, 16}}};
 
-TEST(SmokeTargetKernels, EveryTargetTakesTheDepthsThatAPlainLoopTakes) {
+TEST(SmokeTargetKernels, DepthsMatchScalarOnEveryTarget) {
   for (const Case& c : kCases) {
     Frame frame(c.width, c.height, kGrey, 0.0F);
     placeDepths(frame);
@@ -163,7 +163,7 @@ std::array<double, 4> drawnPlainly(const SmokeSprites& s, const std::vector<std:
 
 /// Fails if a target weighs, hides or blends otherwise, leaves out an ellipse's ends, or does not tell which rows it
 /// drew into.
-TEST(SmokeTargetKernels, EveryTargetDrawsEllipsesAsAPlainLoopDoes) {
+TEST(SmokeTargetKernels, EllipsesMatchScalarOnEveryTarget) {
   for (const Case& c : kCases) {
     Frame frame(c.width, c.height, kGrey, 0.0F);
     placeDepths(frame);
@@ -240,7 +240,7 @@ std::array<double, 3> blendedPlainly(const Target& target, const Frame& frame, i
 
 /// Fails if a target widens, finds silhouettes or blends otherwise, by more than the rounding to a byte; or if it
 /// touches what lies outside.
-TEST(SmokeUpsampleKernels, EveryTargetBlendsAsAPlainLoopDoes) {
+TEST(SmokeUpsampleKernels, MatchesScalarOnEveryTarget) {
   for (const Case& c : kCases) {
     Frame before(c.width, c.height, kGrey, 0.0F);
     placeDepths(before);

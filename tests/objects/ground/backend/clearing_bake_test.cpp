@@ -50,7 +50,7 @@ TEST_F(ClearingBake, TheShadowFallsAwayFromTheSun) {
   EXPECT_GT(soilAt(clearing, {-18.0F, 0.0F, 15.0F}).sun, 0.9F);
 }
 
-TEST_F(ClearingBake, TheShadowsEdgeIsSoft) {
+TEST_F(ClearingBake, ShadowHasASoftEdge) {
   const world::Vec3 aside(-sunward.z, 0.0F, sunward.x);
   int between = 0;
   for (int step = -60; step <= 60; ++step) {
@@ -61,7 +61,7 @@ TEST_F(ClearingBake, TheShadowsEdgeIsSoft) {
   EXPECT_GT(between, 2);
 }
 
-TEST_F(ClearingBake, StonesDarkenTheSkyAtTheirFeet) {
+TEST_F(ClearingBake, StonesOccludeTheSkyAtTheirFeet) {
   const world::Vec3 aside(-sunward.z, 0.0F, sunward.x);
   EXPECT_LT(soilAt(clearing, stone + aside * 1.2F).sky, 0.85F);
   EXPECT_GT(soilAt(clearing, {-10.0F, 0.0F, -10.0F}).sky, 0.99F);
@@ -72,7 +72,7 @@ TEST_F(ClearingBake, NoGrassGrowsAtTheFire) {
   EXPECT_GT(soilAt(clearing, {-10.0F, 0.0F, -10.0F}).grass, 0.3F);
 }
 
-TEST_F(ClearingBake, LowFoliageHasItsOwnGrassAndLeavesNoBlackGaps) {
+TEST_F(ClearingBake, LowFoliageLeavesNoBlackGaps) {
   // Leaves close above the ground, around a place that nothing else shades.
   const world::Vec3 place(-10.0F, 0.0F, -10.0F);
   world::Triangles leaves;

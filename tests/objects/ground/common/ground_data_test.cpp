@@ -27,7 +27,7 @@ std::shared_ptr<const node::PackedBytes> packedOf(const GroundData& data) {
   return data.packed(timeline, kTypeName);
 }
 
-TEST(GroundData, IsTheSameAfterPacking) {
+TEST(GroundData, RoundTripsThroughPacking) {
   const GroundData before(maps());
   const auto after = GroundData::unpack(*packedOf(before));
   EXPECT_TRUE(std::ranges::equal(before.maps().clearing.pyramid.texels(), after->maps().clearing.pyramid.texels()));
@@ -38,7 +38,7 @@ TEST(GroundData, IsTheSameAfterPacking) {
 }
 
 /// Would catch 16 bytes that have memory of a gigabyte taken.
-TEST(GroundData, ASizeThatTheBytesCannotFillTakesNoMemory) {
+TEST(GroundData, OversizedHeaderTakesNoMemory) {
   node::PackWriter writer;
   writer.put(40.0F).put(5.0F).put(0.2F).put(4096);
   const node::PackedBytes bytes = writer.take();
@@ -47,7 +47,7 @@ TEST(GroundData, ASizeThatTheBytesCannotFillTakesNoMemory) {
   EXPECT_LT(allocations.bytes(), 1000U);
 }
 
-TEST(GroundData, DamagedBytesAreRefusedOrAGround) {
+TEST(GroundData, DamagedBytesAreRefusedOrValid) {
   const auto whole = packedOf(GroundData({{speckled(8, 1), 40.0F}, {speckled(4, 2).inBlocks(), 5.0F, 0.2F}}));
   tests::expectMutationsAreRefusedOrSmall(*whole, {.perByte = 600}, [](const node::PackedBytes& bytes) {
     const auto data = GroundData::unpack(bytes);

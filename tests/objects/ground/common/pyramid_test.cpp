@@ -5,7 +5,7 @@
 namespace grove::objects::ground {
 namespace {
 
-TEST(Pyramid, EachLevelAveragesTheFinerOneChannelByChannel) {
+TEST(Pyramid, EachLevelAveragesTheFinerOne) {
   std::vector<std::uint32_t> texels(16, 0x10203040U);
   texels[0] = 0x50607080U;
   const Pyramid pyramid(4, texels);
@@ -16,7 +16,7 @@ TEST(Pyramid, EachLevelAveragesTheFinerOneChannelByChannel) {
   EXPECT_EQ(pyramid.level(2)[0], 0x14243444U);
 }
 
-TEST(Pyramid, BlocksHoldTheTexelsOfASquareOneAfterAnother) {
+TEST(Pyramid, BlocksHoldSquaresContiguously) {
   std::vector<std::uint32_t> texels(64);
   for (std::uint32_t i = 0; i < 64; ++i) texels[i] = i;
   const Pyramid rows(8, texels);

@@ -42,7 +42,7 @@ class GroundPictureTest : public testing::Test {
   raster::ImagePool images;
 };
 
-TEST_F(GroundPictureTest, DepthOfBareEarthIsThatOfThePlane) {
+TEST_F(GroundPictureTest, BareEarthHasPlaneDepth) {
   for (const float pitch : {-0.1F, -0.7F, -1.45F}) {
     const world::Camera camera = cameraAt({3.0F, 1.7F, -2.0F}, pitch);
     const auto image = groundImage(bare, camera, whole(camera), {}, images);
@@ -58,7 +58,7 @@ TEST_F(GroundPictureTest, DepthOfBareEarthIsThatOfThePlane) {
   }
 }
 
-TEST_F(GroundPictureTest, GrassStandsBetweenTheEyeAndThePlane) {
+TEST_F(GroundPictureTest, GrassIsNearerThanThePlane) {
   const world::Camera camera = cameraAt({0.0F, 1.7F, 0.0F}, -0.2F);
   const auto image = groundImage(grown, camera, whole(camera), {}, images);
   ASSERT_TRUE(image);
@@ -87,7 +87,7 @@ TEST_F(GroundPictureTest, IsOpaqueAndBeginsBelowTheHorizon) {
   for (const std::uint32_t colour : image->colour) ASSERT_EQ(colour >> 24U, 0xFFU);
 }
 
-TEST_F(GroundPictureTest, NothingShowsFromBelowOrLookingUp) {
+TEST_F(GroundPictureTest, EmptyFromBelowAndLookingUp) {
   const world::Camera under = cameraAt({0.0F, -0.5F, 0.0F}, -0.3F);
   EXPECT_FALSE(groundImage(grown, under, whole(under), {}, images));
   const world::Camera on = cameraAt({0.0F, 0.0F, 0.0F}, -0.3F);
@@ -96,7 +96,7 @@ TEST_F(GroundPictureTest, NothingShowsFromBelowOrLookingUp) {
   EXPECT_FALSE(groundImage(grown, up, whole(up), {}, images));
 }
 
-TEST_F(GroundPictureTest, APartEqualsThatPartOfTheWhole) {
+TEST_F(GroundPictureTest, PartEqualsTheWhole) {
   const world::Camera camera = cameraAt({1.0F, 1.7F, 5.0F}, -0.3F);
   const auto all = groundImage(grown, camera, whole(camera), {}, images);
   for (const world::Rect rect :
@@ -114,7 +114,7 @@ TEST_F(GroundPictureTest, APartEqualsThatPartOfTheWhole) {
 }
 
 /// Fails if columns left of the frame are rounded towards it.
-TEST_F(GroundPictureTest, IsTheSameWithABorderBeyondTheFrame) {
+TEST_F(GroundPictureTest, BorderChangesNothing) {
   const world::Camera camera = cameraAt({3.0F, 1.7F, -2.0F}, -0.3F);
   const auto all = groundImage(grown, camera, whole(camera), {}, images);
   const world::Rect border{-38, -14, 360, 200};
@@ -128,7 +128,7 @@ TEST_F(GroundPictureTest, IsTheSameWithABorderBeyondTheFrame) {
   }
 }
 
-TEST_F(GroundPictureTest, ALampBrightensTheGroundBelowItMost) {
+TEST_F(GroundPictureTest, LampsBrightenTheGroundBelow) {
   const world::Camera camera = cameraAt({0.0F, 1.7F, 0.0F}, -0.5F);
   const world::Vec3 spot = camera.pose.position + camera.ray(165.0F, 100.0F) * (-1.7F / camera.ray(165.0F, 100.0F).y);
   const std::array<world::PointLight, 1> lamp{{{spot + world::Vec3(0, 0.8F, 0), {3.0F, 1.5F, 0.5F}}}};
@@ -145,7 +145,7 @@ TEST_F(GroundPictureTest, ALampBrightensTheGroundBelowItMost) {
   EXPECT_GE(gain(5, 180), 0);
 }
 
-TEST_F(GroundPictureTest, OnlyTheNearestEightLampsCount) {
+TEST_F(GroundPictureTest, UsesTheNearestEightLamps) {
   const world::Camera camera = cameraAt({0.0F, 1.7F, 0.0F}, -0.5F);
   std::vector<world::PointLight> lamps(8, {{0.0F, 1.0F, -1.0F}, {0.1F, 0.1F, 0.1F}});
   const auto without = groundImage(grown, camera, whole(camera), lamps, images);

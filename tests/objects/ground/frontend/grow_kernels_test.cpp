@@ -56,7 +56,7 @@ struct Case {
 };
 
 /// Tolerance: of 320 pixels three may fall to the texel beside, for their places are rounded; tops by one row.
-TEST(GrowKernels, TexelsAndTopsAreThoseOfAPlainLoop) {
+TEST(GrowKernels, MatchesScalarOnEveryTarget) {
   const Pyramid plain = noise();
   const Meadow meadow{plain.inBlocks(), kMetres, kTallest};
   const world::Camera camera{

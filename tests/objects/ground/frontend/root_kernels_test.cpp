@@ -43,7 +43,7 @@ float relief(const Row& row, int above) {
 }
 
 /// Tolerance of shares: what the lower bits take, and rounding.
-TEST(RootKernels, TheNearestBladeThatReachesUpIsFoundAndItsShare) {
+TEST(RootKernels, FindsTheNearestBladeAndItsShare) {
   const auto soil = std::make_unique<FineSoil>();
   const auto step = std::make_unique<FineSoil>();
   for (std::size_t column = 0; column < kTile; ++column) {

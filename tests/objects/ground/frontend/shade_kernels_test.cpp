@@ -35,7 +35,7 @@ std::unique_ptr<GrassRows> grown() {
 }
 
 /// Tolerance of colours: the steps of 16-bit numbers, of shares and of the table make up to one and a half of a byte's.
-TEST(ShadeKernels, AgreeWithTheParabolaAndShowTheRootsDepth) {
+TEST(ShadeKernels, MatchTheParabola) {
   const SampledSoil top = soilWith(0.0F);
   const SampledSoil bottom = soilWith(0.7F);
   Frame frame;

@@ -112,7 +112,7 @@ world::Vec3 shownAt(const Scene& scene, int level, float side, float root) {
 }
 
 /// Tolerance: an entry of the tone table.
-TEST(SoilKernels, ParabolasMeetWhatIsDisplayedAtThreeRoots) {
+TEST(SoilKernels, ParabolasMatchAtThreeRoots) {
   Scene scene;
   const world::Camera camera{
       .pose = {.position = {2.0F, 1.7F, 6.0F}, .yaw = 0.6F, .pitch = -0.2F}, .width = 1280, .height = 720};

@@ -52,7 +52,7 @@ struct Spread {
 };
 
 /// Tolerances: a few steps of the 16-bit numbers.
-TEST(SpreadKernels, ColumnsLieOnLinesBetweenTheSamplesAndRowsBetweenTheRows) {
+TEST(SpreadKernels, InterpolatesBetweenSamplesAndRows) {
   const SampledSoil top = soilWith(0.3F);
   const SampledSoil bottom = soilWith(1.4F);
   tests::onEachTarget([&] {

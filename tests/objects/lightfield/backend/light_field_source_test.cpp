@@ -30,7 +30,7 @@ std::string errorOf(const std::string& settings) {
   return "no error";
 }
 
-TEST(LightFieldSource, WhatIsNoPlainFileIsRefusedWithLineAndKey) {
+TEST(LightFieldSource, RefusesIrregularFilesWithLineAndKey) {
   const TemporaryFolder folder;
   const std::string fifo = (folder / "fifo").string();
   ASSERT_EQ(mkfifo(fifo.c_str(), 0600), 0);
@@ -43,13 +43,13 @@ TEST(LightFieldSource, WhatIsNoPlainFileIsRefusedWithLineAndKey) {
   }
 }
 
-TEST(LightFieldSource, AFileThatIsNotThereIsNamedWithLineAndKey) {
+TEST(LightFieldSource, NamesAMissingFileWithLineAndKey) {
   EXPECT_THAT(errorOf("model = '/nowhere.glb'\n"),
               AllOf(StartsWith("test.toml:4: object 'it': 'model': /nowhere.glb"), HasSubstr("No such file")));
   EXPECT_THAT(errorOf("file = '/nowhere.glf'\n"), StartsWith("test.toml:4: object 'it': 'file': /nowhere.glf"));
 }
 
-TEST(LightFieldSource, AModelThatChangesGetsAnotherFile) {
+TEST(LightFieldSource, ChangedModelGetsAnotherFile) {
   const TemporaryFolder folder;
   const std::string model = (folder / "model.glb").string();
   const auto name = [&](const std::string& bytes) {

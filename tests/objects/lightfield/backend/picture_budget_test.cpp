@@ -32,7 +32,7 @@ int takes(PictureBudget& budget, const node::View& view, float error) {
   return made;
 }
 
-TEST(PictureBudget, AFrameMakesTwoOfWhatIsHardlyWrongAndAllOfWhatIsWrong) {
+TEST(PictureBudget, RefinesTwoPerFrameAndAllThatAreWrong) {
   PictureBudget budget(kRate, unshed, unknown);
   for (node::FrameNumber frame = 1; frame < 5; ++frame) {
     const node::View view = viewOf(1, frame, frame);
@@ -41,7 +41,7 @@ TEST(PictureBudget, AFrameMakesTwoOfWhatIsHardlyWrongAndAllOfWhatIsWrong) {
   }
 }
 
-TEST(PictureBudget, FramesInFlightThatTakeTurnsMakeTwoEach) {
+TEST(PictureBudget, EachFrameInFlightRefinesTwo) {
   PictureBudget budget(kRate, unshed, unknown);
   int made = 0;
   for (int turn = 0; turn < 4; ++turn) {
@@ -50,7 +50,7 @@ TEST(PictureBudget, FramesInFlightThatTakeTurnsMakeTwoEach) {
   EXPECT_EQ(made, 3 * PictureBudget::kMaxNewPictures);
 }
 
-TEST(PictureBudget, TheBucketHoldsAQuarterOfASecondAndFillsByTheWorldsClock) {
+TEST(PictureBudget, BucketHoldsAQuarterSecondOfWorldTime) {
   PictureBudget budget(kRate, unshed, unknown);
   EXPECT_EQ(takes(budget, viewOf(1, 1, 10.0), kNothing), 25);
   EXPECT_EQ(takes(budget, viewOf(1, 2, 10.0), kNothing), 0) << "another frame alone gives nothing";
@@ -59,7 +59,7 @@ TEST(PictureBudget, TheBucketHoldsAQuarterOfASecondAndFillsByTheWorldsClock) {
   EXPECT_EQ(takes(budget, viewOf(1, 5, 100.0), kNothing), 49) << "the bucket and the pot, however long it took";
 }
 
-TEST(PictureBudget, ABusyMachineFillsItMoreSlowly) {
+TEST(PictureBudget, BusyMachineFillsMoreSlowly) {
   float factor = 1.0F;
   PictureBudget budget(
       kRate, [&] { return factor; }, unknown);
@@ -68,7 +68,7 @@ TEST(PictureBudget, ABusyMachineFillsItMoreSlowly) {
   EXPECT_EQ(takes(budget, viewOf(1, 2, 10.25), kNothing), 7) << "a quarter of 25, the last one on credit";
 }
 
-TEST(PictureBudget, WhatIsWrongerMayEmptyItMore) {
+TEST(PictureBudget, LargerErrorsMaySpendMore) {
   const auto taken = [](float error) {
     PictureBudget budget(kRate, unshed, unknown);
     return takes(budget, viewOf(1, 1, 0.0), error);
@@ -78,7 +78,7 @@ TEST(PictureBudget, WhatIsWrongerMayEmptyItMore) {
   EXPECT_EQ(taken(kNothing), 25);
 }
 
-TEST(PictureBudget, AllVisitorsHaveEqualSharesAndWhatOthersLeave) {
+TEST(PictureBudget, VisitorsShareEquallyAndUseLeftovers) {
   PictureBudget busy(kRate, unshed, unknown);
   for (node::SessionId visitor = 1; visitor <= 5; ++visitor) (void)busy.take(viewOf(visitor, 1, 0.0, 5), 0, kNothing);
   for (node::SessionId visitor = 1; visitor <= 5; ++visitor) {
@@ -96,7 +96,7 @@ TEST(PictureBudget, AllVisitorsHaveEqualSharesAndWhatOthersLeave) {
 }
 
 /// Or eight who come at once wait for one another's pictures.
-TEST(PictureBudget, WhoComesWhileOthersAreHereBeginsWithNothing) {
+TEST(PictureBudget, NewcomersStartEmpty) {
   PictureBudget budget(kRate, unshed, unknown);
   EXPECT_EQ(takes(budget, viewOf(1, 1, 0.0), kNothing), 25) << "nobody is held up";
   EXPECT_EQ(takes(budget, viewOf(2, 1, 0.0, 2), kNothing), 0);
@@ -112,7 +112,7 @@ TEST(PictureBudget, DebtsArePaidFirst) {
 }
 
 /// Would catch a peer who takes everybody's pictures by saying that it is late.
-TEST(PictureBudget, TimesThatTheWorldsClockDoesNotShowGiveNothing) {
+TEST(PictureBudget, SkippedTimeGivesNothing) {
   double now = 10.0;
   PictureBudget budget(kRate, unshed, [&] { return now; });
   EXPECT_EQ(takes(budget, viewOf(1, 1, now, 2), kNothing), 13);
@@ -125,7 +125,7 @@ TEST(PictureBudget, TimesThatTheWorldsClockDoesNotShowGiveNothing) {
   EXPECT_EQ(takes(budget, viewOf(1, 2, now, 2), kNothing), 6) << "as if nobody had lied";
 }
 
-TEST(PictureBudget, AMinuteOfEightVisitorsAtFourFramesASecondTakesNoMore) {
+TEST(PictureBudget, BudgetHoldsForEightSlowVisitors) {
   PictureBudget budget(kRate, unshed, unknown);
   std::mt19937 dice(7);
   std::uniform_real_distribution<float> errors(0.5F, 12.0F);

@@ -14,7 +14,7 @@ namespace {
 using world::Vec3;
 
 /// Fails if a target takes another sample or weight, or leaves a row's end out or goes beyond it.
-TEST(ShadowKernels, EveryTargetShadesAsAPlainLoopDoes) {
+TEST(ShadowKernels, MatchesScalarOnEveryTarget) {
   SunGrid sun;
   sun.cells = {5, 4, 3};
   sun.low = {-2.0F, -1.0F, -2.0F};

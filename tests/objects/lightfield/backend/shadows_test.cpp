@@ -21,7 +21,7 @@ SunGrid halfShaded() {
   return grid;
 }
 
-TEST_F(Shadows, AllOfTheSunChangesNothing) {
+TEST_F(Shadows, FullSunChangesNothing) {
   const std::vector<std::uint32_t> before(image_->colour.begin(), image_->colour.end());
   SunGrid whole;
   whole.sun = {1.0F};

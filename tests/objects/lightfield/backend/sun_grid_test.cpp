@@ -46,24 +46,24 @@ float sunInTheMiddle(const SunGrid& grid, int y) {
   return grid.sun[static_cast<std::size_t>(row * grid.cells[0] + grid.cells[0] / 2)];
 }
 
-TEST(SunGrid, TheOpenIsAllSun) {
+TEST(SunGrid, OpenFieldIsFullySunlit) {
   const SunGrid grid = makeSunGrid(objectOf({2, 1, 2}, {}), world::Sky().sun, world::RayScene({}));
   EXPECT_TRUE(grid.whole);
   EXPECT_EQ(grid.sun.size(), static_cast<std::size_t>(grid.cells[0] * grid.cells[1] * grid.cells[2]));
 }
 
-TEST(SunGrid, AWallHidesWhatIsLowAndNotWhatIsHigh) {
+TEST(SunGrid, WallShadesLowPoints) {
   const SunGrid grid = makeSunGrid(objectOf({1, 4, 1}, {}), world::Sky().sun, world::RayScene(wall(6.0F, 1.5F)));
   EXPECT_FALSE(grid.whole);
   EXPECT_EQ(sunInTheMiddle(grid, 0), 0.0F);
   EXPECT_EQ(sunInTheMiddle(grid, grid.cells[1] - 1), 1.0F);
 }
 
-TEST(SunGrid, TheObjectsOwnBodyIsLeftOut) {
+TEST(SunGrid, OwnBodyIsExcluded) {
   EXPECT_TRUE(makeSunGrid(objectOf({3, 4, 3}, {}), world::Sky().sun, world::RayScene(wall(1.0F, 2.0F, 1.0F))).whole);
 }
 
-TEST(SunGrid, ATurnedAndScaledObjectIsMeasuredWhereItStands) {
+TEST(SunGrid, TurnedAndScaledObject) {
   // The wall's shadow ends at a height of 1.5 m in the world; this object's own metres are two of the world's.
   const world::ModelledObject object = objectOf({1, 4, 1}, {{0, 0, 0}, 2.0F, 2.0F});
   const SunGrid grid = makeSunGrid(object, world::Sky().sun, world::RayScene(wall(9.0F, 1.5F)));

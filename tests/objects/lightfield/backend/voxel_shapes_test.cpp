@@ -41,7 +41,7 @@ float signedVolume(const world::Triangles& triangles) {
   return volume;
 }
 
-TEST_F(VoxelShapes, TheWoodsSurfaceIsClosedAndFacesOutwards) {
+TEST_F(VoxelShapes, WoodSurfaceIsClosed) {
   const world::Triangles wood = woodSurface(grid_);
   // 80 outer sides of cells up the trunk's four faces of 2 x 20, and two ends of 2 x 2: two triangles each.
   EXPECT_EQ(wood.indices.size(), 2U * (4 * 2 * 20 + 2 * 4));
@@ -51,7 +51,7 @@ TEST_F(VoxelShapes, TheWoodsSurfaceIsClosedAndFacesOutwards) {
   EXPECT_NEAR(bounds.high.y, 2.0F, 1e-5F);
 }
 
-TEST_F(VoxelShapes, LeavesShadeInPart) {
+TEST_F(VoxelShapes, LeavesShadePartially) {
   const world::Triangles shade = shadeSurface(grid_);
   EXPECT_EQ(shade.indices.size(), woodSurface(grid_).indices.size() + 2U * 4 * 4 * 4);
   const world::RayScene rays(shade);
@@ -66,13 +66,13 @@ TEST_F(VoxelShapes, LeavesShadeInPart) {
   EXPECT_LT(hidden, kRays);
 }
 
-TEST_F(VoxelShapes, TheTrunkIsWhatVisitorsWalkAround) {
+TEST_F(VoxelShapes, TrunkIsTheObstacle) {
   const auto radius = trunkRadius(grid_);
   ASSERT_TRUE(radius.has_value());
   EXPECT_NEAR(*radius, std::sqrt(0.04F / 3.1415927F), 1e-5F);
 }
 
-TEST_F(VoxelShapes, NothingSolidIsNoObstacle) {
+TEST_F(VoxelShapes, WithoutWoodNoObstacle) {
   const std::vector<std::uint8_t> leaves(64, static_cast<std::uint8_t>(Voxel::kLeaves));
   const VoxelGrid bush{4, 4, 4, 0.5F, {-1.0F, 0.0F, -1.0F}, leaves};
   EXPECT_FALSE(trunkRadius(bush).has_value());

@@ -73,7 +73,7 @@ double meanOf(const LightField& field) {
 
 /// What a rough one shows gives way to a fine one while somebody looks: it may be blurred, but not of another light,
 /// nor anywhere else.
-TEST_F(Bake, ARoughOneHasTheShapeAndNearlyTheLightOfAFineOne) {
+TEST_F(Bake, CoarseMatchesFineInShapeAndLight) {
   BakeOptions rough = kSmallBake;
   rough.rough = true;
   const auto fineReport = bake(file_());
@@ -113,7 +113,7 @@ TEST_F(Bake, ThreadsDoNotChangeTheFile) {
   EXPECT_EQ(contents(file_()), contents(folder_ / "other.glf"));
 }
 
-TEST_F(Bake, WhatWasInterruptedGoesOnAndGivesTheSameFile) {
+TEST_F(Bake, ResumedBakeGivesTheSameFile) {
   ASSERT_TRUE(bake(folder_ / "whole.glf"));
   EXPECT_FALSE(bakeInPart(4).has_value());
   EXPECT_FALSE(std::filesystem::exists(file_())) << "no file before it is whole";
@@ -125,7 +125,7 @@ TEST_F(Bake, WhatWasInterruptedGoesOnAndGivesTheSameFile) {
   EXPECT_EQ(contents(file_()), contents(folder_ / "whole.glf"));
 }
 
-TEST_F(Bake, WhatWasTornOrSpoiltIsMadeAgain) {
+TEST_F(Bake, DamagedPartsAreBakedAgain) {
   ASSERT_TRUE(bake(folder_ / "whole.glf"));
   EXPECT_FALSE(bakeInPart(6).has_value());
   const auto journal = partial() / "journal";
@@ -144,7 +144,7 @@ TEST_F(Bake, WhatWasTornOrSpoiltIsMadeAgain) {
   EXPECT_EQ(contents(file_()), contents(folder_ / "whole.glf"));
 }
 
-TEST_F(Bake, OtherOptionsBeginAnew) {
+TEST_F(Bake, OtherOptionsStartOver) {
   EXPECT_FALSE(bakeInPart(4).has_value());
   BakeOptions other = kSmallBake;
   other.samples = 1;
@@ -153,7 +153,7 @@ TEST_F(Bake, OtherOptionsBeginAnew) {
   EXPECT_EQ(report->viewsTakenUp, 0);
 }
 
-TEST_F(Bake, AnOldFileStaysUntilTheNewOneIsWhole) {
+TEST_F(Bake, OldFileStaysUntilTheNewOneIsComplete) {
   std::ofstream(file_()) << "old";
   std::ofstream(file_().string() + ".partial-abc123") << "left by a process that was killed while it wrote the file";
   EXPECT_FALSE(bakeInPart(4).has_value());
@@ -163,17 +163,17 @@ TEST_F(Bake, AnOldFileStaysUntilTheNewOneIsWhole) {
   EXPECT_NO_THROW((void)openLightField(file_()));
 }
 
-TEST_F(Bake, TwoAtOnceAreRefused) {
+TEST_F(Bake, ConcurrentBakesAreRefused) {
   const PartialBake other(partial(), {.views = 13, .size = 64, .levels = 2, .lightings = 2});
   EXPECT_THAT([&] { (void)bake(file_()); }, ThrowsMessage<EnvironmentError>(HasSubstr("another process")));
 }
 
-TEST_F(Bake, AMissingFolderIsNamed) {
+TEST_F(Bake, NamesAMissingFolder) {
   EXPECT_THAT([&] { (void)bake(folder_ / "no/such/tree.glf"); },
               ThrowsMessage<EnvironmentError>(HasSubstr("no/such/tree.glf")));
 }
 
-TEST_F(Bake, WithoutTrianglesThereIsNothingToBake) {
+TEST_F(Bake, RefusesAModelWithoutTriangles) {
   EXPECT_THROW((void)bakeLightField(models::Model{}, kSmallBake, file_(), [](const BakeProgress&) {}, {}),
                EnvironmentError);
 }
@@ -186,7 +186,7 @@ models::Model treeOf(float metres) {
   return model;
 }
 
-TEST_F(Bake, WhatCanBeImportedCanBeBakedAndOpened) {
+TEST_F(Bake, EveryImportableModelBakes) {
   for (const float metres : {models::kMinMetres, 0.002F, models::kMaxMetres}) {
     const models::Model model = treeOf(metres);
     ASSERT_TRUE(bakeLightField(model, kSmallBake, file_(), [](const BakeProgress&) {}, {})) << metres;
@@ -194,7 +194,7 @@ TEST_F(Bake, WhatCanBeImportedCanBeBakedAndOpened) {
   }
 }
 
-TEST_F(Bake, APlaneHasAThicknessByWhichRaysMeetIt) {
+TEST_F(Bake, FlatModelsGetAThickness) {
   models::Model model;
   addQuad(model, {-1, 0, 0}, {2, 0, 0}, {0, 1, 0}, addMaterial(model, whiteStone()));
   ASSERT_TRUE(bakeLightField(model, kSmallBake, file_(), [](const BakeProgress&) {}, {}));
@@ -205,7 +205,7 @@ TEST_F(Bake, APlaneHasAThicknessByWhichRaysMeetIt) {
   EXPECT_EQ(bounds.size().x, 2.0F) << "what has a thickness keeps it";
 }
 
-TEST(Voxelize, ABoxIsWoodAndASheetOfLeavesIsLeaves) {
+TEST(Voxelize, SeparatesWoodAndLeaves) {
   models::Model model;
   const std::uint16_t wood = addMaterial(model, whiteStone());
   const std::uint16_t leaf = addMaterial(model, {.name = "leaf"});

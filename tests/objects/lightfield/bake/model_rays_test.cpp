@@ -53,7 +53,7 @@ std::bitset<kPacket> occluded(const ModelRays& rays, int index) {
   return hit;
 }
 
-TEST(ModelRays, EyesPassTheBackOfWhatHasOneSideAndLightDoesNot) {
+TEST(ModelRays, BackFacesStopLightButNotEyes) {
   models::Model model;
   const std::uint16_t one = addMaterial(model, {.name = "plate", .twoSided = false});
   const std::uint16_t two = addMaterial(model, {.name = "leaf"});
@@ -67,7 +67,7 @@ TEST(ModelRays, EyesPassTheBackOfWhatHasOneSideAndLightDoesNot) {
 }
 
 /// As foliage is made: one card for each side in the same place, and the normals of both point to the light.
-TEST(ModelRays, EyesSeeACardForEachSideWhateverItsNormals) {
+TEST(ModelRays, CardsFaceBothSides) {
   const std::vector<TextureSampler> textures;
   for (const Vec3 normal : {Vec3(0, 0.6F, 0.8F), Vec3(0, 0.6F, -0.8F)}) {
     models::Model model;
@@ -98,11 +98,11 @@ void expectThreeInTenMet(const models::Material& material) {
   EXPECT_NEAR(static_cast<double>(met) / 256.0, 0.3, 0.1);
 }
 
-TEST(ModelRays, PartOfThemPassWhatBlends) {
+TEST(ModelRays, BlendingPassesAShareOfRays) {
   expectThreeInTenMet({.name = "veil", .texture = 0, .alphaCutoff = 1.0F, .blended = true});
 }
 
-TEST(ModelRays, PartOfThemPassWhatBlendsWithoutATexture) {
+TEST(ModelRays, BlendingWithoutTexturePassesAShareOfRays) {
   expectThreeInTenMet({.name = "glass", .alphaCutoff = 1.0F / 0.3F, .blended = true});
 }
 

@@ -12,7 +12,7 @@ using world::Vec2;
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
-TEST(TextureSampler, TakesTheMeanWhereALookUpCoversAllOfTheTexture) {
+TEST(TextureSampler, WideLookUpIsTheMean) {
   const TextureSampler black(models::Texture{2, 2, {0xFF000000U, 0xFFFFFFFFU, 0xFFFFFFFFU, 0xFF000000U}});
   EXPECT_NEAR(black.colour({0.25F, 0.25F}, 1.0F).r, 0.0F, 1.0e-6F);
   for (const float texels : {2.0F, 1.0e30F, kInfinity}) {

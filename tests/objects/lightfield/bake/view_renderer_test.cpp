@@ -66,14 +66,14 @@ TEST(ViewRenderer, ColourAndDepthOfAWall) {
   }
 }
 
-TEST(ViewRenderer, TheBackIsSeenInTheLightOfTheBack) {
+TEST(ViewRenderer, BackFacesUseTheirOwnLight) {
   models::Model model;
   addQuad(model, {-9, -9, -3}, {0, 18, 0}, {18, 0, 0}, addMaterial(model, {.name = "leaf", .albedo = Vec3(1.0F)}));
   const std::uint32_t seen = render(model, 0.1F, 0.5F, 1).colour[0][pixel(5, 5)];
   EXPECT_NEAR(static_cast<int>(seen & 0xFFU), static_cast<int>(world::toDisplayRgba(Vec3(0.5F)) & 0xFFU), 1);
 }
 
-TEST(ViewRenderer, WhatHasOneSideIsNotSeenFromBehind) {
+TEST(ViewRenderer, SingleSidedIsCulled) {
   for (const bool pierced : {false, true}) {
     models::Model model;
     model.textures.push_back({1, 1, {0xFFFFFFFFU}});
@@ -107,7 +107,7 @@ TEST(ViewRenderer, CoverageIsTheShareOfSamplesAndColourIsPremultiplied) {
   EXPECT_EQ(picture.depth[pixel(17, 10)], world::kInfiniteDepth);
 }
 
-TEST(ViewRenderer, DepthAtAnEdgeIsThatOfOneSurface) {
+TEST(ViewRenderer, EdgeDepthIsOfOneSurface) {
   models::Model model;
   const std::uint16_t white = addMaterial(model, whiteStone());
   addQuad(model, {-2, -2, -1}, {2.0F + 0.75F / 16.0F, 0, 0}, {0, 4, 0}, white);  // three quarters of column 16
@@ -130,7 +130,7 @@ TEST(ViewRenderer, TexturesColourAndPierce) {
   EXPECT_EQ(picture.colour[0][pixel(24, 8)], 0U);
 }
 
-TEST(ViewPlan, CamerasStandOutsideOfTheBallThatHoldsAll) {
+TEST(ViewPlan, CamerasAreOutsideTheBoundingBall) {
   const models::Model model = crookedTree();
   const ViewGeometry geometry = planViews(model.triangles);
   float largest = 0.0F;
@@ -152,7 +152,7 @@ TEST(ViewPlan, CamerasStandOutsideOfTheBallThatHoldsAll) {
   }
 }
 
-TEST(ViewPlan, HeldOutCamerasAreNoneOfTheViews) {
+TEST(ViewPlan, HeldOutCamerasAreNotViews) {
   const ViewGeometry geometry = planViews(crookedTree().triangles);
   for (const int n : {1, 2, 7, 64, 128}) {
     const ViewSphere sphere(n);

@@ -29,7 +29,7 @@ std::vector<std::uint32_t> colours(int width, std::mt19937& random) {
 }
 
 /// Fails if a target misses the first or the last covered pixel, or counts one that shows nothing.
-TEST(CachedViewKernels, EveryTargetFindsWhatIsCovered) {
+TEST(CachedViewKernels, CoverageMatchesScalarOnEveryTarget) {
   tests::onEachTarget([] {
     std::mt19937 random(2);
     for (const int width : kWidths) {
@@ -58,7 +58,7 @@ TEST(CachedViewKernels, EveryTargetFindsWhatIsCovered) {
 }
 
 /// Fails if a target takes another neighbour, or treats an end of the row otherwise.
-TEST(CachedViewKernels, EveryTargetSpreadsAndRanksRowsAsAPlainLoopDoes) {
+TEST(CachedViewKernels, RowsMatchScalarOnEveryTarget) {
   constexpr float kSoftness = 2.0F;
   tests::onEachTarget([] {
     std::mt19937 random(4);

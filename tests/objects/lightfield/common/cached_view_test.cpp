@@ -7,7 +7,7 @@
 namespace grove::objects::lightfield {
 namespace {
 
-TEST(CachedView, KeepsTheCoveredPartOnly) {
+TEST(CachedView, KeepsOnlyTheCoveredPart) {
   const auto image = raster::ImagePool().acquire({100, 200, 160, 260});
   std::fill(image->colour.begin(), image->colour.end(), 0U);
   std::fill(image->depth.begin(), image->depth.end(), world::kInfiniteDepth);

@@ -27,7 +27,7 @@ world::Camera cameraAt(Vec3 position) {
   return camera;
 }
 
-TEST(ObjectView, APixelsPointIsTheSameInBothCoordinates) {
+TEST(ObjectView, PixelPointAgreesInBothCoordinates) {
   const world::Transform transform{{3, 0.5F, -2}, 1.1F, 1.7F};
   const world::Camera camera = cameraAt({1, 1.7F, 9});
   const ObjectCamera object = objectCamera(camera, transform);
@@ -51,7 +51,7 @@ TEST(ObjectView, TwiceAsFarIsOneLevelCoarser) {
   EXPECT_EQ(level(64.0F, 2.0F), level(32.0F, 1.0F));
 }
 
-TEST(ObjectView, ATexelOfTheChosenLevelIsAboutAPixel) {
+TEST(ObjectView, ChosenLevelMatchesPixels) {
   const LightField field = fieldOf(512);
   for (int distance = 20; distance < 60; distance += 3) {
     const auto metres = static_cast<float>(distance);
@@ -64,7 +64,7 @@ TEST(ObjectView, ATexelOfTheChosenLevelIsAboutAPixel) {
   }
 }
 
-TEST(ObjectView, ABoxIsWithinItsPixels) {
+TEST(ObjectView, BoxIsWithinItsPixels) {
   const ViewCamera view = viewCamera(fieldOf(512).geometry, glm::normalize(Vec3(1, 0.5F, 2)));
   const ObjectCamera camera = objectCamera(view, 400);
   const world::Rect whole{0, 0, 400, 400};
@@ -83,7 +83,7 @@ TEST(ObjectView, ABoxIsWithinItsPixels) {
   EXPECT_EQ(boxOf({{-20, -20, -20}, {20, 20, 20}}, camera, whole), whole);
 }
 
-TEST(ObjectView, HazeIsTheWorlds) {
+TEST(ObjectView, HazeMatchesTheWorld) {
   const world::Bounds bounds{{-1, 0, -101}, {1, 2, -99}};
   const world::Camera camera = cameraAt({0, 1, 0});
   const Haze haze = hazeBefore(bounds, world::Sky(), camera);

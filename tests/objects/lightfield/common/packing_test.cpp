@@ -49,7 +49,7 @@ std::shared_ptr<const node::PackedBytes> packedOf(const node::SharedData& data) 
   return data.packed(timeline, kTypeName);
 }
 
-TEST(LightFieldPacking, AViewIsTheSameAfterwards) {
+TEST(LightFieldPacking, ViewRoundTrips) {
   const auto before = disc();
   const auto after = CachedView::unpack(*packedOf(*before));
   ASSERT_EQ(after->width(), before->width());
@@ -72,13 +72,13 @@ TEST(LightFieldPacking, AViewIsTheSameAfterwards) {
   }
 }
 
-TEST(LightFieldPacking, AnEmptyViewStaysEmpty) {
+TEST(LightFieldPacking, EmptyViewRoundTrips) {
   const CachedView empty(*raster::ImagePool().acquire({0, 0, 0, 0}), ObjectCamera());
   EXPECT_TRUE(CachedView::unpack(*packedOf(empty))->empty());
 }
 
 /// Would catch 65 bytes that have memory of 34 MB taken.
-TEST(LightFieldPacking, AViewThatItsBytesCannotFillTakesNoMemory) {
+TEST(LightFieldPacking, OversizedHeaderTakesNoMemory) {
   node::PackWriter writer;
   putCamera(writer, ObjectCamera());
   writer.put(0).put(0).put(2048).put(2048).put(1.0F);
@@ -88,13 +88,13 @@ TEST(LightFieldPacking, AViewThatItsBytesCannotFillTakesNoMemory) {
   EXPECT_LT(allocations.bytes(), 1000U);
 }
 
-TEST(LightFieldPacking, ADamagedViewIsRefusedOrAView) {
+TEST(LightFieldPacking, DamagedViewIsRefusedOrValid) {
   tests::expectMutationsAreRefusedOrSmall(*packedOf(*dot()), {.perByte = 600}, [](const node::PackedBytes& bytes) {
     ASSERT_LE(CachedView::unpack(bytes)->width(), kMaxCellSize + 2 * CachedView::kBorder);
   });
 }
 
-TEST(LightFieldPacking, WhatALightFieldIsStaysTheSame) {
+TEST(LightFieldPacking, DescriptionRoundTrips) {
   const FieldInfo before(kParts, 5);
   const auto after = FieldInfo::unpack(*packedOf(before), 5);
   EXPECT_EQ(after->version(), 5U);
@@ -106,7 +106,7 @@ TEST(LightFieldPacking, WhatALightFieldIsStaysTheSame) {
   EXPECT_EQ(after->parts().maxError, 16.0F);
 }
 
-TEST(LightFieldPacking, DamageToWhatALightFieldIsIsRefusedOrALightField) {
+TEST(LightFieldPacking, DamagedDescriptionIsRefusedOrValid) {
   tests::expectMutationsAreRefusedOrSmall(*packedOf(FieldInfo(kParts, 5)), {}, [](const node::PackedBytes& bytes) {
     const ViewGeometry geometry = FieldInfo::unpack(bytes, 1)->parts().geometry;
     ASSERT_GT(geometry.extent, 0.0F);
@@ -115,14 +115,14 @@ TEST(LightFieldPacking, DamageToWhatALightFieldIsIsRefusedOrALightField) {
 }
 
 /// Would catch cameras of views that stand within what they look at, which a file's reader refuses, too.
-TEST(LightFieldPacking, AnObjectAsLargeAsTheSphereOfItsViewsIsRefused) {
+TEST(LightFieldPacking, RefusesAnObjectLargerThanItsViewSphere) {
   FieldInfo::Parts parts = kParts;
   parts.geometry.radius = glm::distance(parts.geometry.centre, parts.geometry.target) + parts.geometry.extent;
   EXPECT_THROW((void)FieldInfo::unpack(*packedOf(FieldInfo(parts, 1)), 1), node::PackingError);
 }
 
 /// Would catch a key that throws anything but what its reader expects, or names a picture larger than a cell's.
-TEST(LightFieldPacking, DamagedKeysAreRefusedOrNameAPictureOfACell) {
+TEST(LightFieldPacking, DamagedKeysAreRefusedOrValid) {
   const auto asKey = [](const node::PackedBytes& bytes) {
     return node::Key(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   };
@@ -141,7 +141,7 @@ TEST(LightFieldPacking, DamagedKeysAreRefusedOrNameAPictureOfACell) {
   });
 }
 
-TEST(LightFieldPacking, KeysSayWhatTheyWereMadeOf) {
+TEST(LightFieldPacking, KeysRoundTrip) {
   const CellId cell{1, -2, 3, 4, 5, 1024, 7, true};
   EXPECT_EQ(cellIdOf(keyOf(cell)), cell);
   OwnPicture own;

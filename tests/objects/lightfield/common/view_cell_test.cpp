@@ -57,7 +57,7 @@ Vec3 eyeIn(const ViewCell& cell, const ViewGeometry& geometry, float focal, floa
 
 double angleBetween(Exact a, Exact b) { return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)); }
 
-TEST(ViewCell, HoldsItsErrorForEveryEyeAndEveryPairOfPoints) {
+TEST(ViewCell, ErrorHoldsForEveryEyeAndPair) {
   Dice dice;
   double worst = 0.0;
   int cells = 0;
@@ -92,7 +92,7 @@ TEST(ViewCell, HoldsItsErrorForEveryEyeAndEveryPairOfPoints) {
   EXPECT_GT(worst, 0.6) << "cells are smaller than they need be";
 }
 
-TEST(ViewCell, ServesNoEyeWithMoreThanTheError) {
+TEST(ViewCell, ServesNoEyeAboveTheError) {
   Dice dice;
   int served = 0;
   double worst = 0.0;
@@ -146,7 +146,7 @@ TEST(ViewCell, ServesAllOfACellAndMore) {
   EXPECT_GT(cells, 300);
 }
 
-TEST(ViewCell, PictureEnclosesTheBallAndIsSharpEnough) {
+TEST(ViewCell, PictureContainsTheBallSharply) {
   Dice dice;
   int cells = 0;
   for (int i = 0; i < 1000; ++i) {
@@ -197,7 +197,7 @@ TEST(ViewCell, IsTheSameForAllItsEyes) {
   }
 }
 
-TEST(ViewCell, LastsForItsReachAndIsNeverComeBackTo) {
+TEST(ViewCell, LastsForItsReach) {
   const ViewGeometry geometry = ballOf(4.0F);
   constexpr float kDistance = 15.0F;
   constexpr int kSteps = 20000;
@@ -219,7 +219,7 @@ TEST(ViewCell, LastsForItsReachAndIsNeverComeBackTo) {
   EXPECT_NEAR(static_cast<float>(seen.size()), expected, 0.1F * expected);
 }
 
-TEST(ViewCell, IsTheSameByItsIdAlone) {
+TEST(ViewCell, IsReconstructedFromItsId) {
   Dice dice;
   int cells = 0;
   for (int i = 0; i < 3000; ++i) {
@@ -239,7 +239,7 @@ TEST(ViewCell, IsTheSameByItsIdAlone) {
   EXPECT_GT(cells, 1500);
 }
 
-TEST(ViewCell, IsNoneOfAnIdThatNoEyeHas) {
+TEST(ViewCell, RefusesImpossibleIds) {
   const ViewGeometry geometry = ballOf(4.0F);
   const auto cell = viewCell(geometry, geometry.target + Vec3(30.0F, 0.0F, 0.0F), kFocal, 16.0F);
   ASSERT_TRUE(cell);
@@ -262,7 +262,7 @@ TEST(ViewCell, IsNoneOfAnIdThatNoEyeHas) {
   EXPECT_TRUE(isNone([](CellId& id) { id.shell = 0; })) << "the ball itself";
 }
 
-TEST(ViewCell, IsSharedByFramesOfAboutTheSameSize) {
+TEST(ViewCell, IsSharedBySimilarFrameSizes) {
   const ViewGeometry geometry = ballOf(4.0F);
   const Vec3 eye = geometry.target + Vec3(11.0F, -1.0F, 9.0F);
   const auto one = viewCell(geometry, eye, 620.0F, 4.0F);
@@ -274,7 +274,7 @@ TEST(ViewCell, IsSharedByFramesOfAboutTheSameSize) {
   EXPECT_NE(one->id, finer->id);
 }
 
-TEST(ViewCell, IsNeverTheSameForAnotherError) {
+TEST(ViewCell, DiffersByError) {
   const ViewGeometry geometry = ballOf(4.0F);
   const Vec3 eye = geometry.target + Vec3(30.0F, 0.0F, 0.0F);
   const auto coarse = viewCell(geometry, eye, kFocal, 16.0F);
@@ -288,7 +288,7 @@ TEST(ViewCell, IsNeverTheSameForAnotherError) {
   EXPECT_NE(coarse->id, fine->id);
 }
 
-TEST(ViewCell, IsNoneWhereAPictureWouldNotServeAgain) {
+TEST(ViewCell, IsEmptyWithoutReuse) {
   const ViewGeometry geometry = ballOf(4.0F);
   const auto at = [&](float distance, float focal, float error) {
     return viewCell(geometry, geometry.target + Vec3(0.6F, 0.0F, 0.8F) * distance, focal, error).has_value();

@@ -82,7 +82,7 @@ TEST_F(LightFieldFile, KeepsItsMappingAfterTheFileIsReplaced) {
 }
 
 /// As `cp` over it does: cut off, then written anew.
-TEST_F(LightFieldFile, WhoWritesIntoTheFileChangesWhatIsSeenAndNothingElse) {
+TEST_F(LightFieldFile, WritesIntoTheFileDoNoHarm) {
   const LightField opened = openLightField(file_);
   const auto bytes = std::filesystem::file_size(file_);
   std::filesystem::resize_file(file_, 0);
@@ -92,7 +92,7 @@ TEST_F(LightFieldFile, WhoWritesIntoTheFileChangesWhatIsSeenAndNothingElse) {
   EXPECT_EQ(opened.depth.back(), 0xA5A5U);
 }
 
-TEST_F(LightFieldFile, SaysOnceThatItBecameShorter) {
+TEST_F(LightFieldFile, ReportsTruncationOnce) {
   const LightField opened = openLightField(file_);
   const auto said = [&] {
     testing::internal::CaptureStderr();
@@ -116,7 +116,7 @@ TEST_F(LightFieldFile, RoundTripsWithoutVoxelsAndHeldOutViews) {
   expectSame(field_.colour[1], opened.colour[1]);
 }
 
-TEST_F(LightFieldFile, CutsAndMendsTheSource) {
+TEST_F(LightFieldFile, TruncatesLongSources) {
   field_.source = std::string(126, 'a') + "ä and more";
   writeLightField(field_, file_);
   EXPECT_EQ(openLightField(file_).source, std::string(126, 'a'));
@@ -174,12 +174,12 @@ TEST_F(LightFieldFile, HeaderHasItsGoldenBytes) {
   EXPECT_EQ(u32(272 + 24 * kVoxels + 20), 0x68284441U);
 }
 
-TEST_F(LightFieldFile, NoFileIsTheEnvironmentsFault) {
+TEST_F(LightFieldFile, MissingFileIsAnEnvironmentError) {
   EXPECT_THROW((void)openLightField(folder_ / "absent.glf"), EnvironmentError);
   EXPECT_THROW((void)openLightField(folder_.path()), EnvironmentError);
 }
 
-TEST_F(LightFieldFile, AFailedWriteLeavesTheOldFile) {
+TEST_F(LightFieldFile, FailedWriteKeepsTheOldFile) {
   const std::vector<std::byte> before = bytesOf(file_);
   EXPECT_THROW(writeLightField(field_, folder_ / "absent" / "small.glf"), EnvironmentError);
 

@@ -54,7 +54,7 @@ class LightFieldRefusals : public testing::Test {
   std::filesystem::path changed_ = folder_ / "changed.glf";
 };
 
-TEST_F(LightFieldRefusals, SaysWhatIsWrong) {
+TEST_F(LightFieldRefusals, ErrorsNameTheReason) {
   std::vector<std::byte> bytes = bytesOf(file_);
   EXPECT_THAT(complaint({}), HasSubstr("is not a light-field file"));
   EXPECT_THAT(complaint(std::vector<std::byte>(5000)), HasSubstr("is not a light-field file"));
@@ -72,7 +72,7 @@ TEST_F(LightFieldRefusals, SaysWhatIsWrong) {
   EXPECT_THAT(complaint(damaged), HasSubstr("damaged section"));
 }
 
-TEST_F(LightFieldRefusals, SaysThatAFileIsFromTheFuture) {
+TEST_F(LightFieldRefusals, ReportsANewerFormat) {
   EXPECT_THAT(complaintAboutHeader([](Header& h) { h.version = 2; }),
               HasSubstr("is of format version 2, made by a newer Grove"));
   EXPECT_THAT(complaintAboutHeader([](Header& h) { h.version = 0; }), HasSubstr("no valid format version"));

@@ -30,7 +30,7 @@ Texel texel(const PackedView& packed, int level, int across, int row, int column
   return {packed.colour[0][i], packed.depth[i]};
 }
 
-TEST(ViewPacker, KeepsNothingOfAnEmptyView) {
+TEST(ViewPacker, EmptyViewTakesNothing) {
   const PackedView packed = packView(emptyView(64, 2), 3);
   EXPECT_EQ(packed.blockCount(), 0U);
   ASSERT_EQ(packed.blocks.size(), 3U);
@@ -40,7 +40,7 @@ TEST(ViewPacker, KeepsNothingOfAnEmptyView) {
 }
 
 /// Every texel of a random view is found in its block and in the aprons that copy it.
-TEST(ViewPacker, EveryTexelIsInItsBlockAndInAprons) {
+TEST(ViewPacker, TexelsAreInBlocksAndAprons) {
   constexpr int kSize = 64;
   constexpr int kAcross = kSize / kBlock;
   std::mt19937 random(1);
@@ -85,7 +85,7 @@ TEST(ViewPacker, MipColourIsTheMeanOfPremultipliedColours) {
   EXPECT_EQ(texel(packed, 1, 1, 0, 0, 0, 0).colour, 0x60202844U);
 }
 
-TEST(ViewPacker, MipDepthIsThatOfTheFront) {
+TEST(ViewPacker, MipDepthIsTheFront) {
   DenseView view = emptyView(32);
   const auto put = [&](int x, int y, std::uint16_t depth) { view.depth[at(x, y, 32)] = depth; };
   // One surface: its mean. Two: the one in front. Partly nothing: what is there.

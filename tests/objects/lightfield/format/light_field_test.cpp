@@ -12,7 +12,7 @@ namespace {
 
 /// For every turn, the sun of the chosen lighting, turned with the object, stands no further from the world's sun than
 /// half a step, and no other lighting's stands nearer.
-TEST(LightField, TakesTheLightingNearestToTheWorldsSun) {
+TEST(LightField, ChoosesTheLightingNearestToTheSun) {
   LightField field;
   field.sunAzimuth = 0.7F;
   for (const std::size_t lightings : {1U, 2U, 6U, 16U}) {

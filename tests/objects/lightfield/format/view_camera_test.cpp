@@ -28,7 +28,7 @@ TEST(ViewCamera, IsOrthonormalAndNotMirrored) {
 }
 
 /// The ball around the target touches the picture's edges and no more, and lies between near and far.
-TEST(ViewCamera, FramesTheBall) {
+TEST(ViewCamera, ContainsTheBall) {
   const ViewSphere sphere(6);
   for (int view = 0; view < sphere.views(); ++view) {
     const ViewCamera camera = viewCamera(kGeometry, sphere.direction(view));

@@ -48,7 +48,7 @@ TEST(ViewSphere, CountsItsViews) {
   }
 }
 
-TEST(ViewSphere, NumbersEveryLatticePointOnce) {
+TEST(ViewSphere, IndexesEveryPointOnce) {
   for (int n = 1; n <= ViewSphere::kMaxSubdivision; ++n) {
     const ViewSphere sphere(n);
     int expected = 0;
@@ -103,7 +103,7 @@ TEST(ViewSphere, NearestWeightsReproduceTheDirection) {
   }
 }
 
-TEST(ViewSphere, NearestOfAViewIsThatView) {
+TEST(ViewSphere, NearestOfAViewIsItself) {
   for (const int n : {1, 2, 5, 64, 128}) {
     const ViewSphere sphere(n);
     for (int view = 0; view < sphere.views(); ++view) {

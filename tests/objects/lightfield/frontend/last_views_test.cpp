@@ -16,7 +16,7 @@ std::shared_ptr<const CachedView> picture() {
   return std::make_shared<const CachedView>(*raster::ImagePool().acquire({0, 0, 0, 0}), ObjectCamera());
 }
 
-TEST(LastViews, RemembersWhatWasShownLast) {
+TEST(LastViews, RemembersTheLastShown) {
   LastViews views;
   EXPECT_FALSE(views.last(5));
   views.shown(5, cellOf(7), 1.0, nullptr);
@@ -27,7 +27,7 @@ TEST(LastViews, RemembersWhatWasShownLast) {
   EXPECT_EQ(views.last(6), cellOf(8));
 }
 
-TEST(LastViews, WhatShowedAFormerLightFieldFadesAway) {
+TEST(LastViews, PicturesOfAReplacedLightFieldFade) {
   LastViews views;
   const auto former = picture();
   views.shown(5, cellOf(7), 1.0, nullptr);
@@ -50,7 +50,7 @@ TEST(LastViews, WhatShowedAFormerLightFieldFadesAway) {
   EXPECT_EQ(former.use_count(), 1) << "and is given back";
 }
 
-TEST(LastViews, AFadeEndsWhereTheFormerPictureServesNoMore) {
+TEST(LastViews, FadeEndsWithTheOldPicture) {
   LastViews views;
   views.shown(5, cellOf(7), 1.0, nullptr);
   views.shown(5, cellOf(7, 1), 2.0, picture());

@@ -36,7 +36,7 @@ std::vector<Laid> laid(MixedTiles& tiles) {
 constexpr Rect kHere{16, 8, 32, 16};
 constexpr Rect kThere{32, 8, 48, 16};
 
-TEST(MixedTiles, LikeColoursStayAsTheyAre) {
+TEST(MixedTiles, SimilarColoursStay) {
   for (const std::uint32_t colour : {0xFFFFFFFFU, 0xFF0180FEU, 0x80402010U, 0U}) {
     for (int share = 0; share <= 64; ++share) {
       MixedTiles tiles(static_cast<float>(share) / 64.0F);
@@ -47,7 +47,7 @@ TEST(MixedTiles, LikeColoursStayAsTheyAre) {
   }
 }
 
-TEST(MixedTiles, OneColourGivesWayToAnother) {
+TEST(MixedTiles, CrossFadesColours) {
   MixedTiles tiles(0.25F);
   tiles.addLeaving(kHere, tileOf(0xFF0000FFU, 5.0F));
   tiles.addComing(kHere, tileOf(0xFF00FF00U, 3.0F));
@@ -60,7 +60,7 @@ TEST(MixedTiles, OneColourGivesWayToAnother) {
   EXPECT_EQ(all[0].depth, 3.0F);
 }
 
-TEST(MixedTiles, WhatOnlyOneOfThemShowsIsSeenThrough) {
+TEST(MixedTiles, ContentOfOnlyOneFades) {
   MixedTiles tiles(0.25F);
   tiles.addLeaving(kHere, tileOf(0xFFFFFFFFU, 5.0F));
   tiles.addComing(kHere, tileOf(0U, kInfiniteDepth));

@@ -33,20 +33,20 @@ NearView lastOf(int times) {
   return {.picture = std::make_shared<const CachedView>(*image, camera), .sampled = image->rect};
 }
 
-TEST(NearMargins, WithoutAPictureBeforeAllSidesHaveTheSame) {
+TEST(NearMargins, FirstPictureHasEqualMargins) {
   EXPECT_EQ(withMargins(kWhole, frameOf(), turnedCamera(kEye), {}, 1.0F),
             (Rect{-32, -24, kPictureSize + 32, kPictureSize + 24}));
 }
 
 /// Fails if a picture has texels where its object cannot be, or so few that it seems to go on there.
-TEST(NearMargins, AnObjectThatEndsWithinTheFrameGetsWhatShowsThat) {
+TEST(NearMargins, ContainedObjectGetsAVisibleEdge) {
   const Rect inside{10, 20, 60, 70};
   EXPECT_EQ(withMargins(inside, frameOf(), turnedCamera(kEye), {}, 1.0F), (Rect{1, 11, 69, 79}));
   EXPECT_EQ(withMargins(inside, frameOf(), turnedCamera(kEye), {}, 2.5F), (Rect{-13, -3, 83, 93}));
 }
 
 /// Fails if a head that goes on turning needs a new picture in every frame.
-TEST(NearMargins, AreForAsWideATurnAgainAsTheLastPictureServed) {
+TEST(NearMargins, FollowTheLastTurn) {
   const float turn = 0.2F;
   const float edge = std::atan(0.5F * kPictureSize / kPictureFocal);
   const float beyond = kPictureFocal * (std::tan(edge + turn) - std::tan(edge));

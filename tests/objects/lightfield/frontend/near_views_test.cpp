@@ -44,7 +44,7 @@ TEST(NearViews, RoughnessIsTheDepthOfTheEdges) {
   EXPECT_NEAR(roughness(*gratingOf(1.0F, 4.0F)), 0.75F, 0.03F);
 }
 
-TEST(NearViews, ServesUntilTheEdgesUncoverTooMuch) {
+TEST(NearViews, ServesUntilEdgesUncoverTooMuch) {
   const NearView view = viewOf(gratingOf(2.0F, 4.0F));
   // From 0.1 metres aside, the bars uncover 80 * 0.1 * (1 / 2 - 1 / 4) = 2 pixels.
   const ObjectCamera aside = turnedCamera({0.1F, 0.0F, 0.0F});
@@ -61,7 +61,7 @@ TEST(NearViews, ServesAHeadThatTurnsWithinTheMargin) {
   EXPECT_FALSE(serves(view, turnedCamera(Vec3(0.0F), 3.1F), kFrame, 100.0F)) << "it is behind";
 }
 
-TEST(NearViews, DoesNotServeWhatANearEyeWouldSeeBeyondTheEdge) {
+TEST(NearViews, DoesNotServeBeyondTheEdge) {
   const NearView view = viewOf(gratingOf(2.0F, 4.0F));
   // 80 * 0.3 / 2 = 12 pixels of the near bars.
   EXPECT_FALSE(serves(view, turnedCamera({0.3F, 0.0F, 0.0F}), kFrame, 100.0F));
@@ -83,7 +83,7 @@ std::shared_ptr<const CachedView> wallOf(int begin, int end, float left, float r
   return std::make_shared<const CachedView>(*image, turnedCamera(Vec3(0.0F)));
 }
 
-TEST(NearViews, EdgesHaveTheNearestOfWhatLiesAlongThem) {
+TEST(NearViews, EdgesHaveTheNearestDepth) {
   const Sides edges = edgeNearness(*wallOf(0, kPictureSize, 2.0F, 10.0F), kSampled);
   EXPECT_FLOAT_EQ(edges.left, 0.5F);
   EXPECT_FLOAT_EQ(edges.right, 0.1F);
@@ -92,7 +92,7 @@ TEST(NearViews, EdgesHaveTheNearestOfWhatLiesAlongThem) {
 }
 
 /// Fails if a picture is made anew because the head turns to where the object is not.
-TEST(NearViews, ServesHoweverFarTheHeadTurnsBeyondAnObjectThatEndsInThePicture) {
+TEST(NearViews, ServesAnyTurnAroundAContainedObject) {
   const NearView view = viewOf(wallOf(0, kPictureSize - 20, 2.0F, 2.0F));
   EXPECT_EQ(view.edges.right, kObjectEnds);
   EXPECT_TRUE(serves(view, turnedCamera(Vec3(0.0F), -0.3F), {8, 30, kPictureSize - 8, kPictureSize - 30}, 0.0F));
@@ -102,7 +102,7 @@ TEST(NearViews, ServesHoweverFarTheHeadTurnsBeyondAnObjectThatEndsInThePicture) 
 }
 
 /// Fails if the nearest of the whole picture decides what may lie beyond its farthest edge.
-TEST(NearViews, WhatIsFarAtAnEdgeServesLongerThere) {
+TEST(NearViews, FarEdgesServeLonger) {
   const NearView view = viewOf(wallOf(0, kPictureSize, 0.5F, 10.0F));
   const Rect right{kPictureSize / 2, 40, kPictureSize - 8, kPictureSize - 40};
   // 80 * 0.2 / 10 = 1.6 pixels, but 32 of what is near.
@@ -136,7 +136,7 @@ TEST(NearViews, MemoryIsBoundedHoweverManyObjects) {
   EXPECT_EQ(views.bytes(), NearViews::kMax * view.picture->bytes());
 }
 
-TEST(NearViews, ReportWhatTheyHold) {
+TEST(NearViews, ReportTheirMemory) {
   NearViews views;
   const NearView view = viewOf(gratingOf(2.0F, 4.0F));
   const std::size_t each = view.picture->bytes();
@@ -147,7 +147,7 @@ TEST(NearViews, ReportWhatTheyHold) {
   EXPECT_EQ(views.bytes(), 2 * each) << "in place of the last one";
 }
 
-TEST(NearViews, WhatShowedAFormerLightFieldIsKeptWhileItFades) {
+TEST(NearViews, KeepsPicturesOfAReplacedLightFieldWhileFading) {
   NearViews views;
   const NearView coarse = viewOf(gratingOf(2.0F, 4.0F));
   views.shown(5, coarse);

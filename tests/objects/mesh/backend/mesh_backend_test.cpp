@@ -65,7 +65,7 @@ TEST_F(MeshBackendTest, DepthOfABoxIsExact) {
   }
 }
 
-TEST_P(FastRenderers, NothingWhereNothingIs) {
+TEST_P(FastRenderers, EmptyWithoutObjects) {
   tests::BackendWorld world(std::vector{makeObject(1, makeStandingStone({3, 1.2F, 0.7F}, 4), GetParam(), {0, 0, -6})});
   MeshBackend half(bench_.services(world), 0);
   const auto image = imageOf(ask(half, std::vector<Asked>{{look(smallCamera(), world.objects()), 0}})[0]);
@@ -85,7 +85,7 @@ TEST_P(FastRenderers, NothingWhereNothingIs) {
   EXPECT_LT(covered, image->colour.size());
 }
 
-TEST_F(MeshBackendTest, AnswersAtTheSameTimeAreThoseOneByOne) {
+TEST_F(MeshBackendTest, ConcurrentAnswersEqualSerialOnes) {
   tests::BackendWorld world(
       std::vector{makeObject(1, makeStandingStone({3, 1.2F, 0.7F}, 4), RendererKind::kSimd, {-1, 0, -5}),
                   makeObject(2, makeRocks({0.5F, 2.4F, 2.0F}, 4), RendererKind::kSimd, {1, 0, -4})});
@@ -115,7 +115,7 @@ TEST_F(MeshBackendTest, AnswersAtTheSameTimeAreThoseOneByOne) {
   }
 }
 
-TEST_F(MeshBackendTest, OneObjectDrawnByGlTakesAllToItsExecutor) {
+TEST_F(MeshBackendTest, OneGlObjectMovesAllToItsExecutor) {
   tests::BackendWorld world(std::vector{makeObject(1, makeBox({1, 1, 1}, kWhite), RendererKind::kSimd, {-1, 0, -5}),
                                         makeObject(2, makeBox({1, 1, 1}, kWhite), RendererKind::kGl, {1, 0, -5})});
   MeshBackend half(bench_.services(world), 0);
@@ -132,7 +132,7 @@ TEST_F(MeshBackendTest, TheMachineChoosesTheRenderer) {
   EXPECT_EQ(gl::resolved(RendererKind::kEmbree, bench_.gl), RendererKind::kEmbree);
 }
 
-TEST_P(FastRenderers, ACropIsThatPartOfTheWhole) {
+TEST_P(FastRenderers, CropEqualsPartOfTheWhole) {
   tests::BackendWorld world(std::vector{makeObject(1, makeStandingStone({3, 1.2F, 0.7F}, 4), GetParam(), {0, 0, -4})});
   MeshBackend half(bench_.services(world), 0);
   const auto whole = look(smallCamera(), world.objects());
@@ -156,7 +156,7 @@ TEST_P(FastRenderers, ACropIsThatPartOfTheWhole) {
   EXPECT_LT(apart, small->colour.size() / 100);
 }
 
-TEST_P(FastRenderers, RequestsOfOneBatchDoNotMix) {
+TEST_P(FastRenderers, BatchedRequestsAreIndependent) {
   tests::BackendWorld world(
       std::vector{makeObject(1, makeBox({1, 2, 1}, {0.8F, 0.02F, 0.02F}), GetParam(), {-1, 0, -5}),
                   makeObject(2, makeBox({1, 2, 1}, {0.02F, 0.02F, 0.8F}), GetParam(), {1, 0, -5})});
@@ -185,7 +185,7 @@ TEST_P(FastRenderers, RequestsOfOneBatchDoNotMix) {
   }
 }
 
-TEST_P(FastRenderers, AnEyeWithinReachOfAnObjectStillSeesIt) {
+TEST_P(FastRenderers, EyeCloseToAnObjectSeesIt) {
   tests::BackendWorld world(std::vector{makeObject(1, makeBox({1, 1, 12}, kWhite), GetParam(), {0, 0, -2})});
   MeshBackend half(bench_.services(world), 0);
   const auto list = look(smallCamera(), world.objects());
@@ -199,7 +199,7 @@ TEST_P(FastRenderers, AnEyeWithinReachOfAnObjectStillSeesIt) {
   EXPECT_NEAR(at(*image, 160, 150).depth, 0.7F / down, 0.002F);
 }
 
-TEST_F(MeshBackendTest, ASunlitSideIsBrighterThanAShadedOne) {
+TEST_F(MeshBackendTest, SunlitSideIsBrighter) {
   tests::BackendWorld open(std::vector{makeObject(1, makeBox({1, 2, 1}, kWhite), RendererKind::kGl, {0, 0, -5})});
   const Vec3 towardsSun = world::Sky().sun;
   tests::BackendWorld shaded(std::vector{makeObject(1, makeBox({1, 2, 1}, kWhite), RendererKind::kGl, {0, 0, -5}),
@@ -225,7 +225,7 @@ TEST_F(MeshBackendTest, ASunlitSideIsBrighterThanAShadedOne) {
   EXPECT_GT(brightness[0], brightness[1] * 1.3);
 }
 
-TEST_F(MeshBackendTest, AnUnknownObjectIsAFailure) {
+TEST_F(MeshBackendTest, UnknownObjectFails) {
   tests::BackendWorld world(std::vector{makeObject(1, makeBox({1, 1, 1}, kWhite), RendererKind::kGl, {0, 0, -5})});
   MeshBackend half(bench_.services(world), 0);
   const world::ModelledObject unknown = makeObject(77, makeBox({1, 1, 1}, kWhite), RendererKind::kGl, {0, 0, -5});

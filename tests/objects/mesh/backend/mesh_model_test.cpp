@@ -64,7 +64,7 @@ TEST(MeshModel, EveryShapeIsClosedAndFacesOutwards) {
   }
 }
 
-TEST(MeshModel, OnlySmokePassesThroughLogs) {
+TEST(MeshModel, SmokePassesLogsAndVisitorsDoNot) {
   EXPECT_NE(model("shape = \"rocks\"\n")->solid(), nullptr);
   const auto logs = model("shape = \"logs\"\n");
   EXPECT_EQ(logs->solid(), nullptr);
@@ -117,7 +117,7 @@ TEST(MeshModel, APlantIsAMeshWithTheKeysOfItsLightField) {
   EXPECT_LT(*oak->obstacleRadius(), 0.8F) << "one walks under the crown";
 }
 
-TEST(MeshModel, LeavesHaveTwoSides) {
+TEST(MeshModel, LeavesAreDoubleSided) {
   models::Model leaf;
   leaf.triangles.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   leaf.triangles.indices = {{0, 1, 2}};

@@ -14,7 +14,7 @@ std::shared_ptr<const world::Model> modelOf(const std::string& settings) {
   return SkyBackendType().model(scene.objects.at(0).parameters);
 }
 
-TEST(SkyBackendType, IsSeenFromEverywhereAndStopsNobody) {
+TEST(SkyBackendType, IsVisibleEverywhereAndNoObstacle) {
   const auto model = modelOf("seed = 12\n");
   EXPECT_TRUE((world::Camera{.pose = {.position = {30, 1.7F, -30}, .yaw = 2.0F}}).sees(model->bounds()));
   EXPECT_EQ(model->solid(), nullptr);

@@ -12,7 +12,7 @@
 namespace grove::objects::sky {
 namespace {
 
-TEST(Panorama, ATexelIsFoundInItsOwnDirection) {
+TEST(Panorama, TexelDirectionsRoundTrip) {
   const Panorama panorama = ramps();
   for (const int column : {0, 1, 63, 64, 127, 200, 255}) {
     for (const int row : {0, 5, 40, 100, 120}) {
@@ -31,7 +31,7 @@ TEST(Panorama, HeadingsTurnClockwiseFromMinusZ) {
   EXPECT_NEAR(east.z, 0.0F, 1e-5F);
 }
 
-TEST(Panorama, SoftMapIsTheSamePictureInAllDirections) {
+TEST(Panorama, SoftMapMatchesTheSharpOne) {
   const SkyMaps maps(bakePanorama({1024, 256}, 7, world::Sky(), [](float) {}));
   EXPECT_EQ(maps.soft.width() * kSoftColumns, maps.sharp.width());
   EXPECT_EQ(maps.soft.height() * kSoftRows, maps.sharp.height());

@@ -31,7 +31,7 @@ bool equal(const Panorama& a, const Panorama& b) {
          std::equal(a.texels(), a.texels() + a.stride() * a.height(), b.texels());
 }
 
-TEST(SkyData, IsTheSameAfterPacking) {
+TEST(SkyData, RoundTripsThroughPacking) {
   const SkyData before(speckled({64, 16}));
   const auto bytes = packedOf(before);
   const auto after = SkyData::unpack(*bytes);
@@ -40,7 +40,7 @@ TEST(SkyData, IsTheSameAfterPacking) {
 }
 
 /// Would catch 8 bytes that have memory of a gigabyte taken.
-TEST(SkyData, ASizeThatTheBytesCannotFillTakesNoMemory) {
+TEST(SkyData, OversizedHeaderTakesNoMemory) {
   node::PackWriter writer;
   writer.put(8192).put(2048);
   const node::PackedBytes bytes = writer.take();
@@ -49,7 +49,7 @@ TEST(SkyData, ASizeThatTheBytesCannotFillTakesNoMemory) {
   EXPECT_LT(allocations.bytes(), 1000U);
 }
 
-TEST(SkyData, DamagedBytesAreRefusedOrASky) {
+TEST(SkyData, DamagedBytesAreRefusedOrValid) {
   const auto whole = packedOf(SkyData(speckled({8, 3})));
   tests::expectMutationsAreRefusedOrSmall(*whole, {.perByte = 600}, [](const node::PackedBytes& bytes) {
     ASSERT_GT(SkyData::unpack(bytes)->maps().sharp.bytes(), 0U);

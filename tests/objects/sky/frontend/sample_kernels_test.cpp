@@ -39,7 +39,7 @@ void expectRowsOf(const Panorama& panorama, const world::Camera& camera) {
 }
 
 /// Tolerance: 256ths of a texel, and paths that are joined from knots 0.6 texels, of 2 steps each.
-TEST(SampleKernels, RowsAgreeWithTheReferenceInAllDirections) {
+TEST(SampleKernels, RowsMatchTheReference) {
   const Panorama panorama = ramps();
   tests::onEachTarget([&] {
     // In fine rows most places are joined from knots, in coarse ones each is worked out.
@@ -54,7 +54,7 @@ TEST(SampleKernels, RowsAgreeWithTheReferenceInAllDirections) {
   });
 }
 
-TEST(SampleKernels, PartsOfARowAreThoseOfTheWholeAndNothingBeyondIsWritten) {
+TEST(SampleKernels, PartsEqualTheWholeAndStayInBounds) {
   constexpr std::uint32_t kUntouched = 0x12345678U;
   const Panorama panorama = ramps();
   const world::Camera camera{.pose = {.yaw = 0.4F, .pitch = 0.2F}, .width = 1280, .height = 720};

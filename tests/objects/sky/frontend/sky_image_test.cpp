@@ -28,7 +28,7 @@ class SkyImage : public testing::Test {
   raster::ImagePool images;
 };
 
-TEST_F(SkyImage, TheSunShowsWhereItsDirectionProjects) {
+TEST_F(SkyImage, SunAppearsInItsDirection) {
   for (const float turn : {0.0F, 0.4F, -0.5F}) {
     const world::Vec3 sun = world::Sky().sun;
     const world::Camera camera = cameraAt(std::atan2(-sun.x, -sun.z) + turn, 0.15F);
@@ -60,7 +60,7 @@ TEST_F(SkyImage, EndsSlightlyBelowTheHorizon) {
   EXPECT_FALSE(skyImage(*baked, sky.sun, down, whole(down), images));
 }
 
-TEST_F(SkyImage, APartEqualsThatPartOfTheWhole) {
+TEST_F(SkyImage, PartEqualsTheWhole) {
   const world::Camera camera = cameraAt(-2.5F, 0.4F);
   const auto all = skyImage(*baked, sky.sun, camera, whole(camera), images);
   for (const world::Rect rect :
@@ -76,7 +76,7 @@ TEST_F(SkyImage, APartEqualsThatPartOfTheWhole) {
 }
 
 /// Fails if columns left of the frame are rounded towards it.
-TEST_F(SkyImage, IsTheSameWithABorderBeyondTheFrame) {
+TEST_F(SkyImage, BorderChangesNothing) {
   const world::Camera camera = cameraAt(-2.5F, 0.4F);
   const auto all = skyImage(*baked, sky.sun, camera, whole(camera), images);
   for (const world::Rect border : {world::Rect{-2, -2, 324, 182}, world::Rect{-38, -14, 330, 190}}) {
@@ -91,7 +91,7 @@ TEST_F(SkyImage, IsTheSameWithABorderBeyondTheFrame) {
   }
 }
 
-TEST_F(SkyImage, NeighboursDifferLittleAcrossTheSeamAndAtTheZenith) {
+TEST_F(SkyImage, IsSmoothAtSeamAndZenith) {
   // Heading 0 is the map's seam; the pitch shows the zenith.
   for (const float pitch : {0.5F, 1.45F}) {
     const world::Camera camera = cameraAt(0.0F, pitch);

@@ -29,7 +29,7 @@ TEST(LinkSchedule, ChangesItsRateWithinAPacket) {
   EXPECT_EQ(schedule.finish(1h, 8e6), 1h + 1s);
 }
 
-TEST(LinkSchedule, StandsStillAtTheEndOfEachPeriod) {
+TEST(LinkSchedule, StallsAtTheEndOfEachPeriod) {
   const LinkSchedule schedule({{0s, 8e6}}, 1s, 10s);
   EXPECT_EQ(schedule.finish(0s, 8e6 * 9), 9s);
   EXPECT_EQ(schedule.finish(0s, 8e6 * 9 + 8e3), 10s + 1ms);
@@ -37,7 +37,7 @@ TEST(LinkSchedule, StandsStillAtTheEndOfEachPeriod) {
   EXPECT_EQ(schedule.finish(10s, 8e6 * 19), 31s) << "two stalls in between";
 }
 
-TEST(LinkLine, DelaysByItsOwnTimeAndThatOfItsBits) {
+TEST(LinkLine, DelayIsPropagationPlusTransmission) {
   LinkLine line(steady(12e6), 40ms, 0ns, 1);  // 1500 bytes a millisecond
   line.put(counting(3000), 5ms);
   EXPECT_TRUE(line.arrived(46ms - 1ns).empty());
@@ -50,7 +50,7 @@ TEST(LinkLine, DelaysByItsOwnTimeAndThatOfItsBits) {
   EXPECT_EQ(line.nextArrival(), 140ms + 10us) << "an idle line has forgotten what was before";
 }
 
-TEST(LinkLine, CarriesItsRateWhoeverFillsIt) {
+TEST(LinkLine, RateHoldsForAnySender) {
   for (const double rate : {1e5, 2e6, 5e6, 2e7, 1e9}) {
     LinkLine line(steady(rate), 100ms, 0ns, 1);
     const LinkTime until = rate < 1e6 ? 60s : 4s;
@@ -66,7 +66,7 @@ TEST(LinkLine, CarriesItsRateWhoeverFillsIt) {
   }
 }
 
-TEST(LinkLine, HoldsNoMoreThanItsQueueAndItsWay) {
+TEST(LinkLine, CapacityIsQueuePlusFlight) {
   for (const double rate : {1e5, 5e6, 1e8, 1e10}) {
     LinkLine line(steady(rate), 100ms, 50ms, 1);
     std::size_t max = 0;
@@ -97,7 +97,7 @@ TEST(LinkLine, QueuesAQuarterOfASecond) {
   EXPECT_EQ(LinkLine(steady(1e5), 0ns, 0ns, 1).room(0ns), 65'536U);
 }
 
-TEST(LinkLine, NeverReordersWhateverTheJitter) {
+TEST(LinkLine, NeverReorders) {
   LinkLine line(steady(5e6), 20ms, 30ms, 3);
   std::size_t put = 0;
   std::vector<std::uint8_t> got;
@@ -119,7 +119,7 @@ TEST(LinkLine, NeverReordersWhateverTheJitter) {
   EXPECT_LE(max, 50ms);
 }
 
-TEST(LinkLine, IsAsRestlessInEachRun) {
+TEST(LinkLine, JitterIsDeterministic) {
   const auto delays = [](std::uint64_t seed) {
     LinkLine line(steady(5e6), 0ns, 30ms, seed);
     std::vector<LinkTime> result;
@@ -134,7 +134,7 @@ TEST(LinkLine, IsAsRestlessInEachRun) {
   EXPECT_NE(delays(5), delays(6));
 }
 
-TEST(LinkLine, EndsBehindItsLastByte) {
+TEST(LinkLine, EndsAfterTheLastByte) {
   LinkLine line(steady(12e6), 40ms, 0ns, 1);
   line.put(counting(1500), 0ns);
   line.end(500us);
@@ -148,7 +148,7 @@ TEST(LinkLine, EndsBehindItsLastByte) {
   EXPECT_TRUE(idle.isOver(1040ms));
 }
 
-TEST(LinkLine, IsFetchedInPartsToo) {
+TEST(LinkLine, PartialReads) {
   LinkLine line(steady(1e9), 0ns, 0ns, 1);
   line.put(counting(5000), 0ns);
   std::vector<std::uint8_t> got;

@@ -16,7 +16,7 @@ LinkProfile profileOf(std::string_view text) {
   return std::holds_alternative<LinkProfile>(parsed) ? std::get<LinkProfile>(parsed) : LinkProfile{};
 }
 
-TEST(LinkProfile, TakesARateAndARoundTrip) {
+TEST(LinkProfile, ParsesRateAndRoundTrip) {
   const LinkProfile profile = profileOf("5mbit,80ms");
   ASSERT_EQ(profile.downstream.size(), 1U);
   EXPECT_EQ(profile.downstream.front().bitsPerSecond, 5e6);
@@ -27,7 +27,7 @@ TEST(LinkProfile, TakesARateAndARoundTrip) {
   EXPECT_EQ(profile.stallEvery, 0ms);
 }
 
-TEST(LinkProfile, TakesAllElseInAnyOrder) {
+TEST(LinkProfile, ParsesOptionsInAnyOrder) {
   const LinkProfile profile =
       profileOf("5mbit@0s/500kbit@10s/1.5gbit@12.5s,0ms,seed=7,stall=1s/10s,up=100kbit,jitter=2.5ms");
   ASSERT_EQ(profile.downstream.size(), 3U);
@@ -42,7 +42,7 @@ TEST(LinkProfile, TakesAllElseInAnyOrder) {
   EXPECT_EQ(profile.seed, 7U);
 }
 
-TEST(LinkProfile, RefusesWhatIsNone) {
+TEST(LinkProfile, RefusesMalformedText) {
   for (const char* bad : {"",
                           ",",
                           "5mbit",

@@ -92,7 +92,7 @@ class LinkShaperTest : public testing::Test {
   std::optional<LinkShaper> shaper_;
 };
 
-TEST_F(LinkShaperTest, PassesAllBytesInTheirOrderBothWays) {
+TEST_F(LinkShaperTest, PassesBytesInOrderBothWays) {
   shape("200mbit,10ms,jitter=5ms");
   const Descriptor client = connect();
   const Descriptor server = accept();
@@ -140,7 +140,7 @@ TEST_F(LinkShaperTest, KeepsUpWithItsProfile) {
   EXPECT_LE(secondsSince(begin), 10.0) << "1 second, on a machine that is not busy";
 }
 
-TEST_F(LinkShaperTest, GivesEachConnectionALineOfItsOwn) {
+TEST_F(LinkShaperTest, EachConnectionHasItsOwnLine) {
   shape("500kbit,0ms");
   std::vector<Descriptor> clients;
   std::vector<Descriptor> servers;
@@ -157,7 +157,7 @@ TEST_F(LinkShaperTest, GivesEachConnectionALineOfItsOwn) {
   EXPECT_LE(secondsSince(begin), 15.5) << "two seconds each; over one line it would be 16";
 }
 
-TEST_F(LinkShaperTest, HoldsBackWhoSendsTooMuch) {
+TEST_F(LinkShaperTest, AppliesBackPressure) {
   shape("1mbit,20ms");
   const Descriptor client = connect();
   const Descriptor server = accept();
@@ -174,7 +174,7 @@ TEST_F(LinkShaperTest, HoldsBackWhoSendsTooMuch) {
   EXPECT_FALSE(waitFor(server, POLLOUT, 0ms));
 }
 
-TEST_F(LinkShaperTest, ClosesBehindTheBytesThatAreOnTheirWay) {
+TEST_F(LinkShaperTest, ClosesAfterPendingBytes) {
   shape("4mbit,60ms");
   {
     const Descriptor client = connect();
@@ -201,7 +201,7 @@ TEST_F(LinkShaperTest, ClosesBehindTheBytesThatAreOnTheirWay) {
   }
 }
 
-TEST_F(LinkShaperTest, BreaksOffWhatIsBrokenOff) {
+TEST_F(LinkShaperTest, ForwardsResets) {
   shape("4mbit,20ms");
   Descriptor client = connect();
   const Descriptor server = accept();
@@ -211,7 +211,7 @@ TEST_F(LinkShaperTest, BreaksOffWhatIsBrokenOff) {
   EXPECT_TRUE(ends(server));
 }
 
-TEST_F(LinkShaperTest, ClosesWhereNobodyListens) {
+TEST_F(LinkShaperTest, ClosesWithoutListener) {
   listener_ = Descriptor();
   Descriptor gone = blocking();
   const sockaddr_in address = loopback(0);
@@ -222,7 +222,7 @@ TEST_F(LinkShaperTest, ClosesWhereNobodyListens) {
   EXPECT_TRUE(ends(connect()));
 }
 
-TEST_F(LinkShaperTest, EndsWithConnectionsOpen) {
+TEST_F(LinkShaperTest, StopsWithOpenConnections) {
   shape("100kbit,1s");
   const Descriptor client = connect();
   const Descriptor server = accept();
@@ -232,7 +232,7 @@ TEST_F(LinkShaperTest, EndsWithConnectionsOpen) {
 }
 
 /// Or a measurement would measure the shaper.
-TEST_F(LinkShaperTest, SleepsWhileThereIsNothingToDo) {
+TEST_F(LinkShaperTest, SleepsWhenIdle) {
   shape("5mbit,50ms");
   const Descriptor client = connect();
   Descriptor server = accept();
@@ -252,7 +252,7 @@ TEST_F(LinkShaperTest, SleepsWhileThereIsNothingToDo) {
   EXPECT_LT(static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC, 0.25);
 }
 
-TEST_F(LinkShaperTest, ReportsWhichAddressWillNotDo) {
+TEST_F(LinkShaperTest, ReportsABadAddress) {
   const LinkProfile profile = std::get<LinkProfile>(parseLinkProfile("4mbit,20ms"));
   const auto reason = [&](const HostPort& listen, const HostPort& target) -> std::string {
     try {

@@ -9,7 +9,7 @@ namespace {
 
 constexpr AddressAllowance kAllowance{.sockets = 3, .visitors = 2, .socketsPerSecond = 2.0, .burst = 5.0};
 
-TEST(AddressLimits, CountSocketsWhileTheyAreThere) {
+TEST(AddressLimits, CountsOpenSockets) {
   AddressLimits limits(kAllowance);
   std::vector<AddressLimits::Ticket> tickets;
   for (int i = 0; i < 3; ++i) {
@@ -22,7 +22,7 @@ TEST(AddressLimits, CountSocketsWhileTheyAreThere) {
   EXPECT_TRUE(limits.allows("192.0.2.1", 60.0));
 }
 
-TEST(AddressLimits, CountNewSocketsASecond) {
+TEST(AddressLimits, LimitsNewSocketsPerSecond) {
   AddressLimits limits(kAllowance);
   int welcome = 0;
   for (int i = 0; i < 1000; ++i) welcome += limits.allows("192.0.2.1", 100.0 + 0.001 * i) ? 1 : 0;
@@ -30,7 +30,7 @@ TEST(AddressLimits, CountNewSocketsASecond) {
   EXPECT_TRUE(limits.allows("192.0.2.1", 103.0)) << "who stops for a while is welcome again";
 }
 
-TEST(AddressLimits, CountVisitors) {
+TEST(AddressLimits, CountsVisitors) {
   AddressLimits limits(kAllowance);
   auto one = limits.visitor("192.0.2.1");
   const auto two = limits.visitor("192.0.2.1");
@@ -41,7 +41,7 @@ TEST(AddressLimits, CountVisitors) {
   EXPECT_TRUE(limits.visitor("192.0.2.1"));
 }
 
-TEST(AddressLimits, KnowWhoIsOne) {
+TEST(AddressLimits, GroupsIpv6AddressesByNetwork) {
   EXPECT_EQ(guestOf("2001:db8:1:2::1"), guestOf("2001:db8:1:2:ffff:ffff:ffff:ffff"));
   EXPECT_NE(guestOf("2001:db8:1:2::1"), guestOf("2001:db8:1:3::1"));
   EXPECT_EQ(guestOf("::ffff:192.0.2.1"), "192.0.2.1");
@@ -49,7 +49,7 @@ TEST(AddressLimits, KnowWhoIsOne) {
   for (const char* own : {"127.0.0.1", "::1", "::ffff:127.0.0.1"}) EXPECT_EQ(guestOf(own), "") << own;
 }
 
-TEST(AddressLimits, DoNotLimitThisMachine) {
+TEST(AddressLimits, LoopbackIsUnlimited) {
   AddressLimits limits(kAllowance);
   std::vector<AddressLimits::Ticket> tickets;
   for (int i = 0; i < 100; ++i) {
@@ -60,7 +60,7 @@ TEST(AddressLimits, DoNotLimitThisMachine) {
   }
 }
 
-TEST(AddressLimits, TicketsMayOutliveThem) {
+TEST(AddressLimits, TicketsMayOutliveTheLimits) {
   AddressLimits::Ticket ticket;
   {
     AddressLimits limits(kAllowance);

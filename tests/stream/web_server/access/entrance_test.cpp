@@ -47,7 +47,7 @@ class BehindProxy : public ServedWorld {
                  .allowance = {.sockets = 6, .visitors = 1, .socketsPerSecond = 0.01, .burst = 8}}}};
 };
 
-TEST_F(BehindProxy, PlacesAreCountedByTheVisitorsAddress) {
+TEST_F(BehindProxy, PlacesCountByForwardedAddress) {
   RawWebsocket ada = come(from("203.0.113.7"));
   ASSERT_EQ(enter(ada), 0);
   RawWebsocket again = come(from("198.51.100.9, 203.0.113.7"));
@@ -56,7 +56,7 @@ TEST_F(BehindProxy, PlacesAreCountedByTheVisitorsAddress) {
   EXPECT_EQ(enter(bob), 0);
 }
 
-TEST_F(BehindProxy, AnybodyElseIsNotBelieved) {
+TEST_F(BehindProxy, IgnoresHeadersOfOthers) {
   RawWebsocket ada = come(from("203.0.113.7"), kAnybody);
   ASSERT_EQ(enter(ada), 0);
   RawWebsocket again = come(from("203.0.113.8"), kAnybody);
@@ -67,7 +67,7 @@ TEST_F(BehindProxy, AnybodyElseIsNotBelieved) {
   EXPECT_EQ(come("Origin: https://evil.example\r\nX-Forwarded-Host: evil.example\r\n", kAnybody).status(), 403);
 }
 
-TEST_F(BehindProxy, SocketsAreCountedByTheVisitorsAddress) {
+TEST_F(BehindProxy, SocketsCountByForwardedAddress) {
   std::vector<RawWebsocket> idle;
   idle.reserve(6);
   for (int i = 0; i < 6; ++i) {
@@ -81,7 +81,7 @@ TEST_F(BehindProxy, SocketsAreCountedByTheVisitorsAddress) {
   EXPECT_EQ(host_.timeline().counters().at("refused connections"), 2);
 }
 
-TEST_F(BehindProxy, NewSocketsAreCountedByTheVisitorsAddress) {
+TEST_F(BehindProxy, NewSocketsCountByForwardedAddress) {
   int upgraded = 0;
   for (int i = 0; i < 20; ++i) upgraded += come(from("203.0.113.7")).status() == 101 ? 1 : 0;
   EXPECT_GE(upgraded, 6);
@@ -93,7 +93,7 @@ TEST_F(BehindProxy, NewSocketsAreCountedByTheVisitorsAddress) {
   }
 }
 
-TEST_F(BehindProxy, RequestsAreCountedByTheVisitorsAddress) {
+TEST_F(BehindProxy, RequestsCountByForwardedAddress) {
   int answered = 0;
   for (int i = 0; i < 100; ++i) answered += ask(from("203.0.113.7")) == 200 ? 1 : 0;
   EXPECT_GE(answered, 60) << "each costs an eighth of a socket";
@@ -102,7 +102,7 @@ TEST_F(BehindProxy, RequestsAreCountedByTheVisitorsAddress) {
 }
 
 /// Proxies keep connections and use them for whoever comes next.
-TEST_F(BehindProxy, OneOfItsSocketsWorksForMany) {
+TEST_F(BehindProxy, OneSocketServesManyVisitors) {
   std::vector<RawSocket> kept;
   kept.reserve(12);
   for (int i = 0; i < 12; ++i) kept.emplace_back(proxied_.port());
@@ -118,7 +118,7 @@ TEST_F(BehindProxy, OneOfItsSocketsWorksForMany) {
 }
 
 /// Together they may well be more than one visitor would send.
-TEST_F(BehindProxy, RequestsOfManyAreNoFlood) {
+TEST_F(BehindProxy, ManyVisitorsAreNoFlood) {
   RawSocket socket(proxied_.port());
   const std::string padding(2000, 'x');
   for (int i = 0; i < 61; ++i) {
@@ -133,7 +133,7 @@ TEST_F(BehindProxy, RequestsOfManyAreNoFlood) {
   }
 }
 
-TEST_F(BehindProxy, PagesAreJudgedByWhatTheBrowserAskedFor) {
+TEST_F(BehindProxy, OriginIsComparedWithForwardedHost) {
   const std::string secure = "X-Forwarded-Proto: https\r\n";
   EXPECT_EQ(come(secure + "Origin: https://grove.example\r\n").status(), 101);
   EXPECT_EQ(come(secure + "Origin: http://grove.example\r\n").status(), 403);
@@ -148,7 +148,7 @@ TEST_F(BehindProxy, PagesAreJudgedByWhatTheBrowserAskedFor) {
   EXPECT_EQ(inside("Origin: https://backend.internal:8080\r\n"), 403) << "nobody knows it by that name";
 }
 
-TEST_F(BehindProxy, PagesOfOriginsThatAreListedMayOpenASocket) {
+TEST_F(BehindProxy, ListedOriginsMayConnect) {
   for (const char* const source : {"127.0.0.1", kAnybody}) {
     EXPECT_EQ(come("Origin: https://arcade.example\r\n", source).status(), 101) << source;
     EXPECT_EQ(come("Origin: http://arcade.example\r\n", source).status(), 403) << source;
@@ -157,7 +157,7 @@ TEST_F(BehindProxy, PagesOfOriginsThatAreListedMayOpenASocket) {
   }
 }
 
-TEST_F(BehindProxy, TheLogNamesTheVisitor) {
+TEST_F(BehindProxy, LogNamesTheForwardedAddress) {
   testing::internal::CaptureStderr();
   {
     RawWebsocket ada = come(from("198.51.100.9, 203.0.113.7"));
@@ -171,7 +171,7 @@ TEST_F(BehindProxy, TheLogNamesTheVisitor) {
   EXPECT_THAT(lines, Not(HasSubstr("203.0.113.8")));
 }
 
-TEST_F(BehindProxy, HeadersMayBeAnything) {
+TEST_F(BehindProxy, MalformedHeaders) {
   EXPECT_EQ(ask(from("unknown")), 200);
   EXPECT_EQ(ask(from("") + from(",,,") + from("203.0.113.7, \x01\x02[::")), 200);
   EXPECT_EQ(ask("X-Forwarded-Host: \r\nX-Forwarded-Proto: \r\n"), 200);

@@ -7,7 +7,7 @@
 namespace grove::stream {
 namespace {
 
-TEST(Eviction, HasNothingToChooseFrom) { EXPECT_FALSE(chooseEvicted({})); }
+TEST(Eviction, NoCandidates) { EXPECT_FALSE(chooseEvicted({})); }
 
 TEST(Eviction, TakesTheOldest) {
   const std::array<Evictable, 3> sockets{{{"a", 5.0}, {"b", 3.0}, {"c", 4.0}}};
@@ -15,7 +15,7 @@ TEST(Eviction, TakesTheOldest) {
 }
 
 /// Else a newcomer, whose request is still on its way, would go before hundreds that came after.
-TEST(Eviction, TakesFromWhoHasMost) {
+TEST(Eviction, TakesFromTheLargestOwner) {
   const std::array<Evictable, 4> sockets{{{"newcomer", 1.0}, {"many", 3.0}, {"many", 2.0}, {"many", 4.0}}};
   EXPECT_EQ(chooseEvicted(sockets), 2U);
 }
@@ -28,7 +28,7 @@ TEST(Eviction, TakesBusySocketsLast) {
 }
 
 /// A proxy's sockets are many guests', not one's.
-TEST(Eviction, CountsSocketsWithoutOwnerOneByOne) {
+TEST(Eviction, SocketsWithoutOwnerCountAlone) {
   const std::array<Evictable, 5> sockets{{{"", 1.0}, {"", 2.0}, {"", 3.0}, {"many", 5.0}, {"many", 4.0}}};
   EXPECT_EQ(chooseEvicted(sockets), 4U);
 }

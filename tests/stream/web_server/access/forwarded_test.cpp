@@ -14,7 +14,7 @@ std::vector<AddressRange> ranges(const std::vector<const char*>& texts) {
   return all;
 }
 
-TEST(AddressRange, HoldsWhatBeginsWithItsBits) {
+TEST(AddressRange, ContainsAddressesWithItsPrefix) {
   const auto net = AddressRange::parse("10.1.128.0/17").value();
   EXPECT_TRUE(net.contains("10.1.128.0"));
   EXPECT_TRUE(net.contains("10.1.255.255"));
@@ -34,7 +34,7 @@ TEST(AddressRange, HoldsWhatBeginsWithItsBits) {
   EXPECT_FALSE(AddressRange::parse("::/0").value().contains("no address"));
 }
 
-TEST(AddressRange, IsReadOrRefused) {
+TEST(AddressRange, ParsesOrRefuses) {
   for (const char* bad :
        {"", "/", "10.0.0.0/", "10.0.0.0/33", "10.0.0.0/-1", "10.0.0.0/8x", "10.0.0.0/ 8", "10.0.0/8", "10.0.0.256",
         "::1/129", "::g", "[::1]", "localhost", "10.0.0.1:80", "10.0.0.0/8/8", "fe80::1%eth0", " 10.0.0.1"}) {
@@ -42,7 +42,7 @@ TEST(AddressRange, IsReadOrRefused) {
   }
 }
 
-TEST(Forwarded, IsTheRightMostThatIsNoProxy) {
+TEST(Forwarded, UsesTheRightmostUntrustedAddress) {
   const auto proxies = ranges({"127.0.0.1", "10.0.0.0/8", "fd00::/8"});
   const auto behind = [&](std::string_view list) { return visitorBehind("127.0.0.1", list, proxies); };
   EXPECT_EQ(behind("203.0.113.7"), "203.0.113.7");
@@ -57,7 +57,7 @@ TEST(Forwarded, IsTheRightMostThatIsNoProxy) {
   EXPECT_EQ(behind("  203.0.113.7  "), "203.0.113.7");
 }
 
-TEST(Forwarded, StopsAtWhatIsNoAddress) {
+TEST(Forwarded, StopsAtMalformedAddresses) {
   const auto proxies = ranges({"127.0.0.1", "10.0.0.0/8"});
   const auto behind = [&](std::string_view list) { return visitorBehind("127.0.0.1", list, proxies); };
   for (const char* nonsense :
@@ -70,13 +70,13 @@ TEST(Forwarded, StopsAtWhatIsNoAddress) {
   EXPECT_EQ(behind(std::string_view("203.0.113.7, 1.1.1.1\0x", 22)), "127.0.0.1");
 }
 
-TEST(Forwarded, IsIgnoredFromAnybodyElse) {
+TEST(Forwarded, IsIgnoredFromUntrustedPeers) {
   EXPECT_EQ(visitorBehind("198.51.100.1", "203.0.113.7", ranges({"127.0.0.1"})), "198.51.100.1");
   EXPECT_EQ(visitorBehind("127.0.0.1", "203.0.113.7", {}), "127.0.0.1");
 }
 
 /// Of whatever length: no answer but an address that stands there or the proxy's, and no time that grows as its square.
-TEST(Forwarded, MayBeAnything) {
+TEST(Forwarded, MalformedHeaders) {
   const auto proxies = ranges({"127.0.0.1", "10.0.0.0/8", "::/1"});
   std::mt19937 random(7);
   constexpr std::string_view kLetters = "0123456789abcf.:,[] %/x\t\xFF";
@@ -104,7 +104,7 @@ TEST(Forwarded, MayBeAnything) {
   EXPECT_EQ(visitorBehind("127.0.0.1", std::string(100'000, '['), proxies), "127.0.0.1");
 }
 
-TEST(Forwarded, OfAListTheNearestProxyHasWrittenTheLast) {
+TEST(Forwarded, LastEntryIsFromTheNearestProxy) {
   EXPECT_EQ(lastEntry("evil.example, grove.example "), "grove.example");
   EXPECT_EQ(lastEntry("grove.example"), "grove.example");
   EXPECT_EQ(lastEntry(""), "");

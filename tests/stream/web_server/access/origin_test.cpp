@@ -18,7 +18,7 @@ TEST(KnownHost, IsAnAddressOrAName) {
   EXPECT_FALSE(isKnownHost("example", names));
 }
 
-TEST(Origin, IsTheSameOnlyWithHostAndPort) {
+TEST(Origin, ComparesHostAndPort) {
   const std::optional<bool> unknown;
   EXPECT_TRUE(isSameOrigin("http://grove.example:8080", "Grove.example:8080", unknown));
   EXPECT_TRUE(isSameOrigin("https://grove.example", "grove.example", unknown));
@@ -32,14 +32,14 @@ TEST(Origin, IsTheSameOnlyWithHostAndPort) {
   EXPECT_FALSE(isSameOrigin("file:///x", "x", unknown));
 }
 
-TEST(Origin, HasTheSchemeThatTheBrowserCameBy) {
+TEST(Origin, ComparesScheme) {
   EXPECT_TRUE(isSameOrigin("https://grove.example", "grove.example", true));
   EXPECT_FALSE(isSameOrigin("http://grove.example", "grove.example", true));
   EXPECT_TRUE(isSameOrigin("http://grove.example", "grove.example", false));
   EXPECT_FALSE(isSameOrigin("https://grove.example", "grove.example", false));
 }
 
-TEST(Origin, IsReadOrRefused) {
+TEST(Origin, ParsesOrRefuses) {
   EXPECT_EQ(parseOrigin("HTTPS://Example.org"), "https://example.org");
   EXPECT_EQ(parseOrigin("https://example.org:443"), "https://example.org");
   EXPECT_EQ(parseOrigin("http://example.org:443"), "http://example.org:443");
@@ -69,7 +69,7 @@ TEST(Origin, IsReadOrRefused) {
   }
 }
 
-TEST(Origin, OfOthersIsAllowedByItsWholeName) {
+TEST(Origin, ForeignOriginsNeedTheirFullName) {
   const std::vector<std::string> origins{"https://example.org"};
   EXPECT_TRUE(isOneOf(origins, "https://example.org"));
   EXPECT_FALSE(isOneOf(origins, "http://example.org"));

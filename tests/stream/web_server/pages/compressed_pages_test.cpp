@@ -38,7 +38,7 @@ std::string unpacked(const std::string& gzip) {
   return text;
 }
 
-TEST_F(CompressedPages, AreTheSamePages) {
+TEST_F(CompressedPages, DecompressToTheOriginals) {
   for (const std::string& path : {std::string("/"), pathOf("main.js"), pathOf("style.css"), pathOf("icon.svg")}) {
     const HttpAnswer plain = get(path, "identity");
     const HttpAnswer gzip = get(path, "gzip");
@@ -49,7 +49,7 @@ TEST_F(CompressedPages, AreTheSamePages) {
   }
 }
 
-TEST_F(CompressedPages, GoToThoseWhoTakeThem) {
+TEST_F(CompressedPages, AreSentOnlyIfAccepted) {
   const std::map<std::string, std::string> wanted = {
       {"gzip, deflate", "gzip"},
       {"gzip, deflate, br, zstd", "br"},
@@ -81,7 +81,7 @@ TEST_F(CompressedPages, GoToThoseWhoTakeThem) {
 }
 
 /// With one tag for all, a cache would hand the packed page to who cannot unpack it.
-TEST_F(CompressedPages, HaveTagsOfTheirOwn) {
+TEST_F(CompressedPages, HaveTheirOwnEtags) {
   const std::string path = pathOf("style.css");
   const std::string plain = value(get(path, "identity"), "etag");
   const std::string gzip = value(get(path, "gzip"), "etag");
@@ -93,7 +93,7 @@ TEST_F(CompressedPages, HaveTagsOfTheirOwn) {
   EXPECT_EQ(get(path, "identity", "If-None-Match: " + gzip + "\r\n").status, 200);
 }
 
-TEST_F(CompressedPages, HeadAndNotModifiedSayWhatGetWould) {
+TEST_F(CompressedPages, HeadAndNotModifiedMatchGet) {
   const std::string path = pathOf("main.js");
   const std::string accept = "Accept-Encoding: gzip\r\n";
   const HttpAnswer whole = request(port(), "GET", path, accept);
@@ -108,7 +108,7 @@ TEST_F(CompressedPages, HeadAndNotModifiedSayWhatGetWould) {
   }
 }
 
-TEST_F(CompressedPages, AreKeptForGoodWhereTheAddressChangesWithThem) {
+TEST_F(CompressedPages, HashedAddressesAreImmutable) {
   const std::string forGood = "public, max-age=31536000, immutable";
   EXPECT_EQ(value(get(pathOf("main.js"), "gzip"), "cache-control"), forGood);
   EXPECT_EQ(value(get("/", "gzip"), "cache-control"), "no-cache") << "names the others";
@@ -118,7 +118,7 @@ TEST_F(CompressedPages, AreKeptForGoodWhereTheAddressChangesWithThem) {
   EXPECT_EQ(get(pathOf("main.js") + ".gz", "gzip").status, 404) << "no page of its own";
 }
 
-TEST_F(CompressedPages, AMissingPageSaysSoAndLeadsHome) {
+TEST_F(CompressedPages, MissingPageLinksHome) {
   const HttpAnswer missing = get("/no/such/page", "identity");
   EXPECT_EQ(missing.status, 404);
   EXPECT_EQ(value(missing, "content-type"), "text/html; charset=utf-8");

@@ -9,7 +9,7 @@ namespace {
 
 constexpr int kFull = 1000;
 
-TEST(ContentCoding, IsTakenIfItIsNamed) {
+TEST(ContentCoding, AcceptsNamedCodings) {
   EXPECT_EQ(codingWeight("gzip, deflate, br", "gzip"), kFull);
   EXPECT_EQ(codingWeight("gzip, deflate, br", "br"), kFull);
   EXPECT_EQ(codingWeight("deflate", "gzip"), 0);
@@ -19,7 +19,7 @@ TEST(ContentCoding, IsTakenIfItIsNamed) {
   EXPECT_EQ(codingWeight("gzipped, agzip, brotli", "br"), 0);
 }
 
-TEST(ContentCoding, HasAWeight) {
+TEST(ContentCoding, RespectsWeights) {
   EXPECT_EQ(codingWeight("gzip;q=0.5", "gzip"), 500);
   EXPECT_EQ(codingWeight("gzip \t;\t Q=0.25 ,br", "gzip"), 250);
   EXPECT_EQ(codingWeight("gzip;q=0.001", "gzip"), 1);
@@ -30,7 +30,7 @@ TEST(ContentCoding, HasAWeight) {
   }
 }
 
-TEST(ContentCoding, IdentityIsTakenUnlessItIsRefused) {
+TEST(ContentCoding, IdentityIsAcceptedUnlessRefused) {
   EXPECT_GT(codingWeight("", "identity"), 0);
   EXPECT_GT(codingWeight("deflate", "identity"), 0);
   EXPECT_LT(codingWeight("gzip;q=0.1", "identity"), codingWeight("gzip;q=0.1", "gzip")) << "but not gladly";
@@ -40,7 +40,7 @@ TEST(ContentCoding, IdentityIsTakenUnlessItIsRefused) {
   EXPECT_EQ(codingWeight("", "gzip"), 0);
 }
 
-TEST(ContentCoding, AStarIsAllThatAreNotNamed) {
+TEST(ContentCoding, StarMatchesUnnamedCodings) {
   EXPECT_EQ(codingWeight("*", "br"), kFull);
   EXPECT_EQ(codingWeight("*;q=0.5, br", "br"), kFull);
   EXPECT_EQ(codingWeight("br, *;q=0.5", "gzip"), 500);
@@ -48,7 +48,7 @@ TEST(ContentCoding, AStarIsAllThatAreNotNamed) {
 }
 
 /// Read wrongly, a client would get what it cannot unpack.
-TEST(ContentCoding, WhatCannotBeReadCountsForNothing) {
+TEST(ContentCoding, IgnoresMalformedParts) {
   for (const char* bad : {"gzip;q=2",
                           "gzip;q=1.001",
                           "gzip;q=-1",

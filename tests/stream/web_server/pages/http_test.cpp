@@ -80,7 +80,7 @@ TEST_F(Http, AnswersHeadWithoutBody) {
   EXPECT_TRUE(contains(head.head, "content-length: " + std::to_string(page.body.size())));
 }
 
-TEST_F(Http, SaysWhenNothingHasChanged) {
+TEST_F(Http, AnswersNotModified) {
   const HttpAnswer page = request(port(), "GET", pathOf("main.js"));
   const std::size_t at = page.head.find("etag: ");
   ASSERT_NE(at, std::string::npos);
@@ -89,13 +89,13 @@ TEST_F(Http, SaysWhenNothingHasChanged) {
   EXPECT_EQ(request(port(), "GET", pathOf("main.js"), "If-None-Match: \"other\"\r\n").status, 200);
 }
 
-TEST_F(Http, ReportsThatItIsWell) {
+TEST_F(Http, ReportsHealth) {
   const HttpAnswer answer = request(port(), "GET", "/healthz");
   EXPECT_EQ(answer.status, 200);
   EXPECT_EQ(answer.body, "ok");
 }
 
-TEST_F(Http, ReportsItsStatistics) {
+TEST_F(Http, ReportsStatistics) {
   const HttpAnswer answer = request(operatorPort(), "GET", "/statistics.json");
   EXPECT_EQ(answer.status, 200);
   EXPECT_TRUE(contains(answer.head, "content-type: application/json"));
@@ -112,7 +112,7 @@ TEST_F(Http, ReportsItsStatistics) {
   EXPECT_TRUE(head.body.empty());
 }
 
-TEST_F(Http, ReportsVisitorsWhatSharingSaves) {
+TEST_F(Http, ReportsSharingToVisitors) {
   for (const int at : {port(), operatorPort()}) {
     const auto reported = nlohmann::json::parse(request(at, "GET", "/sharing.json").body);
     EXPECT_EQ(reported.at("version"), version());
@@ -122,7 +122,7 @@ TEST_F(Http, ReportsVisitorsWhatSharingSaves) {
   }
 }
 
-TEST_F(Http, ReportsAreMadeOnceForAllWhoAskAtTheSameTime) {
+TEST_F(Http, ConcurrentRequestsShareOneReport) {
   GoodClient visitor(port());
   ASSERT_TRUE(visitor.receiveFrames(5));
   std::vector<RawSocket> readers;
@@ -140,7 +140,7 @@ TEST_F(Http, ReportsAreMadeOnceForAllWhoAskAtTheSameTime) {
       << "made anew after a second";
 }
 
-TEST_F(Http, RequestsOfOneConnectionAreAnsweredInTheirOrder) {
+TEST_F(Http, AnswersPipelinedRequestsInOrder) {
   RawSocket socket(operatorPort());
   std::string requests;
   for (const char* path : {"/statistics.json", "/healthz", "/sharing.json"}) {
@@ -156,7 +156,7 @@ TEST_F(Http, RequestsOfOneConnectionAreAnsweredInTheirOrder) {
   EXPECT_TRUE(all.ends_with("ok"));
 }
 
-TEST_F(Http, KnowsNoOtherFiles) {
+TEST_F(Http, NotFound) {
   for (const char* path : {"/nothing", "/../CMakeLists.txt", "/%2e%2e/%2e%2e/etc/passwd", "/input/../../etc/passwd",
                            "/input/..%2f..%2fetc/passwd", "//etc/passwd", "/main.js%00.html"}) {
     const int status = request(port(), "GET", path).status;
@@ -175,7 +175,7 @@ TEST_F(Http, RefusesOtherMethods) {
   EXPECT_EQ(request(port(), "GET", "/healthz").status, 200);
 }
 
-TEST_F(Http, AnswersSeveralRequestsOfOneConnection) {
+TEST_F(Http, KeepsConnectionsAlive) {
   RawSocket socket(port());
   const std::string text = "GET /healthz HTTP/1.1\r\nHost: localhost\r\n\r\n";
   for (int i = 0; i < 3; ++i) {
@@ -189,7 +189,7 @@ TEST_F(Http, AnswersSeveralRequestsOfOneConnection) {
   }
 }
 
-TEST_F(Http, IsNotKnownByNamesOfOtherSites) {
+TEST_F(Http, RefusesForeignHostNames) {
   const auto ask = [&](const std::string& host, const std::string& more) {
     RawSocket socket(port());
     socket.send("GET / HTTP/1.1\r\nHost: " + host + "\r\n" + more + "\r\n");
@@ -210,7 +210,7 @@ TEST_F(Http, IsNotKnownByNamesOfOtherSites) {
   EXPECT_NE(ask("rebound.example", upgrade + "rebound.example\r\n"), "HTTP/1.1 101");
 }
 
-TEST_F(Http, AgreesOnTheFirstSubProtocolThatItKnows) {
+TEST_F(Http, ChoosesTheFirstKnownSubProtocol) {
   const auto agreed = [&](const std::string& offered) {
     RawSocket socket(port());
     socket.send(
@@ -229,7 +229,7 @@ TEST_F(Http, AgreesOnTheFirstSubProtocolThatItKnows) {
 }
 
 /// A proxy that goes by the first would let through what the server takes for a request of the second.
-TEST_F(Http, TwoHostsAreRefused) {
+TEST_F(Http, RefusesTwoHostHeaders) {
   EXPECT_EQ(request(port(), "GET", "/healthz", "Host: evil.example\r\n").status, 400);
   EXPECT_EQ(request(port(), "GET", "/healthz", "Host: localhost\r\n").status, 400);
   EXPECT_EQ(RawWebsocket(port(), "Host: localhost\r\n").status(), 400);

@@ -30,7 +30,7 @@ class TlsStoreTest : public testing::Test {
   const TlsFiles other_{folder_.file("other.pem"), folder_.file("other.key")};
 };
 
-TEST_F(TlsStoreTest, LooksForFilesThatHaveChangedAndRest) {
+TEST_F(TlsStoreTest, ReloadsChangedFiles) {
   TlsStore store(good_);
   const auto first = store.current();
   EXPECT_EQ(logged([&] { store.look(); }), "");
@@ -42,7 +42,7 @@ TEST_F(TlsStoreTest, LooksForFilesThatHaveChangedAndRest) {
   EXPECT_EQ(logged([&] { store.look(); }), "");
 }
 
-TEST_F(TlsStoreTest, FollowsLinksThatAreReplaced) {
+TEST_F(TlsStoreTest, FollowsReplacedLinks) {
   writePair(other_);
   const TlsFiles live{folder_.file("live.pem"), folder_.file("live.key")};
   std::filesystem::create_symlink(good_.certificate, live.certificate);
@@ -58,7 +58,7 @@ TEST_F(TlsStoreTest, FollowsLinksThatAreReplaced) {
   EXPECT_NE(store.current(), first);
 }
 
-TEST_F(TlsStoreTest, KeepsTheOldOneWhenTheNewOneIsBad) {
+TEST_F(TlsStoreTest, KeepsTheOldOnErrors) {
   TlsStore store(good_);
   const auto first = store.current();
   const std::string key = readFile(good_.key);
@@ -74,7 +74,7 @@ TEST_F(TlsStoreTest, KeepsTheOldOneWhenTheNewOneIsBad) {
   EXPECT_THAT(logged([&] { store.look(), store.look(); }), HasSubstr("new connections"));
 }
 
-TEST_F(TlsStoreTest, WarnsOfAnExpiryThatIsNear) {
+TEST_F(TlsStoreTest, WarnsBeforeExpiry) {
   writePair(good_, {.expiresIn = 15 * 86'400});
   EXPECT_EQ(logged([&] { TlsStore store(good_); }), "");
   writePair(good_, {.expiresIn = 13 * 86'400});

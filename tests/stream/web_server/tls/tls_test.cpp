@@ -57,14 +57,14 @@ TEST_F(Tls, ServesPageAndSocketOnOnePort) {
   EXPECT_TRUE(client.receiveFrames(5));
 }
 
-TEST_F(Tls, SendsWholeFramesThatTheNetworkTakesInPieces) {
+TEST_F(Tls, SendsFramesOverPartialWrites) {
   RawSocket socket(secure_.port(), 4096);
   ASSERT_TRUE(socket.startTls());
   GoodClient client(RawWebsocket(std::move(socket), host(), ""), 1280, 720);
   EXPECT_TRUE(client.receiveFrames(10));
 }
 
-TEST_F(Tls, SendsPlainHttpToHttps) {
+TEST_F(Tls, RedirectsPlainHttp) {
   const auto plain = [&](const std::string& method, const std::string& target, const std::string& headers) {
     RawSocket socket(secure_.port());
     return request(socket, method, target, headers);
@@ -83,7 +83,7 @@ TEST_F(Tls, SendsPlainHttpToHttps) {
   EXPECT_EQ(websocket.status(), 403) << "no visitor comes in the clear";
 }
 
-TEST_F(Tls, SpeaksTlsOfTodayAndNoHttp2) {
+TEST_F(Tls, UsesModernTlsWithoutHttp2) {
   RawSocket modern(secure_.port());
   ASSERT_TRUE(modern.startTls(std::string_view("\x02h2\x08http/1.1", 12)));
   EXPECT_STREQ(SSL_get_version(modern.tls()), "TLSv1.3");
@@ -97,7 +97,7 @@ TEST_F(Tls, SpeaksTlsOfTodayAndNoHttp2) {
   EXPECT_FALSE(RawSocket(secure_.port()).startTls("", TLS1_1_VERSION));
 }
 
-TEST_F(Tls, ShowsANewCertificateToNewConnectionsOnly) {
+TEST_F(Tls, NewCertificateServesNewConnections) {
   RawSocket socket = connect();
   EXPECT_EQ(socket.certificateName(), "first");
   GoodClient old(RawWebsocket(std::move(socket), host(), ""));
@@ -116,13 +116,13 @@ TEST_F(Tls, ShowsANewCertificateToNewConnectionsOnly) {
   EXPECT_TRUE(old.receiveFrames(5));
 }
 
-TEST_F(Tls, TakesSocketsOfItsOwnSecurePagesOnly) {
+TEST_F(Tls, AcceptsOnlySecureOrigins) {
   EXPECT_EQ(websocket("https://" + host()).status(), 101);
   EXPECT_EQ(websocket("http://" + host()).status(), 403) << "whoever is on the way could have written that page";
   EXPECT_EQ(websocket("https://other.example").status(), 403);
 }
 
-TEST_F(Tls, TheOperatorsListenerHasItUnlessItIsForThisMachine) {
+TEST_F(Tls, OperatorListenerUsesTlsUnlessLoopback) {
   EXPECT_FALSE(secure_.isSecure(Audience::kOperator));
   EXPECT_EQ(request(secure_.operatorPort(), "GET", "/operator").status, 200);
   WebsocketServer open(host_, {.visitors = {"127.0.0.1", 0}, .operators = HostPort{"0.0.0.0", 0}, .tls = store_});
@@ -135,7 +135,7 @@ TEST_F(Tls, TheOperatorsListenerHasItUnlessItIsForThisMachine) {
 }
 
 /// Each waits for the rest of a handshake: the thread of all sockets must not, nor others find no place.
-TEST_F(Tls, HandshakesThatNeverEndConcernNobodyElse) {
+TEST_F(Tls, StalledHandshakesAffectNobodyElse) {
   GoodClient visitor(websocket("https://" + host()));
   ASSERT_TRUE(visitor.receiveFrames(1));
   std::vector<RawSocket> idle;
@@ -151,7 +151,7 @@ TEST_F(Tls, HandshakesThatNeverEndConcernNobodyElse) {
   EXPECT_GE(host_.timeline().counters().at("refused connections"), 300 - 48) << "one address has no more";
 }
 
-TEST_F(Tls, NonsenseEndsItsOwnConnectionOnly) {
+TEST_F(Tls, GarbageEndsOnlyItsConnection) {
   GoodClient visitor(websocket("https://" + host()));
   for (const std::string_view nonsense :
        {std::string_view("\x16\x03\x01\x00\x05zzzzz", 10), std::string_view("\0\0\0\0\0\0\0\0\0\0\0", 11),
@@ -169,13 +169,12 @@ TEST_F(Tls, NonsenseEndsItsOwnConnectionOnly) {
   EXPECT_TRUE(visitor.receiveFrames(5));
 }
 
-TEST_F(Tls, LoadClientsJudgeTheCertificate) {
+TEST_F(Tls, LoadClientsVerifyTheCertificate) {
   const LoadReport strict = summarise(
       runLoadClients({"127.0.0.1", secure_.port(), true}, LoadPlan{.seconds = 0.3, .width = 320, .height = 180}));
   EXPECT_EQ(strict.sessions, 0) << "nobody has signed it";
-  const LoadReport lax =
-      summarise(runLoadClients({"127.0.0.1", secure_.port(), true, true},
-                               LoadPlan{.sessions = 2, .seconds = 0.5, .width = 320, .height = 180}));
+  const LoadReport lax = summarise(runLoadClients(
+      {"127.0.0.1", secure_.port(), true, true}, LoadPlan{.sessions = 2, .seconds = 0.5, .width = 320, .height = 180}));
   EXPECT_EQ(lax.sessions, 2);
   EXPECT_GT(lax.frames, 0U);
 }

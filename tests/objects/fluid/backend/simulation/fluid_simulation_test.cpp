@@ -71,7 +71,7 @@ TEST_F(FluidSimulationTest, SmokeRisesFromTheFireInWorldCoordinates) {
   EXPECT_LT(flame, 1.8F);
 }
 
-TEST_F(FluidSimulationTest, EqualRunsAreEqual) {
+TEST_F(FluidSimulationTest, IsDeterministic) {
   FluidSimulation a(settings(), {}, nothing_, world::Sky());
   FluidSimulation b(settings(), {}, nothing_, world::Sky());
   run(a, 40);
@@ -81,7 +81,7 @@ TEST_F(FluidSimulationTest, EqualRunsAreEqual) {
 }
 
 /// A copy of a world begins where the first one did.
-TEST_F(FluidSimulationTest, GoesOnFromAStateAsTheOneThatHadIt) {
+TEST_F(FluidSimulationTest, ResumesFromAState) {
   FluidSimulation first(settings(), {}, nothing_, world::Sky());
   run(first, 40);
   const FluidState state = first.state();
@@ -98,7 +98,7 @@ TEST_F(FluidSimulationTest, GoesOnFromAStateAsTheOneThatHadIt) {
   EXPECT_LT(glm::length(meanPlace(*ofSecond) - meanPlace(*ofFirst)), 0.002F);
 }
 
-TEST_F(FluidSimulationTest, AGustMovesTheSmokeItsWay) {
+TEST_F(FluidSimulationTest, GustsMoveSmoke) {
   for (const world::Vec3 direction : {world::Vec3(1.0F, 0.0F, 0.0F), world::Vec3(0.0F, 0.0F, -1.0F)}) {
     FluidSimulation calm(settings(), {}, nothing_, world::Sky());
     FluidSimulation blown(settings(), {}, nothing_, world::Sky());
@@ -116,7 +116,7 @@ TEST_F(FluidSimulationTest, AGustMovesTheSmokeItsWay) {
 }
 
 /// Would catch a peer who has thousands blow, which took seconds of each tick.
-TEST_F(FluidSimulationTest, OnlySoManyGustsCountAndThoseTheNearest) {
+TEST_F(FluidSimulationTest, OnlyTheNearestGustsCount) {
   std::vector<world::Gust> near;
   std::vector<world::Gust> all;
   for (std::size_t i = 0; i < 1000; ++i) {
@@ -140,7 +140,7 @@ TEST_F(FluidSimulationTest, OnlySoManyGustsCountAndThoseTheNearest) {
   EXPECT_EQ(few.snapshot(0.0)->x, many.snapshot(0.0)->x);
 }
 
-TEST_F(FluidSimulationTest, AVisitorWhoWalksPushesTheAirAndNoSmokeIsInside) {
+TEST_F(FluidSimulationTest, WalkersPushAirAndExcludeSmoke) {
   FluidSettings still = settings();
   still.wind = world::Vec3(0.0F);
   still.turbulence = 0.0F;

@@ -171,7 +171,7 @@ void expectAlike(const Crowd& one, const Crowd& other, float max) {
 
 /// Fails if a target samples, whirls, stops at solids or ages otherwise, or forgets the last few particles. The fast
 /// draught moves particles by several cells and out of the cube.
-TEST(ParticlesKernels, EveryTargetMovesAsAPlainLoopDoes) {
+TEST(ParticlesKernels, MotionMatchesScalarOnEveryTarget) {
   const Layout layout(kCrowdCells);
   SolidGrid solids(layout, Sides::outdoors());
   placeStones(solids);

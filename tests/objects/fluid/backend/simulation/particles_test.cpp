@@ -11,7 +11,7 @@ constexpr int kBoxCells = 16;
 constexpr float kCell = 0.25F;
 constexpr float kStep = 1.0F / 30.0F;
 
-TEST(Particles, InjectsTheRateAndAllDieInTime) {
+TEST(Particles, RateAndLifetimeHold) {
   const Layout layout(kBoxCells);
   const SolidGrid solids(layout, Sides::outdoors());
   const Velocity still(layout);
@@ -26,7 +26,7 @@ TEST(Particles, InjectsTheRateAndAllDieInTime) {
   EXPECT_EQ(particles.count(), 0U);
 }
 
-TEST(Particles, NeverExceedTheMost) {
+TEST(Particles, AreBounded) {
   const Layout layout(kBoxCells);
   const SolidGrid solids(layout, Sides::outdoors());
   Particles particles({{2.0F, 1.0F, 2.0F}, 0.3F, 1.0e6F, 4.0F, 7.0F}, 1);
@@ -35,7 +35,7 @@ TEST(Particles, NeverExceedTheMost) {
   EXPECT_EQ(particles.count(), Particles::kMax);
 }
 
-TEST(Particles, KeepTheirOrderWhenOthersDie) {
+TEST(Particles, KeepTheirOrder) {
   const Layout layout(kBoxCells);
   const SolidGrid solids(layout, Sides::outdoors());
   const Velocity still(layout);
@@ -53,7 +53,7 @@ TEST(Particles, KeepTheirOrderWhenOthersDie) {
   }
 }
 
-TEST(Particles, NeverEnterSolidsEvenWhenBlownAtThem) {
+TEST(Particles, NeverEnterSolids) {
   const Layout layout(kBoxCells);
   SolidGrid solids(layout, Sides::outdoors());
   std::vector<std::uint8_t> wall(kBoxCells * kBoxCells * kBoxCells, 0);
@@ -71,7 +71,7 @@ TEST(Particles, NeverEnterSolidsEvenWhenBlownAtThem) {
   for (const float x : particles.x) ASSERT_LT(x, 11.0F * kCell);
 }
 
-TEST(Particles, AreSweptAlongByASolidThatMovesOverThem) {
+TEST(Particles, MovingSolidsPushThem) {
   const Layout layout(kBoxCells);
   SolidGrid solids(layout, Sides::outdoors());
   const Velocity still(layout);

@@ -75,7 +75,7 @@ void forCorners(const Places& places, std::size_t i, const LightCells& grid, con
 }
 
 /// Fails if a target finds other corners or weights, at the border or at the last few particles above all.
-TEST(ShadingKernels, EveryTargetSpreadsAndGathersAsAPlainLoopDoes) {
+TEST(ShadingKernels, SpreadAndGatherMatchScalarOnEveryTarget) {
   for (const int cells : {2, 9, 32}) {
     const LightCells grid{cells, 4.0F / static_cast<float>(cells)};
     for (const int count : {1, 7, 16, 301}) {
@@ -105,7 +105,7 @@ TEST(ShadingKernels, EveryTargetSpreadsAndGathersAsAPlainLoopDoes) {
   }
 }
 
-TEST(ShadingKernels, EveryTargetKnowsTheSameOpticalDepths) {
+TEST(ShadingKernels, OpticalDepthsMatchScalarOnEveryTarget) {
   for (const std::size_t count : {1U, 5U, 37U}) {
     const auto age = randomValues(count, 3.0F);
     const auto temperature = randomValues(count, 1.5F);
@@ -123,7 +123,7 @@ TEST(ShadingKernels, EveryTargetKnowsTheSameOpticalDepths) {
   }
 }
 
-TEST(ShadingKernels, EveryTargetSweepsTheSkyAsAPlainLoopDoes) {
+TEST(ShadingKernels, SkySweepMatchesScalarOnEveryTarget) {
   for (const int cells : {3, 9, 32}) {
     const auto depth = randomValues(cubed(cells), 0.4F);
     std::vector<double> expected(depth.size());
@@ -181,7 +181,7 @@ std::vector<double> sweepPlainly(const std::vector<float>& depth, const std::vec
 }
 
 /// Fails if a target shifts, borders or dims otherwise, whichever axis the sun stands along.
-TEST(ShadingKernels, EveryTargetSweepsTheSunAsAPlainLoopDoes) {
+TEST(ShadingKernels, SunSweepMatchesScalarOnEveryTarget) {
   for (const int cells : {3, 9, 32}) {
     const auto depth = randomValues(cubed(cells), 0.4F);
     auto open = randomValues(cubed(cells), 1.0F);

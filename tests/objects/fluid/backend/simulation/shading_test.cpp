@@ -50,7 +50,7 @@ TEST(Shading, IsDarkerBelowAndAwayFromTheSun) {
   }
 }
 
-TEST(Shading, ALoneParticleIsInFullLight) {
+TEST(Shading, SingleParticleIsFullyLit) {
   const SolidGrid solids(Layout(kShadedCells), Sides::outdoors());
   Particles particles({{2.0F, 2.0F, 2.0F}, 0.1F, 10.0F, 4.0F, 7.0F}, 3);
   particles.inject(solids, 0.1F, kShadedSize / kShadedCells);

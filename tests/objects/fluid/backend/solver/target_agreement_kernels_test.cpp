@@ -60,7 +60,7 @@ float largest(const Layout& layout, const Field& a, const Field* b = nullptr) {
 /// measured to part by less than 1e-6 of the fastest. One of them may also come to do a cycle of the pressure's more
 /// than another, and be better by as much as the solver's tolerance, 1e-4, which is what they are held to. Fails if
 /// some kernel computes something else for a target.
-TEST(TargetAgreementKernels, FiftyStepsGoTheSameWayOnEveryTarget) {
+TEST(TargetAgreementKernels, FiftyStepsAgreeOnEveryTarget) {
   constexpr float kAgreement = 1.0e-4F;  // of the fastest, or of the hottest
   std::unique_ptr<FluidSolver> first;
   tests::onEachTarget([&] {

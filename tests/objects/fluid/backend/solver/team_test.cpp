@@ -44,7 +44,7 @@ TEST(TeamTest, SlabsCoverAllPlanesAndAreEven) {
 /// Fires amid a wall, a gust and a visitor, by so many threads.
 class TeamOnAFire : public testing::TestWithParam<int> {};
 
-TEST_P(TeamOnAFire, DoesWhatOneThreadDoes) {
+TEST_P(TeamOnAFire, MatchesOneThread) {
   world::Triangles wall;
   wall.positions = {{-2.0F, 0.0F, 0.6F}, {2.0F, 0.0F, 0.6F}, {2.0F, 2.0F, 0.6F}, {-2.0F, 2.0F, 0.6F}};
   wall.indices = {{0, 1, 2}, {0, 2, 3}};

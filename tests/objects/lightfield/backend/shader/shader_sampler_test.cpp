@@ -172,7 +172,7 @@ TEST_F(ShaderSamplerTest, AgreesWithSimdWithoutDepthCorrection) {
   expectAgreement({60.0, 0.999}, requestFor(between(2.3F, 0.6F)), kWhole, DepthCorrection::kOff);
 }
 
-TEST_F(ShaderSamplerTest, PicturesAreCloseToTheTruth) {
+TEST_F(ShaderSamplerTest, PicturesMatchHeldOutTruth) {
   for (const auto& [azimuth, elevation] : {std::pair{0.4F, 0.2F}, {2.3F, 0.6F}, {4.0F, 1.1F}, {5.0F, 0.1F}}) {
     const ObjectCamera camera = between(azimuth, elevation);
     const Photograph truth = thicket().photograph(camera, kSize);
@@ -199,7 +199,7 @@ TEST_F(ShaderSamplerTest, PicturesAreCloseToTheTruth) {
   }
 }
 
-TEST_F(ShaderSamplerTest, WorkersDoNotDisturbEachOther) {
+TEST_F(ShaderSamplerTest, WorkersAreIndependent) {
   const SampleRequest request = requestFor(between(2.3F, 0.6F));
   ShaderSampler sampler(*workers_);
   std::vector<Shot> shots(8, Shot(kWhole));
@@ -228,7 +228,7 @@ TEST_F(ShaderSamplerTest, WritesEveryPixel) {
 }
 
 /// Many requests, also more than one target holds, are the same pictures as one after the other.
-TEST_F(ShaderSamplerTest, ABatchIsItsPictures) {
+TEST_F(ShaderSamplerTest, BatchEqualsSinglePictures) {
   std::vector<SampleRequest> requests;
   std::vector<Shot> shots;
   for (int i = 0; i < 40; ++i) {
@@ -265,7 +265,7 @@ LightField tinyField(std::uint32_t colour, int lightings) {
   return std::move(builder).build();
 }
 
-TEST_F(ShaderSamplerTest, CacheKeepsItsBudgetAndUploadsWhatIsUsed) {
+TEST_F(ShaderSamplerTest, CacheKeepsItsBudget) {
   onWorker([] {
     const LightField a = tinyField(1, 3);
     const LightField b = tinyField(2, 3);

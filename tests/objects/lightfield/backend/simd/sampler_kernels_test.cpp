@@ -139,7 +139,7 @@ constexpr std::array<world::Rect, 3> kRects{world::Rect{0, 0, kSize, kSize}, wor
 
 /// Fails if a target takes other views, texels or weights, or leaves pixels at the picture's ends out. Tolerance: 1 of
 /// 255; one pixel in two hundred may lie on the edge of another texel.
-TEST(SamplerKernels, EveryTargetBlendsWithoutDepthAsAPlainLoopDoes) {
+TEST(SamplerKernels, BlendingMatchesScalarOnEveryTarget) {
   const SampleRequest wanted = request({2.3F, 1.4F, 1.9F});
   const Vec3 ahead = field().geometry.target - wanted.camera.eye;
   grove::tests::onEachTarget([&] {
@@ -170,7 +170,7 @@ TEST(SamplerKernels, EveryTargetBlendsWithoutDepthAsAPlainLoopDoes) {
 /// Fails if a target finds other surfaces than there are or than another target does, or hides other texels of what it
 /// finds. Tolerance: depth agrees to a thousandth between targets, but for one pixel in two hundred, and to 0.1 m with
 /// the truth, but for a quarter, as these few small views have it; colour to 1 of 255, but for one pixel in a hundred.
-TEST(SamplerKernels, EveryTargetFindsTheSameSurfacesAndBlendsThemAsAPlainLoopDoes) {
+TEST(SamplerKernels, SurfaceSearchMatchesScalarOnEveryTarget) {
   const std::array<SampleRequest, 2> requests{request({2.3F, 1.4F, 1.9F}), request({-0.5F, 2.6F, -2.0F})};
   const std::array<Photograph, 2> truths{thicket().photograph(requests[0].camera, kSize),
                                          thicket().photograph(requests[1].camera, kSize)};

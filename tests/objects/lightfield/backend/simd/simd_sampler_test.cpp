@@ -83,7 +83,7 @@ ObjectCamera between(float azimuth, float elevation) {
 
 class Between : public testing::TestWithParam<std::array<float, 2>> {};
 
-TEST_P(Between, PicturesAreCloseToTheTruth) {
+TEST_P(Between, PicturesMatchHeldOutTruth) {
   const ObjectCamera camera = between(GetParam()[0], GetParam()[1]);
   const Photograph truth = thicket().photograph(camera, kSize);
   const Shot shot = shoot(camera);
@@ -115,7 +115,7 @@ TEST_P(Between, PicturesAreCloseToTheTruth) {
 INSTANTIATE_TEST_SUITE_P(SimdSampler, Between,
                          testing::Values(std::array{0.4F, 0.3F}, std::array{2.3F, 0.6F}, std::array{4.0F, 1.1F}));
 
-TEST(SimdSampler, AViewFromItsOwnPlaceIsThatView) {
+TEST(SimdSampler, OwnPlaceGivesTheView) {
   const int view = field().sphere.view({2, 1});
   const ObjectCamera camera = objectCamera(viewCamera(field().geometry, field().sphere.direction(view)), kSize);
   const Shot shot = shoot(camera);
@@ -124,7 +124,7 @@ TEST(SimdSampler, AViewFromItsOwnPlaceIsThatView) {
   EXPECT_GT(compare(shot, truth).ssim, 0.995);
 }
 
-TEST(SimdSampler, TheEyeMayBeWithinTheSphere) {
+TEST(SimdSampler, EyeWithinTheSphere) {
   const ObjectCamera camera = lookAt({1.6F, 0.9F, 1.3F}, {0.0F, 0.8F, 0.0F}, 1.0F, kSize);
   const Photograph truth = thicket().photograph(camera, kSize);
   const Quality quality = compare(shoot(camera), truth);
@@ -132,7 +132,7 @@ TEST(SimdSampler, TheEyeMayBeWithinTheSphere) {
   EXPECT_GT(quality.psnr, compare(shoot(camera, DepthCorrection::kOff), truth).psnr + 1.0);
 }
 
-TEST(SimdSampler, TheEyeMayBeBelowTheRim) {
+TEST(SimdSampler, EyeBelowTheRim) {
   const ObjectCamera camera = lookAt({3.0F, -0.3F, 1.0F}, {0.0F, 1.3F, 0.0F}, 0.8F, kSize);
   const Photograph truth = thicket().photograph(camera, kSize);
   const Shot shot = shoot(camera);
@@ -156,7 +156,7 @@ TEST(SimdSampler, EveryPixelIsWritten) {
   EXPECT_EQ(shot.depth[0], world::kInfiniteDepth);
 }
 
-TEST(SimdSampler, ARectIsThatPartOfTheFrame) {
+TEST(SimdSampler, RectEqualsPartOfTheFrame) {
   const SampleRequest request = requestFor(between(1.0F, 0.5F));
   const Shot whole = shoot(request, {0, 0, kSize, kSize});
   for (const world::Rect rect :
@@ -175,13 +175,13 @@ TEST(SimdSampler, ARectIsThatPartOfTheFrame) {
   }
 }
 
-TEST(SimdSampler, ARectBesideTheObjectIsEmpty) {
+TEST(SimdSampler, RectBesideTheObjectIsEmpty) {
   const Shot shot = shoot(requestFor(between(1.0F, 0.5F)), {-300, -200, -260, -190});
   EXPECT_EQ(std::ranges::count(shot.colour, 0U), 400);
   EXPECT_EQ(std::ranges::count(shot.depth, world::kInfiniteDepth), 400);
 }
 
-TEST(SimdSampler, AnEmptyFieldIsEmpty) {
+TEST(SimdSampler, EmptyFieldIsEmpty) {
   LightField shape;
   shape.sphere = ViewSphere(1);
   shape.size = kMinSize;
@@ -202,7 +202,7 @@ TEST(SimdSampler, AnEmptyFieldIsEmpty) {
   }
 }
 
-TEST(SimdSampler, AScaledObjectHasTheSamePictureAndTheWorldsDepth) {
+TEST(SimdSampler, ScaledObjectKeepsItsPicture) {
   const SampleRequest request = requestFor(between(1.0F, 0.5F));
   SampleRequest scaled = request;
   // Twice as large in the world: a metre of view depth is half a metre of the object.
@@ -220,7 +220,7 @@ TEST(SimdSampler, AScaledObjectHasTheSamePictureAndTheWorldsDepth) {
   }
 }
 
-TEST(SimdSampler, CoarserLevelsShowTheSameFromAfar) {
+TEST(SimdSampler, CoarserLevelsMatchFromAfar) {
   constexpr int kHalf = kSize / 2;
   const ViewCamera view = viewCamera(field().geometry, direction(2.0F, 0.5F));
   const ObjectCamera camera = objectCamera(view, kHalf);
@@ -232,7 +232,7 @@ TEST(SimdSampler, CoarserLevelsShowTheSameFromAfar) {
   EXPECT_GT(quality.ssim, 0.85);
 }
 
-TEST(SimdSampler, HazeIsMixedIntoWhatIsCovered) {
+TEST(SimdSampler, HazeCoversOnlyContent) {
   SampleRequest request = requestFor(between(1.0F, 0.5F));
   const Shot clear = shoot(request, {0, 0, kSize, kSize});
   request.haze = {{1.0F, 0.5F, 0.0F}, 0.25F};
@@ -249,7 +249,7 @@ TEST(SimdSampler, HazeIsMixedIntoWhatIsCovered) {
   }
 }
 
-TEST(SimdSampler, EyesInOddPlacesDoNoHarm) {
+TEST(SimdSampler, ExtremeEyesDoNoHarm) {
   // In a leaf, on the ground, in the middle of a face of the bounds, straight above, at a rim view, very far.
   const Vec3 eyes[] = {{0.1F, 1.4F, 0.0F},
                        {0.5F, 0.0F, 0.5F},
@@ -266,7 +266,7 @@ TEST(SimdSampler, EyesInOddPlacesDoNoHarm) {
   }
 }
 
-TEST(SimdSampler, ThreadsDoNotDisturbEachOther) {
+TEST(SimdSampler, ThreadsAreIndependent) {
   const Shot alone = shoot(between(0.3F, 0.4F));
   std::array<Shot, 4> shots;
   {

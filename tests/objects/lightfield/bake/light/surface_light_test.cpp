@@ -62,14 +62,14 @@ models::Model floorAt(float height, const models::Material& material) {
   return model;
 }
 
-TEST(SurfaceLight, InTheOpenItIsWhatTheWorldSays) {
+TEST(SurfaceLight, OpenFieldHasWorldLight) {
   const Lit lit(floorAt(0.5F, whiteStone()), 3);
   const Vec3 up(0, 1, 0);
   const Vec3 expected = world::Sky().ambient(up) + world::Sky().sunColour * world::Sky().sun.y;
   for (int k = 0; k < 3; ++k) expectNear(lit.at({0, 0.5F, 0}, k), expected, 0.01F);
 }
 
-TEST(SurfaceLight, AUprightSurfaceHasTheSunOfItsLighting) {
+TEST(SurfaceLight, UprightSurfaceHasItsSun) {
   models::Model model;
   const Vec3 sun = world::Sky().sun;
   const Vec3 level = glm::normalize(Vec3(sun.x, 0, sun.z));
@@ -100,7 +100,7 @@ TEST(SurfaceLight, AWallThrowsAShadow) {
   EXPECT_GT(inShade.b, 0.02F) << "the sky still reaches it";
 }
 
-TEST(SurfaceLight, WhatIsUnderARoofGetsLightFromTheMeadow) {
+TEST(SurfaceLight, RoofedSurfaceGetsLightFromTheMeadow) {
   models::Model model;
   const std::uint16_t white = addMaterial(model, whiteStone());
   addQuad(model, {-1, 1, -1}, {2, 0, 0}, {0, 0, 2}, white);
@@ -111,7 +111,7 @@ TEST(SurfaceLight, WhatIsUnderARoofGetsLightFromTheMeadow) {
 }
 
 /// Fails if a tile is lit as if tiles stood on all sides of it: where a group of tiles ends, its sides would be black.
-TEST(SurfaceLight, ATilesSidesAreLitForTheEdgeOfItsGroup) {
+TEST(SurfaceLight, TileSidesAreLitAsGroupEdges) {
   models::Model block;
   const std::uint16_t dark = addMaterial(block, {.name = "earth", .albedo = Vec3(0.1F), .solid = true});
   addQuad(block, {0.9F, 0, -4}, {0, 1, 0}, {0, 0, 8}, dark);
@@ -124,7 +124,7 @@ TEST(SurfaceLight, ATilesSidesAreLitForTheEdgeOfItsGroup) {
   }
 }
 
-TEST(SurfaceLight, ALeafLetsTheSunThrough) {
+TEST(SurfaceLight, LeavesTransmitSun) {
   models::Model model;
   const Vec3 sun = world::Sky().sun;
   const models::Material leaf{.name = "leaf", .albedo = Vec3(0.2F), .transmittance = Vec3(0.3F)};
@@ -138,7 +138,7 @@ TEST(SurfaceLight, ALeafLetsTheSunThrough) {
   EXPECT_GT(back.r, world::Sky().sunColour.r);
 }
 
-TEST(SurfaceLight, HolesOfATextureLetTheSunThrough) {
+TEST(SurfaceLight, TextureHolesTransmitSun) {
   for (const std::uint32_t texel : {0xFFFFFFFFU, 0x00FFFFFFU}) {
     models::Model model = floorAt(0.0F, whiteStone());
     model.textures.push_back({1, 1, {texel}});
@@ -155,7 +155,7 @@ TEST(SurfaceLight, HolesOfATextureLetTheSunThrough) {
   }
 }
 
-TEST(SurfaceLight, ALightingIsThatOfTheTurnedModel) {
+TEST(SurfaceLight, LightingFollowsTheTurnedModel) {
   constexpr int kLightings = 4;
   const models::Model model = crookedTree();
   const Lit all(model, kLightings);
@@ -200,7 +200,7 @@ TEST(LightPoints, ASmallLeafHasOne) {
   EXPECT_NE(points.ofVertex[0], points.ofVertex[4]);
 }
 
-TEST(LightPoints, LeavesOfACellShareOneButNotWithWood) {
+TEST(LightPoints, LeavesAndWoodDoNotShareAPoint) {
   models::Model model;
   const std::uint16_t leaf = addMaterial(model, {.name = "leaf"});
   const std::uint16_t wood = addMaterial(model, {.name = "wood", .solid = true});

@@ -14,7 +14,7 @@ namespace {
 using world::Vec3;
 
 /// Fails if a target adds another lamp's light, or more than the coverage.
-TEST(LampKernels, EveryTargetLightsAsAPlainLoopDoes) {
+TEST(LampKernels, LightMatchesScalarOnEveryTarget) {
   const std::array<world::PointLight, 3> lamps{world::PointLight{{0.5F, 1.0F, 1.0F}, {1.0F, 0.5F, 0.2F}},
                                                world::PointLight{{-2.0F, 2.0F, 0.0F}, {0.1F, 0.7F, 3.0F}},
                                                world::PointLight{{9.0F, 6.0F, 3.0F}, {4.0F, 2.0F, 2.0F}}};
@@ -40,7 +40,7 @@ TEST(LampKernels, EveryTargetLightsAsAPlainLoopDoes) {
 }
 
 /// Fails if a target counts pixels that show nothing or that are beside the part, or leaves some out.
-TEST(LampKernels, EveryTargetFindsTheRangeOfDepths) {
+TEST(LampKernels, DepthRangeMatchesScalarOnEveryTarget) {
   tests::onEachTarget([] {
     for (const world::Rect& rect : kRects) {
       PatchyPicture picture(rect);

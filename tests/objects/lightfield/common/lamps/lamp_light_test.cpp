@@ -16,7 +16,7 @@ TEST_F(Lamps, NoLampChangesNothing) {
   EXPECT_TRUE(std::ranges::equal(before, image_->colour));
 }
 
-TEST_F(Lamps, ALampIsBrightestWhereItIsNear) {
+TEST_F(Lamps, BrightestNearTheLamp) {
   const std::vector<world::PointLight> lamps{{{-3.0F, 0.0F, -4.0F}, {1.0F, 0.5F, 0.1F}}};
   LampLight(lamps, camera_).addTo(*image_);
   const std::uint32_t* row = image_->colourRow(16);
@@ -27,7 +27,7 @@ TEST_F(Lamps, ALampIsBrightestWhereItIsNear) {
   EXPECT_EQ(row[32], 0U);
 }
 
-TEST_F(Lamps, PartsAreLitAsTheWhole) {
+TEST_F(Lamps, PartsEqualTheWhole) {
   for (int y = 0; y < image_->height(); ++y) {
     for (int x = 0; x < 32; ++x) image_->depthRow(y)[x] = 2.0F + 0.5F * static_cast<float>(x);
   }

@@ -9,7 +9,7 @@ namespace {
 
 using world::Vec3;
 
-TEST(ChooseLamps, TheNearestFewLampsAreChosenInObjectCoordinates) {
+TEST(ChooseLamps, ChoosesTheNearestInObjectCoordinates) {
   const world::Bounds bounds{{9.0F, 0.0F, -1.0F}, {11.0F, 3.0F, 1.0F}};
   const world::Mat4 toObject = glm::translate(world::Mat4(1.0F), Vec3(-10.0F, 0.0F, 0.0F));
   std::vector<world::PointLight> lights;

@@ -66,7 +66,7 @@ class Moved : public testing::TestWithParam<int> {
   }
 };
 
-TEST_P(Moved, LooksAsIfDrawnForTheEyeItself) {
+TEST_P(Moved, MatchesADirectDrawing) {
   const Scene scene = Moved::scene();
   const TracedModel& model = scene.model;
   const Cached cached(model, model.geometry().target + glm::normalize(Vec3(0.7F, 0.15F, 0.6F)) * scene.distance,

@@ -13,7 +13,7 @@ namespace {
 
 using world::Vec3;
 
-TEST(Reprojection, OwnCameraGivesTheSamePicture) {
+TEST(Reprojection, SameCameraIsIdentity) {
   const TracedModel model = TracedModel::crown(2.0F, 4000, 0.2F);
   const Cached cached(model, model.geometry().target + Vec3(7, 0, 5), kError, 2);
   const auto again = reprojected(cached.view, cached.cell.camera, cached.picture->rect);
@@ -27,7 +27,7 @@ TEST(Reprojection, OwnCameraGivesTheSamePicture) {
   EXPECT_EQ(different, 0);
 }
 
-TEST(Reprojection, TurningTheHeadCostsOnlyTheResampling) {
+TEST(Reprojection, HeadTurnsCostOnlyResampling) {
   const TracedModel model = TracedModel::stillLife();
   const Cached cached(model, model.geometry().target + Vec3(6, 1.5F, 5), kError, 4);
   const Vec3 eye = cached.cell.camera.eye;
@@ -41,7 +41,7 @@ TEST(Reprojection, TurningTheHeadCostsOnlyTheResampling) {
 
 /// Fails if a part of the frame would be left out though something nearer shows in it than what hides it, or if the
 /// depth that is asked for is so small that nothing is ever hidden.
-TEST(Reprojection, NoPixelIsNearerThanItsPartWasSaidToBe) {
+TEST(Reprojection, NoPixelIsNearerThanItsBound) {
   const TracedModel model = TracedModel::crown(2.0F, 4000, 0.2F);
   const Vec3 target = model.geometry().target;
   const Cached cached(model, target + Vec3(7, 0, 5), kError, 2);
@@ -73,7 +73,7 @@ TEST(Reprojection, NoPixelIsNearerThanItsPartWasSaidToBe) {
       [](const world::Rect&, float) { return true; });
 }
 
-TEST(Reprojection, ThinBladesDoNotBreak) {
+TEST(Reprojection, ThinBladesStayWhole) {
   const TracedModel model = TracedModel::blades(60, 0.02F);
   const Cached cached(model, model.geometry().target + Vec3(5.0F, 1.0F, 5.0F), kError, 4);
   const Vec3 eye = cached.towards(model, {0.7F, 0.0F, -0.7F}, kError);
@@ -92,7 +92,7 @@ TEST(Reprojection, ThinBladesDoNotBreak) {
 
 /// A near and a far card, side by side in the picture; the near one is in front when the eye goes one way, and there is
 /// a gap between both when it goes the other.
-TEST(Reprojection, NearSurfacesHideAndGapsShowWhatIsBehind) {
+TEST(Reprojection, NearHidesAndGapsShowTheBack) {
   constexpr int kEdge = 64;
   const auto image = raster::ImagePool().acquire({0, 0, kEdge, kEdge});
   ObjectCamera camera;
@@ -130,7 +130,7 @@ TEST(Reprojection, NearSurfacesHideAndGapsShowWhatIsBehind) {
   }
 }
 
-TEST(Reprojection, DepthIsThatOfAScaledWorld) {
+TEST(Reprojection, ScaledWorldDepth) {
   const TracedModel model = TracedModel::stillLife();
   const Cached cached(model, model.geometry().target + Vec3(6, 2, 5), kError, 1);
   ObjectCamera camera = frameCamera(cached.cell.camera.eye, model.geometry().target, kWidth, kHeight, kTestFocal);
@@ -147,7 +147,7 @@ TEST(Reprojection, DepthIsThatOfAScaledWorld) {
   }
 }
 
-TEST(Reprojection, HazeLiesOverWhatIsCovered) {
+TEST(Reprojection, HazeCoversOnlyContent) {
   const TracedModel model = TracedModel::crown(2.0F, 2000, 0.2F);
   const Cached cached(model, model.geometry().target + Vec3(7, 0, 5), kError, 2);
   const Haze haze{{0.2F, 0.5F, 0.9F}, 0.35F};
@@ -165,7 +165,7 @@ TEST(Reprojection, HazeLiesOverWhatIsCovered) {
   }
 }
 
-TEST(Reprojection, PartsOfAFrameAreThoseOfTheWhole) {
+TEST(Reprojection, PartsEqualTheWhole) {
   const TracedModel model = TracedModel::crown(2.0F, 2000, 0.2F);
   const Cached cached(model, model.geometry().target + Vec3(7, 0, 5), kError, 1);
   const ObjectCamera camera =
@@ -188,7 +188,7 @@ TEST(Reprojection, PartsOfAFrameAreThoseOfTheWhole) {
   }
 }
 
-TEST(Reprojection, WhatTheCameraDoesNotSeeIsNotThere) {
+TEST(Reprojection, InvisibleContentIsSkipped) {
   const TracedModel model = TracedModel::stillLife();
   const Cached cached(model, model.geometry().target + Vec3(6, 2, 5), kError, 1);
   const Vec3 eye = cached.cell.camera.eye;
@@ -200,7 +200,7 @@ TEST(Reprojection, WhatTheCameraDoesNotSeeIsNotThere) {
   }
 }
 
-TEST(Reprojection, AnEmptyViewIsEmptyAndAnEmptyRectangleIsNothing) {
+TEST(Reprojection, EmptyInputs) {
   const auto nothing = raster::ImagePool().acquire({10, 20, 60, 50});
   std::fill(nothing->colour.begin(), nothing->colour.end(), 0U);
   std::fill(nothing->depth.begin(), nothing->depth.end(), world::kInfiniteDepth);

@@ -149,7 +149,7 @@ class PlainWarp {
 
 /// Fails if a target looks up, decides, mixes or rounds otherwise. Tolerance: 2 of 255 for weights that are rounded to
 /// 256ths and a thousandth of depth; one pixel in a hundred may fall on another side of an edge.
-TEST(TileKernels, EveryTargetWarpsAsAPlainLoopDoes) {
+TEST(TileKernels, MatchesScalarOnEveryTarget) {
   const CachedView view(*cards(), cardsCamera());
   const Haze haze{{0.2F, 0.5F, 0.9F}, 0.35F};
   // Straight on, aside, turned to and fro about the axis, and far away.
@@ -196,7 +196,7 @@ TEST(TileKernels, EveryTargetWarpsAsAPlainLoopDoes) {
 }
 
 /// Fails if a target bounds a tile's rays by other corners or leaves out the last.
-TEST(StripKernels, EveryTargetBoundsTilesAsAPlainLoopDoes) {
+TEST(StripKernels, MatchesScalarOnEveryTarget) {
   const CachedView view(*cards(), cardsCamera());
   ObjectCamera camera = cardsCamera();
   camera.eye = {0.1F, -0.05F, 0.2F};

@@ -53,12 +53,12 @@ class KeptLight : public testing::Test {
   std::string bytes_;
 };
 
-TEST_F(KeptLight, RoundTripsUnderANameOfItsKey) {
+TEST_F(KeptLight, RoundTripsUnderItsKey) {
   EXPECT_EQ(file_, cache_.path() / "mesh-light" / "0123456789abcdef.gml");
   EXPECT_EQ(readKeptLight(file_, kKey, std::vector<std::size_t>{3, 0, 5}), light_);
 }
 
-TEST_F(KeptLight, SaysWhatIsWrong) {
+TEST_F(KeptLight, ErrorsNameTheReason) {
   EXPECT_EQ(complaint(bytes_), "");
   EXPECT_THAT(complaint(""), HasSubstr("is truncated"));
   EXPECT_THAT(complaint(std::string(bytes_.size(), 'x')), HasSubstr("is not a file of mesh light"));
@@ -72,7 +72,7 @@ TEST_F(KeptLight, SaysWhatIsWrong) {
   EXPECT_THROW((void)readKeptLight(cache_.path() / "missing", kKey, {}), EnvironmentError);
 }
 
-TEST_F(KeptLight, RefusesEveryPartOfIt) {
+TEST_F(KeptLight, RefusesEveryTruncation) {
   for (std::size_t bytes = 0; bytes < bytes_.size(); ++bytes) {
     EXPECT_THAT(complaint(bytes_.substr(0, bytes)), HasSubstr("is truncated")) << bytes;
   }
@@ -86,7 +86,7 @@ TEST_F(KeptLight, RefusesEveryChangedByte) {
   }
 }
 
-TEST_F(KeptLight, RefusesLightThatIsNoNumberThoughItsChecksumIsRight) {
+TEST_F(KeptLight, RefusesNotANumberWithAValidChecksum) {
   Light light = light_;
   light[2][4].w = std::numeric_limits<float>::quiet_NaN();
   writeKeptLight(file_, kKey, light);
@@ -104,7 +104,7 @@ class FormerLight : public KeptLight {
   }
 };
 
-TEST_F(FormerLight, GoesButForWhatWasUsedLast) {
+TEST_F(FormerLight, RemovesAllButTheLastUsed) {
   std::vector<std::filesystem::path> files;
   for (int i = 1; i <= 9; ++i) files.push_back(make("former" + std::to_string(i) + ".gml", 5min * i));
   const std::filesystem::path other = make("other", 1000h);
@@ -120,7 +120,7 @@ TEST_F(FormerLight, GoesButForWhatWasUsedLast) {
   EXPECT_TRUE(std::filesystem::exists(other));
 }
 
-TEST_F(FormerLight, GoesIfItWasNeverFinished) {
+TEST_F(FormerLight, RemovesUnfinishedFiles) {
   const std::filesystem::path old = make("0123.gml.partial-abc123", 61min);
   const std::filesystem::path young = make("0123.gml.partial-def456", 50min);
   writeKeptLight(file_, kKey, light_);
@@ -128,7 +128,7 @@ TEST_F(FormerLight, GoesIfItWasNeverFinished) {
   EXPECT_TRUE(std::filesystem::exists(young)) << "somebody may be writing it";
 }
 
-TEST_F(FormerLight, MayStayWhereItCannotGo) {
+TEST_F(FormerLight, ToleratesUndeletableFiles) {
   const std::filesystem::path folder = file_.parent_path() / "0123.gml.partial-folder";
   std::filesystem::create_directories(folder / "within");
   std::filesystem::last_write_time(folder, std::filesystem::file_time_type::clock::now() - 100h);

@@ -65,7 +65,7 @@ class MeshLight : public testing::Test {
   std::string said_;
 };
 
-TEST_F(MeshLight, OfMuchIsKeptAndTakenAgain) {
+TEST_F(MeshLight, LargeResultsAreCached) {
   const tests::BackendWorld world = worldOf(largeBall());
   const Light first = light(largeBall(), world);
   EXPECT_TRUE(done_) << "progress is reported, how often depends on the machine";
@@ -75,14 +75,14 @@ TEST_F(MeshLight, OfMuchIsKeptAndTakenAgain) {
   EXPECT_EQ(said_, "");
 }
 
-TEST_F(MeshLight, OfLittleIsNotKept) {
+TEST_F(MeshLight, SmallResultsAreNotCached) {
   const raster::Surface small = ball(20);
   const tests::BackendWorld world = worldOf(small);
   EXPECT_EQ(light(small, world).front().size(), small.vertices.size());
   EXPECT_TRUE(keptFiles().empty());
 }
 
-TEST_F(MeshLight, IsMadeAnewWhereTheWorldOrTheMeshDiffers) {
+TEST_F(MeshLight, CacheKeyIncludesWorldAndMesh) {
   const tests::BackendWorld world = worldOf(largeBall());
   const Light first = light(largeBall(), world);
   const tests::BackendWorld moved = worldOf(largeBall(), 0.5F);
@@ -96,7 +96,7 @@ TEST_F(MeshLight, IsMadeAnewWhereTheWorldOrTheMeshDiffers) {
   EXPECT_EQ(keptFiles().size(), 3U);
 }
 
-TEST_F(MeshLight, ThatIsDamagedIsMadeAnewAndTold) {
+TEST_F(MeshLight, DamagedCacheIsReportedAndReplaced) {
   const tests::BackendWorld world = worldOf(largeBall());
   const Light first = light(largeBall(), world);
   const std::filesystem::path file = keptFiles().front();
@@ -115,7 +115,7 @@ TEST_F(MeshLight, ThatIsDamagedIsMadeAnewAndTold) {
   }
 }
 
-TEST_F(MeshLight, ThatCannotBeKeptIsToldAndServed) {
+TEST_F(MeshLight, UnwritableCacheIsReported) {
   std::ofstream(cache_.path() / "mesh-light") << "a file where the folder should be";
   const tests::BackendWorld world = worldOf(largeBall());
   EXPECT_EQ(light(largeBall(), world).front().size(), largeBall().vertices.size());
@@ -123,7 +123,7 @@ TEST_F(MeshLight, ThatCannotBeKeptIsToldAndServed) {
 }
 
 /// What is no obstacle of the world shades itself as if it were one.
-TEST_F(MeshLight, AMeshThatShadesNobodyShadesItself) {
+TEST_F(MeshLight, MeshMayShadeOnlyItself) {
   const raster::Surface surface = ball(20);
   const tests::BackendWorld with = worldOf(surface);
   const tests::BackendWorld without;

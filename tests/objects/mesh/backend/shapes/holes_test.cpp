@@ -54,7 +54,7 @@ std::string warningOf(const models::Model& model) {
   return testing::internal::GetCapturedStderr();
 }
 
-TEST(Holes, OfATextureAreCutOut) {
+TEST(Holes, AreCutOut) {
   const models::Model cut = withHolesCut(disc(0xFF00FF00U, 0x0000FF00U));
   EXPECT_NEAR(areaOf(cut, 1), 3.1416F * 0.25F, 0.08F) << "the disc is left, and faces as before";
   for (std::size_t i = 0; i < cut.triangles.indices.size(); ++i) {
@@ -71,14 +71,14 @@ TEST(Holes, OfATextureAreCutOut) {
   EXPECT_FALSE(surfaceOf(cut).levels.at(0).triangles.empty());
 }
 
-TEST(Holes, NothingIsCutWhereThereAreNone) {
+TEST(Holes, OpaqueTexturesAreNotCut) {
   models::Model model = disc(0xFF00FF00U, 0x0000FF00U);
   model.materials[1].alphaCutoff = 0.0F;
   EXPECT_EQ(withHolesCut(model).triangles.indices, model.triangles.indices);
   EXPECT_EQ(warningOf(model), "");
 }
 
-TEST(Holes, WhatBlendsIsSolidWhereThereIsAnythingToSeeAndIsNamed) {
+TEST(Holes, BlendingBecomesSolidAndIsReported) {
   models::Model model = disc(0x4000FF00U, 0x0500FF00U);  // alpha 0.25 and 0.02
   model.materials[1].blended = true;
   model.materials[1].alphaCutoff = 1.0F;
@@ -89,14 +89,14 @@ TEST(Holes, WhatBlendsIsSolidWhereThereIsAnythingToSeeAndIsNamed) {
   EXPECT_EQ(std::ranges::count(reported, '\n'), 1);
 }
 
-TEST(Holes, WhatBlendsWithoutATextureIsNamed) {
+TEST(Holes, BlendingWithoutTextureIsReported) {
   models::Model model = disc(0xFF00FF00U, 0x0000FF00U);
   model.materials[1] = {.name = "glass", .alphaCutoff = 5.0F, .blended = true};
   EXPECT_THAT(warningOf(model), HasSubstr("disc: as a mesh, 'glass' is solid where it blends; a light field shows it"));
   EXPECT_EQ(withHolesCut(model).triangles.indices, model.triangles.indices);
 }
 
-TEST(Holes, TooManyAreLeftAndNamed) {
+TEST(Holes, TooManyAreKeptAndReported) {
   models::Model model = disc(0xFF00FF00U, 0x0000FF00U);
   const std::size_t leaves = kMaxPieces / 16;
   for (std::size_t i = 0; i < leaves; ++i) {

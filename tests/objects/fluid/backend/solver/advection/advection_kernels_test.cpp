@@ -69,7 +69,7 @@ struct Scene {
 };
 
 /// Fails if a target picks another neighbour, weighs it otherwise, or leaves a row's end out.
-TEST(AdvectionKernels, EveryTargetSamplesAsAPlainLoopDoes) {
+TEST(AdvectionKernels, SamplingMatchesScalarOnEveryTarget) {
   tests::onEachTarget([] {
     std::mt19937 random(3);
     for (const int cells : {8, 16, 24, 40}) {
@@ -101,7 +101,7 @@ TEST(AdvectionKernels, EveryTargetSamplesAsAPlainLoopDoes) {
 }
 
 /// Fails if the way back is taken wrongly, the extremes do not hold, or a value behind a row's end changes.
-TEST(AdvectionKernels, EveryTargetCorrectsAsAPlainLoopDoes) {
+TEST(AdvectionKernels, CorrectionMatchesScalarOnEveryTarget) {
   tests::onEachTarget([] {
     std::mt19937 random(4);
     for (const int cells : {8, 16, 24, 40}) {
@@ -139,7 +139,7 @@ TEST(AdvectionKernels, EveryTargetCorrectsAsAPlainLoopDoes) {
   });
 }
 
-TEST(AdvectionKernels, EveryTargetFindsMeansAndExtentsAsPlainLoopsDo) {
+TEST(AdvectionKernels, MeansAndExtentsMatchScalarOnEveryTarget) {
   tests::onEachTarget([] {
     std::mt19937 random(5);
     for (const int cells : {8, 24}) {

@@ -98,7 +98,7 @@ double centreAfterSteps(float cellsPerStep, int steps, float& lowest, float& hig
   return moment / sum;
 }
 
-TEST(Advection, CarriesBothByLessAndByMoreThanACell) {
+TEST(Advection, MovesByLessAndByMoreThanACell) {
   float lowest = 0.0F;
   float highest = 0.0F;
   EXPECT_NEAR(centreAfterSteps(0.75F, 32, lowest, highest), 15.5 + 24.0, 0.1);
@@ -109,7 +109,7 @@ TEST(Advection, CarriesBothByLessAndByMoreThanACell) {
   EXPECT_LE(highest, 1.0F);
 }
 
-TEST(Advection, ASteadyWindIsNotRounded) {
+TEST(Advection, SteadyWindIsExact) {
   // Were it rounded, forces that change the wind by less would do nothing.
   const Layout layout(32);
   Advection advection(layout);
@@ -129,7 +129,7 @@ TEST(Advection, ASteadyWindIsNotRounded) {
   }
 }
 
-TEST(Advection, StaysFiniteAtAbsurdSpeeds) {
+TEST(Advection, StaysFiniteAtExtremeSpeeds) {
   FluidSolver solver(closedBox(16));
   const Layout& layout = solver.layout();
   for (int a = 0; a < 3; ++a) {

@@ -40,7 +40,7 @@ struct Grids {
 };
 constexpr Grids kGrids[] = {{64, 96}, {64, 128}, {96, 128}, {128, 96}, {96, 64}, {128, 64}, {16, 24}, {64, 64}};
 
-TEST(ResamplingTest, WhatIsLinearInSpaceComesOutExactly) {
+TEST(ResamplingTest, LinearFieldsAreExact) {
   const auto linear = [](const Spot& s) { return static_cast<float>(1.5 + 2.0 * s.x - 3.0 * s.y + 0.7 * s.z); };
   for (const Grids& grids : kGrids) {
     const int from = grids.from;
@@ -63,7 +63,7 @@ TEST(ResamplingTest, WhatIsLinearInSpaceComesOutExactly) {
   }
 }
 
-TEST(ResamplingTest, AWaveOfEightCellsKeepsItsPlaceAndItsSize) {
+TEST(ResamplingTest, EightCellWaveKeepsPhaseAndAmplitude) {
   for (const Grids& grids : kGrids) {
     const int from = grids.from;
     const int to = grids.to;
@@ -90,7 +90,7 @@ TEST(ResamplingTest, AWaveOfEightCellsKeepsItsPlaceAndItsSize) {
   }
 }
 
-TEST(ResamplingTest, GhostsAreLeftAlone) {
+TEST(ResamplingTest, GhostCellsAreUnchanged) {
   const Layout a(16);
   const Layout b(24);
   Field in(a.size());

@@ -15,7 +15,7 @@ namespace {
 constexpr float kForceTolerance = 5.0e-6F;  // of values up to about 2
 
 /// Fails if a target pushes a face with another cell's wind or warmth, or leaves out a row's end.
-TEST(ForcesKernels, EveryTargetPushesAsPlainLoopsDo) {
+TEST(ForcesKernels, PushMatchesScalarOnEveryTarget) {
   tests::onEachTarget([] {
     std::mt19937 random(12);
     for (const int n : {8, 16, 24}) {
@@ -60,7 +60,7 @@ TEST(ForcesKernels, EveryTargetPushesAsPlainLoopsDo) {
   });
 }
 
-TEST(ForcesKernels, EveryTargetBlowsAndCoolsAsPlainLoopsDo) {
+TEST(ForcesKernels, GustAndCoolingMatchScalarOnEveryTarget) {
   tests::onEachTarget([] {
     std::mt19937 random(13);
     for (const int n : {8, 16, 24}) {
@@ -118,7 +118,7 @@ TEST(ForcesKernels, EveryTargetBlowsAndCoolsAsPlainLoopsDo) {
 }
 
 /// Fails if a target turns the vorticity or the force another way, or leaves out an end.
-TEST(ConfinementKernels, EveryTargetConfinesAsPlainLoopsDo) {
+TEST(ConfinementKernels, MatchesScalarOnEveryTarget) {
   tests::onEachTarget([] {
     std::mt19937 random(14);
     for (const int n : {8, 16, 24}) {

@@ -26,7 +26,7 @@ std::vector<float> keptPlane(const Layout& layout, const Field& field, int z) {
 }
 
 /// Fails if a target leaves out a neighbour, a row's end or a stage, or weighs it otherwise.
-TEST(FineSweepKernels, EveryTargetTakesAStepAsPlainLoopsDo) {
+TEST(FineSweepKernels, SweepMatchesScalarOnEveryTarget) {
   constexpr auto kChebyshev = rows::chebyshevStages<kFineStages>(0.15F);
   tests::onEachTarget([&] {
     std::mt19937 random(6);
@@ -113,7 +113,7 @@ TEST(FineSweepKernels, EveryTargetTakesAStepAsPlainLoopsDo) {
   });
 }
 
-TEST(FineSweepKernels, EveryTargetRestrictsByTheTransposeOfInterpolation) {
+TEST(FineSweepKernels, RestrictionIsTransposedInterpolationOnEveryTarget) {
   tests::onEachTarget([] {
     std::mt19937 random(7);
     for (const int n : {8, 16, 24, 40}) {

@@ -33,7 +33,7 @@ void smoothPlainly(const Layout& layout, const Field& b, std::vector<double>& z,
 }
 
 /// Fails if the sweeps of a V-cycle, on some target, do anything else than whole passes would.
-TEST(MultigridKernels, EveryTargetGoesDownAndUpAsWholePassesDo) {
+TEST(MultigridKernels, CycleMatchesWholePassesOnEveryTarget) {
   tests::onEachTarget([] {
     std::mt19937 random(8);
     for (const int n : {6, 8, 20, 40}) {
@@ -94,7 +94,7 @@ TEST(MultigridKernels, EveryTargetGoesDownAndUpAsWholePassesDo) {
   });
 }
 
-TEST(MultigridKernels, EveryTargetSolvesTheCoarsestLevelBySweeps) {
+TEST(MultigridKernels, CoarsestSolveMatchesSweepsOnEveryTarget) {
   tests::onEachTarget([] {
     std::mt19937 random(9);
     for (const int n : {3, 4, 7}) {

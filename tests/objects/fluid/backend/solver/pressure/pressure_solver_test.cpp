@@ -48,7 +48,7 @@ struct Case {
 
 class Projection : public testing::TestWithParam<Case> {};
 
-TEST_P(Projection, LeavesNoDivergenceAndNoFlowThroughSolids) {
+TEST_P(Projection, IsDivergenceFreeAndRespectsSolids) {
   constexpr int kCells = 32;
   const Layout layout(kCells);
   SolidGrid solids(layout, GetParam().sides);
@@ -163,7 +163,7 @@ TEST(PressureSolver, ConvergesQuicklyAndMonotonically) {
   EXPECT_LT(last, 1.0e-4F);
 }
 
-TEST(PressureSolver, CyclesReachFarBelowWhatHalvesHold) {
+TEST(PressureSolver, CyclesConvergeBelowHalfPrecision) {
   // The smoother computes in 11 bits; the residual that it works on must not.
   const Layout layout(64);
   SolidGrid solids(layout, Sides::outdoors());
@@ -191,7 +191,7 @@ TEST(PressureSolver, StartsFromTheLastPressure) {
   EXPECT_LE(solver.project(solids, velocity, {1.0e-4F, 60}).iterations, 1);
 }
 
-TEST(OtherSolvers, FindThePressureThatCyclesFind) {
+TEST(OtherSolvers, AgreeWithMultigrid) {
   constexpr int kCells = 32;
   const Layout layout(kCells);
   SolidGrid solids(layout, Sides::outdoors());

@@ -14,7 +14,7 @@ namespace grove::objects::fluid {
 namespace {
 
 /// Fails if a target takes another difference, leaves out a row's end, or writes into solids or ghosts.
-TEST(ProjectionKernels, EveryTargetProjectsAsPlainLoopsDo) {
+TEST(ProjectionKernels, ProjectionMatchesScalarOnEveryTarget) {
   tests::onEachTarget([] {
     std::mt19937 random(10);
     for (const int n : {8, 16, 24}) {
@@ -63,7 +63,7 @@ TEST(ProjectionKernels, EveryTargetProjectsAsPlainLoopsDo) {
   });
 }
 
-TEST(ProjectionKernels, EveryTargetIteratesAsPlainLoopsDo) {
+TEST(ProjectionKernels, IterationMatchesScalarOnEveryTarget) {
   tests::onEachTarget([] {
     std::mt19937 random(11);
     for (const int n : {8, 16, 24}) {

@@ -1,3 +1,5 @@
+#include "node/transport/grpc/calls/remote_obstacles.h"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -17,7 +19,6 @@
 #include "integration/remote_world.h"
 #include "integration/served_scene.h"
 #include "node/backend/prepare/load_scene.h"
-#include "node/transport/grpc/calls/remote_obstacles.h"
 #include "objects/fluid/backend/fluid_backend.h"
 #include "objects/fluid/common/snapshot.h"
 #include "objects/lightfield/backend/simd/thicket.h"
@@ -49,9 +50,9 @@ std::ptrdiff_t timesIn(const std::string& text, const std::string& part) {
 }
 
 /// A fire between a stone, a model from a glTF file and a light field, in a folder of its own.
-class ToldObstacles : public ::testing::Test {
+class RemoteObstaclesTest : public ::testing::Test {
  protected:
-  ToldObstacles() {
+  RemoteObstaclesTest() {
     std::filesystem::copy(GROVE_LANTERN_TREE, model());
     writeTree(lightField());
     text =
@@ -68,7 +69,7 @@ class ToldObstacles : public ::testing::Test {
   [[nodiscard]] std::filesystem::path lightField() const { return folder / "tree.glf"; }
   [[nodiscard]] std::string file() const { return (folder / "scene.toml").string(); }
   [[nodiscard]] world::Scene scene() const { return world::parseScene(text, "test.toml"); }
-  [[nodiscard]] node::RemoteObstacles toldBy(const NodeProgram& node) const {
+  [[nodiscard]] node::RemoteObstacles obstaclesOf(const NodeProgram& node) const {
     return {node.address(), scene().hash, {}};
   }
   /// Only those who have read them before know what stops smoke.
@@ -137,17 +138,17 @@ struct OneFire {
   objects::fluid::FluidBackend fire;
 };
 
-TEST_F(ToldObstacles, AreThoseThatANodeWithTheModelsFindsItself) {
+TEST_F(RemoteObstaclesTest, MatchLocalObstacles) {
   const node::LoadedScene loaded = node::loadScene(scene(), types);
   const world::WorldGeometry geometry(loaded.objects);
   const world::VoxelObstacles& local = geometry.obstacles();
   const NodeProgram stones(file(), "mesh,lightfield");
-  const node::RemoteObstacles told = toldBy(stones);
+  const node::RemoteObstacles remote = obstaclesOf(stones);
   const world::Vec3 sun = loaded.layout.sky.sun;
   for (const int cells : {16, 24, 36, 48}) {
     const world::Cube cube{{-2.0F, 0.0F, -2.0F}, 4.0F, cells};
-    const auto solid = told.solidCells(cube);
-    const auto lit = told.sunlitCells(cube, sun);
+    const auto solid = remote.solidCells(cube);
+    const auto lit = remote.sunlitCells(cube, sun);
     EXPECT_EQ(solid, local.solidCells(cube));
     EXPECT_EQ(lit, local.sunlitCells(cube, sun));
     EXPECT_GT(std::ranges::count(solid, 1), cells) << "of nothing";
@@ -155,17 +156,17 @@ TEST_F(ToldObstacles, AreThoseThatANodeWithTheModelsFindsItself) {
   }
 }
 
-TEST_F(ToldObstacles, LetSmokeRiseAsItDoesAmidTheModels) {
+TEST_F(RemoteObstaclesTest, GiveTheSameSmoke) {
   const node::LoadedScene loaded = node::loadScene(scene(), types);
   const world::WorldGeometry geometry(loaded.objects);
   OneFire amidModels(scene(), types, geometry.obstacles());
   const NodeProgram stones(file(), "mesh,lightfield");
-  const node::RemoteObstacles told = toldBy(stones);
-  OneFire amidTold(scene(), types, told);
+  const node::RemoteObstacles remote = obstaclesOf(stones);
+  OneFire withRemote(scene(), types, remote);
   const world::WorldGeometry nothing({});
   OneFire alone(scene(), types, nothing.obstacles());
   const auto expected = amidModels.atRest();
-  const auto seen = amidTold.atRest();
+  const auto seen = withRemote.atRest();
   ASSERT_EQ(seen->tick, expected->tick);
   EXPECT_GT(seen->count(), 100U);
   EXPECT_EQ(seen->x, expected->x);
@@ -174,7 +175,7 @@ TEST_F(ToldObstacles, LetSmokeRiseAsItDoesAmidTheModels) {
 }
 
 /// Would catch a node that opens a model or a light field which is not its own: they are gone.
-TEST_F(ToldObstacles, AreAllThatAFiresNodeNeedsOfOthers) {
+TEST_F(RemoteObstaclesTest, SufficeForAFluidNode) {
   const NodeProgram stones(file(), "mesh,lightfield");
   removeModels();
   EXPECT_EQ(NodeProgram(file(), "fluid").port(), 0) << "without the option it cannot start";
@@ -190,11 +191,11 @@ TEST_F(ToldObstacles, AreAllThatAFiresNodeNeedsOfOthers) {
 }
 
 /// Would catch a fire that stops, or a log that is flooded, because the other node is away.
-TEST_F(ToldObstacles, AFireKeepsItsGridUntilTheyAreToldAgain) {
+TEST_F(RemoteObstaclesTest, GridStaysUntilObstaclesArrive) {
   auto stones = std::make_unique<NodeProgram>(file(), "mesh,lightfield");
   const int port = stones->port();
-  const node::RemoteObstacles told = toldBy(*stones);
-  OneFire fire(scene(), types, told);
+  const node::RemoteObstacles remote = obstaclesOf(*stones);
+  OneFire fire(scene(), types, remote);
   fire.visit();
   const auto ticksOn = [&] {
     const auto tick = fire.newest()->tick;
