@@ -48,6 +48,12 @@ build() {
   cmake --build --preset "$preset" >&2
 }
 
+# slowest_tests LOG: the ten slowest GoogleTest cases of a log of ctest, with their seconds.
+slowest_tests() {
+  sed -nE 's/^\[       OK \] (\S+) \(([0-9]+) ms\)$/\2 \1/p' "$1" | sort -rn |
+    awk 'NR <= 10 { printf "%7.1f s  %s\n", $1 / 1000, $2 }'
+}
+
 # changed_sources COUNT: the last changed sources, newest first: uncommitted ones, then by the history. For a header,
 # the source of its name. Needs no base, so it works in any clone. Skips sources that only the fuzz preset builds.
 changed_sources() {
