@@ -84,7 +84,7 @@ export const kRows = Object.freeze({
       codec: ['Codec'],
       size: ['Picture size'],
       visitors: ['Visitors'],
-      shared: ['Shared views', 'Views of trees and grass reused from another visitor'],
+      shared: ['Shared views', 'Views of trees and grass used by others than the first visitor'],
       server: ['Server time', 'Time from reading your input to sending the picture'],
       version: ['Grove version'],
     },
@@ -115,7 +115,7 @@ export const kRows = Object.freeze({
     rows: {
       alpha: ['Shared work \u03b1', 'Share of the computing behind a picture that is done once for all visitors'],
       beta: ['Shared memory \u03b2', 'Share of the memory behind a picture that is held once for all visitors'],
-      everybody: ['For everybody', 'Computing time per frame that serves all visitors: fire, smoke, pictures of trees'],
+      everybody: ['For everybody', 'Computing time per frame that serves all visitors: fire, smoke, views of trees that several used'],
       visitor: ['For you', 'Computing time per frame that serves only you'],
       cost: ['One more visitor', "What one more visitor would take of the server's processor at the full frame rate"],
       fit: ['Room for', 'Number of visitors this machine can serve at the full frame rate'],
@@ -317,7 +317,7 @@ export const kOperatorPage = Object.freeze({
   cpu: 'CPU',
   failures: 'failures',
   more: 'Light fields and quality',
-  hits: 'Pictures of trees and grass reused from the cache',
+  hits: 'Uses of views of trees and grass by others than the first visitor',
   quality: 'Quality of shared work',
   chartBegin: '2 min ago',
   chartEnd: 'now',
@@ -368,6 +368,7 @@ export const kOperator = Object.freeze({
 /** Beneficiaries of work or memory. */
 export const kBeneficiaries = Object.freeze({
   'across-user': 'everybody',
+  'on-demand': 'visitors who look',
   'per-user-backend': 'visitor, backend',
   'per-user-frontend': 'visitor, frontend',
 });

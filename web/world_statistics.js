@@ -1,13 +1,18 @@
 import { amortizationOf } from './amortization.js';
+import { known } from './figures.js';
 
 const kInterval = 1000;
 
-/** Share of light field pictures reused from another visitor's view: 0..1, `null` before the first. */
-export function sharedViews(before, now) {
-  const grown = (name) => (now.counters?.[name] ?? 0) - (before?.counters?.[name] ?? 0);
-  const hits = grown('view cache hits');
-  const all = hits + grown('view cache misses') + grown('views too near to share');
-  return all > 0 ? hits / all : null;
+/**
+ * Share of the uses of shared views by others than the visitor who used them first, in the last seconds: 0..1, `null`
+ * without a use.
+ */
+export function sharedViews(statistics) {
+  const { views_made: made, uses_again: again, uses_by_others: others } = statistics?.amortization?.reuse ?? {};
+  const counts = [made, again, others].map(known);
+  if (counts.includes(null)) return null;
+  const all = counts.reduce((sum, count) => sum + count, 0);
+  return all > 0 ? counts[2] / all : null;
 }
 
 /** The server's version, such as 0.2.0; `null` if the server does not report it. */
@@ -20,7 +25,6 @@ export class WorldStatistics {
   #fetch;
   #timers;
   #timer = null;
-  #last = null;
   #version = null;
   #shared = null;
   #amortization = null;
@@ -47,15 +51,13 @@ export class WorldStatistics {
     this.#fetch().then(
       (statistics) => {
         this.#version = versionOf(statistics);
-        this.#shared = sharedViews(this.#last, statistics);
+        this.#shared = sharedViews(statistics);
         this.#amortization = amortizationOf(statistics);
-        this.#last = statistics;
       },
       () => {
         this.#version = null; // the notice reports the lost server
         this.#shared = null;
         this.#amortization = null;
-        this.#last = null;
       },
     );
   }

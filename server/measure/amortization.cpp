@@ -12,14 +12,29 @@ constexpr std::string_view kCompressor = "Compressor";
 
 double milliseconds(std::int64_t nanoseconds) { return static_cast<double>(nanoseconds) * 1.0e-6; }
 
+using ReuseByType = std::map<std::string, pipeline::Reuse>;
+
+pipeline::Reuse reuseOf(const ReuseByType& reuse, const std::string& subject) {
+  const auto found = reuse.find(subject);
+  return found == reuse.end() ? pipeline::Reuse{} : found->second;
+}
+
+void addOnDemand(FrameCost& cost, double shared, double own) {
+  cost.acrossUser += shared;
+  cost.onDemandShared += shared;
+  cost.backend += own;
+  cost.onDemandOwn += own;
+}
+
 }  // namespace
 
 FrameCost& FrameCost::operator+=(const FrameCost& more) noexcept {
   acrossUser += more.acrossUser;
-  onDemand += more.onDemand;
+  onDemandShared += more.onDemandShared;
   backend += more.backend;
   compressor += more.compressor;
   frontend += more.frontend;
+  onDemandOwn += more.onDemandOwn;
   return *this;
 }
 
@@ -44,34 +59,45 @@ double alpha1(const FrameCost& cost) noexcept {
 double privateVisitors(double shared, double alpha) noexcept { return shared * (1.0 - alpha) + alpha; }
 
 Reading Reading::of(const pipeline::Timeline& timeline) {
-  return {timeline.costs(), static_cast<double>(pipeline::wallNanoseconds()) * 1.0e-9,
+  return {timeline.costs(), timeline.reuse(), static_cast<double>(pipeline::wallNanoseconds()) * 1.0e-9,
           static_cast<double>(pipeline::processCpuNanoseconds()) * 1.0e-9};
+}
+
+ReuseByType reuseBetween(const Reading& before, const Reading& after) {
+  ReuseByType reuse;
+  for (const auto& [subject, now] : after.reuse) reuse.emplace(subject, now - reuseOf(before.reuse, subject));
+  return reuse;
+}
+
+pipeline::Reuse sum(const ReuseByType& reuse) {
+  pipeline::Reuse all;
+  for (const auto& [subject, each] : reuse) all += each;
+  return all;
 }
 
 std::map<std::string, FrameCost> frameCosts(const Reading& before, const Reading& after, const Served& served) {
   const double frames = std::max(1.0, served.frames);
   const double framesOfOne = frames / std::max(1.0, served.visitors);
+  const ReuseByType reuse = reuseBetween(before, after);
   std::map<std::string, FrameCost> costs;
   for (const auto& [key, total] : after.costs) {
     pipeline::StageTotal past;
     if (const auto found = before.costs.find(key); found != before.costs.end()) past = found->second;
     const double cpu = milliseconds(total.cpuNanoseconds - past.cpuNanoseconds);
-    const auto runs = static_cast<double>(total.runs - past.runs);
+    const double sharedPart = reuseOf(reuse, key.subject).sharedPart();
     FrameCost& cost = costs[key.subject];
     switch (total.work) {
       case pipeline::Work::kAcrossUser:
-        if (total.cadence > 0.0) {
-          cost.acrossUser += runs > 0.0 ? cpu / runs * total.cadence / served.framesPerSecond : 0.0;
-        } else {
-          cost.acrossUser += cpu / framesOfOne;
-          cost.onDemand += cpu / framesOfOne;
-        }
+        cost.acrossUser += cpu / framesOfOne;
         break;
       case pipeline::Work::kPerUserBackend:
         (key.stage == kCompressor ? cost.compressor : cost.backend) += cpu / frames;
         break;
       case pipeline::Work::kPerUserFrontend:
         cost.frontend += cpu / frames;
+        break;
+      case pipeline::Work::kOnDemand:
+        addOnDemand(cost, cpu * sharedPart / framesOfOne, cpu * (1.0 - sharedPart) / frames);
         break;
     }
   }
@@ -91,6 +117,7 @@ std::map<std::string, MemoryShare> memoryShares(const pipeline::MemoryLedger& le
     MemoryShare& share = shares[key.subject];
     switch (total.work) {
       case pipeline::Work::kAcrossUser:
+      case pipeline::Work::kOnDemand:
         share.acrossUser += bytes;
         break;
       case pipeline::Work::kPerUserBackend:

@@ -9,16 +9,18 @@
 /// The paper's means of measuring amortization (sections 3.1 and 5.3).
 namespace grove::measure {
 
-/// CPU milliseconds that one frame of one visitor needs.
+/// CPU milliseconds behind one frame of one visitor, as they were used.
 struct FrameCost {
-  double acrossUser = 0.0;  ///< c_i: in one frame's time, however many visitors share it
-  double onDemand = 0.0;    ///< the part of c_i that is done because somebody looks, not by a clock
-  double backend = 0.0;     ///< c_b0: on backend nodes, for this visitor, without compression
-  double compressor = 0.0;  ///< what compression adds to c_b0
-  double frontend = 0.0;    ///< c_f
+  double acrossUser = 0.0;      ///< c_i: while one visitor got one frame, however many share it
+  double onDemandShared = 0.0;  ///< the part of c_i that views caused: shared data that at least two visitors used
+  double backend = 0.0;         ///< c_b0: on backend nodes, for this visitor, without compression
+  double compressor = 0.0;      ///< what compression adds to c_b0
+  double frontend = 0.0;        ///< c_f
+  double onDemandOwn = 0.0;     ///< the part of c_b0 for shared data that at most one visitor used
 
   [[nodiscard]] double backendCompressed() const noexcept { return backend + compressor; }  ///< c_b1
   [[nodiscard]] double perUser() const noexcept { return backend + compressor + frontend; }
+  [[nodiscard]] double independent() const noexcept { return acrossUser - onDemandShared; }  ///< of views
   FrameCost& operator+=(const FrameCost& more) noexcept;
 };
 
@@ -35,6 +37,7 @@ struct FrameCost {
 /// What is needed to know the costs of a while from totals that only grow.
 struct Reading {
   std::map<pipeline::CostKey, pipeline::StageTotal> costs;
+  std::map<std::string, pipeline::Reuse> reuse;
   double seconds = 0.0;         ///< of the monotonic clock
   double processSeconds = 0.0;  ///< CPU of the whole process
 
@@ -43,19 +46,23 @@ struct Reading {
 
 /// Who was served between two readings.
 struct Served {
-  double visitors = 0.0;          ///< mean
-  double frames = 0.0;            ///< of all visitors together
-  double framesPerSecond = 30.0;  ///< that each visitor is meant to get
+  double visitors = 0.0;  ///< mean
+  double frames = 0.0;    ///< of all visitors together
 };
 
 /// Costs of a frame by type of object; "" is what serves no single type (camera, encoder, transport).
 ///
-/// Work on a clock of its own counts by the run, as many of them as fall into a frame's time at their nominal rate;
-/// other work of across-user kind by what was done while a visitor got one frame. So shared and private mode can be
-/// compared even where the machine is too slow for the nominal rate.
+/// Across-user work counts by what was done while a visitor got one frame; on a machine that is too slow for the
+/// nominal rate, a frame has more ticks of a clock. Of work on demand, the share of its data (by bytes, which grow with
+/// the texels that were computed) that at least two visitors used is across-user, the rest per-user. So the costs,
+/// times the frames that there were, are the CPU of all stages.
 [[nodiscard]] std::map<std::string, FrameCost> frameCosts(const Reading& before, const Reading& after,
                                                           const Served& served);
 [[nodiscard]] FrameCost sum(const std::map<std::string, FrameCost>& costs);
+
+/// By type of object.
+[[nodiscard]] std::map<std::string, pipeline::Reuse> reuseBetween(const Reading& before, const Reading& after);
+[[nodiscard]] pipeline::Reuse sum(const std::map<std::string, pipeline::Reuse>& reuse);
 
 /// Bytes of a ledger: of what is shared, and of one visitor.
 struct MemoryShare {
@@ -65,6 +72,7 @@ struct MemoryShare {
   [[nodiscard]] double beta() const noexcept { return acrossUserShare(acrossUser, perUserBackend, perUserFrontend); }
   MemoryShare& operator+=(const MemoryShare& more) noexcept;
 };
+/// Data that was made on demand lies in stores with one bound for all visitors, so its memory is across-user.
 [[nodiscard]] std::map<std::string, MemoryShare> memoryShares(const pipeline::MemoryLedger& ledger, int visitors);
 [[nodiscard]] MemoryShare sum(const std::map<std::string, MemoryShare>& shares);
 

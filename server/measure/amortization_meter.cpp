@@ -36,21 +36,29 @@ int correctedFit(int estimate, int now, bool areServed, bool areTooMany) noexcep
   return areServed ? std::max(estimate, now) : estimate;
 }
 
+double unreportedCost(const Amortization& measured) {
+  const FrameCost cost = sum(measured.costs);
+  const double frames = measured.visitors * measured.framesPerSecond;
+  if (frames <= 0.0) return 0.0;
+  const double reported = cost.acrossUser * measured.framesPerSecond + cost.perUser() * frames;
+  return std::max(0.0, 1000.0 * measured.cpuCores - reported) / frames;
+}
+
+double privateFrameCost(const Amortization& measured) {
+  const FrameCost cost = sum(measured.costs);
+  // Alone, a visitor has all the work that depends on nobody, and of the work on demand at least his share.
+  const double onDemand = cost.onDemandShared / std::max(1.0, measured.visitors);
+  return cost.independent() + onDemand + cost.perUser() + unreportedCost(measured);
+}
+
 Capacity capacityOf(const Amortization& measured, double nominalFramesPerSecond) {
   const FrameCost cost = sum(measured.costs);
-  const double coresPerMillisecond = nominalFramesPerSecond / 1000.0;
-  const double frames = measured.visitors * measured.framesPerSecond;
-  const double clocked = cost.acrossUser - cost.onDemand;
-  const double reported =
-      (clocked * nominalFramesPerSecond + cost.onDemand * measured.framesPerSecond + cost.perUser() * frames) / 1000.0;
+  const double nominal = nominalFramesPerSecond / 1000.0;
+  const double clocked = cost.independent() * measured.framesPerSecond / 1000.0;
   Capacity capacity;
-  capacity.unreported =
-      frames > 0.0 ? std::max(0.0, measured.cpuCores - reported) / frames * nominalFramesPerSecond : 0.0;
-  capacity.base = cost.acrossUser * coresPerMillisecond;
-  capacity.visitor = cost.perUser() * coresPerMillisecond + capacity.unreported;
-  // Alone, a visitor has all the clocked work, and of the work on demand at least his share.
-  const double own = clocked + cost.onDemand / std::max(1.0, measured.visitors);
-  capacity.privateVisitor = own * coresPerMillisecond + capacity.visitor;
+  capacity.base = clocked + cost.onDemandShared * nominal;
+  capacity.visitor = (cost.perUser() + unreportedCost(measured)) * nominal;
+  capacity.privateVisitor = clocked + (privateFrameCost(measured) - cost.independent()) * nominal;
   return capacity;
 }
 
@@ -79,9 +87,9 @@ std::optional<Amortization> AmortizationMeter::newest() const {
   if (frames <= 0.0 || measured.visitors <= 0.0 || measured.seconds <= 0.0) return std::nullopt;
   measured.framesPerSecond = frames / measured.visitors / measured.seconds;
   measured.cpuCores = (last.reading.processSeconds - first.reading.processSeconds) / measured.seconds;
-  measured.costs = frameCosts(first.reading, last.reading,
-                              {.visitors = measured.visitors, .frames = frames, .framesPerSecond = nominal_});
+  measured.costs = frameCosts(first.reading, last.reading, {.visitors = measured.visitors, .frames = frames});
   measured.memory = memoryShares(memory_, std::max(1, last.visitors));
+  measured.reuse = reuseBetween(first.reading, last.reading);
   return measured;
 }
 

@@ -19,6 +19,7 @@ struct Amortization {
   double cpuCores = 0.0;         ///< of the whole process
   std::map<std::string, FrameCost> costs;
   std::map<std::string, MemoryShare> memory;
+  std::map<std::string, pipeline::Reuse> reuse;
 };
 
 /// Costs of serving at the nominal frame rate, in cores, and how many visitors a machine of some cores serves with
@@ -29,7 +30,6 @@ struct Capacity {
   static constexpr double kUsableShare = 0.82;
 
   double base = 0.0;            ///< a: across-user work
-  double unreported = 0.0;      ///< of one visitor: CPU that no stage accounts for
   double visitor = 0.0;         ///< b: of one more visitor
   double privateVisitor = 0.0;  ///< of one visitor in private mode: at least so much
   [[nodiscard]] int visitorsFit(double cores) const noexcept;
@@ -41,7 +41,12 @@ struct Capacity {
 /// Corrects an estimate of the visitors that a machine serves by those that it serves now: `now` of them at the nominal
 /// frame rate, or too many, so that it makes their pictures smaller.
 [[nodiscard]] int correctedFit(int estimate, int now, bool areServed, bool areTooMany) noexcept;
-/// CPU that no stage accounts for (sockets, clocks, drivers) is shared out to the visitors.
+/// Milliseconds per frame of CPU that no stage accounts for (sockets, clocks, drivers), shared out to the visitors.
+[[nodiscard]] double unreportedCost(const Amortization& measured);
+/// Milliseconds behind the same frame in private mode, at least.
+[[nodiscard]] double privateFrameCost(const Amortization& measured);
+/// An estimate for the nominal frame rate, which visitors may not have had: work on clocks stays as it was measured,
+/// the rest grows with the frames.
 [[nodiscard]] Capacity capacityOf(const Amortization& measured, double nominalFramesPerSecond);
 
 /// Keeps an eye on a timeline and a ledger, which outlive it. Any thread.

@@ -37,6 +37,8 @@ const char* colourOf(pipeline::Work work) {
       return "thread_state_runnable";
     case pipeline::Work::kPerUserFrontend:
       return "thread_state_iowait";
+    case pipeline::Work::kOnDemand:
+      return "thread_state_unknown";
   }
   return "";
 }

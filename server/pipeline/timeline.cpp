@@ -29,7 +29,6 @@ void add(StageTotal& total, const StageTotal& more) {
   total.work = more.work;
   total.runs += more.runs;
   total.failures += more.failures;
-  if (more.runs > 0) total.cadence = more.cadence;
   total.wallNanoseconds += more.wallNanoseconds;
   total.cpuNanoseconds += more.cpuNanoseconds;
 }
@@ -44,6 +43,8 @@ std::string_view toString(Work work) noexcept {
       return "per-user-backend";
     case Work::kPerUserFrontend:
       return "per-user-frontend";
+    case Work::kOnDemand:
+      return "on-demand";
   }
   return "";
 }
@@ -64,7 +65,6 @@ void Timeline::record(const TimelineEvent& event) {
   StageTotal& total = totals_[{event.stage, event.subject}];
   add(total, {.work = event.work,
               .runs = event.part ? 0U : 1U,
-              .cadence = event.cadence,
               .wallNanoseconds = event.part ? 0 : event.wallNanoseconds,
               .cpuNanoseconds = event.cpuNanoseconds});
 }
@@ -77,6 +77,11 @@ void Timeline::recordFailure(const char* stage, Work work) {
 void Timeline::count(const char* counter, std::int64_t amount) {
   const std::lock_guard lock(mutex_);
   counters_[counter] += amount;
+}
+
+void Timeline::countReuse(std::string_view subject, const Reuse& more) {
+  const std::lock_guard lock(mutex_);
+  reuse_[subject] += more;
 }
 
 std::vector<TimelineEvent> Timeline::events(std::size_t max) const {
@@ -117,8 +122,12 @@ std::map<std::string, std::int64_t> Timeline::counters() const {
   return {counters_.begin(), counters_.end()};
 }
 
-TimedRun::TimedRun(Timeline& timeline, const char* stage, Work work, TraceTag tag, std::string_view subject,
-                   double cadence) noexcept
+std::map<std::string, Reuse> Timeline::reuse() const {
+  const std::lock_guard lock(mutex_);
+  return {reuse_.begin(), reuse_.end()};
+}
+
+TimedRun::TimedRun(Timeline& timeline, const char* stage, Work work, TraceTag tag, std::string_view subject) noexcept
     : timeline_(timeline),
       outer_(std::exchange(innermostRun(), this)),
       event_{.stage = stage,
@@ -127,7 +136,6 @@ TimedRun::TimedRun(Timeline& timeline, const char* stage, Work work, TraceTag ta
              .tag = tag,
              .thread = threadNumber(),
              .part = outer_ != nullptr && std::string_view(outer_->event_.stage) == stage,
-             .cadence = cadence,
              .beginNanoseconds = wallNanoseconds()},
       cpuBegin_(threadCpuNanoseconds()) {}
 

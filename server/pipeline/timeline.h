@@ -11,10 +11,17 @@
 #include <utility>
 #include <vector>
 
+#include "pipeline/reuse.h"
+
 namespace grove::pipeline {
 
-/// The beneficiary of work: the paper's c_i, c_b and c_f (section 3.1).
-enum class Work : std::uint8_t { kAcrossUser, kPerUserBackend, kPerUserFrontend };
+/// The beneficiary of work: the paper's c_i, c_b and c_f (section 3.1). The numbers travel in messages.
+enum class Work : std::uint8_t {
+  kAcrossUser,       ///< does not depend on any viewer
+  kPerUserBackend,   ///< for one visitor
+  kPerUserFrontend,  ///< for one visitor
+  kOnDemand,         ///< shared data that a visitor's view caused; its uses say for whom it was, see Reuse
+};
 
 [[nodiscard]] std::string_view toString(Work work) noexcept;
 
@@ -34,7 +41,6 @@ struct TimelineEvent {
   TraceTag tag;
   std::uint32_t thread = 0;           ///< small number, stable for a thread
   bool part = false;                  ///< within a run of the same stage
-  double cadence = 0.0;               ///< runs per second by a clock; 0: it runs on demand
   std::int64_t beginNanoseconds = 0;  ///< monotonic clock
   std::int64_t wallNanoseconds = 0;
   std::int64_t cpuNanoseconds = 0;  ///< of the thread that ran it, without the runs within it
@@ -45,7 +51,6 @@ struct StageTotal {
   Work work = Work::kAcrossUser;
   std::uint64_t runs = 0;  ///< without parts of runs
   std::uint64_t failures = 0;
-  double cadence = 0.0;  ///< the newest run's
   std::int64_t wallNanoseconds = 0;
   std::int64_t cpuNanoseconds = 0;
 };
@@ -69,6 +74,9 @@ class Timeline {
   /// Adds to a named counter, such as the hits of a cache.
   void count(const char* counter, std::int64_t amount = 1);
 
+  /// Adds to the uses of a subject's shared data that was made on demand. The subject outlives the timeline.
+  void countReuse(std::string_view subject, const Reuse& more);
+
   /// Returns the newest events, at most `max`, oldest first. Stages continue meanwhile; events that they overwrite
   /// before they were copied are missing.
   [[nodiscard]] std::vector<TimelineEvent> events(std::size_t max = std::numeric_limits<std::size_t>::max()) const;
@@ -77,6 +85,8 @@ class Timeline {
   /// By stage and subject. Each nanosecond of CPU is in exactly one of them.
   [[nodiscard]] std::map<CostKey, StageTotal> costs() const;
   [[nodiscard]] std::map<std::string, std::int64_t> counters() const;
+  /// By subject.
+  [[nodiscard]] std::map<std::string, Reuse> reuse() const;
   /// Memory of the events when all places are used.
   [[nodiscard]] std::size_t bytes() const noexcept { return capacity_ * sizeof(TimelineEvent); }
 
@@ -87,14 +97,14 @@ class Timeline {
   std::size_t recorded_ = 0;  ///< since the start; the event n lies at n % capacity_
   std::map<std::pair<std::string_view, std::string_view>, StageTotal> totals_;
   std::map<std::string_view, std::int64_t> counters_;
+  std::map<std::string_view, Reuse> reuse_;
 };
 
 /// Measures from construction to destruction and records it. One that is made during another's life on the same thread
 /// is a part of it; its CPU does not count for the outer one.
 class TimedRun {
  public:
-  TimedRun(Timeline& timeline, const char* stage, Work work, TraceTag tag, std::string_view subject = {},
-           double cadence = 0.0) noexcept;
+  TimedRun(Timeline& timeline, const char* stage, Work work, TraceTag tag, std::string_view subject = {}) noexcept;
   ~TimedRun();
   TimedRun(const TimedRun&) = delete;
   TimedRun& operator=(const TimedRun&) = delete;

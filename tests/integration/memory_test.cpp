@@ -32,12 +32,11 @@ constexpr int kHeight = kSanitized ? 360 : 720;
 constexpr int kGrid = kSanitized ? 16 : 64;
 constexpr int kViews = kSanitized ? 4 : 8;
 
-/// What is held for `work`; of shared work only what visitors do not fill by and by: no caches, nothing made on demand.
+/// What is held for `work`; of shared work only what visitors do not fill by and by: no caches.
 double reported(const stream::Host& host, Work work) {
-  static const std::set<std::string> onDemand{"shared views", "buffers"};
   double sum = 0.0;
   for (const auto& [key, total] : host.memory().totals()) {
-    if (total.work != work || (work == Work::kAcrossUser && onDemand.contains(key.holder))) continue;
+    if (total.work != work || (work == Work::kAcrossUser && key.holder == "buffers")) continue;
     sum += static_cast<double>(total.bytes);
   }
   return sum;

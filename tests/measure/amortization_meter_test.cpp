@@ -7,13 +7,11 @@ namespace {
 
 using pipeline::Work;
 
-void record(pipeline::Timeline& timeline, const char* stage, Work work, int runs, double milliseconds,
-            double cadence = 0.0) {
+void record(pipeline::Timeline& timeline, const char* stage, Work work, int runs, double milliseconds) {
   for (int i = 0; i < runs; ++i) {
     pipeline::TimelineEvent event;
     event.stage = stage;
     event.work = work;
-    event.cadence = cadence;
     event.cpuNanoseconds = static_cast<std::int64_t>(milliseconds * 1.0e6);
     timeline.record(event);
   }
@@ -38,7 +36,8 @@ TEST(AmortizationMeter, ReportsOnlyRecentSamples) {
   for (int i = 0; i < 6; ++i) {
     meter.sample(2);
     record(timeline, "Encoder", Work::kPerUserFrontend, 60, 3.0);
-    record(timeline, "Simulation Tick", Work::kAcrossUser, 30, 6.0, 30.0);
+    record(timeline, "Simulation Tick", Work::kAcrossUser, 30, 6.0);
+    timeline.countReuse("lightfield", {.made = 2, .used = 2, .usesByOthers = 1});
   }
   meter.sample(2);
   const auto measured = meter.newest();
@@ -46,15 +45,18 @@ TEST(AmortizationMeter, ReportsOnlyRecentSamples) {
   EXPECT_DOUBLE_EQ(measured->visitors, 2.0);
   EXPECT_NEAR(sum(measured->costs).frontend, 3.0, 1e-9);
   EXPECT_NEAR(sum(measured->costs).acrossUser, 6.0, 1e-9);
+  EXPECT_EQ(sum(measured->reuse).made, 10U) << "between the six samples that are kept";
 }
 
 TEST(AmortizationMeter, ClocksDoNotWaitForSlowFrames) {
   Amortization measured;
   measured.visitors = 2.0;
   measured.framesPerSecond = 3.0;
-  measured.costs["fluid"] = {.acrossUser = 10.0, .frontend = 5.0};
+  measured.costs["fluid"] = {.acrossUser = 100.0, .frontend = 5.0};  // ten ticks of 10 ms in a frame
   measured.cpuCores = (30.0 * 10.0 + 2 * 3.0 * 5.0) / 1000.0;
-  EXPECT_NEAR(capacityOf(measured, 30.0).visitor, 0.15, 1e-9) << "all of its CPU is accounted for";
+  EXPECT_NEAR(unreportedCost(measured), 0.0, 1e-9) << "all of its CPU is accounted for";
+  EXPECT_NEAR(capacityOf(measured, 30.0).visitor, 0.15, 1e-9);
+  EXPECT_NEAR(capacityOf(measured, 30.0).base, 0.3, 1e-9) << "no more ticks at the full frame rate";
 }
 
 TEST(AmortizationMeter, ReportsCapacity) {
@@ -62,7 +64,7 @@ TEST(AmortizationMeter, ReportsCapacity) {
   measured.visitors = 4.0;
   measured.framesPerSecond = 30.0;
   measured.costs["fluid"] = {.acrossUser = 10.0};
-  measured.costs["lightfield"] = {.acrossUser = 8.0, .onDemand = 8.0, .backend = 1.0};
+  measured.costs["lightfield"] = {.acrossUser = 8.0, .onDemandShared = 8.0, .backend = 1.0};
   measured.costs[""] = {.frontend = 4.0};
   measured.cpuCores = 30.0 * (18.0 + 4 * 5.0) / 1000.0 + 0.12;  // a tenth of a core that no stage knows
   const Capacity capacity = capacityOf(measured, 30.0);

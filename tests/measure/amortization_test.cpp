@@ -45,53 +45,79 @@ TEST(Amortization, LawPredictsPrivateVisitors) {
 }
 
 void record(pipeline::Timeline& timeline, const char* stage, const char* subject, pipeline::Work work, int runs,
-            double milliseconds, double cadence = 0.0) {
+            double milliseconds) {
   for (int i = 0; i < runs; ++i) {
     pipeline::TimelineEvent event;
     event.stage = stage;
     event.subject = subject;
     event.work = work;
-    event.cadence = cadence;
     event.cpuNanoseconds = static_cast<std::int64_t>(milliseconds * 1.0e6);
     timeline.record(event);
   }
 }
 
+double cpuBetween(const Reading& before, const Reading& after) {
+  double milliseconds = 0.0;
+  for (const auto& [key, total] : after.costs) milliseconds += 1e-6 * static_cast<double>(total.cpuNanoseconds);
+  for (const auto& [key, total] : before.costs) milliseconds -= 1e-6 * static_cast<double>(total.cpuNanoseconds);
+  return milliseconds;
+}
+
+/// Would catch ticks that count at a rate that did not happen, and work that is in two classes or in none.
 TEST(Amortization, ReportsFrameCostPerObjectType) {
   using pipeline::Work;
   pipeline::Timeline timeline;
-  record(timeline, "Simulation Tick", "fluid", Work::kAcrossUser, 100, 99.0, 30.0);  // before: does not count
+  record(timeline, "Simulation Tick", "fluid", Work::kAcrossUser, 100, 99.0);  // before: does not count
   const Reading before = Reading::of(timeline);
   // Two visitors got 60 frames each, while a slow machine did 30 ticks of 10 ms.
-  record(timeline, "Simulation Tick", "fluid", Work::kAcrossUser, 30, 10.0, 30.0);
-  record(timeline, "Shared View", "lightfield", Work::kAcrossUser, 120, 3.0);
+  record(timeline, "Simulation Tick", "fluid", Work::kAcrossUser, 30, 10.0);
+  record(timeline, "Shared View", "lightfield", Work::kOnDemand, 120, 3.0);
   record(timeline, "Renderer", "lightfield", Work::kPerUserBackend, 120, 2.0);
   record(timeline, "Compressor", "fluid", Work::kPerUserBackend, 120, 0.5);
   record(timeline, "Compositor", "fluid", Work::kPerUserFrontend, 120, 4.0);
   record(timeline, "Encoder", "", Work::kPerUserFrontend, 120, 3.0);
-  const auto costs = frameCosts(before, Reading::of(timeline), {.visitors = 2, .frames = 120.0});
-  EXPECT_NEAR(costs.at("fluid").acrossUser, 10.0, 1e-9) << "a tick a frame, though fewer were done";
+  timeline.countReuse("lightfield", {.made = 120, .shared = 40, .madeBytes = 1200, .sharedBytes = 600});
+  const Reading after = Reading::of(timeline);
+  const auto costs = frameCosts(before, after, {.visitors = 2, .frames = 120.0});
+  EXPECT_NEAR(costs.at("fluid").acrossUser, 5.0, 1e-9) << "a tick in two frames";
   EXPECT_NEAR(costs.at("fluid").compressor, 0.5, 1e-9);
   EXPECT_NEAR(costs.at("fluid").frontend, 4.0, 1e-9);
-  EXPECT_NEAR(costs.at("lightfield").acrossUser, 6.0, 1e-9) << "made while one visitor got a frame";
-  EXPECT_NEAR(costs.at("lightfield").backend, 2.0, 1e-9);
+  EXPECT_NEAR(costs.at("lightfield").acrossUser, 3.0, 1e-9) << "half of what was made while one visitor got a frame";
+  EXPECT_NEAR(costs.at("lightfield").onDemandShared, 3.0, 1e-9);
+  EXPECT_NEAR(costs.at("lightfield").backend, 2.0 + 1.5, 1e-9) << "and the rest, which each has for himself";
+  EXPECT_NEAR(costs.at("lightfield").onDemandOwn, 1.5, 1e-9);
   EXPECT_NEAR(costs.at("").frontend, 3.0, 1e-9);
   const FrameCost all = sum(costs);
-  EXPECT_NEAR(all.perUser(), 9.5, 1e-9);
-  EXPECT_NEAR(alpha1(all), 16.0 / 25.5, 1e-9);
-  EXPECT_NEAR(alpha0(all), 16.0 / 25.0, 1e-9);
+  EXPECT_NEAR(all.perUser(), 11.0, 1e-9);
+  EXPECT_NEAR(all.independent(), 5.0, 1e-9);
+  EXPECT_NEAR(alpha1(all), 8.0 / 19.0, 1e-9);
+  EXPECT_NEAR(alpha0(all), 8.0 / 18.5, 1e-9);
+  EXPECT_NEAR(all.acrossUser * 60.0 + all.perUser() * 120.0, cpuBetween(before, after), 1e-6);
+}
+
+/// Would catch a lone visitor who shares with himself.
+TEST(Amortization, ViewsOfOneVisitorAreHisOwn) {
+  using pipeline::Work;
+  pipeline::Timeline timeline;
+  const Reading before = Reading::of(timeline);
+  record(timeline, "Shared View", "lightfield", Work::kOnDemand, 10, 3.0);
+  timeline.countReuse("lightfield", {.made = 10, .used = 10, .madeBytes = 100, .usesAgain = 500});
+  const FrameCost cost = sum(frameCosts(before, Reading::of(timeline), {.visitors = 1, .frames = 30.0}));
+  EXPECT_EQ(alpha1(cost), 0.0);
+  EXPECT_NEAR(cost.backend, 1.0, 1e-9);
 }
 
 TEST(Amortization, DividesSharedMemoryAmongVisitors) {
   using pipeline::Work;
   pipeline::MemoryLedger ledger;
   const pipeline::HeldMemory state(ledger, "fluid state", "fluid", Work::kAcrossUser, 4000);
+  const pipeline::HeldMemory views(ledger, "shared views", "lightfield", Work::kOnDemand, 1000);
   const pipeline::HeldMemory targets(ledger, "targets", "fluid", Work::kPerUserBackend, 200);
   const pipeline::HeldMemory images(ledger, "images", "", Work::kPerUserFrontend, 800);
   const auto shared = memoryShares(ledger, 2);
   EXPECT_EQ(shared.at("fluid").acrossUser, 4000.0);
   EXPECT_EQ(shared.at("fluid").perUserBackend, 100.0);
-  EXPECT_NEAR(sum(shared).beta(), 4000.0 / 4500.0, 1e-12);
+  EXPECT_NEAR(sum(shared).beta(), 5000.0 / 5500.0, 1e-12) << "one store of views for all";
 }
 
 }  // namespace

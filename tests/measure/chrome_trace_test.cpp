@@ -81,7 +81,7 @@ TEST(ChromeTrace, NestsRuns) {
     const TimedRun outer(timeline, "Renderer", Work::kPerUserBackend, {1, frame}, "lightfield");
     for (int i = 0; i < 3; ++i) {
       const TimedRun part(timeline, "Renderer", Work::kPerUserBackend, {1, frame}, "mesh");
-      const TimedRun other(timeline, "Shared View", Work::kAcrossUser, {1, frame});
+      const TimedRun other(timeline, "Shared View", Work::kOnDemand, {1, frame});
     }
   }
   const auto events = timeline.events();

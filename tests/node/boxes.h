@@ -179,14 +179,26 @@ class SharedBoxFrontend final : public FrontendHalf {
   }
 };
 
-/// `kClocked`: for shared data that comes from a clock.
-enum class BoxAsks : std::uint8_t { kPictures, kShared, kClocked };
+/// Asks for a colour under a key of its own for each direction of the eye.
+class BoxOfViewFrontend final : public FrontendHalf {
+ public:
+  [[nodiscard]] Plan plan(const VisibleObject&, const View& view, const SharedOf& shared, const Reply* reply) override {
+    if (reply != nullptr) return reply->payload;
+    const Key key = std::to_string(view.camera.pose.yaw);
+    if (auto colour = shared.find(key)) return Payload(std::move(colour));
+    return Ask{.shared = true, .key = key, .rect = {}};
+  }
+};
+
+/// `kOfView`: for shared data that depends on the view. `kClocked`: for shared data that comes from a clock.
+enum class BoxAsks : std::uint8_t { kPictures, kShared, kOfView, kClocked };
 
 class BoxFrontendType final : public FrontendType {
  public:
   explicit BoxFrontendType(BoxAsks asks) : asks_(asks) {}
   [[nodiscard]] std::string_view name() const override { return "box"; }
   [[nodiscard]] std::unique_ptr<FrontendHalf> makeHalf(const FrontendTools&) const override {
+    if (asks_ == BoxAsks::kOfView) return std::make_unique<BoxOfViewFrontend>();
     if (asks_ == BoxAsks::kPictures) return std::make_unique<FrontendHalf>();
     return std::make_unique<SharedBoxFrontend>();
   }

@@ -71,7 +71,7 @@ TEST(Timeline, NestedRunsCountOnce) {
     {
       const TimedRun part(timeline, "Compositor", Work::kPerUserFrontend, {}, "fluid");
       useCpu(2 * kPiece);
-      const TimedRun other(timeline, "Shared View", Work::kAcrossUser, {}, "lightfield");
+      const TimedRun other(timeline, "Shared View", Work::kOnDemand, {}, "lightfield");
       useCpu(4 * kPiece);
     }
   }
@@ -87,7 +87,7 @@ TEST(Timeline, NestedRunsCountOnce) {
   EXPECT_EQ(timeline.totals().at("Compositor").runs, 1u) << "a part of a run is no run";
   EXPECT_EQ(timeline.totals().at("Compositor").cpuNanoseconds, outer + part);
   EXPECT_EQ(costs.at({"Shared View", "lightfield"}).runs, 1u);
-  EXPECT_EQ(costs.at({"Shared View", "lightfield"}).work, Work::kAcrossUser);
+  EXPECT_EQ(costs.at({"Shared View", "lightfield"}).work, Work::kOnDemand);
 }
 
 TEST(Timeline, InterleavedPartsAreOneEventPerSubject) {
@@ -155,6 +155,7 @@ TEST(Timeline, WorkHasThePapersTerms) {
   EXPECT_EQ(toString(Work::kAcrossUser), "across-user");
   EXPECT_EQ(toString(Work::kPerUserBackend), "per-user-backend");
   EXPECT_EQ(toString(Work::kPerUserFrontend), "per-user-frontend");
+  EXPECT_EQ(toString(Work::kOnDemand), "on-demand");
 }
 
 }  // namespace

@@ -25,12 +25,12 @@ test('rates need two readings', () => {
   const readings = new Readings();
   assert.deepEqual(readings.stages(), []);
   assert.equal(readings.newest, null);
+  assert.equal(readings.cacheHits(), null);
   readings.add(0, sample());
   assert.deepEqual(
     { ...stage(readings, 'Encoder') },
     { name: 'Encoder', work: 'per-user-frontend', runsPerSecond: null, cpuPerRun: null, share: null, failures: 0 },
   );
-  assert.equal(readings.cacheHits(), null);
   readings.add(2000, later(sample(), 60, 150));
   const { runsPerSecond, cpuPerRun, share } = stage(readings, 'Encoder');
   assert.deepEqual([runsPerSecond, cpuPerRun, share], [30, 2.5, 0.25]);
@@ -80,14 +80,18 @@ test('across-user stages come first, and malformed ones are skipped', () => {
   assert.deepEqual(readings.stages(), []);
 });
 
-test('cache hits are those between two readings', () => {
+test('hits of the cache are those of other visitors', () => {
   const readings = new Readings();
   readings.add(0, sample());
-  const next = sample();
-  next.counters['view cache hits'] += 90;
-  next.counters['view cache misses'] += 10;
-  readings.add(1000, next);
-  assert.equal(readings.cacheHits(), 0.9);
+  assert.equal(readings.cacheHits(), 0.2);
+});
+
+test('work that views cause stands between work for everybody and for one', () => {
+  const readings = new Readings();
+  const view = { work: 'on-demand', runs: 1, failures: 0, cpu_ms: 1, wall_ms: 1 };
+  readings.add(0, { stages: { 'A View': view, ...sample().stages } });
+  const names = readings.stages().map(({ name }) => name);
+  assert.deepEqual(names, ['Simulation Tick', 'A View', 'Renderer', 'Compositor', 'Encoder']);
 });
 
 test('the cost of a frame includes its share of across-user work', () => {
@@ -118,7 +122,7 @@ test('the cost of a frame is unknown without its parts', () => {
 
 test('memory is listed by holder, the largest first, with the unnamed rest', () => {
   const { resident, holders, told, rest } = memoryOf(sample());
-  assert.deepEqual(holders.map(({ name }) => name), ['light fields', 'view cache', 'targets']);
+  assert.deepEqual(holders.map(({ name }) => name), ['light fields', 'shared views', 'targets']);
   assert.equal(holders[0].share, 752.1 / resident);
   assert.ok(Math.abs(told + rest - resident) < 1e-9);
 });

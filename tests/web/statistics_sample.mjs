@@ -25,7 +25,7 @@ export function sample() {
       resident_mb: 1439.2,
       told_mb: 1012.4,
       holders: [
-        { holder: 'view cache', type: 'lightfield', work: 'across-user', mb: 210.3 },
+        { holder: 'shared views', type: 'lightfield', work: 'on-demand', mb: 210.3 },
         { holder: 'light fields', type: 'lightfield', work: 'across-user', mb: 752.1 },
         { holder: 'targets', type: '', work: 'per-user-frontend', mb: 50 },
       ],
@@ -36,6 +36,9 @@ export function sample() {
       visitors: 3,
       frames_per_second: 29.9,
       ...type(14.5, 3, 5.5, 962.4, 16.7),
+      c_i_on_demand_ms: 4,
+      c_b_on_demand_ms: 1,
+      reuse: { views_made: 50, views_of_one: 30, views_of_several: 20, uses_again: 350, uses_by_others: 100 },
       other_ms: 0.7,
       private_frame_ms: 24.4,
       cpu_cores: 1.31,

@@ -5,19 +5,21 @@ import { WorldStatistics, sharedViews, versionOf } from '../../web/world_statist
 import { FakeClock } from './fake_clock.mjs';
 import { sample } from './statistics_sample.mjs';
 
-const counted = (hits, misses, near) => ({
-  counters: { 'view cache hits': hits, 'view cache misses': misses, 'views too near to share': near },
+const reused = (views_made, uses_again, uses_by_others) => ({
+  amortization: { reuse: { views_made, uses_again, uses_by_others } },
 });
 
-test('the share covers requests since the last answer', () => {
-  assert.equal(sharedViews(null, counted(3, 1, 0)), 0.75);
-  assert.equal(sharedViews(counted(3, 1, 0), counted(4, 1, 1)), 0.5);
+test("a visitor's own reuse is not sharing", () => {
+  assert.equal(sharedViews(reused(1, 99, 0)), 0);
+  assert.equal(sharedViews(reused(1, 2, 1)), 0.25);
 });
 
-test('the share is unknown without requests and without light fields', () => {
-  assert.equal(sharedViews(counted(3, 1, 0), counted(3, 1, 0)), null);
-  assert.equal(sharedViews(null, { counters: {} }), null);
-  assert.equal(sharedViews({}, {}), null);
+test('the share without a use is not known, and neither is that of an older server', () => {
+  assert.equal(sharedViews(reused(0, 0, 0)), null);
+  assert.equal(sharedViews(reused(1, 'many', 0)), null);
+  assert.equal(sharedViews({ counters: { 'view cache hits': 3 } }), null);
+  assert.equal(sharedViews({ amortization: null }), null);
+  assert.equal(sharedViews(null), null);
 });
 
 test('an older server reports no version', () => {
@@ -33,12 +35,12 @@ test('polls once per second while visible, and forgets a lost server', async () 
   const statistics = new WorldStatistics(async () => {
     asked += 1;
     if (!alive) throw new Error('gone');
-    return { ...sample(), ...counted(asked * 9, asked, 0) };
+    return sample();
   }, clock);
   statistics.watch(true);
   await Promise.resolve();
   assert.equal(asked, 1);
-  assert.equal(statistics.read().sharedViews, 0.9);
+  assert.equal(statistics.read().sharedViews, 0.2);
   assert.equal(statistics.read().amortization.visitorsFit, 5);
   assert.equal(statistics.read().version, '1.2.3');
   alive = false;

@@ -63,7 +63,12 @@ export const bar = (share, tell) => (cell, entry) => {
 };
 
 /** The parts of a frame's cost, for their colours in the style sheet. */
-const kParts = { 'across-user': 'shared', 'per-user-backend': 'backend', 'per-user-frontend': 'frontend' };
+const kParts = {
+  'across-user': 'shared',
+  'on-demand': 'shared',
+  'per-user-backend': 'backend',
+  'per-user-frontend': 'frontend',
+};
 
 /** Writes the beneficiary of work or memory. */
 export const work = (cell, entry) => {

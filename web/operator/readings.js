@@ -64,11 +64,11 @@ export class Readings {
       .sort((a, b) => order(a.work) - order(b.work) || a.name.localeCompare(b.name));
   }
 
-  /** The share of light field pictures reused from another view; `null` if none was requested. */
+  /** The share of uses of shared views by others than who used them first; `null` without a use. */
   cacheHits() {
-    return this.#entries.length < 2 ? null : sharedViews(this.#entries[0].statistics, this.newest);
+    return sharedViews(this.newest);
   }
 }
 
-const kOrder = ['across-user', 'per-user-backend', 'per-user-frontend'];
+const kOrder = ['across-user', 'on-demand', 'per-user-backend', 'per-user-frontend'];
 const order = (work) => (kOrder.includes(work) ? kOrder.indexOf(work) : kOrder.length);

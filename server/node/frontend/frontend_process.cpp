@@ -125,7 +125,9 @@ void FrontendProcess::unpack(Result& result) {
   const std::shared_ptr<const SharedData> known = store_.known(result.what);
   const std::shared_ptr<SharedData> data = type->unpack(result.what.key, result.version, *bytes, known.get());
   // For data that came by reference, its maker reports the memory.
-  data->holdIn(tools_.memory, "shared store", type->name(), pipeline::Work::kAcrossUser);
+  const bool isOnDemand = !result.what.key.empty();
+  data->holdIn(tools_.memory, isOnDemand ? "shared store, on demand" : "shared store", type->name(),
+               isOnDemand ? pipeline::Work::kOnDemand : pipeline::Work::kAcrossUser);
   result.payload = std::shared_ptr<const SharedData>(data);
 }
 

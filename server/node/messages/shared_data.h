@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "node/messages/shared_key.h"
+#include "node/messages/use_record.h"
 #include "pipeline/memory_ledger.h"
 #include "pipeline/timeline.h"
 
@@ -34,7 +35,8 @@ class SharedData {
   SharedData& operator=(const SharedData&) = delete;
 
   /// Returns the data as bytes, which the frontend half of the object's type unpacks. Packs once, in the first call.
-  /// That is across-user work: the caller's timeline gets a run for `subject`, which outlives the timeline. Any thread.
+  /// That is across-user work, once for all processes: the caller's timeline gets a run for `subject`, which outlives
+  /// the timeline. Any thread.
   [[nodiscard]] std::shared_ptr<const PackedBytes> packed(pipeline::Timeline& timeline, std::string_view subject) const;
 
   [[nodiscard]] Version version() const noexcept { return version_; }
@@ -43,6 +45,9 @@ class SharedData {
 
   /// Reports its memory during its life. Called once, by its maker, before it is shared. The ledger outlives the data.
   void holdIn(pipeline::MemoryLedger& memory, const char* holder, std::string_view subject, pipeline::Work work);
+
+  /// Counts from begin() on, which the frontend process calls when the data arrives; so in each process on its own.
+  [[nodiscard]] UseRecord& uses() const noexcept { return uses_; }
 
   /// Memory that it takes, the packed form included.
   [[nodiscard]] std::size_t bytes() const noexcept { return ownBytes() + packedBytes_.load(std::memory_order_relaxed); }
@@ -54,6 +59,7 @@ class SharedData {
 
   const Version version_;
   const double cadence_;
+  mutable UseRecord uses_;
   mutable std::optional<pipeline::HeldMemory> held_;
   mutable std::once_flag once_;
   mutable std::atomic<std::size_t> packedBytes_{0};

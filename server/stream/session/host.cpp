@@ -166,7 +166,7 @@ void Host::runPeriodicTasks(int visitors) {
     const measure::FrameCost cost = measure::sum(measured->costs);
     load.visitors = measured->visitors;
     load.busyCores = measured->cpuCores;
-    load.acrossUserCores = (cost.acrossUser - cost.onDemand) * options_.framesPerSecond / 1000.0;
+    load.acrossUserCores = cost.independent() * measured->framesPerSecond / 1000.0;
     load.frameShare = measured->framesPerSecond / options_.framesPerSecond;
   }
   const int step = policy_.update(pipeline::wallSeconds(), load);

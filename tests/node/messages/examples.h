@@ -152,8 +152,9 @@ inline NodeReport report() {
                        .failures = 2,
                        .wallNanoseconds = 7'000'000,
                        .cpuNanoseconds = 6'500'000}},
+                     {"Shared View", {.work = pipeline::Work::kOnDemand, .runs = 12}},
                      {"Simulation Tick", {.work = pipeline::Work::kAcrossUser, .runs = 30}}},
-          .memory = {{{"view cache", "lightfield"}, {.work = pipeline::Work::kAcrossUser, .bytes = 1'000'000}},
+          .memory = {{{"view cache", "lightfield"}, {.work = pipeline::Work::kOnDemand, .bytes = 1'000'000}},
                      {{"targets", ""}, {.work = pipeline::Work::kPerUserBackend, .bytes = 5}}}};
 }
 

@@ -5,9 +5,15 @@
 
 #include "measure/percentile.h"
 
+namespace grove::pipeline {
+
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Reuse, made, used, shared, madeBytes, sharedBytes, usesAgain, usesByOthers)
+
+}  // namespace grove::pipeline
+
 namespace grove::measure {
 
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(FrameCost, acrossUser, onDemand, backend, compressor, frontend)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(FrameCost, acrossUser, onDemandShared, backend, compressor, frontend, onDemandOwn)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(MemoryShare, acrossUser, perUserBackend, perUserFrontend)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(MemoryUse, resident, proportional)
 
@@ -22,13 +28,17 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LinkTraffic, toBackend, pictures, sharedData,
 namespace grove::cli {
 
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(AmortizeRow, users, privateWorlds, seconds, frames, fpsMin, latencies, costs, memory,
-                                   reportedBytes, process, traffic, cpuCores, stageCores, driverCores)
+                                   reuse, tick, reportedBytes, process, traffic, cpuCores, stageCores, driverCores)
 
 namespace {
 
 measure::FrameCost scaled(const measure::FrameCost& cost, double factor) {
-  return {cost.acrossUser * factor, cost.onDemand * factor, cost.backend * factor, cost.compressor * factor,
-          cost.frontend * factor};
+  return {.acrossUser = cost.acrossUser * factor,
+          .onDemandShared = cost.onDemandShared * factor,
+          .backend = cost.backend * factor,
+          .compressor = cost.compressor * factor,
+          .frontend = cost.frontend * factor,
+          .onDemandOwn = cost.onDemandOwn * factor};
 }
 
 measure::MemoryShare scaled(const measure::MemoryShare& share, double factor) {
@@ -40,9 +50,9 @@ measure::MemoryShare scaled(const measure::MemoryShare& share, double factor) {
 double AmortizeRow::latency(double share) const { return measure::percentile(latencies, share); }
 
 double AmortizeRow::coresNeeded() const {
-  const measure::FrameCost all = cost();
-  const double reported = (copies() * all.acrossUser + users * all.perUser()) * 1e-3 * kNominalFps;
-  return reported + (cpuCores - stageCores) * kNominalFps / std::max(1e-3, fps());
+  if (!saturated()) return cpuCores;
+  const double steady = copies() * cost().independent() * 1e-3 * fps();
+  return steady + (cpuCores - steady) * kNominalFps / std::max(1e-3, fps());
 }
 
 AmortizeRow together(const std::vector<AmortizeRow>& visitors) {
@@ -50,14 +60,17 @@ AmortizeRow together(const std::vector<AmortizeRow>& visitors) {
   all.users = static_cast<int>(visitors.size());
   all.privateWorlds = true;
   const double each = 1.0 / all.users;
+  for (const AmortizeRow& one : visitors) all.frames += one.frames;
   all.fpsMin = visitors.front().fpsMin;
   for (const AmortizeRow& one : visitors) {
     all.seconds += each * one.seconds;
-    all.frames += one.frames;
     all.fpsMin = std::min(all.fpsMin, one.fpsMin);
     all.latencies.insert(all.latencies.end(), one.latencies.begin(), one.latencies.end());
-    for (const auto& [type, cost] : one.costs) all.costs[type] += scaled(cost, each);
+    const double ofFrames = one.frames / std::max(1.0, all.frames);
+    for (const auto& [type, cost] : one.costs) all.costs[type] += scaled(cost, ofFrames);
     for (const auto& [type, share] : one.memory) all.memory[type] += scaled(share, each);
+    all.reuse += one.reuse;
+    all.tick += each * one.tick;
     all.reportedBytes += one.reportedBytes;
     all.process.resident += one.process.resident;
     all.process.proportional += one.process.proportional;

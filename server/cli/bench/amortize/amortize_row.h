@@ -24,6 +24,8 @@ struct AmortizeRow {
   std::vector<float> latencies;                        ///< ms, from sending an input to the first frame that shows it
   std::map<std::string, measure::FrameCost> costs;     ///< by type of object
   std::map<std::string, measure::MemoryShare> memory;  ///< by type of object
+  pipeline::Reuse reuse;                               ///< of shared data that views caused
+  double tick = 0.0;                                   ///< ms of CPU of a fluid's step, mean
   double reportedBytes = 0.0;                          ///< all that the ledger knows
   measure::MemoryUse process;
   node::LinkTraffic traffic;
@@ -39,12 +41,13 @@ struct AmortizeRow {
   /// What neither stages nor the driver's threads account for: clocks, queues, sockets, the bench itself.
   [[nodiscard]] double otherCores() const { return cpuCores - stageCores - driverCores; }
   [[nodiscard]] measure::FrameCost cost() const { return measure::sum(costs); }
-  /// Cores that are needed to give every visitor the nominal frame rate. `cpuCores` cannot show it where there are
-  /// fewer.
+  /// Cores that give every visitor the nominal frame rate: those that were used, or where the machine was too slow, an
+  /// estimate, by which all but the work that depends on no view grows with the frames.
   [[nodiscard]] double coresNeeded() const;
 };
 
-/// Returns the row of private mode, from one row for each visitor's process, at least one.
+/// Returns the row of private mode, from one row for each visitor's process, at least one. Costs are means over all
+/// frames.
 [[nodiscard]] AmortizeRow together(const std::vector<AmortizeRow>& visitors);
 
 /// A row as text, to pass it from one process to another of the same program.

@@ -36,10 +36,10 @@ grid = )" + std::to_string(grid) +
   return world::parseScene(text, "fluid alone");
 }
 
-/// c_i with one visitor; nothing if it was stopped.
+/// Milliseconds of a tick with one visitor; nothing if it was stopped.
 std::optional<double> tickOf(int grid, Interruption& interruption) {
   const auto row = measureRow(fluidAlone(grid), {.frames = 30, .size = {160, 90}}, interruption);
-  return row ? std::optional(row->cost().acrossUser) : std::nullopt;
+  return row ? std::optional(row->tick) : std::nullopt;
 }
 
 /// The grid whose tick takes as long as the paper's, found step by step as a tick's time grows about with the number of
@@ -76,7 +76,11 @@ bool measureColumns(std::vector<FigureColumn>& figure, int grid, AmortizeRun run
     const auto row = measureRow(scene, run, interruption);
     if (!row) return false;
     const auto cost = row->costs.find("fluid");
-    figure.push_back({grid, frontends, frames, cost != row->costs.end() ? cost->second : measure::FrameCost()});
+    figure.push_back({.grid = grid,
+                      .frontends = frontends,
+                      .frames = frames,
+                      .tick = row->tick,
+                      .cost = cost != row->costs.end() ? cost->second : measure::FrameCost()});
   }
   return true;
 }
@@ -89,7 +93,7 @@ std::vector<FigureColumn> runFigure(PictureSize size, Interruption& interruption
   AmortizeRun run{.size = size};
   run.transport = node::TransportKind::kBytes;
   if (!measureColumns(figure, kDefaultGrid, run, interruption)) return figure;
-  const auto grid = gridForPapersTick(figure.front().cost.acrossUser, interruption);
+  const auto grid = gridForPapersTick(figure.front().tick, interruption);
   if (grid && *grid != kDefaultGrid) measureColumns(figure, *grid, run, interruption);
   return figure;
 }

@@ -12,6 +12,7 @@ struct FigureColumn {
   int grid = 64;  ///< cells per edge
   int frontends = 1;
   int frames = 100;
+  double tick = 0.0;        ///< ms of CPU of one step of the simulation
   measure::FrameCost cost;  ///< of the type of object "fluid" only
 };
 

@@ -21,9 +21,14 @@ Json number(double value) {
 Json number(const std::optional<double>& value) { return value ? number(*value) : Json(nullptr); }
 
 Json costJson(const FrameCost& cost) {
-  return {{"c_i_ms", number(cost.acrossUser)},           {"c_b0_ms", number(cost.backend)},
-          {"c_b1_ms", number(cost.backendCompressed())}, {"c_f_ms", number(cost.frontend)},
-          {"alpha0", number(measure::alpha0(cost))},     {"alpha1", number(measure::alpha1(cost))}};
+  return {{"c_i_ms", number(cost.acrossUser)},
+          {"c_b0_ms", number(cost.backend)},
+          {"c_b1_ms", number(cost.backendCompressed())},
+          {"c_f_ms", number(cost.frontend)},
+          {"c_i_on_demand_ms", number(cost.onDemandShared)},
+          {"c_b_on_demand_ms", number(cost.onDemandOwn)},
+          {"alpha0", number(measure::alpha0(cost))},
+          {"alpha1", number(measure::alpha1(cost))}};
 }
 
 Json memoryJson(const measure::MemoryShare& share) {
@@ -31,6 +36,15 @@ Json memoryJson(const measure::MemoryShare& share) {
           {"per_user_backend_bytes", std::llround(share.perUserBackend)},
           {"per_user_frontend_bytes", std::llround(share.perUserFrontend)},
           {"beta", number(share.beta())}};
+}
+
+/// Names as in `/statistics.json`.
+Json reuseJson(const pipeline::Reuse& reuse) {
+  return {{"views_made", reuse.made},
+          {"views_of_one", reuse.usedByOne()},
+          {"views_of_several", reuse.shared},
+          {"uses_again", reuse.usesAgain},
+          {"uses_by_others", reuse.usesByOthers}};
 }
 
 Json typesJson(const AmortizeRow& row) {
@@ -58,6 +72,7 @@ Json rowJson(const AmortizeRow& row) {
   json["memory"].update({{"told_bytes", std::llround(row.reportedBytes)},
                          {"resident_bytes", row.process.resident},
                          {"proportional_bytes", row.process.proportional}});
+  json["reuse"] = reuseJson(row.reuse);
   if (!row.privateWorlds) json["link"] = linkJson(row.traffic, row.seconds, row.users);
   json["types"] = typesJson(row);
   return json;
@@ -86,7 +101,7 @@ Json comparisonJson(const AmortizeResult& result, const AmortizeLaw& law) {
   Json json = Json::object();
   const auto add = [&](const char* mode, const ModeFit& fit, const AmortizeRow* row) {
     if (row == nullptr) return;
-    const double perCore = 1e-3 * kNominalFps;
+    const double perCore = 1e-3 * row->fps();
     const FrameCost cost = row->cost();
     json[mode] = {{"slope", fit.line ? number(fit.line->b.value) : Json(nullptr)},
                   {"stages_per_user", number(cost.perUser() * perCore)},

@@ -78,6 +78,18 @@ double stageSeconds(const measure::Reading& before, const measure::Reading& afte
   return static_cast<double>(nanoseconds) * 1.0e-9;
 }
 
+double tickMilliseconds(const measure::Reading& before, const measure::Reading& after) {
+  const auto totalOf = [](const measure::Reading& reading) {
+    const auto found = reading.costs.find({"Simulation Tick", "fluid"});
+    return found == reading.costs.end() ? pipeline::StageTotal{} : found->second;
+  };
+  const pipeline::StageTotal now = totalOf(after);
+  const pipeline::StageTotal past = totalOf(before);
+  if (now.runs == past.runs) return 0.0;
+  return 1.0e-6 * static_cast<double>(now.cpuNanoseconds - past.cpuNanoseconds) /
+         static_cast<double>(now.runs - past.runs);
+}
+
 }  // namespace
 
 std::optional<AmortizeRow> runAmortize(const world::Scene& scene, const AmortizeRun& run,
@@ -111,9 +123,10 @@ std::optional<AmortizeRow> runAmortize(const world::Scene& scene, const Amortize
   row.seconds = after.seconds - before.seconds;
   row.traffic = served.host.traffic() - trafficBefore;
   addWalkers(row, walkers);
-  const measure::Served who{static_cast<double>(run.users), row.frames, kNominalFps};
-  row.costs = measure::frameCosts(before, after, who);
+  row.costs = measure::frameCosts(before, after, {static_cast<double>(run.users), row.frames});
   row.memory = measure::memoryShares(served.host.memory(), run.users);
+  row.reuse = measure::sum(measure::reuseBetween(before, after));
+  row.tick = tickMilliseconds(before, after);
   for (const auto& [key, total] : served.host.memory().totals()) row.reportedBytes += static_cast<double>(total.bytes);
   row.process = measure::MemoryUse::read();
   row.cpuCores = (after.processSeconds - before.processSeconds) / row.seconds;

@@ -44,6 +44,24 @@ void printRows(std::string& out, const std::vector<AmortizeRow>& rows) {
   }
 }
 
+/// The uses tell what of c_i comes of sharing between visitors, and not of a visitor's own reuse.
+void printReuse(std::string& out, const std::vector<AmortizeRow>& rows) {
+  print(
+      out,
+      "\nViews made on demand: those that one visitor used, or several (their share of the ms is in c_i, the rest in\n"
+      "c_b0), and their further uses, by the first visitor or by others\n\n");
+  print(out, "visitors mode       made    one several |   again  others |    c_i   c_b0\n");
+  for (const AmortizeRow& row : rows) {
+    const pipeline::Reuse& reuse = row.reuse;
+    const FrameCost cost = row.cost();
+    print(out, "%8d %-7s %7llu %6llu %7llu | %7llu %7llu | %6.2f %6.2f\n", row.users,
+          row.privateWorlds ? "private" : "shared", static_cast<unsigned long long>(reuse.made),
+          static_cast<unsigned long long>(reuse.usedByOne()), static_cast<unsigned long long>(reuse.shared),
+          static_cast<unsigned long long>(reuse.usesAgain), static_cast<unsigned long long>(reuse.usesByOthers),
+          cost.onDemandShared, cost.onDemandOwn);
+  }
+}
+
 void printTypes(std::string& out, const AmortizeRow& row) {
   const auto mega = [](double bytes) { return bytes * 1e-6; };
   print(out, "\nBy type of object, %d visitors, %s; MB of the across-user state and of one visitor\n\n", row.users,
@@ -160,6 +178,7 @@ std::string amortizeTables(const AmortizeResult& result) {
   std::string out;
   if (!result.rows.empty()) {
     printRows(out, result.rows);
+    printReuse(out, result.rows);
     for (const bool privateWorlds : {false, true}) {
       if (const AmortizeRow* row = fullest(result.rows, privateWorlds)) printTypes(out, *row);
     }

@@ -49,10 +49,8 @@ std::optional<StandCost> measureStandCost(WalkWorld& world, const world::Walk& w
   if (!before || cost.frames == 0) return std::nullopt;
   const measure::Reading after = read();
   cost.milliseconds = 1000.0 * (after.processSeconds - before->processSeconds) / cost.frames;
-  cost.layers = layersOf(*before, after,
-                         {.visitors = static_cast<double>(visitors),
-                          .frames = static_cast<double>(cost.frames),
-                          .framesPerSecond = kWalkFramesPerSecond});
+  cost.layers =
+      layersOf(*before, after, {.visitors = static_cast<double>(visitors), .frames = static_cast<double>(cost.frames)});
   const measure::MemoryShare memory = sum(measure::memoryShares(world.memory(), visitors));
   cost.visitorBytes = memory.perUserBackend + memory.perUserFrontend;
   return cost;

@@ -27,9 +27,9 @@ std::optional<ViewCost> measureViewCost(WalkWorld& world, const world::Walk& wal
       stop);
   if (!before) return std::nullopt;
   const measure::Reading after = read();
-  const measure::Served served{
-      .visitors = 1.0, .frames = static_cast<double>(cost.frames), .framesPerSecond = kWalkFramesPerSecond};
-  cost.milliseconds = sum(measure::frameCosts(*before, after, served)).perUser();
+  const measure::Served served{.visitors = 1.0, .frames = static_cast<double>(cost.frames)};
+  const measure::FrameCost all = sum(measure::frameCosts(*before, after, served));
+  cost.milliseconds = all.perUser() - all.onDemandOwn;
   cost.layers = layersOf(*before, after, served);
   return cost;
 }

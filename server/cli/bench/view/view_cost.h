@@ -14,7 +14,7 @@ namespace grove::cli {
 /// Cost of one visitor's frames.
 struct ViewCost {
   int frames = 0;
-  /// CPU per frame of the visitor's own work (c_b, c_f and JPEG), without shared work.
+  /// CPU per frame of the visitor's own work (c_b, c_f and JPEG), without shared data, on demand or not.
   double milliseconds = 0.0;
   std::map<std::string, double> layers;  ///< parts of it, see layersOf()
 };

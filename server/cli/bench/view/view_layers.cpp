@@ -14,7 +14,8 @@ std::map<std::string, double> layersOf(const measure::Reading& before, const mea
                                        const measure::Served& served) {
   std::map<std::string, measure::Reading> readings;
   for (const auto& [key, total] : after.costs) {
-    if (total.work != pipeline::Work::kAcrossUser) readings[layerOf(key)].costs.emplace(key, total);
+    const bool isOwn = total.work != pipeline::Work::kAcrossUser && total.work != pipeline::Work::kOnDemand;
+    if (isOwn) readings[layerOf(key)].costs.emplace(key, total);
   }
   std::map<std::string, double> layers;
   for (const auto& [layer, reading] : readings) {

@@ -58,6 +58,7 @@ void FramePlanner::process(std::span<FramePlannerInput> inputs, pipeline::Run& r
       endOverdue(run);
     }
   }
+  reuse_.report(timeline_, *halves_);
 }
 
 void FramePlanner::recover(FramePlannerInput& input, const std::string&, pipeline::Run&) {
@@ -151,6 +152,7 @@ void FramePlanner::take(FrameRecord& frame, std::uint32_t slot, Payload payload)
     payload = *last;
     frame.markStale();
   }
+  reuse_.used(frame.object(slot).object.type, payload, frame.view().session);
   if (frame.answer(slot, payload)) return;
   timeline_.count("late results");
   if (frames_.keepStale(frame, slot, std::move(payload))) timeline_.count("late results kept for the next frame");

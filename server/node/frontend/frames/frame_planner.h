@@ -8,6 +8,7 @@
 
 #include "node/frontend/backdrops/backdrop_planner.h"
 #include "node/frontend/frames/frame_records.h"
+#include "node/frontend/frames/reuse_counter.h"
 #include "node/frontend/request_sender.h"
 #include "node/frontend/visitor_halves.h"
 #include "pipeline/outlet.h"
@@ -81,6 +82,7 @@ class FramePlanner final : public pipeline::Stage<FramePlannerInput> {
   const std::unique_ptr<BackdropPlanner> backdrops_;
   RequestSender sender_;
   FrameRecords frames_;
+  ReuseCounter reuse_;
   log::Limited overdue_;
   pipeline::Outlet<CompleteFrame> compositor_;
 };

@@ -40,7 +40,16 @@ bool SharedReceiver::take(Result& result) {
   } else if (!result.pushed) {
     return false;
   }
+  beginUses(result);
   return frontend_.shared().put(result);
+}
+
+void SharedReceiver::beginUses(const Result& result) {
+  const auto* const data = std::get_if<std::shared_ptr<const SharedData>>(&result.payload);
+  const FrontendType* const type = frontend_.typeOf(result.what.object);
+  if (result.what.key.empty() || data == nullptr || *data == nullptr || type == nullptr) return;
+  timeline_.countReuse(type->name(), {.made = 1, .madeBytes = (*data)->bytes()});
+  (*data)->uses().begin();
 }
 
 }  // namespace grove::node

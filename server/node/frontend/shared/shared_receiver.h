@@ -36,6 +36,8 @@ class SharedReceiver final : public pipeline::Stage<SharedInput> {
  private:
   /// Returns false if it was not requested.
   [[nodiscard]] bool take(Result& result);
+  /// Data under a key of its own is made because a frame asked for it: counts it, and its uses from now on.
+  void beginUses(const Result& result);
 
   FrontendProcess& frontend_;
   pipeline::Timeline& timeline_;

@@ -19,7 +19,7 @@ bool isSpan(std::int64_t nanoseconds) {
 std::uint32_t codeOf(pipeline::Work work) { return static_cast<std::uint32_t>(work); }
 
 pipeline::Work decodeWork(std::uint32_t from, Checks& checks) {
-  const bool isKnown = from <= codeOf(pipeline::Work::kPerUserFrontend);
+  const bool isKnown = from <= codeOf(pipeline::Work::kOnDemand);
   checks.require(isKnown, "its work is of an unknown kind");
   return isKnown ? static_cast<pipeline::Work>(from) : pipeline::Work::kAcrossUser;
 }

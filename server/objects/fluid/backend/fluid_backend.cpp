@@ -182,7 +182,7 @@ class FluidBackend::Fire {
     if (++periods_ < periodsPerTick()) return FluidClock::Next::kTick;
     const int periods = std::exchange(periods_, 0);
     try {
-      const pipeline::TimedRun timed(timeline_, kStage, pipeline::Work::kAcrossUser, {}, kTypeName, kTicksPerSecond);
+      const pipeline::TimedRun timed(timeline_, kStage, pipeline::Work::kAcrossUser, {}, kTypeName);
       if (updateSimulation()) pace_.restart();
       const std::int64_t begin = pipeline::threadCpuNanoseconds();
       const double now = world_.now().value_or(kStandsStill);

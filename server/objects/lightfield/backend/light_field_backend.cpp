@@ -106,10 +106,10 @@ node::Payload LightFieldBackend::sharedPicture(const node::Request& request, con
   Shot shot = ObjectPictures::shotOf(field, *cell);
   if (id.coarse) shot = shot.coarser(kCoarse);
   if (!mayMake(request, shot, id.coarse)) return kNoTime;
-  const pipeline::TimedRun timed(timeline_, "Shared View", pipeline::Work::kAcrossUser, traceTag(request), kTypeName);
+  const pipeline::TimedRun timed(timeline_, "Shared View", pipeline::Work::kOnDemand, traceTag(request), kTypeName);
   timeline_.count("texels of new views", shot.texels());
   auto view = std::make_shared<CachedView>(*pictures_.make(entry, field, shot, {}), shot.camera);
-  view->holdIn(memory_, "shared views", kTypeName, pipeline::Work::kAcrossUser);
+  view->holdIn(memory_, "shared views", kTypeName, pipeline::Work::kOnDemand);
   return std::shared_ptr<const node::SharedData>(std::move(view));
 }
 

@@ -49,10 +49,21 @@ Json costs(const measure::FrameCost& cost, const measure::MemoryShare& share) {
   return {{"c_i_ms", cost.acrossUser},
           {"c_b_ms", cost.backendCompressed()},
           {"c_f_ms", cost.frontend},
+          {"c_i_on_demand_ms", cost.onDemandShared},
+          {"c_b_on_demand_ms", cost.onDemandOwn},
           {"alpha", measure::alpha1(cost)},
           {"beta", share.beta()},
           {"across_user_mb", megabytes(share.acrossUser)},
           {"per_visitor_mb", megabytes(share.perUserBackend + share.perUserFrontend)}};
+}
+
+/// Names as in `grove bench amortize --json`.
+Json reuse(const pipeline::Reuse& reuse) {
+  return {{"views_made", reuse.made},
+          {"views_of_one", reuse.usedByOne()},
+          {"views_of_several", reuse.shared},
+          {"uses_again", reuse.usesAgain},
+          {"uses_by_others", reuse.usesByOthers}};
 }
 
 /// Frames per second that count as the nominal rate.
@@ -83,10 +94,11 @@ Json amortization(const StatisticsSources& sources) {
                  {"visitors", measured->visitors},
                  {"frames_per_second", measured->framesPerSecond}};
   report.update(costs(measure::sum(measured->costs), measure::sum(measured->memory)));
+  report["reuse"] = reuse(measure::sum(measured->reuse));
   report.update(Json{{"cpu_cores", measured->cpuCores},
                      {"cores", cores},
-                     {"other_ms", capacity.unreported * 1000.0 / meter.nominalFramesPerSecond()},
-                     {"private_frame_ms", capacity.privateVisitor * 1000.0 / meter.nominalFramesPerSecond()},
+                     {"other_ms", measure::unreportedCost(*measured)},
+                     {"private_frame_ms", measure::privateFrameCost(*measured)},
                      {"visitor_cores", capacity.visitor},
                      {"visitors_fit", visitorsFit(*measured, whole, cores, sources)},
                      {"private_cores", capacity.privateVisitor * measured->visitors},

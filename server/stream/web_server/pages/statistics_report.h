@@ -36,8 +36,8 @@ struct StatisticsSources {
 /// a lost link). A pace covers the last five seconds and is null without a link to another process: bytes per second
 /// each way, and the minimum round trip. `picture_scale`: the share of the wanted width and height that a busy machine
 /// gives each visitor; `memory`: the bytes held, by holder. Since the start: each stage's work (across-user,
-/// per-user-backend or per-user-frontend), runs, failures and milliseconds of CPU and wall time, and the named
-/// counters. Over the last seconds: `amortization`, what sharing saves (null without visitors).
+/// on-demand, per-user-backend or per-user-frontend), runs, failures and milliseconds of CPU and wall time, and the
+/// named counters. Over the last seconds: `amortization`, what sharing saves (null without visitors).
 [[nodiscard]] std::string statisticsJson(const StatisticsSources& sources);
 
 /// Contents of `/sharing.json`: only what sharing saves, for every visitor's overlay.

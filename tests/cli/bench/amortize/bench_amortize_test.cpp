@@ -100,7 +100,8 @@ TEST(BenchAmortize, PrintsItsDocumentAndPlot) {
     EXPECT_EQ(row["users"], expected[i].first);
     EXPECT_EQ(row["mode"], expected[i].second);
     expectKeys(row, {"c_i_ms", "c_b0_ms", "c_b1_ms", "c_f_ms", "alpha0", "alpha1", "beta", "cpu_cores", "fps",
-                     "cores_needed", "saturated", "unaccounted_cores", "latency_ms", "memory", "types"});
+                     "cores_needed", "c_i_on_demand_ms", "c_b_on_demand_ms", "reuse", "saturated", "unaccounted_cores",
+                     "latency_ms", "memory", "types"});
     EXPECT_GT(row["c_i_ms"], 0.0) << "the simulation ticks";
     EXPECT_GT(row["c_f_ms"], 0.0);
     EXPECT_GT(row["fps"], 0.0);
@@ -119,6 +120,22 @@ TEST(BenchAmortize, PrintsItsDocumentAndPlot) {
   EXPECT_EQ(document["interrupted"], false);
   EXPECT_THAT(plot.text(), StartsWith("<?xml"));
   EXPECT_THAT(plot.text(), HasSubstr("</svg>"));
+}
+
+/// Would catch work that no class has, or that two have. A tick that begins or ends outside the measured seconds counts
+/// for less than one in a hundred of them.
+TEST(BenchAmortize, ClassesAddUpToTheCpuOfTheProcess) {
+  std::string large = kSmallScene;
+  large.replace(large.find("grid = 16"), std::string("grid = 16").size(), "grid = 80");
+  const TemporaryFile scene("grove_bench_amortize_sum.toml", large);
+  const Outcome outcome =
+      grove("bench amortize --users 1 --seconds 4 --size 320x180 --json --scene " + scene.path.string(), false);
+  ASSERT_EQ(outcome.exit, 0);
+  for (const json& row : json::parse(outcome.output)["rows"]) {
+    const auto of = [&](const char* key) { return row[key].get<double>(); };
+    const double cores = (of("c_i_ms") + of("c_b1_ms") + of("c_f_ms")) * of("fps") * 1e-3;
+    EXPECT_NEAR(cores, of("cpu_cores"), 0.03 * of("cpu_cores"));
+  }
 }
 
 TEST(BenchAmortize, SignalPrintsFinishedRows) {
@@ -140,6 +157,7 @@ AmortizeRow row(int users, bool privateWorlds, double fps) {
   row.seconds = 10.0;
   row.frames = fps * row.seconds * users;
   row.costs["fluid"] = {.acrossUser = 20.0, .backend = 0.5, .compressor = 0.5, .frontend = 4.0};
+  row.cpuCores = row.stageCores = (row.copies() * 20.0 + users * 5.0) * fps * 1e-3;
   return row;
 }
 
@@ -178,9 +196,11 @@ TEST(AmortizeLaw, FitsAtLeastFiveUnsaturatedRows) {
 
 TEST(AmortizeLaw, CountsCpuOutsideOfStages) {
   AmortizeRow slow = row(4, false, 15.0);
-  slow.cpuCores = 1.0;
-  slow.stageCores = 0.8;
-  EXPECT_NEAR(slow.coresNeeded(), 0.6 + 4 * 0.15 + 2.0 * 0.2, 1e-9) << "twice as much at twice the frames";
+  slow.cpuCores += 0.2;
+  EXPECT_NEAR(slow.coresNeeded(), 0.3 + 2.0 * (4 * 0.075 + 0.2), 1e-9)
+      << "ticks as they were, the rest twice as much at twice the frames";
+  AmortizeRow served = row(4, false, 29.0);
+  EXPECT_EQ(served.coresNeeded(), served.cpuCores) << "measured, not computed";
 }
 
 TEST(AmortizeLaw, NoFitThroughOneRow) {

@@ -42,7 +42,8 @@ TEST(ReportWire, CarriesReports) {
   const NodeReport got = std::get<NodeReport>(decoded(sent));
   EXPECT_EQ(got.sent, sent.sent);
   EXPECT_EQ(got.residentBytes, sent.residentBytes);
-  ASSERT_EQ(got.stages.size(), 2U);
+  ASSERT_EQ(got.stages.size(), 3U);
+  EXPECT_EQ(got.stages.at("Shared View").work, pipeline::Work::kOnDemand);
   const pipeline::StageTotal& renderer = got.stages.at("Renderer");
   EXPECT_EQ(renderer.work, pipeline::Work::kPerUserBackend);
   EXPECT_EQ(renderer.runs, 40U);
@@ -51,6 +52,7 @@ TEST(ReportWire, CarriesReports) {
   EXPECT_EQ(renderer.cpuNanoseconds, 6'500'000);
   ASSERT_EQ(got.memory.size(), 2U);
   EXPECT_EQ(got.memory.at({"view cache", "lightfield"}).bytes, 1'000'000);
+  EXPECT_EQ(got.memory.at({"view cache", "lightfield"}).work, pipeline::Work::kOnDemand);
   EXPECT_EQ(got.memory.at({"targets", ""}).work, pipeline::Work::kPerUserBackend);
 }
 
@@ -123,7 +125,7 @@ TEST(ReportWire, RefusesBadTraces) {
   EXPECT_THAT(spoilt([](NodeTrace& trace) { trace.runs[1].subject = 0xFFFFFFFFU; }), HasSubstr("no name"));
   EXPECT_THAT(spoilt([](NodeTrace& trace) { trace.runs[0].wallNanoseconds = -1; }), HasSubstr("time"));
   EXPECT_THAT(spoilt([](NodeTrace& trace) { trace.runs[0].beginNanoseconds = kForever; }), HasSubstr("begins"));
-  EXPECT_THAT(spoilt([](NodeTrace& trace) { trace.runs[1].work = pipeline::Work{3}; }), HasSubstr("work"));
+  EXPECT_THAT(spoilt([](NodeTrace& trace) { trace.runs[1].work = pipeline::Work{4}; }), HasSubstr("work"));
   EXPECT_THAT(spoilt([](NodeTrace& trace) { trace.names[1] = "\xC3"; }), HasSubstr("UTF-8"));
   EXPECT_THAT(spoilt([](NodeTrace& trace) { trace.names.resize(kMaxTraceNames + 1); }), HasSubstr("too many names"));
   EXPECT_THAT(spoilt([](NodeTrace& trace) { trace.runs.resize(kMaxTracedRuns + 1); }), HasSubstr("too many runs"));
