@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -122,19 +123,21 @@ TEST(BenchAmortize, PrintsItsDocumentAndPlot) {
   EXPECT_THAT(plot.text(), HasSubstr("</svg>"));
 }
 
-/// Would catch work that no class has, or that two have. A tick that begins or ends outside the measured seconds counts
-/// for less than one in a hundred of them.
+/// Would catch work that no class has, or that two have; and stages whose CPU is not recorded. What no stage accounts
+/// for (clocks, sockets, a tick at the edge of the measured seconds) is small beside a world of ordinary size, but not
+/// beside this one.
 TEST(BenchAmortize, ClassesAddUpToTheCpuOfTheProcess) {
-  std::string large = kSmallScene;
-  large.replace(large.find("grid = 16"), std::string("grid = 16").size(), "grid = 80");
-  const TemporaryFile scene("grove_bench_amortize_sum.toml", large);
+  const TemporaryFile scene("grove_bench_amortize_sum.toml", kSmallScene);
   const Outcome outcome =
-      grove("bench amortize --users 1 --seconds 4 --size 320x180 --json --scene " + scene.path.string(), false);
+      grove("bench amortize --users 1 --seconds 2 --size 320x180 --json --scene " + scene.path.string(), false);
   ASSERT_EQ(outcome.exit, 0);
   for (const json& row : json::parse(outcome.output)["rows"]) {
     const auto of = [&](const char* key) { return row[key].get<double>(); };
-    const double cores = (of("c_i_ms") + of("c_b1_ms") + of("c_f_ms")) * of("fps") * 1e-3;
-    EXPECT_NEAR(cores, of("cpu_cores"), 0.03 * of("cpu_cores"));
+    const double classes = (of("c_i_ms") + of("c_b1_ms") + of("c_f_ms")) * of("fps") * 1e-3;
+    const double other =
+        row["unaccounted_cores"]["driver"].get<double>() + row["unaccounted_cores"]["other"].get<double>();
+    EXPECT_NEAR(classes + other, of("cpu_cores"), 0.01 * of("cpu_cores"));
+    EXPECT_LT(std::abs(other), 0.4 * of("cpu_cores"));
   }
 }
 
