@@ -85,6 +85,12 @@ void BenchCommands::addAmortize() {
   choose(amortize->add_option("--codec", capacity_.codec, "With --capacity: codec of the streams (default: jpeg)"),
          std::map<std::string, std::uint8_t>{{"h264", stream::kCodecH264}, {"jpeg", stream::kCodecJpeg}})
       ->needs(capacity);
+  choose(amortize
+             ->add_option("--walk", options.courses,
+                          "How visitors walk, a row for each (default: together); lines are fitted over the first")
+             ->delimiter(','),
+         kCourses)
+      ->excludes(capacity);
   amortize->add_option("--scene", options.scene, "Scene file (default: the grove, built in)");
   addSize(amortize, options.size);
   addTransport(amortize, options.transport);

@@ -27,8 +27,9 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LinkTraffic, toBackend, pictures, sharedData,
 
 namespace grove::cli {
 
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(AmortizeRow, users, privateWorlds, seconds, frames, fpsMin, latencies, costs, memory,
-                                   reuse, tick, reportedBytes, process, traffic, cpuCores, stageCores, driverCores)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(AmortizeRow, users, privateWorlds, course, seconds, frames, fpsMin, latencies, costs,
+                                   memory, reuse, tick, reportedBytes, process, traffic, cpuCores, stageCores,
+                                   driverCores)
 
 namespace {
 
@@ -59,6 +60,7 @@ AmortizeRow together(const std::vector<AmortizeRow>& visitors) {
   AmortizeRow all;
   all.users = static_cast<int>(visitors.size());
   all.privateWorlds = true;
+  all.course = visitors.front().course;
   const double each = 1.0 / all.users;
   for (const AmortizeRow& one : visitors) all.frames += one.frames;
   all.fpsMin = visitors.front().fpsMin;

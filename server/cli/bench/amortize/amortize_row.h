@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/bench/amortize/course.h"
 #include "measure/amortization.h"
 #include "measure/memory_use.h"
 #include "node/transport/transport.h"
@@ -17,7 +18,8 @@ inline constexpr double kServedFps = 0.95 * kNominalFps;
 /// One measurement of `grove bench amortize`: some visitors walk about in one scene.
 struct AmortizeRow {
   int users = 0;
-  bool privateWorlds = false;                          ///< the control: a process for each visitor
+  bool privateWorlds = false;  ///< the control: a process for each visitor
+  Course course = Course::kTogether;
   double seconds = 0.0;                                ///< that were measured
   double frames = 0.0;                                 ///< of all visitors together
   double fpsMin = 0.0;                                 ///< of the visitor who got the fewest

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <fstream>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -26,6 +27,7 @@ class Refused : public std::runtime_error {
 
 /// What the options ask for.
 struct Plan {
+  std::vector<Course> courses;
   std::vector<int> users;  ///< rising
   AmortizeRun run;         ///< but for its visitors
   bool figure = false;
@@ -39,6 +41,14 @@ std::vector<int> usersOf(const BenchAmortizeOptions& options) {
     throw Refused("--users has " + std::to_string(*twice) + " twice");
   }
   return users;
+}
+
+std::vector<Course> coursesOf(const BenchAmortizeOptions& options) {
+  std::set<Course> distinct;
+  for (const Course course : options.courses) {
+    if (!distinct.insert(course).second) throw Refused("--walk has " + nameOf(course) + " twice");
+  }
+  return options.courses;
 }
 
 /// Opened before anything is measured.
@@ -64,6 +74,7 @@ void refuseWhatDoesNotFit(const AmortizeRow& first, int users) {
 Plan planOf(const BenchAmortizeOptions& options) {
   Plan plan;
   plan.users = usersOf(options);
+  plan.courses = coursesOf(options);
   plan.run.seconds = options.seconds;
   plan.run.frames = options.frames;
   plan.run.transport = options.transport;
@@ -72,17 +83,28 @@ Plan planOf(const BenchAmortizeOptions& options) {
   return plan;
 }
 
-void measureRows(AmortizeResult& result, const Plan& plan, const world::Scene& scene, Interruption& interruption) {
-  for (const int users : plan.users) {
-    for (const bool privateWorlds : {false, true}) {
-      AmortizeRun run = plan.run;
-      run.users = users;
-      run.privateWorlds = privateWorlds;
-      const auto row = measureRow(scene, run, interruption);
-      if (!row) return;
-      result.rows.push_back(*row);
-      if (result.rows.size() == 1) refuseWhatDoesNotFit(*row, plan.users.back());
+/// In the order of the table.
+std::vector<AmortizeRun> runsOf(const Plan& plan) {
+  std::vector<AmortizeRun> runs;
+  for (const Course course : plan.courses) {
+    for (const int users : plan.users) {
+      for (const bool privateWorlds : {false, true}) {
+        AmortizeRun& run = runs.emplace_back(plan.run);
+        run.users = users;
+        run.privateWorlds = privateWorlds;
+        run.course = course;
+      }
     }
+  }
+  return runs;
+}
+
+void measureRows(AmortizeResult& result, const Plan& plan, const world::Scene& scene, Interruption& interruption) {
+  for (const AmortizeRun& run : runsOf(plan)) {
+    const auto row = measureRow(scene, run, interruption);
+    if (!row) return;
+    (run.course == plan.courses.front() ? result.rows : result.rowsOfOtherCourses).push_back(*row);
+    if (result.rows.size() == 1) refuseWhatDoesNotFit(*row, plan.users.back());
   }
 }
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/bench/amortize/course.h"
 #include "cli/bench/picture_size.h"
 #include "node/transport/transport_kind.h"
 
@@ -15,6 +16,7 @@ struct BenchAmortizeOptions {
   double seconds = 5.0;    ///< to measure each
   int frames = 0;          ///< of each visitor to measure instead, unless 0
   bool figure = false;     ///< the paper's Figure 5.6
+  std::vector<Course> courses{Course::kTogether};  ///< rows of each; fits and plot are of the first
   std::optional<std::string> scene;
   PictureSize size{1280, 720};  ///< of each visitor's picture
   node::TransportKind transport = node::TransportKind::kReference;

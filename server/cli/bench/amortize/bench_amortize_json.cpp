@@ -56,7 +56,7 @@ Json typesJson(const AmortizeRow& row) {
 
 Json rowJson(const AmortizeRow& row) {
   const measure::MemoryShare memory = measure::sum(row.memory);
-  Json json = {{"users", row.users}, {"mode", row.privateWorlds ? "private" : "shared"}};
+  Json json = {{"users", row.users}, {"mode", row.privateWorlds ? "private" : "shared"}, {"walk", nameOf(row.course)}};
   json.update(costJson(row.cost()));
   json.update({{"beta", number(memory.beta())},
                {"cpu_cores", number(row.cpuCores)},
@@ -135,7 +135,9 @@ std::string amortizeJson(const AmortizeResult& result) {
                    {"law", lawJson(result, law)},
                    {"figure_5_6", Json::array()},
                    {"interrupted", result.interrupted}};
-  for (const AmortizeRow& row : result.rows) document["rows"].push_back(rowJson(row));
+  for (const auto* const rows : {&result.rows, &result.rowsOfOtherCourses}) {
+    for (const AmortizeRow& row : *rows) document["rows"].push_back(rowJson(row));
+  }
   for (const FigureColumn& column : result.figure) {
     Json json = {{"grid", column.grid}, {"frontends", column.frontends}, {"frames", column.frames}};
     json.update(costJson(column.cost));

@@ -11,7 +11,8 @@ namespace grove::cli {
 
 /// All that `grove bench amortize` has measured.
 struct AmortizeResult {
-  std::vector<AmortizeRow> rows;
+  std::vector<AmortizeRow> rows;  ///< of one course: its fits and its plot
+  std::vector<AmortizeRow> rowsOfOtherCourses;
   std::vector<FigureColumn> figure;
   node::TransportKind transport = node::TransportKind::kReference;
   int cores = 1;  ///< of the machine

@@ -13,14 +13,12 @@
 #include "node/object_types.h"
 #include "objects/builtin.h"
 #include "pipeline/clocks.h"
-#include "stream/session/stroll.h"
 
 namespace grove::cli {
 namespace {
 
 using std::chrono::milliseconds;
 
-constexpr double kMaxWarmUp = 4.0;   ///< seconds
 constexpr double kPatience = 180.0;  ///< seconds until everybody sees a frame
 
 /// How worlds are served in a measurement.
@@ -95,14 +93,14 @@ double tickMilliseconds(const measure::Reading& before, const measure::Reading& 
 std::optional<AmortizeRow> runAmortize(const world::Scene& scene, const AmortizeRun& run,
                                        const std::function<bool()>& arrive, const std::stop_token& stop) {
   ServedWorld served(scene, run);
-  const auto stroll = [&run](int index, float yaw, double seconds) {
-    return stream::stroll(run.firstVisitor + index, yaw, seconds);
+  const auto steering = [&run](int index, float yaw, double seconds) {
+    return controlsOn(run.course, run.firstVisitor + index, yaw, seconds);
   };
-  const Walkers walkers = makeWalkers(served.host, run.users, run.size, stroll);
+  const Walkers walkers = makeWalkers(served.host, run.users, run.size, steering);
   if (!everybodySees(walkers, stop) || !arrive()) return std::nullopt;
 
   const double begin = pipeline::wallSeconds();
-  const double warm = begin + std::min(kMaxWarmUp, 2.0 * run.seconds);
+  const double warm = begin + (run.course == Course::kApart ? kMaxWarmUp : std::min(kMaxWarmUp, 2.0 * run.seconds));
   if (!walkUntil(walkers, begin, stop, [&] { return pipeline::wallSeconds() >= warm; })) return std::nullopt;
 
   for (const auto& walker : walkers) walker->beginCounting();
@@ -120,6 +118,7 @@ std::optional<AmortizeRow> runAmortize(const world::Scene& scene, const Amortize
 
   AmortizeRow row;
   row.users = run.users;
+  row.course = run.course;
   row.seconds = after.seconds - before.seconds;
   row.traffic = served.host.traffic() - trafficBefore;
   addWalkers(row, walkers);

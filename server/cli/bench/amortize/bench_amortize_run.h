@@ -16,8 +16,9 @@ struct AmortizeRun {
   int users = 1;
   int firstVisitor = 0;        ///< number of the first of them, who chooses the way to walk
   bool privateWorlds = false;  ///< the control: a process for each
-  double seconds = 5.0;        ///< measured, after a warm-up
-  int frames = 0;              ///< instead of seconds, unless 0: until every visitor has this number
+  Course course = Course::kTogether;
+  double seconds = 5.0;  ///< measured, after a warm-up
+  int frames = 0;        ///< instead of seconds, unless 0: until every visitor has this number
   PictureSize size{1280, 720};
   node::TransportKind transport = node::TransportKind::kReference;
 };

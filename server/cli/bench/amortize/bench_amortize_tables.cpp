@@ -32,15 +32,16 @@ void printRows(std::string& out, const std::vector<AmortizeRow>& rows) {
   print(out,
         "cores that 30 frames a second for all need (* the machine gives fewer, and each of them costs more).\n\n");
   print(out,
-        "visitors mode       c_i   c_b0   c_b1    c_f alpha0 alpha1  beta |    fps  p99 ms |   CPU driver  rest "
+        "visitors mode    walk         c_i   c_b0   c_b1    c_f alpha0 alpha1  beta |    fps  p99 ms |   CPU driver  "
+        "rest "
         "needed\n");
   for (const AmortizeRow& row : rows) {
     const FrameCost cost = row.cost();
-    print(out, "%8d %-7s %6.2f %6.2f %6.2f %6.2f  %5.3f  %5.3f %5.3f | %6.2f %7.0f | %5.2f  %5.2f %5.2f %6.2f%s\n",
-          row.users, row.privateWorlds ? "private" : "shared", cost.acrossUser, cost.backend, cost.backendCompressed(),
-          cost.frontend, measure::alpha0(cost), measure::alpha1(cost), measure::sum(row.memory).beta(), row.fps(),
-          row.latency(0.99), row.cpuCores, row.driverCores, row.otherCores(), row.coresNeeded(),
-          row.saturated() ? "*" : "");
+    print(out, "%8d %-7s %-8s %6.2f %6.2f %6.2f %6.2f  %5.3f  %5.3f %5.3f | %6.2f %7.0f | %5.2f  %5.2f %5.2f %6.2f%s\n",
+          row.users, row.privateWorlds ? "private" : "shared", nameOf(row.course).c_str(), cost.acrossUser,
+          cost.backend, cost.backendCompressed(), cost.frontend, measure::alpha0(cost), measure::alpha1(cost),
+          measure::sum(row.memory).beta(), row.fps(), row.latency(0.99), row.cpuCores, row.driverCores,
+          row.otherCores(), row.coresNeeded(), row.saturated() ? "*" : "");
   }
 }
 
@@ -50,15 +51,15 @@ void printReuse(std::string& out, const std::vector<AmortizeRow>& rows) {
       out,
       "\nViews made on demand: those that one visitor used, or several (their share of the ms is in c_i, the rest in\n"
       "c_b0), and their further uses, by the first visitor or by others\n\n");
-  print(out, "visitors mode       made    one several |   again  others |    c_i   c_b0\n");
+  print(out, "visitors mode    walk        made    one several |   again  others |    c_i   c_b0\n");
   for (const AmortizeRow& row : rows) {
     const pipeline::Reuse& reuse = row.reuse;
     const FrameCost cost = row.cost();
-    print(out, "%8d %-7s %7llu %6llu %7llu | %7llu %7llu | %6.2f %6.2f\n", row.users,
-          row.privateWorlds ? "private" : "shared", static_cast<unsigned long long>(reuse.made),
-          static_cast<unsigned long long>(reuse.usedByOne()), static_cast<unsigned long long>(reuse.shared),
-          static_cast<unsigned long long>(reuse.usesAgain), static_cast<unsigned long long>(reuse.usesByOthers),
-          cost.onDemandShared, cost.onDemandOwn);
+    print(out, "%8d %-7s %-8s %7llu %6llu %7llu | %7llu %7llu | %6.2f %6.2f\n", row.users,
+          row.privateWorlds ? "private" : "shared", nameOf(row.course).c_str(),
+          static_cast<unsigned long long>(reuse.made), static_cast<unsigned long long>(reuse.usedByOne()),
+          static_cast<unsigned long long>(reuse.shared), static_cast<unsigned long long>(reuse.usesAgain),
+          static_cast<unsigned long long>(reuse.usesByOthers), cost.onDemandShared, cost.onDemandOwn);
   }
 }
 
@@ -177,8 +178,10 @@ void printFigure(std::string& out, const std::vector<FigureColumn>& figure) {
 std::string amortizeTables(const AmortizeResult& result) {
   std::string out;
   if (!result.rows.empty()) {
-    printRows(out, result.rows);
-    printReuse(out, result.rows);
+    std::vector<AmortizeRow> all = result.rows;
+    all.insert(all.end(), result.rowsOfOtherCourses.begin(), result.rowsOfOtherCourses.end());
+    printRows(out, all);
+    printReuse(out, all);
     for (const bool privateWorlds : {false, true}) {
       if (const AmortizeRow* row = fullest(result.rows, privateWorlds)) printTypes(out, *row);
     }

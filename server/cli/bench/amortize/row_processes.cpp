@@ -12,7 +12,7 @@ namespace {
 
 std::string described(const AmortizeRun& run) {
   return std::to_string(run.users) + (run.users == 1 ? " visitor, " : " visitors, ") +
-         (run.privateWorlds ? "private" : "shared");
+         (run.privateWorlds ? "private" : "shared") + ", " + nameOf(run.course);
 }
 
 /// What each process measures.

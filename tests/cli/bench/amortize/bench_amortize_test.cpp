@@ -50,8 +50,8 @@ size = 4
 TEST(BenchAmortize, BadOptionsExitTwoWithOneLine) {
   for (const char* options :
        {"--users 0", "--users -1", "--users 1,2,1", "--users two", "--users 1,x", "--users 1.5", "--users ,",
-        "--users 1000000", "--seconds 0", "--seconds 1 --frames 9", "--frames 0", "--size 3", "--size 1280x721",
-        "--size 64x36", "--size 3840x2160", "--size 1280x720x3", "--size -1x-1"}) {
+        "--users 1000000", "--walk alone", "--walk apart,apart", "--seconds 0", "--seconds 1 --frames 9", "--frames 0",
+        "--size 3", "--size 1280x721", "--size 64x36", "--size 3840x2160", "--size 1280x720x3", "--size -1x-1"}) {
     const Outcome outcome = groveHere(std::string("bench amortize ") + options);
     EXPECT_EQ(outcome.exit, 2) << options;
     EXPECT_EQ(std::ranges::count(outcome.output, '\n'), 1) << options << ": " << outcome.output;
@@ -211,7 +211,7 @@ TEST(AmortizeLaw, NoFitThroughOneRow) {
   EXPECT_FALSE(law.shared.line);
   EXPECT_FALSE(law.alphaFit);
   EXPECT_FALSE(law.gain);
-  const AmortizeResult result{.rows = {row(2, false, 30.0)}, .figure = {}, .cores = 2};
+  const AmortizeResult result{.rows = {row(2, false, 30.0)}, .rowsOfOtherCourses = {}, .figure = {}, .cores = 2};
   EXPECT_THAT(amortizeTables(result), HasSubstr("no line over fewer than five"));
   EXPECT_TRUE(json::parse(amortizeJson(result))["fit"]["shared"]["b"].is_null());
 }
