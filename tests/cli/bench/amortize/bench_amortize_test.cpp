@@ -131,7 +131,9 @@ TEST(BenchAmortize, ClassesAddUpToTheCpuOfTheProcess) {
   const Outcome outcome =
       grove("bench amortize --users 1 --seconds 2 --size 320x180 --json --scene " + scene.path.string(), false);
   ASSERT_EQ(outcome.exit, 0);
-  for (const json& row : json::parse(outcome.output)["rows"]) {
+  const json document = json::parse(outcome.output);
+  ASSERT_EQ(document["rows"].size(), 2U);
+  for (const json& row : document["rows"]) {
     const auto of = [&](const char* key) { return row[key].get<double>(); };
     const double classes = (of("c_i_ms") + of("c_b1_ms") + of("c_f_ms")) * of("fps") * 1e-3;
     const double other =
