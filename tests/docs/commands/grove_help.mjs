@@ -18,6 +18,7 @@ export function helpOf(command) {
       const option = {
         names,
         values: values?.split(','),
+        isList: /^ \{[^}]*\} \.\.\./.test(about),
         isFlag: !/^ [A-Z{[]/.test(about),
         isRequired: about.includes(' REQUIRED'),
       };

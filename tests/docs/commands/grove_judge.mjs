@@ -20,9 +20,10 @@ function faultOfOption(command, words, at) {
   const below = commands.map((sub) => helpOf([...command, sub]).options);
   if (!isIn(options, name) && !below.some((known) => isIn(known, name))) return `${command.join(' ')} has no ${name}`;
   const value = joined ?? words[at + 1];
-  const { values } = options.get(name) ?? {};
-  const isWrong = values && value && !isOption(value) && !isPlaceholder(value) && !values.includes(value);
-  return isWrong ? `${name} of ${command.join(' ')} cannot be ${value}` : null;
+  const { values, isList } = options.get(name) ?? {};
+  const given = isList ? value?.split(',') : [value];
+  const isPossible = !value || isOption(value) || isPlaceholder(value) || given.every((one) => values.includes(one));
+  return values && !isPossible ? `${name} of ${command.join(' ')} cannot be ${value}` : null;
 }
 
 /** What a command that is to be typed lacks. */

@@ -45,7 +45,7 @@ void printRows(std::string& out, const std::vector<AmortizeRow>& rows) {
   }
 }
 
-/// The uses tell what of c_i comes of sharing between visitors, and not of a visitor's own reuse.
+/// Shows what of c_i comes from sharing between visitors, and not from a visitor's own reuse.
 void printReuse(std::string& out, const std::vector<AmortizeRow>& rows) {
   print(
       out,

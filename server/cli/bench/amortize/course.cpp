@@ -24,7 +24,7 @@ world::Input controlsOn(Course course, int index, float yaw, double seconds) {
   if (course == Course::kStanding) return input;
   if (course == Course::kTogether) return stream::stroll(index, yaw, seconds);
   input.yaw += kParting * static_cast<float>(index);
-  // Whoever looked on ahead would have the edge of the world before him, and less work behind a frame.
+  // Ahead is the edge of the world, and less work behind a frame.
   if (seconds >= kMaxWarmUp) return stream::stroll(index, input.yaw + std::numbers::pi_v<float>, seconds);
   input.keys = world::kForward | world::kRun;
   return input;
