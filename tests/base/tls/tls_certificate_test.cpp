@@ -51,11 +51,11 @@ TEST_F(TlsCertificateTest, NamesAMissingFile) {
 }
 
 TEST_F(TlsCertificateTest, NamesAnUnreadableFile) {
-  EXPECT_THAT(complaint({folder_.file("."), good_.key}), AllOf(HasSubstr("--tls-cert"), HasSubstr("no plain file")));
+  EXPECT_THAT(complaint({folder_.file("."), good_.key}), AllOf(HasSubstr("--tls-cert"), HasSubstr("not a regular file")));
   const std::string pipe = folder_.file("pipe");
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
-  EXPECT_THAT(complaint({good_.certificate, pipe}), AllOf(HasSubstr("--tls-key"), HasSubstr("no plain file")));
-  EXPECT_THAT(complaint({"/dev/zero", good_.key}), HasSubstr("no plain file"));
+  EXPECT_THAT(complaint({good_.certificate, pipe}), AllOf(HasSubstr("--tls-key"), HasSubstr("not a regular file")));
+  EXPECT_THAT(complaint({"/dev/zero", good_.key}), HasSubstr("not a regular file"));
   // Root may read everything, so it is somebody else for a moment, who may enter the folder.
   const uid_t self = geteuid();
   ASSERT_EQ(chmod(folder_.file(".").c_str(), 0755), 0);
