@@ -15,10 +15,12 @@ namespace {
 std::vector<world::Vec3> placesAfter(Course course, int visitors, double seconds) {
   world::Players players({0.0F, 0.0F, 0.0F}, 0.0F, 1000.0F, {}, 0);
   std::vector<world::PlayerId> ids;
+  ids.reserve(static_cast<std::size_t>(visitors));
   for (int i = 0; i < visitors; ++i) ids.push_back(players.join("visitor", 0.0));
-  std::uint32_t number = 0;
-  for (double now = 0.0; now < seconds; now += 0.05) {
-    ++number;
+  constexpr double kStep = 0.05;
+  const auto steps = static_cast<std::uint32_t>(seconds / kStep);
+  for (std::uint32_t number = 1; number <= steps; ++number) {
+    const double now = kStep * (number - 1);
     for (int i = 0; i < visitors; ++i) {
       world::Input input = controlsOn(course, i, 0.0F, now);
       input.number = number;
@@ -26,6 +28,7 @@ std::vector<world::Vec3> placesAfter(Course course, int visitors, double seconds
     }
   }
   std::vector<world::Vec3> places;
+  places.reserve(ids.size());
   for (const world::PlayerId id : ids) places.push_back(players.find(id, seconds)->pose.position);
   return places;
 }
@@ -44,7 +47,7 @@ TEST(Course, VisitorsApartAreFarFromEachOther) {
   EXPECT_LT(nearestTwo(placesAfter(Course::kTogether, 4, 10.0)), 2.0F);
 }
 
-TEST(Course, WhoStandsStaysWhereHeArrives) {
+TEST(Course, StandingVisitorsDoNotMove) {
   const auto before = placesAfter(Course::kStanding, 2, 0.1);
   const auto after = placesAfter(Course::kStanding, 2, 10.0);
   for (std::size_t i = 0; i < before.size(); ++i) EXPECT_LT(glm::distance(before[i], after[i]), 1e-3F);
