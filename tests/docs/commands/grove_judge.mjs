@@ -21,9 +21,9 @@ function faultOfOption(command, words, at) {
   if (!isIn(options, name) && !below.some((known) => isIn(known, name))) return `${command.join(' ')} has no ${name}`;
   const value = joined ?? words[at + 1];
   const { values, isList } = options.get(name) ?? {};
-  const given = isList ? value?.split(',') : [value];
-  const isPossible = !value || isOption(value) || isPlaceholder(value) || given.every((one) => values.includes(one));
-  return values && !isPossible ? `${name} of ${command.join(' ')} cannot be ${value}` : null;
+  if (!values || !value || isOption(value) || isPlaceholder(value)) return null;
+  const given = isList ? value.split(',') : [value];
+  return given.every((one) => values.includes(one)) ? null : `${name} of ${command.join(' ')} cannot be ${value}`;
 }
 
 /** What a command that is to be typed lacks. */
