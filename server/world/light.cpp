@@ -13,8 +13,8 @@ constexpr float kHazeMetres = 280.0F;
 float hazeAmount(float distance) noexcept { return 1.0F - std::exp(-distance / kHazeMetres); }
 
 float toDisplay(float linear) noexcept {
-  const float x = std::max(0.0F, linear) * 0.85F;
-  const float mapped = std::clamp((x * (2.51F * x + 0.03F)) / (x * (2.43F * x + 0.59F) + 0.14F), 0.0F, 1.0F);
+  const float x = std::max(0.0F, linear) * 0.7F;
+  const float mapped = std::clamp((x * (2.51F * x + 0.14F)) / (x * (2.43F * x + 0.59F) + 0.14F), 0.0F, 1.0F);
   return mapped <= 0.0031308F ? 12.92F * mapped : 1.055F * std::pow(mapped, 1.0F / 2.4F) - 0.055F;
 }
 

@@ -12,8 +12,9 @@ namespace grove::world {
 /// like toDisplay().
 [[nodiscard]] float hazeAmount(float distance) noexcept;
 
-/// Filmic curve and sRGB encoding of one linear channel to 0..1. The curve is K. Narkowicz, "ACES Filmic Tone Mapping
-/// Curve" (2016). Has a vectorised copy in raster/shading/vertex_light_kernels.cpp, whose test compares both.
+/// Filmic curve and sRGB encoding of one linear channel to 0..1. The curve is that of K. Narkowicz, "ACES Filmic Tone
+/// Mapping Curve" (2016), but linear in the shadows, where his is black: a grove is mostly shadow. Has a vectorised
+/// copy in raster/shading/vertex_light_kernels.cpp, whose test compares both.
 [[nodiscard]] float toDisplay(float linear) noexcept;
 
 /// 0xAABBGGRR (bytes R, G, B, A in memory) with A = 255.

@@ -93,8 +93,8 @@ HWY_INLINE float exponential(float x) {
 /// world::toDisplay() in bytes, with the power 1 / 2.4 as a sum of roots, accurate to 0.3 / 255 (I. Taylor, "sRGB
 /// Approximations for HLSL").
 HWY_INLINE float displayed(float linear) {
-  const float x = std::max(linear, 0.0F) * 0.85F;
-  const float mapped = std::min((x * (2.51F * x + 0.03F)) / (x * (2.43F * x + 0.59F) + 0.14F), 1.0F);
+  const float x = std::max(linear, 0.0F) * 0.7F;
+  const float mapped = std::min((x * (2.51F * x + 0.14F)) / (x * (2.43F * x + 0.59F) + 0.14F), 1.0F);
   const float root2 = std::sqrt(mapped);
   const float root4 = std::sqrt(root2);
   const float curved =
