@@ -125,7 +125,7 @@ class Birch {
     const Vec3 colour = tint * random_.range(0.8F, 1.2F);
     blade.rootColour = colour * 0.95F;
     blade.tipColour = colour * Vec3(1.06F, 1.03F, 1.0F);
-    drawBlade(mesh_, blade, detail_ == Detail::kFull ? 12 : 2);
+    drawBlade(mesh_, blade, detail_ == Detail::kFull ? 12 : 1);
   }
 
   MeshWriter& mesh_;

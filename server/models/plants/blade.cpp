@@ -32,12 +32,33 @@ float halfWidth(Outline outline, float at) {
   return 1.0F;
 }
 
+/// Two triangles that meet where the blade is widest.
+void drawFlat(MeshWriter& mesh, const Blade& blade, Vec3 side, Vec3 face) {
+  const auto along = [&](float angle) { return blade.along * std::cos(angle) - face * std::sin(angle); };
+  const auto up = [&](float angle) { return blade.along * std::sin(angle) + face * std::cos(angle); };
+  const float half = 0.5F * blade.width * halfWidth(blade.outline, 0.5F);
+  const Vec3 middle = blade.root + along(0.25F * blade.bend) * (0.5F * blade.length);
+  const Vec3 rims = middle + up(0.25F * blade.bend) * (blade.fold * half);
+  const Vec3 colour = glm::mix(blade.rootColour, blade.tipColour, 0.5F);
+  const std::uint32_t root = mesh.vertex(blade.root, blade.rootColour);
+  const std::uint32_t left = mesh.vertex(rims - side * half, colour);
+  const std::uint32_t right = mesh.vertex(rims + side * half, colour);
+  const std::uint32_t tip = mesh.vertex(middle + along(0.75F * blade.bend) * (0.5F * blade.length), blade.tipColour);
+  mesh.triangle(root, right, left, blade.material);
+  mesh.triangle(left, right, tip, blade.material);
+  mesh.finishSurface();
+}
+
 }  // namespace
 
 void drawBlade(MeshWriter& mesh, const Blade& blade, int rows) {
-  assert(rows >= 2);
+  assert(rows >= 1);
   const Vec3 side = unitOr(glm::cross(blade.along, blade.face), anyNormalTo(blade.along));
   const Vec3 face = glm::cross(side, blade.along);
+  if (rows == 1) {
+    drawFlat(mesh, blade, side, face);
+    return;
+  }
   const float step = blade.length / static_cast<float>(rows);
   std::array<std::uint32_t, 3> before{};
   Vec3 at = blade.root;

@@ -22,7 +22,8 @@ struct Blade {
   std::uint16_t material = 0;
 };
 
-/// Draws a blade as a surface of 4 * (rows - 1) triangles. Asserts rows >= 2.
+/// Draws a blade as a surface of 4 * (rows - 1) triangles, or of two triangles without a fold for one row. Asserts
+/// rows >= 1.
 void drawBlade(MeshWriter& mesh, const Blade& blade, int rows);
 
 }  // namespace grove::models

@@ -27,13 +27,17 @@ Limb::Point curve(const std::vector<Limb::Point>& points, float at) {
   return {position, glm::mix(p1.radius, p2.radius, t)};
 }
 
+/// Radius in metres of limbs whose bark is seen even in small detail.
+constexpr float kThick = 0.04F;
+
 /// Resamples the curve with the detail's spacing.
 std::vector<Limb::Point> resample(const std::vector<Limb::Point>& points, Detail detail) {
   std::vector<Limb::Point> fine{points.front()};
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {
     const float length = glm::distance(points[i].position, points[i + 1].position);
     const float radius = points[i].radius;
-    const float spacing = detail == Detail::kFull ? (radius > 0.02F ? 0.012F : 0.05F) : std::max(0.5F * radius, 0.12F);
+    const float spacing =
+        detail == Detail::kFull ? (radius > 0.02F ? 0.012F : 0.05F) : (radius > kThick ? 0.05F : 0.12F);
     const int pieces = std::max(1, static_cast<int>(std::lround(length / spacing)));
     for (int piece = 1; piece <= pieces; ++piece) {
       fine.push_back(curve(points, static_cast<float>(i) + static_cast<float>(piece) / static_cast<float>(pieces)));
@@ -44,7 +48,7 @@ std::vector<Limb::Point> resample(const std::vector<Limb::Point>& points, Detail
 
 int sidesFor(float radius, Detail detail) {
   if (detail == Detail::kFull) return std::clamp(static_cast<int>(kTurn * radius / 0.008F), 5, 240);
-  return std::clamp(static_cast<int>(kTurn * radius / 0.05F), 3, 36);
+  return std::clamp(static_cast<int>(kTurn * radius / (radius > kThick ? 0.025F : 0.05F)), 3, 80);
 }
 
 }  // namespace

@@ -51,7 +51,7 @@ void gnarl(Skeleton& skeleton) {
 
 struct Foliage {
   std::uint16_t material = 0;
-  int rows = 2;
+  int rows = 1;
 };
 
 /// A tuft of leaves around a twig.
@@ -107,7 +107,7 @@ void growOak(MeshWriter& mesh, Random& random, Detail detail) {
 
   for (const Limb& limb : limbsOf(skeleton)) drawLimb(mesh, limb, oakBark, wood, detail);
 
-  const Foliage foliage{leaves, detail == Detail::kFull ? 12 : 2};
+  const Foliage foliage{leaves, detail == Detail::kFull ? 12 : 1};
   for (const SkeletonNode& node : skeleton) {
     if (node.radius > 0.0105F || node.parent < 0) continue;
     const Vec3 along = node.position - skeleton[static_cast<std::size_t>(node.parent)].position;

@@ -21,7 +21,7 @@ inline constexpr float kTileRadius = 2.0F;
 
 /// Increment if the same name, seed and detail give other bytes than before, so that results made from them are
 /// rebuilt.
-inline constexpr int kPlantsVersion = 3;
+inline constexpr int kPlantsVersion = 4;
 
 /// The same name, seed and detail give the same bytes. Asserts that the name is known.
 [[nodiscard]] Model makePlant(std::string_view name, std::uint32_t seed, Detail detail);
