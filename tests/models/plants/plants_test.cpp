@@ -113,7 +113,7 @@ TEST_P(Plants, HaveTranslucentLeavesAndSolidWood) {
     }
     if (material.solid) solid += uses[i];
   }
-  EXPECT_GT(leafy, model.materialOf.size() / 2);
+  EXPECT_GT(leafy, model.materialOf.size() / 3);
   if (!isTile(GetParam())) {
     EXPECT_GT(solid, 10'000U);
   }

@@ -209,6 +209,23 @@ TEST_F(LightFieldHalves, LoneVisitorIsNeverThrottled) {
   EXPECT_GT(wood.counted("view cache misses"), 20);
 }
 
+bool isPicture(const Shown& shown) {
+  return std::holds_alternative<std::shared_ptr<const raster::Image>>(shown.payload);
+}
+
+/// The visitor begins amid a thicket. Fails if its triangles do not show there, or show elsewhere, too.
+TEST_F(LightFieldHalves, EyesAmidAnObjectSeeItsTriangles) {
+  LightField field = *field_;
+  const LightField small = makeSmallField();
+  field.near = small.near;
+  field.near.colours.resize(field.colour.size(), field.near.colours.front());
+  Wood wood(field, 1);
+  const auto shown = wood.look(0, 1, 0.0, false);
+  ASSERT_TRUE(showsAll(shown));
+  EXPECT_EQ(std::ranges::count_if(shown, isPicture), 1);
+  EXPECT_GT(shown.size(), 1U);
+}
+
 TEST_F(LightFieldHalves, RefinementDoesNotJump) {
   Wood wood(*field_, 1);
   node::FrameNumber frame = 1;

@@ -80,14 +80,16 @@ void LightFieldBackend::answer(std::span<const node::Request> requests, std::spa
 node::Payload LightFieldBackend::answerOne(const node::Request& request) {
   const ObjectPictures::Entry& entry = pictures_.of(request.object);
   if (request.shared) return request.key.empty() ? info(*entry.model) : sharedPicture(request, entry);
-  return request.key.empty() ? framePicture(request, entry) : ownPicture(request, entry);
+  const bool isForItsFrame = request.key.empty() || request.key == kNearKey;
+  return isForItsFrame ? framePicture(request, entry) : ownPicture(request, entry);
 }
 
 node::Payload LightFieldBackend::info(const LightFieldModel& model) const {
   // Read before the rest: later changes are announced again.
   const node::Version version = infoVersion_;
   const std::shared_ptr<const FieldVersion> shown = model.shown();
-  const FieldInfo::Parts parts{shown->field.geometry, shown->field.size, shown->number, maxError_};
+  const FieldInfo::Parts parts{shown->field.geometry, shown->field.size, shown->number, maxError_,
+                               !shown->field.near.empty()};
   return std::shared_ptr<const node::SharedData>(std::make_shared<const FieldInfo>(parts, version));
 }
 
@@ -125,8 +127,11 @@ node::Payload LightFieldBackend::ownPicture(const node::Request& request, const 
 node::Payload LightFieldBackend::framePicture(const node::Request& request, const ObjectPictures::Entry& entry) {
   const world::Camera& camera = request.seenBy().camera;
   const Shot shot{objectCamera(camera, entry.transform), request.rect};
+  const std::shared_ptr<const FieldVersion> shown = entry.model->shown();
+  const Haze haze = hazeBefore(entry.bounds, pictures_.sky(), camera);
+  const bool isNear = request.key == kNearKey && !shown->field.near.empty();
   const auto image =
-      pictures_.make(entry, entry.model->shown()->field, shot, hazeBefore(entry.bounds, pictures_.sky(), camera));
+      isNear ? pictures_.makeNear(entry, shown->field, shot, haze) : pictures_.make(entry, shown->field, shot, haze);
   const auto lamps = chooseLamps(request.seenBy().lights, entry.bounds, glm::inverse(entry.transform.matrix()));
   LampLight(lamps, shot.camera).addTo(*image);
   return std::shared_ptr<const raster::Image>(image);

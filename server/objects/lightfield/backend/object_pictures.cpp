@@ -37,6 +37,7 @@ ObjectPictures::ObjectPictures(const node::BackendServices& services, world::Typ
           [&](const world::ModelledObject& object) { return kindOf(object, services.gl) == SamplerKind::kGl; })),
       images_(services.images),
       sky_(services.scene.layout.sky),
+      nearRenderer_(services.memory),
       sunGrids_(services.memory, "sun grids", "lightfield", pipeline::Work::kAcrossUser) {
   std::vector<const world::ModelledObject*> objects;
   objects.reserve(services.scene.objects.size());
@@ -73,6 +74,15 @@ std::shared_ptr<raster::Image> ObjectPictures::make(const Entry& entry, const Li
   std::shared_ptr<raster::Image> image = images_.acquire(shot.rect);
   const std::array<raster::Image*, 1> images{image.get()};
   entry.sampler->render({&request, 1}, images);
+  castShadows(entry.sun, shot.camera, *image);
+  if (field.mapped != nullptr) field.mapped->reportIfCut();
+  return image;
+}
+
+std::shared_ptr<raster::Image> ObjectPictures::makeNear(const Entry& entry, const LightField& field, const Shot& shot,
+                                                        const Haze& haze) {
+  std::shared_ptr<raster::Image> image = images_.acquire(shot.rect);
+  nearRenderer_.render(field.near, field.lightingFor(entry.transform.yaw, sky_.sun), shot.camera, haze, *image);
   castShadows(entry.sun, shot.camera, *image);
   if (field.mapped != nullptr) field.mapped->reportIfCut();
   return image;

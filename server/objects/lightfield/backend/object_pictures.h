@@ -5,6 +5,7 @@
 
 #include "node/backend/backend_services.h"
 #include "objects/lightfield/backend/light_field_model.h"
+#include "objects/lightfield/backend/near/near_renderer.h"
 #include "objects/lightfield/backend/sampler.h"
 #include "objects/lightfield/backend/sun_grid.h"
 #include "objects/lightfield/common/shot.h"
@@ -44,11 +45,15 @@ class ObjectPictures {
 
   [[nodiscard]] std::shared_ptr<raster::Image> make(const Entry& entry, const LightField& field, const Shot& shot,
                                                     const Haze& haze);
+  /// The same from the field's near model, which must not be empty.
+  [[nodiscard]] std::shared_ptr<raster::Image> makeNear(const Entry& entry, const LightField& field, const Shot& shot,
+                                                        const Haze& haze);
 
  private:
   pipeline::Executor& executor_;
   raster::ImagePool& images_;
   const world::Sky& sky_;
+  NearRenderer nearRenderer_;
   std::map<SamplerKind, std::unique_ptr<Sampler>> samplers_;
   std::map<world::ObjectId, Entry> entries_;
   pipeline::HeldMemory sunGrids_;

@@ -19,6 +19,7 @@
 #include "objects/lightfield/bake/light/lightings.h"
 #include "objects/lightfield/bake/light/surface_light.h"
 #include "objects/lightfield/bake/model_rays.h"
+#include "objects/lightfield/bake/near_surface.h"
 #include "objects/lightfield/bake/partial_bake.h"
 #include "objects/lightfield/bake/refine.h"
 #include "objects/lightfield/bake/view_plan.h"
@@ -128,7 +129,7 @@ class Job {
   void checkRoom(const std::vector<Picture>& samples) const;
   void renderViews(const ViewRenderer& renderer, const BakeStep& step);
   [[nodiscard]] LightSettings lightSettings() const;
-  void writeFile(std::vector<HeldOutView> heldOut);
+  void writeFile(std::vector<HeldOutView> heldOut, const NearSurface& near);
 
   const BakeOptions options_;
   const int threads_;
@@ -209,7 +210,7 @@ void Job::renderViews(const ViewRenderer& renderer, const BakeStep& step) {
   });
 }
 
-void Job::writeFile(std::vector<HeldOutView> heldOut) {
+void Job::writeFile(std::vector<HeldOutView> heldOut, const NearSurface& near) {
   LightField field;
   field.sphere = sphere_;
   field.geometry = geometry_;
@@ -222,6 +223,7 @@ void Job::writeFile(std::vector<HeldOutView> heldOut) {
   field.voxels = voxels.grid;
   field.voxels.cells = voxels.cells;
   field.heldOut = std::move(heldOut);
+  field.near = near.model();
   partial_.fill(field);
   writeLightField(field, file_);
 }
@@ -277,7 +279,8 @@ std::optional<BakeReport> Job::run() {
   };
   keep(cameras, heldOut, false);
   keep(seamCameras, seams, true);
-  writeFile(std::move(kept));
+  // Tiles have so many blades that their triangles cost more than their views, even from near.
+  writeFile(std::move(kept), options_.tile ? NearSurface() : makeNearSurface(model_, points, light));
   partial_.remove();
   report.bytes = std::filesystem::file_size(file_);
   report.seconds = all.seconds();

@@ -18,7 +18,7 @@ node::PackedBytes FieldInfo::pack() const {
   putVec3(writer, parts_.geometry.centre);
   putVec3(writer, parts_.geometry.target);
   writer.put(parts_.geometry.radius).put(parts_.geometry.extent);
-  writer.put(parts_.viewSize).put(parts_.number).put(parts_.maxError);
+  writer.put(parts_.viewSize).put(parts_.number).put(parts_.maxError).put(static_cast<std::uint8_t>(parts_.hasNear));
   return writer.take();
 }
 
@@ -33,6 +33,7 @@ std::shared_ptr<FieldInfo> FieldInfo::unpack(std::span<const std::byte> bytes, n
   parts.viewSize = reader.takeWithin(kMinSize, kMaxSize);
   parts.number = reader.takeWithin(0, std::numeric_limits<int>::max());
   parts.maxError = reader.takeFinite(0.0F, kMaxError);
+  parts.hasNear = reader.takeWithin<std::uint8_t>(0, 1) == 1;
   reader.finish();
   return std::make_shared<FieldInfo>(parts, version);
 }

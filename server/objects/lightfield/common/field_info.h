@@ -18,6 +18,7 @@ class FieldInfo final : public node::SharedData {
     int viewSize = 0;       ///< texels per edge of a view
     int number = 0;         ///< version of the light field that the object shows; later ones are finer
     float maxError = 0.0F;  ///< pixels of parallax that reprojection may fill in; 0: makes every picture anew
+    bool hasNear = false;   ///< whether pictures can be made from its triangles
   };
   FieldInfo(const Parts& parts, node::Version version) : SharedData(version), parts_(parts) {}
   /// The inverse of pack(). Throws node::PackingError.

@@ -20,4 +20,8 @@ struct OwnPicture {
 /// Throws node::PackingError.
 [[nodiscard]] OwnPicture ownPictureOf(const node::Key& key);
 
+/// Key of a picture for the frame's camera that shows the object's triangles; under the empty key it is made from
+/// views.
+inline constexpr const char* kNearKey = "near";
+
 }  // namespace grove::objects::lightfield

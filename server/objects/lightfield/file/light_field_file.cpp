@@ -88,6 +88,18 @@ void addHeldOut(const HeldOutView& view, SectionWriter& writer) {
   writer.add(view.depth);
 }
 
+void addNear(const NearModel& near, SectionWriter& writer) {
+  if (near.empty()) return;
+  const NearHeader header{
+      static_cast<std::uint32_t>(near.clusters.size()), static_cast<std::uint32_t>(near.positions[0].size()),
+      static_cast<std::uint32_t>(near.triangles.size()), static_cast<std::uint32_t>(near.colours.front().size() / 2)};
+  writer.add(std::span<const NearHeader>(&header, 1));
+  writer.add(near.clusters);
+  for (const std::span<const float> axis : near.positions) writer.add(axis);
+  writer.add(near.triangles);
+  for (const std::span<const std::uint32_t> colours : near.colours) writer.add(colours);
+}
+
 }  // namespace
 
 LightField openLightField(const std::filesystem::path& file) {
@@ -110,6 +122,8 @@ void writeLightField(const LightField& field, const std::filesystem::path& file)
   header.sections[kVoxels] = writer.finish();
   for (const HeldOutView& view : field.heldOut) addHeldOut(view, writer);
   header.sections[kHeldOut] = writer.finish();
+  addNear(field.near, writer);
+  header.sections[kNear] = writer.finish();
   for (std::size_t k = 0; k < field.colour.size(); ++k) {
     writer.add(field.colour[k]);
     header.fileBytes = writer.end();

@@ -5,11 +5,13 @@
 #include <cmath>
 #include <cstring>
 #include <initializer_list>
+#include <tuple>
 #include <utility>
 #include <vector>
 
 #include "base/checksum.h"
 #include "objects/lightfield/file/light_field_file.h"
+#include "objects/lightfield/file/near_reader.h"
 #include "objects/lightfield/file/source_text.h"
 #include "objects/lightfield/format/layout.h"
 #include "world/camera.h"
@@ -19,8 +21,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "files are read in place");
 
-// Keeps products of lengths well within the range of a float.
-constexpr float kLongest = 1.0e6F;
+// As with kLongest, for quotients.
 constexpr float kShortest = 1.0e-4F;
 constexpr float kShortestVoxel = 1.0e-6F;
 
@@ -43,12 +44,14 @@ class Reader {
     readBlocks(field);
     readVoxels(field);
     readHeldOut(field);
-    field.storage = std::make_shared<const Storage>(std::move(storage), std::move(directory_));
+    const auto clusters = readNear(bytesOf(header_.sections[kNear]), header_.lightings, name_, field);
+    field.storage = std::make_shared<const Storage>(std::move(storage), std::move(directory_), clusters);
     return field;
   }
 
  private:
-  using Storage = std::pair<std::shared_ptr<const void>, std::shared_ptr<const std::vector<std::uint32_t>>>;
+  using Storage = std::tuple<std::shared_ptr<const void>, std::shared_ptr<const std::vector<std::uint32_t>>,
+                             std::shared_ptr<const std::vector<NearCluster>>>;
 
   void require(bool good, const char* reason) const {
     if (!good) throw LightFieldError(name_ + ": " + reason);

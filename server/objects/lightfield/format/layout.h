@@ -9,7 +9,7 @@
 namespace grove::objects::lightfield {
 
 inline constexpr std::array<char, 8> kMagic{'G', 'r', 'o', 'v', 'e', 'L', 'F', '\n'};
-inline constexpr std::uint32_t kFormatVersion = 1;
+inline constexpr std::uint32_t kFormatVersion = 2;
 inline constexpr std::uint64_t kSectionAlignment = 4096;
 
 struct Section {
@@ -19,7 +19,7 @@ struct Section {
 };
 
 /// Indices into Header::sections; colour k is at kColour + k.
-enum SectionIndex : std::uint32_t { kDirectory, kDepth, kVoxels, kHeldOut, kColour };
+enum SectionIndex : std::uint32_t { kDirectory, kDepth, kVoxels, kHeldOut, kNear, kColour };
 
 struct Header {
   std::array<char, 8> magic = kMagic;
@@ -46,7 +46,7 @@ struct Header {
   char source[128]{};                           ///< UTF-8, zero-terminated
   Section sections[kColour + kMaxLightings]{};  ///< sections of unused lightings are all 0
 };
-static_assert(sizeof(Header) == 752, "no padding");
+static_assert(sizeof(Header) == 776, "no padding");
 
 /// Followed by each held-out view's size * size colours and size * size depths.
 struct HeldOutHeader {
@@ -58,5 +58,15 @@ struct HeldOutHeader {
   std::uint32_t amid = 0;  ///< 1: the object is shown amid copies of itself
 };
 static_assert(sizeof(HeldOutHeader) == 56, "no padding");
+
+/// Followed by the clusters, the vertices' x, y and z, the triangles, and the colours of each lighting: of all fronts,
+/// then of all backs.
+struct NearHeader {
+  std::uint32_t clusters = 0;
+  std::uint32_t vertices = 0;
+  std::uint32_t triangles = 0;
+  std::uint32_t colours = 0;  ///< of one lighting and side
+};
+static_assert(sizeof(NearHeader) == 16, "no padding");
 
 }  // namespace grove::objects::lightfield

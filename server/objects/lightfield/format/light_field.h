@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "objects/lightfield/format/near_model.h"
 #include "objects/lightfield/format/view_camera.h"
 #include "objects/lightfield/format/view_sphere.h"
 #include "world/geometry.h"
@@ -73,6 +74,7 @@ struct LightField {
   std::vector<std::span<const std::uint32_t>> colour;  ///< by lighting: [block][kBlockStride][kBlockStride]
   VoxelGrid voxels;
   std::vector<HeldOutView> heldOut;
+  NearModel near;         ///< may be empty
   std::string source;     ///< description of its origin, for people
   std::size_t bytes = 0;  ///< of all of the above
   std::shared_ptr<const void> storage;

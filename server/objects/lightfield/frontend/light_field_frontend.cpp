@@ -60,9 +60,15 @@ class ReprojectedLayer final : public node::Layer {
   const LampLight light_;
 };
 
+/// Whether the eye is within an object that can be shown by its triangles. There, views are too coarse, and every step
+/// would need new pictures of them.
+bool isAmid(const Sight& sight) {
+  return sight.field.hasNear && sight.object.object.bounds.distance(sight.view.camera.pose.position) <= 0.0F;
+}
+
 /// Whether a picture is coarse because the budget was spent.
 bool isCoarse(const node::Reply& reply) {
-  if (reply.ask.key.empty()) return false;
+  if (reply.ask.key.empty() || reply.ask.key == kNearKey) return false;
   return reply.ask.shared ? cellIdOf(reply.ask.key).coarse : ownPictureOf(reply.ask.key).mustBeMade;
 }
 
@@ -85,6 +91,7 @@ node::Plan LightFieldFrontend::plan(const node::VisibleObject& object, const nod
 }
 
 node::Plan LightFieldFrontend::begin(const Sight& sight) {
+  if (isAmid(sight)) return node::Ask{.shared = false, .key = kNearKey, .rect = sight.object.rect};
   if (const auto cell = SharedViews::cellOf(sight)) return shared_.begin(sight, *cell);
   if (sight.field.maxError > 0.0F) timeline_.count("views too near to share");
   const float times = magnification(sight.field.geometry, sight.field.viewSize, sight.camera);
@@ -94,7 +101,8 @@ node::Plan LightFieldFrontend::begin(const Sight& sight) {
 
 node::Plan LightFieldFrontend::resume(const Sight& sight, const node::Reply& reply) {
   if (reply.ask.shared) return shared_.resume(sight, reply);
-  return reply.ask.key.empty() ? reply.payload : own_.resume(sight, reply);
+  const bool isForThisFrame = reply.ask.key.empty() || reply.ask.key == kNearKey;
+  return isForThisFrame ? reply.payload : own_.resume(sight, reply);
 }
 
 void LightFieldFrontend::remember(world::ObjectId object, bool isProvisional) {

@@ -14,7 +14,7 @@
 namespace grove::objects::lightfield {
 namespace {
 
-constexpr FieldInfo::Parts kParts{{{0.0F, 0.1F, 0.2F}, 9.0F, {0.3F, 3.0F, -0.2F}, 4.0F}, 256, 3, 16.0F};
+constexpr FieldInfo::Parts kParts{{{0.0F, 0.1F, 0.2F}, 9.0F, {0.3F, 3.0F, -0.2F}, 4.0F}, 256, 3, 16.0F, true};
 
 /// A disc with a soft rim and a hole.
 std::shared_ptr<const CachedView> disc() {
@@ -104,6 +104,7 @@ TEST(LightFieldPacking, DescriptionRoundTrips) {
   EXPECT_EQ(after->parts().viewSize, 256);
   EXPECT_EQ(after->parts().number, 3);
   EXPECT_EQ(after->parts().maxError, 16.0F);
+  EXPECT_TRUE(after->parts().hasNear);
 }
 
 TEST(LightFieldPacking, DamagedDescriptionIsRefusedOrValid) {

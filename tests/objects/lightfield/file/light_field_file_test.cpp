@@ -57,6 +57,12 @@ void expectSame(const LightField& a, const LightField& b) {
     expectSame(a.heldOut[i].colour, b.heldOut[i].colour);
     expectSame(a.heldOut[i].depth, b.heldOut[i].depth);
   }
+  ASSERT_EQ(a.near.clusters.size(), b.near.clusters.size());
+  expectSame(std::as_bytes(a.near.clusters), std::as_bytes(b.near.clusters));
+  for (std::size_t axis = 0; axis < 3; ++axis) expectSame(a.near.positions[axis], b.near.positions[axis]);
+  expectSame(a.near.triangles, b.near.triangles);
+  ASSERT_EQ(a.near.colours.size(), b.near.colours.size());
+  for (std::size_t k = 0; k < a.near.colours.size(); ++k) expectSame(a.near.colours[k], b.near.colours[k]);
   EXPECT_EQ(a.source, b.source);
   EXPECT_EQ(a.bytes, b.bytes);
 }
@@ -71,6 +77,14 @@ class LightFieldFile : public testing::Test {
 };
 
 TEST_F(LightFieldFile, RoundTrips) { expectSame(field_, openLightField(file_)); }
+
+TEST_F(LightFieldFile, RoundTripsWithoutANearModel) {
+  field_.near = {};
+  writeLightField(field_, file_);
+  const LightField opened = openLightField(file_);
+  EXPECT_TRUE(opened.near.empty());
+  EXPECT_TRUE(opened.near.triangles.empty());
+}
 
 TEST_F(LightFieldFile, KeepsItsMappingAfterTheFileIsReplaced) {
   const LightField opened = openLightField(file_);
@@ -140,7 +154,7 @@ TEST_F(LightFieldFile, HeaderHasItsGoldenBytes) {
     std::memcpy(&value, &bits, sizeof value);
     return value;
   };
-  EXPECT_EQ(std::memcmp(bytes.data(), "GroveLF\n\1\0\0\0\xF0\2\0\0", 16), 0);
+  EXPECT_EQ(std::memcmp(bytes.data(), "GroveLF\n\2\0\0\0\x08\3\0\0", 16), 0);
   EXPECT_EQ(u32(16), bytes.size());
   EXPECT_EQ(u32(32), 1U);   // subdivision
   EXPECT_EQ(u32(36), 32U);  // size
@@ -159,10 +173,11 @@ TEST_F(LightFieldFile, HeaderHasItsGoldenBytes) {
   EXPECT_EQ(f32(128), 0.25F);
   EXPECT_EQ(f32(132), -0.5F);
   EXPECT_EQ(std::memcmp(&bytes[144], "a small B\xC3\xA4umchen\0", 18), 0);
-  const std::array<std::uint32_t, 6> lengths{5 * 5 * 4,
+  const std::array<std::uint32_t, 7> lengths{5 * 5 * 4,
                                              static_cast<std::uint32_t>(field_.depth.size_bytes()),
                                              6,
                                              2 * 56 + 10 * 8,
+                                             16 + 2 * 48 + 32 * 12 + 3 * 4 + 2 * 2 * 5 * 4,
                                              static_cast<std::uint32_t>(field_.depth.size_bytes() * 2),
                                              static_cast<std::uint32_t>(field_.depth.size_bytes() * 2)};
   for (std::size_t i = 0; i < lengths.size(); ++i) {

@@ -1,15 +1,59 @@
 #include "objects/lightfield/file/small_field.h"
 
+#include <array>
 #include <cstdlib>
 #include <fstream>
 #include <random>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "objects/lightfield/file/view_packer.h"
 #include "world/camera.h"
 
 namespace grove::objects::lightfield {
+
+namespace {
+
+/// Two clusters: a leaf and a smooth triangle.
+struct SmallNear {
+  std::vector<NearCluster> clusters{{.low = {0, 0, 0}, .high = {1, 1, 0}, .vertices = 4, .triangles = 2},
+                                    {.low = {0, 0, 1},
+                                     .high = {1, 1, 1},
+                                     .firstVertex = kClusterAlignment,
+                                     .vertices = 3,
+                                     .firstTriangle = 2,
+                                     .triangles = 1,
+                                     .firstColour = 2,
+                                     .smooth = 1}};
+  std::array<std::vector<float>, 3> positions;
+  std::vector<NearTriangle> triangles{{0, 1, 2, 0}, {2, 1, 3, 0}, {0, 1, 2, 0}};
+  std::array<std::vector<std::uint32_t>, 2> colours;
+};
+
+void addNear(LightField& field) {
+  const auto near = std::make_shared<SmallNear>();
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (std::size_t i = 0; i < 2 * kClusterAlignment; ++i) {
+      near->positions[axis].push_back(static_cast<float>((i * (axis + 1)) % 5) * 0.25F);
+    }
+  }
+  for (std::size_t lighting = 0; lighting < 2; ++lighting) {
+    for (std::uint32_t i = 0; i < 10; ++i) {
+      near->colours[lighting].push_back(0xFF102030U + i + 16 * static_cast<std::uint32_t>(lighting));
+    }
+  }
+  field.near.clusters = near->clusters;
+  for (std::size_t axis = 0; axis < 3; ++axis) field.near.positions[axis] = near->positions[axis];
+  field.near.triangles = near->triangles;
+  field.near.colours.assign(near->colours.begin(), near->colours.end());
+  field.bytes += 16 + 2 * sizeof(NearCluster) + 3 * 2 * kClusterAlignment * sizeof(float) + 3 * sizeof(NearTriangle) +
+                 2 * 10 * sizeof(std::uint32_t);
+  field.storage =
+      std::make_shared<std::pair<std::shared_ptr<const void>, std::shared_ptr<SmallNear>>>(field.storage, near);
+}
+
+}  // namespace
 
 LightField makeSmallField() {
   std::mt19937 random(3);
@@ -45,7 +89,9 @@ LightField makeSmallField() {
     }
     builder.set(view, packView(dense, shape.levels));
   }
-  return std::move(builder).build();
+  LightField field = std::move(builder).build();
+  addNear(field);
+  return field;
 }
 
 std::vector<std::byte> bytesOf(const std::filesystem::path& file) {

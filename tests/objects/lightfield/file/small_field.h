@@ -8,7 +8,8 @@
 
 namespace grove::objects::lightfield {
 
-/// A light field of a few kilobytes with everything in it: two levels, two lightings, voxels, two held-out views.
+/// A light field of a few kilobytes with everything in it: two levels, two lightings, voxels, two held-out
+/// views, a near model.
 [[nodiscard]] LightField makeSmallField();
 
 /// The bytes of its file.

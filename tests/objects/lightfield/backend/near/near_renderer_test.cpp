@@ -1,0 +1,238 @@
+#include "objects/lightfield/backend/near/near_renderer.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <limits>
+#include <random>
+#include <vector>
+
+#include "each_target.h"
+#include "world/camera.h"
+
+namespace grove::objects::lightfield {
+namespace {
+
+using world::Vec3;
+
+constexpr std::uint32_t kRed = 0xFF0000FFU;
+constexpr std::uint32_t kGreen = 0xFF00FF00U;
+constexpr std::uint32_t kBlue = 0xFFFF0000U;
+constexpr int kWidth = 300;  // more than two tiles, and no multiple of any vector
+constexpr int kHeight = 137;
+constexpr float kFocal = 100.0F;
+
+/// A camera at the origin that looks along -z.
+ObjectCamera camera() {
+  ObjectCamera camera;
+  camera.perColumn = {1.0F / kFocal, 0, 0};
+  camera.perRow = {0, -1.0F / kFocal, 0};
+  camera.corner = {-0.5F * kWidth / kFocal, 0.5F * kHeight / kFocal, -1};
+  return camera;
+}
+
+/// The point at a place of the picture.
+Vec3 pointAt(float x, float y, float depth) { return camera().ray(x, y) * depth; }
+
+/// A model of clusters that the test adds.
+class Clusters {
+ public:
+  struct Face {
+    std::array<std::uint8_t, 3> corners;
+  };
+
+  /// Leaves have a colour per triangle and side, smooth surfaces one per vertex.
+  void add(const std::vector<Vec3>& vertices, const std::vector<Face>& faces, bool smooth,
+           const std::vector<std::uint32_t>& fronts, const std::vector<std::uint32_t>& backs) {
+    NearCluster cluster{.firstVertex = static_cast<std::uint32_t>(positions_[0].size()),
+                        .vertices = static_cast<std::uint32_t>(vertices.size()),
+                        .firstTriangle = static_cast<std::uint32_t>(triangles_.size()),
+                        .triangles = static_cast<std::uint32_t>(faces.size()),
+                        .firstColour = static_cast<std::uint32_t>(fronts_.size()),
+                        .smooth = smooth ? 1U : 0U};
+    world::Bounds bounds;
+    for (const Vec3 vertex : vertices) bounds.add(vertex);
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto a = static_cast<std::size_t>(axis);
+      cluster.low[a] = bounds.low[axis];
+      cluster.high[a] = bounds.high[axis];
+      for (const Vec3 vertex : vertices) positions_[a].push_back(vertex[axis]);
+      while (positions_[a].size() % kClusterAlignment != 0) positions_[a].push_back(0.0F);
+    }
+    for (const Face& face : faces) triangles_.push_back({face.corners[0], face.corners[1], face.corners[2], 0});
+    fronts_.insert(fronts_.end(), fronts.begin(), fronts.end());
+    backs_.insert(backs_.end(), backs.begin(), backs.end());
+    clusters_.push_back(cluster);
+  }
+
+  /// A parallelogram between three points of the picture, seen from its front.
+  void addLeaf(Vec3 topLeft, Vec3 topRight, Vec3 bottomLeft, std::uint32_t front, std::uint32_t back = 0xFFFFFFFFU) {
+    add({topLeft, topRight, bottomLeft, topRight + bottomLeft - topLeft}, {{{0, 2, 1}}, {{1, 2, 3}}}, false,
+        {front, front}, {back, back});
+  }
+
+  void setFirstVertex(Vec3 position) {
+    for (int axis = 0; axis < 3; ++axis) positions_[static_cast<std::size_t>(axis)][0] = position[axis];
+  }
+
+  [[nodiscard]] NearModel model() {
+    colours_ = fronts_;
+    colours_.insert(colours_.end(), backs_.begin(), backs_.end());
+    NearModel model{clusters_, {}, triangles_, {colours_}};
+    for (std::size_t axis = 0; axis < 3; ++axis) model.positions[axis] = positions_[axis];
+    return model;
+  }
+
+ private:
+  std::vector<NearCluster> clusters_;
+  std::array<std::vector<float>, 3> positions_;
+  std::vector<NearTriangle> triangles_;
+  std::vector<std::uint32_t> fronts_, backs_, colours_;
+};
+
+class NearRendererTest : public testing::Test {
+ protected:
+  const raster::Image& draw(Clusters& clusters, const Haze& haze = {}) {
+    image_ = images_.acquire({0, 0, kWidth, kHeight});
+    std::ranges::fill(image_->colour, 0x12345678U);
+    renderer_.render(clusters.model(), 0, camera(), haze, *image_);
+    return *image_;
+  }
+  [[nodiscard]] std::uint32_t colourAt(int x, int y) const { return image_->colourRow(y)[x]; }
+  [[nodiscard]] float depthAt(int x, int y) const { return image_->depthRow(y)[x]; }
+
+ private:
+  pipeline::MemoryLedger memory_;
+  raster::ImagePool images_;
+  NearRenderer renderer_{memory_};
+  std::shared_ptr<raster::Image> image_;
+};
+
+/// Fails if pixels get another colour, depth or coverage, at tile borders or at the end of a row, too.
+TEST_F(NearRendererTest, LeafHasItsPlaceColourAndDepth) {
+  tests::onEachTarget([&] {
+    Clusters clusters;
+    clusters.addLeaf(pointAt(20.5F, 10, 3), pointAt(290, 10, 3), pointAt(20.5F, 130, 3), kRed);
+    (void)draw(clusters);
+    for (int y = 0; y < kHeight; ++y) {
+      for (int x = 0; x < kWidth; ++x) {
+        const bool isCovered = x >= 20 && x < 290 && y >= 10 && y < 130;
+        const std::uint32_t expected = !isCovered ? 0U : x == 20 ? 0x80000080U : kRed;
+        ASSERT_EQ(colourAt(x, y), expected) << x << ", " << y;
+        ASSERT_NEAR(depthAt(x, y), isCovered ? 3.0F : world::kInfiniteDepth, 1.0e-4F) << x << ", " << y;
+      }
+    }
+  });
+}
+
+/// Fails if triangles leave gaps between them, or overlap so that edges get dark.
+TEST_F(NearRendererTest, SurfaceOfTrianglesHasNoGaps) {
+  tests::onEachTarget([&] {
+    constexpr int kColumns = 15;
+    std::mt19937 random(7);
+    std::uniform_real_distribution<float> offset(-6.0F, 6.0F);
+    std::uniform_real_distribution<float> depth(2.0F, 4.0F);
+    std::vector<Vec3> vertices;
+    for (int i = 0; i < kColumns * kColumns; ++i) {
+      const bool isRim =
+          i % kColumns == 0 || i % kColumns == kColumns - 1 || i / kColumns == 0 || i / kColumns == kColumns - 1;
+      const float x = -10.0F + 23.0F * static_cast<float>(i % kColumns) + (isRim ? 0.0F : offset(random));
+      const float y = -10.0F + 11.5F * static_cast<float>(i / kColumns) + (isRim ? 0.0F : offset(random));
+      vertices.push_back(pointAt(x, y, depth(random)));
+    }
+    Clusters clusters;
+    for (int row = 0; row + 1 < kColumns; ++row) {
+      // A cluster per row of squares, each with vertices of its own.
+      std::vector<Vec3> own(vertices.begin() + row * kColumns, vertices.begin() + (row + 2) * kColumns);
+      std::vector<Clusters::Face> faces;
+      for (std::uint8_t i = 0; i + 1 < kColumns; ++i) {
+        const auto below = static_cast<std::uint8_t>(i + kColumns);
+        const auto next = static_cast<std::uint8_t>(i + 1);
+        const auto last = static_cast<std::uint8_t>(below + 1);
+        faces.push_back({{i, below, next}});
+        faces.push_back({{next, below, last}});
+      }
+      clusters.add(own, faces, true, std::vector<std::uint32_t>(own.size(), kGreen),
+                   std::vector<std::uint32_t>(own.size(), kBlue));
+    }
+    (void)draw(clusters);
+    for (int y = 0; y < kHeight; ++y) {
+      for (int x = 0; x < kWidth; ++x) ASSERT_EQ(colourAt(x, y), kGreen) << x << ", " << y;
+    }
+  });
+}
+
+/// Fails if the order of triangles or clusters decides what is in front, or a side has the other one's colour.
+TEST_F(NearRendererTest, NearestSideIsSeen) {
+  tests::onEachTarget([&] {
+    for (const bool nearFirst : {false, true}) {
+      Clusters clusters;
+      const auto addNear = [&] {
+        clusters.addLeaf(pointAt(50, 20, 2), pointAt(100, 20, 2), pointAt(50, 60, 2), kRed, kBlue);
+      };
+      if (nearFirst) addNear();
+      clusters.addLeaf(pointAt(40, 10, 5), pointAt(40, 100, 5), pointAt(200, 10, 5), kRed, kGreen);
+      if (!nearFirst) addNear();
+      (void)draw(clusters);
+      EXPECT_EQ(colourAt(70, 40), kRed);
+      EXPECT_NEAR(depthAt(70, 40), 2.0F, 1.0e-4F);
+      EXPECT_EQ(colourAt(150, 50), kGreen);
+      EXPECT_NEAR(depthAt(150, 50), 5.0F, 1.0e-4F);
+    }
+  });
+}
+
+/// Fails if the far wall of a trunk shows through.
+TEST_F(NearRendererTest, SmoothSurfacesHaveNoBacksAndMixTheirCorners) {
+  tests::onEachTarget([&] {
+    Clusters clusters;
+    const std::vector<Vec3> corners{pointAt(0, 0, 4), pointAt(kWidth, 0, 4), pointAt(0, kHeight, 4),
+                                    pointAt(kWidth, kHeight, 4)};
+    const std::vector<std::uint32_t> colours{0xFF000000U, 0xFF0000C8U, 0xFF000000U, 0xFF0000C8U};
+    clusters.add(corners, {{{0, 2, 1}}, {{1, 2, 3}}}, true, colours, colours);
+    const std::vector<Vec3> backwards{pointAt(0, 0, 2), pointAt(kWidth, 0, 2), pointAt(0, kHeight, 2)};
+    clusters.add(backwards, {{{0, 1, 2}}}, true, {kBlue, kBlue, kBlue}, {kBlue, kBlue, kBlue});
+    (void)draw(clusters);
+    for (int y = 0; y < kHeight; y += 7) {
+      for (int x = 0; x < kWidth; x += 3) {
+        ASSERT_NEAR(colourAt(x, y) & 0xFFU, 200.0F * (static_cast<float>(x) + 0.5F) / kWidth, 1.01F) << x;
+        ASSERT_EQ(colourAt(x, y) >> 8U, 0xFF0000U);
+      }
+    }
+  });
+}
+
+/// Fails if haze changes coverage, or is mixed into what is not covered.
+TEST_F(NearRendererTest, HazeCoversWhatTheObjectCovers) {
+  tests::onEachTarget([&] {
+    Clusters clusters;
+    clusters.addLeaf(pointAt(20.5F, 10, 3), pointAt(200, 10, 3), pointAt(20.5F, 60, 3), 0xFF6040C8U);
+    (void)draw(clusters, {.colour = {0.2F, 0.4F, 0.8F}, .amount = 0.25F});
+    const std::array<float, 3> expected{0.75F * 200 + 0.25F * 51, 0.75F * 64 + 0.25F * 102, 0.75F * 96 + 0.25F * 204};
+    for (const auto& [x, share] : {std::pair{20, 0.5F}, std::pair{100, 1.0F}}) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        EXPECT_NEAR((colourAt(x, 30) >> (8U * c)) & 0xFFU, share * expected[c], 1.5F) << x << ", channel " << c;
+      }
+      EXPECT_NEAR(colourAt(x, 30) >> 24U, share * 255.0F, 0.6F);
+    }
+    EXPECT_EQ(colourAt(10, 30), 0U);
+  });
+}
+
+/// Fails if a mapped file that another program overwrites makes the renderer write beyond its buffers.
+TEST_F(NearRendererTest, VerticesWithoutANumberAndBehindTheEyeAreNotDrawn) {
+  tests::onEachTarget([&] {
+    for (const float bad :
+         {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(), -3.0e37F}) {
+      Clusters clusters;
+      clusters.add({pointAt(0, 0, 3), pointAt(0, 130, 3), pointAt(290, 0, 3), {0, 0, 5}}, {{{0, 1, 2}}, {{3, 1, 2}}},
+                   false, {kRed, kRed}, {kBlue, kBlue});
+      clusters.setFirstVertex({bad, bad, -3.0F});
+      (void)draw(clusters);
+      EXPECT_EQ(colourAt(100, 40), 0U) << bad;
+    }
+  });
+}
+
+}  // namespace
+}  // namespace grove::objects::lightfield
