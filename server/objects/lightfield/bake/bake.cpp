@@ -279,7 +279,7 @@ std::optional<BakeReport> Job::run() {
   };
   keep(cameras, heldOut, false);
   keep(seamCameras, seams, true);
-  // Tiles have so many blades that their triangles cost more than their views, even from near.
+  // A tile has several hundred thousand blades: its triangles cost more than its views, even from near.
   writeFile(std::move(kept), options_.tile ? NearSurface() : makeNearSurface(model_, points, light));
   partial_.remove();
   report.bytes = std::filesystem::file_size(file_);
