@@ -19,7 +19,7 @@
 #include "objects/lightfield/bake/light/lightings.h"
 #include "objects/lightfield/bake/light/surface_light.h"
 #include "objects/lightfield/bake/model_rays.h"
-#include "objects/lightfield/bake/near_surface.h"
+#include "objects/lightfield/bake/near/near_surface.h"
 #include "objects/lightfield/bake/partial_bake.h"
 #include "objects/lightfield/bake/refine.h"
 #include "objects/lightfield/bake/view_plan.h"

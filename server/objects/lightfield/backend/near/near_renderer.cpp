@@ -71,7 +71,7 @@ void NearRenderer::render(const NearModel& model, int lighting, const ObjectCame
     for (int column = 0; column < tiles.across; ++column) {
       const int left = column * kNearTileWidth;
       const int top = row * kNearTileHeight;
-      drawTile(tiles.triangles[static_cast<std::size_t>(row * tiles.across + column)], left, top, scratch->canvas);
+      drawTile(tiles.at(column, row), left, top, scratch->canvas);
       resolveTile(left / kNearSamples, top / kNearSamples, haze, scratch->canvas, image);
     }
   }

@@ -73,7 +73,7 @@ struct SampleBox {
 HWY_INLINE void addToTiles(const ScreenTriangle& triangle, const SampleBox& box, NearTiles& tiles) {
   for (int row = box.firstRow / kNearTileHeight; row <= (box.endRow - 1) / kNearTileHeight; ++row) {
     for (int column = box.firstColumn / kNearTileWidth; column <= (box.endColumn - 1) / kNearTileWidth; ++column) {
-      tiles.triangles[static_cast<std::size_t>(row * tiles.across + column)].push_back(triangle);
+      tiles.at(column, row).push_back(triangle);
     }
   }
 }

@@ -48,6 +48,12 @@ struct NearTiles {
   /// Empties the tiles, for a picture of that many samples. Keeps their memory.
   void begin(int pictureWidth, int pictureHeight);
 
+  /// The triangles of a tile.
+  [[nodiscard]] std::vector<ScreenTriangle>& at(int column, int row) {
+    return triangles[static_cast<std::size_t>(row) * static_cast<std::size_t>(across) +
+                     static_cast<std::size_t>(column)];
+  }
+
   /// Memory use.
   [[nodiscard]] std::size_t bytes() const noexcept;
 };

@@ -9,7 +9,7 @@
 #include "models/plants/plants.h"
 #include "objects/lightfield/backend/near/near_renderer.h"
 #include "objects/lightfield/bake/light/lightings.h"
-#include "objects/lightfield/bake/near_surface.h"
+#include "objects/lightfield/bake/near/near_surface.h"
 #include "objects/lightfield/bake/refine.h"
 #include "objects/lightfield/bake/view_renderer.h"
 #include "sanitized.h"

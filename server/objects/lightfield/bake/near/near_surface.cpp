@@ -1,4 +1,4 @@
-#include "objects/lightfield/bake/near_surface.h"
+#include "objects/lightfield/bake/near/near_surface.h"
 
 #include <algorithm>
 #include <numeric>
