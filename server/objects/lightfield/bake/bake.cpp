@@ -50,7 +50,7 @@ namespace {
 constexpr int kVoxelsAlongEdge = 64;
 // In texels of a view.
 constexpr float kPatch = 2.0F;  // patch of one light point
-constexpr LongestEdge kLongest{3.0F, 8.0F};
+constexpr LongestEdge kLongest{4.0F, 8.0F};
 constexpr float kAwayFromSurface = 0.15F;
 constexpr float kThinnest = 4.0F;
 // Light of a rough bake.

@@ -9,7 +9,7 @@ namespace {
 
 /// Increment if the same model and options give other views than before, so that old partial bakes are not mixed with
 /// new ones.
-constexpr std::uint64_t kBakeVersion = 4;
+constexpr std::uint64_t kBakeVersion = 5;
 
 }  // namespace
 

@@ -92,11 +92,11 @@ void addNear(const NearModel& near, SectionWriter& writer) {
   if (near.empty()) return;
   const NearHeader header{
       static_cast<std::uint32_t>(near.clusters.size()), static_cast<std::uint32_t>(near.positions[0].size()),
-      static_cast<std::uint32_t>(near.triangles.size()), static_cast<std::uint32_t>(near.colours.front().size() / 2)};
+      static_cast<std::uint32_t>(near.faces.size()), static_cast<std::uint32_t>(near.colours.front().size() / 2)};
   writer.add(std::span<const NearHeader>(&header, 1));
   writer.add(near.clusters);
   for (const std::span<const float> axis : near.positions) writer.add(axis);
-  writer.add(near.triangles);
+  writer.add(near.faces);
   for (const std::span<const std::uint32_t> colours : near.colours) writer.add(colours);
 }
 

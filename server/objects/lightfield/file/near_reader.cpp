@@ -29,7 +29,7 @@ class Arrays {
 
 std::uint64_t bytesOf(const NearHeader& header, std::size_t lightings) {
   return sizeof header + std::uint64_t{header.clusters} * sizeof(NearCluster) +
-         std::uint64_t{header.vertices} * 3 * sizeof(float) + std::uint64_t{header.triangles} * sizeof(NearTriangle) +
+         std::uint64_t{header.vertices} * 3 * sizeof(float) + std::uint64_t{header.faces} * sizeof(NearFace) +
          std::uint64_t{header.colours} * 2 * lightings * sizeof(std::uint32_t);
 }
 
@@ -38,18 +38,18 @@ bool isLength(float value) { return std::abs(value) <= kLongest; }
 /// Whether `count` values from `first` on are among `all`.
 bool isWithin(std::uint64_t first, std::uint64_t count, std::uint64_t all) { return first + count <= all; }
 
-bool isValid(const NearCluster& cluster, const NearHeader& header, std::span<const NearTriangle> triangles) {
+bool isValid(const NearCluster& cluster, const NearHeader& header, std::span<const NearFace> faces) {
   const std::uint64_t padded = (std::uint64_t{cluster.vertices} + kClusterAlignment - 1) & ~(kClusterAlignment - 1);
-  const bool inArrays = cluster.vertices <= kMaxClusterVertices && cluster.triangles <= kMaxClusterTriangles &&
+  const bool inArrays = cluster.vertices <= kMaxClusterVertices && cluster.faces <= kMaxClusterFaces &&
                         cluster.firstVertex % kClusterAlignment == 0 && cluster.smooth <= 1 &&
                         isWithin(cluster.firstVertex, padded, header.vertices) &&
-                        isWithin(cluster.firstTriangle, cluster.triangles, header.triangles) &&
+                        isWithin(cluster.firstFace, cluster.faces, header.faces) &&
                         isWithin(cluster.firstColour, cluster.colours(), header.colours);
   if (!inArrays || !std::ranges::all_of(cluster.low, isLength) || !std::ranges::all_of(cluster.high, isLength)) {
     return false;
   }
-  return std::ranges::all_of(triangles.subspan(cluster.firstTriangle, cluster.triangles), [&](const NearTriangle& t) {
-    return t[0] < cluster.vertices && t[1] < cluster.vertices && t[2] < cluster.vertices && t[3] == 0;
+  return std::ranges::all_of(faces.subspan(cluster.firstFace, cluster.faces), [&](const NearFace& face) {
+    return std::ranges::all_of(face, [&](std::uint8_t corner) { return corner < cluster.vertices; });
   });
 }
 
@@ -71,7 +71,7 @@ std::shared_ptr<const std::vector<NearCluster>> readNear(std::span<const std::by
   NearModel& near = field.near;
   near.clusters = *clusters;
   for (std::span<const float>& axis : near.positions) axis = arrays.take<float>(header.vertices);
-  near.triangles = arrays.take<NearTriangle>(header.triangles);
+  near.faces = arrays.take<NearFace>(header.faces);
   for (std::size_t k = 0; k < lightings; ++k) {
     near.colours.push_back(arrays.take<std::uint32_t>(std::size_t{header.colours} * 2));
   }
@@ -79,7 +79,7 @@ std::shared_ptr<const std::vector<NearCluster>> readNear(std::span<const std::by
     require(std::ranges::all_of(axis, isLength), "has a near model with a vertex out of range");
   }
   for (const NearCluster& cluster : near.clusters) {
-    require(isValid(cluster, header, near.triangles), "has a near model with an invalid cluster");
+    require(isValid(cluster, header, near.faces), "has a near model with an invalid cluster");
   }
   field.bytes += section.size();
   return clusters;

@@ -9,7 +9,7 @@
 namespace grove::objects::lightfield {
 
 inline constexpr std::array<char, 8> kMagic{'G', 'r', 'o', 'v', 'e', 'L', 'F', '\n'};
-inline constexpr std::uint32_t kFormatVersion = 2;
+inline constexpr std::uint32_t kFormatVersion = 3;
 inline constexpr std::uint64_t kSectionAlignment = 4096;
 
 struct Section {
@@ -59,12 +59,12 @@ struct HeldOutHeader {
 };
 static_assert(sizeof(HeldOutHeader) == 56, "no padding");
 
-/// Followed by the clusters, the vertices' x, y and z, the triangles, and the colours of each lighting: of all fronts,
+/// Followed by the clusters, the vertices' x, y and z, the faces, and the colours of each lighting: of all fronts,
 /// then of all backs.
 struct NearHeader {
   std::uint32_t clusters = 0;
   std::uint32_t vertices = 0;
-  std::uint32_t triangles = 0;
+  std::uint32_t faces = 0;
   std::uint32_t colours = 0;  ///< of one lighting and side
 };
 static_assert(sizeof(NearHeader) == 16, "no padding");

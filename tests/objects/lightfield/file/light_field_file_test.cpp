@@ -60,7 +60,7 @@ void expectSame(const LightField& a, const LightField& b) {
   ASSERT_EQ(a.near.clusters.size(), b.near.clusters.size());
   expectSame(std::as_bytes(a.near.clusters), std::as_bytes(b.near.clusters));
   for (std::size_t axis = 0; axis < 3; ++axis) expectSame(a.near.positions[axis], b.near.positions[axis]);
-  expectSame(a.near.triangles, b.near.triangles);
+  expectSame(a.near.faces, b.near.faces);
   ASSERT_EQ(a.near.colours.size(), b.near.colours.size());
   for (std::size_t k = 0; k < a.near.colours.size(); ++k) expectSame(a.near.colours[k], b.near.colours[k]);
   EXPECT_EQ(a.source, b.source);
@@ -83,7 +83,7 @@ TEST_F(LightFieldFile, RoundTripsWithoutANearModel) {
   writeLightField(field_, file_);
   const LightField opened = openLightField(file_);
   EXPECT_TRUE(opened.near.empty());
-  EXPECT_TRUE(opened.near.triangles.empty());
+  EXPECT_TRUE(opened.near.faces.empty());
 }
 
 TEST_F(LightFieldFile, KeepsItsMappingAfterTheFileIsReplaced) {
@@ -154,7 +154,7 @@ TEST_F(LightFieldFile, HeaderHasItsGoldenBytes) {
     std::memcpy(&value, &bits, sizeof value);
     return value;
   };
-  EXPECT_EQ(std::memcmp(bytes.data(), "GroveLF\n\2\0\0\0\x08\3\0\0", 16), 0);
+  EXPECT_EQ(std::memcmp(bytes.data(), "GroveLF\n\3\0\0\0\x08\3\0\0", 16), 0);
   EXPECT_EQ(u32(16), bytes.size());
   EXPECT_EQ(u32(32), 1U);   // subdivision
   EXPECT_EQ(u32(36), 32U);  // size

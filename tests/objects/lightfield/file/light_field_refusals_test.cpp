@@ -88,8 +88,8 @@ TEST_F(LightFieldRefusals, ErrorsNameTheReason) {
 }
 
 TEST_F(LightFieldRefusals, ReportsANewerFormat) {
-  EXPECT_THAT(complaintAboutHeader([](Header& h) { h.version = 3; }),
-              HasSubstr("is of format version 3, made by a newer Grove"));
+  EXPECT_THAT(complaintAboutHeader([](Header& h) { h.version = 4; }),
+              HasSubstr("is of format version 4, made by a newer Grove"));
   EXPECT_THAT(complaintAboutHeader([](Header& h) { h.version = 0; }), HasSubstr("no valid format version"));
 }
 
@@ -151,34 +151,34 @@ TEST_F(LightFieldRefusals, ChecksEveryFieldOfTheHeader) {
     EXPECT_THAT(complaintAboutHeader(cases[i].first), testing::ContainsRegex(cases[i].second)) << "case " << i;
 }
 
-/// Would catch a near model whose triangles name vertices or colours that are not there.
+/// Would catch a near model whose faces name vertices or colours that are not there.
 TEST_F(LightFieldRefusals, ChecksTheNearModel) {
-  using Change = void (*)(NearHeader&, NearCluster*, float*, NearTriangle*);
+  using Change = void (*)(NearHeader&, NearCluster*, float*, NearFace*);
   const std::vector<std::pair<Change, const char*>> cases{
-      {[](NearHeader& h, NearCluster*, float*, NearTriangle*) { ++h.clusters; }, "wrong length"},
-      {[](NearHeader& h, NearCluster*, float*, NearTriangle*) { h.vertices = 0xFFFFFFFFU; }, "wrong length"},
-      {[](NearHeader& h, NearCluster*, float*, NearTriangle*) { --h.triangles; }, "wrong length"},
-      {[](NearHeader& h, NearCluster*, float*, NearTriangle*) { ++h.colours; }, "wrong length"},
-      {[](NearHeader&, NearCluster* c, float*, NearTriangle*) { c[0].firstVertex = 8; }, "invalid cluster"},
-      {[](NearHeader&, NearCluster* c, float*, NearTriangle*) { c[1].firstVertex = 32; }, "invalid cluster"},
-      {[](NearHeader&, NearCluster* c, float*, NearTriangle*) { c[0].vertices = 257; }, "invalid cluster"},
-      {[](NearHeader&, NearCluster* c, float*, NearTriangle*) { c[0].vertices = 3; }, "invalid cluster"},
-      {[](NearHeader&, NearCluster* c, float*, NearTriangle*) { c[1].triangles = 2; }, "invalid cluster"},
-      {[](NearHeader&, NearCluster* c, float*, NearTriangle*) { c[1].firstTriangle = 0xFFFFFFFFU; }, "invalid cluster"},
-      {[](NearHeader&, NearCluster* c, float*, NearTriangle*) { c[1].firstColour = 3; }, "invalid cluster"},
-      {[](NearHeader&, NearCluster* c, float*, NearTriangle*) { c[1].smooth = 2; }, "invalid cluster"},
-      {[](NearHeader&, NearCluster* c, float*, NearTriangle*) { c[0].low[1] = -2.0e6F; }, "invalid cluster"},
-      {[](NearHeader&, NearCluster*, float* p, NearTriangle*) { p[5] = std::numeric_limits<float>::quiet_NaN(); },
+      {[](NearHeader& h, NearCluster*, float*, NearFace*) { ++h.clusters; }, "wrong length"},
+      {[](NearHeader& h, NearCluster*, float*, NearFace*) { h.vertices = 0xFFFFFFFFU; }, "wrong length"},
+      {[](NearHeader& h, NearCluster*, float*, NearFace*) { --h.faces; }, "wrong length"},
+      {[](NearHeader& h, NearCluster*, float*, NearFace*) { ++h.colours; }, "wrong length"},
+      {[](NearHeader&, NearCluster* c, float*, NearFace*) { c[0].firstVertex = 8; }, "invalid cluster"},
+      {[](NearHeader&, NearCluster* c, float*, NearFace*) { c[1].firstVertex = 32; }, "invalid cluster"},
+      {[](NearHeader&, NearCluster* c, float*, NearFace*) { c[0].vertices = 257; }, "invalid cluster"},
+      {[](NearHeader&, NearCluster* c, float*, NearFace*) { c[0].vertices = 3; }, "invalid cluster"},
+      {[](NearHeader&, NearCluster* c, float*, NearFace*) { c[1].faces = 2; }, "invalid cluster"},
+      {[](NearHeader&, NearCluster* c, float*, NearFace*) { c[1].firstFace = 0xFFFFFFFFU; }, "invalid cluster"},
+      {[](NearHeader&, NearCluster* c, float*, NearFace*) { c[1].firstColour = 3; }, "invalid cluster"},
+      {[](NearHeader&, NearCluster* c, float*, NearFace*) { c[1].smooth = 2; }, "invalid cluster"},
+      {[](NearHeader&, NearCluster* c, float*, NearFace*) { c[0].low[1] = -2.0e6F; }, "invalid cluster"},
+      {[](NearHeader&, NearCluster*, float* p, NearFace*) { p[5] = std::numeric_limits<float>::quiet_NaN(); },
        "vertex out of range"},
-      {[](NearHeader&, NearCluster*, float*, NearTriangle* t) { t[2][1] = 3; }, "invalid cluster"},
-      {[](NearHeader&, NearCluster*, float*, NearTriangle* t) { t[0][3] = 1; }, "invalid cluster"},
+      {[](NearHeader&, NearCluster*, float*, NearFace* f) { f[2][1] = 3; }, "invalid cluster"},
+      {[](NearHeader&, NearCluster*, float*, NearFace* f) { f[0][3] = 4; }, "invalid cluster"},
   };
   for (std::size_t i = 0; i < cases.size(); ++i) {
     const auto change = [&](std::byte* section) {
       auto* const clusters = reinterpret_cast<NearCluster*>(section + sizeof(NearHeader));
       auto* const positions = reinterpret_cast<float*>(clusters + 2);
-      auto* const triangles = reinterpret_cast<NearTriangle*>(positions + 3 * 2 * kClusterAlignment);
-      cases[i].first(*reinterpret_cast<NearHeader*>(section), clusters, positions, triangles);
+      auto* const faces = reinterpret_cast<NearFace*>(positions + 3 * 2 * kClusterAlignment);
+      cases[i].first(*reinterpret_cast<NearHeader*>(section), clusters, positions, faces);
     };
     EXPECT_THAT(complaintAboutSection(kNear, change), HasSubstr(cases[i].second)) << "case " << i;
   }

@@ -17,17 +17,17 @@ namespace {
 
 /// Two clusters: a leaf and a smooth triangle.
 struct SmallNear {
-  std::vector<NearCluster> clusters{{.low = {0, 0, 0}, .high = {1, 1, 0}, .vertices = 4, .triangles = 2},
+  std::vector<NearCluster> clusters{{.low = {0, 0, 0}, .high = {1, 1, 0}, .vertices = 4, .faces = 2},
                                     {.low = {0, 0, 1},
                                      .high = {1, 1, 1},
                                      .firstVertex = kClusterAlignment,
                                      .vertices = 3,
-                                     .firstTriangle = 2,
-                                     .triangles = 1,
+                                     .firstFace = 2,
+                                     .faces = 1,
                                      .firstColour = 2,
                                      .smooth = 1}};
   std::array<std::vector<float>, 3> positions;
-  std::vector<NearTriangle> triangles{{0, 1, 2, 0}, {2, 1, 3, 0}, {0, 1, 2, 0}};
+  std::vector<NearFace> faces{{0, 1, 3, 2}, {2, 1, 3, 3}, {0, 1, 2, 2}};
   std::array<std::vector<std::uint32_t>, 2> colours;
 };
 
@@ -45,9 +45,9 @@ void addNear(LightField& field) {
   }
   field.near.clusters = near->clusters;
   for (std::size_t axis = 0; axis < 3; ++axis) field.near.positions[axis] = near->positions[axis];
-  field.near.triangles = near->triangles;
+  field.near.faces = near->faces;
   field.near.colours.assign(near->colours.begin(), near->colours.end());
-  field.bytes += 16 + 2 * sizeof(NearCluster) + 3 * 2 * kClusterAlignment * sizeof(float) + 3 * sizeof(NearTriangle) +
+  field.bytes += 16 + 2 * sizeof(NearCluster) + 3 * 2 * kClusterAlignment * sizeof(float) + 3 * sizeof(NearFace) +
                  2 * 10 * sizeof(std::uint32_t);
   field.storage =
       std::make_shared<std::pair<std::shared_ptr<const void>, std::shared_ptr<SmallNear>>>(field.storage, near);

@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "objects/lightfield/backend/near/near_canvas_kernels.h"
+#include "objects/lightfield/backend/near/near_projection_kernels.h"
+#include "objects/lightfield/backend/near/near_resolve_kernels.h"
 
 namespace grove::objects::lightfield {
 namespace {
@@ -14,17 +16,15 @@ using world::Vec2;
 using world::Vec3;
 using world::Vec4;
 
-/// The projection to the samples of a picture's part.
+/// The projection to the pixels of a picture's part.
 NearProjection projectionTo(const world::Rect& rect, const ObjectCamera& camera) {
   const glm::mat3 toPixels = glm::inverse(glm::mat3(camera.perColumn, camera.perRow, camera.corner));
   const Vec3 offset = -(toPixels * camera.eye);
   const auto row = [&](int i) { return Vec4(toPixels[0][i], toPixels[1][i], toPixels[2][i], offset[i]); };
-  constexpr auto kSamples = static_cast<float>(kNearSamples);
-  return {kSamples * (row(0) - static_cast<float>(rect.left) * row(2)),
-          kSamples * (row(1) - static_cast<float>(rect.top) * row(2)), row(2)};
+  return {row(0) - static_cast<float>(rect.left) * row(2), row(1) - static_cast<float>(rect.top) * row(2), row(2)};
 }
 
-/// Whether a box is partly in the view, which has that many samples.
+/// Whether a box is partly in the view, which has that many pixels.
 bool isSeen(const NearCluster& cluster, const NearProjection& projection, Vec2 size) {
   // The planes through the eye and an edge of the picture; positive inside.
   const std::array<Vec4, 5> planes{projection.depth, projection.x, projection.y,
@@ -62,17 +62,16 @@ void NearRenderer::render(const NearModel& model, int lighting, const ObjectCame
   const NearProjection projection = projectionTo(image.rect, camera);
   std::unique_ptr<Scratch> scratch = takeScratch();
   NearTiles& tiles = scratch->tiles;
-  tiles.begin(kNearSamples * image.width(), kNearSamples * image.height());
+  tiles.begin(image.width(), image.height());
   for (const NearCluster& cluster : model.clusters) {
-    if (!isSeen(cluster, projection, {tiles.width, tiles.height})) continue;
+    if (!isSeen(cluster, projection, {image.width(), image.height()})) continue;
     projectCluster(model, cluster, fronts, backs, projection, tiles);
   }
-  for (int row = 0; row < tiles.down; ++row) {
-    for (int column = 0; column < tiles.across; ++column) {
-      const int left = column * kNearTileWidth;
-      const int top = row * kNearTileHeight;
-      drawTile(tiles.at(column, row), left, top, scratch->canvas);
-      resolveTile(left / kNearSamples, top / kNearSamples, haze, scratch->canvas, image);
+  for (int row = 0; row < tiles.down(); ++row) {
+    for (int column = 0; column < tiles.across(); ++column) {
+      tiles.sort(column, row);
+      drawTile(tiles, column, row, halfPlanes_, scratch->canvas);
+      resolveTile(column * kNearTile, row * kNearTile, haze, scratch->canvas, image);
     }
   }
   giveBack(std::move(scratch));

@@ -4,6 +4,7 @@
 #include <mutex>
 #include <vector>
 
+#include "objects/lightfield/backend/near/half_planes.h"
 #include "objects/lightfield/common/haze.h"
 #include "objects/lightfield/format/near_model.h"
 #include "objects/lightfield/format/view_camera.h"
@@ -12,9 +13,9 @@
 
 namespace grove::objects::lightfield {
 
-/// Draws light fields' objects from their triangles, for eyes so near that the views are too coarse. Each triangle is
-/// projected once and sorted into tiles, each of which is drawn in the cache. Four samples per pixel smooth the edges.
-/// Any thread, any number at once.
+/// Draws light fields' objects from their faces, for eyes so near that the views are too coarse. Each face is projected
+/// once and sorted into tiles, which are drawn in the cache, front to back, so that hidden faces cost little. Sixteen
+/// samples per pixel smooth the edges. Any thread, any number at once.
 class NearRenderer {
  public:
   explicit NearRenderer(pipeline::MemoryLedger& memory);
@@ -30,6 +31,7 @@ class NearRenderer {
   [[nodiscard]] std::unique_ptr<Scratch> takeScratch();
   void giveBack(std::unique_ptr<Scratch> scratch);
 
+  const HalfPlanes halfPlanes_;
   std::mutex mutex_;
   std::vector<std::unique_ptr<Scratch>> unused_;
   pipeline::HeldMemory held_;

@@ -1,19 +1,21 @@
 #include "objects/lightfield/bake/near/near_surface.h"
 
 #include <algorithm>
-#include <numeric>
+#include <array>
+#include <span>
 #include <unordered_map>
 
+#include "objects/lightfield/bake/near/near_faces.h"
 #include "world/light.h"
 
 namespace grove::bake {
 
 using objects::lightfield::kClusterAlignment;
-using objects::lightfield::kMaxClusterTriangles;
+using objects::lightfield::kMaxClusterFaces;
 using objects::lightfield::kMaxClusterVertices;
 using objects::lightfield::NearCluster;
+using objects::lightfield::NearFace;
 using objects::lightfield::NearModel;
-using objects::lightfield::NearTriangle;
 using world::Vec3;
 
 namespace {
@@ -29,7 +31,7 @@ class Builder {
   [[nodiscard]] NearSurface build() {
     fronts_.resize(lightings_);
     backs_.resize(lightings_);
-    for (const std::uint32_t triangle : order()) add(triangle);
+    for (const ModelFace& face : sortedFaces()) add(face);
     finish();
     for (std::size_t k = 0; k < lightings_; ++k) {
       std::vector<std::uint32_t>& colours = result_.colours.emplace_back(std::move(fronts_[k]));
@@ -39,37 +41,33 @@ class Builder {
   }
 
  private:
-  [[nodiscard]] bool isSmooth(std::uint32_t triangle) const {
-    return model_.materials[model_.materialOf[triangle]].solid;
-  }
-
   /// Leaves after wood; both in the order of the light points, which follows a space-filling curve.
-  [[nodiscard]] std::vector<std::uint32_t> order() const {
-    std::vector<std::uint32_t> all(model_.triangles.indices.size());
-    std::iota(all.begin(), all.end(), 0U);
-    std::ranges::stable_sort(all, {}, [&](std::uint32_t triangle) {
-      return std::pair(!isSmooth(triangle), points_.ofVertex[model_.triangles.indices[triangle][0]]);
+  [[nodiscard]] std::vector<ModelFace> sortedFaces() const {
+    std::vector<ModelFace> faces = facesOf(model_);
+    std::ranges::stable_sort(faces, {}, [&](const ModelFace& face) {
+      return std::pair(!isSmooth(face), points_.ofVertex[face.corners[0]]);
     });
-    return all;
+    return faces;
   }
 
-  void add(std::uint32_t triangle) {
-    const auto& corners = model_.triangles.indices[triangle];
-    const bool smooth = isSmooth(triangle);
-    const auto added = std::ranges::count_if(corners, [&](std::uint32_t v) { return !indices_.contains(v); });
-    const bool isFull = cluster_.vertices + static_cast<std::size_t>(added) > kMaxClusterVertices ||
-                        cluster_.triangles == kMaxClusterTriangles;
-    if (isFull || (cluster_.triangles > 0 && smooth != (cluster_.smooth != 0))) finish();
+  [[nodiscard]] bool isSmooth(const ModelFace& face) const { return model_.materials[face.material].solid; }
+
+  void add(const ModelFace& face) {
+    const bool smooth = isSmooth(face);
+    const auto added = std::ranges::count_if(face.corners, [&](std::uint32_t v) { return !indices_.contains(v); });
+    const bool isFull =
+        cluster_.vertices + static_cast<std::size_t>(added) > kMaxClusterVertices || cluster_.faces == kMaxClusterFaces;
+    if (isFull || (cluster_.faces > 0 && smooth != (cluster_.smooth != 0))) finish();
     cluster_.smooth = smooth ? 1 : 0;
-    NearTriangle local{};
-    for (std::size_t i = 0; i < 3; ++i) local[i] = indexOf(corners[i], triangle);
-    result_.triangles.push_back(local);
-    ++cluster_.triangles;
-    if (!smooth) addColours(triangle, corners);
+    NearFace local{};
+    for (std::size_t i = 0; i < 4; ++i) local[i] = indexOf(face.corners[i], face.material);
+    result_.faces.push_back(local);
+    ++cluster_.faces;
+    if (!smooth) addColours(face.material, std::span(face.corners).first(face.isTriangle() ? 3 : 4));
   }
 
   /// The vertex's index in the current cluster, to which it is added if necessary.
-  std::uint8_t indexOf(std::uint32_t vertex, std::uint32_t triangle) {
+  std::uint8_t indexOf(std::uint32_t vertex, std::uint16_t material) {
     const auto [it, isNew] = indices_.try_emplace(vertex, static_cast<std::uint8_t>(cluster_.vertices));
     if (!isNew) return it->second;
     const Vec3 position = model_.triangles.positions[vertex];
@@ -80,14 +78,13 @@ class Builder {
       cluster_.high[a] = cluster_.vertices == 0 ? position[axis] : std::max(cluster_.high[a], position[axis]);
     }
     ++cluster_.vertices;
-    if (cluster_.smooth != 0) addColours(triangle, std::array{vertex});
+    if (cluster_.smooth != 0) addColours(material, std::array{vertex});
     return it->second;
   }
 
-  /// Adds the mean colour of some of a triangle's corners, for each lighting and side.
-  template <std::size_t kCount>
-  void addColours(std::uint32_t triangle, const std::array<std::uint32_t, kCount>& vertices) {
-    const models::Material& material = model_.materials[model_.materialOf[triangle]];
+  /// Adds the mean colour at some vertices, for each lighting and side.
+  void addColours(std::uint16_t materialIndex, std::span<const std::uint32_t> vertices) {
+    const models::Material& material = model_.materials[materialIndex];
     const std::size_t stride = light_.stride();
     for (std::size_t k = 0; k < lightings_; ++k) {
       Vec3 front(0.0F);
@@ -103,20 +100,20 @@ class Builder {
         front += tint * (material.albedo * before + material.transmittance * behind);
         back += tint * (material.albedo * behind + material.transmittance * before);
       }
-      fronts_[k].push_back(world::toDisplayRgba(front / static_cast<float>(kCount)));
-      backs_[k].push_back(world::toDisplayRgba(back / static_cast<float>(kCount)));
+      fronts_[k].push_back(world::toDisplayRgba(front / static_cast<float>(vertices.size())));
+      backs_[k].push_back(world::toDisplayRgba(back / static_cast<float>(vertices.size())));
     }
   }
 
   /// Ends the current cluster, if there is one, and begins the next.
   void finish() {
-    if (cluster_.triangles > 0) result_.clusters.push_back(cluster_);
+    if (cluster_.faces > 0) result_.clusters.push_back(cluster_);
     for (std::vector<float>& axis : result_.positions) {
       axis.resize((axis.size() + kClusterAlignment - 1) / kClusterAlignment * kClusterAlignment, 0.0F);
     }
     indices_.clear();
     cluster_ = {.firstVertex = static_cast<std::uint32_t>(result_.positions[0].size()),
-                .firstTriangle = static_cast<std::uint32_t>(result_.triangles.size()),
+                .firstFace = static_cast<std::uint32_t>(result_.faces.size()),
                 .firstColour = static_cast<std::uint32_t>(fronts_[0].size())};
   }
 
@@ -137,7 +134,7 @@ NearModel NearSurface::model() const {
   NearModel model;
   model.clusters = clusters;
   for (std::size_t axis = 0; axis < 3; ++axis) model.positions[axis] = positions[axis];
-  model.triangles = triangles;
+  model.faces = faces;
   model.colours.assign(colours.begin(), colours.end());
   return model;
 }

@@ -15,7 +15,7 @@ namespace grove::bake {
 struct NearSurface {
   std::vector<objects::lightfield::NearCluster> clusters;
   std::array<std::vector<float>, 3> positions;
-  std::vector<objects::lightfield::NearTriangle> triangles;
+  std::vector<objects::lightfield::NearFace> faces;
   std::vector<std::vector<std::uint32_t>> colours;  ///< by lighting
 
   [[nodiscard]] objects::lightfield::NearModel model() const;

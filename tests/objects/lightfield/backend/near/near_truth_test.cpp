@@ -51,7 +51,7 @@ std::vector<std::uint32_t> overSky(const std::uint32_t* colours) {
 }
 
 /// Fails if triangles have another place, light or edge than rays find. The rays see the same model in the same light:
-/// 36 of them per pixel. Measured: 26.5 to 35.8 dB.
+/// 36 of them per pixel. Measured: 30.4 to 36.2 dB.
 TEST(NearTruth, TreesFromNearAreWhatRaysSee) {
   for (const char* const plant : kSanitized ? std::vector{"spruce"} : std::vector{"oak", "birch", "spruce"}) {
     const models::Model model =
@@ -80,7 +80,7 @@ TEST(NearTruth, TreesFromNearAreWhatRaysSee) {
       const auto shown = overSky(image->colour.data());
       const auto drawn = overSky(expected.colour.front().data());
       const double error = measure::meanSquareError({shown, kSize}, {drawn, kSize}, measure::Mask(shown.size(), 1));
-      EXPECT_GE(measure::decibels(error), 26.0) << plant << " from " << eye.x << ", " << eye.z;
+      EXPECT_GE(measure::decibels(error), 29.5) << plant << " from " << eye.x << ", " << eye.z;
     }
   }
 }
