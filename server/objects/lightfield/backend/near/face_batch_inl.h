@@ -220,12 +220,9 @@ HWY_INLINE void makeInner(const Quads& nearness, const Quads& colours, const Dia
   most.store(to.most);
 }
 
-/// Prepares kBatch faces of a tile from `from` on; beyond the tile's last face, that one again.
-HWY_INLINE void prepareFaces(const NearTiles& tiles, int column, int row, std::size_t from, FaceBatch& to) {
+/// Prepares faces of a tile.
+HWY_INLINE void prepareFaces(const ScreenFace* const (&faces)[kBatch], int column, int row, FaceBatch& to) {
   const BatchTag tag;
-  const ScreenFace* faces[kBatch];
-  const std::size_t last = tiles.count(column, row) - 1;
-  for (std::size_t i = 0; i < kBatch; ++i) faces[i] = &tiles.at(column, row, std::min(from + i, last));
   Quads x = loadQuads([&](std::size_t i) { return faces[i]->x; });
   Quads y = loadQuads([&](std::size_t i) { return faces[i]->y; });
   for (BatchVec& v : x.v) v = hn::Sub(v, hn::Set(tag, static_cast<float>(column * kNearTile) + 0.5F));

@@ -12,17 +12,14 @@
 
 namespace grove::objects::lightfield {
 
-/// Nearness of 1 per metre in units of NearPixels::nearness, whose range begins at 0.2 m.
-inline constexpr float kNearnessUnit = 0.2F * 32767.0F;
-
-/// 8 x 2 pixels, row by row. Triangles come front to back: each sample belongs to the first that covers it.
+/// 8 x 2 pixels, row by row. Faces come front to back: each sample belongs to the first that covers it.
 struct alignas(32) NearPixels {
   static constexpr int kColumns = 8;
   static constexpr int kRows = 2;
   static constexpr std::size_t kCount = std::size_t{kColumns} * kRows;
 
   std::uint16_t covered[kCount];    ///< a bit per sample
-  std::int16_t nearness[kCount];    ///< of the nearest triangle, 0 if there is none
+  std::int16_t nearness[kCount];    ///< of the nearest face in units of kNearnessUnit, 0 if there is none
   std::uint16_t colour[3][kCount];  ///< sums of the covered samples'
 };
 
@@ -30,7 +27,7 @@ struct alignas(32) NearPixels {
 struct NearCanvas {
   static constexpr int kAcross = kNearTile / NearPixels::kColumns;
   static constexpr int kDown = kNearTile / NearPixels::kRows;
-  static constexpr int kBlock = 4;  ///< of NearPixels below each other: 8 x 8 pixels
+  static constexpr int kBlock = kNearBlock / NearPixels::kRows;  ///< NearPixels below each other
 
   std::vector<NearPixels> pixels = std::vector<NearPixels>(std::size_t{kAcross} * kDown);
   std::array<std::uint8_t, 64> fullCount{};  ///< by block, row by row: NearPixels whose samples are all covered

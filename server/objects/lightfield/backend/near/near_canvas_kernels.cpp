@@ -1,6 +1,7 @@
 #include "objects/lightfield/backend/near/near_canvas_kernels.h"
 
 #include <algorithm>
+#include <span>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "objects/lightfield/backend/near/near_canvas_kernels.cpp"
@@ -14,12 +15,11 @@
 HWY_BEFORE_NAMESPACE();
 namespace grove::objects::lightfield::HWY_NAMESPACE {
 
-/// Whether all blocks that a face touches are full, by what is not behind `nearest`.
-HWY_INLINE bool isHidden(const NearCanvas& canvas, const FaceBatch& batch, std::size_t face, std::int16_t nearest) {
-  const int lastRow = (batch.bottom[face] - 1) / NearCanvas::kBlock;
-  for (int row = batch.top[face] / NearCanvas::kBlock; row <= lastRow; ++row) {
-    for (int column = batch.left[face]; column < batch.right[face]; ++column) {
-      if (canvas.farthest[static_cast<std::size_t>(row * NearCanvas::kAcross + column)] < nearest) return false;
+/// Whether all blocks that a face touches are full, by what is not behind it.
+HWY_INLINE bool isHidden(const NearCanvas& canvas, const TileFace& face) {
+  for (int row = face.top; row <= face.bottom; ++row) {
+    for (int column = face.left; column <= face.right; ++column) {
+      if (canvas.farthest[static_cast<std::size_t>(row * kTileBlocks + column)] < face.nearest) return false;
     }
   }
   return true;
@@ -63,27 +63,25 @@ HWY_NOINLINE void takeSamples(NearPixels& pixels, std::size_t first, MaskVec tak
   }
 }
 
-/// Draws the rows of one step. Returns whether it covered the last samples of all its pixels.
+/// Draws the rows of one step. Returns whether it covered the last samples of all its pixels. Has no branches but for
+/// what is rare: they would be mispredicted too often.
 HWY_INLINE bool drawStep(NearPixels& pixels, const Coverage& coverage, const Surface& surface, int column, int row) {
   const Masks masks;
   const Words words;
   const auto first = static_cast<std::size_t>(row % NearPixels::kRows) * NearPixels::kColumns;
   const MaskVec none = hn::Zero(masks);
+  const MaskVec all = hn::Set(masks, 0xFFFF);
   const MaskVec inside = coverage.at(column, row);
-  if (hn::AllTrue(masks, hn::Eq(inside, none))) return false;
   const MaskVec before = hn::Load(masks, pixels.covered + first);
   const WordVec nearnessBefore = hn::Load(words, pixels.nearness + first);
   const auto values = surface.at(column, row);
   const WordVec nearness = surface.nearness(values);
-  const MaskVec added = hn::AndNot(before, inside);
-  const MaskVec taken =
-      hn::IfThenElseZero(hn::RebindMask(masks, hn::Gt(nearness, nearnessBefore)), hn::And(before, inside));
-  if (hn::AllTrue(masks, hn::Eq(hn::Or(added, taken), none))) return false;
   MaskVec colours[3];
   surface.colours(values, colours);
+  const MaskVec taken =
+      hn::IfThenElseZero(hn::RebindMask(masks, hn::Gt(nearness, nearnessBefore)), hn::And(before, inside));
   if (!hn::AllTrue(masks, hn::Eq(taken, none))) takeSamples(pixels, first, taken, nearness, colours);
-  if (hn::AllTrue(masks, hn::Eq(added, none))) return false;
-  const MaskVec count = hn::PopulationCount(added);
+  const MaskVec count = hn::PopulationCount(hn::AndNot(before, inside));
   for (std::size_t c = 0; c < 3; ++c) {
     std::uint16_t* const to = pixels.colour[c] + first;
     hn::Store(hn::Add(hn::Load(masks, to), hn::Mul(count, colours[c])), masks, to);
@@ -93,7 +91,7 @@ HWY_INLINE bool drawStep(NearPixels& pixels, const Coverage& coverage, const Sur
   hn::Store(hn::IfThenElse(hn::RebindMask(words, isFirst), nearness, hn::Load(words, nearnessTo)), words, nearnessTo);
   const MaskVec covered = hn::Or(before, inside);
   hn::Store(covered, masks, pixels.covered + first);
-  return hn::AllTrue(masks, hn::Eq(covered, hn::Set(masks, 0xFFFF)));
+  return hn::AllTrue(masks, hn::Eq(covered, all)) && !hn::AllTrue(masks, hn::Eq(before, all));
 }
 
 /// Whether all samples are covered, by what is not behind `nearest`.
@@ -134,17 +132,25 @@ HWY_INLINE void drawFace(const FaceBatch& batch, std::size_t face, const HalfPla
 
 void drawTile(const NearTiles& tiles, int column, int row, const HalfPlanes& halfPlanes, NearCanvas& canvas) {
   FaceBatch batch;
-  const std::size_t count = tiles.count(column, row);
-  for (std::size_t from = 0; from < count; from += kBatch) {
-    const std::size_t some = std::min(kBatch, count - from);
-    prepareFaces(tiles, column, row, from, batch);
-    for (std::size_t i = from + some; i < std::min(count, from + some + kBatch); ++i) {
-      hwy::Prefetch(&tiles.at(column, row, i));
+  const std::span<const TileFace> entries = tiles.at(column, row);
+  std::size_t next = 0;
+  while (next < entries.size()) {
+    const ScreenFace* faces[kBatch];
+    std::int16_t nearest[kBatch];
+    std::size_t count = 0;
+    for (; next < entries.size() && count < kBatch; ++next) {
+      if (isHidden(canvas, entries[next])) continue;
+      faces[count] = &tiles.face(entries[next].face);
+      nearest[count] = entries[next].nearest;
+      ++count;
     }
-    for (std::size_t face = 0; face < some; ++face) {
-      const auto nearest = static_cast<std::int16_t>(std::min(std::max(batch.most[face][0], 1.0F), 32767.0F));
-      if (!isHidden(canvas, batch, face, nearest)) drawFace(batch, face, halfPlanes, nearest, canvas);
+    if (count == 0) return;
+    std::fill(faces + count, faces + kBatch, faces[0]);
+    prepareFaces(faces, column, row, batch);
+    for (std::size_t i = next; i < std::min(entries.size(), next + kBatch); ++i) {
+      hwy::Prefetch(&tiles.face(entries[i].face));
     }
+    for (std::size_t face = 0; face < count; ++face) drawFace(batch, face, halfPlanes, nearest[face], canvas);
   }
 }
 

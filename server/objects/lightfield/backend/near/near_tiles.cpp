@@ -20,9 +20,25 @@ std::uint32_t sortKey(const ScreenFace& face) {
   return static_cast<std::uint32_t>((1.0F - std::min(1.0F, nearness * kNearestKey)) * kLast);
 }
 
-int tileOf(float place, int count) {
-  return static_cast<int>(std::clamp(place * (1.0F / kNearTile), 0.0F, static_cast<float>(count - 1)));
-}
+/// Blocks of the picture, from its left or top edge.
+struct Range {
+  int first;
+  int last;
+
+  Range(float from, float to, int tiles)
+      : first(blockOf(from - kCoverageMargin, tiles)), last(blockOf(to + kCoverageMargin, tiles)) {}
+  static int blockOf(float place, int tiles) {
+    const auto end = static_cast<float>(tiles * kTileBlocks - 1);
+    return static_cast<int>(std::clamp(place * (1.0F / kNearBlock), 0.0F, end));
+  }
+  /// The part in a tile.
+  [[nodiscard]] std::uint8_t firstIn(int tile) const {
+    return static_cast<std::uint8_t>(std::max(first - tile * kTileBlocks, 0));
+  }
+  [[nodiscard]] std::uint8_t lastIn(int tile) const {
+    return static_cast<std::uint8_t>(std::min(last - tile * kTileBlocks, kTileBlocks - 1));
+  }
+};
 
 }  // namespace
 
@@ -34,42 +50,49 @@ void NearTiles::begin(int width, int height) {
   faces_.clear();
   const auto count = static_cast<std::size_t>(across_) * static_cast<std::size_t>(down_);
   if (tiles_.size() < count) tiles_.resize(count);
-  for (std::vector<Entry>& tile : tiles_) tile.clear();
+  for (std::vector<TileFace>& tile : tiles_) tile.clear();
 }
 
 void NearTiles::add(const ScreenFace& face) {
-  const Entry entry{sortKey(face), static_cast<std::uint32_t>(faces_.size())};
-  faces_.push_back(face);
   const auto least = [](const float(&v)[4]) { return std::min(std::min(v[0], v[1]), std::min(v[2], v[3])); };
   const auto most = [](const float(&v)[4]) { return std::max(std::max(v[0], v[1]), std::max(v[2], v[3])); };
-  const int left = tileOf(least(face.x) - kCoverageMargin, across_);
-  const int right = tileOf(most(face.x) + kCoverageMargin, across_);
-  const int top = tileOf(least(face.y) - kCoverageMargin, down_);
-  const int bottom = tileOf(most(face.y) + kCoverageMargin, down_);
-  for (int row = top; row <= bottom; ++row) {
-    for (int column = left; column <= right; ++column) tiles_[tile(column, row)].push_back(entry);
+  const Range columns(least(face.x), most(face.x), across_);
+  const Range rows(least(face.y), most(face.y), down_);
+  TileFace entry{};
+  entry.key = sortKey(face);
+  entry.face = static_cast<std::uint32_t>(faces_.size());
+  entry.nearest = static_cast<std::int16_t>(std::clamp(most(face.nearness) * kNearnessUnit, 1.0F, 32767.0F));
+  faces_.push_back(face);
+  for (int row = rows.first / kTileBlocks; row <= rows.last / kTileBlocks; ++row) {
+    entry.top = rows.firstIn(row);
+    entry.bottom = rows.lastIn(row);
+    for (int column = columns.first / kTileBlocks; column <= columns.last / kTileBlocks; ++column) {
+      entry.left = columns.firstIn(column);
+      entry.right = columns.lastIn(column);
+      tiles_[tile(column, row)].push_back(entry);
+    }
   }
 }
 
 void NearTiles::sort(int column, int row) {
-  std::vector<Entry>& entries = tiles_[tile(column, row)];
+  std::vector<TileFace>& entries = tiles_[tile(column, row)];
   sortBy(0, entries, sorted_);
   sortBy(kDigitBits, sorted_, entries);
 }
 
 /// One pass of a radix sort.
-void NearTiles::sortBy(std::uint32_t shift, const std::vector<Entry>& from, std::vector<Entry>& to) {
-  const auto digit = [&](const Entry& entry) { return (entry.key >> shift) % kDigits; };
+void NearTiles::sortBy(std::uint32_t shift, const std::vector<TileFace>& from, std::vector<TileFace>& to) {
+  const auto digit = [&](const TileFace& entry) { return (entry.key >> shift) % kDigits; };
   std::array<std::uint32_t, kDigits + 1> next{};
-  for (const Entry& entry : from) ++next[digit(entry) + 1];
+  for (const TileFace& entry : from) ++next[digit(entry) + 1];
   for (std::size_t i = 1; i <= kDigits; ++i) next[i] += next[i - 1];
   to.resize(from.size());
-  for (const Entry& entry : from) to[next[digit(entry)]++] = entry;
+  for (const TileFace& entry : from) to[next[digit(entry)]++] = entry;
 }
 
 std::size_t NearTiles::bytes() const noexcept {
   std::size_t sum = pipeline::vectorBytes(faces_, tiles_, sorted_);
-  for (const std::vector<Entry>& tile : tiles_) sum += pipeline::vectorBytes(tile);
+  for (const std::vector<TileFace>& tile : tiles_) sum += pipeline::vectorBytes(tile);
   return sum;
 }
 

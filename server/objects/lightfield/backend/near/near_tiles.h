@@ -2,12 +2,18 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace grove::objects::lightfield {
 
 /// Pixels along each edge of a tile: few enough for the L1 cache, and 8 x 8 blocks of 8 x 8.
 inline constexpr int kNearTile = 64;
+inline constexpr int kNearBlock = 8;
+inline constexpr int kTileBlocks = kNearTile / kNearBlock;
+
+/// Nearness of 1 per metre in 16-bit numbers, whose range begins at 0.2 m.
+inline constexpr float kNearnessUnit = 0.2F * 32767.0F;
 
 /// Pixels by which rounding moves a face's edges at most.
 inline constexpr float kCoverageMargin = 0.125F;
@@ -25,6 +31,17 @@ struct alignas(64) ScreenFace {
   }
 };
 
+/// A face in a tile: where it is there, in blocks of 8 x 8 pixels.
+struct TileFace {
+  std::uint32_t key;  ///< smallest in front
+  std::uint32_t face;
+  std::uint8_t left;  ///< first and last block
+  std::uint8_t right;
+  std::uint8_t top;
+  std::uint8_t bottom;
+  std::int16_t nearest;  ///< in units of kNearnessUnit
+};
+
 /// The faces of a picture by the tiles that they touch.
 class NearTiles {
  public:
@@ -37,11 +54,9 @@ class NearTiles {
   /// Sorts a tile's faces front to back by their middles.
   void sort(int column, int row);
 
-  /// After sort(): the number of a tile's faces, and each of them.
-  [[nodiscard]] std::size_t count(int column, int row) const { return tiles_[tile(column, row)].size(); }
-  [[nodiscard]] const ScreenFace& at(int column, int row, std::size_t i) const {
-    return faces_[tiles_[tile(column, row)][i].face];
-  }
+  /// A tile's faces, after sort() front to back.
+  [[nodiscard]] std::span<const TileFace> at(int column, int row) const { return tiles_[tile(column, row)]; }
+  [[nodiscard]] const ScreenFace& face(std::uint32_t index) const { return faces_[index]; }
 
   [[nodiscard]] int width() const noexcept { return width_; }  ///< pixels
   [[nodiscard]] int height() const noexcept { return height_; }
@@ -52,23 +67,18 @@ class NearTiles {
   [[nodiscard]] std::size_t bytes() const noexcept;
 
  private:
-  struct Entry {
-    std::uint32_t key;  ///< smallest in front
-    std::uint32_t face;
-  };
-
   [[nodiscard]] std::size_t tile(int column, int row) const {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(across_) + static_cast<std::size_t>(column);
   }
-  void sortBy(std::uint32_t shift, const std::vector<Entry>& from, std::vector<Entry>& to);
+  void sortBy(std::uint32_t shift, const std::vector<TileFace>& from, std::vector<TileFace>& to);
 
   int width_ = 0;
   int height_ = 0;
   int across_ = 0;
   int down_ = 0;
   std::vector<ScreenFace> faces_;
-  std::vector<std::vector<Entry>> tiles_;  ///< at least across_ * down_
-  std::vector<Entry> sorted_;
+  std::vector<std::vector<TileFace>> tiles_;  ///< at least across_ * down_
+  std::vector<TileFace> sorted_;
 };
 
 }  // namespace grove::objects::lightfield

@@ -25,10 +25,16 @@ TEST(NearTiles, FacesAreInAllTilesThatTheyTouch) {
   tiles.add(squareAt(190, 90, 100, 1));
   const std::size_t expected[2][4] = {{2, 2, 1, 1}, {1, 1, 2, 2}};
   for (int row = 0; row < 2; ++row) {
-    for (int column = 0; column < 4; ++column) EXPECT_EQ(tiles.count(column, row), expected[row][column]);
+    for (int column = 0; column < 4; ++column) EXPECT_EQ(tiles.at(column, row).size(), expected[row][column]);
   }
+  const TileFace& corner = tiles.at(1, 0).front();
+  EXPECT_EQ(corner.face, 0U);
+  EXPECT_EQ(corner.left, 0);
+  EXPECT_EQ(corner.right, 0);
+  EXPECT_EQ(corner.top, 1);
+  EXPECT_EQ(corner.bottom, 2);
   tiles.begin(64, 64);
-  EXPECT_EQ(tiles.count(0, 0), 0U);
+  EXPECT_TRUE(tiles.at(0, 0).empty());
 }
 
 /// Fails if far faces hide near ones.
@@ -39,10 +45,11 @@ TEST(NearTiles, FacesAreSortedFrontToBack) {
   std::uniform_real_distribution<float> depth(0.3F, 20.0F);
   for (int i = 0; i < 1000; ++i) tiles.add(squareAt(10, 10, 5, 1.0F / depth(random)));
   tiles.sort(0, 0);
-  ASSERT_EQ(tiles.count(0, 0), 1000U);
+  const std::span<const TileFace> sorted = tiles.at(0, 0);
+  ASSERT_EQ(sorted.size(), 1000U);
   for (std::size_t i = 1; i < 1000; ++i) {
     // Keys are steps of nearness.
-    EXPECT_LE(tiles.at(0, 0, i).nearness[0], tiles.at(0, 0, i - 1).nearness[0] + 3.0e-4F);
+    EXPECT_LE(tiles.face(sorted[i].face).nearness[0], tiles.face(sorted[i - 1].face).nearness[0] + 3.0e-4F);
   }
 }
 
