@@ -60,10 +60,12 @@ class ReprojectedLayer final : public node::Layer {
   const LampLight light_;
 };
 
-/// Whether the eye is within an object that can be shown by its triangles. There, views are too coarse, and every step
+/// Metres from an object's bounds up to which it is shown by its faces. There, views are too coarse, and every step
 /// would need new pictures of them.
+constexpr float kAmid = 1.0F;
+
 bool isAmid(const Sight& sight) {
-  return sight.field.hasNear && sight.object.object.bounds.distance(sight.view.camera.pose.position) <= 0.0F;
+  return sight.field.hasNear && sight.object.object.bounds.distance(sight.view.camera.pose.position) <= kAmid;
 }
 
 /// Whether a picture is coarse because the budget was spent.
