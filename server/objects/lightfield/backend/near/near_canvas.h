@@ -33,6 +33,10 @@ struct NearCanvas {
   std::array<std::uint8_t, 64> fullCount{};  ///< by block, row by row: NearPixels whose samples are all covered
   std::array<std::int16_t, 64> farthest{};   ///< by block: least nearness if it is full, else 0
 
+  /// The index of a block.
+  [[nodiscard]] static std::size_t block(int column, int row) {
+    return static_cast<std::size_t>(row) * kTileBlocks + static_cast<std::size_t>(column);
+  }
   [[nodiscard]] NearPixels* row(int i) { return pixels.data() + std::ptrdiff_t{i} * kAcross; }
   void clear() {
     std::ranges::fill(pixels, NearPixels{});

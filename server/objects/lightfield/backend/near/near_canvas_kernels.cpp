@@ -19,7 +19,7 @@ namespace grove::objects::lightfield::HWY_NAMESPACE {
 HWY_INLINE bool isHidden(const NearCanvas& canvas, const TileFace& face) {
   for (int row = face.top; row <= face.bottom; ++row) {
     for (int column = face.left; column <= face.right; ++column) {
-      if (canvas.farthest[static_cast<std::size_t>(row * kTileBlocks + column)] < face.nearest) return false;
+      if (canvas.farthest[NearCanvas::block(column, row)] < face.nearest) return false;
     }
   }
   return true;
@@ -27,7 +27,7 @@ HWY_INLINE bool isHidden(const NearCanvas& canvas, const TileFace& face) {
 
 /// Counts pixels whose samples are all covered now.
 HWY_INLINE void addFull(NearCanvas& canvas, int column, int row) {
-  const auto block = static_cast<std::size_t>((row / NearCanvas::kBlock) * NearCanvas::kAcross + column);
+  const std::size_t block = NearCanvas::block(column, row / NearCanvas::kBlock);
   if (++canvas.fullCount[block] < NearCanvas::kBlock) return;
   WordVec least = hn::Set(Words(), 32767);
   for (int i = 0; i < NearCanvas::kBlock; ++i) {

@@ -135,12 +135,13 @@ TEST_F(NearRendererTest, SurfaceOfTrianglesHasNoGaps) {
     std::uniform_real_distribution<float> offset(-6.0F, 6.0F);
     std::uniform_real_distribution<float> depth(2.0F, 4.0F);
     std::vector<Vec3> vertices;
-    for (int i = 0; i < kColumns * kColumns; ++i) {
-      const bool isRim =
-          i % kColumns == 0 || i % kColumns == kColumns - 1 || i / kColumns == 0 || i / kColumns == kColumns - 1;
-      const float x = -10.0F + 23.0F * static_cast<float>(i % kColumns) + (isRim ? 0.0F : offset(random));
-      const float y = -10.0F + 11.5F * static_cast<float>(i / kColumns) + (isRim ? 0.0F : offset(random));
-      vertices.push_back(pointAt(x, y, depth(random)));
+    for (int row = 0; row < kColumns; ++row) {
+      for (int column = 0; column < kColumns; ++column) {
+        const bool isRim = column == 0 || column == kColumns - 1 || row == 0 || row == kColumns - 1;
+        const float x = -10.0F + 23.0F * static_cast<float>(column) + (isRim ? 0.0F : offset(random));
+        const float y = -10.0F + 11.5F * static_cast<float>(row) + (isRim ? 0.0F : offset(random));
+        vertices.push_back(pointAt(x, y, depth(random)));
+      }
     }
     Clusters clusters;
     for (int row = 0; row + 1 < kColumns; ++row) {

@@ -26,8 +26,9 @@ TEST(NearFaces, TwoTrianglesOfASquareAreOneFace) {
   for (int first = 0; first < 3; ++first) {
     for (int second = 0; second < 3; ++second) {
       models::Model model = quadrilateral({0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0});
-      std::ranges::rotate(model.triangles.indices[0], model.triangles.indices[0].begin() + first);
-      std::ranges::rotate(model.triangles.indices[1], model.triangles.indices[1].begin() + second);
+      auto& triangles = model.triangles.indices;
+      std::rotate(triangles[0].begin(), triangles[0].begin() + first, triangles[0].end());
+      std::rotate(triangles[1].begin(), triangles[1].begin() + second, triangles[1].end());
       const std::vector<ModelFace> faces = facesOf(model);
       ASSERT_EQ(faces.size(), 1U);
       EXPECT_FALSE(faces[0].isTriangle());
