@@ -41,16 +41,13 @@ HWY_INLINE void addFull(NearCanvas& canvas, int column, int row) {
 
 /// Gives samples to a face that is nearer than those before it, whose order by the faces' middles was wrong. `first`:
 /// the first pixel of the step.
-HWY_NOINLINE void takeSamples(NearPixels& pixels, std::size_t first, MaskVec taken, WordVec nearness,
-                              const MaskVec (&colour)[3]) {
+HWY_NOINLINE void takeSamples(NearPixels& pixels, std::size_t first, MaskVec taken, const MaskVec (&colour)[3]) {
   const Masks masks;
   HWY_ALIGN std::uint16_t takenCount[kStep];
   HWY_ALIGN std::uint16_t coveredCount[kStep];
   HWY_ALIGN std::uint16_t colours[3][kStep];
-  HWY_ALIGN std::int16_t nearnesses[kStep];
   hn::Store(hn::PopulationCount(taken), masks, takenCount);
   hn::Store(hn::PopulationCount(hn::Load(masks, pixels.covered + first)), masks, coveredCount);
-  hn::Store(nearness, Words(), nearnesses);
   for (std::size_t c = 0; c < 3; ++c) hn::Store(colour[c], masks, colours[c]);
   for (std::size_t i = 0; i < kStep; ++i) {
     if (takenCount[i] == 0) continue;
@@ -59,7 +56,6 @@ HWY_NOINLINE void takeSamples(NearPixels& pixels, std::size_t first, MaskVec tak
       std::uint16_t& sum = pixels.colour[c][first + i];
       sum = static_cast<std::uint16_t>(sum * kept / coveredCount[i] + takenCount[i] * colours[c][i]);
     }
-    pixels.nearness[first + i] = nearnesses[i];
   }
 }
 
@@ -80,15 +76,15 @@ HWY_INLINE bool drawStep(NearPixels& pixels, const Coverage& coverage, const Sur
   surface.colours(values, colours);
   const MaskVec taken =
       hn::IfThenElseZero(hn::RebindMask(masks, hn::Gt(nearness, nearnessBefore)), hn::And(before, inside));
-  if (!hn::AllTrue(masks, hn::Eq(taken, none))) takeSamples(pixels, first, taken, nearness, colours);
+  if (!hn::AllTrue(masks, hn::Eq(taken, none))) takeSamples(pixels, first, taken, colours);
   const MaskVec count = hn::PopulationCount(hn::AndNot(before, inside));
   for (std::size_t c = 0; c < 3; ++c) {
     std::uint16_t* const to = pixels.colour[c] + first;
     hn::Store(hn::Add(hn::Load(masks, to), hn::Mul(count, colours[c])), masks, to);
   }
-  const auto isFirst = hn::And(hn::Eq(before, none), hn::Ne(inside, none));
-  std::int16_t* const nearnessTo = pixels.nearness + first;
-  hn::Store(hn::IfThenElse(hn::RebindMask(words, isFirst), nearness, hn::Load(words, nearnessTo)), words, nearnessTo);
+  const auto isInside = hn::RebindMask(words, hn::Ne(inside, none));
+  hn::Store(hn::IfThenElse(isInside, hn::Max(nearness, nearnessBefore), nearnessBefore), words,
+            pixels.nearness + first);
   const MaskVec covered = hn::Or(before, inside);
   hn::Store(covered, masks, pixels.covered + first);
   return hn::AllTrue(masks, hn::Eq(covered, all)) && !hn::AllTrue(masks, hn::Eq(before, all));
