@@ -73,7 +73,7 @@ LightField makeSmallField() {
   shape.voxels = {3, 2, 1, 0.25F, {-0.5F, 0.0F, -0.5F}, voxels};
   shape.source = "a small Bäumchen";
   for (const int size : {1, 3}) {
-    const auto pixels = static_cast<std::size_t>(size * size);
+    const auto pixels = static_cast<std::size_t>(size) * static_cast<std::size_t>(size);
     const ObjectCamera camera{{0, 1, 3}, {-0.5F, 0.5F, -1}, {0.25F, 0, 0}, {0, -0.25F, 0}};
     shape.heldOut.push_back({camera, size, std::span(colours).first(pixels), std::span(depths).first(pixels), false});
   }
