@@ -131,7 +131,7 @@ TEST(WalkFaults, AreFew) {
 }
 
 /// Fails if a visitor sees a near-black pixel that drawing everything in every frame does not show. `deploy/test` runs
-/// it after the browser tests, in whose time most of the light fields are baked.
+/// it before the browser tests, whose servers use the light fields that it bakes.
 TEST(WalkFaults, DISABLED_FineLightFieldsHaveNoDarkGaps) {
   Groves groves(true);
   expectFewer(kMostFine, groves, {.count = 60, .step = 4});
