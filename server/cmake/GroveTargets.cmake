@@ -103,13 +103,13 @@ function(grove_embed_web target web)
   target_sources(${target} PRIVATE "${out}")
 endfunction()
 
-# grove_test(NAME [CONCURRENT] [WAITS] SOURCES ... DEPS ...): one GoogleTest program, linked only with the floors that
+# grove_test(NAME [CONCURRENT] [WAITS] [NO_CTEST] SOURCES ... DEPS ...): one GoogleTest program, linked only with the floors that
 # it tests. CONCURRENT: it also runs under the thread sanitizer. `kernel_tests` builds the programs that have a source
 # named *_kernels_test.cpp, and kernel_tests.txt in the build folder lists them. SHARDS: number of ctest entries, name_1
 # and so on, each of which runs its share of the tests in parallel. WAITS: it leaves a core idle at least half of the
-# time, so ctest runs two such entries per core (deploy/test passes -j with twice the cores).
+# time, so ctest runs two such entries per core (deploy/test passes -j with twice the cores). NO_CTEST: deploy/test runs it.
 function(grove_test name)
-  cmake_parse_arguments(arg "CONCURRENT;WAITS" "TIMEOUT;SHARDS" "SOURCES;DEPS" ${ARGN})
+  cmake_parse_arguments(arg "CONCURRENT;NO_CTEST;WAITS" "TIMEOUT;SHARDS" "SOURCES;DEPS" ${ARGN})
   if(NOT arg_TIMEOUT)
     set(arg_TIMEOUT 120)
   endif()
@@ -133,7 +133,9 @@ function(grove_test name)
     set_target_properties(${name} PROPERTIES GROVE_LABELS concurrent)
     add_dependencies(concurrent_tests ${name})
   endif()
-  grove_add_tests(${name} ${name})
+  if(NOT arg_NO_CTEST)
+    grove_add_tests(${name} ${name})
+  endif()
 endfunction()
 
 # grove_add_tests(PROGRAM NAME [ENVIRONMENT...]): a test program's ctest entries, with additional environment variables.

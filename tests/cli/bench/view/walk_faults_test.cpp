@@ -1,140 +1,15 @@
+#include "cli/bench/view/walk_faults.h"
+
 #include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cstddef>
-#include <stop_token>
-#include <string>
-#include <string_view>
-#include <vector>
-
-#include "cli/bench/walk/walk_visitor.h"
-#include "cli/bench/walk/walk_world.h"
-#include "cli/prepare/prepare_world.h"
-#include "gl/shader_library.h"
-#include "measure/pictures/block_jumps.h"
-#include "measure/pictures/dark_gaps.h"
-#include "measure/pictures/foreign_pixels.h"
-#include "objects/builtin.h"
-#include "sanitized.h"
 
 namespace grove::cli {
 namespace {
 
-constexpr PictureSize kSize{640, 360};
-constexpr int kWarmUpFrames = 15;
-constexpr double kBegin = 2.0;  ///< seconds of the walk
-const std::vector<std::string> kWalks{"clearing", "under_trees", "edge", "crowd"};
-
-/// Which frames of a walk are compared.
-struct Frames {
-  int count = kSanitized ? 6 : 30;
-  int step = 1;
-};
-
-node::FramePolicy drawEverything() {
-  node::FramePolicy policy = walkPolicy();
-  policy.backdrops = false;
-  return policy;
-}
-
-/// What a walk shows that a drawn one does not, in the mean of its frames.
-struct Faults {
-  double darkGaps = 0.0;
-  double foreignPixels = 0.0;
-  double blockJumps = 0.0;
-};
-
-/// Rough light fields have up to 1.4, 50 and 5, fine ones 0, 5 and 3. Where rays that meet nothing show nothing there
-/// are 220 to 300 foreign pixels on three walks; where pictures are not moved, 16 to 165 of about 700 blocks jump.
-constexpr Faults kMostRough{.darkGaps = 2.0, .foreignPixels = 150.0, .blockJumps = 12.0};
-constexpr Faults kMostFine{.darkGaps = 0.0, .foreignPixels = 20.0, .blockJumps = 10.0};
-
-/// Without the fluid, which moves between two frames.
-world::Scene grove() {
-  world::Scene scene = openScene(std::nullopt);
-  std::erase_if(scene.objects, [](const auto& object) { return object.type == "fluid"; });
-  return scene;
-}
-
-/// Light fields are drawn for each frame alone.
-world::Scene exactGrove() {
-  world::Scene scene = grove();
-  world::setTypeOption(scene, "lightfield", "view_error", 0.0);
-  return scene;
-}
-
-void ignoreProgress(std::string_view, float) {}
-
-/// The built-in world as visitors see it, and beside it one that moves no pictures.
-class Groves {
- public:
-  /// `fine`: bakes the light fields that the cache folder lacks. Else takes what is there, or something rough.
-  explicit Groves(bool fine) : scene_(prepared(grove(), types_, fine)) {}
-
-  [[nodiscard]] Faults faultsOn(const world::Walk& walk, const Frames& frames) {
-    WalkVisitor visitor(world_, {.size = kSize});
-    WalkVisitor reference(exactWorld_, {.size = kSize, .policy = drawEverything()});
-    Faults sum;
-    measure::BlockJumps jumps;
-    for (int i = -kWarmUpFrames; i < frames.count; ++i) {
-      const Moment moment = world_.momentAt(walk.at(kBegin + std::max(0, i) * frames.step / kWalkFramesPerSecond));
-      const node::FinishedFrame shownFrame = visitor.draw(moment);
-      if (i < 0) continue;
-      const node::FinishedFrame drawnFrame = reference.draw(moment);
-      const auto shownColours = raster::rgbaOf(*shownFrame.picture);
-      const auto drawnColours = raster::rgbaOf(*drawnFrame.picture);
-      const measure::Picture shown{shownColours, kSize.width};
-      const measure::Picture drawn{drawnColours, kSize.width};
-      sum.darkGaps += static_cast<double>(measure::darkGaps(shown, drawn));
-      sum.foreignPixels += static_cast<double>(measure::foreignPixels(shown, drawn));
-      jumps.add(shown, drawn);
-    }
-    return {sum.darkGaps / frames.count, sum.foreignPixels / frames.count,
-            static_cast<double>(jumps.jumps()) / static_cast<double>(jumps.pairs())};
-  }
-
- private:
-  static world::Scene prepared(world::Scene scene, const node::ObjectTypes& types, bool fine) {
-    if (fine) {
-      Progress progress;
-      static_cast<void>(prepareWorld(scene, types.backends, progress, std::stop_token()));
-    } else {
-      static_cast<void>(prepareFirstLook(scene, types.backends, ignoreProgress, std::stop_token()));
-    }
-    return scene;
-  }
-
-  const node::ObjectTypes types_ = objects::builtinTypes();
-  const gl::ShaderLibrary shaders_;
-  gl::Workers gl_{gl::ContextKind::kAuto, shaders_};
-  const world::Scene scene_;
-  const world::Scene exactScene_ = exactGrove();
-  const node::LoadedScene loaded_ = node::loadScene(scene_, types_.backends);
-  const node::LoadedScene loadedExact_ = node::loadScene(exactScene_, types_.backends);
-  WalkWorld world_{loaded_, types_, gl_, ignoreProgress};
-  WalkWorld exactWorld_{loadedExact_, types_, gl_, ignoreProgress};
-};
-
-void expectFewer(const Faults& most, Groves& groves, const Frames& frames) {
-  for (const std::string& walk : kWalks) {
-    const Faults faults = groves.faultsOn(world::loadWalk(GROVE_WALKS "/" + walk + ".walk"), frames);
-    EXPECT_LE(faults.darkGaps, most.darkGaps) << walk;
-    EXPECT_LE(faults.foreignPixels, most.foreignPixels) << walk;
-    EXPECT_LE(faults.blockJumps, most.blockJumps) << walk;
-  }
-}
-
 /// Fails if moved pictures show nothing, black or what lies behind where they are not covered, or are not moved right.
+/// Rough light fields have up to 1.4, 50 and 5 faults. Where rays that meet nothing show nothing there are 220 to 300
+/// foreign pixels on three walks; where pictures are not moved, 16 to 165 of about 700 blocks jump.
 TEST(WalkFaults, AreFew) {
-  Groves groves(false);
-  expectFewer(kMostRough, groves, {});
-}
-
-/// Fails if a visitor sees a near-black pixel that drawing everything in every frame does not show. `deploy/test` runs
-/// it before the browser tests, whose servers use the light fields that it bakes.
-TEST(WalkFaults, DISABLED_FineLightFieldsHaveNoDarkGaps) {
-  Groves groves(true);
-  expectFewer(kMostFine, groves, {.count = 60, .step = 4});
+  expectFewFaults(LightFields::kRough, {}, {.darkGaps = 2.0, .foreignPixels = 150.0, .blockJumps = 12.0});
 }
 
 }  // namespace
