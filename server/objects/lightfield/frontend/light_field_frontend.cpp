@@ -60,8 +60,8 @@ class ReprojectedLayer final : public node::Layer {
   const LampLight light_;
 };
 
-/// Metres from an object's bounds up to which it is shown by its faces. There, views are too coarse, and every step
-/// would need new pictures of them.
+/// Metres. Objects whose bounds are nearer are drawn from their faces: their views would be too coarse, and every step
+/// would need new ones.
 constexpr float kAmid = 1.0F;
 
 bool isAmid(const Sight& sight) {

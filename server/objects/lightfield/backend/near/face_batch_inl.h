@@ -1,4 +1,4 @@
-// Computes what drawing needs to know of faces, for a vector of them at once. Only for exact kernels
+// Sets up faces for drawing: edges, planes and bounding boxes, a vector of faces at a time. Only for exact kernels
 // (GroveTargets.cmake).
 
 #if defined(GROVE_OBJECTS_LIGHTFIELD_BACKEND_NEAR_FACE_BATCH_INL_H) == defined(HWY_TARGET_TOGGLE)
@@ -28,14 +28,14 @@ using BatchInts = hn::RebindToSigned<BatchTag>;
 using BatchVec = hn::Vec<BatchTag>;
 constexpr std::size_t kBatch = hn::MaxLanes(BatchTag());
 
-/// Four functions that are linear on the screen, from the centre of the tile's first pixel.
+/// Four linear functions of the screen position, whose origin is the centre of the tile's first pixel.
 struct LinearFunctions {
   HWY_ALIGN float first[kBatch][4];
   HWY_ALIGN float perColumn[kBatch][4];
   HWY_ALIGN float perRow[kBatch][4];
 };
 
-/// By face. The corners are from the centre of the tile's first pixel.
+/// The set-up of kBatch faces. The origin is the centre of the tile's first pixel.
 struct FaceBatch {
   LinearFunctions edges;  ///< distances, positive on the right-hand side or below, in units of kDistanceUnit, plus 128
   LinearFunctions inner;  ///< nearness in units of kNearnessUnit; R, G and B in units of 1 / kColourUnit
@@ -56,7 +56,7 @@ struct FaceBatch {
 constexpr float kDistanceUnit = 16.0F / HalfPlanes::kDistanceStep;
 constexpr float kColourUnit = 64.0F;
 
-/// Four values per face, a vector of faces for each.
+/// Four values per face: one vector of faces for each value.
 struct Quads {
   BatchVec v[4];
 
@@ -79,7 +79,7 @@ HWY_INLINE Quads loadQuads(const Get& get) {
   return quads;
 }
 
-/// The planes through values at corners, by the two diagonals.
+/// Fits planes to values at the four corners, by the gradients along the two diagonals.
 class Diagonals {
  public:
   HWY_INLINE Diagonals(const Quads& x, const Quads& y)
@@ -109,7 +109,7 @@ class Diagonals {
   BatchVec twiceArea_, perArea_;
 };
 
-/// One edge of each face, as both of its faces compute it: from left to right.
+/// One edge of each face, directed from left to right, so that both faces of an edge compute the same values.
 struct EdgeOfFaces {
   HWY_INLINE EdgeOfFaces(BatchVec ax, BatchVec ay, BatchVec bx, BatchVec by, hn::Mask<BatchTag> isClockwise) {
     const BatchTag tag;
@@ -125,7 +125,7 @@ struct EdgeOfFaces {
     perColumn = hn::Neg(hn::Mul(alongY, scale));
     perRow = hn::Mul(alongX, scale);
     const auto isFlipped = hn::Xor(isForward, isClockwise);
-    // A triangle's fourth edge has all samples on its inner side.
+    // The fourth edge of a triangle has no length; all samples are inside it.
     const auto everywhere = hn::IfThenElse(isFlipped, hn::Set(tag, -32767.0F), hn::Set(tag, 32767.0F));
     constexpr float kMiddle = 8.0F * HalfPlanes::kDistances;
     const auto distance = hn::Add(hn::Mul(perColumn, fromX), hn::Mul(perRow, fromY));
@@ -139,7 +139,7 @@ struct EdgeOfFaces {
 
     const auto isDown = hn::Lt(ay, by);
     upperX = hn::IfThenElse(isDown, ax, bx);
-    // The ends of a level edge are also those of others.
+    // A horizontal edge needs no span: its neighbours have the same ends.
     upperY = hn::IfThenElse(hn::Eq(ay, by), hn::Set(tag, 1.0e9F), hn::Min(ay, by));
     lowerY = hn::Max(ay, by);
     slope = hn::Div(hn::Sub(bx, ax), hn::Sub(by, ay));
@@ -150,7 +150,7 @@ struct EdgeOfFaces {
   BatchVec upperX, upperY, lowerY, slope;
 };
 
-/// A place between pixels as an index of NearPixels of that size.
+/// Converts pixels to an index of NearPixels that are `size` pixels wide or high.
 HWY_INLINE hn::Vec<BatchInts> unitOf(BatchVec place, int size) {
   const BatchTag tag;
   const auto inTile = hn::Min(hn::Max(place, hn::Zero(tag)), hn::Set(tag, kNearTile - 0.5F));
@@ -220,7 +220,7 @@ HWY_INLINE void makeInner(const Quads& nearness, const Quads& colours, const Dia
   most.store(to.most);
 }
 
-/// Prepares faces of a tile.
+/// Sets up faces of the tile at that column and row.
 HWY_INLINE void prepareFaces(const ScreenFace* const (&faces)[kBatch], int column, int row, FaceBatch& to) {
   const BatchTag tag;
   Quads x = loadQuads([&](std::size_t i) { return faces[i]->x; });

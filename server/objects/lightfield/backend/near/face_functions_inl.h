@@ -1,5 +1,5 @@
-// What a face is at the pixels of a tile: its samples, its nearness and colour, and the pixels that it may touch. Only
-// for exact kernels (GroveTargets.cmake).
+// A face's values at the pixels of a tile: covered samples, nearness, colour, and spans of pixels. Only for exact
+// kernels (GroveTargets.cmake).
 
 #if defined(GROVE_OBJECTS_LIGHTFIELD_BACKEND_NEAR_FACE_FUNCTIONS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef GROVE_OBJECTS_LIGHTFIELD_BACKEND_NEAR_FACE_FUNCTIONS_INL_H
@@ -18,7 +18,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace grove::objects::lightfield::HWY_NAMESPACE {
 
-// Eight columns and as many rows as a vector holds: most faces are narrow.
+// A step is eight columns and as many rows as fit a vector, since most faces are narrow.
 using Words = hn::CappedTag<std::int16_t, NearPixels::kCount>;
 using Masks = hn::RebindToUnsigned<Words>;
 using Bytes = hn::Repartition<std::uint8_t, Words>;
@@ -30,16 +30,16 @@ using FloatVec = hn::Vec<Floats>;
 constexpr std::size_t kStep = hn::MaxLanes(Words());
 constexpr int kStepRows = static_cast<int>(kStep) / NearPixels::kColumns;
 
-/// Whole numbers of 16 bits in the low halves of 32; what is beyond is limited.
+/// Rounds to 16-bit integers, stored in the low half of each 32-bit lane. Larger values are clamped.
 HWY_INLINE hn::Vec<Ints> rounded(FloatVec values) {
-  // A sum with this has a whole number in its lowest bits.
+  // Adding 1.5 * 2^23 moves the rounded integer into the lowest bits.
   constexpr float kWhole = 12582912.0F;
   const Floats tag;
   const auto limited = hn::Min(hn::Max(values, hn::Set(tag, -32767.0F)), hn::Set(tag, 32767.0F));
   return hn::BitCast(Ints(), hn::Add(limited, hn::Set(tag, kWhole)));
 }
 
-/// The low half of one of four numbers for all pixels of its row.
+/// Copies the low half of lane kIndex of each 128 bits to all eight pixels of that row.
 template <int kIndex>
 HWY_INLINE WordVec broadcast(hn::Vec<Ints> values) {
   constexpr std::uint8_t kLow = 4 * kIndex;
@@ -50,7 +50,7 @@ HWY_INLINE WordVec broadcast(hn::Vec<Ints> values) {
   return hn::BitCast(Words(), hn::TableLookupBytes(hn::BitCast(bytes, values), hn::LoadDup128(bytes, kBytes)));
 }
 
-/// Evaluates four linear functions of a face.
+/// Evaluates four linear functions of a face at the pixels of a step.
 class Planes {
  public:
   HWY_INLINE Planes(const LinearFunctions& functions, std::size_t face)
@@ -65,7 +65,7 @@ class Planes {
     lanes_[3] = hn::Mul(broadcast<3>(perPixel), lane);
   }
 
-  /// The values at the first pixel of each row of a step. Both faces of an edge compute the same there.
+  /// Returns the four values at the first pixel of each row. Two faces with a common edge get the same values.
   HWY_INLINE hn::Vec<Ints> at(int column, int row) const {
     const Floats tag;
     const auto rowOfLane = hn::Add(hn::Set(tag, static_cast<float>(row)), hn::LoadU(tag, kRowOfLane));
@@ -73,7 +73,7 @@ class Planes {
         hn::MulAdd(perRow_, rowOfLane, hn::MulAdd(perColumn_, hn::Set(tag, static_cast<float>(column)), first_)));
   }
 
-  /// One of the functions at all pixels of the step that `values` are of.
+  /// Returns one function at all pixels of the step, given the result of at().
   template <int kFunction>
   HWY_INLINE WordVec along(hn::Vec<Ints> values) const {
     return hn::SaturatedAdd(broadcast<kFunction>(values), lanes_[kFunction]);
@@ -119,7 +119,8 @@ class Coverage {
 };
 
 /// A face's nearness and colour, interpolated between its corners on the screen: faces are so small that perspective
-/// makes no visible difference within one. They are within the corners' ranges also where a pixel is covered in part.
+/// makes no visible difference within one. Values are clamped to the corners' range, as the centre of a partly covered
+/// pixel can be outside the face.
 class Surface {
  public:
   HWY_INLINE Surface(const FaceBatch& batch, std::size_t face) : planes_(batch.inner, face) {

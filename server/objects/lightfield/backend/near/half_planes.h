@@ -9,9 +9,9 @@ namespace grove::objects::lightfield {
 /// Samples of a pixel, a bit each: no two have the same row or column of a grid of 16 x 16.
 inline constexpr int kPixelSamples = 16;
 
-/// Which samples of a pixel are on one side of a line, by the line's slope and its distance from the pixel's centre
-/// (Carpenter 1984, "The A-buffer, an antialiased hidden surface method"). A line's two sides have no sample in common
-/// and miss none, so that triangles with a common edge leave no gaps. Read-only.
+/// Coverage masks of half-planes: the samples of a pixel on one side of a line, by the line's slope and its distance
+/// from the pixel's centre (Carpenter 1984, "The A-buffer, an antialiased hidden surface method"). The masks of a
+/// line's two sides are complements, so faces with a common edge leave no gaps. Read-only.
 class HalfPlanes {
  public:
   static constexpr int kSlopes = 33;  ///< of normals (x, y) with y >= 0, by x / (|x| + y) from -1 to 1

@@ -15,7 +15,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace grove::objects::lightfield::HWY_NAMESPACE {
 
-/// Whether all blocks that a face touches are full, by what is not behind it.
+/// Returns whether all blocks that a face touches are fully covered by nearer faces.
 HWY_INLINE bool isHidden(const NearCanvas& canvas, const TileFace& face) {
   for (int row = face.top; row <= face.bottom; ++row) {
     for (int column = face.left; column <= face.right; ++column) {
@@ -25,7 +25,7 @@ HWY_INLINE bool isHidden(const NearCanvas& canvas, const TileFace& face) {
   return true;
 }
 
-/// Counts pixels whose samples are all covered now.
+/// Counts NearPixels that became fully covered; the last one of a block closes the block.
 HWY_INLINE void addFull(NearCanvas& canvas, int column, int row) {
   const std::size_t block = NearCanvas::block(column, row / NearCanvas::kBlock);
   if (++canvas.fullCount[block] < NearCanvas::kBlock) return;
@@ -39,8 +39,8 @@ HWY_INLINE void addFull(NearCanvas& canvas, int column, int row) {
   canvas.farthest[block] = hn::GetLane(hn::MinOfLanes(Words(), least));
 }
 
-/// Gives samples to a face that is nearer than those before it, whose order by the faces' middles was wrong. `first`:
-/// the first pixel of the step.
+/// Moves samples to a nearer face that came later, because the order of the faces' middles was wrong for these pixels.
+/// `first`: the first pixel of the step.
 HWY_NOINLINE void takeSamples(NearPixels& pixels, std::size_t first, MaskVec taken, const MaskVec (&colour)[3]) {
   const Masks masks;
   HWY_ALIGN std::uint16_t takenCount[kStep];
@@ -59,8 +59,8 @@ HWY_NOINLINE void takeSamples(NearPixels& pixels, std::size_t first, MaskVec tak
   }
 }
 
-/// Draws the rows of one step. Returns whether it covered the last samples of all its pixels. Has no branches but for
-/// what is rare: they would be mispredicted too often.
+/// Draws one step. Returns whether its pixels became fully covered. Branches only on rare cases, since others would
+/// often be mispredicted.
 HWY_INLINE bool drawStep(NearPixels& pixels, const Coverage& coverage, const Surface& surface, int column, int row) {
   const Masks masks;
   const Words words;
@@ -90,7 +90,7 @@ HWY_INLINE bool drawStep(NearPixels& pixels, const Coverage& coverage, const Sur
   return hn::AllTrue(masks, hn::Eq(covered, all)) && !hn::AllTrue(masks, hn::Eq(before, all));
 }
 
-/// Whether all samples are covered, by what is not behind `nearest`.
+/// Returns whether all samples are covered by faces not behind `nearest`.
 HWY_INLINE bool isFull(const NearPixels& pixels, std::int16_t nearest) {
   const Masks masks;
   const Words words;

@@ -6,7 +6,7 @@
 
 namespace grove::objects::lightfield {
 
-/// Draws the triangles of a tile. The canvas must be clear.
+/// Draws the faces of a tile, which must be sorted. The canvas must be clear.
 void drawTile(const NearTiles& tiles, int column, int row, const HalfPlanes& halfPlanes, NearCanvas& canvas);
 
 }  // namespace grove::objects::lightfield

@@ -51,9 +51,6 @@ HWY_INLINE void project(const NearModel& model, const NearCluster& cluster, cons
   }
 }
 
-HWY_INLINE float least(const float (&v)[4]) { return std::min(std::min(v[0], v[1]), std::min(v[2], v[3])); }
-HWY_INLINE float most(const float (&v)[4]) { return std::max(std::max(v[0], v[1]), std::max(v[2], v[3])); }
-
 /// Whether a face's bounding box is partly in the picture.
 HWY_INLINE bool isInside(const ScreenFace& face, const NearTiles& tiles) {
   return most(face.x) > 0.0F && most(face.y) > 0.0F && least(face.x) < static_cast<float>(tiles.width()) &&

@@ -11,7 +11,7 @@ namespace {
 constexpr std::uint32_t kDigitBits = 7;
 constexpr std::uint32_t kDigits = 1U << kDigitBits;
 
-/// The distance below which all faces have the same key, metres.
+/// Metres; all nearer faces have the same key.
 constexpr float kNearestKey = 0.25F;
 
 std::uint32_t sortKey(const ScreenFace& face) {
@@ -20,7 +20,7 @@ std::uint32_t sortKey(const ScreenFace& face) {
   return static_cast<std::uint32_t>((1.0F - std::min(1.0F, nearness * kNearestKey)) * kLast);
 }
 
-/// Blocks of the picture, from its left or top edge.
+/// First and last block of a face's bounding box along one axis of the picture.
 struct Range {
   int first;
   int last;
@@ -31,7 +31,7 @@ struct Range {
     const auto end = static_cast<float>(tiles * kTileBlocks - 1);
     return static_cast<int>(std::clamp(place * (1.0F / kNearBlock), 0.0F, end));
   }
-  /// The part in a tile.
+  /// The first and last block within a tile.
   [[nodiscard]] std::uint8_t firstIn(int tile) const {
     return static_cast<std::uint8_t>(std::max(first - tile * kTileBlocks, 0));
   }
@@ -54,8 +54,6 @@ void NearTiles::begin(int width, int height) {
 }
 
 void NearTiles::add(const ScreenFace& face) {
-  const auto least = [](const float(&v)[4]) { return std::min(std::min(v[0], v[1]), std::min(v[2], v[3])); };
-  const auto most = [](const float(&v)[4]) { return std::max(std::max(v[0], v[1]), std::max(v[2], v[3])); };
   const Range columns(least(face.x), most(face.x), across_);
   const Range rows(least(face.y), most(face.y), down_);
   TileFace entry{};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -12,11 +13,15 @@ inline constexpr int kNearTile = 64;
 inline constexpr int kNearBlock = 8;
 inline constexpr int kTileBlocks = kNearTile / kNearBlock;
 
-/// Nearness of 1 per metre in 16-bit numbers, whose range begins at 0.2 m.
+/// Nearness (1 / depth) of 1 per metre as a 16-bit integer. Depths below 0.2 m are clamped.
 inline constexpr float kNearnessUnit = 0.2F * 32767.0F;
 
-/// Pixels by which rounding moves a face's edges at most.
+/// Largest rounding error of an edge's position, pixels.
 inline constexpr float kCoverageMargin = 0.125F;
+
+/// The least and the largest of a face's four values.
+[[nodiscard]] inline float least(const float (&v)[4]) { return std::min(std::min(v[0], v[1]), std::min(v[2], v[3])); }
+[[nodiscard]] inline float most(const float (&v)[4]) { return std::max(std::max(v[0], v[1]), std::max(v[2], v[3])); }
 
 /// A face on the screen: a quadrilateral, or a triangle whose last two corners are the same.
 struct alignas(64) ScreenFace {
@@ -31,7 +36,7 @@ struct alignas(64) ScreenFace {
   }
 };
 
-/// A face in a tile: where it is there, in blocks of 8 x 8 pixels.
+/// A face's entry in a tile: its depth order and its bounding box in blocks of 8 x 8 pixels.
 struct TileFace {
   std::uint32_t key;  ///< smallest in front
   std::uint32_t face;
