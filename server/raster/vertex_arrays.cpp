@@ -30,6 +30,15 @@ VertexArrays::VertexArrays(const LitSurface& object) {
     indirectG.push_back(light.z);
     indirectB.push_back(light.w);
   }
+  for (const Level& level : object.surface.levels) edges.push_back(edgesOf(level.triangles));
+}
+
+std::size_t VertexArrays::bytes() const noexcept {
+  std::size_t sum = pipeline::vectorBytes(runs, positionX, positionY, positionZ, normalX, normalY, normalZ, albedoR,
+                                          albedoG, albedoB, emission, tint, lichen, sun, indirectR, indirectG,
+                                          indirectB, edges);
+  for (const std::vector<SurfaceEdge>& level : edges) sum += pipeline::vectorBytes(level);
+  return sum;
 }
 
 }  // namespace grove::raster

@@ -4,10 +4,11 @@
 #include <vector>
 
 #include "raster/drawing.h"
+#include "raster/outline/surface_edges.h"
 
 namespace grove::raster {
 
-/// The vertices of a lit surface in the layout for vectorised loops: one array per member.
+/// The vertices of a lit surface in the layout for vectorised loops: one array per member; and its edges.
 struct VertexArrays {
   /// Adjacent vertices that follow the same bone.
   struct Run {
@@ -19,10 +20,7 @@ struct VertexArrays {
   explicit VertexArrays(const LitSurface& object);
 
   /// Memory use.
-  [[nodiscard]] std::size_t bytes() const noexcept {
-    return pipeline::vectorBytes(runs, positionX, positionY, positionZ, normalX, normalY, normalZ, albedoR, albedoG,
-                                 albedoB, emission, tint, lichen, sun, indirectR, indirectG, indirectB);
-  }
+  [[nodiscard]] std::size_t bytes() const noexcept;
 
   std::vector<Run> runs;
   std::vector<float> positionX, positionY, positionZ;
@@ -33,6 +31,7 @@ struct VertexArrays {
   std::vector<float> lichen;
   std::vector<float> sun;                              // LitSurface::light.x
   std::vector<float> indirectR, indirectG, indirectB;  // and yzw
+  std::vector<std::vector<SurfaceEdge>> edges;         // by level
 };
 
 }  // namespace grove::raster

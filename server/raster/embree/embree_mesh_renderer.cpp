@@ -3,7 +3,7 @@
 #include <cmath>
 #include <optional>
 
-#include "raster/shading/detail.h"
+#include "raster/outline/outline.h"
 #include "raster/shading/vertex_light.h"
 
 namespace grove::raster {
@@ -56,7 +56,8 @@ std::shared_ptr<Image> EmbreeMeshRenderer::renderOne(const Drawing& drawing) {
   const Level& level = surface.levelFor(drawing.distance, camera.focal());
   const world::RayScene& rays = raysOf(surface, level);
   std::vector<std::uint32_t> light(level.vertexCount);
-  lightVertices(VertexArrays(*drawing.object), drawing, light);
+  const VertexArrays arrays(*drawing.object);
+  lightVertices(arrays, drawing, light);
   // Rays keep their parameter in object coordinates, so it remains the view depth.
   const world::Mat4 toObject = glm::inverse(drawing.bones[0]);
   const Vec3 origin(toObject * world::Vec4(camera.pose.position, 1.0F));
@@ -77,7 +78,11 @@ std::shared_ptr<Image> EmbreeMeshRenderer::renderOne(const Drawing& drawing) {
       depth[at] = camera.nearDepth / hit->distance;
     }
   }
-  finish({found.data(), depth.data(), image->width(), {}}, drawing, texture_, *image);
+  ScreenSurface screen;
+  screen.make(drawing, arrays);
+  Outline outline;
+  outline.find(drawing.rect, screen);
+  outline.finish({found.data(), depth.data(), image->width()}, drawing, texture_, *image);
   return image;
 }
 

@@ -9,7 +9,7 @@
 #include "gl/program.h"
 #include "raster/gl/gl_surface.h"
 #include "raster/gl/tile_packer.h"
-#include "raster/shading/detail.h"
+#include "raster/outline/outline.h"
 #include "raster/shading/vertex_light.h"
 
 namespace grove::raster {
@@ -75,7 +75,9 @@ class GlMeshRenderer::Target {
     for (std::size_t i = 0; i < tiles.size(); ++i) {
       const Drawing& drawing = drawings[batch[i]];
       const std::shared_ptr<Image> image = pool.acquire(drawing.rect);
-      finish(readBack(tiles[i]), drawing, texture, *image);
+      screenSurface_.make(drawing, surfaceOf(*drawing.object).arrays());
+      outline_.find(drawing.rect, screenSurface_);
+      outline_.finish(readBack(tiles[i]), drawing, texture, *image);
       images[batch[i]] = image;
     }
     held_.set(bytes());
@@ -84,7 +86,7 @@ class GlMeshRenderer::Target {
 
  private:
   [[nodiscard]] std::size_t bytes() const {
-    std::size_t sum = 2 * pipeline::vectorBytes(light_) + pipeline::vectorBytes(surface_, depth_);
+    std::size_t sum = 2 * pipeline::vectorBytes(light_) + pipeline::vectorBytes(surface_, depth_) + screenSurface_.bytes() + outline_.bytes();
     for (const auto& [size, atlas] : atlases_) sum += atlas.bytes();
     for (const auto& [object, surface] : surfaces_) sum += surface.bytes();
     return sum;
@@ -154,7 +156,7 @@ class GlMeshRenderer::Target {
   }
 
   /// Valid until the next call.
-  [[nodiscard]] Fragments readBack(const world::Rect& tile) {
+  [[nodiscard]] OpenFragments readBack(const world::Rect& tile) {
     const int width = tile.width();
     const int height = tile.height();
     const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height) + kFragmentRoom;
@@ -172,6 +174,8 @@ class GlMeshRenderer::Target {
   std::vector<std::uint32_t> light_;
   std::vector<std::uint32_t> surface_;
   std::vector<float> depth_;
+  ScreenSurface screenSurface_;
+  Outline outline_;
   std::map<std::pair<int, int>, gl::Framebuffer> atlases_;
   std::map<const LitSurface*, GlSurface> surfaces_;
   pipeline::HeldMemory held_;

@@ -2,22 +2,19 @@
 
 #include <utility>
 
-#include "raster/shading/detail.h"
-#include "raster/shading/vertex_light.h"
-#include "raster/simd/cut_triangles.h"
+#include "raster/outline/outline.h"
+#include "raster/simd/screen_surface.h"
 #include "raster/simd/triangle_kernels.h"
 
 namespace grove::raster {
 
 /// Scratch buffers of one thread.
 struct SimdMeshRenderer::Scratch {
-  ScreenVertices vertices;
-  CutTriangles cut;
+  ScreenSurface surface;
+  Outline outline;
   Canvas canvas;
 
-  [[nodiscard]] std::size_t bytes() const noexcept {
-    return vertices.bytes() + pipeline::vectorBytes(cut.corners, cut.triangles) + canvas.bytes();
-  }
+  [[nodiscard]] std::size_t bytes() const noexcept { return surface.bytes() + outline.bytes() + canvas.bytes(); }
 };
 
 SimdMeshRenderer::SimdMeshRenderer(ImagePool& images, const MeshMemory& memory)
@@ -57,23 +54,15 @@ void SimdMeshRenderer::giveBack(std::unique_ptr<Scratch> scratch) {
 }
 
 std::shared_ptr<Image> SimdMeshRenderer::renderOne(const Drawing& drawing, Scratch& scratch) {
-  const Level& level = drawing.object->surface.levelFor(drawing.distance, drawing.camera->focal());
-  const VertexArrays& arrays = arraysOf(*drawing.object);
-  const float nearDepth = drawing.camera->nearDepth;
-  ScreenVertices& vertices = scratch.vertices;
+  ScreenSurface& surface = scratch.surface;
   Canvas& canvas = scratch.canvas;
-  vertices.light.resize(level.vertexCount);
-  lightVertices(arrays, drawing, vertices.light);
-  project(arrays, drawing, vertices);
+  surface.make(drawing, arraysOf(*drawing.object));
   canvas.begin(drawing.rect);
-  if (vertices.nearest < nearDepth) {
-    cut(level.triangles, vertices, arrays.lichen, nearDepth, scratch.cut);
-    drawTriangles(scratch.cut.triangles, scratch.cut.corners, canvas);
-  } else {
-    drawTriangles(level.triangles, vertices.corners, canvas);
-  }
+  drawTriangles(surface.triangles(), surface.corners(), canvas);
   const std::shared_ptr<Image> image = images_.acquire(drawing.rect);
-  finish({canvas.surface.data(), canvas.depth.data(), canvas.stride, canvas.spans}, drawing, texture_, *image);
+  scratch.outline.find(drawing.rect, surface);
+  scratch.outline.finish({canvas.surface.data(), canvas.depth.data(), canvas.stride, canvas.spans}, drawing, texture_,
+                         *image);
   return image;
 }
 
