@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <map>
 #include <tuple>
 #include <utility>
@@ -11,7 +12,8 @@ namespace {
 
 using world::Vec3;
 
-constexpr float kEdgePixels = 16.0F;
+/// Pixels, root mean square: a few places differ by several times that.
+constexpr float kErrorPixels = 1.0F;
 
 /// The triangulated surface of a cube before its deformation. Halving keeps the vertices and appends new ones.
 struct Lattice {
@@ -86,10 +88,22 @@ std::size_t verticesUsed(const std::vector<Triangle>& triangles) {
   return last + std::size_t{1};
 }
 
-float meanEdge(const std::vector<Vertex>& vertices, const std::vector<Triangle>& triangles) {
+/// Mean square distance by which halving the edges of `coarse` moves the surface at their middles.
+float halvingError(const std::vector<Vertex>& vertices, const Level& coarse, const Level& fine) {
   float sum = 0.0F;
-  for (const auto& [a, b, c] : triangles) sum += glm::distance(vertices[a].position, vertices[b].position);
-  return sum / static_cast<float>(triangles.size());
+  const auto add = [&](std::uint32_t from, std::uint32_t middle, std::uint32_t to) {
+    const Vec3 straight = 0.5F * (vertices[from].position + vertices[to].position);
+    const float off = glm::dot(vertices[middle].position - straight, vertices[middle].normal);
+    sum += off * off;
+  };
+  for (std::size_t i = 0; i < coarse.triangles.size(); ++i) {
+    const auto& [a, b, c] = coarse.triangles[i];
+    const auto& [ab, bc, ca] = fine.triangles[4 * i + 3];
+    add(a, ab, b);
+    add(b, bc, c);
+    add(c, ca, a);
+  }
+  return sum / static_cast<float>(3 * coarse.triangles.size());
 }
 
 }  // namespace
@@ -107,7 +121,7 @@ void Surface::append(const Surface& other, const world::Mat4& matrix) {
   for (std::size_t i = 0; i < levels.size(); ++i) {
     for (const auto& [a, b, c] : other.levels[i].triangles)
       levels[i].triangles.push_back({a + first, b + first, c + first});
-    levels[i].edge = meanEdge(vertices, levels[i].triangles);
+    levels[i].error = std::max(levels[i].error, other.levels[i].error * glm::length(Vec3(matrix[0])));
     levels[i].vertexCount = verticesUsed(levels[i].triangles);
   }
 }
@@ -145,8 +159,8 @@ world::Triangles Surface::triangles() const {
 }
 
 const Level& Surface::levelFor(float distance, float focalPixels) const noexcept {
-  const float longest = kEdgePixels * distance / focalPixels;
-  const auto it = std::ranges::find_if(levels, [&](const Level& level) { return level.edge <= longest; });
+  const float max = kErrorPixels * distance / focalPixels;
+  const auto it = std::ranges::find_if(levels, [&](const Level& level) { return level.error <= max; });
   return it == levels.end() ? levels.back() : *it;
 }
 
@@ -160,7 +174,11 @@ Surface makeDeformedBox(std::array<int, 3> cells, int halvings, const Deform& de
   }
   for (const Vec3 point : lattice.points) surface.vertices.push_back(deform(point));
   surface.computeNormals();
-  for (Level& level : surface.levels) level.edge = meanEdge(surface.vertices, level.triangles);
+  float square = 0.0F;
+  for (std::size_t i = surface.levels.size() - 1; i-- > 0;) {
+    square += halvingError(surface.vertices, surface.levels[i], surface.levels[i + 1]);
+    surface.levels[i].error = std::sqrt(square);
+  }
   return surface;
 }
 

@@ -25,7 +25,7 @@ using Triangle = std::array<std::uint32_t, 3>;
 /// One level of detail: triangles between some of the surface's vertices.
 struct Level {
   std::vector<Triangle> triangles;
-  float edge = 0.0F;            ///< metres, a typical edge
+  float error = 0.0F;           ///< metres, root mean square distance from the finest level
   std::size_t vertexCount = 0;  ///< all of its corners have smaller indices
 };
 
@@ -50,7 +50,7 @@ struct Surface {
   /// The surface with the finest level only.
   [[nodiscard]] world::Triangles triangles() const;
 
-  /// The coarsest level whose edges stay short on the screen, for an object at `distance` metres.
+  /// The coarsest level that hardly differs from the finest on the screen, for an object at `distance` metres.
   [[nodiscard]] const Level& levelFor(float distance, float focalPixels) const noexcept;
 };
 

@@ -61,7 +61,7 @@ std::shared_ptr<Image> EmbreeMeshRenderer::renderOne(const Drawing& drawing) {
   // Rays keep their parameter in object coordinates, so it remains the view depth.
   const world::Mat4 toObject = glm::inverse(drawing.bones[0]);
   const Vec3 origin(toObject * world::Vec4(camera.pose.position, 1.0F));
-  const std::shared_ptr<Image> image = images_.acquire(drawing.rect);
+  std::shared_ptr<Image> image = images_.acquire(drawing.rect);
   std::vector<std::uint32_t> found(image->colour.size() + kFragmentRoom);
   std::vector<float> depth(image->depth.size() + kFragmentRoom);
   std::size_t at = 0;

@@ -59,7 +59,7 @@ std::shared_ptr<Image> SimdMeshRenderer::renderOne(const Drawing& drawing, Scrat
   surface.make(drawing, arraysOf(*drawing.object));
   canvas.begin(drawing.rect);
   drawTriangles(surface.triangles(), surface.corners(), canvas);
-  const std::shared_ptr<Image> image = images_.acquire(drawing.rect);
+  std::shared_ptr<Image> image = images_.acquire(drawing.rect);
   scratch.outline.find(drawing.rect, surface);
   scratch.outline.finish({canvas.surface.data(), canvas.depth.data(), canvas.stride, canvas.spans}, drawing, texture_,
                          *image);

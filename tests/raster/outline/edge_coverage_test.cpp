@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
+#include <limits>
 #include <map>
 #include <random>
 #include <utility>
@@ -34,9 +36,11 @@ bool contains(const Polygon& polygon, Vec2 point) {
 float sampled(const Polygon& polygon, int x, int y) {
   constexpr int kSamples = 64;
   int inside = 0;
-  for (int i = 0; i < kSamples * kSamples; ++i) {
-    const Vec2 step(static_cast<float>(i % kSamples) + 0.5F, static_cast<float>(i / kSamples) + 0.5F);
-    if (contains(polygon, Vec2(x, y) + step / static_cast<float>(kSamples))) ++inside;
+  for (int row = 0; row < kSamples; ++row) {
+    for (int column = 0; column < kSamples; ++column) {
+      const Vec2 step = (Vec2(column, row) + 0.5F) / static_cast<float>(kSamples);
+      if (contains(polygon, Vec2(x, y) + step)) ++inside;
+    }
   }
   return static_cast<float>(inside) / (kSamples * kSamples);
 }

@@ -97,7 +97,7 @@ class OutlineTest : public testing::Test {
  private:
   pipeline::MemoryLedger memory_;
   ImagePool images_;
-  const world::Sky sky_;
+  const world::Sky sky_{};
 };
 
 /// Fails if the outline is stair-stepped, or smoothed by anything but the shares of the pixels.

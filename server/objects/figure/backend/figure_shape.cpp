@@ -1,7 +1,5 @@
 #include "objects/figure/backend/figure_shape.h"
 
-#include <utility>
-
 #include "objects/figure/backend/garments.h"
 #include "objects/figure/backend/limbs.h"
 
@@ -38,17 +36,10 @@ void addLegs(raster::LitSurface& to, float length) {
   add(to, makeLeg(1.0F, length), kRightLeg, kUnderTheCloak);
 }
 
-raster::LitSurface finished(raster::LitSurface figure) {
-  figure.baked = false;
-  // Limbs and lantern are thin: their corners show sooner than the typical edge suggests.
-  for (raster::Level& level : figure.surface.levels) level.edge *= 2.0F;
-  return figure;
-}
-
 }  // namespace
 
 raster::LitSurface makeFigure(float breadth) {
-  raster::LitSurface figure;
+  raster::LitSurface figure{{}, {}, false};
   add(figure, makeCloak(), kBody);
   add(figure, makeMantle(), kBody);
   for (raster::Vertex& vertex : figure.surface.vertices) vertex.position *= world::Vec3(breadth, 1.0F, breadth);
@@ -59,13 +50,13 @@ raster::LitSurface makeFigure(float breadth) {
   addLegs(figure, kLegs);
   add(figure, makeRightArm(), kArm);
   add(figure, makeLantern(), kArm);
-  return finished(std::move(figure));
+  return figure;
 }
 
 raster::LitSurface makeOwnFigure() {
-  raster::LitSurface figure;
+  raster::LitSurface figure{{}, {}, false};
   addLegs(figure, kOwnLegs);
-  return finished(std::move(figure));
+  return figure;
 }
 
 }  // namespace grove::objects::figure

@@ -86,7 +86,6 @@ raster::Surface makeSheet(bool hasBack) {
   }
   level.triangles = {{0, 1, 2}, {0, 2, 3}};
   if (hasBack) level.triangles.insert(level.triangles.end(), {{6, 5, 4}, {7, 6, 4}});
-  level.edge = 2.0F;
   level.vertexCount = sheet.vertices.size();
   return sheet;
 }

@@ -1,6 +1,5 @@
 #include "objects/mesh/backend/shapes/model_surface.h"
 
-#include <algorithm>
 #include <cmath>
 #include <map>
 #include <tuple>
@@ -43,17 +42,14 @@ raster::Surface surfaceOf(const models::Model& model) {
     }
     return it->second;
   };
-  double edges = 0.0;
   for (std::size_t i = 0; i < model.triangles.indices.size(); ++i) {
     const auto& [a, b, c] = model.triangles.indices[i];
     const std::uint16_t material = model.materialOf[i];
     level.triangles.push_back({corner(a, material, false), corner(b, material, false), corner(c, material, false)});
-    edges += static_cast<double>(glm::distance(model.triangles.positions[a], model.triangles.positions[b]));
     if (!model.materials[material].twoSided) continue;
     level.triangles.push_back({corner(c, material, true), corner(b, material, true), corner(a, material, true)});
   }
   level.vertexCount = surface.vertices.size();
-  level.edge = static_cast<float>(edges / std::max<double>(1.0, static_cast<double>(model.triangles.indices.size())));
   return surface;
 }
 
