@@ -32,7 +32,9 @@ constexpr float kCoverSpread = 0.4F;  // sideways share of a sky ray's direction
 // Grass extends to the edge of the plants, where half of the rays are hidden; otherwise bare earth would frame them.
 constexpr float kEdgeCover = 0.5F;
 constexpr float kWholeCover = 0.8F;
-// Gaps between the plants are about as bright as the plants.
+// Short grass beneath plants: an eye that looks under their rim sees no bare earth, and the plants hide the blades.
+constexpr float kGrassUnderCover = 0.25F;
+// Gaps between the plants are about as bright as the plants. Not at their rim, which may be in their shadow.
 constexpr float kMinSunUnderCover = 0.4F;
 
 /// Ray directions to the sun's disc, distributed by the golden angle.
@@ -122,9 +124,11 @@ class Baker {
     const float cellX = (static_cast<float>(x) + 0.5F) * scale;
     const float cellY = (static_cast<float>(y) + 0.5F) * scale;
     const Vec3 point = place(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F, options_.size);
-    const float cover = glm::smoothstep(kEdgeCover, kWholeCover, cover_.smooth(cellX, cellY));
-    const float sun = std::max(sunlight(point, cellX, cellY), kMinSunUnderCover * cover);
-    return ground(point, sun, std::max(kMinSky, sky_.smooth(cellX, cellY)), 1.0F - cover);
+    const float hidden = cover_.smooth(cellX, cellY);
+    const float cover = glm::smoothstep(kEdgeCover, kWholeCover, hidden);
+    const float within = glm::smoothstep(kWholeCover, 1.0F, hidden);
+    const float sun = std::max(sunlight(point, cellX, cellY), kMinSunUnderCover * within);
+    return ground(point, sun, std::max(kMinSky, sky_.smooth(cellX, cellY)), glm::mix(1.0F, kGrassUnderCover, cover));
   }
 
   [[nodiscard]] int cells() const noexcept { return cells_; }
