@@ -42,7 +42,7 @@ BackdropDepths::BackdropDepths(const world::Rect& area)
     : area_(area),
       cells_(static_cast<std::size_t>(area.width() / Backdrop::kCell) *
              static_cast<std::size_t>(area.height() / Backdrop::kCell)),
-      squares_(static_cast<std::size_t>(area.width() / 2) * static_cast<std::size_t>(area.height() / 2)) {
+      nearness_(static_cast<std::size_t>(area.width()) * static_cast<std::size_t>(area.height())) {
   assert(hasWholeCells(area));
 }
 
@@ -51,7 +51,7 @@ void BackdropDepths::measure(const raster::Image& part) {
   for (int y = part.rect.top; y < part.rect.bottom; y += Backdrop::kCell) {
     measureCells(part.depthRow(y - part.rect.top), part.width(), Backdrop::kCell,
                  cells_.data() + cellAt(part.rect.left, y),
-                 {squares_.data() + squareAt(part.rect.left, y), area_.width() / 2});
+                 {nearness_.data() + pixelAt(part.rect.left, y), area_.width()});
   }
 }
 
@@ -61,9 +61,9 @@ void BackdropDepths::copy(const BackdropDepths& from, const world::Rect& part) {
     std::copy_n(from.cells_.data() + from.cellAt(part.left, y), part.width() / Backdrop::kCell,
                 cells_.data() + cellAt(part.left, y));
   }
-  for (int y = part.top; y < part.bottom; y += 2) {
-    std::copy_n(from.squares_.data() + from.squareAt(part.left, y), part.width() / 2,
-                squares_.data() + squareAt(part.left, y));
+  for (int y = part.top; y < part.bottom; ++y) {
+    std::copy_n(from.nearness_.data() + from.pixelAt(part.left, y), part.width(),
+                nearness_.data() + pixelAt(part.left, y));
   }
 }
 
@@ -72,8 +72,8 @@ std::ptrdiff_t BackdropDepths::cellAt(int x, int y) const {
   return std::ptrdiff_t{(y - area_.top) / kCell} * (area_.width() / kCell) + (x - area_.left) / kCell;
 }
 
-std::ptrdiff_t BackdropDepths::squareAt(int x, int y) const {
-  return std::ptrdiff_t{(y - area_.top) / 2} * (area_.width() / 2) + (x - area_.left) / 2;
+std::ptrdiff_t BackdropDepths::pixelAt(int x, int y) const {
+  return std::ptrdiff_t{y - area_.top} * area_.width() + x - area_.left;
 }
 
 Backdrop::Backdrop(std::shared_ptr<const raster::SemiPlanarImage> image, BackdropDepths depths, Origin origin)

@@ -25,19 +25,19 @@ class BackdropDepths {
   void copy(const BackdropDepths& from, const world::Rect& part);
 
   [[nodiscard]] const std::vector<CellDepths>& cells() const noexcept { return cells_; }
-  /// Nearness of squares of 2 x 2 pixels, row by row.
-  [[nodiscard]] const std::vector<SquareNearness>& squares() const noexcept { return squares_; }
+  /// Of pixels, row by row.
+  [[nodiscard]] const std::vector<PixelNearness>& nearness() const noexcept { return nearness_; }
 
  private:
   [[nodiscard]] std::ptrdiff_t cellAt(int x, int y) const;
-  [[nodiscard]] std::ptrdiff_t squareAt(int x, int y) const;
+  [[nodiscard]] std::ptrdiff_t pixelAt(int x, int y) const;
 
   world::Rect area_;
   std::vector<CellDepths> cells_;
-  std::vector<SquareNearness> squares_;
+  std::vector<PixelNearness> nearness_;
 };
 
-/// All still objects as a visitor saw them in one frame: colours, and depths by cells and squares, with a border beyond
+/// All still objects as a visitor saw them in one frame: colours, and depths by cells and pixels, with a border beyond
 /// the frame on the side to which the head turns. BackdropWarp shows it from nearby eyes. Immutable, any thread.
 class Backdrop {
  public:

@@ -62,31 +62,23 @@ struct ColumnSums {
   }
 };
 
-/// Squares of two rows.
-HWY_INLINE void packSquares(const float* __restrict upper, const float* __restrict lower, int squares,
-                            SquareNearness* __restrict out) {
+HWY_INLINE void packRow(const float* __restrict nearness, int width, PixelNearness* __restrict out) {
   constexpr float kMax = 65535.0F;
-  for (int i = 0; i < squares; ++i) {
-    const float first = upper[2 * i] > upper[2 * i + 1] ? upper[2 * i] : upper[2 * i + 1];
-    const float second = lower[2 * i] > lower[2 * i + 1] ? lower[2 * i] : lower[2 * i + 1];
-    const float nearest = first > second ? first : second;
-    const float steps = nearest * kNearnessSteps + 0.5F;
-    out[i] = static_cast<SquareNearness>(static_cast<int>(steps < kMax ? steps : kMax));
+  for (int x = 0; x < width; ++x) {
+    const float steps = nearness[x] * kNearnessSteps + 0.5F;
+    out[x] = static_cast<PixelNearness>(static_cast<int>(steps < kMax ? steps : kMax));
   }
 }
 
-void measureCells(const float* depths, int width, int lines, CellDepths* cells, const SquareRows& squares) {
+void measureCells(const float* depths, int width, int lines, CellDepths* cells, const NearnessRows& pixels) {
   ColumnSums columns;
-  float upper[ColumnSums::kColumns];
-  float lower[ColumnSums::kColumns];
+  float nearness[ColumnSums::kColumns];
   for (int left = 0; left < width; left += ColumnSums::kColumns) {
     const int part = std::min(ColumnSums::kColumns, width - left);
     columns.clear();
-    for (int line = 0; line < lines; line += 2) {
-      const float* const above = depths + std::ptrdiff_t{line} * width + left;
-      columns.add(above, part, upper);
-      columns.add(above + width, part, lower);
-      packSquares(upper, lower, part / 2, squares.first + std::ptrdiff_t{line / 2} * squares.stride + left / 2);
+    for (int line = 0; line < lines; ++line) {
+      columns.add(depths + std::ptrdiff_t{line} * width + left, part, nearness);
+      packRow(nearness, part, pixels.first + line * pixels.stride + left);
     }
     for (int x = 0; x < part; x += kSide) *cells++ = columns.cell(x, std::min(kSide, part - x));
   }
@@ -156,8 +148,8 @@ HWY_EXPORT(findCorners);
 HWY_EXPORT(warpCells);
 HWY_EXPORT(warpDepths);
 
-void measureCells(const float* depths, int width, int lines, CellDepths* cells, const SquareRows& squares) {
-  HWY_DYNAMIC_DISPATCH(measureCells)(depths, width, lines, cells, squares);
+void measureCells(const float* depths, int width, int lines, CellDepths* cells, const NearnessRows& pixels) {
+  HWY_DYNAMIC_DISPATCH(measureCells)(depths, width, lines, cells, pixels);
 }
 
 void findCorners(const CornerSearch& search, int left, int line, int steps, CornerLine& corners) {

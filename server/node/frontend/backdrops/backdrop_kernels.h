@@ -15,19 +15,19 @@ struct CellDepths {
   float nearest;   ///< largest 1 / depth
 };
 
-/// Largest 1 / depth of a square of 2 x 2 pixels, times kNearnessSteps; 0 if all are infinitely far.
-using SquareNearness = std::uint16_t;
+/// 1 / depth of a pixel, times kNearnessSteps; 0 if it is infinitely far.
+using PixelNearness = std::uint16_t;
 inline constexpr float kNearnessSteps = 16384.0F;
 
-/// Rows of squares, which are `stride` apart.
-struct SquareRows {
-  SquareNearness* first;
+/// Rows of pixels, which are `stride` apart.
+struct NearnessRows {
+  PixelNearness* first;
   std::ptrdiff_t stride;
 };
 
-/// Kernel: measures the cells and squares of `lines` rows of depths, which are `width` apart. The last cell may be
-/// narrower than the others. Width and lines are even.
-void measureCells(const float* depths, int width, int lines, CellDepths* cells, const SquareRows& squares);
+/// Kernel: measures the cells and pixels of `lines` rows of depths, which are `width` apart. The last cell may be
+/// narrower than the others.
+void measureCells(const float* depths, int width, int lines, CellDepths* cells, const NearnessRows& pixels);
 
 /// Cells in a row that are warped together, at most.
 inline constexpr int kWarpCells = 32;
@@ -62,7 +62,7 @@ void findCorners(const CornerSearch& search, int left, int line, int steps, Corn
 struct WarpSource {
   const std::uint8_t* y;
   const std::uint8_t* uv;
-  const SquareNearness* squares;
+  const PixelNearness* nearness;
   int width;  ///< of luma; even
   int height;
   float m2;  ///< of the WarpCamera
@@ -81,7 +81,7 @@ struct WarpedPixels {
 void warpCells(const WarpSource& source, const CornerLine& above, const CornerLine& below, int count,
                const WarpedPixels& out);
 
-/// Kernel: warps the depths of these cells, by squares of 2 x 2 pixels; eight rows that are `stride` apart.
+/// Kernel: warps the depths of these cells, each pixel's from one of the backdrop; eight rows that are `stride` apart.
 void warpDepths(const WarpSource& source, const CornerLine& above, const CornerLine& below, int count, float* depth,
                 std::ptrdiff_t stride);
 

@@ -57,7 +57,7 @@ bool isWhole(const world::Rect& strip) { return strip.width() % kGroupWidth == 0
 WarpSource sourceOf(const Backdrop& backdrop, const WarpCamera& warp) {
   const raster::SemiPlanarImage& image = backdrop.image();
   assert(image.width() >= 16 && image.height() >= 6);
-  return {image.y(), image.uv(), backdrop.depths().squares().data(), image.width(), image.height(), warp.m.z};
+  return {image.y(), image.uv(), backdrop.depths().nearness().data(), image.width(), image.height(), warp.m.z};
 }
 
 }  // namespace

@@ -90,7 +90,7 @@ TEST(WarpError, GrowsWithStepAndNearness) {
   EXPECT_GT(warpError(*wall, movedBy({0.0F, 0.0F, -0.5F})), 1.0F) << "its pixels are too large";
 }
 
-/// Fails if cells or squares of another part are taken, or land elsewhere.
+/// Fails if cells or pixels of another part are taken, or land elsewhere.
 TEST(BackdropDepths, CopiedAndMeasuredPartsEqualTheWhole) {
   const auto slope = [](const world::Camera&, world::Vec3 ray) { return Pixel{0, 6.0F + 2.0F * ray.x + ray.y}; };
   const world::Rect area{-8, -16, 72, 48};
@@ -105,7 +105,7 @@ TEST(BackdropDepths, CopiedAndMeasuredPartsEqualTheWhole) {
   BackdropDepths extended(area);
   extended.copy(before, kept);
   for (const world::Rect& part : partsBeyond(area, kept)) measured(extended, part);
-  EXPECT_EQ(extended.squares(), whole.squares());
+  EXPECT_EQ(extended.nearness(), whole.nearness());
   ASSERT_EQ(extended.cells().size(), whole.cells().size());
   for (std::size_t i = 0; i < whole.cells().size(); ++i) {
     EXPECT_EQ(extended.cells()[i].count, whole.cells()[i].count) << i;

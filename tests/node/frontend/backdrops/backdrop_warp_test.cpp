@@ -87,6 +87,26 @@ TEST_F(BackdropWarpTest, SameCameraCopies) {
   });
 }
 
+/// Fails if pixels share a depth: smoke behind a stone would show steps along its outline.
+TEST_F(BackdropWarpTest, EachPixelHasItsOwnDepth) {
+  const world::Camera camera = cameraOf(432, 240);
+  const world::Rect area{-8, -8, 440, 248};
+  const auto image = testing::paint(wallAt, camera, area);
+  const auto depthAt = [](int x, int y) { return (x + y) % 2 == 0 ? 4.0F : 9.0F; };
+  for (int y = 0; y < area.height(); ++y) {
+    for (int x = 0; x < area.width(); ++x) image->depthRow(y)[x] = depthAt(area.left + x, area.top + y);
+  }
+  const auto backdrop = backdropOf(image, {std::make_shared<const View>(testing::viewOf(camera)), 1, true});
+  tests::onEachTarget([&] {
+    const Shown shown = show(*backdrop, camera, {{0, 0, 432, 240}});
+    for (int y = 0; y < camera.height; ++y) {
+      for (int x = 0; x < camera.width; ++x) {
+        ASSERT_NEAR(shown.layers->depthRow(y)[x], depthAt(x, y), 0.01F) << x << ", " << y;
+      }
+    }
+  });
+}
+
 TEST_F(BackdropWarpTest, TurnedCamera) {
   const world::Camera before = cameraOf(640, 360);
   const auto backdrop = backdropOf(skyAt, before, {-60, -40, 700, 400});
@@ -115,7 +135,7 @@ TEST_F(BackdropWarpTest, MovedCamera) {
   });
 }
 
-/// Fails under the address sanitizer if a look-up of the last square reads what lies behind it.
+/// Fails under the address sanitizer if a look-up of the last pixel reads what lies behind it.
 TEST_F(BackdropWarpTest, ShowsItsLastPixels) {
   const world::Camera before = cameraOf(640, 360);
   const auto backdrop = backdropOf(skyAt, before, {0, 0, 640, 360});
