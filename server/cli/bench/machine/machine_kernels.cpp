@@ -108,7 +108,7 @@ MachineKernel backdropWarp() {
   struct Frame {
     Frame() {
       const auto image = landscape(images);
-      node::BackdropDepths depths(kFrame);
+      node::BackdropDepths depths(kFrame, images);
       depths.measure(*image);
       auto colours = raster::acquireSemiPlanar(images, kFrame);
       raster::toSemiPlanar(*image, *colours);

@@ -38,11 +38,13 @@ float varianceOfRamp(float before, float after) {
 
 }  // namespace
 
-BackdropDepths::BackdropDepths(const world::Rect& area)
+BackdropDepths::BackdropDepths(const world::Rect& area, raster::ImagePool& images)
     : area_(area),
       cells_(static_cast<std::size_t>(area.width() / Backdrop::kCell) *
              static_cast<std::size_t>(area.height() / Backdrop::kCell)),
-      nearness_(static_cast<std::size_t>(area.width()) * static_cast<std::size_t>(area.height())) {
+      memory_(images.acquireBytes(static_cast<std::size_t>(area.width()) * static_cast<std::size_t>(area.height()) *
+                                  sizeof(PixelNearness))),
+      nearness_(reinterpret_cast<PixelNearness*>(memory_.bytes.data()), memory_.bytes.size() / sizeof(PixelNearness)) {
   assert(hasWholeCells(area));
 }
 

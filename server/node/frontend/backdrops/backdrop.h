@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -17,8 +18,9 @@ struct WarpCamera;
 /// Depths of a backdrop, measured band by band during compositing. Several threads may measure different bands at once.
 class BackdropDepths {
  public:
-  /// For a backdrop of this area, which consists of whole cells.
-  explicit BackdropDepths(const world::Rect& area);
+  /// For a backdrop of this area, which consists of whole cells. Uses memory of the pool for pixels, which have no
+  /// values until they are measured or copied.
+  BackdropDepths(const world::Rect& area, raster::ImagePool& images);
   /// Measures a part of the area that consists of whole cells.
   void measure(const raster::Image& part);
   /// Copies a part of whole cells that both areas contain.
@@ -26,7 +28,7 @@ class BackdropDepths {
 
   [[nodiscard]] const std::vector<CellDepths>& cells() const noexcept { return cells_; }
   /// Of pixels, row by row.
-  [[nodiscard]] const std::vector<PixelNearness>& nearness() const noexcept { return nearness_; }
+  [[nodiscard]] std::span<const PixelNearness> nearness() const noexcept { return nearness_; }
 
  private:
   [[nodiscard]] std::ptrdiff_t cellAt(int x, int y) const;
@@ -34,7 +36,8 @@ class BackdropDepths {
 
   world::Rect area_;
   std::vector<CellDepths> cells_;
-  std::vector<PixelNearness> nearness_;
+  raster::ImagePool::Bytes memory_;
+  std::span<PixelNearness> nearness_;  ///< in the memory
 };
 
 /// All still objects as a visitor saw them in one frame: colours, and depths by cells and pixels, with a border beyond

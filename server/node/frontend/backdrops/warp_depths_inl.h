@@ -66,6 +66,10 @@ HWY_INLINE bool lookUpNearby(const NearnessGrid&, Ints, Ints, Ints&) { return fa
 HWY_INLINE Floats betweenCorners(const float* corners, int first) {
   const Ints pixel = lanes::upwards() + Ints(first % 8);
   const Floats place = (lanes::toFloats(pixel & Ints(7)) + 0.5F) * 0.125F;
+  if constexpr (kLanes <= 8) {
+    const float* const begin = corners + first / 8;
+    return lanes::mulAdd(place, Floats(begin[1] - begin[0]), Floats(begin[0]));
+  }
   const auto indices = hn::IndicesFromVec(lanes::FloatTag(), lanes::shiftRight<3>(pixel).raw);
   const auto at = [&](const float* from) {
     return Floats(hn::TableLookupLanes(hn::LoadU(lanes::FloatTag(), from), indices));

@@ -100,7 +100,7 @@ FinishedFrame Compositor::composite(const CompleteFrame& frame) {
 void Compositor::drawBackdrop(const CompleteFrame& frame) {
   const FrameList& list = *frame.list;
   const auto image = raster::acquireSemiPlanar(images_, list.area);
-  BackdropDepths depths(list.area);
+  BackdropDepths depths(list.area, images_);
   const auto before = list.extended ? backdrops_->newest() : nullptr;
   if (list.extended) {
     if (!before || before->origin().frame != *list.extended) throw std::runtime_error("no backdrop to extend");

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "each_target.h"
@@ -98,14 +99,15 @@ TEST(BackdropDepths, CopiedAndMeasuredPartsEqualTheWhole) {
   const auto measured = [&](BackdropDepths& depths, const world::Rect& part) {
     depths.measure(*testing::paint(slope, kCamera, part));
   };
-  BackdropDepths whole(area);
+  raster::ImagePool pool;
+  BackdropDepths whole(area, pool);
   measured(whole, area);
-  BackdropDepths before(world::Rect{-24, -8, 48, 56});
+  BackdropDepths before({-24, -8, 48, 56}, pool);
   measured(before, {-24, -8, 48, 56});
-  BackdropDepths extended(area);
+  BackdropDepths extended(area, pool);
   extended.copy(before, kept);
   for (const world::Rect& part : partsBeyond(area, kept)) measured(extended, part);
-  EXPECT_EQ(extended.nearness(), whole.nearness());
+  EXPECT_TRUE(std::ranges::equal(extended.nearness(), whole.nearness()));
   ASSERT_EQ(extended.cells().size(), whole.cells().size());
   for (std::size_t i = 0; i < whole.cells().size(); ++i) {
     EXPECT_EQ(extended.cells()[i].count, whole.cells()[i].count) << i;

@@ -49,9 +49,9 @@ inline std::shared_ptr<raster::Image> paint(const Painter& painter, const world:
 /// As if the frame of `origin` had drawn `image`.
 inline std::shared_ptr<const Backdrop> backdropOf(const std::shared_ptr<const raster::Image>& image,
                                                   Backdrop::Origin origin) {
-  BackdropDepths depths(image->rect);
-  depths.measure(*image);
   raster::ImagePool pool;
+  BackdropDepths depths(image->rect, pool);
+  depths.measure(*image);
   auto colours = raster::acquireSemiPlanar(pool, image->rect);
   raster::toSemiPlanar(*image, *colours);
   return std::make_shared<const Backdrop>(std::move(colours), std::move(depths), std::move(origin));
