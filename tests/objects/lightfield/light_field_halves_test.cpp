@@ -213,17 +213,55 @@ bool isPicture(const Shown& shown) {
   return std::holds_alternative<std::shared_ptr<const raster::Image>>(shown.payload);
 }
 
-/// The visitor begins amid a thicket. Fails if its triangles do not show there, or show elsewhere, too.
-TEST_F(LightFieldHalves, EyesAmidAnObjectSeeItsTriangles) {
-  LightField field = *field_;
-  const LightField small = makeSmallField();
-  field.near = small.near;
+/// The field with the faces of another, which outlives the result.
+LightField withFacesOf(const LightField& other, LightField field) {
+  field.near = other.near;
   field.near.colours.resize(field.colour.size(), field.near.colours.front());
-  Wood wood(field, 1);
+  return field;
+}
+
+/// The visitor begins amid a thicket. Fails if its faces do not show there, or show elsewhere, too.
+TEST_F(LightFieldHalves, EyesAmidAnObjectSeeItsFaces) {
+  const LightField small = makeSmallField();
+  Wood wood(withFacesOf(small, *field_), 1);
   const auto shown = wood.look(0, 1, 0.0, false);
   ASSERT_TRUE(showsAll(shown));
   EXPECT_EQ(std::ranges::count_if(shown, isPicture), 1);
   EXPECT_GT(shown.size(), 1U);
+}
+
+/// Fails if blurred pictures stay before an eye at rest, if walking eyes or heads that turn cause sharp ones, which are
+/// expensive, or if a backdrop with blurred ones is not drawn again.
+TEST_F(LightFieldHalves, EyesAtRestSeeSharpPictures) {
+  const LightField small = makeSmallField();
+  Wood wood(withFacesOf(small, *field_), 1);
+  node::FrameNumber frame = 0;
+  const auto look = [&](int frames, bool walks) {
+    std::vector<Shown> shown;
+    for (int i = 0; i < frames; ++i, ++frame) shown = wood.look(0, frame + 1, frame / 30.0, walks);
+    return shown;
+  };
+  (void)look(60, true);
+  const auto arriving = look(6, false);
+  EXPECT_EQ(wood.counted("sharp views"), 0) << "it may walk on";
+  EXPECT_LT(finalOnes(arriving), std::ssize(arriving));
+  const auto resting = look(90, false);
+  const std::int64_t sharp = wood.counted("sharp views");
+  EXPECT_GT(sharp, 3);
+  EXPECT_EQ(finalOnes(resting), std::ssize(resting));
+  (void)look(30, false);
+  EXPECT_EQ(wood.counted("sharp views"), sharp) << "once";
+  (void)look(60, true);
+  EXPECT_EQ(wood.counted("sharp views"), sharp);
+}
+
+/// Fails if a field without faces asks for them, again and again.
+TEST_F(LightFieldHalves, WithoutFacesNothingIsUnfinished) {
+  Wood wood(*field_, 1);
+  std::vector<Shown> shown;
+  for (node::FrameNumber frame = 0; frame < 90; ++frame) shown = wood.look(0, frame + 1, frame / 30.0, false);
+  EXPECT_EQ(wood.counted("sharp views"), 0);
+  EXPECT_EQ(finalOnes(shown), std::ssize(shown));
 }
 
 TEST_F(LightFieldHalves, RefinementDoesNotJump) {

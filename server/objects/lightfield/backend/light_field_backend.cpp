@@ -121,7 +121,11 @@ node::Payload LightFieldBackend::ownPicture(const node::Request& request, const 
   if (shot.texels() > kMaxTexels) return node::Failure{"a picture of a light field is too large"};
   if (!mayMake(request, shot, own.mustBeMade)) return kNoTime;
   timeline_.count("texels of new views", shot.texels());
-  return std::shared_ptr<const raster::Image>(pictures_.make(entry, entry.model->shown()->field, shot, {}));
+  const std::shared_ptr<const FieldVersion> shown = entry.model->shown();
+  const bool fromFaces = own.faces && !shown->field.near.empty();
+  const auto image =
+      fromFaces ? pictures_.makeNear(entry, shown->field, shot, {}) : pictures_.make(entry, shown->field, shot, {});
+  return std::shared_ptr<const raster::Image>(image);
 }
 
 node::Payload LightFieldBackend::framePicture(const node::Request& request, const ObjectPictures::Entry& entry) {

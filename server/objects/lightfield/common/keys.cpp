@@ -38,7 +38,7 @@ CellId cellIdOf(const node::Key& key) {
 node::Key keyOf(const OwnPicture& picture) {
   node::PackWriter writer;
   putCamera(writer, picture.camera);
-  writer.put(static_cast<std::uint8_t>(picture.mustBeMade));
+  writer.put(static_cast<std::uint8_t>(picture.mustBeMade)).put(static_cast<std::uint8_t>(picture.faces));
   return asKey(writer);
 }
 
@@ -47,6 +47,7 @@ OwnPicture ownPictureOf(const node::Key& key) {
   OwnPicture picture;
   picture.camera = takeCamera(reader);
   picture.mustBeMade = reader.takeWithin<std::uint8_t>(0, 1) == 1;
+  picture.faces = reader.takeWithin<std::uint8_t>(0, 1) == 1;
   reader.finish();
   return picture;
 }

@@ -15,6 +15,7 @@ namespace grove::objects::lightfield {
 struct OwnPicture {
   ObjectCamera camera;
   bool mustBeMade = false;  ///< even if the budget is spent
+  bool faces = false;       ///< from the object's faces, if it has any, instead of its views
 };
 [[nodiscard]] node::Key keyOf(const OwnPicture& picture);
 /// Throws node::PackingError.

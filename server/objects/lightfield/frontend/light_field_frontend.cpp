@@ -68,6 +68,15 @@ bool isAmid(const Sight& sight) {
   return sight.field.hasNear && sight.object.object.bounds.distance(sight.view.camera.pose.position) <= kAmid;
 }
 
+float timesOf(const Sight& sight) {
+  return magnification(sight.field.geometry, sight.field.viewSize, sight.camera);
+}
+
+/// Whether pictures of the views are blurred, and those of the faces are not.
+bool isBlurred(const Sight& sight) {
+  return sight.field.hasNear && sight.field.maxError > 0.0F && timesOf(sight) > kMinMagnification;
+}
+
 /// Whether a picture is coarse because the budget was spent.
 bool isCoarse(const node::Reply& reply) {
   if (reply.ask.key.empty() || reply.ask.key == kNearKey) return false;
@@ -85,26 +94,38 @@ node::Plan LightFieldFrontend::plan(const node::VisibleObject& object, const nod
   const bool isOfInfo = reply != nullptr && reply->ask.shared && reply->ask.key.empty();
   if (!info && isOfInfo) return reply->payload;
   if (!info) return node::Ask{.shared = true, .key = {}, .rect = {}};
+  rest_.see(view);
   const Sight sight = sightOf(object, view, shared, *info);
   node::Plan plan = reply == nullptr || isOfInfo ? begin(sight) : resume(sight, *reply);
   if (!std::holds_alternative<node::Payload>(plan)) return plan;
-  remember(object.object.id, reply != nullptr && !isOfInfo && (isNotNow(reply->payload) || isCoarse(*reply)));
+  const bool isUnfinished = reply != nullptr && !isOfInfo && (isNotNow(reply->payload) || isCoarse(*reply));
+  const bool becomesSharp = isBlurred(sight) && !isAmid(sight) && !own_.isSharp(sight);
+  remember(object.object.id, isUnfinished || becomesSharp);
   return plan;
 }
 
 node::Plan LightFieldFrontend::begin(const Sight& sight) {
   if (isAmid(sight)) return node::Ask{.shared = false, .key = kNearKey, .rect = sight.object.rect};
+  if (isBlurred(sight)) {
+    if (own_.isSharp(sight)) return own_.begin(sight, 1.0F);
+    if (rest_.isAtRest()) return own_.sharpen(sight);
+  }
+  return beginFromViews(sight);
+}
+
+node::Plan LightFieldFrontend::beginFromViews(const Sight& sight) {
   if (const auto cell = SharedViews::cellOf(sight)) return shared_.begin(sight, *cell);
   if (sight.field.maxError > 0.0F) timeline_.count("views too near to share");
-  const float times = magnification(sight.field.geometry, sight.field.viewSize, sight.camera);
+  const float times = timesOf(sight);
   if (times > kMinMagnification || own_.isFading(sight)) return own_.begin(sight, times);
   return node::Ask{.shared = false, .key = {}, .rect = sight.object.rect};
 }
 
 node::Plan LightFieldFrontend::resume(const Sight& sight, const node::Reply& reply) {
   if (reply.ask.shared) return shared_.resume(sight, reply);
-  const bool isForThisFrame = reply.ask.key.empty() || reply.ask.key == kNearKey;
-  return isForThisFrame ? reply.payload : own_.resume(sight, reply);
+  if (reply.ask.key.empty() || reply.ask.key == kNearKey) return reply.payload;
+  const bool isRefused = isNotNow(reply.payload) && ownPictureOf(reply.ask.key).faces;
+  return isRefused ? beginFromViews(sight) : own_.resume(sight, reply);
 }
 
 void LightFieldFrontend::remember(world::ObjectId object, bool isProvisional) {

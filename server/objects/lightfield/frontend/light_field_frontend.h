@@ -5,6 +5,7 @@
 #include <set>
 
 #include "node/frontend/frontend_half.h"
+#include "objects/lightfield/frontend/eye_rest.h"
 #include "objects/lightfield/frontend/own_views.h"
 #include "objects/lightfield/frontend/shared_views.h"
 
@@ -30,6 +31,7 @@ class LightFieldFrontend final : public node::FrontendHalf {
 
  private:
   [[nodiscard]] node::Plan begin(const Sight& sight);
+  [[nodiscard]] node::Plan beginFromViews(const Sight& sight);
   [[nodiscard]] node::Plan resume(const Sight& sight, const node::Reply& reply);
   /// Records whether an object is shown with a picture that should be replaced.
   void remember(world::ObjectId object, bool isProvisional);
@@ -39,6 +41,7 @@ class LightFieldFrontend final : public node::FrontendHalf {
   const world::Sky& sky_;
   SharedViews shared_;
   OwnViews own_;
+  EyeRest rest_;
   mutable std::mutex mutex_;
   std::set<world::ObjectId> provisional_;
 };

@@ -35,6 +35,7 @@ struct NearView {
   float roughness = 0.0F;                            ///< of the picture
   Sides edges = {};                                  ///< see edgeNearness()
   bool coarse = false;                               ///< made with few texels because the budget was spent
+  bool sharp = false;                                ///< made from the object's faces, a texel per pixel
   int version = 0;                                   ///< of its light field
   std::shared_ptr<const CachedView> from = nullptr;  ///< last picture of a former light field
   double since = 0.0;                                ///< when the first picture of this light field was shown

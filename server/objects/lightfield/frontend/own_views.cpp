@@ -20,6 +20,9 @@ Shot shotOf(const Sight& sight, const NearView& last, float times) {
   return whole.coarser(times);
 }
 
+/// Error of a picture of views while the eye rests; small, because one of faces takes long and only looks better.
+constexpr float kBlurredError = 1.2F;
+
 node::Ask askFor(const Shot& shot, bool mustBeMade, float urgency) {
   return {.shared = false, .key = keyOf(OwnPicture{shot.camera, mustBeMade}), .rect = shot.rect, .urgency = urgency};
 }
@@ -49,6 +52,19 @@ node::Plan OwnViews::begin(const Sight& sight, float times) {
   return askFor(shotOf(sight, last, times), false, error);
 }
 
+node::Plan OwnViews::sharpen(const Sight& sight) {
+  const Shot shot = shotOf(sight, near_.last(sight.id()), 1.0F);
+  return node::Ask{.shared = false,
+                   .key = keyOf(OwnPicture{.camera = shot.camera, .faces = true}),
+                   .rect = shot.rect,
+                   .urgency = kBlurredError};
+}
+
+bool OwnViews::isSharp(const Sight& sight) {
+  const NearView last = near_.last(sight.id());
+  return last.sharp && errorOf(sight, last) <= 1.0F;
+}
+
 node::Plan OwnViews::resume(const Sight& sight, const node::Reply& reply) {
   const OwnPicture asked = ownPictureOf(reply.ask.key);
   const NearView last = isForOneFrame(sight) ? NearView{} : near_.last(sight.id());
@@ -61,6 +77,7 @@ node::Plan OwnViews::resume(const Sight& sight, const node::Reply& reply) {
   auto picture = std::make_shared<const CachedView>(**image, asked.camera);
   if (isForOneFrame(sight)) return planOf(std::move(picture));
   if (asked.mustBeMade) timeline_.count("coarse views");
+  if (asked.faces) timeline_.count("sharp views");
   const bool isOutdated = last.picture && last.version != sight.field.number;
   NearView next =
       isOutdated ? NearView{.from = last.picture, .since = sight.view.time} : unlessFaded(last, sight.view.time);
@@ -69,6 +86,7 @@ node::Plan OwnViews::resume(const Sight& sight, const node::Reply& reply) {
   next.roughness = roughness(*picture);
   next.edges = edgeNearness(*picture, reply.ask.rect);
   next.coarse = asked.mustBeMade;
+  next.sharp = asked.faces;
   next.version = sight.field.number;
   near_.shown(sight.id(), std::move(next));
   return planOf(std::move(picture));

@@ -18,7 +18,12 @@ class OwnViews {
 
   /// `times`: permitted width of the picture's texels, in pixels.
   [[nodiscard]] node::Plan begin(const Sight& sight, float times);
-  /// Continues after the reply to a request of begin() or resume().
+  /// Requests a picture of the object's faces, one texel per pixel. It costs as much as drawing them for a frame, and
+  /// is used while the eye rests.
+  [[nodiscard]] node::Plan sharpen(const Sight& sight);
+  /// Whether the last picture is one of these and good enough.
+  [[nodiscard]] bool isSharp(const Sight& sight);
+  /// Continues after the reply to a request of begin(), sharpen() or resume().
   [[nodiscard]] node::Plan resume(const Sight& sight, const node::Reply& reply);
 
   /// Whether the last picture shows another light field, or its cross-fade is in progress.

@@ -149,12 +149,14 @@ TEST(LightFieldPacking, KeysRoundTrip) {
   own.camera.eye = {1.0F, -2.0F, 3.0F};
   own.camera.perRow = {0.0F, 0.5F, 0.0F};
   own.mustBeMade = true;
+  own.faces = true;
   const OwnPicture again = ownPictureOf(keyOf(own));
   EXPECT_EQ(again.camera.eye, own.camera.eye);
   EXPECT_EQ(again.camera.perRow, own.camera.perRow);
   EXPECT_TRUE(again.mustBeMade);
+  EXPECT_TRUE(again.faces);
   EXPECT_LE(keyOf(own).size(), node::kMaxKeyBytes);
-  for (const std::size_t length : {0U, 3U, 28U, 30U, 48U, 50U}) {
+  for (const std::size_t length : {0U, 3U, 28U, 30U, 48U, 49U, 51U}) {
     EXPECT_THROW((void)cellIdOf(node::Key(length, '\1')), node::PackingError) << length;
     EXPECT_THROW((void)ownPictureOf(node::Key(length, '\1')), node::PackingError) << length;
   }
