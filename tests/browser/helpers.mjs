@@ -23,19 +23,31 @@ const kDriver = /GL Driver Message \(OpenGL, Performance/;
 /** The first server on a machine bakes the light fields of its world. Milliseconds. */
 const kPreparation = 600_000;
 
-/**
- * A file with the built-in scene, its light fields as coarse as those that a visitor sees before the fine ones are ready:
- * these take minutes to bake. Gone when the test's process ends.
- */
-export function coarseGrove() {
-  const folder = mkdtempSync(join(tmpdir(), 'grove-coarse-'));
+/** A file with the built-in scene, changed. Gone when the test's process ends. */
+function changedGrove(change) {
+  const folder = mkdtempSync(join(tmpdir(), 'grove-scene-'));
   process.on('exit', () => rmSync(folder, { recursive: true, force: true }));
   const scene = join(folder, 'grove.toml');
   const text = readFileSync(`${kRoot}/server/world/scenes/grove.toml`, 'utf8');
-  const coarse = text.replaceAll(/^plant = /gm, 'subdivision = 4\nsize = 128\nplant = ');
-  assert.notEqual(coarse, text);
-  writeFileSync(scene, coarse);
+  const changed = change(text);
+  assert.notEqual(changed, text);
+  writeFileSync(scene, changed);
   return scene;
+}
+
+/**
+ * The built-in scene, its light fields as coarse as those that a visitor sees before the fine ones are ready: these take
+ * minutes to bake.
+ */
+export function coarseGrove() {
+  return changedGrove((text) => text.replaceAll(/^plant = /gm, 'subdivision = 4\nsize = 128\nplant = '));
+}
+
+/** The built-in scene, whose visitors arrive elsewhere. Metres, and degrees counter-clockwise from north. */
+export function groveFrom(x, z, yaw) {
+  return changedGrove((text) =>
+    text.replace(/^spawn = .*$/m, `spawn = [${x}, 0, ${z}]`).replace(/^spawn_yaw_degrees = .*$/m, `spawn_yaw_degrees = ${yaw}`),
+  );
 }
 
 /** A port that was free a moment ago. */

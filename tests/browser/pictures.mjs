@@ -2,7 +2,7 @@
 import { mkdir } from 'node:fs/promises';
 import { fileURLToPath } from 'node:url';
 
-import { launchBrowser, Server, Visitor } from './helpers.mjs';
+import { groveFrom, launchBrowser, Server, Visitor } from './helpers.mjs';
 
 const kFolder = fileURLToPath(new URL('./pictures/', import.meta.url));
 const kSize = { viewport: { width: 1280, height: 720 } };
@@ -46,6 +46,19 @@ async function takeOperator(browser) {
   await page.close();
 }
 
+/** What a visitor sees who stands at a place of the built-in world. */
+async function takeFrom(browser, place, name) {
+  const server = await Server.start({ options: ['--scene', groveFrom(...place)] });
+  try {
+    const visitor = await Visitor.arrive(browser, server.url, kSize);
+    await visitor.page.waitForTimeout(18_000); // the hint has gone, and trees are sharp
+    await take(visitor, name);
+    await visitor.page.close();
+  } finally {
+    await server.end();
+  }
+}
+
 await mkdir(kFolder, { recursive: true });
 const server = await Server.start();
 const browser = await launchBrowser();
@@ -74,6 +87,10 @@ try {
   await ada.page.waitForTimeout(500);
   await takeTogether(browser, [ada, ben, cleo, dan], 'players');
   await takeOperator(browser);
+  await server.end();
+  await takeFrom(browser, [-8.2, 3, 38], 'under_an_oak');
+  await takeFrom(browser, [-11.4, -3.2, 55], 'in_a_spruce');
+  await takeFrom(browser, [10, 18, 33], 'stones');
 } finally {
   await browser.close();
   await server.end();

@@ -18,15 +18,15 @@ struct CoveredPixels {
 };
 
 /// Exact shares of pixels' areas that polygons cover, from their edges alone, as rasterisers of fonts compute them: an
-/// edge adds its height to all pixels to its right, and its own pixels get a part of that (FreeType's `ftgrays`).
+/// edge adds its height to all pixels to its right, and a part of that to its own pixels (FreeType's `ftgrays`).
 /// Where polygons overlap, their shares add up.
 class EdgeCoverage {
  public:
   /// Removes all edges, for the pixels of a rectangle. Keeps the memory.
   void begin(const world::Rect& rect);
 
-  /// Adds an edge, in pixels. The polygon is to the left of one who walks along it, on a screen whose y grows
-  /// downwards: its edges run counter-clockwise as seen.
+  /// Adds an edge, in pixels. The edges of a polygon run counter-clockwise as seen, on a screen whose y grows
+  /// downwards.
   void add(world::Vec2 from, world::Vec2 to);
 
   /// The pixels that are covered in part, by rows and columns from the rectangle's corner.

@@ -78,7 +78,7 @@ void Outline::finish(const OpenFragments& fragments, const Drawing& drawing, con
 }
 
 void Outline::complete(const OpenFragments& fragments) {
-  borrowed_.clear();
+  copies_.clear();
   for (const Pixel& pixel : pixels_) {
     const std::ptrdiff_t to = fragments.at(pixel.row, pixel.column);
     if (fragments.depth[to] > 0.0F) continue;
@@ -90,15 +90,15 @@ void Outline::complete(const OpenFragments& fragments) {
     };
     const auto* const step = std::ranges::find_if(kNeighbours, isCovered);
     if (step == kNeighbours.end()) continue;
-    borrowed_.push_back({to, to + fragments.at(step->first, step->second)});
+    copies_.push_back({to, to + fragments.at(step->first, step->second)});
     if (fragments.spans.empty()) continue;
     Span& span = fragments.spans[static_cast<std::size_t>(pixel.row)];
     const bool isEmpty = span.begin >= span.end;
     span = {isEmpty ? pixel.column : std::min(span.begin, pixel.column),
             isEmpty ? pixel.column + 1 : std::max(span.end, pixel.column + 1)};
   }
-  // Only now, so that nobody borrows what is borrowed.
-  for (const Borrowed& each : borrowed_) {
+  // After the search, so that no pixel copies a copy.
+  for (const Copy& each : copies_) {
     fragments.surface[each.to] = fragments.surface[each.from];
     fragments.depth[each.to] = fragments.depth[each.from];
   }
@@ -114,7 +114,7 @@ void Outline::scale(Image& image) const {
 }
 
 std::size_t Outline::bytes() const noexcept {
-  return coverage_.bytes() + isFront_.capacity() / 8 + pipeline::vectorBytes(pixels_, borrowed_);
+  return coverage_.bytes() + isFront_.capacity() / 8 + pipeline::vectorBytes(pixels_, copies_);
 }
 
 }  // namespace grove::raster

@@ -42,8 +42,8 @@ class Outline {
     int column;
     std::uint32_t share;  ///< of 256
   };
-  /// Pixel without a fragment, and its neighbour.
-  struct Borrowed {
+  /// A pixel without a fragment, and the neighbour whose fragment it copies.
+  struct Copy {
     std::ptrdiff_t to;
     std::ptrdiff_t from;
   };
@@ -55,7 +55,7 @@ class Outline {
   EdgeCoverage coverage_;
   std::vector<bool> isFront_;  ///< by triangle
   std::vector<Pixel> pixels_;
-  std::vector<Borrowed> borrowed_;
+  std::vector<Copy> copies_;
 };
 
 }  // namespace grove::raster

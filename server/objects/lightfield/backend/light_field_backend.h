@@ -39,7 +39,7 @@ class LightFieldBackend final : public node::BackendHalf {
   [[nodiscard]] node::Payload ownPicture(const node::Request& request, const ObjectPictures::Entry& entry);
   [[nodiscard]] node::Payload framePicture(const node::Request& request, const ObjectPictures::Entry& entry);
   /// Whether to make the picture; takes its texels from the budget.
-  [[nodiscard]] bool mayMake(const node::Request& request, const Shot& shot, bool mustBeMade);
+  [[nodiscard]] bool mayMake(const node::Request& request, std::int64_t texels, bool mustBeMade);
   void announceInfo();
 
   pipeline::Timeline& timeline_;

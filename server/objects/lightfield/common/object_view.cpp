@@ -84,6 +84,10 @@ world::Rect boxOf(const world::Bounds& bounds, const ObjectCamera& camera, const
   return {static_cast<int>(low.x), static_cast<int>(low.y), static_cast<int>(high.x), static_cast<int>(high.y)};
 }
 
+float texelWidth(const ViewGeometry& geometry, int viewSize, const ObjectCamera& camera) {
+  return texelOf(geometry, viewSize) / pixelAt(camera, glm::distance(camera.eye, geometry.target));
+}
+
 float magnification(const ViewGeometry& geometry, int viewSize, const ObjectCamera& camera) {
   const float behind = glm::distance(camera.eye, geometry.target) + 0.5F * geometry.extent;
   return std::max(1.0F, texelOf(geometry, viewSize) / pixelAt(camera, behind));

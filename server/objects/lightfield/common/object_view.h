@@ -23,6 +23,9 @@ namespace grove::objects::lightfield {
 /// The part of `whole` that may show a box; all of it if part of the box is beside or behind the eye.
 [[nodiscard]] world::Rect boxOf(const world::Bounds& bounds, const ObjectCamera& camera, const world::Rect& whole);
 
+/// Width in pixels of the finest texels in the middle of the object.
+[[nodiscard]] float texelWidth(const ViewGeometry& geometry, int viewSize, const ObjectCamera& camera);
+
 /// Width in pixels of the finest texels in the middle of the object's far half, at least 1. A picture with one sample
 /// per this many pixels shows nearly all detail of the texels; farther parts are mostly hidden.
 [[nodiscard]] float magnification(const ViewGeometry& geometry, int viewSize, const ObjectCamera& camera);

@@ -4,7 +4,7 @@
 
 namespace grove::objects::lightfield {
 
-/// Tells whether a visitor's eye has stayed in its place for a while; the head may turn. One thread at a time.
+/// Detects an eye that has stayed in its place for a while; the head may turn. One thread at a time.
 class EyeRest {
  public:
   static constexpr double kSeconds = 0.4;

@@ -68,13 +68,12 @@ bool isAmid(const Sight& sight) {
   return sight.field.hasNear && sight.object.object.bounds.distance(sight.view.camera.pose.position) <= kAmid;
 }
 
-float timesOf(const Sight& sight) {
-  return magnification(sight.field.geometry, sight.field.viewSize, sight.camera);
-}
+/// Pixels per texel from which on the views, which are blended, look blurred beside the faces.
+constexpr float kBlurredTexel = 0.7F;
 
-/// Whether pictures of the views are blurred, and those of the faces are not.
 bool isBlurred(const Sight& sight) {
-  return sight.field.hasNear && sight.field.maxError > 0.0F && timesOf(sight) > kMinMagnification;
+  return sight.field.hasNear && sight.field.maxError > 0.0F &&
+         texelWidth(sight.field.geometry, sight.field.viewSize, sight.camera) > kBlurredTexel;
 }
 
 /// Whether a picture is coarse because the budget was spent.
@@ -116,7 +115,7 @@ node::Plan LightFieldFrontend::begin(const Sight& sight) {
 node::Plan LightFieldFrontend::beginFromViews(const Sight& sight) {
   if (const auto cell = SharedViews::cellOf(sight)) return shared_.begin(sight, *cell);
   if (sight.field.maxError > 0.0F) timeline_.count("views too near to share");
-  const float times = timesOf(sight);
+  const float times = magnification(sight.field.geometry, sight.field.viewSize, sight.camera);
   if (times > kMinMagnification || own_.isFading(sight)) return own_.begin(sight, times);
   return node::Ask{.shared = false, .key = {}, .rect = sight.object.rect};
 }

@@ -91,5 +91,16 @@ TEST(ObjectView, HazeMatchesTheWorld) {
   EXPECT_NEAR(haze.colour[0], world::toDisplay(world::Sky().hazeColour({0, 0, -1}).r), 1e-4F);
 }
 
+/// Fails if an object's size counts, which makes magnification() less than this.
+TEST(TexelWidth, IsThatOfTheMiddle) {
+  const ViewGeometry geometry = fieldOf(8).geometry;
+  const ObjectCamera camera = objectCamera(cameraAt({0.0F, 2.0F, 12.0F}), {});
+  const float width = texelWidth(geometry, 8, camera);
+  EXPECT_GT(width, 1.0F);
+  EXPECT_NEAR(texelWidth(geometry, 16, camera), 0.5F * width, 0.01F * width);
+  EXPECT_NEAR(texelWidth(geometry, 8, objectCamera(cameraAt({0.0F, 2.0F, 24.0F}), {})), 0.5F * width, 0.01F * width);
+  EXPECT_NEAR(magnification(geometry, 8, camera), width * 12.0F / 13.5F, 0.01F * width);
+}
+
 }  // namespace
 }  // namespace grove::objects::lightfield
