@@ -7,7 +7,7 @@ namespace grove::objects::lightfield {
 /// Detects an eye that has stayed in its place for a while; the head may turn. One thread at a time.
 class EyeRest {
  public:
-  static constexpr double kSeconds = 0.4;
+  static constexpr double kSeconds = 1.0;
 
   /// Ignores views of earlier frames: a backdrop that is extended has one.
   void see(const node::View& view) {
