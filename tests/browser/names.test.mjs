@@ -72,6 +72,22 @@ function pixels({ page }) {
   });
 }
 
+function isSame(a, b) {
+  return a.luma.every((value, i) => Math.abs(value - b.luma[i]) <= 90);
+}
+
+/** The picture once nothing has changed for three seconds: trees become sharp while a visitor stands still. */
+async function settledPixels(visitor) {
+  let last = await pixels(visitor);
+  for (let same = 0; same < 3; ) {
+    await visitor.page.waitForTimeout(1000);
+    const now = await pixels(visitor);
+    same = isSame(last, now) ? same + 1 : 0;
+    last = now;
+  }
+  return last;
+}
+
 /** Where a picture first differs from another, from above: the row, and the middle of what differs within some rows of it. */
 function topOfDifference(a, b) {
   const differs = (i) => Math.abs(a.luma[i] - b.luma[i]) > 90;
@@ -85,7 +101,7 @@ function topOfDifference(a, b) {
 // Faults: boxes for letters that the server has no glyphs of; a name beside its figure, or at another frame's place.
 test('names of any script appear above their figures, as text', async () => {
   const ada = await arrive('Ada');
-  const alone = await pixels(ada);
+  const alone = await settledPixels(ada);
   assert.deepEqual(await tags(ada), [], 'one does not read his own name');
   for (const name of ['日本 🌲', 'سلمى', '<b>Зоя</b>']) {
     const other = await walkAhead(name, 1700);
