@@ -81,7 +81,7 @@ std::shared_ptr<Image> EmbreeMeshRenderer::renderOne(const Drawing& drawing) {
   ScreenSurface screen;
   screen.make(drawing, arrays);
   Outline outline;
-  outline.find(drawing.rect, screen);
+  outline.find(drawing, screen);
   outline.finish({found.data(), depth.data(), image->width()}, drawing, texture_, *image);
   return image;
 }

@@ -76,7 +76,7 @@ class GlMeshRenderer::Target {
       const Drawing& drawing = drawings[batch[i]];
       const std::shared_ptr<Image> image = pool.acquire(drawing.rect);
       screenSurface_.make(drawing, surfaceOf(*drawing.object).arrays());
-      outline_.find(drawing.rect, screenSurface_);
+      outline_.find(drawing, screenSurface_);
       outline_.finish(readBack(tiles[i]), drawing, texture, *image);
       images[batch[i]] = image;
     }

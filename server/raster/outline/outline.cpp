@@ -35,11 +35,12 @@ constexpr std::array<std::pair<int, int>, 8> kNeighbours{
 
 }  // namespace
 
-void Outline::find(const world::Rect& rect, const ScreenSurface& surface) {
-  rect_ = rect;
-  coverage_.begin(rect);
-  addSilhouettes(surface);
+void Outline::find(const Drawing& drawing, const ScreenSurface& surface) {
+  rect_ = drawing.rect;
   pixels_.clear();
+  if (!drawing.object->baked) return;
+  coverage_.begin(rect_);
+  addSilhouettes(surface);
   for (const CoveredPixels& covered : coverage_.partly()) {
     const auto share = static_cast<std::uint32_t>(std::lround(covered.share * 256.0F));
     for (int column = covered.begin; column < covered.end; ++column) pixels_.push_back({covered.row, column, share});

@@ -26,8 +26,9 @@ struct OpenFragments {
 /// drawings.
 class Outline {
  public:
-  /// Finds the pixels of `rect` that the outline crosses.
-  void find(const world::Rect& rect, const ScreenSurface& surface);
+  /// Finds the pixels that the outline crosses. None for surfaces that move: pixels that they cover in part may stay in
+  /// the stream after they have passed.
+  void find(const Drawing& drawing, const ScreenSurface& surface);
 
   /// Turns the fragments of the drawing that was given to find() into its picture, as raster::finish() does. Pixels
   /// whose centre lies outside get a neighbour's fragment.

@@ -60,7 +60,7 @@ std::shared_ptr<Image> SimdMeshRenderer::renderOne(const Drawing& drawing, Scrat
   canvas.begin(drawing.rect);
   drawTriangles(surface.triangles(), surface.corners(), canvas);
   std::shared_ptr<Image> image = images_.acquire(drawing.rect);
-  scratch.outline.find(drawing.rect, surface);
+  scratch.outline.find(drawing, surface);
   scratch.outline.finish({canvas.surface.data(), canvas.depth.data(), canvas.stride, canvas.spans}, drawing, texture_,
                          *image);
   return image;
