@@ -11,7 +11,7 @@
 namespace grove::node {
 
 /// Version of the messages.
-inline constexpr std::uint32_t kProtocol = 7;
+inline constexpr std::uint32_t kProtocol = 8;
 
 /// The number of an object type, which both ends of a link share.
 struct TypeName {
