@@ -81,8 +81,8 @@ std::shared_ptr<raster::Image> ObjectPictures::make(const Entry& entry, const Li
 
 std::shared_ptr<raster::Image> ObjectPictures::makeNear(const Entry& entry, const LightField& field, const Shot& shot,
                                                         const Haze& haze) {
-  std::shared_ptr<raster::Image> image = images_.acquire(shot.rect);
-  nearRenderer_.render(field.near, field.lightingFor(entry.transform.yaw, sky_.sun), shot.camera, haze, *image);
+  std::shared_ptr<raster::Image> image = nearRenderer_.render(
+      field.near, field.lightingFor(entry.transform.yaw, sky_.sun), shot.camera, haze, shot.rect, images_);
   castShadows(entry.sun, shot.camera, *image);
   if (field.mapped != nullptr) field.mapped->reportIfCut();
   return image;

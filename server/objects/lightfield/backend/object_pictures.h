@@ -45,7 +45,7 @@ class ObjectPictures {
 
   [[nodiscard]] std::shared_ptr<raster::Image> make(const Entry& entry, const LightField& field, const Shot& shot,
                                                     const Haze& haze);
-  /// The same from the field's near model, which must not be empty.
+  /// The same from the field's near model, which must not be empty. The image covers only what the object may touch.
   [[nodiscard]] std::shared_ptr<raster::Image> makeNear(const Entry& entry, const LightField& field, const Shot& shot,
                                                         const Haze& haze);
 

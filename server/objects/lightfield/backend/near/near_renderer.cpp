@@ -54,27 +54,33 @@ NearRenderer::NearRenderer(pipeline::MemoryLedger& memory)
 
 NearRenderer::~NearRenderer() = default;
 
-void NearRenderer::render(const NearModel& model, int lighting, const ObjectCamera& camera, const Haze& haze,
-                          raster::Image& image) {
+std::shared_ptr<raster::Image> NearRenderer::render(const NearModel& model, int lighting, const ObjectCamera& camera,
+                                                    const Haze& haze, const world::Rect& rect,
+                                                    raster::ImagePool& images) {
   const std::span<const std::uint32_t> colours = model.colours[static_cast<std::size_t>(lighting)];
   const std::span<const std::uint32_t> fronts = colours.first(colours.size() / 2);
   const std::span<const std::uint32_t> backs = colours.subspan(colours.size() / 2);
-  const NearProjection projection = projectionTo(image.rect, camera);
+  const NearProjection projection = projectionTo(rect, camera);
   std::unique_ptr<Scratch> scratch = takeScratch();
   NearTiles& tiles = scratch->tiles;
-  tiles.begin(image.width(), image.height());
+  tiles.begin(rect.width(), rect.height());
   for (const NearCluster& cluster : model.clusters) {
-    if (!isSeen(cluster, projection, {image.width(), image.height()})) continue;
+    if (!isSeen(cluster, projection, {rect.width(), rect.height()})) continue;
     projectCluster(model, cluster, fronts, backs, projection, tiles);
   }
-  for (int row = 0; row < tiles.down(); ++row) {
-    for (int column = 0; column < tiles.across(); ++column) {
+  const world::Rect part = tiles.touched();
+  auto image = images.acquire(part.moved(rect.left, rect.top));
+  for (int top = part.top; top < part.bottom; top += kNearTile) {
+    for (int left = part.left; left < part.right; left += kNearTile) {
+      const int column = left / kNearTile;
+      const int row = top / kNearTile;
       tiles.sort(column, row);
       drawTile(tiles, column, row, halfPlanes_, scratch->canvas);
-      resolveTile(column * kNearTile, row * kNearTile, haze, scratch->canvas, image);
+      resolveTile(left - part.left, top - part.top, haze, scratch->canvas, *image);
     }
   }
   giveBack(std::move(scratch));
+  return image;
 }
 
 std::unique_ptr<NearRenderer::Scratch> NearRenderer::takeScratch() {

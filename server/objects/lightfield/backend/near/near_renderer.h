@@ -23,8 +23,11 @@ class NearRenderer {
   NearRenderer(const NearRenderer&) = delete;
   NearRenderer& operator=(const NearRenderer&) = delete;
 
-  /// Fills `image.rect` of the camera's picture with colour and depth, as a Sampler does.
-  void render(const NearModel& model, int lighting, const ObjectCamera& camera, const Haze& haze, raster::Image& image);
+  /// Draws what `rect` of the camera's picture shows of the model: colour and depth, as a Sampler does. The image is
+  /// from `images` and covers only the tiles that faces touch; it is empty if there are none.
+  [[nodiscard]] std::shared_ptr<raster::Image> render(const NearModel& model, int lighting, const ObjectCamera& camera,
+                                                      const Haze& haze, const world::Rect& rect,
+                                                      raster::ImagePool& images);
 
  private:
   struct Scratch;

@@ -72,6 +72,19 @@ void NearTiles::add(const ScreenFace& face) {
   }
 }
 
+world::Rect NearTiles::touched() const {
+  world::Rect part{across_, down_, 0, 0};  // in tiles
+  for (int row = 0; row < down_; ++row) {
+    for (int column = 0; column < across_; ++column) {
+      if (at(column, row).empty()) continue;
+      part = {std::min(part.left, column), std::min(part.top, row), std::max(part.right, column + 1), row + 1};
+    }
+  }
+  if (part.empty()) return {};
+  return {part.left * kNearTile, part.top * kNearTile, std::min(part.right * kNearTile, width_),
+          std::min(part.bottom * kNearTile, height_)};
+}
+
 void NearTiles::sort(int column, int row) {
   std::vector<TileFace>& entries = tiles_[tile(column, row)];
   sortBy(0, entries, sorted_);

@@ -6,6 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "world/camera.h"
+
 namespace grove::objects::lightfield {
 
 /// Pixels along each edge of a tile: few enough for the L1 cache, and 8 x 8 blocks of 8 x 8.
@@ -62,6 +64,9 @@ class NearTiles {
   /// A tile's faces, after sort() front to back.
   [[nodiscard]] std::span<const TileFace> at(int column, int row) const { return tiles_[tile(column, row)]; }
   [[nodiscard]] const ScreenFace& face(std::uint32_t index) const { return faces_[index]; }
+
+  /// The part of the picture, in pixels, whose tiles have faces: whole tiles, except at the picture's right and bottom.
+  [[nodiscard]] world::Rect touched() const;
 
   [[nodiscard]] int width() const noexcept { return width_; }  ///< pixels
   [[nodiscard]] int height() const noexcept { return height_; }

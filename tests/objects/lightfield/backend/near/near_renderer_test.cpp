@@ -21,6 +21,7 @@ constexpr std::uint32_t kGreen = 0xFF00FF00U;
 constexpr std::uint32_t kBlue = 0xFFFF0000U;
 constexpr int kWidth = 300;  // more than two tiles, and no multiple of any vector
 constexpr int kHeight = 137;
+constexpr world::Rect kWhole{0, 0, kWidth, kHeight};
 constexpr float kFocal = 100.0F;
 constexpr float kSample = 16.5F;        // one of sixteen
 constexpr float kDepthError = 5.0e-4F;  // of depths up to 6 m, by 15 bits of nearness
@@ -90,16 +91,27 @@ class Clusters {
 
 class NearRendererTest : public testing::Test {
  protected:
-  const raster::Image& draw(Clusters& clusters, const Haze& haze = {}) {
-    image_ = images_.acquire({0, 0, kWidth, kHeight});
-    std::ranges::fill(image_->colour, 0x12345678U);
-    renderer_.render(clusters.model(), 0, camera(), haze, *image_);
+  const raster::Image& draw(Clusters& clusters, const Haze& haze = {}, const world::Rect& rect = kWhole) {
+    // The second image gets the memory of the first, which is not clear.
+    for (int i = 0; i < 2; ++i) {
+      if (image_) std::ranges::fill(image_->colour, 0x12345678U);
+      image_ = nullptr;
+      image_ = renderer_.render(clusters.model(), 0, camera(), haze, rect, images_);
+    }
     return *image_;
   }
-  [[nodiscard]] std::uint32_t colourAt(int x, int y) const { return image_->colourRow(y)[x]; }
-  [[nodiscard]] float depthAt(int x, int y) const { return image_->depthRow(y)[x]; }
+  [[nodiscard]] std::uint32_t colourAt(int x, int y) const {
+    return isInside(x, y) ? image_->colourRow(y - image_->rect.top)[x - image_->rect.left] : 0U;
+  }
+  [[nodiscard]] float depthAt(int x, int y) const {
+    return isInside(x, y) ? image_->depthRow(y - image_->rect.top)[x - image_->rect.left] : world::kInfiniteDepth;
+  }
 
  private:
+  [[nodiscard]] bool isInside(int x, int y) const {
+    return !world::overlap(image_->rect, {x, y, x + 1, y + 1}).empty();
+  }
+
   pipeline::MemoryLedger memory_;
   raster::ImagePool images_;
   NearRenderer renderer_{memory_};
@@ -244,6 +256,19 @@ TEST_F(NearRendererTest, SmoothSurfacesHaveNoBacksAndMixTheirCorners) {
       }
     }
   });
+}
+
+/// Fails if a picture has more than the tiles that the object touches, or a part of a frame shows it in another place.
+TEST_F(NearRendererTest, PictureHasOnlyTheTilesOfTheObject) {
+  Clusters clusters;
+  clusters.addLeaf(pointAt(70, 20, 3), pointAt(90, 20, 3), pointAt(70, 40, 3), kRed);
+  EXPECT_EQ(draw(clusters).rect, (world::Rect{64, 0, 128, 64}));
+  EXPECT_EQ(draw(clusters, {}, {10, 5, 200, 100}).rect, (world::Rect{10, 5, 138, 69}));
+  EXPECT_EQ(colourAt(70, 20), kRed);
+  EXPECT_EQ(colourAt(69, 20), 0U);
+  EXPECT_EQ(colourAt(89, 39), kRed);
+  EXPECT_EQ(draw(clusters, {}, {50, 30, 75, 100}).rect, (world::Rect{50, 30, 75, 94})) << "at the part's right edge";
+  EXPECT_TRUE(draw(clusters, {}, {100, 5, 200, 100}).rect.empty());
 }
 
 /// Fails if haze changes coverage, or is mixed into what is not covered.

@@ -74,8 +74,8 @@ TEST(NearTruth, TreesFromNearAreWhatRaysSee) {
                           std::pair{Vec3(4, 1.6F, -4.4F), Vec3(0, 2.5F, 0)}};
     for (const auto& [eye, at] : std::span(eyes).first(kSanitized ? 1 : eyes.size())) {
       const ObjectCamera camera = lookAt(eye, at);
-      const auto image = images.acquire({0, 0, kSize, kSize});
-      renderer.render(surface.model(), 0, camera, {}, *image);
+      const auto image = renderer.render(surface.model(), 0, camera, {}, {0, 0, kSize, kSize}, images);
+      ASSERT_EQ(image->width(), kSize) << "the tree fills the picture";
       const Picture expected = truth.render(camera, kSize);
       const auto shown = overSky(image->colour.data());
       const auto drawn = overSky(expected.colour.front().data());
