@@ -21,6 +21,7 @@ BoneLight lightOf(const Drawing& drawing, const world::Mat4& bone) {
   light.sunColour = sky.sunColour;
   light.sunShare = drawing.sunShare;
   light.baked = drawing.object->baked;
+  light.gloss = drawing.object->surface.gloss;
   light.up = turn * Vec3(0, 1, 0);
   // Ambient light is a polynomial of two cosines; three directions give its coefficients.
   const Vec3 level = sky.sun * Vec3(1, 0, 1);

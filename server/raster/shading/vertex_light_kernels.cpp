@@ -114,6 +114,30 @@ HWY_INLINE float glowOfHaze(float sunwards) {
   return 0.36F * power4 + 0.30F * power8 * power8;
 }
 
+/// Reflectance of water and stone seen along the normal.
+constexpr float kReflectance = 0.04F;
+/// Of moist stone.
+constexpr float kRoughness = 0.5F;
+
+/// The sun's light that a glossy surface mirrors, relative to what a white surface scatters (R. Zioma, "Optimizing PBR
+/// for Mobile", SIGGRAPH 2015). Cosines of the normal to the sun and to the eye, and between the sun and the eye.
+HWY_INLINE float mirroredSun(float cosine, float towardsEye, float sunToEye) {
+  constexpr float kWidth = kRoughness * kRoughness * kRoughness * kRoughness;
+  constexpr float kScale = kReflectance * kWidth / (kRoughness + 0.5F);
+  // Of the sum of both directions: its square is four times that of the cosine between it and each of them.
+  const float squared = 2.0F + 2.0F * sunToEye + 1.0e-3F;
+  const float sum = std::max(cosine + towardsEye, 0.0F);
+  const float lobe = sum * sum / squared * (kWidth - 1.0F) + 1.0F;
+  return kScale / (lobe * lobe * squared);
+}
+
+/// The same of light from everywhere.
+HWY_INLINE float mirroredSurroundings(float towardsEye) {
+  const float grazing = 1.0F - std::min(std::max(towardsEye, 0.0F), 1.0F);
+  const float power2 = grazing * grazing;
+  return 0.03F + 0.27F * power2 * power2 * grazing;
+}
+
 HWY_INLINE void sendToEye(const VertexArrays& v, std::size_t first, std::size_t count, const BoneLight& light,
                           const Indirect& indirect, std::uint32_t* __restrict out) {
   const Vec3 sunColour = light.sunColour;
@@ -121,6 +145,7 @@ HWY_INLINE void sendToEye(const VertexArrays& v, std::size_t first, std::size_t 
   const Vec3 glow = light.hazeGlow;
   const Vec3 tint = light.tintChange;
   const float clearing = light.clearing;
+  const float gloss = light.gloss;
   const Vec3 eye = light.eye;
   const Vec3 sun = light.sun;
   const float sunShare = light.sunShare;
@@ -149,16 +174,21 @@ HWY_INLINE void sendToEye(const VertexArrays& v, std::size_t first, std::size_t 
     const float length = std::sqrt(x * x + y * y + z * z + 1.0e-8F);
     const float cleared = exponential(clearing * length);
     const float hazy = 1.0F - cleared;
-    const float sunwards = std::max(0.0F, (x * sun.x + y * sun.y + z * sun.z) / length);
-    const float glowing = glowOfHaze(sunwards);
+    const float sunwards = (x * sun.x + y * sun.y + z * sun.z) / length;
+    const float glowing = glowOfHaze(std::max(0.0F, sunwards));
+    const float towardsEye = -(nx[i] * x + ny[i] * y + nz[i] * z) / length;
+    const float mirrored = gloss * direct * mirroredSun(cosine, towardsEye, -sunwards);
+    const float around = gloss * mirroredSurroundings(towardsEye);
     const float shown = emission[i];
-    const auto channel = [&](float albedo, float tintBy, float lit, float air, float glowOf) {
-      return displayed(albedo * (1.0F + tintBy * tinted[i]) * (lit + shown) * cleared +
+    const auto channel = [&](float albedo, float tintBy, float lit, float reflected, float air, float glowOf) {
+      return displayed((albedo * (1.0F + tintBy * tinted[i]) * (lit + shown) + reflected) * cleared +
                        (air + glowOf * glowing) * hazy);
     };
-    const std::uint32_t red = toByte(channel(ar[i], tint.r, r, haze.r, glow.r));
-    const std::uint32_t green = toByte(channel(ag[i], tint.g, g, haze.g, glow.g));
-    const std::uint32_t blue = toByte(channel(ab[i], tint.b, b, haze.b, glow.b));
+    const auto reflected = [&](float ofSun, float indirectLight) { return ofSun * mirrored + indirectLight * around; };
+    const std::uint32_t red = toByte(channel(ar[i], tint.r, r, reflected(sunColour.r, indirect.r[i]), haze.r, glow.r));
+    const std::uint32_t green =
+        toByte(channel(ag[i], tint.g, g, reflected(sunColour.g, indirect.g[i]), haze.g, glow.g));
+    const std::uint32_t blue = toByte(channel(ab[i], tint.b, b, reflected(sunColour.b, indirect.b[i]), haze.b, glow.b));
     const float grazing = std::min(std::max(4.0F * cosine + 0.5F, 0.0F), 1.0F);
     const float relief = seen * grazing * cleared * (sunColour.r + sunColour.g + sunColour.b) / (r + g + b + shown);
     const std::uint32_t alpha = toByte(255.0F / kMaxRelief * std::min(relief, kMaxRelief));

@@ -26,6 +26,8 @@ struct BoneLight {
   world::Vec3 slope{0.0F};
   world::Vec3 glow{0.0F};
 
+  float gloss = 0.0F;  ///< of the surface, see Surface
+
   int lampCount = 0;
   std::array<world::Vec3, kMaxLamps> lampPosition{};
   std::array<world::Vec3, kMaxLamps> lampColour{};

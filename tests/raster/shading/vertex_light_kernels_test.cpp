@@ -57,6 +57,7 @@ BoneLight someLight(bool baked) {
   light.haze = {0.5F, 0.55F, 0.6F};
   light.hazeGlow = {0.4F, 0.3F, 0.1F};
   light.tintChange = {0.5F, -0.4F, 1.0F};
+  light.gloss = baked ? 0.8F : 0.0F;
   return light;
 }
 
@@ -78,6 +79,7 @@ glm::dvec4 plainLight(const Vertex& vertex, const world::Vec4& seen, const BoneL
   }
   const double cosine = glm::dot(normal, Vec3d(light.sun));
   const double sunSeen = static_cast<double>(seen.x * light.sunShare);
+  const Vec3d indirect = lit;
   lit += Vec3d(light.sunColour) * std::max(0.0, cosine) * sunSeen;
   const Vec3d way = position - Vec3d(light.eye);
   const double cleared = std::exp(static_cast<double>(light.clearing) * glm::length(way));
@@ -86,7 +88,18 @@ glm::dvec4 plainLight(const Vertex& vertex, const world::Vec4& seen, const BoneL
       Vec3d(light.haze) + Vec3d(light.hazeGlow) * (0.36 * std::pow(sunwards, 4.0) + 0.30 * std::pow(sunwards, 16.0));
   const Vec3d shown(vertex.emission);
   const Vec3d paint = Vec3d(vertex.albedo) * (1.0 + Vec3d(light.tintChange) * static_cast<double>(vertex.tint));
-  const Vec3d radiance = paint * (lit + shown) * cleared + air * (1.0 - cleared);
+  // In the usual form: a GGX lobe times visibility and Fresnel's term, of roughness 0.5 and reflectance 0.04.
+  const Vec3d toEye = -glm::normalize(way);
+  const Vec3d half =
+      (toEye + Vec3d(light.sun)) / std::sqrt(glm::dot(toEye + Vec3d(light.sun), toEye + Vec3d(light.sun)) + 1e-3);
+  const double normalToHalf = std::max(glm::dot(normal, half), 0.0);
+  const double sunToHalf = std::sqrt((2.0 + 2.0 * glm::dot(toEye, Vec3d(light.sun)) + 1e-3) / 4.0);
+  const double lobe = 0.0625 / std::pow(normalToHalf * normalToHalf * (0.0625 - 1.0) + 1.0, 2.0);
+  const double sunShare = lobe * 0.04 / (4.0 * sunToHalf * sunToHalf);
+  const double skyShare = 0.03 + 0.27 * std::pow(1.0 - std::max(glm::dot(normal, toEye), 0.0), 5.0);
+  const Vec3d mirrored = static_cast<double>(light.gloss) *
+                         (sunShare * Vec3d(light.sunColour) * std::max(0.0, cosine) * sunSeen + skyShare * indirect);
+  const Vec3d radiance = (paint * (lit + shown) + mirrored) * cleared + air * (1.0 - cleared);
   const double relief = sunSeen * std::min(std::max(4.0 * cosine + 0.5, 0.0), 1.0) * cleared *
                         glm::dot(Vec3d(light.sunColour), Vec3d(1.0)) /
                         (glm::dot(lit, Vec3d(1.0)) + static_cast<double>(vertex.emission));

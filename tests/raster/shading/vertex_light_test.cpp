@@ -84,6 +84,23 @@ TEST_F(VertexLightTest, SunIsScaledByVisibility) {
   EXPECT_EQ(lit() >> 24U, 0U);
 }
 
+/// Fails if gloss brightens what the sun does not reach, or is brightest elsewhere than where the sun is mirrored.
+TEST_F(VertexLightTest, GlossMirrorsTheSun) {
+  const Vec3 sun = world::Sky().sun;
+  const auto seenFrom = [&](Vec3 direction) {
+    camera_.pose.position = vertex().position + 0.1F * glm::normalize(direction);
+    return lit() & 0xFFU;
+  };
+  const Vec3 mirror{-sun.x, sun.y, -sun.z};
+  const Vec3 beside{sun.z, sun.y, -sun.x};
+  object_.light = {Vec4(1.0F, 0.0F, 0.0F, 0.0F)};
+  EXPECT_EQ(seenFrom(mirror), seenFrom(beside)) << "dull";
+  object_.surface.gloss = 1.0F;
+  EXPECT_GT(seenFrom(mirror), seenFrom(beside) + 10);
+  object_.light = {Vec4(0.0F)};
+  EXPECT_LE(seenFrom(mirror), 1U) << "in shadow: only haze";
+}
+
 TEST_F(VertexLightTest, LampsFallOffQuadratically) {
   drawing_.lamps.count = 1;
   drawing_.lamps.colour[0] = Vec3(4.0F, 2.0F, 1.0F);

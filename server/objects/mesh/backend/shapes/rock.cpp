@@ -109,6 +109,7 @@ raster::Surface makeRock(const RockForm& form, float cell, int halvings) {
   raster::Surface surface = raster::makeDeformedBox({count(form.half.x), count(form.half.y), count(form.half.z)},
                                                     halvings, [&](Vec3 cube) { return rock.at(cube); });
   surface.weathered = true;
+  surface.gloss = 1.0F;
   return surface;
 }
 
