@@ -26,8 +26,8 @@ struct OpenFragments {
 /// drawings.
 class Outline {
  public:
-  /// Finds the pixels that the outline crosses. None for surfaces that move: pixels that they cover in part may stay in
-  /// the stream after they have passed.
+  /// Finds the pixels that the outline crosses. None for surfaces that move: OpenH264 skips blocks with an error below
+  /// that of their neighbours, so a few pixels covered in part stay in a still sky after a figure has passed.
   void find(const Drawing& drawing, const ScreenSurface& surface);
 
   /// Turns the fragments of the drawing that was given to find() into its picture, as raster::finish() does. Pixels
