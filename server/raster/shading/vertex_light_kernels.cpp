@@ -103,7 +103,8 @@ HWY_INLINE float displayed(float linear) {
 }
 
 HWY_INLINE std::uint32_t toByte(float value) {
-  return static_cast<std::uint32_t>(static_cast<std::int32_t>(value + 0.5F));
+  constexpr float kHalf = 0.5F;  // lround() would not vectorise
+  return static_cast<std::uint32_t>(static_cast<std::int32_t>(value + kHalf));
 }
 
 /// By the cosine between a view and the sun.
