@@ -70,8 +70,6 @@ class NearTiles {
 
   [[nodiscard]] int width() const noexcept { return width_; }  ///< pixels
   [[nodiscard]] int height() const noexcept { return height_; }
-  [[nodiscard]] int across() const noexcept { return across_; }  ///< tiles
-  [[nodiscard]] int down() const noexcept { return down_; }
 
   /// Memory use.
   [[nodiscard]] std::size_t bytes() const noexcept;
@@ -84,7 +82,7 @@ class NearTiles {
 
   int width_ = 0;
   int height_ = 0;
-  int across_ = 0;
+  int across_ = 0;  ///< tiles
   int down_ = 0;
   std::vector<ScreenFace> faces_;
   std::vector<std::vector<TileFace>> tiles_;  ///< at least across_ * down_
