@@ -144,7 +144,8 @@ std::shared_ptr<const FrameList> BackdropPlanner::listToExtend(const FrameList& 
   const View& view = *seen.view;
   if (!backdrop || backdrop->origin().frame != last_->view->frame) return nullptr;
   const double nextAge = view.time + motion_.secondsPerFrame() - last_->backdropEye()->time;
-  if (nextAge >= minSeconds() && warpError(*backdrop, view.camera) > kMaxExtendedError * errorFactor_) return nullptr;
+  if (nextAge >= minSeconds() && warpError(*backdrop, view.camera) > kMaxExtendedError * permittedError())
+    return nullptr;
   const world::Camera& camera = backdrop->view().camera;
   const world::Camera later = motion_.ahead(view.camera, kFramesAhead.front() * motion_.secondsPerFrame());
   const auto area = extendedArea(last_->area, seenPart(camera, view.camera, kNearestInBorder),
@@ -200,7 +201,7 @@ bool BackdropPlanner::serves(const View& view) const {
   // A backdrop in progress has no known error: it serves the next frame only.
   if (!isDrawn) return view.frame == last_->view->frame + 1;
   if (age < minSeconds()) return true;
-  return warpError(*backdrop, view.camera) <= errorFactor_ && lightError(*backdrop, view.lights) <= errorFactor_;
+  return warpError(*backdrop, view.camera) <= permittedError() && lightError(*backdrop, view.lights) <= errorFactor_;
 }
 
 bool BackdropPlanner::reaches(const world::Camera& camera) const {
@@ -217,12 +218,14 @@ world::Vec3 BackdropPlanner::lead() const {
   const world::Vec3 perFrame = motion_.secondsPerFrame() * motion_.velocity();
   world::Camera moved = backdrop->view().camera;
   moved.pose.position += perFrame;
-  const float error = kLeadError * std::min(errorFactor_ - 1.0F, 1.0F) * errorFactor_;
+  const float error = kLeadError * std::min(errorFactor_ - 1.0F, 1.0F) * permittedError();
   const float frames = error / std::max(warpError(*backdrop, moved), kMinError);
   const float seconds = std::max(frames * motion_.secondsPerFrame(), kLeadShare * minSeconds());
   const world::Vec3 way = seconds * motion_.velocity();
   return way * (kMaxLead / std::max(glm::length(way), kMaxLead));
 }
+
+float BackdropPlanner::permittedError() const { return std::sqrt(errorFactor_); }
 
 float BackdropPlanner::minSeconds() const { return kMinSeconds * (errorFactor_ - 1.0F); }
 

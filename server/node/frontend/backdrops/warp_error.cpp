@@ -9,7 +9,7 @@ namespace grove::node {
 namespace {
 
 /// Pixels, root mean square.
-constexpr float kPermittedShift = 0.9F;
+constexpr float kPermittedShift = 1.8F;
 /// Octaves, root mean square.
 constexpr float kPermittedZoom = 0.1F;
 

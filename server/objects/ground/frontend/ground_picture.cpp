@@ -9,6 +9,7 @@
 #include "objects/ground/frontend/grow_kernels.h"
 #include "objects/ground/frontend/root_kernels.h"
 #include "objects/ground/frontend/shade_kernels.h"
+#include "raster/soften_kernels.h"
 #include "world/strongest_lights.h"
 
 namespace grove::objects::ground {
@@ -16,6 +17,7 @@ namespace {
 
 constexpr std::size_t kMaxLights = 8;
 constexpr int kMaxRowStep = 4;  // rows between samples of light and soil
+constexpr raster::Softening kSoftening = raster::Softening::kHalf;
 
 int levelFor(float texels, const Pyramid& pyramid) {
   return std::clamp(static_cast<int>(std::floor(std::log2(std::max(texels, 1.0F)) + 0.5F)), 0, pyramid.levels() - 2);
@@ -54,7 +56,9 @@ struct GroundPicture::RowPlan {
   MeadowSampling sampling;
 };
 
-/// Works on one strip from its nearest row up, because a row searches for its grass in the rows below.
+/// Works on one strip from its nearest row up, because a row searches for its grass in the rows below. Softens colours
+/// against aliasing, because a pixel shows one texel of the meadow: so a row is complete when the row above it is
+/// shaded.
 class GroundPicture::StripPainter {
  public:
   StripPainter(const GroundPicture& picture, raster::Image& image, int firstColumn)
@@ -63,16 +67,21 @@ class GroundPicture::StripPainter {
         frame_(picture.frame_),
         lights_(picture.lights_),
         image_(image),
-        firstColumn_(firstColumn) {}
+        firstColumn_(firstColumn),
+        left_(std::max(firstColumn, image.rect.left)),
+        right_(std::min(firstColumn + kTile, image.rect.right)) {}
 
   void paint(std::span<const RowPlan> plans) {
     for (const RowPlan& plan : plans) {
       const SoilBetween soil = soilAt(plan.row.row);
       growGrass(frame_, plan.row, firstColumn_, maps_.meadow, plan.sampling, soil, grass_);
-      if (plan.row.row >= image_.rect.bottom) continue;
+      if (plan.row.row > image_.rect.bottom) continue;
       findRoots(plan.row, plan.reach, soil, grass_);
       shade(plan.row, soil);
+      if (plan.row.row + 1 < image_.rect.bottom) finish(plan.row.row + 1, plan.row.row);
     }
+    // Nothing is above the horizon.
+    if (plans.back().row.row == image_.rect.top) finish(image_.rect.top, image_.rect.top);
   }
 
  private:
@@ -108,18 +117,25 @@ class GroundPicture::StripPainter {
     return {far_->soil, step_, row - top};
   }
 
-  /// Shades directly into the image, or through a buffer if the image holds only a part of the tile.
+  using Colours = std::array<std::uint32_t, kTile>;
+
+  /// A row softened across, of the newest ones.
+  Colours& shaded(int row) { return shaded_[static_cast<unsigned>(row) % shaded_.size()]; }
+
   void shade(const Row& row, const SoilBetween& soil) {
-    const world::Rect rect = image_.rect;
-    const int y = row.row - rect.top;
-    const int left = std::max(firstColumn_, rect.left);
-    const int right = std::min(firstColumn_ + kTile, rect.right);
-    std::uint32_t* colour = image_.colourRow(y) + (left - rect.left);
-    float* depth = image_.depthRow(y) + (left - rect.left);
-    if (right - left == kTile) return shadeRow(frame_, row, soil, grass_, colour, depth);
     shadeRow(frame_, row, soil, grass_, colour_.data(), depth_.data());
-    std::copy(colour_.begin() + (left - firstColumn_), colour_.begin() + (right - firstColumn_), colour);
-    std::copy(depth_.begin() + (left - firstColumn_), depth_.begin() + (right - firstColumn_), depth);
+    raster::softenAcross(colour_.data(), kTile, kSoftening, shaded(row.row).data());
+    const int y = row.row - image_.rect.top;
+    if (y < 0 || y >= image_.height()) return;
+    std::copy_n(depth_.begin() + (left_ - firstColumn_), right_ - left_,
+                image_.depthRow(y) + (left_ - image_.rect.left));
+  }
+
+  /// Writes a row's colours into the image. `above` is the row above, or the row itself.
+  void finish(int row, int above) {
+    const auto part = [&](int each) { return shaded(each).data() + (left_ - firstColumn_); };
+    raster::softenDown(part(above), part(row), part(row + 1), right_ - left_, kSoftening,
+                       image_.colourRow(row - image_.rect.top) + (left_ - image_.rect.left));
   }
 
   const GroundMaps& maps_;
@@ -128,14 +144,17 @@ class GroundPicture::StripPainter {
   std::span<const world::PointLight> lights_;
   raster::Image& image_;
   const int firstColumn_;
+  const int left_;  // columns of the strip that lie in the image
+  const int right_;
   std::array<SoilRow, 2> sampled_;
   SoilRow* near_ = &sampled_[0];
   SoilRow* far_ = &sampled_[1];
   SampledSoil samples_;
   FineSoil step_{};  // difference per row from the farther to the nearer sampled row
   GrassRows grass_;
-  alignas(64) std::array<std::uint32_t, kTile> colour_;
+  alignas(64) Colours colour_;
   alignas(64) std::array<float, kTile> depth_;
+  std::array<Colours, 4> shaded_;
 };
 
 GroundPicture::GroundPicture(const GroundMaps& maps, const GroundLight& light, const world::Camera& camera,
@@ -150,10 +169,12 @@ GroundPicture::GroundPicture(const GroundMaps& maps, const GroundLight& light, c
   image_->opaque = true;
   firstColumn_ = floorTo(rect.left, kTile);
   parts_ = static_cast<std::size_t>((rect.right - firstColumn_ + kTile - 1) / kTile);
-  int reach = reachOf(frame_, maps.meadow.tallest, rect.bottom - 1, 0);
-  const int lowest = rect.bottom - 1 + reach;
-  plans_.reserve(static_cast<std::size_t>(lowest + 1 - rect.top));
-  for (int y = lowest; y >= rect.top; --y) {
+  // Softening needs a row on each side.
+  const int first = inverse(rect.top - 1) < 1.0F / kFarthest ? rect.top : rect.top - 1;
+  int reach = reachOf(frame_, maps.meadow.tallest, rect.bottom, 0);
+  const int lowest = rect.bottom + reach;
+  plans_.reserve(static_cast<std::size_t>(lowest + 1 - first));
+  for (int y = lowest; y >= first; --y) {
     const Row row = rowAt(frame_, y);
     reach = reachOf(frame_, maps.meadow.tallest, y, reach);
     plans_.push_back({row, reach, samplingFor(row, maps.meadow)});

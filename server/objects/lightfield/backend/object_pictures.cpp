@@ -12,6 +12,7 @@
 #include "objects/lightfield/backend/simd/simd_sampler.h"
 #include "objects/lightfield/common/object_view.h"
 #include "objects/lightfield/file/mapped_file.h"
+#include "raster/soften.h"
 
 namespace grove::objects::lightfield {
 namespace {
@@ -74,6 +75,7 @@ std::shared_ptr<raster::Image> ObjectPictures::make(const Entry& entry, const Li
   std::shared_ptr<raster::Image> image = images_.acquire(shot.rect);
   const std::array<raster::Image*, 1> images{image.get()};
   entry.sampler->render({&request, 1}, images);
+  raster::soften(*image, raster::Softening::kQuarter);
   castShadows(entry.sun, shot.camera, *image);
   if (field.mapped != nullptr) field.mapped->reportIfCut();
   return image;

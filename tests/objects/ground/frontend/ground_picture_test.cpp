@@ -154,5 +154,33 @@ TEST_F(GroundPictureTest, UsesTheNearestEightLamps) {
   EXPECT_TRUE(std::ranges::equal(without->colour, with->colour));
 }
 
+/// Sum of squared differences of green from a picture four times as fine, averaged. Fails if pixels show one texel
+/// each.
+TEST_F(GroundPictureTest, LooksLikeTheMeanOfFinerPixels) {
+  constexpr int kFiner = 4;
+  const world::Camera camera = cameraAt({1.0F, 1.7F, 5.0F}, -0.5F);
+  world::Camera fine = camera;
+  fine.width *= kFiner;
+  fine.height *= kFiner;
+  const auto image = groundImage(grown, camera, whole(camera), {}, images);
+  const auto truth = groundImage(grown, fine, whole(fine), {}, images);
+  const auto green = [](std::uint32_t colour) { return static_cast<int>(colour >> 8U & 0xFFU); };
+  double sum = 0.0;
+  int count = 0;
+  for (int y = image->rect.top + 1; y < image->rect.bottom - 1; ++y) {
+    for (int x = 1; x < camera.width - 1; ++x) {
+      int mean = 0;
+      for (int i = 0; i < kFiner * kFiner; ++i) {
+        const int row = y * kFiner + i / kFiner - truth->rect.top;
+        mean += green(truth->colourRow(row)[x * kFiner + i % kFiner]);
+      }
+      const double off = green(image->colourRow(y - image->rect.top)[x]) - mean / double{kFiner * kFiner};
+      sum += off * off;
+      ++count;
+    }
+  }
+  EXPECT_LT(sum / count, 100.0);
+}
+
 }  // namespace
 }  // namespace grove::objects::ground
