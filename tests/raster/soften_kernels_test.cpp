@@ -80,6 +80,7 @@ TEST(SoftenKernels, FringesHaveTheNearestDepthOnEveryTarget) {
     std::mt19937 random(5);
     const auto depths = [&](int width) {
       std::vector<float> row;
+      row.reserve(static_cast<std::size_t>(width));
       for (int i = 0; i < width; ++i) {
         row.push_back(random() % 2 == 0 ? world::kInfiniteDepth : static_cast<float>(random() % 64));
       }

@@ -14,7 +14,7 @@ constexpr std::uint32_t kWhite = 0xFFFFFFFFU;
 
 /// Empty except for one white pixel in the middle, at 3 m.
 std::shared_ptr<Image> dot(ImagePool& pool) {
-  const auto image = pool.acquire({-kMiddle, -kMiddle, kSide - kMiddle, kSide - kMiddle});
+  auto image = pool.acquire({-kMiddle, -kMiddle, kSide - kMiddle, kSide - kMiddle});
   std::ranges::fill(image->colour, 0U);
   std::ranges::fill(image->depth, world::kInfiniteDepth);
   image->colourRow(kMiddle)[kMiddle] = kWhite;
