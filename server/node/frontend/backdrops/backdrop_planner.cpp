@@ -144,8 +144,8 @@ std::shared_ptr<const FrameList> BackdropPlanner::listToExtend(const FrameList& 
   const View& view = *seen.view;
   if (!backdrop || backdrop->origin().frame != last_->view->frame) return nullptr;
   const double nextAge = view.time + motion_.secondsPerFrame() - last_->backdropEye()->time;
-  if (nextAge >= minSeconds() && warpError(*backdrop, view.camera) > kMaxExtendedError * permittedError())
-    return nullptr;
+  const float maxError = kMaxExtendedError * permittedError();
+  if (nextAge >= minSeconds() && warpError(*backdrop, view.camera) > maxError) return nullptr;
   const world::Camera& camera = backdrop->view().camera;
   const world::Camera later = motion_.ahead(view.camera, kFramesAhead.front() * motion_.secondsPerFrame());
   const auto area = extendedArea(last_->area, seenPart(camera, view.camera, kNearestInBorder),

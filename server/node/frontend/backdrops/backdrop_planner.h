@@ -43,9 +43,9 @@ class BackdropPlanner {
   /// a moving visitor, so that it serves before and after the visitor passes there.
   [[nodiscard]] world::Vec3 lead() const;
   [[nodiscard]] std::shared_ptr<const View> withBackdropPose(const std::shared_ptr<const View>& view) const;
-  /// Seconds for which a backdrop serves whatever its error.
   /// Of warps; grows slower than the error factor, because doubled errors show more than they save.
   [[nodiscard]] float permittedError() const;
+  /// Seconds for which a backdrop serves whatever its error.
   [[nodiscard]] float minSeconds() const;
   /// Area of a backdrop with the camera `eye` that the frame of `camera` draws.
   [[nodiscard]] world::Rect areaFor(const world::Camera& eye, const world::Camera& camera) const;

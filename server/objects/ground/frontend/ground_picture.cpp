@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -85,7 +86,7 @@ class GroundPicture::StripPainter {
   }
 
  private:
-  static constexpr int kNoRow = -1;
+  static constexpr int kNoRow = std::numeric_limits<int>::min();
   struct SoilRow {
     int row = kNoRow;
     FineSoil soil;
