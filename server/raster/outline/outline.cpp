@@ -38,7 +38,6 @@ constexpr std::array<std::pair<int, int>, 8> kNeighbours{
 void Outline::find(const Drawing& drawing, const ScreenSurface& surface) {
   rect_ = drawing.rect;
   pixels_.clear();
-  if (!drawing.object->baked) return;
   coverage_.begin(rect_);
   addSilhouettes(surface);
   for (const CoveredPixels& covered : coverage_.partly()) {

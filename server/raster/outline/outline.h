@@ -26,9 +26,7 @@ struct OpenFragments {
 /// drawings.
 class Outline {
  public:
-  /// Finds the pixels that the outline crosses. None for surfaces that move: after a figure has passed, a few pixels
-  /// that it covered in part would stay in the still sky of an H.264 stream, probably because OpenH264 skips blocks with
-  /// small errors.
+  /// Finds the pixels that the outline crosses.
   void find(const Drawing& drawing, const ScreenSurface& surface);
 
   /// Turns the fragments of the drawing that was given to find() into its picture, as raster::finish() does. Pixels

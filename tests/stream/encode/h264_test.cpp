@@ -1,6 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -103,6 +105,57 @@ TEST(H264Encoder, MakesIndependentPicturesOnlyOnRequest) {
     } else {
       EXPECT_EQ(units(bytes), std::vector<int>{1}) << i;
     }
+  }
+}
+
+/// A dark body before a sky, with smooth edges, whose middle is at `x` and `y`.
+raster::Image withFigure(std::vector<std::uint32_t>& pixels, float x, float y, float time) {
+  constexpr int kSkyWidth = 480;
+  constexpr int kSkyHeight = 240;
+  for (int row = 0; row < kSkyHeight; ++row) {
+    for (int column = 0; column < kSkyWidth; ++column) {
+      const float across = static_cast<float>(column) + 0.5F - x;
+      const float down = static_cast<float>(row) + 0.5F - y;
+      const float width = 16.0F * std::sqrt(std::max(0.0F, 1.0F - down * down / 3600.0F)) + std::sin(0.2F * down + time);
+      const float share = std::clamp(width - std::abs(across) + 0.5F, 0.0F, 1.0F);
+      const auto channel = [&](float sky, float body) {
+        return static_cast<std::uint32_t>(std::lround(sky + share * (body - sky)));
+      };
+      const auto height = static_cast<float>(row);
+      pixels[static_cast<std::size_t>(row * kSkyWidth + column)] =
+          0xFF000000U | channel(220.0F + 0.05F * height, 50.0F) << 16U | channel(180.0F + 0.15F * height, 60.0F) << 8U |
+          channel(150.0F + 0.2F * height, 70.0F);
+    }
+  }
+  raster::Image image;
+  image.rect = {0, 0, kSkyWidth, kSkyHeight};
+  image.colour = pixels;
+  return image;
+}
+
+// Fault: pixels of a figure that stay in a still sky. An encoder leaves errors below its quantiser's step.
+TEST(H264Encoder, PassingFiguresLeaveNothingBehind) {
+  for (int walk = 0; walk < 8; ++walk) {
+    H264Encoder encoder;
+    H264Decoder decoder;
+    std::vector<std::uint32_t> pixels(std::size_t{480} * 240);
+    const DecodedPicture* decoded = nullptr;
+    for (float x = -30.0F; x < 560.0F; x += 6.6F + 0.37F * static_cast<float>(walk)) {
+      const raster::Image image = withFigure(pixels, x, 90.0F + 7.3F * static_cast<float>(walk), 0.07F * x);
+      Bytes bytes;
+      (void)encoder.encode(*tests::yuvOf(image), {encoder.range().finest, false}, bytes);
+      decoded = decoder.decode(bytes);
+      ASSERT_NE(decoded, nullptr);
+    }
+    std::uint32_t largest = 0;
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+      for (const unsigned shift : {0U, 8U, 16U}) {
+        const std::uint32_t shown = (decoded->colour[i] >> shift) & 0xFFU;
+        const std::uint32_t drawn = (pixels[i] >> shift) & 0xFFU;
+        largest = std::max(largest, std::max(shown, drawn) - std::min(shown, drawn));
+      }
+    }
+    EXPECT_LE(largest, 10U) << walk;
   }
 }
 
