@@ -116,7 +116,8 @@ raster::Image withFigure(std::vector<std::uint32_t>& pixels, float x, float y, f
     for (int column = 0; column < kSkyWidth; ++column) {
       const float across = static_cast<float>(column) + 0.5F - x;
       const float down = static_cast<float>(row) + 0.5F - y;
-      const float width = 16.0F * std::sqrt(std::max(0.0F, 1.0F - down * down / 3600.0F)) + std::sin(0.2F * down + time);
+      const float width =
+          16.0F * std::sqrt(std::max(0.0F, 1.0F - down * down / 3600.0F)) + std::sin(0.2F * down + time);
       const float share = std::clamp(width - std::abs(across) + 0.5F, 0.0F, 1.0F);
       const auto channel = [&](float sky, float body) {
         return static_cast<std::uint32_t>(std::lround(sky + share * (body - sky)));

@@ -29,13 +29,17 @@ constexpr int kCell = 4;                // texels between probes of sun and sky
 constexpr float kLowFoliage = 0.7F;   // metres
 constexpr int kCoverRays = 16;        // per cell near objects
 constexpr float kCoverSpread = 0.4F;  // sideways share of a sky ray's direction
+// Share of the sun that low foliage lets through. Grass casts no shadow on grass of the same height, so a darker shadow
+// would show where a patch of it ends.
+constexpr float kLowTranslucence = 0.7F;
 // Grass extends to the edge of the plants, where half of the rays are hidden; otherwise bare earth would frame them.
 constexpr float kEdgeCover = 0.5F;
 constexpr float kWholeCover = 0.8F;
-// Short grass beneath plants: an eye that looks under their rim sees no bare earth, and the plants hide the blades.
-constexpr float kGrassUnderCover = 0.25F;
-// Gaps between the plants are about as bright as the plants. Not at their rim, which may be in their shadow.
-constexpr float kMinSunUnderCover = 0.4F;
+// Shorter grass beneath plants: an eye that looks under their rim, or where they are thin, sees no bare earth.
+constexpr float kGrassUnderCover = 0.38F;
+// Solids below this height are the soil of such plants, whose light the ground beneath them has: where they are thin,
+// that ground is visible.
+constexpr float kSoilTop = 0.2F;  // metres
 
 /// Ray directions to the sun's disc, distributed by the golden angle.
 Vec3 towardsSun(Vec3 sun, int ray) {
@@ -111,11 +115,11 @@ class Baker {
 
   void probe(int row) {
     for (int x = 0; x < cells_; ++x) {
-      const Vec3 point = place(static_cast<float>(x) + 0.5F, static_cast<float>(row) + 0.5F, cells_);
-      sun_.set(x, row, rays_.occluded(point, towardsSun_) ? 0.0F : 1.0F);
+      const Vec3 point = aboveSoil(place(static_cast<float>(x) + 0.5F, static_cast<float>(row) + 0.5F, cells_));
+      sun_.set(x, row, sunAlong(point, towardsSun_));
       if (near_.at(x, row) != 0.0F) continue;
       sky_.set(x, row, openness(point));
-      cover_.set(x, row, cover(point));
+      cover_.set(x, row, cover({point.x, kStart, point.z}));
     }
   }
 
@@ -123,12 +127,11 @@ class Baker {
     const float scale = static_cast<float>(cells_) / static_cast<float>(options_.size);
     const float cellX = (static_cast<float>(x) + 0.5F) * scale;
     const float cellY = (static_cast<float>(y) + 0.5F) * scale;
-    const Vec3 point = place(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F, options_.size);
+    const Vec3 point = aboveSoil(place(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F, options_.size));
     const float hidden = cover_.smooth(cellX, cellY);
     const float cover = glm::smoothstep(kEdgeCover, kWholeCover, hidden);
-    const float within = glm::smoothstep(kWholeCover, 1.0F, hidden);
-    const float sun = std::max(sunlight(point, cellX, cellY), kMinSunUnderCover * within);
-    return ground(point, sun, std::max(kMinSky, sky_.smooth(cellX, cellY)), glm::mix(1.0F, kGrassUnderCover, cover));
+    return ground(point, sunlight(point, cellX, cellY), std::max(kMinSky, sky_.smooth(cellX, cellY)),
+                  glm::mix(1.0F, kGrassUnderCover, cover));
   }
 
   [[nodiscard]] int cells() const noexcept { return cells_; }
@@ -155,6 +158,14 @@ class Baker {
     }
   }
 
+  /// The point itself, or one above the soil that covers it.
+  [[nodiscard]] Vec3 aboveSoil(Vec3 point) const {
+    const Vec3 up(0, 1, 0);
+    const bool isUnderSoil =
+        rays_.occluded(point, up, 0.0F, kLowFoliage) && !solids_.occluded(point, up, kSoilTop, kLowFoliage);
+    return isUnderSoil ? Vec3(point.x, kSoilTop, point.z) : point;
+  }
+
   [[nodiscard]] float openness(Vec3 point) const {
     int free = 0;
     for (int ray = 0; ray < kSkyRays; ++ray)
@@ -178,12 +189,19 @@ class Baker {
     const auto y = static_cast<int>(cellY);
     if (near_.at(x, y) == 0.0F && rays_.occluded(point, Vec3(0, 1, 0), 0.0F, kTallestSolid)) {
       const Vec3 sunward = glm::normalize(towardsSun_ * Vec3(1, 0, 1));
-      return rays_.occluded(point + sunward * kStoneMargin, towardsSun_) ? 0.0F : 1.0F;
+      return sunAlong(point + sunward * kStoneMargin, towardsSun_);
     }
     if (sun_.even(x, y)) return sun_.at(x, y);
-    int free = 0;
-    for (int ray = 0; ray < kSunRays; ++ray) free += rays_.occluded(point, towardsSun(towardsSun_, ray)) ? 0 : 1;
-    return static_cast<float>(free) / kSunRays;
+    float sum = 0.0F;
+    for (int ray = 0; ray < kSunRays; ++ray) sum += sunAlong(point, towardsSun(towardsSun_, ray));
+    return sum / kSunRays;
+  }
+
+  /// Share of the light that reaches a point on the ground from a direction.
+  [[nodiscard]] float sunAlong(Vec3 point, Vec3 direction) const {
+    const float aboveLow = kLowFoliage / std::max(direction.y, 0.02F);
+    if (solids_.occluded(point, direction) || rays_.occluded(point, direction, aboveLow)) return 0.0F;
+    return rays_.occluded(point, direction, 0.0F, aboveLow) ? kLowTranslucence : 1.0F;
   }
 
   /// Distance in metres from the worn path, which winds a little and fades out at the clearing's edge.

@@ -39,7 +39,8 @@ std::shared_ptr<const world::Model> LightFieldBackendType::model(const world::Pa
   std::weak_ptr<LightFieldModel>& known = models_[{source.file.lexically_normal().string(), sampler}];
   if (auto model = known.lock()) return model;
   try {
-    auto model = std::make_shared<LightFieldModel>(open(source.file), sampler);
+    const bool isTile = !source.model.plant.empty() && models::isTile(source.model.plant);
+    auto model = std::make_shared<LightFieldModel>(open(source.file), sampler, isTile);
     known = model;
     return model;
   } catch (const LightFieldError& e) {

@@ -13,9 +13,10 @@ const world::Triangles* unlessEmpty(const world::Triangles& triangles) {
 
 }  // namespace
 
-LightFieldModel::LightFieldModel(LightField field, SamplerKind sampler)
+LightFieldModel::LightFieldModel(LightField field, SamplerKind sampler, bool isTile)
     : shown_(std::make_shared<const FieldVersion>(FieldVersion{std::move(field), 0})),
       sampler_(sampler),
+      isTile_(isTile),
       bounds_(shown_->field.bounds),
       solid_(woodSurface(shown_->field.voxels)),
       shade_(shadeSurface(shown_->field.voxels)),

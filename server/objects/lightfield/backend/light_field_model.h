@@ -29,7 +29,8 @@ struct FieldVersion {
 /// field of the same thing may replace it in a running world; the shapes stay. Any thread.
 class LightFieldModel final : public world::Model {
  public:
-  LightFieldModel(LightField field, SamplerKind sampler);
+  /// `isTile`: see models::isTile().
+  LightFieldModel(LightField field, SamplerKind sampler, bool isTile);
 
   [[nodiscard]] world::Bounds bounds() const override { return bounds_; }
   [[nodiscard]] const world::Triangles* solid() const override;
@@ -45,6 +46,7 @@ class LightFieldModel final : public world::Model {
   /// Calls `report` after each change of the light field until the returned token is destroyed.
   [[nodiscard]] std::shared_ptr<const void> whenShown(std::function<void()> report) const;
   [[nodiscard]] SamplerKind sampler() const noexcept { return sampler_; }
+  [[nodiscard]] bool isTile() const noexcept { return isTile_; }
 
  private:
   mutable std::mutex mutex_;
@@ -52,6 +54,7 @@ class LightFieldModel final : public world::Model {
   mutable std::mutex listenersMutex_;
   mutable std::list<std::function<void()>> listeners_;
   const SamplerKind sampler_;
+  const bool isTile_;
   const world::Bounds bounds_;
   const world::Triangles solid_;
   const world::Triangles shade_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 #include <vector>
 
 #include "gl/renderer_choice.h"
@@ -50,7 +51,9 @@ ObjectPictures::ObjectPictures(const node::BackendServices& services, world::Typ
     const SamplerKind kind = kindOf(*object, services.gl);
     std::unique_ptr<Sampler>& sampler = samplers_[kind];
     if (!sampler) sampler = makeSampler(kind, services);
-    entries_.emplace(object->id, Entry{&model, sampler.get(), object->bounds, object->transform, {}});
+    Rims rims;
+    if (model.isTile()) rims = rimsOf(*object, services.scene.layout.objects);
+    entries_.emplace(object->id, Entry{&model, sampler.get(), object->bounds, object->transform, {}, std::move(rims)});
   }
   node::prepareEach(services, "shadows on the light fields", objects.size(), [&](std::size_t i) {
     entries_.at(objects[i]->id).sun = makeSunGrid(*objects[i], sky_.sun, services.geometry.rays());
@@ -76,6 +79,7 @@ std::shared_ptr<raster::Image> ObjectPictures::make(const Entry& entry, const Li
   const std::array<raster::Image*, 1> images{image.get()};
   entry.sampler->render({&request, 1}, images);
   raster::soften(*image, raster::Softening::kQuarter);
+  thinRims(entry.rims, shot.camera, *image);
   castShadows(entry.sun, shot.camera, *image);
   if (field.mapped != nullptr) field.mapped->reportIfCut();
   return image;

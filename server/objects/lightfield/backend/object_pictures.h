@@ -6,6 +6,7 @@
 #include "node/backend/backend_services.h"
 #include "objects/lightfield/backend/light_field_model.h"
 #include "objects/lightfield/backend/near/near_renderer.h"
+#include "objects/lightfield/backend/rims.h"
 #include "objects/lightfield/backend/sampler.h"
 #include "objects/lightfield/backend/sun_grid.h"
 #include "objects/lightfield/common/shot.h"
@@ -34,6 +35,7 @@ class ObjectPictures {
     world::Bounds bounds;  ///< in the world
     world::Transform transform;
     SunGrid sun;
+    Rims rims;
   };
   /// Throws std::out_of_range for an unknown object.
   [[nodiscard]] const Entry& of(world::ObjectId object) const { return entries_.at(object); }

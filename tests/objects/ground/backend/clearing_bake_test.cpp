@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "world/sky.h"
 
 namespace grove::objects::ground {
@@ -72,30 +74,49 @@ TEST_F(ClearingBake, NoGrassGrowsAtTheFire) {
   EXPECT_GT(soilAt(clearing, {-10.0F, 0.0F, -10.0F}).grass, 0.3F);
 }
 
+/// A square of 4 m, level, around a point of the ground.
+world::Triangles roof(world::Vec3 place, float height) {
+  world::Triangles leaves;
+  for (const world::Vec2 corner : {world::Vec2(-2, -2), world::Vec2(2, -2), world::Vec2(2, 2), world::Vec2(-2, 2)}) {
+    leaves.positions.push_back(place + world::Vec3(corner.x, height, corner.y));
+  }
+  leaves.indices = {{0, 1, 2}, {0, 2, 3}};
+  return leaves;
+}
+
+/// Bakes with texels as small as the world's. `solid`: whether the surface is no foliage.
+Clearing bakedUnder(const world::Triangles& surface, bool solid) {
+  const world::RayScene rays(surface);
+  const world::RayScene nothing{world::Triangles()};
+  return bakeClearing({.size = 512, .metres = 40.0F}, world::Sky().sun, {surface, rays, solid ? rays : nothing},
+                      [](float) {});
+}
+
 TEST_F(ClearingBake, LowFoliageLeavesNoBlackGaps) {
   // Leaves close above the ground, around a place that nothing else shades.
   const world::Vec3 place(-10.0F, 0.0F, -10.0F);
-  world::Triangles leaves;
-  for (const world::Vec2 corner : {world::Vec2(-2, -2), world::Vec2(2, -2), world::Vec2(2, 2), world::Vec2(-2, 2)}) {
-    leaves.positions.push_back(place + world::Vec3(corner.x, 0.12F, corner.y));
-  }
-  leaves.indices = {{0, 1, 2}, {0, 2, 3}};
-  const world::RayScene leafRays(leaves);
-  const world::RayScene nothing{world::Triangles()};
-  const auto bakedUnder = [&](const world::RayScene& firm) {
-    // Texels as small as the world's.
-    return bakeClearing({.size = 512, .metres = 40.0F}, world::Sky().sun, {leaves, leafRays, firm}, [](float) {});
-  };
-  const Clearing baked = bakedUnder(nothing);
+  const Clearing baked = bakedUnder(roof(place, 0.12F), false);
   const Soil underLeaves = soilAt(baked, place);
   EXPECT_LT(underLeaves.grass, 0.4F * soilAt(clearing, place).grass) << "its blades would stick through the plants";
   EXPECT_GT(underLeaves.grass, 0.2F * soilAt(clearing, place).grass) << "or bare earth would show beneath their rim";
   EXPECT_GT(underLeaves.sun, 0.3F) << "or gaps between plants would be black";
   const world::Vec3 edge = place + world::Vec3(1.9F, 0.0F, 0.0F);
   EXPECT_GT(soilAt(baked, edge).grass, 0.8F * soilAt(clearing, edge).grass) << "or bare earth would frame the plants";
-  const Soil underStone = soilAt(bakedUnder(leafRays), place);
+  const Soil underStone = soilAt(bakedUnder(roof(place, 0.3F), true), place);
   EXPECT_GT(underStone.grass, 0.3F) << "it lends its values to the grass at a stone's foot";
   EXPECT_LT(underStone.sun, 0.1F);
+  EXPECT_GT(soilAt(bakedUnder(roof(place, 0.12F), true), place).sun, 0.9F) << "soil of plants, which is lit";
+}
+
+// Fault: a dark strip along the edge of a patch of high grass, as if it were a wall.
+TEST_F(ClearingBake, LowFoliageCastsALightShadow) {
+  const world::Vec3 place(-10.0F, 0.0F, -10.0F);
+  const auto sunBehind = [&](float height) {
+    const float away = 2.0F + 0.5F * height / std::tan(std::asin(world::Sky().sun.y));
+    return soilAt(bakedUnder(roof(place, height), false), place - sunward * away).sun;
+  };
+  EXPECT_NEAR(sunBehind(0.5F), 0.7F, 0.05F);
+  EXPECT_LT(sunBehind(1.5F), 0.1F);
 }
 
 }  // namespace
