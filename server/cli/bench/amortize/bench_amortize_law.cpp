@@ -44,12 +44,15 @@ AmortizeLaw amortizeLaw(const std::vector<AmortizeRow>& rows, int cores) {
   law.cores = cores;
   law.shared = fitOf(rows, false, cores);
   law.unshared = fitOf(rows, true, cores);
-  if (const AmortizeRow* row = fullest(rows, false)) law.alphaStages = measure::alpha1(row->cost());
+  for (const AmortizeRow& row : rows) {
+    if (row.privateWorlds || row.users != law.shared.capacity.served || row.saturated()) continue;
+    law.alphaStages = measure::alpha1(row.cost());
+  }
   if (law.shared.line && law.unshared.line && law.unshared.line->b.value > 0.0) {
     law.alphaFit = 1.0 - law.shared.line->b.value / law.unshared.line->b.value;
   }
   const std::optional<double> shared = law.shared.capacity.fitted;
-  if (shared) law.lawStages = measure::privateVisitors(*shared, law.alphaStages);
+  if (shared && law.alphaStages) law.lawStages = measure::privateVisitors(*shared, *law.alphaStages);
   if (shared && law.alphaFit) law.lawFit = measure::privateVisitors(*shared, *law.alphaFit);
   const std::optional<double> unshared = law.unshared.capacity.fitted;
   if (shared && unshared && *unshared > 0.0) law.gain = *shared / *unshared;

@@ -29,11 +29,11 @@ struct AmortizeLaw {
   int cores = 1;
   ModeFit shared;
   ModeFit unshared;
-  double alphaStages = 0.0;         ///< alpha_1 with the most visitors that share
-  std::optional<double> alphaFit;   ///< 1 - b_shared / b_private
-  std::optional<double> lawStages;  ///< visitors of private mode that the law expects of `alphaStages`
-  std::optional<double> lawFit;     ///< and of `alphaFit`
-  std::optional<double> gain;       ///< fitted capacities, shared over private
+  std::optional<double> alphaStages;  ///< alpha_1 with the most visitors that share and get their frame rate
+  std::optional<double> alphaFit;     ///< 1 - b_shared / b_private
+  std::optional<double> lawStages;    ///< visitors of private mode that the law expects of `alphaStages`
+  std::optional<double> lawFit;       ///< and of `alphaFit`
+  std::optional<double> gain;         ///< fitted capacities, shared over private
 };
 
 [[nodiscard]] AmortizeLaw amortizeLaw(const std::vector<AmortizeRow>& rows, int cores);

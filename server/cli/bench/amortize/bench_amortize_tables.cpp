@@ -136,7 +136,7 @@ void printLaw(std::string& out, const AmortizeResult& result) {
   print(out, "\nCores over visitors, with 95 %% confidence; visitors at 30 frames a second on %d cores\n\n", law.cores);
   printFit(out, "shared", law.shared);
   printFit(out, "private", law.unshared);
-  print(out, "alpha    %.3f by stages, %s by the slopes\n", law.alphaStages, shown(law.alphaFit).c_str());
+  print(out, "alpha    %s by stages, %s by the slopes\n", shown(law.alphaStages).c_str(), shown(law.alphaFit).c_str());
   print(out,
         "M = N(1 - alpha) + alpha: %s private visitors expected by stages, %s by the slopes; %s by private mode's own "
         "line\n",

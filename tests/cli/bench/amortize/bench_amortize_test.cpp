@@ -176,7 +176,7 @@ TEST(AmortizeLaw, HoldsForConstructedCosts) {
   EXPECT_NEAR(law.shared.line->b.value, 0.15, 1e-9);
   EXPECT_NEAR(law.unshared.line->a.value, 0.0, 1e-9);
   EXPECT_NEAR(law.unshared.line->b.value, 0.75, 1e-9);
-  EXPECT_NEAR(law.alphaStages, 0.8, 1e-9);
+  EXPECT_NEAR(*law.alphaStages, 0.8, 1e-9);
   EXPECT_NEAR(*law.alphaFit, 0.8, 1e-9);
   EXPECT_EQ(law.shared.capacity.served, 8);
   EXPECT_FALSE(law.shared.capacity.unserved);
@@ -193,6 +193,8 @@ TEST(AmortizeLaw, FitsAtLeastFiveUnsaturatedRows) {
   rows.back().costs["lightfield"].backend = 10.0;  // frames that are far apart differ more
   EXPECT_NEAR(amortizeLaw(rows, 2).shared.line->b.value, 0.15, 1e-9);
   EXPECT_EQ(amortizeLaw(rows, 2).shared.over, (std::vector{1, 2, 3, 4, 5}));
+  EXPECT_NEAR(*amortizeLaw(rows, 2).alphaStages, 0.8, 1e-9) << "nor does a saturated row give the across-user share";
+  EXPECT_FALSE(amortizeLaw({rows.back()}, 2).alphaStages);
   rows.erase(rows.begin());
   EXPECT_FALSE(amortizeLaw(rows, 2).shared.line) << "four served numbers are not enough";
   EXPECT_EQ(amortizeLaw(rows, 2).shared.capacity.served, 5);

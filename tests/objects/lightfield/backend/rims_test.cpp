@@ -95,7 +95,8 @@ TEST(Rims, PlantsEndBeforeThem) {
     // The line where plants end is not straight.
     float least = 10.0F;
     float most = 0.0F;
-    for (float x = -0.8F; x < 0.8F; x += 0.1F) {
+    for (int i = -8; i < 8; ++i) {
+      const float x = 0.1F * static_cast<float>(i);
       float end = -1.7F;
       while (at(x, end) == 0U) end += kPixel;
       least = std::min(least, -end);
