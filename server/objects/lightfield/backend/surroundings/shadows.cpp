@@ -1,6 +1,6 @@
-#include "objects/lightfield/backend/shadows.h"
+#include "objects/lightfield/backend/surroundings/shadows.h"
 
-#include "objects/lightfield/backend/shadow_kernels.h"
+#include "objects/lightfield/backend/surroundings/shadow_kernels.h"
 
 namespace grove::objects::lightfield {
 

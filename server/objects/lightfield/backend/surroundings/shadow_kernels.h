@@ -1,6 +1,6 @@
 #pragma once
 
-#include "objects/lightfield/backend/sun_grid.h"
+#include "objects/lightfield/backend/surroundings/sun_grid.h"
 #include "objects/lightfield/common/picture_part.h"
 #include "objects/lightfield/format/view_camera.h"
 

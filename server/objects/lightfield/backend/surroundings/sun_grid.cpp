@@ -1,4 +1,4 @@
-#include "objects/lightfield/backend/sun_grid.h"
+#include "objects/lightfield/backend/surroundings/sun_grid.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "objects/lightfield/backend/shadow_kernels.h"
+#include "objects/lightfield/backend/surroundings/shadow_kernels.h"
 
 #include <gtest/gtest.h>
 

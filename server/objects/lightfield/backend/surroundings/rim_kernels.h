@@ -1,6 +1,6 @@
 #pragma once
 
-#include "objects/lightfield/backend/rims.h"
+#include "objects/lightfield/backend/surroundings/rims.h"
 #include "objects/lightfield/common/picture_part.h"
 #include "objects/lightfield/format/view_camera.h"
 

@@ -1,7 +1,7 @@
-#include "objects/lightfield/backend/shadow_kernels.h"
+#include "objects/lightfield/backend/surroundings/shadow_kernels.h"
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "objects/lightfield/backend/shadow_kernels.cpp"
+#define HWY_TARGET_INCLUDE "objects/lightfield/backend/surroundings/shadow_kernels.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 

@@ -1,9 +1,9 @@
-#include "objects/lightfield/backend/rim_kernels.h"
+#include "objects/lightfield/backend/surroundings/rim_kernels.h"
 
 #include "models/plants/plants.h"
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "objects/lightfield/backend/rim_kernels.cpp"
+#define HWY_TARGET_INCLUDE "objects/lightfield/backend/surroundings/rim_kernels.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 

@@ -1,11 +1,11 @@
-#include "objects/lightfield/backend/rims.h"
+#include "objects/lightfield/backend/surroundings/rims.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "models/plants/plants.h"
-#include "objects/lightfield/backend/rim_kernels.h"
+#include "objects/lightfield/backend/surroundings/rim_kernels.h"
 
 namespace grove::objects::lightfield {
 namespace {

@@ -1,4 +1,4 @@
-#include "objects/lightfield/backend/shadows.h"
+#include "objects/lightfield/backend/surroundings/shadows.h"
 
 #include <algorithm>
 #include <vector>

@@ -1,4 +1,4 @@
-#include "objects/lightfield/backend/rims.h"
+#include "objects/lightfield/backend/surroundings/rims.h"
 
 #include <gtest/gtest.h>
 
