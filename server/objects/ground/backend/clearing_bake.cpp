@@ -115,11 +115,13 @@ class Baker {
 
   void probe(int row) {
     for (int x = 0; x < cells_; ++x) {
-      const Vec3 point = aboveSoil(place(static_cast<float>(x) + 0.5F, static_cast<float>(row) + 0.5F, cells_));
-      sun_.set(x, row, sunAlong(point, towardsSun_));
-      if (near_.at(x, row) != 0.0F) continue;
-      sky_.set(x, row, openness(point));
-      cover_.set(x, row, cover({point.x, kStart, point.z}));
+      const Vec3 point = place(static_cast<float>(x) + 0.5F, static_cast<float>(row) + 0.5F, cells_);
+      const bool isNear = near_.at(x, row) == 0.0F;
+      const Vec3 lit = isNear ? aboveSoil(point) : point;
+      sun_.set(x, row, sunAlong(lit, towardsSun_));
+      if (!isNear) continue;
+      sky_.set(x, row, openness(lit));
+      cover_.set(x, row, cover(point));
     }
   }
 
@@ -127,10 +129,12 @@ class Baker {
     const float scale = static_cast<float>(cells_) / static_cast<float>(options_.size);
     const float cellX = (static_cast<float>(x) + 0.5F) * scale;
     const float cellY = (static_cast<float>(y) + 0.5F) * scale;
-    const Vec3 point = aboveSoil(place(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F, options_.size));
+    const Vec3 point = place(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F, options_.size);
     const float hidden = cover_.smooth(cellX, cellY);
     const float cover = glm::smoothstep(kEdgeCover, kWholeCover, hidden);
-    return ground(point, sunlight(point, cellX, cellY), std::max(kMinSky, sky_.smooth(cellX, cellY)),
+    const bool isNear = near_.at(static_cast<int>(cellX), static_cast<int>(cellY)) == 0.0F;
+    const Vec3 lit = isNear ? aboveSoil(point) : point;
+    return ground(point, sunlight(lit, cellX, cellY), std::max(kMinSky, sky_.smooth(cellX, cellY)),
                   glm::mix(1.0F, kGrassUnderCover, cover));
   }
 
