@@ -6,10 +6,13 @@
 
 namespace grove::stream {
 
-HeadlessSession::HeadlessSession(Host& host, const std::string& name, int width, int height, Watch watch)
+HeadlessSession::HeadlessSession(Host& host, const std::string& name, int width, int height, Watch watch,
+                                 std::vector<std::uint8_t> codecs)
     : inbox_(std::make_shared<Inbox>()) {
   const Hello hello{name, static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height)};
-  auto opened = host.open(hello, [inbox = inbox_, watch = std::move(watch)](std::shared_ptr<const EncodedFrame> frame) {
+  StreamTerms terms;
+  terms.offer = Offer{std::move(codecs)};
+  const auto deliver = [inbox = inbox_, watch = std::move(watch)](std::shared_ptr<const EncodedFrame> frame) {
     if (watch) watch(frame->header);
     const Ack ack{frame->header.frame};
     std::shared_ptr<Session> session;
@@ -21,7 +24,8 @@ HeadlessSession::HeadlessSession(Host& host, const std::string& name, int width,
     }
     inbox->arrived.notify_all();
     if (session) static_cast<void>(session->acknowledge(ack));  // a frame that was sent is not refused
-  });
+  };
+  auto opened = host.open(hello, deliver, std::move(terms));
   if (const auto* refusal = std::get_if<Refusal>(&opened)) {
     throw EnvironmentError(refusal->reason, "headless session", "raise HostOptions::maxVisitors");
   }

@@ -2,10 +2,12 @@
 
 #include <chrono>
 #include <condition_variable>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <mutex>
 #include <string>
+#include <vector>
 
 #include "stream/session/host.h"
 #include "stream/session/session.h"
@@ -19,8 +21,9 @@ class HeadlessSession {
   /// Sees each frame as it comes, on a worker thread; may still be called while the session is being destroyed.
   using Watch = std::function<void(const FrameHeader&)>;
 
-  /// Throws EnvironmentError if the host refuses.
-  HeadlessSession(Host& host, const std::string& name, int width, int height, Watch watch = {});
+  /// Plays one of `codecs`. Throws EnvironmentError if the host refuses.
+  HeadlessSession(Host& host, const std::string& name, int width, int height, Watch watch = {},
+                  std::vector<std::uint8_t> codecs = {kCodecJpeg});
   ~HeadlessSession();
   HeadlessSession(const HeadlessSession&) = delete;
   HeadlessSession& operator=(const HeadlessSession&) = delete;

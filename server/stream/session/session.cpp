@@ -147,7 +147,7 @@ double Session::startIfDue(double now) {
   const double period = 1.0 / control_->framesPerSecond();
   std::unique_lock lock(mutex_);
   if (closed_ || !node_ || control_->isHidden()) return now + 1.0;
-  if (now < nextDue_) return nextDue_;
+  if (now < cadence_.due()) return cadence_.due();
   if (waits_) return now + period;
   if (!entered_ && !host_.entries_.mayBegin(id_, now)) {
     control_->waitsForServer(now);
@@ -169,7 +169,7 @@ double Session::startIfDue(double now) {
     control_->waitsForServer(now);
     return now + period;
   }
-  if (startFrame(now)) return nextDue_;
+  if (startFrame(now)) return cadence_.due();
   // The next session in turn then begins its frame at once.
   lock.unlock();
   host_.gate_->leave();
@@ -179,11 +179,10 @@ double Session::startIfDue(double now) {
 bool Session::isBehind(double now) const { return !control_->mayBegin(now, encoder_->idle() ? 0 : 1); }
 
 bool Session::startFrame(double now) {
-  if (closed_ || !node_ || now < nextDue_ || isBehind(now)) return false;
+  if (closed_ || !node_ || now < cadence_.due() || isBehind(now)) return false;
   if (!node_->requestFrame()) return false;
   control_->begins(now);
-  const double period = 1.0 / control_->framesPerSecond();
-  nextDue_ = std::max(nextDue_ + period, now + period / 2);
+  cadence_.begins(now, 1.0 / control_->framesPerSecond());
   return true;
 }
 

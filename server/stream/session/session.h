@@ -13,6 +13,7 @@
 #include "stream/adapt/stream_control.h"
 #include "stream/encode/encoded_frame.h"
 #include "stream/protocol/protocol.h"
+#include "stream/session/frame_cadence.h"
 #include "world/players.h"
 
 namespace grove::node {
@@ -123,7 +124,7 @@ class Session : public std::enable_shared_from_this<Session> {
   std::shared_ptr<EncodeStage> encoder_;
   std::unique_ptr<node::FrontendNode> node_;
   PageClock pageClock_;
-  double nextDue_ = 0.0;
+  FrameCadence cadence_;
   double nextDeadlineCheck_ = 0.0;
   bool waits_ = false;                 ///< in the gate's queue
   bool entered_ = false;               ///< has been sent a frame
