@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <string>
 
 #include "cli/bench/amortize/bench_amortize.h"
@@ -26,10 +25,6 @@ class BenchCommands {
   [[nodiscard]] int run() const;
 
  private:
-  struct Capacity {
-    bool isWanted = false;
-    std::uint8_t codec = stream::kCodecJpeg;
-  };
   /// Without `solvers`, whole steps are measured.
   struct Fluid {
     BenchFluidOptions options;
@@ -44,10 +39,11 @@ class BenchCommands {
   void addMachine();
   void addPipeline();
   void addView();
+  [[nodiscard]] int runCapacity() const;
 
   CLI::App* bench_ = nullptr;
   BenchAmortizeOptions amortize_;
-  Capacity capacity_;
+  bool findsCapacity_ = false;
   BenchEncodeOptions encode_;
   Fluid fluid_;
   BenchLightfieldOptions lightfield_;

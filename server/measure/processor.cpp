@@ -1,7 +1,9 @@
 #include "measure/processor.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <fstream>
+#include <thread>
 
 namespace grove::measure {
 
@@ -12,6 +14,11 @@ std::string processorName() {
     if (line.starts_with("model name") && colon != std::string::npos) return line.substr(colon + 2);
   }
   return {};
+}
+
+std::string machineName() {
+  const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
+  return processorName() + ", " + std::to_string(cores) + (cores == 1 ? " core" : " cores");
 }
 
 }  // namespace grove::measure

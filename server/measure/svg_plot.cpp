@@ -20,6 +20,7 @@ constexpr double kBottom = 52.0;
 constexpr double kLegendRow = 18.0;
 constexpr double kLetter = 6.6;  ///< mean width, an upper estimate
 constexpr double kMargin = 12.0;
+constexpr double kCaption = 18.0;
 
 /// Okabe and Ito's colours, which most colour-blind people can distinguish.
 constexpr std::array<std::string_view, 8> kColours = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
@@ -101,21 +102,22 @@ class Axis {
     for (const double multiple : {5.0, 2.0, 1.0}) {
       if (multiple * power >= rough) step = multiple * power;
     }
-    const double first = std::floor(low / step + 1e-9);
-    const double last = std::ceil(high / step - 1e-9);
-    low_ = first * step;
-    high_ = last * step;
-    for (double i = first; i <= last; ++i) ticks_.push_back(i * step);
+    const auto first = std::lround(std::floor(low / step + 1e-9));
+    const auto last = std::lround(std::ceil(high / step - 1e-9));
+    for (auto i = first; i <= last; ++i) ticks_.push_back(static_cast<double>(i) * step);
+    low_ = ticks_.front();
+    high_ = ticks_.back();
   }
 
   /// Places ticks at powers of ten; with few decades also at 2 and 5 times them, with many only at every few.
   void tickByDecades(double low, double high) {
     const double decades = std::log10(high / low);
-    const double every = std::max(1.0, std::ceil(decades / 6.0));
+    const auto every = std::max(1L, std::lround(std::ceil(decades / 6.0)));
     const std::vector<double> multiples = decades < 3.0 ? std::vector{1.0, 2.0, 5.0} : std::vector{1.0};
     std::vector<double> all;
-    for (double power = std::floor(std::log10(low)); power <= std::ceil(std::log10(high)) + every; power += every) {
-      for (const double multiple : multiples) all.push_back(multiple * std::pow(10.0, power));
+    const auto end = std::lround(std::ceil(std::log10(high))) + every;
+    for (auto power = std::lround(std::floor(std::log10(low))); power <= end; power += every) {
+      for (const double multiple : multiples) all.push_back(multiple * std::pow(10.0, static_cast<double>(power)));
     }
     const double slack = 1e-9;
     const auto first = std::ranges::upper_bound(all, low * (1.0 + slack)) - 1;
@@ -278,22 +280,25 @@ std::string draw(const Panel& panel) {
 
 }  // namespace
 
-std::string svgPlot(std::span<const Panel> panels, int columns) {
+std::string svgPlot(std::span<const Panel> panels, int columns, std::string_view caption) {
   const auto across = std::clamp<std::size_t>(panels.size(), 1, static_cast<std::size_t>(std::max(1, columns)));
   const std::size_t down = std::max<std::size_t>(1, (panels.size() + across - 1) / across);
-  const std::string width = at(static_cast<double>(across) * kWidth + 2.0 * kMargin);
-  const std::string height = at(static_cast<double>(down) * kHeight + 2.0 * kMargin);
+  const double wide = static_cast<double>(across) * kWidth + 2.0 * kMargin;
+  const double high = static_cast<double>(down) * kHeight + kCaption + 2.0 * kMargin;
+  const std::string width = at(wide);
+  const std::string height = at(high);
   std::string out = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" +
                     width + "\" height=\"" + height + "\" viewBox=\"0 0 " + width + " " + height +
                     "\" font-family=\"system-ui, 'DejaVu Sans', Helvetica, Arial, sans-serif\">\n" +
-                    "<rect x=\"0.5\" y=\"0.5\" width=\"" +
-                    at(static_cast<double>(across) * kWidth + 2.0 * kMargin - 1.0) + "\" height=\"" +
-                    at(static_cast<double>(down) * kHeight + 2.0 * kMargin - 1.0) +
+                    "<rect x=\"0.5\" y=\"0.5\" width=\"" + at(wide - 1.0) + "\" height=\"" + at(high - 1.0) +
                     "\" rx=\"10\" fill=\"#fdfdfb\" stroke=\"#d4d4cc\"/>\n";
   for (std::size_t i = 0; i < panels.size(); ++i) {
-    out += "<g transform=\"translate(" + at(kMargin + static_cast<double>(i % across) * kWidth) + " " +
-           at(kMargin + static_cast<double>(i / across) * kHeight) + ")\">\n" + draw(panels[i]) + "</g>\n";
+    const std::size_t row = i / across;
+    const std::size_t column = i % across;
+    out += "<g transform=\"translate(" + at(kMargin + static_cast<double>(column) * kWidth) + " " +
+           at(kMargin + static_cast<double>(row) * kHeight) + ")\">\n" + draw(panels[i]) + "</g>\n";
   }
+  out += label(kMargin + kLeft, high - kMargin, "font-size=\"12\" fill=\"#555\"", caption);
   return out + "</svg>\n";
 }
 

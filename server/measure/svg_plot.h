@@ -2,6 +2,7 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -24,7 +25,8 @@ struct Panel {
   std::vector<Series> series;
 };
 
-/// Returns an SVG document of panels side by side, in rows of `columns`. A panel without points says so.
-std::string svgPlot(std::span<const Panel> panels, int columns);
+/// Returns an SVG document of panels side by side, in rows of `columns`, over a line of text. A panel without points
+/// says so.
+std::string svgPlot(std::span<const Panel> panels, int columns, std::string_view caption);
 
 }  // namespace grove::measure

@@ -98,15 +98,16 @@ Panel panelOf(std::vector<Series> series) {
 TEST(SvgPlot, EscapesTexts) {
   Panel panel = panelOf({{.name = "<b>\"5\" & 6</b>\n\x01", .points = {{1.0, 2.0}, {2.0, 3.0}}}});
   panel.title = "a < b && c > d";
-  const std::string svg = svgPlot(std::vector{panel, panel, panel}, 2);
+  const std::string svg = svgPlot(std::vector{panel, panel, panel}, 2, "x86 & 2 cores");
   EXPECT_EQ(XmlReader(svg).problem(), std::nullopt);
   EXPECT_THAT(svg, HasSubstr("a &lt; b &amp;&amp; c &gt; d"));
+  EXPECT_EQ(count(svg, "x86 &amp; 2 cores"), 1u) << "once for all panels";
   EXPECT_THAT(svg, Not(HasSubstr("\x01")));
 }
 
 TEST(SvgPlot, SkipsNotANumber) {
   const std::string svg = svgPlot(
-      std::vector{panelOf({{.name = "s", .points = {{1.0, 1.0}, {2.0, kNan}, {kInfinite, 1.0}, {3.0, 2.0}}}})}, 1);
+      std::vector{panelOf({{.name = "s", .points = {{1.0, 1.0}, {2.0, kNan}, {kInfinite, 1.0}, {3.0, 2.0}}}})}, 1, "");
   EXPECT_EQ(XmlReader(svg).problem(), std::nullopt);
   EXPECT_EQ(count(svg, "<circle"), 3u) << "two points and the legend";
   EXPECT_THAT(svg, Not(HasSubstr("nan")));
@@ -116,7 +117,7 @@ TEST(SvgPlot, SkipsNotANumber) {
 TEST(SvgPlot, SkipsNonPositiveOnLogAxes) {
   Panel panel = panelOf({{.name = "s", .points = {{1.0, 1e-4}, {2.0, 0.0}, {-1.0, 1.0}, {100.0, 1e-1}}}});
   panel.logX = panel.logY = true;
-  const std::string svg = svgPlot(std::vector{panel}, 1);
+  const std::string svg = svgPlot(std::vector{panel}, 1, "");
   EXPECT_EQ(count(svg, "<circle"), 3u);
   for (const char* tick : {">0.0001<", ">0.001<", ">0.01<", ">0.1<", ">1<", ">10<", ">100<"}) {
     EXPECT_THAT(svg, HasSubstr(tick));
@@ -125,7 +126,7 @@ TEST(SvgPlot, SkipsNonPositiveOnLogAxes) {
 }
 
 TEST(SvgPlot, TicksAreRoundNumbersAroundThePoints) {
-  const std::string svg = svgPlot(std::vector{panelOf({{.name = "s", .points = {{1.0, 0.7}, {8.0, 9.3}}}})}, 1);
+  const std::string svg = svgPlot(std::vector{panelOf({{.name = "s", .points = {{1.0, 0.7}, {8.0, 9.3}}}})}, 1, "");
   for (const char* tick : {">0<", ">2<", ">4<", ">6<", ">8<", ">10<"})
     EXPECT_EQ(count(svg, tick), tick[1] == '1' ? 1u : 2u) << tick;
 }
@@ -135,7 +136,7 @@ TEST(SvgPlot, FitHasTheColourOfItsPoints) {
       svgPlot(std::vector{panelOf({{.name = "a", .points = {{1.0, 1.0}, {2.0, 2.0}}, .line = false},
                                    {.name = "a, fitted", .points = {{0.0, 0.0}, {3.0, 3.0}}, .marks = false},
                                    {.name = "b", .points = {{1.0, 2.0}, {2.0, 4.0}}, .line = false}})},
-              1);
+              1, "");
   EXPECT_EQ(count(svg, "stroke-dasharray"), 2u) << "the line and its legend";
   EXPECT_EQ(count(svg, "<polyline"), 1u);
   EXPECT_EQ(count(svg, "<circle"), 3u) << "a";
@@ -148,13 +149,13 @@ TEST(SvgPlot, DrawsDegenerateData) {
              {{3.0, 7.0}}, {{3.0, 7.0}, {3.0, 7.0}}, {{10.0, 10.0}}, {{5.0, 0.0}}, {{5.0, -2.0}}, {}}) {
       Panel panel = panelOf({{.name = "s", .points = points}});
       panel.logX = panel.logY = logarithmic;
-      const std::string svg = svgPlot(std::vector{panel}, 1);
+      const std::string svg = svgPlot(std::vector{panel}, 1, "");
       EXPECT_EQ(XmlReader(svg).problem(), std::nullopt);
       EXPECT_THAT(svg, Not(HasSubstr("nan")));
     }
   }
-  EXPECT_THAT(svgPlot(std::vector{panelOf({})}, 1), HasSubstr("no points"));
-  EXPECT_EQ(XmlReader(svgPlot({}, 0)).problem(), std::nullopt);
+  EXPECT_THAT(svgPlot(std::vector{panelOf({})}, 1, ""), HasSubstr("no points"));
+  EXPECT_EQ(XmlReader(svgPlot({}, 0, "")).problem(), std::nullopt);
 }
 
 }  // namespace

@@ -5,14 +5,15 @@
 
 namespace grove::cli {
 
-Walker::Walker(stream::Host& host, int index, const PictureSize& size, Steering steering)
+Walker::Walker(stream::Host& host, int index, const WalkerStream& stream, Steering steering)
     : index_(index),
       steering_(std::move(steering)),
-      session_(host, "Walker " + std::to_string(index + 1), size.width, size.height,
+      session_(host, "Walker " + std::to_string(index + 1), stream.size.width, stream.size.height,
                [seen = seen_](const stream::FrameHeader& frame) {
                  const std::lock_guard lock(seen->mutex);
                  seen->latency.shown(frame.lastInput, pipeline::wallSeconds(), seen->latencies);
-               }),
+               },
+               {stream.codec}),
       yaw_(session_.welcome().yaw) {}
 
 void Walker::walk(double now) {
@@ -33,10 +34,10 @@ std::vector<float> Walker::latencies() const {
   return seen_->latencies;
 }
 
-Walkers makeWalkers(stream::Host& host, int count, const PictureSize& size, const Steering& steering) {
+Walkers makeWalkers(stream::Host& host, int count, const WalkerStream& stream, const Steering& steering) {
   Walkers walkers;
   walkers.reserve(static_cast<std::size_t>(count));
-  for (int i = 0; i < count; ++i) walkers.push_back(std::make_unique<Walker>(host, i, size, steering));
+  for (int i = 0; i < count; ++i) walkers.push_back(std::make_unique<Walker>(host, i, stream, steering));
   return walkers;
 }
 

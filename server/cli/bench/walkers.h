@@ -21,10 +21,16 @@ namespace grove::cli {
 /// Returns the controls of visitor `index`, who arrived with `yaw` and has walked for `seconds`.
 using Steering = std::function<world::Input(int index, float yaw, double seconds)>;
 
+/// The pictures that a walker gets.
+struct WalkerStream {
+  PictureSize size;
+  std::uint8_t codec = stream::kCodecJpeg;  ///< with its usual quantiser, without rate control
+};
+
 /// A walking visitor of a bench, in the server's process.
 class Walker {
  public:
-  Walker(stream::Host& host, int index, const PictureSize& size, Steering steering);
+  Walker(stream::Host& host, int index, const WalkerStream& stream, Steering steering);
 
   void walk(double now);
 
@@ -54,7 +60,7 @@ class Walker {
 
 using Walkers = std::vector<std::unique_ptr<Walker>>;
 
-[[nodiscard]] Walkers makeWalkers(stream::Host& host, int count, const PictureSize& size, const Steering& steering);
+[[nodiscard]] Walkers makeWalkers(stream::Host& host, int count, const WalkerStream& stream, const Steering& steering);
 
 inline constexpr std::chrono::milliseconds kInputPeriod{16};
 

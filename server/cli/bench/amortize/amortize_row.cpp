@@ -27,8 +27,8 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LinkTraffic, toBackend, pictures, sharedData,
 
 namespace grove::cli {
 
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(AmortizeRow, users, privateWorlds, course, seconds, frames, fpsMin, latencies, costs,
-                                   memory, reuse, tick, reportedBytes, process, traffic, cpuCores, stageCores,
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(AmortizeRow, users, privateWorlds, course, codec, seconds, frames, fpsMin, latencies,
+                                   costs, memory, reuse, tick, reportedBytes, process, traffic, cpuCores, stageCores,
                                    driverCores)
 
 namespace {
@@ -61,6 +61,7 @@ AmortizeRow together(const std::vector<AmortizeRow>& visitors) {
   all.users = static_cast<int>(visitors.size());
   all.privateWorlds = true;
   all.course = visitors.front().course;
+  all.codec = visitors.front().codec;
   const double each = 1.0 / all.users;
   for (const AmortizeRow& one : visitors) all.frames += one.frames;
   all.fpsMin = visitors.front().fpsMin;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <string>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "measure/amortization.h"
 #include "measure/memory_use.h"
 #include "node/transport/transport.h"
+#include "stream/protocol/protocol.h"
 
 namespace grove::cli {
 
@@ -20,6 +22,7 @@ struct AmortizeRow {
   int users = 0;
   bool privateWorlds = false;  ///< the control: a process for each visitor
   Course course = Course::kTogether;
+  std::uint8_t codec = stream::kCodecJpeg;             ///< of the visitors' streams
   double seconds = 0.0;                                ///< that were measured
   double frames = 0.0;                                 ///< of all visitors together
   double fpsMin = 0.0;                                 ///< of the visitor who got the fewest

@@ -11,6 +11,7 @@
 #include "cli/bench/amortize/bench_amortize_report.h"
 #include "cli/bench/amortize/row_processes.h"
 #include "cli/bench/amortize/task_process.h"
+#include "cli/bench/codec_names.h"
 #include "cli/prepare/prepare_world.h"
 #include "cli/prepare/progress.h"
 #include "objects/builtin_backends.h"
@@ -28,6 +29,7 @@ class Refused : public std::runtime_error {
 /// What the options ask for.
 struct Plan {
   std::vector<Course> courses;
+  std::vector<std::uint8_t> codecs;
   std::vector<int> users;  ///< rising
   AmortizeRun run;         ///< but for its visitors
   bool figure = false;
@@ -43,12 +45,12 @@ std::vector<int> usersOf(const BenchAmortizeOptions& options) {
   return users;
 }
 
-std::vector<Course> coursesOf(const BenchAmortizeOptions& options) {
-  std::set<Course> distinct;
-  for (const Course course : options.courses) {
-    if (!distinct.insert(course).second) throw Refused("--walk has " + nameOf(course) + " twice");
+template <class Value>
+void refuseTwice(const std::vector<Value>& values, const char* option, std::string (*nameOf)(Value)) {
+  std::set<Value> distinct;
+  for (const Value value : values) {
+    if (!distinct.insert(value).second) throw Refused(std::string(option) + " has " + nameOf(value) + " twice");
   }
-  return options.courses;
 }
 
 /// Opened before anything is measured.
@@ -74,7 +76,10 @@ void refuseWhatDoesNotFit(const AmortizeRow& first, int users) {
 Plan planOf(const BenchAmortizeOptions& options) {
   Plan plan;
   plan.users = usersOf(options);
-  plan.courses = coursesOf(options);
+  refuseTwice(options.courses, "--walk", nameOf);
+  refuseTwice(options.codecs, "--codec", codecName);
+  plan.courses = options.courses;
+  plan.codecs = options.codecs;
   plan.run.seconds = options.seconds;
   plan.run.frames = options.frames;
   plan.run.transport = options.transport;
@@ -87,12 +92,15 @@ Plan planOf(const BenchAmortizeOptions& options) {
 std::vector<AmortizeRun> runsOf(const Plan& plan) {
   std::vector<AmortizeRun> runs;
   for (const Course course : plan.courses) {
-    for (const int users : plan.users) {
-      for (const bool privateWorlds : {false, true}) {
-        AmortizeRun& run = runs.emplace_back(plan.run);
-        run.users = users;
-        run.privateWorlds = privateWorlds;
-        run.course = course;
+    for (const std::uint8_t codec : plan.codecs) {
+      for (const int users : plan.users) {
+        for (const bool privateWorlds : {false, true}) {
+          AmortizeRun& run = runs.emplace_back(plan.run);
+          run.users = users;
+          run.privateWorlds = privateWorlds;
+          run.course = course;
+          run.codec = codec;
+        }
       }
     }
   }
@@ -103,7 +111,8 @@ void measureRows(AmortizeResult& result, const Plan& plan, const world::Scene& s
   for (const AmortizeRun& run : runsOf(plan)) {
     const auto row = measureRow(scene, run, interruption);
     if (!row) return;
-    (run.course == plan.courses.front() ? result.rows : result.rowsOfOtherCourses).push_back(*row);
+    const bool isFitted = run.course == plan.courses.front() && run.codec == plan.codecs.front();
+    (isFitted ? result.rows : result.otherRows).push_back(*row);
     if (result.rows.size() == 1) refuseWhatDoesNotFit(*row, plan.users.back());
   }
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -7,6 +8,7 @@
 #include "cli/bench/amortize/course.h"
 #include "cli/bench/picture_size.h"
 #include "node/transport/transport_kind.h"
+#include "stream/protocol/protocol.h"
 
 namespace grove::cli {
 
@@ -16,7 +18,8 @@ struct BenchAmortizeOptions {
   double seconds = 5.0;    ///< to measure each
   int frames = 0;          ///< of each visitor to measure instead, unless 0
   bool figure = false;     ///< the paper's Figure 5.6
-  std::vector<Course> courses{Course::kTogether};  ///< rows of each; fits and plot are of the first
+  std::vector<Course> courses{Course::kTogether};        ///< rows of each; fits are of the first
+  std::vector<std::uint8_t> codecs{stream::kCodecJpeg};  ///< rows of each; fits are of the first
   std::optional<std::string> scene;
   PictureSize size{1280, 720};  ///< of each visitor's picture
   node::TransportKind transport = node::TransportKind::kReference;

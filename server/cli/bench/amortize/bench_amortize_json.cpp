@@ -2,7 +2,9 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/bench/amortize/bench_amortize_report.h"
+#include "cli/bench/codec_names.h"
 #include "cli/bench/link_report.h"
+#include "measure/processor.h"
 
 namespace grove::cli {
 namespace {
@@ -56,7 +58,10 @@ Json typesJson(const AmortizeRow& row) {
 
 Json rowJson(const AmortizeRow& row) {
   const measure::MemoryShare memory = measure::sum(row.memory);
-  Json json = {{"users", row.users}, {"mode", row.privateWorlds ? "private" : "shared"}, {"walk", nameOf(row.course)}};
+  Json json = {{"users", row.users},
+               {"mode", row.privateWorlds ? "private" : "shared"},
+               {"walk", nameOf(row.course)},
+               {"codec", codecName(row.codec)}};
   json.update(costJson(row.cost()));
   json.update({{"beta", number(memory.beta())},
                {"cpu_cores", number(row.cpuCores)},
@@ -129,15 +134,15 @@ Json lawJson(const AmortizeResult& result, const AmortizeLaw& law) {
 
 std::string amortizeJson(const AmortizeResult& result) {
   const AmortizeLaw law = amortizeLaw(result.rows, result.cores);
-  Json document = {{"transport", transportName(result.transport)},
+  Json document = {{"processor", measure::processorName()},
+                   {"cores", result.cores},
+                   {"transport", transportName(result.transport)},
                    {"rows", Json::array()},
                    {"fit", {{"shared", fitJson(law.shared)}, {"private", fitJson(law.unshared)}}},
                    {"law", lawJson(result, law)},
                    {"figure_5_6", Json::array()},
                    {"interrupted", result.interrupted}};
-  for (const auto* const rows : {&result.rows, &result.rowsOfOtherCourses}) {
-    for (const AmortizeRow& row : *rows) document["rows"].push_back(rowJson(row));
-  }
+  for (const AmortizeRow& row : result.allRows()) document["rows"].push_back(rowJson(row));
   for (const FigureColumn& column : result.figure) {
     Json json = {{"grid", column.grid}, {"frontends", column.frontends}, {"frames", column.frames}};
     json.update(costJson(column.cost));

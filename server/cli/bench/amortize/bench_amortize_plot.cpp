@@ -1,6 +1,8 @@
 #include <algorithm>
 
 #include "cli/bench/amortize/bench_amortize_report.h"
+#include "cli/bench/codec_names.h"
+#include "measure/processor.h"
 #include "measure/svg_plot.h"
 
 namespace grove::cli {
@@ -13,7 +15,7 @@ constexpr const char* kVisitors = "visitors";
 
 /// A value of each row of a mode over its visitors.
 template <class Value>
-Series over(const char* name, const std::vector<AmortizeRow>& rows, bool privateWorlds, Value value) {
+Series over(const std::string& name, const std::vector<AmortizeRow>& rows, bool privateWorlds, Value value) {
   Series series{.name = name, .points = {}};
   for (const AmortizeRow& row : rows) {
     if (row.privateWorlds == privateWorlds) series.points.emplace_back(row.users, value(row));
@@ -54,17 +56,24 @@ Panel alphaPanel(const std::vector<AmortizeRow>& rows) {
           .series = {over("α0", rows, false, alpha0), over("α1", rows, false, alpha1), over("β", rows, false, beta)}};
 }
 
-Panel costPanel(const std::vector<AmortizeRow>& rows) {
-  const auto each = [](const AmortizeRow& row) { return row.cost().acrossUser * row.copies() / row.users; };
-  const auto all = [&](const AmortizeRow& row) { return each(row) + row.cost().perUser(); };
-  return {.title = "CPU for a frame of one visitor",
-          .xLabel = kVisitors,
-          .yLabel = "ms",
-          .series = {
-              over("all, shared", rows, false, all), over("all, private", rows, true, all),
-              over("c_i / N, shared", rows, false, each),
-              over("c_b, shared", rows, false, [](const AmortizeRow& row) { return row.cost().backendCompressed(); }),
-              over("c_f, shared", rows, false, [](const AmortizeRow& row) { return row.cost().frontend; })}};
+/// What the process used, in any class or none.
+Panel visitorPanel(const AmortizeResult& result) {
+  const auto perFrame = [](const AmortizeRow& row) { return 1e3 * row.cpuCores / (row.fps() * row.users); };
+  Panel panel{.title = "CPU for a frame of one visitor", .xLabel = kVisitors, .yLabel = "ms", .series = {}};
+  std::vector<std::uint8_t> codecs;
+  for (const AmortizeRow& row : result.allRows()) {
+    if (std::ranges::find(codecs, row.codec) == codecs.end()) codecs.push_back(row.codec);
+  }
+  for (const std::uint8_t codec : codecs) {
+    std::vector<AmortizeRow> rows = result.allRows();
+    std::erase_if(
+        rows, [&](const AmortizeRow& row) { return row.codec != codec || row.course != result.rows.front().course; });
+    for (const bool privateWorlds : {false, true}) {
+      const std::string name = codecName(codec) + (privateWorlds ? ", private" : ", shared");
+      panel.series.push_back(over(name, rows, privateWorlds, perFrame));
+    }
+  }
+  return panel;
 }
 
 Panel memoryPanel(const std::vector<AmortizeRow>& rows) {
@@ -81,9 +90,9 @@ Panel memoryPanel(const std::vector<AmortizeRow>& rows) {
 }  // namespace
 
 std::string amortizePlot(const AmortizeResult& result) {
-  const std::vector<Panel> panels = {coresPanel(result), alphaPanel(result.rows), costPanel(result.rows),
+  const std::vector<Panel> panels = {visitorPanel(result), coresPanel(result), alphaPanel(result.rows),
                                      memoryPanel(result.rows)};
-  return measure::svgPlot(panels, 2);
+  return measure::svgPlot(panels, 2, measure::machineName());
 }
 
 }  // namespace grove::cli

@@ -11,12 +11,18 @@ namespace grove::cli {
 
 /// All that `grove bench amortize` has measured.
 struct AmortizeResult {
-  std::vector<AmortizeRow> rows;  ///< of one course: its fits and its plot
-  std::vector<AmortizeRow> rowsOfOtherCourses;
+  std::vector<AmortizeRow> rows;  ///< of the first course and codec, for the fits
+  std::vector<AmortizeRow> otherRows;
   std::vector<FigureColumn> figure;
   node::TransportKind transport = node::TransportKind::kReference;
   int cores = 1;  ///< of the machine
   bool interrupted = false;
+
+  [[nodiscard]] std::vector<AmortizeRow> allRows() const {
+    std::vector<AmortizeRow> all = rows;
+    all.insert(all.end(), otherRows.begin(), otherRows.end());
+    return all;
+  }
 };
 
 /// The document of the contract, for machines. Unbounded values are null.

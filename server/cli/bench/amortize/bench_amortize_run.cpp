@@ -96,7 +96,7 @@ std::optional<AmortizeRow> runAmortize(const world::Scene& scene, const Amortize
   const auto steering = [&run](int index, float yaw, double seconds) {
     return controlsOn(run.course, run.firstVisitor + index, yaw, seconds);
   };
-  const Walkers walkers = makeWalkers(served.host, run.users, run.size, steering);
+  const Walkers walkers = makeWalkers(served.host, run.users, {run.size, run.codec}, steering);
   if (!everybodySees(walkers, stop) || !arrive()) return std::nullopt;
 
   const double begin = pipeline::wallSeconds();
@@ -119,6 +119,7 @@ std::optional<AmortizeRow> runAmortize(const world::Scene& scene, const Amortize
   AmortizeRow row;
   row.users = run.users;
   row.course = run.course;
+  row.codec = run.codec;
   row.seconds = after.seconds - before.seconds;
   row.traffic = served.host.traffic() - trafficBefore;
   addWalkers(row, walkers);

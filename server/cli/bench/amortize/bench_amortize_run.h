@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <stop_token>
@@ -17,6 +18,7 @@ struct AmortizeRun {
   int firstVisitor = 0;        ///< number of the first of them, who chooses the way to walk
   bool privateWorlds = false;  ///< the control: a process for each
   Course course = Course::kTogether;
+  std::uint8_t codec = stream::kCodecJpeg;
   double seconds = 5.0;  ///< measured, after a warm-up
   int frames = 0;        ///< instead of seconds, unless 0: until every visitor has this number
   PictureSize size{1280, 720};

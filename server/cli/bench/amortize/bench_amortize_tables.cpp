@@ -5,6 +5,7 @@
 #include <set>
 
 #include "cli/bench/amortize/bench_amortize_report.h"
+#include "cli/bench/codec_names.h"
 
 namespace grove::cli {
 namespace {
@@ -32,16 +33,18 @@ void printRows(std::string& out, const std::vector<AmortizeRow>& rows) {
   print(out,
         "cores that 30 frames a second for all need (* the machine gives fewer, and each of them costs more).\n\n");
   print(out,
-        "visitors mode    walk         c_i   c_b0   c_b1    c_f alpha0 alpha1  beta |    fps  p99 ms |   CPU driver  "
+        "visitors mode    walk     codec      c_i   c_b0   c_b1    c_f alpha0 alpha1  beta |    fps  p99 ms |   CPU "
+        "driver  "
         "rest "
         "needed\n");
   for (const AmortizeRow& row : rows) {
     const FrameCost cost = row.cost();
-    print(out, "%8d %-7s %-8s %6.2f %6.2f %6.2f %6.2f  %5.3f  %5.3f %5.3f | %6.2f %7.0f | %5.2f  %5.2f %5.2f %6.2f%s\n",
-          row.users, row.privateWorlds ? "private" : "shared", nameOf(row.course).c_str(), cost.acrossUser,
-          cost.backend, cost.backendCompressed(), cost.frontend, measure::alpha0(cost), measure::alpha1(cost),
-          measure::sum(row.memory).beta(), row.fps(), row.latency(0.99), row.cpuCores, row.driverCores,
-          row.otherCores(), row.coresNeeded(), row.saturated() ? "*" : "");
+    print(out,
+          "%8d %-7s %-8s %-5s %6.2f %6.2f %6.2f %6.2f  %5.3f  %5.3f %5.3f | %6.2f %7.0f | %5.2f  %5.2f %5.2f %6.2f%s\n",
+          row.users, row.privateWorlds ? "private" : "shared", nameOf(row.course).c_str(), codecName(row.codec).c_str(),
+          cost.acrossUser, cost.backend, cost.backendCompressed(), cost.frontend, measure::alpha0(cost),
+          measure::alpha1(cost), measure::sum(row.memory).beta(), row.fps(), row.latency(0.99), row.cpuCores,
+          row.driverCores, row.otherCores(), row.coresNeeded(), row.saturated() ? "*" : "");
   }
 }
 
@@ -51,12 +54,12 @@ void printReuse(std::string& out, const std::vector<AmortizeRow>& rows) {
       out,
       "\nViews made on demand: those that one visitor used, or several (their share of the ms is in c_i, the rest in\n"
       "c_b0), and their further uses, by the first visitor or by others\n\n");
-  print(out, "visitors mode    walk        made    one several |   again  others |    c_i   c_b0\n");
+  print(out, "visitors mode    walk     codec     made    one several |   again  others |    c_i   c_b0\n");
   for (const AmortizeRow& row : rows) {
     const pipeline::Reuse& reuse = row.reuse;
     const FrameCost cost = row.cost();
-    print(out, "%8d %-7s %-8s %7llu %6llu %7llu | %7llu %7llu | %6.2f %6.2f\n", row.users,
-          row.privateWorlds ? "private" : "shared", nameOf(row.course).c_str(),
+    print(out, "%8d %-7s %-8s %-5s %7llu %6llu %7llu | %7llu %7llu | %6.2f %6.2f\n", row.users,
+          row.privateWorlds ? "private" : "shared", nameOf(row.course).c_str(), codecName(row.codec).c_str(),
           static_cast<unsigned long long>(reuse.made), static_cast<unsigned long long>(reuse.usedByOne()),
           static_cast<unsigned long long>(reuse.shared), static_cast<unsigned long long>(reuse.usesAgain),
           static_cast<unsigned long long>(reuse.usesByOthers), cost.onDemandShared, cost.onDemandOwn);
@@ -178,8 +181,7 @@ void printFigure(std::string& out, const std::vector<FigureColumn>& figure) {
 std::string amortizeTables(const AmortizeResult& result) {
   std::string out;
   if (!result.rows.empty()) {
-    std::vector<AmortizeRow> all = result.rows;
-    all.insert(all.end(), result.rowsOfOtherCourses.begin(), result.rowsOfOtherCourses.end());
+    const std::vector<AmortizeRow> all = result.allRows();
     printRows(out, all);
     printReuse(out, all);
     for (const bool privateWorlds : {false, true}) {

@@ -6,13 +6,14 @@
 
 #include "base/log.h"
 #include "cli/bench/amortize/task_process.h"
+#include "cli/bench/codec_names.h"
 
 namespace grove::cli {
 namespace {
 
 std::string described(const AmortizeRun& run) {
   return std::to_string(run.users) + (run.users == 1 ? " visitor, " : " visitors, ") +
-         (run.privateWorlds ? "private" : "shared") + ", " + nameOf(run.course);
+         (run.privateWorlds ? "private" : "shared") + ", " + nameOf(run.course) + ", " + codecName(run.codec);
 }
 
 /// What each process measures.

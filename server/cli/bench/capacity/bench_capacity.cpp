@@ -9,6 +9,7 @@
 #include "base/log.h"
 #include "cli/bench/capacity/capacity_law.h"
 #include "cli/bench/capacity/capacity_search.h"
+#include "cli/bench/codec_names.h"
 #include "cli/figures.h"
 #include "cli/prepare/prepare_world.h"
 #include "cli/prepare/progress.h"
@@ -30,8 +31,6 @@ struct CapacityResult {
 };
 
 const char* modeOf(bool privateWorlds) { return privateWorlds ? "private" : "shared"; }
-
-std::string nameOf(std::uint8_t codec) { return codec == stream::kCodecH264 ? "h264" : "jpeg"; }
 
 std::optional<int> search(const CapacityPlan& plan, bool privateWorlds, std::vector<CapacityTrial>& trials,
                           const std::stop_token& stop) {
@@ -82,7 +81,7 @@ void printJson(const CapacityPlan& plan, const CapacityResult& result) {
   ordered_json document = {{"capacity", {{"shared", result.shared}, {"private", result.unshared}}},
                            {"processor", measure::processorName()},
                            {"cores", std::max(1U, std::thread::hardware_concurrency())},
-                           {"codec", nameOf(plan.codec)},
+                           {"codec", codecName(plan.codec)},
                            {"size", nameOf(plan.size)},
                            {"seconds", plan.seconds},
                            {"law", nullptr},
@@ -99,7 +98,7 @@ void printJson(const CapacityPlan& plan, const CapacityResult& result) {
 
 void printTable(const CapacityPlan& plan, const CapacityResult& result) {
   std::printf("%s, %u cores; %s, %s\n\n", measure::processorName().c_str(), std::thread::hardware_concurrency(),
-              nameOf(plan.size).c_str(), nameOf(plan.codec).c_str());
+              nameOf(plan.size).c_str(), codecName(plan.codec).c_str());
   std::printf("%8s %8s %7s %8s %8s %8s %6s %7s %9s %7s\n", "mode", "visitors", "served", "fps p50", "p50 ms", "p99 ms",
               "lines", "cores", "ms/frame", "MB");
   for (const CapacityTrial& trial : result.trials) {

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "measure/processor.h"
 #include "measure/svg_plot.h"
 #include "models/plants/plants.h"
 #include "objects/fluid/backend/solver/diagnostics.h"
@@ -228,7 +229,7 @@ int runBenchFluidSolvers(const BenchFluidSolversOptions& options) {
   if (options.json) std::printf("%s\n", report.dump(2).c_str());
   if (!options.plot.empty()) {
     std::ofstream file(options.plot, std::ios::binary);
-    file << measure::svgPlot(panels, 2);
+    file << measure::svgPlot(panels, 2, measure::machineName());
     if (!file.flush()) {
       std::fprintf(stderr, "bench fluid: cannot write %s\n", options.plot.c_str());
       return 1;

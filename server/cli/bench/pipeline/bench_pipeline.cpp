@@ -80,7 +80,7 @@ Row evaluate(int framesInFlight, int users, const measure::Window& window,
 /// Returns nothing if it was stopped before it had a measurement.
 std::optional<Row> measureRow(const BenchPipelineOptions& options, int framesInFlight, stream::Host& host,
                               const std::stop_token& stop) {
-  const Walkers walkers = makeWalkers(host, options.users, options.size, circle);
+  const Walkers walkers = makeWalkers(host, options.users, {options.size}, circle);
   const double begin = pipeline::wallSeconds();
   const auto walkFor = [&](double seconds) {
     const double end = pipeline::wallSeconds() + seconds;

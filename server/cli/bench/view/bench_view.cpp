@@ -24,9 +24,12 @@ void measureInto(ViewReport& report, WalkWorld& world, const world::Walk& walk, 
     return;
   }
   progress.show("drawing a walk at 30 frames per second", 0.0F);
-  report.paced = measureViewCost(world, walk, seconds, size, Pace::kThirtyASecond, stop);
+  report.paced = measureViewCost(world, walk, seconds, {.size = size}, Pace::kThirtyASecond, stop);
   progress.show("drawing it as fast as possible", 0.0F);
-  report.inLoop = measureViewCost(world, walk, seconds, size, Pace::kOneAfterOther, stop);
+  report.inLoop = measureViewCost(world, walk, seconds, {.size = size}, Pace::kOneAfterOther, stop);
+  progress.show("drawing everything in every frame", 0.0F);
+  const WalkVisitor::Terms whole{.size = size, .policy = wholePolicy()};
+  report.whole = measureViewCost(world, walk, seconds, whole, Pace::kThirtyASecond, stop);
   progress.show("comparing it with drawing everything", 0.0F);
   report.quality = measureViewQuality(world, walk, seconds, size, stop);
   progress.show("finding the memory that a frame touches", 0.0F);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <functional>
+#include <initializer_list>
 #include <nlohmann/json.hpp>
 #include <vector>
 
@@ -33,9 +34,9 @@ Document layersJson(const std::optional<Cost>& cost) {
   return layers;
 }
 
-void printCosts(const std::string& name, std::optional<double> paced, std::optional<double> inLoop) {
+void printCosts(const std::string& name, std::initializer_list<std::optional<double>> costs) {
   std::printf("%-20s", name.c_str());
-  for (const auto& cost : {paced, inLoop}) {
+  for (const auto& cost : costs) {
     if (cost) {
       std::printf(" %10.3f", *cost);
     } else {
@@ -69,9 +70,11 @@ std::string viewJson(const ViewReport& report) {
       {"frames", report.paced ? report.paced->frames : 0},
       {"cpu_ms_per_frame", orNull(partOf(report.paced, &ViewCost::milliseconds), 3)},
       {"cpu_ms_per_frame_in_loop", orNull(partOf(report.inLoop, &ViewCost::milliseconds), 3)},
+      {"cpu_ms_per_frame_whole", orNull(partOf(report.whole, &ViewCost::milliseconds), 3)},
       {"bytes_per_frame", report.bytes ? Document(*report.bytes) : Document()},
       {"layers", layersJson(report.paced)},
       {"layers_in_loop", layersJson(report.inLoop)},
+      {"layers_whole", layersJson(report.whole)},
       {"psnr_db",
        {{"mean", orNull(partOf(report.quality, &ViewQuality::meanDecibels), 2)},
         {"worst", orNull(partOf(report.quality, &ViewQuality::worstDecibels), 2)}}},
@@ -85,11 +88,12 @@ std::string viewJson(const ViewReport& report) {
 void printView(const ViewReport& report) {
   std::printf("%s, %s: CPU of one visitor's own work per frame, ms\n", report.walk.c_str(),
               nameOf(report.size).c_str());
-  std::printf("%-20s %10s %10s\n", "", "30 fps", "in a loop");
+  std::printf("%-20s %10s %10s %10s\n", "", "30 fps", "in a loop", "no reuse");
   for (const std::string& name : layerNames(report.paced)) {
-    printCosts(name, layerOf(report.paced, name), layerOf(report.inLoop, name));
+    printCosts(name, {layerOf(report.paced, name), layerOf(report.inLoop, name), layerOf(report.whole, name)});
   }
-  printCosts("all", partOf(report.paced, &ViewCost::milliseconds), partOf(report.inLoop, &ViewCost::milliseconds));
+  printCosts("all", {partOf(report.paced, &ViewCost::milliseconds), partOf(report.inLoop, &ViewCost::milliseconds),
+                     partOf(report.whole, &ViewCost::milliseconds)});
   if (report.bytes) {
     std::printf("memory that a frame touches: at most %.1f MB\n", 1e-6 * static_cast<double>(*report.bytes));
   }

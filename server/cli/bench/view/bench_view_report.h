@@ -18,6 +18,7 @@ struct ViewReport {
   PictureSize size;
   std::optional<ViewCost> paced;  ///< at 30 frames per second
   std::optional<ViewCost> inLoop;
+  std::optional<ViewCost> whole;  ///< at 30 frames per second, with everything drawn in every frame
   std::optional<ViewQuality> quality;
   std::optional<std::int64_t> bytes;  ///< touched by a frame
   std::optional<StandCost> standing;  ///< of standing visitors, instead of all above

@@ -2,19 +2,18 @@
 
 #include "cli/bench/view/jpeg_of_visitors.h"
 #include "cli/bench/view/view_layers.h"
-#include "cli/bench/walk/walk_visitor.h"
 #include "measure/amortization.h"
 
 namespace grove::cli {
 
 std::optional<ViewCost> measureViewCost(WalkWorld& world, const world::Walk& walk, double seconds,
-                                        const PictureSize& size, Pace pace, const std::stop_token& stop) {
+                                        const WalkVisitor::Terms& terms, Pace pace, const std::stop_token& stop) {
   // A frame's last runs may end after its arrival.
   const auto read = [&world] {
     world.workers().drain();
     return measure::Reading::of(world.timeline());
   };
-  WalkVisitor visitor(world, {.size = size}, jpegOfVisitors());
+  WalkVisitor visitor(world, terms, jpegOfVisitors());
   ViewCost cost;
   std::optional<measure::Reading> before;
   world.walk(

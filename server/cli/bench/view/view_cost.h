@@ -5,7 +5,7 @@
 #include <stop_token>
 #include <string>
 
-#include "cli/bench/picture_size.h"
+#include "cli/bench/walk/walk_visitor.h"
 #include "cli/bench/walk/walk_world.h"
 #include "world/walk.h"
 
@@ -19,9 +19,10 @@ struct ViewCost {
   std::map<std::string, double> layers;  ///< parts of it, see layersOf()
 };
 
-/// Draws the walk's frames and encodes them as JPEG. After a stop request, returns the cost of the frames drawn so far;
-/// nothing if there are none.
+/// Draws the walk's frames for a visitor of these terms and encodes them as JPEG. After a stop request, returns the
+/// cost of the frames drawn so far; nothing if there are none.
 [[nodiscard]] std::optional<ViewCost> measureViewCost(WalkWorld& world, const world::Walk& walk, double seconds,
-                                                      const PictureSize& size, Pace pace, const std::stop_token& stop);
+                                                      const WalkVisitor::Terms& terms, Pace pace,
+                                                      const std::stop_token& stop);
 
 }  // namespace grove::cli

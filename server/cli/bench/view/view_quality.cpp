@@ -11,13 +11,6 @@
 namespace grove::cli {
 namespace {
 
-/// The policy of a visitor for whom everything is drawn in every frame.
-node::FramePolicy referencePolicy() {
-  node::FramePolicy policy = walkPolicy();
-  policy.backdrops = false;
-  return policy;
-}
-
 /// Sums over frames.
 class QualityMeter {
  public:
@@ -51,7 +44,7 @@ class QualityMeter {
 std::optional<ViewQuality> measureViewQuality(WalkWorld& world, const world::Walk& walk, double seconds,
                                               const PictureSize& size, const std::stop_token& stop) {
   WalkVisitor visitor(world, {.number = 1, .size = size});
-  WalkVisitor reference(world, {.number = 2, .size = size, .policy = referencePolicy()});
+  WalkVisitor reference(world, {.number = 2, .size = size, .policy = wholePolicy()});
   QualityMeter meter;
   const auto drawBoth = [&](const Moment& moment) {
     visitor.begin(moment);

@@ -16,6 +16,12 @@ constexpr std::uint32_t kFirstPart = 1;
 
 node::FramePolicy walkPolicy() { return {.framesInFlight = 2, .deadlineSeconds = stream::HostOptions::kNoHurry}; }
 
+node::FramePolicy wholePolicy() {
+  node::FramePolicy policy = walkPolicy();
+  policy.backdrops = false;
+  return policy;
+}
+
 WalkVisitor::WalkVisitor(WalkWorld& world, const Terms& terms, std::unique_ptr<stream::Encoder> encoder)
     : world_(world),
       session_(node::makeId(kFirstPart, terms.number)),

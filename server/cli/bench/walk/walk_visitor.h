@@ -14,6 +14,8 @@ namespace grove::cli {
 /// Policy for complete frames, however long they take; two in flight, because the previous frame may still be ending
 /// when the next begins.
 [[nodiscard]] node::FramePolicy walkPolicy();
+/// The same, with everything drawn in every frame.
+[[nodiscard]] node::FramePolicy wholePolicy();
 
 /// A visitor of a WalkWorld, who sees one frame at a time. The world outlives this. On the world's thread.
 class WalkVisitor {

@@ -100,9 +100,26 @@ TEST(BenchAmortize, PrintsItsDocumentAndPlot) {
     const json& row = document["rows"][i];
     EXPECT_EQ(row["users"], expected[i].first);
     EXPECT_EQ(row["mode"], expected[i].second);
-    expectKeys(row, {"c_i_ms", "c_b0_ms", "c_b1_ms", "c_f_ms", "alpha0", "alpha1", "beta", "cpu_cores", "fps",
-                     "cores_needed", "c_i_on_demand_ms", "c_b_on_demand_ms", "reuse", "saturated", "unaccounted_cores",
-                     "latency_ms", "memory", "types"});
+    expectKeys(row, {"c_i_ms",
+                     "c_b0_ms",
+                     "c_b1_ms",
+                     "c_f_ms",
+                     "alpha0",
+                     "alpha1",
+                     "beta",
+                     "cpu_cores",
+                     "fps",
+                     "cores_needed",
+                     "c_i_on_demand_ms",
+                     "c_b_on_demand_ms",
+                     "reuse",
+                     "saturated",
+                     "unaccounted_cores",
+                     "latency_ms",
+                     "memory",
+                     "types",
+                     "walk",
+                     "codec"});
     EXPECT_GT(row["c_i_ms"], 0.0) << "the simulation ticks";
     EXPECT_GT(row["c_f_ms"], 0.0);
     EXPECT_GT(row["fps"], 0.0);
@@ -117,10 +134,28 @@ TEST(BenchAmortize, PrintsItsDocumentAndPlot) {
   }
   expectKeys(document["law"], {"cores", "alpha_stages", "alpha_fit", "private_expected_of_alpha_stages",
                                "private_expected_of_alpha_fit", "shared_over_private", "cores_per_visitor"});
+  expectKeys(document, {"processor", "cores"});
   EXPECT_TRUE(document["figure_5_6"].empty()) << "was not asked for";
   EXPECT_EQ(document["interrupted"], false);
   EXPECT_THAT(plot.text(), StartsWith("<?xml"));
   EXPECT_THAT(plot.text(), HasSubstr("</svg>"));
+}
+
+// Fault: every row has the same codec, whatever was asked for.
+TEST(BenchAmortize, RowsForEachCodec) {
+  const TemporaryFile scene("grove_bench_amortize_codec.toml", kSmallScene);
+  const Outcome outcome = grove(
+      "bench amortize --users 1 --seconds 1 --size 320x180 --json --codec h264,jpeg --scene " + scene.path.string(),
+      false);
+  ASSERT_EQ(outcome.exit, 0);
+  const json document = json::parse(outcome.output);
+  ASSERT_EQ(document["rows"].size(), 4U);
+  const auto encoding = [&](std::size_t row) { return document["rows"][row]["types"][""]["c_f_ms"].get<double>(); };
+  for (const std::size_t row : {0U, 1U}) {
+    EXPECT_EQ(document["rows"][row]["codec"], "h264");
+    EXPECT_EQ(document["rows"][row + 2]["codec"], "jpeg");
+    EXPECT_GT(encoding(row), encoding(row + 2)) << "motion is searched";
+  }
 }
 
 /// Would catch work that no class has, or that two have; and stages whose CPU is not recorded. What no stage accounts
@@ -215,7 +250,7 @@ TEST(AmortizeLaw, NoFitThroughOneRow) {
   EXPECT_FALSE(law.shared.line);
   EXPECT_FALSE(law.alphaFit);
   EXPECT_FALSE(law.gain);
-  const AmortizeResult result{.rows = {row(2, false, 30.0)}, .rowsOfOtherCourses = {}, .figure = {}, .cores = 2};
+  const AmortizeResult result{.rows = {row(2, false, 30.0)}, .otherRows = {}, .figure = {}, .cores = 2};
   EXPECT_THAT(amortizeTables(result), HasSubstr("no line over fewer than five"));
   EXPECT_TRUE(json::parse(amortizeJson(result))["fit"]["shared"]["b"].is_null());
 }

@@ -56,8 +56,8 @@ TEST(BenchView, UnmeasuredFieldsAreNull) {
   report.size = {320, 180};
   report.interrupted = true;
   const auto document = nlohmann::json::parse(viewJson(report));
-  for (const char* key :
-       {"cpu_ms_per_frame", "cpu_ms_per_frame_in_loop", "bytes_per_frame", "flicker", "flicker_reference"}) {
+  for (const char* key : {"cpu_ms_per_frame", "cpu_ms_per_frame_in_loop", "cpu_ms_per_frame_whole", "bytes_per_frame",
+                          "flicker", "flicker_reference"}) {
     EXPECT_TRUE(document.at(key).is_null()) << key;
   }
   EXPECT_TRUE(document.at("psnr_db").at("mean").is_null());
@@ -79,6 +79,9 @@ TEST(BenchView, PrintsItsDocument) {
   EXPECT_EQ(report.at("interrupted"), false);
   EXPECT_GT(report.at("cpu_ms_per_frame"), 0.0);
   EXPECT_GT(report.at("cpu_ms_per_frame_in_loop"), 0.0);
+  EXPECT_GT(report.at("cpu_ms_per_frame_whole"), 0.0);
+  EXPECT_LT(report.at("layers_whole").at("backdrop"), 0.5 * report.at("layers").at("backdrop").get<double>())
+      << "it warped one";
   const auto& bytes = report.at("bytes_per_frame");
   if (!bytes.is_null()) {
     EXPECT_GT(bytes, 320 * 180 * 4) << "a frame's own pixels, and more";
