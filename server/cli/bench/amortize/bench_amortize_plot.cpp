@@ -29,6 +29,7 @@ Panel coresPanel(const AmortizeResult& result) {
   Panel panel{.title = "Cores for 30 frames a second each", .xLabel = kVisitors, .yLabel = "cores", .series = {}};
   int max = 1;
   for (const AmortizeRow& row : result.rows) max = std::max(max, row.users);
+  panel.series.push_back({.name = "this machine", .points = {{0.0, law.cores}, {max, law.cores}}, .marks = false});
   const auto add = [&](const char* name, const char* fitName, bool privateWorlds, const ModeFit& fit) {
     Series& points = panel.series.emplace_back(
         over(name, result.rows, privateWorlds, [](const AmortizeRow& row) { return row.coresNeeded(); }));
@@ -42,7 +43,6 @@ Panel coresPanel(const AmortizeResult& result) {
   };
   add("shared", "fit", false, law.shared);
   add("private", "fit", true, law.unshared);
-  panel.series.push_back({.name = "this machine", .points = {{0.0, law.cores}, {max, law.cores}}, .marks = false});
   return panel;
 }
 
@@ -79,7 +79,7 @@ Panel visitorPanel(const AmortizeResult& result) {
 Panel memoryPanel(const std::vector<AmortizeRow>& rows) {
   const auto resident = [](const AmortizeRow& row) { return static_cast<double>(row.process.resident) * 1e-6; };
   const auto reported = [](const AmortizeRow& row) { return row.reportedBytes * 1e-6; };
-  return {.title = "Memory of the process",
+  return {.title = "Memory of all processes",
           .xLabel = kVisitors,
           .yLabel = "MB",
           .series = {over("resident, shared", rows, false, resident), over("resident, private", rows, true, resident),

@@ -48,10 +48,28 @@ size = 4
 )";
 
 TEST(BenchAmortize, BadOptionsExitTwoWithOneLine) {
-  for (const char* options :
-       {"--users 0", "--users -1", "--users 1,2,1", "--users two", "--users 1,x", "--users 1.5", "--users ,",
-        "--users 1000000", "--walk alone", "--walk apart,apart", "--seconds 0", "--seconds 1 --frames 9", "--frames 0",
-        "--size 3", "--size 1280x721", "--size 64x36", "--size 3840x2160", "--size 1280x720x3", "--size -1x-1"}) {
+  for (const char* options : {"--users 0",
+                              "--users -1",
+                              "--users 1,2,1",
+                              "--users two",
+                              "--users 1,x",
+                              "--users 1.5",
+                              "--users ,",
+                              "--users 1000000",
+                              "--walk alone",
+                              "--walk apart,apart",
+                              "--codec mp3",
+                              "--codec jpeg,jpeg",
+                              "--capacity --codec jpeg,h264",
+                              "--seconds 0",
+                              "--seconds 1 --frames 9",
+                              "--frames 0",
+                              "--size 3",
+                              "--size 1280x721",
+                              "--size 64x36",
+                              "--size 3840x2160",
+                              "--size 1280x720x3",
+                              "--size -1x-1"}) {
     const Outcome outcome = groveHere(std::string("bench amortize ") + options);
     EXPECT_EQ(outcome.exit, 2) << options;
     EXPECT_EQ(std::ranges::count(outcome.output, '\n'), 1) << options << ": " << outcome.output;
