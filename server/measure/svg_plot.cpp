@@ -7,6 +7,8 @@
 #include <limits>
 #include <string_view>
 
+#include "measure/plot_axis.h"
+
 namespace grove::measure {
 namespace {
 
@@ -67,72 +69,6 @@ std::string stroke(double x1, double y1, double x2, double y2, std::string_view 
   return "<line x1=\"" + at(x1) + "\" y1=\"" + at(y1) + "\" x2=\"" + at(x2) + "\" y2=\"" + at(y2) + "\" " +
          std::string(attributes) + "/>\n";
 }
-
-/// Maps values to pixels, and selects the ticks.
-class Axis {
- public:
-  Axis(double low, double high, bool logarithmic, double from, double to)
-      : logarithmic_(logarithmic), from_(from), to_(to) {
-    if (logarithmic) {
-      tickByDecades(low, high);
-    } else {
-      tickEvenly(low, high);
-    }
-  }
-
-  [[nodiscard]] double pixel(double value) const {
-    return from_ + (scaled(value) - scaled(low_)) / (scaled(high_) - scaled(low_)) * (to_ - from_);
-  }
-  [[nodiscard]] const std::vector<double>& ticks() const { return ticks_; }
-
- private:
-  [[nodiscard]] double scaled(double value) const { return logarithmic_ ? std::log10(value) : value; }
-
-  /// Places about five ticks at multiples of 1, 2 or 5 times a power of ten; begins at zero if that wastes little.
-  void tickEvenly(double low, double high) {
-    if (low >= 0.0 && low <= 0.6 * high) low = 0.0;
-    if (high <= low) {
-      const double room = low != 0.0 ? 0.1 * std::abs(low) : 1.0;
-      low -= room;
-      high += room;
-    }
-    const double rough = (high - low) / 5.0;
-    const double power = std::pow(10.0, std::floor(std::log10(rough)));
-    double step = 10.0 * power;
-    for (const double multiple : {5.0, 2.0, 1.0}) {
-      if (multiple * power >= rough) step = multiple * power;
-    }
-    const auto first = std::lround(std::floor(low / step + 1e-9));
-    const auto last = std::lround(std::ceil(high / step - 1e-9));
-    for (auto i = first; i <= last; ++i) ticks_.push_back(static_cast<double>(i) * step);
-    low_ = ticks_.front();
-    high_ = ticks_.back();
-  }
-
-  /// Places ticks at powers of ten; with few decades also at 2 and 5 times them, with many only at every few.
-  void tickByDecades(double low, double high) {
-    const double decades = std::log10(high / low);
-    const auto every = std::max(1L, std::lround(std::ceil(decades / 6.0)));
-    const std::vector<double> multiples = decades < 3.0 ? std::vector{1.0, 2.0, 5.0} : std::vector{1.0};
-    std::vector<double> all;
-    const auto end = std::lround(std::ceil(std::log10(high))) + every;
-    for (auto power = std::lround(std::floor(std::log10(low))); power <= end; power += every) {
-      for (const double multiple : multiples) all.push_back(multiple * std::pow(10.0, static_cast<double>(power)));
-    }
-    const double slack = 1e-9;
-    const auto first = std::ranges::upper_bound(all, low * (1.0 + slack)) - 1;
-    auto last = std::ranges::lower_bound(all, high * (1.0 - slack));
-    if (last <= first) last = first + 1;
-    ticks_.assign(first, last + 1);
-    low_ = ticks_.front();
-    high_ = ticks_.back();
-  }
-
-  bool logarithmic_;
-  double from_, to_;
-  double low_ = 0.0, high_ = 1.0;
-  std::vector<double> ticks_;
-};
 
 struct Extent {
   double low = std::numeric_limits<double>::infinity();
@@ -221,7 +157,7 @@ int legend(std::string& out, const std::vector<Drawn>& series, double y) {
   return rows;
 }
 
-void grid(std::string& out, const Axis& x, const Axis& y, double top) {
+void grid(std::string& out, const PlotAxis& x, const PlotAxis& y, double top) {
   const double bottom = kHeight - kBottom;
   const double right = kWidth - kRight;
   const auto number = [](double value) { return text(value, std::chars_format::general, 6); };
@@ -261,8 +197,8 @@ std::string draw(const Panel& panel) {
   if (xs.low > xs.high) {
     return out + label(0.5 * kWidth, middle, "font-size=\"13\" fill=\"#777\" text-anchor=\"middle\"", "no points");
   }
-  const Axis x(xs.low, xs.high, panel.logX, kLeft, kWidth - kRight);
-  const Axis y(ys.low, ys.high, panel.logY, kHeight - kBottom, top);
+  const PlotAxis x(xs.low, xs.high, panel.logX, kLeft, kWidth - kRight);
+  const PlotAxis y(ys.low, ys.high, panel.logY, kHeight - kBottom, top);
   grid(out, x, y, top);
   for (const Drawn& one : series) {
     if (!one.series.line || one.points.size() < 2) continue;
