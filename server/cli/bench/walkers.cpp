@@ -11,6 +11,7 @@ Walker::Walker(stream::Host& host, int index, const WalkerStream& stream, Steeri
       session_(host, "Walker " + std::to_string(index + 1), stream.size.width, stream.size.height,
                [seen = seen_](const stream::FrameHeader& frame) {
                  const std::lock_guard lock(seen->mutex);
+                 seen->codec = frame.codec;
                  seen->latency.shown(frame.lastInput, pipeline::wallSeconds(), seen->latencies);
                },
                {stream.codec}),
@@ -32,6 +33,11 @@ void Walker::beginCounting() {
 std::vector<float> Walker::latencies() const {
   const std::lock_guard lock(seen_->mutex);
   return seen_->latencies;
+}
+
+std::uint8_t Walker::codec() const {
+  const std::lock_guard lock(seen_->mutex);
+  return seen_->codec;
 }
 
 Walkers makeWalkers(stream::Host& host, int count, const WalkerStream& stream, const Steering& steering) {

@@ -41,6 +41,8 @@ class Walker {
   [[nodiscard]] std::uint64_t framesCounted() const { return frames() - framesBefore_; }
   /// Since then, from inputs to the frames that show them, milliseconds.
   [[nodiscard]] std::vector<float> latencies() const;
+  /// Of the newest frame.
+  [[nodiscard]] std::uint8_t codec() const;
 
  private:
   /// Outlives the walker while a worker still delivers.
@@ -48,6 +50,7 @@ class Walker {
     std::mutex mutex;
     stream::InputLatency latency;
     std::vector<float> latencies;
+    std::uint8_t codec = stream::kCodecJpeg;
   };
   const int index_;
   const Steering steering_;

@@ -22,7 +22,7 @@ struct AmortizeRow {
   int users = 0;
   bool privateWorlds = false;  ///< the control: a process for each visitor
   Course course = Course::kTogether;
-  std::uint8_t codec = stream::kCodecJpeg;             ///< of the visitors' streams
+  std::uint8_t codec = stream::kCodecJpeg;             ///< of the frames that the visitors received
   double seconds = 0.0;                                ///< that were measured
   double frames = 0.0;                                 ///< of all visitors together
   double fpsMin = 0.0;                                 ///< of the visitor who got the fewest

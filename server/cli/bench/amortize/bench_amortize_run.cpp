@@ -119,7 +119,7 @@ std::optional<AmortizeRow> runAmortize(const world::Scene& scene, const Amortize
   AmortizeRow row;
   row.users = run.users;
   row.course = run.course;
-  row.codec = run.codec;
+  row.codec = walkers.front()->codec();
   row.seconds = after.seconds - before.seconds;
   row.traffic = served.host.traffic() - trafficBefore;
   addWalkers(row, walkers);
