@@ -7,9 +7,9 @@
 namespace grove::objects::fluid {
 namespace {
 
-constexpr float kMinKeptAtHalf = 0.2F;
+constexpr float kMinKeptAtHalf = 0.15F;
 constexpr float kBlocksPerPixel = 1.0F / 14.0F;
-constexpr float kMinKept = 0.02F;
+constexpr float kMinKept = 0.07F;
 
 }  // namespace
 

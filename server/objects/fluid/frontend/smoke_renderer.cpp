@@ -1,6 +1,8 @@
 #include "objects/fluid/frontend/smoke_renderer.h"
 
 #include <algorithm>
+#include <cmath>
+#include <span>
 
 namespace grove::objects::fluid {
 namespace {
@@ -17,6 +19,8 @@ world::Rect SmokeRenderer::prepare(const FluidSnapshot& snapshot, const node::Vi
   if (snapshot.count() == 0 || camera.width <= 0 || camera.height <= 0) return box_;
 
   const auto lead = static_cast<float>(std::clamp(view.time - snapshot.time, 0.0, kLongestLead));
+  camera_ = camera;
+  seconds_ = std::isfinite(snapshot.time) ? snapshot.time + static_cast<double>(lead) : 0.0;
   project(snapshot, camera, lead, sprites_);
   shape(camera, detail_.scale, sprites_);
   const int shapedFor = detail_.scale;
@@ -35,9 +39,17 @@ void SmokeRenderer::draw(raster::Image& frame) {
   if (box_.empty()) return;
   sorter_.sortBackToFront(sprites_.depth, order_);
   const float farthest = sprites_.depth[order_.front()] + 1.0F;
+  const float nearest = sprites_.depth[order_.back()];
+  // Embers shine through the smoke, and have no curls.
+  const auto isSmoke = [&](std::uint32_t i) { return sprites_.ember[i] == 0.0F; };
+  const auto embers = std::stable_partition(order_.begin(), order_.end(), isSmoke);
+  const std::span<const std::uint32_t> all(order_);
+  const auto smoke = static_cast<std::size_t>(embers - order_.begin());
   target_.begin(frame, box_, detail_.scale, farthest);
-  target_.draw(sprites_, order_);
-  target_.blendInto(frame, sprites_.depth[order_.back()]);
+  target_.draw(sprites_, all.first(smoke));
+  target_.carve(camera_, seconds_, sun_);
+  target_.draw(sprites_, all.subspan(smoke));
+  target_.blendInto(frame, nearest);
 }
 
 }  // namespace grove::objects::fluid

@@ -21,10 +21,11 @@ namespace grove::objects::fluid {
 class SmokeRenderer {
  public:
   /// Default budget: one to two milliseconds of a core with AVX2, twice as long without.
-  static constexpr float kUsualBudget = 125'000.0F;
+  static constexpr float kUsualBudget = 75'000.0F;
 
   /// `budget` bounds the cost of a frame, see chooseDetail().
-  explicit SmokeRenderer(const world::Sky& sky, float budget = kUsualBudget) : budget_(budget), shading_(sky) {}
+  explicit SmokeRenderer(const world::Sky& sky, float budget = kUsualBudget)
+      : budget_(budget), sun_(sky.sun), shading_(sky) {}
 
   /// Prepares the next draw(). Returns the bounds of all pixels that draw() reads and changes; empty if no smoke is
   /// visible.
@@ -40,13 +41,17 @@ class SmokeRenderer {
 
  private:
   const float budget_;
+  const world::Vec3 sun_;
   SmokeDetail detail_;
   SmokeSprites sprites_;
   SmokeShading shading_;
   SmokeOrder sorter_;
   SmokeTarget target_;
   std::vector<std::uint32_t> order_;
-  world::Rect box_;  ///< result of prepare()
+  // Results of prepare().
+  world::Rect box_;
+  world::Camera camera_;
+  double seconds_ = 0.0;  ///< see CurlLens
 };
 
 }  // namespace grove::objects::fluid

@@ -134,6 +134,16 @@ struct Finish {
       // Flame adds light and hides only part of the background.
       opacity += Floats(0.6F) * flame;
     }
+    const Floats ember = at(sprites.ember);
+    const Mask glowing = ember > Floats(0.0F);
+    if (any(glowing)) {
+      const Floats covers = min(one, Floats(2.5F) * ember) * at(sprites.fade) * sqrt(at(sprites.shrink));
+      const Floats power = mulAdd(Floats(3.0F), ember, one);
+      red = select(glowing, covers * encode(display, power), red);
+      green = select(glowing, covers * encode(display, power * Floats(0.14F)), green);
+      blue = select(glowing, covers * encode(display, power * Floats(0.02F)), blue);
+      opacity = select(glowing, Floats(0.5F) * covers, opacity);
+    }
     store(red, sprites.red.data() + i);
     store(green, sprites.green.data() + i);
     store(blue, sprites.blue.data() + i);

@@ -11,9 +11,9 @@ void SmokeSprites::resize(std::size_t particles) {
   count = particles;
   const std::size_t needed = (particles + kMaxLanes - 1) / kMaxLanes * kMaxLanes;
   if (needed <= x.size()) return;
-  for (std::vector<float>* array : {&x,     &y,    &depth,   &radius,   &heat,      &life,       &fade,    &axisX,
-                                    &axisY, &xx,   &xy,      &yy,       &halfWidth, &halfHeight, &shrink,  &red,
-                                    &green, &blue, &opacity, &softness, &rank,      &chanceA,    &chanceB, &chanceC}) {
+  for (std::vector<float>* array : {&x,     &y,     &depth,   &radius,   &heat, &ember,     &age,        &life,   &fade,
+                                    &axisX, &axisY, &xx,      &xy,       &yy,   &halfWidth, &halfHeight, &shrink, &red,
+                                    &green, &blue,  &opacity, &softness, &rank, &chanceA,   &chanceB,    &chanceC}) {
     array->resize(needed);
   }
   seen.resize(needed);

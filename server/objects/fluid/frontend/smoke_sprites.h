@@ -20,6 +20,8 @@ struct SmokeSprites {
   std::vector<float> depth;         ///< view depth in metres
   std::vector<float> radius;        ///< of the support, metres
   std::vector<float> heat;          ///< 0 = smoke .. 1 = flame
+  std::vector<float> ember;         ///< 0 = no ember; else its brightness, up to 1
+  std::vector<float> age;           ///< seconds
   std::vector<float> life;          ///< 0 = birth .. 1 = death
   std::vector<float> fade;          ///< 0..1: fades near the near plane and beyond both ends of a life
   std::vector<float> axisX, axisY;  ///< movement on the screen within the stretch time; metres, y down
@@ -47,8 +49,9 @@ struct SmokeSprites {
 
   /// Memory use.
   [[nodiscard]] std::size_t bytes() const noexcept {
-    return pipeline::vectorBytes(x, y, depth, radius, heat, life, fade, axisX, axisY, xx, xy, yy, halfWidth, halfHeight,
-                                 shrink, red, green, blue, opacity, softness, rank, chanceA, chanceB, chanceC, seen);
+    return pipeline::vectorBytes(x, y, depth, radius, heat, ember, age, life, fade, axisX, axisY, xx, xy, yy, halfWidth,
+                                 halfHeight, shrink, red, green, blue, opacity, softness, rank, chanceA, chanceB,
+                                 chanceC, seen);
   }
 };
 

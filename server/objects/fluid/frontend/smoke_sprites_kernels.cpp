@@ -68,6 +68,17 @@ HWY_INLINE float sizeOf(float spent, float hot, float chance) {
   return smoke + (flame - smoke) * hot;
 }
 
+constexpr float kEmbers = 0.012F;      // share of the particles
+constexpr float kEmberSeconds = 1.8F;  // until it is dark
+constexpr float kEmberRadius = 0.01F;  // metres
+constexpr float kEmberStray = 0.7F;    // metres per second away from the smoke
+
+/// An ember that is dark stays one, because it is no smoke.
+HWY_INLINE float emberOf(float age, float chance) {
+  const float left = std::max(1e-4F, 1.0F - age / kEmberSeconds);
+  return chance < kEmbers ? left : 0.0F;
+}
+
 void projectSprites(const FluidSnapshot& snapshot, const SmokeLens& lens, float lead, SmokeSprites& sprites) {
   drawLots(snapshot, sprites);
   // A copy, which the loop's stores cannot change.
@@ -83,11 +94,14 @@ void projectSprites(const FluidSnapshot& snapshot, const SmokeLens& lens, float 
   const float* const temperature = snapshot.temperature.data();
   const float* const chanceA = sprites.chanceA.data();
   const float* const chanceB = sprites.chanceB.data();
+  const float* const chanceC = sprites.chanceC.data();
+  float* const ember = sprites.ember.data();
   float* const x = sprites.x.data();
   float* const y = sprites.y.data();
   float* const depth = sprites.depth.data();
   float* const radius = sprites.radius.data();
   float* const heat = sprites.heat.data();
+  float* const spriteAge = sprites.age.data();
   float* const life = sprites.life.data();
   float* const fade = sprites.fade.data();
   float* const axisX = sprites.axisX.data();
@@ -96,9 +110,12 @@ void projectSprites(const FluidSnapshot& snapshot, const SmokeLens& lens, float 
   const std::size_t count = sprites.count;
   GROVE_INDEPENDENT_ITERATIONS
   for (std::size_t i = 0; i < count; ++i) {
-    const float dx = px[i] + lead * vx[i] - eye.x;
+    const float now = age[i] + lead;
+    const float bright = emberOf(now, chanceB[i]);
+    const float stray = bright > 0.0F ? kEmberStray * now : 0.0F;
+    const float dx = px[i] + lead * vx[i] + stray * (chanceA[i] - 0.5F) - eye.x;
     const float dy = py[i] + lead * vy[i] - eye.y;
-    const float dz = pz[i] + lead * vz[i] - eye.z;
+    const float dz = pz[i] + lead * vz[i] + stray * (chanceC[i] - 0.5F) - eye.z;
     const float along = dx * forward.x + dy * forward.y + dz * forward.z;
     const float inverse = 1.0F / std::max(along, nearDepth);
     const float u = (dx * right.x + dy * right.y + dz * right.z) * inverse;
@@ -107,14 +124,17 @@ void projectSprites(const FluidSnapshot& snapshot, const SmokeLens& lens, float 
     y[i] = middleY + focal * v;
     depth[i] = along;
 
-    const float spent = (age[i] + lead) / std::max(lifetime[i], 1e-3F);
+    const float spent = now / std::max(lifetime[i], 1e-3F);
     const float hot = smooth(0.28F, 0.58F, temperature[i]);
-    const float size = sizeOf(spent, hot, chanceA[i]);
+    const float size = bright > 0.0F ? kEmberRadius : sizeOf(spent, hot, chanceA[i]);
+    ember[i] = bright;
+    spriteAge[i] = now;
     life[i] = saturate(spent);
     heat[i] = hot;
     radius[i] = size;
     // Sprites close to the eye fade: inside the smoke, visitors see haze instead of huge discs.
-    fade[i] = saturate((along - nearDepth - 0.1F) / (0.2F + 1.2F * size)) * (spent < 1.0F ? 1.0F : 0.0F);
+    fade[i] = saturate((along - nearDepth - 0.1F) / (0.2F + (bright > 0.0F ? 1.0F : 1.2F * size))) *
+              (spent < 1.0F ? 1.0F : 0.0F);
 
     // Perspective: approaching particles also move outwards on the screen.
     const float speedAlong = vx[i] * forward.x + vy[i] * forward.y + vz[i] * forward.z;

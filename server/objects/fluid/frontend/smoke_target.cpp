@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "objects/fluid/frontend/curls/smoke_curls_kernels.h"
+
 namespace grove::objects::fluid {
 
 void SmokeTarget::begin(const raster::Image& frame, const world::Rect& box, int scale, float farthest) {
@@ -27,6 +29,10 @@ void SmokeTarget::begin(const raster::Image& frame, const world::Rect& box, int 
 
 void SmokeTarget::draw(const SmokeSprites& sprites, std::span<const std::uint32_t> order) {
   drawSprites(sprites, order, pixels_);
+}
+
+void SmokeTarget::carve(const world::Camera& camera, double seconds, world::Vec3 sun) {
+  carveCurls(CurlLens(camera, pixels_, seconds, sun), pixels_);
 }
 
 void SmokeTarget::blendInto(raster::Image& frame, float nearest) {

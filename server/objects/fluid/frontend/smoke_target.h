@@ -25,6 +25,9 @@ class SmokeTarget {
   /// Draws sprites in the given order, each over the previous ones.
   void draw(const SmokeSprites& sprites, std::span<const std::uint32_t> order);
 
+  /// Carves curls into the drawn smoke, see CurlLens.
+  void carve(const world::Camera& camera, double seconds, world::Vec3 sun);
+
   /// Blends the smoke into the frame. Where the scene's depth jumps, a pixel takes its smoke from neighbours at a
   /// similar depth (joint bilateral upsampling, Kopf et al. 2007). Frame pixels nearer than `nearest` metres stay
   /// unchanged.

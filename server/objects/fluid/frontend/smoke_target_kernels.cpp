@@ -83,7 +83,8 @@ void clearPixels(const raster::Image& frame, float farthest, float* low, float* 
     std::fill(high + width, high + padded, high[width - 1]);
     for (int b = 0; b < pixels.blocksPerRow; ++b) {
       SmokeBlock& block = pixels.column(b)[y];
-      for (float* channel : {block.red, block.green, block.blue}) std::fill_n(channel, kWidth, 0.0F);
+      for (float* channel : {block.red, block.green, block.blue, block.age, block.distance})
+        std::fill_n(channel, kWidth, 0.0F);
       std::fill_n(block.clear, kWidth, 1.0F);
     }
     if (scale == 2) {
@@ -100,6 +101,7 @@ struct Ellipse {
   float xx, xy, yy;
   float depth, sharpness;
   float red, green, blue, opacity;
+  float age;
 };
 
 /// Draws rows top..bottom of kLanes columns of pixels, which begin at `lane` of these blocks and at column `from` of
@@ -118,16 +120,20 @@ HWY_INLINE void drawColumns(const Ellipse& e, float from, int lane, int top, int
   const Floats red(e.red);
   const Floats green(e.green);
   const Floats blue(e.blue);
+  const Floats age(e.age);
   for (int y = top; y < bottom; ++y) {
     SmokeBlock& block = column[y];
     const float dy = static_cast<float>(y) - e.y;
     const Floats bell = max(zero, constant - (slope + Floats(e.yy * dy)) * Floats(dy));
     const Floats free = min(one, max(zero, (load(block.depth + lane) - own) * sharpness));
     const Floats weight = bell * bell * free;
-    const Floats keep = one - weight * opacity;
+    const Floats cover = weight * opacity;
+    const Floats keep = one - cover;
     store(mulAdd(weight, red, load(block.red + lane) * keep), block.red + lane);
     store(mulAdd(weight, green, load(block.green + lane) * keep), block.green + lane);
     store(mulAdd(weight, blue, load(block.blue + lane) * keep), block.blue + lane);
+    store(mulAdd(cover, age, load(block.age + lane) * keep), block.age + lane);
+    store(mulAdd(cover, own, load(block.distance + lane) * keep), block.distance + lane);
     store(max(opaque, load(block.clear + lane) * keep), block.clear + lane);
   }
 }
@@ -145,7 +151,8 @@ HWY_INLINE void drawSprite(const SmokeSprites& sprites, std::uint32_t sprite, co
                   .red = sprites.red[sprite],
                   .green = sprites.green[sprite],
                   .blue = sprites.blue[sprite],
-                  .opacity = sprites.opacity[sprite]};
+                  .opacity = sprites.opacity[sprite],
+                  .age = sprites.age[sprite]};
   const float halfWidth = sprites.halfWidth[sprite] * perPixel;
   const auto widest = static_cast<float>(pixels.rect.width() - 1);
   const auto height = static_cast<float>(pixels.rect.height());

@@ -19,6 +19,9 @@ struct alignas(64) SmokeBlock {
   float blue[kWidth];
   float clear[kWidth];  ///< share of the background that remains visible
   float depth[kWidth];  ///< of the scene, metres
+  // Means over the smoke, times its coverage.
+  float age[kWidth];       ///< seconds since the smoke's birth
+  float distance[kWidth];  ///< view depth, metres
 };
 
 /// Touched rows of a column of blocks; empty if end <= begin.

@@ -78,6 +78,15 @@ TEST(SmokeShadingKernels, MatchesScalarOnEveryTarget) {
           const auto mixed = [&](float radiance, float tint, float share) {
             return smoke * encode(albedo * radiance * tint) + flame * encode(power * share);
           };
+          if (s.ember[i] > 0.0F) {
+            const float covers = std::min(1.0F, 2.5F * s.ember[i]) * s.fade[i] * std::sqrt(s.shrink[i]);
+            const float hot = 1.0F + 3.0F * s.ember[i];
+            EXPECT_NEAR(s.red[i], covers * encode(hot), 0.005F) << i;
+            EXPECT_NEAR(s.green[i], covers * encode(0.14F * hot), 0.005F) << i;
+            EXPECT_NEAR(s.blue[i], covers * encode(0.02F * hot), 0.005F) << i;
+            EXPECT_NEAR(s.opacity[i], 0.5F * covers, 2.0e-5F) << i;
+            continue;
+          }
           const float max = 0.004F * (smoke + flame) + 2.0e-5F;
           EXPECT_NEAR(s.red[i], mixed(lit.red[i], 1.0F, 1.0F), max) << i;
           EXPECT_NEAR(s.green[i], mixed(lit.green[i], 1.01F, 0.05F + 0.23F * glow), max) << i;

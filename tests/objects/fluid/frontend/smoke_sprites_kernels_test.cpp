@@ -30,9 +30,15 @@ void expectProjected(const FluidSnapshot& snapshot, const world::Camera& eye, co
   EXPECT_EQ(sprites.chanceB[i], lot(second));
   EXPECT_EQ(sprites.chanceC[i], lot(second >> 16U));
 
+  const float now = snapshot.age[i] + kLead;
+  const bool ember = sprites.chanceB[i] < 0.012F;
+  expectNear(sprites.ember[i], ember ? std::max(1e-4F, 1.0F - now / 1.8F) : 0.0F, "ember", i);
+  expectNear(sprites.age[i], now, "age", i);
   const world::Vec3 velocity{snapshot.velocityX[i], snapshot.velocityY[i], snapshot.velocityZ[i]};
-  const world::Vec3 way =
-      world::Vec3(snapshot.x[i], snapshot.y[i], snapshot.z[i]) + kLead * velocity - eye.pose.position;
+  const world::Vec3 way = world::Vec3(snapshot.x[i], snapshot.y[i], snapshot.z[i]) + kLead * velocity +
+                          (ember ? 0.7F * now * world::Vec3(sprites.chanceA[i] - 0.5F, 0.0F, sprites.chanceC[i] - 0.5F)
+                                 : world::Vec3(0.0F)) -
+                          eye.pose.position;
   const auto onScreen = [&](world::Vec3 v) {
     return world::Vec3(glm::dot(v, eye.pose.right()), -glm::dot(v, eye.pose.up()), glm::dot(v, eye.pose.forward()));
   };
@@ -43,18 +49,18 @@ void expectProjected(const FluidSnapshot& snapshot, const world::Camera& eye, co
   expectNear(sprites.y[i], 0.5F * static_cast<float>(eye.height) + eye.focal() * at.y / nearest, "y", i);
   expectNear(sprites.depth[i], at.z, "depth", i);
 
-  const float spent = (snapshot.age[i] + kLead) / snapshot.lifetime[i];
+  const float spent = now / snapshot.lifetime[i];
   const float t = saturate((snapshot.temperature[i] - 0.28F) / 0.3F);
   const float heat = t * t * (3.0F - 2.0F * t);
   const float spread = 0.6F + 0.8F * sprites.chanceA[i];
   const float smoke = (0.07F + 0.30F * std::sqrt(saturate(spent))) * spread;
   const float flame = (0.055F + 0.085F * saturate(4.0F * spent)) * spread;
-  const float size = smoke + (flame - smoke) * heat;
+  const float size = ember ? 0.01F : smoke + (flame - smoke) * heat;
+  const float near = 0.2F + (ember ? 1.0F : 1.2F * size);
   expectNear(sprites.life[i], saturate(spent), "life", i);
   expectNear(sprites.heat[i], heat, "heat", i);
   expectNear(sprites.radius[i], size, "radius", i);
-  expectNear(sprites.fade[i], spent < 1.0F ? saturate((at.z - eye.nearDepth - 0.1F) / (0.2F + 1.2F * size)) : 0.0F,
-             "fade", i);
+  expectNear(sprites.fade[i], spent < 1.0F ? saturate((at.z - eye.nearDepth - 0.1F) / near) : 0.0F, "fade", i);
   expectNear(sprites.axisX[i],
              0.11F * (speed.x - at.x / nearest * speed.z) + 0.25F * size * (sprites.chanceA[i] - 0.5F), "axisX", i);
   expectNear(sprites.axisY[i],
@@ -94,6 +100,7 @@ TEST(SmokeSpritesKernels, PlacementMatchesScalarOnEveryTarget) {
         expectProjected(*snapshot, camera(), sprites, i);
         expectShaped(camera(), sprites, 1.1F * kScale, i);
       }
+      EXPECT_TRUE(count < 333 || std::ranges::count(sprites.ember, 0.0F) < count) << "no ember";
     });
   }
 }

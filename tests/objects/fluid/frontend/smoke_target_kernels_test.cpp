@@ -10,42 +10,13 @@
 
 #include "each_target.h"
 #include "objects/fluid/frontend/smoke_scene.h"
-#include "objects/fluid/frontend/smoke_upsample_kernels.h"
+#include "objects/fluid/frontend/target_by_hand.h"
 
 namespace grove::objects::fluid::testing {
 namespace {
 
-constexpr int kWidth = SmokeBlock::kWidth;
 constexpr float kFarthest = 30.0F;
 constexpr float kNearest = 2.0F;
-
-/// A target's memory for a part of a frame.
-struct Target {
-  Target(const world::Rect& rect, int scale) {
-    pixels.rect = rect;
-    pixels.scale = scale;
-    pixels.blocksPerRow = (rect.width() + kWidth - 1) / kWidth;
-    const auto columns = static_cast<std::size_t>(pixels.blocksPerRow);
-    blocks.resize(columns * static_cast<std::size_t>(rect.height()));
-    spans.assign(columns, {rect.height(), 0});
-    const std::size_t wide = (columns + 2) * kWidth * static_cast<std::size_t>(scale);
-    for (std::vector<float>* room : {&low, &high, &line}) room->resize(wide);
-    wideRows.resize(kWideRows * 4 * wide);
-    jumps.resize(wide);
-    kept.resize(wide);
-    pixels.blocks = blocks.data();
-    pixels.spans = spans.data();
-  }
-
-  [[nodiscard]] SmokeBlock& block(int x, int y) const { return pixels.column(x / kWidth)[y]; }
-
-  SmokePixels pixels;
-  std::vector<SmokeBlock> blocks;
-  std::vector<SmokeSpan> spans;
-  std::vector<float> low, high, line, wideRows;
-  std::vector<std::int32_t> jumps;
-  std::vector<std::uint32_t> kept;
-};
 
 /// Ground with low steps, stones and sky: depths jump in some places and not in others.
 void placeDepths(Frame& frame) {
@@ -96,6 +67,7 @@ TEST(SmokeTargetKernels, DepthsMatchScalarOnEveryTarget) {
           const SmokeBlock& block = target.block(x, y);
           ASSERT_EQ(block.depth[x % kWidth], odd ? nearest : farthest) << x << ", " << y;
           ASSERT_EQ(block.red[x % kWidth] + block.green[x % kWidth] + block.blue[x % kWidth], 0.0F);
+          ASSERT_EQ(block.age[x % kWidth] + block.distance[x % kWidth], 0.0F);
           ASSERT_EQ(block.clear[x % kWidth], 1.0F);
         }
       }
@@ -127,6 +99,7 @@ SmokeSprites randomSprites(std::size_t count, const Case& c) {
     s.depth[i] = uniform(1.0F, 8.0F);
     s.softness[i] = uniform(0.1F, 0.4F);
     s.opacity[i] = uniform(0.1F, 0.9F);
+    s.age[i] = uniform(0.0F, 6.0F);
     s.red[i] = s.opacity[i] * uniform(0.0F, 1.0F);
     s.green[i] = s.opacity[i] * uniform(0.0F, 1.0F);
     s.blue[i] = s.opacity[i] * uniform(0.0F, 1.0F);
@@ -140,10 +113,10 @@ std::vector<std::uint32_t> backwards(std::size_t count) {
   return order;
 }
 
-/// What drawSprites() says of one pixel: red, green, blue, clear.
-std::array<double, 4> drawnPlainly(const SmokeSprites& s, const std::vector<std::uint32_t>& order, double x, double y,
+/// What drawSprites() says of one pixel: red, green, blue, age, distance, clear.
+std::array<double, 6> drawnPlainly(const SmokeSprites& s, const std::vector<std::uint32_t>& order, double x, double y,
                                    double depth) {
-  std::array<double, 4> pixel{0.0, 0.0, 0.0, 1.0};
+  std::array<double, 6> pixel{0.0, 0.0, 0.0, 0.0, 0.0, 1.0};
   for (const std::uint32_t i : order) {
     const double dx = x - static_cast<double>(s.x[i]);
     const double dy = y - static_cast<double>(s.y[i]);
@@ -154,9 +127,9 @@ std::array<double, 4> drawnPlainly(const SmokeSprites& s, const std::vector<std:
         std::clamp((depth - static_cast<double>(s.depth[i])) / static_cast<double>(s.softness[i]), 0.0, 1.0);
     const double weight = (1.0 - q) * (1.0 - q) * free;
     const double keep = 1.0 - weight * static_cast<double>(s.opacity[i]);
-    const std::array colours{s.red[i], s.green[i], s.blue[i]};
-    for (std::size_t c = 0; c < 3; ++c) pixel[c] = pixel[c] * keep + weight * static_cast<double>(colours[c]);
-    pixel[3] *= keep;
+    const std::array added{s.red[i], s.green[i], s.blue[i], s.opacity[i] * s.age[i], s.opacity[i] * s.depth[i]};
+    for (std::size_t c = 0; c < 5; ++c) pixel[c] = pixel[c] * keep + weight * static_cast<double>(added[c]);
+    pixel[5] *= keep;
   }
   return pixel;
 }
@@ -179,12 +152,13 @@ TEST(SmokeTargetKernels, EllipsesMatchScalarOnEveryTarget) {
           const int lane = x % kWidth;
           const auto expected = drawnPlainly(sprites, order, c.scale * (c.rect.left + x + 0.5),
                                              c.scale * (c.rect.top + y + 0.5), static_cast<double>(block.depth[lane]));
-          const std::array drawn{block.red[lane], block.green[lane], block.blue[lane], block.clear[lane]};
-          for (std::size_t channel = 0; channel < 4; ++channel) {
+          const std::array drawn{block.red[lane], block.green[lane],    block.blue[lane],
+                                 block.age[lane], block.distance[lane], block.clear[lane]};
+          for (std::size_t channel = 0; channel < drawn.size(); ++channel) {
             ASSERT_NEAR(static_cast<double>(drawn[channel]), expected[channel], 1e-4) << x << ", " << y;
           }
           const SmokeSpan& span = target.spans[static_cast<std::size_t>(x / kWidth)];
-          ASSERT_TRUE(expected[3] > 0.999 || (y >= span.begin && y < span.end)) << x << ", " << y;
+          ASSERT_TRUE(expected[5] > 0.999 || (y >= span.begin && y < span.end)) << x << ", " << y;
         }
       }
     });
