@@ -172,6 +172,13 @@ void BenchCommands::addView() {
       view->add_flag("--stand", options.stand, "Measure standing visitors where the walk begins, in a world at rest");
   addNumber(*view, "--visitors", options.visitors, 1, kMaxStandingVisitors, "With --stand: number of visitors")
       ->needs(stand);
+  CLI::Option* exact =
+      view->add_flag("--exact", options.exact, "Compare what a busy server shows with exact pictures, without fluids")
+          ->excludes(stand);
+  addNumber(*view, "--busy", options.shed.busyShare, 0.0, 1.0, "With --exact: share of busy workers")->needs(exact);
+  addNumber(*view, "--lines", options.shed.lines, 90, 1080, "With --exact: height of the server's pictures")
+      ->check(multipleOf(2))
+      ->needs(exact);
   view->add_flag("--json", options.json, "Print one JSON document");
 }
 

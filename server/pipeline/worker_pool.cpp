@@ -44,7 +44,7 @@ void WorkerPool::enqueue(std::function<void()> task, Place place) {
 }
 
 double WorkerPool::busyShare() const {
-  if (load_ == Load::kIgnored) return 0.0;
+  if (load_) return *load_;
   const std::lock_guard lock(mutex_);
   return busy_.at(wallSeconds());
 }

@@ -1,9 +1,9 @@
 #pragma once
 
 #include <condition_variable>
-#include <cstdint>
 #include <deque>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
@@ -23,14 +23,15 @@ class WorkerPool final : public Executor {
   /// the same worker may run what it posts at once.
   using IdleListener = std::function<void(bool idle)>;
 
-  enum class Load : std::uint8_t {
-    kIgnored,   ///< busyShare() stays 0, so pictures are as accurate as on a machine that has time
-    kMeasured,  ///< for visitors, who lose accuracy before they lose frames
-  };
+  /// What busyShare() returns: measured for visitors, who lose accuracy before they lose frames; fixed for comparisons
+  /// of pictures, 0 for those of a machine that has time.
+  using Load = std::optional<double>;
+  static constexpr Load kMeasured = std::nullopt;
+  static constexpr Load kIgnored = 0.0;
 
   /// Starts `threads` (at least one) threads named `name` in debuggers and `top -H`.
   explicit WorkerPool(int threads, const std::string& name = "grove-worker", IdleListener idleListener = {},
-                      Load load = Load::kIgnored);
+                      Load load = kIgnored);
 
   /// Runs the queued tasks, then joins.
   ~WorkerPool() override;

@@ -43,7 +43,7 @@ struct ServedScene {
   /// one leaves out.
   static stream::HostOptions patient(stream::HostOptions options) {
     options.deadlineSeconds = stream::HostOptions::kNoHurry;
-    options.load = pipeline::WorkerPool::Load::kIgnored;
+    options.load = pipeline::WorkerPool::kIgnored;
     return options;
   }
   static node::TransportFactory transportOfProgram() {

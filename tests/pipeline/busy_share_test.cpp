@@ -35,7 +35,7 @@ TEST(BusyShare, AlternatingWorkerIsHalfBusy) {
 }
 
 TEST(BusyShare, PoolEqualsItsThreads) {
-  WorkerPool pool(2, "pool", {}, WorkerPool::Load::kMeasured);
+  WorkerPool pool(2, "pool", {}, WorkerPool::kMeasured);
   EXPECT_EQ(pool.busyShare(), 0.0);
   const double least = 0.25;
   std::atomic<bool> enough = false;

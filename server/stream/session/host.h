@@ -43,7 +43,7 @@ struct HostOptions {
   /// Deadline for benches and tests, which wait rather than miss a result.
   static constexpr double kNoHurry = 60.0;
   /// Whether pictures lose accuracy while the workers are busy. Comparisons of pictures ignore the load.
-  pipeline::WorkerPool::Load load = pipeline::WorkerPool::Load::kMeasured;
+  pipeline::WorkerPool::Load load = pipeline::WorkerPool::kMeasured;
   int maxVisitors = 16;
   /// In a full world, a visitor who has been hidden for longer loses the place to a newcomer.
   double hiddenGraceSeconds = 12.0;

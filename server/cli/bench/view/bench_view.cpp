@@ -36,6 +36,21 @@ void measureInto(ViewReport& report, WalkWorld& world, const world::Walk& walk, 
   if (!stop.stop_requested()) report.bytes = measureViewMemory(world, walk, seconds, size, stop);
 }
 
+std::string jsonOf(const ViewReport& report, const BenchViewOptions& options) {
+  if (options.exact) return exactJson(report);
+  return options.stand ? standJson(report) : viewJson(report);
+}
+
+void printText(const ViewReport& report, const BenchViewOptions& options) {
+  if (options.exact) {
+    printExact(report);
+  } else if (options.stand) {
+    printStand(report);
+  } else {
+    printView(report);
+  }
+}
+
 }  // namespace
 
 int runBenchView(const BenchViewOptions& options) {
@@ -46,25 +61,30 @@ int runBenchView(const BenchViewOptions& options) {
   ViewReport report;
   report.walk = options.walk.value_or(kRoundWalkName);
   report.size = options.size;
+  report.shed = options.shed;
   const world::Scene scene = openScene(options.scene);
   const gl::ShaderLibrary shaders;
   gl::Workers gl(gl::ContextKind::kAuto, shaders);
   Progress progress;
   const node::ObjectTypes types = objects::builtinTypes();
+  const auto show = [&](std::string_view label, float share) { progress.show(label, share); };
   if (prepareWorld(scene, types.backends, progress, stop.token())) {
     const node::LoadedScene loaded = node::loadScene(scene, types.backends);
     if (!walk) walk = roundWalk(loaded.layout);
-    WalkWorld world(loaded, types, gl, [&](std::string_view label, float share) { progress.show(label, share); });
-    measureInto(report, world, *walk, options, progress, stop.token());
+    if (options.exact) {
+      report.exact =
+          measureExactQuality(scene, types, gl, *walk, options.seconds, options.size, options.shed, show, stop.token());
+    } else {
+      WalkWorld world(loaded, types, gl, show);
+      measureInto(report, world, *walk, options, progress, stop.token());
+    }
   }
   progress.finish();
   report.interrupted = stop.token().stop_requested();
   if (options.json) {
-    std::fputs((options.stand ? standJson(report) : viewJson(report)).c_str(), stdout);
-  } else if (options.stand) {
-    printStand(report);
+    std::fputs(jsonOf(report, options).c_str(), stdout);
   } else {
-    printView(report);
+    printText(report, options);
   }
   return 0;
 }

@@ -132,4 +132,27 @@ void printStand(const ViewReport& report) {
   if (report.interrupted) std::puts(kIncomplete);
 }
 
+std::string exactJson(const ViewReport& report) {
+  const Document document = {
+      {"walk", report.walk},
+      {"size", nameOf(report.size)},
+      {"busy_share", report.shed.busyShare},
+      {"lines", report.shed.lines},
+      {"psnr_db",
+       {{"mean", orNull(partOf(report.exact, &ExactQuality::meanDecibels), 2)},
+        {"worst", orNull(partOf(report.exact, &ExactQuality::worstDecibels), 2)}}},
+      {"interrupted", report.interrupted},
+  };
+  return document.dump(2) + "\n";
+}
+
+void printExact(const ViewReport& report) {
+  if (const auto& quality = report.exact) {
+    std::printf("%s, %d lines, %.0f %% of the workers busy, against exact pictures of %s:\n", report.walk.c_str(),
+                report.shed.lines, 100.0 * report.shed.busyShare, nameOf(report.size).c_str());
+    std::printf("PSNR %.2f dB, the worst frame %.2f dB\n", quality->meanDecibels, quality->worstDecibels);
+  }
+  if (report.interrupted) std::puts(kIncomplete);
+}
+
 }  // namespace grove::cli

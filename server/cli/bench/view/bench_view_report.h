@@ -5,6 +5,7 @@
 #include <string>
 
 #include "cli/bench/picture_size.h"
+#include "cli/bench/view/exact_quality.h"
 #include "cli/bench/view/stand_cost.h"
 #include "cli/bench/view/view_cost.h"
 #include "cli/bench/view/view_memory.h"
@@ -22,6 +23,8 @@ struct ViewReport {
   std::optional<ViewQuality> quality;
   std::optional<std::int64_t> bytes;  ///< touched by a frame
   std::optional<StandCost> standing;  ///< of standing visitors, instead of all above
+  Shed shed;
+  std::optional<ExactQuality> exact;  ///< of a busy server's pictures, instead of all above
   bool interrupted = false;
 };
 
@@ -33,5 +36,9 @@ void printView(const ViewReport& report);
 /// The same for standing visitors.
 [[nodiscard]] std::string standJson(const ViewReport& report);
 void printStand(const ViewReport& report);
+
+/// The same for the differences from exact pictures.
+[[nodiscard]] std::string exactJson(const ViewReport& report);
+void printExact(const ViewReport& report);
 
 }  // namespace grove::cli

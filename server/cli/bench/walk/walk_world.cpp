@@ -43,9 +43,9 @@ class Presence {
 }  // namespace
 
 WalkWorld::WalkWorld(node::LoadedScene scene, const node::ObjectTypes& types, gl::Workers& gl,
-                     const std::function<void(std::string_view, float)>& progress)
+                     const std::function<void(std::string_view, float)>& progress, double busyShare)
     : images_(memory_),
-      workers_(pipeline::coreCount(), "grove-worker"),
+      workers_(pipeline::coreCount(), "grove-worker", {}, busyShare),
       nodes_(std::move(scene), types.backends, gl, {workers_, timeline_, memory_, images_}, progress),
       players_(world::World::makePlayers(nodes_.layout())),
       instance_({.nodes = nodes_,

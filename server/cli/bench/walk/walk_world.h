@@ -41,9 +41,10 @@ enum class Pace : std::uint8_t {
 /// thread, not one of the executors'.
 class WalkWorld {
  public:
-  /// Prepares the world, which may take seconds; throws what backends throw. The types outlive this.
+  /// Prepares the world, which may take seconds; throws what backends throw. Pictures are as accurate as if `busyShare`
+  /// of the workers were busy. The types outlive this.
   WalkWorld(node::LoadedScene scene, const node::ObjectTypes& types, gl::Workers& gl,
-            const std::function<void(std::string_view, float)>& progress);
+            const std::function<void(std::string_view, float)>& progress, double busyShare = 0.0);
 
   /// Draws the frame of a moment.
   using Look = std::function<void(const Moment&)>;

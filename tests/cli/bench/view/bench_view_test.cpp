@@ -125,6 +125,22 @@ TEST(BenchView, ReportsMarginalCostOfStandingVisitors) {
   EXPECT_GT(report.at("bytes_per_visitor"), 320 * 180 * 4) << "a frame's own pixels, and more";
 }
 
+// Fault: pictures of a busy server are compared with themselves, or not enlarged.
+TEST(BenchView, ComparesWithExactPictures) {
+  const SmallScene scene;
+  const auto decibels = [&](const std::string& options) {
+    const Outcome outcome =
+        grove("bench view --exact --seconds 1 --size 320x180 --json --walk " GROVE_WALKS "/clearing.walk --scene " +
+                  scene.path() + options,
+              false);
+    EXPECT_EQ(outcome.exit, 0);
+    const auto report = nlohmann::json::parse(outcome.output);
+    EXPECT_LE(report.at("psnr_db").at("worst"), report.at("psnr_db").at("mean"));
+    return report.at("psnr_db").at("mean").get<double>();
+  };
+  EXPECT_GT(decibels(" --lines 180"), decibels(" --busy 1 --lines 90") + 1.0);
+}
+
 TEST(BenchView, ReportsAMissingWalkFirst) {
   const Outcome outcome = grove("bench view --walk no/such.walk --scene no/such/file.toml");
   EXPECT_EQ(outcome.exit, 1);

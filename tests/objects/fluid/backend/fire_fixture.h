@@ -92,7 +92,7 @@ class Fire : public ::testing::Test {
   raster::ImagePool images_;
   gl::ShaderLibrary shaders_;
   gl::Workers gl_{gl::ContextKind::kAuto, shaders_, 1};
-  pipeline::WorkerPool workers_{1, "workers", {}, pipeline::WorkerPool::Load::kMeasured};
+  pipeline::WorkerPool workers_{1, "workers", {}, pipeline::WorkerPool::kMeasured};
   FluidBackend backend_;
 };
 
