@@ -7,8 +7,9 @@ namespace {
 
 /// Share of all cores' time that first frames take in the long run.
 constexpr double kShare = 1.0 / 12.0;
-/// Seconds of one core that fit in the bucket; visitors in the world keep the other cores.
-constexpr double kBurst = 0.5;
+/// Seconds of one core that fit in the bucket, for the first frames of 16 newcomers; visitors in the world keep the
+/// other cores.
+constexpr double kBurst = 1.5;
 /// Maximum wait for the newcomer before, however slow the machine is.
 constexpr double kMaxRest = 1.0;
 constexpr double kMaxEntry = 2.0;
