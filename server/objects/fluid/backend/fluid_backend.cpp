@@ -140,10 +140,11 @@ class FluidBackend::Fire {
   /// need more CPU time than a core has. Waiting does not count, because it depends on other load. Slow motion on the
   /// scene's own grid can only be reported.
   void keepPace(std::int64_t cpuNanoseconds) {
-    if (!pace_.tooSlow(static_cast<double>(cpuNanoseconds) * 1.0e-9)) return;
+    const std::optional<double> slow = pace_.slowMean(static_cast<double>(cpuNanoseconds) * 1.0e-9);
+    if (!slow) return;
     const int now = simulation_.current().solver().layout().cells;
     if (now == settings_.grid) {
-      reportSlowMotion(cpuNanoseconds);
+      reportSlowMotion(*slow);
       return;
     }
     int step = maxQuality_;
@@ -153,14 +154,14 @@ class FluidBackend::Fire {
     log::info(name_ + ": " + std::to_string(now) + " cells per edge are too many for this machine");
   }
 
-  void reportSlowMotion(std::int64_t cpuNanoseconds) {
+  /// `seconds`: mean CPU time of a tick.
+  void reportSlowMotion(double seconds) {
     timeline_.count("fluid ticks in slow motion", Pace::kTicks);
     if (std::exchange(isSlow_, true)) return;
-    const auto milliseconds = [](double seconds) { return std::to_string(std::lround(1000.0 * seconds)) + " ms"; };
+    const auto milliseconds = [](double time) { return std::to_string(std::lround(1000.0 * time)) + " ms"; };
     log::warning(name_ + ": its smoke moves in slow motion: a tick on " + std::to_string(settings_.grid) +
-                 " cells takes " + milliseconds(static_cast<double>(cpuNanoseconds) * 1.0e-9) +
-                 " of a core and should take " + milliseconds(static_cast<double>(FluidSimulation::kTick)) +
-                 "; give it a smaller grid, or more threads");
+                 " cells takes " + milliseconds(seconds) + " of a core and should take at most " +
+                 milliseconds(static_cast<double>(FluidSimulation::kTick)) + "; give it a smaller grid");
   }
 
   /// Keeps bases for receivers of differences, as long as there are any. With mutex_ held.

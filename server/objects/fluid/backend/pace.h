@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 namespace grove::objects::fluid {
 
 /// Detects ticks that take longer than their period. Compares the mean of kTicks ticks, since a tick may wait for
@@ -9,13 +11,13 @@ class Pace {
   /// `period` in seconds.
   explicit Pace(double period) noexcept : max_(kShare * period) {}
 
-  /// Adds the time of one tick; returns true if the last kTicks together took too long.
-  [[nodiscard]] bool tooSlow(double seconds) noexcept {
+  /// Adds the time of one tick; after every kTicks, returns the mean of their times if it is too long.
+  [[nodiscard]] std::optional<double> slowMean(double seconds) noexcept {
     sum_ += seconds;
-    if (++ticks_ < kTicks) return false;
-    const bool slow = sum_ > max_ * kTicks;
+    if (++ticks_ < kTicks) return std::nullopt;
+    const double mean = sum_ / kTicks;
     restart();
-    return slow;
+    return mean > max_ ? std::optional(mean) : std::nullopt;
   }
   /// Call this when the cost of a tick changes.
   void restart() noexcept {
