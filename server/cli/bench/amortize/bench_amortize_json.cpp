@@ -5,6 +5,7 @@
 #include "cli/bench/codec_names.h"
 #include "cli/bench/link_report.h"
 #include "measure/processor.h"
+#include "stream/web_server/pages/reuse_json.h"
 
 namespace grove::cli {
 namespace {
@@ -40,15 +41,6 @@ Json memoryJson(const measure::MemoryShare& share) {
           {"beta", number(share.beta())}};
 }
 
-/// Names as in `/statistics.json`.
-Json reuseJson(const pipeline::Reuse& reuse) {
-  return {{"views_made", reuse.made},
-          {"views_of_one", reuse.usedByOne()},
-          {"views_of_several", reuse.shared},
-          {"uses_again", reuse.usesAgain},
-          {"uses_by_others", reuse.usesByOthers}};
-}
-
 Json typesJson(const AmortizeRow& row) {
   Json types = Json::object();
   for (const auto& [type, cost] : row.costs) types[type] = costJson(cost);
@@ -77,7 +69,7 @@ Json rowJson(const AmortizeRow& row) {
   json["memory"].update({{"told_bytes", std::llround(row.reportedBytes)},
                          {"resident_bytes", row.process.resident},
                          {"proportional_bytes", row.process.proportional}});
-  json["reuse"] = reuseJson(row.reuse);
+  json["reuse"] = stream::reuseJson(row.reuse);
   if (!row.privateWorlds) json["link"] = linkJson(row.traffic, row.seconds, row.users);
   json["types"] = typesJson(row);
   return json;

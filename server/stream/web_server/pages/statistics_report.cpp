@@ -8,6 +8,7 @@
 #include "measure/memory_use.h"
 #include "measure/pictures/quality_policy.h"
 #include "pipeline/executor.h"
+#include "stream/web_server/pages/reuse_json.h"
 
 namespace grove::stream {
 namespace {
@@ -57,15 +58,6 @@ Json costs(const measure::FrameCost& cost, const measure::MemoryShare& share) {
           {"per_visitor_mb", megabytes(share.perUserBackend + share.perUserFrontend)}};
 }
 
-/// Names as in `grove bench amortize --json`.
-Json reuse(const pipeline::Reuse& reuse) {
-  return {{"views_made", reuse.made},
-          {"views_of_one", reuse.usedByOne()},
-          {"views_of_several", reuse.shared},
-          {"uses_again", reuse.usesAgain},
-          {"uses_by_others", reuse.usesByOthers}};
-}
-
 /// Frames per second that count as the nominal rate.
 constexpr double kServedShare = 29.0 / 30.0;
 /// Share of the cores that this process uses at least where its visitors are too many. With less, smaller pictures are
@@ -94,7 +86,7 @@ Json amortization(const StatisticsSources& sources) {
                  {"visitors", measured->visitors},
                  {"frames_per_second", measured->framesPerSecond}};
   report.update(costs(measure::sum(measured->costs), measure::sum(measured->memory)));
-  report["reuse"] = reuse(measure::sum(measured->reuse));
+  report["reuse"] = reuseJson(measure::sum(measured->reuse));
   report.update(Json{{"cpu_cores", measured->cpuCores},
                      {"cores", cores},
                      {"other_ms", measure::unreportedCost(*measured)},
