@@ -71,6 +71,8 @@ constexpr std::size_t kMaxObjects = 4096;
 constexpr int kMaxNested = 16;
 constexpr std::uint64_t kMaxBytes = std::uint64_t{16} << 20U;
 constexpr double kMaxMetres = 1000.0;
+constexpr double kMinScale = 0.01;
+constexpr double kMaxScale = 100.0;
 
 std::string inQuotes(std::string_view text) { return std::string("'").append(text).append("'"); }
 
@@ -139,6 +141,29 @@ Vec3 Parameters::vector(std::string_view key, Vec3 fallback) const {
   return result;
 }
 
+std::vector<std::vector<double>> Parameters::rows(std::string_view key, std::size_t columns) const {
+  const toml::node* const node = table_->find(key);
+  if (node == nullptr) return {};
+  const toml::array* const array = node->as_array();
+  const auto refuse = [&](const toml::node* at) {
+    table_->fail(at, inQuotes(key) + " must be a list of lists of " + std::to_string(columns) + " numbers");
+  };
+  if (array == nullptr || array->empty()) refuse(node);
+  std::vector<std::vector<double>> rows;
+  for (const toml::node& element : *array) {
+    const toml::array* const numbers = element.as_array();
+    if (numbers == nullptr || numbers->size() != columns) refuse(&element);
+    std::vector<double> row;
+    for (const toml::node& number : *numbers) {
+      const auto value = numberIn(number);
+      if (!value || !std::isfinite(*value)) refuse(&element);
+      row.push_back(*value);
+    }
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
 std::filesystem::path Parameters::path(std::string_view key) const {
   const std::string given = text(key, "");
   return given.empty() ? std::filesystem::path() : table_->folder() / given;
@@ -163,8 +188,34 @@ ObjectDescription readObject(const Parameters& parameters) {
   if (object.type.empty()) parameters.fail("type", "'type' is missing");
   object.transform.position = parameters.vector("position", Vec3(0.0F));
   object.transform.yaw = glm::radians(static_cast<float>(parameters.number("yaw_degrees", 0.0, -360.0, 360.0)));
-  object.transform.scale = static_cast<float>(parameters.number("scale", 1.0, 0.01, 100.0));
+  object.transform.scale = static_cast<float>(parameters.number("scale", 1.0, kMinScale, kMaxScale));
   return object;
+}
+
+/// A row of `places`: x, z, yaw in degrees, scale.
+Transform placeOf(const Parameters& parameters, float y, const std::vector<double>& row) {
+  const auto within = [&](double value, double low, double high) {
+    if (!(value >= low && value <= high)) parameters.fail("places", "'places' has a number out of range");
+    return static_cast<float>(value);
+  };
+  Transform transform;
+  transform.position = Vec3(within(row[0], -kMaxMetres, kMaxMetres), y, within(row[1], -kMaxMetres, kMaxMetres));
+  transform.yaw = glm::radians(within(row[2], -360.0, 360.0));
+  transform.scale = within(row[3], kMinScale, kMaxScale);
+  return transform;
+}
+
+/// The object of a table, or its copies at the table's `places`, which are numbered.
+std::vector<ObjectDescription> readObjects(const Parameters& parameters) {
+  const auto rows = parameters.rows("places", 4);
+  const ObjectDescription object = readObject(parameters);
+  if (rows.empty()) return {object};
+  std::vector<ObjectDescription> copies(rows.size(), object);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    copies[i].name.append(" ").append(std::to_string(i + 1));
+    copies[i].transform = placeOf(parameters, object.transform.position.y, rows[i]);
+  }
+  return copies;
 }
 
 /// The tables of an array such as `[[object]]`, in the file's order.
@@ -230,7 +281,11 @@ Scene parseScene(std::string_view text, const std::string& fileName) {
   for (const toml::table* table : tablesOf(*root, "object")) {
     const auto name = (*table)["name"].value<std::string>();
     const std::string owner = name ? "object " + inQuotes(*name) + ": " : "object: ";
-    scene.objects.push_back(readObject(Parameters(root->inner(*table, owner))));
+    for (ObjectDescription& object : readObjects(Parameters(root->inner(*table, owner)))) {
+      if (scene.objects.size() == kMaxObjects)
+        root->fail(table, "more than " + std::to_string(kMaxObjects) + " objects");
+      scene.objects.push_back(std::move(object));
+    }
   }
   for (const toml::table* table : tablesOf(*root, "light")) {
     scene.lights.push_back(readLight(Parameters(root->inner(*table, "light: "))));

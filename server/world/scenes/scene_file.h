@@ -34,6 +34,8 @@ class Parameters {
   /// The value must be one of the choices; the first is the default.
   [[nodiscard]] std::string choice(std::string_view key, const std::vector<std::string>& choices) const;
   [[nodiscard]] Vec3 vector(std::string_view key, Vec3 fallback) const;
+  /// A list of lists of `columns` numbers each; empty if the key is missing.
+  [[nodiscard]] std::vector<std::vector<double>> rows(std::string_view key, std::size_t columns) const;
   /// A file, relative to the scene file's folder; empty if the key is missing.
   [[nodiscard]] std::filesystem::path path(std::string_view key) const;
 
@@ -50,7 +52,7 @@ class Parameters {
   std::shared_ptr<const Table> table_;
 };
 
-/// One `[[object]]` of a scene file.
+/// One `[[object]]` of a scene file, or one of its copies.
 struct ObjectDescription {
   std::string type;
   std::string name;

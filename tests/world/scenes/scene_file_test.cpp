@@ -67,6 +67,53 @@ height = 3.5
   EXPECT_NO_THROW(stone.parameters.finish());
 }
 
+// Fault: copies of an object share a place or a name, or lose its settings.
+TEST(SceneFile, CopiesAnObjectToItsPlaces) {
+  const Scene scene = parseScene(R"(
+[[object]]
+type = "mesh"
+name = "stone"
+position = [7, 0.5, 7]
+height = 3.5
+places = [
+  [1, 2, 90, 1.5],
+  [-3.5, 4, -30, 0.5],
+]
+)",
+                                 "test.toml");
+  ASSERT_EQ(scene.objects.size(), 2U);
+  EXPECT_EQ(scene.objects[0].name, "stone 1");
+  EXPECT_EQ(scene.objects[1].name, "stone 2");
+  EXPECT_EQ(scene.objects[0].transform.position, Vec3(1.0F, 0.5F, 2.0F));
+  EXPECT_EQ(scene.objects[1].transform.position, Vec3(-3.5F, 0.5F, 4.0F));
+  EXPECT_NEAR(scene.objects[0].transform.yaw, 1.5708F, 1e-3F);
+  EXPECT_FLOAT_EQ(scene.objects[1].transform.scale, 0.5F);
+  for (const ObjectDescription& object : scene.objects) {
+    EXPECT_DOUBLE_EQ(object.parameters.number("height", 0, 0, 10), 3.5);
+    EXPECT_NO_THROW(object.parameters.finish());
+  }
+}
+
+TEST(SceneFile, RefusesBadPlaces) {
+  const auto complaint = [](const std::string& places) {
+    return complaintAbout("[[object]]\ntype = 'mesh'\nplaces = " + places + "\n");
+  };
+  for (const char* const places :
+       {"3", "[]", "[1, 2, 3, 4]", "[[1, 2, 3]]", "[[1, 2, 3, 4, 5]]", "[[1, 2, 3, 'x']]", "[[1, 2, 3, inf]]"}) {
+    EXPECT_THAT(complaint(places),
+                AllOf(StartsWith("test.toml:3: "), HasSubstr("'places' must be a list of lists of 4 numbers")))
+        << places;
+  }
+  for (const char* const places : {"[[1001, 0, 0, 1]]", "[[0, -1001, 0, 1]]", "[[0, 0, 361, 1]]", "[[0, 0, 0, 0]]"}) {
+    EXPECT_THAT(complaint(places), AllOf(StartsWith("test.toml:3: "), HasSubstr("'places' has a number out of range")))
+        << places;
+  }
+  EXPECT_THAT(complaint("[\n[0, 0, 0, 1],\n[0, 0, 0],\n]"), StartsWith("test.toml:5: ")) << "the row's line";
+  std::string many;
+  for (int i = 0; i < 4097; ++i) many += "[0, 0, 0, 1],";
+  EXPECT_THAT(complaint("[" + many + "]"), HasSubstr("more than 4096 objects"));
+}
+
 TEST(SceneFile, ErrorsNameLineAndReason) {
   EXPECT_THAT(complaintAbout("name = \n"), StartsWith("test.toml:1: "));
   EXPECT_THAT(complaintAbout("\n\nnaem = 'x'\n"), AllOf(StartsWith("test.toml:3: "), HasSubstr("unknown key 'naem'")));
