@@ -11,6 +11,10 @@ constexpr float kPlayerRadius = 0.35F;
 constexpr float kStepSeconds = 1.0F / 60.0F;
 constexpr double kMaxSecondsAtOnce = 1.0;
 
+/// Metres before the world's end within which visitors are turned along it.
+constexpr float kSoftEnd = 4.0F;
+constexpr float kTurnedShare = 0.6F;  // of the speed that would lead out
+
 // Warm and cold lantern colours that contrast with each other and with the grass; 0x00BBGGRR.
 constexpr std::array<std::uint32_t, 8> kColours = {0x4FB4FF, 0xFFC46A, 0x7CE38B, 0xC98BFF,
                                                    0x6D6BFF, 0xF2F06B, 0xB0FFE2, 0xE8A0F5};
@@ -100,8 +104,23 @@ void Players::advance(Entry& entry, double now) const {
   }
 }
 
+Vec3 Players::turnedAlongTheEnd(Vec3 position, Vec3 velocity) const {
+  const Vec2 place(position.x, position.z);
+  const float distance = glm::length(place);
+  const float soft = std::min(kSoftEnd, 0.5F * radius_);
+  const float share = std::clamp((distance - radius_) / soft + 1.0F, 0.0F, 1.0F);
+  if (share == 0.0F) return velocity;
+  const Vec2 out = place / distance;
+  const Vec2 along(-out.y, out.x);
+  const Vec2 wanted(velocity.x, velocity.z);
+  const float removed = share * std::max(0.0F, glm::dot(wanted, out));
+  const float side = glm::dot(wanted, along) < 0.0F ? -1.0F : 1.0F;
+  const Vec2 turned = wanted - out * removed + along * (side * kTurnedShare * removed);
+  return {turned.x, velocity.y, turned.y};
+}
+
 void Players::step(Player& player, float seconds) const {
-  const Vec3 wanted = wantedVelocity(player.keys, player.pose.yaw);
+  const Vec3 wanted = turnedAlongTheEnd(player.pose.position, wantedVelocity(player.keys, player.pose.yaw));
   player.velocity += (wanted - player.velocity) * (1.0F - std::exp(-kAcceleration * seconds));
   if (glm::dot(player.velocity, player.velocity) < 1e-5F) player.velocity = Vec3(0.0F);
 

@@ -86,6 +86,9 @@ class Players {
   };
   void advance(Entry& entry, double now) const;
   void step(Player& player, float seconds) const;
+  /// Takes from a velocity what leads out of the world, the more the closer the end is, and turns part of it along the
+  /// end.
+  [[nodiscard]] Vec3 turnedAlongTheEnd(Vec3 position, Vec3 velocity) const;
 
   const Vec3 spawn_;
   const float spawnYaw_;

@@ -55,6 +55,29 @@ TEST(Players, StayOutsideOfStonesAndWithinTheWorld) {
   }
 }
 
+// Fault: visitors run into an invisible wall and stand still there.
+TEST(Players, AreTurnedAlongTheEndOfTheWorld) {
+  Players players(Vec3(0, 0, 0), 0.0F, 12.0F, {});
+  const PlayerId id = players.join("a", 0.0);
+  ASSERT_TRUE(players.apply(id, {1, kForward | kRun, 0.3F, 0.0F}, 0.0));
+  const auto at = [&](double seconds) { return players.find(id, seconds)->pose.position; };
+  float outward = 5.0F;
+  for (int i = 1; i <= 80; ++i) {
+    const Vec3 before = at((i - 1) * 0.1);
+    const Vec3 now = at(i * 0.1);
+    const float speed = 10.0F * (std::hypot(now.x, now.z) - std::hypot(before.x, before.z));
+    if (i > 10) {
+      EXPECT_GE(outward - speed, -0.05F) << "slows down, no faster again";
+      EXPECT_LE(outward - speed, 1.5F) << "not at once";
+    }
+    outward = speed;
+  }
+  EXPECT_LT(outward, 0.1F);
+  ASSERT_TRUE(players.apply(id, {2, kForward | kRun, 1.3F, 0.0F}, 8.0));
+  const Vec3 before = at(8.2);
+  EXPECT_GT(glm::distance(at(9.0), before), 3.0F) << "runs along the end";
+}
+
 TEST(Players, RefuseNonFiniteDirections) {
   Players players = inTheOpen();
   const PlayerId id = players.join("a", 0.0);
