@@ -8,9 +8,17 @@ namespace {
 
 constexpr float kHazeMetres = 280.0F;
 
+constexpr float kMostMist = 0.80F;
+constexpr float kMistBegins = 28.0F;       // metres
+constexpr float kMistIsThickest = 140.0F;  // metres
+
 }  // namespace
 
 float hazeAmount(float distance) noexcept { return 1.0F - std::exp(-distance / kHazeMetres); }
+
+float mistAmount(float distance) noexcept {
+  return kMostMist * glm::smoothstep(kMistBegins, kMistIsThickest, distance);
+}
 
 float toDisplay(float linear) noexcept {
   const float x = std::max(0.0F, linear) * 0.7F;

@@ -12,6 +12,11 @@ namespace grove::world {
 /// like toDisplay().
 [[nodiscard]] float hazeAmount(float distance) noexcept;
 
+/// The share of the ground's colour at this distance that mist replaces by haze, in addition to air: none nearby, most of
+/// it far away, so that a meadow has no visible end. It thins out with height, up to kMistTop metres.
+[[nodiscard]] float mistAmount(float distance) noexcept;
+inline constexpr float kMistTop = 10.0F;
+
 /// Filmic curve and sRGB encoding of one linear channel to 0..1. The curve is that of K. Narkowicz, "ACES Filmic Tone
 /// Mapping Curve" (2016), but linear in the shadows, where his is black: a grove is mostly shadow. Has a vectorised
 /// copy in raster/shading/vertex_light_kernels.cpp, whose test compares both.

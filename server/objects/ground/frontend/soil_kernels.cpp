@@ -30,10 +30,6 @@ constexpr Albedo kLush{0.105F, 0.172F, 0.045F};
 constexpr Albedo kDry{0.215F, 0.208F, 0.076F};
 constexpr Albedo kEarth{0.250F, 0.165F, 0.100F};
 
-/// Mist covers the far meadow, so that it has no visible end: none up to kMistBegins, and most of it at kFarthest.
-constexpr float kMistBegins = 28.0F;
-constexpr float kMist = 0.80F;
-
 /// Nodes where the parabola meets the tone curve: square roots of albedo relative to the soil's, from shaded stalks to
 /// lit tips.
 constexpr float kDark = 0.40F;
@@ -51,7 +47,6 @@ struct SoilRow {
 
 SoilRow soilRowOf(const Frame& frame, const Row& row, int firstColumn, const GroundLight& light) {
   const world::Vec3 sun = light.sun;
-  const float far = std::clamp((row.depth - kMistBegins) / (kFarthest - kMistBegins), 0.0F, 1.0F);
   return {.x = frame.eyeX + row.depth * row.ahead * frame.forwardX,
           .z = frame.eyeZ + row.depth * row.ahead * frame.forwardZ,
           .sideX = frame.sideX * row.depth,
@@ -62,7 +57,7 @@ SoilRow soilRowOf(const Frame& frame, const Row& row, int firstColumn, const Gro
           .towardsSide = sun.x * frame.sideX + sun.z * frame.sideZ,
           .inverseSunFlat = 1.0F / std::sqrt(sun.x * sun.x + sun.z * sun.z),
           .lengthSquare = row.ahead * row.ahead + row.rise * row.rise,
-          .clear = 1.0F - kMist * far * far * (3.0F - 2.0F * far),
+          .clear = 1.0F - world::mistAmount(row.depth),
           .logTransmittance = light.logTransmittance * row.depth};
 }
 

@@ -24,7 +24,7 @@ class ReprojectedLayer final : public node::Layer {
         fade_(std::move(fade)),
         isFinal_(isFinal),
         camera_(objectCamera(view.camera, object.object.transform)),
-        haze_(hazeBefore(object.object.bounds, sky, view.camera)),
+        haze_(object.object.bounds, sky, view.camera),
         light_(chooseLamps(view.lights, object.object.bounds, glm::inverse(object.object.transform.matrix())),
                camera_) {}
 
@@ -56,7 +56,7 @@ class ReprojectedLayer final : public node::Layer {
   const CrossFade fade_;
   const bool isFinal_;
   const ObjectCamera camera_;
-  const Haze haze_;
+  const LayeredHaze haze_;
   const LampLight light_;
 };
 

@@ -101,8 +101,7 @@ world::Vec3 shownAt(const Scene& scene, int level, float side, float root) {
   const float shade = open * open * (1.0F - 0.15F * cover);
   const world::Vec3 blades = glm::mix(world::Vec3(0.105F, 0.172F, 0.045F), world::Vec3(0.215F, 0.208F, 0.076F), dry);
   const world::Vec3 albedo = glm::mix(world::Vec3(0.250F, 0.165F, 0.100F), blades, cover);
-  const float far = std::clamp((row.depth - 28.0F) / (kFarthest - 28.0F), 0.0F, 1.0F);
-  const float mist = 0.80F * far * far * (3.0F - 2.0F * far);
+  const float mist = world::mistAmount(row.depth);
   const float through = (1.0F - mist) * std::exp(light.logTransmittance * row.depth * length);
   const world::Vec3 radiance = through * albedo * (light.sunColour * direct + light.ambient * shade + lamps);
   const float glow = (0.36F * c4 + 0.30F * c16) / 0.66F;

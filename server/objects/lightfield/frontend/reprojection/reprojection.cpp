@@ -125,7 +125,7 @@ class Strip {
 
 }  // namespace
 
-void reproject(const CachedView& view, const ObjectCamera& camera, const Haze& haze, const world::Rect& rect,
+void reproject(const CachedView& view, const ObjectCamera& camera, const LayeredHaze& haze, const world::Rect& rect,
                const LayTile& lay, const HidesTile& hides) {
   if (rect.empty() || view.empty()) return;
   const ViewWarp warp(view, camera);
@@ -142,7 +142,7 @@ void reproject(const CachedView& view, const ObjectCamera& camera, const Haze& h
         const world::Rect part{left, top, std::min(left + kTileWidth, rect.right),
                                std::min(top + kTileHeight, rect.bottom)};
         if (hides(part, minDepth(warp, reach, part))) continue;
-        if (warpTile(view, warp, haze, reach, left, top, tile)) lay(part, tile);
+        if (warpTile(view, warp, haze.at(top, kTileHeight), reach, left, top, tile)) lay(part, tile);
       }
     }
   }

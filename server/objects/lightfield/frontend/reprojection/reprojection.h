@@ -3,7 +3,7 @@
 #include <functional>
 
 #include "objects/lightfield/common/cached_view.h"
-#include "objects/lightfield/common/haze.h"
+#include "objects/lightfield/frontend/reprojection/layered_haze.h"
 #include "objects/lightfield/frontend/reprojection/reprojection_tile.h"
 #include "world/camera.h"
 
@@ -22,7 +22,7 @@ using HidesTile = std::function<bool(const world::Rect& part, float depth)>;
 /// Follows each pixel's ray through the picture, along which it moves by a few texels at most, to the nearest texel on
 /// it. A ray that passes behind an edge without a hit takes the farthest texel that it passed: the surface behind the
 /// edge continues. Vectorised. Any thread.
-void reproject(const CachedView& view, const ObjectCamera& camera, const Haze& haze, const world::Rect& rect,
+void reproject(const CachedView& view, const ObjectCamera& camera, const LayeredHaze& haze, const world::Rect& rect,
                const LayTile& lay, const HidesTile& hides);
 
 }  // namespace grove::objects::lightfield

@@ -13,7 +13,7 @@
 #include <cstdint>
 
 #include "base/simd/channels_inl.h"
-#include "objects/lightfield/common/haze.h"
+#include "objects/lightfield/frontend/reprojection/layered_haze.h"
 #include "objects/lightfield/frontend/reprojection/texels_inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -104,10 +104,19 @@ HWY_INLINE Mask shadePixels(const Texels& texels, const std::uint32_t* colour, c
 }
 
 /// Bilinear colour through haze, and depth. Returns false if no pixel is covered.
-HWY_INLINE bool shade(const Texels& texels, const std::uint32_t* colour, const Haze& haze, WarpTile& tile) {
-  const Air air(haze);
+HWY_INLINE bool shade(const Texels& texels, const std::uint32_t* colour, const TileHaze& haze, WarpTile& tile) {
+  static_assert(kTileWidth % kLanes == 0);
+  Haze ofRow = haze.first;
+  Air air(ofRow);
   Mask shows;
-  for (int i = 0; i < kTilePixels; i += kLanes) shows |= shadePixels(texels, colour, air, tile, i);
+  for (int row = 0; row < kTileHeight; ++row) {
+    for (int i = 0; i < kTileWidth; i += kLanes) {
+      shows |= shadePixels(texels, colour, air, tile, row * kTileWidth + i);
+    }
+    if (haze.perRow == 0.0F) continue;
+    ofRow.amount += haze.perRow;
+    air = Air(ofRow);
+  }
   return any(shows);
 }
 

@@ -105,7 +105,7 @@ HWY_INLINE void searchTile(const Texels& texels, const Reach& reach, WarpTile& t
   }
 }
 
-bool warpTile(const CachedView& view, const ViewWarp& warp, const Haze& haze, const Reach& reach, int left, int top,
+bool warpTile(const CachedView& view, const ViewWarp& warp, const TileHaze& haze, const Reach& reach, int left, int top,
               WarpTile& tile) {
   beginTile(warp, left, top, tile);
   const Texels texels(view, warp);
@@ -122,7 +122,7 @@ namespace grove::objects::lightfield {
 
 HWY_EXPORT(warpTile);
 
-bool warpTile(const CachedView& view, const ViewWarp& warp, const Haze& haze, const Reach& reach, int left, int top,
+bool warpTile(const CachedView& view, const ViewWarp& warp, const TileHaze& haze, const Reach& reach, int left, int top,
               WarpTile& tile) {
   return HWY_DYNAMIC_DISPATCH(warpTile)(view, warp, haze, reach, left, top, tile);
 }

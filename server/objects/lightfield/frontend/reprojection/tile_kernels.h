@@ -1,7 +1,7 @@
 #pragma once
 
 #include "objects/lightfield/common/cached_view.h"
-#include "objects/lightfield/common/haze.h"
+#include "objects/lightfield/frontend/reprojection/layered_haze.h"
 #include "objects/lightfield/frontend/reprojection/reprojection_tile.h"
 
 namespace grove::objects::lightfield {
@@ -16,7 +16,7 @@ struct Reach {
 
 /// Fills the tile whose first pixel is (left, top): finds the texels that its rays hit within `reach`, and sets
 /// bilinear colour through haze, and depth. Returns false if no pixel is covered.
-[[nodiscard]] bool warpTile(const CachedView& view, const ViewWarp& warp, const Haze& haze, const Reach& reach,
+[[nodiscard]] bool warpTile(const CachedView& view, const ViewWarp& warp, const TileHaze& haze, const Reach& reach,
                             int left, int top, WarpTile& tile);
 
 }  // namespace grove::objects::lightfield

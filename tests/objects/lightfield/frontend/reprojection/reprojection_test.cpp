@@ -65,11 +65,11 @@ TEST(Reprojection, NoPixelIsNearerThanItsBound) {
     said = depth;
     return false;
   };
-  reproject(cached.view, camera, {}, rect, lay, hides);
+  reproject(cached.view, camera, Haze{}, rect, lay, hides);
   EXPECT_GT(parts, 100);
   EXPECT_GT(close, parts * 3 / 4);
   reproject(
-      cached.view, camera, {}, rect, [](const auto&, const auto&) { ADD_FAILURE(); },
+      cached.view, camera, Haze{}, rect, [](const auto&, const auto&) { ADD_FAILURE(); },
       [](const world::Rect&, float) { return true; });
 }
 

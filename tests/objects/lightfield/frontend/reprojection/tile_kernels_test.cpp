@@ -151,7 +151,7 @@ class PlainWarp {
 /// 256ths and a thousandth of depth; one pixel in a hundred may fall on another side of an edge.
 TEST(TileKernels, MatchesScalarOnEveryTarget) {
   const CachedView view(*cards(), cardsCamera());
-  const Haze haze{{0.2F, 0.5F, 0.9F}, 0.35F};
+  const TileHaze haze{{{0.2F, 0.5F, 0.9F}, 0.35F}, 0.04F};
   // Straight on, aside, turned to and fro about the axis, and far away.
   std::array<ObjectCamera, 6> cameras;
   cameras.fill(cardsCamera());
@@ -168,7 +168,6 @@ TEST(TileKernels, MatchesScalarOnEveryTarget) {
       const ViewWarp warp(view, camera);
       for (const float texelsPerNearness : {0.5F, 8.0F, 40.0F, 1.0e4F}) {
         const Reach reach{view.range(), texelsPerNearness};
-        const PlainWarp plain(view, warp, haze, reach);
         int different = 0;
         int shown = 0;
         WarpTile tile;
@@ -177,7 +176,10 @@ TEST(TileKernels, MatchesScalarOnEveryTarget) {
             const bool shows = warpTile(view, warp, haze, reach, left, top, tile);
             const int before = shown;
             for (int i = 0; i < kTilePixels; ++i) {
-              const Pixel expected = plain.pixel(left + i % kTileWidth, top + i / kTileWidth);
+              Haze ofRow = haze.first;
+              ofRow.amount += static_cast<float>(i / kTileWidth) * haze.perRow;
+              const Pixel expected =
+                  PlainWarp(view, warp, ofRow, reach).pixel(left + i % kTileWidth, top + i / kTileWidth);
               bool differs = std::abs(tile.depth[i] - expected.depth) > 0.001F * expected.depth;
               for (std::size_t c = 0; c < 4; ++c) {
                 differs |= std::abs(static_cast<float>(tile.colour[i] >> (8U * c) & 255U) - expected.colour[c]) > 2.0F;
