@@ -25,6 +25,10 @@ constexpr float kStoneMargin = 0.13F;   // metres
 constexpr float kTallestSolid = 12.0F;  // metres
 constexpr int kCell = 4;                // texels between probes of sun and sky
 
+// Where nobody comes near.
+constexpr int kCoarseSkyRays = 6;  // per cell near solids
+constexpr float kMinCoarseSky = 0.7F;
+
 // Foliage below this height covers the ground.
 constexpr float kLowFoliage = 0.7F;   // metres
 constexpr int kCoverRays = 16;        // per cell near objects
@@ -117,10 +121,15 @@ class Baker {
     for (int x = 0; x < cells_; ++x) {
       const Vec3 point = place(static_cast<float>(x) + 0.5F, static_cast<float>(row) + 0.5F, cells_);
       const bool isNear = near_.at(x, row) == 0.0F;
+      if (!isDetailed(point)) {
+        sun_.set(x, row, sunAlong(point, towardsSun_));
+        if (isNear) sky_.set(x, row, openness(point, kCoarseSkyRays));
+        continue;
+      }
       const Vec3 lit = isNear ? aboveSoil(point) : point;
       sun_.set(x, row, sunAlong(lit, towardsSun_));
       if (!isNear) continue;
-      sky_.set(x, row, openness(lit));
+      sky_.set(x, row, openness(lit, kSkyRays));
       cover_.set(x, row, cover(point));
     }
   }
@@ -130,17 +139,20 @@ class Baker {
     const float cellX = (static_cast<float>(x) + 0.5F) * scale;
     const float cellY = (static_cast<float>(y) + 0.5F) * scale;
     const Vec3 point = place(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F, options_.size);
+    const float open = sky_.smooth(cellX, cellY);
+    if (!isDetailed(point)) return ground(point, sun_.smooth(cellX, cellY), std::max(kMinCoarseSky, open), 1.0F);
     const float hidden = cover_.smooth(cellX, cellY);
     const float cover = glm::smoothstep(kEdgeCover, kWholeCover, hidden);
     const bool isNear = near_.at(static_cast<int>(cellX), static_cast<int>(cellY)) == 0.0F;
     const Vec3 lit = isNear ? aboveSoil(point) : point;
-    return ground(point, sunlight(lit, cellX, cellY), std::max(kMinSky, sky_.smooth(cellX, cellY)),
-                  glm::mix(1.0F, kGrassUnderCover, cover));
+    return ground(point, sunlight(lit, cellX, cellY), std::max(kMinSky, open), glm::mix(1.0F, kGrassUnderCover, cover));
   }
 
   [[nodiscard]] int cells() const noexcept { return cells_; }
 
  private:
+  [[nodiscard]] bool isDetailed(Vec3 point) const { return glm::length(Vec2(point.x, point.z)) <= options_.detailed; }
+
   [[nodiscard]] Vec3 place(float x, float y, int size) const {
     const float step = options_.metres / static_cast<float>(size);
     return {x * step - 0.5F * options_.metres, kStart, y * step - 0.5F * options_.metres};
@@ -170,11 +182,11 @@ class Baker {
     return isUnderSoil ? Vec3(point.x, kSoilTop, point.z) : point;
   }
 
-  [[nodiscard]] float openness(Vec3 point) const {
+  [[nodiscard]] float openness(Vec3 point, int rays) const {
     int free = 0;
-    for (int ray = 0; ray < kSkyRays; ++ray)
-      free += rays_.occluded(point, towardsSky(ray), 0.0F, kTallestSolid) ? 0 : 1;
-    return static_cast<float>(free) / kSkyRays;
+    for (int ray = 0; ray < rays; ++ray)
+      free += rays_.occluded(point, towardsSky(ray * kSkyRays / rays), 0.0F, kTallestSolid) ? 0 : 1;
+    return static_cast<float>(free) / static_cast<float>(rays);
   }
 
   /// Share of the ground around a point that low foliage hides from above.

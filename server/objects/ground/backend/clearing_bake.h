@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 
 #include "objects/ground/common/clearing.h"
 #include "world/geometry.h"
@@ -14,6 +15,8 @@ struct ClearingOptions {
   float hearth = 2.6F;                    ///< radius of the trodden earth around the fire at the origin, metres
   world::Vec3 pathTo{0.0F, 0.0F, 10.0F};  ///< a worn path leads from the fire through this point
   int seed = 1;
+  /// Metres from the origin up to which the ground is baked in detail; beyond, nobody comes near it.
+  float detailed = std::numeric_limits<float>::infinity();
 };
 
 /// The objects on the ground. All members outlive the bake.

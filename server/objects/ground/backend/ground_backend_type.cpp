@@ -23,9 +23,13 @@ class GroundModel final : public world::Model {
   const ClearingOptions options_;
 };
 
+/// Metres beyond the visitors' reach within which they see the ground's detail.
+constexpr float kSeenFromNear = 4.0F;
+
 GroundMaps bake(const node::BackendServices& services, const GroundModel& model, MapSizes sizes) {
   ClearingOptions options = model.options();
   options.size = sizes.clearing;
+  options.detailed = services.scene.layout.radius + kSeenFromNear;
   const auto progress = [&](float share) { services.progress("lighting the ground", share); };
   const world::WorldGeometry& geometry = services.geometry;
   const Standing standing{geometry.shades(), geometry.rays(), geometry.solids()};

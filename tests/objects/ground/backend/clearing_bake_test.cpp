@@ -74,6 +74,31 @@ TEST_F(ClearingBake, NoGrassGrowsAtTheFire) {
   EXPECT_GT(soilAt(clearing, {-10.0F, 0.0F, -10.0F}).grass, 0.3F);
 }
 
+// Fault: ground that nobody comes near has no shadows, or other light than ground nearby.
+TEST_F(ClearingBake, LightIsSimilarWhereNobodyComesNear) {
+  ClearingOptions coarse = options;
+  coarse.detailed = 1.0F;
+  const Clearing far = bakeClearing(coarse, world::Sky().sun, {solids, rays, rays}, [](float) {});
+  double sun = 0.0;
+  double sky = 0.0;
+  double grass = 0.0;
+  int points = 0;
+  for (float x = -15.0F; x <= 15.0F; x += 0.5F) {
+    for (float z = -15.0F; z <= 15.0F; z += 0.5F) {
+      const Soil fine = soilAt(clearing, {x, 0.0F, z});
+      const Soil rough = soilAt(far, {x, 0.0F, z});
+      sun += static_cast<double>(std::abs(fine.sun - rough.sun));
+      sky += static_cast<double>(std::abs(fine.sky - rough.sky));
+      ++points;
+      grass += static_cast<double>(std::abs(fine.grass - rough.grass));
+    }
+  }
+  EXPECT_LT(sun / points, 0.02);
+  EXPECT_LT(sky / points, 0.02);
+  EXPECT_LT(grass / points, 0.02);
+  EXPECT_LT(soilAt(far, stone - sunward * 4.0F).sun, 0.1F);
+}
+
 /// A square of 4 m, level, around a point of the ground.
 world::Triangles roof(world::Vec3 place, float height) {
   world::Triangles leaves;
