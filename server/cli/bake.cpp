@@ -73,6 +73,7 @@ int runBake(const BakeCommand& command) {
   const StopOnSignal signals;
   bake::BakeOptions options = command.options;
   options.tile = command.plant && models::isTile(*command.plant);
+  options.group = command.plant && models::isGroup(*command.plant);
   const models::Model model = command.model
                                   ? models::importGltf(*command.model)
                                   : models::makePlant(*command.plant, command.seed,

@@ -31,6 +31,8 @@ std::string complaintAbout(const std::string& text) {
 /// plants are of one kind.
 std::string coarseBuiltInScene() {
   std::string text(embedded::scenes().front().text());
+  const std::string ofForest = "size = 512\nsubdivision = 6\n";
+  for (std::size_t at = 0; (at = text.find(ofForest, at)) != std::string::npos;) text.erase(at, ofForest.size());
   std::string coarse;
   for (std::size_t from = 0;;) {
     const std::size_t plant = text.find("plant = ", from);

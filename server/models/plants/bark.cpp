@@ -72,6 +72,18 @@ BarkLook spruceBark(const BarkPlace& place) {
   return {colour, old * 0.07F * place.radius * (scales - 0.5F) + (place.radius > 0.1F ? rootFlare(place, 5) : 0.0F)};
 }
 
+BarkLook pineBark(const BarkPlace& place) {
+  const float old = oldness(place);
+  const float plates = ridges(place, 0.06F, 0.11F);
+  // Grey plates at the foot, thin orange bark above.
+  const float high = glm::smoothstep(1.2F, 4.2F, place.position.y + 1.2F * (blotches(place, 0.5F) - 0.5F));
+  const Vec3 foot = Vec3(0.62F, 0.50F, 0.44F) * (0.45F + 0.8F * plates);
+  const Vec3 above = glm::mix(Vec3(1.25F, 0.66F, 0.36F), Vec3(1.05F, 0.52F, 0.26F), blotches(place, 0.12F));
+  const Vec3 colour = glm::mix(foot, above * (0.8F + 0.3F * plates), high) * glm::mix(0.7F, 1.0F, old);
+  const float relief = old * glm::mix(0.10F, 0.02F, high) * place.radius * (plates - 0.5F);
+  return {colour, relief + (place.radius > 0.1F ? 0.7F * rootFlare(place, 5) : 0.0F)};
+}
+
 BarkLook stalkBark(const BarkPlace& place) { return {Vec3(0.8F + 0.4F * blotches(place, 0.05F)), 0.0F}; }
 
 }  // namespace grove::models

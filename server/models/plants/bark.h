@@ -8,6 +8,7 @@ namespace grove::models {
 [[nodiscard]] BarkLook oakBark(const BarkPlace& place);
 [[nodiscard]] BarkLook birchBark(const BarkPlace& place);
 [[nodiscard]] BarkLook spruceBark(const BarkPlace& place);
+[[nodiscard]] BarkLook pineBark(const BarkPlace& place);
 [[nodiscard]] BarkLook stalkBark(const BarkPlace& place);
 
 /// Factor by which a trunk of this radius widens close above the ground, with protruding roots.

@@ -30,14 +30,27 @@ Limb::Point curve(const std::vector<Limb::Point>& points, float at) {
 /// Radius in metres of limbs whose bark is seen even in small detail.
 constexpr float kThick = 0.04F;
 
+/// Radius in metres of the thinnest limbs that are seen from a distance.
+constexpr float kThinnest = 0.016F;
+
+float spacingOf(float radius, Detail detail) {
+  switch (detail) {
+    case Detail::kFull:
+      return radius > 0.02F ? 0.012F : 0.05F;
+    case Detail::kSmall:
+      return radius > kThick ? 0.05F : 0.12F;
+    case Detail::kDistant:
+      return 0.35F;
+  }
+  return 0.0F;
+}
+
 /// Resamples the curve with the detail's spacing.
 std::vector<Limb::Point> resample(const std::vector<Limb::Point>& points, Detail detail) {
   std::vector<Limb::Point> fine{points.front()};
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {
     const float length = glm::distance(points[i].position, points[i + 1].position);
-    const float radius = points[i].radius;
-    const float spacing =
-        detail == Detail::kFull ? (radius > 0.02F ? 0.012F : 0.05F) : (radius > kThick ? 0.05F : 0.12F);
+    const float spacing = spacingOf(points[i].radius, detail);
     const int pieces = std::max(1, static_cast<int>(std::lround(length / spacing)));
     for (int piece = 1; piece <= pieces; ++piece) {
       fine.push_back(curve(points, static_cast<float>(i) + static_cast<float>(piece) / static_cast<float>(pieces)));
@@ -48,6 +61,7 @@ std::vector<Limb::Point> resample(const std::vector<Limb::Point>& points, Detail
 
 int sidesFor(float radius, Detail detail) {
   if (detail == Detail::kFull) return std::clamp(static_cast<int>(kTurn * radius / 0.008F), 5, 240);
+  if (detail == Detail::kDistant) return radius > kThick ? 6 : 3;
   return std::clamp(static_cast<int>(kTurn * radius / (radius > kThick ? 0.025F : 0.05F)), 3, 80);
 }
 
@@ -80,6 +94,7 @@ Limb grow(const Growth& growth, Random& random) {
 }
 
 void drawLimb(MeshWriter& mesh, const Limb& limb, Bark bark, std::uint16_t material, Detail detail) {
+  if (detail == Detail::kDistant && limb.points.front().radius < kThinnest) return;
   const std::vector<Limb::Point> points = resample(limb.points, detail);
   const int sides = sidesFor(points.front().radius, detail);
   Vec3 direction = unitOr(points[1].position - points[0].position, Vec3(0, 1, 0));

@@ -50,7 +50,7 @@ struct BarkLook {
 };
 using Bark = BarkLook (*)(const BarkPlace&);
 
-/// Draws a limb as a closed surface.
+/// Draws a limb as a closed surface. Distant detail has no twigs.
 void drawLimb(MeshWriter& mesh, const Limb& limb, Bark bark, std::uint16_t material, Detail detail);
 
 }  // namespace grove::models

@@ -65,6 +65,22 @@ void MeshWriter::repeatTurned(Mark from, Mark to, float radians) {
   }
 }
 
+void MeshWriter::add(const Model& other, const Placement& placement, std::uint16_t firstMaterial) {
+  const float cosine = std::cos(placement.radians);
+  const float sine = std::sin(placement.radians);
+  const auto turn = [=](Vec3 v) { return Vec3(cosine * v.x + sine * v.z, v.y, cosine * v.z - sine * v.x); };
+  const auto first = static_cast<std::uint32_t>(model_.triangles.positions.size());
+  for (std::size_t i = 0; i < other.triangles.positions.size(); ++i) {
+    vertex(placement.position + placement.scale * turn(other.triangles.positions[i]),
+           other.colours[i] * placement.tint);
+    model_.normals.push_back(turn(other.normals[i]));
+  }
+  for (std::size_t i = 0; i < other.triangles.indices.size(); ++i) {
+    const auto [a, b, c] = other.triangles.indices[i];
+    triangle(a + first, b + first, c + first, static_cast<std::uint16_t>(firstMaterial + other.materialOf[i]));
+  }
+}
+
 Vec3 unitOr(Vec3 v, Vec3 otherwise) noexcept {
   const float length = glm::length(v);
   return length > 1.0e-20F ? v / length : otherwise;

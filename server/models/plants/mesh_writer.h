@@ -31,6 +31,16 @@ class MeshWriter {
   /// Repeats everything since the mark, rotated about the Y axis by radians counter-clockwise seen from above.
   void repeatTurned(Mark from, Mark to, float radians);
 
+  /// Where to put a copy of another model: scaled, rotated about the Y axis, moved.
+  struct Placement {
+    world::Vec3 position{0.0F};
+    float radians = 0.0F;
+    float scale = 1.0F;
+    world::Vec3 tint{1.0F};  ///< factor on colours
+  };
+  /// Adds a copy of a model without textures, whose materials this model has from `firstMaterial` on.
+  void add(const Model& other, const Placement& placement, std::uint16_t firstMaterial);
+
   [[nodiscard]] const Model& model() const noexcept { return model_; }
 
  private:

@@ -8,23 +8,28 @@
 #include "models/plants/mesh_writer.h"
 #include "models/plants/random.h"
 #include "models/plants/tile.h"
-#include "models/plants/trees.h"
+#include "models/plants/trees/copse.h"
+#include "models/plants/trees/trees.h"
 
 namespace grove::models {
 namespace {
 
+enum class Form { kTree, kGroup, kTile };
+
 struct Plant {
   std::string_view name;
-  bool tile = false;
+  Form form = Form::kTree;
   void (*grow)(MeshWriter&, Random&, Detail) = nullptr;
 };
 
-constexpr std::array<Plant, 6> kPlants{{{"oak", false, growOak},
-                                        {"birch", false, growBirch},
-                                        {"spruce", false, growSpruce},
-                                        {"meadow", true, growMeadow},
-                                        {"flowers", true, growFlowers},
-                                        {"fern", true, growFern}}};
+constexpr std::array<Plant, 8> kPlants{{{"oak", Form::kTree, growOak},
+                                        {"birch", Form::kTree, growBirch},
+                                        {"spruce", Form::kTree, growSpruce},
+                                        {"pine", Form::kTree, growPine},
+                                        {"copse", Form::kGroup, growCopse},
+                                        {"meadow", Form::kTile, growMeadow},
+                                        {"flowers", Form::kTile, growFlowers},
+                                        {"fern", Form::kTile, growFern}}};
 
 constexpr auto kNames = [] {
   std::array<std::string_view, kPlants.size()> names;
@@ -43,7 +48,9 @@ const Plant& plantNamed(std::string_view name) {
 
 std::span<const std::string_view> plantNames() { return kNames; }
 
-bool isTile(std::string_view name) { return plantNamed(name).tile; }
+bool isTile(std::string_view name) { return plantNamed(name).form == Form::kTile; }
+
+bool isGroup(std::string_view name) { return plantNamed(name).form == Form::kGroup; }
 
 Model makePlant(std::string_view name, std::uint32_t seed, Detail detail) {
   Model model;

@@ -8,11 +8,15 @@
 
 namespace grove::models {
 
-/// Number of triangles: small for light fields with few texels, full for several million.
-enum class Detail { kSmall, kFull };
+/// Number of triangles: full for several million, small for light fields with few texels, distant for trees of a group
+/// that is seen from tens of metres.
+enum class Detail { kDistant, kSmall, kFull };
 
-/// The names that makePlant() accepts: trees and hexagonal tiles of grass.
+/// The names that makePlant() accepts: trees, groups of trees, and hexagonal tiles of grass.
 [[nodiscard]] std::span<const std::string_view> plantNames();
+
+/// Whether a plant is a group of trees, made to be seen from tens of metres.
+[[nodiscard]] bool isGroup(std::string_view name);
 
 /// Whether a plant is a tile. Tiles are hexagons of circumradius kTileRadius with corners at +-x, identical along their
 /// six edges, so that any two fit at any edge and in any of six rotations.

@@ -48,6 +48,7 @@ using world::Vec3;
 namespace {
 
 constexpr int kVoxelsAlongEdge = 64;
+constexpr int kVoxelsAlongGroup = 24;
 // In texels of a view.
 constexpr float kPatch = 2.0F;  // patch of one light point
 constexpr LongestEdge kLongest{4.0F, 8.0F};
@@ -219,7 +220,7 @@ void Job::writeFile(std::vector<HeldOutView> heldOut, const NearSurface& near) {
   field.levels = shape_.levels;
   field.sunAzimuth = lightings_.firstAzimuth();
   field.source = original_.name;
-  const Voxels voxels = voxelize(original_, kVoxelsAlongEdge);
+  const Voxels voxels = voxelize(original_, options_.group ? kVoxelsAlongGroup : kVoxelsAlongEdge);
   field.voxels = voxels.grid;
   field.voxels.cells = voxels.cells;
   field.heldOut = std::move(heldOut);
@@ -279,8 +280,9 @@ std::optional<BakeReport> Job::run() {
   };
   keep(cameras, heldOut, false);
   keep(seamCameras, seams, true);
-  // A tile has several hundred thousand blades: its triangles cost more than its views, even from near.
-  writeFile(std::move(kept), options_.tile ? NearSurface() : makeNearSurface(model_, points, light));
+  // A tile has several hundred thousand blades: its triangles cost more than its views, even from near. So do a
+  // group's, and nobody comes near it.
+  writeFile(std::move(kept), options_.tile || options_.group ? NearSurface() : makeNearSurface(model_, points, light));
   partial_.remove();
   report.bytes = std::filesystem::file_size(file_);
   report.seconds = all.seconds();

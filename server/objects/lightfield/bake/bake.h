@@ -23,6 +23,7 @@ struct BakeOptions {
   world::Sky sky = {};  ///< of the target world
   int threads = 0;      ///< 0: one per core
   bool tile = false;    ///< the model stands amid copies of itself, see models::isTile()
+  bool group = false;   ///< the model is only seen from a distance, see models::isGroup()
   /// Bakes light with a quarter of the rays, which neighbouring leaves share, and only two held-out views: a preview
   /// until the final bake.
   bool rough = false;

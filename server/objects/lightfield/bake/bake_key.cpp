@@ -20,6 +20,7 @@ std::uint64_t bakeKeyOf(const models::Model& model, const BakeOptions& options) 
                                            static_cast<std::uint64_t>(options.truthSamples),
                                            static_cast<std::uint64_t>(options.subdivision),
                                            static_cast<std::uint64_t>(options.tile),
+                                           static_cast<std::uint64_t>(options.group),
                                            static_cast<std::uint64_t>(options.rough)};
   checksum.add(numbers);
   const world::Sky& sky = options.sky;

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <span>
 
 #include "models/plants/plants.h"
 #include "objects/lightfield/bake/directions.h"
@@ -17,23 +19,32 @@ namespace {
 
 constexpr int kOnSphere = 16;
 constexpr int kOffSphere = 8;
+constexpr std::size_t kBox = 64;      // points
+constexpr float kRounding = 1.0e-3F;  // metres
 
 /// The farthest points in many directions: their ball is nearly the ball around all points.
 std::vector<Vec3> outermost(const std::vector<Vec3>& points) {
-  std::vector<Vec3> result;
-  for (const Vec3 direction : evenDirections(160)) {
-    float max = -std::numeric_limits<float>::infinity();
-    Vec3 farthest(0.0F);
-    for (const Vec3 point : points) {
-      const float along = glm::dot(point, direction);
-      if (along > max) {
-        max = along;
-        farthest = point;
+  const std::vector<Vec3> directions = evenDirections(160);
+  std::vector<float> max(directions.size(), -std::numeric_limits<float>::infinity());
+  std::vector<Vec3> farthest(directions.size(), Vec3(0.0F));
+  // Adjacent points are close together: few boxes of them have to be searched.
+  for (std::size_t first = 0; first < points.size(); first += kBox) {
+    const std::span box = std::span(points).subspan(first, std::min(kBox, points.size() - first));
+    world::Bounds bounds;
+    for (const Vec3 point : box) bounds.add(point);
+    for (std::size_t i = 0; i < directions.size(); ++i) {
+      const Vec3 direction = directions[i];
+      const float reach = glm::dot(bounds.centre(), direction) + 0.5F * glm::dot(bounds.size(), glm::abs(direction));
+      if (reach < max[i] - kRounding) continue;
+      for (const Vec3 point : box) {
+        const float along = glm::dot(point, direction);
+        if (along <= max[i]) continue;
+        max[i] = along;
+        farthest[i] = point;
       }
     }
-    result.push_back(farthest);
   }
-  return result;
+  return farthest;
 }
 
 /// Moves towards the farthest point in shrinking steps (M. Badoiu and K. Clarkson, "Smaller core-sets for balls",

@@ -10,6 +10,9 @@ using world::Vec3;
 
 constexpr float kFinest = 0.3F;  // metres between samples
 constexpr int kMaxCells = 20;    // along an edge
+// Objects larger than this are groups of trees that are seen from a distance.
+constexpr float kLarge = 12.0F;  // metres
+constexpr int kMaxCellsOfLarge = 8;
 constexpr int kSunRays = 4;
 constexpr float kSunRadius = 0.035F;  // of its direction, same as in the meshes' light
 
@@ -45,10 +48,12 @@ SunGrid makeSunGrid(const world::ModelledObject& object, Vec3 towardsSun, const 
   const Vec3 sun = glm::normalize(glm::transpose(glm::mat3(toWorld)) * towardsSun);
   SunGrid grid;
   grid.low = box.low;
+  const Vec3 extent = box.size() * object.transform.scale;
+  const bool isLarge = std::max({extent.x, extent.y, extent.z}) > kLarge;
   for (int axis = 0; axis < 3; ++axis) {
     const float size = std::max(box.size()[axis], 1.0e-3F);
     const int cells =
-        std::clamp(static_cast<int>(std::ceil(size * object.transform.scale / kFinest)) + 1, 2, kMaxCells);
+        std::clamp(static_cast<int>(std::ceil(extent[axis] / kFinest)) + 1, 2, isLarge ? kMaxCellsOfLarge : kMaxCells);
     grid.cells[static_cast<std::size_t>(axis)] = cells;
     grid.perMetre[axis] = static_cast<float>(cells - 1) / size;
   }

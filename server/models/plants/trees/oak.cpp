@@ -4,7 +4,7 @@
 #include "models/plants/bark.h"
 #include "models/plants/blade.h"
 #include "models/plants/skeleton.h"
-#include "models/plants/trees.h"
+#include "models/plants/trees/trees.h"
 #include "world/noise.h"
 
 namespace grove::models {
@@ -51,8 +51,11 @@ void gnarl(Skeleton& skeleton) {
 
 struct Foliage {
   std::uint16_t material = 0;
-  int rows = 1;
+  Detail detail = Detail::kSmall;
 };
+
+/// Factor by which distant leaves are larger, and fewer by its square.
+constexpr float kDistantOakLeaf = 1.8F;
 
 /// A tuft of leaves around a twig.
 void drawTuft(MeshWriter& mesh, const SkeletonNode& node, Vec3 along, const Foliage& foliage, Random random) {
@@ -64,7 +67,10 @@ void drawTuft(MeshWriter& mesh, const SkeletonNode& node, Vec3 along, const Foli
       glm::mix(Vec3(0.72F, 0.80F, 0.70F), Vec3(1.22F, 1.12F, 0.95F), glm::smoothstep(0.3F, 0.75F, clump)) *
       glm::mix(0.8F, 1.08F, glm::smoothstep(0.5F, 1.0F, depth));
   const bool yellowing = random.chance(0.03F);
-  const int leaves = 8 + static_cast<int>(random.range(0.0F, 4.0F));
+  const bool distant = foliage.detail == Detail::kDistant;
+  const float larger = distant ? kDistantOakLeaf : 1.0F;
+  int leaves = 8 + static_cast<int>(random.range(0.0F, 4.0F));
+  if (distant) leaves = static_cast<int>(static_cast<float>(leaves) / (larger * larger) + random.unit());
   for (int i = 0; i < leaves; ++i) {
     Blade leaf;
     leaf.outline = Outline::kOak;
@@ -72,7 +78,7 @@ void drawTuft(MeshWriter& mesh, const SkeletonNode& node, Vec3 along, const Foli
     leaf.along = unitOr(random.direction() + along * 0.5F + outward * 0.5F - Vec3(0, 0.1F, 0), outward);
     leaf.face = unitOr(outward * 0.6F + Vec3(0, 0.75F, 0) + random.direction() * 0.55F, Vec3(0, 1, 0));
     leaf.root = node.position + random.inBall() * 0.075F;
-    leaf.length = random.range(0.095F, 0.15F);
+    leaf.length = random.range(0.095F, 0.15F) * larger;
     leaf.width = leaf.length * random.range(0.55F, 0.68F);
     leaf.bend = random.range(0.2F, 1.1F);
     leaf.fold = random.range(0.1F, 0.5F);
@@ -80,7 +86,7 @@ void drawTuft(MeshWriter& mesh, const SkeletonNode& node, Vec3 along, const Foli
     if (yellowing) colour *= Vec3(1.75F, 1.25F, 0.6F);
     leaf.rootColour = colour * 0.92F;
     leaf.tipColour = colour * Vec3(1.08F, 1.05F, 1.0F);
-    drawBlade(mesh, leaf, foliage.rows);
+    drawBlade(mesh, leaf, foliage.detail == Detail::kFull ? 12 : 1);
   }
 }
 
@@ -107,7 +113,7 @@ void growOak(MeshWriter& mesh, Random& random, Detail detail) {
 
   for (const Limb& limb : limbsOf(skeleton)) drawLimb(mesh, limb, oakBark, wood, detail);
 
-  const Foliage foliage{leaves, detail == Detail::kFull ? 12 : 1};
+  const Foliage foliage{leaves, detail};
   for (const SkeletonNode& node : skeleton) {
     if (node.radius > 0.0105F || node.parent < 0) continue;
     const Vec3 along = node.position - skeleton[static_cast<std::size_t>(node.parent)].position;

@@ -3,7 +3,7 @@
 
 #include "models/plants/bark.h"
 #include "models/plants/limb.h"
-#include "models/plants/trees.h"
+#include "models/plants/trees/trees.h"
 #include "world/noise.h"
 
 namespace grove::models {
@@ -13,6 +13,26 @@ using world::Vec3;
 
 constexpr float kSpruceHeight = 8.6F;
 constexpr float kLowest = 0.5F;  // metres: the lowest boughs
+
+/// Fewer needles are larger and cover the same area.
+struct SpruceNeedles {
+  float perMetre;  ///< of a twig
+  int min;         ///< per twig
+  float width;     ///< metres
+  float longer;    ///< factor
+};
+
+constexpr SpruceNeedles needlesOf(Detail detail) {
+  switch (detail) {
+    case Detail::kFull:
+      return {300.0F, 3, 0.0050F, 1.0F};
+    case Detail::kSmall:
+      return {42.0F, 3, 0.0180F, 2.5F};
+    case Detail::kDistant:
+      return {3.5F, 1, 0.0560F, 7.0F};
+  }
+  return {};
+}
 
 class Spruce {
  public:
@@ -123,25 +143,25 @@ class Spruce {
 
   /// Needles around a twig, slanting forward; small detail has fewer and larger ones that cover the same area.
   void needlesAlong(const Limb& twig, float from, float tint) {
-    const bool full = detail_ == Detail::kFull;
+    const SpruceNeedles needles = needlesOf(detail_);
     const float length = glm::distance(twig.points.front().position, twig.tip().position) * (1.0F - from);
-    const int count = std::max(3, static_cast<int>(length * (full ? 300.0F : 42.0F)));
-    const float width = full ? 0.0050F : 0.0180F;
+    const int count = std::max(needles.min, static_cast<int>(length * needles.perMetre));
     Random random = random_.fork();
     for (int i = 0; i < count; ++i) {
       const float share = from + (1.0F - from) * (static_cast<float>(i) + 0.5F) / static_cast<float>(count);
       const Vec3 forward = twig.directionAt(share);
       const Vec3 side = turned(anyNormalTo(forward), forward, 2.399963F * static_cast<float>(i));
       const Vec3 along = unitOr(side + forward * 0.9F + Vec3(0, 0.15F, 0), side);
-      const float size = random.range(0.024F, 0.032F) * (full ? 1.0F : 2.5F);
+      const float size = random.range(0.024F, 0.032F) * needles.longer;
       const float light = tint * random.range(0.75F, 1.2F);
       const Vec3 young = glm::mix(Vec3(0.85F, 0.95F, 0.95F), Vec3(1.35F, 1.25F, 0.85F), share * share);
-      needle(twig.at(share).position, along, unitOr(glm::cross(along, forward), side), {size, width}, young * light);
+      needle(twig.at(share).position, along, unitOr(glm::cross(along, forward), side), {size, needles.width},
+             young * light);
     }
   }
 
   void needle(Vec3 root, Vec3 along, Vec3 across, world::Vec2 size, Vec3 colour) {
-    if (detail_ == Detail::kSmall) {
+    if (detail_ != Detail::kFull) {
       const std::uint32_t left = mesh_.vertex(root - across * (0.5F * size.y), colour * 0.8F);
       const std::uint32_t right = mesh_.vertex(root + across * (0.5F * size.y), colour * 0.8F);
       mesh_.triangle(left, right, mesh_.vertex(root + along * size.x, colour * 1.1F), needles_);

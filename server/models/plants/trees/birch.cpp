@@ -4,7 +4,7 @@
 #include "models/plants/bark.h"
 #include "models/plants/blade.h"
 #include "models/plants/limb.h"
-#include "models/plants/trees.h"
+#include "models/plants/trees/trees.h"
 #include "world/noise.h"
 
 namespace grove::models {
@@ -15,6 +15,9 @@ using world::Vec3;
 constexpr float kBirchHeight = 8.3F;
 constexpr float kBole = 1.5F;
 constexpr int kBranches = 66;
+
+/// Factor by which distant leaves are larger, and fewer by its square.
+constexpr float kDistantBirchLeaf = 2.8F;
 
 class Birch {
  public:
@@ -104,7 +107,9 @@ class Birch {
     const float clump = world::fractalNoise(tip * 1.3F + 20.0F, 2);
     const Vec3 tint = glm::mix(Vec3(0.75F, 0.82F, 0.75F), Vec3(1.2F, 1.12F, 0.95F), glm::smoothstep(0.3F, 0.7F, clump));
     const Vec3 shade = tint * (random_.chance(0.06F) ? Vec3(1.7F, 1.3F, 0.6F) : Vec3(1.0F));
-    const int leaves = 8 + static_cast<int>(random_.range(0.0F, 7.0F));
+    int leaves = 8 + static_cast<int>(random_.range(0.0F, 7.0F));
+    if (detail_ == Detail::kDistant)
+      leaves = std::max(1, static_cast<int>(static_cast<float>(leaves) / (kDistantBirchLeaf * kDistantBirchLeaf)));
     for (int i = 0; i < leaves; ++i)
       leaf(limb, (static_cast<float>(i) + random_.unit()) / static_cast<float>(leaves), shade);
   }
@@ -118,7 +123,7 @@ class Birch {
     blade.along = unitOr(random_.direction() + outward * 0.3F - Vec3(0, 0.65F, 0), Vec3(0, -1, 0));
     blade.root = position + blade.along * 0.012F;
     blade.face = unitOr(outward * 0.7F + Vec3(0, 0.6F, 0) + random_.direction() * 0.6F, Vec3(0, 1, 0));
-    blade.length = random_.range(0.055F, 0.085F);
+    blade.length = random_.range(0.055F, 0.085F) * (detail_ == Detail::kDistant ? kDistantBirchLeaf : 1.0F);
     blade.width = blade.length * random_.range(0.72F, 0.9F);
     blade.bend = random_.range(0.1F, 0.8F);
     blade.fold = random_.range(0.1F, 0.4F);
