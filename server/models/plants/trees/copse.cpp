@@ -61,18 +61,12 @@ class Copse {
       const std::size_t kind = kindAt(kinds, std::fmod(0.37F + 0.618034F * static_cast<float>(i), 1.0F));
       // The tallest stand in the middle.
       const float age = glm::mix(1.0F, 0.45F, share) * random_.range(0.8F, 1.0F);
-      put(grown[kind], kRadius * std::sqrt(share), 2.399963F * static_cast<float>(i) + 0.25F * random_.around(),
-          glm::mix(kinds[kind].low, kinds[kind].high, age));
+      const float turn = 2.399963F * static_cast<float>(i) + 0.25F * random_.around();
+      put(grown[kind], kRadius * std::sqrt(share), turn, glm::mix(kinds[kind].low, kinds[kind].high, age));
     }
     undergrow();
-    for (int i = 0; i < kYoung; ++i) {
-      put(grown[0], random_.range(0.75F, 1.0F) * kRim, kTurn * (static_cast<float>(i) + 0.7F * random_.unit()) / kYoung,
-          random_.range(0.25F, 0.5F));
-    }
-    for (int i = 0; i < kShrubs; ++i) {
-      put(hazel, random_.range(0.8F, 1.0F) * kRim, kTurn * (static_cast<float>(i) + 0.7F * random_.unit()) / kShrubs,
-          random_.range(0.6F, 1.15F));
-    }
+    putAtRim(grown[0], kYoung, 0.25F, 0.5F);
+    putAtRim(hazel, kShrubs, 0.6F, 1.15F);
   }
 
  private:
@@ -96,9 +90,19 @@ class Copse {
     return kind;
   }
 
+  void putAtRim(const Grown& plant, int count, float minScale, float maxScale) {
+    for (int i = 0; i < count; ++i) {
+      const float radius = kRim * random_.range(0.75F, 1.0F);
+      const float turn = kTurn * (static_cast<float>(i) + 0.7F * random_.unit()) / static_cast<float>(count);
+      put(plant, radius, turn, random_.range(minScale, maxScale));
+    }
+  }
+
   void put(const Grown& plant, float radius, float turn, float scale) {
-    const Vec3 tint =
-        Vec3(random_.range(0.88F, 1.14F)) * Vec3(random_.range(0.94F, 1.08F), 1.0F, random_.range(0.9F, 1.06F));
+    const float light = random_.range(0.88F, 1.14F);
+    const float red = random_.range(0.94F, 1.08F);
+    const float blue = random_.range(0.9F, 1.06F);
+    const Vec3 tint(light * red, light, light * blue);
     mesh_.add(plant.model,
               {.position = Vec3(radius * std::cos(turn), 0.0F, radius * std::sin(turn)),
                .radians = random_.angle(),
@@ -116,7 +120,9 @@ class Copse {
       if (random_.chance(glm::smoothstep(0.75F, 1.0F, share))) continue;
       const float turn = 2.399963F * static_cast<float>(i);
       const Vec3 root = Vec3(std::cos(turn), 0.0F, std::sin(turn)) * (kLowReach * std::sqrt(share));
-      const Vec3 colour = Vec3(random_.range(0.8F, 1.2F)) * Vec3(random_.range(0.9F, 1.15F), 1.0F, 0.95F);
+      const float light = random_.range(0.8F, 1.2F);
+      const float red = random_.range(0.9F, 1.15F);
+      const Vec3 colour(light * red, light, 0.95F * light);
       for (int k = 0; k < kLeavesPerPlant; ++k) {
         const float out = random_.angle();
         Blade blade;
