@@ -40,7 +40,9 @@ function changedGrove(change) {
  * minutes to bake.
  */
 export function coarseGrove() {
-  return changedGrove((text) => text.replaceAll(/^plant = /gm, 'subdivision = 4\nsize = 128\nplant = '));
+  return changedGrove((text) =>
+    text.replaceAll(/^size = \d+\nsubdivision = \d+\n/gm, '').replaceAll(/^plant = /gm, 'subdivision = 4\nsize = 128\nplant = '),
+  );
 }
 
 /** The built-in scene, whose visitors arrive elsewhere. Metres, and degrees counter-clockwise from north. */
