@@ -83,8 +83,10 @@ TEST_F(ClearingBake, LightIsSimilarWhereNobodyComesNear) {
   double sky = 0.0;
   double grass = 0.0;
   int points = 0;
-  for (float x = -15.0F; x <= 15.0F; x += 0.5F) {
-    for (float z = -15.0F; z <= 15.0F; z += 0.5F) {
+  for (int column = -30; column <= 30; ++column) {
+    for (int row = -30; row <= 30; ++row) {
+      const float x = 0.5F * static_cast<float>(column);
+      const float z = 0.5F * static_cast<float>(row);
       const Soil fine = soilAt(clearing, {x, 0.0F, z});
       const Soil rough = soilAt(far, {x, 0.0F, z});
       sun += static_cast<double>(std::abs(fine.sun - rough.sun));

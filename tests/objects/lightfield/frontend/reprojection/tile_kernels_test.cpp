@@ -177,9 +177,9 @@ TEST(TileKernels, MatchesScalarOnEveryTarget) {
             const int before = shown;
             for (int i = 0; i < kTilePixels; ++i) {
               Haze ofRow = haze.first;
-              ofRow.amount += static_cast<float>(i / kTileWidth) * haze.perRow;
-              const Pixel expected =
-                  PlainWarp(view, warp, ofRow, reach).pixel(left + i % kTileWidth, top + i / kTileWidth);
+              const int row = i / kTileWidth;
+              ofRow.amount += static_cast<float>(row) * haze.perRow;
+              const Pixel expected = PlainWarp(view, warp, ofRow, reach).pixel(left + i % kTileWidth, top + row);
               bool differs = std::abs(tile.depth[i] - expected.depth) > 0.001F * expected.depth;
               for (std::size_t c = 0; c < 4; ++c) {
                 differs |= std::abs(static_cast<float>(tile.colour[i] >> (8U * c) & 255U) - expected.colour[c]) > 2.0F;
