@@ -10,6 +10,7 @@
 #include "objects/lightfield/common/field_info.h"
 #include "objects/lightfield/common/keys.h"
 #include "objects/lightfield/common/lamps/lamp_light.h"
+#include "objects/lightfield/common/layered_haze.h"
 #include "objects/lightfield/common/object_view.h"
 #include "objects/lightfield/common/permitted_error.h"
 
@@ -140,6 +141,7 @@ node::Payload LightFieldBackend::framePicture(const node::Request& request, cons
   const bool isNear = request.key == kNearKey && !shown->field.near.empty();
   const auto image =
       isNear ? pictures_.makeNear(entry, shown->field, shot, haze) : pictures_.make(entry, shown->field, shot, haze);
+  LayeredHaze(entry.bounds, pictures_.sky(), camera).addMistTo(*image);
   const auto lamps = chooseLamps(request.seenBy().lights, entry.bounds, glm::inverse(entry.transform.matrix()));
   LampLight(lamps, shot.camera).addTo(*image);
   return std::shared_ptr<const raster::Image>(image);

@@ -3,7 +3,7 @@
 #include <functional>
 
 #include "objects/lightfield/common/cached_view.h"
-#include "objects/lightfield/frontend/reprojection/layered_haze.h"
+#include "objects/lightfield/common/layered_haze.h"
 #include "objects/lightfield/frontend/reprojection/reprojection_tile.h"
 #include "world/camera.h"
 

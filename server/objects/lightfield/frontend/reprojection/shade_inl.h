@@ -13,7 +13,7 @@
 #include <cstdint>
 
 #include "base/simd/channels_inl.h"
-#include "objects/lightfield/frontend/reprojection/layered_haze.h"
+#include "objects/lightfield/common/layered_haze.h"
 #include "objects/lightfield/frontend/reprojection/texels_inl.h"
 
 HWY_BEFORE_NAMESPACE();

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "objects/lightfield/common/cached_view.h"
-#include "objects/lightfield/frontend/reprojection/layered_haze.h"
+#include "objects/lightfield/common/layered_haze.h"
 #include "objects/lightfield/frontend/reprojection/reprojection_tile.h"
 
 namespace grove::objects::lightfield {

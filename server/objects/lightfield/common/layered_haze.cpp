@@ -1,4 +1,9 @@
-#include "objects/lightfield/frontend/reprojection/layered_haze.h"
+#include "objects/lightfield/common/layered_haze.h"
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <span>
 
 #include "objects/lightfield/common/object_view.h"
 #include "world/light.h"
@@ -30,9 +35,26 @@ TileHaze LayeredHaze::at(int row, int rows) const {
   return tile;
 }
 
-float LayeredHaze::amountAt(float row) const {
-  const float mist = mist_ * (1.0F - glm::smoothstep(0.0F, world::kMistTop, firstHeight_ + row * perRow_));
-  return 1.0F - (1.0F - haze_.amount) * (1.0F - mist);
+void LayeredHaze::addMistTo(raster::Image& picture) const {
+  if (mist_ == 0.0F) return;
+  for (int row = 0; row < picture.height(); ++row) {
+    const float mist = mistAt(static_cast<float>(picture.rect.top + row) + 0.5F);
+    for (std::uint32_t& pixel : std::span(picture.colourRow(row), static_cast<std::size_t>(picture.width()))) {
+      const auto cover = static_cast<float>(pixel >> 24U);
+      std::uint32_t mixed = pixel & 0xFF000000U;
+      for (unsigned c = 0; c < 3; ++c) {
+        const auto clear = static_cast<float>(pixel >> (8U * c) & 255U);
+        mixed |= static_cast<std::uint32_t>(std::lround(clear + (haze_.colour[c] * cover - clear) * mist)) << (8U * c);
+      }
+      pixel = mixed;
+    }
+  }
 }
+
+float LayeredHaze::mistAt(float row) const {
+  return mist_ * (1.0F - glm::smoothstep(0.0F, world::kMistTop, firstHeight_ + row * perRow_));
+}
+
+float LayeredHaze::amountAt(float row) const { return 1.0F - (1.0F - haze_.amount) * (1.0F - mistAt(row)); }
 
 }  // namespace grove::objects::lightfield

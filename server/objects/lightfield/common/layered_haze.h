@@ -1,6 +1,7 @@
 #pragma once
 
 #include "objects/lightfield/common/haze.h"
+#include "raster/image.h"
 #include "world/camera.h"
 #include "world/geometry.h"
 #include "world/sky.h"
@@ -24,7 +25,11 @@ class LayeredHaze {
   /// Of the tile of `rows` rows whose first one is `row`.
   [[nodiscard]] TileHaze at(int row, int rows) const;
 
+  /// Adds what the mist adds to a picture of the object that has the air's haze already.
+  void addMistTo(raster::Image& picture) const;
+
  private:
+  [[nodiscard]] float mistAt(float row) const;
   [[nodiscard]] float amountAt(float row) const;
 
   Haze haze_;

@@ -1,4 +1,4 @@
-#include "objects/lightfield/frontend/reprojection/layered_haze.h"
+#include "objects/lightfield/common/layered_haze.h"
 
 #include <gtest/gtest.h>
 
@@ -52,6 +52,27 @@ TEST(LayeredHaze, TilesContinueEachOther) {
   for (int row = 0; row < 360; row += 8) {
     const TileHaze tile = haze.at(row, 8);
     EXPECT_NEAR(tile.first.amount + 8.0F * tile.perRow, haze.at(row + 8, 8).first.amount, 1e-5F);
+  }
+}
+
+// Fault: a picture that is drawn for one frame has no mist, or mist where the object covers nothing.
+TEST(LayeredHaze, FinishedPicturesGetTheSameMist) {
+  constexpr float kDistance = 100.0F;
+  const LayeredHaze haze(treesAt(kDistance), {}, camera());
+  const Haze air = hazeBefore(treesAt(kDistance), {}, camera());
+  raster::ImagePool images;
+  const int top = rowOf(12.0F, kDistance);
+  const auto picture = images.acquire({10, top, 12, rowOf(0.0F, kDistance) + 1});
+  for (int row = 0; row < picture->height(); ++row) {
+    picture->colourRow(row)[0] = 0xFF204060U;
+    picture->colourRow(row)[1] = 0U;
+  }
+  haze.addMistTo(*picture);
+  for (int row = 0; row < picture->height(); ++row) {
+    const float clear = (1.0F - haze.at(top + row, 1).first.amount) / (1.0F - air.amount);
+    const float red = 96.0F * clear + 255.0F * air.colour[0] * (1.0F - clear);
+    EXPECT_NEAR(static_cast<float>(picture->colourRow(row)[0] & 255U), red, 1.0F) << row;
+    EXPECT_EQ(picture->colourRow(row)[1], 0U);
   }
 }
 
