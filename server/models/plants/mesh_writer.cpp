@@ -8,6 +8,22 @@ namespace grove::models {
 
 using world::Vec3;
 
+namespace {
+
+/// Rotates counter-clockwise as seen from above.
+class TurnAboutY {
+ public:
+  explicit TurnAboutY(float radians) : cosine_(std::cos(radians)), sine_(std::sin(radians)) {}
+
+  Vec3 operator()(Vec3 v) const { return {cosine_ * v.x + sine_ * v.z, v.y, cosine_ * v.z - sine_ * v.x}; }
+
+ private:
+  const float cosine_;
+  const float sine_;
+};
+
+}  // namespace
+
 std::uint16_t MeshWriter::addMaterial(Material material) {
   model_.materials.push_back(std::move(material));
   return static_cast<std::uint16_t>(model_.materials.size() - 1);
@@ -51,9 +67,7 @@ void MeshWriter::takeBack(Mark mark) {
 }
 
 void MeshWriter::repeatTurned(Mark from, Mark to, float radians) {
-  const float cosine = std::cos(radians);
-  const float sine = std::sin(radians);
-  const auto turn = [=](Vec3 v) { return Vec3(cosine * v.x + sine * v.z, v.y, cosine * v.z - sine * v.x); };
+  const TurnAboutY turn(radians);
   const auto shift = static_cast<std::uint32_t>(model_.triangles.positions.size() - from.vertices);
   for (std::size_t i = from.vertices; i < to.vertices; ++i) {
     vertex(turn(model_.triangles.positions[i]), Vec3(model_.colours[i]));
@@ -66,9 +80,7 @@ void MeshWriter::repeatTurned(Mark from, Mark to, float radians) {
 }
 
 void MeshWriter::add(const Model& other, const Placement& placement, std::uint16_t firstMaterial) {
-  const float cosine = std::cos(placement.radians);
-  const float sine = std::sin(placement.radians);
-  const auto turn = [=](Vec3 v) { return Vec3(cosine * v.x + sine * v.z, v.y, cosine * v.z - sine * v.x); };
+  const TurnAboutY turn(placement.radians);
   const auto first = static_cast<std::uint32_t>(model_.triangles.positions.size());
   for (std::size_t i = 0; i < other.triangles.positions.size(); ++i) {
     vertex(placement.position + placement.scale * turn(other.triangles.positions[i]),

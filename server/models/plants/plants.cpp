@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <cmath>
+#include <cstdlib>
 #include <string>
 
 #include "models/plants/mesh_writer.h"
@@ -51,6 +53,19 @@ std::span<const std::string_view> plantNames() { return kNames; }
 bool isTile(std::string_view name) { return plantNamed(name).form == Form::kTile; }
 
 bool isGroup(std::string_view name) { return plantNamed(name).form == Form::kGroup; }
+
+std::vector<world::Vec3> neighbouringTiles() {
+  const world::Vec3 along(1.5F * kTileRadius, 0.0F, 0.5F * std::sqrt(3.0F) * kTileRadius);
+  const world::Vec3 across(0.0F, 0.0F, std::sqrt(3.0F) * kTileRadius);
+  std::vector<world::Vec3> offsets;
+  for (int i = -2; i <= 2; ++i) {
+    for (int j = -2; j <= 2; ++j) {
+      if (std::abs(i + j) > 2 || (i == 0 && j == 0)) continue;
+      offsets.push_back(static_cast<float>(i) * along + static_cast<float>(j) * across);
+    }
+  }
+  return offsets;
+}
 
 Model makePlant(std::string_view name, std::uint32_t seed, Detail detail) {
   Model model;

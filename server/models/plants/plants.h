@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "models/model.h"
 
@@ -22,6 +23,9 @@ enum class Detail { kDistant, kSmall, kFull };
 /// six edges, so that any two fit at any edge and in any of six rotations.
 [[nodiscard]] bool isTile(std::string_view name);
 inline constexpr float kTileRadius = 2.0F;
+
+/// The centres of the 18 tiles in the two rings around a tile at the origin.
+[[nodiscard]] std::vector<world::Vec3> neighbouringTiles();
 
 /// Increment if the same name, seed and detail give other bytes than before, so that results made from them are
 /// rebuilt.

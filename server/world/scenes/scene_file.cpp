@@ -13,6 +13,7 @@
 
 #include "base/checksum.h"
 #include "base/plain_file.h"
+#include "world/scenes/scene_objects.h"
 #include "world/scenes/toml_nesting.h"
 
 namespace grove::world {
@@ -70,9 +71,6 @@ namespace {
 constexpr std::size_t kMaxObjects = 4096;
 constexpr int kMaxNested = 16;
 constexpr std::uint64_t kMaxBytes = std::uint64_t{16} << 20U;
-constexpr double kMaxMetres = 1000.0;
-constexpr double kMinScale = 0.01;
-constexpr double kMaxScale = 100.0;
 
 std::string inQuotes(std::string_view text) { return std::string("'").append(text).append("'"); }
 
@@ -182,41 +180,6 @@ void Parameters::fail(std::string_view key, const std::string& reason) const {
 }
 
 namespace {
-
-ObjectDescription readObject(const Parameters& parameters) {
-  ObjectDescription object{parameters.text("type", ""), parameters.text("name", ""), {}, parameters};
-  if (object.type.empty()) parameters.fail("type", "'type' is missing");
-  object.transform.position = parameters.vector("position", Vec3(0.0F));
-  object.transform.yaw = glm::radians(static_cast<float>(parameters.number("yaw_degrees", 0.0, -360.0, 360.0)));
-  object.transform.scale = static_cast<float>(parameters.number("scale", 1.0, kMinScale, kMaxScale));
-  return object;
-}
-
-/// A row of `places`: x, z, yaw in degrees, scale.
-Transform placeOf(const Parameters& parameters, float y, const std::vector<double>& row) {
-  const auto within = [&](double value, double low, double high) {
-    if (!(value >= low && value <= high)) parameters.fail("places", "'places' has a number out of range");
-    return static_cast<float>(value);
-  };
-  Transform transform;
-  transform.position = Vec3(within(row[0], -kMaxMetres, kMaxMetres), y, within(row[1], -kMaxMetres, kMaxMetres));
-  transform.yaw = glm::radians(within(row[2], -360.0, 360.0));
-  transform.scale = within(row[3], kMinScale, kMaxScale);
-  return transform;
-}
-
-/// The object of a table, or its copies at the table's `places`, which are numbered.
-std::vector<ObjectDescription> readObjects(const Parameters& parameters) {
-  const auto rows = parameters.rows("places", 4);
-  const ObjectDescription object = readObject(parameters);
-  if (rows.empty()) return {object};
-  std::vector<ObjectDescription> copies(rows.size(), object);
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    copies[i].name.append(" ").append(std::to_string(i + 1));
-    copies[i].transform = placeOf(parameters, object.transform.position.y, rows[i]);
-  }
-  return copies;
-}
 
 /// The tables of an array such as `[[object]]`, in the file's order.
 std::vector<const toml::table*> tablesOf(const Parameters::Table& root, std::string_view key) {

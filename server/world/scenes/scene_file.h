@@ -21,6 +21,9 @@ class SceneError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// Limit of coordinates, on either side of the origin.
+inline constexpr double kMaxMetres = 1000.0;
+
 /// The type-specific settings of one object. Each getter marks its key as known; finish() then rejects the others, so
 /// that a misspelt key is an error with a line number and not a silent default.
 class Parameters {

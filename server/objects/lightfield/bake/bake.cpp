@@ -60,20 +60,6 @@ constexpr int kRoughDirections = 16;
 constexpr int kRoughSunRays = 2;
 constexpr std::size_t kRoughHeldOut = 2;
 
-/// The centres of two rings of neighbouring tiles.
-std::vector<Vec3> tilesAround() {
-  const Vec3 along(1.5F * models::kTileRadius, 0.0F, 0.5F * std::sqrt(3.0F) * models::kTileRadius);
-  const Vec3 across(0.0F, 0.0F, std::sqrt(3.0F) * models::kTileRadius);
-  std::vector<Vec3> offsets;
-  for (int i = -2; i <= 2; ++i) {
-    for (int j = -2; j <= 2; ++j) {
-      if (std::abs(i + j) > 2 || (i == 0 && j == 0)) continue;
-      offsets.push_back(static_cast<float>(i) * along + static_cast<float>(j) * across);
-    }
-  }
-  return offsets;
-}
-
 /// The box that clips rays: flat models get a thickness, because no ray would be inside a plane.
 world::Bounds boundsOfView(const world::Triangles& triangles, float texel) {
   world::Bounds bounds = triangles.bounds();
@@ -118,7 +104,7 @@ class Job {
         partial_(file_.string() + ".partial", shape_) {
     // The lock on the partial bake excludes other writers of this file.
     removeLeftovers(file_);
-    if (options.tile) rays_.surround(tilesAround());
+    if (options.tile) rays_.surround(models::neighbouringTiles());
   }
 
   [[nodiscard]] std::optional<BakeReport> run();

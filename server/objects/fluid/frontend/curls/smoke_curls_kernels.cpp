@@ -132,7 +132,7 @@ struct Carver {
     const Floats tongue = mulAdd(Floats(2.4F), other, octaves.weight[0] * mulAdd(Floats(-0.5F), age, Floats(0.15F)));
     const Floats lick = clamp(mulAdd(flame, tongue, one), zero, Floats(1.3F));
 
-    // Hills multiply the odds that smoke covers what is behind it: clear and opaque smoke stay so. Old smoke is even.
+    // The noise multiplies the odds cover / (1 - cover), so cover stays within 0 and 1. Old smoke has less contrast.
     const Floats crisp = clamp(mulAdd(Floats(-0.2F), age, Floats(1.25F)), Floats(0.3F), one);
     const Floats root = max(zero, mulAdd(Floats(0.8F) * crisp, hill, one));
     const Floats square = root * root;
