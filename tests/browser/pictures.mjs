@@ -91,6 +91,8 @@ try {
   await takeFrom(browser, [-8.2, 3, 38], 'under_an_oak');
   await takeFrom(browser, [-11.4, -3.2, 55], 'in_a_spruce');
   await takeFrom(browser, [10, 18, 33], 'stones');
+  await takeFrom(browser, [0, 14, 180], 'forest');
+  await takeFrom(browser, [2, 1.5, 50], 'fire');
 } finally {
   await browser.close();
   await server.end();
